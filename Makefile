@@ -1,0 +1,110 @@
+# heatladder: verification and benchmarks for transient heat conduction.  `make help` lists the targets.
+
+CC       ?= cc
+CFLAGS   ?= -O3 -g
+WARN     := -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wvla -Wmissing-prototypes -Wstrict-prototypes
+ifdef WERROR
+WARN     += -Werror
+endif
+BUILD    ?= build
+PREFIX   ?= /usr/local
+LIBS     := gsl fftw3 cmocka
+# Asked for when the first recipe needs them, and then once: `make setup test` installs pkg-config on the way.
+PKG_CFLAGS = $(eval PKG_CFLAGS := $$(shell pkg-config --cflags $(LIBS)))$(PKG_CFLAGS)
+PKG_LIBS   = $(eval PKG_LIBS := $$(shell pkg-config --libs $(LIBS)))$(PKG_LIBS)
+ALL_CFLAGS = -std=c11 -D_XOPEN_SOURCE=700 -ffp-contract=off -fopenmp $(WARN) $(CFLAGS) -I. -I$(BUILD) $(PKG_CFLAGS)
+ALL_LIBS   = $(PKG_LIBS) -fopenmp -lm
+ifndef V
+Q := @
+endif
+
+SOURCES := $(wildcard solver/*.c references/*.c verification/*.c)
+OBJECTS := $(SOURCES:%.c=$(BUILD)/%.o)
+LIBRARY := $(filter-out $(BUILD)/verification/main.o,$(OBJECTS))
+SCENES  := $(sort $(wildcard references/scene_*.c))
+C_FILES := $(wildcard $(foreach d,solver references verification verification/unit,$(d)/*.[ch]))
+TESTS   := $(patsubst verification/unit/%.c,$(BUILD)/unit/%,$(wildcard verification/unit/test_*.c))
+
+.PHONY: all
+all: $(BUILD)/heatladder ## Build the program
+
+$(BUILD)/heatladder: $(OBJECTS)
+	@echo "  LD    $@"
+	$(Q)$(CC) $(ALL_CFLAGS) $(LDFLAGS) -o $@ $^ $(ALL_LIBS)
+
+# A scene is found by its file: no list to keep.
+$(BUILD)/scenes.inc: $(SCENES)
+	@mkdir -p $(@D)
+	$(Q)for f in $(SCENES); do b=$${f##*/scene_}; echo "SCENE($${b%.c})"; done > $@.new && mv $@.new $@
+
+$(BUILD)/%.o: %.c $(BUILD)/scenes.inc
+	@mkdir -p $(@D)
+	@echo "  CC    $<"
+	$(Q)$(CC) $(ALL_CFLAGS) -MMD -MP -c -o $@ $<
+
+$(BUILD)/unit/%: verification/unit/%.c $(LIBRARY)
+	@mkdir -p $(@D)
+	@echo "  TEST  $@"
+	$(Q)$(CC) $(ALL_CFLAGS) -MMD -MP -MF $@.d -MT $@ $(LDFLAGS) -o $@ $< $(LIBRARY) $(ALL_LIBS)
+
+.PHONY: test
+test: $(TESTS) ## Run the unit tests
+	$(Q)for t in $(TESTS); do $$t || exit 1; done
+
+.PHONY: verify
+verify: $(BUILD)/heatladder ## Run every gate; the verdicts go to reports/out as JSON and JUnit XML
+	@mkdir -p reports/out
+	$(Q)$(BUILD)/heatladder verify --json reports/out/gates.json --junit reports/out/junit.xml
+
+.PHONY: verify-quick
+verify-quick: $(BUILD)/heatladder ## Run the quick tier of the gates
+	$(Q)$(BUILD)/heatladder verify --quick
+
+.PHONY: setup
+setup: ## Install what the build needs and this machine lacks
+	$(Q)scripts/setup
+
+# In `make -j setup test` nothing is compiled before all is there.
+ifneq ($(filter setup,$(MAKECMDGOALS)),)
+$(BUILD)/scenes.inc: | setup
+endif
+
+# What cppcheck 2.10 takes for faults: tables that a NULL ends, and arguments that a call fills.  The compiler's
+# warnings and `make sanitize` look after these.
+CPPCHECK := --quiet --error-exitcode=1 --std=c11 --enable=warning,portability --inline-suppr -I. \
+            $(addprefix --suppress=,arrayIndexOutOfBounds arrayIndexThenCheck ctuuninitvar uninitvar)
+
+.PHONY: lint
+lint: $(OBJECTS) ## Check includes, symbols, shared lines, the format and (by cppcheck) common faults
+	$(Q)scripts/check_includes
+	$(Q)scripts/check_symbols $(BUILD)
+	$(Q)scripts/check_shared_lines
+	$(Q)if command -v clang-format >/dev/null; then clang-format --dry-run --Werror $(C_FILES); \
+	else echo "lint: clang-format is not here, the format was not checked"; fi
+	$(Q)if command -v cppcheck >/dev/null; then cppcheck $(CPPCHECK) $(SOURCES); \
+	else echo "lint: cppcheck is not here, common faults were not looked for"; fi
+
+.PHONY: format
+format: ## Lay out the sources by .clang-format
+	clang-format -i $(C_FILES)
+
+SANITIZE := -O1 -g -fsanitize=address,undefined -fno-sanitize-recover=all -fno-omit-frame-pointer
+.PHONY: sanitize
+sanitize: ## Run the tests and a few gates under the address and undefined-behaviour sanitizers
+	+$(Q)$(MAKE) BUILD=$(BUILD)/sanitize CFLAGS='$(SANITIZE)' all test
+	$(Q)$(BUILD)/sanitize/heatladder verify --only '*rod-gauss*'
+
+.PHONY: install
+install: all ## Install the program under PREFIX (DESTDIR is put before it)
+	install -d '$(DESTDIR)$(PREFIX)/bin'
+	install -m 755 $(BUILD)/heatladder '$(DESTDIR)$(PREFIX)/bin/heatladder'
+
+.PHONY: clean
+clean: ## Remove everything that was built
+	rm -rf $(BUILD) reports/out
+
+.PHONY: help
+help: ## List the targets
+	@awk -F':.*## ' '/^[a-z-]+:.*## /{printf "  %-16s %s\n", $$1, $$2}' Makefile
+
+-include $(OBJECTS:.o=.d) $(TESTS:=.d)

@@ -1,0 +1,25 @@
+/* The list of scenes.  build/scenes.inc is made from the names of the files scene_<name>.c. */
+#include "references/scene.h"
+
+#include <string.h>
+
+#define SCENE(name) extern const struct scene scene_##name;
+#include "scenes.inc"
+#undef SCENE
+
+#define SCENE(name) &scene_##name,
+const struct scene *const scenes[] = {
+#include "scenes.inc"
+    NULL};
+#undef SCENE
+
+const struct scene *scene_find(const char *name) {
+    for (const struct scene *const *s = scenes; *s; s++)
+        if (strcmp((*s)->name, name) == 0) return *s;
+    return NULL;
+}
+
+void scene_defaults(const struct scene *s, struct problem *p) {
+    *p = (struct problem){0};
+    for (int i = 0; s->params[i].name; i++) p->param[i] = s->params[i].value;
+}

@@ -1,0 +1,162 @@
+/* plate: a rectangular plate, each side held at its own temperature (Pamplona, Silva, Bucar, Vasco 2019, section 6).
+ *
+ *     dT/dt = alpha (d2T/dx2 + d2T/dy2)  on [0, width] x [0, height],   alpha = k/rho_c        (1)
+ *     T = T1 at y = 0, T2 at x = width, T3 at y = height, T4 at x = 0,   T = T0 at t = 0
+ *
+ * The problem is linear: T = T0 + sum_i (T_i - T0) H_i, H_i the response to side i alone going from 0 to 1
+ * (rectangle.h: strips for the steady part, double sine series for the rest, error functions and Owen's T for
+ * small times).  The second form integrates the walls' Green's function over time.  Both are good to 1e-13 of
+ * max|T_i - T0|.
+ *
+ * As printed, the paper's solution is another one (`published`, with T0 = 0 as there; a = width, b = height):
+ *   eq. 2: sinh(n pi (y - b)/a) is -sinh(n pi b/a) at y = 0, so that side takes -T1; likewise x = 0 takes -T4.
+ *   eq. 7: projecting eq. 2 gives C_pn = a p T3 (-1)^p/(a^2 p^2 + b^2 n^2), D_mn = -b m T4/(a^2 n^2 + b^2 m^2);
+ *          printed are b p T3 (-1)^m and -a m T4 above the same.  A_pn and B_mn are right (A_pn for the right side
+ *          T1, not for the printed one).
+ *   eq. 5: the sum over n has two terms, n = m from A and C, n = p from B and D, by eq. 6.
+ *
+ * Corners: where two sides of different temperature meet, the limit of T depends on the direction (it is the mean of
+ * the two along the bisector).  At a corner itself `exact` returns that mean, and half the difference as its error.
+ * On a side, T is T0 at t = 0 and the side's temperature later.
+ * Restrictions: one isotropic material. */
+#include "references/params.h"
+#include "references/rectangle.h"
+
+#include "solver/method.h"
+
+#include <float.h>
+#include <math.h>
+
+enum { WIDTH, HEIGHT, T1, T2, T3, T4, T0, MATERIAL, T_END };
+
+static const char *const materials[] = {"steel", "titanium", "vanadium", NULL};
+static const struct {
+    double rho, c, k; /* kg/m^3, J/kg/K, W/m/K; Pamplona 2019 section 6, after Bergman et al. */
+} property[] = {{7854, 434, 60.5}, {4500, 522, 21.9}, {6100, 489, 30.7}};
+
+static const struct param params[] = {
+    {"width", 0.1, "m", "extent along x", NULL},
+    {"height", 0.1, "m", "extent along y", NULL},
+    {"T1", 0.25, "K", "temperature of the side y = 0", NULL},
+    {"T2", 0.50, "K", "temperature of the side x = width", NULL},
+    {"T3", 0.75, "K", "temperature of the side y = height", NULL},
+    {"T4", 1.00, "K", "temperature of the side x = 0", NULL},
+    {"T0", 0, "K", "temperature of the plate at the start", NULL},
+    {"material", 0, "", "what the plate is made of", materials},
+    {"t_end", 28.8894, "s", "end time; the paper also shows 57.9411, 86.9928 and 115.8822", NULL},
+    {NULL, 0, NULL, NULL, NULL},
+};
+
+static const double pi = 3.14159265358979323846;
+
+static double initial(const struct problem *p, const double x[2]) {
+    (void)x;
+    return p->param[T0];
+}
+
+static double wall(const struct problem *p, enum side s, const double x[2]) {
+    static const int of_side[] = {[X_LO] = T4, [X_HI] = T2, [Y_LO] = T1, [Y_HI] = T3};
+    (void)x;
+    return p->param[of_side[s]];
+}
+
+static int setup(struct problem *p, struct failure *why) {
+    static const int positive[] = {WIDTH, HEIGHT, T_END, -1};
+    params_keep(p);
+    if (params_all_positive(params, p, positive, why)) return STATUS_INPUT;
+    for (int i = T1; i <= T0; i++)
+        if (params_finite(params, p, i, why)) return STATUS_INPUT;
+    double ratio = p->param[HEIGHT] / p->param[WIDTH];
+    if (ratio < 1e-3 || ratio > 1e3)
+        return fail(why, STATUS_INPUT,
+                    "--set height=%g: needs %g to %g m, a thousandth to a thousand times the width", p->param[HEIGHT],
+                    1e-3 * p->param[WIDTH], 1e3 * p->param[WIDTH]);
+    double which = p->param[MATERIAL];
+    if (!(which == 0 || which == 1 || which == 2))
+        return fail(why, STATUS_INPUT, "--set material=%g: needs steel, titanium or vanadium (0, 1 or 2)", which);
+    p->dim = 2;
+    p->hi[0] = p->param[WIDTH];
+    p->hi[1] = p->param[HEIGHT];
+    p->t_end = p->param[T_END];
+    p->materials = 1;
+    double k = property[(int)which].k;
+    p->material[0] = (struct material){{k, k}, property[(int)which].rho * property[(int)which].c};
+    p->mirror[0] = p->param[T2] == p->param[T4];
+    p->mirror[1] = p->param[T1] == p->param[T3];
+    p->initial = initial;
+    p->wall = wall;
+    return STATUS_OK;
+}
+
+static double width_at(const struct problem *p, double t) {
+    return sqrt(4 * p->material[0].k[0] / p->material[0].rho_c * t);
+}
+
+/* T0 + sum_i (T_i - T0) H_i by either form of H. */
+static struct exact superpose(const struct problem *p, const double x[2], double t,
+                              struct approx (*response)(double, double, double, double, double)) {
+    const double *v = p->param, W = v[WIDTH], B = v[HEIGHT], s = width_at(p, t);
+    const struct {
+        double T, xi, W, eta, B;
+    } side[] = {{v[T1], x[1], B, x[0], W},
+                {v[T2], W - x[0], W, x[1], B},
+                {v[T3], B - x[1], B, x[0], W},
+                {v[T4], x[0], W, x[1], B}};
+    struct exact e = {v[T0], 2 * DBL_EPSILON * fabs(v[T0])};
+    int corner = (x[0] <= 0 || x[0] >= W) && (x[1] <= 0 || x[1] >= B);
+    if (corner && t > 0) {
+        double Tx = x[0] <= 0 ? v[T4] : v[T2], Ty = x[1] <= 0 ? v[T1] : v[T3];
+        return (struct exact){(Tx + Ty) / 2, fabs(Tx - Ty) / 2 + e.error_bound};
+    }
+    for (int i = 0; i < 4 && t > 0; i++) {
+        if (side[i].T == v[T0]) continue;
+        struct approx H = response(side[i].xi, side[i].W, side[i].eta, side[i].B, s);
+        e.temperature += (side[i].T - v[T0]) * H.value;
+        e.error_bound += fabs(side[i].T - v[T0]) * H.error;
+    }
+    return e;
+}
+
+static struct exact exact(const struct problem *p, const double x[2], double t) {
+    return superpose(p, x, t, rectangle_response);
+}
+
+static struct exact second(const struct problem *p, const double x[2], double t) {
+    return superpose(p, x, t, rectangle_quadrature);
+}
+
+/* K_mp of eqs. 5-7, every sign and letter as printed. */
+static double published_coefficient(const double *v, int m, int p) {
+    double a = v[WIDTH], b = v[HEIGHT], sign = m % 2 ? -1 : 1, K = 0;
+    double nm = a * a * p * p + b * b * m * m; /* both denominators, at n = m and at n = p */
+    if (m % 2) K += 16 / (m * pi * pi) * a / 2 * (-a * p * v[T1] + b * p * v[T3] * sign) / nm;
+    if (p % 2) K += 16 / (p * pi * pi) * b / 2 * (b * m * v[T2] * sign - a * m * v[T4]) / nm;
+    return K;
+}
+
+/* Eqs. 2-7 as printed.  The series of eq. 2 are summed in closed form; that of eq. 4 as far as exp lets it. */
+static double published(const struct problem *p, const double x[2], double t) {
+    enum { MODES = 400 };
+    const double *v = p->param, a = v[WIDTH], b = v[HEIGHT], c = pow(width_at(p, t) / 2, 2);
+    double T =
+        -v[T1] * rectangle_steady(x[1], b, x[0], a).value + v[T2] * rectangle_steady(a - x[0], a, x[1], b).value +
+        v[T3] * rectangle_steady(b - x[1], b, x[0], a).value - v[T4] * rectangle_steady(x[0], a, x[1], b).value;
+    for (int m = 1; m <= MODES; m++)
+        for (int n = 1; n <= MODES; n++) {
+            double q = m * pi / a, r = n * pi / b, rate = c * (q * q + r * r);
+            if (rate > 40) break;
+            T += published_coefficient(v, m, n) * sin(q * x[0]) * sin(r * x[1]) * exp(-rate);
+        }
+    return T;
+}
+
+const struct scene scene_plate = {
+    .name = "plate",
+    .about = "a plate with four sides at different temperatures: corners where the walls disagree",
+    .citation = "Pamplona, Silva, Bucar, Vasco 2019, section 6, eqs. 1-7 (signs corrected)",
+    .params = params,
+    .setup = setup,
+    .exact = exact,
+    .second = second,
+    .published = published,
+};

@@ -1,0 +1,43 @@
+#ifndef HEATLADDER_REFERENCES_SERIES_H
+#define HEATLADDER_REFERENCES_SERIES_H
+
+#include <stddef.h>
+
+/* Sums that the references share.  Each form exists twice, from images and from modes, so that one can check the
+ * other; each states its error.  A width s = sqrt(4 kappa t), m, stands for the time. */
+
+struct approx {
+    double value;
+    double error; /* bound: truncation and rounding */
+};
+
+/* Images further away than SERIES_REACH s contribute less than erfc(SERIES_REACH) = 6.4e-18. */
+#define SERIES_REACH 6.1
+
+/* Unit box |x| <= a after a time of width s, between walls at -L and L that are held at zero.  Any s >= 0; at s = 0
+ * the box itself, closed, where points on its edge to round-off (1e-12 a) count as inside. */
+struct approx series_box_images(double x, double L, double a, double s);
+struct approx series_box_modes(double x, double L, double a, double s);
+struct approx series_box(double x, double L, double a, double s);       /* the better of the two here */
+struct approx series_box_other(double x, double L, double a, double s); /* the other one */
+int series_in_box(double x, double a);                                  /* 1 or 0 */
+
+/* The box on the infinite line: (erf((a+x)/s) + erf((a-x)/s))/2 (Song 2018 eq. 45). */
+double series_box_line(double x, double a, double s);
+
+/* sum_k (-1)^k exp(-(x-2kL)^2 / (2 sigma^2)): a Gaussian that vanishes at -L and L. */
+struct approx series_gauss_images(double x, double L, double sigma);
+struct approx series_gauss_modes(double x, double L, double sigma);
+struct approx series_gauss(double x, double L, double sigma);
+struct approx series_gauss_other(double x, double L, double sigma);
+
+/* A sum from its first n terms, plainly and through the Levin u-transform (gsl_sum_levin_u_accel). */
+struct series_levin {
+    double plain;       /* sum of all n terms */
+    double accelerated; /* limit that the transform sees */
+    double error;       /* GSL's own estimate of its error; INFINITY where GSL failed */
+    size_t terms_used;  /* by the transform */
+};
+struct series_levin series_accelerate(const double *term, size_t n);
+
+#endif

@@ -1,0 +1,123 @@
+/* The matched run: fourth order from a second-order operator and plain Euler, jumps included.
+ *
+ * On a lattice of spacing dx the operator's symbol is, theta = xi dx,
+ *   lambda = (kappa / dx^2) (-|theta|^2 + A (theta_x^4 + theta_y^4) + B theta_x^2 theta_y^2 + O(theta^6)),
+ *   A = sum_j w_j x_j^4 / (24 kappa dx^2),   B = sum_j w_j x_j^2 y_j^2 / (4 kappa dx^2)      (w in s^-1).
+ * Euler's n = t/dt steps multiply a mode by (1 + dt lambda)^n = exp(n (dt lambda - (dt lambda)^2 / 2 + ...)), so that
+ * the exponent per time is
+ *   -kappa |xi|^2 + kappa dx^2 (A (xi_x^4 + xi_y^4) + B xi_x^2 xi_y^2) - (dt/2) kappa^2 |xi|^4 + O(dx^4).
+ * Isotropy, B = 2 A, makes the first error A |xi|^4; the step F = kappa dt / dx^2 = 2 A then cancels it.  What is
+ * left is O(dx^4).  One whole number of steps must fill the run; F is off by at most half a step in n, a relative
+ * error 1/(2n) of an O(dx^2) term with n ~ 1/dx^2, which is again O(dx^4).
+ *
+ * The start: averaging with a B-spline of order m multiplies a mode by (sin(theta/2) / (theta/2))^m = 1 - m theta^2 /
+ * 24
+ * + ... = exp(-kappa xi^2 t_m) up to O(dx^4) with t_m = m dx^2 / (24 kappa), along each axis.  The clock starts
+ * there. Point samples of a jump midway between particles have the spectrum of the jump's times (theta/2) /
+ * sin(theta/2), which is m = -1; point samples of smooth data are m = 0.  What the filter does not remove is aliased:
+ * O(dx^(m+1)), from the zeros of order m at the multiples of 2 pi / dx, so that m = 4 keeps fourth order for a jump
+ * anywhere. */
+#include "solver/matched.h"
+
+#include <gsl/gsl_errno.h>
+#include <gsl/gsl_roots.h>
+#include <math.h>
+#include <stdlib.h>
+
+static double no_wall(const struct problem *p, enum side s, const double x[2]) {
+    (void)p, (void)s, (void)x;
+    return 0;
+}
+
+int matched_symbol(int dim, const struct options *o, const struct scheme *s, struct symbol_error *e,
+                   struct failure *why) {
+    struct problem unit = {.dim = dim, .hi = {1, 1}, .materials = 1, .material = {{{1, 1}, 1}}, .wall = no_wall};
+    double kappa[2] = {1, 1}, *w;
+    int reach[2];
+    if (operator_stencil(&unit, o, s, 1, kappa, reach, &w, why)) return why->status;
+    *e = (struct symbol_error){0, 0};
+    for (int j = 0; j <= reach[1]; j++)
+        for (int i = 0; i <= reach[0]; i++) {
+            double all = w[j * (reach[0] + 1) + i] * (i ? 2 : 1) * (j ? 2 : 1), x2 = i * i, y2 = j * j;
+            e->A += all * x2 * x2 / 24;
+            e->B += all * x2 * y2 / 4;
+        }
+    free(w);
+    return STATUS_OK;
+}
+
+struct isotropy {
+    struct options o;
+    const struct scheme *s;
+};
+
+static double anisotropy(double h, void *context) {
+    struct isotropy *c = context;
+    struct symbol_error e;
+    struct failure ignored;
+    c->o.h = h;
+    return matched_symbol(2, &c->o, c->s, &e, &ignored) ? NAN : e.B - 2 * e.A;
+}
+
+/* A root in [lo, hi] by Brent's method. */
+static double polish(struct isotropy *c, double lo, double hi) {
+    gsl_function f = {anisotropy, c};
+    gsl_root_fsolver *solver = gsl_root_fsolver_alloc(gsl_root_fsolver_brent);
+    gsl_root_fsolver_set(solver, &f, lo, hi);
+    for (int k = 0; k < 100; k++) {
+        gsl_root_fsolver_iterate(solver);
+        double a = gsl_root_fsolver_x_lower(solver), b = gsl_root_fsolver_x_upper(solver);
+        if (gsl_root_test_interval(a, b, 1e-14, 0) == GSL_SUCCESS) break;
+    }
+    double root = gsl_root_fsolver_root(solver);
+    gsl_root_fsolver_free(solver);
+    return root;
+}
+
+int matched_isotropic(const struct options *o, const struct scheme *s, double *h, struct failure *why) {
+    struct isotropy c = {*o, s};
+    const double step = 1.0 / 128;
+    double best = NAN, before = NAN;
+    /* neighbours enter with weight zero, so that B - 2 A is continuous in h: a change of sign is a root */
+    for (double x = 0.75; x < 3; x += step) {
+        double now = anisotropy(x, &c);
+        if (before * now < 0) {
+            double root = polish(&c, x - step, x);
+            if (fabs(anisotropy(root, &c)) < 1e-9 && (isnan(best) || fabs(root - 1.2) < fabs(best - 1.2)))
+                best = root;
+        }
+        before = now;
+    }
+    if (isnan(best)) return fail(why, STATUS_INPUT, "--h iso: this kernel has no isotropic h/dx between 0.75 and 3");
+    *h = best;
+    return STATUS_OK;
+}
+
+static double filter_order(const struct problem *p, const struct options *o) {
+    if (o->sampling == SAMPLING_CELL) return 1;
+    if (o->sampling == SAMPLING_SPLINE) return 4;
+    return p->jumps[0] + p->jumps[1] > 0 ? -1 : 0;
+}
+
+int matched_plan(const struct problem *p, const struct options *o, const struct scheme *s, const struct lattice *l,
+                 struct matched *m, struct failure *why) {
+    struct symbol_error e;
+    if (matched_symbol(p->dim, o, s, &e, why)) return why->status;
+    if (p->dim == 2 && !(fabs(e.B - 2 * e.A) < 1e-9 * fabs(e.A))) {
+        double iso;
+        if (matched_isotropic(o, s, &iso, why)) return why->status;
+        return fail(why, STATUS_INPUT,
+                    "--h %.12g: not isotropic (A = %.4g, B = %.4g, B = 2 A is wanted), so that no step matches; take "
+                    "--h iso (%.12g)",
+                    o->h, e.A, e.B, iso);
+    }
+    if (!(e.A > 0)) return fail(why, STATUS_INPUT, "--stepper matched: A = %.4g, no positive step matches", e.A);
+    double kappa = p->material[0].k[0] / p->material[0].rho_c, dx2 = l->dx[0] * l->dx[0];
+    m->run_time = p->t_end - filter_order(p, o) * dx2 / (24 * kappa);
+    m->steps = (long long)fmax(1, round(m->run_time * kappa / (2 * e.A * dx2)));
+    m->F = m->run_time * kappa / dx2 / (double)m->steps;
+    if (!(m->run_time > 0))
+        return fail(why, STATUS_INPUT, "--t-end %g: the averaged start is already at %g s", p->t_end,
+                    p->t_end - m->run_time);
+    return STATUS_OK;
+}

@@ -1,0 +1,239 @@
+/* The operator on a lattice of one material: one stencil for all particles, and walls through ghosts.
+ *
+ * Every scheme's stencil is even along each axis, so a quadrant of weights holds it.  A scheme of two sweeps (first
+ * derivatives, applied twice) becomes the convolution of its stencils: one sweep of a wider stencil.  The state has a
+ * frame of ghosts; A is the homogeneous part (ghost = sign x source) and g what the walls' values and the source add.
+ */
+#include "solver/operator.h"
+#include "solver/kernel.h"
+#include "solver/rows.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+/* A full square (on a rod: a line) of weights around the centre. */
+struct square {
+    int r[2];
+    double *w;
+};
+
+static struct square square_alloc(int rx, int ry) {
+    return (struct square){{rx, ry}, xcalloc((size_t)(2 * rx + 1) * (size_t)(2 * ry + 1), sizeof(double))};
+}
+
+static double *square_at(const struct square *s, int i, int j) {
+    return &s->w[(j + s->r[1]) * (2 * s->r[0] + 1) + i + s->r[0]];
+}
+
+/* to += factor a * a */
+static void add_convolution(struct square *to, const struct square *a, double factor) {
+    for (int j = -a->r[1]; j <= a->r[1]; j++)
+        for (int i = -a->r[0]; i <= a->r[0]; i++)
+            for (int l = -a->r[1]; l <= a->r[1]; l++)
+                for (int k = -a->r[0]; k <= a->r[0]; k++)
+                    *square_at(to, i + k, j + l) += factor * *square_at(a, i, j) * *square_at(a, k, l);
+}
+
+/* Weights of the scheme on the lattice around the origin, one square for each of its outputs. */
+static int lattice_weights(const struct problem *p, const struct options *o, const struct scheme *s, double dx,
+                           const double kappa[2], struct square out[2], struct failure *why) {
+    int r = (int)ceil(KERNEL_SUPPORT * o->h * (1 - 1e-12)) - 1, ry = p->dim == 2 ? r : 0;
+    double d[NEIGHBOURS_MAX][2], weight[2][NEIGHBOURS_MAX], *w[2] = {weight[0], weight[1]};
+    int at[NEIGHBOURS_MAX][2];
+    struct neighbourhood nb = {.dim = p->dim, .d = d, .h = o->h * dx, .volume = p->dim == 2 ? dx * dx : dx};
+    nb.x[0] = (p->lo[0] + p->hi[0]) / 2, nb.x[1] = (p->lo[1] + p->hi[1]) / 2;
+    memcpy(nb.kappa, kappa, sizeof nb.kappa);
+    if ((2 * r + 1) * (2 * ry + 1) > NEIGHBOURS_MAX)
+        return fail(why, STATUS_INPUT, "--h %g: more than %d neighbours", o->h, NEIGHBOURS_MAX);
+    for (int j = -ry; j <= ry; j++)
+        for (int i = -r; i <= r; i++) {
+            if ((i == 0 && j == 0) || i * i + j * j >= 4 * o->h * o->h * (1 - 1e-12)) continue;
+            d[nb.n][0] = i * dx, d[nb.n][1] = j * dx;
+            at[nb.n][0] = i, at[nb.n][1] = j;
+            nb.n++;
+        }
+    if (s->weights(p, o, &nb, w, why)) return why->status;
+    for (int t = 0; t < s->sweeps; t++) {
+        out[t] = square_alloc(r, ry);
+        double sum = 0;
+        for (size_t k = 0; k < nb.n; k++) *square_at(&out[t], at[k][0], at[k][1]) = w[t][k], sum += w[t][k];
+        *square_at(&out[t], 0, 0) = -sum;
+    }
+    return STATUS_OK;
+}
+
+int operator_stencil(const struct problem *p, const struct options *o, const struct scheme *s, double dx,
+                     const double kappa[2], int *reach, double **weight, struct failure *why) {
+    struct square part[2] = {{{0, 0}, NULL}, {{0, 0}, NULL}}, whole;
+    if (lattice_weights(p, o, s, dx, kappa, part, why)) return why->status;
+    whole = part[0];
+    if (s->sweeps == 2) {
+        whole = square_alloc(2 * part[0].r[0], 2 * part[0].r[1]);
+        for (int a = 0; a < p->dim; a++) {
+            *square_at(&part[a], 0, 0) = 0; /* odd by symmetry: what is there is rounding */
+            add_convolution(&whole, &part[a], kappa[a]);
+        }
+        free(part[0].w);
+        free(part[1].w);
+    }
+    int rx = whole.r[0], ry = whole.r[1];
+    double sum = 0;
+    *weight = xcalloc((size_t)(rx + 1) * (size_t)(ry + 1), sizeof **weight);
+    for (int j = 0; j <= ry; j++)
+        for (int i = 0; i <= rx; i++) {
+            double w = *square_at(&whole, i, j);
+            (*weight)[j * (rx + 1) + i] = w;
+            if (i || j) sum += w * (i ? 2 : 1) * (j ? 2 : 1);
+        }
+    (*weight)[0] = -sum; /* a constant temperature stays as it is */
+    reach[0] = rx, reach[1] = ry;
+    free(whole.w);
+    return STATUS_OK;
+}
+
+/* Ghost at distance k = 1, 2, ... beyond side s: the unknown that it mirrors, or -1 for the wall itself. */
+static int ghost_source(const struct lattice *l, int s, int k) {
+    int from_side = k - 1 + l->shift[s];
+    return from_side < 0 ? -1 : s % 2 ? l->n[s / 2] - 1 - from_side : from_side;
+}
+
+/* Index along an axis, possibly outside: the side that it lies beyond (-1: none) and its source. */
+static int ghost_side(const struct lattice *l, int axis, int i, int *source) {
+    int side = i < 0 ? 2 * axis : i >= l->n[axis] ? 2 * axis + 1 : -1;
+    *source = side < 0 ? i : ghost_source(l, side, side % 2 ? i - l->n[axis] + 1 : -i);
+    return side;
+}
+
+/* Source and walls: g_i = G / rho_c + sum over ghosts of w x offset. */
+static void add_constants(struct heat_operator *a, const struct problem *p, const struct options *o) {
+    const struct lattice *l = &a->lattice;
+    int rx = a->reach[0], ry = a->reach[1], any = 0;
+    double *g = xcalloc(a->state, sizeof *g);
+    ptrdiff_t stride = l->n[0] + 2 * rx;
+    for (int j = 0; j < l->n[1]; j++)
+        for (int i = 0; i < l->n[0]; i++) {
+            double x[2], sum = 0;
+            layout_position(l, i, j, x);
+            if (p->source) sum = p->source(p, x) / p->material[0].rho_c;
+            int inside = i >= rx && i < l->n[0] - rx && j >= ry && j < l->n[1] - ry;
+            for (int m = -ry; m <= ry && !inside; m++)
+                for (int k = -rx; k <= rx; k++) {
+                    int from[2];
+                    int side[2] = {ghost_side(l, 0, i + k, &from[0]), ghost_side(l, 1, j + m, &from[1])};
+                    if (side[0] < 0 && side[1] < 0) continue;
+                    double ghost[2], source[2];
+                    layout_position(l, i + k, j + m, ghost);
+                    layout_position(l, from[0], from[1], source);
+                    double w = a->weight[abs(m) * (rx + 1) + abs(k)];
+                    if (w != 0) sum += w * layout_ghost_offset(p, o->walls, side, ghost, source);
+                }
+            g[(j + ry) * stride + i + rx] = sum;
+            any |= sum != 0;
+        }
+    if (any)
+        a->g = g, a->bytes += a->state * sizeof *g;
+    else
+        free(g);
+}
+
+static void count_pairs(struct heat_operator *a) {
+    size_t pairs = 0;
+    for (int j = 0; j <= a->reach[1]; j++)
+        for (int i = 0; i <= a->reach[0]; i++)
+            if ((i || j) && a->weight[j * (a->reach[0] + 1) + i] != 0) pairs += (size_t)((i ? 2 : 1) * (j ? 2 : 1));
+    a->pairs = pairs * a->n;
+}
+
+static int try_lattice(struct heat_operator *a, const struct problem *p, const struct options *o,
+                       const struct scheme *s, struct failure *why) {
+    const struct lattice *l = &a->lattice;
+    double stretch = l->dim == 2 ? l->dx[0] / l->dx[1] : 1; /* as if the lattice were square */
+    double kappa[2] = {p->material[0].k[0] / p->material[0].rho_c,
+                       p->material[0].k[1] / p->material[0].rho_c * stretch * stretch};
+    if (operator_stencil(p, o, s, l->dx[0], kappa, a->reach, &a->weight, why)) return why->status;
+    for (int d = 0; d < l->dim; d++)
+        if (l->n[d] < a->reach[d] + 2)
+            return fail(why, STATUS_INPUT,
+                        "--dx %g: %d particles along an axis, the stencil reaches %d; take a smaller "
+                        "--dx or --h",
+                        o->dx, l->n[d], a->reach[d]);
+    a->state = (size_t)(l->n[0] + 2 * a->reach[0]) * (size_t)(l->n[1] + 2 * a->reach[1]);
+    a->bytes = sizeof(double) * (size_t)(a->reach[0] + 1) * (size_t)(a->reach[1] + 1);
+    count_pairs(a);
+    add_constants(a, p, o);
+    return STATUS_OK;
+}
+
+int operator_create_lattice(struct heat_operator *a, const struct problem *p, const struct options *o,
+                            const struct scheme *s, const struct lattice *l, struct failure *why) {
+    *a = (struct heat_operator){.n = (size_t)l->n[0] * (size_t)l->n[1], .lattice = *l, .threads = o->threads};
+    int status = try_lattice(a, p, o, s, why);
+    if (status) operator_free(a);
+    return status;
+}
+
+int operator_create_rows(struct heat_operator *a, const struct problem *p, const struct options *o,
+                         const struct scheme *s, const struct cloud *c, double spacing, struct failure *why) {
+    *a = (struct heat_operator){.n = c->n, .state = c->n, .threads = o->threads};
+    int status = rows_assemble(a, p, o, s, c, spacing, why);
+    if (status) operator_free(a);
+    return status;
+}
+
+void operator_free(struct heat_operator *a) {
+    free(a->weight);
+    free(a->row);
+    free(a->column);
+    free(a->value);
+    free(a->diagonal);
+    free(a->g);
+    *a = (struct heat_operator){0};
+}
+
+void operator_load(const struct heat_operator *a, const double *T, double *state) {
+    const struct lattice *l = &a->lattice;
+    if (!a->weight) {
+        memcpy(state, T, a->n * sizeof *T);
+        return;
+    }
+    size_t nx = (size_t)l->n[0], stride = nx + 2 * (size_t)a->reach[0];
+    for (size_t j = 0; j < (size_t)l->n[1]; j++)
+        memcpy(state + (j + (size_t)a->reach[1]) * stride + a->reach[0], T + j * nx, nx * sizeof *T);
+}
+
+void operator_store(const struct heat_operator *a, const double *state, double *T) {
+    const struct lattice *l = &a->lattice;
+    if (!a->weight) {
+        memcpy(T, state, a->n * sizeof *T);
+        return;
+    }
+    size_t nx = (size_t)l->n[0], stride = nx + 2 * (size_t)a->reach[0];
+    for (size_t j = 0; j < (size_t)l->n[1]; j++)
+        memcpy(T + j * nx, state + (j + (size_t)a->reach[1]) * stride + a->reach[0], nx * sizeof *T);
+}
+
+double operator_bound(const struct heat_operator *a) {
+    double most = 0;
+    if (a->weight) {
+        for (int j = 0; j <= a->reach[1]; j++)
+            for (int i = 0; i <= a->reach[0]; i++)
+                most += fabs(a->weight[j * (a->reach[0] + 1) + i]) * (i ? 2 : 1) * (j ? 2 : 1);
+        return most;
+    }
+    for (size_t i = 0; i < a->n; i++) {
+        double sum = fabs(a->diagonal[i]);
+        for (size_t k = a->row[i]; k < a->row[i + 1]; k++) sum += fabs(a->value[k]);
+        most = fmax(most, sum);
+    }
+    return most;
+}
+
+double operator_symbol(const struct heat_operator *a, const double theta[2]) {
+    double sum = 0;
+    for (int j = 0; j <= a->reach[1]; j++)
+        for (int i = 0; i <= a->reach[0]; i++)
+            sum += a->weight[j * (a->reach[0] + 1) + i] * (i ? 2 : 1) * (j ? 2 : 1) * cos(i * theta[0]) *
+                   cos(j * theta[1]);
+    return sum;
+}

@@ -1,0 +1,80 @@
+#ifndef HEATLADDER_SOLVER_OPERATOR_H
+#define HEATLADDER_SOLVER_OPERATOR_H
+
+#include "solver/layout.h"
+
+#include <stddef.h>
+#include <stdint.h>
+
+/* The discrete operator of dT/dt = A T + g: one shared stencil on a lattice of one material, rows (CSR) elsewhere. */
+
+enum { NEIGHBOURS_MAX = 1024 };
+
+struct neighbourhood { /* what a scheme sees of one particle */
+    int dim;
+    size_t i;        /* the particle, for messages */
+    double x[2];     /* m, where it is */
+    size_t n;        /* neighbours, itself left out */
+    double (*d)[2];  /* m, x_j - x_i */
+    double h;        /* m */
+    double volume;   /* m^d, of each particle */
+    double kappa[2]; /* m^2 s^-1, at the particle, along each axis */
+};
+
+struct scheme {
+    /* 1: weights w[0] of dT_i/dt = sum w_j (T_j - T_i).  2: weights w[0], w[1] of the two first derivatives, applied
+     * twice: dT/dt = d/dx(kappa_x dT/dx) + d/dy(kappa_y dT/dy) */
+    int sweeps;
+    int (*check)(const struct problem *p, const struct options *o, struct failure *why);
+    int (*weights)(const struct problem *p, const struct options *o, const struct neighbourhood *nb, double *w[2],
+                   struct failure *why);
+};
+
+struct heat_operator {
+    size_t n; /* particles */
+    struct lattice lattice;
+    int reach[2];     /* stencil radius along each axis, in particles */
+    double *weight;   /* s^-1, quadrant w[j * (reach[0] + 1) + i], the rest by symmetry; NULL with rows */
+    size_t *row;      /* n + 1 */
+    uint32_t *column; /* row[n] */
+    double *value;    /* s^-1, row[n] */
+    double *diagonal; /* s^-1, n */
+    double *g;        /* K s^-1, source and walls, in the shape of a state; NULL where it is zero */
+    size_t state;     /* doubles in a state: n, and the ghosts of a lattice */
+    size_t pairs;     /* neighbours of all particles together */
+    size_t bytes;
+    int threads;
+};
+
+/* On a lattice of one material. */
+int operator_create_lattice(struct heat_operator *a, const struct problem *p, const struct options *o,
+                            const struct scheme *s, const struct lattice *l, struct failure *why);
+/* For particles anywhere; spacing (m) is what the h of the options counts in. */
+int operator_create_rows(struct heat_operator *a, const struct problem *p, const struct options *o,
+                         const struct scheme *s, const struct cloud *c, double spacing, struct failure *why);
+void operator_free(struct heat_operator *a);
+
+/* The stencil of a scheme on an unbounded lattice of spacing dx (m) along x and y alike and diffusivity kappa
+ * (m^2 s^-1): *weight is a quadrant as in struct heat_operator , to be freed. */
+int operator_stencil(const struct problem *p, const struct options *o, const struct scheme *s, double dx,
+                     const double kappa[2], int *reach, double **weight, struct failure *why);
+
+/* Between the n particles' own order and a state. */
+void operator_load(const struct heat_operator *a, const double *T, double *state);
+void operator_store(const struct heat_operator *a, const double *state, double *T);
+
+/* y = rate (A x + g) + self x + old y + start Y0 + start_rate L0, states all; Y0 and L0 may be NULL.  The ghosts of x
+ * are refreshed first.  y must not be x. */
+struct update {
+    double rate, self, old, start, start_rate;
+    const double *Y0, *L0;
+};
+void operator_update(const struct heat_operator *a, const struct update *u, double *x, double *y);
+
+/* An upper bound of |lambda| over the spectrum of A, s^-1 (Gershgorin). */
+double operator_bound(const struct heat_operator *a);
+
+/* Eigenvalue of the lattice operator at the wave numbers theta (radians a particle), s^-1. */
+double operator_symbol(const struct heat_operator *a, const double theta[2]);
+
+#endif

@@ -1,0 +1,40 @@
+#ifndef HEATLADDER_SOLVER_PROBLEM_H
+#define HEATLADDER_SOLVER_PROBLEM_H
+
+/* What is solved:  rho_c dT/dt = d/dx(k_x dT/dx) + d/dy(k_y dT/dy) + G
+ * on a rod [lo[0], hi[0]] or a rectangle.  Data only; SI units.  Sides, source and coefficients do not change in
+ * time, so that every method solves dT/dt = A T + g with one A and one g. */
+
+enum side { X_LO, X_HI, Y_LO, Y_HI };
+enum side_kind { DIRICHLET, NEUMANN };
+enum { PARAM_MAX = 12, JUMP_MAX = 4, MATERIAL_MAX = 2 };
+
+struct material {
+    double k[2];  /* W m^-1 K^-1, along x and y */
+    double rho_c; /* J m^-3 K^-1 */
+};
+
+struct problem {
+    int dim;                                /* 1 or 2 */
+    double lo[2], hi[2];                    /* m; a rod has lo[1] = hi[1] = 0 */
+    double t_end;                           /* s */
+    int materials;                          /* material[0] lies at x < interface, material[1] at x >= interface */
+    double interface;                       /* m */
+    struct material material[MATERIAL_MAX]; /* */
+    enum side_kind side[4];                 /* indexed by enum side */
+    int jumps[2];                           /* how many planes x = const, y = const the initial data jump across */
+    double jump[2][JUMP_MAX];               /* m, ascending */
+    int mirror[2];                          /* 1 where the whole problem is even about the middle of that axis */
+    double param[PARAM_MAX];                /* the scene's own parameters, in the order of its table */
+
+    /* K at x[0], x[1]; on a jump, the value of the closed piece (Song eq. 43) */
+    double (*initial)(const struct problem *p, const double x[2]);
+    /* Dirichlet: the wall's temperature, K.  Neumann: the heat flux into the body, k dT/dn, W m^-2.  x is taken to
+     * the wall along the axis of the side; its other coordinate may lie a few spacings outside (ghosts at corners).
+     */
+    double (*wall)(const struct problem *p, enum side s, const double x[2]);
+    /* W m^-3; NULL where there is none */
+    double (*source)(const struct problem *p, const double x[2]);
+};
+
+#endif

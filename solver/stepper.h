@@ -1,0 +1,25 @@
+#ifndef HEATLADDER_SOLVER_STEPPER_H
+#define HEATLADDER_SOLVER_STEPPER_H
+
+#include "solver/operator.h"
+
+/* Explicit time stepping of dT/dt = A T + g. */
+
+struct march {
+    enum stepper stepper; /* STEPPER_EULER, STEPPER_RK2 or STEPPER_RKL2 */
+    double time;          /* s, how long */
+    long long steps;
+    int stages;    /* STEPPER_RKL2; else 1 or 2 */
+    double lo, hi; /* K, what a stable run stays near: see stepper_march */
+};
+
+/* Stages that RKL2 needs for steps of dt (s), odd, from the bound (s^-1) on the spectrum. */
+int stepper_stages(double dt, double bound);
+
+/* Takes T (n, in the particles' order) through the march; adds what it holds to *bytes.  STATUS_NUMERICAL with step,
+ * time and particle where T leaves [lo, hi] by half of hi - lo, or is not finite: looked at every 32 steps and at the
+ * end. */
+int stepper_march(const struct heat_operator *a, const struct march *m, double *T, size_t *bytes,
+                  struct failure *why);
+
+#endif

@@ -1,0 +1,95 @@
+/* rename() replaces a file in one step (POSIX), so a reader sees the old text or the new.  The bytes are all in
+ * memory before the file is opened, and interrupts wait for the moment that the writing takes: no partial file is
+ * left. */
+#define _XOPEN_SOURCE 700 /* realpath */
+#include "verification/atomic_file.h"
+
+#include "solver/method.h"
+
+#include <errno.h>
+#include <fcntl.h>
+#include <signal.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+enum { PATH_LENGTH = 4096 };
+
+static int refuse(const char *path, struct failure *why) {
+    return fail(why, STATUS_INPUT, "cannot write '%.300s': %s", path, strerror(errno));
+}
+
+static int is_special(const char *path) {
+    struct stat s;
+    return stat(path, &s) == 0 && !S_ISREG(s.st_mode);
+}
+
+/* The name that the file is written under first; 0, or -1 where the path is too long. */
+static int beside(const char *path, char *name) {
+    int length = snprintf(name, PATH_LENGTH, "%s.%ld.part", path, (long)getpid());
+    if (length < PATH_LENGTH) return 0;
+    errno = ENAMETOOLONG;
+    return -1;
+}
+
+int atomic_file_check(const char *path, struct failure *why) {
+    char name[PATH_LENGTH];
+    if (!path) return STATUS_OK;
+    if (is_special(path)) {
+        int special = open(path, O_WRONLY);
+        return special < 0 || close(special) ? refuse(path, why) : STATUS_OK;
+    }
+    if (beside(path, name)) return refuse(path, why);
+    int file = open(name, O_WRONLY | O_CREAT | O_EXCL, 0666);
+    if (file < 0) return refuse(path, why);
+    close(file);
+    unlink(name);
+    return STATUS_OK;
+}
+
+static int put(int file, const char *bytes, size_t size) {
+    while (size > 0) {
+        ssize_t n = write(file, bytes, size);
+        if (n < 0 && errno == EINTR) continue;
+        if (n < 0) return -1;
+        bytes += n;
+        size -= (size_t)n;
+    }
+    return 0;
+}
+
+/* 0, or -1 with errno set and nothing left behind. */
+static int replace(const char *path, const char *bytes, size_t size) {
+    char name[PATH_LENGTH];
+    if (beside(path, name)) return -1;
+    int file = open(name, O_WRONLY | O_CREAT | O_EXCL, 0666);
+    if (file < 0) return -1;
+    int bad = put(file, bytes, size);
+    bad = close(file) || bad;
+    if (!bad && rename(name, path) == 0) return 0;
+    int error = errno;
+    unlink(name);
+    errno = error;
+    return -1;
+}
+
+int atomic_file_write(const char *path, const char *bytes, size_t size, struct failure *why) {
+    if (is_special(path)) {
+        int special = open(path, O_WRONLY);
+        int bad = special < 0 || put(special, bytes, size);
+        return bad || close(special) ? refuse(path, why) : STATUS_OK;
+    }
+    sigset_t held, before;
+    sigemptyset(&held);
+    sigaddset(&held, SIGINT);
+    sigaddset(&held, SIGTERM);
+    sigaddset(&held, SIGHUP);
+    sigprocmask(SIG_BLOCK, &held, &before);
+    char *whole = realpath(path, NULL); /* so that a link stays a link */
+    int status = replace(whole ? whole : path, bytes, size) ? refuse(path, why) : STATUS_OK;
+    free(whole);
+    sigprocmask(SIG_SETMASK, &before, NULL);
+    return status;
+}

@@ -1,0 +1,18 @@
+#ifndef HEATLADDER_VERIFICATION_ATOMIC_FILE_H
+#define HEATLADDER_VERIFICATION_ATOMIC_FILE_H
+
+/* Files that are there whole or not at all: written beside their place under another name, then renamed. */
+
+#include <stddef.h>
+
+struct failure;
+
+/* Whether `path` could be written, so that a long run is refused before it starts.  STATUS_OK or STATUS_INPUT; a NULL
+ * path is fine.  Leaves nothing behind, and what is there as it is. */
+int atomic_file_check(const char *path, struct failure *why);
+
+/* Puts `size` bytes at `path`.  STATUS_OK or STATUS_INPUT; on a failure, or when interrupted, what was there before
+ * stays whole.  A path that is no regular file (/dev/null, a pipe) is written to as it is. */
+int atomic_file_write(const char *path, const char *bytes, size_t size, struct failure *why);
+
+#endif

@@ -1,0 +1,54 @@
+/* heatladder: the command line.  A verb is a row of verbs.def and a file verb_<name>.c; this file only finds it. */
+#include "solver/method.h"
+#include "verification/arguments.h"
+#include "verification/help.h"
+#include "verification/verb.h"
+
+#include <gsl/gsl_errno.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+static int wants_help(int argc, char *const *argv) {
+    for (int i = 1; i < argc; i++)
+        if (strcmp(argv[i], "--help") == 0 || strcmp(argv[i], "-h") == 0) return 1;
+    return argc > 1 && strcmp(argv[1], "help") == 0;
+}
+
+static int help(int argc, char *const *argv) {
+    const struct verb *verb = NULL;
+    for (int i = 1; i < argc && !verb; i++) verb = verb_find(argv[i]);
+    if (verb)
+        help_verb(verb, stdout);
+    else
+        help_program(stdout);
+    return STATUS_OK;
+}
+
+static int act(int argc, char *const *argv) {
+    struct request request = {0};
+    struct failure why;
+    int status = arguments_parse(argc, argv, &request, &why);
+    if (status)
+        fprintf(stderr, "heatladder: %s\n", why.text);
+    else
+        status = request.verb->act(&request);
+    arguments_free(&request);
+    return status;
+}
+
+/* Standard output that could not be written is a failure too: a full disk, a closed pipe. */
+static int flush(int status) {
+    if (fflush(stdout) == 0 && !ferror(stdout)) return status;
+    perror("heatladder: standard output");
+    return status ? status : STATUS_INPUT;
+}
+
+int main(int argc, char **argv) {
+    gsl_set_error_handler_off(); /* GSL's own handler aborts the program */
+    if (argc < 2) {
+        help_program(stderr);
+        exit(STATUS_INPUT);
+    }
+    exit(flush(wants_help(argc, argv) ? help(argc, argv) : act(argc - 1, argv + 1)));
+}

@@ -1,0 +1,31 @@
+#ifndef HEATLADDER_VERIFICATION_MEASURES_H
+#define HEATLADDER_VERIFICATION_MEASURES_H
+
+/* What a gate can measure, by name.  A new measure is a function and a row of the table in measures.c. */
+
+#include "verification/verdict.h"
+
+struct request;
+
+struct measured {
+    double value;
+    double ci[2]; /* 95 % interval of a slope; else the value twice */
+    double error; /* what a gate's ceiling bounds: E1, of a ladder at its finest rung that counts; NaN where none */
+    enum verdict verdict;
+    char reason[320];
+};
+
+struct measure {
+    const char *name;
+    const char *about; /* one line, with the unit */
+    int order;         /* 1: an order, which needs an error ceiling beside it */
+    /* Fills *m, judged by lo <= value <= hi.  What fails is a verdict, never silent. */
+    void (*take)(const struct request *r, double lo, double hi, struct measured *m);
+};
+
+extern const struct measure measures[]; /* ended by a NULL name */
+
+/* The measure of that name; NULL, and *m failed with the nearest valid name, where there is none. */
+const struct measure *measures_find(const char *name, struct measured *m);
+
+#endif

@@ -1,0 +1,83 @@
+/* One run: scene -> field -> norms. */
+#include "verification/run.h"
+
+#include "references/scene.h"
+#include "verification/request.h"
+#include "verification/stepping.h"
+#include "verification/words.h"
+
+#include <float.h>
+#include <math.h>
+#include <stdlib.h>
+
+static double diffusivity(const struct problem *p) {
+    double kappa = 0;
+    for (int m = 0; m < p->materials; m++)
+        for (int a = 0; a < p->dim; a++) kappa = fmax(kappa, p->material[m].k[a] / p->material[m].rho_c);
+    return kappa;
+}
+
+/* What rounding can make up of E1.  A weight is of size kappa/dx^2 and wrong by eps of that, the same at every step:
+ * over the run that adds up to 4 dim eps kappa t/dx^2.  Each step rounds T once more, at random: eps sqrt(steps). */
+static double rounding(const struct problem *p, const struct field *f, double dx) {
+    double applications = (double)f->steps * (f->stages > 0 ? f->stages : 1);
+    return DBL_EPSILON * (1 + sqrt(applications) + 4 * p->dim * diffusivity(p) * p->t_end / (dx * dx));
+}
+
+/* The options as used: h/dx where it was left at its default (solver/method.h), the step that was taken. */
+static void resolve(const struct request *r, struct options *o) {
+    if (!(o->h > 0) && !o->h_iso && words_among(r->method->accepts, "h"))
+        o->h = 1.1 * (o->order > 2 ? o->order : 2) / 2;
+}
+
+static void measure(const struct request *r, const struct field *f, const double *truth, struct result *out) {
+    const struct problem *p = &r->problem;
+    double dx = out->options.dx;
+    out->t_end = f->time;
+    out->dt = f->dt;
+    out->fourier = f->dt * diffusivity(p) / (dx * dx);
+    out->steps = f->steps;
+    out->stages = f->stages;
+    out->particles = f->n;
+    out->error = norms_error(p, f, truth, NORMS_ALL, 0);
+    out->shape = norms_shape(p, f, truth);
+    out->heat_drift = norms_heat_drift(f);
+    out->rounding = rounding(p, f, dx);
+    out->seconds = f->seconds;
+    out->step_seconds = f->step_seconds;
+    out->updates = f->updates;
+    out->interactions = f->interactions;
+    out->bytes = f->bytes;
+}
+
+static int solve(const struct request *r, const struct options *o, struct result *out, struct field *f) {
+    *out = (struct result){
+        .scene = r->scene, .method = r->method, .options = *o, .t_end = r->problem.t_end, .time_error = NAN};
+    *f = (struct field){0};
+    int status = stepping_solve(r, &out->options, f, &out->time_error, &out->failure);
+    resolve(r, &out->options);
+    out->failure.status = status;
+    return status;
+}
+
+int run_request(const struct request *r, const struct options *o, struct result *out, struct field *field) {
+    struct field f;
+    if (solve(r, o, out, &f)) return out->failure.status;
+    double *exact = xcalloc(f.n, sizeof *exact);
+    out->reference_error = norms_exact(r->scene, &r->problem, &f, exact);
+    measure(r, &f, exact, out);
+    free(exact);
+    if (field)
+        *field = f;
+    else
+        field_free(&f);
+    return STATUS_OK;
+}
+
+int run_against(const struct request *r, const struct options *o, const double *truth, struct result *out) {
+    struct field f;
+    if (solve(r, o, out, &f)) return out->failure.status;
+    measure(r, &f, truth, out);
+    field_free(&f);
+    return STATUS_OK;
+}

@@ -1,0 +1,141 @@
+/* Which stepper, and which time step, where the user leaves that open.
+ *
+ * The exact stepper where the method has it.  Else the time step is refined until its error is shown to be small.
+ * With a stepper of order p, a run of N steps and one of M > N steps give fields that differ by C (1/N^p - 1/M^p), so
+ * that
+ *
+ *     e(M) = |T_N - T_M| / ((M/N)^p - 1),   T_inf = T_M + (T_M - T_N) / ((M/N)^p - 1)          (Richardson 1911)
+ *
+ * are the time error of the finer one and the field without any.  Two cheap runs give both; they foretell the M at
+ * which e(M) is 1 % of the error of T_inf, and the run at that M is measured against the one before.  Norms are E1's.
+ */
+#include "verification/stepping.h"
+
+#include "references/scene.h"
+#include "verification/norms.h"
+#include "verification/request.h"
+
+#include <math.h>
+#include <stdlib.h>
+
+static const double SHARE = 0.01, MARGIN = 0.8; /* aims at 0.8 % so that a slightly wrong forecast still holds */
+static const double FOURIER = 0.2;              /* of the first run, over the dimension: stable for every method */
+static const double UPDATES_MAX = 2e10;         /* a minute or so; a run that needs more keeps its time error */
+enum { HALVINGS = 8, ROUNDS = 5 };
+
+struct trial {
+    struct field field;
+    double steps;
+};
+
+/* The seam where another program can stand in for the method. */
+static int solve(const struct request *r, const struct options *o, struct field *f, struct failure *why) {
+    return r->method->solve(&r->problem, o, f, why);
+}
+
+static int try_steps(const struct request *r, const struct options *o, double steps, struct trial *t,
+                     struct failure *why) {
+    struct options with = *o;
+    with.dt = r->problem.t_end / steps;
+    with.fourier = 0;
+    t->steps = steps;
+    return solve(r, &with, &t->field, why);
+}
+
+static double first_steps(const struct request *r, const struct options *o) {
+    double kappa = 0;
+    for (int m = 0; m < r->problem.materials; m++)
+        for (int a = 0; a < r->problem.dim; a++)
+            kappa = fmax(kappa, r->problem.material[m].k[a] / r->problem.material[m].rho_c);
+    return fmax(1, ceil(r->problem.t_end * kappa / (FOURIER / r->problem.dim * o->dx * o->dx)));
+}
+
+/* The first run, at half the time step again and again while that is unstable. */
+static int first(const struct request *r, const struct options *o, struct trial *t, struct failure *why) {
+    double steps = first_steps(r, o);
+    int status = try_steps(r, o, steps, t, why);
+    for (int i = 0; i < HALVINGS && status == STATUS_NUMERICAL; i++) status = try_steps(r, o, steps *= 2, t, why);
+    return status;
+}
+
+/* All relative to sum w|Te|: the time error of `fine`, its whole error, and the error of the field without time
+ * error. */
+struct estimate {
+    double time, whole, space;
+};
+
+static struct estimate compare(const struct request *r, const struct trial *coarse, const struct trial *fine,
+                               const double *exact, int order) {
+    const struct field *f = &fine->field;
+    double gain = 1 / (pow(fine->steps / coarse->steps, order) - 1);
+    double *limit = xcalloc(f->n, sizeof *limit);
+    struct field at_limit = *f;
+    for (size_t i = 0; i < f->n; i++) limit[i] = f->T[i] + gain * (f->T[i] - coarse->field.T[i]);
+    at_limit.T = limit;
+    struct estimate e = {.whole = norms_error(&r->problem, f, exact, NORMS_ALL, 0).l1,
+                         .space = norms_error(&r->problem, &at_limit, exact, NORMS_ALL, 0).l1};
+    double apart = 0, size = 0;
+    for (size_t i = 0; i < f->n; i++) {
+        double w = f->weight ? f->weight[i] : 1;
+        apart += w * fabs(limit[i] - f->T[i]);
+        size += w * fabs(exact[i]);
+    }
+    e.time = apart / size;
+    free(limit);
+    return e;
+}
+
+/* Refines `fine` until its time error is small; *time_error is its share. */
+static int refine(const struct request *r, const struct options *o, int order, struct trial *coarse,
+                  struct trial *fine, double *time_error, struct failure *why) {
+    double *exact = xcalloc(fine->field.n, sizeof *exact);
+    int status = STATUS_OK;
+    norms_exact(r->scene, &r->problem, &fine->field, exact);
+    for (int round = 0; round < ROUNDS; round++) {
+        struct estimate e = compare(r, coarse, fine, exact, order);
+        *time_error = e.time / e.whole;
+        if (*time_error <= SHARE) break;
+        double steps = ceil(fine->steps * fmax(1.1, pow(e.time / (MARGIN * SHARE * e.space), 1.0 / order)));
+        if (!(steps * (double)fine->field.n * order <= UPDATES_MAX)) break;
+        field_free(&coarse->field);
+        *coarse = *fine;
+        *fine = (struct trial){0};
+        status = try_steps(r, o, steps, fine, why);
+        if (status) break;
+    }
+    free(exact);
+    return status;
+}
+
+static int solve_refined(const struct request *r, const struct options *o, struct field *f, double *time_error,
+                         struct failure *why) {
+    struct trial coarse = {0}, fine = {0};
+    int order = o->stepper == STEPPER_EULER ? 1 : 2;
+    int status = first(r, o, &coarse, why);
+    if (!status) status = try_steps(r, o, 2 * coarse.steps, &fine, why);
+    if (!status) status = refine(r, o, order, &coarse, &fine, time_error, why);
+    field_free(&coarse.field);
+    if (status)
+        field_free(&fine.field);
+    else
+        *f = fine.field;
+    return status;
+}
+
+int stepping_solve(const struct request *r, struct options *o, struct field *f, double *time_error,
+                   struct failure *why) {
+    int given = o->dt > 0 || o->fourier > 0, particles = r->method->scheme != NULL;
+    *time_error = NAN;
+    if (o->stepper == STEPPER_AUTO && !given && particles) {
+        o->stepper = STEPPER_EXACT;
+        int status = solve(r, o, f, why);
+        if (status == STATUS_OK) *time_error = 0;
+        if (status != STATUS_INPUT) return status;
+        o->stepper = STEPPER_RK2; /* not on this layout or with these walls */
+    }
+    if (o->stepper == STEPPER_AUTO) o->stepper = STEPPER_EULER;
+    if (o->stepper == STEPPER_EXACT) *time_error = 0;
+    if (given || o->stepper == STEPPER_EXACT || o->stepper == STEPPER_MATCHED || r->problem.t_end <= 0)
+        return solve(r, o, f, why);
+    return solve_refined(r, o, f, time_error, why);
+}

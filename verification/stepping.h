@@ -1,0 +1,16 @@
+#ifndef HEATLADDER_VERIFICATION_STEPPING_H
+#define HEATLADDER_VERIFICATION_STEPPING_H
+
+struct failure;
+struct field;
+struct options;
+struct request;
+
+/* Solves r->problem by r->method under *o, and chooses what *o leaves open: the stepper, and a time step whose error
+ * is at most 1 % of the whole.  On return o->stepper is the one that was used, and *time_error is the part of E1 that
+ * the time step makes up: 0 for the exact stepper, measured where the step was chosen here, NaN where it was given.
+ * A status of solver/method.h; on STATUS_OK the caller owns *f. */
+int stepping_solve(const struct request *r, struct options *o, struct field *f, double *time_error,
+                   struct failure *why);
+
+#endif

@@ -1,0 +1,190 @@
+/* Command lines: what is taken, and the text of every refusal. */
+#include "verification/arguments.h"
+
+#include "references/scene.h"
+#include "verification/option.h"
+#include "verification/verb.h"
+#include "verification/words.h"
+
+#include "verification/unit/near.h"
+
+#include <string.h>
+
+static void a_run_is_read(void **state) {
+    (void)state;
+    struct request r;
+    struct failure why;
+    assert_int_equal(
+        arguments_parse_line("run rod-step so_ssph --dx 4/42 --kernel quartic --h 1.27 --order 3 "
+                             "--sampling cell --walls=fixed --set kappa=0.023 --t-end 3.7 --fourier 0.17 "
+                             "--stepper rk2 --json",
+                             &r, &why),
+        STATUS_OK);
+    assert_string_equal(r.verb->name, "run");
+    assert_string_equal(r.scene->name, "rod-step");
+    assert_string_equal(r.method->name, "so_ssph");
+    assert_near(r.options.dx, 4.0 / 42, 0);
+    assert_int_equal(r.options.kernel, KERNEL_QUARTIC);
+    assert_near(r.options.h, 1.27, 0);
+    assert_int_equal(r.options.order, 3);
+    assert_int_equal(r.options.sampling, SAMPLING_CELL);
+    assert_int_equal(r.options.walls, WALLS_FIXED);
+    assert_int_equal(r.options.stepper, STEPPER_RK2);
+    assert_near(r.options.fourier, 0.17, 0);
+    assert_near(r.problem.material[0].k[0] / r.problem.material[0].rho_c, 0.023, 1e-17);
+    assert_near(r.problem.t_end, 3.7, 0);
+    assert_int_equal(r.json, 1);
+    arguments_free(&r);
+}
+
+static void options_may_come_first(void **state) {
+    (void)state;
+    struct request r;
+    struct failure why;
+    assert_int_equal(arguments_parse_line("run --set kappa=0.023 --dx 0.1 rod-step ftcs", &r, &why), STATUS_OK);
+    assert_near(r.problem.material[0].k[0] / r.problem.material[0].rho_c, 0.023, 1e-17);
+    arguments_free(&r);
+}
+
+static void quotes_hold_blanks(void **state) {
+    (void)state;
+    struct request r;
+    struct failure why;
+    assert_int_equal(arguments_parse_line("run rod-step ftcs --dx 0.1 --field 'a  \"b\" c.csv'", &r, &why),
+                     STATUS_OK);
+    assert_string_equal(r.field_path, "a  \"b\" c.csv");
+    arguments_free(&r);
+    assert_int_equal(arguments_parse_line("verify --only \"*gauss*\"", &r, &why), STATUS_OK);
+    assert_string_equal(r.only, "*gauss*");
+    arguments_free(&r);
+}
+
+static void a_choice_is_set_by_its_word(void **state) {
+    (void)state;
+    struct request r;
+    struct failure why;
+    assert_int_equal(arguments_parse_line("run plate ftcs --dx 0.01 --set material=titanium", &r, &why), STATUS_OK);
+    int i = 0;
+    while (strcmp(r.scene->params[i].name, "material") != 0) i++;
+    assert_string_equal(r.scene->params[i].choice[(int)r.problem.param[i]], "titanium");
+    arguments_free(&r);
+}
+
+static void lists_become_ladders(void **state) {
+    (void)state;
+    struct request r;
+    struct failure why;
+    assert_int_equal(
+        arguments_parse_line("ladder rod-gauss so_ssph --dx 0.25 --dt 0.7,0.3,0.1 --stepper euler", &r, &why),
+        STATUS_OK);
+    assert_int_equal(r.dt.count, 3);
+    assert_near(r.dt.value[1], 0.3, 0);
+    assert_near(r.options.dt, 0.7, 0);
+    arguments_free(&r);
+}
+
+static const struct refusal {
+    const char *line, *part; /* what the text must hold */
+} refusals[] = {
+    {"", "a verb is missing"},
+    {"rnu", "unknown verb 'rnu'; did you mean 'run'?"},
+    {"run", "run needs a SCENE"},
+    {"run rod-step", "run needs a METHOD"},
+    {"run rod-stpe ftcs --dx 0.1", "unknown scene 'rod-stpe'; did you mean 'rod-step'? (valid: "},
+    {"run rod-step so_shp --dx 0.1", "unknown method 'so_shp'; did you mean 'so_ssph'? (valid: "},
+    {"run rod-step ftcs more --dx 0.1", "'more' is one word too many for run"},
+    {"list scenes methods", "'methods' is one word too many for list"},
+    {"run rod-step ftcs", "run needs --dx"},
+    {"reference rod-step --at 0.3", "reference needs --time"},
+    {"run rod-step ftcs --dx", "--dx needs a value"},
+    {"run rod-step ftcs --dx --json", "--dx needs a value"},
+    {"run rod-step ftcs --dx ''", "--dx ''"},
+    {"run rod-step ftcs --dx 0", "--dx 0: must be a number > 0"},
+    {"run rod-step ftcs --dx -0.1", "--dx -0.1: must be a number > 0"},
+    {"run rod-step ftcs --dx nan", "--dx 'nan'"},
+    {"run rod-step ftcs --dx inf", "--dx 'inf'"},
+    {"run rod-step ftcs --dx 0.1m", "--dx '0.1m'"},
+    {"ladder rod-step ftcs --dx 0.1,", "--dx '0.1,'"},
+    {"run rod-step ftcs --dx 0.1 --dx 0.1", "--dx is given twice"},
+    {"run rod-step ftcs --dx 0.1 --dt 0", "--dt 0: must be a number > 0"},
+    {"run rod-step ftcs --dx 0.1 --dt -2", "--dt -2: must be a number > 0"},
+    {"run rod-step ftcs --dx 0.1 --dt NaN", "--dt 'NaN'"},
+    {"run rod-step ftcs --dx 0.1 --dt 1 --fourier 0.1", "--dt and --fourier both set the time step"},
+    {"run rod-step so_ssph --dx 0.1 --dt 1 --stepper exact", "--stepper exact has no time step; leave out --dt"},
+    {"run rod-step ftcs --dx 0.1 --kernel cubic", "--kernel has no meaning for ftcs; it has for "},
+    {"run rod-step ftcs --dx 0.1 --order 3", "it has for so_ssph"},
+    {"run rod-step so_ssph --dx 0.1 --kernel cubci", "unknown kernel 'cubci'; did you mean 'cubic'?"},
+    {"run rod-step so_ssph --dx 0.1 --krenel cubic", "unknown option 'krenel'; did you mean 'kernel'?"},
+    {"run rod-step so_ssph --dx 0.1 --stepper eluer", "unknown stepper 'eluer'; did you mean 'euler'?"},
+    {"run rod-step so_ssph --dx 0.1 --order 5", "--order 5: must be a whole number from 2 to 4"},
+    {"run rod-step so_ssph --dx 0.1 --order 2.5", "--order 2.5: must be a whole number from 2 to 4"},
+    {"run rod-step so_ssph --dx 0.1 --h 0", "--h 0: must be a number > 0, or iso"},
+    {"run rod-step so_ssph --dx 0.1 --h isa", "--h isa: must be a number > 0, or iso"},
+    {"run rod-step so_ssph --dx 0.1 --layout jitter --jitter 0.51", "--jitter 0.51: must be a number from 0 to 0.5"},
+    {"run rod-step so_ssph --dx 0.1 --jitter 0.1", "--jitter 0.1 needs --layout jitter"},
+    {"run rod-step so_ssph --dx 0.1 --seed -3", "--seed -3: must be a whole number"},
+    {"run rod-step so_ssph --dx 0.1 --threads 0", "--threads 0: must be a whole number from 1"},
+    {"run rod-step ftcs --dx 0.1 --set kapa=1", "unknown parameter of rod-step 'kapa'; did you mean 'kappa'?"},
+    {"run rod-step ftcs --dx 0.1 --set kappa", "--set 'kappa': must be NAME=VALUE"},
+    {"run rod-step ftcs --dx 0.1 --set =3", "--set '=3': must be NAME=VALUE"},
+    {"run rod-step ftcs --dx 0.1 --set kappa=", "--set kappa=: must be a finite number"},
+    {"run rod-step ftcs --dx 0.1 --set kappa=1e999", "--set kappa=1e999: must be a finite number, in m^2/s"},
+    {"run rod-step ftcs --dx 0.1 --set kappa=-1", "--set kappa=-1"},
+    {"run rod-step ftcs --dx 0.1 --set kappa=1 --set kappa=1", "parameter 'kappa' is given twice"},
+    {"run rod-step ftcs --dx 0.1 --t-end 1 --set t_end=1", "parameter 't_end' is given twice"},
+    {"run plate ftcs --dx 0.01 --set material=stel", "unknown material 'stel'; did you mean 'steel'?"},
+    {"run rod-step ftcs --dx 0.1 --only x", "--only has no meaning for run"},
+    {"run rod-step ftcs --dx 0.1 --json=yes", "--json takes no value"},
+    {"run rod-step ftcs --dx 0.1 --field ''", "--field: empty"},
+    {"ladder rod-step ftcs --dx 0.1,0.2 --expect 2", "--expect needs LO,HI"},
+    {"ladder rod-step ftcs --dx 0.1,0.2 --expect 2.1,1.9", "--expect needs LO,HI with LO < HI"},
+    {"reference rod-step --at 0.1,0.2 --time 1", "--at needs one number for rod-step"},
+    {"reference square-step --at 0.1 --time 1", "--at needs X,Y for square-step"},
+    {"reference rod-step --at 0.1 --time -1", "--time -1: must be a number >= 0"},
+    {"verify --only 'a", "a quote is left open"},
+};
+
+static void every_refusal_says_what_is_valid(void **state) {
+    (void)state;
+    for (size_t i = 0; i < sizeof refusals / sizeof *refusals; i++) {
+        struct request r;
+        struct failure why = {0};
+        int status = arguments_parse_line(refusals[i].line, &r, &why);
+        if (status != STATUS_INPUT || !strstr(why.text, refusals[i].part))
+            fail_msg("heatladder %s: status %d, \"%s\"; wanted \"%s\"", refusals[i].line, status, why.text,
+                     refusals[i].part);
+        assert_int_equal(why.status, STATUS_INPUT);
+        assert_null(strchr(why.text, '\n'));
+        arguments_free(&r);
+    }
+}
+
+/* A name in a verb's lists that no option has would make it unreachable without a word. */
+static void the_tables_agree(void **state) {
+    (void)state;
+    int n = 0;
+    const char *keys[WORDS_MAX] = {0};
+    for (const struct option *o = options_table; o->key; o++) {
+        keys[n++] = o->key;
+        assert_true(n < WORDS_MAX && n < (int)(8 * sizeof(unsigned long)));
+        assert_non_null(o->read);
+    }
+    for (const struct verb *v = verbs; v->name; v++) {
+        char list[400], *at = list;
+        assert_true(strlen(v->options) + strlen(v->required) + 2 < sizeof list);
+        strcpy(list, v->options);
+        strcat(strcat(list, " "), v->required);
+        for (char *key = strtok_r(list, " ", &at); key; key = strtok_r(NULL, " ", &at))
+            if (words_index(keys, key) < 0) fail_msg("%s lists '%s', which is no option", v->name, key);
+    }
+}
+
+int main(void) {
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(a_run_is_read),        cmocka_unit_test(options_may_come_first),
+        cmocka_unit_test(quotes_hold_blanks),   cmocka_unit_test(a_choice_is_set_by_its_word),
+        cmocka_unit_test(lists_become_ladders), cmocka_unit_test(every_refusal_says_what_is_valid),
+        cmocka_unit_test(the_tables_agree),
+    };
+    return cmocka_run_group_tests_name("arguments", tests, NULL, NULL);
+}

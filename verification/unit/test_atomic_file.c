@@ -1,0 +1,121 @@
+/* Files that are there whole or not at all. */
+#include "verification/atomic_file.h"
+
+#include "solver/method.h"
+
+#include "verification/unit/near.h"
+
+#include <dirent.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+struct place {
+    char directory[64], path[96];
+};
+
+static int set_up(void **state) {
+    struct place *p = calloc(1, sizeof *p);
+    strcpy(p->directory, "/tmp/heatladder_test.XXXXXX");
+    if (!mkdtemp(p->directory)) return -1;
+    snprintf(p->path, sizeof p->path, "%s/out.json", p->directory);
+    *state = p;
+    return 0;
+}
+
+static int tear_down(void **state) {
+    struct place *p = *state;
+    unlink(p->path);
+    rmdir(p->directory);
+    free(p);
+    return 0;
+}
+
+static void read_back(const char *path, char *text, size_t size) {
+    FILE *in = fopen(path, "r");
+    assert_non_null(in);
+    text[fread(text, 1, size - 1, in)] = '\0';
+    fclose(in);
+}
+
+static int entries(const char *directory) {
+    int n = 0;
+    DIR *d = opendir(directory);
+    for (struct dirent *e; (e = readdir(d));) n += e->d_name[0] != '.';
+    closedir(d);
+    return n;
+}
+
+static void writes_and_replaces(void **state) {
+    const struct place *p = *state;
+    struct failure why;
+    char text[32];
+    assert_int_equal(atomic_file_write(p->path, "first, longer", 13, &why), STATUS_OK);
+    assert_int_equal(atomic_file_write(p->path, "second", 6, &why), STATUS_OK);
+    read_back(p->path, text, sizeof text);
+    assert_string_equal(text, "second");
+    assert_int_equal(entries(p->directory), 1);
+}
+
+static void a_check_leaves_what_is_there(void **state) {
+    const struct place *p = *state;
+    struct failure why;
+    char text[32];
+    assert_int_equal(atomic_file_check(p->path, &why), STATUS_OK);
+    assert_int_equal(entries(p->directory), 0);
+    assert_int_equal(atomic_file_write(p->path, "kept", 4, &why), STATUS_OK);
+    assert_int_equal(atomic_file_check(p->path, &why), STATUS_OK);
+    read_back(p->path, text, sizeof text);
+    assert_string_equal(text, "kept");
+    assert_int_equal(atomic_file_check(NULL, &why), STATUS_OK);
+}
+
+static void what_cannot_be_written_is_refused(void **state) {
+    const struct place *p = *state;
+    struct failure why = {0};
+    assert_int_equal(atomic_file_check("/nonexistent/out.json", &why), STATUS_INPUT);
+    assert_string_equal(why.text, "cannot write '/nonexistent/out.json': No such file or directory");
+    assert_int_equal(atomic_file_write("/nonexistent/out.json", "x", 1, &why), STATUS_INPUT);
+    assert_int_equal(atomic_file_check(p->directory, &why), STATUS_INPUT);
+    assert_int_equal(atomic_file_write(p->directory, "x", 1, &why), STATUS_INPUT);
+    assert_int_equal(entries(p->directory), 0);
+}
+
+static void a_link_stays_a_link(void **state) {
+    const struct place *p = *state;
+    struct failure why;
+    struct stat s;
+    char link[96], text[32];
+    snprintf(link, sizeof link, "%s/link", p->directory);
+    assert_int_equal(atomic_file_write(p->path, "old", 3, &why), STATUS_OK);
+    assert_int_equal(symlink("out.json", link), 0);
+    assert_int_equal(atomic_file_write(link, "new", 3, &why), STATUS_OK);
+    assert_int_equal(lstat(link, &s), 0);
+    unlink(link);
+    assert_true(S_ISLNK(s.st_mode));
+    read_back(p->path, text, sizeof text);
+    assert_string_equal(text, "new");
+}
+
+static void a_device_stays_a_device(void **state) {
+    (void)state;
+    struct failure why;
+    struct stat s;
+    assert_int_equal(atomic_file_check("/dev/null", &why), STATUS_OK);
+    assert_int_equal(atomic_file_write("/dev/null", "x", 1, &why), STATUS_OK);
+    assert_int_equal(stat("/dev/null", &s), 0);
+    assert_true(S_ISCHR(s.st_mode));
+}
+
+int main(void) {
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test_setup_teardown(writes_and_replaces, set_up, tear_down),
+        cmocka_unit_test_setup_teardown(a_check_leaves_what_is_there, set_up, tear_down),
+        cmocka_unit_test_setup_teardown(what_cannot_be_written_is_refused, set_up, tear_down),
+        cmocka_unit_test_setup_teardown(a_link_stays_a_link, set_up, tear_down),
+        cmocka_unit_test(a_device_stays_a_device),
+    };
+    return cmocka_run_group_tests_name("atomic_file", tests, NULL, NULL);
+}

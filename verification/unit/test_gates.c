@@ -1,0 +1,218 @@
+/* Gates: that none can pass without having been judged. */
+#include "verification/gates.h"
+
+#include "references/scene.h"
+#include "solver/method.h"
+#include "verification/arguments.h"
+#include "verification/junit.h"
+
+#include "verification/unit/near.h"
+
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+static struct measured judge(const char *measure, const char *command, double lo, double hi, double ceiling) {
+    struct gate gate = {"test", TIER_QUICK, measure, command, lo, hi, ceiling, "a test"};
+    struct measured m;
+    gates_judge(&gate, &m);
+    return m;
+}
+
+static void assert_fails(struct measured m, const char *part) {
+    assert_int_equal(m.verdict, VERDICT_FAIL);
+    if (!strstr(m.reason, part)) fail_msg("\"%s\" does not hold \"%s\"", m.reason, part);
+}
+
+#define LADDER "ladder rod-gauss ftcs --dx 0.5,0.25,0.125,0.0625"
+
+static void a_true_gate_passes(void **state) {
+    (void)state;
+    struct measured m = judge("slope", LADDER, 1.9, 2.1, 1e-3);
+    if (m.verdict != VERDICT_PASS) fail_msg("%s", m.reason);
+    assert_true(m.ci[0] < m.value && m.value < m.ci[1] && m.error > 0);
+    m = judge("error", "run rod-gauss ftcs --dx 0.5", 0, 1e-3, NAN);
+    if (m.verdict != VERDICT_PASS) fail_msg("%s", m.reason);
+}
+
+static void a_wrong_order_fails(void **state) {
+    (void)state;
+    assert_fails(judge("slope", LADDER, 0.9, 1.1, 1e-3), "lies outside");
+}
+
+static void a_right_order_of_a_wrong_size_fails(void **state) {
+    (void)state;
+    assert_fails(judge("slope", LADDER, 1.9, 2.1, 1e-9), "is above its ceiling");
+    assert_fails(judge("error", "run rod-gauss ftcs --dx 0.5", 0, 1, 1e-9), "is above its ceiling");
+}
+
+static void an_order_needs_a_ceiling(void **state) {
+    (void)state;
+    assert_fails(judge("slope", LADDER, 1.9, 2.1, NAN), "needs an error ceiling");
+    assert_fails(judge("slope_linf", LADDER, 1.9, 2.1, 0), "needs an error ceiling");
+}
+
+static void three_rungs_do_not_pass(void **state) {
+    (void)state;
+    struct measured m = judge("slope", "ladder rod-gauss ftcs --dx 0.5,0.25,0.125", 1.9, 2.1, 1e-3);
+    assert_int_equal(m.verdict, VERDICT_INCONCLUSIVE);
+    assert_non_null(strstr(m.reason, "at least 4"));
+}
+
+static void unknown_names_fail(void **state) {
+    (void)state;
+    assert_fails(judge("slpoe", LADDER, 1.9, 2.1, 1e-3), "unknown measure 'slpoe'; did you mean 'slope'?");
+    assert_fails(judge("slope", "ladder rod-gaus ftcs --dx 1,0.5", 1.9, 2.1, 1), "unknown scene 'rod-gaus'");
+    assert_fails(judge("slope", "laddr rod-gauss ftcs --dx 1,0.5", 1.9, 2.1, 1), "unknown verb 'laddr'");
+    assert_fails(judge("error", "run rod-gauss ftcs --dx 0.7", 0, 1, NAN), "--dx 0.7");
+}
+
+static void what_is_unstable_fails_with_its_reason(void **state) {
+    (void)state;
+    assert_fails(judge("error", "run rod-step ftcs --dx 0.025 --fourier 0.7", 0, INFINITY, NAN), "unstable");
+    assert_fails(judge("slope", "ladder rod-step ftcs --dx 0.1,0.05,0.025,0.0125 --fourier 0.7", 0, 9, 9),
+                 "unstable");
+}
+
+static void what_is_not_finite_fails(void **state) {
+    (void)state;
+    assert_fails(judge("error", "run rod-gauss ftcs --dx 0.5", NAN, 1, NAN), "lies outside");
+    assert_fails(judge("checkerboard_kept", "run rod-gauss ftcs --dx 0.5 --dt 1e-3", -1, -0.5, NAN), "lies outside");
+}
+
+static void the_table_is_sound(void **state) {
+    (void)state;
+    for (const struct gate *g = gates_table; g->id; g++) {
+        struct measured m;
+        struct request r;
+        struct failure why = {0};
+        const struct measure *measure = measures_find(g->measure, &m);
+        if (!measure) fail_msg("%s: %s", g->id, m.reason);
+        if (arguments_parse_line(g->command, &r, &why)) fail_msg("%s: %s", g->id, why.text);
+        arguments_free(&r);
+        if (!(g->lo < g->hi)) fail_msg("%s: [%g, %g] is no band", g->id, g->lo, g->hi);
+        if (measure->order && !(g->ceiling > 0)) fail_msg("%s: no ceiling", g->id);
+        if (strlen(g->why) < 10) fail_msg("%s: no reason", g->id);
+        for (const struct gate *other = gates_table; other < g; other++)
+            if (strcmp(other->id, g->id) == 0) fail_msg("%s is there twice", g->id);
+    }
+}
+
+static void globs_choose(void **state) {
+    (void)state;
+    struct gates g;
+    struct failure why;
+    assert_int_equal(gates_collect("reference/*", 0, &g, &why), STATUS_OK);
+    int n = 0;
+    while (scenes[n]) n++;
+    assert_int_equal(g.declared, n); /* one for every scene */
+    gates_free(&g);
+    assert_int_equal(gates_collect("reference/rod-setp", 0, &g, &why), STATUS_INPUT);
+    assert_non_null(strstr(why.text, "no gate matches 'reference/rod-setp'"));
+    gates_free(&g);
+}
+
+static void declared_must_be_executed(void **state) {
+    (void)state;
+    struct gates g;
+    struct failure why;
+    assert_int_equal(gates_collect("reference/rod-*", 0, &g, &why), STATUS_OK);
+    assert_false(gates_hold(&g)); /* none was run */
+    gates_run(&g);
+    assert_int_equal(g.executed, g.declared);
+    assert_true(gates_hold(&g));
+    g.executed--;
+    assert_false(gates_hold(&g));
+    g.executed++;
+    g.result[0].executed = 0;
+    assert_false(gates_hold(&g));
+    g.result[0].executed = 1;
+    g.result[0].measured.verdict = VERDICT_INCONCLUSIVE;
+    assert_false(gates_hold(&g));
+    g.result[0].measured.verdict = VERDICT_MEASURED;
+    assert_false(gates_hold(&g));
+    gates_free(&g);
+    assert_false(gates_hold(&(struct gates){0})); /* nothing is not enough */
+}
+
+/* A reference whose forms disagree, whose bound is large, or whose bound is not a number. */
+static double gap, bound;
+
+static struct exact one(const struct problem *p, const double x[2], double t) {
+    (void)p, (void)x, (void)t;
+    return (struct exact){2.5, bound};
+}
+
+static struct exact two(const struct problem *p, const double x[2], double t) {
+    (void)p, (void)t;
+    return (struct exact){2.5 + (x[0] > 0.9 ? gap : 0), 0};
+}
+
+static struct measured reference(double apart, double promise) {
+    static const struct param none[] = {{0}};
+    struct scene scene = {.name = "test", .params = none, .exact = one, .second = two};
+    struct request r = {.scene = &scene, .problem = {.dim = 1, .hi = {1}, .t_end = 1}};
+    struct measured m;
+    gap = apart, bound = promise;
+    measures_find("reference", &m)->take(&r, 0, 1, &m);
+    return m;
+}
+
+static void references_are_held_to_their_bounds(void **state) {
+    (void)state;
+    assert_int_equal(reference(0, 0).verdict, VERDICT_PASS);
+    assert_int_equal(reference(0.9e-13, 1e-13).verdict, VERDICT_PASS);
+    assert_int_equal(reference(1.1e-13, 1e-13).verdict, VERDICT_FAIL);
+    assert_int_equal(reference(1e-15, 0).verdict, VERDICT_FAIL);
+    assert_int_equal(reference(NAN, 1e-13).verdict, VERDICT_FAIL);
+    assert_int_equal(reference(1e-15, NAN).verdict, VERDICT_FAIL);
+    assert_int_equal(reference(0, NAN).verdict, VERDICT_FAIL);
+    assert_int_equal(reference(0, -1).verdict, VERDICT_FAIL);
+    assert_near(reference(0, 0.25).error, 0.1, 1e-15);
+}
+
+static void junit_tells_each_verdict(void **state) {
+    (void)state;
+    struct gates g;
+    struct failure why;
+    char path[] = "/tmp/heatladder_junit.XXXXXX", text[20000];
+    close(mkstemp(path));
+    assert_int_equal(gates_collect("reference/rod-*", 0, &g, &why), STATUS_OK);
+    gates_run(&g);
+    g.result[1].measured.verdict = VERDICT_INCONCLUSIVE;
+    snprintf(g.result[1].measured.reason, sizeof g.result[1].measured.reason, "3 rungs < 4 & more");
+    /* cmocka keeps its counts in statics, so the writer runs in a process of its own, as it does in the program */
+    pid_t child = fork();
+    if (child == 0) _exit(junit_write(&g, path, &why));
+    int status;
+    assert_true(waitpid(child, &status, 0) == child && status == 0);
+    FILE *in = fopen(path, "r");
+    text[fread(text, 1, sizeof text - 1, in)] = '\0';
+    fclose(in);
+    unlink(path);
+    assert_non_null(strstr(text, "<testcase name=\"reference/rod-step\""));
+    assert_non_null(strstr(text, "failures=\"1\""));
+    assert_non_null(strstr(text, "inconclusive: 3 rungs"));
+    gates_free(&g);
+}
+
+int main(void) {
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(a_true_gate_passes),
+        cmocka_unit_test(a_wrong_order_fails),
+        cmocka_unit_test(a_right_order_of_a_wrong_size_fails),
+        cmocka_unit_test(an_order_needs_a_ceiling),
+        cmocka_unit_test(three_rungs_do_not_pass),
+        cmocka_unit_test(unknown_names_fail),
+        cmocka_unit_test(what_is_unstable_fails_with_its_reason),
+        cmocka_unit_test(what_is_not_finite_fails),
+        cmocka_unit_test(the_table_is_sound),
+        cmocka_unit_test(globs_choose),
+        cmocka_unit_test(declared_must_be_executed),
+        cmocka_unit_test(references_are_held_to_their_bounds),
+        cmocka_unit_test(junit_tells_each_verdict),
+    };
+    return cmocka_run_group_tests_name("gates", tests, NULL, NULL);
+}

@@ -1,0 +1,212 @@
+/* Ladders and the choice of a time step, on methods whose errors are made to measure: the exact solution plus
+ * C dx^P + D dt^Q, so that every answer is known. */
+#include "verification/ladder.h"
+
+#include "references/scene.h"
+#include "verification/arguments.h"
+#include "verification/run.h"
+#include "verification/stepping.h"
+
+#include "verification/unit/near.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+static const double C = 0.31, D = 0.77;
+
+struct scheme {
+    int unused;
+};
+
+static int whole(const struct problem *p, double dx) {
+    return (int)nearbyint((p->hi[0] - p->lo[0]) / dx);
+}
+
+static int answer(const struct problem *p, const struct options *o, int order, struct field *f) {
+    int n = whole(p, o->dx);
+    double steps =
+        o->stepper == STEPPER_EXACT
+            ? 0
+            : ceil(p->t_end / (o->dt > 0 ? o->dt : o->fourier * o->dx * o->dx / p->material[0].k[0]) - 1e-9);
+    double dt = steps > 0 ? p->t_end / steps : 0;
+    field_alloc(f, 1, (size_t)n);
+    f->time = p->t_end, f->dt = dt, f->steps = (long long)steps, f->stages = 1;
+    for (int i = 0; i < n; i++) {
+        f->x[i] = p->lo[0] + (i + 0.5) * (p->hi[0] - p->lo[0]) / n;
+        double x[2] = {f->x[i], 0};
+        f->T[i] =
+            scene_find("rod-gauss")->exact(p, x, p->t_end).temperature * (1 + C * pow(o->dx, 2) + D * pow(dt, order));
+    }
+    return STATUS_OK;
+}
+
+static int solve_euler(const struct problem *p, const struct options *o, struct field *f, struct failure *why) {
+    if (o->stepper == STEPPER_EXACT) return (fail)(why, STATUS_INPUT, "--stepper exact: not here");
+    return answer(p, o, o->stepper == STEPPER_RK2 ? 2 : 1, f);
+}
+
+static int solve_any(const struct problem *p, const struct options *o, struct field *f, struct failure *why) {
+    (void)why;
+    return answer(p, o, o->stepper == STEPPER_RK2 ? 2 : 1, f);
+}
+
+static int solve_picky(const struct problem *p, const struct options *o, struct field *f, struct failure *why) {
+    double F = o->dt * p->material[0].k[0] / (o->dx * o->dx);
+    if (F > 0.01) return (fail)(why, STATUS_NUMERICAL, "unstable at step 7");
+    return answer(p, o, 1, f);
+}
+
+static int solve_broken(const struct problem *p, const struct options *o, struct field *f, struct failure *why) {
+    if (o->dx < 0.3) return (fail)(why, STATUS_NUMERICAL, "unstable at step 7");
+    return answer(p, o, 1, f);
+}
+
+/* (fail) is the function of solver/method.h: without the parentheses it is a macro of cmocka's */
+static const struct scheme scheme;
+static const struct method euler = {"euler_only", "", "stepper", NULL, solve_euler};
+static const struct method no_exact = {"no_exact", "", "stepper", &scheme, solve_euler};
+static const struct method with_exact = {"with_exact", "", "stepper", &scheme, solve_any};
+static const struct method picky = {"picky", "", "stepper", NULL, solve_picky};
+static const struct method broken = {"broken", "", "stepper", NULL, solve_broken};
+
+static struct request request(const char *line, const struct method *m) {
+    struct request r;
+    struct failure why;
+    if (arguments_parse_line(line, &r, &why)) fail_msg("%s", why.text);
+    r.method = m;
+    return r;
+}
+
+static void the_exact_stepper_where_there_is_one(void **state) {
+    (void)state;
+    struct request r = request("run rod-gauss ftcs --dx 0.5", &with_exact);
+    struct result result;
+    assert_int_equal(run_request(&r, &r.options, &result, NULL), STATUS_OK);
+    assert_int_equal(result.options.stepper, STEPPER_EXACT);
+    assert_near(result.time_error, 0, 0);
+    assert_near(result.error.l1, C * 0.25, 1e-12);
+    arguments_free(&r);
+}
+
+static void a_refused_exact_falls_back(void **state) {
+    (void)state;
+    struct request r = request("run rod-gauss ftcs --dx 0.5", &no_exact);
+    struct result result;
+    assert_int_equal(run_request(&r, &r.options, &result, NULL), STATUS_OK);
+    assert_int_equal(result.options.stepper, STEPPER_RK2);
+    assert_true(result.time_error > 0 && result.time_error <= 0.01);
+    arguments_free(&r);
+}
+
+/* The time error that is reported is the one that was put in. */
+static void the_step_is_refined_until_it_does_not_matter(void **state) {
+    (void)state;
+    struct request r = request("run rod-gauss ftcs --dx 0.5", &euler);
+    struct result result;
+    assert_int_equal(run_request(&r, &r.options, &result, NULL), STATUS_OK);
+    double space = C * 0.25, time = D * result.dt;
+    assert_near(result.error.l1, space + time, 1e-12);
+    assert_near(result.time_error, time / (space + time), 1e-9);
+    assert_true(result.time_error <= 0.01 && result.time_error > 0.005); /* and no finer than needed */
+    arguments_free(&r);
+}
+
+static void an_unstable_first_step_is_halved(void **state) {
+    (void)state;
+    struct request r = request("run rod-gauss ftcs --dx 0.5", &picky);
+    struct result result;
+    assert_int_equal(run_request(&r, &r.options, &result, NULL), STATUS_OK);
+    assert_true(result.time_error <= 0.01);
+    arguments_free(&r);
+}
+
+static void a_given_step_is_taken_as_it_is(void **state) {
+    (void)state;
+    struct request r = request("run rod-gauss ftcs --dx 0.5 --dt 0.7", &euler);
+    struct result result;
+    assert_int_equal(run_request(&r, &r.options, &result, NULL), STATUS_OK);
+    assert_int_equal(result.steps, 8); /* 5 s in whole steps of at most 0.7 s */
+    assert_near(result.dt, 0.625, 0);
+    assert_true(isnan(result.time_error));
+    arguments_free(&r);
+}
+
+static void climb(const char *line, const struct method *m, int status, struct ladder *l, struct failure *why) {
+    struct request r = request(line, m);
+    int got = ladder_run(&r, l, why);
+    if (got != status) fail_msg("%s: status %d, %s", line, got, why->text);
+    arguments_free(&r);
+}
+
+static void a_ladder_in_space(void **state) {
+    (void)state;
+    struct failure why;
+    struct ladder *l = xcalloc(1, sizeof *l);
+    climb("ladder rod-gauss ftcs --dx 0.25,1,0.125,0.5 --expect 1.9,2.1", &with_exact, STATUS_OK, l, &why);
+    assert_int_equal(l->n, 4);
+    assert_near(l->x[0], 1, 0); /* coarsest first, in whatever order they were asked for */
+    assert_near(l->x[3], 0.125, 0);
+    assert_near(l->slope.value, 2, 1e-9);
+    assert_int_equal(l->verdict, VERDICT_PASS);
+    ladder_judge(l, 0.9, 1.1);
+    assert_int_equal(l->verdict, VERDICT_FAIL);
+    ladder_fit(l, LADDER_LINF);
+    assert_near(l->slope.value, 2, 0.02);
+    free(l);
+}
+
+static void a_ladder_in_time(void **state) {
+    (void)state;
+    struct failure why;
+    struct ladder *l = xcalloc(1, sizeof *l);
+    climb("ladder rod-gauss ftcs --dx 0.5 --dt 0.01,0.04,0.02,0.08 --stepper rk2", &with_exact, STATUS_OK, l, &why);
+    assert_int_equal(l->in_time, 1);
+    assert_near(l->slope.value, 2, 1e-6);
+    climb("ladder rod-gauss ftcs --dx 0.5 --dt 0.01,0.04,0.02,0.08 --stepper euler", &with_exact, STATUS_OK, l, &why);
+    assert_near(l->slope.value, 1, 1e-6);
+    climb("ladder rod-gauss ftcs --dx 0.5 --dt 0.01,0.04", &euler, STATUS_INPUT, l, &why);
+    assert_non_null(strstr(why.text, "which euler_only has not"));
+    free(l);
+}
+
+static void short_ladders_are_inconclusive(void **state) {
+    (void)state;
+    struct failure why;
+    struct ladder *l = xcalloc(1, sizeof *l);
+    climb("ladder rod-gauss ftcs --dx 1,0.5,0.25 --expect 1.9,2.1", &with_exact, STATUS_OK, l, &why);
+    assert_int_equal(l->verdict, VERDICT_INCONCLUSIVE);
+    climb("ladder rod-gauss ftcs --dx 1,0.5,0.25", &with_exact, STATUS_OK, l, &why);
+    assert_int_equal(l->verdict, VERDICT_INCONCLUSIVE);
+    climb("ladder rod-gauss ftcs --dx 1", &with_exact, STATUS_INPUT, l, &why);
+    assert_non_null(strstr(why.text, "at least two rungs, and a gate 4"));
+    climb("ladder rod-gauss ftcs --dx 1,0.5,0.5", &with_exact, STATUS_INPUT, l, &why);
+    assert_non_null(strstr(why.text, "0.5 is given twice"));
+    free(l);
+}
+
+static void a_failed_rung_fails_the_ladder(void **state) {
+    (void)state;
+    struct failure why;
+    struct ladder *l = xcalloc(1, sizeof *l);
+    climb("ladder rod-gauss ftcs --dx 3,1,0.75,0.5,0.25 --expect 1.9,2.1", &broken, STATUS_NUMERICAL, l, &why);
+    assert_int_equal(l->verdict, VERDICT_FAIL);
+    assert_non_null(strstr(l->reason, "unstable at step 7"));
+    ladder_judge(l, 1.9, 2.1);
+    assert_int_equal(l->verdict, VERDICT_FAIL);
+    free(l);
+}
+
+int main(void) {
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(the_exact_stepper_where_there_is_one),
+        cmocka_unit_test(a_refused_exact_falls_back),
+        cmocka_unit_test(the_step_is_refined_until_it_does_not_matter),
+        cmocka_unit_test(an_unstable_first_step_is_halved),
+        cmocka_unit_test(a_given_step_is_taken_as_it_is),
+        cmocka_unit_test(a_ladder_in_space),
+        cmocka_unit_test(a_ladder_in_time),
+        cmocka_unit_test(short_ladders_are_inconclusive),
+        cmocka_unit_test(a_failed_rung_fails_the_ladder),
+    };
+    return cmocka_run_group_tests_name("ladder", tests, NULL, NULL);
+}

@@ -1,0 +1,205 @@
+/* Norms, ranges and the checkerboard, on fields whose answers are known by hand. */
+#include "verification/norms.h"
+
+#include "solver/method.h"
+#include "solver/problem.h"
+#include "verification/checkerboard.h"
+
+#include "verification/unit/near.h"
+
+#include <float.h>
+
+static double wall_of_side(const struct problem *p, enum side s, const double x[2]) {
+    (void)p, (void)x;
+    return s == X_LO ? -0.25 : 3.5;
+}
+
+static struct problem rod(void) {
+    return (struct problem){.dim = 1, .lo = {-0.3}, .hi = {2.1}, .wall = wall_of_side};
+}
+
+static struct field points(const struct problem *p, int nx, int ny) {
+    struct field f;
+    field_alloc(&f, p->dim, (size_t)(nx * ny));
+    f.shape[0] = nx, f.shape[1] = ny;
+    for (int a = 0; a < p->dim; a++) f.spacing[a] = (p->hi[a] - p->lo[a]) / f.shape[a];
+    for (int j = 0; j < ny; j++)
+        for (int i = 0; i < nx; i++) {
+            f.x[j * nx + i] = p->lo[0] + (i + 0.5) * f.spacing[0];
+            if (f.y) f.y[j * nx + i] = p->lo[1] + (j + 0.5) * f.spacing[1];
+        }
+    return f;
+}
+
+static void three_norms_by_hand(void **state) {
+    (void)state;
+    struct problem p = rod();
+    struct field f = points(&p, 4, 1);
+    const double exact[4] = {1, -2, 3, 0.5}, T[4] = {1.5, -2, 2.75, 1.5};
+    for (int i = 0; i < 4; i++) f.T[i] = T[i];
+    struct norms_error e = norms_error(&p, &f, exact, NORMS_ALL, 0);
+    assert_near(e.l1, 1.75 / 6.5, DBL_EPSILON); /* |Te| in the denominator: Te may change sign */
+    assert_near(e.l2, sqrt((0.25 + 0.0625 + 1) / (1 + 4 + 9 + 0.25)), DBL_EPSILON);
+    assert_near(e.linf, 1, 0);
+    assert_int_equal(e.n, 4);
+    field_free(&f);
+}
+
+/* sum(w |e|^p), not sum(|w e|^p): a uniform weight must not be seen. */
+static void weights_are_outside_of_the_power(void **state) {
+    (void)state;
+    struct problem p = rod();
+    struct field f = points(&p, 3, 1);
+    const double exact[3] = {2, 2, 2};
+    f.T[0] = 2.5, f.T[1] = 2, f.T[2] = 1;
+    struct norms_error even = norms_error(&p, &f, exact, NORMS_ALL, 0);
+    f.weight = xcalloc(3, sizeof *f.weight);
+    for (int i = 0; i < 3; i++) f.weight[i] = 0.037;
+    struct norms_error scaled = norms_error(&p, &f, exact, NORMS_ALL, 0);
+    assert_near(scaled.l1, even.l1, DBL_EPSILON);
+    assert_near(scaled.l2, even.l2, DBL_EPSILON);
+    f.weight[0] = 0.5, f.weight[1] = 1, f.weight[2] = 0.25;
+    struct norms_error uneven = norms_error(&p, &f, exact, NORMS_ALL, 0);
+    assert_near(uneven.l1, (0.5 * 0.5 + 0.25 * 1) / 3.5, DBL_EPSILON);
+    assert_near(uneven.l2, sqrt((0.5 * 0.25 + 0.25) / (4 * 1.75)), DBL_EPSILON);
+    field_free(&f);
+}
+
+static void interior_and_boundary_part_the_points(void **state) {
+    (void)state;
+    struct problem p = {.dim = 2, .lo = {0, -1}, .hi = {2, 1}, .wall = wall_of_side};
+    struct field f = points(&p, 8, 8); /* spacing 0.25: outermost points 0.125 from a wall */
+    double exact[64];
+    for (int i = 0; i < 64; i++) {
+        int edge = i % 8 == 0 || i % 8 == 7 || i < 8 || i >= 56;
+        exact[i] = 1;
+        f.T[i] = edge ? 1.3 : 1.07;
+    }
+    struct norms_error in = norms_error(&p, &f, exact, NORMS_INTERIOR, 0.2);
+    struct norms_error out = norms_error(&p, &f, exact, NORMS_BOUNDARY, 0.2);
+    assert_int_equal(in.n, 36);
+    assert_int_equal(out.n, 28);
+    assert_near(in.linf, 0.07, 1e-15);
+    assert_near(out.l1, 0.3, 1e-15);
+    assert_true(isnan(norms_error(&p, &f, exact, NORMS_INTERIOR, 5).linf)); /* no points: no number */
+    field_free(&f);
+}
+
+static void a_nan_spoils_every_norm(void **state) {
+    (void)state;
+    struct problem p = rod();
+    for (int at = 0; at < 5; at++) {
+        struct field f = points(&p, 5, 1);
+        const double exact[5] = {1, 1, 1, 1, 1};
+        f.T[at] = NAN;
+        struct norms_error e = norms_error(&p, &f, exact, NORMS_ALL, 0);
+        struct norms_shape s = norms_shape(&p, &f, exact);
+        assert_true(isnan(e.l1) && isnan(e.l2) && isnan(e.linf));
+        assert_true(isnan(s.min) && isnan(s.max) && isnan(s.overshoot) && isnan(s.undershoot));
+        assert_true(isnan(s.variation) && isnan(s.checkerboard));
+        field_free(&f);
+    }
+}
+
+static void overshoot_counts_the_walls(void **state) {
+    (void)state;
+    struct problem p = rod();
+    struct field f = points(&p, 4, 1);
+    const double exact[4] = {0}, T[4] = {-0.2, 3.6, 1, -0.31};
+    for (int i = 0; i < 4; i++) f.T[i] = T[i];
+    f.range[0] = 0, f.range[1] = 3;
+    struct norms_shape s = norms_shape(&p, &f, exact);
+    assert_near(s.min, -0.31, 0);
+    assert_near(s.max, 3.6, 0);
+    assert_near(s.overshoot, 0.1, 1e-15);   /* past the wall at 3.5, not past the data at 3 */
+    assert_near(s.undershoot, 0.06, 1e-15); /* past the wall at -0.25 */
+    assert_near(s.variation, 3.8 + 2.6 + 1.31, 1e-14);
+    p.side[X_LO] = p.side[X_HI] = NEUMANN; /* a flux is no temperature */
+    s = norms_shape(&p, &f, exact);
+    assert_near(s.overshoot, 0.6, 1e-15);
+    assert_near(s.undershoot, 0.31, 1e-15);
+    field_free(&f);
+}
+
+static void heat_drifts_relative_to_its_size(void **state) {
+    (void)state;
+    struct field f = {.heat = {-2, -1.5}};
+    assert_near(norms_heat_drift(&f), 0.25, 0);
+}
+
+/* Every mode of every pair of walls, of amplitude 0.83: found with that amplitude in the upper half of the band, and
+ * not at all in the lower half. */
+static void a_pure_mode_has_its_amplitude(void **state) {
+    (void)state;
+    const double pi = acos(-1);
+    for (int n = 7; n <= 8; n++)
+        for (int sides = 0; sides < 4; sides++)
+            for (int k = 0; k < n; k++) {
+                struct problem p = rod();
+                p.side[X_LO] = sides & 1 ? NEUMANN : DIRICHLET;
+                p.side[X_HI] = sides & 2 ? NEUMANN : DIRICHLET;
+                struct field f = points(&p, n, 1);
+                double exact[8], waves = k + (sides == 0 ? 1 : sides == 3 ? 0 : 0.5);
+                for (int i = 0; i < n; i++) {
+                    double phase = pi * waves * (i + 0.5) / n;
+                    exact[i] = 5 + i;
+                    f.T[i] = exact[i] + 0.83 * (sides & 1 ? cos(phase) : sin(phase));
+                }
+                assert_near(checkerboard_amplitude(&p, &f, exact), 2 * waves >= n ? 0.83 : 0, 1e-14);
+                field_free(&f);
+            }
+}
+
+static void a_mode_of_the_plane_has_its_amplitude(void **state) {
+    (void)state;
+    const double pi = acos(-1);
+    struct problem p = {.dim = 2, .lo = {0, -1}, .hi = {1.4, 1}, .wall = wall_of_side};
+    p.side[Y_LO] = p.side[Y_HI] = NEUMANN;
+    struct field f = points(&p, 7, 10);
+    double exact[70] = {0};
+    for (int i = 0; i < 70; i++) f.T[i] = -0.41 * sin(pi * 2 * (i % 7 + 0.5) / 7) * cos(pi * 9 * (i / 7 + 0.5) / 10);
+    assert_near(checkerboard_amplitude(&p, &f, exact), 0.41, 1e-14); /* short along y alone */
+    f.shape[0] = f.shape[1] = 0;
+    assert_true(isnan(checkerboard_amplitude(&p, &f, exact)));
+    field_free(&f);
+}
+
+/* Points on the lattice that the walls are on. */
+static void nodes_have_their_own_transforms(void **state) {
+    (void)state;
+    const double pi = acos(-1);
+    struct problem p = {.dim = 1, .lo = {0}, .hi = {2}, .wall = wall_of_side};
+    struct field inner = points(&p, 9, 1);
+    double exact[11] = {0};
+    inner.spacing[0] = 0.2;
+    for (int i = 0; i < 9; i++) {
+        inner.x[i] = 0.2 * (i + 1);
+        inner.T[i] = 0.6 * sin(pi * 7 * (i + 1) / 10);
+    }
+    assert_near(checkerboard_amplitude(&p, &inner, exact), 0.6, 1e-14);
+    field_free(&inner);
+    p.side[X_LO] = p.side[X_HI] = NEUMANN;
+    struct field all = points(&p, 11, 1);
+    all.spacing[0] = 0.2;
+    for (int i = 0; i < 11; i++) {
+        all.x[i] = 0.2 * i;
+        all.T[i] = 0.6 * cos(pi * 10 * i / 10);
+    }
+    assert_near(checkerboard_amplitude(&p, &all, exact), 0.6, 1e-14);
+    field_free(&all);
+}
+
+int main(void) {
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(three_norms_by_hand),
+        cmocka_unit_test(weights_are_outside_of_the_power),
+        cmocka_unit_test(interior_and_boundary_part_the_points),
+        cmocka_unit_test(a_nan_spoils_every_norm),
+        cmocka_unit_test(overshoot_counts_the_walls),
+        cmocka_unit_test(heat_drifts_relative_to_its_size),
+        cmocka_unit_test(a_pure_mode_has_its_amplitude),
+        cmocka_unit_test(a_mode_of_the_plane_has_its_amplitude),
+        cmocka_unit_test(nodes_have_their_own_transforms),
+    };
+    return cmocka_run_group_tests_name("norms", tests, NULL, NULL);
+}

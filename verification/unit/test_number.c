@@ -1,0 +1,62 @@
+/* Strict numbers. */
+#include "verification/number.h"
+
+#include "verification/unit/near.h"
+
+static void decimals_and_fractions(void **state) {
+    (void)state;
+    double x = 0;
+    assert_int_equal(number_read("0.385", &x), 0);
+    assert_near(x, 0.385, 0);
+    assert_int_equal(number_read("-2.5e-3", &x), 0);
+    assert_near(x, -0.0025, 0);
+    assert_int_equal(number_read("4/42", &x), 0);
+    assert_near(x, 4.0 / 42, 0);
+    assert_int_equal(number_read("-0.3/7", &x), 0);
+    assert_near(x, -0.3 / 7, 0);
+}
+
+static void anything_else_is_refused(void **state) {
+    (void)state;
+    const char *const bad[] = {"",    " 1", "1 ", "0x10",  "nan", "inf", "-inf", "1e999", "1m",    "1,2",
+                               "4/0", "/4", "4/", "4/5/6", "--1", "1e",  ".",    "e5",    "1/nan", "٣"};
+    for (size_t i = 0; i < sizeof bad / sizeof *bad; i++) {
+        double x;
+        if (number_read(bad[i], &x) == 0) fail_msg("'%s' was read as %g", bad[i], x);
+    }
+}
+
+static void lists(void **state) {
+    (void)state;
+    double x[3];
+    assert_int_equal(number_read_list("0.1,4/42,7", x, 3), 3);
+    assert_near(x[1], 4.0 / 42, 0);
+    assert_int_equal(number_read_list("0.1", x, 3), 1);
+    assert_int_equal(number_read_list("", x, 3), -1);
+    assert_int_equal(number_read_list("1,", x, 3), -1);
+    assert_int_equal(number_read_list(",1", x, 3), -1);
+    assert_int_equal(number_read_list("1,,2", x, 3), -1);
+    assert_int_equal(number_read_list("1,2,3,4", x, 3), -1);
+}
+
+static void whole_numbers(void **state) {
+    (void)state;
+    long n;
+    assert_int_equal(number_read_whole("4294967295", 4294967295, &n), 0);
+    assert_true(n == 4294967295);
+    assert_int_equal(number_read_whole("4294967296", 4294967295, &n), -1);
+    assert_int_equal(number_read_whole("99999999999999999999999", 4294967295, &n), -1);
+    assert_int_equal(number_read_whole("-1", 10, &n), -1);
+    assert_int_equal(number_read_whole("2.5", 10, &n), -1);
+    assert_int_equal(number_read_whole("", 10, &n), -1);
+}
+
+int main(void) {
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(decimals_and_fractions),
+        cmocka_unit_test(anything_else_is_refused),
+        cmocka_unit_test(lists),
+        cmocka_unit_test(whole_numbers),
+    };
+    return cmocka_run_group_tests_name("number", tests, NULL, NULL);
+}

@@ -1,0 +1,227 @@
+/* Each exact solution obeys its equation, its sides and its start, and agrees with a second, independent form. */
+#include "verification/unit/odd_scenes.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+#include <gsl/gsl_errno.h>
+
+/* Central differences of eighth order. */
+static const double second_difference[] = {-205.0 / 72, 8.0 / 5, -1.0 / 5, 8.0 / 315, -1.0 / 560};
+static const double first_difference[] = {0, 4.0 / 5, -1.0 / 5, 4.0 / 105, -1.0 / 280};
+/* One-sided difference of sixth order. */
+static const double forward[] = {-49.0 / 20, 6, -15.0 / 2, 20.0 / 3, -15.0 / 4, 6.0 / 5, -1.0 / 6};
+
+static double at(const struct scene *s, const struct problem *p, double x, double y, double t) {
+    return s->exact(p, (double[2]){x, y}, t).temperature;
+}
+
+/* d2T/dx2 for axis 0, d2T/dy2 for axis 1 */
+static double curvature(const struct scene *s, const struct problem *p, const double x[2], double t, int axis,
+                        double d) {
+    double sum = 0;
+    for (int i = -4; i <= 4; i++)
+        sum += second_difference[abs(i)] * at(s, p, x[0] + (axis == 0) * i * d, x[1] + (axis == 1) * i * d, t);
+    return sum / (d * d);
+}
+
+static double slope(const struct scene *s, const struct problem *p, const double x[2], double t, int axis, double d) {
+    double sum = 0;
+    for (int i = 1; i <= 4; i++)
+        sum += first_difference[i] * (at(s, p, x[0] + (axis == 0) * i * d, x[1] + (axis == 1) * i * d, t) -
+                                      at(s, p, x[0] - (axis == 0) * i * d, x[1] - (axis == 1) * i * d, t));
+    return sum / d;
+}
+
+static double rate(const struct scene *s, const struct problem *p, const double x[2], double t) {
+    double d = 0.01 * t, sum = 0;
+    for (int i = 1; i <= 4; i++)
+        sum += first_difference[i] * (at(s, p, x[0], x[1], t + i * d) - at(s, p, x[0], x[1], t - i * d));
+    return sum / d;
+}
+
+static void the_equation_holds(void **state) {
+    (void)state;
+    for (int o = 0; o < ODD_SCENES; o++) {
+        struct problem p;
+        const struct odd_scene *odd = &odd_scenes[o];
+        const struct scene *s = odd_setup(odd, &p);
+        unsigned long random = 7;
+        double worst = 0, largest = 0;
+        for (int trial = 0; trial < 200; trial++) {
+            double x[2] = {0, 0}, margin = 10 * odd->step;
+            double t = odd->earliest + odd_random(&random) * fmax(0, p.t_end - odd->earliest);
+            for (int d = 0; d < p.dim; d++)
+                x[d] = p.lo[d] + margin + odd_random(&random) * (p.hi[d] - p.lo[d] - 2 * margin);
+            if (p.materials == 2 && fabs(x[0] - p.interface) < margin) continue;
+            const struct material *m = &p.material[p.materials == 2 && x[0] >= p.interface];
+            double storage = m->rho_c * rate(s, &p, x, t), flow = 0, part = fabs(storage);
+            for (int d = 0; d < p.dim; d++) {
+                double term = m->k[d] * curvature(s, &p, x, t, d, odd->step);
+                flow += term;
+                part = fmax(part, fabs(term));
+            }
+            if (p.source) flow += p.source(&p, x);
+            worst = fmax(worst, fabs(storage - flow));
+            largest = fmax(largest, part);
+        }
+        if (strcmp(odd->name, "wall-composite") == 0)
+            largest = p.material[0].k[0] * odd->scale; /* all parts vanish */
+        print_message("%-18s residual %.1e of the largest term\n", odd->name, worst / largest);
+        assert_near(worst / largest, 0, 2e-8);
+    }
+}
+
+static void the_sides_hold(void **state) {
+    (void)state;
+    for (int o = 0; o < ODD_SCENES; o++) {
+        struct problem p;
+        const struct odd_scene *odd = &odd_scenes[o];
+        const struct scene *s = odd_setup(odd, &p);
+        unsigned long random = 11;
+        for (int trial = 0; trial < 100; trial++)
+            for (int side = X_LO; side < 2 * p.dim; side++) {
+                double x[2] = {0, 0}, t = (0.01 + odd_random(&random)) * p.t_end;
+                if (strcmp(odd->name, "wall-composite") == 0) t = p.t_end;
+                int axis = side / 2, other = 1 - axis;
+                if (p.dim == 2) x[other] = p.lo[other] + odd_random(&random) * (p.hi[other] - p.lo[other]);
+                x[axis] = side % 2 ? p.hi[axis] : p.lo[axis];
+                double want = p.wall(&p, (enum side)side, x);
+                if (p.side[side] == DIRICHLET) {
+                    struct exact e = s->exact(&p, x, t);
+                    assert_near(e.temperature, want, 1e-13 * odd->scale);
+                    assert_true(e.error_bound <= 1e-12 * odd->scale);
+                } else {
+                    double outward = side % 2 ? 1 : -1;
+                    double flux = outward * p.material[0].k[axis] * slope(s, &p, x, t, axis, odd->step);
+                    assert_near(flux, want, 1e-11);
+                }
+            }
+    }
+}
+
+static void wall_values_take_any_coordinate_along_their_axis(void **state) {
+    (void)state;
+    struct problem p;
+    odd_setup(&odd_scenes[1], &p);
+    for (int side = X_LO; side <= Y_HI; side++) {
+        double on[2] = {0.3, 0.2}, off[2] = {0.3, 0.2};
+        on[side / 2] = side % 2 ? p.hi[side / 2] : p.lo[side / 2];
+        off[side / 2] = on[side / 2] + (side % 2 ? 0.013 : -0.013);
+        assert_near(p.wall(&p, (enum side)side, off), p.wall(&p, (enum side)side, on), 0);
+        assert_true(fabs(p.wall(&p, (enum side)side, on)) > 1e-4);
+    }
+}
+
+static void the_start_holds(void **state) {
+    (void)state;
+    for (int o = 0; o < ODD_SCENES; o++) {
+        struct problem p;
+        const struct scene *s = odd_setup(&odd_scenes[o], &p);
+        unsigned long random = 13;
+        if (strcmp(s->name, "wall-composite") == 0) continue; /* its `exact` is the steady state */
+        for (int trial = 0; trial < 300; trial++) {
+            double x[2] = {0, 0};
+            for (int d = 0; d < p.dim; d++) x[d] = p.lo[d] + odd_random(&random) * (p.hi[d] - p.lo[d]);
+            assert_near(at(s, &p, x[0], x[1], 0), p.initial(&p, x), 0);
+            /* a moment later nothing but what lies at a jump has changed */
+            int far = 1;
+            for (int d = 0; d < p.dim; d++) {
+                for (int j = 0; j < p.jumps[d]; j++) far &= fabs(x[d] - p.jump[d][j]) > 0.001;
+                far &= x[d] - p.lo[d] > 0.001 && p.hi[d] - x[d] > 0.001;
+            }
+            if (far) assert_near(at(s, &p, x[0], x[1], 1e-9 * p.t_end), p.initial(&p, x), 1e-7);
+        }
+    }
+}
+
+static void the_edge_of_the_start_is_closed(void **state) {
+    (void)state;
+    struct problem p;
+    odd_setup(&odd_scenes[5], &p); /* rod-step */
+    for (int j = 0; j < 2; j++) {
+        double edge = p.jump[0][j], out = j ? 1 : -1;
+        assert_near(p.initial(&p, (double[2]){edge, 0}), 7.3, 0);
+        assert_near(p.initial(&p, (double[2]){edge + out * 1e-15, 0}), 7.3, 0);
+        assert_near(p.initial(&p, (double[2]){edge + out * 1e-10, 0}), 0, 0);
+    }
+    odd_setup(&odd_scenes[2], &p); /* rod-contact: x = 0 belongs to the right half, as the material does */
+    assert_near(p.initial(&p, (double[2]){0, 0}), 0.2, 0);
+    assert_near(p.initial(&p, (double[2]){-1e-16, 0}), 0.2, 0);
+    assert_near(p.initial(&p, (double[2]){-1e-9, 0}), 0.9, 0);
+}
+
+static void flux_is_continuous_at_an_interface(void **state) {
+    (void)state;
+    static const int with_two[] = {2, 7};
+    for (int i = 0; i < 2; i++) {
+        struct problem p;
+        const struct scene *s = odd_setup(&odd_scenes[with_two[i]], &p);
+        double flux[2], d = 0.002, c = p.interface, t = p.t_end;
+        for (int side = 0; side < 2; side++) {
+            double sign = side ? 1 : -1, sum = forward[0] * at(s, &p, c + sign * 1e-15, 0, t);
+            for (int j = 1; j <= 6; j++) sum += forward[j] * at(s, &p, c + sign * j * d, 0, t);
+            flux[side] = p.material[side].k[0] * sign * sum / d;
+        }
+        assert_near(flux[0], flux[1], 1e-8 * fabs(flux[0]));
+        assert_near(at(s, &p, c - 1e-16, 0, t), at(s, &p, c, 0, t), 1e-14);
+        assert_true(fabs(flux[0]) > 1e-3);
+    }
+}
+
+static void the_second_form_agrees(void **state) {
+    (void)state;
+    static const double times[] = {0.003, 0.05, 0.41, 1, 1.7};
+    for (int o = 0; o < ODD_SCENES; o++) {
+        struct problem p;
+        const struct scene *s = odd_setup(&odd_scenes[o], &p);
+        unsigned long random = 17;
+        double worst = 0, bound = 0;
+        for (int k = 0; k < 5; k++)
+            for (int trial = 0; trial < 60; trial++) {
+                double x[2] = {0, 0}, t = times[k] * p.t_end;
+                for (int d = 0; d < p.dim; d++) x[d] = p.lo[d] + odd_random(&random) * (p.hi[d] - p.lo[d]);
+                struct exact e = s->exact(&p, x, t), f = s->second(&p, x, t);
+                assert_near(e.temperature, f.temperature, e.error_bound + f.error_bound);
+                if (t < p.t_end && strcmp(s->name, "wall-composite") == 0) continue; /* not steady yet */
+                worst = fmax(worst, fabs(e.temperature - f.temperature));
+                bound = fmax(bound, e.error_bound);
+            }
+        print_message("%-18s |exact - second| <= %.1e K, bound of exact <= %.1e K\n", s->name, worst, bound);
+        assert_near(worst, 0, 1e-12 * odd_scenes[o].scale);
+        assert_near(bound, 0, 1e-12 * odd_scenes[o].scale);
+    }
+}
+
+static void declared_symmetry_is_real(void **state) {
+    (void)state;
+    for (int o = 0; o < ODD_SCENES; o++) {
+        struct problem p;
+        const struct scene *s = odd_setup(&odd_scenes[o], &p);
+        for (int d = 0; d < p.dim; d++) {
+            double x[2] = {p.lo[0] + 0.23 * (p.hi[0] - p.lo[0]), p.lo[1] + 0.31 * (p.hi[1] - p.lo[1])},
+                   m[2] = {x[0], x[1]};
+            m[d] = p.lo[d] + p.hi[d] - x[d];
+            double difference = at(s, &p, x[0], x[1], p.t_end) - at(s, &p, m[0], m[1], p.t_end);
+            if (p.mirror[d])
+                assert_near(difference, 0, 1e-13 * odd_scenes[o].scale);
+            else
+                assert_true(fabs(difference) > 1e-3);
+        }
+    }
+}
+
+int main(void) {
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(the_equation_holds),
+        cmocka_unit_test(the_sides_hold),
+        cmocka_unit_test(wall_values_take_any_coordinate_along_their_axis),
+        cmocka_unit_test(the_start_holds),
+        cmocka_unit_test(the_edge_of_the_start_is_closed),
+        cmocka_unit_test(flux_is_continuous_at_an_interface),
+        cmocka_unit_test(the_second_form_agrees),
+        cmocka_unit_test(declared_symmetry_is_real),
+    };
+    gsl_set_error_handler_off();
+    return cmocka_run_group_tests_name("references", tests, NULL, NULL);
+}

@@ -1,0 +1,160 @@
+/* Values known to 20 digits from sums of the defining series in 40-digit arithmetic, at odd parameters; swaps of
+ * parameters show; the printed forms are what they are. */
+#include "verification/unit/odd_scenes.h"
+
+#include <string.h>
+
+#include <gsl/gsl_errno.h>
+
+static const struct odd_scene *odd(const char *name) {
+    for (int o = 0; o < ODD_SCENES; o++)
+        if (strcmp(odd_scenes[o].name, name) == 0) return &odd_scenes[o];
+    fail_msg("no scene %s at odd parameters", name);
+    return NULL;
+}
+
+static const struct known {
+    const char *scene;
+    double x[2], t, T; /* m, s, K */
+} known[] = {
+    /* sum over |k| <= 60 of (-1)^k T0/2 (erf((a+x-2kL)/s) + erf((a-x+2kL)/s)) */
+    {"rod-step", {0.35, 0}, 2.385, 6.284029041367498094},
+    {"rod-step", {1.61, 0}, 2.385, 0.00024665316336791097583},
+    {"rod-step", {-0.9, 0}, 190, 0.41199430855696426205},
+    /* sum over |k| <= 30 of (-1)^k sigma0/sigma exp(-(x-2kL)^2/(2 sigma^2)) */
+    {"rod-gauss", {2.7, 0}, 4.3, 0.37148543168177662135},
+    {"rod-gauss", {-7.7, 0}, 5100, 0.03233663807057812456},
+    /* product of two such box sums */
+    {"square-step", {0.51, -0.77}, 3.7, 1.648196930741433049},
+    /* T0 + sum_i (T_i - T0) sum over odd n of 4/(n pi) sin(r eta) (sinh(r (W-xi))/sinh(r W)
+     *    - 2/W sum_m q/(q^2+r^2) sin(q xi) exp(-(q^2+r^2) alpha t)),  n to 4000, m to 1e-32 */
+    {"plate", {0.031, 0.017}, 23.7, 0.30308057558458555081},
+    {"plate", {0.118, 0.059}, 2.1, 0.18956335442148398058},
+    {"plate", {0.004, 0.067}, 0.9, 0.65582880270356441836},
+    /* Tc = (e1 T1 + e2 T2)/(e1 + e2), e = sqrt(k rho_c); Tc + (T_i - Tc) erf(|x|/sqrt(4 k t/rho_c)) */
+    {"rod-contact", {0, 0}, 1.1, 0.78214222925527952519},
+    {"rod-contact", {-0.07, 0}, 1.1, 0.84166383300943714102},
+    {"rod-contact", {0.05, 0}, 1.1, 0.5045254040176167147},
+    /* T1 - q x/k1 and T2 + q (L-x)/k2, q = 0.9/(0.37/0.9 + 0.73/0.013) */
+    {"wall-composite", {0.2, 0}, 4, 1.1964642420029917952},
+    {"wall-composite", {0.8, 0}, 4, 0.66717486892008280322},
+    /* the closed forms of the opening comments */
+    {"rod-cosine", {0.23, 0}, 1.7, 1.2353781717793297199},
+    {"rect-manufactured", {0.31, 0.23}, 1.3, 1.5346691842218211659},
+};
+
+static void known_values(void **state) {
+    (void)state;
+    for (size_t i = 0; i < sizeof known / sizeof *known; i++) {
+        struct problem p;
+        const struct odd_scene *o = odd(known[i].scene);
+        const struct scene *s = odd_setup(o, &p);
+        struct exact e = s->exact(&p, known[i].x, known[i].t);
+        assert_near(e.temperature, known[i].T, 1e-13 * o->scale);
+        assert_near(e.temperature, known[i].T, e.error_bound);
+        if (known[i].t <= p.t_end) {
+            struct exact f = s->second(&p, known[i].x, known[i].t);
+            assert_near(f.temperature, known[i].T, f.error_bound);
+        }
+    }
+}
+
+static void plate_of_the_paper(void **state) {
+    (void)state;
+    struct problem p;
+    struct failure why;
+    const struct scene *s = scene_find("plate");
+    scene_defaults(s, &p);
+    assert_int_equal(s->setup(&p, &why), STATUS_OK);
+    assert_near(s->exact(&p, (double[2]){0.05, 0.05}, 28.8894).temperature, 0.26102989127156064378, 1e-14);
+    /* steady, the middle of a square is the mean of its sides */
+    assert_near(s->exact(&p, (double[2]){0.05, 0.05}, 1e5).temperature, 0.625, 1e-14);
+}
+
+static double value(const char *name, const int swap[][2], int swaps, double x, double y) {
+    struct odd_scene o = *odd(name);
+    struct problem p;
+    for (int i = 0; i < swaps; i++) {
+        double kept = o.param[swap[i][0]];
+        o.param[swap[i][0]] = o.param[swap[i][1]];
+        o.param[swap[i][1]] = kept;
+    }
+    const struct scene *s = odd_setup(&o, &p);
+    return s->exact(&p, (double[2]){x, y}, p.t_end).temperature;
+}
+
+static void swaps_show(void **state) {
+    (void)state;
+    static const int a_b[][2] = {{1, 2}}, kappas[][2] = {{3, 4}}, both[][2] = {{1, 2}, {3, 4}};
+    double square = value("square-step", NULL, 0, 0.51, -0.77);
+    assert_true(fabs(value("square-step", a_b, 1, 0.51, -0.77) - square) > 0.1);
+    assert_true(fabs(value("square-step", kappas, 1, 0.51, -0.77) - square) > 0.01);
+    assert_near(value("square-step", both, 2, -0.77, 0.51), square, 1e-14);
+
+    static const int T1_T3[][2] = {{2, 4}}, T2_T4[][2] = {{3, 5}}, turn[][2] = {{0, 1}, {2, 5}, {4, 3}};
+    double plate = value("plate", NULL, 0, 0.031, 0.017);
+    assert_true(fabs(value("plate", T1_T3, 1, 0.031, 0.017) - plate) > 0.05);
+    assert_true(fabs(value("plate", T2_T4, 1, 0.031, 0.017) - plate) > 0.05);
+    assert_near(value("plate", T1_T3, 1, 0.031, 0.07 - 0.017), plate, 1e-14);
+    assert_near(value("plate", T2_T4, 1, 0.13 - 0.031, 0.017), plate, 1e-14);
+    assert_near(value("plate", turn, 3, 0.017, 0.031), plate, 1e-14); /* mirrored in the diagonal */
+
+    static const int materials[][2] = {{1, 4}, {2, 5}}, sides[][2] = {{1, 4}, {2, 5}, {3, 6}};
+    double contact = value("rod-contact", NULL, 0, -0.07, 0);
+    assert_true(fabs(value("rod-contact", materials, 2, -0.07, 0) - contact) > 0.1);
+    assert_near(value("rod-contact", sides, 3, 0.07, 0), contact, 1e-15);
+
+    static const int k_x_k_y[][2] = {{2, 3}};
+    double made = value("rect-manufactured", NULL, 0, 0.31, 0.23);
+    assert_true(fabs(value("rect-manufactured", k_x_k_y, 1, 0.31, 0.23) - made) > 0.01);
+}
+
+/* The infinite line misses the solution between walls by what has reached the walls, and by nothing far from them. */
+static void published_lines_leave_the_walls_off(void **state) {
+    (void)state;
+    static const char *const lines[] = {"rod-step", "rod-gauss", "square-step"};
+    static const double at_wall[] = {5.2e-6, 6.2e-13, 5.2e-6}; /* T0/2 erfc((L-a)/s) etc., half of it at the wall */
+    for (int i = 0; i < 3; i++) {
+        struct problem p;
+        struct failure why;
+        const struct scene *s = scene_find(lines[i]);
+        scene_defaults(s, &p);
+        assert_int_equal(s->setup(&p, &why), STATUS_OK);
+        double far[2] = {0.1, -0.2}, wall[2] = {p.hi[0], 0};
+        assert_near(s->published(&p, far, p.t_end), s->exact(&p, far, p.t_end).temperature, 1e-13);
+        double miss = s->published(&p, wall, p.t_end) - s->exact(&p, wall, p.t_end).temperature;
+        print_message("%-12s as published misses the wall by %.3e K\n", lines[i], miss);
+        assert_true(miss > at_wall[i] && miss < 3 * at_wall[i]);
+    }
+}
+
+/* Of the plate's four sides as printed only T2 is right; T3 becomes right once steady, T1 and T4 never. */
+static void published_plate_by_side(void **state) {
+    (void)state;
+    static const double x[2] = {0.031, 0.017};
+    for (int side = 0; side < 4; side++) {
+        struct problem p;
+        struct odd_scene o = *odd("plate");
+        for (int i = 2; i <= 6; i++) o.param[i] = i == 2 + side ? 1.3 : 0;
+        const struct scene *s = odd_setup(&o, &p);
+        double soon = s->published(&p, x, 23.7) - s->exact(&p, x, 23.7).temperature;
+        double late = s->published(&p, x, 1e5) - s->exact(&p, x, 1e5).temperature;
+        print_message("T%d alone, as printed: off by %.3g K early, %.3g K steady\n", side + 1, soon, late);
+        if (side == 1) assert_near(soon, 0, 1e-13);
+        if (side == 1 || side == 2) assert_near(late, 0, 1e-13);
+        if (side == 0 || side == 3) assert_near(late, -2 * s->exact(&p, x, 1e5).temperature, 1e-13);
+        if (side != 1) assert_true(fabs(soon) > 0.01);
+    }
+}
+
+int main(void) {
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(known_values),
+        cmocka_unit_test(plate_of_the_paper),
+        cmocka_unit_test(swaps_show),
+        cmocka_unit_test(published_lines_leave_the_walls_off),
+        cmocka_unit_test(published_plate_by_side),
+    };
+    gsl_set_error_handler_off();
+    return cmocka_run_group_tests_name("references, known values", tests, NULL, NULL);
+}

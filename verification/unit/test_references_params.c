@@ -1,0 +1,113 @@
+/* Parameters that make no sense are refused with a sentence that names the option and what would be valid. */
+#include "verification/unit/odd_scenes.h"
+
+#include <stdio.h>
+#include <string.h>
+
+#include <gsl/gsl_errno.h>
+
+static int index_of(const struct scene *s, const char *name) {
+    for (int i = 0; s->params[i].name; i++)
+        if (strcmp(s->params[i].name, name) == 0) return i;
+    fail_msg("%s has no parameter %s", s->name, name);
+    return -1;
+}
+
+static const struct refusal {
+    const char *scene, *param;
+    double value;
+    const char *valid; /* part of what the refusal must say */
+} refusals[] = {
+    {"rod-step", "a", 2.5, "between 0 and 2 m"},
+    {"rod-step", "a", 2, "a < L"},
+    {"rod-step", "kappa", -0.02, "greater than 0 m^2/s"},
+    {"rod-step", "T0", 0, "greater than 0 K"},
+    {"rod-step", "t_end", 0, "greater than 0 s"},
+    {"rod-gauss", "sigma0", 15.5, "sigma0 < L"},
+    {"rod-gauss", "sigma0", -1, "greater than 0 m"},
+    {"square-step", "a", 2.1, "a < L"},
+    {"square-step", "b", 2.1, "b < L"},
+    {"square-step", "kappa_y", 0, "greater than 0 m^2/s"},
+    {"plate", "width", -0.1, "greater than 0 m"},
+    {"plate", "height", 1000, "times the width"},
+    {"plate", "material", 3, "steel, titanium or vanadium"},
+    {"plate", "material", 0.5, "steel, titanium or vanadium"},
+    {"plate", "T3", INFINITY, "finite"},
+    {"plate", "T0", NAN, "finite"},
+    {"rod-contact", "k1", 0, "greater than 0 W/m/K"},
+    {"rod-contact", "T2", INFINITY, "finite"},
+    {"rod-contact", "t_end", 2.5, "between 0 and 2 s"},
+    {"wall-composite", "x_c", 1.4, "between 0 and 1 m"},
+    {"wall-composite", "T1", 0, "T2"},
+    {"wall-composite", "rho_c2", -1, "greater than 0 J/m^3/K"},
+    {"rod-cosine", "mode", 2.5, "whole number from 1 to 32"},
+    {"rod-cosine", "mode", 0, "whole number from 1 to 32"},
+    {"rod-cosine", "A", 1.5, "A < Tm"},
+    {"rect-manufactured", "A", 1.5, "A <= 1"},
+    {"rect-manufactured", "k_y", NAN, "greater than 0 W/m/K"},
+};
+
+static void bad_values_are_refused(void **state) {
+    (void)state;
+    for (size_t i = 0; i < sizeof refusals / sizeof *refusals; i++) {
+        const struct refusal *r = &refusals[i];
+        const struct scene *s = scene_find(r->scene);
+        struct problem p;
+        struct failure why = {0};
+        char option[64];
+        scene_defaults(s, &p);
+        p.param[index_of(s, r->param)] = r->value;
+        assert_int_equal(s->setup(&p, &why), STATUS_INPUT);
+        assert_int_equal(why.status, STATUS_INPUT);
+        snprintf(option, sizeof option, "--set %s=%g: needs ", r->param, r->value);
+        if (strncmp(why.text, option, strlen(option)) != 0 || !strstr(why.text, r->valid))
+            fail_msg("\"%s\" lacks \"%s\" or \"%s\"", why.text, option, r->valid);
+    }
+}
+
+static void defaults_are_accepted(void **state) {
+    (void)state;
+    int count = 0;
+    for (const struct scene *const *s = scenes; *s; s++, count++) {
+        struct problem p;
+        struct failure why = {0};
+        int last = 0;
+        scene_defaults(*s, &p);
+        assert_int_equal((*s)->setup(&p, &why), STATUS_OK);
+        while ((*s)->params[last + 1].name) last++;
+        assert_true(last < PARAM_MAX);
+        assert_string_equal((*s)->params[last].name, "t_end");
+        assert_near(p.t_end, (*s)->params[last].value, 0);
+        assert_true((*s)->about && (*s)->citation && (*s)->exact && (*s)->second && p.initial && p.wall);
+        for (int i = 0; i < last; i++) assert_true((*s)->params[i].unit && (*s)->params[i].about);
+    }
+    assert_int_equal(count, ODD_SCENES);
+}
+
+/* A setup leaves nothing of an earlier one behind. */
+static void setup_starts_afresh(void **state) {
+    (void)state;
+    struct problem p, q;
+    struct failure why;
+    const struct scene *s = scene_find("rod-gauss");
+    scene_defaults(s, &p);
+    assert_int_equal(s->setup(&p, &why), STATUS_OK);
+    memset(&q, 0x5a, sizeof q);
+    memcpy(q.param, p.param, sizeof q.param);
+    assert_int_equal(s->setup(&q, &why), STATUS_OK);
+    assert_int_equal(q.jumps[0], 0);
+    assert_int_equal(q.jumps[1], 0);
+    assert_int_equal(q.mirror[1], 0);
+    assert_true(q.source == NULL);
+    assert_true(q.lo[1] == 0 && q.hi[1] == 0);
+}
+
+int main(void) {
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(bad_values_are_refused),
+        cmocka_unit_test(defaults_are_accepted),
+        cmocka_unit_test(setup_starts_afresh),
+    };
+    gsl_set_error_handler_off();
+    return cmocka_run_group_tests_name("references, parameters", tests, NULL, NULL);
+}
