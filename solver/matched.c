@@ -6,9 +6,11 @@
  * Euler's n = t/dt steps multiply a mode by (1 + dt lambda)^n = exp(n (dt lambda - (dt lambda)^2 / 2 + ...)), so that
  * the exponent per time is
  *   -kappa |xi|^2 + kappa dx^2 (A (xi_x^4 + xi_y^4) + B xi_x^2 xi_y^2) - (dt/2) kappa^2 |xi|^4 + O(dx^4).
- * Isotropy, B = 2 A, makes the first error A |xi|^4; the step F = kappa dt / dx^2 = 2 A then cancels it.  What is
- * left is O(dx^4).  One whole number of steps must fill the run; F is off by at most half a step in n, a relative
- * error 1/(2n) of an O(dx^2) term with n ~ 1/dx^2, which is again O(dx^4).
+ * Isotropy, B = 2 A, makes the first error A |xi|^4; steps with F = kappa dt / dx^2 = 2 A then cancel it, and what is
+ * left is O(dx^4).  A run is seldom a whole number of such steps, and rounding their number would leave a term that
+ * jumps from rung to rung.  What has to match is the sum of dt^2: an even number n of steps, at least t / dt(2 A),
+ * alternates between d (1 + u) and d (1 - u), d = t / n, with 1 + u^2 = 2 A dx^2 / (kappa d).  Then u^2 < 2 / n, so
+ * that u goes to zero with dx.
  *
  * The start: averaging with a B-spline of order m multiplies a mode by (sin(theta/2) / (theta/2))^m = 1 - m theta^2 /
  * 24
@@ -114,10 +116,11 @@ int matched_plan(const struct problem *p, const struct options *o, const struct 
     if (!(e.A > 0)) return fail(why, STATUS_INPUT, "--stepper matched: A = %.4g, no positive step matches", e.A);
     double kappa = p->material[0].k[0] / p->material[0].rho_c, dx2 = l->dx[0] * l->dx[0];
     m->run_time = p->t_end - filter_order(p, o) * dx2 / (24 * kappa);
-    m->steps = (long long)fmax(1, round(m->run_time * kappa / (2 * e.A * dx2)));
-    m->F = m->run_time * kappa / dx2 / (double)m->steps;
     if (!(m->run_time > 0))
         return fail(why, STATUS_INPUT, "--t-end %g: the averaged start is already at %g s", p->t_end,
                     p->t_end - m->run_time);
+    double matching = m->run_time * kappa / (2 * e.A * dx2); /* steps of F = 2 A */
+    m->steps = 2 * (long long)ceil(matching / 2 - 1e-9);
+    m->uneven = sqrt(fmax(0, (double)m->steps / matching - 1));
     return STATUS_OK;
 }

@@ -18,9 +18,10 @@ int matched_symbol(int dim, const struct options *o, const struct scheme *s, str
 /* The h/dx nearest to 1.2 at which the error is isotropic (B = 2 A), to 1e-12.  STATUS_INPUT where there is none. */
 int matched_isotropic(const struct options *o, const struct scheme *s, double *h, struct failure *why);
 
-/* Step count, the step's Fourier number F and the time to run (s) for the problem on its lattice. */
+/* An even count of Euler steps that alternate between dt (1 + uneven) and dt (1 - uneven), and the time that they
+ * run, s, for the problem on its lattice. */
 struct matched {
-    double F, run_time;
+    double run_time, uneven;
     long long steps;
 };
 int matched_plan(const struct problem *p, const struct options *o, const struct scheme *s, const struct lattice *l,

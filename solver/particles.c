@@ -94,7 +94,7 @@ static int choose_march(const struct problem *p, const struct options *o, const 
         if (o->dt > 0 || o->fourier > 0)
             return fail(why, STATUS_INPUT, "--stepper matched finds its own step: leave out --dt and --fourier");
         if (matched_plan(p, o, s, l, &plan, why)) return why->status;
-        m->stepper = STEPPER_EULER, m->time = plan.run_time, m->steps = plan.steps;
+        m->stepper = STEPPER_EULER, m->time = plan.run_time, m->steps = plan.steps, m->uneven = plan.uneven;
         return STATUS_OK;
     }
     /* unasked: half of the stable step, and for rkl2 as many steps as put its s^2 to use */

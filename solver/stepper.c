@@ -72,7 +72,8 @@ int stepper_march(const struct heat_operator *a, const struct march *m, double *
     operator_load(a, T, Y[0]);
     for (long long step = 1; step <= m->steps && !status; step++) {
         if (m->stepper == STEPPER_EULER) {
-            operator_update(a, &(struct update){.rate = dt, .self = 1}, Y[0], Y[1]);
+            double part = dt * (step % 2 ? 1 + m->uneven : 1 - m->uneven);
+            operator_update(a, &(struct update){.rate = part, .self = 1}, Y[0], Y[1]);
             double *swap = Y[0];
             Y[0] = Y[1], Y[1] = swap;
         } else if (m->stepper == STEPPER_RK2) {

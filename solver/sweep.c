@@ -53,54 +53,69 @@ INLINE double combine(const struct others *o, ptrdiff_t c, double sum, double x,
     return to;
 }
 
-/* Offsets with i i + j j <= q in a quadrant of rx and ry: constants where it is inlined. */
-INLINE void row_sum(int rx, int ry, int q, const double *restrict w, const double *restrict x, ptrdiff_t stride,
-                    ptrdiff_t n, const struct others *o, double *restrict y) {
-    int plain = !o->g && !o->u.Y0 && !o->u.L0 && o->u.self == 1 && o->u.old == 0;
-    double rate = o->u.rate;
-#define NEIGHBOURS(c)                                                                                                \
-    double sum = w[0] * x[c];                                                                                        \
-    for (int i = 1; i <= rx; i++) sum += w[i] * (x[c - i] + x[c + i]);                                               \
-    for (int j = 1; j <= ry; j++) {                                                                                  \
-        sum += w[j * (rx + 1)] * (x[c - j * stride] + x[c + j * stride]);                                            \
-        for (int i = 1; i <= rx; i++)                                                                                \
-            if (i * i + j * j <= q)                                                                                  \
-                sum += w[j * (rx + 1) + i] * ((x[c - j * stride - i] + x[c - j * stride + i]) +                      \
-                                              (x[c + j * stride - i] + x[c + j * stride + i]));                      \
+enum { PIECE = 256, REACH_MAX = 16, PAIRED = PIECE + 2 * REACH_MAX };
+
+/* One piece of a row.  pair[j] holds x above + x below at distance j, so that each offset of the quadrant costs one
+ * addition and one multiplication more.  rx, ry and q (offsets with i i + j j <= q) are constants where it is
+ * inlined; the order of the additions is the same for every piece. */
+INLINE double weigh(int rx, int ry, int q, const double *restrict w, const double *restrict x,
+                    double (*restrict pair)[PAIRED], ptrdiff_t c) {
+    double sum = w[0] * x[c];
+    _Pragma("GCC unroll 9") for (int i = 1; i <= rx; i++) sum += w[i] * (x[c - i] + x[c + i]);
+    _Pragma("GCC unroll 9") for (int j = 1; j <= ry; j++) {
+        const double *s = &pair[j][REACH_MAX];
+        sum += w[j * (rx + 1)] * s[c];
+        _Pragma("GCC unroll 9") for (int i = 1; i <= rx; i++) if (i * i + j * j <= q) sum +=
+            w[j * (rx + 1) + i] * (s[c - i] + s[c + i]);
     }
-    if (plain) /* an Euler step without source or walls' values */
-        for (ptrdiff_t c = 0; c < n; c++) {
-            NEIGHBOURS(c)
-            y[c] = x[c] + rate * sum;
-        }
-    else
-        for (ptrdiff_t c = 0; c < n; c++) {
-            NEIGHBOURS(c)
-            y[c] = combine(o, c, sum, x[c], y[c]);
-        }
-#undef NEIGHBOURS
+    return sum;
 }
 
-/* Any stencil, one offset at a time over a short piece of the row. */
+INLINE void pair_rows(int rx, int ry, const double *restrict x, ptrdiff_t stride, ptrdiff_t n,
+                      double (*restrict pair)[PAIRED]) {
+    for (int j = 1; j <= ry; j++) {
+        const double *below = x - j * stride, *above = x + j * stride;
+        double *s = &pair[j][REACH_MAX];
+        for (ptrdiff_t c = -rx; c < n + rx; c++) s[c] = below[c] + above[c];
+    }
+}
+
+INLINE void row_sum(int rx, int ry, int q, const double *restrict w, const double *restrict x, ptrdiff_t stride,
+                    ptrdiff_t n, const struct others *o, double *restrict y) {
+    double pair[REACH_MAX + 1][PAIRED];
+    int plain = !o->g && !o->u.Y0 && !o->u.L0 && o->u.self == 1 && o->u.old == 0;
+    double rate = o->u.rate;
+    for (ptrdiff_t begin = 0; begin < n; begin += PIECE) {
+        ptrdiff_t m = n - begin < PIECE ? n - begin : PIECE;
+        const double *at = x + begin;
+        double *to = y + begin;
+        pair_rows(rx, ry, at, stride, m, pair);
+        if (plain) /* an Euler step without source or walls' values */
+            for (ptrdiff_t c = 0; c < m; c++) to[c] = at[c] + rate * weigh(rx, ry, q, w, at, pair, c);
+        else
+            for (ptrdiff_t c = 0; c < m; c++)
+                to[c] = combine(o, begin + c, weigh(rx, ry, q, w, at, pair, c), at[c], to[c]);
+    }
+}
+
+/* Any stencil, one offset at a time. */
 INLINE void row_any(int rx, int ry, const double *restrict w, const double *restrict x, ptrdiff_t stride, ptrdiff_t n,
                     const struct others *o, double *restrict y) {
-    double sum[256];
-    for (ptrdiff_t begin = 0; begin < n; begin += 256) {
-        ptrdiff_t m = n - begin < 256 ? n - begin : 256;
+    double pair[REACH_MAX + 1][PAIRED], sum[PIECE];
+    for (ptrdiff_t begin = 0; begin < n; begin += PIECE) {
+        ptrdiff_t m = n - begin < PIECE ? n - begin : PIECE;
         const double *at = x + begin;
+        pair_rows(rx, ry, at, stride, m, pair);
         for (ptrdiff_t c = 0; c < m; c++) sum[c] = w[0] * at[c];
         for (int j = 0; j <= ry; j++)
             for (int i = 0; i <= rx; i++) {
                 double weight = w[j * (rx + 1) + i];
-                ptrdiff_t up = j * stride;
+                const double *s = j ? &pair[j][REACH_MAX] : at;
                 if (weight == 0 || (i == 0 && j == 0)) continue;
-                if (j == 0)
-                    for (ptrdiff_t c = 0; c < m; c++) sum[c] += weight * (at[c - i] + at[c + i]);
-                else if (i == 0)
-                    for (ptrdiff_t c = 0; c < m; c++) sum[c] += weight * (at[c - up] + at[c + up]);
+                if (i == 0)
+                    for (ptrdiff_t c = 0; c < m; c++) sum[c] += weight * s[c];
                 else
-                    for (ptrdiff_t c = 0; c < m; c++)
-                        sum[c] += weight * ((at[c - up - i] + at[c - up + i]) + (at[c + up - i] + at[c + up + i]));
+                    for (ptrdiff_t c = 0; c < m; c++) sum[c] += weight * (s[c - i] + s[c + i]);
             }
         for (ptrdiff_t c = 0; c < m; c++) y[begin + c] = combine(o, begin + c, sum[c], at[c], y[begin + c]);
     }

@@ -1,7 +1,6 @@
 /* rename() replaces a file in one step (POSIX), so a reader sees the old text or the new.  The bytes are all in
  * memory before the file is opened, and interrupts wait for the moment that the writing takes: no partial file is
  * left. */
-#define _XOPEN_SOURCE 700 /* realpath */
 #include "verification/atomic_file.h"
 
 #include "solver/method.h"

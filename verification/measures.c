@@ -61,7 +61,7 @@ static int by_falling_dx(const void *a, const void *b) {
     return (x < y) - (x > y);
 }
 
-static void take_slope_operator(const struct request *r, double lo, double hi, struct measured *m) {
+static void take_operator_slope(const struct request *r, double lo, double hi, struct measured *m) {
     struct numbers dx = r->dx;
     struct options o = r->options;
     struct failure why = {0};
@@ -164,7 +164,7 @@ const struct measure measures[] = {
     {"slope", "order of E1 over a ladder", 1, take_slope},
     {"slope_l2", "order of the relative L2 error over a ladder", 1, take_slope_l2},
     {"slope_linf", "order of the largest error over a ladder", 1, take_slope_linf},
-    {"slope_operator", "order of a particle method's derivatives of a smooth function", 1, take_slope_operator},
+    {"operator_slope", "order of a particle method's derivatives of a smooth function", 1, take_operator_slope},
     {"error", "E1 of a run", 0, take_error},
     {"error_linf", "largest error of a run, K", 0, take_error_linf},
     {"overshoot", "how far a run leaves its initial range, above or below, K", 0, take_overshoot},

@@ -18,18 +18,18 @@ struct numbers {
 
 struct request {
     const struct verb *verb;
-    const struct scene *scene;                       /* NULL where the verb takes none */
-    const struct method *method;                     /* NULL where the verb takes none */
-    const char *topic;                               /* list: what to list, NULL for all; report: where to, NULL for reports/out */
-    struct problem problem;                          /* set up from the scene and its overridden parameters */
-    struct options options;                          /* dx, dt and fourier are the first of the lists below */
-    struct numbers dx;                               /* m */
-    struct numbers dt;                               /* s; more than one: a time ladder */
-    struct numbers fourier;                          /* - ; more than one: a time ladder */
-    struct numbers at;                               /* m: x, or x and y */
-    struct numbers expect;                           /* lowest and highest slope that pass */
-    double time;                                     /* s */
-    const char *only;                                /* glob of gate names; NULL for all */
+    const struct scene *scene;   /* NULL where the verb takes none */
+    const struct method *method; /* NULL where the verb takes none */
+    const char *topic;           /* list: what to list, NULL for all; report: where to, NULL for reports/out */
+    struct problem problem;      /* set up from the scene and its overridden parameters */
+    struct options options;      /* dx, dt and fourier are the first of the lists below */
+    struct numbers dx;           /* m */
+    struct numbers dt;           /* s; more than one: a time ladder */
+    struct numbers fourier;      /* - ; more than one: a time ladder */
+    struct numbers at;           /* m: x, or x and y */
+    struct numbers expect;       /* lowest and highest slope that pass */
+    double time;                 /* s */
+    const char *only;            /* glob of gate names; NULL for all */
     const char *field_path, *json_path, *junit_path; /* NULL where not asked for */
     int json;                                        /* 1: JSON on standard output instead of text */
     int quick;                                       /* 1: the quick tier of the gates alone */

@@ -23,8 +23,8 @@ static void print_text(const struct result *r) {
     if (r->time_error > 0) printf("  %-14s %.2g %% of E1\n", "time error", 100 * r->time_error);
     printf("  %-14s %.6g to %.6g K, past the initial range by %.2e above, %.2e below\n", "temperature", r->shape.min,
            r->shape.max, r->shape.overshoot, r->shape.undershoot);
-    printf("  %-14s %.2e K\n", "checkerboard", r->shape.checkerboard);
-    printf("  %-14s %.2e of the heat at the start\n", "heat drift", r->heat_drift);
+    if (!isnan(r->shape.checkerboard)) printf("  %-14s %.2e K\n", "checkerboard", r->shape.checkerboard);
+    if (isfinite(r->heat_drift)) printf("  %-14s %.2e of the heat at the start\n", "heat drift", r->heat_drift);
     printf("  %-14s %.3g s, %lld updates, %lld interactions, %zu bytes\n", "cost", r->seconds, r->updates,
            r->interactions, r->bytes);
 }

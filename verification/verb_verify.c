@@ -77,8 +77,8 @@ static void add_row(struct table *t, const struct gate_result *r) {
 }
 
 static int print_text(const struct gates *g, double seconds) {
-    static const char *const header[] = {"gate",     "measure",       "verdict",         "expected",
-                                         "measured", "95 % interval", "error < ceiling", "seconds"};
+    static const char *const header[] = {"gate",  "measure",       "verdict",         "expected",
+                                         "value", "95 % interval", "error < ceiling", "seconds"};
     struct table t = table_create(8, 3);
     int count[4] = {0};
     for (int i = 0; i < 8; i++) table_add(&t, "%s", header[i]);

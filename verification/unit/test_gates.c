@@ -82,6 +82,15 @@ static void what_is_not_finite_fails(void **state) {
     assert_fails(judge("checkerboard_kept", "run rod-gauss ftcs --dx 0.5 --dt 1e-3", -1, -0.5, NAN), "lies outside");
 }
 
+static void derivatives_are_of_particle_methods(void **state) {
+    (void)state;
+    const char *line = "ladder rod-gauss so_ssph --dx 0.4,0.1,0.2,0.05"; /* in any order */
+    assert_int_equal(judge("operator_slope", line, 1.9, 2.1, 1).verdict, VERDICT_PASS);
+    assert_fails(judge("operator_slope", LADDER, 1.9, 2.1, 1), "ftcs is no particle method");
+    assert_int_equal(judge("operator_slope", "ladder square-step fo_ssph --dx 0.4,0.1,0.2,0.05", 1.9, 2.1, 1).verdict,
+                     VERDICT_PASS);
+}
+
 static void the_table_is_sound(void **state) {
     (void)state;
     for (const struct gate *g = gates_table; g->id; g++) {
@@ -208,6 +217,7 @@ int main(void) {
         cmocka_unit_test(unknown_names_fail),
         cmocka_unit_test(what_is_unstable_fails_with_its_reason),
         cmocka_unit_test(what_is_not_finite_fails),
+        cmocka_unit_test(derivatives_are_of_particle_methods),
         cmocka_unit_test(the_table_is_sound),
         cmocka_unit_test(globs_choose),
         cmocka_unit_test(declared_must_be_executed),
