@@ -150,7 +150,7 @@ static void edge_make(struct ftcs_grid *g, const struct problem *p, const struct
     }
 }
 
-/* Past ten times the range of its data and of what source and fluxes can add, a run is unstable. */
+/* Past its data, and what source and fluxes can add, by half their range, a run is unstable. */
 static void bound(struct ftcs_grid *g, const struct problem *p, double source) {
     double lowest = g->lowest, highest = g->highest, more = source * p->t_end / g->rho_c;
     for (int s = 0; s < 2 * p->dim; s++) {
@@ -164,7 +164,7 @@ static void bound(struct ftcs_grid *g, const struct problem *p, double source) {
         }
     }
     g->middle = 0.5 * (lowest + highest);
-    g->reach = 10 * fmax(highest - lowest + more, 1e-6 * fabs(g->middle));
+    g->reach = fmax(highest - lowest + more, 1e-6 * fabs(g->middle));
 }
 
 static void fill(struct ftcs_grid *g, const struct problem *p, const struct options *o) {

@@ -64,6 +64,7 @@ struct field { /* owned arrays: field_free */
     double *T;         /* K, n */
     double *weight;    /* m^d, n: the volume that each point stands for in a norm; NULL where all are alike */
     double time;       /* s, the time that T belongs to (t_end) */
+    double h;            /* smoothing length over dx, as settled; 0 for a method without one */
     double dt;         /* s, 0 for the exact stepper */
     long long steps;   /* time steps; 0 for the exact stepper */
     int stages;        /* operator applications a step */

@@ -161,6 +161,7 @@ int particles_solve(const struct problem *p, const struct options *given, const 
         }
         f->heat[0] = heat_content(p, f, volume);
         f->time = p->t_end;
+        f->h = o->h;
         double loop = now();
         status = integrate(p, o, s, &l, &a, f, why);
         f->step_seconds = now() - loop;

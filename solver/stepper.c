@@ -17,7 +17,8 @@ int stepper_stages(double dt, double bound) {
 
 /* Where a run has left its bounds: its particle, or n. */
 static size_t find_escape(const struct march *m, const double *T, size_t n) {
-    double half = (m->hi - m->lo) / 2, lo = m->lo - half, hi = m->hi + half;
+    double half = fmax((m->hi - m->lo) / 2, 1e-6 * fmax(fabs(m->lo), fabs(m->hi))), lo = m->lo - half,
+           hi = m->hi + half;
     for (size_t i = 0; i < n; i++)
         if (!(T[i] >= lo && T[i] <= hi)) return i;
     return n;

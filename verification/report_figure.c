@@ -9,7 +9,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { SERIES_MAX = 8, FINE = 800, REFINE = 8 };
+enum { SERIES_MAX = 8, FINE = 800, REFINE = 4 };
 
 static void head(FILE *out, const char *name, const char *command, const char *columns) {
     fprintf(out, "\n\n# %s\n# heatladder %s\n%s\n", name, command, columns);

@@ -4,7 +4,6 @@
 #include "references/scene.h"
 #include "verification/request.h"
 #include "verification/stepping.h"
-#include "verification/words.h"
 
 #include <float.h>
 #include <math.h>
@@ -22,12 +21,6 @@ static double diffusivity(const struct problem *p) {
 static double rounding(const struct problem *p, const struct field *f, double dx) {
     double applications = (double)f->steps * (f->stages > 0 ? f->stages : 1);
     return DBL_EPSILON * (1 + sqrt(applications) + 4 * p->dim * diffusivity(p) * p->t_end / (dx * dx));
-}
-
-/* The options as used: h/dx where it was left at its default (solver/method.h), the step that was taken. */
-static void resolve(const struct request *r, struct options *o) {
-    if (!(o->h > 0) && !o->h_iso && words_among(r->method->accepts, "h"))
-        o->h = 1.1 * (o->order > 2 ? o->order : 2) / 2;
 }
 
 static void measure(const struct request *r, const struct field *f, const double *truth, struct result *out) {
@@ -55,7 +48,7 @@ static int solve(const struct request *r, const struct options *o, struct result
         .scene = r->scene, .method = r->method, .options = *o, .t_end = r->problem.t_end, .time_error = NAN};
     *f = (struct field){0};
     int status = stepping_solve(r, &out->options, f, &out->time_error, &out->failure);
-    resolve(r, &out->options);
+    if (!status && f->h > 0) out->options.h = f->h;
     out->failure.status = status;
     return status;
 }
