@@ -107,7 +107,13 @@ int ladder_run(const struct request *r, struct ladder *l, struct failure *why) {
 
 static double in_norm(const struct result *r, enum ladder_norm norm) {
     if (r->failure.status) return NAN;
-    return norm == LADDER_L1 ? r->error.l1 : norm == LADDER_L2 ? r->error.l2 : r->error.linf;
+    switch (norm) {
+    case LADDER_L1: return r->error.l1;
+    case LADDER_L2: return r->error.l2;
+    case LADDER_LINF: return r->error.linf;
+    case LADDER_INTERIOR: return r->interior.l1;
+    default: return r->boundary.l1;
+    }
 }
 
 /* The points of the window, coarsest first; how many. */

@@ -12,7 +12,7 @@
  * several --dt or --fourier; its errors are against the exact solution of the same particles' equations, so that no
  * error of space is in them. */
 
-enum ladder_norm { LADDER_L1, LADDER_L2, LADDER_LINF };
+enum ladder_norm { LADDER_L1, LADDER_L2, LADDER_LINF, LADDER_INTERIOR, LADDER_BOUNDARY }; /* the last two: E1 */
 
 struct ladder {
     int n;       /* rungs, coarsest first */

@@ -56,6 +56,14 @@ static void take_slope_linf(const struct request *r, double lo, double hi, struc
     slope_in(LADDER_LINF, r, lo, hi, m);
 }
 
+static void take_slope_interior(const struct request *r, double lo, double hi, struct measured *m) {
+    slope_in(LADDER_INTERIOR, r, lo, hi, m);
+}
+
+static void take_slope_boundary(const struct request *r, double lo, double hi, struct measured *m) {
+    slope_in(LADDER_BOUNDARY, r, lo, hi, m);
+}
+
 static int by_falling_dx(const void *a, const void *b) {
     double x = *(const double *)a, y = *(const double *)b;
     return (x < y) - (x > y);
@@ -164,6 +172,8 @@ const struct measure measures[] = {
     {"slope", "order of E1 over a ladder", 1, take_slope},
     {"slope_l2", "order of the relative L2 error over a ladder", 1, take_slope_l2},
     {"slope_linf", "order of the largest error over a ladder", 1, take_slope_linf},
+    {"slope_interior", "order of E1 a tenth of the extent and more from the walls", 1, take_slope_interior},
+    {"slope_boundary", "order of E1 nearer to the walls", 1, take_slope_boundary},
     {"operator_slope", "order of a particle method's derivatives of a smooth function", 1, take_operator_slope},
     {"error", "E1 of a run", 0, take_error},
     {"error_linf", "largest error of a run, K", 0, take_error_linf},

@@ -51,14 +51,14 @@ double report_exact(const struct report_run *run, const double x[2]) {
     return r->scene->exact(&r->problem, x, run->field.time).temperature;
 }
 
-double report_error_as_printed(const struct report_run *run) {
+double report_error_as_printed(const struct report_run *run, int decimals) {
     const struct request *r = &run->request;
     const struct field *f = &run->field;
-    if (!r->scene->published) return run->result.error.l1;
-    double apart = 0, whole = 0;
+    double apart = 0, whole = 0, unit = pow(10, -decimals);
     for (size_t i = 0; i < f->n; i++) {
         double x[2] = {f->x[i], f->y ? f->y[i] : 0}, w = f->weight ? f->weight[i] : 1;
-        double T = r->scene->published(&r->problem, x, f->time);
+        double T = r->scene->published ? r->scene->published(&r->problem, x, f->time) : report_exact(run, x);
+        if (decimals) T = unit * round(T / unit);
         apart += w * fabs(f->T[i] - T);
         whole += w * fabs(T);
     }

@@ -24,8 +24,9 @@ void report_solve(struct report_run *run);
 int report_check(const struct report_run *run, struct failure *why);
 void report_free(struct report_run *run);
 
-/* E1 (Song eq. 46) against the solution as the source prints it; against `exact` where the two are one. */
-double report_error_as_printed(const struct report_run *run);
+/* E1 (Song eq. 46) against the solution as the source prints it, or `exact` where the two are one; that solution
+ * rounded to so many decimals, 0 for none. */
+double report_error_as_printed(const struct report_run *run, int decimals);
 
 /* The exact solution at x and the run's end time, K. */
 double report_exact(const struct report_run *run, const double x[2]);

@@ -54,7 +54,8 @@ static int run_cases(struct work *w, int first, int last, struct failure *why) {
                 status = own.status;
             }
         } else {
-            *cell_of(w, choice, method, column) = (struct cell){report_error_as_printed(&run), run.result.error.l1};
+            *cell_of(w, choice, method, column) =
+                (struct cell){report_error_as_printed(&run, w->c->choice[choice].decimals), run.result.error.l1};
         }
         report_free(&run);
     }
@@ -151,7 +152,7 @@ static void write_points(const struct work *w, int m, int published, FILE *out) 
     struct slope s = fit(w, m, published);
     const char *what = published ? "published" : "measured", *label = label_of(w->t.method[m]);
     double mean_x = 0, mean_e = 0;
-    fprintf(out, "\n\n# %s %s\ndx [m],\"%s %s, slope %.2f\"\n", w->t.method[m], what, label, what, s.value);
+    fprintf(out, "\n\n# %s %s\ndx [m],\"%s %s (slope %.2f)\"\n", w->t.method[m], what, label, what, s.value);
     for (int i = 0; i < w->t.columns; i++) {
         double e = published ? w->t.value[m][i] : cell_of(w, 0, m, i)->printed;
         mean_x += log(atof(w->t.where[i])) / w->t.columns;
@@ -165,18 +166,39 @@ static void write_points(const struct work *w, int m, int published, FILE *out) 
     }
 }
 
-/* A triangle of the order that is expected, below the errors of method m. */
-static void write_triangle(const struct work *w, int m, int order, FILE *out) {
-    int finest = 0, coarsest = w->t.columns - 1;
-    double a = atof(w->t.where[finest]), b = atof(w->t.where[coarsest]), x = a * pow(b / a, 0.45),
-           wide = pow(b / a, 0.2);
-    double e = cell_of(w, 0, m, finest)->printed * pow(x / a, fit(w, m, 0).value) * 0.42, top = e * pow(wide, order);
-    fprintf(out, "\n\n# triangle %d\ndx [m],E\n%.6e,%.6e\n%.6e,%.6e\n%.6e,%.6e\n%.6e,%.6e\n", order, x, e, x * wide,
-            e, x * wide, top, x, e);
-    fprintf(out, "\n\n# label %d\ndx [m],E,text\n%.6e,%.6e,order %d\n", order, x * wide * 1.07, sqrt(e * top), order);
+struct triangle {
+    int order;
+    double x, e, right, top;
+};
+
+/* Of the order that is expected of method m, below its errors. */
+static struct triangle triangle_of(const struct work *w, int m) {
+    double a = atof(w->t.where[0]), b = atof(w->t.where[w->t.columns - 1]), slope = fit(w, m, 0).value;
+    struct triangle t = {.order = (int)round(slope), .x = a * pow(b / a, 0.45)};
+    t.e = 0.42 * cell_of(w, 0, m, 0)->printed * pow(t.x / a, slope);
+    t.right = t.x * pow(b / a, 0.2);
+    t.top = t.e * pow(t.right / t.x, t.order);
+    return t;
 }
 
-static void write_figure(const struct work *w, const int *order, FILE *out) {
+/* One for each order, below the last method that has it. */
+static void write_triangles(const struct work *w, FILE *out) {
+    struct triangle t[REPORT_PUBLISHED_ROWS];
+    int n = 0;
+    for (int m = 0; m < w->t.rows; m++) {
+        n += m == 0 || triangle_of(w, m).order != t[n - 1].order;
+        t[n - 1] = triangle_of(w, m);
+    }
+    fprintf(out, "\n\n# triangles\ndx [m],E\n");
+    for (int i = 0; i < n; i++)
+        fprintf(out, "%.6g,%.6g\n%.6g,%.6g\n%.6g,%.6g\n%.6g,%.6g\n\n", t[i].x, t[i].e, t[i].right, t[i].e, t[i].right,
+                t[i].top, t[i].x, t[i].e);
+    fprintf(out, "\n\n# orders\ndx [m],E,text\n");
+    for (int i = 0; i < n; i++)
+        fprintf(out, "%.6g,%.6g,order %d\n", sqrt(t[i].x * t[i].right), 0.74 * t[i].e, t[i].order);
+}
+
+static void write_figure(const struct work *w, FILE *out) {
     report_head(out, w->c->figure_title);
     for (int m = 0; m < w->t.rows; m++) {
         fprintf(out, "# command: ");
@@ -186,18 +208,16 @@ static void write_figure(const struct work *w, const int *order, FILE *out) {
     for (int m = 0; m < w->t.rows; m++) {
         write_points(w, m, 0, out);
         write_points(w, m, 1, out);
-        if (m + 1 == w->t.rows || order[m] != order[m + 1]) write_triangle(w, m, order[m], out);
     }
+    write_triangles(w, out);
 }
 
 static int write_pages(const struct work *w, const char *dir, struct failure *why) {
     struct report_page csv, markdown, figure;
-    int order[REPORT_PUBLISHED_ROWS];
-    for (int m = 0; m < w->t.rows; m++) order[m] = (int)round(fit(w, m, 0).value);
     if (report_open(&csv, why) || report_open(&markdown, why) || report_open(&figure, why)) return why->status;
     write_csv(w, csv.out);
     write_markdown(w, markdown.out);
-    write_figure(w, order, figure.out);
+    write_figure(w, figure.out);
     int bad = report_close(&csv, dir, w->c->table, ".csv", why);
     bad += report_close(&markdown, dir, w->c->table, ".md", why);
     bad += report_close(&figure, dir, w->c->figure, ".csv", why);

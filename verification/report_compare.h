@@ -9,6 +9,7 @@ struct failure;
 struct report_compare_choice {
     const char *label;   /* NULL ends the list; the first one is the paper's protocol */
     const char *options; /* beside --dx, as a user would type them */
+    int decimals;        /* that the solution compared with is rounded to; 0: it is not */
 };
 
 struct report_compare {

@@ -53,11 +53,14 @@ static void write_exact(const struct report_run *run, FILE *out) {
     }
 }
 
-static void trace(const struct report_figure *figure, const struct report_isotherm_grid *g, const char *name,
-                  const char *command, int labels, FILE *out) {
+/* The block "NAME what", and with it, of the exact solution, "NAME levels": where to write them. */
+static void trace(const struct report_figure *figure, const struct report_isotherm_grid *g,
+                  const struct report_figure_series *s, const char *what, int labels, FILE *out) {
+    char title[80];
     double middle[2], (*at)[3] = xcalloc(64, sizeof *at);
     int n = 0;
-    head(out, name, command, "x [m],y [m],T [C]");
+    snprintf(title, sizeof title, "%s %s", s->name, what);
+    head(out, title, s->command, "x [m],y [m],T [C]");
     for (double T = figure->level[0]; T < figure->level[2] + figure->level[1] / 2 && n < 64; T += figure->level[1]) {
         if (report_isotherm_trace(g, T, out, middle) == 0) continue;
         at[n][0] = middle[0];
@@ -65,9 +68,8 @@ static void trace(const struct report_figure *figure, const struct report_isothe
         at[n++][2] = T;
     }
     if (labels) {
-        char title[80];
-        snprintf(title, sizeof title, "%s levels", name);
-        head(out, title, command, "x [m],y [m],T [C]");
+        snprintf(title, sizeof title, "%s levels", s->name);
+        head(out, title, s->command, "x [m],y [m],T [C]");
         for (int i = 0; i < n; i++) fprintf(out, "%.6g,%.6g,%.6g\n", at[i][0], at[i][1], at[i][2]);
     }
     free(at);
@@ -77,19 +79,16 @@ static void trace(const struct report_figure *figure, const struct report_isothe
 static void write_isotherms(const struct report_figure *figure, const struct report_figure_series *s,
                             const struct report_run *run, FILE *out) {
     const struct field *f = &run->field;
-    char title[80];
     struct report_isotherm_grid g = {
         {f->shape[0], f->shape[1]}, {f->x[0], f->y[0]}, {f->spacing[0], f->spacing[1]}, f->T};
     struct report_isotherm_grid fine = report_isotherm_refine(&g, REFINE);
-    snprintf(title, sizeof title, "%s computed", s->name);
-    trace(figure, &fine, title, s->command, 0, out);
+    trace(figure, &fine, s, "computed", 0, out);
     for (int j = 0; j < fine.n[1]; j++)
         for (int i = 0; i < fine.n[0]; i++) {
             double x[2] = {fine.lo[0] + i * fine.d[0], fine.lo[1] + j * fine.d[1]};
             fine.T[j * fine.n[0] + i] = report_exact(run, x);
         }
-    snprintf(title, sizeof title, "%s exact", s->name);
-    trace(figure, &fine, title, s->command, 1, out);
+    trace(figure, &fine, s, "exact", 1, out);
     free(fine.T);
 }
 

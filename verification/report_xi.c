@@ -145,12 +145,12 @@ static struct line fit(const struct best b[SIZES][MATERIALS], int m, int power) 
 static void write_work(const struct best b[SIZES][MATERIALS], FILE *out) {
     head(out, "Pamplona 2019, Figure 8: cost on the plate, t = 28.9 s, as pairs evaluated");
     for (int m = 0; m < MATERIALS; m++) {
-        fprintf(out, "\n\n# %s\nh [m],\"%s, h^{%.2f}\"\n", material[m], material[m], fit(b, m, 1).slope);
+        fprintf(out, "\n\n# %s\nh [m],%s (h^{%.2f})\n", material[m], material[m], fit(b, m, 1).slope);
         for (int i = 0; i < SIZES; i++) fprintf(out, "%.8g,%lld\n", h_of(size[i]), b[i][m].work);
     }
     for (int power = 0; power < 2; power++) {
         struct line l = fit(b, 0, power);
-        fprintf(out, "\n\n# %s\nh [m],\"%s fitted to steel, off by %.0f %%\"\n", power ? "power" : "exponential",
+        fprintf(out, "\n\n# %s\nh [m],%s fitted to steel (off by %.1f %%)\n", power ? "power" : "exponential",
                 power ? "power law" : "exponential", 100 * (pow(10, l.scatter) - 1));
         for (int n = 30; n >= 12; n--)
             fprintf(out, "%.8g,%.6g\n", h_of(n), pow(10, l.at + l.slope * (power ? log10(h_of(n)) : h_of(n))));

@@ -45,6 +45,8 @@ void result_json(const struct result *r, struct json *j) {
     json_number(j, "t_end", r->t_end);
     json_whole(j, "particles", (long long)r->particles);
     json_number(j, "error_l1", r->error.l1);
+    json_number(j, "error_l1_interior", r->interior.l1);
+    json_number(j, "error_l1_boundary", r->boundary.l1);
     json_number(j, "error_l2", r->error.l2);
     json_number(j, "error_linf", r->error.linf);
     json_number(j, "time_error", r->time_error);

@@ -33,6 +33,9 @@ static void measure(const struct request *r, const struct field *f, const double
     out->stages = f->stages;
     out->particles = f->n;
     out->error = norms_error(p, f, truth, NORMS_ALL, 0);
+    double skin = (p->dim == 2 ? fmin(p->hi[0] - p->lo[0], p->hi[1] - p->lo[1]) : p->hi[0] - p->lo[0]) / 10;
+    out->interior = norms_error(p, f, truth, NORMS_INTERIOR, skin);
+    out->boundary = norms_error(p, f, truth, NORMS_BOUNDARY, skin);
     out->shape = norms_shape(p, f, truth);
     out->heat_drift = norms_heat_drift(f);
     out->rounding = rounding(p, f, dx);

@@ -1,0 +1,127 @@
+/* Small problems in memory, on which a method shows what it does to one impulse, to noise, to a smooth hill. */
+#include "verification/probe.h"
+
+#include "solver/particles.h"
+#include "solver/stepper.h"
+
+#include <math.h>
+#include <stdint.h>
+#include <stdlib.h>
+
+/* splitmix64 (Steele, Lea & Flood 2014) of the cell, as a number in [-1, 1) */
+static double noise_at(const struct problem *p, const double x[2]) {
+    uint64_t z = (uint64_t)(int64_t)floor(x[0]) * 0x9e3779b97f4a7c15u;
+    if (p->dim == 2) z ^= (uint64_t)(int64_t)floor(x[1]) * 0xd1b54a32d192ed03u + 0x632be59bd9b4e019u;
+    z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9u;
+    z = (z ^ (z >> 27)) * 0x94d049bb133111ebu;
+    z ^= z >> 31;
+    return (double)(z >> 11) * 0x1p-52 - 1;
+}
+
+static double impulse_at(const struct problem *p, const double x[2]) {
+    for (int a = 0; a < p->dim; a++)
+        if (floor(x[a]) != floor(p->hi[a] / 2)) return 0;
+    return 1;
+}
+
+static double hill_at(const struct problem *p, const double x[2]) {
+    double T = 1;
+    for (int a = 0; a < p->dim; a++) T *= sin(acos(-1) * x[a] / p->hi[a]);
+    return T + p->param[0] * noise_at(p, x);
+}
+
+static double zero(const struct problem *p, enum side s, const double x[2]) {
+    (void)p, (void)s, (void)x;
+    return 0; /* K, or W m^-2 */
+}
+
+struct problem probe_problem(const struct probe *b, enum probe_data data, double disturb) {
+    struct problem p = {.dim = b->dim,
+                        .t_end = 1,
+                        .materials = 1,
+                        .material = {{{1, 1}, 1}},
+                        .param = {disturb},
+                        .initial = data == PROBE_NOISE     ? noise_at
+                                   : data == PROBE_IMPULSE ? impulse_at
+                                                           : hill_at,
+                        .wall = zero};
+    for (int a = 0; a < b->dim; a++) p.hi[a] = b->n;
+    for (int s = 0; s < 4; s++) p.side[s] = b->insulated ? NEUMANN : DIRICHLET;
+    return p;
+}
+
+int probe_settle(struct probe *b, int least, struct failure *why) {
+    struct problem p = probe_problem(b, PROBE_NOISE, 0);
+    const struct scheme *s = b->method->scheme;
+    b->options.dx = 1;
+    if (b->step.stepper == STEPPER_AUTO) b->step.stepper = STEPPER_EULER;
+    b->options.stepper = b->step.stepper;
+    int reach = 2;
+    if (s) {
+        struct options settled;
+        if (particles_settle(&p, &b->options, s, &settled, why)) return why->status;
+        b->options = settled;
+        reach = (int)ceil(s->sweeps * 2 * settled.h);
+    }
+    if (b->n == 0) b->n = reach + 2 > least ? reach + 2 : least;
+    return STATUS_OK;
+}
+
+int probe_cloud(const struct probe *b, const struct problem *p, struct cloud *c, struct failure *why) {
+    struct lattice l;
+    if (layout_lattice(p, &b->options, 1, &l, why)) return why->status;
+    return layout_cloud(p, &b->options, &l, b->method->scheme->sweeps * 2.0 * b->options.h, c, why);
+}
+
+int probe_operator(const struct probe *b, const struct problem *p, struct heat_operator *a, struct failure *why) {
+    const struct scheme *s = b->method->scheme;
+    struct lattice l;
+    struct cloud c;
+    if (b->options.layout != LAYOUT_JITTER) {
+        if (layout_lattice(p, &b->options, 1, &l, why)) return why->status;
+        return operator_create_lattice(a, p, &b->options, s, &l, why);
+    }
+    if (probe_cloud(b, p, &c, why)) return why->status;
+    int status = operator_create_rows(a, p, &b->options, s, &c, 1, why);
+    layout_cloud_free(&c);
+    return status;
+}
+
+static double largest_of(const double *T, size_t n) {
+    double most = 0;
+    for (size_t i = 0; i < n; i++)
+        if (!(fabs(T[i]) <= most)) most = fabs(T[i]); /* a NaN stays */
+    return most;
+}
+
+static int march(const struct probe *b, const struct problem *p, double F, long long steps, double *largest,
+                 struct failure *why) {
+    struct heat_operator a;
+    if (probe_operator(b, p, &a, why)) return why->status;
+    double *T = xcalloc(a.n, sizeof *T);
+    for (size_t i = 0; i < a.n; i++) {
+        double x[2] = {(double)(i % (size_t)b->n) + 0.5, (double)(i / (size_t)b->n) + 0.5};
+        T[i] = p->initial(p, x);
+    }
+    struct march m = {b->step.stepper, F * (double)steps, steps, 0, b->step.stages, -1, 1};
+    size_t bytes = 0;
+    int status = stepper_march(&a, &m, T, &bytes, why);
+    *largest = largest_of(T, a.n);
+    free(T);
+    operator_free(&a);
+    return status;
+}
+
+int probe_run(const struct probe *b, const struct problem *given, double F, long long steps, double *largest,
+              struct failure *why) {
+    struct problem p = *given;
+    struct options o = b->options;
+    struct field f;
+    if (b->step.stepper == STEPPER_RKL2) return march(b, &p, F, steps, largest, why);
+    p.t_end = F * (double)steps;
+    o.dt = F;
+    if (b->method->solve(&p, &o, &f, why)) return why->status;
+    *largest = largest_of(f.T, f.n);
+    field_free(&f);
+    return STATUS_OK;
+}
