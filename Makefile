@@ -52,13 +52,45 @@ test: $(TESTS) ## Run the unit tests
 	$(Q)for t in $(TESTS); do $$t || exit 1; done
 
 .PHONY: verify
-verify: $(BUILD)/heatladder ## Run every gate; the verdicts go to reports/out as JSON and JUnit XML
-	@mkdir -p reports/out
-	$(Q)$(BUILD)/heatladder verify --json reports/out/gates.json --junit reports/out/junit.xml
+verify: $(BUILD)/heatladder ## Run every gate, then write tables and plots to reports/out; the exit status is the gates'
+	@mkdir -p $(OUT)
+	$(Q)status=0; $(BUILD)/heatladder verify --json $(OUT)/gates.json --junit $(OUT)/junit.xml || status=$$?; \
+	$(MAKE) --no-print-directory report || echo "verify: the report failed, see above" >&2; \
+	exit $$status
 
 .PHONY: verify-quick
 verify-quick: $(BUILD)/heatladder ## Run the quick tier of the gates
 	$(Q)$(BUILD)/heatladder verify --quick
+
+# The tables and the data of the figures are there without gnuplot; the stamp says from when they are.
+OUT     := reports/out
+FIGURES := $(patsubst reports/%.gp,$(OUT)/%.svg,$(wildcard reports/*_fig*.gp))
+
+.PHONY: report
+report: $(OUT)/report.stamp ## Write the papers' tables beside what is measured, and draw their figures, to reports/out
+	$(Q)if command -v gnuplot >/dev/null; then $(MAKE) --no-print-directory figures; \
+	else echo "report: gnuplot is not here (make setup installs it); not drawn: $(notdir $(FIGURES:.svg=))"; fi
+
+$(OUT)/report.stamp: $(BUILD)/heatladder $(wildcard reports/published/*.csv)
+	@mkdir -p $(OUT)
+	$(Q)$(BUILD)/heatladder report $(OUT)
+	@touch $@
+
+.PHONY: figures
+figures: $(FIGURES)
+	@:
+
+$(OUT)/%.svg $(OUT)/%.png: reports/%.gp $(filter-out $(wildcard reports/*_fig*.gp),$(wildcard reports/*.gp)) $(OUT)/report.stamp
+	@echo "  PLOT  $(@:.svg=)"
+	$(Q)for kind in svg png; do gnuplot -e "out='$(OUT)'; kind='$$kind'" $< || exit 1; done
+
+# The figures that README.md shows.
+GALLERY := song_fig1b song_fig2a song_fig2b song_fig5 pamplona_fig5 pamplona_fig7b
+
+.PHONY: gallery
+gallery: report ## Copy the figures that the README shows to reports/gallery
+	@mkdir -p reports/gallery
+	$(Q)cp $(GALLERY:%=$(OUT)/%.svg) reports/gallery/
 
 .PHONY: setup
 setup: ## Install what the build needs and this machine lacks

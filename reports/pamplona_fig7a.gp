@@ -13,4 +13,4 @@ plot data index 'steel' using 1:2 with linespoints ls 3 title 'steel', \
      data index 'vanadium' using 1:2 with linespoints ls 4 title 'vanadium', \
      data index 'titanium' using 1:2 with linespoints ls 2 title 'titanium', \
      data index 'triangle' using 1:2 with lines ls 7 notitle, \
-     data index 'label' using 1:2:3 with labels left font ',11' tc rgb GREY notitle
+     data index 'label' using 1:2:3 with labels left font size_of(11) tc rgb GREY notitle

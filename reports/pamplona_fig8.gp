@@ -8,8 +8,8 @@ set format y '10^{%T}'
 set mytics 10
 set grid mytics ls 98, ls 99
 set xlabel 'h  [m]'
-set ylabel 'pairs evaluated  [-]' offset 1
-set key bottom left enhanced
+set ylabel 'pairs evaluated  [-]'
+set key top right enhanced
 plot data index 'power' using 1:2 with lines lc rgb BLACK lw 1.2 dt 1 title columnheader(2), \
      data index 'exponential' using 1:2 with lines lc rgb GREY lw 1.2 dt 2 title columnheader(2), \
      data index 'steel' using 1:2 with points ls 3 title columnheader(2), \

@@ -8,8 +8,8 @@ set format y '10^{%T}'
 set mytics 10
 set grid mytics ls 98, ls 99
 set xlabel 'h  [m]'
-set ylabel 'wall time of one run  [s]' offset 1
-set key bottom left
+set ylabel 'wall time of one run  [s]'
+set key top right
 plot data index 'steel' using 1:2 with linespoints ls 3 title 'steel', \
      data index 'vanadium' using 1:2 with linespoints ls 4 title 'vanadium', \
      data index 'titanium' using 1:2 with linespoints ls 2 title 'titanium'

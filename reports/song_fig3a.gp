@@ -10,7 +10,7 @@ set zrange [0:11]
 set ticslevel 0
 set view 58, 32
 set hidden3d offset 1 trianglepattern 3
-set grid noxtics noytics ztics ls 98, ls 98
+unset grid
 set xtics 1
 set ytics 1
 unset key

@@ -10,7 +10,11 @@ if (!exists("wide")) wide = 820
 if (!exists("high")) high = 560
 
 data = sprintf('%s/%s.csv', out, name)
-if (kind eq 'svg') {
+# SVG counts fonts in pixels (3/4 point each) and draws points larger.
+svg = kind eq 'svg'
+size_of(points) = sprintf(',%g', svg ? points * 4.0 / 3 : points)
+P = svg ? 0.62 : 1.0
+if (svg) {
     set terminal svg size wide,high enhanced dashed font 'DejaVu Sans,14' background rgb 'white' linewidth 1
 } else {
     set terminal pngcairo size wide,high enhanced dashed font 'DejaVu Sans,10.5' background rgb 'white' linewidth 1
@@ -25,26 +29,27 @@ heading = system(sprintf("sed -n 's/^# title: //p' '%s'", data))
 commands = int(system(sprintf("grep -c '^# command: ' '%s'", data)))
 caption = system(sprintf("sed -n 's/^# command: //p' '%s' | head -n %d", data, commands > 2 ? 1 : 2))
 if (commands > 2) caption = caption . sprintf("\nand %d more, in the head of %s.csv", commands - 1, name)
-set title heading noenhanced font ',13'
-set label 99 caption at screen 0.012, screen 0.05 left noenhanced font ',8.5' textcolor rgb '#555555'
+set title heading noenhanced font size_of(13)
+set label 99 caption at screen 0.012, screen 0.05 left noenhanced font size_of(8.5) textcolor rgb '#555555'
 set bmargin at screen 115.0 / high
 
 # Okabe & Ito's palette, which no common colour blindness confuses; each with its own point and dash as well.
 BLACK = '#000000'; ORANGE = '#E69F00'; SKY = '#56B4E9'; GREEN = '#009E73'
 BLUE = '#0072B2'; RED = '#D55E00'; PURPLE = '#CC79A7'; GREY = '#777777'
-set style line 1 lc rgb BLACK lw 1.3 dt 1 pt 1 ps 0.7
-set style line 2 lc rgb RED lw 1.2 dt 2 pt 7 ps 0.7
-set style line 3 lc rgb BLUE lw 1.2 dt 1 pt 5 ps 0.65
-set style line 4 lc rgb GREEN lw 1.2 dt 4 pt 9 ps 0.8
-set style line 5 lc rgb PURPLE lw 1.2 dt 5 pt 13 ps 0.8
-set style line 6 lc rgb ORANGE lw 1.2 dt 3 pt 11 ps 0.8
+set style line 1 lc rgb BLACK lw 1.3 dt 1 pt 1 ps 0.7 * P
+set style line 2 lc rgb RED lw 1.2 dt 2 pt 7 ps 0.7 * P
+set style line 3 lc rgb BLUE lw 1.2 dt 1 pt 5 ps 0.65 * P
+set style line 4 lc rgb GREEN lw 1.2 dt 4 pt 9 ps 0.8 * P
+set style line 5 lc rgb PURPLE lw 1.2 dt 5 pt 13 ps 0.8 * P
+set style line 6 lc rgb ORANGE lw 1.2 dt 3 pt 11 ps 0.8 * P
 set style line 7 lc rgb GREY lw 1.0 dt 1            # triangles
-set style line 12 lc rgb RED lw 1.2 dt 3 pt 6 ps 1.5  # published, around the measured point
-set style line 13 lc rgb BLUE lw 1.2 dt 3 pt 4 ps 1.5
+set style line 12 lc rgb RED lw 1.2 dt 3 pt 6 ps 1.5 * P  # published, around the measured point
+set style line 13 lc rgb BLUE lw 1.2 dt 3 pt 4 ps 1.5 * P
 set style line 98 lc rgb '#e4e4e4' lw 0.8 dt 1
 set style line 99 lc rgb '#f2f2f2' lw 0.6 dt 1
 
 set border lw 0.8
 set tics nomirror out scale 0.7
 set grid xtics ytics ls 98
-set key samplen 2.5 spacing 1.25 opaque noenhanced
+set key samplen 2.5 spacing 1.25 noopaque noenhanced
+eval sprintf("set key font '%s'", size_of(10))

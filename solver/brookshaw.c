@@ -64,7 +64,10 @@ static double pair_conductivity(const struct problem *p, enum mean mean, double 
 
 static int weights(const struct problem *p, const struct options *o, const struct neighbourhood *nb, double *w[2],
                    struct failure *why) {
-    (void)why;
+    if (nb->n == 0)
+        return fail(why, STATUS_NUMERICAL,
+                    "particle %zu at (%.6g, %.6g) m has 0 neighbours: no heat reaches it; take a larger --h", nb->i,
+                    nb->x[0], nb->x[1]);
     double volume = nb->volume * volume_factor(p, o, nb->h, nb->volume);
     double rho_c = p->material[p->materials == 2 && nb->x[0] >= p->interface].rho_c;
     for (size_t j = 0; j < nb->n; j++) {

@@ -101,9 +101,12 @@ static double filter_order(const struct problem *p, const struct options *o) {
     return p->jumps[0] + p->jumps[1] > 0 ? -1 : 0;
 }
 
-int matched_plan(const struct problem *p, const struct options *o, const struct scheme *s, const struct lattice *l,
-                 struct matched *m, struct failure *why) {
+/* 2 A, or the step that was asked for instead. */
+static int matching_step(const struct problem *p, const struct options *o, const struct scheme *s, double *F,
+                         struct failure *why) {
     struct symbol_error e;
+    *F = o->fourier;
+    if (o->fourier > 0) return STATUS_OK;
     if (matched_symbol(p->dim, o, s, &e, why)) return why->status;
     if (p->dim == 2 && !(fabs(e.B - 2 * e.A) < 1e-9 * fabs(e.A))) {
         double iso;
@@ -114,12 +117,21 @@ int matched_plan(const struct problem *p, const struct options *o, const struct 
                     o->h, e.A, e.B, iso);
     }
     if (!(e.A > 0)) return fail(why, STATUS_INPUT, "--stepper matched: A = %.4g, no positive step matches", e.A);
+    *F = 2 * e.A;
+    return STATUS_OK;
+}
+
+int matched_plan(const struct problem *p, const struct options *o, const struct scheme *s, const struct lattice *l,
+                 struct matched *m, struct failure *why) {
+    double F;
+    if (o->dt > 0) return fail(why, STATUS_INPUT, "--stepper matched finds its own step: leave out --dt");
+    if (matching_step(p, o, s, &F, why)) return why->status;
     double kappa = p->material[0].k[0] / p->material[0].rho_c, dx2 = l->dx[0] * l->dx[0];
     m->run_time = p->t_end - filter_order(p, o) * dx2 / (24 * kappa);
     if (!(m->run_time > 0))
         return fail(why, STATUS_INPUT, "--t-end %g: the averaged start is already at %g s", p->t_end,
                     p->t_end - m->run_time);
-    double matching = m->run_time * kappa / (2 * e.A * dx2); /* steps of F = 2 A */
+    double matching = m->run_time * kappa / (F * dx2); /* steps of F */
     m->steps = 2 * (long long)ceil(matching / 2 - 1e-9);
     m->uneven = sqrt(fmax(0, (double)m->steps / matching - 1));
     return STATUS_OK;

@@ -18,7 +18,8 @@ int matched_symbol(int dim, const struct options *o, const struct scheme *s, str
 /* The h/dx nearest to 1.2 at which the error is isotropic (B = 2 A), to 1e-12.  STATUS_INPUT where there is none. */
 int matched_isotropic(const struct options *o, const struct scheme *s, double *h, struct failure *why);
 
-/* An even count of Euler steps that alternate between dt (1 + uneven) and dt (1 - uneven), and the time that they
+/* With --fourier F that step instead of the one that matches, which shows what the match is worth.
+ * An even count of Euler steps that alternate between dt (1 + uneven) and dt (1 - uneven), and the time that they
  * run, s, for the problem on its lattice. */
 struct matched {
     double run_time, uneven;

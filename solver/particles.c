@@ -82,17 +82,14 @@ static int place_cloud(const struct problem *p, const struct options *o, const s
     return status;
 }
 
-static int choose_march(const struct problem *p, const struct options *o, const struct scheme *s,
-                        const struct lattice *l, const struct heat_operator *a, struct march *m,
-                        struct failure *why) {
+int particles_march(const struct problem *p, const struct options *o, const struct scheme *s, const struct lattice *l,
+                    const struct heat_operator *a, struct march *m, struct failure *why) {
     double kappa = 0;
     for (int k = 0; k < p->materials; k++)
         for (int d = 0; d < p->dim; d++) kappa = fmax(kappa, p->material[k].k[d] / p->material[k].rho_c);
     *m = (struct march){.stepper = o->stepper, .time = p->t_end, .steps = 1, .stages = 1};
     if (o->stepper == STEPPER_MATCHED) {
         struct matched plan;
-        if (o->dt > 0 || o->fourier > 0)
-            return fail(why, STATUS_INPUT, "--stepper matched finds its own step: leave out --dt and --fourier");
         if (matched_plan(p, o, s, l, &plan, why)) return why->status;
         m->stepper = STEPPER_EULER, m->time = plan.run_time, m->steps = plan.steps, m->uneven = plan.uneven;
         return STATUS_OK;
@@ -119,7 +116,7 @@ static int integrate(const struct problem *p, const struct options *o, const str
         return exact_evolve(a, p->t_end, f->T, &f->bytes, why);
     }
     struct march m;
-    if (choose_march(p, o, s, l, a, &m, why)) return why->status;
+    if (particles_march(p, o, s, l, a, &m, why)) return why->status;
     data_range(p, f, &m.lo, &m.hi);
     f->steps = m.steps, f->stages = m.stages, f->dt = m.time / (double)m.steps;
     f->updates = (long long)a->n * m.steps * m.stages;

@@ -2,6 +2,7 @@
 #define HEATLADDER_SOLVER_PARTICLES_H
 
 #include "solver/operator.h"
+#include "solver/stepper.h"
 
 /* A whole run of a particle method: layout, sampling, operator, stepper, field.  As struct method's solve. */
 int particles_solve(const struct problem *p, const struct options *o, const struct scheme *s, struct field *f,
@@ -10,5 +11,10 @@ int particles_solve(const struct problem *p, const struct options *o, const stru
 /* The options with their defaults settled (h, order), checked: what particles_solve works with. */
 int particles_settle(const struct problem *p, const struct options *o, const struct scheme *s,
                      struct options *settled, struct failure *why);
+
+/* The steps that particles_solve takes with the operator *a, for the settled options; m->lo and m->hi are left open.
+ */
+int particles_march(const struct problem *p, const struct options *o, const struct scheme *s, const struct lattice *l,
+                    const struct heat_operator *a, struct march *m, struct failure *why);
 
 #endif

@@ -22,6 +22,33 @@ static void monomials(int dim, int order, const double s[2], double *P) {
         for (int b = 0; b <= (dim == 2 ? degree : 0); b++) *P++ = x[degree - b] * y[b];
 }
 
+/* M (terms x terms) and W_j */
+static void assemble(const struct neighbourhood *nb, enum kernel_name kernel, int order, double *matrix, double *W) {
+    int terms = terms_of(nb->dim, order);
+    double P[SSPH_TERMS_MAX];
+    for (size_t j = 0; j < nb->n; j++) {
+        double s[2] = {nb->d[j][0] / nb->h, nb->d[j][1] / nb->h};
+        W[j] = kernel_value(kernel, nb->dim, sqrt(s[0] * s[0] + s[1] * s[1]));
+        monomials(nb->dim, order, s, P);
+        for (int k = 0; k < terms; k++)
+            for (int l = 0; l <= k; l++) matrix[k * terms + l] += P[k] * P[l] * W[j];
+    }
+    for (int k = 0; k < terms; k++)
+        for (int l = 0; l < k; l++) matrix[l * terms + k] = matrix[k * terms + l];
+}
+
+double ssph_condition(const struct neighbourhood *nb, enum kernel_name kernel, int order) {
+    size_t terms = (size_t)terms_of(nb->dim, order);
+    double matrix[SSPH_TERMS_MAX * SSPH_TERMS_MAX] = {0}, W[NEIGHBOURS_MAX], work[3 * SSPH_TERMS_MAX];
+    gsl_matrix_view M = gsl_matrix_view_array(matrix, terms, terms);
+    gsl_vector_view scratch = gsl_vector_view_array(work, 3 * terms);
+    double reciprocal = 0;
+    assemble(nb, kernel, order, matrix, W);
+    if (gsl_linalg_cholesky_decomp1(&M.matrix)) return INFINITY;
+    gsl_linalg_cholesky_rcond(&M.matrix, &reciprocal, &scratch.vector);
+    return 1 / reciprocal;
+}
+
 /* Cholesky factor of M in place, or an error that says why there is none. */
 static int factor(const struct neighbourhood *nb, gsl_matrix *M, gsl_vector *work, struct failure *why) {
     double reciprocal = 0;
@@ -41,16 +68,7 @@ int ssph_weights(const struct neighbourhood *nb, enum kernel_name kernel, int or
                  double target[][SSPH_TERMS_MAX], double *w[], struct failure *why) {
     int terms = terms_of(nb->dim, order);
     double matrix[SSPH_TERMS_MAX * SSPH_TERMS_MAX] = {0}, work[3 * SSPH_TERMS_MAX], P[SSPH_TERMS_MAX];
-    for (size_t j = 0; j < nb->n; j++) {
-        double s[2] = {nb->d[j][0] / nb->h, nb->d[j][1] / nb->h};
-        double W = kernel_value(kernel, nb->dim, sqrt(s[0] * s[0] + s[1] * s[1]));
-        monomials(nb->dim, order, s, P);
-        for (int k = 0; k < terms; k++)
-            for (int l = 0; l <= k; l++) matrix[k * terms + l] += P[k] * P[l] * W;
-        w[0][j] = W;
-    }
-    for (int k = 0; k < terms; k++)
-        for (int l = 0; l < k; l++) matrix[l * terms + k] = matrix[k * terms + l];
+    assemble(nb, kernel, order, matrix, w[0]);
 
     gsl_matrix_view M = gsl_matrix_view_array(matrix, (size_t)terms, (size_t)terms);
     gsl_vector_view scratch = gsl_vector_view_array(work, 3 * (size_t)terms);

@@ -15,4 +15,7 @@ enum { SSPH_ORDER_MAX = 4, SSPH_TERMS_MAX = 14 };
 int ssph_weights(const struct neighbourhood *nb, enum kernel_name kernel, int order, int targets,
                  double target[][SSPH_TERMS_MAX], double *w[], struct failure *why);
 
+/* That condition number, of the moment matrix of the neighbourhood; infinite where it has no Cholesky factor. */
+double ssph_condition(const struct neighbourhood *nb, enum kernel_name kernel, int order);
+
 #endif

@@ -64,9 +64,13 @@ static void rkl2_step(const struct heat_operator *a, int s, double dt, double *Y
     Y[0] = newer, Y[2] = older, Y[3] = Y0;
 }
 
+int stepper_arrays(enum stepper stepper) {
+    return stepper == STEPPER_RKL2 ? 4 : 2;
+}
+
 int stepper_march(const struct heat_operator *a, const struct march *m, double *T, size_t *bytes,
                   struct failure *why) {
-    int arrays = m->stepper == STEPPER_RKL2 ? 4 : 2, status = STATUS_OK;
+    int arrays = stepper_arrays(m->stepper), status = STATUS_OK;
     double *Y[5] = {NULL}, dt = m->time / (double)m->steps;
     for (int k = 0; k < arrays; k++) Y[k] = xcalloc(a->state, sizeof *Y[k]);
     *bytes += (size_t)arrays * a->state * sizeof **Y;

@@ -17,6 +17,9 @@ struct march {
 /* Stages that RKL2 needs for steps of dt (s), odd, from the bound (s^-1) on the spectrum. */
 int stepper_stages(double dt, double bound);
 
+/* How many states a march holds. */
+int stepper_arrays(enum stepper stepper);
+
 /* Takes T (n, in the particles' order) through the march; adds what it holds to *bytes.  STATUS_NUMERICAL with step,
  * time and particle where T leaves [lo, hi] by half of hi - lo, or is not finite: looked at every 32 steps and at the
  * end. */

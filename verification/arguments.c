@@ -6,6 +6,7 @@
 #include "verification/arguments.h"
 
 #include "references/scene.h"
+#include "verification/external.h"
 #include "verification/option.h"
 #include "verification/verb.h"
 #include "verification/words.h"
@@ -40,6 +41,10 @@ static int take_scene(struct request *r, const char *name, struct failure *why) 
 
 static int take_method(struct request *r, const char *name, struct failure *why) {
     const char *names[WORDS_MAX] = {0};
+    if (r->external) {
+        r->external->name = name;
+        return STATUS_OK;
+    }
     for (int i = 0; methods[i] && i < WORDS_MAX - 1; i++) names[i] = methods[i]->name;
     int i = words_index(names, name);
     if (i < 0) return words_unknown(names, "method", name, why);
@@ -50,7 +55,7 @@ static int take_method(struct request *r, const char *name, struct failure *why)
 static int take_positional(struct request *r, int place, const char *word, struct failure *why) {
     const char *wanted = r->verb->positionals;
     if (place == 0 && words_among(wanted, "SCENE")) return take_scene(r, word, why);
-    if (place == 1 && words_among(wanted, "METHOD")) return take_method(r, word, why);
+    if (place == words_among(wanted, "SCENE") && words_among(wanted, "METHOD")) return take_method(r, word, why);
     if (place == 0 && (words_among(wanted, "[TOPIC]") || words_among(wanted, "[DIR]"))) {
         r->topic = word;
         return STATUS_OK;
@@ -118,7 +123,7 @@ static int take_option(struct request *r, const struct word *w, struct failure *
 static int check_positionals(const struct request *r, struct failure *why) {
     const char *wanted = r->verb->positionals;
     const char *missing = words_among(wanted, "SCENE") && !r->scene     ? "SCENE"
-                          : words_among(wanted, "METHOD") && !r->method ? "METHOD"
+                          : words_among(wanted, "METHOD") && (!r->method || !r->method->name) ? "METHOD"
                                                                         : NULL;
     if (!missing) return STATUS_OK;
     return fail(why, STATUS_INPUT, "%s needs a %s: heatladder %s %s (see: heatladder list)", r->verb->name, missing,
@@ -171,6 +176,9 @@ int arguments_parse(int argc, char *const *argv, struct request *r, struct failu
     if (argc < 1) return fail(why, STATUS_INPUT, "a verb is missing (see: heatladder --help)");
     r->verb = verb_find(argv[0]);
     if (!r->verb) return unknown_verb(argv[0], why);
+    for (int i = 1; i < argc && words_among(r->verb->options, "solver"); i++)
+        if (!r->external && (strcmp(argv[i], "--solver") == 0 || strncmp(argv[i], "--solver=", 9) == 0))
+            r->method = r->external = external_method(NULL); /* any METHOD word will do: it is a label then */
     for (int i = 1; i < argc; i++) {
         if (strncmp(argv[i], "--", 2) != 0) {
             if (take_positional(r, positionals++, argv[i], why)) return why->status;
@@ -223,5 +231,6 @@ int arguments_parse_line(const char *line, struct request *r, struct failure *wh
 
 void arguments_free(struct request *r) {
     free(r->line);
+    free(r->external);
     *r = (struct request){0};
 }

@@ -20,6 +20,7 @@
 const struct gate gates_table[] = {
 #include "verification/gates.def"
 #include "verification/gates_plane.def"
+#include "verification/gates_stability.def"
     {0}};
 #undef GATE
 

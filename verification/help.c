@@ -1,6 +1,7 @@
 /* Help, made from the tables that the arguments are read by, so that it cannot differ from them. */
 #include "verification/help.h"
 
+#include "verification/external.h"
 #include "verification/option.h"
 #include "verification/table.h"
 #include "verification/verb.h"
@@ -27,4 +28,5 @@ void help_verb(const struct verb *v, FILE *out) {
     }
     table_print(&t, out);
     table_free(&t);
+    if (words_among(v->options, "solver")) fprintf(out, "\n%s", external_help);
 }

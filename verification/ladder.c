@@ -60,7 +60,7 @@ static int find_truth(const struct request *r, struct field *truth, struct failu
 
 static void climb(const struct request *r, struct ladder *l, const double *truth) {
     struct progress progress = progress_start("rungs", l->n);
-#pragma omp parallel for schedule(dynamic, 1)
+#pragma omp parallel for schedule(dynamic, 1) if (!r->solver) /* another program is timed alone */
     for (int i = 0; i < l->n; i++) {
         int finest_first = l->n - 1 - i;
         struct options o = rung_options(r, l, finest_first);
@@ -138,7 +138,8 @@ void ladder_fit(struct ladder *l, enum ladder_norm norm) {
                                        .error = l->error[i],
                                        .time = l->in_time ? NAN : r->time_error,
                                        .reference = r->reference_error / r->error.l1,
-                                       .rounding = r->rounding / r->error.l1};
+                                       .rounding = r->rounding / r->error.l1,
+                                       .random = r->options.layout == LAYOUT_JITTER};
     }
     slope_local(l->x, l->error, l->n, l->local);
     window_choose(rung, l->n, &l->window);

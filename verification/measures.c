@@ -4,6 +4,7 @@
 #include "references/scene.h"
 #include "verification/consistency.h"
 #include "verification/ladder.h"
+#include "verification/measures_stability.h"
 #include "verification/run.h"
 #include "verification/words.h"
 
@@ -11,12 +12,12 @@
 #include <stdio.h>
 #include <stdlib.h>
 
-static void failed(struct measured *m, const char *text) {
+void measures_fail(struct measured *m, const char *text) {
     *m = (struct measured){.value = NAN, .ci = {NAN, NAN}, .error = NAN, .verdict = VERDICT_FAIL};
     snprintf(m->reason, sizeof m->reason, "%.300s", text);
 }
 
-static void judge(struct measured *m, double value, double lo, double hi) {
+void measures_judge(struct measured *m, double value, double lo, double hi) {
     m->value = m->ci[0] = m->ci[1] = value;
     m->verdict = verdict_within(value, lo, hi);
     const char *where = m->verdict == VERDICT_PASS ? "lies inside"
@@ -29,7 +30,7 @@ static void slope_in(enum ladder_norm norm, const struct request *r, double lo, 
     struct failure why = {0};
     struct ladder *l = xcalloc(1, sizeof *l);
     int status = ladder_run(r, l, &why);
-    failed(m, why.text);
+    measures_fail(m, why.text);
     if (!status) {
         ladder_fit(l, norm);
         ladder_judge(l, lo, hi);
@@ -78,7 +79,7 @@ static void take_operator_slope(const struct request *r, double lo, double hi, s
     for (int i = 0; i < dx.count; i++) {
         o.dx = dx.value[i];
         int status = consistency_error(r, &o, &error[i], &why);
-        failed(m, why.text);
+        measures_fail(m, why.text);
         if (status) return;
     }
     struct slope s = slope_fit(dx.value, error, dx.count);
@@ -92,34 +93,34 @@ static void take_operator_slope(const struct request *r, double lo, double hi, s
 /* One run; 0, or *m failed. */
 static int run(const struct request *r, struct result *result, struct measured *m) {
     int status = run_request(r, &r->options, result, NULL);
-    failed(m, result->failure.text);
+    measures_fail(m, result->failure.text);
     if (!status) m->error = result->error.l1;
     return status;
 }
 
 static void take_error(const struct request *r, double lo, double hi, struct measured *m) {
     struct result result;
-    if (!run(r, &result, m)) judge(m, result.error.l1, lo, hi);
+    if (!run(r, &result, m)) measures_judge(m, result.error.l1, lo, hi);
 }
 
 static void take_error_linf(const struct request *r, double lo, double hi, struct measured *m) {
     struct result result;
-    if (!run(r, &result, m)) judge(m, result.error.linf, lo, hi);
+    if (!run(r, &result, m)) measures_judge(m, result.error.linf, lo, hi);
 }
 
 static void take_overshoot(const struct request *r, double lo, double hi, struct measured *m) {
     struct result result;
-    if (!run(r, &result, m)) judge(m, fmax(result.shape.overshoot, result.shape.undershoot), lo, hi);
+    if (!run(r, &result, m)) measures_judge(m, fmax(result.shape.overshoot, result.shape.undershoot), lo, hi);
 }
 
 static void take_heat_drift(const struct request *r, double lo, double hi, struct measured *m) {
     struct result result;
-    if (!run(r, &result, m)) judge(m, result.heat_drift, lo, hi);
+    if (!run(r, &result, m)) measures_judge(m, result.heat_drift, lo, hi);
 }
 
 static void take_checkerboard(const struct request *r, double lo, double hi, struct measured *m) {
     struct result result;
-    if (!run(r, &result, m)) judge(m, result.shape.checkerboard, lo, hi);
+    if (!run(r, &result, m)) measures_judge(m, result.shape.checkerboard, lo, hi);
 }
 
 static void take_checkerboard_kept(const struct request *r, double lo, double hi, struct measured *m) {
@@ -127,7 +128,7 @@ static void take_checkerboard_kept(const struct request *r, double lo, double hi
     struct result first, last;
     early.problem.t_end = r->problem.t_end / 10;
     if (run(&early, &first, m) || run(r, &last, m)) return;
-    judge(m, last.shape.checkerboard / first.shape.checkerboard, lo, hi);
+    measures_judge(m, last.shape.checkerboard / first.shape.checkerboard, lo, hi);
 }
 
 /* Points that fill the domain evenly and meet no symmetry of it: the additive sequences of the plastic number. */
@@ -160,8 +161,8 @@ static void take_reference(const struct request *r, double lo, double hi, struct
         worst = ratio;
         where[0] = x[0], where[1] = x[1], where[2] = t;
     }
-    failed(m, "");
-    judge(m, worst, lo, hi);
+    measures_fail(m, "");
+    measures_judge(m, worst, lo, hi);
     m->error = bound / size;
     if (m->verdict == VERDICT_PASS) return;
     snprintf(m->reason, sizeof m->reason, "the two forms are %.3g of their bounds apart at %g, %g m, %g s", worst,
@@ -182,6 +183,14 @@ const struct measure measures[] = {
     {"checkerboard", "amplitude of the checkerboard in a run, K", 0, take_checkerboard},
     {"checkerboard_kept", "that amplitude at the end, over that at a tenth of the time", 0, take_checkerboard_kept},
     {"reference", "distance of a reference's two forms, over the sum of their bounds", 0, take_reference},
+    {"limit_agree", "largest |measured/von Neumann - 1| of a stability limit over h/dx", 0, measures_stability_agree},
+    {"limit_published", "published over true limit, where a run at 0.99 of it grows", 0, measures_stability_published},
+    {"limit_interval", "measured stability interval over the one of theory", 0, measures_stability_interval},
+    {"stepper_factor", "largest |G - theory| along the real axis, over |G| + 1", 0, measures_stability_factor},
+    {"growth", "largest real part of an eigenvalue, kappa/dx^2", 0, measures_stability_growth},
+    {"maximum_principle", "h/dx from 0.6 to 3 where weights and runs disagree on it", 0, measures_stability_maximum},
+    {"refusal", "exit status of a run that names particle, neighbours and reason", 0, measures_stability_refusal},
+    {"endurance", "heat drift of 1e7 steps that stay bounded, over 1e7 eps", 0, measures_stability_endurance},
     {0}};
 
 const struct measure *measures_find(const char *name, struct measured *m) {
@@ -191,6 +200,6 @@ const struct measure *measures_find(const char *name, struct measured *m) {
     int i = words_index(names, name);
     if (i >= 0) return &measures[i];
     words_unknown(names, "measure", name, &why);
-    failed(m, why.text);
+    measures_fail(m, why.text);
     return NULL;
 }

@@ -25,6 +25,10 @@ struct measure {
 
 extern const struct measure measures[]; /* ended by a NULL name */
 
+/* What most measures end with: a failure with its reason, or the verdict on lo <= value <= hi. */
+void measures_fail(struct measured *m, const char *text);
+void measures_judge(struct measured *m, double value, double lo, double hi);
+
 /* The measure of that name; NULL, and *m failed with the nearest valid name, where there is none. */
 const struct measure *measures_find(const char *name, struct measured *m);
 

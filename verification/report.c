@@ -99,7 +99,7 @@ static const struct {
 int report_write(const char *dir, struct failure *why) {
     char probe[1024];
     mkdir(dir, 0777); /* where it is there already, or cannot be made, the next line tells */
-    if ((size_t)snprintf(probe, sizeof probe, "%s/probe", dir) >= sizeof probe)
+    if ((size_t)snprintf(probe, sizeof probe, "%s/song_table1.csv", dir) >= sizeof probe)
         return fail(why, STATUS_INPUT, "the path '%.100s...' is too long", dir);
     if (atomic_file_check(probe, why)) return why->status;
     for (size_t i = 0; i < sizeof parts / sizeof *parts; i++) {

@@ -174,7 +174,7 @@ struct triangle {
 /* Of the order that is expected of method m, below its errors. */
 static struct triangle triangle_of(const struct work *w, int m) {
     double a = atof(w->t.where[0]), b = atof(w->t.where[w->t.columns - 1]), slope = fit(w, m, 0).value;
-    struct triangle t = {.order = (int)round(slope), .x = a * pow(b / a, 0.45)};
+    struct triangle t = {.order = (int)round(slope), .x = a * pow(b / a, 0.3)};
     t.e = 0.42 * cell_of(w, 0, m, 0)->printed * pow(t.x / a, slope);
     t.right = t.x * pow(b / a, 0.2);
     t.top = t.e * pow(t.right / t.x, t.order);

@@ -22,6 +22,7 @@ struct request {
     const struct method *method; /* NULL where the verb takes none */
     const char *topic;           /* list: what to list, NULL for all; report: where to, NULL for reports/out */
     struct problem problem;      /* set up from the scene and its overridden parameters */
+    int dim, stages;             /* limit: 1 or 2; of rkl2, else 0 */
     struct options options;      /* dx, dt and fourier are the first of the lists below */
     struct numbers dx;           /* m */
     struct numbers dt;           /* s; more than one: a time ladder */
@@ -29,6 +30,8 @@ struct request {
     struct numbers at;           /* m: x, or x and y */
     struct numbers expect;       /* lowest and highest slope that pass */
     double time;                 /* s */
+    const char *solver;          /* the command of a program that stands in for the method; NULL for none */
+    struct method *external;     /* owned: what `method` is then; else NULL */
     const char *only;            /* glob of gate names; NULL for all */
     const char *field_path, *json_path, *junit_path; /* NULL where not asked for */
     int json;                                        /* 1: JSON on standard output instead of text */

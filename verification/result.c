@@ -18,12 +18,12 @@ static void options_json(const struct result *r, struct json *j) {
     json_text(j, "kernel", accepts(r, "kernel") ? kernel_words[o->kernel] : NULL);
     json_number(j, "h", o->h > 0 ? o->h : NAN);
     json_number(j, "order", accepts(r, "order") && o->order ? (double)o->order : NAN);
-    json_text(j, "stepper", stepper_words[o->stepper]);
-    json_text(j, "layout", layout_words[o->layout]);
+    json_text(j, "stepper", accepts(r, "stepper") ? stepper_words[o->stepper] : NULL);
+    json_text(j, "layout", accepts(r, "layout") ? layout_words[o->layout] : NULL);
     json_number(j, "jitter", o->layout == LAYOUT_JITTER ? o->jitter : 0);
     json_whole(j, "seed", (long long)o->seed);
-    json_text(j, "sampling", sampling_words[o->sampling]);
-    json_text(j, "walls", walls_words[o->walls]);
+    json_text(j, "sampling", accepts(r, "sampling") ? sampling_words[o->sampling] : NULL);
+    json_text(j, "walls", accepts(r, "walls") ? walls_words[o->walls] : NULL);
     json_text(j, "mean", accepts(r, "mean") ? mean_words[o->mean] : NULL);
     json_text(j, "volume", accepts(r, "volume") ? volume_words[o->volume] : NULL);
 }
@@ -68,6 +68,10 @@ void result_json(const struct result *r, struct json *j) {
 void result_describe(const struct result *r, char *text, size_t size) {
     const struct options *o = &r->options;
     char kernel[48] = "", jitter[48] = "";
+    if (!*r->method->accepts) {
+        snprintf(text, size, "%s %s: %s, t = %g s", r->scene->name, r->method->name, r->method->about, r->t_end);
+        return;
+    }
     if (accepts(r, "kernel")) snprintf(kernel, sizeof kernel, "%s kernel, h/dx %g, ", kernel_words[o->kernel], o->h);
     if (o->layout == LAYOUT_JITTER) snprintf(jitter, sizeof jitter, " %g (seed %lu)", o->jitter, o->seed);
     snprintf(text, size, "%s %s: %s%s%s, %s samples, %s walls, %s in time, t = %g s", r->scene->name, r->method->name,

@@ -12,6 +12,7 @@
 #include "verification/stepping.h"
 
 #include "references/scene.h"
+#include "verification/external.h"
 #include "verification/norms.h"
 #include "verification/request.h"
 
@@ -30,7 +31,6 @@ struct trial {
     double steps;
 };
 
-/* The seam where another program can stand in for the method. */
 static int solve(const struct request *r, const struct options *o, struct field *f, struct failure *why) {
     return r->method->solve(&r->problem, o, f, why);
 }
@@ -130,6 +130,7 @@ int stepping_solve(const struct request *r, struct options *o, struct field *f, 
                    struct failure *why) {
     int given = o->dt > 0 || o->fourier > 0, particles = r->method->scheme != NULL;
     *time_error = NAN;
+    if (r->solver) return external_solve(r, o, f, why); /* its time step is its own */
     if (o->stepper == STEPPER_AUTO && !given && particles) {
         o->stepper = STEPPER_EXACT;
         int status = solve(r, o, f, why);

@@ -10,7 +10,9 @@
  * while its local slope is off the median of the finer ones by more than 0.1, and more than four rungs are left. What
  * is kept moves the fit little: of m equidistant rungs the one at the end has the weight 6/(m (m+1)) per log spacing,
  * so a local slope that is 0.1 off moves a fit of four by 0.03 and one of five by 0.02.  The finest rungs are never
- * left out for their slope: where the local slopes drift, the fine end tells the truth. */
+ * left out for their slope: where the local slopes drift, the fine end tells the truth.  Of particles at random the
+ * local slopes scatter, which the interval of the fit counts; there the rule would pick among rungs, and none is left
+ * out. */
 #include "verification/window.h"
 
 #include "verification/slope.h"
@@ -58,7 +60,7 @@ static int leave_out_coarsest(const struct window_rung *rung, int n, struct wind
         x[m] = rung[i].x;
         error[m++] = rung[i].error;
     }
-    if (m <= WINDOW_LEAST) return 0;
+    if (m <= WINDOW_LEAST || rung[coarsest].random) return 0;
     slope_local(x, error, m, local);
     double finer = median(local + 1, m - 2);
     if (!(fabs(local[0] - finer) > SLOPE_SPREAD)) return 0;

@@ -13,6 +13,7 @@ struct window_rung {
     double time;      /* the share of the error that the time step can make up; NaN where unknown */
     double reference; /* the share that the reference's own error can make up */
     double rounding;  /* the share that rounding can make up */
+    int random;       /* 1: the particles lie at random, and errors scatter from rung to rung */
 };
 
 struct window {

@@ -1,0 +1,19 @@
+#ifndef HEATLADDER_VERIFICATION_ENDURANCE_H
+#define HEATLADDER_VERIFICATION_ENDURANCE_H
+
+/* A very long run: an insulated hot rod of 32 particles with noise on it, a particle method, a step just inside its
+ * limit. */
+
+#include "verification/probe.h"
+
+struct endurance {
+    long long steps;
+    double largest; /* K, max T at the end; 1 to 2 at the start */
+    double rise;    /* K, the most that max T rose between two looks at it (every 1e4 steps) */
+    double drift;   /* of the heat, relative */
+    double mean;    /* K */
+};
+
+int endurance_run(const struct probe *given, double F, long long steps, struct endurance *e, struct failure *why);
+
+#endif

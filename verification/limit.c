@@ -1,0 +1,169 @@
+/* Stability limits of explicit methods.
+ *
+ * Published.  Song 2018 eq. 34, SO-SSPH:  dt <= 1/|kappa_x eta_i + kappa_y phi_i| with eta_i, phi_i the weights of the
+ * particle itself (a necessary condition of |Re G| <= 1 only where no other weight is negative);  eq. 41, FO-SSPH:
+ * dt <= 1/(2 (kappa_x (sum |lambda_j|)^2 + kappa_y (sum |gamma_j|)^2)).  Pamplona 2019 eq. 17, FTCS:
+ * dt <= gamma (dx^2 + dy^2)/kappa, gamma = 1/4.  Their eq. 15 for SPH, dt = beta h^2/kappa, leaves beta open.
+ *
+ * Measured.  Noise over LIMIT_STEPS = N steps: a mode that is e past its limit grows by (1 + 2e)^N at least, and the
+ * noise holds it at 1/n or more, so that 2 K are passed where e > ln(2 n)/(2 N) = 0.2 % (n = 24).  Modes that neither
+ * grow nor decay (the checkerboard of a first difference) stay below what the noise gave them, within 1 K: growth is
+ * seen against them.  Bisection then stops at 1 %.
+ * A mode whose eigenvalue has a positive real part grows with time and not with steps: shorter steps are run for as
+ * long as the first, 500 dx^2/kappa, and where a 64th of it still grows no step is stable. */
+#include "verification/limit.h"
+
+#include "solver/kernel.h"
+#include "solver/neighbours.h"
+#include "verification/request.h"
+#include "verification/spectrum.h"
+#include "verification/symbol.h"
+
+#include <math.h>
+#include <string.h>
+
+enum { HALVED = 64 };
+
+static int is(const struct probe *b, const char *name) {
+    return strcmp(b->method->name, name) == 0;
+}
+
+int limit_probe(struct probe *b, struct failure *why) {
+    int jitter = b->options.layout == LAYOUT_JITTER;
+    return probe_settle(b, b->dim == 1 ? LIMIT_ROD : jitter ? LIMIT_SQUARE_JITTER : LIMIT_SQUARE, why);
+}
+
+int limit_request(const struct request *r, struct probe *b, struct failure *why) {
+    *b = (struct probe){
+        .method = r->method, .dim = r->dim, .options = r->options, .step = {r->options.stepper, r->stages}};
+    if (b->step.stepper == STEPPER_EXACT || b->step.stepper == STEPPER_MATCHED)
+        return fail(why, STATUS_INPUT, "--stepper %s: limit takes euler, rk2 and rkl2",
+                    stepper_words[b->step.stepper]);
+    if (b->step.stepper == STEPPER_RKL2 ? r->stages < 3 : r->stages > 0)
+        return fail(why, STATUS_INPUT, "--stepper rkl2 and --stages N (3 or more) need each other");
+    return limit_probe(b, why);
+}
+
+/* Song eqs. 34 and 41 for particle i of the cloud; INFINITY is no bound. */
+static int song_bound(const struct probe *b, const struct problem *p, const struct cloud *c,
+                      const struct neighbours *cells, size_t i, double *bound, struct failure *why) {
+    uint32_t near[NEIGHBOURS_MAX];
+    double d[NEIGHBOURS_MAX][2], w[2][NEIGHBOURS_MAX], *out[2] = {w[0], w[1]}, sum[2] = {0, 0};
+    const struct scheme *s = b->method->scheme;
+    size_t n = neighbours_find(cells, i, near, NEIGHBOURS_MAX);
+    if (n > NEIGHBOURS_MAX) return fail(why, STATUS_NUMERICAL, "particle %zu has %zu neighbours", i, n);
+    for (size_t k = 0; k < n; k++) d[k][0] = c->x[near[k]] - c->x[i], d[k][1] = c->y[near[k]] - c->y[i];
+    struct neighbourhood nb = {.dim = b->dim,
+                               .i = i,
+                               .x = {c->x[i], c->y[i]},
+                               .n = n,
+                               .d = d,
+                               .h = b->options.h,
+                               .volume = 1,
+                               .kappa = {1, 1}};
+    if (s->weights(p, &b->options, &nb, out, why)) return why->status;
+    int two = s->sweeps == 2;
+    for (size_t k = 0; k < n; k++)
+        for (int a = 0; a < (two ? b->dim : 1); a++) sum[a] += two ? fabs(w[a][k]) : w[a][k];
+    *bound = two ? 0.5 / (sum[0] * sum[0] + sum[1] * sum[1]) : 1 / fabs(sum[0]);
+    return STATUS_OK;
+}
+
+/* The strictest over the particles: on a lattice one stands for all. */
+static int song(const struct probe *given, double *published, struct failure *why) {
+    struct probe b = *given;
+    struct cloud c;
+    struct neighbours cells;
+    int jitter = b.options.layout == LAYOUT_JITTER, status = STATUS_OK;
+    if (!jitter) b.options.layout = LAYOUT_LATTICE;
+    struct problem p = probe_problem(&b, PROBE_NOISE, 0);
+    if (probe_cloud(&b, &p, &c, why)) return why->status;
+    neighbours_create(&cells, &c, KERNEL_SUPPORT * b.options.h * (1 - 1e-12));
+    *published = INFINITY;
+    for (size_t i = 0; i < (jitter ? c.n : 1) && !status; i++) {
+        double bound;
+        status = song_bound(&b, &p, &c, &cells, i, &bound, why);
+        if (!status) *published = fmin(*published, bound);
+    }
+    neighbours_free(&cells);
+    layout_cloud_free(&c);
+    return status;
+}
+
+static int publish(const struct probe *b, struct limit *l, struct failure *why) {
+    l->published = NAN, l->source = NULL;
+    if (b->step.stepper != STEPPER_EULER) return STATUS_OK; /* the papers' bounds are for Euler's method */
+    if (is(b, "ftcs")) {
+        l->published = 0.25 * b->dim, l->source = "Pamplona 2019, eq. 17 with gamma = 1/4";
+    } else if (is(b, "so_ssph") && b->options.order <= 2) {
+        l->source = "Song 2018, eq. 34";
+        return song(b, &l->published, why);
+    } else if (is(b, "fo_ssph")) {
+        l->source = "Song 2018, eq. 41";
+        return song(b, &l->published, why);
+    }
+    return STATUS_OK;
+}
+
+static int from_symbol(const struct probe *b, struct limit *l, struct failure *why) {
+    struct symbol s;
+    if (symbol_create(&s, b, why)) return why->status;
+    struct symbol_extreme e = symbol_extreme(&s, &b->step);
+    l->von_neumann = e.limit, l->growth = e.growth, l->radius = e.radius;
+    l->grows = e.growth > 1e-12 * e.radius;
+    memcpy(l->theta, e.theta, sizeof l->theta);
+    symbol_free(&s);
+    return STATUS_OK;
+}
+
+static int from_spectrum(const struct probe *b, struct limit *l, struct failure *why) {
+    struct problem p = probe_problem(b, PROBE_NOISE, 0);
+    struct heat_operator a;
+    struct spectrum s;
+    if (probe_operator(b, &p, &a, why)) return why->status;
+    int status = spectrum_create(&s, &a, &b->step, why);
+    operator_free(&a);
+    if (status) return status;
+    l->von_neumann = s.limit, l->growth = s.growth, l->radius = s.radius;
+    l->grows = s.growth > spectrum_rounding(&s);
+    l->theta[0] = l->theta[1] = NAN;
+    spectrum_free(&s);
+    return STATUS_OK;
+}
+
+int limit_predict(const struct probe *b, struct limit *l, struct failure *why) {
+    *l = (struct limit){.published = NAN, .measured = NAN};
+    if (publish(b, l, why)) return why->status;
+    if (b->options.layout == LAYOUT_JITTER ? from_spectrum(b, l, why) : from_symbol(b, l, why)) return why->status;
+    double h = b->options.h;
+    l->beta = b->method->scheme ? l->von_neumann / (h * h) : NAN;
+    return STATUS_OK;
+}
+
+int limit_grows(const struct probe *b, double F, long long steps, struct failure *why) {
+    struct problem p = probe_problem(b, PROBE_NOISE, 0);
+    double largest;
+    int status = probe_run(b, &p, F, steps, &largest, why);
+    if (status == STATUS_NUMERICAL) return strstr(why->text, "unstable") ? 1 : -1;
+    return status ? -1 : !(largest <= 2);
+}
+
+int limit_measure(const struct probe *b, double *measured, struct failure *why) {
+    double in = 0, out = 0, first = amplify_interval(&b->step) / 4, F = first;
+    while (!(in > 0 && out > 0) && F >= first / HALVED && F <= first * HALVED) {
+        int grows = limit_grows(b, F, (long long)(LIMIT_STEPS * fmax(1, first / F)), why);
+        if (grows < 0) return why->status;
+        *(grows ? &out : &in) = F;
+        F *= grows ? 0.5 : 2;
+    }
+    *measured = out > 0 ? 0 : INFINITY;
+    if (!(in > 0 && out > 0)) return STATUS_OK;
+    while (out > 1.01 * in) {
+        double middle = sqrt(in * out);
+        int grows = limit_grows(b, middle, LIMIT_STEPS, why);
+        if (grows < 0) return why->status;
+        *(grows ? &out : &in) = middle;
+    }
+    *measured = sqrt(in * out);
+    return STATUS_OK;
+}

@@ -1,0 +1,152 @@
+/* --solver: an FTCS written in awk stands in for a method, and must be seen as ours is: where it is right, where it
+ * is wrong, and where it does not answer. */
+#include "verification/external.h"
+
+#include "verification/arguments.h"
+#include "verification/gates.h"
+#include "verification/ladder.h"
+#include "verification/run.h"
+
+#include "verification/unit/near.h"
+
+#include <glob.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#define AWK "awk -f verification/unit/ftcs.awk"
+#define MINE " --solver '" AWK " {case} > {out}'"
+
+static int run_line(const char *line, struct result *result) {
+    struct request r;
+    struct failure why;
+    if (arguments_parse_line(line, &r, &why)) fail_msg("%s", why.text);
+    int status = run_request(&r, &r.options, result, NULL);
+    arguments_free(&r);
+    return status;
+}
+
+static void refused(const char *line, int status, const char *because) {
+    struct result result;
+    assert_int_equal(run_line(line, &result), status);
+    if (!strstr(result.failure.text, because)) fail_msg("%s: %s", line, result.failure.text);
+}
+
+/* The same scheme on the same points gives the same field, to rounding. */
+static void agrees_with_our_own(void **state) {
+    (void)state;
+    struct result mine, ours;
+    assert_int_equal(run_line("run rod-step mine --dx 0.1 --set kappa=0.013 --set a=0.6 --fourier 0.4" MINE, &mine),
+                     0);
+    assert_int_equal(run_line("run rod-step ftcs --dx 0.1 --set kappa=0.013 --set a=0.6 --fourier 0.4", &ours), 0);
+    assert_int_equal(mine.particles, ours.particles);
+    assert_int_equal(mine.steps, ours.steps);
+    assert_near(mine.error.l1, ours.error.l1, 1e-13);
+    assert_near(mine.error.linf, ours.error.linf, 1e-12);
+    assert_near(mine.step_seconds, 0.25, 0); /* as the program says */
+}
+
+static void its_order_is_judged(void **state) {
+    (void)state;
+    struct gate gate = {.id = "mine", .measure = "slope", .lo = 1.9, .hi = 2.1, .ceiling = 1.63e-4, .why = ""};
+    struct measured m;
+    gate.command = "ladder rod-gauss mine --set kappa=0.4 --fourier 0.4 --dx 1,0.5,0.25,0.2,0.125" MINE;
+    gates_judge(&gate, &m);
+    if (m.verdict != VERDICT_PASS) fail_msg("%s", m.reason);
+}
+
+/* A wrong factor in kappa does not fall with dx. */
+static void a_wrong_conductivity_is_caught(void **state) {
+    (void)state;
+    struct gate gate = {.id = "mine", .measure = "slope", .lo = 1.9, .hi = 2.1, .ceiling = 1.63e-4, .why = ""};
+    struct measured m;
+    gate.command = "ladder rod-gauss mine --set kappa=0.4 --fourier 0.2 --dx 1,0.5,0.25,0.2,0.125 --solver '" AWK
+                   " -v wrong=2 {case} > {out}'";
+    gates_judge(&gate, &m);
+    assert_int_equal(m.verdict, VERDICT_FAIL);
+    assert_non_null(strstr(m.reason, "above its ceiling"));
+}
+
+static void what_is_wrong_is_named(void **state) {
+    (void)state;
+#define RUN(command) "run rod-gauss mine --dx 1 --fourier 0.4 --solver '" command "'"
+    refused(RUN("true {case} {out}"), STATUS_INPUT, "left no CSV");
+    refused(RUN("cat {case} >/dev/null; : > {out}"), STATUS_INPUT, "empty");
+    refused(RUN(": {case}; echo x,T > {out}"), STATUS_INPUT, "no point");
+    refused(RUN(AWK " -v bad=header {case} > {out}"), STATUS_INPUT, "line 3: 'x;T' should be the header x,T");
+    refused(RUN(AWK " -v bad=word {case} > {out}"), STATUS_INPUT, "line 31: '-12.5,warm'");
+    refused(RUN(AWK " -v bad=nan {case} > {out}"), STATUS_NUMERICAL, "line 31: T = nan K is not finite");
+    refused(RUN("exit 7; {case} {out}"), STATUS_NUMERICAL, "exit status 7");
+    refused(RUN("/no/such/program {case} {out} 2>/dev/null"), STATUS_INPUT, "could not be run");
+    refused(RUN("kill -9 $$; {case} {out}"), STATUS_NUMERICAL, "signal 9");
+    refused(RUN(": {case}; printf \"x,T\\n99,0\\n\" > {out}"), STATUS_INPUT, "x = 99 m lies outside");
+    refused(RUN("true {case}"), STATUS_INPUT, "must hold {case} and {out}");
+#undef RUN
+}
+
+static void the_label_is_free_and_options_of_the_model_are_not(void **state) {
+    (void)state;
+    struct request r;
+    struct failure why;
+    assert_int_equal(arguments_parse_line("run rod-step any.name --dx 0.1 --solver 'x {case} {out}'", &r, &why), 0);
+    assert_string_equal(r.method->name, "any.name");
+    arguments_free(&r);
+    assert_int_equal(arguments_parse_line("run rod-step mine --dx 0.1", &r, &why), STATUS_INPUT);
+    arguments_free(&r);
+    assert_int_equal(arguments_parse_line("run rod-step --dx 0.1 --solver=x", &r, &why), STATUS_INPUT);
+    arguments_free(&r);
+    assert_int_equal(arguments_parse_line("run rod-step mine --kernel cubic --dx 0.1 --solver=x", &r, &why),
+                     STATUS_INPUT);
+    assert_non_null(strstr(why.text, "--kernel has no meaning for mine"));
+    arguments_free(&r);
+}
+
+/* Two dimensions, two materials, sides that vary: all of it is in the case file. */
+static void the_case_file_tells_all(void **state) {
+    (void)state;
+    struct result result;
+    assert_int_equal(
+        run_line("run plate mine --dx 0.01 --solver 'grep -qx \"side_x_hi = dirichlet, 0.5\" {case} && grep -qx "
+                 "\"param_material = titanium\" {case} && printf \"x,y,T\\n0.05,0.05,1\\n\" > {out}' "
+                 "--set material=titanium",
+                 &result),
+        0);
+    assert_int_equal(result.particles, 1);
+    assert_int_equal(run_line("run rod-contact mine --dx 0.1 --solver 'grep -q \"^interface = \" {case} && grep -q "
+                              "\"^k_x = .*, \" {case} && printf \"x,T\\n0.5,1\\n\" > {out}'",
+                              &result),
+                     0);
+    assert_int_equal(
+        run_line("run rect-manufactured mine --dx 0.1 --solver 'grep -qx \"source = yes\" {case} && grep "
+                 "-q \"^side_.* = neumann, \" {case} && printf \"x,y,T\\n0.5,0.25,1\\n\" > {out}'",
+                 &result),
+        0);
+}
+
+static void nothing_is_left_behind(void **state) {
+    (void)state;
+    char dir[] = "/tmp/external-test-XXXXXX", pattern[64];
+    struct result result;
+    glob_t found;
+    assert_non_null(mkdtemp(dir));
+    assert_int_equal(setenv("TMPDIR", dir, 1), 0);
+    assert_int_equal(run_line("run rod-step mine --dx 0.1 --fourier 0.4" MINE, &result), 0);
+    refused("run rod-step mine --dx 0.1 --solver 'echo x > {out}; exit 3; {case}'", STATUS_NUMERICAL, "status 3");
+    unsetenv("TMPDIR");
+    snprintf(pattern, sizeof pattern, "%s/*", dir);
+    assert_int_equal(glob(pattern, 0, NULL, &found), GLOB_NOMATCH);
+    assert_int_equal(remove(dir), 0);
+}
+
+int main(void) {
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(agrees_with_our_own),
+        cmocka_unit_test(its_order_is_judged),
+        cmocka_unit_test(a_wrong_conductivity_is_caught),
+        cmocka_unit_test(what_is_wrong_is_named),
+        cmocka_unit_test(the_label_is_free_and_options_of_the_model_are_not),
+        cmocka_unit_test(the_case_file_tells_all),
+        cmocka_unit_test(nothing_is_left_behind),
+    };
+    return cmocka_run_group_tests_name("external", tests, NULL, NULL);
+}

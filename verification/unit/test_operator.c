@@ -1,0 +1,238 @@
+/* The discrete operator: derivatives that it must have exactly, its two forms against each other, the exact stepper
+ * against small steps, and what no method may do to heat. */
+#include "solver/exact.h"
+#include "solver/matched.h"
+#include "solver/particles.h"
+#include "solver/stepper.h"
+
+extern const struct method method_so_ssph, method_fo_ssph;
+
+#include "verification/unit/clouds.h"
+#include "verification/unit/near.h"
+
+#include <gsl/gsl_errno.h>
+#include <stdlib.h>
+#include <string.h>
+
+static const struct method *method_named(const char *name) {
+    for (int i = 0; methods[i]; i++)
+        if (strcmp(methods[i]->name, name) == 0) return methods[i];
+    return NULL;
+}
+
+static struct options odd_options(void) {
+    return (struct options){.dx = 0.05, .h = 1.23, .seed = 7};
+}
+
+/* sum over the stencil of w x^a y^b, in lattice units of kappa/dx^2 */
+static double moment(const char *name, struct options o, const double kappa[2], int a, int b) {
+    struct problem p = odd_rectangle();
+    struct failure why;
+    int reach[2];
+    double *w, sum = 0;
+    assert_int_equal(operator_stencil(&p, &o, method_named(name)->scheme, 1, kappa, reach, &w, &why), STATUS_OK);
+    for (int j = -reach[1]; j <= reach[1]; j++)
+        for (int i = -reach[0]; i <= reach[0]; i++)
+            sum += w[abs(j) * (reach[0] + 1) + abs(i)] * pow(i, a) * pow(j, b);
+    free(w);
+    return sum;
+}
+
+static void stencils_differentiate_polynomials_exactly(void **state) {
+    (void)state;
+    const double kappa[2] = {0.71, 0.43}, same[2] = {0.71, 0.71};
+    for (int k = 0; kernel_words[k]; k++)
+        for (double h = 1.05; h < 2.2; h += 0.23) {
+            struct options o = odd_options();
+            o.kernel = (enum kernel_name)k, o.h = h;
+            assert_near(moment("so_ssph", o, kappa, 2, 0), 2 * kappa[0], 1e-12);
+            assert_near(moment("so_ssph", o, kappa, 0, 2), 2 * kappa[1], 1e-12);
+            assert_near(moment("fo_ssph", o, kappa, 2, 0), 2 * kappa[0], 1e-12);
+            assert_near(moment("fo_ssph", o, kappa, 0, 2), 2 * kappa[1], 1e-12);
+            assert_near(moment("brookshaw", o, same, 2, 0), 2 * 0.7 / 1.3, 1e-12);
+            assert_near(moment("so_ssph", o, kappa, 0, 0), 0, 1e-14);
+        }
+    struct options o = odd_options();
+    o.order = 4, o.h = 2.2;
+    assert_near(moment("so_ssph", o, kappa, 4, 0), 0, 1e-10);
+    assert_near(moment("so_ssph", o, kappa, 2, 2), 0, 1e-10);
+}
+
+static void fo_is_blind_to_the_checkerboard(void **state) {
+    (void)state;
+    struct problem p = odd_rectangle();
+    struct options o = odd_options();
+    struct heat_operator a;
+    struct lattice l;
+    struct failure why;
+    assert_int_equal(layout_lattice(&p, &o, 1, &l, &why), STATUS_OK);
+    const double corner[3][2] = {{M_PI, M_PI}, {M_PI, 0}, {0, M_PI}};
+    for (int k = 0; k < 3; k++) {
+        assert_int_equal(operator_create_lattice(&a, &p, &o, method_named("fo_ssph")->scheme, &l, &why), STATUS_OK);
+        assert_near(operator_symbol(&a, corner[k]), 0, 1e-10);
+        operator_free(&a);
+        assert_int_equal(operator_create_lattice(&a, &p, &o, method_named("so_ssph")->scheme, &l, &why), STATUS_OK);
+        assert_true(operator_symbol(&a, corner[k]) < -0.5 * 0.4 / 1.3 / (0.05 * 0.05));
+        operator_free(&a);
+    }
+}
+
+static void run(const char *name, struct problem p, struct options o, struct field *f) {
+    struct failure why = {0};
+    const struct method *m = method_named(name);
+    if (m->solve(&p, &o, f, &why)) print_error("%s\n", why.text);
+    assert_int_equal(why.status, STATUS_OK);
+}
+
+/* The value of *f at its particle nearest to x; every layout of the test has one within rounding. */
+static double value_at(const struct field *f, double x, double y) {
+    size_t best = 0;
+    double least = HUGE_VAL;
+    for (size_t i = 0; i < f->n; i++) {
+        double d = hypot(f->x[i] - x, f->y[i] - y);
+        if (d < least) least = d, best = i;
+    }
+    assert_near(least, 0, 1e-9);
+    return f->T[best];
+}
+
+/* Ghosts and stencil against folded rows: two ways through the same equations. */
+static void rows_equal_the_stencil(void **state) {
+    (void)state;
+    const char *names[] = {"so_ssph", "fo_ssph"};
+    for (int walls = 0; walls < 2; walls++)
+        for (int m = 0; m < 2; m++) {
+            struct options o = odd_options(), r = o;
+            struct field a, b;
+            o.walls = r.walls = (enum walls)walls;
+            o.stepper = r.stepper = STEPPER_EULER;
+            o.fourier = r.fourier = 0.07;
+            r.layout = LAYOUT_JITTER;
+            run(names[m], odd_rectangle(), o, &a);
+            run(names[m], odd_rectangle(), r, &b);
+            for (size_t i = 0; i < a.n; i += 17) assert_near(value_at(&b, a.x[i], a.y[i]), a.T[i], 1e-12);
+            field_free(&a);
+            field_free(&b);
+        }
+}
+
+static void exact_is_the_limit_of_small_steps(void **state) {
+    (void)state;
+    for (int layout = 0; layout < 2; layout++)
+        for (int sides = 0; sides < 16; sides++) {
+            struct problem p = odd_rectangle();
+            struct options o = odd_options();
+            struct field a, b;
+            for (int s = 0; s < 4; s++) p.side[s] = sides >> s & 1 ? NEUMANN : DIRICHLET;
+            o.layout = (enum layout_name)layout;
+            o.stepper = STEPPER_EXACT;
+            run("so_ssph", p, o, &a);
+            o.stepper = STEPPER_RKL2, o.dt = p.t_end / 400;
+            run("so_ssph", p, o, &b);
+            for (size_t i = 0; i < a.n; i++) assert_near(b.T[i], a.T[i], 2e-5); /* O(dt^2), measured 9e-6 */
+            field_free(&a);
+            field_free(&b);
+        }
+}
+
+static void threads_change_no_bit(void **state) {
+    (void)state;
+    for (int layout = 0; layout < 3; layout += 2) {
+        struct options o = odd_options();
+        struct field a, b;
+        o.dx = 0.01, o.stepper = STEPPER_RK2, o.fourier = 0.1, o.layout = (enum layout_name)layout, o.jitter = 0.2;
+        struct problem p = odd_rectangle();
+        p.t_end = 3e-4;
+        run("so_ssph", p, o, &a);
+        o.threads = 3;
+        run("so_ssph", p, o, &b);
+        assert_memory_equal(a.T, b.T, a.n * sizeof *a.T);
+        field_free(&a);
+        field_free(&b);
+    }
+}
+
+static double no_flux(const struct problem *p, enum side s, const double x[2]) {
+    (void)p, (void)s, (void)x;
+    return 0;
+}
+
+static void brookshaw_keeps_heat_on_any_layout(void **state) {
+    (void)state;
+    for (int layout = 0; layout < 3; layout += 2) {
+        struct problem p = odd_rectangle();
+        struct options o = odd_options();
+        struct field f;
+        for (int s = 0; s < 4; s++) p.side[s] = NEUMANN;
+        p.wall = no_flux;
+        p.material[0].k[1] = p.material[0].k[0];
+        o.layout = (enum layout_name)layout, o.jitter = 0.37, o.stepper = STEPPER_EULER, o.fourier = 0.05;
+        run("brookshaw", p, o, &f);
+        assert_near(f.heat[1] / f.heat[0], 1, 1e-14 * sqrt((double)f.steps));
+        field_free(&f);
+    }
+}
+
+static void singular_supports_are_named(void **state) {
+    (void)state;
+    struct problem p = odd_rectangle();
+    struct options o = odd_options();
+    struct field f;
+    struct failure why;
+    o.h = 0.6; /* no diagonal neighbours: T_xy has nothing to be seen by */
+    assert_int_equal(method_so_ssph.solve(&p, &o, &f, &why), STATUS_NUMERICAL);
+    assert_non_null(strstr(why.text, "4 neighbours"));
+    assert_non_null(strstr(why.text, "condition number"));
+    o.h = 0.45; /* no neighbours at all */
+    assert_int_equal(method_fo_ssph.solve(&p, &o, &f, &why), STATUS_NUMERICAL);
+    assert_non_null(strstr(why.text, "0 neighbours"));
+}
+
+static void unstable_runs_say_where_and_when(void **state) {
+    (void)state;
+    struct problem p = odd_rectangle();
+    struct options o = odd_options();
+    struct field f;
+    struct failure why;
+    p.t_end = 0.3;
+    o.stepper = STEPPER_EULER, o.fourier = 0.9;
+    assert_int_equal(method_so_ssph.solve(&p, &o, &f, &why), STATUS_NUMERICAL);
+    assert_non_null(strstr(why.text, "unstable: at step"));
+    assert_non_null(strstr(why.text, "particle"));
+}
+
+static void isotropic_ratios_of_the_cubic_kernel(void **state) {
+    (void)state;
+    struct options o = {.kernel = KERNEL_CUBIC};
+    struct symbol_error e;
+    struct failure why;
+    double h;
+    assert_int_equal(matched_isotropic(&o, method_so_ssph.scheme, &h, &why), STATUS_OK);
+    assert_near(h, 1.259, 5e-4);
+    o.h = h;
+    assert_int_equal(matched_symbol(2, &o, method_so_ssph.scheme, &e, &why), STATUS_OK);
+    assert_near(e.B, 2 * e.A, 1e-12);
+    o.h = 1.1; /* --h that is not isotropic has no matching step in the plane */
+    o.stepper = STEPPER_MATCHED, o.dx = 0.05;
+    struct problem p = odd_rectangle();
+    p.material[0].k[1] = p.material[0].k[0];
+    struct field f;
+    assert_int_equal(method_so_ssph.solve(&p, &o, &f, &why), STATUS_INPUT);
+    assert_non_null(strstr(why.text, "--h iso"));
+}
+
+int main(void) {
+    gsl_set_error_handler_off();
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(stencils_differentiate_polynomials_exactly),
+        cmocka_unit_test(fo_is_blind_to_the_checkerboard),
+        cmocka_unit_test(rows_equal_the_stencil),
+        cmocka_unit_test(exact_is_the_limit_of_small_steps),
+        cmocka_unit_test(threads_change_no_bit),
+        cmocka_unit_test(brookshaw_keeps_heat_on_any_layout),
+        cmocka_unit_test(singular_supports_are_named),
+        cmocka_unit_test(unstable_runs_say_where_and_when),
+        cmocka_unit_test(isotropic_ratios_of_the_cubic_kernel),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
