@@ -92,6 +92,22 @@ gallery: report ## Copy the figures that the README shows to reports/gallery
 	@mkdir -p reports/gallery
 	$(Q)cp $(GALLERY:%=$(OUT)/%.svg) reports/gallery/
 
+.PHONY: claims
+claims: $(BUILD)/heatladder ## Measure what the two papers state; the ledger goes to reports/out/claims
+	@mkdir -p reports/out/claims
+	$(Q)$(BUILD)/heatladder claims reports/out/claims
+
+# Where methods fail: data and figures.
+STABILITY := $(wildcard reports/stability_*.gp)
+
+.PHONY: stability
+stability: $(BUILD)/heatladder ## Measure where methods fail and draw it, to reports/out
+	@mkdir -p $(OUT)
+	$(Q)$(BUILD)/heatladder stability $(OUT)
+	$(Q)if command -v gnuplot >/dev/null; then for f in $(STABILITY); do for kind in svg png; do \
+	gnuplot -e "out='$(OUT)'; kind='$$kind'" $$f || exit 1; done; done; \
+	else echo "stability: gnuplot is not here (make setup installs it); figures were not drawn"; fi
+
 .PHONY: setup
 setup: ## Install what the build needs and this machine lacks
 	$(Q)scripts/setup

@@ -22,6 +22,7 @@ const char *const layout_words[] = {"lattice", "node", "jitter", NULL};
 const char *const sampling_words[] = {"point", "cell", "spline", NULL};
 const char *const walls_words[] = {"mirror", "fixed", NULL};
 const char *const mean_words[] = {"harmonic", "arithmetic", "series", NULL};
+const char *const domain_words[] = {"folded", "whole", NULL};
 const char *const volume_words[] = {"moment", "raw", "tuned", NULL};
 
 int fail(struct failure *f, int status, const char *format, ...) {

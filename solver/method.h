@@ -27,13 +27,14 @@ enum layout_name { LAYOUT_LATTICE, LAYOUT_NODE, LAYOUT_JITTER };
 enum sampling { SAMPLING_POINT, SAMPLING_CELL, SAMPLING_SPLINE };
 enum walls { WALLS_MIRROR, WALLS_FIXED };
 enum mean { MEAN_HARMONIC, MEAN_ARITHMETIC, MEAN_SERIES };
+enum domain { DOMAIN_FOLDED, DOMAIN_WHOLE };
 enum volume { VOLUME_MOMENT, VOLUME_RAW, VOLUME_TUNED };
 
 /* The words of the command line, in the order of the enums, ended by NULL. */
 extern const char *const kernel_words[],
     *const stepper_words[], *const layout_words[], *const sampling_words[], *const walls_words[],
                                                                                 *const mean_words[],
-                                                                                    *const volume_words[];
+                                                                                    *const volume_words[], *const domain_words[];
 
 struct options {
     double dx;      /* m, particle spacing along x (along y too, but for STEPPER_MATCHED with k_x != k_y) */
@@ -52,6 +53,7 @@ struct options {
     enum walls walls;
     enum mean mean;
     enum volume volume;
+    enum domain domain; /* of a scene with mirror planes: the part that has to be computed, or all */
     int threads; /* threads that one run may use; 0 or 1: one */
 };
 

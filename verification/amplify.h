@@ -1,8 +1,8 @@
 #ifndef HEATLADDER_VERIFICATION_AMPLIFY_H
 #define HEATLADDER_VERIFICATION_AMPLIFY_H
 
-/* What a stepper makes of dT/dt = lambda T in one step: T -> G(dt lambda) T, from closed forms that share nothing with
- * solver/stepper.c. */
+/* What a stepper makes of dT/dt = lambda T in one step: T -> G(dt lambda) T, from closed forms that share nothing
+ * with solver/stepper.c. */
 
 #include "solver/method.h"
 

@@ -1,9 +1,9 @@
 /* Stability limits of explicit methods.
  *
- * Published.  Song 2018 eq. 34, SO-SSPH:  dt <= 1/|kappa_x eta_i + kappa_y phi_i| with eta_i, phi_i the weights of the
- * particle itself (a necessary condition of |Re G| <= 1 only where no other weight is negative);  eq. 41, FO-SSPH:
- * dt <= 1/(2 (kappa_x (sum |lambda_j|)^2 + kappa_y (sum |gamma_j|)^2)).  Pamplona 2019 eq. 17, FTCS:
- * dt <= gamma (dx^2 + dy^2)/kappa, gamma = 1/4.  Their eq. 15 for SPH, dt = beta h^2/kappa, leaves beta open.
+ * Published.  Song 2018 eq. 34, SO-SSPH:  dt <= 1/|kappa_x eta_i + kappa_y phi_i| with eta_i, phi_i the weights of
+ * the particle itself (a necessary condition of |Re G| <= 1 only where no other weight is negative);  eq. 41,
+ * FO-SSPH: dt <= 1/(2 (kappa_x (sum |lambda_j|)^2 + kappa_y (sum |gamma_j|)^2)).  Pamplona 2019 eq. 17, FTCS: dt <=
+ * gamma (dx^2 + dy^2)/kappa, gamma = 1/4.  Their eq. 15 for SPH, dt = beta h^2/kappa, leaves beta open.
  *
  * Measured.  Noise over LIMIT_STEPS = N steps: a mode that is e past its limit grows by (1 + 2e)^N at least, and the
  * noise holds it at 1/n or more, so that 2 K are passed where e > ln(2 n)/(2 N) = 0.2 % (n = 24).  Modes that neither
@@ -13,8 +13,6 @@
  * long as the first, 500 dx^2/kappa, and where a 64th of it still grows no step is stable. */
 #include "verification/limit.h"
 
-#include "solver/kernel.h"
-#include "solver/neighbours.h"
 #include "verification/request.h"
 #include "verification/spectrum.h"
 #include "verification/symbol.h"
@@ -44,48 +42,28 @@ int limit_request(const struct request *r, struct probe *b, struct failure *why)
     return limit_probe(b, why);
 }
 
-/* Song eqs. 34 and 41 for particle i of the cloud; INFINITY is no bound. */
-static int song_bound(const struct probe *b, const struct problem *p, const struct cloud *c,
-                      const struct neighbours *cells, size_t i, double *bound, struct failure *why) {
-    uint32_t near[NEIGHBOURS_MAX];
-    double d[NEIGHBOURS_MAX][2], w[2][NEIGHBOURS_MAX], *out[2] = {w[0], w[1]}, sum[2] = {0, 0};
-    const struct scheme *s = b->method->scheme;
-    size_t n = neighbours_find(cells, i, near, NEIGHBOURS_MAX);
-    if (n > NEIGHBOURS_MAX) return fail(why, STATUS_NUMERICAL, "particle %zu has %zu neighbours", i, n);
-    for (size_t k = 0; k < n; k++) d[k][0] = c->x[near[k]] - c->x[i], d[k][1] = c->y[near[k]] - c->y[i];
-    struct neighbourhood nb = {.dim = b->dim,
-                               .i = i,
-                               .x = {c->x[i], c->y[i]},
-                               .n = n,
-                               .d = d,
-                               .h = b->options.h,
-                               .volume = 1,
-                               .kappa = {1, 1}};
-    if (s->weights(p, &b->options, &nb, out, why)) return why->status;
-    int two = s->sweeps == 2;
-    for (size_t k = 0; k < n; k++)
-        for (int a = 0; a < (two ? b->dim : 1); a++) sum[a] += two ? fabs(w[a][k]) : w[a][k];
-    *bound = two ? 0.5 / (sum[0] * sum[0] + sum[1] * sum[1]) : 1 / fabs(sum[0]);
+/* Song eqs. 34 and 41 for one particle; keeps the strictest. */
+static int song_bound(const struct probe *b, const struct neighbourhood *nb, void *strictest, struct failure *why) {
+    double w[2][NEIGHBOURS_MAX], *out[2] = {w[0], w[1]}, sum[2] = {0, 0}, *least = strictest;
+    int sweeps = b->method->scheme->sweeps;
+    if (b->method->scheme->weights(NULL, &b->options, nb, out, why)) return why->status;
+    for (size_t k = 0; k < nb->n; k++)
+        for (int a = 0; a < (sweeps == 2 ? b->dim : 1); a++) sum[a] += sweeps == 2 ? fabs(w[a][k]) : w[a][k];
+    double bound = sweeps == 2 ? 0.5 / (sum[0] * sum[0] + sum[1] * sum[1]) : 1 / fabs(sum[0]);
+    *least = fmin(*least, bound);
     return STATUS_OK;
 }
 
-/* The strictest over the particles: on a lattice one stands for all. */
+/* On a lattice one particle stands for all. */
 static int song(const struct probe *given, double *published, struct failure *why) {
     struct probe b = *given;
     struct cloud c;
-    struct neighbours cells;
-    int jitter = b.options.layout == LAYOUT_JITTER, status = STATUS_OK;
+    int jitter = b.options.layout == LAYOUT_JITTER;
     if (!jitter) b.options.layout = LAYOUT_LATTICE;
     struct problem p = probe_problem(&b, PROBE_NOISE, 0);
     if (probe_cloud(&b, &p, &c, why)) return why->status;
-    neighbours_create(&cells, &c, KERNEL_SUPPORT * b.options.h * (1 - 1e-12));
     *published = INFINITY;
-    for (size_t i = 0; i < (jitter ? c.n : 1) && !status; i++) {
-        double bound;
-        status = song_bound(&b, &p, &c, &cells, i, &bound, why);
-        if (!status) *published = fmin(*published, bound);
-    }
-    neighbours_free(&cells);
+    int status = probe_around(&b, &c, jitter ? c.n : 1, song_bound, published, why);
     layout_cloud_free(&c);
     return status;
 }

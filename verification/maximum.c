@@ -1,7 +1,7 @@
 /* The maximum principle: on the weights, and on runs.
  *
- * An impulse of 1 K makes a negative weight w_j visible in one step: T_j = dt w_j.  It must also be kept later, by runs
- * of 2, 4, ... 32 steps. */
+ * An impulse of 1 K makes a negative weight w_j visible in one step: T_j = dt w_j.  It must also be kept later, by
+ * runs of 2, 4, ... 32 steps. */
 #include "verification/maximum.h"
 
 #include "verification/symbol.h"

@@ -1,8 +1,8 @@
 #ifndef HEATLADDER_VERIFICATION_MAXIMUM_H
 #define HEATLADDER_VERIFICATION_MAXIMUM_H
 
-/* The maximum principle of a particle method on the lattice: off-centre weights that are not negative, and steps up to
- * 1/|w_0|, make every new temperature a mean of old ones. */
+/* The maximum principle of a particle method on the lattice: off-centre weights that are not negative, and steps up
+ * to 1/|w_0|, make every new temperature a mean of old ones. */
 
 #include "verification/probe.h"
 

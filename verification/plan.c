@@ -4,6 +4,7 @@
 
 #include "solver/ftcs_grid.h"
 #include "solver/particles.h"
+#include "verification/fold.h"
 #include "verification/request.h"
 
 #include <math.h>
@@ -122,8 +123,21 @@ static int plan_ftcs(const struct request *r, const struct options *o, struct pl
     return STATUS_OK;
 }
 
+static int plan_part(const struct request *r, const struct options *o, struct plan *plan, struct failure *why) {
+    int cut[2] = {plan->cut[0], plan->cut[1]};
+    *plan = (struct plan){.options = *o, .dim = r->problem.dim, .cut = {cut[0], cut[1]}};
+    int status = r->method->scheme ? plan_particles(r, o, plan, why) : plan_ftcs(r, o, plan, why);
+    plan->computed = plan->particles;
+    plan->particles *= (size_t)((cut[0] ? 2 : 1) * (cut[1] ? 2 : 1));
+    return status;
+}
+
 int plan_make(const struct request *r, const struct options *o, struct plan *plan, struct failure *why) {
-    *plan = (struct plan){.options = *o, .dim = r->problem.dim};
-    for (int d = 0; d < plan->dim; d++) plan->mirror[d] = r->problem.mirror[d];
-    return r->method->scheme ? plan_particles(r, o, plan, why) : plan_ftcs(r, o, plan, why);
+    struct request part = *r;
+    if (fold_problem(&r->problem, o, &part.problem, plan->cut)) {
+        int status = plan_part(&part, o, plan, why);
+        if (status != STATUS_INPUT) return status;
+    }
+    plan->cut[0] = plan->cut[1] = 0;
+    return plan_part(r, o, plan, why);
 }

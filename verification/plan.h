@@ -17,10 +17,11 @@ struct plan_array {
 struct plan {
     struct options options; /* stepper and h as they will be used */
     int dim;
-    int mirror[2]; /* 1 where the problem is even about the middle of that axis */
-    int rows;      /* 1: a row of weights for each particle; 0: one stencil for all */
-    int reach[2];  /* of the stencil, in particles; 0 with rows */
-    size_t particles;
+    int cut[2]; /* 1 where only the upper half along that axis is computed: the problem is even about its middle */
+    size_t computed;   /* particles of the part that is computed, which what follows is about */
+    int rows;          /* 1: a row of weights for each particle; 0: one stencil for all */
+    int reach[2];      /* of the stencil, in particles; 0 with rows */
+    size_t particles;  /* of the whole */
     double neighbours; /* mean number of a particle */
     int count;         /* arrays */
     struct plan_array array[PLAN_ARRAYS];

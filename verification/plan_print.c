@@ -35,15 +35,18 @@ static const char *steps_why(const struct request *r, const struct plan *plan) {
 void plan_print_text(const struct request *r, const struct plan *plan) {
     const struct options *o = &plan->options;
     static const char *const axis[] = {"x", "y"};
-    double n = (double)plan->particles;
+    double n = (double)plan->computed;
     printf("%s %s, dx = %g m\n", r->scene->name, r->method->name, o->dx);
     printf("  %-13s %d: %s\n", "dimension", plan->dim,
            plan->dim == 1 ? "a rod; nothing along y is stored" : "a rectangle");
     printf("  %-13s", "mirror planes");
     for (int d = 0; d < plan->dim; d++)
-        if (plan->mirror[d]) printf(" the middle of %s", axis[d]);
-    printf("%s\n", plan->mirror[0] || plan->mirror[1] ? "" : " none: the scene is not even about its middle");
-    printf("  %-13s %zu\n", "particles", plan->particles);
+        if (plan->cut[d]) printf(" the middle of %s,", axis[d]);
+    if (plan->cut[0] || plan->cut[1])
+        printf(" one part is computed\n  %-13s %zu, of which %zu are computed\n", "particles", plan->particles,
+               plan->computed);
+    else
+        printf(" none\n  %-13s %zu\n", "particles", plan->particles);
     printf("  %-13s %s\n", "weights", storage(r, plan));
     if (words_among(r->method->accepts, "h"))
         printf("  %-13s %.4g in the mean, within 2 h, h/dx = %.6g\n", "neighbours", plan->neighbours, o->h);
@@ -66,7 +69,7 @@ void plan_print_json(const struct request *r, const struct plan *plan, struct js
     json_whole(j, "dimension", plan->dim);
     json_array(j, "mirror_planes");
     for (int d = 0; d < plan->dim; d++)
-        if (plan->mirror[d]) json_text(j, NULL, d ? "y" : "x");
+        if (plan->cut[d]) json_text(j, NULL, d ? "y" : "x");
     json_end(j);
     json_whole(j, "particles", (long long)plan->particles);
     json_text(j, "weights", plan->rows ? "rows" : "stencil");

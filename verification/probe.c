@@ -1,6 +1,8 @@
 /* Small problems in memory, on which a method shows what it does to one impulse, to noise, to a smooth hill. */
 #include "verification/probe.h"
 
+#include "solver/kernel.h"
+#include "solver/neighbours.h"
 #include "solver/particles.h"
 #include "solver/stepper.h"
 
@@ -84,6 +86,33 @@ int probe_operator(const struct probe *b, const struct problem *p, struct heat_o
     if (probe_cloud(b, p, &c, why)) return why->status;
     int status = operator_create_rows(a, p, &b->options, s, &c, 1, why);
     layout_cloud_free(&c);
+    return status;
+}
+
+int probe_around(const struct probe *b, const struct cloud *c, size_t count, probe_see *see, void *with,
+                 struct failure *why) {
+    uint32_t near[NEIGHBOURS_MAX];
+    double d[NEIGHBOURS_MAX][2];
+    struct neighbours cells;
+    int status = STATUS_OK;
+    neighbours_create(&cells, c, KERNEL_SUPPORT * b->options.h);
+    for (size_t i = 0; i < count && !status; i++) {
+        struct neighbourhood nb = {.dim = b->dim,
+                                   .i = i,
+                                   .x = {c->x[i], c->y[i]},
+                                   .d = d,
+                                   .h = b->options.h,
+                                   .volume = c->volume,
+                                   .kappa = {1, 1}};
+        nb.n = neighbours_find(&cells, i, near, NEIGHBOURS_MAX);
+        if (nb.n > NEIGHBOURS_MAX) {
+            status = fail(why, STATUS_NUMERICAL, "particle %zu has %zu neighbours", i, nb.n);
+            break;
+        }
+        for (size_t k = 0; k < nb.n; k++) d[k][0] = c->x[near[k]] - c->x[i], d[k][1] = c->y[near[k]] - c->y[i];
+        status = see(b, &nb, with, why);
+    }
+    neighbours_free(&cells);
     return status;
 }
 

@@ -39,4 +39,10 @@ int probe_operator(const struct probe *b, const struct problem *p, struct heat_o
 /* Of a particle method on b's jittered (or regular) cloud; the caller frees it. */
 int probe_cloud(const struct probe *b, const struct problem *p, struct cloud *c, struct failure *why);
 
+/* Calls `see` with the neighbourhood of each of the first `count` particles of the cloud; stops at its first status.
+ */
+typedef int probe_see(const struct probe *b, const struct neighbourhood *nb, void *with, struct failure *why);
+int probe_around(const struct probe *b, const struct cloud *c, size_t count, probe_see *see, void *with,
+                 struct failure *why);
+
 #endif

@@ -25,6 +25,7 @@ static void options_json(const struct result *r, struct json *j) {
     json_text(j, "sampling", accepts(r, "sampling") ? sampling_words[o->sampling] : NULL);
     json_text(j, "walls", accepts(r, "walls") ? walls_words[o->walls] : NULL);
     json_text(j, "mean", accepts(r, "mean") ? mean_words[o->mean] : NULL);
+    json_text(j, "domain", domain_words[o->domain]);
     json_text(j, "volume", accepts(r, "volume") ? volume_words[o->volume] : NULL);
 }
 

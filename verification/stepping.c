@@ -13,6 +13,7 @@
 
 #include "references/scene.h"
 #include "verification/external.h"
+#include "verification/fold.h"
 #include "verification/norms.h"
 #include "verification/request.h"
 
@@ -32,7 +33,7 @@ struct trial {
 };
 
 static int solve(const struct request *r, const struct options *o, struct field *f, struct failure *why) {
-    return r->method->solve(&r->problem, o, f, why);
+    return fold_solve(r->method, &r->problem, o, f, why);
 }
 
 static int try_steps(const struct request *r, const struct options *o, double steps, struct trial *t,

@@ -50,7 +50,9 @@ static void print_text(const struct probe *b, const struct limit *l) {
     printf("  %-12s %.4g\n", "measured", l->measured);
     if (l->grows) printf("  %-12s %.4g kappa/dx^2: a mode grows at any step\n", "growth", l->growth);
     if (isfinite(l->beta)) printf("  %-12s %.4g (Pamplona 2019 eq. 15, dt = beta h^2/kappa)\n", "beta", l->beta);
-    if (l->published > 1.01 * l->von_neumann)
+    if (l->von_neumann == 0)
+        printf("  no step is stable, whatever its size\n");
+    else if (l->published > 1.01 * l->von_neumann)
         printf("  the published bound lets a run blow up: it is %.3g times the true one\n",
                l->published / l->von_neumann);
     else if (l->published < 0.99 * l->von_neumann)

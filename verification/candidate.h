@@ -1,0 +1,35 @@
+#ifndef HEATLADDER_VERIFICATION_CANDIDATE_H
+#define HEATLADDER_VERIFICATION_CANDIDATE_H
+
+/* Ways to run a scene whose error falls with dx alone, so that a few coarse runs foretell the rest. */
+
+#include "verification/result.h"
+
+struct request;
+
+struct candidate {
+    const char *label;
+    const char *method;
+    struct options options; /* dx left open */
+    int dim;                /* 1 or 2: for that dimension only; 0: for both */
+    double steps;           /* time steps: 10, and this many for each particle along x; 0: as the options say */
+};
+
+extern const struct candidate candidates_table[]; /* ended by a NULL label */
+
+/* The options of the candidate with n particles along x of r's domain. */
+struct options candidate_options(const struct candidate *c, const struct request *r, int n);
+
+/* Runs it; as run_request. */
+int candidate_run(const struct candidate *c, const struct request *r, int n, struct result *out);
+
+/* What a run costs, counted so that it is the same on every machine.  The unit is a pair of particles, one
+ * multiplication and one addition in a stream:
+ *
+ *     steps        pairs + 2 updates                (a load and a store of each particle beside its pairs)
+ *     transforms   particles (10 log2 particles + 60)     (two passes of 2.5 log2 n each way; 60 for exp and lambda)
+ *
+ * Setting up is once a run and left out. */
+double candidate_work(const struct result *r);
+
+#endif

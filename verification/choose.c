@@ -1,0 +1,197 @@
+/* Choosing by measured orders and constants: each candidate runs on a few coarse rungs; a line through the last of
+ * them in log-log foretells where its error reaches what is wanted, and what that will cost.  The cheapest runs; what
+ * it measures joins its rungs; and so on until the error is reached.
+ *
+ * Costs are counted, so that the choice is the same on every machine.  Rungs keep the place of the jumps between
+ * particles: where a lattice can have all of them midway, only such lattices are taken, since there the order shows
+ * from the coarsest rungs on. */
+#include "verification/choose.h"
+
+#include "verification/request.h"
+#include "verification/slope.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+static const double MARGIN = 0.9;           /* of the error wanted: what a forecast aims at */
+static const double WORK_MAX = 2e11;        /* a few minutes */
+static const int COARSEST[3] = {0, 32, 16}; /* particles along x of the first rung, by dimension */
+enum { RUNGS = 5, FITTED = 3, PROOFS = 8, FAMILY_MAX = 64 };
+
+/* Whether n cells along x, as long as high, have no part of one left over, and meet every jump with a face. */
+static int fits(const struct problem *p, int n, int jumps) {
+    double dx = (p->hi[0] - p->lo[0]) / n;
+    for (int a = 0; a < p->dim; a++) {
+        double whole = (p->hi[a] - p->lo[a]) / dx;
+        if (fabs(whole - nearbyint(whole)) > 1e-9 * whole) return 0;
+        for (int k = 0; jumps && k < p->jumps[a]; k++) {
+            double at = (p->jump[a][k] - p->lo[a]) / dx;
+            if (fabs(at - nearbyint(at)) > 1e-9 * whole) return 0;
+        }
+    }
+    double at = (p->interface - p->lo[0]) / dx;
+    return p->materials == 1 || fabs(at - nearbyint(at)) <= 1e-9 * n;
+}
+
+/* The smallest n whose multiples all fit; 0 where there is none. */
+static int family(const struct problem *p) {
+    for (int jumps = 1; jumps >= 0; jumps--)
+        for (int n = 1; n <= FAMILY_MAX; n++)
+            if (fits(p, n, jumps)) return n;
+    return 0;
+}
+
+static int member(double least, int unit) {
+    return unit * (int)fmax(1, ceil(least / unit - 1e-9));
+}
+
+static void rule_out(struct choose_one *c, const char *reason) {
+    c->predicted_work = INFINITY;
+    snprintf(c->reason, sizeof c->reason, "%.190s", reason);
+}
+
+/* Adds a run to the rungs, kept coarsest first; the coarsest makes room. */
+static void add_rung(struct choose_one *c, int n, const struct result *r) {
+    if (c->rungs == CHOOSE_RUNGS) memmove(c->rung, c->rung + 1, (size_t)--c->rungs * sizeof *c->rung);
+    int at = c->rungs++;
+    for (; at > 0 && c->rung[at - 1].n > n; at--) c->rung[at] = c->rung[at - 1];
+    c->rung[at] = (struct choose_rung){n, r->error.l1, candidate_work(r)};
+}
+
+static void fit(struct choose_one *c, int first, int last) {
+    double n[CHOOSE_RUNGS], error[CHOOSE_RUNGS], work[CHOOSE_RUNGS];
+    int m = 0;
+    for (int i = first; i <= last; i++) {
+        n[m] = c->rung[i].n;
+        error[m] = c->rung[i].error;
+        work[m++] = c->rung[i].work;
+    }
+    c->order = -slope_fit(n, error, m).value;
+    c->growth = slope_fit(n, work, m).value;
+}
+
+static void cannot_converge(struct choose_one *c) {
+    const struct choose_rung *last = &c->rung[c->rungs - 1];
+    char text[120];
+    snprintf(text, sizeof text, "does not converge: order %.2f, E1 %.3g with %d particles along x", c->order,
+             last->error, last->n);
+    rule_out(c, text);
+}
+
+/* Where the error will be reached: between two rungs of which one has it, or beyond the last. */
+static void foretell(struct choose_one *c, double error, int unit) {
+    int reached = 0, last = c->rungs - 1;
+    while (reached <= last && !(c->rung[reached].error <= error)) reached++;
+    const struct choose_rung *base = &c->rung[reached <= last ? reached : last];
+    if (reached == 0) { /* the coarsest has it already */
+        c->wanted = base->n, c->predicted_error = base->error, c->predicted_work = base->work;
+        return;
+    }
+    if (reached <= last)
+        fit(c, reached - 1, reached);
+    else
+        fit(c, last - FITTED + 1 > 0 ? last - FITTED + 1 : 0, last);
+    if (!(c->order > 0.2)) {
+        cannot_converge(c);
+        return;
+    }
+    double along = base->n * pow(base->error / (MARGIN * error), 1 / c->order);
+    if (reached <= last) along = fmin(base->n, fmax(along, c->rung[reached - 1].n + 1));
+    if (reached > last) along = fmax(along, base->n + 1);
+    if (!(along < 1e7)) {
+        rule_out(c, "needs more than 1e7 particles along x");
+        return;
+    }
+    c->wanted = member(along, unit);
+    double ratio = (double)c->wanted / base->n;
+    c->predicted_error = base->error * pow(ratio, -c->order);
+    c->predicted_work = base->work * pow(ratio, c->growth);
+    if (c->predicted_work > WORK_MAX) rule_out(c, "would take more than 2e11 pairs");
+}
+
+/* A rung that is refused (too coarse, say) is left out; with fewer than two there is nothing to foretell from. */
+static void calibrate(const struct request *r, struct choose_one *c, double error, int unit) {
+    double n = COARSEST[r->problem.dim];
+    int before = 0;
+    for (int k = 0; k < RUNGS; k++, n *= 1.5) {
+        struct result result;
+        int along = member(fmax(n, before + 1), unit);
+        before = along;
+        if (candidate_run(c->candidate, r, along, &result)) {
+            rule_out(c, result.failure.text);
+            continue;
+        }
+        add_rung(c, along, &result);
+        if (result.error.l1 <= error) break;
+    }
+    if (c->rungs < 2 && !(c->rungs == 1 && c->rung[0].error <= error)) return;
+    c->reason[0] = '\0';
+    foretell(c, error, unit);
+}
+
+static int cheapest_first(const void *a, const void *b) {
+    const struct choose_one *x = a, *y = b;
+    if (x->predicted_work != y->predicted_work) return x->predicted_work < y->predicted_work ? -1 : 1;
+    return (x->candidate > y->candidate) - (x->candidate < y->candidate);
+}
+
+static void collect(const struct request *r, struct choose *c) {
+    for (const struct candidate *k = candidates_table; k->label && c->count < CHOOSE_CANDIDATES; k++)
+        if (k->dim == 0 || k->dim == r->problem.dim) c->one[c->count++].candidate = k;
+}
+
+/* One proving run of the cheapest.  1 where it ends the search. */
+static int prove(const struct request *r, struct choose *c, int unit) {
+    struct choose_one *first = &c->one[0];
+    if (!isfinite(first->predicted_work)) return 1;
+    struct result result;
+    struct choose_one foretold = *first;
+    int status = candidate_run(first->candidate, r, first->wanted, &result);
+    c->proofs++;
+    if (status) {
+        rule_out(first, result.failure.text);
+        return 0;
+    }
+    if (!c->best.candidate || result.error.l1 < c->proof.error.l1) c->best = foretold, c->proof = result;
+    c->reached = result.error.l1 <= c->error;
+    if (c->reached) return 1;
+    add_rung(first, first->wanted, &result);
+    foretell(first, c->error, unit);
+    return 0;
+}
+
+static int say_best(const struct choose *c, struct failure *why) {
+    const struct choose_rung *best = NULL;
+    const char *whose = "";
+    for (int i = 0; i < c->count; i++)
+        for (int k = 0; k < c->one[i].rungs; k++) {
+            const struct choose_rung *rung = &c->one[i].rung[k];
+            if (best && best->error <= rung->error) continue;
+            best = rung;
+            whose = c->one[i].candidate->label;
+        }
+    if (!best)
+        return fail(why, STATUS_GATE, "an error of %g was not reached: no candidate runs on this scene", c->error);
+    return fail(why, STATUS_GATE,
+                "an error of %g was not reached; the best was %.3g, by %s with %d particles along x", c->error,
+                best->error, whose, best->n);
+}
+
+int choose_run(const struct request *r, double error, struct choose *c, struct failure *why) {
+    *c = (struct choose){.error = error};
+    int unit = family(&r->problem);
+    if (!unit)
+        return fail(why, STATUS_INPUT, "no square lattice fits this domain with up to %d cells along x", FAMILY_MAX);
+    collect(r, c);
+#pragma omp parallel for schedule(dynamic, 1)
+    for (int i = 0; i < c->count; i++) calibrate(r, &c->one[i], error, unit);
+    int done = 0;
+    while (!done && c->proofs < PROOFS) {
+        qsort(c->one, (size_t)c->count, sizeof c->one[0], cheapest_first);
+        done = prove(r, c, unit);
+    }
+    if (c->reached) return STATUS_OK;
+    return say_best(c, why);
+}

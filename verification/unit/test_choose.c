@@ -1,0 +1,70 @@
+/* choose: what it promises it keeps, at parameters that nobody tuned for, twice alike; and it says so where it
+ * cannot. */
+#include "verification/choose.h"
+
+#include "verification/arguments.h"
+
+#include "verification/unit/near.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+static int choose(const char *line, double error, struct choose *c, struct failure *why) {
+    struct request r;
+    if (arguments_parse_line(line, &r, why)) fail_msg("%s", why->text);
+    int status = choose_run(&r, error, c, why);
+    arguments_free(&r);
+    return status;
+}
+
+static void keeps(const char *line, double error) {
+    struct failure why;
+    struct choose *c = xcalloc(1, sizeof *c);
+    if (choose(line, error, c, &why)) fail_msg("%s: %s", line, why.text);
+    assert_true(c->reached && c->proof.error.l1 <= error);
+    assert_true(c->best.predicted_error <= error);
+    assert_true(c->proof.error.l1 > 0.5 * c->best.predicted_error && c->proof.error.l1 < 2 * c->best.predicted_error);
+    for (int i = 1; i < c->count; i++) assert_true(!(c->one[i].predicted_work < c->one[0].predicted_work));
+    free(c);
+}
+
+static void the_error_is_reached(void **state) {
+    (void)state;
+    keeps("reference rod-step --at 0 --time 1", 1e-3);
+    keeps("reference rod-step --at 0 --time 1 --set kappa=0.017 --set a=0.37 --set T0=3", 1e-5);
+    keeps("reference rod-gauss --at 0 --time 1 --set kappa=0.1", 1e-6);
+    keeps("reference rod-contact --at 0 --time 1", 1e-3);
+    keeps("reference square-step --at 0,0 --time 1 --set a=0.437", 3e-4);
+    keeps("reference rect-manufactured --at 0,0 --time 1", 1e-3);
+}
+
+static void the_choice_repeats(void **state) {
+    (void)state;
+    struct failure why;
+    struct choose *a = xcalloc(1, sizeof *a), *b = xcalloc(1, sizeof *b);
+    assert_int_equal(choose("reference rod-step --at 0 --time 1", 1e-6, a, &why), STATUS_OK);
+    assert_int_equal(choose("reference rod-step --at 0 --time 1", 1e-6, b, &why), STATUS_OK);
+    assert_ptr_equal(a->best.candidate, b->best.candidate);
+    assert_near(a->proof.error.l1, b->proof.error.l1, 0);
+    assert_near(a->one[1].predicted_work, b->one[1].predicted_work, 0);
+    free(a);
+    free(b);
+}
+
+static void what_cannot_be_is_said(void **state) {
+    (void)state;
+    struct failure why;
+    struct choose *c = xcalloc(1, sizeof *c);
+    assert_int_equal(choose("reference square-step --at 0,0 --time 1", 1e-13, c, &why), STATUS_GATE);
+    assert_non_null(strstr(why.text, "the best was"));
+    free(c);
+}
+
+int main(void) {
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(the_error_is_reached),
+        cmocka_unit_test(the_choice_repeats),
+        cmocka_unit_test(what_cannot_be_is_said),
+    };
+    return cmocka_run_group_tests_name("choose", tests, NULL, NULL);
+}
