@@ -34,7 +34,8 @@ enum volume { VOLUME_MOMENT, VOLUME_RAW, VOLUME_TUNED };
 extern const char *const kernel_words[],
     *const stepper_words[], *const layout_words[], *const sampling_words[], *const walls_words[],
                                                                                 *const mean_words[],
-                                                                                    *const volume_words[], *const domain_words[];
+                                                                                    *const volume_words[],
+                                                                                        *const domain_words[];
 
 struct options {
     double dx;      /* m, particle spacing along x (along y too, but for STEPPER_MATCHED with k_x != k_y) */
@@ -54,7 +55,7 @@ struct options {
     enum mean mean;
     enum volume volume;
     enum domain domain; /* of a scene with mirror planes: the part that has to be computed, or all */
-    int threads; /* threads that one run may use; 0 or 1: one */
+    int threads;        /* threads that one run may use; 0 or 1: one */
 };
 
 struct field { /* owned arrays: field_free */
@@ -66,7 +67,7 @@ struct field { /* owned arrays: field_free */
     double *T;         /* K, n */
     double *weight;    /* m^d, n: the volume that each point stands for in a norm; NULL where all are alike */
     double time;       /* s, the time that T belongs to (t_end) */
-    double h;            /* smoothing length over dx, as settled; 0 for a method without one */
+    double h;          /* smoothing length over dx, as settled; 0 for a method without one */
     double dt;         /* s, 0 for the exact stepper */
     long long steps;   /* time steps; 0 for the exact stepper */
     int stages;        /* operator applications a step */

@@ -122,9 +122,9 @@ static int take_option(struct request *r, const struct word *w, struct failure *
 
 static int check_positionals(const struct request *r, struct failure *why) {
     const char *wanted = r->verb->positionals;
-    const char *missing = words_among(wanted, "SCENE") && !r->scene     ? "SCENE"
+    const char *missing = words_among(wanted, "SCENE") && !r->scene                           ? "SCENE"
                           : words_among(wanted, "METHOD") && (!r->method || !r->method->name) ? "METHOD"
-                                                                        : NULL;
+                                                                                              : NULL;
     if (!missing) return STATUS_OK;
     return fail(why, STATUS_INPUT, "%s needs a %s: heatladder %s %s (see: heatladder list)", r->verb->name, missing,
                 r->verb->name, wanted);

@@ -2,6 +2,7 @@
 #include "verification/candidate.h"
 
 #include "references/scene.h"
+#include "verification/fold.h"
 #include "verification/request.h"
 #include "verification/run.h"
 
@@ -10,25 +11,80 @@
 
 #define MATCHED .stepper = STEPPER_MATCHED, .sampling = SAMPLING_SPLINE
 const struct candidate candidates_table[] = {
-    {"so_ssph matched, cubic kernel", "so_ssph", {MATCHED, .h_iso = 1}, 2, 0},
-    {"so_ssph matched, quartic kernel", "so_ssph", {MATCHED, .h_iso = 1, .kernel = KERNEL_QUARTIC}, 2, 0},
-    {"so_ssph matched, wendland kernel", "so_ssph", {MATCHED, .h_iso = 1, .kernel = KERNEL_WENDLAND}, 2, 0},
-    {"so_ssph matched, cubic kernel", "so_ssph", {MATCHED, .h = 1.05}, 1, 0},
-    {"ftcs matched", "ftcs", {MATCHED}, 1, 0},
-    {"so_ssph exact, h/dx 1.05", "so_ssph", {.stepper = STEPPER_EXACT, .h = 1.05}, 0, 0},
-    {"so_ssph exact, cell samples", "so_ssph", {.stepper = STEPPER_EXACT, .sampling = SAMPLING_CELL}, 0, 0},
-    {"so_ssph of order 4, exact", "so_ssph", {.stepper = STEPPER_EXACT, .order = 4}, 0, 0},
-    {"brookshaw exact", "brookshaw", {.stepper = STEPPER_EXACT}, 0, 0},
-    {"ftcs at F = 1/6", "ftcs", {.stepper = STEPPER_EULER, .fourier = 1.0 / 6}, 0, 0},
+    {"so_ssph matched, cubic kernel", "so_ssph", {MATCHED, .h_iso = 1}, 2, 0, 0},
+    {"so_ssph matched, quartic kernel", "so_ssph", {MATCHED, .h_iso = 1, .kernel = KERNEL_QUARTIC}, 2, 0, 0},
+    {"so_ssph matched, wendland kernel", "so_ssph", {MATCHED, .h_iso = 1, .kernel = KERNEL_WENDLAND}, 2, 0, 0},
+    {"so_ssph matched, cubic kernel", "so_ssph", {MATCHED, .h = 1.05}, 1, 0, 0},
+    {"ftcs matched", "ftcs", {MATCHED}, 1, 0, 0},
+    {"so_ssph exact, h/dx 1.05", "so_ssph", {.stepper = STEPPER_EXACT, .h = 1.05}, 0, 0, 0},
+    {"so_ssph exact, cell samples", "so_ssph", {.stepper = STEPPER_EXACT, .sampling = SAMPLING_CELL}, 0, 0, 0},
+    {"so_ssph of order 4, exact", "so_ssph", {.stepper = STEPPER_EXACT, .order = 4}, 0, 0, 0},
+    {"brookshaw exact", "brookshaw", {.stepper = STEPPER_EXACT}, 0, 0, 0},
+    {"ftcs at F = 1/6", "ftcs", {.stepper = STEPPER_EULER, .fourier = 1.0 / 6}, 0, 0, 0},
     {"ftcs at F = 0.2, cell samples",
      "ftcs",
      {.stepper = STEPPER_EULER, .fourier = 0.2, .sampling = SAMPLING_CELL},
      0,
+     0,
      0},
-    {"so_ssph rkl2", "so_ssph", {.stepper = STEPPER_RKL2, .sampling = SAMPLING_CELL}, 0, 0.125},
-    {"brookshaw rkl2, series mean", "brookshaw", {.stepper = STEPPER_RKL2, .mean = MEAN_SERIES}, 0, 0.125},
+    {"so_ssph rkl2", "so_ssph", {.stepper = STEPPER_RKL2, .sampling = SAMPLING_CELL}, 0, 0.125, 0},
+    {"brookshaw rkl2, series mean", "brookshaw", {.stepper = STEPPER_RKL2, .mean = MEAN_SERIES}, 0, 0.125, 0},
+    {"so_ssph exact, h/dx 0.9", "so_ssph", {.stepper = STEPPER_EXACT, .h = 0.9}, 0, 0, 1},
+    {"so_ssph exact, h/dx 1.3", "so_ssph", {.stepper = STEPPER_EXACT, .h = 1.3}, 0, 0, 1},
+    {"so_ssph exact, h/dx 2", "so_ssph", {.stepper = STEPPER_EXACT, .h = 2}, 0, 0, 1},
+    {"so_ssph exact, quartic kernel",
+     "so_ssph",
+     {.stepper = STEPPER_EXACT, .kernel = KERNEL_QUARTIC, .h = 1.05},
+     0,
+     0,
+     1},
+    {"so_ssph exact, wendland kernel",
+     "so_ssph",
+     {.stepper = STEPPER_EXACT, .kernel = KERNEL_WENDLAND, .h = 1.3},
+     0,
+     0,
+     1},
+    {"so_ssph rk2 at F = 0.1", "so_ssph", {.stepper = STEPPER_RK2, .fourier = 0.1}, 0, 0, 1},
+    {"so_ssph euler at F = 0.1", "so_ssph", {.stepper = STEPPER_EULER, .fourier = 0.1}, 0, 0, 1},
+    {"so_ssph euler, dt = 5e-5 s (Song)", "so_ssph", {.stepper = STEPPER_EULER, .h = 1.05, .dt = 5e-5}, 0, 0, 1},
+    {"so_ssph jittered by 0.2 dx, rkl2",
+     "so_ssph",
+     {.stepper = STEPPER_RKL2, .layout = LAYOUT_JITTER, .jitter = 0.2},
+     0,
+     0.125,
+     1},
+    {"fo_ssph exact", "fo_ssph", {.stepper = STEPPER_EXACT}, 0, 0, 1},
+    {"ftcs_flux at F = 0.2", "ftcs_flux", {.stepper = STEPPER_EULER, .fourier = 0.2}, 0, 0, 1},
     {0}};
 #undef MATCHED
+
+enum { UNIT_MAX = 64 };
+
+/* Whether n cells along x, as long as high, have no part of one left over, and meet every jump with a face. */
+static int fits(const struct problem *p, int n, int jumps) {
+    double dx = (p->hi[0] - p->lo[0]) / n;
+    for (int a = 0; a < p->dim; a++) {
+        double whole = (p->hi[a] - p->lo[a]) / dx;
+        if (fabs(whole - nearbyint(whole)) > 1e-9 * whole) return 0;
+        for (int k = 0; jumps && k < p->jumps[a]; k++) {
+            double at = (p->jump[a][k] - p->lo[a]) / dx;
+            if (fabs(at - nearbyint(at)) > 1e-9 * whole) return 0;
+        }
+    }
+    double at = (p->interface - p->lo[0]) / dx;
+    return p->materials == 1 || fabs(at - nearbyint(at)) <= 1e-9 * n;
+}
+
+int candidate_unit(const struct problem *p) {
+    for (int jumps = 1; jumps >= 0; jumps--)
+        for (int n = 1; n <= UNIT_MAX; n++)
+            if (fits(p, n, jumps)) return n;
+    return 0;
+}
+
+int candidate_member(double least, int unit) {
+    return unit * (int)fmax(1, ceil(least / unit - 1e-9));
+}
 
 struct options candidate_options(const struct candidate *c, const struct request *r, int n) {
     struct options o = c->options;
@@ -38,12 +94,23 @@ struct options candidate_options(const struct candidate *c, const struct request
     return o;
 }
 
-int candidate_run(const struct candidate *c, const struct request *r, int n, struct result *out) {
+static struct request with_method(const struct candidate *c, const struct request *r) {
     struct request with = *r;
     for (int i = 0; methods[i]; i++)
         if (strcmp(methods[i]->name, c->method) == 0) with.method = methods[i];
+    return with;
+}
+
+int candidate_run(const struct candidate *c, const struct request *r, int n, struct result *out) {
+    struct request with = with_method(c, r);
     struct options o = candidate_options(c, r, n);
     return run_request(&with, &o, out, NULL);
+}
+
+int candidate_solve(const struct candidate *c, const struct request *r, int n, struct field *f, struct failure *why) {
+    struct request with = with_method(c, r);
+    struct options o = candidate_options(c, r, n);
+    return fold_solve(with.method, &with.problem, &o, f, why);
 }
 
 double candidate_work(const struct result *r) {

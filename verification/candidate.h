@@ -13,6 +13,7 @@ struct candidate {
     struct options options; /* dx left open */
     int dim;                /* 1 or 2: for that dimension only; 0: for both */
     double steps;           /* time steps: 10, and this many for each particle along x; 0: as the options say */
+    int wide;               /* 1: for bench alone */
 };
 
 extern const struct candidate candidates_table[]; /* ended by a NULL label */
@@ -20,7 +21,17 @@ extern const struct candidate candidates_table[]; /* ended by a NULL label */
 /* The options of the candidate with n particles along x of r's domain. */
 struct options candidate_options(const struct candidate *c, const struct request *r, int n);
 
-/* Runs it; as run_request. */
+/* The number of cells along x whose multiples all suit the problem: no part of a cell is left over, and every jump,
+ * if that can be, lies on a face.  0 where there is none up to 64. */
+int candidate_unit(const struct problem *p);
+
+/* The smallest multiple of the unit that is not below `least`. */
+int candidate_member(double least, int unit);
+
+/* The solve alone, as struct method's. */
+int candidate_solve(const struct candidate *c, const struct request *r, int n, struct field *f, struct failure *why);
+
+/* Runs and measures it; as run_request. */
 int candidate_run(const struct candidate *c, const struct request *r, int n, struct result *out);
 
 /* What a run costs, counted so that it is the same on every machine.  The unit is a pair of particles, one

@@ -18,34 +18,7 @@
 static const double MARGIN = 0.9;           /* of the error wanted: what a forecast aims at */
 static const double WORK_MAX = 2e11;        /* a few minutes */
 static const int COARSEST[3] = {0, 32, 16}; /* particles along x of the first rung, by dimension */
-enum { RUNGS = 5, FITTED = 3, PROOFS = 8, FAMILY_MAX = 64 };
-
-/* Whether n cells along x, as long as high, have no part of one left over, and meet every jump with a face. */
-static int fits(const struct problem *p, int n, int jumps) {
-    double dx = (p->hi[0] - p->lo[0]) / n;
-    for (int a = 0; a < p->dim; a++) {
-        double whole = (p->hi[a] - p->lo[a]) / dx;
-        if (fabs(whole - nearbyint(whole)) > 1e-9 * whole) return 0;
-        for (int k = 0; jumps && k < p->jumps[a]; k++) {
-            double at = (p->jump[a][k] - p->lo[a]) / dx;
-            if (fabs(at - nearbyint(at)) > 1e-9 * whole) return 0;
-        }
-    }
-    double at = (p->interface - p->lo[0]) / dx;
-    return p->materials == 1 || fabs(at - nearbyint(at)) <= 1e-9 * n;
-}
-
-/* The smallest n whose multiples all fit; 0 where there is none. */
-static int family(const struct problem *p) {
-    for (int jumps = 1; jumps >= 0; jumps--)
-        for (int n = 1; n <= FAMILY_MAX; n++)
-            if (fits(p, n, jumps)) return n;
-    return 0;
-}
-
-static int member(double least, int unit) {
-    return unit * (int)fmax(1, ceil(least / unit - 1e-9));
-}
+enum { RUNGS = 5, FITTED = 3, PROOFS = 8 };
 
 static void rule_out(struct choose_one *c, const char *reason) {
     c->predicted_work = INFINITY;
@@ -104,7 +77,7 @@ static void foretell(struct choose_one *c, double error, int unit) {
         rule_out(c, "needs more than 1e7 particles along x");
         return;
     }
-    c->wanted = member(along, unit);
+    c->wanted = candidate_member(along, unit);
     double ratio = (double)c->wanted / base->n;
     c->predicted_error = base->error * pow(ratio, -c->order);
     c->predicted_work = base->work * pow(ratio, c->growth);
@@ -117,7 +90,7 @@ static void calibrate(const struct request *r, struct choose_one *c, double erro
     int before = 0;
     for (int k = 0; k < RUNGS; k++, n *= 1.5) {
         struct result result;
-        int along = member(fmax(n, before + 1), unit);
+        int along = candidate_member(fmax(n, before + 1), unit);
         before = along;
         if (candidate_run(c->candidate, r, along, &result)) {
             rule_out(c, result.failure.text);
@@ -139,7 +112,7 @@ static int cheapest_first(const void *a, const void *b) {
 
 static void collect(const struct request *r, struct choose *c) {
     for (const struct candidate *k = candidates_table; k->label && c->count < CHOOSE_CANDIDATES; k++)
-        if (k->dim == 0 || k->dim == r->problem.dim) c->one[c->count++].candidate = k;
+        if (!k->wide && (k->dim == 0 || k->dim == r->problem.dim)) c->one[c->count++].candidate = k;
 }
 
 /* One proving run of the cheapest.  1 where it ends the search. */
@@ -181,9 +154,8 @@ static int say_best(const struct choose *c, struct failure *why) {
 
 int choose_run(const struct request *r, double error, struct choose *c, struct failure *why) {
     *c = (struct choose){.error = error};
-    int unit = family(&r->problem);
-    if (!unit)
-        return fail(why, STATUS_INPUT, "no square lattice fits this domain with up to %d cells along x", FAMILY_MAX);
+    int unit = candidate_unit(&r->problem);
+    if (!unit) return fail(why, STATUS_INPUT, "no square lattice of up to 64 cells along x fits this domain");
     collect(r, c);
 #pragma omp parallel for schedule(dynamic, 1)
     for (int i = 0; i < c->count; i++) calibrate(r, &c->one[i], error, unit);

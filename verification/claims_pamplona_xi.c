@@ -236,7 +236,8 @@ static void take_direction(const char *argument, struct claims_measured *m) {
     claims_kit_decide(m, fine > coarse, 1, "with xi kept, the particles conduct faster at the smaller h");
 }
 
-const struct claims_measure claims_pamplona_xi_measures[] = {{"eq18", take_eq18},
+const struct claims_measure claims_pamplona_xi_measures[] = {{"eq13", take_eq13},
+                                                             {"eq18", take_eq18},
                                                              {"eq18_rise", take_rise},
                                                              {"xi_materials", take_materials},
                                                              {"xi_divergence", take_divergence},

@@ -108,11 +108,16 @@ int ladder_run(const struct request *r, struct ladder *l, struct failure *why) {
 static double in_norm(const struct result *r, enum ladder_norm norm) {
     if (r->failure.status) return NAN;
     switch (norm) {
-    case LADDER_L1: return r->error.l1;
-    case LADDER_L2: return r->error.l2;
-    case LADDER_LINF: return r->error.linf;
-    case LADDER_INTERIOR: return r->interior.l1;
-    default: return r->boundary.l1;
+    case LADDER_L1:
+        return r->error.l1;
+    case LADDER_L2:
+        return r->error.l2;
+    case LADDER_LINF:
+        return r->error.linf;
+    case LADDER_INTERIOR:
+        return r->interior.l1;
+    default:
+        return r->boundary.l1;
     }
 }
 

@@ -21,7 +21,8 @@ struct result {
     int stages; /* operator applications a step */
     size_t particles;
     struct norms_error error;
-    struct norms_error interior, boundary; /* apart by the distance to the nearest wall, a tenth of the least extent */
+    struct norms_error interior,
+        boundary; /* apart by the distance to the nearest wall, a tenth of the least extent */
     struct norms_shape shape;
     double heat_drift;
     double time_error;      /* the part of error.l1 that the time step makes up; 0 for exact, NaN where unknown */

@@ -6,6 +6,7 @@
 
 #include "verification/unit/near.h"
 
+#include <gsl/gsl_errno.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -61,6 +62,7 @@ static void what_cannot_be_is_said(void **state) {
 }
 
 int main(void) {
+    gsl_set_error_handler_off();
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(the_error_is_reached),
         cmocka_unit_test(the_choice_repeats),
