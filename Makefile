@@ -40,7 +40,7 @@ $(BUILD)/scenes.inc: $(SCENES)
 $(BUILD)/%.o: %.c $(BUILD)/scenes.inc
 	@mkdir -p $(@D)
 	@echo "  CC    $<"
-	$(Q)$(CC) $(ALL_CFLAGS) -MMD -MP -c -o $@ $<
+	$(Q)$(CC) $(ALL_CFLAGS) $(DEFINES) -MMD -MP -c -o $@ $<
 
 $(BUILD)/unit/%: verification/unit/%.c $(LIBRARY)
 	@mkdir -p $(@D)
@@ -107,6 +107,20 @@ stability: $(BUILD)/heatladder ## Measure where methods fail and draw it, to rep
 	$(Q)if command -v gnuplot >/dev/null; then for f in $(STABILITY); do for kind in svg png; do \
 	gnuplot -e "out='$(OUT)'; kind='$$kind'" $$f || exit 1; done; done; \
 	else echo "stability: gnuplot is not here (make setup installs it); figures were not drawn"; fi
+
+# A benchmark says by which flags it was compiled.
+$(BUILD)/verification/bench_machine.o: DEFINES = -DBENCH_FLAGS='"-std=c11 -ffp-contract=off -fopenmp $(CFLAGS)"'
+
+BENCH := $(OUT)/bench
+
+.PHONY: bench
+bench: $(BUILD)/heatladder ## Chart error against time and counted work, and measure the engine, to reports/out/bench
+	@mkdir -p $(BENCH)
+	$(Q)$(BUILD)/heatladder bench $(BENCH) > $(BENCH)/bench.txt; status=$$?; cat $(BENCH)/bench.txt; exit $$status
+	$(Q)if command -v gnuplot >/dev/null; then for data in $(BENCH)/bench_*.csv; do \
+	for chart in time work growth; do for kind in svg png; do \
+	gnuplot -e "out='$(BENCH)'; kind='$$kind'; data='$$data'" reports/bench_$$chart.gp || exit 1; done; done; done; \
+	else echo "bench: gnuplot is not here (make setup installs it); charts were not drawn"; fi
 
 .PHONY: setup
 setup: ## Install what the build needs and this machine lacks

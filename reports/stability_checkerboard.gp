@@ -11,6 +11,7 @@ set xrange [0.01:501]
 set format x '10^{%T}'
 methods = 'fo_ssph ftcs_flux so_ssph ftcs'
 titles = "'FO-SSPH' 'FTCS with fluxes' 'SO-SSPH' 'FTCS'"
+colours = sprintf('%s %s %s %s', RED, BLUE, GREEN, BLACK)
 places = "'midway' 'quarter' 'on'"
 headings = "'jump midway between particles' 'jump a quarter off' 'jump on a particle'"
 do for [row = 1:2] {
@@ -23,17 +24,19 @@ do for [row = 1:2] {
             set ytics 1e3
             set format y '10^{%T}'
             set ylabel (p == 1 ? 'checkerboard amplitude  [K]' : '') offset 1
-            set key bottom left noenhanced
+            if (p == 1) { set key bottom left noenhanced } else { unset key }
         } else {
             unset logscale y
             set yrange [0:22]
             set ytics 5
             set format y '%g'
-            set ylabel (p == 1 ? 'total variation  [K]' : '') offset 1
-            set key bottom left noenhanced
+            set ylabel (p == 1 ? 'total variation  [K]' : '') offset -1
+            unset key
         }
+        if (p > 1) { set format y '' }
         plot for [m = 1:4] data index sprintf('%s %s', word(methods, m), word(places, p)) using 1:(row == 1 ? $2 : $4) \
-            with linespoints ls m + 1 title word(titles, m)
+            with linespoints lc rgb word(colours, m) dt m pt (m == 1 ? 7 : m == 2 ? 4 : m == 3 ? 9 : 2) \
+            ps (m == 2 ? 1.4 : 0.7) * P title word(titles, m)
         unset label 98
         unset label 99
     }

@@ -20,7 +20,7 @@ do for [dim = 1:2] {
         set title sprintf('%s, %dD', word(titles, m), dim) font size_of(11) offset 0,-0.6
         set xlabel (dim == 2 ? 'h/dx  [-]' : '') offset 0,0.4
         set ylabel (m == 1 ? 'dt κ/dx²  [-]' : '') offset 1
-        set key top left noenhanced
+        if (m == 2) { unset key } else { set key top left noenhanced }
         if (m < 3) {
             plot for [k = 1:3] data index sprintf('%s %s %dD', word(methods, m), word(kernels, k), dim) using 1:2 \
                      with lines lc rgb colour(k) lw 1.2 dt 2 notitle, \

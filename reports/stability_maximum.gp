@@ -12,6 +12,7 @@ do for [row = 1:2] {
     set xlabel (row == 2 ? 'h/dx  [-]' : '')
     set ylabel (row == 1 ? 'lowest weight off the centre / |w_0|  [-]' : 'undershoot of an impulse of 1 K  [K]') enhanced offset 0.5
     set format y '%g'
+    if (row == 1) { set yrange [-0.03:0.25] } else { set yrange [0:0.014] }
     set key top right noenhanced
     plot for [d = 1:2] for [k = 1:3] data index sprintf('%s %dD', word(kernels, k), d) using 1:(row == 1 ? $2 : $3) \
         with lines lc rgb (k == 1 ? RED : k == 2 ? BLUE : GREEN) lw 1.4 dt d \

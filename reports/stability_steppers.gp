@@ -1,12 +1,13 @@
 # |G| of the steppers along the real axis.
 name = 'stability_steppers'
+wide = 1000
 load 'reports/style.gp'
 set logscale x
 set xrange [0.5:160]
 set yrange [0:1.5]
 set xlabel '-dt λ  [-]'
 set ylabel '|G|  [-]' noenhanced
-set key top left noenhanced
+set key outside right top Left reverse noenhanced
 set arrow 1 from 0.5, 1 to 160, 1 nohead lc rgb GREY lw 0.8
 plot data index 'euler' using 1:2 with lines lc rgb BLACK lw 1.3 dt 1 title 'Euler', \
      data index 'rk2' using 1:2 with lines lc rgb RED lw 1.3 dt 2 title 'RK2', \

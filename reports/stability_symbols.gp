@@ -10,7 +10,7 @@ set size ratio 1
 set xrange [-1:1]
 set yrange [-1:1]
 set cbrange [0:1.6]
-set palette defined (0 '#ffffff', 0.5 '#9ecae1', 0.999 '#08306b', 1.0 '#D55E00', 1.6 '#7f2704')
+set palette defined (0 '#ffffff', 0.5 '#9ecae1', 1.004 '#08306b', 1.005 '#D55E00', 1.6 '#7f2704')
 set cblabel '|G|  [-]; above 1, in orange, a wave grows' noenhanced
 set colorbox user origin screen 0.905, screen 0.155 size screen 0.022, screen 0.76
 set xtics 0.5

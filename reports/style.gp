@@ -9,7 +9,7 @@ if (!exists("kind")) kind = 'svg'
 if (!exists("wide")) wide = 820
 if (!exists("high")) high = 560
 
-data = sprintf('%s/%s.csv', out, name)
+if (!exists("data")) data = sprintf('%s/%s.csv', out, name)
 # SVG counts fonts in pixels (3/4 point each) and draws points larger.
 svg = kind eq 'svg'
 size_of(points) = sprintf(',%g', svg ? points * 4.0 / 3 : points)

@@ -1,9 +1,9 @@
 /* The hot loop: y = rate (A x + g) + self x + old y + start Y0 + start_rate L0.
  *
- * On a lattice each row of particles streams through one loop over its columns.  For the stencils that the usual h/dx
- * give, the loop over the offsets is unrolled by the compiler (their radius and support are constants there); any
- * other stencil adds one offset at a time to a short buffer that stays in the first-level cache.  The order of the
- * additions is the same on any machine and for any number of threads. */
+ * On a lattice each row of particles streams by in short pieces that stay in the first-level cache.   For the
+ * stencils that the usual h/dx give, the loops over the offsets are unrolled by the compiler (their radius and
+ * support are constants there).  The order of the additions is the same on any machine and for any number of threads.
+ */
 #include "solver/operator.h"
 
 #include <string.h>
@@ -39,86 +39,77 @@ static void refresh_ghosts(const struct heat_operator *a, double *x) {
         }
 }
 
-/* What stands beside the sum over neighbours; pointers at the first particle of the row. */
-struct others {
-    struct update u;
-    const double *g;
-};
+enum { PIECE = 256, REACH_MAX = 24, PADDED = PIECE + 2 * REACH_MAX };
 
-INLINE double combine(const struct others *o, ptrdiff_t c, double sum, double x, double y) {
-    const struct update *u = &o->u;
-    double to = u->rate * (o->g ? sum + o->g[c] : sum) + u->self * x + u->old * y;
-    if (u->Y0) to += u->start * u->Y0[c];
-    if (u->L0) to += u->start_rate * u->L0[c];
-    return to;
+static const double zeros[PIECE];
+
+/* y from the sums over neighbours of n particles in a row; u, g: at the first of them. */
+INLINE void finish(const struct update *u, const double *g0, ptrdiff_t n, const double *restrict sum,
+                   const double *restrict x, double *restrict y) {
+    const double *restrict g = g0 ? g0 : zeros, *restrict Y0 = u->Y0 ? u->Y0 : zeros;
+    const double *restrict L0 = u->L0 ? u->L0 : zeros;
+    double rate = u->rate, self = u->self, old = u->old, start = u->start, start_rate = u->start_rate;
+    for (ptrdiff_t c = 0; c < n; c++)
+        y[c] = rate * (sum[c] + g[c]) + self * x[c] + old * y[c] + start * Y0[c] + start_rate * L0[c];
 }
 
-enum { PIECE = 256, REACH_MAX = 16, PAIRED = PIECE + 2 * REACH_MAX };
-
-/* One piece of a row.  pair[j] holds x above + x below at distance j, so that each offset of the quadrant costs one
- * addition and one multiplication more.  rx, ry and q (offsets with i i + j j <= q) are constants where it is
- * inlined; the order of the additions is the same for every piece. */
-INLINE double weigh(int rx, int ry, int q, const double *restrict w, const double *restrict x,
-                    double (*restrict pair)[PAIRED], ptrdiff_t c) {
-    double sum = w[0] * x[c];
-    _Pragma("GCC unroll 9") for (int i = 1; i <= rx; i++) sum += w[i] * (x[c - i] + x[c + i]);
-    _Pragma("GCC unroll 9") for (int j = 1; j <= ry; j++) {
-        const double *s = &pair[j][REACH_MAX];
-        sum += w[j * (rx + 1)] * s[c];
-        _Pragma("GCC unroll 9") for (int i = 1; i <= rx; i++) if (i * i + j * j <= q) sum +=
-            w[j * (rx + 1) + i] * (s[c - i] + s[c + i]);
-    }
-    return sum;
+/* The same for an Euler step without source or walls' values. */
+INLINE int is_plain(const struct update *u, const double *g) {
+    return !g && !u->Y0 && !u->L0 && u->self == 1 && u->old == 0;
 }
 
-INLINE void pair_rows(int rx, int ry, const double *restrict x, ptrdiff_t stride, ptrdiff_t n,
-                      double (*restrict pair)[PAIRED]) {
-    for (int j = 1; j <= ry; j++) {
-        const double *below = x - j * stride, *above = x + j * stride;
-        double *s = &pair[j][REACH_MAX];
-        for (ptrdiff_t c = -rx; c < n + rx; c++) s[c] = below[c] + above[c];
+/* A rod: y or the sums, from the neighbours along x. */
+INLINE void row_rod(int rx, const double *restrict w, const double *restrict x, ptrdiff_t n, int plain, double rate,
+                    double *restrict to) {
+    for (ptrdiff_t c = 0; c < n; c++) {
+        double sum = w[0] * x[c];
+        _Pragma("GCC unroll 8") for (int i = 1; i <= rx; i++) sum += w[i] * (x[c - i] + x[c + i]);
+        to[c] = plain ? x[c] + rate * sum : sum;
     }
 }
 
-INLINE void row_sum(int rx, int ry, int q, const double *restrict w, const double *restrict x, ptrdiff_t stride,
-                    ptrdiff_t n, const struct others *o, double *restrict y) {
-    double pair[REACH_MAX + 1][PAIRED];
-    int plain = !o->g && !o->u.Y0 && !o->u.L0 && o->u.self == 1 && o->u.old == 0;
-    double rate = o->u.rate;
-    for (ptrdiff_t begin = 0; begin < n; begin += PIECE) {
-        ptrdiff_t m = n - begin < PIECE ? n - begin : PIECE;
-        const double *at = x + begin;
-        double *to = y + begin;
-        pair_rows(rx, ry, at, stride, m, pair);
-        if (plain) /* an Euler step without source or walls' values */
-            for (ptrdiff_t c = 0; c < m; c++) to[c] = at[c] + rate * weigh(rx, ry, q, w, at, pair, c);
-        else
-            for (ptrdiff_t c = 0; c < m; c++)
-                to[c] = combine(o, begin + c, weigh(rx, ry, q, w, at, pair, c), at[c], to[c]);
+/* A piece of a row in the plane, in two passes: first along y, which needs no shifted loads,
+ *   column_i = sum_j w_ij (x above + x below at distance j),
+ * then along x: column_0 + sum_i (column_i to the left + to the right).  Offsets have i i + j j <= q; rx, ry and q
+ * are constants where it is inlined. */
+INLINE void row_plane(int rx, int ry, int q, const double *restrict w, const double *restrict x, ptrdiff_t stride,
+                      ptrdiff_t n, int plain, double rate, double *restrict to) {
+    double column[REACH_MAX + 1][PADDED];
+    for (ptrdiff_t c = -rx; c < n + rx; c++) {
+        double pair[REACH_MAX + 1];
+        pair[0] = x[c];
+        _Pragma("GCC unroll 8") for (int j = 1; j <= ry; j++) pair[j] = x[c - j * stride] + x[c + j * stride];
+        _Pragma("GCC unroll 8") for (int i = 0; i <= rx; i++) {
+            double sum = w[i] * pair[0];
+            _Pragma("GCC unroll 8") for (int j = 1; j <= ry; j++) if (i * i + j * j <= q) sum +=
+                w[j * (rx + 1) + i] * pair[j];
+            column[i][c + REACH_MAX] = sum;
+        }
+    }
+    for (ptrdiff_t c = 0; c < n; c++) {
+        double sum = column[0][c + REACH_MAX];
+        _Pragma("GCC unroll 8") for (int i = 1; i <= rx; i++) sum +=
+            column[i][c - i + REACH_MAX] + column[i][c + i + REACH_MAX];
+        to[c] = plain ? x[c] + rate * sum : sum;
     }
 }
 
-/* Any stencil, one offset at a time. */
+/* Any stencil: the same two passes, one offset at a time. */
 INLINE void row_any(int rx, int ry, const double *restrict w, const double *restrict x, ptrdiff_t stride, ptrdiff_t n,
-                    const struct others *o, double *restrict y) {
-    double pair[REACH_MAX + 1][PAIRED], sum[PIECE];
-    for (ptrdiff_t begin = 0; begin < n; begin += PIECE) {
-        ptrdiff_t m = n - begin < PIECE ? n - begin : PIECE;
-        const double *at = x + begin;
-        pair_rows(rx, ry, at, stride, m, pair);
-        for (ptrdiff_t c = 0; c < m; c++) sum[c] = w[0] * at[c];
-        for (int j = 0; j <= ry; j++)
-            for (int i = 0; i <= rx; i++) {
-                double weight = w[j * (rx + 1) + i];
-                const double *s = j ? &pair[j][REACH_MAX] : at;
-                if (weight == 0 || (i == 0 && j == 0)) continue;
-                if (i == 0)
-                    for (ptrdiff_t c = 0; c < m; c++) sum[c] += weight * s[c];
-                else
-                    for (ptrdiff_t c = 0; c < m; c++) sum[c] += weight * (s[c - i] + s[c + i]);
-            }
-        for (ptrdiff_t c = 0; c < m; c++) y[begin + c] = combine(o, begin + c, sum[c], at[c], y[begin + c]);
+                    int plain, double rate, double *restrict to) {
+    double column[PADDED], sum[PIECE] = {0};
+    for (int i = 0; i <= rx; i++) {
+        double *at = column + REACH_MAX;
+        for (ptrdiff_t c = -rx; c < n + rx; c++) at[c] = w[i] * x[c];
+        for (int j = 1; j <= ry; j++) {
+            double weight = w[j * (rx + 1) + i];
+            if (weight == 0) continue;
+            const double *above = x - j * stride, *below = x + j * stride;
+            for (ptrdiff_t c = -rx; c < n + rx; c++) at[c] += weight * (above[c] + below[c]);
+        }
+        for (ptrdiff_t c = 0; c < n; c++) sum[c] += i ? at[c - i] + at[c + i] : at[c];
     }
+    for (ptrdiff_t c = 0; c < n; c++) to[c] = plain ? x[c] + rate * sum[c] : sum[c];
 }
 
 /* The largest i i + j j of an offset with a weight. */
@@ -130,65 +121,87 @@ static int support_of(const struct heat_operator *a) {
     return q;
 }
 
-CLONES static void sweep_rows(const struct heat_operator *a, int q, const struct update *u, const double *x,
-                              double *y, ptrdiff_t begin, ptrdiff_t end) {
-    const struct lattice *l = &a->lattice;
+/* One piece of a row: n <= PIECE particles. */
+INLINE void piece(const struct heat_operator *a, int q, const double *x, ptrdiff_t stride, ptrdiff_t n, int plain,
+                  double rate, double *to) {
     int rx = a->reach[0], ry = a->reach[1];
-    ptrdiff_t n = l->n[0], stride = n + 2 * rx;
     const double *w = a->weight;
-    for (ptrdiff_t j = begin; j < end; j++) {
-        ptrdiff_t at = (j + ry) * stride + rx;
-        struct others o = {*u, a->g ? a->g + at : NULL};
-        if (u->Y0) o.u.Y0 = u->Y0 + at;
-        if (u->L0) o.u.L0 = u->L0 + at;
-        const double *xr = x + at;
-        double *yr = y + at;
-        switch (1000 * rx + 100 * ry + q) {
-        case 1001:
-            row_sum(1, 0, 1, w, xr, stride, n, &o, yr);
-            break;
-        case 2004:
-            row_sum(2, 0, 4, w, xr, stride, n, &o, yr);
-            break;
-        case 3009:
-            row_sum(3, 0, 9, w, xr, stride, n, &o, yr);
-            break;
-        case 4016:
-            row_sum(4, 0, 16, w, xr, stride, n, &o, yr);
-            break;
-        case 1102:
-            row_sum(1, 1, 2, w, xr, stride, n, &o, yr);
-            break;
-        case 2204:
-            row_sum(2, 2, 4, w, xr, stride, n, &o, yr);
-            break;
-        case 2205:
-            row_sum(2, 2, 5, w, xr, stride, n, &o, yr);
-            break;
-        case 2208:
-            row_sum(2, 2, 8, w, xr, stride, n, &o, yr);
-            break;
-        case 3309:
-            row_sum(3, 3, 9, w, xr, stride, n, &o, yr);
-            break;
-        case 4416:
-            row_sum(4, 4, 16, w, xr, stride, n, &o, yr);
-            break;
-        default:
-            row_any(rx, ry, w, xr, stride, n, &o, yr);
-        }
+    switch (1000 * rx + 100 * ry + q) {
+    case 1001:
+        row_rod(1, w, x, n, plain, rate, to);
+        break;
+    case 2004:
+        row_rod(2, w, x, n, plain, rate, to);
+        break;
+    case 3009:
+        row_rod(3, w, x, n, plain, rate, to);
+        break;
+    case 4016:
+        row_rod(4, w, x, n, plain, rate, to);
+        break;
+    case 1102:
+        row_plane(1, 1, 2, w, x, stride, n, plain, rate, to);
+        break;
+    case 2204:
+        row_plane(2, 2, 4, w, x, stride, n, plain, rate, to);
+        break;
+    case 2205:
+        row_plane(2, 2, 5, w, x, stride, n, plain, rate, to);
+        break;
+    case 2208:
+        row_plane(2, 2, 8, w, x, stride, n, plain, rate, to);
+        break;
+    case 3309:
+        row_plane(3, 3, 9, w, x, stride, n, plain, rate, to);
+        break;
+    case 4416:
+        row_plane(4, 4, 16, w, x, stride, n, plain, rate, to);
+        break;
+    default:
+        row_any(rx, ry, w, x, stride, n, plain, rate, to);
     }
 }
 
-CLONES static void sweep_csr(const struct heat_operator *a, const struct update *u, const double *restrict x,
-                             double *restrict y, ptrdiff_t begin, ptrdiff_t end) {
-    struct others o = {*u, a->g};
+CLONES static void sweep_rows(const struct heat_operator *a, int q, const struct update *u, const double *x,
+                              double *y, ptrdiff_t begin, ptrdiff_t end) {
+    const struct lattice *l = &a->lattice;
+    ptrdiff_t nx = l->n[0], stride = nx + 2 * a->reach[0];
+    int plain = is_plain(u, a->g);
+    double sum[PIECE];
+    for (ptrdiff_t j = begin; j < end; j++)
+        for (ptrdiff_t i = 0; i < nx; i += PIECE) {
+            ptrdiff_t at = (j + a->reach[1]) * stride + a->reach[0] + i, n = nx - i < PIECE ? nx - i : PIECE;
+            piece(a, q, x + at, stride, n, plain, u->rate, plain ? y + at : sum);
+            if (plain) continue;
+            struct update here = *u;
+            if (u->Y0) here.Y0 = u->Y0 + at;
+            if (u->L0) here.L0 = u->L0 + at;
+            finish(&here, a->g ? a->g + at : NULL, n, sum, x + at, y + at);
+        }
+}
+
+/* Four partial sums a row: additions that do not wait for each other, in an order that does not change. */
+INLINE double row_csr(const struct heat_operator *a, const double *restrict x, size_t i) {
     const double *restrict value = a->value;
     const uint32_t *restrict column = a->column;
-    for (ptrdiff_t i = begin; i < end; i++) {
-        double sum = a->diagonal[i] * x[i];
-        for (size_t k = a->row[i]; k < a->row[i + 1]; k++) sum += value[k] * x[column[k]];
-        y[i] = combine(&o, i, sum, x[i], y[i]);
+    double sum[4] = {a->diagonal[i] * x[i], 0, 0, 0};
+    size_t k = a->row[i], end = a->row[i + 1];
+    for (; k + 4 <= end; k += 4)
+        for (size_t p = 0; p < 4; p++) sum[p] += value[k + p] * x[column[k + p]];
+    for (; k < end; k++) sum[0] += value[k] * x[column[k]];
+    return (sum[0] + sum[1]) + (sum[2] + sum[3]);
+}
+
+CLONES static void sweep_csr(const struct heat_operator *a, const struct update *u, const double *x, double *y,
+                             ptrdiff_t begin, ptrdiff_t end) {
+    double sum[PIECE];
+    for (ptrdiff_t at = begin; at < end; at += PIECE) {
+        ptrdiff_t n = end - at < PIECE ? end - at : PIECE;
+        for (ptrdiff_t i = 0; i < n; i++) sum[i] = row_csr(a, x, (size_t)(at + i));
+        struct update here = *u;
+        if (u->Y0) here.Y0 = u->Y0 + at;
+        if (u->L0) here.L0 = u->L0 + at;
+        finish(&here, a->g ? a->g + at : NULL, n, sum, x + at, y + at);
     }
 }
 

@@ -1,7 +1,8 @@
 /* Collecting, measuring and gating claims.
  *
  * A statement is *reproduced* where it holds as published and in the wider setting that the row also looks at;
- * *reproduced with a condition* where it holds as published alone, or under one reading alone; else *contradicted*.
+ * *reproduced with a condition* where it holds as published alone, or under one of two readings that the paper leaves
+ * open; else *contradicted*.
  * No verdict is written down anywhere but as the one expected, and one that differs from it is a failure. */
 #include "verification/claims.h"
 

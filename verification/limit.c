@@ -46,7 +46,8 @@ int limit_request(const struct request *r, struct probe *b, struct failure *why)
 static int song_bound(const struct probe *b, const struct neighbourhood *nb, void *strictest, struct failure *why) {
     double w[2][NEIGHBOURS_MAX], *out[2] = {w[0], w[1]}, sum[2] = {0, 0}, *least = strictest;
     int sweeps = b->method->scheme->sweeps;
-    if (b->method->scheme->weights(NULL, &b->options, nb, out, why)) return why->status;
+    struct problem p = probe_problem(b, PROBE_NOISE, 0);
+    if (b->method->scheme->weights(&p, &b->options, nb, out, why)) return why->status;
     for (size_t k = 0; k < nb->n; k++)
         for (int a = 0; a < (sweeps == 2 ? b->dim : 1); a++) sum[a] += sweeps == 2 ? fabs(w[a][k]) : w[a][k];
     double bound = sweeps == 2 ? 0.5 / (sum[0] * sum[0] + sum[1] * sum[1]) : 1 / fabs(sum[0]);

@@ -168,6 +168,7 @@ const struct option options_table[] = {
     {"set", "set", "NAME=VALUE", "override a parameter of the scene (see: heatladder list scenes)", read_set, 0, NULL,
      FINITE, 2},
     {"error", "error", "E", "the error (E1) to be reached", read_number, IN(error), NULL, POSITIVE, 0},
+    {"scene", "scene", "SCENE", "that scene alone", read_text, IN(only), NULL, FINITE, 0},
     {"solver", "solver", "'CMD'", "a program that stands in for METHOD; {case} and {out} in CMD become paths",
      read_text, IN(solver), NULL, FINITE, 0},
     {"field", "field", "FILE", "write the points, the temperature and the exact one as CSV", read_text,

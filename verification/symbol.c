@@ -67,11 +67,16 @@ double symbol_weight(const struct symbol *s, int i, int j) {
 
 double complex symbol_at(const struct symbol *s, const double theta[2]) {
     double re = 0, im = 0;
-    for (int j = -s->reach[1]; j <= s->reach[1]; j++)
-        for (int i = -s->reach[0]; i <= s->reach[0]; i++) {
-            double w = s->w[place(s, i, j)], phase = i * theta[0] + j * theta[1];
-            if (w != 0) re += w * cos(phase), im += w * sin(phase);
+    for (int j = -s->reach[1]; j <= s->reach[1]; j++) {
+        const double *w = &s->w[place(s, 0, j)];
+        double row_re = w[0], row_im = 0;
+        for (int i = 1; i <= s->reach[0]; i++) {
+            row_re += (w[i] + w[-i]) * cos(i * theta[0]);
+            if (w[i] != w[-i]) row_im += (w[i] - w[-i]) * sin(i * theta[0]);
         }
+        double c = cos(j * theta[1]), d = sin(j * theta[1]);
+        re += row_re * c - row_im * d, im += row_re * d + row_im * c;
+    }
     return re + I * im;
 }
 

@@ -3,6 +3,7 @@
 
 #include "references/scene.h"
 #include "solver/method.h"
+#include "verification/claims.h"
 #include "verification/gates.h"
 #include "verification/request.h"
 #include "verification/table.h"
@@ -69,11 +70,22 @@ static void list_gates(void) {
                 printf("  %s %s\n", scenes[s]->name, methods[m]->name);
 }
 
+static void list_claims(void) {
+    for (const struct claims_row *row = claims_table; row->id; row++)
+        printf("%s: %s (%s)\n  expected: %s\n", row->id, row->published, row->source,
+               claims_verdict_words[row->expected]);
+}
+
 static const struct topic {
     const char *name;
     void (*list)(void);
-} topics[] = {{"scenes", list_scenes},     {"methods", list_methods}, {"kernels", list_kernels},
-              {"steppers", list_steppers}, {"gates", list_gates},     {0}};
+} topics[] = {{"scenes", list_scenes},
+              {"methods", list_methods},
+              {"kernels", list_kernels},
+              {"steppers", list_steppers},
+              {"gates", list_gates},
+              {"claims", list_claims},
+              {0}};
 
 int verb_list(const struct request *r) {
     const char *names[WORDS_MAX] = {0};

@@ -1,0 +1,25 @@
+#ifndef HEATLADDER_VERIFICATION_BENCH_ENGINE_H
+#define HEATLADDER_VERIFICATION_BENCH_ENGINE_H
+
+/* How fast the hot loops are, beside what the machine's memory allows. */
+
+enum { BENCH_ENGINE_MOST = 24 };
+
+struct bench_engine_row {
+    const char *what, *unit;
+    double value, lowest, highest; /* median and extremes */
+    double aim;                    /* NaN for none */
+    int at_most;                   /* 1: value <= aim is wanted; 0: value >= aim */
+};
+
+struct bench_engine {
+    int count;
+    struct bench_engine_row row[BENCH_ENGINE_MOST];
+};
+
+void bench_engine_run(struct bench_engine *e);
+
+/* 1 where the row has no aim or holds it. */
+int bench_engine_holds(const struct bench_engine_row *row);
+
+#endif

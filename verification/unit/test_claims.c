@@ -1,0 +1,219 @@
+/* Claims: that no verdict can come from anywhere but a measurement, and that none can change unseen. */
+#include "verification/claims.h"
+
+#include "solver/method.h"
+#include "verification/claims_write.h"
+
+#include "verification/unit/near.h"
+
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <unistd.h>
+
+static struct claims_row row(const char *measure, const char *argument, enum claims_verdict expected) {
+    return (struct claims_row){"test/a", "a test, \"eq. 1\"", "|G| <= 1, always", measure, argument, expected,
+                               "because"};
+}
+
+static struct claims_measured judge(const char *measure, const char *argument, enum claims_verdict expected) {
+    struct claims_row r = row(measure, argument, expected);
+    struct claims_measured m;
+    claims_judge(&r, &m);
+    return m;
+}
+
+static void assert_holds_text(const char *text, const char *part) {
+    if (!strstr(text, part)) fail_msg("\"%s\" does not hold \"%s\"", text, part);
+}
+
+/* Errors that fall exactly with dx^2, dx^1.5 */
+#define SECOND "X 0.3:0.09 0.2:0.04 0.1:0.01"
+#define BETWEEN "X 0.4:0.8 0.1:0.1"
+
+static void the_numbers_decide(void **state) {
+    (void)state;
+    struct claims_measured m = judge("printed_order", "2 " SECOND, CLAIMS_REPRODUCED);
+    assert_int_equal(m.verdict, CLAIMS_REPRODUCED);
+    assert_int_equal(m.count, 1);
+    assert_near(m.number[0].value, 2, 1e-12);
+    assert_int_equal(judge("printed_order", "1 " SECOND, CLAIMS_CONTRADICTED).verdict, CLAIMS_CONTRADICTED);
+    assert_int_equal(judge("printed_order", "2 " BETWEEN, CLAIMS_REPRODUCED).verdict, CLAIMS_CONTRADICTED);
+}
+
+static void a_condition_is_what_holds_as_published_alone(void **state) {
+    (void)state;
+    static const char midway[] = "2 | midway: rod-step so_ssph --dx 4/40,4/80,4/160,4/320 | "
+                                 "on a particle: rod-step so_ssph --dx 4/44,4/84,4/164,4/324";
+    struct claims_measured m = judge("order", midway, CLAIMS_CONDITION);
+    assert_int_equal(m.verdict, CLAIMS_CONDITION);
+    assert_int_equal(m.count, 2);
+    assert_holds_text(m.number[1].name, "on a particle");
+    assert_near(m.number[1].value, 1, 0.05);
+    m = judge("order", "2 | on a particle: rod-step so_ssph --dx 4/44,4/84,4/164,4/324", CLAIMS_CONDITION);
+    assert_int_equal(m.verdict, CLAIMS_CONTRADICTED);
+}
+
+static void a_verdict_that_changes_is_seen(void **state) {
+    (void)state;
+    struct claims_row r = row("printed_order", "2 " SECOND, CLAIMS_CONDITION);
+    struct claims_measured m;
+    claims_judge(&r, &m);
+    assert_int_equal(m.verdict, CLAIMS_REPRODUCED);
+    assert_false(claims_holds(&r, &m));
+    assert_holds_text(m.reason, "the verdict changed, expected: reproduced with a condition");
+    struct claims_result result = {&r, m, 0};
+    struct claims c = {1, &result};
+    assert_false(claims_hold(&c));
+    r.expected = CLAIMS_REPRODUCED;
+    assert_true(claims_hold(&c));
+    assert_false(claims_hold(&(struct claims){0, NULL}));
+}
+
+static void what_cannot_be_measured_never_holds(void **state) {
+    (void)state;
+    static const struct {
+        const char *measure, *argument, *reason;
+    } bad[] = {{"ordr", "", "unknown measure 'ordr'; did you mean 'order'?"},
+               {"order", "2 | rod-setp so_ssph --dx 1,0.5", "unknown scene 'rod-setp'"},
+               {"table", "rod-step --h 1.05 | so_ssph 0.7:1", "--dx 0.7"},
+               {"table", "rod-step --h 9 | so_ssph 0.5:1", "--h"},
+               {"printed_order", "2 X 0.1:0 0.2:0.1", "not finite"},
+               {"printed_order", "", "nothing was measured"}};
+    for (size_t i = 0; i < sizeof bad / sizeof *bad; i++)
+        for (int expected = CLAIMS_UNMEASURED; expected <= CLAIMS_CONTRADICTED; expected++) {
+            struct claims_row r = row(bad[i].measure, bad[i].argument, (enum claims_verdict)expected);
+            struct claims_measured m;
+            claims_judge(&r, &m);
+            assert_int_equal(m.verdict, CLAIMS_UNMEASURED);
+            assert_false(claims_holds(&r, &m));
+            assert_holds_text(m.reason, bad[i].reason);
+        }
+}
+
+static void rows_are_whole_and_named_once(void **state) {
+    (void)state;
+    int n = 0;
+    for (const struct claims_row *r = claims_table; r->id; r++, n++) {
+        assert_true(strncmp(r->id, "song/", 5) == 0 || strncmp(r->id, "pamplona/", 9) == 0);
+        assert_true(*r->source && *r->published && *r->measure);
+        assert_int_not_equal(r->expected, CLAIMS_UNMEASURED);
+        for (const struct claims_row *other = claims_table; other < r; other++)
+            assert_string_not_equal(other->id, r->id);
+    }
+    assert_true(n > 60);
+}
+
+static void rows_hold_when_run(void **state) {
+    (void)state;
+    struct claims c;
+    struct failure why;
+    assert_int_equal(claims_collect("pamplona/eq[29]*", &c, &why), STATUS_OK);
+    assert_int_equal(c.count, 2);
+    claims_run(&c);
+    for (int i = 0; i < c.count; i++)
+        if (!claims_holds(c.result[i].row, &c.result[i].measured)) fail_msg("%s", c.result[i].measured.reason);
+    assert_true(claims_hold(&c));
+    claims_free(&c);
+    assert_int_equal(claims_collect("pamplona/eq99", &c, &why), STATUS_INPUT);
+    assert_holds_text(why.text, "no claim matches 'pamplona/eq99'");
+    claims_free(&c);
+}
+
+static void every_number_that_a_reader_needs_is_there(void **state) {
+    (void)state;
+    struct claims_row r = row("printed_order", "2 " SECOND, CLAIMS_REPRODUCED);
+    struct claims_result result = {.row = &r, .seconds = 0.25};
+    char numbers[80];
+    claims_judge(&r, &result.measured);
+    claims_numbers(&result.measured, numbers, sizeof numbers);
+    assert_string_equal(numbers, "slope of X 2");
+    claims_numbers(&result.measured, numbers, 6);
+    assert_string_equal(numbers, "slope");
+}
+
+/* What one claim looks like in a file of each kind. */
+static char *printed(void (*print)(const struct claims *c, FILE *out)) {
+    struct claims_row r = row("printed_order", "2 " SECOND, CLAIMS_REPRODUCED);
+    r.id = "song/test";
+    struct claims_result result = {.row = &r, .seconds = 0.25};
+    struct claims c = {1, &result};
+    char *text = NULL;
+    size_t size = 0;
+    claims_judge(&r, &result.measured);
+    FILE *out = open_memstream(&text, &size);
+    print(&c, out);
+    fclose(out);
+    return text;
+}
+
+static void json_has_the_fields_of_the_contract(void **state) {
+    (void)state;
+    static const char *const part[] = {"\"claims\": [",
+                                       "\"id\": \"song/test\"",
+                                       "\"source\": \"a test, \\\"eq. 1\\\"\"",
+                                       "\"published\": \"|G| <= 1, always\"",
+                                       "\"measured\": \"slope of X 2\"",
+                                       "\"name\": \"slope of X\"",
+                                       "\"verdict\": \"reproduced\"",
+                                       "\"expected\": \"reproduced\"",
+                                       "\"reason\": \"slope of the printed numbers"};
+    char *text = printed(claims_write_json);
+    for (size_t i = 0; i < sizeof part / sizeof *part; i++) assert_holds_text(text, part[i]);
+    free(text);
+}
+
+static void tables_keep_quotes_and_bars(void **state) {
+    (void)state;
+    char *text = printed(claims_write_csv);
+    assert_holds_text(text, "id,source,published,measured,verdict,expected,reason\n");
+    assert_holds_text(text,
+                      "\"song/test\",\"a test, \"\"eq. 1\"\"\",\"|G| <= 1, always\",\"slope of X 2\",\"reproduced\"");
+    free(text);
+    text = printed(claims_write_markdown);
+    assert_holds_text(text, "| \\|G\\| \\<= 1, always ");
+    assert_holds_text(text, "| *reproduced* ");
+    assert_null(strstr(text, "0.25")); /* no time: equal verdicts make equal files */
+    free(text);
+    text = printed(claims_write_text);
+    assert_holds_text(
+        text, "1 claims: 1 reproduced, 0 with a condition, 0 contradicted, 0 not measured; 0 verdicts changed");
+    free(text);
+}
+
+static void files_are_written_or_refused(void **state) {
+    (void)state;
+    char dir[] = "/tmp/test_claims.XXXXXX", path[64];
+    struct claims_row r = row("printed_order", "2 " SECOND, CLAIMS_REPRODUCED);
+    struct claims_result result = {.row = &r};
+    struct claims c = {1, &result};
+    struct failure why;
+    assert_non_null(mkdtemp(dir));
+    claims_judge(&r, &result.measured);
+    assert_int_equal(claims_write_check(dir, &why), STATUS_OK);
+    assert_int_equal(claims_write_files(&c, dir, &why), STATUS_OK);
+    static const char *const name[] = {"claims.csv", "claims.md"};
+    for (int i = 0; i < 2; i++) {
+        snprintf(path, sizeof path, "%s/%s", dir, name[i]);
+        assert_int_equal(unlink(path), 0);
+    }
+    assert_int_equal(rmdir(dir), 0); /* nothing else was left there */
+    assert_int_equal(claims_write_check("/nowhere/at/all", &why), STATUS_INPUT);
+    assert_holds_text(why.text, "/nowhere/at/all");
+}
+
+int main(void) {
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(the_numbers_decide),
+        cmocka_unit_test(a_condition_is_what_holds_as_published_alone),
+        cmocka_unit_test(a_verdict_that_changes_is_seen),
+        cmocka_unit_test(what_cannot_be_measured_never_holds),
+        cmocka_unit_test(rows_are_whole_and_named_once),
+        cmocka_unit_test(rows_hold_when_run),
+        cmocka_unit_test(every_number_that_a_reader_needs_is_there),
+        cmocka_unit_test(json_has_the_fields_of_the_contract),
+        cmocka_unit_test(tables_keep_quotes_and_bars),
+        cmocka_unit_test(files_are_written_or_refused),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
