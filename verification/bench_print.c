@@ -98,6 +98,13 @@ static void write_row(const struct bench_row *r, FILE *out) {
             r->candidate->label);
 }
 
+/* A plotter takes the last word of the header for the legend, so that no comma may be in it. */
+static void write_header(const struct candidate *c, int first, FILE *out) {
+    fprintf(out, "%s# %s\nn,particles,E1,seconds,lowest,highest,work,bytes,updates,", first ? "" : "\n\n", c->label);
+    for (const char *at = c->label; *at; at++) fputc(*at == ',' ? ';' : *at, out);
+    fputc('\n', out);
+}
+
 static void write_front(const struct bench_scene *b, int by_work, FILE *out) {
     double below = 0;
     fprintf(out, "\n\n# front by %s\nn,particles,E1,seconds,lowest,highest,work,bytes,updates,Pareto front\n",
@@ -132,9 +139,7 @@ int bench_print_data(const struct bench_scene *b, const char *dir, struct failur
             fprintf(out, "# failed: %s, %d along x: %s\n", r->candidate->label, r->n, r->result.failure.text);
             continue;
         }
-        if (r->candidate != last)
-            fprintf(out, "%s# %s\nn,particles,E1,seconds,lowest,highest,work,bytes,updates,\"%s\"\n",
-                    last ? "\n\n" : "", r->candidate->label, r->candidate->label);
+        if (r->candidate != last) write_header(r->candidate, last == NULL, out);
         last = r->candidate;
         write_row(r, out);
     }
