@@ -117,6 +117,7 @@ static int integrate(const struct problem *p, const struct options *o, const str
     }
     struct march m;
     if (particles_march(p, o, s, l, a, &m, why)) return why->status;
+    f->bound = operator_bound(a);
     data_range(p, f, &m.lo, &m.hi);
     f->steps = m.steps, f->stages = m.stages, f->dt = m.time / (double)m.steps;
     f->updates = (long long)a->n * m.steps * m.stages;

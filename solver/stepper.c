@@ -8,6 +8,7 @@
 #include "solver/stepper.h"
 
 #include <math.h>
+#include <stdio.h>
 #include <stdlib.h>
 
 int stepper_stages(double dt, double bound) {
@@ -17,8 +18,8 @@ int stepper_stages(double dt, double bound) {
 
 /* Where a run has left its bounds: its particle, or n. */
 static size_t find_escape(const struct march *m, const double *T, size_t n) {
-    double half = fmax((m->hi - m->lo) / 2, 1e-6 * fmax(fabs(m->lo), fabs(m->hi))), lo = m->lo - half,
-           hi = m->hi + half;
+    double half = fmax((m->hi - m->lo) / 2, 1e-6 * fmax(fabs(m->lo), fabs(m->hi)));
+    double lo = m->lo - half, hi = m->hi + half;
     for (size_t i = 0; i < n; i++)
         if (!(T[i] >= lo && T[i] <= hi)) return i;
     return n;
@@ -29,11 +30,14 @@ static int look(const struct march *m, const struct heat_operator *a, const doub
     operator_store(a, state, T);
     size_t i = find_escape(m, T, a->n);
     if (i == a->n) return STATUS_OK;
+    double dt = m->time / (double)m->steps;
+    char where[64] = "";
+    if (m->x) snprintf(where, sizeof where, " at (%.6g, %.6g) m", m->x[i], m->y ? m->y[i] : 0);
     return fail(
         why, STATUS_NUMERICAL,
-        "unstable: at step %lld of %lld (t = %.6g s) particle %zu has %.4g K, the data lie in [%.4g, %.4g] K; "
+        "unstable: at step %lld of %lld (t = %.6g s) particle %zu%s has %.4g K, the data lie in [%.4g, %.4g] K; "
         "dt = %.6g s is too large",
-        step, m->steps, m->time * (double)step / (double)m->steps, i, T[i], m->lo, m->hi, m->time / (double)m->steps);
+        step, m->steps, dt * (double)step, i, where, T[i], m->lo, m->hi, dt);
 }
 
 static double b_of(int j) { /* b_j of RKL2, with b_0 = b_1 = b_2 */

@@ -147,6 +147,13 @@ static int check_together(const struct request *r, struct failure *why) {
                     r->dt.count ? "dt" : "fourier");
     if (o->jitter > 0 && o->layout != LAYOUT_JITTER)
         return fail(why, STATUS_INPUT, "--jitter %g needs --layout jitter", o->jitter);
+    if (r->time_error > 0 && (r->dt.count || r->fourier.count))
+        return fail(why, STATUS_INPUT, "--time-error %g finds the time step: leave out --dt and --fourier",
+                    r->time_error);
+    if (r->time_error > 0 && (o->stepper == STEPPER_EXACT || o->stepper == STEPPER_MATCHED))
+        return fail(why, STATUS_INPUT,
+                    "--time-error %g: --stepper %s leaves no time step to choose; euler, rk2 and rkl2 do",
+                    r->time_error, stepper_words[o->stepper]);
     if (o->xi > 0 && o->volume != VOLUME_TUNED) return fail(why, STATUS_INPUT, "--xi %g needs --volume tuned", o->xi);
     if (r->at.count > 2 || (r->at.count && r->scene && r->at.count != r->problem.dim))
         return fail(why, STATUS_INPUT, "--at needs %s for %s", r->problem.dim == 2 ? "X,Y" : "one number",

@@ -35,7 +35,8 @@ int endurance_run(const struct probe *given, double F, long long steps, struct e
     int status = STATUS_OK;
     *e = (struct endurance){.rise = -INFINITY};
     for (; e->steps < steps && !status; e->steps += LOOK) {
-        struct march m = {b.step.stepper, F * LOOK, LOOK, 0, b.step.stages, 1, 2};
+        struct march m = {
+            .stepper = b.step.stepper, .time = F * LOOK, .steps = LOOK, .stages = b.step.stages, .lo = 1, .hi = 2};
         size_t bytes = 0;
         status = stepper_march(&a, &m, T, &bytes, why);
         e->mean = heat(T, a.n, &largest);

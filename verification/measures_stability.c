@@ -91,7 +91,8 @@ static double factor(const struct amplify *step, double dt) {
     size_t row[2] = {0, 0}, bytes = 0;
     double diagonal[1] = {-1}, T[1] = {1};
     struct heat_operator a = {.n = 1, .state = 1, .row = row, .diagonal = diagonal};
-    struct march m = {step->stepper, dt, 1, 0, step->stages, -1e300, 1e300};
+    struct march m = {
+        .stepper = step->stepper, .time = dt, .steps = 1, .stages = step->stages, .lo = -1e300, .hi = 1e300};
     struct failure why;
     return stepper_march(&a, &m, T, &bytes, &why) ? NAN : T[0];
 }

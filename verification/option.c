@@ -169,6 +169,8 @@ const struct option options_table[] = {
      FINITE, 2},
     {"error", "error", "E", "the error (E1) to be reached", read_number, IN(error), NULL, POSITIVE, 0},
     {"scene", "scene", "SCENE", "that scene alone", read_text, IN(only), NULL, FINITE, 0},
+    {"time-error", "time-error", "E", "take the longest time step whose error (E1) is E, by step doubling",
+     read_number, IN(time_error), NULL, POSITIVE, 0},
     {"solver", "solver", "'CMD'", "a program that stands in for METHOD; {case} and {out} in CMD become paths",
      read_text, IN(solver), NULL, FINITE, 0},
     {"field", "field", "FILE", "write the points, the temperature and the exact one as CSV", read_text,

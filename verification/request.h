@@ -30,6 +30,7 @@ struct request {
     struct numbers at;           /* m: x, or x and y */
     struct numbers expect;       /* lowest and highest slope that pass */
     double time;                 /* s */
+    double time_error;           /* E1 that the time step may make up; 0: not asked for */
     double error;                /* choose: E1 to be reached */
     const char *solver;          /* the command of a program that stands in for the method; NULL for none */
     struct method *external;     /* owned: what `method` is then; else NULL */

@@ -43,6 +43,7 @@ void result_json(const struct result *r, struct json *j) {
     json_number(j, "fourier", r->fourier);
     json_whole(j, "steps", r->steps);
     json_whole(j, "stages", r->stages);
+    json_number(j, "saving_over_euler", r->options.stepper == STEPPER_RKL2 ? r->saving : NAN);
     json_number(j, "t_end", r->t_end);
     json_whole(j, "particles", (long long)r->particles);
     json_number(j, "error_l1", r->error.l1);

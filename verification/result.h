@@ -18,7 +18,8 @@ struct result {
     double dt;              /* s; 0 for the exact stepper */
     double fourier;         /* dt max(kappa) / dx^2 */
     long long steps;
-    int stages; /* operator applications a step */
+    int stages;    /* operator applications a step */
+    double saving; /* updates of the fewest stable Euler steps over those taken (RKL2); NaN where unknown */
     size_t particles;
     struct norms_error error;
     struct norms_error interior,

@@ -7,8 +7,8 @@
  *     e(M) = |T_N - T_M| / ((M/N)^p - 1),   T_inf = T_M + (T_M - T_N) / ((M/N)^p - 1)          (Richardson 1911)
  *
  * are the time error of the finer one and the field without any.  Two cheap runs give both; they foretell the M at
- * which e(M) is 1 % of the error of T_inf, and the run at that M is measured against the one before.  Norms are E1's.
- */
+ * which e(M) is 1 % of the error of T_inf, or at which it is what --time-error asks for, and the run at that M is
+ * measured against the one before.  Norms are E1's. */
 #include "verification/stepping.h"
 
 #include "references/scene.h"
@@ -51,7 +51,7 @@ static double first_steps(const struct request *r, const struct options *o) {
         for (int a = 0; a < r->problem.dim; a++)
             kappa = fmax(kappa, r->problem.material[m].k[a] / r->problem.material[m].rho_c);
     double steps = r->problem.t_end * kappa / (FOURIER / r->problem.dim * o->dx * o->dx);
-    if (o->stepper == STEPPER_RKL2) steps = sqrt(steps) / 2; /* some ten stages a step */
+    if (o->stepper == STEPPER_RKL2) steps = r->time_error > 0 ? 2 : sqrt(steps) / 2; /* some ten stages a step */
     return fmax(1, ceil(steps));
 }
 
@@ -98,9 +98,10 @@ static int refine(const struct request *r, const struct options *o, int order, s
     norms_exact(r->scene, &r->problem, &fine->field, exact);
     for (int round = 0; round < ROUNDS; round++) {
         struct estimate e = compare(r, coarse, fine, exact, order);
+        double asked = r->time_error, target = asked > 0 ? asked : SHARE * e.space;
         *time_error = e.time / e.whole;
-        if (*time_error <= SHARE || e.time <= FLOOR) break;
-        double steps = ceil(fine->steps * fmax(1.1, pow(e.time / (MARGIN * SHARE * e.space), 1.0 / order)));
+        if (asked > 0 ? e.time <= asked : *time_error <= SHARE || e.time <= FLOOR) break;
+        double steps = ceil(fine->steps * fmax(1.1, pow(e.time / (MARGIN * target), 1.0 / order)));
         if (!(steps * (double)fine->field.n * order <= UPDATES_MAX)) break;
         field_free(&coarse->field);
         *coarse = *fine;
@@ -132,6 +133,7 @@ int stepping_solve(const struct request *r, struct options *o, struct field *f, 
     int given = o->dt > 0 || o->fourier > 0, particles = r->method->scheme != NULL;
     *time_error = NAN;
     if (r->solver) return external_solve(r, o, f, why); /* its time step is its own */
+    if (o->stepper == STEPPER_AUTO && r->time_error > 0 && particles) o->stepper = STEPPER_RKL2;
     if (o->stepper == STEPPER_AUTO && !given && particles) {
         o->stepper = STEPPER_EXACT;
         int status = solve(r, o, f, why);

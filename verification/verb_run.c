@@ -19,6 +19,8 @@ static void print_text(const struct result *r) {
     if (r->steps > 0)
         printf("  %-14s %.6g s (mesh Fourier number %.4g), %lld steps of %d stage%s\n", "dt", r->dt, r->fourier,
                r->steps, r->stages, r->stages == 1 ? "" : "s");
+    if (r->options.stepper == STEPPER_RKL2 && r->saving > 0)
+        printf("  %-14s the fewest stable Euler steps take %.3g times the updates\n", "saving", r->saving);
     printf("  %-14s E1 %.4e   L2 %.4e   L-infinity %.4e K\n", "error", r->error.l1, r->error.l2, r->error.linf);
     if (r->time_error > 0) printf("  %-14s %.2g %% of E1\n", "time error", 100 * r->time_error);
     printf("  %-14s %.6g to %.6g K, past the initial range by %.2e above, %.2e below\n", "temperature", r->shape.min,
