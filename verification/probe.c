@@ -132,7 +132,13 @@ static int march(const struct probe *b, const struct problem *p, double F, long 
         double x[2] = {(double)(i % (size_t)b->n) + 0.5, (double)(i / (size_t)b->n) + 0.5};
         T[i] = p->initial(p, x);
     }
-    struct march m = {b->step.stepper, F * (double)steps, steps, 0, b->step.stages, -1, 1};
+    struct march m = {.stepper = b->step.stepper,
+                      .time = F * (double)steps,
+                      .steps = steps,
+                      .uneven = 0,
+                      .stages = b->step.stages,
+                      .lo = -1,
+                      .hi = 1};
     size_t bytes = 0;
     int status = stepper_march(&a, &m, T, &bytes, why);
     *largest = largest_of(T, a.n);
