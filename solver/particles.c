@@ -119,6 +119,7 @@ static int integrate(const struct problem *p, const struct options *o, const str
     if (particles_march(p, o, s, l, a, &m, why)) return why->status;
     f->bound = operator_bound(a);
     data_range(p, f, &m.lo, &m.hi);
+    m.x = f->x, m.y = f->y;
     f->steps = m.steps, f->stages = m.stages, f->dt = m.time / (double)m.steps;
     f->updates = (long long)a->n * m.steps * m.stages;
     f->interactions = (long long)a->pairs * m.steps * m.stages;
