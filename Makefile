@@ -82,7 +82,7 @@ figures: $(FIGURES)
 
 $(OUT)/%.svg $(OUT)/%.png: reports/%.gp $(filter-out $(wildcard reports/*_fig*.gp),$(wildcard reports/*.gp)) $(OUT)/report.stamp
 	@echo "  PLOT  $(@:.svg=)"
-	$(Q)for kind in svg png; do gnuplot -e "out='$(OUT)'; kind='$$kind'" $< || exit 1; done
+	$(Q)scripts/plot $(OUT) $<
 
 # The figures that README.md shows.
 GALLERY := song_fig1b song_fig2a song_fig2b song_fig5 pamplona_fig5 pamplona_fig7b
@@ -104,8 +104,8 @@ STABILITY := $(wildcard reports/stability_*.gp)
 stability: $(BUILD)/heatladder ## Measure where methods fail and draw it, to reports/out
 	@mkdir -p $(OUT)
 	$(Q)$(BUILD)/heatladder stability $(OUT)
-	$(Q)if command -v gnuplot >/dev/null; then for f in $(STABILITY); do for kind in svg png; do \
-	gnuplot -e "out='$(OUT)'; kind='$$kind'" $$f || exit 1; done; done; \
+	$(Q)if command -v gnuplot >/dev/null; then for f in $(STABILITY); do \
+	scripts/plot $(OUT) $$f || exit 1; done; \
 	else echo "stability: gnuplot is not here (make setup installs it); figures were not drawn"; fi
 
 # A benchmark says by which flags it was compiled.
@@ -118,9 +118,30 @@ bench: $(BUILD)/heatladder ## Chart error against time and counted work, and mea
 	@mkdir -p $(BENCH)
 	$(Q)$(BUILD)/heatladder bench $(BENCH) > $(BENCH)/bench.txt; status=$$?; cat $(BENCH)/bench.txt; exit $$status
 	$(Q)if command -v gnuplot >/dev/null; then for data in $(BENCH)/bench_*.csv; do \
-	for chart in time work growth; do for kind in svg png; do \
-	gnuplot -e "out='$(BENCH)'; kind='$$kind'; data='$$data'" reports/bench_$$chart.gp || exit 1; done; done; done; \
+	for chart in time work growth; do \
+	scripts/plot $(BENCH) reports/bench_$$chart.gp $$data || exit 1; done; done; \
 	else echo "bench: gnuplot is not here (make setup installs it); charts were not drawn"; fi
+
+.PHONY: setup-peers
+setup-peers: ## Install the programs that bench-peers measures, where the system's packages have them
+	$(Q)scripts/setup-peers
+
+$(BUILD)/peers/sundials: verification/peers/sundials.c
+	@mkdir -p $(@D)
+	@echo "  PEER  $@"
+	$(Q)$(CC) -std=c11 -D_XOPEN_SOURCE=700 -O3 $(WARN) -Wno-conversion -o $@ $< \
+	-lsundials_cvode -lsundials_arkode -lsundials_nvecserial -lsundials_sunlinsolspgmr -lm
+
+.PHONY: bench-peers
+bench-peers: $(BUILD)/heatladder ## Chart SUNDIALS, SciPy and PySPH beside ours, to reports/out/peers (see setup-peers)
+	@mkdir -p $(OUT)/peers
+	$(Q)if echo '#include <cvode/cvode.h>' | $(CC) -E -x c - >/dev/null 2>&1; then \
+	$(MAKE) --no-print-directory $(BUILD)/peers/sundials; fi
+	$(Q)scripts/bench-peers $(BUILD)/heatladder $(BUILD)/peers $(OUT)/peers > $(OUT)/peers/peers.txt; status=$$?; \
+	cat $(OUT)/peers/peers.txt; exit $$status
+	$(Q)if command -v gnuplot >/dev/null; then for data in $(OUT)/peers/peers_*.csv; do \
+	scripts/plot $(OUT)/peers reports/peers.gp $$data || exit 1; done; \
+	else echo "bench-peers: gnuplot is not here (make setup installs it); charts were not drawn"; fi
 
 .PHONY: setup
 setup: ## Install what the build needs and this machine lacks

@@ -5,6 +5,7 @@
 #
 # Title and caption stand in the head of the data file, so that a figure cannot show another command than made it.
 if (!exists("out")) out = 'reports/out'
+if (!exists("to")) to = out
 if (!exists("kind")) kind = 'svg'
 if (!exists("wide")) wide = 820
 if (!exists("high")) high = 560
@@ -19,7 +20,7 @@ if (svg) {
 } else {
     set terminal pngcairo size wide,high enhanced dashed font 'DejaVu Sans,10.5' background rgb 'white' linewidth 1
 }
-set output sprintf('%s/%s.%s', out, name, kind)
+set output sprintf('%s/%s.%s', to, name, kind)
 set encoding utf8
 set minussign
 set datafile separator comma
