@@ -57,8 +57,8 @@ HOT static void difference(int n, double factor, const double *restrict ahead, c
         for (int i = 0; i < n; i++) to[i] = factor * (ahead[i] - behind[i]);
 }
 
-HOT static void accumulate(int n, const double *restrict gain, double *restrict T) {
-    for (int i = 0; i < n; i++) T[i] += gain[i];
+HOT static void accumulate(int n, double dt, const double *restrict gain, double *restrict T) {
+    for (int i = 0; i < n; i++) T[i] += dt * gain[i];
 }
 
 static void step_direct(struct ftcs_grid *g) {
@@ -70,7 +70,7 @@ static void step_direct(struct ftcs_grid *g) {
             rod_step(g->n[0], Fx, T, next);
         else
             row_step(g->n[0], Fx, Fy, T, T - g->stride, T + g->stride, next);
-        if (g->gain) accumulate(g->n[0], g->gain + j * g->n[0], next);
+        if (g->gain) accumulate(g->n[0], g->dt, g->gain + j * g->n[0], next);
     }
     double *old = g->T;
     g->T = g->next;
@@ -89,7 +89,7 @@ static void step_fluxes(struct ftcs_grid *g) {
         difference(nx + 2, -g->kappa[0] * half[0], T, T - 2, 0, qx);
         difference(nx, -g->dt * half[0], qx + 2, qx, 1, T);
         if (g->dim == 2) difference(nx, -g->dt * half[1], qy + (j + 3) % 3 * nx, qy + (j + 1) % 3 * nx, 1, T);
-        if (g->gain) accumulate(nx, g->gain + j * nx, T);
+        if (g->gain) accumulate(nx, g->dt, g->gain + j * nx, T);
     }
 }
 
@@ -147,13 +147,16 @@ static void hand_over(struct ftcs_grid *g, struct field *f) {
 }
 
 static int run(struct ftcs_grid *g, struct failure *why) {
+    const double mean = g->dt;
     for (long long step = 1; step <= g->steps; step++) {
+        g->dt = mean * (step % 2 ? 1 + g->swing : 1 - g->swing);
         ftcs_grid_walls(g);
         if (g->wide)
             step_fluxes(g);
         else
             step_direct(g);
         if (step % CHECK_EVERY == 0 || step == g->steps) {
+            g->dt = mean;
             int status = check_stable(g, step, why);
             if (status) return status;
         }

@@ -27,6 +27,7 @@ struct ftcs_grid {
     double kappa[2];        /* m^2 s^-1; 0 along y for a rod */
     double rho_c;           /* J m^-3 K^-1 */
     double dt, start;       /* s: the step; what the clock shows when the run starts */
+    double swing;           /* odd steps take (1 + swing) dt, even ones (1 - swing) dt */
     long long steps;
     double lowest, highest;   /* K, of the sampled initial data */
     double middle, reach;     /* K: a stable solution stays within middle +- reach */
@@ -35,7 +36,7 @@ struct ftcs_grid {
     struct ftcs_edge edge[4]; /* by enum side */
     double *T, *next;         /* K; `next` is NULL with fluxes: they step in place */
     double *q;                /* K m s^-1: one row of q_x, then three of q_y; NULL without fluxes */
-    double *gain;             /* K, dt G / rho_c; NULL where there is no source */
+    double *gain;             /* K s^-1, G / rho_c; NULL where there is no source */
 };
 
 /* 0 and *g ready for its first step, to be given to ftcs_grid_free; or STATUS_INPUT, *why filled and nothing held. */

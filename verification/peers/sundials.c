@@ -90,7 +90,8 @@ static void laplacian(const struct problem *p, const double *restrict T, double 
         double *to = out + (size_t)j * (size_t)nx;
         if (j == 0 || j == ny - 1) {
             for (int i = 0; i < nx; i++) {
-                double lo = j ? below[i] : 2 * walls * w[2] - row[i], hi = j < ny - 1 ? above[i] : 2 * walls * w[3] - row[i];
+                double lo = j ? below[i] : 2 * walls * w[2] - row[i],
+                       hi = j < ny - 1 ? above[i] : 2 * walls * w[3] - row[i];
                 to[i] = cy * (lo - 2 * row[i] + hi);
             }
         } else {
@@ -224,7 +225,8 @@ static long solve_erk(struct problem *p, N_Vector y, double tolerance, SUNContex
     double t;
     void *arkode = ERKStepCreate(right_side, 0, y, context);
     if (!arkode || ERKStepSStolerances(arkode, tolerance, tolerance * p->T0) || ERKStepSetUserData(arkode, p) ||
-        ERKStepSetOrder(arkode, 3) || ERKStepSetMaxNumSteps(arkode, 100000000) || ERKStepSetStopTime(arkode, p->t_end))
+        ERKStepSetOrder(arkode, 3) || ERKStepSetMaxNumSteps(arkode, 100000000) ||
+        ERKStepSetStopTime(arkode, p->t_end))
         die("ARKODE was not set up");
     if (ERKStepEvolve(arkode, p->t_end, y, &t, ARK_NORMAL) < 0) die("ARKODE failed");
     ERKStepGetNumSteps(arkode, &steps);
@@ -255,7 +257,8 @@ int main(int argc, char **argv) {
     double *T = N_VGetArrayPointer(y);
     for (int j = 0; j < p.n[1]; j++)
         for (int i = 0; i < p.n[0]; i++)
-            T[(size_t)j * (size_t)p.n[0] + (size_t)i] = start(&p, p.lo[0] + (i + 0.5) * p.dx, p.lo[1] + (j + 0.5) * p.dx);
+            T[(size_t)j * (size_t)p.n[0] + (size_t)i] =
+                start(&p, p.lo[0] + (i + 0.5) * p.dx, p.lo[1] + (j + 0.5) * p.dx);
     if (p.T0 == 0) p.T0 = 1; /* the scale of the temperatures where the start is at zero */
     double tolerance = atof(argv[4]);
     long steps = strcmp(argv[3], "erk") ? solve_bdf(&p, y, tolerance, context) : solve_erk(&p, y, tolerance, context);

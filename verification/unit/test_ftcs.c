@@ -324,7 +324,8 @@ static void test_matched_starts_late(void **state) {
         struct field f = solved(&method_ftcs, &p, &o);
         double run = p.t_end - m[i] * dx * dx * 2.385 / (24 * 0.29), matched = dx * dx * 2.385 / (6 * 0.29);
         assert_near((double)f.steps * f.dt, run, 1e-15);
-        assert_near((double)f.steps, run / matched, 0.5);
+        assert_near((double)f.steps, run / matched + 1, 1); /* the next even number */
+        assert_int_equal(f.steps % 2, 0);
         assert_near(f.time, p.t_end, 0);
         field_free(&f);
     }
@@ -334,7 +335,8 @@ static void test_matched_is_fourth_order(void **state) {
     (void)state;
     double matched, plain;
     assert_near(order_between(&method_ftcs, SAMPLING_POINT, 0, &matched), 4, 0.02);
-    assert_near(order_between(&method_ftcs, SAMPLING_SPLINE, 0, &matched), 4, 0.02);
+    /* here the steps are uneven: sum dt^3 is off by 3 swing^2 < 6/64 at the coarse rung, half of the constant's terms */
+    assert_near(order_between(&method_ftcs, SAMPLING_SPLINE, 0, &matched), 4, 0.07);
     assert_near(order_between(&method_ftcs_flux, SAMPLING_POINT, 0, &matched), 4, 0.02);
     assert_near(order_between(&method_ftcs, SAMPLING_POINT, 0.31, &plain), 2, 0.1);
     assert_true(plain > 50 * matched);

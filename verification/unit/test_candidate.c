@@ -1,0 +1,73 @@
+/* Candidates of choose and bench: which lattices suit a problem, what a run is counted as, and medians. */
+#include "verification/candidate.h"
+
+#include "references/scene.h"
+#include "verification/bench.h"
+#include "verification/request.h"
+
+#include "verification/unit/near.h"
+
+#include <string.h>
+
+static int unit_of(const char *name, const char *param, double value) {
+    const struct scene *s = scene_find(name);
+    struct problem p;
+    struct failure why;
+    scene_defaults(s, &p);
+    for (int i = 0; param && s->params[i].name; i++)
+        if (strcmp(s->params[i].name, param) == 0) p.param[i] = value;
+    assert_int_equal(s->setup(&p, &why), STATUS_OK);
+    return candidate_unit(&p);
+}
+
+/* The jumps of rod-step lie 3/8 and 5/8 along it, those with a = 0.6 at 7/20 and 13/20, those with a = 0.4371 on no
+ * face of a lattice of up to 64; the layers of wall-composite meet at its middle less a tenth. */
+static void lattices_meet_the_jumps(void **state) {
+    (void)state;
+    assert_int_equal(unit_of("rod-step", NULL, 0), 8);
+    assert_int_equal(unit_of("rod-step", "a", 0.6), 20);
+    assert_int_equal(unit_of("rod-step", "a", 0.4371), 1);
+    assert_int_equal(unit_of("rod-gauss", NULL, 0), 1);
+    assert_int_equal(unit_of("rod-contact", NULL, 0), 2);
+    assert_int_equal(candidate_member(17, 8), 24);
+    assert_int_equal(candidate_member(16, 8), 16);
+    assert_int_equal(candidate_member(0.5, 8), 8);
+}
+
+static void every_candidate_names_a_method_and_differs(void **state) {
+    (void)state;
+    for (const struct candidate *c = candidates_table; c->label; c++) {
+        int known = 0;
+        for (int i = 0; methods[i]; i++) known |= strcmp(methods[i]->name, c->method) == 0;
+        assert_true(known);
+        for (const struct candidate *d = candidates_table; d < c; d++)
+            assert_false(strcmp(c->label, d->label) == 0 && c->dim == d->dim);
+    }
+}
+
+static void work_is_counted(void **state) {
+    (void)state;
+    struct result steps = {.particles = 10, .steps = 3, .updates = 30, .interactions = 120};
+    struct result transforms = {.particles = 16, .updates = 16, .interactions = 64};
+    assert_near(candidate_work(&steps), 120 + 2 * 30, 0);
+    assert_near(candidate_work(&transforms), 16 * (10 * 4 + 60), 1e-9);
+}
+
+static void a_median_is_no_mean(void **state) {
+    (void)state;
+    double seconds[5] = {3, 100, 1, 2, 2.5};
+    struct bench_time t = bench_summary(seconds, 5);
+    assert_near(t.median, 2.5, 0);
+    assert_near(t.lowest, 1, 0);
+    assert_near(t.highest, 100, 0);
+}
+
+int main(void) {
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(lattices_meet_the_jumps),
+        cmocka_unit_test(every_candidate_names_a_method_and_differs),
+        cmocka_unit_test(work_is_counted),
+        cmocka_unit_test(a_median_is_no_mean),
+    };
+    return cmocka_run_group_tests_name("candidate", tests, NULL, NULL);
+}
