@@ -162,8 +162,8 @@ lint: $(OBJECTS) ## Check includes, symbols, shared lines, the format and (by cp
 	$(Q)scripts/check_includes
 	$(Q)scripts/check_symbols $(BUILD)
 	$(Q)scripts/check_shared_lines
-	$(Q)if command -v clang-format >/dev/null; then clang-format --dry-run --Werror $(C_FILES); \
-	else echo "lint: clang-format is not here, the format was not checked"; fi
+	$(Q)case $$(clang-format --version 2>/dev/null) in *" 14."*) clang-format --dry-run --Werror $(C_FILES);; \
+	*) echo "lint: clang-format 14 is not here, the format was not checked";; esac
 	$(Q)if command -v cppcheck >/dev/null; then cppcheck $(CPPCHECK) $(SOURCES); \
 	else echo "lint: cppcheck is not here, common faults were not looked for"; fi
 

@@ -3,7 +3,7 @@ name = 'stability_limits'
 figure = 'stability_published'
 wide = 900
 load 'reports/style.gp'
-set output sprintf('%s/%s.%s', out, figure, kind)
+set output sprintf('%s/%s.%s', to, figure, kind)
 set title 'Song 2018, eq. 34 (SO-SSPH): the published bound over the true one' noenhanced
 set xlabel 'h/dx  [-]'
 set ylabel 'published / true limit  [-]'

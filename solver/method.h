@@ -73,7 +73,7 @@ struct field { /* owned arrays: field_free */
     int stages;        /* operator applications a step */
     double heat[2];    /* J m^(d-3): sum of rho_c T volume at the start and at the end */
     double range[2];   /* K, lowest and highest of the sampled initial data */
-    double bound;           /* s^-1: upper bound of the operator's spectrum; 0 where none is known */
+    double bound;      /* s^-1: upper bound of the operator's spectrum; 0 where none is known */
     long long updates; /* particle updates: particles x operator applications */
     long long interactions; /* pairs evaluated: updates x neighbours */
     size_t bytes;           /* held by the run at its peak, the returned coordinates and this struct left out */
