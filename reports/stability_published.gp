@@ -1,9 +1,9 @@
 # Published over true limit, in one dimension and two: above 1 a run may blow up, below it steps are wasted.
-name = 'stability_limits'
-figure = 'stability_published'
+name = 'stability_published'
+if (!exists("out")) out = 'reports/out'
+data = sprintf('%s/stability_limits.csv', out)
 wide = 900
 load 'reports/style.gp'
-set output sprintf('%s/%s.%s', to, figure, kind)
 set title 'Song 2018, eq. 34 (SO-SSPH): the published bound over the true one' noenhanced
 set xlabel 'h/dx  [-]'
 set ylabel 'published / true limit  [-]'

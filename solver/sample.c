@@ -1,15 +1,15 @@
 /* Sampling of the initial data: point, cell or spline (Kreiss, Thomee & Widlund 1970).
  *
  * The average with the B-spline B_m of order m is the integral of T0(x + u dx) B_m(u) over |u| < m/2.  B_m is a
- * polynomial of degree m - 1 between its knots.  Where planes of jumps meet its support, T0 is cut there too, and on
- * each piece Gauss-Legendre with 4 points is exact for degree 7.  Elsewhere two points (cell) or three (spline) have
- * its moments up to the third: the average is then met to O(dx^4), and its variance, which is what the start of a
- * matched run counts on, exactly. */
+ * polynomial of degree m - 1 between its knots.  Where walls, planes of jumps or their images meet its support, T0 is
+ * cut there too, and on each piece Gauss-Legendre with 4 points is exact for degree 7.  Elsewhere two points (cell)
+ * or three (spline) have its moments up to the third: the average is then met to O(dx^4), and its variance, which is
+ * what the start of a matched run counts on, exactly. */
 #include "solver/sample.h"
 
 #include <math.h>
 
-enum { GAUSS = 4, PIECES_MAX = 4 + JUMP_MAX, NODES_MAX = GAUSS * PIECES_MAX };
+enum { GAUSS = 4, PLANES_MAX = 2 + 3 * JUMP_MAX, PIECES_MAX = 4 + PLANES_MAX, NODES_MAX = GAUSS * PIECES_MAX };
 
 static const double gauss_node[GAUSS] = {-0.86113631159405257522, -0.33998104358485626480, 0.33998104358485626480,
                                          0.86113631159405257522};
@@ -77,12 +77,29 @@ static int axis_rule(int m, double x, double dx, int jumps, const double *jump, 
     return n;
 }
 
+/* Planes along one axis where the continued data may jump: the walls, which data need not agree with, the problem's
+ * own and their images; returns how many. */
+static int jump_planes(const struct problem *p, int axis, double *plane) {
+    int n = 0;
+    for (int hi = 0; hi < 2; hi++) plane[n++] = hi ? p->hi[axis] : p->lo[axis];
+    for (int k = 0; k < p->jumps[axis]; k++) {
+        double own = p->jump[axis][k];
+        plane[n++] = own;
+        for (int hi = 0; hi < 2; hi++) plane[n++] = 2 * (hi ? p->hi[axis] : p->lo[axis]) - own;
+    }
+    return n;
+}
+
 double sample_initial(const struct problem *p, enum sampling sampling, const double dx[2], const double x[2]) {
     if (sampling == SAMPLING_POINT) return p->initial(p, x);
     int m = sampling == SAMPLING_CELL ? 1 : 4;
     double node[2][NODES_MAX] = {{0}}, weight[2][NODES_MAX] = {{0}, {1}};
     int n[2] = {0, 1};
-    for (int a = 0; a < p->dim; a++) n[a] = axis_rule(m, x[a], dx[a], p->jumps[a], p->jump[a], node[a], weight[a]);
+    for (int a = 0; a < p->dim; a++) {
+        double plane[PLANES_MAX];
+        int planes = jump_planes(p, a, plane);
+        n[a] = axis_rule(m, x[a], dx[a], planes, plane, node[a], weight[a]);
+    }
     double sum = 0;
     for (int j = 0; j < n[1]; j++)
         for (int i = 0; i < n[0]; i++) sum += weight[0][i] * weight[1][j] * continued(p, node[0][i], node[1][j]);

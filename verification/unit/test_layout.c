@@ -1,0 +1,169 @@
+/* Where particles and ghosts are, and what ghosts hold: on a field that the walls' images continue exactly. */
+#include "solver/method.h"
+
+#include "solver/layout.h"
+
+#include "verification/unit/clouds.h"
+#include "verification/unit/near.h"
+
+#include <gsl/gsl_errno.h>
+#include <string.h>
+
+/* u + v with u linear along x and v quadratic along y: odd about a value is exact for u, even plus a flux for v */
+static double u_of(double x) {
+    return 0.31 + 0.77 * x;
+}
+
+static double v_of(double y) {
+    return 0.43 * y * y - 0.59 * y;
+}
+
+static double v_slope(double y) {
+    return 0.86 * y - 0.59;
+}
+
+static double continued_wall(const struct problem *p, enum side s, const double x[2]) {
+    if (p->side[s] == DIRICHLET) return u_of(x[0]) + v_of(x[1]);
+    return p->material[0].k[1] * (s == Y_LO ? -v_slope(x[1]) : v_slope(x[1]));
+}
+
+static struct problem continued_problem(void) {
+    struct problem p = odd_rectangle();
+    p.wall = continued_wall;
+    return p;
+}
+
+static struct options jittered(double amplitude) {
+    return (struct options){.dx = 0.05, .h = 1.23, .layout = LAYOUT_JITTER, .jitter = amplitude, .seed = 11};
+}
+
+static void make(const struct problem *p, const struct options *o, double reach, struct lattice *l, struct cloud *c) {
+    struct failure why = {0};
+    assert_int_equal(layout_lattice(p, o, 1, l, &why), STATUS_OK);
+    assert_int_equal(layout_cloud(p, o, l, reach, c, &why), STATUS_OK);
+}
+
+/* Walls within `reach` of x along one axis. */
+static int walls_near(const struct problem *p, int axis, double x, double reach) {
+    return (x - p->lo[axis] < reach) + (p->hi[axis] - x < reach);
+}
+
+static void ghosts_continue_the_field(void **state) {
+    (void)state;
+    for (double amplitude = 0; amplitude < 0.5; amplitude += 0.37) {
+        struct problem p = continued_problem();
+        struct options o = jittered(amplitude);
+        struct lattice l;
+        struct cloud c;
+        const double reach = 4 * 1.23 * 0.05;
+        make(&p, &o, reach, &l, &c);
+        size_t expected = c.n;
+        for (size_t i = 0; i < c.n; i++)
+            expected += (size_t)((1 + walls_near(&p, 0, c.x[i], reach)) * (1 + walls_near(&p, 1, c.y[i], reach)) - 1);
+        assert_int_equal(c.total, expected);
+        for (size_t k = 0; k < c.total; k++) {
+            size_t i = c.source[k];
+            assert_int_equal(k<c.n, c.x[k]> p.lo[0] && c.x[k] < p.hi[0] && c.y[k] > p.lo[1] && c.y[k] < p.hi[1]);
+            double source = u_of(c.x[i]) + v_of(c.y[i]), want = u_of(c.x[k]) + v_of(c.y[k]);
+            assert_near(c.sign[k] * source + c.offset[k], want, 1e-14); /* a dozen roundings of 1 K */
+        }
+        layout_cloud_free(&c);
+    }
+}
+
+/* Two sides of given temperature that disagree at their corner: T = -T_source + ... by either order of reflection. */
+static void disagreeing_corners_take_the_mean(void **state) {
+    (void)state;
+    struct problem p = odd_rectangle();
+    for (int s = 0; s < 4; s++) p.side[s] = DIRICHLET;
+    /* walls at 0.8 K (right) and -0.23 K (top): 2 (0.8) - (2 (-0.23) - T) or 2 (-0.23) - (2 (0.8) - T) */
+    const int side[2] = {X_HI, Y_HI};
+    const double source[2] = {1.11, 1.37}, ghost[2] = {1.19, 1.43};
+    assert_near(layout_ghost_offset(&p, WALLS_MIRROR, side, ghost, source), 0, 1e-15);
+    assert_near(layout_ghost_offset(&p, WALLS_FIXED, side, ghost, source), (0.8 - 0.23) / 2, 1e-15);
+}
+
+static void fixed_ghosts_hold_the_wall(void **state) {
+    (void)state;
+    struct problem p = odd_rectangle();
+    struct options o = jittered(0.21);
+    struct lattice l;
+    struct cloud c;
+    o.walls = WALLS_FIXED;
+    make(&p, &o, 0.13, &l, &c);
+    for (size_t k = c.n; k < c.total; k++) {
+        if (c.y[k] < p.lo[1] || c.y[k] > p.hi[1]) continue;
+        assert_int_equal(c.sign[k], 0);
+        assert_near(c.offset[k], c.x[k] < p.lo[0] ? 0.3 : 0.8, 0);
+    }
+    layout_cloud_free(&c);
+}
+
+/* A is what was asked for: n uniform numbers come within a tenth of +-A all but 0.9^n times, and their mean within
+ * five times A/sqrt(3 n) of 0. */
+static void jitter_is_as_wide_as_asked(void **state) {
+    (void)state;
+    const double amplitude = 0.37;
+    struct problem p = odd_rectangle();
+    struct options o = jittered(amplitude);
+    struct lattice l;
+    struct cloud c;
+    make(&p, &o, 0.05, &l, &c);
+    double most[2] = {0, 0}, sum[2] = {0, 0};
+    for (size_t i = 0; i < c.n; i++)
+        for (int a = 0; a < 2; a++) {
+            double site = ((a ? c.y[i] : c.x[i]) - l.first[a]) / l.dx[a], moved = site - round(site);
+            most[a] = fmax(most[a], fabs(moved));
+            sum[a] += moved;
+        }
+    for (int a = 0; a < 2; a++) {
+        assert_true(most[a] <= amplitude && most[a] > 0.9 * amplitude);
+        assert_near(sum[a] / (double)c.n, 0, 5 * amplitude / sqrt(3 * (double)c.n));
+    }
+    layout_cloud_free(&c);
+}
+
+static void lattices_keep_their_distance_from_walls(void **state) {
+    (void)state;
+    struct problem p = odd_rectangle(); /* 1.5 m of given temperature, 1.2 m of given flux */
+    struct options o = {.dx = 0.05};
+    struct lattice l;
+    struct failure why;
+    assert_int_equal(layout_lattice(&p, &o, 2, &l, &why), STATUS_OK);
+    assert_int_equal(l.n[0], 30);
+    assert_int_equal(l.n[1], 12);
+    assert_near(l.first[0], -0.325, 1e-15);
+    assert_near(l.first[1], 0.25, 1e-15);
+    o.layout = LAYOUT_NODE;
+    assert_int_equal(layout_lattice(&p, &o, 2, &l, &why), STATUS_OK);
+    assert_int_equal(l.n[0], 29); /* the walls' nodes are known */
+    assert_int_equal(l.n[1], 13);
+    assert_near(l.first[0], -0.3, 1e-15);
+    assert_near(l.first[1], 0.2, 1e-15);
+    const int shift[4] = {-1, -1, 1, 1}, sign[4] = {-1, -1, 1, 1};
+    assert_memory_equal(l.shift, shift, sizeof shift);
+    assert_memory_equal(l.sign, sign, sizeof sign);
+}
+
+static void spacings_that_do_not_divide_are_refused(void **state) {
+    (void)state;
+    struct problem p = odd_rectangle();
+    struct options o = {.dx = 0.071};
+    struct lattice l;
+    struct failure why;
+    assert_int_equal(layout_lattice(&p, &o, 1, &l, &why), STATUS_INPUT);
+    assert_non_null(strstr(why.text, "the nearest that do are 0.06 and 0.075"));
+}
+
+int main(void) {
+    gsl_set_error_handler_off();
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(ghosts_continue_the_field),
+        cmocka_unit_test(disagreeing_corners_take_the_mean),
+        cmocka_unit_test(fixed_ghosts_hold_the_wall),
+        cmocka_unit_test(jitter_is_as_wide_as_asked),
+        cmocka_unit_test(lattices_keep_their_distance_from_walls),
+        cmocka_unit_test(spacings_that_do_not_divide_are_refused),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}

@@ -1,0 +1,83 @@
+/* The cell-linked list against all pairs. */
+#include "solver/method.h"
+
+#include "solver/neighbours.h"
+
+#include "verification/unit/clouds.h"
+#include "verification/unit/near.h"
+
+#include <gsl/gsl_errno.h>
+#include <stdlib.h>
+
+enum { MOST = 300 };
+
+static int ascending(const void *a, const void *b) {
+    uint32_t x = *(const uint32_t *)a, y = *(const uint32_t *)b;
+    return (x > y) - (x < y);
+}
+
+static size_t all_pairs(const struct cloud *c, size_t i, double radius, uint32_t *out) {
+    size_t n = 0;
+    for (size_t j = 0; j < c->total; j++)
+        if (j != i && hypot(c->x[j] - c->x[i], c->y[j] - c->y[i]) < radius * (1 - 1e-9)) out[n++] = (uint32_t)j;
+    return n;
+}
+
+static void as_all_pairs(struct problem p, double jitter, double radius) {
+    struct options o = {.dx = 0.05, .layout = LAYOUT_JITTER, .jitter = jitter, .seed = 5};
+    struct failure why;
+    struct lattice l;
+    struct cloud c;
+    struct neighbours nb;
+    assert_int_equal(layout_lattice(&p, &o, 1, &l, &why), STATUS_OK);
+    assert_int_equal(layout_cloud(&p, &o, &l, 0.21, &c, &why), STATUS_OK);
+    neighbours_create(&nb, &c, radius);
+    for (size_t i = 0; i < c.total; i += 3) {
+        uint32_t got[MOST], want[MOST];
+        size_t n = neighbours_find(&nb, i, got, MOST), expected = all_pairs(&c, i, radius, want);
+        assert_int_equal(n, expected);
+        qsort(got, n, sizeof *got, ascending);
+        assert_memory_equal(got, want, n * sizeof *got);
+    }
+    neighbours_free(&nb);
+    layout_cloud_free(&c);
+}
+
+static void cells_find_what_all_pairs_do(void **state) {
+    (void)state;
+    as_all_pairs(odd_rectangle(), 0.43, 0.117);
+    as_all_pairs(odd_rectangle(), 0.43, 0.0231); /* many cells, most of them empty */
+    as_all_pairs(odd_rectangle(), 0, 0.1);       /* four neighbours lie on the circle: out, by rounding or not */
+    as_all_pairs(odd_rod(), 0.29, 0.163);
+}
+
+static void what_finds_no_room_is_counted(void **state) {
+    (void)state;
+    struct problem p = odd_rectangle();
+    struct options o = {.dx = 0.05, .layout = LAYOUT_JITTER, .jitter = 0.17, .seed = 3};
+    struct failure why;
+    struct lattice l;
+    struct cloud c;
+    struct neighbours nb;
+    uint32_t few[8] = {0}, all[MOST];
+    assert_int_equal(layout_lattice(&p, &o, 1, &l, &why), STATUS_OK);
+    assert_int_equal(layout_cloud(&p, &o, &l, 0.1, &c, &why), STATUS_OK);
+    neighbours_create(&nb, &c, 0.117);
+    few[7] = UINT32_MAX;
+    size_t n = neighbours_find(&nb, 100, all, MOST);
+    assert_true(n > 8);
+    assert_int_equal(neighbours_find(&nb, 100, few, 7), n);
+    assert_memory_equal(few, all, 7 * sizeof *few);
+    assert_int_equal(few[7], UINT32_MAX);
+    neighbours_free(&nb);
+    layout_cloud_free(&c);
+}
+
+int main(void) {
+    gsl_set_error_handler_off();
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(cells_find_what_all_pairs_do),
+        cmocka_unit_test(what_finds_no_room_is_counted),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}

@@ -1,0 +1,104 @@
+/* Averages of initial data in closed form: moments of the B-splines, jumps, and what lies beyond the walls.  Both
+ * codes for it, that of the particles and that of the finite differences, are held to the same numbers. */
+#include "solver/method.h"
+
+#include "solver/ftcs_sample.h"
+#include "solver/sample.h"
+
+#include "verification/unit/clouds.h"
+#include "verification/unit/near.h"
+
+#include <gsl/gsl_errno.h>
+
+static const double dx[2] = {0.13, 0.07};
+
+/* B-spline averages of order m = 1, 4: m dx^2/12 is their variance. */
+static void both(const struct problem *p, enum sampling sampling, double x, double y, double want, double tolerance) {
+    const double at[2] = {x, y};
+    assert_near(sample_initial(p, sampling, dx, at), want, tolerance);
+    assert_near(ftcs_sample(p, at, dx, sampling), want, tolerance);
+}
+
+static double parabolas(const struct problem *p, const double x[2]) {
+    (void)p;
+    return 1.7 + 0.9 * x[0] - 2.3 * x[0] * x[0] + 3.1 * x[1] * x[1];
+}
+
+static void averages_have_the_splines_moments(void **state) {
+    (void)state;
+    struct problem p = odd_rectangle();
+    p.initial = parabolas;
+    const double at[2] = {0.41, 0.83}, here = parabolas(&p, at);
+    for (int m = 1; m <= 4; m += 3)
+        both(&p, m == 1 ? SAMPLING_CELL : SAMPLING_SPLINE, at[0], at[1],
+             here + m / 12.0 * (-2.3 * dx[0] * dx[0] + 3.1 * dx[1] * dx[1]), 1e-14);
+    both(&p, SAMPLING_POINT, at[0], at[1], here, 0);
+}
+
+static double hot_right(const struct problem *p, const double x[2]) {
+    return x[0] >= p->jump[0][0] ? 1.9 : 0.3;
+}
+
+/* The integral of the cubic B-spline from -2 to u. */
+static double spline_below(double u) {
+    double v = 2 - fabs(u), tail = v * v * v * v / 24;
+    if (fabs(u) < 1) tail = 0.5 - fabs(u) * (2.0 / 3 - u * u / 3 + fabs(u * u * u) / 8);
+    return u < 0 ? tail : 1 - tail;
+}
+
+static void jumps_are_cut(void **state) {
+    (void)state;
+    struct problem p = odd_rectangle();
+    p.initial = hot_right;
+    p.jumps[0] = 1, p.jump[0][0] = 0.4;
+    for (double u = -1.9; u < 2; u += 0.317) { /* the jump is u dx to the right of the point */
+        double below = fmin(1, fmax(0, 0.5 + u));
+        both(&p, SAMPLING_CELL, 0.4 - u * dx[0], 0.83, 1.9 - 1.6 * below, 1e-14);
+        both(&p, SAMPLING_SPLINE, 0.4 - u * dx[0], 0.83, 1.9 - 1.6 * spline_below(u), 1e-14);
+    }
+}
+
+/* A jump so near to a wall that its image is averaged too: beyond the wall T = 2 T_wall - T(image). */
+static void images_of_jumps_are_cut(void **state) {
+    (void)state;
+    struct problem p = odd_rectangle(); /* 0.8 K at x = 1.15 m */
+    const double x = 1.15 - 0.5 * dx[0];
+    p.initial = hot_right;
+    p.jumps[0] = 1, p.jump[0][0] = 1.15 - 0.2 * dx[0];
+    double cold = spline_below(0.3), hot = spline_below(0.5) - cold;
+    double hot_image = spline_below(0.7) - spline_below(0.5), cold_image = 1 - spline_below(0.7);
+    double want = 0.3 * cold + 1.9 * hot + (1.6 - 1.9) * hot_image + (1.6 - 0.3) * cold_image;
+    both(&p, SAMPLING_SPLINE, x, 0.83, want, 1e-14);
+}
+
+static double plane(const struct problem *p, const double x[2]) {
+    (void)p;
+    return 0.3 + 0.5 / 1.5 * (x[0] + 0.35); /* 0.3 and 0.8 K on the walls: odd beyond them */
+}
+
+static double slope(const struct problem *p, const double x[2]) {
+    return 0.2 - 0.11 / p->material[0].k[1] * (x[1] - p->lo[1]); /* the flux of 0.11 W m^-2 through y = 0.2 m */
+}
+
+static void walls_continue_the_data(void **state) {
+    (void)state;
+    struct problem p = odd_rectangle();
+    p.initial = plane;
+    const double left[2] = {-0.35 + 0.3 * dx[0], 0.83}, right[2] = {1.15 - 0.2 * dx[0], 0.83};
+    both(&p, SAMPLING_SPLINE, left[0], left[1], plane(&p, left), 1e-15);
+    both(&p, SAMPLING_SPLINE, right[0], right[1], plane(&p, right), 1e-15);
+    p.initial = slope;
+    const double low[2] = {0.41, 0.2 + 0.3 * dx[1]};
+    both(&p, SAMPLING_SPLINE, low[0], low[1], slope(&p, low), 1e-15);
+}
+
+int main(void) {
+    gsl_set_error_handler_off();
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(averages_have_the_splines_moments),
+        cmocka_unit_test(jumps_are_cut),
+        cmocka_unit_test(images_of_jumps_are_cut),
+        cmocka_unit_test(walls_continue_the_data),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
