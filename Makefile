@@ -85,7 +85,7 @@ $(OUT)/%.svg $(OUT)/%.png: reports/%.gp $(filter-out $(wildcard reports/*_fig*.g
 	$(Q)scripts/plot $(OUT) $<
 
 # The figures that README.md shows.
-GALLERY := song_fig1b song_fig2a song_fig2b pamplona_fig5 stability_limits
+GALLERY := song_fig1b song_fig2a song_fig2b pamplona_fig5 stability_limits matched_fig1
 
 .PHONY: gallery
 gallery: report stability ## Copy the figures that the README shows to reports/gallery

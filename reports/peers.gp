@@ -15,5 +15,8 @@ stats data using 2 nooutput
 OURS = 4 # the first blocks; drawn thicker
 array COLOUR[7] = [BLACK, BLUE, GREEN, GREY, RED, ORANGE, PURPLE]
 array POINT[7] = [7, 5, 9, 11, 13, 6, 4]
-plot for [i=0:STATS_blocks-1] data index i using 3:2 with linespoints lc rgb COLOUR[i % 7 + 1] lw (i < OURS ? 2.2 : 1.1) \
-     dt (i < OURS ? 1 : 2 + i % 4) pt POINT[i % 7 + 1] ps P title columnheader(4)
+width(i) = i < OURS ? 2.2 : 1.1
+dash(i) = i < OURS ? 1 : 2 + i % 4
+point(i) = POINT[i % 7 + 1]
+plot for [i=0:STATS_blocks-1] data index i using 3:2 with linespoints lc rgb COLOUR[i % 7 + 1] lw width(i) dt dash(i) \
+     pt point(i) ps 1.0 * P title columnheader(4)

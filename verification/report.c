@@ -4,6 +4,7 @@
 #include "references/scene.h"
 #include "verification/arguments.h"
 #include "verification/atomic_file.h"
+#include "verification/report_matched.h"
 #include "verification/report_pamplona.h"
 #include "verification/report_song.h"
 #include "verification/run.h"
@@ -94,6 +95,7 @@ static const struct {
 } parts[] = {
     {"Song 2018", report_song_write},
     {"Pamplona 2019", report_pamplona_write},
+    {"the matched run", report_matched_write},
 };
 
 int report_write(const char *dir, struct failure *why) {
