@@ -37,10 +37,10 @@ static double lattice_moment(enum kernel_name kernel, int dim, double h_over_dx)
     return sum;
 }
 
-static double volume_factor(const struct problem *p, const struct options *o, double h, double volume) {
-    double spacing = p->dim == 2 ? sqrt(volume) : volume;
-    if (o->volume == VOLUME_RAW) return 1;
-    if (o->volume == VOLUME_MOMENT) return 1 / lattice_moment(o->kernel, p->dim, h / spacing);
+static double volume(const struct problem *p, const struct options *o, double h, double dV) {
+    double spacing = p->dim == 2 ? sqrt(dV) : dV;
+    if (o->volume == VOLUME_RAW) return dV;
+    if (o->volume == VOLUME_MOMENT) return dV / lattice_moment(o->kernel, p->dim, h / spacing);
     double xi = o->xi > 0 ? o->xi : 9 * cbrt(h), all = 1, real = 1; /* Pamplona eq. 18 */
     double layers = floor(KERNEL_SUPPORT * h / spacing);
     for (int a = 0; a < p->dim; a++) {
@@ -48,7 +48,7 @@ static double volume_factor(const struct problem *p, const struct options *o, do
         real *= n;
         all *= n + 2 * layers;
     }
-    return xi * real / all;
+    return dV * xi * real / all;
 }
 
 /* Twice the conductivity between material m of particle i and the place x + d, W m^-1 K^-1. */
@@ -68,16 +68,15 @@ static int weights(const struct problem *p, const struct options *o, const struc
         return fail(why, STATUS_NUMERICAL,
                     "particle %zu at (%.6g, %.6g) m has 0 neighbours: no heat reaches it; take a larger --h", nb->i,
                     nb->x[0], nb->x[1]);
-    double volume = nb->volume * volume_factor(p, o, nb->h, nb->volume);
     double rho_c = p->material[p->materials == 2 && nb->x[0] >= p->interface].rho_c;
     for (size_t j = 0; j < nb->n; j++) {
         double F = pair_weight(o->kernel, nb->dim, nb->h, hypot(nb->d[j][0], nb->d[j][1]));
-        w[0][j] = volume * pair_conductivity(p, o->mean, nb->x[0], nb->d[j][0]) * F / rho_c;
+        w[0][j] = nb->volume * pair_conductivity(p, o->mean, nb->x[0], nb->d[j][0]) * F / rho_c;
     }
     return STATUS_OK;
 }
 
-static const struct scheme scheme = {.sweeps = 1, .check = check, .weights = weights};
+static const struct scheme scheme = {.sweeps = 1, .check = check, .volume = volume, .weights = weights};
 
 static int solve(const struct problem *p, const struct options *o, struct field *f, struct failure *why) {
     return particles_solve(p, o, &scheme, f, why);

@@ -78,17 +78,17 @@ static double polish(struct isotropy *c, double lo, double hi) {
 
 int matched_isotropic(const struct options *o, const struct scheme *s, double *h, struct failure *why) {
     struct isotropy c = {*o, s};
-    const double step = 1.0 / 128;
-    double best = NAN, before = NAN;
-    /* neighbours enter with weight zero, so that B - 2 A is continuous in h: a change of sign is a root */
-    for (double x = 0.75; x < 3; x += step) {
-        double now = anisotropy(x, &c);
-        if (before * now < 0) {
-            double root = polish(&c, x - step, x);
-            if (fabs(anisotropy(root, &c)) < 1e-9 && (isnan(best) || fabs(root - 1.2) < fabs(best - 1.2)))
-                best = root;
-        }
-        before = now;
+    const double middle = 1.2, step = 1.0 / 64, least = 0.75, most = 3;
+    double above = anisotropy(middle, &c), below = above, best = NAN;
+    /* Outward from 1.2.  Neighbours enter with weight zero, so that B - 2 A is continuous in h: a change of sign is a
+     * root, and of two in the same step the nearer one counts. */
+    for (int k = 1; isnan(best) && middle + (k - 1) * step < most; k++) {
+        double far = middle + k * step, near = middle - k * step, up = anisotropy(far, &c), down = NAN;
+        if (near > least) down = anisotropy(near, &c);
+        if (above * up <= 0) best = polish(&c, far - step, far);
+        double other = below * down <= 0 ? polish(&c, near, near + step) : NAN;
+        if (isnan(best) || fabs(other - middle) < fabs(best - middle)) best = other;
+        above = up, below = down;
     }
     if (isnan(best)) return fail(why, STATUS_INPUT, "--h iso: this kernel has no isotropic h/dx between 0.75 and 3");
     *h = best;

@@ -41,7 +41,9 @@ static int lattice_weights(const struct problem *p, const struct options *o, con
     int r = (int)ceil(KERNEL_SUPPORT * o->h * (1 - 1e-12)) - 1, ry = p->dim == 2 ? r : 0;
     double d[NEIGHBOURS_MAX][2], weight[2][NEIGHBOURS_MAX], *w[2] = {weight[0], weight[1]};
     int at[NEIGHBOURS_MAX][2];
-    struct neighbourhood nb = {.dim = p->dim, .d = d, .h = o->h * dx, .volume = p->dim == 2 ? dx * dx : dx};
+    double dV = p->dim == 2 ? dx * dx : dx;
+    struct neighbourhood nb = {
+        .dim = p->dim, .d = d, .h = o->h * dx, .volume = s->volume ? s->volume(p, o, o->h * dx, dV) : dV};
     nb.x[0] = (p->lo[0] + p->hi[0]) / 2, nb.x[1] = (p->lo[1] + p->hi[1]) / 2;
     memcpy(nb.kappa, kappa, sizeof nb.kappa);
     if ((2 * r + 1) * (2 * ry + 1) > NEIGHBOURS_MAX)

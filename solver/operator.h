@@ -17,7 +17,7 @@ struct neighbourhood { /* what a scheme sees of one particle */
     size_t n;        /* neighbours, itself left out */
     double (*d)[2];  /* m, x_j - x_i */
     double h;        /* m */
-    double volume;   /* m^d, of each particle */
+    double volume;   /* m^d, of each particle, as the scheme's `volume` has it */
     double kappa[2]; /* m^2 s^-1, at the particle, along each axis */
 };
 
@@ -26,6 +26,9 @@ struct scheme {
      * twice: dT/dt = d/dx(kappa_x dT/dx) + d/dy(kappa_y dT/dy) */
     int sweeps;
     int (*check)(const struct problem *p, const struct options *o, struct failure *why);
+    /* m^d: what a particle's volume dV = dx^d counts for, on a lattice of that volume and smoothing length h (m);
+     * NULL where weights do not depend on it */
+    double (*volume)(const struct problem *p, const struct options *o, double h, double dV);
     int (*weights)(const struct problem *p, const struct options *o, const struct neighbourhood *nb, double *w[2],
                    struct failure *why);
 };

@@ -46,6 +46,7 @@ struct assembly {
     const struct cloud *c;
     struct neighbours cells;
     double h, support; /* m */
+    double volume;     /* m^d */
 };
 
 /* The weights of point i on its neighbours `near`; returns a status and the number of neighbours. */
@@ -66,7 +67,7 @@ static int weigh(const struct assembly *m, size_t i, uint32_t near[NEIGHBOURS_MA
                                .n = *n,
                                .d = d,
                                .h = m->h,
-                               .volume = c->volume,
+                               .volume = m->volume,
                                .kappa = {material->k[0] / material->rho_c, material->k[1] / material->rho_c}};
     return m->s->weights(p, m->o, &nb, w, why);
 }
@@ -222,7 +223,14 @@ static void keep_constants(struct heat_operator *a, const struct problem *p, con
 
 int rows_assemble(struct heat_operator *a, const struct problem *p, const struct options *o, const struct scheme *s,
                   const struct cloud *c, double spacing, struct failure *why) {
-    struct assembly m = {p, o, s, c, {0}, o->h * spacing, KERNEL_SUPPORT * o->h * spacing};
+    struct assembly m = {p,
+                         o,
+                         s,
+                         c,
+                         {0},
+                         o->h * spacing,
+                         KERNEL_SUPPORT * o->h * spacing,
+                         s->volume ? s->volume(p, o, o->h * spacing, c->volume) : c->volume};
     struct derivatives d = {{0, 0, NULL, NULL, NULL}, NULL};
     struct list part[BLOCKS] = {{0, 0, NULL, NULL, NULL}};
     size_t begin[BLOCKS + 1];

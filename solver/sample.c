@@ -2,19 +2,17 @@
  *
  * The average with the B-spline B_m of order m is the integral of T0(x + u dx) B_m(u) over |u| < m/2.  B_m is a
  * polynomial of degree m - 1 between its knots.  Where walls, planes of jumps or their images meet its support, T0 is
- * cut there too, and on each piece Gauss-Legendre with 4 points is exact for degree 7.  Elsewhere two points (cell)
- * or three (spline) have its moments up to the third: the average is then met to O(dx^4), and its variance, which is
- * what the start of a matched run counts on, exactly. */
+ * cut there too, and on each piece Gauss-Legendre with 3 points is exact for degree 5: for quadratic data under a
+ * cubic spline.  Elsewhere two points (cell) or three (spline) have its moments up to the third: the average is then
+ * met to O(dx^4), and its variance, which is what the start of a matched run counts on, exactly. */
 #include "solver/sample.h"
 
 #include <math.h>
 
-enum { GAUSS = 4, PLANES_MAX = 2 + 3 * JUMP_MAX, PIECES_MAX = 4 + PLANES_MAX, NODES_MAX = GAUSS * PIECES_MAX };
+enum { GAUSS = 3, PLANES_MAX = 2 + 3 * JUMP_MAX, PIECES_MAX = 4 + PLANES_MAX, NODES_MAX = GAUSS * PIECES_MAX };
 
-static const double gauss_node[GAUSS] = {-0.86113631159405257522, -0.33998104358485626480, 0.33998104358485626480,
-                                         0.86113631159405257522};
-static const double gauss_weight[GAUSS] = {0.34785484513745385737, 0.65214515486254614263, 0.65214515486254614263,
-                                           0.34785484513745385737};
+static const double gauss_node[GAUSS] = {-0.77459666924148337704, 0, 0.77459666924148337704};
+static const double gauss_weight[GAUSS] = {5.0 / 9, 8.0 / 9, 5.0 / 9};
 
 static double b_spline(int m, double u) {
     u = fabs(u);
@@ -77,11 +75,12 @@ static int axis_rule(int m, double x, double dx, int jumps, const double *jump, 
     return n;
 }
 
-/* Planes along one axis where the continued data may jump: the walls, which data need not agree with, the problem's
- * own and their images; returns how many. */
+/* Planes along one axis where the continued data may jump: walls of given temperature, which data need not agree
+ * with, the problem's own and their images; returns how many. */
 static int jump_planes(const struct problem *p, int axis, double *plane) {
     int n = 0;
-    for (int hi = 0; hi < 2; hi++) plane[n++] = hi ? p->hi[axis] : p->lo[axis];
+    for (int hi = 0; hi < 2; hi++)
+        if (p->side[2 * axis + hi] == DIRICHLET) plane[n++] = hi ? p->hi[axis] : p->lo[axis];
     for (int k = 0; k < p->jumps[axis]; k++) {
         double own = p->jump[axis][k];
         plane[n++] = own;
