@@ -1,0 +1,47 @@
+/* A ceiling holds only where the error is a number below it, whatever the gate itself has measured. */
+#include "solver/method.h"
+
+#include "verification/gates.h"
+
+#include "verification/unit/near.h"
+
+#include <gsl/gsl_errno.h>
+#include <string.h>
+
+static struct measured judge(const char *command, double ceiling) {
+    const struct gate gate = {"odd", TIER_QUICK, "overshoot", command, 0, 1e-12, ceiling, "a test of ceilings"};
+    struct measured m;
+    gates_judge(&gate, &m);
+    return m;
+}
+
+static void an_error_below_it_passes(void **state) {
+    (void)state;
+    assert_int_equal(judge("run rod-step so_ssph --dx 0.1", 0.007).verdict, VERDICT_PASS);
+}
+
+static void an_error_above_it_fails(void **state) {
+    (void)state;
+    struct measured m = judge("run rod-step so_ssph --dx 0.1", 0.003);
+    assert_int_equal(m.verdict, VERDICT_FAIL);
+    assert_non_null(strstr(m.reason, "above its ceiling"));
+}
+
+/* Nothing happens between two cold halves: no overshoot, and E1 = 0/0. */
+static void an_error_that_is_not_a_number_fails(void **state) {
+    (void)state;
+    struct measured m = judge("run rod-contact brookshaw --dx 0.1 --set T1=0 --set T2=0", 1);
+    assert_near(m.value, 0, 0);
+    assert_true(isnan(m.error));
+    assert_int_equal(m.verdict, VERDICT_FAIL);
+}
+
+int main(void) {
+    gsl_set_error_handler_off();
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(an_error_below_it_passes),
+        cmocka_unit_test(an_error_above_it_fails),
+        cmocka_unit_test(an_error_that_is_not_a_number_fails),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
