@@ -167,6 +167,10 @@ lint: $(OBJECTS) ## Check includes, symbols, shared lines, the format and (by cp
 	$(Q)if command -v cppcheck >/dev/null; then cppcheck $(CPPCHECK) $(SOURCES); \
 	else echo "lint: cppcheck is not here, common faults were not looked for"; fi
 
+.PHONY: mutants
+mutants: ## Seed faults, one at a time, and see that a test or a gate catches each
+	$(Q)CC='$(CC)' scripts/mutants
+
 .PHONY: format
 format: ## Lay out the sources by .clang-format
 	clang-format -i $(C_FILES)
