@@ -195,9 +195,14 @@ INLINE double row_csr(const struct heat_operator *a, const double *restrict x, s
 
 static void sweep_csr(const struct heat_operator *a, const struct update *u, const double *x, double *y,
                       ptrdiff_t begin, ptrdiff_t end) {
+    int plain = is_plain(u, a->g);
     double sum[PIECE];
     for (ptrdiff_t at = begin; at < end; at += PIECE) {
         ptrdiff_t n = end - at < PIECE ? end - at : PIECE;
+        if (plain) {
+            for (ptrdiff_t i = at; i < at + n; i++) y[i] = x[i] + u->rate * row_csr(a, x, (size_t)i);
+            continue;
+        }
         for (ptrdiff_t i = 0; i < n; i++) sum[i] = row_csr(a, x, (size_t)(at + i));
         struct update here = *u;
         if (u->Y0) here.Y0 = u->Y0 + at;
