@@ -22,7 +22,7 @@ SOURCES := $(wildcard solver/*.c references/*.c verification/*.c)
 OBJECTS := $(SOURCES:%.c=$(BUILD)/%.o)
 LIBRARY := $(filter-out $(BUILD)/verification/main.o,$(OBJECTS))
 SCENES  := $(sort $(wildcard references/scene_*.c))
-C_FILES := $(wildcard $(foreach d,solver references verification verification/unit,$(d)/*.[ch]))
+C_FILES := $(wildcard $(foreach d,solver references verification verification/unit,$(d)/*.[ch] $(d)/*.inc))
 TESTS   := $(patsubst verification/unit/%.c,$(BUILD)/unit/%,$(wildcard verification/unit/test_*.c))
 
 .PHONY: all

@@ -7,6 +7,7 @@
 #include "solver/operator.h"
 #include "solver/kernel.h"
 #include "solver/rows.h"
+#include "solver/sweep.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -112,7 +113,6 @@ static void add_constants(struct heat_operator *a, const struct problem *p, cons
     const struct lattice *l = &a->lattice;
     int rx = a->reach[0], ry = a->reach[1], any = 0;
     double *g = xcalloc(a->state, sizeof *g);
-    ptrdiff_t stride = l->n[0] + 2 * rx;
     for (int j = 0; j < l->n[1]; j++)
         for (int i = 0; i < l->n[0]; i++) {
             double x[2], sum = 0;
@@ -130,7 +130,7 @@ static void add_constants(struct heat_operator *a, const struct problem *p, cons
                     double w = a->weight[abs(m) * (rx + 1) + abs(k)];
                     if (w != 0) sum += w * layout_ghost_offset(p, o->walls, side, ghost, source);
                 }
-            g[(j + ry) * stride + i + rx] = sum;
+            g[(j + ry) * a->stride + i + rx] = sum;
             any |= sum != 0;
         }
     if (any)
@@ -147,6 +147,14 @@ static void count_pairs(struct heat_operator *a) {
     a->pairs = pairs * a->n;
 }
 
+/* Rows that are a multiple of 4096 bytes apart, or nearly, share the same few sets of a cache. */
+static ptrdiff_t stride_of(int n, int reach) {
+    enum { ALIASED = 256, APART = 24 }; /* doubles */
+    ptrdiff_t stride = (n + LANES_MAX - 1) / LANES_MAX * LANES_MAX + 2 * reach;
+    while (stride >= ALIASED && stride % ALIASED < APART) stride += LANES_MAX;
+    return stride;
+}
+
 static int try_lattice(struct heat_operator *a, const struct problem *p, const struct options *o,
                        const struct scheme *s, struct failure *why) {
     const struct lattice *l = &a->lattice;
@@ -160,7 +168,8 @@ static int try_lattice(struct heat_operator *a, const struct problem *p, const s
                         "--dx %g: %d particles along an axis, the stencil reaches %d; take a smaller "
                         "--dx or --h",
                         o->dx, l->n[d], a->reach[d]);
-    a->state = (size_t)(l->n[0] + 2 * a->reach[0]) * (size_t)(l->n[1] + 2 * a->reach[1]);
+    a->stride = stride_of(l->n[0], a->reach[0]);
+    a->state = (size_t)a->stride * (size_t)(l->n[1] + 2 * a->reach[1]);
     a->bytes = sizeof(double) * (size_t)(a->reach[0] + 1) * (size_t)(a->reach[1] + 1);
     count_pairs(a);
     add_constants(a, p, o);
@@ -193,26 +202,49 @@ void operator_free(struct heat_operator *a) {
     *a = (struct heat_operator){0};
 }
 
+/* ---- States: rows of particles, of which a cloud has one ---- */
+
+static size_t rows_of(const struct heat_operator *a) {
+    return a->weight ? (size_t)a->lattice.n[1] : 1;
+}
+
+static ptrdiff_t first_in_row(const struct heat_operator *a, size_t j) {
+    return ((ptrdiff_t)j + a->reach[1]) * a->stride + a->reach[0];
+}
+
 void operator_load(const struct heat_operator *a, const double *T, double *state) {
-    const struct lattice *l = &a->lattice;
-    if (!a->weight) {
-        memcpy(state, T, a->n * sizeof *T);
-        return;
-    }
-    size_t nx = (size_t)l->n[0], stride = nx + 2 * (size_t)a->reach[0];
-    for (size_t j = 0; j < (size_t)l->n[1]; j++)
-        memcpy(state + (j + (size_t)a->reach[1]) * stride + a->reach[0], T + j * nx, nx * sizeof *T);
+    size_t nx = a->n / rows_of(a);
+    for (size_t j = 0; j < rows_of(a); j++) memcpy(state + first_in_row(a, j), T + j * nx, nx * sizeof *T);
 }
 
 void operator_store(const struct heat_operator *a, const double *state, double *T) {
-    const struct lattice *l = &a->lattice;
-    if (!a->weight) {
-        memcpy(T, state, a->n * sizeof *T);
-        return;
+    size_t nx = a->n / rows_of(a);
+    for (size_t j = 0; j < rows_of(a); j++) memcpy(T + j * nx, state + first_in_row(a, j), nx * sizeof *T);
+}
+
+size_t operator_find_outside(const struct heat_operator *a, const double *state, double lo, double hi) {
+    size_t nx = a->n / rows_of(a);
+    for (size_t j = 0; j < rows_of(a); j++) {
+        const double *row = state + first_in_row(a, j);
+        size_t outside = 0;
+        for (size_t i = 0; i < nx; i++) outside += !(row[i] >= lo && row[i] <= hi);
+        if (outside == 0) continue;
+        size_t i = 0;
+        while (row[i] >= lo && row[i] <= hi) i++;
+        return j * nx + i;
     }
-    size_t nx = (size_t)l->n[0], stride = nx + 2 * (size_t)a->reach[0];
-    for (size_t j = 0; j < (size_t)l->n[1]; j++)
-        memcpy(T + j * nx, state + (j + (size_t)a->reach[1]) * stride + a->reach[0], nx * sizeof *T);
+    return a->n;
+}
+
+void operator_update(const struct heat_operator *a, const struct update *u, int count, double *Y[2]) {
+    if (a->weight)
+        sweep_lattice(a, u, count, Y);
+    else
+        sweep_rows(a, u, count, Y);
+    if (count % 2) {
+        double *swap = Y[0];
+        Y[0] = Y[1], Y[1] = swap;
+    }
 }
 
 double operator_bound(const struct heat_operator *a) {

@@ -8,7 +8,11 @@
 
 /* The discrete operator of dT/dt = A T + g: one shared stencil on a lattice of one material, rows (CSR) elsewhere. */
 
-enum { NEIGHBOURS_MAX = 1024 };
+enum {
+    NEIGHBOURS_MAX = 1024,
+    REACH_MAX = 32, /* of a stencil of the plane: that of NEIGHBOURS_MAX, twice for two sweeps */
+    LANES_MAX = 8   /* doubles in the widest vector */
+};
 
 struct neighbourhood { /* what a scheme sees of one particle */
     int dim;
@@ -37,13 +41,14 @@ struct heat_operator {
     size_t n; /* particles */
     struct lattice lattice;
     int reach[2];     /* stencil radius along each axis, in particles */
+    ptrdiff_t stride; /* doubles from row to row of a state: ghosts and room for whole vectors */
     double *weight;   /* s^-1, quadrant w[j * (reach[0] + 1) + i], the rest by symmetry; NULL with rows */
     size_t *row;      /* n + 1 */
     uint32_t *column; /* row[n] */
     double *value;    /* s^-1, row[n] */
     double *diagonal; /* s^-1, n */
     double *g;        /* K s^-1, source and walls, in the shape of a state; NULL where it is zero */
-    size_t state;     /* doubles in a state: n, and the ghosts of a lattice */
+    size_t state;     /* doubles in a state: n, or the rows of a lattice with their ghosts */
     size_t pairs;     /* neighbours of all particles together */
     size_t bytes;
     int threads;
@@ -65,14 +70,19 @@ int operator_stencil(const struct problem *p, const struct options *o, const str
 /* Between the n particles' own order and a state. */
 void operator_load(const struct heat_operator *a, const double *T, double *state);
 void operator_store(const struct heat_operator *a, const double *state, double *T);
+/* The first particle that is not in [lo, hi] (NaN is not), or n. */
+size_t operator_find_outside(const struct heat_operator *a, const double *state, double lo, double hi);
 
-/* y = rate (A x + g) + self x + old y + start Y0 + start_rate L0, states all; Y0 and L0 may be NULL.  The ghosts of x
- * are refreshed first.  y must not be x. */
+/* y = rate (A x + g) + self x + old y + start Y0 + start_rate L0, states all; Y0 and L0 may be NULL. */
 struct update {
     double rate, self, old, start, start_rate;
     const double *Y0, *L0;
 };
-void operator_update(const struct heat_operator *a, const struct update *u, double *x, double *y);
+
+/* The updates u[0] .. u[count - 1], one after the other: the first takes x = Y[0] to y = Y[1], the next Y[1] to Y[0]
+ * and so on.  Ghosts are refreshed on the way.  The two swap names where count is odd, so that Y[0] is what was
+ * written last. */
+void operator_update(const struct heat_operator *a, const struct update *u, int count, double *Y[2]);
 
 /* An upper bound of |lambda| over the spectrum of A, s^-1 (Gershgorin). */
 double operator_bound(const struct heat_operator *a);

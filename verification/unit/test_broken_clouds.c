@@ -55,10 +55,9 @@ static struct outcome try(const struct method *method, struct made *m, double h)
     struct heat_operator a;
     out.status = operator_create_rows(&a, &p, &b.options, method->scheme, &m->c, 1, &out.why);
     if (out.status) return out;
-    double T[2][MOST] = {{0}}, dt = 1 / fmax(1, operator_bound(&a));
+    double T[2][MOST] = {{0}}, *turn[2] = {T[0], T[1]}, dt = 1 / fmax(1, operator_bound(&a));
     T[0][0] = 1;
-    for (int step = 0; step < 200; step++)
-        operator_update(&a, &(struct update){.rate = dt, .self = 1}, T[step % 2], T[1 - step % 2]);
+    for (int step = 0; step < 200; step++) operator_update(&a, &(struct update){.rate = dt, .self = 1}, 1, turn);
     for (size_t i = 0; i < a.n; i++)
         if (!(fabs(T[0][i]) <= out.largest)) out.largest = fabs(T[0][i]);
     operator_free(&a);

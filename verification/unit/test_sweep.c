@@ -1,0 +1,228 @@
+/* The hot loops of the lattice against their definition, one particle after the other, and against themselves: what
+ * shares a sweep, how wide a vector is and how many threads there are must not change a bit. */
+#include "solver/particles.h"
+#include "solver/sweep.h"
+
+#include "verification/unit/clouds.h"
+#include "verification/unit/near.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+extern const struct method method_so_ssph, method_fo_ssph;
+
+enum { UPDATES = 19 }; /* two full sweeps and a part of one */
+
+struct made {
+    struct problem p;
+    struct heat_operator a;
+    double *Y[2], *Y0, *L0;
+    struct update u[UPDATES];
+};
+
+/* Any numbers, the same in every run; in (-1, 1). */
+static double noise(size_t i) {
+    return sin(12.9898 * (double)i + 78.233 * sin((double)i));
+}
+
+static double *any_state(const struct heat_operator *a, size_t seed) {
+    double *T = xcalloc(a->n, sizeof *T), *state = xcalloc(a->state, sizeof *state);
+    for (size_t i = 0; i < a->n; i++) T[i] = noise(i + seed);
+    operator_load(a, T, state);
+    free(T);
+    return state;
+}
+
+/* plain: Euler steps of the homogeneous problem; otherwise every term of an update. */
+static void make(struct made *m, struct problem p, struct options o, const struct method *method, int plain) {
+    struct lattice l;
+    struct failure why;
+    m->p = p;
+    assert_int_equal(layout_lattice(&m->p, &o, 1, &l, &why), STATUS_OK);
+    if (operator_create_lattice(&m->a, &m->p, &o, method->scheme, &l, &why)) fail_msg("%s", why.text);
+    if (plain) {
+        if (m->a.g) m->a.bytes -= m->a.state * sizeof *m->a.g;
+        free(m->a.g);
+        m->a.g = NULL;
+    }
+    m->Y[0] = any_state(&m->a, 0), m->Y[1] = any_state(&m->a, 1000003);
+    m->Y0 = any_state(&m->a, 2000003), m->L0 = any_state(&m->a, 3000017);
+    double bound = operator_bound(&m->a);
+    for (int k = 0; k < UPDATES; k++) {
+        m->u[k] = (struct update){.rate = (1 + 0.1 * k) / (2 * bound), .self = 1};
+        if (!plain)
+            m->u[k] = (struct update){.rate = (1 + 0.1 * k) / (4 * bound),
+                                      .self = 0.83,
+                                      .old = -0.21,
+                                      .start = 0.17 + 0.01 * k,
+                                      .start_rate = -0.07,
+                                      .Y0 = k % 5 ? m->Y0 : NULL,
+                                      .L0 = k % 3 ? m->L0 : NULL};
+    }
+}
+
+static void made_free(struct made *m) {
+    for (int k = 0; k < 2; k++) free(m->Y[k]);
+    free(m->Y0);
+    free(m->L0);
+    operator_free(&m->a);
+}
+
+/* ---- The definition ---- */
+
+static double at(const struct heat_operator *a, const double *x, int i, int j) {
+    const struct lattice *l = &a->lattice;
+    int place[2] = {i, j};
+    double sign = 1;
+    for (int d = 0; d < 2; d++) {
+        int beyond = place[d] < 0 ? -place[d] : place[d] - l->n[d] + 1, side = 2 * d + (place[d] >= l->n[d]);
+        if (beyond <= 0 || (place[d] >= 0 && place[d] < l->n[d])) continue;
+        int from = beyond - 1 + l->shift[side];
+        if (from < 0) return 0;
+        sign *= l->sign[side];
+        place[d] = side % 2 ? l->n[d] - 1 - from : from;
+    }
+    return sign * x[(place[1] + a->reach[1]) * a->stride + place[0] + a->reach[0]];
+}
+
+static void define(const struct heat_operator *a, const struct update *u, const double *x, double *y) {
+    for (int j = 0; j < a->lattice.n[1]; j++)
+        for (int i = 0; i < a->lattice.n[0]; i++) {
+            ptrdiff_t here = (j + a->reach[1]) * a->stride + i + a->reach[0];
+            double sum = a->g ? a->g[here] : 0;
+            for (int m = -a->reach[1]; m <= a->reach[1]; m++)
+                for (int k = -a->reach[0]; k <= a->reach[0]; k++)
+                    sum += a->weight[abs(m) * (a->reach[0] + 1) + abs(k)] * at(a, x, i + k, j + m);
+            y[here] = u->rate * sum + u->self * x[here] + u->old * y[here] + (u->Y0 ? u->start * u->Y0[here] : 0) +
+                      (u->L0 ? u->start_rate * u->L0[here] : 0);
+        }
+}
+
+static void assert_defined(struct problem p, struct options o, const struct method *method, int plain) {
+    struct made m, want;
+    make(&m, p, o, method, plain);
+    make(&want, p, o, method, plain);
+    operator_update(&m.a, m.u, UPDATES, m.Y);
+    for (int k = 0; k < UPDATES; k++) define(&want.a, &want.u[k], want.Y[k % 2], want.Y[1 - k % 2]);
+    double *got = xcalloc(m.a.n, sizeof *got), *wanted = xcalloc(m.a.n, sizeof *wanted), largest = 1;
+    operator_store(&m.a, m.Y[0], got);
+    operator_store(&m.a, want.Y[UPDATES % 2], wanted);
+    for (size_t i = 0; i < m.a.n; i++) largest = fmax(largest, fabs(wanted[i]));
+    /* each update rounds a sum of as many terms as the stencil has weights, and no update here makes noise grow */
+    for (size_t i = 0; i < m.a.n; i++) assert_near(got[i], wanted[i], 1e-13 * largest);
+    free(got);
+    free(wanted);
+    made_free(&m);
+    made_free(&want);
+}
+
+/* h/dx for every stencil that has a loop of its own, and for some that have none. */
+static const double widths[] = {0.9, 1.05, 1.23, 1.45, 1.55, 1.62, 2, 2.11, 2.2, 2.6};
+
+static void the_plane_is_swept_as_defined(void **state) {
+    (void)state;
+    for (size_t k = 0; k < sizeof widths / sizeof *widths; k++)
+        for (int walls = 0; walls < 3; walls++) {
+            struct problem p = odd_rectangle();
+            struct options o = {.dx = 0.05, .h = widths[k]};
+            o.layout = walls == 1 ? LAYOUT_NODE : LAYOUT_LATTICE;
+            o.walls = walls == 2 ? WALLS_FIXED : WALLS_MIRROR;
+            if (walls == 1) p.side[X_HI] = NEUMANN, p.side[Y_LO] = DIRICHLET;
+            assert_defined(p, o, &method_so_ssph, 0);
+            assert_defined(p, o, &method_so_ssph, 1);
+        }
+}
+
+static void two_sweeps_in_one_are_swept_as_defined(void **state) {
+    (void)state;
+    assert_defined(odd_rectangle(), (struct options){.dx = 0.05, .h = 1.05}, &method_fo_ssph, 0);
+    assert_defined(odd_rectangle(), (struct options){.dx = 0.05, .h = 1.23}, &method_fo_ssph, 1);
+}
+
+static void a_rod_is_swept_as_defined(void **state) {
+    (void)state;
+    static const double reach[] = {0.9, 1.05, 1.6, 2.2, 30.1}; /* the last reaches 60 particles */
+    for (size_t k = 0; k < sizeof reach / sizeof *reach; k++) {
+        struct options o = {.dx = 0.01, .h = reach[k]};
+        assert_defined(odd_rod(), o, &method_so_ssph, 0);
+        assert_defined(odd_rod(), o, &method_so_ssph, 1);
+    }
+}
+
+/* ---- The same bits ---- */
+
+static void assert_same_bits(const struct made *got, const struct made *want) {
+    double *a = xcalloc(got->a.n, sizeof *a), *b = xcalloc(want->a.n, sizeof *b);
+    operator_store(&got->a, got->Y[0], a);
+    operator_store(&want->a, want->Y[0], b);
+    assert_memory_equal(a, b, got->a.n * sizeof *a);
+    free(a);
+    free(b);
+}
+
+static void sharing_a_sweep_changes_no_bit(void **state) {
+    (void)state;
+    for (int plain = 0; plain < 2; plain++) {
+        struct made together, apart;
+        make(&together, odd_rectangle(), (struct options){.dx = 0.05, .h = 1.23}, &method_so_ssph, plain);
+        make(&apart, odd_rectangle(), (struct options){.dx = 0.05, .h = 1.23}, &method_so_ssph, plain);
+        operator_update(&together.a, together.u, UPDATES, together.Y);
+        for (int k = 0; k < UPDATES; k++) operator_update(&apart.a, &apart.u[k], 1, apart.Y);
+        assert_same_bits(&together, &apart);
+        made_free(&together);
+        made_free(&apart);
+    }
+}
+
+static void threads_change_no_bit(void **state) {
+    (void)state;
+    static const int threads[] = {2, 3, 7, 1000}; /* the last: as many as there are slabs */
+    for (int plain = 0; plain < 2; plain++) {
+        struct made one;
+        make(&one, odd_rectangle(), (struct options){.dx = 0.01, .h = 1.23}, &method_so_ssph, plain);
+        assert_true(one.a.n > 10000);
+        operator_update(&one.a, one.u, UPDATES, one.Y);
+        for (size_t k = 0; k < sizeof threads / sizeof *threads; k++) {
+            struct made many;
+            make(&many, odd_rectangle(), (struct options){.dx = 0.01, .h = 1.23}, &method_so_ssph, plain);
+            many.a.threads = threads[k];
+            operator_update(&many.a, many.u, UPDATES, many.Y);
+            assert_same_bits(&many, &one);
+            made_free(&many);
+        }
+        made_free(&one);
+    }
+}
+
+static void the_width_of_vectors_changes_no_bit(void **state) {
+    (void)state;
+    struct made two, four, eight;
+    struct options o = {.dx = 0.05, .h = 1.05};
+    make(&two, odd_rectangle(), o, &method_so_ssph, 0);
+    make(&four, odd_rectangle(), o, &method_so_ssph, 0);
+    make(&eight, odd_rectangle(), o, &method_so_ssph, 0);
+    int rows = two.a.lattice.n[1];
+    sweep_band_2(&two.a, 4, &two.u[4], two.Y[1], two.Y[0], 0, rows);
+#if defined(__x86_64__)
+    if (__builtin_cpu_supports("avx2")) {
+        sweep_band_4(&four.a, 4, &four.u[4], four.Y[1], four.Y[0], 0, rows);
+        assert_same_bits(&four, &two);
+    }
+    if (__builtin_cpu_supports("avx512f")) {
+        sweep_band_8(&eight.a, 4, &eight.u[4], eight.Y[1], eight.Y[0], 0, rows);
+        assert_same_bits(&eight, &two);
+    }
+#endif
+    made_free(&two);
+    made_free(&four);
+    made_free(&eight);
+}
+
+int main(void) {
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(the_plane_is_swept_as_defined), cmocka_unit_test(two_sweeps_in_one_are_swept_as_defined),
+        cmocka_unit_test(a_rod_is_swept_as_defined),     cmocka_unit_test(sharing_a_sweep_changes_no_bit),
+        cmocka_unit_test(threads_change_no_bit),         cmocka_unit_test(the_width_of_vectors_changes_no_bit),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
