@@ -111,6 +111,17 @@ static void sweep_seam(const struct sweep *s, ptrdiff_t row) {
     for (int k = 1; k < s->count; k++) advance(s, k, row - k * lag, row + k * lag);
 }
 
+static void sweep_slabs(const struct sweep *s, int threads) {
+    ptrdiff_t ny = s->a->lattice.n[1];
+#pragma omp parallel num_threads(threads)
+    {
+        ptrdiff_t team = omp_get_num_threads(), t = omp_get_thread_num();
+        sweep_slab(s, ny * t / team, ny * (t + 1) / team);
+#pragma omp barrier
+        if (t > 0) sweep_seam(s, ny * t / team);
+    }
+}
+
 /* A slab must hold what it leaves undone at both ends. */
 static ptrdiff_t threads_of(const struct heat_operator *a) {
     ptrdiff_t lag = a->reach[1], most = lag > 0 && a->n > 10000 ? a->lattice.n[1] / (2 * lag) : 1;
@@ -125,12 +136,9 @@ void sweep_lattice(const struct heat_operator *a, const struct update *u, int co
         double *turn[2] = {Y[k % 2], Y[1 - k % 2]};
         s.u = u + k, s.count = count - k < together ? count - k : (int)together, s.Y = turn;
         refresh_all(a, turn[0]);
-#pragma omp parallel num_threads((int)threads) if (threads > 1)
-        {
-            ptrdiff_t team = omp_get_num_threads(), t = omp_get_thread_num();
-            sweep_slab(&s, ny * t / team, ny * (t + 1) / team);
-#pragma omp barrier
-            if (t > 0) sweep_seam(&s, ny * t / team);
-        }
+        if (threads == 1)
+            sweep_slab(&s, 0, ny);
+        else
+            sweep_slabs(&s, (int)threads);
     }
 }

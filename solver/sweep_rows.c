@@ -30,12 +30,18 @@ static void update_rows(const struct heat_operator *a, const struct update *u, c
     }
 }
 
+static void share_rows(const struct heat_operator *a, const struct update *u, const double *x, double *y) {
+    size_t threads = (size_t)a->threads;
+#pragma omp parallel for num_threads(a->threads)
+    for (size_t t = 0; t < threads; t++) update_rows(a, u, x, y, a->n * t / threads, a->n * (t + 1) / threads);
+}
+
 void sweep_rows(const struct heat_operator *a, const struct update *u, int count, double *const Y[2]) {
-    int threads = a->threads > 1 && a->n > 10000 ? a->threads : 1;
-    size_t share = (size_t)threads;
+    int shared = a->threads > 1 && a->n > 10000;
     for (int k = 0; k < count; k++) {
-#pragma omp parallel for num_threads(threads) if (threads > 1)
-        for (size_t t = 0; t < share; t++)
-            update_rows(a, &u[k], Y[k % 2], Y[1 - k % 2], a->n * t / share, a->n * (t + 1) / share);
+        if (shared)
+            share_rows(a, &u[k], Y[k % 2], Y[1 - k % 2]);
+        else
+            update_rows(a, &u[k], Y[k % 2], Y[1 - k % 2], 0, a->n);
     }
 }
