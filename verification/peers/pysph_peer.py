@@ -1,15 +1,17 @@
 """A peer for --solver: PySPH, Brookshaw's Laplacian with the harmonic mean, on particles at the centres of the cells of
 a rectangle whose sides hold a temperature each (two and a half h of fixed particles beyond them).
 
-    pysph_peer.py CASE OUT cubic|quintic
+    pysph_peer.py CASE OUT cubic|quintic FOURIER
 
 PySPH generates and compiles its loops for the first run of a kind, which is start-up here.  The solve is timed apart:
-`# seconds`, with `# updates`, in the answer.  Particles do not move, so neighbours are found once.
+`# seconds`, with `# updates`, in the answer.  Particles do not move and h is one, so neighbours are found once.  Where
+the case allows threads, loops are generated with OpenMP, which takes their number from OMP_NUM_THREADS.
 """
 import sys
 import time
 
 import numpy as np
+from compyle.config import get_config
 from pysph.base.kernels import CubicSpline, QuinticSpline
 from pysph.base.nnps import LinkedListNNPS
 from pysph.base.utils import get_particle_array
@@ -61,8 +63,9 @@ def walls(case, x, y, lo, hi):
     return np.where(x < lo[0], side[0], np.where(x > hi[0], side[1], np.where(y < lo[1], side[2], side[3])))
 
 
-def main(case_path, out, kernel_name):
+def main(case_path, out, kernel_name, fourier):
     case = read_case(case_path)
+    get_config().use_openmp = int(case["threads"]) > 1
     if case["scene"] not in ("square-step", "plate"):
         sys.exit("pysph_peer: knows square-step and plate")
     dx, t_end = float(case["dx"]), float(case["t_end"])
@@ -80,17 +83,18 @@ def main(case_path, out, kernel_name):
     body = arrays[0]
     evaluation = AccelerationEval(arrays, [Group([Conduction(dest="body", sources=["body", "wall"])])], kernel)
     SPHCompiler(evaluation, None).compile()
-    steps = int(np.ceil(t_end * kappa / (0.15 * dx * dx)))
+    steps = int(np.ceil(t_end * kappa / (float(fourier) * dx * dx)))
     dt = t_end / steps
     begin = time.perf_counter()
-    nnps = LinkedListNNPS(dim=2, particles=arrays, radius_scale=kernel.radius_scale, cache=True)
+    nnps = LinkedListNNPS(dim=2, particles=arrays, radius_scale=kernel.radius_scale, fixed_h=True, cache=True)
     evaluation.set_nnps(nnps)
     for _ in range(steps):
         evaluation.compute(0.0, dt)
         body.T += dt * body.aT
     seconds = time.perf_counter() - begin
     with open(out, "w") as answer:
-        answer.write(f"# seconds = {seconds:.9g}\n# steps = {steps}\n# updates = {steps * body.get_number_of_particles()}\nx,y,T\n")
+        answer.write(f"# seconds = {seconds:.9g}\n# steps = {steps}\n# updates = {steps * body.get_number_of_particles()}\n")
+        answer.write("x,y,T\n")
         np.savetxt(answer, np.column_stack([body.x, body.y, body.T]), fmt="%.17g", delimiter=",")
 
 
