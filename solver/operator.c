@@ -13,6 +13,11 @@
 #include <stdlib.h>
 #include <string.h>
 
+/* Where row j of the particles begins in a state. */
+static ptrdiff_t first_in_row(const struct heat_operator *a, ptrdiff_t j) {
+    return (j + a->reach[1]) * a->stride + a->reach[0];
+}
+
 /* A full square (on a rod: a line) of weights around the centre. */
 struct square {
     int r[2];
@@ -108,31 +113,39 @@ static int ghost_side(const struct lattice *l, int axis, int i, int *source) {
     return side;
 }
 
+/* g += w x offset for the particles that have the ghost at (i, j) among their neighbours. */
+static void add_ghost(struct heat_operator *a, int i, int j, double offset, double *g) {
+    const struct lattice *l = &a->lattice;
+    int rx = a->reach[0], ry = a->reach[1];
+    for (int m = j > ry ? j - ry : 0; m <= j + ry && m < l->n[1]; m++)
+        for (int k = i > rx ? i - rx : 0; k <= i + rx && k < l->n[0]; k++)
+            g[first_in_row(a, m) + k] += a->weight[abs(m - j) * (rx + 1) + abs(k - i)] * offset;
+}
+
 /* Source and walls: g_i = G / rho_c + sum over ghosts of w x offset. */
 static void add_constants(struct heat_operator *a, const struct problem *p, const struct options *o) {
     const struct lattice *l = &a->lattice;
     int rx = a->reach[0], ry = a->reach[1], any = 0;
     double *g = xcalloc(a->state, sizeof *g);
-    for (int j = 0; j < l->n[1]; j++)
+    for (int j = 0; j < l->n[1] && p->source; j++)
         for (int i = 0; i < l->n[0]; i++) {
-            double x[2], sum = 0;
+            double x[2];
             layout_position(l, i, j, x);
-            if (p->source) sum = p->source(p, x) / p->material[0].rho_c;
-            int inside = i >= rx && i < l->n[0] - rx && j >= ry && j < l->n[1] - ry;
-            for (int m = -ry; m <= ry && !inside; m++)
-                for (int k = -rx; k <= rx; k++) {
-                    int from[2];
-                    int side[2] = {ghost_side(l, 0, i + k, &from[0]), ghost_side(l, 1, j + m, &from[1])};
-                    if (side[0] < 0 && side[1] < 0) continue;
-                    double ghost[2], source[2];
-                    layout_position(l, i + k, j + m, ghost);
-                    layout_position(l, from[0], from[1], source);
-                    double w = a->weight[abs(m) * (rx + 1) + abs(k)];
-                    if (w != 0) sum += w * layout_ghost_offset(p, o->walls, side, ghost, source);
-                }
-            g[(j + ry) * a->stride + i + rx] = sum;
+            double sum = p->source(p, x) / p->material[0].rho_c;
+            g[first_in_row(a, j) + i] = sum;
             any |= sum != 0;
         }
+    for (int j = -ry; j < l->n[1] + ry; j++) {
+        int past = j >= 0 && j < l->n[1] ? l->n[0] : 0; /* the particles between the ghosts of this row */
+        for (int i = -rx; i < l->n[0] + rx; i += i == -1 ? 1 + past : 1) {
+            int from[2], side[2] = {ghost_side(l, 0, i, &from[0]), ghost_side(l, 1, j, &from[1])};
+            double ghost[2], source[2];
+            layout_position(l, i, j, ghost);
+            layout_position(l, from[0], from[1], source);
+            double offset = layout_ghost_offset(p, o->walls, side, ghost, source);
+            if (offset != 0) add_ghost(a, i, j, offset, g), any = 1;
+        }
+    }
     if (any)
         a->g = g, a->bytes += a->state * sizeof *g;
     else
@@ -204,34 +217,30 @@ void operator_free(struct heat_operator *a) {
 
 /* ---- States: rows of particles, of which a cloud has one ---- */
 
-static size_t rows_of(const struct heat_operator *a) {
-    return a->weight ? (size_t)a->lattice.n[1] : 1;
-}
-
-static ptrdiff_t first_in_row(const struct heat_operator *a, size_t j) {
-    return ((ptrdiff_t)j + a->reach[1]) * a->stride + a->reach[0];
+static ptrdiff_t rows_of(const struct heat_operator *a) {
+    return a->weight ? a->lattice.n[1] : 1;
 }
 
 void operator_load(const struct heat_operator *a, const double *T, double *state) {
-    size_t nx = a->n / rows_of(a);
-    for (size_t j = 0; j < rows_of(a); j++) memcpy(state + first_in_row(a, j), T + j * nx, nx * sizeof *T);
+    ptrdiff_t rows = rows_of(a), nx = (ptrdiff_t)a->n / rows;
+    for (ptrdiff_t j = 0; j < rows; j++) memcpy(state + first_in_row(a, j), T + j * nx, (size_t)nx * sizeof *T);
 }
 
 void operator_store(const struct heat_operator *a, const double *state, double *T) {
-    size_t nx = a->n / rows_of(a);
-    for (size_t j = 0; j < rows_of(a); j++) memcpy(T + j * nx, state + first_in_row(a, j), nx * sizeof *T);
+    ptrdiff_t rows = rows_of(a), nx = (ptrdiff_t)a->n / rows;
+    for (ptrdiff_t j = 0; j < rows; j++) memcpy(T + j * nx, state + first_in_row(a, j), (size_t)nx * sizeof *T);
 }
 
 size_t operator_find_outside(const struct heat_operator *a, const double *state, double lo, double hi) {
-    size_t nx = a->n / rows_of(a);
-    for (size_t j = 0; j < rows_of(a); j++) {
+    ptrdiff_t rows = rows_of(a), nx = (ptrdiff_t)a->n / rows;
+    for (ptrdiff_t j = 0; j < rows; j++) {
         const double *row = state + first_in_row(a, j);
-        size_t outside = 0;
-        for (size_t i = 0; i < nx; i++) outside += !(row[i] >= lo && row[i] <= hi);
+        int outside = 0;
+        for (ptrdiff_t i = 0; i < nx; i++) outside += !(row[i] >= lo && row[i] <= hi);
         if (outside == 0) continue;
-        size_t i = 0;
+        ptrdiff_t i = 0;
         while (row[i] >= lo && row[i] <= hi) i++;
-        return j * nx + i;
+        return (size_t)(j * nx + i);
     }
     return a->n;
 }
