@@ -152,10 +152,11 @@ int particles_solve(const struct problem *p, const struct options *given, const 
             f->shape[d] = o->layout == LAYOUT_JITTER || (rows && p->dim == 2) ? 0 : l.n[d];
             f->spacing[d] = d < p->dim ? l.dx[d] : 0;
         }
+        if (!rows) sample_lattice(p, o->sampling, &l, f->T);
         f->range[0] = HUGE_VAL, f->range[1] = -HUGE_VAL;
         for (size_t i = 0; i < f->n; i++) {
             double x[2] = {f->x[i], f->y ? f->y[i] : 0};
-            f->T[i] = sample_initial(p, o->sampling, l.dx, x);
+            if (rows) f->T[i] = sample_initial(p, o->sampling, l.dx, x);
             f->range[0] = fmin(f->range[0], f->T[i]), f->range[1] = fmax(f->range[1], f->T[i]);
         }
         f->heat[0] = heat_content(p, f, volume);

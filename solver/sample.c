@@ -4,12 +4,17 @@
  * polynomial of degree m - 1 between its knots.  Where walls, planes of jumps or their images meet its support, T0 is
  * cut there too, and on each piece Gauss-Legendre with 3 points is exact for degree 5: for quadratic data under a
  * cubic spline.  Elsewhere two points (cell) or three (spline) have its moments up to the third: the average is then
- * met to O(dx^4), and its variance, which is what the start of a matched run counts on, exactly. */
+ * met to O(dx^4), and its variance, which is what the start of a matched run counts on, exactly.
+ *
+ * Knots of neighbours on a lattice coincide, and so do the nodes between them: T0 is evaluated once at each pair of a
+ * node along x and a node along y, and its values are summed along x, then along y. */
 #include "solver/sample.h"
 
 #include <math.h>
+#include <stdlib.h>
+#include <string.h>
 
-enum { GAUSS = 3, PLANES_MAX = 2 + 3 * JUMP_MAX, PIECES_MAX = 4 + PLANES_MAX, NODES_MAX = GAUSS * PIECES_MAX };
+enum { GAUSS = 3, PLANES_MAX = 2 + 3 * JUMP_MAX };
 
 static const double gauss_node[GAUSS] = {-0.77459666924148337704, 0, 0.77459666924148337704};
 static const double gauss_weight[GAUSS] = {5.0 / 9, 8.0 / 9, 5.0 / 9};
@@ -23,56 +28,18 @@ static double b_spline(int m, double u) {
 /* T0, continued beyond the walls: T0(x) = sign T0(image) + offset. */
 static double continued(const struct problem *p, double x, double y) {
     double at[2] = {x, y};
-    for (int s = 0; s < 2 * p->dim; s++) {
-        int a = s / 2;
-        double wall = s % 2 ? p->hi[a] : p->lo[a], beyond = s % 2 ? at[a] - wall : wall - at[a];
-        if (beyond <= 0) continue;
-        double image[2] = {at[0], at[1]}, foot[2] = {at[0], at[1]};
+    for (int a = 0; a < p->dim; a++) {
+        int hi = at[a] > p->hi[a];
+        if (!hi && at[a] >= p->lo[a]) continue;
+        enum side s = (enum side)(2 * a + hi);
+        double wall = hi ? p->hi[a] : p->lo[a], image[2] = {x, y}, foot[2] = {x, y};
         image[a] = 2 * wall - at[a], foot[a] = wall;
-        double value = p->wall(p, (enum side)s, foot), inside = continued(p, image[0], image[1]);
+        double value = p->wall(p, s, foot), inside = continued(p, image[0], image[1]);
         if (p->side[s] == DIRICHLET) return 2 * value - inside;
+        double beyond = fabs(at[a] - wall);
         return inside + value * 2 * beyond / p->material[p->materials == 2 && foot[0] >= p->interface].k[a];
     }
     return p->initial(p, at);
-}
-
-static int jumps_inside(double lo, double hi, int jumps, const double *jump) {
-    int inside = 0;
-    for (int k = 0; k < jumps; k++) inside |= jump[k] > lo && jump[k] < hi;
-    return inside;
-}
-
-/* Where the data are smooth: few nodes with the moments of the spline up to the third. */
-static int smooth_rule(int m, double x, double dx, double *node, double *weight) {
-    int n = m == 1 ? 2 : 3;
-    double apart = m == 1 ? 1 / sqrt(3) : 1;
-    for (int k = 0; k < n; k++) {
-        node[k] = x + (k - (n - 1) / 2.0) * apart * dx;
-        weight[k] = m == 1 ? 0.5 : k == 1 ? 2.0 / 3 : 1.0 / 6;
-    }
-    return n;
-}
-
-/* Quadrature nodes (m) and weights of the average about x along one axis; returns how many. */
-static int axis_rule(int m, double x, double dx, int jumps, const double *jump, double *node, double *weight) {
-    double knot[PIECES_MAX + 1];
-    int knots = 0;
-    for (int k = 0; k <= m; k++) knot[knots++] = x + (k - m / 2.0) * dx;
-    if (!jumps_inside(knot[0], knot[m], jumps, jump)) return smooth_rule(m, x, dx, node, weight);
-    for (int k = 0; k < jumps; k++) { /* insert, ascending */
-        if (jump[k] <= knot[0] || jump[k] >= knot[knots - 1]) continue;
-        int at = knots++;
-        for (; knot[at - 1] > jump[k]; at--) knot[at] = knot[at - 1];
-        knot[at] = jump[k];
-    }
-    int n = 0;
-    for (int k = 0; k + 1 < knots; k++)
-        for (int g = 0; g < GAUSS; g++, n++) {
-            double half = (knot[k + 1] - knot[k]) / 2;
-            node[n] = knot[k] + half * (1 + gauss_node[g]);
-            weight[n] = half / dx * gauss_weight[g] * b_spline(m, (node[n] - x) / dx);
-        }
-    return n;
 }
 
 /* Planes along one axis where the continued data may jump: walls of given temperature, which data need not agree
@@ -89,18 +56,140 @@ static int jump_planes(const struct problem *p, int axis, double *plane) {
     return n;
 }
 
-double sample_initial(const struct problem *p, enum sampling sampling, const double dx[2], const double x[2]) {
-    if (sampling == SAMPLING_POINT) return p->initial(p, x);
-    int m = sampling == SAMPLING_CELL ? 1 : 4;
-    double node[2][NODES_MAX] = {{0}}, weight[2][NODES_MAX] = {{0}, {1}};
-    int n[2] = {0, 1};
-    for (int a = 0; a < p->dim; a++) {
-        double plane[PLANES_MAX];
-        int planes = jump_planes(p, a, plane);
-        n[a] = axis_rule(m, x[a], dx[a], planes, plane, node[a], weight[a]);
+/* One axis of a lattice: particles x_i = first + i dx, knots first + (q - m/2) dx; particle i has those of q = i to
+ * i + m. */
+struct axis {
+    int m, n, planes;
+    double first, dx, plane[PLANES_MAX];
+    unsigned char *cut; /* n: 1 where a plane lies between the outermost knots */
+};
+
+struct share { /* of a node in the average about a particle */
+    int particle;
+    double weight;
+};
+
+struct rule {
+    double *node;       /* m */
+    size_t nodes, *end; /* of a node's shares, which begin where those of the node before it end */
+    struct share *share;
+};
+
+static double knot(const struct axis *a, int q) {
+    return a->first + (q - a->m / 2.0) * a->dx;
+}
+
+static void add_node(struct rule *r, double at) {
+    r->node[r->nodes] = at;
+    r->end[r->nodes] = r->nodes ? r->end[r->nodes - 1] : 0;
+    r->nodes++;
+}
+
+static void add_share(struct rule *r, int particle, double weight) {
+    r->share[r->end[r->nodes - 1]++] = (struct share){particle, weight};
+}
+
+/* Between knots q and q + 1, for those of the particles that reach there which are cut. */
+static void add_cell(const struct axis *a, int q, struct rule *r) {
+    double edge[PLANES_MAX + 2] = {knot(a, q), knot(a, q + 1)};
+    int edges = 2, begin = q - a->m + 1 > 0 ? q - a->m + 1 : 0, end = q < a->n ? q + 1 : a->n, any = 0;
+    for (int i = begin; i < end; i++) any |= a->cut[i];
+    for (int k = 0; k < a->planes && any; k++) { /* insert, ascending */
+        if (a->plane[k] <= edge[0] || a->plane[k] >= edge[edges - 1]) continue;
+        int at = edges++;
+        for (; edge[at - 1] > a->plane[k]; at--) edge[at] = edge[at - 1];
+        edge[at] = a->plane[k];
     }
-    double sum = 0;
-    for (int j = 0; j < n[1]; j++)
-        for (int i = 0; i < n[0]; i++) sum += weight[0][i] * weight[1][j] * continued(p, node[0][i], node[1][j]);
-    return sum;
+    for (int k = 0; k + 1 < edges && any; k++)
+        for (int g = 0; g < GAUSS; g++) {
+            double half = (edge[k + 1] - edge[k]) / 2, node = edge[k] + half * (1 + gauss_node[g]);
+            add_node(r, node);
+            for (int i = begin; i < end; i++) {
+                double u = (node - (a->first + i * a->dx)) / a->dx;
+                if (a->cut[i]) add_share(r, i, half / a->dx * gauss_weight[g] * b_spline(a->m, u));
+            }
+        }
+}
+
+/* Where the data are smooth: few nodes with the moments of the spline up to the third.  The cubic's are the particle
+ * and the two beside it, the cell's lie dx / sqrt(12) to either side. */
+static void add_smooth(const struct axis *a, struct rule *r) {
+    if (a->m == 1)
+        for (int k = 0; k < 2 * a->n; k++) {
+            if (a->cut[k / 2]) continue;
+            add_node(r, a->first + (k / 2 + (k % 2 - 0.5) / sqrt(3)) * a->dx);
+            add_share(r, k / 2, 0.5);
+        }
+    else
+        for (int q = -1; q <= a->n; q++) {
+            int begin = q > 0 ? q - 1 : 0, end = q + 2 < a->n ? q + 2 : a->n, any = 0;
+            for (int i = begin; i < end; i++) any |= !a->cut[i];
+            if (any) add_node(r, a->first + q * a->dx);
+            for (int i = begin; i < end; i++)
+                if (!a->cut[i]) add_share(r, i, i == q ? 2.0 / 3 : 1.0 / 6);
+        }
+}
+
+static struct rule rule_create(const struct problem *p, int m, const struct lattice *l, int dim) {
+    struct axis a = {.m = m, .n = l->n[dim], .first = l->first[dim], .dx = l->dx[dim]};
+    a.planes = jump_planes(p, dim, a.plane);
+    a.cut = xcalloc((size_t)a.n, 1);
+    size_t cuts = 0, n = (size_t)a.n, span = (size_t)(m + a.planes);
+    for (int i = 0; i < a.n; i++) {
+        for (int k = 0; k < a.planes; k++) a.cut[i] |= a.plane[k] > knot(&a, i) && a.plane[k] < knot(&a, i + m);
+        cuts += a.cut[i];
+    }
+    struct rule r = {.node = xcalloc(2 * n + 2 + GAUSS * cuts * span, sizeof *r.node)};
+    r.end = xcalloc(2 * n + 2 + GAUSS * cuts * span, sizeof *r.end);
+    r.share = xcalloc(3 * n + GAUSS * cuts * span, sizeof *r.share);
+    for (int q = 0; q < a.n + m - 1; q++) add_cell(&a, q, &r);
+    add_smooth(&a, &r);
+    free(a.cut);
+    return r;
+}
+
+static void rule_free(struct rule *r) {
+    free(r->node);
+    free(r->end);
+    free(r->share);
+}
+
+void sample_lattice(const struct problem *p, enum sampling sampling, const struct lattice *l, double *T) {
+    size_t nx = (size_t)l->n[0], n = nx * (size_t)l->n[1];
+    if (sampling == SAMPLING_POINT) {
+        for (size_t k = 0; k < n; k++) {
+            double at[2];
+            layout_position(l, (int)(k % nx), (int)(k / nx), at);
+            T[k] = p->initial(p, at);
+        }
+        return;
+    }
+    int m = sampling == SAMPLING_CELL ? 1 : 4;
+    double zero = 0, *row = xcalloc(nx, sizeof *row);
+    struct share one = {0, 1};
+    size_t once = 1;
+    struct rule x = rule_create(p, m, l, 0), rod = {&zero, 1, &once, &one};
+    struct rule y = l->dim == 2 ? rule_create(p, m, l, 1) : rod;
+    memset(T, 0, n * sizeof *T);
+    for (size_t b = 0, v = 0; b < y.nodes; b++) {
+        memset(row, 0, nx * sizeof *row);
+        for (size_t a = 0, u = 0; a < x.nodes; a++) {
+            double value = continued(p, x.node[a], y.node[b]);
+            for (; u < x.end[a]; u++) row[x.share[u].particle] += x.share[u].weight * value;
+        }
+        for (; v < y.end[b]; v++) {
+            double *to = T + (size_t)y.share[v].particle * nx, weight = y.share[v].weight;
+            for (size_t i = 0; i < nx; i++) to[i] += weight * row[i];
+        }
+    }
+    rule_free(&x);
+    if (l->dim == 2) rule_free(&y);
+    free(row);
+}
+
+double sample_initial(const struct problem *p, enum sampling sampling, const double dx[2], const double x[2]) {
+    double T;
+    struct lattice l = {.dim = p->dim, .n = {1, 1}, .dx = {dx[0], dx[1]}, .first = {x[0], x[1]}};
+    sample_lattice(p, sampling, &l, &T);
+    return T;
 }

@@ -1,12 +1,14 @@
 #ifndef HEATLADDER_SOLVER_SAMPLE_H
 #define HEATLADDER_SOLVER_SAMPLE_H
 
-#include "solver/method.h"
-#include "solver/problem.h"
+#include "solver/layout.h"
 
 /* Initial data at x, K: the value there, or its average with a B-spline of order 1 (the cell) or 4 (cubic) on the
  * spacing dx (m).  Beyond the walls the data are continued as the ghosts are: odd about a Dirichlet wall's value,
  * even with the flux's slope about a Neumann wall. */
 double sample_initial(const struct problem *p, enum sampling sampling, const double dx[2], const double x[2]);
+
+/* The same for every particle of a lattice: T[j * n[0] + i], K. */
+void sample_lattice(const struct problem *p, enum sampling sampling, const struct lattice *l, double *T);
 
 #endif
