@@ -20,10 +20,6 @@ static const double pi = 3.14159265358979323846;
 enum { MODES_MAX = 20000 };
 static const double negligible = 1e-18; /* of a unit amplitude */
 
-int series_in_box(double x, double a) {
-    return fabs(x) <= a * (1 + 1e-12);
-}
-
 double series_box_line(double x, double a, double s) {
     if (s == 0) return series_in_box(x, a);
     return (erf((a + x) / s) + erf((a - x) / s)) / 2;

@@ -1,6 +1,7 @@
 #ifndef HEATLADDER_REFERENCES_SERIES_H
 #define HEATLADDER_REFERENCES_SERIES_H
 
+#include <math.h>
 #include <stddef.h>
 
 /* Sums that the references share.  Each form exists twice, from images and from modes, so that one can check the
@@ -20,7 +21,10 @@ struct approx series_box_images(double x, double L, double a, double s);
 struct approx series_box_modes(double x, double L, double a, double s);
 struct approx series_box(double x, double L, double a, double s);       /* the better of the two here */
 struct approx series_box_other(double x, double L, double a, double s); /* the other one */
-int series_in_box(double x, double a);                                  /* 1 or 0 */
+
+static inline int series_in_box(double x, double a) { /* 1 or 0 */
+    return fabs(x) <= a * (1 + 1e-12);
+}
 
 /* The box on the infinite line: (erf((a+x)/s) + erf((a-x)/s))/2 (Song 2018 eq. 45). */
 double series_box_line(double x, double a, double s);

@@ -25,21 +25,25 @@ static double b_spline(int m, double u) {
     return u < 1 ? 2.0 / 3 - u * u * (1 - u / 2) : u < 2 ? (2 - u) * (2 - u) * (2 - u) / 6 : 0;
 }
 
-/* T0, continued beyond the walls: T0(x) = sign T0(image) + offset. */
-static double continued(const struct problem *p, double x, double y) {
-    double at[2] = {x, y};
-    for (int a = 0; a < p->dim; a++) {
-        int hi = at[a] > p->hi[a];
-        if (!hi && at[a] >= p->lo[a]) continue;
-        enum side s = (enum side)(2 * a + hi);
-        double wall = hi ? p->hi[a] : p->lo[a], image[2] = {x, y}, foot[2] = {x, y};
-        image[a] = 2 * wall - at[a], foot[a] = wall;
-        double value = p->wall(p, s, foot), inside = continued(p, image[0], image[1]);
-        if (p->side[s] == DIRICHLET) return 2 * value - inside;
-        double beyond = fabs(at[a] - wall);
-        return inside + value * 2 * beyond / p->material[p->materials == 2 && foot[0] >= p->interface].k[a];
-    }
-    return p->initial(p, at);
+static inline double continued(const struct problem *p, double x, double y);
+
+/* T0 beyond side s: T0(x) = sign T0(image) + offset. */
+static double reflected(const struct problem *p, enum side s, double x, double y) {
+    int a = (int)s / 2;
+    double wall = s % 2 ? p->hi[a] : p->lo[a], beyond = fabs((a ? y : x) - wall);
+    double foot[2] = {a ? x : wall, a ? wall : y}, value = p->wall(p, s, foot);
+    double inside = a ? continued(p, x, 2 * wall - y) : continued(p, 2 * wall - x, y);
+    if (p->side[s] == DIRICHLET) return 2 * value - inside;
+    return inside + value * 2 * beyond / p->material[p->materials == 2 && foot[0] >= p->interface].k[a];
+}
+
+/* T0, continued beyond the walls. */
+static inline double continued(const struct problem *p, double x, double y) {
+    if (x < p->lo[0]) return reflected(p, X_LO, x, y);
+    if (x > p->hi[0]) return reflected(p, X_HI, x, y);
+    if (p->dim == 2 && y < p->lo[1]) return reflected(p, Y_LO, x, y);
+    if (p->dim == 2 && y > p->hi[1]) return reflected(p, Y_HI, x, y);
+    return p->initial(p, (const double[2]){x, y});
 }
 
 /* Planes along one axis where the continued data may jump: walls of given temperature, which data need not agree
@@ -61,129 +65,146 @@ static int jump_planes(const struct problem *p, int axis, double *plane) {
 struct axis {
     int m, n, planes;
     double first, dx, plane[PLANES_MAX];
-    unsigned char *cut; /* n: 1 where a plane lies between the outermost knots */
-};
-
-struct share { /* of a node in the average about a particle */
-    int particle;
-    double weight;
-};
-
-struct rule {
-    double *node;       /* m */
-    size_t nodes, *end; /* of a node's shares, which begin where those of the node before it end */
-    struct share *share;
 };
 
 static double knot(const struct axis *a, int q) {
     return a->first + (q - a->m / 2.0) * a->dx;
 }
 
-static void add_node(struct rule *r, double at) {
-    r->node[r->nodes] = at;
-    r->end[r->nodes] = r->nodes ? r->end[r->nodes - 1] : 0;
-    r->nodes++;
+static int is_cut(const struct axis *a, int i) {
+    int inside = 0;
+    double lo = knot(a, i), hi = knot(a, i + a->m);
+    for (int k = 0; k < a->planes; k++) inside |= a->plane[k] > lo && a->plane[k] < hi;
+    return inside;
 }
 
-static void add_share(struct rule *r, int particle, double weight) {
-    r->share[r->end[r->nodes - 1]++] = (struct share){particle, weight};
-}
+struct rule {     /* the average about particle i: */
+    size_t nodes; /* sum over k of weight[begin[i] + k] T0(node[first[i] + k]), begin[i] + k < begin[i + 1] */
+    double *node, *weight;
+    size_t *first, *begin;
+};
 
-/* Between knots q and q + 1, for those of the particles that reach there which are cut. */
-static void add_cell(const struct axis *a, int q, struct rule *r) {
+/* Nodes between knots q and q + 1, cut at planes; share[k]: what node k counts for apart from the spline. */
+static void add_cell(const struct axis *a, int q, struct rule *r, double *share) {
     double edge[PLANES_MAX + 2] = {knot(a, q), knot(a, q + 1)};
-    int edges = 2, begin = q - a->m + 1 > 0 ? q - a->m + 1 : 0, end = q < a->n ? q + 1 : a->n, any = 0;
-    for (int i = begin; i < end; i++) any |= a->cut[i];
-    for (int k = 0; k < a->planes && any; k++) { /* insert, ascending */
+    int edges = 2;
+    for (int k = 0; k < a->planes; k++) { /* insert, ascending */
         if (a->plane[k] <= edge[0] || a->plane[k] >= edge[edges - 1]) continue;
         int at = edges++;
         for (; edge[at - 1] > a->plane[k]; at--) edge[at] = edge[at - 1];
         edge[at] = a->plane[k];
     }
-    for (int k = 0; k + 1 < edges && any; k++)
+    for (int k = 0; k + 1 < edges; k++)
         for (int g = 0; g < GAUSS; g++) {
-            double half = (edge[k + 1] - edge[k]) / 2, node = edge[k] + half * (1 + gauss_node[g]);
-            add_node(r, node);
-            for (int i = begin; i < end; i++) {
-                double u = (node - (a->first + i * a->dx)) / a->dx;
-                if (a->cut[i]) add_share(r, i, half / a->dx * gauss_weight[g] * b_spline(a->m, u));
-            }
+            double half = (edge[k + 1] - edge[k]) / 2;
+            r->node[r->nodes] = edge[k] + half * (1 + gauss_node[g]);
+            share[r->nodes++] = half / a->dx * gauss_weight[g];
         }
 }
 
 /* Where the data are smooth: few nodes with the moments of the spline up to the third.  The cubic's are the particle
- * and the two beside it, the cell's lie dx / sqrt(12) to either side. */
-static void add_smooth(const struct axis *a, struct rule *r) {
-    if (a->m == 1)
-        for (int k = 0; k < 2 * a->n; k++) {
-            if (a->cut[k / 2]) continue;
-            add_node(r, a->first + (k / 2 + (k % 2 - 0.5) / sqrt(3)) * a->dx);
-            add_share(r, k / 2, 0.5);
+ * and the two beside it, those of the cell lie dx / sqrt(12) to either side.  *next: particles whose nodes are there.
+ */
+static void add_smooth(const struct axis *a, int i, struct rule *r, int *next) {
+    double *w = r->weight + r->begin[i];
+    if (a->m == 1) {
+        r->first[i] = r->nodes;
+        for (int k = 0; k < 2; k++) {
+            r->node[r->nodes++] = a->first + (i + (k - 0.5) / sqrt(3)) * a->dx;
+            w[k] = 0.5;
         }
-    else
-        for (int q = -1; q <= a->n; q++) {
-            int begin = q > 0 ? q - 1 : 0, end = q + 2 < a->n ? q + 2 : a->n, any = 0;
-            for (int i = begin; i < end; i++) any |= !a->cut[i];
-            if (any) add_node(r, a->first + q * a->dx);
-            for (int i = begin; i < end; i++)
-                if (!a->cut[i]) add_share(r, i, i == q ? 2.0 / 3 : 1.0 / 6);
-        }
+        r->begin[i + 1] = r->begin[i] + 2;
+        return;
+    }
+    if (*next < i - 1) *next = i - 1;
+    for (; *next <= i + 1; ++*next) r->node[r->nodes++] = a->first + *next * a->dx;
+    r->first[i] = r->nodes - 3;
+    w[0] = w[2] = 1.0 / 6, w[1] = 2.0 / 3;
+    r->begin[i + 1] = r->begin[i] + 3;
 }
 
 static struct rule rule_create(const struct problem *p, int m, const struct lattice *l, int dim) {
     struct axis a = {.m = m, .n = l->n[dim], .first = l->first[dim], .dx = l->dx[dim]};
     a.planes = jump_planes(p, dim, a.plane);
-    a.cut = xcalloc((size_t)a.n, 1);
-    size_t cuts = 0, n = (size_t)a.n, span = (size_t)(m + a.planes);
-    for (int i = 0; i < a.n; i++) {
-        for (int k = 0; k < a.planes; k++) a.cut[i] |= a.plane[k] > knot(&a, i) && a.plane[k] < knot(&a, i + m);
-        cuts += a.cut[i];
+    int n = a.n, cells = n + m - 1, next = -1, last = -1;
+    size_t cuts = 0, *cell = xcalloc((size_t)cells + 1, sizeof *cell);
+    for (int i = 0; i < n; i++) cuts += (size_t)is_cut(&a, i);
+    size_t touched = cuts * (size_t)m < (size_t)cells ? cuts * (size_t)m : (size_t)cells;
+    size_t most = GAUSS * (touched + (size_t)a.planes);
+    struct rule r = {.first = xcalloc((size_t)n, sizeof *r.first), .begin = xcalloc((size_t)n + 1, sizeof *r.begin)};
+    r.node = xcalloc(most + 2 * (size_t)n + 2, sizeof *r.node);
+    r.weight = xcalloc(GAUSS * (cuts * (size_t)(m + a.planes) + (size_t)n), sizeof *r.weight);
+    double *share = xcalloc(most, sizeof *share);
+    for (int q = 0; q < cells; q++) { /* of particles q - m + 1 to q */
+        if (q < n && is_cut(&a, q)) last = q + m;
+        cell[q] = r.nodes;
+        if (q < last) add_cell(&a, q, &r, share);
     }
-    struct rule r = {.node = xcalloc(2 * n + 2 + GAUSS * cuts * span, sizeof *r.node)};
-    r.end = xcalloc(2 * n + 2 + GAUSS * cuts * span, sizeof *r.end);
-    r.share = xcalloc(3 * n + GAUSS * cuts * span, sizeof *r.share);
-    for (int q = 0; q < a.n + m - 1; q++) add_cell(&a, q, &r);
-    add_smooth(&a, &r);
-    free(a.cut);
+    cell[cells] = r.nodes;
+    for (int i = 0; i < n; i++) {
+        if (!is_cut(&a, i)) {
+            add_smooth(&a, i, &r, &next);
+            continue;
+        }
+        double *w = r.weight + r.begin[i];
+        r.first[i] = cell[i];
+        r.begin[i + 1] = r.begin[i] + cell[i + m] - cell[i];
+        for (size_t k = cell[i]; k < cell[i + m]; k++)
+            *w++ = share[k] * b_spline(m, (r.node[k] - (a.first + i * a.dx)) / a.dx);
+    }
+    free(cell);
+    free(share);
     return r;
 }
 
 static void rule_free(struct rule *r) {
     free(r->node);
-    free(r->end);
-    free(r->share);
+    free(r->weight);
+    free(r->first);
+    free(r->begin);
+}
+
+/* T[i] for the particles along x, at y; value: x->nodes, to work in */
+static void average_row(const struct problem *p, const struct rule *x, int n, double y, double *value, double *T) {
+    for (size_t k = 0; k < x->nodes; k++) value[k] = continued(p, x->node[k], y);
+    for (int i = 0; i < n; i++) {
+        const double *v = value + x->first[i], *w = x->weight + x->begin[i];
+        double sum = 0;
+        for (size_t k = 0; k < x->begin[i + 1] - x->begin[i]; k++) sum += w[k] * v[k];
+        T[i] = sum;
+    }
 }
 
 void sample_lattice(const struct problem *p, enum sampling sampling, const struct lattice *l, double *T) {
-    size_t nx = (size_t)l->n[0], n = nx * (size_t)l->n[1];
+    int nx = l->n[0], ny = l->n[1], m = sampling == SAMPLING_CELL ? 1 : 4;
     if (sampling == SAMPLING_POINT) {
-        for (size_t k = 0; k < n; k++) {
-            double at[2];
-            layout_position(l, (int)(k % nx), (int)(k / nx), at);
-            T[k] = p->initial(p, at);
-        }
+        for (int j = 0; j < ny; j++)
+            for (int i = 0; i < nx; i++) {
+                double at[2];
+                layout_position(l, i, j, at);
+                *T++ = p->initial(p, at);
+            }
         return;
     }
-    int m = sampling == SAMPLING_CELL ? 1 : 4;
-    double zero = 0, *row = xcalloc(nx, sizeof *row);
-    struct share one = {0, 1};
-    size_t once = 1;
-    struct rule x = rule_create(p, m, l, 0), rod = {&zero, 1, &once, &one};
-    struct rule y = l->dim == 2 ? rule_create(p, m, l, 1) : rod;
-    memset(T, 0, n * sizeof *T);
-    for (size_t b = 0, v = 0; b < y.nodes; b++) {
-        memset(row, 0, nx * sizeof *row);
-        for (size_t a = 0, u = 0; a < x.nodes; a++) {
-            double value = continued(p, x.node[a], y.node[b]);
-            for (; u < x.end[a]; u++) row[x.share[u].particle] += x.share[u].weight * value;
-        }
-        for (; v < y.end[b]; v++) {
-            double *to = T + (size_t)y.share[v].particle * nx, weight = y.share[v].weight;
-            for (size_t i = 0; i < nx; i++) to[i] += weight * row[i];
+    struct rule x = rule_create(p, m, l, 0), y = {0};
+    double *value = xcalloc(x.nodes, sizeof *value), *row = xcalloc((size_t)nx, sizeof *row);
+    if (l->dim == 1)
+        average_row(p, &x, nx, 0, value, T);
+    else {
+        y = rule_create(p, m, l, 1);
+        memset(T, 0, (size_t)nx * (size_t)ny * sizeof *T);
+    }
+    for (size_t k = 0; k < y.nodes; k++) {
+        average_row(p, &x, nx, y.node[k], value, row);
+        for (int j = 0; j < ny; j++) {
+            if (k < y.first[j] || k - y.first[j] >= y.begin[j + 1] - y.begin[j]) continue;
+            double w = y.weight[y.begin[j] + k - y.first[j]], *to = T + (size_t)j * (size_t)nx;
+            for (int i = 0; i < nx; i++) to[i] += w * row[i];
         }
     }
     rule_free(&x);
-    if (l->dim == 2) rule_free(&y);
+    rule_free(&y);
+    free(value);
     free(row);
 }
 

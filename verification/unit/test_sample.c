@@ -92,13 +92,32 @@ static void walls_continue_the_data(void **state) {
     both(&p, SAMPLING_SPLINE, low[0], low[1], slope(&p, low), 1e-15);
 }
 
+/* Neighbours share nodes: as if each were sampled on its own, with jumps on either side of a knot and beside walls.
+ */
+static void a_lattice_shares_its_nodes(void **state) {
+    (void)state;
+    struct problem p = odd_rectangle();
+    p.initial = hot_right;
+    p.jumps[0] = 2, p.jump[0][0] = 0.4, p.jump[0][1] = 1.07;
+    p.jumps[1] = 1, p.jump[1][0] = 0.77;
+    struct lattice l = {.dim = 2, .n = {11, 13}, .dx = {0.13, 0.07}, .first = {-0.28, 0.24}};
+    double T[11 * 13];
+    for (int sampling = SAMPLING_POINT; sampling <= SAMPLING_SPLINE; sampling++) {
+        sample_lattice(&p, (enum sampling)sampling, &l, T);
+        for (int k = 0; k < l.n[0] * l.n[1]; k++) {
+            double at[2];
+            layout_position(&l, k % l.n[0], k / l.n[0], at);
+            assert_near(sample_initial(&p, (enum sampling)sampling, l.dx, at), T[k], 2e-15);
+        }
+    }
+}
+
 int main(void) {
     gsl_set_error_handler_off();
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(averages_have_the_splines_moments),
-        cmocka_unit_test(jumps_are_cut),
-        cmocka_unit_test(images_of_jumps_are_cut),
-        cmocka_unit_test(walls_continue_the_data),
+        cmocka_unit_test(averages_have_the_splines_moments), cmocka_unit_test(jumps_are_cut),
+        cmocka_unit_test(images_of_jumps_are_cut),           cmocka_unit_test(walls_continue_the_data),
+        cmocka_unit_test(a_lattice_shares_its_nodes),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
