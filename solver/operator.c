@@ -45,30 +45,36 @@ static void add_convolution(struct square *to, const struct square *a, double fa
 static int lattice_weights(const struct problem *p, const struct options *o, const struct scheme *s, double dx,
                            const double kappa[2], struct square out[2], struct failure *why) {
     int r = (int)ceil(KERNEL_SUPPORT * o->h * (1 - 1e-12)) - 1, ry = p->dim == 2 ? r : 0;
-    double d[NEIGHBOURS_MAX][2], weight[2][NEIGHBOURS_MAX], *w[2] = {weight[0], weight[1]};
-    int at[NEIGHBOURS_MAX][2];
+    size_t most = (size_t)(2 * r + 1) * (size_t)(2 * ry + 1);
     double dV = p->dim == 2 ? dx * dx : dx;
     struct neighbourhood nb = {
-        .dim = p->dim, .d = d, .h = o->h * dx, .volume = s->volume ? s->volume(p, o, o->h * dx, dV) : dV};
+        .dim = p->dim, .h = o->h * dx, .volume = s->volume ? s->volume(p, o, o->h * dx, dV) : dV};
     nb.x[0] = (p->lo[0] + p->hi[0]) / 2, nb.x[1] = (p->lo[1] + p->hi[1]) / 2;
     memcpy(nb.kappa, kappa, sizeof nb.kappa);
-    if ((2 * r + 1) * (2 * ry + 1) > NEIGHBOURS_MAX)
+    if (most > NEIGHBOURS_MAX)
         return fail(why, STATUS_INPUT, "--h %g: more than %d neighbours", o->h, NEIGHBOURS_MAX);
+    double *w[2] = {xcalloc(most, sizeof **w), xcalloc(most, sizeof **w)};
+    int(*at)[2] = xcalloc(most, sizeof *at), status;
+    nb.d = xcalloc(most, sizeof *nb.d);
     for (int j = -ry; j <= ry; j++)
         for (int i = -r; i <= r; i++) {
             if ((i == 0 && j == 0) || i * i + j * j >= 4 * o->h * o->h * (1 - 1e-12)) continue;
-            d[nb.n][0] = i * dx, d[nb.n][1] = j * dx;
+            nb.d[nb.n][0] = i * dx, nb.d[nb.n][1] = j * dx;
             at[nb.n][0] = i, at[nb.n][1] = j;
             nb.n++;
         }
-    if (s->weights(p, o, &nb, w, why)) return why->status;
-    for (int t = 0; t < s->sweeps; t++) {
+    status = s->weights(p, o, &nb, w, why);
+    for (int t = 0; t < s->sweeps && !status; t++) {
         out[t] = square_alloc(r, ry);
         double sum = 0;
         for (size_t k = 0; k < nb.n; k++) *square_at(&out[t], at[k][0], at[k][1]) = w[t][k], sum += w[t][k];
         *square_at(&out[t], 0, 0) = -sum;
     }
-    return STATUS_OK;
+    free(w[0]);
+    free(w[1]);
+    free(at);
+    free(nb.d);
+    return status;
 }
 
 int operator_stencil(const struct problem *p, const struct options *o, const struct scheme *s, double dx,
