@@ -157,7 +157,8 @@ int particles_solve(const struct problem *p, const struct options *given, const 
         for (size_t i = 0; i < f->n; i++) {
             double x[2] = {f->x[i], f->y ? f->y[i] : 0};
             if (rows) f->T[i] = sample_initial(p, o->sampling, l.dx, x);
-            f->range[0] = fmin(f->range[0], f->T[i]), f->range[1] = fmax(f->range[1], f->T[i]);
+            if (f->T[i] < f->range[0]) f->range[0] = f->T[i];
+            if (f->T[i] > f->range[1]) f->range[1] = f->T[i];
         }
         f->heat[0] = heat_content(p, f, volume);
         f->time = p->t_end;
