@@ -4,6 +4,7 @@
 
 #include "solver/ftcs_grid.h"
 #include "solver/particles.h"
+#include "solver/transform.h"
 #include "verification/fold.h"
 #include "verification/request.h"
 
@@ -50,8 +51,9 @@ static int hold_march(const struct request *r, const struct options *o, const st
                       const struct heat_operator *a, struct plan *plan, struct failure *why) {
     struct march m;
     if (o->stepper == STEPPER_EXACT) {
-        hold(plan, "temperatures, transformed in place", a->n * sizeof(double));
+        hold(plan, "temperatures, transformed", a->n * sizeof(double));
         hold(plan, "what walls and source add, transformed", a->g ? a->n * sizeof(double) : 0);
+        hold(plan, "what the transform works with", transform_bytes(l));
         plan->stages = 0;
         plan->updates = (long long)a->n;
         plan->interactions = (long long)a->pairs;

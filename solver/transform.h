@@ -1,0 +1,26 @@
+#ifndef HEATLADDER_SOLVER_TRANSFORM_H
+#define HEATLADDER_SOLVER_TRANSFORM_H
+
+#include "solver/layout.h"
+
+/* The sine or cosine transform of a lattice that has the parity of its mirroring walls (sign -1 or +1) on each axis.
+ */
+
+struct transform;
+
+/* T is one of the arrays (n[0] x n[1], x fastest, from xcalloc) that it will be used on; it is not touched. */
+struct transform *transform_create(const struct lattice *l, double *T);
+void transform_free(struct transform *t);
+
+/* What it holds for itself. */
+size_t transform_bytes(const struct lattice *l);
+
+/* T becomes its coefficients, or coefficients become T.  Forth and back multiplies by transform_gain. */
+void transform_forward(struct transform *t, double *T);
+void transform_backward(struct transform *t, double *T);
+double transform_gain(const struct lattice *l);
+
+/* Wave number of mode k along an axis, radians a particle. */
+double transform_angle(const struct lattice *l, int axis, int k);
+
+#endif
