@@ -123,34 +123,44 @@ static void add_smooth(const struct axis *a, int i, struct rule *r, int *next) {
     r->begin[i + 1] = r->begin[i] + 3;
 }
 
-static struct rule rule_create(const struct problem *p, int m, const struct lattice *l, int dim) {
+static struct axis axis_of(const struct problem *p, int m, const struct lattice *l, int dim) {
     struct axis a = {.m = m, .n = l->n[dim], .first = l->first[dim], .dx = l->dx[dim]};
     a.planes = jump_planes(p, dim, a.plane);
-    int n = a.n, cells = n + m - 1, next = -1, last = -1;
+    return a;
+}
+
+static int alike(const struct axis *a, const struct axis *b) {
+    int same = a->n == b->n && a->first == b->first && a->dx == b->dx && a->planes == b->planes;
+    for (int k = 0; k < a->planes && same; k++) same = a->plane[k] == b->plane[k];
+    return same;
+}
+
+static struct rule rule_create(const struct axis *a) {
+    int m = a->m, n = a->n, cells = n + m - 1, next = -1, last = -1;
     size_t cuts = 0, *cell = xcalloc((size_t)cells + 1, sizeof *cell);
-    for (int i = 0; i < n; i++) cuts += (size_t)is_cut(&a, i);
+    for (int i = 0; i < n; i++) cuts += (size_t)is_cut(a, i);
     size_t touched = cuts * (size_t)m < (size_t)cells ? cuts * (size_t)m : (size_t)cells;
-    size_t most = GAUSS * (touched + (size_t)a.planes);
+    size_t most = GAUSS * (touched + (size_t)a->planes);
     struct rule r = {.first = xcalloc((size_t)n, sizeof *r.first), .begin = xcalloc((size_t)n + 1, sizeof *r.begin)};
     r.node = xcalloc(most + 2 * (size_t)n + 2, sizeof *r.node);
-    r.weight = xcalloc(GAUSS * (cuts * (size_t)(m + a.planes) + (size_t)n), sizeof *r.weight);
+    r.weight = xcalloc(GAUSS * (cuts * (size_t)(m + a->planes) + (size_t)n), sizeof *r.weight);
     double *share = xcalloc(most, sizeof *share);
     for (int q = 0; q < cells; q++) { /* of particles q - m + 1 to q */
-        if (q < n && is_cut(&a, q)) last = q + m;
+        if (q < n && is_cut(a, q)) last = q + m;
         cell[q] = r.nodes;
-        if (q < last) add_cell(&a, q, &r, share);
+        if (q < last) add_cell(a, q, &r, share);
     }
     cell[cells] = r.nodes;
     for (int i = 0; i < n; i++) {
-        if (!is_cut(&a, i)) {
-            add_smooth(&a, i, &r, &next);
+        if (!is_cut(a, i)) {
+            add_smooth(a, i, &r, &next);
             continue;
         }
         double *w = r.weight + r.begin[i];
         r.first[i] = cell[i];
         r.begin[i + 1] = r.begin[i] + cell[i + m] - cell[i];
         for (size_t k = cell[i]; k < cell[i + m]; k++)
-            *w++ = share[k] * b_spline(m, (r.node[k] - (a.first + i * a.dx)) / a.dx);
+            *w++ = share[k] * b_spline(m, (r.node[k] - (a->first + i * a->dx)) / a->dx);
     }
     free(cell);
     free(share);
@@ -186,12 +196,14 @@ void sample_lattice(const struct problem *p, enum sampling sampling, const struc
             }
         return;
     }
-    struct rule x = rule_create(p, m, l, 0), y = {0};
+    struct axis ax = axis_of(p, m, l, 0), ay = axis_of(p, m, l, 1);
+    struct rule x = rule_create(&ax), y = {0};
+    int square = l->dim == 2 && alike(&ax, &ay);
     double *value = xcalloc(x.nodes, sizeof *value), *row = xcalloc((size_t)nx, sizeof *row);
     if (l->dim == 1)
         average_row(p, &x, nx, 0, value, T);
     else {
-        y = rule_create(p, m, l, 1);
+        y = square ? x : rule_create(&ay);
         memset(T, 0, (size_t)nx * (size_t)ny * sizeof *T);
     }
     for (size_t k = 0; k < y.nodes; k++) {
@@ -203,7 +215,7 @@ void sample_lattice(const struct problem *p, enum sampling sampling, const struc
         }
     }
     rule_free(&x);
-    rule_free(&y);
+    if (!square) rule_free(&y);
     free(value);
     free(row);
 }
