@@ -173,6 +173,8 @@ const struct option options_table[] = {
      read_number, IN(time_error), NULL, POSITIVE, 0},
     {"solver", "solver", "'CMD'", "a program that stands in for METHOD; {case} and {out} in CMD become paths",
      read_text, IN(solver), NULL, FINITE, 0},
+    {"warm-up", "warm-up", NULL, "solve once beforehand, so that what is timed finds program and memory ready",
+     read_flag, IN(warm_up), NULL, FINITE, 0},
     {"field", "field", "FILE", "write the points, the temperature and the exact one as CSV", read_text,
      IN(field_path), NULL, FINITE, 0},
     {"expect", "expect", "LO,HI", "the band that the slope's interval must lie in; exit status 1 where it does not",

@@ -6,6 +6,7 @@
 #include "verification/json.h"
 #include "verification/request.h"
 #include "verification/run.h"
+#include "verification/stepping.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -71,6 +72,12 @@ int verb_run(const struct request *r) {
     struct result result;
     struct field field = {0};
     int status = check(r, &why);
+    if (!status && r->warm_up) {
+        struct options o = r->options;
+        double ignored;
+        status = stepping_solve(r, &o, &field, &ignored, &why);
+        field_free(&field);
+    }
     if (!status) {
         status = run_request(r, &r->options, &result, &field);
         why = result.failure;

@@ -56,21 +56,31 @@ static void march(const struct rectangle *p, double *T, double *next, long steps
     }
 }
 
+/* T and next: with a rim of one point. */
+static void solve(const struct rectangle *p, long steps, double *body, double *T, double *next) {
+    size_t nx = (size_t)p->n[0], ny = (size_t)p->n[1], width = nx + 2;
+    rectangle_start(p, body);
+    for (size_t j = 0; j < ny; j++) memcpy(T + (j + 1) * width + 1, body + j * nx, nx * sizeof *body);
+    march(p, T, next, steps);
+    const double *end = steps % 2 ? next : T;
+    for (size_t j = 0; j < ny; j++) memcpy(body + j * nx, end + (j + 1) * width + 1, nx * sizeof *body);
+}
+
 int main(int argc, char **argv) {
     if (argc != 3) rectangle_die("usage: ftcs CASE OUT");
     struct rectangle p = rectangle_read(argv[1]);
     if (p.kappa[0] != p.kappa[1]) rectangle_die("ftcs: one kappa");
-    double begin = rectangle_now();
-    size_t nx = (size_t)p.n[0], ny = (size_t)p.n[1], width = nx + 2, size = width * (ny + 2);
+    size_t nx = (size_t)p.n[0], ny = (size_t)p.n[1], size = (nx + 2) * (ny + 2);
     double *body = malloc(nx * ny * sizeof *body), *T = calloc(size, sizeof *T), *next = calloc(size, sizeof *T);
     if (!body || !T || !next) rectangle_die("out of memory");
     long steps = (long)ceil(6 * p.kappa[0] * p.t_end / (p.dx * p.dx) * (1 - 1e-12));
-    rectangle_start(&p, body);
-    for (size_t j = 0; j < ny; j++) memcpy(T + (j + 1) * width + 1, body + j * nx, nx * sizeof *body);
-    march(&p, T, next, steps);
-    const double *end = steps % 2 ? next : T;
-    for (size_t j = 0; j < ny; j++) memcpy(body + j * nx, end + (j + 1) * width + 1, nx * sizeof *body);
-    rectangle_write(&p, body, argv[2], rectangle_now() - begin, steps);
+    double seconds = 0;
+    for (int k = 0; k < 2 && seconds < RECTANGLE_WARM; k++) {
+        double begin = rectangle_now();
+        solve(&p, steps, body, T, next);
+        seconds = rectangle_now() - begin;
+    }
+    rectangle_write(&p, body, argv[2], seconds, steps);
     free(body);
     free(T);
     free(next);

@@ -15,6 +15,9 @@ struct rectangle {
 
 enum { RECTANGLE_FEW = 16384 }; /* points that threads are not woken for: some microseconds of work */
 
+/* s: a solve that takes less is done once more, and the second is timed, so that it finds program and memory ready */
+#define RECTANGLE_WARM 0.1
+
 /* Ends the program where it cannot be read or is another scene. */
 struct rectangle rectangle_read(const char *path);
 
