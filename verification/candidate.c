@@ -114,7 +114,6 @@ int candidate_solve(const struct candidate *c, const struct request *r, int n, s
 }
 
 double candidate_work(const struct result *r) {
-    double n = (double)r->particles;
-    if (r->steps == 0) return n * (10 * log2(n) + 60);
-    return (double)r->interactions + 2 * (double)r->updates;
+    double steps = r->steps == 0 ? 0 : (double)r->interactions + 2 * (double)r->updates;
+    return steps + r->setup;
 }

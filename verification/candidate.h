@@ -37,10 +37,9 @@ int candidate_run(const struct candidate *c, const struct request *r, int n, str
 /* What a run costs, counted so that it is the same on every machine.  The unit is a pair of particles, one
  * multiplication and one addition in a stream:
  *
- *     steps        pairs + 2 updates                (a load and a store of each particle beside its pairs)
- *     transforms   particles (10 log2 particles + 60)     (two passes of 2.5 log2 n each way; 60 for exp and lambda)
- *
- * Setting up is once a run and left out. */
+ *     steps        pairs + 2 updates      (a load and a store of each particle beside its pairs)
+ *     the rest     setup_work.h           (set-up, sampling, assembly; the transforms of --stepper exact)
+ */
 double candidate_work(const struct result *r);
 
 #endif

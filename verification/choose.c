@@ -2,9 +2,9 @@
  * them in log-log foretells where its error reaches what is wanted, and what that will cost.  The cheapest runs; what
  * it measures joins its rungs; and so on until the error is reached.
  *
- * Costs are counted, so that the choice is the same on every machine.  Rungs keep the place of the jumps between
- * particles: where a lattice can have all of them midway, only such lattices are taken, since there the order shows
- * from the coarsest rungs on. */
+ * Costs are counted, so that the choice is the same on every machine: what is done once and what each step does are
+ * foretold apart, since they grow apart.  Rungs keep the place of the jumps between particles: where a lattice can
+ * have all of them midway, only such lattices are taken, since there the order shows from the coarsest rungs on. */
 #include "verification/choose.h"
 
 #include "verification/request.h"
@@ -30,19 +30,22 @@ static void add_rung(struct choose_one *c, int n, const struct result *r) {
     if (c->rungs == CHOOSE_RUNGS) memmove(c->rung, c->rung + 1, (size_t)--c->rungs * sizeof *c->rung);
     int at = c->rungs++;
     for (; at > 0 && c->rung[at - 1].n > n; at--) c->rung[at] = c->rung[at - 1];
-    c->rung[at] = (struct choose_rung){n, r->error.l1, candidate_work(r)};
+    c->rung[at] = (struct choose_rung){n, r->error.l1, r->setup, candidate_work(r) - r->setup};
 }
 
+/* The order, and the growth of either part of the work: what is fixed in the one would hide how the other grows. */
 static void fit(struct choose_one *c, int first, int last) {
-    double n[CHOOSE_RUNGS], error[CHOOSE_RUNGS], work[CHOOSE_RUNGS];
+    double n[CHOOSE_RUNGS], error[CHOOSE_RUNGS], once[CHOOSE_RUNGS], steps[CHOOSE_RUNGS];
     int m = 0;
     for (int i = first; i <= last; i++) {
         n[m] = c->rung[i].n;
         error[m] = c->rung[i].error;
-        work[m++] = c->rung[i].work;
+        once[m] = c->rung[i].once;
+        steps[m++] = c->rung[i].steps;
     }
     c->order = -slope_fit(n, error, m).value;
-    c->growth = slope_fit(n, work, m).value;
+    c->once = slope_fit(n, once, m).value;
+    c->steps = steps[0] > 0 ? slope_fit(n, steps, m).value : 0; /* none with transforms */
 }
 
 static void cannot_converge(struct choose_one *c) {
@@ -59,7 +62,7 @@ static void foretell(struct choose_one *c, double error, int unit) {
     while (reached <= last && !(c->rung[reached].error <= error)) reached++;
     const struct choose_rung *base = &c->rung[reached <= last ? reached : last];
     if (reached == 0) { /* the coarsest has it already */
-        c->wanted = base->n, c->predicted_error = base->error, c->predicted_work = base->work;
+        c->wanted = base->n, c->predicted_error = base->error, c->predicted_work = base->once + base->steps;
         return;
     }
     if (reached <= last)
@@ -80,7 +83,7 @@ static void foretell(struct choose_one *c, double error, int unit) {
     c->wanted = candidate_member(along, unit);
     double ratio = (double)c->wanted / base->n;
     c->predicted_error = base->error * pow(ratio, -c->order);
-    c->predicted_work = base->work * pow(ratio, c->growth);
+    c->predicted_work = base->once * pow(ratio, c->once) + base->steps * pow(ratio, c->steps);
     if (c->predicted_work > WORK_MAX) rule_out(c, "would take more than 2e11 pairs");
 }
 

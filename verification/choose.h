@@ -8,15 +8,15 @@
 enum { CHOOSE_CANDIDATES = 24, CHOOSE_RUNGS = 12 };
 
 struct choose_rung {
-    int n; /* particles along x */
-    double error, work;
+    int n;                     /* particles along x */
+    double error, once, steps; /* work of setting up and of the steps */
 };
 
 struct choose_one {
     const struct candidate *candidate;
     int rungs; /* runs so far, coarsest first */
     struct choose_rung rung[CHOOSE_RUNGS];
-    double order, growth;                   /* error ~ n^-order, work ~ n^growth; 0 where not fitted */
+    double order, once, steps;              /* error ~ n^-order, work ~ n^once and n^steps; 0 where not fitted */
     int wanted;                             /* particles along x that should reach the error */
     double predicted_error, predicted_work; /* there; infinite work where it cannot be */
     char reason[200];                       /* why it cannot */

@@ -31,6 +31,7 @@ struct result {
     double rounding;        /* what rounding can make up of error.l1 */
     double seconds, step_seconds;
     long long updates, interactions;
+    double setup; /* what is done once, in pairs (setup_work.h) */
     size_t bytes;
 };
 

@@ -3,6 +3,7 @@
 
 #include "references/scene.h"
 #include "verification/request.h"
+#include "verification/setup_work.h"
 #include "verification/stepping.h"
 
 #include <float.h>
@@ -46,6 +47,7 @@ static void measure(const struct request *r, const struct field *f, const double
     out->updates = f->updates;
     out->interactions = f->interactions;
     out->bytes = f->bytes;
+    out->setup = setup_work(p, out);
 }
 
 static int solve(const struct request *r, const struct options *o, struct result *out, struct field *f) {

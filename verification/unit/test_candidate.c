@@ -2,8 +2,9 @@
 #include "verification/candidate.h"
 
 #include "references/scene.h"
+#include "verification/arguments.h"
 #include "verification/bench.h"
-#include "verification/request.h"
+#include "verification/run.h"
 
 #include "verification/unit/near.h"
 
@@ -45,12 +46,51 @@ static void every_candidate_names_a_method_and_differs(void **state) {
     }
 }
 
+static struct result run(const char *line) {
+    struct request r;
+    struct result result;
+    struct failure why;
+    if (arguments_parse_line(line, &r, &why)) fail_msg("%s: %s", line, why.text);
+    if (run_request(&r, &r.options, &result, NULL)) fail_msg("%s: %s", line, result.failure.text);
+    arguments_free(&r);
+    return result;
+}
+
 static void work_is_counted(void **state) {
     (void)state;
-    struct result steps = {.particles = 10, .steps = 3, .updates = 30, .interactions = 120};
-    struct result transforms = {.particles = 16, .updates = 16, .interactions = 64};
-    assert_near(candidate_work(&steps), 120 + 2 * 30, 0);
-    assert_near(candidate_work(&transforms), 16 * (10 * 4 + 60), 1e-9);
+    struct result steps = {.particles = 10, .steps = 3, .updates = 30, .interactions = 120, .setup = 7};
+    struct result transforms = {.particles = 16, .updates = 16, .interactions = 64, .setup = 1000};
+    assert_near(candidate_work(&steps), 120 + 2 * 30 + 7, 0);
+    assert_near(candidate_work(&transforms), 1000, 0);
+}
+
+/* 16 of 32 particles are computed; 8 scalar operations' worth for each place, 20, and each sample, 36. */
+static void setting_up_is_counted_by_what_is_done(void **state) {
+    (void)state;
+    struct result ftcs = run("run rod-step ftcs --dx 4/32 --fourier 0.2");
+    struct result cell = run("run rod-step ftcs --dx 4/32 --fourier 0.2 --sampling cell");
+    assert_near(ftcs.setup, 8 * (20 * 32 + 36 * 16), 1e-9);
+    assert_near(cell.setup, 8 * (20 * 32 + 36 * 4 * 16), 1e-9);
+    struct result point = run("run rod-step so_ssph --dx 4/32 --fourier 0.2 --stepper euler");
+    struct result spline = run("run rod-step so_ssph --dx 4/32 --fourier 0.2 --stepper euler --sampling spline");
+    /* four particles see the jump, two the wall, each through five pieces of three nodes; ten are smooth */
+    assert_near(spline.setup - point.setup, 8 * 36 * (6 * 15 + 10 * 3 - 16), 1e-6);
+    struct result exact = run("run rod-step so_ssph --dx 4/32 --stepper exact");
+    /* two transforms and plans of 16, 16 exponentials and 3 cosines for each of 16 modes */
+    assert_near(exact.setup - point.setup, 8 * (2 * (16 * 1.25 * 4 + 200 * 8 * 4) + 20 * (16 + 3 * 16)), 1e-6);
+}
+
+static void searches_and_rows_cost_more_than_a_stencil(void **state) {
+    (void)state;
+    double once = run("run square-step so_ssph --dx 0.1 --fourier 0.1 --stepper euler").setup;
+    double searched = run("run square-step so_ssph --dx 0.1 --h iso --stepper matched").setup;
+    double rows =
+        run("run square-step so_ssph --dx 0.1 --layout jitter --jitter 0 --fourier 0.1 --stepper euler").setup;
+    double order4 = run("run square-step so_ssph --dx 0.1 --order 4 --fourier 0.1 --stepper euler").setup;
+    double pairwise =
+        run("run square-step brookshaw --dx 0.1 --layout jitter --jitter 0 --fourier 0.1 --stepper euler").setup;
+    assert_true(searched > 1.5 * once && rows > 5 * once && order4 > once);
+    assert_true(pairwise < rows && pairwise > once);
 }
 
 static void a_median_is_no_mean(void **state) {
@@ -67,6 +107,8 @@ int main(void) {
         cmocka_unit_test(lattices_meet_the_jumps),
         cmocka_unit_test(every_candidate_names_a_method_and_differs),
         cmocka_unit_test(work_is_counted),
+        cmocka_unit_test(setting_up_is_counted_by_what_is_done),
+        cmocka_unit_test(searches_and_rows_cost_more_than_a_stencil),
         cmocka_unit_test(a_median_is_no_mean),
     };
     return cmocka_run_group_tests_name("candidate", tests, NULL, NULL);

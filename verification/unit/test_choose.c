@@ -52,6 +52,19 @@ static void the_choice_repeats(void **state) {
     free(b);
 }
 
+/* Sixteen particles along x need four matched steps, but the search for an isotropic h/dx outweighs them, as it
+ * outweighs all of a run of finite differences. */
+static void setting_up_decides_where_runs_are_short(void **state) {
+    (void)state;
+    struct failure why;
+    struct choose *c = xcalloc(1, sizeof *c);
+    assert_int_equal(choose("reference square-step --at 0,0 --time 1", 1e-2, c, &why), STATUS_OK);
+    assert_string_equal(c->best.candidate->method, "ftcs");
+    assert_int_equal(choose("reference square-step --at 0,0 --time 1", 1e-5, c, &why), STATUS_OK);
+    assert_int_equal(c->best.candidate->options.stepper, STEPPER_MATCHED);
+    free(c);
+}
+
 static void what_cannot_be_is_said(void **state) {
     (void)state;
     struct failure why;
@@ -66,6 +79,7 @@ int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(the_error_is_reached),
         cmocka_unit_test(the_choice_repeats),
+        cmocka_unit_test(setting_up_decides_where_runs_are_short),
         cmocka_unit_test(what_cannot_be_is_said),
     };
     return cmocka_run_group_tests_name("choose", tests, NULL, NULL);

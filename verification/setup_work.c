@@ -1,0 +1,123 @@
+/* The work of setting up, in the pairs that steps are counted in.
+ *
+ * A step streams: a vector of LANES doubles (512 bits) does as many pairs at once.  Setting up multiplies and adds
+ * one number at a time, and each of these takes the place of LANES pairs.  How many there are follows from the code:
+ *
+ *     a function    FUNCTION: exp, cos, sqrt: a polynomial of degree 13 or so, and its argument reduced
+ *     a particle    PLACE: its place, its start, heat, range and the unfolding: five passes of some four
+ *     a sample      POINT: four comparisons on each of four sides, and the data, a function
+ *     a ghost       GHOST: reflected either way, each time with the value of a wall, which is as a POINT
+ *     a weight      kernel and distance, a FUNCTION.  With t Taylor terms (SSPH) also monomials twice, 4 t, the
+ *                   matrix, t (t + 1), and the sum, t; then t^3/6 for the factor and t^2 for each of ten
+ *                   substitutions, nine of them for the condition number
+ *     a row         four for each point of the 3^d cells around, for each comparison that sorts its columns, and for
+ *                   each pair of the first derivatives that are composed (two sweeps)
+ *     --h iso       a stencil at each 1/64 of h/dx to either side of 1.2 until a root is passed, ten to polish it
+ *     a transform   1.25 log2 n for each particle; for its plan FFTW looks at SOLVERS, TRIED each, at log2 n levels
+ *     modes         exp(lambda t), and expm1 where walls or a source add; along an axis reach + 1 cosines
+ *
+ * No clock has a part in it.  Allocation and traffic through memory are left out. */
+#include "verification/setup_work.h"
+
+#include "solver/operator.h"
+#include "verification/fold.h"
+#include "verification/result.h"
+
+#include <math.h>
+#include <stdlib.h>
+
+enum { LANES = 8, FUNCTION = 20, PLACE = 20, POINT = 16 + FUNCTION, GHOST = 2 * POINT, SOLVERS = 200, TRIED = 8 };
+
+/* What is computed of a run: the part that symmetry leaves. */
+struct extent {
+    struct problem part;
+    double n; /* particles */
+    int along[2];
+};
+
+static struct extent extent_of(const struct problem *p, const struct result *r) {
+    const struct options *o = &r->options;
+    struct extent e = {.n = (double)r->updates};
+    int cut[2];
+    double ratio = o->stepper == STEPPER_MATCHED ? sqrt(p->material[0].k[1] / p->material[0].k[0]) : 1;
+    if (r->steps > 0) e.n /= (double)r->steps * (r->stages > 0 ? r->stages : 1);
+    if (!(e.n < (double)r->particles && fold_problem(p, o, &e.part, cut))) e.part = *p;
+    for (int a = 0; a < 2; a++)
+        e.along[a] = a < p->dim ? (int)lround((e.part.hi[a] - e.part.lo[a]) / (a ? o->dx * ratio : o->dx)) : 1;
+    return e;
+}
+
+/* Nodes of the averages of all particles along an axis: few where the data are smooth, and a rule on each piece where
+ * walls or jumps cut the support (solver/sample.c); finite differences always take a rule (solver/ftcs_sample.c). */
+static double nodes_along(const struct extent *e, int axis, const struct result *r) {
+    const struct problem *p = &e->part;
+    int n = e->along[axis], pieces = r->options.sampling == SAMPLING_CELL ? 1 : 4, ftcs = r->method->scheme == NULL;
+    int rule = ftcs ? 4 : 3, smooth = ftcs ? 4 * pieces : pieces == 1 ? 2 : 3;
+    double dx = (p->hi[axis] - p->lo[axis]) / n, reach = pieces * dx / 2 * (1 - 1e-9), sum = 0;
+    if (r->options.sampling == SAMPLING_POINT || axis >= p->dim) return n;
+    for (int i = 0; i < n; i++) {
+        double x = p->lo[axis] + (i + 0.5) * dx;
+        int cuts = 0;
+        for (int k = 0; k < p->jumps[axis]; k++) cuts += fabs(p->jump[axis][k] - x) < reach;
+        for (int hi = 0; hi < 2; hi++)
+            cuts += p->side[2 * axis + hi] == DIRICHLET && fabs((hi ? p->hi : p->lo)[axis] - x) < reach;
+        sum += cuts ? rule * (pieces + cuts) : smooth;
+    }
+    return sum;
+}
+
+/* The weights of one particle. */
+static double weighing(const struct result *r, int dim, double neighbours) {
+    int order = r->method->scheme->sweeps == 2 ? 1 : r->options.order > 2 ? r->options.order : 2;
+    int t = dim == 1 ? order : (order + 1) * (order + 2) / 2 - 1;
+    if (r->method->scheme->volume) return neighbours * FUNCTION; /* no moment matrix */
+    return neighbours * (FUNCTION + t * (t + 6)) + t * t * (t / 6.0 + 10);
+}
+
+/* Neighbours within 2 h of a lattice's particle. */
+static double surrounding(int dim, double h) {
+    return dim == 1 ? 2 * (ceil(2 * h) - 1) : M_PI * 4 * h * h - 1;
+}
+
+static double rows(const struct extent *e, const struct result *r, double columns) {
+    int dim = e->part.dim;
+    double h = r->options.h, near = surrounding(dim, h), visited = dim == 1 ? 3 * 2 * h : 9 * 4 * h * h;
+    double composed = r->method->scheme->sweeps == 2 ? near * near : 0;
+    return e->n * (4 * (visited + composed + columns * log2(columns + 1)) + weighing(r, dim, near));
+}
+
+static double stencil(const struct extent *e, const struct result *r, double neighbours) {
+    int dim = e->part.dim, reach = (int)ceil(2 * r->options.h) - 1;
+    double all = 1, inside = 1, h = r->options.h, once = weighing(r, dim, surrounding(dim, h));
+    reach *= r->method->scheme->sweeps;
+    for (int a = 0; a < dim; a++) {
+        double offsets = 0;
+        for (int k = -reach; k <= reach; k++) offsets += fmax(0, e->along[a] - abs(k));
+        all *= 2 * reach + 1, inside *= offsets;
+    }
+    double ghosts = (all * e->n - inside) * neighbours / all;
+    double searched = r->options.h_iso ? 2 * ceil(64 * fabs(h - 1.2)) + 10 : 0;
+    return ghosts * GHOST + once * (1 + searched);
+}
+
+static double transforms(const struct extent *e, const struct result *r) {
+    int walls = e->part.source != NULL;
+    double levels = log2(e->n), cosines = 0, reach = ceil(2 * r->options.h) * r->method->scheme->sweeps;
+    for (int s = 0; s < 2 * e->part.dim; s++) walls |= e->part.wall(&e->part, (enum side)s, e->part.lo) != 0;
+    for (int a = 0; a < e->part.dim; a++) cosines += reach * e->along[a];
+    return (2 + walls) * (e->n * 1.25 * levels + SOLVERS * TRIED * levels) +
+           (e->n * (1 + walls) + cosines) * FUNCTION;
+}
+
+double setup_work(const struct problem *p, const struct result *r) {
+    struct extent e = extent_of(p, r);
+    double scalar = PLACE * (double)r->particles, samples = nodes_along(&e, 0, r) * nodes_along(&e, 1, r);
+    double neighbours = (double)r->interactions / (double)r->updates;
+    scalar += POINT * samples;
+    if (r->method->scheme && (r->options.layout == LAYOUT_JITTER || p->materials == 2))
+        scalar += rows(&e, r, neighbours);
+    else if (r->method->scheme)
+        scalar += stencil(&e, r, neighbours);
+    if (r->method->scheme && r->steps == 0) scalar += transforms(&e, r);
+    return LANES * scalar;
+}

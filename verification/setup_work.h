@@ -1,0 +1,13 @@
+#ifndef HEATLADDER_VERIFICATION_SETUP_WORK_H
+#define HEATLADDER_VERIFICATION_SETUP_WORK_H
+
+/* What a run does once, counted. */
+
+struct problem;
+struct result;
+
+/* Pairs (candidate.h) of the set-up of the run *r of *p, and of the transforms of --stepper exact: all but the steps.
+ */
+double setup_work(const struct problem *p, const struct result *r);
+
+#endif
