@@ -1,73 +1,8 @@
-/* The finite differences against what can be said of them exactly: their symbol, their steady states, their order at
- * the matched step, their walls, and what they refuse. */
-#include "solver/method.h" /* before cmocka.h, which makes a macro of `fail` */
-#include "solver/problem.h"
-#include "verification/unit/near.h"
+/* The finite differences against what can be said of them exactly: their symbol, their steady states, their walls,
+ * and their order at the matched step. */
+#include "verification/unit/ftcs_problems.h"
 
 #include <gsl/gsl_errno.h>
-#include <stdio.h>
-#include <string.h>
-
-extern const struct method method_ftcs, method_ftcs_flux;
-
-static const double PI = 3.14159265358979323846;
-
-/* ---- Problems, whose parameters p->param[] are the mode numbers or the coefficients ---- */
-
-/* Vanishes at the walls of p where they are DIRICHLET, has no slope where they are NEUMANN. */
-static double mode(const struct problem *p, const double x[2]) {
-    double T = 1;
-    for (int a = 0; a < p->dim; a++) {
-        double phase = p->param[a] * PI * (x[a] - p->lo[a]) / (p->hi[a] - p->lo[a]);
-        T *= p->side[2 * a] == DIRICHLET ? sin(phase) : cos(phase);
-    }
-    return p->param[2] + p->param[3] * T;
-}
-
-static double level(const struct problem *p, enum side s, const double x[2]) {
-    (void)x;
-    return p->side[s] == DIRICHLET ? p->param[2] : 0;
-}
-
-static struct problem rod(int number) {
-    return (struct problem){.dim = 1,
-                            .lo = {-0.7, 0},
-                            .hi = {1.6, 0},
-                            .t_end = 0.37,
-                            .materials = 1,
-                            .material = {{{0.29, 0.71}, 2.385}},
-                            .param = {number, 0, 0.83, 1.9},
-                            .initial = mode,
-                            .wall = level};
-}
-
-static struct problem plane(int along, int up) {
-    struct problem p = rod(along);
-    p.dim = 2;
-    p.lo[1] = 0.2;
-    p.hi[1] = 1.58; /* 2.3 by 1.38 m: 0.023 divides both */
-    p.param[1] = up;
-    p.side[Y_LO] = p.side[Y_HI] = NEUMANN;
-    return p;
-}
-
-static struct field solved(const struct method *m, const struct problem *p, const struct options *o) {
-    struct field f;
-    struct failure why = {0};
-    if (m->solve(p, o, &f, &why)) fail_msg("%s", why.text);
-    return f;
-}
-
-/* Largest |T - (level + amplitude * factor * mode)|. */
-static double mode_error(const struct problem *p, const struct field *f, double factor) {
-    double worst = 0;
-    for (size_t i = 0; i < f->n; i++) {
-        double x[2] = {f->x[i], f->y ? f->y[i] : 0};
-        double want = p->param[2] + factor * (mode(p, x) - p->param[2]);
-        worst = fmax(worst, fabs(f->T[i] - want));
-    }
-    return worst;
-}
 
 /* -dx^2/kappa times the symbol on a mode, along one axis. */
 static double symbol(const struct method *m, double number, double dx, double extent) {
@@ -227,73 +162,6 @@ static void test_heat_balance(void **state) {
     }
 }
 
-/* ---- Sampling ---- */
-
-static double step(const struct problem *p, const double x[2]) {
-    return (x[0] < p->jump[0][0] ? 1.3 : -0.4) * (p->dim == 1 ? 1 : x[1] < p->jump[1][0] ? 0.6 : 2.1);
-}
-
-/* Integral of the cubic B-spline up to u: sum of (u - k)^4 / 24 with the binomial coefficients and their signs. */
-static double below(double u) {
-    static const int binomial[5] = {1, -4, 6, -4, 1};
-    double sum = 0;
-    for (int k = 0; k < 5; k++) sum += binomial[k] * pow(fmax(0, fmin(4, u + 2) - k), 4) / 24;
-    return sum;
-}
-
-/* Without a step in time the field is the sampled data: of a jump, the part of the cell on either side. */
-static void test_cell_averages_of_a_jump(void **state) {
-    (void)state;
-    struct problem p = plane(0, 0);
-    p.initial = step, p.t_end = 0;
-    p.jumps[0] = p.jumps[1] = 1;
-    p.jump[0][0] = 0.4431, p.jump[1][0] = 0.9017;
-    p.side[X_LO] = p.side[X_HI] = NEUMANN;
-    const double d = 0.046;
-    struct options o = {.dx = d, .sampling = SAMPLING_CELL};
-    struct field f = solved(&method_ftcs, &p, &o);
-    assert_int_equal(f.steps, 0);
-    for (size_t i = 0; i < f.n; i++) {
-        double left = fmin(1, fmax(0, (0.4431 - f.x[i]) / d + 0.5));
-        double low = fmin(1, fmax(0, (0.9017 - f.y[i]) / d + 0.5));
-        assert_near(f.T[i], (1.3 * left - 0.4 * (1 - left)) * (0.6 * low + 2.1 * (1 - low)), 1e-14);
-    }
-    field_free(&f);
-}
-
-/* The same for B-splines; next to an insulated wall the data on its far side are the image, jump included. */
-static void test_spline_averages_of_a_jump(void **state) {
-    (void)state;
-    const double d = 0.046, jump[] = {0.4431, -0.7 + 0.0617, 1.6 - 0.0271};
-    for (int k = 0; k < 3; k++) {
-        struct problem p = rod(0);
-        p.initial = step, p.t_end = 0;
-        p.jumps[0] = 1, p.jump[0][0] = jump[k];
-        p.side[X_LO] = p.side[X_HI] = NEUMANN;
-        struct options o = {.dx = d, .sampling = SAMPLING_SPLINE};
-        struct field f = solved(&method_ftcs, &p, &o);
-        for (size_t i = 0; i < f.n; i++) {
-            double image[] = {2 * p.lo[0] - jump[k], 2 * p.hi[0] - jump[k]};
-            double left =
-                below((jump[k] - f.x[i]) / d) - below((image[0] - f.x[i]) / d) + 1 - below((image[1] - f.x[i]) / d);
-            assert_near(f.T[i], 1.3 * left - 0.4 * (1 - left), 1e-13);
-        }
-        field_free(&f);
-    }
-}
-
-/* A mode continued past its walls is the mode: its average is the mode times the transform of the B-spline. */
-static void test_sampling_past_the_walls(void **state) {
-    (void)state;
-    struct problem p = plane(9, 5);
-    p.t_end = 0;
-    struct options o = {.dx = 0.046, .sampling = SAMPLING_SPLINE};
-    struct field f = solved(&method_ftcs, &p, &o);
-    double u = 9 * PI * 0.046 / 2.3 / 2, v = 5 * PI * 0.046 / 1.38 / 2;
-    assert_near(mode_error(&p, &f, pow(sin(u) / u * sin(v) / v, 4)), 0, 2e-8);
-    field_free(&f);
-}
-
 /* ---- The matched step ---- */
 
 static double order_between(const struct method *m, enum sampling sampling, double fourier, double *fine) {
@@ -343,112 +211,6 @@ static void test_matched_is_fourth_order(void **state) {
     assert_true(plain > 50 * matched);
 }
 
-/* ---- What is refused, and how a run fails ---- */
-
-static void refused(const struct method *m, const struct problem *p, const struct options *o, const char *words[]) {
-    struct field f = {.n = 77};
-    struct failure why = {0};
-    assert_int_equal(m->solve(p, o, &f, &why), STATUS_INPUT);
-    assert_int_equal(why.status, STATUS_INPUT);
-    assert_int_equal(f.n, 77);
-    for (; *words; words++)
-        if (!strstr(why.text, *words)) fail_msg("'%s' is not in: %s", *words, why.text);
-}
-
-#define REFUSED(m, p, o, ...) refused(m, p, &(struct options)o, (const char *[]){__VA_ARGS__, NULL})
-#define O(...)                                                                                                       \
-    { __VA_ARGS__ }
-
-static void test_refusals(void **state) {
-    (void)state;
-    struct problem r = rod(3), s = plane(3, 2), two = rod(3), late = rod(3), odd = plane(3, 2);
-    two.materials = 2;
-    late.t_end = NAN;
-    odd.hi[1] = odd.lo[1] + sqrt(2);
-    REFUSED(&method_ftcs, &r, O(.dx = 0.3), "--dx 0.3", "0.3285714286", "0.2875");
-    REFUSED(&method_ftcs, &s, O(.dx = 0.05), "--dx 0.05", "2.3 m by 1.38 m", "0.05111111111", "0.046");
-    REFUSED(&method_ftcs, &odd, O(.dx = 0.05), "--dx 0.05", "1.41421 m", "nearest: 0.0038");
-    REFUSED(&method_ftcs, &r, O(.dx = 5), "--dx 5", "nearest: 0.575");
-    REFUSED(&method_ftcs, &r, O(.dx = 1.15), "--dx 1.15", "4 or more", "nearest: 0.575");
-    REFUSED(&method_ftcs, &r, O(.dx = 0), "--dx 0");
-    REFUSED(&method_ftcs, &r, O(.dx = NAN), "--dx nan");
-    REFUSED(&method_ftcs, &r, O(.dx = INFINITY), "--dx inf");
-    REFUSED(&method_ftcs, &r, O(.dx = -0.1), "--dx -0.1");
-    REFUSED(&method_ftcs, &s, O(.dx = 1e-9), "--dx 1e-09", "grid points");
-    REFUSED(&method_ftcs, &r, O(.dx = 0.115, .dt = -0.25), "--dt -0.25");
-    REFUSED(&method_ftcs, &r, O(.dx = 0.115, .dt = NAN), "--dt nan");
-    REFUSED(&method_ftcs, &r, O(.dx = 0.115, .fourier = -0.2), "--fourier -0.2");
-    REFUSED(&method_ftcs, &r, O(.dx = 0.115, .dt = 0.1, .fourier = 0.2), "--dt 0.1", "--fourier 0.2");
-    REFUSED(&method_ftcs, &r, O(.dx = 0.115, .dt = 1e-300), "time steps");
-    REFUSED(&method_ftcs, &late, O(.dx = 0.115), "--t-end nan");
-    REFUSED(&method_ftcs, &two, O(.dx = 0.115), "ftcs", "2", "material");
-    REFUSED(&method_ftcs, &r, O(.dx = 0.115, .layout = LAYOUT_JITTER), "--layout jitter", "lattice or node");
-    REFUSED(&method_ftcs, &r, O(.dx = 0.115, .stepper = STEPPER_RK2), "--stepper rk2", "euler", "matched");
-    REFUSED(&method_ftcs_flux, &s, O(.dx = 0.046, .stepper = STEPPER_EXACT), "--stepper exact", "ftcs_flux", "euler");
-    REFUSED(&method_ftcs, &s, O(.dx = 0.046, .stepper = STEPPER_MATCHED), "--stepper matched", "isotropic", "euler");
-    REFUSED(&method_ftcs, &r, O(.dx = 0.115, .stepper = STEPPER_MATCHED, .dt = 0.1), "matched", "--dt");
-    late.t_end = 0.01;
-    REFUSED(&method_ftcs, &late, O(.dx = 0.115, .stepper = STEPPER_MATCHED, .sampling = SAMPLING_SPLINE), "matched",
-            "0.018", "--dx below 0.085");
-}
-
-/* Just inside the limit a run is bounded, just outside it is a status with step, time and place. */
-static void test_stability(void **state) {
-    (void)state;
-    const struct method *const both[] = {&method_ftcs, &method_ftcs_flux};
-    const double limit[] = {0.5, 2}; /* of dt (kappa_x + kappa_y) / dx^2 */
-    for (int m = 0; m < 2; m++) {
-        struct problem p = plane(3, 2);
-        p.initial = step, p.jumps[0] = 1, p.jump[0][0] = 0.2431, p.jump[1][0] = 0.9017, p.t_end = 60;
-        double share = 0.71 / (0.29 + 0.71); /* of the larger kappa, which --fourier is made with */
-        struct options o = {.dx = 0.046, .fourier = 0.995 * limit[m] * share};
-        struct field f = solved(both[m], &p, &o);
-        for (size_t i = 0; i < f.n; i++) assert_true(fabs(f.T[i]) < 4);
-        field_free(&f);
-
-        struct failure why = {0};
-        o.fourier = 1.02 * limit[m] * share;
-        assert_int_equal(both[m]->solve(&p, &o, &f, &why), STATUS_NUMERICAL);
-        const char *text = strstr(why.text, "unstable at step ");
-        long step_seen = 0, steps = 0;
-        assert_non_null(text);
-        assert_int_equal(sscanf(text, "unstable at step %ld of %ld,", &step_seen, &steps), 2);
-        assert_true(step_seen % 32 == 0 && step_seen < steps / 2); /* it is not run to the end */
-        assert_non_null(strstr(why.text, " t = "));
-        assert_non_null(strstr(why.text, " at x = "));
-        assert_non_null(strstr(why.text, ", y = "));
-        o.fourier = 3 * limit[m], p.t_end = 19.5 * o.fourier * 0.046 * 0.046 * 2.385 / 0.71; /* at the last step */
-        assert_int_equal(both[m]->solve(&p, &o, &f, &why), STATUS_NUMERICAL);
-        assert_non_null(strstr(why.text, "unstable at step 20 of 20,"));
-        p.initial = mode, p.param[2] = NAN; /* not a number from the start */
-        assert_int_equal(both[m]->solve(&p, &o, &f, &why), STATUS_NUMERICAL);
-    }
-}
-
-/* The step is whole: t_end / ceil(t_end / dt); a dx that is out by rounding is snapped. */
-static void test_whole_steps(void **state) {
-    (void)state;
-    struct problem p = rod(3);
-    struct options o = {.dx = 0.0383333333, .dt = 0.0037};
-    struct field f = solved(&method_ftcs, &p, &o);
-    assert_int_equal(f.steps, 100);
-    assert_near(f.dt, 0.0037, 1e-18);
-    assert_near(f.spacing[0], 2.3 / 60, 1e-16);
-    assert_int_equal(f.shape[0], 60);
-    assert_int_equal(f.shape[1], 1);
-    assert_near(f.time, 0.37, 0);
-    field_free(&f);
-    o.dt = 0.00371;
-    f = solved(&method_ftcs, &p, &o);
-    assert_int_equal(f.steps, 100);
-    field_free(&f);
-    o.dt = 0.00369;
-    f = solved(&method_ftcs, &p, &o);
-    assert_int_equal(f.steps, 101);
-    assert_near(f.range[0], 0.83 + 1.9 * sin(3 * PI * 29.5 / 60), 1e-14);
-    field_free(&f);
-}
-
 int main(void) {
     gsl_set_error_handler_off();
     const struct CMUnitTest tests[] = {
@@ -458,14 +220,8 @@ int main(void) {
         cmocka_unit_test(test_source_holds_a_parabola),
         cmocka_unit_test(test_fixed_walls_lie_half_a_spacing_out),
         cmocka_unit_test(test_heat_balance),
-        cmocka_unit_test(test_cell_averages_of_a_jump),
-        cmocka_unit_test(test_spline_averages_of_a_jump),
-        cmocka_unit_test(test_sampling_past_the_walls),
         cmocka_unit_test(test_matched_starts_late),
         cmocka_unit_test(test_matched_is_fourth_order),
-        cmocka_unit_test(test_refusals),
-        cmocka_unit_test(test_stability),
-        cmocka_unit_test(test_whole_steps),
     };
     return cmocka_run_group_tests_name("ftcs", tests, NULL, NULL);
 }

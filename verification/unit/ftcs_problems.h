@@ -1,0 +1,71 @@
+#ifndef HEATLADDER_VERIFICATION_UNIT_FTCS_PROBLEMS_H
+#define HEATLADDER_VERIFICATION_UNIT_FTCS_PROBLEMS_H
+
+/* Rods and planes for the tests of the finite differences; no two of their numbers are equal. */
+
+#include "solver/method.h" /* before cmocka.h, which makes a macro of `fail` */
+#include "solver/problem.h"
+#include "verification/unit/near.h"
+
+extern const struct method method_ftcs, method_ftcs_flux;
+
+static const double PI = 3.14159265358979323846;
+
+/* Their parameters p->param[] are two mode numbers, a level and an amplitude. */
+
+/* Vanishes at the walls of p where they are DIRICHLET, has no slope where they are NEUMANN. */
+static inline double mode(const struct problem *p, const double x[2]) {
+    double T = 1;
+    for (int a = 0; a < p->dim; a++) {
+        double phase = p->param[a] * PI * (x[a] - p->lo[a]) / (p->hi[a] - p->lo[a]);
+        T *= p->side[2 * a] == DIRICHLET ? sin(phase) : cos(phase);
+    }
+    return p->param[2] + p->param[3] * T;
+}
+
+static inline double level(const struct problem *p, enum side s, const double x[2]) {
+    (void)x;
+    return p->side[s] == DIRICHLET ? p->param[2] : 0;
+}
+
+static inline struct problem rod(int number) {
+    return (struct problem){.dim = 1,
+                            .lo = {-0.7, 0},
+                            .hi = {1.6, 0},
+                            .t_end = 0.37,
+                            .materials = 1,
+                            .material = {{{0.29, 0.71}, 2.385}},
+                            .param = {number, 0, 0.83, 1.9},
+                            .initial = mode,
+                            .wall = level};
+}
+
+static inline struct problem plane(int along, int up) {
+    struct problem p = rod(along);
+    p.dim = 2;
+    p.lo[1] = 0.2;
+    p.hi[1] = 1.58; /* 2.3 by 1.38 m: 0.023 divides both */
+    p.param[1] = up;
+    p.side[Y_LO] = p.side[Y_HI] = NEUMANN;
+    return p;
+}
+
+static inline struct field solved(const struct method *m, const struct problem *p, const struct options *o) {
+    struct field f;
+    struct failure why = {0};
+    if (m->solve(p, o, &f, &why)) fail_msg("%s", why.text);
+    return f;
+}
+
+/* Largest |T - (level + amplitude * factor * mode)|. */
+static inline double mode_error(const struct problem *p, const struct field *f, double factor) {
+    double worst = 0;
+    for (size_t i = 0; i < f->n; i++) {
+        double x[2] = {f->x[i], f->y ? f->y[i] : 0};
+        double want = p->param[2] + factor * (mode(p, x) - p->param[2]);
+        worst = fmax(worst, fabs(f->T[i] - want));
+    }
+    return worst;
+}
+
+#endif
