@@ -19,6 +19,7 @@
     {id, TIER_##tier, measure, command, lo, hi, ceiling, why},
 const struct gate gates_table[] = {
 #include "verification/gates.def"
+#include "verification/gates_manufactured.def"
 #include "verification/gates_materials.def"
 #include "verification/gates_plane.def"
 #include "verification/gates_stability.def"
