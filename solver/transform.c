@@ -20,7 +20,7 @@
 #define CLONES
 #endif
 
-enum { SHORT = 128, LINES = 4, WIDTH = 8 }; /* particles along a short axis; the tile of a product */
+enum { LINES = 4, WIDTH = 8 }; /* the tile of a product */
 
 /* WIDTH doubles that need no more alignment than one; the compiler makes of them what the machine has. */
 typedef double vector __attribute__((vector_size(8 * WIDTH), aligned(8), may_alias));
@@ -77,7 +77,7 @@ static int alike(const struct lattice *l) {
 size_t transform_bytes(const struct lattice *l) {
     size_t doubles = (size_t)l->n[0] * (size_t)l->n[1];
     for (int a = 0; a < (alike(l) ? 1 : l->dim); a++)
-        if (l->n[a] <= SHORT) doubles += 2 * (size_t)l->n[a] * padded(l->n[a]);
+        if (l->n[a] <= TRANSFORM_SHORT) doubles += 2 * (size_t)l->n[a] * padded(l->n[a]);
     return doubles * sizeof(double);
 }
 
@@ -88,21 +88,19 @@ static void fill_sums(const struct lattice *l, int axis, double *sums[2]) {
     size_t stride = padded(n);
     double *wave = xcalloc(8 * (size_t)N, sizeof *wave);
     for (int m = 0; m < 8 * N; m++) wave[m] = even ? cos(M_PI * m / (4 * N)) : sin(M_PI * m / (4 * N));
-    for (int k = 0; k < n; k++) {
-        int mode = (int)(2 * (k + b->first)), place = node ? 2 * !even : 1, m = mode * place % (8 * N);
-        for (int i = 0; i < n; i++, place += 2) {
-            size_t forth = (size_t)i * stride + (size_t)k, back = (size_t)k * stride + (size_t)i;
-            sums[0][forth] = (node && (place == 0 || place == 2 * N) ? 1 : 2) * wave[m];
-            sums[1][back] = (mode == 0 || mode == 2 * N ? 1 : 2) * wave[m];
-            m += m + 2 * mode < 8 * N ? 2 * mode : 2 * mode - 8 * N;
+    for (int k = 0; k < n; k++)
+        for (int i = 0; i < n; i++) {
+            int mode = (int)(2 * (k + b->first)), place = 2 * i + (node ? 2 * !even : 1);
+            double phi = wave[mode * place % (8 * N)];
+            sums[0][(size_t)i * stride + (size_t)k] = (node && (place == 0 || place == 2 * N) ? 1 : 2) * phi;
+            sums[1][(size_t)k * stride + (size_t)i] = (mode == 0 || mode == 2 * N ? 1 : 2) * phi;
         }
-    }
     free(wave);
 }
 
 static struct axis prepare(const struct lattice *l, int axis, double *T, double *work) {
     struct axis a = {.n = l->n[axis], .lines = l->dim == 2 ? l->n[1 - axis] : 1};
-    if (a.n <= SHORT) {
+    if (a.n <= TRANSFORM_SHORT) {
         for (int way = 0; way < 2; way++) a.sums[way] = xcalloc((size_t)a.n * padded(a.n), sizeof *a.sums[way]);
         fill_sums(l, axis, a.sums);
         return a;

@@ -6,6 +6,8 @@
 /* The sine or cosine transform of a lattice that has the parity of its mirroring walls (sign -1 or +1) on each axis.
  */
 
+enum { TRANSFORM_SHORT = 128 }; /* particles along an axis up to which its sums are done as they stand */
+
 struct transform;
 
 /* T is one of the arrays (n[0] x n[1], x fastest, from xcalloc) that it will be used on; it is not touched. */

@@ -77,8 +77,7 @@ static void in_cache(struct bench_engine *e) {
 
 static void out_of_cache(struct bench_engine *e, double bandwidth) {
     struct bench_time ftcs = update("run square-step ftcs --dx 4/2560 --fourier 0.2 --t-end 0.0031");
-    struct bench_time so =
-        update("run square-step so_ssph --stepper euler --dx 4/2560 --fourier 0.2 --t-end 0.0031");
+    struct bench_time so = update("run square-step so_ssph --stepper euler --dx 4/2560 --fourier 0.2 --t-end 0.0031");
     add(e, "ftcs, 2560 x 2560", "updates/s", ftcs, 1, 1);
     add(e, "so_ssph euler, 2560 x 2560", "updates/s", so, 1, 1);
     add_ratio(e, "so_ssph over triad/16 B, 2560 x 2560", 16 / so.median / bandwidth, 0.7, 0);

@@ -6,20 +6,22 @@
  *     a function    FUNCTION: exp, cos, sqrt: a polynomial of degree 13 or so, and its argument reduced
  *     a particle    PLACE: its place, its start, heat, range and the unfolding: five passes of some four
  *     a sample      POINT: four comparisons on each of four sides, and the data, a function
- *     a ghost       GHOST: reflected either way, each time with the value of a wall, which is as a POINT
+ *     a ghost       GHOST: reflected, with the value of a wall, which is as a POINT, and handed to who reaches it
  *     a weight      kernel and distance, a FUNCTION.  With t Taylor terms (SSPH) also monomials twice, 4 t, the
- *                   matrix, t (t + 1), and the sum, t; then t^3/6 for the factor and t^2 for each of ten
- *                   substitutions, nine of them for the condition number
+ *                   matrix, t (t + 1), and the sum, t; then t^3/6 for the factor and t^2 for each of t + 1
+ *                   substitutions, t of them for the condition number
  *     a row         four for each point of the 3^d cells around, for each comparison that sorts its columns, and for
  *                   each pair of the first derivatives that are composed (two sweeps)
- *     --h iso       a stencil at each 1/64 of h/dx to either side of 1.2 until a root is passed, ten to polish it
- *     a transform   1.25 log2 n for each particle; for its plan FFTW looks at SOLVERS, TRIED each, at log2 n levels
- *     modes         exp(lambda t), and expm1 where walls or a source add; along an axis reach + 1 cosines
+ *     --h iso       a stencil at each 1/16 of h/dx to either side of 1.2 until a root is passed, seven to polish it
+ *     a transform   along a short axis sums, which stream, and their table of n^2 entries, to and fro; along others
+ *                   1.25 log2 n for each particle, and for its plans FFTW looks at SOLVERS, TRIED each, at log2 n
+ * levels modes         exp(lambda t), and expm1 where walls or a source add; along an axis reach + 1 cosines
  *
  * No clock has a part in it.  Allocation and traffic through memory are left out. */
 #include "verification/setup_work.h"
 
 #include "solver/operator.h"
+#include "solver/transform.h"
 #include "verification/fold.h"
 #include "verification/result.h"
 
@@ -47,12 +49,12 @@ static struct extent extent_of(const struct problem *p, const struct result *r) 
     return e;
 }
 
-/* Nodes of the averages of all particles along an axis: few where the data are smooth, and a rule on each piece where
- * walls or jumps cut the support (solver/sample.c); finite differences always take a rule (solver/ftcs_sample.c). */
+/* Nodes of the averages of all particles along an axis.  Particles share theirs: few where the data are smooth, and
+ * three on each piece where walls or jumps cut a support (solver/sample.c).  Finite differences take four on each
+ * piece of every point's own (solver/ftcs_sample.c). */
 static double nodes_along(const struct extent *e, int axis, const struct result *r) {
     const struct problem *p = &e->part;
-    int n = e->along[axis], pieces = r->options.sampling == SAMPLING_CELL ? 1 : 4, ftcs = r->method->scheme == NULL;
-    int rule = ftcs ? 4 : 3, smooth = ftcs ? 4 * pieces : pieces == 1 ? 2 : 3;
+    int n = e->along[axis], pieces = r->options.sampling == SAMPLING_CELL ? 1 : 4, before = 0;
     double dx = (p->hi[axis] - p->lo[axis]) / n, reach = pieces * dx / 2 * (1 - 1e-9), sum = 0;
     if (r->options.sampling == SAMPLING_POINT || axis >= p->dim) return n;
     for (int i = 0; i < n; i++) {
@@ -61,7 +63,13 @@ static double nodes_along(const struct extent *e, int axis, const struct result 
         for (int k = 0; k < p->jumps[axis]; k++) cuts += fabs(p->jump[axis][k] - x) < reach;
         for (int hi = 0; hi < 2; hi++)
             cuts += p->side[2 * axis + hi] == DIRICHLET && fabs((hi ? p->hi : p->lo)[axis] - x) < reach;
-        sum += cuts ? rule * (pieces + cuts) : smooth;
+        if (r->method->scheme == NULL)
+            sum += 4 * (pieces + cuts);
+        else if (cuts == 0)
+            sum += pieces == 1 ? 2 : 1;
+        else
+            sum += 3 * ((before ? 1 : pieces) + (cuts > before ? cuts - before : 0));
+        before = cuts;
     }
     return sum;
 }
@@ -71,7 +79,7 @@ static double weighing(const struct result *r, int dim, double neighbours) {
     int order = r->method->scheme->sweeps == 2 ? 1 : r->options.order > 2 ? r->options.order : 2;
     int t = dim == 1 ? order : (order + 1) * (order + 2) / 2 - 1;
     if (r->method->scheme->volume) return neighbours * FUNCTION; /* no moment matrix */
-    return neighbours * (FUNCTION + t * (t + 6)) + t * t * (t / 6.0 + 10);
+    return neighbours * (FUNCTION + t * (t + 6)) + t * t * (t / 6.0 + t + 1);
 }
 
 /* Neighbours within 2 h of a lattice's particle. */
@@ -86,38 +94,37 @@ static double rows(const struct extent *e, const struct result *r, double column
     return e->n * (4 * (visited + composed + columns * log2(columns + 1)) + weighing(r, dim, near));
 }
 
-static double stencil(const struct extent *e, const struct result *r, double neighbours) {
-    int dim = e->part.dim, reach = (int)ceil(2 * r->options.h) - 1;
-    double all = 1, inside = 1, h = r->options.h, once = weighing(r, dim, surrounding(dim, h));
-    reach *= r->method->scheme->sweeps;
-    for (int a = 0; a < dim; a++) {
-        double offsets = 0;
-        for (int k = -reach; k <= reach; k++) offsets += fmax(0, e->along[a] - abs(k));
-        all *= 2 * reach + 1, inside *= offsets;
-    }
-    double ghosts = (all * e->n - inside) * neighbours / all;
-    double searched = r->options.h_iso ? 2 * ceil(64 * fabs(h - 1.2)) + 10 : 0;
-    return ghosts * GHOST + once * (1 + searched);
+static double stencil(const struct extent *e, const struct result *r) {
+    int dim = e->part.dim;
+    double h = r->options.h, reach = (ceil(2 * h) - 1) * r->method->scheme->sweeps, framed = 1;
+    double searched = r->options.h_iso ? 2 * ceil(16 * fabs(h - 1.2)) + 7 : 0;
+    for (int a = 0; a < dim; a++) framed *= e->along[a] + 2 * reach;
+    return (framed - e->n) * GHOST + weighing(r, dim, surrounding(dim, h)) * (1 + searched);
 }
 
-static double transforms(const struct extent *e, const struct result *r) {
+/* `times` transforms along an axis. */
+static double transforms(const struct extent *e, int axis, int times) {
+    double n = e->along[axis];
+    if (n <= TRANSFORM_SHORT) return times * e->n * n / LANES + 8 * n * n;
+    return (times * e->n * 1.25 + 2 * SOLVERS * TRIED) * log2(n);
+}
+
+static double modes(const struct extent *e, const struct result *r) {
     int walls = e->part.source != NULL;
-    double levels = log2(e->n), cosines = 0, reach = ceil(2 * r->options.h) * r->method->scheme->sweeps;
+    double sum = 0, reach = ceil(2 * r->options.h) * r->method->scheme->sweeps;
     for (int s = 0; s < 2 * e->part.dim; s++) walls |= e->part.wall(&e->part, (enum side)s, e->part.lo) != 0;
-    for (int a = 0; a < e->part.dim; a++) cosines += reach * e->along[a];
-    return (2 + walls) * (e->n * 1.25 * levels + SOLVERS * TRIED * levels) +
-           (e->n * (1 + walls) + cosines) * FUNCTION;
+    for (int a = 0; a < e->part.dim; a++) sum += transforms(e, a, 2 + walls) + reach * e->along[a] * FUNCTION;
+    return sum + e->n * (1 + walls) * FUNCTION;
 }
 
 double setup_work(const struct problem *p, const struct result *r) {
     struct extent e = extent_of(p, r);
     double scalar = PLACE * (double)r->particles, samples = nodes_along(&e, 0, r) * nodes_along(&e, 1, r);
-    double neighbours = (double)r->interactions / (double)r->updates;
     scalar += POINT * samples;
     if (r->method->scheme && (r->options.layout == LAYOUT_JITTER || p->materials == 2))
-        scalar += rows(&e, r, neighbours);
+        scalar += rows(&e, r, (double)r->interactions / (double)r->updates);
     else if (r->method->scheme)
-        scalar += stencil(&e, r, neighbours);
-    if (r->method->scheme && r->steps == 0) scalar += transforms(&e, r);
+        scalar += stencil(&e, r);
+    if (r->method->scheme && r->steps == 0) scalar += modes(&e, r);
     return LANES * scalar;
 }
