@@ -21,6 +21,8 @@
  * anywhere. */
 #include "solver/matched.h"
 
+#include <gsl/gsl_errno.h>
+#include <gsl/gsl_roots.h>
 #include <math.h>
 #include <stdlib.h>
 
@@ -51,51 +53,41 @@ struct isotropy {
     const struct scheme *s;
 };
 
-static double anisotropy(struct isotropy *c, double h) {
+static double anisotropy(double h, void *context) {
+    struct isotropy *c = context;
     struct symbol_error e;
     struct failure ignored;
     c->o.h = h;
     return matched_symbol(2, &c->o, c->s, &e, &ignored) ? NAN : e.B - 2 * e.A;
 }
 
-struct point {
-    double h, value; /* of the anisotropy there */
-};
-
-static struct point look_at(struct isotropy *c, double h) {
-    return (struct point){h, anisotropy(c, h)};
-}
-
-/* The root between two points of unlike sign: regula falsi, with the value at an end that stays made smaller so that
- * both ends close in (Anderson & Bjoerck 1973; order 1.7). */
-static double polish(struct isotropy *c, struct point kept, struct point last) {
-    for (int k = 0; k < 100 && last.value != 0; k++) {
-        double h = (kept.value * last.h - last.value * kept.h) / (kept.value - last.value), moved = h - last.h;
-        struct point next = look_at(c, h);
-        double part = 1 - next.value / last.value;
-        if (next.value * last.value < 0)
-            kept = last;
-        else
-            kept.value *= part > 0 ? part : 0.5;
-        last = next;
-        if (fabs(moved) < 1e-11) break; /* what is left is of the order of moved^1.7 */
+/* A root in [lo, hi] by Brent's method. */
+static double polish(struct isotropy *c, double lo, double hi) {
+    gsl_function f = {anisotropy, c};
+    gsl_root_fsolver *solver = gsl_root_fsolver_alloc(gsl_root_fsolver_brent);
+    gsl_root_fsolver_set(solver, &f, lo, hi);
+    double root = NAN, before;
+    for (int k = 0; k < 100; k++) {
+        gsl_root_fsolver_iterate(solver);
+        before = root, root = gsl_root_fsolver_root(solver);
+        if (gsl_root_test_delta(root, before, 1e-10, 0) == GSL_SUCCESS) break; /* it converges faster than linearly */
     }
-    return last.h;
+    gsl_root_fsolver_free(solver);
+    return root;
 }
 
 int matched_isotropic(const struct options *o, const struct scheme *s, double *h, struct failure *why) {
     struct isotropy c = {*o, s};
     const double middle = 1.2, step = 1.0 / 16, least = 0.75, most = 3;
-    struct point above = look_at(&c, middle), below = above;
-    double best = NAN;
+    double above = anisotropy(middle, &c), below = above, best = NAN;
     /* Outward from 1.2.  Neighbours enter with weight zero, so that B - 2 A is continuous in h: a change of sign is a
      * root, and of two in the same step the nearer one counts.  Roots of a kernel lie some 0.3 apart, nowhere less
      * than 0.1. */
     for (int k = 1; isnan(best) && middle + (k - 1) * step < most; k++) {
-        struct point up = look_at(&c, middle + k * step), down = {0, NAN};
-        if (middle - k * step > least) down = look_at(&c, middle - k * step);
-        if (above.value * up.value <= 0) best = polish(&c, above, up);
-        double other = below.value * down.value <= 0 ? polish(&c, below, down) : NAN;
+        double far = middle + k * step, near = middle - k * step, up = anisotropy(far, &c), down = NAN;
+        if (near > least) down = anisotropy(near, &c);
+        if (above * up <= 0) best = polish(&c, far - step, far);
+        double other = below * down <= 0 ? polish(&c, near, near + step) : NAN;
         if (isnan(best) || fabs(other - middle) < fabs(best - middle)) best = other;
         above = up, below = down;
     }
