@@ -76,7 +76,15 @@ static double polish(struct isotropy *c, double lo, double hi) {
     return root;
 }
 
+/* At order 4 A and B are zero at every h. */
+static int check_order(const struct options *o, const char *option, struct failure *why) {
+    if (o->order < 4) return STATUS_OK;
+    return fail(why, STATUS_INPUT, "%s: --order %d has no error of second order that it could balance; take --order 2",
+                option, o->order);
+}
+
 int matched_isotropic(const struct options *o, const struct scheme *s, double *h, struct failure *why) {
+    if (check_order(o, "--h iso", why)) return why->status;
     struct isotropy c = {*o, s};
     const double middle = 1.2, step = 1.0 / 16, least = 0.75, most = 3;
     double above = anisotropy(middle, &c), below = above, best = NAN;
@@ -108,6 +116,7 @@ static int matching_step(const struct problem *p, const struct options *o, const
     struct symbol_error e;
     *F = o->fourier;
     if (o->fourier > 0) return STATUS_OK;
+    if (check_order(o, "--stepper matched", why)) return why->status;
     if (matched_symbol(p->dim, o, s, &e, why)) return why->status;
     if (p->dim == 2 && !(fabs(e.B - 2 * e.A) < 1e-9 * fabs(e.A))) {
         double iso;

@@ -219,6 +219,9 @@ static void isotropic_ratios_of_the_cubic_kernel(void **state) {
     struct field f;
     assert_int_equal(method_so_ssph.solve(&p, &o, &f, &why), STATUS_INPUT);
     assert_non_null(strstr(why.text, "--h iso"));
+    o.order = 4; /* nor has order 4, at any --h */
+    assert_int_equal(matched_isotropic(&o, method_so_ssph.scheme, &h, &why), STATUS_INPUT);
+    assert_non_null(strstr(why.text, "--order 4"));
 }
 
 int main(void) {
