@@ -3,7 +3,7 @@ name = 'matched_fig1'
 load 'reports/style.gp'
 set logscale xy
 set format xy '10^{%T}'
-set xlabel 'work  [pairs of particles]'
+set xlabel 'work of all steps  [pairs of particles]'
 set ylabel 'E = Σ|T_e − T_n| / ΣT_e  [-]' offset 0.5
 set offsets graph 0.03, graph 0.03, 0, 0
 set key bottom left

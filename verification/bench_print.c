@@ -10,6 +10,7 @@
 
 #include <math.h>
 #include <stdlib.h>
+#include <string.h>
 
 void bench_print_machine(FILE *out) {
     struct bench_machine m = bench_machine_here();
@@ -64,7 +65,7 @@ static void print_front(const struct bench_scene *b, FILE *out) {
 
 static void print_growth(const struct bench_scene *b, FILE *out) {
     struct table t = table_create(5, 1);
-    const char *header[] = {"growth with particles", "rungs", "seconds", "work", "expected"};
+    const char *header[] = {"growth with particles", "rungs", "seconds", "work", "of the steps"};
     for (int i = 0; i < 5; i++) table_add(&t, "%s", header[i]);
     for (int i = 0; i < b->growths; i++) {
         const struct bench_growth *g = &b->growth[i];
@@ -79,6 +80,10 @@ static void print_growth(const struct bench_scene *b, FILE *out) {
     table_free(&t);
 }
 
+static int same_failure(const struct bench_row *a, const struct bench_row *b) {
+    return a->candidate == b->candidate && strcmp(a->result.failure.text, b->result.failure.text) == 0;
+}
+
 void bench_print_scene(const struct bench_scene *b, FILE *out) {
     fprintf(out, "%s\n", b->scene->name);
     print_front(b, out);
@@ -86,8 +91,11 @@ void bench_print_scene(const struct bench_scene *b, FILE *out) {
     fprintf(out, "same against same: %.3f (%s)\n", b->same_ratio, b->same ? b->same : "none ran");
     for (int i = 0; i < b->count; i++) {
         const struct bench_row *r = &b->row[i];
-        if (r->result.failure.status)
-            fprintf(out, "failed: %s, %d along x: %s\n", r->candidate->label, r->n, r->result.failure.text);
+        if (!r->result.failure.status) continue;
+        while (i + 1 < b->count && same_failure(&b->row[i + 1], r)) i++;
+        fprintf(out, "failed: %s, %d", r->candidate->label, r->n);
+        if (b->row[i].n > r->n) fprintf(out, " to %d", b->row[i].n);
+        fprintf(out, " along x: %s\n", r->result.failure.text);
     }
     fputc('\n', out);
 }
