@@ -91,6 +91,8 @@ GALLERY := song_fig1b song_fig2a song_fig2b pamplona_fig5 stability_limits match
 gallery: report stability ## Copy the figures that the README shows to reports/gallery
 	@mkdir -p reports/gallery
 	$(Q)cp $(GALLERY:%=$(OUT)/%.svg) reports/gallery/
+	$(Q)if [ -f $(OUT)/peers/peers_square-step.svg ]; then cp $(OUT)/peers/peers_square-step.svg reports/gallery/; \
+	else echo "gallery: no chart of peers here (make bench-peers draws it); the old one stays"; fi
 
 .PHONY: claims
 claims: $(BUILD)/heatladder ## Measure what the two papers state; the ledger goes to reports/out/claims
