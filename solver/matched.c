@@ -79,8 +79,9 @@ static double polish(struct isotropy *c, double lo, double hi) {
 /* At order 4 A and B are zero at every h. */
 static int check_order(const struct options *o, const char *option, struct failure *why) {
     if (o->order < 4) return STATUS_OK;
-    return fail(why, STATUS_INPUT, "%s: --order %d has no error of second order that it could balance; take --order 2",
-                option, o->order);
+    return fail(why, STATUS_INPUT,
+                "%s: --order %d has no error of second order that it could balance; take --order 2", option,
+                o->order);
 }
 
 int matched_isotropic(const struct options *o, const struct scheme *s, double *h, struct failure *why) {
