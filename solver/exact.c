@@ -5,6 +5,7 @@
  * theta_x) cos(j theta_y) the symbol at the transform's wave numbers. */
 #include "solver/exact.h"
 
+#include "solver/state.h"
 #include "solver/transform.h"
 
 #include <math.h>
@@ -61,7 +62,7 @@ int exact_evolve(const struct heat_operator *a, double t, double *T, size_t *byt
     double *g = NULL;
     if (a->g) {
         g = xcalloc(a->n, sizeof *g);
-        operator_store(a, a->g, g);
+        state_store(a, a->g, g);
         transform_forward(modes, g);
     }
     transform_forward(modes, T);

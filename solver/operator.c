@@ -7,16 +7,11 @@
 #include "solver/operator.h"
 #include "solver/kernel.h"
 #include "solver/rows.h"
-#include "solver/sweep.h"
+#include "solver/state.h"
 
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
-
-/* Where row j of the particles begins in a state. */
-static ptrdiff_t first_in_row(const struct heat_operator *a, ptrdiff_t j) {
-    return (j + a->reach[1]) * a->stride + a->reach[0];
-}
 
 /* A full square (on a rod: a line) of weights around the centre. */
 struct square {
@@ -125,7 +120,7 @@ static void add_ghost(struct heat_operator *a, int i, int j, double offset, doub
     int rx = a->reach[0], ry = a->reach[1];
     for (int m = j > ry ? j - ry : 0; m <= j + ry && m < l->n[1]; m++)
         for (int k = i > rx ? i - rx : 0; k <= i + rx && k < l->n[0]; k++)
-            g[first_in_row(a, m) + k] += a->weight[abs(m - j) * (rx + 1) + abs(k - i)] * offset;
+            g[state_row(a, m) + k] += a->weight[abs(m - j) * (rx + 1) + abs(k - i)] * offset;
 }
 
 /* Source and walls: g_i = G / rho_c + sum over ghosts of w x offset. */
@@ -138,7 +133,7 @@ static void add_constants(struct heat_operator *a, const struct problem *p, cons
             double x[2];
             layout_position(l, i, j, x);
             double sum = p->source(p, x) / p->material[0].rho_c;
-            g[first_in_row(a, j) + i] = sum;
+            g[state_row(a, j) + i] = sum;
             any |= sum != 0;
         }
     for (int j = -ry; j < l->n[1] + ry; j++) {
@@ -219,47 +214,6 @@ void operator_free(struct heat_operator *a) {
     free(a->diagonal);
     free(a->g);
     *a = (struct heat_operator){0};
-}
-
-/* ---- States: rows of particles, of which a cloud has one ---- */
-
-static ptrdiff_t rows_of(const struct heat_operator *a) {
-    return a->weight ? a->lattice.n[1] : 1;
-}
-
-void operator_load(const struct heat_operator *a, const double *T, double *state) {
-    ptrdiff_t rows = rows_of(a), nx = (ptrdiff_t)a->n / rows;
-    for (ptrdiff_t j = 0; j < rows; j++) memcpy(state + first_in_row(a, j), T + j * nx, (size_t)nx * sizeof *T);
-}
-
-void operator_store(const struct heat_operator *a, const double *state, double *T) {
-    ptrdiff_t rows = rows_of(a), nx = (ptrdiff_t)a->n / rows;
-    for (ptrdiff_t j = 0; j < rows; j++) memcpy(T + j * nx, state + first_in_row(a, j), (size_t)nx * sizeof *T);
-}
-
-size_t operator_find_outside(const struct heat_operator *a, const double *state, double lo, double hi) {
-    ptrdiff_t rows = rows_of(a), nx = (ptrdiff_t)a->n / rows;
-    for (ptrdiff_t j = 0; j < rows; j++) {
-        const double *row = state + first_in_row(a, j);
-        int outside = 0;
-        for (ptrdiff_t i = 0; i < nx; i++) outside += !(row[i] >= lo && row[i] <= hi);
-        if (outside == 0) continue;
-        ptrdiff_t i = 0;
-        while (row[i] >= lo && row[i] <= hi) i++;
-        return (size_t)(j * nx + i);
-    }
-    return a->n;
-}
-
-void operator_update(const struct heat_operator *a, const struct update *u, int count, double *Y[2]) {
-    if (a->weight)
-        sweep_lattice(a, u, count, Y);
-    else
-        sweep_rows(a, u, count, Y);
-    if (count % 2) {
-        double *swap = Y[0];
-        Y[0] = Y[1], Y[1] = swap;
-    }
 }
 
 double operator_bound(const struct heat_operator *a) {

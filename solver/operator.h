@@ -67,23 +67,6 @@ void operator_free(struct heat_operator *a);
 int operator_stencil(const struct problem *p, const struct options *o, const struct scheme *s, double dx,
                      const double kappa[2], int *reach, double **weight, struct failure *why);
 
-/* Between the n particles' own order and a state. */
-void operator_load(const struct heat_operator *a, const double *T, double *state);
-void operator_store(const struct heat_operator *a, const double *state, double *T);
-/* The first particle that is not in [lo, hi] (NaN is not), or n. */
-size_t operator_find_outside(const struct heat_operator *a, const double *state, double lo, double hi);
-
-/* y = rate (A x + g) + self x + old y + start Y0 + start_rate L0, states all; Y0 and L0 may be NULL. */
-struct update {
-    double rate, self, old, start, start_rate;
-    const double *Y0, *L0;
-};
-
-/* The updates u[0] .. u[count - 1], one after the other: the first takes x = Y[0] to y = Y[1], the next Y[1] to Y[0]
- * and so on.  Ghosts are refreshed on the way.  The two swap names where count is odd, so that Y[0] is what was
- * written last. */
-void operator_update(const struct heat_operator *a, const struct update *u, int count, double *Y[2]);
-
 /* An upper bound of |lambda| over the spectrum of A, s^-1 (Gershgorin). */
 double operator_bound(const struct heat_operator *a);
 

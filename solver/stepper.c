@@ -6,6 +6,7 @@
  * Aslam 2014, eqs. 16-18): Y_1 = Y_0 + mu~_1 dt L_0, Y_j = mu_j Y_{j-1} + nu_j Y_{j-2} + (1 - mu_j - nu_j) Y_0 +
  * mu~_j dt L(Y_{j-1}) + gamma~_j dt L_0, stable for dt <= (s^2 + s - 2) / (2 |lambda|_max). */
 #include "solver/stepper.h"
+#include "solver/state.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -22,11 +23,11 @@ int stepper_stages(double dt, double bound) {
 static int look(const struct march *m, const struct heat_operator *a, const double *state, long long step,
                 struct failure *why) {
     double half = fmax((m->hi - m->lo) / 2, 1e-6 * fmax(fabs(m->lo), fabs(m->hi)));
-    size_t i = operator_find_outside(a, state, m->lo - half, m->hi + half);
+    size_t i = state_find_outside(a, state, m->lo - half, m->hi + half);
     if (i == a->n) return STATUS_OK;
     double dt = m->time / (double)m->steps, *T = xcalloc(a->n, sizeof *T), value;
     char where[64] = "";
-    operator_store(a, state, T);
+    state_store(a, state, T);
     value = T[i];
     free(T);
     if (m->x) snprintf(where, sizeof where, " at (%.6g, %.6g) m", m->x[i], m->y ? m->y[i] : 0);
@@ -45,7 +46,7 @@ static double b_of(int j) { /* b_j of RKL2, with b_0 = b_1 = b_2 */
 /* One super step: Y[0] holds T on entry and exit. */
 static void rkl2_step(const struct heat_operator *a, int s, double dt, double *Y[4]) {
     double *Y0 = Y[0], *L0 = Y[1], *turn[2] = {Y[2], Y[3]}, w1 = 4.0 / ((double)s * s + s - 2);
-    operator_update(a, &(struct update){.rate = 1}, 1, (double *[2]){Y0, L0});
+    state_update(a, &(struct update){.rate = 1}, 1, (double *[2]){Y0, L0});
     for (size_t i = 0; i < a->state; i++) {
         turn[0][i] = Y0[i] + b_of(1) * w1 * dt * L0[i]; /* Y_1 */
         turn[1][i] = Y0[i];
@@ -62,7 +63,7 @@ static void rkl2_step(const struct heat_operator *a, int s, double dt, double *Y
                                  .Y0 = Y0,
                                  .L0 = L0};
         if (n < TOGETHER && j < s) continue;
-        operator_update(a, u, n, turn);
+        state_update(a, u, n, turn);
         n = 0;
     }
     Y[0] = turn[0], Y[2] = Y0, Y[3] = turn[1];
@@ -75,7 +76,7 @@ static void euler_steps(const struct heat_operator *a, const struct march *m, lo
     double dt = m->time / (double)m->steps;
     for (int k = 0; k < count; k++)
         u[k] = (struct update){.rate = dt * ((done + k) % 2 ? 1 - m->uneven : 1 + m->uneven), .self = 1};
-    operator_update(a, u, count, Y);
+    state_update(a, u, count, Y);
 }
 
 static void rk2_steps(const struct heat_operator *a, const struct march *m, int count, double *Y[]) {
@@ -85,7 +86,7 @@ static void rk2_steps(const struct heat_operator *a, const struct march *m, int 
         u[2 * k] = (struct update){.rate = dt / 2, .self = 1};
         u[2 * k + 1] = (struct update){.rate = dt, .old = 1};
     }
-    operator_update(a, u, 2 * count, Y);
+    state_update(a, u, 2 * count, Y);
 }
 
 int stepper_arrays(enum stepper stepper) {
@@ -98,7 +99,7 @@ int stepper_march(const struct heat_operator *a, const struct march *m, double *
     double *Y[4] = {NULL};
     for (int k = 0; k < arrays; k++) Y[k] = xcalloc(a->state, sizeof *Y[k]);
     *bytes += (size_t)arrays * a->state * sizeof **Y;
-    operator_load(a, T, Y[0]);
+    state_load(a, T, Y[0]);
     for (long long done = 0; done < m->steps && !status; done += TOGETHER) {
         int count = m->steps - done < TOGETHER ? (int)(m->steps - done) : TOGETHER;
         if (m->stepper == STEPPER_EULER)
@@ -109,7 +110,7 @@ int stepper_march(const struct heat_operator *a, const struct march *m, double *
             for (int k = 0; k < count; k++) rkl2_step(a, m->stages, m->time / (double)m->steps, Y);
         status = look(m, a, Y[0], done + count, why);
     }
-    operator_store(a, Y[0], T);
+    state_store(a, Y[0], T);
     for (int k = 0; k < arrays; k++) free(Y[k]);
     return status;
 }

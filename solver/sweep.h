@@ -1,9 +1,9 @@
 #ifndef HEATLADDER_SOLVER_SWEEP_H
 #define HEATLADDER_SOLVER_SWEEP_H
 
-#include "solver/operator.h"
+#include "solver/state.h"
 
-/* The hot loops of operator_update, for its `count` updates of the states Y[0] and Y[1] in turn. */
+/* The hot loops of state_update, for its `count` updates of the states Y[0] and Y[1] in turn. */
 
 void sweep_lattice(const struct heat_operator *a, const struct update *u, int count, double *const Y[2]);
 void sweep_rows(const struct heat_operator *a, const struct update *u, int count, double *const Y[2]);

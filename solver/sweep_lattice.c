@@ -41,7 +41,7 @@ static int support_of(const struct heat_operator *a) {
 static void refresh_row(const struct heat_operator *a, double *x, ptrdiff_t j) {
     const struct lattice *l = &a->lattice;
     ptrdiff_t nx = l->n[0];
-    double *row = x + (j + a->reach[1]) * a->stride + a->reach[0];
+    double *row = x + state_row(a, j);
     for (ptrdiff_t k = 1; k <= a->reach[0]; k++) {
         ptrdiff_t lo = k - 1 + l->shift[X_LO], hi = k - 1 + l->shift[X_HI];
         row[-k] = lo < 0 ? 0 : l->sign[X_LO] * row[lo];

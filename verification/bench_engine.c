@@ -4,7 +4,7 @@
  * particle. */
 #include "verification/bench_engine.h"
 
-#include "solver/operator.h"
+#include "solver/state.h"
 #include "verification/arguments.h"
 #include "verification/bench.h"
 
@@ -115,7 +115,7 @@ static struct bench_time apply(const struct heat_operator *a) {
     for (size_t i = 0; i < a->state; i++) x[i] = (double)(i % 7);
     for (int k = -1; k < BENCH_RUNS; k++) {
         double start = omp_get_wtime();
-        operator_update(a, &(struct update){.rate = 1e-9, .self = 1}, 1, (double *[2]){x, y});
+        state_update(a, &(struct update){.rate = 1e-9, .self = 1}, 1, (double *[2]){x, y});
         if (k >= 0) seconds[k] = omp_get_wtime() - start;
     }
     free(x);

@@ -1,7 +1,7 @@
 /* Clouds that a method cannot work on: each gives a refusal that names the particle, its neighbours and the condition
  * number, or a measured, finite result; never NaN. */
 #include "solver/method.h" /* before cmocka.h, which makes a macro of `fail` */
-#include "solver/operator.h"
+#include "solver/state.h"
 #include "verification/probe.h"
 #include "verification/spectrum.h"
 #include "verification/unit/near.h"
@@ -57,7 +57,7 @@ static struct outcome try(const struct method *method, struct made *m, double h)
     if (out.status) return out;
     double T[2][MOST] = {{0}}, *turn[2] = {T[0], T[1]}, dt = 1 / fmax(1, operator_bound(&a));
     T[0][0] = 1;
-    for (int step = 0; step < 200; step++) operator_update(&a, &(struct update){.rate = dt, .self = 1}, 1, turn);
+    for (int step = 0; step < 200; step++) state_update(&a, &(struct update){.rate = dt, .self = 1}, 1, turn);
     for (size_t i = 0; i < a.n; i++)
         if (!(fabs(T[0][i]) <= out.largest)) out.largest = fabs(T[0][i]);
     operator_free(&a);

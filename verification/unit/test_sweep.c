@@ -28,7 +28,7 @@ static double noise(size_t i) {
 static double *any_state(const struct heat_operator *a, size_t seed) {
     double *T = xcalloc(a->n, sizeof *T), *state = xcalloc(a->state, sizeof *state);
     for (size_t i = 0; i < a->n; i++) T[i] = noise(i + seed);
-    operator_load(a, T, state);
+    state_load(a, T, state);
     free(T);
     return state;
 }
@@ -82,13 +82,13 @@ static double at(const struct heat_operator *a, const double *x, int i, int j) {
         sign *= l->sign[side];
         place[d] = side % 2 ? l->n[d] - 1 - from : from;
     }
-    return sign * x[(place[1] + a->reach[1]) * a->stride + place[0] + a->reach[0]];
+    return sign * x[state_row(a, place[1]) + place[0]];
 }
 
 static void define(const struct heat_operator *a, const struct update *u, const double *x, double *y) {
     for (int j = 0; j < a->lattice.n[1]; j++)
         for (int i = 0; i < a->lattice.n[0]; i++) {
-            ptrdiff_t here = (j + a->reach[1]) * a->stride + i + a->reach[0];
+            ptrdiff_t here = state_row(a, j) + i;
             double sum = a->g ? a->g[here] : 0;
             for (int m = -a->reach[1]; m <= a->reach[1]; m++)
                 for (int k = -a->reach[0]; k <= a->reach[0]; k++)
@@ -102,11 +102,11 @@ static void assert_defined(struct problem p, struct options o, const struct meth
     struct made m, want;
     make(&m, p, o, method, plain);
     make(&want, p, o, method, plain);
-    operator_update(&m.a, m.u, UPDATES, m.Y);
+    state_update(&m.a, m.u, UPDATES, m.Y);
     for (int k = 0; k < UPDATES; k++) define(&want.a, &want.u[k], want.Y[k % 2], want.Y[1 - k % 2]);
     double *got = xcalloc(m.a.n, sizeof *got), *wanted = xcalloc(m.a.n, sizeof *wanted), largest = 1;
-    operator_store(&m.a, m.Y[0], got);
-    operator_store(&m.a, want.Y[UPDATES % 2], wanted);
+    state_store(&m.a, m.Y[0], got);
+    state_store(&m.a, want.Y[UPDATES % 2], wanted);
     for (size_t i = 0; i < m.a.n; i++) largest = fmax(largest, fabs(wanted[i]));
     /* each update rounds a sum of as many terms as the stencil has weights, and no update here makes noise grow */
     for (size_t i = 0; i < m.a.n; i++) assert_near(got[i], wanted[i], 1e-13 * largest);
@@ -153,8 +153,8 @@ static void a_rod_is_swept_as_defined(void **state) {
 
 static void assert_same_bits(const struct made *got, const struct made *want) {
     double *a = xcalloc(got->a.n, sizeof *a), *b = xcalloc(want->a.n, sizeof *b);
-    operator_store(&got->a, got->Y[0], a);
-    operator_store(&want->a, want->Y[0], b);
+    state_store(&got->a, got->Y[0], a);
+    state_store(&want->a, want->Y[0], b);
     assert_memory_equal(a, b, got->a.n * sizeof *a);
     free(a);
     free(b);
@@ -166,8 +166,8 @@ static void sharing_a_sweep_changes_no_bit(void **state) {
         struct made together, apart;
         make(&together, odd_rectangle(), (struct options){.dx = 0.05, .h = 1.23}, &method_so_ssph, plain);
         make(&apart, odd_rectangle(), (struct options){.dx = 0.05, .h = 1.23}, &method_so_ssph, plain);
-        operator_update(&together.a, together.u, UPDATES, together.Y);
-        for (int k = 0; k < UPDATES; k++) operator_update(&apart.a, &apart.u[k], 1, apart.Y);
+        state_update(&together.a, together.u, UPDATES, together.Y);
+        for (int k = 0; k < UPDATES; k++) state_update(&apart.a, &apart.u[k], 1, apart.Y);
         assert_same_bits(&together, &apart);
         made_free(&together);
         made_free(&apart);
@@ -181,12 +181,12 @@ static void threads_change_no_bit(void **state) {
         struct made one;
         make(&one, odd_rectangle(), (struct options){.dx = 0.01, .h = 1.23}, &method_so_ssph, plain);
         assert_true(one.a.n > 10000);
-        operator_update(&one.a, one.u, UPDATES, one.Y);
+        state_update(&one.a, one.u, UPDATES, one.Y);
         for (size_t k = 0; k < sizeof threads / sizeof *threads; k++) {
             struct made many;
             make(&many, odd_rectangle(), (struct options){.dx = 0.01, .h = 1.23}, &method_so_ssph, plain);
             many.a.threads = threads[k];
-            operator_update(&many.a, many.u, UPDATES, many.Y);
+            state_update(&many.a, many.u, UPDATES, many.Y);
             assert_same_bits(&many, &one);
             made_free(&many);
         }
