@@ -71,6 +71,9 @@ static void setting_up_is_counted_by_what_is_done(void **state) {
     struct result cell = run("run rod-step ftcs --dx 4/32 --fourier 0.2 --sampling cell");
     assert_near(ftcs.setup, 8 * (20 * 32 + 36 * 16), 1e-9);
     assert_near(cell.setup, 8 * (20 * 32 + 36 * 4 * 16), 1e-9);
+    /* of splines, four more pieces at the jump and two at the wall */
+    struct result cut = run("run rod-step ftcs --dx 4/32 --fourier 0.2 --sampling spline");
+    assert_near(cut.setup, 8 * (20 * 32 + 36 * 4 * (4 * 16 + 4 + 2)), 1e-9);
     struct result point = run("run rod-step so_ssph --dx 4/32 --fourier 0.2 --stepper euler");
     struct result spline = run("run rod-step so_ssph --dx 4/32 --fourier 0.2 --stepper euler --sampling spline");
     /* four particles see the jump and share seven cells, one of them in two pieces; two see the wall, in five and one
