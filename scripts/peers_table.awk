@@ -191,8 +191,8 @@ END {
     print failures ? "Failed:" : "No run failed."
     for (i = 1; i <= failures; i++) print "  " failed[i]
     print ""
-    print "Every time is that of a solve in a process of its own, which, where it takes less than 0.1 s, has solved the same"
-    print "once before, the peers' and ours; the median of five, of three past 0.05 s, one past 4 s.  Updates per second are those"
+    print "Every time is that of a solve in a process of its own, which has solved the same for 0.1 s before, the peers' and"
+    print "ours; the median of five, of three past 0.05 s, one past 4 s.  Updates per second are those"
     print "of the time loop; PySPH's has the search for neighbours in it, once, 2 % of it.  Settings were looked for beforehand and not timed: a peer's is the loosest tolerance whose error is within"
     print "5 % of the tightest's, rkl2's the time step that --time-error finds for the loosest such error in time."
     print "SUNDIALS as packaged is compiled without optimisation: the stand-in brings its own vector kernels and right-hand side,"

@@ -173,7 +173,7 @@ const struct option options_table[] = {
      read_number, IN(time_error), NULL, POSITIVE, 0},
     {"solver", "solver", "'CMD'", "a program that stands in for METHOD; {case} and {out} in CMD become paths",
      read_text, IN(solver), NULL, FINITE, 0},
-    {"warm-up", "warm-up", NULL, "solve once beforehand, so that what is timed finds program and memory ready",
+    {"warm-up", "warm-up", NULL, "solve for 0.1 s beforehand, so that what is timed finds program and memory ready",
      read_flag, IN(warm_up), NULL, FINITE, 0},
     {"field", "field", "FILE", "write the points, the temperature and the exact one as CSV", read_text,
      IN(field_path), NULL, FINITE, 0},

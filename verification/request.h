@@ -36,7 +36,7 @@ struct request {
     struct method *external;     /* owned: what `method` is then; else NULL */
     const char *only;            /* glob of gate names; NULL for all */
     const char *field_path, *json_path, *junit_path; /* NULL where not asked for */
-    int warm_up;                                     /* 1: what is timed is the second solve */
+    int warm_up;                                     /* 1: what is timed comes after 0.1 s of the same */
     int json;                                        /* 1: JSON on standard output instead of text */
     int quick;                                       /* 1: the quick tier of the gates alone */
     unsigned long given;                             /* which rows of the option table were given */

@@ -15,7 +15,7 @@ struct rectangle {
 
 enum { RECTANGLE_FEW = 16384 }; /* points that threads are not woken for: some microseconds of work */
 
-/* s: a solve that takes less is done once more, and the second is timed, so that it finds program and memory ready */
+/* s: solves are done over until so much has passed, and the last is timed, so that it finds program and memory ready */
 #define RECTANGLE_WARM 0.1
 
 /* Ends the program where it cannot be read or is another scene. */
