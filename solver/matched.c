@@ -51,26 +51,30 @@ int matched_symbol(int dim, const struct options *o, const struct scheme *s, str
 struct isotropy {
     struct options o;
     const struct scheme *s;
+    double end[2], value[2]; /* of a bracket: known */
 };
 
 static double anisotropy(double h, void *context) {
     struct isotropy *c = context;
     struct symbol_error e;
     struct failure ignored;
+    for (int k = 0; k < 2; k++)
+        if (h == c->end[k]) return c->value[k];
     c->o.h = h;
     return matched_symbol(2, &c->o, c->s, &e, &ignored) ? NAN : e.B - 2 * e.A;
 }
 
-/* A root in [lo, hi] by Brent's method. */
-static double polish(struct isotropy *c, double lo, double hi) {
+/* A root in [lo, hi], where the values are at_lo and at_hi, by Brent's method. */
+static double polish(struct isotropy *c, double lo, double hi, double at_lo, double at_hi) {
     gsl_function f = {anisotropy, c};
+    c->end[0] = lo, c->end[1] = hi, c->value[0] = at_lo, c->value[1] = at_hi;
     gsl_root_fsolver *solver = gsl_root_fsolver_alloc(gsl_root_fsolver_brent);
     gsl_root_fsolver_set(solver, &f, lo, hi);
     double root = NAN, before;
     for (int k = 0; k < 100; k++) {
         gsl_root_fsolver_iterate(solver);
         before = root, root = gsl_root_fsolver_root(solver);
-        if (gsl_root_test_delta(root, before, 1e-10, 0) == GSL_SUCCESS) break; /* it converges faster than linearly */
+        if (gsl_root_test_delta(root, before, 1e-8, 0) == GSL_SUCCESS) break; /* to 1e-12: order 1.6 */
     }
     gsl_root_fsolver_free(solver);
     return root;
@@ -86,7 +90,7 @@ static int check_order(const struct options *o, const char *option, struct failu
 
 int matched_isotropic(const struct options *o, const struct scheme *s, double *h, struct failure *why) {
     if (check_order(o, "--h iso", why)) return why->status;
-    struct isotropy c = {*o, s};
+    struct isotropy c = {.o = *o, .s = s};
     const double middle = 1.2, step = 1.0 / 16, least = 0.75, most = 3;
     double above = anisotropy(middle, &c), below = above, best = NAN;
     /* Outward from 1.2.  Neighbours enter with weight zero, so that B - 2 A is continuous in h: a change of sign is a
@@ -95,8 +99,8 @@ int matched_isotropic(const struct options *o, const struct scheme *s, double *h
     for (int k = 1; isnan(best) && middle + (k - 1) * step < most; k++) {
         double far = middle + k * step, near = middle - k * step, up = anisotropy(far, &c), down = NAN;
         if (near > least) down = anisotropy(near, &c);
-        if (above * up <= 0) best = polish(&c, far - step, far);
-        double other = below * down <= 0 ? polish(&c, near, near + step) : NAN;
+        if (above * up <= 0) best = polish(&c, far - step, far, above, up);
+        double other = below * down <= 0 ? polish(&c, near, near + step, down, below) : NAN;
         if (isnan(best) || fabs(other - middle) < fabs(best - middle)) best = other;
         above = up, below = down;
     }

@@ -46,12 +46,26 @@ static inline double continued(const struct problem *p, double x, double y) {
     return p->initial(p, (const double[2]){x, y});
 }
 
-/* Planes along one axis where the continued data may jump: walls of given temperature, which data need not agree
- * with, the problem's own and their images; returns how many. */
-static int jump_planes(const struct problem *p, int axis, double *plane) {
+/* Continued as odd, data that meet a wall are smooth up to a jump of their second derivative: averages miss by
+ * O(dx^2) in the layer next to the wall, which cancels that but for a dipole of O(dx^4). */
+int sample_meets_wall(const struct problem *p, const struct lattice *l, enum side s) {
+    int axis = (int)s / 2, along = 1 - axis;
+    for (int i = 0; i < l->n[along]; i++) {
+        double foot[2];
+        foot[axis] = s % 2 ? p->hi[axis] : p->lo[axis];
+        foot[along] = l->first[along] + i * l->dx[along];
+        if (p->initial(p, foot) != p->wall(p, s, foot)) return 0;
+    }
+    return 1;
+}
+
+/* Planes along one axis where the continued data may jump: walls of another temperature, the problem's own and their
+ * images; returns how many. */
+static int jump_planes(const struct problem *p, const struct lattice *l, int axis, double *plane) {
     int n = 0;
     for (int hi = 0; hi < 2; hi++)
-        if (p->side[2 * axis + hi] == DIRICHLET) plane[n++] = hi ? p->hi[axis] : p->lo[axis];
+        if (p->side[2 * axis + hi] == DIRICHLET && !sample_meets_wall(p, l, (enum side)(2 * axis + hi)))
+            plane[n++] = hi ? p->hi[axis] : p->lo[axis];
     for (int k = 0; k < p->jumps[axis]; k++) {
         double own = p->jump[axis][k];
         plane[n++] = own;
@@ -125,7 +139,7 @@ static void add_smooth(const struct axis *a, int i, struct rule *r, int *next) {
 
 static struct axis axis_of(const struct problem *p, int m, const struct lattice *l, int dim) {
     struct axis a = {.m = m, .n = l->n[dim], .first = l->first[dim], .dx = l->dx[dim]};
-    a.planes = jump_planes(p, dim, a.plane);
+    a.planes = jump_planes(p, l, dim, a.plane);
     return a;
 }
 

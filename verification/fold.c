@@ -8,6 +8,7 @@
 
 #include <math.h>
 #include <stdlib.h>
+#include <string.h>
 
 static double folded_wall(const struct problem *p, enum side s, const double x[2]) {
     int a = (int)s / 2, inner = s % 2 == 0 && p->lo[a] != p->whole->lo[a];
@@ -34,11 +35,15 @@ int fold_problem(const struct problem *whole, const struct options *o, struct pr
     return cuts;
 }
 
-/* The particle of the part that stands for (i, j) of the whole, n[a] particles along the axes of the part. */
-static size_t source(const int n[2], const int cut[2], int i, int j) {
-    if (cut[0]) i = i < n[0] ? n[0] - 1 - i : i - n[0];
-    if (cut[1]) j = j < n[1] ? n[1] - 1 - j : j - n[1];
-    return (size_t)j * (size_t)n[0] + (size_t)i;
+/* A row of the whole from one of the part, n long. */
+static void unfold_row(const double *part, int n, int cut, double *whole) {
+    for (int i = 0; cut && i < n; i++) *whole++ = part[n - 1 - i];
+    memcpy(whole, part, (size_t)n * sizeof *whole);
+}
+
+/* Places on the lower side of the middle between lo and hi. */
+static void mirror(double *x, int n, double lo, double hi) {
+    for (int i = 0; i < n; i++) x[i] = lo + hi - x[i];
 }
 
 static void unfold(struct field *f, const struct problem *whole, const int cut[2]) {
@@ -51,15 +56,17 @@ static void unfold(struct field *f, const struct problem *whole, const int cut[2
     f->T = xcalloc(f->n, sizeof *f->T);
     f->weight = part.weight ? xcalloc(f->n, sizeof *f->weight) : NULL;
     for (int a = 0; a < 2; a++) f->shape[a] *= cut[a] ? 2 : 1, f->heat[a] *= copies;
-    for (int j = 0; j < f->shape[1]; j++)
-        for (int i = 0; i < f->shape[0]; i++) {
-            size_t to = (size_t)j * (size_t)f->shape[0] + (size_t)i, from = source(part.shape, cut, i, j);
-            int lower[2] = {cut[0] && i < part.shape[0], cut[1] && j < part.shape[1]};
-            f->x[to] = lower[0] ? whole->lo[0] + whole->hi[0] - part.x[from] : part.x[from];
-            if (f->y) f->y[to] = lower[1] ? whole->lo[1] + whole->hi[1] - part.y[from] : part.y[from];
-            if (f->weight) f->weight[to] = part.weight[from];
-            f->T[to] = part.T[from];
-        }
+    int nx = part.shape[0], ny = part.shape[1];
+    for (int j = 0; j < f->shape[1]; j++) {
+        int lower = cut[1] && j < ny, row = !cut[1] ? j : lower ? ny - 1 - j : j - ny;
+        size_t to = (size_t)j * (size_t)f->shape[0], from = (size_t)row * (size_t)nx;
+        unfold_row(part.x + from, nx, cut[0], f->x + to);
+        if (cut[0]) mirror(f->x + to, nx, whole->lo[0], whole->hi[0]);
+        if (f->y) unfold_row(part.y + from, nx, cut[0], f->y + to);
+        if (lower) mirror(f->y + to, f->shape[0], whole->lo[1], whole->hi[1]);
+        if (f->weight) unfold_row(part.weight + from, nx, cut[0], f->weight + to);
+        unfold_row(part.T + from, nx, cut[0], f->T + to);
+    }
     field_free(&part);
 }
 

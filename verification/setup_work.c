@@ -13,14 +13,15 @@
  *     a row         four for each point of the 3^d cells around, for each comparison that sorts its columns, and for
  *                   each pair of the first derivatives that are composed (two sweeps)
  *     --h iso       a stencil at each 1/16 of h/dx to either side of 1.2 until a root is passed, seven to polish it
- *     a transform   along a short axis sums, which stream, and their table of n^2 entries, to and fro; along others
- *                   1.25 log2 n for each particle, and for its plans FFTW looks at SOLVERS, TRIED each, at log2 n
- * levels modes         exp(lambda t), and expm1 where walls or a source add; along an axis reach + 1 cosines
+ *     a transform   along a short axis sums, which stream, and their table, n^2 to and fro; along others 1.25 log2 n
+ *                   for each particle, and for its plans FFTW looks at SOLVERS, TRIED each, at log2 n levels
+ *     modes         exp(lambda t), and expm1 where walls or a source add; along an axis reach + 1 cosines
  *
  * No clock has a part in it.  Allocation and traffic through memory are left out. */
 #include "verification/setup_work.h"
 
 #include "solver/operator.h"
+#include "solver/sample.h"
 #include "solver/transform.h"
 #include "verification/fold.h"
 #include "verification/result.h"
@@ -49,6 +50,15 @@ static struct extent extent_of(const struct problem *p, const struct result *r) 
     return e;
 }
 
+static struct lattice lattice_of(const struct extent *e) {
+    struct lattice l = {.dim = e->part.dim, .n = {e->along[0], e->along[1]}, .dx = {1, 1}};
+    for (int a = 0; a < e->part.dim; a++) {
+        l.dx[a] = (e->part.hi[a] - e->part.lo[a]) / l.n[a];
+        l.first[a] = e->part.lo[a] + l.dx[a] / 2;
+    }
+    return l;
+}
+
 /* Nodes of the averages of all particles along an axis.  Particles share theirs: few where the data are smooth, and
  * three on each piece where walls or jumps cut a support (solver/sample.c).  Finite differences take four on each
  * piece of every point's own (solver/ftcs_sample.c). */
@@ -57,12 +67,17 @@ static double nodes_along(const struct extent *e, int axis, const struct result 
     int n = e->along[axis], pieces = r->options.sampling == SAMPLING_CELL ? 1 : 4, before = 0;
     double dx = (p->hi[axis] - p->lo[axis]) / n, reach = pieces * dx / 2 * (1 - 1e-9), sum = 0;
     if (r->options.sampling == SAMPLING_POINT || axis >= p->dim) return n;
+    struct lattice l = lattice_of(e);
+    int cut[2];
+    for (int hi = 0; hi < 2; hi++) {
+        enum side side = (enum side)(2 * axis + hi);
+        cut[hi] = p->side[side] == DIRICHLET && (r->method->scheme == NULL || !sample_meets_wall(p, &l, side));
+    }
     for (int i = 0; i < n; i++) {
         double x = p->lo[axis] + (i + 0.5) * dx;
         int cuts = 0;
         for (int k = 0; k < p->jumps[axis]; k++) cuts += fabs(p->jump[axis][k] - x) < reach;
-        for (int hi = 0; hi < 2; hi++)
-            cuts += p->side[2 * axis + hi] == DIRICHLET && fabs((hi ? p->hi : p->lo)[axis] - x) < reach;
+        for (int hi = 0; hi < 2; hi++) cuts += cut[hi] && fabs((hi ? p->hi : p->lo)[axis] - x) < reach;
         if (r->method->scheme == NULL)
             sum += 4 * (pieces + cuts);
         else if (cuts == 0)

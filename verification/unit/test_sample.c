@@ -10,6 +10,8 @@
 
 #include <gsl/gsl_errno.h>
 
+extern const struct method method_so_ssph;
+
 static const double dx[2] = {0.13, 0.07};
 
 /* B-spline averages of order m = 1, 4: m dx^2/12 is their variance. */
@@ -17,6 +19,50 @@ static void both(const struct problem *p, enum sampling sampling, double x, doub
     const double at[2] = {x, y};
     assert_near(sample_initial(p, sampling, dx, at), want, tolerance);
     assert_near(ftcs_sample(p, at, dx, sampling), want, tolerance);
+}
+
+/* 4 x (1 - x) between walls at zero: what the walls cut short is its second derivative alone. */
+static double arch(const struct problem *p, const double x[2]) {
+    (void)p;
+    return 4 * x[0] * (1 - x[0]);
+}
+
+static double cold(const struct problem *p, enum side s, const double x[2]) {
+    (void)p, (void)s, (void)x;
+    return 0;
+}
+
+/* sum over odd k of 32/(k pi)^3 sin(k pi x) exp(-(k pi)^2 t) */
+static double arch_later(double x, double t) {
+    double sum = 0;
+    for (int k = 1; k < 60; k += 2) sum += 32 / pow(k * M_PI, 3) * sin(k * M_PI * x) * exp(-k * k * M_PI * M_PI * t);
+    return sum;
+}
+
+static double arch_error(int n) {
+    struct problem p = {.dim = 1,
+                        .hi = {1, 0},
+                        .t_end = 0.03,
+                        .materials = 1,
+                        .material = {{{1, 1}, 1}},
+                        .side = {DIRICHLET, DIRICHLET},
+                        .initial = arch,
+                        .wall = cold};
+    struct options o = {.dx = 1.0 / n, .h = 1.2, .stepper = STEPPER_MATCHED, .sampling = SAMPLING_SPLINE};
+    struct field f;
+    struct failure why;
+    double sum = 0;
+    assert_int_equal(method_so_ssph.solve(&p, &o, &f, &why), STATUS_OK);
+    for (size_t i = 0; i < f.n; i++) sum += fabs(f.T[i] - arch_later(f.x[i], p.t_end)) / n;
+    field_free(&f);
+    return sum;
+}
+
+/* A wall that the data meet is not cut at: the layer beside it misses by O(dx^2), which leaves O(dx^4). */
+static void walls_that_data_meet_keep_fourth_order(void **state) {
+    (void)state;
+    double order = log2(arch_error(64) / arch_error(128));
+    assert_true(order > 3.9 && order < 4.1);
 }
 
 static double parabolas(const struct problem *p, const double x[2]) {
@@ -117,7 +163,7 @@ int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(averages_have_the_splines_moments), cmocka_unit_test(jumps_are_cut),
         cmocka_unit_test(images_of_jumps_are_cut),           cmocka_unit_test(walls_continue_the_data),
-        cmocka_unit_test(a_lattice_shares_its_nodes),
+        cmocka_unit_test(a_lattice_shares_its_nodes),        cmocka_unit_test(walls_that_data_meet_keep_fourth_order),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
