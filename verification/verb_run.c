@@ -74,7 +74,7 @@ static int warm_up(const struct request *r, struct failure *why) {
     int status;
     do {
         struct options o = r->options;
-        struct field field;
+        struct field field = {0};
         status = stepping_solve(r, &o, &field, &ignored, why);
         field_free(&field);
     } while (!status && omp_get_wtime() - start < 0.1);
