@@ -3,6 +3,7 @@
 #include "verification/ladder.h"
 
 #include "references/scene.h"
+#include "solver/operator.h"
 #include "verification/arguments.h"
 #include "verification/run.h"
 #include "verification/stepping.h"
@@ -13,10 +14,6 @@
 #include <string.h>
 
 static const double C = 0.31, D = 0.77;
-
-struct scheme {
-    int unused;
-};
 
 static int whole(const struct problem *p, double dx) {
     return (int)nearbyint((p->hi[0] - p->lo[0]) / dx);
