@@ -32,7 +32,7 @@ static int read_text(struct request *r, const struct option *o, const char *text
 
 static int refuse_number(const struct option *o, const char *text, struct failure *why) {
     char valid[80];
-    if (o->lo > 0 && o->hi == INFINITY)
+    if (o->lo == ABOVE_ZERO && o->hi == INFINITY)
         snprintf(valid, sizeof valid, "a number > 0");
     else if (o->lo == -INFINITY)
         snprintf(valid, sizeof valid, "a finite number");
@@ -170,7 +170,7 @@ const struct option options_table[] = {
     {"error", "error", "E", "the error (E1) to be reached", read_number, IN(error), NULL, POSITIVE, 0},
     {"scene", "scene", "SCENE", "that scene alone", read_text, IN(only), NULL, FINITE, 0},
     {"time-error", "time-error", "E", "take the longest time step whose error (E1) is E, by step doubling",
-     read_number, IN(time_error), NULL, POSITIVE, 0},
+     read_number, IN(time_error), NULL, 1e-12, INFINITY, 0},
     {"solver", "solver", "'CMD'", "a program that stands in for METHOD; {case} and {out} in CMD become paths",
      read_text, IN(solver), NULL, FINITE, 0},
     {"warm-up", "warm-up", NULL, "solve for 0.1 s beforehand, so that what is timed finds program and memory ready",

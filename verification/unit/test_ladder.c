@@ -86,6 +86,32 @@ static void the_exact_stepper_where_there_is_one(void **state) {
     arguments_free(&r);
 }
 
+/* The longest step whose error is what is asked for: D dt^Q, to the 5 % that the search goes by and a whole step. */
+static void a_time_error_is_met_and_not_more(void **state) {
+    (void)state;
+    static const char *const lines[] = {"run rod-gauss ftcs --dx 0.5 --stepper euler --time-error 1e-3",
+                                        "run rod-gauss ftcs --dx 0.5 --stepper rkl2 --time-error 1e-3",
+                                        "run rod-gauss ftcs --dx 0.5 --stepper rkl2 --time-error 0.2"};
+    for (int i = 0; i < 3; i++) {
+        struct request r = request(lines[i], &with_exact);
+        struct result result;
+        assert_int_equal(run_request(&r, &r.options, &result, NULL), STATUS_OK);
+        double error = D * pow(result.dt, i ? 2 : 1), coarser = r.problem.t_end / ((double)result.steps / 1.05 - 1);
+        assert_true(error <= r.time_error * (1 + 1e-6));
+        assert_true(result.steps <= 2 || D * pow(coarser, i ? 2 : 1) > r.time_error);
+        arguments_free(&r);
+    }
+}
+
+static void a_time_error_out_of_reach_is_said(void **state) {
+    (void)state;
+    struct request r = request("run rod-gauss ftcs --dx 0.5 --stepper euler --time-error 1e-12", &with_exact);
+    struct result result;
+    assert_int_equal(run_request(&r, &r.options, &result, NULL), STATUS_GATE);
+    assert_non_null(strstr(result.failure.text, "--time-error 1e-12"));
+    arguments_free(&r);
+}
+
 static void a_refused_exact_falls_back(void **state) {
     (void)state;
     struct request r = request("run rod-gauss ftcs --dx 0.5", &no_exact);
@@ -197,6 +223,8 @@ static void a_failed_rung_fails_the_ladder(void **state) {
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(the_exact_stepper_where_there_is_one),
+        cmocka_unit_test(a_time_error_is_met_and_not_more),
+        cmocka_unit_test(a_time_error_out_of_reach_is_said),
         cmocka_unit_test(a_refused_exact_falls_back),
         cmocka_unit_test(the_step_is_refined_until_it_does_not_matter),
         cmocka_unit_test(an_unstable_first_step_is_halved),
