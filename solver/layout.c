@@ -13,9 +13,9 @@
 #include <math.h>
 #include <stdlib.h>
 
-/* The nearest spacings, on either side, that divide every extent. */
-static void nearest_spacings(const struct problem *p, double dx, double out[2]) {
-    double extent = p->hi[0] - p->lo[0], other = p->dim == 2 ? p->hi[1] - p->lo[1] : extent;
+/* The nearest spacings, on either side, that divide every extent, dy = ratio dx; NaN where there is none. */
+static void nearest_spacings(const struct problem *p, double dx, double ratio, double out[2]) {
+    double extent = p->hi[0] - p->lo[0], other = p->dim == 2 ? (p->hi[1] - p->lo[1]) / ratio : extent;
     double near = fmax(1, floor(extent / dx));
     for (int up = 0; up < 2; up++) {
         out[up] = NAN;
@@ -36,9 +36,12 @@ static int count_cells(const struct problem *p, int axis, double spacing, double
     return divides;
 }
 
-static int refuse_spacing(const struct problem *p, const struct options *o, struct failure *why) {
+static int refuse_spacing(const struct problem *p, const struct options *o, double ratio, struct failure *why) {
     double near[2];
-    nearest_spacings(p, o->dx, near);
+    nearest_spacings(p, o->dx, ratio, near);
+    if (isnan(near[0]))
+        return fail(why, STATUS_INPUT, "--dx %g does not divide the domain, and with dy = %.6g dx none near it does",
+                    o->dx, ratio);
     if (isnan(near[1]))
         return fail(why, STATUS_INPUT, "--dx %g does not divide the domain; try %.10g", o->dx, near[0]);
     return fail(why, STATUS_INPUT, "--dx %g does not divide the domain; the nearest that do are %.10g and %.10g",
@@ -53,12 +56,12 @@ int layout_lattice(const struct problem *p, const struct options *o, double rati
     int node = o->layout == LAYOUT_NODE;
     for (int a = 0; a < p->dim; a++) {
         double cells, spacing = a ? o->dx * ratio : o->dx;
-        if (!count_cells(p, a, spacing, &cells)) return refuse_spacing(p, o, why);
+        if (!count_cells(p, a, spacing, &cells)) return refuse_spacing(p, o, ratio, why);
         const enum side_kind *kind = &p->side[2 * a];
         l->dx[a] = (p->hi[a] - p->lo[a]) / cells;
         l->n[a] = (int)cells;
         if (node) l->n[a] += 1 - (kind[0] == DIRICHLET) - (kind[1] == DIRICHLET);
-        if (l->n[a] < 1) return refuse_spacing(p, o, why);
+        if (l->n[a] < 1) return refuse_spacing(p, o, ratio, why);
         l->first[a] = p->lo[a] + (node ? (kind[0] == DIRICHLET) * l->dx[a] : l->dx[a] / 2);
         for (int s = 2 * a; s < 2 * a + 2; s++) {
             int dirichlet = p->side[s] == DIRICHLET;

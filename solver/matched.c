@@ -12,13 +12,12 @@
  * alternates between d (1 + u) and d (1 - u), d = t / n, with 1 + u^2 = 2 A dx^2 / (kappa d).  Then u^2 < 2 / n, so
  * that u goes to zero with dx.
  *
- * The start: averaging with a B-spline of order m multiplies a mode by (sin(theta/2) / (theta/2))^m = 1 - m theta^2 /
- * 24
- * + ... = exp(-kappa xi^2 t_m) up to O(dx^4) with t_m = m dx^2 / (24 kappa), along each axis.  The clock starts
- * there. Point samples of a jump midway between particles have the spectrum of the jump's times (theta/2) /
- * sin(theta/2), which is m = -1; point samples of smooth data are m = 0.  What the filter does not remove is aliased:
- * O(dx^(m+1)), from the zeros of order m at the multiples of 2 pi / dx, so that m = 4 keeps fourth order for a jump
- * anywhere. */
+ * The start: averaging with a B-spline of order m multiplies a mode by
+ *   (sin(theta/2) / (theta/2))^m = 1 - m theta^2 / 24 + ... = exp(-kappa xi^2 t_m) up to O(dx^4)
+ * with t_m = m dx^2 / (24 kappa), along each axis.  The clock starts there.  Point samples of a jump midway between
+ * particles have the spectrum of the jump's times (theta/2) / sin(theta/2), which is m = -1; point samples of smooth
+ * data are m = 0.  What the filter does not remove is aliased: O(dx^(m+1)), from the zeros of order m at the
+ * multiples of 2 pi / dx, so that m = 4 keeps fourth order for a jump anywhere. */
 #include "solver/matched.h"
 
 #include <gsl/gsl_errno.h>
@@ -147,6 +146,9 @@ int matched_plan(const struct problem *p, const struct options *o, const struct 
         return fail(why, STATUS_INPUT, "--t-end %g: the averaged start is already at %g s", p->t_end,
                     p->t_end - m->run_time);
     double matching = m->run_time * kappa / (F * dx2); /* steps of F */
+    if (!(matching > 1e-6 && matching < 1e12))
+        return fail(why, STATUS_INPUT,
+                    "--stepper matched: steps of F = %g go %.3g times into the run; 1e-6 to 1e12 do", F, matching);
     m->steps = 2 * (long long)ceil(matching / 2 - 1e-9);
     m->uneven = sqrt(fmax(0, (double)m->steps / matching - 1));
     return STATUS_OK;

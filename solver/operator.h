@@ -63,7 +63,7 @@ int operator_create_rows(struct heat_operator *a, const struct problem *p, const
 void operator_free(struct heat_operator *a);
 
 /* The stencil of a scheme on an unbounded lattice of spacing dx (m) along x and y alike and diffusivity kappa
- * (m^2 s^-1): *weight is a quadrant as in struct heat_operator , to be freed. */
+ * (m^2 s^-1): *weight is a quadrant as in struct heat_operator, to be freed. */
 int operator_stencil(const struct problem *p, const struct options *o, const struct scheme *s, double dx,
                      const double kappa[2], int *reach, double **weight, struct failure *why);
 

@@ -2,9 +2,10 @@
  *
  * euler  T += dt L(T)                                                                         (Song eqs. 31, 37)
  * rk2    H = T + dt/2 L(T),  T += dt L(H): the midpoint rule                                   (Pamplona section 3.3)
- * rkl2   Runge-Kutta-Legendre super-time-stepping with s stages, second order                  (Meyer, Balsara &
- * Aslam 2014, eqs. 16-18): Y_1 = Y_0 + mu~_1 dt L_0, Y_j = mu_j Y_{j-1} + nu_j Y_{j-2} + (1 - mu_j - nu_j) Y_0 +
- * mu~_j dt L(Y_{j-1}) + gamma~_j dt L_0, stable for dt <= (s^2 + s - 2) / (2 |lambda|_max). */
+ * rkl2   Runge-Kutta-Legendre super-time-stepping with s stages, second order    (Meyer, Balsara & Aslam 2014, eqs.
+ *        16-18):  Y_1 = Y_0 + mu~_1 dt L_0,
+ *        Y_j = mu_j Y_{j-1} + nu_j Y_{j-2} + (1 - mu_j - nu_j) Y_0 + mu~_j dt L(Y_{j-1}) + gamma~_j dt L_0,
+ *        stable for dt <= (s^2 + s - 2) / (2 |lambda|_max). */
 #include "solver/stepper.h"
 #include "solver/state.h"
 

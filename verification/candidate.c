@@ -3,6 +3,7 @@
 
 #include "references/scene.h"
 #include "verification/fold.h"
+#include "verification/plan.h"
 #include "verification/request.h"
 #include "verification/run.h"
 
@@ -111,6 +112,15 @@ int candidate_solve(const struct candidate *c, const struct request *r, int n, s
     struct request with = with_method(c, r);
     struct options o = candidate_options(c, r, n);
     return fold_solve(with.method, &with.problem, &o, f, why);
+}
+
+double candidate_steps_work(const struct candidate *c, const struct request *r, int n) {
+    struct request with = with_method(c, r);
+    struct options o = candidate_options(c, r, n);
+    struct plan plan;
+    struct failure ignored;
+    if (plan_make(&with, &o, &plan, &ignored)) return 0;
+    return plan.steps == 0 ? 0 : (double)plan.interactions + 2 * (double)plan.updates;
 }
 
 double candidate_work(const struct result *r) {

@@ -34,6 +34,9 @@ int candidate_solve(const struct candidate *c, const struct request *r, int n, s
 /* Runs and measures it; as run_request. */
 int candidate_run(const struct candidate *c, const struct request *r, int n, struct result *out);
 
+/* What the steps of a run with n particles along x will count in candidate_work; 0 where it would be refused. */
+double candidate_steps_work(const struct candidate *c, const struct request *r, int n);
+
 /* What a run costs, counted so that it is the same on every machine.  The unit is a pair of particles, one
  * multiplication and one addition in a stream:
  *

@@ -17,6 +17,7 @@
 
 static const double MARGIN = 0.9;           /* of the error wanted: what a forecast aims at */
 static const double WORK_MAX = 2e11;        /* a few minutes */
+static const double COARSE_MAX = 1e10;      /* some seconds */
 static const int COARSEST[3] = {0, 32, 16}; /* particles along x of the first rung, by dimension */
 enum { RUNGS = 5, FITTED = 3, PROOFS = 8 };
 
@@ -95,6 +96,10 @@ static void calibrate(const struct request *r, struct choose_one *c, double erro
         struct result result;
         int along = candidate_member(fmax(n, before + 1), unit);
         before = along;
+        if (candidate_steps_work(c->candidate, r, along) > COARSE_MAX) {
+            if (c->rungs == 0) rule_out(c, "would take more than 1e10 pairs on a coarse rung");
+            break;
+        }
         if (candidate_run(c->candidate, r, along, &result)) {
             rule_out(c, result.failure.text);
             continue;
@@ -144,7 +149,7 @@ static int say_best(const struct choose *c, struct failure *why) {
     for (int i = 0; i < c->count; i++)
         for (int k = 0; k < c->one[i].rungs; k++) {
             const struct choose_rung *rung = &c->one[i].rung[k];
-            if (best && best->error <= rung->error) continue;
+            if (!isfinite(rung->error) || (best && best->error <= rung->error)) continue;
             best = rung;
             whose = c->one[i].candidate->label;
         }

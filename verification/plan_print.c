@@ -17,18 +17,14 @@ static const char *storage(const struct request *r, const struct plan *plan) {
                                      : "a row for each particle: off the lattice each has its own neighbours";
 }
 
-static const char *steps_why(const struct request *r, const struct plan *plan) {
+static const char *steps_why(const struct plan *plan) {
     switch (plan->options.stepper) {
     case STEPPER_EXACT:
         return "exp(tA) in one pair of transforms: one stencil and walls that mirror";
     case STEPPER_MATCHED:
         return "the step whose own error cancels that of space";
-    case STEPPER_RKL2:
-        return plan->refined ? "as many as make the time error 1 %; at least" : "as asked";
     default:
-        return !plan->refined      ? "as asked"
-               : r->method->scheme ? "halved until the time error is 1 %; first"
-                                   : "refined until the time error is 1 %; first";
+        return plan->refined ? "refined until the time error is 1 %; this is the first guess:" : "as asked";
     }
 }
 
@@ -52,7 +48,7 @@ void plan_print_text(const struct request *r, const struct plan *plan) {
         printf("  %-13s %.4g in the mean, within 2 h, h/dx = %.6g\n", "neighbours", plan->neighbours, o->h);
     else
         printf("  %-13s %.4g\n", "neighbours", plan->neighbours);
-    printf("  %-13s %s: %s", "time", stepper_words[o->stepper], steps_why(r, plan));
+    printf("  %-13s %s: %s", "time", stepper_words[o->stepper], steps_why(plan));
     if (plan->steps)
         printf(", %lld of %.6g s, %d stage%s", plan->steps, plan->dt, plan->stages, plan->stages == 1 ? "" : "s");
     printf("\n  %-13s %lld updates, %lld interactions\n", "work", plan->updates, plan->interactions);
@@ -77,7 +73,7 @@ void plan_print_json(const struct request *r, const struct plan *plan, struct js
     json_number(j, "neighbours", plan->neighbours);
     json_number(j, "h", words_among(r->method->accepts, "h") ? o->h : NAN);
     json_text(j, "stepper", stepper_words[o->stepper]);
-    json_text(j, "stepper_why", steps_why(r, plan));
+    json_text(j, "stepper_why", steps_why(plan));
     json_number(j, "dt", plan->dt);
     json_whole(j, "steps", plan->steps);
     json_whole(j, "stages", plan->stages);
