@@ -24,7 +24,7 @@ static const char *steps_why(const struct plan *plan) {
     case STEPPER_MATCHED:
         return "the step whose own error cancels that of space";
     default:
-        return plan->refined ? "refined until the time error is 1 %; the first guess is" : "as asked";
+        return plan->refined ? "refined until the time error is 1 %, from a first guess" : "as asked";
     }
 }
 
