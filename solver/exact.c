@@ -49,6 +49,13 @@ static void advance_modes(const struct heat_operator *a, double t, double *T, co
     free(column);
 }
 
+size_t exact_bytes(const struct heat_operator *a) {
+    const struct lattice *l = &a->lattice;
+    size_t tables = 0;
+    for (int d = 0; d < l->dim; d++) tables += (size_t)l->n[d] * (size_t)(a->reach[d] + 1) * sizeof(double);
+    return transform_bytes(l) + tables + (a->constant ? a->n * sizeof *a->g : 0);
+}
+
 int exact_evolve(const struct heat_operator *a, double t, double *T, size_t *bytes, struct failure *why) {
     const struct lattice *l = &a->lattice;
     if (!a->weight)
@@ -68,7 +75,7 @@ int exact_evolve(const struct heat_operator *a, double t, double *T, size_t *byt
     transform_forward(modes, T);
     advance_modes(a, t, T, g);
     transform_backward(modes, T);
-    *bytes += (g ? 2 : 1) * a->n * sizeof *T + transform_bytes(l);
+    *bytes += exact_bytes(a);
     transform_free(modes);
     free(g);
     return STATUS_OK;

@@ -127,13 +127,14 @@ static double heat(const struct ftcs_grid *g) {
     return g->rho_c * (double)sum;
 }
 
-/* Everything but T goes before the field comes, which keeps the peak at three doubles a point. */
+/* Everything but T goes before the field comes, which keeps the peak low. */
 static void hand_over(struct ftcs_grid *g, struct field *f) {
     int alike = g->end_cell[X_LO] * g->end_cell[X_HI] * g->end_cell[Y_LO] * g->end_cell[Y_HI] == 1;
     ptrdiff_t nx = g->n[0], n = nx * g->n[1];
-    size_t peak = g->held;
+    size_t held = g->held * sizeof *g->T;
     ftcs_grid_keep_T(g);
     field_alloc(f, g->dim, (size_t)n);
+    f->bytes = held;
     if (!alike) f->weight = xcalloc((size_t)n, sizeof *f->weight);
     for (ptrdiff_t k = 0; k < n; k++) {
         int i = (int)(k % nx), j = (int)(k / nx);
@@ -142,8 +143,6 @@ static void hand_over(struct ftcs_grid *g, struct field *f) {
         f->T[k] = g->T[g->corner + j * g->stride + i];
         if (f->weight) f->weight[k] = ftcs_grid_cell(g, i, j);
     }
-    g->held += (size_t)n * (alike ? 1 : 2);
-    f->bytes = (peak > g->held ? peak : g->held) * sizeof(double);
 }
 
 static int run(struct ftcs_grid *g, struct failure *why) {

@@ -236,13 +236,18 @@ void ftcs_grid_free(struct ftcs_grid *g) {
     free(g->T);
 }
 
-int ftcs_grid_make(struct ftcs_grid *g, const char *method, int wide, const struct problem *p,
-                   const struct options *o, struct failure *why) {
+int ftcs_grid_outline(struct ftcs_grid *g, const char *method, int wide, const struct problem *p,
+                      const struct options *o, struct failure *why) {
     *g = (struct ftcs_grid){.method = method, .wide = wide};
     int status = check_options(g, p, o, why);
     if (status) return status;
     lay_grid(g, p, o);
-    status = plan_steps(g, p, o, why);
+    return plan_steps(g, p, o, why);
+}
+
+int ftcs_grid_make(struct ftcs_grid *g, const char *method, int wide, const struct problem *p,
+                   const struct options *o, struct failure *why) {
+    int status = ftcs_grid_outline(g, method, wide, p, o, why);
     if (status) return status;
     fill(g, p, o);
     return STATUS_OK;

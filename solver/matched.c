@@ -30,19 +30,25 @@ static double no_wall(const struct problem *p, enum side s, const double x[2]) {
     return 0;
 }
 
+/* From a quadrant of weights whose unit is kappa / dx^2. */
+static struct symbol_error symbol_of(const int reach[2], const double *w, double unit) {
+    struct symbol_error e = {0, 0};
+    for (int j = 0; j <= reach[1]; j++)
+        for (int i = 0; i <= reach[0]; i++) {
+            double all = w[j * (reach[0] + 1) + i] / unit * (i ? 2 : 1) * (j ? 2 : 1), x2 = i * i, y2 = j * j;
+            e.A += all * x2 * x2 / 24;
+            e.B += all * x2 * y2 / 4;
+        }
+    return e;
+}
+
 int matched_symbol(int dim, const struct options *o, const struct scheme *s, struct symbol_error *e,
                    struct failure *why) {
     struct problem unit = {.dim = dim, .hi = {1, 1}, .materials = 1, .material = {{{1, 1}, 1}}, .wall = no_wall};
     double kappa[2] = {1, 1}, *w;
     int reach[2];
     if (operator_stencil(&unit, o, s, 1, kappa, reach, &w, why)) return why->status;
-    *e = (struct symbol_error){0, 0};
-    for (int j = 0; j <= reach[1]; j++)
-        for (int i = 0; i <= reach[0]; i++) {
-            double all = w[j * (reach[0] + 1) + i] * (i ? 2 : 1) * (j ? 2 : 1), x2 = i * i, y2 = j * j;
-            e->A += all * x2 * x2 / 24;
-            e->B += all * x2 * y2 / 4;
-        }
+    *e = symbol_of(reach, w, 1);
     free(w);
     return STATUS_OK;
 }
@@ -115,13 +121,12 @@ static double filter_order(const struct problem *p, const struct options *o) {
 }
 
 /* 2 A, or the step that was asked for instead. */
-static int matching_step(const struct problem *p, const struct options *o, const struct scheme *s, double *F,
-                         struct failure *why) {
-    struct symbol_error e;
+static int matching_step(const struct problem *p, const struct options *o, const struct scheme *s,
+                         const struct heat_operator *a, double unit, double *F, struct failure *why) {
     *F = o->fourier;
     if (o->fourier > 0) return STATUS_OK;
     if (check_order(o, "--stepper matched", why)) return why->status;
-    if (matched_symbol(p->dim, o, s, &e, why)) return why->status;
+    struct symbol_error e = symbol_of(a->reach, a->weight, unit);
     if (p->dim == 2 && !(fabs(e.B - 2 * e.A) < 1e-9 * fabs(e.A))) {
         double iso;
         if (matched_isotropic(o, s, &iso, why)) return why->status;
@@ -135,12 +140,11 @@ static int matching_step(const struct problem *p, const struct options *o, const
     return STATUS_OK;
 }
 
-int matched_plan(const struct problem *p, const struct options *o, const struct scheme *s, const struct lattice *l,
-                 struct matched *m, struct failure *why) {
-    double F;
+int matched_plan(const struct problem *p, const struct options *o, const struct scheme *s,
+                 const struct heat_operator *a, struct matched *m, struct failure *why) {
+    double F, kappa = p->material[0].k[0] / p->material[0].rho_c, dx2 = a->lattice.dx[0] * a->lattice.dx[0];
     if (o->dt > 0) return fail(why, STATUS_INPUT, "--stepper matched finds its own step: leave out --dt");
-    if (matching_step(p, o, s, &F, why)) return why->status;
-    double kappa = p->material[0].k[0] / p->material[0].rho_c, dx2 = l->dx[0] * l->dx[0];
+    if (matching_step(p, o, s, a, kappa / dx2, &F, why)) return why->status;
     m->run_time = p->t_end - filter_order(p, o) * dx2 / (24 * kappa);
     if (!(m->run_time > 0))
         return fail(why, STATUS_INPUT, "--t-end %g: the averaged start is already at %g s", p->t_end,

@@ -76,7 +76,7 @@ struct field { /* owned arrays: field_free */
     double bound;      /* s^-1: upper bound of the operator's spectrum; 0 where none is known */
     long long updates; /* particle updates: particles x operator applications */
     long long interactions; /* pairs evaluated: updates x neighbours */
-    size_t bytes;           /* held by the run at its peak, the returned coordinates and this struct left out */
+    size_t bytes;           /* held while time runs, places and temperatures among them */
     double seconds;         /* wall time of the whole call */
     double step_seconds;    /* wall time of the time loop alone */
 };

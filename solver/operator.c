@@ -115,7 +115,7 @@ static int ghost_side(const struct lattice *l, int axis, int i, int *source) {
 }
 
 /* g += w x offset for the particles that have the ghost at (i, j) among their neighbours. */
-static void add_ghost(struct heat_operator *a, int i, int j, double offset, double *g) {
+static void add_ghost(const struct heat_operator *a, int i, int j, double offset, double *g) {
     const struct lattice *l = &a->lattice;
     int rx = a->reach[0], ry = a->reach[1];
     for (int m = j > ry ? j - ry : 0; m <= j + ry && m < l->n[1]; m++)
@@ -123,18 +123,19 @@ static void add_ghost(struct heat_operator *a, int i, int j, double offset, doub
             g[state_row(a, m) + k] += a->weight[abs(m - j) * (rx + 1) + abs(k - i)] * offset;
 }
 
-/* Source and walls: g_i = G / rho_c + sum over ghosts of w x offset. */
-static void add_constants(struct heat_operator *a, const struct problem *p, const struct options *o) {
+/* Source and walls: g_i = G / rho_c + sum over ghosts of w x offset.  Whether there are any; without g (NULL) the
+ * first tells. */
+static int add_constants(const struct heat_operator *a, const struct problem *p, const struct options *o, double *g) {
     const struct lattice *l = &a->lattice;
     int rx = a->reach[0], ry = a->reach[1], any = 0;
-    double *g = xcalloc(a->state, sizeof *g);
     for (int j = 0; j < l->n[1] && p->source; j++)
         for (int i = 0; i < l->n[0]; i++) {
             double x[2];
             layout_position(l, i, j, x);
             double sum = p->source(p, x) / p->material[0].rho_c;
-            g[state_row(a, j) + i] = sum;
-            any |= sum != 0;
+            if (sum == 0) continue;
+            if (!g) return 1;
+            g[state_row(a, j) + i] = sum, any = 1;
         }
     for (int j = -ry; j < l->n[1] + ry; j++) {
         int past = j >= 0 && j < l->n[1] ? l->n[0] : 0; /* the particles between the ghosts of this row */
@@ -144,13 +145,12 @@ static void add_constants(struct heat_operator *a, const struct problem *p, cons
             layout_position(l, i, j, ghost);
             layout_position(l, from[0], from[1], source);
             double offset = layout_ghost_offset(p, o->walls, side, ghost, source);
-            if (offset != 0) add_ghost(a, i, j, offset, g), any = 1;
+            if (offset == 0) continue;
+            if (!g) return 1;
+            add_ghost(a, i, j, offset, g), any = 1;
         }
     }
-    if (any)
-        a->g = g, a->bytes += a->state * sizeof *g;
-    else
-        free(g);
+    return any;
 }
 
 static void count_pairs(struct heat_operator *a) {
@@ -169,8 +169,8 @@ static ptrdiff_t stride_of(int n, int reach) {
     return stride;
 }
 
-static int try_lattice(struct heat_operator *a, const struct problem *p, const struct options *o,
-                       const struct scheme *s, struct failure *why) {
+static int outline(struct heat_operator *a, const struct problem *p, const struct options *o, const struct scheme *s,
+                   struct failure *why) {
     const struct lattice *l = &a->lattice;
     double stretch = l->dim == 2 ? l->dx[0] / l->dx[1] : 1; /* as if the lattice were square */
     double kappa[2] = {p->material[0].k[0] / p->material[0].rho_c,
@@ -186,16 +186,27 @@ static int try_lattice(struct heat_operator *a, const struct problem *p, const s
     a->state = (size_t)a->stride * (size_t)(l->n[1] + 2 * a->reach[1]);
     a->bytes = sizeof(double) * (size_t)(a->reach[0] + 1) * (size_t)(a->reach[1] + 1);
     count_pairs(a);
-    add_constants(a, p, o);
+    a->constant = add_constants(a, p, o, NULL);
+    if (a->constant) a->bytes += a->state * sizeof *a->g;
     return STATUS_OK;
+}
+
+int operator_outline_lattice(struct heat_operator *a, const struct problem *p, const struct options *o,
+                             const struct scheme *s, const struct lattice *l, struct failure *why) {
+    *a = (struct heat_operator){.n = (size_t)l->n[0] * (size_t)l->n[1], .lattice = *l, .threads = o->threads};
+    int status = outline(a, p, o, s, why);
+    if (status) operator_free(a);
+    return status;
 }
 
 int operator_create_lattice(struct heat_operator *a, const struct problem *p, const struct options *o,
                             const struct scheme *s, const struct lattice *l, struct failure *why) {
-    *a = (struct heat_operator){.n = (size_t)l->n[0] * (size_t)l->n[1], .lattice = *l, .threads = o->threads};
-    int status = try_lattice(a, p, o, s, why);
-    if (status) operator_free(a);
-    return status;
+    if (operator_outline_lattice(a, p, o, s, l, why)) return why->status;
+    if (a->constant) {
+        a->g = xcalloc(a->state, sizeof *a->g);
+        add_constants(a, p, o, a->g);
+    }
+    return STATUS_OK;
 }
 
 int operator_create_rows(struct heat_operator *a, const struct problem *p, const struct options *o,

@@ -47,16 +47,22 @@ struct heat_operator {
     uint32_t *column; /* row[n] */
     double *value;    /* s^-1, row[n] */
     double *diagonal; /* s^-1, n */
-    double *g;        /* K s^-1, source and walls, in the shape of a state; NULL where it is zero */
+    int constant;     /* 1: walls or a source add to dT/dt, and there is a g */
+    double *g;        /* K s^-1, what they add, in the shape of a state; NULL where it is zero */
     size_t state;     /* doubles in a state: n, or the rows of a lattice with their ghosts */
     size_t pairs;     /* neighbours of all particles together */
     size_t bytes;
+    size_t making; /* bytes held beside those while it was made, at the peak; what no number of particles adds to is
+                      left out */
     int threads;
 };
 
 /* On a lattice of one material. */
 int operator_create_lattice(struct heat_operator *a, const struct problem *p, const struct options *o,
                             const struct scheme *s, const struct lattice *l, struct failure *why);
+/* The same without g, whose bytes are counted: nothing as large as a state is allocated. */
+int operator_outline_lattice(struct heat_operator *a, const struct problem *p, const struct options *o,
+                             const struct scheme *s, const struct lattice *l, struct failure *why);
 /* For particles anywhere; spacing (m) is what the h of the options counts in. */
 int operator_create_rows(struct heat_operator *a, const struct problem *p, const struct options *o,
                          const struct scheme *s, const struct cloud *c, double spacing, struct failure *why);

@@ -90,7 +90,7 @@ int particles_march(const struct problem *p, const struct options *o, const stru
     *m = (struct march){.stepper = o->stepper, .time = p->t_end, .steps = 1, .stages = 1};
     if (o->stepper == STEPPER_MATCHED) {
         struct matched plan;
-        if (matched_plan(p, o, s, l, &plan, why)) return why->status;
+        if (matched_plan(p, o, s, a, &plan, why)) return why->status;
         m->stepper = STEPPER_EULER, m->time = plan.run_time, m->steps = plan.steps, m->uneven = plan.uneven;
         return STATUS_OK;
     }
@@ -109,7 +109,7 @@ int particles_march(const struct problem *p, const struct options *o, const stru
 
 static int integrate(const struct problem *p, const struct options *o, const struct scheme *s,
                      const struct lattice *l, const struct heat_operator *a, struct field *f, struct failure *why) {
-    f->bytes += a->bytes;
+    f->bytes = a->n * (size_t)(p->dim + 1) * sizeof *f->T + a->bytes;
     if (o->stepper == STEPPER_EXACT) {
         f->updates = (long long)a->n;
         f->interactions = (long long)a->pairs;

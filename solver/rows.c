@@ -21,7 +21,7 @@ struct list { /* the rows of a block of points, one after the other; each ends a
 
 static void list_add(struct list *l, int two, uint32_t column, double value, double other) {
     if (l->n == l->room) {
-        l->room = l->room ? 2 * l->room : 4096;
+        l->room = l->room ? 2 * l->room : 64;
         l->column = realloc(l->column, l->room * sizeof *l->column);
         l->value = realloc(l->value, l->room * sizeof *l->value);
         if (two) l->other = realloc(l->other, l->room * sizeof *l->other);
@@ -31,6 +31,10 @@ static void list_add(struct list *l, int two, uint32_t column, double value, dou
     l->value[l->n] = value;
     if (two) l->other[l->n] = other;
     l->n++;
+}
+
+static size_t list_bytes(const struct list *l) {
+    return l->room * (sizeof *l->column + sizeof *l->value + (l->other ? sizeof *l->other : 0));
 }
 
 static void list_free(struct list *l) {
@@ -79,6 +83,8 @@ struct scratch {
     size_t n;
     unsigned char *touched; /* n */
 };
+
+enum { SCRATCH = sizeof(double) + sizeof(uint32_t) + 1 }; /* bytes a particle */
 
 static void scratch_add(struct scratch *s, uint32_t column, double value) {
     if (!s->touched[column]) s->touched[column] = 1, s->column[s->n++] = column;
@@ -208,17 +214,25 @@ static void join(struct heat_operator *a, struct list part[BLOCKS], const size_t
 }
 
 static void keep_constants(struct heat_operator *a, const struct problem *p, const struct cloud *c, double *g) {
-    int any = 0;
     for (size_t i = 0; i < a->n; i++) {
         double x[2] = {c->x[i], c->y[i]};
         int material = p->materials == 2 && x[0] >= p->interface;
         if (p->source) g[i] += p->source(p, x) / p->material[material].rho_c;
-        any |= g[i] != 0;
+        a->constant |= g[i] != 0;
     }
-    if (any)
+    if (a->constant)
         a->g = g, a->bytes += a->n * sizeof *g;
     else
         free(g);
+}
+
+/* What the assembly holds beside what is kept, at its peak: while blocks are filled, with what that needs
+ * (`filling`), or while they are joined. */
+static size_t passing(const struct heat_operator *a, const struct cloud *c, const struct list part[BLOCKS],
+                      size_t filling) {
+    size_t joined = a->pairs * (sizeof *a->column + sizeof *a->value), lists = 0;
+    for (int b = 0; b < BLOCKS; b++) lists += list_bytes(&part[b]);
+    return c->bytes + lists + (filling > joined ? filling - joined : 0) + (a->constant ? 0 : a->n * sizeof *a->g);
 }
 
 int rows_assemble(struct heat_operator *a, const struct problem *p, const struct options *o, const struct scheme *s,
@@ -234,7 +248,7 @@ int rows_assemble(struct heat_operator *a, const struct problem *p, const struct
     struct derivatives d = {{0, 0, NULL, NULL, NULL}, NULL};
     struct list part[BLOCKS] = {{0, 0, NULL, NULL, NULL}};
     size_t begin[BLOCKS + 1];
-    int status = STATUS_OK;
+    int status = STATUS_OK, threads = o->threads > 1 ? o->threads : 1;
     double *g = xcalloc(a->n, sizeof *g);
     a->row = xcalloc(a->n + 1, sizeof *a->row);
     a->diagonal = xcalloc(a->n, sizeof *a->diagonal);
@@ -242,7 +256,7 @@ int rows_assemble(struct heat_operator *a, const struct problem *p, const struct
     if (s->sweeps == 2) status = derive_all(&m, &d, why);
     for (size_t b = 0; b <= BLOCKS; b++) begin[b] = a->n * b / BLOCKS;
     int first_bad = BLOCKS;
-#pragma omp parallel for schedule(dynamic, 1) num_threads(o->threads > 1 ? o->threads : 1) if (!status)
+#pragma omp parallel for schedule(dynamic, 1) num_threads(threads) if (!status)
     for (int b = 0; b < BLOCKS; b++) {
         struct failure local;
         if (status) continue;
@@ -252,15 +266,19 @@ int rows_assemble(struct heat_operator *a, const struct problem *p, const struct
         }
     }
     if (first_bad < BLOCKS) status = why->status;
+    size_t filling =
+        neighbours_bytes(&m.cells) + list_bytes(&d.list) + (d.begin ? (c->total + 1) * sizeof *d.begin : 0);
+    filling += (size_t)(threads < BLOCKS ? threads : BLOCKS) * a->n * SCRATCH;
+    list_free(&d.list);
+    free(d.begin);
+    neighbours_free(&m.cells);
     if (!status) {
         join(a, part, begin);
         keep_constants(a, p, c, g);
+        a->making = passing(a, c, part, filling);
     } else {
         free(g);
     }
     for (int b = 0; b < BLOCKS; b++) list_free(&part[b]);
-    list_free(&d.list);
-    free(d.begin);
-    neighbours_free(&m.cells);
     return status;
 }

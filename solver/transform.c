@@ -74,11 +74,16 @@ static int alike(const struct lattice *l) {
     return l->dim == 2 && l->n[0] == l->n[1] && basis_of(l, 0) == basis_of(l, 1);
 }
 
+size_t transform_library_bytes(int n) {
+    return (size_t)n * 5 * sizeof(double);
+}
+
 size_t transform_bytes(const struct lattice *l) {
-    size_t doubles = (size_t)l->n[0] * (size_t)l->n[1];
+    size_t bytes = (size_t)l->n[0] * (size_t)l->n[1] * sizeof(double);
     for (int a = 0; a < (alike(l) ? 1 : l->dim); a++)
-        if (l->n[a] <= TRANSFORM_SHORT) doubles += 2 * (size_t)l->n[a] * padded(l->n[a]);
-    return doubles * sizeof(double);
+        bytes += l->n[a] > TRANSFORM_SHORT ? transform_library_bytes(l->n[a])
+                                           : 2 * (size_t)l->n[a] * padded(l->n[a]) * sizeof(double);
+    return bytes;
 }
 
 /* The angles theta_k s_i are whole multiples of pi / (4 N), N = n + more. */

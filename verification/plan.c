@@ -1,9 +1,11 @@
 /* The plan of a run: the same layout, operator and choice of steps as the run itself, so that they cannot differ, and
- * then what the time loop will hold and count, which a unit test compares with what runs report. */
+ * then what is held and counted.  A unit test compares that with what runs report, and with what they allocate. */
 #include "verification/plan.h"
 
+#include "solver/exact.h"
 #include "solver/ftcs_grid.h"
 #include "solver/particles.h"
+#include "solver/sample.h"
 #include "solver/transform.h"
 #include "verification/fold.h"
 #include "verification/request.h"
@@ -12,10 +14,19 @@
 #include <stdlib.h>
 #include <string.h>
 
-static void hold(struct plan *plan, const char *what, size_t bytes) {
+const char *const plan_phases[] = {"set-up", "steps", "answer", "refinement", "errors", NULL};
+
+enum plan_phase plan_peak(const struct plan *plan) {
+    int most = 0;
+    for (int i = 1; i < PLAN_PHASES; i++)
+        if (plan->bytes[i] > plan->bytes[most]) most = i;
+    return (enum plan_phase)most;
+}
+
+static void hold(struct plan *plan, const char *what, size_t bytes, enum plan_phase from, enum plan_phase to) {
     if (bytes == 0) return;
-    plan->array[plan->count++] = (struct plan_array){what, bytes};
-    plan->bytes += bytes;
+    plan->array[plan->count++] = (struct plan_array){what, bytes, from, to};
+    for (int i = from; i <= (int)to; i++) plan->bytes[i] += bytes;
 }
 
 /* ---- Particles ---- */
@@ -24,26 +35,36 @@ static int exact_applies(const struct problem *p, const struct options *o) {
     return o->layout != LAYOUT_JITTER && p->materials == 1 && o->walls == WALLS_MIRROR;
 }
 
+static int has_rows(const struct problem *p, const struct options *o) {
+    return o->layout == LAYOUT_JITTER || p->materials == 2;
+}
+
+static double ratio_of(const struct problem *p, const struct options *o) { /* dy / dx */
+    return o->stepper == STEPPER_MATCHED && p->dim == 2 ? sqrt(p->material[0].k[1] / p->material[0].k[0]) : 1;
+}
+
 static int assemble(const struct request *r, const struct options *o, const struct lattice *l,
                     struct heat_operator *a, struct failure *why) {
     const struct problem *p = &r->problem;
     const struct scheme *s = r->method->scheme;
     struct cloud c;
-    if (o->layout != LAYOUT_JITTER && p->materials == 1) return operator_create_lattice(a, p, o, s, l, why);
+    if (!has_rows(p, o)) return operator_outline_lattice(a, p, o, s, l, why);
     if (layout_cloud(p, o, l, s->sweeps * 2.0 * o->h * l->dx[0], &c, why)) return why->status;
     int status = operator_create_rows(a, p, o, s, &c, l->dx[0], why);
     layout_cloud_free(&c);
     return status;
 }
 
-static void hold_operator(const struct heat_operator *a, struct plan *plan) {
-    size_t all = a->bytes, g = a->g ? (a->weight ? a->state : a->n) * sizeof *a->g : 0;
+static void hold_operator(const struct problem *p, const struct options *o, const struct lattice *l,
+                          const struct heat_operator *a, struct plan *plan) {
+    size_t constants = a->constant ? a->state * sizeof *a->g : 0;
     plan->rows = a->weight == NULL;
     hold(plan, plan->rows ? "rows: weights, columns, diagonal" : "stencil: a quadrant of weights, for all particles",
-         all - g);
-    hold(plan, "what walls and source add", g);
+         a->bytes - constants, PLAN_SET_UP, PLAN_STEPS);
+    hold(plan, "what walls and source add", constants, PLAN_SET_UP, PLAN_STEPS);
+    hold(plan, "particles, ghosts and rows in the making", a->making, PLAN_SET_UP, PLAN_SET_UP);
+    if (!plan->rows) hold(plan, "nodes of the averages", sample_bytes(p, o->sampling, l), PLAN_SET_UP, PLAN_SET_UP);
     for (int d = 0; d < 2; d++) plan->reach[d] = plan->rows ? 0 : a->reach[d];
-    plan->particles = a->n;
     plan->neighbours = (double)a->pairs / (double)a->n;
 }
 
@@ -51,9 +72,7 @@ static int hold_march(const struct request *r, const struct options *o, const st
                       const struct heat_operator *a, struct plan *plan, struct failure *why) {
     struct march m;
     if (o->stepper == STEPPER_EXACT) {
-        hold(plan, "temperatures, transformed", a->n * sizeof(double));
-        hold(plan, "what walls and source add, transformed", a->g ? a->n * sizeof(double) : 0);
-        hold(plan, "what the transform works with", transform_bytes(l));
+        hold(plan, "what the transforms and their modes need", exact_bytes(a), PLAN_STEPS, PLAN_STEPS);
         plan->stages = 0;
         plan->updates = (long long)a->n;
         plan->interactions = (long long)a->pairs;
@@ -61,7 +80,7 @@ static int hold_march(const struct request *r, const struct options *o, const st
     }
     if (particles_march(&r->problem, o, r->method->scheme, l, a, &m, why)) return why->status;
     hold(plan, m.stepper == STEPPER_RKL2 ? "four states with their ghosts" : "two states with their ghosts",
-         (size_t)stepper_arrays(m.stepper) * a->state * sizeof(double));
+         (size_t)stepper_arrays(m.stepper) * a->state * sizeof(double), PLAN_STEPS, PLAN_STEPS);
     plan->steps = m.steps;
     plan->stages = m.stages;
     plan->dt = m.time / (double)m.steps;
@@ -77,16 +96,15 @@ static int plan_particles(const struct request *r, const struct options *given, 
     struct lattice l;
     struct heat_operator a = {0};
     if (particles_settle(p, given, r->method->scheme, o, why)) return why->status;
-    int open = !(o->dt > 0 || o->fourier > 0);
-    if (o->stepper == STEPPER_AUTO) o->stepper = open && exact_applies(p, o) ? STEPPER_EXACT : STEPPER_RKL2;
     if (o->stepper == STEPPER_EXACT && !exact_applies(p, o))
         return fail(why, STATUS_INPUT, "--stepper exact: needs one material on a lattice, and --walls mirror");
-    plan->refined = open && o->stepper != STEPPER_EXACT && o->stepper != STEPPER_MATCHED;
-    double ratio = o->stepper == STEPPER_MATCHED && p->dim == 2 ? sqrt(p->material[0].k[1] / p->material[0].k[0]) : 1;
-    int status = layout_lattice(p, o, ratio, &l, why);
+    int status = layout_lattice(p, o, ratio_of(p, o), &l, why);
     if (!status) status = assemble(r, o, &l, &a, why);
     if (!status) {
-        hold_operator(&a, plan);
+        plan->computed = a.n;
+        hold(plan, "places and temperatures", a.n * (size_t)(p->dim + 1) * sizeof(double), PLAN_SET_UP,
+             p->whole ? PLAN_ANSWER : PLAN_ERRORS);
+        hold_operator(p, o, &l, &a, plan);
         status = hold_march(r, o, &l, &a, plan, why);
     }
     operator_free(&a);
@@ -96,50 +114,87 @@ static int plan_particles(const struct request *r, const struct options *given, 
 /* ---- Finite differences ---- */
 
 static int plan_ftcs(const struct request *r, const struct options *o, struct plan *plan, struct failure *why) {
+    const struct problem *p = &r->problem;
     struct ftcs_grid g;
     const int wide = strcmp(r->method->name, "ftcs_flux") == 0;
-    if (ftcs_grid_make(&g, r->method->name, wide, &r->problem, o, why)) return why->status;
-    size_t n = (size_t)g.n[0] * (size_t)g.n[1], unit = sizeof(double);
-    size_t gain = g.gain ? n * unit : 0, flux = g.q ? (size_t)(g.n[0] + 2 + (g.dim == 2 ? 3 * g.n[0] : 0)) * unit : 0;
-    size_t state = g.size * unit, held = g.held * unit;
+    if (ftcs_grid_outline(&g, r->method->name, wide, p, o, why)) return why->status;
+    size_t nx = (size_t)g.n[0], ny = (size_t)g.n[1], n = nx * ny, unit = sizeof(double);
+    size_t sides = 2 * FTCS_LAYERS * (ny + (g.dim == 2 ? nx : 0));
     int alike = g.end_cell[X_LO] * g.end_cell[X_HI] * g.end_cell[Y_LO] * g.end_cell[Y_HI] == 1;
-    hold(plan, "temperatures with their ghosts", state);
-    hold(plan, "temperatures of the next step", g.next ? state : 0);
-    hold(plan, "fluxes of a few rows", flux);
-    hold(plan, "what the source adds in a step", gain);
-    hold(plan, "what the walls add", held - plan->bytes);
-    size_t after = state + n * unit * (alike ? 1 : 2); /* while the answer is handed over the rest is gone */
-    if (after > plan->bytes) hold(plan, "the answer, beyond what it takes the place of", after - plan->bytes);
-    plan->options.stepper = o->stepper == STEPPER_AUTO ? STEPPER_EULER : o->stepper;
-    plan->refined = !(o->dt > 0 || o->fourier > 0) && o->stepper != STEPPER_MATCHED;
+    /* the answer comes when all but T is gone, and T goes before the answer is unfolded */
+    hold(plan, "temperatures with their ghosts", g.size * unit, PLAN_SET_UP, p->whole ? PLAN_STEPS : PLAN_ANSWER);
+    hold(plan, "temperatures of the next step", wide ? 0 : g.size * unit, PLAN_SET_UP, PLAN_STEPS);
+    hold(plan, "fluxes of a few rows", wide ? (nx + 2 + (g.dim == 2 ? 3 * nx : 0)) * unit : 0, PLAN_SET_UP,
+         PLAN_STEPS);
+    hold(plan, "what the source adds in a step", p->source ? n * unit : 0, PLAN_SET_UP, PLAN_STEPS);
+    hold(plan, "what the walls add", sides * unit, PLAN_SET_UP, PLAN_STEPS);
+    hold(plan, alike ? "places and temperatures" : "places, temperatures and volumes",
+         n * (size_t)(g.dim + 1 + !alike) * unit, PLAN_ANSWER, p->whole ? PLAN_ANSWER : PLAN_ERRORS);
     plan->reach[0] = wide ? 2 : 1;
     plan->reach[1] = g.dim == 2 ? plan->reach[0] : 0;
-    plan->particles = n;
+    plan->computed = n;
     plan->neighbours = (wide ? 4 : 2) * g.dim;
     plan->steps = g.steps;
     plan->stages = 1;
     plan->dt = g.dt;
     plan->updates = g.steps * (long long)n;
     plan->interactions = plan->updates * (wide ? 4 : 2) * g.dim;
-    ftcs_grid_free(&g);
     return STATUS_OK;
 }
 
-static int plan_part(const struct request *r, const struct options *o, struct plan *plan, struct failure *why) {
-    int cut[2] = {plan->cut[0], plan->cut[1]};
-    *plan = (struct plan){.options = *o, .dim = r->problem.dim, .cut = {cut[0], cut[1]}};
-    int status = r->method->scheme ? plan_particles(r, o, plan, why) : plan_ftcs(r, o, plan, why);
-    plan->computed = plan->particles;
-    plan->particles *= (size_t)((cut[0] ? 2 : 1) * (cut[1] ? 2 : 1));
-    return status;
+/* ---- The whole ---- */
+
+/* Of the whole: what stepping.c keeps of the runs before, the answer and its error. */
+static int hold_whole(const struct request *r, struct plan *plan, struct failure *why) {
+    const size_t n = plan->particles, unit = sizeof(double), answer = n * (size_t)(plan->dim + 1) * unit;
+    const enum plan_phase limit = r->time_error > 0 ? PLAN_SET_UP : PLAN_REFINE;
+    int rows = r->method->scheme && has_rows(&r->problem, &plan->options);
+    if (plan->computed < n) hold(plan, "places and temperatures, unfolded", answer, PLAN_ANSWER, PLAN_ERRORS);
+    hold(plan, "exact temperatures", n * unit, plan->refined ? PLAN_SET_UP : PLAN_ERRORS, PLAN_ERRORS);
+    if (plan->refined) {
+        hold(plan, "the answer of the run before", answer, PLAN_SET_UP, PLAN_REFINE);
+        hold(plan, "the answer of the run before that", r->time_error > 0 ? answer : 0, PLAN_SET_UP, PLAN_REFINE);
+        hold(plan, "the answer without time error", n * unit, limit, PLAN_REFINE);
+    }
+    if (rows && (plan->dim == 2 || plan->options.layout == LAYOUT_JITTER)) return STATUS_OK; /* no checkerboard */
+    struct lattice l;
+    if (layout_lattice(&r->problem, &plan->options, ratio_of(&r->problem, &plan->options), &l, why))
+        return why->status;
+    hold(plan, "the error, and what its transform needs", n * unit + transform_bytes(&l), PLAN_ERRORS, PLAN_ERRORS);
+    return STATUS_OK;
 }
 
-int plan_make(const struct request *r, const struct options *o, struct plan *plan, struct failure *why) {
+/* Of the whole or a part; what a method refuses it refuses before anything is held. */
+static int plan_part(const struct request *r, const struct options *o, struct plan *plan, struct failure *why) {
+    plan->options = *o;
+    return r->method->scheme ? plan_particles(r, o, plan, why) : plan_ftcs(r, o, plan, why);
+}
+
+/* What *o leaves open, as verification/stepping.c settles it. */
+static void settle_steps(const struct request *r, struct options *o, struct plan *plan) {
+    int given = o->dt > 0 || o->fourier > 0, particles = r->method->scheme != NULL;
+    if (o->stepper == STEPPER_AUTO && r->time_error > 0 && particles) o->stepper = STEPPER_RKL2;
+    if (o->stepper == STEPPER_AUTO && !given && particles)
+        o->stepper = exact_applies(&r->problem, o) ? STEPPER_EXACT : STEPPER_RKL2;
+    if (o->stepper == STEPPER_AUTO) o->stepper = STEPPER_EULER;
+    plan->refined = !given && o->stepper != STEPPER_EXACT && o->stepper != STEPPER_MATCHED && r->problem.t_end > 0;
+    if (!plan->refined) return;
+    plan->forecast = forecast_steps(r, o);
+    if (plan->forecast.steps > 0) o->dt = r->problem.t_end / plan->forecast.steps;
+}
+
+int plan_make(const struct request *r, const struct options *given, struct plan *plan, struct failure *why) {
     struct request part = *r;
-    if (fold_problem(&r->problem, o, &part.problem, plan->cut)) {
-        int status = plan_part(&part, o, plan, why);
-        if (status != STATUS_INPUT) return status;
+    struct options o = *given;
+    int cut[2], status = STATUS_INPUT;
+    *plan = (struct plan){.dim = r->problem.dim};
+    settle_steps(r, &o, plan);
+    if (fold_problem(&r->problem, &o, &part.problem, cut)) {
+        status = plan_part(&part, &o, plan, why);
+        if (!status) plan->cut[0] = cut[0], plan->cut[1] = cut[1];
     }
-    plan->cut[0] = plan->cut[1] = 0;
-    return plan_part(r, o, plan, why);
+    if (status == STATUS_INPUT) status = plan_part(r, &o, plan, why);
+    if (status) return status;
+    plan->particles = plan->computed * (size_t)((plan->cut[0] ? 2 : 1) * (plan->cut[1] ? 2 : 1));
+    return hold_whole(r, plan, why);
 }

@@ -47,6 +47,10 @@ static int try_steps(const struct request *r, const struct options *o, double st
     return solve(r, &with, &t->field, why);
 }
 
+static int order_of(const struct options *o) {
+    return o->stepper == STEPPER_EULER ? 1 : 2;
+}
+
 static double first_steps(const struct request *r, const struct options *o) {
     double kappa = 0;
     for (int m = 0; m < r->problem.materials; m++)
@@ -70,6 +74,17 @@ static int first(const struct request *r, const struct options *o, struct trial 
 struct estimate {
     double time, whole, space;
 };
+
+static int within_reach(double steps, double particles, int order) {
+    return steps * particles * order <= UPDATES_MAX;
+}
+
+/* How many steps follow `steps`, which led to the estimate: as many where that will do. */
+static double next_steps(double steps, struct estimate e, double particles, int order) {
+    if (e.time <= SHARE * e.whole || e.time <= FLOOR) return steps;
+    double more = ceil(steps * fmax(1.1, pow(e.time / (MARGIN * SHARE * e.space), 1.0 / order)));
+    return within_reach(more, particles, order) ? more : steps;
+}
 
 /* T_inf from two runs. */
 static double *find_limit(const struct trial *coarse, const struct trial *fine, int order) {
@@ -120,9 +135,8 @@ static int refine(const struct request *r, const struct options *o, int order, c
     for (int round = 0; round < ROUNDS && !status; round++) {
         struct estimate e = compare(r, coarse, fine, exact, order);
         *time_error = e.time / e.whole;
-        if (*time_error <= SHARE || e.time <= FLOOR) break;
-        double steps = ceil(fine->steps * fmax(1.1, pow(e.time / (MARGIN * SHARE * e.space), 1.0 / order)));
-        if (!(steps * (double)fine->field.n * order <= UPDATES_MAX)) break;
+        double steps = next_steps(fine->steps, e, (double)fine->field.n, order);
+        if (steps == fine->steps) break;
         status = replace(r, o, steps, coarse, fine, why);
     }
     return status;
@@ -154,7 +168,7 @@ static int reach(const struct request *r, const struct options *o, int order, co
                  struct trial *coarse, struct trial *fine, double *time_error, struct failure *why) {
     double asked = r->time_error, time = compare(r, coarse, fine, exact, order).time;
     while (!(time <= asked)) {
-        if (!(2 * fine->steps * (double)fine->field.n * order <= UPDATES_MAX))
+        if (!within_reach(2 * fine->steps, (double)fine->field.n, order))
             return fail(why, STATUS_GATE,
                         "--time-error %g: %g after %.0f steps, and twice as many are past %g updates", asked, time,
                         fine->steps, UPDATES_MAX);
@@ -169,21 +183,31 @@ static int reach(const struct request *r, const struct options *o, int order, co
 static int solve_refined(const struct request *r, const struct options *o, struct field *f, double *time_error,
                          struct failure *why) {
     struct trial coarse = {0}, fine = {0};
-    int order = o->stepper == STEPPER_EULER ? 1 : 2;
+    int order = order_of(o);
     int status = first(r, o, &coarse, why);
-    if (!status) status = try_steps(r, o, 2 * coarse.steps, &fine, why);
-    if (!status) {
-        double *exact = xcalloc(fine.field.n, sizeof *exact);
-        norms_exact(r->scene, &r->problem, &fine.field, exact);
-        status = (r->time_error > 0 ? reach : refine)(r, o, order, exact, &coarse, &fine, time_error, why);
-        free(exact);
-    }
+    if (status) return status;
+    double *exact = xcalloc(coarse.field.n, sizeof *exact);
+    norms_exact(r->scene, &r->problem, &coarse.field, exact);
+    status = try_steps(r, o, 2 * coarse.steps, &fine, why);
+    if (!status) status = (r->time_error > 0 ? reach : refine)(r, o, order, exact, &coarse, &fine, time_error, why);
+    free(exact);
     field_free(&coarse.field);
     if (status)
         field_free(&fine.field);
     else
         *f = fine.field;
     return status;
+}
+
+double stepping_forecast(const struct request *r, const struct options *o, double particles, double time,
+                         double space) {
+    int order = order_of(o);
+    if (r->time_error > 0) {
+        double steps = fmax(1, ceil(pow(time / r->time_error, 1.0 / order)));
+        return within_reach(steps, particles, order) ? steps : 0;
+    }
+    double steps = 2 * first_steps(r, o), at = time / pow(steps, order);
+    return next_steps(steps, (struct estimate){at, space + at, space}, particles, order);
 }
 
 int stepping_solve(const struct request *r, struct options *o, struct field *f, double *time_error,

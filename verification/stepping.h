@@ -6,6 +6,11 @@ struct field;
 struct options;
 struct request;
 
+/* How many steps stepping_solve will take where *o leaves them open, the stepper is not the exact one, `space` is E1
+ * without time error and `time` / steps^p what the steps add, p the stepper's order.  0: out of reach. */
+double stepping_forecast(const struct request *r, const struct options *o, double particles, double time,
+                         double space);
+
 /* Solves r->problem by r->method under *o, and chooses what *o leaves open: the stepper, and a time step whose error
  * is at most 1 % of the whole.  On return o->stepper is the one that was used, and *time_error is the part of E1 that
  * the time step makes up: 0 for the exact stepper, measured where the step was chosen here, NaN where it was given.

@@ -1,10 +1,15 @@
-/* A plan is checked against what the run then reports: particles, steps, work and memory, to the last one. */
+/* A plan is checked against what the run then reports, to the last particle, step and byte, and against the heap. */
 #include "verification/plan.h"
 
+#include "solver/sample.h"
+#include "solver/transform.h"
 #include "verification/arguments.h"
 #include "verification/run.h"
 
+#include "verification/unit/heap.h"
 #include "verification/unit/near.h"
+
+#include <math.h>
 
 static void as_planned(const char *line) {
     struct request r;
@@ -14,13 +19,12 @@ static void as_planned(const char *line) {
     if (arguments_parse_line(line, &r, &why)) fail_msg("%s: %s", line, why.text);
     if (plan_make(&r, &r.options, &plan, &why)) fail_msg("%s: %s", line, why.text);
     if (run_request(&r, &r.options, &result, NULL)) fail_msg("%s: %s", line, result.failure.text);
-    size_t sum = 0;
-    for (int i = 0; i < plan.count; i++) sum += plan.array[i].bytes;
-    if (plan.particles != result.particles || plan.steps != result.steps || plan.bytes != result.bytes ||
-        plan.updates != result.updates || plan.interactions != result.interactions || plan.bytes != sum ||
+    size_t bytes = plan.bytes[PLAN_STEPS];
+    if (plan.particles != result.particles || plan.steps != result.steps || bytes != result.bytes ||
+        plan.updates != result.updates || plan.interactions != result.interactions ||
         plan.options.stepper != result.options.stepper)
         fail_msg("%s: planned %zu particles, %lld steps, %lld updates, %zu bytes; the run has %zu, %lld, %lld, %zu",
-                 line, plan.particles, plan.steps, plan.updates, plan.bytes, result.particles, result.steps,
+                 line, plan.particles, plan.steps, plan.updates, bytes, result.particles, result.steps,
                  result.updates, result.bytes);
     assert_near(plan.dt, result.dt, 1e-15 * result.dt);
     arguments_free(&r);
@@ -45,6 +49,99 @@ static void runs_do_what_was_planned(void **state) {
     as_planned("run rect-manufactured ftcs --dx 0.05 --fourier 0.1");
 }
 
+/* What no number of particles adds to (a stencil in the making, FFTW's constant part), what goes with the square root
+ * of it, and the allocator's 24 bytes a block.  Every array of these runs is larger. */
+enum { SLACK = 40000 };
+
+/* The most that is on the heap during the run; `exactly`: no less than planned either.  Of what FFTW has for a long
+ * rod the plan knows but the size. */
+static void as_allocated(const char *line, int exactly) {
+    struct request r;
+    struct failure why;
+    struct plan plan;
+    struct result result;
+    if (arguments_parse_line(line, &r, &why)) fail_msg("%s: %s", line, why.text);
+    if (plan_make(&r, &r.options, &plan, &why)) fail_msg("%s: %s", line, why.text);
+    size_t begin = 0, planned = plan.bytes[plan_peak(&plan)];
+    for (int k = 0; k < 2; k++) { /* the second time FFTW and the C library have what they keep for good */
+        begin = heap_most = heap_now;
+        if (run_request(&r, &r.options, &result, NULL)) fail_msg("%s: %s", line, result.failure.text);
+    }
+    size_t held = heap_most - begin, library = plan.dim == 1 ? transform_library_bytes((int)plan.particles) : 0;
+    arguments_free(&r);
+    assert_true(heap_now <= begin);
+    if (held > planned + library + SLACK || (exactly && held + library < planned))
+        fail_msg("%s: %zu bytes planned, %zu held", line, planned, held);
+}
+
+static void what_is_allocated_was_planned(void **state) {
+    (void)state;
+    if (!HEAP_COUNTED) skip();
+    heap_begin();
+    as_allocated("run square-step so_ssph --dx 0.0125", 1);
+    as_allocated("run square-step so_ssph --dx 0.0125 --domain whole --stepper rkl2 --dt 0.5", 1);
+    as_allocated("run rod-gauss so_ssph --dx 0.001 --stepper matched --sampling spline --set t_end=0.001", 1);
+    as_allocated("run rod-cosine so_ssph --dx 0.0001 --set mode=3", 1);
+    as_allocated("run rect-manufactured so_ssph --dx 0.01 --stepper exact", 1);
+    as_allocated("run plate so_ssph --dx 0.001 --stepper rkl2 --dt 2", 1);
+    as_allocated("run plate brookshaw --dx 0.001 --walls fixed", 1);
+    as_allocated("run square-step so_ssph --dx 0.05 --layout jitter --jitter 0.2 --stepper rkl2 --dt 0.5", 1);
+    as_allocated("run square-step fo_ssph --dx 0.04 --layout jitter --jitter 0 --stepper euler --dt 0.1", 1);
+    as_allocated("run rod-contact brookshaw --dx 0.001 --stepper rkl2 --dt 0.1", 1);
+    as_allocated("run rod-step ftcs --dx 0.0002 --fourier 0.4 --set t_end=0.00001", 1);
+    as_allocated("run plate ftcs_flux --dx 0.001 --layout node --fourier 0.2 --set t_end=0.1", 1);
+    as_allocated("run rect-manufactured ftcs --dx 0.01 --fourier 0.2 --set t_end=0.01", 1);
+    as_allocated("run plate so_ssph --dx 0.002 --time-error 1e-4", 0);
+}
+
+/* Nothing else is ever as large as what averaging holds on a rod. */
+static void averages_are_planned(void **state) {
+    (void)state;
+    struct request r;
+    struct failure why;
+    struct lattice l;
+    if (!HEAP_COUNTED) skip();
+    assert_int_equal(arguments_parse_line("run rod-step so_ssph --dx 0.001", &r, &why), STATUS_OK);
+    assert_int_equal(layout_lattice(&r.problem, &r.options, 1, &l, &why), STATUS_OK);
+    double *T = xcalloc((size_t)l.n[0], sizeof *T);
+    for (int k = SAMPLING_POINT; k <= SAMPLING_SPLINE; k++) {
+        size_t planned = sample_bytes(&r.problem, (enum sampling)k, &l), begin = heap_most = heap_now;
+        sample_lattice(&r.problem, (enum sampling)k, &l, T);
+        assert_near((double)(heap_most - begin), (double)planned, 24 * 9); /* blocks */
+    }
+    free(T);
+    arguments_free(&r);
+}
+
+/* A rung's time error is Richardson's, good to a few percent where the stages stay the same: N goes with its root.
+ * Where the particles are jittered, the error of space scatters, and so does N. */
+static void as_foretold(const char *line, int runs, double within) {
+    struct request r;
+    struct failure why;
+    struct plan plan;
+    struct result result;
+    if (arguments_parse_line(line, &r, &why)) fail_msg("%s: %s", line, why.text);
+    if (plan_make(&r, &r.options, &plan, &why)) fail_msg("%s: %s", line, why.text);
+    if (run_request(&r, &r.options, &result, NULL)) fail_msg("%s: %s", line, result.failure.text);
+    double off = log((double)plan.steps / (double)result.steps);
+    if (!plan.refined || plan.forecast.runs != runs || !(fabs(off) <= log(within)))
+        fail_msg("%s: %lld steps foretold from %d runs, the search took %lld", line, plan.steps, plan.forecast.runs,
+                 result.steps);
+    arguments_free(&r);
+}
+
+static void open_steps_are_foretold(void **state) {
+    (void)state;
+    as_foretold("run rod-contact brookshaw --dx 0.02", 1, 1);
+    as_foretold("run plate so_ssph --dx 0.005 --time-error 1e-4", 1, 1);
+    as_foretold("run plate brookshaw --dx 0.001 --walls fixed", 2, 1.1);
+    as_foretold("run plate so_ssph --dx 0.001 --time-error 1e-4", 2, 1.2);
+    as_foretold("run rod-contact brookshaw --dx 0.0005", 2, 1.1);
+    as_foretold("run square-step ftcs --dx 0.05", 2, 1.2);
+    as_foretold("run square-step so_ssph --dx 0.04 --stepper rk2", 2, 1.2);
+    as_foretold("run square-step so_ssph --dx 0.05 --layout jitter --jitter 0.2", 2, 2.5);
+}
+
 static void refusals_are_those_of_the_run(void **state) {
     (void)state;
     struct request r;
@@ -57,7 +154,8 @@ static void refusals_are_those_of_the_run(void **state) {
 
 int main(void) {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(runs_do_what_was_planned),
+        cmocka_unit_test(runs_do_what_was_planned),      cmocka_unit_test(what_is_allocated_was_planned),
+        cmocka_unit_test(averages_are_planned),          cmocka_unit_test(open_steps_are_foretold),
         cmocka_unit_test(refusals_are_those_of_the_run),
     };
     return cmocka_run_group_tests_name("plan", tests, NULL, NULL);
