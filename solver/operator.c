@@ -41,20 +41,19 @@ static int lattice_weights(const struct problem *p, const struct options *o, con
                            const double kappa[2], struct square out[2], struct failure *why) {
     int r = (int)ceil(KERNEL_SUPPORT * o->h * (1 - 1e-12)) - 1, ry = p->dim == 2 ? r : 0;
     size_t most = (size_t)(2 * r + 1) * (size_t)(2 * ry + 1);
+    double d[NEIGHBOURS_MAX][2], weight[2][NEIGHBOURS_MAX], *w[2] = {weight[0], weight[1]};
+    int at[NEIGHBOURS_MAX][2], status;
     double dV = p->dim == 2 ? dx * dx : dx;
     struct neighbourhood nb = {
-        .dim = p->dim, .h = o->h * dx, .volume = s->volume ? s->volume(p, o, o->h * dx, dV) : dV};
+        .dim = p->dim, .d = d, .h = o->h * dx, .volume = s->volume ? s->volume(p, o, o->h * dx, dV) : dV};
     nb.x[0] = (p->lo[0] + p->hi[0]) / 2, nb.x[1] = (p->lo[1] + p->hi[1]) / 2;
     memcpy(nb.kappa, kappa, sizeof nb.kappa);
     if (most > NEIGHBOURS_MAX)
         return fail(why, STATUS_INPUT, "--h %g: more than %d neighbours", o->h, NEIGHBOURS_MAX);
-    double *w[2] = {xcalloc(most, sizeof **w), xcalloc(most, sizeof **w)};
-    int(*at)[2] = xcalloc(most, sizeof *at), status;
-    nb.d = xcalloc(most, sizeof *nb.d);
     for (int j = -ry; j <= ry; j++)
         for (int i = -r; i <= r; i++) {
             if ((i == 0 && j == 0) || i * i + j * j >= 4 * o->h * o->h * (1 - 1e-12)) continue;
-            nb.d[nb.n][0] = i * dx, nb.d[nb.n][1] = j * dx;
+            d[nb.n][0] = i * dx, d[nb.n][1] = j * dx;
             at[nb.n][0] = i, at[nb.n][1] = j;
             nb.n++;
         }
@@ -65,10 +64,6 @@ static int lattice_weights(const struct problem *p, const struct options *o, con
         for (size_t k = 0; k < nb.n; k++) *square_at(&out[t], at[k][0], at[k][1]) = w[t][k], sum += w[t][k];
         *square_at(&out[t], 0, 0) = -sum;
     }
-    free(w[0]);
-    free(w[1]);
-    free(at);
-    free(nb.d);
     return status;
 }
 
@@ -123,19 +118,34 @@ static void add_ghost(const struct heat_operator *a, int i, int j, double offset
             g[state_row(a, m) + k] += a->weight[abs(m - j) * (rx + 1) + abs(k - i)] * offset;
 }
 
-/* Source and walls: g_i = G / rho_c + sum over ghosts of w x offset.  Whether there are any; without g (NULL) the
- * first tells. */
-static int add_constants(const struct heat_operator *a, const struct problem *p, const struct options *o, double *g) {
+/* Whether a source or a wall, at the foot of any ghost, adds anything. */
+static int has_constants(const struct heat_operator *a, const struct problem *p) {
     const struct lattice *l = &a->lattice;
-    int rx = a->reach[0], ry = a->reach[1], any = 0;
+    double x[2];
+    for (int j = 0; j < l->n[1] && p->source; j++)
+        for (int i = 0; i < l->n[0]; i++) {
+            layout_position(l, i, j, x);
+            if (p->source(p, x) != 0) return 1;
+        }
+    for (int s = 0; s < 2 * l->dim; s++)
+        for (int i = -a->reach[1 - s / 2]; i < l->n[1 - s / 2] + a->reach[1 - s / 2]; i++) {
+            layout_position(l, s / 2 ? i : 0, s / 2 ? 0 : i, x);
+            x[s / 2] = s % 2 ? p->hi[s / 2] : p->lo[s / 2];
+            if (p->wall(p, (enum side)s, x) != 0) return 1;
+        }
+    return 0;
+}
+
+/* g_i = G / rho_c + sum over ghosts of w x offset. */
+static void add_constants(const struct heat_operator *a, const struct problem *p, const struct options *o,
+                          double *g) {
+    const struct lattice *l = &a->lattice;
+    int rx = a->reach[0], ry = a->reach[1];
     for (int j = 0; j < l->n[1] && p->source; j++)
         for (int i = 0; i < l->n[0]; i++) {
             double x[2];
             layout_position(l, i, j, x);
-            double sum = p->source(p, x) / p->material[0].rho_c;
-            if (sum == 0) continue;
-            if (!g) return 1;
-            g[state_row(a, j) + i] = sum, any = 1;
+            g[state_row(a, j) + i] = p->source(p, x) / p->material[0].rho_c;
         }
     for (int j = -ry; j < l->n[1] + ry; j++) {
         int past = j >= 0 && j < l->n[1] ? l->n[0] : 0; /* the particles between the ghosts of this row */
@@ -145,12 +155,9 @@ static int add_constants(const struct heat_operator *a, const struct problem *p,
             layout_position(l, i, j, ghost);
             layout_position(l, from[0], from[1], source);
             double offset = layout_ghost_offset(p, o->walls, side, ghost, source);
-            if (offset == 0) continue;
-            if (!g) return 1;
-            add_ghost(a, i, j, offset, g), any = 1;
+            if (offset != 0) add_ghost(a, i, j, offset, g);
         }
     }
-    return any;
 }
 
 static void count_pairs(struct heat_operator *a) {
@@ -186,7 +193,7 @@ static int outline(struct heat_operator *a, const struct problem *p, const struc
     a->state = (size_t)a->stride * (size_t)(l->n[1] + 2 * a->reach[1]);
     a->bytes = sizeof(double) * (size_t)(a->reach[0] + 1) * (size_t)(a->reach[1] + 1);
     count_pairs(a);
-    a->constant = add_constants(a, p, o, NULL);
+    a->constant = has_constants(a, p);
     if (a->constant) a->bytes += a->state * sizeof *a->g;
     return STATUS_OK;
 }

@@ -33,9 +33,9 @@ int particles_settle(const struct problem *p, const struct options *o, const str
 static void data_range(const struct problem *p, const struct field *f, double *lo, double *hi) {
     *lo = f->range[0], *hi = f->range[1];
     double add = 0;
-    for (size_t i = 0; i < f->n; i++) {
+    for (size_t i = 0; i < f->n && p->source; i++) {
         double x[2] = {f->x[i], f->y ? f->y[i] : 0};
-        if (p->source) add = fmax(add, fabs(p->source(p, x)) * p->t_end / p->material[0].rho_c);
+        add = fmax(add, fabs(p->source(p, x)) * p->t_end / p->material[0].rho_c);
     }
     for (int s = 0; s < 2 * p->dim; s++)
         for (int k = 0; k <= 8; k++) {

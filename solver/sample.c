@@ -2,9 +2,12 @@
  *
  * The average with the B-spline B_m of order m is the integral of T0(x + u dx) B_m(u) over |u| < m/2.  B_m is a
  * polynomial of degree m - 1 between its knots.  Where walls, planes of jumps or their images meet its support, T0 is
- * cut there too, and on each piece Gauss-Legendre with 3 points is exact for degree 5: for quadratic data under a
- * cubic spline.  Elsewhere two points (cell) or three (spline) have its moments up to the third: the average is then
- * met to O(dx^4), and its variance, which is what the start of a matched run counts on, exactly.
+ * cut there too, and on each piece Gauss-Legendre with 2 points is exact for degree 3: for constants under a cubic
+ * spline.  What that misses of data that vary, the particles around make up: sum_i x_i^k B_m(x - x_i) is a polynomial
+ * of degree k < m, so that the sums over particles of T_i and x_i T_i are met exactly for quadratic data, and what is
+ * wrong is a quadrupole of O(dx^4).  Elsewhere two points (cell) or three (spline) have the moments of the spline up
+ * to the third: the average is then met to O(dx^4), and its variance, which is what the start of a matched run counts
+ * on, exactly.
  *
  * Knots of neighbours on a lattice coincide, and so do the nodes between them: T0 is evaluated once at each pair of a
  * node along x and a node along y, and its values are summed along x, then along y. */
@@ -14,10 +17,10 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { GAUSS = 3, PLANES_MAX = 2 + 3 * JUMP_MAX };
+enum { GAUSS = 2, SMOOTH = 3, PLANES_MAX = 2 + 3 * JUMP_MAX }; /* nodes of a piece; most of a smooth average */
 
-static const double gauss_node[GAUSS] = {-0.77459666924148337704, 0, 0.77459666924148337704};
-static const double gauss_weight[GAUSS] = {5.0 / 9, 8.0 / 9, 5.0 / 9};
+static const double gauss_node[GAUSS] = {-0.57735026918962576451, 0.57735026918962576451};
+static const double gauss_weight[GAUSS] = {1, 1};
 
 static double b_spline(int m, double u) {
     u = fabs(u);
@@ -156,7 +159,7 @@ static struct rule rule_create(const struct axis *a) {
     for (int i = 0; i < n; i++) cuts += (size_t)is_cut(a, i);
     size_t touched = cuts * (size_t)m < (size_t)cells ? cuts * (size_t)m : (size_t)cells;
     size_t most = GAUSS * (touched + (size_t)a->planes), nodes = most + 2 * (size_t)n + 2;
-    size_t weights = GAUSS * (cuts * (size_t)(m + a->planes) + (size_t)n);
+    size_t weights = GAUSS * cuts * (size_t)(m + a->planes) + SMOOTH * (size_t)n;
     struct rule r = {.first = xcalloc((size_t)n, sizeof *r.first), .begin = xcalloc((size_t)n + 1, sizeof *r.begin)};
     r.node = xcalloc(nodes, sizeof *r.node);
     r.weight = xcalloc(weights, sizeof *r.weight);

@@ -69,7 +69,7 @@ static void combine(const struct neighbourhood *nb, int order, const double *W, 
 }
 
 /* M z = b in place, from the factor L whose diagonal is kept as reciprocals. */
-static void solve(int terms, const double *L, double *z) {
+INLINE void solve_terms(int terms, const double *L, double *z) {
     for (int i = 0; i < terms; i++) {
         for (int k = 0; k < i; k++) z[i] -= L[i * terms + k] * z[k];
         z[i] *= L[i * terms + i];
@@ -83,7 +83,7 @@ static void solve(int terms, const double *L, double *z) {
 /* M = L L^T in place, L in the lower triangle.  Returns the condition number of M in the 1-norm; infinite where M is
  * not positive definite.  GSL's factor and its estimate of the norm are made for large matrices: here, and from a
  * library that has to be loaded, they cost more than all else. */
-static double factor(int terms, double *M) {
+INLINE double factor_terms(int terms, double *M) {
     double size = 0, inverse = 0;
     for (int k = 0; k < terms; k++) {
         double sum = 0;
@@ -100,11 +100,22 @@ static double factor(int terms, double *M) {
     for (int k = 0; k < terms; k++) {
         double column[SSPH_TERMS_MAX] = {0}, sum = 0;
         column[k] = 1;
-        solve(terms, M, column);
+        solve_terms(terms, M, column);
         for (int l = 0; l < terms; l++) sum += fabs(column[l]);
         inverse = fmax(inverse, sum);
     }
     return size * inverse;
+}
+
+static double factor(int terms, double *M) {
+    return terms == 5 ? factor_terms(5, M) : factor_terms(terms, M);
+}
+
+static void solve(int terms, const double *L, double *z) {
+    if (terms == 5)
+        solve_terms(5, L, z);
+    else
+        solve_terms(terms, L, z);
 }
 
 double ssph_condition(const struct neighbourhood *nb, enum kernel_name kernel, int order) {

@@ -6,7 +6,8 @@
  *     a function    FUNCTION: exp, cos, sqrt: a polynomial of degree 13 or so, and its argument reduced
  *     a particle    PLACE: its place, its start, heat, range and the unfolding: five passes of some four
  *     a sample      POINT: four comparisons on each of four sides, and the data, a function
- *     a ghost       GHOST: reflected, with the value of a wall, which is as a POINT, and handed to who reaches it
+ *     a wall        a FUNCTION at each place along it; where any wall or source has something to add, also GHOST for
+ *                   each ghost: reflected, with the value of a wall, and handed to who reaches it
  *     a weight      kernel and distance, a FUNCTION.  With t Taylor terms (SSPH) also monomials twice, 4 t, the
  *                   matrix, t (t + 1), and the sum, t; then t^3/6 for the factor and t^2 for each of t + 1
  *                   substitutions, t of them for the condition number
@@ -60,7 +61,7 @@ static struct lattice lattice_of(const struct extent *e) {
 }
 
 /* Nodes of the averages of all particles along an axis.  Particles share theirs: few where the data are smooth, and
- * three on each piece where walls or jumps cut a support (solver/sample.c).  Finite differences take four on each
+ * two on each piece where walls or jumps cut a support (solver/sample.c).  Finite differences take four on each
  * piece of every point's own (solver/ftcs_sample.c). */
 static double nodes_along(const struct extent *e, int axis, const struct result *r) {
     const struct problem *p = &e->part;
@@ -83,7 +84,7 @@ static double nodes_along(const struct extent *e, int axis, const struct result 
         else if (cuts == 0)
             sum += pieces == 1 ? 2 : 1;
         else
-            sum += 3 * ((before ? 1 : pieces) + (cuts > before ? cuts - before : 0));
+            sum += 2 * ((before ? 1 : pieces) + (cuts > before ? cuts - before : 0));
         before = cuts;
     }
     return sum;
@@ -109,12 +110,21 @@ static double rows(const struct extent *e, const struct result *r, double column
     return e->n * (4 * (visited + composed + columns * log2(columns + 1)) + weighing(r, dim, near));
 }
 
+/* Whether walls or a source add anything. */
+static int has_constants(const struct extent *e) {
+    int any = e->part.source != NULL;
+    for (int s = 0; s < 2 * e->part.dim; s++) any |= e->part.wall(&e->part, (enum side)s, e->part.lo) != 0;
+    return any;
+}
+
 static double stencil(const struct extent *e, const struct result *r) {
     int dim = e->part.dim;
-    double h = r->options.h, reach = (ceil(2 * h) - 1) * r->method->scheme->sweeps, framed = 1;
+    double h = r->options.h, reach = (ceil(2 * h) - 1) * r->method->scheme->sweeps, framed = 1, feet = 0;
     double searched = r->options.h_iso ? 2 * ceil(16 * fabs(h - 1.2)) + 7 : 0;
     for (int a = 0; a < dim; a++) framed *= e->along[a] + 2 * reach;
-    return (framed - e->n) * GHOST + weighing(r, dim, surrounding(dim, h)) * (1 + searched);
+    for (int a = 0; a < dim; a++) feet += 2 * (dim == 1 ? 1 : e->along[1 - a] + 2 * reach);
+    return feet * FUNCTION + has_constants(e) * (framed - e->n) * GHOST +
+           weighing(r, dim, surrounding(dim, h)) * (1 + searched);
 }
 
 /* `times` transforms along an axis. */
@@ -125,9 +135,8 @@ static double transforms(const struct extent *e, int axis, int times) {
 }
 
 static double modes(const struct extent *e, const struct result *r) {
-    int walls = e->part.source != NULL;
+    int walls = has_constants(e);
     double sum = 0, reach = ceil(2 * r->options.h) * r->method->scheme->sweeps;
-    for (int s = 0; s < 2 * e->part.dim; s++) walls |= e->part.wall(&e->part, (enum side)s, e->part.lo) != 0;
     for (int a = 0; a < e->part.dim; a++) sum += transforms(e, a, 2 + walls) + reach * e->along[a] * FUNCTION;
     return sum + e->n * (1 + walls) * FUNCTION;
 }

@@ -138,6 +138,34 @@ static void walls_continue_the_data(void **state) {
     both(&p, SAMPLING_SPLINE, low[0], low[1], slope(&p, low), 1e-15);
 }
 
+/* A parabola between two jumps, cold outside. */
+static double hump(const struct problem *p, const double x[2]) {
+    double inside = x[0] >= p->jump[0][0] && x[0] <= p->jump[0][1];
+    return inside * (1.9 - 2.3 * x[0] + 3.1 * x[0] * x[0]);
+}
+
+static double power_sum(const double c[3], int k, double x) { /* the integral of x^k (c_0 + c_1 x + c_2 x^2) */
+    double sum = 0;
+    for (int m = 0; m < 3; m++) sum += c[m] * pow(x, m + k + 1) / (m + k + 1);
+    return sum;
+}
+
+/* Whatever the quadrature misses at the jumps, heat and its place are kept. */
+static void averages_keep_heat_and_its_place(void **state) {
+    (void)state;
+    const double c[3] = {1.9, -2.3, 3.1};
+    struct problem p = {
+        .dim = 1, .hi = {1.5, 0}, .initial = hump, .wall = cold, .jumps = {2}, .jump = {{0.31, 0.77}}};
+    for (int n = 40; n < 50; n++) {
+        struct lattice l = {.dim = 1, .n = {n, 1}, .dx = {1.5 / n, 1}, .first = {0.75 / n}};
+        double T[50], sum[2] = {0, 0};
+        sample_lattice(&p, SAMPLING_SPLINE, &l, T);
+        for (int i = 0; i < n; i++)
+            for (int k = 0; k < 2; k++) sum[k] += pow(l.first[0] + i * l.dx[0], k) * T[i] * l.dx[0];
+        for (int k = 0; k < 2; k++) assert_near(sum[k], power_sum(c, k, 0.77) - power_sum(c, k, 0.31), 1e-14);
+    }
+}
+
 /* Neighbours share nodes: as if each were sampled on its own, with jumps on either side of a knot and beside walls.
  */
 static void a_lattice_shares_its_nodes(void **state) {
@@ -164,6 +192,7 @@ int main(void) {
         cmocka_unit_test(averages_have_the_splines_moments), cmocka_unit_test(jumps_are_cut),
         cmocka_unit_test(images_of_jumps_are_cut),           cmocka_unit_test(walls_continue_the_data),
         cmocka_unit_test(a_lattice_shares_its_nodes),        cmocka_unit_test(walls_that_data_meet_keep_fourth_order),
+        cmocka_unit_test(averages_keep_heat_and_its_place),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
