@@ -4,6 +4,7 @@
 #include "verification/json.h"
 #include "verification/progress.h"
 #include "verification/run.h"
+#include "verification/truth.h"
 
 #include <math.h>
 #include <omp.h>
@@ -46,26 +47,15 @@ static struct options rung_options(const struct request *r, const struct ladder 
     return o;
 }
 
-/* The exact solution in time of the same particles' equations: the truth of a ladder in time. */
-static int find_truth(const struct request *r, struct field *truth, struct failure *why) {
-    struct options o = r->options;
-    o.stepper = STEPPER_EXACT;
-    o.dt = o.fourier = 0;
-    int status = r->method->scheme ? r->method->solve(&r->problem, &o, truth, why) : STATUS_INPUT;
-    if (!r->method->scheme)
-        return fail(why, STATUS_INPUT, "a ladder in time needs --stepper exact for its truth, which %s has not",
-                    r->method->name);
-    return status;
-}
-
-static void climb(const struct request *r, struct ladder *l, const double *truth) {
+/* Against the truth, or the exact solution where there is none. */
+static void climb(const struct request *r, struct ladder *l, const struct truth *truth) {
     struct progress progress = progress_start("rungs", l->n);
 #pragma omp parallel for schedule(dynamic, 1) if (!r->solver) /* another program is timed alone */
     for (int i = 0; i < l->n; i++) {
         int finest_first = l->n - 1 - i;
         struct options o = rung_options(r, l, finest_first);
         if (truth)
-            run_against(r, &o, truth, &l->rung[finest_first]);
+            run_against(r, &o, truth->field.T, truth->error, &l->rung[finest_first]);
         else
             run_request(r, &o, &l->rung[finest_first], NULL);
         progress_tick(&progress);
@@ -89,14 +79,35 @@ static int collect(struct ladder *l, struct failure *why) {
     return l->failure.status;
 }
 
+/* Each rung measured against the truth; failed where there is no truth.  STATUS_INPUT with *why where it is refused.
+ */
+static int climb_in_time(const struct request *r, struct ladder *l, struct failure *why) {
+    struct options finest = rung_options(r, l, l->n - 1);
+    struct truth truth;
+    int status = truth_find(r, &finest, &truth, why);
+    if (status == STATUS_INPUT) return status;
+    l->truth_steps = truth.steps;
+    l->truth_error = truth.error;
+    if (!status) climb(r, l, &truth);
+    for (int i = 0; status && i < l->n; i++)
+        l->rung[i] = (struct result){.scene = r->scene,
+                                     .method = r->method,
+                                     .options = rung_options(r, l, i),
+                                     .t_end = r->problem.t_end,
+                                     .time_error = NAN,
+                                     .failure = *why};
+    field_free(&truth.field);
+    return STATUS_OK;
+}
+
 int ladder_run(const struct request *r, struct ladder *l, struct failure *why) {
-    struct field truth = {0};
     double start = omp_get_wtime();
     *l = (struct ladder){0};
     if (plan(r, l, why)) return why->status;
-    if (l->in_time && find_truth(r, &truth, why)) return why->status;
-    climb(r, l, truth.T);
-    field_free(&truth);
+    if (!l->in_time)
+        climb(r, l, NULL);
+    else if (climb_in_time(r, l, why))
+        return why->status;
     int status = collect(l, why);
     if (status == STATUS_INPUT) return status;
     ladder_fit(l, LADDER_L1);
@@ -144,7 +155,8 @@ void ladder_fit(struct ladder *l, enum ladder_norm norm) {
                                        .time = l->in_time ? NAN : r->time_error,
                                        .reference = r->reference_error / r->error.l1,
                                        .rounding = r->rounding / r->error.l1,
-                                       .random = r->options.layout == LAYOUT_JITTER};
+                                       /* in time the particles stay where they are */
+                                       .random = r->options.layout == LAYOUT_JITTER && !l->in_time};
     }
     slope_local(l->x, l->error, l->n, l->local);
     window_choose(rung, l->n, &l->window);

@@ -9,8 +9,8 @@
 /* Runs that differ in one length, and the order at which their errors fall with it.
  *
  * A ladder in space has several --dx; its errors are against the exact solution.  A ladder in time has one --dx and
- * several --dt or --fourier; its errors are against the exact solution of the same particles' equations, so that no
- * error of space is in them. */
+ * several --dt or --fourier; its errors are against the solution of the same particles' equations without time error
+ * (truth.h), so that no error of space is in them. */
 
 enum ladder_norm { LADDER_L1, LADDER_L2, LADDER_LINF, LADDER_INTERIOR, LADDER_BOUNDARY }; /* the last two: E1 */
 
@@ -18,6 +18,8 @@ struct ladder {
     int n;       /* rungs, coarsest first */
     int in_time; /* 1: x is dt, s; 0: x is dx, m */
     struct result rung[RUNG_MAX];
+    long long truth_steps; /* in time: of the midpoint rule that the errors are against; 0: of the exact stepper */
+    double truth_error;    /* its own error, as in struct truth */
     double x[RUNG_MAX];
     double error[RUNG_MAX]; /* in the norm that was fitted; NaN where the run failed */
     double local[RUNG_MAX]; /* n - 1 slopes between neighbours */

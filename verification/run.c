@@ -10,7 +10,7 @@
 #include <math.h>
 #include <stdlib.h>
 
-static double diffusivity(const struct problem *p) {
+double run_diffusivity(const struct problem *p) {
     double kappa = 0;
     for (int m = 0; m < p->materials; m++)
         for (int a = 0; a < p->dim; a++) kappa = fmax(kappa, p->material[m].k[a] / p->material[m].rho_c);
@@ -21,7 +21,7 @@ static double diffusivity(const struct problem *p) {
  * over the run that adds up to 4 dim eps kappa t/dx^2.  Each step rounds T once more, at random: eps sqrt(steps). */
 static double rounding(const struct problem *p, const struct field *f, double dx) {
     double applications = (double)f->steps * (f->stages > 0 ? f->stages : 1);
-    return DBL_EPSILON * (1 + sqrt(applications) + 4 * p->dim * diffusivity(p) * p->t_end / (dx * dx));
+    return DBL_EPSILON * (1 + sqrt(applications) + 4 * p->dim * run_diffusivity(p) * p->t_end / (dx * dx));
 }
 
 static void measure(const struct request *r, const struct field *f, const double *truth, struct result *out) {
@@ -29,7 +29,7 @@ static void measure(const struct request *r, const struct field *f, const double
     double dx = out->options.dx;
     out->t_end = f->time;
     out->dt = f->dt;
-    out->fourier = f->dt * diffusivity(p) / (dx * dx);
+    out->fourier = f->dt * run_diffusivity(p) / (dx * dx);
     out->steps = f->steps;
     out->stages = f->stages;
     /* Euler is stable for dt <= 2 / bound */
@@ -74,9 +74,11 @@ int run_request(const struct request *r, const struct options *o, struct result 
     return STATUS_OK;
 }
 
-int run_against(const struct request *r, const struct options *o, const double *truth, struct result *out) {
+int run_against(const struct request *r, const struct options *o, const double *truth, double error,
+                struct result *out) {
     struct field f;
     if (solve(r, o, out, &f)) return out->failure.status;
+    out->reference_error = error;
     measure(r, &f, truth, out);
     field_free(&f);
     return STATUS_OK;

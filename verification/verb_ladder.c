@@ -51,7 +51,11 @@ static void print_text(const struct ladder *l) {
     const char *verdict = verdict_words[l->verdict];
     result_describe(&l->rung[l->n - 1], what, sizeof what);
     printf("%s\n", what);
-    if (l->in_time) printf("errors against the exact solution in time of the same particles' equations\n");
+    if (l->in_time && !l->truth_steps && !l->failure.status)
+        printf("errors against the exact solution in time of the same particles' equations\n");
+    if (l->truth_steps)
+        printf("errors against %lld steps of rk2 for the same particles' equations, themselves wrong by %.1e\n",
+               l->truth_steps, l->truth_error);
     printf("\n");
     add_header(&t, l->in_time);
     for (int i = 0; i < l->n; i++) add_rung(&t, l, i);
