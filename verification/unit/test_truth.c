@@ -112,6 +112,23 @@ static void equations_that_are_unstable_fail_the_ladder(void **state) {
     free(l);
 }
 
+/* The only rung of more than three stages: local slopes of scattered particles are judged too, since all rungs have
+ * the same ones. */
+static void a_coarse_rung_off_the_lattice_is_left_out(void **state) {
+    (void)state;
+    struct request r;
+    struct failure why;
+    struct ladder *l = xcalloc(1, sizeof *l);
+    const char *line = "ladder rod-cosine so_ssph --layout jitter --jitter 0.1 --seed 2 --dx 1/40 --stepper rkl2 "
+                       "--dt 1/10,1/56,1/80,1/112,1/160";
+    if (arguments_parse_line(line, &r, &why)) fail_msg("%s", why.text);
+    assert_int_equal(ladder_run(&r, l, &why), STATUS_OK);
+    assert_int_equal(l->slope.n, 4);
+    assert_non_null(strstr(l->window.left_out[0], "pre-asymptotic"));
+    arguments_free(&r);
+    free(l);
+}
+
 /* Where both exist they are the same: the particles of a cloud without jitter against those of the lattice. */
 static void the_midpoint_rules_truth_is_the_exact_one(void **state) {
     (void)state;
@@ -145,6 +162,7 @@ int main(void) {
         cmocka_unit_test(the_truth_is_the_midpoint_rules),
         cmocka_unit_test(a_truth_that_is_not_good_enough_is_said),
         cmocka_unit_test(equations_that_are_unstable_fail_the_ladder),
+        cmocka_unit_test(a_coarse_rung_off_the_lattice_is_left_out),
         cmocka_unit_test(the_midpoint_rules_truth_is_the_exact_one),
     };
     return cmocka_run_group_tests_name("truth", tests, NULL, NULL);
