@@ -23,6 +23,7 @@ const struct gate gates_table[] = {
 #include "verification/gates_materials.def"
 #include "verification/gates_plane.def"
 #include "verification/gates_stability.def"
+#include "verification/gates_time.def"
 /* Every claim's verdict is gated without a row. */
 #define CLAIM(id, source, published, measure, argument, expected, why)                                               \
     {"claim/" id, TIER_FULL, "claim", "claims --only " id, 0.5, 1.5, NAN, "expected of it in claims.def: " #expected},
