@@ -24,6 +24,7 @@ const struct gate gates_table[] = {
 #include "verification/gates_plane.def"
 #include "verification/gates_stability.def"
 #include "verification/gates_time.def"
+#include "verification/gates_use.def"
 /* Every claim's verdict is gated without a row. */
 #define CLAIM(id, source, published, measure, argument, expected, why)                                               \
     {"claim/" id, TIER_FULL, "claim", "claims --only " id, 0.5, 1.5, NAN, "expected of it in claims.def: " #expected},
@@ -107,8 +108,8 @@ void gates_judge(const struct gate *gate, struct measured *m) {
     if (!measure) return;
     if (arguments_parse_line(gate->command, &r, &why)) {
         refuse(m, why.text);
-    } else if (measure->order && !(gate->ceiling > 0)) {
-        refuse(m, "an order needs an error ceiling beside it");
+    } else if (measure->ceiling && !(gate->ceiling > 0)) {
+        refuse(m, "this measure needs an error ceiling beside it");
     } else {
         measure->take(&r, gate->lo, gate->hi, m);
         judge_ceiling(gate->ceiling, m);

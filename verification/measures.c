@@ -3,10 +3,10 @@
 
 #include "references/scene.h"
 #include "verification/consistency.h"
-#include "verification/fold.h"
 #include "verification/ladder.h"
 #include "verification/measures_claim.h"
 #include "verification/measures_stability.h"
+#include "verification/measures_use.h"
 #include "verification/run.h"
 #include "verification/words.h"
 
@@ -133,24 +133,6 @@ static void take_checkerboard_kept(const struct request *r, double lo, double hi
     measures_judge(m, last.shape.checkerboard / first.shape.checkerboard, lo, hi);
 }
 
-/* How far the folded run is from the whole one, K; the work that it saves must be as predicted. */
-static void take_fold(const struct request *r, double lo, double hi, struct measured *m) {
-    struct options whole = r->options;
-    struct field a = {0}, b = {0};
-    struct failure why = {0};
-    double most = 0;
-    whole.domain = DOMAIN_WHOLE;
-    int status = fold_solve(r->method, &r->problem, &r->options, &a, &why);
-    if (!status) status = fold_solve(r->method, &r->problem, &whole, &b, &why);
-    measures_fail(m, why.text);
-    if (!status) {
-        for (size_t i = 0; i < a.n; i++) most = fabs(a.T[i] - b.T[i]) <= most ? most : fabs(a.T[i] - b.T[i]);
-        measures_judge(m, a.n == b.n && a.updates < b.updates ? most : NAN, lo, hi);
-    }
-    field_free(&a);
-    field_free(&b);
-}
-
 /* Points that fill the domain evenly and meet no symmetry of it: the additive sequences of the plastic number. */
 static void odd_point(const struct problem *p, int i, double x[2]) {
     static const double step[2] = {0.7548776662466927, 0.5698402909980532};
@@ -198,7 +180,10 @@ const struct measure measures[] = {
     {"operator_slope", "order of a particle method's derivatives of a smooth function", 1, take_operator_slope},
     {"error", "E1 of a run", 0, take_error},
     {"error_linf", "largest error of a run, K", 0, take_error_linf},
-    {"fold", "distance of the folded run from the whole one, K", 0, take_fold},
+    {"fold", "updates of the whole over those of the half or quarter that stands for it", 1, measures_use_fold},
+    {"plan", "updates planned over those of the run", 1, measures_use_plan},
+    {"time_error", "time error of a run over the one asked for", 0, measures_use_time_error},
+    {"choose", "E1 of the run that `choose` proves over the one asked for", 0, measures_use_choose},
     {"overshoot", "how far a run leaves its initial range, above or below, K", 0, take_overshoot},
     {"heat_drift", "heat gained over a run, relative to the heat at its start", 0, take_heat_drift},
     {"checkerboard", "amplitude of the checkerboard in a run, K", 0, take_checkerboard},

@@ -18,7 +18,7 @@ struct measured {
 struct measure {
     const char *name;
     const char *about; /* one line, with the unit */
-    int order;         /* 1: an order, which needs an error ceiling beside it */
+    int ceiling;       /* 1: to be gated only with a ceiling on the error beside it */
     /* Fills *m, judged by lo <= value <= hi.  What fails is a verdict, never silent. */
     void (*take)(const struct request *r, double lo, double hi, struct measured *m);
 };
