@@ -21,6 +21,7 @@
 
 #include <float.h>
 #include <math.h>
+#include <stdio.h>
 
 enum { L, K1, RHO_C1, T1, K2, RHO_C2, T2, T_END };
 
@@ -54,10 +55,17 @@ static int setup(struct problem *p, struct failure *why) {
     params_keep(p);
     if (params_all_positive(params, p, positive, why)) return STATUS_INPUT;
     if (params_finite(params, p, T1, why) || params_finite(params, p, T2, why)) return STATUS_INPUT;
-    double kappa = fmax(p->param[K1] / p->param[RHO_C1], p->param[K2] / p->param[RHO_C2]);
+    double kappa1 = p->param[K1] / p->param[RHO_C1], kappa2 = p->param[K2] / p->param[RHO_C2];
+    double kappa = fmax(kappa1, kappa2);
+    int of = kappa2 > kappa1 ? 2 : 1;
     double latest = p->param[L] * p->param[L] / (100 * kappa);
-    if (params_between(params, p, T_END, 0, latest, "later the walls are felt, which the solution leaves out", why))
-        return STATUS_INPUT;
+    char because[160];
+    snprintf(
+        because, sizeof because,
+        "later the walls are felt, which the solution leaves out; L^2/(100 kappa) with L = %g m and k%d/rho_c%d = "
+        "%g m^2/s",
+        p->param[L], of, of, kappa);
+    if (params_between(params, p, T_END, 0, latest, because, why)) return STATUS_INPUT;
     p->dim = 1;
     p->lo[0] = -p->param[L];
     p->hi[0] = p->param[L];

@@ -7,7 +7,9 @@
 #include "verification/request.h"
 #include "verification/run.h"
 
+#include <float.h>
 #include <math.h>
+#include <stdio.h>
 #include <string.h>
 
 #define MATCHED .stepper = STEPPER_MATCHED, .sampling = SAMPLING_SPLINE
@@ -83,6 +85,25 @@ int candidate_unit(const struct problem *p) {
     return 0;
 }
 
+/* The place of the part that is nearest to `part` of 1, in n cells that are at most UNIT_MAX. */
+static double nearest_part(double part) {
+    double best = INFINITY;
+    for (int n = 1; n <= UNIT_MAX; n++) {
+        double at = fmax(1, nearbyint(part * n)) / n;
+        if (fabs(at - part) < fabs(best - part)) best = at;
+    }
+    return best;
+}
+
+void candidate_fitting(const struct problem *p, char *text, size_t size) {
+    double width = p->hi[0] - p->lo[0], height = p->hi[1] - p->lo[1];
+    if (p->dim == 2)
+        snprintf(text, size, "%g m by %.12g m, and not %g m", width, width * nearest_part(height / width), height);
+    else
+        snprintf(text, size, "the interface at x = %.12g m, and not at %g m",
+                 p->lo[0] + width * nearest_part((p->interface - p->lo[0]) / width), p->interface);
+}
+
 int candidate_member(double least, int unit) {
     return unit * (int)fmax(1, ceil(least / unit - 1e-9));
 }
@@ -114,13 +135,23 @@ int candidate_solve(const struct candidate *c, const struct request *r, int n, s
     return fold_solve(with.method, &with.problem, &o, f, why);
 }
 
-double candidate_steps_work(const struct candidate *c, const struct request *r, int n) {
+static int plan_run(const struct candidate *c, const struct request *r, int n, struct plan *plan) {
     struct request with = with_method(c, r);
     struct options o = candidate_options(c, r, n);
-    struct plan plan;
     struct failure ignored;
-    if (plan_make(&with, &o, &plan, &ignored)) return 0;
+    return plan_make(&with, &o, plan, &ignored);
+}
+
+double candidate_steps_work(const struct candidate *c, const struct request *r, int n) {
+    struct plan plan;
+    if (plan_run(c, r, n, &plan)) return 0;
     return plan.steps == 0 ? 0 : (double)plan.interactions + 2 * (double)plan.updates;
+}
+
+double candidate_rounding(const struct candidate *c, const struct request *r, int n) {
+    struct plan plan;
+    if (plan_run(c, r, n, &plan)) return 0;
+    return DBL_EPSILON / 4 * sqrt((double)plan.steps * plan.stages);
 }
 
 double candidate_work(const struct result *r) {

@@ -25,6 +25,9 @@ struct options candidate_options(const struct candidate *c, const struct request
  * if that can be, lies on a face.  0 where there is none up to 64. */
 int candidate_unit(const struct problem *p);
 
+/* For a text: the values nearest to what the domain has, of which candidate_unit would be a unit. */
+void candidate_fitting(const struct problem *p, char *text, size_t size);
+
 /* The smallest multiple of the unit that is not below `least`. */
 int candidate_member(double least, int unit);
 
@@ -36,6 +39,10 @@ int candidate_run(const struct candidate *c, const struct request *r, int n, str
 
 /* What the steps of a run with n particles along x will count in candidate_work; 0 where it would be refused. */
 double candidate_steps_work(const struct candidate *c, const struct request *r, int n);
+
+/* What rounding leaves of E1 after the steps of that run: T is rounded at each application of the operator, by eps/4
+ * of itself in the mean and at random: eps/4 sqrt(applications).  0 where it would be refused. */
+double candidate_rounding(const struct candidate *c, const struct request *r, int n);
 
 /* What a run costs, counted so that it is the same on every machine.  The unit is a pair of particles, one
  * multiplication and one addition in a stream:

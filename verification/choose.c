@@ -127,6 +127,14 @@ static void collect(const struct request *r, struct choose *c) {
 static int prove(const struct request *r, struct choose *c, int unit) {
     struct choose_one *first = &c->one[0];
     if (!isfinite(first->predicted_work)) return 1;
+    double rounding = candidate_rounding(first->candidate, r, first->wanted);
+    if (rounding > c->error) {
+        char text[120];
+        snprintf(text, sizeof text, "rounding leaves %.2g with %d particles along x", rounding, first->wanted);
+        rule_out(first, text);
+        c->rounding = c->rounding > 0 ? fmin(c->rounding, rounding) : rounding;
+        return 0;
+    }
     struct result result;
     struct choose_one foretold = *first;
     int status = candidate_run(first->candidate, r, first->wanted, &result);
@@ -146,6 +154,9 @@ static int prove(const struct request *r, struct choose *c, int unit) {
 static int say_best(const struct choose *c, struct failure *why) {
     const struct choose_rung *best = NULL;
     const char *whose = "";
+    char rounding[80] = "";
+    if (c->rounding > 0)
+        snprintf(rounding, sizeof rounding, ": rounding alone leaves %.2g after steps enough", c->rounding);
     for (int i = 0; i < c->count; i++)
         for (int k = 0; k < c->one[i].rungs; k++) {
             const struct choose_rung *rung = &c->one[i].rung[k];
@@ -156,14 +167,19 @@ static int say_best(const struct choose *c, struct failure *why) {
     if (!best)
         return fail(why, STATUS_GATE, "an error of %g was not reached: no candidate runs on this scene", c->error);
     return fail(why, STATUS_GATE,
-                "an error of %g was not reached; the best was %.3g, by %s with %d particles along x", c->error,
-                best->error, whose, best->n);
+                "an error of %g was not reached%s; the best was %.3g, by %s with %d particles along x", c->error,
+                rounding, best->error, whose, best->n);
 }
 
 int choose_run(const struct request *r, double error, struct choose *c, struct failure *why) {
     *c = (struct choose){.error = error};
     int unit = candidate_unit(&r->problem);
-    if (!unit) return fail(why, STATUS_INPUT, "no square lattice of up to 64 cells along x fits this domain");
+    if (!unit) {
+        char fitting[120];
+        candidate_fitting(&r->problem, fitting, sizeof fitting);
+        return fail(why, STATUS_INPUT, "no lattice of up to 64 square cells along x fits this domain; one fits %s",
+                    fitting);
+    }
     collect(r, c);
 #pragma omp parallel for schedule(dynamic, 1)
     for (int i = 0; i < c->count; i++) calibrate(r, &c->one[i], error, unit);

@@ -27,8 +27,9 @@ struct choose {
     int count;
     struct choose_one one[CHOOSE_CANDIDATES]; /* cheapest first once it ends */
     int proofs;                               /* proving runs */
-    int reached;                              /* 1: the last of them has the error */
-    struct choose_one best;                   /* what that run was, as foretold before it */
+    double rounding; /* least that it leaves of a run foretold to reach the error, where that is more; 0: none */
+    int reached;     /* 1: the last of them has the error */
+    struct choose_one best; /* what that run was, as foretold before it */
     struct result proof;
 };
 

@@ -7,6 +7,7 @@
 #include "verification/unit/near.h"
 
 #include <gsl/gsl_errno.h>
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -65,12 +66,34 @@ static void setting_up_decides_where_runs_are_short(void **state) {
     free(c);
 }
 
+static void domains_without_a_lattice_are_told_of_one(void **state) {
+    (void)state;
+    struct failure why;
+    struct choose *c = xcalloc(1, sizeof *c);
+    const char *plate = "reference plate --at 0.01,0.01 --time 1 --set height=";
+    char line[120];
+    snprintf(line, sizeof line, "%s0.0707", plate);
+    assert_int_equal(choose(line, 1e-2, c, &why), STATUS_INPUT);
+    assert_non_null(strstr(why.text, "0.1 m by 0.0706896551724 m")); /* 41/58 */
+    snprintf(line, sizeof line, "%s0.0706896551724", plate);
+    assert_int_equal(choose(line, 1e-2, c, &why), STATUS_OK);
+    assert_int_equal(choose("reference wall-composite --at 0 --time 1 --set x_c=0.4123", 1e-2, c, &why),
+                     STATUS_INPUT);
+    assert_non_null(strstr(why.text, "x = 0.412698412698 m")); /* 26/63 */
+    free(c);
+}
+
 static void what_cannot_be_is_said(void **state) {
     (void)state;
     struct failure why;
     struct choose *c = xcalloc(1, sizeof *c);
     assert_int_equal(choose("reference square-step --at 0,0 --time 1", 1e-13, c, &why), STATUS_GATE);
     assert_non_null(strstr(why.text, "the best was"));
+    /* some 1e6 steps, each rounded by 1e-16 at random: said without a run */
+    assert_int_equal(choose("reference rod-step --at 0 --time 1", 1e-15, c, &why), STATUS_GATE);
+    assert_non_null(strstr(why.text, "rounding alone leaves"));
+    assert_int_equal(c->proofs, 0);
+    assert_true(c->rounding > 1e-14 && c->rounding < 1e-12);
     free(c);
 }
 
@@ -80,6 +103,7 @@ int main(void) {
         cmocka_unit_test(the_error_is_reached),
         cmocka_unit_test(the_choice_repeats),
         cmocka_unit_test(setting_up_decides_where_runs_are_short),
+        cmocka_unit_test(domains_without_a_lattice_are_told_of_one),
         cmocka_unit_test(what_cannot_be_is_said),
     };
     return cmocka_run_group_tests_name("choose", tests, NULL, NULL);
