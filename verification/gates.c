@@ -57,10 +57,12 @@ static struct gate reference_gate(const struct scene *s, char *text) {
         0,  1,          1e-12,       "two forms derived apart differ by no more than the sum of their bounds"};
 }
 
-static int none_matches(const char *only, struct failure *why) {
-    const char *nearest = NULL, *ids[256] = {0};
-    for (int i = 0; gates_table[i].id && i < 255; i++) ids[i] = gates_table[i].id;
-    if (only) nearest = words_nearest(ids, only);
+/* A pattern has no nearest name. */
+static int none_matches(const char *only, int rows, struct failure *why) {
+    const char **ids = xcalloc((size_t)rows + 1, sizeof *ids), *nearest = NULL;
+    for (int i = 0; i < rows; i++) ids[i] = gates_table[i].id;
+    if (only && !strpbrk(only, "*?[")) nearest = words_nearest(ids, only);
+    free(ids);
     return fail(why, STATUS_INPUT, "no gate matches '%.60s'%s%s%s (see: heatladder list gates)", only ? only : "*",
                 nearest ? "; did you mean '" : "", nearest ? nearest : "", nearest ? "'?" : "");
 }
@@ -76,7 +78,7 @@ int gates_collect(const char *only, int quick, struct gates *g, struct failure *
         struct gate gate = s < 0 ? gates_table[i] : reference_gate(scenes[s], g->text + 2 * TEXT * s);
         if (matches(&gate, only, quick)) g->result[g->declared++].gate = gate;
     }
-    return g->declared ? STATUS_OK : none_matches(only, why);
+    return g->declared ? STATUS_OK : none_matches(only, rows, why);
 }
 
 void gates_free(struct gates *g) {

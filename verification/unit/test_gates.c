@@ -121,6 +121,12 @@ static void globs_choose(void **state) {
     assert_int_equal(gates_collect("reference/rod-setp", 0, &g, &why), STATUS_INPUT);
     assert_non_null(strstr(why.text, "no gate matches 'reference/rod-setp'"));
     gates_free(&g);
+    assert_int_equal(gates_collect("time-error/rkl", 0, &g, &why), STATUS_INPUT); /* of the last table */
+    assert_non_null(strstr(why.text, "did you mean 'time-error/rk2'"));
+    gates_free(&g);
+    assert_int_equal(gates_collect("nosuch*", 0, &g, &why), STATUS_INPUT);
+    assert_non_null(strstr(why.text, "no gate matches 'nosuch*' (see: heatladder list gates)"));
+    gates_free(&g);
 }
 
 static void declared_must_be_executed(void **state) {
@@ -190,6 +196,8 @@ static void junit_tells_each_verdict(void **state) {
     close(mkstemp(path));
     assert_int_equal(gates_collect("reference/rod-*", 0, &g, &why), STATUS_OK);
     gates_run(&g);
+    g.result[0].seconds = 1.25, g.result[1].seconds = 0.5;
+    for (int i = 2; i < g.declared; i++) g.result[i].seconds = 0;
     g.result[1].measured.verdict = VERDICT_INCONCLUSIVE;
     snprintf(g.result[1].measured.reason, sizeof g.result[1].measured.reason, "3 rungs < 4 & more");
     /* cmocka keeps its counts in statics, so the writer runs in a process of its own, as it does in the program */
@@ -202,6 +210,9 @@ static void junit_tells_each_verdict(void **state) {
     fclose(in);
     unlink(path);
     assert_non_null(strstr(text, "<testcase name=\"reference/rod-step\""));
+    assert_non_null(strstr(text, "<testsuite name=\"gates\" time=\"1.750\""));
+    assert_non_null(strstr(text, " time=\"1.250\""));
+    assert_non_null(strstr(text, " time=\"0.500\""));
     assert_non_null(strstr(text, "failures=\"1\""));
     assert_non_null(strstr(text, "inconclusive: 3 rungs"));
     gates_free(&g);
