@@ -1,6 +1,7 @@
 /* rename() replaces a file in one step (POSIX), so a reader sees the old text or the new.  The bytes are all in
  * memory before the file is opened, and interrupts wait for the moment that the writing takes: no partial file is
- * left. */
+ * left.  Files that belong together are all written under their other names first, so that what is between the
+ * first and the last of them is a few renames. */
 #include "verification/atomic_file.h"
 
 #include "solver/method.h"
@@ -59,36 +60,80 @@ static int put(int file, const char *bytes, size_t size) {
     return 0;
 }
 
-/* 0, or -1 with errno set and nothing left behind. */
-static int replace(const char *path, const char *bytes, size_t size) {
+/* Writes the part beside `path`, to be renamed.  0, or -1 with errno set and nothing left behind. */
+static int prepare(const char *path, const char *bytes, size_t size) {
     char name[PATH_LENGTH];
     if (beside(path, name)) return -1;
     int file = open(name, O_WRONLY | O_CREAT | O_EXCL, 0666);
     if (file < 0) return -1;
     int bad = put(file, bytes, size);
     bad = close(file) || bad;
-    if (!bad && rename(name, path) == 0) return 0;
+    if (!bad) return 0;
     int error = errno;
     unlink(name);
     errno = error;
     return -1;
 }
 
-int atomic_file_write(const char *path, const char *bytes, size_t size, struct failure *why) {
-    if (is_special(path)) {
-        int special = open(path, O_WRONLY);
-        int bad = special < 0 || put(special, bytes, size);
-        return bad || close(special) ? refuse(path, why) : STATUS_OK;
+/* Renames the part, or removes it. */
+static int settle(const char *path, int keep) {
+    char name[PATH_LENGTH];
+    if (beside(path, name)) return -1;
+    if (keep && rename(name, path) == 0) return 0;
+    int error = errno;
+    unlink(name);
+    errno = error;
+    return -1;
+}
+
+static int write_special(const struct atomic_file *f, struct failure *why) {
+    int special = open(f->path, O_WRONLY);
+    int bad = special < 0 || put(special, f->bytes, f->size);
+    return bad || close(special) ? refuse(f->path, why) : STATUS_OK;
+}
+
+static char *real_path(const char *path) {
+    char *real = realpath(path, NULL); /* so that a link stays a link */
+    if (real) return real;
+    real = xcalloc(strlen(path) + 1, 1);
+    return strcpy(real, path);
+}
+
+static int write_all(const struct atomic_file *files, int count, char **real, struct failure *why) {
+    int status = STATUS_OK, prepared = 0;
+    for (; prepared < count; prepared++) {
+        const struct atomic_file *f = &files[prepared];
+        if (is_special(f->path)) continue;
+        real[prepared] = real_path(f->path);
+        if (prepare(real[prepared], f->bytes, f->size)) {
+            status = refuse(f->path, why);
+            break;
+        }
     }
+    for (int i = 0; i < prepared; i++) {
+        if (!real[i] && !status)
+            status = write_special(&files[i], why);
+        else if (real[i] && settle(real[i], !status) && !status)
+            status = refuse(files[i].path, why);
+    }
+    return status;
+}
+
+int atomic_file_write_all(const struct atomic_file *files, int count, struct failure *why) {
+    char **real = xcalloc((size_t)count, sizeof *real);
     sigset_t held, before;
     sigemptyset(&held);
     sigaddset(&held, SIGINT);
     sigaddset(&held, SIGTERM);
     sigaddset(&held, SIGHUP);
     sigprocmask(SIG_BLOCK, &held, &before);
-    char *whole = realpath(path, NULL); /* so that a link stays a link */
-    int status = replace(whole ? whole : path, bytes, size) ? refuse(path, why) : STATUS_OK;
-    free(whole);
+    int status = write_all(files, count, real, why);
     sigprocmask(SIG_SETMASK, &before, NULL);
+    for (int i = 0; i < count; i++) free(real[i]);
+    free(real);
     return status;
+}
+
+int atomic_file_write(const char *path, const char *bytes, size_t size, struct failure *why) {
+    return atomic_file_write_all(&(struct atomic_file){path, bytes, size}, 1, why);
 }

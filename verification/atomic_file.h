@@ -15,4 +15,12 @@ int atomic_file_check(const char *path, struct failure *why);
  * stays whole.  A path that is no regular file (/dev/null, a pipe) is written to as it is. */
 int atomic_file_write(const char *path, const char *bytes, size_t size, struct failure *why);
 
+struct atomic_file {
+    const char *path, *bytes;
+    size_t size;
+};
+
+/* The same for several that belong together: all are written in full before the first of them takes its place. */
+int atomic_file_write_all(const struct atomic_file *files, int count, struct failure *why);
+
 #endif

@@ -59,6 +59,11 @@ static void climb(const struct candidate *c, const struct request *r, int unit, 
     }
 }
 
+const char *bench_outcome(const struct bench_row *row) {
+    int status = row->result.failure.status;
+    return status == STATUS_OK ? NULL : status == STATUS_INPUT ? "not applicable" : "failed";
+}
+
 /* Whether no other row is at least as good in both and better in one. */
 static int on_front(const struct bench_scene *b, const struct bench_row *row, int by_work) {
     double error = row->result.error.l1, cost = by_work ? row->work : row->time.median;

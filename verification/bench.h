@@ -35,6 +35,10 @@ struct bench_scene {
     double same_ratio; /* of two medians of the same run: what differs by less is noise */
 };
 
+/* "failed" where a run went wrong, "not applicable" where the method refuses what it is asked for; NULL for neither.
+ */
+const char *bench_outcome(const struct bench_row *row);
+
 /* Fills *b; *r holds the scene, set up.  Runs one after the other on one thread. */
 void bench_run(const struct request *r, struct bench_scene *b);
 

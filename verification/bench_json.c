@@ -45,6 +45,7 @@ void bench_json_scene(const struct bench_scene *b, struct json *j) {
         json_object(j, NULL);
         json_text(j, "candidate", r->candidate->label);
         json_whole(j, "along_x", r->n);
+        json_text(j, "outcome", bench_outcome(r) ? bench_outcome(r) : "ran");
         result_json(&r->result, j);
         json_number(j, "seconds_median", r->time.median);
         json_number(j, "seconds_lowest", r->time.lowest);

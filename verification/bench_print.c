@@ -2,14 +2,12 @@
 #include "verification/bench_print.h"
 
 #include "references/scene.h"
-#include "verification/atomic_file.h"
 #include "verification/bench.h"
 #include "verification/bench_engine.h"
 #include "verification/bench_machine.h"
 #include "verification/table.h"
 
 #include <math.h>
-#include <stdlib.h>
 #include <string.h>
 
 void bench_print_machine(FILE *out) {
@@ -93,7 +91,7 @@ void bench_print_scene(const struct bench_scene *b, FILE *out) {
         const struct bench_row *r = &b->row[i];
         if (!r->result.failure.status) continue;
         while (i + 1 < b->count && same_failure(&b->row[i + 1], r)) i++;
-        fprintf(out, "failed: %s, %d", r->candidate->label, r->n);
+        fprintf(out, "%s: %s, %d", bench_outcome(r), r->candidate->label, r->n);
         if (b->row[i].n > r->n) fprintf(out, " to %d", b->row[i].n);
         fprintf(out, " along x: %s\n", r->result.failure.text);
     }
@@ -131,12 +129,8 @@ static void write_front(const struct bench_scene *b, int by_work, FILE *out) {
     }
 }
 
-int bench_print_data(const struct bench_scene *b, const char *dir, struct failure *why) {
-    char path[512], *text = NULL;
-    size_t size = 0;
+void bench_print_data(const struct bench_scene *b, FILE *out) {
     struct bench_machine m = bench_machine_here();
-    FILE *out = open_memstream(&text, &size);
-    if (!out) return fail(why, STATUS_NUMERICAL, "out of memory for '%.200s'", dir);
     fprintf(out, "# title: %s: error against cost\n# command: heatladder bench --scene %s\n# processor: %s\n",
             b->scene->name, b->scene->name, m.processor);
     fprintf(out, "# compiler: %s %s\n# seconds: median of %d; work: pairs\n", m.compiler, m.flags, BENCH_RUNS);
@@ -144,7 +138,8 @@ int bench_print_data(const struct bench_scene *b, const char *dir, struct failur
     for (int i = 0; i < b->count; i++) {
         const struct bench_row *r = &b->row[i];
         if (r->result.failure.status) {
-            fprintf(out, "# failed: %s, %d along x: %s\n", r->candidate->label, r->n, r->result.failure.text);
+            fprintf(out, "# %s: %s, %d along x: %s\n", bench_outcome(r), r->candidate->label, r->n,
+                    r->result.failure.text);
             continue;
         }
         if (r->candidate != last) write_header(r->candidate, last == NULL, out);
@@ -154,9 +149,4 @@ int bench_print_data(const struct bench_scene *b, const char *dir, struct failur
     write_front(b, 0, out);
     write_front(b, 1, out);
     fputc('\n', out);
-    fclose(out);
-    snprintf(path, sizeof path, "%.400s/bench_%s.csv", dir, b->scene->name);
-    int status = atomic_file_write(path, text, size, why);
-    free(text);
-    return status;
 }

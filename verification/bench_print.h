@@ -5,13 +5,13 @@
 
 struct bench_engine;
 struct bench_scene;
-struct failure;
 
 void bench_print_machine(FILE *out);
 void bench_print_engine(const struct bench_engine *e, FILE *out);
-void bench_print_scene(const struct bench_scene *b, FILE *out); /* the Pareto fronts, growth, what failed */
+void bench_print_scene(const struct bench_scene *b,
+                       FILE *out); /* the Pareto fronts, growth, what failed and what does not apply */
 
-/* dir/bench_SCENE.csv, the data of the charts: a block a candidate, then the two fronts. */
-int bench_print_data(const struct bench_scene *b, const char *dir, struct failure *why);
+/* The data of the charts as CSV: a block a candidate, then the two fronts. */
+void bench_print_data(const struct bench_scene *b, FILE *out);
 
 #endif

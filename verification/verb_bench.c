@@ -15,8 +15,39 @@
 #include <stdio.h>
 #include <stdlib.h>
 
-/* One scene at its defaults: measured, printed and, with a folder, written. */
-static int bench_one(const struct request *given, const struct scene *s, struct json *j, struct failure *why) {
+/* The files of one run, kept until all can be put in their places. */
+struct files {
+    int count;
+    char path[WORDS_MAX][512];
+    struct atomic_file file[WORDS_MAX];
+    char *text[WORDS_MAX]; /* owned */
+};
+
+static FILE *files_open(struct files *f, const char *dir, const char *prefix, const char *name) {
+    int i = f->count++;
+    snprintf(f->path[i], sizeof f->path[i], "%.400s/%s%.80s", dir ? dir : "", prefix, name);
+    f->file[i].path = f->path[i];
+    return open_memstream(&f->text[i], &f->file[i].size);
+}
+
+static int files_write(struct files *f, struct failure *why) {
+    for (int i = 0; i < f->count; i++) f->file[i].bytes = f->text[i];
+    return atomic_file_write_all(f->file, f->count, why);
+}
+
+static int keep_data(const struct bench_scene *b, struct files *files, const char *dir, struct failure *why) {
+    char name[80];
+    snprintf(name, sizeof name, "%s.csv", b->scene->name);
+    FILE *out = files_open(files, dir, "bench_", name);
+    if (!out) return fail(why, STATUS_NUMERICAL, "out of memory");
+    bench_print_data(b, out);
+    fclose(out);
+    return STATUS_OK;
+}
+
+/* One scene at its defaults: measured, printed and, with a folder, kept for it. */
+static int bench_one(const struct request *given, const struct scene *s, struct json *j, struct files *files,
+                     struct failure *why) {
     struct request r = *given;
     struct bench_scene *b = xcalloc(1, sizeof *b);
     r.scene = s;
@@ -32,7 +63,7 @@ static int bench_one(const struct request *given, const struct scene *s, struct 
         bench_print_scene(b, stdout);
         fflush(stdout);
     }
-    if (!status && given->topic) status = bench_print_data(b, given->topic, why);
+    if (!status && given->topic) status = keep_data(b, files, given->topic, why);
     free(b);
     return status;
 }
@@ -48,7 +79,7 @@ static void measure_engine(const struct request *r, struct json *j) {
     fflush(stdout);
 }
 
-static int bench_scenes(const struct request *r, FILE *out, struct failure *why) {
+static int bench_scenes(const struct request *r, FILE *out, struct files *files, struct failure *why) {
     struct json j = json_on(out);
     const struct scene *only = r->only ? scene_find(r->only) : NULL;
     const char *names[WORDS_MAX] = {0};
@@ -61,7 +92,7 @@ static int bench_scenes(const struct request *r, FILE *out, struct failure *why)
     struct progress progress = progress_start("scenes", only ? 1 : total);
     for (int i = 0; scenes[i] && !status; i++) {
         if (only && scenes[i] != only) continue;
-        status = bench_one(r, scenes[i], &j, why);
+        status = bench_one(r, scenes[i], &j, files, why);
         progress_tick(&progress);
     }
     progress_end(&progress);
@@ -72,17 +103,16 @@ static int bench_scenes(const struct request *r, FILE *out, struct failure *why)
 
 int verb_bench(const struct request *r) {
     struct failure why = {0};
-    char path[512], *text = NULL;
-    size_t size = 0;
-    snprintf(path, sizeof path, "%.480s/bench.json", r->topic ? r->topic : "");
-    FILE *out = open_memstream(&text, &size);
-    int status =
-        out ? atomic_file_check(r->topic ? path : NULL, &why) : fail(&why, STATUS_NUMERICAL, "out of memory");
-    if (!status) status = bench_scenes(r, out, &why);
+    struct files *files = xcalloc(1, sizeof *files);
+    FILE *out = files_open(files, r->topic, "", "bench.json");
+    int status = out ? atomic_file_check(r->topic ? files->path[0] : NULL, &why)
+                     : fail(&why, STATUS_NUMERICAL, "out of memory");
+    if (!status) status = bench_scenes(r, out, files, &why);
     if (out) fclose(out);
-    if (!status && r->json) fputs(text, stdout);
-    if (!status && r->topic) status = atomic_file_write(path, text, size, &why);
+    if (!status && r->json) fputs(files->text[0], stdout);
+    if (!status && r->topic) status = files_write(files, &why);
     if (status) fprintf(stderr, "heatladder: %s\n", why.text);
-    free(text);
+    for (int i = 0; i < files->count; i++) free(files->text[i]);
+    free(files);
     return status;
 }

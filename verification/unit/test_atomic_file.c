@@ -83,6 +83,24 @@ static void what_cannot_be_written_is_refused(void **state) {
     assert_int_equal(entries(p->directory), 0);
 }
 
+static void of_several_all_or_none(void **state) {
+    const struct place *p = *state;
+    struct failure why;
+    char other[96], text[32];
+    snprintf(other, sizeof other, "%s/other.csv", p->directory);
+    const struct atomic_file both[] = {{p->path, "one", 3}, {other, "two", 3}, {"/dev/null", "x", 1}};
+    assert_int_equal(atomic_file_write_all(both, 3, &why), STATUS_OK);
+    read_back(other, text, sizeof text);
+    unlink(other);
+    assert_string_equal(text, "two");
+    const struct atomic_file bad[] = {{p->path, "new", 3}, {"/nonexistent/out.csv", "x", 1}, {other, "y", 1}};
+    assert_int_equal(atomic_file_write_all(bad, 3, &why), STATUS_INPUT);
+    assert_string_equal(why.text, "cannot write '/nonexistent/out.csv': No such file or directory");
+    read_back(p->path, text, sizeof text);
+    assert_string_equal(text, "one");
+    assert_int_equal(entries(p->directory), 1); /* no part is left behind */
+}
+
 static void a_link_stays_a_link(void **state) {
     const struct place *p = *state;
     struct failure why;
@@ -114,6 +132,7 @@ int main(void) {
         cmocka_unit_test_setup_teardown(writes_and_replaces, set_up, tear_down),
         cmocka_unit_test_setup_teardown(a_check_leaves_what_is_there, set_up, tear_down),
         cmocka_unit_test_setup_teardown(what_cannot_be_written_is_refused, set_up, tear_down),
+        cmocka_unit_test_setup_teardown(of_several_all_or_none, set_up, tear_down),
         cmocka_unit_test_setup_teardown(a_link_stays_a_link, set_up, tear_down),
         cmocka_unit_test(a_device_stays_a_device),
     };

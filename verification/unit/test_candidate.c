@@ -108,6 +108,13 @@ static void a_median_is_no_mean(void **state) {
     assert_near(t.highest, 100, 0);
 }
 
+static void a_refusal_is_no_failure(void **state) {
+    (void)state;
+    assert_null(bench_outcome(&(struct bench_row){0}));
+    assert_string_equal(bench_outcome(&(struct bench_row){.result.failure.status = STATUS_INPUT}), "not applicable");
+    assert_string_equal(bench_outcome(&(struct bench_row){.result.failure.status = STATUS_NUMERICAL}), "failed");
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(lattices_meet_the_jumps),
@@ -116,6 +123,7 @@ int main(void) {
         cmocka_unit_test(setting_up_is_counted_by_what_is_done),
         cmocka_unit_test(searches_and_rows_cost_more_than_a_stencil),
         cmocka_unit_test(a_median_is_no_mean),
+        cmocka_unit_test(a_refusal_is_no_failure),
     };
     return cmocka_run_group_tests_name("candidate", tests, NULL, NULL);
 }
