@@ -35,6 +35,6 @@ unset grid
 set label 99 caption at screen 0.012, screen 0.045 left noenhanced font size_of(8.5) textcolor rgb '#555555'
 set key on at graph 0.9, 0.75 samplen 3 spacing 1.6
 set label 1 "numbers: temperature, °C" at graph 0.07, 0.36 font size_of(11)
-plot NaN with lines lw 1.6 lc rgb BLUE title 'SO-SSPH, dx = 0.1 m', \
+plot NaN with lines lw 1.6 lc rgb BLUE title sprintf('SO-SSPH, dx = %s m', option('dx')), \
      NaN with lines lw 0.9 dt (4, 4) lc rgb BLACK title 'exact'
 unset multiplot

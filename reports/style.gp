@@ -29,6 +29,8 @@ set datafile separator comma
 heading = system(sprintf("sed -n 's/^# title: //p' '%s'", data))
 commands = int(system(sprintf("grep -c '^# command: ' '%s'", data)))
 caption = system(sprintf("sed -n 's/^# command: //p' '%s' | head -n %d", data, commands > 2 ? 1 : 2))
+# The value of an option in the first of its commands.
+option(name) = system(sprintf("sed -n '/^# command: /{s/.* --%s \\([^ ]*\\).*/\\1/p;q;}' '%s'", name, data))
 if (commands > 2) caption = caption . sprintf("\nand %d more, in the head of %s.csv", commands - 1, name)
 set title heading noenhanced font size_of(13)
 set label 99 caption at screen 0.012, screen 0.05 left noenhanced font size_of(8.5) textcolor rgb '#555555'
