@@ -104,6 +104,9 @@ int particles_march(const struct problem *p, const struct options *o, const stru
     m->steps = (long long)fmax(1, steps);
     if (m->stepper == STEPPER_RK2) m->stages = 2;
     if (m->stepper == STEPPER_RKL2) m->stages = stepper_stages(m->time / (double)m->steps, bound);
+    if (m->stages > STEPPER_STAGES_MAX)
+        return fail(why, STATUS_INPUT, "--dt %g: a step would take rkl2 more than %d stages; take more steps", dt,
+                    STEPPER_STAGES_MAX);
     return STATUS_OK;
 }
 

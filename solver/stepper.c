@@ -13,11 +13,16 @@
 #include <stdio.h>
 #include <stdlib.h>
 
-enum { TOGETHER = 32 }; /* updates that the operator is handed at once; steps from look to look */
+enum {
+    TOGETHER = 32, /* updates that the operator is handed at once; steps from look to look */
+    SHARED = 10000 /* doubles in a state from which threads pay */
+};
 
 int stepper_stages(double dt, double bound) {
-    int s = (int)ceil((sqrt(9 + 8 * dt * bound) - 1) / 2 - 1e-9);
-    return s < 3 ? 3 : s | 1; /* odd: even counts damp the highest modes less */
+    double s = ceil((sqrt(9 + 8 * dt * bound) - 1) / 2 - 1e-9);
+    return s < 3                    ? 3
+           : s > STEPPER_STAGES_MAX ? STEPPER_STAGES_MAX + 1
+                                    : (int)s | 1; /* odd: even counts damp the highest modes less */
 }
 
 /* Whether the run has left its bounds. */
@@ -48,6 +53,7 @@ static double b_of(int j) { /* b_j of RKL2, with b_0 = b_1 = b_2 */
 static void rkl2_step(const struct heat_operator *a, int s, double dt, double *Y[4]) {
     double *Y0 = Y[0], *L0 = Y[1], *turn[2] = {Y[2], Y[3]}, w1 = 4.0 / ((double)s * s + s - 2);
     state_update(a, &(struct update){.rate = 1}, 1, (double *[2]){Y0, L0});
+#pragma omp parallel for num_threads(a->threads) if (a->threads > 1 && a->state > SHARED)
     for (size_t i = 0; i < a->state; i++) {
         turn[0][i] = Y0[i] + b_of(1) * w1 * dt * L0[i]; /* Y_1 */
         turn[1][i] = Y0[i];

@@ -15,7 +15,10 @@ struct march {
     double lo, hi;       /* K, what a stable run stays near: see stepper_march */
 };
 
-/* Stages that RKL2 needs for steps of dt (s), odd, from the bound (s^-1) on the spectrum. */
+enum { STEPPER_STAGES_MAX = 1000000 }; /* s^2 eps, what rounding grows to in a step, stays small */
+
+/* Stages that RKL2 needs for steps of dt (s), odd, from the bound (s^-1) on the spectrum; or more than
+ * STEPPER_STAGES_MAX. */
 int stepper_stages(double dt, double bound);
 
 /* How many states a march holds. */

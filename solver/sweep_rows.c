@@ -30,17 +30,20 @@ static void update_rows(const struct heat_operator *a, const struct update *u, c
     }
 }
 
-static void share_rows(const struct heat_operator *a, const struct update *u, const double *x, double *y) {
-    size_t threads = (size_t)a->threads;
-#pragma omp parallel for num_threads(a->threads)
+enum { SHARE = 5000 }; /* rows that are worth a thread */
+
+static void share_rows(const struct heat_operator *a, const struct update *u, size_t threads, const double *x,
+                       double *y) {
+#pragma omp parallel for num_threads(threads)
     for (size_t t = 0; t < threads; t++) update_rows(a, u, x, y, a->n * t / threads, a->n * (t + 1) / threads);
 }
 
 void sweep_rows(const struct heat_operator *a, const struct update *u, int count, double *const Y[2]) {
-    int shared = a->threads > 1 && a->n > 10000;
+    size_t most = a->n / SHARE, threads = a->threads < 1 ? 1 : (size_t)a->threads;
+    if (threads > most) threads = most;
     for (int k = 0; k < count; k++) {
-        if (shared)
-            share_rows(a, &u[k], Y[k % 2], Y[1 - k % 2]);
+        if (threads > 1)
+            share_rows(a, &u[k], threads, Y[k % 2], Y[1 - k % 2]);
         else
             update_rows(a, &u[k], Y[k % 2], Y[1 - k % 2], 0, a->n);
     }

@@ -36,7 +36,7 @@ int words_index(const char *const *words, const char *word) {
 
 const char *words_nearest(const char *const *words, const char *word) {
     const char *nearest = NULL;
-    int edits = LENGTH_MAX + 1;
+    int edits = ((int)strlen(word) + 1) / 2 + 1; /* what has no half in common is not near */
     for (int i = 0; words[i]; i++) {
         int d = distance(words[i], word);
         if (d >= edits) continue;
@@ -65,9 +65,10 @@ int words_among(const char *blank_separated, const char *word) {
 }
 
 int words_unknown(const char *const *words, const char *what, const char *word, struct failure *why) {
-    char valid[320];
+    char valid[320], hint[100] = "";
     const char *nearest = words_nearest(words, word);
     words_join(words, valid, sizeof valid);
-    if (!nearest) return fail(why, STATUS_INPUT, "unknown %s '%.60s'; there is none", what, word);
-    return fail(why, STATUS_INPUT, "unknown %s '%.60s'; did you mean '%s'? (valid: %s)", what, word, nearest, valid);
+    if (!words[0]) return fail(why, STATUS_INPUT, "unknown %s '%.60s'; there is none", what, word);
+    if (nearest) snprintf(hint, sizeof hint, "; did you mean '%.60s'?", nearest);
+    return fail(why, STATUS_INPUT, "unknown %s '%.60s'%s (valid: %s)", what, word, hint, valid);
 }

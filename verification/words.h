@@ -12,7 +12,7 @@ enum { WORDS_MAX = 64 }; /* the longest list that a caller may build on its stac
 /* The place of `word` in the list, or -1. */
 int words_index(const char *const *words, const char *word);
 
-/* The word of the list that takes the fewest edits to reach; NULL for an empty list. */
+/* The word of the list that takes the fewest edits to reach; NULL where none is within half of the word's letters. */
 const char *words_nearest(const char *const *words, const char *word);
 
 /* Writes "a, b, c", cut to size. */
