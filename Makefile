@@ -42,6 +42,12 @@ $(BUILD)/%.o: %.c $(BUILD)/scenes.inc
 	@echo "  CC    $<"
 	$(Q)$(CC) $(ALL_CFLAGS) $(DEFINES) -MMD -MP -c -o $@ $<
 
+# One file for each width of vector; the program asks the processor which of them it may call.
+ifeq ($(shell uname -m),x86_64)
+$(BUILD)/solver/sweep_lanes4.o: DEFINES += -mavx2
+$(BUILD)/solver/sweep_lanes8.o: DEFINES += -mavx512f
+endif
+
 $(BUILD)/unit/%: verification/unit/%.c $(LIBRARY)
 	@mkdir -p $(@D)
 	@echo "  TEST  $@"

@@ -1,9 +1,6 @@
 /* sweep_band_8: vectors of 8 doubles, for AVX-512. */
 #include "solver/sweep.h"
 
-#if defined(__x86_64__)
-#pragma GCC target("avx512f")
-#endif
 #define LANES 8
 #define SWEEP_BAND sweep_band_8
 #include "solver/sweep_lanes.inc"

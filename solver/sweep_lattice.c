@@ -16,7 +16,7 @@ typedef void (*band_update)(const struct heat_operator *a, int support, const st
                             double *y, ptrdiff_t row, ptrdiff_t end);
 
 static band_update widest(void) {
-#if defined(__x86_64__) && !defined(__clang__) /* a pragma of GCC's asks for the instructions */
+#if defined(__x86_64__)
     if (__builtin_cpu_supports("avx512f")) return sweep_band_8;
     if (__builtin_cpu_supports("avx2")) return sweep_band_4;
 #endif

@@ -26,7 +26,7 @@ enum plan_phase plan_peak(const struct plan *plan) {
 static void hold(struct plan *plan, const char *what, size_t bytes, enum plan_phase from, enum plan_phase to) {
     if (bytes == 0) return;
     plan->array[plan->count++] = (struct plan_array){what, bytes, from, to};
-    for (int i = from; i <= (int)to; i++) plan->bytes[i] += bytes;
+    for (int i = (int)from; i <= (int)to; i++) plan->bytes[i] += bytes;
 }
 
 /* ---- Particles ---- */
