@@ -11,13 +11,17 @@
 
 #include <math.h>
 
+static void plan_of(const char *line, struct request *r, struct plan *plan) {
+    struct failure why;
+    if (arguments_parse_line(line, r, &why)) fail_msg("%s: %s", line, why.text);
+    if (plan_make(r, &r->options, plan, &why)) fail_msg("%s: %s", line, why.text);
+}
+
 static void as_planned(const char *line) {
     struct request r;
-    struct failure why;
     struct plan plan;
     struct result result;
-    if (arguments_parse_line(line, &r, &why)) fail_msg("%s: %s", line, why.text);
-    if (plan_make(&r, &r.options, &plan, &why)) fail_msg("%s: %s", line, why.text);
+    plan_of(line, &r, &plan);
     if (run_request(&r, &r.options, &result, NULL)) fail_msg("%s: %s", line, result.failure.text);
     size_t bytes = plan.bytes[PLAN_STEPS];
     if (plan.particles != result.particles || plan.steps != result.steps || bytes != result.bytes ||
@@ -57,11 +61,9 @@ enum { SLACK = 40000 };
  * rod the plan knows but the size. */
 static void as_allocated(const char *line, int exactly) {
     struct request r;
-    struct failure why;
     struct plan plan;
     struct result result;
-    if (arguments_parse_line(line, &r, &why)) fail_msg("%s: %s", line, why.text);
-    if (plan_make(&r, &r.options, &plan, &why)) fail_msg("%s: %s", line, why.text);
+    plan_of(line, &r, &plan);
     size_t begin = 0, planned = plan.bytes[plan_peak(&plan)];
     for (int k = 0; k < 2; k++) { /* the second time FFTW and the C library have what they keep for good */
         begin = heap_most = heap_now;
@@ -117,11 +119,9 @@ static void averages_are_planned(void **state) {
  * Where the particles are jittered, the error of space scatters, and so does N. */
 static void as_foretold(const char *line, int runs, double within) {
     struct request r;
-    struct failure why;
     struct plan plan;
     struct result result;
-    if (arguments_parse_line(line, &r, &why)) fail_msg("%s: %s", line, why.text);
-    if (plan_make(&r, &r.options, &plan, &why)) fail_msg("%s: %s", line, why.text);
+    plan_of(line, &r, &plan);
     if (run_request(&r, &r.options, &result, NULL)) fail_msg("%s: %s", line, result.failure.text);
     double off = log((double)plan.steps / (double)result.steps);
     if (!plan.refined || plan.forecast.runs != runs || !(fabs(off) <= log(within)))
