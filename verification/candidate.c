@@ -155,6 +155,6 @@ double candidate_rounding(const struct candidate *c, const struct request *r, in
 }
 
 double candidate_work(const struct result *r) {
-    double steps = r->steps == 0 ? 0 : (double)r->interactions + 2 * (double)r->updates;
+    double steps = r->steps == 0 ? 0 : (double)r->interactions + 2 * (double)r->updates + r->ghosts;
     return steps + r->setup;
 }

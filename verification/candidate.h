@@ -47,7 +47,7 @@ double candidate_rounding(const struct candidate *c, const struct request *r, in
 /* What a run costs, counted so that it is the same on every machine.  The unit is a pair of particles, one
  * multiplication and one addition in a stream:
  *
- *     steps        pairs + 2 updates      (a load and a store of each particle beside its pairs)
+ *     steps        pairs + 2 updates      (a load and a store of each particle beside its pairs), and ghosts
  *     the rest     setup_work.h           (set-up, sampling, assembly; the transforms of --stepper exact)
  */
 double candidate_work(const struct result *r);

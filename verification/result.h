@@ -31,7 +31,7 @@ struct result {
     double rounding;        /* what rounding can make up of error.l1 */
     double seconds, step_seconds;
     long long updates, interactions;
-    double setup; /* what is done once, in pairs (setup_work.h) */
+    double setup, ghosts; /* what is done once, and for ghosts in all steps, in pairs (setup_work.h) */
     size_t bytes;
 };
 

@@ -48,6 +48,7 @@ static void measure(const struct request *r, const struct field *f, const double
     out->interactions = f->interactions;
     out->bytes = f->bytes;
     out->setup = setup_work(p, out);
+    out->ghosts = setup_work_of_ghosts(p, out);
 }
 
 static int solve(const struct request *r, const struct options *o, struct result *out, struct field *f) {

@@ -18,6 +18,8 @@
  *                   for each particle, and for its plans FFTW looks at SOLVERS, TRIED each, at log2 n levels
  *     modes         exp(lambda t), and expm1 where walls or a source add; along an axis reach + 1 cosines
  *
+ * In the steps each ghost is REFRESHED alone, by a load and a store, where particles go by the vector.
+ *
  * No clock has a part in it.  Allocation and traffic through memory are left out. */
 #include "verification/setup_work.h"
 
@@ -30,7 +32,16 @@
 #include <math.h>
 #include <stdlib.h>
 
-enum { LANES = 8, FUNCTION = 20, PLACE = 20, POINT = 16 + FUNCTION, GHOST = 2 * POINT, SOLVERS = 200, TRIED = 8 };
+enum {
+    LANES = 8,
+    FUNCTION = 20,
+    PLACE = 20,
+    POINT = 16 + FUNCTION,
+    GHOST = 2 * POINT,
+    REFRESHED = 2,
+    SOLVERS = 200,
+    TRIED = 8
+};
 
 /* What is computed of a run: the part that symmetry leaves. */
 struct extent {
@@ -117,14 +128,18 @@ static int has_constants(const struct extent *e) {
     return any;
 }
 
+static double reach_of(const struct result *r) {
+    return (ceil(2 * r->options.h) - 1) * r->method->scheme->sweeps;
+}
+
 static double stencil(const struct extent *e, const struct result *r) {
     int dim = e->part.dim;
-    double h = r->options.h, reach = (ceil(2 * h) - 1) * r->method->scheme->sweeps, framed = 1, feet = 0;
-    double searched = r->options.h_iso ? 2 * ceil(16 * fabs(h - 1.2)) + 7 : 0;
+    double reach = reach_of(r), framed = 1, feet = 0;
+    double searched = r->options.h_iso ? 2 * ceil(16 * fabs(r->options.h - 1.2)) + 7 : 0;
     for (int a = 0; a < dim; a++) framed *= e->along[a] + 2 * reach;
     for (int a = 0; a < dim; a++) feet += 2 * (dim == 1 ? 1 : e->along[1 - a] + 2 * reach);
     return feet * FUNCTION + has_constants(e) * (framed - e->n) * GHOST +
-           weighing(r, dim, surrounding(dim, h)) * (1 + searched);
+           weighing(r, dim, surrounding(dim, r->options.h)) * (1 + searched);
 }
 
 /* `times` transforms along an axis. */
@@ -141,11 +156,23 @@ static double modes(const struct extent *e, const struct result *r) {
     return sum + e->n * (1 + walls) * FUNCTION;
 }
 
+static int has_rows(const struct problem *p, const struct result *r) {
+    return r->method->scheme && (r->options.layout == LAYOUT_JITTER || p->materials == 2);
+}
+
+double setup_work_of_ghosts(const struct problem *p, const struct result *r) {
+    struct extent e = extent_of(p, r);
+    double layers = r->method->scheme ? reach_of(r) : 2, ghosts = 0;
+    if (has_rows(p, r)) return 0;
+    for (int a = 0; a < p->dim; a++) ghosts += 2 * layers * (p->dim == 1 ? 1 : e.along[1 - a]);
+    return LANES * REFRESHED * ghosts * (double)r->steps * r->stages;
+}
+
 double setup_work(const struct problem *p, const struct result *r) {
     struct extent e = extent_of(p, r);
     double scalar = PLACE * (double)r->particles, samples = nodes_along(&e, 0, r) * nodes_along(&e, 1, r);
     scalar += POINT * samples;
-    if (r->method->scheme && (r->options.layout == LAYOUT_JITTER || p->materials == 2))
+    if (has_rows(p, r))
         scalar += rows(&e, r, (double)r->interactions / (double)r->updates);
     else if (r->method->scheme)
         scalar += stencil(&e, r);

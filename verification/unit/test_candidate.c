@@ -86,6 +86,20 @@ static void setting_up_is_counted_by_what_is_done(void **state) {
     assert_near(fine.setup - fine_point.setup, 8 * ((2 * 256 * 1.25 + 2 * 200 * 8) * 8 + 20 * (256 + 3 * 256)), 1e-6);
 }
 
+/* A load and a store, in the time of 8 pairs each, for each ghost at every application. */
+static void ghosts_are_counted_at_every_step(void **state) {
+    (void)state;
+    struct result rod = run("run rod-step ftcs --dx 4/32 --dt 0.5"),
+                  plane = run("run plate ftcs --dx 0.005 --dt 0.3");
+    assert_near(rod.ghosts, 16 * 2 * 2 * 10, 0);
+    assert_near(plane.ghosts, 16 * 2 * (2 * 20 + 2 * 20) * 97, 0);
+    struct result wide = run("run square-step fo_ssph --dx 0.1 --stepper rk2 --dt 1"); /* a quarter, 20 x 20 */
+    assert_near(wide.ghosts, 16 * 4 * (2 * 20 + 2 * 20) * 5 * 2, 0);
+    struct result rows = run("run rod-contact brookshaw --dx 0.02 --stepper rk2 --dt 0.01");
+    assert_near(rows.ghosts, 0, 0);
+    assert_near(candidate_work(&rod), (double)(rod.interactions + 2 * rod.updates) + rod.ghosts + rod.setup, 0);
+}
+
 static void searches_and_rows_cost_more_than_a_stencil(void **state) {
     (void)state;
     double once = run("run square-step so_ssph --dx 0.1 --fourier 0.1 --stepper euler").setup;
@@ -121,6 +135,7 @@ int main(void) {
         cmocka_unit_test(every_candidate_names_a_method_and_differs),
         cmocka_unit_test(work_is_counted),
         cmocka_unit_test(setting_up_is_counted_by_what_is_done),
+        cmocka_unit_test(ghosts_are_counted_at_every_step),
         cmocka_unit_test(searches_and_rows_cost_more_than_a_stencil),
         cmocka_unit_test(a_median_is_no_mean),
         cmocka_unit_test(a_refusal_is_no_failure),
