@@ -5,6 +5,7 @@
 #include "verification/json.h"
 #include "verification/plan.h"
 #include "verification/request.h"
+#include "verification/stepping.h"
 #include "verification/words.h"
 
 #include <math.h>
@@ -19,7 +20,8 @@ static const char *storage(const struct request *r, const struct plan *plan) {
 
 static void describe_steps(const struct request *r, const struct plan *plan, char *text, size_t size) {
     const struct forecast *f = &plan->forecast;
-    char until[80] = "refined until the time error is 1 %";
+    char until[80];
+    snprintf(until, sizeof until, "refined until the time error is 1 %%, within %g updates", STEPPING_UPDATES_MAX);
     if (r->time_error > 0) snprintf(until, sizeof until, "the longest whose time error is %g", r->time_error);
     if (plan->options.stepper == STEPPER_EXACT)
         snprintf(text, size, "exp(tA) in one pair of transforms: one stencil and walls that mirror");

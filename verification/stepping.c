@@ -25,8 +25,7 @@
 static const double SHARE = 0.01, MARGIN = 0.8; /* aims at 0.8 % so that a slightly wrong forecast still holds */
 static const double FOURIER =
     0.2; /* of the first run, over the dimension: stable for every method but rkl2, which is so at any */
-static const double FLOOR = 1e-12;      /* of E1: what rounding leaves; no time error below it is looked for */
-static const double UPDATES_MAX = 2e10; /* a minute or so; past it the 1 % rule lets a time error stand */
+static const double FLOOR = 1e-12; /* of E1: what rounding leaves; no time error below it is looked for */
 enum { HALVINGS = 8, ROUNDS = 5 };
 
 struct trial {
@@ -76,7 +75,7 @@ struct estimate {
 };
 
 static int within_reach(double steps, double particles, int order) {
-    return steps * particles * order <= UPDATES_MAX;
+    return steps * particles * order <= STEPPING_UPDATES_MAX;
 }
 
 /* How many steps follow `steps`, which led to the estimate: as many where that will do. */
@@ -171,7 +170,7 @@ static int reach(const struct request *r, const struct options *o, int order, co
         if (!within_reach(2 * fine->steps, (double)fine->field.n, order))
             return fail(why, STATUS_GATE,
                         "--time-error %g: %g after %.0f steps, and twice as many are past %g updates", asked, time,
-                        fine->steps, UPDATES_MAX);
+                        fine->steps, STEPPING_UPDATES_MAX);
         int status = replace(r, o, 2 * fine->steps, coarse, fine, why);
         if (status) return status;
         time = compare(r, coarse, fine, exact, order).time;
