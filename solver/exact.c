@@ -56,15 +56,17 @@ size_t exact_bytes(const struct heat_operator *a) {
     return transform_bytes(l) + tables + (a->constant ? a->n * sizeof *a->g : 0);
 }
 
-int exact_evolve(const struct heat_operator *a, double t, double *T, size_t *bytes, struct failure *why) {
-    const struct lattice *l = &a->lattice;
-    if (!a->weight)
-        return fail(why, STATUS_INPUT, "--stepper exact: needs --layout lattice or node and one material");
+int exact_check(const struct lattice *l, struct failure *why) {
     for (int s = 0; s < 2 * l->dim; s++)
         if (l->sign[s] == 0) return fail(why, STATUS_INPUT, "--stepper exact: needs --walls mirror");
     if ((l->shift[X_LO] > 0 && l->shift[X_HI] > 0 && l->n[0] < 2) ||
         (l->dim == 2 && l->shift[Y_LO] > 0 && l->shift[Y_HI] > 0 && l->n[1] < 2))
         return fail(why, STATUS_INPUT, "--stepper exact: needs two particles along an insulated axis");
+    return STATUS_OK;
+}
+
+void exact_evolve(const struct heat_operator *a, double t, double *T, size_t *bytes) {
+    const struct lattice *l = &a->lattice;
     struct transform *modes = transform_create(l, T);
     double *g = NULL;
     if (a->g) {
@@ -78,5 +80,4 @@ int exact_evolve(const struct heat_operator *a, double t, double *T, size_t *byt
     *bytes += exact_bytes(a);
     transform_free(modes);
     free(g);
-    return STATUS_OK;
 }

@@ -126,6 +126,9 @@ static int plan_steps(struct ftcs_grid *g, const struct problem *p, const struct
         count = span > 0 ? fmax(1, ceil(span / dt - 1e-9)) : 0;
     }
     if (!(count <= 1e12)) return fail(why, STATUS_INPUT, "%s: %g time steps, at most 1e12", g->method, count);
+    if (count * 8 * g->n[0] * g->n[1] > 9e18)
+        return fail(why, STATUS_INPUT, "%s: %g time steps of %g points, more than can be counted", g->method, count,
+                    1.0 * g->n[0] * g->n[1]);
     g->steps = (long long)count;
     g->dt = count > 0 ? span / count : 0;
     return STATUS_OK;

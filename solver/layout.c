@@ -13,6 +13,8 @@
 #include <math.h>
 #include <stdlib.h>
 
+static const double PARTICLES_MAX = 4e9; /* rows have columns of 32 bits */
+
 /* The nearest spacings, on either side, that divide every extent, dy = ratio dx; NaN where there is none. */
 static void nearest_spacings(const struct problem *p, double dx, double ratio, double out[2]) {
     double extent = p->hi[0] - p->lo[0], other = p->dim == 2 ? (p->hi[1] - p->lo[1]) / ratio : extent;
@@ -54,6 +56,7 @@ int layout_lattice(const struct problem *p, const struct options *o, double rati
     if (!(o->dx > 0) || !isfinite(o->dx))
         return fail(why, STATUS_INPUT, "--dx %g: must be a length > 0, in m", o->dx);
     int node = o->layout == LAYOUT_NODE;
+    double particles = 1;
     for (int a = 0; a < p->dim; a++) {
         double cells, spacing = a ? o->dx * ratio : o->dx;
         if (!count_cells(p, a, spacing, &cells)) return refuse_spacing(p, o, ratio, why);
@@ -62,6 +65,7 @@ int layout_lattice(const struct problem *p, const struct options *o, double rati
         l->n[a] = (int)cells;
         if (node) l->n[a] += 1 - (kind[0] == DIRICHLET) - (kind[1] == DIRICHLET);
         if (l->n[a] < 1) return refuse_spacing(p, o, ratio, why);
+        particles *= l->n[a];
         l->first[a] = p->lo[a] + (node ? (kind[0] == DIRICHLET) * l->dx[a] : l->dx[a] / 2);
         for (int s = 2 * a; s < 2 * a + 2; s++) {
             int dirichlet = p->side[s] == DIRICHLET;
@@ -69,6 +73,8 @@ int layout_lattice(const struct problem *p, const struct options *o, double rati
             l->sign[s] = !dirichlet ? 1 : o->walls == WALLS_FIXED ? 0 : -1;
         }
     }
+    if (particles > PARTICLES_MAX)
+        return fail(why, STATUS_INPUT, "--dx %g: %.3g particles, at most %g", o->dx, particles, PARTICLES_MAX);
     return STATUS_OK;
 }
 

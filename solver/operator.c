@@ -39,6 +39,8 @@ static void add_convolution(struct square *to, const struct square *a, double fa
 /* Weights of the scheme on the lattice around the origin, one square for each of its outputs. */
 static int lattice_weights(const struct problem *p, const struct options *o, const struct scheme *s, double dx,
                            const double kappa[2], struct square out[2], struct failure *why) {
+    if (o->h > NEIGHBOURS_MAX)
+        return fail(why, STATUS_INPUT, "--h %g: more than %d neighbours", o->h, NEIGHBOURS_MAX);
     int r = (int)ceil(KERNEL_SUPPORT * o->h * (1 - 1e-12)) - 1, ry = p->dim == 2 ? r : 0;
     size_t most = (size_t)(2 * r + 1) * (size_t)(2 * ry + 1);
     double d[NEIGHBOURS_MAX][2], weight[2][NEIGHBOURS_MAX], *w[2] = {weight[0], weight[1]};

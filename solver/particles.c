@@ -29,6 +29,19 @@ int particles_settle(const struct problem *p, const struct options *o, const str
     return STATUS_OK;
 }
 
+int particles_outline(const struct problem *p, const struct options *o, const struct scheme *s,
+                      struct options *settled, struct lattice *l, int *rows, struct failure *why) {
+    const enum stepper stepper = o->stepper;
+    if (particles_settle(p, o, s, settled, why)) return why->status;
+    double ratio = stepper == STEPPER_MATCHED && p->dim == 2 ? sqrt(p->material[0].k[1] / p->material[0].k[0]) : 1;
+    if (layout_lattice(p, o, ratio, l, why)) return why->status;
+    *rows = o->layout == LAYOUT_JITTER || p->materials == 2;
+    if (*rows && (stepper == STEPPER_MATCHED || stepper == STEPPER_EXACT))
+        return fail(why, STATUS_INPUT, "--stepper %s: needs --layout lattice or node and one material",
+                    stepper_words[stepper]);
+    return stepper == STEPPER_EXACT ? exact_check(l, why) : STATUS_OK;
+}
+
 /* What the data span, K: initial data, walls, and what fluxes and the source can add in the time of the run. */
 static void data_range(const struct problem *p, const struct field *f, double *lo, double *hi) {
     *lo = f->range[0], *hi = f->range[1];
@@ -107,6 +120,8 @@ int particles_march(const struct problem *p, const struct options *o, const stru
     if (m->stages > STEPPER_STAGES_MAX)
         return fail(why, STATUS_INPUT, "--dt %g: a step would take rkl2 more than %d stages; take more steps", dt,
                     STEPPER_STAGES_MAX);
+    if ((double)a->pairs * (double)m->steps * m->stages > 9e18)
+        return fail(why, STATUS_INPUT, "--dt %g: more interactions than can be counted, 9e18", dt);
     return STATUS_OK;
 }
 
@@ -116,7 +131,8 @@ static int integrate(const struct problem *p, const struct options *o, const str
     if (o->stepper == STEPPER_EXACT) {
         f->updates = (long long)a->n;
         f->interactions = (long long)a->pairs;
-        return exact_evolve(a, p->t_end, f->T, &f->bytes, why);
+        exact_evolve(a, p->t_end, f->T, &f->bytes);
+        return STATUS_OK;
     }
     struct march m;
     if (particles_march(p, o, s, l, a, &m, why)) return why->status;
@@ -134,15 +150,9 @@ int particles_solve(const struct problem *p, const struct options *given, const 
     double begin = now();
     struct options settled, *o = &settled;
     struct lattice l;
-    if (particles_settle(p, given, s, o, why)) return why->status;
+    int rows;
+    if (particles_outline(p, given, s, o, &l, &rows, why)) return why->status;
     if (o->stepper == STEPPER_AUTO) o->stepper = STEPPER_RK2;
-    double ratio = o->stepper == STEPPER_MATCHED && p->dim == 2 ? sqrt(p->material[0].k[1] / p->material[0].k[0]) : 1;
-    if (layout_lattice(p, o, ratio, &l, why)) return why->status;
-    int rows = o->layout == LAYOUT_JITTER || p->materials == 2;
-    if (rows && o->stepper == STEPPER_MATCHED)
-        return fail(why, STATUS_INPUT, "--stepper matched: needs --layout lattice or node and one material");
-    if (rows && o->stepper == STEPPER_EXACT)
-        return fail(why, STATUS_INPUT, "--stepper exact: needs --layout lattice or node and one material");
 
     struct field field, *f = &field;
     struct heat_operator a = {0};

@@ -8,9 +8,14 @@
 int particles_solve(const struct problem *p, const struct options *o, const struct scheme *s, struct field *f,
                     struct failure *why);
 
-/* The options with their defaults settled (h, order), checked: what particles_solve works with. */
+/* The options with their defaults settled (h), checked. */
 int particles_settle(const struct problem *p, const struct options *o, const struct scheme *s,
                      struct options *settled, struct failure *why);
+
+/* These, the lattice and whether each particle gets a row of its own: what
+ * particles_solve works with, or STATUS_INPUT as it. */
+int particles_outline(const struct problem *p, const struct options *o, const struct scheme *s,
+                      struct options *settled, struct lattice *l, int *rows, struct failure *why);
 
 /* The steps that particles_solve takes with the operator *a, for the settled options; m->lo and m->hi are left open.
  */

@@ -44,16 +44,17 @@ static int look(const struct march *m, const struct heat_operator *a, const doub
         step, m->steps, dt * (double)step, i, where, value, m->lo, m->hi, dt);
 }
 
-static double b_of(int j) { /* b_j of RKL2, with b_0 = b_1 = b_2 */
+static double b_of(double j) { /* b_j of RKL2, with b_0 = b_1 = b_2 */
     j = j < 2 ? 2 : j;
-    return (double)(j * j + j - 2) / (2.0 * j * (j + 1));
+    return (j * j + j - 2) / (2 * j * (j + 1));
 }
 
 /* One super step: Y[0] holds T on entry and exit. */
 static void rkl2_step(const struct heat_operator *a, int s, double dt, double *Y[4]) {
+    int threads = a->threads > 1 && a->state > SHARED ? a->threads : 1;
     double *Y0 = Y[0], *L0 = Y[1], *turn[2] = {Y[2], Y[3]}, w1 = 4.0 / ((double)s * s + s - 2);
     state_update(a, &(struct update){.rate = 1}, 1, (double *[2]){Y0, L0});
-#pragma omp parallel for num_threads(a->threads) if (a->threads > 1 && a->state > SHARED)
+#pragma omp parallel for num_threads(threads)
     for (size_t i = 0; i < a->state; i++) {
         turn[0][i] = Y0[i] + b_of(1) * w1 * dt * L0[i]; /* Y_1 */
         turn[1][i] = Y0[i];

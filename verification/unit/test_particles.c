@@ -128,6 +128,17 @@ static void stages_are_the_fewest(void **state) {
     }
 }
 
+/* With many stages a step is that of infinitely many, to 8/s^2 of its third-order term. */
+static void stages_may_be_many(void **state) {
+    (void)state;
+    double many = 1.3, more = 1.3;
+    assert_int_equal(march(STEPPER_RKL2, 9999, 0, 0.7, 2, &many), STATUS_OK);
+    assert_int_equal(march(STEPPER_RKL2, 60001, 0, 0.7, 2, &more), STATUS_OK);
+    assert_near(more, many, 1e-8);
+    assert_near(more / 1.3, exp(-0.7), 2 * 0.35 * 0.35 * 0.35 / 18);
+    assert_int_equal(stepper_stages(1e12, 1e12), STEPPER_STAGES_MAX + 1);
+}
+
 int main(void) {
     gsl_set_error_handler_off();
     const struct CMUnitTest tests[] = {
@@ -137,6 +148,7 @@ int main(void) {
         cmocka_unit_test(one_equation),
         cmocka_unit_test(what_is_not_a_number_is_unstable),
         cmocka_unit_test(stages_are_the_fewest),
+        cmocka_unit_test(stages_may_be_many),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
