@@ -52,7 +52,7 @@ static int run(const struct request *r, const struct options *o, double dx, stru
     double time = result.time_error * result.error.l1, order = o->stepper == STEPPER_EULER ? 1 : 2;
     *steps = result.steps;
     *at = (struct rung){dx, time * pow((double)result.steps, order), result.error.l1 - time};
-    return at->time > 0 && at->space > 0;
+    return dx == o->dx || (at->time > 0 && at->space > 0); /* nothing is carried on from dx itself */
 }
 
 /* At dx, on the line through a and b. */

@@ -31,24 +31,15 @@ static void hold(struct plan *plan, const char *what, size_t bytes, enum plan_ph
 
 /* ---- Particles ---- */
 
-static int exact_applies(const struct problem *p, const struct options *o) {
-    return o->layout != LAYOUT_JITTER && p->materials == 1 && o->walls == WALLS_MIRROR;
-}
+static const double ASSEMBLED = 2e5,
+                    FEWEST = 2000; /* particles whose rows are assembled to be counted: most, least */
 
-static int has_rows(const struct problem *p, const struct options *o) {
-    return o->layout == LAYOUT_JITTER || p->materials == 2;
-}
-
-static double ratio_of(const struct problem *p, const struct options *o) { /* dy / dx */
-    return o->stepper == STEPPER_MATCHED && p->dim == 2 ? sqrt(p->material[0].k[1] / p->material[0].k[0]) : 1;
-}
-
-static int assemble(const struct request *r, const struct options *o, const struct lattice *l,
+static int assemble(const struct request *r, const struct options *o, const struct lattice *l, int rows,
                     struct heat_operator *a, struct failure *why) {
     const struct problem *p = &r->problem;
     const struct scheme *s = r->method->scheme;
     struct cloud c;
-    if (!has_rows(p, o)) return operator_outline_lattice(a, p, o, s, l, why);
+    if (!rows) return operator_outline_lattice(a, p, o, s, l, why);
     if (layout_cloud(p, o, l, s->sweeps * 2.0 * o->h * l->dx[0], &c, why)) return why->status;
     int status = operator_create_rows(a, p, o, s, &c, l->dx[0], why);
     layout_cloud_free(&c);
@@ -89,23 +80,55 @@ static int hold_march(const struct request *r, const struct options *o, const st
     return STATUS_OK;
 }
 
+/* How many times coarser a lattice, *coarse, has few enough particles to assemble their rows; 1 for *l itself. */
+static double coarsening(const struct problem *p, const struct options *o, const struct lattice *l,
+                         struct lattice *coarse) {
+    double n = (double)l->n[0] * l->n[1];
+    struct options with = *o;
+    struct failure ignored;
+    *coarse = *l;
+    for (double m = 2; n > ASSEMBLED && n / pow(m, p->dim) > FEWEST; m++) {
+        with.dx = m * o->dx;
+        if (n / pow(m, p->dim) <= ASSEMBLED / 4 && !layout_lattice(p, &with, 1, coarse, &ignored)) return m;
+    }
+    *coarse = *l;
+    return 1;
+}
+
+/* The rows of a lattice that is `finer` times finer have as many entries, finer^2 times as large. */
+static void refine_rows(struct heat_operator *a, double finer) {
+    for (size_t k = 0; k < a->pairs; k++) a->value[k] *= finer * finer;
+    for (size_t i = 0; i < a->n; i++) a->diagonal[i] *= finer * finer;
+}
+
+/* What was counted for `n` particles, for all that are computed. */
+static void scale(struct plan *plan, size_t n) {
+    double times = (double)plan->computed / (double)n;
+    for (int i = 0; i < plan->count; i++) plan->array[i].bytes = (size_t)((double)plan->array[i].bytes * times);
+    for (int i = 0; i < PLAN_PHASES; i++) plan->bytes[i] = (size_t)((double)plan->bytes[i] * times);
+    plan->answer = (size_t)((double)plan->answer * times);
+    plan->updates = (long long)((double)plan->updates * times);
+    plan->interactions = (long long)((double)plan->interactions * times);
+}
+
 static int plan_particles(const struct request *r, const struct options *given, struct plan *plan,
                           struct failure *why) {
     const struct problem *p = &r->problem;
     struct options *o = &plan->options;
-    struct lattice l;
+    struct lattice l, stand_in;
     struct heat_operator a = {0};
-    if (particles_settle(p, given, r->method->scheme, o, why)) return why->status;
-    if (o->stepper == STEPPER_EXACT && !exact_applies(p, o))
-        return fail(why, STATUS_INPUT, "--stepper exact: needs one material on a lattice, and --walls mirror");
-    int status = layout_lattice(p, o, ratio_of(p, o), &l, why);
-    if (!status) status = assemble(r, o, &l, &a, why);
+    int rows;
+    if (particles_outline(p, given, r->method->scheme, o, &l, &rows, why)) return why->status;
+    double finer = rows ? coarsening(p, o, &l, &stand_in) : 1;
+    int status = assemble(r, o, rows ? &stand_in : &l, rows, &a, why);
     if (!status) {
-        plan->computed = a.n;
-        hold(plan, "places and temperatures", a.n * (size_t)(p->dim + 1) * sizeof(double), PLAN_SET_UP,
-             p->whole ? PLAN_ANSWER : PLAN_ERRORS);
+        if (finer > 1) refine_rows(&a, finer), plan->stand_in = stand_in.dx[0];
+        plan->answer = a.n * (size_t)(p->dim + 1) * sizeof(double);
+        hold(plan, "places and temperatures", plan->answer, PLAN_SET_UP, p->whole ? PLAN_ANSWER : PLAN_ERRORS);
         hold_operator(p, o, &l, &a, plan);
         status = hold_march(r, o, &l, &a, plan, why);
+        plan->computed = (size_t)l.n[0] * (size_t)l.n[1];
+        if (finer > 1) scale(plan, a.n);
     }
     operator_free(&a);
     return status;
@@ -128,8 +151,9 @@ static int plan_ftcs(const struct request *r, const struct options *o, struct pl
          PLAN_STEPS);
     hold(plan, "what the source adds in a step", p->source ? n * unit : 0, PLAN_SET_UP, PLAN_STEPS);
     hold(plan, "what the walls add", sides * unit, PLAN_SET_UP, PLAN_STEPS);
-    hold(plan, alike ? "places and temperatures" : "places, temperatures and volumes",
-         n * (size_t)(g.dim + 1 + !alike) * unit, PLAN_ANSWER, p->whole ? PLAN_ANSWER : PLAN_ERRORS);
+    plan->answer = n * (size_t)(g.dim + 1 + !alike) * unit;
+    hold(plan, alike ? "places and temperatures" : "places, temperatures and volumes", plan->answer, PLAN_ANSWER,
+         p->whole ? PLAN_ANSWER : PLAN_ERRORS);
     plan->reach[0] = wide ? 2 : 1;
     plan->reach[1] = g.dim == 2 ? plan->reach[0] : 0;
     plan->computed = n;
@@ -146,9 +170,9 @@ static int plan_ftcs(const struct request *r, const struct options *o, struct pl
 
 /* Of the whole: what stepping.c keeps of the runs before, the answer and its error. */
 static int hold_whole(const struct request *r, struct plan *plan, struct failure *why) {
-    const size_t n = plan->particles, unit = sizeof(double), answer = n * (size_t)(plan->dim + 1) * unit;
+    const struct problem *p = &r->problem;
+    const size_t n = plan->particles, unit = sizeof(double), answer = plan->answer * (n / plan->computed);
     const enum plan_phase limit = r->time_error > 0 ? PLAN_SET_UP : PLAN_REFINE;
-    int rows = r->method->scheme && has_rows(&r->problem, &plan->options);
     if (plan->computed < n) hold(plan, "places and temperatures, unfolded", answer, PLAN_ANSWER, PLAN_ERRORS);
     hold(plan, "exact temperatures", n * unit, plan->refined ? PLAN_SET_UP : PLAN_ERRORS, PLAN_ERRORS);
     if (plan->refined) {
@@ -156,12 +180,17 @@ static int hold_whole(const struct request *r, struct plan *plan, struct failure
         hold(plan, "the answer of the run before that", r->time_error > 0 ? answer : 0, PLAN_SET_UP, PLAN_REFINE);
         hold(plan, "the answer without time error", n * unit, limit, PLAN_REFINE);
     }
-    if (rows && (plan->dim == 2 || plan->options.layout == LAYOUT_JITTER)) return STATUS_OK; /* no checkerboard */
+    if (plan->rows && (plan->dim == 2 || plan->options.layout == LAYOUT_JITTER))
+        return STATUS_OK; /* no checkerboard */
     struct lattice l;
-    if (layout_lattice(&r->problem, &plan->options, ratio_of(&r->problem, &plan->options), &l, why))
-        return why->status;
-    hold(plan, "the error, and what its transform needs", n * unit + transform_bytes(&l), PLAN_ERRORS, PLAN_ERRORS);
-    return STATUS_OK;
+    struct options ignored;
+    int rows, status = r->method->scheme
+                           ? particles_outline(p, &plan->options, r->method->scheme, &ignored, &l, &rows, why)
+                           : layout_lattice(p, &plan->options, 1, &l, why);
+    if (!status)
+        hold(plan, "the error, and what its transform needs", n * unit + transform_bytes(&l), PLAN_ERRORS,
+             PLAN_ERRORS);
+    return status;
 }
 
 /* Of the whole or a part; what a method refuses it refuses before anything is held. */
@@ -170,12 +199,21 @@ static int plan_part(const struct request *r, const struct options *o, struct pl
     return r->method->scheme ? plan_particles(r, o, plan, why) : plan_ftcs(r, o, plan, why);
 }
 
+static int takes_exact(const struct request *r, const struct options *o) {
+    struct options with = *o, ignored;
+    struct lattice l;
+    struct failure why;
+    int rows;
+    with.stepper = STEPPER_EXACT;
+    return particles_outline(&r->problem, &with, r->method->scheme, &ignored, &l, &rows, &why) != STATUS_INPUT;
+}
+
 /* What *o leaves open, as verification/stepping.c settles it. */
 static void settle_steps(const struct request *r, struct options *o, struct plan *plan) {
     int given = o->dt > 0 || o->fourier > 0, particles = r->method->scheme != NULL;
     if (o->stepper == STEPPER_AUTO && r->time_error > 0 && particles) o->stepper = STEPPER_RKL2;
     if (o->stepper == STEPPER_AUTO && !given && particles)
-        o->stepper = exact_applies(&r->problem, o) ? STEPPER_EXACT : STEPPER_RKL2;
+        o->stepper = takes_exact(r, o) ? STEPPER_EXACT : STEPPER_RKL2;
     if (o->stepper == STEPPER_AUTO) o->stepper = STEPPER_EULER;
     plan->refined = !given && o->stepper != STEPPER_EXACT && o->stepper != STEPPER_MATCHED && r->problem.t_end > 0;
     if (!plan->refined) return;

@@ -22,12 +22,14 @@ struct plan {
     struct options options; /* stepper and h as they will be used */
     int dim;
     int cut[2]; /* 1 where only the upper half along that axis is computed: the problem is even about its middle */
-    size_t computed;                      /* particles of the part that is computed, which what follows is about */
-    int rows;                             /* 1: a row of weights for each particle; 0: one stencil for all */
-    int reach[2];                         /* of the stencil, in particles; 0 with rows */
-    size_t particles;                     /* of the whole */
-    double neighbours;                    /* mean number of a particle */
-    int count;                            /* arrays */
+    size_t computed;   /* particles of the part that is computed, which what follows is about */
+    int rows;          /* 1: a row of weights for each particle; 0: one stencil for all */
+    int reach[2];      /* of the stencil, in particles; 0 with rows */
+    size_t particles;  /* of the whole */
+    double neighbours; /* mean number of a particle */
+    double stand_in;   /* m: the spacing of the coarser rows that were counted; 0: these rows themselves */
+    size_t answer;     /* bytes of the part's places and temperatures */
+    int count;         /* arrays */
     struct plan_array array[PLAN_ARRAYS]; /* all but what no number of particles adds to */
     size_t bytes[PLAN_PHASES];            /* held in each phase */
     double dt;                            /* s; 0 for the exact stepper */
@@ -43,7 +45,8 @@ extern const char *const plan_phases[]; /* their names, ended by NULL */
 enum plan_phase plan_peak(const struct plan *plan);
 
 /* The plan of `run` for the options *o.  Nothing as large as the run's own arrays is allocated, but for rows, which
- * are assembled, and the coarse runs that foretell an open time step.  A status of solver/method.h. */
+ * are assembled up to 2e5 particles and estimated past that, and for the coarse runs that foretell an open time step.
+ * A status of solver/method.h. */
 int plan_make(const struct request *r, const struct options *o, struct plan *plan, struct failure *why);
 
 #endif

@@ -11,11 +11,24 @@
 #include <math.h>
 #include <stdio.h>
 
-static const char *storage(const struct request *r, const struct plan *plan) {
-    if (!r->method->scheme) return "one stencil for all points: a grid of one material";
-    if (!plan->rows) return "one stencil for all particles: a lattice of one material, no neighbour list";
-    return r->problem.materials == 2 ? "a row for each particle: two materials, so that pairs differ"
-                                     : "a row for each particle: off the lattice each has its own neighbours";
+static void describe_storage(const struct request *r, const struct plan *plan, char *text, size_t size) {
+    const char *what = !r->method->scheme ? "one stencil for all points: a grid of one material"
+                       : !plan->rows ? "one stencil for all particles: a lattice of one material, no neighbour list"
+                       : r->problem.materials == 2
+                           ? "a row for each particle: two materials, so that pairs differ"
+                           : "a row for each particle: off the lattice each has its own neighbours";
+    int used = snprintf(text, size, "%s", what);
+    if (plan->stand_in > 0)
+        snprintf(text + used, size - (size_t)used, "; estimated from those at dx = %g m", plan->stand_in);
+}
+
+/* Why a mirror plane is not made use of. */
+static const char *uncut(const struct request *r, const struct plan *plan, int axis) {
+    const struct options *o = &plan->options;
+    if (!r->problem.mirror[axis]) return "the scene is not even about it";
+    if (o->domain == DOMAIN_WHOLE) return "--domain whole";
+    return o->layout != LAYOUT_LATTICE ? "needs --layout lattice"
+                                       : "needs an even number of particles, and a stencil that fits";
 }
 
 static void describe_steps(const struct request *r, const struct plan *plan, char *text, size_t size) {
@@ -51,15 +64,13 @@ void plan_print_text(const struct request *r, const struct plan *plan) {
     printf("%s %s, dx = %g m\n", r->scene->name, r->method->name, o->dx);
     printf("  %-13s %d: %s\n", "dimension", plan->dim,
            plan->dim == 1 ? "a rod; nothing along y is stored" : "a rectangle");
-    printf("  %-13s", "mirror planes");
     for (int d = 0; d < plan->dim; d++)
-        if (plan->cut[d]) printf(" the middle of %s,", axis[d]);
-    if (plan->cut[0] || plan->cut[1])
-        printf(" one part is computed\n  %-13s %zu, of which %zu are computed\n", "particles", plan->particles,
-               plan->computed);
-    else
-        printf(" none\n  %-13s %zu\n", "particles", plan->particles);
-    printf("  %-13s %s\n", "weights", storage(r, plan));
+        printf("  %-13s the middle of %s: %s\n", d ? "" : "mirror planes", axis[d],
+               plan->cut[d] ? "half is computed" : uncut(r, plan, d));
+    printf("  %-13s %zu", "particles", plan->particles);
+    if (plan->computed < plan->particles) printf(", of which %zu are computed", plan->computed);
+    describe_storage(r, plan, text, sizeof text);
+    printf("\n  %-13s %s\n", "weights", text);
     if (words_among(r->method->accepts, "h"))
         printf("  %-13s %.4g in the mean, within 2 h, h/dx = %.6g\n", "neighbours", plan->neighbours, o->h);
     else
@@ -91,7 +102,8 @@ void plan_print_json(const struct request *r, const struct plan *plan, struct js
     json_whole(j, "particles", (long long)plan->particles);
     json_whole(j, "particles_computed", (long long)plan->computed);
     json_text(j, "weights", plan->rows ? "rows" : "stencil");
-    json_text(j, "weights_why", storage(r, plan));
+    describe_storage(r, plan, text, sizeof text);
+    json_text(j, "weights_why", text);
     json_number(j, "neighbours", plan->neighbours);
     json_number(j, "h", words_among(r->method->accepts, "h") ? o->h : NAN);
     json_text(j, "stepper", stepper_words[o->stepper]);

@@ -63,6 +63,7 @@ void result_json(const struct result *r, struct json *j) {
     json_number(j, "seconds", r->seconds);
     json_number(j, "step_seconds", r->step_seconds);
     json_whole(j, "updates", r->updates);
+    json_whole(j, "search_updates", r->search_updates);
     json_whole(j, "interactions", r->interactions);
     json_whole(j, "bytes", (long long)r->bytes);
 }

@@ -31,7 +31,8 @@ struct result {
     double rounding;        /* what rounding can make up of error.l1 */
     double seconds, step_seconds;
     long long updates, interactions;
-    double setup, ghosts; /* what is done once, and for ghosts in all steps, in pairs (setup_work.h) */
+    long long search_updates; /* of the runs that the choice of the time step took beside this one */
+    double setup, ghosts;     /* what is done once, and for ghosts in all steps, in pairs (setup_work.h) */
     size_t bytes;
 };
 

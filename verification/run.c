@@ -55,7 +55,10 @@ static int solve(const struct request *r, const struct options *o, struct result
     *out = (struct result){
         .scene = r->scene, .method = r->method, .options = *o, .t_end = r->problem.t_end, .time_error = NAN};
     *f = (struct field){0};
-    int status = stepping_solve(r, &out->options, f, &out->time_error, &out->failure);
+    struct stepping stepping;
+    int status = stepping_solve(r, &out->options, f, &stepping, &out->failure);
+    out->time_error = stepping.time_error;
+    out->search_updates = stepping.updates;
     if (!status && f->h > 0) out->options.h = f->h;
     out->failure.status = status;
     return status;

@@ -13,11 +13,16 @@ struct request;
 double stepping_forecast(const struct request *r, const struct options *o, double particles, double time,
                          double space);
 
+struct stepping {
+    double time_error; /* the part of E1 that the time step makes up: 0 for the exact stepper, measured where the step
+                          was chosen, NaN where it was given */
+    long long updates; /* of the runs that it took to choose the step, the one that counts left out */
+};
+
 /* Solves r->problem by r->method under *o, and chooses what *o leaves open: the stepper, and a time step whose error
- * is at most 1 % of the whole.  On return o->stepper is the one that was used, and *time_error is the part of E1 that
- * the time step makes up: 0 for the exact stepper, measured where the step was chosen here, NaN where it was given.
- * A status of solver/method.h; on STATUS_OK the caller owns *f. */
-int stepping_solve(const struct request *r, struct options *o, struct field *f, double *time_error,
+ * is at most 1 % of the whole.  On return o->stepper is the one that was used.  A status of solver/method.h; on
+ * STATUS_OK the caller owns *f. */
+int stepping_solve(const struct request *r, struct options *o, struct field *f, struct stepping *stepping,
                    struct failure *why);
 
 #endif

@@ -31,6 +31,8 @@ static void print_text(const struct result *r) {
     if (isfinite(r->heat_drift)) printf("  %-14s %.2e of the heat at the start\n", "heat drift", r->heat_drift);
     printf("  %-14s %.3g s, %lld updates, %lld interactions, %zu bytes\n", "cost", r->seconds, r->updates,
            r->interactions, r->bytes);
+    if (r->search_updates > 0)
+        printf("  %-14s %lld updates of other runs, to choose the time step\n", "search", r->search_updates);
 }
 
 static void print_json(const struct result *r) {
@@ -70,7 +72,8 @@ static int check(const struct request *r, struct failure *why) {
 
 /* A tenth of a second of solves: then program and memory are ready, and the processor runs at its full rate. */
 static int warm_up(const struct request *r, struct failure *why) {
-    double start = omp_get_wtime(), ignored;
+    double start = omp_get_wtime();
+    struct stepping ignored;
     int status;
     do {
         struct options o = r->options;

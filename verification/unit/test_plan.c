@@ -51,6 +51,10 @@ static void runs_do_what_was_planned(void **state) {
     as_planned("run rod-gauss ftcs --dx 0.25 --stepper matched");
     as_planned("run rod-cosine ftcs_flux --dx 0.05 --layout node --fourier 0.4");
     as_planned("run rect-manufactured ftcs --dx 0.05 --fourier 0.1");
+    as_planned("run rod-cosine fo_ssph --dx 0.05 --walls fixed"); /* there is no wall that --walls is about */
+    as_planned("run plate so_ssph --dx 0.01 --walls fixed");
+    as_planned("run plate brookshaw --dx 0.01 --time-error 1e-4");
+    as_planned("run rod-cosine ftcs --dx 0.05 --layout node");
 }
 
 /* What no number of particles adds to (a stencil in the making, FFTW's constant part), what goes with the square root
@@ -94,6 +98,25 @@ static void what_is_allocated_was_planned(void **state) {
     as_allocated("run plate ftcs_flux --dx 0.001 --layout node --fourier 0.2 --set t_end=0.1", 1);
     as_allocated("run rect-manufactured ftcs --dx 0.01 --fourier 0.2 --set t_end=0.01", 1);
     as_allocated("run plate so_ssph --dx 0.002 --time-error 1e-4", 0);
+}
+
+/* Rows of many particles are counted on a coarser lattice: jitter of another draw, and walls of twice the share. */
+static void many_rows_are_estimated(void **state) {
+    (void)state;
+    struct request r;
+    struct plan plan;
+    struct result result;
+    plan_of(
+        "run square-step brookshaw --dx 4/480 --layout jitter --jitter 0.2 --stepper rkl2 --dt 0.1 --set t_end=0.1",
+        &r, &plan);
+    assert_near(plan.stand_in, 4.0 / 160, 1e-9);
+    assert_int_equal(run_request(&r, &r.options, &result, NULL), STATUS_OK);
+    assert_int_equal(plan.particles, result.particles);
+    assert_int_equal(plan.steps, result.steps);
+    assert_true(abs(plan.stages - result.stages) <= 2);
+    assert_near((double)plan.bytes[PLAN_STEPS] / (double)result.bytes, 1, 0.02);
+    assert_near(plan.neighbours / ((double)result.interactions / (double)result.updates), 1, 0.02);
+    arguments_free(&r);
 }
 
 /* Nothing else is ever as large as what averaging holds on a rod. */
@@ -147,16 +170,32 @@ static void refusals_are_those_of_the_run(void **state) {
     struct request r;
     struct failure why;
     struct plan plan;
-    assert_int_equal(arguments_parse_line("plan rod-step so_ssph --dx 0.3", &r, &why), STATUS_OK);
-    assert_int_equal(plan_make(&r, &r.options, &plan, &why), STATUS_INPUT);
-    arguments_free(&r);
+    static const char *const lines[] = {
+        "plan rod-step so_ssph --dx 0.3",
+        "plan rod-step so_ssph --dx 0.1 --stepper matched --layout jitter",
+        "plan rod-contact brookshaw --dx 0.1 --stepper matched",
+        "plan rod-contact brookshaw --dx 0.1 --stepper exact",
+        "plan square-step so_ssph --dx 2e-6 --stepper euler --fourier 0.1",
+        "plan rod-step ftcs --dx 1e-7 --dt 1e-11",
+        "plan rod-step so_ssph --dx 0.1 --h 1e9",
+        "plan rod-step so_ssph --dx 0.001 --set kappa=1e9 --stepper rkl2 --dt 1",
+    };
+    for (size_t i = 0; i < sizeof lines / sizeof *lines; i++) {
+        struct result result;
+        if (arguments_parse_line(lines[i], &r, &why)) fail_msg("%s: %s", lines[i], why.text);
+        int status = plan_make(&r, &r.options, &plan, &why);
+        if (status != STATUS_INPUT || run_request(&r, &r.options, &result, NULL) != status)
+            fail_msg("%s: %d", lines[i], status);
+        assert_string_equal(why.text, result.failure.text);
+        arguments_free(&r);
+    }
 }
 
 int main(void) {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(runs_do_what_was_planned),      cmocka_unit_test(what_is_allocated_was_planned),
-        cmocka_unit_test(averages_are_planned),          cmocka_unit_test(open_steps_are_foretold),
-        cmocka_unit_test(refusals_are_those_of_the_run),
+        cmocka_unit_test(runs_do_what_was_planned), cmocka_unit_test(what_is_allocated_was_planned),
+        cmocka_unit_test(many_rows_are_estimated),  cmocka_unit_test(averages_are_planned),
+        cmocka_unit_test(open_steps_are_foretold),  cmocka_unit_test(refusals_are_those_of_the_run),
     };
     return cmocka_run_group_tests_name("plan", tests, NULL, NULL);
 }
