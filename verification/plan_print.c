@@ -79,7 +79,8 @@ void plan_print_text(const struct request *r, const struct plan *plan) {
     printf("  %-13s %s: %s", "time", stepper_words[o->stepper], text);
     if (plan->steps)
         printf(", %lld of %.6g s, %d stage%s", plan->steps, plan->dt, plan->stages, plan->stages == 1 ? "" : "s");
-    printf("\n  %-13s %lld updates, %lld interactions\n", "work", plan->updates, plan->interactions);
+    printf("\n  %-13s %lld updates, %lld interactions%s\n", "work", plan->updates, plan->interactions,
+           plan->refined ? ", and the runs of the search" : "");
     printf("  %-13s %zu bytes while time runs, %.4g for each particle that is computed; at most %zu (%s)\n", "memory",
            plan->bytes[PLAN_STEPS], (double)plan->bytes[PLAN_STEPS] / (double)plan->computed, plan->bytes[peak],
            plan_phases[peak]);
