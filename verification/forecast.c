@@ -11,7 +11,9 @@
 
 #include <math.h>
 
-enum { SMALL = 2500, COARSEST = 8, MULTIPLES = 4096 }; /* particles of a quick run; least along an axis; of dx */
+enum { COARSEST = 8, MULTIPLES = 4096 };        /* particles: least along an axis; multiples of dx */
+static const double SMALL[3] = {0, 1000, 2500}; /* particles of a quick run, by dimension */
+static const double QUICK = 2e7;                /* updates of its first trial */
 
 struct rung {
     double dx, time, space; /* m; K; S */
@@ -27,6 +29,13 @@ static double particles(const struct problem *p, double dx) {
     double n = 1;
     for (int a = 0; a < p->dim; a++) n *= (p->hi[a] - p->lo[a]) / dx;
     return n;
+}
+
+static int is_quick(const struct request *r, const struct options *o, double dx) {
+    struct options with = *o;
+    with.dx = dx;
+    double n = particles(&r->problem, dx);
+    return n <= SMALL[r->problem.dim] && n * stepping_first(r, &with) <= QUICK;
 }
 
 /* How far a plane is from the nearest wall of a cell, in dx. */
@@ -67,7 +76,7 @@ static struct forecast take_rungs(const struct request *r, const struct options 
     const double dx = o->dx, least = least_along(&r->problem, dx);
     for (double m = 1; f.runs < 2 && m < MULTIPLES && least / m >= COARSEST; m++) {
         long long steps;
-        if (particles(&r->problem, m * dx) > SMALL || (f.runs == 1 && m * dx < 1.4 * rung[0].dx)) continue;
+        if (!is_quick(r, o, m * dx) || (f.runs == 1 && m * dx < 1.4 * rung[0].dx)) continue;
         if ((strictly && !alike(&r->problem, dx, m * dx)) || !run(r, o, m * dx, &rung[f.runs], &steps)) continue;
         f.dx[f.runs++] = m * dx;
         if (m == 1) return f.steps = (double)steps, f;

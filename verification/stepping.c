@@ -56,7 +56,7 @@ static int order_of(const struct options *o) {
     return o->stepper == STEPPER_EULER ? 1 : 2;
 }
 
-static double first_steps(const struct request *r, const struct options *o) {
+double stepping_first(const struct request *r, const struct options *o) {
     double kappa = 0;
     for (int m = 0; m < r->problem.materials; m++)
         for (int a = 0; a < r->problem.dim; a++)
@@ -68,7 +68,7 @@ static double first_steps(const struct request *r, const struct options *o) {
 
 /* The first run, at half the time step again and again while that is unstable. */
 static int first(struct search *s, struct failure *why) {
-    double steps = first_steps(s->r, s->o);
+    double steps = stepping_first(s->r, s->o);
     int status = try_steps(s, steps, &s->coarse, why);
     for (int i = 0; i < HALVINGS && status == STATUS_NUMERICAL; i++)
         status = try_steps(s, steps *= 2, &s->coarse, why);
@@ -227,7 +227,7 @@ double stepping_forecast(const struct request *r, const struct options *o, doubl
         double steps = fmax(1, ceil(pow(time / r->time_error, 1.0 / order)));
         return within_reach(steps, particles, order) ? steps : 0;
     }
-    double steps = 2 * first_steps(r, o), at = time / pow(steps, order);
+    double steps = 2 * stepping_first(r, o), at = time / pow(steps, order);
     return next_steps(steps, (struct estimate){at, space + at, space}, particles, order);
 }
 

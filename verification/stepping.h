@@ -8,6 +8,9 @@ struct request;
 
 #define STEPPING_UPDATES_MAX 2e10 /* a minute or so; past it the 1 % rule lets a time error stand */
 
+/* Steps of the first run of a search. */
+double stepping_first(const struct request *r, const struct options *o);
+
 /* How many steps stepping_solve will take where *o leaves them open, the stepper is not the exact one, `space` is E1
  * without time error and `time` / steps^p what the steps add, p the stepper's order.  0: out of reach. */
 double stepping_forecast(const struct request *r, const struct options *o, double particles, double time,
