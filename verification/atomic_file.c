@@ -1,7 +1,8 @@
 /* rename() replaces a file in one step (POSIX), so a reader sees the old text or the new.  The bytes are all in
  * memory before the file is opened, and interrupts wait for the moment that the writing takes: no partial file is
- * left.  Files that belong together are all written under their other names first, so that what is between the
- * first and the last of them is a few renames. */
+ * left.  A thread's mask would not hold them, as any other thread may take them: the process as a whole notes them,
+ * and hears them afterwards.  Files that belong together are all written under their other names first, so that what
+ * is between the first and the last of them is a few renames. */
 #include "verification/atomic_file.h"
 
 #include "solver/method.h"
@@ -9,13 +10,17 @@
 #include <errno.h>
 #include <fcntl.h>
 #include <signal.h>
+#include <stdatomic.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
-enum { PATH_LENGTH = 4096 };
+enum { PATH_LENGTH = 4096, INTERRUPTS = 3 };
+
+static const int interrupts[INTERRUPTS] = {SIGINT, SIGTERM, SIGHUP};
+static atomic_int noted; /* the last interrupt that waits; a handler can reach nothing else */
 
 static int refuse(const char *path, struct failure *why) {
     return fail(why, STATUS_INPUT, "cannot write '%.300s': %s", path, strerror(errno));
@@ -119,16 +124,19 @@ static int write_all(const struct atomic_file *files, int count, char **real, st
     return status;
 }
 
+static void note(int signal) {
+    atomic_store(&noted, signal);
+}
+
 int atomic_file_write_all(const struct atomic_file *files, int count, struct failure *why) {
     char **real = xcalloc((size_t)count, sizeof *real);
-    sigset_t held, before;
-    sigemptyset(&held);
-    sigaddset(&held, SIGINT);
-    sigaddset(&held, SIGTERM);
-    sigaddset(&held, SIGHUP);
-    sigprocmask(SIG_BLOCK, &held, &before);
+    struct sigaction wait = {.sa_handler = note}, before[INTERRUPTS];
+    sigemptyset(&wait.sa_mask);
+    for (int i = 0; i < INTERRUPTS; i++) sigaction(interrupts[i], &wait, &before[i]);
     int status = write_all(files, count, real, why);
-    sigprocmask(SIG_SETMASK, &before, NULL);
+    for (int i = 0; i < INTERRUPTS; i++) sigaction(interrupts[i], &before[i], NULL);
+    int interrupt = atomic_exchange(&noted, 0);
+    if (interrupt) raise(interrupt);
     for (int i = 0; i < count; i++) free(real[i]);
     free(real);
     return status;

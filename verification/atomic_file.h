@@ -12,7 +12,8 @@ struct failure;
 int atomic_file_check(const char *path, struct failure *why);
 
 /* Puts `size` bytes at `path`.  STATUS_OK or STATUS_INPUT; on a failure, or when interrupted, what was there before
- * stays whole.  A path that is no regular file (/dev/null, a pipe) is written to as it is. */
+ * stays whole.  Interrupts (SIGINT, SIGTERM, SIGHUP) wait until the file is in its place; no two threads may write at
+ * once.  A path that is no regular file (/dev/null, a pipe) is written to as it is. */
 int atomic_file_write(const char *path, const char *bytes, size_t size, struct failure *why);
 
 struct atomic_file {

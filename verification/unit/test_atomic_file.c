@@ -6,10 +6,13 @@
 #include "verification/unit/near.h"
 
 #include <dirent.h>
+#include <fcntl.h>
+#include <signal.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 #include <sys/stat.h>
+#include <sys/wait.h>
 #include <unistd.h>
 
 struct place {
@@ -127,6 +130,49 @@ static void a_device_stays_a_device(void **state) {
     assert_true(S_ISCHR(s.st_mode));
 }
 
+/* In a process whose threads are alive: a file, then more than a pipe takes in before it is read. */
+static void write_with_threads(const struct atomic_file *files) {
+    struct failure why;
+    int threads = 0;
+#pragma omp parallel num_threads(2) reduction(+ : threads)
+    threads++;
+    _exit(threads == 2 ? atomic_file_write_all(files, 2, &why) : STATUS_NUMERICAL);
+}
+
+/* Once the pipe is open the file's part is there, and the writer waits for a reader: the signal comes amid the
+ * writing. */
+static void interrupts_wait_for_the_writing(void **state) {
+    const struct place *p = *state;
+    enum { MUCH = 1 << 20 };
+    const int interrupts[] = {SIGINT, SIGTERM, SIGHUP};
+    char pipe[96], text[32], *much = calloc(MUCH, 1);
+    snprintf(pipe, sizeof pipe, "%s/pipe", p->directory);
+    assert_int_equal(mkfifo(pipe, 0600), 0);
+    const struct atomic_file files[] = {{p->path, "whole", 5}, {pipe, much, MUCH}};
+    for (int i = 0; i < 3; i++) {
+        int status;
+        ssize_t n, all = 0;
+        pid_t child = fork();
+        if (child == 0) {
+            signal(interrupts[i], SIG_DFL); /* a shell's background has it ignored */
+            write_with_threads(files);
+        }
+        int in = open(pipe, O_RDONLY);
+        kill(child, interrupts[i]);
+        while ((n = read(in, much, MUCH)) > 0) all += n;
+        close(in);
+        waitpid(child, &status, 0);
+        read_back(p->path, text, sizeof text);
+        assert_int_equal(all, MUCH);
+        assert_string_equal(text, "whole");
+        assert_int_equal(entries(p->directory), 2); /* no part is left behind */
+        assert_true(WIFSIGNALED(status) && WTERMSIG(status) == interrupts[i]);
+        unlink(p->path);
+    }
+    unlink(pipe);
+    free(much);
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test_setup_teardown(writes_and_replaces, set_up, tear_down),
@@ -135,6 +181,7 @@ int main(void) {
         cmocka_unit_test_setup_teardown(of_several_all_or_none, set_up, tear_down),
         cmocka_unit_test_setup_teardown(a_link_stays_a_link, set_up, tear_down),
         cmocka_unit_test(a_device_stays_a_device),
+        cmocka_unit_test_setup_teardown(interrupts_wait_for_the_writing, set_up, tear_down),
     };
     return cmocka_run_group_tests_name("atomic_file", tests, NULL, NULL);
 }
