@@ -28,6 +28,15 @@ double norms_exact(const struct scene *s, const struct problem *p, const struct 
     return bound / whole;
 }
 
+int norms_check(const struct field *f, const double *exact, struct failure *why) {
+    for (size_t i = 0; i < f->n; i++)
+        if (exact[i] != 0) return STATUS_OK;
+    return fail(why, STATUS_INPUT,
+                "the exact solution is 0 K at all points at t = %g s, and E1 is relative to it: other temperatures "
+                "(--set) or an earlier end (--t-end) are needed",
+                f->time);
+}
+
 static double wall_distance(const struct problem *p, const double x[2]) {
     double d = INFINITY;
     for (int a = 0; a < p->dim; a++) d = fmin(d, fmin(x[a] - p->lo[a], p->hi[a] - x[a]));

@@ -6,6 +6,7 @@
 
 #include <stddef.h>
 
+struct failure;
 struct field;
 struct problem;
 struct scene;
@@ -13,6 +14,9 @@ struct scene;
 /* The exact solution at the points of *f at time f->time: T[f->n], K.  Returns sum(w bound) / sum(w |T|), the part of
  * E1 that the reference's own error bound can make up. */
 double norms_exact(const struct scene *s, const struct problem *p, const struct field *f, double *T);
+
+/* STATUS_INPUT where the exact solution is zero at every point of *f: no error is relative to that. */
+int norms_check(const struct field *f, const double *exact, struct failure *why);
 
 struct norms_error {
     double l1;   /* sum w|T - Te| / sum w|Te|  (Song 2018, eq. 46) */

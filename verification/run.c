@@ -24,8 +24,9 @@ static double rounding(const struct problem *p, const struct field *f, double dx
     return DBL_EPSILON * (1 + sqrt(applications) + 4 * p->dim * run_diffusivity(p) * p->t_end / (dx * dx));
 }
 
-static void measure(const struct request *r, const struct field *f, const double *truth, struct result *out) {
+static int measure(const struct request *r, const struct field *f, const double *truth, struct result *out) {
     const struct problem *p = &r->problem;
+    if (norms_check(f, truth, &out->failure)) return STATUS_INPUT;
     double dx = out->options.dx;
     out->t_end = f->time;
     out->dt = f->dt;
@@ -49,6 +50,7 @@ static void measure(const struct request *r, const struct field *f, const double
     out->bytes = f->bytes;
     out->setup = setup_work(p, out);
     out->ghosts = setup_work_of_ghosts(p, out);
+    return STATUS_OK;
 }
 
 static int solve(const struct request *r, const struct options *o, struct result *out, struct field *f) {
@@ -69,13 +71,13 @@ int run_request(const struct request *r, const struct options *o, struct result 
     if (solve(r, o, out, &f)) return out->failure.status;
     double *exact = xcalloc(f.n, sizeof *exact);
     out->reference_error = norms_exact(r->scene, &r->problem, &f, exact);
-    measure(r, &f, exact, out);
+    int status = measure(r, &f, exact, out);
     free(exact);
-    if (field)
+    if (field && !status)
         *field = f;
     else
         field_free(&f);
-    return STATUS_OK;
+    return status;
 }
 
 int run_against(const struct request *r, const struct options *o, const double *truth, double error,
@@ -83,7 +85,7 @@ int run_against(const struct request *r, const struct options *o, const double *
     struct field f;
     if (solve(r, o, out, &f)) return out->failure.status;
     out->reference_error = error;
-    measure(r, &f, truth, out);
+    int status = measure(r, &f, truth, out);
     field_free(&f);
-    return STATUS_OK;
+    return status;
 }

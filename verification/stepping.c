@@ -206,7 +206,8 @@ static int solve_searched(const struct request *r, const struct options *o, stru
     if (status) return status;
     s.exact = xcalloc(s.coarse.field.n, sizeof *s.exact);
     norms_exact(r->scene, &r->problem, &s.coarse.field, s.exact);
-    status = try_steps(&s, 2 * s.coarse.steps, &s.fine, why);
+    status = norms_check(&s.coarse.field, s.exact, why);
+    if (!status) status = try_steps(&s, 2 * s.coarse.steps, &s.fine, why);
     if (!status) status = (r->time_error > 0 ? reach : refine)(&s, &stepping->time_error, why);
     free(s.exact);
     field_free(&s.coarse.field);

@@ -155,6 +155,24 @@ static void a_given_step_is_taken_as_it_is(void **state) {
     arguments_free(&r);
 }
 
+/* Data of zero, and data whose last trace has decayed past the least double. */
+static void no_error_is_relative_to_zero(void **state) {
+    (void)state;
+    static const char *const lines[] = {
+        "run rod-contact brookshaw --dx 0.1 --set T1=0 --stepper euler --dt 0.1",
+        "run plate so_ssph --dx 0.01 --set T1=0 --set T2=0 --set T3=0 --set T4=0 --time-error 1e-3",
+        "run rod-step so_ssph --dx 0.1 --set t_end=1e7"};
+    for (int i = 0; i < 3; i++) {
+        struct request r;
+        struct failure why;
+        struct result result;
+        assert_int_equal(arguments_parse_line(lines[i], &r, &why), STATUS_OK);
+        assert_int_equal(run_request(&r, &r.options, &result, NULL), STATUS_INPUT);
+        assert_non_null(strstr(result.failure.text, "the exact solution is 0 K at all points"));
+        arguments_free(&r);
+    }
+}
+
 static void climb(const char *line, const struct method *m, int status, struct ladder *l, struct failure *why) {
     struct request r = request(line, m);
     int got = ladder_run(&r, l, why);
@@ -225,6 +243,7 @@ int main(void) {
         cmocka_unit_test(the_exact_stepper_where_there_is_one),
         cmocka_unit_test(a_time_error_is_met_and_not_more),
         cmocka_unit_test(a_time_error_out_of_reach_is_said),
+        cmocka_unit_test(no_error_is_relative_to_zero),
         cmocka_unit_test(a_refused_exact_falls_back),
         cmocka_unit_test(the_step_is_refined_until_it_does_not_matter),
         cmocka_unit_test(an_unstable_first_step_is_halved),
