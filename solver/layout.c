@@ -30,10 +30,12 @@ static void nearest_spacings(const struct problem *p, double dx, double ratio, d
     }
 }
 
+static const double CELLS_MAX = 1e8; /* along an axis */
+
 static int count_cells(const struct problem *p, int axis, double spacing, double *cells) {
     *cells = (p->hi[axis] - p->lo[axis]) / spacing;
     double whole = round(*cells);
-    int divides = whole >= 1 && whole < 1e8 && fabs(*cells - whole) <= 1e-6 * whole;
+    int divides = whole >= 1 && fabs(*cells - whole) <= 1e-6 * whole;
     *cells = whole;
     return divides;
 }
@@ -59,7 +61,11 @@ int layout_lattice(const struct problem *p, const struct options *o, double rati
     double particles = 1;
     for (int a = 0; a < p->dim; a++) {
         double cells, spacing = a ? o->dx * ratio : o->dx;
-        if (!count_cells(p, a, spacing, &cells)) return refuse_spacing(p, o, ratio, why);
+        int divides = count_cells(p, a, spacing, &cells);
+        if (!(cells < CELLS_MAX))
+            return fail(why, STATUS_INPUT, "--dx %g: %g particles along %c, fewer than %g can be", o->dx, cells,
+                        "xy"[a], CELLS_MAX);
+        if (!divides) return refuse_spacing(p, o, ratio, why);
         const enum side_kind *kind = &p->side[2 * a];
         l->dx[a] = (p->hi[a] - p->lo[a]) / cells;
         l->n[a] = (int)cells;
