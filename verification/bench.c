@@ -24,6 +24,10 @@ struct bench_time bench_summary(double *seconds, int count) {
     return (struct bench_time){seconds[count / 2], seconds[0], seconds[count - 1]};
 }
 
+struct bench_time bench_ratio(struct bench_time a, struct bench_time b) {
+    return (struct bench_time){a.median / b.median, a.lowest / b.highest, a.highest / b.lowest};
+}
+
 static double time_once(const struct candidate *c, const struct request *r, int n) {
     struct field f = {0};
     struct failure why;
@@ -99,24 +103,27 @@ static void fit_growth(const struct candidate *c, int dim, struct bench_scene *b
                                                     slope_fit(particles, work, m).value, expected_growth(c, dim)};
 }
 
-/* Two medians of the same runs, taken in turn. */
-static void time_against_itself(const struct request *r, struct bench_scene *b) {
+/* Two medians of the same run, taken in turn: of the row that takes longest, or least. */
+static struct bench_same time_against_itself(const struct request *r, const struct bench_scene *b, int fast) {
     double first[BENCH_RUNS], second[BENCH_RUNS];
     const struct bench_row *row = NULL;
-    for (int i = 0; i < b->count; i++)
-        if (!b->row[i].result.failure.status && (!row || b->row[i].time.median > row->time.median)) row = &b->row[i];
-    if (!row) return;
+    for (int i = 0; i < b->count; i++) {
+        const struct bench_row *at = &b->row[i];
+        if (at->result.failure.status) continue;
+        if (!row || (fast ? at->time.median < row->time.median : at->time.median > row->time.median)) row = at;
+    }
+    if (!row) return (struct bench_same){NULL, NAN};
     for (int k = 0; k < BENCH_RUNS; k++) {
         first[k] = time_once(row->candidate, r, row->n);
         second[k] = time_once(row->candidate, r, row->n);
     }
-    b->same = row->candidate->label;
-    b->same_ratio = bench_summary(first, BENCH_RUNS).median / bench_summary(second, BENCH_RUNS).median;
+    double ratio = bench_summary(first, BENCH_RUNS).median / bench_summary(second, BENCH_RUNS).median;
+    return (struct bench_same){row->candidate->label, ratio};
 }
 
 void bench_run(const struct request *r, struct bench_scene *b) {
     int unit = candidate_unit(&r->problem);
-    *b = (struct bench_scene){.scene = r->scene, .same_ratio = NAN};
+    *b = (struct bench_scene){.scene = r->scene};
     for (const struct candidate *c = candidates_table; c->label && unit; c++) {
         if (c->dim && c->dim != r->problem.dim) continue;
         climb(c, r, unit, b);
@@ -126,5 +133,6 @@ void bench_run(const struct request *r, struct bench_scene *b) {
         b->row[i].front_time = on_front(b, &b->row[i], 0);
         b->row[i].front_work = on_front(b, &b->row[i], 1);
     }
-    time_against_itself(r, b);
+    b->slow = time_against_itself(r, b, 0);
+    b->fast = time_against_itself(r, b, 1);
 }

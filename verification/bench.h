@@ -26,13 +26,17 @@ struct bench_growth { /* of one candidate over its last three rungs, as a power 
     double seconds, work, expected;
 };
 
+struct bench_same { /* a run timed against itself */
+    const char *label;
+    double ratio; /* of two medians: what differs by less is noise */
+};
+
 struct bench_scene {
     const struct scene *scene;
     int count, growths;
     struct bench_row row[BENCH_ROWS]; /* by candidate, coarsest first */
     struct bench_growth growth[BENCH_ROWS / BENCH_RUNGS];
-    const char *same;  /* the candidate that was timed against itself */
-    double same_ratio; /* of two medians of the same run: what differs by less is noise */
+    struct bench_same slow, fast; /* of the row that takes longest, and of the one that takes least */
 };
 
 /* "failed" where a run went wrong, "not applicable" where the method refuses what it is asked for; NULL for neither.
@@ -44,5 +48,8 @@ void bench_run(const struct request *r, struct bench_scene *b);
 
 /* Median and extremes of `count` times, which are sorted. */
 struct bench_time bench_summary(double *seconds, int count);
+
+/* a/b: of the medians, and from the least to the most that the extremes allow. */
+struct bench_time bench_ratio(struct bench_time a, struct bench_time b);
 
 #endif

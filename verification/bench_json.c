@@ -37,8 +37,10 @@ void bench_json_engine(const struct bench_engine *e, struct json *j) {
 
 void bench_json_scene(const struct bench_scene *b, struct json *j) {
     json_text(j, "scene", b->scene->name);
-    json_text(j, "same_against_same", b->same);
-    json_number(j, "same_ratio", b->same_ratio);
+    json_text(j, "same_against_same", b->slow.label);
+    json_number(j, "same_ratio", b->slow.ratio);
+    json_text(j, "same_fast", b->fast.label);
+    json_number(j, "same_fast_ratio", b->fast.ratio);
     json_array(j, "rows");
     for (int i = 0; i < b->count; i++) {
         const struct bench_row *r = &b->row[i];

@@ -86,7 +86,8 @@ void bench_print_scene(const struct bench_scene *b, FILE *out) {
     fprintf(out, "%s\n", b->scene->name);
     print_front(b, out);
     print_growth(b, out);
-    fprintf(out, "same against same: %.3f (%s)\n", b->same_ratio, b->same ? b->same : "none ran");
+    fprintf(out, "same against same: %.3f (slowest: %s), %.3f (fastest: %s)\n", b->slow.ratio,
+            b->slow.label ? b->slow.label : "none ran", b->fast.ratio, b->fast.label ? b->fast.label : "none ran");
     for (int i = 0; i < b->count; i++) {
         const struct bench_row *r = &b->row[i];
         if (!r->result.failure.status) continue;

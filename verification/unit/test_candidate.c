@@ -122,6 +122,14 @@ static void a_median_is_no_mean(void **state) {
     assert_near(t.highest, 100, 0);
 }
 
+static void a_ratio_is_as_wide_as_both(void **state) {
+    (void)state;
+    struct bench_time t = bench_ratio((struct bench_time){3, 2, 5}, (struct bench_time){1.5, 1, 4});
+    assert_near(t.median, 2, 0);
+    assert_near(t.lowest, 0.5, 0);
+    assert_near(t.highest, 5, 0);
+}
+
 static void a_refusal_is_no_failure(void **state) {
     (void)state;
     assert_null(bench_outcome(&(struct bench_row){0}));
@@ -138,6 +146,7 @@ int main(void) {
         cmocka_unit_test(ghosts_are_counted_at_every_step),
         cmocka_unit_test(searches_and_rows_cost_more_than_a_stencil),
         cmocka_unit_test(a_median_is_no_mean),
+        cmocka_unit_test(a_ratio_is_as_wide_as_both),
         cmocka_unit_test(a_refusal_is_no_failure),
     };
     return cmocka_run_group_tests_name("candidate", tests, NULL, NULL);
