@@ -2,6 +2,7 @@
  * median.  A candidate climbs until a rung takes long; a rung that fails is kept with its reason. */
 #include "verification/bench.h"
 
+#include "verification/progress.h"
 #include "verification/request.h"
 #include "verification/slope.h"
 
@@ -124,11 +125,17 @@ static struct bench_same time_against_itself(const struct request *r, const stru
 void bench_run(const struct request *r, struct bench_scene *b) {
     int unit = candidate_unit(&r->problem);
     *b = (struct bench_scene){.scene = r->scene};
+    int count = 0;
+    while (candidates_table[count].label) count++;
+    struct progress progress = progress_start("candidates", count);
     for (const struct candidate *c = candidates_table; c->label && unit; c++) {
-        if (c->dim && c->dim != r->problem.dim) continue;
-        climb(c, r, unit, b);
-        fit_growth(c, r->problem.dim, b);
+        if (!c->dim || c->dim == r->problem.dim) {
+            climb(c, r, unit, b);
+            fit_growth(c, r->problem.dim, b);
+        }
+        progress_tick(&progress);
     }
+    progress_end(&progress);
     for (int i = 0; i < b->count; i++) {
         b->row[i].front_time = on_front(b, &b->row[i], 0);
         b->row[i].front_work = on_front(b, &b->row[i], 1);

@@ -7,6 +7,7 @@
 #include "solver/state.h"
 #include "verification/arguments.h"
 #include "verification/bench.h"
+#include "verification/progress.h"
 
 #include <math.h>
 #include <omp.h>
@@ -166,10 +167,16 @@ void bench_engine_run(struct bench_engine *e) {
     struct bench_time t = triad();
     double bandwidth = 24.0 * TRIAD / t.lowest; /* as STREAM reports it: the best of its runs */
     add(e, "triad, one thread", "bytes/s", t, 24.0 * TRIAD, 1);
+    struct progress progress = progress_start("parts of the engine", 5);
+    progress_tick(&progress);
     in_cache(e);
+    progress_tick(&progress);
     out_of_cache(e, bandwidth);
+    progress_tick(&progress);
     protocol(e);
+    progress_tick(&progress);
     cloud(e, bandwidth);
+    progress_end(&progress);
     t = triad();
     add_ratio(e, "the best triad at the end, over that at the start", constant(24.0 * TRIAD / t.lowest / bandwidth),
               NAN, 0);

@@ -8,7 +8,6 @@
 #include "verification/bench_json.h"
 #include "verification/bench_print.h"
 #include "verification/json.h"
-#include "verification/progress.h"
 #include "verification/request.h"
 #include "verification/words.h"
 
@@ -83,19 +82,14 @@ static int bench_scenes(const struct request *r, FILE *out, struct files *files,
     struct json j = json_on(out);
     const struct scene *only = r->only ? scene_find(r->only) : NULL;
     const char *names[WORDS_MAX] = {0};
-    int total = 0, status = STATUS_OK;
-    for (; scenes[total] && total < WORDS_MAX - 1; total++) names[total] = scenes[total]->name;
+    int status = STATUS_OK;
+    for (int i = 0; scenes[i] && i < WORDS_MAX - 1; i++) names[i] = scenes[i]->name;
     if (r->only && !only) return words_unknown(names, "scene", r->only, why);
     json_object(&j, NULL);
     measure_engine(r, &j);
     json_array(&j, "scenes");
-    struct progress progress = progress_start("scenes", only ? 1 : total);
-    for (int i = 0; scenes[i] && !status; i++) {
-        if (only && scenes[i] != only) continue;
-        status = bench_one(r, scenes[i], &j, files, why);
-        progress_tick(&progress);
-    }
-    progress_end(&progress);
+    for (int i = 0; scenes[i] && !status; i++)
+        if (!only || scenes[i] == only) status = bench_one(r, scenes[i], &j, files, why);
     json_end(&j);
     json_end(&j);
     return status;
