@@ -111,17 +111,19 @@ int particles_march(const struct problem *p, const struct options *o, const stru
     double bound = operator_bound(a), dt = o->dt;
     if (dt == 0 && o->fourier > 0) dt = o->fourier * l->dx[0] * l->dx[0] / kappa;
     if (dt == 0) dt = o->stepper == STEPPER_RKL2 ? sqrt(p->t_end / bound) : 1 / bound;
-    if (!(dt > 0) || !isfinite(dt)) return fail(why, STATUS_INPUT, "--dt %g: must be > 0, in s", dt);
+    const char *name = o->fourier > 0 && o->dt == 0 ? "fourier" : "dt"; /* what was asked for, for messages */
+    double asked = o->fourier > 0 && o->dt == 0 ? o->fourier : dt;
+    if (!(dt > 0) || !isfinite(dt)) return fail(why, STATUS_INPUT, "--%s %g: makes steps of %g s", name, asked, dt);
     double steps = ceil(p->t_end / dt - 1e-9);
-    if (steps > 1e12) return fail(why, STATUS_INPUT, "--dt %g: more than 1e12 steps", dt);
+    if (steps > 1e12) return fail(why, STATUS_INPUT, "--%s %g: more than 1e12 steps", name, asked);
     m->steps = (long long)fmax(1, steps);
     if (m->stepper == STEPPER_RK2) m->stages = 2;
     if (m->stepper == STEPPER_RKL2) m->stages = stepper_stages(m->time / (double)m->steps, bound);
     if (m->stages > STEPPER_STAGES_MAX)
-        return fail(why, STATUS_INPUT, "--dt %g: a step would take rkl2 more than %d stages; take more steps", dt,
-                    STEPPER_STAGES_MAX);
+        return fail(why, STATUS_INPUT, "--%s %g: a step would take rkl2 more than %d stages; take more steps", name,
+                    asked, STEPPER_STAGES_MAX);
     if ((double)a->pairs * (double)m->steps * m->stages > 9e18)
-        return fail(why, STATUS_INPUT, "--dt %g: more interactions than can be counted, 9e18", dt);
+        return fail(why, STATUS_INPUT, "--%s %g: more interactions than can be counted, 9e18", name, asked);
     return STATUS_OK;
 }
 
