@@ -33,7 +33,7 @@ static double time_once(const struct candidate *c, const struct request *r, int 
     struct field f = {0};
     struct failure why;
     double start = omp_get_wtime();
-    int status = candidate_solve(c, r, n, &f, &why);
+    int status = candidate_solve(c, r, (struct candidate_size){n, 0}, &f, &why);
     double seconds = omp_get_wtime() - start;
     field_free(&f);
     return status ? NAN : seconds;
@@ -53,7 +53,7 @@ static void climb(const struct candidate *c, const struct request *r, int unit, 
         before = n;
         struct bench_row *row = &b->row[b->count++];
         *row = (struct bench_row){.candidate = c, .n = n};
-        if (candidate_run(c, r, n, &row->result)) {
+        if (candidate_run(c, r, (struct candidate_size){n, 0}, &row->result)) {
             if (++failures == FAILURES) return;
             continue;
         }

@@ -6,6 +6,7 @@
 #include "verification/plan.h"
 #include "verification/request.h"
 #include "verification/run.h"
+#include "verification/setup_work.h"
 
 #include <float.h>
 #include <math.h>
@@ -19,7 +20,7 @@ const struct candidate candidates_table[] = {
     {"so_ssph matched, wendland kernel", "so_ssph", {MATCHED, .h_iso = 1, .kernel = KERNEL_WENDLAND}, 2, 0, 0},
     {"so_ssph matched, cubic kernel", "so_ssph", {MATCHED, .h = 1.05}, 1, 0, 0},
     {"ftcs matched", "ftcs", {MATCHED}, 1, 0, 0},
-    {"so_ssph exact, h/dx 1.05", "so_ssph", {.stepper = STEPPER_EXACT, .h = 1.05}, 0, 0, 0},
+    {"so_ssph exact, h/dx 0.9", "so_ssph", {.stepper = STEPPER_EXACT, .h = 0.9}, 0, 0, 0},
     {"so_ssph exact, cell samples", "so_ssph", {.stepper = STEPPER_EXACT, .sampling = SAMPLING_CELL}, 0, 0, 0},
     {"so_ssph of order 4, exact", "so_ssph", {.stepper = STEPPER_EXACT, .order = 4}, 0, 0, 0},
     {"brookshaw exact", "brookshaw", {.stepper = STEPPER_EXACT}, 0, 0, 0},
@@ -32,7 +33,13 @@ const struct candidate candidates_table[] = {
      0},
     {"so_ssph rkl2", "so_ssph", {.stepper = STEPPER_RKL2, .sampling = SAMPLING_CELL}, 0, 0.125, 0},
     {"brookshaw rkl2, series mean", "brookshaw", {.stepper = STEPPER_RKL2, .mean = MEAN_SERIES}, 0, 0.125, 0},
-    {"so_ssph exact, h/dx 0.9", "so_ssph", {.stepper = STEPPER_EXACT, .h = 0.9}, 0, 0, 1},
+    {"brookshaw rkl2, series mean, h/dx 0.7",
+     "brookshaw",
+     {.stepper = STEPPER_RKL2, .mean = MEAN_SERIES, .h = 0.7},
+     1,
+     0.125,
+     0},
+    {"so_ssph exact, h/dx 1.05", "so_ssph", {.stepper = STEPPER_EXACT, .h = 1.05}, 0, 0, 1},
     {"so_ssph exact, h/dx 1.3", "so_ssph", {.stepper = STEPPER_EXACT, .h = 1.3}, 0, 0, 1},
     {"so_ssph exact, h/dx 2", "so_ssph", {.stepper = STEPPER_EXACT, .h = 2}, 0, 0, 1},
     {"so_ssph exact, quartic kernel",
@@ -61,8 +68,6 @@ const struct candidate candidates_table[] = {
     {0}};
 #undef MATCHED
 
-enum { UNIT_MAX = 64 };
-
 /* Whether n cells along x, as long as high, have no part of one left over, and meet every jump with a face. */
 static int fits(const struct problem *p, int n, int jumps) {
     double dx = (p->hi[0] - p->lo[0]) / n;
@@ -80,15 +85,15 @@ static int fits(const struct problem *p, int n, int jumps) {
 
 int candidate_unit(const struct problem *p) {
     for (int jumps = 1; jumps >= 0; jumps--)
-        for (int n = 1; n <= UNIT_MAX; n++)
+        for (int n = 1; n <= CANDIDATE_UNIT_MAX; n++)
             if (fits(p, n, jumps)) return n;
     return 0;
 }
 
-/* The place of the part that is nearest to `part` of 1, in n cells that are at most UNIT_MAX. */
+/* The place of the part that is nearest to `part` of 1, in n cells that are at most CANDIDATE_UNIT_MAX. */
 static double nearest_part(double part) {
     double best = INFINITY;
-    for (int n = 1; n <= UNIT_MAX; n++) {
+    for (int n = 1; n <= CANDIDATE_UNIT_MAX; n++) {
         double at = fmax(1, nearbyint(part * n)) / n;
         if (fabs(at - part) < fabs(best - part)) best = at;
     }
@@ -108,11 +113,11 @@ int candidate_member(double least, int unit) {
     return unit * (int)fmax(1, ceil(least / unit - 1e-9));
 }
 
-struct options candidate_options(const struct candidate *c, const struct request *r, int n) {
+struct options candidate_options(const struct candidate *c, const struct request *r, struct candidate_size size) {
     struct options o = c->options;
-    o.dx = (r->problem.hi[0] - r->problem.lo[0]) / n;
+    o.dx = (r->problem.hi[0] - r->problem.lo[0]) / size.n;
     o.threads = r->options.threads;
-    if (c->steps > 0) o.dt = r->problem.t_end / ceil(10 + c->steps * n);
+    if (c->steps > 0) o.dt = r->problem.t_end / (size.steps > 0 ? size.steps : ceil(10 + c->steps * size.n));
     return o;
 }
 
@@ -123,35 +128,48 @@ static struct request with_method(const struct candidate *c, const struct reques
     return with;
 }
 
-int candidate_run(const struct candidate *c, const struct request *r, int n, struct result *out) {
+int candidate_run(const struct candidate *c, const struct request *r, struct candidate_size size,
+                  struct result *out) {
     struct request with = with_method(c, r);
-    struct options o = candidate_options(c, r, n);
+    struct options o = candidate_options(c, r, size);
     return run_request(&with, &o, out, NULL);
 }
 
-int candidate_solve(const struct candidate *c, const struct request *r, int n, struct field *f, struct failure *why) {
+int candidate_solve(const struct candidate *c, const struct request *r, struct candidate_size size, struct field *f,
+                    struct failure *why) {
     struct request with = with_method(c, r);
-    struct options o = candidate_options(c, r, n);
+    struct options o = candidate_options(c, r, size);
     return fold_solve(with.method, &with.problem, &o, f, why);
 }
 
-static int plan_run(const struct candidate *c, const struct request *r, int n, struct plan *plan) {
+static double rounding(const struct problem *p, const struct plan *plan) {
+    double applications = (double)plan->steps * plan->stages, width = p->hi[0] - p->lo[0];
+    double kappa = run_diffusivity(p), lasts = fmin(p->t_end, width * width / (M_PI * M_PI * kappa));
+    double symbol = plan->steps == 0 ? kappa * lasts / (plan->options.dx * plan->options.dx) : 0;
+    return DBL_EPSILON / 4 * (sqrt(applications) + symbol);
+}
+
+int candidate_foresee(const struct candidate *c, const struct request *r, struct candidate_size size,
+                      struct candidate_cost *cost, struct failure *why) {
     struct request with = with_method(c, r);
-    struct options o = candidate_options(c, r, n);
-    struct failure ignored;
-    return plan_make(&with, &o, plan, &ignored);
-}
-
-double candidate_steps_work(const struct candidate *c, const struct request *r, int n) {
+    struct options o = candidate_options(c, r, size);
     struct plan plan;
-    if (plan_run(c, r, n, &plan)) return 0;
-    return plan.steps == 0 ? 0 : (double)plan.interactions + 2 * (double)plan.updates;
-}
-
-double candidate_rounding(const struct candidate *c, const struct request *r, int n) {
-    struct plan plan;
-    if (plan_run(c, r, n, &plan)) return 0;
-    return DBL_EPSILON / 4 * sqrt((double)plan.steps * plan.stages);
+    int status = plan_make(&with, &o, &plan, why);
+    if (status) return status;
+    struct result run = {.method = with.method,
+                         .options = o,
+                         .steps = plan.steps,
+                         .stages = plan.stages,
+                         .particles = plan.particles,
+                         .updates = plan.updates,
+                         .interactions = plan.interactions};
+    run.options.h = plan.options.h;
+    run.setup = setup_work(&r->problem, &run);
+    run.ghosts = setup_work_of_ghosts(&r->problem, &run);
+    cost->work = candidate_work(&run);
+    cost->bytes = (double)plan.bytes[plan_peak(&plan)];
+    cost->rounding = rounding(&r->problem, &plan);
+    return STATUS_OK;
 }
 
 double candidate_work(const struct result *r) {

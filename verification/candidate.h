@@ -12,17 +12,23 @@ struct candidate {
     const char *method;
     struct options options; /* dx left open */
     int dim;                /* 1 or 2: for that dimension only; 0: for both */
-    double steps;           /* time steps: 10, and this many for each particle along x; 0: as the options say */
+    double steps;           /* > 0: time steps are open, for bench 10 and this many for each particle along x */
     int wide;               /* 1: for bench alone */
 };
 
+enum { CANDIDATE_UNIT_MAX = 1024 };
+
 extern const struct candidate candidates_table[]; /* ended by a NULL label */
 
-/* The options of the candidate with n particles along x of r's domain. */
-struct options candidate_options(const struct candidate *c, const struct request *r, int n);
+/* One size of it: particles along x of the domain, and time steps where they are open (0: as for bench). */
+struct candidate_size {
+    int n, steps;
+};
+
+struct options candidate_options(const struct candidate *c, const struct request *r, struct candidate_size size);
 
 /* The number of cells along x whose multiples all suit the problem: no part of a cell is left over, and every jump,
- * if that can be, lies on a face.  0 where there is none up to 64. */
+ * if that can be, lies on a face.  0 where there is none up to CANDIDATE_UNIT_MAX. */
 int candidate_unit(const struct problem *p);
 
 /* For a text: the values nearest to what the domain has, of which candidate_unit would be a unit. */
@@ -32,17 +38,25 @@ void candidate_fitting(const struct problem *p, char *text, size_t size);
 int candidate_member(double least, int unit);
 
 /* The solve alone, as struct method's. */
-int candidate_solve(const struct candidate *c, const struct request *r, int n, struct field *f, struct failure *why);
+int candidate_solve(const struct candidate *c, const struct request *r, struct candidate_size size, struct field *f,
+                    struct failure *why);
 
 /* Runs and measures it; as run_request. */
-int candidate_run(const struct candidate *c, const struct request *r, int n, struct result *out);
+int candidate_run(const struct candidate *c, const struct request *r, struct candidate_size size, struct result *out);
 
-/* What the steps of a run with n particles along x will count in candidate_work; 0 where it would be refused. */
-double candidate_steps_work(const struct candidate *c, const struct request *r, int n);
+/* What a run takes, told by its plan (verification/plan.h). */
+struct candidate_cost {
+    double work;     /* candidate_work */
+    double bytes;    /* held at once, at most */
+    double rounding; /* what rounding leaves of E1, in the mean */
+};
 
-/* What rounding leaves of E1 after the steps of that run: T is rounded at each application of the operator, by eps/4
- * of itself in the mean and at random: eps/4 sqrt(applications).  0 where it would be refused. */
-double candidate_rounding(const struct candidate *c, const struct request *r, int n);
+/* The cost of the run; a status of solver/method.h.  Rounding: T is rounded at each application of the operator, by
+ * eps/4 of itself in the mean and at random: eps/4 sqrt(applications).  With transforms the symbol of the slowest
+ * mode is what is left of terms of size kappa/dx^2, each wrong by eps/4 in the mean, and acts until the mode is gone:
+ * eps/4 kappa min(t, L^2/(pi^2 kappa))/dx^2. */
+int candidate_foresee(const struct candidate *c, const struct request *r, struct candidate_size size,
+                      struct candidate_cost *cost, struct failure *why);
 
 /* What a run costs, counted so that it is the same on every machine.  The unit is a pair of particles, one
  * multiplication and one addition in a stream:

@@ -3,37 +3,25 @@
 
 /* The cheapest run of a scene that reaches an error. */
 
-#include "verification/candidate.h"
+#include "verification/prospect.h"
 
-enum { CHOOSE_CANDIDATES = 24, CHOOSE_RUNGS = 12 };
+enum { CHOOSE_CANDIDATES = 24 };
 
-struct choose_rung {
-    int n;                     /* particles along x */
-    double error, once, steps; /* work of setting up and of the steps */
-};
-
-struct choose_one {
-    const struct candidate *candidate;
-    int rungs; /* runs so far, coarsest first */
-    struct choose_rung rung[CHOOSE_RUNGS];
-    double order, once, steps;              /* error ~ n^-order, work ~ n^once and n^steps; 0 where not fitted */
-    int wanted;                             /* particles along x that should reach the error */
-    double predicted_error, predicted_work; /* there; infinite work where it cannot be */
-    char reason[200];                       /* why it cannot */
-};
+extern const double choose_work_max; /* pairs: a few minutes */
 
 struct choose {
     double error; /* wanted: E1 */
     int count;
-    struct choose_one one[CHOOSE_CANDIDATES]; /* cheapest first once it ends */
-    int proofs;                               /* proving runs */
-    double rounding; /* least that it leaves of a run foretold to reach the error, where that is more; 0: none */
-    int reached;     /* 1: the last of them has the error */
-    struct choose_one best; /* what that run was, as foretold before it */
-    struct result proof;
+    struct prospect one[CHOOSE_CANDIDATES]; /* cheapest first once it ends */
+    int proofs;                             /* proving runs */
+    double rounding;      /* least that it leaves of a run foretold to reach the error, where that is more; 0: none */
+    int reached;          /* 1: the proof has the error */
+    struct prospect best; /* what that run was, as foretold before it */
+    struct result proof;  /* the best of the proving runs */
 };
 
-/* STATUS_OK, STATUS_GATE where the error was not reached (*c then tells the best), or STATUS_INPUT. */
-int choose_run(const struct request *r, double error, struct choose *c, struct failure *why);
+/* With no run that takes more than work_max.  STATUS_OK, STATUS_GATE where the error was not reached (*c then tells
+ * the best), or STATUS_INPUT. */
+int choose_run(const struct request *r, double error, double work_max, struct choose *c, struct failure *why);
 
 #endif

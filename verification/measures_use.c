@@ -67,7 +67,7 @@ void measures_use_time_error(const struct request *r, double lo, double hi, stru
 void measures_use_choose(const struct request *r, double lo, double hi, struct measured *m) {
     struct choose *c = xcalloc(1, sizeof *c);
     struct failure why = {0};
-    int status = choose_run(r, r->error, c, &why);
+    int status = choose_run(r, r->error, choose_work_max, c, &why);
     measures_fail(m, why.text);
     if (!status) measures_judge(m, c->proof.error.l1 / r->error, lo, hi);
     free(c);

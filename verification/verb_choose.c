@@ -56,10 +56,10 @@ static void print_text(const struct request *r, const struct choose *c) {
     const char *header[] = {"candidate", "particles along x", "order", "E1 foretold", "work [pairs]"};
     for (int i = 0; i < 5; i++) table_add(&t, "%s", header[i]);
     for (int i = 0; i < c->count; i++) {
-        const struct choose_one *o = &c->one[i];
+        const struct prospect *o = &c->one[i];
         if (!isfinite(o->predicted_work)) continue;
         table_add(&t, "%s", o->candidate->label);
-        table_add(&t, "%d", o->wanted);
+        table_add(&t, "%d", o->wanted.n);
         if (o->order > 0)
             table_add(&t, "%.2f", o->order);
         else
@@ -73,9 +73,9 @@ static void print_text(const struct request *r, const struct choose *c) {
         if (*c->one[i].reason) printf("left out: %s: %s\n", c->one[i].candidate->label, c->one[i].reason);
 }
 
-static void one_json(const struct request *r, const struct choose_one *o, struct json *j) {
-    struct options with = candidate_options(o->candidate, r, o->wanted > 0 ? o->wanted : 1);
+static void one_json(const struct request *r, const struct prospect *o, struct json *j) {
     int can = isfinite(o->predicted_work);
+    struct options with = candidate_options(o->candidate, r, o->wanted);
     json_text(j, "candidate", o->candidate->label);
     json_text(j, "method", o->candidate->method);
     json_text(j, "stepper", stepper_words[with.stepper]);
@@ -126,7 +126,7 @@ static void print_json(const struct request *r, const struct choose *c) {
 int verb_choose(const struct request *r) {
     struct failure why = {0};
     struct choose *c = xcalloc(1, sizeof *c);
-    int status = choose_run(r, r->error, c, &why);
+    int status = choose_run(r, r->error, choose_work_max, c, &why);
     if (status != STATUS_INPUT) (r->json ? print_json : print_text)(r, c);
     if (status) fprintf(stderr, "heatladder: %s\n", why.text);
     free(c);

@@ -21,13 +21,13 @@ static int unit_of(const char *name, const char *param, double value) {
     return candidate_unit(&p);
 }
 
-/* The jumps of rod-step lie 3/8 and 5/8 along it, those with a = 0.6 at 7/20 and 13/20, those with a = 0.4371 on no
- * face of a lattice of up to 64; the layers of wall-composite meet at its middle less a tenth. */
+/* The jumps of rod-step lie 3/8 and 5/8 along it, those with a = 0.6 at 7/20 and 13/20, those with a = 0.43711 on no
+ * face of a lattice of up to 1024; the layers of wall-composite meet at its middle less a tenth. */
 static void lattices_meet_the_jumps(void **state) {
     (void)state;
     assert_int_equal(unit_of("rod-step", NULL, 0), 8);
     assert_int_equal(unit_of("rod-step", "a", 0.6), 20);
-    assert_int_equal(unit_of("rod-step", "a", 0.4371), 1);
+    assert_int_equal(unit_of("rod-step", "a", 0.43711), 1);
     assert_int_equal(unit_of("rod-gauss", NULL, 0), 1);
     assert_int_equal(unit_of("rod-contact", NULL, 0), 2);
     assert_int_equal(candidate_member(17, 8), 24);
@@ -100,6 +100,35 @@ static void ghosts_are_counted_at_every_step(void **state) {
     assert_near(candidate_work(&rod), (double)(rod.interactions + 2 * rod.updates) + rod.ghosts + rod.setup, 0);
 }
 
+/* The plan of a run tells its cost to the last pair, and what rounding leaves is no more than what it can. */
+static void costs_are_foreseen(void **state) {
+    (void)state;
+    const char *lines[] = {"choose rod-contact --error 1", "choose square-step --error 1",
+                           "choose rect-manufactured --error 1"};
+    struct candidate_size size = {24, 7};
+    int compared = 0;
+    for (int i = 0; i < 3; i++) {
+        struct request r;
+        struct failure why;
+        assert_int_equal(arguments_parse_line(lines[i], &r, &why), STATUS_OK);
+        for (const struct candidate *c = candidates_table; c->label; c++) {
+            struct candidate_cost cost;
+            struct result result;
+            if (c->dim && c->dim != r.problem.dim) continue;
+            int status = candidate_run(c, &r, size, &result);
+            assert_int_equal(candidate_foresee(c, &r, size, &cost, &why), status);
+            if (status) continue;
+            assert_near(cost.work, candidate_work(&result), 0);
+            assert_true(cost.bytes >= (double)result.bytes);
+            assert_true(cost.rounding < result.rounding && cost.rounding > 0);
+            if (c->steps > 0) assert_int_equal(result.steps, 7);
+            compared++;
+        }
+        arguments_free(&r);
+    }
+    assert_true(compared > 20);
+}
+
 static void searches_and_rows_cost_more_than_a_stencil(void **state) {
     (void)state;
     double once = run("run square-step so_ssph --dx 0.1 --fourier 0.1 --stepper euler").setup;
@@ -144,6 +173,7 @@ int main(void) {
         cmocka_unit_test(work_is_counted),
         cmocka_unit_test(setting_up_is_counted_by_what_is_done),
         cmocka_unit_test(ghosts_are_counted_at_every_step),
+        cmocka_unit_test(costs_are_foreseen),
         cmocka_unit_test(searches_and_rows_cost_more_than_a_stencil),
         cmocka_unit_test(a_median_is_no_mean),
         cmocka_unit_test(a_ratio_is_as_wide_as_both),
