@@ -19,7 +19,7 @@
 static const double MARGIN = 0.9;          /* of the error wanted: what a forecast aims at */
 static const double COARSE_MAX = 1e10;     /* some seconds: of a rung without which there is no forecast */
 static const double MORE_MAX = 1e8;        /* of a rung beyond those */
-static const double BYTES_MAX = 4e9;       /* what a run may hold */
+static const double BYTES_MAX = 8e9;       /* what a run may hold */
 static const double DAMPED = 0.6;          /* RKL2's factor of the stiffest modes in a step, about */
 static const int COARSEST[3] = {0, 16, 8}; /* particles along x of the first rung, by dimension */
 enum { RUNGS = 6, FITTED = 3, FAR = 4 };   /* apart by 2, then, where the order shows, by 1.5 */
@@ -215,17 +215,18 @@ int prospect_finest(struct prospect *c, const struct prospect_goal *goal) {
     int found = 0;
     if (c->rungs < 2 || !(c->order > 0.2)) return 0;
     const struct prospect_rung *base = &c->rung[c->rungs - 1];
-    for (double n = base->size.n * 1.25; n < 1e7; n *= 1.25) {
+    for (double n = base->size.n * 1.1; n < 1e7; n *= 1.1) {
         struct prospect finer = *c;
         struct candidate_cost cost;
         struct failure why;
         finer.wanted.n = candidate_member(n, goal->unit);
         double space = space_beyond(c, base, finer.wanted.n);
         finer.wanted.steps = time_steps(c, goal, fmax(space / MARGIN, goal->error));
-        finer.predicted_error = space + time_part(c, finer.wanted.steps);
         if (pow(finer.wanted.n, goal->request->problem.dim) * 8 > BYTES_MAX) break;
         if (candidate_foresee(c->candidate, goal->request, finer.wanted, &cost, &why)) break;
-        if (cost.work > goal->work_max || cost.bytes > BYTES_MAX || cost.rounding > finer.predicted_error) break;
+        finer.predicted_error = space + time_part(c, finer.wanted.steps) + cost.rounding;
+        if (cost.work > goal->work_max || cost.bytes > BYTES_MAX) break;
+        if (found && finer.predicted_error > c->predicted_error) break;
         finer.predicted_work = cost.work;
         *c = finer;
         found = 1;

@@ -42,8 +42,8 @@ int prospect_scout(struct prospect *c, const struct prospect_goal *goal);
 void prospect_learn(struct prospect *c, const struct prospect_goal *goal, struct candidate_size size, double foretold,
                     double measured);
 
-/* The finest run, by quarters, that the work allows and that rounding does not spoil, and what it should reach:
- * *wanted and its forecasts are set to it.  1, or 0 where nothing finer than the rungs can be foretold. */
+/* The finest run, by tenths, that the work and the memory allow and that rounding does not spoil, and what it should
+ * reach: *wanted and its forecasts are set to it.  1, or 0 where nothing finer than the rungs can be foretold. */
 int prospect_finest(struct prospect *c, const struct prospect_goal *goal);
 
 void prospect_rule_out(struct prospect *c, const char *reason);
