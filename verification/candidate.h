@@ -47,6 +47,7 @@ int candidate_run(const struct candidate *c, const struct request *r, struct can
 /* What a run takes, told by its plan (verification/plan.h). */
 struct candidate_cost {
     double work;     /* candidate_work */
+    double whole;    /* with its error, and rows at what they take: for limits */
     double bytes;    /* held at once, at most */
     double rounding; /* what rounding leaves of E1, in the mean */
 };

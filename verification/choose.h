@@ -7,7 +7,7 @@
 
 enum { CHOOSE_CANDIDATES = 24 };
 
-extern const double choose_work_max; /* pairs: a few minutes */
+extern const double choose_work_max; /* pairs: a minute or so */
 
 struct choose {
     double error; /* wanted: E1 */

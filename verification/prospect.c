@@ -105,17 +105,13 @@ static void weigh(struct prospect *c, const struct prospect_goal *goal) {
     struct failure why;
     char text[120];
     c->rounding = 0;
-    /* rows are assembled for a plan: not where their particles alone are too many */
-    double particles = pow(c->wanted.n, goal->request->problem.dim);
-    if (particles > goal->work_max || particles * 8 > BYTES_MAX)
-        snprintf(text, sizeof text, "needs %d particles along x: too many", c->wanted.n);
-    else if (candidate_foresee(c->candidate, goal->request, c->wanted, &cost, &why))
+    if (candidate_foresee(c->candidate, goal->request, c->wanted, &cost, &why))
         snprintf(text, sizeof text, "%.119s", why.text);
     else if (cost.rounding > goal->error && c->wanted.n > last->size.n) {
         snprintf(text, sizeof text, "rounding leaves %.2g with %d particles along x", cost.rounding, c->wanted.n);
         c->rounding = cost.rounding;
-    } else if (cost.work > goal->work_max)
-        snprintf(text, sizeof text, "would take %.2g pairs with %d particles along x", cost.work, c->wanted.n);
+    } else if (cost.whole > goal->work_max)
+        snprintf(text, sizeof text, "would take %.2g pairs with %d particles along x", cost.whole, c->wanted.n);
     else if (cost.bytes > BYTES_MAX)
         snprintf(text, sizeof text, "would hold %.2g bytes with %d particles along x", cost.bytes, c->wanted.n);
     else {
@@ -222,10 +218,9 @@ int prospect_finest(struct prospect *c, const struct prospect_goal *goal) {
         finer.wanted.n = candidate_member(n, goal->unit);
         double space = space_beyond(c, base, finer.wanted.n);
         finer.wanted.steps = time_steps(c, goal, fmax(space / MARGIN, goal->error));
-        if (pow(finer.wanted.n, goal->request->problem.dim) * 8 > BYTES_MAX) break;
         if (candidate_foresee(c->candidate, goal->request, finer.wanted, &cost, &why)) break;
         finer.predicted_error = space + time_part(c, finer.wanted.steps) + cost.rounding;
-        if (cost.work > goal->work_max || cost.bytes > BYTES_MAX) break;
+        if (cost.whole > goal->work_max || cost.bytes > BYTES_MAX) break;
         if (found && finer.predicted_error > c->predicted_error) break;
         finer.predicted_work = cost.work;
         *c = finer;
