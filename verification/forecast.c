@@ -58,9 +58,9 @@ static int run(const struct request *r, const struct options *o, double dx, stru
     struct result result;
     with.dx = dx;
     if (run_request(r, &with, &result, NULL)) return 0;
-    double time = result.time_error * result.error.l1, order = o->stepper == STEPPER_EULER ? 1 : 2;
+    double time = result.time_error * result.error.l1;
     *steps = result.steps;
-    *at = (struct rung){dx, time * pow((double)result.steps, order), result.error.l1 - time};
+    *at = (struct rung){dx, time * pow((double)result.steps, stepping_order(o)), result.error.l1 - time};
     return dx == o->dx || (at->time > 0 && at->space > 0); /* nothing is carried on from dx itself */
 }
 

@@ -18,6 +18,7 @@
 #include "verification/fold.h"
 #include "verification/norms.h"
 #include "verification/request.h"
+#include "verification/run.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -52,16 +53,12 @@ static int try_steps(struct search *s, double steps, struct trial *t, struct fai
     return status;
 }
 
-static int order_of(const struct options *o) {
+int stepping_order(const struct options *o) {
     return o->stepper == STEPPER_EULER ? 1 : 2;
 }
 
 double stepping_first(const struct request *r, const struct options *o) {
-    double kappa = 0;
-    for (int m = 0; m < r->problem.materials; m++)
-        for (int a = 0; a < r->problem.dim; a++)
-            kappa = fmax(kappa, r->problem.material[m].k[a] / r->problem.material[m].rho_c);
-    double steps = r->problem.t_end * kappa / (FOURIER / r->problem.dim * o->dx * o->dx);
+    double steps = r->problem.t_end * run_diffusivity(&r->problem) / (FOURIER / r->problem.dim * o->dx * o->dx);
     if (o->stepper == STEPPER_RKL2) steps = r->time_error > 0 ? 2 : sqrt(steps) / 2; /* some ten stages a step */
     return fmax(1, ceil(steps));
 }
@@ -201,7 +198,7 @@ static size_t held(const struct search *s) {
 
 static int solve_searched(const struct request *r, const struct options *o, struct field *f,
                           struct stepping *stepping, struct failure *why) {
-    struct search s = {.r = r, .o = o, .order = order_of(o)};
+    struct search s = {.r = r, .o = o, .order = stepping_order(o)};
     int status = first(&s, why);
     if (status) return status;
     s.exact = xcalloc(s.coarse.field.n, sizeof *s.exact);
@@ -223,7 +220,7 @@ static int solve_searched(const struct request *r, const struct options *o, stru
 
 double stepping_forecast(const struct request *r, const struct options *o, double particles, double time,
                          double space) {
-    int order = order_of(o);
+    int order = stepping_order(o);
     if (r->time_error > 0) {
         double steps = fmax(1, ceil(pow(time / r->time_error, 1.0 / order)));
         return within_reach(steps, particles, order) ? steps : 0;

@@ -8,6 +8,9 @@ struct request;
 
 #define STEPPING_UPDATES_MAX 2e10 /* a minute or so; past it the 1 % rule lets a time error stand */
 
+/* The order of o->stepper, which is neither exact nor matched. */
+int stepping_order(const struct options *o);
+
 /* Steps of the first run of a search. */
 double stepping_first(const struct request *r, const struct options *o);
 
