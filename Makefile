@@ -8,21 +8,28 @@ WARN     += -Werror
 endif
 BUILD    ?= build
 PREFIX   ?= /usr/local
-LIBS     := gsl fftw3 cmocka
+LIBS     := gsl fftw3
 # Asked for when the first recipe needs them, and then once: `make setup test` installs pkg-config on the way.
 PKG_CFLAGS = $(eval PKG_CFLAGS := $$(shell pkg-config --cflags $(LIBS)))$(PKG_CFLAGS)
 PKG_LIBS   = $(eval PKG_LIBS := $$(shell pkg-config --libs $(LIBS)))$(PKG_LIBS)
+CMOCKA     = $(eval CMOCKA := $$(shell pkg-config --cflags --libs cmocka))$(CMOCKA)
 ALL_CFLAGS = -std=c11 -D_XOPEN_SOURCE=700 -ffp-contract=off -fopenmp $(WARN) $(CFLAGS) -I. -I$(BUILD) $(PKG_CFLAGS)
 ALL_LIBS   = $(PKG_LIBS) -fopenmp -lm
 ifndef V
 Q := @
 endif
 
-SOURCES := $(wildcard solver/*.c references/*.c verification/*.c)
+# A plain `make` uses all processors.
+ifeq ($(filter -j% --jobs% --jobserver%,$(MAKEFLAGS)),)
+MAKEFLAGS += -j$(shell getconf _NPROCESSORS_ONLN 2>/dev/null || echo 1)
+endif
+
+# Sources are found where they lie: one folder deep, tests apart.
+SOURCES := $(filter-out verification/unit/%,$(wildcard $(foreach d,solver references verification reports,$(d)/*.c $(d)/*/*.c)))
 OBJECTS := $(SOURCES:%.c=$(BUILD)/%.o)
 LIBRARY := $(filter-out $(BUILD)/verification/main.o,$(OBJECTS))
 SCENES  := $(sort $(wildcard references/scene_*.c))
-C_FILES := $(wildcard $(foreach d,solver references verification verification/unit,$(d)/*.[ch] $(d)/*.inc))
+C_FILES := $(wildcard $(foreach d,solver references verification reports,$(foreach e,[ch] inc,$(d)/*.$(e) $(d)/*/*.$(e))))
 TESTS   := $(patsubst verification/unit/%.c,$(BUILD)/unit/%,$(wildcard verification/unit/test_*.c))
 
 .PHONY: all
@@ -32,30 +39,34 @@ $(BUILD)/heatladder: $(OBJECTS)
 	@echo "  LD    $@"
 	$(Q)$(CC) $(ALL_CFLAGS) $(LDFLAGS) -o $@ $^ $(ALL_LIBS)
 
-# A scene is found by its file: no list to keep.
-$(BUILD)/scenes.inc: $(SCENES)
+# A scene is found by its file: no list to keep.  The list is written anew only where it differs.
+$(BUILD)/scenes.inc: FORCE
 	@mkdir -p $(@D)
-	$(Q)for f in $(SCENES); do b=$${f##*/scene_}; echo "SCENE($${b%.c})"; done > $@.new && mv $@.new $@
+	$(Q)for f in $(SCENES); do b=$${f##*/scene_}; echo "SCENE($${b%.c})"; done > $@.new; \
+	if cmp -s $@.new $@; then rm $@.new; else mv $@.new $@; fi
 
-$(BUILD)/%.o: %.c $(BUILD)/scenes.inc
+.PHONY: FORCE
+FORCE:
+
+$(BUILD)/%.o: %.c | $(BUILD)/scenes.inc
 	@mkdir -p $(@D)
 	@echo "  CC    $<"
 	$(Q)$(CC) $(ALL_CFLAGS) $(DEFINES) -MMD -MP -c -o $@ $<
 
 # One file for each width of vector; the program asks the processor which of them it may call.
 ifeq ($(shell uname -m),x86_64)
-$(BUILD)/solver/sweep_lanes4.o: DEFINES += -mavx2
-$(BUILD)/solver/sweep_lanes8.o: DEFINES += -mavx512f
+$(BUILD)/solver/time/sweep_lanes4.o: DEFINES += -mavx2
+$(BUILD)/solver/time/sweep_lanes8.o: DEFINES += -mavx512f
 endif
 
 $(BUILD)/unit/%: verification/unit/%.c $(LIBRARY)
 	@mkdir -p $(@D)
 	@echo "  TEST  $@"
-	$(Q)$(CC) $(ALL_CFLAGS) -MMD -MP -MF $@.d -MT $@ $(LDFLAGS) -o $@ $< $(LIBRARY) $(ALL_LIBS)
+	$(Q)$(CC) $(ALL_CFLAGS) -MMD -MP -MF $@.d -MT $@ $(LDFLAGS) -o $@ $< $(LIBRARY) $(CMOCKA) $(ALL_LIBS)
 
 .PHONY: test
 test: $(TESTS) ## Run the unit tests
-	$(Q)for t in $(TESTS); do $$t || exit 1; done
+	$(Q)scripts/run_tests $(TESTS)
 
 .PHONY: verify
 verify: $(BUILD)/heatladder ## Run every gate, then write tables and plots to reports/out; the exit status is the gates'
@@ -70,7 +81,8 @@ verify-quick: $(BUILD)/heatladder ## Run the quick tier of the gates
 
 # The tables and the data of the figures are there without gnuplot; the stamp says from when they are.
 OUT     := reports/out
-FIGURES := $(patsubst reports/%.gp,$(OUT)/%.svg,$(wildcard reports/*_fig*.gp))
+SCRIPTS := $(wildcard reports/*/*_fig*.gp)
+FIGURES := $(addprefix $(OUT)/,$(notdir $(SCRIPTS:.gp=.svg)))
 
 .PHONY: report
 report: $(OUT)/report.stamp ## Write the papers' tables beside what is measured, and draw their figures, to reports/out
@@ -86,7 +98,8 @@ $(OUT)/report.stamp: $(BUILD)/heatladder $(wildcard reports/published/*.csv)
 figures: $(FIGURES)
 	@:
 
-$(OUT)/%.svg $(OUT)/%.png: reports/%.gp $(filter-out $(wildcard reports/*_fig*.gp),$(wildcard reports/*.gp)) $(OUT)/report.stamp
+vpath %.gp $(sort $(dir $(SCRIPTS)))
+$(OUT)/%.svg $(OUT)/%.png: %.gp $(wildcard reports/page/*.gp) $(OUT)/report.stamp
 	@echo "  PLOT  $(@:.svg=)"
 	$(Q)scripts/plot $(OUT) $<
 
@@ -106,7 +119,7 @@ claims: $(BUILD)/heatladder ## Measure what the two papers state; the ledger goe
 	$(Q)$(BUILD)/heatladder claims reports/out/claims
 
 # Where methods fail: data and figures.
-STABILITY := $(wildcard reports/stability_*.gp)
+STABILITY := $(wildcard reports/stability/*.gp)
 
 .PHONY: stability
 stability: $(BUILD)/heatladder ## Measure where methods fail and draw it, to reports/out
@@ -117,7 +130,7 @@ stability: $(BUILD)/heatladder ## Measure where methods fail and draw it, to rep
 	else echo "stability: gnuplot is not here (make setup installs it); figures were not drawn"; fi
 
 # A benchmark says by which flags it was compiled.
-$(BUILD)/verification/bench_machine.o: DEFINES = -DBENCH_FLAGS='"-std=c11 -ffp-contract=off -fopenmp $(CFLAGS)"'
+$(BUILD)/verification/bench/machine.o: DEFINES = -DBENCH_FLAGS='"-std=c11 -ffp-contract=off -fopenmp $(CFLAGS)"'
 
 BENCH := $(OUT)/bench
 
@@ -127,7 +140,7 @@ bench: $(BUILD)/heatladder ## Chart error against time and counted work, and mea
 	$(Q)$(BUILD)/heatladder bench $(BENCH) > $(BENCH)/bench.txt; status=$$?; cat $(BENCH)/bench.txt; exit $$status
 	$(Q)if command -v gnuplot >/dev/null; then for data in $(BENCH)/bench_*.csv; do \
 	for chart in time work growth; do \
-	scripts/plot $(BENCH) reports/bench_$$chart.gp $$data || exit 1; done; done; \
+	scripts/plot $(BENCH) reports/bench/bench_$$chart.gp $$data || exit 1; done; done; \
 	else echo "bench: gnuplot is not here (make setup installs it); charts were not drawn"; fi
 
 .PHONY: setup-peers
@@ -139,12 +152,12 @@ setup-peers: ## Install the programs that bench-peers measures, where the system
 PEER := $(CC) -std=c11 -D_XOPEN_SOURCE=700 -O3 -march=native -fopenmp $(WARN) -I.
 SUNDIALS := cvode arkode nvecserial sunlinsolpcg
 
-$(BUILD)/peers/ftcs: $(addprefix verification/peers/,ftcs.c rectangle.c rectangle.h)
+$(BUILD)/peers/ftcs: $(addprefix verification/bench/peers/,ftcs.c rectangle.c rectangle.h)
 	@mkdir -p $(@D)
 	@echo "  PEER  $@"
 	$(Q)$(PEER) -o $@ $(filter %.c,$^) -lm
 
-$(BUILD)/peers/sundials: $(addprefix verification/peers/,sundials.c sundials_kernels.c rectangle.c sundials_kernels.h rectangle.h)
+$(BUILD)/peers/sundials: $(addprefix verification/bench/peers/,sundials.c sundials_kernels.c rectangle.c sundials_kernels.h rectangle.h)
 	@mkdir -p $(@D)
 	@echo "  PEER  $@"
 	$(Q)$(PEER) -o $@ $(filter %.c,$^) $(SUNDIALS:%=-lsundials_%) -lm
@@ -156,7 +169,7 @@ bench-peers: $(BUILD)/heatladder $(BUILD)/peers/ftcs ## Chart SUNDIALS, SciPy an
 	$(MAKE) -s --no-print-directory $(BUILD)/peers/sundials; fi
 	$(Q)scripts/bench-peers $(BUILD)/heatladder $(BUILD)/peers $(OUT)/peers
 	$(Q)if command -v gnuplot >/dev/null; then for data in $(OUT)/peers/peers_*.csv; do \
-	scripts/plot $(OUT)/peers reports/peers.gp $$data || exit 1; done; \
+	scripts/plot $(OUT)/peers reports/bench/peers.gp $$data || exit 1; done; \
 	else echo "bench-peers: gnuplot is not here (make setup installs it); charts were not drawn"; fi
 
 .PHONY: setup
@@ -175,6 +188,7 @@ CPPCHECK := --quiet --error-exitcode=1 --std=c11 --enable=warning,portability --
 
 .PHONY: lint
 lint: $(OBJECTS) ## Check includes, symbols, shared lines, the format and (by cppcheck) common faults
+	$(Q)scripts/check_floors
 	$(Q)scripts/check_includes
 	$(Q)scripts/check_symbols $(BUILD)
 	$(Q)scripts/check_shared_lines

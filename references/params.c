@@ -19,12 +19,12 @@ int params_between(const struct param *table, const struct problem *p, int i, do
     const char *colon = because ? ": " : "", *reason = because ? because : "";
     double value = p->param[i];
     if (isfinite(value) && lo < value && value < hi) return STATUS_OK;
-    if (isinf(lo) && isinf(hi)) return fail(why, STATUS_INPUT, "--set %s=%g: needs a finite number", name, value);
+    if (isinf(lo) && isinf(hi)) return refuse(why, STATUS_INPUT, "--set %s=%g: needs a finite number", name, value);
     if (isinf(hi))
-        return fail(why, STATUS_INPUT, "--set %s=%g: needs a finite number greater than %g%s%s%s%s", name, value, lo,
-                    gap, unit, colon, reason);
-    return fail(why, STATUS_INPUT, "--set %s=%g: needs a number between %g and %g%s%s, both excluded%s%s", name,
-                value, lo, hi, gap, unit, colon, reason);
+        return refuse(why, STATUS_INPUT, "--set %s=%g: needs a finite number greater than %g%s%s%s%s", name, value,
+                      lo, gap, unit, colon, reason);
+    return refuse(why, STATUS_INPUT, "--set %s=%g: needs a number between %g and %g%s%s, both excluded%s%s", name,
+                  value, lo, hi, gap, unit, colon, reason);
 }
 
 int params_positive(const struct param *table, const struct problem *p, int i, struct failure *why) {
@@ -44,5 +44,5 @@ int params_finite(const struct param *table, const struct problem *p, int i, str
 int params_whole(const struct param *table, const struct problem *p, int i, int lo, int hi, struct failure *why) {
     double value = p->param[i];
     if (lo <= value && value <= hi && value == floor(value)) return STATUS_OK;
-    return fail(why, STATUS_INPUT, "--set %s=%g: needs a whole number from %d to %d", table[i].name, value, lo, hi);
+    return refuse(why, STATUS_INPUT, "--set %s=%g: needs a whole number from %d to %d", table[i].name, value, lo, hi);
 }

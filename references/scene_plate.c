@@ -68,12 +68,12 @@ static int setup(struct problem *p, struct failure *why) {
         if (params_finite(params, p, i, why)) return STATUS_INPUT;
     double ratio = p->param[HEIGHT] / p->param[WIDTH];
     if (ratio < 1e-3 || ratio > 1e3)
-        return fail(why, STATUS_INPUT,
-                    "--set height=%g: needs %g to %g m, a thousandth to a thousand times the width", p->param[HEIGHT],
-                    1e-3 * p->param[WIDTH], 1e3 * p->param[WIDTH]);
+        return refuse(why, STATUS_INPUT,
+                      "--set height=%g: needs %g to %g m, a thousandth to a thousand times the width",
+                      p->param[HEIGHT], 1e-3 * p->param[WIDTH], 1e3 * p->param[WIDTH]);
     double which = p->param[MATERIAL];
     if (!(which == 0 || which == 1 || which == 2))
-        return fail(why, STATUS_INPUT, "--set material=%g: needs steel, titanium or vanadium (0, 1 or 2)", which);
+        return refuse(why, STATUS_INPUT, "--set material=%g: needs steel, titanium or vanadium (0, 1 or 2)", which);
     p->dim = 2;
     p->hi[0] = p->param[WIDTH];
     p->hi[1] = p->param[HEIGHT];

@@ -60,8 +60,8 @@ static int setup(struct problem *p, struct failure *why) {
         return STATUS_INPUT;
     if (params_finite(params, p, T1, why) || params_finite(params, p, T2, why)) return STATUS_INPUT;
     if (p->param[T1] == p->param[T2])
-        return fail(why, STATUS_INPUT, "--set T1=%g: needs a temperature other than T2=%g, or nothing flows",
-                    p->param[T1], p->param[T2]);
+        return refuse(why, STATUS_INPUT, "--set T1=%g: needs a temperature other than T2=%g, or nothing flows",
+                      p->param[T1], p->param[T2]);
     p->dim = 1;
     p->hi[0] = p->param[L];
     p->t_end = p->param[T_END];

@@ -1,8 +1,8 @@
 /* heatladder: the command line.  A verb is a row of verbs.def and a file verb_<name>.c; this file only finds it. */
 #include "solver/method.h"
-#include "verification/arguments.h"
-#include "verification/help.h"
-#include "verification/verb.h"
+#include "verification/command/arguments.h"
+#include "verification/command/help.h"
+#include "verification/command/verb.h"
 
 #include <gsl/gsl_errno.h>
 #include <stdio.h>

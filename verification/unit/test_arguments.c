@@ -1,10 +1,10 @@
 /* Command lines: what is taken, and the text of every refusal. */
-#include "verification/arguments.h"
+#include "verification/command/arguments.h"
 
 #include "references/scene.h"
-#include "verification/option.h"
-#include "verification/verb.h"
-#include "verification/words.h"
+#include "verification/command/option.h"
+#include "verification/command/verb.h"
+#include "verification/text/words.h"
 
 #include "verification/unit/near.h"
 

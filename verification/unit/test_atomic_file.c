@@ -1,5 +1,5 @@
 /* Files that are there whole or not at all. */
-#include "verification/atomic_file.h"
+#include "verification/text/atomic_file.h"
 
 #include "solver/method.h"
 

@@ -1,9 +1,9 @@
 /* Clouds that a method cannot work on: each gives a refusal that names the particle, its neighbours and the condition
  * number, or a measured, finite result; never NaN. */
 #include "solver/method.h" /* before cmocka.h, which makes a macro of `fail` */
-#include "solver/state.h"
-#include "verification/probe.h"
-#include "verification/spectrum.h"
+#include "solver/time/state.h"
+#include "verification/stability/model_problem.h"
+#include "verification/stability/spectrum.h"
 #include "verification/unit/near.h"
 
 #include <gsl/gsl_errno.h>
@@ -50,8 +50,8 @@ struct outcome {
 /* The operator of a cloud, and 200 steps of an impulse with it. */
 static struct outcome try(const struct method *method, struct made *m, double h) {
     struct outcome out = {0};
-    struct probe b = {.method = method, .dim = 2, .n = SIDE, .options = {.dx = 1, .h = h}};
-    struct problem p = probe_problem(&b, PROBE_NOISE, 0);
+    struct model_problem b = {.method = method, .dim = 2, .n = SIDE, .options = {.dx = 1, .h = h}};
+    struct problem p = model_problem_setup(&b, PROBE_NOISE, 0);
     struct heat_operator a;
     out.status = operator_create_rows(&a, &p, &b.options, method->scheme, &m->c, 1, &out.why);
     if (out.status) return out;
@@ -173,21 +173,21 @@ static void jitter_is_refused_or_measured(void **state) {
     static const double h[] = {0.51, 0.72, 0.9, 1.1, 1.7, 2.9};
     int refused = 0, measured = 0;
     for (int k = 0; k < 6 * 5; k++) {
-        struct probe b = {.method = k % 2 ? &method_so_ssph : &method_fo_ssph, .dim = 2};
+        struct model_problem b = {.method = k % 2 ? &method_so_ssph : &method_fo_ssph, .dim = 2};
         struct heat_operator a;
         struct spectrum s;
         struct failure why;
         b.options = (struct options){.h = h[k % 6], .layout = LAYOUT_JITTER, .jitter = 0.125 * (k / 6), .seed = 7};
-        assert_int_equal(probe_settle(&b, 12, &why), STATUS_OK);
-        struct problem p = probe_problem(&b, PROBE_NOISE, 0);
-        int status = probe_operator(&b, &p, &a, &why);
+        assert_int_equal(model_problem_resolve(&b, 12, &why), STATUS_OK);
+        struct problem p = model_problem_setup(&b, PROBE_NOISE, 0);
+        int status = model_problem_operator(&b, &p, &a, &why);
         if (status) {
             assert_int_equal(status, STATUS_NUMERICAL);
             assert_non_null(strstr(why.text, "condition number"));
             refused++;
             continue;
         }
-        assert_int_equal(spectrum_create(&s, &a, &(struct amplify){STEPPER_EULER, 0}, &why), STATUS_OK);
+        assert_int_equal(spectrum_create(&s, &a, &(struct amplification){STEPPER_EULER, 0}, &why), STATUS_OK);
         assert_true(isfinite(s.growth) && isfinite(s.radius));
         spectrum_free(&s);
         operator_free(&a);

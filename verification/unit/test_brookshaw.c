@@ -1,9 +1,9 @@
 /* Brookshaw's weight of one pair, each factor of it in closed form. */
 #include "solver/method.h"
 
-#include "solver/operator.h"
+#include "solver/space/operator.h"
 
-#include "verification/unit/clouds.h"
+#include "verification/unit/odd_problems.h"
 #include "verification/unit/near.h"
 
 #include <gsl/gsl_errno.h>

@@ -1,10 +1,11 @@
 /* Candidates of choose and bench: which lattices suit a problem, what a run is counted as, and medians. */
-#include "verification/candidate.h"
+#include "verification/choose/candidate.h"
 
 #include "references/scene.h"
-#include "verification/arguments.h"
-#include "verification/bench.h"
-#include "verification/run.h"
+#include "verification/command/arguments.h"
+#include "verification/bench/bench.h"
+#include "verification/choose/work.h"
+#include "verification/run/run.h"
 
 #include "verification/unit/near.h"
 
@@ -52,6 +53,8 @@ static struct result run(const char *line) {
     struct failure why;
     if (arguments_parse_line(line, &r, &why)) fail_msg("%s: %s", line, why.text);
     if (run_request(&r, &r.options, &result, NULL)) fail_msg("%s: %s", line, result.failure.text);
+    result.setup = work_of_setup(&r.problem, &result);
+    result.ghosts = work_of_ghosts(&r.problem, &result);
     arguments_free(&r);
     return result;
 }

@@ -1,8 +1,8 @@
 /* choose: what it promises it keeps, at parameters that nobody tuned for, twice alike; and it says so where it
  * cannot. */
-#include "verification/choose.h"
+#include "verification/choose/choose.h"
 
-#include "verification/arguments.h"
+#include "verification/command/arguments.h"
 
 #include "verification/unit/near.h"
 

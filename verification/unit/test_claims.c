@@ -1,8 +1,8 @@
 /* Claims: that no verdict can come from anywhere but a measurement, and that none can change unseen. */
-#include "verification/claims.h"
+#include "verification/claims/claims.h"
 
 #include "solver/method.h"
-#include "verification/claims_write.h"
+#include "verification/claims/write.h"
 
 #include "verification/unit/near.h"
 

@@ -1,11 +1,11 @@
 /* --solver: an FTCS written in awk stands in for a method, and must be seen as ours is: where it is right, where it
  * is wrong, and where it does not answer. */
-#include "verification/external.h"
+#include "verification/run/external.h"
 
-#include "verification/arguments.h"
-#include "verification/gates.h"
-#include "verification/ladder.h"
-#include "verification/run.h"
+#include "verification/command/arguments.h"
+#include "verification/gates/gates.h"
+#include "verification/ladder/ladder.h"
+#include "verification/run/run.h"
 
 #include "verification/unit/near.h"
 

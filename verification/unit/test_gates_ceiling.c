@@ -1,7 +1,7 @@
 /* A ceiling holds only where the error is a number below it, whatever the gate itself has measured. */
 #include "solver/method.h"
 
-#include "verification/gates.h"
+#include "verification/gates/gates.h"
 
 #include "verification/unit/near.h"
 

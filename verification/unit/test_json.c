@@ -1,5 +1,5 @@
 /* JSON, character by character. */
-#include "verification/json.h"
+#include "verification/text/json.h"
 
 #include "verification/unit/near.h"
 

@@ -1,5 +1,5 @@
 /* Kernels: normalised in one, two and three dimensions, dw/ds the derivative of w, zero past their support. */
-#include "solver/kernel.h"
+#include "solver/space/kernel.h"
 
 #include "verification/unit/near.h"
 

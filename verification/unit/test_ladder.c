@@ -1,12 +1,12 @@
 /* Ladders and the choice of a time step, on methods whose errors are made to measure: the exact solution plus
  * C dx^P + D dt^Q, so that every answer is known. */
-#include "verification/ladder.h"
+#include "verification/ladder/ladder.h"
 
 #include "references/scene.h"
-#include "solver/operator.h"
-#include "verification/arguments.h"
-#include "verification/run.h"
-#include "verification/stepping.h"
+#include "solver/space/operator.h"
+#include "verification/command/arguments.h"
+#include "verification/run/run.h"
+#include "verification/run/time_step.h"
 
 #include "verification/unit/near.h"
 
@@ -38,7 +38,7 @@ static int answer(const struct problem *p, const struct options *o, int order, s
 }
 
 static int solve_euler(const struct problem *p, const struct options *o, struct field *f, struct failure *why) {
-    if (o->stepper == STEPPER_EXACT) return (fail)(why, STATUS_INPUT, "--stepper exact: not here");
+    if (o->stepper == STEPPER_EXACT) return refuse(why, STATUS_INPUT, "--stepper exact: not here");
     return answer(p, o, o->stepper == STEPPER_RKL2 ? 2 : 1, f);
 }
 
@@ -49,12 +49,12 @@ static int solve_any(const struct problem *p, const struct options *o, struct fi
 
 static int solve_picky(const struct problem *p, const struct options *o, struct field *f, struct failure *why) {
     double F = o->dt * p->material[0].k[0] / (o->dx * o->dx);
-    if (F > 0.01) return (fail)(why, STATUS_NUMERICAL, "unstable at step 7");
+    if (F > 0.01) return refuse(why, STATUS_NUMERICAL, "unstable at step 7");
     return answer(p, o, 1, f);
 }
 
 static int solve_broken(const struct problem *p, const struct options *o, struct field *f, struct failure *why) {
-    if (o->dx < 0.3) return (fail)(why, STATUS_NUMERICAL, "unstable at step 7");
+    if (o->dx < 0.3) return refuse(why, STATUS_NUMERICAL, "unstable at step 7");
     return answer(p, o, 1, f);
 }
 

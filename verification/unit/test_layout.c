@@ -1,9 +1,9 @@
 /* Where particles and ghosts are, and what ghosts hold: on a field that the walls' images continue exactly. */
 #include "solver/method.h"
 
-#include "solver/layout.h"
+#include "solver/space/layout.h"
 
-#include "verification/unit/clouds.h"
+#include "verification/unit/odd_problems.h"
 #include "verification/unit/near.h"
 
 #include <gsl/gsl_errno.h>

@@ -1,9 +1,9 @@
 /* The cell-linked list against all pairs. */
 #include "solver/method.h"
 
-#include "solver/neighbours.h"
+#include "solver/space/neighbours.h"
 
-#include "verification/unit/clouds.h"
+#include "verification/unit/odd_problems.h"
 #include "verification/unit/near.h"
 
 #include <gsl/gsl_errno.h>

@@ -1,9 +1,9 @@
 /* Norms, ranges and the checkerboard, on fields whose answers are known by hand. */
-#include "verification/norms.h"
+#include "verification/run/norms.h"
 
 #include "solver/method.h"
 #include "solver/problem.h"
-#include "verification/checkerboard.h"
+#include "verification/run/checkerboard.h"
 
 #include "verification/unit/near.h"
 

@@ -1,5 +1,5 @@
 /* Strict numbers. */
-#include "verification/number.h"
+#include "verification/text/number.h"
 
 #include "verification/unit/near.h"
 

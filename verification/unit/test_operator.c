@@ -1,13 +1,13 @@
 /* The discrete operator: derivatives that it must have exactly, its two forms against each other, the exact stepper
  * against small steps, and what no method may do to heat. */
-#include "solver/exact.h"
-#include "solver/matched.h"
-#include "solver/particles.h"
-#include "solver/stepper.h"
+#include "solver/time/exact.h"
+#include "solver/time/matched.h"
+#include "solver/methods/particles.h"
+#include "solver/time/stepper.h"
 
 extern const struct method method_so_ssph, method_fo_ssph;
 
-#include "verification/unit/clouds.h"
+#include "verification/unit/odd_problems.h"
 #include "verification/unit/near.h"
 
 #include <gsl/gsl_errno.h>

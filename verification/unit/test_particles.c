@@ -2,10 +2,10 @@
  * stay as it is; and the steppers on one equation. */
 #include "solver/method.h"
 
-#include "solver/particles.h"
-#include "solver/stepper.h"
+#include "solver/methods/particles.h"
+#include "solver/time/stepper.h"
 
-#include "verification/unit/clouds.h"
+#include "verification/unit/odd_problems.h"
 #include "verification/unit/near.h"
 
 #include <gsl/gsl_errno.h>

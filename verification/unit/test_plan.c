@@ -1,10 +1,10 @@
 /* A plan is checked against what the run then reports, to the last particle, step and byte, and against the heap. */
-#include "verification/plan.h"
+#include "verification/choose/plan.h"
 
-#include "solver/sample.h"
-#include "solver/transform.h"
-#include "verification/arguments.h"
-#include "verification/run.h"
+#include "solver/space/sample.h"
+#include "solver/time/transform.h"
+#include "verification/command/arguments.h"
+#include "verification/run/run.h"
 
 #include "verification/unit/heap.h"
 #include "verification/unit/near.h"

@@ -1,6 +1,6 @@
 /* The report: isotherms, and tables as printed. */
-#include "verification/report_isotherm.h"
-#include "verification/report_published.h"
+#include "reports/page/isotherm.h"
+#include "reports/page/published.h"
 
 #include "solver/method.h"
 #include "verification/unit/near.h"
@@ -23,22 +23,22 @@ static double ramp(double x, double y) {
     return 0.7 * x + 1.9 * y;
 }
 
-static struct report_isotherm_grid grid_of(double (*T)(double, double), double *store) {
-    struct report_isotherm_grid g = {{NX, NY}, {-1.4, -1.1}, {0.083, 0.077}, store};
+static struct isotherm_grid grid_of(double (*T)(double, double), double *store) {
+    struct isotherm_grid g = {{NX, NY}, {-1.4, -1.1}, {0.083, 0.077}, store};
     for (int j = 0; j < NY; j++)
         for (int i = 0; i < NX; i++) store[j * NX + i] = T(g.lo[0] + i * g.d[0], g.lo[1] + j * g.d[1]);
     return g;
 }
 
 /* Lines traced; every point of theirs has the level within `tolerance`. */
-static int lines_at(const struct report_isotherm_grid *g, double (*T)(double, double), double level, double tolerance,
+static int lines_at(const struct isotherm_grid *g, double (*T)(double, double), double level, double tolerance,
                     double middle[2], int *points) {
     char *text = NULL, *at;
     size_t size = 0;
     double x, y, l;
     int lines, used;
     FILE *out = open_memstream(&text, &size);
-    lines = report_isotherm_trace(g, level, out, middle);
+    lines = isotherm_trace(g, level, out, middle);
     fclose(out);
     *points = 0;
     for (at = text; sscanf(at, " %lf,%lf,%lf%n", &x, &y, &l, &used) == 3; at += used) {
@@ -54,7 +54,7 @@ static void a_closed_isotherm_is_one_line(void **state) {
     (void)state;
     double store[NX * NY], middle[2];
     int points;
-    struct report_isotherm_grid g = grid_of(bowl, store);
+    struct isotherm_grid g = grid_of(bowl, store);
     assert_int_equal(lines_at(&g, bowl, 2.385 + 0.37, 3e-3, middle, &points), 1);
     assert_true(points > 40);
     assert_near(bowl(middle[0], middle[1]), 2.385 + 0.37, 3e-3);
@@ -65,7 +65,7 @@ static void a_saddle_is_two_lines(void **state) {
     (void)state;
     double store[NX * NY], middle[2];
     int points;
-    struct report_isotherm_grid g = grid_of(saddle, store);
+    struct isotherm_grid g = grid_of(saddle, store);
     assert_int_equal(lines_at(&g, saddle, 0.11, 2e-3, middle, &points), 2);
     assert_int_equal(lines_at(&g, saddle, -0.07, 2e-3, middle, &points), 2);
 }
@@ -74,7 +74,7 @@ static void the_middle_is_halfway(void **state) {
     (void)state;
     double store[NX * NY], middle[2];
     int points;
-    struct report_isotherm_grid g = grid_of(ramp, store);
+    struct isotherm_grid g = grid_of(ramp, store);
     assert_int_equal(lines_at(&g, ramp, 0.2, 1e-5, middle, &points), 1);
     assert_near(middle[0], g.lo[0] + (NX - 1) * g.d[0] / 2, 2 * g.d[0]); /* from side to side */
 }
@@ -82,7 +82,7 @@ static void the_middle_is_halfway(void **state) {
 static void refining_keeps_the_values(void **state) {
     (void)state;
     double store[NX * NY];
-    struct report_isotherm_grid g = grid_of(bowl, store), fine = report_isotherm_refine(&g, 3);
+    struct isotherm_grid g = grid_of(bowl, store), fine = isotherm_refine(&g, 3);
     assert_int_equal(fine.n[0], 3 * (NX - 1) + 1);
     assert_int_equal(fine.n[1], 3 * (NY - 1) + 1);
     for (int j = 0; j < fine.n[1]; j++)
@@ -94,24 +94,24 @@ static void refining_keeps_the_values(void **state) {
 
 static void units_of_the_last_digit(void **state) {
     (void)state;
-    assert_near(report_published_units("0.0089", 0.0088837), 0, 0);
-    assert_near(report_published_units("0.3381", 0.33698), -11, 0);
-    assert_near(report_published_units("5.0103e-5", 4.9183e-5), -920, 0);
-    assert_near(report_published_units("2.7827", 2.785), 23, 0);
+    assert_near(published_units("0.0089", 0.0088837), 0, 0);
+    assert_near(published_units("0.3381", 0.33698), -11, 0);
+    assert_near(published_units("5.0103e-5", 4.9183e-5), -920, 0);
+    assert_near(published_units("2.7827", 2.785), 23, 0);
 }
 
 static void tables_as_printed(void **state) {
     (void)state;
-    struct report_published t;
+    struct published t;
     struct failure why;
-    assert_int_equal(report_published_read(&t, "song_table1", &why), STATUS_OK);
+    assert_int_equal(published_read(&t, "song_table1", &why), STATUS_OK);
     assert_int_equal(t.rows, 2);
     assert_int_equal(t.columns, 6);
     assert_string_equal(t.method[1], "so_ssph");
     assert_string_equal(t.where[3], "0.10");
     assert_string_equal(t.cell[1][0], "5.0103e-5");
     assert_near(t.value[0][5], 0.3381, 0);
-    assert_int_equal(report_published_read(&t, "song_table9", &why), STATUS_INPUT);
+    assert_int_equal(published_read(&t, "song_table9", &why), STATUS_INPUT);
     assert_non_null(strstr(why.text, "reports/published/song_table9.csv"));
 }
 

@@ -2,10 +2,10 @@
  * codes for it, that of the particles and that of the finite differences, are held to the same numbers. */
 #include "solver/method.h"
 
-#include "solver/ftcs_sample.h"
-#include "solver/sample.h"
+#include "solver/differences/ftcs_sample.h"
+#include "solver/space/sample.h"
 
-#include "verification/unit/clouds.h"
+#include "verification/unit/odd_problems.h"
 #include "verification/unit/near.h"
 
 #include <gsl/gsl_errno.h>

@@ -1,7 +1,7 @@
 /* Slopes, windows and verdicts, and the ways in which other suites were fooled. */
-#include "verification/slope.h"
+#include "verification/ladder/slope.h"
 
-#include "verification/window.h"
+#include "verification/ladder/window.h"
 
 #include "verification/unit/near.h"
 

@@ -1,9 +1,9 @@
 /* The hot loops of the lattice against their definition, one particle after the other, and against themselves: what
  * shares a sweep, how wide a vector is and how many threads there are must not change a bit. */
-#include "solver/particles.h"
-#include "solver/sweep.h"
+#include "solver/methods/particles.h"
+#include "solver/time/sweep.h"
 
-#include "verification/unit/clouds.h"
+#include "verification/unit/odd_problems.h"
 #include "verification/unit/near.h"
 
 #include <stdlib.h>
@@ -82,13 +82,13 @@ static double at(const struct heat_operator *a, const double *x, int i, int j) {
         sign *= l->sign[side];
         place[d] = side % 2 ? l->n[d] - 1 - from : from;
     }
-    return sign * x[state_row(a, place[1]) + place[0]];
+    return sign * x[operator_row(a, place[1]) + place[0]];
 }
 
 static void define(const struct heat_operator *a, const struct update *u, const double *x, double *y) {
     for (int j = 0; j < a->lattice.n[1]; j++)
         for (int i = 0; i < a->lattice.n[0]; i++) {
-            ptrdiff_t here = state_row(a, j) + i;
+            ptrdiff_t here = operator_row(a, j) + i;
             double sum = a->g ? a->g[here] : 0;
             for (int m = -a->reach[1]; m <= a->reach[1]; m++)
                 for (int k = -a->reach[0]; k <= a->reach[0]; k++)

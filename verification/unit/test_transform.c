@@ -1,8 +1,8 @@
 /* Sine and cosine transforms: each mode alone has one coefficient, and all of them together give the data back.  A
  * short axis and a long one go by different ways. */
-#include "solver/transform.h"
+#include "solver/time/transform.h"
 
-#include "verification/unit/clouds.h"
+#include "verification/unit/odd_problems.h"
 #include "verification/unit/near.h"
 
 #include <stdlib.h>

@@ -1,5 +1,5 @@
 /* The nearest valid word. */
-#include "verification/words.h"
+#include "verification/text/words.h"
 
 #include "solver/method.h"
 

@@ -1,0 +1,151 @@
+/* Runs what a figure shows, in parallel, and writes it as one file of named blocks. */
+#include "reports/page/figure.h"
+
+#include "references/scene.h"
+#include "reports/page/report.h"
+#include "reports/page/isotherm.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+enum { SERIES_MAX = 8, FINE = 800, REFINE = 4 };
+
+static void head(FILE *out, const char *name, const char *command, const char *columns) {
+    fprintf(out, "\n\n# %s\n# heatladder %s\n%s\n", name, command, columns);
+}
+
+static double initial(const struct report_run *run, size_t i) {
+    double x[2] = {run->field.x[i], run->field.y ? run->field.y[i] : 0};
+    return run->request.problem.initial(&run->request.problem, x);
+}
+
+static void write_rod(const struct report_run *run, int start, FILE *out) {
+    const struct field *f = &run->field;
+    for (size_t i = 0; i < f->n; i++) fprintf(out, "%.9g,%.9g\n", f->x[i], start ? initial(run, i) : f->T[i]);
+}
+
+static void write_rows(const struct report_run *run, FILE *out) {
+    const struct field *f = &run->field;
+    for (size_t i = 0; i < f->n; i++) {
+        fprintf(out, "%.9g,%.9g,%.9g\n", f->x[i], f->y[i], initial(run, i));
+        if ((i + 1) % (size_t)f->shape[0] == 0) fprintf(out, "\n");
+    }
+}
+
+/* The row of particles nearest to y = at. */
+static void write_cut(const struct report_run *run, double at, FILE *out) {
+    const struct field *f = &run->field;
+    size_t nearest = 0;
+    for (size_t i = 1; i < f->n; i++)
+        if (fabs(f->y[i] - at) < fabs(f->y[nearest] - at)) nearest = i;
+    for (size_t i = 0; i < f->n; i++)
+        if (fabs(f->y[i] - f->y[nearest]) < f->spacing[1] / 2) fprintf(out, "%.9g,%.9g\n", f->x[i], f->T[i]);
+}
+
+static void write_exact(const struct report_run *run, FILE *out) {
+    const struct request *r = &run->request;
+    const struct problem *p = &r->problem;
+    double x[2] = {0, r->at.count == 2 ? r->at.value[1] : 0};
+    for (int i = 0; i <= FINE; i++) {
+        x[0] = p->lo[0] + (p->hi[0] - p->lo[0]) * i / FINE;
+        fprintf(out, "%.9g,%.9g\n", x[0], r->scene->exact(p, x, r->time).temperature);
+    }
+}
+
+/* The block "NAME what", and with it, of the exact solution, "NAME levels": where to write them. */
+static void trace(const struct figure *figure, const struct isotherm_grid *g, const struct figure_series *s,
+                  const char *what, int labels, FILE *out) {
+    char title[80];
+    double middle[2], (*at)[3] = xcalloc(64, sizeof *at);
+    int n = 0;
+    snprintf(title, sizeof title, "%s %s", s->name, what);
+    head(out, title, s->command, "x [m],y [m],T [C]");
+    for (double T = figure->level[0]; T < figure->level[2] + figure->level[1] / 2 && n < 64; T += figure->level[1]) {
+        if (isotherm_trace(g, T, out, middle) == 0) continue;
+        at[n][0] = middle[0];
+        at[n][1] = middle[1];
+        at[n++][2] = T;
+    }
+    if (labels) {
+        snprintf(title, sizeof title, "%s levels", s->name);
+        head(out, title, s->command, "x [m],y [m],T [C]");
+        for (int i = 0; i < n; i++) fprintf(out, "%.6g,%.6g,%.6g\n", at[i][0], at[i][1], at[i][2]);
+    }
+    free(at);
+}
+
+/* Between the outermost particles; both by the same lines, the exact one from values on the refined lattice. */
+static void write_isotherms(const struct figure *figure, const struct figure_series *s, const struct report_run *run,
+                            FILE *out) {
+    const struct field *f = &run->field;
+    struct isotherm_grid g = {{f->shape[0], f->shape[1]}, {f->x[0], f->y[0]}, {f->spacing[0], f->spacing[1]}, f->T};
+    struct isotherm_grid fine = isotherm_refine(&g, REFINE);
+    trace(figure, &fine, s, "computed", 0, out);
+    for (int j = 0; j < fine.n[1]; j++)
+        for (int i = 0; i < fine.n[0]; i++) {
+            double x[2] = {fine.lo[0] + i * fine.d[0], fine.lo[1] + j * fine.d[1]};
+            fine.T[j * fine.n[0] + i] = report_exact(run, x);
+        }
+    trace(figure, &fine, s, "exact", 1, out);
+    free(fine.T);
+}
+
+static void write_series(const struct figure *figure, const struct figure_series *s, const struct report_run *run,
+                         FILE *out) {
+    int rod = run->request.problem.dim == 1;
+    if (s->part == REPORT_FIGURE_ISOTHERMS) {
+        write_isotherms(figure, s, run, out);
+        return;
+    }
+    int surface = s->part == REPORT_FIGURE_START && !rod;
+    head(out, s->name, s->command, surface ? "x [m],y [m],T [C]" : "x [m],T [C]");
+    if (s->part == REPORT_FIGURE_EXACT)
+        write_exact(run, out);
+    else if (s->part == REPORT_FIGURE_CUT)
+        write_cut(run, s->at, out);
+    else if (surface)
+        write_rows(run, out);
+    else
+        write_rod(run, s->part == REPORT_FIGURE_START, out);
+}
+
+static void write_head(const struct figure *figure, int n, FILE *out) {
+    report_head(out, figure->title);
+    for (int i = 0; i < n; i++) {
+        const struct figure_series *s = &figure->series[i];
+        int again = 0;
+        for (int j = 0; j < i; j++) again |= strcmp(figure->series[j].command, s->command) == 0;
+        if (!again && s->part != REPORT_FIGURE_EXACT) fprintf(out, "# command: heatladder %s\n", s->command);
+    }
+}
+
+int figure_write(const struct figure *figure, const char *dir, struct failure *why) {
+    struct report_run *run = xcalloc(SERIES_MAX, sizeof *run);
+    char *text[SERIES_MAX] = {0};
+    struct report_page page;
+    int n = 0, status = STATUS_OK;
+    while (n < SERIES_MAX && figure->series[n].name) n++;
+#pragma omp parallel for schedule(dynamic, 1)
+    for (int i = 0; i < n; i++) {
+        size_t size;
+        FILE *out = open_memstream(&text[i], &size);
+        report_start(&run[i], "%s", figure->series[i].command);
+        report_solve(&run[i]);
+        if (out && !run[i].result.failure.status) write_series(figure, &figure->series[i], &run[i], out);
+        if (out) fclose(out);
+    }
+    for (int i = 0; i < n && !status; i++) status = report_check(&run[i], why);
+    if (!status) status = report_open(&page, why);
+    if (!status) {
+        write_head(figure, n, page.out);
+        for (int i = 0; i < n; i++) fputs(text[i] ? text[i] : "", page.out);
+        status = report_close(&page, dir, figure->name, ".csv", why);
+    }
+    for (int i = 0; i < n; i++) {
+        free(text[i]);
+        report_free(&run[i]);
+    }
+    free(run);
+    return status;
+}

@@ -1,0 +1,36 @@
+#ifndef HEATLADDER_REPORTS_PAGE_FIGURE_H
+#define HEATLADDER_REPORTS_PAGE_FIGURE_H
+
+/* The data of a figure: one file, one block a curve, so that a plot draws and never computes.  A block is
+ *
+ *     # NAME
+ *     # heatladder ...
+ *     header, rows, two blank lines        (gnuplot: plot FILE index "NAME") */
+
+struct failure;
+
+enum figure_part {
+    REPORT_FIGURE_POINTS,    /* `run`: x,T of a rod */
+    REPORT_FIGURE_START,     /* `run`: the initial data at its points; x,T or x,y,T by rows */
+    REPORT_FIGURE_CUT,       /* `run`: x,T along y = at */
+    REPORT_FIGURE_EXACT,     /* `reference`: x,T finely, of a rod or along the y of --at */
+    REPORT_FIGURE_ISOTHERMS, /* `run`: isotherms, those of the exact solution, and where to write their levels */
+};
+
+struct figure_series {
+    const char *name; /* NULL ends the list */
+    const char *command;
+    enum figure_part part;
+    double at; /* m */
+};
+
+struct figure {
+    const char *name; /* of the file, without .csv; NULL ends a list */
+    const char *title;
+    const struct figure_series *series; /* at most 8 */
+    double level[3];                    /* K: first isotherm, step, last */
+};
+
+int figure_write(const struct figure *figure, const char *dir, struct failure *why);
+
+#endif

@@ -1,0 +1,58 @@
+# The look of every figure.  A script sets `name` (and `wide`, `high` where they differ) and loads this file; then
+# `data` is what it draws, and the output goes beside that:
+#
+#     gnuplot -e "out='reports/out'; kind='svg'" reports/song/song_fig1b.gp        (kind: svg or png)
+#
+# Title and caption stand in the head of the data file, so that a figure cannot show another command than made it.
+if (!exists("out")) out = 'reports/out'
+if (!exists("to")) to = out
+if (!exists("kind")) kind = 'svg'
+if (!exists("wide")) wide = 820
+if (!exists("high")) high = 560
+
+if (!exists("data")) data = sprintf('%s/%s.csv', out, name)
+# SVG counts fonts in pixels (3/4 point each) and draws points larger.
+svg = kind eq 'svg'
+size_of(points) = sprintf(',%g', svg ? points * 4.0 / 3 : points)
+P = svg ? 0.62 : 1.0
+if (svg) {
+    set terminal svg size wide,high enhanced dashed font 'DejaVu Sans,14' background rgb 'white' linewidth 1
+} else {
+    set terminal pngcairo size wide,high enhanced dashed font 'DejaVu Sans,10.5' background rgb 'white' linewidth 1
+}
+set output sprintf('%s/%s.%s', to, name, kind)
+set encoding utf8
+set minussign
+set datafile separator comma
+
+# The head of the data file.
+heading = system(sprintf("sed -n 's/^# title: //p' '%s'", data))
+commands = int(system(sprintf("grep -c '^# command: ' '%s'", data)))
+caption = system(sprintf("sed -n 's/^# command: //p' '%s' | head -n %d", data, commands > 2 ? 1 : 2))
+# The value of an option in the first of its commands.
+option(name) = system(sprintf("sed -n '/^# command: /{s/.* --%s \\([^ ]*\\).*/\\1/p;q;}' '%s'", name, data))
+if (commands > 2) caption = caption . sprintf("\nand %d more, in the head of %s.csv", commands - 1, name)
+set title heading noenhanced font size_of(13)
+set label 99 caption at screen 0.012, screen 0.05 left noenhanced font size_of(8.5) textcolor rgb '#555555'
+set bmargin at screen 115.0 / high
+
+# Okabe & Ito's palette, which no common colour blindness confuses; each with its own point and dash as well.
+BLACK = '#000000'; ORANGE = '#E69F00'; SKY = '#56B4E9'; GREEN = '#009E73'
+BLUE = '#0072B2'; RED = '#D55E00'; PURPLE = '#CC79A7'; GREY = '#777777'
+set style line 1 lc rgb BLACK lw 1.3 dt 1 pt 1 ps 0.7 * P
+set style line 2 lc rgb RED lw 1.2 dt 2 pt 7 ps 0.7 * P
+set style line 3 lc rgb BLUE lw 1.2 dt 1 pt 5 ps 0.65 * P
+set style line 4 lc rgb GREEN lw 1.2 dt 4 pt 9 ps 0.8 * P
+set style line 5 lc rgb PURPLE lw 1.2 dt 5 pt 13 ps 0.8 * P
+set style line 6 lc rgb ORANGE lw 1.2 dt 3 pt 11 ps 0.8 * P
+set style line 7 lc rgb GREY lw 1.0 dt 1            # triangles
+set style line 12 lc rgb RED lw 1.2 dt 3 pt 6 ps 1.5 * P  # published, around the measured point
+set style line 13 lc rgb BLUE lw 1.2 dt 3 pt 4 ps 1.5 * P
+set style line 98 lc rgb '#e4e4e4' lw 0.8 dt 1
+set style line 99 lc rgb '#f2f2f2' lw 0.6 dt 1
+
+set border lw 0.8
+set tics nomirror out scale 0.7
+set grid xtics ytics ls 98
+set key samplen 2.5 spacing 1.25 noopaque noenhanced
+eval sprintf("set key font '%s'", size_of(10))

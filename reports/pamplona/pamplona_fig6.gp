@@ -1,0 +1,4 @@
+# Pamplona 2019, Figure 6
+name = 'pamplona_fig6'
+method = 'FTCS'
+load 'reports/page/isotherms.gp'

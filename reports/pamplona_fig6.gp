@@ -1,4 +1,0 @@
-# Pamplona 2019, Figure 6
-name = 'pamplona_fig6'
-method = 'FTCS'
-load 'reports/isotherms.gp'

@@ -1,0 +1,125 @@
+/* What runs do over time: the blow-up that a published bound allows, the checkerboard, and the steppers' factors. */
+#include "reports/stability/stability.h"
+
+#include "verification/stability/step_limit.h"
+#include "reports/page/report.h"
+
+#include <math.h>
+#include <stdlib.h>
+
+/* ---- Blow-up ---- */
+
+static const double DISTURBANCE = 1e-10; /* K */
+
+/* How far a disturbed and an undisturbed run are apart after so many steps, K; NaN where one was refused. */
+static double apart(const struct model_problem *b, double F, long long steps) {
+    struct field f[2];
+    struct failure why;
+    struct options o = b->options;
+    double most = 0;
+    for (int i = 0; i < 2; i++) {
+        struct problem p = model_problem_setup(b, PROBE_HILL, i * DISTURBANCE);
+        p.t_end = F * (double)steps;
+        o.dt = F;
+        if (!b->method->solve(&p, &o, &f[i], &why)) continue;
+        if (i) field_free(&f[0]);
+        return NAN;
+    }
+    for (size_t i = 0; i < f[0].n; i++) most = fmax(most, fabs(f[1].T[i] - f[0].T[i]));
+    field_free(&f[0]);
+    field_free(&f[1]);
+    return most;
+}
+
+static int follow(FILE *out, const char *name, struct model_problem b, int stride, struct failure *why) {
+    enum { POINTS = 100 };
+    struct step_limit l;
+    char block[80];
+    if (step_limit_model(&b, why) || step_limit_predict(&b, &l, why)) return why->status;
+    const double F[2] = {0.99 * l.published, 0.99 * l.von_neumann};
+    for (int k = 0; k < 2; k++) {
+        double distance[POINTS];
+        snprintf(block, sizeof block, "%s %s", name, k ? "true" : "published");
+        stability_block(out, block, "step,distance_K,F");
+#pragma omp parallel for schedule(dynamic, 1)
+        for (int i = 0; i < POINTS; i++) distance[i] = apart(&b, F[k], (long long)stride * (i + 1));
+        for (int i = 0; i < POINTS && !isnan(distance[i]); i++)
+            fprintf(out, "%d,%.6g,%.6g\n", stride * (i + 1), distance[i], F[k]);
+    }
+    return STATUS_OK;
+}
+
+int stability_blowup_page(FILE *out, struct failure *why) {
+    stability_head(out, "A disturbance of 1e-10 K at 0.99 of the published bound, and at 0.99 of the true one",
+                   "limit so_ssph --dim 1 --kernel quartic --h 1.1");
+    fprintf(out, "# command: heatladder limit ftcs --dim 2\n");
+    if (follow(out, "so_ssph", stability_probe("so_ssph", 1, KERNEL_QUARTIC, 1.1), 10, why)) return why->status;
+    return follow(out, "ftcs", stability_probe("ftcs", 2, KERNEL_CUBIC, 0), 1, why);
+}
+
+/* ---- The checkerboard over time ---- */
+
+struct place {
+    const char *name, *dx;
+};
+
+int stability_checkerboard_page(FILE *out, struct failure *why) {
+    enum { TIMES = 33, METHODS = 4, PLACES = 3 };
+    static const struct place places[PLACES] = {{"midway", "4/80"}, {"quarter", "4/82"}, {"on", "4/84"}};
+    static const char *const names[METHODS] = {"fo_ssph", "so_ssph", "ftcs", "ftcs_flux"};
+    stability_head(out, "The jump of rod-step: what oscillates, and for how long",
+                   "run rod-step fo_ssph --dx 4/80 --t-end 5");
+    for (int i = 0; i < METHODS * PLACES; i++) {
+        struct report_run *run = xcalloc(TIMES, sizeof *run);
+        char name[60];
+        int method = i / PLACES, status = STATUS_OK;
+        for (int k = 0; k < TIMES; k++)
+            report_start(&run[k], "run rod-step %s --dx %s --t-end %.6g%s", names[method], places[i % PLACES].dx,
+                         pow(10, -2 + 4.7 * k / (TIMES - 1)), method >= 2 ? " --fourier 0.2" : "");
+#pragma omp parallel for schedule(dynamic, 1)
+        for (int k = TIMES - 1; k >= 0; k--) report_solve(&run[k]);
+        snprintf(name, sizeof name, "%s %s", names[method], places[i % PLACES].name);
+        stability_block(out, name, "t_s,checkerboard_K,undershoot_K,total_variation_K");
+        for (int k = 0; k < TIMES; k++) {
+            const struct norms_shape *s = &run[k].result.shape;
+            if (!status) status = report_check(&run[k], why);
+            fprintf(out, "%.6g,%.6g,%.6g,%.6g\n", run[k].result.t_end, s->checkerboard, s->undershoot, s->variation);
+            report_free(&run[k]);
+        }
+        free(run);
+        if (status) return status;
+    }
+    return STATUS_OK;
+}
+
+/* ---- Steppers ---- */
+
+int stability_steppers_page(FILE *out, struct failure *why) {
+    enum { POINTS = 600 };
+    static const struct amplification steppers[] = {{STEPPER_EULER, 0}, {STEPPER_RK2, 0},  {STEPPER_RKL2, 3},
+                                                    {STEPPER_RKL2, 5},  {STEPPER_RKL2, 9}, {STEPPER_RKL2, 15}};
+    stability_head(out, "Amplification along the real axis", "limit so_ssph --dim 1 --stepper rkl2 --stages 9");
+    for (size_t i = 0; i < sizeof steppers / sizeof *steppers; i++) {
+        const struct amplification *a = &steppers[i];
+        char name[60];
+        if (a->stages)
+            snprintf(name, sizeof name, "%s %d", stepper_words[a->stepper], a->stages);
+        else
+            snprintf(name, sizeof name, "%s", stepper_words[a->stepper]);
+        stability_block(out, name, "-dt lambda,|G|,G");
+        for (int k = 0; k <= POINTS; k++) {
+            double z = 1.25 * amplification_interval(a) * k / POINTS, G = creal(amplification_factor(a, -z));
+            fprintf(out, "%.6g,%.6g,%.6g\n", z, fabs(G), G);
+        }
+        struct model_problem b = stability_probe("so_ssph", 1, KERNEL_CUBIC, 1.1);
+        struct step_limit l;
+        b.step = *a;
+        if (step_limit_model(&b, why) || step_limit_predict(&b, &l, why) || step_limit_measure(&b, &l.measured, why))
+            return why->status;
+        char measured[80];
+        snprintf(measured, sizeof measured, "measured %s", name);
+        stability_block(out, measured, "interval measured,of theory,|G| = 1 at");
+        fprintf(out, "%.6g,%.6g,%.6g\n", l.measured * l.radius, amplification_interval(a), amplification_reach(a));
+    }
+    return STATUS_OK;
+}

@@ -1,0 +1,54 @@
+/* The pages of stability, and what they share. */
+#include "reports/stability/stability.h"
+
+#include "reports/page/report.h"
+
+#include <errno.h>
+#include <omp.h>
+#include <string.h>
+#include <sys/stat.h>
+
+static const struct {
+    const char *name; /* of the file, without .csv */
+    int (*write)(FILE *out, struct failure *why);
+} pages[] = {
+    {"stability_limits", stability_limits_page},     {"stability_symbols", stability_symbols_page},
+    {"stability_jitter", stability_jitter_page},     {"stability_walls", stability_walls_page},
+    {"stability_blowup", stability_blowup_page},     {"stability_checkerboard", stability_checkerboard_page},
+    {"stability_steppers", stability_steppers_page}, {"stability_maximum", stability_maximum_page},
+};
+
+void stability_head(FILE *out, const char *title, const char *command) {
+    fprintf(out, "# title: %s\n# made by: heatladder stability DIR\n# command: heatladder %s\n", title, command);
+}
+
+void stability_block(FILE *out, const char *name, const char *columns) {
+    fprintf(out, "\n\n# %s\n%s\n", name, columns);
+}
+
+struct model_problem stability_probe(const char *method, int dim, enum kernel_name kernel, double h) {
+    struct model_problem b = {.dim = dim, .options = {.kernel = kernel, .h = h}, .step = {STEPPER_EULER, 0}};
+    for (int i = 0; methods[i]; i++)
+        if (strcmp(methods[i]->name, method) == 0) b.method = methods[i];
+    return b;
+}
+
+int stability_write(const char *dir, struct failure *why) {
+    if (mkdir(dir, 0777) && errno != EEXIST) return refuse(why, STATUS_INPUT, "'%.200s': %s", dir, strerror(errno));
+    for (size_t i = 0; i < sizeof pages / sizeof *pages; i++) {
+        struct report_page page;
+        double start = omp_get_wtime();
+        if (report_open(&page, why)) return why->status;
+        int status = pages[i].write(page.out, why);
+        struct failure closing;
+        int closed = report_close(&page, dir, pages[i].name, ".csv", &closing);
+        if (status) return status;
+        if (closed) {
+            *why = closing;
+            return closed;
+        }
+        printf("%s/%s.csv (%.1f s)\n", dir, pages[i].name, omp_get_wtime() - start);
+        fflush(stdout);
+    }
+    return STATUS_OK;
+}

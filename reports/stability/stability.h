@@ -1,0 +1,31 @@
+#ifndef HEATLADDER_REPORTS_STABILITY_STABILITY_H
+#define HEATLADDER_REPORTS_STABILITY_STABILITY_H
+
+/* The data of the figures of stability: one file a figure, one block a curve (# NAME, header, rows, two blank lines;
+ * gnuplot: plot FILE index "NAME").  A plot draws and never computes. */
+
+#include "verification/stability/model_problem.h"
+
+#include <stdio.h>
+
+/* All pages into `dir`; progress goes to standard output. */
+int stability_write(const char *dir, struct failure *why);
+
+/* The head of a page: its title and one command that gives a number of it. */
+void stability_head(FILE *out, const char *title, const char *command);
+void stability_block(FILE *out, const char *name, const char *columns);
+
+/* A probe of a method by its name, with a kernel and an h/dx (h = 0: the default), not yet settled. */
+struct model_problem stability_probe(const char *method, int dim, enum kernel_name kernel, double h);
+
+/* The pages.  Each writes into `out`. */
+int stability_limits_page(FILE *out, struct failure *why);
+int stability_symbols_page(FILE *out, struct failure *why);
+int stability_jitter_page(FILE *out, struct failure *why);
+int stability_walls_page(FILE *out, struct failure *why);
+int stability_blowup_page(FILE *out, struct failure *why);
+int stability_checkerboard_page(FILE *out, struct failure *why);
+int stability_steppers_page(FILE *out, struct failure *why);
+int stability_maximum_page(FILE *out, struct failure *why);
+
+#endif

@@ -1,0 +1,12 @@
+/* heatladder stability: the data of the figures of where methods fail. */
+#include "verification/command/verb.h"
+
+#include "verification/run/request.h"
+#include "reports/stability/stability.h"
+
+int verb_stability(const struct request *r) {
+    struct failure why;
+    int status = stability_write(r->topic ? r->topic : "reports/out", &why);
+    if (status) fprintf(stderr, "heatladder: %s\n", why.text);
+    return status;
+}

@@ -1,0 +1,45 @@
+/* heatladder report: the papers' tables and figures, measured again.  Progress and times go to standard output, not
+ * into any file. */
+#include "verification/command/verb.h"
+
+#include "reports/matched/matched.h"
+#include "reports/pamplona/pamplona.h"
+#include "reports/song/song.h"
+#include "solver/method.h"
+#include "verification/run/request.h"
+#include "verification/text/atomic_file.h"
+
+#include <omp.h>
+#include <stdio.h>
+#include <sys/stat.h>
+
+/* The parts of the report, in the order that they are made. */
+static const struct {
+    const char *name;
+    int (*write)(const char *dir, struct failure *why);
+} parts[] = {
+    {"Song 2018", song_write},
+    {"Pamplona 2019", pamplona_write},
+    {"the matched run", matched_write},
+};
+
+static int write_parts(const char *dir, struct failure *why) {
+    char probe[1024];
+    mkdir(dir, 0777); /* where it is there already, or cannot be made, the next line tells */
+    if ((size_t)snprintf(probe, sizeof probe, "%s/song_table1.csv", dir) >= sizeof probe)
+        return refuse(why, STATUS_INPUT, "the path '%.100s...' is too long", dir);
+    if (atomic_file_check(probe, why)) return why->status;
+    for (size_t i = 0; i < sizeof parts / sizeof *parts; i++) {
+        double start = omp_get_wtime();
+        if (parts[i].write(dir, why)) return why->status;
+        printf("%s: tables and data of figures in %s (%.2f s)\n", parts[i].name, dir, omp_get_wtime() - start);
+    }
+    return STATUS_OK;
+}
+
+int verb_report(const struct request *r) {
+    struct failure why;
+    int status = write_parts(r->topic ? r->topic : "reports/out", &why);
+    if (status) fprintf(stderr, "heatladder: %s\n", why.text);
+    return status;
+}

@@ -1,0 +1,258 @@
+/* The grid of the finite differences (ftcs.c): refuses what it cannot do, lays out the points, and makes the ghosts,
+ *
+ *   given temperature  T_ghost = 2 T_wall - T_mirror (second order), or T_wall (`fixed`, Pamplona 2019; first order)
+ *   given flux         T_ghost = T_mirror + (k dT/dn) / k * distance between the two
+ *
+ * each a multiple of one unknown plus a constant, so that a step fills them without asking what kind a side is. */
+#include "solver/differences/ftcs_grid.h"
+
+#include "solver/differences/ftcs_sample.h"
+#include "solver/method.h"
+#include "solver/problem.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+
+enum { SPACINGS_MIN = 4 };
+
+static double *reserve(struct ftcs_grid *g, ptrdiff_t count) {
+    g->held += (size_t)count;
+    return xcalloc((size_t)count, sizeof(double));
+}
+
+/* ---- What is asked for ---- */
+
+/* Whether dx goes into every extent a whole number of times, to a millionth of that number. */
+static int divides(const struct problem *p, double dx) {
+    for (int a = 0; a < p->dim; a++) {
+        double count = (p->hi[a] - p->lo[a]) / dx;
+        if (fabs(count - nearbyint(count)) > 1e-6 * count || nearbyint(count) < SPACINGS_MIN) return 0;
+    }
+    return 1;
+}
+
+static int check_spacing(const struct problem *p, double dx, struct failure *why) {
+    enum { SEARCH = 100000 };
+    const double most = 1e9;
+    double extent[2] = {p->hi[0] - p->lo[0], p->hi[1] - p->lo[1]}, count = extent[0] / dx;
+    double points = count * (p->dim == 2 ? extent[1] / dx : 1);
+    if (!(dx > 0 && isfinite(dx))) return refuse(why, STATUS_INPUT, "--dx %g: must be positive and finite", dx);
+    if (points > most) return refuse(why, STATUS_INPUT, "--dx %g: %.3g grid points, at most %g", dx, points, most);
+    if (divides(p, dx)) return STATUS_OK;
+
+    double below = floor(count), above = fmax(below + 1, SPACINGS_MIN);
+    for (int i = 0; i < SEARCH && below >= SPACINGS_MIN && !divides(p, extent[0] / below); i++) below--;
+    for (int i = 0; i < SEARCH && !divides(p, extent[0] / above); i++) above++;
+    int coarser = divides(p, extent[0] / below), finer = divides(p, extent[0] / above);
+    char domain[64] = "", near[80] = "none found";
+    if (p->dim == 2) snprintf(domain, sizeof domain, " by %g m", extent[1]);
+    if (coarser && finer)
+        snprintf(near, sizeof near, "%.10g and %.10g", extent[0] / below, extent[0] / above);
+    else if (coarser || finer)
+        snprintf(near, sizeof near, "%.10g", extent[0] / (coarser ? below : above));
+    return refuse(why, STATUS_INPUT,
+                  "--dx %.10g: does not divide %g m%s into whole spacings, %d or more; nearest: %s", dx, extent[0],
+                  domain, SPACINGS_MIN, near);
+}
+
+static int check_options(const struct ftcs_grid *g, const struct problem *p, const struct options *o,
+                         struct failure *why) {
+    if (p->materials > 1)
+        return refuse(why, STATUS_INPUT, "%s: takes one material; this scene has %d, which meet at x = %g m",
+                      g->method, p->materials, p->interface);
+    if (o->layout == LAYOUT_JITTER)
+        return refuse(why, STATUS_INPUT, "--layout jitter: %s needs a grid: lattice or node", g->method);
+    if (o->stepper == STEPPER_MATCHED && p->dim == 2)
+        return refuse(why, STATUS_INPUT,
+                      "--stepper matched: in the plane the error of %s is not isotropic, and no step "
+                      "cancels it; valid here: euler, auto",
+                      g->method);
+    if (o->stepper != STEPPER_AUTO && o->stepper != STEPPER_EULER && o->stepper != STEPPER_MATCHED)
+        return refuse(why, STATUS_INPUT, "--stepper %s: %s has euler, auto%s", stepper_words[o->stepper], g->method,
+                      p->dim == 1 ? ", matched" : "");
+    if (o->stepper == STEPPER_MATCHED && (o->dt != 0 || o->fourier != 0))
+        return refuse(why, STATUS_INPUT, "--stepper matched: sets the step itself; leave out --dt and --fourier");
+    if (o->dt != 0 && !(o->dt > 0 && isfinite(o->dt)))
+        return refuse(why, STATUS_INPUT, "--dt %g: must be positive and finite", o->dt);
+    if (o->fourier != 0 && !(o->fourier > 0 && isfinite(o->fourier)))
+        return refuse(why, STATUS_INPUT, "--fourier %g: must be positive and finite", o->fourier);
+    if (o->dt != 0 && o->fourier != 0)
+        return refuse(why, STATUS_INPUT, "--dt %g --fourier %g: give one of them", o->dt, o->fourier);
+    if (!(p->t_end >= 0 && isfinite(p->t_end)))
+        return refuse(why, STATUS_INPUT, "--t-end %g: must be finite and not negative", p->t_end);
+    return check_spacing(p, o->dx, why);
+}
+
+/* The unknowns.  On the node of a wall T is unknown where the flux is given, and given where T is. */
+static void lay_grid(struct ftcs_grid *g, const struct problem *p, const struct options *o) {
+    int node = o->layout == LAYOUT_NODE;
+    g->n[1] = 1;
+    g->d[1] = 1;
+    g->dim = p->dim;
+    g->rho_c = p->material[0].rho_c;
+    for (int s = 0; s < 4; s++) g->end_cell[s] = node && s / 2 < p->dim && p->side[s] == NEUMANN ? 0.5 : 1;
+    for (int a = 0; a < p->dim; a++) {
+        double extent = p->hi[a] - p->lo[a], spacings = nearbyint(extent / o->dx);
+        int given_lo = node && p->side[2 * a] == DIRICHLET, given_hi = node && p->side[2 * a + 1] == DIRICHLET;
+        g->d[a] = extent / spacings;
+        g->n[a] = (int)spacings + node - given_lo - given_hi;
+        g->origin[a] = p->lo[a] + (node ? given_lo : 0.5) * g->d[a];
+        g->kappa[a] = p->material[0].k[a] / g->rho_c;
+    }
+    g->stride = g->n[0] + 2 * FTCS_LAYERS;
+    g->corner = FTCS_LAYERS + (p->dim == 2 ? FTCS_LAYERS * g->stride : 0);
+    g->size = (size_t)(g->stride * (g->n[1] + (p->dim == 2 ? 2 * FTCS_LAYERS : 0)));
+}
+
+static int plan_steps(struct ftcs_grid *g, const struct problem *p, const struct options *o, struct failure *why) {
+    double square = g->d[0] * g->d[0], kappa = fmax(g->kappa[0], g->kappa[1]), span = p->t_end, count;
+    if (o->stepper == STEPPER_MATCHED) {
+        /* Averaging with a B-spline of order m acts like m dx^2/(24 kappa) of diffusion; point samples of a jump
+         * midway between two points are cell averages of data that is steeper by one such order. */
+        int m = o->sampling == SAMPLING_SPLINE ? 4 : o->sampling == SAMPLING_CELL ? 1 : p->jumps[0] > 0 ? -1 : 0;
+        g->start = m * square / (24 * kappa);
+        span -= g->start;
+        if (!(span > 0))
+            return refuse(why, STATUS_INPUT,
+                          "--stepper matched: starts at %g s, past the end at %g s; take --dx below %g", g->start,
+                          p->t_end, g->d[0] * sqrt(p->t_end / g->start));
+        /* A whole number of steps seldom fits.  What cancels the error of space is the sum of dt^2: pairs of a longer
+         * and a shorter step have it right at any even count past the ideal one. */
+        double ideal = span * kappa / square / (g->wide ? 2. / 3 : 1. / 6);
+        count = 2 * ceil(ideal / 2 - 1e-9);
+        g->swing = sqrt(fmax(0, count / ideal - 1));
+    } else {
+        double dt = o->dt != 0 ? o->dt : (o->fourier != 0 ? o->fourier : 0.1) * square / kappa;
+        count = span > 0 ? fmax(1, ceil(span / dt - 1e-9)) : 0;
+    }
+    if (!(count <= 1e12)) return refuse(why, STATUS_INPUT, "%s: %g time steps, at most 1e12", g->method, count);
+    if (count * 8 * g->n[0] * g->n[1] > 9e18)
+        return refuse(why, STATUS_INPUT, "%s: %g time steps of %g points, more than can be counted", g->method, count,
+                      1.0 * g->n[0] * g->n[1]);
+    g->steps = (long long)count;
+    g->dt = count > 0 ? span / count : 0;
+    return STATUS_OK;
+}
+
+/* ---- Walls, start and source ---- */
+
+/* Ghost m mirrors unknown m + shift: the wall lies half a spacing outside the first unknown (shift 0), on it (1), or
+ * on ghost 0 (-1). */
+static void edge_make(struct ftcs_grid *g, const struct problem *p, const struct options *o, enum side s) {
+    int a = (int)s / 2, b = 1 - a, length = g->n[b], given = p->side[s] == DIRICHLET;
+    int shift = o->layout == LAYOUT_NODE ? (given ? -1 : 1) : 0;
+    struct ftcs_edge *e = &g->edge[s];
+    e->offset = reserve(g, FTCS_LAYERS * length);
+    for (int m = 0; m < FTCS_LAYERS; m++) {
+        int held = given && (o->walls == WALLS_FIXED || m + shift < 0);
+        double apart = (2 * m + 1 + shift) * g->d[a], x[2];
+        e->mirror[m] = m + shift < 0 ? 0 : m + shift;
+        e->sign[m] = held ? 0 : given ? -1 : 1;
+        for (int i = 0; i < length; i++) {
+            x[a] = s % 2 ? p->hi[a] : p->lo[a];
+            x[b] = g->origin[b] + i * g->d[b];
+            double value = p->wall(p, s, x);
+            e->offset[m * length + i] = held ? value : given ? 2 * value : value / p->material[0].k[a] * apart;
+        }
+    }
+}
+
+/* Past its data, and what source and fluxes can add, by half their range, a run is unstable. */
+static void bound(struct ftcs_grid *g, const struct problem *p, double source) {
+    double lowest = g->lowest, highest = g->highest, more = source * p->t_end / g->rho_c;
+    for (int s = 0; s < 2 * p->dim; s++) {
+        double extent = p->hi[s / 2] - p->lo[s / 2];
+        for (int i = 0; i < g->n[1 - s / 2]; i++) {
+            double foot[2] = {g->origin[0] + i * g->d[0], g->origin[1] + i * g->d[1]};
+            foot[s / 2] = s % 2 ? p->hi[s / 2] : p->lo[s / 2];
+            double value = p->wall(p, (enum side)s, foot), flux = p->side[s] == NEUMANN ? fabs(value) : 0;
+            more = fmax(more, flux * (extent / p->material[0].k[s / 2] + p->t_end / g->rho_c / extent));
+            if (p->side[s] == DIRICHLET) lowest = fmin(lowest, value), highest = fmax(highest, value);
+        }
+    }
+    g->middle = 0.5 * (lowest + highest);
+    g->reach = fmax(highest - lowest + more, 1e-6 * fabs(g->middle));
+}
+
+static void fill(struct ftcs_grid *g, const struct problem *p, const struct options *o) {
+    int nx = g->n[0], ny = g->n[1];
+    ptrdiff_t size = (ptrdiff_t)g->size;
+    double source = 0;
+    for (int s = 0; s < 2 * p->dim; s++) edge_make(g, p, o, (enum side)s);
+    g->T = reserve(g, size);
+    if (g->wide)
+        g->q = reserve(g, nx + 2 + (p->dim == 2 ? 3 * nx : 0));
+    else
+        g->next = reserve(g, size);
+    if (p->source) g->gain = reserve(g, (ptrdiff_t)nx * ny);
+    g->lowest = INFINITY;
+    g->highest = -INFINITY;
+    for (int j = 0; j < ny; j++)
+        for (int i = 0; i < nx; i++) {
+            double x[2] = {g->origin[0] + i * g->d[0], g->origin[1] + j * g->d[1]};
+            double T = ftcs_sample(p, x, g->d, o->sampling);
+            g->T[g->corner + j * g->stride + i] = T;
+            g->lowest = fmin(g->lowest, T);
+            g->highest = fmax(g->highest, T);
+            if (!p->source) continue;
+            double G = p->source(p, x);
+            source = fmax(source, fabs(G));
+            g->gain[(ptrdiff_t)j * nx + i] = G / g->rho_c;
+        }
+    bound(g, p, source);
+}
+
+void ftcs_grid_walls(const struct ftcs_grid *g) {
+    const struct ftcs_edge *w = &g->edge[X_LO], *e = &g->edge[X_HI], *s = &g->edge[Y_LO], *n = &g->edge[Y_HI];
+    int nx = g->n[0], ny = g->n[1];
+    double *T = g->T + g->corner;
+    for (int j = 0; j < ny; j++)
+        for (int m = 0; m < FTCS_LAYERS; m++) {
+            double *row = T + j * g->stride;
+            row[-1 - m] = w->sign[m] * row[w->mirror[m]] + w->offset[m * ny + j];
+            row[nx + m] = e->sign[m] * row[nx - 1 - e->mirror[m]] + e->offset[m * ny + j];
+        }
+    for (int m = 0; m < (g->dim == 2 ? FTCS_LAYERS : 0); m++) {
+        const double *lo = T + s->mirror[m] * g->stride, *hi = T + (ny - 1 - n->mirror[m]) * g->stride;
+        double *below = T - (1 + m) * g->stride, *above = T + (ny + m) * g->stride;
+        for (int i = 0; i < nx; i++) below[i] = s->sign[m] * lo[i] + s->offset[m * nx + i];
+        for (int i = 0; i < nx; i++) above[i] = n->sign[m] * hi[i] + n->offset[m * nx + i];
+    }
+}
+
+double ftcs_grid_cell(const struct ftcs_grid *g, int i, int j) {
+    return g->d[0] * g->d[1] * (i == 0 ? g->end_cell[X_LO] : 1) * (i == g->n[0] - 1 ? g->end_cell[X_HI] : 1) *
+           (j == 0 ? g->end_cell[Y_LO] : 1) * (j == g->n[1] - 1 ? g->end_cell[Y_HI] : 1);
+}
+
+void ftcs_grid_keep_T(struct ftcs_grid *g) {
+    g->held = g->size;
+    for (int s = 0; s < 4; s++) free(g->edge[s].offset), g->edge[s].offset = NULL;
+    free(g->next);
+    free(g->q);
+    free(g->gain);
+    g->next = g->q = g->gain = NULL;
+}
+
+void ftcs_grid_free(struct ftcs_grid *g) {
+    ftcs_grid_keep_T(g);
+    free(g->T);
+}
+
+int ftcs_grid_outline(struct ftcs_grid *g, const char *method, int wide, const struct problem *p,
+                      const struct options *o, struct failure *why) {
+    *g = (struct ftcs_grid){.method = method, .wide = wide};
+    int status = check_options(g, p, o, why);
+    if (status) return status;
+    lay_grid(g, p, o);
+    return plan_steps(g, p, o, why);
+}
+
+int ftcs_grid_make(struct ftcs_grid *g, const char *method, int wide, const struct problem *p,
+                   const struct options *o, struct failure *why) {
+    int status = ftcs_grid_outline(g, method, wide, p, o, why);
+    if (status) return status;
+    fill(g, p, o);
+    return STATUS_OK;
+}

@@ -1,0 +1,57 @@
+#ifndef HEATLADDER_SOLVER_DIFFERENCES_FTCS_GRID_H
+#define HEATLADDER_SOLVER_DIFFERENCES_FTCS_GRID_H
+
+#include <stddef.h>
+
+/* The grid of the finite differences: its points, its ghosts, what it starts from and how it steps. */
+
+struct problem;
+struct options;
+struct failure;
+
+enum { FTCS_LAYERS = 2 }; /* of ghosts: the fluxes reach two points far */
+
+/* T of ghost m = sign[m] T[mirror[m]] + offset[m length + place along the side]; m = 0 touches the grid. */
+struct ftcs_edge {
+    double sign[FTCS_LAYERS];
+    int mirror[FTCS_LAYERS]; /* counted from the side inwards */
+    double *offset;          /* K */
+};
+
+struct ftcs_grid {
+    const char *method;     /* its name */
+    int wide, dim;          /* wide: with fluxes */
+    int n[2];               /* unknowns along x and y; 1 along y for a rod */
+    double origin[2], d[2]; /* m: the first unknown, the spacing; a rod is 1 m high */
+    double end_cell[4];     /* by enum side: the part of its cell that the unknown at the side has inside, 1 or 1/2 */
+    double kappa[2];        /* m^2 s^-1; 0 along y for a rod */
+    double rho_c;           /* J m^-3 K^-1 */
+    double dt, start;       /* s: the step; what the clock shows when the run starts */
+    double swing;           /* odd steps take (1 + swing) dt, even ones (1 - swing) dt */
+    long long steps;
+    double lowest, highest;   /* K, of the sampled initial data */
+    double middle, reach;     /* K: a stable solution stays within middle +- reach */
+    ptrdiff_t stride, corner; /* from row to row; from the start of T to unknown (0, 0) */
+    size_t size, held;        /* doubles: of T with its ghosts; of all that is allocated */
+    struct ftcs_edge edge[4]; /* by enum side */
+    double *T, *next;         /* K; `next` is NULL with fluxes: they step in place */
+    double *q;                /* K m s^-1: one row of q_x, then three of q_y; NULL without fluxes */
+    double *gain;             /* K s^-1, G / rho_c; NULL where there is no source */
+};
+
+/* 0 and *g ready for its first step, to be given to ftcs_grid_free; or STATUS_INPUT, *why filled and nothing held. */
+int ftcs_grid_make(struct ftcs_grid *g, const char *method, int wide, const struct problem *p,
+                   const struct options *o, struct failure *why);
+/* The same without its arrays: sizes, steps and refusals. */
+int ftcs_grid_outline(struct ftcs_grid *g, const char *method, int wide, const struct problem *p,
+                      const struct options *o, struct failure *why);
+void ftcs_grid_free(struct ftcs_grid *g);
+void ftcs_grid_keep_T(struct ftcs_grid *g); /* frees all that a finished run needs no more */
+
+/* Sets the ghosts from the unknowns. */
+void ftcs_grid_walls(const struct ftcs_grid *g);
+
+/* m^d: the part of the domain that unknown (i, j) stands for. */
+double ftcs_grid_cell(const struct ftcs_grid *g, int i, int j);
+
+#endif

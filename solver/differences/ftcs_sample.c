@@ -1,0 +1,94 @@
+/* What the finite differences start from: point values, or averages of the initial data,
+ *
+ *   T_i = int B((x - x_i)/dx) T(x, 0) dx / dx,   B the indicator of the cell, or the cubic B-spline (4 dx wide),
+ *
+ * as a tensor product in the plane.  Averages restore second order where a jump lies anywhere (Kreiss, Thomee,
+ * Widlund 1970).  Gauss-Legendre with four points on each piece that is smooth: the rule is cut at the knots of B, at
+ * the walls, at the planes where the data jump, and at their images in the walls. */
+#include "solver/differences/ftcs_sample.h"
+
+#include "solver/problem.h"
+
+#include <math.h>
+
+enum { GAUSS = 4, CUTS = 2 + 3 * JUMP_MAX, KNOTS = 5 + CUTS };
+
+struct rule {
+    int count;
+    double at[GAUSS * KNOTS]; /* m */
+    double weight[GAUSS * KNOTS];
+};
+
+/* The initial data, continued past a wall so that the wall's condition holds: odd about a given temperature, even but
+ * for the slope about a given flux. */
+static double continued(const struct problem *p, const double x[2]) {
+    for (int s = 0; s < 2 * p->dim; s++) {
+        int a = s / 2;
+        double wall = s % 2 ? p->hi[a] : p->lo[a], outside = s % 2 ? x[a] - wall : wall - x[a];
+        if (outside <= 0) continue;
+        double foot[2] = {x[0], x[1]}, image[2] = {x[0], x[1]};
+        foot[a] = wall;
+        image[a] = 2 * wall - x[a];
+        double value = p->wall(p, (enum side)s, foot), inner = continued(p, image);
+        return p->side[s] == DIRICHLET ? 2 * value - inner : inner + 2 * outside * value / p->material[0].k[a];
+    }
+    return p->initial(p, x);
+}
+
+static double bspline(double u) {
+    double v = fmax(0, 2 - u);
+    return u < 1 ? 2. / 3 - u * u + u * u * u / 2 : v * v * v / 6;
+}
+
+/* knot[0] < ... < knot[n-1], and those of the cuts that lie between them.  Returns the new n. */
+static int cut_in(double *knot, int n, const double *cut, int cuts) {
+    for (int c = 0; c < cuts; c++) {
+        if (!(cut[c] > knot[0] && cut[c] < knot[n - 1])) continue;
+        int k = n++;
+        for (; knot[k - 1] > cut[c]; k--) knot[k] = knot[k - 1];
+        knot[k] = cut[c];
+    }
+    return n;
+}
+
+static void rule_make(struct rule *r, const struct problem *p, int a, double centre, double d, enum sampling how) {
+    static const double node[GAUSS] = {-0.86113631159405258, -0.33998104358485626, 0.33998104358485626,
+                                       0.86113631159405258};
+    static const double share[GAUSS] = {0.17392742256872693, 0.32607257743127307, 0.32607257743127307,
+                                        0.17392742256872693};
+    r->count = 1;
+    r->at[0] = centre;
+    r->weight[0] = 1;
+    if (how == SAMPLING_POINT) return;
+
+    int pieces = how == SAMPLING_SPLINE ? 4 : 1, cuts = 2;
+    double knot[KNOTS], cut[CUTS] = {p->lo[a], p->hi[a]};
+    for (int i = 0; i < p->jumps[a]; i++) {
+        cut[cuts++] = p->jump[a][i];
+        cut[cuts++] = 2 * p->lo[a] - p->jump[a][i];
+        cut[cuts++] = 2 * p->hi[a] - p->jump[a][i];
+    }
+    for (int c = 0; c < cuts; c++)
+        cut[c] = (cut[c] - centre) / d; /* so that the weights add up to 1 to the last digit */
+    for (int k = 0; k <= pieces; k++) knot[k] = k - 0.5 * pieces;
+    int knots = cut_in(knot, pieces + 1, cut, cuts);
+
+    r->count = 0;
+    for (int k = 0; k + 1 < knots; k++)
+        for (int q = 0; q < GAUSS; q++, r->count++) {
+            double length = knot[k + 1] - knot[k], u = knot[k] + 0.5 * (1 + node[q]) * length;
+            r->at[r->count] = centre + u * d;
+            r->weight[r->count] = share[q] * length * (pieces == 1 ? 1 : bspline(fabs(u)));
+        }
+}
+
+double ftcs_sample(const struct problem *p, const double x[2], const double d[2], enum sampling how) {
+    struct rule along, up;
+    double sum = 0;
+    rule_make(&along, p, 0, x[0], d[0], how);
+    rule_make(&up, p, 1, x[1], d[1], p->dim == 2 ? how : SAMPLING_POINT);
+    for (int j = 0; j < up.count; j++)
+        for (int i = 0; i < along.count; i++)
+            sum += up.weight[j] * along.weight[i] * continued(p, (double[2]){along.at[i], up.at[j]});
+    return sum;
+}

@@ -1,0 +1,34 @@
+#ifndef HEATLADDER_SOLVER_FIELD_H
+#define HEATLADDER_SOLVER_FIELD_H
+
+/* What a method gives back. */
+
+#include <stddef.h>
+
+struct field { /* owned arrays: field_free */
+    int dim;
+    size_t n;
+    int shape[2];      /* lattice points along x and y (1 for a rod), x fastest; {0, 0} where there is no lattice */
+    double spacing[2]; /* m */
+    double *x, *y;     /* m, n each; y is NULL for a rod */
+    double *T;         /* K, n */
+    double *weight;    /* m^d, n: the volume that each point stands for in a norm; NULL where all are alike */
+    double time;       /* s, the time that T belongs to (t_end) */
+    double h;          /* smoothing length over dx, as settled; 0 for a method without one */
+    double dt;         /* s, 0 for the exact stepper */
+    long long steps;   /* time steps; 0 for the exact stepper */
+    int stages;        /* operator applications a step */
+    double heat[2];    /* J m^(d-3): sum of rho_c T volume at the start and at the end */
+    double range[2];   /* K, lowest and highest of the sampled initial data */
+    double bound;      /* s^-1: upper bound of the operator's spectrum; 0 where none is known */
+    long long updates; /* particle updates: particles x operator applications */
+    long long interactions; /* pairs evaluated: updates x neighbours */
+    size_t bytes;           /* held while time runs, places and temperatures among them */
+    double seconds;         /* wall time of the whole call */
+    double step_seconds;    /* wall time of the time loop alone */
+};
+
+void field_alloc(struct field *f, int dim, size_t n); /* zeroes *f, allocates x, T, and y for dim 2 */
+void field_free(struct field *f);
+
+#endif

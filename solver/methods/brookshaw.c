@@ -1,0 +1,91 @@
+/* Brookshaw's operator with Cleary & Monaghan's conductivity (Pamplona eq. 13):
+ *   rho_c dT_i/dt = sum_j V k_ij (T_i - T_j) F_ij,   F_ij = (dW/dr) r / (r^2 + eta^2),   eta = 0.1 h,
+ * with k_ij = 4 k_i k_j / (k_i + k_j) (harmonic), k_i + k_j (arithmetic), or twice the conductance of the line
+ * between the particles, 2 r / sum(l / k) (series: exact for every pair across a plane interface). Pair fluxes are
+ * equal and opposite, so heat is conserved on any layout.
+ *
+ * The volume V: raw dx^d; tuned, Pamplona eq. 14, V = area xi / N with N counting the ghosts; moment, the V for which
+ * the operator is exact for x^2 and y^2 on the lattice, sum_j w_j x_j^2 = 2 kappa.
+ * Isotropic conductivity only: F depends on the distance alone. */
+#include "solver/space/kernel.h"
+#include "solver/methods/particles.h"
+
+#include <math.h>
+
+static int check(const struct problem *p, const struct options *o, struct failure *why) {
+    (void)o;
+    for (int m = 0; m < p->materials && p->dim == 2; m++)
+        if (p->material[m].k[0] != p->material[m].k[1])
+            return refuse(why, STATUS_INPUT,
+                          "brookshaw: isotropic conductivity only, the scene has k_x = %g and k_y = %g",
+                          p->material[m].k[0], p->material[m].k[1]);
+    return STATUS_OK;
+}
+
+/* -(dW/dr) r / (r^2 + eta^2), m^-(d + 2), of a kernel of smoothing length h at distance r */
+static double pair_weight(enum kernel_name kernel, int dim, double h, double r) {
+    double eta = 0.1 * h;
+    return -kernel_slope(kernel, dim, r / h) / pow(h, dim + 1) * r / (r * r + eta * eta);
+}
+
+/* Lattice sum of 2 F x^2 dx^d: the raw operator's answer to x^2 / 2 for kappa = 1. */
+static double lattice_moment(enum kernel_name kernel, int dim, double h_over_dx) {
+    int reach = (int)ceil(KERNEL_SUPPORT * h_over_dx);
+    double sum = 0;
+    for (int j = dim == 2 ? -reach : 0; j <= (dim == 2 ? reach : 0); j++)
+        for (int i = -reach; i <= reach; i++) sum += pair_weight(kernel, dim, h_over_dx, hypot(i, j)) * i * i;
+    return sum;
+}
+
+static double volume(const struct problem *p, const struct options *o, double h, double dV) {
+    double spacing = p->dim == 2 ? sqrt(dV) : dV;
+    if (o->volume == VOLUME_RAW) return dV;
+    if (o->volume == VOLUME_MOMENT) return dV / lattice_moment(o->kernel, p->dim, h / spacing);
+    double xi = o->xi > 0 ? o->xi : 9 * cbrt(h), all = 1, real = 1; /* Pamplona eq. 18 */
+    double layers = floor(KERNEL_SUPPORT * h / spacing);
+    for (int a = 0; a < p->dim; a++) {
+        double n = round((p->hi[a] - p->lo[a]) / spacing);
+        real *= n;
+        all *= n + 2 * layers;
+    }
+    return dV * xi * real / all;
+}
+
+/* Twice the conductivity between material m of particle i and the place x + d, W m^-1 K^-1. */
+static double pair_conductivity(const struct problem *p, enum mean mean, double x, double d) {
+    int here = p->materials == 2 && x >= p->interface, there = p->materials == 2 && x + d >= p->interface;
+    double ki = p->material[here].k[0], kj = p->material[there].k[0];
+    if (here == there) return 2 * ki;
+    if (mean == MEAN_HARMONIC) return 4 * ki * kj / (ki + kj);
+    if (mean == MEAN_ARITHMETIC) return ki + kj;
+    double part = (p->interface - x) / d; /* of the line that lies on this side */
+    return 2 / (part / ki + (1 - part) / kj);
+}
+
+static int weights(const struct problem *p, const struct options *o, const struct neighbourhood *nb, double *w[2],
+                   struct failure *why) {
+    if (nb->n == 0)
+        return refuse(why, STATUS_NUMERICAL,
+                      "particle %zu at (%.6g, %.6g) m has 0 neighbours: no heat reaches it; take a larger --h", nb->i,
+                      nb->x[0], nb->x[1]);
+    double rho_c = p->material[p->materials == 2 && nb->x[0] >= p->interface].rho_c;
+    for (size_t j = 0; j < nb->n; j++) {
+        double F = pair_weight(o->kernel, nb->dim, nb->h, hypot(nb->d[j][0], nb->d[j][1]));
+        w[0][j] = nb->volume * pair_conductivity(p, o->mean, nb->x[0], nb->d[j][0]) * F / rho_c;
+    }
+    return STATUS_OK;
+}
+
+static const struct scheme scheme = {.sweeps = 1, .check = check, .volume = volume, .weights = weights};
+
+static int solve(const struct problem *p, const struct options *o, struct field *f, struct failure *why) {
+    return particles_solve(p, o, &scheme, f, why);
+}
+
+const struct method method_brookshaw = {
+    .name = "brookshaw",
+    .about = "Brookshaw's pair operator with Cleary & Monaghan's conductivity (Pamplona eq. 13)",
+    .accepts = "stepper kernel h layout jitter seed sampling walls mean volume xi",
+    .scheme = &scheme,
+    .solve = solve,
+};

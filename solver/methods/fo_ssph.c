@@ -1,0 +1,34 @@
+/* FO-SSPH: first derivatives from a Taylor expansion of order 1 (Song eqs. 12, 13), used twice (eqs. 6, 37):
+ *   q = -kappa <grad T>,   dT/dt = -<div q>.
+ * On a lattice the two sweeps are one wider stencil, the first-derivative stencil convolved with itself.  Modes of
+ * wavelength 2 dx lie in the null space of the first derivative, and so of this operator.  One material only. */
+#include "solver/methods/particles.h"
+#include "solver/methods/ssph.h"
+
+static int check(const struct problem *p, const struct options *o, struct failure *why) {
+    (void)o;
+    if (p->materials > 1)
+        return refuse(why, STATUS_INPUT, "fo_ssph: one material only, the scene has two; use brookshaw");
+    return STATUS_OK;
+}
+
+static int weights(const struct problem *p, const struct options *o, const struct neighbourhood *nb, double *w[2],
+                   struct failure *why) {
+    (void)p;
+    double target[2][SSPH_TERMS_MAX] = {{1, 0}, {0, 1}};
+    return ssph_weights(nb, o->kernel, 1, nb->dim, target, w, why);
+}
+
+static const struct scheme scheme = {.sweeps = 2, .check = check, .weights = weights};
+
+static int solve(const struct problem *p, const struct options *o, struct field *f, struct failure *why) {
+    return particles_solve(p, o, &scheme, f, why);
+}
+
+const struct method method_fo_ssph = {
+    .name = "fo_ssph",
+    .about = "first-order symmetric SPH: q = -kappa <grad T>, dT/dt = -<div q> (Song eqs. 13, 37)",
+    .accepts = "stepper kernel h layout jitter seed sampling walls",
+    .scheme = &scheme,
+    .solve = solve,
+};

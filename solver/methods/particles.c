@@ -1,0 +1,193 @@
+/* From a problem and options to a field, for every particle method: layout -> sample -> operator -> stepper -> field.
+ */
+#include "solver/methods/particles.h"
+#include "solver/time/exact.h"
+#include "solver/time/matched.h"
+#include "solver/space/sample.h"
+#include "solver/time/stepper.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <time.h>
+
+static double now(void) {
+    struct timespec t;
+    clock_gettime(CLOCK_MONOTONIC, &t);
+    return (double)t.tv_sec + 1e-9 * (double)t.tv_nsec;
+}
+
+int particles_settle(const struct problem *p, const struct options *o, const struct scheme *s,
+                     struct options *settled, struct failure *why) {
+    *settled = *o;
+    int order = o->order > 2 ? o->order : 2;
+    if (o->h == 0) settled->h = 1.1 * order / 2;
+    if (o->h < 0 || !isfinite(o->h)) return refuse(why, STATUS_INPUT, "--h %g: must be > 0, in units of dx", o->h);
+    if (o->layout == LAYOUT_JITTER && !(o->jitter >= 0 && o->jitter <= 0.5))
+        return refuse(why, STATUS_INPUT, "--jitter %g: must lie in 0 to 0.5, in units of dx", o->jitter);
+    if (s->check(p, settled, why)) return why->status;
+    if (o->h_iso) return matched_isotropic(settled, s, &settled->h, why);
+    return STATUS_OK;
+}
+
+int particles_outline(const struct problem *p, const struct options *o, const struct scheme *s,
+                      struct options *settled, struct lattice *l, int *rows, struct failure *why) {
+    const enum stepper stepper = o->stepper;
+    if (particles_settle(p, o, s, settled, why)) return why->status;
+    double ratio = stepper == STEPPER_MATCHED && p->dim == 2 ? sqrt(p->material[0].k[1] / p->material[0].k[0]) : 1;
+    if (layout_lattice(p, o, ratio, l, why)) return why->status;
+    *rows = o->layout == LAYOUT_JITTER || p->materials == 2;
+    if (*rows && (stepper == STEPPER_MATCHED || stepper == STEPPER_EXACT))
+        return refuse(why, STATUS_INPUT, "--stepper %s: needs --layout lattice or node and one material",
+                      stepper_words[stepper]);
+    return stepper == STEPPER_EXACT ? exact_check(l, why) : STATUS_OK;
+}
+
+/* What the data span, K: initial data, walls, and what fluxes and the source can add in the time of the run. */
+static void data_range(const struct problem *p, const struct field *f, double *lo, double *hi) {
+    *lo = f->range[0], *hi = f->range[1];
+    double add = 0;
+    for (size_t i = 0; i < f->n && p->source; i++) {
+        double x[2] = {f->x[i], f->y ? f->y[i] : 0};
+        add = fmax(add, fabs(p->source(p, x)) * p->t_end / p->material[0].rho_c);
+    }
+    for (int s = 0; s < 2 * p->dim; s++)
+        for (int k = 0; k <= 8; k++) {
+            double foot[2];
+            foot[s / 2] = s % 2 ? p->hi[s / 2] : p->lo[s / 2];
+            foot[1 - s / 2] = p->lo[1 - s / 2] + k / 8.0 * (p->hi[1 - s / 2] - p->lo[1 - s / 2]);
+            double value = p->wall(p, (enum side)s, foot);
+            if (p->side[s] == DIRICHLET)
+                *lo = fmin(*lo, value), *hi = fmax(*hi, value);
+            else
+                add = fmax(add, fabs(value) * (p->hi[s / 2] - p->lo[s / 2]) / p->material[0].k[s / 2]);
+        }
+    *lo -= add, *hi += add;
+}
+
+static double heat_content(const struct problem *p, const struct field *f, double volume) {
+    double sum = 0;
+    for (size_t i = 0; i < f->n; i++)
+        sum += p->material[p->materials == 2 && f->x[i] >= p->interface].rho_c * f->T[i] * volume;
+    return sum;
+}
+
+static void place_on_lattice(const struct lattice *l, struct field *f) {
+    for (int j = 0; j < l->n[1]; j++)
+        for (int i = 0; i < l->n[0]; i++) {
+            size_t k = (size_t)j * (size_t)l->n[0] + (size_t)i;
+            double x[2];
+            layout_position(l, i, j, x);
+            f->x[k] = x[0];
+            if (f->y) f->y[k] = x[1];
+        }
+}
+
+static int place_cloud(const struct problem *p, const struct options *o, const struct scheme *s,
+                       const struct lattice *l, struct heat_operator *a, struct field *f, struct failure *why) {
+    struct cloud c;
+    if (layout_cloud(p, o, l, s->sweeps * 2.0 * o->h * l->dx[0], &c, why)) return why->status;
+    int status = operator_create_rows(a, p, o, s, &c, l->dx[0], why);
+    for (size_t i = 0; i < c.n; i++) {
+        f->x[i] = c.x[i];
+        if (f->y) f->y[i] = c.y[i];
+    }
+    layout_cloud_free(&c);
+    return status;
+}
+
+int particles_march(const struct problem *p, const struct options *o, const struct scheme *s, const struct lattice *l,
+                    const struct heat_operator *a, struct march *m, struct failure *why) {
+    double kappa = 0;
+    for (int k = 0; k < p->materials; k++)
+        for (int d = 0; d < p->dim; d++) kappa = fmax(kappa, p->material[k].k[d] / p->material[k].rho_c);
+    *m = (struct march){.stepper = o->stepper, .time = p->t_end, .steps = 1, .stages = 1};
+    if (o->stepper == STEPPER_MATCHED) {
+        struct matched plan;
+        if (matched_plan(p, o, s, a, &plan, why)) return why->status;
+        m->stepper = STEPPER_EULER, m->time = plan.run_time, m->steps = plan.steps, m->uneven = plan.uneven;
+        return STATUS_OK;
+    }
+    /* unasked: half of the stable step, and for rkl2 as many steps as put its s^2 to use */
+    double bound = operator_bound(a), dt = o->dt;
+    if (dt == 0 && o->fourier > 0) dt = o->fourier * l->dx[0] * l->dx[0] / kappa;
+    if (dt == 0) dt = o->stepper == STEPPER_RKL2 ? sqrt(p->t_end / bound) : 1 / bound;
+    const char *name = o->fourier > 0 && o->dt == 0 ? "fourier" : "dt"; /* what was asked for, for messages */
+    double asked = o->fourier > 0 && o->dt == 0 ? o->fourier : dt;
+    if (!(dt > 0) || !isfinite(dt)) return refuse(why, STATUS_INPUT, "--%s %g: makes steps of %g s", name, asked, dt);
+    double steps = ceil(p->t_end / dt - 1e-9);
+    if (steps > 1e12) return refuse(why, STATUS_INPUT, "--%s %g: more than 1e12 steps", name, asked);
+    m->steps = (long long)fmax(1, steps);
+    if (m->stepper == STEPPER_RK2) m->stages = 2;
+    if (m->stepper == STEPPER_RKL2) m->stages = stepper_stages(m->time / (double)m->steps, bound);
+    if (m->stages > STEPPER_STAGES_MAX)
+        return refuse(why, STATUS_INPUT, "--%s %g: a step would take rkl2 more than %d stages; take more steps", name,
+                      asked, STEPPER_STAGES_MAX);
+    if ((double)a->pairs * (double)m->steps * m->stages > 9e18)
+        return refuse(why, STATUS_INPUT, "--%s %g: more interactions than can be counted, 9e18", name, asked);
+    return STATUS_OK;
+}
+
+static int integrate(const struct problem *p, const struct options *o, const struct scheme *s,
+                     const struct lattice *l, const struct heat_operator *a, struct field *f, struct failure *why) {
+    f->bytes = a->n * (size_t)(p->dim + 1) * sizeof *f->T + a->bytes;
+    if (o->stepper == STEPPER_EXACT) {
+        f->updates = (long long)a->n;
+        f->interactions = (long long)a->pairs;
+        exact_evolve(a, p->t_end, f->T, &f->bytes);
+        return STATUS_OK;
+    }
+    struct march m;
+    if (particles_march(p, o, s, l, a, &m, why)) return why->status;
+    f->bound = operator_bound(a);
+    data_range(p, f, &m.lo, &m.hi);
+    m.x = f->x, m.y = f->y;
+    f->steps = m.steps, f->stages = m.stages, f->dt = m.time / (double)m.steps;
+    f->updates = (long long)a->n * m.steps * m.stages;
+    f->interactions = (long long)a->pairs * m.steps * m.stages;
+    return stepper_march(a, &m, f->T, &f->bytes, why);
+}
+
+int particles_solve(const struct problem *p, const struct options *given, const struct scheme *s, struct field *out,
+                    struct failure *why) {
+    double begin = now();
+    struct options settled, *o = &settled;
+    struct lattice l;
+    int rows;
+    if (particles_outline(p, given, s, o, &l, &rows, why)) return why->status;
+    if (o->stepper == STEPPER_AUTO) o->stepper = STEPPER_RK2;
+
+    struct field field, *f = &field;
+    struct heat_operator a = {0};
+    field_alloc(f, p->dim, (size_t)l.n[0] * (size_t)l.n[1]);
+    int status = rows ? place_cloud(p, o, s, &l, &a, f, why) : operator_create_lattice(&a, p, o, s, &l, why);
+    if (!status) {
+        if (!rows) place_on_lattice(&l, f);
+        double volume = l.dx[0] * l.dx[1];
+        for (int d = 0; d < 2; d++) {
+            f->shape[d] = o->layout == LAYOUT_JITTER || (rows && p->dim == 2) ? 0 : l.n[d];
+            f->spacing[d] = d < p->dim ? l.dx[d] : 0;
+        }
+        if (!rows) sample_lattice(p, o->sampling, &l, f->T);
+        f->range[0] = HUGE_VAL, f->range[1] = -HUGE_VAL;
+        for (size_t i = 0; i < f->n; i++) {
+            double x[2] = {f->x[i], f->y ? f->y[i] : 0};
+            if (rows) f->T[i] = sample_initial(p, o->sampling, l.dx, x);
+            if (f->T[i] < f->range[0]) f->range[0] = f->T[i];
+            if (f->T[i] > f->range[1]) f->range[1] = f->T[i];
+        }
+        f->heat[0] = heat_content(p, f, volume);
+        f->time = p->t_end;
+        f->h = o->h;
+        double loop = now();
+        status = integrate(p, o, s, &l, &a, f, why);
+        f->step_seconds = now() - loop;
+        f->heat[1] = heat_content(p, f, volume);
+    }
+    operator_free(&a);
+    f->seconds = now() - begin;
+    if (status)
+        field_free(f);
+    else
+        *out = field;
+    return status;
+}

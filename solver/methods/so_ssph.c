@@ -1,0 +1,37 @@
+/* SO-SSPH: the second derivatives directly, from one Taylor expansion of order p >= 2 (Song eqs. 10, 11):
+ *   dT/dt = kappa_x <T_xx> + kappa_y <T_yy>.
+ * --order 3 or 4 keeps more terms; 4 is fourth order on a lattice and off it.  One material only: kappa stands
+ * outside the derivative. */
+#include "solver/methods/particles.h"
+#include "solver/methods/ssph.h"
+
+static int check(const struct problem *p, const struct options *o, struct failure *why) {
+    if (p->materials > 1)
+        return refuse(why, STATUS_INPUT, "so_ssph: one material only, the scene has two; use brookshaw");
+    if (o->order && (o->order < 2 || o->order > SSPH_ORDER_MAX))
+        return refuse(why, STATUS_INPUT, "--order %d: so_ssph takes 2 to %d", o->order, SSPH_ORDER_MAX);
+    return STATUS_OK;
+}
+
+static int weights(const struct problem *p, const struct options *o, const struct neighbourhood *nb, double *w[2],
+                   struct failure *why) {
+    (void)p;
+    double target[1][SSPH_TERMS_MAX] = {{0}};
+    target[0][nb->dim == 1 ? 1 : 2] = nb->kappa[0];
+    if (nb->dim == 2) target[0][4] = nb->kappa[1];
+    return ssph_weights(nb, o->kernel, o->order ? o->order : 2, 1, target, w, why);
+}
+
+static const struct scheme scheme = {.sweeps = 1, .check = check, .weights = weights};
+
+static int solve(const struct problem *p, const struct options *o, struct field *f, struct failure *why) {
+    return particles_solve(p, o, &scheme, f, why);
+}
+
+const struct method method_so_ssph = {
+    .name = "so_ssph",
+    .about = "second-order symmetric SPH: kappa <T_xx> from one Taylor expansion (Song eq. 11)",
+    .accepts = "stepper kernel h order layout jitter seed sampling walls",
+    .scheme = &scheme,
+    .solve = solve,
+};

@@ -1,0 +1,157 @@
+/* Symmetric SPH: derivative weights from a symmetric moment matrix, for any Taylor order p (Song eqs. 9-13).
+ *
+ * With the scaled monomials P_k = (x/h)^a (y/h)^b / (a! b!), 1 <= a + b <= p, and W_k = P_k W:
+ *   M u = b,   M_kl = sum_j P_k P_l W,   b_k = sum_j P_k W (f_j - f_i),   u_k = h^(a+b) D^(a,b) f.
+ * For the derivative sum_k t_k u_k the weights are w_j = W_j (z . P_j) with M z = t, since M is symmetric.  Particle
+ * volumes are all alike and cancel, and so does the norm of the kernel.  No kernel derivative is needed.
+ * In units of h every entry of M is O(1), whatever the spacing. */
+#include "solver/methods/ssph.h"
+#include "solver/space/kernel.h"
+
+#include <math.h>
+#include <stdio.h>
+
+static int terms_of(int dim, int order) {
+    return dim == 1 ? order : (order + 1) * (order + 2) / 2 - 1;
+}
+
+#define INLINE static inline __attribute__((always_inline))
+
+INLINE void monomials(int dim, int order, const double s[2], double *P) {
+    double x[SSPH_ORDER_MAX + 1] = {1}, y[SSPH_ORDER_MAX + 1] = {1}; /* s^a / a! */
+    for (int a = 1; a <= order; a++) x[a] = x[a - 1] * s[0] / a;
+    for (int b = 1; b <= order; b++) y[b] = y[b - 1] * s[1] / b;
+    for (int degree = 1; degree <= order; degree++)
+        for (int b = 0; b <= (dim == 2 ? degree : 0); b++) *P++ = x[degree - b] * y[b];
+}
+
+INLINE void assemble_terms(const struct neighbourhood *nb, enum kernel_name kernel, int dim, int order,
+                           double *matrix, double *W) {
+    int terms = terms_of(dim, order);
+    double P[SSPH_TERMS_MAX];
+    for (size_t j = 0; j < nb->n; j++) {
+        double s[2] = {nb->d[j][0] / nb->h, nb->d[j][1] / nb->h};
+        W[j] = kernel_value(kernel, dim, sqrt(s[0] * s[0] + s[1] * s[1]));
+        monomials(dim, order, s, P);
+        for (int k = 0; k < terms; k++)
+            for (int l = 0; l <= k; l++) matrix[k * terms + l] += P[k] * P[l] * W[j];
+    }
+    for (int k = 0; k < terms; k++)
+        for (int l = 0; l < k; l++) matrix[l * terms + k] = matrix[k * terms + l];
+}
+
+/* M (terms x terms) and W_j; loops of the usual length are unrolled. */
+static void assemble(const struct neighbourhood *nb, enum kernel_name kernel, int order, double *matrix, double *W) {
+    if (nb->dim == 2 && order == 2)
+        assemble_terms(nb, kernel, 2, 2, matrix, W);
+    else
+        assemble_terms(nb, kernel, nb->dim, order, matrix, W);
+}
+
+/* w_j = W_j (z . P_j) */
+INLINE void combine_terms(const struct neighbourhood *nb, int dim, int order, const double *W, const double *z,
+                          double *w) {
+    int terms = terms_of(dim, order);
+    double P[SSPH_TERMS_MAX];
+    for (size_t j = 0; j < nb->n; j++) {
+        double s[2] = {nb->d[j][0] / nb->h, nb->d[j][1] / nb->h}, sum = 0;
+        monomials(dim, order, s, P);
+        for (int k = 0; k < terms; k++) sum += z[k] * P[k];
+        w[j] = W[j] * sum;
+    }
+}
+
+static void combine(const struct neighbourhood *nb, int order, const double *W, const double *z, double *w) {
+    if (nb->dim == 2 && order == 2)
+        combine_terms(nb, 2, 2, W, z, w);
+    else
+        combine_terms(nb, nb->dim, order, W, z, w);
+}
+
+/* M z = b in place, from the factor L whose diagonal is kept as reciprocals. */
+INLINE void solve_terms(int terms, const double *L, double *z) {
+    for (int i = 0; i < terms; i++) {
+        for (int k = 0; k < i; k++) z[i] -= L[i * terms + k] * z[k];
+        z[i] *= L[i * terms + i];
+    }
+    for (int i = terms - 1; i >= 0; i--) {
+        for (int k = i + 1; k < terms; k++) z[i] -= L[k * terms + i] * z[k];
+        z[i] *= L[i * terms + i];
+    }
+}
+
+/* M = L L^T in place, L in the lower triangle.  Returns the condition number of M in the 1-norm; infinite where M is
+ * not positive definite.  GSL's factor and its estimate of the norm are made for large matrices: here, and from a
+ * library that has to be loaded, they cost more than all else. */
+INLINE double factor_terms(int terms, double *M) {
+    double size = 0, inverse = 0;
+    for (int k = 0; k < terms; k++) {
+        double sum = 0;
+        for (int l = 0; l < terms; l++) sum += fabs(M[k * terms + l]);
+        size = fmax(size, sum);
+    }
+    for (int j = 0; j < terms; j++)
+        for (int i = j; i < terms; i++) {
+            double sum = M[i * terms + j];
+            for (int k = 0; k < j; k++) sum -= M[i * terms + k] * M[j * terms + k];
+            if (i == j && !(sum > 0)) return INFINITY;
+            M[i * terms + j] = i == j ? 1 / sqrt(sum) : sum * M[j * terms + j];
+        }
+    for (int k = 0; k < terms; k++) {
+        double column[SSPH_TERMS_MAX] = {0}, sum = 0;
+        column[k] = 1;
+        solve_terms(terms, M, column);
+        for (int l = 0; l < terms; l++) sum += fabs(column[l]);
+        inverse = fmax(inverse, sum);
+    }
+    return size * inverse;
+}
+
+static double factor(int terms, double *M) {
+    return terms == 5 ? factor_terms(5, M) : factor_terms(terms, M);
+}
+
+static void solve(int terms, const double *L, double *z) {
+    if (terms == 5)
+        solve_terms(5, L, z);
+    else
+        solve_terms(terms, L, z);
+}
+
+double ssph_condition(const struct neighbourhood *nb, enum kernel_name kernel, int order) {
+    double matrix[SSPH_TERMS_MAX * SSPH_TERMS_MAX] = {0}, W[NEIGHBOURS_MAX];
+    assemble(nb, kernel, order, matrix, W);
+    return factor(terms_of(nb->dim, order), matrix);
+}
+
+static int singular(const struct neighbourhood *nb, int terms, double condition, struct failure *why) {
+    char number[40] = "infinite";
+    if (condition < 1e17) snprintf(number, sizeof number, "%.1e", condition);
+    return refuse(
+        why, STATUS_NUMERICAL,
+        "singular moment matrix: particle %zu at (%.6g, %.6g) m has %zu neighbours for %d unknowns, condition "
+        "number %s (at most %.0e); take a larger --h or less --jitter",
+        nb->i, nb->x[0], nb->x[1], nb->n, terms, number, SSPH_CONDITION_MAX);
+}
+
+int ssph_weights(const struct neighbourhood *nb, enum kernel_name kernel, int order, int targets,
+                 double target[][SSPH_TERMS_MAX], double *w[], struct failure *why) {
+    int terms = terms_of(nb->dim, order);
+    double matrix[SSPH_TERMS_MAX * SSPH_TERMS_MAX] = {0};
+    assemble(nb, kernel, order, matrix, w[0]);
+    double condition = factor(terms, matrix);
+    if (!(condition <= SSPH_CONDITION_MAX)) return singular(nb, terms, condition, why);
+
+    double z[2][SSPH_TERMS_MAX];
+    for (int t = 0; t < targets; t++) {
+        double unit = 1;
+        int k = 0;
+        for (int degree = 1; degree <= order; degree++) {
+            unit *= nb->h;
+            for (int b = 0; b <= (nb->dim == 2 ? degree : 0); b++, k++) z[t][k] = target[t][k] / unit;
+        }
+        solve(terms, matrix, z[t]);
+    }
+    for (int t = targets - 1; t >= 0; t--) combine(nb, order, w[0], z[t], w[t]); /* w[0] holds W till then */
+    return STATUS_OK;
+}

@@ -1,0 +1,21 @@
+#ifndef HEATLADDER_SOLVER_METHODS_SSPH_H
+#define HEATLADDER_SOLVER_METHODS_SSPH_H
+
+#include "solver/space/operator.h"
+
+enum { SSPH_ORDER_MAX = 4, SSPH_TERMS_MAX = 14 };
+
+/* A condition number (1-norm, in units of h) past this leaves fewer than six digits in the weights: an error. */
+#define SSPH_CONDITION_MAX 1e10
+
+/* Weights of linear combinations of derivatives from a Taylor expansion to `order` (Song eqs. 9-13): for each of the
+ * `targets`, w[t][j] (nb->n of them) such that sum_j w[t][j] (f_j - f_i) approximates sum_ab c D^(a,b) f.  The terms
+ * of `target[t]` are ordered x, y, x^2, xy, y^2, x^3, ... (x, x^2, ... on a rod) and have the unit m^(a+b).
+ * STATUS_NUMERICAL names the particle, its neighbour count and the condition number. */
+int ssph_weights(const struct neighbourhood *nb, enum kernel_name kernel, int order, int targets,
+                 double target[][SSPH_TERMS_MAX], double *w[], struct failure *why);
+
+/* That condition number, of the moment matrix of the neighbourhood; infinite where it has no Cholesky factor. */
+double ssph_condition(const struct neighbourhood *nb, enum kernel_name kernel, int order);
+
+#endif

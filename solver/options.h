@@ -1,0 +1,41 @@
+#ifndef HEATLADDER_SOLVER_OPTIONS_H
+#define HEATLADDER_SOLVER_OPTIONS_H
+
+/* What a method is asked for. */
+
+enum kernel_name { KERNEL_CUBIC, KERNEL_QUARTIC, KERNEL_WENDLAND };
+enum stepper { STEPPER_AUTO, STEPPER_EULER, STEPPER_RK2, STEPPER_RKL2, STEPPER_EXACT, STEPPER_MATCHED };
+enum layout_name { LAYOUT_LATTICE, LAYOUT_NODE, LAYOUT_JITTER };
+enum sampling { SAMPLING_POINT, SAMPLING_CELL, SAMPLING_SPLINE };
+enum walls { WALLS_MIRROR, WALLS_FIXED };
+enum mean { MEAN_HARMONIC, MEAN_ARITHMETIC, MEAN_SERIES };
+enum domain { DOMAIN_FOLDED, DOMAIN_WHOLE };
+enum volume { VOLUME_MOMENT, VOLUME_RAW, VOLUME_TUNED };
+
+/* The words of the command line, indexed by the enums, ended by NULL. */
+extern const char *const kernel_words[], *const stepper_words[];
+extern const char *const layout_words[], *const sampling_words[], *const walls_words[], *const domain_words[];
+extern const char *const mean_words[], *const volume_words[];
+
+struct options {
+    double dx;      /* m, particle spacing along x (along y too, but for STEPPER_MATCHED with k_x != k_y) */
+    double dt;      /* s; 0: not given.  The step used is t_end / ceil(t_end / dt), so that steps are whole. */
+    double fourier; /* mesh Fourier number dt max(kappa) / dx^2; 0: not given */
+    double h;       /* smoothing length over dx; 0: the default, 1.1 max(order, 2) / 2 */
+    int h_iso;      /* 1: --h iso */
+    int order;      /* Taylor order of so_ssph, 2 to 4; 0: not given */
+    double xi;      /* --volume tuned: Pamplona's xi, m; 0: their xi = 9 h^(1/3) */
+    enum kernel_name kernel;
+    enum stepper stepper;
+    enum layout_name layout;
+    double jitter; /* particles lie uniformly within +-jitter dx of the lattice's */
+    unsigned long seed;
+    enum sampling sampling;
+    enum walls walls;
+    enum mean mean;
+    enum volume volume;
+    enum domain domain; /* of a scene with mirror planes: the part that has to be computed, or all */
+    int threads;        /* threads that one run may use; 0 or 1: one */
+};
+
+#endif

@@ -1,0 +1,284 @@
+/* The operator with a row for each particle: off the lattice, or where the conductivity varies.
+ *
+ * A scheme of one sweep gives the row of particle i at once; a neighbour that is a ghost adds w sign to the column of
+ * its source and w offset to g_i.  A scheme of two sweeps first gets the rows of its derivatives D_x, D_y at every
+ * point within one support of the domain, ghosts among them, and the row of i is that of D_x kappa_x D_x + D_y
+ * kappa_y D_y, with the ghosts folded in at the end. Rows are kept in blocks of particles, each filled by one thread,
+ * and joined in order: the result is the same for any number of threads. */
+#include "solver/space/csr.h"
+#include "solver/space/kernel.h"
+#include "solver/space/neighbours.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+struct list { /* the rows of a block of points, one after the other; each ends at end[i] */
+    size_t n, room;
+    uint32_t *column;
+    double *value, *other; /* other: the second derivative's weights, two sweeps only */
+};
+
+static void list_add(struct list *l, int two, uint32_t column, double value, double other) {
+    if (l->n == l->room) {
+        l->room = l->room ? 2 * l->room : 64;
+        l->column = realloc(l->column, l->room * sizeof *l->column);
+        l->value = realloc(l->value, l->room * sizeof *l->value);
+        if (two) l->other = realloc(l->other, l->room * sizeof *l->other);
+        if (!l->column || !l->value || (two && !l->other)) free(xcalloc(SIZE_MAX / 2, 2)); /* reports and ends */
+    }
+    l->column[l->n] = column;
+    l->value[l->n] = value;
+    if (two) l->other[l->n] = other;
+    l->n++;
+}
+
+static size_t list_bytes(const struct list *l) {
+    return l->room * (sizeof *l->column + sizeof *l->value + (l->other ? sizeof *l->other : 0));
+}
+
+static void list_free(struct list *l) {
+    free(l->column);
+    free(l->value);
+    free(l->other);
+}
+
+struct assembly {
+    const struct problem *p;
+    const struct options *o;
+    const struct scheme *s;
+    const struct cloud *c;
+    struct neighbours cells;
+    double h, support; /* m */
+    double volume;     /* m^d */
+};
+
+/* The weights of point i on its neighbours `near`; returns a status and the number of neighbours. */
+static int weigh(const struct assembly *m, size_t i, uint32_t near[NEIGHBOURS_MAX], double *w[2], size_t *n,
+                 struct failure *why) {
+    const struct cloud *c = m->c;
+    double d[NEIGHBOURS_MAX][2];
+    *n = neighbours_find(&m->cells, i, near, NEIGHBOURS_MAX);
+    if (*n > NEIGHBOURS_MAX)
+        return refuse(why, STATUS_NUMERICAL, "particle %zu at (%.6g, %.6g) m has %zu neighbours, at most %d are held",
+                      i, c->x[i], c->y[i], *n, NEIGHBOURS_MAX);
+    for (size_t k = 0; k < *n; k++) d[k][0] = c->x[near[k]] - c->x[i], d[k][1] = c->y[near[k]] - c->y[i];
+    const struct problem *p = m->p;
+    const struct material *material = &p->material[p->materials == 2 && c->x[i] >= p->interface];
+    struct neighbourhood nb = {.dim = c->dim,
+                               .i = i,
+                               .x = {c->x[i], c->y[i]},
+                               .n = *n,
+                               .d = d,
+                               .h = m->h,
+                               .volume = m->volume,
+                               .kappa = {material->k[0] / material->rho_c, material->k[1] / material->rho_c}};
+    return m->s->weights(p, m->o, &nb, w, why);
+}
+
+/* A row in the making: dense, with a list of the columns that it touches. */
+struct scratch {
+    double *value;    /* n */
+    uint32_t *column; /* touched, in the order of arrival */
+    size_t n;
+    unsigned char *touched; /* n */
+};
+
+enum { SCRATCH = sizeof(double) + sizeof(uint32_t) + 1 }; /* bytes a particle */
+
+static void scratch_add(struct scratch *s, uint32_t column, double value) {
+    if (!s->touched[column]) s->touched[column] = 1, s->column[s->n++] = column;
+    s->value[column] += value;
+}
+
+static int ascending(const void *a, const void *b) {
+    uint32_t x = *(const uint32_t *)a, y = *(const uint32_t *)b;
+    return (x > y) - (x < y);
+}
+
+/* Moves the scratch row of particle i to the list: off-diagonal columns, ascending. */
+static void scratch_flush(struct scratch *s, size_t i, struct list *out, double *diagonal) {
+    qsort(s->column, s->n, sizeof *s->column, ascending);
+    for (size_t k = 0; k < s->n; k++) {
+        uint32_t j = s->column[k];
+        if (j == i)
+            *diagonal += s->value[j];
+        else if (s->value[j] != 0)
+            list_add(out, 0, j, s->value[j], 0);
+        s->value[j] = 0, s->touched[j] = 0;
+    }
+    s->n = 0;
+}
+
+/* Adds w T_point to the row: the point may be a ghost. */
+static void fold(const struct cloud *c, struct scratch *s, double *g, uint32_t point, double w) {
+    scratch_add(s, c->source[point], w * c->sign[point]);
+    *g += w * c->offset[point];
+}
+
+static int direct_row(const struct assembly *m, size_t i, struct scratch *s, double *diagonal, double *g,
+                      struct failure *why) {
+    uint32_t near[NEIGHBOURS_MAX];
+    double weight[NEIGHBOURS_MAX], *w[2] = {weight, NULL};
+    size_t n;
+    if (weigh(m, i, near, w, &n, why)) return why->status;
+    for (size_t k = 0; k < n; k++) {
+        *diagonal -= weight[k];
+        fold(m->c, s, g, near[k], weight[k]);
+    }
+    return STATUS_OK;
+}
+
+struct derivatives { /* rows of D_x and D_y at every point within one support of the domain */
+    struct list list;
+    size_t *begin; /* total + 1 */
+};
+
+static int derive_all(const struct assembly *m, struct derivatives *d, struct failure *why) {
+    const struct cloud *c = m->c;
+    uint32_t near[NEIGHBOURS_MAX];
+    double weight[2][NEIGHBOURS_MAX], *w[2] = {weight[0], weight[1]};
+    d->begin = xcalloc(c->total + 1, sizeof *d->begin);
+    for (size_t i = 0; i < c->total; i++) {
+        size_t n = 0;
+        double outside = 0;
+        for (int a = 0; a < c->dim; a++) {
+            double x = a ? c->y[i] : c->x[i];
+            outside = fmax(outside, fmax(m->p->lo[a] - x, x - m->p->hi[a]));
+        }
+        if (outside < m->support) {
+            if (weigh(m, i, near, w, &n, why)) return why->status;
+            double sum[2] = {0, 0};
+            for (size_t k = 0; k < n; k++) {
+                double other = c->dim == 2 ? weight[1][k] : 0;
+                list_add(&d->list, 1, near[k], weight[0][k], other);
+                sum[0] -= weight[0][k], sum[1] -= other;
+            }
+            list_add(&d->list, 1, (uint32_t)i, sum[0], sum[1]);
+        }
+        d->begin[i + 1] = d->list.n;
+    }
+    return STATUS_OK;
+}
+
+static void composed_row(const struct assembly *m, const struct derivatives *d, size_t i, struct scratch *s,
+                         double *g) {
+    const struct material *material = &m->p->material[0];
+    double kappa[2] = {material->k[0] / material->rho_c, m->c->dim == 2 ? material->k[1] / material->rho_c : 0};
+    const struct list *l = &d->list;
+    for (size_t k = d->begin[i]; k < d->begin[i + 1]; k++) {
+        uint32_t j = l->column[k];
+        double x = kappa[0] * l->value[k], y = kappa[1] * l->other[k];
+        for (size_t q = d->begin[j]; q < d->begin[j + 1]; q++)
+            fold(m->c, s, g, l->column[q], x * l->value[q] + y * l->other[q]);
+    }
+}
+
+enum { BLOCKS = 64 };
+
+/* The rows of one block of particles. */
+static int assemble_block(const struct assembly *m, const struct derivatives *d, struct heat_operator *a, double *g,
+                          size_t begin, size_t end, struct list *out, struct failure *why) {
+    size_t n = m->c->n;
+    struct scratch s = {xcalloc(n, sizeof(double)), xcalloc(n, sizeof(uint32_t)), 0, xcalloc(n, 1)};
+    int status = STATUS_OK;
+    for (size_t i = begin; i < end && !status; i++) {
+        if (m->s->sweeps == 2)
+            composed_row(m, d, i, &s, &g[i]);
+        else
+            status = direct_row(m, i, &s, &a->diagonal[i], &g[i], why);
+        scratch_flush(&s, i, out, &a->diagonal[i]);
+        a->row[i + 1] = out->n;
+    }
+    free(s.value);
+    free(s.column);
+    free(s.touched);
+    return status;
+}
+
+static void join(struct heat_operator *a, struct list part[BLOCKS], const size_t begin[BLOCKS + 1]) {
+    size_t total = 0;
+    for (int b = 0; b < BLOCKS; b++) total += part[b].n;
+    a->column = xcalloc(total, sizeof *a->column);
+    a->value = xcalloc(total, sizeof *a->value);
+    for (size_t b = 0, at = 0; b < BLOCKS; at += part[b].n, b++) {
+        if (part[b].n) {
+            memcpy(a->column + at, part[b].column, part[b].n * sizeof *a->column);
+            memcpy(a->value + at, part[b].value, part[b].n * sizeof *a->value);
+        }
+        for (size_t i = begin[b]; i < begin[b + 1]; i++) a->row[i + 1] += at;
+    }
+    a->pairs = total;
+    a->bytes =
+        total * (sizeof *a->column + sizeof *a->value) + (a->n + 1) * sizeof *a->row + a->n * sizeof *a->diagonal;
+}
+
+static void keep_constants(struct heat_operator *a, const struct problem *p, const struct cloud *c, double *g) {
+    for (size_t i = 0; i < a->n; i++) {
+        double x[2] = {c->x[i], c->y[i]};
+        int material = p->materials == 2 && x[0] >= p->interface;
+        if (p->source) g[i] += p->source(p, x) / p->material[material].rho_c;
+        a->constant |= g[i] != 0;
+    }
+    if (a->constant)
+        a->g = g, a->bytes += a->n * sizeof *g;
+    else
+        free(g);
+}
+
+/* What the assembly holds beside what is kept, at its peak: while blocks are filled, with what that needs
+ * (`filling`), or while they are joined. */
+static size_t passing(const struct heat_operator *a, const struct cloud *c, const struct list part[BLOCKS],
+                      size_t filling) {
+    size_t joined = a->pairs * (sizeof *a->column + sizeof *a->value), lists = 0;
+    for (int b = 0; b < BLOCKS; b++) lists += list_bytes(&part[b]);
+    return c->bytes + lists + (filling > joined ? filling - joined : 0) + (a->constant ? 0 : a->n * sizeof *a->g);
+}
+
+int csr_assemble(struct heat_operator *a, const struct problem *p, const struct options *o, const struct scheme *s,
+                 const struct cloud *c, double spacing, struct failure *why) {
+    struct assembly m = {p,
+                         o,
+                         s,
+                         c,
+                         {0},
+                         o->h * spacing,
+                         KERNEL_SUPPORT * o->h * spacing,
+                         s->volume ? s->volume(p, o, o->h * spacing, c->volume) : c->volume};
+    struct derivatives d = {{0, 0, NULL, NULL, NULL}, NULL};
+    struct list part[BLOCKS] = {{0, 0, NULL, NULL, NULL}};
+    size_t begin[BLOCKS + 1];
+    int status = STATUS_OK, threads = o->threads > 1 ? o->threads : 1;
+    double *g = xcalloc(a->n, sizeof *g);
+    a->row = xcalloc(a->n + 1, sizeof *a->row);
+    a->diagonal = xcalloc(a->n, sizeof *a->diagonal);
+    neighbours_create(&m.cells, c, m.support);
+    if (s->sweeps == 2) status = derive_all(&m, &d, why);
+    for (size_t b = 0; b <= BLOCKS; b++) begin[b] = a->n * b / BLOCKS;
+    int first_bad = BLOCKS;
+#pragma omp parallel for schedule(dynamic, 1) num_threads(threads) if (!status)
+    for (int b = 0; b < BLOCKS; b++) {
+        struct failure local;
+        if (status) continue;
+        if (assemble_block(&m, &d, a, g, begin[b], begin[b + 1], &part[b], &local)) {
+#pragma omp critical(rows_failure)
+            if (b < first_bad) first_bad = b, *why = local;
+        }
+    }
+    if (first_bad < BLOCKS) status = why->status;
+    size_t filling =
+        neighbours_bytes(&m.cells) + list_bytes(&d.list) + (d.begin ? (c->total + 1) * sizeof *d.begin : 0);
+    filling += (size_t)(threads < BLOCKS ? threads : BLOCKS) * a->n * SCRATCH;
+    list_free(&d.list);
+    free(d.begin);
+    neighbours_free(&m.cells);
+    if (!status) {
+        join(a, part, begin);
+        keep_constants(a, p, c, g);
+        a->making = passing(a, c, part, filling);
+    } else {
+        free(g);
+    }
+    for (int b = 0; b < BLOCKS; b++) list_free(&part[b]);
+    return status;
+}

@@ -1,0 +1,16 @@
+#ifndef HEATLADDER_SOLVER_SPACE_KERNEL_H
+#define HEATLADDER_SOLVER_SPACE_KERNEL_H
+
+#include "solver/method.h"
+
+/* Smoothing kernels W(r, h) = w(s) / h^d with s = r / h; all have the support s < 2. */
+
+enum { KERNEL_SUPPORT = 2 }; /* in h */
+
+/* w(s), dimensionless, normalised so that its integral over R^dim is 1; dim 1 to 3, s >= 0. */
+double kernel_value(enum kernel_name kernel, int dim, double s);
+
+/* dw/ds */
+double kernel_slope(enum kernel_name kernel, int dim, double s);
+
+#endif

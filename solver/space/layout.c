@@ -1,0 +1,208 @@
+/* Where the particles and their ghosts are.
+ *
+ * Cell-centred lattice: x_i = lo + (i + 1/2) dx (Song's tables; the walls lie midway between a particle and its
+ * mirror image).  Node lattice: x_i = lo + i dx, where a node on a Dirichlet wall is known and so not a particle, and
+ * a node on a Neumann wall is one.  Jitter: each particle of the cell-centred lattice is moved uniformly within +-A
+ * dx along each axis; its ghosts are the mirror images of the moved particles, so that walls stay exact.
+ *
+ * Ghosts: mirror walls T_g = 2 T_wall - T_source (odd, second order); fixed walls T_g = T_wall (Pamplona Fig. 3,
+ * first order); Neumann T_g = T_source + q |x_g - x_source| / k (even, plus flux). */
+#include "solver/space/layout.h"
+
+#include <gsl/gsl_rng.h>
+#include <math.h>
+#include <stdlib.h>
+
+static const double PARTICLES_MAX = 4e9; /* rows have columns of 32 bits */
+
+/* The nearest spacings, on either side, that divide every extent, dy = ratio dx; NaN where there is none. */
+static void nearest_spacings(const struct problem *p, double dx, double ratio, double out[2]) {
+    double extent = p->hi[0] - p->lo[0], other = p->dim == 2 ? (p->hi[1] - p->lo[1]) / ratio : extent;
+    double near = fmax(1, floor(extent / dx));
+    for (int up = 0; up < 2; up++) {
+        out[up] = NAN;
+        for (double n = up ? near : near + 1; n >= 1 && n < 4 * near + 1000; n += up ? -1 : 1) {
+            double cells = other * n / extent;
+            if (fabs(cells - round(cells)) > 1e-9 * cells || round(cells) < 1) continue;
+            out[up] = extent / n;
+            break;
+        }
+    }
+}
+
+static const double CELLS_MAX = 1e8; /* along an axis */
+
+static int count_cells(const struct problem *p, int axis, double spacing, double *cells) {
+    *cells = (p->hi[axis] - p->lo[axis]) / spacing;
+    double whole = round(*cells);
+    int divides = whole >= 1 && fabs(*cells - whole) <= 1e-6 * whole;
+    *cells = whole;
+    return divides;
+}
+
+static int refuse_spacing(const struct problem *p, const struct options *o, double ratio, struct failure *why) {
+    double near[2];
+    nearest_spacings(p, o->dx, ratio, near);
+    if (isnan(near[0]))
+        return refuse(why, STATUS_INPUT,
+                      "--dx %g does not divide the domain, and with dy = %.6g dx none near it does", o->dx, ratio);
+    if (isnan(near[1]))
+        return refuse(why, STATUS_INPUT, "--dx %g does not divide the domain; try %.10g", o->dx, near[0]);
+    return refuse(why, STATUS_INPUT, "--dx %g does not divide the domain; the nearest that do are %.10g and %.10g",
+                  o->dx, near[0], near[1]);
+}
+
+int layout_lattice(const struct problem *p, const struct options *o, double ratio, struct lattice *l,
+                   struct failure *why) {
+    *l = (struct lattice){.dim = p->dim, .n = {1, 1}, .dx = {1, 1}};
+    if (!(o->dx > 0) || !isfinite(o->dx))
+        return refuse(why, STATUS_INPUT, "--dx %g: must be a length > 0, in m", o->dx);
+    int node = o->layout == LAYOUT_NODE;
+    double particles = 1;
+    for (int a = 0; a < p->dim; a++) {
+        double cells, spacing = a ? o->dx * ratio : o->dx;
+        int divides = count_cells(p, a, spacing, &cells);
+        if (!(cells < CELLS_MAX))
+            return refuse(why, STATUS_INPUT, "--dx %g: %g particles along %c, fewer than %g can be", o->dx, cells,
+                          "xy"[a], CELLS_MAX);
+        if (!divides) return refuse_spacing(p, o, ratio, why);
+        const enum side_kind *kind = &p->side[2 * a];
+        l->dx[a] = (p->hi[a] - p->lo[a]) / cells;
+        l->n[a] = (int)cells;
+        if (node) l->n[a] += 1 - (kind[0] == DIRICHLET) - (kind[1] == DIRICHLET);
+        if (l->n[a] < 1) return refuse_spacing(p, o, ratio, why);
+        particles *= l->n[a];
+        l->first[a] = p->lo[a] + (node ? (kind[0] == DIRICHLET) * l->dx[a] : l->dx[a] / 2);
+        for (int s = 2 * a; s < 2 * a + 2; s++) {
+            int dirichlet = p->side[s] == DIRICHLET;
+            l->shift[s] = !node ? 0 : dirichlet ? -1 : 1;
+            l->sign[s] = !dirichlet ? 1 : o->walls == WALLS_FIXED ? 0 : -1;
+        }
+    }
+    if (particles > PARTICLES_MAX)
+        return refuse(why, STATUS_INPUT, "--dx %g: %.3g particles, at most %g", o->dx, particles, PARTICLES_MAX);
+    return STATUS_OK;
+}
+
+void layout_position(const struct lattice *l, int i, int j, double x[2]) {
+    x[0] = l->first[0] + i * l->dx[0];
+    x[1] = l->dim == 2 ? l->first[1] + j * l->dx[1] : 0;
+}
+
+/* One reflection, along `axis`: T_ghost = *sign T_source + the returned offset.  `at` has the other coordinate. */
+static double reflect(const struct problem *p, enum walls walls, int axis, int side, double ghost, double source,
+                      const double at[2], int *sign) {
+    double foot[2] = {at[0], at[1]};
+    foot[axis] = side % 2 ? p->hi[axis] : p->lo[axis];
+    double value = p->wall(p, (enum side)side, foot);
+    if (p->side[side] == NEUMANN) {
+        int m = p->materials == 2 && foot[0] >= p->interface;
+        *sign = 1;
+        return value * fabs(ghost - source) / p->material[m].k[axis];
+    }
+    int on_wall = fabs(ghost - foot[axis]) < 1e-9 * (p->hi[axis] - p->lo[axis]);
+    *sign = walls == WALLS_FIXED || on_wall ? 0 : -1;
+    return *sign ? 2 * value : value;
+}
+
+double layout_ghost_offset(const struct problem *p, enum walls walls, const int side[2], const double ghost[2],
+                           const double source[2]) {
+    double offset = 0;
+    int orders = 0, sign;
+    for (int outer = 0; outer < 2; outer++) { /* reflect along `outer` last */
+        int inner = 1 - outer;
+        if (side[outer] < 0) continue;
+        double sum = reflect(p, walls, outer, side[outer], ghost[outer], source[outer], ghost, &sign);
+        if (side[inner] >= 0) {
+            double at[2];
+            at[outer] = source[outer];
+            at[inner] = ghost[inner];
+            int inner_sign;
+            sum += sign * reflect(p, walls, inner, side[inner], ghost[inner], source[inner], at, &inner_sign);
+        }
+        offset += sum;
+        orders++;
+    }
+    return orders ? offset / orders : 0;
+}
+
+/* Particles in the order of square cells of side `reach`: neighbours in space are neighbours in memory. */
+static void place_particles(const struct options *o, const struct lattice *l, double reach, struct cloud *c) {
+    int block[2] = {(int)fmax(1, floor(reach / l->dx[0])), l->dim == 2 ? (int)fmax(1, floor(reach / l->dx[1])) : 1};
+    gsl_rng *random = gsl_rng_alloc(gsl_rng_mt19937);
+    gsl_rng_set(random, o->seed);
+    double amplitude = o->layout == LAYOUT_JITTER ? 2 * o->jitter : 0;
+    size_t k = 0;
+    for (int j0 = 0; j0 < l->n[1]; j0 += block[1])
+        for (int i0 = 0; i0 < l->n[0]; i0 += block[0])
+            for (int j = j0; j < j0 + block[1] && j < l->n[1]; j++)
+                for (int i = i0; i < i0 + block[0] && i < l->n[0]; i++, k++) {
+                    double x[2];
+                    layout_position(l, i, j, x);
+                    c->x[k] = x[0] + amplitude * l->dx[0] * (gsl_rng_uniform(random) - 0.5);
+                    c->y[k] = l->dim == 2 ? x[1] + amplitude * l->dx[1] * (gsl_rng_uniform(random) - 0.5) : 0;
+                    c->source[k] = (uint32_t)k;
+                    c->sign[k] = 1;
+                }
+    gsl_rng_free(random);
+}
+
+/* The images of particle i beyond the walls, up to three (two sides and the corner between them). */
+static void add_ghosts(const struct problem *p, const struct options *o, const struct lattice *l, size_t i,
+                       struct cloud *c) {
+    double source[2] = {c->x[i], c->y[i]};
+    for (int sx = -1; sx < 2; sx++)
+        for (int sy = p->dim == 2 ? -1 : 1; sy < 2; sy++) { /* -1: not beyond this axis; else the side's parity */
+            int side[2] = {sx, p->dim == 2 && sy >= 0 ? 2 + sy : -1}, sign = 1, near = 1;
+            double ghost[2] = {source[0], source[1]};
+            if (side[0] < 0 && side[1] < 0) continue;
+            for (int a = 0; a < p->dim; a++) {
+                if (side[a] < 0) continue;
+                double wall = side[a] % 2 ? p->hi[a] : p->lo[a];
+                near = near && fabs(source[a] - wall) < c->reach;
+                ghost[a] = 2 * wall - source[a];
+                sign *= l->sign[side[a]];
+            }
+            if (!near) continue;
+            size_t k = c->total++;
+            c->x[k] = ghost[0];
+            c->y[k] = ghost[1];
+            c->source[k] = (uint32_t)i;
+            c->sign[k] = (signed char)sign;
+            c->offset[k] = layout_ghost_offset(p, o->walls, side, ghost, source);
+        }
+}
+
+int layout_cloud(const struct problem *p, const struct options *o, const struct lattice *l, double reach,
+                 struct cloud *c, struct failure *why) {
+    if (o->layout == LAYOUT_NODE)
+        return refuse(why, STATUS_INPUT, "--layout node: particles with rows of their own need lattice or jitter");
+    for (int a = 0; a < p->dim; a++)
+        if (reach > p->hi[a] - p->lo[a])
+            return refuse(why, STATUS_INPUT,
+                          "--dx %g: the ghosts of a wall reach %g m, past the opposite wall; take a "
+                          "smaller --dx or --h",
+                          o->dx, reach);
+    size_t n = (size_t)l->n[0] * (size_t)l->n[1], width[2];
+    for (int a = 0; a < 2; a++) width[a] = a < p->dim ? (size_t)(2 * ceil(reach / l->dx[a]) + 3) : 0;
+    size_t most = n + width[0] * (size_t)l->n[1] + width[1] * (size_t)l->n[0] + width[0] * width[1];
+    *c = (struct cloud){.dim = p->dim, .n = n, .total = n, .reach = reach, .volume = l->dx[0] * l->dx[1]};
+    c->x = xcalloc(most, sizeof *c->x);
+    c->y = xcalloc(most, sizeof *c->y);
+    c->source = xcalloc(most, sizeof *c->source);
+    c->sign = xcalloc(most, sizeof *c->sign);
+    c->offset = xcalloc(most, sizeof *c->offset);
+    c->bytes = most * (3 * sizeof *c->x + sizeof *c->source + sizeof *c->sign);
+    place_particles(o, l, reach, c);
+    for (size_t i = 0; i < n; i++) add_ghosts(p, o, l, i, c);
+    return STATUS_OK;
+}
+
+void layout_cloud_free(struct cloud *c) {
+    free(c->x);
+    free(c->y);
+    free(c->source);
+    free(c->sign);
+    free(c->offset);
+    *c = (struct cloud){0};
+}

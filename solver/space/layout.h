@@ -1,0 +1,53 @@
+#ifndef HEATLADDER_SOLVER_SPACE_LAYOUT_H
+#define HEATLADDER_SOLVER_SPACE_LAYOUT_H
+
+#include "solver/method.h"
+#include "solver/problem.h"
+
+#include <stdint.h>
+
+/* Where the particles are, and what their ghosts beyond the walls hold: T_ghost = sign T_source + offset. */
+
+struct lattice {
+    int dim;
+    int n[2];        /* unknowns along x and y; n[1] = 1 for a rod */
+    double dx[2];    /* m; dx[1] = 1 for a rod */
+    double first[2]; /* m, position of unknown 0 */
+    int shift[4]; /* the ghost k = 1, 2, ... beyond a side mirrors unknown k - 1 + shift, counted from that side; */
+    int sign[4];  /* below 0 that is the wall itself.  -1 odd, +1 even, 0 a ghost that holds the wall's value */
+};
+
+/* The lattice of the options dx and layout (the lattice under the jitter for LAYOUT_JITTER).  ratio = dy / dx.
+ * STATUS_INPUT where dx does not divide the domain, naming the nearest that do. */
+int layout_lattice(const struct problem *p, const struct options *o, double ratio, struct lattice *l,
+                   struct failure *why);
+
+/* Position of unknown (i, j), which may lie outside; m. */
+void layout_position(const struct lattice *l, int i, int j, double x[2]);
+
+/* What the ghost at `ghost` adds to sign T_source, K, for the source at `source` (m).  side[a] is the side that it
+ * lies beyond along axis a, or -1.  At a corner the two orders of reflection differ where the sides disagree: their
+ * mean is taken. */
+double layout_ghost_offset(const struct problem *p, enum walls walls, const int side[2], const double ghost[2],
+                           const double source[2]);
+
+/* Particles off the lattice, in the order of cells of side `reach`, followed by their ghosts. */
+struct cloud {
+    int dim;
+    size_t n, total;   /* particles; particles and ghosts */
+    double *x, *y;     /* m, total each; y is all zero for a rod */
+    uint32_t *source;  /* total; of particle i: i */
+    signed char *sign; /* total */
+    double *offset;    /* K, total */
+    double volume;     /* m^d, of every particle */
+    double reach;      /* m, ghosts fill the domain's surroundings this far */
+    size_t bytes;
+};
+
+/* Jittered (or, at jitter 0, regular) particles and every ghost within `reach` of the domain.  STATUS_INPUT where the
+ * domain is narrower than `reach`. */
+int layout_cloud(const struct problem *p, const struct options *o, const struct lattice *l, double reach,
+                 struct cloud *c, struct failure *why);
+void layout_cloud_free(struct cloud *c);
+
+#endif

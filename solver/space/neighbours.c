@@ -1,0 +1,60 @@
+/* Cell-linked list.  Points are counted into square cells of side `radius`, so that those within the radius of a
+ * point lie in its own cell and the ones around it. */
+#include "solver/space/neighbours.h"
+
+#include <math.h>
+#include <stdlib.h>
+
+static size_t cell_of(const struct neighbours *nb, double x, double y) {
+    size_t i = (size_t)((x - nb->lo[0]) / nb->radius), j = (size_t)((y - nb->lo[1]) / nb->radius);
+    return j * (size_t)nb->cells[0] + i;
+}
+
+void neighbours_create(struct neighbours *nb, const struct cloud *c, double radius) {
+    double lo[2] = {c->x[0], c->y[0]}, hi[2] = {c->x[0], c->y[0]};
+    for (size_t i = 1; i < c->total; i++) {
+        lo[0] = fmin(lo[0], c->x[i]), hi[0] = fmax(hi[0], c->x[i]);
+        lo[1] = fmin(lo[1], c->y[i]), hi[1] = fmax(hi[1], c->y[i]);
+    }
+    *nb = (struct neighbours){.cloud = c, .radius = radius, .lo = {lo[0], lo[1]}};
+    for (int a = 0; a < 2; a++) nb->cells[a] = (int)((hi[a] - lo[a]) / radius) + 1;
+    size_t cells = (size_t)nb->cells[0] * (size_t)nb->cells[1];
+    nb->start = xcalloc(cells + 2, sizeof *nb->start);
+    nb->point = xcalloc(c->total, sizeof *nb->point);
+    /* counting sort: start[k + 1] runs from the beginning of cell k to its end while the cell fills */
+    for (size_t i = 0; i < c->total; i++) nb->start[cell_of(nb, c->x[i], c->y[i]) + 2]++;
+    for (size_t k = 2; k < cells + 2; k++) nb->start[k] += nb->start[k - 1];
+    for (size_t i = 0; i < c->total; i++) nb->point[nb->start[cell_of(nb, c->x[i], c->y[i]) + 1]++] = (uint32_t)i;
+}
+
+size_t neighbours_bytes(const struct neighbours *nb) {
+    size_t cells = (size_t)nb->cells[0] * (size_t)nb->cells[1];
+    return (cells + 2) * sizeof *nb->start + nb->cloud->total * sizeof *nb->point;
+}
+
+void neighbours_free(struct neighbours *nb) {
+    free(nb->start);
+    free(nb->point);
+    *nb = (struct neighbours){0};
+}
+
+size_t neighbours_find(const struct neighbours *nb, size_t i, uint32_t *out, size_t most) {
+    const struct cloud *c = nb->cloud;
+    int at[2] = {(int)((c->x[i] - nb->lo[0]) / nb->radius), (int)((c->y[i] - nb->lo[1]) / nb->radius)};
+    /* lattice neighbours at exactly the radius must not be in or out by rounding: there the kernel is zero anyway */
+    double radius2 = nb->radius * nb->radius * (1 - 1e-12);
+    size_t found = 0;
+    for (int cy = at[1] - 1; cy <= at[1] + 1; cy++)
+        for (int cx = at[0] - 1; cx <= at[0] + 1; cx++) {
+            if (cx < 0 || cy < 0 || cx >= nb->cells[0] || cy >= nb->cells[1]) continue;
+            size_t cell = (size_t)cy * (size_t)nb->cells[0] + (size_t)cx;
+            for (uint32_t k = nb->start[cell]; k < nb->start[cell + 1]; k++) {
+                uint32_t j = nb->point[k];
+                double dx = c->x[j] - c->x[i], dy = c->y[j] - c->y[i];
+                if (j == i || dx * dx + dy * dy >= radius2) continue;
+                if (found < most) out[found] = j;
+                found++;
+            }
+        }
+    return found;
+}

@@ -1,0 +1,25 @@
+#ifndef HEATLADDER_SOLVER_SPACE_NEIGHBOURS_H
+#define HEATLADDER_SOLVER_SPACE_NEIGHBOURS_H
+
+#include "solver/space/layout.h"
+
+/* Cell-linked list: all points within a radius, in O(1) a point after O(N) once (Hockney & Eastwood 1981). */
+
+struct neighbours {
+    const struct cloud *cloud; /* borrowed */
+    double radius;             /* m, also the side of a cell */
+    double lo[2];              /* m */
+    int cells[2];
+    uint32_t *start; /* cells + 1: where each cell's points begin in `point` */
+    uint32_t *point; /* cloud->total */
+};
+
+void neighbours_create(struct neighbours *nb, const struct cloud *c, double radius);
+void neighbours_free(struct neighbours *nb);
+size_t neighbours_bytes(const struct neighbours *nb);
+
+/* Indices of the points nearer than the radius to point i, i itself left out, into out[most].  Returns how many there
+ * are, which may be more than `most`. */
+size_t neighbours_find(const struct neighbours *nb, size_t i, uint32_t *out, size_t most);
+
+#endif

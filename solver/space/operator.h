@@ -1,0 +1,87 @@
+#ifndef HEATLADDER_SOLVER_SPACE_OPERATOR_H
+#define HEATLADDER_SOLVER_SPACE_OPERATOR_H
+
+#include "solver/space/layout.h"
+
+#include <stddef.h>
+#include <stdint.h>
+
+/* The discrete operator of dT/dt = A T + g: one shared stencil on a lattice of one material, rows (CSR) elsewhere. */
+
+enum {
+    NEIGHBOURS_MAX = 1024,
+    REACH_MAX = 32, /* of a stencil of the plane: that of NEIGHBOURS_MAX, twice for two sweeps */
+    LANES_MAX = 8   /* doubles in the widest vector */
+};
+
+struct neighbourhood { /* what a scheme sees of one particle */
+    int dim;
+    size_t i;        /* the particle, for messages */
+    double x[2];     /* m, where it is */
+    size_t n;        /* neighbours, itself left out */
+    double (*d)[2];  /* m, x_j - x_i */
+    double h;        /* m */
+    double volume;   /* m^d, of each particle, as the scheme's `volume` has it */
+    double kappa[2]; /* m^2 s^-1, at the particle, along each axis */
+};
+
+struct scheme {
+    /* 1: weights w[0] of dT_i/dt = sum w_j (T_j - T_i).  2: weights w[0], w[1] of the two first derivatives, applied
+     * twice: dT/dt = d/dx(kappa_x dT/dx) + d/dy(kappa_y dT/dy) */
+    int sweeps;
+    int (*check)(const struct problem *p, const struct options *o, struct failure *why);
+    /* m^d: what a particle's volume dV = dx^d counts for, on a lattice of that volume and smoothing length h (m);
+     * NULL where weights do not depend on it */
+    double (*volume)(const struct problem *p, const struct options *o, double h, double dV);
+    int (*weights)(const struct problem *p, const struct options *o, const struct neighbourhood *nb, double *w[2],
+                   struct failure *why);
+};
+
+struct heat_operator {
+    size_t n; /* particles */
+    struct lattice lattice;
+    int reach[2];     /* stencil radius along each axis, in particles */
+    ptrdiff_t stride; /* doubles from row to row of a state: ghosts and room for whole vectors */
+    double *weight;   /* s^-1, quadrant w[j * (reach[0] + 1) + i], the rest by symmetry; NULL with rows */
+    size_t *row;      /* n + 1 */
+    uint32_t *column; /* row[n] */
+    double *value;    /* s^-1, row[n] */
+    double *diagonal; /* s^-1, n */
+    int constant;     /* 1: walls or a source add to dT/dt, and there is a g */
+    double *g;        /* K s^-1, what they add, in the shape of a state; NULL where it is zero */
+    size_t state;     /* doubles in a state: n, or the rows of a lattice with their ghosts */
+    size_t pairs;     /* neighbours of all particles together */
+    size_t bytes;
+    size_t making; /* bytes held beside those while it was made, at the peak; what no number of particles adds to is
+                      left out */
+    int threads;
+};
+
+/* Where row j of the particles begins in a state; a cloud has one row. */
+static inline ptrdiff_t operator_row(const struct heat_operator *a, ptrdiff_t j) {
+    return (j + a->reach[1]) * a->stride + a->reach[0];
+}
+
+/* On a lattice of one material. */
+int operator_create_lattice(struct heat_operator *a, const struct problem *p, const struct options *o,
+                            const struct scheme *s, const struct lattice *l, struct failure *why);
+/* The same without g, whose bytes are counted: nothing as large as a state is allocated. */
+int operator_outline_lattice(struct heat_operator *a, const struct problem *p, const struct options *o,
+                             const struct scheme *s, const struct lattice *l, struct failure *why);
+/* For particles anywhere; spacing (m) is what the h of the options counts in. */
+int operator_create_rows(struct heat_operator *a, const struct problem *p, const struct options *o,
+                         const struct scheme *s, const struct cloud *c, double spacing, struct failure *why);
+void operator_free(struct heat_operator *a);
+
+/* The stencil of a scheme on an unbounded lattice of spacing dx (m) along x and y alike and diffusivity kappa
+ * (m^2 s^-1): *weight is a quadrant as in struct heat_operator, to be freed. */
+int operator_stencil(const struct problem *p, const struct options *o, const struct scheme *s, double dx,
+                     const double kappa[2], int *reach, double **weight, struct failure *why);
+
+/* An upper bound of |lambda| over the spectrum of A, s^-1 (Gershgorin). */
+double operator_bound(const struct heat_operator *a);
+
+/* Eigenvalue of the lattice operator at the wave numbers theta (radians a particle), s^-1. */
+double operator_symbol(const struct heat_operator *a, const double theta[2]);
+
+#endif

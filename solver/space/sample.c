@@ -1,0 +1,265 @@
+/* Sampling of the initial data: point, cell or spline (Kreiss, Thomee & Widlund 1970).
+ *
+ * The average with the B-spline B_m of order m is the integral of T0(x + u dx) B_m(u) over |u| < m/2.  B_m is a
+ * polynomial of degree m - 1 between its knots.  Where walls, planes of jumps or their images meet its support, T0 is
+ * cut there too, and on each piece Gauss-Legendre with 2 points is exact for degree 3: for constants under a cubic
+ * spline.  What that misses of data that vary, the particles around make up: sum_i x_i^k B_m(x - x_i) is a polynomial
+ * of degree k < m, so that the sums over particles of T_i and x_i T_i are met exactly for quadratic data, and what is
+ * wrong is a quadrupole of O(dx^4).  Elsewhere two points (cell) or three (spline) have the moments of the spline up
+ * to the third: the average is then met to O(dx^4), and its variance, which is what the start of a matched run counts
+ * on, exactly.
+ *
+ * Knots of neighbours on a lattice coincide, and so do the nodes between them: T0 is evaluated once at each pair of a
+ * node along x and a node along y, and its values are summed along x, then along y. */
+#include "solver/space/sample.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+enum { GAUSS = 2, SMOOTH = 3, PLANES_MAX = 2 + 3 * JUMP_MAX }; /* nodes of a piece; most of a smooth average */
+
+static const double gauss_node[GAUSS] = {-0.57735026918962576451, 0.57735026918962576451};
+static const double gauss_weight[GAUSS] = {1, 1};
+
+static double b_spline(int m, double u) {
+    u = fabs(u);
+    if (m == 1) return u < 0.5 ? 1 : 0;
+    return u < 1 ? 2.0 / 3 - u * u * (1 - u / 2) : u < 2 ? (2 - u) * (2 - u) * (2 - u) / 6 : 0;
+}
+
+static inline double continued(const struct problem *p, double x, double y);
+
+/* T0 beyond side s: T0(x) = sign T0(image) + offset. */
+static double reflected(const struct problem *p, enum side s, double x, double y) {
+    int a = (int)s / 2;
+    double wall = s % 2 ? p->hi[a] : p->lo[a], beyond = fabs((a ? y : x) - wall);
+    double foot[2] = {a ? x : wall, a ? wall : y}, value = p->wall(p, s, foot);
+    double inside = a ? continued(p, x, 2 * wall - y) : continued(p, 2 * wall - x, y);
+    if (p->side[s] == DIRICHLET) return 2 * value - inside;
+    return inside + value * 2 * beyond / p->material[p->materials == 2 && foot[0] >= p->interface].k[a];
+}
+
+/* T0, continued beyond the walls. */
+static inline double continued(const struct problem *p, double x, double y) {
+    if (x < p->lo[0]) return reflected(p, X_LO, x, y);
+    if (x > p->hi[0]) return reflected(p, X_HI, x, y);
+    if (p->dim == 2 && y < p->lo[1]) return reflected(p, Y_LO, x, y);
+    if (p->dim == 2 && y > p->hi[1]) return reflected(p, Y_HI, x, y);
+    return p->initial(p, (const double[2]){x, y});
+}
+
+/* Continued as odd, data that meet a wall are smooth up to a jump of their second derivative: averages miss by
+ * O(dx^2) in the layer next to the wall, which cancels that but for a dipole of O(dx^4). */
+int sample_meets_wall(const struct problem *p, const struct lattice *l, enum side s) {
+    int axis = (int)s / 2, along = 1 - axis;
+    for (int i = 0; i < l->n[along]; i++) {
+        double foot[2];
+        foot[axis] = s % 2 ? p->hi[axis] : p->lo[axis];
+        foot[along] = l->first[along] + i * l->dx[along];
+        if (p->initial(p, foot) != p->wall(p, s, foot)) return 0;
+    }
+    return 1;
+}
+
+/* Planes along one axis where the continued data may jump: walls of another temperature, the problem's own and their
+ * images; returns how many. */
+static int jump_planes(const struct problem *p, const struct lattice *l, int axis, double *plane) {
+    int n = 0;
+    for (int hi = 0; hi < 2; hi++)
+        if (p->side[2 * axis + hi] == DIRICHLET && !sample_meets_wall(p, l, (enum side)(2 * axis + hi)))
+            plane[n++] = hi ? p->hi[axis] : p->lo[axis];
+    for (int k = 0; k < p->jumps[axis]; k++) {
+        double own = p->jump[axis][k];
+        plane[n++] = own;
+        for (int hi = 0; hi < 2; hi++) plane[n++] = 2 * (hi ? p->hi[axis] : p->lo[axis]) - own;
+    }
+    return n;
+}
+
+/* One axis of a lattice: particles x_i = first + i dx, knots first + (q - m/2) dx; particle i has those of q = i to
+ * i + m. */
+struct axis {
+    int m, n, planes;
+    double first, dx, plane[PLANES_MAX];
+};
+
+static double knot(const struct axis *a, int q) {
+    return a->first + (q - a->m / 2.0) * a->dx;
+}
+
+static int is_cut(const struct axis *a, int i) {
+    int inside = 0;
+    double lo = knot(a, i), hi = knot(a, i + a->m);
+    for (int k = 0; k < a->planes; k++) inside |= a->plane[k] > lo && a->plane[k] < hi;
+    return inside;
+}
+
+struct rule {     /* the average about particle i: */
+    size_t nodes; /* sum over k of weight[begin[i] + k] T0(node[first[i] + k]), begin[i] + k < begin[i + 1] */
+    double *node, *weight;
+    size_t *first, *begin;
+    size_t bytes, making; /* of the arrays above; of what was held beside while they were filled */
+};
+
+/* Nodes between knots q and q + 1, cut at planes; share[k]: what node k counts for apart from the spline. */
+static void add_cell(const struct axis *a, int q, struct rule *r, double *share) {
+    double edge[PLANES_MAX + 2] = {knot(a, q), knot(a, q + 1)};
+    int edges = 2;
+    for (int k = 0; k < a->planes; k++) { /* insert, ascending */
+        if (a->plane[k] <= edge[0] || a->plane[k] >= edge[edges - 1]) continue;
+        int at = edges++;
+        for (; edge[at - 1] > a->plane[k]; at--) edge[at] = edge[at - 1];
+        edge[at] = a->plane[k];
+    }
+    for (int k = 0; k + 1 < edges; k++)
+        for (int g = 0; g < GAUSS; g++) {
+            double half = (edge[k + 1] - edge[k]) / 2;
+            r->node[r->nodes] = edge[k] + half * (1 + gauss_node[g]);
+            share[r->nodes++] = half / a->dx * gauss_weight[g];
+        }
+}
+
+/* Where the data are smooth: few nodes with the moments of the spline up to the third.  The cubic's are the particle
+ * and the two beside it, those of the cell lie dx / sqrt(12) to either side.  *next: particles whose nodes are there.
+ */
+static void add_smooth(const struct axis *a, int i, struct rule *r, int *next) {
+    double *w = r->weight + r->begin[i];
+    if (a->m == 1) {
+        r->first[i] = r->nodes;
+        for (int k = 0; k < 2; k++) {
+            r->node[r->nodes++] = a->first + (i + (k - 0.5) / sqrt(3)) * a->dx;
+            w[k] = 0.5;
+        }
+        r->begin[i + 1] = r->begin[i] + 2;
+        return;
+    }
+    if (*next < i - 1) *next = i - 1;
+    for (; *next <= i + 1; ++*next) r->node[r->nodes++] = a->first + *next * a->dx;
+    r->first[i] = r->nodes - 3;
+    w[0] = w[2] = 1.0 / 6, w[1] = 2.0 / 3;
+    r->begin[i + 1] = r->begin[i] + 3;
+}
+
+static struct axis axis_of(const struct problem *p, int m, const struct lattice *l, int dim) {
+    struct axis a = {.m = m, .n = l->n[dim], .first = l->first[dim], .dx = l->dx[dim]};
+    a.planes = jump_planes(p, l, dim, a.plane);
+    return a;
+}
+
+static int alike(const struct axis *a, const struct axis *b) {
+    int same = a->n == b->n && a->first == b->first && a->dx == b->dx && a->planes == b->planes;
+    for (int k = 0; k < a->planes && same; k++) same = a->plane[k] == b->plane[k];
+    return same;
+}
+
+static struct rule rule_create(const struct axis *a) {
+    int m = a->m, n = a->n, cells = n + m - 1, next = -1, last = -1;
+    size_t cuts = 0, *cell = xcalloc((size_t)cells + 1, sizeof *cell);
+    for (int i = 0; i < n; i++) cuts += (size_t)is_cut(a, i);
+    size_t touched = cuts * (size_t)m < (size_t)cells ? cuts * (size_t)m : (size_t)cells;
+    size_t most = GAUSS * (touched + (size_t)a->planes), nodes = most + 2 * (size_t)n + 2;
+    size_t weights = GAUSS * cuts * (size_t)(m + a->planes) + SMOOTH * (size_t)n;
+    struct rule r = {.first = xcalloc((size_t)n, sizeof *r.first), .begin = xcalloc((size_t)n + 1, sizeof *r.begin)};
+    r.node = xcalloc(nodes, sizeof *r.node);
+    r.weight = xcalloc(weights, sizeof *r.weight);
+    r.bytes = (2 * (size_t)n + 1) * sizeof *r.first + (nodes + weights) * sizeof *r.node;
+    r.making = ((size_t)cells + 1) * sizeof *cell + most * sizeof *r.node;
+    double *share = xcalloc(most, sizeof *share);
+    for (int q = 0; q < cells; q++) { /* of particles q - m + 1 to q */
+        if (q < n && is_cut(a, q)) last = q + m;
+        cell[q] = r.nodes;
+        if (q < last) add_cell(a, q, &r, share);
+    }
+    cell[cells] = r.nodes;
+    for (int i = 0; i < n; i++) {
+        if (!is_cut(a, i)) {
+            add_smooth(a, i, &r, &next);
+            continue;
+        }
+        double *w = r.weight + r.begin[i];
+        r.first[i] = cell[i];
+        r.begin[i + 1] = r.begin[i] + cell[i + m] - cell[i];
+        for (size_t k = cell[i]; k < cell[i + m]; k++)
+            *w++ = share[k] * b_spline(m, (r.node[k] - (a->first + i * a->dx)) / a->dx);
+    }
+    free(cell);
+    free(share);
+    return r;
+}
+
+static void rule_free(struct rule *r) {
+    free(r->node);
+    free(r->weight);
+    free(r->first);
+    free(r->begin);
+}
+
+/* T[i] for the particles along x, at y; value: x->nodes, to work in */
+static void average_row(const struct problem *p, const struct rule *x, int n, double y, double *value, double *T) {
+    for (size_t k = 0; k < x->nodes; k++) value[k] = continued(p, x->node[k], y);
+    for (int i = 0; i < n; i++) {
+        const double *v = value + x->first[i], *w = x->weight + x->begin[i];
+        double sum = 0;
+        for (size_t k = 0; k < x->begin[i + 1] - x->begin[i]; k++) sum += w[k] * v[k];
+        T[i] = sum;
+    }
+}
+
+void sample_lattice(const struct problem *p, enum sampling sampling, const struct lattice *l, double *T) {
+    int nx = l->n[0], ny = l->n[1], m = sampling == SAMPLING_CELL ? 1 : 4;
+    if (sampling == SAMPLING_POINT) {
+        for (int j = 0; j < ny; j++)
+            for (int i = 0; i < nx; i++) {
+                double at[2];
+                layout_position(l, i, j, at);
+                *T++ = p->initial(p, at);
+            }
+        return;
+    }
+    struct axis ax = axis_of(p, m, l, 0), ay = axis_of(p, m, l, 1);
+    struct rule x = rule_create(&ax), y = {0};
+    int square = l->dim == 2 && alike(&ax, &ay);
+    double *value = xcalloc(x.nodes, sizeof *value), *row = xcalloc((size_t)nx, sizeof *row);
+    if (l->dim == 1)
+        average_row(p, &x, nx, 0, value, T);
+    else {
+        y = square ? x : rule_create(&ay);
+        memset(T, 0, (size_t)nx * (size_t)ny * sizeof *T);
+    }
+    for (size_t k = 0; k < y.nodes; k++) {
+        average_row(p, &x, nx, y.node[k], value, row);
+        for (int j = 0; j < ny; j++) {
+            if (k < y.first[j] || k - y.first[j] >= y.begin[j + 1] - y.begin[j]) continue;
+            double w = y.weight[y.begin[j] + k - y.first[j]], *to = T + (size_t)j * (size_t)nx;
+            for (int i = 0; i < nx; i++) to[i] += w * row[i];
+        }
+    }
+    rule_free(&x);
+    if (!square) rule_free(&y);
+    free(value);
+    free(row);
+}
+
+static size_t larger(size_t a, size_t b) {
+    return a > b ? a : b;
+}
+
+size_t sample_bytes(const struct problem *p, enum sampling sampling, const struct lattice *l) {
+    if (sampling == SAMPLING_POINT) return 0;
+    int m = sampling == SAMPLING_CELL ? 1 : 4;
+    struct axis ax = axis_of(p, m, l, 0), ay = axis_of(p, m, l, 1);
+    struct rule x = rule_create(&ax), y = {0};
+    if (l->dim == 2 && !alike(&ax, &ay)) y = rule_create(&ay);
+    size_t at_work = (x.nodes + (size_t)l->n[0]) * sizeof(double);
+    rule_free(&x);
+    rule_free(&y);
+    return x.bytes + larger(x.making, y.bytes + larger(y.making, at_work));
+}
+
+double sample_initial(const struct problem *p, enum sampling sampling, const double dx[2], const double x[2]) {
+    double T;
+    struct lattice l = {.dim = p->dim, .n = {1, 1}, .dx = {dx[0], dx[1]}, .first = {x[0], x[1]}};
+    sample_lattice(p, sampling, &l, &T);
+    return T;
+}

@@ -1,0 +1,24 @@
+/* The two functions that every file may call. */
+#include "solver/status.h"
+
+#include <stdarg.h>
+#include <stdio.h>
+#include <stdlib.h>
+
+int refuse(struct failure *f, int status, const char *format, ...) {
+    va_list arguments;
+    va_start(arguments, format);
+    vsnprintf(f->text, sizeof f->text, format, arguments);
+    va_end(arguments);
+    f->status = status;
+    return status;
+}
+
+void *xcalloc(size_t count, size_t size) {
+    void *block = calloc(count ? count : 1, size);
+    if (!block) {
+        fprintf(stderr, "heatladder: out of memory (%zu x %zu bytes)\n", count, size);
+        exit(STATUS_NUMERICAL);
+    }
+    return block;
+}

@@ -1,6 +1,0 @@
-/* sweep_band_2: vectors of 2 doubles, for any machine. */
-#include "solver/sweep.h"
-
-#define LANES 2
-#define SWEEP_BAND sweep_band_2
-#include "solver/sweep_lanes.inc"

@@ -1,6 +1,0 @@
-/* sweep_band_4: vectors of 4 doubles, for AVX2. */
-#include "solver/sweep.h"
-
-#define LANES 4
-#define SWEEP_BAND sweep_band_4
-#include "solver/sweep_lanes.inc"

@@ -1,6 +1,0 @@
-/* sweep_band_8: vectors of 8 doubles, for AVX-512. */
-#include "solver/sweep.h"
-
-#define LANES 8
-#define SWEEP_BAND sweep_band_8
-#include "solver/sweep_lanes.inc"

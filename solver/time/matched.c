@@ -1,0 +1,161 @@
+/* The matched run: fourth order from a second-order operator and plain Euler, jumps included.
+ *
+ * On a lattice of spacing dx the operator's symbol is, theta = xi dx,
+ *   lambda = (kappa / dx^2) (-|theta|^2 + A (theta_x^4 + theta_y^4) + B theta_x^2 theta_y^2 + O(theta^6)),
+ *   A = sum_j w_j x_j^4 / (24 kappa dx^2),   B = sum_j w_j x_j^2 y_j^2 / (4 kappa dx^2)      (w in s^-1).
+ * Euler's n = t/dt steps multiply a mode by (1 + dt lambda)^n = exp(n (dt lambda - (dt lambda)^2 / 2 + ...)), so that
+ * the exponent per time is
+ *   -kappa |xi|^2 + kappa dx^2 (A (xi_x^4 + xi_y^4) + B xi_x^2 xi_y^2) - (dt/2) kappa^2 |xi|^4 + O(dx^4).
+ * Isotropy, B = 2 A, makes the first error A |xi|^4; steps with F = kappa dt / dx^2 = 2 A then cancel it, and what is
+ * left is O(dx^4).  A run is seldom a whole number of such steps, and rounding their number would leave a term that
+ * jumps from rung to rung.  What has to match is the sum of dt^2: an even number n of steps, at least t / dt(2 A),
+ * alternates between d (1 + u) and d (1 - u), d = t / n, with 1 + u^2 = 2 A dx^2 / (kappa d).  Then u^2 < 2 / n, so
+ * that u goes to zero with dx.
+ *
+ * The start: averaging with a B-spline of order m multiplies a mode by
+ *   (sin(theta/2) / (theta/2))^m = 1 - m theta^2 / 24 + ... = exp(-kappa xi^2 t_m) up to O(dx^4)
+ * with t_m = m dx^2 / (24 kappa), along each axis.  The clock starts there.  Point samples of a jump midway between
+ * particles have the spectrum of the jump's times (theta/2) / sin(theta/2), which is m = -1; point samples of smooth
+ * data are m = 0.  What the filter does not remove is aliased: O(dx^(m+1)), from the zeros of order m at the
+ * multiples of 2 pi / dx, so that m = 4 keeps fourth order for a jump anywhere. */
+#include "solver/time/matched.h"
+
+#include <gsl/gsl_errno.h>
+#include <gsl/gsl_roots.h>
+#include <math.h>
+#include <stdlib.h>
+
+static double no_wall(const struct problem *p, enum side s, const double x[2]) {
+    (void)p, (void)s, (void)x;
+    return 0;
+}
+
+/* From a quadrant of weights whose unit is kappa / dx^2. */
+static struct symbol_error symbol_of(const int reach[2], const double *w, double unit) {
+    struct symbol_error e = {0, 0};
+    for (int j = 0; j <= reach[1]; j++)
+        for (int i = 0; i <= reach[0]; i++) {
+            double all = w[j * (reach[0] + 1) + i] / unit * (i ? 2 : 1) * (j ? 2 : 1), x2 = i * i, y2 = j * j;
+            e.A += all * x2 * x2 / 24;
+            e.B += all * x2 * y2 / 4;
+        }
+    return e;
+}
+
+int matched_symbol(int dim, const struct options *o, const struct scheme *s, struct symbol_error *e,
+                   struct failure *why) {
+    struct problem unit = {.dim = dim, .hi = {1, 1}, .materials = 1, .material = {{{1, 1}, 1}}, .wall = no_wall};
+    double kappa[2] = {1, 1}, *w;
+    int reach[2];
+    if (operator_stencil(&unit, o, s, 1, kappa, reach, &w, why)) return why->status;
+    *e = symbol_of(reach, w, 1);
+    free(w);
+    return STATUS_OK;
+}
+
+struct isotropy {
+    struct options o;
+    const struct scheme *s;
+    double end[2], value[2]; /* of a bracket: known */
+};
+
+static double anisotropy(double h, void *context) {
+    struct isotropy *c = context;
+    struct symbol_error e;
+    struct failure ignored;
+    for (int k = 0; k < 2; k++)
+        if (h == c->end[k]) return c->value[k];
+    c->o.h = h;
+    return matched_symbol(2, &c->o, c->s, &e, &ignored) ? NAN : e.B - 2 * e.A;
+}
+
+/* A root in [lo, hi], where the values are at_lo and at_hi, by Brent's method. */
+static double polish(struct isotropy *c, double lo, double hi, double at_lo, double at_hi) {
+    gsl_function f = {anisotropy, c};
+    c->end[0] = lo, c->end[1] = hi, c->value[0] = at_lo, c->value[1] = at_hi;
+    gsl_root_fsolver *solver = gsl_root_fsolver_alloc(gsl_root_fsolver_brent);
+    gsl_root_fsolver_set(solver, &f, lo, hi);
+    double root = NAN, before;
+    for (int k = 0; k < 100; k++) {
+        gsl_root_fsolver_iterate(solver);
+        before = root, root = gsl_root_fsolver_root(solver);
+        if (gsl_root_test_delta(root, before, 1e-8, 0) == GSL_SUCCESS) break; /* to 1e-12: order 1.6 */
+    }
+    gsl_root_fsolver_free(solver);
+    return root;
+}
+
+/* At order 4 A and B are zero at every h. */
+static int check_order(const struct options *o, const char *option, struct failure *why) {
+    if (o->order < 4) return STATUS_OK;
+    return refuse(why, STATUS_INPUT,
+                  "%s: --order %d has no error of second order that it could balance; take --order 2", option,
+                  o->order);
+}
+
+int matched_isotropic(const struct options *o, const struct scheme *s, double *h, struct failure *why) {
+    if (check_order(o, "--h iso", why)) return why->status;
+    struct isotropy c = {.o = *o, .s = s};
+    const double middle = 1.2, step = 1.0 / 16, least = 0.75, most = 3;
+    double above = anisotropy(middle, &c), below = above, best = NAN;
+    /* Outward from 1.2.  Neighbours enter with weight zero, so that B - 2 A is continuous in h: a change of sign is a
+     * root, and of two in the same step the nearer one counts.  Roots of a kernel lie some 0.3 apart, nowhere less
+     * than 0.1. */
+    for (int k = 1; isnan(best) && middle + (k - 1) * step < most; k++) {
+        double far = middle + k * step, near = middle - k * step, up = anisotropy(far, &c), down = NAN;
+        if (near > least) down = anisotropy(near, &c);
+        if (above * up <= 0) best = polish(&c, far - step, far, above, up);
+        double other = below * down <= 0 ? polish(&c, near, near + step, down, below) : NAN;
+        if (isnan(best) || fabs(other - middle) < fabs(best - middle)) best = other;
+        above = up, below = down;
+    }
+    if (isnan(best))
+        return refuse(why, STATUS_INPUT, "--h iso: this kernel has no isotropic h/dx between 0.75 and 3");
+    *h = best;
+    return STATUS_OK;
+}
+
+static double filter_order(const struct problem *p, const struct options *o) {
+    if (o->sampling == SAMPLING_CELL) return 1;
+    if (o->sampling == SAMPLING_SPLINE) return 4;
+    return p->jumps[0] + p->jumps[1] > 0 ? -1 : 0;
+}
+
+/* 2 A, or the step that was asked for instead. */
+static int matching_step(const struct problem *p, const struct options *o, const struct scheme *s,
+                         const struct heat_operator *a, double unit, double *F, struct failure *why) {
+    *F = o->fourier;
+    if (o->fourier > 0) return STATUS_OK;
+    if (check_order(o, "--stepper matched", why)) return why->status;
+    struct symbol_error e = symbol_of(a->reach, a->weight, unit);
+    if (p->dim == 2 && !(fabs(e.B - 2 * e.A) < 1e-9 * fabs(e.A))) {
+        double iso;
+        if (matched_isotropic(o, s, &iso, why)) return why->status;
+        return refuse(
+            why, STATUS_INPUT,
+            "--h %.12g: not isotropic (A = %.4g, B = %.4g, B = 2 A is wanted), so that no step matches; take "
+            "--h iso (%.12g)",
+            o->h, e.A, e.B, iso);
+    }
+    if (!(e.A > 0)) return refuse(why, STATUS_INPUT, "--stepper matched: A = %.4g, no positive step matches", e.A);
+    *F = 2 * e.A;
+    return STATUS_OK;
+}
+
+int matched_plan(const struct problem *p, const struct options *o, const struct scheme *s,
+                 const struct heat_operator *a, struct matched *m, struct failure *why) {
+    double F, kappa = p->material[0].k[0] / p->material[0].rho_c, dx2 = a->lattice.dx[0] * a->lattice.dx[0];
+    if (o->dt > 0) return refuse(why, STATUS_INPUT, "--stepper matched finds its own step: leave out --dt");
+    if (matching_step(p, o, s, a, kappa / dx2, &F, why)) return why->status;
+    m->run_time = p->t_end - filter_order(p, o) * dx2 / (24 * kappa);
+    if (!(m->run_time > 0))
+        return refuse(why, STATUS_INPUT, "--t-end %g: the averaged start is already at %g s", p->t_end,
+                      p->t_end - m->run_time);
+    double matching = m->run_time * kappa / (F * dx2); /* steps of F */
+    if (!(matching > 1e-6 && matching < 1e12))
+        return refuse(why, STATUS_INPUT,
+                      "--stepper matched: steps of F = %g go %.3g times into the run; 1e-6 to 1e12 do", F, matching);
+    m->steps = 2 * (long long)ceil(matching / 2 - 1e-9);
+    m->uneven = sqrt(fmax(0, (double)m->steps / matching - 1));
+    return STATUS_OK;
+}

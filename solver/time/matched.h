@@ -1,0 +1,31 @@
+#ifndef HEATLADDER_SOLVER_TIME_MATCHED_H
+#define HEATLADDER_SOLVER_TIME_MATCHED_H
+
+#include "solver/space/operator.h"
+
+/* The matched run: what step and what start make a second-order operator and plain Euler fourth order. */
+
+/* Leading error of a scheme's symbol, kappa (-|theta|^2 + A (theta_x^4 + theta_y^4) + B theta_x^2 theta_y^2) / dx^2.
+ */
+struct symbol_error {
+    double A, B;
+};
+
+/* Of the scheme at o->h on a square lattice of dimension dim. */
+int matched_symbol(int dim, const struct options *o, const struct scheme *s, struct symbol_error *e,
+                   struct failure *why);
+
+/* The h/dx nearest to 1.2 at which the error is isotropic (B = 2 A), to 1e-12.  STATUS_INPUT where there is none. */
+int matched_isotropic(const struct options *o, const struct scheme *s, double *h, struct failure *why);
+
+/* An even count of Euler steps that alternate between dt (1 + uneven) and dt (1 - uneven), and the time that they
+ * run, s, for the problem on the lattice of the operator *a, which the scheme made.  With --fourier F that step
+ * instead of the one that matches, which shows what the match is worth. */
+struct matched {
+    double run_time, uneven;
+    long long steps;
+};
+int matched_plan(const struct problem *p, const struct options *o, const struct scheme *s,
+                 const struct heat_operator *a, struct matched *m, struct failure *why);
+
+#endif

@@ -1,0 +1,44 @@
+/* States in and out, and their updates by way of the sweep that fits. */
+#include "solver/time/state.h"
+#include "solver/time/sweep.h"
+
+#include <string.h>
+
+static ptrdiff_t rows_of(const struct heat_operator *a) {
+    return a->weight ? a->lattice.n[1] : 1;
+}
+
+void state_load(const struct heat_operator *a, const double *T, double *state) {
+    ptrdiff_t rows = rows_of(a), nx = (ptrdiff_t)a->n / rows;
+    for (ptrdiff_t j = 0; j < rows; j++) memcpy(state + operator_row(a, j), T + j * nx, (size_t)nx * sizeof *T);
+}
+
+void state_store(const struct heat_operator *a, const double *state, double *T) {
+    ptrdiff_t rows = rows_of(a), nx = (ptrdiff_t)a->n / rows;
+    for (ptrdiff_t j = 0; j < rows; j++) memcpy(T + j * nx, state + operator_row(a, j), (size_t)nx * sizeof *T);
+}
+
+size_t state_find_outside(const struct heat_operator *a, const double *state, double lo, double hi) {
+    ptrdiff_t rows = rows_of(a), nx = (ptrdiff_t)a->n / rows;
+    for (ptrdiff_t j = 0; j < rows; j++) {
+        const double *row = state + operator_row(a, j);
+        int outside = 0;
+        for (ptrdiff_t i = 0; i < nx; i++) outside += !(row[i] >= lo && row[i] <= hi);
+        if (outside == 0) continue;
+        ptrdiff_t i = 0;
+        while (row[i] >= lo && row[i] <= hi) i++;
+        return (size_t)(j * nx + i);
+    }
+    return a->n;
+}
+
+void state_update(const struct heat_operator *a, const struct update *u, int count, double *Y[2]) {
+    if (a->weight)
+        sweep_lattice(a, u, count, Y);
+    else
+        sweep_rows(a, u, count, Y);
+    if (count % 2) {
+        double *swap = Y[0];
+        Y[0] = Y[1], Y[1] = swap;
+    }
+}

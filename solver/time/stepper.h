@@ -1,0 +1,33 @@
+#ifndef HEATLADDER_SOLVER_TIME_STEPPER_H
+#define HEATLADDER_SOLVER_TIME_STEPPER_H
+
+#include "solver/space/operator.h"
+
+/* Explicit time stepping of dT/dt = A T + g. */
+
+struct march {
+    enum stepper stepper; /* STEPPER_EULER, STEPPER_RK2 or STEPPER_RKL2 */
+    double time;          /* s, how long */
+    long long steps;
+    double uneven;       /* STEPPER_EULER: steps alternate between dt (1 + uneven) and dt (1 - uneven) */
+    int stages;          /* STEPPER_RKL2; else 1 or 2 */
+    const double *x, *y; /* m, positions for messages; NULL where there are none, and y on a rod */
+    double lo, hi;       /* K, what a stable run stays near: see stepper_march */
+};
+
+enum { STEPPER_STAGES_MAX = 1000000 }; /* s^2 eps, what rounding grows to in a step, stays small */
+
+/* Stages that RKL2 needs for steps of dt (s), odd, from the bound (s^-1) on the spectrum; or more than
+ * STEPPER_STAGES_MAX. */
+int stepper_stages(double dt, double bound);
+
+/* How many states a march holds. */
+int stepper_arrays(enum stepper stepper);
+
+/* Takes T (n, in the particles' order) through the march; adds what it holds to *bytes.  STATUS_NUMERICAL with step,
+ * time and particle where T leaves [lo, hi] by half of hi - lo, or is not finite: looked at every 32 steps and at the
+ * end. */
+int stepper_march(const struct heat_operator *a, const struct march *m, double *T, size_t *bytes,
+                  struct failure *why);
+
+#endif

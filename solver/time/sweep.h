@@ -1,0 +1,23 @@
+#ifndef HEATLADDER_SOLVER_TIME_SWEEP_H
+#define HEATLADDER_SOLVER_TIME_SWEEP_H
+
+#include "solver/time/state.h"
+
+/* The hot loops of state_update, for its `count` updates of the states Y[0] and Y[1] in turn. */
+
+void sweep_lattice(const struct heat_operator *a, const struct update *u, int count, double *const Y[2]);
+void sweep_rows(const struct heat_operator *a, const struct update *u, int count, double *const Y[2]);
+
+/* 1 for an Euler step without source or walls' values. */
+int sweep_is_plain(const struct heat_operator *a, const struct update *u);
+
+/* The update *u of rows row <= j < end from the state x, with its ghosts, to y, in vectors of 2, 4 or 8 doubles,
+ * which may reach beyond the last column.  support: the largest i i + j j of an offset with a weight. */
+void sweep_band_2(const struct heat_operator *a, int support, const struct update *u, const double *x, double *y,
+                  ptrdiff_t row, ptrdiff_t end);
+void sweep_band_4(const struct heat_operator *a, int support, const struct update *u, const double *x, double *y,
+                  ptrdiff_t row, ptrdiff_t end);
+void sweep_band_8(const struct heat_operator *a, int support, const struct update *u, const double *x, double *y,
+                  ptrdiff_t row, ptrdiff_t end);
+
+#endif

@@ -1,0 +1,6 @@
+/* sweep_band_2: vectors of 2 doubles, for any machine. */
+#include "solver/time/sweep.h"
+
+#define LANES 2
+#define SWEEP_BAND sweep_band_2
+#include "solver/time/sweep_lanes.inc"

@@ -1,0 +1,6 @@
+/* sweep_band_4: vectors of 4 doubles, for AVX2. */
+#include "solver/time/sweep.h"
+
+#define LANES 4
+#define SWEEP_BAND sweep_band_4
+#include "solver/time/sweep_lanes.inc"

@@ -1,0 +1,6 @@
+/* sweep_band_8: vectors of 8 doubles, for AVX-512. */
+#include "solver/time/sweep.h"
+
+#define LANES 8
+#define SWEEP_BAND sweep_band_8
+#include "solver/time/sweep_lanes.inc"

@@ -1,0 +1,144 @@
+/* Updates on a lattice of one material, walls through ghosts.
+ *
+ * Several updates share a sweep: update l follows update l - 1 at the distance of the stencil's reach, a band of rows
+ * at a time, so that a state that does not fit the cache goes through it once for all of them.  (Update l + 1 writes
+ * over the input of update l, whose readers are then past.)  Threads take slabs of rows, which shrink by the reach
+ * from update to update; what is left between two slabs is filled in when both are done.  Neither changes a bit of
+ * the result.  Rods stay on one thread: a step of one is too short to share. */
+#include "solver/time/sweep.h"
+
+#include <omp.h>
+#include <string.h>
+
+enum { BAND = 8, TOGETHER = 8 }; /* rows at a time; updates a sweep */
+
+typedef void (*band_update)(const struct heat_operator *a, int support, const struct update *u, const double *x,
+                            double *y, ptrdiff_t row, ptrdiff_t end);
+
+static band_update widest(void) {
+#if defined(__x86_64__)
+    if (__builtin_cpu_supports("avx512f")) return sweep_band_8;
+    if (__builtin_cpu_supports("avx2")) return sweep_band_4;
+#endif
+    return sweep_band_2;
+}
+
+int sweep_is_plain(const struct heat_operator *a, const struct update *u) {
+    return !a->g && !u->Y0 && !u->L0 && u->self == 1 && u->old == 0;
+}
+
+/* The largest i i + j j of an offset with a weight. */
+static int support_of(const struct heat_operator *a) {
+    int q = 0;
+    for (int j = 0; j <= a->reach[1]; j++)
+        for (int i = 0; i <= a->reach[0]; i++)
+            if (a->weight[j * (a->reach[0] + 1) + i] != 0 && i * i + j * j > q) q = i * i + j * j;
+    return q;
+}
+
+/* ---- Homogeneous ghosts: sign x source along x, then along y, corners with them ---- */
+
+static void refresh_row(const struct heat_operator *a, double *x, ptrdiff_t j) {
+    const struct lattice *l = &a->lattice;
+    ptrdiff_t nx = l->n[0];
+    double *row = x + operator_row(a, j);
+    for (ptrdiff_t k = 1; k <= a->reach[0]; k++) {
+        ptrdiff_t lo = k - 1 + l->shift[X_LO], hi = k - 1 + l->shift[X_HI];
+        row[-k] = lo < 0 ? 0 : l->sign[X_LO] * row[lo];
+        row[nx - 1 + k] = hi < 0 ? 0 : l->sign[X_HI] * row[nx - 1 - hi];
+    }
+}
+
+static void refresh_side(const struct heat_operator *a, double *x, enum side s) {
+    const struct lattice *l = &a->lattice;
+    ptrdiff_t ry = a->reach[1], ny = l->n[1], width = l->n[0] + 2 * a->reach[0];
+    for (ptrdiff_t k = 1; k <= ry; k++) {
+        ptrdiff_t from = k - 1 + l->shift[s];
+        double *to = x + (s == Y_LO ? ry - k : ry + ny - 1 + k) * a->stride;
+        const double *source = x + (s == Y_LO ? ry + from : ry + ny - 1 - from) * a->stride;
+        if (from < 0 || l->sign[s] == 0)
+            memset(to, 0, (size_t)width * sizeof *to);
+        else
+            for (ptrdiff_t i = 0; i < width; i++) to[i] = l->sign[s] * source[i];
+    }
+}
+
+static void refresh_all(const struct heat_operator *a, double *x) {
+    for (ptrdiff_t j = 0; j < a->lattice.n[1]; j++) refresh_row(a, x, j);
+    refresh_side(a, x, Y_LO);
+    refresh_side(a, x, Y_HI);
+}
+
+/* ---- Sweeps ---- */
+
+struct sweep {
+    const struct heat_operator *a;
+    const struct update *u;
+    int count; /* updates */
+    int support;
+    band_update band;
+    double *const *Y;
+};
+
+/* Update k of rows [row, end), and the ghosts that the next one needs of them. */
+static void advance(const struct sweep *s, int k, ptrdiff_t row, ptrdiff_t end) {
+    const struct heat_operator *a = s->a;
+    ptrdiff_t ny = a->lattice.n[1], lowest = a->reach[1] < ny ? a->reach[1] : ny - 1;
+    double *y = s->Y[1 - k % 2];
+    s->band(a, s->support, &s->u[k], s->Y[k % 2], y, row, end);
+    if (k + 1 == s->count) return;
+    for (ptrdiff_t j = row; j < end; j++) refresh_row(a, y, j);
+    if (row <= lowest && lowest < end) refresh_side(a, y, Y_LO); /* these mirror the rows up to `lowest` */
+    if (end == ny) refresh_side(a, y, Y_HI);
+}
+
+/* All updates of the rows [row, end) as far as they do not depend on rows beyond: where others lie there, each update
+ * does fewer rows. */
+static void sweep_slab(const struct sweep *s, ptrdiff_t row, ptrdiff_t end) {
+    ptrdiff_t ny = s->a->lattice.n[1], lag = s->a->reach[1], below = row > 0 ? lag : 0, above = end < ny ? lag : 0;
+    for (ptrdiff_t front = row; front - (s->count - 1) * lag < end; front += BAND)
+        for (int k = 0; k < s->count; k++) {
+            ptrdiff_t lo = front - k * lag, hi = lo + BAND;
+            if (lo < row + k * below) lo = row + k * below;
+            if (hi > end - k * above) hi = end - k * above;
+            if (lo < hi) advance(s, k, lo, hi);
+        }
+}
+
+/* What two slabs left undone on either side of `row`. */
+static void sweep_seam(const struct sweep *s, ptrdiff_t row) {
+    ptrdiff_t lag = s->a->reach[1];
+    for (int k = 1; k < s->count; k++) advance(s, k, row - k * lag, row + k * lag);
+}
+
+static void sweep_slabs(const struct sweep *s, int threads) {
+    ptrdiff_t ny = s->a->lattice.n[1];
+#pragma omp parallel num_threads(threads)
+    {
+        ptrdiff_t team = omp_get_num_threads(), t = omp_get_thread_num();
+        sweep_slab(s, ny * t / team, ny * (t + 1) / team);
+#pragma omp barrier
+        if (t > 0) sweep_seam(s, ny * t / team);
+    }
+}
+
+/* A slab must hold what it leaves undone at both ends. */
+static ptrdiff_t threads_of(const struct heat_operator *a) {
+    ptrdiff_t lag = a->reach[1], most = lag > 0 && a->n > 10000 ? a->lattice.n[1] / (2 * lag) : 1;
+    return most < 1 ? 1 : a->threads < most ? (a->threads > 1 ? a->threads : 1) : most;
+}
+
+void sweep_lattice(const struct heat_operator *a, const struct update *u, int count, double *const Y[2]) {
+    ptrdiff_t ny = a->lattice.n[1], lag = a->reach[1], threads = threads_of(a), together = TOGETHER;
+    if (threads > 1 && together > ny / threads / (2 * lag)) together = ny / threads / (2 * lag);
+    struct sweep s = {.a = a, .support = support_of(a), .band = widest()};
+    for (int k = 0; k < count; k += s.count) {
+        double *turn[2] = {Y[k % 2], Y[1 - k % 2]};
+        s.u = u + k, s.count = count - k < together ? count - k : (int)together, s.Y = turn;
+        refresh_all(a, turn[0]);
+        if (threads == 1)
+            sweep_slab(&s, 0, ny);
+        else
+            sweep_slabs(&s, (int)threads);
+    }
+}

@@ -1,0 +1,145 @@
+/* The benchmark of a scene.  A rung is run once to warm up and to measure its error, then BENCH_RUNS times for its
+ * median.  A candidate climbs until a rung takes long; a rung that fails is kept with its reason. */
+#include "verification/bench/bench.h"
+
+#include "verification/text/progress.h"
+#include "verification/run/request.h"
+#include "verification/ladder/slope.h"
+
+#include <math.h>
+#include <omp.h>
+#include <stdlib.h>
+#include <string.h>
+
+static const double LONG = 0.02; /* s: the last rung of a candidate may take this and a few times more */
+static const int COARSEST[3] = {0, 32, 16}, FINEST[3] = {0, 4096, 640}; /* particles along x, by dimension */
+enum { FAILURES = 2, ASYMPTOTIC = 3 };
+
+static int ascending(const void *a, const void *b) {
+    double x = *(const double *)a, y = *(const double *)b;
+    return (x > y) - (x < y);
+}
+
+struct bench_time bench_summary(double *seconds, int count) {
+    qsort(seconds, (size_t)count, sizeof *seconds, ascending);
+    return (struct bench_time){seconds[count / 2], seconds[0], seconds[count - 1]};
+}
+
+struct bench_time bench_ratio(struct bench_time a, struct bench_time b) {
+    return (struct bench_time){a.median / b.median, a.lowest / b.highest, a.highest / b.lowest};
+}
+
+static double time_once(const struct candidate *c, const struct request *r, int n) {
+    struct field f = {0};
+    struct failure why;
+    double start = omp_get_wtime();
+    int status = candidate_solve(c, r, (struct candidate_size){n, 0}, &f, &why);
+    double seconds = omp_get_wtime() - start;
+    field_free(&f);
+    return status ? NAN : seconds;
+}
+
+static struct bench_time time_runs(const struct candidate *c, const struct request *r, int n) {
+    double seconds[BENCH_RUNS];
+    for (int k = 0; k < BENCH_RUNS; k++) seconds[k] = time_once(c, r, n);
+    return bench_summary(seconds, BENCH_RUNS);
+}
+
+static void climb(const struct candidate *c, const struct request *r, int unit, struct bench_scene *b) {
+    int failures = 0, rungs = 0, before = 0;
+    for (double at = COARSEST[r->problem.dim]; at <= FINEST[r->problem.dim] && rungs < BENCH_RUNGS; at *= 2) {
+        int n = candidate_member(at, unit);
+        if (n == before || b->count == BENCH_ROWS) continue;
+        before = n;
+        struct bench_row *row = &b->row[b->count++];
+        *row = (struct bench_row){.candidate = c, .n = n};
+        if (candidate_run(c, r, (struct candidate_size){n, 0}, &row->result)) {
+            if (++failures == FAILURES) return;
+            continue;
+        }
+        rungs++;
+        row->work = candidate_work(&row->result);
+        row->time = time_runs(c, r, n);
+        if (row->time.median > LONG) return;
+    }
+}
+
+const char *bench_outcome(const struct bench_row *row) {
+    int status = row->result.failure.status;
+    return status == STATUS_OK ? NULL : status == STATUS_INPUT ? "not applicable" : "failed";
+}
+
+/* Whether no other row is at least as good in both and better in one. */
+static int on_front(const struct bench_scene *b, const struct bench_row *row, int by_work) {
+    double error = row->result.error.l1, cost = by_work ? row->work : row->time.median;
+    if (row->result.failure.status) return 0;
+    for (int i = 0; i < b->count; i++) {
+        const struct bench_row *other = &b->row[i];
+        if (other->result.failure.status || other == row) continue;
+        double e = other->result.error.l1, w = by_work ? other->work : other->time.median;
+        if (e <= error && w <= cost && (e < error || w < cost)) return 0;
+    }
+    return 1;
+}
+
+/* Explicit steps that shrink with dx^2 make N^(1 + 2/d); n steps of sqrt(n) stages N^(1 + 3/(2d)); transforms N. */
+static double expected_growth(const struct candidate *c, int dim) {
+    if (c->options.stepper == STEPPER_EXACT || c->options.dt > 0) return 1;
+    if (c->options.stepper == STEPPER_RKL2) return 1 + 1.5 / dim;
+    return 1 + 2.0 / dim;
+}
+
+static void fit_growth(const struct candidate *c, int dim, struct bench_scene *b) {
+    double particles[BENCH_RUNGS], seconds[BENCH_RUNGS], work[BENCH_RUNGS];
+    int m = 0;
+    for (int i = 0; i < b->count && m < BENCH_RUNGS; i++) {
+        const struct bench_row *row = &b->row[i];
+        if (row->candidate != c || row->result.failure.status) continue;
+        particles[m] = (double)row->result.particles;
+        seconds[m] = row->time.median;
+        work[m++] = row->work;
+    }
+    if (m < 3) return;
+    b->growth[b->growths++] = (struct bench_growth){c, m, slope_fit(particles, seconds, m).value,
+                                                    slope_fit(particles, work, m).value, expected_growth(c, dim)};
+}
+
+/* Two medians of the same run, taken in turn: of the row that takes longest, or least. */
+static struct bench_same time_against_itself(const struct request *r, const struct bench_scene *b, int fast) {
+    double first[BENCH_RUNS], second[BENCH_RUNS];
+    const struct bench_row *row = NULL;
+    for (int i = 0; i < b->count; i++) {
+        const struct bench_row *at = &b->row[i];
+        if (at->result.failure.status) continue;
+        if (!row || (fast ? at->time.median < row->time.median : at->time.median > row->time.median)) row = at;
+    }
+    if (!row) return (struct bench_same){NULL, NAN};
+    for (int k = 0; k < BENCH_RUNS; k++) {
+        first[k] = time_once(row->candidate, r, row->n);
+        second[k] = time_once(row->candidate, r, row->n);
+    }
+    double ratio = bench_summary(first, BENCH_RUNS).median / bench_summary(second, BENCH_RUNS).median;
+    return (struct bench_same){row->candidate->label, ratio};
+}
+
+void bench_run(const struct request *r, struct bench_scene *b) {
+    int unit = candidate_unit(&r->problem);
+    *b = (struct bench_scene){.scene = r->scene};
+    int count = 0;
+    while (candidates_table[count].label) count++;
+    struct progress progress = progress_start("candidates", count);
+    for (const struct candidate *c = candidates_table; c->label && unit; c++) {
+        if (!c->dim || c->dim == r->problem.dim) {
+            climb(c, r, unit, b);
+            fit_growth(c, r->problem.dim, b);
+        }
+        progress_tick(&progress);
+    }
+    progress_end(&progress);
+    for (int i = 0; i < b->count; i++) {
+        b->row[i].front_time = on_front(b, &b->row[i], 0);
+        b->row[i].front_work = on_front(b, &b->row[i], 1);
+    }
+    b->slow = time_against_itself(r, b, 0);
+    b->fast = time_against_itself(r, b, 1);
+}

@@ -1,0 +1,55 @@
+#ifndef HEATLADDER_VERIFICATION_BENCH_BENCH_H
+#define HEATLADDER_VERIFICATION_BENCH_BENCH_H
+
+/* Error against cost: every candidate on a ladder of one scene, each rung timed several times. */
+
+#include "verification/choose/candidate.h"
+
+enum { BENCH_RUNS = 5, BENCH_RUNGS = 6, BENCH_ROWS = 240 };
+
+struct bench_time {
+    double median, lowest, highest; /* s */
+};
+
+struct bench_row {
+    const struct candidate *candidate;
+    int n;                /* particles along x */
+    struct result result; /* its failure says why there is no more than that */
+    struct bench_time time;
+    double work;                /* candidate_work */
+    int front_time, front_work; /* 1: no other row has a smaller error for less */
+};
+
+struct bench_growth { /* of one candidate over its last three rungs, as a power of the number of particles */
+    const struct candidate *candidate;
+    int rungs;
+    double seconds, work, expected;
+};
+
+struct bench_same { /* a run timed against itself */
+    const char *label;
+    double ratio; /* of two medians: what differs by less is noise */
+};
+
+struct bench_scene {
+    const struct scene *scene;
+    int count, growths;
+    struct bench_row row[BENCH_ROWS]; /* by candidate, coarsest first */
+    struct bench_growth growth[BENCH_ROWS / BENCH_RUNGS];
+    struct bench_same slow, fast; /* of the row that takes longest, and of the one that takes least */
+};
+
+/* "failed" where a run went wrong, "not applicable" where the method refuses what it is asked for; NULL for neither.
+ */
+const char *bench_outcome(const struct bench_row *row);
+
+/* Fills *b; *r holds the scene, set up.  Runs one after the other on one thread. */
+void bench_run(const struct request *r, struct bench_scene *b);
+
+/* Median and extremes of `count` times, which are sorted. */
+struct bench_time bench_summary(double *seconds, int count);
+
+/* a/b: of the medians, and from the least to the most that the extremes allow. */
+struct bench_time bench_ratio(struct bench_time a, struct bench_time b);
+
+#endif

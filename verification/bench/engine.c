@@ -1,0 +1,183 @@
+/* Throughput of the engine.  The triad a = b + s c moves 24 bytes an element through memory (McCalpin 1995); an
+ * update that reads and writes one double moves 16, so that a sweep out of cache cannot pass triad/16 updates a
+ * second unless several steps share a sweep.  A row of the sparse operator moves 12 bytes an entry and some 40 a
+ * particle. */
+#include "verification/bench/engine.h"
+
+#include "solver/time/state.h"
+#include "verification/command/arguments.h"
+#include "verification/bench/bench.h"
+#include "verification/text/progress.h"
+
+#include <math.h>
+#include <omp.h>
+#include <stdio.h>
+#include <stdlib.h>
+
+enum { TRIAD = 1 << 23 }; /* doubles of each array: 64 MiB */
+
+static void add(struct bench_engine *e, const char *what, const char *unit, struct bench_time t, double factor,
+                int inverse) {
+    double a = factor / t.median, lo = factor / t.highest, hi = factor / t.lowest;
+    if (!inverse) a = factor * t.median, lo = factor * t.lowest, hi = factor * t.highest;
+    e->row[e->count++] = (struct bench_engine_row){what, unit, a, lo, hi, NAN, 0};
+}
+
+static void add_ratio(struct bench_engine *e, const char *what, struct bench_time t, double aim, int at_most) {
+    e->row[e->count++] = (struct bench_engine_row){what, "", t.median, t.lowest, t.highest, aim, at_most};
+}
+
+static struct bench_time constant(double value) {
+    return (struct bench_time){value, value, value};
+}
+
+/* Seconds of one triad. */
+static struct bench_time triad(void) {
+    double *a = xcalloc(TRIAD, sizeof *a), *b = xcalloc(TRIAD, sizeof *b), *c = xcalloc(TRIAD, sizeof *c);
+    double seconds[BENCH_RUNS], sum = 0;
+    for (int i = 0; i < TRIAD; i++) a[i] = 0, b[i] = i, c[i] = 1;
+    for (int k = 0; k < BENCH_RUNS; k++) {
+        double s = 1 + k, start = omp_get_wtime();
+        for (int i = 0; i < TRIAD; i++) a[i] = b[i] + s * c[i];
+        seconds[k] = omp_get_wtime() - start;
+        sum += a[k]; /* so that no compiler can leave a triad out */
+    }
+    free(a);
+    free(b);
+    free(c);
+    if (sum < 0) return (struct bench_time){NAN, NAN, NAN};
+    return bench_summary(seconds, BENCH_RUNS);
+}
+
+/* Seconds of one update of one particle in the time loop of the command. */
+static struct bench_time update(const char *command) {
+    struct request r;
+    struct failure why;
+    struct bench_time none = {NAN, NAN, NAN};
+    double seconds[BENCH_RUNS];
+    int status = arguments_parse_line(command, &r, &why);
+    for (int k = -1; k < BENCH_RUNS && !status; k++) {
+        struct field f;
+        status = r.method->solve(&r.problem, &r.options, &f, &why);
+        if (status) break;
+        if (k >= 0) seconds[k] = f.step_seconds / (double)f.updates;
+        field_free(&f);
+    }
+    arguments_free(&r);
+    return status ? none : bench_summary(seconds, BENCH_RUNS);
+}
+
+static void in_cache(struct bench_engine *e) {
+    struct bench_time ftcs = update("run square-step ftcs --dx 4/160 --fourier 0.2 --t-end 6.25");
+    struct bench_time so = update("run square-step so_ssph --stepper euler --dx 4/160 --fourier 0.2 --t-end 6.25");
+    struct bench_time rkl2 = update("run square-step so_ssph --stepper rkl2 --dx 4/160 --dt 0.25 --t-end 6.25");
+    struct bench_time walls = update("run plate so_ssph --stepper euler --dx 0.1/160 --fourier 0.2 --t-end 5");
+    add(e, "ftcs, 160 x 160", "updates/s", ftcs, 1, 1);
+    add(e, "so_ssph euler, 160 x 160", "updates/s", so, 1, 1);
+    add(e, "so_ssph rkl2, 160 x 160", "updates/s", rkl2, 1, 1);
+    add(e, "so_ssph euler, 160 x 160, walls that hold temperatures", "updates/s", walls, 1, 1);
+    add_ratio(e, "so_ssph over ftcs, updates a second, 160 x 160", bench_ratio(ftcs, so), 0.5, 0);
+    add_ratio(e, "a step of so_ssph in steps of ftcs, 160 x 160", bench_ratio(so, ftcs), 3, 1);
+}
+
+static void out_of_cache(struct bench_engine *e, double bandwidth) {
+    struct bench_time ftcs = update("run square-step ftcs --dx 4/2560 --fourier 0.2 --t-end 0.0031");
+    struct bench_time so = update("run square-step so_ssph --stepper euler --dx 4/2560 --fourier 0.2 --t-end 0.0031");
+    add(e, "ftcs, 2560 x 2560", "updates/s", ftcs, 1, 1);
+    add(e, "so_ssph euler, 2560 x 2560", "updates/s", so, 1, 1);
+    add_ratio(e, "so_ssph over triad/16 B, 2560 x 2560", bench_ratio(constant(16 / bandwidth), so), 0.7, 0);
+    add_ratio(e, "ftcs over triad/16 B, 2560 x 2560", bench_ratio(constant(16 / bandwidth), ftcs), NAN, 0);
+}
+
+static double protocol_once(void) {
+    static const char *const dx[] = {"0.01", "0.02", "0.05", "0.1", "0.25", "0.5"};
+    double start = omp_get_wtime();
+#pragma omp parallel for schedule(dynamic, 1) num_threads(2)
+    for (int i = 0; i < 12; i++) {
+        char line[120];
+        snprintf(line, sizeof line, "run rod-step %s --stepper euler --h 1.05 --dt 5e-5 --dx %s",
+                 i % 2 ? "so_ssph" : "fo_ssph", dx[i / 2]);
+        struct request r;
+        struct failure why;
+        struct field f = {0};
+        if (!arguments_parse_line(line, &r, &why)) r.method->solve(&r.problem, &r.options, &f, &why);
+        field_free(&f);
+        arguments_free(&r);
+    }
+    return omp_get_wtime() - start;
+}
+
+static void protocol(struct bench_engine *e) {
+    double seconds[BENCH_RUNS];
+    for (int k = 0; k < BENCH_RUNS; k++) seconds[k] = protocol_once();
+    add(e, "Song's whole protocol of the rod, two threads", "s", bench_summary(seconds, BENCH_RUNS), 1, 0);
+    e->row[e->count - 1].aim = 2;
+    e->row[e->count - 1].at_most = 1;
+}
+
+static struct bench_time apply(const struct heat_operator *a) {
+    double *x = xcalloc(a->state, sizeof *x), *y = xcalloc(a->state, sizeof *y), seconds[BENCH_RUNS];
+    for (size_t i = 0; i < a->state; i++) x[i] = (double)(i % 7);
+    for (int k = -1; k < BENCH_RUNS; k++) {
+        double start = omp_get_wtime();
+        state_update(a, &(struct update){.rate = 1e-9, .self = 1}, 1, (double *[2]){x, y});
+        if (k >= 0) seconds[k] = omp_get_wtime() - start;
+    }
+    free(x);
+    free(y);
+    return bench_summary(seconds, BENCH_RUNS);
+}
+
+static void cloud(struct bench_engine *e, double bandwidth) {
+    struct request r;
+    struct failure why;
+    struct lattice l;
+    struct cloud c;
+    struct heat_operator a;
+    arguments_parse_line("run square-step so_ssph --layout jitter --jitter 0.2 --dx 4/1000 --h 1.1", &r, &why);
+    double start = omp_get_wtime();
+    int status = layout_lattice(&r.problem, &r.options, 1, &l, &why);
+    if (!status) status = layout_cloud(&r.problem, &r.options, &l, 2 * r.options.h * l.dx[0], &c, &why);
+    if (!status) {
+        status = operator_create_rows(&a, &r.problem, &r.options, r.method->scheme, &c, l.dx[0], &why);
+        double seconds = omp_get_wtime() - start;
+        layout_cloud_free(&c);
+        if (!status) {
+            struct bench_time t = apply(&a);
+            double bytes = 12 * (double)a.row[a.n] + 40 * (double)a.n;
+            add(e, "assembly of 10^6 jittered particles", "s", (struct bench_time){seconds, seconds, seconds}, 1, 0);
+            e->row[e->count - 1].aim = 10, e->row[e->count - 1].at_most = 1;
+            add_ratio(e, "bytes a particle of its rows", constant((double)a.bytes / (double)a.n), 1200, 1);
+            add(e, "its updates", "updates/s", t, (double)a.n, 1);
+            add_ratio(e, "time of its update over that of its traffic at the triad's bandwidth",
+                      bench_ratio(t, constant(bytes / bandwidth)), 1.5, 1);
+            operator_free(&a);
+        }
+    }
+    arguments_free(&r);
+}
+
+int bench_engine_holds(const struct bench_engine_row *row) {
+    if (isnan(row->aim)) return 1;
+    return row->at_most ? row->value <= row->aim : row->value >= row->aim;
+}
+
+void bench_engine_run(struct bench_engine *e) {
+    *e = (struct bench_engine){0};
+    struct bench_time t = triad();
+    double bandwidth = 24.0 * TRIAD / t.lowest; /* as STREAM reports it: the best of its runs */
+    add(e, "triad, one thread", "bytes/s", t, 24.0 * TRIAD, 1);
+    struct progress progress = progress_start("parts of the engine", 5);
+    progress_tick(&progress);
+    in_cache(e);
+    progress_tick(&progress);
+    out_of_cache(e, bandwidth);
+    progress_tick(&progress);
+    protocol(e);
+    progress_tick(&progress);
+    cloud(e, bandwidth);
+    progress_end(&progress);
+    t = triad();
+    add_ratio(e, "the best triad at the end, over that at the start", constant(24.0 * TRIAD / t.lowest / bandwidth),
+              NAN, 0);
+}

@@ -1,0 +1,153 @@
+/* A benchmark as text, and as the data of its charts. */
+#include "verification/bench/print.h"
+
+#include "references/scene.h"
+#include "verification/bench/bench.h"
+#include "verification/bench/engine.h"
+#include "verification/bench/machine.h"
+#include "verification/text/table.h"
+
+#include <math.h>
+#include <string.h>
+
+void bench_print_machine(FILE *out) {
+    struct bench_machine m = bench_machine_here();
+    fprintf(out,
+            "processor  %s, %d cores\ncompiler   %s\nflags      %s\ntimes      median of %d runs after one to warm "
+            "up\n\n",
+            m.processor, m.cores, m.compiler, m.flags, BENCH_RUNS);
+}
+
+void bench_print_engine(const struct bench_engine *e, FILE *out) {
+    struct table t = table_create(5, 1);
+    const char *header[] = {"engine", "median", "spread [%]", "aim", "verdict"};
+    for (int i = 0; i < 5; i++) table_add(&t, "%s", header[i]);
+    for (int i = 0; i < e->count; i++) {
+        const struct bench_engine_row *r = &e->row[i];
+        table_add(&t, "%s", r->what);
+        table_add(&t, "%.3g%s%s", r->value, *r->unit ? " " : "", r->unit);
+        table_add(&t, "%.0f", 100 * (r->highest - r->lowest) / r->value);
+        if (isnan(r->aim)) {
+            table_add(&t, "%s", "");
+            table_add(&t, "%s", "");
+            continue;
+        }
+        table_add(&t, "%s %g", r->at_most ? "<=" : ">=", r->aim);
+        table_add(&t, "%s", bench_engine_holds(r) ? "held" : "missed");
+    }
+    table_print(&t, out);
+    table_free(&t);
+    fputc('\n', out);
+}
+
+static void print_front(const struct bench_scene *b, FILE *out) {
+    struct table t = table_create(8, 1);
+    const char *header[] = {"on a front", "along x",      "E1",         "seconds",
+                            "spread [%]", "work [pairs]", "B/particle", "fronts"};
+    for (int i = 0; i < 8; i++) table_add(&t, "%s", header[i]);
+    for (int i = 0; i < b->count; i++) {
+        const struct bench_row *r = &b->row[i];
+        if (!r->front_time && !r->front_work) continue;
+        table_add(&t, "%s", r->candidate->label);
+        table_add(&t, "%d", r->n);
+        table_add(&t, "%.3e", r->result.error.l1);
+        table_add(&t, "%.3g", r->time.median);
+        table_add(&t, "%.0f", 100 * (r->time.highest - r->time.lowest) / r->time.median);
+        table_add(&t, "%.3g", r->work);
+        table_add(&t, "%.3g", (double)r->result.bytes / (double)r->result.particles);
+        table_add(&t, "%s", r->front_time && r->front_work ? "time, work" : r->front_time ? "time" : "work");
+    }
+    table_print(&t, out);
+    table_free(&t);
+}
+
+static void print_growth(const struct bench_scene *b, FILE *out) {
+    struct table t = table_create(5, 1);
+    const char *header[] = {"growth with particles", "rungs", "seconds", "work", "of the steps"};
+    for (int i = 0; i < 5; i++) table_add(&t, "%s", header[i]);
+    for (int i = 0; i < b->growths; i++) {
+        const struct bench_growth *g = &b->growth[i];
+        table_add(&t, "%s", g->candidate->label);
+        table_add(&t, "%d", g->rungs);
+        table_add(&t, "N^%.2f", g->seconds);
+        table_add(&t, "N^%.2f", g->work);
+        table_add(&t, "N^%.2f", g->expected);
+    }
+    fputc('\n', out);
+    table_print(&t, out);
+    table_free(&t);
+}
+
+static int same_failure(const struct bench_row *a, const struct bench_row *b) {
+    return a->candidate == b->candidate && strcmp(a->result.failure.text, b->result.failure.text) == 0;
+}
+
+void bench_print_scene(const struct bench_scene *b, FILE *out) {
+    fprintf(out, "%s\n", b->scene->name);
+    print_front(b, out);
+    print_growth(b, out);
+    fprintf(out, "same against same: %.3f (slowest: %s), %.3f (fastest: %s)\n", b->slow.ratio,
+            b->slow.label ? b->slow.label : "none ran", b->fast.ratio, b->fast.label ? b->fast.label : "none ran");
+    for (int i = 0; i < b->count; i++) {
+        const struct bench_row *r = &b->row[i];
+        if (!r->result.failure.status) continue;
+        while (i + 1 < b->count && same_failure(&b->row[i + 1], r)) i++;
+        fprintf(out, "%s: %s, %d", bench_outcome(r), r->candidate->label, r->n);
+        if (b->row[i].n > r->n) fprintf(out, " to %d", b->row[i].n);
+        fprintf(out, " along x: %s\n", r->result.failure.text);
+    }
+    fputc('\n', out);
+}
+
+static void write_row(const struct bench_row *r, FILE *out) {
+    fprintf(out, "%d,%zu,%.17g,%.9g,%.9g,%.9g,%.9g,%zu,%lld,\"%s\"\n", r->n, r->result.particles, r->result.error.l1,
+            r->time.median, r->time.lowest, r->time.highest, r->work, r->result.bytes, r->result.updates,
+            r->candidate->label);
+}
+
+/* A plotter takes the last word of the header for the legend, so that no comma may be in it. */
+static void write_header(const struct candidate *c, int first, FILE *out) {
+    fprintf(out, "%s# %s\nn,particles,E1,seconds,lowest,highest,work,bytes,updates,", first ? "" : "\n\n", c->label);
+    for (const char *at = c->label; *at; at++) fputc(*at == ',' ? ';' : *at, out);
+    fputc('\n', out);
+}
+
+static void write_front(const struct bench_scene *b, int by_work, FILE *out) {
+    double below = 0;
+    fprintf(out, "\n\n# front by %s\nn,particles,E1,seconds,lowest,highest,work,bytes,updates,Pareto front\n",
+            by_work ? "work" : "time");
+    for (;;) { /* in the order of cost, which for a front is that of falling error */
+        const struct bench_row *next = NULL;
+        for (int i = 0; i < b->count; i++) {
+            const struct bench_row *r = &b->row[i];
+            double cost = by_work ? r->work : r->time.median;
+            if (!(by_work ? r->front_work : r->front_time) || cost <= below) continue;
+            if (!next || cost < (by_work ? next->work : next->time.median)) next = r;
+        }
+        if (!next) return;
+        below = by_work ? next->work : next->time.median;
+        write_row(next, out);
+    }
+}
+
+void bench_print_data(const struct bench_scene *b, FILE *out) {
+    struct bench_machine m = bench_machine_here();
+    fprintf(out, "# title: %s: error against cost\n# command: heatladder bench --scene %s\n# processor: %s\n",
+            b->scene->name, b->scene->name, m.processor);
+    fprintf(out, "# compiler: %s %s\n# seconds: median of %d; work: pairs\n", m.compiler, m.flags, BENCH_RUNS);
+    const struct candidate *last = NULL;
+    for (int i = 0; i < b->count; i++) {
+        const struct bench_row *r = &b->row[i];
+        if (r->result.failure.status) {
+            fprintf(out, "# %s: %s, %d along x: %s\n", bench_outcome(r), r->candidate->label, r->n,
+                    r->result.failure.text);
+            continue;
+        }
+        if (r->candidate != last) write_header(r->candidate, last == NULL, out);
+        last = r->candidate;
+        write_row(r, out);
+    }
+    write_front(b, 0, out);
+    write_front(b, 1, out);
+    fputc('\n', out);
+}

@@ -1,0 +1,187 @@
+/* The candidates of `choose` and `bench`. */
+#include "verification/choose/candidate.h"
+
+#include "references/scene.h"
+#include "verification/run/symmetry.h"
+#include "verification/choose/plan.h"
+#include "verification/run/request.h"
+#include "verification/run/run.h"
+#include "verification/choose/work.h"
+
+#include <float.h>
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+
+#define MATCHED .stepper = STEPPER_MATCHED, .sampling = SAMPLING_SPLINE
+const struct candidate candidates_table[] = {
+    {"so_ssph matched, cubic kernel", "so_ssph", {MATCHED, .h_iso = 1}, 2, 0, 0},
+    {"so_ssph matched, quartic kernel", "so_ssph", {MATCHED, .h_iso = 1, .kernel = KERNEL_QUARTIC}, 2, 0, 0},
+    {"so_ssph matched, wendland kernel", "so_ssph", {MATCHED, .h_iso = 1, .kernel = KERNEL_WENDLAND}, 2, 0, 0},
+    {"so_ssph matched, cubic kernel", "so_ssph", {MATCHED, .h = 1.05}, 1, 0, 0},
+    {"ftcs matched", "ftcs", {MATCHED}, 1, 0, 0},
+    {"so_ssph exact, h/dx 0.9", "so_ssph", {.stepper = STEPPER_EXACT, .h = 0.9}, 0, 0, 0},
+    {"so_ssph exact, cell samples", "so_ssph", {.stepper = STEPPER_EXACT, .sampling = SAMPLING_CELL}, 0, 0, 0},
+    {"so_ssph of order 4, exact", "so_ssph", {.stepper = STEPPER_EXACT, .order = 4}, 0, 0, 0},
+    {"brookshaw exact", "brookshaw", {.stepper = STEPPER_EXACT}, 0, 0, 0},
+    {"ftcs at F = 1/6", "ftcs", {.stepper = STEPPER_EULER, .fourier = 1.0 / 6}, 0, 0, 0},
+    {"ftcs at F = 0.2, cell samples",
+     "ftcs",
+     {.stepper = STEPPER_EULER, .fourier = 0.2, .sampling = SAMPLING_CELL},
+     0,
+     0,
+     0},
+    {"so_ssph rkl2", "so_ssph", {.stepper = STEPPER_RKL2, .sampling = SAMPLING_CELL}, 0, 0.125, 0},
+    {"brookshaw rkl2, series mean", "brookshaw", {.stepper = STEPPER_RKL2, .mean = MEAN_SERIES}, 0, 0.125, 0},
+    {"brookshaw rkl2, series mean, h/dx 0.7",
+     "brookshaw",
+     {.stepper = STEPPER_RKL2, .mean = MEAN_SERIES, .h = 0.7},
+     1,
+     0.125,
+     0},
+    {"so_ssph exact, h/dx 1.05", "so_ssph", {.stepper = STEPPER_EXACT, .h = 1.05}, 0, 0, 1},
+    {"so_ssph exact, h/dx 1.3", "so_ssph", {.stepper = STEPPER_EXACT, .h = 1.3}, 0, 0, 1},
+    {"so_ssph exact, h/dx 2", "so_ssph", {.stepper = STEPPER_EXACT, .h = 2}, 0, 0, 1},
+    {"so_ssph exact, quartic kernel",
+     "so_ssph",
+     {.stepper = STEPPER_EXACT, .kernel = KERNEL_QUARTIC, .h = 1.05},
+     0,
+     0,
+     1},
+    {"so_ssph exact, wendland kernel",
+     "so_ssph",
+     {.stepper = STEPPER_EXACT, .kernel = KERNEL_WENDLAND, .h = 1.3},
+     0,
+     0,
+     1},
+    {"so_ssph rk2 at F = 0.1", "so_ssph", {.stepper = STEPPER_RK2, .fourier = 0.1}, 0, 0, 1},
+    {"so_ssph euler at F = 0.1", "so_ssph", {.stepper = STEPPER_EULER, .fourier = 0.1}, 0, 0, 1},
+    {"so_ssph euler, dt = 5e-5 s (Song)", "so_ssph", {.stepper = STEPPER_EULER, .h = 1.05, .dt = 5e-5}, 0, 0, 1},
+    {"so_ssph jittered by 0.2 dx, rkl2",
+     "so_ssph",
+     {.stepper = STEPPER_RKL2, .layout = LAYOUT_JITTER, .jitter = 0.2},
+     0,
+     0.125,
+     1},
+    {"fo_ssph exact", "fo_ssph", {.stepper = STEPPER_EXACT}, 0, 0, 1},
+    {"ftcs_flux at F = 0.2", "ftcs_flux", {.stepper = STEPPER_EULER, .fourier = 0.2}, 0, 0, 1},
+    {0}};
+#undef MATCHED
+
+/* Whether n cells along x, as long as high, have no part of one left over, and meet every jump with a face. */
+static int fits(const struct problem *p, int n, int jumps) {
+    double dx = (p->hi[0] - p->lo[0]) / n;
+    for (int a = 0; a < p->dim; a++) {
+        double whole = (p->hi[a] - p->lo[a]) / dx;
+        if (fabs(whole - nearbyint(whole)) > 1e-9 * whole) return 0;
+        for (int k = 0; jumps && k < p->jumps[a]; k++) {
+            double at = (p->jump[a][k] - p->lo[a]) / dx;
+            if (fabs(at - nearbyint(at)) > 1e-9 * whole) return 0;
+        }
+    }
+    double at = (p->interface - p->lo[0]) / dx;
+    return p->materials == 1 || fabs(at - nearbyint(at)) <= 1e-9 * n;
+}
+
+int candidate_unit(const struct problem *p) {
+    for (int jumps = 1; jumps >= 0; jumps--)
+        for (int n = 1; n <= CANDIDATE_UNIT_MAX; n++)
+            if (fits(p, n, jumps)) return n;
+    return 0;
+}
+
+/* The place of the part that is nearest to `part` of 1, in n cells that are at most CANDIDATE_UNIT_MAX. */
+static double nearest_part(double part) {
+    double best = INFINITY;
+    for (int n = 1; n <= CANDIDATE_UNIT_MAX; n++) {
+        double at = fmax(1, nearbyint(part * n)) / n;
+        if (fabs(at - part) < fabs(best - part)) best = at;
+    }
+    return best;
+}
+
+void candidate_fitting(const struct problem *p, char *text, size_t size) {
+    double width = p->hi[0] - p->lo[0], height = p->hi[1] - p->lo[1];
+    if (p->dim == 2)
+        snprintf(text, size, "%g m by %.12g m, and not %g m", width, width * nearest_part(height / width), height);
+    else
+        snprintf(text, size, "the interface at x = %.12g m, and not at %g m",
+                 p->lo[0] + width * nearest_part((p->interface - p->lo[0]) / width), p->interface);
+}
+
+int candidate_member(double least, int unit) {
+    return unit * (int)fmax(1, ceil(least / unit - 1e-9));
+}
+
+struct options candidate_options(const struct candidate *c, const struct request *r, struct candidate_size size) {
+    struct options o = c->options;
+    o.dx = (r->problem.hi[0] - r->problem.lo[0]) / size.n;
+    o.threads = r->options.threads;
+    if (c->steps > 0) o.dt = r->problem.t_end / (size.steps > 0 ? size.steps : ceil(10 + c->steps * size.n));
+    return o;
+}
+
+static struct request with_method(const struct candidate *c, const struct request *r) {
+    struct request with = *r;
+    for (int i = 0; methods[i]; i++)
+        if (strcmp(methods[i]->name, c->method) == 0) with.method = methods[i];
+    return with;
+}
+
+int candidate_run(const struct candidate *c, const struct request *r, struct candidate_size size,
+                  struct result *out) {
+    struct request with = with_method(c, r);
+    struct options o = candidate_options(c, r, size);
+    int status = run_request(&with, &o, out, NULL);
+    if (status) return status;
+    out->setup = work_of_setup(&r->problem, out);
+    out->ghosts = work_of_ghosts(&r->problem, out);
+    return STATUS_OK;
+}
+
+int candidate_solve(const struct candidate *c, const struct request *r, struct candidate_size size, struct field *f,
+                    struct failure *why) {
+    struct request with = with_method(c, r);
+    struct options o = candidate_options(c, r, size);
+    return symmetry_solve(with.method, &with.problem, &o, f, why);
+}
+
+static double rounding(const struct problem *p, const struct plan *plan) {
+    double applications = (double)plan->steps * plan->stages, width = p->hi[0] - p->lo[0];
+    double kappa = run_diffusivity(p), lasts = fmin(p->t_end, width * width / (M_PI * M_PI * kappa));
+    double symbol = plan->steps == 0 ? kappa * lasts / (plan->options.dx * plan->options.dx) : 0;
+    return DBL_EPSILON / 4 * (sqrt(applications) + symbol);
+}
+
+/* In pairs: what an entry of a row takes more than one of a shared stencil, for 12 bytes and a place to look up; an
+ * exact temperature, a tenth of a microsecond to a few. */
+enum { ROW = 9, EVALUATED = 20000 };
+
+int candidate_foresee(const struct candidate *c, const struct request *r, struct candidate_size size,
+                      struct candidate_cost *cost, struct failure *why) {
+    struct request with = with_method(c, r);
+    struct options o = candidate_options(c, r, size);
+    struct plan plan;
+    int status = plan_make(&with, &o, &plan, why);
+    if (status) return status;
+    struct result run = {.method = with.method,
+                         .options = o,
+                         .steps = plan.steps,
+                         .stages = plan.stages,
+                         .particles = plan.particles,
+                         .updates = plan.updates,
+                         .interactions = plan.interactions};
+    run.options.h = plan.options.h;
+    run.setup = work_of_setup(&r->problem, &run);
+    run.ghosts = work_of_ghosts(&r->problem, &run);
+    cost->work = candidate_work(&run);
+    cost->whole = cost->work + (plan.rows ? ROW * (double)plan.interactions : 0) + EVALUATED * (double)plan.particles;
+    cost->bytes = (double)plan.bytes[plan_peak(&plan)];
+    cost->rounding = rounding(&r->problem, &plan);
+    return STATUS_OK;
+}
+
+double candidate_work(const struct result *r) {
+    double steps = r->steps == 0 ? 0 : (double)r->interactions + 2 * (double)r->updates + r->ghosts;
+    return steps + r->setup;
+}

@@ -1,0 +1,130 @@
+/* Choosing by measured orders and constants: each candidate runs on a few coarse rungs, which foretell where it
+ * reaches what is wanted (prospect.h).  The cheapest runs; what it measures joins its rungs; and so on until
+ * the error is reached.  Where it cannot be, the finest runs that can be done show how far one comes.
+ *
+ * Costs are counted, so that the choice is the same on every machine. */
+#include "verification/choose/choose.h"
+
+#include "verification/text/progress.h"
+#include "verification/run/request.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+
+const double choose_work_max = 2e11;
+enum { PROOFS = 8, LAST = 2 };
+static const double NEARER = 0.9; /* what makes a last run worth its time */
+
+static int cheapest_first(const void *a, const void *b) {
+    const struct extrapolation *x = a, *y = b;
+    if (x->predicted_work != y->predicted_work) return x->predicted_work < y->predicted_work ? -1 : 1;
+    return (x->candidate > y->candidate) - (x->candidate < y->candidate);
+}
+
+static void collect(const struct request *r, struct choose *c) {
+    for (const struct candidate *k = candidates_table; k->label && c->count < CHOOSE_CANDIDATES; k++)
+        if (!k->wide && (k->dim == 0 || k->dim == r->problem.dim)) c->one[c->count++].candidate = k;
+}
+
+static void calibrate(struct choose *c, const struct extrapolation_goal *goal) {
+    struct progress shown = progress_start("candidates calibrated", c->count);
+#pragma omp parallel for schedule(dynamic, 1)
+    for (int i = 0; i < c->count; i++) {
+        extrapolation_calibrate(&c->one[i], goal);
+        progress_tick(&shown);
+    }
+    progress_end(&shown);
+}
+
+/* One proving run of what is wanted of *one.  1 where it ends the search. */
+static int prove(struct choose *c, struct extrapolation *one, const struct extrapolation_goal *goal) {
+    struct result result;
+    struct extrapolation foretold = *one;
+    int status = candidate_run(one->candidate, goal->request, one->wanted, &result);
+    c->proofs++;
+    if (status) {
+        extrapolation_rule_out(one, result.failure.text);
+        return 0;
+    }
+    if (!c->best.candidate || result.error.l1 < c->proof.error.l1) c->best = foretold, c->proof = result;
+    c->reached = result.error.l1 <= c->error;
+    if (c->reached) return 1;
+    extrapolation_learn(one, goal, foretold.wanted, foretold.predicted_error, result.error.l1);
+    return 0;
+}
+
+static void search(struct choose *c, const struct extrapolation_goal *goal) {
+    struct progress shown = progress_start("proving runs at most", PROOFS);
+    for (int done = 0; !done && c->proofs < PROOFS;) {
+        qsort(c->one, (size_t)c->count, sizeof c->one[0], cheapest_first);
+        if (!isfinite(c->one[0].predicted_work)) break;
+        if (extrapolation_scout(&c->one[0], goal)) continue;
+        progress_tick(&shown); /* one that is under way */
+        done = prove(c, &c->one[0], goal);
+    }
+    progress_end(&shown);
+}
+
+/* Out of reach: the finest runs of those that should come nearest, while one may come nearer than what was measured.
+ */
+static void try_finest(struct choose *c, const struct extrapolation_goal *goal) {
+    struct extrapolation finest[CHOOSE_CANDIDATES];
+    struct progress shown = progress_start("last runs at most", LAST);
+    for (int i = 0; i < c->count; i++) {
+        if (c->one[i].rounding > 0)
+            c->rounding = c->rounding > 0 ? fmin(c->rounding, c->one[i].rounding) : c->one[i].rounding;
+        finest[i] = c->one[i];
+        if (!extrapolation_finest(&finest[i], goal)) finest[i].predicted_error = INFINITY;
+    }
+    for (int k = 0; k < LAST && !c->reached; k++) {
+        int first = 0;
+        for (int i = 1; i < c->count; i++)
+            if (finest[i].predicted_error < finest[first].predicted_error) first = i;
+        double nearest = c->best.candidate ? c->proof.error.l1 : INFINITY;
+        if (!(finest[first].predicted_error < NEARER * nearest)) break;
+        progress_tick(&shown);
+        prove(c, &finest[first], goal);
+        finest[first].predicted_error = INFINITY;
+    }
+    progress_end(&shown);
+}
+
+static int say_best(const struct choose *c, struct failure *why) {
+    const struct extrapolation_rung *best = NULL;
+    const char *whose = "";
+    char rounding[80] = "";
+    const struct extrapolation_rung proof = {c->best.wanted, c->proof.error.l1};
+    if (c->best.candidate) best = &proof, whose = c->best.candidate->label;
+    if (c->rounding > 0)
+        snprintf(rounding, sizeof rounding, ": rounding alone leaves %.2g after steps enough", c->rounding);
+    for (int i = 0; i < c->count; i++)
+        for (int k = 0; k < c->one[i].rungs; k++) {
+            const struct extrapolation_rung *rung = &c->one[i].rung[k];
+            if (!isfinite(rung->error) || (best && best->error <= rung->error)) continue;
+            best = rung;
+            whose = c->one[i].candidate->label;
+        }
+    if (!best)
+        return refuse(why, STATUS_GATE, "an error of %g was not reached: no candidate runs on this scene", c->error);
+    return refuse(why, STATUS_GATE,
+                  "an error of %g was not reached%s; the best was %.3g, by %s with %d particles along x", c->error,
+                  rounding, best->error, whose, best->size.n);
+}
+
+int choose_run(const struct request *r, double error, double work_max, struct choose *c, struct failure *why) {
+    *c = (struct choose){.error = error};
+    struct extrapolation_goal goal = {r, error, work_max, candidate_unit(&r->problem)};
+    if (!goal.unit) {
+        char fitting[120];
+        candidate_fitting(&r->problem, fitting, sizeof fitting);
+        return refuse(why, STATUS_INPUT, "no lattice of up to %d square cells along x fits this domain; one fits %s",
+                      CANDIDATE_UNIT_MAX, fitting);
+    }
+    collect(r, c);
+    calibrate(c, &goal);
+    search(c, &goal);
+    if (!c->reached) try_finest(c, &goal);
+    if (c->reached) return STATUS_OK;
+    return say_best(c, why);
+}

@@ -1,0 +1,27 @@
+#ifndef HEATLADDER_VERIFICATION_CHOOSE_CHOOSE_H
+#define HEATLADDER_VERIFICATION_CHOOSE_CHOOSE_H
+
+/* The cheapest run of a scene that reaches an error. */
+
+#include "verification/choose/extrapolation.h"
+
+enum { CHOOSE_CANDIDATES = 24 };
+
+extern const double choose_work_max; /* pairs: a minute or so */
+
+struct choose {
+    double error; /* wanted: E1 */
+    int count;
+    struct extrapolation one[CHOOSE_CANDIDATES]; /* cheapest first once it ends */
+    int proofs;                                  /* proving runs */
+    double rounding; /* least that it leaves of a run foretold to reach the error, where that is more; 0: none */
+    int reached;     /* 1: the proof has the error */
+    struct extrapolation best; /* what that run was, as foretold before it */
+    struct result proof;       /* the best of the proving runs */
+};
+
+/* With no run that takes more than work_max.  STATUS_OK, STATUS_GATE where the error was not reached (*c then tells
+ * the best), or STATUS_INPUT. */
+int choose_run(const struct request *r, double error, double work_max, struct choose *c, struct failure *why);
+
+#endif

@@ -1,0 +1,230 @@
+/* Error and cost of runs foretold: a line through the last coarse runs in log-log gives the order in space; two runs
+ * that differ in their time steps alone give the error in time; the plan of the very run gives its cost.
+ *
+ * RKL2 leaves its time step open.  E1 = S n^-p + K N^-2 with N steps, whose stages grow as n / sqrt(N): the work,
+ * n^(d+1) sqrt(N), is least where the time makes up p / (p + 4 (d + 1)) of E1.  Of what jumps set in motion the stiff
+ * modes fall by DAMPED a step alone, however small K: the steps must take those below the error as well.
+ *
+ * Rungs keep the place of the jumps between particles: where a lattice can have all of them midway, only such
+ * lattices are taken, since there the order shows from the coarsest rungs on. */
+#include "verification/choose/extrapolation.h"
+
+#include "verification/run/request.h"
+#include "verification/ladder/slope.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+
+static const double MARGIN = 0.9;          /* of the error wanted: what a forecast aims at */
+static const double COARSE_MAX = 1e10;     /* some seconds: of a rung without which there is no forecast */
+static const double MORE_MAX = 1e8;        /* of a rung beyond those */
+static const double BYTES_MAX = 8e9;       /* what a run may hold */
+static const double DAMPED = 0.6;          /* RKL2's factor of the stiffest modes in a step, about */
+static const int COARSEST[3] = {0, 16, 8}; /* particles along x of the first rung, by dimension */
+enum { RUNGS = 6, FITTED = 3, FAR = 4 };   /* apart by 2, then, where the order shows, by 1.5 */
+
+void extrapolation_rule_out(struct extrapolation *c, const char *reason) {
+    c->predicted_work = INFINITY;
+    snprintf(c->reason, sizeof c->reason, "%.190s", reason);
+}
+
+/* ---- Time ---- */
+
+/* The steps that leave a share of `error`, at which the goal's jumps are damped; 0 where they are not open. */
+static int time_steps(const struct extrapolation *c, const struct extrapolation_goal *goal, double error) {
+    if (!(c->candidate->steps > 0)) return 0;
+    double share = 1 / (1 + 2 * (goal->request->problem.dim + 1.0)), least = log(goal->error) / log(DAMPED);
+    return (int)fmin(1e7, ceil(fmax(fmax(2, least), sqrt(c->time_constant / (share * MARGIN * error)))));
+}
+
+static double time_part(const struct extrapolation *c, int steps) {
+    return steps > 0 ? c->time_constant / ((double)steps * steps) : 0;
+}
+
+/* The error in space of a rung: the less it is of the whole, the less is known of it. */
+static double space_part(const struct extrapolation *c, const struct extrapolation_rung *rung) {
+    return fmax(rung->error / 2, rung->error - time_part(c, rung->size.steps));
+}
+
+/* Second order: of the difference between N and 2 N steps, 4/3 is the error of N. */
+static void measure_time(struct extrapolation *c, const struct extrapolation_goal *goal) {
+    const struct request *r = goal->request;
+    int steps = time_steps(c, goal, goal->error);
+    struct candidate_size coarse = {candidate_member(4.0 * COARSEST[r->problem.dim], goal->unit), steps},
+                          fine = {coarse.n, 2 * steps};
+    struct field a = {0}, b = {0};
+    struct failure why;
+    double apart = 0, all = 0;
+    if (steps == 0) return;
+    if (!candidate_solve(c->candidate, r, coarse, &a, &why) && !candidate_solve(c->candidate, r, fine, &b, &why)) {
+        for (size_t i = 0; i < b.n; i++) apart += fabs(a.T[i] - b.T[i]), all += fabs(b.T[i]);
+        if (all > 0) c->time_constant = 4.0 / 3 * apart / all * steps * steps;
+    }
+    field_free(&a);
+    field_free(&b);
+}
+
+/* ---- Space ---- */
+
+/* Adds a run to the rungs, kept coarsest first; the coarsest makes room. */
+static void add_rung(struct extrapolation *c, struct candidate_size size, double error) {
+    if (c->rungs == PROSPECT_RUNGS) memmove(c->rung, c->rung + 1, (size_t)--c->rungs * sizeof *c->rung);
+    int at = c->rungs++;
+    for (; at > 0 && c->rung[at - 1].size.n > size.n; at--) c->rung[at] = c->rung[at - 1];
+    c->rung[at] = (struct extrapolation_rung){size, error};
+}
+
+static void fit(struct extrapolation *c, int first, int last) {
+    double n[PROSPECT_RUNGS], error[PROSPECT_RUNGS];
+    for (int i = first; i <= last; i++) {
+        n[i - first] = c->rung[i].size.n;
+        error[i - first] = space_part(c, &c->rung[i]);
+    }
+    c->order = -slope_fit(n, error, last - first + 1).value;
+}
+
+static double space_beyond(const struct extrapolation *c, const struct extrapolation_rung *base, double n) {
+    return space_part(c, base) * pow(n / base->size.n, -c->order);
+}
+
+static void cannot_converge(struct extrapolation *c) {
+    const struct extrapolation_rung *last = &c->rung[c->rungs - 1];
+    char text[120];
+    snprintf(text, sizeof text, "does not converge: order %.2f, E1 %.3g with %d particles along x", c->order,
+             last->error, last->size.n);
+    extrapolation_rule_out(c, text);
+}
+
+/* ---- Cost ---- */
+
+/* What the run that is wanted will cost, or why it cannot be. */
+static void weigh(struct extrapolation *c, const struct extrapolation_goal *goal) {
+    const struct extrapolation_rung *last = &c->rung[c->rungs - 1];
+    struct candidate_cost cost;
+    struct failure why;
+    char text[120];
+    c->rounding = 0;
+    if (candidate_foresee(c->candidate, goal->request, c->wanted, &cost, &why))
+        snprintf(text, sizeof text, "%.119s", why.text);
+    else if (cost.rounding > goal->error && c->wanted.n > last->size.n) {
+        snprintf(text, sizeof text, "rounding leaves %.2g with %d particles along x", cost.rounding, c->wanted.n);
+        c->rounding = cost.rounding;
+    } else if (cost.whole > goal->work_max)
+        snprintf(text, sizeof text, "would take %.2g pairs with %d particles along x", cost.whole, c->wanted.n);
+    else if (cost.bytes > BYTES_MAX)
+        snprintf(text, sizeof text, "would hold %.2g bytes with %d particles along x", cost.bytes, c->wanted.n);
+    else {
+        c->predicted_work = cost.work;
+        return;
+    }
+    extrapolation_rule_out(c, text);
+}
+
+/* Where the error will be reached: between two rungs of which one has it, or beyond the last. */
+static void foretell(struct extrapolation *c, const struct extrapolation_goal *goal) {
+    int reached = 0, last = c->rungs - 1;
+    while (reached <= last && !(c->rung[reached].error <= goal->error)) reached++;
+    const struct extrapolation_rung *base = &c->rung[reached <= last ? reached : last];
+    if (reached == 0) { /* the coarsest has it already */
+        c->wanted = base->size, c->predicted_error = base->error;
+        weigh(c, goal);
+        return;
+    }
+    if (reached <= last)
+        fit(c, reached - 1, reached);
+    else
+        fit(c, last - FITTED + 1 > 0 ? last - FITTED + 1 : 0, last);
+    if (!(c->order > 0.2)) {
+        cannot_converge(c);
+        return;
+    }
+    c->wanted.steps = time_steps(c, goal, goal->error);
+    double in_time = time_part(c, c->wanted.steps);
+    double along = base->size.n * pow(space_part(c, base) / (MARGIN * goal->error - in_time), 1 / c->order);
+    if (reached <= last) along = fmin(base->size.n, fmax(along, c->rung[reached - 1].size.n + 1));
+    if (reached > last) along = fmax(along, base->size.n + 1);
+    if (!(along < 1e7)) {
+        extrapolation_rule_out(c, "needs more than 1e7 particles along x");
+        return;
+    }
+    c->wanted.n = candidate_member(along, goal->unit);
+    c->predicted_error = space_beyond(c, base, c->wanted.n) + in_time;
+    weigh(c, goal);
+}
+
+/* A rung that is refused (too coarse, say) is left out; with fewer than two there is nothing to foretell from. */
+void extrapolation_calibrate(struct extrapolation *c, const struct extrapolation_goal *goal) {
+    const struct request *r = goal->request;
+    double n = COARSEST[r->problem.dim], before = 1;
+    measure_time(c, goal);
+    extrapolation_rule_out(c, "has too few coarse rungs");
+    for (int k = 0; k < RUNGS; k++, n *= k == 0 ? 2 : 1.5) {
+        struct candidate_size size = {candidate_member(n, goal->unit), 0};
+        if (c->rungs > 0) size.n = candidate_member(fmax(n, c->rung[c->rungs - 1].size.n + 1), goal->unit);
+        size.steps = time_steps(c, goal, fmax(goal->error, before / 10));
+        struct candidate_cost cost;
+        struct result result;
+        struct failure why;
+        if (candidate_foresee(c->candidate, r, size, &cost, &why)) {
+            extrapolation_rule_out(c, why.text);
+            continue;
+        }
+        if (cost.work > (c->rungs < FITTED ? COARSE_MAX : MORE_MAX) || cost.bytes > BYTES_MAX) {
+            extrapolation_rule_out(c, "would take more than 1e10 pairs on a coarse rung");
+            break;
+        }
+        if (candidate_run(c->candidate, r, size, &result)) {
+            extrapolation_rule_out(c, result.failure.text);
+            continue;
+        }
+        before = result.error.l1;
+        add_rung(c, size, before);
+        if (before <= goal->error) break;
+    }
+    if (c->rungs < 2 && !(c->rungs == 1 && c->rung[0].error <= goal->error)) return;
+    c->reason[0] = '\0';
+    foretell(c, goal);
+}
+
+/* At a quarter of n the cost is a few hundredths: (1/4)^(d+1), and less where the steps are fewer too. */
+int extrapolation_scout(struct extrapolation *c, const struct extrapolation_goal *goal) {
+    const struct extrapolation_rung *last = &c->rung[c->rungs - 1];
+    struct candidate_size size = {candidate_member((double)c->wanted.n / FAR, goal->unit), 0};
+    struct result result;
+    if (c->wanted.n <= 2 * FAR * last->size.n || size.n <= last->size.n) return 0;
+    size.steps = time_steps(c, goal, fmax(goal->error, space_beyond(c, last, size.n)));
+    if (candidate_run(c->candidate, goal->request, size, &result)) return 0;
+    add_rung(c, size, result.error.l1);
+    foretell(c, goal);
+    return 1;
+}
+
+void extrapolation_learn(struct extrapolation *c, const struct extrapolation_goal *goal, struct candidate_size size,
+                         double foretold, double measured) {
+    if (measured > foretold) c->time_constant *= measured / foretold; /* whose error it is, cannot be told */
+    add_rung(c, size, measured);
+    foretell(c, goal);
+}
+
+int extrapolation_finest(struct extrapolation *c, const struct extrapolation_goal *goal) {
+    int found = 0;
+    if (c->rungs < 2 || !(c->order > 0.2)) return 0;
+    const struct extrapolation_rung *base = &c->rung[c->rungs - 1];
+    for (double n = base->size.n * 1.1; n < 1e7; n *= 1.1) {
+        struct extrapolation finer = *c;
+        struct candidate_cost cost;
+        struct failure why;
+        finer.wanted.n = candidate_member(n, goal->unit);
+        double space = space_beyond(c, base, finer.wanted.n);
+        finer.wanted.steps = time_steps(c, goal, fmax(space / MARGIN, goal->error));
+        if (candidate_foresee(c->candidate, goal->request, finer.wanted, &cost, &why)) break;
+        finer.predicted_error = space + time_part(c, finer.wanted.steps) + cost.rounding;
+        if (cost.whole > goal->work_max || cost.bytes > BYTES_MAX) break;
+        if (found && finer.predicted_error > c->predicted_error) break;
+        finer.predicted_work = cost.work;
+        *c = finer;
+        found = 1;
+    }
+    return found;
+}

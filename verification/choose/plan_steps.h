@@ -1,0 +1,17 @@
+#ifndef HEATLADDER_VERIFICATION_CHOOSE_PLAN_STEPS_H
+#define HEATLADDER_VERIFICATION_CHOOSE_PLAN_STEPS_H
+
+#include "solver/method.h"
+
+struct request;
+
+struct plan_steps {
+    double steps; /* 0: none, no coarser run is possible or the steps are out of reach */
+    int runs;     /* that it rests on: the run itself, where it is small, or two coarser ones */
+    double dx[2]; /* m, theirs */
+};
+
+/* How many steps verification/run/time_step.h will choose for a run whose time step *o leaves open. */
+struct plan_steps plan_steps_predict(const struct request *r, const struct options *o);
+
+#endif

@@ -1,0 +1,77 @@
+#ifndef HEATLADDER_VERIFICATION_CLAIMS_CLAIMS_H
+#define HEATLADDER_VERIFICATION_CLAIMS_CLAIMS_H
+
+/* The ledger: every checkable statement of the two papers, measured.  A statement is a row of claims.def; its verdict
+ * is decided by what is measured, and gated by the verdict that the row expects. */
+
+#include <stddef.h>
+
+struct failure;
+
+enum claims_verdict { CLAIMS_UNMEASURED, CLAIMS_REPRODUCED, CLAIMS_CONDITION, CLAIMS_CONTRADICTED };
+extern const char *const claims_verdict_words[]; /* in the order of the enum, ended by NULL */
+
+enum { CLAIMS_NUMBERS = 12 };
+
+struct claims_number {
+    char name[72];
+    const char *unit; /* "" for none */
+    double value;
+};
+
+struct claims_measured {
+    enum claims_verdict verdict;
+    int count; /* numbers */
+    struct claims_number number[CLAIMS_NUMBERS];
+    char reason[720]; /* how the numbers make the verdict; what the row adds; whether it changed */
+};
+
+struct claims_measure {
+    const char *name;
+    /* Fills numbers, verdict and the first part of the reason.  `argument` is the row's. */
+    void (*take)(const char *argument, struct claims_measured *m);
+};
+
+struct claims_row {
+    const char *id;
+    const char *source;    /* paper, and equation, table, figure or section */
+    const char *published; /* the statement or the number */
+    const char *measure;   /* a name of claims_measures.h */
+    const char *argument;
+    enum claims_verdict expected;
+    const char *why; /* what explains the numbers */
+};
+
+struct claims_result {
+    const struct claims_row *row;
+    struct claims_measured measured;
+    double seconds;
+};
+
+struct claims {
+    int count;
+    struct claims_result *result; /* in the order of the table */
+};
+
+extern const struct claims_row claims_table[]; /* ended by a NULL id */
+
+/* The rows whose id matches the glob `only` (NULL: all).  STATUS_OK, or STATUS_INPUT where none matches.  End with
+ * claims_free. */
+int claims_collect(const char *only, struct claims *c, struct failure *why);
+void claims_free(struct claims *c);
+
+/* Measures all of them, in parallel. */
+void claims_run(struct claims *c);
+
+/* One row.  What cannot be measured, or measures what is not finite, is CLAIMS_UNMEASURED with its reason. */
+void claims_judge(const struct claims_row *row, struct claims_measured *m);
+
+/* 1 where the verdict is the one that the row expects. */
+int claims_holds(const struct claims_row *row, const struct claims_measured *m);
+/* 1 where that is so for every row, and there is one. */
+int claims_hold(const struct claims *c);
+
+/* "name 1.234 unit; name ..." cut to size. */
+void claims_numbers(const struct claims_measured *m, char *text, size_t size);
+
+#endif

@@ -1,0 +1,101 @@
+/* What the measures of claims are made of. */
+#include "verification/claims/kit.h"
+
+#include "verification/command/arguments.h"
+#include "verification/ladder/ladder.h"
+#include "verification/run/run.h"
+
+#include <ctype.h>
+#include <math.h>
+#include <stdarg.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+void claims_kit_number(struct claims_measured *m, double value, const char *unit, const char *name, ...) {
+    va_list arguments;
+    if (m->count == CLAIMS_NUMBERS) return;
+    struct claims_number *n = &m->number[m->count++];
+    va_start(arguments, name);
+    vsnprintf(n->name, sizeof n->name, name, arguments);
+    va_end(arguments);
+    n->value = value;
+    n->unit = unit;
+}
+
+void claims_kit_decide(struct claims_measured *m, int as_published, int beyond, const char *rule, ...) {
+    va_list arguments;
+    m->verdict = !as_published ? CLAIMS_CONTRADICTED : beyond ? CLAIMS_REPRODUCED : CLAIMS_CONDITION;
+    va_start(arguments, rule);
+    vsnprintf(m->reason, sizeof m->reason, rule, arguments);
+    va_end(arguments);
+}
+
+int claims_kit_fail(struct claims_measured *m, const char *text) {
+    m->verdict = CLAIMS_UNMEASURED;
+    snprintf(m->reason, sizeof m->reason, "%s", text);
+    return 1;
+}
+
+int claims_kit_part(const char **rest, char *part, size_t size) {
+    const char *from = *rest + strspn(*rest, " ");
+    if (*from == '\0') return 0;
+    size_t length = strcspn(from, "|");
+    *rest = from + length + (from[length] == '|');
+    while (length > 0 && isspace((unsigned char)from[length - 1])) length--;
+    snprintf(part, size, "%.*s", (int)length, from);
+    return 1;
+}
+
+int claims_kit_run(struct claims_kit_run *run, struct claims_measured *m, const char *command, ...) {
+    char line[400];
+    va_list arguments;
+    struct failure *why = &run->result.failure;
+    *run = (struct claims_kit_run){0};
+    va_start(arguments, command);
+    vsnprintf(line, sizeof line, command, arguments);
+    va_end(arguments);
+    int status = arguments_parse_line(line, &run->request, why);
+    if (!status) status = run_request(&run->request, &run->request.options, &run->result, &run->field);
+    if (status && m) claims_kit_fail(m, why->text);
+    return status;
+}
+
+void claims_kit_free(struct claims_kit_run *run) {
+    field_free(&run->field);
+    arguments_free(&run->request);
+}
+
+int claims_kit_slope(struct slope *s, struct claims_measured *m, const char *command, ...) {
+    char line[400];
+    va_list arguments;
+    struct failure why;
+    struct request r;
+    struct ladder *l = xcalloc(1, sizeof *l);
+    va_start(arguments, command);
+    vsnprintf(line, sizeof line, command, arguments);
+    va_end(arguments);
+    int status = arguments_parse_line(line, &r, &why);
+    if (!status) status = ladder_run(&r, l, &why);
+    *s = l->slope;
+    arguments_free(&r);
+    free(l);
+    return status && claims_kit_fail(m, why.text);
+}
+
+int claims_kit_weigh(struct claims_kit_cell *cell, const struct request *r, const double kappa[2],
+                     struct failure *why) {
+    const struct options *o = &r->options;
+    int reach = (int)ceil(2 * o->h), dim = r->problem.dim;
+    double *w[2] = {cell->w[0], cell->w[1]};
+    struct neighbourhood *nb = &cell->nb;
+    *nb = (struct neighbourhood){.dim = dim, .d = cell->d, .h = o->h * o->dx, .volume = pow(o->dx, dim)};
+    memcpy(nb->kappa, kappa, sizeof nb->kappa);
+    for (int j = dim == 2 ? -reach : 0; j <= (dim == 2 ? reach : 0); j++)
+        for (int i = -reach; i <= reach; i++) {
+            if ((i == 0 && j == 0) || hypot(i, j) >= 2 * o->h * (1 - 1e-12) || nb->n == NEIGHBOURS_MAX) continue;
+            cell->d[nb->n][0] = i * o->dx;
+            cell->d[nb->n++][1] = j * o->dx;
+        }
+    return r->method->scheme->weights(&r->problem, o, nb, w, why);
+}

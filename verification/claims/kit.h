@@ -1,0 +1,53 @@
+#ifndef HEATLADDER_VERIFICATION_CLAIMS_KIT_H
+#define HEATLADDER_VERIFICATION_CLAIMS_KIT_H
+
+/* What the measures of claims are made of: numbers, verdicts, runs by their command line, and one particle's weights.
+ */
+
+#include "solver/space/operator.h"
+#include "verification/claims/claims.h"
+#include "verification/run/request.h"
+#include "verification/run/result.h"
+#include "verification/ladder/slope.h"
+
+void claims_kit_number(struct claims_measured *m, double value, const char *unit, const char *name, ...)
+    __attribute__((format(printf, 4, 5)));
+
+/* The verdict, from whether the statement holds as published and whether it holds beyond that; and the rule. */
+void claims_kit_decide(struct claims_measured *m, int as_published, int beyond, const char *rule, ...)
+    __attribute__((format(printf, 4, 5)));
+
+/* Leaves *m unmeasured, with the reason; returns 1. */
+int claims_kit_fail(struct claims_measured *m, const char *text);
+
+/* The next part of an argument, parts being set apart by '|', without blanks at its ends.  0 where there is none. */
+int claims_kit_part(const char **rest, char *part, size_t size);
+
+struct claims_kit_run {
+    struct request request;
+    struct result result;
+    struct field field;
+};
+
+/* Runs "run ...".  The status; with *m not NULL, one that is not STATUS_OK is its failure.  claims_kit_free in any
+ * case. */
+int claims_kit_run(struct claims_kit_run *run, struct claims_measured *m, const char *command, ...)
+    __attribute__((format(printf, 3, 4)));
+void claims_kit_free(struct claims_kit_run *run);
+
+/* Order of E1 over "ladder ...".  0, or 1 with *m failed. */
+int claims_kit_slope(struct slope *s, struct claims_measured *m, const char *command, ...)
+    __attribute__((format(printf, 3, 4)));
+
+/* One particle of a lattice, its neighbours within 2 h and the weights that a method gives them. */
+struct claims_kit_cell {
+    struct neighbourhood nb;
+    double d[NEIGHBOURS_MAX][2];
+    double w[2][NEIGHBOURS_MAX];
+};
+
+/* Of the method, dx, h and kernel of a request.  0, or the status. */
+int claims_kit_weigh(struct claims_kit_cell *cell, const struct request *r, const double kappa[2],
+                     struct failure *why);
+
+#endif

@@ -1,0 +1,169 @@
+/* Pamplona 2019, eqs. 9, 14 to 17: the kernel, the particles' mass, and steps in time. */
+#include "verification/claims/kit.h"
+#include "verification/claims/measures.h"
+
+#include "solver/space/kernel.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+
+static const double RHO = 7854, C = 434, K = 60.5; /* steel, section 6: kg/m^3, J/kg/K, W/m/K */
+
+/* Eq. 9 with every sign as printed. */
+static double printed_kernel(int dim, double s) {
+    const double pi = acos(-1), norm[3] = {1, 15 / (7 * pi), 315 / (208 * pi)};
+    return norm[dim - 1] * (2.0 / 3 + s * s * (9.0 / 8 + s * (19.0 / 24 + s * 5 / 32)));
+}
+
+/* Integral over all space, by Simpson's rule on 400 pieces. */
+static double integral(int dim, double (*w)(int dim, double s)) {
+    enum { PIECES = 400 };
+    const double pi = acos(-1), shell[3] = {2, 2 * pi, 4 * pi};
+    double sum = 0, step = 2.0 / PIECES;
+    for (int i = 0; i < PIECES; i++) { /* open at s = 2, where the kernel is cut off */
+        double s = i * step, sample[3] = {s, s + step / 2, s + step * (1 - 1e-15)};
+        static const double weight[3] = {1, 4, 1};
+        for (int k = 0; k < 3; k++)
+            sum += weight[k] * step / 6 * shell[dim - 1] * pow(sample[k], dim - 1) * w(dim, sample[k]);
+    }
+    return sum;
+}
+
+static double quartic(int dim, double s) {
+    return kernel_value(KERNEL_QUARTIC, dim, s);
+}
+
+static void take_eq9(const char *argument, struct claims_measured *m) {
+    double worst[2] = {0, 0};
+    (void)argument;
+    for (int dim = 1; dim <= 3; dim++) {
+        double as_printed = integral(dim, printed_kernel);
+        claims_kit_number(m, as_printed, "", "integral in %dD", dim);
+        worst[0] = fmax(worst[0], fabs(as_printed - 1));
+        worst[1] = fmax(worst[1], fabs(integral(dim, quartic) - 1));
+    }
+    claims_kit_number(m, worst[1], "", "|integral - 1|, signs - + - as meant, worst");
+    claims_kit_decide(m, worst[0] <= 1e-9, 1, "integral 1 in 1D, 2D and 3D (to 1e-9, the quadrature's error)");
+}
+
+/* "positive, decreasing monotonous": the kernel as meant. */
+static void take_shape(const char *argument, struct claims_measured *m) {
+    double least = INFINITY, turns = 2, scale = quartic(2, 0);
+    (void)argument;
+    for (int i = 1; i < 2000; i++) {
+        double s = 0.001 * i;
+        least = fmin(least, quartic(2, s) / scale);
+        if (kernel_slope(KERNEL_QUARTIC, 2, s) > 1e-12 * scale) turns = fmin(turns, s);
+    }
+    claims_kit_number(m, least, "", "smallest w(s)/w(0)");
+    claims_kit_number(m, turns, "", "rises from s =");
+    claims_kit_decide(m, least >= 0 && turns >= 2, 1, "w >= 0 and dw/ds <= 0 for all s < 2");
+}
+
+static void take_mass(const char *argument, struct claims_measured *m) {
+    const double all = RHO * 0.1 * 0.1 * 1.643, real = all / 400, counted = all / 576;
+    (void)argument;
+    claims_kit_number(m, real, "kg", "eq. 14, N = 400");
+    claims_kit_number(m, counted, "kg", "N = 576, ghosts counted");
+    int is_real = fabs(real - 0.224) <= 0.0005, is_counted = fabs(counted - 0.224) <= 0.0005;
+    claims_kit_decide(m, is_real || is_counted, is_real,
+                      "0.224 kg to its three digits with N the particles of the plate; on condition, with another N");
+}
+
+static void take_ghosts(const char *argument, struct claims_measured *m) {
+    const int n = 20, layers = (int)floor(2 * 1.2), ghosts = (n + 2 * layers) * (n + 2 * layers) - n * n;
+    (void)argument;
+    claims_kit_number(m, n * n, "", "particles at dx = 0.005 m");
+    claims_kit_number(m, ghosts, "", "ghosts in the two layers that 2 h = 2.4 dx reaches");
+    claims_kit_decide(m, n * n == 400 && ghosts == 176, 1, "both numbers exactly");
+}
+
+/* "the time to reach the steady-state is inversely proportional to mass": the same field in half the time. */
+static void take_mass_rate(const char *argument, struct claims_measured *m) {
+    static const char command[] = "run plate brookshaw --dx 0.005 --kernel quartic --h 1.2 --walls fixed --volume "
+                                  "tuned --stepper rk2 --xi %g --dt %g --t-end %g";
+    struct claims_kit_run once, twice;
+    (void)argument;
+    int bad = claims_kit_run(&once, m, command, 1.2, 0.1, 20.0) | claims_kit_run(&twice, m, command, 2.4, 0.05, 10.0);
+    double apart = 0;
+    for (size_t i = 0; i < (bad ? 0 : once.field.n); i++)
+        apart = fmax(apart, fabs(once.field.T[i] - twice.field.T[i]));
+    claims_kit_free(&once);
+    claims_kit_free(&twice);
+    if (bad) return;
+    claims_kit_number(m, apart, "K", "largest difference, xi = 1.2 m at 20 s and 2.4 m at 10 s");
+    claims_kit_decide(m, apart <= 1e-12, 1, "twice the mass gives the same field in half the time, to rounding");
+}
+
+/* Whether a run to 115.8822 s stays bounded; gamma as in eq. 17. */
+static int stable(double gamma) {
+    struct claims_kit_run run;
+    int status = claims_kit_run(&run, NULL, "run plate ftcs --dx 0.005 --fourier %.10g --t-end 115.8822", 2 * gamma);
+    claims_kit_free(&run);
+    return status == STATUS_OK;
+}
+
+static void take_eq17(const char *argument, struct claims_measured *m) {
+    double lo = 0.05, hi = 0.5;
+    (void)argument;
+    int published = stable(0.25);
+    while (hi / lo > 1.002) {
+        double middle = sqrt(lo * hi);
+        if (stable(middle))
+            lo = middle;
+        else
+            hi = middle;
+    }
+    claims_kit_number(m, published, "", "runs at gamma = 1/4 that stay bounded");
+    claims_kit_number(m, lo, "", "largest gamma of a bounded run");
+    claims_kit_number(m, 0.125, "", "by |G| <= 1, dx = dy");
+    claims_kit_decide(m, published, lo <= 0.26, "a run at gamma = 1/4 stays bounded, and 1/4 is the limit");
+}
+
+enum { HALVINGS = 5 };
+
+/* "ORDER | words": order in dt of one run, from differences between halved steps (Richardson). */
+static void take_time_order(const char *argument, struct claims_measured *m) {
+    char part[200];
+    struct claims_kit_run run[HALVINGS] = {0};
+    double dt[HALVINGS], apart[HALVINGS] = {0};
+    int bad = 0;
+    claims_kit_part(&argument, part, sizeof part);
+    double order = atof(part);
+    claims_kit_part(&argument, part, sizeof part);
+    for (int i = 0; i < HALVINGS; i++) {
+        dt[i] = 28.8894 / (200 << i);
+        bad |= claims_kit_run(&run[i], m, "run %s --dt %.17g", part, dt[i]);
+    }
+    for (int i = 0; i + 1 < HALVINGS && !bad; i++)
+        for (size_t k = 0; k < run[i].field.n; k++) apart[i] += fabs(run[i].field.T[k] - run[i + 1].field.T[k]);
+    for (int i = 0; i < HALVINGS; i++) claims_kit_free(&run[i]);
+    if (bad) return;
+    struct slope s = slope_fit(dt, apart, HALVINGS - 1);
+    claims_kit_number(m, s.value, "", "order in dt");
+    claims_kit_decide(m, fabs(s.value - order) <= 0.1, 1,
+                      "differences between runs whose step is halved fall with dt to the power %g +- 0.1", order);
+}
+
+static void take_step_order(const char *argument, struct claims_measured *m) {
+    static const double rho[3] = {RHO, 4500, 6100}, c[3] = {C, 522, 489}, k[3] = {K, 21.9, 30.7};
+    static const char *const name[3] = {"steel", "titanium", "vanadium"};
+    double dt[3];
+    (void)argument;
+    for (int i = 0; i < 3; i++) {
+        dt[i] = 0.08 * rho[i] * c[i] * 0.006 * 0.006 / k[i];
+        claims_kit_number(m, dt[i], "s", "%s, beta = 0.08, h = 0.006 m", name[i]);
+    }
+    claims_kit_decide(m, dt[1] > dt[2] && dt[2] > dt[0], 1, "titanium, vanadium, steel by falling step (eq. 15)");
+}
+
+const struct claims_measure claims_pamplona_kernel_measures[] = {{"eq9", take_eq9},
+                                                                 {"kernel_shape", take_shape},
+                                                                 {"mass", take_mass},
+                                                                 {"ghosts", take_ghosts},
+                                                                 {"mass_rate", take_mass_rate},
+                                                                 {"eq17", take_eq17},
+                                                                 {"time_order", take_time_order},
+                                                                 {"step_order", take_step_order},
+                                                                 {0}};

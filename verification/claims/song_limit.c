@@ -1,0 +1,193 @@
+/* Song 2018, section 4.4: the amplification factor of Euler steps and the limits drawn from it.
+ *
+ * On a lattice the stencils are even (SO) and odd (FO), so that G = 1 + dt S with S real, and |G| <= 1 for all wave
+ * numbers is dt <= 2/max(-S): the true limit.  Published:
+ *
+ *   SO  eq. 34  dt <= 1/|kappa_x eta_i + kappa_y phi_i|, the central weight
+ *   FO  eq. 41  dt <= 1/(2 (kappa_x (sum |lambda_j|)^2 + kappa_y (sum |gamma_j|)^2)) */
+#include "verification/claims/kit.h"
+#include "verification/claims/measures.h"
+
+#include "verification/command/arguments.h"
+#include "verification/stability/step_limit.h"
+
+#include <complex.h>
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+struct step_limits {
+    double published, actual; /* s, at dx = 0.1 m and kappa = 0.01 m^2/s */
+};
+
+static int limits_at(int dim, const char *method, const char *kernel, double h, struct step_limits *l,
+                     struct failure *why) {
+    char line[160];
+    struct request r;
+    struct model_problem probe;
+    struct step_limit limit;
+    snprintf(line, sizeof line, "limit %s --dim %d --kernel %s --h %.10g", method, dim, kernel, h);
+    int status = arguments_parse_line(line, &r, why);
+    if (!status) status = step_limit_request(&r, &probe, why);
+    if (!status) status = step_limit_predict(&probe, &limit, why);
+    if (!status) *l = (struct step_limits){0.1 * 0.1 / 0.01 * limit.published, 0.1 * 0.1 / 0.01 * limit.von_neumann};
+    arguments_free(&r);
+    return status;
+}
+
+/* "METHOD SECONDS": a limit that the text quotes for rod-step, dx = 0.1, h = 1.05 dx. */
+static void take_quoted(const char *argument, struct claims_measured *m) {
+    char method[32];
+    struct step_limits l;
+    struct failure why;
+    snprintf(method, sizeof method, "%.*s", (int)strcspn(argument, " "), argument);
+    double quoted = atof(argument + strlen(method));
+    if (limits_at(1, method, "cubic", 1.05, &l, &why)) {
+        claims_kit_fail(m, why.text);
+        return;
+    }
+    claims_kit_number(m, l.published, "s", "by the paper's formula");
+    claims_kit_number(m, l.actual, "s", "|G| <= 1");
+    claims_kit_number(m, quoted / l.published, "", "quoted over formula");
+    /* one digit is printed: 10 % */
+    claims_kit_decide(m, quoted <= 1.1 * l.actual, fabs(quoted / l.published - 1) <= 0.1,
+                      "the quoted limit is stable to its one digit, and the formula gives it to that digit");
+}
+
+struct scan {
+    double ratio, h;
+    const char *kernel;
+    int dim;
+};
+
+/* The largest published/actual over kernels, dimensions and h/dx = 1.02, 1.07 ... 2.02. */
+static int scan(const char *method, struct scan *worst, struct claims_measured *m) {
+    *worst = (struct scan){.ratio = 0};
+    for (int dim = 1; dim <= 2; dim++)
+        for (int k = 0; kernel_words[k]; k++)
+            for (int i = 0; i <= 20; i++) {
+                struct step_limits l;
+                struct failure why;
+                double h = 1.02 + 0.05 * i;
+                if (limits_at(dim, method, kernel_words[k], h, &l, &why)) return claims_kit_fail(m, why.text);
+                if (l.published / l.actual > worst->ratio)
+                    *worst = (struct scan){l.published / l.actual, h, kernel_words[k], dim};
+            }
+    return 0;
+}
+
+/* "METHOD": whether a step at the published limit is stable. */
+static void take_bound(const char *argument, struct claims_measured *m) {
+    struct step_limits rod, square;
+    struct scan worst;
+    struct failure why;
+    if (limits_at(1, argument, "cubic", 1.05, &rod, &why) || limits_at(2, argument, "cubic", 1.1, &square, &why)) {
+        claims_kit_fail(m, why.text);
+        return;
+    }
+    if (scan(argument, &worst, m)) return;
+    double as_run = fmax(rod.published / rod.actual, square.published / square.actual);
+    claims_kit_number(m, rod.actual / rod.published, "", "true limit over published, rod as run");
+    claims_kit_number(m, square.actual / square.published, "", "true limit over published, square as run");
+    claims_kit_number(m, 1 / worst.ratio, "", "the same, worst: %s kernel, %dD, h/dx = %.2f", worst.kernel, worst.dim,
+                      worst.h);
+    /* 0.1 % for the search over wave numbers */
+    claims_kit_decide(m, as_run <= 1.001, worst.ratio <= 1.001,
+                      "a step at the published limit has |G| <= 1: in the paper's runs; with any of three kernels, "
+                      "h/dx 1.02 to 2.02, 1D and 2D");
+}
+
+/* A run at 99 % of eq. 34 where the scan above finds weights that it does not cover: a rod, quartic kernel. */
+static void take_blow_up(const char *argument, struct claims_measured *m) {
+    struct step_limits l, worst = {0, 1};
+    struct failure why;
+    double h = 0;
+    int status[2];
+    (void)argument;
+    for (int i = 0; i <= 30; i++) {
+        double at = 1.01 + 0.01 * i;
+        if (limits_at(1, "so_ssph", "quartic", at, &l, &why)) continue;
+        if (l.published / l.actual > worst.published / worst.actual) worst = l, h = at;
+    }
+    for (int i = 0; i < 2; i++) {
+        struct claims_kit_run run;
+        double dt = 0.99 * (i ? worst.actual : worst.published);
+        status[i] = claims_kit_run(&run, NULL,
+                                   "run rod-step so_ssph --kernel quartic --h %.4g --dx 0.1 --stepper "
+                                   "euler --dt %.10g --t-end %.10g",
+                                   h, dt, 4000 * dt);
+        claims_kit_free(&run);
+    }
+    claims_kit_number(m, h, "", "h/dx");
+    claims_kit_number(m, worst.published, "s", "eq. 34");
+    claims_kit_number(m, worst.actual, "s", "|G| <= 1");
+    claims_kit_number(m, status[0] == STATUS_NUMERICAL, "", "runs of 4000 steps at 0.99 of eq. 34 that blow up");
+    claims_kit_number(m, status[1] == STATUS_NUMERICAL, "", "the same at 0.99 of |G| <= 1");
+    claims_kit_decide(m, status[0] == STATUS_OK, status[1] == STATUS_OK, "a run at 0.99 of eq. 34 stays bounded");
+}
+
+static const double theta[2] = {0.7, 1.9}; /* radians a particle */
+
+/* sum w_j (1 - exp(i nu h_j)) */
+static double complex transfer(const struct claims_kit_cell *cell, const double *w, double dx) {
+    double complex sum = 0;
+    for (size_t j = 0; j < cell->nb.n; j++)
+        sum += w[j] * (1 - cexp(I * (theta[0] * cell->d[j][0] + theta[1] * cell->d[j][1]) / dx));
+    return sum;
+}
+
+/* G of eq. 33 as printed, eta with kappa_y and phi with kappa_x, against one step of the scheme on a plane wave. */
+static void take_eq33(const char *argument, struct claims_measured *m) {
+    static const double kappas[2][2] = {{0.01, 0.01}, {0.013, 0.004}};
+    static const double one[2][2] = {{1, 0}, {0, 1}};
+    const double dt = 0.1;
+    struct claims_kit_cell cell, part[2];
+    struct request r;
+    struct failure why;
+    double apart[2];
+    (void)argument;
+    int status = arguments_parse_line("run square-step so_ssph --dx 0.1 --h 1.1", &r, &why);
+    for (int a = 0; a < 2 && !status; a++) status = claims_kit_weigh(&part[a], &r, one[a], &why);
+    for (int i = 0; i < 2 && !status; i++) {
+        status = claims_kit_weigh(&cell, &r, kappas[i], &why);
+        double complex step = 1 - dt * transfer(&cell, cell.w[0], 0.1);
+        double complex printed = 1 - dt * (kappas[i][1] * transfer(&part[0], part[0].w[0], 0.1) +
+                                           kappas[i][0] * transfer(&part[1], part[1].w[0], 0.1));
+        apart[i] = cabs(step - printed);
+    }
+    arguments_free(&r);
+    if (status) {
+        claims_kit_fail(m, why.text);
+        return;
+    }
+    claims_kit_number(m, apart[0], "", "|G printed - G| for kappa_x = kappa_y");
+    claims_kit_number(m, apart[1], "", "for kappa_x = 0.013, kappa_y = 0.004");
+    claims_kit_decide(m, apart[0] <= 1e-12, apart[1] <= 1e-12,
+                      "the two agree to rounding (1e-12): for one diffusivity, and for two");
+}
+
+/* G of eqs. 39 and 40 as printed, with a minus sign before the square, against one step of the scheme. */
+static void take_eq39(const char *argument, struct claims_measured *m) {
+    struct claims_kit_cell cell;
+    struct request r;
+    struct failure why;
+    const double kappa[2] = {0.01, 0}, dt = 0.5; /* s, what eq. 41 gives */
+    (void)argument;
+    int status = arguments_parse_line("run rod-step fo_ssph --dx 0.1 --h 1.05", &r, &why);
+    if (!status) status = claims_kit_weigh(&cell, &r, kappa, &why);
+    arguments_free(&r);
+    if (status) {
+        claims_kit_fail(m, why.text);
+        return;
+    }
+    double complex square = cpow(transfer(&cell, cell.w[0], 0.1), 2);
+    double complex printed = 1 - kappa[0] * dt * square, step = 1 + kappa[0] * dt * square;
+    claims_kit_number(m, cabs(printed), "", "|G| as printed, dt by eq. 41");
+    claims_kit_number(m, cabs(step), "", "|G| of the step (eq. 38)");
+    claims_kit_decide(m, cabs(printed - step) <= 1e-12, 1, "the two agree to rounding (1e-12)");
+}
+
+const struct claims_measure claims_song_limit_measures[] = {{"quoted_limit", take_quoted}, {"bound", take_bound},
+                                                            {"blow_up", take_blow_up},     {"eq33", take_eq33},
+                                                            {"eq39", take_eq39},           {0}};

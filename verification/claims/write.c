@@ -1,0 +1,179 @@
+/* The ledger for people and for programs. */
+#include "verification/claims/write.h"
+
+#include "solver/method.h"
+#include "verification/text/atomic_file.h"
+#include "verification/text/json.h"
+#include "verification/text/paint.h"
+
+#include <stdlib.h>
+#include <string.h>
+#include <sys/stat.h>
+
+enum { NUMBERS = 1400 }; /* characters for all numbers of a claim */
+
+static const char *verdict_of(const struct claims_result *r) {
+    return claims_verdict_words[r->measured.verdict];
+}
+
+static void count(const struct claims *c, int counts[4], int *changed) {
+    *changed = 0;
+    for (int i = 0; i < 4; i++) counts[i] = 0;
+    for (int i = 0; i < c->count; i++) {
+        counts[c->result[i].measured.verdict]++;
+        *changed += !claims_holds(c->result[i].row, &c->result[i].measured);
+    }
+}
+
+void claims_write_text(const struct claims *c, FILE *out) {
+    char numbers[NUMBERS];
+    int counts[4], changed;
+    for (int i = 0; i < c->count; i++) {
+        const struct claims_result *r = &c->result[i];
+        const char *mark = claims_holds(r->row, &r->measured) ? "pass" : "fail";
+        claims_numbers(&r->measured, numbers, sizeof numbers);
+        fprintf(out, "%s%s%s: %s\n", paint_start(out, mark), r->row->id, paint_end(out, mark), verdict_of(r));
+        fprintf(out, "  published  %s (%s)\n  measured   %s\n  because    %s\n\n", r->row->published, r->row->source,
+                numbers, r->measured.reason);
+    }
+    count(c, counts, &changed);
+    fprintf(out,
+            "%d claims: %d reproduced, %d with a condition, %d contradicted, %d not measured; %d verdict%s changed\n",
+            c->count, counts[CLAIMS_REPRODUCED], counts[CLAIMS_CONDITION], counts[CLAIMS_CONTRADICTED],
+            counts[CLAIMS_UNMEASURED], changed, changed == 1 ? "" : "s");
+}
+
+static void claim_json(const struct claims_result *r, struct json *j) {
+    const struct claims_measured *m = &r->measured;
+    char numbers[NUMBERS];
+    claims_numbers(m, numbers, sizeof numbers);
+    json_object(j, NULL);
+    json_text(j, "id", r->row->id);
+    json_text(j, "source", r->row->source);
+    json_text(j, "published", r->row->published);
+    json_text(j, "measured", numbers);
+    json_array(j, "numbers");
+    for (int i = 0; i < m->count; i++) {
+        json_object(j, NULL);
+        json_text(j, "name", m->number[i].name);
+        json_number(j, "value", m->number[i].value);
+        json_text(j, "unit", m->number[i].unit);
+        json_end(j);
+    }
+    json_end(j);
+    json_text(j, "verdict", verdict_of(r));
+    json_text(j, "expected", claims_verdict_words[r->row->expected]);
+    json_text(j, "reason", m->reason);
+    json_number(j, "seconds", r->seconds);
+    json_end(j);
+}
+
+void claims_write_json(const struct claims *c, FILE *out) {
+    struct json j = json_on(out);
+    json_object(&j, NULL);
+    json_array(&j, "claims");
+    for (int i = 0; i < c->count; i++) claim_json(&c->result[i], &j);
+    json_end(&j);
+    json_end(&j);
+}
+
+/* RFC 4180: always quoted, quotes doubled. */
+static void csv_cell(FILE *out, const char *text, char end) {
+    fputc('"', out);
+    for (; *text; text++) {
+        if (*text == '"') fputc('"', out);
+        fputc(*text, out);
+    }
+    fputc('"', out);
+    fputc(end, out);
+}
+
+void claims_write_csv(const struct claims *c, FILE *out) {
+    char numbers[NUMBERS];
+    fprintf(out, "id,source,published,measured,verdict,expected,reason\n");
+    for (int i = 0; i < c->count; i++) {
+        const struct claims_result *r = &c->result[i];
+        claims_numbers(&r->measured, numbers, sizeof numbers);
+        csv_cell(out, r->row->id, ',');
+        csv_cell(out, r->row->source, ',');
+        csv_cell(out, r->row->published, ',');
+        csv_cell(out, numbers, ',');
+        csv_cell(out, verdict_of(r), ',');
+        csv_cell(out, claims_verdict_words[r->row->expected], ',');
+        csv_cell(out, r->measured.reason, '\n');
+    }
+}
+
+/* Within a table a bar ends the cell; <, > and * are Markdown's. */
+static void markdown_cell(FILE *out, const char *text) {
+    fputs("| ", out);
+    for (; *text; text++) {
+        if (strchr("|<>*_", *text)) fputc('\\', out);
+        fputc(*text, out);
+    }
+    fputc(' ', out);
+}
+
+static void markdown_table(const struct claims *c, const char *title, const char *paper, FILE *out) {
+    char numbers[NUMBERS];
+    fprintf(out, "\n## %s\n\n| claim | source | published | measured | verdict | why |\n|---|---|---|---|---|---|\n",
+            title);
+    for (int i = 0; i < c->count; i++) {
+        const struct claims_result *r = &c->result[i];
+        if (strncmp(r->row->id, paper, strlen(paper)) != 0) continue;
+        claims_numbers(&r->measured, numbers, sizeof numbers);
+        markdown_cell(out, r->row->id);
+        markdown_cell(out, r->row->source);
+        markdown_cell(out, r->row->published);
+        markdown_cell(out, numbers);
+        fprintf(out, "| *%s* ", verdict_of(r));
+        markdown_cell(out, r->measured.reason);
+        fprintf(out, "|\n");
+    }
+}
+
+void claims_write_markdown(const struct claims *c, FILE *out) {
+    int counts[4], changed;
+    count(c, counts, &changed);
+    fprintf(
+        out,
+        "# What the papers claim, measured\n\nMade by `heatladder claims DIR`. A statement is *reproduced* where it "
+        "holds as published and in the wider setting that is also looked at, *reproduced with a condition* where "
+        "it holds as published alone or under one reading alone, else *contradicted*. Numbers decide, by the rule "
+        "that stands first under why.\n\n%d claims: %d reproduced, %d with a condition, %d contradicted.\n",
+        c->count, counts[CLAIMS_REPRODUCED], counts[CLAIMS_CONDITION], counts[CLAIMS_CONTRADICTED]);
+    if (changed) fprintf(out, "\n**%d verdicts differ from those expected.**\n", changed);
+    markdown_table(c, "Song, Xing, Hou, Lu 2018", "song/", out);
+    markdown_table(c, "Pamplona, Silva, Bucar, Vasco 2019", "pamplona/", out);
+}
+
+static int path_of(const char *dir, const char *name, char *path, size_t size, struct failure *why) {
+    if ((size_t)snprintf(path, size, "%s/%s", dir, name) < size) return STATUS_OK;
+    return refuse(why, STATUS_INPUT, "the path '%.100s...' is too long", dir);
+}
+
+int claims_write_check(const char *dir, struct failure *why) {
+    char path[1024];
+    mkdir(dir, 0777); /* where it is there already, or cannot be made, the check tells */
+    return path_of(dir, "claims.csv", path, sizeof path, why) || atomic_file_check(path, why) ? why->status
+                                                                                              : STATUS_OK;
+}
+
+static int write_one(const struct claims *c, const char *dir, const char *name,
+                     void (*print)(const struct claims *c, FILE *out), struct failure *why) {
+    char path[1024], *text = NULL;
+    size_t size = 0;
+    if (path_of(dir, name, path, sizeof path, why)) return why->status;
+    FILE *out = open_memstream(&text, &size);
+    if (!out) return refuse(why, STATUS_NUMERICAL, "out of memory for '%.200s'", path);
+    print(c, out);
+    fclose(out);
+    int status = atomic_file_write(path, text, size, why);
+    free(text);
+    return status;
+}
+
+int claims_write_files(const struct claims *c, const char *dir, struct failure *why) {
+    int status = write_one(c, dir, "claims.csv", claims_write_csv, why);
+    return status ? status : write_one(c, dir, "claims.md", claims_write_markdown, why);
+}

@@ -1,0 +1,24 @@
+#ifndef HEATLADDER_VERIFICATION_CLAIMS_WRITE_H
+#define HEATLADDER_VERIFICATION_CLAIMS_WRITE_H
+
+/* The ledger as text, JSON, CSV and Markdown.  None holds a time or a path, so that equal verdicts give equal files
+ * (but for the one number that is in seconds). */
+
+#include "verification/claims/claims.h"
+
+#include <stdio.h>
+
+struct failure;
+
+void claims_write_text(const struct claims *c, FILE *out);
+void claims_write_json(const struct claims *c, FILE *out);
+void claims_write_csv(const struct claims *c, FILE *out);
+void claims_write_markdown(const struct claims *c, FILE *out);
+
+/* claims.csv and claims.md into `dir`, which is made where it is not there; each whole or not at all. */
+int claims_write_files(const struct claims *c, const char *dir, struct failure *why);
+
+/* Whether that could be done. */
+int claims_write_check(const char *dir, struct failure *why);
+
+#endif

@@ -1,0 +1,245 @@
+/* Reads a command line against two tables: verbs.def says which options a verb has, option.c how each is read.
+ *
+ * The scene must be known before its parameters can be set, so the words are walked twice: first the positionals,
+ * then the options in their order.  Nothing is guessed: what is unknown, doubled, empty or without a meaning for the
+ * method is refused with a text that says what would be valid. */
+#include "verification/command/arguments.h"
+
+#include "references/scene.h"
+#include "verification/run/external.h"
+#include "verification/command/option.h"
+#include "verification/command/verb.h"
+#include "verification/text/words.h"
+
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+enum { LINE_WORDS = 64 };
+
+struct word { /* one option as typed: --name value, or --name=value */
+    const struct option *option;
+    const char *value; /* NULL for a flag */
+};
+
+static int unknown_verb(const char *name, struct failure *why) {
+    const char *names[WORDS_MAX] = {0};
+    for (int i = 0; verbs[i].name && i < WORDS_MAX - 1; i++) names[i] = verbs[i].name;
+    return words_unknown(names, "verb", name, why);
+}
+
+static int take_scene(struct request *r, const char *name, struct failure *why) {
+    const char *names[WORDS_MAX] = {0};
+    r->scene = scene_find(name);
+    if (r->scene) {
+        scene_defaults(r->scene, &r->problem);
+        return STATUS_OK;
+    }
+    for (int i = 0; scenes[i] && i < WORDS_MAX - 1; i++) names[i] = scenes[i]->name;
+    return words_unknown(names, "scene", name, why);
+}
+
+static int take_method(struct request *r, const char *name, struct failure *why) {
+    const char *names[WORDS_MAX] = {0};
+    if (r->external) {
+        r->external->name = name;
+        return STATUS_OK;
+    }
+    for (int i = 0; methods[i] && i < WORDS_MAX - 1; i++) names[i] = methods[i]->name;
+    int i = words_index(names, name);
+    if (i < 0) return words_unknown(names, "method", name, why);
+    r->method = methods[i];
+    return STATUS_OK;
+}
+
+static int take_positional(struct request *r, int place, const char *word, struct failure *why) {
+    const char *wanted = r->verb->positionals;
+    if (place == 0 && words_among(wanted, "SCENE")) return take_scene(r, word, why);
+    if (place == words_among(wanted, "SCENE") && words_among(wanted, "METHOD")) return take_method(r, word, why);
+    if (place == 0 && (words_among(wanted, "[TOPIC]") || words_among(wanted, "[DIR]"))) {
+        r->topic = word;
+        return STATUS_OK;
+    }
+    return refuse(why, STATUS_INPUT, "'%.60s' is one word too many for %s (wanted: %s %s)", word, r->verb->name,
+                  r->verb->name, wanted);
+}
+
+static int unknown_option(const struct verb *v, const char *name, struct failure *why) {
+    const char *names[WORDS_MAX] = {0};
+    int n = 0;
+    for (const struct option *o = options_table; o->key && n < WORDS_MAX - 1; o++)
+        if (words_among(v->options, o->key)) names[n++] = o->name;
+    for (const struct option *o = options_table; o->key; o++)
+        if (strcmp(o->name, name) == 0)
+            return refuse(why, STATUS_INPUT, "--%s has no meaning for %s (see: heatladder %s --help)", name, v->name,
+                          v->name);
+    return words_unknown(names, "option", name, why);
+}
+
+/* Reads argv[*at], and argv[*at + 1] where the option's value is a word of its own; moves *at to the last one read.
+ */
+static int split_option(const struct verb *v, int argc, char *const *argv, int *at, struct word *w,
+                        struct failure *why) {
+    char name[32];
+    const char *typed = argv[*at] + 2, *equals = strchr(typed, '=');
+    size_t length = equals ? (size_t)(equals - typed) : strlen(typed);
+    snprintf(name, sizeof name, "%.*s", (int)(length < sizeof name ? length : sizeof name - 1), typed);
+    w->option = option_find(v->options, name);
+    w->value = equals ? equals + 1 : NULL;
+    if (!w->option) return unknown_option(v, name, why);
+    if (!w->option->value) {
+        if (equals) return refuse(why, STATUS_INPUT, "--%s takes no value", name);
+        return STATUS_OK;
+    }
+    if (equals) return STATUS_OK;
+    if (*at + 1 == argc || strncmp(argv[*at + 1], "--", 2) == 0)
+        return refuse(why, STATUS_INPUT, "--%s needs a value: --%s %s", name, name, w->option->value);
+    w->value = argv[++*at];
+    return STATUS_OK;
+}
+
+/* An option of the model must be one that the method accepts; the text names the methods that do. */
+static int check_model(const struct request *r, const struct option *o, struct failure *why) {
+    if (o->model != 1 || !r->method || words_among(r->method->accepts, o->key)) return STATUS_OK;
+    const char *names[WORDS_MAX] = {0};
+    char text[240];
+    int n = 0;
+    for (int i = 0; methods[i] && n < WORDS_MAX - 1; i++)
+        if (words_among(methods[i]->accepts, o->key)) names[n++] = methods[i]->name;
+    words_join(names, text, sizeof text);
+    return refuse(why, STATUS_INPUT, "--%s has no meaning for %s%s%s", o->name, r->method->name,
+                  n ? "; it has for " : "", text);
+}
+
+static int take_option(struct request *r, const struct word *w, struct failure *why) {
+    const struct option *o = w->option;
+    unsigned long bit = 1ul << (o - options_table);
+    if (r->given & bit && strcmp(o->key, "set") != 0)
+        return refuse(why, STATUS_INPUT, "--%s is given twice", o->name);
+    r->given |= bit;
+    if (check_model(r, o, why)) return why->status;
+    return o->read(r, o, w->value, why);
+}
+
+static int check_positionals(const struct request *r, struct failure *why) {
+    const char *wanted = r->verb->positionals;
+    const char *missing = words_among(wanted, "SCENE") && !r->scene                           ? "SCENE"
+                          : words_among(wanted, "METHOD") && (!r->method || !r->method->name) ? "METHOD"
+                                                                                              : NULL;
+    if (!missing) return STATUS_OK;
+    return refuse(why, STATUS_INPUT, "%s needs a %s: heatladder %s %s (see: heatladder list)", r->verb->name, missing,
+                  r->verb->name, wanted);
+}
+
+static int check_required(const struct request *r, struct failure *why) {
+    for (const struct option *o = options_table; o->key; o++)
+        if (words_among(r->verb->required, o->key) && !(r->given & 1ul << (o - options_table)))
+            return refuse(why, STATUS_INPUT, "%s needs --%s %s: %s", r->verb->name, o->name, o->value, o->about);
+    return STATUS_OK;
+}
+
+/* What no single option can see: options that contradict or need each other. */
+static int check_together(const struct request *r, struct failure *why) {
+    const struct options *o = &r->options;
+    if (r->dt.count && r->fourier.count)
+        return refuse(why, STATUS_INPUT, "--dt and --fourier both set the time step; give one of them");
+    if ((r->dt.count || r->fourier.count) && o->stepper == STEPPER_EXACT)
+        return refuse(why, STATUS_INPUT, "--stepper exact has no time step; leave out --%s",
+                      r->dt.count ? "dt" : "fourier");
+    if (o->jitter > 0 && o->layout != LAYOUT_JITTER)
+        return refuse(why, STATUS_INPUT, "--jitter %g needs --layout jitter", o->jitter);
+    if (r->time_error > 0 && (r->dt.count || r->fourier.count))
+        return refuse(why, STATUS_INPUT, "--time-error %g finds the time step: leave out --dt and --fourier",
+                      r->time_error);
+    if (r->time_error > 0 && (o->stepper == STEPPER_EXACT || o->stepper == STEPPER_MATCHED))
+        return refuse(why, STATUS_INPUT,
+                      "--time-error %g: --stepper %s leaves no time step to choose; euler, rk2 and rkl2 do",
+                      r->time_error, stepper_words[o->stepper]);
+    if (o->xi > 0 && o->volume != VOLUME_TUNED)
+        return refuse(why, STATUS_INPUT, "--xi %g needs --volume tuned", o->xi);
+    if (r->at.count > 2 || (r->at.count && r->scene && r->at.count != r->problem.dim))
+        return refuse(why, STATUS_INPUT, "--at needs %s for %s", r->problem.dim == 2 ? "X,Y" : "one number",
+                      r->scene ? r->scene->name : "a point");
+    if (r->expect.count && (r->expect.count != 2 || !(r->expect.value[0] < r->expect.value[1])))
+        return refuse(why, STATUS_INPUT, "--expect needs LO,HI with LO < HI, such as 1.9,2.1");
+    return STATUS_OK;
+}
+
+static int apply(struct request *r, const struct word *words, int count, struct failure *why) {
+    for (int i = 0; i < count; i++)
+        if (take_option(r, &words[i], why)) return why->status;
+    if (check_required(r, why)) return why->status;
+    if (r->scene && r->scene->setup(&r->problem, why)) return why->status;
+    r->options.dx = r->dx.value[0];
+    r->options.dt = r->dt.count ? r->dt.value[0] : 0;
+    r->options.fourier = r->fourier.count ? r->fourier.value[0] : 0;
+    return check_together(r, why);
+}
+
+int arguments_parse(int argc, char *const *argv, struct request *r, struct failure *why) {
+    char *line = r->line;
+    *r = (struct request){.line = line};
+    *why = (struct failure){0};
+    struct word words[LINE_WORDS];
+    int options = 0, positionals = 0;
+    if (argc < 1) return refuse(why, STATUS_INPUT, "a verb is missing (see: heatladder --help)");
+    r->verb = verb_find(argv[0]);
+    if (!r->verb) return unknown_verb(argv[0], why);
+    for (int i = 1; i < argc && words_among(r->verb->options, "solver"); i++)
+        if (!r->external && (strcmp(argv[i], "--solver") == 0 || strncmp(argv[i], "--solver=", 9) == 0))
+            r->method = r->external = external_method(NULL); /* any METHOD word will do: it is a label then */
+    for (int i = 1; i < argc; i++) {
+        if (strncmp(argv[i], "--", 2) != 0) {
+            if (take_positional(r, positionals++, argv[i], why)) return why->status;
+        } else if (options == LINE_WORDS) {
+            return refuse(why, STATUS_INPUT, "more than %d options", LINE_WORDS);
+        } else if (split_option(r->verb, argc, argv, &i, &words[options++], why)) {
+            return why->status;
+        }
+    }
+    if (check_positionals(r, why)) return why->status;
+    return apply(r, words, options, why);
+}
+
+/* Splits *line in place at blanks outside of quotes.  How many words, or -1 where there are too many or a quote is
+ * left open. */
+static int split_line(char *line, char **words, int max) {
+    int n = 0;
+    char *to = line;
+    for (const char *from = line;;) {
+        from += strspn(from, " \t");
+        if (*from == '\0') return n;
+        if (n == max) return -1;
+        words[n++] = to;
+        char quote = '\0';
+        for (; *from && (quote || !strchr(" \t", *from)); from++) {
+            if (*from == quote)
+                quote = '\0';
+            else if (!quote && (*from == '\'' || *from == '"'))
+                quote = *from;
+            else
+                *to++ = *from;
+        }
+        if (quote) return -1;
+        int last = *from == '\0';
+        *to++ = '\0';
+        if (last) return n;
+        from++;
+    }
+}
+
+int arguments_parse_line(const char *line, struct request *r, struct failure *why) {
+    char *words[2 * LINE_WORDS];
+    size_t size = strlen(line) + 1;
+    *r = (struct request){.line = xcalloc(size, 1)};
+    memcpy(r->line, line, size);
+    int n = split_line(r->line, words, 2 * LINE_WORDS);
+    if (n < 0) return refuse(why, STATUS_INPUT, "'%.200s': too many words, or a quote is left open", line);
+    return arguments_parse(n, words, r, why);
+}
+
+void arguments_free(struct request *r) {
+    free(r->line);
+    free(r->external);
+    *r = (struct request){0};
+}

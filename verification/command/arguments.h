@@ -1,0 +1,16 @@
+#ifndef HEATLADDER_VERIFICATION_COMMAND_ARGUMENTS_H
+#define HEATLADDER_VERIFICATION_COMMAND_ARGUMENTS_H
+
+/* From the words of a command line to a struct request, checked and with its problem set up. */
+
+#include "verification/run/request.h"
+
+/* argv[0] is the verb.  0, or STATUS_INPUT with *why filled; either way the caller calls arguments_free. */
+int arguments_parse(int argc, char *const *argv, struct request *r, struct failure *why);
+
+/* The same from one line, as a user would type it after the name of the program; '...' and "..." hold blanks. */
+int arguments_parse_line(const char *line, struct request *r, struct failure *why);
+
+void arguments_free(struct request *r);
+
+#endif

@@ -1,0 +1,32 @@
+/* Help, made from the tables that the arguments are read by, so that it cannot differ from them. */
+#include "verification/command/help.h"
+
+#include "verification/run/external.h"
+#include "verification/command/option.h"
+#include "verification/text/table.h"
+#include "verification/command/verb.h"
+#include "verification/text/words.h"
+
+void help_program(FILE *out) {
+    fprintf(out, "heatladder: verification and benchmarks for solvers of transient heat conduction\n\n");
+    for (const struct verb *v = verbs; v->name; v++) fprintf(out, "  heatladder %-10s %s\n", v->name, v->about);
+    fprintf(out, "\n  heatladder VERB --help tells the options of a verb\n\n"
+                 "Exit status: 0 all held, 1 a gate failed, 2 bad usage or input, 3 a numerical failure.\n");
+}
+
+void help_verb(const struct verb *v, FILE *out) {
+    struct table t = table_create(2, 2);
+    fprintf(out, "heatladder %s%s%s [options]: %s\n\n", v->name, *v->positionals ? " " : "", v->positionals,
+            v->about);
+    for (const struct option *o = options_table; o->key; o++) {
+        char words[80] = "";
+        if (!words_among(v->options, o->key)) continue;
+        if (o->words) words_join(o->words, words, sizeof words);
+        table_add(&t, "  --%s %s", o->name, o->value ? o->value : "");
+        table_add(&t, "%s%s%s%s", o->about, *words ? ": " : "", words,
+                  words_among(v->required, o->key) ? " (required)" : "");
+    }
+    table_print(&t, out);
+    table_free(&t);
+    if (words_among(v->options, "solver")) fprintf(out, "\n%s", external_help);
+}

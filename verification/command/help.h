@@ -1,0 +1,11 @@
+#ifndef HEATLADDER_VERIFICATION_COMMAND_HELP_H
+#define HEATLADDER_VERIFICATION_COMMAND_HELP_H
+
+#include <stdio.h>
+
+struct verb;
+
+void help_program(FILE *out);
+void help_verb(const struct verb *v, FILE *out);
+
+#endif

@@ -1,0 +1,25 @@
+#ifndef HEATLADDER_VERIFICATION_COMMAND_VERB_H
+#define HEATLADDER_VERIFICATION_COMMAND_VERB_H
+
+/* The verbs of the command line.  A new one is a row of verbs.def and a file verb_<name>.c. */
+
+struct request;
+
+struct verb {
+    const char *name;
+    const char *positionals;             /* blank-separated: SCENE, METHOD; [TOPIC] may be left out */
+    const char *required;                /* options that must be given: keys of option.h, blank-separated */
+    const char *options;                 /* all that may be given */
+    const char *about;                   /* one line */
+    int (*act)(const struct request *r); /* returns the exit status of the program */
+};
+
+extern const struct verb verbs[]; /* ended by a NULL name */
+
+const struct verb *verb_find(const char *name); /* NULL where there is none */
+
+#define VERB(name, positionals, required, options, about) int verb_##name(const struct request *r);
+#include "verification/command/verbs.def"
+#undef VERB
+
+#endif

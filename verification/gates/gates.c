@@ -1,0 +1,166 @@
+/* Collecting, running and judging gates.  Every row of the table becomes one result, and a result that nobody filled
+ * is inconclusive, which does not pass; that as many were run as declared is checked on top. */
+#include "verification/gates/gates.h"
+
+#include "references/scene.h"
+#include "verification/command/arguments.h"
+#include "verification/gates/job_size.h"
+#include "verification/text/progress.h"
+#include "verification/text/words.h"
+
+#include <fnmatch.h>
+#include <math.h>
+#include <omp.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#define GATE(id, tier, measure, command, lo, hi, ceiling, why)                                                       \
+    {id, TIER_##tier, measure, command, lo, hi, ceiling, why},
+const struct gate gates_table[] = {
+#include "verification/gates/rod.def"
+#include "verification/gates/manufactured.def"
+#include "verification/gates/materials.def"
+#include "verification/gates/plane.def"
+#include "verification/gates/stability.def"
+#include "verification/gates/time.def"
+#include "verification/gates/use.def"
+/* Every claim's verdict is gated without a row. */
+#define CLAIM(id, source, published, measure, argument, expected, why)                                               \
+    {"claim/" id, TIER_FULL, "claim", "claims --only " id, 0.5, 1.5, NAN, "expected of it in claims.def: " #expected},
+#include "verification/claims/claims.def"
+#undef CLAIM
+    {0}};
+#undef GATE
+
+enum { TEXT = 160 }; /* of the name and of the command of a reference's gate */
+
+static int matches(const struct gate *gate, const char *only, int quick) {
+    if (quick && gate->tier != TIER_QUICK) return 0;
+    return !only || fnmatch(only, gate->id, 0) == 0;
+}
+
+/* Every scene's reference is gated without a row: its two forms agree within their bounds, which are small. */
+static struct gate reference_gate(const struct scene *s, char *text) {
+    struct problem p;
+    struct failure why;
+    char *id = text, *command = text + TEXT;
+    scene_defaults(s, &p);
+    snprintf(id, TEXT, "reference/%s", s->name);
+    if (s->setup(&p, &why)) p.dim = 1; /* its command then fails with that text */
+    double x = p.lo[0] + 0.137 * (p.hi[0] - p.lo[0]), y = p.lo[1] + 0.311 * (p.hi[1] - p.lo[1]);
+    int n = snprintf(command, TEXT, "reference %s --at %.3g", s->name, x);
+    if (p.dim == 2) n += snprintf(command + n, (size_t)(TEXT - n), ",%.3g", y);
+    snprintf(command + n, (size_t)(TEXT - n), " --time %.3g", p.t_end);
+    return (struct gate){
+        id, TIER_QUICK, "reference", command,
+        0,  1,          1e-12,       "two forms derived apart differ by no more than the sum of their bounds"};
+}
+
+/* A pattern has no nearest name. */
+static int none_matches(const char *only, int rows, struct failure *why) {
+    const char **ids = xcalloc((size_t)rows + 1, sizeof *ids), *nearest = NULL;
+    for (int i = 0; i < rows; i++) ids[i] = gates_table[i].id;
+    if (only && !strpbrk(only, "*?[")) nearest = words_nearest(ids, only);
+    free(ids);
+    return refuse(why, STATUS_INPUT, "no gate matches '%.60s'%s%s%s (see: heatladder list gates)", only ? only : "*",
+                  nearest ? "; did you mean '" : "", nearest ? nearest : "", nearest ? "'?" : "");
+}
+
+int gates_collect(const char *only, int quick, struct gates *g, struct failure *why) {
+    int rows = 0, references = 0;
+    while (gates_table[rows].id) rows++;
+    while (scenes[references]) references++;
+    *g = (struct gates){.result = xcalloc((size_t)(rows + references), sizeof *g->result),
+                        .text = xcalloc((size_t)references, 2 * TEXT)};
+    for (int i = 0; i < rows + references; i++) {
+        int s = i - rows;
+        struct gate gate = s < 0 ? gates_table[i] : reference_gate(scenes[s], g->text + 2 * TEXT * s);
+        if (matches(&gate, only, quick)) g->result[g->declared++].gate = gate;
+    }
+    return g->declared ? STATUS_OK : none_matches(only, rows, why);
+}
+
+void gates_free(struct gates *g) {
+    free(g->result);
+    free(g->text);
+    *g = (struct gates){0};
+}
+
+static void judge_refused(struct measured *m, const char *text) {
+    m->verdict = VERDICT_FAIL;
+    m->value = m->ci[0] = m->ci[1] = m->error = NAN;
+    snprintf(m->reason, sizeof m->reason, "%.300s", text);
+}
+
+/* A right order of a wrong size does not pass. */
+static void judge_ceiling(double ceiling, struct measured *m) {
+    size_t used = strlen(m->reason), room = sizeof m->reason - used;
+    if (isnan(ceiling)) return;
+    if (m->error <= ceiling) return;
+    m->verdict = VERDICT_FAIL;
+    snprintf(m->reason + used, room, "; the error %.4g is above its ceiling %.4g", m->error, ceiling);
+}
+
+void gates_judge(const struct gate *gate, struct measured *m) {
+    struct request r;
+    struct failure why;
+    *m = (struct measured){0};
+    const struct measure *measure = measures_find(gate->measure, m);
+    if (!measure) return;
+    if (arguments_parse_line(gate->command, &r, &why)) {
+        judge_refused(m, why.text);
+    } else if (measure->ceiling && !(gate->ceiling > 0)) {
+        judge_refused(m, "this measure needs an error ceiling beside it");
+    } else {
+        measure->take(&r, gate->lo, gate->hi, m);
+        judge_ceiling(gate->ceiling, m);
+    }
+    arguments_free(&r);
+}
+
+struct job {
+    int gate;
+    double cost;
+};
+
+static int heaviest_first(const void *a, const void *b) {
+    const struct job *x = a, *y = b;
+    return x->cost != y->cost ? (x->cost < y->cost) - (x->cost > y->cost) : (x->gate > y->gate) - (x->gate < y->gate);
+}
+
+void gates_run(struct gates *g) {
+    struct job *job = xcalloc((size_t)g->declared, sizeof *job);
+    for (int i = 0; i < g->declared; i++) job[i] = (struct job){i, job_size_of_line(g->result[i].gate.command)};
+    qsort(job, (size_t)g->declared, sizeof *job, heaviest_first);
+    struct progress progress = progress_start("gates", g->declared);
+    int executed = 0;
+#pragma omp parallel for schedule(dynamic, 1) reduction(+ : executed)
+    for (int i = 0; i < g->declared; i++) {
+        struct gate_result *result = &g->result[job[i].gate];
+        double start = omp_get_wtime();
+        gates_judge(&result->gate, &result->measured);
+        result->seconds = omp_get_wtime() - start;
+        executed += !result->executed;
+        result->executed = 1;
+        progress_tick(&progress);
+    }
+    progress_end(&progress);
+    g->executed = executed;
+    free(job);
+}
+
+int gates_hold(const struct gates *g) {
+    int passed = 0;
+    for (int i = 0; i < g->declared; i++)
+        passed += g->result[i].executed && g->result[i].measured.verdict == VERDICT_PASS;
+    return g->declared > 0 && g->executed == g->declared && passed == g->declared;
+}
+
+int gates_has_order(const char *scene, const char *method) {
+    char start[120];
+    int length = snprintf(start, sizeof start, "ladder %s %s ", scene, method);
+    for (const struct gate *gate = gates_table; gate->id; gate++)
+        if (strncmp(gate->measure, "slope", 5) == 0 && strncmp(gate->command, start, (size_t)length) == 0) return 1;
+    return 0;
+}

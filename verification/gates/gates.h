@@ -1,0 +1,59 @@
+#ifndef HEATLADDER_VERIFICATION_GATES_GATES_H
+#define HEATLADDER_VERIFICATION_GATES_GATES_H
+
+/* Gates: statements that must hold, each with its bounds and the reason for them.  A new one is a row of gates.def.
+ */
+
+#include "verification/gates/measures.h"
+
+#include <stddef.h>
+
+struct failure;
+
+enum gate_tier { TIER_QUICK, TIER_FULL }; /* quick: in every run; full: left out by --quick */
+
+struct gate {
+    const char *id;
+    enum gate_tier tier;
+    const char *measure; /* a name of measures.c */
+    const char *command; /* as a user would type it after the program's name */
+    double lo, hi;       /* what the measure must lie in */
+    double ceiling;      /* of the error beside it; NAN for none */
+    const char *why;     /* where the bounds come from */
+};
+
+struct gate_result {
+    struct gate gate;
+    struct measured measured;
+    double seconds;
+    int executed;
+};
+
+struct gates {
+    int declared;
+    int executed;
+    struct gate_result *result; /* declared of them, in the order of the table */
+    char *text;                 /* owned: names and commands of the references' gates */
+};
+
+extern const struct gate gates_table[]; /* ended by a NULL id */
+
+/* The gates whose id matches `only` (NULL: all; * matches / too), of the quick tier alone where asked: the rows of
+ * the table, then one for each scene's reference.  STATUS_OK; or STATUS_INPUT where none matches.  End with
+ * gates_free. */
+int gates_collect(const char *only, int quick, struct gates *g, struct failure *why);
+void gates_free(struct gates *g);
+
+/* Runs all, in parallel, the heaviest first. */
+void gates_run(struct gates *g);
+
+/* One row; never fails silently: what cannot be run is a failed verdict with its reason. */
+void gates_judge(const struct gate *gate, struct measured *m);
+
+/* 1 where as many were executed as declared and every one passed. */
+int gates_hold(const struct gates *g);
+
+/* 1 where a row of the table gates an order of that scene and method. */
+int gates_has_order(const char *scene, const char *method);
+
+#endif

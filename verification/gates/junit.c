@@ -1,0 +1,71 @@
+/* Gates as JUnit XML: a test suite of a test case each, failed or in error (inconclusive) with its reason. */
+#include "verification/gates/junit.h"
+
+#include "solver/status.h"
+#include "verification/gates/gates.h"
+#include "verification/text/atomic_file.h"
+
+#include <stdio.h>
+#include <stdlib.h>
+
+/* XML's own characters, and what it cannot hold at all. */
+static void put_escaped(const char *text, FILE *out) {
+    for (; *text; text++) switch (*text) {
+        case '&':
+            fputs("&amp;", out);
+            break;
+        case '<':
+            fputs("&lt;", out);
+            break;
+        case '>':
+            fputs("&gt;", out);
+            break;
+        case '"':
+            fputs("&quot;", out);
+            break;
+        default:
+            fputc((unsigned char)*text < ' ' ? ' ' : *text, out);
+        }
+}
+
+static void put_case(const struct gate_result *r, FILE *out) {
+    const enum verdict verdict = r->measured.verdict;
+    const char *tag = verdict == VERDICT_FAIL ? "failure" : "error";
+    fprintf(out, "    <testcase name=\"");
+    put_escaped(r->gate.id, out);
+    fprintf(out, "\" time=\"%.3f\"", r->seconds);
+    if (verdict == VERDICT_PASS) {
+        fprintf(out, "/>\n");
+        return;
+    }
+    fprintf(out, ">\n      <%s message=\"", tag);
+    put_escaped(r->measured.reason, out);
+    fprintf(out, "\">expected because: ");
+    put_escaped(r->gate.why, out);
+    fprintf(out, "\nheatladder ");
+    put_escaped(r->gate.command, out);
+    fprintf(out, "</%s>\n    </testcase>\n", tag);
+}
+
+int junit_write(const struct gates *g, const char *path, struct failure *why) {
+    char *text = NULL;
+    size_t size = 0;
+    double seconds = 0;
+    int failed = 0, unclear = 0;
+    for (int i = 0; i < g->declared; i++) {
+        seconds += g->result[i].seconds;
+        failed += g->result[i].measured.verdict == VERDICT_FAIL;
+        unclear += g->result[i].measured.verdict != VERDICT_FAIL && g->result[i].measured.verdict != VERDICT_PASS;
+    }
+    FILE *out = open_memstream(&text, &size);
+    if (!out) return refuse(why, STATUS_NUMERICAL, "out of memory for '%.200s'", path);
+    fprintf(out, "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<testsuites>\n");
+    fprintf(out, "  <testsuite name=\"gates\" tests=\"%d\" failures=\"%d\" errors=\"%d\" time=\"%.3f\">\n",
+            g->declared, failed, unclear, seconds);
+    for (int i = 0; i < g->declared; i++) put_case(&g->result[i], out);
+    fprintf(out, "  </testsuite>\n</testsuites>\n");
+    fclose(out);
+    int status = atomic_file_write(path, text, size, why);
+    free(text);
+    return status;
+}

@@ -1,0 +1,35 @@
+#ifndef HEATLADDER_VERIFICATION_GATES_MEASURES_H
+#define HEATLADDER_VERIFICATION_GATES_MEASURES_H
+
+/* What a gate can measure, by name.  A new measure is a function and a row of the table in measures.c. */
+
+#include "verification/text/verdict.h"
+
+struct request;
+
+struct measured {
+    double value;
+    double ci[2]; /* 95 % interval of a slope; else the value twice */
+    double error; /* what a gate's ceiling bounds: E1, of a ladder at its finest rung that counts; NaN where none */
+    enum verdict verdict;
+    char reason[320];
+};
+
+struct measure {
+    const char *name;
+    const char *about; /* one line, with the unit */
+    int ceiling;       /* 1: to be gated only with a ceiling on the error beside it */
+    /* Fills *m, judged by lo <= value <= hi.  What fails is a verdict, never silent. */
+    void (*take)(const struct request *r, double lo, double hi, struct measured *m);
+};
+
+extern const struct measure measures[]; /* ended by a NULL name */
+
+/* What most measures end with: a failure with its reason, or the verdict on lo <= value <= hi. */
+void measures_fail(struct measured *m, const char *text);
+void measures_judge(struct measured *m, double value, double lo, double hi);
+
+/* The measure of that name; NULL, and *m failed with the nearest valid name, where there is none. */
+const struct measure *measures_find(const char *name, struct measured *m);
+
+#endif

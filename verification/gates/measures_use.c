@@ -1,0 +1,74 @@
+/* What users rely on, as gates: that a part stands for the whole, that plans are kept, that an error asked for is met
+ * and not by far more than was asked. */
+#include "verification/gates/measures_use.h"
+
+#include "verification/choose/choose.h"
+#include "verification/run/symmetry.h"
+#include "verification/choose/plan.h"
+#include "verification/run/request.h"
+#include "verification/run/run.h"
+
+#include <math.h>
+#include <stdlib.h>
+
+static double farthest(const struct field *a, const struct field *b) {
+    double most = 0;
+    for (size_t i = 0; i < a->n; i++)
+        if (!(fabs(a->T[i] - b->T[i]) <= most)) most = fabs(a->T[i] - b->T[i]); /* a NaN stays */
+    return most;
+}
+
+void measures_use_fold(const struct request *r, double lo, double hi, struct measured *m) {
+    struct options whole = r->options;
+    struct field a = {0}, b = {0};
+    struct failure why = {0};
+    whole.domain = DOMAIN_WHOLE;
+    int status = symmetry_solve(r->method, &r->problem, &r->options, &a, &why);
+    if (!status) status = symmetry_solve(r->method, &r->problem, &whole, &b, &why);
+    measures_fail(m, why.text);
+    if (!status) {
+        measures_judge(m, (double)b.updates / (double)a.updates, lo, hi);
+        m->error = a.n == b.n ? farthest(&a, &b) : NAN;
+    }
+    field_free(&a);
+    field_free(&b);
+}
+
+void measures_use_plan(const struct request *r, double lo, double hi, struct measured *m) {
+    struct plan plan;
+    struct result result;
+    struct failure why = {0};
+    int status = plan_make(r, &r->options, &plan, &why);
+    measures_fail(m, why.text);
+    if (status) return;
+    status = run_request(r, &r->options, &result, NULL);
+    measures_fail(m, result.failure.text);
+    if (status) return;
+    measures_judge(m, (double)plan.updates / (double)result.updates, lo, hi);
+    m->error = fabs((double)plan.bytes[PLAN_STEPS] - (double)result.bytes) +
+               fabs((double)(plan.steps - result.steps)) + fabs((double)plan.particles - (double)result.particles);
+}
+
+void measures_use_time_error(const struct request *r, double lo, double hi, struct measured *m) {
+    struct request exact = *r;
+    struct result result;
+    struct field truth;
+    exact.time_error = 0;
+    exact.options.stepper = STEPPER_EXACT;
+    int status = run_request(&exact, &exact.options, &result, &truth);
+    measures_fail(m, result.failure.text);
+    if (status) return;
+    status = run_against(r, &r->options, truth.T, 0, &result);
+    measures_fail(m, result.failure.text);
+    if (!status) measures_judge(m, result.error.l1 / r->time_error, lo, hi);
+    field_free(&truth);
+}
+
+void measures_use_choose(const struct request *r, double lo, double hi, struct measured *m) {
+    struct choose *c = xcalloc(1, sizeof *c);
+    struct failure why = {0};
+    int status = choose_run(r, r->error, choose_work_max, c, &why);
+    measures_fail(m, why.text);
+    if (!status) measures_judge(m, c->proof.error.l1 / r->error, lo, hi);
+    free(c);
+}

@@ -1,0 +1,86 @@
+/* The derivative operators themselves (Song 2018, sections 4.1 and 4.2): a Taylor expansion to order p on a lattice,
+ * where odd terms cancel, gives first (p = 1) and second (p = 2) derivatives to second order in dx.  No time, no
+ * walls and no initial data are in this error.
+ *
+ * The function is u = exp(a.x) sin(b.x + c), whose derivatives all differ: with D = d/dx,
+ * D u = a u + b v and D v = a v - b u, v = exp(a.x) cos(b.x + c). */
+#include "verification/ladder/consistency.h"
+
+#include "solver/space/operator.h"
+#include "verification/run/request.h"
+
+#include <math.h>
+
+static const double A[2] = {0.3, -0.2}, B[2] = {1.1, 0.7}, PHASE = 0.4; /* m^-1 */
+enum { POINTS = 16 };
+
+static double smooth(const double x[2]) {
+    return exp(A[0] * x[0] + A[1] * x[1]) * sin(B[0] * x[0] + B[1] * x[1] + PHASE);
+}
+
+/* First and second derivative along axis a. */
+static void derivatives(const double x[2], int a, double *first, double *second) {
+    double u = smooth(x), v = exp(A[0] * x[0] + A[1] * x[1]) * cos(B[0] * x[0] + B[1] * x[1] + PHASE);
+    *first = A[a] * u + B[a] * v;
+    *second = (A[a] * A[a] - B[a] * B[a]) * u + 2 * A[a] * B[a] * v;
+}
+
+/* The neighbours of a lattice's particle within 2 h; d has room for NEIGHBOURS_MAX.  How many. */
+static size_t surround(int dim, double dx, double h, double (*d)[2]) {
+    int reach = (int)ceil(2 * h / dx);
+    size_t n = 0;
+    for (int j = dim == 2 ? -reach : 0; j <= (dim == 2 ? reach : 0); j++)
+        for (int i = -reach; i <= reach; i++) {
+            if ((i == 0 && j == 0) || hypot(i, j) * dx >= 2 * h || n == NEIGHBOURS_MAX) continue;
+            d[n][0] = i * dx;
+            d[n++][1] = j * dx;
+        }
+    return n;
+}
+
+/* sum w_j (u_j - u_i) */
+static double apply(const struct neighbourhood *nb, const double *w, const double x[2]) {
+    double sum = 0, u = smooth(x);
+    for (size_t j = 0; j < nb->n; j++) {
+        double at[2] = {x[0] + nb->d[j][0], x[1] + nb->d[j][1]};
+        sum += w[j] * (smooth(at) - u);
+    }
+    return sum;
+}
+
+/* Adds the error at x to *error, and the size of what is approximated to *size. */
+static void compare(const struct neighbourhood *nb, int sweeps, double *const w[2], const double x[2], double *error,
+                    double *size) {
+    double whole = 0;
+    for (int a = 0; a < nb->dim; a++) {
+        double first, second;
+        derivatives(x, a, &first, &second);
+        whole += nb->kappa[a] * second;
+        if (sweeps == 1) continue;
+        *error += fabs(apply(nb, w[a], x) - first);
+        *size += fabs(first);
+    }
+    if (sweeps == 2) return;
+    *error += fabs(apply(nb, w[0], x) - whole);
+    *size += fabs(whole);
+}
+
+int consistency_error(const struct request *r, const struct options *o, double *error, struct failure *why) {
+    const struct problem *p = &r->problem;
+    const struct scheme *scheme = r->method->scheme;
+    double d[NEIGHBOURS_MAX][2], w0[NEIGHBOURS_MAX], w1[NEIGHBOURS_MAX], *w[2] = {w0, w1}, size = 0;
+    if (!scheme) return refuse(why, STATUS_INPUT, "%s is no particle method: it has no weights", r->method->name);
+    int order = o->order > 2 ? o->order : 2;
+    struct neighbourhood nb = {.dim = p->dim, .d = d, .volume = pow(o->dx, p->dim)};
+    nb.h = (o->h > 0 ? o->h : 1.1 * order / 2) * o->dx;
+    nb.n = surround(p->dim, o->dx, nb.h, d);
+    for (int a = 0; a < p->dim; a++) nb.kappa[a] = p->material[0].k[a] / p->material[0].rho_c;
+    if (scheme->check(p, o, why) || scheme->weights(p, o, &nb, w, why)) return why->status;
+    *error = 0;
+    for (int i = 0; i < POINTS; i++) {
+        double x[2] = {-1 + 0.137 * i, p->dim == 2 ? 0.9 - 0.119 * i : 0};
+        compare(&nb, scheme->sweeps, w, x, error, &size);
+    }
+    *error /= size;
+    return STATUS_OK;
+}

@@ -1,0 +1,198 @@
+/* The ladder: rungs, window, slope, verdict. */
+#include "verification/ladder/ladder.h"
+
+#include "verification/text/json.h"
+#include "verification/text/progress.h"
+#include "verification/run/run.h"
+#include "verification/run/semidiscrete.h"
+
+#include <math.h>
+#include <omp.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+static int descending(const void *a, const void *b) {
+    double x = *(const double *)a, y = *(const double *)b;
+    return (x < y) - (x > y);
+}
+
+/* The numbers of the list that has several, coarsest first, into l->x. */
+static int plan(const struct request *r, struct ladder *l, struct failure *why) {
+    const struct numbers *steps = r->dt.count ? &r->dt : &r->fourier;
+    const char *name = steps->count < 2 ? "dx" : r->dt.count ? "dt" : "fourier";
+    if (r->dx.count > 1 && steps->count > 1)
+        return refuse(why, STATUS_INPUT, "a ladder climbs in dx or in time: give one --dx, or one --%s", name);
+    if (r->dx.count < 2 && steps->count < 2)
+        return refuse(why, STATUS_INPUT, "a ladder needs at least two rungs, and a gate %d: --dx A,B,C,...",
+                      WINDOW_LEAST);
+    l->in_time = steps->count > 1;
+    const struct numbers *list = l->in_time ? steps : &r->dx;
+    l->n = list->count;
+    memcpy(l->x, list->value, sizeof l->x);
+    qsort(l->x, (size_t)l->n, sizeof l->x[0], descending);
+    for (int i = 0; i + 1 < l->n; i++)
+        if (!(l->x[i + 1] < l->x[i])) return refuse(why, STATUS_INPUT, "--%s: %g is given twice", name, l->x[i]);
+    return STATUS_OK;
+}
+
+static struct options rung_options(const struct request *r, const struct ladder *l, int i) {
+    struct options o = r->options;
+    if (!l->in_time)
+        o.dx = l->x[i];
+    else if (r->dt.count)
+        o.dt = l->x[i];
+    else
+        o.fourier = l->x[i];
+    return o;
+}
+
+/* Against the truth, or the exact solution where there is none. */
+static void climb(const struct request *r, struct ladder *l, const struct semidiscrete *truth) {
+    struct progress progress = progress_start("rungs", l->n);
+#pragma omp parallel for schedule(dynamic, 1) if (!r->solver) /* another program is timed alone */
+    for (int i = 0; i < l->n; i++) {
+        int finest_first = l->n - 1 - i;
+        struct options o = rung_options(r, l, finest_first);
+        if (truth)
+            run_against(r, &o, truth->field.T, truth->error, &l->rung[finest_first]);
+        else
+            run_request(r, &o, &l->rung[finest_first], NULL);
+        progress_tick(&progress);
+    }
+    progress_end(&progress);
+}
+
+/* A rung that was refused refuses the ladder; one that failed is part of it. */
+static int collect(struct ladder *l, struct failure *why) {
+    for (int i = 0; i < l->n; i++) {
+        const struct failure *f = &l->rung[i].failure;
+        if (f->status == STATUS_INPUT) {
+            *why = *f;
+            return STATUS_INPUT;
+        }
+        if (f->status && !l->failure.status) l->failure = *f;
+        if (l->in_time && !f->status)
+            l->x[i] = l->rung[i].dt; /* steps are whole, so it is not quite what was asked */
+    }
+    if (l->failure.status) *why = l->failure;
+    return l->failure.status;
+}
+
+/* Each rung measured against the truth; failed where there is no truth.  STATUS_INPUT with *why where it is refused.
+ */
+static int climb_in_time(const struct request *r, struct ladder *l, struct failure *why) {
+    struct options finest = rung_options(r, l, l->n - 1);
+    struct semidiscrete truth;
+    int status = semidiscrete_solve(r, &finest, &truth, why);
+    if (status == STATUS_INPUT) return status;
+    l->semidiscrete_steps = truth.steps;
+    l->semidiscrete_error = truth.error;
+    if (!status) climb(r, l, &truth);
+    for (int i = 0; status && i < l->n; i++)
+        l->rung[i] = (struct result){.scene = r->scene,
+                                     .method = r->method,
+                                     .options = rung_options(r, l, i),
+                                     .t_end = r->problem.t_end,
+                                     .time_error = NAN,
+                                     .failure = *why};
+    field_free(&truth.field);
+    return STATUS_OK;
+}
+
+int ladder_run(const struct request *r, struct ladder *l, struct failure *why) {
+    double start = omp_get_wtime();
+    *l = (struct ladder){0};
+    if (plan(r, l, why)) return why->status;
+    if (!l->in_time)
+        climb(r, l, NULL);
+    else if (climb_in_time(r, l, why))
+        return why->status;
+    int status = collect(l, why);
+    if (status == STATUS_INPUT) return status;
+    ladder_fit(l, LADDER_L1);
+    if (r->expect.count) ladder_judge(l, r->expect.value[0], r->expect.value[1]);
+    l->seconds = omp_get_wtime() - start;
+    return status;
+}
+
+static double in_norm(const struct result *r, enum ladder_norm norm) {
+    if (r->failure.status) return NAN;
+    switch (norm) {
+    case LADDER_L1:
+        return r->error.l1;
+    case LADDER_L2:
+        return r->error.l2;
+    case LADDER_LINF:
+        return r->error.linf;
+    case LADDER_INTERIOR:
+        return r->interior.l1;
+    default:
+        return r->boundary.l1;
+    }
+}
+
+/* The points of the window, coarsest first; how many. */
+static int inside(const struct ladder *l, double *x, double *error) {
+    int m = 0;
+    for (int i = 0; i < l->n; i++) {
+        if (!l->window.counts[i]) continue;
+        x[m] = l->x[i];
+        error[m++] = l->error[i];
+    }
+    return m;
+}
+
+void ladder_fit(struct ladder *l, enum ladder_norm norm) {
+    struct window_rung rung[RUNG_MAX];
+    double x[RUNG_MAX], error[RUNG_MAX];
+    for (int i = 0; i < l->n; i++) {
+        const struct result *r = &l->rung[i];
+        l->error[i] = in_norm(r, norm);
+        /* the shares are of E1; another norm of the same field is judged by them too */
+        rung[i] = (struct window_rung){.x = l->x[i],
+                                       .error = l->error[i],
+                                       .time = l->in_time ? NAN : r->time_error,
+                                       .reference = r->reference_error / r->error.l1,
+                                       .rounding = r->rounding / r->error.l1,
+                                       /* in time the particles stay where they are */
+                                       .random = r->options.layout == LAYOUT_JITTER && !l->in_time};
+    }
+    slope_local(l->x, l->error, l->n, l->local);
+    window_choose(rung, l->n, &l->window);
+    l->slope = slope_fit(x, error, inside(l, x, error));
+    l->verdict = isfinite(l->slope.value) && l->slope.n >= WINDOW_LEAST ? VERDICT_MEASURED : VERDICT_INCONCLUSIVE;
+    snprintf(l->reason, sizeof l->reason, "%d of %d rungs count%s", l->slope.n, l->n,
+             l->slope.n < WINDOW_LEAST ? ", at least four must" : "");
+    if (l->failure.status) l->verdict = VERDICT_FAIL;
+    if (l->failure.status) snprintf(l->reason, sizeof l->reason, "a rung failed: %.200s", l->failure.text);
+}
+
+void ladder_judge(struct ladder *l, double lo, double hi) {
+    double x[RUNG_MAX], error[RUNG_MAX];
+    if (l->failure.status) return; /* a rung failed, and the ladder with it */
+    inside(l, x, error);
+    l->verdict = slope_judge(&l->slope, x, error, lo, hi, l->reason, sizeof l->reason);
+}
+
+void ladder_json(const struct ladder *l, struct json *j) {
+    json_array(j, "rungs");
+    for (int i = 0; i < l->n; i++) {
+        json_object(j, NULL);
+        result_json(&l->rung[i], j);
+        json_whole(j, "counts", l->window.counts[i]);
+        json_text(j, "left_out", l->window.left_out[i][0] ? l->window.left_out[i] : NULL);
+        json_end(j);
+    }
+    json_end(j);
+    json_text(j, "against", l->in_time ? "dt" : "dx");
+    json_number(j, "slope", l->slope.value);
+    json_array(j, "slope_ci95");
+    for (int i = 0; i < 2; i++) json_number(j, NULL, l->slope.ci[i]);
+    json_end(j);
+    json_array(j, "local_slopes");
+    for (int i = 0; i + 1 < l->n; i++) json_number(j, NULL, l->local[i]);
+    json_end(j);
+    json_text(j, "verdict", verdict_words[l->verdict]);
+    json_text(j, "reason", l->reason);
+}

@@ -1,0 +1,48 @@
+#ifndef HEATLADDER_VERIFICATION_LADDER_LADDER_H
+#define HEATLADDER_VERIFICATION_LADDER_LADDER_H
+
+#include "verification/run/request.h"
+#include "verification/run/result.h"
+#include "verification/ladder/slope.h"
+#include "verification/ladder/window.h"
+
+/* Runs that differ in one length, and the order at which their errors fall with it.
+ *
+ * A ladder in space has several --dx; its errors are against the exact solution.  A ladder in time has one --dx and
+ * several --dt or --fourier; its errors are against the solution of the same particles' equations without time error
+ * (truth.h), so that no error of space is in them. */
+
+enum ladder_norm { LADDER_L1, LADDER_L2, LADDER_LINF, LADDER_INTERIOR, LADDER_BOUNDARY }; /* the last two: E1 */
+
+struct ladder {
+    int n;       /* rungs, coarsest first */
+    int in_time; /* 1: x is dt, s; 0: x is dx, m */
+    struct result rung[RUNG_MAX];
+    long long
+        semidiscrete_steps; /* in time: of the midpoint rule that the errors are against; 0: of the exact stepper */
+    double semidiscrete_error; /* its own error, as in struct semidiscrete */
+    double x[RUNG_MAX];
+    double error[RUNG_MAX]; /* in the norm that was fitted; NaN where the run failed */
+    double local[RUNG_MAX]; /* n - 1 slopes between neighbours */
+    struct window window;
+    struct slope slope;     /* over the window */
+    struct failure failure; /* of the first rung that failed numerically */
+    enum verdict verdict;
+    char reason[240];
+    double seconds;
+};
+
+/* Runs the rungs, in parallel where the caller is not, the finest first; then fits L1 and judges by --expect.
+ * STATUS_OK, STATUS_INPUT with *why filled where a rung is refused, or STATUS_NUMERICAL where one failed: *l is
+ * filled but for a refusal. */
+int ladder_run(const struct request *r, struct ladder *l, struct failure *why);
+
+/* Chooses the window and fits the slope in another norm. */
+void ladder_fit(struct ladder *l, enum ladder_norm norm);
+
+/* Sets verdict and reason against a band. */
+void ladder_judge(struct ladder *l, double lo, double hi);
+
+void ladder_json(const struct ladder *l, struct json *j); /* into an object that is open */
+
+#endif

@@ -1,9 +1,0 @@
-#ifndef HEATLADDER_VERIFICATION_PEERS_SUNDIALS_KERNELS_H
-#define HEATLADDER_VERIFICATION_PEERS_SUNDIALS_KERNELS_H
-
-#include <sundials/sundials_nvector.h>
-
-/* Replaces the kernels of a serial vector; its clones inherit them. */
-void sundials_kernels(N_Vector v);
-
-#endif

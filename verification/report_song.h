@@ -1,9 +1,0 @@
-#ifndef HEATLADDER_VERIFICATION_REPORT_SONG_H
-#define HEATLADDER_VERIFICATION_REPORT_SONG_H
-
-struct failure;
-
-/* Tables 1-3 and figures 1-5 of Song, Xing, Hou, Lu 2018 into `dir`. */
-int report_song_write(const char *dir, struct failure *why);
-
-#endif

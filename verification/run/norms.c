@@ -1,0 +1,116 @@
+/* Norms of the error (Song 2018, eq. 46), the range of a field, its variation and its heat. */
+#include "verification/run/norms.h"
+
+#include "references/scene.h"
+#include "solver/method.h"
+#include "verification/run/checkerboard.h"
+
+#include <math.h>
+
+static void point(const struct field *f, size_t i, double x[2]) {
+    x[0] = f->x[i];
+    x[1] = f->y ? f->y[i] : 0;
+}
+
+static double weight(const struct field *f, size_t i) {
+    return f->weight ? f->weight[i] : 1;
+}
+
+double norms_exact(const struct scene *s, const struct problem *p, const struct field *f, double *T) {
+    double bound = 0, whole = 0, x[2];
+    for (size_t i = 0; i < f->n; i++) {
+        point(f, i, x);
+        struct exact e = s->exact(p, x, f->time);
+        T[i] = e.temperature;
+        bound += weight(f, i) * e.error_bound;
+        whole += weight(f, i) * fabs(T[i]);
+    }
+    return bound / whole;
+}
+
+int norms_check(const struct field *f, const double *exact, struct failure *why) {
+    for (size_t i = 0; i < f->n; i++)
+        if (exact[i] != 0) return STATUS_OK;
+    return refuse(why, STATUS_INPUT,
+                  "the exact solution is 0 K at all points at t = %g s, and E1 is relative to it: other temperatures "
+                  "(--set) or an earlier end (--t-end) are needed",
+                  f->time);
+}
+
+static double wall_distance(const struct problem *p, const double x[2]) {
+    double d = INFINITY;
+    for (int a = 0; a < p->dim; a++) d = fmin(d, fmin(x[a] - p->lo[a], p->hi[a] - x[a]));
+    return d;
+}
+
+struct norms_error norms_error(const struct problem *p, const struct field *f, const double *exact,
+                               enum norms_part part, double distance) {
+    double e1 = 0, e2 = 0, t1 = 0, t2 = 0, x[2];
+    struct norms_error norms = {0};
+    for (size_t i = 0; i < f->n; i++) {
+        point(f, i, x);
+        int near = part != NORMS_ALL && wall_distance(p, x) < distance;
+        if (part == (near ? NORMS_INTERIOR : NORMS_BOUNDARY)) continue;
+        double w = weight(f, i), e = fabs(f->T[i] - exact[i]), T = fabs(exact[i]);
+        e1 += w * e;
+        e2 += w * e * e;
+        t1 += w * T;
+        t2 += w * T * T;
+        norms.linf = fmax(norms.linf, e);
+        norms.n++;
+    }
+    if (isnan(e1) || norms.n == 0) norms.linf = NAN; /* fmax skips a NaN */
+    norms.l1 = e1 / t1;
+    norms.l2 = sqrt(e2 / t2);
+    return norms;
+}
+
+/* Widens [lo, hi] by the temperatures of the Dirichlet walls at the foot of every point. */
+static void widen(const struct problem *p, const struct field *f, double *lo, double *hi) {
+    double x[2];
+    for (int s = 0; s < 2 * p->dim; s++) {
+        if (p->side[s] != DIRICHLET) continue;
+        for (size_t i = 0; i < (p->dim == 1 ? 1 : f->n); i++) {
+            point(f, i, x);
+            x[s / 2] = s % 2 ? p->hi[s / 2] : p->lo[s / 2];
+            double T = p->wall(p, (enum side)s, x);
+            *lo = fmin(*lo, T);
+            *hi = fmax(*hi, T);
+        }
+    }
+}
+
+/* On a rod sum |T_{i+1} - T_i|.  On a rectangle the sums along each axis, times the spacing of the other. */
+static double variation(const struct field *f) {
+    if (f->shape[0] == 0) return NAN;
+    size_t nx = (size_t)f->shape[0], ny = (size_t)f->shape[1];
+    double along[2] = {0, 0};
+    for (size_t j = 0; j < ny; j++)
+        for (size_t i = 0; i < nx; i++) {
+            const double *T = f->T + j * nx + i;
+            if (i + 1 < nx) along[0] += fabs(T[1] - T[0]);
+            if (j + 1 < ny) along[1] += fabs(T[nx] - T[0]);
+        }
+    return f->dim == 1 ? along[0] : along[0] * f->spacing[1] + along[1] * f->spacing[0];
+}
+
+struct norms_shape norms_shape(const struct problem *p, const struct field *f, const double *exact) {
+    struct norms_shape shape = {.min = INFINITY, .max = -INFINITY};
+    double lo = f->range[0], hi = f->range[1], sum = 0;
+    for (size_t i = 0; i < f->n; i++) {
+        shape.min = fmin(shape.min, f->T[i]);
+        shape.max = fmax(shape.max, f->T[i]);
+        sum += f->T[i];
+    }
+    if (isnan(sum)) shape.min = shape.max = NAN; /* fmin and fmax skip a NaN */
+    widen(p, f, &lo, &hi);
+    shape.overshoot = shape.max <= hi ? 0 : shape.max - hi;
+    shape.undershoot = shape.min >= lo ? 0 : lo - shape.min;
+    shape.variation = variation(f);
+    shape.checkerboard = checkerboard_amplitude(p, f, exact);
+    return shape;
+}
+
+double norms_heat_drift(const struct field *f) {
+    return (f->heat[1] - f->heat[0]) / fabs(f->heat[0]);
+}

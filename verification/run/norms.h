@@ -1,0 +1,47 @@
+#ifndef HEATLADDER_VERIFICATION_RUN_NORMS_H
+#define HEATLADDER_VERIFICATION_RUN_NORMS_H
+
+/* How far a field is from the exact solution, and what it does that no solution does.  Sums are sum(w |e|^p) with w
+ * the volume that a point stands for. */
+
+#include <stddef.h>
+
+struct failure;
+struct field;
+struct problem;
+struct scene;
+
+/* The exact solution at the points of *f at time f->time: T[f->n], K.  Returns sum(w bound) / sum(w |T|), the part of
+ * E1 that the reference's own error bound can make up. */
+double norms_exact(const struct scene *s, const struct problem *p, const struct field *f, double *T);
+
+/* STATUS_INPUT where the exact solution is zero at every point of *f: no error is relative to that. */
+int norms_check(const struct field *f, const double *exact, struct failure *why);
+
+struct norms_error {
+    double l1;   /* sum w|T - Te| / sum w|Te|  (Song 2018, eq. 46) */
+    double l2;   /* sqrt(sum w(T - Te)^2 / sum w Te^2) */
+    double linf; /* K: max |T - Te|, absolute */
+    size_t n;    /* points that counted */
+};
+
+enum norms_part { NORMS_ALL, NORMS_INTERIOR, NORMS_BOUNDARY };
+
+/* Over the points whose distance to the nearest wall is at least (interior) or below (boundary) `distance`, m.
+ * A NaN in the field makes every norm NaN; a part without points too. */
+struct norms_error norms_error(const struct problem *p, const struct field *f, const double *exact,
+                               enum norms_part part, double distance);
+
+struct norms_shape {
+    double min, max;              /* K, of the field */
+    double overshoot, undershoot; /* K, past the initial range and the walls' temperatures; 0 where within */
+    double variation;             /* K (K m for a rectangle): sum of |difference| along the axes; NaN off a lattice */
+    double checkerboard;          /* K: see checkerboard.h */
+};
+
+struct norms_shape norms_shape(const struct problem *p, const struct field *f, const double *exact);
+
+/* (heat at the end - heat at the start) / |heat at the start| */
+double norms_heat_drift(const struct field *f);
+
+#endif

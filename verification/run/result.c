@@ -1,0 +1,83 @@
+/* A result as JSON and as a line of text.  An option that has no meaning for the method is null, so that a table does
+ * not show a kernel for a finite difference. */
+#include "verification/run/result.h"
+
+#include "references/scene.h"
+#include "verification/text/json.h"
+#include "verification/text/words.h"
+
+#include <math.h>
+#include <stdio.h>
+
+static int accepts(const struct result *r, const char *option) {
+    return words_among(r->method->accepts, option);
+}
+
+static void options_json(const struct result *r, struct json *j) {
+    const struct options *o = &r->options;
+    json_text(j, "kernel", accepts(r, "kernel") ? kernel_words[o->kernel] : NULL);
+    json_number(j, "h", o->h > 0 ? o->h : NAN);
+    json_number(j, "order", accepts(r, "order") && o->order ? (double)o->order : NAN);
+    json_text(j, "stepper", accepts(r, "stepper") ? stepper_words[o->stepper] : NULL);
+    json_text(j, "layout", accepts(r, "layout") ? layout_words[o->layout] : NULL);
+    json_number(j, "jitter", o->layout == LAYOUT_JITTER ? o->jitter : 0);
+    json_whole(j, "seed", (long long)o->seed);
+    json_text(j, "sampling", accepts(r, "sampling") ? sampling_words[o->sampling] : NULL);
+    json_text(j, "walls", accepts(r, "walls") ? walls_words[o->walls] : NULL);
+    json_text(j, "mean", accepts(r, "mean") ? mean_words[o->mean] : NULL);
+    json_text(j, "domain", domain_words[o->domain]);
+    json_text(j, "volume", accepts(r, "volume") ? volume_words[o->volume] : NULL);
+}
+
+void result_json(const struct result *r, struct json *j) {
+    json_text(j, "scene", r->scene->name);
+    json_text(j, "method", r->method->name);
+    options_json(r, j);
+    json_number(j, "dx", r->options.dx);
+    json_text(j, "failure", r->failure.status ? r->failure.text : NULL);
+    if (r->failure.status) {
+        json_number(j, "error_l1", NAN);
+        return;
+    }
+    json_number(j, "dt", r->dt);
+    json_number(j, "fourier", r->fourier);
+    json_whole(j, "steps", r->steps);
+    json_whole(j, "stages", r->stages);
+    json_number(j, "saving_over_euler", r->options.stepper == STEPPER_RKL2 ? r->saving : NAN);
+    json_number(j, "t_end", r->t_end);
+    json_whole(j, "particles", (long long)r->particles);
+    json_number(j, "error_l1", r->error.l1);
+    json_number(j, "error_l1_interior", r->interior.l1);
+    json_number(j, "error_l1_boundary", r->boundary.l1);
+    json_number(j, "error_l2", r->error.l2);
+    json_number(j, "error_linf", r->error.linf);
+    json_number(j, "time_error", r->time_error);
+    json_number(j, "reference_error", r->reference_error);
+    json_number(j, "min", r->shape.min);
+    json_number(j, "max", r->shape.max);
+    json_number(j, "overshoot", r->shape.overshoot);
+    json_number(j, "undershoot", r->shape.undershoot);
+    json_number(j, "variation", r->shape.variation);
+    json_number(j, "checkerboard", r->shape.checkerboard);
+    json_number(j, "heat_drift", r->heat_drift);
+    json_number(j, "seconds", r->seconds);
+    json_number(j, "step_seconds", r->step_seconds);
+    json_whole(j, "updates", r->updates);
+    json_whole(j, "search_updates", r->search_updates);
+    json_whole(j, "interactions", r->interactions);
+    json_whole(j, "bytes", (long long)r->bytes);
+}
+
+void result_describe(const struct result *r, char *text, size_t size) {
+    const struct options *o = &r->options;
+    char kernel[48] = "", jitter[48] = "";
+    if (!*r->method->accepts) {
+        snprintf(text, size, "%s %s: %s, t = %g s", r->scene->name, r->method->name, r->method->about, r->t_end);
+        return;
+    }
+    if (accepts(r, "kernel")) snprintf(kernel, sizeof kernel, "%s kernel, h/dx %g, ", kernel_words[o->kernel], o->h);
+    if (o->layout == LAYOUT_JITTER) snprintf(jitter, sizeof jitter, " %g (seed %lu)", o->jitter, o->seed);
+    snprintf(text, size, "%s %s: %s%s%s, %s samples, %s walls, %s in time, t = %g s", r->scene->name, r->method->name,
+             kernel, layout_words[o->layout], jitter, sampling_words[o->sampling], walls_words[o->walls],
+             stepper_words[o->stepper], r->t_end);
+}

@@ -1,0 +1,45 @@
+#ifndef HEATLADDER_VERIFICATION_RUN_RESULT_H
+#define HEATLADDER_VERIFICATION_RUN_RESULT_H
+
+/* What one run gave. */
+
+#include "solver/method.h"
+#include "verification/run/norms.h"
+
+struct json;
+struct scene;
+
+struct result {
+    const struct scene *scene;
+    const struct method *method;
+    struct options options; /* as used: stepper and h resolved */
+    struct failure failure; /* status STATUS_OK where there is a solution; else only the options above are set */
+    double t_end;           /* s */
+    double dt;              /* s; 0 for the exact stepper */
+    double fourier;         /* dt max(kappa) / dx^2 */
+    long long steps;
+    int stages;    /* operator applications a step */
+    double saving; /* updates of the fewest stable Euler steps over those taken (RKL2); NaN where unknown */
+    size_t particles;
+    struct norms_error error;
+    struct norms_error interior,
+        boundary; /* apart by the distance to the nearest wall, a tenth of the least extent */
+    struct norms_shape shape;
+    double heat_drift;
+    double time_error;      /* the part of error.l1 that the time step makes up; 0 for exact, NaN where unknown */
+    double reference_error; /* what the reference's own error can make up of error.l1 */
+    double rounding;        /* what rounding can make up of error.l1 */
+    double seconds, step_seconds;
+    long long updates, interactions;
+    long long search_updates; /* of the runs that the choice of the time step took beside this one */
+    double setup, ghosts;     /* what is done once, and for ghosts in all steps, in pairs (work_of_setup.h) */
+    size_t bytes;
+};
+
+/* The members of the `run --json` contract, into an object that is open. */
+void result_json(const struct result *r, struct json *j);
+
+/* One line: what was run and how.  Cut to size. */
+void result_describe(const struct result *r, char *text, size_t size);
+
+#endif

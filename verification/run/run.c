@@ -1,0 +1,88 @@
+/* One run: scene -> field -> norms. */
+#include "verification/run/run.h"
+
+#include "references/scene.h"
+#include "verification/run/request.h"
+#include "verification/run/time_step.h"
+
+#include <float.h>
+#include <math.h>
+#include <stdlib.h>
+
+double run_diffusivity(const struct problem *p) {
+    double kappa = 0;
+    for (int m = 0; m < p->materials; m++)
+        for (int a = 0; a < p->dim; a++) kappa = fmax(kappa, p->material[m].k[a] / p->material[m].rho_c);
+    return kappa;
+}
+
+/* What rounding can make up of E1.  A weight is of size kappa/dx^2 and wrong by eps of that, the same at every step:
+ * over the run that adds up to 4 dim eps kappa t/dx^2.  Each step rounds T once more, at random: eps sqrt(steps). */
+static double rounding(const struct problem *p, const struct field *f, double dx) {
+    double applications = (double)f->steps * (f->stages > 0 ? f->stages : 1);
+    return DBL_EPSILON * (1 + sqrt(applications) + 4 * p->dim * run_diffusivity(p) * p->t_end / (dx * dx));
+}
+
+static int measure(const struct request *r, const struct field *f, const double *truth, struct result *out) {
+    const struct problem *p = &r->problem;
+    if (norms_check(f, truth, &out->failure)) return STATUS_INPUT;
+    double dx = out->options.dx;
+    out->t_end = f->time;
+    out->dt = f->dt;
+    out->fourier = f->dt * run_diffusivity(p) / (dx * dx);
+    out->steps = f->steps;
+    out->stages = f->stages;
+    /* Euler is stable for dt <= 2 / bound */
+    out->saving = f->bound > 0 ? f->bound * p->t_end / 2 / ((double)f->steps * f->stages) : NAN;
+    out->particles = f->n;
+    out->error = norms_error(p, f, truth, NORMS_ALL, 0);
+    double skin = (p->dim == 2 ? fmin(p->hi[0] - p->lo[0], p->hi[1] - p->lo[1]) : p->hi[0] - p->lo[0]) / 10;
+    out->interior = norms_error(p, f, truth, NORMS_INTERIOR, skin);
+    out->boundary = norms_error(p, f, truth, NORMS_BOUNDARY, skin);
+    out->shape = norms_shape(p, f, truth);
+    out->heat_drift = norms_heat_drift(f);
+    out->rounding = rounding(p, f, dx);
+    out->seconds = f->seconds;
+    out->step_seconds = f->step_seconds;
+    out->updates = f->updates;
+    out->interactions = f->interactions;
+    out->bytes = f->bytes;
+    return STATUS_OK;
+}
+
+static int solve(const struct request *r, const struct options *o, struct result *out, struct field *f) {
+    *out = (struct result){
+        .scene = r->scene, .method = r->method, .options = *o, .t_end = r->problem.t_end, .time_error = NAN};
+    *f = (struct field){0};
+    struct time_step stepping;
+    int status = time_step_solve(r, &out->options, f, &stepping, &out->failure);
+    out->time_error = stepping.time_error;
+    out->search_updates = stepping.updates;
+    if (!status && f->h > 0) out->options.h = f->h;
+    out->failure.status = status;
+    return status;
+}
+
+int run_request(const struct request *r, const struct options *o, struct result *out, struct field *field) {
+    struct field f;
+    if (solve(r, o, out, &f)) return out->failure.status;
+    double *exact = xcalloc(f.n, sizeof *exact);
+    out->reference_error = norms_exact(r->scene, &r->problem, &f, exact);
+    int status = measure(r, &f, exact, out);
+    free(exact);
+    if (field && !status)
+        *field = f;
+    else
+        field_free(&f);
+    return status;
+}
+
+int run_against(const struct request *r, const struct options *o, const double *truth, double error,
+                struct result *out) {
+    struct field f;
+    if (solve(r, o, out, &f)) return out->failure.status;
+    out->reference_error = error;
+    int status = measure(r, &f, truth, out);
+    field_free(&f);
+    return status;
+}

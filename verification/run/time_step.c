@@ -1,0 +1,251 @@
+/* Which stepper, and which time step, where the user leaves that open.
+ *
+ * The exact stepper where the method has it.  Else the time step is refined until its error is shown to be small.
+ * A run of N steps by a stepper of order p has the time error C e, e = c / N^p, with c = 1 but for rkl2, where it is
+ * 1 + 8/(s^2 + s - 2) for s stages (gates_time.def).  Two runs then have
+ *
+ *     T_inf = T_2 + (T_2 - T_1) e_2 / (e_1 - e_2)                                                 (Richardson 1911)
+ *
+ * without time error, from which the distance of either is its own.  Two cheap runs give both; they foretell the N at
+ * which it is 1 % of the error of T_inf, and the run at that N is measured against the one before.
+ *
+ * For --time-error the steps are halved until the error is what is asked for; then the longest step is looked for: a
+ * run of fewer steps is measured against T_inf.  Norms are E1's. */
+#include "verification/run/time_step.h"
+
+#include "references/scene.h"
+#include "verification/run/external.h"
+#include "verification/run/symmetry.h"
+#include "verification/run/norms.h"
+#include "verification/run/request.h"
+#include "verification/run/run.h"
+
+#include <math.h>
+#include <stdlib.h>
+
+static const double SHARE = 0.01, MARGIN = 0.8; /* aims at 0.8 % so that a slightly wrong forecast still holds */
+static const double FOURIER =
+    0.2; /* of the first run, over the dimension: stable for every method but rkl2, which is so at any */
+static const double FLOOR = 1e-12; /* of E1: what rounding leaves; no time error below it is looked for */
+enum { HALVINGS = 8, ROUNDS = 5 };
+
+struct trial {
+    struct field field;
+    double steps;
+};
+
+struct search {
+    const struct request *r;
+    const struct options *o;
+    int order;
+    double *exact;             /* K, at the points of the fields */
+    struct trial coarse, fine; /* the last two runs */
+    long long updates;         /* of all runs */
+};
+
+static int try_steps(struct search *s, double steps, struct trial *t, struct failure *why) {
+    struct options with = *s->o;
+    with.dt = s->r->problem.t_end / steps;
+    with.fourier = 0;
+    t->steps = steps;
+    int status = symmetry_solve(s->r->method, &s->r->problem, &with, &t->field, why);
+    if (!status) s->updates += t->field.updates;
+    return status;
+}
+
+int time_step_order(const struct options *o) {
+    return o->stepper == STEPPER_EULER ? 1 : 2;
+}
+
+double time_step_first(const struct request *r, const struct options *o) {
+    double steps = r->problem.t_end * run_diffusivity(&r->problem) / (FOURIER / r->problem.dim * o->dx * o->dx);
+    if (o->stepper == STEPPER_RKL2) steps = r->time_error > 0 ? 2 : sqrt(steps) / 2; /* some ten stages a step */
+    return fmax(1, ceil(steps));
+}
+
+/* The first run, at half the time step again and again while that is unstable. */
+static int first(struct search *s, struct failure *why) {
+    double steps = time_step_first(s->r, s->o);
+    int status = try_steps(s, steps, &s->coarse, why);
+    for (int i = 0; i < HALVINGS && status == STATUS_NUMERICAL; i++)
+        status = try_steps(s, steps *= 2, &s->coarse, why);
+    return status;
+}
+
+/* All relative to sum w|Te|: the time error of `fine`, its whole error, and the error of the field without time
+ * error. */
+struct estimate {
+    double time, whole, space;
+};
+
+static int within_reach(double steps, double particles, int order) {
+    return steps * particles * order <= TIME_STEP_UPDATES_MAX;
+}
+
+/* How many steps follow `steps`, which led to the estimate: as many where that will do. */
+static double next_steps(double steps, struct estimate e, double particles, int order) {
+    if (e.time <= SHARE * e.whole || e.time <= FLOOR) return steps;
+    double more = ceil(steps * fmax(1.1, pow(e.time / (MARGIN * SHARE * e.space), 1.0 / order)));
+    return within_reach(more, particles, order) ? more : steps;
+}
+
+static double size_of(const struct search *s, const struct trial *t) { /* e */
+    double stages = t->field.stages, c = 1;
+    if (s->o->stepper == STEPPER_RKL2 && stages > 2) c += 8 / (stages * stages + stages - 2);
+    return c / pow(t->steps, s->order);
+}
+
+/* T_inf, for the caller to free.  Where more stages nearly make up for fewer steps two runs tell little: a fifth of
+ * the finer one's error is then taken to be between them. */
+static double *find_limit(const struct search *s) {
+    size_t n = s->fine.field.n;
+    double coarse = size_of(s, &s->coarse), fine = size_of(s, &s->fine), *limit = xcalloc(n, sizeof *limit);
+    double gain = fine / fmax(coarse - fine, 0.2 * fine);
+    const double *T = s->fine.field.T, *before = s->coarse.field.T;
+    for (size_t i = 0; i < n; i++) limit[i] = T[i] + gain * (T[i] - before[i]);
+    return limit;
+}
+
+static double distance(const struct search *s, const struct field *f, const double *limit) {
+    double apart = 0, size = 0;
+    for (size_t i = 0; i < f->n; i++) {
+        double w = f->weight ? f->weight[i] : 1;
+        apart += w * fabs(limit[i] - f->T[i]);
+        size += w * fabs(s->exact[i]);
+    }
+    return apart / size;
+}
+
+static double whole_error(const struct search *s, const struct field *f) {
+    return norms_error(&s->r->problem, f, s->exact, NORMS_ALL, 0).l1;
+}
+
+static struct estimate compare(const struct search *s) {
+    double *limit = find_limit(s);
+    struct field at_limit = s->fine.field;
+    at_limit.T = limit;
+    struct estimate e = {distance(s, &s->fine.field, limit), whole_error(s, &s->fine.field),
+                         whole_error(s, &at_limit)};
+    free(limit);
+    return e;
+}
+
+/* `steps` steps in the place of the coarser of two trials, which then is the finer one. */
+static int replace(struct search *s, double steps, struct failure *why) {
+    field_free(&s->coarse.field);
+    s->coarse = s->fine;
+    s->fine = (struct trial){0};
+    return try_steps(s, steps, &s->fine, why);
+}
+
+/* Refines until the time error is small; *time_error is its share. */
+static int refine(struct search *s, double *time_error, struct failure *why) {
+    int status = STATUS_OK;
+    for (int round = 0; round < ROUNDS && !status; round++) {
+        struct estimate e = compare(s);
+        *time_error = e.time / e.whole;
+        double steps = next_steps(s->fine.steps, e, (double)s->fine.field.n, s->order);
+        if (steps == s->fine.steps) break;
+        status = replace(s, steps, why);
+    }
+    return status;
+}
+
+/* Fewer steps in the place of the finer run's, whose time error is `time`, where r->time_error allows. */
+static void coarsen(struct search *s, double time, double *time_error) {
+    double asked = s->r->time_error, *limit = find_limit(s);
+    double most = s->fine.steps, steps = most * pow(time / asked, 1.0 / s->order);
+    struct failure ignored;
+    *time_error = time / whole_error(s, &s->fine.field);
+    for (double more = 1; more * steps < 0.98 * most; more *= 1.05) {
+        struct trial t = {0};
+        if (try_steps(s, ceil(more * steps), &t, &ignored)) continue; /* unstable */
+        double error = distance(s, &t.field, limit);
+        if (error <= asked) {
+            *time_error = error / whole_error(s, &t.field);
+            field_free(&s->fine.field);
+            s->fine = t;
+            break;
+        }
+        field_free(&t.field);
+    }
+    free(limit);
+}
+
+/* Halves the step until the time error is what is asked for. */
+static int reach(struct search *s, double *time_error, struct failure *why) {
+    double asked = s->r->time_error, time = compare(s).time;
+    while (!(time <= asked)) {
+        if (!within_reach(2 * s->fine.steps, (double)s->fine.field.n, s->order))
+            return refuse(why, STATUS_GATE,
+                          "--time-error %g: %g after %.0f steps, and twice as many are past %g updates", asked, time,
+                          s->fine.steps, TIME_STEP_UPDATES_MAX);
+        int status = replace(s, 2 * s->fine.steps, why);
+        if (status) return status;
+        time = compare(s).time;
+    }
+    coarsen(s, time, time_error);
+    return STATUS_OK;
+}
+
+/* What is held beside a run while it is searched for: the exact temperatures and the answer before, for --time-error
+ * two of these and the one without time error. */
+static size_t held(const struct search *s) {
+    const struct field *f = &s->fine.field;
+    size_t array = f->n * sizeof *f->T, answer = array * (size_t)(f->dim + 1 + (f->weight != NULL));
+    return s->r->time_error > 0 ? 2 * array + 2 * answer : array + answer;
+}
+
+static int solve_searched(const struct request *r, const struct options *o, struct field *f,
+                          struct time_step *stepping, struct failure *why) {
+    struct search s = {.r = r, .o = o, .order = time_step_order(o)};
+    int status = first(&s, why);
+    if (status) return status;
+    s.exact = xcalloc(s.coarse.field.n, sizeof *s.exact);
+    norms_exact(r->scene, &r->problem, &s.coarse.field, s.exact);
+    status = norms_check(&s.coarse.field, s.exact, why);
+    if (!status) status = try_steps(&s, 2 * s.coarse.steps, &s.fine, why);
+    if (!status) status = (r->time_error > 0 ? reach : refine)(&s, &stepping->time_error, why);
+    free(s.exact);
+    field_free(&s.coarse.field);
+    if (status) {
+        field_free(&s.fine.field);
+        return status;
+    }
+    s.fine.field.bytes += held(&s);
+    stepping->updates = s.updates - s.fine.field.updates;
+    *f = s.fine.field;
+    return STATUS_OK;
+}
+
+double time_step_forecast(const struct request *r, const struct options *o, double particles, double time,
+                          double space) {
+    int order = time_step_order(o);
+    if (r->time_error > 0) {
+        double steps = fmax(1, ceil(pow(time / r->time_error, 1.0 / order)));
+        return within_reach(steps, particles, order) ? steps : 0;
+    }
+    double steps = 2 * time_step_first(r, o), at = time / pow(steps, order);
+    return next_steps(steps, (struct estimate){at, space + at, space}, particles, order);
+}
+
+int time_step_solve(const struct request *r, struct options *o, struct field *f, struct time_step *stepping,
+                    struct failure *why) {
+    int given = o->dt > 0 || o->fourier > 0, particles = r->method->scheme != NULL;
+    *stepping = (struct time_step){NAN, 0};
+    if (r->solver) return external_solve(r, o, f, why); /* its time step is its own */
+    if (o->stepper == STEPPER_AUTO && r->time_error > 0 && particles) o->stepper = STEPPER_RKL2;
+    if (o->stepper == STEPPER_AUTO && !given && particles) {
+        o->stepper = STEPPER_EXACT;
+        int status = symmetry_solve(r->method, &r->problem, o, f, why);
+        if (status == STATUS_OK) stepping->time_error = 0;
+        if (status != STATUS_INPUT) return status;
+        o->stepper =
+            STEPPER_RKL2; /* not on this layout or with these walls: s stages do the work of s^2/4 Euler steps */
+    }
+    if (o->stepper == STEPPER_AUTO) o->stepper = STEPPER_EULER;
+    if (o->stepper == STEPPER_EXACT) stepping->time_error = 0;
+    if (given || o->stepper == STEPPER_EXACT || o->stepper == STEPPER_MATCHED || r->problem.t_end <= 0)
+        return symmetry_solve(r->method, &r->problem, o, f, why);
+    return solve_searched(r, o, f, stepping, why);
+}

@@ -1,0 +1,20 @@
+#ifndef HEATLADDER_VERIFICATION_STABILITY_LONG_RUN_H
+#define HEATLADDER_VERIFICATION_STABILITY_LONG_RUN_H
+
+/* A very long run: an insulated hot rod of 32 particles with noise on it, a particle method, a step just inside its
+ * limit. */
+
+#include "verification/stability/model_problem.h"
+
+struct long_run {
+    long long steps;
+    double largest; /* K, max T at the end; 1 to 2 at the start */
+    double rise;    /* K, the most that max T rose between two looks at it (every 1e4 steps) */
+    double drift;   /* of the heat, relative */
+    double mean;    /* K */
+};
+
+int long_run_measure(const struct model_problem *given, double F, long long steps, struct long_run *e,
+                     struct failure *why);
+
+#endif

@@ -1,0 +1,164 @@
+/* Small problems in memory, on which a method shows what it does to one impulse, to noise, to a smooth hill. */
+#include "verification/stability/model_problem.h"
+
+#include "solver/space/kernel.h"
+#include "solver/space/neighbours.h"
+#include "solver/methods/particles.h"
+#include "solver/time/stepper.h"
+
+#include <math.h>
+#include <stdint.h>
+#include <stdlib.h>
+
+/* splitmix64 (Steele, Lea & Flood 2014) of the cell, as a number in [-1, 1) */
+static double noise_at(const struct problem *p, const double x[2]) {
+    uint64_t z = (uint64_t)(int64_t)floor(x[0]) * 0x9e3779b97f4a7c15u;
+    if (p->dim == 2) z ^= (uint64_t)(int64_t)floor(x[1]) * 0xd1b54a32d192ed03u + 0x632be59bd9b4e019u;
+    z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9u;
+    z = (z ^ (z >> 27)) * 0x94d049bb133111ebu;
+    z ^= z >> 31;
+    return (double)(z >> 11) * 0x1p-52 - 1;
+}
+
+static double impulse_at(const struct problem *p, const double x[2]) {
+    for (int a = 0; a < p->dim; a++)
+        if (floor(x[a]) != floor(p->hi[a] / 2)) return 0;
+    return 1;
+}
+
+static double hill_at(const struct problem *p, const double x[2]) {
+    double T = 1;
+    for (int a = 0; a < p->dim; a++) T *= sin(acos(-1) * x[a] / p->hi[a]);
+    return T + p->param[0] * noise_at(p, x);
+}
+
+static double zero(const struct problem *p, enum side s, const double x[2]) {
+    (void)p, (void)s, (void)x;
+    return 0; /* K, or W m^-2 */
+}
+
+struct problem model_problem_setup(const struct model_problem *b, enum model_problem_data data, double disturb) {
+    struct problem p = {.dim = b->dim,
+                        .t_end = 1,
+                        .materials = 1,
+                        .material = {{{1, 1}, 1}},
+                        .param = {disturb},
+                        .initial = data == PROBE_NOISE     ? noise_at
+                                   : data == PROBE_IMPULSE ? impulse_at
+                                                           : hill_at,
+                        .wall = zero};
+    for (int a = 0; a < b->dim; a++) p.hi[a] = b->n;
+    for (int s = 0; s < 4; s++) p.side[s] = b->insulated ? NEUMANN : DIRICHLET;
+    return p;
+}
+
+int model_problem_resolve(struct model_problem *b, int least, struct failure *why) {
+    struct problem p = model_problem_setup(b, PROBE_NOISE, 0);
+    const struct scheme *s = b->method->scheme;
+    b->options.dx = 1;
+    if (b->step.stepper == STEPPER_AUTO) b->step.stepper = STEPPER_EULER;
+    b->options.stepper = b->step.stepper;
+    int reach = 2;
+    if (s) {
+        struct options settled;
+        if (particles_settle(&p, &b->options, s, &settled, why)) return why->status;
+        b->options = settled;
+        reach = (int)ceil(s->sweeps * 2 * settled.h);
+    }
+    if (b->n == 0) b->n = reach + 2 > least ? reach + 2 : least;
+    return STATUS_OK;
+}
+
+int model_problem_cloud(const struct model_problem *b, const struct problem *p, struct cloud *c,
+                        struct failure *why) {
+    struct lattice l;
+    if (layout_lattice(p, &b->options, 1, &l, why)) return why->status;
+    return layout_cloud(p, &b->options, &l, b->method->scheme->sweeps * 2.0 * b->options.h, c, why);
+}
+
+int model_problem_operator(const struct model_problem *b, const struct problem *p, struct heat_operator *a,
+                           struct failure *why) {
+    const struct scheme *s = b->method->scheme;
+    struct lattice l;
+    struct cloud c;
+    if (b->options.layout != LAYOUT_JITTER) {
+        if (layout_lattice(p, &b->options, 1, &l, why)) return why->status;
+        return operator_create_lattice(a, p, &b->options, s, &l, why);
+    }
+    if (model_problem_cloud(b, p, &c, why)) return why->status;
+    int status = operator_create_rows(a, p, &b->options, s, &c, 1, why);
+    layout_cloud_free(&c);
+    return status;
+}
+
+int model_problem_around(const struct model_problem *b, const struct cloud *c, size_t count, model_problem_see *see,
+                         void *with, struct failure *why) {
+    uint32_t near[NEIGHBOURS_MAX];
+    double d[NEIGHBOURS_MAX][2];
+    struct neighbours cells;
+    int status = STATUS_OK;
+    neighbours_create(&cells, c, KERNEL_SUPPORT * b->options.h);
+    for (size_t i = 0; i < count && !status; i++) {
+        struct neighbourhood nb = {.dim = b->dim,
+                                   .i = i,
+                                   .x = {c->x[i], c->y[i]},
+                                   .d = d,
+                                   .h = b->options.h,
+                                   .volume = c->volume,
+                                   .kappa = {1, 1}};
+        nb.n = neighbours_find(&cells, i, near, NEIGHBOURS_MAX);
+        if (nb.n > NEIGHBOURS_MAX) {
+            status = refuse(why, STATUS_NUMERICAL, "particle %zu has %zu neighbours", i, nb.n);
+            break;
+        }
+        for (size_t k = 0; k < nb.n; k++) d[k][0] = c->x[near[k]] - c->x[i], d[k][1] = c->y[near[k]] - c->y[i];
+        status = see(b, &nb, with, why);
+    }
+    neighbours_free(&cells);
+    return status;
+}
+
+static double largest_of(const double *T, size_t n) {
+    double most = 0;
+    for (size_t i = 0; i < n; i++)
+        if (!(fabs(T[i]) <= most)) most = fabs(T[i]); /* a NaN stays */
+    return most;
+}
+
+static int march(const struct model_problem *b, const struct problem *p, double F, long long steps, double *largest,
+                 struct failure *why) {
+    struct heat_operator a;
+    if (model_problem_operator(b, p, &a, why)) return why->status;
+    double *T = xcalloc(a.n, sizeof *T);
+    for (size_t i = 0; i < a.n; i++) {
+        double x[2] = {(double)(i % (size_t)b->n) + 0.5, (double)(i / (size_t)b->n) + 0.5};
+        T[i] = p->initial(p, x);
+    }
+    struct march m = {.stepper = b->step.stepper,
+                      .time = F * (double)steps,
+                      .steps = steps,
+                      .uneven = 0,
+                      .stages = b->step.stages,
+                      .lo = -1,
+                      .hi = 1};
+    size_t bytes = 0;
+    int status = stepper_march(&a, &m, T, &bytes, why);
+    *largest = largest_of(T, a.n);
+    free(T);
+    operator_free(&a);
+    return status;
+}
+
+int model_problem_run(const struct model_problem *b, const struct problem *given, double F, long long steps,
+                      double *largest, struct failure *why) {
+    struct problem p = *given;
+    struct options o = b->options;
+    struct field f;
+    if (b->step.stepper == STEPPER_RKL2) return march(b, &p, F, steps, largest, why);
+    p.t_end = F * (double)steps;
+    o.dt = F;
+    if (b->method->solve(&p, &o, &f, why)) return why->status;
+    *largest = largest_of(f.T, f.n);
+    field_free(&f);
+    return STATUS_OK;
+}

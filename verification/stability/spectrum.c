@@ -1,0 +1,68 @@
+/* Eigenvalues of rows.  GSL balances, reduces to Hessenberg form and takes QR steps (Golub & Van Loan 7.5): each
+ * eigenvalue is that of a matrix within eps n |A| of the one given.  A symmetric operator's eigenvalues are then
+ * wrong by no more than that; those of an operator far from normal by more, so that a real part just above zero says
+ * nothing: the bound below is 100 eps sqrt(n) radius. */
+#include "verification/stability/spectrum.h"
+
+#include <float.h>
+#include <gsl/gsl_eigen.h>
+#include <math.h>
+#include <stdlib.h>
+
+static gsl_matrix *dense(const struct heat_operator *a) {
+    gsl_matrix *m = gsl_matrix_calloc(a->n, a->n);
+    for (size_t i = 0; i < a->n; i++) {
+        gsl_matrix_set(m, i, i, a->diagonal[i]);
+        for (size_t k = a->row[i]; k < a->row[i + 1]; k++) gsl_matrix_set(m, i, a->column[k], a->value[k]);
+    }
+    return m;
+}
+
+double spectrum_rounding(const struct spectrum *s) {
+    return 100 * DBL_EPSILON * sqrt((double)s->n) * s->radius;
+}
+
+static void summarise(struct spectrum *s, const struct amplification *step) {
+    double reach = amplification_reach(step);
+    s->limit = INFINITY, s->growth = -INFINITY;
+    for (size_t i = 0; i < s->n; i++) {
+        s->radius = fmax(s->radius, cabs(s->lambda[i]));
+        s->growth = fmax(s->growth, creal(s->lambda[i]));
+        s->twist = fmax(s->twist, fabs(cimag(s->lambda[i])));
+    }
+    for (size_t i = 0; i < s->n; i++)
+        if (cabs(s->lambda[i]) > spectrum_rounding(s))
+            s->limit = fmin(s->limit, amplification_limit(step, reach, s->lambda[i]));
+}
+
+int spectrum_create(struct spectrum *s, const struct heat_operator *a, const struct amplification *step,
+                    struct failure *why) {
+    *s = (struct spectrum){.n = a->n};
+    if (!a->row || a->n > SPECTRUM_MAX)
+        return refuse(why, STATUS_INPUT, "%zu particles: all eigenvalues are found of at most %d with rows", a->n,
+                      SPECTRUM_MAX);
+    gsl_matrix *m = dense(a);
+    gsl_vector_complex *value = gsl_vector_complex_alloc(a->n);
+    gsl_eigen_nonsymm_workspace *work = gsl_eigen_nonsymm_alloc(a->n);
+    gsl_eigen_nonsymm_params(0, 1, work);
+    int status = gsl_eigen_nonsymm(m, value, work);
+    s->lambda = xcalloc(a->n, sizeof *s->lambda);
+    for (size_t i = 0; i < a->n; i++) {
+        gsl_complex z = gsl_vector_complex_get(value, i);
+        s->lambda[i] = GSL_REAL(z) + I * GSL_IMAG(z);
+    }
+    gsl_eigen_nonsymm_free(work);
+    gsl_vector_complex_free(value);
+    gsl_matrix_free(m);
+    if (!status) summarise(s, step);
+    if (status || !isfinite(s->radius)) {
+        spectrum_free(s);
+        return refuse(why, STATUS_NUMERICAL, "the eigenvalues of %zu particles were not found", a->n);
+    }
+    return STATUS_OK;
+}
+
+void spectrum_free(struct spectrum *s) {
+    free(s->lambda);
+    *s = (struct spectrum){0};
+}

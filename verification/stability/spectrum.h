@@ -1,0 +1,28 @@
+#ifndef HEATLADDER_VERIFICATION_STABILITY_SPECTRUM_H
+#define HEATLADDER_VERIFICATION_STABILITY_SPECTRUM_H
+
+/* All eigenvalues of an operator with rows, by GSL's dense nonsymmetric solver: n to 400 or so. */
+
+#include "solver/space/operator.h"
+#include "verification/stability/amplification.h"
+
+struct spectrum {
+    size_t n;
+    double complex *lambda; /* s^-1 */
+    double limit;           /* s: the largest dt at which no mode grows; 0 where one has a positive real part */
+    double radius;          /* s^-1: max |lambda| */
+    double growth;          /* s^-1: max Re lambda */
+    double twist;           /* s^-1: max |Im lambda| */
+};
+
+enum { SPECTRUM_MAX = 625 };
+
+/* STATUS_INPUT where n is larger than SPECTRUM_MAX, STATUS_NUMERICAL where GSL does not converge. */
+int spectrum_create(struct spectrum *s, const struct heat_operator *a, const struct amplification *step,
+                    struct failure *why);
+void spectrum_free(struct spectrum *s);
+
+/* A real part that counts as positive: above what rounding of n eigenvalues can give. */
+double spectrum_rounding(const struct spectrum *s);
+
+#endif

@@ -1,0 +1,149 @@
+/* Stability limits of explicit methods.
+ *
+ * Published.  Song 2018 eq. 34, SO-SSPH:  dt <= 1/|kappa_x eta_i + kappa_y phi_i| with eta_i, phi_i the weights of
+ * the particle itself (a necessary condition of |Re G| <= 1 only where no other weight is negative);  eq. 41,
+ * FO-SSPH: dt <= 1/(2 (kappa_x (sum |lambda_j|)^2 + kappa_y (sum |gamma_j|)^2)).  Pamplona 2019 eq. 17, FTCS: dt <=
+ * gamma (dx^2 + dy^2)/kappa, gamma = 1/4.  Their eq. 15 for SPH, dt = beta h^2/kappa, leaves beta open.
+ *
+ * Measured.  Noise over LIMIT_STEPS = N steps: a mode that is e past its limit grows by (1 + 2e)^N at least, and the
+ * noise holds it at 1/n or more, so that 2 K are passed where e > ln(2 n)/(2 N) = 0.2 % (n = 24).  Modes that neither
+ * grow nor decay (the checkerboard of a first difference) stay below what the noise gave them, within 1 K: growth is
+ * seen against them.  Bisection then stops at 1 %.
+ * A mode whose eigenvalue has a positive real part grows with time and not with steps: shorter steps are run for as
+ * long as the first, 500 dx^2/kappa, and where a 64th of it still grows no step is stable. */
+#include "verification/stability/step_limit.h"
+
+#include "verification/run/request.h"
+#include "verification/stability/spectrum.h"
+#include "verification/stability/symbol.h"
+
+#include <math.h>
+#include <string.h>
+
+enum { HALVED = 64 };
+
+static int is(const struct model_problem *b, const char *name) {
+    return strcmp(b->method->name, name) == 0;
+}
+
+int step_limit_model(struct model_problem *b, struct failure *why) {
+    int jitter = b->options.layout == LAYOUT_JITTER;
+    return model_problem_resolve(b, b->dim == 1 ? LIMIT_ROD : jitter ? LIMIT_SQUARE_JITTER : LIMIT_SQUARE, why);
+}
+
+int step_limit_request(const struct request *r, struct model_problem *b, struct failure *why) {
+    *b = (struct model_problem){
+        .method = r->method, .dim = r->dim, .options = r->options, .step = {r->options.stepper, r->stages}};
+    if (b->step.stepper == STEPPER_EXACT || b->step.stepper == STEPPER_MATCHED)
+        return refuse(why, STATUS_INPUT, "--stepper %s: limit takes euler, rk2 and rkl2",
+                      stepper_words[b->step.stepper]);
+    if (b->step.stepper == STEPPER_RKL2 ? r->stages < 3 : r->stages > 0)
+        return refuse(why, STATUS_INPUT, "--stepper rkl2 and --stages N (3 or more) need each other");
+    return step_limit_model(b, why);
+}
+
+/* Song eqs. 34 and 41 for one particle; keeps the strictest. */
+static int song_bound(const struct model_problem *b, const struct neighbourhood *nb, void *strictest,
+                      struct failure *why) {
+    double w[2][NEIGHBOURS_MAX], *out[2] = {w[0], w[1]}, sum[2] = {0, 0}, *least = strictest;
+    int sweeps = b->method->scheme->sweeps;
+    struct problem p = model_problem_setup(b, PROBE_NOISE, 0);
+    if (b->method->scheme->weights(&p, &b->options, nb, out, why)) return why->status;
+    for (size_t k = 0; k < nb->n; k++)
+        for (int a = 0; a < (sweeps == 2 ? b->dim : 1); a++) sum[a] += sweeps == 2 ? fabs(w[a][k]) : w[a][k];
+    double bound = sweeps == 2 ? 0.5 / (sum[0] * sum[0] + sum[1] * sum[1]) : 1 / fabs(sum[0]);
+    *least = fmin(*least, bound);
+    return STATUS_OK;
+}
+
+/* On a lattice one particle stands for all. */
+static int song(const struct model_problem *given, double *published, struct failure *why) {
+    struct model_problem b = *given;
+    struct cloud c;
+    int jitter = b.options.layout == LAYOUT_JITTER;
+    if (!jitter) b.options.layout = LAYOUT_LATTICE;
+    struct problem p = model_problem_setup(&b, PROBE_NOISE, 0);
+    if (model_problem_cloud(&b, &p, &c, why)) return why->status;
+    *published = INFINITY;
+    int status = model_problem_around(&b, &c, jitter ? c.n : 1, song_bound, published, why);
+    layout_cloud_free(&c);
+    return status;
+}
+
+static int publish(const struct model_problem *b, struct step_limit *l, struct failure *why) {
+    l->published = NAN, l->source = NULL;
+    if (b->step.stepper != STEPPER_EULER) return STATUS_OK; /* the papers' bounds are for Euler's method */
+    if (is(b, "ftcs")) {
+        l->published = 0.25 * b->dim, l->source = "Pamplona 2019, eq. 17 with gamma = 1/4";
+    } else if (is(b, "so_ssph") && b->options.order <= 2) {
+        l->source = "Song 2018, eq. 34";
+        return song(b, &l->published, why);
+    } else if (is(b, "fo_ssph")) {
+        l->source = "Song 2018, eq. 41";
+        return song(b, &l->published, why);
+    }
+    return STATUS_OK;
+}
+
+static int from_symbol(const struct model_problem *b, struct step_limit *l, struct failure *why) {
+    struct symbol s;
+    if (symbol_create(&s, b, why)) return why->status;
+    struct symbol_extreme e = symbol_extreme(&s, &b->step);
+    l->von_neumann = e.limit, l->growth = e.growth, l->radius = e.radius;
+    l->grows = e.growth > 1e-12 * e.radius;
+    memcpy(l->theta, e.theta, sizeof l->theta);
+    symbol_free(&s);
+    return STATUS_OK;
+}
+
+static int from_spectrum(const struct model_problem *b, struct step_limit *l, struct failure *why) {
+    struct problem p = model_problem_setup(b, PROBE_NOISE, 0);
+    struct heat_operator a;
+    struct spectrum s;
+    if (model_problem_operator(b, &p, &a, why)) return why->status;
+    int status = spectrum_create(&s, &a, &b->step, why);
+    operator_free(&a);
+    if (status) return status;
+    l->von_neumann = s.limit, l->growth = s.growth, l->radius = s.radius;
+    l->grows = s.growth > spectrum_rounding(&s);
+    l->theta[0] = l->theta[1] = NAN;
+    spectrum_free(&s);
+    return STATUS_OK;
+}
+
+int step_limit_predict(const struct model_problem *b, struct step_limit *l, struct failure *why) {
+    *l = (struct step_limit){.published = NAN, .measured = NAN};
+    if (publish(b, l, why)) return why->status;
+    if (b->options.layout == LAYOUT_JITTER ? from_spectrum(b, l, why) : from_symbol(b, l, why)) return why->status;
+    double h = b->options.h;
+    l->beta = b->method->scheme ? l->von_neumann / (h * h) : NAN;
+    return STATUS_OK;
+}
+
+int step_limit_grows(const struct model_problem *b, double F, long long steps, struct failure *why) {
+    struct problem p = model_problem_setup(b, PROBE_NOISE, 0);
+    double largest;
+    int status = model_problem_run(b, &p, F, steps, &largest, why);
+    if (status == STATUS_NUMERICAL) return strstr(why->text, "unstable") ? 1 : -1;
+    return status ? -1 : !(largest <= 2);
+}
+
+int step_limit_measure(const struct model_problem *b, double *measured, struct failure *why) {
+    double in = 0, out = 0, first = amplification_interval(&b->step) / 4, F = first;
+    while (!(in > 0 && out > 0) && F >= first / HALVED && F <= first * HALVED) {
+        int grows = step_limit_grows(b, F, (long long)(LIMIT_STEPS * fmax(1, first / F)), why);
+        if (grows < 0) return why->status;
+        *(grows ? &out : &in) = F;
+        F *= grows ? 0.5 : 2;
+    }
+    *measured = out > 0 ? 0 : INFINITY;
+    if (!(in > 0 && out > 0)) return STATUS_OK;
+    while (out > 1.01 * in) {
+        double middle = sqrt(in * out);
+        int grows = step_limit_grows(b, middle, LIMIT_STEPS, why);
+        if (grows < 0) return why->status;
+        *(grows ? &out : &in) = middle;
+    }
+    *measured = sqrt(in * out);
+    return STATUS_OK;
+}

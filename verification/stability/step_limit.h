@@ -1,0 +1,38 @@
+#ifndef HEATLADDER_VERIFICATION_STABILITY_STEP_LIMIT_H
+#define HEATLADDER_VERIFICATION_STABILITY_STEP_LIMIT_H
+
+/* The largest stable step of a method, three times over: as published, by von Neumann's analysis, by trying.  Each is
+ * F = dt kappa/dx^2. */
+
+#include "verification/stability/model_problem.h"
+
+struct request;
+
+struct step_limit {
+    double published;   /* NaN where no paper has a number */
+    const char *source; /* of `published` */
+    double von_neumann; /* the symbol's; under jitter the eigenvalues'; 0 where some mode grows at any step */
+    double measured;    /* between decay and growth, to 1 %; 0 where there is growth at any step */
+    double growth;      /* largest real part of the eigenvalues, kappa/dx^2 */
+    double radius;      /* largest |lambda|, kappa/dx^2 */
+    double theta[2];    /* rad a particle, the wave number that sets von_neumann; NaN under jitter */
+    double beta;        /* von_neumann as Pamplona's beta of eq. 15, F (dx/h)^2; NaN without an h */
+    int grows;          /* 1: an eigenvalue has a positive real part, past rounding */
+};
+
+/* The first two and what goes with them; l->measured is NaN.  b is settled. */
+int step_limit_predict(const struct model_problem *b, struct step_limit *l, struct failure *why);
+
+/* By bisection on real runs of b.  STATUS_OK, or what the runs were refused with other than growth. */
+int step_limit_measure(const struct model_problem *b, double *measured, struct failure *why);
+
+/* Whether noise grows in `steps` steps of F: 1, 0, or -1 with *why filled. */
+int step_limit_grows(const struct model_problem *b, double F, long long steps, struct failure *why);
+
+enum { LIMIT_ROD = 48, LIMIT_SQUARE = 24, LIMIT_SQUARE_JITTER = 14, LIMIT_STEPS = 1000 };
+
+/* A probe of the size that limits are looked for on, settled; and that of a command `limit`. */
+int step_limit_model(struct model_problem *b, struct failure *why);
+int step_limit_request(const struct request *r, struct model_problem *b, struct failure *why);
+
+#endif

@@ -1,0 +1,147 @@
+/* rename() replaces a file in one step (POSIX), so a reader sees the old text or the new.  The bytes are all in
+ * memory before the file is opened, and interrupts wait for the moment that the writing takes: no partial file is
+ * left.  A thread's mask would not hold them, as any other thread may take them: the process as a whole notes them,
+ * and hears them afterwards.  Files that belong together are all written under their other names first, so that what
+ * is between the first and the last of them is a few renames. */
+#include "verification/text/atomic_file.h"
+
+#include "solver/status.h"
+
+#include <errno.h>
+#include <fcntl.h>
+#include <signal.h>
+#include <stdatomic.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+enum { PATH_LENGTH = 4096, INTERRUPTS = 3 };
+
+static const int interrupts[INTERRUPTS] = {SIGINT, SIGTERM, SIGHUP};
+static atomic_int noted; /* the last interrupt that waits; a handler can reach nothing else */
+
+static int refuse_path(const char *path, struct failure *why) {
+    return refuse(why, STATUS_INPUT, "cannot write '%.300s': %s", path, strerror(errno));
+}
+
+static int is_special(const char *path) {
+    struct stat s;
+    return stat(path, &s) == 0 && !S_ISREG(s.st_mode);
+}
+
+/* The name that the file is written under first; 0, or -1 where the path is too long. */
+static int beside(const char *path, char *name) {
+    int length = snprintf(name, PATH_LENGTH, "%s.%ld.part", path, (long)getpid());
+    if (length < PATH_LENGTH) return 0;
+    errno = ENAMETOOLONG;
+    return -1;
+}
+
+int atomic_file_check(const char *path, struct failure *why) {
+    char name[PATH_LENGTH];
+    if (!path) return STATUS_OK;
+    if (is_special(path)) {
+        int special = open(path, O_WRONLY);
+        return special < 0 || close(special) ? refuse_path(path, why) : STATUS_OK;
+    }
+    if (beside(path, name)) return refuse_path(path, why);
+    int file = open(name, O_WRONLY | O_CREAT | O_EXCL, 0666);
+    if (file < 0) return refuse_path(path, why);
+    close(file);
+    unlink(name);
+    return STATUS_OK;
+}
+
+static int put(int file, const char *bytes, size_t size) {
+    while (size > 0) {
+        ssize_t n = write(file, bytes, size);
+        if (n < 0 && errno == EINTR) continue;
+        if (n < 0) return -1;
+        bytes += n;
+        size -= (size_t)n;
+    }
+    return 0;
+}
+
+/* Writes the part beside `path`, to be renamed.  0, or -1 with errno set and nothing left behind. */
+static int prepare(const char *path, const char *bytes, size_t size) {
+    char name[PATH_LENGTH];
+    if (beside(path, name)) return -1;
+    int file = open(name, O_WRONLY | O_CREAT | O_EXCL, 0666);
+    if (file < 0) return -1;
+    int bad = put(file, bytes, size);
+    bad = close(file) || bad;
+    if (!bad) return 0;
+    int error = errno;
+    unlink(name);
+    errno = error;
+    return -1;
+}
+
+/* Renames the part, or removes it. */
+static int settle(const char *path, int keep) {
+    char name[PATH_LENGTH];
+    if (beside(path, name)) return -1;
+    if (keep && rename(name, path) == 0) return 0;
+    int error = errno;
+    unlink(name);
+    errno = error;
+    return -1;
+}
+
+static int write_special(const struct atomic_file *f, struct failure *why) {
+    int special = open(f->path, O_WRONLY);
+    int bad = special < 0 || put(special, f->bytes, f->size);
+    return bad || close(special) ? refuse_path(f->path, why) : STATUS_OK;
+}
+
+static char *real_path(const char *path) {
+    char *real = realpath(path, NULL); /* so that a link stays a link */
+    if (real) return real;
+    real = xcalloc(strlen(path) + 1, 1);
+    return strcpy(real, path);
+}
+
+static int write_all(const struct atomic_file *files, int count, char **real, struct failure *why) {
+    int status = STATUS_OK, prepared = 0;
+    for (; prepared < count; prepared++) {
+        const struct atomic_file *f = &files[prepared];
+        if (is_special(f->path)) continue;
+        real[prepared] = real_path(f->path);
+        if (prepare(real[prepared], f->bytes, f->size)) {
+            status = refuse_path(f->path, why);
+            break;
+        }
+    }
+    for (int i = 0; i < prepared; i++) {
+        if (!real[i] && !status)
+            status = write_special(&files[i], why);
+        else if (real[i] && settle(real[i], !status) && !status)
+            status = refuse_path(files[i].path, why);
+    }
+    return status;
+}
+
+static void note(int signal) {
+    atomic_store(&noted, signal);
+}
+
+int atomic_file_write_all(const struct atomic_file *files, int count, struct failure *why) {
+    char **real = xcalloc((size_t)count, sizeof *real);
+    struct sigaction wait = {.sa_handler = note}, before[INTERRUPTS];
+    sigemptyset(&wait.sa_mask);
+    for (int i = 0; i < INTERRUPTS; i++) sigaction(interrupts[i], &wait, &before[i]);
+    int status = write_all(files, count, real, why);
+    for (int i = 0; i < INTERRUPTS; i++) sigaction(interrupts[i], &before[i], NULL);
+    int interrupt = atomic_exchange(&noted, 0);
+    if (interrupt) raise(interrupt);
+    for (int i = 0; i < count; i++) free(real[i]);
+    free(real);
+    return status;
+}
+
+int atomic_file_write(const char *path, const char *bytes, size_t size, struct failure *why) {
+    return atomic_file_write_all(&(struct atomic_file){path, bytes, size}, 1, why);
+}

@@ -1,0 +1,27 @@
+#ifndef HEATLADDER_VERIFICATION_TEXT_ATOMIC_FILE_H
+#define HEATLADDER_VERIFICATION_TEXT_ATOMIC_FILE_H
+
+/* Files that are there whole or not at all: written beside their place under another name, then renamed. */
+
+#include <stddef.h>
+
+struct failure;
+
+/* Whether `path` could be written, so that a long run is refused before it starts.  STATUS_OK or STATUS_INPUT; a NULL
+ * path is fine.  Leaves nothing behind, and what is there as it is. */
+int atomic_file_check(const char *path, struct failure *why);
+
+/* Puts `size` bytes at `path`.  STATUS_OK or STATUS_INPUT; on a failure, or when interrupted, what was there before
+ * stays whole.  Interrupts (SIGINT, SIGTERM, SIGHUP) wait until the file is in its place; no two threads may write at
+ * once.  A path that is no regular file (/dev/null, a pipe) is written to as it is. */
+int atomic_file_write(const char *path, const char *bytes, size_t size, struct failure *why);
+
+struct atomic_file {
+    const char *path, *bytes;
+    size_t size;
+};
+
+/* The same for several that belong together: all are written in full before the first of them takes its place. */
+int atomic_file_write_all(const struct atomic_file *files, int count, struct failure *why);
+
+#endif

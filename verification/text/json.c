@@ -1,0 +1,79 @@
+/* A streaming JSON writer: what is open is a stack of closing brackets. */
+#include "verification/text/json.h"
+
+#include <math.h>
+
+struct json json_on(FILE *out) {
+    return (struct json){.out = out};
+}
+
+static void quote(FILE *out, const char *text) {
+    fputc('"', out);
+    for (const unsigned char *c = (const unsigned char *)text; *c; c++) {
+        if (*c == '"' || *c == '\\')
+            fprintf(out, "\\%c", *c);
+        else if (*c < 0x20)
+            fprintf(out, "\\u%04x", *c);
+        else
+            fputc(*c, out);
+    }
+    fputc('"', out);
+}
+
+static void indent(const struct json *j) {
+    fprintf(j->out, "\n%*s", 2 * j->depth, "");
+}
+
+static void start(struct json *j, const char *key) {
+    if (j->depth > 0) {
+        if (j->members[j->depth - 1]++) fputc(',', j->out);
+        indent(j);
+    }
+    if (key) {
+        quote(j->out, key);
+        fputs(": ", j->out);
+    }
+}
+
+static void open(struct json *j, const char *key, const char *brackets) {
+    start(j, key);
+    fputc(brackets[0], j->out);
+    j->members[j->depth] = 0;
+    j->closing[j->depth++] = brackets[1];
+}
+
+void json_object(struct json *j, const char *key) {
+    open(j, key, "{}");
+}
+
+void json_array(struct json *j, const char *key) {
+    open(j, key, "[]");
+}
+
+void json_end(struct json *j) {
+    j->depth--;
+    if (j->members[j->depth]) indent(j);
+    fputc(j->closing[j->depth], j->out);
+    if (j->depth == 0) fputc('\n', j->out);
+}
+
+void json_number(struct json *j, const char *key, double value) {
+    start(j, key);
+    if (isfinite(value))
+        fprintf(j->out, "%.17g", value);
+    else
+        fputs("null", j->out);
+}
+
+void json_whole(struct json *j, const char *key, long long value) {
+    start(j, key);
+    fprintf(j->out, "%lld", value);
+}
+
+void json_text(struct json *j, const char *key, const char *value) {
+    start(j, key);
+    if (value)
+        quote(j->out, value);
+    else
+        fputs("null", j->out);
+}

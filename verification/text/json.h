@@ -1,0 +1,28 @@
+#ifndef HEATLADDER_VERIFICATION_TEXT_JSON_H
+#define HEATLADDER_VERIFICATION_TEXT_JSON_H
+
+/* Writes JSON (RFC 8259) as it goes.  Numbers carry 17 digits, so that they read back to the same bits; a number that
+ * is not finite becomes null.  `key` is the member's name, or NULL within an array and for the outermost value. */
+
+#include <stdio.h>
+
+enum { JSON_DEPTH = 16 };
+
+struct json {
+    FILE *out;
+    int depth;
+    int members[JSON_DEPTH]; /* written so far, per level */
+    char closing[JSON_DEPTH];
+};
+
+struct json json_on(FILE *out);
+
+void json_object(struct json *j, const char *key); /* ends with json_end */
+void json_array(struct json *j, const char *key);  /* ends with json_end */
+void json_end(struct json *j);
+
+void json_number(struct json *j, const char *key, double value);
+void json_whole(struct json *j, const char *key, long long value);
+void json_text(struct json *j, const char *key, const char *value); /* NULL becomes null */
+
+#endif

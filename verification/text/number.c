@@ -1,0 +1,49 @@
+/* Strict numbers: the whole text counts, the value is finite; no blanks, no hexadecimal, no trailing unit. */
+#include "verification/text/number.h"
+
+#include <errno.h>
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+/* strtod also takes leading blanks, hexadecimal, "inf" and "nan": only the letters of a decimal may reach it. */
+static int read_decimal(const char *text, size_t length, double *value) {
+    char digits[64], *end;
+    if (length == 0 || length >= sizeof digits || strspn(text, "0123456789+-.eE") < length) return -1;
+    memcpy(digits, text, length);
+    digits[length] = '\0';
+    *value = strtod(digits, &end);
+    return *end == '\0' && isfinite(*value) ? 0 : -1;
+}
+
+static int read_fraction(const char *text, size_t length, double *value) {
+    const char *slash = memchr(text, '/', length);
+    if (!slash) return read_decimal(text, length, value);
+    double above, below;
+    size_t left = (size_t)(slash - text);
+    if (read_decimal(text, left, &above) || read_decimal(slash + 1, length - left - 1, &below)) return -1;
+    *value = above / below;
+    return isfinite(*value) ? 0 : -1;
+}
+
+int number_read(const char *text, double *value) {
+    return read_fraction(text, strlen(text), value);
+}
+
+int number_read_list(const char *text, double *values, int max) {
+    int n = 0;
+    for (const char *at = text;; at++) {
+        size_t length = strcspn(at, ",");
+        if (n == max || read_fraction(at, length, &values[n])) return -1;
+        n++;
+        at += length;
+        if (*at == '\0') return n;
+    }
+}
+
+int number_read_whole(const char *text, long max, long *value) {
+    if (*text == '\0' || strspn(text, "0123456789") < strlen(text)) return -1;
+    errno = 0;
+    *value = strtol(text, NULL, 10);
+    return errno == 0 && *value <= max ? 0 : -1;
+}

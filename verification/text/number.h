@@ -1,0 +1,16 @@
+#ifndef HEATLADDER_VERIFICATION_TEXT_NUMBER_H
+#define HEATLADDER_VERIFICATION_TEXT_NUMBER_H
+
+/* Numbers as people write them on a command line: strict, so that a slip is refused and not half read. */
+
+/* Reads the whole of `text` as a finite decimal, or as a fraction of two (4/42).  0, or -1 where it is neither. */
+int number_read(const char *text, double *value);
+
+/* Reads numbers separated by commas.  How many, at most max; or -1 where one is no number, there is none, or there
+ * are more than max. */
+int number_read_list(const char *text, double *values, int max);
+
+/* Reads the whole of `text` as a whole number in [0, max].  0 or -1. */
+int number_read_whole(const char *text, long max, long *value);
+
+#endif

@@ -1,0 +1,52 @@
+/* A table of text: cells are collected, then printed as wide as the widest of their column. */
+#include "verification/text/table.h"
+
+#include "solver/status.h"
+#include "verification/text/paint.h"
+
+#include <stdarg.h>
+#include <stdlib.h>
+#include <string.h>
+
+struct table table_create(int columns, int left) {
+    return (struct table){.columns = columns, .left = left};
+}
+
+static void grow(struct table *t) {
+    int room = t->room ? 2 * t->room : 8 * t->columns;
+    char(*cell)[TABLE_CELL] = xcalloc((size_t)room, sizeof *cell);
+    if (t->cells) memcpy(cell, t->cell, (size_t)t->cells * sizeof *cell);
+    free(t->cell);
+    t->cell = cell;
+    t->room = room;
+}
+
+void table_add(struct table *t, const char *format, ...) {
+    if (t->cells == t->room) grow(t);
+    va_list arguments;
+    va_start(arguments, format);
+    vsnprintf(t->cell[t->cells++], TABLE_CELL, format, arguments);
+    va_end(arguments);
+}
+
+void table_print(const struct table *t, FILE *out) {
+    int width[TABLE_COLUMNS] = {0};
+    for (int i = 0; i < t->cells; i++) {
+        int w = (int)strlen(t->cell[i]), c = i % t->columns;
+        if (w > width[c]) width[c] = w;
+    }
+    for (int i = 0; i < t->cells; i++) {
+        int c = i % t->columns, last = c == t->columns - 1;
+        const char *text = t->cell[i];
+        int w = last && (*text == '\0' || c < t->left) ? 0
+                : c < t->left                          ? -width[c]
+                                                       : width[c]; /* no blanks at the end */
+        fprintf(out, "%s%s%*s%s%s", c ? "  " : "", paint_start(out, text), w, text, paint_end(out, text),
+                last ? "\n" : "");
+    }
+}
+
+void table_free(struct table *t) {
+    free(t->cell);
+    *t = (struct table){0};
+}

@@ -1,0 +1,23 @@
+#ifndef HEATLADDER_VERIFICATION_TEXT_TABLE_H
+#define HEATLADDER_VERIFICATION_TEXT_TABLE_H
+
+/* Columns of text that line up. */
+
+#include <stdio.h>
+
+enum { TABLE_COLUMNS = 16, TABLE_CELL = 120 };
+
+struct table {
+    int columns;
+    int left;  /* the first so many columns are set left, the others right */
+    int cells; /* filled so far, row by row; the first row is the header */
+    int room;
+    char (*cell)[TABLE_CELL];
+};
+
+struct table table_create(int columns, int left);
+void table_add(struct table *t, const char *format, ...) __attribute__((format(printf, 2, 3)));
+void table_print(const struct table *t, FILE *out);
+void table_free(struct table *t);
+
+#endif

@@ -1,0 +1,16 @@
+#ifndef HEATLADDER_VERIFICATION_TEXT_VERDICT_H
+#define HEATLADDER_VERIFICATION_TEXT_VERDICT_H
+
+enum verdict {
+    VERDICT_INCONCLUSIVE, /* zero, so that what nobody judged does not pass */
+    VERDICT_FAIL,
+    VERDICT_PASS,
+    VERDICT_MEASURED /* there was no band to judge by */
+};
+
+extern const char *const verdict_words[]; /* in the order of the enum, ended by NULL */
+
+/* Pass where x is finite and lo <= x <= hi, else fail: NaN fails. */
+enum verdict verdict_within(double x, double lo, double hi);
+
+#endif

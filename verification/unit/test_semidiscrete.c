@@ -1,0 +1,169 @@
+/* What a ladder in time is measured against where there is no exact stepper, on methods made to measure: T = (1 + D
+ * dt^2) T_exact of the midpoint rule, (1 + part D dt^order) T_exact of the rungs' stepper. */
+#include "verification/ladder/ladder.h"
+
+#include "references/scene.h"
+#include "solver/space/operator.h"
+#include "verification/command/arguments.h"
+#include "verification/run/semidiscrete.h"
+
+#include "verification/unit/near.h"
+
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+static const double D = 0.77, UNASKED = 0.5; /* s: the step where none is given */
+
+static int answer(const struct problem *p, const struct options *o, double part, struct field *f,
+                  struct failure *why) {
+    enum { POINTS = 40 };
+    if (o->stepper == STEPPER_EXACT) return refuse(why, STATUS_INPUT, "--stepper exact: not here");
+    double step = o->dt > 0 ? o->dt : o->fourier > 0 ? o->fourier * o->dx * o->dx / p->material[0].k[0] : UNASKED;
+    field_alloc(f, 1, POINTS);
+    f->time = p->t_end, f->steps = (long long)ceil(p->t_end / step - 1e-9), f->stages = 1;
+    f->dt = p->t_end / (double)f->steps;
+    double error = D * pow(f->dt, o->stepper == STEPPER_EULER ? 1 : 2);
+    if (o->stepper != STEPPER_RK2) error *= part;
+    for (int i = 0; i < POINTS; i++) {
+        double x[2] = {p->lo[0] + (i + 0.5) * (p->hi[0] - p->lo[0]) / POINTS, 0};
+        f->x[i] = x[0];
+        f->T[i] = (1 + error) * scene_find("rod-gauss")->exact(p, x, p->t_end).temperature;
+    }
+    return STATUS_OK;
+}
+
+static int solve_alike(const struct problem *p, const struct options *o, struct field *f, struct failure *why) {
+    return answer(p, o, 1, f, why);
+}
+
+static int solve_precise(const struct problem *p, const struct options *o, struct field *f, struct failure *why) {
+    return answer(p, o, 1.0 / 64, f, why);
+}
+
+static int solve_growing(const struct problem *p, const struct options *o, struct field *f, struct failure *why) {
+    (void)p, (void)f;
+    if (o->stepper == STEPPER_EXACT) return refuse(why, STATUS_INPUT, "--stepper exact: not here");
+    return refuse(why, STATUS_NUMERICAL, "unstable at any step");
+}
+
+/* (fail) is the function of solver/method.h: without the parentheses it is a macro of cmocka's */
+static const struct scheme scheme;
+static const struct method alike = {"alike", "", "stepper", &scheme, solve_alike};
+static const struct method precise = {"precise", "", "stepper", &scheme, solve_precise};
+static const struct method growing = {"growing", "", "stepper", &scheme, solve_growing};
+
+static void climb(const char *options, const struct method *m, int status, struct ladder *l, struct failure *why) {
+    struct request r;
+    char line[160];
+    snprintf(line, sizeof line, "ladder rod-gauss ftcs --dx 0.5 %s", options);
+    if (arguments_parse_line(line, &r, why)) fail_msg("%s", why->text);
+    r.method = m;
+    r.options.domain = DOMAIN_WHOLE; /* these methods know of no lattice to unfold */
+    int got = ladder_run(&r, l, why);
+    if (got != status) fail_msg("%s: status %d, %s", line, got, why->text);
+    arguments_free(&r);
+}
+
+/* 18 steps to one of the finest rung's or, where that is more, twice those that the method takes unasked. */
+static void the_truth_is_the_midpoint_rules(void **state) {
+    (void)state;
+    static const struct {
+        const char *options;
+        double t_end, steps, order;
+    } tried[] = {{"--dt 0.8,0.4,0.2,0.1 --stepper rkl2", 5, 900, 2},
+                 {"--dt 0.8,0.4,0.2,0.1 --stepper euler", 5, 900, 1},
+                 {"--fourier 0.032,0.016,0.008,0.004 --stepper rkl2", 5, 900, 2},
+                 {"--set t_end=800 --dt 800,400,200,100 --stepper rkl2", 800, 3200, 2}};
+    struct failure why;
+    struct ladder *l = xcalloc(1, sizeof *l);
+    for (int i = 0; i < 4; i++) {
+        climb(tried[i].options, &alike, STATUS_OK, l, &why);
+        double dt = tried[i].t_end / tried[i].steps, wrong = D * dt * dt, size = 1 + wrong;
+        assert_int_equal(l->semidiscrete_steps, (long long)tried[i].steps);
+        assert_near(l->semidiscrete_error * size / wrong, 1, 1e-6);
+        assert_near(l->rung[0].reference_error, l->semidiscrete_error, 0);
+        assert_near(l->error[3] * size / (D * pow(l->x[3], tried[i].order) - wrong), 1, 1e-6);
+        assert_near(l->slope.value, tried[i].order, 0.01);
+        assert_int_equal(l->slope.n, 4);
+    }
+    free(l);
+}
+
+static void a_truth_that_is_not_good_enough_is_said(void **state) {
+    (void)state;
+    struct failure why;
+    struct ladder *l = xcalloc(1, sizeof *l);
+    climb("--dt 0.8,0.4,0.2,0.1 --stepper rkl2 --expect 1.5,2.5", &precise, STATUS_OK, l, &why);
+    assert_int_equal(l->slope.n, 3); /* dt^2/64 of the finest against dt^2/18^2 */
+    assert_non_null(strstr(l->window.left_out[3], "reference floor"));
+    assert_int_equal(l->verdict, VERDICT_INCONCLUSIVE);
+    free(l);
+}
+
+static void equations_that_are_unstable_fail_the_ladder(void **state) {
+    (void)state;
+    struct failure why;
+    struct ladder *l = xcalloc(1, sizeof *l);
+    climb("--dt 0.8,0.4,0.2,0.1 --stepper rkl2 --expect 1.9,2.1", &growing, STATUS_NUMERICAL, l, &why);
+    assert_int_equal(l->verdict, VERDICT_FAIL);
+    assert_non_null(strstr(l->reason, "no truth in time: unstable at any step"));
+    assert_true(isnan(l->slope.value));
+    free(l);
+}
+
+/* The only rung of more than three stages: local slopes of scattered particles are judged too, since all rungs have
+ * the same ones. */
+static void a_coarse_rung_off_the_lattice_is_left_out(void **state) {
+    (void)state;
+    struct request r;
+    struct failure why;
+    struct ladder *l = xcalloc(1, sizeof *l);
+    const char *line = "ladder rod-cosine so_ssph --layout jitter --jitter 0.1 --seed 2 --dx 1/40 --stepper rkl2 "
+                       "--dt 1/10,1/56,1/80,1/112,1/160";
+    if (arguments_parse_line(line, &r, &why)) fail_msg("%s", why.text);
+    assert_int_equal(ladder_run(&r, l, &why), STATUS_OK);
+    assert_int_equal(l->slope.n, 4);
+    assert_non_null(strstr(l->window.left_out[0], "pre-asymptotic"));
+    arguments_free(&r);
+    free(l);
+}
+
+/* Where both exist they are the same: the particles of a cloud without jitter against those of the lattice. */
+static void the_midpoint_rules_truth_is_the_exact_one(void **state) {
+    (void)state;
+    static const char *const lines[] = {"ladder rod-cosine so_ssph --dx 1/40 --dt 0.1,0.05 --stepper rkl2",
+                                        "ladder rod-cosine so_ssph --dx 1/40 --dt 0.1,0.05 --stepper rkl2 "
+                                        "--layout jitter --jitter 0"};
+    struct semidiscrete truth[2];
+    struct failure why;
+    for (int i = 0; i < 2; i++) {
+        struct request r;
+        if (arguments_parse_line(lines[i], &r, &why)) fail_msg("%s", why.text);
+        struct options finest = r.options;
+        finest.dt = 0.05;
+        if (semidiscrete_solve(&r, &finest, &truth[i], &why)) fail_msg("%s", why.text);
+        arguments_free(&r);
+    }
+    double most = 0, size = 0;
+    for (size_t i = 0; i < truth[1].field.n; i++) {
+        most += fabs(truth[1].field.T[i] - truth[0].field.T[i]);
+        size += fabs(truth[0].field.T[i]);
+    }
+    assert_int_equal(truth[0].steps, 0);
+    assert_near(truth[0].error, 0, 0);
+    assert_true(truth[1].steps >= 360);
+    assert_near(most / size / truth[1].error, 1, 0.02);
+    for (int i = 0; i < 2; i++) field_free(&truth[i].field);
+}
+
+int main(void) {
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(the_truth_is_the_midpoint_rules),
+        cmocka_unit_test(a_truth_that_is_not_good_enough_is_said),
+        cmocka_unit_test(equations_that_are_unstable_fail_the_ladder),
+        cmocka_unit_test(a_coarse_rung_off_the_lattice_is_left_out),
+        cmocka_unit_test(the_midpoint_rules_truth_is_the_exact_one),
+    };
+    return cmocka_run_group_tests_name("truth", tests, NULL, NULL);
+}

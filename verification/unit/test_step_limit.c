@@ -1,0 +1,149 @@
+/* Limits, symbols and amplification factors against what is known of them in closed form. */
+#include "solver/method.h" /* before cmocka.h, which makes a macro of `fail` */
+#include "verification/stability/long_run.h"
+#include "verification/stability/step_limit.h"
+#include "verification/stability/maximum_principle.h"
+#include "verification/stability/spectrum.h"
+#include "verification/stability/symbol.h"
+#include "verification/unit/near.h"
+
+#include <gsl/gsl_errno.h>
+#include <gsl/gsl_sf_legendre.h>
+#include <math.h>
+
+extern const struct method method_so_ssph, method_fo_ssph, method_brookshaw, method_ftcs, method_ftcs_flux;
+
+static struct model_problem probe(const struct method *m, int dim, double h) {
+    struct model_problem b = {.method = m, .dim = dim, .options = {.h = h}};
+    struct failure why;
+    if (step_limit_model(&b, &why)) fail_msg("%s", why.text);
+    return b;
+}
+
+static struct step_limit predicted(const struct model_problem *b) {
+    struct step_limit l;
+    struct failure why;
+    if (step_limit_predict(b, &l, &why)) fail_msg("%s", why.text);
+    return l;
+}
+
+/* -4 sin^2(theta/2) and -sin^2(theta) along each axis: limits 1/(2 d) and 2/d. */
+static void finite_differences_have_their_symbols(void **state) {
+    (void)state;
+    const double theta[2] = {1.37, -0.59};
+    for (int dim = 1; dim <= 2; dim++) {
+        struct model_problem direct = probe(&method_ftcs, dim, 0), flux = probe(&method_ftcs_flux, dim, 0);
+        struct symbol s[2];
+        struct failure why;
+        double want[2] = {0, 0};
+        for (int a = 0; a < dim; a++) {
+            want[0] -= 4 * pow(sin(theta[a] / 2), 2);
+            want[1] -= pow(sin(theta[a]), 2);
+        }
+        assert_int_equal(symbol_create(&s[0], &direct, &why), STATUS_OK);
+        assert_int_equal(symbol_create(&s[1], &flux, &why), STATUS_OK);
+        for (int k = 0; k < 2; k++) {
+            assert_near(creal(symbol_at(&s[k], theta)), want[k], 1e-13);
+            assert_near(cimag(symbol_at(&s[k], theta)), 0, 1e-13);
+            symbol_free(&s[k]);
+        }
+        assert_near(predicted(&direct).von_neumann, 0.5 / dim, 1e-12);
+        assert_near(predicted(&flux).von_neumann, 2.0 / dim, 1e-11);
+        assert_near(predicted(&direct).published, 0.25 * dim, 0); /* Pamplona eq. 17 */
+        assert_true(isnan(predicted(&flux).published));
+    }
+}
+
+/* With one neighbour on either side (h/dx <= 1) both are central differences. */
+static void narrow_supports_are_finite_differences(void **state) {
+    (void)state;
+    struct model_problem so = probe(&method_so_ssph, 1, 0.83), fo = probe(&method_fo_ssph, 1, 0.83);
+    assert_near(predicted(&so).von_neumann, 0.5, 1e-12);
+    assert_near(predicted(&so).published, 0.5, 1e-13);
+    assert_near(predicted(&fo).von_neumann, 2, 1e-11);
+    assert_near(predicted(&fo).published, 0.5, 1e-13); /* Song eq. 41: a quarter of it */
+}
+
+static void complex_eigenvalues_count(void **state) {
+    (void)state;
+    struct amplification euler = {STEPPER_EULER, 0}, rk2 = {STEPPER_RK2, 0};
+    assert_near(amplification_limit(&euler, 2, -1.3 + 0.7 * I), 2.6 / (1.69 + 0.49), 1e-14);
+    assert_near(amplification_limit(&euler, 2, 0.7 * I), 0, 0);
+    assert_near(amplification_limit(&euler, 2, 1e-9 + 0.7 * I), 0, 0);
+    double dt = amplification_limit(&rk2, 2, -1.3 + 0.7 * I);
+    assert_near(cabs(amplification_factor(&rk2, dt * (-1.3 + 0.7 * I))), 1, 1e-9);
+}
+
+static void rkl2_is_a_legendre_polynomial(void **state) {
+    (void)state;
+    for (int s = 3; s <= 15; s += 4) {
+        struct amplification a = {STEPPER_RKL2, s};
+        double beta = amplification_interval(&a), z = 0.371 * beta, b = beta / (s * (s + 1.0));
+        assert_near(creal(amplification_factor(&a, -z)), 1 - b + b * gsl_sf_legendre_Pl(s, 1 - 2 * z / beta), 1e-13);
+        assert_true(amplification_reach(&a) > beta);
+        assert_near(cabs(amplification_factor(&a, -amplification_reach(&a))), 1, 1e-9);
+    }
+}
+
+/* The eigenvalues of a regular cloud are the symbol at the waves that vanish at its walls. */
+static void rows_have_the_symbols_eigenvalues(void **state) {
+    (void)state;
+    struct model_problem b = probe(&method_so_ssph, 1, 1.37);
+    struct symbol s;
+    struct heat_operator a;
+    struct spectrum e;
+    struct failure why;
+    assert_int_equal(symbol_create(&s, &b, &why), STATUS_OK);
+    b.options.layout = LAYOUT_JITTER; /* of amplitude 0 */
+    b.n = 16;
+    struct problem p = model_problem_setup(&b, PROBE_NOISE, 0);
+    assert_int_equal(model_problem_operator(&b, &p, &a, &why), STATUS_OK);
+    assert_int_equal(spectrum_create(&e, &a, &b.step, &why), STATUS_OK);
+    for (int k = 1; k <= 16; k++) {
+        double theta[2] = {acos(-1) * k / 16, 0}, want = creal(symbol_at(&s, theta)), nearest = INFINITY;
+        for (size_t i = 0; i < e.n; i++) nearest = fmin(nearest, cabs(e.lambda[i] - want));
+        assert_near(nearest, 0, spectrum_rounding(&e));
+    }
+    spectrum_free(&e);
+    operator_free(&a);
+    symbol_free(&s);
+}
+
+static void the_quartic_kernel_breaks_song_34(void **state) {
+    (void)state;
+    struct model_problem b = {.method = &method_so_ssph, .dim = 1, .options = {.kernel = KERNEL_QUARTIC, .h = 1.12}};
+    struct failure why;
+    assert_int_equal(step_limit_model(&b, &why), STATUS_OK);
+    struct step_limit l = predicted(&b);
+    assert_true(l.published > 1.02 * l.von_neumann);
+    assert_int_equal(step_limit_grows(&b, 0.99 * l.published, 2000, &why), 1);
+    assert_int_equal(step_limit_grows(&b, 0.99 * l.von_neumann, 2000, &why), 0);
+    struct maximum_principle x;
+    assert_int_equal(maximum_principle_find(&b, 1.12, &x, &why), STATUS_OK);
+    assert_true(x.lowest < 0 && x.undershoot > 1e-3);
+}
+
+static void long_runs_keep_their_heat(void **state) {
+    (void)state;
+    struct model_problem b = probe(&method_brookshaw, 1, 1.2);
+    struct long_run e;
+    struct failure why;
+    assert_int_equal(long_run_measure(&b, 0.999 * predicted(&b).von_neumann, 100000, &e, &why), STATUS_OK);
+    assert_near(e.drift, 0, 100000 * 2.3e-16);
+    assert_true(e.rise <= 1e-15);
+    assert_near(e.largest, e.mean, 1e-12);
+}
+
+int main(void) {
+    gsl_set_error_handler_off();
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(finite_differences_have_their_symbols),
+        cmocka_unit_test(narrow_supports_are_finite_differences),
+        cmocka_unit_test(complex_eigenvalues_count),
+        cmocka_unit_test(rkl2_is_a_legendre_polynomial),
+        cmocka_unit_test(rows_have_the_symbols_eigenvalues),
+        cmocka_unit_test(the_quartic_kernel_breaks_song_34),
+        cmocka_unit_test(long_runs_keep_their_heat),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}

@@ -1,0 +1,69 @@
+/* Half and quarter domains against the whole: the same field to rounding, for the work of the part. */
+#include "verification/run/symmetry.h"
+
+#include "verification/command/arguments.h"
+#include "verification/run/request.h"
+
+#include "verification/unit/near.h"
+
+#include <gsl/gsl_errno.h>
+#include <stdio.h>
+
+static void solve(const char *line, enum domain domain, struct field *f) {
+    struct request r;
+    struct failure why;
+    if (arguments_parse_line(line, &r, &why)) fail_msg("%s: %s", line, why.text);
+    r.options.domain = domain;
+    if (symmetry_solve(r.method, &r.problem, &r.options, f, &why)) fail_msg("%s: %s", line, why.text);
+    arguments_free(&r);
+}
+
+/* `saving` is how many times less is updated. */
+static void as_the_whole(const char *line, int saving) {
+    struct field part, whole;
+    solve(line, DOMAIN_FOLDED, &part);
+    solve(line, DOMAIN_WHOLE, &whole);
+    assert_int_equal(part.n, whole.n);
+    /* temperatures of 10 K; each of the steps and each transform rounds to 2e-16 of that */
+    for (size_t i = 0; i < part.n; i++) {
+        assert_near(part.x[i], whole.x[i], 1e-14);
+        if (part.y) assert_near(part.y[i], whole.y[i], 1e-14);
+        assert_near(part.T[i], whole.T[i], 2e-13);
+    }
+    assert_near(part.heat[1] / whole.heat[1], 1, 1e-13);
+    assert_int_equal(part.updates * saving, whole.updates);
+    assert_true(saving == 1 || part.bytes < whole.bytes);
+    field_free(&part);
+    field_free(&whole);
+}
+
+static void a_part_is_the_whole(void **state) {
+    (void)state;
+    as_the_whole("run rod-step so_ssph --dx 0.05 --stepper exact", 2);
+    as_the_whole("run rod-step fo_ssph --dx 0.05 --stepper exact", 2);
+    as_the_whole("run rod-gauss so_ssph --dx 0.25 --stepper rk2 --dt 0.5", 2);
+    as_the_whole("run rod-step ftcs --dx 0.05 --fourier 0.3", 2);
+    as_the_whole("run rod-step so_ssph --dx 0.05 --walls fixed --stepper euler --dt 0.01", 2);
+    as_the_whole("run square-step so_ssph --dx 0.1 --stepper exact", 4);
+    as_the_whole("run square-step brookshaw --dx 0.1 --stepper rkl2 --dt 0.5", 4);
+    as_the_whole("run square-step ftcs_flux --dx 0.1 --fourier 0.2", 4);
+    as_the_whole("run square-step so_ssph --dx 0.1 --h iso --stepper matched --sampling spline", 4);
+    as_the_whole("run square-step so_ssph --dx 0.1 --h iso --stepper matched --set kappa_y=0.0025 --set b=0.7", 4);
+}
+
+static void what_cannot_be_cut_is_not(void **state) {
+    (void)state;
+    as_the_whole("run rod-step so_ssph --dx 4/41 --stepper exact", 1);
+    as_the_whole("run plate so_ssph --dx 0.01 --stepper exact", 1);
+    as_the_whole("run square-step so_ssph --dx 0.2 --layout jitter --jitter 0.1 --stepper rk2 --dt 0.1", 1);
+    as_the_whole("run rod-step fo_ssph --dx 0.5 --stepper exact", 1); /* 4 particles, a stencil that reaches 4 */
+}
+
+int main(void) {
+    gsl_set_error_handler_off();
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(a_part_is_the_whole),
+        cmocka_unit_test(what_cannot_be_cut_is_not),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}

@@ -1,0 +1,112 @@
+/* heatladder bench: error against time and against counted work, and the speed of the engine. */
+#include "verification/command/verb.h"
+
+#include "references/scene.h"
+#include "verification/text/atomic_file.h"
+#include "verification/bench/bench.h"
+#include "verification/bench/engine.h"
+#include "verification/bench/json.h"
+#include "verification/bench/print.h"
+#include "verification/text/json.h"
+#include "verification/run/request.h"
+#include "verification/text/words.h"
+
+#include <stdio.h>
+#include <stdlib.h>
+
+/* The files of one run, kept until all can be put in their places. */
+struct files {
+    int count;
+    char path[WORDS_MAX][512];
+    struct atomic_file file[WORDS_MAX];
+    char *text[WORDS_MAX]; /* owned */
+};
+
+static FILE *files_open(struct files *f, const char *dir, const char *prefix, const char *name) {
+    int i = f->count++;
+    snprintf(f->path[i], sizeof f->path[i], "%.400s/%s%.80s", dir ? dir : "", prefix, name);
+    f->file[i].path = f->path[i];
+    return open_memstream(&f->text[i], &f->file[i].size);
+}
+
+static int files_write(struct files *f, struct failure *why) {
+    for (int i = 0; i < f->count; i++) f->file[i].bytes = f->text[i];
+    return atomic_file_write_all(f->file, f->count, why);
+}
+
+static int keep_data(const struct bench_scene *b, struct files *files, const char *dir, struct failure *why) {
+    char name[80];
+    snprintf(name, sizeof name, "%s.csv", b->scene->name);
+    FILE *out = files_open(files, dir, "bench_", name);
+    if (!out) return refuse(why, STATUS_NUMERICAL, "out of memory");
+    bench_print_data(b, out);
+    fclose(out);
+    return STATUS_OK;
+}
+
+/* One scene at its defaults: measured, printed and, with a folder, kept for it. */
+static int bench_one(const struct request *given, const struct scene *s, struct json *j, struct files *files,
+                     struct failure *why) {
+    struct request r = *given;
+    struct bench_scene *b = xcalloc(1, sizeof *b);
+    r.scene = s;
+    scene_defaults(s, &r.problem);
+    int status = s->setup(&r.problem, why);
+    if (!status) bench_run(&r, b);
+    if (!status) {
+        json_object(j, NULL);
+        bench_json_scene(b, j);
+        json_end(j);
+    }
+    if (!status && !r.json) {
+        bench_print_scene(b, stdout);
+        fflush(stdout);
+    }
+    if (!status && given->topic) status = keep_data(b, files, given->topic, why);
+    free(b);
+    return status;
+}
+
+static void measure_engine(const struct request *r, struct json *j) {
+    struct bench_engine e;
+    bench_engine_run(&e);
+    bench_json_machine(j);
+    bench_json_engine(&e, j);
+    if (r->json) return;
+    bench_print_machine(stdout);
+    bench_print_engine(&e, stdout);
+    fflush(stdout);
+}
+
+static int bench_scenes(const struct request *r, FILE *out, struct files *files, struct failure *why) {
+    struct json j = json_on(out);
+    const struct scene *only = r->only ? scene_find(r->only) : NULL;
+    const char *names[WORDS_MAX] = {0};
+    int status = STATUS_OK;
+    for (int i = 0; scenes[i] && i < WORDS_MAX - 1; i++) names[i] = scenes[i]->name;
+    if (r->only && !only) return words_unknown(names, "scene", r->only, why);
+    json_object(&j, NULL);
+    measure_engine(r, &j);
+    json_array(&j, "scenes");
+    for (int i = 0; scenes[i] && !status; i++)
+        if (!only || scenes[i] == only) status = bench_one(r, scenes[i], &j, files, why);
+    json_end(&j);
+    json_end(&j);
+    return status;
+}
+
+int verb_bench(const struct request *r) {
+    struct failure why = {0};
+    struct files *files = xcalloc(1, sizeof *files);
+    FILE *out = files_open(files, r->topic, "", "bench.json");
+    int status = out ? atomic_file_check(r->topic ? files->path[0] : NULL, &why)
+                     : refuse(&why, STATUS_NUMERICAL, "out of memory");
+    if (!status) status = bench_scenes(r, out, files, &why);
+    if (out) fclose(out);
+    if (!status && r->json) fputs(files->text[0], stdout);
+    if (!status && r->topic) status = files_write(files, &why);
+    if (status) fprintf(stderr, "heatladder: %s\n", why.text);
+    for (int i = 0; i < files->count; i++) free(files->text[i]);
+    free(files);
+    return status;
+}

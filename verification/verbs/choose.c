@@ -1,0 +1,134 @@
+/* heatladder choose: the cheapest run that reaches an error, and what it beat. */
+#include "verification/command/verb.h"
+
+#include "references/scene.h"
+#include "verification/choose/choose.h"
+#include "verification/text/json.h"
+#include "verification/run/request.h"
+#include "verification/text/table.h"
+#include "verification/text/words.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+
+static int accepts(const struct result *r, const char *option) {
+    return words_among(r->method->accepts, option);
+}
+
+/* The command that does it again. */
+static void print_command(const struct request *r, const struct result *p) {
+    const struct options *o = &p->options;
+    printf("  heatladder run %s %s --dx %.17g --stepper %s --sampling %s", r->scene->name, p->method->name, o->dx,
+           stepper_words[o->stepper], sampling_words[o->sampling]);
+    if (accepts(p, "h"))
+        printf(o->h_iso ? " --kernel %s --h iso" : " --kernel %s --h %.17g", kernel_words[o->kernel], o->h);
+    if (o->order) printf(" --order %d", o->order);
+    if (accepts(p, "mean")) printf(" --mean %s", mean_words[o->mean]);
+    if (o->fourier > 0) printf(" --fourier %.17g", o->fourier);
+    if (o->dt > 0) printf(" --dt %.17g", o->dt);
+    for (int i = 0; r->scene->params[i].name; i++) {
+        const struct param *param = &r->scene->params[i];
+        if (!(r->overridden & 1ul << i)) continue;
+        if (param->choice)
+            printf(" --set %s=%s", param->name, param->choice[(int)r->problem.param[i]]);
+        else
+            printf(" --set %s=%.17g", param->name, r->problem.param[i]);
+    }
+    printf("\n");
+}
+
+static void print_text(const struct request *r, const struct choose *c) {
+    const struct result *p = &c->proof;
+    char what[240];
+    if (c->best.candidate) {
+        result_describe(p, what, sizeof what);
+        printf("%s\n", what);
+        print_command(r, p);
+        printf("  %-10s E1 %.4e wanted, %.4e foretold, %.4e measured\n", "error", c->error, c->best.predicted_error,
+               p->error.l1);
+        printf("  %-10s dx = %g m, %zu particles, %lld steps of %g s\n", "size", p->options.dx, p->particles,
+               p->steps, p->dt);
+        printf("  %-10s %.3g s, work of %.3g pairs, %d proving run%s\n\n", "cost", p->seconds, candidate_work(p),
+               c->proofs, c->proofs == 1 ? "" : "s");
+    }
+    struct table t = table_create(5, 1);
+    const char *header[] = {"candidate", "particles along x", "order", "E1 foretold", "work [pairs]"};
+    for (int i = 0; i < 5; i++) table_add(&t, "%s", header[i]);
+    for (int i = 0; i < c->count; i++) {
+        const struct extrapolation *o = &c->one[i];
+        if (!isfinite(o->predicted_work)) continue;
+        table_add(&t, "%s", o->candidate->label);
+        table_add(&t, "%d", o->wanted.n);
+        if (o->order > 0)
+            table_add(&t, "%.2f", o->order);
+        else
+            table_add(&t, "-");
+        table_add(&t, "%.3e", o->predicted_error);
+        table_add(&t, "%.3g", o->predicted_work);
+    }
+    table_print(&t, stdout);
+    table_free(&t);
+    for (int i = 0; i < c->count; i++)
+        if (*c->one[i].reason) printf("left out: %s: %s\n", c->one[i].candidate->label, c->one[i].reason);
+}
+
+static void one_json(const struct request *r, const struct extrapolation *o, struct json *j) {
+    int can = isfinite(o->predicted_work);
+    struct options with = candidate_options(o->candidate, r, o->wanted);
+    json_text(j, "candidate", o->candidate->label);
+    json_text(j, "method", o->candidate->method);
+    json_text(j, "stepper", stepper_words[with.stepper]);
+    json_number(j, "dx", can ? with.dx : NAN);
+    json_number(j, "order", o->order > 0 ? o->order : NAN);
+    json_number(j, "predicted_error", can ? o->predicted_error : NAN);
+    json_number(j, "predicted_work", can ? o->predicted_work : NAN);
+    json_text(j, "reason", *o->reason ? o->reason : NULL);
+}
+
+static void print_json(const struct request *r, const struct choose *c) {
+    struct json j = json_on(stdout);
+    const struct result *p = &c->proof;
+    json_object(&j, NULL);
+    json_text(&j, "scene", r->scene->name);
+    json_number(&j, "error", c->error);
+    json_whole(&j, "reached", c->reached);
+    if (c->best.candidate) {
+        const struct options *o = &p->options;
+        json_text(&j, "method", p->method->name);
+        json_number(&j, "dx", o->dx);
+        json_number(&j, "dt", p->dt);
+        json_whole(&j, "steps", p->steps);
+        json_text(&j, "stepper", stepper_words[o->stepper]);
+        json_text(&j, "kernel", accepts(p, "kernel") ? kernel_words[o->kernel] : NULL);
+        json_number(&j, "h", o->h > 0 ? o->h : NAN);
+        json_number(&j, "order", o->order ? (double)o->order : NAN);
+        json_text(&j, "sampling", sampling_words[o->sampling]);
+        json_whole(&j, "particles", (long long)p->particles);
+        json_number(&j, "predicted_error", c->best.predicted_error);
+        json_number(&j, "measured_error", p->error.l1);
+        json_number(&j, "predicted_work", c->best.predicted_work);
+        json_number(&j, "measured_work", candidate_work(p));
+        json_number(&j, "seconds", p->seconds);
+        json_whole(&j, "proving_runs", c->proofs);
+    }
+    json_array(&j, "runners_up");
+    for (int i = 0; i < c->count; i++) {
+        if (c->one[i].candidate == c->best.candidate) continue;
+        json_object(&j, NULL);
+        one_json(r, &c->one[i], &j);
+        json_end(&j);
+    }
+    json_end(&j);
+    json_end(&j);
+}
+
+int verb_choose(const struct request *r) {
+    struct failure why = {0};
+    struct choose *c = xcalloc(1, sizeof *c);
+    int status = choose_run(r, r->error, choose_work_max, c, &why);
+    if (status != STATUS_INPUT) (r->json ? print_json : print_text)(r, c);
+    if (status) fprintf(stderr, "heatladder: %s\n", why.text);
+    free(c);
+    return status;
+}

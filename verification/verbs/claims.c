@@ -1,0 +1,29 @@
+/* heatladder claims: what the two papers state, measured. */
+#include "verification/command/verb.h"
+
+#include "solver/method.h"
+#include "verification/claims/claims.h"
+#include "verification/claims/write.h"
+#include "verification/run/request.h"
+
+#include <stdio.h>
+
+static int run(const struct request *r, struct claims *c, struct failure *why) {
+    if (r->topic && claims_write_check(r->topic, why)) return why->status;
+    if (claims_collect(r->only, c, why)) return why->status;
+    claims_run(c);
+    (r->json ? claims_write_json : claims_write_text)(c, stdout);
+    return r->topic ? claims_write_files(c, r->topic, why) : STATUS_OK;
+}
+
+int verb_claims(const struct request *r) {
+    struct failure why;
+    struct claims claims = {0};
+    int status = run(r, &claims, &why);
+    if (status)
+        fprintf(stderr, "heatladder: %s\n", why.text);
+    else if (!claims_hold(&claims))
+        status = STATUS_GATE;
+    claims_free(&claims);
+    return status;
+}

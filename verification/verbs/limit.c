@@ -1,0 +1,74 @@
+/* heatladder limit: how large a step may be, as published, by von Neumann's analysis, and by trying. */
+#include "verification/command/verb.h"
+
+#include "verification/text/json.h"
+#include "verification/stability/step_limit.h"
+#include "verification/run/request.h"
+
+#include <math.h>
+#include <stdio.h>
+
+static void print_json(const struct model_problem *b, const struct step_limit *l) {
+    struct json j = json_on(stdout);
+    json_object(&j, NULL);
+    json_text(&j, "method", b->method->name);
+    json_whole(&j, "dim", b->dim);
+    json_text(&j, "kernel", b->method->scheme ? kernel_words[b->options.kernel] : NULL);
+    json_number(&j, "h", b->method->scheme ? b->options.h : NAN);
+    json_text(&j, "layout", layout_words[b->options.layout]);
+    json_number(&j, "jitter", b->options.jitter);
+    json_whole(&j, "seed", (long long)b->options.seed);
+    json_text(&j, "stepper", stepper_words[b->step.stepper]);
+    json_number(&j, "published", l->published);
+    json_text(&j, "source", l->source);
+    json_number(&j, "von_neumann", l->von_neumann);
+    json_number(&j, "measured", l->measured);
+    json_number(&j, "beta", l->beta);
+    json_number(&j, "radius", l->radius);
+    json_number(&j, "growth", l->growth);
+    json_array(&j, "theta");
+    for (int a = 0; a < b->dim; a++) json_number(&j, NULL, l->theta[a]);
+    json_end(&j);
+    json_end(&j);
+}
+
+static void print_text(const struct model_problem *b, const struct step_limit *l) {
+    int jitter = b->options.layout == LAYOUT_JITTER;
+    printf("%s in %dD", b->method->name, b->dim);
+    if (b->method->scheme) printf(", %s kernel, h/dx = %g", kernel_words[b->options.kernel], b->options.h);
+    if (jitter) printf(", jitter %g, seed %lu", b->options.jitter, b->options.seed);
+    printf(", %s: dt kappa/dx^2 up to\n", stepper_words[b->step.stepper]);
+    if (l->source)
+        printf("  %-12s %.6g (%s)\n", "published", l->published, l->source);
+    else
+        printf("  %-12s no number\n", "published");
+    printf("  %-12s %.6g", "von Neumann", l->von_neumann);
+    if (jitter)
+        printf(" (the eigenvalues of %d particles)\n", b->dim == 2 ? b->n * b->n : b->n);
+    else
+        printf(" (worst wave number %.4g, %.4g rad a particle)\n", fabs(l->theta[0]), fabs(l->theta[1]));
+    printf("  %-12s %.4g\n", "measured", l->measured);
+    if (l->grows) printf("  %-12s %.4g kappa/dx^2: a mode grows at any step\n", "growth", l->growth);
+    if (isfinite(l->beta)) printf("  %-12s %.4g (Pamplona 2019 eq. 15, dt = beta h^2/kappa)\n", "beta", l->beta);
+    if (l->von_neumann == 0)
+        printf("  no step is stable, whatever its size\n");
+    else if (l->published > 1.01 * l->von_neumann)
+        printf("  the published bound lets a run blow up: it is %.3g times the true one\n",
+               l->published / l->von_neumann);
+    else if (l->published < 0.99 * l->von_neumann)
+        printf("  the published bound takes %.3g times as many steps as are needed\n", l->von_neumann / l->published);
+}
+
+int verb_limit(const struct request *r) {
+    struct failure why;
+    struct step_limit l;
+    struct model_problem b;
+    int status = step_limit_request(r, &b, &why);
+    if (!status) status = step_limit_predict(&b, &l, &why);
+    if (!status) status = step_limit_measure(&b, &l.measured, &why);
+    if (status)
+        fprintf(stderr, "heatladder: %s\n", why.text);
+    else
+        (r->json ? print_json : print_text)(&b, &l);
+    return status;
+}

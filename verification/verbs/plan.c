@@ -1,0 +1,32 @@
+/* heatladder plan: what a run would store and do, and why. */
+#include "verification/command/verb.h"
+
+#include "verification/text/json.h"
+#include "verification/choose/plan.h"
+#include "verification/choose/plan_print.h"
+#include "verification/run/request.h"
+
+#include <stdio.h>
+
+int verb_plan(const struct request *r) {
+    struct failure why;
+    struct plan plan;
+    if (r->dx.count > 1 || r->dt.count > 1 || r->fourier.count > 1) {
+        fprintf(stderr, "heatladder: plan takes one --dx, and one --dt or --fourier\n");
+        return STATUS_INPUT;
+    }
+    int status = plan_make(r, &r->options, &plan, &why);
+    if (status) {
+        fprintf(stderr, "heatladder: %s\n", why.text);
+        return status;
+    }
+    if (r->json) {
+        struct json j = json_on(stdout);
+        json_object(&j, NULL);
+        plan_print_json(r, &plan, &j);
+        json_end(&j);
+    } else {
+        plan_print_text(r, &plan);
+    }
+    return STATUS_OK;
+}

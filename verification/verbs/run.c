@@ -1,0 +1,104 @@
+/* heatladder run: one solution, how far it is from the exact one, and what it cost. */
+#include "verification/command/verb.h"
+
+#include "references/scene.h"
+#include "verification/text/atomic_file.h"
+#include "verification/text/json.h"
+#include "verification/run/request.h"
+#include "verification/run/run.h"
+#include "verification/run/time_step.h"
+
+#include <math.h>
+#include <omp.h>
+#include <stdio.h>
+#include <stdlib.h>
+
+static void print_text(const struct result *r) {
+    char what[240];
+    result_describe(r, what, sizeof what);
+    printf("%s\n", what);
+    printf("  %-14s %.6g m, %zu particles\n", "dx", r->options.dx, r->particles);
+    if (r->steps > 0)
+        printf("  %-14s %.6g s (mesh Fourier number %.4g), %lld steps of %d stage%s\n", "dt", r->dt, r->fourier,
+               r->steps, r->stages, r->stages == 1 ? "" : "s");
+    if (r->options.stepper == STEPPER_RKL2 && r->saving > 0)
+        printf("  %-14s the fewest stable Euler steps take %.3g times the updates\n", "saving", r->saving);
+    printf("  %-14s E1 %.4e   L2 %.4e   L-infinity %.4e K\n", "error", r->error.l1, r->error.l2, r->error.linf);
+    if (r->time_error > 0) printf("  %-14s %.2g %% of E1\n", "time error", 100 * r->time_error);
+    printf("  %-14s %.6g to %.6g K, past the initial range by %.2e above, %.2e below\n", "temperature", r->shape.min,
+           r->shape.max, r->shape.overshoot, r->shape.undershoot);
+    if (!isnan(r->shape.checkerboard)) printf("  %-14s %.2e K\n", "checkerboard", r->shape.checkerboard);
+    if (isfinite(r->heat_drift)) printf("  %-14s %.2e of the heat at the start\n", "heat drift", r->heat_drift);
+    printf("  %-14s %.3g s, %lld updates, %lld interactions, %zu bytes\n", "cost", r->seconds, r->updates,
+           r->interactions, r->bytes);
+    if (r->search_updates > 0)
+        printf("  %-14s %lld updates of other runs, to choose the time step\n", "search", r->search_updates);
+}
+
+static void print_json(const struct result *r) {
+    struct json j = json_on(stdout);
+    json_object(&j, NULL);
+    result_json(r, &j);
+    json_end(&j);
+}
+
+/* x[,y],T,exact in m and K, one line a point. */
+static int write_field(const struct request *r, const struct field *f, struct failure *why) {
+    char *text = NULL;
+    size_t size = 0;
+    FILE *out = open_memstream(&text, &size);
+    if (!out) return refuse(why, STATUS_NUMERICAL, "out of memory for '%.200s'", r->field_path);
+    fprintf(out, "%s,T,exact\n", f->dim == 2 ? "x,y" : "x");
+    for (size_t i = 0; i < f->n; i++) {
+        double x[2] = {f->x[i], f->y ? f->y[i] : 0};
+        fprintf(out, "%.17g,", x[0]);
+        if (f->dim == 2) fprintf(out, "%.17g,", x[1]);
+        fprintf(out, "%.17g,%.17g\n", f->T[i], r->scene->exact(&r->problem, x, f->time).temperature);
+    }
+    fclose(out);
+    int status = atomic_file_write(r->field_path, text, size, why);
+    free(text);
+    return status;
+}
+
+static int check(const struct request *r, struct failure *why) {
+    if (r->dx.count > 1 || r->dt.count > 1 || r->fourier.count > 1)
+        return refuse(why, STATUS_INPUT, "run takes one --%s; for several: heatladder ladder",
+                      r->dx.count > 1   ? "dx"
+                      : r->dt.count > 1 ? "dt"
+                                        : "fourier");
+    return atomic_file_check(r->field_path, why);
+}
+
+/* A tenth of a second of solves: then program and memory are ready, and the processor runs at its full rate. */
+static int warm_up(const struct request *r, struct failure *why) {
+    double start = omp_get_wtime();
+    struct time_step ignored;
+    int status;
+    do {
+        struct options o = r->options;
+        struct field field = {0};
+        status = time_step_solve(r, &o, &field, &ignored, why);
+        field_free(&field);
+    } while (!status && omp_get_wtime() - start < 0.1);
+    return status;
+}
+
+int verb_run(const struct request *r) {
+    struct failure why;
+    struct result result;
+    struct field field = {0};
+    int status = check(r, &why);
+    if (!status && r->warm_up) status = warm_up(r, &why);
+    if (!status) {
+        status = run_request(r, &r->options, &result, &field);
+        why = result.failure;
+    }
+    if (!status && r->field_path) status = write_field(r, &field, &why);
+    field_free(&field);
+    if (status)
+        fprintf(stderr, "heatladder: %s\n", why.text);
+    else
+        (r->json ? print_json : print_text)(&result);
+    return status;
+}
