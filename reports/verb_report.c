@@ -6,7 +6,7 @@
 #include "reports/pamplona/pamplona.h"
 #include "reports/song/song.h"
 #include "solver/method.h"
-#include "verification/run/request.h"
+#include "verification/command/request.h"
 #include "verification/text/atomic_file.h"
 
 #include <omp.h>

@@ -36,7 +36,8 @@ static int write_curve(const struct curve *c, FILE *out, struct failure *why) {
         int status = report_check(&run, why);
         const struct result *r = &run.result;
         if (!status)
-            fprintf(out, "%lld,%.6e,%g,%lld\n", r->interactions, r->error.l1, run.request.options.dx, r->steps);
+            fprintf(out, "%lld,%.6e,%g,%lld\n", r->interactions, r->error.l1, run.request.experiment.options.dx,
+                    r->steps);
         report_free(&run);
         if (status) return status;
     }

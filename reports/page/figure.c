@@ -17,7 +17,7 @@ static void head(FILE *out, const char *name, const char *command, const char *c
 
 static double initial(const struct report_run *run, size_t i) {
     double x[2] = {run->field.x[i], run->field.y ? run->field.y[i] : 0};
-    return run->request.problem.initial(&run->request.problem, x);
+    return run->request.experiment.problem.initial(&run->request.experiment.problem, x);
 }
 
 static void write_rod(const struct report_run *run, int start, FILE *out) {
@@ -45,11 +45,11 @@ static void write_cut(const struct report_run *run, double at, FILE *out) {
 
 static void write_exact(const struct report_run *run, FILE *out) {
     const struct request *r = &run->request;
-    const struct problem *p = &r->problem;
+    const struct problem *p = &r->experiment.problem;
     double x[2] = {0, r->at.count == 2 ? r->at.value[1] : 0};
     for (int i = 0; i <= FINE; i++) {
         x[0] = p->lo[0] + (p->hi[0] - p->lo[0]) * i / FINE;
-        fprintf(out, "%.9g,%.9g\n", x[0], r->scene->exact(p, x, r->time).temperature);
+        fprintf(out, "%.9g,%.9g\n", x[0], r->experiment.scene->exact(p, x, r->time).temperature);
     }
 }
 
@@ -93,7 +93,7 @@ static void write_isotherms(const struct figure *figure, const struct figure_ser
 
 static void write_series(const struct figure *figure, const struct figure_series *s, const struct report_run *run,
                          FILE *out) {
-    int rod = run->request.problem.dim == 1;
+    int rod = run->request.experiment.problem.dim == 1;
     if (s->part == REPORT_FIGURE_ISOTHERMS) {
         write_isotherms(figure, s, run, out);
         return;

@@ -28,7 +28,7 @@ void report_start(struct report_run *run, const char *format, ...) {
 void report_solve(struct report_run *run) {
     const struct request *r = &run->request;
     if (run->result.failure.status || strcmp(r->verb->name, "run") != 0) return;
-    run_request(r, &r->options, &run->result, &run->field);
+    run_experiment(&r->experiment, &run->result, &run->field);
 }
 
 int report_check(const struct report_run *run, struct failure *why) {
@@ -43,17 +43,17 @@ void report_free(struct report_run *run) {
 }
 
 double report_exact(const struct report_run *run, const double x[2]) {
-    const struct request *r = &run->request;
-    return r->scene->exact(&r->problem, x, run->field.time).temperature;
+    const struct experiment *e = &run->request.experiment;
+    return e->scene->exact(&e->problem, x, run->field.time).temperature;
 }
 
 double report_error_as_printed(const struct report_run *run, int decimals) {
-    const struct request *r = &run->request;
+    const struct experiment *e = &run->request.experiment;
     const struct field *f = &run->field;
     double apart = 0, whole = 0, unit = pow(10, -decimals);
     for (size_t i = 0; i < f->n; i++) {
         double x[2] = {f->x[i], f->y ? f->y[i] : 0}, w = f->weight ? f->weight[i] : 1;
-        double T = r->scene->published ? r->scene->published(&r->problem, x, f->time) : report_exact(run, x);
+        double T = e->scene->published ? e->scene->published(&e->problem, x, f->time) : report_exact(run, x);
         if (decimals) T = unit * round(T / unit);
         apart += w * fabs(f->T[i] - T);
         whole += w * fabs(T);

@@ -4,7 +4,7 @@
 /* What every page of the report is made of: runs, each asked for by its command line, and files that are there whole
  * or not at all. */
 
-#include "verification/run/request.h"
+#include "verification/command/request.h"
 #include "verification/run/result.h"
 
 #include <stdio.h>

@@ -27,12 +27,12 @@ static const char *const definitions[REPORT_PLATE_ERRORS] = {
 };
 
 void pamplona_plate_errors(const struct report_run *run, double t, double error[REPORT_PLATE_ERRORS]) {
-    const struct request *r = &run->request;
+    const struct experiment *of = &run->request.experiment;
     const struct field *f = &run->field;
     double relative = 0, e1 = 0, e2 = 0, T1 = 0, T2 = 0, most = 0, n = (double)f->n;
     double all = (f->shape[0] + 4.0) * (f->shape[1] + 4.0); /* two layers of ghosts on each side */
     for (size_t i = 0; i < f->n; i++) {
-        double x[2] = {f->x[i], f->y[i]}, T = r->scene->exact(&r->problem, x, t).temperature, e = fabs(f->T[i] - T);
+        double x[2] = {f->x[i], f->y[i]}, T = of->scene->exact(&of->problem, x, t).temperature, e = fabs(f->T[i] - T);
         relative += e / T;
         e1 += e;
         e2 += e * e;

@@ -65,8 +65,8 @@ static double try_xi(double xi, struct best *b) {
                  "run plate brookshaw --kernel quartic --h 1.2 --volume tuned --xi %.17g --walls fixed --dx %.17g "
                  "--stepper rk2 --set material=%s --t-end %.17g",
                  xi, SIDE / b->n, material[b->m], b->t);
-    const struct material *of = &run.request.problem.material[0];
-    run.request.options.dt = b->beta * of->rho_c * h * h / of->k[0];
+    const struct material *of = &run.request.experiment.problem.material[0];
+    run.request.experiment.options.dt = b->beta * of->rho_c * h * h / of->k[0];
     report_solve(&run);
     if (!report_check(&run, &b->failure)) {
         pamplona_plate_errors(&run, b->t, error);

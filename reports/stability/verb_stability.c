@@ -1,7 +1,7 @@
 /* heatladder stability: the data of the figures of where methods fail. */
 #include "verification/command/verb.h"
 
-#include "verification/run/request.h"
+#include "verification/command/request.h"
 #include "reports/stability/stability.h"
 
 int verb_stability(const struct request *r) {

@@ -3,7 +3,7 @@
 #include "verification/bench/bench.h"
 
 #include "verification/text/progress.h"
-#include "verification/run/request.h"
+#include "verification/run/experiment.h"
 #include "verification/ladder/slope.h"
 
 #include <math.h>
@@ -29,37 +29,37 @@ struct bench_time bench_ratio(struct bench_time a, struct bench_time b) {
     return (struct bench_time){a.median / b.median, a.lowest / b.highest, a.highest / b.lowest};
 }
 
-static double time_once(const struct candidate *c, const struct request *r, int n) {
+static double time_once(const struct candidate *c, const struct experiment *e, int n) {
     struct field f = {0};
     struct failure why;
     double start = omp_get_wtime();
-    int status = candidate_solve(c, r, (struct candidate_size){n, 0}, &f, &why);
+    int status = candidate_solve(c, e, (struct candidate_size){n, 0}, &f, &why);
     double seconds = omp_get_wtime() - start;
     field_free(&f);
     return status ? NAN : seconds;
 }
 
-static struct bench_time time_runs(const struct candidate *c, const struct request *r, int n) {
+static struct bench_time time_runs(const struct candidate *c, const struct experiment *e, int n) {
     double seconds[BENCH_RUNS];
-    for (int k = 0; k < BENCH_RUNS; k++) seconds[k] = time_once(c, r, n);
+    for (int k = 0; k < BENCH_RUNS; k++) seconds[k] = time_once(c, e, n);
     return bench_summary(seconds, BENCH_RUNS);
 }
 
-static void climb(const struct candidate *c, const struct request *r, int unit, struct bench_scene *b) {
+static void climb(const struct candidate *c, const struct experiment *e, int unit, struct bench_scene *b) {
     int failures = 0, rungs = 0, before = 0;
-    for (double at = COARSEST[r->problem.dim]; at <= FINEST[r->problem.dim] && rungs < BENCH_RUNGS; at *= 2) {
+    for (double at = COARSEST[e->problem.dim]; at <= FINEST[e->problem.dim] && rungs < BENCH_RUNGS; at *= 2) {
         int n = candidate_member(at, unit);
         if (n == before || b->count == BENCH_ROWS) continue;
         before = n;
         struct bench_row *row = &b->row[b->count++];
         *row = (struct bench_row){.candidate = c, .n = n};
-        if (candidate_run(c, r, (struct candidate_size){n, 0}, &row->result)) {
+        if (candidate_run(c, e, (struct candidate_size){n, 0}, &row->result)) {
             if (++failures == FAILURES) return;
             continue;
         }
         rungs++;
         row->work = candidate_work(&row->result);
-        row->time = time_runs(c, r, n);
+        row->time = time_runs(c, e, n);
         if (row->time.median > LONG) return;
     }
 }
@@ -105,7 +105,7 @@ static void fit_growth(const struct candidate *c, int dim, struct bench_scene *b
 }
 
 /* Two medians of the same run, taken in turn: of the row that takes longest, or least. */
-static struct bench_same time_against_itself(const struct request *r, const struct bench_scene *b, int fast) {
+static struct bench_same time_against_itself(const struct experiment *e, const struct bench_scene *b, int fast) {
     double first[BENCH_RUNS], second[BENCH_RUNS];
     const struct bench_row *row = NULL;
     for (int i = 0; i < b->count; i++) {
@@ -115,23 +115,23 @@ static struct bench_same time_against_itself(const struct request *r, const stru
     }
     if (!row) return (struct bench_same){NULL, NAN};
     for (int k = 0; k < BENCH_RUNS; k++) {
-        first[k] = time_once(row->candidate, r, row->n);
-        second[k] = time_once(row->candidate, r, row->n);
+        first[k] = time_once(row->candidate, e, row->n);
+        second[k] = time_once(row->candidate, e, row->n);
     }
     double ratio = bench_summary(first, BENCH_RUNS).median / bench_summary(second, BENCH_RUNS).median;
     return (struct bench_same){row->candidate->label, ratio};
 }
 
-void bench_run(const struct request *r, struct bench_scene *b) {
-    int unit = candidate_unit(&r->problem);
-    *b = (struct bench_scene){.scene = r->scene};
+void bench_run(const struct experiment *e, struct bench_scene *b) {
+    int unit = candidate_unit(&e->problem);
+    *b = (struct bench_scene){.scene = e->scene};
     int count = 0;
     while (candidates_table[count].label) count++;
     struct progress progress = progress_start("candidates", count);
     for (const struct candidate *c = candidates_table; c->label && unit; c++) {
-        if (!c->dim || c->dim == r->problem.dim) {
-            climb(c, r, unit, b);
-            fit_growth(c, r->problem.dim, b);
+        if (!c->dim || c->dim == e->problem.dim) {
+            climb(c, e, unit, b);
+            fit_growth(c, e->problem.dim, b);
         }
         progress_tick(&progress);
     }
@@ -140,6 +140,6 @@ void bench_run(const struct request *r, struct bench_scene *b) {
         b->row[i].front_time = on_front(b, &b->row[i], 0);
         b->row[i].front_work = on_front(b, &b->row[i], 1);
     }
-    b->slow = time_against_itself(r, b, 0);
-    b->fast = time_against_itself(r, b, 1);
+    b->slow = time_against_itself(e, b, 0);
+    b->fast = time_against_itself(e, b, 1);
 }

@@ -44,7 +44,7 @@ struct bench_scene {
 const char *bench_outcome(const struct bench_row *row);
 
 /* Fills *b; *r holds the scene, set up.  Runs one after the other on one thread. */
-void bench_run(const struct request *r, struct bench_scene *b);
+void bench_run(const struct experiment *e, struct bench_scene *b);
 
 /* Median and extremes of `count` times, which are sorted. */
 struct bench_time bench_summary(double *seconds, int count);

@@ -58,7 +58,7 @@ static struct bench_time update(const char *command) {
     int status = arguments_parse_line(command, &r, &why);
     for (int k = -1; k < BENCH_RUNS && !status; k++) {
         struct field f;
-        status = r.method->solve(&r.problem, &r.options, &f, &why);
+        status = r.experiment.method->solve(&r.experiment.problem, &r.experiment.options, &f, &why);
         if (status) break;
         if (k >= 0) seconds[k] = f.step_seconds / (double)f.updates;
         field_free(&f);
@@ -100,7 +100,8 @@ static double protocol_once(void) {
         struct request r;
         struct failure why;
         struct field f = {0};
-        if (!arguments_parse_line(line, &r, &why)) r.method->solve(&r.problem, &r.options, &f, &why);
+        if (!arguments_parse_line(line, &r, &why))
+            r.experiment.method->solve(&r.experiment.problem, &r.experiment.options, &f, &why);
         field_free(&f);
         arguments_free(&r);
     }
@@ -136,10 +137,13 @@ static void cloud(struct bench_engine *e, double bandwidth) {
     struct heat_operator a;
     arguments_parse_line("run square-step so_ssph --layout jitter --jitter 0.2 --dx 4/1000 --h 1.1", &r, &why);
     double start = omp_get_wtime();
-    int status = layout_lattice(&r.problem, &r.options, 1, &l, &why);
-    if (!status) status = layout_cloud(&r.problem, &r.options, &l, 2 * r.options.h * l.dx[0], &c, &why);
+    int status = layout_lattice(&r.experiment.problem, &r.experiment.options, 1, &l, &why);
+    if (!status)
+        status = layout_cloud(&r.experiment.problem, &r.experiment.options, &l, 2 * r.experiment.options.h * l.dx[0],
+                              &c, &why);
     if (!status) {
-        status = operator_create_rows(&a, &r.problem, &r.options, r.method->scheme, &c, l.dx[0], &why);
+        status = operator_create_rows(&a, &r.experiment.problem, &r.experiment.options, r.experiment.method->scheme,
+                                      &c, l.dx[0], &why);
         double seconds = omp_get_wtime() - start;
         layout_cloud_free(&c);
         if (!status) {

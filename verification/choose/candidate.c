@@ -4,7 +4,7 @@
 #include "references/scene.h"
 #include "verification/run/symmetry.h"
 #include "verification/choose/plan.h"
-#include "verification/run/request.h"
+#include "verification/run/experiment.h"
 #include "verification/run/run.h"
 #include "verification/choose/work.h"
 
@@ -113,37 +113,37 @@ int candidate_member(double least, int unit) {
     return unit * (int)fmax(1, ceil(least / unit - 1e-9));
 }
 
-struct options candidate_options(const struct candidate *c, const struct request *r, struct candidate_size size) {
+struct options candidate_options(const struct candidate *c, const struct experiment *e, struct candidate_size size) {
     struct options o = c->options;
-    o.dx = (r->problem.hi[0] - r->problem.lo[0]) / size.n;
-    o.threads = r->options.threads;
-    if (c->steps > 0) o.dt = r->problem.t_end / (size.steps > 0 ? size.steps : ceil(10 + c->steps * size.n));
+    o.dx = (e->problem.hi[0] - e->problem.lo[0]) / size.n;
+    o.threads = e->options.threads;
+    if (c->steps > 0) o.dt = e->problem.t_end / (size.steps > 0 ? size.steps : ceil(10 + c->steps * size.n));
     return o;
 }
 
-static struct request with_method(const struct candidate *c, const struct request *r) {
-    struct request with = *r;
+static struct experiment experiment_of(const struct candidate *c, const struct experiment *e,
+                                       struct candidate_size size) {
+    struct experiment with = *e;
     for (int i = 0; methods[i]; i++)
         if (strcmp(methods[i]->name, c->method) == 0) with.method = methods[i];
+    with.options = candidate_options(c, e, size);
     return with;
 }
 
-int candidate_run(const struct candidate *c, const struct request *r, struct candidate_size size,
+int candidate_run(const struct candidate *c, const struct experiment *e, struct candidate_size size,
                   struct result *out) {
-    struct request with = with_method(c, r);
-    struct options o = candidate_options(c, r, size);
-    int status = run_request(&with, &o, out, NULL);
+    struct experiment with = experiment_of(c, e, size);
+    int status = run_experiment(&with, out, NULL);
     if (status) return status;
-    out->setup = work_of_setup(&r->problem, out);
-    out->ghosts = work_of_ghosts(&r->problem, out);
+    out->setup = work_of_setup(&e->problem, out);
+    out->ghosts = work_of_ghosts(&e->problem, out);
     return STATUS_OK;
 }
 
-int candidate_solve(const struct candidate *c, const struct request *r, struct candidate_size size, struct field *f,
-                    struct failure *why) {
-    struct request with = with_method(c, r);
-    struct options o = candidate_options(c, r, size);
-    return symmetry_solve(with.method, &with.problem, &o, f, why);
+int candidate_solve(const struct candidate *c, const struct experiment *e, struct candidate_size size,
+                    struct field *f, struct failure *why) {
+    struct experiment with = experiment_of(c, e, size);
+    return symmetry_solve(with.method, &with.problem, &with.options, f, why);
 }
 
 static double rounding(const struct problem *p, const struct plan *plan) {
@@ -157,27 +157,26 @@ static double rounding(const struct problem *p, const struct plan *plan) {
  * exact temperature, a tenth of a microsecond to a few. */
 enum { ROW = 9, EVALUATED = 20000 };
 
-int candidate_foresee(const struct candidate *c, const struct request *r, struct candidate_size size,
+int candidate_foresee(const struct candidate *c, const struct experiment *e, struct candidate_size size,
                       struct candidate_cost *cost, struct failure *why) {
-    struct request with = with_method(c, r);
-    struct options o = candidate_options(c, r, size);
+    struct experiment with = experiment_of(c, e, size);
     struct plan plan;
-    int status = plan_make(&with, &o, &plan, why);
+    int status = plan_make(&with, &plan, why);
     if (status) return status;
     struct result run = {.method = with.method,
-                         .options = o,
+                         .options = with.options,
                          .steps = plan.steps,
                          .stages = plan.stages,
                          .particles = plan.particles,
                          .updates = plan.updates,
                          .interactions = plan.interactions};
     run.options.h = plan.options.h;
-    run.setup = work_of_setup(&r->problem, &run);
-    run.ghosts = work_of_ghosts(&r->problem, &run);
+    run.setup = work_of_setup(&e->problem, &run);
+    run.ghosts = work_of_ghosts(&e->problem, &run);
     cost->work = candidate_work(&run);
     cost->whole = cost->work + (plan.rows ? ROW * (double)plan.interactions : 0) + EVALUATED * (double)plan.particles;
     cost->bytes = (double)plan.bytes[plan_peak(&plan)];
-    cost->rounding = rounding(&r->problem, &plan);
+    cost->rounding = rounding(&e->problem, &plan);
     return STATUS_OK;
 }
 

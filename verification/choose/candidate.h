@@ -5,7 +5,7 @@
 
 #include "verification/run/result.h"
 
-struct request;
+struct experiment;
 
 struct candidate {
     const char *label;
@@ -25,7 +25,7 @@ struct candidate_size {
     int n, steps;
 };
 
-struct options candidate_options(const struct candidate *c, const struct request *r, struct candidate_size size);
+struct options candidate_options(const struct candidate *c, const struct experiment *e, struct candidate_size size);
 
 /* The number of cells along x whose multiples all suit the problem: no part of a cell is left over, and every jump,
  * if that can be, lies on a face.  0 where there is none up to CANDIDATE_UNIT_MAX. */
@@ -38,11 +38,12 @@ void candidate_fitting(const struct problem *p, char *text, size_t size);
 int candidate_member(double least, int unit);
 
 /* The solve alone, as struct method's. */
-int candidate_solve(const struct candidate *c, const struct request *r, struct candidate_size size, struct field *f,
-                    struct failure *why);
+int candidate_solve(const struct candidate *c, const struct experiment *e, struct candidate_size size,
+                    struct field *f, struct failure *why);
 
-/* Runs and measures it; as run_request. */
-int candidate_run(const struct candidate *c, const struct request *r, struct candidate_size size, struct result *out);
+/* Runs and measures it; as run_experiment. */
+int candidate_run(const struct candidate *c, const struct experiment *e, struct candidate_size size,
+                  struct result *out);
 
 /* What a run takes, told by its plan (verification/choose/plan.h). */
 struct candidate_cost {
@@ -56,7 +57,7 @@ struct candidate_cost {
  * eps/4 of itself in the mean and at random: eps/4 sqrt(applications).  With transforms the symbol of the slowest
  * mode is what is left of terms of size kappa/dx^2, each wrong by eps/4 in the mean, and acts until the mode is gone:
  * eps/4 kappa min(t, L^2/(pi^2 kappa))/dx^2. */
-int candidate_foresee(const struct candidate *c, const struct request *r, struct candidate_size size,
+int candidate_foresee(const struct candidate *c, const struct experiment *e, struct candidate_size size,
                       struct candidate_cost *cost, struct failure *why);
 
 /* What a run costs, counted so that it is the same on every machine.  The unit is a pair of particles, one

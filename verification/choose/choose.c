@@ -6,7 +6,7 @@
 #include "verification/choose/choose.h"
 
 #include "verification/text/progress.h"
-#include "verification/run/request.h"
+#include "verification/run/experiment.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -22,9 +22,9 @@ static int cheapest_first(const void *a, const void *b) {
     return (x->candidate > y->candidate) - (x->candidate < y->candidate);
 }
 
-static void collect(const struct request *r, struct choose *c) {
+static void collect(const struct experiment *e, struct choose *c) {
     for (const struct candidate *k = candidates_table; k->label && c->count < CHOOSE_CANDIDATES; k++)
-        if (!k->wide && (k->dim == 0 || k->dim == r->problem.dim)) c->one[c->count++].candidate = k;
+        if (!k->wide && (k->dim == 0 || k->dim == e->problem.dim)) c->one[c->count++].candidate = k;
 }
 
 static void calibrate(struct choose *c, const struct extrapolation_goal *goal) {
@@ -41,7 +41,7 @@ static void calibrate(struct choose *c, const struct extrapolation_goal *goal) {
 static int prove(struct choose *c, struct extrapolation *one, const struct extrapolation_goal *goal) {
     struct result result;
     struct extrapolation foretold = *one;
-    int status = candidate_run(one->candidate, goal->request, one->wanted, &result);
+    int status = candidate_run(one->candidate, goal->experiment, one->wanted, &result);
     c->proofs++;
     if (status) {
         extrapolation_rule_out(one, result.failure.text);
@@ -112,16 +112,16 @@ static int say_best(const struct choose *c, struct failure *why) {
                   rounding, best->error, whose, best->size.n);
 }
 
-int choose_run(const struct request *r, double error, double work_max, struct choose *c, struct failure *why) {
+int choose_run(const struct experiment *e, double error, double work_max, struct choose *c, struct failure *why) {
     *c = (struct choose){.error = error};
-    struct extrapolation_goal goal = {r, error, work_max, candidate_unit(&r->problem)};
+    struct extrapolation_goal goal = {e, error, work_max, candidate_unit(&e->problem)};
     if (!goal.unit) {
         char fitting[120];
-        candidate_fitting(&r->problem, fitting, sizeof fitting);
+        candidate_fitting(&e->problem, fitting, sizeof fitting);
         return refuse(why, STATUS_INPUT, "no lattice of up to %d square cells along x fits this domain; one fits %s",
                       CANDIDATE_UNIT_MAX, fitting);
     }
-    collect(r, c);
+    collect(e, c);
     calibrate(c, &goal);
     search(c, &goal);
     if (!c->reached) try_finest(c, &goal);

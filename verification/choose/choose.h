@@ -22,6 +22,6 @@ struct choose {
 
 /* With no run that takes more than work_max.  STATUS_OK, STATUS_GATE where the error was not reached (*c then tells
  * the best), or STATUS_INPUT. */
-int choose_run(const struct request *r, double error, double work_max, struct choose *c, struct failure *why);
+int choose_run(const struct experiment *e, double error, double work_max, struct choose *c, struct failure *why);
 
 #endif

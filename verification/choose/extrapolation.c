@@ -9,7 +9,7 @@
  * lattices are taken, since there the order shows from the coarsest rungs on. */
 #include "verification/choose/extrapolation.h"
 
-#include "verification/run/request.h"
+#include "verification/run/experiment.h"
 #include "verification/ladder/slope.h"
 
 #include <math.h>
@@ -34,7 +34,7 @@ void extrapolation_rule_out(struct extrapolation *c, const char *reason) {
 /* The steps that leave a share of `error`, at which the goal's jumps are damped; 0 where they are not open. */
 static int time_steps(const struct extrapolation *c, const struct extrapolation_goal *goal, double error) {
     if (!(c->candidate->steps > 0)) return 0;
-    double share = 1 / (1 + 2 * (goal->request->problem.dim + 1.0)), least = log(goal->error) / log(DAMPED);
+    double share = 1 / (1 + 2 * (goal->experiment->problem.dim + 1.0)), least = log(goal->error) / log(DAMPED);
     return (int)fmin(1e7, ceil(fmax(fmax(2, least), sqrt(c->time_constant / (share * MARGIN * error)))));
 }
 
@@ -49,15 +49,15 @@ static double space_part(const struct extrapolation *c, const struct extrapolati
 
 /* Second order: of the difference between N and 2 N steps, 4/3 is the error of N. */
 static void measure_time(struct extrapolation *c, const struct extrapolation_goal *goal) {
-    const struct request *r = goal->request;
+    const struct experiment *e = goal->experiment;
     int steps = time_steps(c, goal, goal->error);
-    struct candidate_size coarse = {candidate_member(4.0 * COARSEST[r->problem.dim], goal->unit), steps},
+    struct candidate_size coarse = {candidate_member(4.0 * COARSEST[e->problem.dim], goal->unit), steps},
                           fine = {coarse.n, 2 * steps};
     struct field a = {0}, b = {0};
     struct failure why;
     double apart = 0, all = 0;
     if (steps == 0) return;
-    if (!candidate_solve(c->candidate, r, coarse, &a, &why) && !candidate_solve(c->candidate, r, fine, &b, &why)) {
+    if (!candidate_solve(c->candidate, e, coarse, &a, &why) && !candidate_solve(c->candidate, e, fine, &b, &why)) {
         for (size_t i = 0; i < b.n; i++) apart += fabs(a.T[i] - b.T[i]), all += fabs(b.T[i]);
         if (all > 0) c->time_constant = 4.0 / 3 * apart / all * steps * steps;
     }
@@ -105,7 +105,7 @@ static void weigh(struct extrapolation *c, const struct extrapolation_goal *goal
     struct failure why;
     char text[120];
     c->rounding = 0;
-    if (candidate_foresee(c->candidate, goal->request, c->wanted, &cost, &why))
+    if (candidate_foresee(c->candidate, goal->experiment, c->wanted, &cost, &why))
         snprintf(text, sizeof text, "%.119s", why.text);
     else if (cost.rounding > goal->error && c->wanted.n > last->size.n) {
         snprintf(text, sizeof text, "rounding leaves %.2g with %d particles along x", cost.rounding, c->wanted.n);
@@ -155,8 +155,8 @@ static void foretell(struct extrapolation *c, const struct extrapolation_goal *g
 
 /* A rung that is refused (too coarse, say) is left out; with fewer than two there is nothing to foretell from. */
 void extrapolation_calibrate(struct extrapolation *c, const struct extrapolation_goal *goal) {
-    const struct request *r = goal->request;
-    double n = COARSEST[r->problem.dim], before = 1;
+    const struct experiment *e = goal->experiment;
+    double n = COARSEST[e->problem.dim], before = 1;
     measure_time(c, goal);
     extrapolation_rule_out(c, "has too few coarse rungs");
     for (int k = 0; k < RUNGS; k++, n *= k == 0 ? 2 : 1.5) {
@@ -166,7 +166,7 @@ void extrapolation_calibrate(struct extrapolation *c, const struct extrapolation
         struct candidate_cost cost;
         struct result result;
         struct failure why;
-        if (candidate_foresee(c->candidate, r, size, &cost, &why)) {
+        if (candidate_foresee(c->candidate, e, size, &cost, &why)) {
             extrapolation_rule_out(c, why.text);
             continue;
         }
@@ -174,7 +174,7 @@ void extrapolation_calibrate(struct extrapolation *c, const struct extrapolation
             extrapolation_rule_out(c, "would take more than 1e10 pairs on a coarse rung");
             break;
         }
-        if (candidate_run(c->candidate, r, size, &result)) {
+        if (candidate_run(c->candidate, e, size, &result)) {
             extrapolation_rule_out(c, result.failure.text);
             continue;
         }
@@ -194,7 +194,7 @@ int extrapolation_scout(struct extrapolation *c, const struct extrapolation_goal
     struct result result;
     if (c->wanted.n <= 2 * FAR * last->size.n || size.n <= last->size.n) return 0;
     size.steps = time_steps(c, goal, fmax(goal->error, space_beyond(c, last, size.n)));
-    if (candidate_run(c->candidate, goal->request, size, &result)) return 0;
+    if (candidate_run(c->candidate, goal->experiment, size, &result)) return 0;
     add_rung(c, size, result.error.l1);
     foretell(c, goal);
     return 1;
@@ -218,7 +218,7 @@ int extrapolation_finest(struct extrapolation *c, const struct extrapolation_goa
         finer.wanted.n = candidate_member(n, goal->unit);
         double space = space_beyond(c, base, finer.wanted.n);
         finer.wanted.steps = time_steps(c, goal, fmax(space / MARGIN, goal->error));
-        if (candidate_foresee(c->candidate, goal->request, finer.wanted, &cost, &why)) break;
+        if (candidate_foresee(c->candidate, goal->experiment, finer.wanted, &cost, &why)) break;
         finer.predicted_error = space + time_part(c, finer.wanted.steps) + cost.rounding;
         if (cost.whole > goal->work_max || cost.bytes > BYTES_MAX) break;
         if (found && finer.predicted_error > c->predicted_error) break;

@@ -26,7 +26,7 @@ struct extrapolation {
 
 /* What a forecast is for. */
 struct extrapolation_goal {
-    const struct request *request;
+    const struct experiment *experiment;
     double error;    /* E1 */
     double work_max; /* pairs (candidate.h) that a run may take */
     int unit;        /* candidate_unit */

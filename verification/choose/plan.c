@@ -8,7 +8,7 @@
 #include "solver/space/sample.h"
 #include "solver/time/transform.h"
 #include "verification/run/symmetry.h"
-#include "verification/run/request.h"
+#include "verification/run/experiment.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -34,10 +34,10 @@ static void hold(struct plan *plan, const char *what, size_t bytes, enum plan_ph
 static const double ASSEMBLED = 2e5,
                     FEWEST = 2000; /* particles whose rows are assembled to be counted: most, least */
 
-static int assemble(const struct request *r, const struct options *o, const struct lattice *l, int rows,
+static int assemble(const struct experiment *e, const struct options *o, const struct lattice *l, int rows,
                     struct heat_operator *a, struct failure *why) {
-    const struct problem *p = &r->problem;
-    const struct scheme *s = r->method->scheme;
+    const struct problem *p = &e->problem;
+    const struct scheme *s = e->method->scheme;
     struct cloud c;
     if (!rows) return operator_outline_lattice(a, p, o, s, l, why);
     if (layout_cloud(p, o, l, s->sweeps * 2.0 * o->h * l->dx[0], &c, why)) return why->status;
@@ -59,7 +59,7 @@ static void hold_operator(const struct problem *p, const struct options *o, cons
     plan->neighbours = (double)a->pairs / (double)a->n;
 }
 
-static int hold_march(const struct request *r, const struct options *o, const struct lattice *l,
+static int hold_march(const struct experiment *e, const struct options *o, const struct lattice *l,
                       const struct heat_operator *a, struct plan *plan, struct failure *why) {
     struct march m;
     if (o->stepper == STEPPER_EXACT) {
@@ -69,7 +69,7 @@ static int hold_march(const struct request *r, const struct options *o, const st
         plan->interactions = (long long)a->pairs;
         return STATUS_OK;
     }
-    if (particles_march(&r->problem, o, r->method->scheme, l, a, &m, why)) return why->status;
+    if (particles_march(&e->problem, o, e->method->scheme, l, a, &m, why)) return why->status;
     hold(plan, m.stepper == STEPPER_RKL2 ? "four states with their ghosts" : "two states with their ghosts",
          (size_t)stepper_arrays(m.stepper) * a->state * sizeof(double), PLAN_STEPS, PLAN_STEPS);
     plan->steps = m.steps;
@@ -111,22 +111,22 @@ static void scale(struct plan *plan, size_t n) {
     plan->interactions = (long long)((double)plan->interactions * times);
 }
 
-static int plan_particles(const struct request *r, const struct options *given, struct plan *plan,
+static int plan_particles(const struct experiment *e, const struct options *given, struct plan *plan,
                           struct failure *why) {
-    const struct problem *p = &r->problem;
+    const struct problem *p = &e->problem;
     struct options *o = &plan->options;
     struct lattice l, stand_in;
     struct heat_operator a = {0};
     int rows;
-    if (particles_outline(p, given, r->method->scheme, o, &l, &rows, why)) return why->status;
+    if (particles_outline(p, given, e->method->scheme, o, &l, &rows, why)) return why->status;
     double finer = rows ? coarsening(p, o, &l, &stand_in) : 1;
-    int status = assemble(r, o, rows ? &stand_in : &l, rows, &a, why);
+    int status = assemble(e, o, rows ? &stand_in : &l, rows, &a, why);
     if (!status) {
         if (finer > 1) refine_rows(&a, finer), plan->stand_in = stand_in.dx[0];
         plan->answer = a.n * (size_t)(p->dim + 1) * sizeof(double);
         hold(plan, "places and temperatures", plan->answer, PLAN_SET_UP, p->whole ? PLAN_ANSWER : PLAN_ERRORS);
         hold_operator(p, o, &l, &a, plan);
-        status = hold_march(r, o, &l, &a, plan, why);
+        status = hold_march(e, o, &l, &a, plan, why);
         plan->computed = (size_t)l.n[0] * (size_t)l.n[1];
         if (finer > 1) scale(plan, a.n);
     }
@@ -136,11 +136,11 @@ static int plan_particles(const struct request *r, const struct options *given, 
 
 /* ---- Finite differences ---- */
 
-static int plan_ftcs(const struct request *r, const struct options *o, struct plan *plan, struct failure *why) {
-    const struct problem *p = &r->problem;
+static int plan_ftcs(const struct experiment *e, const struct options *o, struct plan *plan, struct failure *why) {
+    const struct problem *p = &e->problem;
     struct ftcs_grid g;
-    const int wide = strcmp(r->method->name, "ftcs_flux") == 0;
-    if (ftcs_grid_outline(&g, r->method->name, wide, p, o, why)) return why->status;
+    const int wide = strcmp(e->method->name, "ftcs_flux") == 0;
+    if (ftcs_grid_outline(&g, e->method->name, wide, p, o, why)) return why->status;
     size_t nx = (size_t)g.n[0], ny = (size_t)g.n[1], n = nx * ny, unit = sizeof(double);
     size_t sides = 2 * FTCS_LAYERS * (ny + (g.dim == 2 ? nx : 0));
     int alike = g.end_cell[X_LO] * g.end_cell[X_HI] * g.end_cell[Y_LO] * g.end_cell[Y_HI] == 1;
@@ -169,23 +169,23 @@ static int plan_ftcs(const struct request *r, const struct options *o, struct pl
 /* ---- The whole ---- */
 
 /* Of the whole: what stepping.c keeps of the runs before, the answer and its error. */
-static int hold_whole(const struct request *r, struct plan *plan, struct failure *why) {
-    const struct problem *p = &r->problem;
+static int hold_whole(const struct experiment *e, struct plan *plan, struct failure *why) {
+    const struct problem *p = &e->problem;
     const size_t n = plan->particles, unit = sizeof(double), answer = plan->answer * (n / plan->computed);
-    const enum plan_phase limit = r->time_error > 0 ? PLAN_SET_UP : PLAN_REFINE;
+    const enum plan_phase limit = e->time_error > 0 ? PLAN_SET_UP : PLAN_REFINE;
     if (plan->computed < n) hold(plan, "places and temperatures, unfolded", answer, PLAN_ANSWER, PLAN_ERRORS);
     hold(plan, "exact temperatures", n * unit, plan->refined ? PLAN_SET_UP : PLAN_ERRORS, PLAN_ERRORS);
     if (plan->refined) {
         hold(plan, "the answer of the run before", answer, PLAN_SET_UP, PLAN_REFINE);
-        hold(plan, "the answer of the run before that", r->time_error > 0 ? answer : 0, PLAN_SET_UP, PLAN_REFINE);
+        hold(plan, "the answer of the run before that", e->time_error > 0 ? answer : 0, PLAN_SET_UP, PLAN_REFINE);
         hold(plan, "the answer without time error", n * unit, limit, PLAN_REFINE);
     }
     if (plan->rows && (plan->dim == 2 || plan->options.layout == LAYOUT_JITTER))
         return STATUS_OK; /* no checkerboard */
     struct lattice l;
     struct options ignored;
-    int rows, status = r->method->scheme
-                           ? particles_outline(p, &plan->options, r->method->scheme, &ignored, &l, &rows, why)
+    int rows, status = e->method->scheme
+                           ? particles_outline(p, &plan->options, e->method->scheme, &ignored, &l, &rows, why)
                            : layout_lattice(p, &plan->options, 1, &l, why);
     if (!status)
         hold(plan, "the error, and what its transform needs", n * unit + transform_bytes(&l), PLAN_ERRORS,
@@ -194,45 +194,45 @@ static int hold_whole(const struct request *r, struct plan *plan, struct failure
 }
 
 /* Of the whole or a part; what a method refuses it refuses before anything is held. */
-static int plan_part(const struct request *r, const struct options *o, struct plan *plan, struct failure *why) {
-    plan->options = *o;
-    return r->method->scheme ? plan_particles(r, o, plan, why) : plan_ftcs(r, o, plan, why);
+static int plan_part(const struct experiment *e, struct plan *plan, struct failure *why) {
+    plan->options = e->options;
+    return e->method->scheme ? plan_particles(e, &e->options, plan, why) : plan_ftcs(e, &e->options, plan, why);
 }
 
-static int takes_exact(const struct request *r, const struct options *o) {
-    struct options with = *o, ignored;
+static int takes_exact(const struct experiment *e) {
+    struct options with = e->options, ignored;
     struct lattice l;
     struct failure why;
     int rows;
     with.stepper = STEPPER_EXACT;
-    return particles_outline(&r->problem, &with, r->method->scheme, &ignored, &l, &rows, &why) != STATUS_INPUT;
+    return particles_outline(&e->problem, &with, e->method->scheme, &ignored, &l, &rows, &why) != STATUS_INPUT;
 }
 
 /* What *o leaves open, as verification/run/time_step.c settles it. */
-static void settle_steps(const struct request *r, struct options *o, struct plan *plan) {
-    int given = o->dt > 0 || o->fourier > 0, particles = r->method->scheme != NULL;
-    if (o->stepper == STEPPER_AUTO && r->time_error > 0 && particles) o->stepper = STEPPER_RKL2;
-    if (o->stepper == STEPPER_AUTO && !given && particles)
-        o->stepper = takes_exact(r, o) ? STEPPER_EXACT : STEPPER_RKL2;
+static void settle_steps(struct experiment *e, struct plan *plan) {
+    struct options *o = &e->options;
+    int given = o->dt > 0 || o->fourier > 0, particles = e->method->scheme != NULL;
+    if (o->stepper == STEPPER_AUTO && e->time_error > 0 && particles) o->stepper = STEPPER_RKL2;
+    if (o->stepper == STEPPER_AUTO && !given && particles) o->stepper = takes_exact(e) ? STEPPER_EXACT : STEPPER_RKL2;
     if (o->stepper == STEPPER_AUTO) o->stepper = STEPPER_EULER;
-    plan->refined = !given && o->stepper != STEPPER_EXACT && o->stepper != STEPPER_MATCHED && r->problem.t_end > 0;
+    plan->refined = !given && o->stepper != STEPPER_EXACT && o->stepper != STEPPER_MATCHED && e->problem.t_end > 0;
     if (!plan->refined) return;
-    plan->forecast = plan_steps_predict(r, o);
-    if (plan->forecast.steps > 0) o->dt = r->problem.t_end / plan->forecast.steps;
+    plan->forecast = plan_steps_predict(e);
+    if (plan->forecast.steps > 0) o->dt = e->problem.t_end / plan->forecast.steps;
 }
 
-int plan_make(const struct request *r, const struct options *given, struct plan *plan, struct failure *why) {
-    struct request part = *r;
-    struct options o = *given;
+int plan_make(const struct experiment *given, struct plan *plan, struct failure *why) {
+    struct experiment whole = *given, part;
     int cut[2], status = STATUS_INPUT;
-    *plan = (struct plan){.dim = r->problem.dim};
-    settle_steps(r, &o, plan);
-    if (symmetry_reduce(&r->problem, &o, &part.problem, cut)) {
-        status = plan_part(&part, &o, plan, why);
+    *plan = (struct plan){.dim = given->problem.dim};
+    settle_steps(&whole, plan);
+    part = whole;
+    if (symmetry_reduce(&whole.problem, &whole.options, &part.problem, cut)) {
+        status = plan_part(&part, plan, why);
         if (!status) plan->cut[0] = cut[0], plan->cut[1] = cut[1];
     }
-    if (status == STATUS_INPUT) status = plan_part(r, &o, plan, why);
+    if (status == STATUS_INPUT) status = plan_part(&whole, plan, why);
     if (status) return status;
     plan->particles = plan->computed * (size_t)((plan->cut[0] ? 2 : 1) * (plan->cut[1] ? 2 : 1));
-    return hold_whole(r, plan, why);
+    return hold_whole(&whole, plan, why);
 }

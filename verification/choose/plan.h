@@ -5,7 +5,7 @@
 
 #include "verification/choose/plan_steps.h"
 
-struct request;
+struct experiment;
 
 enum { PLAN_ARRAYS = 16 };
 
@@ -44,9 +44,9 @@ extern const char *const plan_phases[]; /* their names, ended by NULL */
 
 enum plan_phase plan_peak(const struct plan *plan);
 
-/* The plan of `run` for the options *o.  Nothing as large as the run's own arrays is allocated, but for rows, which
+/* The plan of the run of *e.  Nothing as large as the run's own arrays is allocated, but for rows, which
  * are assembled up to 2e5 particles and estimated past that, and for the coarse runs that foretell an open time step.
  * A status of solver/method.h. */
-int plan_make(const struct request *r, const struct options *o, struct plan *plan, struct failure *why);
+int plan_make(const struct experiment *e, struct plan *plan, struct failure *why);
 
 #endif

@@ -3,9 +3,9 @@
 
 struct json;
 struct plan;
-struct request;
+struct experiment;
 
-void plan_print_text(const struct request *r, const struct plan *plan);
-void plan_print_json(const struct request *r, const struct plan *plan, struct json *j); /* into an open object */
+void plan_print_text(const struct experiment *e, const struct plan *plan);
+void plan_print_json(const struct experiment *e, const struct plan *plan, struct json *j); /* into an open object */
 
 #endif

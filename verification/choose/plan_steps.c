@@ -5,7 +5,7 @@
  * runs, in log S and log K over log dx. */
 #include "verification/choose/plan_steps.h"
 
-#include "verification/run/request.h"
+#include "verification/run/experiment.h"
 #include "verification/run/run.h"
 #include "verification/run/time_step.h"
 
@@ -31,11 +31,11 @@ static double particles(const struct problem *p, double dx) {
     return n;
 }
 
-static int is_quick(const struct request *r, const struct options *o, double dx) {
-    struct options with = *o;
-    with.dx = dx;
-    double n = particles(&r->problem, dx);
-    return n <= SMALL[r->problem.dim] && n * time_step_first(r, &with) <= QUICK;
+static int is_quick(const struct experiment *e, double dx) {
+    struct experiment with = *e;
+    with.options.dx = dx;
+    double n = particles(&e->problem, dx);
+    return n <= SMALL[e->problem.dim] && n * time_step_first(&with) <= QUICK;
 }
 
 /* How far a plane is from the nearest wall of a cell, in dx. */
@@ -53,15 +53,15 @@ static int alike(const struct problem *p, double dx, double other) {
     return same;
 }
 
-static int run(const struct request *r, const struct options *o, double dx, struct rung *at, long long *steps) {
-    struct options with = *o;
+static int run(const struct experiment *e, double dx, struct rung *at, long long *steps) {
+    struct experiment with = *e;
     struct result result;
-    with.dx = dx;
-    if (run_request(r, &with, &result, NULL)) return 0;
+    with.options.dx = dx;
+    if (run_experiment(&with, &result, NULL)) return 0;
     double time = result.time_error * result.error.l1;
     *steps = result.steps;
-    *at = (struct rung){dx, time * pow((double)result.steps, time_step_order(o)), result.error.l1 - time};
-    return dx == o->dx || (at->time > 0 && at->space > 0); /* nothing is carried on from dx itself */
+    *at = (struct rung){dx, time * pow((double)result.steps, time_step_order(&e->options)), result.error.l1 - time};
+    return dx == e->options.dx || (at->time > 0 && at->space > 0); /* nothing is carried on from dx itself */
 }
 
 /* At dx, on the line through a and b. */
@@ -70,27 +70,26 @@ static double carried(double dx, const struct rung rung[2], double a, double b) 
 }
 
 /* The finest two multiples of dx that are quick to run; one, where that is dx itself. */
-static struct plan_steps take_rungs(const struct request *r, const struct options *o, int strictly,
-                                    struct rung rung[2]) {
+static struct plan_steps take_rungs(const struct experiment *e, int strictly, struct rung rung[2]) {
     struct plan_steps f = {0};
-    const double dx = o->dx, least = least_along(&r->problem, dx);
+    const double dx = e->options.dx, least = least_along(&e->problem, dx);
     for (double m = 1; f.runs < 2 && m < MULTIPLES && least / m >= COARSEST; m++) {
         long long steps;
-        if (!is_quick(r, o, m * dx) || (f.runs == 1 && m * dx < 1.4 * rung[0].dx)) continue;
-        if ((strictly && !alike(&r->problem, dx, m * dx)) || !run(r, o, m * dx, &rung[f.runs], &steps)) continue;
+        if (!is_quick(e, m * dx) || (f.runs == 1 && m * dx < 1.4 * rung[0].dx)) continue;
+        if ((strictly && !alike(&e->problem, dx, m * dx)) || !run(e, m * dx, &rung[f.runs], &steps)) continue;
         f.dx[f.runs++] = m * dx;
         if (m == 1) return f.steps = (double)steps, f;
     }
     return f;
 }
 
-struct plan_steps plan_steps_predict(const struct request *r, const struct options *o) {
+struct plan_steps plan_steps_predict(const struct experiment *e) {
     struct rung rung[2];
-    struct plan_steps f = take_rungs(r, o, 1, rung);
-    const double dx = o->dx;
-    if (f.steps == 0 && f.runs < 2) f = take_rungs(r, o, 0, rung);
+    struct plan_steps f = take_rungs(e, 1, rung);
+    const double dx = e->options.dx;
+    if (f.steps == 0 && f.runs < 2) f = take_rungs(e, 0, rung);
     if (f.steps == 0 && f.runs == 2)
-        f.steps = time_step_forecast(r, o, particles(&r->problem, dx), carried(dx, rung, rung[0].time, rung[1].time),
+        f.steps = time_step_forecast(e, particles(&e->problem, dx), carried(dx, rung, rung[0].time, rung[1].time),
                                      carried(dx, rung, rung[0].space, rung[1].space));
     return f;
 }

@@ -3,7 +3,7 @@
 
 #include "solver/method.h"
 
-struct request;
+struct experiment;
 
 struct plan_steps {
     double steps; /* 0: none, no coarser run is possible or the steps are out of reach */
@@ -11,7 +11,7 @@ struct plan_steps {
     double dx[2]; /* m, theirs */
 };
 
-/* How many steps verification/run/time_step.h will choose for a run whose time step *o leaves open. */
-struct plan_steps plan_steps_predict(const struct request *r, const struct options *o);
+/* How many steps verification/run/time_step.h will choose for a run whose time step *e leaves open. */
+struct plan_steps plan_steps_predict(const struct experiment *e);
 
 #endif

@@ -56,7 +56,7 @@ int claims_kit_run(struct claims_kit_run *run, struct claims_measured *m, const 
     vsnprintf(line, sizeof line, command, arguments);
     va_end(arguments);
     int status = arguments_parse_line(line, &run->request, why);
-    if (!status) status = run_request(&run->request, &run->request.options, &run->result, &run->field);
+    if (!status) status = run_experiment(&run->request.experiment, &run->result, &run->field);
     if (status && m) claims_kit_fail(m, why->text);
     return status;
 }
@@ -76,7 +76,7 @@ int claims_kit_slope(struct slope *s, struct claims_measured *m, const char *com
     vsnprintf(line, sizeof line, command, arguments);
     va_end(arguments);
     int status = arguments_parse_line(line, &r, &why);
-    if (!status) status = ladder_run(&r, l, &why);
+    if (!status) status = ladder_run(&r.experiment, &r.rungs, l, &why);
     *s = l->slope;
     arguments_free(&r);
     free(l);
@@ -85,8 +85,8 @@ int claims_kit_slope(struct slope *s, struct claims_measured *m, const char *com
 
 int claims_kit_weigh(struct claims_kit_cell *cell, const struct request *r, const double kappa[2],
                      struct failure *why) {
-    const struct options *o = &r->options;
-    int reach = (int)ceil(2 * o->h), dim = r->problem.dim;
+    const struct options *o = &r->experiment.options;
+    int reach = (int)ceil(2 * o->h), dim = r->experiment.problem.dim;
     double *w[2] = {cell->w[0], cell->w[1]};
     struct neighbourhood *nb = &cell->nb;
     *nb = (struct neighbourhood){.dim = dim, .d = cell->d, .h = o->h * o->dx, .volume = pow(o->dx, dim)};
@@ -97,5 +97,5 @@ int claims_kit_weigh(struct claims_kit_cell *cell, const struct request *r, cons
             cell->d[nb->n][0] = i * o->dx;
             cell->d[nb->n++][1] = j * o->dx;
         }
-    return r->method->scheme->weights(&r->problem, o, nb, w, why);
+    return r->experiment.method->scheme->weights(&r->experiment.problem, o, nb, w, why);
 }

@@ -6,7 +6,7 @@
 
 #include "solver/space/operator.h"
 #include "verification/claims/claims.h"
-#include "verification/run/request.h"
+#include "verification/command/request.h"
 #include "verification/run/result.h"
 #include "verification/ladder/slope.h"
 

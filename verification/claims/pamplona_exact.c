@@ -30,7 +30,7 @@ static void take_eq2(const char *argument, struct claims_measured *m) {
     (void)argument;
     if (!plate(&r, m, "")) {
         for (int i = 0; i < 4; i++) {
-            double T = r.scene->published(&r.problem, middle[i], FOREVER);
+            double T = r.experiment.scene->published(&r.experiment.problem, middle[i], FOREVER);
             claims_kit_number(m, T, "K", "eq. 2 on the side of %s = %.2f K", name[i], wall[i]);
             held &= fabs(T - wall[i]) <= 1e-9;
         }
@@ -42,11 +42,11 @@ static void take_eq2(const char *argument, struct claims_measured *m) {
 typedef double solution(const struct request *r, const double x[2], double t);
 
 static double printed(const struct request *r, const double x[2], double t) {
-    return r->scene->published(&r->problem, x, t);
+    return r->experiment.scene->published(&r->experiment.problem, x, t);
 }
 
 static double exact(const struct request *r, const double x[2], double t) {
-    return r->scene->exact(&r->problem, x, t).temperature;
+    return r->experiment.scene->exact(&r->experiment.problem, x, t).temperature;
 }
 
 enum { GRID = 24 };
@@ -54,7 +54,7 @@ enum { GRID = 24 };
 /* Coefficient of sin(i pi x/a) sin(j pi y/b) in what T still lacks at 28.8894 s: exact but for modes beyond 24, of
  * which exp(-300) is left. */
 static double coefficient(const struct request *r, solution *T, int i, int j) {
-    const double pi = acos(-1), *hi = r->problem.hi;
+    const double pi = acos(-1), *hi = r->experiment.problem.hi;
     double sum = 0;
     for (int k = 1; k < GRID; k++)
         for (int l = 1; l < GRID; l++) {
@@ -102,7 +102,7 @@ static void take_steady(const char *argument, struct claims_measured *m) {
     (void)argument;
     if (!plate(&r, m, "")) {
         double most = 0, apart = 0, size = 0, a2 = 0.1 * 0.1, pi = acos(-1);
-        double alpha = r.problem.material[0].k[0] / r.problem.material[0].rho_c;
+        double alpha = r.experiment.problem.material[0].k[0] / r.experiment.problem.material[0].rho_c;
         for (int k = 0; k < 20; k++)
             for (int l = 0; l < 20; l++) {
                 double x[2] = {(k + 0.5) * 0.005, (l + 0.5) * 0.005}, steady = exact(&r, x, FOREVER);

@@ -33,11 +33,12 @@ static void add_point(struct claims_pamplona_plate *e, int depth, int left, int 
 }
 
 static void errors(const struct claims_kit_run *run, double t, struct claims_pamplona_plate *e) {
+    const struct experiment *of = &run->request.experiment;
     const struct field *f = &run->field;
     int n = f->shape[0], middle = 0;
     double heat = 0, all = (double)f->n, ring = 4.0 * (n - 1);
     for (int k = 0; k < n * n; k++) {
-        double x[2] = {f->x[k], f->y[k]}, T = run->request.scene->exact(&run->request.problem, x, t).temperature;
+        double x[2] = {f->x[k], f->y[k]}, T = of->scene->exact(&of->problem, x, t).temperature;
         int i = k % n, j = k / n;
         int depth = (int)fmin(fmin(i, j), fmin(n - 1 - i, n - 1 - j)), inner = depth >= n / 2 - 2;
         add_point(e, depth, i == 0, inner, f->T[k] - T, T);

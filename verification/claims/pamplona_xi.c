@@ -77,7 +77,7 @@ static double lattice_moment(const char *kernel, double h, struct claims_measure
     double sum = NAN;
     int bad = claims_kit_run(&run, m, "run plate brookshaw --dx 0.005 --kernel %s --h %g --volume raw --t-end 0.01",
                              kernel, h);
-    const struct material *k = &run.request.problem.material[0];
+    const struct material *k = &run.request.experiment.problem.material[0];
     if (!bad && claims_kit_weigh(&cell, &run.request, one, &why)) bad = claims_kit_fail(m, why.text);
     if (!bad) {
         sum = 0;

@@ -153,8 +153,8 @@ static void take_truncation(const char *argument, struct claims_measured *m) {
         snprintf(line, sizeof line, "run %s %s --dx 0.1 --h 1.1", scene[dim - 1], argument);
         int status = arguments_parse_line(line, &r, &why);
         for (int i = 0; i < 5 && !status; i++) {
-            r.options.dx = dx[i] = 0.4 / (1 << i);
-            status = consistency_error(&r, &r.options, &error[i], &why);
+            r.experiment.options.dx = dx[i] = 0.4 / (1 << i);
+            status = consistency_error(&r.experiment, &error[i], &why);
         }
         arguments_free(&r);
         if (status) {

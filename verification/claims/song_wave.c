@@ -67,12 +67,13 @@ static void take_smooth(const char *argument, struct claims_measured *m) {
 
 /* The wave of two points in the error e: the largest |(1, -4, 6, -4, 1) . e|/16, which a pure (-1)^j passes whole. */
 static double sawtooth(const struct claims_kit_run *run) {
+    const struct experiment *of = &run->request.experiment;
     const struct field *f = &run->field;
     double most = 0, e[5] = {0};
     for (size_t i = 0; i < f->n; i++) {
         for (int k = 0; k < 4; k++) e[k] = e[k + 1];
         double x[2] = {f->x[i], 0};
-        e[4] = f->T[i] - run->request.scene->exact(&run->request.problem, x, f->time).temperature;
+        e[4] = f->T[i] - of->scene->exact(&of->problem, x, f->time).temperature;
         if (i >= 4) most = fmax(most, fabs(e[0] - 4 * e[1] + 6 * e[2] - 4 * e[3] + e[4]) / 16);
     }
     return most;
@@ -112,14 +113,14 @@ static void take_null_space(const char *argument, struct claims_measured *m) {
     while (claims_kit_part(&argument, method, sizeof method)) {
         struct claims_kit_run run;
         int bad = claims_kit_run(&run, m, "run rod-step %s --h 1.05 --dx 0.1", method);
-        struct request *r = &run.request;
+        struct experiment *e = &run.request.experiment;
         double kappa[2] = {0.01, 0}, theta[2] = {acos(-1), 0};
         struct heat_operator a = {0};
         struct failure why;
         if (!bad &&
-            operator_stencil(&r->problem, &r->options, r->method->scheme, 0.1, kappa, a.reach, &a.weight, &why))
+            operator_stencil(&e->problem, &e->options, e->method->scheme, 0.1, kappa, a.reach, &a.weight, &why))
             bad = claims_kit_fail(m, why.text);
-        int sweeps = bad ? 0 : r->method->scheme->sweeps;
+        int sweeps = bad ? 0 : e->method->scheme->sweeps;
         double rate = bad ? 0 : operator_symbol(&a, theta) * 0.1 * 0.1 / kappa[0];
         free(a.weight);
         claims_kit_free(&run);

@@ -30,9 +30,9 @@ static int unknown_verb(const char *name, struct failure *why) {
 
 static int take_scene(struct request *r, const char *name, struct failure *why) {
     const char *names[WORDS_MAX] = {0};
-    r->scene = scene_find(name);
-    if (r->scene) {
-        scene_defaults(r->scene, &r->problem);
+    r->experiment.scene = scene_find(name);
+    if (r->experiment.scene) {
+        scene_defaults(r->experiment.scene, &r->experiment.problem);
         return STATUS_OK;
     }
     for (int i = 0; scenes[i] && i < WORDS_MAX - 1; i++) names[i] = scenes[i]->name;
@@ -48,7 +48,7 @@ static int take_method(struct request *r, const char *name, struct failure *why)
     for (int i = 0; methods[i] && i < WORDS_MAX - 1; i++) names[i] = methods[i]->name;
     int i = words_index(names, name);
     if (i < 0) return words_unknown(names, "method", name, why);
-    r->method = methods[i];
+    r->experiment.method = methods[i];
     return STATUS_OK;
 }
 
@@ -100,14 +100,15 @@ static int split_option(const struct verb *v, int argc, char *const *argv, int *
 
 /* An option of the model must be one that the method accepts; the text names the methods that do. */
 static int check_model(const struct request *r, const struct option *o, struct failure *why) {
-    if (o->model != 1 || !r->method || words_among(r->method->accepts, o->key)) return STATUS_OK;
+    if (o->model != 1 || !r->experiment.method || words_among(r->experiment.method->accepts, o->key))
+        return STATUS_OK;
     const char *names[WORDS_MAX] = {0};
     char text[240];
     int n = 0;
     for (int i = 0; methods[i] && n < WORDS_MAX - 1; i++)
         if (words_among(methods[i]->accepts, o->key)) names[n++] = methods[i]->name;
     words_join(names, text, sizeof text);
-    return refuse(why, STATUS_INPUT, "--%s has no meaning for %s%s%s", o->name, r->method->name,
+    return refuse(why, STATUS_INPUT, "--%s has no meaning for %s%s%s", o->name, r->experiment.method->name,
                   n ? "; it has for " : "", text);
 }
 
@@ -123,9 +124,10 @@ static int take_option(struct request *r, const struct word *w, struct failure *
 
 static int check_positionals(const struct request *r, struct failure *why) {
     const char *wanted = r->verb->positionals;
-    const char *missing = words_among(wanted, "SCENE") && !r->scene                           ? "SCENE"
-                          : words_among(wanted, "METHOD") && (!r->method || !r->method->name) ? "METHOD"
-                                                                                              : NULL;
+    const char *missing = words_among(wanted, "SCENE") && !r->experiment.scene ? "SCENE"
+                          : words_among(wanted, "METHOD") && (!r->experiment.method || !r->experiment.method->name)
+                              ? "METHOD"
+                              : NULL;
     if (!missing) return STATUS_OK;
     return refuse(why, STATUS_INPUT, "%s needs a %s: heatladder %s %s (see: heatladder list)", r->verb->name, missing,
                   r->verb->name, wanted);
@@ -140,27 +142,29 @@ static int check_required(const struct request *r, struct failure *why) {
 
 /* What no single option can see: options that contradict or need each other. */
 static int check_together(const struct request *r, struct failure *why) {
-    const struct options *o = &r->options;
-    if (r->dt.count && r->fourier.count)
+    const struct options *o = &r->experiment.options;
+    if (r->rungs.dt.count && r->rungs.fourier.count)
         return refuse(why, STATUS_INPUT, "--dt and --fourier both set the time step; give one of them");
-    if ((r->dt.count || r->fourier.count) && o->stepper == STEPPER_EXACT)
+    if ((r->rungs.dt.count || r->rungs.fourier.count) && o->stepper == STEPPER_EXACT)
         return refuse(why, STATUS_INPUT, "--stepper exact has no time step; leave out --%s",
-                      r->dt.count ? "dt" : "fourier");
+                      r->rungs.dt.count ? "dt" : "fourier");
     if (o->jitter > 0 && o->layout != LAYOUT_JITTER)
         return refuse(why, STATUS_INPUT, "--jitter %g needs --layout jitter", o->jitter);
-    if (r->time_error > 0 && (r->dt.count || r->fourier.count))
+    if (r->experiment.time_error > 0 && (r->rungs.dt.count || r->rungs.fourier.count))
         return refuse(why, STATUS_INPUT, "--time-error %g finds the time step: leave out --dt and --fourier",
-                      r->time_error);
-    if (r->time_error > 0 && (o->stepper == STEPPER_EXACT || o->stepper == STEPPER_MATCHED))
+                      r->experiment.time_error);
+    if (r->experiment.time_error > 0 && (o->stepper == STEPPER_EXACT || o->stepper == STEPPER_MATCHED))
         return refuse(why, STATUS_INPUT,
                       "--time-error %g: --stepper %s leaves no time step to choose; euler, rk2 and rkl2 do",
-                      r->time_error, stepper_words[o->stepper]);
+                      r->experiment.time_error, stepper_words[o->stepper]);
     if (o->xi > 0 && o->volume != VOLUME_TUNED)
         return refuse(why, STATUS_INPUT, "--xi %g needs --volume tuned", o->xi);
-    if (r->at.count > 2 || (r->at.count && r->scene && r->at.count != r->problem.dim))
-        return refuse(why, STATUS_INPUT, "--at needs %s for %s", r->problem.dim == 2 ? "X,Y" : "one number",
-                      r->scene ? r->scene->name : "a point");
-    if (r->expect.count && (r->expect.count != 2 || !(r->expect.value[0] < r->expect.value[1])))
+    if (r->at.count > 2 || (r->at.count && r->experiment.scene && r->at.count != r->experiment.problem.dim))
+        return refuse(why, STATUS_INPUT, "--at needs %s for %s",
+                      r->experiment.problem.dim == 2 ? "X,Y" : "one number",
+                      r->experiment.scene ? r->experiment.scene->name : "a point");
+    if (r->rungs.expect.count &&
+        (r->rungs.expect.count != 2 || !(r->rungs.expect.value[0] < r->rungs.expect.value[1])))
         return refuse(why, STATUS_INPUT, "--expect needs LO,HI with LO < HI, such as 1.9,2.1");
     return STATUS_OK;
 }
@@ -169,10 +173,10 @@ static int apply(struct request *r, const struct word *words, int count, struct 
     for (int i = 0; i < count; i++)
         if (take_option(r, &words[i], why)) return why->status;
     if (check_required(r, why)) return why->status;
-    if (r->scene && r->scene->setup(&r->problem, why)) return why->status;
-    r->options.dx = r->dx.value[0];
-    r->options.dt = r->dt.count ? r->dt.value[0] : 0;
-    r->options.fourier = r->fourier.count ? r->fourier.value[0] : 0;
+    if (r->experiment.scene && r->experiment.scene->setup(&r->experiment.problem, why)) return why->status;
+    r->experiment.options.dx = r->rungs.dx.value[0];
+    r->experiment.options.dt = r->rungs.dt.count ? r->rungs.dt.value[0] : 0;
+    r->experiment.options.fourier = r->rungs.fourier.count ? r->rungs.fourier.value[0] : 0;
     return check_together(r, why);
 }
 
@@ -187,7 +191,8 @@ int arguments_parse(int argc, char *const *argv, struct request *r, struct failu
     if (!r->verb) return unknown_verb(argv[0], why);
     for (int i = 1; i < argc && words_among(r->verb->options, "solver"); i++)
         if (!r->external && (strcmp(argv[i], "--solver") == 0 || strncmp(argv[i], "--solver=", 9) == 0))
-            r->method = r->external = external_method(NULL); /* any METHOD word will do: it is a label then */
+            r->experiment.method = r->external =
+                external_method(NULL); /* any METHOD word will do: it is a label then */
     for (int i = 1; i < argc; i++) {
         if (strncmp(argv[i], "--", 2) != 0) {
             if (take_positional(r, positionals++, argv[i], why)) return why->status;

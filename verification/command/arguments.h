@@ -3,7 +3,7 @@
 
 /* From the words of a command line to a struct request, checked and with its problem set up. */
 
-#include "verification/run/request.h"
+#include "verification/command/request.h"
 
 /* argv[0] is the verb.  0, or STATUS_INPUT with *why filled; either way the caller calls arguments_free. */
 int arguments_parse(int argc, char *const *argv, struct request *r, struct failure *why);

@@ -4,7 +4,7 @@
 
 #include "references/scene.h"
 #include "verification/text/number.h"
-#include "verification/run/request.h"
+#include "verification/command/request.h"
 #include "verification/text/words.h"
 
 #include <math.h>
@@ -52,10 +52,10 @@ static int read_number(struct request *r, const struct option *o, const char *te
 
 static int read_numbers(struct request *r, const struct option *o, const char *text, struct failure *why) {
     struct numbers *list = place(r, o);
-    list->count = number_read_list(text, list->value, RUNG_MAX);
+    list->count = number_read_list(text, list->value, NUMBERS_MAX);
     if (list->count < 0)
         return refuse(why, STATUS_INPUT, "--%s '%.60s': must be 1 to %d numbers with commas between, such as %s",
-                      o->name, text, RUNG_MAX, o->lo > 0 ? "0.1,0.05,4/160" : "-0.3,0.7");
+                      o->name, text, NUMBERS_MAX, o->lo > 0 ? "0.1,0.05,4/160" : "-0.3,0.7");
     for (int i = 0; i < list->count; i++)
         if (list->value[i] < o->lo || list->value[i] > o->hi) return refuse_number(o, text, why);
     return STATUS_OK;
@@ -74,7 +74,7 @@ static int read_seed(struct request *r, const struct option *o, const char *text
     long value;
     if (number_read_whole(text, 4294967295, &value))
         return refuse(why, STATUS_INPUT, "--%s %.60s: must be a whole number from 0 to 4294967295", o->name, text);
-    r->options.seed = (unsigned long)value;
+    r->experiment.options.seed = (unsigned long)value;
     return STATUS_OK;
 }
 
@@ -91,7 +91,7 @@ static int read_h(struct request *r, const struct option *o, const char *text, s
         if (read_number(r, o, text, why) == STATUS_OK) return STATUS_OK;
         return refuse(why, STATUS_INPUT, "--h %.60s: must be a number > 0, or iso", text);
     }
-    r->options.h_iso = 1;
+    r->experiment.options.h_iso = 1;
     return STATUS_OK;
 }
 
@@ -103,17 +103,17 @@ static int read_choice(const struct param *p, const char *text, double *value, s
 }
 
 static int set_param(struct request *r, const char *name, const char *text, struct failure *why) {
-    const struct param *table = r->scene->params;
+    const struct param *table = r->experiment.scene->params;
     const char *names[PARAM_MAX + 1] = {0};
     char what[64];
     for (int i = 0; table[i].name; i++) names[i] = table[i].name;
     int i = words_index(names, name);
-    snprintf(what, sizeof what, "parameter of %s", r->scene->name);
+    snprintf(what, sizeof what, "parameter of %s", r->experiment.scene->name);
     if (i < 0) return words_unknown(names, what, name, why);
     if (r->overridden & 1ul << i) return refuse(why, STATUS_INPUT, "parameter '%s' is given twice", name);
     r->overridden |= 1ul << i;
-    if (table[i].choice) return read_choice(&table[i], text, &r->problem.param[i], why);
-    if (number_read(text, &r->problem.param[i]) == 0) return STATUS_OK;
+    if (table[i].choice) return read_choice(&table[i], text, &r->experiment.problem.param[i], why);
+    if (number_read(text, &r->experiment.problem.param[i]) == 0) return STATUS_OK;
     return refuse(why, STATUS_INPUT, "--set %s=%.60s: must be a finite number%s%s", name, text,
                   *table[i].unit ? ", in " : "", table[i].unit);
 }
@@ -137,48 +137,54 @@ static int read_t_end(struct request *r, const struct option *o, const char *tex
 #define POSITIVE ABOVE_ZERO, INFINITY
 #define FINITE -INFINITY, INFINITY
 const struct option options_table[] = {
-    {"dx", "dx", "DX[,DX...]", "spacing, m; several for a ladder; fractions too (4/42)", read_numbers, IN(dx), NULL,
+    {"dx", "dx", "DX[,DX...]", "spacing, m; several for a ladder; fractions too (4/42)", read_numbers, IN(rungs.dx),
+     NULL, POSITIVE, 0},
+    {"dt", "dt", "DT[,DT...]", "time step, s; several for a ladder in time", read_numbers, IN(rungs.dt), NULL,
      POSITIVE, 0},
-    {"dt", "dt", "DT[,DT...]", "time step, s; several for a ladder in time", read_numbers, IN(dt), NULL, POSITIVE, 0},
     {"fourier", "fourier", "F[,F...]", "time step as the mesh Fourier number dt max(kappa)/dx^2", read_numbers,
-     IN(fourier), NULL, POSITIVE, 0},
+     IN(rungs.fourier), NULL, POSITIVE, 0},
     {"stepper", "stepper", "S", "time stepper; auto takes one whose error is under 1 % of the whole", read_word,
-     IN(options.stepper), stepper_words, 0, 0, 1},
-    {"kernel", "kernel", "K", "smoothing kernel", read_word, IN(options.kernel), kernel_words, 0, 0, 1},
-    {"h", "h", "H", "smoothing length over dx, or iso: the ratio with an isotropic error", read_h, IN(options.h),
-     NULL, POSITIVE, 1},
+     IN(experiment.options.stepper), stepper_words, 0, 0, 1},
+    {"kernel", "kernel", "K", "smoothing kernel", read_word, IN(experiment.options.kernel), kernel_words, 0, 0, 1},
+    {"h", "h", "H", "smoothing length over dx, or iso: the ratio with an isotropic error", read_h,
+     IN(experiment.options.h), NULL, POSITIVE, 1},
     {"dim", "dim", "D", "1 for a rod, 2 for a square", read_whole, IN(dim), NULL, 1, 2, 0},
     {"stages", "stages", "N", "stages of --stepper rkl2", read_whole, IN(stages), NULL, 3, 99, 0},
-    {"order", "order", "P", "Taylor order, 2 to 4", read_whole, IN(options.order), NULL, 2, 4, 1},
-    {"layout", "layout", "L", "where the particles are", read_word, IN(options.layout), layout_words, 0, 0, 1},
+    {"order", "order", "P", "Taylor order, 2 to 4", read_whole, IN(experiment.options.order), NULL, 2, 4, 1},
+    {"layout", "layout", "L", "where the particles are", read_word, IN(experiment.options.layout), layout_words, 0, 0,
+     1},
     {"jitter", "jitter", "A", "particles lie within +-A dx of the lattice's, 0 to 0.5", read_number,
-     IN(options.jitter), NULL, 0, 0.5, 1},
-    {"seed", "seed", "N", "seed of the jitter", read_seed, IN(options.seed), NULL, 0, 0, 1},
-    {"sampling", "sampling", "S", "how the initial data are sampled", read_word, IN(options.sampling), sampling_words,
-     0, 0, 1},
-    {"walls", "walls", "W", "what the ghosts beyond a wall hold", read_word, IN(options.walls), walls_words, 0, 0, 1},
-    {"mean", "mean", "M", "mean of two conductivities", read_word, IN(options.mean), mean_words, 0, 0, 1},
-    {"volume", "volume", "V", "volume of a particle", read_word, IN(options.volume), volume_words, 0, 0, 1},
-    {"xi", "xi", "XI", "Pamplona's xi for --volume tuned, m", read_number, IN(options.xi), NULL, POSITIVE, 1},
+     IN(experiment.options.jitter), NULL, 0, 0.5, 1},
+    {"seed", "seed", "N", "seed of the jitter", read_seed, IN(experiment.options.seed), NULL, 0, 0, 1},
+    {"sampling", "sampling", "S", "how the initial data are sampled", read_word, IN(experiment.options.sampling),
+     sampling_words, 0, 0, 1},
+    {"walls", "walls", "W", "what the ghosts beyond a wall hold", read_word, IN(experiment.options.walls),
+     walls_words, 0, 0, 1},
+    {"mean", "mean", "M", "mean of two conductivities", read_word, IN(experiment.options.mean), mean_words, 0, 0, 1},
+    {"volume", "volume", "V", "volume of a particle", read_word, IN(experiment.options.volume), volume_words, 0, 0,
+     1},
+    {"xi", "xi", "XI", "Pamplona's xi for --volume tuned, m", read_number, IN(experiment.options.xi), NULL, POSITIVE,
+     1},
     {"domain", "domain", "D",
      "folded: of a scene with mirror planes, the half or quarter that must be computed; or whole", read_word,
-     IN(options.domain), domain_words, 0, 0, 0},
-    {"threads", "threads", "N", "threads that one run may use", read_whole, IN(options.threads), NULL, 1, 1024, 0},
+     IN(experiment.options.domain), domain_words, 0, 0, 0},
+    {"threads", "threads", "N", "threads that one run may use", read_whole, IN(experiment.options.threads), NULL, 1,
+     1024, 0},
     {"t-end", "t-end", "T", "end time, s; the same as --set t_end=T", read_t_end, 0, NULL, FINITE, 2},
     {"set", "set", "NAME=VALUE", "override a parameter of the scene (see: heatladder list scenes)", read_set, 0, NULL,
      FINITE, 2},
     {"error", "error", "E", "the error (E1) to be reached", read_number, IN(error), NULL, POSITIVE, 0},
     {"scene", "scene", "SCENE", "that scene alone", read_text, IN(only), NULL, FINITE, 0},
     {"time-error", "time-error", "E", "take the longest time step whose error (E1) is E, by step doubling",
-     read_number, IN(time_error), NULL, 1e-12, INFINITY, 0},
+     read_number, IN(experiment.time_error), NULL, 1e-12, INFINITY, 0},
     {"solver", "solver", "'CMD'", "a program that stands in for METHOD; {case} and {out} in CMD become paths",
-     read_text, IN(solver), NULL, FINITE, 0},
+     read_text, IN(experiment.solver), NULL, FINITE, 0},
     {"warm-up", "warm-up", NULL, "solve for 0.1 s beforehand, so that what is timed finds program and memory ready",
      read_flag, IN(warm_up), NULL, FINITE, 0},
     {"field", "field", "FILE", "write the points, the temperature and the exact one as CSV", read_text,
      IN(field_path), NULL, FINITE, 0},
     {"expect", "expect", "LO,HI", "the band that the slope's interval must lie in; exit status 1 where it does not",
-     read_numbers, IN(expect), NULL, FINITE, 0},
+     read_numbers, IN(rungs.expect), NULL, FINITE, 0},
     {"at", "at", "X[,Y]", "where, m", read_numbers, IN(at), NULL, FINITE, 0},
     {"time", "time", "T", "when, s", read_number, IN(time), NULL, 0, INFINITY, 0},
     {"only", "only", "GLOB", "only the gates whose name matches, such as '*gauss*'", read_text, IN(only), NULL,

@@ -7,20 +7,22 @@
 #include <math.h>
 
 static double steps_at(const struct request *r, double dx) {
-    const struct material *m = &r->problem.material[0];
-    double diffusion = r->problem.t_end * m->k[0] / m->rho_c / (dx * dx), steps = 0;
-    for (int i = 0; i < r->dt.count; i++) steps += r->problem.t_end / r->dt.value[i];
-    for (int i = 0; i < r->fourier.count; i++) steps += diffusion / r->fourier.value[i];
+    const struct experiment *e = &r->experiment;
+    const struct material *m = &e->problem.material[0];
+    double diffusion = e->problem.t_end * m->k[0] / m->rho_c / (dx * dx), steps = 0;
+    for (int i = 0; i < r->rungs.dt.count; i++) steps += e->problem.t_end / r->rungs.dt.value[i];
+    for (int i = 0; i < r->rungs.fourier.count; i++) steps += diffusion / r->rungs.fourier.value[i];
     if (steps > 0) return steps;
-    return r->method && r->method->scheme && r->options.stepper <= STEPPER_EXACT ? 20 : 600 * diffusion;
+    return e->method && e->method->scheme && e->options.stepper <= STEPPER_EXACT ? 20 : 600 * diffusion;
 }
 
 double job_size_of_request(const struct request *r) {
+    const struct problem *p = &r->experiment.problem;
     double work = 0;
-    for (int i = 0; i < r->dx.count; i++) {
+    for (int i = 0; i < r->rungs.dx.count; i++) {
         double particles = 1;
-        for (int a = 0; a < r->problem.dim; a++) particles *= (r->problem.hi[a] - r->problem.lo[a]) / r->dx.value[i];
-        work += particles * steps_at(r, r->dx.value[i]);
+        for (int a = 0; a < p->dim; a++) particles *= (p->hi[a] - p->lo[a]) / r->rungs.dx.value[i];
+        work += particles * steps_at(r, r->rungs.dx.value[i]);
     }
     return work;
 }

@@ -2,6 +2,7 @@
 #include "verification/gates/measures.h"
 
 #include "references/scene.h"
+#include "verification/command/request.h"
 #include "verification/ladder/consistency.h"
 #include "verification/ladder/ladder.h"
 #include "verification/gates/measures_claim.h"
@@ -31,7 +32,7 @@ void measures_judge(struct measured *m, double value, double lo, double hi) {
 static void slope_in(enum ladder_norm norm, const struct request *r, double lo, double hi, struct measured *m) {
     struct failure why = {0};
     struct ladder *l = xcalloc(1, sizeof *l);
-    int status = ladder_run(r, l, &why);
+    int status = ladder_run(&r->experiment, &r->rungs, l, &why);
     measures_fail(m, why.text);
     if (!status) {
         ladder_fit(l, norm);
@@ -73,14 +74,14 @@ static int by_falling_dx(const void *a, const void *b) {
 }
 
 static void take_operator_slope(const struct request *r, double lo, double hi, struct measured *m) {
-    struct numbers dx = r->dx;
-    struct options o = r->options;
+    struct numbers dx = r->rungs.dx;
+    struct experiment e = r->experiment;
     struct failure why = {0};
     double error[RUNG_MAX];
     qsort(dx.value, (size_t)dx.count, sizeof dx.value[0], by_falling_dx);
     for (int i = 0; i < dx.count; i++) {
-        o.dx = dx.value[i];
-        int status = consistency_error(r, &o, &error[i], &why);
+        e.options.dx = dx.value[i];
+        int status = consistency_error(&e, &error[i], &why);
         measures_fail(m, why.text);
         if (status) return;
     }
@@ -94,7 +95,7 @@ static void take_operator_slope(const struct request *r, double lo, double hi, s
 
 /* One run; 0, or *m failed. */
 static int run(const struct request *r, struct result *result, struct measured *m) {
-    int status = run_request(r, &r->options, result, NULL);
+    int status = run_experiment(&r->experiment, result, NULL);
     measures_fail(m, result->failure.text);
     if (!status) m->error = result->error.l1;
     return status;
@@ -128,7 +129,7 @@ static void take_checkerboard(const struct request *r, double lo, double hi, str
 static void take_checkerboard_kept(const struct request *r, double lo, double hi, struct measured *m) {
     struct request early = *r;
     struct result first, last;
-    early.problem.t_end = r->problem.t_end / 10;
+    early.experiment.problem.t_end = r->experiment.problem.t_end / 10;
     if (run(&early, &first, m) || run(r, &last, m)) return;
     measures_judge(m, last.shape.checkerboard / first.shape.checkerboard, lo, hi);
 }
@@ -148,12 +149,12 @@ static void odd_point(const struct problem *p, int i, double x[2]) {
 static void take_reference(const struct request *r, double lo, double hi, struct measured *m) {
     enum { POINTS = 32, TIMES = 4 };
     static const double part[TIMES] = {0.0113, 0.173, 0.619, 1};
-    const struct problem *p = &r->problem;
+    const struct problem *p = &r->experiment.problem;
     double worst = 0, where[3] = {0}, bound = 0, size = 0;
     for (int i = 0; i < POINTS * TIMES && !isnan(worst); i++) {
         double x[2], t = p->t_end * part[i % TIMES];
         odd_point(p, i / TIMES, x);
-        struct exact a = r->scene->exact(p, x, t), b = r->scene->second(p, x, t);
+        struct exact a = r->experiment.scene->exact(p, x, t), b = r->experiment.scene->second(p, x, t);
         double apart = fabs(a.temperature - b.temperature);
         double allowed = a.error_bound + b.error_bound;
         double ratio = !(allowed >= 0) ? NAN : apart == 0 ? 0 : apart / allowed;

@@ -3,7 +3,7 @@
 
 #include "solver/method.h"
 #include "verification/claims/claims.h"
-#include "verification/run/request.h"
+#include "verification/command/request.h"
 
 #include <math.h>
 #include <stdio.h>

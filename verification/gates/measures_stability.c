@@ -5,7 +5,7 @@
 #include "verification/stability/long_run.h"
 #include "verification/stability/step_limit.h"
 #include "verification/stability/maximum_principle.h"
-#include "verification/run/request.h"
+#include "verification/command/request.h"
 #include "verification/run/run.h"
 
 #include <float.h>
@@ -35,7 +35,7 @@ static int find(struct model_problem *b, struct step_limit *l, struct measured *
 
 static int start(const struct request *r, struct model_problem *b, struct measured *m) {
     struct failure why = {0};
-    int status = step_limit_request(r, b, &why);
+    int status = step_limit_setup(r->experiment.method, &r->experiment.options, r->dim, r->stages, b, &why);
     measures_fail(m, why.text);
     return status;
 }
@@ -43,12 +43,12 @@ static int start(const struct request *r, struct model_problem *b, struct measur
 void measures_stability_agree(const struct request *r, double lo, double hi, struct measured *m) {
     static const double ratio[] = {1.05, 1.5, 2.05};
     double worst = 0, at[3] = {NAN, NAN, NAN};
-    int count = r->options.h > 0 || !r->method->scheme ? 1 : 3;
+    int count = r->experiment.options.h > 0 || !r->experiment.method->scheme ? 1 : 3;
     for (int k = 0; k < count; k++) {
         struct request with = *r;
         struct model_problem b;
         struct step_limit l;
-        if (count > 1) with.options.h = ratio[k];
+        if (count > 1) with.experiment.options.h = ratio[k];
         if (start(&with, &b, m) || find(&b, &l, m)) return;
         double apart = fabs(l.measured / l.von_neumann - 1);
         if (apart < worst) continue;
@@ -143,7 +143,7 @@ void measures_stability_maximum(const struct request *r, double lo, double hi, s
 
 void measures_stability_refusal(const struct request *r, double lo, double hi, struct measured *m) {
     struct result result;
-    int status = run_request(r, &r->options, &result, NULL);
+    int status = run_experiment(&r->experiment, &result, NULL);
     const char *text = result.failure.text;
     if (!status) text = "a field was given back";
     measures_judge(m, status, lo, hi);

@@ -5,7 +5,7 @@
 #include "verification/choose/choose.h"
 #include "verification/run/symmetry.h"
 #include "verification/choose/plan.h"
-#include "verification/run/request.h"
+#include "verification/command/request.h"
 #include "verification/run/run.h"
 
 #include <math.h>
@@ -19,12 +19,13 @@ static double farthest(const struct field *a, const struct field *b) {
 }
 
 void measures_use_fold(const struct request *r, double lo, double hi, struct measured *m) {
-    struct options whole = r->options;
+    const struct experiment *e = &r->experiment;
+    struct options whole = e->options;
     struct field a = {0}, b = {0};
     struct failure why = {0};
     whole.domain = DOMAIN_WHOLE;
-    int status = symmetry_solve(r->method, &r->problem, &r->options, &a, &why);
-    if (!status) status = symmetry_solve(r->method, &r->problem, &whole, &b, &why);
+    int status = symmetry_solve(e->method, &e->problem, &e->options, &a, &why);
+    if (!status) status = symmetry_solve(e->method, &e->problem, &whole, &b, &why);
     measures_fail(m, why.text);
     if (!status) {
         measures_judge(m, (double)b.updates / (double)a.updates, lo, hi);
@@ -38,10 +39,10 @@ void measures_use_plan(const struct request *r, double lo, double hi, struct mea
     struct plan plan;
     struct result result;
     struct failure why = {0};
-    int status = plan_make(r, &r->options, &plan, &why);
+    int status = plan_make(&r->experiment, &plan, &why);
     measures_fail(m, why.text);
     if (status) return;
-    status = run_request(r, &r->options, &result, NULL);
+    status = run_experiment(&r->experiment, &result, NULL);
     measures_fail(m, result.failure.text);
     if (status) return;
     measures_judge(m, (double)plan.updates / (double)result.updates, lo, hi);
@@ -50,24 +51,24 @@ void measures_use_plan(const struct request *r, double lo, double hi, struct mea
 }
 
 void measures_use_time_error(const struct request *r, double lo, double hi, struct measured *m) {
-    struct request exact = *r;
+    struct experiment exact = r->experiment;
     struct result result;
     struct field truth;
     exact.time_error = 0;
     exact.options.stepper = STEPPER_EXACT;
-    int status = run_request(&exact, &exact.options, &result, &truth);
+    int status = run_experiment(&exact, &result, &truth);
     measures_fail(m, result.failure.text);
     if (status) return;
-    status = run_against(r, &r->options, truth.T, 0, &result);
+    status = run_against(&r->experiment, truth.T, 0, &result);
     measures_fail(m, result.failure.text);
-    if (!status) measures_judge(m, result.error.l1 / r->time_error, lo, hi);
+    if (!status) measures_judge(m, result.error.l1 / r->experiment.time_error, lo, hi);
     field_free(&truth);
 }
 
 void measures_use_choose(const struct request *r, double lo, double hi, struct measured *m) {
     struct choose *c = xcalloc(1, sizeof *c);
     struct failure why = {0};
-    int status = choose_run(r, r->error, choose_work_max, c, &why);
+    int status = choose_run(&r->experiment, r->error, choose_work_max, c, &why);
     measures_fail(m, why.text);
     if (!status) measures_judge(m, c->proof.error.l1 / r->error, lo, hi);
     free(c);

@@ -7,7 +7,7 @@
 #include "verification/ladder/consistency.h"
 
 #include "solver/space/operator.h"
-#include "verification/run/request.h"
+#include "verification/run/experiment.h"
 
 #include <math.h>
 
@@ -65,11 +65,12 @@ static void compare(const struct neighbourhood *nb, int sweeps, double *const w[
     *size += fabs(whole);
 }
 
-int consistency_error(const struct request *r, const struct options *o, double *error, struct failure *why) {
-    const struct problem *p = &r->problem;
-    const struct scheme *scheme = r->method->scheme;
+int consistency_error(const struct experiment *e, double *error, struct failure *why) {
+    const struct problem *p = &e->problem;
+    const struct options *o = &e->options;
+    const struct scheme *scheme = e->method->scheme;
     double d[NEIGHBOURS_MAX][2], w0[NEIGHBOURS_MAX], w1[NEIGHBOURS_MAX], *w[2] = {w0, w1}, size = 0;
-    if (!scheme) return refuse(why, STATUS_INPUT, "%s is no particle method: it has no weights", r->method->name);
+    if (!scheme) return refuse(why, STATUS_INPUT, "%s is no particle method: it has no weights", e->method->name);
     int order = o->order > 2 ? o->order : 2;
     struct neighbourhood nb = {.dim = p->dim, .d = d, .volume = pow(o->dx, p->dim)};
     nb.h = (o->h > 0 ? o->h : 1.1 * order / 2) * o->dx;

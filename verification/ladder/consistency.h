@@ -2,12 +2,11 @@
 #define HEATLADDER_VERIFICATION_LADDER_CONSISTENCY_H
 
 struct failure;
-struct options;
-struct request;
+struct experiment;
 
-/* How far the derivatives of a particle method are from those of a smooth function, on a lattice of spacing o->dx far
- * from walls: sum |approximate - exact| / sum |exact| over some points, into *error.  First derivatives where the
- * method applies them twice, else kappa_x T_xx + kappa_y T_yy.  A status of solver/method.h. */
-int consistency_error(const struct request *r, const struct options *o, double *error, struct failure *why);
+/* How far the derivatives of a particle method are from those of a smooth function, on a lattice of spacing
+ * options.dx far from walls: sum |approximate - exact| / sum |exact| over some points, into *error.  First
+ * derivatives where the method applies them twice, else kappa_x T_xx + kappa_y T_yy.  A status of solver/method.h. */
+int consistency_error(const struct experiment *e, double *error, struct failure *why);
 
 #endif

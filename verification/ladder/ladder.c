@@ -18,7 +18,7 @@ static int descending(const void *a, const void *b) {
 }
 
 /* The numbers of the list that has several, coarsest first, into l->x. */
-static int plan(const struct request *r, struct ladder *l, struct failure *why) {
+static int plan(const struct ladder_rungs *r, struct ladder *l, struct failure *why) {
     const struct numbers *steps = r->dt.count ? &r->dt : &r->fourier;
     const char *name = steps->count < 2 ? "dx" : r->dt.count ? "dt" : "fourier";
     if (r->dx.count > 1 && steps->count > 1)
@@ -36,28 +36,30 @@ static int plan(const struct request *r, struct ladder *l, struct failure *why) 
     return STATUS_OK;
 }
 
-static struct options rung_options(const struct request *r, const struct ladder *l, int i) {
-    struct options o = r->options;
+static struct experiment rung_of(const struct experiment *e, const struct ladder_rungs *rungs, const struct ladder *l,
+                                 int i) {
+    struct experiment rung = *e;
     if (!l->in_time)
-        o.dx = l->x[i];
-    else if (r->dt.count)
-        o.dt = l->x[i];
+        rung.options.dx = l->x[i];
+    else if (rungs->dt.count)
+        rung.options.dt = l->x[i];
     else
-        o.fourier = l->x[i];
-    return o;
+        rung.options.fourier = l->x[i];
+    return rung;
 }
 
 /* Against the truth, or the exact solution where there is none. */
-static void climb(const struct request *r, struct ladder *l, const struct semidiscrete *truth) {
+static void climb(const struct experiment *e, const struct ladder_rungs *rungs, struct ladder *l,
+                  const struct semidiscrete *truth) {
     struct progress progress = progress_start("rungs", l->n);
-#pragma omp parallel for schedule(dynamic, 1) if (!r->solver) /* another program is timed alone */
+#pragma omp parallel for schedule(dynamic, 1) if (!e->solver) /* another program is timed alone */
     for (int i = 0; i < l->n; i++) {
         int finest_first = l->n - 1 - i;
-        struct options o = rung_options(r, l, finest_first);
+        struct experiment rung = rung_of(e, rungs, l, finest_first);
         if (truth)
-            run_against(r, &o, truth->field.T, truth->error, &l->rung[finest_first]);
+            run_against(&rung, truth->field.T, truth->error, &l->rung[finest_first]);
         else
-            run_request(r, &o, &l->rung[finest_first], NULL);
+            run_experiment(&rung, &l->rung[finest_first], NULL);
         progress_tick(&progress);
     }
     progress_end(&progress);
@@ -81,37 +83,38 @@ static int collect(struct ladder *l, struct failure *why) {
 
 /* Each rung measured against the truth; failed where there is no truth.  STATUS_INPUT with *why where it is refused.
  */
-static int climb_in_time(const struct request *r, struct ladder *l, struct failure *why) {
-    struct options finest = rung_options(r, l, l->n - 1);
+static int climb_in_time(const struct experiment *e, const struct ladder_rungs *rungs, struct ladder *l,
+                         struct failure *why) {
+    struct experiment finest = rung_of(e, rungs, l, l->n - 1);
     struct semidiscrete truth;
-    int status = semidiscrete_solve(r, &finest, &truth, why);
+    int status = semidiscrete_solve(&finest, &truth, why);
     if (status == STATUS_INPUT) return status;
     l->semidiscrete_steps = truth.steps;
     l->semidiscrete_error = truth.error;
-    if (!status) climb(r, l, &truth);
+    if (!status) climb(e, rungs, l, &truth);
     for (int i = 0; status && i < l->n; i++)
-        l->rung[i] = (struct result){.scene = r->scene,
-                                     .method = r->method,
-                                     .options = rung_options(r, l, i),
-                                     .t_end = r->problem.t_end,
+        l->rung[i] = (struct result){.scene = e->scene,
+                                     .method = e->method,
+                                     .options = rung_of(e, rungs, l, i).options,
+                                     .t_end = e->problem.t_end,
                                      .time_error = NAN,
                                      .failure = *why};
     field_free(&truth.field);
     return STATUS_OK;
 }
 
-int ladder_run(const struct request *r, struct ladder *l, struct failure *why) {
+int ladder_run(const struct experiment *e, const struct ladder_rungs *rungs, struct ladder *l, struct failure *why) {
     double start = omp_get_wtime();
     *l = (struct ladder){0};
-    if (plan(r, l, why)) return why->status;
+    if (plan(rungs, l, why)) return why->status;
     if (!l->in_time)
-        climb(r, l, NULL);
-    else if (climb_in_time(r, l, why))
+        climb(e, rungs, l, NULL);
+    else if (climb_in_time(e, rungs, l, why))
         return why->status;
     int status = collect(l, why);
     if (status == STATUS_INPUT) return status;
     ladder_fit(l, LADDER_L1);
-    if (r->expect.count) ladder_judge(l, r->expect.value[0], r->expect.value[1]);
+    if (rungs->expect.count) ladder_judge(l, rungs->expect.value[0], rungs->expect.value[1]);
     l->seconds = omp_get_wtime() - start;
     return status;
 }

@@ -1,10 +1,11 @@
 #ifndef HEATLADDER_VERIFICATION_LADDER_LADDER_H
 #define HEATLADDER_VERIFICATION_LADDER_LADDER_H
 
-#include "verification/run/request.h"
+#include "verification/run/experiment.h"
 #include "verification/run/result.h"
 #include "verification/ladder/slope.h"
 #include "verification/ladder/window.h"
+#include "verification/text/number.h"
 
 /* Runs that differ in one length, and the order at which their errors fall with it.
  *
@@ -13,6 +14,14 @@
  * (truth.h), so that no error of space is in them. */
 
 enum ladder_norm { LADDER_L1, LADDER_L2, LADDER_LINF, LADDER_INTERIOR, LADDER_BOUNDARY }; /* the last two: E1 */
+
+/* The rungs that are asked for: one list has several numbers. */
+struct ladder_rungs {
+    struct numbers dx;      /* m */
+    struct numbers dt;      /* s */
+    struct numbers fourier; /* - */
+    struct numbers expect;  /* lowest and highest slope that pass; none where nothing is to be judged */
+};
 
 struct ladder {
     int n;       /* rungs, coarsest first */
@@ -32,10 +41,10 @@ struct ladder {
     double seconds;
 };
 
-/* Runs the rungs, in parallel where the caller is not, the finest first; then fits L1 and judges by --expect.
+/* Runs the rungs, in parallel where the caller is not, the finest first; then fits L1 and judges by rungs->expect.
  * STATUS_OK, STATUS_INPUT with *why filled where a rung is refused, or STATUS_NUMERICAL where one failed: *l is
  * filled but for a refusal. */
-int ladder_run(const struct request *r, struct ladder *l, struct failure *why);
+int ladder_run(const struct experiment *e, const struct ladder_rungs *rungs, struct ladder *l, struct failure *why);
 
 /* Chooses the window and fits the slope in another norm. */
 void ladder_fit(struct ladder *l, enum ladder_norm norm);

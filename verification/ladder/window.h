@@ -3,8 +3,9 @@
 
 /* Which rungs of a ladder tell its order, and why the others do not. */
 
-#include "verification/run/request.h"
+#include "verification/text/number.h"
 
+enum { RUNG_MAX = NUMBERS_MAX };
 enum { WINDOW_LEAST = 4 }; /* rungs that a gate needs: two parameters fitted, two left to see whether they fit */
 
 struct window_rung {

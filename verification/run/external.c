@@ -6,7 +6,7 @@
 
 #include "verification/run/external_case.h"
 #include "verification/run/external_csv.h"
-#include "verification/run/request.h"
+#include "verification/run/experiment.h"
 
 #include <errno.h>
 #include <fcntl.h>
@@ -77,10 +77,10 @@ static void remove_place(const struct place *at) {
     rmdir(at->dir);
 }
 
-static int write_case(const struct request *r, const struct options *o, const struct place *at, struct failure *why) {
+static int write_case(const struct experiment *e, const struct place *at, struct failure *why) {
     FILE *out = fopen(at->input, "w");
     if (!out) return refuse(why, STATUS_INPUT, "cannot write '%.200s': %s", at->input, strerror(errno));
-    external_case_write(r, o, out);
+    external_case_write(e, out);
     if (ferror(out) | fclose(out)) return refuse(why, STATUS_INPUT, "cannot write '%.200s'", at->input);
     return STATUS_OK;
 }
@@ -139,25 +139,25 @@ static int run_command(const char *command, const sigset_t *mask, struct failure
     return STATUS_OK;
 }
 
-static int solve_at(const struct request *r, const struct options *o, const struct place *at, const sigset_t *mask,
-                    struct field *f, struct failure *why) {
-    if (write_case(r, o, at, why)) return why->status;
-    char *command = fill_in(r->solver, at);
+static int solve_at(const struct experiment *e, const struct place *at, const sigset_t *mask, struct field *f,
+                    struct failure *why) {
+    if (write_case(e, at, why)) return why->status;
+    char *command = fill_in(e->solver, at);
     if (!command) return refuse(why, STATUS_NUMERICAL, "out of memory for --solver");
     double begin = omp_get_wtime();
     int status = run_command(command, mask, why);
     double seconds = omp_get_wtime() - begin;
     free(command);
-    if (status || external_csv_read(at->output, &r->problem, f, why)) return why->status;
+    if (status || external_csv_read(at->output, &e->problem, f, why)) return why->status;
     f->seconds = seconds;
     if (isnan(f->step_seconds)) f->step_seconds = seconds;
     return STATUS_OK;
 }
 
-int external_solve(const struct request *r, const struct options *o, struct field *f, struct failure *why) {
-    if (!strstr(r->solver, "{case}") || !strstr(r->solver, "{out}"))
+int external_solve(const struct experiment *e, struct field *f, struct failure *why) {
+    if (!strstr(e->solver, "{case}") || !strstr(e->solver, "{out}"))
         return refuse(why, STATUS_INPUT, "--solver '%.200s': must hold {case} and {out}, which become paths",
-                      r->solver);
+                      e->solver);
     struct place at;
     sigset_t held, before;
     sigemptyset(&held);
@@ -167,7 +167,7 @@ int external_solve(const struct request *r, const struct options *o, struct fiel
     pthread_sigmask(SIG_BLOCK, &held, &before);
     int status = make_place(&at, why);
     if (!status) {
-        status = solve_at(r, o, &at, &before, f, why);
+        status = solve_at(e, &at, &before, f, why);
         remove_place(&at);
     }
     pthread_sigmask(SIG_SETMASK, &before, NULL);

@@ -6,8 +6,7 @@
 struct failure;
 struct field;
 struct method;
-struct options;
-struct request;
+struct experiment;
 
 extern const char external_help[]; /* the case file and the CSV, for --help */
 
@@ -15,9 +14,9 @@ extern const char external_help[]; /* the case file and the CSV, for --help */
  * stands for where another program solves. */
 struct method *external_method(const char *label);
 
-/* Solves r->problem at o->dx (and dt or Fourier number, where given) by the command r->solver.  A status of
+/* Solves e->problem at its dx (and dt or Fourier number, where given) by the command e->solver.  A status of
  * solver/method.h; on STATUS_OK the caller owns *f, whose `seconds` are those of the whole command, `step_seconds`
  * those that the program says it solved for (all, where it says nothing). */
-int external_solve(const struct request *r, const struct options *o, struct field *f, struct failure *why);
+int external_solve(const struct experiment *e, struct field *f, struct failure *why);
 
 #endif

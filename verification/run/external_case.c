@@ -4,7 +4,7 @@
 #include "verification/run/external_case.h"
 
 #include "references/scene.h"
-#include "verification/run/request.h"
+#include "verification/run/experiment.h"
 
 #include <math.h>
 
@@ -17,10 +17,10 @@ static void write_pair(FILE *out, const char *key, const double *value, int coun
     fputc('\n', out);
 }
 
-static void write_params(const struct request *r, FILE *out) {
-    const struct param *table = r->scene->params;
+static void write_params(const struct experiment *e, FILE *out) {
+    const struct param *table = e->scene->params;
     for (int i = 0; table[i].name; i++) {
-        double value = r->problem.param[i];
+        double value = e->problem.param[i];
         if (table[i].choice)
             fprintf(out, "param_%s = %s\n", table[i].name, table[i].choice[(int)value]);
         else
@@ -58,16 +58,16 @@ static void write_side(const struct problem *p, int s, FILE *out) {
     fputc('\n', out);
 }
 
-void external_case_write(const struct request *r, const struct options *o, FILE *out) {
-    const struct problem *p = &r->problem;
-    fprintf(out, "scene = %s\nlabel = %s\ndim = %d\n", r->scene->name, r->method->name, p->dim);
-    write_params(r, out);
+void external_case_write(const struct experiment *e, FILE *out) {
+    const struct problem *p = &e->problem;
+    fprintf(out, "scene = %s\nlabel = %s\ndim = %d\n", e->scene->name, e->method->name, p->dim);
+    write_params(e, out);
     write_pair(out, "lo", p->lo, p->dim);
     write_pair(out, "hi", p->hi, p->dim);
     write_materials(p, out);
     for (int s = 0; s < 2 * p->dim; s++) write_side(p, s, out);
-    fprintf(out, "source = %s\nt_end = %.17g\ndx = %.17g\n", p->source ? "yes" : "no", p->t_end, o->dx);
-    if (o->dt > 0) fprintf(out, "dt = %.17g\n", o->dt);
-    if (o->fourier > 0) fprintf(out, "fourier = %.17g\n", o->fourier);
-    fprintf(out, "threads = %d\n", o->threads > 1 ? o->threads : 1);
+    fprintf(out, "source = %s\nt_end = %.17g\ndx = %.17g\n", p->source ? "yes" : "no", p->t_end, e->options.dx);
+    if (e->options.dt > 0) fprintf(out, "dt = %.17g\n", e->options.dt);
+    if (e->options.fourier > 0) fprintf(out, "fourier = %.17g\n", e->options.fourier);
+    fprintf(out, "threads = %d\n", e->options.threads > 1 ? e->options.threads : 1);
 }

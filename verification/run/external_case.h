@@ -3,10 +3,9 @@
 
 #include <stdio.h>
 
-struct options;
-struct request;
+struct experiment;
 
-/* Writes what another program must know to solve r->problem at the options *o, as lines `key = value`. */
-void external_case_write(const struct request *r, const struct options *o, FILE *out);
+/* Writes what another program must know to run the experiment, as lines `key = value`. */
+void external_case_write(const struct experiment *e, FILE *out);
 
 #endif

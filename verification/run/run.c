@@ -2,7 +2,7 @@
 #include "verification/run/run.h"
 
 #include "references/scene.h"
-#include "verification/run/request.h"
+#include "verification/run/experiment.h"
 #include "verification/run/time_step.h"
 
 #include <float.h>
@@ -23,8 +23,8 @@ static double rounding(const struct problem *p, const struct field *f, double dx
     return DBL_EPSILON * (1 + sqrt(applications) + 4 * p->dim * run_diffusivity(p) * p->t_end / (dx * dx));
 }
 
-static int measure(const struct request *r, const struct field *f, const double *truth, struct result *out) {
-    const struct problem *p = &r->problem;
+static int measure(const struct experiment *e, const struct field *f, const double *truth, struct result *out) {
+    const struct problem *p = &e->problem;
     if (norms_check(f, truth, &out->failure)) return STATUS_INPUT;
     double dx = out->options.dx;
     out->t_end = f->time;
@@ -50,12 +50,14 @@ static int measure(const struct request *r, const struct field *f, const double 
     return STATUS_OK;
 }
 
-static int solve(const struct request *r, const struct options *o, struct result *out, struct field *f) {
+static int solve(const struct experiment *e, struct result *out, struct field *f) {
     *out = (struct result){
-        .scene = r->scene, .method = r->method, .options = *o, .t_end = r->problem.t_end, .time_error = NAN};
+        .scene = e->scene, .method = e->method, .options = e->options, .t_end = e->problem.t_end, .time_error = NAN};
     *f = (struct field){0};
+    struct experiment used = *e;
     struct time_step stepping;
-    int status = time_step_solve(r, &out->options, f, &stepping, &out->failure);
+    int status = time_step_solve(&used, f, &stepping, &out->failure);
+    out->options = used.options;
     out->time_error = stepping.time_error;
     out->search_updates = stepping.updates;
     if (!status && f->h > 0) out->options.h = f->h;
@@ -63,12 +65,12 @@ static int solve(const struct request *r, const struct options *o, struct result
     return status;
 }
 
-int run_request(const struct request *r, const struct options *o, struct result *out, struct field *field) {
+int run_experiment(const struct experiment *e, struct result *out, struct field *field) {
     struct field f;
-    if (solve(r, o, out, &f)) return out->failure.status;
+    if (solve(e, out, &f)) return out->failure.status;
     double *exact = xcalloc(f.n, sizeof *exact);
-    out->reference_error = norms_exact(r->scene, &r->problem, &f, exact);
-    int status = measure(r, &f, exact, out);
+    out->reference_error = norms_exact(e->scene, &e->problem, &f, exact);
+    int status = measure(e, &f, exact, out);
     free(exact);
     if (field && !status)
         *field = f;
@@ -77,12 +79,11 @@ int run_request(const struct request *r, const struct options *o, struct result 
     return status;
 }
 
-int run_against(const struct request *r, const struct options *o, const double *truth, double error,
-                struct result *out) {
+int run_against(const struct experiment *e, const double *truth, double error, struct result *out) {
     struct field f;
-    if (solve(r, o, out, &f)) return out->failure.status;
+    if (solve(e, out, &f)) return out->failure.status;
     out->reference_error = error;
-    int status = measure(r, &f, truth, out);
+    int status = measure(e, &f, truth, out);
     field_free(&f);
     return status;
 }

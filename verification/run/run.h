@@ -4,17 +4,16 @@
 #include "verification/run/result.h"
 
 struct problem;
-struct request;
+struct experiment;
 
-/* Solves what *r asks for with the options *o (those of *r, or a rung's) and measures it.  *out is always filled; its
+/* Runs the experiment and measures it.  *out is always filled; its
  * failure says what went wrong, and its status is returned.  With `field` not NULL the caller owns *field after
  * STATUS_OK. */
-int run_request(const struct request *r, const struct options *o, struct result *out, struct field *field);
+int run_experiment(const struct experiment *e, struct result *out, struct field *field);
 
 /* The same, with the error measured against `truth` (of the same points) and not the exact solution; its own error is
  * error, relative as E1 is. */
-int run_against(const struct request *r, const struct options *o, const double *truth, double error,
-                struct result *out);
+int run_against(const struct experiment *e, const double *truth, double error, struct result *out);
 
 /* The largest of all materials and axes, m^2 s^-1. */
 double run_diffusivity(const struct problem *p);

@@ -10,20 +10,19 @@
  * leaves out each rung of whose error this is too large a part. */
 #include "verification/run/semidiscrete.h"
 
-#include "verification/run/request.h"
+#include "verification/run/experiment.h"
 #include "verification/run/run.h"
 
 #include <math.h>
 
 static const double FINER = 18; /* steps of the truth to one of the finest rung */
 
-static int march(const struct request *r, const struct options *o, double steps, struct field *f,
-                 struct failure *why) {
-    struct options with = *o;
+static int march(const struct experiment *e, double steps, struct field *f, struct failure *why) {
+    struct options with = e->options;
     with.stepper = STEPPER_RK2;
-    with.dt = steps > 0 ? r->problem.t_end / steps : 0; /* 0: 1/bound */
+    with.dt = steps > 0 ? e->problem.t_end / steps : 0; /* 0: 1/bound */
     with.fourier = 0;
-    return r->method->solve(&r->problem, &with, f, why);
+    return e->method->solve(&e->problem, &with, f, why);
 }
 
 static double apart(const struct field *a, const struct field *b) {
@@ -36,19 +35,18 @@ static double apart(const struct field *a, const struct field *b) {
     return sum / size;
 }
 
-static int midpoint(const struct request *r, const struct options *finest, struct semidiscrete *truth,
-                    struct failure *why) {
+static int midpoint(const struct experiment *e, struct semidiscrete *truth, struct failure *why) {
+    const struct options *o = &e->options;
     struct field coarse;
-    double dt =
-        finest->dt > 0 ? finest->dt : finest->fourier * finest->dx * finest->dx / run_diffusivity(&r->problem);
-    int status = march(r, finest, 0, &coarse, why);
+    double dt = o->dt > 0 ? o->dt : o->fourier * o->dx * o->dx / run_diffusivity(&e->problem);
+    int status = march(e, 0, &coarse, why);
     if (status == STATUS_NUMERICAL) {
         struct failure unstable = *why;
         return refuse(why, status, "no truth in time: %.400s", unstable.text);
     }
     if (status) return status;
     double N = (double)coarse.steps;
-    status = march(r, finest, fmax(2 * N, ceil(FINER * r->problem.t_end / dt)), &truth->field, why);
+    status = march(e, fmax(2 * N, ceil(FINER * e->problem.t_end / dt)), &truth->field, why);
     if (!status) {
         double gain = (double)truth->field.steps / N;
         truth->steps = truth->field.steps;
@@ -58,16 +56,15 @@ static int midpoint(const struct request *r, const struct options *finest, struc
     return status;
 }
 
-int semidiscrete_solve(const struct request *r, const struct options *finest, struct semidiscrete *truth,
-                       struct failure *why) {
-    struct options exact = *finest;
+int semidiscrete_solve(const struct experiment *e, struct semidiscrete *truth, struct failure *why) {
+    struct options exact = e->options;
     *truth = (struct semidiscrete){0};
-    if (!r->method->scheme)
+    if (!e->method->scheme)
         return refuse(why, STATUS_INPUT,
                       "a ladder in time needs the particles' equations for its truth, which %s has not",
-                      r->method->name);
+                      e->method->name);
     exact.stepper = STEPPER_EXACT;
     exact.dt = exact.fourier = 0;
-    int status = r->method->solve(&r->problem, &exact, &truth->field, why);
-    return status == STATUS_INPUT ? midpoint(r, finest, truth, why) : status;
+    int status = e->method->solve(&e->problem, &exact, &truth->field, why);
+    return status == STATUS_INPUT ? midpoint(e, truth, why) : status;
 }

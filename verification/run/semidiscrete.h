@@ -3,7 +3,7 @@
 
 #include "solver/method.h"
 
-struct request;
+struct experiment;
 
 /* What the rungs of a ladder in time are measured against: the same particles' equations, solved without time error.
  */
@@ -17,7 +17,6 @@ struct semidiscrete {
 /* The exact stepper's field, or where that is refused the midpoint rule's, at steps that suit the rung `finest`.
  * STATUS_OK; STATUS_INPUT for what is no particle method or is refused by either; STATUS_NUMERICAL where the
  * equations themselves are unstable. */
-int semidiscrete_solve(const struct request *r, const struct options *finest, struct semidiscrete *truth,
-                       struct failure *why);
+int semidiscrete_solve(const struct experiment *e, struct semidiscrete *truth, struct failure *why);
 
 #endif

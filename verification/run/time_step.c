@@ -17,7 +17,7 @@
 #include "verification/run/external.h"
 #include "verification/run/symmetry.h"
 #include "verification/run/norms.h"
-#include "verification/run/request.h"
+#include "verification/run/experiment.h"
 #include "verification/run/run.h"
 
 #include <math.h>
@@ -35,8 +35,7 @@ struct trial {
 };
 
 struct search {
-    const struct request *r;
-    const struct options *o;
+    const struct experiment *e;
     int order;
     double *exact;             /* K, at the points of the fields */
     struct trial coarse, fine; /* the last two runs */
@@ -44,11 +43,11 @@ struct search {
 };
 
 static int try_steps(struct search *s, double steps, struct trial *t, struct failure *why) {
-    struct options with = *s->o;
-    with.dt = s->r->problem.t_end / steps;
+    struct options with = s->e->options;
+    with.dt = s->e->problem.t_end / steps;
     with.fourier = 0;
     t->steps = steps;
-    int status = symmetry_solve(s->r->method, &s->r->problem, &with, &t->field, why);
+    int status = symmetry_solve(s->e->method, &s->e->problem, &with, &t->field, why);
     if (!status) s->updates += t->field.updates;
     return status;
 }
@@ -57,15 +56,16 @@ int time_step_order(const struct options *o) {
     return o->stepper == STEPPER_EULER ? 1 : 2;
 }
 
-double time_step_first(const struct request *r, const struct options *o) {
-    double steps = r->problem.t_end * run_diffusivity(&r->problem) / (FOURIER / r->problem.dim * o->dx * o->dx);
-    if (o->stepper == STEPPER_RKL2) steps = r->time_error > 0 ? 2 : sqrt(steps) / 2; /* some ten stages a step */
+double time_step_first(const struct experiment *e) {
+    const struct options *o = &e->options;
+    double steps = e->problem.t_end * run_diffusivity(&e->problem) / (FOURIER / e->problem.dim * o->dx * o->dx);
+    if (o->stepper == STEPPER_RKL2) steps = e->time_error > 0 ? 2 : sqrt(steps) / 2; /* some ten stages a step */
     return fmax(1, ceil(steps));
 }
 
 /* The first run, at half the time step again and again while that is unstable. */
 static int first(struct search *s, struct failure *why) {
-    double steps = time_step_first(s->r, s->o);
+    double steps = time_step_first(s->e);
     int status = try_steps(s, steps, &s->coarse, why);
     for (int i = 0; i < HALVINGS && status == STATUS_NUMERICAL; i++)
         status = try_steps(s, steps *= 2, &s->coarse, why);
@@ -91,7 +91,7 @@ static double next_steps(double steps, struct estimate e, double particles, int 
 
 static double size_of(const struct search *s, const struct trial *t) { /* e */
     double stages = t->field.stages, c = 1;
-    if (s->o->stepper == STEPPER_RKL2 && stages > 2) c += 8 / (stages * stages + stages - 2);
+    if (s->e->options.stepper == STEPPER_RKL2 && stages > 2) c += 8 / (stages * stages + stages - 2);
     return c / pow(t->steps, s->order);
 }
 
@@ -117,7 +117,7 @@ static double distance(const struct search *s, const struct field *f, const doub
 }
 
 static double whole_error(const struct search *s, const struct field *f) {
-    return norms_error(&s->r->problem, f, s->exact, NORMS_ALL, 0).l1;
+    return norms_error(&s->e->problem, f, s->exact, NORMS_ALL, 0).l1;
 }
 
 static struct estimate compare(const struct search *s) {
@@ -151,9 +151,9 @@ static int refine(struct search *s, double *time_error, struct failure *why) {
     return status;
 }
 
-/* Fewer steps in the place of the finer run's, whose time error is `time`, where r->time_error allows. */
+/* Fewer steps in the place of the finer run's, whose time error is `time`, where e->time_error allows. */
 static void coarsen(struct search *s, double time, double *time_error) {
-    double asked = s->r->time_error, *limit = find_limit(s);
+    double asked = s->e->time_error, *limit = find_limit(s);
     double most = s->fine.steps, steps = most * pow(time / asked, 1.0 / s->order);
     struct failure ignored;
     *time_error = time / whole_error(s, &s->fine.field);
@@ -174,7 +174,7 @@ static void coarsen(struct search *s, double time, double *time_error) {
 
 /* Halves the step until the time error is what is asked for. */
 static int reach(struct search *s, double *time_error, struct failure *why) {
-    double asked = s->r->time_error, time = compare(s).time;
+    double asked = s->e->time_error, time = compare(s).time;
     while (!(time <= asked)) {
         if (!within_reach(2 * s->fine.steps, (double)s->fine.field.n, s->order))
             return refuse(why, STATUS_GATE,
@@ -193,19 +193,19 @@ static int reach(struct search *s, double *time_error, struct failure *why) {
 static size_t held(const struct search *s) {
     const struct field *f = &s->fine.field;
     size_t array = f->n * sizeof *f->T, answer = array * (size_t)(f->dim + 1 + (f->weight != NULL));
-    return s->r->time_error > 0 ? 2 * array + 2 * answer : array + answer;
+    return s->e->time_error > 0 ? 2 * array + 2 * answer : array + answer;
 }
 
-static int solve_searched(const struct request *r, const struct options *o, struct field *f,
-                          struct time_step *stepping, struct failure *why) {
-    struct search s = {.r = r, .o = o, .order = time_step_order(o)};
+static int solve_searched(const struct experiment *e, struct field *f, struct time_step *stepping,
+                          struct failure *why) {
+    struct search s = {.e = e, .order = time_step_order(&e->options)};
     int status = first(&s, why);
     if (status) return status;
     s.exact = xcalloc(s.coarse.field.n, sizeof *s.exact);
-    norms_exact(r->scene, &r->problem, &s.coarse.field, s.exact);
+    norms_exact(e->scene, &e->problem, &s.coarse.field, s.exact);
     status = norms_check(&s.coarse.field, s.exact, why);
     if (!status) status = try_steps(&s, 2 * s.coarse.steps, &s.fine, why);
-    if (!status) status = (r->time_error > 0 ? reach : refine)(&s, &stepping->time_error, why);
+    if (!status) status = (e->time_error > 0 ? reach : refine)(&s, &stepping->time_error, why);
     free(s.exact);
     field_free(&s.coarse.field);
     if (status) {
@@ -218,26 +218,25 @@ static int solve_searched(const struct request *r, const struct options *o, stru
     return STATUS_OK;
 }
 
-double time_step_forecast(const struct request *r, const struct options *o, double particles, double time,
-                          double space) {
-    int order = time_step_order(o);
-    if (r->time_error > 0) {
-        double steps = fmax(1, ceil(pow(time / r->time_error, 1.0 / order)));
+double time_step_forecast(const struct experiment *e, double particles, double time, double space) {
+    int order = time_step_order(&e->options);
+    if (e->time_error > 0) {
+        double steps = fmax(1, ceil(pow(time / e->time_error, 1.0 / order)));
         return within_reach(steps, particles, order) ? steps : 0;
     }
-    double steps = 2 * time_step_first(r, o), at = time / pow(steps, order);
+    double steps = 2 * time_step_first(e), at = time / pow(steps, order);
     return next_steps(steps, (struct estimate){at, space + at, space}, particles, order);
 }
 
-int time_step_solve(const struct request *r, struct options *o, struct field *f, struct time_step *stepping,
-                    struct failure *why) {
-    int given = o->dt > 0 || o->fourier > 0, particles = r->method->scheme != NULL;
+int time_step_solve(struct experiment *e, struct field *f, struct time_step *stepping, struct failure *why) {
+    struct options *o = &e->options;
+    int given = o->dt > 0 || o->fourier > 0, particles = e->method->scheme != NULL;
     *stepping = (struct time_step){NAN, 0};
-    if (r->solver) return external_solve(r, o, f, why); /* its time step is its own */
-    if (o->stepper == STEPPER_AUTO && r->time_error > 0 && particles) o->stepper = STEPPER_RKL2;
+    if (e->solver) return external_solve(e, f, why); /* its time step is its own */
+    if (o->stepper == STEPPER_AUTO && e->time_error > 0 && particles) o->stepper = STEPPER_RKL2;
     if (o->stepper == STEPPER_AUTO && !given && particles) {
         o->stepper = STEPPER_EXACT;
-        int status = symmetry_solve(r->method, &r->problem, o, f, why);
+        int status = symmetry_solve(e->method, &e->problem, o, f, why);
         if (status == STATUS_OK) stepping->time_error = 0;
         if (status != STATUS_INPUT) return status;
         o->stepper =
@@ -245,7 +244,7 @@ int time_step_solve(const struct request *r, struct options *o, struct field *f,
     }
     if (o->stepper == STEPPER_AUTO) o->stepper = STEPPER_EULER;
     if (o->stepper == STEPPER_EXACT) stepping->time_error = 0;
-    if (given || o->stepper == STEPPER_EXACT || o->stepper == STEPPER_MATCHED || r->problem.t_end <= 0)
-        return symmetry_solve(r->method, &r->problem, o, f, why);
-    return solve_searched(r, o, f, stepping, why);
+    if (given || o->stepper == STEPPER_EXACT || o->stepper == STEPPER_MATCHED || e->problem.t_end <= 0)
+        return symmetry_solve(e->method, &e->problem, o, f, why);
+    return solve_searched(e, f, stepping, why);
 }

@@ -4,7 +4,7 @@
 struct failure;
 struct field;
 struct options;
-struct request;
+struct experiment;
 
 #define TIME_STEP_UPDATES_MAX 2e10 /* a minute or so; past it the 1 % rule lets a time error stand */
 
@@ -12,12 +12,11 @@ struct request;
 int time_step_order(const struct options *o);
 
 /* Steps of the first run of a search. */
-double time_step_first(const struct request *r, const struct options *o);
+double time_step_first(const struct experiment *e);
 
-/* How many steps time_step_solve will take where *o leaves them open, the stepper is not the exact one, `space` is E1
+/* How many steps time_step_solve will take where *e leaves them open, the stepper is not the exact one, `space` is E1
  * without time error and `time` / steps^p what the steps add, p the stepper's order.  0: out of reach. */
-double time_step_forecast(const struct request *r, const struct options *o, double particles, double time,
-                          double space);
+double time_step_forecast(const struct experiment *e, double particles, double time, double space);
 
 struct time_step {
     double time_error; /* the part of E1 that the time step makes up: 0 for the exact stepper, measured where the step
@@ -25,10 +24,9 @@ struct time_step {
     long long updates; /* of the runs that it took to choose the step, the one that counts left out */
 };
 
-/* Solves r->problem by r->method under *o, and chooses what *o leaves open: the stepper, and a time step whose error
- * is at most 1 % of the whole.  On return o->stepper is the one that was used.  A status of solver/method.h; on
- * STATUS_OK the caller owns *f. */
-int time_step_solve(const struct request *r, struct options *o, struct field *f, struct time_step *stepping,
-                    struct failure *why);
+/* Solves e->problem by e->method and chooses what *e leaves open: the stepper, and a time step whose error
+ * is at most 1 % of the whole.  On return e->options.stepper is the one that was used.  A status of solver/method.h;
+ * on STATUS_OK the caller owns *f. */
+int time_step_solve(struct experiment *e, struct field *f, struct time_step *stepping, struct failure *why);
 
 #endif

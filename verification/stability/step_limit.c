@@ -13,7 +13,6 @@
  * long as the first, 500 dx^2/kappa, and where a 64th of it still grows no step is stable. */
 #include "verification/stability/step_limit.h"
 
-#include "verification/run/request.h"
 #include "verification/stability/spectrum.h"
 #include "verification/stability/symbol.h"
 
@@ -31,13 +30,13 @@ int step_limit_model(struct model_problem *b, struct failure *why) {
     return model_problem_resolve(b, b->dim == 1 ? LIMIT_ROD : jitter ? LIMIT_SQUARE_JITTER : LIMIT_SQUARE, why);
 }
 
-int step_limit_request(const struct request *r, struct model_problem *b, struct failure *why) {
-    *b = (struct model_problem){
-        .method = r->method, .dim = r->dim, .options = r->options, .step = {r->options.stepper, r->stages}};
+int step_limit_setup(const struct method *m, const struct options *o, int dim, int stages, struct model_problem *b,
+                     struct failure *why) {
+    *b = (struct model_problem){.method = m, .dim = dim, .options = *o, .step = {o->stepper, stages}};
     if (b->step.stepper == STEPPER_EXACT || b->step.stepper == STEPPER_MATCHED)
         return refuse(why, STATUS_INPUT, "--stepper %s: limit takes euler, rk2 and rkl2",
                       stepper_words[b->step.stepper]);
-    if (b->step.stepper == STEPPER_RKL2 ? r->stages < 3 : r->stages > 0)
+    if (b->step.stepper == STEPPER_RKL2 ? stages < 3 : stages > 0)
         return refuse(why, STATUS_INPUT, "--stepper rkl2 and --stages N (3 or more) need each other");
     return step_limit_model(b, why);
 }

@@ -6,8 +6,6 @@
 
 #include "verification/stability/model_problem.h"
 
-struct request;
-
 struct step_limit {
     double published;   /* NaN where no paper has a number */
     const char *source; /* of `published` */
@@ -33,6 +31,7 @@ enum { LIMIT_ROD = 48, LIMIT_SQUARE = 24, LIMIT_SQUARE_JITTER = 14, LIMIT_STEPS 
 
 /* A probe of the size that limits are looked for on, settled; and that of a command `limit`. */
 int step_limit_model(struct model_problem *b, struct failure *why);
-int step_limit_request(const struct request *r, struct model_problem *b, struct failure *why);
+int step_limit_setup(const struct method *m, const struct options *o, int dim, int stages, struct model_problem *b,
+                     struct failure *why);
 
 #endif

@@ -3,6 +3,13 @@
 
 /* Numbers as people write them on a command line: strict, so that a slip is refused and not half read. */
 
+enum { NUMBERS_MAX = 32 };
+
+struct numbers {
+    int count;
+    double value[NUMBERS_MAX];
+};
+
 /* Reads the whole of `text` as a finite decimal, or as a fraction of two (4/42).  0, or -1 where it is neither. */
 int number_read(const char *text, double *value);
 

@@ -6,7 +6,7 @@
 
 #include "solver/space/operator.h"
 #include "verification/command/arguments.h"
-#include "verification/run/request.h"
+#include "verification/command/request.h"
 #include "verification/unit/near.h"
 
 #include <stdio.h>
@@ -33,7 +33,8 @@ static inline struct stencil stencil_of(const char *method, const double kappa[2
     snprintf(line, sizeof line, "run square-step %s --dx 0.1 --h 1.1 --set kappa_x=%.17g --set kappa_y=%.17g", method,
              kappa[0], kappa[1]);
     if (arguments_parse_line(line, &r, &why)) fail_msg("%s", why.text);
-    if (operator_stencil(&r.problem, &r.options, r.method->scheme, 1, kappa, s.reach, &s.w, &why))
+    if (operator_stencil(&r.experiment.problem, &r.experiment.options, r.experiment.method->scheme, 1, kappa, s.reach,
+                         &s.w, &why))
         fail_msg("%s", why.text);
     arguments_free(&r);
     return s;

@@ -21,18 +21,18 @@ static void a_run_is_read(void **state) {
                              &r, &why),
         STATUS_OK);
     assert_string_equal(r.verb->name, "run");
-    assert_string_equal(r.scene->name, "rod-step");
-    assert_string_equal(r.method->name, "so_ssph");
-    assert_near(r.options.dx, 4.0 / 42, 0);
-    assert_int_equal(r.options.kernel, KERNEL_QUARTIC);
-    assert_near(r.options.h, 1.27, 0);
-    assert_int_equal(r.options.order, 3);
-    assert_int_equal(r.options.sampling, SAMPLING_CELL);
-    assert_int_equal(r.options.walls, WALLS_FIXED);
-    assert_int_equal(r.options.stepper, STEPPER_RK2);
-    assert_near(r.options.fourier, 0.17, 0);
-    assert_near(r.problem.material[0].k[0] / r.problem.material[0].rho_c, 0.023, 1e-17);
-    assert_near(r.problem.t_end, 3.7, 0);
+    assert_string_equal(r.experiment.scene->name, "rod-step");
+    assert_string_equal(r.experiment.method->name, "so_ssph");
+    assert_near(r.experiment.options.dx, 4.0 / 42, 0);
+    assert_int_equal(r.experiment.options.kernel, KERNEL_QUARTIC);
+    assert_near(r.experiment.options.h, 1.27, 0);
+    assert_int_equal(r.experiment.options.order, 3);
+    assert_int_equal(r.experiment.options.sampling, SAMPLING_CELL);
+    assert_int_equal(r.experiment.options.walls, WALLS_FIXED);
+    assert_int_equal(r.experiment.options.stepper, STEPPER_RK2);
+    assert_near(r.experiment.options.fourier, 0.17, 0);
+    assert_near(r.experiment.problem.material[0].k[0] / r.experiment.problem.material[0].rho_c, 0.023, 1e-17);
+    assert_near(r.experiment.problem.t_end, 3.7, 0);
     assert_int_equal(r.json, 1);
     arguments_free(&r);
 }
@@ -42,7 +42,7 @@ static void options_may_come_first(void **state) {
     struct request r;
     struct failure why;
     assert_int_equal(arguments_parse_line("run --set kappa=0.023 --dx 0.1 rod-step ftcs", &r, &why), STATUS_OK);
-    assert_near(r.problem.material[0].k[0] / r.problem.material[0].rho_c, 0.023, 1e-17);
+    assert_near(r.experiment.problem.material[0].k[0] / r.experiment.problem.material[0].rho_c, 0.023, 1e-17);
     arguments_free(&r);
 }
 
@@ -65,8 +65,8 @@ static void a_choice_is_set_by_its_word(void **state) {
     struct failure why;
     assert_int_equal(arguments_parse_line("run plate ftcs --dx 0.01 --set material=titanium", &r, &why), STATUS_OK);
     int i = 0;
-    while (strcmp(r.scene->params[i].name, "material") != 0) i++;
-    assert_string_equal(r.scene->params[i].choice[(int)r.problem.param[i]], "titanium");
+    while (strcmp(r.experiment.scene->params[i].name, "material") != 0) i++;
+    assert_string_equal(r.experiment.scene->params[i].choice[(int)r.experiment.problem.param[i]], "titanium");
     arguments_free(&r);
 }
 
@@ -77,9 +77,9 @@ static void lists_become_ladders(void **state) {
     assert_int_equal(
         arguments_parse_line("ladder rod-gauss so_ssph --dx 0.25 --dt 0.7,0.3,0.1 --stepper euler", &r, &why),
         STATUS_OK);
-    assert_int_equal(r.dt.count, 3);
-    assert_near(r.dt.value[1], 0.3, 0);
-    assert_near(r.options.dt, 0.7, 0);
+    assert_int_equal(r.rungs.dt.count, 3);
+    assert_near(r.rungs.dt.value[1], 0.3, 0);
+    assert_near(r.experiment.options.dt, 0.7, 0);
     arguments_free(&r);
 }
 

@@ -52,9 +52,9 @@ static struct result run(const char *line) {
     struct result result;
     struct failure why;
     if (arguments_parse_line(line, &r, &why)) fail_msg("%s: %s", line, why.text);
-    if (run_request(&r, &r.options, &result, NULL)) fail_msg("%s: %s", line, result.failure.text);
-    result.setup = work_of_setup(&r.problem, &result);
-    result.ghosts = work_of_ghosts(&r.problem, &result);
+    if (run_experiment(&r.experiment, &result, NULL)) fail_msg("%s: %s", line, result.failure.text);
+    result.setup = work_of_setup(&r.experiment.problem, &result);
+    result.ghosts = work_of_ghosts(&r.experiment.problem, &result);
     arguments_free(&r);
     return result;
 }
@@ -117,9 +117,9 @@ static void costs_are_foreseen(void **state) {
         for (const struct candidate *c = candidates_table; c->label; c++) {
             struct candidate_cost cost;
             struct result result;
-            if (c->dim && c->dim != r.problem.dim) continue;
-            int status = candidate_run(c, &r, size, &result);
-            assert_int_equal(candidate_foresee(c, &r, size, &cost, &why), status);
+            if (c->dim && c->dim != r.experiment.problem.dim) continue;
+            int status = candidate_run(c, &r.experiment, size, &result);
+            assert_int_equal(candidate_foresee(c, &r.experiment, size, &cost, &why), status);
             if (status) continue;
             assert_near(cost.work, candidate_work(&result), 0);
             assert_true(cost.bytes >= (double)result.bytes);

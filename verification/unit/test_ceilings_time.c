@@ -79,10 +79,10 @@ static void ceilings_are_the_foretold_errors(void **state) {
         struct field f;
         if (strncmp(g->id, "time/rkl2/", 10) != 0) continue;
         if (arguments_parse_line(g->command, &r, &why)) fail_msg("%s: %s", g->id, why.text);
-        struct options finest = r.options;
-        for (int i = 0; i < r.dt.count; i++) finest.dt = fmin(finest.dt, r.dt.value[i]);
-        if (r.method->solve(&r.problem, &finest, &f, &why)) fail_msg("%s: %s", g->id, why.text);
-        double foretold = constant(f.stages) * f.dt * f.dt * strength(r.scene, &r.problem);
+        struct options finest = r.experiment.options;
+        for (int i = 0; i < r.rungs.dt.count; i++) finest.dt = fmin(finest.dt, r.rungs.dt.value[i]);
+        if (r.experiment.method->solve(&r.experiment.problem, &finest, &f, &why)) fail_msg("%s: %s", g->id, why.text);
+        double foretold = constant(f.stages) * f.dt * f.dt * strength(r.experiment.scene, &r.experiment.problem);
         if (!(fabs(g->ceiling / foretold - 1.03) <= 0.012))
             fail_msg("%s: ceiling %g, foretold %g, %d stages", g->id, g->ceiling, foretold, f.stages);
         field_free(&f);

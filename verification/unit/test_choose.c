@@ -15,7 +15,7 @@
 static int choose_within(const char *line, double error, double work, struct choose *c, struct failure *why) {
     struct request r;
     if (arguments_parse_line(line, &r, why)) fail_msg("%s", why->text);
-    int status = choose_run(&r, error, work, c, why);
+    int status = choose_run(&r.experiment, error, work, c, why);
     arguments_free(&r);
     return status;
 }
@@ -63,7 +63,7 @@ static void steps_are_chosen_too(void **state) {
     struct result finer;
     assert_int_equal(arguments_parse_line(line, &r, &why), STATUS_OK);
     struct candidate_size twice = {c->best.wanted.n, 2 * c->best.wanted.steps};
-    assert_int_equal(candidate_run(c->best.candidate, &r, twice, &finer), STATUS_OK);
+    assert_int_equal(candidate_run(c->best.candidate, &r.experiment, twice, &finer), STATUS_OK);
     double in_time = 4.0 / 3 * (c->proof.error.l1 - finer.error.l1); /* a fifth of 0.9 of the error, at most */
     assert_true(in_time > 0.05e-6 && in_time < 0.18e-6);
     arguments_free(&r);

@@ -21,7 +21,7 @@ static int run_line(const char *line, struct result *result) {
     struct request r;
     struct failure why;
     if (arguments_parse_line(line, &r, &why)) fail_msg("%s", why.text);
-    int status = run_request(&r, &r.options, result, NULL);
+    int status = run_experiment(&r.experiment, result, NULL);
     arguments_free(&r);
     return status;
 }
@@ -89,7 +89,7 @@ static void the_label_is_free_and_options_of_the_model_are_not(void **state) {
     struct request r;
     struct failure why;
     assert_int_equal(arguments_parse_line("run rod-step any.name --dx 0.1 --solver 'x {case} {out}'", &r, &why), 0);
-    assert_string_equal(r.method->name, "any.name");
+    assert_string_equal(r.experiment.method->name, "any.name");
     arguments_free(&r);
     assert_int_equal(arguments_parse_line("run rod-step mine --dx 0.1", &r, &why), STATUS_INPUT);
     arguments_free(&r);

@@ -167,7 +167,7 @@ static struct exact two(const struct problem *p, const double x[2], double t) {
 static struct measured reference(double apart, double promise) {
     static const struct param none[] = {{0}};
     struct scene scene = {.name = "test", .params = none, .exact = one, .second = two};
-    struct request r = {.scene = &scene, .problem = {.dim = 1, .hi = {1}, .t_end = 1}};
+    struct request r = {.experiment.scene = &scene, .experiment.problem = {.dim = 1, .hi = {1}, .t_end = 1}};
     struct measured m;
     gap = apart, bound = promise;
     measures_find("reference", &m)->take(&r, 0, 1, &m);

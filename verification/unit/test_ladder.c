@@ -70,8 +70,8 @@ static struct request request(const char *line, const struct method *m) {
     struct request r;
     struct failure why;
     if (arguments_parse_line(line, &r, &why)) fail_msg("%s", why.text);
-    r.method = m;
-    r.options.domain = DOMAIN_WHOLE; /* these methods know of no lattice to unfold */
+    r.experiment.method = m;
+    r.experiment.options.domain = DOMAIN_WHOLE; /* these methods know of no lattice to unfold */
     return r;
 }
 
@@ -79,7 +79,7 @@ static void the_exact_stepper_where_there_is_one(void **state) {
     (void)state;
     struct request r = request("run rod-gauss ftcs --dx 0.5", &with_exact);
     struct result result;
-    assert_int_equal(run_request(&r, &r.options, &result, NULL), STATUS_OK);
+    assert_int_equal(run_experiment(&r.experiment, &result, NULL), STATUS_OK);
     assert_int_equal(result.options.stepper, STEPPER_EXACT);
     assert_near(result.time_error, 0, 0);
     assert_near(result.error.l1, C * 0.25, 1e-12);
@@ -95,10 +95,11 @@ static void a_time_error_is_met_and_not_more(void **state) {
     for (int i = 0; i < 3; i++) {
         struct request r = request(lines[i], &with_exact);
         struct result result;
-        assert_int_equal(run_request(&r, &r.options, &result, NULL), STATUS_OK);
-        double error = D * pow(result.dt, i ? 2 : 1), coarser = r.problem.t_end / ((double)result.steps / 1.05 - 1);
-        assert_true(error <= r.time_error * (1 + 1e-6));
-        assert_true(result.steps <= 2 || D * pow(coarser, i ? 2 : 1) > r.time_error);
+        assert_int_equal(run_experiment(&r.experiment, &result, NULL), STATUS_OK);
+        double error = D * pow(result.dt, i ? 2 : 1),
+               coarser = r.experiment.problem.t_end / ((double)result.steps / 1.05 - 1);
+        assert_true(error <= r.experiment.time_error * (1 + 1e-6));
+        assert_true(result.steps <= 2 || D * pow(coarser, i ? 2 : 1) > r.experiment.time_error);
         arguments_free(&r);
     }
 }
@@ -107,7 +108,7 @@ static void a_time_error_out_of_reach_is_said(void **state) {
     (void)state;
     struct request r = request("run rod-gauss ftcs --dx 0.5 --stepper euler --time-error 1e-12", &with_exact);
     struct result result;
-    assert_int_equal(run_request(&r, &r.options, &result, NULL), STATUS_GATE);
+    assert_int_equal(run_experiment(&r.experiment, &result, NULL), STATUS_GATE);
     assert_non_null(strstr(result.failure.text, "--time-error 1e-12"));
     arguments_free(&r);
 }
@@ -116,7 +117,7 @@ static void a_refused_exact_falls_back(void **state) {
     (void)state;
     struct request r = request("run rod-gauss ftcs --dx 0.5", &no_exact);
     struct result result;
-    assert_int_equal(run_request(&r, &r.options, &result, NULL), STATUS_OK);
+    assert_int_equal(run_experiment(&r.experiment, &result, NULL), STATUS_OK);
     assert_int_equal(result.options.stepper, STEPPER_RKL2);
     assert_true(result.time_error > 0 && result.time_error <= 0.01);
     arguments_free(&r);
@@ -127,7 +128,7 @@ static void the_step_is_refined_until_it_does_not_matter(void **state) {
     (void)state;
     struct request r = request("run rod-gauss ftcs --dx 0.5", &euler);
     struct result result;
-    assert_int_equal(run_request(&r, &r.options, &result, NULL), STATUS_OK);
+    assert_int_equal(run_experiment(&r.experiment, &result, NULL), STATUS_OK);
     double space = C * 0.25, time = D * result.dt;
     assert_near(result.error.l1, space + time, 1e-12);
     assert_near(result.time_error, time / (space + time), 1e-9);
@@ -139,7 +140,7 @@ static void an_unstable_first_step_is_halved(void **state) {
     (void)state;
     struct request r = request("run rod-gauss ftcs --dx 0.5", &picky);
     struct result result;
-    assert_int_equal(run_request(&r, &r.options, &result, NULL), STATUS_OK);
+    assert_int_equal(run_experiment(&r.experiment, &result, NULL), STATUS_OK);
     assert_true(result.time_error <= 0.01);
     arguments_free(&r);
 }
@@ -148,7 +149,7 @@ static void a_given_step_is_taken_as_it_is(void **state) {
     (void)state;
     struct request r = request("run rod-gauss ftcs --dx 0.5 --dt 0.7", &euler);
     struct result result;
-    assert_int_equal(run_request(&r, &r.options, &result, NULL), STATUS_OK);
+    assert_int_equal(run_experiment(&r.experiment, &result, NULL), STATUS_OK);
     assert_int_equal(result.steps, 8); /* 5 s in whole steps of at most 0.7 s */
     assert_near(result.dt, 0.625, 0);
     assert_true(isnan(result.time_error));
@@ -167,7 +168,7 @@ static void no_error_is_relative_to_zero(void **state) {
         struct failure why;
         struct result result;
         assert_int_equal(arguments_parse_line(lines[i], &r, &why), STATUS_OK);
-        assert_int_equal(run_request(&r, &r.options, &result, NULL), STATUS_INPUT);
+        assert_int_equal(run_experiment(&r.experiment, &result, NULL), STATUS_INPUT);
         assert_non_null(strstr(result.failure.text, "the exact solution is 0 K at all points"));
         arguments_free(&r);
     }
@@ -175,7 +176,7 @@ static void no_error_is_relative_to_zero(void **state) {
 
 static void climb(const char *line, const struct method *m, int status, struct ladder *l, struct failure *why) {
     struct request r = request(line, m);
-    int got = ladder_run(&r, l, why);
+    int got = ladder_run(&r.experiment, &r.rungs, l, why);
     if (got != status) fail_msg("%s: status %d, %s", line, got, why->text);
     arguments_free(&r);
 }

@@ -14,7 +14,7 @@
 static void plan_of(const char *line, struct request *r, struct plan *plan) {
     struct failure why;
     if (arguments_parse_line(line, r, &why)) fail_msg("%s: %s", line, why.text);
-    if (plan_make(r, &r->options, plan, &why)) fail_msg("%s: %s", line, why.text);
+    if (plan_make(&r->experiment, plan, &why)) fail_msg("%s: %s", line, why.text);
 }
 
 static void as_planned(const char *line) {
@@ -22,7 +22,7 @@ static void as_planned(const char *line) {
     struct plan plan;
     struct result result;
     plan_of(line, &r, &plan);
-    if (run_request(&r, &r.options, &result, NULL)) fail_msg("%s: %s", line, result.failure.text);
+    if (run_experiment(&r.experiment, &result, NULL)) fail_msg("%s: %s", line, result.failure.text);
     size_t bytes = plan.bytes[PLAN_STEPS];
     if (plan.particles != result.particles || plan.steps != result.steps || bytes != result.bytes ||
         plan.updates != result.updates || plan.interactions != result.interactions ||
@@ -71,7 +71,7 @@ static void as_allocated(const char *line, int exactly) {
     size_t begin = 0, planned = plan.bytes[plan_peak(&plan)];
     for (int k = 0; k < 2; k++) { /* the second time FFTW and the C library have what they keep for good */
         begin = heap_most = heap_now;
-        if (run_request(&r, &r.options, &result, NULL)) fail_msg("%s: %s", line, result.failure.text);
+        if (run_experiment(&r.experiment, &result, NULL)) fail_msg("%s: %s", line, result.failure.text);
     }
     size_t held = heap_most - begin, library = plan.dim == 1 ? transform_library_bytes((int)plan.particles) : 0;
     arguments_free(&r);
@@ -110,7 +110,7 @@ static void many_rows_are_estimated(void **state) {
         "run square-step brookshaw --dx 4/480 --layout jitter --jitter 0.2 --stepper rkl2 --dt 0.1 --set t_end=0.1",
         &r, &plan);
     assert_near(plan.stand_in, 4.0 / 160, 1e-9);
-    assert_int_equal(run_request(&r, &r.options, &result, NULL), STATUS_OK);
+    assert_int_equal(run_experiment(&r.experiment, &result, NULL), STATUS_OK);
     assert_int_equal(plan.particles, result.particles);
     assert_int_equal(plan.steps, result.steps);
     assert_true(abs(plan.stages - result.stages) <= 2);
@@ -127,11 +127,11 @@ static void averages_are_planned(void **state) {
     struct lattice l;
     if (!HEAP_COUNTED) skip();
     assert_int_equal(arguments_parse_line("run rod-step so_ssph --dx 0.001", &r, &why), STATUS_OK);
-    assert_int_equal(layout_lattice(&r.problem, &r.options, 1, &l, &why), STATUS_OK);
+    assert_int_equal(layout_lattice(&r.experiment.problem, &r.experiment.options, 1, &l, &why), STATUS_OK);
     double *T = xcalloc((size_t)l.n[0], sizeof *T);
     for (int k = SAMPLING_POINT; k <= SAMPLING_SPLINE; k++) {
-        size_t planned = sample_bytes(&r.problem, (enum sampling)k, &l), begin = heap_most = heap_now;
-        sample_lattice(&r.problem, (enum sampling)k, &l, T);
+        size_t planned = sample_bytes(&r.experiment.problem, (enum sampling)k, &l), begin = heap_most = heap_now;
+        sample_lattice(&r.experiment.problem, (enum sampling)k, &l, T);
         assert_near((double)(heap_most - begin), (double)planned, 24 * 9); /* blocks */
     }
     free(T);
@@ -145,7 +145,7 @@ static void as_foretold(const char *line, int runs, double within) {
     struct plan plan;
     struct result result;
     plan_of(line, &r, &plan);
-    if (run_request(&r, &r.options, &result, NULL)) fail_msg("%s: %s", line, result.failure.text);
+    if (run_experiment(&r.experiment, &result, NULL)) fail_msg("%s: %s", line, result.failure.text);
     double off = log((double)plan.steps / (double)result.steps);
     if (!plan.refined || plan.forecast.runs != runs || !(fabs(off) <= log(within)))
         fail_msg("%s: %lld steps foretold from %d runs, the search took %lld", line, plan.steps, plan.forecast.runs,
@@ -183,8 +183,8 @@ static void refusals_are_those_of_the_run(void **state) {
     for (size_t i = 0; i < sizeof lines / sizeof *lines; i++) {
         struct result result;
         if (arguments_parse_line(lines[i], &r, &why)) fail_msg("%s: %s", lines[i], why.text);
-        int status = plan_make(&r, &r.options, &plan, &why);
-        if (status != STATUS_INPUT || run_request(&r, &r.options, &result, NULL) != status)
+        int status = plan_make(&r.experiment, &plan, &why);
+        if (status != STATUS_INPUT || run_experiment(&r.experiment, &result, NULL) != status)
             fail_msg("%s: %d", lines[i], status);
         assert_string_equal(why.text, result.failure.text);
         arguments_free(&r);

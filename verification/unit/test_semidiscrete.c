@@ -58,9 +58,9 @@ static void climb(const char *options, const struct method *m, int status, struc
     char line[160];
     snprintf(line, sizeof line, "ladder rod-gauss ftcs --dx 0.5 %s", options);
     if (arguments_parse_line(line, &r, why)) fail_msg("%s", why->text);
-    r.method = m;
-    r.options.domain = DOMAIN_WHOLE; /* these methods know of no lattice to unfold */
-    int got = ladder_run(&r, l, why);
+    r.experiment.method = m;
+    r.experiment.options.domain = DOMAIN_WHOLE; /* these methods know of no lattice to unfold */
+    int got = ladder_run(&r.experiment, &r.rungs, l, why);
     if (got != status) fail_msg("%s: status %d, %s", line, got, why->text);
     arguments_free(&r);
 }
@@ -122,7 +122,7 @@ static void a_coarse_rung_off_the_lattice_is_left_out(void **state) {
     const char *line = "ladder rod-cosine so_ssph --layout jitter --jitter 0.1 --seed 2 --dx 1/40 --stepper rkl2 "
                        "--dt 1/10,1/56,1/80,1/112,1/160";
     if (arguments_parse_line(line, &r, &why)) fail_msg("%s", why.text);
-    assert_int_equal(ladder_run(&r, l, &why), STATUS_OK);
+    assert_int_equal(ladder_run(&r.experiment, &r.rungs, l, &why), STATUS_OK);
     assert_int_equal(l->slope.n, 4);
     assert_non_null(strstr(l->window.left_out[0], "pre-asymptotic"));
     arguments_free(&r);
@@ -140,9 +140,8 @@ static void the_midpoint_rules_truth_is_the_exact_one(void **state) {
     for (int i = 0; i < 2; i++) {
         struct request r;
         if (arguments_parse_line(lines[i], &r, &why)) fail_msg("%s", why.text);
-        struct options finest = r.options;
-        finest.dt = 0.05;
-        if (semidiscrete_solve(&r, &finest, &truth[i], &why)) fail_msg("%s", why.text);
+        r.experiment.options.dt = 0.05;
+        if (semidiscrete_solve(&r.experiment, &truth[i], &why)) fail_msg("%s", why.text);
         arguments_free(&r);
     }
     double most = 0, size = 0;

@@ -2,7 +2,7 @@
 #include "verification/run/symmetry.h"
 
 #include "verification/command/arguments.h"
-#include "verification/run/request.h"
+#include "verification/command/request.h"
 
 #include "verification/unit/near.h"
 
@@ -13,8 +13,9 @@ static void solve(const char *line, enum domain domain, struct field *f) {
     struct request r;
     struct failure why;
     if (arguments_parse_line(line, &r, &why)) fail_msg("%s: %s", line, why.text);
-    r.options.domain = domain;
-    if (symmetry_solve(r.method, &r.problem, &r.options, f, &why)) fail_msg("%s: %s", line, why.text);
+    r.experiment.options.domain = domain;
+    if (symmetry_solve(r.experiment.method, &r.experiment.problem, &r.experiment.options, f, &why))
+        fail_msg("%s: %s", line, why.text);
     arguments_free(&r);
 }
 

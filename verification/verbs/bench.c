@@ -8,7 +8,7 @@
 #include "verification/bench/json.h"
 #include "verification/bench/print.h"
 #include "verification/text/json.h"
-#include "verification/run/request.h"
+#include "verification/command/request.h"
 #include "verification/text/words.h"
 
 #include <stdio.h>
@@ -47,18 +47,18 @@ static int keep_data(const struct bench_scene *b, struct files *files, const cha
 /* One scene at its defaults: measured, printed and, with a folder, kept for it. */
 static int bench_one(const struct request *given, const struct scene *s, struct json *j, struct files *files,
                      struct failure *why) {
-    struct request r = *given;
+    struct experiment e = given->experiment;
     struct bench_scene *b = xcalloc(1, sizeof *b);
-    r.scene = s;
-    scene_defaults(s, &r.problem);
-    int status = s->setup(&r.problem, why);
-    if (!status) bench_run(&r, b);
+    e.scene = s;
+    scene_defaults(s, &e.problem);
+    int status = s->setup(&e.problem, why);
+    if (!status) bench_run(&e, b);
     if (!status) {
         json_object(j, NULL);
         bench_json_scene(b, j);
         json_end(j);
     }
-    if (!status && !r.json) {
+    if (!status && !given->json) {
         bench_print_scene(b, stdout);
         fflush(stdout);
     }

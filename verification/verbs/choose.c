@@ -4,7 +4,7 @@
 #include "references/scene.h"
 #include "verification/choose/choose.h"
 #include "verification/text/json.h"
-#include "verification/run/request.h"
+#include "verification/command/request.h"
 #include "verification/text/table.h"
 #include "verification/text/words.h"
 
@@ -19,21 +19,21 @@ static int accepts(const struct result *r, const char *option) {
 /* The command that does it again. */
 static void print_command(const struct request *r, const struct result *p) {
     const struct options *o = &p->options;
-    printf("  heatladder run %s %s --dx %.17g --stepper %s --sampling %s", r->scene->name, p->method->name, o->dx,
-           stepper_words[o->stepper], sampling_words[o->sampling]);
+    printf("  heatladder run %s %s --dx %.17g --stepper %s --sampling %s", r->experiment.scene->name, p->method->name,
+           o->dx, stepper_words[o->stepper], sampling_words[o->sampling]);
     if (accepts(p, "h"))
         printf(o->h_iso ? " --kernel %s --h iso" : " --kernel %s --h %.17g", kernel_words[o->kernel], o->h);
     if (o->order) printf(" --order %d", o->order);
     if (accepts(p, "mean")) printf(" --mean %s", mean_words[o->mean]);
     if (o->fourier > 0) printf(" --fourier %.17g", o->fourier);
     if (o->dt > 0) printf(" --dt %.17g", o->dt);
-    for (int i = 0; r->scene->params[i].name; i++) {
-        const struct param *param = &r->scene->params[i];
+    for (int i = 0; r->experiment.scene->params[i].name; i++) {
+        const struct param *param = &r->experiment.scene->params[i];
         if (!(r->overridden & 1ul << i)) continue;
         if (param->choice)
-            printf(" --set %s=%s", param->name, param->choice[(int)r->problem.param[i]]);
+            printf(" --set %s=%s", param->name, param->choice[(int)r->experiment.problem.param[i]]);
         else
-            printf(" --set %s=%.17g", param->name, r->problem.param[i]);
+            printf(" --set %s=%.17g", param->name, r->experiment.problem.param[i]);
     }
     printf("\n");
 }
@@ -75,7 +75,7 @@ static void print_text(const struct request *r, const struct choose *c) {
 
 static void one_json(const struct request *r, const struct extrapolation *o, struct json *j) {
     int can = isfinite(o->predicted_work);
-    struct options with = candidate_options(o->candidate, r, o->wanted);
+    struct options with = candidate_options(o->candidate, &r->experiment, o->wanted);
     json_text(j, "candidate", o->candidate->label);
     json_text(j, "method", o->candidate->method);
     json_text(j, "stepper", stepper_words[with.stepper]);
@@ -90,7 +90,7 @@ static void print_json(const struct request *r, const struct choose *c) {
     struct json j = json_on(stdout);
     const struct result *p = &c->proof;
     json_object(&j, NULL);
-    json_text(&j, "scene", r->scene->name);
+    json_text(&j, "scene", r->experiment.scene->name);
     json_number(&j, "error", c->error);
     json_whole(&j, "reached", c->reached);
     if (c->best.candidate) {
@@ -126,7 +126,7 @@ static void print_json(const struct request *r, const struct choose *c) {
 int verb_choose(const struct request *r) {
     struct failure why = {0};
     struct choose *c = xcalloc(1, sizeof *c);
-    int status = choose_run(r, r->error, choose_work_max, c, &why);
+    int status = choose_run(&r->experiment, r->error, choose_work_max, c, &why);
     if (status != STATUS_INPUT) (r->json ? print_json : print_text)(r, c);
     if (status) fprintf(stderr, "heatladder: %s\n", why.text);
     free(c);

@@ -4,7 +4,7 @@
 #include "solver/method.h"
 #include "verification/claims/claims.h"
 #include "verification/claims/write.h"
-#include "verification/run/request.h"
+#include "verification/command/request.h"
 
 #include <stdio.h>
 

@@ -4,7 +4,7 @@
 #include "verification/text/json.h"
 #include "verification/ladder/ladder.h"
 #include "verification/text/paint.h"
-#include "verification/run/request.h"
+#include "verification/command/request.h"
 #include "verification/text/table.h"
 
 #include <math.h>
@@ -77,11 +77,11 @@ static void print_json(const struct ladder *l) {
 int verb_ladder(const struct request *r) {
     struct failure why;
     struct ladder *l = xcalloc(1, sizeof *l);
-    int status = ladder_run(r, l, &why);
+    int status = ladder_run(&r->experiment, &r->rungs, l, &why);
     if (status != STATUS_INPUT) (r->json ? print_json : print_text)(l);
     if (status)
         fprintf(stderr, "heatladder: %s\n", why.text);
-    else if (r->expect.count && l->verdict != VERDICT_PASS)
+    else if (r->rungs.expect.count && l->verdict != VERDICT_PASS)
         status = STATUS_GATE;
     free(l);
     return status;

@@ -3,7 +3,7 @@
 
 #include "verification/text/json.h"
 #include "verification/stability/step_limit.h"
-#include "verification/run/request.h"
+#include "verification/command/request.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -63,7 +63,7 @@ int verb_limit(const struct request *r) {
     struct failure why;
     struct step_limit l;
     struct model_problem b;
-    int status = step_limit_request(r, &b, &why);
+    int status = step_limit_setup(r->experiment.method, &r->experiment.options, r->dim, r->stages, &b, &why);
     if (!status) status = step_limit_predict(&b, &l, &why);
     if (!status) status = step_limit_measure(&b, &l.measured, &why);
     if (status)

@@ -5,7 +5,7 @@
 #include "solver/method.h"
 #include "verification/claims/claims.h"
 #include "verification/gates/gates.h"
-#include "verification/run/request.h"
+#include "verification/command/request.h"
 #include "verification/text/table.h"
 #include "verification/text/words.h"
 

@@ -4,18 +4,18 @@
 #include "verification/text/json.h"
 #include "verification/choose/plan.h"
 #include "verification/choose/plan_print.h"
-#include "verification/run/request.h"
+#include "verification/command/request.h"
 
 #include <stdio.h>
 
 int verb_plan(const struct request *r) {
     struct failure why;
     struct plan plan;
-    if (r->dx.count > 1 || r->dt.count > 1 || r->fourier.count > 1) {
+    if (r->rungs.dx.count > 1 || r->rungs.dt.count > 1 || r->rungs.fourier.count > 1) {
         fprintf(stderr, "heatladder: plan takes one --dx, and one --dt or --fourier\n");
         return STATUS_INPUT;
     }
-    int status = plan_make(r, &r->options, &plan, &why);
+    int status = plan_make(&r->experiment, &plan, &why);
     if (status) {
         fprintf(stderr, "heatladder: %s\n", why.text);
         return status;
@@ -23,10 +23,10 @@ int verb_plan(const struct request *r) {
     if (r->json) {
         struct json j = json_on(stdout);
         json_object(&j, NULL);
-        plan_print_json(r, &plan, &j);
+        plan_print_json(&r->experiment, &plan, &j);
         json_end(&j);
     } else {
-        plan_print_text(r, &plan);
+        plan_print_text(&r->experiment, &plan);
     }
     return STATUS_OK;
 }

@@ -3,7 +3,7 @@
 
 #include "references/scene.h"
 #include "verification/text/json.h"
-#include "verification/run/request.h"
+#include "verification/command/request.h"
 
 #include "solver/method.h"
 
@@ -18,16 +18,16 @@ static int inside(const struct problem *p, const double x[2]) {
 static void print_json(const struct request *r, struct exact e, struct exact second, double published) {
     struct json j = json_on(stdout);
     json_object(&j, NULL);
-    json_text(&j, "scene", r->scene->name);
+    json_text(&j, "scene", r->experiment.scene->name);
     json_array(&j, "at");
-    for (int a = 0; a < r->problem.dim; a++) json_number(&j, NULL, r->at.value[a]);
+    for (int a = 0; a < r->experiment.problem.dim; a++) json_number(&j, NULL, r->at.value[a]);
     json_end(&j);
     json_number(&j, "time", r->time);
     json_number(&j, "temperature", e.temperature);
     json_number(&j, "error_bound", e.error_bound);
     json_number(&j, "second_form", second.temperature);
     json_number(&j, "second_error_bound", second.error_bound);
-    if (r->scene->published) {
+    if (r->experiment.scene->published) {
         json_number(&j, "published", published);
         json_number(&j, "difference", published - e.temperature);
     }
@@ -35,28 +35,28 @@ static void print_json(const struct request *r, struct exact e, struct exact sec
 }
 
 static void print_text(const struct request *r, struct exact e, struct exact second, double published) {
-    printf("%s at %g", r->scene->name, r->at.value[0]);
-    if (r->problem.dim == 2) printf(", %g", r->at.value[1]);
+    printf("%s at %g", r->experiment.scene->name, r->at.value[0]);
+    if (r->experiment.problem.dim == 2) printf(", %g", r->at.value[1]);
     printf(" m, %g s\n", r->time);
     printf("  %-12s %.17g K, within %.1e K\n", "temperature", e.temperature, e.error_bound);
     printf("  %-12s %.17g K, within %.1e K\n", "second form", second.temperature, second.error_bound);
-    if (r->scene->published)
+    if (r->experiment.scene->published)
         printf("  %-12s %.17g K, %+.1e K away\n", "as published", published, published - e.temperature);
 }
 
 int verb_reference(const struct request *r) {
     const double *x = r->at.value;
-    const struct problem *p = &r->problem;
+    const struct problem *p = &r->experiment.problem;
     if (!inside(p, x)) {
         fprintf(stderr, "heatladder: --at %g", x[0]);
         if (p->dim == 2) fprintf(stderr, ",%g", x[1]);
-        fprintf(stderr, ": outside of %s, which is %g to %g m", r->scene->name, p->lo[0], p->hi[0]);
+        fprintf(stderr, ": outside of %s, which is %g to %g m", r->experiment.scene->name, p->lo[0], p->hi[0]);
         if (p->dim == 2) fprintf(stderr, ", %g to %g m", p->lo[1], p->hi[1]);
         fprintf(stderr, "\n");
         return STATUS_INPUT;
     }
-    struct exact e = r->scene->exact(p, x, r->time), second = r->scene->second(p, x, r->time);
-    double published = r->scene->published ? r->scene->published(p, x, r->time) : 0;
+    struct exact e = r->experiment.scene->exact(p, x, r->time), second = r->experiment.scene->second(p, x, r->time);
+    double published = r->experiment.scene->published ? r->experiment.scene->published(p, x, r->time) : 0;
     (r->json ? print_json : print_text)(r, e, second, published);
     return STATUS_OK;
 }

@@ -4,7 +4,7 @@
 #include "references/scene.h"
 #include "verification/text/atomic_file.h"
 #include "verification/text/json.h"
-#include "verification/run/request.h"
+#include "verification/command/request.h"
 #include "verification/run/run.h"
 #include "verification/run/time_step.h"
 
@@ -53,7 +53,8 @@ static int write_field(const struct request *r, const struct field *f, struct fa
         double x[2] = {f->x[i], f->y ? f->y[i] : 0};
         fprintf(out, "%.17g,", x[0]);
         if (f->dim == 2) fprintf(out, "%.17g,", x[1]);
-        fprintf(out, "%.17g,%.17g\n", f->T[i], r->scene->exact(&r->problem, x, f->time).temperature);
+        fprintf(out, "%.17g,%.17g\n", f->T[i],
+                r->experiment.scene->exact(&r->experiment.problem, x, f->time).temperature);
     }
     fclose(out);
     int status = atomic_file_write(r->field_path, text, size, why);
@@ -62,11 +63,11 @@ static int write_field(const struct request *r, const struct field *f, struct fa
 }
 
 static int check(const struct request *r, struct failure *why) {
-    if (r->dx.count > 1 || r->dt.count > 1 || r->fourier.count > 1)
+    if (r->rungs.dx.count > 1 || r->rungs.dt.count > 1 || r->rungs.fourier.count > 1)
         return refuse(why, STATUS_INPUT, "run takes one --%s; for several: heatladder ladder",
-                      r->dx.count > 1   ? "dx"
-                      : r->dt.count > 1 ? "dt"
-                                        : "fourier");
+                      r->rungs.dx.count > 1   ? "dx"
+                      : r->rungs.dt.count > 1 ? "dt"
+                                              : "fourier");
     return atomic_file_check(r->field_path, why);
 }
 
@@ -76,9 +77,9 @@ static int warm_up(const struct request *r, struct failure *why) {
     struct time_step ignored;
     int status;
     do {
-        struct options o = r->options;
+        struct experiment e = r->experiment;
         struct field field = {0};
-        status = time_step_solve(r, &o, &field, &ignored, why);
+        status = time_step_solve(&e, &field, &ignored, why);
         field_free(&field);
     } while (!status && omp_get_wtime() - start < 0.1);
     return status;
@@ -91,7 +92,7 @@ int verb_run(const struct request *r) {
     int status = check(r, &why);
     if (!status && r->warm_up) status = warm_up(r, &why);
     if (!status) {
-        status = run_request(r, &r->options, &result, &field);
+        status = run_experiment(&r->experiment, &result, &field);
         why = result.failure;
     }
     if (!status && r->field_path) status = write_field(r, &field, &why);

@@ -7,7 +7,7 @@
 #include "verification/gates/gates.h"
 #include "verification/text/json.h"
 #include "verification/gates/junit.h"
-#include "verification/run/request.h"
+#include "verification/command/request.h"
 #include "verification/text/table.h"
 
 #include <math.h>

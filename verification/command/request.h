@@ -1,0 +1,32 @@
+#ifndef HEATLADDER_VERIFICATION_COMMAND_REQUEST_H
+#define HEATLADDER_VERIFICATION_COMMAND_REQUEST_H
+
+/* What one command line asks for.  Filled by arguments.h; data only. */
+
+#include "verification/ladder/ladder.h"
+#include "verification/run/experiment.h"
+
+struct verb; /* verification/command/verb.h */
+
+struct request {
+    const struct verb *verb;
+    struct experiment experiment; /* scene and method are NULL where the verb takes none; dx, dt and fourier are the
+                                     first of the ladder's lists */
+    struct ladder_rungs rungs;
+    const char *topic;       /* list: what to list, NULL for all; report: where to, NULL for reports/out */
+    int dim, stages;         /* limit: 1 or 2; of rkl2, else 0 */
+    struct numbers at;       /* m: x, or x and y */
+    double time;             /* s */
+    double error;            /* choose: E1 to be reached */
+    struct method *external; /* owned: what the experiment's method is with --solver; else NULL */
+    const char *only;        /* glob of gate names; NULL for all */
+    const char *field_path, *json_path, *junit_path; /* NULL where not asked for */
+    int warm_up;                                     /* 1: what is timed comes after 0.1 s of the same */
+    int json;                                        /* 1: JSON on standard output instead of text */
+    int quick;                                       /* 1: the quick tier of the gates alone */
+    unsigned long given;                             /* which rows of the option table were given */
+    unsigned long overridden;                        /* which parameters of the scene were given */
+    char *line; /* owned: the words of a command that was given as one line; else NULL */
+};
+
+#endif

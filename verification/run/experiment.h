@@ -1,0 +1,20 @@
+#ifndef HEATLADDER_VERIFICATION_RUN_EXPERIMENT_H
+#define HEATLADDER_VERIFICATION_RUN_EXPERIMENT_H
+
+/* One experiment: what is solved, by whom, and how.  Data only; a run, a ladder, a plan and a gate are given one. */
+
+#include "solver/method.h"
+#include "solver/problem.h"
+
+struct scene; /* references/scene.h */
+
+struct experiment {
+    const struct scene *scene;
+    const struct method *method;
+    struct problem problem; /* set up from the scene and its parameters */
+    struct options options;
+    double time_error;  /* E1 that the time step may make up; 0: not asked for */
+    const char *solver; /* the command of a program that stands in for the method; NULL for none */
+};
+
+#endif
