@@ -1,19 +1,19 @@
-/* rod-contact: two half rods, each at its own temperature, are brought into contact at x = 0.
+/* rod-contact: two half rods, each at its own temperature, are brought into contact at x = x_c.
  *
- *     rho_c dT/dt = d/dx(k dT/dx),   k, rho_c and T(x, 0) = (k1, rho_c1, T1) for x < 0, (k2, rho_c2, T2) for x >= 0
+ *     rho_c dT/dt = d/dx(k dT/dx),   k, rho_c and T(x, 0) = (k1, rho_c1, T1) for x < x_c, (k2, rho_c2, T2) else
  *
- * With T and k dT/dx continuous at x = 0, the contact jumps at once to the temperature at which both half rods carry
- * the same flux e_i (T_i - Tc)/sqrt(pi t), e = sqrt(k rho_c) the effusivity, and stays there:
+ * With T and k dT/dx continuous at x = x_c, the contact jumps at once to the temperature at which both half rods
+ * carry the same flux e_i (T_i - Tc)/sqrt(pi t), e = sqrt(k rho_c) the effusivity, and stays there:
  *
- *     T = Tc + (T_i - Tc) erf(|x|/sqrt(4 kappa_i t)),   Tc = (e1 T1 + e2 T2)/(e1 + e2),   kappa = k/rho_c
+ *     T = Tc + (T_i - Tc) erf(|x - x_c|/sqrt(4 kappa_i t)),   Tc = (e1 T1 + e2 T2)/(e1 + e2),   kappa = k/rho_c
  *
  * (Carslaw and Jaeger 1959, section 2.15).  Walls at -L and L hold T1 and T2.  The line without walls misses these by
- * |T_i - Tc| erfc(L/s_i), s_i = sqrt(4 kappa_i t), and the error inside is no larger (maximum principle), so it is
- * part of the error bound; at the defaults 1.5e-23 K.
+ * |T_i - Tc| erfc(L_i/s_i), L_i = L +- x_c, s_i = sqrt(4 kappa_i t), and the error inside is no larger (maximum
+ * principle), so it is part of the error bound; at the defaults 1.5e-23 K.
  *
  * At the defaults Tc = 0.8635 K, with diffusivities 0.005 and 0.002 m^2/s.
  * The second form solves the rod with its walls through the Laplace transform and knows of no contact temperature.
- * Restrictions: L > 5 s_i at t_end. */
+ * Restrictions: L - |x_c| > 5 s_i at t_end. */
 #include "references/layers.h"
 #include "references/params.h"
 
@@ -23,22 +23,23 @@
 #include <math.h>
 #include <stdio.h>
 
-enum { L, K1, RHO_C1, T1, K2, RHO_C2, T2, T_END };
+enum { L, X_C, K1, RHO_C1, T1, K2, RHO_C2, T2, T_END };
 
 static const struct param params[] = {
-    {"L", 1, "m", "length of either half rod, walls at -L and L", NULL},
-    {"k1", 0.01, "W/m/K", "conductivity at x < 0", NULL},
-    {"rho_c1", 2, "J/m^3/K", "heat capacity at x < 0", NULL},
-    {"T1", 1, "K", "temperature at x < 0 at the start, and of the wall there", NULL},
-    {"k2", 0.001, "W/m/K", "conductivity at x > 0", NULL},
-    {"rho_c2", 0.5, "J/m^3/K", "heat capacity at x > 0", NULL},
-    {"T2", 0, "K", "temperature at x > 0 at the start, and of the wall there", NULL},
+    {"L", 1, "m", "half the length of the rod, walls at -L and L", NULL},
+    {"x_c", 0, "m", "where the half rods meet", NULL},
+    {"k1", 0.01, "W/m/K", "conductivity at x < x_c", NULL},
+    {"rho_c1", 2, "J/m^3/K", "heat capacity at x < x_c", NULL},
+    {"T1", 1, "K", "temperature at x < x_c at the start, and of the wall there", NULL},
+    {"k2", 0.001, "W/m/K", "conductivity at x > x_c", NULL},
+    {"rho_c2", 0.5, "J/m^3/K", "heat capacity at x > x_c", NULL},
+    {"T2", 0, "K", "temperature at x > x_c at the start, and of the wall there", NULL},
     {"t_end", 1, "s", "end time", NULL},
     {NULL, 0, NULL, NULL, NULL},
 };
 
 static int right_of_contact(const struct problem *p, double x) {
-    return x >= -1e-12 * p->param[L]; /* x = 0 to round-off belongs to the right half */
+    return x >= p->param[X_C] - 1e-12 * p->param[L]; /* x_c to round-off belongs to the right half */
 }
 
 static double initial(const struct problem *p, const double x[2]) {
@@ -58,22 +59,25 @@ static int setup(struct problem *p, struct failure *why) {
     double kappa1 = p->param[K1] / p->param[RHO_C1], kappa2 = p->param[K2] / p->param[RHO_C2];
     double kappa = fmax(kappa1, kappa2);
     int of = kappa2 > kappa1 ? 2 : 1;
-    double latest = p->param[L] * p->param[L] / (100 * kappa);
+    if (params_between(params, p, X_C, -p->param[L], p->param[L], "the half rods meet between the walls", why))
+        return STATUS_INPUT;
+    double nearest = p->param[L] - fabs(p->param[X_C]), latest = nearest * nearest / (100 * kappa);
     char because[160];
-    snprintf(
-        because, sizeof because,
-        "later the walls are felt, which the solution leaves out; L^2/(100 kappa) with L = %g m and k%d/rho_c%d = "
-        "%g m^2/s",
-        p->param[L], of, of, kappa);
+    snprintf(because, sizeof because,
+             "later the walls are felt, which the solution leaves out; D^2/(100 kappa) with D = L - |x_c| = %g m and "
+             "k%d/rho_c%d = %g m^2/s",
+             nearest, of, of, kappa);
     if (params_between(params, p, T_END, 0, latest, because, why)) return STATUS_INPUT;
     p->dim = 1;
     p->lo[0] = -p->param[L];
     p->hi[0] = p->param[L];
     p->t_end = p->param[T_END];
     p->materials = 2;
+    p->interface = p->param[X_C];
     p->material[0] = (struct material){{p->param[K1], p->param[K1]}, p->param[RHO_C1]};
     p->material[1] = (struct material){{p->param[K2], p->param[K2]}, p->param[RHO_C2]};
-    p->jumps[0] = 1; /* at x = 0 */
+    p->jumps[0] = 1;
+    p->jump[0][0] = p->param[X_C];
     p->initial = initial;
     p->wall = wall;
     return STATUS_OK;
@@ -85,20 +89,21 @@ static struct exact exact(const struct problem *p, const double x[2], double t) 
     double e1 = sqrt(v[K1] * v[RHO_C1]), e2 = sqrt(v[K2] * v[RHO_C2]);
     double share1 = e1 / (e1 + e2), Tc = v[T2] + share1 * (v[T1] - v[T2]);
     double s1 = sqrt(4 * v[K1] / v[RHO_C1] * t), s2 = sqrt(4 * v[K2] / v[RHO_C2] * t);
-    double walls = fabs(v[T1] - v[T2]) * fmax(erfc(v[L] / s1), erfc(v[L] / s2));
+    double walls = fabs(v[T1] - v[T2]) * fmax(erfc((v[L] + v[X_C]) / s1), erfc((v[L] - v[X_C]) / s2));
+    double right = x[0] - v[X_C];
     double bound = walls + 4 * DBL_EPSILON * (fabs(v[T1]) + fabs(v[T2]));
-    if (x[0] < 0) return (struct exact){Tc + (v[T1] - Tc) * erf(-x[0] / s1), bound};
-    return (struct exact){Tc + (v[T2] - Tc) * erf(x[0] / s2), bound};
+    if (right < 0) return (struct exact){Tc + (v[T1] - Tc) * erf(-right / s1), bound};
+    return (struct exact){Tc + (v[T2] - Tc) * erf(right / s2), bound};
 }
 
 static struct exact second(const struct problem *p, const double x[2], double t) {
     const double *v = p->param;
-    struct layers w = {.width = {v[L], v[L]},
+    struct layers w = {.width = {v[L] + v[X_C], v[L] - v[X_C]},
                        .k = {v[K1], v[K2]},
                        .rho_c = {v[RHO_C1], v[RHO_C2]},
                        .wall = {v[T1], v[T2]},
                        .start = {v[T1], v[T2]}};
-    return layers_at(&w, x[0], t);
+    return layers_at(&w, x[0] - v[X_C], t);
 }
 
 const struct scene scene_rod_contact = {

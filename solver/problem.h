@@ -6,7 +6,7 @@
  * time, so that every method solves dT/dt = A T + g with one A and one g. */
 
 enum side { X_LO, X_HI, Y_LO, Y_HI };
-enum side_kind { DIRICHLET, NEUMANN };
+enum side_kind { DIRICHLET, NEUMANN, ROBIN };
 enum { PARAM_MAX = 12, JUMP_MAX = 4, MATERIAL_MAX = 2 };
 
 struct material {
@@ -22,6 +22,7 @@ struct problem {
     double interface;                       /* m */
     struct material material[MATERIAL_MAX]; /* */
     enum side_kind side[4];                 /* indexed by enum side */
+    double robin[4];                        /* W m^-2 K^-1, >= 0, of a ROBIN side: b of k dT/dn = b (T_a - T) */
     int jumps[2];                           /* how many planes x = const, y = const the initial data jump across */
     double jump[2][JUMP_MAX];               /* m, ascending */
     int mirror[2];                          /* 1 where the whole problem is even about the middle of that axis */
@@ -30,9 +31,9 @@ struct problem {
 
     /* K at x[0], x[1]; on a jump, the value of the closed piece (Song eq. 43) */
     double (*initial)(const struct problem *p, const double x[2]);
-    /* Dirichlet: the wall's temperature, K.  Neumann: the heat flux into the body, k dT/dn, W m^-2.  x is taken to
-     * the wall along the axis of the side; its other coordinate may lie a few spacings outside (ghosts at corners).
-     */
+    /* Dirichlet: the wall's temperature, K.  Neumann: the heat flux into the body, k dT/dn, W m^-2.  Robin: the
+     * ambient temperature T_a, K (Song eq. 4).  x is taken to the wall along the axis of the side; its other
+     * coordinate may lie a few spacings outside (ghosts at corners). */
     double (*wall)(const struct problem *p, enum side s, const double x[2]);
     /* W m^-3; NULL where there is none */
     double (*source)(const struct problem *p, const double x[2]);

@@ -61,6 +61,9 @@ static int check_options(const struct ftcs_grid *g, const struct problem *p, con
     if (p->materials > 1)
         return refuse(why, STATUS_INPUT, "%s: takes one material; this scene has %d, which meet at x = %g m",
                       g->method, p->materials, p->interface);
+    for (int s = 0; s < 2 * p->dim; s++)
+        if (p->side[s] == ROBIN)
+            return refuse(why, STATUS_INPUT, "a Robin wall: %s has Dirichlet and Neumann walls", g->method);
     if (o->layout == LAYOUT_JITTER)
         return refuse(why, STATUS_INPUT, "--layout jitter: %s needs a grid: lattice or node", g->method);
     if (o->stepper == STEPPER_MATCHED && p->dim == 2)

@@ -24,6 +24,9 @@ int particles_settle(const struct problem *p, const struct options *o, const str
     if (o->h < 0 || !isfinite(o->h)) return refuse(why, STATUS_INPUT, "--h %g: must be > 0, in units of dx", o->h);
     if (o->layout == LAYOUT_JITTER && !(o->jitter >= 0 && o->jitter <= 0.5))
         return refuse(why, STATUS_INPUT, "--jitter %g: must lie in 0 to 0.5, in units of dx", o->jitter);
+    for (int side = 0; side < 2 * p->dim; side++)
+        if (p->side[side] == ROBIN)
+            return refuse(why, STATUS_INPUT, "a Robin wall: the particle methods have Dirichlet and Neumann walls");
     if (s->check(p, settled, why)) return why->status;
     if (o->h_iso) return matched_isotropic(settled, s, &settled->h, why);
     return STATUS_OK;

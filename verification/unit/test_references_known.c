@@ -31,10 +31,10 @@ static const struct known {
     {"plate", {0.031, 0.017}, 23.7, 0.30308057558458555081},
     {"plate", {0.118, 0.059}, 2.1, 0.18956335442148398058},
     {"plate", {0.004, 0.067}, 0.9, 0.65582880270356441836},
-    /* Tc = (e1 T1 + e2 T2)/(e1 + e2), e = sqrt(k rho_c); Tc + (T_i - Tc) erf(|x|/sqrt(4 k t/rho_c)) */
-    {"rod-contact", {0, 0}, 1.1, 0.78214222925527952519},
-    {"rod-contact", {-0.07, 0}, 1.1, 0.84166383300943714102},
-    {"rod-contact", {0.05, 0}, 1.1, 0.5045254040176167147},
+    /* Tc = (e1 T1 + e2 T2)/(e1 + e2), e = sqrt(k rho_c); Tc + (T_i - Tc) erf(|x - x_c|/sqrt(4 k t/rho_c)) */
+    {"rod-contact", {0.13, 0}, 1.1, 0.78214222925527952519},
+    {"rod-contact", {0.06, 0}, 1.1, 0.84166383300943714102},
+    {"rod-contact", {0.18, 0}, 1.1, 0.5045254040176167147},
     /* T1 - q x/k1 and T2 + q (L-x)/k2, q = 0.9/(0.37/0.9 + 0.73/0.013) */
     {"wall-composite", {0.2, 0}, 4, 1.1964642420029917952},
     {"wall-composite", {0.8, 0}, 4, 0.66717486892008280322},
@@ -99,10 +99,10 @@ static void swaps_show(void **state) {
     assert_near(value("plate", T2_T4, 1, 0.13 - 0.031, 0.017), plate, 1e-14);
     assert_near(value("plate", turn, 3, 0.017, 0.031), plate, 1e-14); /* mirrored in the diagonal */
 
-    static const int materials[][2] = {{1, 4}, {2, 5}}, sides[][2] = {{1, 4}, {2, 5}, {3, 6}};
-    double contact = value("rod-contact", NULL, 0, -0.07, 0);
-    assert_true(fabs(value("rod-contact", materials, 2, -0.07, 0) - contact) > 0.1);
-    assert_near(value("rod-contact", sides, 3, 0.07, 0), contact, 1e-15);
+    static const int materials[][2] = {{2, 5}, {3, 6}}, sides[][2] = {{2, 5}, {3, 6}, {4, 7}};
+    double contact = value("rod-contact", NULL, 0, 0.06, 0);
+    assert_true(fabs(value("rod-contact", materials, 2, 0.06, 0) - contact) > 0.1);
+    assert_near(value("rod-contact", sides, 3, 0.2, 0), contact, 1e-15);
 
     static const int k_x_k_y[][2] = {{2, 3}};
     double made = value("rect-manufactured", NULL, 0, 0.31, 0.23);

@@ -37,7 +37,7 @@ static const struct refusal {
     {"rod-contact", "k1", 0, "greater than 0 W/m/K"},
     {"rod-contact", "T2", INFINITY, "finite"},
     {"rod-contact", "t_end", 2.5, "between 0 and 2 s"},
-    {"rod-contact", "t_end", 2.5, "L = 1 m and k1/rho_c1 = 0.005 m^2/s"},
+    {"rod-contact", "t_end", 2.5, "D = L - |x_c| = 1 m and k1/rho_c1 = 0.005 m^2/s"},
     {"wall-composite", "x_c", 1.4, "between 0 and 1 m"},
     {"wall-composite", "T1", 0, "T2"},
     {"wall-composite", "rho_c2", -1, "greater than 0 J/m^3/K"},
