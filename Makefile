@@ -45,10 +45,18 @@ $(BUILD)/scenes.inc: FORCE
 	$(Q)for f in $(SCENES); do b=$${f##*/scene_}; echo "SCENE($${b%.c})"; done > $@.new; \
 	if cmp -s $@.new $@; then rm $@.new; else mv $@.new $@; fi
 
+# The release, and the commit where there is one to ask.
+VERSION := 1.0.0
+$(BUILD)/version.inc: FORCE
+	@mkdir -p $(@D)
+	$(Q)commit=$$(git -C . describe --always --dirty=+ 2>/dev/null) || commit=; \
+	printf '#define VERSION_TEXT "%s%s"\n' '$(VERSION)' "$${commit:+ ($$commit)}" > $@.new; \
+	if cmp -s $@.new $@; then rm $@.new; else mv $@.new $@; fi
+
 .PHONY: FORCE
 FORCE:
 
-$(BUILD)/%.o: %.c | $(BUILD)/scenes.inc
+$(BUILD)/%.o: %.c | $(BUILD)/scenes.inc $(BUILD)/version.inc
 	@mkdir -p $(@D)
 	@echo "  CC    $<"
 	$(Q)$(CC) $(ALL_CFLAGS) $(DEFINES) -MMD -MP -c -o $@ $<
@@ -88,6 +96,7 @@ FIGURES := $(addprefix $(OUT)/,$(notdir $(SCRIPTS:.gp=.svg)))
 report: $(OUT)/report.stamp ## Write the papers' tables beside what is measured, and draw their figures, to reports/out
 	$(Q)if command -v gnuplot >/dev/null; then $(MAKE) --no-print-directory figures; \
 	else echo "report: gnuplot is not here (make setup installs it); not drawn: $(notdir $(FIGURES:.svg=))"; fi
+	$(Q)$(BUILD)/heatladder page $(OUT)
 
 $(OUT)/report.stamp: $(BUILD)/heatladder $(wildcard reports/published/*.csv)
 	@mkdir -p $(OUT)
@@ -178,7 +187,7 @@ setup: ## Install what the build needs and this machine lacks
 
 # In `make -j setup test` nothing is compiled before all is there.
 ifneq ($(filter setup,$(MAKECMDGOALS)),)
-$(BUILD)/scenes.inc: | setup
+$(BUILD)/scenes.inc $(BUILD)/version.inc: | setup
 endif
 
 # What cppcheck 2.10 takes for faults: tables that a NULL ends, and arguments that a call fills.  The compiler's

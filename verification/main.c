@@ -3,6 +3,7 @@
 #include "verification/command/arguments.h"
 #include "verification/command/help.h"
 #include "verification/command/verb.h"
+#include "verification/text/version.h"
 
 #include <gsl/gsl_errno.h>
 #include <stdio.h>
@@ -50,5 +51,7 @@ int main(int argc, char **argv) {
         help_program(stderr);
         exit(STATUS_INPUT);
     }
+    if (strcmp(argv[1], "--version") == 0)
+        exit(flush(printf("heatladder %s\n", version_text) < 0 ? STATUS_INPUT : STATUS_OK));
     exit(flush(wants_help(argc, argv) ? help(argc, argv) : act(argc - 1, argv + 1)));
 }

@@ -1,0 +1,114 @@
+/* Reads the JSON of `verify --json`: the members of each object of the array "gates", in any order, one object after
+ * the other.  A reader of that file and of no other JSON. */
+#include "reports/page/gates_file.h"
+
+#include "solver/status.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+static char *read_whole(const char *path) {
+    FILE *in = fopen(path, "rb");
+    char *text = NULL;
+    size_t room = 0;
+    if (!in) return NULL;
+    if (getdelim(&text, &room, '\0', in) < 0) {
+        free(text);
+        text = NULL;
+    }
+    fclose(in);
+    return text;
+}
+
+/* The string that begins at the quote *from, unescaped in place; *from moves past it.  NULL where it does not end. */
+static char *take_string(char **from) {
+    char *start = *from + 1, *to = start, *at = start;
+    for (; *at && *at != '"'; at++) {
+        if (*at == '\\' && at[1]) at++;
+        *to++ = *at;
+    }
+    if (!*at) return NULL;
+    *from = at + 1;
+    *to = '\0';
+    return start;
+}
+
+static void set_text(struct page_gate *g, const char *key, const char *value) {
+    if (strcmp(key, "id") == 0) g->id = value;
+    if (strcmp(key, "verdict") == 0) g->verdict = value;
+    if (strcmp(key, "reason") == 0) g->reason = value;
+    if (strcmp(key, "why") == 0) g->why = value;
+    if (strcmp(key, "command") == 0) g->command = value;
+}
+
+static void set_number(struct page_gate *g, const char *key, double value, double *middle, double *half) {
+    if (strcmp(key, "expected") == 0) *middle = value;
+    if (strcmp(key, "tolerance") == 0) *half = value;
+    if (strcmp(key, "measured") == 0) g->value = value;
+    if (strcmp(key, "error") == 0) g->error = value;
+    if (strcmp(key, "ceiling") == 0) g->ceiling = value;
+}
+
+/* One object, from behind its brace; returns where it ends, or NULL. */
+static char *take_gate(char *at, struct page_gate *g) {
+    double middle = NAN, half = NAN;
+    *g = (struct page_gate){
+        .id = "", .verdict = "", .reason = "", .why = "", .command = "", .value = NAN, .error = NAN, .ceiling = NAN};
+    for (;;) {
+        at += strspn(at, " \t\r\n,");
+        if (*at == '}') break;
+        if (*at != '"') return NULL;
+        const char *key = take_string(&at);
+        if (!key) return NULL;
+        at += strspn(at, ": ");
+        if (*at == '"') {
+            const char *value = take_string(&at);
+            if (!value) return NULL;
+            set_text(g, key, value);
+        } else if (*at == '[') {
+            at += strcspn(at, "]");
+            if (!*at++) return NULL;
+        } else {
+            char *end;
+            double value = strtod(at, &end);
+            set_number(g, key, end > at ? value : NAN, &middle, &half);
+            at += strcspn(at, ",}\n");
+        }
+    }
+    g->lo = middle == 0 ? 0 : middle - half;
+    g->hi = middle + half;
+    return at + 1;
+}
+
+static struct page_gate *grow(struct page_gate *gate, int *room) {
+    struct page_gate *larger = xcalloc((size_t)(2 * *room + 64), sizeof *larger);
+    if (gate) memcpy(larger, gate, (size_t)*room * sizeof *gate);
+    *room = 2 * *room + 64;
+    free(gate);
+    return larger;
+}
+
+int gates_file_read(const char *path, struct gates_file *g) {
+    *g = (struct gates_file){.text = read_whole(path)};
+    char *at = g->text ? strstr(g->text, "\"gates\": [") : NULL;
+    if (!at) {
+        gates_file_free(g);
+        return -1;
+    }
+    at += strlen("\"gates\": [");
+    int room = 0;
+    while (at && *(at += strspn(at, " \t\r\n,")) == '{') {
+        if (g->count == room) g->gate = grow(g->gate, &room);
+        at = take_gate(at + 1, &g->gate[g->count++]);
+    }
+    if (at) return 0;
+    gates_file_free(g);
+    return -1;
+}
+
+void gates_file_free(struct gates_file *g) {
+    free(g->gate);
+    free(g->text);
+    *g = (struct gates_file){0};
+}

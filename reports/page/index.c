@@ -1,0 +1,199 @@
+/* The page that `make report` ends in: the verdict, then scene by scene what was published beside what is measured,
+ * then operators, stability, the ledger, seeded faults, other codes, speed.  Nothing is computed here. */
+#include "reports/page/index.h"
+
+#include "reports/page/gates_file.h"
+#include "references/scene.h"
+#include "solver/status.h"
+#include "verification/page/html.h"
+#include "verification/page/markdown.h"
+#include "verification/text/atomic_file.h"
+
+#include <stdlib.h>
+#include <string.h>
+#include <unistd.h>
+
+enum kind { FIGURE, PAGE, LISTING }; /* <file>.svg with its data, <file> of Markdown, <file> as it is */
+
+static const struct part {
+    const char *section; /* of the page; a scene's name for what belongs to it */
+    enum kind kind;
+    const char *file;    /* below the directory */
+    const char *data;    /* a figure's data, below the directory */
+    const char *text;    /* what it shows */
+    const char *command; /* what makes it */
+} parts[] = {
+    {"rod-step", PAGE, "song_table1.md", NULL, NULL, "make report"},
+    {"rod-step", FIGURE, "song_fig1a.svg", "song_fig1a.csv", "Song Figure 1a: temperature on the rod", "make report"},
+    {"rod-step", FIGURE, "song_fig1b.svg", "song_fig1b.csv",
+     "Song Figure 1b: first-order SSPH oscillates at the jump, second-order does not", "make report"},
+    {"rod-step", FIGURE, "song_fig2a.svg", "song_fig2a.csv",
+     "Song Figure 2a: error against spacing, orders 1 and 2 at the jump", "make report"},
+    {"rod-gauss", PAGE, "song_table2.md", NULL, NULL, "make report"},
+    {"rod-gauss", FIGURE, "song_fig2b.svg", "song_fig2b.csv",
+     "Song Figure 2b: error against spacing, order 2 of both on the Gaussian", "make report"},
+    {"square-step", PAGE, "song_table3.md", NULL, NULL, "make report"},
+    {"square-step", FIGURE, "song_fig5.svg", "song_fig5.csv", "Song Figure 5: error against spacing on the square",
+     "make report"},
+    {"square-step", FIGURE, "matched_fig1.svg", "matched_fig1.csv",
+     "Error against work, as published and with matched step, start and smoothing length", "make report"},
+    {"plate", PAGE, "pamplona_table1.md", NULL, NULL, "make report"},
+    {"plate", FIGURE, "pamplona_fig5.svg", "pamplona_fig5.csv",
+     "Pamplona Figure 5: isotherms of SPH and of the exact solution", "make report"},
+    {"plate", FIGURE, "pamplona_fig7a.svg", "pamplona_fig7a.csv", "Pamplona Figure 7a: best xi against h",
+     "make report"},
+    {"plate", FIGURE, "pamplona_fig8.svg", "pamplona_fig8.csv", "Pamplona Figure 8: cost against h", "make report"},
+    {"Operators", PAGE, "operators.md", NULL, NULL, "make operators"},
+    {"Operators", FIGURE, "operators_fig1.svg", "operators_fig1.csv",
+     "Error against neighbours at equal spacing, operator by operator", "make operators"},
+    {"Stability", FIGURE, "stability_limits.svg", "stability_limits.csv",
+     "Largest stable step against h/dx: published, by von Neumann's analysis, measured", "make stability"},
+    {"Stability", FIGURE, "stability_blowup.svg", "stability_blowup.csv", "Runs just below and just above the limit",
+     "make stability"},
+    {"Stability", FIGURE, "stability_jitter.svg", "stability_jitter.csv", "Spectra of jittered clouds",
+     "make stability"},
+    {"Stability", FIGURE, "stability_checkerboard.svg", "stability_checkerboard.csv", "The checkerboard over time",
+     "make stability"},
+    {"Ledger", PAGE, "claims/claims.md", NULL, NULL, "make claims"},
+    {"Seeded faults", LISTING, "mutants.txt", NULL, NULL, "make mutants"},
+    {"Other codes", PAGE, "league/league.md", NULL, NULL, "make league"},
+    {"Other codes", FIGURE, "league/league.svg", "league/league.csv", "Error against time, code by code",
+     "make league"},
+    {"Speed", LISTING, "bench/bench.txt", NULL, NULL, "make bench"},
+    {"Speed", FIGURE, "peers/peers_square-step.svg", "peers/peers_square-step.csv",
+     "Error against time on the square: this suite's methods and others", "make setup-peers bench-peers"},
+};
+enum { PARTS = sizeof parts / sizeof *parts };
+
+static const char *const sections[] = {"Operators", "Stability", "Ledger", "Seeded faults", "Other codes", "Speed"};
+enum { SECTIONS = sizeof sections / sizeof *sections };
+
+static int missing(const struct part *part, FILE *out) {
+    fprintf(out, "<p class=\"faint\">Not here: ");
+    html_text(out, part->file);
+    fprintf(out, "; <code>%s</code> makes it.</p>\n", part->command);
+    return 0;
+}
+
+static int put_figure(const struct part *part, const char *path, FILE *out) {
+    if (access(path, R_OK)) return missing(part, out);
+    fprintf(out, "<figure>");
+    html_image(out, path, part->text);
+    fprintf(out, "<figcaption>");
+    html_text(out, part->text);
+    fprintf(out, ". <code>%s</code>, <a href=\"%s\">data</a></figcaption></figure>\n", part->command, part->data);
+    return 1;
+}
+
+static int put_file(const struct part *part, const char *path, FILE *out) {
+    FILE *in = fopen(path, "r");
+    char line[4096];
+    if (!in) return missing(part, out);
+    if (part->kind == PAGE) {
+        markdown_write(out, in, 2);
+    } else {
+        fprintf(out, "<pre><code>");
+        while (fgets(line, sizeof line, in)) html_text(out, line);
+        fprintf(out, "</code></pre>\n");
+    }
+    fclose(in);
+    return 1;
+}
+
+static void put_part(const struct part *part, const char *dir, FILE *out) {
+    char path[1200];
+    snprintf(path, sizeof path, "%s/%s", dir, part->file);
+    if (part->kind == FIGURE)
+        put_figure(part, path, out);
+    else
+        put_file(part, path, out);
+}
+
+static void put_parts(const char *section, const char *dir, FILE *out) {
+    for (int i = 0; i < PARTS; i++)
+        if (strcmp(parts[i].section, section) == 0) put_part(&parts[i], dir, out);
+}
+
+/* Error against time and against work, as `make bench` draws them for each scene that it has. */
+static void put_precision(const struct scene *s, const char *dir, FILE *out) {
+    char file[160], data[160], text[160];
+    snprintf(file, sizeof file, "bench/bench_%s_work.svg", s->name);
+    snprintf(data, sizeof data, "bench/bench_%s.csv", s->name);
+    snprintf(text, sizeof text, "Error against counted work on %s", s->name);
+    put_part(&(struct part){s->name, FIGURE, file, data, text, "make bench"}, dir, out);
+}
+
+static void put_contents(FILE *out) {
+    fprintf(out, "<nav><h2>Contents</h2>\n<ul>\n");
+    for (const struct scene *const *s = scenes; *s; s++)
+        fprintf(out, "<li><a href=\"#%s\">%s</a>\n", (*s)->name, (*s)->name);
+    for (int i = 0; i < SECTIONS; i++) fprintf(out, "<li><a href=\"#part%d\">%s</a>\n", i, sections[i]);
+    fprintf(out, "</ul></nav>\n");
+}
+
+static void put_scene(const struct scene *s, const struct gates_file *g, const char *dir, FILE *out) {
+    fprintf(out, "<section id=\"%s\">\n<h2>%s</h2>\n<p>", s->name, s->name);
+    html_text(out, s->about);
+    fprintf(out, ". <span class=\"faint\">");
+    html_text(out, s->citation);
+    fprintf(out, "</span></p>\n");
+    page_put_group(g->gate, g->count, s->name, out);
+    put_parts(s->name, dir, out);
+    put_precision(s, dir, out);
+    fprintf(out, "</section>\n");
+}
+
+static void put_verdict(const struct gates_file *g, FILE *out) {
+    if (g->count > 0)
+        page_put_gates(g->gate, g->count, out);
+    else
+        fprintf(out, "<p class=\"verdict\">%s</p>\n",
+                "No verdict: the gates were not run. <code>make verify</code> runs them.");
+}
+
+static void write_page(const char *dir, const struct gates_file *g, FILE *out) {
+    html_open(out, "heatladder: verification of transient heat conduction");
+    put_verdict(g, out);
+    put_contents(out);
+    for (const struct scene *const *s = scenes; *s; s++) put_scene(*s, g, dir, out);
+    for (int i = 0; i < SECTIONS; i++) {
+        fprintf(out, "<section id=\"part%d\">\n<h2>%s</h2>\n", i, sections[i]);
+        put_parts(sections[i], dir, out);
+        fprintf(out, "</section>\n");
+    }
+    html_close(out);
+}
+
+static void write_summary(const struct gates_file *g, FILE *out) {
+    int good = 0;
+    for (int i = 0; i < g->count; i++) good += strcmp(g->gate[i].verdict, "pass") == 0;
+    fprintf(out, "## heatladder: %d of %d gates hold\n", good, g->count);
+    if (good == g->count) return;
+    fprintf(out, "\n| gate | verdict | reason |\n|---|---|---|\n");
+    for (int i = 0; i < g->count; i++)
+        if (strcmp(g->gate[i].verdict, "pass") != 0)
+            fprintf(out, "| %s | %s | %s |\n", g->gate[i].id, g->gate[i].verdict, g->gate[i].reason);
+}
+
+int index_write(const char *dir, struct failure *why) {
+    char path[3][1200];
+    static const char *const name[3] = {"gates.json", "index.html", "summary.md"};
+    char *text[2] = {NULL, NULL};
+    size_t size[2] = {0, 0};
+    struct gates_file g = {0};
+    for (int i = 0; i < 3; i++)
+        if ((size_t)snprintf(path[i], sizeof path[i], "%s/%s", dir, name[i]) >= sizeof path[i])
+            return refuse(why, STATUS_INPUT, "the path '%.100s...' is too long", dir);
+    gates_file_read(path[0], &g);
+    FILE *page = open_memstream(&text[0], &size[0]), *summary = open_memstream(&text[1], &size[1]);
+    int status = page && summary ? STATUS_OK : refuse(why, STATUS_NUMERICAL, "out of memory for the page");
+    if (!status) write_page(dir, &g, page), write_summary(&g, summary);
+    if (page) fclose(page);
+    if (summary) fclose(summary);
+    const struct atomic_file files[] = {{path[1], text[0], size[0]}, {path[2], text[1], size[1]}};
+    if (!status) status = atomic_file_write_all(files, 2, why);
+    free(text[0]);
+    free(text[1]);
+    gates_file_free(&g);
+    return status;
+}

@@ -1,0 +1,19 @@
+/* heatladder page: one page of what the other targets have left in a directory. */
+#include "verification/command/verb.h"
+
+#include "reports/page/index.h"
+#include "solver/status.h"
+#include "verification/command/request.h"
+
+#include <stdio.h>
+
+int verb_page(const struct request *r) {
+    struct failure why;
+    const char *dir = r->topic ? r->topic : "reports/out";
+    int status = index_write(dir, &why);
+    if (status)
+        fprintf(stderr, "heatladder: %s\n", why.text);
+    else
+        printf("page: %s/index.html\n", dir);
+    return status;
+}

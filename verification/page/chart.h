@@ -1,0 +1,25 @@
+#ifndef HEATLADDER_VERIFICATION_PAGE_CHART_H
+#define HEATLADDER_VERIFICATION_PAGE_CHART_H
+
+#include <stdio.h>
+
+/* A chart of error against spacing as inline SVG, both axes logarithmic. */
+
+struct chart_series {
+    const char *name;
+    int n;
+    const double *x, *y; /* n each; points that are not positive are left out */
+    const int *hollow;   /* n, or NULL: 1 for a point that does not count */
+};
+
+struct chart {
+    const char *title; /* also the text alternative */
+    const char *x_label, *y_label;
+    int count; /* series, told apart by marker and dash as well as by colour */
+    const struct chart_series *series;
+    double slope; /* of the reference line through the last point of the first series; NAN for none */
+};
+
+void chart_write(const struct chart *c, FILE *out);
+
+#endif

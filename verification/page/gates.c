@@ -1,0 +1,107 @@
+/* Gates on a page. */
+#include "verification/page/page.h"
+
+#include "verification/page/html.h"
+
+#include <math.h>
+#include <string.h>
+
+static size_t group_length(const char *id) {
+    return strcspn(id, "/");
+}
+
+static int same_group(const char *a, const char *b) {
+    size_t n = group_length(a);
+    return n == group_length(b) && strncmp(a, b, n) == 0;
+}
+
+static int passed(const struct page_gate *g) {
+    return strcmp(g->verdict, "pass") == 0;
+}
+
+static void put_band(const struct page_gate *g, FILE *out) {
+    char text[160];
+    if (g->lo == 0)
+        snprintf(text, sizeof text, "at most %.4g", g->hi);
+    else
+        snprintf(text, sizeof text, "%.4g to %.4g", g->lo, g->hi);
+    html_cell(out, "td", text);
+    snprintf(text, sizeof text, "%.4g", g->value);
+    html_cell(out, "td", text);
+    snprintf(text, sizeof text, isnan(g->ceiling) ? "" : "%.3g, at most %.3g", g->error, g->ceiling);
+    html_cell(out, "td", text);
+}
+
+static void put_gate(const struct page_gate *g, FILE *out) {
+    fprintf(out, "<tr>");
+    html_cell(out, "td", g->id);
+    fprintf(out, "<td>");
+    html_verdict(out, g->verdict);
+    fprintf(out, "</td>");
+    put_band(g, out);
+    fprintf(out, "<td>");
+    html_text(out, passed(g) ? g->why : g->reason);
+    fprintf(out, "</td></tr>\n");
+}
+
+static void put_header(FILE *out) {
+    fprintf(out, "<div class=\"scroll\"><table>\n<tr><th>gate</th><th>verdict</th><th>expected</th>"
+                 "<th class=\"n\">measured</th><th>error</th><th>why</th></tr>\n");
+}
+
+void page_put_group(const struct page_gate *gate, int count, const char *group, FILE *out) {
+    int n = 0, good = 0;
+    for (int i = 0; i < count; i++)
+        if (same_group(gate[i].id, group)) n++, good += passed(&gate[i]);
+    if (n == 0) return;
+    fprintf(out, "<details><summary>%d of %d gates hold</summary>\n", good, n);
+    put_header(out);
+    for (int i = 0; i < count; i++)
+        if (same_group(gate[i].id, group)) put_gate(&gate[i], out);
+    fprintf(out, "</table></div></details>\n");
+}
+
+static void put_failure(const struct page_gate *g, FILE *out) {
+    fprintf(out, "<h4>");
+    html_text(out, g->id);
+    fprintf(out, ": ");
+    html_verdict(out, g->verdict);
+    fprintf(out, "</h4>\n<p>");
+    html_text(out, g->reason);
+    fprintf(out, "</p>\n<p class=\"faint\">Expected because: ");
+    html_text(out, g->why);
+    fprintf(out, "</p>\n<pre><code>heatladder ");
+    html_text(out, g->command);
+    fprintf(out, "</code></pre>\n");
+}
+
+static void put_groups(const struct page_gate *gate, int count, FILE *out) {
+    fprintf(out, "<ul class=\"groups\">\n");
+    for (int i = 0; i < count; i++) {
+        int n = 0, good = 0, first = 1;
+        for (int k = 0; k < i && first; k++) first = !same_group(gate[k].id, gate[i].id);
+        for (int k = 0; k < count && first; k++)
+            if (same_group(gate[k].id, gate[i].id)) n++, good += passed(&gate[k]);
+        if (!first) continue;
+        fprintf(out, "<li>%.*s %d/%d ", (int)group_length(gate[i].id), gate[i].id, good, n);
+        html_verdict(out, good == n ? "pass" : "fail");
+        fprintf(out, "\n");
+    }
+    fprintf(out, "</ul>\n");
+}
+
+void page_put_gates(const struct page_gate *gate, int count, FILE *out) {
+    int good = 0;
+    for (int i = 0; i < count; i++) good += passed(&gate[i]);
+    fprintf(out, "<p class=\"verdict\">");
+    html_verdict(out, count > 0 && good == count ? "pass" : "fail");
+    fprintf(out, ": %d of %d gates hold</p>\n", good, count);
+    page_put_origin(out);
+    for (int i = 0; i < count; i++)
+        if (!passed(&gate[i])) put_failure(&gate[i], out);
+    put_groups(gate, count, out);
+    fprintf(out, "<details><summary>Every gate</summary>\n");
+    put_header(out);
+    for (int i = 0; i < count; i++) put_gate(&gate[i], out);
+    fprintf(out, "</table></div></details>\n");
+}

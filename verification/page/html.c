@@ -1,0 +1,107 @@
+/* The frame of a page, its style, and images that are part of it. */
+#include "verification/page/html.h"
+
+#include <ctype.h>
+#include <stdlib.h>
+#include <string.h>
+
+static const char style[] =
+    ":root{--ink:#1b1b1b;--paper:#fff;--faint:#666;--line:#d6d6d6;--pass:#005a3c;--fail:#a3200d;--other:#6b4a00}\n"
+    "@media(prefers-color-scheme:dark){:root{--ink:#e6e6e6;--paper:#151515;--faint:#a5a5a5;--line:#3d3d3d;"
+    "--pass:#5fd0a5;--fail:#ff8f7a;--other:#e7b85c}}\n"
+    "*{box-sizing:border-box}html{color-scheme:light dark}\n"
+    "body{margin:0;background:var(--paper);color:var(--ink);font:16px/1.5 system-ui,sans-serif}\n"
+    "main{max-width:70rem;margin:0 auto;padding:1rem}\n"
+    "h1{font-size:1.7rem;line-height:1.2}h2{margin-top:2.5rem;border-bottom:1px solid var(--line)}\n"
+    "h1,h2,h3,h4{break-after:avoid}a{color:inherit}\n"
+    ".scroll{overflow-x:auto}table{border-collapse:collapse;font-size:.86rem;margin:.7rem 0}\n"
+    "th,td{padding:.2rem .6rem;border-bottom:1px solid var(--line);text-align:left;vertical-align:top}\n"
+    "td.n,th.n{text-align:right;font-variant-numeric:tabular-nums;white-space:nowrap}\n"
+    "code,pre{font:.84rem/1.4 ui-monospace,monospace}pre{overflow-x:auto;padding:.6rem;border:1px solid "
+    "var(--line)}\n"
+    "code{overflow-wrap:anywhere}figure{margin:1.2rem 0;break-inside:avoid}\n"
+    "figure img,figure svg{max-width:100%;height:auto;background:#fff;border:1px solid var(--line)}\n"
+    "figcaption,.faint{color:var(--faint);font-size:.86rem}\n"
+    ".pass{color:var(--pass)}.fail{color:var(--fail);font-weight:bold}.other{color:var(--other);font-weight:bold}\n"
+    ".verdict{font-size:1.25rem}nav ul{columns:2 14rem;padding-left:1.2rem}\n"
+    ".groups{columns:4 11rem;list-style:none;padding:0;font-size:.9rem}\n"
+    "@media print{body{font-size:10pt;background:#fff;color:#000}nav{display:none}.scroll{overflow:visible}\n"
+    "pre{white-space:pre-wrap}table{font-size:7.5pt}td,th{white-space:normal;overflow-wrap:anywhere}}\n";
+
+void html_open(FILE *out, const char *title) {
+    fprintf(out, "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
+                 "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n<title>");
+    html_text(out, title);
+    fprintf(out, "</title>\n<style>\n%s</style>\n</head>\n<body>\n<main>\n<h1>", style);
+    html_text(out, title);
+    fprintf(out, "</h1>\n");
+}
+
+void html_close(FILE *out) {
+    fprintf(out, "</main>\n</body>\n</html>\n");
+}
+
+void html_text(FILE *out, const char *text) {
+    for (; *text; text++) switch (*text) {
+        case '&':
+            fputs("&amp;", out);
+            break;
+        case '<':
+            fputs("&lt;", out);
+            break;
+        case '>':
+            fputs("&gt;", out);
+            break;
+        case '"':
+            fputs("&quot;", out);
+            break;
+        default:
+            fputc(*text, out);
+        }
+}
+
+static int is_number(const char *text) {
+    char *end;
+    strtod(text, &end);
+    return end != text && strspn(end, " %") == strlen(end);
+}
+
+void html_cell(FILE *out, const char *tag, const char *text) {
+    fprintf(out, "<%s%s>", tag, is_number(text) ? " class=\"n\"" : "");
+    html_text(out, text);
+    fprintf(out, "</%s>", tag);
+}
+
+void html_verdict(FILE *out, const char *word) {
+    int good = strcmp(word, "pass") == 0, bad = strcmp(word, "fail") == 0;
+    fprintf(out, "<span class=\"%s\">%s ", good ? "pass" : bad ? "fail" : "other", good ? "✓" : bad ? "✗" : "?");
+    html_text(out, word);
+    fprintf(out, "</span>");
+}
+
+/* Base 64 (RFC 4648). */
+static void put_base64(FILE *out, const unsigned char *data, size_t n) {
+    static const char digit[] = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+    for (size_t i = 0; i < n; i += 3) {
+        unsigned long v = (unsigned long)data[i] << 16;
+        if (i + 1 < n) v |= (unsigned long)data[i + 1] << 8;
+        if (i + 2 < n) v |= data[i + 2];
+        fputc(digit[v >> 18 & 63], out);
+        fputc(digit[v >> 12 & 63], out);
+        fputc(i + 1 < n ? digit[v >> 6 & 63] : '=', out);
+        fputc(i + 2 < n ? digit[v & 63] : '=', out);
+    }
+}
+
+int html_image(FILE *out, const char *path, const char *alternative) {
+    FILE *in = fopen(path, "rb");
+    unsigned char block[3 * 1024];
+    if (!in) return -1;
+    fprintf(out, "<img alt=\"");
+    html_text(out, alternative);
+    fprintf(out, "\" src=\"data:image/svg+xml;base64,");
+    for (size_t n; (n = fread(block, 1, sizeof block, in)) > 0;) put_base64(out, block, n);
+    fprintf(out, "\">");
+    fclose(in);
+    return 0;
+}

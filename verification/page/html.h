@@ -1,0 +1,22 @@
+#ifndef HEATLADDER_VERIFICATION_PAGE_HTML_H
+#define HEATLADDER_VERIFICATION_PAGE_HTML_H
+
+/* HTML that needs no network, no script and no file beside it: readable on a phone, on paper, in dark and light. */
+
+#include <stdio.h>
+
+void html_open(FILE *out, const char *title); /* up to the open <main> */
+void html_close(FILE *out);
+
+void html_text(FILE *out, const char *text); /* with the characters of HTML escaped */
+
+/* A cell <th> or <td>; numbers are set right.  */
+void html_cell(FILE *out, const char *tag, const char *text);
+
+/* The word of a verdict with its sign, so that it is told apart without colour: pass, fail, inconclusive, ... */
+void html_verdict(FILE *out, const char *word);
+
+/* The file at `path` (SVG) as an image within the page; 0, or -1 where it cannot be read. */
+int html_image(FILE *out, const char *path, const char *alternative);
+
+#endif

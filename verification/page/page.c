@@ -1,0 +1,128 @@
+/* Pages for somebody's own code: a ladder, or a run of gates. */
+#include "verification/page/page.h"
+
+#include "solver/status.h"
+#include "verification/gates/gates.h"
+#include "verification/ladder/ladder.h"
+#include "verification/page/chart.h"
+#include "verification/page/html.h"
+#include "verification/text/atomic_file.h"
+#include "verification/text/version.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <sys/utsname.h>
+#include <time.h>
+
+void page_put_origin(FILE *out) {
+    struct utsname machine;
+    char when[64] = "", where[256] = "an unknown machine";
+    time_t now = time(NULL);
+    struct tm parts;
+    if (gmtime_r(&now, &parts)) strftime(when, sizeof when, "%Y-%m-%d %H:%M UTC", &parts);
+    if (uname(&machine) == 0)
+        snprintf(where, sizeof where, "%.60s %.60s, %.60s", machine.sysname, machine.release, machine.machine);
+    fprintf(out, "<p class=\"faint\">Made %s on ", when);
+    html_text(out, where);
+    fprintf(out, " by heatladder ");
+    html_text(out, version_text);
+    fprintf(out, ".</p>\n");
+}
+
+static int close_page(FILE *out, char **text, size_t *size, const char *path, struct failure *why) {
+    html_close(out);
+    fclose(out);
+    int status = atomic_file_write(path, *text, *size, why);
+    free(*text);
+    return status;
+}
+
+static FILE *open_page(const char *title, char **text, size_t *size, struct failure *why) {
+    FILE *out = open_memstream(text, size);
+    if (!out) {
+        refuse(why, STATUS_NUMERICAL, "out of memory for a page");
+        return NULL;
+    }
+    html_open(out, title);
+    return out;
+}
+
+int page_gates_write(const struct gates *g, const char *title, const char *path, struct failure *why) {
+    char *text = NULL;
+    size_t size = 0;
+    FILE *out = open_page(title, &text, &size, why);
+    if (!out) return why->status;
+    struct page_gate *gate = xcalloc((size_t)g->declared, sizeof *gate);
+    for (int i = 0; i < g->declared; i++) {
+        const struct gate *row = &g->result[i].gate;
+        const struct measured *m = &g->result[i].measured;
+        gate[i] = (struct page_gate){.id = row->id,
+                                     .verdict = verdict_words[m->verdict],
+                                     .reason = m->reason,
+                                     .why = row->why,
+                                     .command = row->command,
+                                     .lo = row->lo,
+                                     .hi = row->hi,
+                                     .value = m->value,
+                                     .error = m->error,
+                                     .ceiling = row->ceiling};
+    }
+    page_put_gates(gate, g->declared, out);
+    free(gate);
+    return close_page(out, &text, &size, path, why);
+}
+
+static void put_number(FILE *out, const char *format, double value) {
+    char text[40];
+    snprintf(text, sizeof text, format, value);
+    html_cell(out, "td", isfinite(value) ? text : "-");
+}
+
+static void put_rungs(const struct ladder *l, FILE *out) {
+    fprintf(out,
+            "<div class=\"scroll\"><table>\n<tr><th class=\"n\">%s</th><th class=\"n\">points</th>"
+            "<th class=\"n\">E1</th><th class=\"n\">L2</th><th class=\"n\">L-infinity [K]</th>"
+            "<th class=\"n\">slope</th><th>left out</th></tr>\n",
+            l->in_time ? "dt [s]" : "dx [m]");
+    for (int i = 0; i < l->n; i++) {
+        const struct result *r = &l->rung[i];
+        int failed = r->failure.status != STATUS_OK;
+        fprintf(out, "<tr>");
+        put_number(out, "%.6g", l->x[i]);
+        put_number(out, "%.0f", (double)r->particles);
+        put_number(out, "%.4e", failed ? NAN : r->error.l1);
+        put_number(out, "%.4e", failed ? NAN : r->error.l2);
+        put_number(out, "%.4e", failed ? NAN : r->error.linf);
+        put_number(out, "%.3f", i ? l->local[i - 1] : NAN);
+        html_cell(out, "td", failed ? r->failure.text : l->window.left_out[i]);
+        fprintf(out, "</tr>\n");
+    }
+    fprintf(out, "</table></div>\n");
+}
+
+int page_ladder_write(const struct ladder *l, const char *title, const char *path, struct failure *why) {
+    char *text = NULL;
+    size_t size = 0;
+    FILE *out = open_page(title, &text, &size, why);
+    if (!out) return why->status;
+    double error[RUNG_MAX];
+    int hollow[RUNG_MAX];
+    for (int i = 0; i < l->n; i++) {
+        error[i] = l->rung[i].failure.status ? NAN : l->rung[i].error.l1;
+        hollow[i] = !l->window.counts[i];
+    }
+    struct chart_series series = {"E1 (hollow: left out of the fit)", l->n, l->x, error, hollow};
+    struct chart chart = {title, l->in_time ? "dt [s]" : "dx [m]", "E1", 1, &series, round(l->slope.value)};
+    fprintf(out, "<p class=\"verdict\">");
+    html_verdict(out, verdict_words[l->verdict]);
+    fprintf(out, ": ");
+    html_text(out, l->reason);
+    fprintf(out, "</p>\n<p>Slope of E1 %.4f, 95 %% interval %.4f to %.4f, over %d of %d rungs.</p>\n", l->slope.value,
+            l->slope.ci[0], l->slope.ci[1], l->slope.n, l->n);
+    page_put_origin(out);
+    fprintf(out, "<figure>\n");
+    chart_write(&chart, out);
+    fprintf(out, "</figure>\n");
+    put_rungs(l, out);
+    return close_page(out, &text, &size, path, why);
+}

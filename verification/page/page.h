@@ -1,0 +1,31 @@
+#ifndef HEATLADDER_VERIFICATION_PAGE_PAGE_H
+#define HEATLADDER_VERIFICATION_PAGE_PAGE_H
+
+#include <stdio.h>
+
+struct failure;
+struct gates;
+struct ladder;
+
+/* Verdicts of gates as HTML; a gate's group is its id up to the first slash. */
+
+struct page_gate {
+    const char *id, *verdict, *reason, *why, *command;
+    double lo, hi;         /* the band */
+    double value;          /* what was measured */
+    double error, ceiling; /* NAN where there is none */
+};
+
+/* The verdict of all and its origin, then a word a group, then what failed in full, then every gate, folded away. */
+void page_put_gates(const struct page_gate *gate, int count, FILE *out);
+/* How many of a group hold, and its gates, folded away. */
+void page_put_group(const struct page_gate *gate, int count, const char *group, FILE *out);
+
+/* When, where and by which version the page was made: a paragraph. */
+void page_put_origin(FILE *out);
+
+/* A page of its own at `path`, whole or not at all.  A status of solver/status.h. */
+int page_gates_write(const struct gates *g, const char *title, const char *path, struct failure *why);
+int page_ladder_write(const struct ladder *l, const char *title, const char *path, struct failure *why);
+
+#endif

@@ -1,0 +1,122 @@
+/* Pages: what is escaped, what Markdown becomes, what a chart holds, and gates that are read back. */
+#include "verification/page/chart.h"
+#include "verification/page/html.h"
+#include "verification/page/markdown.h"
+#include "verification/page/page.h"
+
+#include "reports/page/gates_file.h"
+#include "verification/gates/gates.h"
+
+#include "verification/unit/near.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <unistd.h>
+
+static char text[20000];
+
+static FILE *begin(void) {
+    memset(text, 0, sizeof text);
+    return fmemopen(text, sizeof text - 1, "w");
+}
+
+static const char *markdown(const char *from) {
+    char copy[2000];
+    snprintf(copy, sizeof copy, "%s", from);
+    FILE *in = fmemopen(copy, strlen(copy), "r"), *out = begin();
+    markdown_write(out, in, 1);
+    fclose(in);
+    fclose(out);
+    return text;
+}
+
+static void markdown_becomes_html(void **state) {
+    (void)state;
+    assert_string_equal(markdown("# A < B\n"), "<h2>A &lt; B</h2>\n");
+    assert_string_equal(markdown("one\ntwo\n\nthree\n"), "<p>one\ntwo\n</p>\n<p>three\n</p>\n");
+    assert_string_equal(markdown("    x && y\n"), "<pre><code>x &amp;&amp; y\n</code></pre>\n");
+    assert_string_equal(markdown("`a*b` and *much*, 2 * 3, so\\_ssph\n"),
+                        "<p><code>a*b</code> and <em>much</em>, 2 * 3, so_ssph\n</p>\n");
+    assert_string_equal(markdown("- see [there](a.md)\n"), "<ul>\n<li>see <a href=\"a.md\">there</a></ul>\n");
+    assert_string_equal(markdown("| a | \\|b\\| |\n|---|---:|\n| 1.5 | two |\n"),
+                        "<div class=\"scroll\"><table>\n<tr><th>a</th><th>|b|</th></tr>\n"
+                        "<tr><td class=\"n\">1.5</td><td>two</td></tr>\n</table></div>\n");
+}
+
+static void images_are_part_of_the_page(void **state) {
+    (void)state;
+    char path[] = "/tmp/heatladder_page.XXXXXX";
+    FILE *image = fdopen(mkstemp(path), "w");
+    fputs("<svg/>!", image);
+    fclose(image);
+    FILE *out = begin();
+    assert_int_equal(html_image(out, path, "a \"chart\""), 0);
+    fclose(out);
+    unlink(path);
+    assert_string_equal(text, "<img alt=\"a &quot;chart&quot;\" src=\"data:image/svg+xml;base64,PHN2Zy8+IQ==\">");
+    out = begin();
+    assert_int_equal(html_image(out, path, "gone"), -1);
+    fclose(out);
+}
+
+static void charts_hold_their_points(void **state) {
+    (void)state;
+    const double x[] = {0.4, 0.2, 0.1}, y[] = {1.6e-2, NAN, 1e-3};
+    const struct chart_series series = {"so <ssph>", 3, x, y, NULL};
+    const struct chart chart = {"error", "dx [m]", "E1", 1, &series, 2};
+    FILE *out = begin();
+    chart_write(&chart, out);
+    fclose(out);
+    int circles = 0;
+    for (const char *at = text; (at = strstr(at, "<circle")); at++) circles++;
+    assert_int_equal(circles, 3); /* two points and the legend's: NaN is left out */
+    assert_non_null(strstr(text, "so &lt;ssph&gt;"));
+    assert_non_null(strstr(text, "slope 2"));
+    assert_null(strstr(text, "nan"));
+}
+
+static void gates_are_read_back(void **state) {
+    (void)state;
+    char path[] = "/tmp/heatladder_page.XXXXXX";
+    FILE *file = fdopen(mkstemp(path), "w");
+    fputs(
+        "{\n\"declared\": 2,\n\"gates\": [\n{ \"id\": \"rod/a\", \"command\": \"run \\\"x\\\"\", \"expected\": 2,\n"
+        "\"tolerance\": 0.125, \"measured\": 2.0625, \"interval95\": [ 1, 2 ], \"error\": 3e-4, \"ceiling\": null,\n"
+        "\"verdict\": \"pass\", \"reason\": \"r\", \"why\": \"w\", \"seconds\": 1 },\n"
+        "{ \"id\": \"b\", \"expected\": 0, \"tolerance\": 7, \"verdict\": \"fail\" }\n]\n}\n",
+        file);
+    fclose(file);
+    struct gates_file g;
+    assert_int_equal(gates_file_read(path, &g), 0);
+    assert_int_equal(g.count, 2);
+    assert_string_equal(g.gate[0].command, "run \"x\"");
+    assert_near(g.gate[0].lo, 1.875, 0);
+    assert_near(g.gate[0].hi, 2.125, 0);
+    assert_near(g.gate[0].error, 3e-4, 0);
+    assert_true(isnan(g.gate[0].ceiling) && isnan(g.gate[1].value));
+    assert_near(g.gate[1].lo, 0, 0);
+    assert_near(g.gate[1].hi, 7, 0);
+    FILE *out = begin();
+    page_put_gates(g.gate, g.count, out);
+    fclose(out);
+    assert_non_null(strstr(text, "1 of 2 gates hold"));
+    assert_non_null(strstr(text, "<h4>b: "));
+    gates_file_free(&g);
+    file = fopen(path, "w");
+    fputs("{\"gates\": [\n{ \"id\": \"rod", file);
+    fclose(file);
+    assert_int_equal(gates_file_read(path, &g), -1);
+    unlink(path);
+}
+
+int main(void) {
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(markdown_becomes_html),
+        cmocka_unit_test(images_are_part_of_the_page),
+        cmocka_unit_test(charts_hold_their_points),
+        cmocka_unit_test(gates_are_read_back),
+    };
+    return cmocka_run_group_tests_name("page", tests, NULL, NULL);
+}
