@@ -1,7 +1,8 @@
-/* The words of the options. */
+/* The words of the options, and the width of vectors. */
 #include "solver/options.h"
 
-#include <stddef.h>
+#include <stdlib.h>
+#include <string.h>
 
 const char *const kernel_words[] = {
     [KERNEL_CUBIC] = "cubic", [KERNEL_QUARTIC] = "quartic", [KERNEL_WENDLAND] = "wendland", NULL};
@@ -21,3 +22,25 @@ const char *const mean_words[] = {
     [MEAN_HARMONIC] = "harmonic", [MEAN_ARITHMETIC] = "arithmetic", [MEAN_SERIES] = "series", NULL};
 const char *const domain_words[] = {[DOMAIN_FOLDED] = "folded", [DOMAIN_WHOLE] = "whole", NULL};
 const char *const volume_words[] = {[VOLUME_MOMENT] = "moment", [VOLUME_RAW] = "raw", [VOLUME_TUNED] = "tuned", NULL};
+
+int options_lanes_most(void) {
+#if defined(__x86_64__)
+    if (__builtin_cpu_supports("avx512f")) return 8;
+    if (__builtin_cpu_supports("avx2")) return 4;
+#endif
+    return 2;
+}
+
+int options_lanes_forced(int *lanes, struct failure *why) {
+    const char *word = getenv("HEATLADDER_LANES");
+    int most = options_lanes_most();
+    *lanes = 0;
+    if (!word || !*word) return STATUS_OK;
+    for (int width = 2; width <= most; width *= 2)
+        if (strlen(word) == 1 && *word == '0' + width) *lanes = width;
+    if (*lanes) return STATUS_OK;
+    return refuse(why, STATUS_INPUT, "HEATLADDER_LANES=%.60s: this machine has vectors of %s", word,
+                  most == 8   ? "2, 4 or 8"
+                  : most == 4 ? "2 or 4"
+                              : "2");
+}

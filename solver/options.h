@@ -3,6 +3,8 @@
 
 /* What a method is asked for. */
 
+#include "solver/status.h"
+
 enum kernel_name { KERNEL_CUBIC, KERNEL_QUARTIC, KERNEL_WENDLAND };
 enum stepper { STEPPER_AUTO, STEPPER_EULER, STEPPER_RK2, STEPPER_RKL2, STEPPER_EXACT, STEPPER_MATCHED };
 enum layout_name { LAYOUT_LATTICE, LAYOUT_NODE, LAYOUT_JITTER };
@@ -36,6 +38,13 @@ struct options {
     enum volume volume;
     enum domain domain; /* of a scene with mirror planes: the part that has to be computed, or all */
     int threads;        /* threads that one run may use; 0 or 1: one */
+    int lanes;          /* doubles in a vector of the lattice's sweeps, 2, 4 or 8; 0: options_lanes_most() */
 };
+
+/* Doubles in the widest vector of this machine: 2, 4 or 8.  No width changes a bit of a result. */
+int options_lanes_most(void);
+/* *lanes from the environment variable HEATLADDER_LANES; 0 where there is none.  STATUS_INPUT for what is not a width
+ * of this machine. */
+int options_lanes_forced(int *lanes, struct failure *why);
 
 #endif

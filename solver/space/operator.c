@@ -201,7 +201,8 @@ static int outline(struct heat_operator *a, const struct problem *p, const struc
 
 int operator_outline_lattice(struct heat_operator *a, const struct problem *p, const struct options *o,
                              const struct scheme *s, const struct lattice *l, struct failure *why) {
-    *a = (struct heat_operator){.n = (size_t)l->n[0] * (size_t)l->n[1], .lattice = *l, .threads = o->threads};
+    *a = (struct heat_operator){
+        .n = (size_t)l->n[0] * (size_t)l->n[1], .lattice = *l, .threads = o->threads, .lanes = o->lanes};
     int status = outline(a, p, o, s, why);
     if (status) operator_free(a);
     return status;
@@ -219,7 +220,7 @@ int operator_create_lattice(struct heat_operator *a, const struct problem *p, co
 
 int operator_create_rows(struct heat_operator *a, const struct problem *p, const struct options *o,
                          const struct scheme *s, const struct cloud *c, double spacing, struct failure *why) {
-    *a = (struct heat_operator){.n = c->n, .state = c->n, .threads = o->threads};
+    *a = (struct heat_operator){.n = c->n, .state = c->n, .threads = o->threads, .lanes = o->lanes};
     int status = csr_assemble(a, p, o, s, c, spacing, why);
     if (status) operator_free(a);
     return status;

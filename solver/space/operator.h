@@ -11,7 +11,7 @@
 enum {
     NEIGHBOURS_MAX = 1024,
     REACH_MAX = 32, /* of a stencil of the plane: that of NEIGHBOURS_MAX, twice for two sweeps */
-    LANES_MAX = 8   /* doubles in the widest vector */
+    LANES_MAX = 8   /* doubles in the widest vector of any machine */
 };
 
 struct neighbourhood { /* what a scheme sees of one particle */
@@ -55,6 +55,7 @@ struct heat_operator {
     size_t making; /* bytes held beside those while it was made, at the peak; what no number of particles adds to is
                       left out */
     int threads;
+    int lanes; /* as of the options */
 };
 
 /* Where row j of the particles begins in a state; a cloud has one row. */

@@ -15,12 +15,9 @@ enum { BAND = 8, TOGETHER = 8 }; /* rows at a time; updates a sweep */
 typedef void (*band_update)(const struct heat_operator *a, int support, const struct update *u, const double *x,
                             double *y, ptrdiff_t row, ptrdiff_t end);
 
-static band_update widest(void) {
-#if defined(__x86_64__)
-    if (__builtin_cpu_supports("avx512f")) return sweep_band_8;
-    if (__builtin_cpu_supports("avx2")) return sweep_band_4;
-#endif
-    return sweep_band_2;
+static band_update band_of(int lanes) {
+    if (lanes == 0) lanes = options_lanes_most();
+    return lanes == 8 ? sweep_band_8 : lanes == 4 ? sweep_band_4 : sweep_band_2;
 }
 
 int sweep_is_plain(const struct heat_operator *a, const struct update *u) {
@@ -131,7 +128,7 @@ static ptrdiff_t threads_of(const struct heat_operator *a) {
 void sweep_lattice(const struct heat_operator *a, const struct update *u, int count, double *const Y[2]) {
     ptrdiff_t ny = a->lattice.n[1], lag = a->reach[1], threads = threads_of(a), together = TOGETHER;
     if (threads > 1 && together > ny / threads / (2 * lag)) together = ny / threads / (2 * lag);
-    struct sweep s = {.a = a, .support = support_of(a), .band = widest()};
+    struct sweep s = {.a = a, .support = support_of(a), .band = band_of(a->lanes)};
     for (int k = 0; k < count; k += s.count) {
         double *turn[2] = {Y[k % 2], Y[1 - k % 2]};
         s.u = u + k, s.count = count - k < together ? count - k : (int)together, s.Y = turn;

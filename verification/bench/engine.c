@@ -49,13 +49,15 @@ static struct bench_time triad(void) {
     return bench_summary(seconds, BENCH_RUNS);
 }
 
-/* Seconds of one update of one particle in the time loop of the command. */
-static struct bench_time update(const char *command) {
+/* Seconds of one update of one particle in the time loop of the command, with vectors of `lanes` doubles (0: as the
+ * command line has it). */
+static struct bench_time update_lanes(const char *command, int lanes) {
     struct request r;
     struct failure why;
     struct bench_time none = {NAN, NAN, NAN};
     double seconds[BENCH_RUNS];
     int status = arguments_parse_line(command, &r, &why);
+    if (lanes) r.experiment.options.lanes = lanes;
     for (int k = -1; k < BENCH_RUNS && !status; k++) {
         struct field f;
         status = r.experiment.method->solve(&r.experiment.problem, &r.experiment.options, &f, &why);
@@ -67,10 +69,31 @@ static struct bench_time update(const char *command) {
     return status ? none : bench_summary(seconds, BENCH_RUNS);
 }
 
+static struct bench_time update(const char *command) {
+    return update_lanes(command, 0);
+}
+
+#define EULER_160 "run square-step so_ssph --stepper euler --dx 4/160 --fourier 0.2 --t-end 6.25"
+#define RKL2_160 "run square-step so_ssph --stepper rkl2 --dx 4/160 --dt 0.25 --t-end 6.25"
+
+/* Every width of vector that the machine has. */
+static void each_width(struct bench_engine *e) {
+    static const char *const euler[] = {"so_ssph euler, 160 x 160, vectors of 2",
+                                        "so_ssph euler, 160 x 160, vectors of 4",
+                                        "so_ssph euler, 160 x 160, vectors of 8"};
+    static const char *const rkl2[] = {"so_ssph rkl2, 160 x 160, vectors of 2",
+                                       "so_ssph rkl2, 160 x 160, vectors of 4",
+                                       "so_ssph rkl2, 160 x 160, vectors of 8"};
+    for (int k = 0, lanes = 2; lanes <= options_lanes_most(); k++, lanes *= 2) {
+        add(e, euler[k], "updates/s", update_lanes(EULER_160, lanes), 1, 1);
+        add(e, rkl2[k], "updates/s", update_lanes(RKL2_160, lanes), 1, 1);
+    }
+}
+
 static void in_cache(struct bench_engine *e) {
     struct bench_time ftcs = update("run square-step ftcs --dx 4/160 --fourier 0.2 --t-end 6.25");
-    struct bench_time so = update("run square-step so_ssph --stepper euler --dx 4/160 --fourier 0.2 --t-end 6.25");
-    struct bench_time rkl2 = update("run square-step so_ssph --stepper rkl2 --dx 4/160 --dt 0.25 --t-end 6.25");
+    struct bench_time so = update(EULER_160);
+    struct bench_time rkl2 = update(RKL2_160);
     struct bench_time walls = update("run plate so_ssph --stepper euler --dx 0.1/160 --fourier 0.2 --t-end 5");
     add(e, "ftcs, 160 x 160", "updates/s", ftcs, 1, 1);
     add(e, "so_ssph euler, 160 x 160", "updates/s", so, 1, 1);
@@ -171,9 +194,11 @@ void bench_engine_run(struct bench_engine *e) {
     struct bench_time t = triad();
     double bandwidth = 24.0 * TRIAD / t.lowest; /* as STREAM reports it: the best of its runs */
     add(e, "triad, one thread", "bytes/s", t, 24.0 * TRIAD, 1);
-    struct progress progress = progress_start("parts of the engine", 5);
+    struct progress progress = progress_start("parts of the engine", 6);
     progress_tick(&progress);
     in_cache(e);
+    progress_tick(&progress);
+    each_width(e);
     progress_tick(&progress);
     out_of_cache(e, bandwidth);
     progress_tick(&progress);

@@ -12,6 +12,7 @@ void bench_json_machine(struct json *j) {
     json_object(j, "machine");
     json_text(j, "processor", m.processor);
     json_whole(j, "cores", m.cores);
+    json_whole(j, "lanes", m.lanes);
     json_text(j, "compiler", m.compiler);
     json_text(j, "flags", m.flags);
     json_whole(j, "runs", BENCH_RUNS);

@@ -1,6 +1,8 @@
 /* The header of a benchmark: processor from /proc/cpuinfo where there is one; the flags come from the Makefile. */
 #include "verification/bench/machine.h"
 
+#include "solver/options.h"
+
 #include <omp.h>
 #include <stdio.h>
 #include <string.h>
@@ -31,6 +33,8 @@ struct bench_machine bench_machine_here(void) {
 #else
     m.compiler = "gcc " __VERSION__;
 #endif
+    struct failure ignored; /* a width that the machine lacks was refused when the command line was read */
+    if (options_lanes_forced(&m.lanes, &ignored) || m.lanes == 0) m.lanes = options_lanes_most();
     name_processor(m.processor, sizeof m.processor);
     return m;
 }

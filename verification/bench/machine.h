@@ -6,6 +6,7 @@
 struct bench_machine {
     char processor[120]; /* as the system names it; "unknown" where it does not */
     int cores;           /* that this process may use */
+    int lanes;           /* doubles in the vectors of the lattice's sweeps */
     const char *compiler, *flags;
 };
 

@@ -13,9 +13,10 @@
 void bench_print_machine(FILE *out) {
     struct bench_machine m = bench_machine_here();
     fprintf(out,
-            "processor  %s, %d cores\ncompiler   %s\nflags      %s\ntimes      median of %d runs after one to warm "
+            "processor  %s, %d cores, vectors of %d (HEATLADDER_LANES=2, 4 or 8 forces a width)\ncompiler   "
+            "%s\nflags      %s\ntimes      median of %d runs after one to warm "
             "up\n\n",
-            m.processor, m.cores, m.compiler, m.flags, BENCH_RUNS);
+            m.processor, m.cores, m.lanes, m.compiler, m.flags, BENCH_RUNS);
 }
 
 void bench_print_engine(const struct bench_engine *e, FILE *out) {

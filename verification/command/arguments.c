@@ -186,6 +186,7 @@ int arguments_parse(int argc, char *const *argv, struct request *r, struct failu
     *why = (struct failure){0};
     struct word words[LINE_WORDS];
     int options = 0, positionals = 0;
+    if (options_lanes_forced(&r->experiment.options.lanes, why)) return why->status;
     if (argc < 1) return refuse(why, STATUS_INPUT, "a verb is missing (see: heatladder --help)");
     r->verb = verb_find(argv[0]);
     if (!r->verb) return unknown_verb(argv[0], why);

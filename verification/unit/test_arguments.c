@@ -8,6 +8,8 @@
 
 #include "verification/unit/near.h"
 
+#include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
 
 static void a_run_is_read(void **state) {
@@ -159,6 +161,33 @@ static void every_refusal_says_what_is_valid(void **state) {
     }
 }
 
+static void the_width_of_vectors_comes_from_the_environment(void **state) {
+    (void)state;
+    static const char *const wrong[] = {"3", "0", "16", "4x", " 4", "-2", "wide"};
+    struct request r;
+    struct failure why;
+    char word[8];
+    for (int lanes = 2; lanes <= 8; lanes *= 2) {
+        snprintf(word, sizeof word, "%d", lanes);
+        setenv("HEATLADDER_LANES", word, 1);
+        int status = arguments_parse_line("run rod-step ftcs --dx 4/42", &r, &why);
+        assert_int_equal(status, lanes <= options_lanes_most() ? STATUS_OK : STATUS_INPUT);
+        if (!status) assert_int_equal(r.experiment.options.lanes, lanes);
+        arguments_free(&r);
+    }
+    for (size_t i = 0; i < sizeof wrong / sizeof *wrong; i++) {
+        setenv("HEATLADDER_LANES", wrong[i], 1);
+        assert_int_equal(arguments_parse_line("run rod-step ftcs --dx 4/42", &r, &why), STATUS_INPUT);
+        assert_non_null(strstr(why.text, wrong[i]));
+        assert_non_null(strstr(why.text, "vectors of 2"));
+        arguments_free(&r);
+    }
+    unsetenv("HEATLADDER_LANES");
+    assert_int_equal(arguments_parse_line("run rod-step ftcs --dx 4/42", &r, &why), STATUS_OK);
+    assert_int_equal(r.experiment.options.lanes, 0);
+    arguments_free(&r);
+}
+
 /* A name in a verb's lists that no option has would make it unreachable without a word. */
 static void the_tables_agree(void **state) {
     (void)state;
@@ -184,7 +213,7 @@ int main(void) {
         cmocka_unit_test(a_run_is_read),        cmocka_unit_test(options_may_come_first),
         cmocka_unit_test(quotes_hold_blanks),   cmocka_unit_test(a_choice_is_set_by_its_word),
         cmocka_unit_test(lists_become_ladders), cmocka_unit_test(every_refusal_says_what_is_valid),
-        cmocka_unit_test(the_tables_agree),
+        cmocka_unit_test(the_tables_agree),     cmocka_unit_test(the_width_of_vectors_comes_from_the_environment),
     };
     return cmocka_run_group_tests_name("arguments", tests, NULL, NULL);
 }

@@ -196,26 +196,22 @@ static void threads_change_no_bit(void **state) {
 
 static void the_width_of_vectors_changes_no_bit(void **state) {
     (void)state;
-    struct made two, four, eight;
-    struct options o = {.dx = 0.05, .h = 1.05};
-    make(&two, odd_rectangle(), o, &method_so_ssph, 0);
-    make(&four, odd_rectangle(), o, &method_so_ssph, 0);
-    make(&eight, odd_rectangle(), o, &method_so_ssph, 0);
-    int rows = two.a.lattice.n[1];
-    sweep_band_2(&two.a, 4, &two.u[4], two.Y[1], two.Y[0], 0, rows);
-#if defined(__x86_64__)
-    if (__builtin_cpu_supports("avx2")) {
-        sweep_band_4(&four.a, 4, &four.u[4], four.Y[1], four.Y[0], 0, rows);
-        assert_same_bits(&four, &two);
-    }
-    if (__builtin_cpu_supports("avx512f")) {
-        sweep_band_8(&eight.a, 4, &eight.u[4], eight.Y[1], eight.Y[0], 0, rows);
-        assert_same_bits(&eight, &two);
-    }
-#endif
-    made_free(&two);
-    made_free(&four);
-    made_free(&eight);
+    for (size_t k = 0; k < sizeof widths / sizeof *widths; k++)
+        for (int plain = 0; plain < 2; plain++) {
+            struct made two;
+            struct options o = {.dx = 0.05, .h = widths[k], .lanes = 2};
+            make(&two, odd_rectangle(), o, &method_so_ssph, plain);
+            state_update(&two.a, two.u, UPDATES, two.Y);
+            for (o.lanes = 4; o.lanes <= options_lanes_most(); o.lanes *= 2) {
+                struct made wide;
+                make(&wide, odd_rectangle(), o, &method_so_ssph, plain);
+                assert_int_equal(wide.a.lanes, o.lanes);
+                state_update(&wide.a, wide.u, UPDATES, wide.Y);
+                assert_same_bits(&wide, &two);
+                made_free(&wide);
+            }
+            made_free(&two);
+        }
 }
 
 int main(void) {
