@@ -7,11 +7,10 @@
 #include "reports/song/song.h"
 #include "solver/method.h"
 #include "verification/command/request.h"
-#include "verification/text/atomic_file.h"
+#include "verification/text/output.h"
 
 #include <omp.h>
 #include <stdio.h>
-#include <sys/stat.h>
 
 /* The parts of the report, in the order that they are made. */
 static const struct {
@@ -24,11 +23,7 @@ static const struct {
 };
 
 static int write_parts(const char *dir, struct failure *why) {
-    char probe[1024];
-    mkdir(dir, 0777); /* where it is there already, or cannot be made, the next line tells */
-    if ((size_t)snprintf(probe, sizeof probe, "%s/song_table1.csv", dir) >= sizeof probe)
-        return refuse(why, STATUS_INPUT, "the path '%.100s...' is too long", dir);
-    if (atomic_file_check(probe, why)) return why->status;
+    if (output_directory(dir, "song_table1.csv", why)) return why->status;
     for (size_t i = 0; i < sizeof parts / sizeof *parts; i++) {
         double start = omp_get_wtime();
         if (parts[i].write(dir, why)) return why->status;

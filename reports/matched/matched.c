@@ -8,7 +8,9 @@
 
 #include "solver/time/matched.h"
 #include "verification/stability/step_limit.h"
-#include "reports/page/report.h"
+#include "reports/page/figure.h"
+#include "verification/command/command_run.h"
+#include "verification/text/output.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -30,32 +32,32 @@ static int write_curve(const struct curve *c, FILE *out, struct failure *why) {
     fprintf(out, "\n\n# %s\n# heatladder run square-step so_ssph --domain whole %s --dx ...\npairs,%s,dx [m],steps\n",
             c->name, c->options, c->name);
     for (int i = 0; c->dx[i]; i++) {
-        struct report_run run;
-        report_start(&run, "run square-step so_ssph --domain whole %s --dx %s", c->options, c->dx[i]);
-        report_solve(&run);
-        int status = report_check(&run, why);
+        struct command_run run;
+        command_run_line(&run, "run square-step so_ssph --domain whole %s --dx %s", c->options, c->dx[i]);
+        int status = command_run_check(&run, why);
         const struct result *r = &run.result;
         if (!status)
             fprintf(out, "%lld,%.6e,%g,%lld\n", r->interactions, r->error.l1, run.request.experiment.options.dx,
                     r->steps);
-        report_free(&run);
+        command_run_free(&run);
         if (status) return status;
     }
     return STATUS_OK;
 }
 
 static int write_work(const char *dir, struct failure *why) {
-    struct report_page page;
-    if (report_open(&page, why)) return why->status;
-    report_head(page.out, "square-step: error against work, as published and matched");
+    struct output page;
+    if (output_open(&page, why, "%s/matched_fig1.csv", dir)) return why->status;
+    figure_head(page.out, "square-step: error against work, as published and matched");
     fprintf(page.out,
             "# command: heatladder run square-step so_ssph --dx 0.1 --stepper euler --dt 0.001\n"
             "# command: heatladder run square-step so_ssph --dx 0.1 --stepper matched --h iso --sampling spline\n");
     int status = STATUS_OK;
     for (size_t i = 0; i < sizeof curves / sizeof *curves && !status; i++)
         status = write_curve(&curves[i], page.out, why);
-    int closed = report_close(&page, dir, "matched_fig1", ".csv", why);
-    return status ? status : closed;
+    if (!status) return output_close(&page, 1, why);
+    output_drop(&page, 1);
+    return status;
 }
 
 static const struct method *so_ssph(void) {
@@ -83,10 +85,10 @@ static int write_ratio(const struct method *m, enum kernel_name kernel, double h
 
 static int write_symbol(const char *dir, struct failure *why) {
     const struct method *m = so_ssph();
-    struct report_page page;
+    struct output page;
     int status = STATUS_OK;
-    if (report_open(&page, why)) return why->status;
-    report_head(page.out, "SO-SSPH in the plane: the symbol's error and the steps, over h/dx");
+    if (output_open(&page, why, "%s/matched_fig2.csv", dir)) return why->status;
+    figure_head(page.out, "SO-SSPH in the plane: the symbol's error and the steps, over h/dx");
     fprintf(page.out,
             "# command: heatladder run square-step so_ssph --dx 0.1 --stepper matched --h iso --sampling spline\n");
     for (int k = 0; kernel_words[k] && !status; k++) {
@@ -98,8 +100,9 @@ static int write_symbol(const char *dir, struct failure *why) {
         if (!status) fprintf(page.out, "\n\n# %s isotropic\nh/dx,A,B/2,F = 2 A,limit\n", kernel_words[k]);
         if (!status) status = write_ratio(m, o.kernel, iso, page.out, why);
     }
-    int closed = report_close(&page, dir, "matched_fig2", ".csv", why);
-    return status ? status : closed;
+    if (!status) return output_close(&page, 1, why);
+    output_drop(&page, 1);
+    return status;
 }
 
 int matched_write(const char *dir, struct failure *why) {

@@ -2,9 +2,11 @@
 #include "reports/page/compare.h"
 
 #include "references/scene.h"
-#include "reports/page/report.h"
-#include "reports/page/published.h"
+#include "reports/page/figure.h"
+#include "verification/command/command_run.h"
 #include "verification/ladder/slope.h"
+#include "verification/text/output.h"
+#include "verification/claims/published.h"
 
 #include <math.h>
 #include <omp.h>
@@ -36,18 +38,34 @@ static struct cell *cell_of(const struct work *w, int choice, int method, int co
     return &w->cell[(choice * w->t.rows + method) * w->t.columns + column];
 }
 
+/* E1 (Song eq. 46) against the solution as the source prints it, or `exact` where the two are one; that solution
+ * rounded to so many decimals, 0 for none. */
+static double error_as_printed(const struct command_run *run, int decimals) {
+    const struct experiment *e = &run->request.experiment;
+    const struct field *f = &run->field;
+    double apart = 0, whole = 0, unit = pow(10, -decimals);
+    for (size_t i = 0; i < f->n; i++) {
+        double x[2] = {f->x[i], f->y ? f->y[i] : 0}, w = f->weight ? f->weight[i] : 1;
+        double T =
+            e->scene->published ? e->scene->published(&e->problem, x, f->time) : command_run_exact(run, x, f->time);
+        if (decimals) T = unit * round(T / unit);
+        apart += w * fabs(f->T[i] - T);
+        whole += w * fabs(T);
+    }
+    return apart / whole;
+}
+
 /* The cases first .. last - 1, in parallel, the finest of all methods before the coarser. */
 static int run_cases(struct work *w, int first, int last, struct failure *why) {
     int status = STATUS_OK, each = w->t.rows * w->t.columns;
 #pragma omp parallel for schedule(dynamic, 1)
     for (int i = first * each; i < last * each; i++) {
         int choice = i / each, column = i % each / w->t.rows, method = i % w->t.rows;
-        struct report_run run;
+        struct command_run run;
         struct failure own;
-        report_start(&run, "run %s %s --dx %s %s", w->c->scene, w->t.method[method], w->t.where[column],
-                     w->c->choice[choice].options);
-        report_solve(&run);
-        if (report_check(&run, &own)) {
+        command_run_line(&run, "run %s %s --dx %s %s", w->c->scene, w->t.method[method], w->t.where[column],
+                         w->c->choice[choice].options);
+        if (command_run_check(&run, &own)) {
 #pragma omp critical(report_compare)
             {
                 *why = own;
@@ -55,9 +73,9 @@ static int run_cases(struct work *w, int first, int last, struct failure *why) {
             }
         } else {
             *cell_of(w, choice, method, column) =
-                (struct cell){report_error_as_printed(&run, w->c->choice[choice].decimals), run.result.error.l1};
+                (struct cell){error_as_printed(&run, w->c->choice[choice].decimals), run.result.error.l1};
         }
-        report_free(&run);
+        command_run_free(&run);
     }
     return status;
 }
@@ -69,7 +87,7 @@ static void write_ladder(const struct work *w, int choice, int method, FILE *out
 }
 
 static void write_csv(const struct work *w, FILE *out) {
-    report_head(out, w->c->table_title);
+    figure_head(out, w->c->table_title);
     for (int m = 0; m < w->t.rows; m++) {
         fprintf(out, "# command: ");
         write_ladder(w, 0, m, out);
@@ -88,7 +106,7 @@ static void write_csv(const struct work *w, FILE *out) {
 
 /* Through all dx; coarsest first, as slope.h wants it. */
 static struct slope fit(const struct work *w, int method, int published) {
-    double x[REPORT_PUBLISHED_COLUMNS], e[REPORT_PUBLISHED_COLUMNS];
+    double x[PUBLISHED_COLUMNS], e[PUBLISHED_COLUMNS];
     int n = w->t.columns;
     for (int i = 0; i < n; i++) {
         x[n - 1 - i] = atof(w->t.where[i]);
@@ -183,7 +201,7 @@ static struct triangle triangle_of(const struct work *w, int m) {
 
 /* One for each order, below the last method that has it. */
 static void write_triangles(const struct work *w, FILE *out) {
-    struct triangle t[REPORT_PUBLISHED_ROWS];
+    struct triangle t[PUBLISHED_ROWS];
     int n = 0;
     for (int m = 0; m < w->t.rows; m++) {
         n += m == 0 || triangle_of(w, m).order != t[n - 1].order;
@@ -199,7 +217,7 @@ static void write_triangles(const struct work *w, FILE *out) {
 }
 
 static void write_figure(const struct work *w, FILE *out) {
-    report_head(out, w->c->figure_title);
+    figure_head(out, w->c->figure_title);
     for (int m = 0; m < w->t.rows; m++) {
         fprintf(out, "# command: ");
         write_ladder(w, 0, m, out);
@@ -213,15 +231,17 @@ static void write_figure(const struct work *w, FILE *out) {
 }
 
 static int write_pages(const struct work *w, const char *dir, struct failure *why) {
-    struct report_page csv, markdown, figure;
-    if (report_open(&csv, why) || report_open(&markdown, why) || report_open(&figure, why)) return why->status;
-    write_csv(w, csv.out);
-    write_markdown(w, markdown.out);
-    write_figure(w, figure.out);
-    int bad = report_close(&csv, dir, w->c->table, ".csv", why);
-    bad += report_close(&markdown, dir, w->c->table, ".md", why);
-    bad += report_close(&figure, dir, w->c->figure, ".csv", why);
-    return bad ? why->status : STATUS_OK;
+    struct output page[3] = {0};
+    if (output_open(&page[0], why, "%s/%s.csv", dir, w->c->table) ||
+        output_open(&page[1], why, "%s/%s.md", dir, w->c->table) ||
+        output_open(&page[2], why, "%s/%s.csv", dir, w->c->figure)) {
+        output_drop(page, 3);
+        return why->status;
+    }
+    write_csv(w, page[0].out);
+    write_markdown(w, page[1].out);
+    write_figure(w, page[2].out);
+    return output_close(page, 3, why);
 }
 
 int compare_write(const struct compare *c, const char *dir, struct failure *why) {

@@ -2,8 +2,9 @@
 #include "reports/page/figure.h"
 
 #include "references/scene.h"
-#include "reports/page/report.h"
 #include "reports/page/isotherm.h"
+#include "verification/command/command_run.h"
+#include "verification/text/output.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -11,21 +12,25 @@
 
 enum { SERIES_MAX = 8, FINE = 800, REFINE = 4 };
 
+void figure_head(FILE *out, const char *title) {
+    fprintf(out, "# title: %s\n# made by: heatladder report DIR\n", title);
+}
+
 static void head(FILE *out, const char *name, const char *command, const char *columns) {
     fprintf(out, "\n\n# %s\n# heatladder %s\n%s\n", name, command, columns);
 }
 
-static double initial(const struct report_run *run, size_t i) {
+static double initial(const struct command_run *run, size_t i) {
     double x[2] = {run->field.x[i], run->field.y ? run->field.y[i] : 0};
     return run->request.experiment.problem.initial(&run->request.experiment.problem, x);
 }
 
-static void write_rod(const struct report_run *run, int start, FILE *out) {
+static void write_rod(const struct command_run *run, int start, FILE *out) {
     const struct field *f = &run->field;
     for (size_t i = 0; i < f->n; i++) fprintf(out, "%.9g,%.9g\n", f->x[i], start ? initial(run, i) : f->T[i]);
 }
 
-static void write_rows(const struct report_run *run, FILE *out) {
+static void write_rows(const struct command_run *run, FILE *out) {
     const struct field *f = &run->field;
     for (size_t i = 0; i < f->n; i++) {
         fprintf(out, "%.9g,%.9g,%.9g\n", f->x[i], f->y[i], initial(run, i));
@@ -34,7 +39,7 @@ static void write_rows(const struct report_run *run, FILE *out) {
 }
 
 /* The row of particles nearest to y = at. */
-static void write_cut(const struct report_run *run, double at, FILE *out) {
+static void write_cut(const struct command_run *run, double at, FILE *out) {
     const struct field *f = &run->field;
     size_t nearest = 0;
     for (size_t i = 1; i < f->n; i++)
@@ -43,13 +48,13 @@ static void write_cut(const struct report_run *run, double at, FILE *out) {
         if (fabs(f->y[i] - f->y[nearest]) < f->spacing[1] / 2) fprintf(out, "%.9g,%.9g\n", f->x[i], f->T[i]);
 }
 
-static void write_exact(const struct report_run *run, FILE *out) {
+static void write_exact(const struct command_run *run, FILE *out) {
     const struct request *r = &run->request;
     const struct problem *p = &r->experiment.problem;
     double x[2] = {0, r->at.count == 2 ? r->at.value[1] : 0};
     for (int i = 0; i <= FINE; i++) {
         x[0] = p->lo[0] + (p->hi[0] - p->lo[0]) * i / FINE;
-        fprintf(out, "%.9g,%.9g\n", x[0], r->experiment.scene->exact(p, x, r->time).temperature);
+        fprintf(out, "%.9g,%.9g\n", x[0], command_run_exact(run, x, r->time));
     }
 }
 
@@ -76,7 +81,7 @@ static void trace(const struct figure *figure, const struct isotherm_grid *g, co
 }
 
 /* Between the outermost particles; both by the same lines, the exact one from values on the refined lattice. */
-static void write_isotherms(const struct figure *figure, const struct figure_series *s, const struct report_run *run,
+static void write_isotherms(const struct figure *figure, const struct figure_series *s, const struct command_run *run,
                             FILE *out) {
     const struct field *f = &run->field;
     struct isotherm_grid g = {{f->shape[0], f->shape[1]}, {f->x[0], f->y[0]}, {f->spacing[0], f->spacing[1]}, f->T};
@@ -85,13 +90,13 @@ static void write_isotherms(const struct figure *figure, const struct figure_ser
     for (int j = 0; j < fine.n[1]; j++)
         for (int i = 0; i < fine.n[0]; i++) {
             double x[2] = {fine.lo[0] + i * fine.d[0], fine.lo[1] + j * fine.d[1]};
-            fine.T[j * fine.n[0] + i] = report_exact(run, x);
+            fine.T[j * fine.n[0] + i] = command_run_exact(run, x, f->time);
         }
     trace(figure, &fine, s, "exact", 1, out);
     free(fine.T);
 }
 
-static void write_series(const struct figure *figure, const struct figure_series *s, const struct report_run *run,
+static void write_series(const struct figure *figure, const struct figure_series *s, const struct command_run *run,
                          FILE *out) {
     int rod = run->request.experiment.problem.dim == 1;
     if (s->part == REPORT_FIGURE_ISOTHERMS) {
@@ -111,7 +116,7 @@ static void write_series(const struct figure *figure, const struct figure_series
 }
 
 static void write_head(const struct figure *figure, int n, FILE *out) {
-    report_head(out, figure->title);
+    figure_head(out, figure->title);
     for (int i = 0; i < n; i++) {
         const struct figure_series *s = &figure->series[i];
         int again = 0;
@@ -121,30 +126,29 @@ static void write_head(const struct figure *figure, int n, FILE *out) {
 }
 
 int figure_write(const struct figure *figure, const char *dir, struct failure *why) {
-    struct report_run *run = xcalloc(SERIES_MAX, sizeof *run);
+    struct command_run *run = xcalloc(SERIES_MAX, sizeof *run);
     char *text[SERIES_MAX] = {0};
-    struct report_page page;
+    struct output page;
     int n = 0, status = STATUS_OK;
     while (n < SERIES_MAX && figure->series[n].name) n++;
 #pragma omp parallel for schedule(dynamic, 1)
     for (int i = 0; i < n; i++) {
         size_t size;
         FILE *out = open_memstream(&text[i], &size);
-        report_start(&run[i], "%s", figure->series[i].command);
-        report_solve(&run[i]);
+        command_run_line(&run[i], "%s", figure->series[i].command);
         if (out && !run[i].result.failure.status) write_series(figure, &figure->series[i], &run[i], out);
         if (out) fclose(out);
     }
-    for (int i = 0; i < n && !status; i++) status = report_check(&run[i], why);
-    if (!status) status = report_open(&page, why);
+    for (int i = 0; i < n && !status; i++) status = command_run_check(&run[i], why);
+    if (!status) status = output_open(&page, why, "%s/%s.csv", dir, figure->name);
     if (!status) {
         write_head(figure, n, page.out);
         for (int i = 0; i < n; i++) fputs(text[i] ? text[i] : "", page.out);
-        status = report_close(&page, dir, figure->name, ".csv", why);
+        status = output_close(&page, 1, why);
     }
     for (int i = 0; i < n; i++) {
         free(text[i]);
-        report_free(&run[i]);
+        command_run_free(&run[i]);
     }
     free(run);
     return status;

@@ -7,6 +7,8 @@
  *     # heatladder ...
  *     header, rows, two blank lines        (gnuplot: plot FILE index "NAME") */
 
+#include <stdio.h>
+
 struct failure;
 
 enum figure_part {
@@ -30,6 +32,9 @@ struct figure {
     const struct figure_series *series; /* at most 8 */
     double level[3];                    /* K: first isotherm, step, last */
 };
+
+/* The first lines of a data file: its title, and how to make it again.  "# command: ..." lines may follow. */
+void figure_head(FILE *out, const char *title);
 
 int figure_write(const struct figure *figure, const char *dir, struct failure *why);
 

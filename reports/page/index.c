@@ -7,7 +7,7 @@
 #include "solver/status.h"
 #include "verification/page/html.h"
 #include "verification/page/markdown.h"
-#include "verification/text/atomic_file.h"
+#include "verification/text/output.h"
 
 #include <stdlib.h>
 #include <string.h>
@@ -176,24 +176,19 @@ static void write_summary(const struct gates_file *g, FILE *out) {
 }
 
 int index_write(const char *dir, struct failure *why) {
-    char path[3][1200];
-    static const char *const name[3] = {"gates.json", "index.html", "summary.md"};
-    char *text[2] = {NULL, NULL};
-    size_t size[2] = {0, 0};
+    char path[1200];
+    struct output page[2] = {0};
     struct gates_file g = {0};
-    for (int i = 0; i < 3; i++)
-        if ((size_t)snprintf(path[i], sizeof path[i], "%s/%s", dir, name[i]) >= sizeof path[i])
-            return refuse(why, STATUS_INPUT, "the path '%.100s...' is too long", dir);
-    gates_file_read(path[0], &g);
-    FILE *page = open_memstream(&text[0], &size[0]), *summary = open_memstream(&text[1], &size[1]);
-    int status = page && summary ? STATUS_OK : refuse(why, STATUS_NUMERICAL, "out of memory for the page");
-    if (!status) write_page(dir, &g, page), write_summary(&g, summary);
-    if (page) fclose(page);
-    if (summary) fclose(summary);
-    const struct atomic_file files[] = {{path[1], text[0], size[0]}, {path[2], text[1], size[1]}};
-    if (!status) status = atomic_file_write_all(files, 2, why);
-    free(text[0]);
-    free(text[1]);
+    int status = output_open(&page[0], why, "%s/index.html", dir);
+    if (!status) status = output_open(&page[1], why, "%s/summary.md", dir);
+    if (!status) {
+        snprintf(path, sizeof path, "%s/gates.json", dir);
+        gates_file_read(path, &g);
+        write_page(dir, &g, page[0].out);
+        write_summary(&g, page[1].out);
+        status = output_close(page, 2, why);
+    }
+    output_drop(page, 2);
     gates_file_free(&g);
     return status;
 }

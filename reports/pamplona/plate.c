@@ -9,8 +9,10 @@
 #include "reports/pamplona/plate.h"
 
 #include "references/scene.h"
-#include "reports/page/report.h"
-#include "reports/page/published.h"
+#include "reports/page/figure.h"
+#include "verification/command/command_run.h"
+#include "verification/text/output.h"
+#include "verification/claims/published.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -26,13 +28,12 @@ static const char *const definitions[REPORT_PLATE_ERRORS] = {
     "max abs(e) over 1 K",
 };
 
-void pamplona_plate_errors(const struct report_run *run, double t, double error[REPORT_PLATE_ERRORS]) {
-    const struct experiment *of = &run->request.experiment;
+void pamplona_plate_errors(const struct command_run *run, double t, double error[REPORT_PLATE_ERRORS]) {
     const struct field *f = &run->field;
     double relative = 0, e1 = 0, e2 = 0, T1 = 0, T2 = 0, most = 0, n = (double)f->n;
     double all = (f->shape[0] + 4.0) * (f->shape[1] + 4.0); /* two layers of ghosts on each side */
     for (size_t i = 0; i < f->n; i++) {
-        double x[2] = {f->x[i], f->y[i]}, T = of->scene->exact(&of->problem, x, t).temperature, e = fabs(f->T[i] - T);
+        double x[2] = {f->x[i], f->y[i]}, T = command_run_exact(run, x, t), e = fabs(f->T[i] - T);
         relative += e / T;
         e1 += e;
         e2 += e * e;
@@ -71,11 +72,10 @@ static int run_all(struct results *s, struct failure *why) {
     for (int i = 0; i < LEADS * METHODS * TIMES; i++) {
         int l = i / (METHODS * TIMES), m = i / TIMES % METHODS, k = i % TIMES;
         double t = atof(s->t.where[k]);
-        struct report_run run;
+        struct command_run run;
         struct failure own;
-        report_start(&run, "run plate %s %s --t-end %.10g", rows[m].method, rows[m].options, lead[l].factor * t);
-        report_solve(&run);
-        if (report_check(&run, &own)) {
+        command_run_line(&run, "run plate %s %s --t-end %.10g", rows[m].method, rows[m].options, lead[l].factor * t);
+        if (command_run_check(&run, &own)) {
 #pragma omp critical(report_plate)
             {
                 *why = own;
@@ -84,7 +84,7 @@ static int run_all(struct results *s, struct failure *why) {
         } else {
             pamplona_plate_errors(&run, t, s->error[l][m][k]);
         }
-        report_free(&run);
+        command_run_free(&run);
     }
     return status;
 }
@@ -106,7 +106,7 @@ static int nearest(const struct results *s, int l) {
 }
 
 static void write_csv(const struct results *s, FILE *out) {
-    report_head(out, "Pamplona 2019, Table 1: average error on the plate, %");
+    figure_head(out, "Pamplona 2019, Table 1: average error on the plate, %");
     for (int m = 0; m < METHODS; m++)
         fprintf(out, "# command: heatladder run plate %s %s --t-end T\n", rows[m].method, rows[m].options);
     fprintf(out, "geometry,definition,method,t,published,measured,ratio\n");
@@ -166,19 +166,19 @@ static void write_markdown(const struct results *s, FILE *out) {
 
 int pamplona_plate_write(const char *dir, struct failure *why) {
     struct results *s = xcalloc(1, sizeof *s);
-    struct report_page csv, markdown;
+    struct output page[2] = {0};
     int status = published_read(&s->t, "pamplona_table1", why);
     if (!status && (s->t.rows != METHODS || s->t.columns < TIMES))
         status = refuse(why, STATUS_INPUT, "pamplona_table1.csv: wants %d methods at %d times", METHODS, TIMES);
     if (!status) status = run_all(s, why);
-    if (!status && (report_open(&csv, why) || report_open(&markdown, why))) status = why->status;
+    if (!status) status = output_open(&page[0], why, "%s/pamplona_table1.csv", dir);
+    if (!status) status = output_open(&page[1], why, "%s/pamplona_table1.md", dir);
     if (!status) {
-        write_csv(s, csv.out);
-        write_markdown(s, markdown.out);
-        int bad = report_close(&csv, dir, "pamplona_table1", ".csv", why);
-        bad += report_close(&markdown, dir, "pamplona_table1", ".md", why);
-        status = bad ? why->status : STATUS_OK;
+        write_csv(s, page[0].out);
+        write_markdown(s, page[1].out);
+        status = output_close(page, 2, why);
     }
+    output_drop(page, 2);
     free(s);
     return status;
 }

@@ -15,7 +15,9 @@
 
 #include "solver/space/kernel.h"
 #include "solver/method.h"
-#include "reports/page/report.h"
+#include "reports/page/figure.h"
+#include "verification/command/command_run.h"
+#include "verification/text/output.h"
 #include "reports/pamplona/plate.h"
 
 #include <gsl/gsl_fit.h>
@@ -59,21 +61,20 @@ struct best {
 };
 
 static double try_xi(double xi, struct best *b) {
-    struct report_run run;
+    struct command_run run;
     double error[REPORT_PLATE_ERRORS] = {NAN}, h = h_of(b->n);
-    report_start(&run,
-                 "run plate brookshaw --kernel quartic --h 1.2 --volume tuned --xi %.17g --walls fixed --dx %.17g "
-                 "--stepper rk2 --set material=%s --t-end %.17g",
-                 xi, SIDE / b->n, material[b->m], b->t);
-    const struct material *of = &run.request.experiment.problem.material[0];
-    run.request.experiment.options.dt = b->beta * of->rho_c * h * h / of->k[0];
-    report_solve(&run);
-    if (!report_check(&run, &b->failure)) {
+    double alpha[3] = {60.5 / (7854 * 434.), 21.9 / (4500 * 522.), 30.7 / (6100 * 489.)};
+    command_run_line(
+        &run,
+        "run plate brookshaw --kernel quartic --h 1.2 --volume tuned --xi %.17g --walls fixed --dx %.17g "
+        "--stepper rk2 --dt %.17g --set material=%s --t-end %.17g",
+        xi, SIDE / b->n, b->beta * h * h / alpha[b->m], material[b->m], b->t);
+    if (!command_run_check(&run, &b->failure)) {
         pamplona_plate_errors(&run, b->t, error);
         b->work = run.result.interactions;
         b->seconds = run.result.seconds;
     }
-    report_free(&run);
+    command_run_free(&run);
     return error[REPORT_PLATE_MEAN_RELATIVE];
 }
 
@@ -96,7 +97,7 @@ static void find_best(struct best *b) {
 }
 
 static void head(FILE *out, const char *title) {
-    report_head(out, title);
+    figure_head(out, title);
     fprintf(out,
             "# command: heatladder run plate brookshaw --kernel quartic --h 1.2 --volume tuned --xi XI --walls fixed "
             "--dx 0.1/N --stepper rk2 --dt DT --set material=M\n");
@@ -264,11 +265,11 @@ int pamplona_xi_write(const char *dir, struct failure *why) {
         if (status) *why = *failure;
     }
     for (size_t i = 0; i < sizeof pages / sizeof *pages && !status; i++) {
-        struct report_page page;
-        status = report_open(&page, why);
+        struct output page;
+        status = output_open(&page, why, "%s/%s%s", dir, pages[i].name, pages[i].ending);
         if (status) break;
         pages[i].write((const struct best(*)[MATERIALS])b, page.out);
-        status = report_close(&page, dir, pages[i].name, pages[i].ending, why);
+        status = output_close(&page, 1, why);
     }
     free(b);
     return status;

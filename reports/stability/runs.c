@@ -2,7 +2,7 @@
 #include "reports/stability/stability.h"
 
 #include "verification/stability/step_limit.h"
-#include "reports/page/report.h"
+#include "verification/command/command_run.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -70,21 +70,20 @@ int stability_checkerboard_page(FILE *out, struct failure *why) {
     stability_head(out, "The jump of rod-step: what oscillates, and for how long",
                    "run rod-step fo_ssph --dx 4/80 --t-end 5");
     for (int i = 0; i < METHODS * PLACES; i++) {
-        struct report_run *run = xcalloc(TIMES, sizeof *run);
+        struct command_run *run = xcalloc(TIMES, sizeof *run);
         char name[60];
         int method = i / PLACES, status = STATUS_OK;
-        for (int k = 0; k < TIMES; k++)
-            report_start(&run[k], "run rod-step %s --dx %s --t-end %.6g%s", names[method], places[i % PLACES].dx,
-                         pow(10, -2 + 4.7 * k / (TIMES - 1)), method >= 2 ? " --fourier 0.2" : "");
 #pragma omp parallel for schedule(dynamic, 1)
-        for (int k = TIMES - 1; k >= 0; k--) report_solve(&run[k]);
+        for (int k = TIMES - 1; k >= 0; k--)
+            command_run_line(&run[k], "run rod-step %s --dx %s --t-end %.6g%s", names[method], places[i % PLACES].dx,
+                             pow(10, -2 + 4.7 * k / (TIMES - 1)), method >= 2 ? " --fourier 0.2" : "");
         snprintf(name, sizeof name, "%s %s", names[method], places[i % PLACES].name);
         stability_block(out, name, "t_s,checkerboard_K,undershoot_K,total_variation_K");
         for (int k = 0; k < TIMES; k++) {
             const struct norms_shape *s = &run[k].result.shape;
-            if (!status) status = report_check(&run[k], why);
+            if (!status) status = command_run_check(&run[k], why);
             fprintf(out, "%.6g,%.6g,%.6g,%.6g\n", run[k].result.t_end, s->checkerboard, s->undershoot, s->variation);
-            report_free(&run[k]);
+            command_run_free(&run[k]);
         }
         free(run);
         if (status) return status;

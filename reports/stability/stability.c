@@ -1,12 +1,10 @@
 /* The pages of stability, and what they share. */
 #include "reports/stability/stability.h"
 
-#include "reports/page/report.h"
+#include "verification/text/output.h"
 
-#include <errno.h>
 #include <omp.h>
 #include <string.h>
-#include <sys/stat.h>
 
 static const struct {
     const char *name; /* of the file, without .csv */
@@ -34,19 +32,15 @@ struct model_problem stability_probe(const char *method, int dim, enum kernel_na
 }
 
 int stability_write(const char *dir, struct failure *why) {
-    if (mkdir(dir, 0777) && errno != EEXIST) return refuse(why, STATUS_INPUT, "'%.200s': %s", dir, strerror(errno));
+    if (output_directory(dir, "stability_limits.csv", why)) return why->status;
     for (size_t i = 0; i < sizeof pages / sizeof *pages; i++) {
-        struct report_page page;
+        struct output page;
         double start = omp_get_wtime();
-        if (report_open(&page, why)) return why->status;
+        if (output_open(&page, why, "%s/%s.csv", dir, pages[i].name)) return why->status;
         int status = pages[i].write(page.out, why);
-        struct failure closing;
-        int closed = report_close(&page, dir, pages[i].name, ".csv", &closing);
+        if (!status) status = output_close(&page, 1, why);
+        output_drop(&page, 1);
         if (status) return status;
-        if (closed) {
-            *why = closing;
-            return closed;
-        }
         printf("%s/%s.csv (%.1f s)\n", dir, pages[i].name, omp_get_wtime() - start);
         fflush(stdout);
     }

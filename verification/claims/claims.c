@@ -117,6 +117,11 @@ int claims_hold(const struct claims *c) {
     return c->count > 0 && held == c->count;
 }
 
+void claims_published(const struct claims_result *r, char *text, size_t size) {
+    const char *numbers = r->measured.published;
+    snprintf(text, size, "%s%s%s", r->row->published, *numbers ? ": " : "", numbers);
+}
+
 void claims_numbers(const struct claims_measured *m, char *text, size_t size) {
     size_t used = 0;
     *text = '\0';

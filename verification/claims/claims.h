@@ -23,7 +23,8 @@ struct claims_measured {
     enum claims_verdict verdict;
     int count; /* numbers */
     struct claims_number number[CLAIMS_NUMBERS];
-    char reason[720]; /* how the numbers make the verdict; what the row adds; whether it changed */
+    char published[320]; /* where that is a table: its numbers; else "" */
+    char reason[720];    /* how the numbers make the verdict; what the row adds; whether it changed */
 };
 
 struct claims_measure {
@@ -70,6 +71,9 @@ void claims_judge(const struct claims_row *row, struct claims_measured *m);
 int claims_holds(const struct claims_row *row, const struct claims_measured *m);
 /* 1 where that is so for every row, and there is one. */
 int claims_hold(const struct claims *c);
+
+/* What was published: the row's words, and the numbers of the table that it speaks of. */
+void claims_published(const struct claims_result *r, char *text, size_t size);
 
 /* "name 1.234 unit; name ..." cut to size. */
 void claims_numbers(const struct claims_measured *m, char *text, size_t size);

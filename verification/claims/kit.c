@@ -3,7 +3,6 @@
 
 #include "verification/command/arguments.h"
 #include "verification/ladder/ladder.h"
-#include "verification/run/run.h"
 
 #include <ctype.h>
 #include <math.h>
@@ -47,23 +46,25 @@ int claims_kit_part(const char **rest, char *part, size_t size) {
     return 1;
 }
 
-int claims_kit_run(struct claims_kit_run *run, struct claims_measured *m, const char *command, ...) {
-    char line[400];
+int claims_kit_run(struct command_run *run, struct claims_measured *m, const char *command, ...) {
     va_list arguments;
-    struct failure *why = &run->result.failure;
-    *run = (struct claims_kit_run){0};
     va_start(arguments, command);
-    vsnprintf(line, sizeof line, command, arguments);
+    int status = command_run_list(run, command, arguments);
     va_end(arguments);
-    int status = arguments_parse_line(line, &run->request, why);
-    if (!status) status = run_experiment(&run->request.experiment, &run->result, &run->field);
-    if (status && m) claims_kit_fail(m, why->text);
+    if (status && m) claims_kit_fail(m, run->result.failure.text);
     return status;
 }
 
-void claims_kit_free(struct claims_kit_run *run) {
-    field_free(&run->field);
-    arguments_free(&run->request);
+int claims_kit_published(struct published *t, struct claims_measured *m, const char *name) {
+    struct failure why;
+    return published_read(t, name, &why) && claims_kit_fail(m, why.text);
+}
+
+void claims_kit_quote(struct claims_measured *m, const struct published *t, int row) {
+    size_t used = strlen(m->published), size = sizeof m->published;
+    for (int i = 0; i < t->columns && used < size; i++)
+        used += (size_t)snprintf(m->published + used, size - used, "%s%s%s%s", !used || i ? "" : "; ",
+                                 i ? ", " : t->method[row], i ? "" : " ", t->cell[row][i]);
 }
 
 int claims_kit_slope(struct slope *s, struct claims_measured *m, const char *command, ...) {

@@ -6,9 +6,9 @@
 
 #include "solver/space/operator.h"
 #include "verification/claims/claims.h"
-#include "verification/command/request.h"
-#include "verification/run/result.h"
+#include "verification/command/command_run.h"
 #include "verification/ladder/slope.h"
+#include "verification/claims/published.h"
 
 void claims_kit_number(struct claims_measured *m, double value, const char *unit, const char *name, ...)
     __attribute__((format(printf, 4, 5)));
@@ -23,17 +23,15 @@ int claims_kit_fail(struct claims_measured *m, const char *text);
 /* The next part of an argument, parts being set apart by '|', without blanks at its ends.  0 where there is none. */
 int claims_kit_part(const char **rest, char *part, size_t size);
 
-struct claims_kit_run {
-    struct request request;
-    struct result result;
-    struct field field;
-};
-
-/* Runs "run ...".  The status; with *m not NULL, one that is not STATUS_OK is its failure.  claims_kit_free in any
- * case. */
-int claims_kit_run(struct claims_kit_run *run, struct claims_measured *m, const char *command, ...)
+/* command_run_line; with *m not NULL, a failure is *m's.  command_run_free in any case. */
+int claims_kit_run(struct command_run *run, struct claims_measured *m, const char *command, ...)
     __attribute__((format(printf, 3, 4)));
-void claims_kit_free(struct claims_kit_run *run);
+
+/* reports/published/<name>.csv: 0, or 1 with *m failed. */
+int claims_kit_published(struct published *t, struct claims_measured *m, const char *name);
+
+/* Adds a row of the table to what the ledger says was published. */
+void claims_kit_quote(struct claims_measured *m, const struct published *t, int row);
 
 /* Order of E1 over "ladder ...".  0, or 1 with *m failed. */
 int claims_kit_slope(struct slope *s, struct claims_measured *m, const char *command, ...)

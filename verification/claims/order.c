@@ -37,75 +37,52 @@ static void take_order(const char *argument, struct claims_measured *m) {
                       order, BAND);
 }
 
-/* "METHOD dx:E dx:E ...": leaves the method's name in *part; how many pairs there are. */
-static int read_pairs(char *part, double *dx, double *E, const char **printed, int max) {
-    char *rest = part + strcspn(part, " "), *at = NULL;
-    int n = 0;
-    if (*rest) *rest++ = '\0';
-    for (char *word = strtok_r(rest, " ", &at); word && n < max; word = strtok_r(NULL, " ", &at)) {
-        char *colon = strchr(word, ':');
-        if (!colon) continue;
-        dx[n] = atof(word);
-        printed[n] = colon + 1;
-        E[n++] = atof(colon + 1);
-    }
-    return n;
-}
-
-enum { COLUMNS = 8 };
-
-/* "ORDER METHOD dx:E ... | ...": the slope of what is printed. */
+/* "ORDER TABLE METHOD | ...": the slope of what is printed (reports/published). */
 static void take_printed_order(const char *argument, struct claims_measured *m) {
-    char part[320];
-    double dx[COLUMNS], E[COLUMNS];
-    const char *printed[COLUMNS];
+    char part[80], name[40], method[24];
+    double order, dx[PUBLISHED_COLUMNS];
     int held = 1;
     while (claims_kit_part(&argument, part, sizeof part)) {
-        double order = atof(part);
-        char *method = part + strcspn(part, " ") + 1;
-        int n = read_pairs(method, dx, E, printed, COLUMNS);
-        double slope = slope_fit(dx, E, n).value;
-        claims_kit_number(m, slope, "", "slope of %s", method);
+        struct published t;
+        if (sscanf(part, "%lf %39s %23s", &order, name, method) != 3 || claims_kit_published(&t, m, name)) return;
+        int row = published_row(&t, method);
+        for (int i = 0; i < t.columns; i++) dx[i] = atof(t.where[i]);
+        double slope = row < 0 ? NAN : slope_fit(dx, t.value[row], t.columns).value;
+        claims_kit_number(m, slope, "", "slope of %s %s", name, method);
         held &= fabs(slope - order) <= BAND;
     }
     claims_kit_decide(m, held, 1, "slope of the printed numbers within %g of the printed order", BAND);
 }
 
-/* Units of the last printed digit between the printed number and the measured one. */
-static double units(const char *printed, double measured) {
-    char *end;
-    double value = strtod(printed, &end);
-    const char *point = strchr(printed, '.'), *power = strchr(printed, 'e');
-    double digits = point ? (double)((power ? power : end) - point - 1) : 0;
-    return fabs(measured - value) / pow(10, (power ? atof(power + 1) : 0) - digits);
-}
-
-/* "scene and options | METHOD dx:E ... | METHOD dx:E ..." */
+/* "TABLE | scene and options": every error of the table, run again. */
 static void take_table(const char *argument, struct claims_measured *m) {
-    char part[320], options[160];
-    double dx[COLUMNS], E[COLUMNS], worst = 1;
-    const char *printed[COLUMNS];
+    char name[40], options[160];
+    double worst = 1;
+    struct published t;
+    claims_kit_part(&argument, name, sizeof name);
     claims_kit_part(&argument, options, sizeof options);
-    const char *rest = strchr(options, ' ');
-    int scene = (int)(rest - options), cells = 0, held = 0;
-    while (claims_kit_part(&argument, part, sizeof part)) {
-        int n = read_pairs(part, dx, E, printed, COLUMNS);
-        for (int i = 0; i < n; i++, cells++) {
-            struct claims_kit_run run;
-            int bad = claims_kit_run(&run, m, "run %.*s %s%s --dx %.10g", scene, options, part, rest, dx[i]);
-            double measured = run.result.error.l1, ratio = measured / E[i];
-            claims_kit_free(&run);
+    if (claims_kit_published(&t, m, name)) return;
+    int scene = (int)strcspn(options, " "), held = 0;
+    for (int r = 0; r < t.rows; r++) claims_kit_quote(m, &t, r);
+    for (int r = 0; r < t.rows; r++)
+        for (int i = 0; i < t.columns; i++) {
+            struct command_run run;
+            int bad = claims_kit_run(&run, m, "run %.*s %s%s --dx %s", scene, options, t.method[r], options + scene,
+                                     t.where[i]);
+            double measured = run.result.error.l1, ratio = measured / t.value[r][i];
+            command_run_free(&run);
             if (bad) return;
-            int near = units(printed[i], measured) <= 1 || fabs(ratio - 1) <= 0.02;
-            if (!near) claims_kit_number(m, ratio, "", "measured over printed, %s at dx = %g", part, dx[i]);
-            if (!(units(printed[i], measured) <= 1) && !(fabs(ratio - 1) <= fabs(worst - 1))) worst = ratio;
+            int digits = fabs(published_units(t.cell[r][i], measured)) <= 1;
+            int near = digits || fabs(ratio - 1) <= 0.02;
+            if (!near)
+                claims_kit_number(m, ratio, "", "measured over printed, %s at dx = %s", t.method[r], t.where[i]);
+            if (!digits && !(fabs(ratio - 1) <= fabs(worst - 1))) worst = ratio;
             held += near;
         }
-    }
-    claims_kit_number(m, cells, "", "errors compared");
+    claims_kit_number(m, t.rows * t.columns, "", "errors compared");
     claims_kit_number(m, held, "", "within 2 %% or a unit of the last digit");
     claims_kit_number(m, worst, "", "worst ratio of those more than a unit of the last digit off");
-    claims_kit_decide(m, fabs(worst - 1) <= 0.10, held == cells,
+    claims_kit_decide(m, fabs(worst - 1) <= 0.10, held == t.rows * t.columns,
                       "every error within 2 %% or one unit of its last digit; within 10 %% leaves a choice open");
 }
 

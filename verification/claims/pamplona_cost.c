@@ -14,14 +14,14 @@ static void take_cheaper(const char *argument, struct claims_measured *m) {
     double pairs[2] = {0, 0}, seconds[2] = {INFINITY, INFINITY}, steps[2] = {1, 1};
     (void)argument;
     for (int i = 0; i < 6; i++) {
-        struct claims_kit_run run;
+        struct command_run run;
         int k = i % 2,
             bad = k ? claims_kit_run(&run, m, "run plate ftcs --dx 0.005 --walls fixed --dt 0.08169 --t-end 115.8822")
                     : claims_kit_run(&run, m, SPH, 0.005, 0.1623, 115.8822);
         pairs[k] = (double)run.result.interactions;
         steps[k] = (double)run.result.steps;
         seconds[k] = fmin(seconds[k], run.result.step_seconds);
-        claims_kit_free(&run);
+        command_run_free(&run);
         if (bad) return;
     }
     double equal = pairs[0] / steps[0] / (pairs[1] / steps[1]);
@@ -40,12 +40,12 @@ static void take_growth(const char *argument, struct claims_measured *m) {
     double h[SIZES], work[SIZES], exp_h[SIZES], rms[2] = {0, 0};
     (void)argument;
     for (int i = 0; i < SIZES; i++) {
-        struct claims_kit_run run;
+        struct command_run run;
         h[i] = 0.12 / n[i];
         exp_h[i] = exp(h[i] / 0.006); /* a straight line in (h, log work) is a power of exp(h) */
         int bad = claims_kit_run(&run, m, SPH, 0.1 / n[i], 0.08 * h[i] * h[i] / alpha, 28.8894);
         work[i] = (double)run.result.interactions;
-        claims_kit_free(&run);
+        command_run_free(&run);
         if (bad) return;
     }
     for (int k = 0; k < 2; k++) {

@@ -83,14 +83,14 @@ static void take_ghosts(const char *argument, struct claims_measured *m) {
 static void take_mass_rate(const char *argument, struct claims_measured *m) {
     static const char command[] = "run plate brookshaw --dx 0.005 --kernel quartic --h 1.2 --walls fixed --volume "
                                   "tuned --stepper rk2 --xi %g --dt %g --t-end %g";
-    struct claims_kit_run once, twice;
+    struct command_run once, twice;
     (void)argument;
     int bad = claims_kit_run(&once, m, command, 1.2, 0.1, 20.0) | claims_kit_run(&twice, m, command, 2.4, 0.05, 10.0);
     double apart = 0;
     for (size_t i = 0; i < (bad ? 0 : once.field.n); i++)
         apart = fmax(apart, fabs(once.field.T[i] - twice.field.T[i]));
-    claims_kit_free(&once);
-    claims_kit_free(&twice);
+    command_run_free(&once);
+    command_run_free(&twice);
     if (bad) return;
     claims_kit_number(m, apart, "K", "largest difference, xi = 1.2 m at 20 s and 2.4 m at 10 s");
     claims_kit_decide(m, apart <= 1e-12, 1, "twice the mass gives the same field in half the time, to rounding");
@@ -98,9 +98,9 @@ static void take_mass_rate(const char *argument, struct claims_measured *m) {
 
 /* Whether a run to 115.8822 s stays bounded; gamma as in eq. 17. */
 static int stable(double gamma) {
-    struct claims_kit_run run;
+    struct command_run run;
     int status = claims_kit_run(&run, NULL, "run plate ftcs --dx 0.005 --fourier %.10g --t-end 115.8822", 2 * gamma);
-    claims_kit_free(&run);
+    command_run_free(&run);
     return status == STATUS_OK;
 }
 
@@ -126,7 +126,7 @@ enum { HALVINGS = 5 };
 /* "ORDER | words": order in dt of one run, from differences between halved steps (Richardson). */
 static void take_time_order(const char *argument, struct claims_measured *m) {
     char part[200];
-    struct claims_kit_run run[HALVINGS] = {0};
+    struct command_run run[HALVINGS] = {0};
     double dt[HALVINGS], apart[HALVINGS] = {0};
     int bad = 0;
     claims_kit_part(&argument, part, sizeof part);
@@ -138,7 +138,7 @@ static void take_time_order(const char *argument, struct claims_measured *m) {
     }
     for (int i = 0; i + 1 < HALVINGS && !bad; i++)
         for (size_t k = 0; k < run[i].field.n; k++) apart[i] += fabs(run[i].field.T[k] - run[i + 1].field.T[k]);
-    for (int i = 0; i < HALVINGS; i++) claims_kit_free(&run[i]);
+    for (int i = 0; i < HALVINGS; i++) command_run_free(&run[i]);
     if (bad) return;
     struct slope s = slope_fit(dt, apart, HALVINGS - 1);
     claims_kit_number(m, s.value, "", "order in dt");

@@ -32,13 +32,12 @@ static void add_point(struct claims_pamplona_plate *e, int depth, int left, int 
     e->centre_late -= apart, e->centre_part -= apart / T;
 }
 
-static void errors(const struct claims_kit_run *run, double t, struct claims_pamplona_plate *e) {
-    const struct experiment *of = &run->request.experiment;
+static void errors(const struct command_run *run, double t, struct claims_pamplona_plate *e) {
     const struct field *f = &run->field;
     int n = f->shape[0], middle = 0;
     double heat = 0, all = (double)f->n, ring = 4.0 * (n - 1);
     for (int k = 0; k < n * n; k++) {
-        double x[2] = {f->x[k], f->y[k]}, T = of->scene->exact(&of->problem, x, t).temperature;
+        double x[2] = {f->x[k], f->y[k]}, T = command_run_exact(run, x, t);
         int i = k % n, j = k / n;
         int depth = (int)fmin(fmin(i, j), fmin(n - 1 - i, n - 1 - j)), inner = depth >= n / 2 - 2;
         add_point(e, depth, i == 0, inner, f->T[k] - T, T);
@@ -56,12 +55,12 @@ static void errors(const struct claims_kit_run *run, double t, struct claims_pam
 
 int claims_pamplona_plate_run(struct claims_pamplona_plate *e, struct claims_measured *m, double t, double lag,
                               const char *words) {
-    struct claims_kit_run run;
+    struct command_run run;
     *e = (struct claims_pamplona_plate){0};
     int bad = claims_kit_run(&run, m, "run plate %s --t-end %.10g", words, lag * t);
     if (!bad) errors(&run, t, e);
     e->result = run.result;
-    claims_kit_free(&run);
+    command_run_free(&run);
     return bad;
 }
 
@@ -79,15 +78,16 @@ static double by_definition(const struct claims_pamplona_plate *e, int definitio
     return 100 * value[definition];
 }
 
-/* "published at the four times | SPH or FTCS": the definition that comes nearest, under either reading. */
+/* "METHOD of Table 1": the definition that comes nearest, under either reading. */
 static void take_table1(const char *argument, struct claims_measured *m) {
     static const char *const definition[DEFINITIONS] = {"mean |e|/T", "sum |e|/sum T", "mean |e|/1 K", "rms e/1 K"};
     static const char *const reading[2] = {"20 spacings", "21 spacings, ghost to ghost"};
-    char part[80];
-    double printed[4], nearest[2];
-    claims_kit_part(&argument, part, sizeof part);
-    if (sscanf(part, "%lf %lf %lf %lf", &printed[0], &printed[1], &printed[2], &printed[3]) != 4) return;
-    claims_kit_part(&argument, part, sizeof part);
+    struct published t;
+    double nearest[2];
+    if (claims_kit_published(&t, m, "pamplona_table1")) return;
+    int row = published_row(&t, argument);
+    const double *printed = t.value[row];
+    claims_kit_quote(m, &t, row);
     for (int l = 0; l < 2; l++) {
         struct claims_pamplona_plate e[2][4];
         int best = 0;
@@ -95,13 +95,12 @@ static void take_table1(const char *argument, struct claims_measured *m) {
         nearest[l] = INFINITY;
         for (int d = 0; d < DEFINITIONS; d++) {
             double worst = 0;
-            for (int k = 0; k < 4; k++)
-                worst = fmax(worst, fabs(log(by_definition(&e[part[0] == 'F'][k], d) / printed[k])));
+            for (int k = 0; k < 4; k++) worst = fmax(worst, fabs(log(by_definition(&e[row][k], d) / printed[k])));
             if (exp(worst) < nearest[l]) nearest[l] = exp(worst), best = d;
         }
         claims_kit_number(m, nearest[l], "", "%s: off by a factor of at most, %s", reading[l], definition[best]);
         for (int k = 0; k < 4; k += 3)
-            claims_kit_number(m, by_definition(&e[part[0] == 'F'][k], best), "%", "at %.1f s", TIME[k]);
+            claims_kit_number(m, by_definition(&e[row][k], best), "%", "at %.1f s", TIME[k]);
     }
     claims_kit_decide(m, fmin(nearest[0], nearest[1]) <= 1.1, nearest[0] <= 1.05,
                       "under some definition of the average error all four times are within 10 %%, whichever way the "

@@ -70,7 +70,7 @@ static struct best fit(const struct setting *s, struct claims_measured *m) {
 
 /* M above for h/dx, from the weights themselves; NaN with *m failed. */
 static double lattice_moment(const char *kernel, double h, struct claims_measured *m) {
-    struct claims_kit_run run;
+    struct command_run run;
     struct claims_kit_cell cell;
     struct failure why;
     const double one[2] = {1, 1};
@@ -84,7 +84,7 @@ static double lattice_moment(const char *kernel, double h, struct claims_measure
         for (size_t j = 0; j < cell.nb.n; j++) sum += cell.w[0][j] * cell.d[j][0] * cell.d[j][0] / 2;
         sum /= k->k[0] / k->rho_c;
     }
-    claims_kit_free(&run);
+    command_run_free(&run);
     return sum;
 }
 

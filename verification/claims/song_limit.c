@@ -111,13 +111,13 @@ static void take_blow_up(const char *argument, struct claims_measured *m) {
         if (l.published / l.actual > worst.published / worst.actual) worst = l, h = at;
     }
     for (int i = 0; i < 2; i++) {
-        struct claims_kit_run run;
+        struct command_run run;
         double dt = 0.99 * (i ? worst.actual : worst.published);
         status[i] = claims_kit_run(&run, NULL,
                                    "run rod-step so_ssph --kernel quartic --h %.4g --dx 0.1 --stepper "
                                    "euler --dt %.10g --t-end %.10g",
                                    h, dt, 4000 * dt);
-        claims_kit_free(&run);
+        command_run_free(&run);
     }
     claims_kit_number(m, h, "", "h/dx");
     claims_kit_number(m, worst.published, "s", "eq. 34");

@@ -17,12 +17,12 @@ static void take_no_oscillation(const char *argument, struct claims_measured *m)
     char part[200];
     int held[2] = {1, 1}, beyond = 0;
     while (claims_kit_part(&argument, part, sizeof part)) {
-        struct claims_kit_run run;
+        struct command_run run;
         char *words = part;
         if (*words == '+') beyond = 1, words++;
         int bad = claims_kit_run(&run, m, "run %s", words);
         double most = outside(&run.result);
-        claims_kit_free(&run);
+        command_run_free(&run);
         if (bad) return;
         claims_kit_number(m, most, "K", "%s", words);
         held[beyond] &= most <= 1e-11; /* rounding: 10 K, thousands of steps */
@@ -37,10 +37,10 @@ static void take_oscillation(const char *argument, struct claims_measured *m) {
     char part[200];
     int held = 1;
     while (claims_kit_part(&argument, part, sizeof part)) {
-        struct claims_kit_run run;
+        struct command_run run;
         int bad = claims_kit_run(&run, m, "run %s", part);
         double most = fmax(outside(&run.result), run.result.shape.checkerboard);
-        claims_kit_free(&run);
+        command_run_free(&run);
         if (bad) return;
         claims_kit_number(m, most, "K", "%s", part);
         held &= most >= 0.1;
@@ -54,10 +54,10 @@ static void take_smooth(const char *argument, struct claims_measured *m) {
     char part[200];
     int held = 1;
     while (claims_kit_part(&argument, part, sizeof part)) {
-        struct claims_kit_run run;
+        struct command_run run;
         int bad = claims_kit_run(&run, m, "run %s", part);
         double most = fmax(outside(&run.result), run.result.shape.checkerboard) / run.result.shape.max;
-        claims_kit_free(&run);
+        command_run_free(&run);
         if (bad) return;
         claims_kit_number(m, most, "", "%s", part);
         held &= most <= 1e-6;
@@ -66,14 +66,13 @@ static void take_smooth(const char *argument, struct claims_measured *m) {
 }
 
 /* The wave of two points in the error e: the largest |(1, -4, 6, -4, 1) . e|/16, which a pure (-1)^j passes whole. */
-static double sawtooth(const struct claims_kit_run *run) {
-    const struct experiment *of = &run->request.experiment;
+static double sawtooth(const struct command_run *run) {
     const struct field *f = &run->field;
     double most = 0, e[5] = {0};
     for (size_t i = 0; i < f->n; i++) {
         for (int k = 0; k < 4; k++) e[k] = e[k + 1];
         double x[2] = {f->x[i], 0};
-        e[4] = f->T[i] - of->scene->exact(&of->problem, x, f->time).temperature;
+        e[4] = f->T[i] - command_run_exact(run, x, f->time);
         if (i >= 4) most = fmax(most, fabs(e[0] - 4 * e[1] + 6 * e[2] - 4 * e[3] + e[4]) / 16);
     }
     return most;
@@ -85,12 +84,12 @@ static void take_persistence(const char *argument, struct claims_measured *m) {
     double wave[2][3], peak[3];
     for (int k = 0; k < 2; k++)
         for (int i = 0; i < 3; i++) {
-            struct claims_kit_run run;
+            struct command_run run;
             int bad = claims_kit_run(&run, m, "run rod-step %s --h 1.05 --dx 0.1 --set L=20 --t-end %g",
                                      k ? "so_ssph" : argument, time[i]);
             if (!bad) wave[k][i] = sawtooth(&run);
             peak[i] = run.result.shape.max;
-            claims_kit_free(&run);
+            command_run_free(&run);
             if (bad) return;
         }
     double early = -log10(wave[0][1] / wave[0][0]), late = -log10(wave[0][2] / wave[0][1]);
@@ -111,7 +110,7 @@ static void take_null_space(const char *argument, struct claims_measured *m) {
     char method[40];
     int held = 1;
     while (claims_kit_part(&argument, method, sizeof method)) {
-        struct claims_kit_run run;
+        struct command_run run;
         int bad = claims_kit_run(&run, m, "run rod-step %s --h 1.05 --dx 0.1", method);
         struct experiment *e = &run.request.experiment;
         double kappa[2] = {0.01, 0}, theta[2] = {acos(-1), 0};
@@ -123,7 +122,7 @@ static void take_null_space(const char *argument, struct claims_measured *m) {
         int sweeps = bad ? 0 : e->method->scheme->sweeps;
         double rate = bad ? 0 : operator_symbol(&a, theta) * 0.1 * 0.1 / kappa[0];
         free(a.weight);
-        claims_kit_free(&run);
+        command_run_free(&run);
         if (bad) return;
         claims_kit_number(m, rate, "kappa/dx^2", "rate of (-1)^j, %s", method);
         held &= (fabs(rate) <= 1e-12) == (sweeps == 2);
@@ -136,7 +135,7 @@ static void take_time_error(const char *argument, struct claims_measured *m) {
     char words[160], dt[32];
     double most = 0;
     while (claims_kit_part(&argument, words, sizeof words) && claims_kit_part(&argument, dt, sizeof dt)) {
-        struct claims_kit_run euler, exact;
+        struct command_run euler, exact;
         int bad = claims_kit_run(&euler, m, "run %s --stepper euler --dt %s", words, dt) |
                   claims_kit_run(&exact, m, "run %s --stepper exact", words);
         double apart = 0, size = 0;
@@ -145,8 +144,8 @@ static void take_time_error(const char *argument, struct claims_measured *m) {
             size += fabs(exact.field.T[i]);
         }
         double share = apart / size / exact.result.error.l1;
-        claims_kit_free(&euler);
-        claims_kit_free(&exact);
+        command_run_free(&euler);
+        command_run_free(&exact);
         if (bad) return;
         claims_kit_number(m, 100 * share, "% of E", "time error, dt = %s s, %s", dt, words);
         most = fmax(most, share);
@@ -163,13 +162,13 @@ static void take_agreement(const char *argument, struct claims_measured *m) {
     double worst = 0, last = INFINITY;
     int falling = 1;
     for (int t = 1; t <= 5; t++) {
-        struct claims_kit_run run;
+        struct command_run run;
         int bad = claims_kit_run(&run, m, "run %s --t-end %d", argument, t);
         double most = run.result.shape.max;
         falling &= most <= last;
         worst = fmax(worst, run.result.error.linf / 10);
         last = most;
-        claims_kit_free(&run);
+        command_run_free(&run);
         if (bad) return;
         claims_kit_number(m, most, "K", "peak at %d s", t);
     }

@@ -1,16 +1,14 @@
 /* The ledger for people and for programs. */
 #include "verification/claims/write.h"
 
-#include "solver/method.h"
-#include "verification/text/atomic_file.h"
+#include "solver/status.h"
 #include "verification/text/json.h"
+#include "verification/text/output.h"
 #include "verification/text/paint.h"
 
-#include <stdlib.h>
 #include <string.h>
-#include <sys/stat.h>
 
-enum { NUMBERS = 1400 }; /* characters for all numbers of a claim */
+enum { NUMBERS = 1400, PUBLISHED = 600 }; /* characters for all numbers of a claim, and for what was published */
 
 static const char *verdict_of(const struct claims_result *r) {
     return claims_verdict_words[r->measured.verdict];
@@ -26,15 +24,16 @@ static void count(const struct claims *c, int counts[4], int *changed) {
 }
 
 void claims_write_text(const struct claims *c, FILE *out) {
-    char numbers[NUMBERS];
+    char numbers[NUMBERS], published[PUBLISHED];
     int counts[4], changed;
     for (int i = 0; i < c->count; i++) {
         const struct claims_result *r = &c->result[i];
         const char *mark = claims_holds(r->row, &r->measured) ? "pass" : "fail";
         claims_numbers(&r->measured, numbers, sizeof numbers);
         fprintf(out, "%s%s%s: %s\n", paint_start(out, mark), r->row->id, paint_end(out, mark), verdict_of(r));
-        fprintf(out, "  published  %s (%s)\n  measured   %s\n  because    %s\n\n", r->row->published, r->row->source,
-                numbers, r->measured.reason);
+        claims_published(r, published, sizeof published);
+        fprintf(out, "  published  %s (%s)\n  measured   %s\n  because    %s\n\n", published, r->row->source, numbers,
+                r->measured.reason);
     }
     count(c, counts, &changed);
     fprintf(out,
@@ -45,12 +44,13 @@ void claims_write_text(const struct claims *c, FILE *out) {
 
 static void claim_json(const struct claims_result *r, struct json *j) {
     const struct claims_measured *m = &r->measured;
-    char numbers[NUMBERS];
+    char numbers[NUMBERS], published[PUBLISHED];
     claims_numbers(m, numbers, sizeof numbers);
+    claims_published(r, published, sizeof published);
     json_object(j, NULL);
     json_text(j, "id", r->row->id);
     json_text(j, "source", r->row->source);
-    json_text(j, "published", r->row->published);
+    json_text(j, "published", published);
     json_text(j, "measured", numbers);
     json_array(j, "numbers");
     for (int i = 0; i < m->count; i++) {
@@ -89,14 +89,15 @@ static void csv_cell(FILE *out, const char *text, char end) {
 }
 
 void claims_write_csv(const struct claims *c, FILE *out) {
-    char numbers[NUMBERS];
+    char numbers[NUMBERS], published[PUBLISHED];
     fprintf(out, "id,source,published,measured,verdict,expected,reason\n");
     for (int i = 0; i < c->count; i++) {
         const struct claims_result *r = &c->result[i];
         claims_numbers(&r->measured, numbers, sizeof numbers);
+        claims_published(r, published, sizeof published);
         csv_cell(out, r->row->id, ',');
         csv_cell(out, r->row->source, ',');
-        csv_cell(out, r->row->published, ',');
+        csv_cell(out, published, ',');
         csv_cell(out, numbers, ',');
         csv_cell(out, verdict_of(r), ',');
         csv_cell(out, claims_verdict_words[r->row->expected], ',');
@@ -115,16 +116,17 @@ static void markdown_cell(FILE *out, const char *text) {
 }
 
 static void markdown_table(const struct claims *c, const char *title, const char *paper, FILE *out) {
-    char numbers[NUMBERS];
+    char numbers[NUMBERS], published[PUBLISHED];
     fprintf(out, "\n## %s\n\n| claim | source | published | measured | verdict | why |\n|---|---|---|---|---|---|\n",
             title);
     for (int i = 0; i < c->count; i++) {
         const struct claims_result *r = &c->result[i];
         if (strncmp(r->row->id, paper, strlen(paper)) != 0) continue;
         claims_numbers(&r->measured, numbers, sizeof numbers);
+        claims_published(r, published, sizeof published);
         markdown_cell(out, r->row->id);
         markdown_cell(out, r->row->source);
-        markdown_cell(out, r->row->published);
+        markdown_cell(out, published);
         markdown_cell(out, numbers);
         fprintf(out, "| *%s* ", verdict_of(r));
         markdown_cell(out, r->measured.reason);
@@ -147,33 +149,13 @@ void claims_write_markdown(const struct claims *c, FILE *out) {
     markdown_table(c, "Pamplona, Silva, Bucar, Vasco 2019", "pamplona/", out);
 }
 
-static int path_of(const char *dir, const char *name, char *path, size_t size, struct failure *why) {
-    if ((size_t)snprintf(path, size, "%s/%s", dir, name) < size) return STATUS_OK;
-    return refuse(why, STATUS_INPUT, "the path '%.100s...' is too long", dir);
-}
-
-int claims_write_check(const char *dir, struct failure *why) {
-    char path[1024];
-    mkdir(dir, 0777); /* where it is there already, or cannot be made, the check tells */
-    return path_of(dir, "claims.csv", path, sizeof path, why) || atomic_file_check(path, why) ? why->status
-                                                                                              : STATUS_OK;
-}
-
-static int write_one(const struct claims *c, const char *dir, const char *name,
-                     void (*print)(const struct claims *c, FILE *out), struct failure *why) {
-    char path[1024], *text = NULL;
-    size_t size = 0;
-    if (path_of(dir, name, path, sizeof path, why)) return why->status;
-    FILE *out = open_memstream(&text, &size);
-    if (!out) return refuse(why, STATUS_NUMERICAL, "out of memory for '%.200s'", path);
-    print(c, out);
-    fclose(out);
-    int status = atomic_file_write(path, text, size, why);
-    free(text);
-    return status;
-}
-
 int claims_write_files(const struct claims *c, const char *dir, struct failure *why) {
-    int status = write_one(c, dir, "claims.csv", claims_write_csv, why);
-    return status ? status : write_one(c, dir, "claims.md", claims_write_markdown, why);
+    struct output page[2] = {0};
+    if (output_open(&page[0], why, "%s/claims.csv", dir) || output_open(&page[1], why, "%s/claims.md", dir)) {
+        output_drop(page, 2);
+        return why->status;
+    }
+    claims_write_csv(c, page[0].out);
+    claims_write_markdown(c, page[1].out);
+    return output_close(page, 2, why);
 }

@@ -15,10 +15,7 @@ void claims_write_json(const struct claims *c, FILE *out);
 void claims_write_csv(const struct claims *c, FILE *out);
 void claims_write_markdown(const struct claims *c, FILE *out);
 
-/* claims.csv and claims.md into `dir`, which is made where it is not there; each whole or not at all. */
+/* claims.csv and claims.md into `dir`: both, whole, or neither. */
 int claims_write_files(const struct claims *c, const char *dir, struct failure *why);
-
-/* Whether that could be done. */
-int claims_write_check(const char *dir, struct failure *why);
 
 #endif

@@ -3,10 +3,9 @@
 
 #include "solver/status.h"
 #include "verification/gates/gates.h"
-#include "verification/text/atomic_file.h"
+#include "verification/text/output.h"
 
 #include <stdio.h>
-#include <stdlib.h>
 
 /* XML's own characters, and what it cannot hold at all. */
 static void put_escaped(const char *text, FILE *out) {
@@ -48,8 +47,7 @@ static void put_case(const struct gate_result *r, FILE *out) {
 }
 
 int junit_write(const struct gates *g, const char *path, struct failure *why) {
-    char *text = NULL;
-    size_t size = 0;
+    struct output page;
     double seconds = 0;
     int failed = 0, unclear = 0;
     for (int i = 0; i < g->declared; i++) {
@@ -57,15 +55,12 @@ int junit_write(const struct gates *g, const char *path, struct failure *why) {
         failed += g->result[i].measured.verdict == VERDICT_FAIL;
         unclear += g->result[i].measured.verdict != VERDICT_FAIL && g->result[i].measured.verdict != VERDICT_PASS;
     }
-    FILE *out = open_memstream(&text, &size);
-    if (!out) return refuse(why, STATUS_NUMERICAL, "out of memory for '%.200s'", path);
+    if (output_open(&page, why, "%s", path)) return why->status;
+    FILE *out = page.out;
     fprintf(out, "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<testsuites>\n");
     fprintf(out, "  <testsuite name=\"gates\" tests=\"%d\" failures=\"%d\" errors=\"%d\" time=\"%.3f\">\n",
             g->declared, failed, unclear, seconds);
     for (int i = 0; i < g->declared; i++) put_case(&g->result[i], out);
     fprintf(out, "  </testsuite>\n</testsuites>\n");
-    fclose(out);
-    int status = atomic_file_write(path, text, size, why);
-    free(text);
-    return status;
+    return output_close(&page, 1, why);
 }

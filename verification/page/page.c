@@ -6,7 +6,7 @@
 #include "verification/ladder/ladder.h"
 #include "verification/page/chart.h"
 #include "verification/page/html.h"
-#include "verification/text/atomic_file.h"
+#include "verification/text/output.h"
 #include "verification/text/version.h"
 
 #include <math.h>
@@ -29,29 +29,11 @@ void page_put_origin(FILE *out) {
     fprintf(out, ".</p>\n");
 }
 
-static int close_page(FILE *out, char **text, size_t *size, const char *path, struct failure *why) {
-    html_close(out);
-    fclose(out);
-    int status = atomic_file_write(path, *text, *size, why);
-    free(*text);
-    return status;
-}
-
-static FILE *open_page(const char *title, char **text, size_t *size, struct failure *why) {
-    FILE *out = open_memstream(text, size);
-    if (!out) {
-        refuse(why, STATUS_NUMERICAL, "out of memory for a page");
-        return NULL;
-    }
-    html_open(out, title);
-    return out;
-}
-
 int page_gates_write(const struct gates *g, const char *title, const char *path, struct failure *why) {
-    char *text = NULL;
-    size_t size = 0;
-    FILE *out = open_page(title, &text, &size, why);
-    if (!out) return why->status;
+    struct output page;
+    if (output_open(&page, why, "%s", path)) return why->status;
+    FILE *out = page.out;
+    html_open(out, title);
     struct page_gate *gate = xcalloc((size_t)g->declared, sizeof *gate);
     for (int i = 0; i < g->declared; i++) {
         const struct gate *row = &g->result[i].gate;
@@ -69,7 +51,8 @@ int page_gates_write(const struct gates *g, const char *title, const char *path,
     }
     page_put_gates(gate, g->declared, out);
     free(gate);
-    return close_page(out, &text, &size, path, why);
+    html_close(out);
+    return output_close(&page, 1, why);
 }
 
 static void put_number(FILE *out, const char *format, double value) {
@@ -101,10 +84,10 @@ static void put_rungs(const struct ladder *l, FILE *out) {
 }
 
 int page_ladder_write(const struct ladder *l, const char *title, const char *path, struct failure *why) {
-    char *text = NULL;
-    size_t size = 0;
-    FILE *out = open_page(title, &text, &size, why);
-    if (!out) return why->status;
+    struct output page;
+    if (output_open(&page, why, "%s", path)) return why->status;
+    FILE *out = page.out;
+    html_open(out, title);
     double error[RUNG_MAX];
     int hollow[RUNG_MAX];
     for (int i = 0; i < l->n; i++) {
@@ -124,5 +107,6 @@ int page_ladder_write(const struct ladder *l, const char *title, const char *pat
     chart_write(&chart, out);
     fprintf(out, "</figure>\n");
     put_rungs(l, out);
-    return close_page(out, &text, &size, path, why);
+    html_close(out);
+    return output_close(&page, 1, why);
 }

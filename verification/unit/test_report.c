@@ -1,6 +1,6 @@
 /* The report: isotherms, and tables as printed. */
 #include "reports/page/isotherm.h"
-#include "reports/page/published.h"
+#include "verification/claims/published.h"
 
 #include "solver/method.h"
 #include "verification/unit/near.h"
@@ -113,6 +113,10 @@ static void tables_as_printed(void **state) {
     assert_near(t.value[0][5], 0.3381, 0);
     assert_int_equal(published_read(&t, "song_table9", &why), STATUS_INPUT);
     assert_non_null(strstr(why.text, "reports/published/song_table9.csv"));
+    assert_int_equal(published_row(&t, "so_ssph"), -1);
+    assert_int_equal(published_read(&t, "pamplona_table1", &why), STATUS_OK);
+    assert_int_equal(published_row(&t, "ftcs"), 1);
+    assert_int_equal(published_row(&t, "so_ssph"), -1);
 }
 
 int main(void) {

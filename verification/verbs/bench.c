@@ -8,6 +8,7 @@
 #include "verification/bench/json.h"
 #include "verification/bench/print.h"
 #include "verification/text/json.h"
+#include "verification/text/output.h"
 #include "verification/command/request.h"
 #include "verification/text/words.h"
 
@@ -17,30 +18,13 @@
 /* The files of one run, kept until all can be put in their places. */
 struct files {
     int count;
-    char path[WORDS_MAX][512];
-    struct atomic_file file[WORDS_MAX];
-    char *text[WORDS_MAX]; /* owned */
+    struct output file[WORDS_MAX];
 };
 
-static FILE *files_open(struct files *f, const char *dir, const char *prefix, const char *name) {
-    int i = f->count++;
-    snprintf(f->path[i], sizeof f->path[i], "%.400s/%s%.80s", dir ? dir : "", prefix, name);
-    f->file[i].path = f->path[i];
-    return open_memstream(&f->text[i], &f->file[i].size);
-}
-
-static int files_write(struct files *f, struct failure *why) {
-    for (int i = 0; i < f->count; i++) f->file[i].bytes = f->text[i];
-    return atomic_file_write_all(f->file, f->count, why);
-}
-
 static int keep_data(const struct bench_scene *b, struct files *files, const char *dir, struct failure *why) {
-    char name[80];
-    snprintf(name, sizeof name, "%s.csv", b->scene->name);
-    FILE *out = files_open(files, dir, "bench_", name);
-    if (!out) return refuse(why, STATUS_NUMERICAL, "out of memory");
-    bench_print_data(b, out);
-    fclose(out);
+    struct output *o = &files->file[files->count++];
+    if (output_open(o, why, "%s/bench_%s.csv", dir, b->scene->name)) return why->status;
+    bench_print_data(b, o->out);
     return STATUS_OK;
 }
 
@@ -98,15 +82,15 @@ static int bench_scenes(const struct request *r, FILE *out, struct files *files,
 int verb_bench(const struct request *r) {
     struct failure why = {0};
     struct files *files = xcalloc(1, sizeof *files);
-    FILE *out = files_open(files, r->topic, "", "bench.json");
-    int status = out ? atomic_file_check(r->topic ? files->path[0] : NULL, &why)
-                     : refuse(&why, STATUS_NUMERICAL, "out of memory");
-    if (!status) status = bench_scenes(r, out, files, &why);
-    if (out) fclose(out);
-    if (!status && r->json) fputs(files->text[0], stdout);
-    if (!status && r->topic) status = files_write(files, &why);
+    struct output *json = &files->file[files->count++];
+    int status = output_open(json, &why, "%s/bench.json", r->topic ? r->topic : "");
+    if (!status && r->topic) status = atomic_file_check(json->path, &why);
+    if (!status) status = bench_scenes(r, json->out, files, &why);
+    output_end(json);
+    if (!status && r->json) fputs(json->text, stdout);
+    if (!status && r->topic) status = output_close(files->file, files->count, &why);
     if (status) fprintf(stderr, "heatladder: %s\n", why.text);
-    for (int i = 0; i < files->count; i++) free(files->text[i]);
+    output_drop(files->file, files->count);
     free(files);
     return status;
 }

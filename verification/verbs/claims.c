@@ -5,11 +5,12 @@
 #include "verification/claims/claims.h"
 #include "verification/claims/write.h"
 #include "verification/command/request.h"
+#include "verification/text/output.h"
 
 #include <stdio.h>
 
 static int run(const struct request *r, struct claims *c, struct failure *why) {
-    if (r->topic && claims_write_check(r->topic, why)) return why->status;
+    if (r->topic && output_directory(r->topic, "claims.csv", why)) return why->status;
     if (claims_collect(r->only, c, why)) return why->status;
     claims_run(c);
     (r->json ? claims_write_json : claims_write_text)(c, stdout);

@@ -4,6 +4,7 @@
 #include "references/scene.h"
 #include "verification/text/atomic_file.h"
 #include "verification/text/json.h"
+#include "verification/text/output.h"
 #include "verification/command/request.h"
 #include "verification/run/run.h"
 #include "verification/run/time_step.h"
@@ -11,7 +12,6 @@
 #include <math.h>
 #include <omp.h>
 #include <stdio.h>
-#include <stdlib.h>
 
 static void print_text(const struct result *r) {
     char what[240];
@@ -44,10 +44,9 @@ static void print_json(const struct result *r) {
 
 /* x[,y],T,exact in m and K, one line a point. */
 static int write_field(const struct request *r, const struct field *f, struct failure *why) {
-    char *text = NULL;
-    size_t size = 0;
-    FILE *out = open_memstream(&text, &size);
-    if (!out) return refuse(why, STATUS_NUMERICAL, "out of memory for '%.200s'", r->field_path);
+    struct output page;
+    if (output_open(&page, why, "%s", r->field_path)) return why->status;
+    FILE *out = page.out;
     fprintf(out, "%s,T,exact\n", f->dim == 2 ? "x,y" : "x");
     for (size_t i = 0; i < f->n; i++) {
         double x[2] = {f->x[i], f->y ? f->y[i] : 0};
@@ -56,10 +55,7 @@ static int write_field(const struct request *r, const struct field *f, struct fa
         fprintf(out, "%.17g,%.17g\n", f->T[i],
                 r->experiment.scene->exact(&r->experiment.problem, x, f->time).temperature);
     }
-    fclose(out);
-    int status = atomic_file_write(r->field_path, text, size, why);
-    free(text);
-    return status;
+    return output_close(&page, 1, why);
 }
 
 static int check(const struct request *r, struct failure *why) {

@@ -6,6 +6,7 @@
 #include "verification/text/atomic_file.h"
 #include "verification/gates/gates.h"
 #include "verification/text/json.h"
+#include "verification/text/output.h"
 #include "verification/gates/junit.h"
 #include "verification/command/request.h"
 #include "verification/text/table.h"
@@ -13,7 +14,6 @@
 #include <math.h>
 #include <omp.h>
 #include <stdio.h>
-#include <stdlib.h>
 
 static void gate_json(const struct gate_result *r, struct json *j) {
     const struct gate *g = &r->gate;
@@ -39,11 +39,9 @@ static void gate_json(const struct gate_result *r, struct json *j) {
 }
 
 static int write_json(const struct gates *g, const char *path, struct failure *why) {
-    char *text = NULL;
-    size_t size = 0;
-    FILE *out = open_memstream(&text, &size);
-    if (!out) return refuse(why, STATUS_NUMERICAL, "out of memory for '%.200s'", path);
-    struct json j = json_on(out);
+    struct output page;
+    if (output_open(&page, why, "%s", path)) return why->status;
+    struct json j = json_on(page.out);
     json_object(&j, NULL);
     json_whole(&j, "declared", g->declared);
     json_whole(&j, "executed", g->executed);
@@ -51,10 +49,7 @@ static int write_json(const struct gates *g, const char *path, struct failure *w
     for (int i = 0; i < g->declared; i++) gate_json(&g->result[i], &j);
     json_end(&j);
     json_end(&j);
-    fclose(out);
-    int status = atomic_file_write(path, text, size, why);
-    free(text);
-    return status;
+    return output_close(&page, 1, why);
 }
 
 static void add_row(struct table *t, const struct gate_result *r) {

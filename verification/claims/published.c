@@ -1,7 +1,7 @@
 /* Reads a published table. */
-#include "reports/page/published.h"
+#include "verification/claims/published.h"
 
-#include "solver/method.h"
+#include "solver/status.h"
 #include "verification/text/number.h"
 
 #include <math.h>
@@ -9,12 +9,17 @@
 #include <stdlib.h>
 #include <string.h>
 
-static const char FOLDER[] = "reports/published";
+#define PUBLISHED(name, text) {name, text},
+static const struct {
+    const char *name, *text;
+} tables[] = {
+#include "published.inc"
+    {NULL, NULL}};
+#undef PUBLISHED
 
 /* Cuts *line at its commas into at most max cells; how many. */
 static int cells_of(char *line, char **cell, int max) {
     int n = 0;
-    line[strcspn(line, "\r\n")] = '\0';
     for (char *at = line; at && n < max; n++) {
         cell[n] = at;
         at = strchr(at, ',');
@@ -25,7 +30,7 @@ static int cells_of(char *line, char **cell, int max) {
 
 static int fits(char **cell, int n) {
     for (int i = 0; i < n; i++)
-        if (strlen(cell[i]) >= REPORT_PUBLISHED_CELL || !*cell[i]) return 0;
+        if (strlen(cell[i]) >= PUBLISHED_CELL || !*cell[i]) return 0;
     return n > 1;
 }
 
@@ -37,7 +42,7 @@ static void take_header(struct published *t, char **cell, int n) {
 /* 0, or -1 where a cell is no number or there is no room. */
 static int take_row(struct published *t, char **cell, int n) {
     int r = t->rows;
-    if (r == REPORT_PUBLISHED_ROWS || n != t->columns + 1) return -1;
+    if (r == PUBLISHED_ROWS || n != t->columns + 1) return -1;
     strcpy(t->method[r], cell[0]);
     for (int c = 0; c < t->columns; c++) {
         strcpy(t->cell[r][c], cell[c + 1]);
@@ -47,28 +52,36 @@ static int take_row(struct published *t, char **cell, int n) {
     return 0;
 }
 
+static int take_line(struct published *t, char *line) {
+    char *cell[PUBLISHED_COLUMNS + 1];
+    if (*line == '#' || *line == '\0') return 0;
+    int n = cells_of(line, cell, PUBLISHED_COLUMNS + 1);
+    if (!fits(cell, n)) return -1;
+    if (t->columns) return take_row(t, cell, n);
+    take_header(t, cell, n);
+    return 0;
+}
+
 int published_read(struct published *t, const char *name, struct failure *why) {
-    char path[160], line[400], *cell[REPORT_PUBLISHED_COLUMNS + 1];
-    snprintf(path, sizeof path, "%s/%s.csv", FOLDER, name);
+    int i = 0, bad = 0;
     *t = (struct published){0};
-    FILE *in = fopen(path, "r");
-    if (!in)
-        return refuse(why, STATUS_INPUT, "cannot read '%s': run `heatladder report` where the folder %s is", path,
-                      FOLDER);
-    int bad = 0;
-    while (!bad && fgets(line, sizeof line, in)) {
-        if (*line == '#' || *line == '\n') continue;
-        int n = cells_of(line, cell, REPORT_PUBLISHED_COLUMNS + 1);
-        bad = !fits(cell, n);
-        if (bad) continue;
-        if (t->columns == 0)
-            take_header(t, cell, n);
-        else
-            bad = take_row(t, cell, n);
+    while (tables[i].name && strcmp(tables[i].name, name) != 0) i++;
+    if (!tables[i].name) return refuse(why, STATUS_INPUT, "there is no reports/published/%.60s.csv", name);
+    for (const char *from = tables[i].text; *from && !bad;) {
+        char line[400];
+        size_t length = strcspn(from, "\n");
+        snprintf(line, sizeof line, "%.*s", (int)length, from);
+        bad = length >= sizeof line || take_line(t, line);
+        from += length + (from[length] == '\n');
     }
-    fclose(in);
-    if (bad || t->rows == 0) return refuse(why, STATUS_INPUT, "'%s' is no table of numbers with a header", path);
-    return STATUS_OK;
+    if (!bad && t->rows > 0) return STATUS_OK;
+    return refuse(why, STATUS_INPUT, "reports/published/%.60s.csv is no table of numbers with a header", name);
+}
+
+int published_row(const struct published *t, const char *method) {
+    int r = 0;
+    while (r < t->rows && strcmp(t->method[r], method) != 0) r++;
+    return r < t->rows ? r : -1;
 }
 
 double published_units(const char *printed, double measured) {

@@ -1,0 +1,45 @@
+/* A command line, run and kept. */
+#include "verification/command/command_run.h"
+
+#include "references/scene.h"
+#include "verification/command/arguments.h"
+#include "verification/command/verb.h"
+#include "verification/run/run.h"
+
+#include <stdio.h>
+#include <string.h>
+
+int command_run_list(struct command_run *run, const char *format, va_list arguments) {
+    *run = (struct command_run){0};
+    struct failure *why = &run->result.failure;
+    struct request *r = &run->request;
+    int length = vsnprintf(run->command, sizeof run->command, format, arguments);
+    if (length < 0 || (size_t)length >= sizeof run->command)
+        return refuse(why, STATUS_INPUT, "the command '%.60s...' is too long", run->command);
+    int status = arguments_parse_line(run->command, r, why);
+    if (status || strcmp(r->verb->name, "run") != 0) return status;
+    return run_experiment(&r->experiment, &run->result, &run->field);
+}
+
+int command_run_line(struct command_run *run, const char *format, ...) {
+    va_list arguments;
+    va_start(arguments, format);
+    int status = command_run_list(run, format, arguments);
+    va_end(arguments);
+    return status;
+}
+
+int command_run_check(const struct command_run *run, struct failure *why) {
+    const struct failure *failure = &run->result.failure;
+    if (!failure->status) return STATUS_OK;
+    return refuse(why, failure->status, "heatladder %.100s: %.300s", run->command, failure->text);
+}
+
+double command_run_exact(const struct command_run *run, const double x[2], double t) {
+    return run->request.experiment.scene->exact(&run->request.experiment.problem, x, t).temperature;
+}
+
+void command_run_free(struct command_run *run) {
+    field_free(&run->field);
+    arguments_free(&run->request);
+}

@@ -1,0 +1,33 @@
+#ifndef HEATLADDER_VERIFICATION_COMMAND_COMMAND_RUN_H
+#define HEATLADDER_VERIFICATION_COMMAND_COMMAND_RUN_H
+
+/* A command line, run and kept: what the claims and the reports are made of, so that each number of theirs can be
+ * asked for again by hand. */
+
+#include "verification/command/request.h"
+#include "verification/run/result.h"
+
+#include <stdarg.h>
+
+struct command_run {
+    char command[400]; /* as a user would type it after the program's name */
+    struct request request;
+    struct result result; /* its failure: of the command line or of the run */
+    struct field field;
+};
+
+/* Reads a command line (printf-like) and, where its verb is `run`, runs it.  The status, which is also that of
+ * run->result.failure; command_run_free in any case.  Safe from any thread. */
+int command_run_line(struct command_run *run, const char *format, ...) __attribute__((format(printf, 2, 3)));
+int command_run_list(struct command_run *run, const char *format, va_list arguments)
+    __attribute__((format(printf, 2, 0)));
+
+/* The failure, if any, with the command that it is of. */
+int command_run_check(const struct command_run *run, struct failure *why);
+
+/* The exact solution of the command's scene at x and time t (s), K. */
+double command_run_exact(const struct command_run *run, const double x[2], double t);
+
+void command_run_free(struct command_run *run);
+
+#endif
