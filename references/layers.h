@@ -1,9 +1,12 @@
 #ifndef HEATLADDER_REFERENCES_LAYERS_H
 #define HEATLADDER_REFERENCES_LAYERS_H
 
-#include "references/scene.h"
+#include "references/series.h"
 
-/* Two layers in perfect contact at x = 0, between walls at -width[0] and width[1]. */
+#include <complex.h>
+
+/* Two layers in perfect contact at x = 0, between walls at -width[0] and width[1], by the Laplace transform and by
+ * eigenfunctions. */
 struct layers {
     double width[2]; /* m */
     double k[2];     /* W m^-1 K^-1 */
@@ -12,12 +15,40 @@ struct layers {
     double start[2]; /* K, either layer throughout at t = 0 */
 };
 
-/* T at -width[0] <= x <= width[1] after t > 0 s, by numerical inversion of the Laplace transform; good to 1e-12 of
- * the largest temperature difference.  At t = 0 the start, with no meaning at faces that jump. */
-struct exact layers_at(const struct layers *w, double x, double t);
+/* The contour of the numerical inversion at one time, and what of the transform does not depend on x. */
+enum { LAYERS_NODES = 12 };
+struct layers_contour {
+    struct layers w;
+    double error[2]; /* K and K m^-1 */
+    struct {
+        double complex q;    /* m^-1: sqrt(z rho_c/k) */
+        double complex wall; /* K: what sinh(q d) is multiplied by, d the distance to the contact */
+        double complex core; /* K: what sinh(q (width - d)) is multiplied by */
+    } node[2][LAYERS_NODES]; /* by layer */
+};
 
-/* Decay rate of the slowest mode, s^-1: the lowest root mu of sum_i k_i q_i cot(q_i width_i) = 0, q_i^2 = mu
- * rho_c_i/k_i, rounded down. */
-double layers_slowest(const struct layers *w);
+/* t > 0 s */
+void layers_contour(const struct layers *w, double t, struct layers_contour *c);
+
+/* T, K, and dT/dx at -width[0] <= x <= width[1]; good to 1e-12 of the largest temperature difference. */
+struct curve layers_contour_at(const struct layers_contour *c, double x);
+
+/* What is left of the start at one time, in eigenfunctions, where both layers start alike. */
+enum { LAYERS_MODES = 2048 };
+struct layers_modes {
+    struct layers w;
+    int n;           /* modes that have not decayed below 1e-18 */
+    double error[2]; /* K and K m^-1, whatever x */
+    struct {
+        double size[2], q[2]; /* K, m^-1, by layer: size sin(q (distance to its wall)) */
+    } mode[LAYERS_MODES];
+};
+
+/* How many modes count at t > 0 s. */
+double layers_modes_needed(const struct layers *w, double t);
+void layers_modes(const struct layers *w, double t, struct layers_modes *m);
+
+/* The steady state and the modes that are left. */
+struct curve layers_modes_at(const struct layers_modes *m, double x);
 
 #endif

@@ -1,69 +1,42 @@
-/* Rectangle with one side switched on: closed forms for the steady state, for small and for large times.
+/* Rectangle whose sides are switched on: a closed form of the steady state, less a double sine series.
  *
- * Steady (Pamplona 2019 eq. 2, one side, with the sign that its boundary asks for), sums over odd n, r = n pi/B:
+ * Steady (Pamplona 2019 eq. 2, one side at 1, with the sign that its boundary asks for), sums over odd n, r = n pi/B:
  *
  *     H = sum_n 4/(n pi) sin(r eta) sinh(r (W - xi))/sinh(r W)
  *
- * falls off as exp(-r xi), so it crawls near the hot side.  Since
+ * falls off as exp(-r xi), so it crawls near the hot side.  The terms exp(-r xi) - exp(-r (2W - xi)) of the ratio sum
+ * up to semi-infinite strips (Carslaw and Jaeger 1959, chapter 5), and what is left falls as exp(-2 r W) everywhere:
  *
- *     sinh(r (W - xi))/sinh(r W) = sum_{k>=0} exp(-r (xi + 2kW)) - exp(-r (2(k+1)W - xi))
- *     sum_n 4/(n pi) sin(r eta) exp(-r xi) = 2/pi atan(sin(pi eta/B)/sinh(pi xi/B)) = A(xi)
+ *     H = A(xi) - A(2W - xi) + sum_n 4/(n pi) sin(r eta) (exp(-r xi) - exp(-r (2W - xi)))/(exp(2 r W) - 1)
+ *     A(u) = 2/pi atan(sin(pi eta/B)/sinh(pi u/B))
  *
- * (A is the semi-infinite strip; Carslaw and Jaeger 1959, chapter 5), the two sums change places and
+ * For W < B, with the straight line 1 - xi/W that the middle of the side has, and sums over all m, q = m pi/W,
  *
- *     H = sum_{k>=0} A(xi + 2kW) - A(2(k+1)W - xi)
+ *     H = 1 - xi/W - E(eta) - E(B - eta),   E = sum_m 2/(m pi) sin(q xi) sinh(q (B - eta))/sinh(q B)
+ *       = D(eta) - D(2B - eta) + sum_m 2/(m pi) sin(q xi) (exp(-q eta) - exp(-q (2B - eta)))/(exp(2 q B) - 1)
+ *     D(u) = 2/pi arg(1/(1 - exp(pi (i xi - u)/W)))
  *
- * gains a factor exp(-2 pi W/B) a term, everywhere, at the hot side as well.
- *
- * Large times: what is still missing from H obeys zero walls and is a double sine series.  Its coefficients follow
- * from the hot side alone: for a mode sin(q xi) sin(r eta), Green's second identity leaves its slope there,
+ * Transient: what is still missing from H obeys zero walls and is a double sine series.  Its coefficients follow from
+ * the hot side alone: for a mode sin(q xi) sin(r eta), Green's second identity leaves its slope there,
  *
  *     H - T = sum_m sum_n 8 q/(n pi W (q^2 + r^2)) sin(q xi) sin(r eta) exp(-(q^2 + r^2) s^2/4),   q = m pi/W
  *
- * Small times, s <= 0.15 min(W, B): only the hot side and its two corners are felt,
+ * Cut: the end of an axis is felt no further than 6.3 s (erfc(6.3) = 5e-19), nor than 14 times the other extent
+ * (exp(-14 pi) = 8e-20).  What lies beyond that reach of both ends is alike, and is left out: the cut rectangle is no
+ * longer than 12.6 s or 28 of its widths, so that at any time and any shape no more than 53 modes of an axis have
+ * (q s/2)^2 < 41.5, and the strips' exponentials stay finite.
  *
- *     T = erfc(xi/s) - Q(xi, eta) - Q(xi, B - eta)
- *
- * Q, the deficit by one corner, is the integral over time of the half line's wall kernel times the chill that the
- * neighbour has sent by then; with z = xi/sqrt(4 kappa tau) and Owen's T function (Owen 1956)
- *
- *     Q = 2/sqrt(pi) int_{xi/s}^inf exp(-z^2) erfc(z eta/xi) dz = erfc(xi/s) - 4 T_Owen(sqrt(2) xi/s, eta/xi)
- *     4 T_Owen = 2/pi int_0^{eta/xi} exp(-(xi/s)^2 (1 + v^2))/(1 + v^2) dv
- *
- * For eta > xi the two change places: Q(xi, eta) + Q(eta, xi) = erfc(xi/s) erfc(eta/s).  What the far side would add
- * is below erfc(1/0.15) = 4.2e-21.
- *
- * Restrictions: isotropic; the point is not a corner (there T depends on the direction). */
+ * Restrictions: isotropic. */
 #include "references/rectangle.h"
 
 #include <float.h>
 #include <math.h>
 
-#include <gsl/gsl_errno.h>
-#include <gsl/gsl_integration.h>
-
 static const double pi = 3.14159265358979323846;
-
-/* Where the forms for small and for large times change over, s/min(W, B). */
-static const double small_time = 0.15;
+static const double last_exponent = 41.5; /* exp(-41.5) = 9.5e-19 */
 
 double rectangle_sinh_ratio(double q, double a, double b) {
     return exp(-q * (b - a)) * expm1(-2 * q * a) / expm1(-2 * q * b);
-}
-
-/* A(xi) above; sin of the nearer end, so that the side neighbours are exactly cold */
-static double strip(double xi, double eta, double B) {
-    return 2 / pi * atan2(sin(pi * fmin(eta, B - eta) / B), sinh(pi * xi / B));
-}
-
-struct approx rectangle_steady(double xi, double W, double eta, double B) {
-    double sum = 0, tail = 1;
-    int k = 0;
-    for (; k < 100000 && tail > 1e-18; k++) {
-        sum += strip(xi + 2 * k * W, eta, B) - strip(2 * (k + 1) * W - xi, eta, B);
-        tail = 4 / pi * exp(-2 * pi * (k + 1) * W / B) / -expm1(-2 * pi * W / B);
-    }
-    return (struct approx){sum, tail + 2 * DBL_EPSILON * (2 + k)};
 }
 
 struct series_levin rectangle_steady_series(double xi, double W, double eta, double B, size_t n) {
@@ -76,101 +49,188 @@ struct series_levin rectangle_steady_series(double xi, double W, double eta, dou
     return series_accelerate(term, n);
 }
 
-double rectangle_corner(double xi, double eta, double s) {
-    double h = fmax(xi, eta) / s, ratio = fmin(xi, eta) / fmax(xi, eta), sum = 0;
-    if (hypot(xi, eta) > SERIES_REACH * s) return 0;
-    /* 32 Gauss points integrate this to rounding: its poles +-i are far, and h <= SERIES_REACH */
-    gsl_integration_glfixed_table *table = gsl_integration_glfixed_table_alloc(32);
-    for (size_t i = 0; i < 32; i++) {
-        double v, weight;
-        gsl_integration_glfixed_point(0, ratio, i, &v, &weight, table);
-        sum += weight * exp(-h * h * (1 + v * v)) / (1 + v * v);
-    }
-    gsl_integration_glfixed_table_free(table);
-    double owen = 2 / pi * sum, E = erfc(xi / s);
-    return eta <= xi ? E - owen : owen - erfc(eta / s) * (1 - E);
-}
-
-/* H - T for large times.  Modes are taken in blocks, since a long plate has many along its length. */
-static struct approx missing(double xi, double W, double eta, double B, double s) {
-    enum { BLOCK = 256 };
-    const double c = s * s / 4, least = 1e-18;
-    double along[BLOCK], size[BLOCK], q2[BLOCK], decay[BLOCK], sum = 0, error = 8 * DBL_EPSILON;
-    for (int m0 = 1, alive = BLOCK; alive == BLOCK; m0 += BLOCK) {
-        for (alive = 0; alive < BLOCK; alive++) {
-            double q = (m0 + alive) * pi / W;
-            q2[alive] = q * q;
-            decay[alive] = exp(-c * q * q);
-            along[alive] = q * sin(q * xi) * decay[alive];
-            size[alive] = q * decay[alive] * (4 + q * xi); /* the phase q xi is rounded */
-            if (decay[alive] < least) break;
-        }
-        for (int n = 1; alive; n += 2) {
-            double r = n * pi / B, across = exp(-c * r * r), inner = 0, rounding = 0;
-            if (across * decay[0] < least) break;
-            for (int i = 0; i < alive && across * decay[i] >= least; i++) {
-                inner += along[i] / (q2[i] + r * r);
-                rounding += size[i] / (q2[i] + r * r);
-            }
-            sum += 8 / (n * pi * W) * across * sin(r * eta) * inner;
-            error += DBL_EPSILON * 8 / (n * pi * W) * across * (1 + r * eta) * rounding;
-        }
-    }
-    return (struct approx){sum, error};
-}
-
-struct approx rectangle_response(double xi, double W, double eta, double B, double s) {
-    if (s == 0) return (struct approx){0, 0};
-    if (s <= small_time * fmin(W, B)) {
-        double T = erfc(xi / s) - rectangle_corner(xi, eta, s) - rectangle_corner(xi, B - eta, s);
-        return (struct approx){T, 8 * DBL_EPSILON};
-    }
-    struct approx H = rectangle_steady(xi, W, eta, B), D = missing(xi, W, eta, B, s);
-    return (struct approx){H.value - D.value, H.error + D.error};
-}
-
-struct kernel {
-    double distance, eta, B; /* m */
+/* Place along an axis: distances to both ends, and the angle pi near/length with its sine and cosine. */
+struct place {
+    double lo, hi, length, sine, cosine; /* cosine > 0 in the lower half */
 };
 
-/* exp(-z^2) times the unit box across, after the time at which z = distance/s; per log z, since the box falls where
- * z = distance/eta, however small that is */
-static double integrand(double log_z, void *data) {
-    const struct kernel *k = data;
-    double z = exp(log_z);
-    struct approx across = series_box(k->eta - k->B / 2, k->B / 2, k->B / 2, k->distance / z);
-    return 2 / sqrt(pi) * z * exp(-z * z) * across.value;
+static struct place place(double lo, double hi, double length) {
+    double angle = pi * fmin(lo, hi) / length, c = cos(angle);
+    return (struct place){lo, hi, length, sin(angle), lo <= hi ? c : -c};
 }
 
-/* The hot side seen from one image of the point: int over time of (wall kernel of the half line) x (box across). */
-static struct approx image(double distance, double eta, double B, double s, gsl_integration_workspace *w) {
-    struct kernel k = {distance, eta, B};
-    gsl_function f = {integrand, &k};
-    double from = log(distance / s), to = log(SERIES_REACH);
-    struct approx sum = {0, 1e-15};
-    if (distance == 0) return (struct approx){1, 0};
-    if (eta == 0 || eta == B || from >= to) return (struct approx){0, 1e-17};
-    int pieces = (int)fmin(ceil(to - from), 800);
-    for (int i = 0; i < pieces; i++) {
-        double a = from + (to - from) * i / pieces, b = from + (to - from) * (i + 1) / pieces, value, error;
-        int status = gsl_integration_qag(&f, a, b, 1e-15, 1e-13, 1000, GSL_INTEG_GAUSS41, w, &value, &error);
-        sum.value += value;
-        sum.error += status && status != GSL_EROUND ? INFINITY : error;
-    }
-    /* eta - B/2 is rounded; |dT/d eta| <= T/distance to the nearer neighbour, up to a factor below 2 */
-    sum.error += DBL_EPSILON * B / fmin(eta, B - eta) * sum.value;
-    return sum;
+/* Value and slopes along xi and eta. */
+struct sum {
+    double value, along, across, size; /* size: of the slopes' parts */
+};
+
+/* A(u) of the comment on top, its slope by u in `along`. */
+static struct sum strip(double u, const struct place *eta) {
+    double grown = expm1(pi * u / eta->length), sinh_u = (grown + grown / (grown + 1)) / 2, cosh_u = hypot(1, sinh_u);
+    double den = (sinh_u * sinh_u + eta->sine * eta->sine) * eta->length / 2;
+    struct sum A = {2 / pi * atan2(eta->sine, sinh_u), -eta->sine * cosh_u / den, eta->cosine * sinh_u / den, 0};
+    A.size = fabs(A.along) + fabs(A.across);
+    return A;
 }
 
-struct approx rectangle_quadrature(double xi, double W, double eta, double B, double s) {
-    struct approx T = {0, 1e-17};
-    if (s == 0) return (struct approx){0, 0};
-    gsl_integration_workspace *w = gsl_integration_workspace_alloc(1000);
-    for (int k = 0; xi + 2 * k * W < SERIES_REACH * s; k++) {
-        struct approx near = image(xi + 2 * k * W, eta, B, s, w), far = image(2 * (k + 1) * W - xi, eta, B, s, w);
-        T.value += near.value - far.value;
-        T.error += near.error + far.error;
+/* D(u), its slope by u in `along`, by xi in `across`. */
+static struct sum wedge(double u, const struct place *xi) {
+    double shrunk = expm1(-pi * u / xi->length), e = 1 + shrunk, half = xi->sine * xi->sine / (1 + xi->cosine);
+    if (xi->cosine < 0) half = 1 - xi->cosine;                  /* 1 - cos */
+    double real = -shrunk + e * half, imaginary = e * xi->sine; /* of 1 - zeta, but for a sign */
+    double den = (real * real + imaginary * imaginary) * xi->length / 2;
+    struct sum D = {2 / pi * atan2(imaginary, real), -imaginary / den, -e * (half + shrunk) / den, 0};
+    D.size = fabs(D.along) + fabs(D.across);
+    return D;
+}
+
+static void add(struct sum *to, double factor, double turn, struct sum part) {
+    to->value += factor * part.value;
+    to->along += factor * turn * part.along;
+    to->across += factor * part.across;
+    to->size += fabs(factor) * part.size;
+}
+
+/* first - last image of a strip or wedge at the distance `near` from where it starts, and the rest of the sum over
+ * n = 1, step + 1, ... of c/n sin(n angle) (exp(-n pi u/b) - exp(-n pi (2 w - u)/b))/(exp(2 pi n w/b) - 1). */
+static struct sum images(struct sum (*image)(double, const struct place *), double near, double far, double w,
+                         const struct place *b, int step) {
+    struct sum H = image(near, b);
+    add(&H, -1, -1, image(w + far, b));
+    double rate = pi / b->length, p = exp(-rate * near), o = exp(-rate * (w + far)), grow = exp(2 * rate * w);
+    double pn = p, on = o, grown = grow, s = b->sine, c = b->cosine, sn = s, cn = c;
+    for (int n = 1; grown < 1e18; n++) {
+        if (step == 1 || n % 2) {
+            double size = 2 * step / (n * pi) / (grown - 1);
+            H.value += size * sn * (pn - on);
+            H.along -= size * n * rate * sn * (pn + on);
+            H.across += size * n * rate * cn * (pn - on);
+        }
+        double next = sn * c + cn * s;
+        cn = cn * c - sn * s;
+        sn = next;
+        pn *= p;
+        on *= o;
+        grown *= grow;
     }
-    gsl_integration_workspace_free(w);
+    return H;
+}
+
+/* The steady response to the side from which xi->lo is measured. */
+static struct sum steady(const struct place *xi, const struct place *eta) {
+    double W = xi->length, B = eta->length;
+    if (W >= B) return images(strip, xi->lo, xi->hi, W, eta, 2);
+    struct sum H = {xi->hi / W, -1 / W, 0, 1 / W};
+    for (int end = 0; end < 2; end++) {
+        struct sum E = images(wedge, end ? eta->hi : eta->lo, end ? eta->lo : eta->hi, B, xi, 1);
+        H.value -= E.value;
+        H.along -= E.across;
+        H.across -= end ? -E.along : E.along;
+        H.size += E.size;
+    }
+    return H;
+}
+
+struct approx rectangle_steady(double xi, double W, double eta, double B) {
+    struct place along = place(xi, W - xi, W), across = place(eta, B - eta, B);
+    return (struct approx){steady(&along, &across).value, 24 * DBL_EPSILON};
+}
+
+/* The row n of modes: coefficients while they count. */
+static void prepare_row(struct rectangle *r, int n, double c) {
+    const double *g = r->side, W = r->cut[0], H = r->cut[1], ky = n * pi / H;
+    for (int m = 1; m <= RECTANGLE_MODES; m++) {
+        double kx = m * pi / W, rate = kx * kx + ky * ky, size = 0;
+        if (c * rate > last_exponent) break;
+        if (m % 2) size += 8 * ky / (m * pi * H) * (g[2] + (n % 2 ? g[3] : -g[3]));
+        if (n % 2) size += 8 * kx / (n * pi * W) * (g[0] + (m % 2 ? g[1] : -g[1]));
+        size *= exp(-c * rate) / rate;
+        r->mode[n - 1][m - 1] = size;
+        r->count[n - 1] = m;
+        /* the exponent is rounded, and the phases up to m pi/2 and n pi/2, by tables made by steps */
+        double rounding = DBL_EPSILON * fabs(size) * (8 + 8 * c * rate + 5 * (m + n));
+        r->error[0] += rounding;
+        r->error[1] += kx * rounding;
+        r->error[2] += ky * rounding;
+    }
+}
+
+void rectangle_prepare(const double extent[2], const double side[4], double s, struct rectangle *r) {
+    double scale = 0;
+    *r = (struct rectangle){.rows = 0};
+    for (int i = 0; i < 4; i++) {
+        r->side[i] = side[i];
+        scale += fabs(side[i]);
+    }
+    for (int a = 0; a < 2; a++) {
+        r->extent[a] = extent[a];
+        r->reach[a] = fmin(6.3 * s, 14 * extent[1 - a]);
+        r->cut[a] = fmin(extent[a], 2 * r->reach[a]);
+    }
+    double shorter = fmin(r->cut[0], r->cut[1]);
+    for (int a = 0; a < 3; a++) r->error[a] = scale * (24 * DBL_EPSILON + 1e-17) / (a ? shorter : 1);
+    for (int n = 1; n <= RECTANGLE_MODES && s < INFINITY; n++) {
+        prepare_row(r, n, s * s / 4);
+        if (r->count[n - 1] == 0) break;
+        r->rows = n;
+    }
+}
+
+static struct place place_in(const struct rectangle *r, int axis, double x) {
+    double lo = fmax(x, 0), hi = fmax(r->extent[axis] - x, 0), cut = r->cut[axis];
+    if (cut < r->extent[axis]) {
+        if (lo > cut / 2 && hi > cut / 2)
+            lo = hi = cut / 2;
+        else if (lo <= cut / 2)
+            hi = cut - lo;
+        else
+            lo = cut - hi;
+    }
+    return place(lo, hi, cut);
+}
+
+/* sin and cos of m angle, m = 1 to n. */
+static void table(const struct place *p, int n, double *sine, double *cosine) {
+    double s = 0, c = 1;
+    for (int m = 0; m < n; m++) {
+        sine[m] = s * p->cosine + c * p->sine;
+        cosine[m] = c * p->cosine - s * p->sine;
+        s = sine[m];
+        c = cosine[m];
+    }
+}
+
+static void subtract_modes(const struct rectangle *r, const struct place at[2], struct surface *T) {
+    double sx[RECTANGLE_MODES], cx[RECTANGLE_MODES], sy[RECTANGLE_MODES], cy[RECTANGLE_MODES];
+    table(&at[0], r->count[0], sx, cx);
+    table(&at[1], r->rows, sy, cy);
+    for (int m = 0; m < r->count[0]; m++) cx[m] *= (m + 1) * pi / at[0].length;
+    for (int n = 0; n < r->rows; n++) {
+        double value = 0, slope = 0;
+        for (int m = 0; m < r->count[n]; m++) {
+            value += r->mode[n][m] * sx[m];
+            slope += r->mode[n][m] * cx[m];
+        }
+        T->at.value -= value * sy[n];
+        T->slope[0].value -= slope * sy[n];
+        T->slope[1].value -= value * cy[n] * (n + 1) * pi / at[1].length;
+    }
+}
+
+struct surface rectangle_at(const struct rectangle *r, const double x[2]) {
+    struct place at[2] = {place_in(r, 0, x[0]), place_in(r, 1, x[1])};
+    struct surface T = {{0, r->error[0]}, {{0, r->error[1]}, {0, r->error[2]}}};
+    for (int side = 0; side < 4; side++) {
+        if (r->side[side] == 0) continue;
+        int a = side / 2, upper = side % 2;
+        struct place xi = at[a];
+        if (upper) xi = (struct place){xi.hi, xi.lo, xi.length, xi.sine, -xi.cosine};
+        struct sum H = steady(&xi, &at[1 - a]);
+        T.at.value += r->side[side] * H.value;
+        T.slope[a].value += r->side[side] * (upper ? -H.along : H.along);
+        T.slope[1 - a].value += r->side[side] * H.across;
+        for (int b = 0; b < 2; b++) T.slope[b].error += 24 * DBL_EPSILON * fabs(r->side[side]) * H.size;
+    }
+    subtract_modes(r, at, &T);
     return T;
 }

@@ -3,26 +3,40 @@
 
 #include "references/series.h"
 
-/* Response of a rectangle at zero to one side that is held at 1 from t = 0 on, the other three at zero.  The point
- * lies at the distance xi from the hot side (0 <= xi <= W) and eta from one of its neighbours (0 <= eta <= B); s =
- * sqrt(4 kappa t), m, stands for the time. */
+/* A rectangle at zero whose sides are held at temperatures of their own from t = 0 on; s = sqrt(4 kappa t), m, stands
+ * for the time. */
 
-struct approx rectangle_response(double xi, double W, double eta, double B, double s);
+enum { RECTANGLE_MODES = 56 }; /* along an axis; 53 are the most that can count, see rectangle.c */
 
-/* The same from quadrature over time of the wall's Green's function; shares no form with rectangle_response. */
-struct approx rectangle_quadrature(double xi, double W, double eta, double B, double s);
+/* What all points share at one time. */
+struct rectangle {
+    double extent[2], reach[2], cut[2]; /* m; cut: the extent without its middle, where the ends are not felt */
+    double side[4];                     /* K, indexed by enum side */
+    int rows, count[RECTANGLE_MODES];   /* modes that count: rows n, and m in each */
+    double error[3];                    /* K; K m^-1 along x and y, whatever the point */
+    double mode[RECTANGLE_MODES][RECTANGLE_MODES]; /* K: [n][m] of sin(m pi x/cut) sin(n pi y/cut) */
+};
 
-/* The limit s -> infinity. */
+struct surface {
+    struct approx at;       /* K */
+    struct approx slope[2]; /* K m^-1, along x and y; without meaning in a corner */
+};
+
+/* Extents within a factor of 1e6 of each other; s > 0, INFINITY for the steady state. */
+void rectangle_prepare(const double extent[2], const double side[4], double s, struct rectangle *r);
+struct surface rectangle_at(const struct rectangle *r, const double x[2]);
+
+/* One hot side, held at 1: the steady temperature at the distance xi from it (0 <= xi <= W) and eta from one of its
+ * neighbours (0 <= eta <= B). */
 struct approx rectangle_steady(double xi, double W, double eta, double B);
 
-/* The same from the first n terms of the sine series of Pamplona 2019 eq. 2, plainly and accelerated. */
+/* The same after the time s, from quadrature over time of the wall's Green's function (rectangle_quadrature.c). */
+struct approx rectangle_quadrature(double xi, double W, double eta, double B, double s);
+
+/* The steady state from the first n terms of the sine series of Pamplona 2019 eq. 2, plainly and accelerated. */
 struct series_levin rectangle_steady_series(double xi, double W, double eta, double B, size_t n);
 
 /* sinh(q a)/sinh(q b) for 0 <= a <= b, q > 0, without overflow. */
 double rectangle_sinh_ratio(double q, double a, double b);
-
-/* Deficit by one corner: erfc(xi/s) less the temperature of a quarter plane whose side at the distance xi is held at
- * 1 and the other, at the distance eta, at 0. */
-double rectangle_corner(double xi, double eta, double s);
 
 #endif

@@ -18,8 +18,12 @@ struct param {
 };
 
 struct exact {
-    double temperature; /* K */
-    double error_bound; /* K: truncation and rounding of the evaluation */
+    double temperature;       /* K */
+    double error_bound;       /* K: truncation and rounding of the evaluation */
+    double gradient[2];       /* K m^-1; along y 0 on a rod.  Of `exact` alone, and at t > 0 */
+    double gradient_bound[2]; /* K m^-1 */
+    int no_value; /* 1 where the solution has no value: a corner whose sides disagree.  temperature is then
+                     the mean of the two, error_bound half their difference */
 };
 
 struct scene {
@@ -30,9 +34,14 @@ struct scene {
     /* From p->param (every value set, finite) to the whole of *p.  0, or STATUS_INPUT with *why filled, naming
      * `--set NAME=VALUE` and what would be valid. */
     int (*setup)(struct problem *p, struct failure *why);
-    /* Exact solution of *p at x and time t >= 0 s. */
+    /* What all points share at the time t >= 0, to be freed by free(); NULL where the scene has nothing to share. */
+    void *(*prepare)(const struct problem *p, double t);
+    /* Exact solution of *p at x and time t, from what `prepare` gave for that time; NULL as `prepare` is. */
+    struct exact (*prepared)(const struct problem *p, const void *shared, const double x[2], double t);
+    /* Exact solution of *p at x and time t >= 0 s.  For many points at one time: snapshot.h. */
     struct exact (*exact)(const struct problem *p, const double x[2], double t);
-    /* A second form, derived apart, for the reference to be checked against (every scene has one). */
+    /* A second form of the temperature, derived apart, for the reference to be checked against (every scene has one).
+     */
     struct exact (*second)(const struct problem *p, const double x[2], double t);
     /* The solution as printed in the source, K, where that differs from `exact`; else NULL. */
     double (*published)(const struct problem *p, const double x[2], double t);

@@ -4,8 +4,8 @@
  *     T = T1 at y = 0, T2 at x = width, T3 at y = height, T4 at x = 0,   T = T0 at t = 0
  *
  * The problem is linear: T = T0 + sum_i (T_i - T0) H_i, H_i the response to side i alone going from 0 to 1
- * (rectangle.h: strips for the steady part, double sine series for the rest, error functions and Owen's T for
- * small times).  The second form integrates the walls' Green's function over time.  Both are good to 1e-13 of
+ * (rectangle.c: strips for the steady part, a double sine series for the rest).  The second form integrates the
+ * walls' Green's function over time.  Both are good to 1e-13 of
  * max|T_i - T0|.
  *
  * As printed, the paper's solution is another one (`published`, with T0 = 0 as there; a = width, b = height):
@@ -16,7 +16,7 @@
  *   eq. 5: the sum over n has two terms, n = m from A and C, n = p from B and D, by eq. 6.
  *
  * Corners: where two sides of different temperature meet, the limit of T depends on the direction (it is the mean of
- * the two along the bisector).  At a corner itself `exact` returns that mean, and half the difference as its error.
+ * the two along the bisector).  At a corner itself there is no value; `exact` returns that mean, marked so.
  * On a side, T is T0 at t = 0 and the side's temperature later.
  * Restrictions: one isotropic material. */
 #include "references/params.h"
@@ -26,6 +26,7 @@
 
 #include <float.h>
 #include <math.h>
+#include <stdlib.h>
 
 enum { WIDTH, HEIGHT, T1, T2, T3, T4, T0, MATERIAL, T_END };
 
@@ -92,9 +93,45 @@ static double width_at(const struct problem *p, double t) {
     return sqrt(4 * p->material[0].k[0] / p->material[0].rho_c * t);
 }
 
-/* T0 + sum_i (T_i - T0) H_i by either form of H. */
-static struct exact superpose(const struct problem *p, const double x[2], double t,
-                              struct approx (*response)(double, double, double, double, double)) {
+/* Whether x is a corner, and then its value: the mean of both sides. */
+static int corner(const struct problem *p, const double x[2], struct exact *e) {
+    const double *v = p->param;
+    int at_x = x[0] <= 0 || x[0] >= v[WIDTH], at_y = x[1] <= 0 || x[1] >= v[HEIGHT];
+    if (!at_x || !at_y) return 0;
+    double Tx = x[0] <= 0 ? v[T4] : v[T2], Ty = x[1] <= 0 ? v[T1] : v[T3];
+    *e = (struct exact){.temperature = (Tx + Ty) / 2,
+                        .error_bound = fabs(Tx - Ty) / 2 + 2 * DBL_EPSILON * (fabs(Tx) + fabs(Ty)),
+                        .no_value = Tx != Ty};
+    for (int a = 0; a < 2; a++) e->gradient_bound[a] = Tx != Ty ? INFINITY : 0;
+    return 1;
+}
+
+static void *prepare(const struct problem *p, double t) {
+    const double *v = p->param, side[4] = {v[T4] - v[T0], v[T2] - v[T0], v[T1] - v[T0], v[T3] - v[T0]};
+    struct rectangle *r = xcalloc(1, sizeof *r);
+    if (t > 0) rectangle_prepare(p->hi, side, width_at(p, t), r);
+    return r;
+}
+
+static struct exact prepared(const struct problem *p, const void *shared, const double x[2], double t) {
+    double start = p->param[T0], rounding = 2 * DBL_EPSILON * fabs(start);
+    struct exact e = {.temperature = start};
+    if (t == 0 || corner(p, x, &e)) return e;
+    struct surface T = rectangle_at(shared, x);
+    return (struct exact){.temperature = start + T.at.value,
+                          .error_bound = T.at.error + rounding,
+                          .gradient = {T.slope[0].value, T.slope[1].value},
+                          .gradient_bound = {T.slope[0].error, T.slope[1].error}};
+}
+
+static struct exact exact(const struct problem *p, const double x[2], double t) {
+    void *shared = prepare(p, t);
+    struct exact e = prepared(p, shared, x, t);
+    free(shared);
+    return e;
+}
+
+static struct exact second(const struct problem *p, const double x[2], double t) {
     const double *v = p->param, W = v[WIDTH], B = v[HEIGHT], s = width_at(p, t);
     const struct {
         double T, xi, W, eta, B;
@@ -102,27 +139,15 @@ static struct exact superpose(const struct problem *p, const double x[2], double
                 {v[T2], W - x[0], W, x[1], B},
                 {v[T3], B - x[1], B, x[0], W},
                 {v[T4], x[0], W, x[1], B}};
-    struct exact e = {v[T0], 2 * DBL_EPSILON * fabs(v[T0])};
-    int corner = (x[0] <= 0 || x[0] >= W) && (x[1] <= 0 || x[1] >= B);
-    if (corner && t > 0) {
-        double Tx = x[0] <= 0 ? v[T4] : v[T2], Ty = x[1] <= 0 ? v[T1] : v[T3];
-        return (struct exact){(Tx + Ty) / 2, fabs(Tx - Ty) / 2 + e.error_bound};
-    }
-    for (int i = 0; i < 4 && t > 0; i++) {
+    struct exact e = {.temperature = v[T0], .error_bound = 2 * DBL_EPSILON * fabs(v[T0])};
+    if (t == 0 || corner(p, x, &e)) return e;
+    for (int i = 0; i < 4; i++) {
         if (side[i].T == v[T0]) continue;
-        struct approx H = response(side[i].xi, side[i].W, side[i].eta, side[i].B, s);
+        struct approx H = rectangle_quadrature(side[i].xi, side[i].W, side[i].eta, side[i].B, s);
         e.temperature += (side[i].T - v[T0]) * H.value;
         e.error_bound += fabs(side[i].T - v[T0]) * H.error;
     }
     return e;
-}
-
-static struct exact exact(const struct problem *p, const double x[2], double t) {
-    return superpose(p, x, t, rectangle_response);
-}
-
-static struct exact second(const struct problem *p, const double x[2], double t) {
-    return superpose(p, x, t, rectangle_quadrature);
 }
 
 /* K_mp of eqs. 5-7, every sign and letter as printed. */
@@ -156,6 +181,8 @@ const struct scene scene_plate = {
     .citation = "Pamplona, Silva, Bucar, Vasco 2019, section 6, eqs. 1-7 (signs corrected)",
     .params = params,
     .setup = setup,
+    .prepare = prepare,
+    .prepared = prepared,
     .exact = exact,
     .second = second,
     .published = published,

@@ -64,10 +64,15 @@ static double wall(const struct problem *p, enum side s, const double x[2]) {
 
 static struct exact exact(const struct problem *p, const double x[2], double t) {
     const double *v = p->param, q = 2 * pi / v[WIDTH], r = pi / v[HEIGHT];
-    double lambda = (v[K_X] * q * q + v[K_Y] * r * r) / v[RHO_C], decay = exp(-lambda * t);
-    double Z = v[A] * sin(q * x[0]) * cos(r * x[1]);
-    double rounding = 8 + v[A] * decay * (4 + q * fabs(x[0]) + r * fabs(x[1]) + 4 * lambda * t);
-    return (struct exact){steady(p, x) + Z * decay, DBL_EPSILON * rounding};
+    double lambda = (v[K_X] * q * q + v[K_Y] * r * r) / v[RHO_C], amplitude = v[A] * exp(-lambda * t);
+    double rounding = amplitude * (6 + 2 * q * fabs(x[0]) + 2 * r * fabs(x[1]) + 6 * lambda * t);
+    double slope_x = rate_x / v[WIDTH] * (steady(p, x) - 1);
+    return (struct exact){.temperature = steady(p, x) + amplitude * sin(q * x[0]) * cos(r * x[1]),
+                          .error_bound = DBL_EPSILON * (8 + rounding),
+                          .gradient = {slope_x + amplitude * q * cos(q * x[0]) * cos(r * x[1]),
+                                       slope_y(p, x) - amplitude * r * sin(q * x[0]) * sin(r * x[1])},
+                          .gradient_bound = {DBL_EPSILON * (12 / v[WIDTH] + q * rounding),
+                                             DBL_EPSILON * (16 / v[HEIGHT] + r * rounding)}};
 }
 
 static double initial(const struct problem *p, const double x[2]) {

@@ -85,15 +85,16 @@ static int setup(struct problem *p, struct failure *why) {
 
 static struct exact exact(const struct problem *p, const double x[2], double t) {
     const double *v = p->param;
-    if (t == 0) return (struct exact){initial(p, x), 0};
-    double e1 = sqrt(v[K1] * v[RHO_C1]), e2 = sqrt(v[K2] * v[RHO_C2]);
-    double share1 = e1 / (e1 + e2), Tc = v[T2] + share1 * (v[T1] - v[T2]);
-    double s1 = sqrt(4 * v[K1] / v[RHO_C1] * t), s2 = sqrt(4 * v[K2] / v[RHO_C2] * t);
+    if (t == 0) return (struct exact){.temperature = initial(p, x)};
+    double e1 = sqrt(v[K1] * v[RHO_C1]), e2 = sqrt(v[K2] * v[RHO_C2]), from = x[0] - v[X_C];
+    double share1 = e1 / (e1 + e2), Tc = v[T2] + share1 * (v[T1] - v[T2]), rise = v[from < 0 ? T1 : T2] - Tc;
+    double s1 = sqrt(4 * v[K1] / v[RHO_C1] * t), s2 = sqrt(4 * v[K2] / v[RHO_C2] * t), s = from < 0 ? s1 : s2;
     double walls = fabs(v[T1] - v[T2]) * fmax(erfc((v[L] + v[X_C]) / s1), erfc((v[L] - v[X_C]) / s2));
-    double right = x[0] - v[X_C];
-    double bound = walls + 4 * DBL_EPSILON * (fabs(v[T1]) + fabs(v[T2]));
-    if (right < 0) return (struct exact){Tc + (v[T1] - Tc) * erf(-right / s1), bound};
-    return (struct exact){Tc + (v[T2] - Tc) * erf(right / s2), bound};
+    double z = from / s, size = fabs(v[T1]) + fabs(v[T2]), edge = 1.12837916709551257 / s * exp(-z * z);
+    return (struct exact){.temperature = Tc + rise * erf(fabs(z)),
+                          .error_bound = walls + 4 * DBL_EPSILON * size,
+                          .gradient = {(from < 0 ? -rise : rise) * edge},
+                          .gradient_bound = {walls * 10 / s + DBL_EPSILON * size * edge * (8 + 6 * z * z)}};
 }
 
 static struct exact second(const struct problem *p, const double x[2], double t) {
@@ -103,7 +104,11 @@ static struct exact second(const struct problem *p, const double x[2], double t)
                        .rho_c = {v[RHO_C1], v[RHO_C2]},
                        .wall = {v[T1], v[T2]},
                        .start = {v[T1], v[T2]}};
-    return layers_at(&w, x[0] - v[X_C], t);
+    struct layers_contour c;
+    if (t == 0) return (struct exact){.temperature = initial(p, x)};
+    layers_contour(&w, t, &c);
+    struct curve T = layers_contour_at(&c, x[0] - v[X_C]);
+    return (struct exact){.temperature = T.at.value, .error_bound = T.at.error};
 }
 
 const struct scene scene_rod_contact = {

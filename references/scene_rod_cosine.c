@@ -32,11 +32,15 @@ static const struct param params[] = {
 
 static const double pi = 3.14159265358979323846;
 
+/* The rate is rounded by 4 eps of itself, the phase by 2 eps. */
 static struct exact exact(const struct problem *p, const double x[2], double t) {
     double q = p->param[MODE] * pi / p->param[L], rate = p->param[KAPPA] * q * q;
-    double wave = p->param[A] * cos(q * x[0]) * exp(-rate * t);
-    double bound = p->param[A] * exp(-rate * t) * (2 + q * fabs(x[0]) + 3 * rate * t) + p->param[TM];
-    return (struct exact){p->param[TM] + wave, DBL_EPSILON * bound};
+    double amplitude = p->param[A] * exp(-rate * t), wave = amplitude * cos(q * x[0]);
+    double rounding = DBL_EPSILON * amplitude * (4 + 2 * q * fabs(x[0]) + 5 * rate * t);
+    return (struct exact){.temperature = p->param[TM] + wave,
+                          .error_bound = rounding + DBL_EPSILON * p->param[TM],
+                          .gradient = {-amplitude * q * sin(q * x[0])},
+                          .gradient_bound = {q * rounding}};
 }
 
 static double initial(const struct problem *p, const double x[2]) {

@@ -17,6 +17,7 @@
 
 #include "solver/method.h"
 
+#include <float.h>
 #include <math.h>
 
 enum { L, SIGMA0, KAPPA, T_END };
@@ -33,16 +34,22 @@ static double sigma_at(const struct problem *p, double t) {
     return sqrt(p->param[SIGMA0] * p->param[SIGMA0] + 2 * p->param[KAPPA] * t);
 }
 
+static struct exact scaled(const struct problem *p, double sigma, struct curve g) {
+    double peak = p->param[SIGMA0] / sigma, rounding = 3 * DBL_EPSILON; /* of peak */
+    return (struct exact){.temperature = peak * g.at.value,
+                          .error_bound = peak * (g.at.error + rounding * fabs(g.at.value)),
+                          .gradient = {peak * g.slope.value},
+                          .gradient_bound = {peak * (g.slope.error + rounding * fabs(g.slope.value))}};
+}
+
 static struct exact exact(const struct problem *p, const double x[2], double t) {
-    double sigma = sigma_at(p, t), peak = p->param[SIGMA0] / sigma;
-    struct approx g = series_gauss(x[0], p->param[L], sigma);
-    return (struct exact){peak * g.value, peak * g.error};
+    double sigma = sigma_at(p, t);
+    return scaled(p, sigma, series_gauss(x[0], p->param[L], sigma));
 }
 
 static struct exact second(const struct problem *p, const double x[2], double t) {
-    double sigma = sigma_at(p, t), peak = p->param[SIGMA0] / sigma;
-    struct approx g = series_gauss_other(x[0], p->param[L], sigma);
-    return (struct exact){peak * g.value, peak * g.error};
+    double sigma = sigma_at(p, t);
+    return scaled(p, sigma, series_gauss_other(x[0], p->param[L], sigma));
 }
 
 static double published(const struct problem *p, const double x[2], double t) {

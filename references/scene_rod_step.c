@@ -17,6 +17,7 @@
 
 #include "solver/method.h"
 
+#include <float.h>
 #include <math.h>
 
 enum { L, A, KAPPA, T0, T_END };
@@ -64,14 +65,20 @@ static int setup(struct problem *p, struct failure *why) {
     return STATUS_OK;
 }
 
+static struct exact scaled(const struct problem *p, struct curve u) {
+    double peak = p->param[T0];
+    return (struct exact){.temperature = peak * u.at.value,
+                          .error_bound = peak * (u.at.error + DBL_EPSILON * fabs(u.at.value)),
+                          .gradient = {peak * u.slope.value},
+                          .gradient_bound = {peak * (u.slope.error + DBL_EPSILON * fabs(u.slope.value))}};
+}
+
 static struct exact exact(const struct problem *p, const double x[2], double t) {
-    struct approx u = series_box(x[0], p->param[L], p->param[A], width_at(p, t));
-    return (struct exact){p->param[T0] * u.value, p->param[T0] * u.error};
+    return scaled(p, series_box(x[0], p->param[L], p->param[A], width_at(p, t)));
 }
 
 static struct exact second(const struct problem *p, const double x[2], double t) {
-    struct approx u = series_box_other(x[0], p->param[L], p->param[A], width_at(p, t));
-    return (struct exact){p->param[T0] * u.value, p->param[T0] * u.error};
+    return scaled(p, series_box_other(x[0], p->param[L], p->param[A], width_at(p, t)));
 }
 
 static double published(const struct problem *p, const double x[2], double t) {

@@ -16,6 +16,7 @@
 
 #include "solver/method.h"
 
+#include <float.h>
 #include <math.h>
 
 enum { L, A, B, KAPPA_X, KAPPA_Y, T0, T_END };
@@ -69,9 +70,17 @@ static int setup(struct problem *p, struct failure *why) {
     return STATUS_OK;
 }
 
-static struct exact product(const struct problem *p, struct approx u, struct approx v) {
-    return (struct exact){p->param[T0] * u.value * v.value,
-                          p->param[T0] * (fabs(u.value) * v.error + u.error * (fabs(v.value) + v.error))};
+static double product_error(struct approx u, struct approx v) {
+    return fabs(u.value) * v.error + u.error * (fabs(v.value) + v.error) + 2 * DBL_EPSILON * fabs(u.value * v.value);
+}
+
+static struct exact product(const struct problem *p, struct curve u, struct curve v) {
+    double peak = p->param[T0];
+    return (struct exact){
+        .temperature = peak * u.at.value * v.at.value,
+        .error_bound = peak * product_error(u.at, v.at),
+        .gradient = {peak * u.slope.value * v.at.value, peak * u.at.value * v.slope.value},
+        .gradient_bound = {peak * product_error(u.slope, v.at), peak * product_error(u.at, v.slope)}};
 }
 
 static struct exact exact(const struct problem *p, const double x[2], double t) {

@@ -3,20 +3,12 @@
  *     rho_c dT/dt = d/dx(k dT/dx)  on [0, L],   (k1, rho_c1) for x < x_c, (k2, rho_c2) for x >= x_c,
  *     T(0, t) = T1,   T(L, t) = T2,   T(x, 0) = T2
  *
- * Steady, the same flux q crosses both layers, whose resistances add up: q = (T1 - T2)/(x_c/k1 + (L - x_c)/k2),
+ * Steady, the same flux q crosses both layers, whose resistances add up: q = (T1 - T2)/(x_c/k1 + (L - x_c)/k2), and T
+ * is linear in either (Carslaw and Jaeger 1959, section 3.2).  Before that there are the modes that have not decayed
+ * (layers_modes.c), or, while these are many, the Laplace transform (layers.c); each checks the other.
  *
- *     S(x) = T1 - q x/k1 for x < x_c,   T2 + q (L - x)/k2 for x >= x_c
- *
- * (Carslaw and Jaeger 1959, section 3.2).  `exact` is S; what is left of the start at time t is in its error bound.
- *
- * Bound: mu is the lowest root of k1 q1 cot(q1 x_c) + k2 q2 cot(q2 (L - x_c)) = 0, q_i^2 = mu rho_c_i/k_i.  In a wall
- * with both layers thicker by the factor g = 1.02 the slowest mode phi decays at mu/g^2, solves the same equation and
- * is positive on all of [0, L], so |T - S| <= max|T2 - S| exp(-mu t/g^2) phi/min phi (maximum principle).
- *
- * End time: at the defaults mu = 15.4 s^-1 (nearly (pi/(2 x_c))^2, an insulated first layer, since k2 << k1), and
- * exp(-mu t_end) = 1.9e-17 at t_end = 2.5 s: steady to round-off.
- *
- * The second form is the whole transient through the Laplace transform.
+ * End time: at the defaults the slowest mode decays at 15.4 s^-1 (nearly kappa1 (pi/(2 x_c))^2, an insulated first
+ * layer, since k2 << k1), and exp(-15.4 t_end) = 1.9e-17 at t_end = 2.5 s: steady to round-off.
  *
  * Restrictions: 0 < x_c < L; T1 != T2. */
 #include "references/layers.h"
@@ -24,8 +16,7 @@
 
 #include "solver/method.h"
 
-#include <float.h>
-#include <math.h>
+#include <stdlib.h>
 
 enum { L, X_C, K1, RHO_C1, T1, K2, RHO_C2, T2, T_END };
 
@@ -83,30 +74,55 @@ static struct layers layers_of(const struct problem *p) {
                            .start = {v[T2], v[T2]}};
 }
 
-/* max|T2 - S| exp(-mu t/g^2) max phi/min phi: see the opening comment.  phi is 1 at the contact and concave in either
- * layer, so it is least at the contact or at a wall, and largest at the contact or at the top of a sine. */
-static double remaining(const struct problem *p, double t) {
-    const double g = 1.02, right_angle = 1.57079632679489662;
+/* By the modes where there are few, else by the contour. */
+struct shared {
+    int by_modes;
+    struct layers_contour contour;
+    struct layers_modes modes;
+};
+
+enum { FEW = 40 };
+
+static struct shared *share(const struct problem *p, double t, int other) {
+    struct shared *s = xcalloc(1, sizeof *s);
     struct layers w = layers_of(p);
-    double mu = layers_slowest(&w) / (g * g), least = 1, most = 1;
-    for (int i = 0; i < 2; i++) {
-        double q = sqrt(mu * w.rho_c[i] / w.k[i]), angle = q * g * w.width[i];
-        least = fmin(least, sin(angle - q * w.width[i]) / sin(angle));
-        if (angle > right_angle) most = fmax(most, 1 / sin(angle));
-    }
-    return fabs(w.wall[0] - w.wall[1]) * fmin(1, exp(-mu * t) * most / least);
+    if (t == 0) return s;
+    s->by_modes = (layers_modes_needed(&w, t) <= FEW) != other;
+    if (s->by_modes)
+        layers_modes(&w, t, &s->modes);
+    else
+        layers_contour(&w, t, &s->contour);
+    return s;
+}
+
+static void *prepare(const struct problem *p, double t) {
+    return share(p, t, 0);
+}
+
+static struct exact prepared(const struct problem *p, const void *shared, const double x[2], double t) {
+    const struct shared *s = shared;
+    double from = x[0] - p->param[X_C];
+    if (t == 0) return (struct exact){.temperature = initial(p, x)};
+    struct curve T = s->by_modes ? layers_modes_at(&s->modes, from) : layers_contour_at(&s->contour, from);
+    return (struct exact){.temperature = T.at.value,
+                          .error_bound = T.at.error,
+                          .gradient = {T.slope.value},
+                          .gradient_bound = {T.slope.error}};
+}
+
+static struct exact at_once(const struct problem *p, const double x[2], double t, int other) {
+    struct shared *s = share(p, t, other);
+    struct exact e = prepared(p, s, x, t);
+    free(s);
+    return e;
 }
 
 static struct exact exact(const struct problem *p, const double x[2], double t) {
-    const double *v = p->param;
-    double q = (v[T1] - v[T2]) / (v[X_C] / v[K1] + (v[L] - v[X_C]) / v[K2]);
-    double S = x[0] < v[X_C] ? v[T1] - q * x[0] / v[K1] : v[T2] + q * (v[L] - x[0]) / v[K2];
-    return (struct exact){S, remaining(p, t) + 4 * DBL_EPSILON * (fabs(v[T1]) + fabs(v[T2]))};
+    return at_once(p, x, t, 0);
 }
 
 static struct exact second(const struct problem *p, const double x[2], double t) {
-    struct layers w = layers_of(p);
-    return layers_at(&w, x[0] - p->param[X_C], t);
+    return at_once(p, x, t, 1);
 }
 
 const struct scene scene_wall_composite = {
@@ -115,6 +131,8 @@ const struct scene scene_wall_composite = {
     .citation = "Carslaw and Jaeger 1959, section 3.2",
     .params = params,
     .setup = setup,
+    .prepare = prepare,
+    .prepared = prepared,
     .exact = exact,
     .second = second,
 };

@@ -31,73 +31,132 @@ static int images_within(double x, double L, double half, double reach) {
     return k > 0 ? (int)fmin(k, 1e6) : 0;
 }
 
-struct approx series_box_images(double x, double L, double a, double s) {
-    if (s == 0) return (struct approx){series_in_box(x, a), 0};
+/* (erf(z + h) - erf(z - h))/2 for h <= 1/4 without cancellation: the Taylor series of erf about z in Hermite
+ * polynomials (Abramowitz and Stegun 1964, 7.1.19),
+ *     2/sqrt(pi) exp(-z^2) sum over even n of h^(n+1)/(n+1)! H_n(z),   H_(n+1) = 2 z H_n - 2 n H_(n-1).
+ * At z = SERIES_REACH the terms fall as 3.1^n/(n+1)!: n to 30 leave 1e-20 of the sum, which has no term of another
+ * sign above exp(2 h^2) - 1 of it. */
+static double pulse(double z, double h) {
+    double before = 0, g = 1, factorial = 1, sum = 1; /* g = h^n H_n */
+    for (int n = 0; n < 30; n++) {
+        double next = 2 * z * h * g - 2 * n * h * h * before;
+        before = g;
+        g = next;
+        factorial *= n + 2;
+        if (n % 2) sum += g / factorial;
+    }
+    return 2 / sqrt(pi) * h * exp(-z * z) * sum;
+}
+
+/* One image at the distance d >= 0 of its centre, unsigned; `lost` is what d may be off by, in units of eps.  The
+ * arguments v = (d -+ a)/s are off by eps (2 |v| + lost/s), and erfc changes by 2/sqrt(pi) exp(-v^2) of that; erfc
+ * itself is good to 5 units in the last place (glibc). */
+static struct curve box_image(double d, double a, double s, double lost) {
+    double in = (d - a) / s, out = (d + a) / s, edge = exp(-in * in) / sqrt(pi);
+    struct curve u;
+    if (4 * a > s) {
+        double near = erfc(in), far = erfc(out);
+        u.at.value = (near - far) / 2;
+        u.at.error = DBL_EPSILON * (3 * (near + far) + edge * (2 * fabs(in) + lost / s));
+        double other = exp(-out * out) / sqrt(pi);
+        u.slope.value = (other - edge) / s;
+        u.slope.error =
+            DBL_EPSILON / s * (edge * (4 + (2 * fabs(in) + lost / s) * 2 * fabs(in)) + other * (4 + 4 * out * out));
+    } else {
+        double z = d / s, h = a / s, relative = 12 + 2 * z * (2 * z + lost / s);
+        u.at.value = pulse(z, h);
+        u.at.error = DBL_EPSILON * relative * u.at.value;
+        u.slope.value = -2 / sqrt(pi) / s * exp(-z * z - h * h) * sinh(2 * z * h);
+        u.slope.error = DBL_EPSILON * (relative * fabs(u.slope.value) + 4 * u.at.value * lost / (s * s));
+    }
+    return u;
+}
+
+struct curve series_box_images(double x, double L, double a, double s) {
+    if (s == 0) return (struct curve){{series_in_box(x, a), 0}, {0, 0}};
     int K = images_within(x, L, a, SERIES_REACH * s);
-    double sum = 0, error = 2e-17;
+    double beyond = 2.2 * fmin(3.2e-18, 7.8e-17 * a / s); /* erfc(reach)/2, or 2 a/s exp(-reach^2)/sqrt(pi) */
+    struct curve sum = {{0, beyond}, {0, beyond * 2 * SERIES_REACH / s}};
     for (int k = -K; k <= K; k++) {
-        double d = fabs(x - 2 * k * L);
+        double to = x - 2 * k * L, d = fabs(to);
         if (d - a > SERIES_REACH * s) continue;
-        /* erfc, since the difference of two erf near 1 would lose the far tail */
-        double u = (erfc((d - a) / s) - erfc((d + a) / s)) / 2;
-        sum += k % 2 ? -u : u;
-        error += DBL_EPSILON * (2 * u + fabs(2 * k * L) / s);
+        struct curve u = box_image(d, a, s, k ? fabs(2 * k * L) + d : 0);
+        double sign = k % 2 ? -1 : 1;
+        sum.at.value += sign * u.at.value;
+        sum.slope.value += (to < 0 ? -sign : sign) * u.slope.value;
+        sum.at.error += u.at.error + DBL_EPSILON * u.at.value;
+        sum.slope.error += u.slope.error + DBL_EPSILON * fabs(u.slope.value);
     }
-    return (struct approx){sum, error + DBL_EPSILON * fabs(sum)};
+    return sum;
 }
 
-struct approx series_box_modes(double x, double L, double a, double s) {
-    double sum = 0, size = 0, tail = 0;
+/* The exponent E = (q s/2)^2 is rounded by 6 eps of itself, the phases q a and q x by 2 eps of themselves. */
+struct curve series_box_modes(double x, double L, double a, double s) {
+    struct curve sum = {{0, 0}, {0, 0}};
+    double tail = 0, steep = 0, small = fmin(1, 2 * a / L); /* |2 sin(q a)/(q L)| <= 2 a/L */
     for (int n = 0; n < MODES_MAX; n++) {
-        double q = (n + 0.5) * pi / L, decay = exp(-(q * s / 2) * (q * s / 2));
-        double c = 2 / (q * L) * decay;
-        sum += c * sin(q * a) * cos(q * x);
-        size += c * (1 + q * (a + fabs(x)));         /* the phases q a and q x are rounded too */
+        double q = (n + 0.5) * pi / L, E = (q * s / 2) * (q * s / 2), decay = exp(-E), c = 2 / (q * L) * decay;
+        double amplitude = c * sin(q * a), rounding = fabs(amplitude) * (4 + 6 * E) + 2 * c * q * a;
+        sum.at.value += amplitude * cos(q * x);
+        sum.slope.value -= amplitude * q * sin(q * x);
+        sum.at.error += DBL_EPSILON * (rounding + 2 * fabs(amplitude) * q * fabs(x));
+        sum.slope.error += DBL_EPSILON * q * (rounding + fabs(amplitude) * (2 + 2 * q * fabs(x)));
         double ratio = exp(-q * pi / L * s * s / 2); /* of each later mode to the one before, at most */
-        tail = fmin(1, c * ratio / (1 - ratio));
-        if (tail <= negligible) break;
+        tail = fmin(1, fmin(2 / (q * L), small) * decay * ratio / (1 - ratio));
+        steep = fmin(2 / L, q * small) * decay * ratio / (1 - ratio) * (1 + 1 / ((n + 0.5) * (1 - ratio)));
+        if (tail <= negligible * small && steep * L <= 10 * negligible * small) break;
     }
-    return (struct approx){sum, tail + DBL_EPSILON * size};
+    sum.at.error += tail;
+    sum.slope.error += steep;
+    return sum;
 }
 
-struct approx series_box(double x, double L, double a, double s) {
+struct curve series_box(double x, double L, double a, double s) {
     return s <= L ? series_box_images(x, L, a, s) : series_box_modes(x, L, a, s);
 }
 
-struct approx series_box_other(double x, double L, double a, double s) {
+struct curve series_box_other(double x, double L, double a, double s) {
     return s <= L ? series_box_modes(x, L, a, s) : series_box_images(x, L, a, s);
 }
 
-struct approx series_gauss_images(double x, double L, double sigma) {
-    const double reach = 9.1 * sigma; /* exp(-9.1^2/2) = 1.0e-18 */
+/* z = (x - 2kL)/sigma, sigma rounded too, is off by eps (2 |z| + |2kL|/sigma), and exp(-z^2/2) by z times that. */
+struct curve series_gauss_images(double x, double L, double sigma) {
+    const double reach = 9.3 * sigma; /* exp(-9.3^2/2) = 1.7e-19, and 9.3 times that */
     int K = images_within(x, L, 0, reach);
-    double sum = 0, error = 2 * negligible;
+    struct curve sum = {{0, 2 * negligible}, {0, 4 * negligible / sigma}};
     for (int k = -K; k <= K; k++) {
-        double z = (x - 2 * k * L) / sigma, u = exp(-z * z / 2);
-        sum += k % 2 ? -u : u;
-        error += DBL_EPSILON * u * (2 + z * z + fabs(z * 2 * k * L / sigma));
+        double z = (x - 2 * k * L) / sigma, u = exp(-z * z / 2), sign = k % 2 ? -1 : 1;
+        double lost = DBL_EPSILON * (2 * fabs(z) + fabs(2 * k * L) / sigma);
+        sum.at.value += sign * u;
+        sum.slope.value -= sign * u * z / sigma;
+        sum.at.error += u * (2 * DBL_EPSILON + fabs(z) * lost);
+        sum.slope.error += u / sigma * (4 * DBL_EPSILON * fabs(z) + (1 + z * z) * lost);
     }
-    return (struct approx){sum, error};
+    return sum;
 }
 
 /* The coefficient of mode q is (1/L) times the integral of exp(-x^2/(2 sigma^2)) cos(q x) over the whole line, since
  * the images of the source and the antiperiod 2L of the mode change sign together. */
-struct approx series_gauss_modes(double x, double L, double sigma) {
-    double amplitude = sqrt(2 * pi) * sigma / L, sum = 0, error = 2 * negligible;
+struct curve series_gauss_modes(double x, double L, double sigma) {
+    double amplitude = sqrt(2 * pi) * sigma / L;
+    struct curve sum = {{0, 2 * negligible}, {0, 40 * negligible / L}};
     for (int n = 0; n < MODES_MAX; n++) {
         double q = (n + 0.5) * pi / L, z = q * sigma, c = amplitude * exp(-z * z / 2);
-        sum += c * cos(q * x);
-        error += DBL_EPSILON * c * (2 + z * z + q * fabs(x));
+        double error = DBL_EPSILON * c * (4 + 4 * z * z + 2 * q * fabs(x));
+        sum.at.value += c * cos(q * x);
+        sum.slope.value -= c * q * sin(q * x);
+        sum.at.error += error;
+        sum.slope.error += q * error;
         if (c <= negligible * amplitude) break;
     }
-    return (struct approx){sum, error};
+    return sum;
 }
 
-struct approx series_gauss(double x, double L, double sigma) {
+struct curve series_gauss(double x, double L, double sigma) {
     return sigma <= L ? series_gauss_images(x, L, sigma) : series_gauss_modes(x, L, sigma);
 }
 
-struct approx series_gauss_other(double x, double L, double sigma) {
+struct curve series_gauss_other(double x, double L, double sigma) {
     return sigma <= L ? series_gauss_modes(x, L, sigma) : series_gauss_images(x, L, sigma);
 }
 

@@ -112,5 +112,5 @@ struct exact spectral_at(const struct spectral *s, const double x[2], double t) 
     free(X);
     free(dX);
     /* the transform rounds each coefficient by a few eps of the largest; the modes still alive add these up */
-    return (struct exact){sum, tail + rounding + 16 * DBL_EPSILON * largest};
+    return (struct exact){.temperature = sum, .error_bound = tail + rounding + 16 * DBL_EPSILON * largest};
 }

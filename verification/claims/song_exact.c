@@ -40,7 +40,7 @@ static void take_walls(const char *argument, struct claims_measured *m) {
     for (int i = 0; i < 2; i++) {
         double apart = 0, size = 0, s = sqrt(4 * KAPPA * time[i]);
         for (int j = 0; j < 400; j++) {
-            double x = -L + (j + 0.5) * 0.01, T = series_box(x, L, A, s).value;
+            double x = -L + (j + 0.5) * 0.01, T = series_box(x, L, A, s).at.value;
             apart += fabs(series_box_line(x, A, s) - T);
             size += T;
         }

@@ -4,6 +4,7 @@
 /* How far a field is from the exact solution, and what it does that no solution does.  Sums are sum(w |e|^p) with w
  * the volume that a point stands for. */
 
+#include <math.h>
 #include <stddef.h>
 
 struct failure;
@@ -11,18 +12,24 @@ struct field;
 struct problem;
 struct scene;
 
-/* The exact solution at the points of *f at time f->time: T[f->n], K.  Returns sum(w bound) / sum(w |T|), the part of
- * E1 that the reference's own error bound can make up. */
+/* Stands for the exact temperature at a point where the solution has none (scene.h); such points count in no norm. */
+#define NORMS_NO_VALUE INFINITY
+
+/* The exact solution at the points of *f at time f->time: T[f->n], K, or NORMS_NO_VALUE.  Returns sum(w bound) /
+ * sum(w |T|), the part of E1 that the reference's own error bound can make up. */
 double norms_exact(const struct scene *s, const struct problem *p, const struct field *f, double *T);
 
-/* STATUS_INPUT where the exact solution is zero at every point of *f: no error is relative to that. */
+/* STATUS_INPUT where the exact solution is zero or without a value at every point of *f: no error is relative to
+ * that.
+ */
 int norms_check(const struct field *f, const double *exact, struct failure *why);
 
 struct norms_error {
-    double l1;   /* sum w|T - Te| / sum w|Te|  (Song 2018, eq. 46) */
-    double l2;   /* sqrt(sum w(T - Te)^2 / sum w Te^2) */
-    double linf; /* K: max |T - Te|, absolute */
-    size_t n;    /* points that counted */
+    double l1;       /* sum w|T - Te| / sum w|Te|  (Song 2018, eq. 46) */
+    double l2;       /* sqrt(sum w(T - Te)^2 / sum w Te^2) */
+    double linf;     /* K: max |T - Te|, absolute */
+    size_t n;        /* points that counted */
+    size_t left_out; /* points of the field where the solution has no value */
 };
 
 enum norms_part { NORMS_ALL, NORMS_INTERIOR, NORMS_BOUNDARY };

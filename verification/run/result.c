@@ -51,6 +51,7 @@ void result_json(const struct result *r, struct json *j) {
     json_number(j, "error_l1_boundary", r->boundary.l1);
     json_number(j, "error_l2", r->error.l2);
     json_number(j, "error_linf", r->error.linf);
+    json_whole(j, "left_out_points", (long long)r->error.left_out);
     json_number(j, "time_error", r->time_error);
     json_number(j, "reference_error", r->reference_error);
     json_number(j, "min", r->shape.min);

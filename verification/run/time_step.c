@@ -110,6 +110,7 @@ static double distance(const struct search *s, const struct field *f, const doub
     double apart = 0, size = 0;
     for (size_t i = 0; i < f->n; i++) {
         double w = f->weight ? f->weight[i] : 1;
+        if (s->exact[i] == NORMS_NO_VALUE) continue;
         apart += w * fabs(limit[i] - f->T[i]);
         size += w * fabs(s->exact[i]);
     }

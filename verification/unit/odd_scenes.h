@@ -24,7 +24,7 @@ static const struct odd_scene odd_scenes[] = {
     {"rod-gauss", {11, 1.9, 0.017, 4.3}, 1, 0.1, 0.1},
     {"rod-step", {1.7, 0.62, 0.013, 7.3, 2.385}, 7, 0.01, 1.5},
     {"square-step", {1.9, 0.47, 0.83, 0.013, 0.0071, 6.1, 3.7}, 6, 0.01, 2},
-    {"wall-composite", {1.1, 0.37, 0.9, 1.3, 1.2, 0.013, 0.021, 0.3, 4}, 1, 0.01, 4},
+    {"wall-composite", {1.1, 0.37, 0.9, 1.3, 1.2, 0.013, 0.021, 0.3, 4}, 1, 0.01, 0.5},
 };
 enum { ODD_SCENES = sizeof odd_scenes / sizeof *odd_scenes };
 

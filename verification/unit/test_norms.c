@@ -1,6 +1,7 @@
 /* Norms, ranges and the checkerboard, on fields whose answers are known by hand. */
 #include "verification/run/norms.h"
 
+#include "references/scene.h"
 #include "solver/method.h"
 #include "solver/problem.h"
 #include "verification/run/checkerboard.h"
@@ -8,6 +9,7 @@
 #include "verification/unit/near.h"
 
 #include <float.h>
+#include <string.h>
 
 static double wall_of_side(const struct problem *p, enum side s, const double x[2]) {
     (void)p, (void)x;
@@ -42,6 +44,37 @@ static void three_norms_by_hand(void **state) {
     assert_near(e.l2, sqrt((0.25 + 0.0625 + 1) / (1 + 4 + 9 + 0.25)), DBL_EPSILON);
     assert_near(e.linf, 1, 0);
     assert_int_equal(e.n, 4);
+    field_free(&f);
+}
+
+/* The plate's corners, on nodes: four of twelve points have no value, and no error there is seen. */
+static void points_without_a_value_are_left_out_and_counted(void **state) {
+    (void)state;
+    const struct scene *s = scene_find("plate");
+    struct problem p;
+    struct failure why = {0};
+    double exact[12];
+    scene_defaults(s, &p);
+    assert_int_equal(s->setup(&p, &why), STATUS_OK);
+    struct field f = points(&p, 4, 3);
+    for (int i = 0; i < 12; i++) {
+        f.x[i] = p.hi[0] * (i % 4) / 3;
+        f.y[i] = p.hi[1] * (i / 4) / 2;
+    }
+    f.time = p.t_end;
+    double bound = norms_exact(s, &p, &f, exact);
+    for (int i = 0; i < 12; i++) f.T[i] = exact[i] == NORMS_NO_VALUE ? 17 : exact[i] + 0.013;
+    struct norms_error e = norms_error(&p, &f, exact, NORMS_ALL, 0);
+    assert_true(bound < 1e-12);
+    assert_int_equal(e.n, 8);
+    assert_int_equal(e.left_out, 4);
+    assert_near(e.linf, 0.013, 1e-15);
+    assert_int_equal(norms_check(&f, exact, &why), STATUS_OK);
+    exact[5] = NAN; /* what is no number is no corner */
+    assert_true(isnan(norms_error(&p, &f, exact, NORMS_ALL, 0).l1));
+    for (int i = 0; i < 12; i++) exact[i] = NORMS_NO_VALUE;
+    assert_int_equal(norms_check(&f, exact, &why), STATUS_INPUT);
+    assert_non_null(strstr(why.text, "no value at any of the points (12"));
     field_free(&f);
 }
 
@@ -192,6 +225,7 @@ static void nodes_have_their_own_transforms(void **state) {
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(three_norms_by_hand),
+        cmocka_unit_test(points_without_a_value_are_left_out_and_counted),
         cmocka_unit_test(weights_are_outside_of_the_power),
         cmocka_unit_test(interior_and_boundary_part_the_points),
         cmocka_unit_test(a_nan_spoils_every_norm),

@@ -1,7 +1,7 @@
 /* heatladder run: one solution, how far it is from the exact one, and what it cost. */
 #include "verification/command/verb.h"
 
-#include "references/scene.h"
+#include "references/snapshot.h"
 #include "verification/text/atomic_file.h"
 #include "verification/text/json.h"
 #include "verification/text/output.h"
@@ -48,13 +48,14 @@ static int write_field(const struct request *r, const struct field *f, struct fa
     if (output_open(&page, why, "%s", r->field_path)) return why->status;
     FILE *out = page.out;
     fprintf(out, "%s,T,exact\n", f->dim == 2 ? "x,y" : "x");
+    struct snapshot exact = snapshot_take(r->experiment.scene, &r->experiment.problem, f->time);
     for (size_t i = 0; i < f->n; i++) {
         double x[2] = {f->x[i], f->y ? f->y[i] : 0};
         fprintf(out, "%.17g,", x[0]);
         if (f->dim == 2) fprintf(out, "%.17g,", x[1]);
-        fprintf(out, "%.17g,%.17g\n", f->T[i],
-                r->experiment.scene->exact(&r->experiment.problem, x, f->time).temperature);
+        fprintf(out, "%.17g,%.17g\n", f->T[i], snapshot_at(&exact, x).temperature);
     }
+    snapshot_free(&exact);
     return output_close(&page, 1, why);
 }
 

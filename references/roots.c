@@ -1,0 +1,61 @@
+/* Roots of increasing phase functions by GSL.
+ *
+ * A slab cooled at one end has modes sin or cos(z x/L) with k z/L cos z = -b sin z or k z/L sin z = b cos z.  Either
+ * is, with biot = b L/k and atan2 from 0 to pi/2,
+ *
+ *     z + atan2(z, biot) = n pi   or   (n - 1/2) pi,
+ *
+ * whose left side increases from 0 without bound: one root for each n >= 1, at biot = 0 and infinity as well
+ * (Carslaw and Jaeger 1959, section 3.9 and appendix IV). */
+#include "references/roots.h"
+
+#include <float.h>
+#include <math.h>
+
+#include <gsl/gsl_errno.h>
+#include <gsl/gsl_roots.h>
+
+struct call {
+    double (*f)(double z, const void *data);
+    const void *data;
+};
+
+static double pass_on(double z, void *call) {
+    const struct call *c = call;
+    return c->f(z, c->data);
+}
+
+double roots_increasing(double (*f)(double z, const void *data), const void *data, double lo, double hi) {
+    struct call call = {f, data};
+    gsl_function function = {pass_on, &call};
+    if (f(lo, data) >= 0) return lo;
+    if (f(hi, data) <= 0) return hi;
+    gsl_root_fsolver *solver = gsl_root_fsolver_alloc(gsl_root_fsolver_brent);
+    gsl_root_fsolver_set(solver, &function, lo, hi);
+    for (int i = 0; i < 200 && gsl_root_fsolver_iterate(solver) == GSL_SUCCESS; i++)
+        if (gsl_root_test_interval(gsl_root_fsolver_x_lower(solver), gsl_root_fsolver_x_upper(solver), 0,
+                                   2 * DBL_EPSILON) == GSL_SUCCESS)
+            break;
+    double root = gsl_root_fsolver_root(solver);
+    gsl_root_fsolver_free(solver);
+    return root;
+}
+
+struct cooled {
+    int n, insulated;
+    double biot;
+};
+
+/* z - (n - 1/2) pi - (1/2) pi + atan2(z, biot), the large parts first: their difference is exact. */
+static double phase(double z, const void *data) {
+    const struct cooled *c = data;
+    return z - c->n * M_PI + (c->insulated ? M_PI_2 : 0) + atan2(z, c->biot);
+}
+
+double roots_cooled(int n, int insulated, double biot) {
+    struct cooled c = {n, insulated, biot};
+    double hi = n * M_PI - (insulated ? M_PI_2 : 0), lo = hi - M_PI_2;
+    if (biot == 0) return lo;
+    if (isinf(biot)) return hi;
+    return roots_increasing(phase, &c, lo, hi);
+}

@@ -1,0 +1,18 @@
+/* The exact solution at one time. */
+#include "references/snapshot.h"
+
+#include <stdlib.h>
+
+struct snapshot snapshot_take(const struct scene *scene, const struct problem *problem, double time) {
+    return (struct snapshot){scene, problem, time, scene->prepare ? scene->prepare(problem, time) : NULL};
+}
+
+void snapshot_free(struct snapshot *s) {
+    free(s->shared);
+    s->shared = NULL;
+}
+
+struct exact snapshot_at(const struct snapshot *s, const double x[2]) {
+    if (s->scene->prepared) return s->scene->prepared(s->problem, s->shared, x, s->time);
+    return s->scene->exact(s->problem, x, s->time);
+}

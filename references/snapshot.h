@@ -1,0 +1,20 @@
+#ifndef HEATLADDER_REFERENCES_SNAPSHOT_H
+#define HEATLADDER_REFERENCES_SNAPSHOT_H
+
+#include "references/scene.h"
+
+/* The exact solution at one time, for many points: what they share is worked out once. */
+struct snapshot {
+    const struct scene *scene;
+    const struct problem *problem;
+    double time; /* s */
+    void *shared;
+};
+
+/* *scene and *problem must outlive it; end with snapshot_free. */
+struct snapshot snapshot_take(const struct scene *scene, const struct problem *problem, double time);
+void snapshot_free(struct snapshot *s);
+
+struct exact snapshot_at(const struct snapshot *s, const double x[2]);
+
+#endif
