@@ -195,7 +195,9 @@ int arguments_parse(int argc, char *const *argv, struct request *r, struct failu
             r->experiment.method = r->external =
                 external_method(NULL); /* any METHOD word will do: it is a label then */
     for (int i = 1; i < argc; i++) {
-        if (strncmp(argv[i], "--", 2) != 0) {
+        if (strcmp(argv[i], "-v") == 0 && words_among(r->verb->options, "verbose")) {
+            r->verbose = 1;
+        } else if (strncmp(argv[i], "--", 2) != 0) {
             if (take_positional(r, positionals++, argv[i], why)) return why->status;
         } else if (options == LINE_WORDS) {
             return refuse(why, STATUS_INPUT, "more than %d options", LINE_WORDS);

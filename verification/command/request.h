@@ -20,12 +20,13 @@ struct request {
     double error;            /* choose: E1 to be reached */
     struct method *external; /* owned: what the experiment's method is with --solver; else NULL */
     const char *only;        /* glob of gate names; NULL for all */
-    const char *field_path, *json_path, *junit_path; /* NULL where not asked for */
-    int warm_up;                                     /* 1: what is timed comes after 0.1 s of the same */
-    int json;                                        /* 1: JSON on standard output instead of text */
-    int quick;                                       /* 1: the quick tier of the gates alone */
-    unsigned long given;                             /* which rows of the option table were given */
-    unsigned long overridden;                        /* which parameters of the scene were given */
+    const char *field_path, *json_path, *junit_path, *page_path; /* NULL where not asked for */
+    int warm_up;                                                 /* 1: what is timed comes after 0.1 s of the same */
+    int json;                                                    /* 1: JSON on standard output instead of text */
+    int verbose;                                                 /* 1: every gate, not only the groups */
+    int quick;                                                   /* 1: the quick tier of the gates alone */
+    unsigned long given;                                         /* which rows of the option table were given */
+    unsigned long overridden;                                    /* which parameters of the scene were given */
     char *line; /* owned: the words of a command that was given as one line; else NULL */
 };
 

@@ -83,10 +83,14 @@ static void put_rungs(const struct ladder *l, FILE *out) {
     fprintf(out, "</table></div>\n");
 }
 
-int page_ladder_write(const struct ladder *l, const char *title, const char *path, struct failure *why) {
+int page_ladder_write(const struct ladder *l, const struct ladder_rungs *asked, const char *path,
+                      struct failure *why) {
     struct output page;
     if (output_open(&page, why, "%s", path)) return why->status;
     FILE *out = page.out;
+    char title[240];
+    result_describe(&l->rung[l->n - 1], title, sizeof title);
+    double expected = asked->expect.count ? (asked->expect.value[0] + asked->expect.value[1]) / 2 : NAN;
     html_open(out, title);
     double error[RUNG_MAX];
     int hollow[RUNG_MAX];
@@ -95,7 +99,7 @@ int page_ladder_write(const struct ladder *l, const char *title, const char *pat
         hollow[i] = !l->window.counts[i];
     }
     struct chart_series series = {"E1 (hollow: left out of the fit)", l->n, l->x, error, hollow};
-    struct chart chart = {title, l->in_time ? "dt [s]" : "dx [m]", "E1", 1, &series, round(l->slope.value)};
+    struct chart chart = {title, l->in_time ? "dt [s]" : "dx [m]", "E1", 1, &series, expected};
     fprintf(out, "<p class=\"verdict\">");
     html_verdict(out, verdict_words[l->verdict]);
     fprintf(out, ": ");

@@ -6,6 +6,7 @@
 struct failure;
 struct gates;
 struct ladder;
+struct ladder_rungs;
 
 /* Verdicts of gates as HTML; a gate's group is its id up to the first slash. */
 
@@ -26,6 +27,7 @@ void page_put_origin(FILE *out);
 
 /* A page of its own at `path`, whole or not at all.  A status of solver/status.h. */
 int page_gates_write(const struct gates *g, const char *title, const char *path, struct failure *why);
-int page_ladder_write(const struct ladder *l, const char *title, const char *path, struct failure *why);
+int page_ladder_write(const struct ladder *l, const struct ladder_rungs *asked, const char *path,
+                      struct failure *why);
 
 #endif

@@ -4,7 +4,7 @@
 #include "references/scene.h"
 #include "solver/method.h"
 #include "verification/command/arguments.h"
-#include "verification/gates/junit.h"
+#include "verification/page/junit.h"
 
 #include "verification/unit/near.h"
 

@@ -3,6 +3,8 @@
 
 #include "verification/text/json.h"
 #include "verification/ladder/ladder.h"
+#include "verification/page/page.h"
+#include "verification/text/atomic_file.h"
 #include "verification/text/paint.h"
 #include "verification/command/request.h"
 #include "verification/text/table.h"
@@ -77,8 +79,14 @@ static void print_json(const struct ladder *l) {
 int verb_ladder(const struct request *r) {
     struct failure why;
     struct ladder *l = xcalloc(1, sizeof *l);
-    int status = ladder_run(&r->experiment, &r->rungs, l, &why);
-    if (status != STATUS_INPUT) (r->json ? print_json : print_text)(l);
+    int status = atomic_file_check(r->page_path, &why);
+    if (!status) status = ladder_run(&r->experiment, &r->rungs, l, &why);
+    if (status != STATUS_INPUT) {
+        struct failure unwritten;
+        (r->json ? print_json : print_text)(l);
+        if (r->page_path && page_ladder_write(l, &r->rungs, r->page_path, &unwritten) && !status)
+            status = unwritten.status, why = unwritten;
+    }
     if (status)
         fprintf(stderr, "heatladder: %s\n", why.text);
     else if (r->rungs.expect.count && l->verdict != VERDICT_PASS)

@@ -1,5 +1,5 @@
 /* Gates as JUnit XML: a test suite of a test case each, failed or in error (inconclusive) with its reason. */
-#include "verification/gates/junit.h"
+#include "verification/page/junit.h"
 
 #include "solver/status.h"
 #include "verification/gates/gates.h"

@@ -1,0 +1,102 @@
+/* Verdicts for a reader.  A group is what stands before the first slash of a gate's id. */
+#include "verification/page/print.h"
+
+#include "verification/gates/gates.h"
+#include "verification/text/paint.h"
+#include "verification/text/table.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+
+enum { ACROSS = 4 }; /* groups in a line */
+
+static int holds(const struct gate_result *r) {
+    return r->executed && r->measured.verdict == VERDICT_PASS;
+}
+
+static void print_all(const struct gates *g) {
+    static const char *const header[] = {"gate", "verdict", "expected", "measured", "error", "seconds", "what"};
+    struct table t = table_create(7, 2);
+    for (int i = 0; i < 7; i++) table_add(&t, "%s", header[i]);
+    for (int i = 0; i < g->declared; i++) {
+        const struct gate *gate = &g->result[i].gate;
+        const struct measured *m = &g->result[i].measured;
+        struct measured ignored;
+        const struct measure *measure = measures_find(gate->measure, &ignored);
+        table_add(&t, "%s", gate->id);
+        table_add(&t, "%s", verdict_words[m->verdict]);
+        if (gate->lo == 0)
+            table_add(&t, "<= %.4g", gate->hi);
+        else
+            table_add(&t, "%.4g to %.4g", gate->lo, gate->hi);
+        if (m->ci[0] < m->ci[1])
+            table_add(&t, "%.4f (%.4f to %.4f)", m->value, m->ci[0], m->ci[1]);
+        else
+            table_add(&t, "%.4g", m->value);
+        if (isnan(gate->ceiling))
+            table_add(&t, " ");
+        else
+            table_add(&t, "%.2e <= %.2e", m->error, gate->ceiling);
+        table_add(&t, "%.2f", g->result[i].seconds);
+        table_add(&t, "%s", measure ? measure->about : gate->measure);
+    }
+    table_print(&t, stdout);
+    table_free(&t);
+}
+
+static size_t group_length(const char *id) {
+    return strcspn(id, "/");
+}
+
+static int same_group(const char *a, const char *b) {
+    size_t n = group_length(a);
+    return n == group_length(b) && strncmp(a, b, n) == 0;
+}
+
+/* 1 where no gate before the i-th has its group. */
+static int is_first(const struct gates *g, int i) {
+    for (int k = 0; k < i; k++)
+        if (same_group(g->result[k].gate.id, g->result[i].gate.id)) return 0;
+    return 1;
+}
+
+static void print_groups(const struct gates *g) {
+    int column = 0;
+    for (int i = 0; i < g->declared; i++) {
+        const char *id = g->result[i].gate.id;
+        int of = 0, good = 0;
+        if (!is_first(g, i)) continue;
+        for (int k = i; k < g->declared; k++)
+            if (same_group(g->result[k].gate.id, id)) of++, good += holds(&g->result[k]);
+        const char *word = verdict_words[good == of ? VERDICT_PASS : VERDICT_FAIL];
+        printf("%s%-14.*s %3d/%-3d%s%s", paint_start(stdout, word), (int)group_length(id), id, good, of,
+               good == of ? " " : "!", paint_end(stdout, word));
+        printf("%s", ++column % ACROSS ? "    " : "\n");
+    }
+    if (column % ACROSS) printf("\n");
+}
+
+static void print_failure(const struct gate_result *r) {
+    const struct gate *gate = &r->gate;
+    const struct measured *m = &r->measured;
+    const char *word = verdict_words[m->verdict];
+    printf("\n%s: %s%s%s: %s\n", gate->id, paint_start(stdout, word), word, paint_end(stdout, word), m->reason);
+    if (isfinite(m->value)) printf("  measured %.6g, expected %.6g to %.6g", m->value, gate->lo, gate->hi);
+    if (isfinite(m->value) && !isnan(gate->ceiling)) printf("; error %.4e, at most %.4e", m->error, gate->ceiling);
+    printf("%s  expected because: %s\n  heatladder %s\n", isfinite(m->value) ? "\n" : "", gate->why, gate->command);
+}
+
+void print_gates(const struct gates *g, int all, double seconds) {
+    int count[4] = {0};
+    if (all)
+        print_all(g);
+    else
+        print_groups(g);
+    for (int i = 0; i < g->declared; i++) {
+        count[g->result[i].measured.verdict]++;
+        if (!holds(&g->result[i])) print_failure(&g->result[i]);
+    }
+    printf("\n%d gates declared, %d executed: %d passed, %d failed, %d inconclusive (%.2f s)\n", g->declared,
+           g->executed, count[VERDICT_PASS], count[VERDICT_FAIL], count[VERDICT_INCONCLUSIVE], seconds);
+}
