@@ -12,7 +12,7 @@
  * run on a rod, of fourth order (with fluxes for smooth data only).  In the plane that would need an isotropic
  * stencil.
  *
- * Restricted to one material on a uniform grid, dx = dy. */
+ * Restricted to a uniform grid, dx = dy; two materials (ftcs_layers.h) on a rod, direct. */
 #include "solver/differences/ftcs_grid.h"
 #include "solver/method.h"
 #include "solver/problem.h"
@@ -42,6 +42,12 @@ HOT static void rod_step(int n, double Fx, const double *restrict T, double *res
     for (int i = 0; i < n; i++) next[i] = T[i] + Fx * ((T[i + 1] - T[i]) - (T[i] - T[i - 1]));
 }
 
+/* Two materials. */
+HOT static void layers_step(int n, double dt, const double *restrict left, const double *restrict right,
+                            const double *restrict T, double *restrict next) {
+    for (int i = 0; i < n; i++) next[i] = T[i] + dt * (right[i] * (T[i + 1] - T[i]) - left[i] * (T[i] - T[i - 1]));
+}
+
 HOT static void row_step(int n, double Fx, double Fy, const double *restrict T, const double *restrict below,
                          const double *restrict above, double *restrict next) {
     for (int i = 0; i < n; i++)
@@ -66,7 +72,9 @@ static void step_direct(struct ftcs_grid *g) {
     for (ptrdiff_t j = 0; j < g->n[1]; j++) {
         const double *T = g->T + g->corner + j * g->stride;
         double *next = g->next + g->corner + j * g->stride;
-        if (g->dim == 1)
+        if (g->layers[0])
+            layers_step(g->n[0], g->dt, g->layers[1], g->layers[2], T, next);
+        else if (g->dim == 1)
             rod_step(g->n[0], Fx, T, next);
         else
             row_step(g->n[0], Fx, Fy, T, T - g->stride, T + g->stride, next);
@@ -99,6 +107,13 @@ HOT static int strays(int n, double middle, double reach, const double *T) {
     return count;
 }
 
+/* What 1/2 bounds, and 2 with fluxes: dt sum of kappa/dx^2. */
+static double fourier_sum(const struct ftcs_grid *g) {
+    double rate = g->kappa[0] / (g->d[0] * g->d[0]) + g->kappa[1] / (g->d[1] * g->d[1]);
+    for (int i = 0; g->layers[0] && i < g->n[0]; i++) rate = fmax(rate, (g->layers[1][i] + g->layers[2][i]) / 2);
+    return g->dt * rate;
+}
+
 /* The first point that has left the reach: NaN has too. */
 static int check_stable(const struct ftcs_grid *g, long long step, struct failure *why) {
     for (int j = 0; j < g->n[1]; j++) {
@@ -112,8 +127,7 @@ static int check_stable(const struct ftcs_grid *g, long long step, struct failur
                       "%s: unstable at step %lld of %lld, t = %g s: T = %g K at x = %g m%s; "
                       "sum of kappa dt/dx^2 is %g, stable up to %g",
                       g->method, step, g->steps, g->start + (double)step * g->dt, row[i], g->origin[0] + i * g->d[0],
-                      y, g->dt * (g->kappa[0] / (g->d[0] * g->d[0]) + g->kappa[1] / (g->d[1] * g->d[1])),
-                      g->wide ? 2 : 0.5);
+                      y, fourier_sum(g), g->wide ? 2 : 0.5);
     }
     return STATUS_OK;
 }
@@ -123,8 +137,9 @@ static int check_stable(const struct ftcs_grid *g, long long step, struct failur
 static double heat(const struct ftcs_grid *g) {
     long double sum = 0;
     for (int j = 0; j < g->n[1]; j++)
-        for (int i = 0; i < g->n[0]; i++) sum += ftcs_grid_cell(g, i, j) * g->T[g->corner + j * g->stride + i];
-    return g->rho_c * (double)sum;
+        for (int i = 0; i < g->n[0]; i++)
+            sum += ftcs_grid_cell(g, i, j) * ftcs_grid_rho_c(g, i) * g->T[g->corner + j * g->stride + i];
+    return (double)sum;
 }
 
 /* Everything but T goes before the field comes, which keeps the peak low. */
@@ -174,6 +189,7 @@ static int solve(const char *method, int wide, const struct problem *p, const st
     double stepped = seconds_now();
     if (status == STATUS_OK) {
         long long updates = g.steps * g.n[0] * g.n[1];
+        double after = heat(&g);
         hand_over(&g, f);
         f->shape[0] = g.n[0];
         f->shape[1] = g.n[1];
@@ -184,7 +200,7 @@ static int solve(const char *method, int wide, const struct problem *p, const st
         f->steps = g.steps;
         f->stages = 1;
         f->heat[0] = before;
-        f->heat[1] = heat(&g);
+        f->heat[1] = after;
         f->range[0] = g.lowest;
         f->range[1] = g.highest;
         f->updates = updates;
@@ -207,7 +223,7 @@ static int solve_fluxes(const struct problem *p, const struct options *o, struct
 const struct method method_ftcs = {
     .name = "ftcs",
     .about = "finite differences, (T[i+1] - 2 T[i] + T[i-1])/dx^2, Euler: Song eq. 5, Pamplona eq. 16",
-    .accepts = "stepper layout sampling walls",
+    .accepts = "stepper layout sampling walls mean",
     .solve = solve_direct,
 };
 

@@ -6,6 +6,7 @@
  * each a multiple of one unknown plus a constant, so that a step fills them without asking what kind a side is. */
 #include "solver/differences/ftcs_grid.h"
 
+#include "solver/differences/ftcs_layers.h"
 #include "solver/differences/ftcs_sample.h"
 #include "solver/method.h"
 #include "solver/problem.h"
@@ -58,9 +59,15 @@ static int check_spacing(const struct problem *p, double dx, struct failure *why
 
 static int check_options(const struct ftcs_grid *g, const struct problem *p, const struct options *o,
                          struct failure *why) {
-    if (p->materials > 1)
-        return refuse(why, STATUS_INPUT, "%s: takes one material; this scene has %d, which meet at x = %g m",
-                      g->method, p->materials, p->interface);
+    if (p->materials > 1 && (g->wide || p->dim == 2))
+        return refuse(why, STATUS_INPUT, "%s: takes one material%s; this scene has %d, which meet at x = %g m",
+                      g->method, g->wide ? "" : " in the plane", p->materials, p->interface);
+    if (p->materials > 1 && (o->sampling == SAMPLING_SPLINE || o->layout == LAYOUT_NODE))
+        return refuse(why, STATUS_INPUT, "--%s: takes one material; with two: %s",
+                      o->layout == LAYOUT_NODE ? "layout node" : "sampling spline",
+                      o->layout == LAYOUT_NODE ? "lattice" : "point or cell");
+    if (p->materials > 1 && o->stepper == STEPPER_MATCHED)
+        return refuse(why, STATUS_INPUT, "--stepper matched: takes one material; valid here: euler, auto");
     for (int s = 0; s < 2 * p->dim; s++)
         if (p->side[s] == ROBIN)
             return refuse(why, STATUS_INPUT, "a Robin wall: %s has Dirichlet and Neumann walls", g->method);
@@ -94,6 +101,7 @@ static void lay_grid(struct ftcs_grid *g, const struct problem *p, const struct 
     g->d[1] = 1;
     g->dim = p->dim;
     g->rho_c = p->material[0].rho_c;
+    if (p->materials == 2) g->rho_c = fmin(g->rho_c, p->material[1].rho_c);
     for (int s = 0; s < 4; s++) g->end_cell[s] = node && s / 2 < p->dim && p->side[s] == NEUMANN ? 0.5 : 1;
     for (int a = 0; a < p->dim; a++) {
         double extent = p->hi[a] - p->lo[a], spacings = nearbyint(extent / o->dx);
@@ -101,7 +109,8 @@ static void lay_grid(struct ftcs_grid *g, const struct problem *p, const struct 
         g->d[a] = extent / spacings;
         g->n[a] = (int)spacings + node - given_lo - given_hi;
         g->origin[a] = p->lo[a] + (node ? given_lo : 0.5) * g->d[a];
-        g->kappa[a] = p->material[0].k[a] / g->rho_c;
+        for (int m = 0; m < p->materials; m++)
+            g->kappa[a] = fmax(g->kappa[a], p->material[m].k[a] / p->material[m].rho_c);
     }
     g->stride = g->n[0] + 2 * FTCS_LAYERS;
     g->corner = FTCS_LAYERS + (p->dim == 2 ? FTCS_LAYERS * g->stride : 0);
@@ -144,6 +153,7 @@ static int plan_steps(struct ftcs_grid *g, const struct problem *p, const struct
  * on ghost 0 (-1). */
 static void edge_make(struct ftcs_grid *g, const struct problem *p, const struct options *o, enum side s) {
     int a = (int)s / 2, b = 1 - a, length = g->n[b], given = p->side[s] == DIRICHLET;
+    int last = s == X_HI ? p->materials - 1 : 0;
     int shift = o->layout == LAYOUT_NODE ? (given ? -1 : 1) : 0;
     struct ftcs_edge *e = &g->edge[s];
     e->offset = reserve(g, FTCS_LAYERS * length);
@@ -156,8 +166,20 @@ static void edge_make(struct ftcs_grid *g, const struct problem *p, const struct
             x[a] = s % 2 ? p->hi[a] : p->lo[a];
             x[b] = g->origin[b] + i * g->d[b];
             double value = p->wall(p, s, x);
-            e->offset[m * length + i] = held ? value : given ? 2 * value : value / p->material[0].k[a] * apart;
+            e->offset[m * length + i] = held ? value : given ? 2 * value : value / p->material[last].k[a] * apart;
         }
+    }
+}
+
+/* Of two materials. */
+static void layers_make(struct ftcs_grid *g, const struct problem *p, const struct options *o) {
+    for (int k = 0; k < 3; k++) g->layers[k] = reserve(g, g->n[0]);
+    for (int i = 0; i < g->n[0]; i++) {
+        double x = g->origin[0] + i * g->d[0];
+        g->layers[0][i] = ftcs_layers_rho_c(p, g->d[0], x);
+        for (int hi = 0; hi < 2; hi++)
+            g->layers[1 + hi][i] = ftcs_layers_conductivity(p, o->mean, x, hi ? g->d[0] : -g->d[0]) /
+                                   (g->layers[0][i] * g->d[0] * g->d[0]);
     }
 }
 
@@ -170,7 +192,8 @@ static void bound(struct ftcs_grid *g, const struct problem *p, double source) {
             double foot[2] = {g->origin[0] + i * g->d[0], g->origin[1] + i * g->d[1]};
             foot[s / 2] = s % 2 ? p->hi[s / 2] : p->lo[s / 2];
             double value = p->wall(p, (enum side)s, foot), flux = p->side[s] == NEUMANN ? fabs(value) : 0;
-            more = fmax(more, flux * (extent / p->material[0].k[s / 2] + p->t_end / g->rho_c / extent));
+            double k = p->material[s == X_HI ? p->materials - 1 : 0].k[s / 2];
+            more = fmax(more, flux * (extent / k + p->t_end / g->rho_c / extent));
             if (p->side[s] == DIRICHLET) lowest = fmin(lowest, value), highest = fmax(highest, value);
         }
     }
@@ -183,6 +206,7 @@ static void fill(struct ftcs_grid *g, const struct problem *p, const struct opti
     ptrdiff_t size = (ptrdiff_t)g->size;
     double source = 0;
     for (int s = 0; s < 2 * p->dim; s++) edge_make(g, p, o, (enum side)s);
+    if (p->materials == 2) layers_make(g, p, o);
     g->T = reserve(g, size);
     if (g->wide)
         g->q = reserve(g, nx + 2 + (p->dim == 2 ? 3 * nx : 0));
@@ -201,7 +225,7 @@ static void fill(struct ftcs_grid *g, const struct problem *p, const struct opti
             if (!p->source) continue;
             double G = p->source(p, x);
             source = fmax(source, fabs(G));
-            g->gain[(ptrdiff_t)j * nx + i] = G / g->rho_c;
+            g->gain[(ptrdiff_t)j * nx + i] = G / ftcs_grid_rho_c(g, i);
         }
     bound(g, p, source);
 }
@@ -229,13 +253,15 @@ double ftcs_grid_cell(const struct ftcs_grid *g, int i, int j) {
            (j == 0 ? g->end_cell[Y_LO] : 1) * (j == g->n[1] - 1 ? g->end_cell[Y_HI] : 1);
 }
 
+double ftcs_grid_rho_c(const struct ftcs_grid *g, int i) {
+    return g->layers[0] ? g->layers[0][i] : g->rho_c;
+}
+
 void ftcs_grid_keep_T(struct ftcs_grid *g) {
     g->held = g->size;
     for (int s = 0; s < 4; s++) free(g->edge[s].offset), g->edge[s].offset = NULL;
-    free(g->next);
-    free(g->q);
-    free(g->gain);
-    g->next = g->q = g->gain = NULL;
+    double **spent[] = {&g->next, &g->q, &g->gain, &g->layers[0], &g->layers[1], &g->layers[2]};
+    for (size_t k = 0; k < sizeof spent / sizeof *spent; k++) free(*spent[k]), *spent[k] = NULL;
 }
 
 void ftcs_grid_free(struct ftcs_grid *g) {

@@ -25,7 +25,9 @@ struct ftcs_grid {
     double origin[2], d[2]; /* m: the first unknown, the spacing; a rod is 1 m high */
     double end_cell[4];     /* by enum side: the part of its cell that the unknown at the side has inside, 1 or 1/2 */
     double kappa[2];        /* m^2 s^-1; 0 along y for a rod */
-    double rho_c;           /* J m^-3 K^-1 */
+    double rho_c;           /* J m^-3 K^-1; the least, of two materials */
+    double *layers[3];      /* a rod of two materials, by point: rho_c, J m^-3 K^-1; k / (rho_c d^2), s^-1, of what
+                               lies to its left and right.  Else NULL */
     double dt, start;       /* s: the step; what the clock shows when the run starts */
     double swing;           /* odd steps take (1 + swing) dt, even ones (1 - swing) dt */
     long long steps;
@@ -53,5 +55,8 @@ void ftcs_grid_walls(const struct ftcs_grid *g);
 
 /* m^d: the part of the domain that unknown (i, j) stands for. */
 double ftcs_grid_cell(const struct ftcs_grid *g, int i, int j);
+
+/* J m^-3 K^-1, of column i. */
+double ftcs_grid_rho_c(const struct ftcs_grid *g, int i);
 
 #endif

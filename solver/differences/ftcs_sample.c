@@ -3,10 +3,12 @@
  *   T_i = int B((x - x_i)/dx) T(x, 0) dx / dx,   B the indicator of the cell, or the cubic B-spline (4 dx wide),
  *
  * as a tensor product in the plane.  Averages restore second order where a jump lies anywhere (Kreiss, Thomee,
- * Widlund 1970).  Gauss-Legendre with four points on each piece that is smooth: the rule is cut at the knots of B, at
- * the walls, at the planes where the data jump, and at their images in the walls. */
+ * Widlund 1970).  A cell of two materials starts at its heat over its heat capacity; its points are then the middles
+ * of its two parts.  Gauss-Legendre with four points on each piece that is smooth: the rule is cut at the knots of B,
+ * at the walls, at the planes where the data jump, and at their images in the walls. */
 #include "solver/differences/ftcs_sample.h"
 
+#include "solver/differences/ftcs_layers.h"
 #include "solver/problem.h"
 
 #include <math.h>
@@ -30,7 +32,9 @@ static double continued(const struct problem *p, const double x[2]) {
         foot[a] = wall;
         image[a] = 2 * wall - x[a];
         double value = p->wall(p, (enum side)s, foot), inner = continued(p, image);
-        return p->side[s] == DIRICHLET ? 2 * value - inner : inner + 2 * outside * value / p->material[0].k[a];
+        return p->side[s] == DIRICHLET
+                   ? 2 * value - inner
+                   : inner + 2 * outside * value / p->material[s == X_HI ? p->materials - 1 : 0].k[a];
     }
     return p->initial(p, x);
 }
@@ -82,7 +86,7 @@ static void rule_make(struct rule *r, const struct problem *p, int a, double cen
         }
 }
 
-double ftcs_sample(const struct problem *p, const double x[2], const double d[2], enum sampling how) {
+static double average(const struct problem *p, const double x[2], const double d[2], enum sampling how) {
     struct rule along, up;
     double sum = 0;
     rule_make(&along, p, 0, x[0], d[0], how);
@@ -91,4 +95,13 @@ double ftcs_sample(const struct problem *p, const double x[2], const double d[2]
         for (int i = 0; i < along.count; i++)
             sum += up.weight[j] * along.weight[i] * continued(p, (double[2]){along.at[i], up.at[j]});
     return sum;
+}
+
+double ftcs_sample(const struct problem *p, const double x[2], const double d[2], enum sampling how) {
+    double share[2], middle[2], heat = 0;
+    if (ftcs_layers_parts(p, d[0], x[0], share, middle) == 1) return average(p, x, d, how);
+    for (int m = 0; m < 2; m++)
+        heat += share[m] * p->material[m].rho_c *
+                average(p, (double[2]){middle[m], x[1]}, (double[2]){share[m] * d[0], d[1]}, how);
+    return heat / ftcs_layers_rho_c(p, d[0], x[0]);
 }

@@ -2,7 +2,8 @@
  *   rho_c dT_i/dt = sum_j V k_ij (T_i - T_j) F_ij,   F_ij = (dW/dr) r / (r^2 + eta^2),   eta = 0.1 h,
  * with k_ij = 4 k_i k_j / (k_i + k_j) (harmonic), k_i + k_j (arithmetic), or twice the conductance of the line
  * between the particles, 2 r / sum(l / k) (series: exact for every pair across a plane interface). Pair fluxes are
- * equal and opposite, so heat is conserved on any layout.
+ * equal and opposite, so heat is conserved on any layout.  On a lattice rho_c is the average over the particle's
+ * cell: the cells then hold the heat of both materials, and a rod is of second order wherever the interface lies.
  *
  * The volume V: raw dx^d; tuned, Pamplona eq. 14, V = area xi / N with N counting the ghosts; moment, the V for which
  * the operator is exact for x^2 and y^2 on the lattice, sum_j w_j x_j^2 = 2 kappa.
@@ -53,7 +54,7 @@ static double volume(const struct problem *p, const struct options *o, double h,
 
 /* Twice the conductivity between material m of particle i and the place x + d, W m^-1 K^-1. */
 static double pair_conductivity(const struct problem *p, enum mean mean, double x, double d) {
-    int here = p->materials == 2 && x >= p->interface, there = p->materials == 2 && x + d >= p->interface;
+    int here = layout_material(p, x), there = layout_material(p, x + d);
     double ki = p->material[here].k[0], kj = p->material[there].k[0];
     if (here == there) return 2 * ki;
     if (mean == MEAN_HARMONIC) return 4 * ki * kj / (ki + kj);
@@ -68,10 +69,9 @@ static int weights(const struct problem *p, const struct options *o, const struc
         return refuse(why, STATUS_NUMERICAL,
                       "particle %zu at (%.6g, %.6g) m has 0 neighbours: no heat reaches it; take a larger --h", nb->i,
                       nb->x[0], nb->x[1]);
-    double rho_c = p->material[p->materials == 2 && nb->x[0] >= p->interface].rho_c;
     for (size_t j = 0; j < nb->n; j++) {
         double F = pair_weight(o->kernel, nb->dim, nb->h, hypot(nb->d[j][0], nb->d[j][1]));
-        w[0][j] = nb->volume * pair_conductivity(p, o->mean, nb->x[0], nb->d[j][0]) * F / rho_c;
+        w[0][j] = nb->volume * pair_conductivity(p, o->mean, nb->x[0], nb->d[j][0]) * F / nb->rho_c;
     }
     return STATUS_OK;
 }

@@ -27,6 +27,9 @@ int particles_settle(const struct problem *p, const struct options *o, const str
     for (int side = 0; side < 2 * p->dim; side++)
         if (p->side[side] == ROBIN)
             return refuse(why, STATUS_INPUT, "a Robin wall: the particle methods have Dirichlet and Neumann walls");
+    if (p->materials == 2 && o->sampling == SAMPLING_SPLINE)
+        return refuse(why, STATUS_INPUT,
+                      "--sampling spline: four cells of two materials have no common average; take point or cell");
     if (s->check(p, settled, why)) return why->status;
     if (o->h_iso) return matched_isotropic(settled, s, &settled->h, why);
     return STATUS_OK;
@@ -67,10 +70,9 @@ static void data_range(const struct problem *p, const struct field *f, double *l
     *lo -= add, *hi += add;
 }
 
-static double heat_content(const struct problem *p, const struct field *f, double volume) {
+static double heat_content(const struct problem *p, const struct field *f, double cell, double volume) {
     double sum = 0;
-    for (size_t i = 0; i < f->n; i++)
-        sum += p->material[p->materials == 2 && f->x[i] >= p->interface].rho_c * f->T[i] * volume;
+    for (size_t i = 0; i < f->n; i++) sum += layout_rho_c(p, cell, f->x[i]) * f->T[i] * volume;
     return sum;
 }
 
@@ -165,7 +167,7 @@ int particles_solve(const struct problem *p, const struct options *given, const 
     int status = rows ? place_cloud(p, o, s, &l, &a, f, why) : operator_create_lattice(&a, p, o, s, &l, why);
     if (!status) {
         if (!rows) place_on_lattice(&l, f);
-        double volume = l.dx[0] * l.dx[1];
+        double volume = l.dx[0] * l.dx[1], cell = layout_cell(o, l.dx[0]);
         for (int d = 0; d < 2; d++) {
             f->shape[d] = o->layout == LAYOUT_JITTER || (rows && p->dim == 2) ? 0 : l.n[d];
             f->spacing[d] = d < p->dim ? l.dx[d] : 0;
@@ -174,17 +176,17 @@ int particles_solve(const struct problem *p, const struct options *given, const 
         f->range[0] = HUGE_VAL, f->range[1] = -HUGE_VAL;
         for (size_t i = 0; i < f->n; i++) {
             double x[2] = {f->x[i], f->y ? f->y[i] : 0};
-            if (rows) f->T[i] = sample_initial(p, o->sampling, l.dx, x);
+            if (rows) f->T[i] = (cell > 0 ? sample_cell : sample_initial)(p, o->sampling, l.dx, x);
             if (f->T[i] < f->range[0]) f->range[0] = f->T[i];
             if (f->T[i] > f->range[1]) f->range[1] = f->T[i];
         }
-        f->heat[0] = heat_content(p, f, volume);
+        f->heat[0] = heat_content(p, f, cell, volume);
         f->time = p->t_end;
         f->h = o->h;
         double loop = now();
         status = integrate(p, o, s, &l, &a, f, why);
         f->step_seconds = now() - loop;
-        f->heat[1] = heat_content(p, f, volume);
+        f->heat[1] = heat_content(p, f, cell, volume);
     }
     operator_free(&a);
     f->seconds = now() - begin;

@@ -51,6 +51,7 @@ struct assembly {
     struct neighbours cells;
     double h, support; /* m */
     double volume;     /* m^d */
+    double cell;       /* m, as layout_cell */
 };
 
 /* The weights of point i on its neighbours `near`; returns a status and the number of neighbours. */
@@ -64,7 +65,7 @@ static int weigh(const struct assembly *m, size_t i, uint32_t near[NEIGHBOURS_MA
                       i, c->x[i], c->y[i], *n, NEIGHBOURS_MAX);
     for (size_t k = 0; k < *n; k++) d[k][0] = c->x[near[k]] - c->x[i], d[k][1] = c->y[near[k]] - c->y[i];
     const struct problem *p = m->p;
-    const struct material *material = &p->material[p->materials == 2 && c->x[i] >= p->interface];
+    const struct material *material = &p->material[layout_material(p, c->x[i])];
     struct neighbourhood nb = {.dim = c->dim,
                                .i = i,
                                .x = {c->x[i], c->y[i]},
@@ -72,6 +73,7 @@ static int weigh(const struct assembly *m, size_t i, uint32_t near[NEIGHBOURS_MA
                                .d = d,
                                .h = m->h,
                                .volume = m->volume,
+                               .rho_c = layout_rho_c(p, m->cell, c->x[i]),
                                .kappa = {material->k[0] / material->rho_c, material->k[1] / material->rho_c}};
     return m->s->weights(p, m->o, &nb, w, why);
 }
@@ -213,11 +215,12 @@ static void join(struct heat_operator *a, struct list part[BLOCKS], const size_t
         total * (sizeof *a->column + sizeof *a->value) + (a->n + 1) * sizeof *a->row + a->n * sizeof *a->diagonal;
 }
 
-static void keep_constants(struct heat_operator *a, const struct problem *p, const struct cloud *c, double *g) {
+static void keep_constants(struct heat_operator *a, const struct assembly *m, double *g) {
+    const struct problem *p = m->p;
+    const struct cloud *c = m->c;
     for (size_t i = 0; i < a->n; i++) {
         double x[2] = {c->x[i], c->y[i]};
-        int material = p->materials == 2 && x[0] >= p->interface;
-        if (p->source) g[i] += p->source(p, x) / p->material[material].rho_c;
+        if (p->source) g[i] += p->source(p, x) / layout_rho_c(p, m->cell, x[0]);
         a->constant |= g[i] != 0;
     }
     if (a->constant)
@@ -244,7 +247,8 @@ int csr_assemble(struct heat_operator *a, const struct problem *p, const struct 
                          {0},
                          o->h * spacing,
                          KERNEL_SUPPORT * o->h * spacing,
-                         s->volume ? s->volume(p, o, o->h * spacing, c->volume) : c->volume};
+                         s->volume ? s->volume(p, o, o->h * spacing, c->volume) : c->volume,
+                         layout_cell(o, spacing)};
     struct derivatives d = {{0, 0, NULL, NULL, NULL}, NULL};
     struct list part[BLOCKS] = {{0, 0, NULL, NULL, NULL}};
     size_t begin[BLOCKS + 1];
@@ -274,7 +278,7 @@ int csr_assemble(struct heat_operator *a, const struct problem *p, const struct 
     neighbours_free(&m.cells);
     if (!status) {
         join(a, part, begin);
-        keep_constants(a, p, c, g);
+        keep_constants(a, &m, g);
         a->making = passing(a, c, part, filling);
     } else {
         free(g);

@@ -89,6 +89,25 @@ void layout_position(const struct lattice *l, int i, int j, double x[2]) {
     x[1] = l->dim == 2 ? l->first[1] + j * l->dx[1] : 0;
 }
 
+int layout_material(const struct problem *p, double x) {
+    return p->materials == 2 && x >= p->interface - 1e-12 * (p->hi[0] - p->lo[0]);
+}
+
+double layout_beyond(const struct problem *p, double width, double x) {
+    if (p->materials < 2 || width == 0) return layout_material(p, x);
+    double part = (x + width / 2 - p->interface) / width;
+    return part < 1e-9 ? 0 : part > 1 - 1e-9 ? 1 : part;
+}
+
+double layout_rho_c(const struct problem *p, double width, double x) {
+    double part = layout_beyond(p, width, x);
+    return part == 0 ? p->material[0].rho_c : (1 - part) * p->material[0].rho_c + part * p->material[1].rho_c;
+}
+
+double layout_cell(const struct options *o, double spacing) {
+    return o->layout == LAYOUT_JITTER ? 0 : spacing;
+}
+
 /* One reflection, along `axis`: T_ghost = *sign T_source + the returned offset.  `at` has the other coordinate. */
 static double reflect(const struct problem *p, enum walls walls, int axis, int side, double ghost, double source,
                       const double at[2], int *sign) {
@@ -96,7 +115,7 @@ static double reflect(const struct problem *p, enum walls walls, int axis, int s
     foot[axis] = side % 2 ? p->hi[axis] : p->lo[axis];
     double value = p->wall(p, (enum side)side, foot);
     if (p->side[side] == NEUMANN) {
-        int m = p->materials == 2 && foot[0] >= p->interface;
+        int m = layout_material(p, foot[0]);
         *sign = 1;
         return value * fabs(ghost - source) / p->material[m].k[axis];
     }

@@ -25,6 +25,19 @@ int layout_lattice(const struct problem *p, const struct options *o, double rati
 /* Position of unknown (i, j), which may lie outside; m. */
 void layout_position(const struct lattice *l, int i, int j, double x[2]);
 
+/* The material at x (m); at the interface, to rounding, the one beyond it. */
+int layout_material(const struct problem *p, double x);
+
+/* The part of a cell of this width (m) about x that lies beyond the interface: 0 to 1, and 0 or 1 where the interface
+ * misses the cell to rounding, or where the width is 0. */
+double layout_beyond(const struct problem *p, double width, double x);
+
+/* J m^-3 K^-1: heat capacity of such a cell, averaged over its parts. */
+double layout_rho_c(const struct problem *p, double width, double x);
+
+/* m: the width of the particles' cells on a lattice; 0 under jitter, where a particle is of one material. */
+double layout_cell(const struct options *o, double spacing);
+
 /* What the ghost at `ghost` adds to sign T_source, K, for the source at `source` (m).  side[a] is the side that it
  * lies beyond along axis a, or -1.  At a corner the two orders of reflection differ where the sides disagree: their
  * mean is taken. */

@@ -45,8 +45,11 @@ static int lattice_weights(const struct problem *p, const struct options *o, con
     double d[NEIGHBOURS_MAX][2], weight[2][NEIGHBOURS_MAX], *w[2] = {weight[0], weight[1]};
     int at[NEIGHBOURS_MAX][2], status;
     double dV = p->dim == 2 ? dx * dx : dx;
-    struct neighbourhood nb = {
-        .dim = p->dim, .d = d, .h = o->h * dx, .volume = s->volume ? s->volume(p, o, o->h * dx, dV) : dV};
+    struct neighbourhood nb = {.dim = p->dim,
+                               .d = d,
+                               .h = o->h * dx,
+                               .volume = s->volume ? s->volume(p, o, o->h * dx, dV) : dV,
+                               .rho_c = p->material[0].rho_c};
     nb.x[0] = (p->lo[0] + p->hi[0]) / 2, nb.x[1] = (p->lo[1] + p->hi[1]) / 2;
     memcpy(nb.kappa, kappa, sizeof nb.kappa);
     if (most > NEIGHBOURS_MAX)

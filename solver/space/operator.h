@@ -22,6 +22,7 @@ struct neighbourhood { /* what a scheme sees of one particle */
     double (*d)[2];  /* m, x_j - x_i */
     double h;        /* m */
     double volume;   /* m^d, of each particle, as the scheme's `volume` has it */
+    double rho_c;    /* J m^-3 K^-1, of its cell */
     double kappa[2]; /* m^2 s^-1, at the particle, along each axis */
 };
 

@@ -37,7 +37,7 @@ static double reflected(const struct problem *p, enum side s, double x, double y
     double foot[2] = {a ? x : wall, a ? wall : y}, value = p->wall(p, s, foot);
     double inside = a ? continued(p, x, 2 * wall - y) : continued(p, 2 * wall - x, y);
     if (p->side[s] == DIRICHLET) return 2 * value - inside;
-    return inside + value * 2 * beyond / p->material[p->materials == 2 && foot[0] >= p->interface].k[a];
+    return inside + value * 2 * beyond / p->material[layout_material(p, foot[0])].k[a];
 }
 
 /* T0, continued beyond the walls. */
@@ -262,4 +262,15 @@ double sample_initial(const struct problem *p, enum sampling sampling, const dou
     struct lattice l = {.dim = p->dim, .n = {1, 1}, .dx = {dx[0], dx[1]}, .first = {x[0], x[1]}};
     sample_lattice(p, sampling, &l, &T);
     return T;
+}
+
+double sample_cell(const struct problem *p, enum sampling sampling, const double dx[2], const double x[2]) {
+    double beyond = layout_beyond(p, dx[0], x[0]), heat = 0;
+    if (beyond == 0 || beyond == 1) return sample_initial(p, sampling, dx, x);
+    for (int m = 0; m < 2; m++) {
+        double part[2] = {(m ? beyond : 1 - beyond) * dx[0], dx[1]};
+        double middle[2] = {p->interface + (m ? part[0] : -part[0]) / 2, x[1]};
+        heat += p->material[m].rho_c * part[0] * sample_initial(p, sampling, part, middle);
+    }
+    return heat / (dx[0] * layout_rho_c(p, dx[0], x[0]));
 }

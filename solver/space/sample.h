@@ -8,6 +8,10 @@
  * even with the flux's slope about a Neumann wall. */
 double sample_initial(const struct problem *p, enum sampling sampling, const double dx[2], const double x[2]);
 
+/* The same for a particle of a lattice, whose cell the interface may cut: its heat over its heat capacity.  Points
+ * are then those in the middle of either part. */
+double sample_cell(const struct problem *p, enum sampling sampling, const double dx[2], const double x[2]);
+
 /* Whether the data have the temperature of a Dirichlet wall, at every row or column of the lattice: averages need not
  * be cut there. */
 int sample_meets_wall(const struct problem *p, const struct lattice *l, enum side s);

@@ -151,6 +151,7 @@ static int plan_ftcs(const struct experiment *e, const struct options *o, struct
          PLAN_STEPS);
     hold(plan, "what the source adds in a step", p->source ? n * unit : 0, PLAN_SET_UP, PLAN_STEPS);
     hold(plan, "what the walls add", sides * unit, PLAN_SET_UP, PLAN_STEPS);
+    hold(plan, "what the materials conduct and hold", p->materials == 2 ? 3 * n * unit : 0, PLAN_SET_UP, PLAN_STEPS);
     plan->answer = n * (size_t)(g.dim + 1 + !alike) * unit;
     hold(plan, alike ? "places and temperatures" : "places, temperatures and volumes", plan->answer, PLAN_ANSWER,
          p->whole ? PLAN_ANSWER : PLAN_ERRORS);

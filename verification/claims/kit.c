@@ -91,6 +91,7 @@ int claims_kit_weigh(struct claims_kit_cell *cell, const struct request *r, cons
     double *w[2] = {cell->w[0], cell->w[1]};
     struct neighbourhood *nb = &cell->nb;
     *nb = (struct neighbourhood){.dim = dim, .d = cell->d, .h = o->h * o->dx, .volume = pow(o->dx, dim)};
+    nb->rho_c = r->experiment.problem.material[0].rho_c;
     memcpy(nb->kappa, kappa, sizeof nb->kappa);
     for (int j = dim == 2 ? -reach : 0; j <= (dim == 2 ? reach : 0); j++)
         for (int i = -reach; i <= reach; i++) {

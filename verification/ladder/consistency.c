@@ -72,7 +72,7 @@ int consistency_error(const struct experiment *e, double *error, struct failure 
     double d[NEIGHBOURS_MAX][2], w0[NEIGHBOURS_MAX], w1[NEIGHBOURS_MAX], *w[2] = {w0, w1}, size = 0;
     if (!scheme) return refuse(why, STATUS_INPUT, "%s is no particle method: it has no weights", e->method->name);
     int order = o->order > 2 ? o->order : 2;
-    struct neighbourhood nb = {.dim = p->dim, .d = d, .volume = pow(o->dx, p->dim)};
+    struct neighbourhood nb = {.dim = p->dim, .d = d, .volume = pow(o->dx, p->dim), .rho_c = p->material[0].rho_c};
     nb.h = (o->h > 0 ? o->h : 1.1 * order / 2) * o->dx;
     nb.n = surround(p->dim, o->dx, nb.h, d);
     for (int a = 0; a < p->dim; a++) nb.kappa[a] = p->material[0].k[a] / p->material[0].rho_c;

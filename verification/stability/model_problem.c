@@ -105,6 +105,7 @@ int model_problem_around(const struct model_problem *b, const struct cloud *c, s
                                    .d = d,
                                    .h = b->options.h,
                                    .volume = c->volume,
+                                   .rho_c = 1,
                                    .kappa = {1, 1}};
         nb.n = neighbours_find(&cells, i, near, NEIGHBOURS_MAX);
         if (nb.n > NEIGHBOURS_MAX) {

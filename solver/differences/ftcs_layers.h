@@ -1,0 +1,20 @@
+#ifndef HEATLADDER_SOLVER_DIFFERENCES_FTCS_LAYERS_H
+#define HEATLADDER_SOLVER_DIFFERENCES_FTCS_LAYERS_H
+
+#include "solver/options.h"
+
+/* A rod of two materials, cut into cells of width d (m) about points x (m). */
+
+struct problem;
+
+/* J m^-3 K^-1: average over the cell about x. */
+double ftcs_layers_rho_c(const struct problem *p, double d, double x);
+
+/* W m^-1 K^-1: what conducts between x and x + d, d of either sign. */
+double ftcs_layers_conductivity(const struct problem *p, enum mean mean, double x, double d);
+
+/* Parts of the cell about x on either side of the interface: their widths over d and their middles, m.  Returns how
+ * many there are, 1 or 2. */
+int ftcs_layers_parts(const struct problem *p, double d, double x, double share[2], double middle[2]);
+
+#endif
