@@ -4,6 +4,7 @@
 #include "references/scene.h"
 #include "verification/command/request.h"
 #include "verification/ladder/consistency.h"
+#include "verification/ladder/judge.h"
 #include "verification/ladder/ladder.h"
 #include "verification/gates/measures_claim.h"
 #include "verification/gates/measures_stability.h"
@@ -90,7 +91,8 @@ static void take_operator_slope(const struct request *r, double lo, double hi, s
     m->ci[0] = s.ci[0];
     m->ci[1] = s.ci[1];
     m->error = error[dx.count - 1];
-    m->verdict = slope_judge(&s, dx.value, error, lo, hi, m->reason, sizeof m->reason);
+    struct judged judged = {dx.value, error, dx.count, 0};
+    m->verdict = judge_order(&judged, lo, hi, m->reason, sizeof m->reason);
 }
 
 /* One run; 0, or *m failed. */

@@ -1,6 +1,7 @@
 /* The ladder: rungs, window, slope, verdict. */
 #include "verification/ladder/ladder.h"
 
+#include "verification/ladder/judge.h"
 #include "verification/text/json.h"
 #include "verification/text/progress.h"
 #include "verification/run/run.h"
@@ -174,8 +175,8 @@ void ladder_fit(struct ladder *l, enum ladder_norm norm) {
 void ladder_judge(struct ladder *l, double lo, double hi) {
     double x[RUNG_MAX], error[RUNG_MAX];
     if (l->failure.status) return; /* a rung failed, and the ladder with it */
-    inside(l, x, error);
-    l->verdict = slope_judge(&l->slope, x, error, lo, hi, l->reason, sizeof l->reason);
+    struct judged judged = {x, error, inside(l, x, error), l->window.scattered};
+    l->verdict = judge_order(&judged, lo, hi, l->reason, sizeof l->reason);
 }
 
 void ladder_json(const struct ladder *l, struct json *j) {

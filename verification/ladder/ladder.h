@@ -4,6 +4,7 @@
 #include "verification/run/experiment.h"
 #include "verification/run/result.h"
 #include "verification/ladder/slope.h"
+#include "verification/text/verdict.h"
 #include "verification/ladder/window.h"
 #include "verification/text/number.h"
 

@@ -1,14 +1,15 @@
-/* Fit and judgement of an order.  With m points the slope's standard error s has m - 2 degrees of freedom, and the
+/* Fit of an order.  With m points the slope's standard error s has m - 2 degrees of freedom, and the
  * interval is slope +- t s, t the 97.5 % point of Student's distribution (GSL: gsl_fit_linear scales the covariance
  * by the residuals; gsl_cdf_tdist_Pinv). */
 #include "verification/ladder/slope.h"
 
-#include "verification/ladder/window.h"
+#include "verification/run/request.h"
 
 #include <gsl/gsl_cdf.h>
 #include <gsl/gsl_fit.h>
 #include <math.h>
-#include <stdio.h>
+
+static const double ROUNDED = 1e-6; /* a relative scatter below this is rounding of the numbers typed */
 
 void slope_local(const double *x, const double *error, int n, double *local) {
     for (int i = 0; i + 1 < n; i++) local[i] = log(error[i] / error[i + 1]) / log(x[i] / x[i + 1]);
@@ -32,35 +33,31 @@ struct slope slope_fit(const double *x, const double *error, int n) {
     return s;
 }
 
-/* The first thing in the errors that no order can come from, into `reason`; 0 where there is none. */
-static int spoilt(const double *x, const double *error, int n, char *reason, size_t size) {
-    for (int i = 0; i < n; i++)
-        if (!isfinite(error[i])) return snprintf(reason, size, "the error at %.6g is not finite", x[i]);
-    for (int i = 0; i + 1 < n; i++)
-        if (!(error[i + 1] < error[i]))
-            return snprintf(reason, size, "the error does not fall: %.4e at %.6g, %.4e at %.6g", error[i], x[i],
-                            error[i + 1], x[i + 1]);
-    return 0;
+/* The third divided difference of v over u[0 .. 3], scaled so that independent scatter of variance s^2 in v gives it
+ * the variance s^2. */
+static double third_difference(const double *u, const double *v) {
+    double sum = 0, squares = 0;
+    for (int i = 0; i < 4; i++) {
+        double weight = 1;
+        for (int j = 0; j < 4; j++)
+            if (j != i) weight /= u[i] - u[j];
+        sum += weight * v[i];
+        squares += weight * weight;
+    }
+    return sum / sqrt(squares);
 }
 
-enum verdict slope_judge(const struct slope *s, const double *x, const double *error, double lo, double hi,
-                         char *reason, size_t size) {
-    if (spoilt(x, error, s->n, reason, size)) return VERDICT_FAIL;
-    if (s->n < WINDOW_LEAST) {
-        snprintf(reason, size, "%d rung%s, at least %d must", s->n, s->n == 1 ? " counts" : "s count", WINDOW_LEAST);
-        return VERDICT_INCONCLUSIVE;
+double slope_roughness(const double *x, const double *error, int n) {
+    double u[RUNG_MAX], v[RUNG_MAX], rough = 0, misfit = 0, mean = 0, middle = 0;
+    struct slope s = slope_fit(x, error, n);
+    if (n < 5 || !isfinite(s.value)) return 0;
+    for (int i = 0; i < n; i++) {
+        u[i] = log(x[i]);
+        v[i] = log(error[i]);
+        middle += u[i] / n;
+        mean += v[i] / n;
     }
-    const char *where = "is not a number";
-    enum verdict verdict = VERDICT_FAIL;
-    if (lo <= s->ci[0] && s->ci[1] <= hi) {
-        where = "lies inside";
-        verdict = VERDICT_PASS;
-    } else if (s->ci[1] < lo || s->ci[0] > hi) {
-        where = "lies outside";
-    } else if (isfinite(s->ci[0]) && isfinite(s->ci[1])) {
-        where = "reaches past";
-        verdict = VERDICT_INCONCLUSIVE;
-    }
-    snprintf(reason, size, "the interval [%.4f, %.4f] %s [%g, %g]", s->ci[0], s->ci[1], where, lo, hi);
-    return verdict;
+    for (int i = 0; i + 3 < n; i++) rough += pow(third_difference(u + i, v + i), 2) / (n - 3);
+    for (int i = 0; i < n; i++) misfit += pow(v[i] - mean - s.value * (u[i] - middle), 2) / (n - 2);
+    return misfit > ROUNDED * ROUNDED ? rough / misfit : 0;
 }

@@ -19,6 +19,7 @@ struct window_rung {
 
 struct window {
     int n;                       /* rungs that count */
+    int scattered;               /* 1: the errors scatter at random from rung to rung */
     int counts[RUNG_MAX];        /* 1 or 0 */
     char left_out[RUNG_MAX][96]; /* the reason; "" where it counts */
 };

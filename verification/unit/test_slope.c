@@ -1,6 +1,7 @@
 /* Slopes, windows and verdicts, and the ways in which other suites were fooled. */
 #include "verification/ladder/slope.h"
 
+#include "verification/ladder/judge.h"
 #include "verification/ladder/window.h"
 
 #include "verification/unit/near.h"
@@ -9,11 +10,6 @@
 
 enum { N = 6 };
 static const double X[N] = {0.4, 0.2, 0.1, 0.05, 0.025, 0.0125};
-
-static enum verdict judge(const double *error, int n, double lo, double hi, char reason[160]) {
-    struct slope s = slope_fit(X, error, n);
-    return slope_judge(&s, X, error, lo, hi, reason, 160);
-}
 
 static void power_law(double p, double c, double error[N]) {
     for (int i = 0; i < N; i++) error[i] = c * pow(X[i], p);
@@ -51,77 +47,6 @@ static void two_points_have_no_interval(void **state) {
     assert_true(isnan(s.ci[0]) && isnan(s.ci[1]));
     assert_true(isnan(slope_fit(X, error, 1).value));
     assert_true(isnan(slope_fit(X, error, 0).value));
-}
-
-static void inside_outside_and_across(void **state) {
-    (void)state;
-    char reason[160];
-    double error[N];
-    power_law(2.04, 0.3, error);
-    assert_int_equal(judge(error, N, 1.9, 2.1, reason), VERDICT_PASS);
-    assert_int_equal(judge(error, N, 0.9, 1.1, reason), VERDICT_FAIL);
-    assert_non_null(strstr(reason, "lies outside"));
-    assert_int_equal(judge(error, N, 2.1, 2.3, reason), VERDICT_FAIL);
-    for (int i = 0; i < N; i++) error[i] *= i % 2 ? 1.2 : 1 / 1.2; /* scatter: the interval is wide */
-    assert_int_equal(judge(error, N, 1.9, 2.1, reason), VERDICT_INCONCLUSIVE);
-    assert_non_null(strstr(reason, "reaches past"));
-}
-
-static void three_rungs_are_too_few(void **state) {
-    (void)state;
-    char reason[160];
-    double error[N];
-    power_law(2, 0.3, error);
-    assert_int_equal(judge(error, 3, 1.9, 2.1, reason), VERDICT_INCONCLUSIVE);
-    assert_string_equal(reason, "3 rungs count, at least 4 must");
-    assert_int_equal(judge(error, 0, 1.9, 2.1, reason), VERDICT_INCONCLUSIVE);
-}
-
-/* |log| of growing errors has slope 2 as well: they must fail by their sign. */
-static void growing_errors_fail(void **state) {
-    (void)state;
-    char reason[160];
-    double error[N];
-    power_law(-2, 0.3, error);
-    assert_int_equal(judge(error, N, 1.9, 2.1, reason), VERDICT_FAIL);
-    assert_non_null(strstr(reason, "does not fall"));
-}
-
-/* The mean slope of this one lies in a wide band, and its largest local slope is 2. */
-static void a_stalled_ladder_fails(void **state) {
-    (void)state;
-    char reason[160];
-    const double error[N] = {1, 0.25, 0.0625, 0.0157, 0.0157, 0.0157};
-    assert_int_equal(judge(error, N, 0.5, 2.5, reason), VERDICT_FAIL);
-    assert_non_null(strstr(reason, "does not fall"));
-}
-
-static void what_is_not_finite_fails(void **state) {
-    (void)state;
-    char reason[160];
-    const double bad[3] = {NAN, INFINITY, -INFINITY};
-    for (int k = 0; k < 3; k++)
-        for (int i = 0; i < N; i++) {
-            double error[N];
-            power_law(2, 0.3, error);
-            error[i] = bad[k];
-            assert_int_equal(judge(error, N, -INFINITY, INFINITY, reason), VERDICT_FAIL);
-            assert_non_null(strstr(reason, "not finite"));
-        }
-}
-
-static void a_band_of_nan_passes_nothing(void **state) {
-    (void)state;
-    char reason[160];
-    double error[N];
-    power_law(2, 0.3, error);
-    assert_int_not_equal(judge(error, N, NAN, 2.1, reason), VERDICT_PASS);
-    assert_int_not_equal(judge(error, N, 1.9, NAN, reason), VERDICT_PASS);
-    assert_int_equal(verdict_within(NAN, 0, 1), VERDICT_FAIL);
-    assert_int_equal(verdict_within(INFINITY, 0, INFINITY), VERDICT_FAIL);
-    assert_int_equal(verdict_within(0.5, NAN, 1), VERDICT_FAIL);
-    assert_int_equal(verdict_within(0.5, 0.5, 0.5), VERDICT_PASS);
-    assert_int_not_equal((enum verdict)0, VERDICT_PASS); /* what nobody judged */
 }
 
 /* ---- The window ---- */
@@ -190,8 +115,8 @@ static void the_fine_end_tells_the_truth(void **state) {
     rungs(error, N, rung);
     window_choose(rung, N, &w);
     assert_true(w.counts[3] && w.counts[4] && w.counts[5]);
-    struct slope s = slope_fit(X + 2, error + 2, 4);
-    assert_int_not_equal(slope_judge(&s, X + 2, error + 2, 1.9, 2.1, reason, sizeof reason), VERDICT_PASS);
+    struct judged judged = {X + 2, error + 2, 4, 0};
+    assert_int_not_equal(judge_order(&judged, 1.9, 2.1, reason, sizeof reason), VERDICT_PASS);
 }
 
 static void what_is_not_finite_is_not_left_out(void **state) {
@@ -219,12 +144,6 @@ int main(void) {
         cmocka_unit_test(a_pure_power_is_found),
         cmocka_unit_test(the_interval_is_students),
         cmocka_unit_test(two_points_have_no_interval),
-        cmocka_unit_test(inside_outside_and_across),
-        cmocka_unit_test(three_rungs_are_too_few),
-        cmocka_unit_test(growing_errors_fail),
-        cmocka_unit_test(a_stalled_ladder_fails),
-        cmocka_unit_test(what_is_not_finite_fails),
-        cmocka_unit_test(a_band_of_nan_passes_nothing),
         cmocka_unit_test(a_clean_ladder_counts_whole),
         cmocka_unit_test(floors_are_left_out_with_their_reason),
         cmocka_unit_test(coarse_rungs_are_left_out_until_four_remain),

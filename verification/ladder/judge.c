@@ -1,0 +1,144 @@
+/* The verdict on an order.
+ *
+ * Four ways in which a straight line through (log x, log error) can mislead, and what is asked beside the fit:
+ *
+ *   A ladder that flattens.  A share f of the finest error that does not fall takes (r^p - 1)/log r^p f, here of
+ * ratio r = 2 and p = 2 some f, off p in the last local slope, but r^-p as much in the slope before, and so on: the
+ * mean over many rungs hides it.  The local slope of the two finest rungs must lie in the band.
+ *
+ *   Errors that scatter.  With a relative scatter s a local slope has the standard error sqrt(2) s/log r: 0.2 for
+ *   s = 0.1 and r = 2, which no band of +-0.1 holds.  There the slope is that of the finer half of the local slopes,
+ *   rounded up: m + 1 rungs at equal ratios have 2 s/log r sqrt(3/(m (m + 1) (m + 2))), 0.046 for 5.  What counts as
+ *   scatter is found by window.c.
+ *
+ *   No span.  Over a span S the errors C exp(a x) look like a power of any order a x: the local slope changes by the
+ *   factor S only.  For S >= 4 it leaves any band with hi/lo < 4.
+ *
+ *   A floor between wide rungs.  The last local slope of ratio r is log_r(r^p (1 - f) + f), which falls slower than f
+ *   where r is large: for r = 4, p = 2 and f = 0.1 by 0.07.  So C x^p + F is fitted, and F must be a tenth of the
+ *   finest error at most.  It is a linear least-squares fit of C x^p/E + F/E = 1 for each p of the band.  The rungs
+ *   are the finest that span a factor of 4 (at least four), since coarser ones have terms of higher order instead; of
+ *   scattered errors all, and a floor counts where it is significant: an F-test at 1 % of what it takes off the sum
+ * of squares.  Where the band holds an order of 0 a floor is what was expected. */
+#include "verification/ladder/judge.h"
+
+#include "verification/ladder/slope.h"
+#include "verification/ladder/window.h"
+
+#include <float.h>
+#include <gsl/gsl_cdf.h>
+#include <math.h>
+#include <stdio.h>
+
+static const double SPAN_LEAST = 4, FLOOR_MOST = 0.1, SIGNIFICANCE = 0.01, ROUNDED = 1 - 1e-9;
+
+/* The first thing in the errors that no order can come from, into `reason`; 0 where there is none. */
+static int spoilt(const struct judged *l, double lo, char *reason, size_t size) {
+    for (int i = 0; i < l->n; i++)
+        if (!isfinite(l->error[i])) return snprintf(reason, size, "the error at %.6g is not finite", l->x[i]);
+    for (int i = 0; i + 1 < l->n; i++)
+        if (!(l->error[i + 1] < l->error[i]) && !l->scattered && lo > 0)
+            return snprintf(reason, size, "the error does not fall: %.4e at %.6g, %.4e at %.6g", l->error[i], l->x[i],
+                            l->error[i + 1], l->x[i + 1]);
+    return 0;
+}
+
+/* How many of the finest rungs hold the slope at the fine end. */
+static int fine_rungs(const struct judged *l) {
+    return l->scattered ? l->n / 2 + 1 : 2;
+}
+
+double judge_fine_slope(const struct judged *l) {
+    int first = l->n - fine_rungs(l);
+    return first < 0 ? NAN : slope_fit(l->x + first, l->error + first, l->n - first).value;
+}
+
+struct floor_fit {
+    double share;      /* of the floor in the finest error of the fit */
+    double line, with; /* sum of squares of C x^p/E - 1, and of (C x^p + F)/E - 1 */
+};
+
+/* One p.  With a_i = (x_i/x_n)^p E_n/E_i and c_i = E_n/E_i the sums below give C and F in units of E_n. */
+static struct floor_fit fit_floor(const double *x, const double *error, int n, double p) {
+    double a[RUNG_MAX], c[RUNG_MAX], aa = 0, cc = 0, ac = 0, sa = 0, sc = 0;
+    struct floor_fit fit = {0};
+    for (int i = 0; i < n; i++) {
+        c[i] = error[n - 1] / error[i];
+        a[i] = pow(x[i] / x[n - 1], p) * c[i];
+        aa += a[i] * a[i], cc += c[i] * c[i], ac += a[i] * c[i];
+        sa += a[i], sc += c[i];
+    }
+    double determinant = aa * cc - ac * ac, C = (sa * cc - sc * ac) / determinant,
+           F = (sc * aa - sa * ac) / determinant;
+    if (!(F > 0)) F = 0, C = sa / aa; /* nothing falls below zero */
+    for (int i = 0; i < n; i++) {
+        fit.line += pow(sa / aa * a[i] - 1, 2);
+        fit.with += pow(C * a[i] + F * c[i] - 1, 2);
+    }
+    fit.share = F / (C + F);
+    return fit;
+}
+
+double judge_floor(const struct judged *l, double lo, double hi) {
+    enum { STEPS = 64 };
+    struct floor_fit best = {.line = INFINITY, .with = INFINITY};
+    int first = l->n - WINDOW_LEAST;
+    if (!(lo > 0) || first < 0 || l->n > RUNG_MAX) return 0;
+    while (first > 0 && (l->scattered || l->x[first] / l->x[l->n - 1] < SPAN_LEAST * ROUNDED)) first--;
+    int n = l->n - first;
+    for (int k = 0; k <= STEPS; k++) {
+        struct floor_fit fit = fit_floor(l->x + first, l->error + first, n, lo + (hi - lo) * k / STEPS);
+        best.line = fmin(best.line, fit.line);
+        if (fit.with < best.with) best.with = fit.with, best.share = fit.share;
+    }
+    double freedom = n - 3, gain = (best.line - best.with) * freedom;
+    if (l->scattered && !(gain > gsl_cdf_fdist_Qinv(SIGNIFICANCE, 1, freedom) * best.with)) return 0;
+    return best.share;
+}
+
+static enum verdict judge_fine_end(const struct judged *l, double lo, double hi, char *reason, size_t size) {
+    double fine = judge_fine_slope(l), share = judge_floor(l, lo, hi);
+    size_t used = 0;
+    while (used < size && reason[used]) used++;
+    if (!(lo <= fine && fine <= hi))
+        snprintf(reason + used, size - used, ", but the %d finest rungs have the slope %.4f", fine_rungs(l), fine);
+    else if (share > FLOOR_MOST)
+        snprintf(reason + used, size - used, ", but %.0f %% of the finest error do not fall (C x^p + floor)",
+                 100 * share);
+    else
+        return VERDICT_PASS;
+    return VERDICT_FAIL;
+}
+
+enum verdict judge_order(const struct judged *l, double lo, double hi, char *reason, size_t size) {
+    if (spoilt(l, lo, reason, size)) return VERDICT_FAIL;
+    if (l->n < WINDOW_LEAST) {
+        snprintf(reason, size, "%d rung%s, at least %d must: more rungs are needed", l->n,
+                 l->n == 1 ? " counts" : "s count", WINDOW_LEAST);
+        return VERDICT_INCONCLUSIVE;
+    }
+    struct slope s = slope_fit(l->x, l->error, l->n);
+    int used = snprintf(reason, size, "the interval [%.4f, %.4f] ", s.ci[0], s.ci[1]);
+    char *rest = reason + used;
+    size_t room = size - (size_t)used;
+    double span = l->x[0] / l->x[l->n - 1];
+    if (!(isfinite(s.ci[0]) && isfinite(s.ci[1]) && lo <= hi)) {
+        snprintf(rest, room, "or the band [%g, %g] is not finite", lo, hi);
+        return VERDICT_FAIL;
+    }
+    if (s.ci[1] < lo || s.ci[0] > hi) {
+        snprintf(rest, room, "lies outside [%g, %g]", lo, hi);
+        return VERDICT_FAIL;
+    }
+    if (span < SPAN_LEAST * ROUNDED) {
+        snprintf(rest, room, "is of rungs that span a factor of %.3g, at least %g is needed: finer rungs", span,
+                 SPAN_LEAST);
+        return VERDICT_INCONCLUSIVE;
+    }
+    if (!(lo <= s.ci[0] && s.ci[1] <= hi)) {
+        snprintf(rest, room, "reaches past [%g, %g]: more or finer rungs narrow it", lo, hi);
+        return VERDICT_INCONCLUSIVE;
+    }
+    snprintf(rest, room, "lies inside [%g, %g]", lo, hi);
+    return judge_fine_end(l, lo, hi, reason, size);
+}
