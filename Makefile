@@ -203,11 +203,12 @@ CPPCHECK := --quiet --error-exitcode=1 --std=c11 --enable=warning,portability --
             $(addprefix --suppress=,arrayIndexOutOfBounds arrayIndexThenCheck ctuuninitvar uninitvar)
 
 .PHONY: lint
-lint: $(OBJECTS) ## Check includes, symbols, shared lines, the format and (by cppcheck) common faults
+lint: $(OBJECTS) ## Check includes, symbols, shared lines, seeded faults, the format and (by cppcheck) common faults
 	$(Q)scripts/check_floors
 	$(Q)scripts/check_includes
 	$(Q)scripts/check_symbols $(BUILD)
 	$(Q)scripts/check_shared_lines
+	$(Q)scripts/mutants --check
 	$(Q)case $$(clang-format --version 2>/dev/null) in *" 14."*) clang-format --dry-run --Werror $(C_FILES);; \
 	*) echo "lint: clang-format 14 is not here, the format was not checked";; esac
 	$(Q)if command -v cppcheck >/dev/null; then cppcheck $(CPPCHECK) $(SOURCES); \

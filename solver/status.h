@@ -5,7 +5,8 @@
 
 #include <stddef.h>
 
-enum { STATUS_OK = 0, STATUS_GATE = 1, STATUS_INPUT = 2, STATUS_NUMERICAL = 3 }; /* also the exit statuses */
+/* also the exit statuses */
+enum { STATUS_OK = 0, STATUS_GATE = 1, STATUS_INPUT = 2, STATUS_NUMERICAL = 3, STATUS_INCONCLUSIVE = 4 };
 
 struct failure {
     int status;     /* STATUS_OK, STATUS_INPUT or STATUS_NUMERICAL */

@@ -5,6 +5,8 @@
 #include "references/scene.h"
 #include "verification/command/arguments.h"
 #include "verification/gates/job_size.h"
+#include "verification/ladder/judge.h"
+#include "verification/ladder/ladder.h"
 #include "verification/text/progress.h"
 #include "verification/text/words.h"
 
@@ -93,15 +95,6 @@ static void judge_refused(struct measured *m, const char *text) {
     snprintf(m->reason, sizeof m->reason, "%.300s", text);
 }
 
-/* A right order of a wrong size does not pass. */
-static void judge_ceiling(double ceiling, struct measured *m) {
-    size_t used = strlen(m->reason), room = sizeof m->reason - used;
-    if (isnan(ceiling)) return;
-    if (m->error <= ceiling) return;
-    m->verdict = VERDICT_FAIL;
-    snprintf(m->reason + used, room, "; the error %.4g is above its ceiling %.4g", m->error, ceiling);
-}
-
 void gates_judge(const struct gate *gate, struct measured *m) {
     struct request r;
     struct failure why;
@@ -114,9 +107,28 @@ void gates_judge(const struct gate *gate, struct measured *m) {
         judge_refused(m, "this measure needs an error ceiling beside it");
     } else {
         measure->take(&r, gate->lo, gate->hi, m);
-        judge_ceiling(gate->ceiling, m);
+        if (!isnan(gate->ceiling)) judge_ceiling(m->error, gate->ceiling, &m->verdict, m->reason, sizeof m->reason);
     }
     arguments_free(&r);
+}
+
+/* The norm of a measure of slopes: "slope" or "slope_NORM"; -1 for any other measure. */
+static int slope_norm(const char *measure) {
+    if (strcmp(measure, "slope") == 0) return LADDER_L1;
+    return strncmp(measure, "slope_", 6) == 0 ? words_index(ladder_norm_words, measure + 6) : -1;
+}
+
+void gates_command(const struct gate *gate, char *text, size_t size) {
+    int norm = slope_norm(gate->measure);
+    if (norm < 0) {
+        snprintf(text, size, "verify --only '%s'", gate->id);
+        return;
+    }
+    int used = snprintf(text, size, "%s --expect %g,%g", gate->command, gate->lo, gate->hi);
+    if (norm > 0 && (size_t)used < size)
+        used += snprintf(text + used, size - (size_t)used, " --norm %s", ladder_norm_words[norm]);
+    if (!isnan(gate->ceiling) && (size_t)used < size)
+        snprintf(text + used, size - (size_t)used, " --ceiling %.10g", gate->ceiling);
 }
 
 struct job {
@@ -139,6 +151,7 @@ void gates_run(struct gates *g) {
     for (int i = 0; i < g->declared; i++) {
         struct gate_result *result = &g->result[job[i].gate];
         double start = omp_get_wtime();
+        gates_command(&result->gate, result->typed, sizeof result->typed);
         gates_judge(&result->gate, &result->measured);
         result->seconds = omp_get_wtime() - start;
         executed += !result->executed;
@@ -155,6 +168,12 @@ int gates_hold(const struct gates *g) {
     for (int i = 0; i < g->declared; i++)
         passed += g->result[i].executed && g->result[i].measured.verdict == VERDICT_PASS;
     return g->declared > 0 && g->executed == g->declared && passed == g->declared;
+}
+
+int gates_failed(const struct gates *g) {
+    int failed = 0;
+    for (int i = 0; i < g->declared; i++) failed += g->result[i].measured.verdict == VERDICT_FAIL;
+    return failed;
 }
 
 int gates_has_order(const char *scene, const char *method) {

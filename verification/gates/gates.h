@@ -22,8 +22,11 @@ struct gate {
     const char *why;     /* where the bounds come from */
 };
 
+enum { GATES_COMMAND = 512 };
+
 struct gate_result {
     struct gate gate;
+    char typed[GATES_COMMAND]; /* of gates_command */
     struct measured measured;
     double seconds;
     int executed;
@@ -50,8 +53,14 @@ void gates_run(struct gates *g);
 /* One row; never fails silently: what cannot be run is a failed verdict with its reason. */
 void gates_judge(const struct gate *gate, struct measured *m);
 
+/* What shows the same verdict when it is typed after the program's name. */
+void gates_command(const struct gate *gate, char *text, size_t size);
+
 /* 1 where as many were executed as declared and every one passed. */
 int gates_hold(const struct gates *g);
+
+/* How many failed; the others that did not pass are inconclusive. */
+int gates_failed(const struct gates *g);
 
 /* 1 where a row of the table gates an order of that scene and method. */
 int gates_has_order(const char *scene, const char *method);

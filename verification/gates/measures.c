@@ -43,8 +43,7 @@ static void slope_in(enum ladder_norm norm, const struct request *r, double lo, 
         m->ci[1] = l->slope.ci[1];
         m->verdict = l->verdict;
         snprintf(m->reason, sizeof m->reason, "%s", l->reason);
-        for (int i = 0; i < l->n; i++)
-            if (l->window.counts[i]) m->error = l->rung[i].error.l1;
+        m->error = ladder_finest_error(l);
     }
     free(l);
 }

@@ -10,7 +10,8 @@ struct request;
 struct measured {
     double value;
     double ci[2]; /* 95 % interval of a slope; else the value twice */
-    double error; /* what a gate's ceiling bounds: E1, of a ladder at its finest rung that counts; NaN where none */
+    double
+        error; /* what a gate's ceiling bounds: E1; of a ladder its norm at the finest rung that counts; NaN: none */
     enum verdict verdict;
     char reason[320];
 };

@@ -29,6 +29,7 @@
 #include <gsl/gsl_cdf.h>
 #include <math.h>
 #include <stdio.h>
+#include <string.h>
 
 static const double SPAN_LEAST = 4, FLOOR_MOST = 0.1, SIGNIFICANCE = 0.01, ROUNDED = 1 - 1e-9;
 
@@ -98,8 +99,7 @@ double judge_floor(const struct judged *l, double lo, double hi) {
 
 static enum verdict judge_fine_end(const struct judged *l, double lo, double hi, char *reason, size_t size) {
     double fine = judge_fine_slope(l), share = judge_floor(l, lo, hi);
-    size_t used = 0;
-    while (used < size && reason[used]) used++;
+    size_t used = strlen(reason);
     if (!(lo <= fine && fine <= hi))
         snprintf(reason + used, size - used, ", but the %d finest rungs have the slope %.4f", fine_rungs(l), fine);
     else if (share > FLOOR_MOST)
@@ -141,4 +141,16 @@ enum verdict judge_order(const struct judged *l, double lo, double hi, char *rea
     }
     snprintf(rest, room, "lies inside [%g, %g]", lo, hi);
     return judge_fine_end(l, lo, hi, reason, size);
+}
+
+void judge_ceiling(double error, double ceiling, enum verdict *verdict, char *reason, size_t size) {
+    size_t used = strlen(reason);
+    const char *apart = used ? "; " : "";
+    if (error <= ceiling && used) return;
+    if (error <= ceiling) {
+        snprintf(reason, size, "the error %.4g is below its ceiling %.4g", error, ceiling);
+        return;
+    }
+    *verdict = VERDICT_FAIL;
+    snprintf(reason + used, size - used, "%sthe error %.4g is above its ceiling %.4g", apart, error, ceiling);
 }

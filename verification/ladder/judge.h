@@ -16,6 +16,9 @@ struct judged {
 /* The verdict against [lo, hi]; `reason` gets one line, and for VERDICT_INCONCLUSIVE what to do next. */
 enum verdict judge_order(const struct judged *l, double lo, double hi, char *reason, size_t size);
 
+/* A right order of a wrong size does not pass: appends to `reason` where the error is not below the ceiling. */
+void judge_ceiling(double error, double ceiling, enum verdict *verdict, char *reason, size_t size);
+
 /* The local slope of the two finest rungs; of scattered errors the slope of the finer half.  NaN for fewer than two.
  */
 double judge_fine_slope(const struct judged *l);

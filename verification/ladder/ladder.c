@@ -13,6 +13,8 @@
 #include <stdlib.h>
 #include <string.h>
 
+const char *const ladder_norm_words[] = {"l1", "l2", "linf", "interior", "boundary", NULL};
+
 static int descending(const void *a, const void *b) {
     double x = *(const double *)a, y = *(const double *)b;
     return (x < y) - (x > y);
@@ -114,8 +116,12 @@ int ladder_run(const struct experiment *e, const struct ladder_rungs *rungs, str
         return why->status;
     int status = collect(l, why);
     if (status == STATUS_INPUT) return status;
-    ladder_fit(l, LADDER_L1);
+    ladder_fit(l, rungs->norm);
     if (rungs->expect.count) ladder_judge(l, rungs->expect.value[0], rungs->expect.value[1]);
+    if (rungs->ceiling > 0) {
+        if (!rungs->expect.count && !l->failure.status) l->verdict = VERDICT_PASS, l->reason[0] = '\0';
+        judge_ceiling(ladder_finest_error(l), rungs->ceiling, &l->verdict, l->reason, sizeof l->reason);
+    }
     l->seconds = omp_get_wtime() - start;
     return status;
 }
@@ -147,9 +153,32 @@ static int inside(const struct ladder *l, double *x, double *error) {
     return m;
 }
 
+double ladder_finest_error(const struct ladder *l) {
+    double error = NAN;
+    for (int i = 0; i < l->n; i++)
+        if (l->window.counts[i]) error = l->error[i];
+    return error;
+}
+
+void ladder_slope_text(const struct ladder *l, char *text, size_t size) {
+    static const char *const names[] = {"E1", "L2", "Linf", "E1 of the interior", "E1 near the walls"};
+    int used = snprintf(text, size, "slope of %s: ", names[l->norm]);
+    char *rest = text + used;
+    size_t room = size - (size_t)used;
+    if (!isfinite(l->slope.value))
+        snprintf(rest, room, "- (%d of %d rungs count, a slope needs two)", l->slope.n, l->n);
+    else if (l->slope.n < 3)
+        snprintf(rest, room, "%.4f, 95 %% interval - (of two rungs there is none), over 2 of %d rungs",
+                 l->slope.value, l->n);
+    else
+        snprintf(rest, room, "%.4f, 95 %% interval [%.4f, %.4f], over %d of %d rungs", l->slope.value, l->slope.ci[0],
+                 l->slope.ci[1], l->slope.n, l->n);
+}
+
 void ladder_fit(struct ladder *l, enum ladder_norm norm) {
     struct window_rung rung[RUNG_MAX];
     double x[RUNG_MAX], error[RUNG_MAX];
+    l->norm = norm;
     for (int i = 0; i < l->n; i++) {
         const struct result *r = &l->rung[i];
         l->error[i] = in_norm(r, norm);

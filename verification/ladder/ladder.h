@@ -15,6 +15,7 @@
  * (truth.h), so that no error of space is in them. */
 
 enum ladder_norm { LADDER_L1, LADDER_L2, LADDER_LINF, LADDER_INTERIOR, LADDER_BOUNDARY }; /* the last two: E1 */
+extern const char *const ladder_norm_words[]; /* in the order of the enum, ended by NULL */
 
 /* The rungs that are asked for: one list has several numbers. */
 struct ladder_rungs {
@@ -22,6 +23,8 @@ struct ladder_rungs {
     struct numbers dt;      /* s */
     struct numbers fourier; /* - */
     struct numbers expect;  /* lowest and highest slope that pass; none where nothing is to be judged */
+    double ceiling;         /* of the error at the finest rung that counts; 0: none */
+    enum ladder_norm norm;  /* what is fitted and judged */
 };
 
 struct ladder {
@@ -32,7 +35,8 @@ struct ladder {
         semidiscrete_steps; /* in time: of the midpoint rule that the errors are against; 0: of the exact stepper */
     double semidiscrete_error; /* its own error, as in struct semidiscrete */
     double x[RUNG_MAX];
-    double error[RUNG_MAX]; /* in the norm that was fitted; NaN where the run failed */
+    enum ladder_norm norm;
+    double error[RUNG_MAX]; /* in that norm; NaN where the run failed */
     double local[RUNG_MAX]; /* n - 1 slopes between neighbours */
     struct window window;
     struct slope slope;     /* over the window */
@@ -42,9 +46,9 @@ struct ladder {
     double seconds;
 };
 
-/* Runs the rungs, in parallel where the caller is not, the finest first; then fits L1 and judges by rungs->expect.
- * STATUS_OK, STATUS_INPUT with *why filled where a rung is refused, or STATUS_NUMERICAL where one failed: *l is
- * filled but for a refusal. */
+/* Runs the rungs, in parallel where the caller is not, the finest first; then fits rungs->norm and judges by
+ * rungs->expect and rungs->ceiling. STATUS_OK, STATUS_INPUT with *why filled where a rung is refused, or
+ * STATUS_NUMERICAL where one failed: *l is filled but for a refusal. */
 int ladder_run(const struct experiment *e, const struct ladder_rungs *rungs, struct ladder *l, struct failure *why);
 
 /* Chooses the window and fits the slope in another norm. */
@@ -52,6 +56,12 @@ void ladder_fit(struct ladder *l, enum ladder_norm norm);
 
 /* Sets verdict and reason against a band. */
 void ladder_judge(struct ladder *l, double lo, double hi);
+
+/* The error at the finest rung that counts, in the norm that was fitted; NaN where none counts. */
+double ladder_finest_error(const struct ladder *l);
+
+/* The slope, its interval and of how many rungs, in a line; of fewer than three rungs, why there is no interval. */
+void ladder_slope_text(const struct ladder *l, char *text, size_t size);
 
 void ladder_json(const struct ladder *l, struct json *j); /* into an object that is open */
 

@@ -3,7 +3,7 @@
  * by the residuals; gsl_cdf_tdist_Pinv). */
 #include "verification/ladder/slope.h"
 
-#include "verification/run/request.h"
+#include "verification/ladder/window.h"
 
 #include <gsl/gsl_cdf.h>
 #include <gsl/gsl_fit.h>

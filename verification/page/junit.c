@@ -42,7 +42,7 @@ static void put_case(const struct gate_result *r, FILE *out) {
     fprintf(out, "\">expected because: ");
     put_escaped(r->gate.why, out);
     fprintf(out, "\nheatladder ");
-    put_escaped(r->gate.command, out);
+    put_escaped(r->typed, out);
     fprintf(out, "</%s>\n    </testcase>\n", tag);
 }
 

@@ -42,7 +42,7 @@ int page_gates_write(const struct gates *g, const char *title, const char *path,
                                      .verdict = verdict_words[m->verdict],
                                      .reason = m->reason,
                                      .why = row->why,
-                                     .command = row->command,
+                                     .command = g->result[i].typed,
                                      .lo = row->lo,
                                      .hi = row->hi,
                                      .value = m->value,
@@ -94,6 +94,7 @@ int page_ladder_write(const struct ladder *l, const struct ladder_rungs *asked, 
     html_open(out, title);
     double error[RUNG_MAX];
     int hollow[RUNG_MAX];
+    char slope[160];
     for (int i = 0; i < l->n; i++) {
         error[i] = l->rung[i].failure.status ? NAN : l->rung[i].error.l1;
         hollow[i] = !l->window.counts[i];
@@ -104,8 +105,10 @@ int page_ladder_write(const struct ladder *l, const struct ladder_rungs *asked, 
     html_verdict(out, verdict_words[l->verdict]);
     fprintf(out, ": ");
     html_text(out, l->reason);
-    fprintf(out, "</p>\n<p>Slope of E1 %.4f, 95 %% interval %.4f to %.4f, over %d of %d rungs.</p>\n", l->slope.value,
-            l->slope.ci[0], l->slope.ci[1], l->slope.n, l->n);
+    fprintf(out, "</p>\n<p>");
+    ladder_slope_text(l, slope, sizeof slope);
+    html_text(out, slope);
+    fprintf(out, ".</p>\n");
     page_put_origin(out);
     fprintf(out, "<figure>\n");
     chart_write(&chart, out);

@@ -84,7 +84,7 @@ static void print_failure(const struct gate_result *r) {
     printf("\n%s: %s%s%s: %s\n", gate->id, paint_start(stdout, word), word, paint_end(stdout, word), m->reason);
     if (isfinite(m->value)) printf("  measured %.6g, expected %.6g to %.6g", m->value, gate->lo, gate->hi);
     if (isfinite(m->value) && !isnan(gate->ceiling)) printf("; error %.4e, at most %.4e", m->error, gate->ceiling);
-    printf("%s  expected because: %s\n  heatladder %s\n", isfinite(m->value) ? "\n" : "", gate->why, gate->command);
+    printf("%s  expected because: %s\n  heatladder %s\n", isfinite(m->value) ? "\n" : "", gate->why, r->typed);
 }
 
 void print_gates(const struct gates *g, int all, double seconds) {

@@ -55,6 +55,40 @@ static void its_order_is_judged(void **state) {
     if (m.verdict != VERDICT_PASS) fail_msg("%s", m.reason);
 }
 
+/* Errors made to measure, each of which the interval of a line through all rungs lets pass as second order. */
+static void a_made_up_error_does_not_pass(void **state) {
+    (void)state;
+    static const struct {
+        const char *error, *dx;
+        enum verdict verdict;
+        const char *said;
+    } made[] = {
+        /* a quarter of the finest error is a floor; at ratios of some 1.4, and of some 1.2 */
+        {"floor", "1/10,1/14,1/20,1/28,1/40,1/57,1/80,1/113,1/160,1/226,1/320", VERDICT_FAIL, "2 finest rungs"},
+        {"floor",
+         "1/10,1/12,1/14,1/17,1/21,1/25,1/30,1/36,1/43,1/52,1/62,1/74,1/89,1/107,1/128,1/154,1/185,1/222,1/266,1/319",
+         VERDICT_FAIL, "2 finest rungs"},
+        {"exponential", "10/100,10/101,10/102,10/103 --set L=10", VERDICT_INCONCLUSIVE, "span a factor of 1.03"},
+        {"stall", "1/10,1/20,1/40,1/80,1/160,1/320,1/640,1/1280,1/2560,1/5120", VERDICT_FAIL, "does not fall"}};
+    for (int k = 0; k < 4; k++) {
+        char line[512];
+        struct request r;
+        struct failure why;
+        struct ladder *l = xcalloc(1, sizeof *l);
+        snprintf(line, sizeof line,
+                 "ladder rod-cosine odd --dx %s --solver 'awk -v error=%s -f verification/unit/stand_in.awk {case} > "
+                 "{out}' "
+                 "--expect 1.9,2.1",
+                 made[k].dx, made[k].error);
+        if (arguments_parse_line(line, &r, &why)) fail_msg("%s", why.text);
+        assert_int_equal(ladder_run(&r.experiment, &r.rungs, l, &why), STATUS_OK);
+        if (l->verdict != made[k].verdict || !strstr(l->reason, made[k].said))
+            fail_msg("%s: %s: %s", made[k].error, verdict_words[l->verdict], l->reason);
+        arguments_free(&r);
+        free(l);
+    }
+}
+
 /* A wrong factor in kappa does not fall with dx. */
 static void a_wrong_conductivity_is_caught(void **state) {
     (void)state;
@@ -142,6 +176,7 @@ int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(agrees_with_our_own),
         cmocka_unit_test(its_order_is_judged),
+        cmocka_unit_test(a_made_up_error_does_not_pass),
         cmocka_unit_test(a_wrong_conductivity_is_caught),
         cmocka_unit_test(what_is_wrong_is_named),
         cmocka_unit_test(the_label_is_free_and_options_of_the_model_are_not),

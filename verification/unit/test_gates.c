@@ -1,5 +1,6 @@
 /* Gates: that none can pass without having been judged. */
 #include "verification/gates/gates.h"
+#include "verification/ladder/ladder.h"
 
 #include "references/scene.h"
 #include "solver/method.h"
@@ -105,6 +106,41 @@ static void the_table_is_sound(void **state) {
         if (strlen(g->why) < 10) fail_msg("%s: no reason", g->id);
         for (const struct gate *other = gates_table; other < g; other++)
             if (strcmp(other->id, g->id) == 0) fail_msg("%s is there twice", g->id);
+    }
+}
+
+/* What is typed gives the same verdict for the same reason, whether it is the interval, the norm or the ceiling. */
+static void a_gate_can_be_typed(void **state) {
+    (void)state;
+    static const struct gate rows[] = {
+        {"a", TIER_QUICK, "slope", "ladder rod-gauss so_ssph --dx 1,0.5,0.25,0.125", 2.01, 2.3, 1, "too high"},
+        {"b", TIER_QUICK, "slope_linf", "ladder plate so_ssph --dx 0.01,0.005,0.0025,0.00125", 1.9, 2.1, 1,
+         "a corner"},
+        {"c", TIER_QUICK, "slope_boundary", "ladder rod-step so_ssph --dx 0.2,0.1,0.05,0.025", 1.8, 2.2, 1e-7, "low"},
+        {"d", TIER_QUICK, "slope", "ladder rod-gauss so_ssph --dx 1,0.5", 1.9, 2.1, 1, "short"}};
+    for (int k = 0; k < 4; k++) {
+        char command[GATES_COMMAND];
+        struct measured m;
+        struct request r;
+        struct failure why;
+        struct ladder *l = xcalloc(1, sizeof *l);
+        gates_judge(&rows[k], &m);
+        assert_int_not_equal(m.verdict, VERDICT_PASS);
+        gates_command(&rows[k], command, sizeof command);
+        if (arguments_parse_line(command, &r, &why)) fail_msg("%s: %s", command, why.text);
+        assert_int_equal(ladder_run(&r.experiment, &r.rungs, l, &why), STATUS_OK);
+        assert_int_equal(l->verdict, m.verdict);
+        assert_string_equal(l->reason, m.reason);
+        arguments_free(&r);
+        free(l);
+    }
+    const struct gate other = {"fold/odd", TIER_QUICK, "fold", "run plate ftcs --dx 0.005", 2, 2, 1, "no ladder"};
+    char command[GATES_COMMAND];
+    gates_command(&other, command, sizeof command);
+    assert_string_equal(command, "verify --only 'fold/odd'");
+    for (const struct gate *g = gates_table; g->id; g++) { /* none is cut */
+        gates_command(g, command, sizeof command);
+        assert_true(strlen(command) < sizeof command - 1);
     }
 }
 
@@ -224,6 +260,7 @@ int main(void) {
         cmocka_unit_test(what_is_not_finite_fails),
         cmocka_unit_test(derivatives_are_of_particle_methods),
         cmocka_unit_test(the_table_is_sound),
+        cmocka_unit_test(a_gate_can_be_typed),
         cmocka_unit_test(globs_choose),
         cmocka_unit_test(declared_must_be_executed),
         cmocka_unit_test(references_are_held_to_their_bounds),

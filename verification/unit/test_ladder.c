@@ -227,6 +227,43 @@ static void short_ladders_are_inconclusive(void **state) {
     free(l);
 }
 
+static void two_rungs_have_no_interval_to_print(void **state) {
+    (void)state;
+    struct failure why;
+    char text[160];
+    struct ladder *l = xcalloc(1, sizeof *l);
+    climb("ladder rod-gauss ftcs --dx 1,0.5 --expect 1.9,2.1", &with_exact, STATUS_OK, l, &why);
+    ladder_slope_text(l, text, sizeof text);
+    assert_string_equal(text, "slope of E1: 2.0000, 95 % interval - (of two rungs there is none), over 2 of 2 rungs");
+    assert_int_equal(l->verdict, VERDICT_INCONCLUSIVE);
+    climb("ladder rod-gauss ftcs --dx 1,0.5,0.25 --norm interior", &with_exact, STATUS_OK, l, &why);
+    ladder_slope_text(l, text, sizeof text);
+    assert_non_null(strstr(text, "slope of E1 of the interior: 2.0"));
+    assert_null(strstr(text, "nan"));
+    free(l);
+}
+
+/* E1 = C dx^2 at dx = 0.125. */
+static void a_ceiling_bounds_the_finest_rung(void **state) {
+    (void)state;
+    struct failure why;
+    struct ladder *l = xcalloc(1, sizeof *l);
+    climb("ladder rod-gauss ftcs --dx 0.25,1,0.125,0.5 --ceiling 0.0049", &with_exact, STATUS_OK, l, &why);
+    assert_int_equal(l->verdict, VERDICT_PASS);
+    assert_near(ladder_finest_error(l), C / 64, 1e-9);
+    climb("ladder rod-gauss ftcs --dx 0.25,1,0.125,0.5 --ceiling 0.0048", &with_exact, STATUS_OK, l, &why);
+    assert_int_equal(l->verdict, VERDICT_FAIL);
+    assert_non_null(strstr(l->reason, "above its ceiling 0.0048"));
+    climb("ladder rod-gauss ftcs --dx 0.25,1,0.125,0.5 --expect 1.9,2.1 --ceiling 0.0048", &with_exact, STATUS_OK, l,
+          &why);
+    assert_int_equal(l->verdict, VERDICT_FAIL);
+    /* another norm, another size: that of the largest error, K */
+    climb("ladder rod-gauss ftcs --dx 0.25,1,0.125,0.5 --norm linf --ceiling 0.0049", &with_exact, STATUS_OK, l,
+          &why);
+    assert_near(ladder_finest_error(l), l->rung[3].error.linf, 0);
+    free(l);
+}
+
 static void a_failed_rung_fails_the_ladder(void **state) {
     (void)state;
     struct failure why;
@@ -252,6 +289,8 @@ int main(void) {
         cmocka_unit_test(a_ladder_in_space),
         cmocka_unit_test(a_ladder_in_time),
         cmocka_unit_test(short_ladders_are_inconclusive),
+        cmocka_unit_test(two_rungs_have_no_interval_to_print),
+        cmocka_unit_test(a_ceiling_bounds_the_finest_rung),
         cmocka_unit_test(a_failed_rung_fails_the_ladder),
     };
     return cmocka_run_group_tests_name("ladder", tests, NULL, NULL);

@@ -63,8 +63,8 @@ static void print_text(const struct ladder *l) {
     for (int i = 0; i < l->n; i++) add_rung(&t, l, i);
     table_print(&t, stdout);
     table_free(&t);
-    printf("\nslope of E1: %.4f, 95 %% interval [%.4f, %.4f], over %d of %d rungs\n", l->slope.value, l->slope.ci[0],
-           l->slope.ci[1], l->slope.n, l->n);
+    ladder_slope_text(l, what, sizeof what);
+    printf("\n%s\n", what);
     printf("%s%s%s: %s (%.2g s)\n", paint_start(stdout, verdict), verdict, paint_end(stdout, verdict), l->reason,
            l->seconds);
 }
@@ -89,8 +89,8 @@ int verb_ladder(const struct request *r) {
     }
     if (status)
         fprintf(stderr, "heatladder: %s\n", why.text);
-    else if (r->rungs.expect.count && l->verdict != VERDICT_PASS)
-        status = STATUS_GATE;
+    else if ((r->rungs.expect.count || r->rungs.ceiling > 0) && l->verdict != VERDICT_PASS)
+        status = l->verdict == VERDICT_FAIL ? STATUS_GATE : STATUS_INCONCLUSIVE;
     free(l);
     return status;
 }

@@ -22,7 +22,7 @@ static void gate_json(const struct gate_result *r, struct json *j) {
     json_object(j, NULL);
     json_text(j, "id", g->id);
     json_text(j, "measure", g->measure);
-    json_text(j, "command", g->command);
+    json_text(j, "command", r->typed);
     json_number(j, "expected", at_most ? 0 : (g->lo + g->hi) / 2);
     json_number(j, "tolerance", at_most ? g->hi : (g->hi - g->lo) / 2);
     json_number(j, "measured", m->value);
@@ -81,7 +81,7 @@ int verb_verify(const struct request *r) {
     if (status)
         fprintf(stderr, "heatladder: %s\n", why.text);
     else if (!gates_hold(&gates))
-        status = STATUS_GATE;
+        status = gates_failed(&gates) ? STATUS_GATE : STATUS_INCONCLUSIVE;
     gates_free(&gates);
     return status;
 }
