@@ -32,13 +32,14 @@
 #include <string.h>
 
 static const double SPAN_LEAST = 4, FLOOR_MOST = 0.1, SIGNIFICANCE = 0.01, ROUNDED = 1 - 1e-9;
+static const double FALLEN = 1 - 1e-6; /* an error that falls by less has only been rounded in another way */
 
 /* The first thing in the errors that no order can come from, into `reason`; 0 where there is none. */
 static int spoilt(const struct judged *l, double lo, char *reason, size_t size) {
     for (int i = 0; i < l->n; i++)
         if (!isfinite(l->error[i])) return snprintf(reason, size, "the error at %.6g is not finite", l->x[i]);
     for (int i = 0; i + 1 < l->n; i++)
-        if (!(l->error[i + 1] < l->error[i]) && !l->scattered && lo > 0)
+        if (!(l->error[i + 1] < FALLEN * l->error[i]) && !l->scattered && lo > 0)
             return snprintf(reason, size, "the error does not fall: %.4e at %.6g, %.4e at %.6g", l->error[i], l->x[i],
                             l->error[i + 1], l->x[i + 1]);
     return 0;
