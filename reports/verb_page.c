@@ -7,13 +7,9 @@
 
 #include <stdio.h>
 
-int verb_page(const struct request *r) {
-    struct failure why;
+int verb_page(const struct request *r, struct failure *why) {
     const char *dir = r->topic ? r->topic : "reports/out";
-    int status = index_write(dir, &why);
-    if (status)
-        fprintf(stderr, "heatladder: %s\n", why.text);
-    else
-        printf("page: %s/index.html\n", dir);
-    return status;
+    if (index_write(dir, why)) return why->status;
+    printf("page: %s/index.html\n", dir);
+    return STATUS_OK;
 }

@@ -32,9 +32,6 @@ static int write_parts(const char *dir, struct failure *why) {
     return STATUS_OK;
 }
 
-int verb_report(const struct request *r) {
-    struct failure why;
-    int status = write_parts(r->topic ? r->topic : "reports/out", &why);
-    if (status) fprintf(stderr, "heatladder: %s\n", why.text);
-    return status;
+int verb_report(const struct request *r, struct failure *why) {
+    return write_parts(r->topic ? r->topic : "reports/out", why);
 }

@@ -1,6 +1,8 @@
 /* The list of methods. */
 #include "solver/method.h"
 
+#include <string.h>
+
 #define METHOD(name) extern const struct method method_##name;
 #include "solver/methods.def"
 #undef METHOD
@@ -10,3 +12,9 @@ const struct method *const methods[] = {
 #include "solver/methods.def"
     NULL};
 #undef METHOD
+
+const struct method *method_find(const char *name) {
+    for (int i = 0; methods[i]; i++)
+        if (strcmp(methods[i]->name, name) == 0) return methods[i];
+    return NULL;
+}

@@ -21,4 +21,6 @@ struct method {
 
 extern const struct method *const methods[]; /* ended by NULL */
 
+const struct method *method_find(const char *name); /* NULL where there is none */
+
 #endif

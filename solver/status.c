@@ -1,9 +1,17 @@
-/* The two functions that every file may call. */
+/* Statuses, failures and memory. */
 #include "solver/status.h"
 
 #include <stdarg.h>
 #include <stdio.h>
 #include <stdlib.h>
+
+int status_exit(int status) {
+    return status == STATUS_NOT_APPLICABLE ? STATUS_INPUT : status == STATUS_UNSTABLE ? STATUS_NUMERICAL : status;
+}
+
+int status_refused(int status) {
+    return status == STATUS_INPUT || status == STATUS_NOT_APPLICABLE;
+}
 
 int refuse(struct failure *f, int status, const char *format, ...) {
     va_list arguments;

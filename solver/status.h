@@ -5,11 +5,24 @@
 
 #include <stddef.h>
 
-/* also the exit statuses */
-enum { STATUS_OK = 0, STATUS_GATE = 1, STATUS_INPUT = 2, STATUS_NUMERICAL = 3, STATUS_INCONCLUSIVE = 4 };
+enum {
+    STATUS_OK = 0,
+    STATUS_GATE = 1,           /* measured, and outside of what was asked for */
+    STATUS_INPUT = 2,          /* bad usage or input */
+    STATUS_NUMERICAL = 3,      /* a singular matrix, a program that failed */
+    STATUS_INCONCLUSIVE = 4,   /* measured, and not enough to tell */
+    STATUS_NOT_APPLICABLE = 5, /* good input, for which this method has no answer */
+    STATUS_UNSTABLE = 6        /* T grew without bound */
+};
+
+/* The exit status of the program: 0 to 4; not applicable counts as input, unstable as numerical. */
+int status_exit(int status);
+
+/* 1 where nothing was tried: STATUS_INPUT and STATUS_NOT_APPLICABLE. */
+int status_refused(int status);
 
 struct failure {
-    int status;     /* STATUS_OK, STATUS_INPUT or STATUS_NUMERICAL */
+    int status;     /* one of the above */
     char text[480]; /* one line, without a newline: what, its value, what would be valid; where and when */
 };
 

@@ -1,4 +1,5 @@
-/* heatladder: the command line.  A verb is a row of verbs.def and a file verb_<name>.c; this file only finds it. */
+/* heatladder: the command line.  A verb is a row of verbs.def and a file verbs/<name>.c; this file finds it, and
+ * prints its failure. */
 #include "solver/method.h"
 #include "verification/command/arguments.h"
 #include "verification/command/help.h"
@@ -30,12 +31,10 @@ static int act(int argc, char *const *argv) {
     struct request request = {0};
     struct failure why;
     int status = arguments_parse(argc, argv, &request, &why);
-    if (status)
-        fprintf(stderr, "heatladder: %s\n", why.text);
-    else
-        status = request.verb->act(&request);
+    if (!status) status = request.verb->act(&request, &why);
+    if (status && *why.text) fprintf(stderr, "heatladder: %s\n", why.text);
     arguments_free(&request);
-    return status;
+    return status_exit(status);
 }
 
 /* Standard output that could not be written is a failure too: a full disk, a closed pipe. */

@@ -60,12 +60,6 @@ static int write_work(const char *dir, struct failure *why) {
     return status;
 }
 
-static const struct method *so_ssph(void) {
-    int i = 0;
-    while (strcmp(methods[i]->name, "so_ssph")) i++;
-    return methods[i];
-}
-
 static int write_ratio(const struct method *m, enum kernel_name kernel, double h, FILE *out, struct failure *why) {
     struct model_problem probe = {.method = m, .dim = 2, .options = {.dx = 1, .h = h, .kernel = kernel}};
     struct symbol_error e;
@@ -84,7 +78,7 @@ static int write_ratio(const struct method *m, enum kernel_name kernel, double h
 }
 
 static int write_symbol(const char *dir, struct failure *why) {
-    const struct method *m = so_ssph();
+    const struct method *m = method_find("so_ssph");
     struct output page;
     int status = STATUS_OK;
     if (output_open(&page, why, "%s/matched_fig2.csv", dir)) return why->status;

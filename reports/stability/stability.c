@@ -25,10 +25,8 @@ void stability_block(FILE *out, const char *name, const char *columns) {
 }
 
 struct model_problem stability_probe(const char *method, int dim, enum kernel_name kernel, double h) {
-    struct model_problem b = {.dim = dim, .options = {.kernel = kernel, .h = h}, .step = {STEPPER_EULER, 0}};
-    for (int i = 0; methods[i]; i++)
-        if (strcmp(methods[i]->name, method) == 0) b.method = methods[i];
-    return b;
+    return (struct model_problem){
+        .method = method_find(method), .dim = dim, .options = {.kernel = kernel, .h = h}, .step = {STEPPER_EULER, 0}};
 }
 
 int stability_write(const char *dir, struct failure *why) {

@@ -4,9 +4,6 @@
 #include "verification/command/request.h"
 #include "reports/stability/stability.h"
 
-int verb_stability(const struct request *r) {
-    struct failure why;
-    int status = stability_write(r->topic ? r->topic : "reports/out", &why);
-    if (status) fprintf(stderr, "heatladder: %s\n", why.text);
-    return status;
+int verb_stability(const struct request *r, struct failure *why) {
+    return stability_write(r->topic ? r->topic : "reports/out", why);
 }

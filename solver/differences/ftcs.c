@@ -123,7 +123,7 @@ static int check_stable(const struct ftcs_grid *g, long long step, struct failur
         while (fabs(row[i] - g->middle) <= g->reach) i++;
         char y[40] = "";
         if (g->dim == 2) snprintf(y, sizeof y, ", y = %g m", g->origin[1] + j * g->d[1]);
-        return refuse(why, STATUS_NUMERICAL,
+        return refuse(why, STATUS_UNSTABLE,
                       "%s: unstable at step %lld of %lld, t = %g s: T = %g K at x = %g m%s; "
                       "sum of kappa dt/dx^2 is %g, stable up to %g",
                       g->method, step, g->steps, g->start + (double)step * g->dt, row[i], g->origin[0] + i * g->d[0],

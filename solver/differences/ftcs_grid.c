@@ -60,27 +60,28 @@ static int check_spacing(const struct problem *p, double dx, struct failure *why
 static int check_options(const struct ftcs_grid *g, const struct problem *p, const struct options *o,
                          struct failure *why) {
     if (p->materials > 1 && (g->wide || p->dim == 2))
-        return refuse(why, STATUS_INPUT, "%s: takes one material%s; this scene has %d, which meet at x = %g m",
-                      g->method, g->wide ? "" : " in the plane", p->materials, p->interface);
+        return refuse(why, STATUS_NOT_APPLICABLE,
+                      "%s: takes one material%s; this scene has %d, which meet at x = %g m", g->method,
+                      g->wide ? "" : " in the plane", p->materials, p->interface);
     if (p->materials > 1 && (o->sampling == SAMPLING_SPLINE || o->layout == LAYOUT_NODE))
-        return refuse(why, STATUS_INPUT, "--%s: takes one material; with two: %s",
+        return refuse(why, STATUS_NOT_APPLICABLE, "--%s: takes one material; with two: %s",
                       o->layout == LAYOUT_NODE ? "layout node" : "sampling spline",
                       o->layout == LAYOUT_NODE ? "lattice" : "point or cell");
     if (p->materials > 1 && o->stepper == STEPPER_MATCHED)
-        return refuse(why, STATUS_INPUT, "--stepper matched: takes one material; valid here: euler, auto");
+        return refuse(why, STATUS_NOT_APPLICABLE, "--stepper matched: takes one material; valid here: euler, auto");
     for (int s = 0; s < 2 * p->dim; s++)
         if (p->side[s] == ROBIN)
             return refuse(why, STATUS_INPUT, "a Robin wall: %s has Dirichlet and Neumann walls", g->method);
     if (o->layout == LAYOUT_JITTER)
-        return refuse(why, STATUS_INPUT, "--layout jitter: %s needs a grid: lattice or node", g->method);
+        return refuse(why, STATUS_NOT_APPLICABLE, "--layout jitter: %s needs a grid: lattice or node", g->method);
     if (o->stepper == STEPPER_MATCHED && p->dim == 2)
-        return refuse(why, STATUS_INPUT,
+        return refuse(why, STATUS_NOT_APPLICABLE,
                       "--stepper matched: in the plane the error of %s is not isotropic, and no step "
                       "cancels it; valid here: euler, auto",
                       g->method);
     if (o->stepper != STEPPER_AUTO && o->stepper != STEPPER_EULER && o->stepper != STEPPER_MATCHED)
-        return refuse(why, STATUS_INPUT, "--stepper %s: %s has euler, auto%s", stepper_words[o->stepper], g->method,
-                      p->dim == 1 ? ", matched" : "");
+        return refuse(why, STATUS_NOT_APPLICABLE, "--stepper %s: %s has euler, auto%s", stepper_words[o->stepper],
+                      g->method, p->dim == 1 ? ", matched" : "");
     if (o->stepper == STEPPER_MATCHED && (o->dt != 0 || o->fourier != 0))
         return refuse(why, STATUS_INPUT, "--stepper matched: sets the step itself; leave out --dt and --fourier");
     if (o->dt != 0 && !(o->dt > 0 && isfinite(o->dt)))

@@ -17,7 +17,7 @@ static int check(const struct problem *p, const struct options *o, struct failur
     (void)o;
     for (int m = 0; m < p->materials && p->dim == 2; m++)
         if (p->material[m].k[0] != p->material[m].k[1])
-            return refuse(why, STATUS_INPUT,
+            return refuse(why, STATUS_NOT_APPLICABLE,
                           "brookshaw: isotropic conductivity only, the scene has k_x = %g and k_y = %g",
                           p->material[m].k[0], p->material[m].k[1]);
     return STATUS_OK;

@@ -8,7 +8,7 @@
 static int check(const struct problem *p, const struct options *o, struct failure *why) {
     (void)o;
     if (p->materials > 1)
-        return refuse(why, STATUS_INPUT, "fo_ssph: one material only, the scene has two; use brookshaw");
+        return refuse(why, STATUS_NOT_APPLICABLE, "fo_ssph: one material only, the scene has two; use brookshaw");
     return STATUS_OK;
 }
 

@@ -28,7 +28,7 @@ int particles_settle(const struct problem *p, const struct options *o, const str
         if (p->side[side] == ROBIN)
             return refuse(why, STATUS_INPUT, "a Robin wall: the particle methods have Dirichlet and Neumann walls");
     if (p->materials == 2 && o->sampling == SAMPLING_SPLINE)
-        return refuse(why, STATUS_INPUT,
+        return refuse(why, STATUS_NOT_APPLICABLE,
                       "--sampling spline: four cells of two materials have no common average; take point or cell");
     if (s->check(p, settled, why)) return why->status;
     if (o->h_iso) return matched_isotropic(settled, s, &settled->h, why);
@@ -43,7 +43,7 @@ int particles_outline(const struct problem *p, const struct options *o, const st
     if (layout_lattice(p, o, ratio, l, why)) return why->status;
     *rows = o->layout == LAYOUT_JITTER || p->materials == 2;
     if (*rows && (stepper == STEPPER_MATCHED || stepper == STEPPER_EXACT))
-        return refuse(why, STATUS_INPUT, "--stepper %s: needs --layout lattice or node and one material",
+        return refuse(why, STATUS_NOT_APPLICABLE, "--stepper %s: needs --layout lattice or node and one material",
                       stepper_words[stepper]);
     return stepper == STEPPER_EXACT ? exact_check(l, why) : STATUS_OK;
 }

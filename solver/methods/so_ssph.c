@@ -7,7 +7,7 @@
 
 static int check(const struct problem *p, const struct options *o, struct failure *why) {
     if (p->materials > 1)
-        return refuse(why, STATUS_INPUT, "so_ssph: one material only, the scene has two; use brookshaw");
+        return refuse(why, STATUS_NOT_APPLICABLE, "so_ssph: one material only, the scene has two; use brookshaw");
     if (o->order && (o->order < 2 || o->order > SSPH_ORDER_MAX))
         return refuse(why, STATUS_INPUT, "--order %d: so_ssph takes 2 to %d", o->order, SSPH_ORDER_MAX);
     return STATUS_OK;

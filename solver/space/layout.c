@@ -195,7 +195,8 @@ static void add_ghosts(const struct problem *p, const struct options *o, const s
 int layout_cloud(const struct problem *p, const struct options *o, const struct lattice *l, double reach,
                  struct cloud *c, struct failure *why) {
     if (o->layout == LAYOUT_NODE)
-        return refuse(why, STATUS_INPUT, "--layout node: particles with rows of their own need lattice or jitter");
+        return refuse(why, STATUS_NOT_APPLICABLE,
+                      "--layout node: particles with rows of their own need lattice or jitter");
     for (int a = 0; a < p->dim; a++)
         if (reach > p->hi[a] - p->lo[a])
             return refuse(why, STATUS_INPUT,

@@ -58,10 +58,10 @@ size_t exact_bytes(const struct heat_operator *a) {
 
 int exact_check(const struct lattice *l, struct failure *why) {
     for (int s = 0; s < 2 * l->dim; s++)
-        if (l->sign[s] == 0) return refuse(why, STATUS_INPUT, "--stepper exact: needs --walls mirror");
+        if (l->sign[s] == 0) return refuse(why, STATUS_NOT_APPLICABLE, "--stepper exact: needs --walls mirror");
     if ((l->shift[X_LO] > 0 && l->shift[X_HI] > 0 && l->n[0] < 2) ||
         (l->dim == 2 && l->shift[Y_LO] > 0 && l->shift[Y_HI] > 0 && l->n[1] < 2))
-        return refuse(why, STATUS_INPUT, "--stepper exact: needs two particles along an insulated axis");
+        return refuse(why, STATUS_NOT_APPLICABLE, "--stepper exact: needs two particles along an insulated axis");
     return STATUS_OK;
 }
 

@@ -88,7 +88,7 @@ static double polish(struct isotropy *c, double lo, double hi, double at_lo, dou
 /* At order 4 A and B are zero at every h. */
 static int check_order(const struct options *o, const char *option, struct failure *why) {
     if (o->order < 4) return STATUS_OK;
-    return refuse(why, STATUS_INPUT,
+    return refuse(why, STATUS_NOT_APPLICABLE,
                   "%s: --order %d has no error of second order that it could balance; take --order 2", option,
                   o->order);
 }
@@ -110,7 +110,7 @@ int matched_isotropic(const struct options *o, const struct scheme *s, double *h
         above = up, below = down;
     }
     if (isnan(best))
-        return refuse(why, STATUS_INPUT, "--h iso: this kernel has no isotropic h/dx between 0.75 and 3");
+        return refuse(why, STATUS_NOT_APPLICABLE, "--h iso: this kernel has no isotropic h/dx between 0.75 and 3");
     *h = best;
     return STATUS_OK;
 }
@@ -137,7 +137,8 @@ static int matching_step(const struct problem *p, const struct options *o, const
             "--h iso (%.12g)",
             o->h, e.A, e.B, iso);
     }
-    if (!(e.A > 0)) return refuse(why, STATUS_INPUT, "--stepper matched: A = %.4g, no positive step matches", e.A);
+    if (!(e.A > 0))
+        return refuse(why, STATUS_NOT_APPLICABLE, "--stepper matched: A = %.4g, no positive step matches", e.A);
     *F = 2 * e.A;
     return STATUS_OK;
 }

@@ -38,7 +38,7 @@ static int look(const struct march *m, const struct heat_operator *a, const doub
     free(T);
     if (m->x) snprintf(where, sizeof where, " at (%.6g, %.6g) m", m->x[i], m->y ? m->y[i] : 0);
     return refuse(
-        why, STATUS_NUMERICAL,
+        why, STATUS_UNSTABLE,
         "unstable: at step %lld of %lld (t = %.6g s) particle %zu%s has %.4g K, the data lie in [%.4g, %.4g] K; "
         "dt = %.6g s is too large",
         step, m->steps, dt * (double)step, i, where, value, m->lo, m->hi, dt);

@@ -66,7 +66,7 @@ static void climb(const struct candidate *c, const struct experiment *e, int uni
 
 const char *bench_outcome(const struct bench_row *row) {
     int status = row->result.failure.status;
-    return status == STATUS_OK ? NULL : status == STATUS_INPUT ? "not applicable" : "failed";
+    return status == STATUS_OK ? NULL : status_refused(status) ? "not applicable" : "failed";
 }
 
 /* Whether no other row is at least as good in both and better in one. */

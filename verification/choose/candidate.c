@@ -124,8 +124,7 @@ struct options candidate_options(const struct candidate *c, const struct experim
 static struct experiment experiment_of(const struct candidate *c, const struct experiment *e,
                                        struct candidate_size size) {
     struct experiment with = *e;
-    for (int i = 0; methods[i]; i++)
-        if (strcmp(methods[i]->name, c->method) == 0) with.method = methods[i];
+    with.method = method_find(c->method);
     with.options = candidate_options(c, e, size);
     return with;
 }

@@ -206,7 +206,8 @@ static int takes_exact(const struct experiment *e) {
     struct failure why;
     int rows;
     with.stepper = STEPPER_EXACT;
-    return particles_outline(&e->problem, &with, e->method->scheme, &ignored, &l, &rows, &why) != STATUS_INPUT;
+    return particles_outline(&e->problem, &with, e->method->scheme, &ignored, &l, &rows, &why) !=
+           STATUS_NOT_APPLICABLE;
 }
 
 /* What *o leaves open, as verification/run/time_step.c settles it. */
@@ -232,7 +233,7 @@ int plan_make(const struct experiment *given, struct plan *plan, struct failure 
         status = plan_part(&part, plan, why);
         if (!status) plan->cut[0] = cut[0], plan->cut[1] = cut[1];
     }
-    if (status == STATUS_INPUT) status = plan_part(&whole, plan, why);
+    if (status_refused(status)) status = plan_part(&whole, plan, why);
     if (status) return status;
     plan->particles = plan->computed * (size_t)((plan->cut[0] ? 2 : 1) * (plan->cut[1] ? 2 : 1));
     return hold_whole(&whole, plan, why);

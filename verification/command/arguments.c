@@ -45,11 +45,10 @@ static int take_method(struct request *r, const char *name, struct failure *why)
         r->external->name = name;
         return STATUS_OK;
     }
+    r->experiment.method = method_find(name);
+    if (r->experiment.method) return STATUS_OK;
     for (int i = 0; methods[i] && i < WORDS_MAX - 1; i++) names[i] = methods[i]->name;
-    int i = words_index(names, name);
-    if (i < 0) return words_unknown(names, "method", name, why);
-    r->experiment.method = methods[i];
-    return STATUS_OK;
+    return words_unknown(names, "method", name, why);
 }
 
 static int take_positional(struct request *r, int place, const char *word, struct failure *why) {

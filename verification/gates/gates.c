@@ -163,17 +163,14 @@ void gates_run(struct gates *g) {
     free(job);
 }
 
-int gates_hold(const struct gates *g) {
-    int passed = 0;
-    for (int i = 0; i < g->declared; i++)
+int gates_status(const struct gates *g) {
+    int passed = 0, unclear = 0;
+    for (int i = 0; i < g->declared; i++) {
         passed += g->result[i].executed && g->result[i].measured.verdict == VERDICT_PASS;
-    return g->declared > 0 && g->executed == g->declared && passed == g->declared;
-}
-
-int gates_failed(const struct gates *g) {
-    int failed = 0;
-    for (int i = 0; i < g->declared; i++) failed += g->result[i].measured.verdict == VERDICT_FAIL;
-    return failed;
+        unclear += g->result[i].executed && g->result[i].measured.verdict == VERDICT_INCONCLUSIVE;
+    }
+    if (g->declared == 0 || g->executed != g->declared || passed + unclear < g->declared) return STATUS_GATE;
+    return unclear ? STATUS_INCONCLUSIVE : STATUS_OK;
 }
 
 int gates_has_order(const char *scene, const char *method) {

@@ -56,11 +56,9 @@ void gates_judge(const struct gate *gate, struct measured *m);
 /* What shows the same verdict when it is typed after the program's name. */
 void gates_command(const struct gate *gate, char *text, size_t size);
 
-/* 1 where as many were executed as declared and every one passed. */
-int gates_hold(const struct gates *g);
-
-/* How many failed; the others that did not pass are inconclusive. */
-int gates_failed(const struct gates *g);
+/* STATUS_OK where as many were executed as declared and every one passed; STATUS_INCONCLUSIVE where none failed, but
+ * some could not tell; else STATUS_GATE. */
+int gates_status(const struct gates *g);
 
 /* 1 where a row of the table gates an order of that scene and method. */
 int gates_has_order(const char *scene, const char *method);

@@ -146,8 +146,8 @@ void measures_stability_refusal(const struct request *r, double lo, double hi, s
     int status = run_experiment(&r->experiment, &result, NULL);
     const char *text = result.failure.text;
     if (!status) text = "a field was given back";
-    measures_judge(m, status, lo, hi);
-    snprintf(m->reason, sizeof m->reason, "status %d: %.280s", status, text);
+    measures_judge(m, status_exit(status), lo, hi);
+    snprintf(m->reason, sizeof m->reason, "status %d: %.280s", status_exit(status), text);
     if (!strstr(text, "particle") || !strstr(text, "neighbours")) m->verdict = VERDICT_FAIL;
 }
 

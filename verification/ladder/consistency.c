@@ -70,7 +70,8 @@ int consistency_error(const struct experiment *e, double *error, struct failure 
     const struct options *o = &e->options;
     const struct scheme *scheme = e->method->scheme;
     double d[NEIGHBOURS_MAX][2], w0[NEIGHBOURS_MAX], w1[NEIGHBOURS_MAX], *w[2] = {w0, w1}, size = 0;
-    if (!scheme) return refuse(why, STATUS_INPUT, "%s is no particle method: it has no weights", e->method->name);
+    if (!scheme)
+        return refuse(why, STATUS_NOT_APPLICABLE, "%s is no particle method: it has no weights", e->method->name);
     int order = o->order > 2 ? o->order : 2;
     struct neighbourhood nb = {.dim = p->dim, .d = d, .volume = pow(o->dx, p->dim), .rho_c = p->material[0].rho_c};
     nb.h = (o->h > 0 ? o->h : 1.1 * order / 2) * o->dx;

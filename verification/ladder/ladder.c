@@ -72,9 +72,9 @@ static void climb(const struct experiment *e, const struct ladder_rungs *rungs, 
 static int collect(struct ladder *l, struct failure *why) {
     for (int i = 0; i < l->n; i++) {
         const struct failure *f = &l->rung[i].failure;
-        if (f->status == STATUS_INPUT) {
+        if (status_refused(f->status)) {
             *why = *f;
-            return STATUS_INPUT;
+            return f->status;
         }
         if (f->status && !l->failure.status) l->failure = *f;
         if (l->in_time && !f->status)
@@ -91,7 +91,7 @@ static int climb_in_time(const struct experiment *e, const struct ladder_rungs *
     struct experiment finest = rung_of(e, rungs, l, l->n - 1);
     struct semidiscrete truth;
     int status = semidiscrete_solve(&finest, &truth, why);
-    if (status == STATUS_INPUT) return status;
+    if (status_refused(status)) return status;
     l->semidiscrete_steps = truth.steps;
     l->semidiscrete_error = truth.error;
     if (!status) climb(e, rungs, l, &truth);
@@ -115,7 +115,7 @@ int ladder_run(const struct experiment *e, const struct ladder_rungs *rungs, str
     else if (climb_in_time(e, rungs, l, why))
         return why->status;
     int status = collect(l, why);
-    if (status == STATUS_INPUT) return status;
+    if (status_refused(status)) return status;
     ladder_fit(l, rungs->norm);
     if (rungs->expect.count) ladder_judge(l, rungs->expect.value[0], rungs->expect.value[1]);
     if (rungs->ceiling > 0) {

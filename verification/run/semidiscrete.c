@@ -40,7 +40,7 @@ static int midpoint(const struct experiment *e, struct semidiscrete *truth, stru
     struct field coarse;
     double dt = o->dt > 0 ? o->dt : o->fourier * o->dx * o->dx / run_diffusivity(&e->problem);
     int status = march(e, 0, &coarse, why);
-    if (status == STATUS_NUMERICAL) {
+    if (status == STATUS_UNSTABLE) {
         struct failure unstable = *why;
         return refuse(why, status, "no truth in time: %.400s", unstable.text);
     }
@@ -60,11 +60,11 @@ int semidiscrete_solve(const struct experiment *e, struct semidiscrete *truth, s
     struct options exact = e->options;
     *truth = (struct semidiscrete){0};
     if (!e->method->scheme)
-        return refuse(why, STATUS_INPUT,
+        return refuse(why, STATUS_NOT_APPLICABLE,
                       "a ladder in time needs the particles' equations for its truth, which %s has not",
                       e->method->name);
     exact.stepper = STEPPER_EXACT;
     exact.dt = exact.fourier = 0;
     int status = e->method->solve(&e->problem, &exact, &truth->field, why);
-    return status == STATUS_INPUT ? midpoint(e, truth, why) : status;
+    return status == STATUS_NOT_APPLICABLE ? midpoint(e, truth, why) : status;
 }

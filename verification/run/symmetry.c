@@ -77,7 +77,7 @@ int symmetry_solve(const struct method *m, const struct problem *p, const struct
     if (symmetry_reduce(p, o, &half, cut)) {
         int status = m->solve(&half, o, f, why);
         if (status == STATUS_OK) unfold(f, p, cut);
-        if (status != STATUS_INPUT) return status; /* refused: the part may be too short for the stencil */
+        if (!status_refused(status)) return status; /* the part may be too short for the stencil */
     }
     return m->solve(p, o, f, why);
 }

@@ -67,7 +67,7 @@ double time_step_first(const struct experiment *e) {
 static int first(struct search *s, struct failure *why) {
     double steps = time_step_first(s->e);
     int status = try_steps(s, steps, &s->coarse, why);
-    for (int i = 0; i < HALVINGS && status == STATUS_NUMERICAL; i++)
+    for (int i = 0; i < HALVINGS && status == STATUS_UNSTABLE; i++)
         status = try_steps(s, steps *= 2, &s->coarse, why);
     return status;
 }
@@ -239,7 +239,7 @@ int time_step_solve(struct experiment *e, struct field *f, struct time_step *ste
         o->stepper = STEPPER_EXACT;
         int status = symmetry_solve(e->method, &e->problem, o, f, why);
         if (status == STATUS_OK) stepping->time_error = 0;
-        if (status != STATUS_INPUT) return status;
+        if (status != STATUS_NOT_APPLICABLE) return status;
         o->stepper =
             STEPPER_RKL2; /* not on this layout or with these walls: s stages do the work of s^2/4 Euler steps */
     }

@@ -123,8 +123,7 @@ int step_limit_grows(const struct model_problem *b, double F, long long steps, s
     struct problem p = model_problem_setup(b, PROBE_NOISE, 0);
     double largest;
     int status = model_problem_run(b, &p, F, steps, &largest, why);
-    if (status == STATUS_NUMERICAL) return strstr(why->text, "unstable") ? 1 : -1;
-    return status ? -1 : !(largest <= 2);
+    return status == STATUS_UNSTABLE ? 1 : status ? -1 : !(largest <= 2);
 }
 
 int step_limit_measure(const struct model_problem *b, double *measured, struct failure *why) {

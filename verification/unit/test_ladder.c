@@ -38,7 +38,7 @@ static int answer(const struct problem *p, const struct options *o, int order, s
 }
 
 static int solve_euler(const struct problem *p, const struct options *o, struct field *f, struct failure *why) {
-    if (o->stepper == STEPPER_EXACT) return refuse(why, STATUS_INPUT, "--stepper exact: not here");
+    if (o->stepper == STEPPER_EXACT) return refuse(why, STATUS_NOT_APPLICABLE, "--stepper exact: not here");
     return answer(p, o, o->stepper == STEPPER_RKL2 ? 2 : 1, f);
 }
 
@@ -49,17 +49,22 @@ static int solve_any(const struct problem *p, const struct options *o, struct fi
 
 static int solve_picky(const struct problem *p, const struct options *o, struct field *f, struct failure *why) {
     double F = o->dt * p->material[0].k[0] / (o->dx * o->dx);
-    if (F > 0.01) return refuse(why, STATUS_NUMERICAL, "unstable at step 7");
+    if (F > 0.01) return refuse(why, STATUS_UNSTABLE, "T grew at step 7");
     return answer(p, o, 1, f);
 }
 
 static int solve_broken(const struct problem *p, const struct options *o, struct field *f, struct failure *why) {
-    if (o->dx < 0.3) return refuse(why, STATUS_NUMERICAL, "unstable at step 7");
+    if (o->dx < 0.3) return refuse(why, STATUS_UNSTABLE, "T grew at step 7");
     return answer(p, o, 1, f);
 }
 
-/* (fail) is the function of solver/method.h: without the parentheses it is a macro of cmocka's */
+static int solve_wrong_input(const struct problem *p, const struct options *o, struct field *f, struct failure *why) {
+    if (o->stepper == STEPPER_EXACT) return refuse(why, STATUS_INPUT, "--dx: does not divide the domain");
+    return solve_euler(p, o, f, why);
+}
+
 static const struct scheme scheme;
+static const struct method wrong_input = {"wrong_input", "", "stepper", &scheme, solve_wrong_input};
 static const struct method euler = {"euler_only", "", "stepper", NULL, solve_euler};
 static const struct method no_exact = {"no_exact", "", "stepper", &scheme, solve_euler};
 static const struct method with_exact = {"with_exact", "", "stepper", &scheme, solve_any};
@@ -111,6 +116,23 @@ static void a_time_error_out_of_reach_is_said(void **state) {
     assert_int_equal(run_experiment(&r.experiment, &result, NULL), STATUS_GATE);
     assert_non_null(strstr(result.failure.text, "--time-error 1e-12"));
     arguments_free(&r);
+}
+
+/* Another stepper is for what the exact one has no answer to, not for input that is wrong. */
+static void wrong_input_is_not_tried_again(void **state) {
+    (void)state;
+    struct request r = request("run rod-gauss ftcs --dx 0.5", &wrong_input);
+    struct result result;
+    assert_int_equal(run_experiment(&r.experiment, &result, NULL), STATUS_INPUT);
+    assert_int_equal(result.options.stepper, STEPPER_EXACT);
+    arguments_free(&r);
+}
+
+static void every_status_has_an_exit_status(void **state) {
+    (void)state;
+    static const int exits[] = {0, 1, 2, 3, 4, 2, 3};
+    for (int status = STATUS_OK; status <= STATUS_UNSTABLE; status++)
+        assert_int_equal(status_exit(status), exits[status]);
 }
 
 static void a_refused_exact_falls_back(void **state) {
@@ -207,7 +229,7 @@ static void a_ladder_in_time(void **state) {
     assert_near(l->slope.value, 2, 1e-6);
     climb("ladder rod-gauss ftcs --dx 0.5 --dt 0.01,0.04,0.02,0.08 --stepper euler", &with_exact, STATUS_OK, l, &why);
     assert_near(l->slope.value, 1, 1e-6);
-    climb("ladder rod-gauss ftcs --dx 0.5 --dt 0.01,0.04", &euler, STATUS_INPUT, l, &why);
+    climb("ladder rod-gauss ftcs --dx 0.5 --dt 0.01,0.04", &euler, STATUS_NOT_APPLICABLE, l, &why);
     assert_non_null(strstr(why.text, "which euler_only has not"));
     free(l);
 }
@@ -268,9 +290,9 @@ static void a_failed_rung_fails_the_ladder(void **state) {
     (void)state;
     struct failure why;
     struct ladder *l = xcalloc(1, sizeof *l);
-    climb("ladder rod-gauss ftcs --dx 3,1,0.75,0.5,0.25 --expect 1.9,2.1", &broken, STATUS_NUMERICAL, l, &why);
+    climb("ladder rod-gauss ftcs --dx 3,1,0.75,0.5,0.25 --expect 1.9,2.1", &broken, STATUS_UNSTABLE, l, &why);
     assert_int_equal(l->verdict, VERDICT_FAIL);
-    assert_non_null(strstr(l->reason, "unstable at step 7"));
+    assert_non_null(strstr(l->reason, "T grew at step 7"));
     ladder_judge(l, 1.9, 2.1);
     assert_int_equal(l->verdict, VERDICT_FAIL);
     free(l);
@@ -283,6 +305,8 @@ int main(void) {
         cmocka_unit_test(a_time_error_out_of_reach_is_said),
         cmocka_unit_test(no_error_is_relative_to_zero),
         cmocka_unit_test(a_refused_exact_falls_back),
+        cmocka_unit_test(wrong_input_is_not_tried_again),
+        cmocka_unit_test(every_status_has_an_exit_status),
         cmocka_unit_test(the_step_is_refined_until_it_does_not_matter),
         cmocka_unit_test(an_unstable_first_step_is_halved),
         cmocka_unit_test(a_given_step_is_taken_as_it_is),

@@ -18,7 +18,7 @@ static const double D = 0.77, UNASKED = 0.5; /* s: the step where none is given 
 static int answer(const struct problem *p, const struct options *o, double part, struct field *f,
                   struct failure *why) {
     enum { POINTS = 40 };
-    if (o->stepper == STEPPER_EXACT) return refuse(why, STATUS_INPUT, "--stepper exact: not here");
+    if (o->stepper == STEPPER_EXACT) return refuse(why, STATUS_NOT_APPLICABLE, "--stepper exact: not here");
     double step = o->dt > 0 ? o->dt : o->fourier > 0 ? o->fourier * o->dx * o->dx / p->material[0].k[0] : UNASKED;
     field_alloc(f, 1, POINTS);
     f->time = p->t_end, f->steps = (long long)ceil(p->t_end / step - 1e-9), f->stages = 1;
@@ -43,8 +43,8 @@ static int solve_precise(const struct problem *p, const struct options *o, struc
 
 static int solve_growing(const struct problem *p, const struct options *o, struct field *f, struct failure *why) {
     (void)p, (void)f;
-    if (o->stepper == STEPPER_EXACT) return refuse(why, STATUS_INPUT, "--stepper exact: not here");
-    return refuse(why, STATUS_NUMERICAL, "unstable at any step");
+    if (o->stepper == STEPPER_EXACT) return refuse(why, STATUS_NOT_APPLICABLE, "--stepper exact: not here");
+    return refuse(why, STATUS_UNSTABLE, "T grew at any step");
 }
 
 /* (fail) is the function of solver/method.h: without the parentheses it is a macro of cmocka's */
@@ -105,9 +105,9 @@ static void equations_that_are_unstable_fail_the_ladder(void **state) {
     (void)state;
     struct failure why;
     struct ladder *l = xcalloc(1, sizeof *l);
-    climb("--dt 0.8,0.4,0.2,0.1 --stepper rkl2 --expect 1.9,2.1", &growing, STATUS_NUMERICAL, l, &why);
+    climb("--dt 0.8,0.4,0.2,0.1 --stepper rkl2 --expect 1.9,2.1", &growing, STATUS_UNSTABLE, l, &why);
     assert_int_equal(l->verdict, VERDICT_FAIL);
-    assert_non_null(strstr(l->reason, "no truth in time: unstable at any step"));
+    assert_non_null(strstr(l->reason, "no truth in time: T grew at any step"));
     assert_true(isnan(l->slope.value));
     free(l);
 }

@@ -123,6 +123,16 @@ static void the_quartic_kernel_breaks_song_34(void **state) {
     assert_true(x.lowest < 0 && x.undershoot > 1e-3);
 }
 
+/* The moment matrix of a particle without neighbours is singular at any step. */
+static void a_run_that_fails_does_not_grow(void **state) {
+    (void)state;
+    struct model_problem b = probe(&method_so_ssph, 1, 1.1);
+    struct failure why;
+    b.options.h = 0.47;
+    assert_int_equal(step_limit_grows(&b, 0.13, 100, &why), -1);
+    assert_int_equal(why.status, STATUS_NUMERICAL);
+}
+
 static void long_runs_keep_their_heat(void **state) {
     (void)state;
     struct model_problem b = probe(&method_brookshaw, 1, 1.2);
@@ -143,6 +153,7 @@ int main(void) {
         cmocka_unit_test(rkl2_is_a_legendre_polynomial),
         cmocka_unit_test(rows_have_the_symbols_eigenvalues),
         cmocka_unit_test(the_quartic_kernel_breaks_song_34),
+        cmocka_unit_test(a_run_that_fails_does_not_grow),
         cmocka_unit_test(long_runs_keep_their_heat),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

@@ -79,17 +79,15 @@ static int bench_scenes(const struct request *r, FILE *out, struct files *files,
     return status;
 }
 
-int verb_bench(const struct request *r) {
-    struct failure why = {0};
+int verb_bench(const struct request *r, struct failure *why) {
     struct files *files = xcalloc(1, sizeof *files);
     struct output *json = &files->file[files->count++];
-    int status = output_open(json, &why, "%s/bench.json", r->topic ? r->topic : "");
-    if (!status && r->topic) status = atomic_file_check(json->path, &why);
-    if (!status) status = bench_scenes(r, json->out, files, &why);
+    int status = output_open(json, why, "%s/bench.json", r->topic ? r->topic : "");
+    if (!status && r->topic) status = atomic_file_check(json->path, why);
+    if (!status) status = bench_scenes(r, json->out, files, why);
     output_end(json);
     if (!status && r->json) fputs(json->text, stdout);
-    if (!status && r->topic) status = output_close(files->file, files->count, &why);
-    if (status) fprintf(stderr, "heatladder: %s\n", why.text);
+    if (!status && r->topic) status = output_close(files->file, files->count, why);
     output_drop(files->file, files->count);
     free(files);
     return status;

@@ -123,12 +123,10 @@ static void print_json(const struct request *r, const struct choose *c) {
     json_end(&j);
 }
 
-int verb_choose(const struct request *r) {
-    struct failure why = {0};
+int verb_choose(const struct request *r, struct failure *why) {
     struct choose *c = xcalloc(1, sizeof *c);
-    int status = choose_run(&r->experiment, r->error, choose_work_max, c, &why);
-    if (status != STATUS_INPUT) (r->json ? print_json : print_text)(r, c);
-    if (status) fprintf(stderr, "heatladder: %s\n", why.text);
+    int status = choose_run(&r->experiment, r->error, choose_work_max, c, why);
+    if (!status_refused(status)) (r->json ? print_json : print_text)(r, c);
     free(c);
     return status;
 }

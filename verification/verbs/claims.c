@@ -17,14 +17,10 @@ static int run(const struct request *r, struct claims *c, struct failure *why) {
     return r->topic ? claims_write_files(c, r->topic, why) : STATUS_OK;
 }
 
-int verb_claims(const struct request *r) {
-    struct failure why;
+int verb_claims(const struct request *r, struct failure *why) {
     struct claims claims = {0};
-    int status = run(r, &claims, &why);
-    if (status)
-        fprintf(stderr, "heatladder: %s\n", why.text);
-    else if (!claims_hold(&claims))
-        status = STATUS_GATE;
+    int status = run(r, &claims, why);
+    if (!status && !claims_hold(&claims)) status = STATUS_GATE;
     claims_free(&claims);
     return status;
 }

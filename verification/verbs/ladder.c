@@ -76,20 +76,17 @@ static void print_json(const struct ladder *l) {
     json_end(&j);
 }
 
-int verb_ladder(const struct request *r) {
-    struct failure why;
+int verb_ladder(const struct request *r, struct failure *why) {
     struct ladder *l = xcalloc(1, sizeof *l);
-    int status = atomic_file_check(r->page_path, &why);
-    if (!status) status = ladder_run(&r->experiment, &r->rungs, l, &why);
-    if (status != STATUS_INPUT) {
+    int status = atomic_file_check(r->page_path, why);
+    if (!status) status = ladder_run(&r->experiment, &r->rungs, l, why);
+    if (!status_refused(status)) {
         struct failure unwritten;
         (r->json ? print_json : print_text)(l);
         if (r->page_path && page_ladder_write(l, &r->rungs, r->page_path, &unwritten) && !status)
-            status = unwritten.status, why = unwritten;
+            status = unwritten.status, *why = unwritten;
     }
-    if (status)
-        fprintf(stderr, "heatladder: %s\n", why.text);
-    else if ((r->rungs.expect.count || r->rungs.ceiling > 0) && l->verdict != VERDICT_PASS)
+    if (!status && (r->rungs.expect.count || r->rungs.ceiling > 0) && l->verdict != VERDICT_PASS)
         status = l->verdict == VERDICT_FAIL ? STATUS_GATE : STATUS_INCONCLUSIVE;
     free(l);
     return status;

@@ -59,16 +59,12 @@ static void print_text(const struct model_problem *b, const struct step_limit *l
         printf("  the published bound takes %.3g times as many steps as are needed\n", l->von_neumann / l->published);
 }
 
-int verb_limit(const struct request *r) {
-    struct failure why;
+int verb_limit(const struct request *r, struct failure *why) {
     struct step_limit l;
     struct model_problem b;
-    int status = step_limit_setup(r->experiment.method, &r->experiment.options, r->dim, r->stages, &b, &why);
-    if (!status) status = step_limit_predict(&b, &l, &why);
-    if (!status) status = step_limit_measure(&b, &l.measured, &why);
-    if (status)
-        fprintf(stderr, "heatladder: %s\n", why.text);
-    else
-        (r->json ? print_json : print_text)(&b, &l);
+    int status = step_limit_setup(r->experiment.method, &r->experiment.options, r->dim, r->stages, &b, why);
+    if (!status) status = step_limit_predict(&b, &l, why);
+    if (!status) status = step_limit_measure(&b, &l.measured, why);
+    if (!status) (r->json ? print_json : print_text)(&b, &l);
     return status;
 }

@@ -87,9 +87,8 @@ static const struct topic {
               {"claims", list_claims},
               {0}};
 
-int verb_list(const struct request *r) {
+int verb_list(const struct request *r, struct failure *why) {
     const char *names[WORDS_MAX] = {0};
-    struct failure why;
     for (int i = 0; topics[i].name; i++) {
         names[i] = topics[i].name;
         if (r->topic && words_index(names, r->topic) < 0) continue;
@@ -97,8 +96,5 @@ int verb_list(const struct request *r) {
         topics[i].list();
         if (r->topic) return STATUS_OK;
     }
-    if (!r->topic) return STATUS_OK;
-    words_unknown(names, "topic", r->topic, &why);
-    fprintf(stderr, "heatladder: %s\n", why.text);
-    return STATUS_INPUT;
+    return r->topic ? words_unknown(names, "topic", r->topic, why) : STATUS_OK;
 }

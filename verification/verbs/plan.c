@@ -8,18 +8,11 @@
 
 #include <stdio.h>
 
-int verb_plan(const struct request *r) {
-    struct failure why;
+int verb_plan(const struct request *r, struct failure *why) {
     struct plan plan;
-    if (r->rungs.dx.count > 1 || r->rungs.dt.count > 1 || r->rungs.fourier.count > 1) {
-        fprintf(stderr, "heatladder: plan takes one --dx, and one --dt or --fourier\n");
-        return STATUS_INPUT;
-    }
-    int status = plan_make(&r->experiment, &plan, &why);
-    if (status) {
-        fprintf(stderr, "heatladder: %s\n", why.text);
-        return status;
-    }
+    if (r->rungs.dx.count > 1 || r->rungs.dt.count > 1 || r->rungs.fourier.count > 1)
+        return refuse(why, STATUS_INPUT, "plan takes one --dx, and one --dt or --fourier");
+    if (plan_make(&r->experiment, &plan, why)) return why->status;
     if (r->json) {
         struct json j = json_on(stdout);
         json_object(&j, NULL);

@@ -44,16 +44,20 @@ static void print_text(const struct request *r, struct exact e, struct exact sec
         printf("  %-12s %.17g K, %+.1e K away\n", "as published", published, published - e.temperature);
 }
 
-int verb_reference(const struct request *r) {
+/* "x" or "x,y" of one point. */
+static const char *point(int dim, const double x[2], char *text, size_t size) {
+    snprintf(text, size, dim == 2 ? "%g,%g" : "%g", x[0], x[1]);
+    return text;
+}
+
+int verb_reference(const struct request *r, struct failure *why) {
     const double *x = r->at.value;
     const struct problem *p = &r->experiment.problem;
     if (!inside(p, x)) {
-        fprintf(stderr, "heatladder: --at %g", x[0]);
-        if (p->dim == 2) fprintf(stderr, ",%g", x[1]);
-        fprintf(stderr, ": outside of %s, which is %g to %g m", r->experiment.scene->name, p->lo[0], p->hi[0]);
-        if (p->dim == 2) fprintf(stderr, ", %g to %g m", p->lo[1], p->hi[1]);
-        fprintf(stderr, "\n");
-        return STATUS_INPUT;
+        char at[64], lo[64], hi[64];
+        return refuse(why, STATUS_INPUT, "--at %s: outside of %s, which is %s to %s m",
+                      point(p->dim, x, at, sizeof at), r->experiment.scene->name, point(p->dim, p->lo, lo, sizeof lo),
+                      point(p->dim, p->hi, hi, sizeof hi));
     }
     struct exact e = r->experiment.scene->exact(p, x, r->time), second = r->experiment.scene->second(p, x, r->time);
     double published = r->experiment.scene->published ? r->experiment.scene->published(p, x, r->time) : 0;

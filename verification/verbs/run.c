@@ -82,21 +82,17 @@ static int warm_up(const struct request *r, struct failure *why) {
     return status;
 }
 
-int verb_run(const struct request *r) {
-    struct failure why;
+int verb_run(const struct request *r, struct failure *why) {
     struct result result;
     struct field field = {0};
-    int status = check(r, &why);
-    if (!status && r->warm_up) status = warm_up(r, &why);
+    int status = check(r, why);
+    if (!status && r->warm_up) status = warm_up(r, why);
     if (!status) {
         status = run_experiment(&r->experiment, &result, &field);
-        why = result.failure;
+        *why = result.failure;
     }
-    if (!status && r->field_path) status = write_field(r, &field, &why);
+    if (!status && r->field_path) status = write_field(r, &field, why);
     field_free(&field);
-    if (status)
-        fprintf(stderr, "heatladder: %s\n", why.text);
-    else
-        (r->json ? print_json : print_text)(&result);
+    if (!status) (r->json ? print_json : print_text)(&result);
     return status;
 }

@@ -74,14 +74,10 @@ static int verify(const struct request *r, struct gates *g, struct failure *why)
     return STATUS_OK;
 }
 
-int verb_verify(const struct request *r) {
-    struct failure why;
+int verb_verify(const struct request *r, struct failure *why) {
     struct gates gates = {0};
-    int status = verify(r, &gates, &why);
-    if (status)
-        fprintf(stderr, "heatladder: %s\n", why.text);
-    else if (!gates_hold(&gates))
-        status = gates_failed(&gates) ? STATUS_GATE : STATUS_INCONCLUSIVE;
+    int status = verify(r, &gates, why);
+    if (!status) status = gates_status(&gates);
     gates_free(&gates);
     return status;
 }
