@@ -32,6 +32,8 @@ SCENES  := $(sort $(wildcard references/scene_*.c))
 C_FILES := $(wildcard $(foreach d,solver references verification reports,$(foreach e,[ch] inc,$(d)/*.$(e) $(d)/*/*.$(e))))
 TESTS   := $(patsubst verification/unit/%.c,$(BUILD)/unit/%,$(wildcard verification/unit/test_*.c))
 
+##@ Build and install
+
 .PHONY: all
 all: $(BUILD)/heatladder ## Build the program
 
@@ -79,6 +81,37 @@ $(BUILD)/unit/%: verification/unit/%.c $(LIBRARY)
 	@echo "  TEST  $@"
 	$(Q)$(CC) $(ALL_CFLAGS) -MMD -MP -MF $@.d -MT $@ $(LDFLAGS) -o $@ $< $(LIBRARY) $(CMOCKA) $(ALL_LIBS)
 
+.PHONY: setup
+setup: ## Install what the build needs and this machine lacks
+	$(Q)scripts/setup
+
+# In `make -j setup test` nothing is compiled before all is there.
+ifneq ($(filter setup,$(MAKECMDGOALS)),)
+$(BUILD)/scenes.inc $(BUILD)/version.inc $(BUILD)/published.inc: | setup
+endif
+
+.PHONY: install
+install: all ## Install the program under PREFIX (DESTDIR is put before it)
+	install -d '$(DESTDIR)$(PREFIX)/bin'
+	install -m 755 $(BUILD)/heatladder '$(DESTDIR)$(PREFIX)/bin/heatladder'
+
+# A tarball of the last commit that builds, tests and installs by itself, and Debian's package of it.
+.PHONY: dist
+dist: ## Pack the last commit as build/heatladder-VERSION.tar.gz
+	@mkdir -p $(BUILD)
+	$(Q)git archive --prefix=heatladder-$(VERSION)/ -o $(BUILD)/heatladder-$(VERSION).tar.gz HEAD
+	@echo "  DIST  $(BUILD)/heatladder-$(VERSION).tar.gz"
+
+.PHONY: deb
+deb: dist ## Build Debian's package from that tarball (needs debhelper)
+	$(Q)scripts/debian-package $(BUILD) $(VERSION)
+
+.PHONY: clean
+clean: ## Remove everything that was built
+	rm -rf $(BUILD) reports/out
+
+##@ Verify
+
 .PHONY: test
 test: $(TESTS) ## Run the unit tests
 	$(Q)scripts/run_tests $(TESTS)
@@ -93,6 +126,8 @@ verify: $(BUILD)/heatladder ## Run every gate, then write tables and plots to re
 .PHONY: verify-quick
 verify-quick: $(BUILD)/heatladder ## Run the quick tier of the gates
 	$(Q)$(BUILD)/heatladder verify --quick
+
+##@ Tables and figures
 
 # The tables and the data of the figures are there without gnuplot; the stamp says from when they are.
 OUT     := reports/out
@@ -145,6 +180,8 @@ stability: $(BUILD)/heatladder ## Measure where methods fail and draw it, to rep
 	scripts/plot $(OUT) $$f || exit 1; done; \
 	else echo "stability: gnuplot is not here (make setup installs it); figures were not drawn"; fi
 
+##@ Speed
+
 # A benchmark says by which flags it was compiled.
 $(BUILD)/verification/bench/machine.o: DEFINES = -DBENCH_FLAGS='"-std=c11 -ffp-contract=off -fopenmp $(CFLAGS)"'
 
@@ -188,14 +225,7 @@ bench-peers: $(BUILD)/heatladder $(BUILD)/peers/ftcs ## Chart SUNDIALS, SciPy an
 	scripts/plot $(OUT)/peers reports/bench/peers.gp $$data || exit 1; done; \
 	else echo "bench-peers: gnuplot is not here (make setup installs it); charts were not drawn"; fi
 
-.PHONY: setup
-setup: ## Install what the build needs and this machine lacks
-	$(Q)scripts/setup
-
-# In `make -j setup test` nothing is compiled before all is there.
-ifneq ($(filter setup,$(MAKECMDGOALS)),)
-$(BUILD)/scenes.inc $(BUILD)/version.inc $(BUILD)/published.inc: | setup
-endif
+##@ Develop
 
 # What cppcheck 2.10 takes for faults: tables that a NULL ends, and arguments that a call fills.  The compiler's
 # warnings and `make sanitize` look after these.
@@ -228,17 +258,8 @@ sanitize: ## Run the tests and the quick gates under the address and undefined-b
 	+$(Q)$(MAKE) BUILD=$(BUILD)/sanitize CFLAGS='$(SANITIZE)' all test
 	$(Q)$(BUILD)/sanitize/heatladder verify --quick
 
-.PHONY: install
-install: all ## Install the program under PREFIX (DESTDIR is put before it)
-	install -d '$(DESTDIR)$(PREFIX)/bin'
-	install -m 755 $(BUILD)/heatladder '$(DESTDIR)$(PREFIX)/bin/heatladder'
-
-.PHONY: clean
-clean: ## Remove everything that was built
-	rm -rf $(BUILD) reports/out
-
 .PHONY: help
 help: ## List the targets
-	@awk -F':.*## ' '/^[a-z-]+:.*## /{printf "  %-16s %s\n", $$1, $$2}' Makefile
+	@awk -F':.*## ' '/^##@ /{printf "\n%s\n", substr($$0, 5)} /^[a-z-]+:.*## /{printf "  %-16s %s\n", $$1, $$2}' Makefile
 
 -include $(OBJECTS:.o=.d) $(TESTS:=.d)
