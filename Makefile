@@ -79,7 +79,7 @@ endif
 $(BUILD)/unit/%: verification/unit/%.c $(LIBRARY)
 	@mkdir -p $(@D)
 	@echo "  TEST  $@"
-	$(Q)$(CC) $(ALL_CFLAGS) -MMD -MP -MF $@.d -MT $@ $(LDFLAGS) -o $@ $< $(LIBRARY) $(CMOCKA) $(ALL_LIBS)
+	$(Q)$(CC) $(ALL_CFLAGS) -MMD -MP -MF $@.d -MT $@ $(LDFLAGS) -o $@ $< $(LIBRARY) $(CMOCKA) $(ALL_LIBS) $(DEFINES)
 
 .PHONY: setup
 setup: ## Install what the build needs and this machine lacks
@@ -251,6 +251,21 @@ mutants: ## Seed faults, one at a time, and see that a test or a gate catches ea
 .PHONY: format
 format: ## Lay out the sources by .clang-format
 	clang-format -i $(C_FILES)
+
+# Each verification/unit/fuzz_NAME.c gets the inputs of corpus/NAME, and what libFuzzer makes of them.
+FUZZ_SECONDS ?= 20
+FUZZERS := $(patsubst verification/unit/fuzz_%.c,%,$(wildcard verification/unit/fuzz_*.c))
+FUZZ := -O1 -g -fsanitize=fuzzer-no-link,address,undefined -fno-sanitize-recover=all
+.PHONY: fuzz
+fuzz: ## Look for input that breaks a reader: FUZZ_SECONDS each (20), by clang's libFuzzer
+	+$(Q)$(MAKE) -s CC=clang BUILD=$(BUILD)/fuzz CFLAGS='$(FUZZ)' $(FUZZERS:%=$(BUILD)/fuzz/unit/fuzz_%)
+	$(Q)for f in $(FUZZERS); do mkdir -p $(BUILD)/fuzz/found/$$f; \
+	$(BUILD)/fuzz/unit/fuzz_$$f -max_total_time=$(FUZZ_SECONDS) -max_len=4096 -print_final_stats=1 \
+	-artifact_prefix=$(BUILD)/fuzz/$$f- $(BUILD)/fuzz/found/$$f verification/unit/corpus/$$f \
+	2>$(BUILD)/fuzz/$$f.log || { tail -30 $(BUILD)/fuzz/$$f.log; exit 1; }; \
+	echo "fuzz: $$f: $$(sed -n 's/^stat::number_of_executed_units: *//p' $(BUILD)/fuzz/$$f.log) inputs, none breaks it"; done
+
+$(BUILD)/unit/fuzz_%: DEFINES += -fsanitize=fuzzer
 
 SANITIZE := -O1 -g -fsanitize=address,undefined -fno-sanitize-recover=all -fno-omit-frame-pointer
 .PHONY: sanitize
