@@ -48,25 +48,39 @@ int particles_outline(const struct problem *p, const struct options *o, const st
     return stepper == STEPPER_EXACT ? exact_check(l, why) : STATUS_OK;
 }
 
-/* What the data span, K: initial data, walls, and what fluxes and the source can add in the time of the run. */
-static void data_range(const struct problem *p, const struct field *f, double *lo, double *hi) {
-    *lo = f->range[0], *hi = f->range[1];
-    double add = 0;
+/* What source and fluxes can add in the time of the run, K.  A flux q through a side of a body of length L warms it
+ * by q t/(rho_c L) on the average, and bends its profile by q L/k at most. */
+static double heat_added(const struct problem *p, const struct field *f, const double flux[4]) {
+    double source = 0, add = 0, rho_c = p->material[0].rho_c;
+    for (int m = 1; m < p->materials; m++) rho_c = fmin(rho_c, p->material[m].rho_c);
     for (size_t i = 0; i < f->n && p->source; i++) {
         double x[2] = {f->x[i], f->y ? f->y[i] : 0};
-        add = fmax(add, fabs(p->source(p, x)) * p->t_end / p->material[0].rho_c);
+        source = fmax(source, fabs(p->source(p, x)));
     }
+    for (int s = 0; s < 2 * p->dim; s++) {
+        double extent = p->hi[s / 2] - p->lo[s / 2], k = p->material[0].k[s / 2];
+        for (int m = 1; m < p->materials; m++) k = fmin(k, p->material[m].k[s / 2]);
+        add += flux[s] * (extent / k + p->t_end / (rho_c * extent));
+    }
+    return add + source * p->t_end / rho_c;
+}
+
+/* What the data span, K: initial data, walls, and the heat that comes in. */
+static void data_range(const struct problem *p, const struct field *f, double *lo, double *hi) {
+    *lo = f->range[0], *hi = f->range[1];
+    double flux[4] = {0};
     for (int s = 0; s < 2 * p->dim; s++)
         for (int k = 0; k <= 8; k++) {
             double foot[2];
             foot[s / 2] = s % 2 ? p->hi[s / 2] : p->lo[s / 2];
             foot[1 - s / 2] = p->lo[1 - s / 2] + k / 8.0 * (p->hi[1 - s / 2] - p->lo[1 - s / 2]);
             double value = p->wall(p, (enum side)s, foot);
-            if (p->side[s] == DIRICHLET)
-                *lo = fmin(*lo, value), *hi = fmax(*hi, value);
+            if (p->side[s] == NEUMANN)
+                flux[s] = fmax(flux[s], fabs(value));
             else
-                add = fmax(add, fabs(value) * (p->hi[s / 2] - p->lo[s / 2]) / p->material[0].k[s / 2]);
+                *lo = fmin(*lo, value), *hi = fmax(*hi, value);
         }
+    double add = heat_added(p, f, flux);
     *lo -= add, *hi += add;
 }
 

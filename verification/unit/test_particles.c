@@ -11,7 +11,7 @@
 #include <gsl/gsl_errno.h>
 #include <string.h>
 
-extern const struct method method_so_ssph, method_fo_ssph, method_brookshaw;
+extern const struct method method_so_ssph, method_fo_ssph, method_brookshaw, method_ftcs;
 
 /* F counts in the larger diffusivity, whichever axis has it; the step is shortened to end on time. */
 static void steps_end_on_time(void **state) {
@@ -54,6 +54,32 @@ static void heat_counts_each_material(void **state) {
     const double heat = 1.7 * (1.3 * 0.55 + 0.9 * 0.95); /* from -0.35 to 0.2 m and on to 1.15 m */
     for (int k = 0; k < 2; k++) assert_near(f.heat[k] / heat, 1, 1e-13);
     field_free(&f);
+}
+
+/* Heated through one end for so long that q t/(rho_c L) is 40 times the bend q L/k of the profile, which is all that
+ * the initial data span: hot, but not unstable. */
+static double heating(const struct problem *p, enum side s, const double x[2]) {
+    (void)p, (void)x;
+    return s == X_HI ? 0.37 : 0;
+}
+
+static void a_heated_rod_is_not_unstable(void **state) {
+    (void)state;
+    const struct method *const all[] = {&method_so_ssph, &method_brookshaw, &method_ftcs};
+    for (int k = 0; k < 3; k++) {
+        struct problem p = odd_rod();
+        struct options o = {.dx = 0.05, .h = 1.23, .stepper = STEPPER_EULER, .fourier = 0.21};
+        struct field f;
+        struct failure why;
+        double extent = p.hi[0] - p.lo[0], mean = 0;
+        p.initial = warm, p.wall = heating, p.source = NULL;
+        p.side[X_LO] = p.side[X_HI] = NEUMANN;
+        p.t_end = 40 * extent * extent * p.material[0].rho_c / p.material[0].k[0];
+        if (all[k]->solve(&p, &o, &f, &why)) fail_msg("%s: %s", all[k]->name, why.text);
+        for (size_t i = 0; i < f.n; i++) mean += f.T[i] / (double)f.n;
+        assert_near(mean, 1.7 + 0.37 * p.t_end / (p.material[0].rho_c * extent), 1e-9 * mean);
+        field_free(&f);
+    }
 }
 
 /* First and second derivatives of a plane are exact on any cloud, and its walls are continued exactly: it stays. */
@@ -143,6 +169,7 @@ int main(void) {
     gsl_set_error_handler_off();
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(steps_end_on_time),
+        cmocka_unit_test(a_heated_rod_is_not_unstable),
         cmocka_unit_test(heat_counts_each_material),
         cmocka_unit_test(planes_stay_on_any_cloud),
         cmocka_unit_test(one_equation),
