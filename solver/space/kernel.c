@@ -43,3 +43,16 @@ double kernel_slope(enum kernel_name kernel, int dim, double s) {
         return dim == 1 ? -a * 3 * s * u * u : -a * 5 * s * u * u * u;
     }
 }
+
+double kernel_curvature(enum kernel_name kernel, int dim, double s) {
+    if (s >= KERNEL_SUPPORT) return 0;
+    double a = norm[kernel][dim - 1], u = 1 - s / 2;
+    switch (kernel) {
+    case KERNEL_CUBIC:
+        return s < 1 ? a * (3 * s - 2) : a * (2 - s);
+    case KERNEL_QUARTIC:
+        return -a * (9.0 / 4 - s * (19.0 / 4 - s * 15 / 8));
+    default:
+        return dim == 1 ? -a * 3 * u * (u - s) : -a * 5 * u * u * (u - 1.5 * s);
+    }
+}

@@ -13,4 +13,7 @@ double kernel_value(enum kernel_name kernel, int dim, double s);
 /* dw/ds */
 double kernel_slope(enum kernel_name kernel, int dim, double s);
 
+/* d2w/ds2; of the cubic kernel continuous, with corners at 0, 1 and 2 */
+double kernel_curvature(enum kernel_name kernel, int dim, double s);
+
 #endif

@@ -24,7 +24,18 @@ struct neighbourhood { /* what a scheme sees of one particle */
     double volume;   /* m^d, of each particle, as the scheme's `volume` has it */
     double rho_c;    /* J m^-3 K^-1, of its cell */
     double kappa[2]; /* m^2 s^-1, at the particle, along each axis */
+    const double *V; /* m^d, of each neighbour, likewise; NULL where all are `volume` */
+    const double *H; /* m, smoothing length of each neighbour; NULL where all are `h` */
 };
+
+static inline double neighbourhood_volume(const struct neighbourhood *nb, size_t j) {
+    return nb->V ? nb->V[j] : nb->volume;
+}
+
+/* For pairs whose fluxes are equal and opposite. */
+static inline double neighbourhood_mean_h(const struct neighbourhood *nb, size_t j) {
+    return nb->H ? (nb->h + nb->H[j]) / 2 : nb->h;
+}
 
 struct scheme {
     /* 1: weights w[0] of dT_i/dt = sum w_j (T_j - T_i).  2: weights w[0], w[1] of the two first derivatives, applied

@@ -1,0 +1,121 @@
+/* Sums over one neighbourhood, and the small linear systems of corrected operators.
+ *
+ * Matrices are at most 3 x 3: Gauss-Jordan elimination with partial pivoting gives the inverse, and with it the
+ * condition number in the 1-norm (Golub & Van Loan, section 3.4).  In units of h every entry is O(1). */
+#include "solver/methods/correction.h"
+#include "solver/space/kernel.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+
+static double one_norm(int n, double A[CORRECTION_TERMS][CORRECTION_TERMS]) {
+    double most = 0;
+    for (int c = 0; c < n; c++) {
+        double sum = 0;
+        for (int r = 0; r < n; r++) sum += fabs(A[r][c]);
+        most = fmax(most, sum);
+    }
+    return most;
+}
+
+static void swap_rows(double *a, double *b, int n) {
+    for (int c = 0; c < n; c++) {
+        double held = a[c];
+        a[c] = b[c], b[c] = held;
+    }
+}
+
+/* A^-1, and the condition number of A; infinite where a pivot is zero or not finite. */
+static double invert(int n, double given[CORRECTION_TERMS][CORRECTION_TERMS],
+                     double inverse[CORRECTION_TERMS][CORRECTION_TERMS]) {
+    double A[CORRECTION_TERMS][CORRECTION_TERMS];
+    memcpy(A, given, sizeof A);
+    for (int r = 0; r < n; r++)
+        for (int c = 0; c < n; c++) inverse[r][c] = r == c;
+    for (int k = 0; k < n; k++) {
+        int pivot = k;
+        for (int r = k + 1; r < n; r++)
+            if (fabs(A[r][k]) > fabs(A[pivot][k])) pivot = r;
+        if (!(fabs(A[pivot][k]) > 0)) return INFINITY;
+        swap_rows(A[k], A[pivot], n);
+        swap_rows(inverse[k], inverse[pivot], n);
+        double scale = 1 / A[k][k];
+        for (int c = 0; c < n; c++) A[k][c] *= scale, inverse[k][c] *= scale;
+        for (int r = 0; r < n; r++) {
+            if (r == k) continue;
+            double factor = A[r][k];
+            for (int c = 0; c < n; c++) A[r][c] -= factor * A[k][c], inverse[r][c] -= factor * inverse[k][c];
+        }
+    }
+    return one_norm(n, given) * one_norm(n, inverse);
+}
+
+static int singular(const struct neighbourhood *nb, const char *what, double condition, struct failure *why) {
+    char number[40] = "infinite";
+    if (condition < 1e17) snprintf(number, sizeof number, "%.1e", condition);
+    return refuse(why, STATUS_NUMERICAL,
+                  "singular %s: particle %zu at (%.6g, %.6g) m has %zu neighbours, condition number %s (at most "
+                  "%.0e); take a larger --h or less --jitter",
+                  what, nb->i, nb->x[0], nb->x[1], nb->n, number, CORRECTION_CONDITION_MAX);
+}
+
+int correction_create(const struct neighbourhood *nb, enum kernel_name kernel, struct correction *c,
+                      struct failure *why) {
+    double G[CORRECTION_TERMS][CORRECTION_TERMS] = {{0}}, inverse[CORRECTION_TERMS][CORRECTION_TERMS] = {{0}};
+    double unit = nb->dim == 2 ? nb->h * nb->h : nb->h;
+    c->n = nb->n;
+    for (size_t j = 0; j < nb->n; j++) {
+        double *s = c->s[j];
+        s[0] = nb->d[j][0] / nb->h, s[1] = nb->d[j][1] / nb->h;
+        double r = sqrt(s[0] * s[0] + s[1] * s[1]);
+        /* a particle at the same place says nothing of a derivative */
+        c->F[j] = r > 0 ? -neighbourhood_volume(nb, j) / unit * kernel_slope(kernel, nb->dim, r) / r : 0;
+        for (int a = 0; a < nb->dim; a++)
+            for (int b = 0; b < nb->dim; b++) G[a][b] += c->F[j] * s[a] * s[b];
+    }
+    double condition = invert(nb->dim, G, inverse);
+    if (!(condition <= CORRECTION_CONDITION_MAX))
+        return singular(nb, "matrix of the kernel's gradients", condition, why);
+    for (int a = 0; a < 2; a++)
+        for (int b = 0; b < 2; b++) c->inverse[a][b] = inverse[a][b];
+    return STATUS_OK;
+}
+
+void correction_apply(const struct correction *c, size_t j, double out[2]) {
+    for (int a = 0; a < 2; a++) out[a] = c->inverse[a][0] * c->s[j][0] + c->inverse[a][1] * c->s[j][1];
+}
+
+int correction_target(const struct neighbourhood *nb, double target[CORRECTION_TERMS]) {
+    double unit = nb->h * nb->h;
+    target[0] = nb->kappa[0] / unit, target[1] = 0, target[2] = nb->kappa[1] / unit;
+    return nb->dim == 2 ? 3 : 1;
+}
+
+void correction_quadratics(int dim, const double s[2], double q[CORRECTION_TERMS]) {
+    q[0] = s[0] * s[0] / 2;
+    if (dim == 2) q[1] = s[0] * s[1], q[2] = s[1] * s[1] / 2;
+}
+
+int correction_solve(const struct neighbourhood *nb, const char *what, int terms,
+                     double K[CORRECTION_TERMS][CORRECTION_TERMS], const double *target, double *z,
+                     struct failure *why) {
+    double inverse[CORRECTION_TERMS][CORRECTION_TERMS];
+    double condition = invert(terms, K, inverse);
+    if (!(condition <= CORRECTION_CONDITION_MAX)) return singular(nb, what, condition, why);
+    for (int m = 0; m < terms; m++) {
+        z[m] = 0;
+        for (int n = 0; n < terms; n++) z[m] += inverse[n][m] * target[n];
+    }
+    return STATUS_OK;
+}
+
+int correction_check(const struct problem *p, const char *method, int isotropic, struct failure *why) {
+    const double *k = p->material[0].k;
+    if (p->materials > 1)
+        return refuse(why, STATUS_INPUT, "%s: one material only, the scene has two; use brookshaw", method);
+    if (isotropic && p->dim == 2 && k[0] != k[1])
+        return refuse(why, STATUS_INPUT, "%s: isotropic conductivity only, the scene has k_x = %g and k_y = %g",
+                      method, k[0], k[1]);
+    return STATUS_OK;
+}
