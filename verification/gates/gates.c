@@ -24,6 +24,7 @@ const struct gate gates_table[] = {
 #include "verification/gates/manufactured.def"
 #include "verification/gates/materials.def"
 #include "verification/gates/plane.def"
+#include "verification/gates/operators.def"
 #include "verification/gates/stability.def"
 #include "verification/gates/time.def"
 #include "verification/gates/use.def"
