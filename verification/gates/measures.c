@@ -6,7 +6,6 @@
 #include "verification/ladder/consistency.h"
 #include "verification/ladder/judge.h"
 #include "verification/ladder/ladder.h"
-#include "verification/gates/measures_claim.h"
 #include "verification/gates/measures_stability.h"
 #include "verification/gates/measures_use.h"
 #include "verification/run/run.h"
@@ -190,7 +189,7 @@ const struct measure measures[] = {
     {"heat_drift", "heat gained over a run, relative to the heat at its start", 0, take_heat_drift},
     {"checkerboard", "amplitude of the checkerboard in a run, K", 0, take_checkerboard},
     {"checkerboard_kept", "that amplitude at the end, over that at a tenth of the time", 0, take_checkerboard_kept},
-    {"claim", "1 where a claim's verdict is the expected one", 0, measures_claim_take},
+    {"claim", "1 where a claim's verdict is the expected one", 0, measures_use_claim},
     {"reference", "distance of a reference's two forms, over the sum of their bounds", 0, take_reference},
     {"limit_agree", "largest |measured/von Neumann - 1| of a stability limit over h/dx", 0, measures_stability_agree},
     {"limit_published", "published over true limit, where a run at 0.99 of it grows", 0,

@@ -2,6 +2,7 @@
  * and not by far more than was asked. */
 #include "verification/gates/measures_use.h"
 
+#include "verification/claims/claims.h"
 #include "verification/choose/choose.h"
 #include "verification/run/symmetry.h"
 #include "verification/choose/plan.h"
@@ -9,6 +10,7 @@
 #include "verification/run/run.h"
 
 #include <math.h>
+#include <stdio.h>
 #include <stdlib.h>
 
 static double farthest(const struct field *a, const struct field *b) {
@@ -72,4 +74,23 @@ void measures_use_choose(const struct request *r, double lo, double hi, struct m
     measures_fail(m, why.text);
     if (!status) measures_judge(m, c->proof.error.l1 / r->error, lo, hi);
     free(c);
+}
+
+void measures_use_claim(const struct request *r, double lo, double hi, struct measured *m) {
+    struct claims c;
+    struct failure why = {0};
+    *m = (struct measured){.error = NAN};
+    if (!claims_collect(r->only, &c, &why)) claims_run(&c);
+    m->value = m->ci[0] = m->ci[1] = claims_hold(&c);
+    m->verdict = verdict_within(m->value, lo, hi);
+    snprintf(m->reason, sizeof m->reason, "%.300s", why.text);
+    for (int i = 0; i < c.count; i++) {
+        const struct claims_measured *measured = &c.result[i].measured;
+        int holds = claims_holds(c.result[i].row, measured);
+        if (holds && i > 0) continue;
+        snprintf(m->reason, sizeof m->reason, "%s: %.250s", claims_verdict_words[measured->verdict],
+                 measured->reason);
+        if (!holds) break;
+    }
+    claims_free(&c);
 }

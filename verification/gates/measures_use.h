@@ -17,4 +17,7 @@ void measures_use_time_error(const struct request *r, double lo, double hi, stru
 /* E1 of the run that `choose` proves, over the --error asked for. */
 void measures_use_choose(const struct request *r, double lo, double hi, struct measured *m);
 
+/* 1 where a claim's verdict is the expected one; gates.c has a gate for every row of claims.def. */
+void measures_use_claim(const struct request *r, double lo, double hi, struct measured *m);
+
 #endif
