@@ -31,7 +31,7 @@ static const struct method *named(const char *name) {
 
 static struct neighbourhood around(int dim, const double kappa[2]) {
     return (struct neighbourhood){
-        .dim = dim, .i = 3, .n = MANY, .d = place, .h = H, .V = volume, .kappa = {kappa[0], kappa[1]}};
+        .dim = dim, .i = 3, .n = MANY, .d = place, .h = H, .V = volume, .rho_c = 1.3, .kappa = {kappa[0], kappa[1]}};
 }
 
 static void weigh(const char *name, const struct neighbourhood *nb, double w[2][MANY]) {
