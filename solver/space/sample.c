@@ -209,12 +209,19 @@ static void average_row(const struct problem *p, const struct rule *x, int n, do
 void sample_lattice(const struct problem *p, enum sampling sampling, const struct lattice *l, double *T) {
     int nx = l->n[0], ny = l->n[1], m = sampling == SAMPLING_CELL ? 1 : 4;
     if (sampling == SAMPLING_POINT) {
-        for (int j = 0; j < ny; j++)
+        double *x = xcalloc((size_t)nx, sizeof *x), at[2];
+        for (int i = 0; i < nx; i++) {
+            layout_position(l, i, 0, at);
+            x[i] = at[0];
+        }
+        for (int j = 0; j < ny; j++) {
+            layout_position(l, 0, j, at);
             for (int i = 0; i < nx; i++) {
-                double at[2];
-                layout_position(l, i, j, at);
+                at[0] = x[i];
                 *T++ = p->initial(p, at);
             }
+        }
+        free(x);
         return;
     }
     struct axis ax = axis_of(p, m, l, 0), ay = axis_of(p, m, l, 1);

@@ -2,58 +2,239 @@
  *
  * Stencils are even and ghosts mirror, so A is diagonal under the sine or cosine transform that has the walls'
  * parity: T^(t) = exp(lambda t) T^(0) + t phi(lambda t) g^,   phi(z) = (exp(z) - 1) / z, lambda = sum_ij w_ij cos(i
- * theta_x) cos(j theta_y) the symbol at the transform's wave numbers. */
+ * theta_x) cos(j theta_y) the symbol at the transform's wave numbers.
+ *
+ * On a plane the work is less than that of two transforms of all values where
+ *   - the data are a sum of R products X(x) Y(y), seen by elimination: their transform is that of 2 R lines;
+ *   - few modes survive.  A mode's amplitude is at most 4 max |T|, so that all those with
+ *     exp(lambda t) < eps / (4 nx ny) together stay below eps max |T| and are left out.  exp(lambda t) is nearly a
+ *     product too (for the Laplacian itself it is one), so that what is left is again a sum of a few products,
+ *     transformed back as lines.
+ * Both are tried as long as the counted work of elimination stays below that of FFTW's transform. */
 #include "solver/time/exact.h"
 
+#include "solver/time/products.h"
 #include "solver/time/state.h"
 #include "solver/time/transform.h"
 
+#include <float.h>
 #include <math.h>
 #include <stdlib.h>
-
-/* cos(i theta_k), i <= reach, for every mode k of an axis, times the multiplicity of +-i. */
-static double *cosines(const struct heat_operator *a, int axis) {
-    const struct lattice *l = &a->lattice;
-    int r = a->reach[axis];
-    double *table = xcalloc((size_t)l->n[axis] * (size_t)(r + 1), sizeof *table);
-    for (int k = 0; k < l->n[axis]; k++)
-        for (int i = 0; i <= r; i++) table[k * (r + 1) + i] = (i ? 2 : 1) * cos(i * transform_angle(l, axis, k));
-    return table;
-}
 
 /* Modes that are gone cost no exp; below -1 exp(z) - 1 loses nothing. */
 static const double GONE = -746, FAR = -1; /* exp(GONE) is zero */
 
-static void advance_modes(const struct heat_operator *a, double t, double *T, const double *g) {
+struct modes {
+    const struct heat_operator *a;
+    const struct lattice *l;
+    struct transform *transform;
+    double t;          /* s */
+    double *cosine[2]; /* cos(i theta_k) times the multiplicity of +-i, at [i n + k] */
+};
+
+static double *cosines(const struct heat_operator *a, int axis) {
     const struct lattice *l = &a->lattice;
-    int rx = a->reach[0], ry = a->reach[1];
-    double *cx = cosines(a, 0), *cy = l->dim == 2 ? cosines(a, 1) : NULL,
-           *column = xcalloc((size_t)rx + 1, sizeof *column);
-    double scale = 1 / transform_gain(l);
-    for (int m = 0; m < l->n[1]; m++) {
-        for (int i = 0; i <= rx; i++) {
-            column[i] = 0;
-            for (int j = 0; j <= ry; j++) column[i] += a->weight[j * (rx + 1) + i] * (cy ? cy[m * (ry + 1) + j] : 1);
+    int r = a->reach[axis], n = l->n[axis];
+    double *table = xcalloc((size_t)n * (size_t)(r + 1), sizeof *table);
+    for (int k = 0; k < n; k++) {
+        double theta = l->dim > axis ? transform_angle(l, axis, k) : 0;
+        for (int i = 0; i <= r; i++) table[i * n + k] = (i ? 2 : 1) * cos(i * theta);
+    }
+    return table;
+}
+
+/* lambda of the modes (k, m), k = 0 .. n[0] - 1. */
+static void rates(const struct modes *s, int m, double *restrict lambda) {
+    int rx = s->a->reach[0], ry = s->a->reach[1], nx = s->l->n[0], ny = s->l->n[1];
+    for (int k = 0; k < nx; k++) lambda[k] = 0;
+    for (int i = 0; i <= rx; i++) {
+        const double *restrict cosine = s->cosine[0] + (size_t)i * (size_t)nx;
+        double column = 0;
+        for (int j = 0; j <= ry; j++) column += s->a->weight[j * (rx + 1) + i] * s->cosine[1][j * ny + m];
+        for (int k = 0; k < nx; k++) lambda[k] += column * cosine[k];
+    }
+}
+
+static double decay(double z) {
+    return z < GONE ? 0 : exp(z);
+}
+
+static double phi(double z) {
+    return z < FAR ? (decay(z) - 1) / z : fabs(z) > 1e-12 ? expm1(z) / z : 1;
+}
+
+/* ---- Few modes of a start that is a sum of products ---- */
+
+/* As many products as elimination finds in less work than a transform takes: R of them cost (R + 1) (R + 2)
+ * operations a value that is searched and 2 R a value that is put together, two at a time; FFTW's lines go one by
+ * one. */
+static int worthwhile(const struct modes *s, double searched) {
+    double flops = transform_flops(s->transform);
+    int R = 0;
+    while ((R + 2) * (R + 3) * searched / 2 + R + 1 <= flops) R++;
+    return R;
+}
+
+static void transform_factors(const struct modes *s, struct products *p,
+                              void (*way)(const struct transform *, int, const double *, double *)) {
+    for (int axis = 0; axis < 2; axis++) {
+        size_t n = (size_t)p->n[axis];
+        double *line = xcalloc(n, sizeof *line);
+        for (size_t r = 0; r < (size_t)p->rank; r++) {
+            double *factor = p->factor[axis] + r * n;
+            for (size_t i = 0; i < n; i++) line[i] = factor[i];
+            way(s->transform, axis, line, factor);
         }
-        for (int k = 0; k < l->n[0]; k++) {
-            double lambda = 0;
-            for (int i = 0; i <= rx; i++) lambda += column[i] * cx[k * (rx + 1) + i];
-            size_t at = (size_t)m * (size_t)l->n[0] + (size_t)k;
-            double z = lambda * t, decay = z < GONE ? 0 : exp(z), mode = decay * T[at];
-            if (g) mode += t * (z < FAR ? (decay - 1) / z : fabs(z) > 1e-12 ? expm1(z) / z : 1) * g[at];
+        free(line);
+    }
+}
+
+/* 1 and the transform of F as products, where F is a sum of few; else 0. */
+static int product_transform(const struct modes *s, const double *F, struct products *p) {
+    if (s->l->dim < 2 || !products_split(F, s->l->n, 4 * DBL_EPSILON, worthwhile(s, 1), p)) return 0;
+    transform_factors(s, p, transform_line_forward);
+    return 1;
+}
+
+static double largest(const double *x, int n) {
+    double most = 0;
+    for (int i = 0; i < n; i++) most = fmax(most, fabs(x[i]));
+    return most;
+}
+
+/* Takes back keep[axis][k] where every mode of the start *p is below rounding of the largest: those of the other
+ * parity, in data that are even or odd about the middle. */
+static void drop_absent(const struct products *p, int axis, int *keep) {
+    int n = p->n[axis], across = p->n[1 - axis];
+    double *size = xcalloc((size_t)n, sizeof *size);
+    for (int r = 0; r < p->rank; r++) {
+        double other = largest(p->factor[1 - axis] + r * across, across);
+        for (int k = 0; k < n; k++) size[k] += other * fabs(p->factor[axis][r * n + k]);
+    }
+    double most = largest(size, n);
+    for (int k = 0; k < n; k++) keep[k] &= size[k] > DBL_EPSILON * most;
+    free(size);
+}
+
+/* exp(lambda t) below which a mode is left out. */
+static double least_exponent(const struct modes *s) {
+    return log(DBL_EPSILON / 4 / s->l->n[0] / s->l->n[1]);
+}
+
+/* The wave numbers along each axis that have a surviving mode: keep[0][k], keep[1][m]; count of each. */
+static void survivors(const struct modes *s, const struct products *p, int *keep[2], int count[2]) {
+    int nx = s->l->n[0], ny = s->l->n[1];
+    double *lambda = xcalloc((size_t)nx, sizeof *lambda), least = least_exponent(s) / s->t;
+    for (int m = 0; m < ny; m++) {
+        int any = 0;
+        rates(s, m, lambda);
+        for (int k = 0; k < nx; k++) {
+            int survives = !(lambda[k] < least);
+            any += survives;
+            keep[0][k] |= survives;
+        }
+        keep[1][m] = any > 0;
+    }
+    free(lambda);
+    for (int axis = 0; axis < 2; axis++) drop_absent(p, axis, keep[axis]);
+    for (int axis = 0; axis < 2; axis++)
+        for (int k = 0; k < s->l->n[axis]; k++)
+            if (keep[axis][k]) keep[axis][count[axis]++] = k; /* the list takes the place of the marks */
+}
+
+/* Amplitudes at time t of the modes keep[0] x keep[1] of the start *p. */
+static void amplitudes(const struct modes *s, const struct products *p, int *const keep[2], const int count[2],
+                       double *C) {
+    double *lambda = xcalloc((size_t)s->l->n[0], sizeof *lambda), scale = 1 / transform_gain(s->l);
+    double least = least_exponent(s);
+    for (int m = 0; m < count[1]; m++) {
+        rates(s, keep[1][m], lambda);
+        for (int k = 0; k < count[0]; k++) {
+            double sum = 0, z = lambda[keep[0][k]] * s->t;
+            if (z < least) continue;
+            for (int r = 0; r < p->rank; r++)
+                sum += p->factor[0][r * p->n[0] + keep[0][k]] * p->factor[1][r * p->n[1] + keep[1][m]];
+            C[m * count[0] + k] = scale * exp(z) * sum;
+        }
+    }
+    free(lambda);
+}
+
+/* The factors of few modes at their places among all. */
+static struct products spread(const struct products *few, int *const keep[2], const int n[2]) {
+    struct products all = {.rank = few->rank, .n = {n[0], n[1]}};
+    for (int axis = 0; axis < 2; axis++) {
+        all.factor[axis] = xcalloc((size_t)few->rank * (size_t)n[axis], sizeof **all.factor);
+        for (int r = 0; r < few->rank; r++)
+            for (int k = 0; k < few->n[axis]; k++)
+                all.factor[axis][r * n[axis] + keep[axis][k]] = few->factor[axis][r * few->n[axis] + k];
+    }
+    return all;
+}
+
+/* T at time t, or 0 and nothing done where it is no sum of few products. */
+static int evolve_few(const struct modes *s, const struct products *start, double *T) {
+    int *keep[2], count[2] = {0, 0};
+    const int *n = s->l->n;
+    for (int axis = 0; axis < 2; axis++) keep[axis] = xcalloc((size_t)n[axis], sizeof **keep);
+    survivors(s, start, keep, count);
+    double all = (double)count[0] * count[1];
+    double *C = xcalloc((size_t)count[0] * (size_t)count[1], sizeof *C);
+    struct products few;
+    amplitudes(s, start, keep, count, C);
+    int found = products_split(C, count, DBL_EPSILON, worthwhile(s, all / n[0] / n[1]), &few);
+    if (found) {
+        struct products end = spread(&few, keep, n);
+        transform_factors(s, &end, transform_line_backward);
+        products_join(&end, T);
+        products_free(&end);
+        products_free(&few);
+    }
+    free(C);
+    for (int axis = 0; axis < 2; axis++) free(keep[axis]);
+    return found;
+}
+
+/* ---- All modes ---- */
+
+/* *p: the transform of F, or NULL. */
+static void coefficients(const struct modes *s, const struct products *p, double *F) {
+    if (p)
+        products_join(p, F);
+    else
+        transform_forward(s->transform, F);
+}
+
+/* T, and g in the shape of T or NULL, hold coefficients. */
+static void advance_all(const struct modes *s, double *T, const double *g) {
+    int nx = s->l->n[0], ny = s->l->n[1];
+    double *lambda = xcalloc((size_t)nx, sizeof *lambda), scale = 1 / transform_gain(s->l);
+    for (int m = 0; m < ny; m++) {
+        rates(s, m, lambda);
+        for (int k = 0; k < nx; k++) {
+            size_t at = (size_t)m * (size_t)nx + (size_t)k;
+            double z = lambda[k] * s->t, mode = decay(z) * T[at];
+            if (g) mode += s->t * phi(z) * g[at];
             T[at] = scale * mode;
         }
     }
-    free(cx);
-    free(cy);
-    free(column);
+    free(lambda);
 }
 
-size_t exact_bytes(const struct heat_operator *a) {
-    const struct lattice *l = &a->lattice;
-    size_t tables = 0;
-    for (int d = 0; d < l->dim; d++) tables += (size_t)l->n[d] * (size_t)(a->reach[d] + 1) * sizeof(double);
-    return transform_bytes(l) + tables + (a->constant ? a->n * sizeof *a->g : 0);
+static void evolve_all(const struct modes *s, const struct products *start, double *T) {
+    double *g = NULL;
+    if (s->a->g) {
+        struct products p;
+        g = xcalloc(s->a->n, sizeof *g);
+        state_store(s->a, s->a->g, g);
+        int product = product_transform(s, g, &p);
+        coefficients(s, product ? &p : NULL, g);
+        if (product) products_free(&p);
+    }
+    coefficients(s, start, T);
+    advance_all(s, T, g);
+    transform_backward(s->transform, T);
+    free(g);
 }
 
 int exact_check(const struct lattice *l, struct failure *why) {
@@ -65,19 +246,13 @@ int exact_check(const struct lattice *l, struct failure *why) {
     return STATUS_OK;
 }
 
-void exact_evolve(const struct heat_operator *a, double t, double *T, size_t *bytes) {
-    const struct lattice *l = &a->lattice;
-    struct transform *modes = transform_create(l, T);
-    double *g = NULL;
-    if (a->g) {
-        g = xcalloc(a->n, sizeof *g);
-        state_store(a, a->g, g);
-        transform_forward(modes, g);
-    }
-    transform_forward(modes, T);
-    advance_modes(a, t, T, g);
-    transform_backward(modes, T);
-    *bytes += exact_bytes(a);
-    transform_free(modes);
-    free(g);
+void exact_evolve(const struct heat_operator *a, double t, double *T) {
+    struct modes s = {.a = a, .l = &a->lattice, .t = t, .transform = transform_create(&a->lattice)};
+    struct products start;
+    for (int axis = 0; axis < 2; axis++) s.cosine[axis] = cosines(a, axis);
+    int product = product_transform(&s, T, &start);
+    if (!(product && !a->g && evolve_few(&s, &start, T))) evolve_all(&s, product ? &start : NULL, T);
+    if (product) products_free(&start);
+    for (int axis = 0; axis < 2; axis++) free(s.cosine[axis]);
+    transform_free(s.transform);
 }

@@ -5,10 +5,8 @@
 
 /* Whether the walls of a lattice mirror (sign -1 or +1), so that there is a transform; else STATUS_INPUT. */
 int exact_check(const struct lattice *l, struct failure *why);
-/* exp(tA) on such a lattice: T, in the particles' order, is taken from 0 to t (s) without any time error.  Adds what
- * it holds to *bytes. */
-void exact_evolve(const struct heat_operator *a, double t, double *T, size_t *bytes);
-/* What it holds beside T. */
-size_t exact_bytes(const struct heat_operator *a);
+
+/* exp(tA) on such a lattice: T, in the particles' order, is taken from 0 to t (s) without any time error. */
+void exact_evolve(const struct heat_operator *a, double t, double *T);
 
 #endif

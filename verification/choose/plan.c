@@ -2,11 +2,9 @@
  * then what is held and counted.  A unit test compares that with what runs report, and with what they allocate. */
 #include "verification/choose/plan.h"
 
-#include "solver/time/exact.h"
 #include "solver/differences/ftcs_grid.h"
 #include "solver/methods/particles.h"
 #include "solver/space/sample.h"
-#include "solver/time/transform.h"
 #include "verification/run/symmetry.h"
 #include "verification/run/experiment.h"
 
@@ -63,7 +61,6 @@ static int hold_march(const struct experiment *e, const struct options *o, const
                       const struct heat_operator *a, struct plan *plan, struct failure *why) {
     struct march m;
     if (o->stepper == STEPPER_EXACT) {
-        hold(plan, "what the transforms and their modes need", exact_bytes(a), PLAN_STEPS, PLAN_STEPS);
         plan->stages = 0;
         plan->updates = (long long)a->n;
         plan->interactions = (long long)a->pairs;
@@ -188,9 +185,7 @@ static int hold_whole(const struct experiment *e, struct plan *plan, struct fail
     int rows, status = e->method->scheme
                            ? particles_outline(p, &plan->options, e->method->scheme, &ignored, &l, &rows, why)
                            : layout_lattice(p, &plan->options, 1, &l, why);
-    if (!status)
-        hold(plan, "the error, and what its transform needs", n * unit + transform_bytes(&l), PLAN_ERRORS,
-             PLAN_ERRORS);
+    if (!status) hold(plan, "the error, and what its transform needs", n * unit, PLAN_ERRORS, PLAN_ERRORS);
     return status;
 }
 

@@ -14,8 +14,8 @@
  *     a row         four for each point of the 3^d cells around, for each comparison that sorts its columns, and for
  *                   each pair of the first derivatives that are composed (two sweeps)
  *     --h iso       a stencil at each 1/16 of h/dx to either side of 1.2 until a root is passed, seven to polish it
- *     a transform   along a short axis sums, which stream, and their table, n^2 to and fro; along others 1.25 log2 n
- *                   for each particle, and for its plans FFTW looks at SOLVERS, TRIED each, at log2 n levels
+ *     a transform   along an axis 1.25 log2 n for each particle, and for its plans FFTW looks at SOLVERS, TRIED
+ *                   each, at log2 n levels (where few modes survive, less is done)
  *     modes         exp(lambda t), and expm1 where walls or a source add; along an axis reach + 1 cosines
  *
  * In the steps each ghost is REFRESHED alone, by a load and a store, where particles go by the vector.
@@ -25,7 +25,6 @@
 
 #include "solver/space/operator.h"
 #include "solver/space/sample.h"
-#include "solver/time/transform.h"
 #include "verification/run/symmetry.h"
 #include "verification/run/result.h"
 
@@ -145,7 +144,6 @@ static double stencil(const struct extent *e, const struct result *r) {
 /* `times` transforms along an axis. */
 static double transforms(const struct extent *e, int axis, int times) {
     double n = e->along[axis];
-    if (n <= TRANSFORM_SHORT) return times * e->n * n / LANES + 8 * n * n;
     return (times * e->n * 1.25 + 2 * SOLVERS * TRIED) * log2(n);
 }
 

@@ -55,7 +55,7 @@ double checkerboard_amplitude(const struct problem *p, const struct field *f, co
     if (f->shape[0] < 2 || (f->dim == 2 && f->shape[1] < 2)) return NAN;
     struct lattice l = lattice_of(p, f);
     double *e = xcalloc(f->n, sizeof *e);
-    struct transform *t = transform_create(&l, e);
+    struct transform *t = transform_create(&l);
     for (size_t i = 0; i < f->n; i++) e[i] = exact[i] == NORMS_NO_VALUE ? 0 : f->T[i] - exact[i];
     transform_forward(t, e);
     double amplitude = largest(&l, e);

@@ -80,8 +80,8 @@ static void setting_up_is_counted_by_what_is_done(void **state) {
     /* four particles see the jump and share seven cells, one of them in two pieces; the data meet the wall */
     assert_near(spline.setup - point.setup, 8 * 36 * (2 * (7 + 1) + 12 - 16), 1e-6);
     struct result exact = run("run rod-step so_ssph --dx 4/32 --stepper exact");
-    /* two transforms of 16 by sums, their table, 16 exponentials and 3 cosines for each of 16 modes */
-    assert_near(exact.setup - point.setup, 8 * (2 * 16 * 16 / 8 + 8 * 16 * 16 + 20 * (16 + 3 * 16)), 1e-6);
+    /* two transforms of 16 and their plans, 16 exponentials and 3 cosines for each of 16 modes */
+    assert_near(exact.setup - point.setup, 8 * ((2 * 16 * 1.25 + 2 * 200 * 8) * 4 + 20 * (16 + 3 * 16)), 1e-6);
     struct result fine = run("run rod-step so_ssph --dx 4/512 --stepper exact");
     struct result fine_point = run("run rod-step so_ssph --dx 4/512 --fourier 0.2 --stepper euler");
     assert_near(fine.setup - fine_point.setup, 8 * ((2 * 256 * 1.25 + 2 * 200 * 8) * 8 + 20 * (256 + 3 * 256)), 1e-6);

@@ -1,0 +1,101 @@
+/* Fields as sums of products: Gaussian elimination with complete pivoting, stopped at rounding.
+ *
+ * Each step takes the row and the column of the largest residual, X_r = R(., j*), Y_r = R(i*, .) / R(i*, j*), and
+ * R = F - sum_r X_r Y_r is formed anew, a row at a time, so that F stays as it is and no copy of it is needed.  Every
+ * value of F is looked at: what is called a sum of products is one. */
+#include "solver/time/products.h"
+
+#include "solver/status.h"
+
+#include <math.h>
+#include <stdlib.h>
+
+enum { APART = 8 }; /* maxima that do not wait for each other */
+
+/* R(., j) in `row`. */
+static void residual(const struct products *p, const double *F, int j, double *restrict row) {
+    size_t nx = (size_t)p->n[0];
+    for (size_t i = 0; i < nx; i++) row[i] = F[(size_t)j * nx + i];
+    for (int r = 0; r < p->rank; r++) {
+        const double *restrict X = p->factor[0] + (size_t)r * nx;
+        double y = p->factor[1][r * p->n[1] + j];
+        if (y == 0) continue;
+        for (size_t i = 0; i < nx; i++) row[i] -= y * X[i];
+    }
+}
+
+/* max |row|; NaN where a value is not finite. */
+static double largest(const double *restrict row, size_t n) {
+    double most[APART] = {0}, zero[APART] = {0}, all = 0, none = 0;
+    size_t i = 0;
+    for (; i + APART <= n; i += APART)
+        for (size_t k = 0; k < APART; k++) {
+            double size = fabs(row[i + k]);
+            most[k] = size > most[k] ? size : most[k];
+            zero[k] += 0 * size;
+        }
+    for (; i < n; i++) all = fmax(all, fabs(row[i])), none += 0 * row[i];
+    for (size_t k = 0; k < APART; k++) all = fmax(all, most[k]), none += zero[k];
+    return all + none;
+}
+
+/* The largest |R|, and its row *at; NaN where a value is not finite. */
+static double search(const struct products *p, const double *F, double *row, int *at) {
+    double most = -1;
+    for (int j = 0; j < p->n[1]; j++) {
+        residual(p, F, j, row);
+        double size = largest(row, (size_t)p->n[0]);
+        if (isnan(size)) return size;
+        if (size > most) most = size, *at = j;
+    }
+    return most;
+}
+
+static void add_product(struct products *p, const double *F, int j) {
+    size_t nx = (size_t)p->n[0], ny = (size_t)p->n[1], r = (size_t)p->rank, i = 0;
+    double *X = p->factor[0] + r * nx, *Y = p->factor[1] + r * ny;
+    residual(p, F, j, X);
+    for (size_t k = 0; k < nx; k++)
+        if (fabs(X[k]) > fabs(X[i])) i = k;
+    for (size_t k = 0; k < ny; k++) {
+        double R = F[k * nx + i];
+        for (size_t s = 0; s < r; s++) R -= p->factor[0][s * nx + i] * p->factor[1][s * ny + k];
+        Y[k] = R / X[i];
+    }
+    p->rank++;
+}
+
+int products_split(const double *F, const int n[2], double tolerance, int most, struct products *p) {
+    double *row = xcalloc((size_t)n[0], sizeof *row), size, all = 0;
+    int at = 0;
+    *p = (struct products){.n = {n[0], n[1]}};
+    for (int a = 0; a < 2; a++) p->factor[a] = xcalloc((size_t)most * (size_t)n[a], sizeof *p->factor[a]);
+    for (;;) {
+        size = search(p, F, row, &at);
+        if (p->rank == 0) all = size;
+        if (!(size > tolerance * all) || p->rank == most) break;
+        add_product(p, F, at);
+    }
+    free(row);
+    if (size <= tolerance * all) return 1;
+    products_free(p);
+    return 0;
+}
+
+void products_join(const struct products *p, double *F) {
+    size_t nx = (size_t)p->n[0], ny = (size_t)p->n[1];
+    for (size_t j = 0; j < ny; j++) {
+        double *restrict row = F + j * nx;
+        for (size_t i = 0; i < nx; i++) row[i] = 0;
+        for (size_t r = 0; r < (size_t)p->rank; r++) {
+            const double *restrict X = p->factor[0] + r * nx;
+            double y = p->factor[1][r * ny + j];
+            for (size_t i = 0; i < nx; i++) row[i] += y * X[i];
+        }
+    }
+}
+
+void products_free(struct products *p) {
+    for (int a = 0; a < 2; a++) free(p->factor[a]);
+    *p = (struct products){0};
+}
