@@ -14,7 +14,7 @@ struct field { /* owned arrays: field_free */
     double *T;         /* K, n */
     double *weight;    /* m^d, n: the volume that each point stands for in a norm; NULL where all are alike */
     double time;       /* s, the time that T belongs to (t_end) */
-    double h;          /* smoothing length over dx, as settled; 0 for a method without one */
+    double h;          /* smoothing length over dx, as used; 0 for a method without one */
     double dt;         /* s, 0 for the exact stepper */
     long long steps;   /* time steps; 0 for the exact stepper */
     int stages;        /* operator applications a step */
@@ -23,6 +23,7 @@ struct field { /* owned arrays: field_free */
     double bound;      /* s^-1: upper bound of the operator's spectrum; 0 where none is known */
     long long updates; /* particle updates: particles x operator applications */
     long long interactions; /* pairs evaluated: updates x neighbours */
+    double work;            /* all that is done, counted (solver/outline.h); 0 where unknown */
     size_t bytes;           /* held while time runs, places and temperatures among them */
     double seconds;         /* wall time of the whole call */
     double step_seconds;    /* wall time of the time loop alone */

@@ -15,6 +15,7 @@
  * Restricted to a uniform grid, dx = dy; two materials (ftcs_layers.h) on a rod, direct. */
 #include "solver/differences/ftcs_grid.h"
 #include "solver/method.h"
+#include "solver/outline.h"
 #include "solver/problem.h"
 
 #include <math.h>
@@ -142,15 +143,18 @@ static double heat(const struct ftcs_grid *g) {
     return (double)sum;
 }
 
+static int has_whole_cells(const struct ftcs_grid *g) {
+    return g->end_cell[X_LO] * g->end_cell[X_HI] * g->end_cell[Y_LO] * g->end_cell[Y_HI] == 1;
+}
+
 /* Everything but T goes before the field comes, which keeps the peak low. */
 static void hand_over(struct ftcs_grid *g, struct field *f) {
-    int alike = g->end_cell[X_LO] * g->end_cell[X_HI] * g->end_cell[Y_LO] * g->end_cell[Y_HI] == 1;
     ptrdiff_t nx = g->n[0], n = nx * g->n[1];
     size_t held = g->held * sizeof *g->T;
     ftcs_grid_keep_T(g);
     field_alloc(f, g->dim, (size_t)n);
     f->bytes = held;
-    if (!alike) f->weight = xcalloc((size_t)n, sizeof *f->weight);
+    if (!has_whole_cells(g)) f->weight = xcalloc((size_t)n, sizeof *f->weight);
     for (ptrdiff_t k = 0; k < n; k++) {
         int i = (int)(k % nx), j = (int)(k / nx);
         f->x[k] = g->origin[0] + i * g->d[0];
@@ -178,6 +182,43 @@ static int run(struct ftcs_grid *g, struct failure *why) {
     return STATUS_OK;
 }
 
+/* Points and steps, and what they cost: fluxes take two neighbours for q and two for its slope, averages four nodes
+ * of each piece of a spline along each axis. */
+static void count(const struct ftcs_grid *g, const struct options *o, struct field *f) {
+    const double n = (double)g->n[0] * g->n[1];
+    const int pieces = o->sampling == SAMPLING_SPLINE ? 4 : 1, nodes = o->sampling == SAMPLING_POINT ? 1 : 4 * pieces;
+    f->dim = g->dim, f->n = (size_t)n;
+    f->dt = g->dt, f->steps = g->steps, f->stages = 1;
+    f->updates = g->steps * g->n[0] * g->n[1];
+    f->interactions = f->updates * (g->wide ? 4 : 2) * g->dim;
+    f->work = OUTLINE_SCALAR * n * (OUTLINE_PLACE + OUTLINE_SAMPLE * pow(nodes, g->dim));
+    f->work += (double)f->interactions + 2 * (double)f->updates;
+    f->work += OUTLINE_SCALAR * OUTLINE_GHOST * ((double)g->size - n) * (double)g->steps;
+}
+
+static int outline(const char *method, int wide, const struct problem *p, const struct options *o,
+                   struct outline *out, struct failure *why) {
+    struct ftcs_grid g;
+    *out = (struct outline){0};
+    if (ftcs_grid_outline(&g, method, wide, p, o, why)) return why->status;
+    size_t nx = (size_t)g.n[0], ny = (size_t)g.n[1], rows = g.dim == 2 ? 1 : 0, unit = sizeof(double);
+    count(&g, o, &out->run);
+    out->weights = "one stencil for all points: a grid of one material";
+    out->answer = g.dim + 1 + !has_whole_cells(&g);
+    out->on_lattice = 1;
+    out->neighbours = (wide ? 4 : 2) * g.dim;
+    outline_hold(out, "temperatures with their ghosts", g.size * unit, OUTLINE_SET_UP, OUTLINE_STEPS);
+    outline_hold(out, wide ? "fluxes of a few rows" : "temperatures of the next step",
+                 (wide ? nx + 2 + 3 * nx * rows : g.size) * unit, OUTLINE_SET_UP, OUTLINE_STEPS);
+    outline_hold(out, "what the source adds in a step", p->source ? nx * ny * unit : 0, OUTLINE_SET_UP,
+                 OUTLINE_STEPS);
+    outline_hold(out, "what the walls add", 2 * FTCS_LAYERS * (ny + nx * rows) * unit, OUTLINE_SET_UP, OUTLINE_STEPS);
+    outline_hold(out, "what the materials conduct and hold", p->materials == 2 ? 3 * nx * ny * unit : 0,
+                 OUTLINE_SET_UP, OUTLINE_STEPS);
+    out->run.bytes = out->bytes[OUTLINE_STEPS];
+    return STATUS_OK;
+}
+
 static int solve(const char *method, int wide, const struct problem *p, const struct options *o, struct field *f,
                  struct failure *why) {
     struct ftcs_grid g;
@@ -188,23 +229,18 @@ static int solve(const char *method, int wide, const struct problem *p, const st
     status = run(&g, why);
     double stepped = seconds_now();
     if (status == STATUS_OK) {
-        long long updates = g.steps * g.n[0] * g.n[1];
         double after = heat(&g);
         hand_over(&g, f);
+        count(&g, o, f);
         f->shape[0] = g.n[0];
         f->shape[1] = g.n[1];
         f->spacing[0] = g.d[0];
         f->spacing[1] = p->dim == 2 ? g.d[1] : 0;
         f->time = p->t_end;
-        f->dt = g.dt;
-        f->steps = g.steps;
-        f->stages = 1;
         f->heat[0] = before;
         f->heat[1] = after;
         f->range[0] = g.lowest;
         f->range[1] = g.highest;
-        f->updates = updates;
-        f->interactions = updates * (wide ? 4 : 2) * p->dim; /* fluxes: two neighbours for q, two for its slope */
         f->step_seconds = stepped - stepping;
         f->seconds = seconds_now() - called;
     }
@@ -220,11 +256,22 @@ static int solve_fluxes(const struct problem *p, const struct options *o, struct
     return solve("ftcs_flux", 1, p, o, f, why);
 }
 
+static int outline_direct(const struct problem *p, const struct options *o, struct outline *out,
+                          struct failure *why) {
+    return outline("ftcs", 0, p, o, out, why);
+}
+
+static int outline_fluxes(const struct problem *p, const struct options *o, struct outline *out,
+                          struct failure *why) {
+    return outline("ftcs_flux", 1, p, o, out, why);
+}
+
 const struct method method_ftcs = {
     .name = "ftcs",
     .about = "finite differences, (T[i+1] - 2 T[i] + T[i-1])/dx^2, Euler: Song eq. 5, Pamplona eq. 16",
     .accepts = "stepper layout sampling walls mean",
     .solve = solve_direct,
+    .outline = outline_direct,
 };
 
 const struct method method_ftcs_flux = {
@@ -232,4 +279,5 @@ const struct method method_ftcs_flux = {
     .about = "finite differences through the heat fluxes, (q[i+1] - q[i-1])/(2 dx), Euler: Song eq. 6",
     .accepts = "stepper layout sampling walls",
     .solve = solve_fluxes,
+    .outline = outline_fluxes,
 };

@@ -83,10 +83,15 @@ static int solve(const struct problem *p, const struct options *o, struct field 
     return particles_solve(p, o, &scheme, f, why);
 }
 
+static int outline(const struct problem *p, const struct options *o, struct outline *out, struct failure *why) {
+    return particles_outline(p, o, &scheme, out, why);
+}
+
 const struct method method_brookshaw = {
     .name = "brookshaw",
     .about = "Brookshaw's pair operator with Cleary & Monaghan's conductivity (Pamplona eq. 13)",
     .accepts = "stepper kernel h layout jitter seed sampling walls mean volume xi",
     .scheme = &scheme,
     .solve = solve,
+    .outline = outline,
 };

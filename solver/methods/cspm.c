@@ -68,10 +68,15 @@ static int solve(const struct problem *p, const struct options *o, struct field 
     return particles_solve(p, o, &scheme, f, why);
 }
 
+static int outline(const struct problem *p, const struct options *o, struct outline *out, struct failure *why) {
+    return particles_outline(p, o, &scheme, out, why);
+}
+
 const struct method method_cspm = {
     .name = "cspm",
     .about = "corrective smoothed particle method: Taylor's series order by order (Chen, Beraun & Carney 1999)",
     .accepts = "stepper kernel h layout jitter seed sampling walls",
     .scheme = &scheme,
     .solve = solve,
+    .outline = outline,
 };

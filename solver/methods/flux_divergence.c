@@ -56,10 +56,15 @@ static int solve(const struct problem *p, const struct options *o, struct field 
     return particles_solve(p, o, &scheme, f, why);
 }
 
+static int outline(const struct problem *p, const struct options *o, struct outline *out, struct failure *why) {
+    return particles_outline(p, o, &scheme, out, why);
+}
+
 const struct method method_flux_divergence = {
     .name = "flux_divergence",
     .about = "the divergence of the flux by the kernel's gradient, twice (Pamplona eq. 10)",
     .accepts = "stepper kernel h layout jitter seed sampling walls volume",
     .scheme = &scheme,
     .solve = solve,
+    .outline = outline,
 };

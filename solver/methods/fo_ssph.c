@@ -25,10 +25,15 @@ static int solve(const struct problem *p, const struct options *o, struct field 
     return particles_solve(p, o, &scheme, f, why);
 }
 
+static int outline(const struct problem *p, const struct options *o, struct outline *out, struct failure *why) {
+    return particles_outline(p, o, &scheme, out, why);
+}
+
 const struct method method_fo_ssph = {
     .name = "fo_ssph",
     .about = "first-order symmetric SPH: q = -kappa <grad T>, dT/dt = -<div q> (Song eqs. 13, 37)",
     .accepts = "stepper kernel h layout jitter seed sampling walls",
     .scheme = &scheme,
     .solve = solve,
+    .outline = outline,
 };

@@ -1,6 +1,7 @@
 /* From a problem and options to a field, for every particle method: layout -> sample -> operator -> stepper -> field.
  */
 #include "solver/methods/particles.h"
+#include "solver/outline.h"
 #include "solver/time/exact.h"
 #include "solver/time/matched.h"
 #include "solver/space/sample.h"
@@ -17,11 +18,11 @@ static double now(void) {
     return (double)t.tv_sec + 1e-9 * (double)t.tv_nsec;
 }
 
-int particles_settle(const struct problem *p, const struct options *o, const struct scheme *s,
-                     struct options *settled, struct failure *why) {
-    *settled = *o;
+int particles_resolve(const struct problem *p, const struct options *o, const struct scheme *s,
+                      struct options *resolved, struct failure *why) {
+    *resolved = *o;
     int order = o->order > 2 ? o->order : 2;
-    if (o->h == 0) settled->h = 1.1 * order / 2;
+    if (o->h == 0) resolved->h = 1.1 * order / 2;
     if (o->h < 0 || !isfinite(o->h)) return refuse(why, STATUS_INPUT, "--h %g: must be > 0, in units of dx", o->h);
     if (o->layout == LAYOUT_JITTER && !(o->jitter >= 0 && o->jitter <= 0.5))
         return refuse(why, STATUS_INPUT, "--jitter %g: must lie in 0 to 0.5, in units of dx", o->jitter);
@@ -31,15 +32,15 @@ int particles_settle(const struct problem *p, const struct options *o, const str
     if (p->materials == 2 && o->sampling == SAMPLING_SPLINE)
         return refuse(why, STATUS_NOT_APPLICABLE,
                       "--sampling spline: four cells of two materials have no common average; take point or cell");
-    if (s->check(p, settled, why)) return why->status;
-    if (o->h_iso) return matched_isotropic(settled, s, &settled->h, why);
+    if (s->check(p, resolved, why)) return why->status;
+    if (o->h_iso) return matched_isotropic(resolved, s, &resolved->h, why);
     return STATUS_OK;
 }
 
-int particles_outline(const struct problem *p, const struct options *o, const struct scheme *s,
-                      struct options *settled, struct lattice *l, int *rows, struct failure *why) {
+int particles_prepare(const struct problem *p, const struct options *o, const struct scheme *s,
+                      struct options *resolved, struct lattice *l, int *rows, struct failure *why) {
     const enum stepper stepper = o->stepper;
-    if (particles_settle(p, o, s, settled, why)) return why->status;
+    if (particles_resolve(p, o, s, resolved, why)) return why->status;
     double ratio = stepper == STEPPER_MATCHED && p->dim == 2 ? sqrt(p->material[0].k[1] / p->material[0].k[0]) : 1;
     if (layout_lattice(p, o, ratio, l, why)) return why->status;
     *rows = o->layout == LAYOUT_JITTER || p->materials == 2;
@@ -112,10 +113,19 @@ static void place_on_lattice(const struct lattice *l, struct field *f) {
     }
 }
 
+/* Rows of the plane go by cells. */
+int particles_on_lattice(const struct problem *p, const struct options *o, int rows) {
+    return o->layout != LAYOUT_JITTER && !(rows && p->dim == 2);
+}
+
+double particles_reach(const struct options *o, const struct scheme *s, const struct lattice *l) {
+    return s->sweeps * 2.0 * o->h * l->dx[0];
+}
+
 static int place_cloud(const struct problem *p, const struct options *o, const struct scheme *s,
                        const struct lattice *l, struct heat_operator *a, struct field *f, struct failure *why) {
     struct cloud c;
-    if (layout_cloud(p, o, l, s->sweeps * 2.0 * o->h * l->dx[0], &c, why)) return why->status;
+    if (layout_cloud(p, o, l, particles_reach(o, s, l), &c, why)) return why->status;
     int status = operator_create_rows(a, p, o, s, &c, l->dx[0], why);
     for (size_t i = 0; i < c.n; i++) {
         f->x[i] = c.x[i];
@@ -126,11 +136,13 @@ static int place_cloud(const struct problem *p, const struct options *o, const s
 }
 
 int particles_march(const struct problem *p, const struct options *o, const struct scheme *s, const struct lattice *l,
-                    const struct heat_operator *a, struct march *m, struct failure *why) {
+                    const struct heat_operator *a, double bound, struct march *m, struct failure *why) {
     double kappa = 0;
     for (int k = 0; k < p->materials; k++)
         for (int d = 0; d < p->dim; d++) kappa = fmax(kappa, p->material[k].k[d] / p->material[k].rho_c);
     *m = (struct march){.stepper = o->stepper, .time = p->t_end, .steps = 1, .stages = 1};
+    if (o->stepper == STEPPER_EXACT) m->steps = m->stages = 0;
+    if (o->stepper == STEPPER_EXACT) return STATUS_OK;
     if (o->stepper == STEPPER_MATCHED) {
         struct matched plan;
         if (matched_plan(p, o, s, a, &plan, why)) return why->status;
@@ -138,7 +150,7 @@ int particles_march(const struct problem *p, const struct options *o, const stru
         return STATUS_OK;
     }
     /* unasked: half of the stable step, and for rkl2 as many steps as put its s^2 to use */
-    double bound = operator_bound(a), dt = o->dt;
+    double dt = o->dt;
     if (dt == 0 && o->fourier > 0) dt = o->fourier * l->dx[0] * l->dx[0] / kappa;
     if (dt == 0) dt = o->stepper == STEPPER_RKL2 ? sqrt(p->t_end / bound) : 1 / bound;
     const char *name = o->fourier > 0 && o->dt == 0 ? "fourier" : "dt"; /* what was asked for, for messages */
@@ -157,33 +169,59 @@ int particles_march(const struct problem *p, const struct options *o, const stru
     return STATUS_OK;
 }
 
+/* Beside the steps: samples (averages along an axis take two nodes a particle, of a spline one), weights, a stencil
+ * for each h/dx that --h iso tries, some ten, and for transforms what is planned or tabulated once for an axis, 10
+ * log2 n for each particle to and fro, and the modes. */
+static double set_up_work(const struct options *o, const struct lattice *l, const struct heat_operator *a) {
+    enum { WEIGHT = 3 * OUTLINE_FUNCTION, ISO = 25000, AXIS = 25000, TRANSFORM = 10 };
+    double n = (double)a->n, samples = o->sampling == SAMPLING_CELL ? pow(2, l->dim) : 1;
+    double scalar = n * (OUTLINE_PLACE + OUTLINE_SAMPLE * samples), streamed = 0;
+    if (!a->weight) scalar += WEIGHT * (double)a->pairs;
+    if (o->h_iso) scalar += ISO;
+    for (int d = 0; d < l->dim && o->stepper == STEPPER_EXACT; d++) {
+        scalar += AXIS + OUTLINE_FUNCTION * n / l->dim;
+        streamed += (2 + a->constant) * TRANSFORM * n * log2(l->n[d]);
+    }
+    return OUTLINE_SCALAR * scalar + streamed;
+}
+
+void particles_count(const struct options *o, const struct lattice *l, const struct heat_operator *a,
+                     const struct march *m, struct field *f) {
+    const long long applications = m->steps ? m->steps * m->stages : 1;
+    f->dim = l->dim, f->n = a->n, f->h = o->h;
+    f->steps = m->steps, f->stages = m->stages, f->dt = m->steps ? m->time / (double)m->steps : 0;
+    f->updates = (long long)a->n * applications;
+    f->interactions = (long long)a->pairs * applications;
+    f->work = set_up_work(o, l, a);
+    if (m->steps == 0) return;
+    f->work += (double)f->interactions + 2 * (double)f->updates; /* each update loads and stores */
+    f->work += OUTLINE_SCALAR * OUTLINE_GHOST * (double)(a->state - a->n) * (double)applications;
+}
+
 static int integrate(const struct problem *p, const struct options *o, const struct scheme *s,
                      const struct lattice *l, const struct heat_operator *a, struct field *f, struct failure *why) {
     f->bytes = a->n * (size_t)(p->dim + 1) * sizeof *f->T + a->bytes;
+    struct march m;
+    double bound = operator_bound(a);
+    if (particles_march(p, o, s, l, a, bound, &m, why)) return why->status;
+    particles_count(o, l, a, &m, f);
     if (o->stepper == STEPPER_EXACT) {
-        f->updates = (long long)a->n;
-        f->interactions = (long long)a->pairs;
         exact_evolve(a, p->t_end, f->T);
         return STATUS_OK;
     }
-    struct march m;
-    if (particles_march(p, o, s, l, a, &m, why)) return why->status;
-    f->bound = operator_bound(a);
+    f->bound = bound;
     data_range(p, f, &m.lo, &m.hi);
     m.x = f->x, m.y = f->y;
-    f->steps = m.steps, f->stages = m.stages, f->dt = m.time / (double)m.steps;
-    f->updates = (long long)a->n * m.steps * m.stages;
-    f->interactions = (long long)a->pairs * m.steps * m.stages;
     return stepper_march(a, &m, f->T, &f->bytes, why);
 }
 
 int particles_solve(const struct problem *p, const struct options *given, const struct scheme *s, struct field *out,
                     struct failure *why) {
     double begin = now();
-    struct options settled, *o = &settled;
+    struct options resolved, *o = &resolved;
     struct lattice l;
     int rows;
-    if (particles_outline(p, given, s, o, &l, &rows, why)) return why->status;
+    if (particles_prepare(p, given, s, o, &l, &rows, why)) return why->status;
     if (o->stepper == STEPPER_AUTO) o->stepper = STEPPER_RK2;
 
     struct field field, *f = &field;
@@ -194,7 +232,7 @@ int particles_solve(const struct problem *p, const struct options *given, const 
         if (!rows) place_on_lattice(&l, f);
         double volume = l.dx[0] * l.dx[1], cell = layout_cell(o, l.dx[0]);
         for (int d = 0; d < 2; d++) {
-            f->shape[d] = o->layout == LAYOUT_JITTER || (rows && p->dim == 2) ? 0 : l.n[d];
+            f->shape[d] = particles_on_lattice(p, o, rows) ? l.n[d] : 0;
             f->spacing[d] = d < p->dim ? l.dx[d] : 0;
         }
         if (!rows) sample_lattice(p, o->sampling, &l, f->T);
@@ -209,7 +247,6 @@ int particles_solve(const struct problem *p, const struct options *given, const 
         }
         f->heat[0] = heat_content(p, f, cell, volume);
         f->time = p->t_end;
-        f->h = o->h;
         double loop = now();
         status = integrate(p, o, s, &l, &a, f, why);
         f->step_seconds = now() - loop;

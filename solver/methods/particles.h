@@ -4,22 +4,40 @@
 #include "solver/space/operator.h"
 #include "solver/time/stepper.h"
 
+struct outline;
+
 /* A whole run of a particle method: layout, sampling, operator, stepper, field.  As struct method's solve. */
 int particles_solve(const struct problem *p, const struct options *o, const struct scheme *s, struct field *f,
                     struct failure *why);
 
-/* The options with their defaults settled (h), checked. */
-int particles_settle(const struct problem *p, const struct options *o, const struct scheme *s,
-                     struct options *settled, struct failure *why);
+/* What that would store and do.  As struct method's outline; rows are assembled for it, those of a coarser lattice
+ * where there are more than 2e5 particles. */
+int particles_outline(const struct problem *p, const struct options *o, const struct scheme *s, struct outline *out,
+                      struct failure *why);
 
-/* These, the lattice and whether each particle gets a row of its own: what
- * particles_solve works with, or STATUS_INPUT as it. */
-int particles_outline(const struct problem *p, const struct options *o, const struct scheme *s,
-                      struct options *settled, struct lattice *l, int *rows, struct failure *why);
+/* ---- The parts of both ---- */
 
-/* The steps that particles_solve takes with the operator *a, for the settled options; m->lo and m->hi are left open.
- */
+/* The options with their defaults resolved (h), checked. */
+int particles_resolve(const struct problem *p, const struct options *o, const struct scheme *s,
+                      struct options *resolved, struct failure *why);
+
+/* These, the lattice, and whether each particle gets a row of its own. */
+int particles_prepare(const struct problem *p, const struct options *o, const struct scheme *s,
+                      struct options *resolved, struct lattice *l, int *rows, struct failure *why);
+
+/* Whether the field has the shape of a lattice. */
+int particles_on_lattice(const struct problem *p, const struct options *o, int rows);
+
+/* How far from a wall particles have ghosts, m. */
+double particles_reach(const struct options *o, const struct scheme *s, const struct lattice *l);
+
+/* The steps with the operator *a of that bound, s^-1, for resolved options; none for STEPPER_EXACT.  m->lo and m->hi
+ * are left open. */
 int particles_march(const struct problem *p, const struct options *o, const struct scheme *s, const struct lattice *l,
-                    const struct heat_operator *a, struct march *m, struct failure *why);
+                    const struct heat_operator *a, double bound, struct march *m, struct failure *why);
+
+/* Points, h, steps, updates, interactions and work of that march, into *f. */
+void particles_count(const struct options *o, const struct lattice *l, const struct heat_operator *a,
+                     const struct march *m, struct field *f);
 
 #endif

@@ -40,10 +40,15 @@ static int solve(const struct problem *p, const struct options *o, struct field 
     return particles_solve(p, o, &scheme, f, why);
 }
 
+static int outline(const struct problem *p, const struct options *o, struct outline *out, struct failure *why) {
+    return particles_outline(p, o, &scheme, out, why);
+}
+
 const struct method method_schwaiger = {
     .name = "schwaiger",
     .about = "Schwaiger's pair operator less the corrected gradient, over the trace of its moments (2008)",
     .accepts = "stepper kernel h layout jitter seed sampling walls",
     .scheme = &scheme,
     .solve = solve,
+    .outline = outline,
 };

@@ -33,10 +33,6 @@ static void list_add(struct list *l, int two, uint32_t column, double value, dou
     l->n++;
 }
 
-static size_t list_bytes(const struct list *l) {
-    return l->room * (sizeof *l->column + sizeof *l->value + (l->other ? sizeof *l->other : 0));
-}
-
 static void list_free(struct list *l) {
     free(l->column);
     free(l->value);
@@ -78,15 +74,13 @@ static int weigh(const struct assembly *m, size_t i, uint32_t near[NEIGHBOURS_MA
     return m->s->weights(p, m->o, &nb, w, why);
 }
 
-/* A row in the making: dense, with a list of the columns that it touches. */
+/* A row while it is assembled: dense, with a list of the columns that it touches. */
 struct scratch {
     double *value;    /* n */
     uint32_t *column; /* touched, in the order of arrival */
     size_t n;
     unsigned char *touched; /* n */
 };
-
-enum { SCRATCH = sizeof(double) + sizeof(uint32_t) + 1 }; /* bytes a particle */
 
 static void scratch_add(struct scratch *s, uint32_t column, double value) {
     if (!s->touched[column]) s->touched[column] = 1, s->column[s->n++] = column;
@@ -229,15 +223,6 @@ static void keep_constants(struct heat_operator *a, const struct assembly *m, do
         free(g);
 }
 
-/* What the assembly holds beside what is kept, at its peak: while blocks are filled, with what that needs
- * (`filling`), or while they are joined. */
-static size_t passing(const struct heat_operator *a, const struct cloud *c, const struct list part[BLOCKS],
-                      size_t filling) {
-    size_t joined = a->pairs * (sizeof *a->column + sizeof *a->value), lists = 0;
-    for (int b = 0; b < BLOCKS; b++) lists += list_bytes(&part[b]);
-    return c->bytes + lists + (filling > joined ? filling - joined : 0) + (a->constant ? 0 : a->n * sizeof *a->g);
-}
-
 int csr_assemble(struct heat_operator *a, const struct problem *p, const struct options *o, const struct scheme *s,
                  const struct cloud *c, double spacing, struct failure *why) {
     struct assembly m = {p,
@@ -270,16 +255,12 @@ int csr_assemble(struct heat_operator *a, const struct problem *p, const struct 
         }
     }
     if (first_bad < BLOCKS) status = why->status;
-    size_t filling =
-        neighbours_bytes(&m.cells) + list_bytes(&d.list) + (d.begin ? (c->total + 1) * sizeof *d.begin : 0);
-    filling += (size_t)(threads < BLOCKS ? threads : BLOCKS) * a->n * SCRATCH;
     list_free(&d.list);
     free(d.begin);
     neighbours_free(&m.cells);
     if (!status) {
         join(a, part, begin);
         keep_constants(a, &m, g);
-        a->making = passing(a, c, part, filling);
     } else {
         free(g);
     }

@@ -212,7 +212,6 @@ int layout_cloud(const struct problem *p, const struct options *o, const struct 
     c->source = xcalloc(most, sizeof *c->source);
     c->sign = xcalloc(most, sizeof *c->sign);
     c->offset = xcalloc(most, sizeof *c->offset);
-    c->bytes = most * (3 * sizeof *c->x + sizeof *c->source + sizeof *c->sign);
     place_particles(o, l, reach, c);
     for (size_t i = 0; i < n; i++) add_ghosts(p, o, l, i, c);
     return STATUS_OK;

@@ -54,7 +54,6 @@ struct cloud {
     double *offset;    /* K, total */
     double volume;     /* m^d, of every particle */
     double reach;      /* m, ghosts fill the domain's surroundings this far */
-    size_t bytes;
 };
 
 /* Jittered (or, at jitter 0, regular) particles and every ghost within `reach` of the domain.  STATUS_INPUT where the

@@ -27,11 +27,6 @@ void neighbours_create(struct neighbours *nb, const struct cloud *c, double radi
     for (size_t i = 0; i < c->total; i++) nb->point[nb->start[cell_of(nb, c->x[i], c->y[i]) + 1]++] = (uint32_t)i;
 }
 
-size_t neighbours_bytes(const struct neighbours *nb) {
-    size_t cells = (size_t)nb->cells[0] * (size_t)nb->cells[1];
-    return (cells + 2) * sizeof *nb->start + nb->cloud->total * sizeof *nb->point;
-}
-
 void neighbours_free(struct neighbours *nb) {
     free(nb->start);
     free(nb->point);

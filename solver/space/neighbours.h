@@ -16,7 +16,6 @@ struct neighbours {
 
 void neighbours_create(struct neighbours *nb, const struct cloud *c, double radius);
 void neighbours_free(struct neighbours *nb);
-size_t neighbours_bytes(const struct neighbours *nb);
 
 /* Indices of the points nearer than the radius to point i, i itself left out, into out[most].  Returns how many there
  * are, which may be more than `most`. */

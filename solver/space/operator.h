@@ -63,9 +63,7 @@ struct heat_operator {
     double *g;        /* K s^-1, what they add, in the shape of a state; NULL where it is zero */
     size_t state;     /* doubles in a state: n, or the rows of a lattice with their ghosts */
     size_t pairs;     /* neighbours of all particles together */
-    size_t bytes;
-    size_t making; /* bytes held beside those while it was made, at the peak; what no number of particles adds to is
-                      left out */
+    size_t bytes;     /* of the arrays above */
     int threads;
     int lanes; /* as of the options */
 };

@@ -99,7 +99,6 @@ struct rule {     /* the average about particle i: */
     size_t nodes; /* sum over k of weight[begin[i] + k] T0(node[first[i] + k]), begin[i] + k < begin[i + 1] */
     double *node, *weight;
     size_t *first, *begin;
-    size_t bytes, making; /* of the arrays above; of what was held beside while they were filled */
 };
 
 /* Nodes between knots q and q + 1, cut at planes; share[k]: what node k counts for apart from the spline. */
@@ -163,8 +162,6 @@ static struct rule rule_create(const struct axis *a) {
     struct rule r = {.first = xcalloc((size_t)n, sizeof *r.first), .begin = xcalloc((size_t)n + 1, sizeof *r.begin)};
     r.node = xcalloc(nodes, sizeof *r.node);
     r.weight = xcalloc(weights, sizeof *r.weight);
-    r.bytes = (2 * (size_t)n + 1) * sizeof *r.first + (nodes + weights) * sizeof *r.node;
-    r.making = ((size_t)cells + 1) * sizeof *cell + most * sizeof *r.node;
     double *share = xcalloc(most, sizeof *share);
     for (int q = 0; q < cells; q++) { /* of particles q - m + 1 to q */
         if (q < n && is_cut(a, q)) last = q + m;
@@ -246,22 +243,6 @@ void sample_lattice(const struct problem *p, enum sampling sampling, const struc
     if (!square) rule_free(&y);
     free(value);
     free(row);
-}
-
-static size_t larger(size_t a, size_t b) {
-    return a > b ? a : b;
-}
-
-size_t sample_bytes(const struct problem *p, enum sampling sampling, const struct lattice *l) {
-    if (sampling == SAMPLING_POINT) return 0;
-    int m = sampling == SAMPLING_CELL ? 1 : 4;
-    struct axis ax = axis_of(p, m, l, 0), ay = axis_of(p, m, l, 1);
-    struct rule x = rule_create(&ax), y = {0};
-    if (l->dim == 2 && !alike(&ax, &ay)) y = rule_create(&ay);
-    size_t at_work = (x.nodes + (size_t)l->n[0]) * sizeof(double);
-    rule_free(&x);
-    rule_free(&y);
-    return x.bytes + larger(x.making, y.bytes + larger(y.making, at_work));
 }
 
 double sample_initial(const struct problem *p, enum sampling sampling, const double dx[2], const double x[2]) {

@@ -18,7 +18,5 @@ int sample_meets_wall(const struct problem *p, const struct lattice *l, enum sid
 
 /* The same for every particle of a lattice: T[j * n[0] + i], K. */
 void sample_lattice(const struct problem *p, enum sampling sampling, const struct lattice *l, double *T);
-/* What that holds beside T, at its peak. */
-size_t sample_bytes(const struct problem *p, enum sampling sampling, const struct lattice *l);
 
 #endif

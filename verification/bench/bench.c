@@ -58,7 +58,7 @@ static void climb(const struct candidate *c, const struct experiment *e, int uni
             continue;
         }
         rungs++;
-        row->work = candidate_work(&row->result);
+        row->work = row->result.work;
         row->time = time_runs(c, e, n);
         if (row->time.median > LONG) return;
     }

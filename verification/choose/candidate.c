@@ -6,7 +6,6 @@
 #include "verification/choose/plan.h"
 #include "verification/run/experiment.h"
 #include "verification/run/run.h"
-#include "verification/choose/work.h"
 
 #include <float.h>
 #include <math.h>
@@ -132,11 +131,7 @@ static struct experiment experiment_of(const struct candidate *c, const struct e
 int candidate_run(const struct candidate *c, const struct experiment *e, struct candidate_size size,
                   struct result *out) {
     struct experiment with = experiment_of(c, e, size);
-    int status = run_experiment(&with, out, NULL);
-    if (status) return status;
-    out->setup = work_of_setup(&e->problem, out);
-    out->ghosts = work_of_ghosts(&e->problem, out);
-    return STATUS_OK;
+    return run_experiment(&with, out, NULL);
 }
 
 int candidate_solve(const struct candidate *c, const struct experiment *e, struct candidate_size size,
@@ -145,41 +140,26 @@ int candidate_solve(const struct candidate *c, const struct experiment *e, struc
     return symmetry_solve(with.method, &with.problem, &with.options, f, why);
 }
 
-static double rounding(const struct problem *p, const struct plan *plan) {
-    double applications = (double)plan->steps * plan->stages, width = p->hi[0] - p->lo[0];
+static double rounding(const struct problem *p, const struct field *run, double dx) {
+    double applications = (double)run->steps * run->stages, width = p->hi[0] - p->lo[0];
     double kappa = run_diffusivity(p), lasts = fmin(p->t_end, width * width / (M_PI * M_PI * kappa));
-    double symbol = plan->steps == 0 ? kappa * lasts / (plan->options.dx * plan->options.dx) : 0;
+    double symbol = run->steps == 0 ? kappa * lasts / (dx * dx) : 0;
     return DBL_EPSILON / 4 * (sqrt(applications) + symbol);
 }
 
-/* In pairs: what an entry of a row takes more than one of a shared stencil, for 12 bytes and a place to look up; an
- * exact temperature, a tenth of a microsecond to a few. */
-enum { ROW = 9, EVALUATED = 20000 };
+enum { ROW = 9, EVALUATED = 20000 }; /* extra work of a CSR entry; work of an exact temperature */
 
-int candidate_foresee(const struct candidate *c, const struct experiment *e, struct candidate_size size,
+int candidate_predict(const struct candidate *c, const struct experiment *e, struct candidate_size size,
                       struct candidate_cost *cost, struct failure *why) {
     struct experiment with = experiment_of(c, e, size);
     struct plan plan;
     int status = plan_make(&with, &plan, why);
     if (status) return status;
-    struct result run = {.method = with.method,
-                         .options = with.options,
-                         .steps = plan.steps,
-                         .stages = plan.stages,
-                         .particles = plan.particles,
-                         .updates = plan.updates,
-                         .interactions = plan.interactions};
-    run.options.h = plan.options.h;
-    run.setup = work_of_setup(&e->problem, &run);
-    run.ghosts = work_of_ghosts(&e->problem, &run);
-    cost->work = candidate_work(&run);
-    cost->whole = cost->work + (plan.rows ? ROW * (double)plan.interactions : 0) + EVALUATED * (double)plan.particles;
-    cost->bytes = (double)plan.bytes[plan_peak(&plan)];
-    cost->rounding = rounding(&e->problem, &plan);
+    const struct field *run = &plan.part.run;
+    cost->work = run->work;
+    cost->whole =
+        run->work + (plan.part.rows ? ROW * (double)run->interactions : 0) + EVALUATED * (double)plan.particles;
+    cost->bytes = (double)plan.part.bytes[plan_peak(&plan)];
+    cost->rounding = rounding(&e->problem, run, with.options.dx);
     return STATUS_OK;
-}
-
-double candidate_work(const struct result *r) {
-    double steps = r->steps == 0 ? 0 : (double)r->interactions + 2 * (double)r->updates + r->ghosts;
-    return steps + r->setup;
 }

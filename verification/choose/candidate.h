@@ -1,7 +1,7 @@
 #ifndef HEATLADDER_VERIFICATION_CHOOSE_CANDIDATE_H
 #define HEATLADDER_VERIFICATION_CHOOSE_CANDIDATE_H
 
-/* Ways to run a scene whose error falls with dx alone, so that a few coarse runs foretell the rest. */
+/* Ways to run a scene whose error falls with dx alone, so that a few coarse runs predict the rest. */
 
 #include "verification/run/result.h"
 
@@ -47,8 +47,8 @@ int candidate_run(const struct candidate *c, const struct experiment *e, struct 
 
 /* What a run takes, told by its plan (verification/choose/plan.h). */
 struct candidate_cost {
-    double work;     /* candidate_work */
-    double whole;    /* with its error, and rows at what they take: for limits */
+    double work;     /* field.work */
+    double whole;    /* with the exact temperatures, and rows at what they take: for limits */
     double bytes;    /* held at once, at most */
     double rounding; /* what rounding leaves of E1, in the mean */
 };
@@ -57,15 +57,7 @@ struct candidate_cost {
  * eps/4 of itself in the mean and at random: eps/4 sqrt(applications).  With transforms the symbol of the slowest
  * mode is what is left of terms of size kappa/dx^2, each wrong by eps/4 in the mean, and acts until the mode is gone:
  * eps/4 kappa min(t, L^2/(pi^2 kappa))/dx^2. */
-int candidate_foresee(const struct candidate *c, const struct experiment *e, struct candidate_size size,
+int candidate_predict(const struct candidate *c, const struct experiment *e, struct candidate_size size,
                       struct candidate_cost *cost, struct failure *why);
-
-/* What a run costs, counted so that it is the same on every machine.  The unit is a pair of particles, one
- * multiplication and one addition in a stream:
- *
- *     steps        pairs + 2 updates      (a load and a store of each particle beside its pairs), and ghosts
- *     the rest     work_of_setup.h           (set-up, sampling, assembly; the transforms of --stepper exact)
- */
-double candidate_work(const struct result *r);
 
 #endif

@@ -105,7 +105,7 @@ static void weigh(struct extrapolation *c, const struct extrapolation_goal *goal
     struct failure why;
     char text[120];
     c->rounding = 0;
-    if (candidate_foresee(c->candidate, goal->experiment, c->wanted, &cost, &why))
+    if (candidate_predict(c->candidate, goal->experiment, c->wanted, &cost, &why))
         snprintf(text, sizeof text, "%.119s", why.text);
     else if (cost.rounding > goal->error && c->wanted.n > last->size.n) {
         snprintf(text, sizeof text, "rounding leaves %.2g with %d particles along x", cost.rounding, c->wanted.n);
@@ -166,7 +166,7 @@ void extrapolation_calibrate(struct extrapolation *c, const struct extrapolation
         struct candidate_cost cost;
         struct result result;
         struct failure why;
-        if (candidate_foresee(c->candidate, e, size, &cost, &why)) {
+        if (candidate_predict(c->candidate, e, size, &cost, &why)) {
             extrapolation_rule_out(c, why.text);
             continue;
         }
@@ -218,7 +218,7 @@ int extrapolation_finest(struct extrapolation *c, const struct extrapolation_goa
         finer.wanted.n = candidate_member(n, goal->unit);
         double space = space_beyond(c, base, finer.wanted.n);
         finer.wanted.steps = time_steps(c, goal, fmax(space / MARGIN, goal->error));
-        if (candidate_foresee(c->candidate, goal->experiment, finer.wanted, &cost, &why)) break;
+        if (candidate_predict(c->candidate, goal->experiment, finer.wanted, &cost, &why)) break;
         finer.predicted_error = space + time_part(c, finer.wanted.steps) + cost.rounding;
         if (cost.whole > goal->work_max || cost.bytes > BYTES_MAX) break;
         if (found && finer.predicted_error > c->predicted_error) break;

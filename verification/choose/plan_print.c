@@ -11,15 +11,10 @@
 #include <math.h>
 #include <stdio.h>
 
-static void describe_storage(const struct experiment *e, const struct plan *plan, char *text, size_t size) {
-    const char *what = !e->method->scheme ? "one stencil for all points: a grid of one material"
-                       : !plan->rows ? "one stencil for all particles: a lattice of one material, no neighbour list"
-                       : e->problem.materials == 2
-                           ? "a row for each particle: two materials, so that pairs differ"
-                           : "a row for each particle: off the lattice each has its own neighbours";
-    int used = snprintf(text, size, "%s", what);
-    if (plan->stand_in > 0)
-        snprintf(text + used, size - (size_t)used, "; estimated from those at dx = %g m", plan->stand_in);
+static void describe_storage(const struct outline *part, char *text, size_t size) {
+    int used = snprintf(text, size, "%s", part->weights);
+    if (part->stand_in > 0)
+        snprintf(text + used, size - (size_t)used, "; estimated from those at dx = %g m", part->stand_in);
 }
 
 /* Why a mirror plane is not made use of. */
@@ -43,24 +38,25 @@ static void describe_steps(const struct experiment *e, const struct plan *plan, 
     else if (!plan->refined)
         snprintf(text, size, "as asked");
     else if (f->steps == 0)
-        snprintf(text, size, "%s; no coarser run foretells how many, so this is where the search begins", until);
+        snprintf(text, size, "%s; no coarser run predicts how many, so this is where the search begins", until);
     else if (f->runs == 1)
         snprintf(text, size, "%s; found by the search itself", until);
     else
-        snprintf(text, size, "%s; foretold from runs at dx = %g and %g m", until, f->dx[0], f->dx[1]);
+        snprintf(text, size, "%s; predicted from runs at dx = %g and %g m", until, f->dx[0], f->dx[1]);
 }
 
 /* From the first to the last phase that an array is held in. */
-static const char *held(const struct plan_array *a, char *text, size_t size) {
+static const char *held(const struct outline_array *a, char *text, size_t size) {
     snprintf(text, size, a->from == a->to ? "%s" : "%s to %s", plan_phases[a->from], plan_phases[a->to]);
     return text;
 }
 
 void plan_print_text(const struct experiment *e, const struct plan *plan) {
     const struct options *o = &plan->options;
+    const struct outline *part = &plan->part;
     static const char *const axis[] = {"x", "y"};
     char text[240];
-    enum plan_phase peak = plan_peak(plan);
+    enum outline_phase peak = plan_peak(plan);
     printf("%s %s, dx = %g m\n", e->scene->name, e->method->name, o->dx);
     printf("  %-13s %d: %s\n", "dimension", plan->dim,
            plan->dim == 1 ? "a rod; nothing along y is stored" : "a rectangle");
@@ -68,29 +64,31 @@ void plan_print_text(const struct experiment *e, const struct plan *plan) {
         printf("  %-13s the middle of %s: %s\n", d ? "" : "mirror planes", axis[d],
                plan->cut[d] ? "half is computed" : uncut(e, plan, d));
     printf("  %-13s %zu", "particles", plan->particles);
-    if (plan->computed < plan->particles) printf(", of which %zu are computed", plan->computed);
-    describe_storage(e, plan, text, sizeof text);
+    if (part->run.n < plan->particles) printf(", of which %zu are computed", part->run.n);
+    describe_storage(part, text, sizeof text);
     printf("\n  %-13s %s\n", "weights", text);
     if (words_among(e->method->accepts, "h"))
-        printf("  %-13s %.4g in the mean, within 2 h, h/dx = %.6g\n", "neighbours", plan->neighbours, o->h);
+        printf("  %-13s %.4g in the mean, within 2 h, h/dx = %.6g\n", "neighbours", part->neighbours, o->h);
     else
-        printf("  %-13s %.4g\n", "neighbours", plan->neighbours);
+        printf("  %-13s %.4g\n", "neighbours", part->neighbours);
     describe_steps(e, plan, text, sizeof text);
     printf("  %-13s %s: %s", "time", stepper_words[o->stepper], text);
-    if (plan->steps)
-        printf(", %lld of %.6g s, %d stage%s", plan->steps, plan->dt, plan->stages, plan->stages == 1 ? "" : "s");
-    printf("\n  %-13s %lld updates, %lld interactions%s\n", "work", plan->updates, plan->interactions,
+    if (part->run.steps)
+        printf(", %lld of %.6g s, %d stage%s", part->run.steps, part->run.dt, part->run.stages,
+               part->run.stages == 1 ? "" : "s");
+    printf("\n  %-13s %lld updates, %lld interactions%s\n", "work", part->run.updates, part->run.interactions,
            plan->refined ? ", and the runs of the search" : "");
     printf("  %-13s %zu bytes while time runs, %.4g for each particle that is computed; at most %zu (%s)\n", "memory",
-           plan->bytes[PLAN_STEPS], (double)plan->bytes[PLAN_STEPS] / (double)plan->computed, plan->bytes[peak],
+           part->bytes[OUTLINE_STEPS], (double)part->bytes[OUTLINE_STEPS] / (double)part->run.n, part->bytes[peak],
            plan_phases[peak]);
-    for (int i = 0; i < plan->count; i++)
-        printf("  %-13s %12zu  %s (%s)\n", "", plan->array[i].bytes, plan->array[i].what,
-               held(&plan->array[i], text, sizeof text));
+    for (int i = 0; i < part->count; i++)
+        printf("  %-13s %12zu  %s (%s)\n", "", part->array[i].bytes, part->array[i].what,
+               held(&part->array[i], text, sizeof text));
 }
 
 void plan_print_json(const struct experiment *e, const struct plan *plan, struct json *j) {
     const struct options *o = &plan->options;
+    const struct outline *part = &plan->part;
     char text[240];
     json_text(j, "scene", e->scene->name);
     json_text(j, "method", e->method->name);
@@ -101,31 +99,31 @@ void plan_print_json(const struct experiment *e, const struct plan *plan, struct
         if (plan->cut[d]) json_text(j, NULL, d ? "y" : "x");
     json_end(j);
     json_whole(j, "particles", (long long)plan->particles);
-    json_whole(j, "particles_computed", (long long)plan->computed);
-    json_text(j, "weights", plan->rows ? "rows" : "stencil");
-    describe_storage(e, plan, text, sizeof text);
+    json_whole(j, "particles_computed", (long long)part->run.n);
+    json_text(j, "weights", part->rows ? "rows" : "stencil");
+    describe_storage(part, text, sizeof text);
     json_text(j, "weights_why", text);
-    json_number(j, "neighbours", plan->neighbours);
+    json_number(j, "neighbours", part->neighbours);
     json_number(j, "h", words_among(e->method->accepts, "h") ? o->h : NAN);
     json_text(j, "stepper", stepper_words[o->stepper]);
     describe_steps(e, plan, text, sizeof text);
     json_text(j, "stepper_why", text);
-    json_number(j, "dt", plan->dt);
-    json_whole(j, "steps", plan->steps);
-    json_whole(j, "stages", plan->stages);
+    json_number(j, "dt", part->run.dt);
+    json_whole(j, "steps", part->run.steps);
+    json_whole(j, "stages", part->run.stages);
     json_whole(j, "steps_refined", plan->refined);
-    json_whole(j, "updates", plan->updates);
-    json_whole(j, "interactions", plan->interactions);
-    json_whole(j, "bytes", (long long)plan->bytes[PLAN_STEPS]);
-    json_number(j, "bytes_per_particle", (double)plan->bytes[PLAN_STEPS] / (double)plan->computed);
-    json_whole(j, "bytes_peak", (long long)plan->bytes[plan_peak(plan)]);
+    json_whole(j, "updates", part->run.updates);
+    json_whole(j, "interactions", part->run.interactions);
+    json_whole(j, "bytes", (long long)part->bytes[OUTLINE_STEPS]);
+    json_number(j, "bytes_per_particle", (double)part->bytes[OUTLINE_STEPS] / (double)part->run.n);
+    json_whole(j, "bytes_peak", (long long)part->bytes[plan_peak(plan)]);
     json_text(j, "peak", plan_phases[plan_peak(plan)]);
     json_array(j, "arrays");
-    for (int i = 0; i < plan->count; i++) {
+    for (int i = 0; i < part->count; i++) {
         json_object(j, NULL);
-        json_text(j, "what", plan->array[i].what);
-        json_whole(j, "bytes", (long long)plan->array[i].bytes);
-        json_text(j, "held", held(&plan->array[i], text, sizeof text));
+        json_text(j, "what", part->array[i].what);
+        json_whole(j, "bytes", (long long)part->array[i].bytes);
+        json_text(j, "held", held(&part->array[i], text, sizeof text));
         json_end(j);
     }
     json_end(j);

@@ -47,9 +47,10 @@ void measures_use_plan(const struct request *r, double lo, double hi, struct mea
     status = run_experiment(&r->experiment, &result, NULL);
     measures_fail(m, result.failure.text);
     if (status) return;
-    measures_judge(m, (double)plan.updates / (double)result.updates, lo, hi);
-    m->error = fabs((double)plan.bytes[PLAN_STEPS] - (double)result.bytes) +
-               fabs((double)(plan.steps - result.steps)) + fabs((double)plan.particles - (double)result.particles);
+    const struct field *run = &plan.part.run;
+    measures_judge(m, (double)run->updates / (double)result.updates, lo, hi);
+    m->error = fabs((double)plan.part.bytes[OUTLINE_STEPS] - (double)result.bytes) +
+               fabs((double)(run->steps - result.steps)) + fabs((double)plan.particles - (double)result.particles);
 }
 
 void measures_use_time_error(const struct request *r, double lo, double hi, struct measured *m) {

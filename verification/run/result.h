@@ -32,7 +32,7 @@ struct result {
     double seconds, step_seconds;
     long long updates, interactions;
     long long search_updates; /* of the runs that the choice of the time step took beside this one */
-    double setup, ghosts;     /* what is done once, and for ghosts in all steps, in pairs (work_of_setup.h) */
+    double work;              /* all that is done, counted (solver/outline.h) */
     size_t bytes;
 };
 

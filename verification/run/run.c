@@ -50,6 +50,7 @@ static int measure(const struct experiment *e, const struct field *f, const doub
     out->seconds = f->seconds;
     out->step_seconds = f->step_seconds;
     out->updates = f->updates;
+    out->work = f->work;
     out->interactions = f->interactions;
     out->bytes = f->bytes;
     return STATUS_OK;

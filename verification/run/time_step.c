@@ -189,12 +189,9 @@ static int reach(struct search *s, double *time_error, struct failure *why) {
     return STATUS_OK;
 }
 
-/* What is held beside a run while it is searched for: the exact temperatures and the answer before, for --time-error
- * two of these and the one without time error. */
-static size_t held(const struct search *s) {
-    const struct field *f = &s->fine.field;
-    size_t array = f->n * sizeof *f->T, answer = array * (size_t)(f->dim + 1 + (f->weight != NULL));
-    return s->e->time_error > 0 ? 2 * array + 2 * answer : array + answer;
+size_t time_step_bytes(const struct experiment *e, size_t n, size_t answer) {
+    size_t array = n * sizeof(double);
+    return e->time_error > 0 ? 2 * array + 2 * answer : array + answer;
 }
 
 static int solve_searched(const struct experiment *e, struct field *f, struct time_step *stepping,
@@ -213,9 +210,9 @@ static int solve_searched(const struct experiment *e, struct field *f, struct ti
         field_free(&s.fine.field);
         return status;
     }
-    s.fine.field.bytes += held(&s);
-    stepping->updates = s.updates - s.fine.field.updates;
     *f = s.fine.field;
+    f->bytes += time_step_bytes(e, f->n, f->n * sizeof *f->T * (size_t)(f->dim + 1 + (f->weight != NULL)));
+    stepping->updates = s.updates - f->updates;
     return STATUS_OK;
 }
 

@@ -1,6 +1,8 @@
 #ifndef HEATLADDER_VERIFICATION_RUN_TIME_STEP_H
 #define HEATLADDER_VERIFICATION_RUN_TIME_STEP_H
 
+#include <stddef.h>
+
 struct failure;
 struct field;
 struct options;
@@ -17,6 +19,10 @@ double time_step_first(const struct experiment *e);
 /* How many steps time_step_solve will take where *e leaves them open, the stepper is not the exact one, `space` is E1
  * without time error and `time` / steps^p what the steps add, p the stepper's order.  0: out of reach. */
 double time_step_forecast(const struct experiment *e, double particles, double time, double space);
+
+/* Bytes held beside a run while its time step is searched for, of n points and answers of that size: the exact
+ * temperatures and the answer before; for --time-error two of these and the one without time error. */
+size_t time_step_bytes(const struct experiment *e, size_t n, size_t answer);
 
 struct time_step {
     double time_error; /* the part of E1 that the time step makes up: 0 for the exact stepper, measured where the step

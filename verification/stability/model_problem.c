@@ -60,10 +60,10 @@ int model_problem_resolve(struct model_problem *b, int least, struct failure *wh
     b->options.stepper = b->step.stepper;
     int reach = 2;
     if (s) {
-        struct options settled;
-        if (particles_settle(&p, &b->options, s, &settled, why)) return why->status;
-        b->options = settled;
-        reach = (int)ceil(s->sweeps * 2 * settled.h);
+        struct options resolved;
+        if (particles_resolve(&p, &b->options, s, &resolved, why)) return why->status;
+        b->options = resolved;
+        reach = (int)ceil(s->sweeps * 2 * resolved.h);
     }
     if (b->n == 0) b->n = reach + 2 > least ? reach + 2 : least;
     return STATUS_OK;

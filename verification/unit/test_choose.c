@@ -31,7 +31,7 @@ static void keeps(const char *line, double error) {
     assert_true(c->reached && c->proof.error.l1 <= error);
     assert_true(c->best.predicted_error <= error);
     assert_true(c->proof.error.l1 > 0.5 * c->best.predicted_error && c->proof.error.l1 < 2 * c->best.predicted_error);
-    assert_near(candidate_work(&c->proof), c->best.predicted_work, 0); /* told by the plan of that very run */
+    assert_near(c->proof.work, c->best.predicted_work, 0); /* told by the plan of that very run */
     for (int i = 1; i < c->count; i++) assert_true(!(c->one[i].predicted_work < c->one[0].predicted_work));
     free(c);
 }
@@ -58,7 +58,7 @@ static void steps_are_chosen_too(void **state) {
     const char *line = "reference rod-contact --at 0 --time 1";
     assert_int_equal(choose(line, 1e-6, c, &why), STATUS_OK);
     assert_int_equal(c->proofs, 1);
-    assert_true(candidate_work(&c->proof) < 1.3 * 2.8e7);
+    assert_true(c->proof.work < 1.3 * 2.8e7);
     struct request r;
     struct result finer;
     assert_int_equal(arguments_parse_line(line, &r, &why), STATUS_OK);
@@ -113,9 +113,9 @@ static void domains_without_a_lattice_are_told_of_one(void **state) {
     free(c);
 }
 
-/* As candidate_foresee counts it: rows at ten times their pairs, and the exact temperature of each particle. */
+/* As candidate_predict counts it: rows at ten times their pairs, and the exact temperature of each particle. */
 static double whole(const struct result *r, int rows) {
-    return candidate_work(r) + 2e4 * (double)r->particles + (rows ? 9 * (double)r->interactions : 0);
+    return r->work + 2e4 * (double)r->particles + (rows ? 9 * (double)r->interactions : 0);
 }
 
 /* No run may take more than 1e9 pairs.  What was the best then is within reach, and work was left for nothing finer.
@@ -128,8 +128,8 @@ static void out_of_reach_one_sees_how_far_one_comes(void **state) {
     for (int i = 0; i < 2; i++) {
         assert_int_equal(choose_within(lines[i], 1e-12, 1e9, c, &why), STATUS_GATE);
         assert_non_null(strstr(why.text, "the best was"));
-        double best = c->proof.error.l1, foretold = c->best.predicted_error;
-        assert_true(best > 0.5 * foretold && best < 2 * foretold);
+        double best = c->proof.error.l1, predicted = c->best.predicted_error;
+        assert_true(best > 0.5 * predicted && best < 2 * predicted);
         assert_true(whole(&c->proof, i) <= 1e9 && whole(&c->proof, i) > 0.2e9);
         assert_int_equal(choose_within(lines[i], 1.5 * best, 1e9, c, &why), STATUS_OK);
         assert_int_equal(choose_within(lines[i], 0.4 * best, 1e9, c, &why), STATUS_GATE);
@@ -139,7 +139,7 @@ static void out_of_reach_one_sees_how_far_one_comes(void **state) {
 }
 
 /* Some 1e6 steps, each rounded by 1e-16 at random. */
-static void rounding_is_foretold(void **state) {
+static void rounding_is_predicted(void **state) {
     (void)state;
     struct failure why;
     struct choose *c = xcalloc(1, sizeof *c);
@@ -159,7 +159,7 @@ int main(void) {
         cmocka_unit_test(domains_without_a_lattice_are_told_of_one),
         cmocka_unit_test(steps_are_chosen_too),
         cmocka_unit_test(out_of_reach_one_sees_how_far_one_comes),
-        cmocka_unit_test(rounding_is_foretold),
+        cmocka_unit_test(rounding_is_predicted),
     };
     return cmocka_run_group_tests_name("choose", tests, NULL, NULL);
 }

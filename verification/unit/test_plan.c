@@ -1,13 +1,15 @@
-/* A plan is checked against what the run then reports, to the last particle and step. */
+/* A plan is checked against what the run then reports, to the last particle, step and byte, and against the heap to 5
+ * %. */
 #include "verification/choose/plan.h"
 
-#include "solver/space/sample.h"
 #include "verification/command/arguments.h"
 #include "verification/run/run.h"
 
+#include "verification/unit/heap.h"
 #include "verification/unit/near.h"
 
 #include <math.h>
+#include <string.h>
 
 static void plan_of(const char *line, struct request *r, struct plan *plan) {
     struct failure why;
@@ -21,14 +23,17 @@ static void as_planned(const char *line) {
     struct result result;
     plan_of(line, &r, &plan);
     if (run_experiment(&r.experiment, &result, NULL)) fail_msg("%s: %s", line, result.failure.text);
-    size_t bytes = plan.bytes[PLAN_STEPS];
-    if (plan.particles != result.particles || plan.steps != result.steps || bytes != result.bytes ||
-        plan.updates != result.updates || plan.interactions != result.interactions ||
+    const struct field *part = &plan.part.run;
+    size_t bytes = plan.part.bytes[OUTLINE_STEPS];
+    if (plan.particles != result.particles || part->steps != result.steps || bytes != result.bytes ||
+        part->updates != result.updates || part->interactions != result.interactions ||
         plan.options.stepper != result.options.stepper)
         fail_msg("%s: planned %zu particles, %lld steps, %lld updates, %zu bytes; the run has %zu, %lld, %lld, %zu",
-                 line, plan.particles, plan.steps, plan.updates, bytes, result.particles, result.steps,
+                 line, plan.particles, part->steps, part->updates, bytes, result.particles, result.steps,
                  result.updates, result.bytes);
-    assert_near(plan.dt, result.dt, 1e-15 * result.dt);
+    assert_near(part->dt, result.dt, 1e-15 * result.dt);
+    assert_near(part->work, result.work, 0);
+    assert_int_equal(part->updates, (long long)part->n * (part->steps ? part->steps * part->stages : 1));
     arguments_free(&r);
 }
 
@@ -56,6 +61,43 @@ static void runs_do_what_was_planned(void **state) {
     as_planned("run rod-cosine ftcs --dx 0.05 --layout node");
 }
 
+/* The most that is on the heap during the run.  What is left out is O(1), or O(n) of an n x n lattice, and the
+ * allocator's 24 bytes a block: below 5 % from some 1e4 points of the plane.  Rows are assembled in lists that grow
+ * by doubling, so that what is taken for twice the rows is between one and three times: a factor of 1.5. */
+static void as_allocated(const char *line, double within) {
+    struct request r;
+    struct plan plan;
+    struct result result;
+    plan_of(line, &r, &plan);
+    size_t begin = 0, planned = plan.part.bytes[plan_peak(&plan)];
+    for (int k = 0; k < 2; k++) { /* the second time FFTW and the C library have what they keep for good */
+        begin = heap_most = heap_now;
+        if (run_experiment(&r.experiment, &result, NULL)) fail_msg("%s: %s", line, result.failure.text);
+    }
+    double held = (double)(heap_most - begin);
+    arguments_free(&r);
+    assert_true(heap_now <= begin);
+    if (!(held < within * (double)planned && held > (double)planned / within))
+        fail_msg("%s: %zu bytes planned, %.0f held: %.3f", line, planned, held, held / (double)planned);
+}
+
+static void what_is_allocated_was_planned(void **state) {
+    (void)state;
+    if (!HEAP_COUNTED) skip();
+    heap_begin();
+    as_allocated("run square-step so_ssph --dx 0.0125", 1.05);
+    as_allocated("run square-step so_ssph --dx 0.0125 --domain whole --stepper rkl2 --dt 0.5", 1.05);
+    as_allocated("run square-step so_ssph --dx 0.02 --stepper matched --h iso --sampling spline", 1.05);
+    as_allocated("run rect-manufactured so_ssph --dx 0.005 --stepper exact", 1.05);
+    as_allocated("run plate so_ssph --dx 0.0005 --stepper rkl2 --dt 2", 1.05);
+    as_allocated("run plate brookshaw --dx 0.001 --walls fixed", 1.05);
+    as_allocated("run plate ftcs_flux --dx 0.0005 --layout node --fourier 0.2 --set t_end=0.01", 1.05);
+    as_allocated("run rect-manufactured ftcs --dx 0.005 --fourier 0.2 --set t_end=0.01", 1.05);
+    as_allocated("run square-step so_ssph --dx 0.05 --layout jitter --jitter 0.2 --stepper rkl2 --dt 0.5", 1.5);
+    as_allocated("run square-step fo_ssph --dx 0.04 --layout jitter --jitter 0 --stepper euler --dt 0.1", 1.5);
+    as_allocated("run rod-contact brookshaw --dx 0.001 --stepper rkl2 --dt 0.1", 1.5);
+}
+
 /* Rows of many particles are counted on a coarser lattice: jitter of another draw, and walls of twice the share. */
 static void many_rows_are_estimated(void **state) {
     (void)state;
@@ -65,41 +107,55 @@ static void many_rows_are_estimated(void **state) {
     plan_of(
         "run square-step brookshaw --dx 4/480 --layout jitter --jitter 0.2 --stepper rkl2 --dt 0.1 --set t_end=0.1",
         &r, &plan);
-    assert_near(plan.stand_in, 4.0 / 160, 1e-9);
+    assert_near(plan.part.stand_in, 4.0 / 160, 1e-9);
     assert_int_equal(run_experiment(&r.experiment, &result, NULL), STATUS_OK);
     assert_int_equal(plan.particles, result.particles);
-    assert_int_equal(plan.steps, result.steps);
-    assert_true(abs(plan.stages - result.stages) <= 2);
-    assert_near((double)plan.bytes[PLAN_STEPS] / (double)result.bytes, 1, 0.02);
-    assert_near(plan.neighbours / ((double)result.interactions / (double)result.updates), 1, 0.02);
+    assert_int_equal(plan.part.run.steps, result.steps);
+    assert_true(abs(plan.part.run.stages - result.stages) <= 2);
+    assert_near((double)plan.part.bytes[OUTLINE_STEPS] / (double)result.bytes, 1, 0.02);
+    assert_near(plan.part.neighbours / ((double)result.interactions / (double)result.updates), 1, 0.02);
+    arguments_free(&r);
+}
+
+static void a_method_that_does_not_tell_has_no_plan(void **state) {
+    (void)state;
+    struct request r;
+    struct failure why;
+    struct plan plan;
+    struct method silent = *method_find("ftcs");
+    silent.name = "silent", silent.outline = NULL;
+    assert_int_equal(arguments_parse_line("plan rod-step ftcs --dx 0.1", &r, &why), STATUS_OK);
+    r.experiment.method = &silent;
+    assert_int_equal(plan_make(&r.experiment, &plan, &why), STATUS_NOT_APPLICABLE);
+    assert_non_null(strstr(why.text, "silent does not tell what it stores and does"));
     arguments_free(&r);
 }
 
 /* A rung's time error is Richardson's, good to a few percent where the stages stay the same: N goes with its root.
  * Where the particles are jittered, the error of space scatters, and so does N. */
-static void as_foretold(const char *line, int runs, double within) {
+static void as_predicted(const char *line, int runs, double within) {
     struct request r;
     struct plan plan;
     struct result result;
     plan_of(line, &r, &plan);
     if (run_experiment(&r.experiment, &result, NULL)) fail_msg("%s: %s", line, result.failure.text);
-    double off = log((double)plan.steps / (double)result.steps);
+    double off = log((double)plan.part.run.steps / (double)result.steps);
     if (!plan.refined || plan.forecast.runs != runs || !(fabs(off) <= log(within)))
-        fail_msg("%s: %lld steps foretold from %d runs, the search took %lld", line, plan.steps, plan.forecast.runs,
-                 result.steps);
+        fail_msg("%s: %lld steps predicted from %d runs, the search took %lld", line, plan.part.run.steps,
+                 plan.forecast.runs, result.steps);
     arguments_free(&r);
 }
 
-static void open_steps_are_foretold(void **state) {
+static void open_steps_are_predicted(void **state) {
     (void)state;
-    as_foretold("run rod-contact brookshaw --dx 0.02", 1, 1);
-    as_foretold("run plate so_ssph --dx 0.005 --time-error 1e-4", 1, 1);
-    as_foretold("run plate brookshaw --dx 0.001 --walls fixed", 2, 1.1);
-    as_foretold("run plate so_ssph --dx 0.001 --time-error 1e-4", 2, 1.2);
-    as_foretold("run rod-contact brookshaw --dx 0.0005", 2, 1.1);
-    as_foretold("run square-step ftcs --dx 0.05", 2, 1.2);
-    as_foretold("run square-step so_ssph --dx 0.04 --stepper rk2", 2, 1.2);
-    as_foretold("run square-step so_ssph --dx 0.05 --layout jitter --jitter 0.2", 2, 2.5);
+    as_predicted("run rod-contact brookshaw --dx 0.02", 1, 1);
+    as_predicted("run plate so_ssph --dx 0.005 --time-error 1e-4", 1, 1);
+    as_predicted("run plate brookshaw --dx 0.001 --walls fixed", 2, 1.1);
+    as_predicted("run plate so_ssph --dx 0.001 --time-error 1e-4", 2, 1.2);
+    as_predicted("run rod-contact brookshaw --dx 0.0005", 2, 1.1);
+    as_predicted("run square-step ftcs --dx 0.05", 2, 1.2);
+    as_predicted("run square-step so_ssph --dx 0.04 --stepper rk2", 2, 1.2);
+    as_predicted("run square-step so_ssph --dx 0.05 --layout jitter --jitter 0.2", 2, 2.5);
 }
 
 static void refusals_are_those_of_the_run(void **state) {
@@ -130,10 +186,9 @@ static void refusals_are_those_of_the_run(void **state) {
 
 int main(void) {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(runs_do_what_was_planned),
-        cmocka_unit_test(many_rows_are_estimated),
-        cmocka_unit_test(open_steps_are_foretold),
-        cmocka_unit_test(refusals_are_those_of_the_run),
+        cmocka_unit_test(runs_do_what_was_planned), cmocka_unit_test(what_is_allocated_was_planned),
+        cmocka_unit_test(many_rows_are_estimated),  cmocka_unit_test(a_method_that_does_not_tell_has_no_plan),
+        cmocka_unit_test(open_steps_are_predicted), cmocka_unit_test(refusals_are_those_of_the_run),
     };
     return cmocka_run_group_tests_name("plan", tests, NULL, NULL);
 }
