@@ -8,7 +8,13 @@
 
 struct failure;
 
-enum claims_verdict { CLAIMS_UNMEASURED, CLAIMS_REPRODUCED, CLAIMS_CONDITION, CLAIMS_CONTRADICTED };
+enum claims_verdict {
+    CLAIMS_UNMEASURED,
+    CLAIMS_REPRODUCED,
+    CLAIMS_CONDITION,
+    CLAIMS_CONTRADICTED,
+    CLAIMS_UNEXPLAINED
+};
 extern const char *const claims_verdict_words[]; /* in the order of the enum, ended by NULL */
 
 enum { CLAIMS_NUMBERS = 12 };
@@ -37,7 +43,7 @@ struct claims_row {
     const char *id;
     const char *source;    /* paper, and equation, table, figure or section */
     const char *published; /* the statement or the number */
-    const char *measure;   /* a name of claims_measures.h */
+    const char *measure;   /* a name of a table of kit.h */
     const char *argument;
     enum claims_verdict expected;
     const char *why; /* what explains the numbers */

@@ -1,6 +1,5 @@
 /* Orders of accuracy, and tables of errors, against what is printed. */
 #include "verification/claims/kit.h"
-#include "verification/claims/measures.h"
 
 #include <math.h>
 #include <stdio.h>

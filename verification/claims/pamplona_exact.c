@@ -1,7 +1,6 @@
 /* Pamplona, Silva, Bucar, Vasco 2019, eqs. 2 to 7, and the steady state: what is printed against the exact solution.
  */
 #include "verification/claims/kit.h"
-#include "verification/claims/measures.h"
 
 #include "references/scene.h"
 #include "verification/command/arguments.h"

@@ -1,6 +1,5 @@
 /* Pamplona 2019, eqs. 9, 14 to 17: the kernel, the particles' mass, and steps in time. */
 #include "verification/claims/kit.h"
-#include "verification/claims/measures.h"
 
 #include "solver/space/kernel.h"
 

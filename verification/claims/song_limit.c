@@ -6,7 +6,6 @@
  *   SO  eq. 34  dt <= 1/|kappa_x eta_i + kappa_y phi_i|, the central weight
  *   FO  eq. 41  dt <= 1/(2 (kappa_x (sum |lambda_j|)^2 + kappa_y (sum |gamma_j|)^2)) */
 #include "verification/claims/kit.h"
-#include "verification/claims/measures.h"
 
 #include "verification/command/arguments.h"
 #include "verification/stability/step_limit.h"

@@ -5,7 +5,6 @@
  *   b~_k - b_k = sum_j (f_j - f_i - sum_l P_l u_l) P_k W dV                                                 (22, 25)
  */
 #include "verification/claims/kit.h"
-#include "verification/claims/measures.h"
 
 #include "solver/space/kernel.h"
 #include "verification/command/arguments.h"

@@ -14,9 +14,9 @@ static const char *verdict_of(const struct claims_result *r) {
     return claims_verdict_words[r->measured.verdict];
 }
 
-static void count(const struct claims *c, int counts[4], int *changed) {
+static void count(const struct claims *c, int counts[5], int *changed) {
     *changed = 0;
-    for (int i = 0; i < 4; i++) counts[i] = 0;
+    for (int i = 0; i < 5; i++) counts[i] = 0;
     for (int i = 0; i < c->count; i++) {
         counts[c->result[i].measured.verdict]++;
         *changed += !claims_holds(c->result[i].row, &c->result[i].measured);
@@ -25,7 +25,7 @@ static void count(const struct claims *c, int counts[4], int *changed) {
 
 void claims_write_text(const struct claims *c, FILE *out) {
     char numbers[NUMBERS], published[PUBLISHED];
-    int counts[4], changed;
+    int counts[5], changed;
     for (int i = 0; i < c->count; i++) {
         const struct claims_result *r = &c->result[i];
         const char *mark = claims_holds(r->row, &r->measured) ? "pass" : "fail";
@@ -37,9 +37,10 @@ void claims_write_text(const struct claims *c, FILE *out) {
     }
     count(c, counts, &changed);
     fprintf(out,
-            "%d claims: %d reproduced, %d with a condition, %d contradicted, %d not measured; %d verdict%s changed\n",
+            "%d claims: %d reproduced, %d with a condition, %d contradicted, %d not explained, %d not measured; "
+            "%d verdict%s changed\n",
             c->count, counts[CLAIMS_REPRODUCED], counts[CLAIMS_CONDITION], counts[CLAIMS_CONTRADICTED],
-            counts[CLAIMS_UNMEASURED], changed, changed == 1 ? "" : "s");
+            counts[CLAIMS_UNEXPLAINED], counts[CLAIMS_UNMEASURED], changed, changed == 1 ? "" : "s");
 }
 
 static void claim_json(const struct claims_result *r, struct json *j) {
@@ -135,15 +136,17 @@ static void markdown_table(const struct claims *c, const char *title, const char
 }
 
 void claims_write_markdown(const struct claims *c, FILE *out) {
-    int counts[4], changed;
+    int counts[5], changed;
     count(c, counts, &changed);
     fprintf(
         out,
         "# What the papers claim, measured\n\nMade by `heatladder claims DIR`. A statement is *reproduced* where it "
         "holds as published and in the wider setting that is also looked at, *reproduced with a condition* where "
-        "it holds as published alone or under one reading alone, else *contradicted*. Numbers decide, by the rule "
-        "that stands first under why.\n\n%d claims: %d reproduced, %d with a condition, %d contradicted.\n",
-        c->count, counts[CLAIMS_REPRODUCED], counts[CLAIMS_CONDITION], counts[CLAIMS_CONTRADICTED]);
+        "it holds as published alone or under one reading alone, *not explained* where a number of theirs comes out "
+        "under no reading that was tried, else *contradicted*. Numbers decide, by the rule that stands first under "
+        "why.\n\n%d claims: %d reproduced, %d with a condition, %d contradicted, %d not explained.\n",
+        c->count, counts[CLAIMS_REPRODUCED], counts[CLAIMS_CONDITION], counts[CLAIMS_CONTRADICTED],
+        counts[CLAIMS_UNEXPLAINED]);
     if (changed) fprintf(out, "\n**%d verdicts differ from those expected.**\n", changed);
     markdown_table(c, "Song, Xing, Hou, Lu 2018", "song/", out);
     markdown_table(c, "Pamplona, Silva, Bucar, Vasco 2019", "pamplona/", out);

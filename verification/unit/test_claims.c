@@ -83,7 +83,7 @@ static void what_cannot_be_measured_never_holds(void **state) {
                {"printed_order", "2 song_table1 ftcs", "not finite"},
                {"printed_order", "", "nothing was measured"}};
     for (size_t i = 0; i < sizeof bad / sizeof *bad; i++)
-        for (int expected = CLAIMS_UNMEASURED; expected <= CLAIMS_CONTRADICTED; expected++) {
+        for (int expected = CLAIMS_UNMEASURED; expected <= CLAIMS_UNEXPLAINED; expected++) {
             struct claims_row r = row(bad[i].measure, bad[i].argument, (enum claims_verdict)expected);
             struct claims_measured m;
             claims_judge(&r, &m);
@@ -178,8 +178,8 @@ static void tables_keep_quotes_and_bars(void **state) {
     assert_null(strstr(text, "0.25")); /* no time: equal verdicts make equal files */
     free(text);
     text = printed(claims_write_text);
-    assert_holds_text(
-        text, "1 claims: 1 reproduced, 0 with a condition, 0 contradicted, 0 not measured; 0 verdicts changed");
+    assert_holds_text(text, "1 claims: 1 reproduced, 0 with a condition, 0 contradicted, 0 not explained, 0 not "
+                            "measured; 0 verdicts changed");
     free(text);
 }
 
