@@ -3,6 +3,7 @@
 #include "solver/method.h"
 #include "verification/command/arguments.h"
 #include "verification/command/help.h"
+#include "verification/command/stack.h"
 #include "verification/command/verb.h"
 #include "verification/text/version.h"
 
@@ -30,7 +31,8 @@ static int help(int argc, char *const *argv) {
 static int act(int argc, char *const *argv) {
     struct request request = {0};
     struct failure why;
-    int status = arguments_parse(argc, argv, &request, &why);
+    int status = stack_check(&why);
+    if (!status) status = arguments_parse(argc, argv, &request, &why);
     if (!status) status = request.verb->act(&request, &why);
     if (status && *why.text) fprintf(stderr, "heatladder: %s\n", why.text);
     arguments_free(&request);

@@ -1,0 +1,50 @@
+/* Stacks that are too small are refused before anything runs in them. */
+#include "verification/command/stack.h"
+
+#include "solver/status.h"
+
+#include "verification/unit/near.h"
+
+#include <stdlib.h>
+#include <string.h>
+#include <sys/resource.h>
+
+static void sizes_are_read_as_openmp_does(void **state) {
+    (void)state;
+    assert_near(stack_size("307"), 307, 0);
+    assert_near(stack_size("3072 B"), 3, 0);
+    assert_near(stack_size("17k"), 17, 0);
+    assert_near(stack_size(" 3 M "), 3072, 0);
+    assert_near(stack_size("2G"), 2097152, 0);
+    static const char *const none[] = {"", "many", "3X", "3 M M", "-5"};
+    for (int i = 0; i < 5; i++) assert_near(stack_size(none[i]), -1, 0);
+}
+
+static void small_stacks_are_refused(void **state) {
+    (void)state;
+    struct failure why;
+    struct rlimit limit, small;
+    unsetenv("GOMP_STACKSIZE");
+    unsetenv("OMP_STACKSIZE");
+    assert_int_equal(stack_check(&why), STATUS_OK);
+    setenv("OMP_STACKSIZE", "64k", 1);
+    assert_int_equal(stack_check(&why), STATUS_INPUT);
+    assert_non_null(strstr(why.text, "OMP_STACKSIZE=64k"));
+    setenv("OMP_STACKSIZE", "256k", 1);
+    assert_int_equal(stack_check(&why), STATUS_OK);
+    assert_int_equal(getrlimit(RLIMIT_STACK, &limit), 0);
+    small = limit;
+    small.rlim_cur = 100 * 1024;
+    assert_int_equal(setrlimit(RLIMIT_STACK, &small), 0);
+    assert_int_equal(stack_check(&why), STATUS_INPUT);
+    assert_non_null(strstr(why.text, "100 kB"));
+    assert_int_equal(setrlimit(RLIMIT_STACK, &limit), 0);
+}
+
+int main(void) {
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(sizes_are_read_as_openmp_does),
+        cmocka_unit_test(small_stacks_are_refused),
+    };
+    return cmocka_run_group_tests_name("stack", tests, NULL, NULL);
+}
