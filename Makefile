@@ -113,8 +113,8 @@ clean: ## Remove everything that was built
 ##@ Verify
 
 .PHONY: test
-test: $(TESTS) ## Run the unit tests
-	$(Q)scripts/run_tests $(TESTS)
+test: $(TESTS) $(BUILD)/heatladder ## Run the unit tests, and the program as its user meets it
+	$(Q)PROGRAM=$(BUILD)/heatladder scripts/run_tests $(TESTS) scripts/check_program
 
 .PHONY: verify
 verify: $(BUILD)/heatladder ## Run every gate, then write tables and plots to reports/out; the exit status is the gates'

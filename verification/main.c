@@ -46,8 +46,16 @@ static int flush(int status) {
     return status ? status : STATUS_INPUT;
 }
 
+/* GSL's own handler aborts the program at any error.  Statuses are looked at where they matter; only memory that runs
+ * out ends the program, as xcalloc does. */
+static void gsl_failed(const char *reason, const char *file, int line, int error) {
+    if (error != GSL_ENOMEM) return;
+    fprintf(stderr, "heatladder: out of memory (GSL, %s:%d: %s)\n", file, line, reason);
+    exit(STATUS_NUMERICAL);
+}
+
 int main(int argc, char **argv) {
-    gsl_set_error_handler_off(); /* GSL's own handler aborts the program */
+    gsl_set_error_handler(gsl_failed);
     if (argc < 2) {
         help_program(stderr);
         exit(STATUS_INPUT);

@@ -27,7 +27,8 @@ int output_open(struct output *o, struct failure *why, const char *path, ...) {
 
 void output_end(struct output *o) {
     if (!o->out) return;
-    if (fclose(o->out)) { /* out of memory */
+    int failed = ferror(o->out);
+    if (fclose(o->out) || failed) { /* out of memory */
         free(o->text);
         o->text = NULL;
     }
