@@ -3,6 +3,7 @@
 
 #include "references/scene.h"
 #include "verification/run/symmetry.h"
+#include "verification/choose/halfway.h"
 #include "verification/choose/plan.h"
 #include "verification/run/experiment.h"
 #include "verification/run/run.h"
@@ -130,8 +131,17 @@ static struct experiment experiment_of(const struct candidate *c, const struct e
 
 int candidate_run(const struct candidate *c, const struct experiment *e, struct candidate_size size,
                   struct result *out) {
+    return candidate_prove(c, e, size, out, NULL);
+}
+
+int candidate_prove(const struct candidate *c, const struct experiment *e, struct candidate_size size,
+                    struct result *out, double *between) {
     struct experiment with = experiment_of(c, e, size);
-    return run_experiment(&with, out, NULL);
+    struct field field = {0};
+    int status = run_experiment(&with, out, between ? &field : NULL);
+    if (!status && between) *between = halfway_error(e->scene, &e->problem, &field);
+    field_free(&field);
+    return status;
 }
 
 int candidate_solve(const struct candidate *c, const struct experiment *e, struct candidate_size size,

@@ -45,6 +45,10 @@ int candidate_solve(const struct candidate *c, const struct experiment *e, struc
 int candidate_run(const struct candidate *c, const struct experiment *e, struct candidate_size size,
                   struct result *out);
 
+/* The same, with *between the error half-way between the particles (halfway.h). */
+int candidate_prove(const struct candidate *c, const struct experiment *e, struct candidate_size size,
+                    struct result *out, double *between);
+
 /* What a run takes, told by its plan (verification/choose/plan.h). */
 struct candidate_cost {
     double work;     /* field.work */

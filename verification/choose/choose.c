@@ -15,6 +15,8 @@
 const double choose_work_max = 2e11;
 enum { PROOFS = 8, LAST = 2 };
 static const double NEARER = 0.9; /* what makes a last run worth its time */
+static const double LUCKY = 0.1;  /* of the predicted error: below it one more run is wanted, */
+static const double FINER = 1.5;  /* with so many times the particles */
 
 static int cheapest_first(const void *a, const void *b) {
     const struct extrapolation *x = a, *y = b;
@@ -37,20 +39,37 @@ static void calibrate(struct choose *c, const struct extrapolation_goal *goal) {
     progress_end(&shown);
 }
 
-/* One proving run of what is wanted of *one.  1 where it ends the search. */
+/* Whether a finer run has the error too; it joins the rungs where it does not. */
+static int confirmed(struct extrapolation *one, const struct extrapolation_goal *goal) {
+    struct result result;
+    struct candidate_size finer = {candidate_member(FINER * one->wanted.n, goal->unit), one->wanted.steps};
+    double between;
+    if (candidate_prove(one->candidate, goal->experiment, finer, &result, &between)) return 0;
+    double error = fmax(result.error.l1, between);
+    if (error <= goal->error) return 1;
+    extrapolation_learn(one, goal, finer, error, error);
+    return 0;
+}
+
+/* One proving run of what is wanted of *one.  1 where it ends the search: where the error is reached at the particles
+ * and half-way between them.  An error far below the prediction may be luck. */
 static int prove(struct choose *c, struct extrapolation *one, const struct extrapolation_goal *goal) {
     struct result result;
     struct extrapolation foretold = *one;
-    int status = candidate_run(one->candidate, goal->experiment, one->wanted, &result);
+    double between;
+    int status = candidate_prove(one->candidate, goal->experiment, one->wanted, &result, &between);
     c->proofs++;
     if (status) {
         extrapolation_rule_out(one, result.failure.text);
         return 0;
     }
-    if (!c->best.candidate || result.error.l1 < c->proof.error.l1) c->best = foretold, c->proof = result;
-    c->reached = result.error.l1 <= c->error;
+    double error = fmax(result.error.l1, between);
+    if (error < LUCKY * foretold.predicted_error && !confirmed(one, goal)) return 0;
+    if (!c->best.candidate || error < fmax(c->proof.error.l1, c->between))
+        c->best = foretold, c->proof = result, c->between = between;
+    c->reached = error <= c->error;
     if (c->reached) return 1;
-    extrapolation_learn(one, goal, foretold.wanted, foretold.predicted_error, result.error.l1);
+    extrapolation_learn(one, goal, foretold.wanted, foretold.predicted_error, error);
     return 0;
 }
 
@@ -81,7 +100,7 @@ static void try_finest(struct choose *c, const struct extrapolation_goal *goal) 
         int first = 0;
         for (int i = 1; i < c->count; i++)
             if (finest[i].predicted_error < finest[first].predicted_error) first = i;
-        double nearest = c->best.candidate ? c->proof.error.l1 : INFINITY;
+        double nearest = c->best.candidate ? fmax(c->proof.error.l1, c->between) : INFINITY;
         if (!(finest[first].predicted_error < NEARER * nearest)) break;
         progress_tick(&shown);
         prove(c, &finest[first], goal);
@@ -94,7 +113,7 @@ static int say_best(const struct choose *c, struct failure *why) {
     const struct extrapolation_rung *best = NULL;
     const char *whose = "";
     char rounding[80] = "";
-    const struct extrapolation_rung proof = {c->best.wanted, c->proof.error.l1};
+    const struct extrapolation_rung proof = {c->best.wanted, fmax(c->proof.error.l1, c->between)};
     if (c->best.candidate) best = &proof, whose = c->best.candidate->label;
     if (c->rounding > 0)
         snprintf(rounding, sizeof rounding, ": rounding alone leaves %.2g after steps enough", c->rounding);

@@ -18,6 +18,7 @@ struct choose {
     int reached;     /* 1: the proof has the error */
     struct extrapolation best; /* what that run was, as foretold before it */
     struct result proof;       /* the best of the proving runs */
+    double between;            /* its E1 half-way between the particles */
 };
 
 /* With no run that takes more than work_max.  STATUS_OK, STATUS_GATE where the error was not reached (*c then tells

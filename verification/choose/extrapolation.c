@@ -123,8 +123,8 @@ static void weigh(struct extrapolation *c, const struct extrapolation_goal *goal
 
 /* Where the error will be reached: between two rungs of which one has it, or beyond the last. */
 static void foretell(struct extrapolation *c, const struct extrapolation_goal *goal) {
-    int reached = 0, last = c->rungs - 1;
-    while (reached <= last && !(c->rung[reached].error <= goal->error)) reached++;
+    int last = c->rungs - 1, reached = last + 1; /* from there on every rung has it */
+    while (reached > 0 && c->rung[reached - 1].error <= goal->error) reached--;
     const struct extrapolation_rung *base = &c->rung[reached <= last ? reached : last];
     if (reached == 0) { /* the coarsest has it already */
         c->wanted = base->size, c->predicted_error = base->error;
@@ -157,6 +157,7 @@ static void foretell(struct extrapolation *c, const struct extrapolation_goal *g
 void extrapolation_calibrate(struct extrapolation *c, const struct extrapolation_goal *goal) {
     const struct experiment *e = goal->experiment;
     double n = COARSEST[e->problem.dim], before = 1;
+    int had = 0;
     measure_time(c, goal);
     extrapolation_rule_out(c, "has too few coarse rungs");
     for (int k = 0; k < RUNGS; k++, n *= k == 0 ? 2 : 1.5) {
@@ -166,6 +167,7 @@ void extrapolation_calibrate(struct extrapolation *c, const struct extrapolation
         struct candidate_cost cost;
         struct result result;
         struct failure why;
+        double between;
         if (candidate_predict(c->candidate, e, size, &cost, &why)) {
             extrapolation_rule_out(c, why.text);
             continue;
@@ -174,13 +176,14 @@ void extrapolation_calibrate(struct extrapolation *c, const struct extrapolation
             extrapolation_rule_out(c, "would take more than 1e10 pairs on a coarse rung");
             break;
         }
-        if (candidate_run(c->candidate, e, size, &result)) {
+        if (candidate_prove(c->candidate, e, size, &result, &between)) {
             extrapolation_rule_out(c, result.failure.text);
             continue;
         }
-        before = result.error.l1;
+        before = result.error.l1 <= goal->error ? fmax(result.error.l1, between) : result.error.l1;
         add_rung(c, size, before);
-        if (before <= goal->error) break;
+        if (before <= goal->error && ++had == 2) break; /* one alone may be luck */
+        if (!(before <= goal->error)) had = 0;
     }
     if (c->rungs < 2 && !(c->rungs == 1 && c->rung[0].error <= goal->error)) return;
     c->reason[0] = '\0';

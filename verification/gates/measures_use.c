@@ -73,7 +73,7 @@ void measures_use_choose(const struct request *r, double lo, double hi, struct m
     struct failure why = {0};
     int status = choose_run(&r->experiment, r->error, choose_work_max, c, &why);
     measures_fail(m, why.text);
-    if (!status) measures_judge(m, c->proof.error.l1 / r->error, lo, hi);
+    if (!status) measures_judge(m, fmax(c->proof.error.l1, c->between) / r->error, lo, hi);
     free(c);
 }
 

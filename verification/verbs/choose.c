@@ -45,8 +45,8 @@ static void print_text(const struct request *r, const struct choose *c) {
         result_describe(p, what, sizeof what);
         printf("%s\n", what);
         print_command(r, p);
-        printf("  %-10s E1 %.4e wanted, %.4e foretold, %.4e measured\n", "error", c->error, c->best.predicted_error,
-               p->error.l1);
+        printf("  %-10s E1 %.4e wanted, %.4e predicted, %.4e measured, %.4e half-way between the particles\n",
+               "error", c->error, c->best.predicted_error, p->error.l1, c->between);
         printf("  %-10s dx = %g m, %zu particles, %lld steps of %g s\n", "size", p->options.dx, p->particles,
                p->steps, p->dt);
         printf("  %-10s %.3g s, work of %.3g pairs, %d proving run%s\n\n", "cost", p->seconds, p->work, c->proofs,
@@ -107,6 +107,7 @@ static void print_json(const struct request *r, const struct choose *c) {
         json_whole(&j, "particles", (long long)p->particles);
         json_number(&j, "predicted_error", c->best.predicted_error);
         json_number(&j, "measured_error", p->error.l1);
+        json_number(&j, "error_between", c->between);
         json_number(&j, "predicted_work", c->best.predicted_work);
         json_number(&j, "measured_work", p->work);
         json_number(&j, "seconds", p->seconds);
