@@ -39,15 +39,14 @@ static struct cell *cell_of(const struct work *w, int choice, int method, int co
 }
 
 /* E1 (Song eq. 46) against the solution as the source prints it, or `exact` where the two are one; that solution
- * rounded to so many decimals, 0 for none. */
-static double error_as_printed(const struct command_run *run, int decimals) {
+ * rounded to so many decimals, 0 for none, and `late` seconds after the end. */
+static double error_as_printed(const struct command_run *run, int decimals, double late) {
     const struct experiment *e = &run->request.experiment;
     const struct field *f = &run->field;
-    double apart = 0, whole = 0, unit = pow(10, -decimals);
+    double apart = 0, whole = 0, unit = pow(10, -decimals), t = f->time + late;
     for (size_t i = 0; i < f->n; i++) {
         double x[2] = {f->x[i], f->y ? f->y[i] : 0}, w = f->weight ? f->weight[i] : 1;
-        double T =
-            e->scene->published ? e->scene->published(&e->problem, x, f->time) : command_run_exact(run, x, f->time);
+        double T = e->scene->published ? e->scene->published(&e->problem, x, t) : command_run_exact(run, x, t);
         if (decimals) T = unit * round(T / unit);
         apart += w * fabs(f->T[i] - T);
         whole += w * fabs(T);
@@ -73,7 +72,8 @@ static int run_cases(struct work *w, int first, int last, struct failure *why) {
             }
         } else {
             *cell_of(w, choice, method, column) =
-                (struct cell){error_as_printed(&run, w->c->choice[choice].decimals), run.result.error.l1};
+                (struct cell){error_as_printed(&run, w->c->choice[choice].decimals, w->c->choice[choice].late),
+                              run.result.error.l1};
         }
         command_run_free(&run);
     }

@@ -10,6 +10,7 @@ struct compare_choice {
     const char *label;   /* NULL ends the list; the first one is the paper's protocol */
     const char *options; /* beside --dx, as a user would type them */
     int decimals;        /* that the solution compared with is rounded to; 0: it is not */
+    double late;         /* s: that solution is taken so much after the end of the run */
 };
 
 struct compare {

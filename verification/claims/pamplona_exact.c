@@ -3,6 +3,7 @@
 #include "verification/claims/kit.h"
 
 #include "references/scene.h"
+#include "verification/claims/xi.h"
 #include "verification/command/arguments.h"
 
 #include <math.h>
@@ -144,5 +145,62 @@ static void take_diagonal(const char *argument, struct claims_measured *m) {
     arguments_free(&r);
 }
 
-const struct claims_measure claims_pamplona_exact_measures[] = {
-    {"eq2", take_eq2}, {"eq7", take_eq7}, {"steady", take_steady}, {"diagonal", take_diagonal}, {0}};
+/* "Temperatures near the left and the top drop along the time": the column and the row half a spacing from these
+ * walls at the four times of Table 1. */
+static void take_drop(const char *argument, struct claims_measured *m) {
+    struct published t;
+    struct request r;
+    double least = INFINITY, first = 0, last = 0;
+    (void)argument;
+    if (claims_kit_published(&t, m, "pamplona_table1")) return;
+    if (!plate(&r, m, "")) {
+        for (int side = 0; side < 2; side++)
+            for (int i = 0; i < 20; i++) {
+                double along = (i + 0.5) * 0.005, x[2] = {side ? along : 0.0025, side ? 0.0975 : along}, T = 0;
+                for (int k = 0; k < 4; k++) {
+                    double before = T;
+                    T = exact(&r, x, atof(t.where[k]));
+                    if (k) least = fmin(least, T - before);
+                    if (k == 0) first += T / 40;
+                }
+                last += T / 40;
+            }
+        claims_kit_number(m, first, "K", "mean beside the left and the top wall at %s s", t.where[0]);
+        claims_kit_number(m, last, "K", "at %s s", t.where[3]);
+        claims_kit_number(m, least, "K", "least change of a point from one time to the next");
+        claims_kit_decide(m, last < first, 1, "their mean is lower at the last time than at the first");
+    }
+    arguments_free(&r);
+}
+
+/* The steady state of three materials. */
+static void take_steady_material(const char *argument, struct claims_measured *m) {
+    struct request r[3];
+    int bad = 0;
+    double apart = 0, then = 0;
+    (void)argument;
+    for (int k = 0; k < 3; k++) {
+        char setting[40];
+        snprintf(setting, sizeof setting, "material=%s", xi_materials[k]);
+        bad |= plate(&r[k], m, setting);
+    }
+    for (int k = 1; k < 3 && !bad; k++)
+        for (int i = 1; i < 20; i++) {
+            double x[2] = {i * 0.005, fmod(7 * i, 20) * 0.005};
+            apart = fmax(apart, fabs(exact(&r[k], x, FOREVER) - exact(&r[0], x, FOREVER)));
+            then = fmax(then, fabs(exact(&r[k], x, 28.8894) - exact(&r[0], x, 28.8894)));
+        }
+    for (int k = 0; k < 3; k++) arguments_free(&r[k]);
+    if (bad) return;
+    claims_kit_number(m, apart, "K", "steady states of titanium, vanadium and steel differ by at most");
+    claims_kit_number(m, then, "K", "at 28.8894 s");
+    claims_kit_decide(m, apart <= 1e-12, 1, "equal to rounding (1e-12 K)");
+}
+
+const struct claims_measure claims_pamplona_exact_measures[] = {{"eq2", take_eq2},
+                                                                {"eq7", take_eq7},
+                                                                {"steady", take_steady},
+                                                                {"diagonal", take_diagonal},
+                                                                {"drop", take_drop},
+                                                                {"steady_material", take_steady_material},
+                                                                {0}};

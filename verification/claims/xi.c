@@ -94,11 +94,11 @@ struct xi_line xi_growth(const double *h, const double *work, int n, int power) 
     return l;
 }
 
-/* ---- Claims.  One reading: the plate as stated, t = 28.8894 s, beta = 0.08 (plate.h). ---- */
-
-static struct xi_best as_stated(int n, int material) {
+struct xi_best xi_as_stated(int n, int material) {
     return (struct xi_best){.n = n, .material = material, .beta = 0.08, .t = 28.8894};
 }
+
+/* ---- Claims ---- */
 
 /* xi_find; 0, or *m failed. */
 static int find(struct xi_best *b, struct claims_measured *m) {
@@ -137,7 +137,7 @@ static void take_eq18(const char *argument, struct claims_measured *m) {
     double off[2] = {0, 0}, at_fine = fabs(xi_eq18(xi_h(n[4])) / xi_closed_form(n[4]) - 1);
     (void)argument;
     for (int i = 0; i < 4; i++) {
-        struct xi_best b = as_stated(n[i], 0);
+        struct xi_best b = xi_as_stated(n[i], 0);
         if (find(&b, m)) return;
         double h = xi_h(n[i]), other[2] = {xi_closed_form(n[i]), b.xi};
         for (int k = 0; k < 2; k++) off[k] = fmax(off[k], fabs(xi_eq18(h) / other[k] - 1));
@@ -156,7 +156,7 @@ static void take_eq18(const char *argument, struct claims_measured *m) {
 
 /* What eq. 18 costs in error against the best xi. */
 static void take_rise(const char *argument, struct claims_measured *m) {
-    struct xi_best b = as_stated(PLATE_SIDE, 0);
+    struct xi_best b = xi_as_stated(PLATE_SIDE, 0);
     (void)argument;
     if (find(&b, m)) return;
     double rise = xi_error(&b, xi_eq18(xi_h(b.n))) - b.error;
@@ -172,7 +172,7 @@ static void take_materials(const char *argument, struct claims_measured *m) {
     for (int i = 0; i < 4; i++) {
         double mean = 0, sum = 0;
         for (int k = 0; k < XI_MATERIALS; k++) {
-            struct xi_best b = as_stated(n[i], k);
+            struct xi_best b = xi_as_stated(n[i], k);
             if (find(&b, m)) return;
             mean += b.xi / XI_MATERIALS;
             sum += b.xi * b.xi / XI_MATERIALS;
@@ -192,7 +192,7 @@ static void take_divergence(const char *argument, struct claims_measured *m) {
     double lo[3] = {INFINITY, INFINITY, INFINITY}, hi[3] = {0};
     (void)argument;
     for (int k = 0; k < XI_MATERIALS; k++) {
-        struct xi_best b = as_stated(PLATE_SIDE, k), slow = b, equal = b;
+        struct xi_best b = xi_as_stated(PLATE_SIDE, k), slow = b, equal = b;
         slow.beta /= 8;
         equal.t *= xi_diffusivity(0) / xi_diffusivity(k);
         if (find(&b, m) || find(&equal, m)) return;
@@ -211,7 +211,7 @@ static void take_divergence(const char *argument, struct claims_measured *m) {
 
 /* Eq. 19 between n = 13 and 24, h = 0.0092 and 0.005 m, of the best error; NaN with *m failed. */
 static double order_of(int material, const char *walls, struct claims_measured *m) {
-    struct xi_best a = as_stated(13, material), b = as_stated(24, material);
+    struct xi_best a = xi_as_stated(13, material), b = xi_as_stated(24, material);
     a.walls = b.walls = walls;
     return find(&a, m) || find(&b, m) ? NAN : log(a.error / b.error) / log(xi_h(a.n) / xi_h(b.n));
 }
@@ -268,73 +268,6 @@ static void take_direction(const char *argument, struct claims_measured *m) {
     claims_kit_decide(m, fine > coarse, 1, "with xi kept, the particles conduct faster at the smaller h");
 }
 
-/* ---- Cost, by counted pairs, which are the same on any machine ---- */
-
-/* Pairs of both methods, step for step, and the printed seconds. */
-static void take_cheaper(const char *argument, struct claims_measured *m) {
-    double each[PLATE_METHODS];
-    struct published t;
-    (void)argument;
-    if (claims_kit_published(&t, m, "pamplona_table1")) return;
-    for (int k = 0; k < PLATE_METHODS; k++) {
-        struct command_run run;
-        int bad = claims_kit_run(&run, m, "run plate %s --t-end %s", plate_words[k], t.where[PLATE_TIMES - 1]);
-        each[k] = (double)run.result.interactions / (double)run.result.steps;
-        command_run_free(&run);
-        if (bad) return;
-    }
-    double seconds = t.value[0][PLATE_TIMES] / t.value[1][PLATE_TIMES], pairs = each[PLATE_SPH] / each[PLATE_FTCS];
-    claims_kit_number(m, seconds, "", "printed seconds of SPH over those of FTCS");
-    claims_kit_number(m, pairs, "", "pairs evaluated, step for step");
-    claims_kit_number(m, seconds / pairs, "", "left to the programs, time per pair");
-    claims_kit_decide(
-        m, fabs(seconds - 776) <= 0.5, pairs >= 776 / 2.0 && pairs <= 2 * 776.0,
-        "776 is the ratio of the printed seconds; of the methods too, for no condition, if pairs evaluated "
-        "at equal resolution and steps give it within a factor of two");
-}
-
-/* Fig. 8: work over h, as a power of h and as an exponential of h. */
-static void take_growth(const char *argument, struct claims_measured *m) {
-    enum { SIZES = 6 };
-    static const int n[SIZES] = {12, 15, 18, 22, 27, 33};
-    double h[SIZES], work[SIZES];
-    (void)argument;
-    for (int i = 0; i < SIZES; i++) {
-        struct xi_best b = as_stated(n[i], 0);
-        if (isnan(xi_error(&b, xi_closed_form(n[i])))) {
-            claims_kit_fail(m, b.failure.text);
-            return;
-        }
-        h[i] = xi_h(n[i]);
-        work[i] = (double)b.work;
-    }
-    struct xi_line power = xi_growth(h, work, SIZES, 1), exponential = xi_growth(h, work, SIZES, 0);
-    claims_kit_number(m, power.slope, "", "pairs grow as h to the power");
-    claims_kit_number(m, 100 * power.off, "%", "off by (rms), power law");
-    claims_kit_number(m, 100 * exponential.off, "%", "exponential");
-    claims_kit_decide(m, exponential.off < power.off, 1,
-                      "an exponential fits the counted pairs better than a power of h");
-}
-
-/* Section 6: the costs of the materials differ by the number of their steps. */
-static void take_cost_materials(const char *argument, struct claims_measured *m) {
-    double pairs[XI_MATERIALS], apart = 0;
-    (void)argument;
-    for (int k = 0; k < XI_MATERIALS; k++) {
-        struct xi_best b = as_stated(PLATE_SIDE, k);
-        if (isnan(xi_error(&b, 1.643))) {
-            claims_kit_fail(m, b.failure.text);
-            return;
-        }
-        pairs[k] = (double)b.work;
-        double expected = xi_diffusivity(k) / xi_diffusivity(0); /* steps go as 1/dt, and dt as 1/alpha (eq. 15) */
-        claims_kit_number(m, pairs[k] / pairs[0], "", "pairs of %s over those of steel", xi_materials[k]);
-        claims_kit_number(m, expected, "", "number of steps, by eq. 15");
-        apart = fmax(apart, fabs(pairs[k] / pairs[0] / expected - 1));
-    }
-    claims_kit_decide(m, apart <= 0.02, 1, "pairs in proportion to steps, within 2 %% (a step more or less)");
-}
-
 const struct claims_measure claims_xi_measures[] = {{"eq12", take_eq12},
                                                     {"eq13", take_eq13},
                                                     {"eq18", take_eq18},
@@ -344,7 +277,4 @@ const struct claims_measure claims_xi_measures[] = {{"eq12", take_eq12},
                                                     {"observed_order", take_observed_order},
                                                     {"same_order", take_same_order},
                                                     {"xi_direction", take_direction},
-                                                    {"cheaper", take_cheaper},
-                                                    {"growth", take_growth},
-                                                    {"cost_materials", take_cost_materials},
                                                     {0}};
