@@ -1,8 +1,9 @@
-/* Memory of a field. */
+/* Memory of a field, and how far two are from each other. */
 #include "solver/field.h"
 
 #include "solver/status.h"
 
+#include <math.h>
 #include <stdlib.h>
 
 void field_alloc(struct field *f, int dim, size_t n) {
@@ -18,4 +19,15 @@ void field_free(struct field *f) {
     free(f->T);
     free(f->weight);
     *f = (struct field){0};
+}
+
+double field_distance(const struct field *f, const double *T, const double *size) {
+    double apart = 0, whole = 0;
+    for (size_t i = 0; i < f->n; i++) {
+        double w = f->weight ? f->weight[i] : 1;
+        if (size[i] == INFINITY) continue;
+        apart += w * fabs(f->T[i] - T[i]);
+        whole += w * fabs(size[i]);
+    }
+    return apart / whole;
 }

@@ -32,4 +32,8 @@ struct field { /* owned arrays: field_free */
 void field_alloc(struct field *f, int dim, size_t n); /* zeroes *f, allocates x, T, and y for dim 2 */
 void field_free(struct field *f);
 
+/* sum w |f->T - T| / sum w |size| at the n points of *f, K, but for those where size is INFINITY: no value is known
+ * there.  w: f->weight. */
+double field_distance(const struct field *f, const double *T, const double *size);
+
 #endif

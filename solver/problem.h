@@ -39,4 +39,7 @@ struct problem {
     double (*source)(const struct problem *p, const double x[2]);
 };
 
+/* The largest diffusivity of all materials and axes, m^2 s^-1. */
+double problem_diffusivity(const struct problem *p);
+
 #endif

@@ -137,9 +137,6 @@ static int place_cloud(const struct problem *p, const struct options *o, const s
 
 int particles_march(const struct problem *p, const struct options *o, const struct scheme *s, const struct lattice *l,
                     const struct heat_operator *a, double bound, struct march *m, struct failure *why) {
-    double kappa = 0;
-    for (int k = 0; k < p->materials; k++)
-        for (int d = 0; d < p->dim; d++) kappa = fmax(kappa, p->material[k].k[d] / p->material[k].rho_c);
     *m = (struct march){.stepper = o->stepper, .time = p->t_end, .steps = 1, .stages = 1};
     if (o->stepper == STEPPER_EXACT) m->steps = m->stages = 0;
     if (o->stepper == STEPPER_EXACT) return STATUS_OK;
@@ -151,7 +148,7 @@ int particles_march(const struct problem *p, const struct options *o, const stru
     }
     /* unasked: half of the stable step, and for rkl2 as many steps as put its s^2 to use */
     double dt = o->dt;
-    if (dt == 0 && o->fourier > 0) dt = o->fourier * l->dx[0] * l->dx[0] / kappa;
+    if (dt == 0 && o->fourier > 0) dt = o->fourier * l->dx[0] * l->dx[0] / problem_diffusivity(p);
     if (dt == 0) dt = o->stepper == STEPPER_RKL2 ? sqrt(p->t_end / bound) : 1 / bound;
     const char *name = o->fourier > 0 && o->dt == 0 ? "fourier" : "dt"; /* what was asked for, for messages */
     double asked = o->fourier > 0 && o->dt == 0 ? o->fourier : dt;

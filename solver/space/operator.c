@@ -35,37 +35,40 @@ static void add_convolution(struct square *to, const struct square *a, double fa
                     *square_at(to, i + k, j + l) += factor * *square_at(a, i, j) * *square_at(a, k, l);
 }
 
+int operator_neighbourhood(int dim, double dx, double h, double d[NEIGHBOURS_MAX][2], struct neighbourhood *nb,
+                           struct failure *why) {
+    *nb = (struct neighbourhood){.dim = dim, .d = d, .h = h * dx, .volume = dim == 2 ? dx * dx : dx};
+    double reach = ceil(KERNEL_SUPPORT * h * (1 - 1e-12)) - 1, across = 2 * reach + 1;
+    if (!((dim == 2 ? across * across : across) <= NEIGHBOURS_MAX))
+        return refuse(why, STATUS_INPUT, "--h %g: more than %d neighbours", h, NEIGHBOURS_MAX);
+    int r = (int)reach, ry = dim == 2 ? r : 0;
+    for (int j = -ry; j <= ry; j++)
+        for (int i = -r; i <= r; i++) {
+            /* at exactly 2 h the kernel is zero: in or out must not be a matter of rounding */
+            if ((i == 0 && j == 0) || i * i + j * j >= 4 * h * h * (1 - 1e-12)) continue;
+            d[nb->n][0] = i * dx, d[nb->n++][1] = j * dx;
+        }
+    return STATUS_OK;
+}
+
 /* Weights of the scheme on the lattice around the origin, one square for each of its outputs. */
 static int lattice_weights(const struct problem *p, const struct options *o, const struct scheme *s, double dx,
                            const double kappa[2], struct square out[2], struct failure *why) {
-    if (o->h > NEIGHBOURS_MAX)
-        return refuse(why, STATUS_INPUT, "--h %g: more than %d neighbours", o->h, NEIGHBOURS_MAX);
-    int r = (int)ceil(KERNEL_SUPPORT * o->h * (1 - 1e-12)) - 1, ry = p->dim == 2 ? r : 0;
-    size_t most = (size_t)(2 * r + 1) * (size_t)(2 * ry + 1);
     double d[NEIGHBOURS_MAX][2], weight[2][NEIGHBOURS_MAX], *w[2] = {weight[0], weight[1]};
-    int at[NEIGHBOURS_MAX][2], status;
-    double dV = p->dim == 2 ? dx * dx : dx;
-    struct neighbourhood nb = {.dim = p->dim,
-                               .d = d,
-                               .h = o->h * dx,
-                               .volume = s->volume ? s->volume(p, o, o->h * dx, dV) : dV,
-                               .rho_c = p->material[0].rho_c};
+    struct neighbourhood nb;
+    if (operator_neighbourhood(p->dim, dx, o->h, d, &nb, why)) return why->status;
+    if (s->volume) nb.volume = s->volume(p, o, nb.h, nb.volume);
+    nb.rho_c = p->material[0].rho_c;
     nb.x[0] = (p->lo[0] + p->hi[0]) / 2, nb.x[1] = (p->lo[1] + p->hi[1]) / 2;
     memcpy(nb.kappa, kappa, sizeof nb.kappa);
-    if (most > NEIGHBOURS_MAX)
-        return refuse(why, STATUS_INPUT, "--h %g: more than %d neighbours", o->h, NEIGHBOURS_MAX);
-    for (int j = -ry; j <= ry; j++)
-        for (int i = -r; i <= r; i++) {
-            if ((i == 0 && j == 0) || i * i + j * j >= 4 * o->h * o->h * (1 - 1e-12)) continue;
-            d[nb.n][0] = i * dx, d[nb.n][1] = j * dx;
-            at[nb.n][0] = i, at[nb.n][1] = j;
-            nb.n++;
-        }
-    status = s->weights(p, o, &nb, w, why);
+    int status = s->weights(p, o, &nb, w, why), r = (int)ceil(KERNEL_SUPPORT * o->h * (1 - 1e-12)) - 1;
     for (int t = 0; t < s->sweeps && !status; t++) {
-        out[t] = square_alloc(r, ry);
+        out[t] = square_alloc(r, p->dim == 2 ? r : 0);
         double sum = 0;
-        for (size_t k = 0; k < nb.n; k++) *square_at(&out[t], at[k][0], at[k][1]) = w[t][k], sum += w[t][k];
+        for (size_t k = 0; k < nb.n; k++) {
+            *square_at(&out[t], (int)lround(d[k][0] / dx), (int)lround(d[k][1] / dx)) = w[t][k];
+            sum += w[t][k];
+        }
         *square_at(&out[t], 0, 0) = -sum;
     }
     return status;

@@ -84,6 +84,11 @@ int operator_create_rows(struct heat_operator *a, const struct problem *p, const
                          const struct scheme *s, const struct cloud *c, double spacing, struct failure *why);
 void operator_free(struct heat_operator *a);
 
+/* The neighbours within 2 h of a particle of an unbounded lattice of spacing dx (m) along every axis, h in dx, into
+ * d; dim, n, d, h and volume of *nb.  STATUS_INPUT where there are more than d has room for. */
+int operator_neighbourhood(int dim, double dx, double h, double d[NEIGHBOURS_MAX][2], struct neighbourhood *nb,
+                           struct failure *why);
+
 /* The stencil of a scheme on an unbounded lattice of spacing dx (m) along x and y alike and diffusivity kappa
  * (m^2 s^-1): *weight is a quadrant as in struct heat_operator, to be freed. */
 int operator_stencil(const struct problem *p, const struct options *o, const struct scheme *s, double dx,

@@ -24,7 +24,7 @@ int stepper_stages(double dt, double bound);
 /* How many states a march holds. */
 int stepper_arrays(enum stepper stepper);
 
-/* Takes T (n, in the particles' order) through the march; adds what it holds to *bytes.  STATUS_NUMERICAL with step,
+/* Takes T (n, in the particles' order) through the march; adds what it holds to *bytes.  STATUS_UNSTABLE with step,
  * time and particle where T leaves [lo, hi] by half of hi - lo, or is not finite: looked at every 32 steps and at the
  * end. */
 int stepper_march(const struct heat_operator *a, const struct march *m, double *T, size_t *bytes,

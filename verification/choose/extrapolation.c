@@ -55,11 +55,10 @@ static void measure_time(struct extrapolation *c, const struct extrapolation_goa
                           fine = {coarse.n, 2 * steps};
     struct field a = {0}, b = {0};
     struct failure why;
-    double apart = 0, all = 0;
     if (steps == 0) return;
     if (!candidate_solve(c->candidate, e, coarse, &a, &why) && !candidate_solve(c->candidate, e, fine, &b, &why)) {
-        for (size_t i = 0; i < b.n; i++) apart += fabs(a.T[i] - b.T[i]), all += fabs(b.T[i]);
-        if (all > 0) c->time_constant = 4.0 / 3 * apart / all * steps * steps;
+        double change = field_distance(&b, a.T, b.T);
+        if (isfinite(change)) c->time_constant = 4.0 / 3 * change * steps * steps;
     }
     field_free(&a);
     field_free(&b);

@@ -86,18 +86,11 @@ int claims_kit_slope(struct slope *s, struct claims_measured *m, const char *com
 
 int claims_kit_weigh(struct claims_kit_cell *cell, const struct request *r, const double kappa[2],
                      struct failure *why) {
+    const struct problem *p = &r->experiment.problem;
     const struct options *o = &r->experiment.options;
-    int reach = (int)ceil(2 * o->h), dim = r->experiment.problem.dim;
     double *w[2] = {cell->w[0], cell->w[1]};
-    struct neighbourhood *nb = &cell->nb;
-    *nb = (struct neighbourhood){.dim = dim, .d = cell->d, .h = o->h * o->dx, .volume = pow(o->dx, dim)};
-    nb->rho_c = r->experiment.problem.material[0].rho_c;
-    memcpy(nb->kappa, kappa, sizeof nb->kappa);
-    for (int j = dim == 2 ? -reach : 0; j <= (dim == 2 ? reach : 0); j++)
-        for (int i = -reach; i <= reach; i++) {
-            if ((i == 0 && j == 0) || hypot(i, j) >= 2 * o->h * (1 - 1e-12) || nb->n == NEIGHBOURS_MAX) continue;
-            cell->d[nb->n][0] = i * o->dx;
-            cell->d[nb->n++][1] = j * o->dx;
-        }
-    return r->experiment.method->scheme->weights(&r->experiment.problem, o, nb, w, why);
+    if (operator_neighbourhood(p->dim, o->dx, o->h, cell->d, &cell->nb, why)) return why->status;
+    cell->nb.rho_c = p->material[0].rho_c;
+    memcpy(cell->nb.kappa, kappa, sizeof cell->nb.kappa);
+    return r->experiment.method->scheme->weights(p, o, &cell->nb, w, why);
 }

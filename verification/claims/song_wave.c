@@ -217,12 +217,7 @@ static void take_time_error(const char *argument, struct claims_measured *m) {
         struct command_run euler, exact;
         int bad = claims_kit_run(&euler, m, "run %s --stepper euler --dt %s", words, dt) |
                   claims_kit_run(&exact, m, "run %s --stepper exact", words);
-        double apart = 0, size = 0;
-        for (size_t i = 0; i < (bad ? 0 : exact.field.n); i++) {
-            apart += fabs(euler.field.T[i] - exact.field.T[i]);
-            size += fabs(exact.field.T[i]);
-        }
-        double share = apart / size / exact.result.error.l1;
+        double share = bad ? 0 : field_distance(&exact.field, euler.field.T, exact.field.T) / exact.result.error.l1;
         command_run_free(&euler);
         command_run_free(&exact);
         if (bad) return;

@@ -6,8 +6,6 @@
 #include "verification/ladder/consistency.h"
 #include "verification/ladder/judge.h"
 #include "verification/ladder/ladder.h"
-#include "verification/gates/measures_stability.h"
-#include "verification/gates/measures_use.h"
 #include "verification/run/run.h"
 #include "verification/text/words.h"
 
@@ -47,23 +45,23 @@ static void slope_in(enum ladder_norm norm, const struct request *r, double lo, 
     free(l);
 }
 
-static void take_slope(const struct request *r, double lo, double hi, struct measured *m) {
+void measures_slope(const struct request *r, double lo, double hi, struct measured *m) {
     slope_in(LADDER_L1, r, lo, hi, m);
 }
 
-static void take_slope_l2(const struct request *r, double lo, double hi, struct measured *m) {
+void measures_slope_l2(const struct request *r, double lo, double hi, struct measured *m) {
     slope_in(LADDER_L2, r, lo, hi, m);
 }
 
-static void take_slope_linf(const struct request *r, double lo, double hi, struct measured *m) {
+void measures_slope_linf(const struct request *r, double lo, double hi, struct measured *m) {
     slope_in(LADDER_LINF, r, lo, hi, m);
 }
 
-static void take_slope_interior(const struct request *r, double lo, double hi, struct measured *m) {
+void measures_slope_interior(const struct request *r, double lo, double hi, struct measured *m) {
     slope_in(LADDER_INTERIOR, r, lo, hi, m);
 }
 
-static void take_slope_boundary(const struct request *r, double lo, double hi, struct measured *m) {
+void measures_slope_boundary(const struct request *r, double lo, double hi, struct measured *m) {
     slope_in(LADDER_BOUNDARY, r, lo, hi, m);
 }
 
@@ -72,7 +70,7 @@ static int by_falling_dx(const void *a, const void *b) {
     return (x < y) - (x > y);
 }
 
-static void take_operator_slope(const struct request *r, double lo, double hi, struct measured *m) {
+void measures_operator_slope(const struct request *r, double lo, double hi, struct measured *m) {
     struct numbers dx = r->rungs.dx;
     struct experiment e = r->experiment;
     struct failure why = {0};
@@ -101,32 +99,32 @@ static int run(const struct request *r, struct result *result, struct measured *
     return status;
 }
 
-static void take_error(const struct request *r, double lo, double hi, struct measured *m) {
+void measures_error(const struct request *r, double lo, double hi, struct measured *m) {
     struct result result;
     if (!run(r, &result, m)) measures_judge(m, result.error.l1, lo, hi);
 }
 
-static void take_error_linf(const struct request *r, double lo, double hi, struct measured *m) {
+void measures_error_linf(const struct request *r, double lo, double hi, struct measured *m) {
     struct result result;
     if (!run(r, &result, m)) measures_judge(m, result.error.linf, lo, hi);
 }
 
-static void take_overshoot(const struct request *r, double lo, double hi, struct measured *m) {
+void measures_overshoot(const struct request *r, double lo, double hi, struct measured *m) {
     struct result result;
     if (!run(r, &result, m)) measures_judge(m, fmax(result.shape.overshoot, result.shape.undershoot), lo, hi);
 }
 
-static void take_heat_drift(const struct request *r, double lo, double hi, struct measured *m) {
+void measures_heat_drift(const struct request *r, double lo, double hi, struct measured *m) {
     struct result result;
     if (!run(r, &result, m)) measures_judge(m, result.heat_drift, lo, hi);
 }
 
-static void take_checkerboard(const struct request *r, double lo, double hi, struct measured *m) {
+void measures_checkerboard(const struct request *r, double lo, double hi, struct measured *m) {
     struct result result;
     if (!run(r, &result, m)) measures_judge(m, result.shape.checkerboard, lo, hi);
 }
 
-static void take_checkerboard_kept(const struct request *r, double lo, double hi, struct measured *m) {
+void measures_checkerboard_kept(const struct request *r, double lo, double hi, struct measured *m) {
     struct request early = *r;
     struct result first, last;
     early.experiment.problem.t_end = r->experiment.problem.t_end / 10;
@@ -146,7 +144,7 @@ static void odd_point(const struct problem *p, int i, double x[2]) {
 /* How far the two forms of a reference are apart, in units of what their bounds allow.  The ceiling is on the bound
  * at the end time, where runs are judged, relative to the largest temperature: a reference cannot pass by promising
  * little. */
-static void take_reference(const struct request *r, double lo, double hi, struct measured *m) {
+void measures_reference(const struct request *r, double lo, double hi, struct measured *m) {
     enum { POINTS = 32, TIMES = 4 };
     static const double part[TIMES] = {0.0113, 0.173, 0.619, 1};
     const struct problem *p = &r->experiment.problem;
@@ -172,35 +170,11 @@ static void take_reference(const struct request *r, double lo, double hi, struct
              where[0], where[1], where[2]);
 }
 
+#define MEASURE(name, ceiling, about) {#name, about, ceiling, measures_##name},
 const struct measure measures[] = {
-    {"slope", "order of E1 over a ladder", 1, take_slope},
-    {"slope_l2", "order of the relative L2 error over a ladder", 1, take_slope_l2},
-    {"slope_linf", "order of the largest error over a ladder", 1, take_slope_linf},
-    {"slope_interior", "order of E1 a tenth of the extent and more from the walls", 1, take_slope_interior},
-    {"slope_boundary", "order of E1 nearer to the walls", 1, take_slope_boundary},
-    {"operator_slope", "order of a particle method's derivatives of a smooth function", 1, take_operator_slope},
-    {"error", "E1 of a run", 0, take_error},
-    {"error_linf", "largest error of a run, K", 0, take_error_linf},
-    {"fold", "updates of the whole over those of the half or quarter that stands for it", 1, measures_use_fold},
-    {"plan", "updates planned over those of the run", 1, measures_use_plan},
-    {"time_error", "time error of a run over the one asked for", 0, measures_use_time_error},
-    {"choose", "E1 of the run that `choose` proves over the one asked for", 0, measures_use_choose},
-    {"overshoot", "how far a run leaves its initial range, above or below, K", 0, take_overshoot},
-    {"heat_drift", "heat gained over a run, relative to the heat at its start", 0, take_heat_drift},
-    {"checkerboard", "amplitude of the checkerboard in a run, K", 0, take_checkerboard},
-    {"checkerboard_kept", "that amplitude at the end, over that at a tenth of the time", 0, take_checkerboard_kept},
-    {"claim", "1 where a claim's verdict is the expected one", 0, measures_use_claim},
-    {"reference", "distance of a reference's two forms, over the sum of their bounds", 0, take_reference},
-    {"limit_agree", "largest |measured/von Neumann - 1| of a stability limit over h/dx", 0, measures_stability_agree},
-    {"limit_published", "published over true limit, where a run at 0.99 of it grows", 0,
-     measures_stability_published},
-    {"limit_interval", "measured stability interval over the one of theory", 0, measures_stability_interval},
-    {"stepper_factor", "largest |G - theory| along the real axis, over |G| + 1", 0, measures_stability_factor},
-    {"growth", "largest real part of an eigenvalue, kappa/dx^2", 0, measures_stability_growth},
-    {"maximum_principle", "h/dx from 0.6 to 3 where weights and runs disagree on it", 0, measures_stability_maximum},
-    {"refusal", "exit status of a run that names particle, neighbours and reason", 0, measures_stability_refusal},
-    {"endurance", "heat drift of 1e7 steps that stay bounded, over 1e7 eps", 0, measures_stability_endurance},
+#include "verification/gates/measures.def"
     {0}};
+#undef MEASURE
 
 const struct measure *measures_find(const char *name, struct measured *m) {
     const char *names[WORDS_MAX] = {0};

@@ -1,7 +1,7 @@
 #ifndef HEATLADDER_VERIFICATION_GATES_MEASURES_H
 #define HEATLADDER_VERIFICATION_GATES_MEASURES_H
 
-/* What a gate can measure, by name.  A new measure is a function and a row of the table in measures.c. */
+/* What a gate can measure, by name.  A new measure is a row of measures.def and a function. */
 
 #include "verification/text/verdict.h"
 
@@ -25,6 +25,11 @@ struct measure {
 };
 
 extern const struct measure measures[]; /* ended by a NULL name */
+
+#define MEASURE(name, ceiling, about)                                                                                \
+    void measures_##name(const struct request *r, double lo, double hi, struct measured *m);
+#include "verification/gates/measures.def"
+#undef MEASURE
 
 /* What most measures end with: a failure with its reason, or the verdict on lo <= value <= hi. */
 void measures_fail(struct measured *m, const char *text);

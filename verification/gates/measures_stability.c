@@ -1,5 +1,5 @@
 /* Measures of stability: limits, steppers' intervals, maximum principle, refusals, long runs. */
-#include "verification/gates/measures_stability.h"
+#include "verification/gates/measures.h"
 
 #include "solver/time/stepper.h"
 #include "verification/stability/long_run.h"
@@ -40,7 +40,7 @@ static int start(const struct request *r, struct model_problem *b, struct measur
     return status;
 }
 
-void measures_stability_agree(const struct request *r, double lo, double hi, struct measured *m) {
+void measures_limit_agree(const struct request *r, double lo, double hi, struct measured *m) {
     static const double ratio[] = {1.05, 1.5, 2.05};
     double worst = 0, at[3] = {NAN, NAN, NAN};
     int count = r->experiment.options.h > 0 || !r->experiment.method->scheme ? 1 : 3;
@@ -60,7 +60,7 @@ void measures_stability_agree(const struct request *r, double lo, double hi, str
     append(m, " (h/dx %.4g: measured %.5g, von Neumann %.5g)", at[0], at[1], at[2]);
 }
 
-void measures_stability_published(const struct request *r, double lo, double hi, struct measured *m) {
+void measures_limit_published(const struct request *r, double lo, double hi, struct measured *m) {
     enum { STEPS = 1000 };
     struct model_problem b;
     struct step_limit l;
@@ -77,7 +77,7 @@ void measures_stability_published(const struct request *r, double lo, double hi,
     append(m, grows ? "; yet a run at %.5g grew" : "; yet a run at %.5g decayed", 0.99 * l.published);
 }
 
-void measures_stability_interval(const struct request *r, double lo, double hi, struct measured *m) {
+void measures_limit_interval(const struct request *r, double lo, double hi, struct measured *m) {
     struct model_problem b;
     struct step_limit l;
     if (start(r, &b, m) || find(&b, &l, m)) return;
@@ -97,7 +97,7 @@ static double factor(const struct amplification *step, double dt) {
     return stepper_march(&a, &m, T, &bytes, &why) ? NAN : T[0];
 }
 
-void measures_stability_factor(const struct request *r, double lo, double hi, struct measured *m) {
+void measures_stepper_factor(const struct request *r, double lo, double hi, struct measured *m) {
     enum { POINTS = 400 };
     struct model_problem b;
     double worst = 0;
@@ -111,7 +111,7 @@ void measures_stability_factor(const struct request *r, double lo, double hi, st
     measures_judge(m, worst, lo, hi);
 }
 
-void measures_stability_growth(const struct request *r, double lo, double hi, struct measured *m) {
+void measures_growth(const struct request *r, double lo, double hi, struct measured *m) {
     struct model_problem b;
     struct step_limit l;
     struct failure why = {0};
@@ -121,7 +121,7 @@ void measures_stability_growth(const struct request *r, double lo, double hi, st
     if (!status) measures_judge(m, l.growth, lo, hi);
 }
 
-void measures_stability_maximum(const struct request *r, double lo, double hi, struct measured *m) {
+void measures_maximum_principle(const struct request *r, double lo, double hi, struct measured *m) {
     struct model_problem b;
     double where = NAN, kept = 0, refused = 0, apart = 0;
     if (start(r, &b, m)) return;
@@ -141,7 +141,7 @@ void measures_stability_maximum(const struct request *r, double lo, double hi, s
     if (apart > 0) append(m, "; they disagree at h/dx = %.4g", where);
 }
 
-void measures_stability_refusal(const struct request *r, double lo, double hi, struct measured *m) {
+void measures_refusal(const struct request *r, double lo, double hi, struct measured *m) {
     struct result result;
     int status = run_experiment(&r->experiment, &result, NULL);
     const char *text = result.failure.text;
@@ -151,7 +151,7 @@ void measures_stability_refusal(const struct request *r, double lo, double hi, s
     if (!strstr(text, "particle") || !strstr(text, "neighbours")) m->verdict = VERDICT_FAIL;
 }
 
-void measures_stability_endurance(const struct request *r, double lo, double hi, struct measured *m) {
+void measures_endurance(const struct request *r, double lo, double hi, struct measured *m) {
     const long long steps = 10000000;
     struct model_problem b;
     struct step_limit l;

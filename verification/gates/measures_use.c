@@ -1,6 +1,6 @@
 /* What users rely on, as gates: that a part stands for the whole, that plans are kept, that an error asked for is met
  * and not by far more than was asked. */
-#include "verification/gates/measures_use.h"
+#include "verification/gates/measures.h"
 
 #include "verification/claims/claims.h"
 #include "verification/choose/choose.h"
@@ -20,7 +20,8 @@ static double farthest(const struct field *a, const struct field *b) {
     return most;
 }
 
-void measures_use_fold(const struct request *r, double lo, double hi, struct measured *m) {
+/* The error beside it: how far the two fields are apart, K. */
+void measures_fold(const struct request *r, double lo, double hi, struct measured *m) {
     const struct experiment *e = &r->experiment;
     struct options whole = e->options;
     struct field a = {0}, b = {0};
@@ -37,7 +38,8 @@ void measures_use_fold(const struct request *r, double lo, double hi, struct mea
     field_free(&b);
 }
 
-void measures_use_plan(const struct request *r, double lo, double hi, struct measured *m) {
+/* The error beside it: bytes, steps and particles that were planned and are not, or the other way round. */
+void measures_plan(const struct request *r, double lo, double hi, struct measured *m) {
     struct plan plan;
     struct result result;
     struct failure why = {0};
@@ -53,7 +55,7 @@ void measures_use_plan(const struct request *r, double lo, double hi, struct mea
                fabs((double)(run->steps - result.steps)) + fabs((double)plan.particles - (double)result.particles);
 }
 
-void measures_use_time_error(const struct request *r, double lo, double hi, struct measured *m) {
+void measures_time_error(const struct request *r, double lo, double hi, struct measured *m) {
     struct experiment exact = r->experiment;
     struct result result;
     struct field truth;
@@ -68,7 +70,7 @@ void measures_use_time_error(const struct request *r, double lo, double hi, stru
     field_free(&truth);
 }
 
-void measures_use_choose(const struct request *r, double lo, double hi, struct measured *m) {
+void measures_choose(const struct request *r, double lo, double hi, struct measured *m) {
     struct choose *c = xcalloc(1, sizeof *c);
     struct failure why = {0};
     int status = choose_run(&r->experiment, r->error, choose_work_max, c, &why);
@@ -77,7 +79,7 @@ void measures_use_choose(const struct request *r, double lo, double hi, struct m
     free(c);
 }
 
-void measures_use_claim(const struct request *r, double lo, double hi, struct measured *m) {
+void measures_claim(const struct request *r, double lo, double hi, struct measured *m) {
     struct claims c;
     struct failure why = {0};
     *m = (struct measured){.error = NAN};

@@ -25,19 +25,6 @@ static void derivatives(const double x[2], int a, double *first, double *second)
     *second = (A[a] * A[a] - B[a] * B[a]) * u + 2 * A[a] * B[a] * v;
 }
 
-/* The neighbours of a lattice's particle within 2 h; d has room for NEIGHBOURS_MAX.  How many. */
-static size_t surround(int dim, double dx, double h, double (*d)[2]) {
-    int reach = (int)ceil(2 * h / dx);
-    size_t n = 0;
-    for (int j = dim == 2 ? -reach : 0; j <= (dim == 2 ? reach : 0); j++)
-        for (int i = -reach; i <= reach; i++) {
-            if ((i == 0 && j == 0) || hypot(i, j) * dx >= 2 * h || n == NEIGHBOURS_MAX) continue;
-            d[n][0] = i * dx;
-            d[n++][1] = j * dx;
-        }
-    return n;
-}
-
 /* sum w_j (u_j - u_i) */
 static double apply(const struct neighbourhood *nb, const double *w, const double x[2]) {
     double sum = 0, u = smooth(x);
@@ -73,9 +60,9 @@ int consistency_error(const struct experiment *e, double *error, struct failure 
     if (!scheme)
         return refuse(why, STATUS_NOT_APPLICABLE, "%s is no particle method: it has no weights", e->method->name);
     int order = o->order > 2 ? o->order : 2;
-    struct neighbourhood nb = {.dim = p->dim, .d = d, .volume = pow(o->dx, p->dim), .rho_c = p->material[0].rho_c};
-    nb.h = (o->h > 0 ? o->h : 1.1 * order / 2) * o->dx;
-    nb.n = surround(p->dim, o->dx, nb.h, d);
+    struct neighbourhood nb;
+    if (operator_neighbourhood(p->dim, o->dx, o->h > 0 ? o->h : 1.1 * order / 2, d, &nb, why)) return why->status;
+    nb.rho_c = p->material[0].rho_c;
     for (int a = 0; a < p->dim; a++) nb.kappa[a] = p->material[0].k[a] / p->material[0].rho_c;
     if (scheme->check(p, o, why) || scheme->weights(p, o, &nb, w, why)) return why->status;
     *error = 0;

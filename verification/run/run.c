@@ -9,13 +9,6 @@
 #include <math.h>
 #include <stdlib.h>
 
-double run_diffusivity(const struct problem *p) {
-    double kappa = 0;
-    for (int m = 0; m < p->materials; m++)
-        for (int a = 0; a < p->dim; a++) kappa = fmax(kappa, p->material[m].k[a] / p->material[m].rho_c);
-    return kappa;
-}
-
 /* What rounding can make up of E1.  A weight is of size kappa/dx^2 and wrong by eps of that, the same at every step:
  * over the run that adds up to 4 dim eps kappa t/dx^2.  Each step rounds T once more, at random: eps sqrt(steps). How
  * many steps another program took is what it says, and no more of them count than would round as much as the weights
@@ -23,7 +16,7 @@ double run_diffusivity(const struct problem *p) {
 static double rounding(const struct experiment *e, const struct field *f, double dx) {
     const struct problem *p = &e->problem;
     double applications = (double)f->steps * (f->stages > 0 ? f->stages : 1);
-    double weights = 4 * p->dim * run_diffusivity(p) * p->t_end / (dx * dx);
+    double weights = 4 * p->dim * problem_diffusivity(p) * p->t_end / (dx * dx);
     if (e->solver) applications = fmin(applications, weights * weights);
     return DBL_EPSILON * (1 + sqrt(applications) + weights);
 }
@@ -34,7 +27,7 @@ static int measure(const struct experiment *e, const struct field *f, const doub
     double dx = out->options.dx;
     out->t_end = f->time;
     out->dt = f->dt;
-    out->fourier = f->dt * run_diffusivity(p) / (dx * dx);
+    out->fourier = f->dt * problem_diffusivity(p) / (dx * dx);
     out->steps = f->steps;
     out->stages = f->stages;
     /* Euler is stable for dt <= 2 / bound */

@@ -15,7 +15,4 @@ int run_experiment(const struct experiment *e, struct result *out, struct field 
  * error, relative as E1 is. */
 int run_against(const struct experiment *e, const double *truth, double error, struct result *out);
 
-/* The largest of all materials and axes, m^2 s^-1. */
-double run_diffusivity(const struct problem *p);
-
 #endif

@@ -11,7 +11,6 @@
 #include "verification/run/semidiscrete.h"
 
 #include "verification/run/experiment.h"
-#include "verification/run/run.h"
 
 #include <math.h>
 
@@ -25,20 +24,10 @@ static int march(const struct experiment *e, double steps, struct field *f, stru
     return e->method->solve(&e->problem, &with, f, why);
 }
 
-static double apart(const struct field *a, const struct field *b) {
-    double sum = 0, size = 0;
-    for (size_t i = 0; i < b->n; i++) {
-        double w = b->weight ? b->weight[i] : 1;
-        sum += w * fabs(a->T[i] - b->T[i]);
-        size += w * fabs(b->T[i]);
-    }
-    return sum / size;
-}
-
 static int midpoint(const struct experiment *e, struct semidiscrete *truth, struct failure *why) {
     const struct options *o = &e->options;
     struct field coarse;
-    double dt = o->dt > 0 ? o->dt : o->fourier * o->dx * o->dx / run_diffusivity(&e->problem);
+    double dt = o->dt > 0 ? o->dt : o->fourier * o->dx * o->dx / problem_diffusivity(&e->problem);
     int status = march(e, 0, &coarse, why);
     if (status == STATUS_UNSTABLE) {
         struct failure unstable = *why;
@@ -50,7 +39,7 @@ static int midpoint(const struct experiment *e, struct semidiscrete *truth, stru
     if (!status) {
         double gain = (double)truth->field.steps / N;
         truth->steps = truth->field.steps;
-        truth->error = apart(&coarse, &truth->field) / (gain * gain - 1);
+        truth->error = field_distance(&truth->field, coarse.T, truth->field.T) / (gain * gain - 1);
     }
     field_free(&coarse);
     return status;

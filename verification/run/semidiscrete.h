@@ -14,9 +14,9 @@ struct semidiscrete {
     double error;       /* the time error of field, estimated: sum w|error| / sum w|T|; 0 where exact */
 };
 
-/* The exact stepper's field, or where that is refused the midpoint rule's, at steps that suit the rung `finest`.
- * STATUS_OK; STATUS_INPUT for what is no particle method or is refused by either; STATUS_NUMERICAL where the
- * equations themselves are unstable. */
+/* The exact stepper's field, or where there is none the midpoint rule's, at steps that suit *e, the finest rung.
+ * STATUS_OK; STATUS_NOT_APPLICABLE for what is no particle method; STATUS_UNSTABLE where the equations themselves
+ * are. */
 int semidiscrete_solve(const struct experiment *e, struct semidiscrete *truth, struct failure *why);
 
 #endif

@@ -18,7 +18,6 @@
 #include "verification/run/symmetry.h"
 #include "verification/run/norms.h"
 #include "verification/run/experiment.h"
-#include "verification/run/run.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -58,7 +57,7 @@ int time_step_order(const struct options *o) {
 
 double time_step_first(const struct experiment *e) {
     const struct options *o = &e->options;
-    double steps = e->problem.t_end * run_diffusivity(&e->problem) / (FOURIER / e->problem.dim * o->dx * o->dx);
+    double steps = e->problem.t_end * problem_diffusivity(&e->problem) / (FOURIER / e->problem.dim * o->dx * o->dx);
     if (o->stepper == STEPPER_RKL2) steps = e->time_error > 0 ? 2 : sqrt(steps) / 2; /* some ten stages a step */
     return fmax(1, ceil(steps));
 }
@@ -106,17 +105,6 @@ static double *find_limit(const struct search *s) {
     return limit;
 }
 
-static double distance(const struct search *s, const struct field *f, const double *limit) {
-    double apart = 0, size = 0;
-    for (size_t i = 0; i < f->n; i++) {
-        double w = f->weight ? f->weight[i] : 1;
-        if (s->exact[i] == NORMS_NO_VALUE) continue;
-        apart += w * fabs(limit[i] - f->T[i]);
-        size += w * fabs(s->exact[i]);
-    }
-    return apart / size;
-}
-
 static double whole_error(const struct search *s, const struct field *f) {
     return norms_error(&s->e->problem, f, s->exact, NORMS_ALL, 0).l1;
 }
@@ -125,7 +113,7 @@ static struct estimate compare(const struct search *s) {
     double *limit = find_limit(s);
     struct field at_limit = s->fine.field;
     at_limit.T = limit;
-    struct estimate e = {distance(s, &s->fine.field, limit), whole_error(s, &s->fine.field),
+    struct estimate e = {field_distance(&s->fine.field, limit, s->exact), whole_error(s, &s->fine.field),
                          whole_error(s, &at_limit)};
     free(limit);
     return e;
@@ -161,7 +149,7 @@ static void coarsen(struct search *s, double time, double *time_error) {
     for (double more = 1; more * steps < 0.98 * most; more *= 1.05) {
         struct trial t = {0};
         if (try_steps(s, ceil(more * steps), &t, &ignored)) continue; /* unstable */
-        double error = distance(s, &t.field, limit);
+        double error = field_distance(&t.field, limit, s->exact);
         if (error <= asked) {
             *time_error = error / whole_error(s, &t.field);
             field_free(&s->fine.field);

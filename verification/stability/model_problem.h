@@ -23,13 +23,13 @@ enum model_problem_data {
     PROBE_HILL     /* half a wave along each axis, 1 K high, and `disturb` times the noise */
 };
 
-/* The options settled (h/dx), and the least n that the method's reach allows where b->n is 0: at least `least`. */
+/* The options resolved (h/dx), and the least n that the method's reach allows where b->n is 0: at least `least`. */
 int model_problem_resolve(struct model_problem *b, int least, struct failure *why);
 
 struct problem model_problem_setup(const struct model_problem *b, enum model_problem_data data, double disturb);
 
 /* `steps` steps of F = dt kappa/dx^2 by the method's own solve (RKL2: by stepper_march, since a run chooses its own
- * stages).  *largest is max |T| at the end.  STATUS_NUMERICAL where the run is refused as unstable. */
+ * stages).  *largest is max |T| at the end.  STATUS_UNSTABLE where T leaves its bounds. */
 int model_problem_run(const struct model_problem *b, const struct problem *p, double F, long long steps,
                       double *largest, struct failure *why);
 

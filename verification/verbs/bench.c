@@ -5,7 +5,6 @@
 #include "verification/text/atomic_file.h"
 #include "verification/bench/bench.h"
 #include "verification/bench/engine.h"
-#include "verification/bench/json.h"
 #include "verification/bench/print.h"
 #include "verification/text/json.h"
 #include "verification/text/output.h"
@@ -39,7 +38,7 @@ static int bench_one(const struct request *given, const struct scene *s, struct 
     if (!status) bench_run(&e, b);
     if (!status) {
         json_object(j, NULL);
-        bench_json_scene(b, j);
+        bench_print_scene_json(b, j);
         json_end(j);
     }
     if (!status && !given->json) {
@@ -54,8 +53,8 @@ static int bench_one(const struct request *given, const struct scene *s, struct 
 static void measure_engine(const struct request *r, struct json *j) {
     struct bench_engine e;
     bench_engine_run(&e);
-    bench_json_machine(j);
-    bench_json_engine(&e, j);
+    bench_print_machine_json(j);
+    bench_print_engine_json(&e, j);
     if (r->json) return;
     bench_print_machine(stdout);
     bench_print_engine(&e, stdout);

@@ -1,12 +1,133 @@
 /* heatladder plan: what a run would store and do, and why. */
 #include "verification/command/verb.h"
 
-#include "verification/text/json.h"
+#include "references/scene.h"
 #include "verification/choose/plan.h"
-#include "verification/choose/plan_print.h"
 #include "verification/command/request.h"
+#include "verification/run/time_step.h"
+#include "verification/text/json.h"
+#include "verification/text/words.h"
 
+#include <math.h>
 #include <stdio.h>
+
+static void describe_storage(const struct outline *part, char *text, size_t size) {
+    int used = snprintf(text, size, "%s", part->weights);
+    if (part->stand_in > 0)
+        snprintf(text + used, size - (size_t)used, "; estimated from those at dx = %g m", part->stand_in);
+}
+
+/* Why a mirror plane is not made use of. */
+static const char *uncut(const struct experiment *e, const struct plan *plan, int axis) {
+    const struct options *o = &plan->options;
+    if (!e->problem.mirror[axis]) return "the scene is not even about it";
+    if (o->domain == DOMAIN_WHOLE) return "--domain whole";
+    return o->layout != LAYOUT_LATTICE ? "needs --layout lattice"
+                                       : "needs an even number of particles, and a stencil that fits";
+}
+
+static void describe_steps(const struct experiment *e, const struct plan *plan, char *text, size_t size) {
+    const struct plan_steps *f = &plan->forecast;
+    char until[80];
+    snprintf(until, sizeof until, "refined until the time error is 1 %%, within %g updates", TIME_STEP_UPDATES_MAX);
+    if (e->time_error > 0) snprintf(until, sizeof until, "the longest whose time error is %g", e->time_error);
+    if (plan->options.stepper == STEPPER_EXACT)
+        snprintf(text, size, "exp(tA) in one pair of transforms: one stencil and walls that mirror");
+    else if (plan->options.stepper == STEPPER_MATCHED)
+        snprintf(text, size, "the step whose own error cancels that of space");
+    else if (!plan->refined)
+        snprintf(text, size, "as asked");
+    else if (f->steps == 0)
+        snprintf(text, size, "%s; no coarser run predicts how many, so this is where the search begins", until);
+    else if (f->runs == 1)
+        snprintf(text, size, "%s; found by the search itself", until);
+    else
+        snprintf(text, size, "%s; predicted from runs at dx = %g and %g m", until, f->dx[0], f->dx[1]);
+}
+
+/* From the first to the last phase that an array is held in. */
+static const char *held(const struct outline_array *a, char *text, size_t size) {
+    snprintf(text, size, a->from == a->to ? "%s" : "%s to %s", plan_phases[a->from], plan_phases[a->to]);
+    return text;
+}
+
+static void print_text(const struct experiment *e, const struct plan *plan) {
+    const struct options *o = &plan->options;
+    const struct outline *part = &plan->part;
+    static const char *const axis[] = {"x", "y"};
+    char text[240];
+    enum outline_phase peak = plan_peak(plan);
+    printf("%s %s, dx = %g m\n", e->scene->name, e->method->name, o->dx);
+    printf("  %-13s %d: %s\n", "dimension", plan->dim,
+           plan->dim == 1 ? "a rod; nothing along y is stored" : "a rectangle");
+    for (int d = 0; d < plan->dim; d++)
+        printf("  %-13s the middle of %s: %s\n", d ? "" : "mirror planes", axis[d],
+               plan->cut[d] ? "half is computed" : uncut(e, plan, d));
+    printf("  %-13s %zu", "particles", plan->particles);
+    if (part->run.n < plan->particles) printf(", of which %zu are computed", part->run.n);
+    describe_storage(part, text, sizeof text);
+    printf("\n  %-13s %s\n", "weights", text);
+    if (words_among(e->method->accepts, "h"))
+        printf("  %-13s %.4g in the mean, within 2 h, h/dx = %.6g\n", "neighbours", part->neighbours, o->h);
+    else
+        printf("  %-13s %.4g\n", "neighbours", part->neighbours);
+    describe_steps(e, plan, text, sizeof text);
+    printf("  %-13s %s: %s", "time", stepper_words[o->stepper], text);
+    if (part->run.steps)
+        printf(", %lld of %.6g s, %d stage%s", part->run.steps, part->run.dt, part->run.stages,
+               part->run.stages == 1 ? "" : "s");
+    printf("\n  %-13s %lld updates, %lld interactions%s\n", "work", part->run.updates, part->run.interactions,
+           plan->refined ? ", and the runs of the search" : "");
+    printf("  %-13s %zu bytes while time runs, %.4g for each particle that is computed; at most %zu (%s)\n", "memory",
+           part->bytes[OUTLINE_STEPS], (double)part->bytes[OUTLINE_STEPS] / (double)part->run.n, part->bytes[peak],
+           plan_phases[peak]);
+    for (int i = 0; i < part->count; i++)
+        printf("  %-13s %12zu  %s (%s)\n", "", part->array[i].bytes, part->array[i].what,
+               held(&part->array[i], text, sizeof text));
+}
+
+static void print_json(const struct experiment *e, const struct plan *plan, struct json *j) {
+    const struct options *o = &plan->options;
+    const struct outline *part = &plan->part;
+    char text[240];
+    json_text(j, "scene", e->scene->name);
+    json_text(j, "method", e->method->name);
+    json_number(j, "dx", o->dx);
+    json_whole(j, "dimension", plan->dim);
+    json_array(j, "mirror_planes");
+    for (int d = 0; d < plan->dim; d++)
+        if (plan->cut[d]) json_text(j, NULL, d ? "y" : "x");
+    json_end(j);
+    json_whole(j, "particles", (long long)plan->particles);
+    json_whole(j, "particles_computed", (long long)part->run.n);
+    json_text(j, "weights", part->rows ? "rows" : "stencil");
+    describe_storage(part, text, sizeof text);
+    json_text(j, "weights_why", text);
+    json_number(j, "neighbours", part->neighbours);
+    json_number(j, "h", words_among(e->method->accepts, "h") ? o->h : NAN);
+    json_text(j, "stepper", stepper_words[o->stepper]);
+    describe_steps(e, plan, text, sizeof text);
+    json_text(j, "stepper_why", text);
+    json_number(j, "dt", part->run.dt);
+    json_whole(j, "steps", part->run.steps);
+    json_whole(j, "stages", part->run.stages);
+    json_whole(j, "steps_refined", plan->refined);
+    json_whole(j, "updates", part->run.updates);
+    json_whole(j, "interactions", part->run.interactions);
+    json_whole(j, "bytes", (long long)part->bytes[OUTLINE_STEPS]);
+    json_number(j, "bytes_per_particle", (double)part->bytes[OUTLINE_STEPS] / (double)part->run.n);
+    json_whole(j, "bytes_peak", (long long)part->bytes[plan_peak(plan)]);
+    json_text(j, "peak", plan_phases[plan_peak(plan)]);
+    json_array(j, "arrays");
+    for (int i = 0; i < part->count; i++) {
+        json_object(j, NULL);
+        json_text(j, "what", part->array[i].what);
+        json_whole(j, "bytes", (long long)part->array[i].bytes);
+        json_text(j, "held", held(&part->array[i], text, sizeof text));
+        json_end(j);
+    }
+    json_end(j);
+}
 
 int verb_plan(const struct request *r, struct failure *why) {
     struct plan plan;
@@ -16,10 +137,10 @@ int verb_plan(const struct request *r, struct failure *why) {
     if (r->json) {
         struct json j = json_on(stdout);
         json_object(&j, NULL);
-        plan_print_json(&r->experiment, &plan, &j);
+        print_json(&r->experiment, &plan, &j);
         json_end(&j);
     } else {
-        plan_print_text(&r->experiment, &plan);
+        print_text(&r->experiment, &plan);
     }
     return STATUS_OK;
 }
