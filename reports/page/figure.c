@@ -54,7 +54,7 @@ static void write_exact(const struct command_run *run, FILE *out) {
     double x[2] = {0, r->at.count == 2 ? r->at.value[1] : 0};
     for (int i = 0; i <= FINE; i++) {
         x[0] = p->lo[0] + (p->hi[0] - p->lo[0]) * i / FINE;
-        fprintf(out, "%.9g,%.9g\n", x[0], command_run_exact(run, x, r->time));
+        fprintf(out, "%.9g,%.9g\n", x[0], command_run_exact(run, x, r->time.value[0]));
     }
 }
 

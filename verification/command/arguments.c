@@ -168,6 +168,22 @@ static int check_together(const struct request *r, struct failure *why) {
     return STATUS_OK;
 }
 
+/* Points of a file, or one; and of that one the temperature at a time, or what is named. */
+static int check_reference(const struct request *r, struct failure *why) {
+    if (!r->points == !r->at.count)
+        return refuse(why, STATUS_INPUT, "reference needs either --at X[,Y] or --points FILE (- for standard input)");
+    if (!r->what && r->time.count == 0)
+        return refuse(why, STATUS_INPUT, "reference needs --time T[,T...]: when, s; or --what names columns without");
+    if (r->json && (r->points || r->what || r->time.count > 1))
+        return refuse(why, STATUS_INPUT,
+                      "--json tells the temperature at one point and time (--at, --time); %s is CSV",
+                      r->points ? "--points"
+                      : r->what ? "--what"
+                                : "--time T,T,...");
+    if (r->rungs.dx.count > 1) return refuse(why, STATUS_INPUT, "--dx: one extent for all cells");
+    return STATUS_OK;
+}
+
 static int apply(struct request *r, const struct word *words, int count, struct failure *why) {
     for (int i = 0; i < count; i++)
         if (take_option(r, &words[i], why)) return why->status;
@@ -176,6 +192,7 @@ static int apply(struct request *r, const struct word *words, int count, struct 
     r->experiment.options.dx = r->rungs.dx.value[0];
     r->experiment.options.dt = r->rungs.dt.count ? r->rungs.dt.value[0] : 0;
     r->experiment.options.fourier = r->rungs.fourier.count ? r->rungs.fourier.value[0] : 0;
+    if (words_among(r->verb->options, "points") && check_reference(r, why)) return why->status;
     return check_together(r, why);
 }
 

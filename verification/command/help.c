@@ -3,6 +3,7 @@
 
 #include "verification/run/external.h"
 #include "verification/command/option.h"
+#include "verification/oracle/columns.h"
 #include "verification/text/table.h"
 #include "verification/command/verb.h"
 #include "verification/text/words.h"
@@ -33,4 +34,5 @@ void help_verb(const struct verb *v, FILE *out) {
     table_print(&t, out);
     table_free(&t);
     if (words_among(v->options, "solver")) fprintf(out, "\n%s", external_help);
+    if (words_among(v->options, "what")) fprintf(out, "\n%s", columns_help);
 }

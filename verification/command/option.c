@@ -55,7 +55,7 @@ static int read_numbers(struct request *r, const struct option *o, const char *t
     list->count = number_read_list(text, list->value, NUMBERS_MAX);
     if (list->count < 0)
         return refuse(why, STATUS_INPUT, "--%s '%.60s': must be 1 to %d numbers with commas between, such as %s",
-                      o->name, text, NUMBERS_MAX, o->lo > 0 ? "0.1,0.05,4/160" : "-0.3,0.7");
+                      o->name, text, NUMBERS_MAX, o->lo >= 0 ? "0.1,0.05,4/160" : "-0.3,0.7");
     for (int i = 0; i < list->count; i++)
         if (list->value[i] < o->lo || list->value[i] > o->hi) return refuse_number(o, text, why);
     return STATUS_OK;
@@ -190,7 +190,13 @@ const struct option options_table[] = {
     {"norm", "norm", "N", "the norm that is fitted and judged: E1, L2, Linf, or E1 far from walls or near them",
      read_word, IN(rungs.norm), ladder_norm_words, 0, 0, 0},
     {"at", "at", "X[,Y]", "where, m", read_numbers, IN(at), NULL, FINITE, 0},
-    {"time", "time", "T", "when, s", read_number, IN(time), NULL, 0, INFINITY, 0},
+    {"time", "time", "T[,T...]", "when, s", read_numbers, IN(time), NULL, 0, INFINITY, 0},
+    {"points", "points", "FILE", "CSV of points x or x,y, m; - for standard input", read_text, IN(points), NULL,
+     FINITE, 0},
+    {"what", "what", "LIST", "columns to tell at each point, with commas between; temperature if left out", read_text,
+     IN(what), NULL, FINITE, 0},
+    {"cell", "dx", "DX", "extent of the cell around each point, m, for initial_mean", read_numbers, IN(rungs.dx),
+     NULL, POSITIVE, 0},
     {"only", "only", "GLOB", "only the gates whose name matches, such as '*gauss*'", read_text, IN(only), NULL,
      FINITE, 0},
     {"quick", "quick", NULL, "the quick tier alone", read_flag, IN(quick), NULL, FINITE, 0},

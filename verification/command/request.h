@@ -16,7 +16,9 @@ struct request {
     const char *topic;       /* list: what to list, NULL for all; report: where to, NULL for reports/out */
     int dim, stages;         /* limit: 1 or 2; of rkl2, else 0 */
     struct numbers at;       /* m: x, or x and y */
-    double time;             /* s */
+    struct numbers time;     /* s */
+    const char *points;      /* reference: file of points, - for standard input; NULL for `at` */
+    const char *what;        /* reference: the columns asked for; NULL for the temperature */
     double error;            /* choose: E1 to be reached */
     struct method *external; /* owned: what the experiment's method is with --solver; else NULL */
     const char *only;        /* glob of gate names; NULL for all */

@@ -1,66 +1,90 @@
-/* heatladder reference: the exact solution at one point and time, with its own error bound. */
+/* heatladder reference: the exact solution at one point and time, with its own error bound; or all that is known of a
+ * scene at the points of a file. */
 #include "verification/command/verb.h"
 
 #include "references/scene.h"
-#include "verification/text/json.h"
 #include "verification/command/request.h"
+#include "verification/oracle/answer.h"
+#include "verification/text/json.h"
 
 #include "solver/method.h"
 
+#include <errno.h>
 #include <stdio.h>
+#include <string.h>
 
-static int inside(const struct problem *p, const double x[2]) {
-    for (int a = 0; a < p->dim; a++)
-        if (x[a] < p->lo[a] || x[a] > p->hi[a]) return 0;
-    return 1;
-}
+/* Both forms at one point. */
+struct forms {
+    struct exact exact, second;
+    double published;
+};
 
-static void print_json(const struct request *r, struct exact e, struct exact second, double published) {
+static void print_json(const struct request *r, const struct forms *f) {
     struct json j = json_on(stdout);
     json_object(&j, NULL);
     json_text(&j, "scene", r->experiment.scene->name);
     json_array(&j, "at");
     for (int a = 0; a < r->experiment.problem.dim; a++) json_number(&j, NULL, r->at.value[a]);
     json_end(&j);
-    json_number(&j, "time", r->time);
-    json_number(&j, "temperature", e.temperature);
-    json_number(&j, "error_bound", e.error_bound);
-    json_number(&j, "second_form", second.temperature);
-    json_number(&j, "second_error_bound", second.error_bound);
+    json_number(&j, "time", r->time.value[0]);
+    json_number(&j, "temperature", f->exact.no_value ? NAN : f->exact.temperature);
+    json_number(&j, "error_bound", f->exact.no_value ? NAN : f->exact.error_bound);
+    json_number(&j, "second_form", f->second.no_value ? NAN : f->second.temperature);
+    json_number(&j, "second_error_bound", f->second.no_value ? NAN : f->second.error_bound);
     if (r->experiment.scene->published) {
-        json_number(&j, "published", published);
-        json_number(&j, "difference", published - e.temperature);
+        json_number(&j, "published", f->published);
+        json_number(&j, "difference", f->exact.no_value ? NAN : f->published - f->exact.temperature);
     }
     json_end(&j);
 }
 
-static void print_text(const struct request *r, struct exact e, struct exact second, double published) {
+static void print_text(const struct request *r, const struct forms *f) {
     printf("%s at %g", r->experiment.scene->name, r->at.value[0]);
     if (r->experiment.problem.dim == 2) printf(", %g", r->at.value[1]);
-    printf(" m, %g s\n", r->time);
-    printf("  %-12s %.17g K, within %.1e K\n", "temperature", e.temperature, e.error_bound);
-    printf("  %-12s %.17g K, within %.1e K\n", "second form", second.temperature, second.error_bound);
+    printf(" m, %g s\n", r->time.value[0]);
+    if (f->exact.no_value) {
+        printf("  no value: a corner whose sides disagree, %.17g K between them\n", f->exact.temperature);
+        return;
+    }
+    printf("  %-12s %.17g K, within %.1e K\n", "temperature", f->exact.temperature, f->exact.error_bound);
+    printf("  %-12s %.17g K, within %.1e K\n", "second form", f->second.temperature, f->second.error_bound);
     if (r->experiment.scene->published)
-        printf("  %-12s %.17g K, %+.1e K away\n", "as published", published, published - e.temperature);
+        printf("  %-12s %.17g K, %+.1e K away\n", "as published", f->published, f->published - f->exact.temperature);
 }
 
-/* "x" or "x,y" of one point. */
-static const char *point(int dim, const double x[2], char *text, size_t size) {
-    snprintf(text, size, dim == 2 ? "%g,%g" : "%g", x[0], x[1]);
-    return text;
+static void print_forms(const struct request *r) {
+    const struct scene *s = r->experiment.scene;
+    const struct problem *p = &r->experiment.problem;
+    double t = r->time.value[0];
+    struct forms f = {s->exact(p, r->at.value, t), s->second(p, r->at.value, t),
+                      s->published ? s->published(p, r->at.value, t) : 0};
+    (r->json ? print_json : print_text)(r, &f);
+}
+
+static int read_points(const struct request *r, struct points *points, struct failure *why) {
+    const struct problem *p = &r->experiment.problem;
+    if (!r->points) return points_one(p, r->at.value, points, why);
+    if (strcmp(r->points, "-") == 0) return points_read(stdin, "standard input", p, points, why);
+    FILE *in = fopen(r->points, "r");
+    if (!in) return refuse(why, STATUS_INPUT, "--points %.200s: %s", r->points, strerror(errno));
+    int status = points_read(in, r->points, p, points, why);
+    fclose(in);
+    return status;
 }
 
 int verb_reference(const struct request *r, struct failure *why) {
-    const double *x = r->at.value;
-    const struct problem *p = &r->experiment.problem;
-    if (!inside(p, x)) {
-        char at[64], lo[64], hi[64];
-        return refuse(why, STATUS_INPUT, "--at %s: outside of %s, which is %s to %s m",
-                      point(p->dim, x, at, sizeof at), r->experiment.scene->name, point(p->dim, p->lo, lo, sizeof lo),
-                      point(p->dim, p->hi, hi, sizeof hi));
-    }
-    struct exact e = r->experiment.scene->exact(p, x, r->time), second = r->experiment.scene->second(p, x, r->time);
-    double published = r->experiment.scene->published ? r->experiment.scene->published(p, x, r->time) : 0;
-    (r->json ? print_json : print_text)(r, e, second, published);
-    return STATUS_OK;
+    struct answer a = {.scene = r->experiment.scene,
+                       .problem = &r->experiment.problem,
+                       .times = r->time.count,
+                       .time = r->time.value,
+                       .cell = r->rungs.dx.value[0]};
+    if (columns_parse(r->what ? r->what : "temperature", a.problem->dim, &a.columns, why)) return why->status;
+    if (read_points(r, &a.points, why)) return why->status;
+    int status = answer_check(&a, why);
+    if (!status && (r->points || r->what || r->time.count > 1))
+        answer_write(&a, stdout);
+    else if (!status)
+        print_forms(r);
+    points_free(&a.points);
+    return status;
 }

@@ -1,0 +1,48 @@
+/* The answer of `reference` for a set of points, as CSV. */
+#include "verification/oracle/answer.h"
+
+#include "references/snapshot.h"
+#include "solver/status.h"
+
+#include <string.h>
+
+int answer_check(const struct answer *a, struct failure *why) {
+    for (int i = 0; i < a->columns.count; i++) {
+        const struct columns_kind *kind = a->columns.kind[i];
+        if (kind->needs_time && a->times == 0)
+            return refuse(why, STATUS_INPUT, "--what %s needs --time T[,T...]: when, s", kind->name);
+        if (kind->needs_cell && !a->points.cell && !(a->cell > 0))
+            return refuse(why, STATUS_INPUT,
+                          "--what %s needs the cell around each point: columns dx and dy of the points, or --dx DX",
+                          kind->name);
+        for (int k = 0; k < a->times && strncmp(kind->name, "flux", 4) == 0; k++)
+            if (a->time[k] == 0)
+                return refuse(why, STATUS_INPUT, "--time 0: --what %s needs a time > 0, when the gradient is finite",
+                              kind->name);
+    }
+    return STATUS_OK;
+}
+
+static void write_points(const struct answer *a, double time, FILE *out) {
+    struct snapshot now = snapshot_take(a->scene, a->problem, time);
+    const double same[2] = {a->cell, a->cell};
+    double value[COLUMNS_VALUES];
+    for (size_t i = 0; i < a->points.n; i++) {
+        int n = columns_values(&a->columns, &now, a->points.x[i], a->points.cell ? a->points.cell[i] : same, value);
+        for (int d = 0; d < a->points.dim; d++)
+            fprintf(out, "%s%.*s", d ? "," : "", a->points.typed[i][d].length, a->points.typed[i][d].start);
+        if (a->times > 1) fprintf(out, ",%.17g", time);
+        for (int k = 0; k < n; k++) fprintf(out, ",%.17g", value[k]);
+        fputc('\n', out);
+        if (ferror(out)) break;
+    }
+    snapshot_free(&now);
+}
+
+void answer_write(const struct answer *a, FILE *out) {
+    char header[COLUMNS_HEADER];
+    columns_header(&a->columns, header);
+    fprintf(out, "%s%s%s\n", a->points.dim == 2 ? "x,y" : "x", a->times > 1 ? ",time" : "", header);
+    if (a->times == 0) write_points(a, 0, out);
+    for (int k = 0; k < a->times && !ferror(out); k++) write_points(a, a->time[k], out);
+}

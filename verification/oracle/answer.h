@@ -1,0 +1,26 @@
+#ifndef HEATLADDER_VERIFICATION_ORACLE_ANSWER_H
+#define HEATLADDER_VERIFICATION_ORACLE_ANSWER_H
+
+#include "verification/oracle/columns.h"
+#include "verification/oracle/points.h"
+
+struct scene;
+
+/* What is asked of a scene at a set of points. */
+struct answer {
+    const struct scene *scene;
+    const struct problem *problem;
+    struct points points;
+    struct columns columns;
+    int times;
+    const double *time; /* s */
+    double cell;        /* m: extent of a cell where the points do not tell; 0 where not given */
+};
+
+/* Whether all that the columns need is there: times, cells. */
+int answer_check(const struct answer *a, struct failure *why);
+
+/* CSV: the coordinates as typed, `time` where there are several, the columns with 17 digits. */
+void answer_write(const struct answer *a, FILE *out);
+
+#endif

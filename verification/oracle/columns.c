@@ -1,0 +1,192 @@
+/* The columns of `reference`: one table, a function each. */
+#include "verification/oracle/columns.h"
+
+#include "references/cubature.h"
+#include "references/snapshot.h"
+#include "solver/status.h"
+#include "verification/text/words.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+
+struct columns_row {
+    const struct problem *p;
+    const double *x;
+    const double *cell;
+    struct exact exact; /* where a column needs the time */
+};
+
+const char columns_help[] =
+    "What LIST may name, one or more with commas between (SI units):\n"
+    "  temperature         the exact solution; nan where it has no value (a corner whose sides disagree)\n"
+    "  error_bound         what truncation and rounding may put it off by\n"
+    "  flux_x flux_y       -k_x dT/dx, -k_y dT/dy, at a time > 0; at an interface, of the upper material\n"
+    "  initial             the temperature at the start; on a jump, that of the closed piece\n"
+    "  initial_mean        its mean over the cell around the point, clipped to the domain: the cell's extents are "
+    "in\n"
+    "                      columns dx and dy of the points (dy left out: the same), else --dx for all\n"
+    "  source k_x k_y rho_c   of the equation; at an interface, of the upper material\n"
+    "  wall                three columns, wall_kind, wall_value and wall_b: 0 off the sides; 1 (first kind, "
+    "Dirichlet)\n"
+    "                      T = value; 2 (second kind, Neumann) k dT/dn = value, the flux into the body; 3 (third "
+    "kind,\n"
+    "                      Robin) k dT/dn = b (value - T).  In a corner the side of the lower kind; of two of the "
+    "first\n"
+    "                      kind that disagree, their mean; of two others, the one across x\n"
+    "  wall_x wall_y       the same of the sides across x, or across y, alone: in a corner both are told\n"
+    "--points: CSV with the header x (or x,y) and a point a line; other columns are skipped; - is standard input.  "
+    "The\n"
+    "answer has the coordinates as they were typed, `time` after them where several are given (first all points of "
+    "the\n"
+    "first), and the columns with 17 digits.  What needs no time needs no --time.\n";
+
+static int material_at(const struct columns_row *row) {
+    return row->p->materials == 2 && row->x[0] >= row->p->interface;
+}
+
+static void temperature(const struct columns_row *row, double *value) {
+    *value = row->exact.no_value ? NAN : row->exact.temperature;
+}
+
+static void error_bound(const struct columns_row *row, double *value) {
+    *value = row->exact.no_value ? NAN : row->exact.error_bound;
+}
+
+static void flux(const struct columns_row *row, int axis, double *value) {
+    *value = row->exact.no_value ? NAN : -row->p->material[material_at(row)].k[axis] * row->exact.gradient[axis];
+}
+
+static void flux_x(const struct columns_row *row, double *value) {
+    flux(row, 0, value);
+}
+
+static void flux_y(const struct columns_row *row, double *value) {
+    flux(row, 1, value);
+}
+
+static void initial(const struct columns_row *row, double *value) {
+    *value = row->p->initial(row->p, row->x);
+}
+
+static double initial_at(const void *data, const double x[2]) {
+    const struct problem *p = data;
+    return p->initial(p, x);
+}
+
+static void initial_mean(const struct columns_row *row, double *value) {
+    const struct problem *p = row->p;
+    double lo[2] = {0, 0}, hi[2] = {0, 0};
+    struct cubature_knots knots = {.count = {0, 0}};
+    for (int a = 0; a < p->dim; a++) {
+        lo[a] = fmax(row->x[a] - row->cell[a] / 2, p->lo[a]);
+        hi[a] = fmin(row->x[a] + row->cell[a] / 2, p->hi[a]);
+        for (int j = 0; j < p->jumps[a]; j++) knots.knot[a][knots.count[a]++].at = p->jump[a][j];
+        knots.knot[a][knots.count[a]].at = (p->lo[a] + p->hi[a]) / 2; /* where the data of a scene may have a peak */
+        knots.knot[a][knots.count[a]++].graded = 1;
+    }
+    *value = cubature_mean(initial_at, p, p->dim, lo, hi, &knots).value;
+}
+
+static void source(const struct columns_row *row, double *value) {
+    *value = row->p->source ? row->p->source(row->p, row->x) : 0;
+}
+
+static void k_x(const struct columns_row *row, double *value) {
+    *value = row->p->material[material_at(row)].k[0];
+}
+
+static void k_y(const struct columns_row *row, double *value) {
+    *value = row->p->material[material_at(row)].k[1];
+}
+
+static void rho_c(const struct columns_row *row, double *value) {
+    *value = row->p->material[material_at(row)].rho_c;
+}
+
+static void wall_across(const struct columns_row *row, int axis, double *value) {
+    static const int kind[] = {[DIRICHLET] = 1, [NEUMANN] = 2, [ROBIN] = 3};
+    const struct problem *p = row->p;
+    int upper = row->x[axis] >= p->hi[axis], s = 2 * axis + upper;
+    value[0] = value[1] = value[2] = 0;
+    if (!upper && row->x[axis] > p->lo[axis]) return;
+    value[0] = kind[p->side[s]];
+    value[1] = p->wall(p, (enum side)s, row->x);
+    value[2] = p->side[s] == ROBIN ? p->robin[s] : 0;
+}
+
+static void wall_x(const struct columns_row *row, double *value) {
+    wall_across(row, 0, value);
+}
+
+static void wall_y(const struct columns_row *row, double *value) {
+    wall_across(row, 1, value);
+}
+
+static void wall(const struct columns_row *row, double *value) {
+    double other[3];
+    wall_across(row, 0, value);
+    if (row->p->dim == 1) return;
+    wall_across(row, 1, other);
+    if (other[0] == 0) return;
+    if (value[0] == 1 && other[0] == 1)
+        value[1] = (value[1] + other[1]) / 2;
+    else if (value[0] == 0 || other[0] < value[0])
+        memcpy(value, other, sizeof other);
+}
+
+static const struct columns_kind kinds[] = {
+    {"temperature", "temperature", 1, 0, 0, temperature, 1},
+    {"error_bound", "error_bound", 1, 0, 0, error_bound, 1},
+    {"initial", "initial", 0, 0, 0, initial, 1},
+    {"initial_mean", "initial_mean", 0, 1, 0, initial_mean, 1},
+    {"source", "source", 0, 0, 0, source, 1},
+    {"k_x", "k_x", 0, 0, 0, k_x, 1},
+    {"k_y", "k_y", 0, 0, 1, k_y, 1},
+    {"rho_c", "rho_c", 0, 0, 0, rho_c, 1},
+    {"flux_x", "flux_x", 1, 0, 0, flux_x, 1},
+    {"flux_y", "flux_y", 1, 0, 1, flux_y, 1},
+    {"wall", "wall_kind,wall_value,wall_b", 0, 0, 0, wall, 3},
+    {"wall_x", "wall_x_kind,wall_x_value,wall_x_b", 0, 0, 0, wall_x, 3},
+    {"wall_y", "wall_y_kind,wall_y_value,wall_y_b", 0, 0, 1, wall_y, 3},
+};
+enum { KINDS = sizeof kinds / sizeof *kinds };
+
+int columns_parse(const char *list, int dim, struct columns *c, struct failure *why) {
+    const char *names[KINDS + 1] = {0};
+    for (int k = 0; k < KINDS; k++) names[k] = kinds[k].name;
+    *c = (struct columns){0};
+    for (const char *at = list;; at++) {
+        char name[64];
+        size_t length = strcspn(at, ",");
+        snprintf(name, sizeof name, "%.*s", (int)(length < 63 ? length : 63), at);
+        int k = words_index(names, name);
+        if (k < 0) return words_unknown(names, "--what", name, why);
+        if (kinds[k].plane && dim == 1) return refuse(why, STATUS_INPUT, "--what %s: a rod has no y", name);
+        for (int i = 0; i < c->count; i++)
+            if (c->kind[i] == &kinds[k]) return refuse(why, STATUS_INPUT, "--what %s: is named twice", name);
+        c->kind[c->count++] = &kinds[k];
+        c->needs_time |= kinds[k].needs_time;
+        c->needs_cell |= kinds[k].needs_cell;
+        at += length;
+        if (*at == '\0') return STATUS_OK;
+    }
+}
+
+void columns_header(const struct columns *c, char *text) {
+    size_t used = 0;
+    for (int i = 0; i < c->count; i++)
+        used += (size_t)snprintf(text + used, COLUMNS_HEADER - used, ",%s", c->kind[i]->header);
+}
+
+int columns_values(const struct columns *c, const struct snapshot *now, const double x[2], const double cell[2],
+                   double *value) {
+    struct columns_row row = {.p = now->problem, .x = x, .cell = cell};
+    int n = 0;
+    if (c->needs_time) row.exact = snapshot_at(now, x);
+    for (int i = 0; i < c->count; i++) {
+        c->kind[i]->fill(&row, value + n);
+        n += c->kind[i]->values;
+    }
+    return n;
+}

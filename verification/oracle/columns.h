@@ -1,0 +1,42 @@
+#ifndef HEATLADDER_VERIFICATION_ORACLE_COLUMNS_H
+#define HEATLADDER_VERIFICATION_ORACLE_COLUMNS_H
+
+/* What can be told about a scene at points of somebody's own: a column each, or three of a wall. */
+
+struct failure;
+struct problem;
+struct snapshot;
+
+enum { COLUMNS_MAX = 24, COLUMNS_VALUES = 3 * COLUMNS_MAX };
+
+struct columns_row; /* what one point is told by */
+
+struct columns_kind {
+    const char *name;   /* as in --what */
+    const char *header; /* of the columns that it fills */
+    int needs_time, needs_cell;
+    int plane; /* 1: a rod has none */
+    void (*fill)(const struct columns_row *row, double *value);
+    int values; /* how many it fills */
+};
+
+struct columns {
+    int count;
+    const struct columns_kind *kind[COLUMNS_MAX];
+    int needs_time, needs_cell; /* whether one of them does */
+};
+
+extern const char columns_help[];
+
+/* Reads a list with commas between.  STATUS_OK, or STATUS_INPUT naming the word and what would be valid. */
+int columns_parse(const char *list, int dim, struct columns *c, struct failure *why);
+
+/* ",name" for each column; into text of size COLUMNS_HEADER. */
+enum { COLUMNS_HEADER = 1024 };
+void columns_header(const struct columns *c, char *text);
+
+/* The values at x, in the order of the header; how many.  `cell` m, extents of the cell around x, or NULL. */
+int columns_values(const struct columns *c, const struct snapshot *now, const double x[2], const double cell[2],
+                   double *value);
+
+#endif

@@ -1,0 +1,219 @@
+/* Points from CSV. */
+#include "verification/oracle/points.h"
+
+#include "solver/problem.h"
+#include "solver/status.h"
+
+#include <errno.h>
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+enum { COLUMN_X, COLUMN_Y, COLUMN_DX, COLUMN_DY, COLUMNS };
+static const char *const names[COLUMNS] = {"x", "y", "dx", "dy"};
+static const double slack = 1e-9; /* of the extent: a side's coordinate may be a rounded decimal */
+
+struct reader {
+    const char *name;
+    const struct problem *p;
+    struct points *points;
+    size_t room;
+    char *at; /* the start of the next line */
+    long line;
+    int place[COLUMNS]; /* among the columns, from 0; -1 where it is not there */
+    int width;          /* columns of the header */
+};
+
+/* All of a stream and a NUL; its length in *size. */
+static char *read_all(FILE *in, size_t *size) {
+    size_t room = 1 << 16, used = 0, got;
+    char *text = xcalloc(room, 1);
+    while ((got = fread(text + used, 1, room - used - 1, in)) > 0) {
+        used += got;
+        if (used + 1 < room) continue;
+        char *more = xcalloc(2 * room, 1);
+        memcpy(more, text, used);
+        free(text);
+        text = more;
+        room *= 2;
+    }
+    *size = used;
+    return text;
+}
+
+/* The next line that says something, ended by a NUL; NULL at the end, or with *why filled. */
+static char *next_line(struct reader *r, struct failure *why) {
+    while (*r->at) {
+        char *line = r->at, *end = strchr(line, '\n');
+        r->line++;
+        if (!end) {
+            refuse(why, STATUS_INPUT,
+                   "%.150s, line %ld: ends without a newline: it looks cut off; end the last line too", r->name,
+                   r->line);
+            return NULL;
+        }
+        r->at = end + 1;
+        if (end > line && end[-1] == '\r') end--;
+        *end = '\0';
+        if (r->line == 1 && strncmp(line, "\xEF\xBB\xBF", 3) == 0) line += 3;
+        const char *first = line + strspn(line, " \t");
+        if (*first != '#' && *first != '\0') return line;
+    }
+    return NULL;
+}
+
+/* The cell that starts at *at without its blanks and quotes; *at moves behind its comma, to NULL after the last. */
+static struct points_text next_cell(const char **at) {
+    const char *start = *at, *end = strchr(start, ',');
+    *at = end ? end + 1 : NULL;
+    if (!end) end = start + strlen(start);
+    while (start < end && strchr(" \t\"'", *start)) start++;
+    while (start < end && strchr(" \t\"'", end[-1])) end--;
+    return (struct points_text){start, (int)(end - start)};
+}
+
+static int read_header(struct reader *r, const char *line, struct failure *why) {
+    for (int c = 0; c < COLUMNS; c++) r->place[c] = -1;
+    for (const char *at = line; at; r->width++) {
+        struct points_text cell = next_cell(&at);
+        for (int c = 0; c < COLUMNS; c++) {
+            if ((size_t)cell.length != strlen(names[c]) || strncmp(cell.start, names[c], (size_t)cell.length))
+                continue;
+            if (r->place[c] >= 0)
+                return refuse(why, STATUS_INPUT, "%.150s, line %ld: two columns are called '%s'", r->name, r->line,
+                              names[c]);
+            r->place[c] = r->width;
+        }
+    }
+    for (int a = 0; a < r->p->dim; a++)
+        if (r->place[a] < 0)
+            return refuse(why, STATUS_INPUT,
+                          "%.150s, line %ld: '%.60s' has no column %s; the header is %s, with commas between",
+                          r->name, r->line, line, names[a], r->p->dim == 2 ? "x,y" : "x");
+    return STATUS_OK;
+}
+
+static void *larger(void *old, size_t used, size_t room, size_t size) {
+    void *block = xcalloc(room, size);
+    if (used) memcpy(block, old, used * size);
+    free(old);
+    return block;
+}
+
+static void grow(struct reader *r) {
+    struct points *points = r->points;
+    if (points->n < r->room) return;
+    r->room = r->room ? 2 * r->room : 1024;
+    points->x = larger(points->x, points->n, r->room, sizeof *points->x);
+    points->typed = larger(points->typed, points->n, r->room, sizeof *points->typed);
+    if (r->place[COLUMN_DX] >= 0) points->cell = larger(points->cell, points->n, r->room, sizeof *points->cell);
+}
+
+static int read_number(const struct reader *r, int column, struct points_text cell, double *value,
+                       struct failure *why) {
+    char *end;
+    *value = strtod(cell.start, &end);
+    if (cell.length > 0 && end == cell.start + cell.length && isfinite(*value)) return STATUS_OK;
+    return refuse(why, STATUS_INPUT, "%.150s, line %ld, column %d (%s): '%.*s' is not a finite number", r->name,
+                  r->line, r->place[column] + 1, names[column], cell.length < 40 ? cell.length : 40, cell.start);
+}
+
+/* Takes a coordinate that is off by a rounding to the side. */
+static int check_inside(const struct problem *p, int axis, double *x) {
+    double lo = p->lo[axis], hi = p->hi[axis], away = slack * (hi - lo);
+    if (!(*x >= lo - away && *x <= hi + away)) return -1;
+    *x = fmin(fmax(*x, lo), hi);
+    return 0;
+}
+
+static int read_point(struct reader *r, const char *line, struct failure *why) {
+    struct points *points = r->points;
+    struct points_text cell[COLUMNS] = {{0}};
+    int width = 0;
+    for (const char *at = line; at; width++) {
+        struct points_text next = next_cell(&at);
+        for (int c = 0; c < COLUMNS; c++)
+            if (r->place[c] == width) cell[c] = next;
+    }
+    if (width != r->width)
+        return refuse(why, STATUS_INPUT, "%.150s, line %ld: %d column%s where the header has %d", r->name, r->line,
+                      width, width == 1 ? "" : "s", r->width);
+    grow(r);
+    for (int a = 0; a < points->dim; a++) {
+        double *x = &points->x[points->n][a];
+        points->typed[points->n][a] = cell[a];
+        if (read_number(r, a, cell[a], x, why)) return why->status;
+        if (check_inside(r->p, a, x))
+            return refuse(why, STATUS_INPUT, "%.150s, line %ld, column %d (%s): %.*s m lies outside of %g to %g m",
+                          r->name, r->line, r->place[a] + 1, names[a], cell[a].length < 40 ? cell[a].length : 40,
+                          cell[a].start, r->p->lo[a], r->p->hi[a]);
+    }
+    for (int a = 0; a < points->dim && points->cell; a++) {
+        int c = r->place[COLUMN_DX + a] >= 0 ? COLUMN_DX + a : COLUMN_DX;
+        double *extent = &points->cell[points->n][a];
+        if (read_number(r, c, cell[c], extent, why)) return why->status;
+        if (*extent < 0)
+            return refuse(why, STATUS_INPUT, "%.150s, line %ld, column %d (%s): %g m: a cell's extent is 0 or more",
+                          r->name, r->line, r->place[c] + 1, names[c], *extent);
+    }
+    points->n++;
+    return STATUS_OK;
+}
+
+static int read_lines(struct reader *r, struct failure *why) {
+    const char *line = next_line(r, why);
+    if (why->status) return why->status;
+    if (!line)
+        return refuse(why, STATUS_INPUT, "%.150s: empty; it starts with the header %s", r->name,
+                      r->p->dim == 2 ? "x,y" : "x");
+    if (read_header(r, line, why)) return why->status;
+    while ((line = next_line(r, why)) != NULL)
+        if (read_point(r, line, why)) return why->status;
+    if (!why->status && r->points->n == 0) return refuse(why, STATUS_INPUT, "%.150s: a header and no point", r->name);
+    return why->status;
+}
+
+int points_read(FILE *in, const char *name, const struct problem *p, struct points *points, struct failure *why) {
+    size_t size;
+    *why = (struct failure){0};
+    *points = (struct points){.dim = p->dim, .text = read_all(in, &size)};
+    struct reader r = {.name = name, .p = p, .points = points, .at = points->text};
+    if (ferror(in))
+        refuse(why, STATUS_INPUT, "%.150s: %s", name, strerror(errno));
+    else if (memchr(points->text, '\0', size))
+        refuse(why, STATUS_INPUT, "%.150s: has a NUL byte: this is no text", name);
+    else
+        read_lines(&r, why);
+    if (why->status) points_free(points);
+    return why->status;
+}
+
+int points_one(const struct problem *p, const double x[2], struct points *points, struct failure *why) {
+    *points = (struct points){.dim = p->dim,
+                              .n = 1,
+                              .x = xcalloc(1, sizeof *points->x),
+                              .typed = xcalloc(1, sizeof *points->typed),
+                              .text = xcalloc(2, 32)};
+    for (int a = 0; a < p->dim; a++) {
+        char *typed = points->text + 32 * a;
+        points->x[0][a] = x[a];
+        points->typed[0][a] = (struct points_text){typed, snprintf(typed, 32, "%.17g", x[a])};
+    }
+    for (int a = 0; a < p->dim; a++) {
+        if (check_inside(p, a, &points->x[0][a]) == 0) continue;
+        points_free(points);
+        if (p->dim == 1)
+            return refuse(why, STATUS_INPUT, "--at %g: lies outside of %g to %g m", x[0], p->lo[0], p->hi[0]);
+        return refuse(why, STATUS_INPUT, "--at %g,%g: lies outside of %g to %g m, %g to %g m", x[0], x[1], p->lo[0],
+                      p->hi[0], p->lo[1], p->hi[1]);
+    }
+    return STATUS_OK;
+}
+
+void points_free(struct points *points) {
+    free(points->x);
+    free(points->cell);
+    free(points->typed);
+    free(points->text);
+    *points = (struct points){0};
+}

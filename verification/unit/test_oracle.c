@@ -1,0 +1,328 @@
+/* The oracle: points as programs write them, every column against what it stands for, refusals that name line and
+ * column. */
+#include "verification/oracle/answer.h"
+
+#include "references/cubature.h"
+#include "references/snapshot.h"
+#include "verification/unit/odd_scenes.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+#include <gsl/gsl_errno.h>
+
+static int read_text(const char *text, const struct problem *p, struct points *points, struct failure *why) {
+    FILE *in = fmemopen((void *)text, strlen(text), "r");
+    assert_non_null(in);
+    int status = points_read(in, "points.csv", p, points, why);
+    fclose(in);
+    return status;
+}
+
+static const struct scene *odd(const char *name, struct problem *p) {
+    for (int o = 0; o < ODD_SCENES; o++)
+        if (strcmp(odd_scenes[o].name, name) == 0) return odd_setup(&odd_scenes[o], p);
+    fail_msg("no scene %s", name);
+    return NULL;
+}
+
+static void points_are_read_as_programs_write_them(void **state) {
+    (void)state;
+    struct problem p;
+    struct points points;
+    struct failure why;
+    odd("square-step", &p);
+    const char *text = "\xEF\xBB\xBF# mesh 7\r\ncell , \"y\",dx, x,T\r\n\r\n1,-0.37,0.02,+4.1e-01,nan\r\n# half\r\n"
+                       "2, 1.9000000001 ,0.03,-.5,0\r\n";
+    assert_int_equal(read_text(text, &p, &points, &why), STATUS_OK);
+    assert_int_equal(points.n, 2);
+    assert_near(points.x[0][0], 0.41, 0);
+    assert_near(points.x[0][1], -0.37, 0);
+    assert_near(points.x[1][1], 1.9, 0); /* off by 1e-10: on the side */
+    assert_near(points.cell[0][0], 0.02, 0);
+    assert_near(points.cell[1][1], 0.03, 0); /* dy as dx */
+    assert_int_equal(points.typed[0][0].length, 8);
+    assert_memory_equal(points.typed[0][0].start, "+4.1e-01", 8);
+    points_free(&points);
+}
+
+/* More points than the first blocks hold, of the text and of the numbers. */
+static void many_points_are_all_read(void **state) {
+    (void)state;
+    enum { N = 9001 };
+    struct problem p;
+    struct points points;
+    struct failure why;
+    char *text = malloc(N * 24 + 8), *to = text;
+    odd("rod-cosine", &p);
+    to += sprintf(to, "x\n");
+    for (int i = 0; i < N; i++) to += sprintf(to, "%.17g\n", 1.3 * (i + 0.5) / N);
+    assert_int_equal(read_text(text, &p, &points, &why), STATUS_OK);
+    assert_int_equal(points.n, N);
+    for (int i = 0; i < N; i++) assert_near(points.x[i][0], 1.3 * (i + 0.5) / N, 0);
+    assert_null(points.cell);
+    points_free(&points);
+    free(text);
+}
+
+static void what_is_no_point_is_refused_by_line_and_column(void **state) {
+    (void)state;
+    static const struct {
+        const char *text, *says;
+    } bad[] = {
+        {"", "points.csv: empty; it starts with the header x,y"},
+        {"# x,y\n", "empty"},
+        {"x,y\n", "a header and no point"},
+        {"x,z\n0.1,0.2\n", "line 1: 'x,z' has no column y; the header is x,y"},
+        {"0.1,0.2\n", "line 1: '0.1,0.2' has no column x"},
+        {"x,y,x\n0.1,0.2,0.3\n", "line 1: two columns are called 'x'"},
+        {"x,y\n0.1,0.2\n\n0.1;0.2\n", "line 4: 1 column where the header has 2"},
+        {"x,y\n0.1,0.2,0.3\n", "line 2: 3 columns where the header has 2"},
+        {"a,x,y\n7,0.1,0.2\n7,0.1,1.2345-110\n", "line 3, column 3 (y): '1.2345-110' is not a finite number"},
+        {"x,y\n,0.2\n", "line 2, column 1 (x): '' is not a finite number"},
+        {"x,y\nnan,0.2\n", "line 2, column 1 (x): 'nan' is not a finite number"},
+        {"x,y\n0.1,0.2\n1.91,0.2\n", "line 3, column 1 (x): 1.91 m lies outside of -1.9 to 1.9 m"},
+        {"x,y\n0.1,0.2\n0.15,-2\n", "line 3, column 2 (y): -2 m lies outside"},
+        {"x,y,dx\n0.1,0.2,-0.01\n", "line 2, column 3 (dx): -0.01 m: a cell's extent is 0 or more"},
+        {"x,y\n0.1,0.2\n0.1,0.", "line 3: ends without a newline"},
+    };
+    struct problem p;
+    odd("square-step", &p);
+    for (size_t i = 0; i < sizeof bad / sizeof *bad; i++) {
+        struct points points;
+        struct failure why;
+        int status = *bad[i].text ? read_text(bad[i].text, &p, &points, &why) : STATUS_INPUT;
+        if (!*bad[i].text) {
+            FILE *in = tmpfile();
+            status = points_read(in, "points.csv", &p, &points, &why);
+            fclose(in);
+        }
+        assert_int_equal(status, STATUS_INPUT);
+        if (!strstr(why.text, bad[i].says)) fail_msg("\"%s\" lacks \"%s\"", why.text, bad[i].says);
+        assert_null(points.x);
+    }
+    FILE *in = fmemopen((void *)"x,y\n0.1,\0.2\n", 13, "r");
+    struct points points;
+    struct failure why;
+    assert_int_equal(points_read(in, "points.csv", &p, &points, &why), STATUS_INPUT);
+    assert_non_null(strstr(why.text, "NUL"));
+    fclose(in);
+}
+
+static void lists_of_columns_are_checked(void **state) {
+    (void)state;
+    struct columns c;
+    struct failure why;
+    char header[COLUMNS_HEADER];
+    assert_int_equal(columns_parse("k_x,wall,flux_y", 2, &c, &why), STATUS_OK);
+    columns_header(&c, header);
+    assert_string_equal(header, ",k_x,wall_kind,wall_value,wall_b,flux_y");
+    assert_true(c.needs_time && !c.needs_cell);
+    assert_int_equal(columns_parse("initial_mean", 1, &c, &why), STATUS_OK);
+    assert_true(!c.needs_time && c.needs_cell);
+    assert_int_equal(columns_parse("tempurature", 1, &c, &why), STATUS_INPUT);
+    assert_non_null(strstr(why.text, "did you mean 'temperature'"));
+    assert_int_equal(columns_parse("k_x,", 1, &c, &why), STATUS_INPUT);
+    assert_int_equal(columns_parse("", 1, &c, &why), STATUS_INPUT);
+    assert_int_equal(columns_parse("k_x,k_y", 1, &c, &why), STATUS_INPUT);
+    assert_non_null(strstr(why.text, "a rod has no y"));
+    assert_int_equal(columns_parse("k_x,k_x", 1, &c, &why), STATUS_INPUT);
+    assert_non_null(strstr(why.text, "named twice"));
+}
+
+static int values(const char *what, const struct scene *s, const struct problem *p, const double x[2],
+                  const double cell[2], double t, double *value) {
+    struct columns c;
+    struct failure why = {0};
+    struct snapshot now = snapshot_take(s, p, t);
+    if (columns_parse(what, p->dim, &c, &why)) fail_msg("%s", why.text);
+    int n = columns_values(&c, &now, x, cell, value);
+    snapshot_free(&now);
+    return n;
+}
+
+/* Every material's value in its own column, and the flux from temperatures at two points. */
+static void columns_hold_what_they_say(void **state) {
+    (void)state;
+    struct problem p;
+    double v[COLUMNS_VALUES], d = 1e-4, there[2];
+    const struct scene *s = odd("rect-manufactured", &p);
+    const double x[2] = {0.31, 0.23};
+    assert_int_equal(
+        values("temperature,initial,source,k_x,k_y,rho_c,flux_x,flux_y,error_bound", s, &p, x, NULL, 1.3, v), 9);
+    struct exact e = s->exact(&p, x, 1.3);
+    assert_near(v[0], e.temperature, 0);
+    assert_near(v[1], p.initial(&p, x), 0);
+    assert_near(v[2], p.source(&p, x), 0);
+    assert_near(v[3], 0.023, 0);
+    assert_near(v[4], 0.0061, 0);
+    assert_near(v[5], 1.9, 0);
+    for (int a = 0; a < 2; a++) {
+        double slope = 0;
+        for (int side = -1; side <= 1; side += 2) {
+            there[0] = x[0], there[1] = x[1];
+            there[a] += side * d;
+            slope += side * s->second(&p, there, 1.3).temperature / (2 * d);
+        }
+        assert_near(v[6 + a], -p.material[0].k[a] * slope, 2e-7);
+        assert_true(fabs(v[6 + a]) > 1e-4);
+    }
+    assert_near(v[8], e.error_bound, 0);
+
+    s = odd("wall-composite", &p); /* two materials; at the interface, the upper one */
+    for (int side = 0; side < 2; side++) {
+        const double at[2] = {side ? 0.37 : 0.369, 0};
+        assert_int_equal(values("k_x,rho_c,flux_x", s, &p, at, NULL, 0.7, v), 3);
+        assert_near(v[0], side ? 0.013 : 0.9, 0);
+        assert_near(v[1], side ? 0.021 : 1.3, 0);
+        assert_near(v[2], 0.9 / (0.37 / 0.9 + 0.73 / 0.013), 3e-4); /* nearly steady */
+    }
+}
+
+static void walls_are_told_by_their_kind(void **state) {
+    (void)state;
+    struct problem p;
+    double v[COLUMNS_VALUES];
+    const struct scene *s = odd("rect-manufactured", &p);
+    double W = 0.9, H = 0.6;
+    values("wall", s, &p, (double[2]){0.3, 0.2}, NULL, 1, v);
+    assert_true(v[0] == 0 && v[1] == 0 && v[2] == 0);
+    values("wall", s, &p, (double[2]){W, 0.2}, NULL, 1, v);
+    assert_true(v[0] == 1 && v[2] == 0);
+    assert_near(v[1], p.wall(&p, X_HI, (double[2]){W, 0.2}), 0);
+    values("wall", s, &p, (double[2]){0.3, H}, NULL, 1, v);
+    assert_true(v[0] == 2);
+    assert_near(v[1], p.wall(&p, Y_HI, (double[2]){0.3, H}), 0);
+    values("wall,wall_x,wall_y", s, &p, (double[2]){0, H}, NULL, 1, v); /* the corner of both kinds */
+    assert_true(v[0] == 1 && v[3] == 1 && v[6] == 2);
+    assert_near(v[1], p.wall(&p, X_LO, (double[2]){0, H}), 0);
+    assert_near(v[7], p.wall(&p, Y_HI, (double[2]){0, H}), 0);
+    p.side[X_HI] = ROBIN;
+    p.robin[X_HI] = 7.5;
+    values("wall", s, &p, (double[2]){W, 0.2}, NULL, 1, v);
+    assert_true(v[0] == 3 && v[2] == 7.5);
+    values("wall", s, &p, (double[2]){W, 0}, NULL, 1, v);
+    assert_true(v[0] == 2);
+
+    s = odd("plate", &p); /* T1 = 0.31 at y = 0, T4 = 1.19 at x = 0 */
+    values("wall,temperature", s, &p, (double[2]){0, 0}, NULL, 1, v);
+    assert_true(v[0] == 1 && isnan(v[3]));
+    assert_near(v[1], (0.31 + 1.19) / 2, 1e-16);
+    s = odd("rod-contact", &p);
+    values("wall", s, &p, (double[2]){p.hi[0], 0}, NULL, 1, v);
+    assert_true(v[0] == 1 && v[1] == p.wall(&p, X_HI, (double[2]){p.hi[0], 0}));
+}
+
+/* A cell cut by a jump; a Gaussian in wide and narrow cells, and one far narrower than its cell; the plane; a cell
+ * that reaches out of the domain is clipped. */
+static void cell_means_are_integrals(void **state) {
+    (void)state;
+    struct problem p;
+    double v[3];
+    const struct scene *s = odd("rod-step", &p); /* 7.3 K for |x| <= 0.62 */
+    values("initial_mean", s, &p, (double[2]){0.64, 0}, (double[2]){0.1, 0}, 1, v);
+    assert_near(v[0], 7.3 * 0.3, 1e-13);
+    values("initial_mean", s, &p, (double[2]){-0.1, 0}, (double[2]){9, 0}, 1, v);
+    assert_near(v[0], 7.3 * 0.62 / 1.7, 1e-13);
+    s = odd("rod-gauss", &p);
+    for (double sigma = 0.003; sigma < 3; sigma *= 5)
+        for (double dx = 0.001; dx < 5; dx *= 7)
+            for (double x = -0.2; x < 3; x += 0.57) {
+                p.param[1] = sigma;
+                values("initial_mean", s, &p, (double[2]){x, 0}, (double[2]){dx, 0}, 1, v);
+                double a = (x - dx / 2) / (sigma * sqrt(2)), b = (x + dx / 2) / (sigma * sqrt(2));
+                double integral = a > 0 ? erfc(a) - erfc(b) : erf(b) - erf(a);
+                assert_near(v[0], sigma * sqrt(3.14159265358979323846 / 2) * integral / dx,
+                            2e-13 + 1e-15 * sigma / dx);
+            }
+    s = odd("square-step", &p); /* 6.1 K for |x| <= 0.47, |y| <= 0.83 */
+    values("initial_mean", s, &p, (double[2]){0.46, -0.8}, (double[2]){0.04, 0.1}, 1, v);
+    assert_near(v[0], 6.1 * 0.75 * 0.8, 1e-13);
+    s = odd("rect-manufactured", &p);
+    values("initial_mean", s, &p, (double[2]){0.31, 0.23}, (double[2]){1e-3, 1e-3}, 1, v);
+    double near = p.initial(&p, (double[2]){0.31, 0.23});
+    assert_true(v[0] != near && fabs(v[0] - near) < 1e-5);
+    double fine = 0;
+    for (int i = 0; i < 64; i++) /* 0.31 +- 0.09, 0.23 +- 0.17 in 64 cells: linear */
+        fine += (values("initial_mean", s, &p,
+                        (double[2]){0.22 + 0.18 * (i % 8 + 0.5) / 8, 0.06 + 0.34 * (i / 8 + 0.5) / 8},
+                        (double[2]){0.18 / 8, 0.34 / 8}, 1, v),
+                 v[0] / 64);
+    values("initial_mean", s, &p, (double[2]){0.31, 0.23}, (double[2]){0.18, 0.34}, 1, v);
+    assert_near(v[0], fine, 1e-14);
+}
+
+static double bump(const void *data, const double x[2]) {
+    (void)data;
+    return exp(-3 * x[0]) * sqrt(x[1]);
+}
+
+static void cubature_refines_what_is_not_smooth(void **state) {
+    (void)state;
+    struct cubature_knots none = {.count = {0, 0}}, root = {.count = {0, 1}, .knot[1][0] = {0, 1}};
+    double want = -expm1(-3 * 0.7) / 3 / 0.7 * pow(1.3, 1.5) * 2 / 3 / 1.3;
+    struct approx a = cubature_mean(bump, NULL, 2, (double[2]){0, 0}, (double[2]){0.7, 1.3}, &none);
+    struct approx b = cubature_mean(bump, NULL, 2, (double[2]){0, 0}, (double[2]){0.7, 1.3}, &root);
+    assert_near(a.value, want, 1e-11);
+    assert_near(a.value, want, a.error);
+    assert_near(b.value, want, 1e-13);
+}
+
+static char *answered(struct answer *a, const char *text, const char *what) {
+    struct failure why = {0};
+    char *page = NULL;
+    size_t size = 0;
+    if (columns_parse(what, a->problem->dim, &a->columns, &why)) fail_msg("%s", why.text);
+    if (read_text(text, a->problem, &a->points, &why)) fail_msg("%s", why.text);
+    if (answer_check(a, &why)) {
+        points_free(&a->points);
+        return strdup(why.text);
+    }
+    FILE *out = open_memstream(&page, &size);
+    answer_write(a, out);
+    fclose(out);
+    points_free(&a->points);
+    return page;
+}
+
+static void answers_are_csv(void **state) {
+    (void)state;
+    static const double when[] = {0.25, 1.75, 0};
+    static const struct {
+        int times, from;
+        double cell;
+        const char *what, *says;
+    } asked[] = {
+        {0, 0, 0, "k_x,rho_c", "x,k_x,rho_c\n0.30,0.017000000000000001,1\n1.2,0.017000000000000001,1\n"},
+        {0, 0, 0, "temperature", "--what temperature needs --time"},
+        {0, 0, 0, "initial_mean", "--what initial_mean needs the cell around each point"},
+        {1, 2, 0, "flux_x", "--time 0: --what flux_x needs a time > 0"},
+        {2, 0, 0, "wall", "x,time,wall_kind,wall_value,wall_b\n0.30,0.25,0,0,0\n1.2,0.25,0,0,0\n0.30,1.75,0,0,0\n"},
+    };
+    struct problem p;
+    const struct scene *s = odd("rod-cosine", &p);
+    for (size_t i = 0; i < sizeof asked / sizeof *asked; i++) {
+        struct answer a = {
+            .scene = s, .problem = &p, .times = asked[i].times, .time = when + asked[i].from, .cell = asked[i].cell};
+        char *text = answered(&a, "note,x\nhot,0.30\n,1.2\n", asked[i].what);
+        if (strncmp(text, asked[i].says, strlen(asked[i].says)) != 0)
+            fail_msg("\"%s\" is not \"%s\"", text, asked[i].says);
+        free(text);
+    }
+}
+
+int main(void) {
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(points_are_read_as_programs_write_them),
+        cmocka_unit_test(many_points_are_all_read),
+        cmocka_unit_test(what_is_no_point_is_refused_by_line_and_column),
+        cmocka_unit_test(lists_of_columns_are_checked),
+        cmocka_unit_test(columns_hold_what_they_say),
+        cmocka_unit_test(walls_are_told_by_their_kind),
+        cmocka_unit_test(cell_means_are_integrals),
+        cmocka_unit_test(cubature_refines_what_is_not_smooth),
+        cmocka_unit_test(answers_are_csv),
+    };
+    gsl_set_error_handler_off();
+    return cmocka_run_group_tests_name("oracle", tests, NULL, NULL);
+}
