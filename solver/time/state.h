@@ -11,10 +11,10 @@ void state_store(const struct heat_operator *a, const double *state, double *T);
 /* The first particle that is not in [lo, hi] (NaN is not), or n. */
 size_t state_find_outside(const struct heat_operator *a, const double *state, double lo, double hi);
 
-/* y = rate (A x + g) + self x + old y + start Y0 + start_rate L0, states all; Y0 and L0 may be NULL. */
+/* y = rate (A x + g) + self x + old y + start Y0, states all; Y0 may be NULL. */
 struct update {
-    double rate, self, old, start, start_rate;
-    const double *Y0, *L0;
+    double rate, self, old, start;
+    const double *Y0;
 };
 
 /* The updates u[0] .. u[count - 1], one after the other: the first takes x = Y[0] to y = Y[1], the next Y[1] to Y[0]

@@ -3,9 +3,14 @@
  * euler  T += dt L(T)                                                                         (Song eqs. 31, 37)
  * rk2    H = T + dt/2 L(T),  T += dt L(H): the midpoint rule                                   (Pamplona section 3.3)
  * rkl2   Runge-Kutta-Legendre super-time-stepping with s stages, second order    (Meyer, Balsara & Aslam 2014, eqs.
- *        16-18):  Y_1 = Y_0 + mu~_1 dt L_0,
- *        Y_j = mu_j Y_{j-1} + nu_j Y_{j-2} + (1 - mu_j - nu_j) Y_0 + mu~_j dt L(Y_{j-1}) + gamma~_j dt L_0,
- *        stable for dt <= (s^2 + s - 2) / (2 |lambda|_max). */
+ *        16-18), stable for dt <= (s^2 + s - 2) / (2 |lambda|_max).
+ *
+ * RKL2's stages are Y_j = (1 - b_j) Y_0 + b_j u_j with u_j = P_j(1 + w dt L) T, P_j Legendre's polynomial,
+ * w = 4 / (s^2 + s - 2) and b_j = (j^2 + j - 2) / (2 j (j + 1)).  For a linear operator the u_j need neither Y_0 nor
+ * L(Y_0), but the recurrence of the polynomials alone (source and walls' values are a part of L, since its
+ * coefficients add up to 1):
+ *        u_j = (2j - 1)/j (u_{j-1} + w dt L(u_{j-1})) - (j - 1)/j u_{j-2},   T becomes (1 - b_s) T + b_s u_s,
+ * two states in place of four in each stage. */
 #include "solver/time/stepper.h"
 #include "solver/time/state.h"
 
@@ -44,42 +49,28 @@ static int look(const struct march *m, const struct heat_operator *a, const doub
         step, m->steps, dt * (double)step, i, where, value, m->lo, m->hi, dt);
 }
 
-static double b_of(double j) { /* b_j of RKL2, with b_0 = b_1 = b_2 */
-    j = j < 2 ? 2 : j;
-    return (j * j + j - 2) / (2 * j * (j + 1));
-}
-
-/* One super step: Y[0] holds T on entry and exit. */
-static void rkl2_step(const struct heat_operator *a, int s, double dt, double *Y[4]) {
-    int threads = a->threads > 1 && a->state > SHARED ? a->threads : 1;
-    double *Y0 = Y[0], *L0 = Y[1], *turn[2] = {Y[2], Y[3]}, w1 = 4.0 / ((double)s * s + s - 2);
-    state_update(a, &(struct update){.rate = 1}, 1, (double *[2]){Y0, L0});
-#pragma omp parallel for num_threads(threads)
-    for (size_t i = 0; i < a->state; i++) {
-        turn[0][i] = Y0[i] + b_of(1) * w1 * dt * L0[i]; /* Y_1 */
-        turn[1][i] = Y0[i];
-    }
+/* One super step: Y[0] holds T on entry and exit.  The first stage and the rest apart, so that T stays for u_2 and
+ * for the end. */
+static void rkl2_step(const struct heat_operator *a, int s, double dt, double *Y[3]) {
+    double all = (double)s * s + s, w = 4 / (all - 2), b = (all - 2) / (2 * all), *T = Y[0], *turn[2] = {Y[1], Y[2]};
     struct update u[TOGETHER];
+    state_update(a, &(struct update){.rate = w * dt, .self = 1}, 1, (double *[2]){T, Y[1]});
     for (int j = 2, n = 0; j <= s; j++) {
-        double mu = (2.0 * j - 1) / j * b_of(j) / b_of(j - 1), nu = -(j - 1.0) / j * b_of(j) / b_of(j - 2);
-        double gamma = -(1 - b_of(j - 1)) * mu * w1;
-        u[n++] = (struct update){.rate = mu * w1 * dt,
-                                 .self = mu,
-                                 .old = nu,
-                                 .start = 1 - mu - nu,
-                                 .start_rate = gamma * dt,
-                                 .Y0 = Y0,
-                                 .L0 = L0};
+        double self = (2.0 * j - 1) / j, part = j == s ? b : 1;
+        struct update *to = &u[n++];
+        *to = (struct update){.rate = part * self * w * dt, .self = part * self, .old = part * (1 - self)};
+        if (j == 2) to->start = to->old, to->old = 0, to->Y0 = T; /* u_0 */
+        if (j == s) to->start = 1 - b, to->Y0 = T;
         if (n < TOGETHER && j < s) continue;
         state_update(a, u, n, turn);
         n = 0;
     }
-    Y[0] = turn[0], Y[2] = Y0, Y[3] = turn[1];
+    Y[0] = turn[0], Y[1] = turn[1], Y[2] = T;
 }
 
 /* `count` steps that follow step `done`. */
 static void euler_steps(const struct heat_operator *a, const struct march *m, long long done, int count,
-                        double *Y[]) {
+                        double *Y[2]) {
     struct update u[TOGETHER];
     double dt = m->time / (double)m->steps;
     for (int k = 0; k < count; k++)
@@ -87,7 +78,7 @@ static void euler_steps(const struct heat_operator *a, const struct march *m, lo
     state_update(a, u, count, Y);
 }
 
-static void rk2_steps(const struct heat_operator *a, const struct march *m, int count, double *Y[]) {
+static void rk2_steps(const struct heat_operator *a, const struct march *m, int count, double *Y[2]) {
     struct update u[2 * TOGETHER];
     double dt = m->time / (double)m->steps;
     for (int k = 0; k < count; k++) {
@@ -98,13 +89,13 @@ static void rk2_steps(const struct heat_operator *a, const struct march *m, int 
 }
 
 int stepper_arrays(enum stepper stepper) {
-    return stepper == STEPPER_RKL2 ? 4 : 2;
+    return stepper == STEPPER_RKL2 ? 3 : 2;
 }
 
 int stepper_march(const struct heat_operator *a, const struct march *m, double *T, size_t *bytes,
                   struct failure *why) {
     int arrays = stepper_arrays(m->stepper), status = STATUS_OK;
-    double *Y[4] = {NULL};
+    double *Y[3] = {NULL};
     for (int k = 0; k < arrays; k++) Y[k] = xcalloc(a->state, sizeof *Y[k]);
     *bytes += (size_t)arrays * a->state * sizeof **Y;
     state_load(a, T, Y[0]);

@@ -21,7 +21,7 @@ static band_update band_of(int lanes) {
 }
 
 int sweep_is_plain(const struct heat_operator *a, const struct update *u) {
-    return !a->g && !u->Y0 && !u->L0 && u->self == 1 && u->old == 0;
+    return !a->g && !u->Y0 && u->self == 1 && u->old == 0;
 }
 
 /* The largest i i + j j of an offset with a weight. */

@@ -1,4 +1,4 @@
-/* Updates by rows: y = rate (A x + g) + self x + old y + start Y0 + start_rate L0 with A in compressed rows. */
+/* Updates by rows: y = rate (A x + g) + self x + old y + start Y0 with A in compressed rows. */
 #include "solver/time/sweep.h"
 
 /* Four partial sums a row: additions that do not wait for each other, in an order that does not change.  No clones
@@ -25,7 +25,6 @@ static void update_rows(const struct heat_operator *a, const struct update *u, c
         if (a->g) sum += a->g[i];
         double to = u->rate * sum + u->self * x[i] + u->old * y[i];
         if (u->Y0) to += u->start * u->Y0[i];
-        if (u->L0) to += u->start_rate * u->L0[i];
         y[i] = to;
     }
 }

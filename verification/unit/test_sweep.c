@@ -16,7 +16,7 @@ enum { UPDATES = 19 }; /* two full sweeps and a part of one */
 struct made {
     struct problem p;
     struct heat_operator a;
-    double *Y[2], *Y0, *L0;
+    double *Y[2], *Y0;
     struct update u[UPDATES];
 };
 
@@ -46,7 +46,7 @@ static void make(struct made *m, struct problem p, struct options o, const struc
         m->a.g = NULL;
     }
     m->Y[0] = any_state(&m->a, 0), m->Y[1] = any_state(&m->a, 1000003);
-    m->Y0 = any_state(&m->a, 2000003), m->L0 = any_state(&m->a, 3000017);
+    m->Y0 = any_state(&m->a, 2000003);
     double bound = operator_bound(&m->a);
     for (int k = 0; k < UPDATES; k++) {
         m->u[k] = (struct update){.rate = (1 + 0.1 * k) / (2 * bound), .self = 1};
@@ -55,16 +55,13 @@ static void make(struct made *m, struct problem p, struct options o, const struc
                                       .self = 0.83,
                                       .old = -0.21,
                                       .start = 0.17 + 0.01 * k,
-                                      .start_rate = -0.07,
-                                      .Y0 = k % 5 ? m->Y0 : NULL,
-                                      .L0 = k % 3 ? m->L0 : NULL};
+                                      .Y0 = k % 5 ? m->Y0 : NULL};
     }
 }
 
 static void made_free(struct made *m) {
     for (int k = 0; k < 2; k++) free(m->Y[k]);
     free(m->Y0);
-    free(m->L0);
     operator_free(&m->a);
 }
 
@@ -93,8 +90,7 @@ static void define(const struct heat_operator *a, const struct update *u, const 
             for (int m = -a->reach[1]; m <= a->reach[1]; m++)
                 for (int k = -a->reach[0]; k <= a->reach[0]; k++)
                     sum += a->weight[abs(m) * (a->reach[0] + 1) + abs(k)] * at(a, x, i + k, j + m);
-            y[here] = u->rate * sum + u->self * x[here] + u->old * y[here] + (u->Y0 ? u->start * u->Y0[here] : 0) +
-                      (u->L0 ? u->start_rate * u->L0[here] : 0);
+            y[here] = u->rate * sum + u->self * x[here] + u->old * y[here] + (u->Y0 ? u->start * u->Y0[here] : 0);
         }
 }
 
