@@ -59,7 +59,7 @@ static void hold(const struct problem *p, const struct options *o, const struct 
     /* of transforms what is held depends on the data, and is less than what the measured error holds */
     if (o->stepper != STEPPER_EXACT)
         outline_hold(out,
-                     m->stepper == STEPPER_RKL2 ? "four states with their ghosts" : "two states with their ghosts",
+                     m->stepper == STEPPER_RKL2 ? "three states with their ghosts" : "two states with their ghosts",
                      (size_t)stepper_arrays(m->stepper) * a->state * unit, OUTLINE_STEPS, OUTLINE_STEPS);
 }
 

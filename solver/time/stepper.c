@@ -13,6 +13,7 @@
  * two states in place of four in each stage. */
 #include "solver/time/stepper.h"
 #include "solver/time/state.h"
+#include "solver/time/team.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -99,14 +100,20 @@ int stepper_march(const struct heat_operator *a, const struct march *m, double *
     for (int k = 0; k < arrays; k++) Y[k] = xcalloc(a->state, sizeof *Y[k]);
     *bytes += (size_t)arrays * a->state * sizeof **Y;
     state_load(a, T, Y[0]);
+    struct heat_operator own = *a;
+    struct team team = team_start(a->threads);
     for (long long done = 0; done < m->steps && !status; done += TOGETHER) {
         int count = m->steps - done < TOGETHER ? (int)(m->steps - done) : TOGETHER;
+        own.threads = team_size(&team);
         if (m->stepper == STEPPER_EULER)
-            euler_steps(a, m, done, count, Y);
+            euler_steps(&own, m, done, count, Y);
         else if (m->stepper == STEPPER_RK2)
-            rk2_steps(a, m, count, Y);
+            rk2_steps(&own, m, count, Y);
         else
-            for (int k = 0; k < count; k++) rkl2_step(a, m->stages, m->time / (double)m->steps, Y);
+            for (int k = 0; k < count; k++) {
+                own.threads = team_size(&team);
+                rkl2_step(&own, m->stages, m->time / (double)m->steps, Y);
+            }
         status = look(m, a, Y[0], done + count, why);
     }
     state_store(a, Y[0], T);

@@ -10,7 +10,11 @@
 #include <omp.h>
 #include <string.h>
 
-enum { BAND = 8, TOGETHER = 8 }; /* rows at a time; updates a sweep */
+enum {
+    BAND = 8,      /* rows at a time */
+    TOGETHER = 8,  /* updates a sweep */
+    FEWEST = 10000 /* particles that are worth threads: 8 updates of them take ten times as long as a barrier */
+};
 
 typedef void (*band_update)(const struct heat_operator *a, int support, const struct update *u, const double *x,
                             double *y, ptrdiff_t row, ptrdiff_t end);
@@ -121,7 +125,7 @@ static void sweep_slabs(const struct sweep *s, int threads) {
 
 /* A slab must hold what it leaves undone at both ends. */
 static ptrdiff_t threads_of(const struct heat_operator *a) {
-    ptrdiff_t lag = a->reach[1], most = lag > 0 && a->n > 10000 ? a->lattice.n[1] / (2 * lag) : 1;
+    ptrdiff_t lag = a->reach[1], most = lag > 0 && a->n > FEWEST ? a->lattice.n[1] / (2 * lag) : 1;
     return most < 1 ? 1 : a->threads < most ? (a->threads > 1 ? a->threads : 1) : most;
 }
 
