@@ -35,7 +35,7 @@ struct problem {
      * ambient temperature T_a, K (Song eq. 4).  x is taken to the wall along the axis of the side; its other
      * coordinate may lie a few spacings outside (ghosts at corners). */
     double (*wall)(const struct problem *p, enum side s, const double x[2]);
-    /* W m^-3; NULL where there is none */
+    /* W m^-3; NULL where there is none.  x may lie a few spacings outside */
     double (*source)(const struct problem *p, const double x[2]);
 };
 

@@ -47,6 +47,7 @@ int particles_prepare(const struct problem *p, const struct options *o, const st
     if (*rows && (stepper == STEPPER_MATCHED || stepper == STEPPER_EXACT))
         return refuse(why, STATUS_NOT_APPLICABLE, "--stepper %s: needs --layout lattice or node and one material",
                       stepper_words[stepper]);
+    if (stepper == STEPPER_MATCHED) return matched_check(p, o, s, l, why);
     return stepper == STEPPER_EXACT ? exact_check(l, why) : STATUS_OK;
 }
 
@@ -233,6 +234,7 @@ int particles_solve(const struct problem *p, const struct options *given, const 
             f->spacing[d] = d < p->dim ? l.dx[d] : 0;
         }
         if (!rows) sample_lattice(p, o->sampling, &l, f->T);
+        if (o->stepper == STEPPER_MATCHED) matched_source(p, o, &a, f->T);
         f->range[0] = HUGE_VAL, f->range[1] = -HUGE_VAL;
         for (size_t i = 0; i < f->n && rows; i++) {
             double x[2] = {f->x[i], f->y ? f->y[i] : 0};

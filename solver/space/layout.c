@@ -5,8 +5,15 @@
  * a node on a Neumann wall is one.  Jitter: each particle of the cell-centred lattice is moved uniformly within +-A
  * dx along each axis; its ghosts are the mirror images of the moved particles, so that walls stay exact.
  *
- * Ghosts: mirror walls T_g = 2 T_wall - T_source (odd, second order); fixed walls T_g = T_wall (Pamplona Fig. 3,
- * first order); Neumann T_g = T_source + q |x_g - x_source| / k (even, plus flux). */
+ * Ghosts at the distance d beyond a wall, n its outward normal, t along it:
+ *   fixed      T_g = T_wall (Pamplona Fig. 3, first order)
+ *   Dirichlet  T_g = 2 T_wall - T_source + d^2 T_nn + O(d^4)
+ *   Neumann    T_g = T_source + 2 d q / k_n + d^3/3 T_nnn + O(d^5)
+ * Sides and source do not change in time, so that the equation gives k_n T_nn = -G - k_t T_tt on a Dirichlet wall
+ * and, from its derivative, k_n T_nnn = -G_n - k_t (q/k_n)_tt on a Neumann wall.  With central differences of step d
+ *   d^2 T_nn = -(d^2 G + k_t D^2 T_wall) / k_n,   d^3/3 T_nnn = -(d^2/6 (G_g - G_source) + d/3 k_t D^2 q / k_n) /
+ * k_n, D^2 f = f(t + d) - 2 f(t) + f(t - d), keep these orders.  At a corner wall data and source are taken where
+ * their formulas continue them. */
 #include "solver/space/layout.h"
 
 #include <gsl/gsl_rng.h>
@@ -108,20 +115,33 @@ double layout_cell(const struct options *o, double spacing) {
     return o->layout == LAYOUT_JITTER ? 0 : spacing;
 }
 
+/* k_t D^2 of the side's data along it, at the foot of a ghost that is d beyond: 0 on a rod, and where materials meet
+ * along the side. */
+static double curvature(const struct problem *p, int side, const double foot[2], double d) {
+    int along = 1 - side / 2;
+    double before[2] = {foot[0], foot[1]}, after[2] = {foot[0], foot[1]};
+    if (p->dim == 1 || (p->materials == 2 && along == 0)) return 0;
+    before[along] -= d, after[along] += d;
+    double sum = p->wall(p, (enum side)side, before) + p->wall(p, (enum side)side, after);
+    return p->material[layout_material(p, foot[0])].k[along] * (sum - 2 * p->wall(p, (enum side)side, foot));
+}
+
 /* One reflection, along `axis`: T_ghost = *sign T_source + the returned offset.  `at` has the other coordinate. */
 static double reflect(const struct problem *p, enum walls walls, int axis, int side, double ghost, double source,
                       const double at[2], int *sign) {
-    double foot[2] = {at[0], at[1]};
+    double foot[2] = {at[0], at[1]}, outer[2] = {at[0], at[1]}, inner[2] = {at[0], at[1]};
     foot[axis] = side % 2 ? p->hi[axis] : p->lo[axis];
-    double value = p->wall(p, (enum side)side, foot);
+    outer[axis] = ghost, inner[axis] = source;
+    double value = p->wall(p, (enum side)side, foot), d = fabs(ghost - foot[axis]);
+    double k = p->material[layout_material(p, foot[0])].k[axis];
     if (p->side[side] == NEUMANN) {
-        int m = layout_material(p, foot[0]);
+        double steeper = p->source ? d * d / 6 * (p->source(p, outer) - p->source(p, inner)) : 0;
         *sign = 1;
-        return value * fabs(ghost - source) / p->material[m].k[axis];
+        return (value * fabs(ghost - source) - steeper - d / 3 * curvature(p, side, foot, d) / k) / k;
     }
-    int on_wall = fabs(ghost - foot[axis]) < 1e-9 * (p->hi[axis] - p->lo[axis]);
-    *sign = walls == WALLS_FIXED || on_wall ? 0 : -1;
-    return *sign ? 2 * value : value;
+    *sign = walls == WALLS_FIXED || d < 1e-9 * (p->hi[axis] - p->lo[axis]) ? 0 : -1;
+    if (*sign == 0) return value;
+    return 2 * value - ((p->source ? d * d * p->source(p, foot) : 0) + curvature(p, side, foot, d)) / k;
 }
 
 double layout_ghost_offset(const struct problem *p, enum walls walls, const int side[2], const double ghost[2],

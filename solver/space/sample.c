@@ -57,7 +57,13 @@ int sample_meets_wall(const struct problem *p, const struct lattice *l, enum sid
         double foot[2];
         foot[axis] = s % 2 ? p->hi[axis] : p->lo[axis];
         foot[along] = l->first[along] + i * l->dx[along];
-        if (p->initial(p, foot) != p->wall(p, s, foot)) return 0;
+        double start = p->initial(p, foot), value = p->wall(p, s, foot), size = fabs(start) + fabs(value);
+        for (int part = 1; part < 4; part++) { /* quarters, which say what rounding is */
+            double x[2] = {foot[0], foot[1]};
+            x[axis] = p->lo[axis] + part / 4.0 * (p->hi[axis] - p->lo[axis]);
+            size = fmax(size, fabs(p->initial(p, x)));
+        }
+        if (fabs(start - value) > 1e-9 * size) return 0;
     }
     return 1;
 }

@@ -12,8 +12,8 @@ double sample_initial(const struct problem *p, enum sampling sampling, const dou
  * are then those in the middle of either part. */
 double sample_cell(const struct problem *p, enum sampling sampling, const double dx[2], const double x[2]);
 
-/* Whether the data have the temperature of a Dirichlet wall, at every row or column of the lattice: averages need not
- * be cut there. */
+/* Whether the data have the temperature of a Dirichlet wall, to 1e-9 of their size, at every row or column of the
+ * lattice: averages need not be cut there. */
 int sample_meets_wall(const struct problem *p, const struct lattice *l, enum side s);
 
 /* The same for every particle of a lattice: T[j * n[0] + i], K. */

@@ -16,9 +16,16 @@
  *   (sin(theta/2) / (theta/2))^m = 1 - m theta^2 / 24 + ... = exp(-kappa xi^2 t_m) up to O(dx^4)
  * with t_m = m dx^2 / (24 kappa), along each axis.  The clock starts there.  Point samples of a jump midway between
  * particles have the spectrum of the jump's times (theta/2) / sin(theta/2), which is m = -1; point samples of smooth
- * data are m = 0.  What the filter does not remove is aliased: O(dx^(m+1)), from the zeros of order m at the
- * multiples of 2 pi / dx, so that m = 4 keeps fourth order for a jump anywhere. */
+ * data are m = 0.  Points are refused where neither holds: a jump elsewhere (a wall that the data do not meet is
+ * one), a jump along one axis alone, data that vary between jumps.  What the filter does not remove is aliased:
+ * O(dx^(m+1)), from the zeros of order m at the multiples of 2 pi / dx, so that m = 4 keeps fourth order for a jump
+ * anywhere.
+ *
+ * The source: with L T = -G steady, Euler's error is none and A dx^2 / kappa L^2 T = -A dx^2 / kappa L G is left.
+ * While T moves, Euler's (dt/2) T_tt has (dt/2) L G beside (dt/2) L^2 T.  Either way the source has to be G + A dx^2
+ * / kappa L G, on the lattice G + A (D_x^2 + D_y^2) G with second differences D^2. */
 #include "solver/time/matched.h"
+#include "solver/space/sample.h"
 
 #include <gsl/gsl_errno.h>
 #include <gsl/gsl_roots.h>
@@ -115,10 +122,110 @@ int matched_isotropic(const struct options *o, const struct scheme *s, double *h
     return STATUS_OK;
 }
 
-static double filter_order(const struct problem *p, const struct options *o) {
+/* Planes along one axis that the data of a lattice jump across: the problem's own, and walls that they do not meet.
+ */
+static int find_jumps(const struct problem *p, const struct lattice *l, int axis, double plane[JUMP_MAX + 2]) {
+    int n = 0;
+    for (int k = 0; k < p->jumps[axis]; k++)
+        if (p->jump[axis][k] > p->lo[axis] && p->jump[axis][k] < p->hi[axis]) plane[n++] = p->jump[axis][k];
+    for (int s = 2 * axis; s < 2 * axis + 2; s++)
+        if (p->side[s] == DIRICHLET && !sample_meets_wall(p, l, (enum side)s))
+            plane[n++] = s % 2 ? p->hi[axis] : p->lo[axis];
+    return n;
+}
+
+/* Whether the data differ between two neighbours with no plane between them. */
+static int varies(const struct problem *p, const struct lattice *l, int axis, const double *plane, int planes) {
+    for (int j = 0; j < l->n[1] - (axis == 1); j++)
+        for (int i = 0; i < l->n[0] - (axis == 0); i++) {
+            double x[2], next[2];
+            int apart = 0;
+            layout_position(l, i, j, x);
+            layout_position(l, i + (axis == 0), j + (axis == 1), next);
+            for (int k = 0; k < planes; k++) apart |= x[axis] < plane[k] && plane[k] < next[axis];
+            if (!apart && p->initial(p, x) != p->initial(p, next)) return 1;
+        }
+    return 0;
+}
+
+/* Whether T_nnnn is not zero on some Dirichlet side: a source, or data that vary along it. */
+static int walls_bend(const struct problem *p, const struct lattice *l) {
+    for (int s = 0; s < 2 * l->dim; s++) {
+        int axis = s / 2, along = 1 - axis;
+        double first[2], foot[2];
+        if (p->side[s] != DIRICHLET) continue;
+        if (p->source) return 1;
+        layout_position(l, 0, 0, first);
+        first[axis] = s % 2 ? p->hi[axis] : p->lo[axis];
+        for (int i = 1; i < l->n[along]; i++) {
+            foot[axis] = first[axis], foot[along] = first[along] + i * l->dx[along];
+            if (p->wall(p, (enum side)s, foot) != p->wall(p, (enum side)s, first)) return 1;
+        }
+    }
+    return 0;
+}
+
+int matched_check(const struct problem *p, const struct options *o, const struct scheme *s, const struct lattice *l,
+                  struct failure *why) {
+    double plane[2][JUMP_MAX + 2];
+    int jumps[2] = {0, 0}, vary = 0;
+    if (s->sweeps == 2 && walls_bend(p, l))
+        return refuse(
+            why, STATUS_INPUT,
+            "--stepper matched: a first derivative taken twice does not see (-1)^i, which a wall with a source or "
+            "with data that vary feeds at third order; take so_ssph");
+    if (o->sampling != SAMPLING_POINT) return STATUS_OK;
+    for (int a = 0; a < p->dim; a++) {
+        jumps[a] = find_jumps(p, l, a, plane[a]);
+        for (int k = 0; k < jumps[a]; k++) {
+            double at = (plane[a][k] - l->first[a]) / l->dx[a];
+            if (fabs(at - floor(at) - 0.5) < 1e-6) continue;
+            return refuse(
+                why, STATUS_INPUT,
+                "--stepper matched: the start jumps at %c = %.6g m, which is not midway between two particles: "
+                "points are then of no known order; take --sampling spline",
+                "xy"[a], plane[a][k]);
+        }
+        vary |= varies(p, l, a, plane[a], jumps[a]);
+    }
+    if ((jumps[0] || jumps[1]) && (vary || (p->dim == 2 && !(jumps[0] && jumps[1]))))
+        return refuse(
+            why, STATUS_INPUT,
+            "--stepper matched: the start jumps %s: points of jumps and of the rest start at different times; "
+            "take --sampling spline",
+            vary ? "and varies between its jumps" : "along one axis alone");
+    return STATUS_OK;
+}
+
+/* For starts that matched_check has let pass. */
+static double filter_order(const struct problem *p, const struct options *o, const struct lattice *l) {
+    double plane[JUMP_MAX + 2];
     if (o->sampling == SAMPLING_CELL) return 1;
     if (o->sampling == SAMPLING_SPLINE) return 4;
-    return p->jumps[0] + p->jumps[1] > 0 ? -1 : 0;
+    return find_jumps(p, l, 0, plane) ? -1 : 0;
+}
+
+static double start_time(const struct problem *p, const struct options *o, const struct lattice *l) {
+    return filter_order(p, o, l) * l->dx[0] * l->dx[0] / (24 * p->material[0].k[0] / p->material[0].rho_c);
+}
+
+void matched_source(const struct problem *p, const struct options *o, struct heat_operator *a, double *T) {
+    const struct lattice *l = &a->lattice;
+    double unit = p->material[0].k[0] / p->material[0].rho_c / (l->dx[0] * l->dx[0]), late = start_time(p, o, l);
+    double A = symbol_of(a->reach, a->weight, unit).A;
+    for (int j = 0; j < l->n[1] && p->source && a->g; j++)
+        for (int i = 0; i < l->n[0]; i++) {
+            double x[2], beside[2], G, around = 0;
+            layout_position(l, i, j, x);
+            G = p->source(p, x) / p->material[0].rho_c;
+            for (int step = -1; step < 2; step += 2)
+                for (int d = 0; d < l->dim; d++) {
+                    layout_position(l, i + (d == 0) * step, j + (d == 1) * step, beside);
+                    around += p->source(p, beside) / p->material[0].rho_c - G;
+                }
+            a->g[operator_row(a, j) + i] += A * around;
+            T[(size_t)j * (size_t)l->n[0] + (size_t)i] += late * G;
+        }
 }
 
 /* 2 A, or the step that was asked for instead. */
@@ -148,7 +255,7 @@ int matched_plan(const struct problem *p, const struct options *o, const struct 
     double F, kappa = p->material[0].k[0] / p->material[0].rho_c, dx2 = a->lattice.dx[0] * a->lattice.dx[0];
     if (o->dt > 0) return refuse(why, STATUS_INPUT, "--stepper matched finds its own step: leave out --dt");
     if (matching_step(p, o, s, a, kappa / dx2, &F, why)) return why->status;
-    m->run_time = p->t_end - filter_order(p, o) * dx2 / (24 * kappa);
+    m->run_time = p->t_end - start_time(p, o, &a->lattice);
     if (!(m->run_time > 0))
         return refuse(why, STATUS_INPUT, "--t-end %g: the averaged start is already at %g s", p->t_end,
                       p->t_end - m->run_time);

@@ -25,6 +25,12 @@ struct matched {
     double run_time, uneven;
     long long steps;
 };
+/* Refuses starts whose order is not known: see matched.c. */
+int matched_check(const struct problem *p, const struct options *o, const struct scheme *s, const struct lattice *l,
+                  struct failure *why);
+/* Adds to *a's g what the source takes to stay in step with the match, and to T (the sampled start, in the particles'
+ * order, K) what it has given by the time that the clock starts. */
+void matched_source(const struct problem *p, const struct options *o, struct heat_operator *a, double *T);
 int matched_plan(const struct problem *p, const struct options *o, const struct scheme *s,
                  const struct heat_operator *a, struct matched *m, struct failure *why);
 

@@ -32,6 +32,34 @@ static inline struct problem odd_rectangle(void) {
                             .wall = odd_wall};
 }
 
+/* sum c[a][b] x^a y^b, a + b <= 3, differentiated da and db times */
+static inline double steady_derivative(const double x[2], int da, int db) {
+    static const double c[4][4] = {{0.31, -0.59, 0.43, 0.17}, {0.77, 0.37, 0.11}, {-0.22, -0.19}, {0.13}};
+    double sum = 0;
+    for (int a = da; a < 4; a++)
+        for (int b = db; a + b < 4; b++)
+            sum += c[a][b] * tgamma(a + 1) / tgamma(a - da + 1) * tgamma(b + 1) / tgamma(b - db + 1) *
+                   pow(x[0], a - da) * pow(x[1], b - db);
+    return sum;
+}
+
+/* A steady solution of the problem with the source below, and what each side holds of it; also of a rod. */
+static inline double steady_cubic(const struct problem *p, const double x[2]) {
+    (void)p;
+    return steady_derivative(x, 0, 0);
+}
+
+static inline double steady_source(const struct problem *p, const double x[2]) {
+    const double *k = p->material[0].k;
+    return -k[0] * steady_derivative(x, 2, 0) - (p->dim == 2 ? k[1] * steady_derivative(x, 0, 2) : 0);
+}
+
+static inline double steady_wall(const struct problem *p, enum side s, const double x[2]) {
+    int axis = (int)s / 2, out = s % 2 ? 1 : -1;
+    double slope = steady_derivative(x, axis == 0, axis == 1);
+    return p->side[s] == DIRICHLET ? steady_derivative(x, 0, 0) : out * p->material[0].k[axis] * slope;
+}
+
 static inline struct problem odd_rod(void) {
     struct problem p = odd_rectangle();
     p.dim = 1;

@@ -30,8 +30,8 @@ static inline struct stencil stencil_of(const char *method, const double kappa[2
         return s;
     }
     char line[160]; /* brookshaw takes its conductivity from the problem */
-    snprintf(line, sizeof line, "run square-step %s --dx 0.1 --h 1.1 --set kappa_x=%.17g --set kappa_y=%.17g", method,
-             kappa[0], kappa[1]);
+    snprintf(line, sizeof line, "run square-step %s%s --dx 0.1 --set kappa_x=%.17g --set kappa_y=%.17g", method,
+             strstr(method, "--h ") ? "" : " --h 1.1", kappa[0], kappa[1]);
     if (arguments_parse_line(line, &r, &why)) fail_msg("%s", why.text);
     if (operator_stencil(&r.experiment.problem, &r.experiment.options, r.experiment.method->scheme, 1, kappa, s.reach,
                          &s.w, &why))

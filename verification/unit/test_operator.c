@@ -219,7 +219,7 @@ static void matching_needs_isotropy(void **state) {
     assert_int_equal(matched_symbol(2, &o, method_so_ssph.scheme, &e, &why), STATUS_OK);
     assert_near(e.B, 2 * e.A, 1e-12);
     o.h = 1.1; /* --h that is not isotropic has no matching step in the plane */
-    o.stepper = STEPPER_MATCHED, o.dx = 0.05;
+    o.stepper = STEPPER_MATCHED, o.dx = 0.05, o.sampling = SAMPLING_CELL;
     struct problem p = odd_rectangle();
     p.material[0].k[1] = p.material[0].k[0];
     struct field f;

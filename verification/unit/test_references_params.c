@@ -68,7 +68,8 @@ static void bad_values_are_refused(void **state) {
 
 static void defaults_are_accepted(void **state) {
     (void)state;
-    for (const struct scene *const *s = scenes; *s; s++) {
+    int count = 0;
+    for (const struct scene *const *s = scenes; *s; s++, count++) {
         struct problem p;
         struct failure why = {0};
         int last = 0;
@@ -81,6 +82,7 @@ static void defaults_are_accepted(void **state) {
         assert_true((*s)->about && (*s)->citation && (*s)->exact && (*s)->second && p.initial && p.wall);
         for (int i = 0; i < last; i++) assert_true((*s)->params[i].unit && (*s)->params[i].about);
     }
+    assert_int_equal(count, ODD_SCENES);
 }
 
 /* A setup leaves nothing of an earlier one behind. */
