@@ -5,6 +5,13 @@
 
 #include <stddef.h>
 
+struct settling { /* of a relaxed cloud, in units of the spacing */
+    int sweeps;
+    double moved;   /* root mean square of the last sweep's moves */
+    double nearest; /* least distance of two particles */
+    double spread;  /* standard deviation of the density over its mean */
+};
+
 struct field { /* owned arrays: field_free */
     int dim;
     size_t n;
@@ -13,20 +20,21 @@ struct field { /* owned arrays: field_free */
     double *x, *y;     /* m, n each; y is NULL for a rod */
     double *T;         /* K, n */
     double *weight;    /* m^d, n: the volume that each point stands for in a norm; NULL where all are alike */
-    double time;       /* s, the time that T belongs to (t_end) */
-    double h;          /* smoothing length over dx, as used; 0 for a method without one */
-    double dt;         /* s, 0 for the exact stepper */
-    long long steps;   /* time steps; 0 for the exact stepper */
-    int stages;        /* operator applications a step */
-    double heat[2];    /* J m^(d-3): sum of rho_c T volume at the start and at the end */
-    double range[2];   /* K, lowest and highest of the sampled initial data */
-    double bound;      /* s^-1: upper bound of the operator's spectrum; 0 where none is known */
-    long long updates; /* particle updates: particles x operator applications */
-    long long interactions; /* pairs evaluated: updates x neighbours */
-    double work;            /* all that is done, counted (solver/outline.h); 0 where unknown */
-    size_t bytes;           /* held while time runs, places and temperatures among them */
-    double seconds;         /* wall time of the whole call */
-    double step_seconds;    /* wall time of the time loop alone */
+    struct settling settling; /* sweeps 0 where nothing was relaxed */
+    double time;              /* s, the time that T belongs to (t_end) */
+    double h;                 /* smoothing length over dx, as used; 0 for a method without one */
+    double dt;                /* s, 0 for the exact stepper */
+    long long steps;          /* time steps; 0 for the exact stepper */
+    int stages;               /* operator applications a step */
+    double heat[2];           /* J m^(d-3): sum of rho_c T volume at the start and at the end */
+    double range[2];          /* K, lowest and highest of the sampled initial data */
+    double bound;             /* s^-1: upper bound of the operator's spectrum; 0 where none is known */
+    long long updates;        /* particle updates: particles x operator applications */
+    long long interactions;   /* pairs evaluated: updates x neighbours */
+    double work;              /* all that is done, counted (solver/outline.h); 0 where unknown */
+    size_t bytes;             /* held while time runs, places and temperatures among them */
+    double seconds;           /* wall time of the whole call */
+    double step_seconds;      /* wall time of the time loop alone */
 };
 
 void field_alloc(struct field *f, int dim, size_t n); /* zeroes *f, allocates x, T, and y for dim 2 */

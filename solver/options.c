@@ -1,4 +1,4 @@
-/* The words of the options, and the width of vectors. */
+/* The words of the options, what they imply, and the width of vectors. */
 #include "solver/options.h"
 
 #include <stdlib.h>
@@ -13,8 +13,13 @@ const char *const stepper_words[] = {[STEPPER_AUTO] = "auto",
                                      [STEPPER_EXACT] = "exact",
                                      [STEPPER_MATCHED] = "matched",
                                      NULL};
-const char *const layout_words[] = {
-    [LAYOUT_LATTICE] = "lattice", [LAYOUT_NODE] = "node", [LAYOUT_JITTER] = "jitter", NULL};
+const char *const layout_words[] = {[LAYOUT_LATTICE] = "lattice",
+                                    [LAYOUT_NODE] = "node",
+                                    [LAYOUT_JITTER] = "jitter",
+                                    [LAYOUT_RELAXED] = "relaxed",
+                                    [LAYOUT_HEXAGONAL] = "hexagonal",
+                                    [LAYOUT_GRADED] = "graded",
+                                    NULL};
 const char *const sampling_words[] = {
     [SAMPLING_POINT] = "point", [SAMPLING_CELL] = "cell", [SAMPLING_SPLINE] = "spline", NULL};
 const char *const walls_words[] = {[WALLS_MIRROR] = "mirror", [WALLS_FIXED] = "fixed", NULL};
@@ -43,4 +48,8 @@ int options_lanes_forced(int *lanes, struct failure *why) {
                   most == 8   ? "2, 4 or 8"
                   : most == 4 ? "2 or 4"
                               : "2");
+}
+
+int options_is_cloud(const struct options *o) {
+    return o->layout != LAYOUT_LATTICE && o->layout != LAYOUT_NODE;
 }

@@ -7,7 +7,7 @@
 
 enum kernel_name { KERNEL_CUBIC, KERNEL_QUARTIC, KERNEL_WENDLAND };
 enum stepper { STEPPER_AUTO, STEPPER_EULER, STEPPER_RK2, STEPPER_RKL2, STEPPER_EXACT, STEPPER_MATCHED };
-enum layout_name { LAYOUT_LATTICE, LAYOUT_NODE, LAYOUT_JITTER };
+enum layout_name { LAYOUT_LATTICE, LAYOUT_NODE, LAYOUT_JITTER, LAYOUT_RELAXED, LAYOUT_HEXAGONAL, LAYOUT_GRADED };
 enum sampling { SAMPLING_POINT, SAMPLING_CELL, SAMPLING_SPLINE };
 enum walls { WALLS_MIRROR, WALLS_FIXED };
 enum mean { MEAN_HARMONIC, MEAN_ARITHMETIC, MEAN_SERIES };
@@ -30,7 +30,9 @@ struct options {
     enum kernel_name kernel;
     enum stepper stepper;
     enum layout_name layout;
-    double jitter; /* particles lie uniformly within +-jitter dx of the lattice's */
+    double jitter;  /* particles lie (relaxed: start) uniformly within +-jitter dx of the lattice's */
+    double grading; /* LAYOUT_GRADED: width of the last cell over the first's, along each axis; 0: the default, 4 */
+    int sweeps;     /* LAYOUT_RELAXED: the most that may be made; 0: the default, 2000 */
     unsigned long seed;
     enum sampling sampling;
     enum walls walls;
@@ -46,5 +48,8 @@ int options_lanes_most(void);
 /* *lanes from the environment variable HEATLADDER_LANES; 0 where there is none.  STATUS_INPUT for what is not a width
  * of this machine. */
 int options_lanes_forced(int *lanes, struct failure *why);
+
+/* 1 for layouts that are no lattice: particles have rows of their own */
+int options_is_cloud(const struct options *o);
 
 #endif

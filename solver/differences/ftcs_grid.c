@@ -76,8 +76,9 @@ static int check_options(const struct ftcs_grid *g, const struct problem *p, con
     for (int s = 0; s < 2 * p->dim; s++)
         if (p->side[s] == ROBIN)
             return refuse(why, STATUS_INPUT, "a Robin wall: %s has Dirichlet and Neumann walls", g->method);
-    if (o->layout == LAYOUT_JITTER)
-        return refuse(why, STATUS_NOT_APPLICABLE, "--layout jitter: %s needs a grid: lattice or node", g->method);
+    if (options_is_cloud(o))
+        return refuse(why, STATUS_NOT_APPLICABLE, "--layout %s: %s needs a grid: lattice or node",
+                      layout_words[o->layout], g->method);
     if (o->stepper == STEPPER_MATCHED && p->dim == 2)
         return refuse(why, STATUS_NOT_APPLICABLE,
                       "--stepper matched: in the plane the error of %s is not isotropic, and no step "

@@ -8,7 +8,8 @@
 static int check(const struct problem *p, const struct options *o, struct failure *why) {
     (void)o;
     if (p->materials > 1)
-        return refuse(why, STATUS_NOT_APPLICABLE, "fo_ssph: one material only, the scene has two; use brookshaw");
+        return refuse(why, STATUS_NOT_APPLICABLE,
+                      "fo_ssph: one material only, the scene has two; use brookshaw or contact_ssph");
     return STATUS_OK;
 }
 
@@ -32,7 +33,7 @@ static int outline(const struct problem *p, const struct options *o, struct outl
 const struct method method_fo_ssph = {
     .name = "fo_ssph",
     .about = "first-order symmetric SPH: q = -kappa <grad T>, dT/dt = -<div q> (Song eqs. 13, 37)",
-    .accepts = "stepper kernel h layout jitter seed sampling walls",
+    .accepts = "stepper kernel h layout jitter grading sweeps seed sampling walls",
     .scheme = &scheme,
     .solve = solve,
     .outline = outline,

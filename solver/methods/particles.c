@@ -4,6 +4,7 @@
 #include "solver/outline.h"
 #include "solver/time/exact.h"
 #include "solver/time/matched.h"
+#include "solver/space/place.h"
 #include "solver/space/sample.h"
 #include "solver/time/stepper.h"
 
@@ -24,7 +25,12 @@ int particles_resolve(const struct problem *p, const struct options *o, const st
     int order = o->order > 2 ? o->order : 2;
     if (o->h == 0) resolved->h = 1.1 * order / 2;
     if (o->h < 0 || !isfinite(o->h)) return refuse(why, STATUS_INPUT, "--h %g: must be > 0, in units of dx", o->h);
-    if (o->layout == LAYOUT_JITTER && !(o->jitter >= 0 && o->jitter <= 0.5))
+    if (o->layout == LAYOUT_RELAXED && o->jitter == 0) resolved->jitter = 0.5;
+    if (o->grading == 0) resolved->grading = 4;
+    if (o->sweeps == 0) resolved->sweeps = 2000;
+    if (o->layout == LAYOUT_GRADED && !(resolved->grading >= 1 && resolved->grading <= 4))
+        return refuse(why, STATUS_INPUT, "--grading %g: must lie in 1 to 4", o->grading);
+    if (options_is_cloud(o) && !(o->jitter >= 0 && o->jitter <= 0.5))
         return refuse(why, STATUS_INPUT, "--jitter %g: must lie in 0 to 0.5, in units of dx", o->jitter);
     for (int side = 0; side < 2 * p->dim; side++)
         if (p->side[side] == ROBIN)
@@ -42,8 +48,8 @@ int particles_prepare(const struct problem *p, const struct options *o, const st
     const enum stepper stepper = o->stepper;
     if (particles_resolve(p, o, s, resolved, why)) return why->status;
     double ratio = stepper == STEPPER_MATCHED && p->dim == 2 ? sqrt(p->material[0].k[1] / p->material[0].k[0]) : 1;
-    if (layout_lattice(p, o, ratio, l, why)) return why->status;
-    *rows = o->layout == LAYOUT_JITTER || p->materials == 2;
+    if (layout_lattice(p, resolved, ratio, l, why)) return why->status;
+    *rows = options_is_cloud(o) || p->materials == 2;
     if (*rows && (stepper == STEPPER_MATCHED || stepper == STEPPER_EXACT))
         return refuse(why, STATUS_NOT_APPLICABLE, "--stepper %s: needs --layout lattice or node and one material",
                       stepper_words[stepper]);
@@ -93,10 +99,10 @@ static void data_range(const struct problem *p, const struct field *f, double *l
 static double heat_content(const struct problem *p, const struct field *f, double cell, double volume) {
     double sum[4] = {0}, all = 0;
     for (size_t i = 0; i < f->n; i++)
-        if (p->materials == 1)
+        if (p->materials == 1 && !f->weight)
             sum[i % 4] += f->T[i];
         else
-            all += layout_rho_c(p, cell, f->x[i]) * f->T[i] * volume;
+            all += layout_rho_c(p, cell, f->x[i]) * f->T[i] * (f->weight ? f->weight[i] : volume);
     return all + p->material[0].rho_c * ((sum[0] + sum[1]) + (sum[2] + sum[3])) * volume;
 }
 
@@ -116,7 +122,7 @@ static void place_on_lattice(const struct lattice *l, struct field *f) {
 
 /* Rows of the plane go by cells. */
 int particles_on_lattice(const struct problem *p, const struct options *o, int rows) {
-    return o->layout != LAYOUT_JITTER && !(rows && p->dim == 2);
+    return !options_is_cloud(o) && !(rows && p->dim == 2);
 }
 
 double particles_reach(const struct options *o, const struct scheme *s, const struct lattice *l) {
@@ -132,6 +138,9 @@ static int place_cloud(const struct problem *p, const struct options *o, const s
         f->x[i] = c.x[i];
         if (f->y) f->y[i] = c.y[i];
     }
+    if (c.spacing) f->weight = xcalloc(c.n, sizeof *f->weight);
+    for (size_t i = 0; i < c.n && c.spacing; i++) f->weight[i] = pow(c.spacing[i], p->dim);
+    f->settling = c.settling;
     layout_cloud_free(&c);
     return status;
 }
@@ -238,7 +247,9 @@ int particles_solve(const struct problem *p, const struct options *given, const 
         f->range[0] = HUGE_VAL, f->range[1] = -HUGE_VAL;
         for (size_t i = 0; i < f->n && rows; i++) {
             double x[2] = {f->x[i], f->y ? f->y[i] : 0};
-            f->T[i] = (cell > 0 ? sample_cell : sample_initial)(p, o->sampling, l.dx, x);
+            double width[2] = {1, 1};
+            for (int d = 0; d < p->dim; d++) width[d] = place_width(p, o, &l, d, x[d]);
+            f->T[i] = (cell > 0 ? sample_cell : sample_initial)(p, o->sampling, width, x);
         }
         for (size_t i = 0; i < f->n; i++) {
             if (f->T[i] < f->range[0]) f->range[0] = f->T[i];

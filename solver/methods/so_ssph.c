@@ -7,7 +7,8 @@
 
 static int check(const struct problem *p, const struct options *o, struct failure *why) {
     if (p->materials > 1)
-        return refuse(why, STATUS_NOT_APPLICABLE, "so_ssph: one material only, the scene has two; use brookshaw");
+        return refuse(why, STATUS_NOT_APPLICABLE,
+                      "so_ssph: one material only, the scene has two; use brookshaw or contact_ssph");
     if (o->order && (o->order < 2 || o->order > SSPH_ORDER_MAX))
         return refuse(why, STATUS_INPUT, "--order %d: so_ssph takes 2 to %d", o->order, SSPH_ORDER_MAX);
     return STATUS_OK;
@@ -35,7 +36,7 @@ static int outline(const struct problem *p, const struct options *o, struct outl
 const struct method method_so_ssph = {
     .name = "so_ssph",
     .about = "second-order symmetric SPH: kappa <T_xx> from one Taylor expansion (Song eq. 11)",
-    .accepts = "stepper kernel h order layout jitter seed sampling walls",
+    .accepts = "stepper kernel h order layout jitter grading sweeps seed sampling walls",
     .scheme = &scheme,
     .solve = solve,
     .outline = outline,

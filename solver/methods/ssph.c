@@ -155,3 +155,26 @@ int ssph_weights(const struct neighbourhood *nb, enum kernel_name kernel, int or
     for (int t = targets - 1; t >= 0; t--) combine(nb, order, w[0], z[t], w[t]); /* w[0] holds W till then */
     return STATUS_OK;
 }
+
+int ssph_fit(const struct neighbourhood *nb, enum kernel_name kernel, int terms, double P[][SSPH_TERMS_MAX],
+             const double *target, double *w, struct failure *why) {
+    double matrix[SSPH_TERMS_MAX * SSPH_TERMS_MAX] = {0}, scale[SSPH_TERMS_MAX], z[SSPH_TERMS_MAX];
+    for (size_t j = 0; j < nb->n; j++) {
+        w[j] = kernel_value(kernel, nb->dim, hypot(nb->d[j][0], nb->d[j][1]) / nb->h);
+        for (int k = 0; k < terms; k++)
+            for (int l = 0; l < terms; l++) matrix[k * terms + l] += P[j][k] * P[j][l] * w[j];
+    }
+    for (int k = 0; k < terms; k++) scale[k] = 1 / sqrt(matrix[k * terms + k]);
+    for (int k = 0; k < terms; k++)
+        for (int l = 0; l < terms; l++) matrix[k * terms + l] *= scale[k] * scale[l];
+    double condition = factor(terms, matrix);
+    if (!(condition <= SSPH_CONDITION_MAX)) return singular(nb, terms, condition, why);
+    for (int k = 0; k < terms; k++) z[k] = target[k] * scale[k];
+    solve(terms, matrix, z);
+    for (size_t j = 0; j < nb->n; j++) {
+        double sum = 0;
+        for (int k = 0; k < terms; k++) sum += z[k] * scale[k] * P[j][k];
+        w[j] *= sum;
+    }
+    return STATUS_OK;
+}

@@ -15,6 +15,12 @@ enum { SSPH_ORDER_MAX = 4, SSPH_TERMS_MAX = 14 };
 int ssph_weights(const struct neighbourhood *nb, enum kernel_name kernel, int order, int targets,
                  double target[][SSPH_TERMS_MAX], double *w[], struct failure *why);
 
+/* The same least squares with any functions: P[j][k], k < terms, of each neighbour, weighted with the kernel. Weights
+ * w of sum_k target[k] c_k, where sum_k c_k P[j][k] approximates f_j - f_i.  Columns are scaled before the condition
+ * number is taken. */
+int ssph_fit(const struct neighbourhood *nb, enum kernel_name kernel, int terms, double P[][SSPH_TERMS_MAX],
+             const double *target, double *w, struct failure *why);
+
 /* That condition number, of the moment matrix of the neighbourhood; infinite where it has no Cholesky factor. */
 double ssph_condition(const struct neighbourhood *nb, enum kernel_name kernel, int order);
 

@@ -54,7 +54,7 @@ struct assembly {
 static int weigh(const struct assembly *m, size_t i, uint32_t near[NEIGHBOURS_MAX], double *w[2], size_t *n,
                  struct failure *why) {
     const struct cloud *c = m->c;
-    double d[NEIGHBOURS_MAX][2];
+    double d[NEIGHBOURS_MAX][2], V[NEIGHBOURS_MAX], H[NEIGHBOURS_MAX];
     *n = neighbours_find(&m->cells, i, near, NEIGHBOURS_MAX);
     if (*n > NEIGHBOURS_MAX)
         return refuse(why, STATUS_NUMERICAL, "particle %zu at (%.6g, %.6g) m has %zu neighbours, at most %d are held",
@@ -71,6 +71,14 @@ static int weigh(const struct assembly *m, size_t i, uint32_t near[NEIGHBOURS_MA
                                .volume = m->volume,
                                .rho_c = layout_rho_c(p, m->cell, c->x[i]),
                                .kappa = {material->k[0] / material->rho_c, material->k[1] / material->rho_c}};
+    if (c->spacing) {
+        double unit = m->volume / c->volume; /* what the scheme counts a volume for */
+        for (size_t k = 0; k < *n; k++) {
+            double s = c->spacing[near[k]];
+            V[k] = unit * (c->dim == 2 ? s * s : s), H[k] = m->o->h * s;
+        }
+        nb.V = V, nb.H = H, nb.h = m->o->h * c->spacing[i];
+    }
     return m->s->weights(p, m->o, &nb, w, why);
 }
 
@@ -231,7 +239,7 @@ int csr_assemble(struct heat_operator *a, const struct problem *p, const struct 
                          c,
                          {0},
                          o->h * spacing,
-                         KERNEL_SUPPORT * o->h * spacing,
+                         KERNEL_SUPPORT * o->h * (c->spacing ? c->coarsest : spacing),
                          s->volume ? s->volume(p, o, o->h * spacing, c->volume) : c->volume,
                          layout_cell(o, spacing)};
     struct derivatives d = {{0, 0, NULL, NULL, NULL}, NULL};

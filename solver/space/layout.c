@@ -3,7 +3,8 @@
  * Cell-centred lattice: x_i = lo + (i + 1/2) dx (Song's tables; the walls lie midway between a particle and its
  * mirror image).  Node lattice: x_i = lo + i dx, where a node on a Dirichlet wall is known and so not a particle, and
  * a node on a Neumann wall is one.  Jitter: each particle of the cell-centred lattice is moved uniformly within +-A
- * dx along each axis; its ghosts are the mirror images of the moved particles, so that walls stay exact.
+ * dx along each axis; its ghosts are the mirror images of the moved particles, so that walls stay exact; so are those
+ * of all clouds (place.c, relax.c).
  *
  * Ghosts at the distance d beyond a wall, n its outward normal, t along it:
  *   fixed      T_g = T_wall (Pamplona Fig. 3, first order)
@@ -15,6 +16,9 @@
  * k_n, D^2 f = f(t + d) - 2 f(t) + f(t - d), keep these orders.  At a corner wall data and source are taken where
  * their formulas continue them. */
 #include "solver/space/layout.h"
+
+#include "solver/space/place.h"
+#include "solver/space/relax.h"
 
 #include <gsl/gsl_rng.h>
 #include <math.h>
@@ -68,6 +72,8 @@ int layout_lattice(const struct problem *p, const struct options *o, double rati
     double particles = 1;
     for (int a = 0; a < p->dim; a++) {
         double cells, spacing = a ? o->dx * ratio : o->dx;
+        if (a && o->layout == LAYOUT_HEXAGONAL)
+            spacing = (p->hi[a] - p->lo[a]) / place_rows(p->hi[a] - p->lo[a], o->dx);
         int divides = count_cells(p, a, spacing, &cells);
         if (!(cells < CELLS_MAX))
             return refuse(why, STATUS_INPUT, "--dx %g: %g particles along %c, fewer than %g can be", o->dx, cells,
@@ -112,7 +118,7 @@ double layout_rho_c(const struct problem *p, double width, double x) {
 }
 
 double layout_cell(const struct options *o, double spacing) {
-    return o->layout == LAYOUT_JITTER ? 0 : spacing;
+    return options_is_cloud(o) ? 0 : spacing;
 }
 
 /* k_t D^2 of the side's data along it, at the foot of a ghost that is d beyond: 0 on a rod, and where materials meet
@@ -166,18 +172,19 @@ double layout_ghost_offset(const struct problem *p, enum walls walls, const int 
 }
 
 /* Particles in the order of square cells of side `reach`: neighbours in space are neighbours in memory. */
-static void place_particles(const struct options *o, const struct lattice *l, double reach, struct cloud *c) {
+static void place_particles(const struct problem *p, const struct options *o, const struct lattice *l, double reach,
+                            struct cloud *c) {
     int block[2] = {(int)fmax(1, floor(reach / l->dx[0])), l->dim == 2 ? (int)fmax(1, floor(reach / l->dx[1])) : 1};
     gsl_rng *random = gsl_rng_alloc(gsl_rng_mt19937);
     gsl_rng_set(random, o->seed);
-    double amplitude = o->layout == LAYOUT_JITTER ? 2 * o->jitter : 0;
+    double amplitude = o->layout == LAYOUT_JITTER || o->layout == LAYOUT_RELAXED ? 2 * o->jitter : 0;
     size_t k = 0;
     for (int j0 = 0; j0 < l->n[1]; j0 += block[1])
         for (int i0 = 0; i0 < l->n[0]; i0 += block[0])
             for (int j = j0; j < j0 + block[1] && j < l->n[1]; j++)
                 for (int i = i0; i < i0 + block[0] && i < l->n[0]; i++, k++) {
                     double x[2];
-                    layout_position(l, i, j, x);
+                    place_position(p, o, l, i, j, x);
                     c->x[k] = x[0] + amplitude * l->dx[0] * (gsl_rng_uniform(random) - 0.5);
                     c->y[k] = l->dim == 2 ? x[1] + amplitude * l->dx[1] * (gsl_rng_uniform(random) - 0.5) : 0;
                     c->source[k] = (uint32_t)k;
@@ -212,11 +219,22 @@ static void add_ghosts(const struct problem *p, const struct options *o, const s
         }
 }
 
+/* Of particles and ghosts, which have their sources'. */
+static void add_spacings(const struct problem *p, const struct options *o, const struct lattice *l, struct cloud *c) {
+    c->spacing = xcalloc(c->total, sizeof *c->spacing);
+    c->coarsest = place_coarsest(p, o, l);
+    for (size_t i = 0; i < c->total; i++) {
+        double x[2] = {c->x[c->source[i]], c->y[c->source[i]]};
+        c->spacing[i] = place_spacing(p, o, l, x);
+    }
+}
+
 int layout_cloud(const struct problem *p, const struct options *o, const struct lattice *l, double reach,
                  struct cloud *c, struct failure *why) {
+    if (o->layout == LAYOUT_GRADED) reach *= place_coarsest(p, o, l) / l->dx[0];
     if (o->layout == LAYOUT_NODE)
         return refuse(why, STATUS_NOT_APPLICABLE,
-                      "--layout node: particles with rows of their own need lattice or jitter");
+                      "--layout node: particles with rows of their own need another layout");
     for (int a = 0; a < p->dim; a++)
         if (reach > p->hi[a] - p->lo[a])
             return refuse(why, STATUS_INPUT,
@@ -226,14 +244,20 @@ int layout_cloud(const struct problem *p, const struct options *o, const struct 
     size_t n = (size_t)l->n[0] * (size_t)l->n[1], width[2];
     for (int a = 0; a < 2; a++) width[a] = a < p->dim ? (size_t)(2 * ceil(reach / l->dx[a]) + 3) : 0;
     size_t most = n + width[0] * (size_t)l->n[1] + width[1] * (size_t)l->n[0] + width[0] * width[1];
+    if (o->layout == LAYOUT_GRADED) most = 9 * n;
     *c = (struct cloud){.dim = p->dim, .n = n, .total = n, .reach = reach, .volume = l->dx[0] * l->dx[1]};
     c->x = xcalloc(most, sizeof *c->x);
     c->y = xcalloc(most, sizeof *c->y);
     c->source = xcalloc(most, sizeof *c->source);
     c->sign = xcalloc(most, sizeof *c->sign);
     c->offset = xcalloc(most, sizeof *c->offset);
-    place_particles(o, l, reach, c);
+    place_particles(p, o, l, reach, c);
+    if (o->layout == LAYOUT_RELAXED && relax_cloud(p, o, p->dim == 2 ? sqrt(c->volume) : c->volume, c, why)) {
+        layout_cloud_free(c);
+        return why->status;
+    }
     for (size_t i = 0; i < n; i++) add_ghosts(p, o, l, i, c);
+    if (o->layout == LAYOUT_GRADED) add_spacings(p, o, l, c);
     return STATUS_OK;
 }
 
@@ -243,5 +267,6 @@ void layout_cloud_free(struct cloud *c) {
     free(c->source);
     free(c->sign);
     free(c->offset);
+    free(c->spacing);
     *c = (struct cloud){0};
 }

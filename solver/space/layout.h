@@ -35,7 +35,7 @@ double layout_beyond(const struct problem *p, double width, double x);
 /* J m^-3 K^-1: heat capacity of such a cell, averaged over its parts. */
 double layout_rho_c(const struct problem *p, double width, double x);
 
-/* m: the width of the particles' cells on a lattice; 0 under jitter, where a particle is of one material. */
+/* m: the width of the particles' cells on a lattice; 0 on clouds, where a particle is of one material. */
 double layout_cell(const struct options *o, double spacing);
 
 /* What the ghost at `ghost` adds to sign T_source, K, for the source at `source` (m).  side[a] is the side that it
@@ -52,12 +52,16 @@ struct cloud {
     uint32_t *source;  /* total; of particle i: i */
     signed char *sign; /* total */
     double *offset;    /* K, total */
-    double volume;     /* m^d, of every particle */
-    double reach;      /* m, ghosts fill the domain's surroundings this far */
+    double volume;     /* m^d, of every particle; their mean where they differ */
+    double *spacing;   /* m, total: V^(1/d), with which h goes; NULL where all are alike */
+    double coarsest;   /* m, the largest of these */
+    struct settling settling;
+    double reach; /* m, ghosts fill the domain's surroundings this far */
 };
 
-/* Jittered (or, at jitter 0, regular) particles and every ghost within `reach` of the domain.  STATUS_INPUT where the
- * domain is narrower than `reach`. */
+/* The particles of a layout (of a lattice: its own) and every ghost within `reach` of the domain; on graded clouds
+ * `reach` is in units of l->dx[0] and grows with the coarsest.  STATUS_INPUT where the domain is narrower than
+ * `reach`, STATUS_NUMERICAL where a relaxation does not settle. */
 int layout_cloud(const struct problem *p, const struct options *o, const struct lattice *l, double reach,
                  struct cloud *c, struct failure *why);
 void layout_cloud_free(struct cloud *c);

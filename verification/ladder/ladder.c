@@ -183,13 +183,14 @@ void ladder_fit(struct ladder *l, enum ladder_norm norm) {
         const struct result *r = &l->rung[i];
         l->error[i] = in_norm(r, norm);
         /* the shares are of E1; another norm of the same field is judged by them too */
-        rung[i] = (struct window_rung){.x = l->x[i],
-                                       .error = l->error[i],
-                                       .time = l->in_time ? NAN : r->time_error,
-                                       .reference = r->reference_error / r->error.l1,
-                                       .rounding = r->rounding / r->error.l1,
-                                       /* in time the particles stay where they are */
-                                       .random = r->options.layout == LAYOUT_JITTER && !l->in_time};
+        rung[i] = (struct window_rung){
+            .x = l->x[i],
+            .error = l->error[i],
+            .time = l->in_time ? NAN : r->time_error,
+            .reference = r->reference_error / r->error.l1,
+            .rounding = r->rounding / r->error.l1,
+            /* in time the particles stay where they are */
+            .random = (r->options.layout == LAYOUT_JITTER || r->options.layout == LAYOUT_RELAXED) && !l->in_time};
     }
     slope_local(l->x, l->error, l->n, l->local);
     window_choose(rung, l->n, &l->window);

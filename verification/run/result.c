@@ -20,7 +20,8 @@ static void options_json(const struct result *r, struct json *j) {
     json_number(j, "order", accepts(r, "order") && o->order ? (double)o->order : NAN);
     json_text(j, "stepper", accepts(r, "stepper") ? stepper_words[o->stepper] : NULL);
     json_text(j, "layout", accepts(r, "layout") ? layout_words[o->layout] : NULL);
-    json_number(j, "jitter", o->layout == LAYOUT_JITTER ? o->jitter : 0);
+    json_number(j, "jitter", o->layout == LAYOUT_JITTER || o->layout == LAYOUT_RELAXED ? o->jitter : 0);
+    json_number(j, "grading", o->layout == LAYOUT_GRADED ? o->grading : NAN);
     json_whole(j, "seed", (long long)o->seed);
     json_text(j, "sampling", accepts(r, "sampling") ? sampling_words[o->sampling] : NULL);
     json_text(j, "walls", accepts(r, "walls") ? walls_words[o->walls] : NULL);
@@ -60,6 +61,14 @@ void result_json(const struct result *r, struct json *j) {
     json_number(j, "undershoot", r->shape.undershoot);
     json_number(j, "variation", r->shape.variation);
     json_number(j, "checkerboard", r->shape.checkerboard);
+    if (r->settling.sweeps > 0) {
+        json_object(j, "settling");
+        json_whole(j, "sweeps", r->settling.sweeps);
+        json_number(j, "moved", r->settling.moved);
+        json_number(j, "nearest", r->settling.nearest);
+        json_number(j, "spread", r->settling.spread);
+        json_end(j);
+    }
     json_number(j, "heat_drift", r->heat_drift);
     json_number(j, "seconds", r->seconds);
     json_number(j, "step_seconds", r->step_seconds);
@@ -77,7 +86,8 @@ void result_describe(const struct result *r, char *text, size_t size) {
         return;
     }
     if (accepts(r, "kernel")) snprintf(kernel, sizeof kernel, "%s kernel, h/dx %g, ", kernel_words[o->kernel], o->h);
-    if (o->layout == LAYOUT_JITTER) snprintf(jitter, sizeof jitter, " %g (seed %lu)", o->jitter, o->seed);
+    if (o->layout == LAYOUT_JITTER || o->layout == LAYOUT_RELAXED)
+        snprintf(jitter, sizeof jitter, " %g (seed %lu)", o->jitter, o->seed);
     snprintf(text, size, "%s %s: %s%s%s, %s samples, %s walls, %s in time, t = %g s", r->scene->name, r->method->name,
              kernel, layout_words[o->layout], jitter, sampling_words[o->sampling], walls_words[o->walls],
              stepper_words[o->stepper], r->t_end);

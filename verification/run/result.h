@@ -25,6 +25,7 @@ struct result {
     struct norms_error interior,
         boundary; /* apart by the distance to the nearest wall, a tenth of the least extent */
     struct norms_shape shape;
+    struct settling settling; /* of a relaxed cloud */
     double heat_drift;
     double time_error;      /* the part of error.l1 that the time step makes up; 0 for exact, NaN where unknown */
     double reference_error; /* what the reference's own error can make up of error.l1 */

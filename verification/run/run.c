@@ -38,6 +38,7 @@ static int measure(const struct experiment *e, const struct field *f, const doub
     out->interior = norms_error(p, f, truth, NORMS_INTERIOR, skin);
     out->boundary = norms_error(p, f, truth, NORMS_BOUNDARY, skin);
     out->shape = norms_shape(p, f, truth);
+    out->settling = f->settling;
     out->heat_drift = norms_heat_drift(f);
     out->rounding = rounding(e, f, dx);
     out->seconds = f->seconds;

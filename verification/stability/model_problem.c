@@ -81,7 +81,7 @@ int model_problem_operator(const struct model_problem *b, const struct problem *
     const struct scheme *s = b->method->scheme;
     struct lattice l;
     struct cloud c;
-    if (b->options.layout != LAYOUT_JITTER) {
+    if (!options_is_cloud(&b->options)) {
         if (layout_lattice(p, &b->options, 1, &l, why)) return why->status;
         return operator_create_lattice(a, p, &b->options, s, &l, why);
     }

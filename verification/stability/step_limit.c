@@ -26,8 +26,8 @@ static int is(const struct model_problem *b, const char *name) {
 }
 
 int step_limit_model(struct model_problem *b, struct failure *why) {
-    int jitter = b->options.layout == LAYOUT_JITTER;
-    return model_problem_resolve(b, b->dim == 1 ? LIMIT_ROD : jitter ? LIMIT_SQUARE_JITTER : LIMIT_SQUARE, why);
+    int cloud = options_is_cloud(&b->options);
+    return model_problem_resolve(b, b->dim == 1 ? LIMIT_ROD : cloud ? LIMIT_SQUARE_JITTER : LIMIT_SQUARE, why);
 }
 
 int step_limit_setup(const struct method *m, const struct options *o, int dim, int stages, struct model_problem *b,
@@ -59,19 +59,20 @@ static int song_bound(const struct model_problem *b, const struct neighbourhood 
 static int song(const struct model_problem *given, double *published, struct failure *why) {
     struct model_problem b = *given;
     struct cloud c;
-    int jitter = b.options.layout == LAYOUT_JITTER;
-    if (!jitter) b.options.layout = LAYOUT_LATTICE;
+    int cloud = options_is_cloud(&b.options);
+    if (!cloud) b.options.layout = LAYOUT_LATTICE;
     struct problem p = model_problem_setup(&b, PROBE_NOISE, 0);
     if (model_problem_cloud(&b, &p, &c, why)) return why->status;
     *published = INFINITY;
-    int status = model_problem_around(&b, &c, jitter ? c.n : 1, song_bound, published, why);
+    int status = model_problem_around(&b, &c, cloud ? c.n : 1, song_bound, published, why);
     layout_cloud_free(&c);
     return status;
 }
 
 static int publish(const struct model_problem *b, struct step_limit *l, struct failure *why) {
     l->published = NAN, l->source = NULL;
-    if (b->step.stepper != STEPPER_EULER) return STATUS_OK; /* the papers' bounds are for Euler's method */
+    if (b->step.stepper != STEPPER_EULER) return STATUS_OK;   /* the papers' bounds are for Euler's method */
+    if (b->options.layout == LAYOUT_GRADED) return STATUS_OK; /* and for one smoothing length */
     if (is(b, "ftcs")) {
         l->published = 0.25 * b->dim, l->source = "Pamplona 2019, eq. 17 with gamma = 1/4";
     } else if (is(b, "so_ssph") && b->options.order <= 2) {
@@ -100,6 +101,7 @@ static int from_spectrum(const struct model_problem *b, struct step_limit *l, st
     struct heat_operator a;
     struct spectrum s;
     if (model_problem_operator(b, &p, &a, why)) return why->status;
+    l->particles = a.n;
     int status = spectrum_create(&s, &a, &b->step, why);
     operator_free(&a);
     if (status) return status;
@@ -113,7 +115,7 @@ static int from_spectrum(const struct model_problem *b, struct step_limit *l, st
 int step_limit_predict(const struct model_problem *b, struct step_limit *l, struct failure *why) {
     *l = (struct step_limit){.published = NAN, .measured = NAN};
     if (publish(b, l, why)) return why->status;
-    if (b->options.layout == LAYOUT_JITTER ? from_spectrum(b, l, why) : from_symbol(b, l, why)) return why->status;
+    if (options_is_cloud(&b->options) ? from_spectrum(b, l, why) : from_symbol(b, l, why)) return why->status;
     double h = b->options.h;
     l->beta = b->method->scheme ? l->von_neumann / (h * h) : NAN;
     return STATUS_OK;

@@ -9,12 +9,13 @@
 struct step_limit {
     double published;   /* NaN where no paper has a number */
     const char *source; /* of `published` */
-    double von_neumann; /* the symbol's; under jitter the eigenvalues'; 0 where some mode grows at any step */
+    double von_neumann; /* the symbol's; of clouds the eigenvalues'; 0 where some mode grows at any step */
     double measured;    /* between decay and growth, to 1 %; 0 where there is growth at any step */
     double growth;      /* largest real part of the eigenvalues, kappa/dx^2 */
     double radius;      /* largest |lambda|, kappa/dx^2 */
-    double theta[2];    /* rad a particle, the wave number that sets von_neumann; NaN under jitter */
+    double theta[2];    /* rad a particle, the wave number that sets von_neumann; NaN for clouds */
     double beta;        /* von_neumann as Pamplona's beta of eq. 15, F (dx/h)^2; NaN without an h */
+    size_t particles;   /* whose eigenvalues those are */
     int grows;          /* 1: an eigenvalue has a positive real part, past rounding */
 };
 

@@ -33,18 +33,19 @@ static void print_json(const struct model_problem *b, const struct step_limit *l
 }
 
 static void print_text(const struct model_problem *b, const struct step_limit *l) {
-    int jitter = b->options.layout == LAYOUT_JITTER;
+    int cloud = options_is_cloud(&b->options);
     printf("%s in %dD", b->method->name, b->dim);
     if (b->method->scheme) printf(", %s kernel, h/dx = %g", kernel_words[b->options.kernel], b->options.h);
-    if (jitter) printf(", jitter %g, seed %lu", b->options.jitter, b->options.seed);
+    if (cloud) printf(", %s", layout_words[b->options.layout]);
+    if (b->options.jitter > 0) printf(" %g, seed %lu", b->options.jitter, b->options.seed);
     printf(", %s: dt kappa/dx^2 up to\n", stepper_words[b->step.stepper]);
     if (l->source)
         printf("  %-12s %.6g (%s)\n", "published", l->published, l->source);
     else
         printf("  %-12s no number\n", "published");
     printf("  %-12s %.6g", "von Neumann", l->von_neumann);
-    if (jitter)
-        printf(" (the eigenvalues of %d particles)\n", b->dim == 2 ? b->n * b->n : b->n);
+    if (cloud)
+        printf(" (the eigenvalues of %zu particles)\n", l->particles);
     else
         printf(" (worst wave number %.4g, %.4g rad a particle)\n", fabs(l->theta[0]), fabs(l->theta[1]));
     printf("  %-12s %.4g\n", "measured", l->measured);

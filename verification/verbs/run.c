@@ -28,6 +28,10 @@ static void print_text(const struct result *r) {
     printf("  %-14s %.6g to %.6g K, past the initial range by %.2e above, %.2e below\n", "temperature", r->shape.min,
            r->shape.max, r->shape.overshoot, r->shape.undershoot);
     if (!isnan(r->shape.checkerboard)) printf("  %-14s %.2e K\n", "checkerboard", r->shape.checkerboard);
+    const struct settling *c = &r->settling;
+    if (c->sweeps > 0)
+        printf("  %-14s settled in %d sweeps; nearest particles %.3g dx apart, density within %.2g %% (one sigma)\n",
+               "cloud", c->sweeps, c->nearest, 100 * c->spread);
     if (isfinite(r->heat_drift)) printf("  %-14s %.2e of the heat at the start\n", "heat drift", r->heat_drift);
     printf("  %-14s %.3g s, %lld updates, %lld interactions, %zu bytes\n", "cost", r->seconds, r->updates,
            r->interactions, r->bytes);

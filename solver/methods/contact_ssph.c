@@ -1,0 +1,82 @@
+/* SSPH across the contact of two materials: SO-SSPH (Song eqs. 10, 11) whose monomials, beyond a plane interface at
+ * X = x_c - x_i, go on as the interface's conditions have them.  With xi = x - X and the ratios r = k_x/k_x' and
+ * a = kappa_x/kappa_x' of this side to the other's (dashed), T and k_x T_x continuous, and so T_t,
+ *   kappa_x T_xx + kappa_y T_yy = kappa_x' T_xx' + kappa_y' T_yy:
+ *   x      ->  X + r xi                        x^2/2  ->  X^2/2 + r X xi + a xi^2/2
+ *   y      ->  y                               x y    ->  (X + r xi) y
+ *   y^2/2  ->  y^2/2 + b xi^2/2,   b = (kappa_y - kappa_y')/kappa_x'
+ * The weights are the least squares of these five (two on a rod) functions, weighted with the kernel.
+ *
+ * Exact: for all fields that are quadratics on either side and meet these conditions, on any cloud.  The truncation
+ * is O(dx) at the interface as elsewhere on a cloud: second order in all, at any contrast. Heat is not conserved.
+ * Where no neighbour lies beyond the interface, and for one material, it is so_ssph. Restrictions: no source with two
+ * materials (its jump would have to be told); layers thicker than the kernel's support, so that the images beyond a
+ * wall are of the wall's own material. */
+#include "solver/methods/particles.h"
+#include "solver/methods/ssph.h"
+#include "solver/space/kernel.h"
+
+#include <math.h>
+
+static int check(const struct problem *p, const struct options *o, struct failure *why) {
+    if (p->materials == 1) return STATUS_OK;
+    if (p->source)
+        return refuse(why, STATUS_NOT_APPLICABLE, "contact_ssph: no source with two materials; brookshaw takes one");
+    double layer = fmin(p->interface - p->lo[0], p->hi[0] - p->interface), support = KERNEL_SUPPORT * o->h * o->dx;
+    if (layer < support)
+        return refuse(why, STATUS_INPUT,
+                      "--dx %g: the interface is %g m from a wall, within the kernel's support of %g m; take a "
+                      "smaller --dx or --h",
+                      o->dx, layer, support);
+    return STATUS_OK;
+}
+
+/* The functions of a neighbour at d (m) in units of h, ordered x, y, x^2/2, x y, y^2/2 (x, x^2/2 on a rod). */
+static void functions(const struct problem *p, const struct neighbourhood *nb, const double d[2], double *P) {
+    int here = layout_material(p, nb->x[0]), there = layout_material(p, nb->x[0] + d[0]);
+    const struct material *m = &p->material[here], *other = &p->material[there];
+    double x = d[0] / nb->h, y = d[1] / nb->h, X = (p->interface - nb->x[0]) / nb->h;
+    if (here == there) X = x; /* nothing beyond */
+    double xi = x - X, r = m->k[0] / other->k[0], kappa_x = other->k[0] / other->rho_c;
+    double along = X + r * xi, a = nb->kappa[0] / kappa_x;
+    double curved = X * X / 2 + r * X * xi + a * xi * xi / 2;
+    if (nb->dim == 1) {
+        P[0] = along, P[1] = curved;
+        return;
+    }
+    double b = (nb->kappa[1] - other->k[1] / other->rho_c) / kappa_x;
+    P[0] = along, P[1] = y, P[2] = curved, P[3] = along * y, P[4] = y * y / 2 + b * xi * xi / 2;
+}
+
+static int weights(const struct problem *p, const struct options *o, const struct neighbourhood *nb, double *w[2],
+                   struct failure *why) {
+    double target[1][SSPH_TERMS_MAX] = {{0}}, P[NEIGHBOURS_MAX][SSPH_TERMS_MAX];
+    int crossed = 0, second = nb->dim == 1 ? 1 : 2;
+    target[0][second] = nb->kappa[0];
+    if (nb->dim == 2) target[0][4] = nb->kappa[1];
+    for (size_t j = 0; j < nb->n && p->materials == 2; j++)
+        crossed |= layout_material(p, nb->x[0]) != layout_material(p, nb->x[0] + nb->d[j][0]);
+    if (!crossed) return ssph_weights(nb, o->kernel, 2, 1, target, w, why);
+    for (size_t j = 0; j < nb->n; j++) functions(p, nb, nb->d[j], P[j]);
+    for (int k = 0; k < SSPH_TERMS_MAX; k++) target[0][k] /= nb->h * nb->h;
+    return ssph_fit(nb, o->kernel, nb->dim == 1 ? 2 : 5, P, target[0], w[0], why);
+}
+
+static const struct scheme scheme = {.sweeps = 1, .check = check, .weights = weights};
+
+static int solve(const struct problem *p, const struct options *o, struct field *f, struct failure *why) {
+    return particles_solve(p, o, &scheme, f, why);
+}
+
+static int outline(const struct problem *p, const struct options *o, struct outline *out, struct failure *why) {
+    return particles_outline(p, o, &scheme, out, why);
+}
+
+const struct method method_contact_ssph = {
+    .name = "contact_ssph",
+    .about = "SO-SSPH whose Taylor series keeps T, k T_x and T_t continuous across an interface of two materials",
+    .accepts = "stepper kernel h layout jitter grading sweeps seed sampling walls",
+    .scheme = &scheme,
+    .solve = solve,
+    .outline = outline,
+};

@@ -1,0 +1,314 @@
+/* Relaxed, hexagonal and graded clouds: where particles are, what they stand for, that threads change nothing, and
+ * what is refused; and SSPH across a contact: fields that it must have exactly. */
+#include "solver/methods/particles.h"
+#include "solver/space/place.h"
+#include "solver/space/relax.h"
+
+#include "verification/unit/odd_problems.h"
+#include "verification/unit/near.h"
+
+#include <gsl/gsl_errno.h>
+#include <stdlib.h>
+#include <string.h>
+
+extern const struct method method_so_ssph, method_contact_ssph, method_brookshaw, method_kernel_second;
+
+static struct options settled(enum layout_name layout) {
+    return (struct options){
+        .dx = 0.05, .h = 1.23, .seed = 7, .layout = layout, .jitter = 0.5, .grading = 2.7, .sweeps = 2000};
+}
+
+static void make(const struct problem *p, const struct options *o, struct cloud *c) {
+    struct lattice l;
+    struct failure why = {0};
+    assert_int_equal(layout_lattice(p, o, 1, &l, &why), STATUS_OK);
+    if (layout_cloud(p, o, &l, 2 * o->h * l.dx[0], c, &why)) print_error("%s\n", why.text);
+    assert_int_equal(why.status, STATUS_OK);
+}
+
+static double distance(const struct cloud *c, size_t i, size_t j) {
+    return hypot(c->x[i] - c->x[j], c->y[i] - c->y[j]);
+}
+
+/* Six neighbours at one distance, but for stretching (1.2 m hold 28 rows of 0.0429 instead of 0.0433 m), away from
+ * walls. */
+static void six_neighbours(void **state) {
+    (void)state;
+    struct problem p = odd_rectangle();
+    struct options o = settled(LAYOUT_HEXAGONAL);
+    struct cloud c;
+    int seen = 0;
+    make(&p, &o, &c);
+    assert_near(c.volume * (double)c.n, 1.5 * 1.2, 1e-12);
+    for (size_t i = 0; i < c.n; i++) {
+        int near = 0;
+        if (fabs(c.x[i] - 0.4) > 0.5 || fabs(c.y[i] - 0.8) > 0.4) continue;
+        for (size_t j = 0; j < c.total; j++) near += j != i && distance(&c, i, j) < 1.3 * 0.05;
+        assert_int_equal(near, 6);
+        seen++;
+    }
+    assert_true(seen > 100);
+    layout_cloud_free(&c);
+}
+
+/* Widths grow by one factor from cell to cell, fill the domain and have the ratio asked for, along both axes. */
+static void graded_cells(void **state) {
+    (void)state;
+    struct problem p = odd_rectangle();
+    struct options o = settled(LAYOUT_GRADED);
+    struct lattice l;
+    struct failure why;
+    assert_int_equal(layout_lattice(&p, &o, 1, &l, &why), STATUS_OK);
+    for (int a = 0; a < 2; a++) {
+        double sum = 0, first = 0, last = 0, before = 0;
+        for (int k = 0; k < l.n[a]; k++) {
+            double x[2];
+            place_position(&p, &o, &l, a ? 3 : k, a ? k : 5, x);
+            double width = place_width(&p, &o, &l, a, x[a]);
+            assert_near(x[a], p.lo[a] + sum + width / 2, 1e-13);
+            if (k > 0) assert_near(width / before, pow(2.7, 1.0 / l.n[a]), 1e-12);
+            sum += width, before = width;
+            *(k ? &last : &first) = width;
+        }
+        assert_near(sum, p.hi[a] - p.lo[a], 1e-13);
+        assert_near(last / first, pow(2.7, 1 - 1.0 / l.n[a]), 1e-12);
+    }
+}
+
+static void ghosts_take_after_their_sources(void **state) {
+    (void)state;
+    struct problem p = odd_rectangle();
+    struct options o = settled(LAYOUT_GRADED);
+    struct cloud c;
+    double sum = 0;
+    make(&p, &o, &c);
+    for (size_t i = 0; i < c.n; i++) sum += c.spacing[i] * c.spacing[i];
+    assert_near(sum, 1.5 * 1.2, 1e-12);
+    assert_true(c.total > c.n);
+    for (size_t i = c.n; i < c.total; i++) {
+        assert_near(c.spacing[i], c.spacing[c.source[i]], 0);
+        for (int a = 0; a < 2; a++) {
+            double at = a ? c.y[i] : c.x[i], from = a ? c.y[c.source[i]] : c.x[c.source[i]];
+            double off = fmin(fabs(at - from), fmin(fabs(at + from - 2 * p.lo[a]), fabs(at + from - 2 * p.hi[a])));
+            assert_near(off, 0, 1e-13);
+        }
+    }
+    layout_cloud_free(&c);
+}
+
+static double nearest(const struct cloud *c) {
+    double least = HUGE_VAL;
+    for (size_t i = 0; i < c->n; i++)
+        for (size_t j = 0; j < c->total; j++)
+            if (j != i) least = fmin(least, distance(c, i, j));
+    return least;
+}
+
+static void settled_clouds(void **state) {
+    (void)state;
+    struct problem p = odd_rectangle();
+    struct options o = settled(LAYOUT_RELAXED), start = settled(LAYOUT_JITTER);
+    struct cloud c, d, raw;
+    make(&p, &o, &c);
+    make(&p, &start, &raw);
+    assert_true(c.settling.sweeps > 5 && c.settling.moved <= 3e-3);
+    assert_near(c.settling.nearest, nearest(&c) / 0.05, 1e-12);
+    assert_true(nearest(&c) > 0.75 * 0.05); /* grains of hexagons, 1.07 dx apart, and their borders */
+    assert_true(nearest(&raw) < 0.4 * 0.05);
+    assert_true(c.settling.spread < 0.01);
+    for (size_t i = 0; i < c.n; i++) {
+        assert_true(c.x[i] > p.lo[0] && c.x[i] < p.hi[0]);
+        assert_true(c.y[i] > p.lo[1] && c.y[i] < p.hi[1]);
+    }
+    o.threads = 3;
+    make(&p, &o, &d);
+    assert_memory_equal(c.x, d.x, c.total * sizeof *c.x);
+    assert_memory_equal(c.y, d.y, c.total * sizeof *c.y);
+    layout_cloud_free(&d);
+    o.seed = 8;
+    make(&p, &o, &d);
+    assert_true(memcmp(c.x, d.x, c.n * sizeof *c.x) != 0);
+    layout_cloud_free(&d);
+    layout_cloud_free(&c);
+    layout_cloud_free(&raw);
+}
+
+static void unsettled_clouds_say_how_far_they_came(void **state) {
+    (void)state;
+    struct problem p = odd_rectangle();
+    struct options o = settled(LAYOUT_RELAXED);
+    struct field f;
+    struct failure why;
+    o.sweeps = 3;
+    assert_int_equal(method_so_ssph.solve(&p, &o, &f, &why), STATUS_NUMERICAL);
+    assert_non_null(strstr(why.text, "not settled after 3 sweeps"));
+    assert_non_null(strstr(why.text, "nearest particles are 0."));
+}
+
+/* A step of an affine field that the walls keep: nothing may change, whatever the cloud. */
+static double affine(const struct problem *p, const double x[2]) {
+    (void)p;
+    return 0.37 + 0.61 * x[0] - 0.23 * x[1];
+}
+
+static double affine_wall(const struct problem *p, enum side s, const double x[2]) {
+    return p->side[s] == DIRICHLET ? affine(p, x) : (s == Y_LO ? 0.23 : -0.23) * p->material[0].k[1];
+}
+
+static void affine_fields_stay_on_any_cloud(void **state) {
+    (void)state;
+    for (int layout = LAYOUT_JITTER; layout <= LAYOUT_GRADED; layout++) {
+        struct problem p = odd_rectangle();
+        struct options o = settled((enum layout_name)layout);
+        struct failure why = {0};
+        struct field f;
+        p.initial = affine, p.wall = affine_wall;
+        if (layout == LAYOUT_JITTER) o.jitter = 0.31;
+        if (method_so_ssph.solve(&p, &o, &f, &why)) print_error("%s\n", why.text);
+        assert_int_equal(why.status, STATUS_OK);
+        for (size_t i = 0; i < f.n; i++) {
+            double x[2] = {f.x[i], f.y[i]};
+            assert_near(f.T[i], affine(&p, x), 1e-11);
+        }
+        field_free(&f);
+    }
+}
+
+static double no_flux(const struct problem *p, enum side s, const double x[2]) {
+    (void)p, (void)s, (void)x;
+    return 0;
+}
+
+static void pair_fluxes_keep_heat_on_every_cloud(void **state) {
+    (void)state;
+    const struct method *pair[2] = {&method_brookshaw, &method_kernel_second};
+    for (int m = 0; m < 2; m++)
+        for (int layout = LAYOUT_RELAXED; layout <= LAYOUT_GRADED; layout++) {
+            struct problem p = odd_rectangle();
+            struct options o = settled((enum layout_name)layout);
+            struct failure why = {0};
+            struct field f;
+            for (int s = 0; s < 4; s++) p.side[s] = NEUMANN;
+            p.wall = no_flux, p.material[0].k[1] = p.material[0].k[0], p.t_end = 1e-4;
+            o.h = 1.1, o.stepper = STEPPER_EULER, o.fourier = 0.02;
+            if (pair[m]->solve(&p, &o, &f, &why)) print_error("%s\n", why.text);
+            assert_int_equal(why.status, STATUS_OK);
+            assert_near(f.heat[1] / f.heat[0], 1, 1e-13);
+            field_free(&f);
+        }
+}
+
+/* ---- Contact ---- */
+
+/* k_x = 0.7, 0.0311 and k_y = 0.4, 0.19 on either side of x = 0.4 m; rho c = 1.3, 0.9 */
+static struct problem two_sides(int dim) {
+    struct problem p = dim == 2 ? odd_rectangle() : odd_rod();
+    p.materials = 2, p.interface = 0.4;
+    p.material[1] = (struct material){{0.0311, 0.19}, 0.9};
+    return p;
+}
+
+/* c . (1, x, y, x^2, x y, y^2) left of the interface, and right of it what T, k_x T_x and T_t continuous make of it;
+ * found from T = a(y) + b(y) X + c X^2 with X = x - 0.4, not from the Taylor series about a particle. */
+static double field_at(const struct problem *p, const double c[6], const double x[2]) {
+    const struct material *m = p->material;
+    double X = x[0] - 0.4, y = x[1], at = 0.4;
+    double a = c[0] + c[1] * at + c[2] * y + c[3] * at * at + c[4] * at * y + c[5] * y * y;
+    double b = c[1] + 2 * c[3] * at + c[4] * y;
+    if (X < 0) return a + b * X + c[3] * X * X;
+    double t = m[0].k[0] / m[0].rho_c * 2 * c[3] + m[0].k[1] / m[0].rho_c * 2 * c[5]; /* T_t, K/s */
+    double curved = (t - m[1].k[1] / m[1].rho_c * 2 * c[5]) / (2 * m[1].k[0] / m[1].rho_c);
+    return a + m[0].k[0] / m[1].k[0] * b * X + curved * X * X;
+}
+
+static const double around[15][2] = {{0.041, 0.013},  {-0.052, 0.007}, {0.003, 0.049},  {-0.011, -0.055},
+                                     {0.063, -0.038}, {-0.047, 0.058}, {0.034, 0.071},  {-0.069, -0.041},
+                                     {0.083, 0.029},  {-0.089, 0.019}, {0.017, -0.101}, {-0.021, 0.093},
+                                     {0.022, -0.029}, {0.097, -0.011}, {-0.027, 0.023}};
+
+static void piecewise_quadratics_are_exact(void **state) {
+    (void)state;
+    static const double offset[] = {-0.101, -0.043, -0.0007, 0.0009, 0.037, 0.094};
+    for (int dim = 1; dim <= 2; dim++)
+        for (int k = 0; k < 6; k++)
+            for (int term = 0; term < (dim == 2 ? 6 : 4); term++) {
+                struct problem p = two_sides(dim);
+                struct options o = {.kernel = KERNEL_CUBIC};
+                struct failure why = {0};
+                double d[15][2], c[6] = {0}, w[15], *out[2] = {w, NULL}, sum = 0;
+                struct neighbourhood nb = {
+                    .dim = dim, .x = {0.4 + offset[k], dim == 2 ? 0.83 : 0}, .n = 15, .d = d, .h = 0.061};
+                if (dim == 1 && term == 2) continue;
+                c[term] = 1.37;
+                memcpy(d, around, sizeof d);
+                for (int j = 0; j < 15 && dim == 1; j++) d[j][1] = 0;
+                const struct material *m = &p.material[offset[k] > 0];
+                for (int a = 0; a < 2; a++) nb.kappa[a] = m->k[a] / m->rho_c;
+                if (method_contact_ssph.scheme->weights(&p, &o, &nb, out, &why)) print_error("%s\n", why.text);
+                assert_int_equal(why.status, STATUS_OK);
+                for (int j = 0; j < 15; j++) {
+                    double at[2] = {nb.x[0] + d[j][0], nb.x[1] + d[j][1]};
+                    sum += w[j] * (field_at(&p, c, at) - field_at(&p, c, nb.x));
+                }
+                const struct material *left = &p.material[0];
+                double t = (left->k[0] * 2 * c[3] + (dim == 2) * left->k[1] * 2 * c[5]) / left->rho_c;
+                assert_near(sum, t, 1e-9);
+            }
+}
+
+static void one_material_is_so_ssph(void **state) {
+    (void)state;
+    struct problem p = odd_rectangle();
+    struct options o = settled(LAYOUT_JITTER);
+    struct field a, b;
+    struct failure why;
+    o.jitter = 0.31;
+    assert_int_equal(method_so_ssph.solve(&p, &o, &a, &why), STATUS_OK);
+    assert_int_equal(method_contact_ssph.solve(&p, &o, &b, &why), STATUS_OK);
+    assert_memory_equal(a.T, b.T, a.n * sizeof *a.T);
+    field_free(&a);
+    field_free(&b);
+}
+
+static double heated(const struct problem *p, const double x[2]) {
+    (void)p, (void)x;
+    return 0.7;
+}
+
+static void poor_contacts_are_refused(void **state) {
+    (void)state;
+    struct problem p = two_sides(2);
+    struct options o = settled(LAYOUT_JITTER);
+    struct field f;
+    struct failure why;
+    double lone[1][2] = {{0.041, 0.013}}, w[1], *out[2] = {w, NULL};
+    struct neighbourhood nb = {
+        .dim = 2, .i = 3, .x = {0.39, 0.83}, .n = 1, .d = lone, .h = 0.061, .kappa = {0.5, 0.3}};
+    assert_int_equal(method_contact_ssph.scheme->weights(&p, &o, &nb, out, &why), STATUS_NUMERICAL);
+    assert_non_null(strstr(why.text, "particle 3"));
+    assert_non_null(strstr(why.text, "has 1 neighbours for 5 unknowns, condition number"));
+    p.interface = p.hi[0] - 0.11;
+    assert_int_equal(method_contact_ssph.solve(&p, &o, &f, &why), STATUS_INPUT);
+    assert_non_null(strstr(why.text, "0.11 m from a wall"));
+    p = two_sides(2);
+    p.source = heated;
+    assert_int_equal(method_contact_ssph.solve(&p, &o, &f, &why), STATUS_NOT_APPLICABLE);
+    assert_non_null(strstr(why.text, "brookshaw"));
+}
+
+int main(void) {
+    gsl_set_error_handler_off();
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(six_neighbours),
+        cmocka_unit_test(graded_cells),
+        cmocka_unit_test(ghosts_take_after_their_sources),
+        cmocka_unit_test(settled_clouds),
+        cmocka_unit_test(unsettled_clouds_say_how_far_they_came),
+        cmocka_unit_test(affine_fields_stay_on_any_cloud),
+        cmocka_unit_test(pair_fluxes_keep_heat_on_every_cloud),
+        cmocka_unit_test(piecewise_quadratics_are_exact),
+        cmocka_unit_test(one_material_is_so_ssph),
+        cmocka_unit_test(poor_contacts_are_refused),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
