@@ -27,6 +27,7 @@ struct problem {
     double jump[2][JUMP_MAX];               /* m, ascending */
     int mirror[2];                          /* 1 where the whole problem is even about the middle of that axis */
     const struct problem *whole;            /* what this is the upper half or quarter of; NULL for a whole problem */
+    const void *data;                       /* of the functions below where no scene made them; NULL of a scene */
     double param[PARAM_MAX];                /* the scene's own parameters, in the order of its table */
 
     /* K at x[0], x[1]; on a jump, the value of the closed piece (Song eq. 43) */

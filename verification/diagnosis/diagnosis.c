@@ -1,0 +1,292 @@
+/* Least squares of the error field e with the response f of one fault at a time, beside what differences of second
+ * order leave at the same spacing: in space g, in time (Euler's, of mesh Fourier number 1) h,
+ *
+ *     e = size f + b g + c h,    |b| <= 2,  |c| <= 1/2
+ *
+ * since a faulty code has its errors of discretization too.  A fault whose part |size f| is not at least twice |g +
+ * h/5| is none: that is the size of a correct code's error.  The twentieth of the points where g is largest (corners
+ * whose sides disagree) is left out.
+ *
+ * One field cannot tell faults of like response apart (without a source T depends on kappa t alone): how the size
+ * goes with the spacing can.  A clock is wrong by steps, a place by cells, a coefficient by a part of itself. */
+#include "verification/diagnosis/diagnosis.h"
+
+#include "solver/field.h"
+#include "solver/status.h"
+#include "verification/diagnosis/response.h"
+#include "verification/text/json.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+
+static const double SHARE = 0.9;   /* of the squared error that a fault must explain to be named */
+static const double ALIKE = 0.02;  /* shares that differ by less tell nothing apart */
+static const double STEADY = 0.25; /* relative change of a size from rung to rung that still counts as none */
+static const double MOST = 2;      /* of what differences of second order leave: a correct code's own error */
+enum { POINTS = 20000, FAULTS = 20, ROUNDS = 20000 };
+
+struct fit {
+    double size, share;
+    double part; /* |size f| / |g + h/5| */
+};
+
+/* A rung: its errors, and what differences of second order leave. */
+struct errors {
+    const struct field *field;
+    double *e, *g, *h; /* K, owned; e is NAN at a point that is left out */
+};
+
+struct candidate_fault {
+    struct fault fault;
+    struct fit fine, coarse;
+    double unit[2];   /* of the size at the fine and the coarse rung: a step, a cell, or 1 */
+    double drift;     /* |log| of the change of the size in its unit; INFINITY where it does not stay */
+    const char *name; /* of the unit */
+};
+
+static double clamp(double x, double most) {
+    return fmax(-most, fmin(most, x));
+}
+
+/* Minimum over size, b and c, one after the other until they stay: three numbers, two of them bounded. */
+static struct fit fit_error(const struct errors *s, const double *f) {
+    double a[4][4] = {{0}}; /* products of e, f, g, h */
+    for (size_t i = 0; i < s->field->n; i++) {
+        double w = s->field->weight ? s->field->weight[i] : 1, v[4] = {s->e[i], f[i], s->g[i], s->h[i]};
+        if (!isfinite(v[0])) continue;
+        for (int k = 0; k < 4; k++)
+            for (int l = 0; l < 4; l++) a[k][l] += w * v[k] * v[l];
+    }
+    if (!(a[0][0] > 0 && a[1][1] > 0)) return (struct fit){0, 0, 0};
+    double x[4] = {-1, 0, 0, 0}; /* of e, f, g, h: x.v is what is left */
+    for (int round = 0; round < ROUNDS; round++)
+        for (int k = 1; k < 4; k++) {
+            double rest = 0;
+            for (int l = 0; l < 4; l++) rest -= l == k ? 0 : a[k][l] * x[l];
+            x[k] = a[k][k] > 0 ? rest / a[k][k] : 0;
+            if (k > 1) x[k] = clamp(x[k], k == 2 ? MOST : 0.5);
+        }
+    double left = 0, natural = a[2][2] + 0.4 * a[2][3] + 0.04 * a[3][3];
+    for (int k = 0; k < 4; k++)
+        for (int l = 0; l < 4; l++) left += x[k] * a[k][l] * x[l];
+    return (struct fit){x[1], 1 - left / a[0][0], fabs(x[1]) * sqrt(a[1][1] / fmax(natural, 1e-300))};
+}
+
+static int ascending(const void *a, const void *b) {
+    double x = *(const double *)a, y = *(const double *)b;
+    return (x > y) - (x < y);
+}
+
+static struct errors errors_of(const struct problem *p, const struct response_lattice *l,
+                               const struct diagnosis_rung *r) {
+    const struct field *f = r->field;
+    struct errors s = {f, xcalloc(f->n, sizeof(double)), xcalloc(f->n, sizeof(double)),
+                       xcalloc(f->n, sizeof(double))};
+    double *size = xcalloc(f->n, sizeof *size), dx2 = pow(r->dx / l->dx, 2);
+    response_base(p, l, f, s.g, s.h);
+    for (size_t i = 0; i < f->n; i++) {
+        s.g[i] = dx2 * (s.g[i] - r->exact[i]);
+        s.h[i] *= dx2;
+        size[i] = isfinite(s.g[i]) ? fabs(s.g[i]) : INFINITY;
+    }
+    qsort(size, f->n, sizeof *size, ascending);
+    double largest = size[f->n - 1 - f->n / 20];
+    for (size_t i = 0; i < f->n; i++) s.e[i] = fabs(s.g[i]) <= largest ? f->T[i] - r->exact[i] : NAN;
+    free(size);
+    return s;
+}
+
+static int list_faults(const struct problem *p, struct fault *list) {
+    static const enum fault_kind along[] = {FAULT_EXTENT, FAULT_START_SHIFT, FAULT_START_WIDTH};
+    static const enum fault_kind whole[] = {FAULT_CLOCK,    FAULT_CONDUCTIVITY, FAULT_SWAP,     FAULT_SOURCE,
+                                            FAULT_CAPACITY, FAULT_INTERFACE,    FAULT_AMPLITUDE};
+    int n = 0;
+    for (int i = 0; i < 7; i++) list[n++] = (struct fault){whole[i], 0};
+    for (int i = 0; i < 3; i++)
+        for (int a = 0; a < p->dim; a++) list[n++] = (struct fault){along[i], a};
+    for (int s = 0; s < 2 * p->dim; s++) list[n++] = (struct fault){FAULT_WALL, s};
+    return n;
+}
+
+/* The unit in which the size of a fault stays from rung to rung, and what is left of its change. */
+static void follow(struct candidate_fault *c, const struct diagnosis_rung *fine,
+                   const struct diagnosis_rung *coarse) {
+    int place = c->fault.kind == FAULT_EXTENT || c->fault.kind == FAULT_START_SHIFT ||
+                c->fault.kind == FAULT_START_WIDTH || c->fault.kind == FAULT_INTERFACE;
+    int clock = c->fault.kind == FAULT_CLOCK && fine->dt > 0 && coarse->dt > 0;
+    c->unit[0] = clock ? fine->dt : place ? fine->dx : 1;
+    c->unit[1] = clock ? coarse->dt : place ? coarse->dx : 1;
+    c->name = clock ? "steps" : c->fault.kind == FAULT_CLOCK ? "s" : place ? "cells" : "%";
+    double ratio = c->coarse.size / c->unit[1] / (c->fine.size / c->unit[0]);
+    c->drift = ratio > 0 ? fabs(log(ratio)) : INFINITY;
+    if (fault_is_whole(c->fault.kind) && fabs(c->fine.size - 1) > STEADY) c->drift = INFINITY;
+}
+
+/* Some POINTS of a rung, evenly along it; owned arrays, to be freed by drop. */
+static struct diagnosis_rung sample(const struct diagnosis_rung *r, struct field *f) {
+    size_t stride = r->field->n / POINTS + 1;
+    if (stride > 1) stride |= 1; /* so that columns of a lattice are not picked out */
+    size_t n = (r->field->n + stride - 1) / stride;
+    double *exact = xcalloc(n, sizeof *exact);
+    field_alloc(f, r->field->dim, n);
+    f->weight = r->field->weight ? xcalloc(n, sizeof *f->weight) : NULL;
+    for (size_t i = 0; i < n; i++) {
+        f->x[i] = r->field->x[i * stride];
+        if (f->y) f->y[i] = r->field->y[i * stride];
+        if (f->weight) f->weight[i] = r->field->weight[i * stride];
+        f->T[i] = r->field->T[i * stride];
+        exact[i] = r->exact[i * stride];
+    }
+    return (struct diagnosis_rung){f, exact, r->dx, r->dt};
+}
+
+static void drop(struct diagnosis_rung *r, struct field *f) {
+    free((void *)r->exact);
+    field_free(f);
+}
+
+static int fit_all(const struct problem *p, const struct diagnosis_rung *rung, struct candidate_fault *c) {
+    struct response_lattice l;
+    struct fault list[FAULTS];
+    int n = 0, faults = list_faults(p, list);
+    if (response_lattice_create(p, &l)) return 0;
+    struct errors errors[2] = {errors_of(p, &l, &rung[0]), errors_of(p, &l, &rung[1])};
+    double *base[2], *response = xcalloc(rung[0].field->n + rung[1].field->n, sizeof *response);
+    for (int k = 0; k < 2; k++) {
+        double dx2 = pow(rung[k].dx / l.dx, 2);
+        base[k] = xcalloc(rung[k].field->n, sizeof **base);
+        for (size_t i = 0; i < rung[k].field->n; i++) base[k][i] = errors[k].g[i] / dx2 + rung[k].exact[i];
+    }
+    for (int i = 0; i < faults; i++) {
+        struct fit fit[2];
+        int failed = 0;
+        for (int k = 0; k < 2 && !failed; k++) {
+            failed = response_at(p, &l, list[i], rung[k].field, base[k], response);
+            if (!failed) fit[k] = fit_error(&errors[k], response);
+        }
+        if (failed) continue;
+        c[n] = (struct candidate_fault){.fault = list[i], .fine = fit[0], .coarse = fit[1]};
+        follow(&c[n++], &rung[0], &rung[1]);
+    }
+    for (int k = 0; k < 2; k++) {
+        free(base[k]);
+        free(errors[k].e);
+        free(errors[k].g);
+        free(errors[k].h);
+    }
+    free(response);
+    response_lattice_free(&l);
+    return n;
+}
+
+static const char *axis_name(int axis) {
+    return axis ? "y" : "x";
+}
+
+static void describe(struct diagnosis *d) {
+    static const char *const side[] = {"x_lo", "x_hi", "y_lo", "y_hi"};
+    double size = d->size, apart = fabs(size);
+    char *to = d->what;
+    const size_t room = sizeof d->what;
+    switch (d->fault.kind) {
+    case FAULT_CLOCK:
+        snprintf(to, room, "as if the run had stopped %.3g %s %s", apart, d->unit, size < 0 ? "early" : "late");
+        break;
+    case FAULT_CONDUCTIVITY:
+        snprintf(to, room, "as if the conductivity were %.3g %% too %s", apart, size < 0 ? "small" : "large");
+        break;
+    case FAULT_SWAP:
+        snprintf(to, room, "as if k_x and k_y were in each other's place");
+        break;
+    case FAULT_SOURCE:
+        snprintf(to, room,
+                 fabs(size + 100) < 5 ? "as if the source were lost" : "as if the source were %.3g %% too %s", apart,
+                 size < 0 ? "small" : "large");
+        break;
+    case FAULT_CAPACITY:
+        snprintf(to, room, "as if rho c of the second material were that of the first");
+        break;
+    case FAULT_WALL:
+        if (fabs(size + 100) < 5)
+            snprintf(to, room, "as if what side %s holds were lost", side[d->fault.axis]);
+        else if (fabs(size + 200) < 10)
+            snprintf(to, room, "as if what side %s holds had the wrong sign", side[d->fault.axis]);
+        else
+            snprintf(to, room, "as if what side %s holds were %.3g %% too %s", side[d->fault.axis], apart,
+                     size < 0 ? "small" : "large");
+        break;
+    case FAULT_EXTENT:
+        snprintf(to, room, "as if the sides across %s lay %.3g cells %s", axis_name(d->fault.axis), apart,
+                 size < 0 ? "inside" : "outside");
+        break;
+    case FAULT_START_SHIFT:
+        snprintf(to, room, "as if the initial data lay %.3g cells too far %s along %s", apart,
+                 size < 0 ? "down" : "up", axis_name(d->fault.axis));
+        break;
+    case FAULT_START_WIDTH:
+        snprintf(to, room, "as if the jumps of the initial data lay %.3g cells %s along %s", apart,
+                 size < 0 ? "inwards" : "outwards", axis_name(d->fault.axis));
+        break;
+    case FAULT_INTERFACE:
+        snprintf(to, room, "as if the interface lay %.3g cells too far %s", apart, size < 0 ? "down" : "up");
+        break;
+    case FAULT_AMPLITUDE:
+        snprintf(to, room, "as if all temperatures were %.3g %% too %s", apart, size < 0 ? "small" : "large");
+        break;
+    }
+}
+
+static int stays(const struct candidate_fault *c) {
+    return c->drift <= log(1 + STEADY) && c->coarse.share >= SHARE - ALIKE;
+}
+
+void diagnosis_find(const struct problem *p, const struct diagnosis_rung *fine, const struct diagnosis_rung *coarse,
+                    struct diagnosis *d) {
+    struct candidate_fault c[FAULTS];
+    struct field field[2];
+    struct diagnosis_rung sampled[2] = {sample(fine, &field[0]), sample(coarse, &field[1])};
+    int n = fit_all(p, sampled, c), best = -1;
+    double most = 0;
+    for (int i = 0; i < 2; i++) drop(&sampled[i], &field[i]);
+    *d = (struct diagnosis){.unit = ""};
+    for (int i = 0; i < n; i++)
+        if (c[i].fine.part >= MOST) most = fmax(most, c[i].fine.share);
+    d->share = most;
+    if (most < SHARE) {
+        if (most > 0)
+            snprintf(d->what, sizeof d->what, "no usual fault explains more than %.0f %% of the error", 100 * most);
+        else
+            snprintf(d->what, sizeof d->what, "no usual fault: the error is of the size that differences leave");
+        return;
+    }
+    for (int i = 0; i < n; i++) {
+        if (c[i].fine.part < MOST || c[i].fine.share < fmax(SHARE, most - ALIKE) || !stays(&c[i])) continue;
+        if (best < 0 || c[i].drift < c[best].drift) best = i;
+    }
+    if (best < 0) {
+        snprintf(d->what, sizeof d->what,
+                 "no usual fault: what looks like one has a size that changes with the spacing");
+        return;
+    }
+    int percent = c[best].name[0] == '%';
+    d->named = 1;
+    d->fault = c[best].fault;
+    d->size = c[best].fine.size / c[best].unit[0] * (percent ? 100 : 1);
+    d->unit = fault_is_whole(d->fault.kind) ? "" : c[best].name;
+    d->share = c[best].fine.share;
+    describe(d);
+}
+
+void diagnosis_json(const struct diagnosis *d, struct json *j) {
+    if (!d->named) {
+        json_text(j, "diagnosis", NULL);
+        return;
+    }
+    json_object(j, "diagnosis");
+    json_text(j, "what", d->what);
+    json_number(j, "size", d->size);
+    json_text(j, "unit", d->unit);
+    json_number(j, "share", d->share);
+    json_end(j);
+}

@@ -1,0 +1,36 @@
+#ifndef HEATLADDER_VERIFICATION_DIAGNOSIS_DIAGNOSIS_H
+#define HEATLADDER_VERIFICATION_DIAGNOSIS_DIAGNOSIS_H
+
+#include "verification/diagnosis/fault.h"
+
+struct field;
+struct json;
+
+/* What the errors of a ladder look like: the fault whose response explains most of the error field. */
+
+struct diagnosis_rung {
+    const struct field *field;
+    const double *exact; /* K, at the points of the field; NAN where the solution has no value */
+    double dx;           /* m */
+    double dt;           /* s; 0 where unknown */
+};
+
+struct diagnosis {
+    int named;
+    struct fault fault;
+    double size;      /* in `unit` */
+    const char *unit; /* "steps", "s", "%", "cells" or "" */
+    double share;     /* of the squared error, 0 to 1, at the finest rung */
+    char what[160];   /* "as if the run had stopped 0.98 steps early"; why none is named where none is */
+};
+
+/* Names a fault that explains at least 90 % of the squared error of the finest rung, *fine, and whose size follows
+ * the spacing as that fault does from the next coarser rung, *coarse: a part of a cell or of a step, or of
+ * everything.  Errors of discretization grow with the spacing otherwise, so that none is named for them. */
+void diagnosis_find(const struct problem *p, const struct diagnosis_rung *fine, const struct diagnosis_rung *coarse,
+                    struct diagnosis *d);
+
+/* The member "diagnosis" of an object that is open: null, or what, size, unit and share. */
+void diagnosis_json(const struct diagnosis *d, struct json *j);
+
+#endif

@@ -1,0 +1,160 @@
+/* Faults as changes of a problem.
+ *
+ * A wall that lies elsewhere stretches the domain by s along an axis: with x = c + s (X - c) the equation in X has
+ * k/s^2 for k, and a flux q or a coefficient b at a side across that axis becomes q/s and b/s, so that the lattice of
+ * the right problem serves the faulty one. */
+#include "verification/diagnosis/fault.h"
+
+#include <math.h>
+
+static const struct faulty *faulty_of(const struct problem *p) {
+    return p->data;
+}
+
+/* Where X of the faulty problem lies in the coordinates that its data are given in. */
+static void to_right(const struct faulty *f, const double x[2], double right[2]) {
+    for (int a = 0; a < 2; a++) right[a] = f->centre[a] + f->stretch[a] * (x[a] - f->centre[a]);
+}
+
+/* Away from the nearer of the jumps along an axis, so that what lies between two of them is wider by the size. */
+static double narrowed(const struct problem *p, int axis, double x, double size) {
+    double middle = 0;
+    for (int k = 0; k < p->jumps[axis]; k++) middle += p->jump[axis][k] / p->jumps[axis];
+    return fabs(x - middle) <= size ? middle : x - (x > middle ? size : -size);
+}
+
+static double initial(const struct problem *p, const double x[2]) {
+    const struct faulty *f = faulty_of(p);
+    double at[2];
+    to_right(f, x, at);
+    if (f->fault.kind == FAULT_START_SHIFT) at[f->fault.axis] -= f->size;
+    if (f->fault.kind == FAULT_START_WIDTH)
+        at[f->fault.axis] = narrowed(f->right, f->fault.axis, at[f->fault.axis], f->size);
+    double T = f->right->initial(f->right, at);
+    return f->fault.kind == FAULT_AMPLITUDE ? (1 + f->size) * T : T;
+}
+
+static double wall(const struct problem *p, enum side s, const double x[2]) {
+    const struct faulty *f = faulty_of(p);
+    double at[2];
+    to_right(f, x, at);
+    double value = f->right->wall(f->right, s, at);
+    if (f->right->side[s] == NEUMANN) value /= f->stretch[s / 2];
+    if (f->fault.kind == FAULT_AMPLITUDE || (f->fault.kind == FAULT_WALL && f->fault.axis == (int)s))
+        value *= 1 + f->size;
+    return value;
+}
+
+static double source(const struct problem *p, const double x[2]) {
+    const struct faulty *f = faulty_of(p);
+    double at[2];
+    to_right(f, x, at);
+    double value = f->right->source(f->right, at);
+    return f->fault.kind == FAULT_SOURCE || f->fault.kind == FAULT_AMPLITUDE ? (1 + f->size) * value : value;
+}
+
+static int has_wall_value(const struct problem *p, enum side s) {
+    for (int i = 0; i <= 8; i++) {
+        double x[2];
+        x[s / 2] = s % 2 ? p->hi[s / 2] : p->lo[s / 2];
+        x[1 - s / 2] = p->lo[1 - s / 2] + (p->hi[1 - s / 2] - p->lo[1 - s / 2]) * (0.03 + 0.117 * i);
+        if (p->wall(p, s, x) != 0) return 1;
+    }
+    return 0;
+}
+
+static int applies(const struct problem *p, struct fault fault) {
+    switch (fault.kind) {
+    case FAULT_SWAP:
+        return p->dim == 2 && p->material[0].k[0] != p->material[0].k[1];
+    case FAULT_SOURCE:
+        return p->source != 0;
+    case FAULT_CAPACITY:
+        return p->materials == 2 && p->material[0].rho_c != p->material[1].rho_c;
+    case FAULT_INTERFACE:
+        return p->materials == 2;
+    case FAULT_WALL:
+        return fault.axis < 2 * p->dim && has_wall_value(p, (enum side)fault.axis);
+    case FAULT_START_WIDTH:
+        return fault.axis < p->dim && p->jumps[fault.axis] >= 2;
+    case FAULT_EXTENT:
+    case FAULT_START_SHIFT:
+        return fault.axis < p->dim;
+    default:
+        return fault.axis == 0;
+    }
+}
+
+static void stretch(struct faulty *f, int axis) {
+    struct problem *p = &f->problem;
+    double s = 1 + 2 * f->size / (p->hi[axis] - p->lo[axis]);
+    f->stretch[axis] = s;
+    for (int m = 0; m < p->materials; m++) p->material[m].k[axis] /= s * s;
+    for (int hi = 0; hi < 2; hi++) p->robin[2 * axis + hi] /= s;
+    for (int k = 0; k < p->jumps[axis]; k++)
+        p->jump[axis][k] = f->centre[axis] + (p->jump[axis][k] - f->centre[axis]) / s;
+    if (axis == 0) p->interface = f->centre[0] + (p->interface - f->centre[0]) / s;
+}
+
+int fault_make(const struct problem *p, struct fault fault, double size, struct faulty *f) {
+    if (!applies(p, fault)) return 0;
+    *f = (struct faulty){.problem = *p, .right = p, .fault = fault, .size = size, .stretch = {1, 1}};
+    struct problem *q = &f->problem;
+    q->data = f;
+    q->initial = initial;
+    q->wall = wall;
+    if (p->source) q->source = source;
+    for (int a = 0; a < 2; a++) f->centre[a] = (p->lo[a] + p->hi[a]) / 2, q->mirror[a] = 0;
+    switch (fault.kind) {
+    case FAULT_CLOCK:
+        q->t_end += size;
+        break;
+    case FAULT_CONDUCTIVITY:
+        for (int m = 0; m < q->materials; m++) q->material[m].k[0] *= 1 + size, q->material[m].k[1] *= 1 + size;
+        break;
+    case FAULT_SWAP:
+        q->material[0] = (struct material){{p->material[0].k[1], p->material[0].k[0]}, p->material[0].rho_c};
+        break;
+    case FAULT_CAPACITY:
+        q->material[1].rho_c = q->material[0].rho_c;
+        break;
+    case FAULT_EXTENT:
+        stretch(f, fault.axis);
+        break;
+    case FAULT_INTERFACE:
+        q->interface += size;
+        break;
+    case FAULT_START_SHIFT:
+        for (int k = 0; k < q->jumps[fault.axis]; k++) q->jump[fault.axis][k] += size;
+        break;
+    case FAULT_START_WIDTH:
+        for (int k = 0; k < q->jumps[fault.axis]; k++)
+            q->jump[fault.axis][k] += 2 * k < q->jumps[fault.axis] ? -size : size;
+        break;
+    default:
+        break;
+    }
+    return 1;
+}
+
+int fault_is_whole(enum fault_kind kind) {
+    return kind == FAULT_SWAP || kind == FAULT_CAPACITY;
+}
+
+double fault_probe(const struct problem *p, struct fault fault) {
+    switch (fault.kind) {
+    case FAULT_CLOCK:
+        return 0.01 * p->t_end;
+    case FAULT_EXTENT:
+    case FAULT_START_SHIFT:
+    case FAULT_START_WIDTH:
+        return (p->hi[fault.axis] - p->lo[fault.axis]) / 200;
+    case FAULT_INTERFACE:
+        return (p->hi[0] - p->lo[0]) / 200;
+    case FAULT_SOURCE:
+    case FAULT_WALL:
+        return 1; /* the equation is linear in them */
+    default:
+        return fault_is_whole(fault.kind) ? 1 : 0.01;
+    }
+}

@@ -1,0 +1,45 @@
+#ifndef HEATLADDER_VERIFICATION_DIAGNOSIS_FAULT_H
+#define HEATLADDER_VERIFICATION_DIAGNOSIS_FAULT_H
+
+/* Faults that codes of heat conduction have, as changes of the problem that is solved. */
+
+#include "solver/problem.h"
+
+enum fault_kind {
+    FAULT_CLOCK,        /* s: the end time */
+    FAULT_CONDUCTIVITY, /* relative: k of every material and axis */
+    FAULT_SWAP,         /* 1: k_x and k_y in each other's place */
+    FAULT_SOURCE,       /* relative: the source; -1: lost */
+    FAULT_CAPACITY,     /* 1: rho c of the second material is the first one's */
+    FAULT_WALL,         /* relative: what a side holds, temperature or flux; -1: zero */
+    FAULT_EXTENT,       /* m: both sides across an axis lie so far outside */
+    FAULT_START_SHIFT,  /* m: the initial data lie so far along an axis */
+    FAULT_START_WIDTH,  /* m: either jump of the initial data lies so far outwards along an axis */
+    FAULT_INTERFACE,    /* m: the interface of two materials */
+    FAULT_AMPLITUDE     /* relative: all temperatures */
+};
+
+struct fault {
+    enum fault_kind kind;
+    int axis; /* 0 or 1; of FAULT_WALL the side, 0 to 3 */
+};
+
+/* A problem with a fault of one size.  `problem` points to the rest: it is not to be copied apart from it. */
+struct faulty {
+    struct problem problem;
+    const struct problem *right;
+    struct fault fault;
+    double size;
+    double stretch[2], centre[2]; /* the problem's x is centre + (x - centre)/stretch of the right one's */
+};
+
+/* 1 where that fault can be made in *p; then *f has it, of that size. */
+int fault_make(const struct problem *p, struct fault fault, double size, struct faulty *f);
+
+/* 1 where the response is not proportional to the size: it is there in full (size 1) or not at all. */
+int fault_is_whole(enum fault_kind kind);
+
+/* The size at which the response is taken, small where it is proportional; of lengths a part of the extent. */
+double fault_probe(const struct problem *p, struct fault fault);
+
+#endif

@@ -1,0 +1,150 @@
+/* Responses: the difference of two runs over the size of the fault, carried to the points by splines (GSL: cubic;
+ * Steffen's where two materials meet, which does not overshoot there).  Beyond the outermost cell centres the
+ * straight line goes on. */
+#include "verification/diagnosis/response.h"
+
+#include "solver/method.h"
+
+#include <gsl/gsl_interp2d.h>
+#include <gsl/gsl_spline.h>
+#include <gsl/gsl_spline2d.h>
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+/* Small: Euler takes dt/2 d2T/dt2 off the error in space, all of it at 1/6. */
+static const double FOURIER = 0.05;
+
+static int solve(const struct problem *p, double dx, double fourier, struct field *f) {
+    struct failure ignored;
+    struct options o = {.dx = dx,
+                        .fourier = fourier,
+                        .stepper = STEPPER_EULER,
+                        .sampling = p->jumps[0] + p->jumps[1] ? SAMPLING_CELL : SAMPLING_POINT,
+                        .mean = MEAN_SERIES,
+                        .domain = DOMAIN_WHOLE};
+    return method_find("ftcs")->solve(p, &o, f, &ignored);
+}
+
+static int is_face(double at, double lo, double dx) {
+    double cells = (at - lo) / dx;
+    return fabs(cells - nearbyint(cells)) < 1e-9 * fabs(cells) + 1e-12;
+}
+
+/* How many of the jumps and the interface lie on faces of n cells along x; -1 where the cells do not fit the domain.
+ */
+static int fit(const struct problem *p, int n) {
+    double dx = (p->hi[0] - p->lo[0]) / n;
+    int faces = p->materials == 2 && is_face(p->interface, p->lo[0], dx);
+    for (int a = 0; a < p->dim; a++) {
+        if (!is_face(p->hi[a], p->lo[a], dx)) return -1;
+        for (int k = 0; k < p->jumps[a]; k++) faces += is_face(p->jump[a][k], p->lo[a], dx);
+    }
+    return faces;
+}
+
+int response_lattice_create(const struct problem *p, struct response_lattice *l) {
+    enum { LEAST = 64, MOST = 128 };
+    int best = -1, n = 0;
+    for (int i = LEAST; i <= MOST; i++)
+        if (fit(p, i) > best) best = fit(p, i), n = i;
+    if (best < 0) return -1;
+    struct field f;
+    *l = (struct response_lattice){.dx = (p->hi[0] - p->lo[0]) / n};
+    if (solve(p, l->dx, FOURIER, &f)) return -1;
+    memcpy(l->n, f.shape, sizeof l->n);
+    l->T = f.T;
+    f.T = NULL;
+    field_free(&f);
+    if (solve(p, l->dx, 3 * FOURIER, &f)) {
+        response_lattice_free(l);
+        return -1;
+    }
+    l->longer = f.T;
+    f.T = NULL;
+    for (int i = 0; i < l->n[0] * l->n[1]; i++) l->longer[i] = (l->longer[i] - l->T[i]) / (2 * FOURIER);
+    field_free(&f);
+    return 0;
+}
+
+void response_lattice_free(struct response_lattice *l) {
+    free(l->T);
+    free(l->longer);
+    *l = (struct response_lattice){0};
+}
+
+static double clamp(double x, double lo, double hi) {
+    return x < lo ? lo : x > hi ? hi : x;
+}
+
+static void along_rod(const gsl_interp_type *type, const double *x, const double *D, size_t n, const struct field *f,
+                      double *out) {
+    gsl_spline *spline = gsl_spline_alloc(type, n);
+    gsl_interp_accel *near = gsl_interp_accel_alloc();
+    gsl_spline_init(spline, x, D, n);
+    for (size_t i = 0; i < f->n; i++) {
+        double at = clamp(f->x[i], x[0], x[n - 1]);
+        out[i] = gsl_spline_eval(spline, at, near);
+        if (at != f->x[i]) out[i] += (f->x[i] - at) * gsl_spline_eval_deriv(spline, at, near);
+    }
+    gsl_interp_accel_free(near);
+    gsl_spline_free(spline);
+}
+
+static void in_plane(double *const x[2], const double *D, const int n[2], const struct field *f, double *out) {
+    gsl_spline2d *spline = gsl_spline2d_alloc(gsl_interp2d_bicubic, (size_t)n[0], (size_t)n[1]);
+    gsl_interp_accel *near[2] = {gsl_interp_accel_alloc(), gsl_interp_accel_alloc()};
+    gsl_spline2d_init(spline, x[0], x[1], D, (size_t)n[0], (size_t)n[1]);
+    for (size_t i = 0; i < f->n; i++) {
+        double at[2] = {clamp(f->x[i], x[0][0], x[0][n[0] - 1]), clamp(f->y[i], x[1][0], x[1][n[1] - 1])};
+        out[i] = gsl_spline2d_eval(spline, at[0], at[1], near[0], near[1]);
+        if (at[0] != f->x[i])
+            out[i] += (f->x[i] - at[0]) * gsl_spline2d_eval_deriv_x(spline, at[0], at[1], near[0], near[1]);
+        if (at[1] != f->y[i])
+            out[i] += (f->y[i] - at[1]) * gsl_spline2d_eval_deriv_y(spline, at[0], at[1], near[0], near[1]);
+    }
+    for (int a = 0; a < 2; a++) gsl_interp_accel_free(near[a]);
+    gsl_spline2d_free(spline);
+}
+
+/* The cell centres along an axis, for the caller to free: where they lie in the coordinates of the right problem. */
+static double *centres(const struct faulty *f, const struct response_lattice *l, int axis) {
+    double *x = xcalloc((size_t)l->n[axis], sizeof *x);
+    for (int i = 0; i < l->n[axis]; i++) {
+        double at = f->right->lo[axis] + (i + 0.5) * l->dx;
+        x[i] = f->centre[axis] + f->stretch[axis] * (at - f->centre[axis]);
+    }
+    return x;
+}
+
+static void carry(const struct faulty *f, const struct response_lattice *l, const double *T, const struct field *to,
+                  double *out) {
+    double *x[2] = {centres(f, l, 0), l->n[1] > 1 ? centres(f, l, 1) : NULL};
+    if (x[1])
+        in_plane(x, T, l->n, to, out);
+    else
+        along_rod(f->right->materials == 2 ? gsl_interp_steffen : gsl_interp_cspline, x[0], T, (size_t)l->n[0], to,
+                  out);
+    free(x[0]);
+    free(x[1]);
+}
+
+void response_base(const struct problem *p, const struct response_lattice *l, const struct field *f, double *base,
+                   double *longer) {
+    struct faulty none;
+    fault_make(p, (struct fault){FAULT_AMPLITUDE, 0}, 0, &none);
+    carry(&none, l, l->T, f, base);
+    carry(&none, l, l->longer, f, longer);
+}
+
+int response_at(const struct problem *p, const struct response_lattice *l, struct fault fault, const struct field *f,
+                const double *base, double *response) {
+    struct faulty with;
+    struct field faulty;
+    double size = fault_probe(p, fault);
+    if (!fault_make(p, fault, size, &with) || solve(&with.problem, l->dx, FOURIER, &faulty)) return -1;
+    carry(&with, l, faulty.T, f, response);
+    for (size_t i = 0; i < f->n; i++) response[i] = (response[i] - base[i]) / size;
+    field_free(&faulty);
+    return 0;
+}

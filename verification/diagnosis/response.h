@@ -1,0 +1,33 @@
+#ifndef HEATLADDER_VERIFICATION_DIAGNOSIS_RESPONSE_H
+#define HEATLADDER_VERIFICATION_DIAGNOSIS_RESPONSE_H
+
+#include "verification/diagnosis/fault.h"
+
+struct field;
+
+/* How the temperature at the end answers to a fault, by finite differences on a lattice of this program's own.  It
+ * explains an error; no verdict rests on it. */
+
+struct response_lattice {
+    int n[2];       /* cells */
+    double dx;      /* m */
+    double *T;      /* K, n[0] n[1], of the problem as it is; owned */
+    double *longer; /* K: dT/dF, F the mesh Fourier number, of Euler's steps; owned */
+};
+
+/* The lattice of some 64 cells along x that fits the domain (and the interface and jumps, where one does), with T. 0;
+ * -1 where none is found. */
+int response_lattice_create(const struct problem *p, struct response_lattice *l);
+void response_lattice_free(struct response_lattice *l);
+
+/* T of the lattice at the points of *f, K, into base[f->n], and dT/dF into longer[f->n].  Both `base` less the exact
+ * solution, what differences of second order leave in space, and `longer`, in time, go as dx^2. */
+void response_base(const struct problem *p, const struct response_lattice *l, const struct field *f, double *base,
+                   double *longer);
+
+/* dT/dsize of that fault at the points of *f, K per unit of its size (of a fault that is there in full or not: the
+ * whole difference), into response[f->n]; 0, or -1 where *p cannot have it. */
+int response_at(const struct problem *p, const struct response_lattice *l, struct fault fault, const struct field *f,
+                const double *base, double *response);
+
+#endif

@@ -1,0 +1,129 @@
+/* Faults planted in a correct code are named, with their size; a correct code has none. */
+#include "verification/diagnosis/diagnosis.h"
+
+#include "references/scene.h"
+#include "solver/method.h"
+
+#include "verification/unit/near.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+struct rung {
+    struct field field;
+    double *exact;
+    struct diagnosis_rung at;
+};
+
+static struct problem problem_of(const char *name) {
+    struct problem p;
+    struct failure why;
+    const struct scene *s = scene_find(name);
+    scene_defaults(s, &p);
+    if (strcmp(name, "square-step") == 0) p.param[1] = 0.5, p.param[2] = 0.75, p.param[3] = 0.02; /* a, b, kappa_x */
+    if (strcmp(name, "rect-manufactured") == 0) p.param[2] = 0.005, p.param[3] = 0.02; /* k_x, k_y: G matters */
+    if (s->setup(&p, &why)) fail_msg("%s", why.text);
+    return p;
+}
+
+/* A code that solves *p with a fault of the size `units` (cells, steps, or parts) at dx, by ftcs with F = 0.2. */
+static void solve(const char *name, const struct problem *p, struct fault fault, double units, double dx,
+                  struct rung *r) {
+    struct faulty with;
+    struct failure why;
+    struct options o = {.dx = dx,
+                        .fourier = 0.2,
+                        .stepper = STEPPER_EULER,
+                        .sampling = p->jumps[0] ? SAMPLING_CELL : SAMPLING_POINT,
+                        .mean = MEAN_SERIES,
+                        .domain = DOMAIN_WHOLE};
+    double kappa = 0, size = units;
+    for (int m = 0; m < p->materials; m++)
+        for (int a = 0; a < p->dim; a++) kappa = fmax(kappa, p->material[m].k[a] / p->material[m].rho_c);
+    double dt = p->t_end / ceil(p->t_end * kappa / (0.2 * dx * dx));
+    if (fault.kind == FAULT_CLOCK) size *= dt;
+    if (fault.kind == FAULT_EXTENT || fault.kind == FAULT_START_SHIFT || fault.kind == FAULT_START_WIDTH ||
+        fault.kind == FAULT_INTERFACE)
+        size *= dx;
+    assert_true(fault_make(p, fault, size, &with));
+    if (method_find("ftcs")->solve(&with.problem, &o, &r->field, &why)) fail_msg("%s: %s", name, why.text);
+    r->exact = xcalloc(r->field.n, sizeof *r->exact);
+    for (size_t i = 0; i < r->field.n; i++) {
+        double x[2] = {r->field.x[i], r->field.y ? r->field.y[i] : 0};
+        for (int a = 0; a < p->dim; a++) x[a] = with.centre[a] + with.stretch[a] * (x[a] - with.centre[a]);
+        r->field.x[i] = x[0];
+        if (r->field.y) r->field.y[i] = x[1];
+        struct exact e = scene_find(name)->exact(p, x, p->t_end);
+        r->exact[i] = e.no_value ? NAN : e.temperature;
+    }
+    r->at = (struct diagnosis_rung){&r->field, r->exact, dx, dt};
+}
+
+static struct diagnosis find(const char *name, struct fault fault, double units, double coarse, double fine) {
+    struct problem p = problem_of(name);
+    struct rung r[2];
+    struct diagnosis d;
+    solve(name, &p, fault, units, fine, &r[0]);
+    solve(name, &p, fault, units, coarse, &r[1]);
+    diagnosis_find(&p, &r[0].at, &r[1].at, &d);
+    for (int i = 0; i < 2; i++) field_free(&r[i].field), free(r[i].exact);
+    return d;
+}
+
+static void faults_are_named_with_their_size(void **state) {
+    (void)state;
+    static const struct {
+        const char *scene;
+        double coarse, fine;
+        struct fault fault;
+        double units, size; /* planted, and told: parts are told in % */
+        const char *what;
+    } rows[] = {
+        {"rod-gauss", 0.3, 0.15, {FAULT_CLOCK, 0}, -1, -1, "early"},
+        {"rod-step", 0.05, 0.025, {FAULT_CLOCK, 0}, 20, 20, "late"},
+        {"rod-step", 0.05, 0.025, {FAULT_CONDUCTIVITY, 0}, 0.021, 2.1, "conductivity"},
+        {"rod-step", 0.05, 0.025, {FAULT_START_SHIFT, 0}, 0.5, 0.5, "too far up along x"},
+        {"rod-step", 0.05, 0.025, {FAULT_START_WIDTH, 0}, -0.5, -0.5, "inwards"},
+        {"rod-contact", 0.02, 0.01, {FAULT_INTERFACE, 0}, 0.5, 0.5, "interface"},
+        {"rod-contact", 0.02, 0.01, {FAULT_CAPACITY, 0}, 1, 100, "rho c"},
+        {"rod-contact", 0.02, 0.01, {FAULT_WALL, 0}, -1, -100, "side x_lo holds were lost"},
+        {"square-step", 0.1, 0.05, {FAULT_SWAP, 0}, 1, 100, "each other"},
+        {"rect-manufactured", 0.05, 0.025, {FAULT_SOURCE, 0}, -1, -100, "source were lost"},
+        {"rect-manufactured", 0.05, 0.025, {FAULT_WALL, 2}, -2, -200, "y_lo holds had the wrong sign"},
+        {"rect-manufactured", 0.05, 0.025, {FAULT_CONDUCTIVITY, 0}, 0.03, 3, "conductivity"},
+        {"rect-manufactured", 0.05, 0.025, {FAULT_CLOCK, 0}, -3, -3, "early"},
+        {"plate", 0.005, 0.0025, {FAULT_EXTENT, 0}, 0.5, 0.5, "sides across x lay"},
+        {"rod-cosine", 0.05, 0.025, {FAULT_EXTENT, 0}, 0.5, 0.5, "sides across x lay"},
+        {"rod-step", 0.05, 0.025, {FAULT_AMPLITUDE, 0}, 0.013, 1.3, "temperatures"},
+    };
+    int wrong = 0;
+    for (size_t i = 0; i < sizeof rows / sizeof *rows; i++) {
+        struct diagnosis d = find(rows[i].scene, rows[i].fault, rows[i].units, rows[i].coarse, rows[i].fine);
+        print_message("%-18s %s, %.4f: %s\n", rows[i].scene, rows[i].what, d.share, d.what);
+        wrong += !d.named || !strstr(d.what, rows[i].what) || fabs(d.size - rows[i].size) > 0.2 * fabs(rows[i].size);
+    }
+    assert_int_equal(wrong, 0);
+}
+
+static void a_correct_code_has_none(void **state) {
+    (void)state;
+    static const char *const names[] = {"rod-gauss",   "rod-step", "rod-cosine",       "rod-contact",
+                                        "square-step", "plate",    "rect-manufactured"};
+    static const double fine[] = {0.15, 0.025, 0.025, 0.01, 0.05, 0.0025, 0.025};
+    int named = 0;
+    for (int i = 0; i < 7; i++) {
+        struct diagnosis d = find(names[i], (struct fault){FAULT_AMPLITUDE, 0}, 0, 2 * fine[i], fine[i]);
+        print_message("%-18s %s\n", names[i], d.what);
+        named += d.named;
+    }
+    assert_int_equal(named, 0);
+}
+
+int main(void) {
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(faults_are_named_with_their_size),
+        cmocka_unit_test(a_correct_code_has_none),
+    };
+    return cmocka_run_group_tests_name("diagnosis", tests, NULL, NULL);
+}
