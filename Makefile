@@ -19,6 +19,13 @@ ifndef V
 Q := @
 endif
 
+# Results must be the same bits for any number of threads and any width of vectors, and NaN must be seen.
+UNSAFE := $(filter -ffast-math -Ofast -funsafe-math-optimizations -fassociative-math -freciprocal-math \
+  -ffinite-math-only -fno-signed-zeros -ffp-contract=fast -ffp-contract=on,$(CC) $(CFLAGS))
+ifneq ($(UNSAFE),)
+$(error $(UNSAFE): the order of additions would be left to the compiler, or NaN be assumed away; leave it out of CFLAGS)
+endif
+
 # A plain `make` uses all processors.
 ifeq ($(filter -j% --jobs% --jobserver%,$(MAKEFLAGS)),)
 MAKEFLAGS += -j$(shell getconf _NPROCESSORS_ONLN 2>/dev/null || echo 1)
@@ -62,19 +69,24 @@ $(BUILD)/published.inc: $(PUBLISHED)
 	$(Q)for f in $^; do b=$${f##*/}; echo "PUBLISHED(\"$${b%.csv}\","; \
 	sed 's/[\\"]/\\&/g; s/.*/"&\\n"/' $$f; echo ')'; done >$@.new && mv $@.new $@
 
+# What all is compiled by: other flags, and all is compiled anew.
+$(BUILD)/flags: FORCE
+	@mkdir -p $(@D)
+	$(Q)echo '$(subst ','"'"',$(CC) $(WARN) $(CFLAGS) $(LDFLAGS))' > $@.new; \
+	if cmp -s $@.new $@; then rm $@.new; else mv $@.new $@; fi
+
 .PHONY: FORCE
 FORCE:
 
-$(BUILD)/%.o: %.c | $(BUILD)/scenes.inc $(BUILD)/version.inc $(BUILD)/published.inc
+$(BUILD)/%.o: %.c $(BUILD)/flags | $(BUILD)/scenes.inc $(BUILD)/version.inc $(BUILD)/published.inc
 	@mkdir -p $(@D)
 	@echo "  CC    $<"
 	$(Q)$(CC) $(ALL_CFLAGS) $(DEFINES) -MMD -MP -c -o $@ $<
 
 # One file for each width of vector; the program asks the processor which of them it may call.
-ifeq ($(shell uname -m),x86_64)
-$(BUILD)/solver/time/sweep_lanes4.o: DEFINES += -mavx2
-$(BUILD)/solver/time/sweep_lanes8.o: DEFINES += -mavx512f
-endif
+X86 = $(filter x86_64%,$(shell $(CC) -dumpmachine))
+$(BUILD)/solver/time/sweep_lanes4.o: DEFINES += $(if $(X86),-mavx2)
+$(BUILD)/solver/time/sweep_lanes8.o: DEFINES += $(if $(X86),-mavx512f)
 
 $(BUILD)/unit/%: verification/unit/%.c $(LIBRARY)
 	@mkdir -p $(@D)
