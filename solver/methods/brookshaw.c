@@ -44,8 +44,9 @@ static double volume(const struct problem *p, const struct options *o, double h,
     if (o->volume == VOLUME_MOMENT) return dV / lattice_moment(o->kernel, p->dim, h / spacing);
     double xi = o->xi > 0 ? o->xi : 9 * cbrt(h), all = 1, real = 1; /* Pamplona eq. 18 */
     double layers = floor(KERNEL_SUPPORT * h / spacing);
+    const struct problem *plate = p->whole ? p->whole : p; /* N is that of all, however much of it is computed */
     for (int a = 0; a < p->dim; a++) {
-        double n = round((p->hi[a] - p->lo[a]) / spacing);
+        double n = round((plate->hi[a] - plate->lo[a]) / spacing);
         real *= n;
         all *= n + 2 * layers;
     }

@@ -81,7 +81,7 @@ INLINE void solve_terms(int terms, const double *L, double *z) {
 }
 
 /* M = L L^T in place, L in the lower triangle.  Returns the condition number of M in the 1-norm; infinite where M is
- * not positive definite.  GSL's factor and its estimate of the norm are made for large matrices: here, and from a
+ * singular, or indefinite.  GSL's factor and its estimate of the norm are made for large matrices: here, and from a
  * library that has to be loaded, they cost more than all else. */
 INLINE double factor_terms(int terms, double *M) {
     double size = 0, inverse = 0;
@@ -124,8 +124,18 @@ double ssph_condition(const struct neighbourhood *nb, enum kernel_name kernel, i
     return factor(terms_of(nb->dim, order), matrix);
 }
 
-static int singular(const struct neighbourhood *nb, int terms, double condition, struct failure *why) {
+/* W: at the neighbours.  A kernel that is negative there leaves no sum of squares. */
+static int singular(const struct neighbourhood *nb, int terms, double condition, const double *W,
+                    struct failure *why) {
     char number[40] = "infinite";
+    size_t negative = 0;
+    for (size_t k = 0; k < nb->n; k++) negative += W[k] < 0;
+    if (negative > 0 && isinf(condition))
+        return refuse(
+            why, STATUS_NUMERICAL,
+            "indefinite moment matrix: particle %zu at (%.6g, %.6g) m has %zu neighbours for %d unknowns, and "
+            "the kernel is negative at %zu of them (the quartic is past 1.8 h); take another --h or --kernel",
+            nb->i, nb->x[0], nb->x[1], nb->n, terms, negative);
     if (condition < 1e17) snprintf(number, sizeof number, "%.1e", condition);
     return refuse(
         why, STATUS_NUMERICAL,
@@ -140,7 +150,7 @@ int ssph_weights(const struct neighbourhood *nb, enum kernel_name kernel, int or
     double matrix[SSPH_TERMS_MAX * SSPH_TERMS_MAX] = {0};
     assemble(nb, kernel, order, matrix, w[0]);
     double condition = factor(terms, matrix);
-    if (!(condition <= SSPH_CONDITION_MAX)) return singular(nb, terms, condition, why);
+    if (!(condition <= SSPH_CONDITION_MAX)) return singular(nb, terms, condition, w[0], why);
 
     double z[2][SSPH_TERMS_MAX];
     for (int t = 0; t < targets; t++) {
@@ -168,7 +178,7 @@ int ssph_fit(const struct neighbourhood *nb, enum kernel_name kernel, int terms,
     for (int k = 0; k < terms; k++)
         for (int l = 0; l < terms; l++) matrix[k * terms + l] *= scale[k] * scale[l];
     double condition = factor(terms, matrix);
-    if (!(condition <= SSPH_CONDITION_MAX)) return singular(nb, terms, condition, why);
+    if (!(condition <= SSPH_CONDITION_MAX)) return singular(nb, terms, condition, w, why);
     for (int k = 0; k < terms; k++) z[k] = target[k] * scale[k];
     solve(terms, matrix, z);
     for (size_t j = 0; j < nb->n; j++) {

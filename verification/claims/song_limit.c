@@ -28,7 +28,8 @@ static int limits_at(int dim, const char *method, const char *kernel, double h, 
     struct step_limit limit;
     snprintf(line, sizeof line, "limit %s --dim %d --kernel %s --h %.10g", method, dim, kernel, h);
     int status = arguments_parse_line(line, &r, why);
-    if (!status) status = step_limit_setup(r.experiment.method, &r.experiment.options, r.dim, r.stages, &probe, why);
+    if (!status)
+        status = step_limit_setup(r.experiment.method, &r.experiment.options, r.dim, r.ratio, r.stages, &probe, why);
     if (!status) status = step_limit_predict(&probe, &limit, why);
     if (!status) *l = (struct step_limits){0.1 * 0.1 / 0.01 * limit.published, 0.1 * 0.1 / 0.01 * limit.von_neumann};
     arguments_free(&r);

@@ -150,6 +150,8 @@ const struct option options_table[] = {
      IN(experiment.options.h), NULL, POSITIVE, 1},
     {"dim", "dim", "D", "1 for a rod, 2 for a square", read_whole, IN(dim), NULL, 1, 2, 0},
     {"stages", "stages", "N", "stages of --stepper rkl2", read_whole, IN(stages), NULL, 3, 99, 0},
+    {"ratio", "ratio", "R", "kappa_y/kappa_x of a square; the larger one, along x, is in F", read_number, IN(ratio),
+     NULL, ABOVE_ZERO, 1, 0},
     {"order", "order", "P", "Taylor order, 2 to 4", read_whole, IN(experiment.options.order), NULL, 2, 4, 1},
     {"layout", "layout", "L",
      "where the particles are: on a lattice, with nodes on the walls, moved at random, settled after that, in "

@@ -14,6 +14,7 @@ struct request {
                                      first of the ladder's lists */
     struct ladder_rungs rungs;
     const char *topic;       /* list: what to list, NULL for all; report: where to, NULL for reports/out */
+    double ratio;            /* limit: kappa_y/kappa_x; 0: 1 */
     int dim, stages;         /* limit: 1 or 2; of rkl2, else 0 */
     struct numbers at;       /* m: x, or x and y */
     struct numbers time;     /* s */

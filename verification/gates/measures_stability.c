@@ -35,7 +35,7 @@ static int find(struct model_problem *b, struct step_limit *l, struct measured *
 
 static int start(const struct request *r, struct model_problem *b, struct measured *m) {
     struct failure why = {0};
-    int status = step_limit_setup(r->experiment.method, &r->experiment.options, r->dim, r->stages, b, &why);
+    int status = step_limit_setup(r->experiment.method, &r->experiment.options, r->dim, r->ratio, r->stages, b, &why);
     measures_fail(m, why.text);
     return status;
 }

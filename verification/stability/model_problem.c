@@ -37,11 +37,15 @@ static double zero(const struct problem *p, enum side s, const double x[2]) {
     return 0; /* K, or W m^-2 */
 }
 
+double model_problem_kappa_y(const struct model_problem *b) {
+    return b->ratio > 0 ? b->ratio : 1;
+}
+
 struct problem model_problem_setup(const struct model_problem *b, enum model_problem_data data, double disturb) {
     struct problem p = {.dim = b->dim,
                         .t_end = 1,
                         .materials = 1,
-                        .material = {{{1, 1}, 1}},
+                        .material = {{{1, model_problem_kappa_y(b)}, 1}},
                         .param = {disturb},
                         .initial = data == PROBE_NOISE     ? noise_at
                                    : data == PROBE_IMPULSE ? impulse_at
@@ -55,6 +59,9 @@ struct problem model_problem_setup(const struct model_problem *b, enum model_pro
 int model_problem_resolve(struct model_problem *b, int least, struct failure *why) {
     struct problem p = model_problem_setup(b, PROBE_NOISE, 0);
     const struct scheme *s = b->method->scheme;
+    if (!s && options_is_cloud(&b->options))
+        return refuse(why, STATUS_INPUT, "--layout %s: %s needs a grid: lattice or node",
+                      layout_words[b->options.layout], b->method->name);
     b->options.dx = 1;
     if (b->step.stepper == STEPPER_AUTO) b->step.stepper = STEPPER_EULER;
     b->options.stepper = b->step.stepper;
@@ -106,7 +113,7 @@ int model_problem_around(const struct model_problem *b, const struct cloud *c, s
                                    .h = b->options.h,
                                    .volume = c->volume,
                                    .rho_c = 1,
-                                   .kappa = {1, 1}};
+                                   .kappa = {1, model_problem_kappa_y(b)}};
         nb.n = neighbours_find(&cells, i, near, NEIGHBOURS_MAX);
         if (nb.n > NEIGHBOURS_MAX) {
             status = refuse(why, STATUS_NUMERICAL, "particle %zu has %zu neighbours", i, nb.n);

@@ -1,8 +1,8 @@
 #ifndef HEATLADDER_VERIFICATION_STABILITY_MODEL_PROBLEM_H
 #define HEATLADDER_VERIFICATION_STABILITY_MODEL_PROBLEM_H
 
-/* A method by itself: n (on a rectangle n x n) particles of spacing dx = 1 and diffusivity 1, so that times are in
- * dx^2/kappa and steps are mesh Fourier numbers. */
+/* A method by itself: n (on a rectangle n x n) particles of spacing dx = 1 and diffusivity 1 along x, so that times
+ * are in dx^2/kappa and steps are mesh Fourier numbers. */
 
 #include "solver/space/operator.h"
 
@@ -13,6 +13,7 @@ struct model_problem {
     int dim;
     int n;                  /* along each axis */
     int insulated;          /* 1: no flux through the walls; 0: they are at 0 K */
+    double ratio;           /* kappa_y/kappa_x, to 1; 0: 1 */
     struct options options; /* dx = 1; stepper and stages are those of `step` */
     struct amplification step;
 };
@@ -25,6 +26,8 @@ enum model_problem_data {
 
 /* The options resolved (h/dx), and the least n that the method's reach allows where b->n is 0: at least `least`. */
 int model_problem_resolve(struct model_problem *b, int least, struct failure *why);
+
+double model_problem_kappa_y(const struct model_problem *b); /* over kappa_x */
 
 struct problem model_problem_setup(const struct model_problem *b, enum model_problem_data data, double disturb);
 

@@ -30,9 +30,11 @@ int step_limit_model(struct model_problem *b, struct failure *why) {
     return model_problem_resolve(b, b->dim == 1 ? LIMIT_ROD : cloud ? LIMIT_SQUARE_JITTER : LIMIT_SQUARE, why);
 }
 
-int step_limit_setup(const struct method *m, const struct options *o, int dim, int stages, struct model_problem *b,
-                     struct failure *why) {
-    *b = (struct model_problem){.method = m, .dim = dim, .options = *o, .step = {o->stepper, stages}};
+int step_limit_setup(const struct method *m, const struct options *o, int dim, double ratio, int stages,
+                     struct model_problem *b, struct failure *why) {
+    *b = (struct model_problem){.method = m, .dim = dim, .ratio = ratio, .options = *o, .step = {o->stepper, stages}};
+    if (ratio > 0 && dim == 1)
+        return refuse(why, STATUS_INPUT, "--ratio %g: a rod has one diffusivity; --dim 2 has two", ratio);
     if (b->step.stepper == STEPPER_EXACT || b->step.stepper == STEPPER_MATCHED)
         return refuse(why, STATUS_INPUT, "--stepper %s: limit takes euler, rk2 and rkl2",
                       stepper_words[b->step.stepper]);
@@ -50,7 +52,8 @@ static int song_bound(const struct model_problem *b, const struct neighbourhood 
     if (b->method->scheme->weights(&p, &b->options, nb, out, why)) return why->status;
     for (size_t k = 0; k < nb->n; k++)
         for (int a = 0; a < (sweeps == 2 ? b->dim : 1); a++) sum[a] += sweeps == 2 ? fabs(w[a][k]) : w[a][k];
-    double bound = sweeps == 2 ? 0.5 / (sum[0] * sum[0] + sum[1] * sum[1]) : 1 / fabs(sum[0]);
+    double squares = sum[0] * sum[0] + model_problem_kappa_y(b) * sum[1] * sum[1];
+    double bound = sweeps == 2 ? 0.5 / squares : 1 / fabs(sum[0]);
     *least = fmin(*least, bound);
     return STATUS_OK;
 }

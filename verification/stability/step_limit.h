@@ -32,7 +32,7 @@ enum { LIMIT_ROD = 48, LIMIT_SQUARE = 24, LIMIT_SQUARE_JITTER = 14, LIMIT_STEPS 
 
 /* A probe of the size that limits are looked for on, settled; and that of a command `limit`. */
 int step_limit_model(struct model_problem *b, struct failure *why);
-int step_limit_setup(const struct method *m, const struct options *o, int dim, int stages, struct model_problem *b,
-                     struct failure *why);
+int step_limit_setup(const struct method *m, const struct options *o, int dim, double ratio, int stages,
+                     struct model_problem *b, struct failure *why);
 
 #endif

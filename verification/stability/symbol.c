@@ -22,7 +22,7 @@ static void reserve(struct symbol *s, int dim, int rx, int ry) {
 
 static int from_scheme(struct symbol *s, const struct model_problem *b, struct failure *why) {
     struct problem p = model_problem_setup(b, PROBE_NOISE, 0);
-    const double kappa[2] = {1, 1};
+    const double kappa[2] = {1, model_problem_kappa_y(b)};
     double *quadrant;
     int r[2];
     if (operator_stencil(&p, &b->options, b->method->scheme, 1, kappa, r, &quadrant, why)) return why->status;
@@ -40,7 +40,7 @@ static int from_impulse(struct symbol *s, const struct model_problem *given, str
     b.n = IMPULSE;
     struct problem p = model_problem_setup(&b, PROBE_IMPULSE, 0);
     struct options o = b.options;
-    o.stepper = STEPPER_EULER;
+    o.stepper = STEPPER_EULER, o.layout = LAYOUT_LATTICE; /* IMPULSE unknowns, whatever holds the walls */
     p.t_end = o.dt = 1.0 / 64;
     if (b.method->solve(&p, &o, &f, why)) return why->status;
     int r = IMPULSE / 2, ry = b.dim == 2 ? r : 0;

@@ -177,6 +177,12 @@ static void singular_supports_are_named(void **state) {
     assert_int_equal(method_so_ssph.solve(&p, &o, &f, &why), STATUS_NUMERICAL);
     assert_non_null(strstr(why.text, "4 neighbours"));
     assert_non_null(strstr(why.text, "condition number"));
+    o.h = 0.75, o.kernel = KERNEL_QUARTIC; /* diagonal neighbours at s = 1.886, where it is negative */
+    assert_int_equal(method_so_ssph.solve(&p, &o, &f, &why), STATUS_NUMERICAL);
+    assert_non_null(strstr(why.text, "indefinite moment matrix"));
+    assert_non_null(strstr(why.text, "negative at 4 of them"));
+    assert_null(strstr(why.text, "infinite"));
+    o.kernel = KERNEL_CUBIC;
     o.h = 0.45; /* no neighbours at all */
     assert_int_equal(method_fo_ssph.solve(&p, &o, &f, &why), STATUS_NUMERICAL);
     assert_non_null(strstr(why.text, "0 neighbours"));

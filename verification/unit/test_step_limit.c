@@ -54,6 +54,38 @@ static void finite_differences_have_their_symbols(void **state) {
     }
 }
 
+/* Slower along y: 1/(2 (1 + r)) and 2/(1 + r); Song eq. 34 is 1/|w_0| = 1/(q (1 + r)) of an isotropic 1/(2 q). */
+static void a_square_of_two_diffusivities(void **state) {
+    (void)state;
+    const double r = 0.37;
+    const struct method *const all[] = {&method_ftcs, &method_ftcs_flux, &method_so_ssph};
+    for (int m = 0; m < 3; m++) {
+        struct model_problem b = {.method = all[m], .dim = 2, .ratio = r, .options = {.walls = m ? WALLS_FIXED : 0}};
+        struct failure why;
+        double measured;
+        assert_int_equal(step_limit_model(&b, &why), STATUS_OK);
+        struct step_limit l = predicted(&b);
+        if (m < 2) assert_near(l.von_neumann, (m ? 2 : 0.5) / (1 + r), 1e-11);
+        struct model_problem even = b;
+        even.ratio = 1;
+        if (m == 2) assert_near(l.published, predicted(&even).published * 2 / (1 + r), 1e-12);
+        assert_int_equal(step_limit_measure(&b, &measured, &why), STATUS_OK);
+        assert_near(measured / l.von_neumann, 1, 0.02);
+    }
+}
+
+static void grids_have_no_jitter_and_nodes_have_limits(void **state) {
+    (void)state;
+    struct model_problem b = {.method = &method_ftcs, .dim = 2, .options = {.layout = LAYOUT_JITTER, .jitter = 0.1}};
+    struct failure why;
+    assert_int_equal(step_limit_model(&b, &why), STATUS_INPUT);
+    b = (struct model_problem){.method = &method_ftcs_flux, .dim = 1, .options = {.layout = LAYOUT_NODE}};
+    assert_int_equal(step_limit_model(&b, &why), STATUS_OK);
+    assert_near(predicted(&b).von_neumann, 2, 1e-11);
+    const struct options o = {.stepper = STEPPER_EULER};
+    assert_int_equal(step_limit_setup(&method_so_ssph, &o, 1, 0.5, 0, &b, &why), STATUS_INPUT);
+}
+
 /* With one neighbour on either side (h/dx <= 1) both are central differences. */
 static void narrow_supports_are_finite_differences(void **state) {
     (void)state;
@@ -148,6 +180,8 @@ int main(void) {
     gsl_set_error_handler_off();
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(finite_differences_have_their_symbols),
+        cmocka_unit_test(a_square_of_two_diffusivities),
+        cmocka_unit_test(grids_have_no_jitter_and_nodes_have_limits),
         cmocka_unit_test(narrow_supports_are_finite_differences),
         cmocka_unit_test(complex_eigenvalues_count),
         cmocka_unit_test(rkl2_is_a_legendre_polynomial),

@@ -18,6 +18,8 @@ static void print_json(const struct model_problem *b, const struct step_limit *l
     json_text(&j, "layout", layout_words[b->options.layout]);
     json_number(&j, "jitter", b->options.jitter);
     json_whole(&j, "seed", (long long)b->options.seed);
+    json_text(&j, "walls", walls_words[b->options.walls]);
+    json_number(&j, "ratio", b->dim == 2 ? model_problem_kappa_y(b) : NAN);
     json_text(&j, "stepper", stepper_words[b->step.stepper]);
     json_number(&j, "published", l->published);
     json_text(&j, "source", l->source);
@@ -38,6 +40,7 @@ static void print_text(const struct model_problem *b, const struct step_limit *l
     if (b->method->scheme) printf(", %s kernel, h/dx = %g", kernel_words[b->options.kernel], b->options.h);
     if (cloud) printf(", %s", layout_words[b->options.layout]);
     if (b->options.jitter > 0) printf(" %g, seed %lu", b->options.jitter, b->options.seed);
+    if (b->dim == 2 && model_problem_kappa_y(b) < 1) printf(", kappa_y/kappa_x %g", model_problem_kappa_y(b));
     printf(", %s: dt kappa/dx^2 up to\n", stepper_words[b->step.stepper]);
     if (l->source)
         printf("  %-12s %.6g (%s)\n", "published", l->published, l->source);
@@ -63,7 +66,7 @@ static void print_text(const struct model_problem *b, const struct step_limit *l
 int verb_limit(const struct request *r, struct failure *why) {
     struct step_limit l;
     struct model_problem b;
-    int status = step_limit_setup(r->experiment.method, &r->experiment.options, r->dim, r->stages, &b, why);
+    int status = step_limit_setup(r->experiment.method, &r->experiment.options, r->dim, r->ratio, r->stages, &b, why);
     if (!status) status = step_limit_predict(&b, &l, why);
     if (!status) status = step_limit_measure(&b, &l.measured, why);
     if (!status) (r->json ? print_json : print_text)(&b, &l);
