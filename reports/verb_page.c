@@ -8,7 +8,7 @@
 #include <stdio.h>
 
 int verb_page(const struct request *r, struct failure *why) {
-    const char *dir = r->topic ? r->topic : "reports/out";
+    const char *dir = r->dir ? r->dir : "reports/out";
     if (index_write(dir, why)) return why->status;
     printf("page: %s/index.html\n", dir);
     return STATUS_OK;

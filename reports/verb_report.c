@@ -33,5 +33,5 @@ static int write_parts(const char *dir, struct failure *why) {
 }
 
 int verb_report(const struct request *r, struct failure *why) {
-    return write_parts(r->topic ? r->topic : "reports/out", why);
+    return write_parts(r->dir ? r->dir : "reports/out", why);
 }

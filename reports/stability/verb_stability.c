@@ -5,5 +5,5 @@
 #include "reports/stability/stability.h"
 
 int verb_stability(const struct request *r, struct failure *why) {
-    return stability_write(r->topic ? r->topic : "reports/out", why);
+    return stability_write(r->dir ? r->dir : "reports/out", why);
 }

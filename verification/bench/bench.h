@@ -28,7 +28,7 @@ struct bench_growth { /* of one candidate over its last three rungs, as a power 
 
 struct bench_same { /* a run timed against itself */
     const char *label;
-    double ratio; /* of two medians: what differs by less is noise */
+    double ratio; /* noise floor: ratio of two medians of the same run */
 };
 
 struct bench_scene {

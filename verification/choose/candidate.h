@@ -13,7 +13,7 @@ struct candidate {
     struct options options; /* dx left open */
     int dim;                /* 1 or 2: for that dimension only; 0: for both */
     double steps;           /* > 0: time steps are open, for bench 10 and this many for each particle along x */
-    int wide;               /* 1: for bench alone */
+    int bench_only;         /* 1: for bench alone */
 };
 
 enum { CANDIDATE_UNIT_MAX = 1024 };

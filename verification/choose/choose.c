@@ -1,5 +1,5 @@
-/* Choosing by measured orders and constants: each candidate runs on a few coarse rungs, which foretell where it
- * reaches what is wanted (prospect.h).  The cheapest runs; what it measures joins its rungs; and so on until
+/* Choosing by measured orders and constants: each candidate runs on a few coarse rungs, which predict where it
+ * reaches what is wanted (extrapolation.h).  The cheapest runs; what it measures joins its rungs; and so on until
  * the error is reached.  Where it cannot be, the finest runs that can be done show how far one comes.
  *
  * Costs are counted, so that the choice is the same on every machine. */
@@ -26,7 +26,7 @@ static int cheapest_first(const void *a, const void *b) {
 
 static void collect(const struct experiment *e, struct choose *c) {
     for (const struct candidate *k = candidates_table; k->label && c->count < CHOOSE_CANDIDATES; k++)
-        if (!k->wide && (k->dim == 0 || k->dim == e->problem.dim)) c->one[c->count++].candidate = k;
+        if (!k->bench_only && (k->dim == 0 || k->dim == e->problem.dim)) c->one[c->count++].candidate = k;
 }
 
 static void calibrate(struct choose *c, const struct extrapolation_goal *goal) {
@@ -55,7 +55,7 @@ static int confirmed(struct extrapolation *one, const struct extrapolation_goal 
  * and half-way between them.  An error far below the prediction may be luck. */
 static int prove(struct choose *c, struct extrapolation *one, const struct extrapolation_goal *goal) {
     struct result result;
-    struct extrapolation foretold = *one;
+    struct extrapolation before = *one;
     double between;
     int status = candidate_prove(one->candidate, goal->experiment, one->wanted, &result, &between);
     c->proofs++;
@@ -64,12 +64,12 @@ static int prove(struct choose *c, struct extrapolation *one, const struct extra
         return 0;
     }
     double error = fmax(result.error.l1, between);
-    if (error < LUCKY * foretold.predicted_error && !confirmed(one, goal)) return 0;
+    if (error < LUCKY * before.predicted_error && !confirmed(one, goal)) return 0;
     if (!c->best.candidate || error < fmax(c->proof.error.l1, c->between))
-        c->best = foretold, c->proof = result, c->between = between;
+        c->best = before, c->proof = result, c->between = between;
     c->reached = error <= c->error;
     if (c->reached) return 1;
-    extrapolation_learn(one, goal, foretold.wanted, foretold.predicted_error, error);
+    extrapolation_learn(one, goal, before.wanted, before.predicted_error, error);
     return 0;
 }
 

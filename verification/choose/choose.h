@@ -14,11 +14,11 @@ struct choose {
     int count;
     struct extrapolation one[CHOOSE_CANDIDATES]; /* cheapest first once it ends */
     int proofs;                                  /* proving runs */
-    double rounding; /* least that it leaves of a run foretold to reach the error, where that is more; 0: none */
-    int reached;     /* 1: the proof has the error */
-    struct extrapolation best; /* what that run was, as foretold before it */
-    struct result proof;       /* the best of the proving runs */
-    double between;            /* its E1 half-way between the particles */
+    double rounding;                             /* smallest rounding error among runs limited by rounding; 0: none */
+    int reached;                                 /* 1: the proof has the error */
+    struct extrapolation best;                   /* what that run was, as predicted before it */
+    struct result proof;                         /* the best of the proving runs */
+    double between;                              /* its E1 half-way between the particles */
 };
 
 /* With no run that takes more than work_max.  STATUS_OK, STATUS_GATE where the error was not reached (*c then tells

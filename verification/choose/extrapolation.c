@@ -1,5 +1,5 @@
-/* Error and cost of runs foretold: a line through the last coarse runs in log-log gives the order in space; two runs
- * that differ in their time steps alone give the error in time; the plan of the very run gives its cost.
+/* Error and cost of runs, predicted: a line through the last coarse runs in log-log gives the order in space; two
+ * runs that differ in their time steps alone give the error in time; the plan of the very run gives its cost.
  *
  * RKL2 leaves its time step open.  E1 = S n^-p + K N^-2 with N steps, whose stages grow as n / sqrt(N): the work,
  * n^(d+1) sqrt(N), is least where the time makes up p / (p + 4 (d + 1)) of E1.  Of what jumps set in motion the stiff
@@ -68,14 +68,14 @@ static void measure_time(struct extrapolation *c, const struct extrapolation_goa
 
 /* Adds a run to the rungs, kept coarsest first; the coarsest makes room. */
 static void add_rung(struct extrapolation *c, struct candidate_size size, double error) {
-    if (c->rungs == PROSPECT_RUNGS) memmove(c->rung, c->rung + 1, (size_t)--c->rungs * sizeof *c->rung);
+    if (c->rungs == EXTRAPOLATION_RUNGS) memmove(c->rung, c->rung + 1, (size_t)--c->rungs * sizeof *c->rung);
     int at = c->rungs++;
     for (; at > 0 && c->rung[at - 1].size.n > size.n; at--) c->rung[at] = c->rung[at - 1];
     c->rung[at] = (struct extrapolation_rung){size, error};
 }
 
 static void fit(struct extrapolation *c, int first, int last) {
-    double n[PROSPECT_RUNGS], error[PROSPECT_RUNGS];
+    double n[EXTRAPOLATION_RUNGS], error[EXTRAPOLATION_RUNGS];
     for (int i = first; i <= last; i++) {
         n[i - first] = c->rung[i].size.n;
         error[i - first] = space_part(c, &c->rung[i]);
@@ -98,7 +98,7 @@ static void cannot_converge(struct extrapolation *c) {
 /* ---- Cost ---- */
 
 /* What the run that is wanted will cost, or why it cannot be. */
-static void weigh(struct extrapolation *c, const struct extrapolation_goal *goal) {
+static void check_cost(struct extrapolation *c, const struct extrapolation_goal *goal) {
     const struct extrapolation_rung *last = &c->rung[c->rungs - 1];
     struct candidate_cost cost;
     struct failure why;
@@ -121,13 +121,13 @@ static void weigh(struct extrapolation *c, const struct extrapolation_goal *goal
 }
 
 /* Where the error will be reached: between two rungs of which one has it, or beyond the last. */
-static void foretell(struct extrapolation *c, const struct extrapolation_goal *goal) {
+static void predict(struct extrapolation *c, const struct extrapolation_goal *goal) {
     int last = c->rungs - 1, reached = last + 1; /* from there on every rung has it */
     while (reached > 0 && c->rung[reached - 1].error <= goal->error) reached--;
     const struct extrapolation_rung *base = &c->rung[reached <= last ? reached : last];
     if (reached == 0) { /* the coarsest has it already */
         c->wanted = base->size, c->predicted_error = base->error;
-        weigh(c, goal);
+        check_cost(c, goal);
         return;
     }
     if (reached <= last)
@@ -149,10 +149,10 @@ static void foretell(struct extrapolation *c, const struct extrapolation_goal *g
     }
     c->wanted.n = candidate_member(along, goal->unit);
     c->predicted_error = space_beyond(c, base, c->wanted.n) + in_time;
-    weigh(c, goal);
+    check_cost(c, goal);
 }
 
-/* A rung that is refused (too coarse, say) is left out; with fewer than two there is nothing to foretell from. */
+/* A rung that is refused (too coarse, say) is left out; with fewer than two there is no line. */
 void extrapolation_calibrate(struct extrapolation *c, const struct extrapolation_goal *goal) {
     const struct experiment *e = goal->experiment;
     double n = COARSEST[e->problem.dim], before = 1;
@@ -186,7 +186,7 @@ void extrapolation_calibrate(struct extrapolation *c, const struct extrapolation
     }
     if (c->rungs < 2 && !(c->rungs == 1 && c->rung[0].error <= goal->error)) return;
     c->reason[0] = '\0';
-    foretell(c, goal);
+    predict(c, goal);
 }
 
 /* At a quarter of n the cost is a few hundredths: (1/4)^(d+1), and less where the steps are fewer too. */
@@ -198,15 +198,15 @@ int extrapolation_scout(struct extrapolation *c, const struct extrapolation_goal
     size.steps = time_steps(c, goal, fmax(goal->error, space_beyond(c, last, size.n)));
     if (candidate_run(c->candidate, goal->experiment, size, &result)) return 0;
     add_rung(c, size, result.error.l1);
-    foretell(c, goal);
+    predict(c, goal);
     return 1;
 }
 
 void extrapolation_learn(struct extrapolation *c, const struct extrapolation_goal *goal, struct candidate_size size,
-                         double foretold, double measured) {
-    if (measured > foretold) c->time_constant *= measured / foretold; /* whose error it is, cannot be told */
+                         double predicted, double measured) {
+    if (measured > predicted) c->time_constant *= measured / predicted; /* of time or of space: unknown */
     add_rung(c, size, measured);
-    foretell(c, goal);
+    predict(c, goal);
 }
 
 int extrapolation_finest(struct extrapolation *c, const struct extrapolation_goal *goal) {

@@ -44,7 +44,7 @@ static double phase(double plane, double lo, double dx) {
 }
 
 /* Whether jumps lie between the particles as they do at dx: their error depends on that. */
-static int alike(const struct problem *p, double dx, double other) {
+static int has_same_phase(const struct problem *p, double dx, double other) {
     int same =
         p->materials == 1 || fabs(phase(p->interface, p->lo[0], dx) - phase(p->interface, p->lo[0], other)) < 1e-6;
     for (int a = 0; a < p->dim; a++)
@@ -76,7 +76,8 @@ static struct plan_steps take_rungs(const struct experiment *e, int strictly, st
     for (double m = 1; f.runs < 2 && m < MULTIPLES && least / m >= COARSEST; m++) {
         long long steps;
         if (!is_quick(e, m * dx) || (f.runs == 1 && m * dx < 1.4 * rung[0].dx)) continue;
-        if ((strictly && !alike(&e->problem, dx, m * dx)) || !run(e, m * dx, &rung[f.runs], &steps)) continue;
+        if ((strictly && !has_same_phase(&e->problem, dx, m * dx)) || !run(e, m * dx, &rung[f.runs], &steps))
+            continue;
         f.dx[f.runs++] = m * dx;
         if (m == 1) return f.steps = (double)steps, f;
     }

@@ -56,7 +56,7 @@ static int take_positional(struct request *r, int place, const char *word, struc
     if (place == 0 && words_among(wanted, "SCENE")) return take_scene(r, word, why);
     if (place == words_among(wanted, "SCENE") && words_among(wanted, "METHOD")) return take_method(r, word, why);
     if (place == 0 && (words_among(wanted, "[TOPIC]") || words_among(wanted, "[DIR]"))) {
-        r->topic = word;
+        *(words_among(wanted, "[DIR]") ? &r->dir : &r->topic) = word;
         return STATUS_OK;
     }
     return refuse(why, STATUS_INPUT, "'%.60s' is one word too many for %s (wanted: %s %s)", word, r->verb->name,

@@ -183,7 +183,7 @@ const struct option options_table[] = {
     {"set", "set", "NAME=VALUE", "override a parameter of the scene (see: heatladder list scenes)", read_set, 0, NULL,
      FINITE, 2},
     {"error", "error", "E", "the error (E1) to be reached", read_number, IN(error), NULL, POSITIVE, 0},
-    {"scene", "scene", "SCENE", "that scene alone", read_text, IN(only), NULL, FINITE, 0},
+    {"scene", "scene", "SCENE", "that scene alone", read_text, IN(bench_scene), NULL, FINITE, 0},
     {"time-error", "time-error", "E", "take the longest time step whose error (E1) is E, by step doubling",
      read_number, IN(experiment.time_error), NULL, 1e-12, INFINITY, 0},
     {"solver", "solver", "'CMD'", "a program that stands in for METHOD; {case} and {out} in CMD become paths",

@@ -13,7 +13,8 @@ struct request {
     struct experiment experiment; /* scene and method are NULL where the verb takes none; dx, dt and fourier are the
                                      first of the ladder's lists */
     struct ladder_rungs rungs;
-    const char *topic;       /* list: what to list, NULL for all; report: where to, NULL for reports/out */
+    const char *topic;       /* list: what to list; NULL for all */
+    const char *dir;         /* where files go; NULL where none is given */
     double ratio;            /* limit: kappa_y/kappa_x; 0: 1 */
     int dim, stages;         /* limit: 1 or 2; of rkl2, else 0 */
     struct numbers at;       /* m: x, or x and y */
@@ -22,7 +23,8 @@ struct request {
     const char *what;        /* reference: the columns asked for; NULL for the temperature */
     double error;            /* choose: E1 to be reached */
     struct method *external; /* owned: what the experiment's method is with --solver; else NULL */
-    const char *only;        /* glob of gate names; NULL for all */
+    const char *only;        /* glob of the names of gates or claims; NULL for all */
+    const char *bench_scene; /* bench: the one scene; NULL for all */
     const char *field_path, *json_path, *junit_path, *page_path; /* NULL where not asked for */
     int warm_up;                                                 /* 1: what is timed comes after 0.1 s of the same */
     int json;                                                    /* 1: JSON on standard output instead of text */

@@ -58,16 +58,16 @@ void measures_plan(const struct request *r, double lo, double hi, struct measure
 void measures_time_error(const struct request *r, double lo, double hi, struct measured *m) {
     struct experiment exact = r->experiment;
     struct result result;
-    struct field truth;
+    struct field reference;
     exact.time_error = 0;
     exact.options.stepper = STEPPER_EXACT;
-    int status = run_experiment(&exact, &result, &truth);
+    int status = run_experiment(&exact, &result, &reference);
     measures_fail(m, result.failure.text);
     if (status) return;
-    status = run_against(&r->experiment, truth.T, 0, &result);
+    status = run_against(&r->experiment, reference.T, 0, &result);
     measures_fail(m, result.failure.text);
     if (!status) measures_judge(m, result.error.l1 / r->experiment.time_error, lo, hi);
-    field_free(&truth);
+    field_free(&reference);
 }
 
 void measures_choose(const struct request *r, double lo, double hi, struct measured *m) {

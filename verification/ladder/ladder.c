@@ -51,16 +51,16 @@ static struct experiment rung_of(const struct experiment *e, const struct ladder
     return rung;
 }
 
-/* Against the truth, or the exact solution where there is none. */
+/* Against the semi-discrete reference, or the exact solution where there is none. */
 static void climb(const struct experiment *e, const struct ladder_rungs *rungs, struct ladder *l,
-                  const struct semidiscrete *truth) {
+                  const struct semidiscrete *reference) {
     struct progress progress = progress_start("rungs", l->n);
 #pragma omp parallel for schedule(dynamic, 1) if (!e->solver) /* another program is timed alone */
     for (int i = 0; i < l->n; i++) {
         int finest_first = l->n - 1 - i;
         struct experiment rung = rung_of(e, rungs, l, finest_first);
-        if (truth)
-            run_against(&rung, truth->field.T, truth->error, &l->rung[finest_first]);
+        if (reference)
+            run_against(&rung, reference->field.T, reference->error, &l->rung[finest_first]);
         else
             run_experiment(&rung, &l->rung[finest_first], NULL);
         progress_tick(&progress);
@@ -84,17 +84,17 @@ static int collect(struct ladder *l, struct failure *why) {
     return l->failure.status;
 }
 
-/* Each rung measured against the truth; failed where there is no truth.  STATUS_INPUT with *why where it is refused.
+/* Each rung measured against the reference; failed where there is none.  STATUS_INPUT with *why where it is refused.
  */
 static int climb_in_time(const struct experiment *e, const struct ladder_rungs *rungs, struct ladder *l,
                          struct failure *why) {
     struct experiment finest = rung_of(e, rungs, l, l->n - 1);
-    struct semidiscrete truth;
-    int status = semidiscrete_solve(&finest, &truth, why);
+    struct semidiscrete reference;
+    int status = semidiscrete_solve(&finest, &reference, why);
     if (status_refused(status)) return status;
-    l->semidiscrete_steps = truth.steps;
-    l->semidiscrete_error = truth.error;
-    if (!status) climb(e, rungs, l, &truth);
+    l->semidiscrete_steps = reference.steps;
+    l->semidiscrete_error = reference.error;
+    if (!status) climb(e, rungs, l, &reference);
     for (int i = 0; status && i < l->n; i++)
         l->rung[i] = (struct result){.scene = e->scene,
                                      .method = e->method,
@@ -102,7 +102,7 @@ static int climb_in_time(const struct experiment *e, const struct ladder_rungs *
                                      .t_end = e->problem.t_end,
                                      .time_error = NAN,
                                      .failure = *why};
-    field_free(&truth.field);
+    field_free(&reference.field);
     return STATUS_OK;
 }
 

@@ -12,7 +12,7 @@
  *
  * A ladder in space has several --dx; its errors are against the exact solution.  A ladder in time has one --dx and
  * several --dt or --fourier; its errors are against the solution of the same particles' equations without time error
- * (truth.h), so that no error of space is in them. */
+ * (semidiscrete.h), so that no error of space is in them. */
 
 enum ladder_norm { LADDER_L1, LADDER_L2, LADDER_LINF, LADDER_INTERIOR, LADDER_BOUNDARY }; /* the last two: E1 */
 extern const char *const ladder_norm_words[]; /* in the order of the enum, ended by NULL */

@@ -21,9 +21,9 @@ static double rounding(const struct experiment *e, const struct field *f, double
     return DBL_EPSILON * (1 + sqrt(applications) + weights);
 }
 
-static int measure(const struct experiment *e, const struct field *f, const double *truth, struct result *out) {
+static int measure(const struct experiment *e, const struct field *f, const double *reference, struct result *out) {
     const struct problem *p = &e->problem;
-    if (norms_check(f, truth, &out->failure)) return STATUS_INPUT;
+    if (norms_check(f, reference, &out->failure)) return STATUS_INPUT;
     double dx = out->options.dx;
     out->t_end = f->time;
     out->dt = f->dt;
@@ -33,11 +33,11 @@ static int measure(const struct experiment *e, const struct field *f, const doub
     /* Euler is stable for dt <= 2 / bound */
     out->saving = f->bound > 0 ? f->bound * p->t_end / 2 / ((double)f->steps * f->stages) : NAN;
     out->particles = f->n;
-    out->error = norms_error(p, f, truth, NORMS_ALL, 0);
+    out->error = norms_error(p, f, reference, NORMS_ALL, 0);
     double skin = (p->dim == 2 ? fmin(p->hi[0] - p->lo[0], p->hi[1] - p->lo[1]) : p->hi[0] - p->lo[0]) / 10;
-    out->interior = norms_error(p, f, truth, NORMS_INTERIOR, skin);
-    out->boundary = norms_error(p, f, truth, NORMS_BOUNDARY, skin);
-    out->shape = norms_shape(p, f, truth);
+    out->interior = norms_error(p, f, reference, NORMS_INTERIOR, skin);
+    out->boundary = norms_error(p, f, reference, NORMS_BOUNDARY, skin);
+    out->shape = norms_shape(p, f, reference);
     out->settling = f->settling;
     out->heat_drift = norms_heat_drift(f);
     out->rounding = rounding(e, f, dx);
@@ -79,11 +79,11 @@ int run_experiment(const struct experiment *e, struct result *out, struct field 
     return status;
 }
 
-int run_against(const struct experiment *e, const double *truth, double error, struct result *out) {
+int run_against(const struct experiment *e, const double *reference, double error, struct result *out) {
     struct field f;
     if (solve(e, out, &f)) return out->failure.status;
     out->reference_error = error;
-    int status = measure(e, &f, truth, out);
+    int status = measure(e, &f, reference, out);
     field_free(&f);
     return status;
 }

@@ -11,8 +11,8 @@ struct experiment;
  * STATUS_OK. */
 int run_experiment(const struct experiment *e, struct result *out, struct field *field);
 
-/* The same, with the error measured against `truth` (of the same points) and not the exact solution; its own error is
- * error, relative as E1 is. */
-int run_against(const struct experiment *e, const double *truth, double error, struct result *out);
+/* The same, with the error measured against `reference` (of the same points) and not the exact solution; its own
+ * error is error, relative as E1 is. */
+int run_against(const struct experiment *e, const double *reference, double error, struct result *out);
 
 #endif

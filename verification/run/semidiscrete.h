@@ -17,6 +17,6 @@ struct semidiscrete {
 /* The exact stepper's field, or where there is none the midpoint rule's, at steps that suit *e, the finest rung.
  * STATUS_OK; STATUS_NOT_APPLICABLE for what is no particle method; STATUS_UNSTABLE where the equations themselves
  * are. */
-int semidiscrete_solve(const struct experiment *e, struct semidiscrete *truth, struct failure *why);
+int semidiscrete_solve(const struct experiment *e, struct semidiscrete *s, struct failure *why);
 
 #endif

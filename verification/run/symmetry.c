@@ -10,7 +10,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-static double folded_wall(const struct problem *p, enum side s, const double x[2]) {
+static double reduced_wall(const struct problem *p, enum side s, const double x[2]) {
     int a = (int)s / 2, inner = s % 2 == 0 && p->lo[a] != p->whole->lo[a];
     return inner ? 0 : p->whole->wall(p->whole, s, x);
 }
@@ -20,7 +20,7 @@ int symmetry_reduce(const struct problem *whole, const struct options *o, struct
     double ratio = o->stepper == STEPPER_MATCHED ? sqrt(whole->material[0].k[1] / whole->material[0].k[0]) : 1;
     *half = *whole;
     half->whole = whole;
-    half->wall = folded_wall;
+    half->wall = reduced_wall;
     for (int a = 0; a < 2; a++) {
         double count = a < whole->dim ? (whole->hi[a] - whole->lo[a]) / (a ? o->dx * ratio : o->dx) : 0;
         double pairs = round(count / 2);
@@ -36,7 +36,7 @@ int symmetry_reduce(const struct problem *whole, const struct options *o, struct
 }
 
 /* A row of the whole from one of the part, n long. */
-static void unfold_row(const double *part, int n, int cut, double *whole) {
+static void restore_row(const double *part, int n, int cut, double *whole) {
     for (int i = 0; cut && i < n; i++) *whole++ = part[n - 1 - i];
     memcpy(whole, part, (size_t)n * sizeof *whole);
 }
@@ -46,7 +46,7 @@ static void mirror(double *x, int n, double lo, double hi) {
     for (int i = 0; i < n; i++) x[i] = lo + hi - x[i];
 }
 
-static void unfold(struct field *f, const struct problem *whole, const int cut[2]) {
+static void restore(struct field *f, const struct problem *whole, const int cut[2]) {
     struct field part = *f;
     int copies = (cut[0] ? 2 : 1) * (cut[1] ? 2 : 1);
     *f = part;
@@ -60,12 +60,12 @@ static void unfold(struct field *f, const struct problem *whole, const int cut[2
     for (int j = 0; j < f->shape[1]; j++) {
         int lower = cut[1] && j < ny, row = !cut[1] ? j : lower ? ny - 1 - j : j - ny;
         size_t to = (size_t)j * (size_t)f->shape[0], from = (size_t)row * (size_t)nx;
-        unfold_row(part.x + from, nx, cut[0], f->x + to);
+        restore_row(part.x + from, nx, cut[0], f->x + to);
         if (cut[0]) mirror(f->x + to, nx, whole->lo[0], whole->hi[0]);
-        if (f->y) unfold_row(part.y + from, nx, cut[0], f->y + to);
+        if (f->y) restore_row(part.y + from, nx, cut[0], f->y + to);
         if (lower) mirror(f->y + to, f->shape[0], whole->lo[1], whole->hi[1]);
-        if (f->weight) unfold_row(part.weight + from, nx, cut[0], f->weight + to);
-        unfold_row(part.T + from, nx, cut[0], f->T + to);
+        if (f->weight) restore_row(part.weight + from, nx, cut[0], f->weight + to);
+        restore_row(part.T + from, nx, cut[0], f->T + to);
     }
     field_free(&part);
 }
@@ -76,7 +76,7 @@ int symmetry_solve(const struct method *m, const struct problem *p, const struct
     int cut[2];
     if (symmetry_reduce(p, o, &half, cut)) {
         int status = m->solve(&half, o, f, why);
-        if (status == STATUS_OK) unfold(f, p, cut);
+        if (status == STATUS_OK) restore(f, p, cut);
         if (!status_refused(status)) return status; /* the part may be too short for the stencil */
     }
     return m->solve(p, o, f, why);

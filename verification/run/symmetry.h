@@ -11,8 +11,8 @@
  * was cut; returns how many were. */
 int symmetry_reduce(const struct problem *whole, const struct options *o, struct problem *half, int cut[2]);
 
-/* method->solve on the folded problem, and the field unfolded again: its counts of work and bytes are those of the
- * part that was computed.  The whole problem where nothing can be cut, or where --domain whole asks for it. */
+/* method->solve on the reduced problem, and the field of the whole restored: its counts of work and bytes are those
+ * of the part that was computed.  The whole problem where nothing can be cut, or where --domain whole asks for it. */
 int symmetry_solve(const struct method *m, const struct problem *p, const struct options *o, struct field *f,
                    struct failure *why);
 

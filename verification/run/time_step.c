@@ -6,7 +6,7 @@
  *
  *     T_inf = T_2 + (T_2 - T_1) e_2 / (e_1 - e_2)                                                 (Richardson 1911)
  *
- * without time error, from which the distance of either is its own.  Two cheap runs give both; they foretell the N at
+ * without time error, from which the distance of either is its own.  Two cheap runs give both; they predict the N at
  * which it is 1 % of the error of T_inf, and the run at that N is measured against the one before.
  *
  * For --time-error the steps are halved until the error is what is asked for; then the longest step is looked for: a
@@ -94,14 +94,14 @@ static double size_of(const struct search *s, const struct trial *t) { /* e */
     return c / pow(t->steps, s->order);
 }
 
-/* T_inf, for the caller to free.  Where more stages nearly make up for fewer steps two runs tell little: a fifth of
- * the finer one's error is then taken to be between them. */
+/* T_inf, for the caller to free.  Where RKL2's stages offset its steps, extrapolation is ill-conditioned: the runs
+ * are then taken to differ by a fifth of the finer one's error. */
 static double *find_limit(const struct search *s) {
     size_t n = s->fine.field.n;
     double coarse = size_of(s, &s->coarse), fine = size_of(s, &s->fine), *limit = xcalloc(n, sizeof *limit);
-    double gain = fine / fmax(coarse - fine, 0.2 * fine);
+    double ratio = fine / fmax(coarse - fine, 0.2 * fine);
     const double *T = s->fine.field.T, *before = s->coarse.field.T;
-    for (size_t i = 0; i < n; i++) limit[i] = T[i] + gain * (T[i] - before[i]);
+    for (size_t i = 0; i < n; i++) limit[i] = T[i] + ratio * (T[i] - before[i]);
     return limit;
 }
 

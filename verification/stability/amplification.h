@@ -18,7 +18,7 @@ double complex amplification_factor(const struct amplification *a, double comple
 /* The stability interval as theory states it: |G| <= 1 for -z in [0, it]. */
 double amplification_interval(const struct amplification *a);
 
-/* The largest -z with |G| <= 1 on all of [z, 0]: where |G| = 1 in truth. */
+/* The largest -z with |G| <= 1 on all of [z, 0]: where |G| = 1. */
 double amplification_reach(const struct amplification *a);
 
 /* The largest dt with |G(t lambda)| <= 1 for all t in [0, dt]; 0 where there is none.  reach: amplification_reach(a).

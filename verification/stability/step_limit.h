@@ -19,7 +19,7 @@ struct step_limit {
     int grows;          /* 1: an eigenvalue has a positive real part, past rounding */
 };
 
-/* The first two and what goes with them; l->measured is NaN.  b is settled. */
+/* The first two and what goes with them; l->measured is NaN.  b is resolved. */
 int step_limit_predict(const struct model_problem *b, struct step_limit *l, struct failure *why);
 
 /* By bisection on real runs of b.  STATUS_OK, or what the runs were refused with other than growth. */
@@ -30,7 +30,7 @@ int step_limit_grows(const struct model_problem *b, double F, long long steps, s
 
 enum { LIMIT_ROD = 48, LIMIT_SQUARE = 24, LIMIT_SQUARE_JITTER = 14, LIMIT_STEPS = 1000 };
 
-/* A probe of the size that limits are looked for on, settled; and that of a command `limit`. */
+/* A probe of the size that limits are looked for on, resolved; and that of a command `limit`. */
 int step_limit_model(struct model_problem *b, struct failure *why);
 int step_limit_setup(const struct method *m, const struct options *o, int dim, double ratio, int stages,
                      struct model_problem *b, struct failure *why);

@@ -12,7 +12,7 @@ struct symbol {
     double *w; /* the whole stencil, w[(j + reach[1]) (2 reach[0] + 1) + i + reach[0]] */
 };
 
-/* From operator_stencil for a particle method; else from one Euler step of the method on an impulse.  b is settled.
+/* From operator_stencil for a particle method; else from one Euler step of the method on an impulse.  b is resolved.
  */
 int symbol_create(struct symbol *s, const struct model_problem *b, struct failure *why);
 void symbol_free(struct symbol *s);

@@ -81,7 +81,7 @@ static int prepare(const char *path, const char *bytes, size_t size) {
 }
 
 /* Renames the part, or removes it. */
-static int settle(const char *path, int keep) {
+static int put_in_place(const char *path, int keep) {
     char name[PATH_LENGTH];
     if (beside(path, name)) return -1;
     if (keep && rename(name, path) == 0) return 0;
@@ -118,7 +118,7 @@ static int write_all(const struct atomic_file *files, int count, char **real, st
     for (int i = 0; i < prepared; i++) {
         if (!real[i] && !status)
             status = write_special(&files[i], why);
-        else if (real[i] && settle(real[i], !status) && !status)
+        else if (real[i] && put_in_place(real[i], !status) && !status)
             status = refuse_path(files[i].path, why);
     }
     return status;

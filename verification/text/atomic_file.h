@@ -8,7 +8,7 @@
 struct failure;
 
 /* Whether `path` could be written, so that a long run is refused before it starts.  STATUS_OK or STATUS_INPUT; a NULL
- * path is fine.  Leaves nothing behind, and what is there as it is. */
+ * path is fine.  Creates nothing, changes nothing. */
 int atomic_file_check(const char *path, struct failure *why);
 
 /* Puts `size` bytes at `path`.  STATUS_OK or STATUS_INPUT; on a failure, or when interrupted, what was there before

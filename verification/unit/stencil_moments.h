@@ -1,7 +1,7 @@
 #ifndef HEATLADDER_VERIFICATION_UNIT_STENCIL_MOMENTS_H
 #define HEATLADDER_VERIFICATION_UNIT_STENCIL_MOMENTS_H
 
-/* Stencils for tests that foretell errors: of a particle method at h/dx = 1.1, or as one writes those of the finite
+/* Stencils for tests that predict errors: of a particle method at h/dx = 1.1, or as one writes those of the finite
  * differences down. */
 
 #include "solver/space/operator.h"

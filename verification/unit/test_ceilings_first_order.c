@@ -1,4 +1,4 @@
-/* The errors of first order that gates_plane.def and gates_materials.def foretell: what is blind to (-1)^i at jumps,
+/* The errors of first order that gates/plane.def and gates/materials.def predict: what is blind to (-1)^i at jumps,
  * walls and corners, and the resistance that a mean of two conductivities adds. */
 #include "references/scene.h"
 #include "verification/unit/stencil_moments.h"
@@ -186,5 +186,5 @@ int main(void) {
         cmocka_unit_test(jumps_walls_and_corners),
         cmocka_unit_test(means_add_a_resistance),
     };
-    return cmocka_run_group_tests_name("foretold, first order", tests, NULL, NULL);
+    return cmocka_run_group_tests_name("predicted, first order", tests, NULL, NULL);
 }

@@ -1,4 +1,4 @@
-/* The errors that gates_time.def foretells, worked out from the references alone, and what it says of RKL2's steps.
+/* The errors that gates/time.def predicts, worked out from the references alone, and what it says of RKL2's steps.
  */
 #include "solver/method.h" /* before cmocka.h, which makes a macro of `fail` */
 
@@ -70,7 +70,7 @@ static double strength(const struct scene *s, const struct problem *p) {
     return p->t_end * third / size;
 }
 
-static void ceilings_are_the_foretold_errors(void **state) {
+static void ceilings_are_the_predicted_errors(void **state) {
     (void)state;
     int found = 0;
     for (const struct gate *g = gates_table; g->id; g++) {
@@ -82,9 +82,9 @@ static void ceilings_are_the_foretold_errors(void **state) {
         struct options finest = r.experiment.options;
         for (int i = 0; i < r.rungs.dt.count; i++) finest.dt = fmin(finest.dt, r.rungs.dt.value[i]);
         if (r.experiment.method->solve(&r.experiment.problem, &finest, &f, &why)) fail_msg("%s: %s", g->id, why.text);
-        double foretold = constant(f.stages) * f.dt * f.dt * strength(r.experiment.scene, &r.experiment.problem);
-        if (!(fabs(g->ceiling / foretold - 1.03) <= 0.012))
-            fail_msg("%s: ceiling %g, foretold %g, %d stages", g->id, g->ceiling, foretold, f.stages);
+        double predicted = constant(f.stages) * f.dt * f.dt * strength(r.experiment.scene, &r.experiment.problem);
+        if (!(fabs(g->ceiling / predicted - 1.03) <= 0.012))
+            fail_msg("%s: ceiling %g, predicted %g, %d stages", g->id, g->ceiling, predicted, f.stages);
         field_free(&f);
         arguments_free(&r);
         found++;
@@ -97,7 +97,7 @@ int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(the_third_order_term_is_known),
         cmocka_unit_test(stiff_modes_fall_however_stiff_they_are),
-        cmocka_unit_test(ceilings_are_the_foretold_errors),
+        cmocka_unit_test(ceilings_are_the_predicted_errors),
     };
-    return cmocka_run_group_tests_name("foretold time", tests, NULL, NULL);
+    return cmocka_run_group_tests_name("predicted time", tests, NULL, NULL);
 }

@@ -195,12 +195,12 @@ static double gap, bound;
 
 static struct exact one(const struct problem *p, const double x[2], double t) {
     (void)p, (void)x, (void)t;
-    return (struct exact){2.5, bound};
+    return (struct exact){.temperature = 2.5, .error_bound = bound};
 }
 
 static struct exact two(const struct problem *p, const double x[2], double t) {
     (void)p, (void)t;
-    return (struct exact){2.5 + (x[0] > 0.9 ? gap : 0), 0};
+    return (struct exact){.temperature = 2.5 + (x[0] > 0.9 ? gap : 0)};
 }
 
 static struct measured reference(double apart, double promise) {

@@ -33,7 +33,7 @@ static int answer(const struct problem *p, const struct options *o, double part,
     return STATUS_OK;
 }
 
-static int solve_alike(const struct problem *p, const struct options *o, struct field *f, struct failure *why) {
+static int solve_plain(const struct problem *p, const struct options *o, struct field *f, struct failure *why) {
     return answer(p, o, 1, f, why);
 }
 
@@ -49,9 +49,9 @@ static int solve_growing(const struct problem *p, const struct options *o, struc
 
 /* (fail) is the function of solver/method.h: without the parentheses it is a macro of cmocka's */
 static const struct scheme scheme;
-static const struct method alike = {"alike", "", "stepper", &scheme, solve_alike};
-static const struct method precise = {"precise", "", "stepper", &scheme, solve_precise};
-static const struct method growing = {"growing", "", "stepper", &scheme, solve_growing};
+static const struct method alike = {"alike", "", "stepper", &scheme, solve_plain, NULL};
+static const struct method precise = {"precise", "", "stepper", &scheme, solve_precise, NULL};
+static const struct method growing = {"growing", "", "stepper", &scheme, solve_growing, NULL};
 
 static void climb(const char *options, const struct method *m, int status, struct ladder *l, struct failure *why) {
     struct request r;
@@ -66,7 +66,7 @@ static void climb(const char *options, const struct method *m, int status, struc
 }
 
 /* 18 steps to one of the finest rung's or, where that is more, twice those that the method takes unasked. */
-static void the_truth_is_the_midpoint_rules(void **state) {
+static void the_reference_is_the_midpoint_rules(void **state) {
     (void)state;
     static const struct {
         const char *options;
@@ -90,7 +90,7 @@ static void the_truth_is_the_midpoint_rules(void **state) {
     free(l);
 }
 
-static void a_truth_that_is_not_good_enough_is_said(void **state) {
+static void a_reference_that_is_not_good_enough_is_said(void **state) {
     (void)state;
     struct failure why;
     struct ladder *l = xcalloc(1, sizeof *l);
@@ -107,7 +107,7 @@ static void equations_that_are_unstable_fail_the_ladder(void **state) {
     struct ladder *l = xcalloc(1, sizeof *l);
     climb("--dt 0.8,0.4,0.2,0.1 --stepper rkl2 --expect 1.9,2.1", &growing, STATUS_UNSTABLE, l, &why);
     assert_int_equal(l->verdict, VERDICT_FAIL);
-    assert_non_null(strstr(l->reason, "no truth in time: T grew at any step"));
+    assert_non_null(strstr(l->reason, "no semi-discrete reference: T grew at any step"));
     assert_true(isnan(l->slope.value));
     free(l);
 }
@@ -130,39 +130,39 @@ static void a_coarse_rung_off_the_lattice_is_left_out(void **state) {
 }
 
 /* Where both exist they are the same: the particles of a cloud without jitter against those of the lattice. */
-static void the_midpoint_rules_truth_is_the_exact_one(void **state) {
+static void the_midpoint_rules_reference_is_the_exact_one(void **state) {
     (void)state;
     static const char *const lines[] = {"ladder rod-cosine so_ssph --dx 1/40 --dt 0.1,0.05 --stepper rkl2",
                                         "ladder rod-cosine so_ssph --dx 1/40 --dt 0.1,0.05 --stepper rkl2 "
                                         "--layout jitter --jitter 0"};
-    struct semidiscrete truth[2];
+    struct semidiscrete reference[2];
     struct failure why;
     for (int i = 0; i < 2; i++) {
         struct request r;
         if (arguments_parse_line(lines[i], &r, &why)) fail_msg("%s", why.text);
         r.experiment.options.dt = 0.05;
-        if (semidiscrete_solve(&r.experiment, &truth[i], &why)) fail_msg("%s", why.text);
+        if (semidiscrete_solve(&r.experiment, &reference[i], &why)) fail_msg("%s", why.text);
         arguments_free(&r);
     }
     double most = 0, size = 0;
-    for (size_t i = 0; i < truth[1].field.n; i++) {
-        most += fabs(truth[1].field.T[i] - truth[0].field.T[i]);
-        size += fabs(truth[0].field.T[i]);
+    for (size_t i = 0; i < reference[1].field.n; i++) {
+        most += fabs(reference[1].field.T[i] - reference[0].field.T[i]);
+        size += fabs(reference[0].field.T[i]);
     }
-    assert_int_equal(truth[0].steps, 0);
-    assert_near(truth[0].error, 0, 0);
-    assert_true(truth[1].steps >= 360);
-    assert_near(most / size / truth[1].error, 1, 0.02);
-    for (int i = 0; i < 2; i++) field_free(&truth[i].field);
+    assert_int_equal(reference[0].steps, 0);
+    assert_near(reference[0].error, 0, 0);
+    assert_true(reference[1].steps >= 360);
+    assert_near(most / size / reference[1].error, 1, 0.02);
+    for (int i = 0; i < 2; i++) field_free(&reference[i].field);
 }
 
 int main(void) {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(the_truth_is_the_midpoint_rules),
-        cmocka_unit_test(a_truth_that_is_not_good_enough_is_said),
+        cmocka_unit_test(the_reference_is_the_midpoint_rules),
+        cmocka_unit_test(a_reference_that_is_not_good_enough_is_said),
         cmocka_unit_test(equations_that_are_unstable_fail_the_ladder),
         cmocka_unit_test(a_coarse_rung_off_the_lattice_is_left_out),
-        cmocka_unit_test(the_midpoint_rules_truth_is_the_exact_one),
+        cmocka_unit_test(the_midpoint_rules_reference_is_the_exact_one),
     };
-    return cmocka_run_group_tests_name("truth", tests, NULL, NULL);
+    return cmocka_run_group_tests_name("reference", tests, NULL, NULL);
 }

@@ -45,7 +45,7 @@ static int bench_one(const struct request *given, const struct scene *s, struct 
         bench_print_scene(b, stdout);
         fflush(stdout);
     }
-    if (!status && given->topic) status = keep_data(b, files, given->topic, why);
+    if (!status && given->dir) status = keep_data(b, files, given->dir, why);
     free(b);
     return status;
 }
@@ -63,11 +63,11 @@ static void measure_engine(const struct request *r, struct json *j) {
 
 static int bench_scenes(const struct request *r, FILE *out, struct files *files, struct failure *why) {
     struct json j = json_on(out);
-    const struct scene *only = r->only ? scene_find(r->only) : NULL;
+    const struct scene *only = r->bench_scene ? scene_find(r->bench_scene) : NULL;
     const char *names[WORDS_MAX] = {0};
     int status = STATUS_OK;
     for (int i = 0; scenes[i] && i < WORDS_MAX - 1; i++) names[i] = scenes[i]->name;
-    if (r->only && !only) return words_unknown(names, "scene", r->only, why);
+    if (r->bench_scene && !only) return words_unknown(names, "scene", r->bench_scene, why);
     json_object(&j, NULL);
     measure_engine(r, &j);
     json_array(&j, "scenes");
@@ -81,12 +81,12 @@ static int bench_scenes(const struct request *r, FILE *out, struct files *files,
 int verb_bench(const struct request *r, struct failure *why) {
     struct files *files = xcalloc(1, sizeof *files);
     struct output *json = &files->file[files->count++];
-    int status = output_open(json, why, "%s/bench.json", r->topic ? r->topic : "");
-    if (!status && r->topic) status = atomic_file_check(json->path, why);
+    int status = output_open(json, why, "%s/bench.json", r->dir ? r->dir : "");
+    if (!status && r->dir) status = atomic_file_check(json->path, why);
     if (!status) status = bench_scenes(r, json->out, files, why);
     output_end(json);
     if (!status && r->json) fputs(json->text, stdout);
-    if (!status && r->topic) status = output_close(files->file, files->count, why);
+    if (!status && r->dir) status = output_close(files->file, files->count, why);
     output_drop(files->file, files->count);
     free(files);
     return status;

@@ -53,7 +53,7 @@ static void print_text(const struct request *r, const struct choose *c) {
                c->proofs == 1 ? "" : "s");
     }
     struct table t = table_create(5, 1);
-    const char *header[] = {"candidate", "particles along x", "order", "E1 foretold", "work [pairs]"};
+    const char *header[] = {"candidate", "particles along x", "order", "E1 predicted", "work [pairs]"};
     for (int i = 0; i < 5; i++) table_add(&t, "%s", header[i]);
     for (int i = 0; i < c->count; i++) {
         const struct extrapolation *o = &c->one[i];

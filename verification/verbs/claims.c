@@ -10,11 +10,11 @@
 #include <stdio.h>
 
 static int run(const struct request *r, struct claims *c, struct failure *why) {
-    if (r->topic && output_directory(r->topic, "claims.csv", why)) return why->status;
+    if (r->dir && output_directory(r->dir, "claims.csv", why)) return why->status;
     if (claims_collect(r->only, c, why)) return why->status;
     claims_run(c);
     (r->json ? claims_write_json : claims_write_text)(c, stdout);
-    return r->topic ? claims_write_files(c, r->topic, why) : STATUS_OK;
+    return r->dir ? claims_write_files(c, r->dir, why) : STATUS_OK;
 }
 
 int verb_claims(const struct request *r, struct failure *why) {
