@@ -64,8 +64,8 @@ HOT static void difference(int n, double factor, const double *restrict ahead, c
         for (int i = 0; i < n; i++) to[i] = factor * (ahead[i] - behind[i]);
 }
 
-HOT static void accumulate(int n, double dt, const double *restrict gain, double *restrict T) {
-    for (int i = 0; i < n; i++) T[i] += dt * gain[i];
+HOT static void accumulate(int n, double dt, const double *restrict heating, double *restrict T) {
+    for (int i = 0; i < n; i++) T[i] += dt * heating[i];
 }
 
 static void step_direct(struct ftcs_grid *g) {
@@ -79,7 +79,7 @@ static void step_direct(struct ftcs_grid *g) {
             rod_step(g->n[0], Fx, T, next);
         else
             row_step(g->n[0], Fx, Fy, T, T - g->stride, T + g->stride, next);
-        if (g->gain) accumulate(g->n[0], g->dt, g->gain + j * g->n[0], next);
+        if (g->heating) accumulate(g->n[0], g->dt, g->heating + j * g->n[0], next);
     }
     double *old = g->T;
     g->T = g->next;
@@ -98,11 +98,11 @@ static void step_fluxes(struct ftcs_grid *g) {
         difference(nx + 2, -g->kappa[0] * half[0], T, T - 2, 0, qx);
         difference(nx, -g->dt * half[0], qx + 2, qx, 1, T);
         if (g->dim == 2) difference(nx, -g->dt * half[1], qy + (j + 3) % 3 * nx, qy + (j + 1) % 3 * nx, 1, T);
-        if (g->gain) accumulate(nx, g->dt, g->gain + j * nx, T);
+        if (g->heating) accumulate(nx, g->dt, g->heating + j * nx, T);
     }
 }
 
-HOT static int strays(int n, double middle, double reach, const double *T) {
+HOT static int count_outside(int n, double middle, double reach, const double *T) {
     int count = 0;
     for (int i = 0; i < n; i++) count += !(fabs(T[i] - middle) <= reach);
     return count;
@@ -119,7 +119,7 @@ static double fourier_sum(const struct ftcs_grid *g) {
 static int check_stable(const struct ftcs_grid *g, long long step, struct failure *why) {
     for (int j = 0; j < g->n[1]; j++) {
         const double *row = g->T + g->corner + j * g->stride;
-        if (strays(g->n[0], g->middle, g->reach, row) == 0) continue;
+        if (count_outside(g->n[0], g->middle, g->reach, row) == 0) continue;
         int i = 0;
         while (fabs(row[i] - g->middle) <= g->reach) i++;
         char y[40] = "";
@@ -128,7 +128,7 @@ static int check_stable(const struct ftcs_grid *g, long long step, struct failur
                       "%s: unstable at step %lld of %lld, t = %g s: T = %g K at x = %g m%s; "
                       "sum of kappa dt/dx^2 is %g, stable up to %g",
                       g->method, step, g->steps, g->start + (double)step * g->dt, row[i], g->origin[0] + i * g->d[0],
-                      y, fourier_sum(g), g->wide ? 2 : 0.5);
+                      y, fourier_sum(g), g->with_fluxes ? 2 : 0.5);
     }
     return STATUS_OK;
 }
@@ -167,9 +167,9 @@ static void hand_over(struct ftcs_grid *g, struct field *f) {
 static int run(struct ftcs_grid *g, struct failure *why) {
     const double mean = g->dt;
     for (long long step = 1; step <= g->steps; step++) {
-        g->dt = mean * (step % 2 ? 1 + g->swing : 1 - g->swing);
+        g->dt = mean * (step % 2 ? 1 + g->alternation : 1 - g->alternation);
         ftcs_grid_walls(g);
-        if (g->wide)
+        if (g->with_fluxes)
             step_fluxes(g);
         else
             step_direct(g);
@@ -190,26 +190,26 @@ static void count(const struct ftcs_grid *g, const struct options *o, struct fie
     f->dim = g->dim, f->n = (size_t)n;
     f->dt = g->dt, f->steps = g->steps, f->stages = 1;
     f->updates = g->steps * g->n[0] * g->n[1];
-    f->interactions = f->updates * (g->wide ? 4 : 2) * g->dim;
+    f->interactions = f->updates * (g->with_fluxes ? 4 : 2) * g->dim;
     f->work = OUTLINE_SCALAR * n * (OUTLINE_PLACE + OUTLINE_SAMPLE * pow(nodes, g->dim));
     f->work += (double)f->interactions + 2 * (double)f->updates;
     f->work += OUTLINE_SCALAR * OUTLINE_GHOST * ((double)g->size - n) * (double)g->steps;
 }
 
-static int outline(const char *method, int wide, const struct problem *p, const struct options *o,
+static int outline(const char *method, int with_fluxes, const struct problem *p, const struct options *o,
                    struct outline *out, struct failure *why) {
     struct ftcs_grid g;
     *out = (struct outline){0};
-    if (ftcs_grid_outline(&g, method, wide, p, o, why)) return why->status;
+    if (ftcs_grid_outline(&g, method, with_fluxes, p, o, why)) return why->status;
     size_t nx = (size_t)g.n[0], ny = (size_t)g.n[1], rows = g.dim == 2 ? 1 : 0, unit = sizeof(double);
     count(&g, o, &out->run);
     out->weights = "one stencil for all points: a grid of one material";
     out->answer = g.dim + 1 + !has_whole_cells(&g);
     out->on_lattice = 1;
-    out->neighbours = (wide ? 4 : 2) * g.dim;
+    out->neighbours = (with_fluxes ? 4 : 2) * g.dim;
     outline_hold(out, "temperatures with their ghosts", g.size * unit, OUTLINE_SET_UP, OUTLINE_STEPS);
-    outline_hold(out, wide ? "fluxes of a few rows" : "temperatures of the next step",
-                 (wide ? nx + 2 + 3 * nx * rows : g.size) * unit, OUTLINE_SET_UP, OUTLINE_STEPS);
+    outline_hold(out, with_fluxes ? "fluxes of a few rows" : "temperatures of the next step",
+                 (with_fluxes ? nx + 2 + 3 * nx * rows : g.size) * unit, OUTLINE_SET_UP, OUTLINE_STEPS);
     outline_hold(out, "what the source adds in a step", p->source ? nx * ny * unit : 0, OUTLINE_SET_UP,
                  OUTLINE_STEPS);
     outline_hold(out, "what the walls add", 2 * FTCS_LAYERS * (ny + nx * rows) * unit, OUTLINE_SET_UP, OUTLINE_STEPS);
@@ -219,11 +219,11 @@ static int outline(const char *method, int wide, const struct problem *p, const 
     return STATUS_OK;
 }
 
-static int solve(const char *method, int wide, const struct problem *p, const struct options *o, struct field *f,
-                 struct failure *why) {
+static int solve(const char *method, int with_fluxes, const struct problem *p, const struct options *o,
+                 struct field *f, struct failure *why) {
     struct ftcs_grid g;
     double called = seconds_now();
-    int status = ftcs_grid_make(&g, method, wide, p, o, why);
+    int status = ftcs_grid_make(&g, method, with_fluxes, p, o, why);
     if (status) return status;
     double before = heat(&g), stepping = seconds_now();
     status = run(&g, why);

@@ -63,10 +63,10 @@ static int check_spacing(const struct problem *p, double dx, struct failure *why
 
 static int check_options(const struct ftcs_grid *g, const struct problem *p, const struct options *o,
                          struct failure *why) {
-    if (p->materials > 1 && (g->wide || p->dim == 2))
+    if (p->materials > 1 && (g->with_fluxes || p->dim == 2))
         return refuse(why, STATUS_NOT_APPLICABLE,
                       "%s: takes one material%s; this scene has %d, which meet at x = %g m", g->method,
-                      g->wide ? "" : " in the plane", p->materials, p->interface);
+                      g->with_fluxes ? "" : " in the plane", p->materials, p->interface);
     if (p->materials > 1 && (o->sampling == SAMPLING_SPLINE || o->layout == LAYOUT_NODE))
         return refuse(why, STATUS_NOT_APPLICABLE, "--%s: takes one material; with two: %s",
                       o->layout == LAYOUT_NODE ? "layout node" : "sampling spline",
@@ -84,7 +84,7 @@ static int check_options(const struct ftcs_grid *g, const struct problem *p, con
                       "--stepper matched: in the plane the error of %s is not isotropic, and no step "
                       "cancels it; valid here: euler, auto",
                       g->method);
-    if (o->stepper == STEPPER_MATCHED && g->wide && p->source)
+    if (o->stepper == STEPPER_MATCHED && g->with_fluxes && p->source)
         return refuse(
             why, STATUS_INPUT,
             "--stepper matched: %s does not see (-1)^i, which a source feeds at the walls at third order; take "
@@ -144,9 +144,9 @@ static int plan_steps(struct ftcs_grid *g, const struct problem *p, const struct
                           p->t_end, g->d[0] * sqrt(p->t_end / g->start));
         /* A whole number of steps seldom fits.  What cancels the error of space is the sum of dt^2: pairs of a longer
          * and a shorter step have it right at any even count past the ideal one. */
-        double ideal = span * kappa / square / (g->wide ? 2. / 3 : 1. / 6);
+        double ideal = span * kappa / square / (g->with_fluxes ? 2. / 3 : 1. / 6);
         count = 2 * ceil(ideal / 2 - 1e-9);
-        g->swing = sqrt(fmax(0, count / ideal - 1));
+        g->alternation = sqrt(fmax(0, count / ideal - 1));
     } else {
         double dt = o->dt != 0 ? o->dt : (o->fourier != 0 ? o->fourier : 0.1) * square / kappa;
         count = span > 0 ? fmax(1, ceil(span / dt - 1e-9)) : 0;
@@ -234,11 +234,11 @@ static void fill(struct ftcs_grid *g, const struct problem *p, const struct opti
     for (int s = 0; s < 2 * p->dim; s++) edge_make(g, p, o, (enum side)s);
     if (p->materials == 2) layers_make(g, p, o);
     g->T = reserve(g, size);
-    if (g->wide)
+    if (g->with_fluxes)
         g->q = reserve(g, nx + 2 + (p->dim == 2 ? 3 * nx : 0));
     else
         g->next = reserve(g, size);
-    if (p->source) g->gain = reserve(g, (ptrdiff_t)nx * ny);
+    if (p->source) g->heating = reserve(g, (ptrdiff_t)nx * ny);
     g->lowest = INFINITY;
     g->highest = -INFINITY;
     for (int j = 0; j < ny; j++)
@@ -253,7 +253,7 @@ static void fill(struct ftcs_grid *g, const struct problem *p, const struct opti
             source = fmax(source, fabs(G));
             g->T[g->corner + j * g->stride + i] += g->start * G / ftcs_grid_rho_c(g, i);
             if (o->stepper == STEPPER_MATCHED) G += ftcs_matched_source(g, p, x);
-            g->gain[(ptrdiff_t)j * nx + i] = G / ftcs_grid_rho_c(g, i);
+            g->heating[(ptrdiff_t)j * nx + i] = G / ftcs_grid_rho_c(g, i);
         }
     bound(g, p, source);
 }
@@ -288,7 +288,7 @@ double ftcs_grid_rho_c(const struct ftcs_grid *g, int i) {
 void ftcs_grid_keep_T(struct ftcs_grid *g) {
     g->held = g->size;
     for (int s = 0; s < 4; s++) free(g->edge[s].offset), g->edge[s].offset = NULL;
-    double **spent[] = {&g->next, &g->q, &g->gain, &g->layers[0], &g->layers[1], &g->layers[2]};
+    double **spent[] = {&g->next, &g->q, &g->heating, &g->layers[0], &g->layers[1], &g->layers[2]};
     for (size_t k = 0; k < sizeof spent / sizeof *spent; k++) free(*spent[k]), *spent[k] = NULL;
 }
 
@@ -297,18 +297,18 @@ void ftcs_grid_free(struct ftcs_grid *g) {
     free(g->T);
 }
 
-int ftcs_grid_outline(struct ftcs_grid *g, const char *method, int wide, const struct problem *p,
+int ftcs_grid_outline(struct ftcs_grid *g, const char *method, int with_fluxes, const struct problem *p,
                       const struct options *o, struct failure *why) {
-    *g = (struct ftcs_grid){.method = method, .wide = wide};
+    *g = (struct ftcs_grid){.method = method, .with_fluxes = with_fluxes};
     int status = check_options(g, p, o, why);
     if (status) return status;
     lay_grid(g, p, o);
     return plan_steps(g, p, o, why);
 }
 
-int ftcs_grid_make(struct ftcs_grid *g, const char *method, int wide, const struct problem *p,
+int ftcs_grid_make(struct ftcs_grid *g, const char *method, int with_fluxes, const struct problem *p,
                    const struct options *o, struct failure *why) {
-    int status = ftcs_grid_outline(g, method, wide, p, o, why);
+    int status = ftcs_grid_outline(g, method, with_fluxes, p, o, why);
     if (status) return status;
     fill(g, p, o);
     return STATUS_OK;

@@ -19,8 +19,8 @@ struct ftcs_edge {
 };
 
 struct ftcs_grid {
-    const char *method;     /* its name */
-    int wide, dim;          /* wide: with fluxes */
+    const char *method; /* its name */
+    int with_fluxes, dim;
     int n[2];               /* unknowns along x and y; 1 along y for a rod */
     double origin[2], d[2]; /* m: the first unknown, the spacing; a rod is 1 m high */
     double end_cell[4];     /* by enum side: the part of its cell that the unknown at the side has inside, 1 or 1/2 */
@@ -29,7 +29,7 @@ struct ftcs_grid {
     double *layers[3];      /* a rod of two materials, by point: rho_c, J m^-3 K^-1; k / (rho_c d^2), s^-1, of what
                                lies to its left and right.  Else NULL */
     double dt, start;       /* s: the step; what the clock shows when the run starts */
-    double swing;           /* odd steps take (1 + swing) dt, even ones (1 - swing) dt */
+    double alternation;     /* odd steps take (1 + alternation) dt, even ones (1 - alternation) dt */
     long long steps;
     double lowest, highest;   /* K, of the sampled initial data */
     double middle, reach;     /* K: a stable solution stays within middle +- reach */
@@ -38,14 +38,14 @@ struct ftcs_grid {
     struct ftcs_edge edge[4]; /* by enum side */
     double *T, *next;         /* K; `next` is NULL with fluxes: they step in place */
     double *q;                /* K m s^-1: one row of q_x, then three of q_y; NULL without fluxes */
-    double *gain;             /* K s^-1, G / rho_c; NULL where there is no source */
+    double *heating;          /* K s^-1, G / rho_c; NULL where there is no source */
 };
 
 /* 0 and *g ready for its first step, to be given to ftcs_grid_free; or STATUS_INPUT, *why filled and nothing held. */
-int ftcs_grid_make(struct ftcs_grid *g, const char *method, int wide, const struct problem *p,
+int ftcs_grid_make(struct ftcs_grid *g, const char *method, int with_fluxes, const struct problem *p,
                    const struct options *o, struct failure *why);
 /* The same without its arrays: sizes, steps and refusals. */
-int ftcs_grid_outline(struct ftcs_grid *g, const char *method, int wide, const struct problem *p,
+int ftcs_grid_outline(struct ftcs_grid *g, const char *method, int with_fluxes, const struct problem *p,
                       const struct options *o, struct failure *why);
 void ftcs_grid_free(struct ftcs_grid *g);
 void ftcs_grid_keep_T(struct ftcs_grid *g); /* frees all that a finished run needs no more */

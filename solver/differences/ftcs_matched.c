@@ -44,5 +44,5 @@ int ftcs_matched_points(const struct ftcs_grid *g, const struct problem *p, int 
 
 double ftcs_matched_source(const struct ftcs_grid *g, const struct problem *p, const double x[2]) {
     double lo[2] = {x[0] - g->d[0], x[1]}, hi[2] = {x[0] + g->d[0], x[1]};
-    return (g->wide ? 1. / 3 : 1. / 12) * (p->source(p, lo) - 2 * p->source(p, x) + p->source(p, hi));
+    return (g->with_fluxes ? 1. / 3 : 1. / 12) * (p->source(p, lo) - 2 * p->source(p, x) + p->source(p, hi));
 }

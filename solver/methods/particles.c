@@ -153,7 +153,7 @@ int particles_march(const struct problem *p, const struct options *o, const stru
     if (o->stepper == STEPPER_MATCHED) {
         struct matched plan;
         if (matched_plan(p, o, s, a, &plan, why)) return why->status;
-        m->stepper = STEPPER_EULER, m->time = plan.run_time, m->steps = plan.steps, m->uneven = plan.uneven;
+        m->stepper = STEPPER_EULER, m->time = plan.run_time, m->steps = plan.steps, m->alternation = plan.alternation;
         return STATUS_OK;
     }
     /* unasked: half of the stable step, and for rkl2 as many steps as put its s^2 to use */

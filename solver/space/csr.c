@@ -3,8 +3,8 @@
  * A scheme of one sweep gives the row of particle i at once; a neighbour that is a ghost adds w sign to the column of
  * its source and w offset to g_i.  A scheme of two sweeps first gets the rows of its derivatives D_x, D_y at every
  * point within one support of the domain, ghosts among them, and the row of i is that of D_x kappa_x D_x + D_y
- * kappa_y D_y, with the ghosts folded in at the end. Rows are kept in blocks of particles, each filled by one thread,
- * and joined in order: the result is the same for any number of threads. */
+ * kappa_y D_y, with the ghosts in the columns of their sources. Rows are kept in blocks of particles, each filled by
+ * one thread, and joined in order: the result is the same for any number of threads. */
 #include "solver/space/csr.h"
 #include "solver/space/kernel.h"
 #include "solver/space/neighbours.h"
@@ -51,8 +51,8 @@ struct assembly {
 };
 
 /* The weights of point i on its neighbours `near`; returns a status and the number of neighbours. */
-static int weigh(const struct assembly *m, size_t i, uint32_t near[NEIGHBOURS_MAX], double *w[2], size_t *n,
-                 struct failure *why) {
+static int point_weights(const struct assembly *m, size_t i, uint32_t near[NEIGHBOURS_MAX], double *w[2], size_t *n,
+                         struct failure *why) {
     const struct cloud *c = m->c;
     double d[NEIGHBOURS_MAX][2], V[NEIGHBOURS_MAX], H[NEIGHBOURS_MAX];
     *n = neighbours_find(&m->cells, i, near, NEIGHBOURS_MAX);
@@ -115,7 +115,7 @@ static void scratch_flush(struct scratch *s, size_t i, struct list *out, double 
 }
 
 /* Adds w T_point to the row: the point may be a ghost. */
-static void fold(const struct cloud *c, struct scratch *s, double *g, uint32_t point, double w) {
+static void add_entry(const struct cloud *c, struct scratch *s, double *g, uint32_t point, double w) {
     scratch_add(s, c->source[point], w * c->sign[point]);
     *g += w * c->offset[point];
 }
@@ -125,10 +125,10 @@ static int direct_row(const struct assembly *m, size_t i, struct scratch *s, dou
     uint32_t near[NEIGHBOURS_MAX];
     double weight[NEIGHBOURS_MAX], *w[2] = {weight, NULL};
     size_t n;
-    if (weigh(m, i, near, w, &n, why)) return why->status;
+    if (point_weights(m, i, near, w, &n, why)) return why->status;
     for (size_t k = 0; k < n; k++) {
         *diagonal -= weight[k];
-        fold(m->c, s, g, near[k], weight[k]);
+        add_entry(m->c, s, g, near[k], weight[k]);
     }
     return STATUS_OK;
 }
@@ -151,7 +151,7 @@ static int derive_all(const struct assembly *m, struct derivatives *d, struct fa
             outside = fmax(outside, fmax(m->p->lo[a] - x, x - m->p->hi[a]));
         }
         if (outside < m->support) {
-            if (weigh(m, i, near, w, &n, why)) return why->status;
+            if (point_weights(m, i, near, w, &n, why)) return why->status;
             double sum[2] = {0, 0};
             for (size_t k = 0; k < n; k++) {
                 double other = c->dim == 2 ? weight[1][k] : 0;
@@ -174,7 +174,7 @@ static void composed_row(const struct assembly *m, const struct derivatives *d, 
         uint32_t j = l->column[k];
         double x = kappa[0] * l->value[k], y = kappa[1] * l->other[k];
         for (size_t q = d->begin[j]; q < d->begin[j + 1]; q++)
-            fold(m->c, s, g, l->column[q], x * l->value[q] + y * l->other[q]);
+            add_entry(m->c, s, g, l->column[q], x * l->value[q] + y * l->other[q]);
     }
 }
 

@@ -152,7 +152,7 @@ static struct axis axis_of(const struct problem *p, int m, const struct lattice 
     return a;
 }
 
-static int alike(const struct axis *a, const struct axis *b) {
+static int is_same_axis(const struct axis *a, const struct axis *b) {
     int same = a->n == b->n && a->first == b->first && a->dx == b->dx && a->planes == b->planes;
     for (int k = 0; k < a->planes && same; k++) same = a->plane[k] == b->plane[k];
     return same;
@@ -229,7 +229,7 @@ void sample_lattice(const struct problem *p, enum sampling sampling, const struc
     }
     struct axis ax = axis_of(p, m, l, 0), ay = axis_of(p, m, l, 1);
     struct rule x = rule_create(&ax), y = {0};
-    int square = l->dim == 2 && alike(&ax, &ay);
+    int square = l->dim == 2 && is_same_axis(&ax, &ay);
     double *value = xcalloc(x.nodes, sizeof *value), *row = xcalloc((size_t)nx, sizeof *row);
     if (l->dim == 1)
         average_row(p, &x, nx, 0, value, T);

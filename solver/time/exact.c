@@ -145,7 +145,7 @@ static void survivors(const struct modes *s, const struct products *p, int *keep
 /* Amplitudes at time t of the modes keep[0] x keep[1] of the start *p. */
 static void amplitudes(const struct modes *s, const struct products *p, int *const keep[2], const int count[2],
                        double *C) {
-    double *lambda = xcalloc((size_t)s->l->n[0], sizeof *lambda), scale = 1 / transform_gain(s->l);
+    double *lambda = xcalloc((size_t)s->l->n[0], sizeof *lambda), scale = 1 / transform_scale(s->l);
     double least = least_exponent(s);
     for (int m = 0; m < count[1]; m++) {
         rates(s, keep[1][m], lambda);
@@ -208,7 +208,7 @@ static void coefficients(const struct modes *s, const struct products *p, double
 /* T, and g in the shape of T or NULL, hold coefficients. */
 static void advance_all(const struct modes *s, double *T, const double *g) {
     int nx = s->l->n[0], ny = s->l->n[1];
-    double *lambda = xcalloc((size_t)nx, sizeof *lambda), scale = 1 / transform_gain(s->l);
+    double *lambda = xcalloc((size_t)nx, sizeof *lambda), scale = 1 / transform_scale(s->l);
     for (int m = 0; m < ny; m++) {
         rates(s, m, lambda);
         for (int k = 0; k < nx; k++) {

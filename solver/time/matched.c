@@ -264,6 +264,6 @@ int matched_plan(const struct problem *p, const struct options *o, const struct 
         return refuse(why, STATUS_INPUT,
                       "--stepper matched: steps of F = %g go %.3g times into the run; 1e-6 to 1e12 do", F, matching);
     m->steps = 2 * (long long)ceil(matching / 2 - 1e-9);
-    m->uneven = sqrt(fmax(0, (double)m->steps / matching - 1));
+    m->alternation = sqrt(fmax(0, (double)m->steps / matching - 1));
     return STATUS_OK;
 }

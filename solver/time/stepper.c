@@ -20,7 +20,7 @@
 #include <stdlib.h>
 
 enum {
-    TOGETHER = 32, /* updates that the operator is handed at once; steps from look to look */
+    TOGETHER = 32, /* updates that the operator is handed at once; steps between checks of the bounds */
     SHARED = 10000 /* doubles in a state from which threads pay */
 };
 
@@ -32,8 +32,8 @@ int stepper_stages(double dt, double bound) {
 }
 
 /* Whether the run has left its bounds. */
-static int look(const struct march *m, const struct heat_operator *a, const double *state, long long step,
-                struct failure *why) {
+static int check_bounds(const struct march *m, const struct heat_operator *a, const double *state, long long step,
+                        struct failure *why) {
     double half = fmax((m->hi - m->lo) / 2, 1e-6 * fmax(fabs(m->lo), fabs(m->hi)));
     size_t i = state_find_outside(a, state, m->lo - half, m->hi + half);
     if (i == a->n) return STATUS_OK;
@@ -75,7 +75,7 @@ static void euler_steps(const struct heat_operator *a, const struct march *m, lo
     struct update u[TOGETHER];
     double dt = m->time / (double)m->steps;
     for (int k = 0; k < count; k++)
-        u[k] = (struct update){.rate = dt * ((done + k) % 2 ? 1 - m->uneven : 1 + m->uneven), .self = 1};
+        u[k] = (struct update){.rate = dt * ((done + k) % 2 ? 1 - m->alternation : 1 + m->alternation), .self = 1};
     state_update(a, u, count, Y);
 }
 
@@ -114,7 +114,7 @@ int stepper_march(const struct heat_operator *a, const struct march *m, double *
                 own.threads = team_size(&team);
                 rkl2_step(&own, m->stages, m->time / (double)m->steps, Y);
             }
-        status = look(m, a, Y[0], done + count, why);
+        status = check_bounds(m, a, Y[0], done + count, why);
     }
     state_store(a, Y[0], T);
     for (int k = 0; k < arrays; k++) free(Y[k]);

@@ -9,7 +9,7 @@ struct march {
     enum stepper stepper; /* STEPPER_EULER, STEPPER_RK2 or STEPPER_RKL2 */
     double time;          /* s, how long */
     long long steps;
-    double uneven;       /* STEPPER_EULER: steps alternate between dt (1 + uneven) and dt (1 - uneven) */
+    double alternation;  /* STEPPER_EULER: steps alternate between dt (1 + alternation) and dt (1 - alternation) */
     int stages;          /* STEPPER_RKL2; else 1 or 2 */
     const double *x, *y; /* m, positions for messages; NULL where there are none, and y on a rod */
     double lo, hi;       /* K, what a stable run stays near: see stepper_march */

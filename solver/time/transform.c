@@ -55,10 +55,10 @@ double transform_angle(const struct lattice *l, int axis, int k) {
     return M_PI * (k + b->first) / (l->n[axis] + b->more);
 }
 
-double transform_gain(const struct lattice *l) {
-    double gain = 1;
-    for (int a = 0; a < l->dim; a++) gain *= 2.0 * (l->n[a] + basis_of(l, a)->more);
-    return gain;
+double transform_scale(const struct lattice *l) {
+    double scale = 1;
+    for (int a = 0; a < l->dim; a++) scale *= 2.0 * (l->n[a] + basis_of(l, a)->more);
+    return scale;
 }
 
 /* The arrays only lend their places: nothing is measured on them. */

@@ -12,10 +12,10 @@ struct transform *transform_create(const struct lattice *l);
 void transform_free(struct transform *t);
 
 /* T (n[0] x n[1], x fastest) becomes its coefficients, or coefficients become T.  Forth and back multiplies by
- * transform_gain. */
+ * transform_scale. */
 void transform_forward(const struct transform *t, double *T);
 void transform_backward(const struct transform *t, double *T);
-double transform_gain(const struct lattice *l);
+double transform_scale(const struct lattice *l);
 
 /* The same of one line of n[axis] values along an axis. */
 void transform_line_forward(const struct transform *t, int axis, const double *line, double *to);

@@ -36,7 +36,7 @@ static double doubled(double theta) {
 }
 
 static double largest(const struct lattice *l, const double *Y) {
-    double most = 0, spacings = transform_gain(l) / (l->dim == 2 ? 4 : 2);
+    double most = 0, spacings = transform_scale(l) / (l->dim == 2 ? 4 : 2);
     for (int j = 0; j < l->n[1]; j++) {
         double theta_y = l->dim == 2 ? transform_angle(l, 1, j) : 0, ends = l->dim == 2 ? doubled(theta_y) : 1;
         for (int i = 0; i < l->n[0]; i++) {

@@ -145,7 +145,7 @@ static int march(const struct model_problem *b, const struct problem *p, double 
     struct march m = {.stepper = b->step.stepper,
                       .time = F * (double)steps,
                       .steps = steps,
-                      .uneven = 0,
+                      .alternation = 0,
                       .stages = b->step.stages,
                       .lo = -1,
                       .hi = 1};

@@ -203,7 +203,8 @@ static void test_matched_is_fourth_order(void **state) {
     (void)state;
     double matched, plain;
     assert_near(order_between(&method_ftcs, SAMPLING_POINT, 0, &matched), 4, 0.02);
-    /* here the steps are uneven: sum dt^3 is off by 3 swing^2 < 6/64 at the coarse rung, half of the constant's terms
+    /* here the steps are uneven: sum dt^3 is off by 3 alternation^2 < 6/64 at the coarse rung, half of the constant's
+     * terms
      */
     assert_near(order_between(&method_ftcs, SAMPLING_SPLINE, 0, &matched), 4, 0.07);
     assert_near(order_between(&method_ftcs_flux, SAMPLING_POINT, 0, &matched), 4, 0.02);

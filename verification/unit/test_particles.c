@@ -111,11 +111,12 @@ static void planes_stay_on_any_cloud(void **state) {
     }
 }
 
-static int march(enum stepper stepper, int stages, double uneven, double time, int steps, double *T) {
+static int march(enum stepper stepper, int stages, double alternation, double time, int steps, double *T) {
     size_t row[2] = {0, 0}, bytes = 0;
     double diagonal[1] = {-1};
     struct heat_operator a = {.n = 1, .state = 1, .row = row, .diagonal = diagonal};
-    struct march m = {.stepper = stepper, .time = time, .steps = steps, .uneven = uneven, .stages = stages, .hi = 2};
+    struct march m = {
+        .stepper = stepper, .time = time, .steps = steps, .alternation = alternation, .stages = stages, .hi = 2};
     struct failure why;
     return stepper_march(&a, &m, T, &bytes, &why);
 }

@@ -30,8 +30,8 @@ static void one_mode(const struct lattice *l, const int mode[2], double *T) {
     struct transform *t = transform_create(l);
     transform_forward(t, T);
     /* n products of size 1 add up, each rounded to 2e-16 of the sum, and FFTW does better */
-    double tolerance = 1e-14 * transform_gain(l);
-    assert_true(fabs(T[only]) > 0.2 * transform_gain(l));
+    double tolerance = 1e-14 * transform_scale(l);
+    assert_true(fabs(T[only]) > 0.2 * transform_scale(l));
     for (size_t i = 0; i < n; i++)
         if (i != only) assert_near(T[i], 0, tolerance);
     transform_free(t);
@@ -52,7 +52,7 @@ static void a_mode_has_one_coefficient(void **state) {
 
 static void back_again(const struct lattice *l) {
     size_t n = (size_t)l->n[0] * (size_t)l->n[1];
-    double *T = xcalloc(n, sizeof *T), gain = transform_gain(l);
+    double *T = xcalloc(n, sizeof *T), gain = transform_scale(l);
     for (size_t i = 0; i < n; i++) T[i] = sin(0.7 * (double)(i * i % 101));
     struct transform *t = transform_create(l);
     transform_forward(t, T);
