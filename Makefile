@@ -167,10 +167,10 @@ $(OUT)/%.svg $(OUT)/%.png: %.gp $(wildcard reports/page/*.gp) $(OUT)/report.stam
 	$(Q)scripts/plot $(OUT) $<
 
 # The figures that README.md shows.
-GALLERY := song_fig1b song_fig2a song_fig2b pamplona_fig5 stability_limits matched_fig1
+GALLERY := song_fig1b song_fig2a song_fig2b pamplona_fig5 stability_limits matched_fig1 operators_error
 
 .PHONY: gallery
-gallery: report stability ## Copy the figures that the README shows to reports/gallery
+gallery: report stability operators ## Copy the figures that the README shows to reports/gallery
 	@mkdir -p reports/gallery
 	$(Q)cp $(GALLERY:%=$(OUT)/%.svg) reports/gallery/
 	$(Q)if [ -f $(OUT)/peers/peers_square-step.svg ]; then cp $(OUT)/peers/peers_square-step.svg reports/gallery/; \
@@ -193,6 +193,16 @@ stability: $(BUILD)/heatladder ## Measure where methods fail and draw it, to rep
 	else echo "stability: gnuplot is not here (make setup installs it); figures were not drawn"; fi
 
 ##@ Speed
+
+OPERATORS := $(wildcard reports/operators/*.gp)
+
+.PHONY: operators
+operators: $(BUILD)/heatladder ## Measure the discrete Laplacians side by side on every cloud and draw it, to reports/out
+	@mkdir -p $(OUT)
+	$(Q)$(BUILD)/heatladder operators $(OUT)
+	$(Q)if command -v gnuplot >/dev/null; then for f in $(OPERATORS); do \
+	scripts/plot $(OUT) $$f || exit 1; done; \
+	else echo "operators: gnuplot is not here (make setup installs it); the figure was not drawn"; fi
 
 # A benchmark says by which flags it was compiled.
 $(BUILD)/verification/bench/machine.o: DEFINES = -DBENCH_FLAGS='"-std=c11 -ffp-contract=off -fopenmp $(CFLAGS)"'

@@ -34,6 +34,7 @@ struct options {
     double grading; /* LAYOUT_GRADED: width of the last cell over the first's, along each axis; 0: the default, 4 */
     int sweeps;     /* LAYOUT_RELAXED: the most that may be made; 0: the default, 2000 */
     unsigned long seed;
+    int redraw; /* steps after which the cloud is drawn anew; 0: never */
     enum sampling sampling;
     enum walls walls;
     enum mean mean;

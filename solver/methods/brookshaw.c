@@ -91,7 +91,7 @@ static int outline(const struct problem *p, const struct options *o, struct outl
 const struct method method_brookshaw = {
     .name = "brookshaw",
     .about = "Brookshaw's pair operator with Cleary & Monaghan's conductivity (Pamplona eq. 13)",
-    .accepts = "stepper kernel h layout jitter grading sweeps seed sampling walls mean volume xi",
+    .accepts = "stepper kernel h layout jitter grading sweeps redraw seed sampling walls mean volume xi",
     .scheme = &scheme,
     .solve = solve,
     .outline = outline,

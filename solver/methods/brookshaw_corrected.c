@@ -44,7 +44,7 @@ static int outline(const struct problem *p, const struct options *o, struct outl
 const struct method method_brookshaw_corrected = {
     .name = "brookshaw_corrected",
     .about = "Brookshaw's pair operator with the corrected gradient of the kernel (Randles & Libersky 1996)",
-    .accepts = "stepper kernel h layout jitter grading sweeps seed sampling walls",
+    .accepts = "stepper kernel h layout jitter grading sweeps redraw seed sampling walls",
     .scheme = &scheme,
     .solve = solve,
     .outline = outline,

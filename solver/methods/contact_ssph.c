@@ -75,7 +75,7 @@ static int outline(const struct problem *p, const struct options *o, struct outl
 const struct method method_contact_ssph = {
     .name = "contact_ssph",
     .about = "SO-SSPH whose Taylor series keeps T, k T_x and T_t continuous across an interface of two materials",
-    .accepts = "stepper kernel h layout jitter grading sweeps seed sampling walls",
+    .accepts = "stepper kernel h layout jitter grading sweeps redraw seed sampling walls",
     .scheme = &scheme,
     .solve = solve,
     .outline = outline,

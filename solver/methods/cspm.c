@@ -75,7 +75,7 @@ static int outline(const struct problem *p, const struct options *o, struct outl
 const struct method method_cspm = {
     .name = "cspm",
     .about = "corrective smoothed particle method: Taylor's series order by order (Chen, Beraun & Carney 1999)",
-    .accepts = "stepper kernel h layout jitter grading sweeps seed sampling walls",
+    .accepts = "stepper kernel h layout jitter grading sweeps redraw seed sampling walls",
     .scheme = &scheme,
     .solve = solve,
     .outline = outline,

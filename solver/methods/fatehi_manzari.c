@@ -66,7 +66,7 @@ static int outline(const struct problem *p, const struct options *o, struct outl
 const struct method method_fatehi_manzari = {
     .name = "fatehi_manzari",
     .about = "Fatehi & Manzari's second derivatives, exact for quadratics on any cloud (2011)",
-    .accepts = "stepper kernel h layout jitter grading sweeps seed sampling walls",
+    .accepts = "stepper kernel h layout jitter grading sweeps redraw seed sampling walls",
     .scheme = &scheme,
     .solve = solve,
     .outline = outline,

@@ -63,7 +63,7 @@ static int outline(const struct problem *p, const struct options *o, struct outl
 const struct method method_flux_divergence = {
     .name = "flux_divergence",
     .about = "the divergence of the flux by the kernel's gradient, twice (Pamplona eq. 10)",
-    .accepts = "stepper kernel h layout jitter grading sweeps seed sampling walls volume",
+    .accepts = "stepper kernel h layout jitter grading sweeps redraw seed sampling walls volume",
     .scheme = &scheme,
     .solve = solve,
     .outline = outline,

@@ -33,7 +33,7 @@ static int outline(const struct problem *p, const struct options *o, struct outl
 const struct method method_fo_ssph = {
     .name = "fo_ssph",
     .about = "first-order symmetric SPH: q = -kappa <grad T>, dT/dt = -<div q> (Song eqs. 13, 37)",
-    .accepts = "stepper kernel h layout jitter grading sweeps seed sampling walls",
+    .accepts = "stepper kernel h layout jitter grading sweeps redraw seed sampling walls",
     .scheme = &scheme,
     .solve = solve,
     .outline = outline,

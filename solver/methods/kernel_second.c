@@ -69,7 +69,7 @@ static int outline(const struct problem *p, const struct options *o, struct outl
 const struct method method_kernel_second = {
     .name = "kernel_second",
     .about = "the kernel's second derivative, sum_j V_j (T_j - T_i) lap W (Takeda et al. 1994)",
-    .accepts = "stepper kernel h layout jitter grading sweeps seed sampling walls volume",
+    .accepts = "stepper kernel h layout jitter grading sweeps redraw seed sampling walls volume",
     .scheme = &scheme,
     .solve = solve,
     .outline = outline,

@@ -1,6 +1,7 @@
 /* From a problem and options to a field, for every particle method: layout -> sample -> operator -> stepper -> field.
  */
 #include "solver/methods/particles.h"
+#include "solver/methods/redraw.h"
 #include "solver/outline.h"
 #include "solver/time/exact.h"
 #include "solver/time/matched.h"
@@ -38,7 +39,7 @@ int particles_resolve(const struct problem *p, const struct options *o, const st
     if (p->materials == 2 && o->sampling == SAMPLING_SPLINE)
         return refuse(why, STATUS_NOT_APPLICABLE,
                       "--sampling spline: four cells of two materials have no common average; take point or cell");
-    if (s->check(p, resolved, why)) return why->status;
+    if (s->check(p, resolved, why) || redraw_check(p, resolved, why)) return why->status;
     if (o->h_iso) return matched_isotropic(resolved, s, &resolved->h, why);
     return STATUS_OK;
 }
@@ -206,7 +207,7 @@ void particles_count(const struct options *o, const struct lattice *l, const str
 }
 
 static int integrate(const struct problem *p, const struct options *o, const struct scheme *s,
-                     const struct lattice *l, const struct heat_operator *a, struct field *f, struct failure *why) {
+                     const struct lattice *l, struct heat_operator *a, struct field *f, struct failure *why) {
     f->bytes = a->n * (size_t)(p->dim + 1) * sizeof *f->T + a->bytes;
     struct march m;
     double bound = operator_bound(a);
@@ -219,6 +220,7 @@ static int integrate(const struct problem *p, const struct options *o, const str
     f->bound = bound;
     data_range(p, f, &m.lo, &m.hi);
     m.x = f->x, m.y = f->y;
+    if (o->redraw > 0) return redraw_march(p, o, s, l, &m, a, f, why);
     return stepper_march(a, &m, f->T, &f->bytes, why);
 }
 

@@ -47,7 +47,7 @@ static int outline(const struct problem *p, const struct options *o, struct outl
 const struct method method_schwaiger = {
     .name = "schwaiger",
     .about = "Schwaiger's pair operator less the corrected gradient, over the trace of its moments (2008)",
-    .accepts = "stepper kernel h layout jitter grading sweeps seed sampling walls",
+    .accepts = "stepper kernel h layout jitter grading sweeps redraw seed sampling walls",
     .scheme = &scheme,
     .solve = solve,
     .outline = outline,

@@ -36,7 +36,7 @@ static int outline(const struct problem *p, const struct options *o, struct outl
 const struct method method_so_ssph = {
     .name = "so_ssph",
     .about = "second-order symmetric SPH: kappa <T_xx> from one Taylor expansion (Song eq. 11)",
-    .accepts = "stepper kernel h order layout jitter grading sweeps seed sampling walls",
+    .accepts = "stepper kernel h order layout jitter grading sweeps redraw seed sampling walls",
     .scheme = &scheme,
     .solve = solve,
     .outline = outline,

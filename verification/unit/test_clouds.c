@@ -174,6 +174,47 @@ static void affine_fields_stay_on_any_cloud(void **state) {
     }
 }
 
+/* Interpolation is exact for it too: so it stays where the cloud is drawn anew. */
+static void affine_fields_stay_where_clouds_are_drawn_anew(void **state) {
+    (void)state;
+    for (int order = 2; order <= 3; order++) {
+        struct problem p = odd_rectangle();
+        struct options o = settled(LAYOUT_JITTER);
+        struct failure why = {0};
+        struct field f, once;
+        p.initial = affine, p.wall = affine_wall, p.t_end = 0.003;
+        o.jitter = 0.31, o.redraw = 3, o.fourier = 0.05, o.stepper = STEPPER_RK2, o.order = order, o.h = 1.7;
+        if (method_so_ssph.solve(&p, &o, &f, &why)) print_error("%s\n", why.text);
+        assert_int_equal(why.status, STATUS_OK);
+        assert_true(f.steps > 3);
+        o.redraw = 0;
+        assert_int_equal(method_so_ssph.solve(&p, &o, &once, &why), STATUS_OK);
+        assert_true(memcmp(f.x, once.x, f.n * sizeof *f.x) != 0);
+        for (size_t i = 0; i < f.n; i++) {
+            double x[2] = {f.x[i], f.y[i]};
+            assert_near(f.T[i], affine(&p, x), 1e-11);
+        }
+        field_free(&f);
+        field_free(&once);
+    }
+}
+
+static void what_cannot_be_drawn_anew(void **state) {
+    (void)state;
+    struct problem p = odd_rectangle();
+    struct options o = settled(LAYOUT_GRADED);
+    struct field f;
+    struct failure why;
+    o.redraw = 3, o.fourier = 0.05;
+    assert_int_equal(method_so_ssph.solve(&p, &o, &f, &why), STATUS_NOT_APPLICABLE);
+    assert_non_null(strstr(why.text, "--redraw 3"));
+    o.layout = LAYOUT_JITTER;
+    p.materials = 2, p.interface = 0.4;
+    p.material[1] = p.material[0];
+    assert_int_equal(method_contact_ssph.solve(&p, &o, &f, &why), STATUS_NOT_APPLICABLE);
+    assert_non_null(strstr(why.text, "one material"));
+}
+
 static double no_flux(const struct problem *p, enum side s, const double x[2]) {
     (void)p, (void)s, (void)x;
     return 0;
@@ -305,6 +346,8 @@ int main(void) {
         cmocka_unit_test(settled_clouds),
         cmocka_unit_test(unsettled_clouds_say_how_far_they_came),
         cmocka_unit_test(affine_fields_stay_on_any_cloud),
+        cmocka_unit_test(affine_fields_stay_where_clouds_are_drawn_anew),
+        cmocka_unit_test(what_cannot_be_drawn_anew),
         cmocka_unit_test(pair_fluxes_keep_heat_on_every_cloud),
         cmocka_unit_test(piecewise_quadratics_are_exact),
         cmocka_unit_test(one_material_is_so_ssph),

@@ -1,0 +1,276 @@
+/* The discrete Laplacians on the clouds that SPH has, side by side.
+ *
+ * Orders: a ladder for each operator, cloud and scene.  rod-cosine is smooth and insulated, and says what is kept of
+ * its heat; square-step starts with jumps, averaged over cells; rect-manufactured has a source, temperatures and
+ * fluxes at its walls (isotropic here, which all operators take); wall-composite has two materials of k 1 : 1000.
+ * Operators by themselves: n x n particles in the plane with dx = 1 and kappa = 1, insulated for the weights, between
+ * cold walls for the eigenvalues; assembly is timed on 316 x 316 particles.
+ * Error against neighbours: rect-manufactured at one spacing, h/dx from 0.9 to 2. */
+#include "reports/operators/operators.h"
+
+#include "solver/method.h"
+#include "reports/page/figure.h"
+#include "verification/command/arguments.h"
+#include "verification/command/command_run.h"
+#include "verification/ladder/ladder.h"
+#include "verification/stability/model_problem.h"
+#include "verification/stability/spectrum.h"
+#include "verification/text/output.h"
+
+#include <math.h>
+#include <omp.h>
+#include <stdio.h>
+#include <stdlib.h>
+
+static const struct cloud_kind {
+    const char *name, *options;
+    enum layout_name layout;
+    double jitter;
+} clouds[] = {
+    {"lattice", "", LAYOUT_JITTER, 0},
+    {"hexagonal", " --layout hexagonal", LAYOUT_HEXAGONAL, 0},
+    {"jitter 0.1", " --layout jitter --jitter 0.1 --seed 1", LAYOUT_JITTER, 0.1},
+    {"jitter 0.3", " --layout jitter --jitter 0.3 --seed 1", LAYOUT_JITTER, 0.3},
+    {"relaxed", " --layout relaxed --seed 1", LAYOUT_RELAXED, 0.5},
+    {"graded", " --layout graded", LAYOUT_GRADED, 0},
+};
+
+static const struct trial {
+    const char *scene, *options;
+    int materials;
+} trials[] = {
+    {"rod-cosine", " --dx 1/20,1/40,1/80,1/160,1/320", 1},
+    {"square-step", " --sampling cell --dx 1/4,1/8,1/12,1/16", 1},
+    {"rect-manufactured", " --set k_y=0.02 --dx 1/10,1/20,1/30,1/50", 1},
+    {"wall-composite", " --t-end 0.1 --dx 1/20,1/40,1/80,1/160", 2},
+};
+
+static const struct candidate_operator {
+    const char *method, *options;
+    int materials; /* how many it knows */
+} operators[] = {
+    {"brookshaw", "", 1}, {"brookshaw_corrected", "", 1},     {"schwaiger", "", 1},       {"fatehi_manzari", "", 1},
+    {"cspm", "", 1},      {"kernel_second", "", 1},           {"flux_divergence", "", 1}, {"fo_ssph", "", 1},
+    {"so_ssph", "", 1},   {"brookshaw", " --mean series", 2}, {"contact_ssph", "", 2},
+};
+
+enum {
+    CLOUDS = sizeof clouds / sizeof *clouds,
+    TRIALS = sizeof trials / sizeof *trials,
+    OPERATORS = sizeof operators / sizeof *operators
+};
+
+/* ---- Orders ---- */
+
+struct order {
+    int tried;
+    char command[240];
+    struct ladder ladder;
+    struct failure why;
+};
+
+static void take_order(const struct candidate_operator *o, const struct cloud_kind *c, const struct trial *t,
+                       struct order *out) {
+    struct request r;
+    snprintf(out->command, sizeof out->command, "ladder %s %s%s%s%s", t->scene, o->method, o->options, c->options,
+             t->options);
+    out->tried = 1;
+    if (!arguments_parse_line(out->command, &r, &out->why))
+        ladder_run(&r.experiment, &r.rungs, &out->ladder, &out->why);
+    arguments_free(&r);
+}
+
+static struct order *take_orders(void) {
+    struct order *all = xcalloc(OPERATORS * CLOUDS * TRIALS, sizeof *all);
+#pragma omp parallel for schedule(dynamic, 1)
+    for (int k = OPERATORS * CLOUDS * TRIALS - 1; k >= 0; k--) {
+        const struct candidate_operator *o = &operators[k / (CLOUDS * TRIALS)];
+        const struct trial *t = &trials[k % TRIALS];
+        if (o->materials == t->materials) take_order(o, &clouds[k / TRIALS % CLOUDS], t, &all[k]);
+    }
+    return all;
+}
+
+/* Why there is no order: a word for a table. */
+static const char *without_order(const struct order *o) {
+    int status = o->ladder.failure.status ? o->ladder.failure.status : o->why.status;
+    return status == STATUS_UNSTABLE ? "grows" : status ? "refused" : NULL;
+}
+
+static void write_orders(const struct order *all, FILE *csv) {
+    fprintf(csv, "operator,cloud,scene,order,low,high,dx [m],E1,E1/dx^2 [m^-2],heat drift,failure,command\n");
+    for (int k = 0; k < OPERATORS * CLOUDS * TRIALS; k++) {
+        const struct order *o = &all[k];
+        if (!o->tried) continue;
+        const struct ladder *l = &o->ladder;
+        const struct result *finest = &l->rung[l->n > 0 ? l->n - 1 : 0];
+        double dx = finest->options.dx, E = without_order(o) ? NAN : finest->error.l1;
+        fprintf(csv, "%s%s,%s,%s,%.4f,%.4f,%.4f,%g,%.4e,%.4g,%.2e,%s,heatladder %s\n",
+                operators[k / (CLOUDS * TRIALS)].method, operators[k / (CLOUDS * TRIALS)].options,
+                clouds[k / TRIALS % CLOUDS].name, trials[k % TRIALS].scene, l->slope.value, l->slope.ci[0],
+                l->slope.ci[1], dx, E, E / (dx * dx), without_order(o) ? NAN : finest->heat_drift,
+                without_order(o) ? without_order(o) : "", o->command);
+    }
+}
+
+static void tabulate_orders(const struct order *all, FILE *md) {
+    for (int t = 0; t < TRIALS; t++) {
+        fprintf(md, "\n## %s%s\n\nOrder of E1 with its 95 %% interval, and E1 at the finest rung.\n\n| operator |",
+                trials[t].scene, trials[t].options);
+        for (int c = 0; c < CLOUDS; c++) fprintf(md, " %s |", clouds[c].name);
+        fprintf(md, "\n|---|");
+        for (int c = 0; c < CLOUDS; c++) fprintf(md, "---|");
+        for (int k = 0; k < OPERATORS; k++) {
+            if (operators[k].materials != trials[t].materials) continue;
+            fprintf(md, "\n| `%s%s` |", operators[k].method, operators[k].options);
+            for (int c = 0; c < CLOUDS; c++) {
+                const struct order *o = &all[(k * CLOUDS + c) * TRIALS + t];
+                const struct slope *s = &o->ladder.slope;
+                if (without_order(o))
+                    fprintf(md, " %s |", without_order(o));
+                else
+                    fprintf(md, " %.2f (%.2f to %.2f), %.1e |", s->value, s->ci[0], s->ci[1],
+                            o->ladder.rung[o->ladder.n - 1].error.l1);
+            }
+        }
+        fprintf(md, "\n");
+    }
+}
+
+/* ---- Operators by themselves ---- */
+
+struct trait {
+    double least;      /* weight, kappa/dx^2 */
+    double limit;      /* dx^2/kappa; 0 where a mode grows at any step */
+    double neighbours; /* of a row */
+    double seconds;    /* of assembly, a particle, one thread */
+    struct failure why;
+};
+
+/* The operator on n x n particles; fills *a. */
+static int assemble(const struct candidate_operator *o, const struct cloud_kind *c, int n, int insulated,
+                    struct heat_operator *a, double *seconds, struct failure *why) {
+    struct model_problem b = {.method = method_find(o->method),
+                              .dim = 2,
+                              .n = n,
+                              .insulated = insulated,
+                              .options = {.layout = c->layout, .jitter = c->jitter, .seed = 1},
+                              .step = {STEPPER_EULER, 0}};
+    struct cloud cloud;
+    if (model_problem_resolve(&b, n, why)) return why->status;
+    struct problem p = model_problem_setup(&b, PROBE_NOISE, 0);
+    if (model_problem_cloud(&b, &p, &cloud, why)) return why->status;
+    double start = omp_get_wtime();
+    int status = operator_create_rows(a, &p, &b.options, b.method->scheme, &cloud, 1, why);
+    *seconds = (omp_get_wtime() - start) / (double)cloud.n;
+    layout_cloud_free(&cloud);
+    return status;
+}
+
+static int take_trait(const struct candidate_operator *o, const struct cloud_kind *c, struct trait *t) {
+    enum { SIDE = 14, TIMED = 316 };
+    struct heat_operator a;
+    struct spectrum s;
+    double ignored;
+    int timed = c->layout == LAYOUT_JITTER; /* the others differ in places alone */
+    if (assemble(o, c, SIDE, 1, &a, &ignored, &t->why)) return t->why.status;
+    for (size_t k = 0; k < a.row[a.n]; k++) t->least = fmin(t->least, a.value[k]);
+    t->neighbours = (double)a.pairs / (double)a.n;
+    operator_free(&a);
+    if (assemble(o, c, SIDE, 0, &a, &ignored, &t->why)) return t->why.status;
+    int status = spectrum_create(&s, &a, &(struct amplification){STEPPER_EULER, 0}, &t->why);
+    operator_free(&a);
+    if (status) return status;
+    t->limit = s.limit;
+    spectrum_free(&s);
+    t->seconds = NAN;
+    if (!timed) return STATUS_OK;
+    status = assemble(o, c, TIMED, 0, &a, &t->seconds, &t->why);
+    if (!status) t->neighbours = (double)a.pairs / (double)a.n, operator_free(&a);
+    return status;
+}
+
+static void write_traits(FILE *csv, FILE *md) {
+    fprintf(csv, "operator,cloud,least weight [kappa/dx^2],largest stable step [dx^2/kappa],neighbours,assembly "
+                 "[us/particle]\n");
+    fprintf(md,
+            "\n## The operators by themselves, in the plane, h/dx 1.1\n\nLeast weight in kappa/dx^2; largest stable "
+            "step of Euler's method in dx^2/kappa (0: a mode grows at any step); neighbours.\n\n| operator |");
+    for (int c = 0; c < CLOUDS; c++) fprintf(md, " %s |", clouds[c].name);
+    fprintf(md, " assembly, us a particle |\n|---|");
+    for (int c = 0; c <= CLOUDS; c++) fprintf(md, "---|");
+    for (int k = 0; k < OPERATORS; k++) {
+        double seconds = NAN;
+        if (operators[k].materials != 1) continue;
+        fprintf(md, "\n| `%s` |", operators[k].method);
+        for (int c = 0; c < CLOUDS; c++) {
+            struct trait t = {.least = INFINITY};
+            if (take_trait(&operators[k], &clouds[c], &t)) {
+                fprintf(md, " refused |");
+                continue;
+            }
+            fprintf(csv, "%s,%s,%.4g,%.4g,%.2f,%.3g\n", operators[k].method, clouds[c].name, t.least, t.limit,
+                    t.neighbours, 1e6 * t.seconds);
+            fprintf(md, " %.3f, %.3f, %.1f |", t.least, t.limit, t.neighbours);
+            if (clouds[c].jitter == 0.3) seconds = t.seconds;
+        }
+        fprintf(md, " %.2f |", 1e6 * seconds);
+    }
+    fprintf(md, "\n");
+}
+
+/* ---- Error against neighbours ---- */
+
+static int write_neighbours(FILE *out, struct failure *why) {
+    static const double h[] = {0.9, 1.0, 1.1, 1.2, 1.3, 1.5, 1.75, 2};
+    static const int drawn[] = {0, 2, 4};
+    figure_head(out, "rect-manufactured, dx = 0.025 m: error against neighbours");
+    fprintf(
+        out,
+        "# command: heatladder run rect-manufactured so_ssph --set k_y=0.02 --dx 0.025 --h 1.1 --layout relaxed\n");
+    for (int c = 0; c < 3; c++)
+        for (int k = 0; k < OPERATORS; k++) {
+            if (operators[k].materials != 1) continue;
+            fprintf(out, "\n\n# %s %s\nneighbours,%s,h/dx\n", operators[k].method, clouds[drawn[c]].name,
+                    operators[k].method);
+            for (size_t i = 0; i < sizeof h / sizeof *h; i++) {
+                struct command_run run;
+                command_run_line(&run, "run rect-manufactured %s --set k_y=0.02 --dx 0.025 --h %g%s",
+                                 operators[k].method, h[i], clouds[drawn[c]].options);
+                int status = command_run_check(&run, why);
+                const struct result *r = &run.result;
+                if (!status)
+                    fprintf(out, "%.3f,%.5e,%g\n", (double)r->interactions / (double)r->updates, r->error.l1, h[i]);
+                command_run_free(&run);
+                if (status == STATUS_INPUT) return status; /* what grows, or is singular, is left out */
+            }
+        }
+    return STATUS_OK;
+}
+
+int operators_write(const char *dir, struct failure *why) {
+    enum { PAGES = 4 };
+    struct output page[PAGES] = {{0}};
+    double start = omp_get_wtime();
+    int status = output_directory(dir, "operators.csv", why);
+    if (!status) status = output_open(&page[0], why, "%s/operators.csv", dir);
+    if (!status) status = output_open(&page[1], why, "%s/operators.md", dir);
+    if (!status) status = output_open(&page[2], why, "%s/operators_error.csv", dir);
+    if (!status) status = output_open(&page[3], why, "%s/operators_redraw.csv", dir);
+    if (!status) status = operators_redraw(page[3].out, why);
+    if (!status) {
+        struct order *all = take_orders();
+        fprintf(page[1].out, "# Discrete Laplacians side by side\n\n`grows`: a mode grows at any step.\n");
+        write_orders(all, page[0].out);
+        tabulate_orders(all, page[1].out);
+        free(all);
+        fprintf(page[0].out, "\n\n");
+        write_traits(page[0].out, page[1].out);
+        status = write_neighbours(page[2].out, why);
+    }
+    if (!status) status = output_close(page, PAGES, why);
+    output_drop(page, PAGES);
+    if (!status)
+        printf("%s/operators.csv, operators.md, data of two figures (%.1f s)\n", dir, omp_get_wtime() - start);
+    return status;
+}

@@ -1,0 +1,16 @@
+#ifndef HEATLADDER_REPORTS_OPERATORS_OPERATORS_H
+#define HEATLADDER_REPORTS_OPERATORS_OPERATORS_H
+
+#include <stdio.h>
+
+struct failure;
+
+/* The discrete Laplacians side by side into `dir`: operators.csv and .md (orders on every cloud and scene; least
+ * weight, largest stable step, neighbours, time of assembly), operators_error.csv (error against neighbours),
+ * operators_redraw.csv.  Progress goes to standard output. */
+int operators_write(const char *dir, struct failure *why);
+
+/* The data of the figure of a cloud that is drawn anew. */
+int operators_redraw(FILE *out, struct failure *why);
+
+#endif

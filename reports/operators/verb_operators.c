@@ -1,0 +1,9 @@
+/* heatladder operators: the discrete Laplacians side by side. */
+#include "verification/command/verb.h"
+
+#include "reports/operators/operators.h"
+#include "verification/command/request.h"
+
+int verb_operators(const struct request *r, struct failure *why) {
+    return operators_write(r->topic ? r->topic : "reports/out", why);
+}
