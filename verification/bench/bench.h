@@ -5,7 +5,7 @@
 
 #include "verification/choose/candidate.h"
 
-enum { BENCH_RUNS = 5, BENCH_RUNGS = 6, BENCH_ROWS = 240 };
+enum { BENCH_RUNS = 5, BENCH_RUNGS = 6, BENCH_ROWS = 300 };
 
 struct bench_time {
     double median, lowest, highest; /* s */

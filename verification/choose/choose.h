@@ -5,7 +5,7 @@
 
 #include "verification/choose/extrapolation.h"
 
-enum { CHOOSE_CANDIDATES = 24 };
+enum { CHOOSE_CANDIDATES = 32 };
 
 extern const double choose_work_max; /* pairs: a minute or so */
 

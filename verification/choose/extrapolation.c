@@ -16,13 +16,15 @@
 #include <stdio.h>
 #include <string.h>
 
-static const double MARGIN = 0.9;          /* of the error wanted: what a forecast aims at */
-static const double COARSE_MAX = 1e10;     /* some seconds: of a rung without which there is no forecast */
-static const double MORE_MAX = 1e8;        /* of a rung beyond those */
-static const double BYTES_MAX = 8e9;       /* what a run may hold */
-static const double DAMPED = 0.6;          /* RKL2's factor of the stiffest modes in a step, about */
-static const int COARSEST[3] = {0, 16, 8}; /* particles along x of the first rung, by dimension */
-enum { RUNGS = 6, FITTED = 3, FAR = 4 };   /* apart by 2, then, where the order shows, by 1.5 */
+static const double MARGIN = 0.9;         /* of the error wanted: what a forecast aims at */
+static const double COARSE_MAX = 1e10;    /* some seconds: of a rung without which there is no forecast */
+static const double MORE_MAX = 1e8;       /* of a rung beyond those */
+static const double BYTES_MAX = 8e9;      /* what a run may hold */
+static const double DAMPED = 0.6;         /* RKL2's factor of the stiffest modes in a step, about */
+static const int COARSEST[3] = {0, 4, 4}; /* by dimension: particles along x of the first rung, */
+static const int TIMED[3] = {0, 64, 32};  /* of the runs that show the error in time, */
+static const int RUNGS[3] = {0, 10, 8};   /* and rungs: apart by 2, then, where the order shows, by 1.5 */
+enum { FITTED = 3, FAR = 4 };
 
 void extrapolation_rule_out(struct extrapolation *c, const char *reason) {
     c->predicted_work = INFINITY;
@@ -51,7 +53,7 @@ static double space_part(const struct extrapolation *c, const struct extrapolati
 static void measure_time(struct extrapolation *c, const struct extrapolation_goal *goal) {
     const struct experiment *e = goal->experiment;
     int steps = time_steps(c, goal, goal->error);
-    struct candidate_size coarse = {candidate_member(4.0 * COARSEST[e->problem.dim], goal->unit), steps},
+    struct candidate_size coarse = {candidate_member(TIMED[e->problem.dim], goal->unit), steps},
                           fine = {coarse.n, 2 * steps};
     struct field a = {0}, b = {0};
     struct failure why;
@@ -159,7 +161,7 @@ void extrapolation_calibrate(struct extrapolation *c, const struct extrapolation
     int had = 0;
     measure_time(c, goal);
     extrapolation_rule_out(c, "has too few coarse rungs");
-    for (int k = 0; k < RUNGS; k++, n *= k == 0 ? 2 : 1.5) {
+    for (int k = 0; k < RUNGS[e->problem.dim]; k++, n *= k == 0 ? 2 : 1.5) {
         struct candidate_size size = {candidate_member(n, goal->unit), 0};
         if (c->rungs > 0) size.n = candidate_member(fmax(n, c->rung[c->rungs - 1].size.n + 1), goal->unit);
         size.steps = time_steps(c, goal, fmax(goal->error, before / 10));

@@ -75,6 +75,7 @@ void result_json(const struct result *r, struct json *j) {
     json_whole(j, "updates", r->updates);
     json_whole(j, "search_updates", r->search_updates);
     json_whole(j, "interactions", r->interactions);
+    json_number(j, "work", r->work);
     json_whole(j, "bytes", (long long)r->bytes);
 }
 

@@ -5,6 +5,7 @@
 #include "verification/text/atomic_file.h"
 #include "verification/text/json.h"
 #include "verification/text/output.h"
+#include "verification/choose/halfway.h"
 #include "verification/command/request.h"
 #include "verification/run/run.h"
 #include "verification/run/time_step.h"
@@ -39,10 +40,11 @@ static void print_text(const struct result *r) {
         printf("  %-14s %lld updates of other runs, to choose the time step\n", "search", r->search_updates);
 }
 
-static void print_json(const struct result *r) {
+static void print_json(const struct result *r, double between) {
     struct json j = json_on(stdout);
     json_object(&j, NULL);
     result_json(r, &j);
+    json_number(&j, "error_between", between);
     json_end(&j);
 }
 
@@ -96,7 +98,10 @@ int verb_run(const struct request *r, struct failure *why) {
         *why = result.failure;
     }
     if (!status && r->field_path) status = write_field(r, &field, why);
+    if (!status && r->json)
+        print_json(&result, halfway_error(r->experiment.scene, &r->experiment.problem, &field));
+    else if (!status)
+        print_text(&result);
     field_free(&field);
-    if (!status) (r->json ? print_json : print_text)(&result);
     return status;
 }
