@@ -22,8 +22,11 @@ struct rule {
 };
 
 /* The initial data, continued past a wall so that the wall's condition holds: odd about a given temperature, even but
- * for the slope about a given flux. */
+ * for the slope about a given flux.  Past a corner, whose sides may disagree, the mean over them, so that neither
+ * axis comes first. */
 static double continued(const struct problem *p, const double x[2]) {
+    double sum = 0;
+    int sides = 0;
     for (int s = 0; s < 2 * p->dim; s++) {
         int a = s / 2;
         double wall = s % 2 ? p->hi[a] : p->lo[a], outside = s % 2 ? x[a] - wall : wall - x[a];
@@ -32,11 +35,12 @@ static double continued(const struct problem *p, const double x[2]) {
         foot[a] = wall;
         image[a] = 2 * wall - x[a];
         double value = p->wall(p, (enum side)s, foot), inner = continued(p, image);
-        return p->side[s] == DIRICHLET
+        sum += p->side[s] == DIRICHLET
                    ? 2 * value - inner
                    : inner + 2 * outside * value / p->material[s == X_HI ? p->materials - 1 : 0].k[a];
+        sides++;
     }
-    return p->initial(p, x);
+    return sides ? sum / sides : p->initial(p, x);
 }
 
 static double bspline(double u) {

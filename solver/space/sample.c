@@ -40,12 +40,15 @@ static double reflected(const struct problem *p, enum side s, double x, double y
     return inside + value * 2 * beyond / p->material[layout_material(p, foot[0])].k[a];
 }
 
-/* T0, continued beyond the walls. */
+/* T0, continued beyond the walls; beyond a corner, where the sides may disagree, the mean of both orders, as ghosts.
+ */
 static inline double continued(const struct problem *p, double x, double y) {
-    if (x < p->lo[0]) return reflected(p, X_LO, x, y);
-    if (x > p->hi[0]) return reflected(p, X_HI, x, y);
-    if (p->dim == 2 && y < p->lo[1]) return reflected(p, Y_LO, x, y);
-    if (p->dim == 2 && y > p->hi[1]) return reflected(p, Y_HI, x, y);
+    int beyond_x = x < p->lo[0] ? X_LO : x > p->hi[0] ? X_HI : -1;
+    int beyond_y = p->dim < 2 ? -1 : y < p->lo[1] ? Y_LO : y > p->hi[1] ? Y_HI : -1;
+    if (beyond_x >= 0 && beyond_y >= 0)
+        return 0.5 * (reflected(p, (enum side)beyond_x, x, y) + reflected(p, (enum side)beyond_y, x, y));
+    if (beyond_x >= 0) return reflected(p, (enum side)beyond_x, x, y);
+    if (beyond_y >= 0) return reflected(p, (enum side)beyond_y, x, y);
     return p->initial(p, (const double[2]){x, y});
 }
 

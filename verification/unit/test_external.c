@@ -82,6 +82,7 @@ static void a_made_up_error_does_not_pass(void **state) {
                  made[k].dx, made[k].error);
         if (arguments_parse_line(line, &r, &why)) fail_msg("%s", why.text);
         assert_int_equal(ladder_run(&r.experiment, &r.rungs, l, &why), STATUS_OK);
+        assert_near(l->rung[0].dt, 0, 0); /* it has told of no steps */
         if (l->verdict != made[k].verdict || !strstr(l->reason, made[k].said))
             fail_msg("%s: %s: %s", made[k].error, verdict_words[l->verdict], l->reason);
         arguments_free(&r);
