@@ -1,18 +1,57 @@
 # What the charts of a benchmark share: `data` is reports/out/bench/bench_SCENE.csv, `chart` the end of the name.
+# A panel a family of steppers, its programs coloured; all others in grey behind them, so that panels compare.
+#     X, Y: columns; bars: 'x' or 'y', the axis of the times (lowest and highest in columns 5 and 6), or ''
+#     front: 'time' or 'work', which of what nothing beats the last panel shows, or ''
 name = system(sprintf("basename '%s' .csv", data)) . '_' . chart
-wide = 1120; high = 640
+wide = 1240; high = 1060
 load 'reports/page/style.gp'
-set logscale xy
-set format xy '10^{%T}'
-set rmargin at screen 0.70
-set key at screen 0.72, screen 0.93 left top Left reverse
-set offsets graph 0.03, graph 0.03, 0, 0
+unset title
+unset bmargin
+unset label 99
 stats data using 3 nooutput
 FRONTS = 2 # the last blocks
 N = STATS_blocks - FRONTS
-array COLOUR[8] = [BLACK, ORANGE, SKY, GREEN, BLUE, RED, PURPLE, GREY]
-colour(i) = COLOUR[i % 8 + 1]
+FRONT = front eq 'time' ? N : front eq 'work' ? N + 1 : -1
+STYLE = bars eq 'y' ? 'yerrorbars' : 'xerrorbars'
+at = bars eq 'y' ? Y : X
+array FAMILY[5] = ['matched', 'exact', 'rkl2', 'rk2 euler', 'ftcs']
+array TITLE[5] = ['matched step', 'exact in time', 'RKL2', 'RK2 and Euler', 'finite differences (FTCS)']
+who(i) = system(sprintf("sed -n 's/^n,.*,updates,//p' '%s' | sed -n %dp", data, i + 1))
+in_family(who, f) = sum [w=1:words(FAMILY[f])] (strstrt(who, word(FAMILY[f], w)) > 0)
+family_of(who) = strstrt(who, 'ftcs') == 1 ? 5 : in_family(who, 1) ? 1 : in_family(who, 2) ? 2 : in_family(who, 3) ? 3 : 4
+array WHO[N]
+array MEMBER[N]
+array RANK[N]
+do for [i=1:N] {
+    WHO[i] = who(i - 1)
+    MEMBER[i] = family_of(WHO[i])
+    RANK[i] = 1 + sum [j=1:i] (j < i && MEMBER[j] == MEMBER[i])
+}
+array COLOUR[7] = [BLUE, RED, GREEN, ORANGE, PURPLE, SKY, BLACK]
 array POINT[7] = [7, 5, 9, 11, 13, 6, 4]
-point(i) = POINT[i % 7 + 1]
-dash(i) = i / 8 + 1
-set title offset screen -0.12, 0
+colour(i) = COLOUR[(RANK[i] - 1) % 7 + 1]
+point(i) = POINT[(RANK[i] - 1 + (RANK[i] - 1) / 7) % 7 + 1] # another point where the colours begin again
+set logscale xy
+set format xy '10^{%T}'
+set offsets graph 0.03, graph 0.03, 0, 0
+set label 98 heading at screen 0.5, screen 0.975 center noenhanced font size_of(13)
+set label 99 caption at screen 0.012, screen 0.02 left noenhanced font size_of(8.5) textcolor rgb '#555555'
+set multiplot layout 2,3 margins screen 0.065, 0.985, 0.135, 0.93 spacing screen 0.05, 0.22
+do for [f=1:6] {
+    set xlabel across offset 0, 0.5
+    set ylabel ((f == 1 || f == 4) ? along : '') offset 0.5
+    set title (f < 6 ? TITLE[f] : FRONT >= 0 ? 'what nothing else beats' : '') noenhanced font size_of(11) offset 0, -0.6
+    set key at graph 0, graph -0.17 left top Left reverse samplen 1.5 spacing 1.05
+    eval sprintf("set key font '%s'", size_of(8))
+    if (f < 6 || FRONT >= 0) {
+        plot for [i=1:N] data index i-1 using X:Y with lines lc rgb '#d6d6d6' lw 0.8 notitle, \
+             for [i=1:N] data index i-1 using (MEMBER[i] == f ? column(X) : NaN):Y:(bars eq '' ? column(at) : $5):(bars eq '' ? column(at) : $6) \
+                 with @STYLE lc rgb colour(i) lw 0.8 pt 0 notitle, \
+             for [i=1:N] data index i-1 using (MEMBER[i] == f ? column(X) : NaN):Y with linespoints lc rgb colour(i) lw 1.2 \
+                 pt point(i) ps 0.8 * P title (MEMBER[i] == f ? WHO[i] : ''), \
+             data index (FRONT < 0 ? 0 : FRONT) using (f == 6 ? column(X) : NaN):Y with linespoints lc rgb BLACK lw 2.2 pt 7 ps 0.6 * P notitle
+    }
+    unset label 98
+    unset label 99
+}
+unset multiplot

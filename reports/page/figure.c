@@ -10,7 +10,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { SERIES_MAX = 8, FINE = 800, REFINE = 4 };
+enum { SERIES_MAX = 10, FINE = 800, REFINE = 4 };
 
 void figure_head(FILE *out, const char *title) {
     fprintf(out, "# title: %s\n# made by: heatladder report DIR\n", title);
@@ -65,35 +65,74 @@ static void trace(const struct figure *figure, const struct isotherm_grid *g, co
     double middle[2], (*at)[3] = xcalloc(64, sizeof *at);
     int n = 0;
     snprintf(title, sizeof title, "%s %s", s->name, what);
-    head(out, title, s->command, "x [m],y [m],T [C]");
+    head(out, title, s->command, "x [m],y [m],T [K]");
     for (double T = figure->level[0]; T < figure->level[2] + figure->level[1] / 2 && n < 64; T += figure->level[1]) {
-        if (isotherm_trace(g, T, out, middle) == 0) continue;
+        double part = n % 2 ? 0.35 : 0.6; /* so that labels of neighbours do not meet */
+        if (isotherm_trace(g, T, part, out, middle) == 0) continue;
         at[n][0] = middle[0];
         at[n][1] = middle[1];
         at[n++][2] = T;
     }
     if (labels) {
         snprintf(title, sizeof title, "%s levels", s->name);
-        head(out, title, s->command, "x [m],y [m],T [C]");
+        head(out, title, s->command, "x [m],y [m],T [K]");
         for (int i = 0; i < n; i++) fprintf(out, "%.6g,%.6g,%.6g\n", at[i][0], at[i][1], at[i][2]);
     }
     free(at);
 }
 
-/* Between the outermost particles; both by the same lines, the exact one from values on the refined lattice. */
+/* The value beyond the walls at x, from the nearest point inside: a ghost, as the walls' option has it. */
+static double beyond(const struct command_run *run, const double x[2], double inside) {
+    const struct problem *p = &run->request.experiment.problem;
+    double sum = 0;
+    int sides = 0;
+    for (int a = 0; a < 2; a++) {
+        if (x[a] > p->lo[a] && x[a] < p->hi[a]) continue;
+        double wall = p->wall(p, (enum side)(2 * a + (x[a] >= p->hi[a])), x);
+        sum += run->request.experiment.options.walls == WALLS_FIXED ? wall : 2 * wall - inside;
+        sides++;
+    }
+    return sum / sides; /* in a corner the mean of both */
+}
+
+/* The particles' temperatures with one layer of ghosts around them.  The caller frees T. */
+static struct isotherm_grid with_ghosts(const struct command_run *run) {
+    const struct field *f = &run->field;
+    int nx = f->shape[0], ny = f->shape[1];
+    struct isotherm_grid g = {{nx + 2, ny + 2},
+                              {f->x[0] - f->spacing[0], f->y[0] - f->spacing[1]},
+                              {f->spacing[0], f->spacing[1]},
+                              xcalloc((size_t)(nx + 2) * (size_t)(ny + 2), sizeof *g.T)};
+    for (int j = 0; j < ny + 2; j++)
+        for (int i = 0; i < nx + 2; i++) {
+            int near[2] = {i < 1 ? 0 : i > nx ? nx - 1 : i - 1, j < 1 ? 0 : j > ny ? ny - 1 : j - 1};
+            double inside = f->T[near[1] * nx + near[0]], x[2] = {g.lo[0] + i * g.d[0], g.lo[1] + j * g.d[1]};
+            int is_ghost = i < 1 || i > nx || j < 1 || j > ny;
+            g.T[j * (nx + 2) + i] = is_ghost ? beyond(run, x, inside) : inside;
+        }
+    return g;
+}
+
+/* Up to the walls and to the ghosts behind them; both by the same lines, the exact one from values on the refined
+ * lattice, which are a wall's own behind it. */
 static void write_isotherms(const struct figure *figure, const struct figure_series *s, const struct command_run *run,
                             FILE *out) {
-    const struct field *f = &run->field;
-    struct isotherm_grid g = {{f->shape[0], f->shape[1]}, {f->x[0], f->y[0]}, {f->spacing[0], f->spacing[1]}, f->T};
-    struct isotherm_grid fine = isotherm_refine(&g, REFINE);
+    const struct problem *p = &run->request.experiment.problem;
+    struct isotherm_grid g = with_ghosts(run), fine = isotherm_refine(&g, REFINE);
+    char title[80];
     trace(figure, &fine, s, "computed", 0, out);
     for (int j = 0; j < fine.n[1]; j++)
         for (int i = 0; i < fine.n[0]; i++) {
             double x[2] = {fine.lo[0] + i * fine.d[0], fine.lo[1] + j * fine.d[1]};
-            fine.T[j * fine.n[0] + i] = command_run_exact(run, x, f->time);
+            for (int a = 0; a < 2; a++) x[a] = fmin(fmax(x[a], p->lo[a]), p->hi[a]);
+            fine.T[j * fine.n[0] + i] = command_run_exact(run, x, run->field.time);
         }
     trace(figure, &fine, s, "exact", 1, out);
+    snprintf(title, sizeof title, "%s error", s->name);
+    head(out, title, s->command, "E [%]");
+    fprintf(out, "%.4g\n", 100 * run->result.error.l1);
     free(fine.T);
+    free(g.T);
 }
 
 static void write_series(const struct figure *figure, const struct figure_series *s, const struct command_run *run,
@@ -104,7 +143,7 @@ static void write_series(const struct figure *figure, const struct figure_series
         return;
     }
     int surface = s->part == REPORT_FIGURE_START && !rod;
-    head(out, s->name, s->command, surface ? "x [m],y [m],T [C]" : "x [m],T [C]");
+    head(out, s->name, s->command, surface ? "x [m],y [m],T [K]" : "x [m],T [K]");
     if (s->part == REPORT_FIGURE_EXACT)
         write_exact(run, out);
     else if (s->part == REPORT_FIGURE_CUT)

@@ -16,7 +16,8 @@ enum figure_part {
     REPORT_FIGURE_START,     /* `run`: the initial data at its points; x,T or x,y,T by rows */
     REPORT_FIGURE_CUT,       /* `run`: x,T along y = at */
     REPORT_FIGURE_EXACT,     /* `reference`: x,T finely, of a rod or along the y of --at */
-    REPORT_FIGURE_ISOTHERMS, /* `run`: isotherms, those of the exact solution, and where to write their levels */
+    REPORT_FIGURE_ISOTHERMS, /* `run`: isotherms, those of the exact solution, where to write their levels; and E, %
+                              */
 };
 
 struct figure_series {
@@ -29,7 +30,7 @@ struct figure_series {
 struct figure {
     const char *name; /* of the file, without .csv; NULL ends a list */
     const char *title;
-    const struct figure_series *series; /* at most 8 */
+    const struct figure_series *series; /* at most 10 */
     double level[3];                    /* K: first isotherm, step, last */
 };
 

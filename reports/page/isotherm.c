@@ -78,24 +78,24 @@ static double follow(struct chains *c, int e, FILE *out) {
     return length;
 }
 
-/* The point halfway along the chain that starts at `e`. */
-static void halfway(const struct chains *c, int e, double length, double middle[2]) {
+/* The point `length` m along the chain that starts at `e`. */
+static void find_point(const struct chains *c, int e, double length, double at[2]) {
     double x[2], gone = 0;
     int from = -1;
-    place(c, e, middle);
-    while (gone < length / 2) {
+    place(c, e, at);
+    while (gone < length) {
         int next = c->link[e][0] != from ? c->link[e][0] : c->link[e][1];
         if (next < 0) return;
         from = e;
         e = next;
         place(c, e, x);
-        gone += hypot(x[0] - middle[0], x[1] - middle[1]);
-        middle[0] = x[0];
-        middle[1] = x[1];
+        gone += hypot(x[0] - at[0], x[1] - at[1]);
+        at[0] = x[0];
+        at[1] = x[1];
     }
 }
 
-int isotherm_trace(const struct isotherm_grid *g, double level, FILE *out, double middle[2]) {
+int isotherm_trace(const struct isotherm_grid *g, double level, double part, FILE *out, double at[2]) {
     size_t edges = 2 * (size_t)g->n[0] * (size_t)g->n[1];
     struct chains c = {g, level, xcalloc(edges, sizeof *c.link), xcalloc(edges, 1), xcalloc(edges, 1)};
     double longest = 0;
@@ -110,7 +110,7 @@ int isotherm_trace(const struct isotherm_grid *g, double level, FILE *out, doubl
             lines++;
             if (length <= longest) continue;
             longest = length;
-            halfway(&c, (int)e, length, middle);
+            find_point(&c, (int)e, part * length, at);
         }
     free(c.link);
     free(c.crossed);

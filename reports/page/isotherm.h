@@ -12,9 +12,9 @@ struct isotherm_grid {
     double *T;          /* K, n[0] n[1] */
 };
 
-/* Writes x,y,level rows, each line of the level followed by a blank line.  `middle` gets the point halfway along
- * the longest line, m.  Returns how many lines there are. */
-int isotherm_trace(const struct isotherm_grid *g, double level, FILE *out, double middle[2]);
+/* Writes x,y,level rows, each line of the level followed by a blank line.  `at` gets the point at that part
+ * (0 to 1) of the longest line, m.  Returns how many lines there are. */
+int isotherm_trace(const struct isotherm_grid *g, double level, double part, FILE *out, double at[2]);
 
 /* The same temperatures `times` as finely, by a bicubic spline (GSL).  The caller frees T. */
 struct isotherm_grid isotherm_refine(const struct isotherm_grid *g, int times);

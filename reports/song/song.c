@@ -146,10 +146,12 @@ static const struct figure figures[] = {
          {"exact 1", "reference square-step --at 0,0.05 --time 1", REPORT_FIGURE_EXACT, 0},
          {"exact 2", "reference square-step --at 0,0.05 --time 2", REPORT_FIGURE_EXACT, 0},
          {"exact 3", "reference square-step --at 0,0.05 --time 3", REPORT_FIGURE_EXACT, 0},
+         {"exact 4", "reference square-step --at 0,0.05 --time 4", REPORT_FIGURE_EXACT, 0},
          {"exact 5", "reference square-step --at 0,0.05 --time 5", REPORT_FIGURE_EXACT, 0},
          {"so_ssph 1", "run square-step so_ssph " SQUARE " --t-end 1", REPORT_FIGURE_CUT, 0.05},
          {"so_ssph 2", "run square-step so_ssph " SQUARE " --t-end 2", REPORT_FIGURE_CUT, 0.05},
          {"so_ssph 3", "run square-step so_ssph " SQUARE " --t-end 3", REPORT_FIGURE_CUT, 0.05},
+         {"so_ssph 4", "run square-step so_ssph " SQUARE " --t-end 4", REPORT_FIGURE_CUT, 0.05},
          {"so_ssph 5", "run square-step so_ssph " SQUARE " --t-end 5", REPORT_FIGURE_CUT, 0.05}},
      {0}},
 };

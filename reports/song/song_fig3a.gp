@@ -3,7 +3,7 @@ name = 'song_fig3a'
 load 'reports/page/style.gp'
 set xlabel 'x  [m]' offset 0,-0.5
 set ylabel 'y  [m]' offset 0,-0.5
-set zlabel 'T  [°C]' rotate parallel offset 1
+set zlabel 'T  [K]' rotate parallel offset 1
 set xrange [-2:2]
 set yrange [-2:2]
 set zrange [0:11]

@@ -78,11 +78,12 @@ int stability_checkerboard_page(FILE *out, struct failure *why) {
             command_run_line(&run[k], "run rod-step %s --dx %s --t-end %.6g%s", names[method], places[i % PLACES].dx,
                              pow(10, -2 + 4.7 * k / (TIMES - 1)), method >= 2 ? " --fourier 0.2" : "");
         snprintf(name, sizeof name, "%s %s", names[method], places[i % PLACES].name);
-        stability_block(out, name, "t_s,checkerboard_K,undershoot_K,total_variation_K");
+        stability_block(out, name, "t_s,checkerboard/peak,total_variation/peak,peak_K");
         for (int k = 0; k < TIMES; k++) {
             const struct norms_shape *s = &run[k].result.shape;
             if (!status) status = command_run_check(&run[k], why);
-            fprintf(out, "%.6g,%.6g,%.6g,%.6g\n", run[k].result.t_end, s->checkerboard, s->undershoot, s->variation);
+            fprintf(out, "%.6g,%.6g,%.6g,%.6g\n", run[k].result.t_end, s->checkerboard / s->max,
+                    s->variation / s->max, s->max);
             command_run_free(&run[k]);
         }
         free(run);

@@ -1,4 +1,4 @@
-# The checkerboard over time, and the total variation.
+# The checkerboard over time, and the total variation, both over the peak: the heat itself falls.
 name = 'stability_checkerboard'
 wide = 1180; high = 820
 load 'reports/page/style.gp'
@@ -20,25 +20,27 @@ do for [row = 1:2] {
         set xlabel (row == 2 ? 't  [s]' : '') offset 0,0.3
         if (row == 1) {
             set logscale y
-            set yrange [1e-17:30]
+            set yrange [1e-17:1]
             set ytics 1e3
             set format y '10^{%T}'
-            set ylabel (p == 1 ? 'checkerboard amplitude  [K]' : '') offset 1
-            if (p == 1) { set key bottom left noenhanced } else { unset key }
+            set ylabel (p == 1 ? 'checkerboard amplitude / peak  [-]' : '') offset 1
+            if (p == 1) { set key at graph 0.99, graph 0.78 top right noenhanced } else { unset key }
         } else {
             unset logscale y
-            set yrange [0:22]
-            set ytics 5
+            set yrange [1.88:2.52]
+            set ytics 0.1
             set format y '%g'
-            set ylabel (p == 1 ? 'total variation  [K]' : '') offset -1
+            set ylabel (p == 1 ? 'total variation / peak  [-]' : '') offset 0
             unset key
+            if (p == 1) { set label 1 '2: one hill, no oscillation' at graph 0.03, graph 0.93 font size_of(10) tc rgb GREY }
         }
         if (p > 1) { set format y '' }
-        plot for [m = 1:4] data index sprintf('%s %s', word(methods, m), word(places, p)) using 1:(row == 1 ? $2 : $4) \
+        plot for [m = 1:4] data index sprintf('%s %s', word(methods, m), word(places, p)) using 1:(row == 1 ? $2 : $3) \
             with linespoints lc rgb word(colours, m) dt m pt (m == 1 ? 7 : m == 2 ? 4 : m == 3 ? 9 : 2) \
             ps (m == 2 ? 1.4 : 0.7) * P title word(titles, m)
         unset label 98
         unset label 99
+        unset label 1
     }
 }
 unset multiplot

@@ -67,10 +67,10 @@ static void check(struct claims_measured *m) {
 }
 
 void claims_judge(const struct claims_row *row, struct claims_measured *m) {
-    *m = (struct claims_measured){0};
+    *m = (struct claims_measured){.argument = row->argument};
     const struct claims_measure *measure = find(row->measure, m);
     if (measure) {
-        measure->take(row->argument, m);
+        measure->take(m);
         check(m);
         if (*row->why) append(m, "; ", row->why);
     }

@@ -26,6 +26,7 @@ struct claims_number {
 };
 
 struct claims_measured {
+    const char *argument; /* the row's; what a measure has read of it is cut off */
     enum claims_verdict verdict;
     int count; /* numbers */
     struct claims_number number[CLAIMS_NUMBERS];
@@ -35,8 +36,8 @@ struct claims_measured {
 
 struct claims_measure {
     const char *name;
-    /* Fills numbers, verdict and the first part of the reason.  `argument` is the row's. */
-    void (*take)(const char *argument, struct claims_measured *m);
+    /* Fills numbers, verdict and the first part of the reason. */
+    void (*take)(struct claims_measured *m);
 };
 
 struct claims_row {

@@ -84,8 +84,8 @@ int claims_kit_slope(struct slope *s, struct claims_measured *m, const char *com
     return status && claims_kit_fail(m, why.text);
 }
 
-int claims_kit_weigh(struct claims_kit_cell *cell, const struct request *r, const double kappa[2],
-                     struct failure *why) {
+int claims_kit_weights(struct claims_kit_cell *cell, const struct request *r, const double kappa[2],
+                       struct failure *why) {
     const struct problem *p = &r->experiment.problem;
     const struct options *o = &r->experiment.options;
     double *w[2] = {cell->w[0], cell->w[1]};

@@ -45,8 +45,8 @@ struct claims_kit_cell {
 };
 
 /* Of the method, dx, h and kernel of a request.  0, or the status. */
-int claims_kit_weigh(struct claims_kit_cell *cell, const struct request *r, const double kappa[2],
-                     struct failure *why);
+int claims_kit_weights(struct claims_kit_cell *cell, const struct request *r, const double kappa[2],
+                       struct failure *why);
 
 /* What a row of claims.def can measure: one table a file, each ended by a NULL name.  A new measure is a function and
  * a row of the table of its file. */

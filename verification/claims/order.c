@@ -20,13 +20,13 @@ static char *unlabel(char *part) {
 }
 
 /* "ORDER | label: ladder's words | label: ...": the first is the published setting. */
-static void take_order(const char *argument, struct claims_measured *m) {
+static void take_order(struct claims_measured *m) {
     char part[320];
     struct slope s;
     int held[2] = {1, 1}, setting = 0;
-    claims_kit_part(&argument, part, sizeof part);
+    claims_kit_part(&m->argument, part, sizeof part);
     double order = atof(part);
-    for (; claims_kit_part(&argument, part, sizeof part); setting++) {
+    for (; claims_kit_part(&m->argument, part, sizeof part); setting++) {
         const char *words = unlabel(part);
         if (claims_kit_slope(&s, m, "ladder %s", words)) return;
         claims_kit_number(m, s.value, "", "order %s", part);
@@ -39,11 +39,11 @@ static void take_order(const char *argument, struct claims_measured *m) {
 }
 
 /* "ORDER TABLE METHOD | ...": the slope of what is printed (reports/published). */
-static void take_printed_order(const char *argument, struct claims_measured *m) {
+static void take_printed_order(struct claims_measured *m) {
     char part[80], name[40], method[24];
     double order, dx[PUBLISHED_COLUMNS];
     int held = 1;
-    while (claims_kit_part(&argument, part, sizeof part)) {
+    while (claims_kit_part(&m->argument, part, sizeof part)) {
         struct published t;
         if (sscanf(part, "%lf %39s %23s", &order, name, method) != 3 || claims_kit_published(&t, m, name)) return;
         int row = published_row(&t, method);
@@ -56,12 +56,12 @@ static void take_printed_order(const char *argument, struct claims_measured *m) 
 }
 
 /* "TABLE | scene and options": every error of the table, run again. */
-static void take_table(const char *argument, struct claims_measured *m) {
+static void take_table(struct claims_measured *m) {
     char name[40], options[160];
     double worst = 1;
     struct published t;
-    claims_kit_part(&argument, name, sizeof name);
-    claims_kit_part(&argument, options, sizeof options);
+    claims_kit_part(&m->argument, name, sizeof name);
+    claims_kit_part(&m->argument, options, sizeof options);
     if (claims_kit_published(&t, m, name)) return;
     int scene = (int)strcspn(options, " "), held = 0;
     for (int r = 0; r < t.rows; r++) claims_kit_quote(m, &t, r);
@@ -103,7 +103,7 @@ static double error_by(const struct command_run *run, double late, int decimals)
 
 /* What the finest errors of Table 2 lack, by two fits of one number each: decimals of the exact solution, and seconds
  * of the clock. */
-static void take_gap(const char *argument, struct claims_measured *m) {
+static void take_gap(struct claims_measured *m) {
     static const struct {
         const char *name;
         double late;
@@ -111,7 +111,6 @@ static void take_gap(const char *argument, struct claims_measured *m) {
     } fit[3] = {{"as stated", 0, 0}, {"exact solution to 6 decimals", 0, 6}, {"clock 3e-4 s short", 3e-4, 0}};
     double worst[3] = {1, 1, 1};
     struct published t;
-    (void)argument;
     if (claims_kit_published(&t, m, "song_table2")) return;
     for (int r = 0; r < t.rows; r++)
         for (int i = 0; i < t.columns; i++)
@@ -141,9 +140,8 @@ static double printed(double x, double t, double kappa_x, double kappa_y) {
 }
 
 /* Largest |T(x) - T(-x)|: the problem is even. */
-static void take_eq45(const char *argument, struct claims_measured *m) {
+static void take_eq45(struct claims_measured *m) {
     double apart[2] = {0, 0};
-    (void)argument;
     for (int i = 1; i <= 20; i++) {
         double x = 0.1 * i;
         apart[0] = fmax(apart[0], fabs(printed(x, 5, KAPPA, KAPPA) - printed(-x, 5, KAPPA, KAPPA)));
@@ -156,11 +154,10 @@ static void take_eq45(const char *argument, struct claims_measured *m) {
 }
 
 /* Eq. 45 is the solution of the infinite line; eq. 44 has walls at zero.  Relative to the errors of Table 1. */
-static void take_walls(const char *argument, struct claims_measured *m) {
+static void take_walls(struct claims_measured *m) {
     static const double time[2] = {5, 50};
     struct published t;
     double share[2], smallest = INFINITY;
-    (void)argument;
     if (claims_kit_published(&t, m, "song_table1")) return;
     for (int r = 0; r < t.rows; r++)
         for (int i = 0; i < t.columns; i++) smallest = fmin(smallest, t.value[r][i]);

@@ -21,13 +21,12 @@ static int plate(struct request *r, struct claims_measured *m, const char *setti
 }
 
 /* Eq. 2 on the middle of each side. */
-static void take_eq2(const char *argument, struct claims_measured *m) {
+static void take_eq2(struct claims_measured *m) {
     static const char *const name[4] = {"T1", "T2", "T3", "T4"};
     static const double wall[4] = {0.25, 0.50, 0.75, 1.00};
     static const double middle[4][2] = {{0.05, 0}, {0.1, 0.05}, {0.05, 0.1}, {0, 0.05}};
     struct request r;
     int held = 1;
-    (void)argument;
     if (!plate(&r, m, "")) {
         for (int i = 0; i < 4; i++) {
             double T = r.experiment.scene->published(&r.experiment.problem, middle[i], FOREVER);
@@ -86,9 +85,9 @@ static int compare(const char *side, double height, double *worst, struct claims
 
 /* "T1" to "T4": A_pn, B_mn, C_pn or D_mn of eq. 7, by the coefficients that they make; a square plate, and another.
  */
-static void take_eq7(const char *argument, struct claims_measured *m) {
+static void take_eq7(struct claims_measured *m) {
     double square, other;
-    if (compare(argument, 0.1, &square, m) || compare(argument, 0.07, &other, m)) return;
+    if (compare(m->argument, 0.1, &square, m) || compare(m->argument, 0.07, &other, m)) return;
     claims_kit_number(m, square, "", "|printed/exact - 1| of the coefficients, square plate");
     claims_kit_number(m, other, "", "plate of 0.1 m by 0.07 m");
     /* the square's late modes are small differences of temperatures of order 1: 1e-6 */
@@ -97,10 +96,9 @@ static void take_eq7(const char *argument, struct claims_measured *m) {
 }
 
 /* How far the plate is from its steady state at the time that the paper calls steady. */
-static void take_steady(const char *argument, struct claims_measured *m) {
+static void take_steady(struct claims_measured *m) {
     struct request r;
     struct published t;
-    (void)argument;
     if (claims_kit_published(&t, m, "pamplona_table1")) return;
     double printed_error = t.value[0][t.columns - 2], end = atof(t.where[t.columns - 2]);
     if (!plate(&r, m, "")) {
@@ -126,9 +124,8 @@ static void take_steady(const char *argument, struct claims_measured *m) {
 }
 
 /* The isotherm of the mean wall temperature. */
-static void take_diagonal(const char *argument, struct claims_measured *m) {
+static void take_diagonal(struct claims_measured *m) {
     struct request r;
-    (void)argument;
     if (!plate(&r, m, "")) {
         double most = 0, then = 0;
         for (int k = 1; k < 20; k++) {
@@ -147,11 +144,10 @@ static void take_diagonal(const char *argument, struct claims_measured *m) {
 
 /* "Temperatures near the left and the top drop along the time": the column and the row half a spacing from these
  * walls at the four times of Table 1. */
-static void take_drop(const char *argument, struct claims_measured *m) {
+static void take_drop(struct claims_measured *m) {
     struct published t;
     struct request r;
     double least = INFINITY, first = 0, last = 0;
-    (void)argument;
     if (claims_kit_published(&t, m, "pamplona_table1")) return;
     if (!plate(&r, m, "")) {
         for (int side = 0; side < 2; side++)
@@ -174,11 +170,10 @@ static void take_drop(const char *argument, struct claims_measured *m) {
 }
 
 /* The steady state of three materials. */
-static void take_steady_material(const char *argument, struct claims_measured *m) {
+static void take_steady_material(struct claims_measured *m) {
     struct request r[3];
     int bad = 0;
     double apart = 0, then = 0;
-    (void)argument;
     for (int k = 0; k < 3; k++) {
         char setting[40];
         snprintf(setting, sizeof setting, "material=%s", xi_materials[k]);

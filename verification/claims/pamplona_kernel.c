@@ -35,9 +35,8 @@ static double quartic(int dim, double s) {
     return kernel_value(KERNEL_QUARTIC, dim, s);
 }
 
-static void take_eq9(const char *argument, struct claims_measured *m) {
+static void take_eq9(struct claims_measured *m) {
     double worst[2] = {0, 0};
-    (void)argument;
     for (int dim = 1; dim <= 3; dim++) {
         double as_printed = integral(dim, printed_kernel);
         claims_kit_number(m, as_printed, "", "integral in %dD", dim);
@@ -49,9 +48,8 @@ static void take_eq9(const char *argument, struct claims_measured *m) {
 }
 
 /* "positive, decreasing monotonous": the kernel as meant. */
-static void take_shape(const char *argument, struct claims_measured *m) {
+static void take_shape(struct claims_measured *m) {
     double least = INFINITY, turns = 2, scale = quartic(2, 0);
-    (void)argument;
     for (int i = 1; i < 2000; i++) {
         double s = 0.001 * i;
         least = fmin(least, quartic(2, s) / scale);
@@ -62,9 +60,8 @@ static void take_shape(const char *argument, struct claims_measured *m) {
     claims_kit_decide(m, least >= 0 && turns >= 2, 1, "w >= 0 and dw/ds <= 0 for all s < 2");
 }
 
-static void take_mass(const char *argument, struct claims_measured *m) {
+static void take_mass(struct claims_measured *m) {
     const double all = RHO * 0.1 * 0.1 * 1.643, real = all / 400, counted = all / 576;
-    (void)argument;
     claims_kit_number(m, real, "kg", "eq. 14, N = 400");
     claims_kit_number(m, counted, "kg", "N = 576, ghosts counted");
     int is_real = fabs(real - 0.224) <= 0.0005, is_counted = fabs(counted - 0.224) <= 0.0005;
@@ -72,20 +69,18 @@ static void take_mass(const char *argument, struct claims_measured *m) {
                       "0.224 kg to its three digits with N the particles of the plate; on condition, with another N");
 }
 
-static void take_ghosts(const char *argument, struct claims_measured *m) {
+static void take_ghosts(struct claims_measured *m) {
     const int n = 20, layers = (int)floor(2 * 1.2), ghosts = (n + 2 * layers) * (n + 2 * layers) - n * n;
-    (void)argument;
     claims_kit_number(m, n * n, "", "particles at dx = 0.005 m");
     claims_kit_number(m, ghosts, "", "ghosts in the two layers that 2 h = 2.4 dx reaches");
     claims_kit_decide(m, n * n == 400 && ghosts == 176, 1, "both numbers exactly");
 }
 
 /* "the time to reach the steady-state is inversely proportional to mass": the same field in half the time. */
-static void take_mass_rate(const char *argument, struct claims_measured *m) {
+static void take_mass_rate(struct claims_measured *m) {
     static const char command[] = "run plate brookshaw --dx 0.005 --kernel quartic --h 1.2 --walls fixed --volume "
                                   "tuned --stepper rk2 --xi %g --dt %g --t-end %g";
     struct command_run once, twice;
-    (void)argument;
     int bad = claims_kit_run(&once, m, command, 1.2, 0.1, 20.0) | claims_kit_run(&twice, m, command, 2.4, 0.05, 10.0);
     double apart = 0;
     for (size_t i = 0; i < (bad ? 0 : once.field.n); i++)
@@ -105,9 +100,8 @@ static int stable(double gamma) {
     return status == STATUS_OK;
 }
 
-static void take_eq17(const char *argument, struct claims_measured *m) {
+static void take_eq17(struct claims_measured *m) {
     double lo = 0.05, hi = 0.5;
-    (void)argument;
     int published = stable(0.25);
     while (hi / lo > 1.002) {
         double middle = sqrt(lo * hi);
@@ -125,14 +119,14 @@ static void take_eq17(const char *argument, struct claims_measured *m) {
 enum { HALVINGS = 5 };
 
 /* "ORDER | words": order in dt of one run, from differences between halved steps (Richardson). */
-static void take_time_order(const char *argument, struct claims_measured *m) {
+static void take_time_order(struct claims_measured *m) {
     char part[200];
     struct command_run run[HALVINGS] = {0};
     double dt[HALVINGS], apart[HALVINGS] = {0};
     int bad = 0;
-    claims_kit_part(&argument, part, sizeof part);
+    claims_kit_part(&m->argument, part, sizeof part);
     double order = atof(part);
-    claims_kit_part(&argument, part, sizeof part);
+    claims_kit_part(&m->argument, part, sizeof part);
     for (int i = 0; i < HALVINGS; i++) {
         dt[i] = 28.8894 / (200 << i);
         bad |= claims_kit_run(&run[i], m, "run %s --dt %.17g", part, dt[i]);
@@ -147,11 +141,10 @@ static void take_time_order(const char *argument, struct claims_measured *m) {
                       "differences between runs whose step is halved fall with dt to the power %g +- 0.1", order);
 }
 
-static void take_step_order(const char *argument, struct claims_measured *m) {
+static void take_step_order(struct claims_measured *m) {
     static const double rho[3] = {RHO, 4500, 6100}, c[3] = {C, 522, 489}, k[3] = {K, 21.9, 30.7};
     static const char *const name[3] = {"steel", "titanium", "vanadium"};
     double dt[3];
-    (void)argument;
     for (int i = 0; i < 3; i++) {
         dt[i] = 0.08 * rho[i] * c[i] * 0.006 * 0.006 / k[i];
         claims_kit_number(m, dt[i], "s", "%s, beta = 0.08, h = 0.006 m", name[i]);
@@ -162,10 +155,9 @@ static void take_step_order(const char *argument, struct claims_measured *m) {
 /* ---- Cost, by counted pairs, which are the same on any machine ---- */
 
 /* Pairs of both methods, step for step, and the printed seconds. */
-static void take_cheaper(const char *argument, struct claims_measured *m) {
+static void take_cheaper(struct claims_measured *m) {
     double each[PLATE_METHODS];
     struct published t;
-    (void)argument;
     if (claims_kit_published(&t, m, "pamplona_table1")) return;
     for (int k = 0; k < PLATE_METHODS; k++) {
         struct command_run run;
@@ -185,11 +177,10 @@ static void take_cheaper(const char *argument, struct claims_measured *m) {
 }
 
 /* Fig. 8: work over h, as a power of h and as an exponential of h. */
-static void take_growth(const char *argument, struct claims_measured *m) {
+static void take_growth(struct claims_measured *m) {
     enum { SIZES = 6 };
     static const int n[SIZES] = {12, 15, 18, 22, 27, 33};
     double h[SIZES], work[SIZES];
-    (void)argument;
     for (int i = 0; i < SIZES; i++) {
         struct xi_best b = xi_as_stated(n[i], 0);
         if (isnan(xi_error(&b, xi_closed_form(n[i])))) {
@@ -208,9 +199,8 @@ static void take_growth(const char *argument, struct claims_measured *m) {
 }
 
 /* Section 6: the costs of the materials differ by the number of their steps. */
-static void take_cost_materials(const char *argument, struct claims_measured *m) {
+static void take_cost_materials(struct claims_measured *m) {
     double pairs[XI_MATERIALS], apart = 0;
-    (void)argument;
     for (int k = 0; k < XI_MATERIALS; k++) {
         struct xi_best b = xi_as_stated(PLATE_SIDE, k);
         if (isnan(xi_error(&b, 1.643))) {
@@ -229,10 +219,9 @@ static void take_cost_materials(const char *argument, struct claims_measured *m)
 /* ---- Eq. 11 ---- */
 
 /* The contact of two materials with eq. 11's mean of the conductivities, and with eq. 13's. */
-static void take_eq11(const char *argument, struct claims_measured *m) {
+static void take_eq11(struct claims_measured *m) {
     static const char *const mean[2] = {"arithmetic", "harmonic"};
     struct slope s[2];
-    (void)argument;
     for (int i = 0; i < 2; i++) {
         struct command_run run;
         int bad = claims_kit_slope(&s[i], m,

@@ -37,12 +37,12 @@ static int limits_at(int dim, const char *method, const char *kernel, double h, 
 }
 
 /* "METHOD SECONDS": a limit that the text quotes for rod-step, dx = 0.1, h = 1.05 dx. */
-static void take_quoted(const char *argument, struct claims_measured *m) {
+static void take_quoted(struct claims_measured *m) {
     char method[32];
     struct step_limits l;
     struct failure why;
-    snprintf(method, sizeof method, "%.*s", (int)strcspn(argument, " "), argument);
-    double quoted = atof(argument + strlen(method));
+    snprintf(method, sizeof method, "%.*s", (int)strcspn(m->argument, " "), m->argument);
+    double quoted = atof(m->argument + strlen(method));
     if (limits_at(1, method, "cubic", 1.05, &l, &why)) {
         claims_kit_fail(m, why.text);
         return;
@@ -78,15 +78,16 @@ static int scan(const char *method, struct scan *worst, struct claims_measured *
 }
 
 /* "METHOD": whether a step at the published limit is stable. */
-static void take_bound(const char *argument, struct claims_measured *m) {
+static void take_bound(struct claims_measured *m) {
     struct step_limits rod, square;
     struct scan worst;
     struct failure why;
-    if (limits_at(1, argument, "cubic", 1.05, &rod, &why) || limits_at(2, argument, "cubic", 1.1, &square, &why)) {
+    if (limits_at(1, m->argument, "cubic", 1.05, &rod, &why) ||
+        limits_at(2, m->argument, "cubic", 1.1, &square, &why)) {
         claims_kit_fail(m, why.text);
         return;
     }
-    if (scan(argument, &worst, m)) return;
+    if (scan(m->argument, &worst, m)) return;
     double as_run = fmax(rod.published / rod.actual, square.published / square.actual);
     claims_kit_number(m, rod.actual / rod.published, "", "true limit over published, rod as run");
     claims_kit_number(m, square.actual / square.published, "", "true limit over published, square as run");
@@ -99,12 +100,11 @@ static void take_bound(const char *argument, struct claims_measured *m) {
 }
 
 /* A run at 99 % of eq. 34 where the scan above finds weights that it does not cover: a rod, quartic kernel. */
-static void take_blow_up(const char *argument, struct claims_measured *m) {
+static void take_blow_up(struct claims_measured *m) {
     struct step_limits l, worst = {0, 1};
     struct failure why;
     double h = 0;
     int status[2];
-    (void)argument;
     for (int i = 0; i <= 30; i++) {
         double at = 1.01 + 0.01 * i;
         if (limits_at(1, "so_ssph", "quartic", at, &l, &why)) continue;
@@ -134,7 +134,7 @@ static int unequal(struct claims_kit_cell *cell, double ratio, struct claims_mea
     struct request r;
     struct failure why;
     int status = arguments_parse_line("run square-step so_ssph --dx 0.1 --h 1.1", &r, &why);
-    if (!status) status = claims_kit_weigh(cell, &r, kappa, &why);
+    if (!status) status = claims_kit_weights(cell, &r, kappa, &why);
     arguments_free(&r);
     return status && claims_kit_fail(m, why.text);
 }
@@ -155,11 +155,10 @@ static double largest_rate(const struct claims_kit_cell *cell) {
 }
 
 /* Eq. 34 where the two diffusivities differ, and runs of 4000 steps at 0.99 of it and of the true limit. */
-static void take_unequal(const char *argument, struct claims_measured *m) {
+static void take_unequal(struct claims_measured *m) {
     static const double ratio[4] = {1, 0.25, 0.1, 0};
     double published[4], actual[4], worst = 0;
     int status[2];
-    (void)argument;
     for (int i = 0; i < 4; i++) {
         struct claims_kit_cell cell;
         double centre = 0;
@@ -187,10 +186,9 @@ static void take_unequal(const char *argument, struct claims_measured *m) {
 }
 
 /* Weights and undershoots where the two diffusivities differ. */
-static void take_unequal_weights(const char *argument, struct claims_measured *m) {
+static void take_unequal_weights(struct claims_measured *m) {
     static const double ratio[3] = {1, 0.1, 0.01};
     double lowest[3], below[3];
-    (void)argument;
     for (int i = 0; i < 3; i++) {
         struct claims_kit_cell cell;
         struct command_run run;
@@ -223,7 +221,7 @@ static double complex transfer(const struct claims_kit_cell *cell, const double 
 
 /* G of eq. 33 as printed, eta with kappa_y and phi with kappa_x, against one step of the scheme on a plane wave.
  * "versions": beside that of the journal's web page, kappa_y at both, whose eq. 34 has kappa_x at both. */
-static void take_eq33(const char *argument, struct claims_measured *m) {
+static void take_eq33(struct claims_measured *m) {
     static const double kappas[2][2] = {{0.01, 0.01}, {0.013, 0.004}};
     static const double one[2][2] = {{1, 0}, {0, 1}};
     const double dt = 0.1;
@@ -232,9 +230,9 @@ static void take_eq33(const char *argument, struct claims_measured *m) {
     struct failure why;
     double apart[2], web[2], limit[2];
     int status = arguments_parse_line("run square-step so_ssph --dx 0.1 --h 1.1", &r, &why);
-    for (int a = 0; a < 2 && !status; a++) status = claims_kit_weigh(&part[a], &r, one[a], &why);
+    for (int a = 0; a < 2 && !status; a++) status = claims_kit_weights(&part[a], &r, one[a], &why);
     for (int i = 0; i < 2 && !status; i++) {
-        status = claims_kit_weigh(&cell, &r, kappas[i], &why);
+        status = claims_kit_weights(&cell, &r, kappas[i], &why);
         double complex step = 1 - dt * transfer(&cell, cell.w[0], 0.1);
         double complex printed = 1 - dt * (kappas[i][1] * transfer(&part[0], part[0].w[0], 0.1) +
                                            kappas[i][0] * transfer(&part[1], part[1].w[0], 0.1));
@@ -254,7 +252,7 @@ static void take_eq33(const char *argument, struct claims_measured *m) {
         claims_kit_fail(m, why.text);
         return;
     }
-    int versions = argument[0] == 'v';
+    int versions = m->argument[0] == 'v';
     claims_kit_number(m, apart[0], "", "|G printed - G| for kappa_x = kappa_y");
     claims_kit_number(m, apart[1], "", "for kappa_x = 0.013, kappa_y = 0.004");
     if (versions) {
@@ -269,14 +267,13 @@ static void take_eq33(const char *argument, struct claims_measured *m) {
 }
 
 /* G of eqs. 39 and 40 as printed, with a minus sign before the square, against one step of the scheme. */
-static void take_eq39(const char *argument, struct claims_measured *m) {
+static void take_eq39(struct claims_measured *m) {
     struct claims_kit_cell cell;
     struct request r;
     struct failure why;
     const double kappa[2] = {0.01, 0}, dt = 0.5; /* s, what eq. 41 gives */
-    (void)argument;
     int status = arguments_parse_line("run rod-step fo_ssph --dx 0.1 --h 1.05", &r, &why);
-    if (!status) status = claims_kit_weigh(&cell, &r, kappa, &why);
+    if (!status) status = claims_kit_weights(&cell, &r, kappa, &why);
     arguments_free(&r);
     if (status) {
         claims_kit_fail(m, why.text);

@@ -79,17 +79,15 @@ static struct moments moments_at(int order, double dx, double scatter) {
 }
 
 /* Eq. 18, and that M is symmetric. */
-static void take_moments(const char *argument, struct claims_measured *m) {
-    (void)argument;
-    struct moments even = moments_at(2, 0.1, 0), uneven = moments_at(2, 0.1, 0.2);
+static void take_moments(struct claims_measured *m) {
+    struct moments even = moments_at(2, 0.1, 0), scattered = moments_at(2, 0.1, 0.2);
     claims_kit_number(m, even.odd, "", "odd moment over its size, lattice");
-    claims_kit_number(m, uneven.odd, "", "the same, particles scattered by 0.2 dx");
+    claims_kit_number(m, scattered.odd, "", "the same, particles scattered by 0.2 dx");
     claims_kit_decide(m, even.odd <= 1e-14, 1, "odd moments cancel to rounding (1e-14) on a lattice");
 }
 
-static void take_symmetric(const char *argument, struct claims_measured *m) {
+static void take_symmetric(struct claims_measured *m) {
     double worst = 0, least = INFINITY;
-    (void)argument;
     for (int i = 0; i < 2; i++) {
         struct moments s = moments_at(2, 0.1, 0.3 * i);
         for (int k = 0; k < TERMS; k++) {
@@ -108,8 +106,8 @@ static double power(double coarse, double fine) {
 }
 
 /* Eqs. 20, 21, 24: exponents of the entries of M and of its inverse. */
-static void take_scaling(const char *argument, struct claims_measured *m) {
-    int order = atoi(argument), terms = order == 2 ? TERMS : 2;
+static void take_scaling(struct claims_measured *m) {
+    int order = atoi(m->argument), terms = order == 2 ? TERMS : 2;
     struct moments a = moments_at(order, 0.1, 0), b = moments_at(order, 0.05, 0);
     double worst = 0, outside = 0;
     for (int k = 0; k < terms; k++)
@@ -129,8 +127,8 @@ static void take_scaling(const char *argument, struct claims_measured *m) {
 }
 
 /* Eqs. 22, 25: exponents of what the expansion leaves out. */
-static void take_left_out(const char *argument, struct claims_measured *m) {
-    int order = atoi(argument), terms = order == 2 ? TERMS : 2, held = 1;
+static void take_left_out(struct claims_measured *m) {
+    int order = atoi(m->argument), terms = order == 2 ? TERMS : 2, held = 1;
     struct moments a = moments_at(order, 0.02, 0), b = moments_at(order, 0.01, 0);
     for (int k = 0; k < terms; k++) {
         double measured = power(a.left[k], b.left[k]), claimed = k < 2 ? 4 : 6;
@@ -141,7 +139,7 @@ static void take_left_out(const char *argument, struct claims_measured *m) {
 }
 
 /* Eqs. 23, 26: "METHOD", the order of its derivatives of a smooth function in 1D and in 2D. */
-static void take_truncation(const char *argument, struct claims_measured *m) {
+static void take_truncation(struct claims_measured *m) {
     static const char *const scene[] = {"rod-gauss", "square-step"};
     int held = 1;
     for (int dim = 1; dim <= 2; dim++) {
@@ -149,7 +147,7 @@ static void take_truncation(const char *argument, struct claims_measured *m) {
         char line[80];
         struct request r;
         struct failure why;
-        snprintf(line, sizeof line, "run %s %s --dx 0.1 --h 1.1", scene[dim - 1], argument);
+        snprintf(line, sizeof line, "run %s %s --dx 0.1 --h 1.1", scene[dim - 1], m->argument);
         int status = arguments_parse_line(line, &r, &why);
         for (int i = 0; i < 5 && !status; i++) {
             r.experiment.options.dx = dx[i] = 0.4 / (1 << i);

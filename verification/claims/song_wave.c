@@ -10,10 +10,10 @@ static double outside(const struct result *r) {
 }
 
 /* "run's words | ... | beyond: run's words | ...": none leaves its initial range (0 to 10 K). */
-static void take_no_oscillation(const char *argument, struct claims_measured *m) {
+static void take_no_oscillation(struct claims_measured *m) {
     char part[200];
     int held[2] = {1, 1}, beyond = 0;
-    while (claims_kit_part(&argument, part, sizeof part)) {
+    while (claims_kit_part(&m->argument, part, sizeof part)) {
         struct command_run run;
         char *words = part;
         if (*words == '+') beyond = 1, words++;
@@ -30,10 +30,10 @@ static void take_no_oscillation(const char *argument, struct claims_measured *m)
 }
 
 /* "run's words | ...": each leaves its initial range, or carries a wave of two points, by 1 % of the jump. */
-static void take_oscillation(const char *argument, struct claims_measured *m) {
+static void take_oscillation(struct claims_measured *m) {
     char part[200];
     int held = 1;
-    while (claims_kit_part(&argument, part, sizeof part)) {
+    while (claims_kit_part(&m->argument, part, sizeof part)) {
         struct command_run run;
         int bad = claims_kit_run(&run, m, "run %s", part);
         double most = fmax(outside(&run.result), run.result.shape.checkerboard);
@@ -47,10 +47,10 @@ static void take_oscillation(const char *argument, struct claims_measured *m) {
 }
 
 /* The same words, where there must be none: below 1e-6 of the largest temperature. */
-static void take_smooth(const char *argument, struct claims_measured *m) {
+static void take_smooth(struct claims_measured *m) {
     char part[200];
     int held = 1;
-    while (claims_kit_part(&argument, part, sizeof part)) {
+    while (claims_kit_part(&m->argument, part, sizeof part)) {
         struct command_run run;
         int bad = claims_kit_run(&run, m, "run %s", part);
         double most = fmax(outside(&run.result), run.result.shape.checkerboard) / run.result.shape.max;
@@ -79,14 +79,14 @@ static double sawtooth(const struct command_run *run) {
  * rate as one of phi but for the second neighbours' weights, so that late on both are one mode each: their ratio
  * tends to that of the two coefficients of the start, about 0.04 (half of the box's alternating sum, cos(3 pi/8),
  * over its sum, 10). */
-static void take_persistence(const char *argument, struct claims_measured *m) {
+static void take_persistence(struct claims_measured *m) {
     static const double time[3] = {50, 500, 1500};
     double wave[2][3], peak[2][3];
     for (int k = 0; k < 2; k++)
         for (int i = 0; i < 3; i++) {
             struct command_run run;
             int bad = claims_kit_run(&run, m, "run rod-step %s --h 1.05 --dx 0.1 --t-end %g",
-                                     k ? "so_ssph" : argument, time[i]);
+                                     k ? "so_ssph" : m->argument, time[i]);
             if (!bad) wave[k][i] = sawtooth(&run);
             peak[k][i] = run.result.shape.max;
             command_run_free(&run);
@@ -109,10 +109,10 @@ static double bump_with_sawtooth(const struct problem *p, const double x[2]) {
 }
 
 /* Largest sawtooth left at 50 s of smooth data with a sawtooth on top, "METHOD | METHOD": no gradient is infinite. */
-static void take_infinite_gradient(const char *argument, struct claims_measured *m) {
+static void take_infinite_gradient(struct claims_measured *m) {
     char method[40];
     double left[2] = {NAN, NAN};
-    for (int i = 0; i < 2 && claims_kit_part(&argument, method, sizeof method); i++) {
+    for (int i = 0; i < 2 && claims_kit_part(&m->argument, method, sizeof method); i++) {
         struct command_run run;
         struct failure why;
         struct field field = {0};
@@ -133,12 +133,12 @@ static void take_infinite_gradient(const char *argument, struct claims_measured 
 }
 
 /* Area above a temperature, and above half of the peak, from 1 to 5 s: "run's words". */
-static void take_expands(const char *argument, struct claims_measured *m) {
+static void take_expands(struct claims_measured *m) {
     static const double level[2] = {1, 5};
     double area[5][3];
     for (int t = 1; t <= 5; t++) {
         struct command_run run;
-        int bad = claims_kit_run(&run, m, "run %s --t-end %d", argument, t);
+        int bad = claims_kit_run(&run, m, "run %s --t-end %d", m->argument, t);
         const double level_of[3] = {level[0], level[1], run.result.shape.max / 2}, cell = 0.1 * 0.1;
         for (int k = 0; k < 3; k++) {
             area[t - 1][k] = 0;
@@ -162,16 +162,17 @@ static void take_expands(const char *argument, struct claims_measured *m) {
 }
 
 /* "run's words": E with each kernel over E with the cubic spline; and the order with each. */
-static void take_kernels(const char *argument, struct claims_measured *m) {
+static void take_kernels(struct claims_measured *m) {
     static const char *const kernel[] = {"cubic", "quartic", "wendland"};
     double E[3], order = 0, apart = 0;
     for (int k = 0; k < 3; k++) {
         struct command_run run;
         struct slope s;
-        int bad = claims_kit_run(&run, m, "run %s --dx 0.05 --kernel %s", argument, kernel[k]);
+        int bad = claims_kit_run(&run, m, "run %s --dx 0.05 --kernel %s", m->argument, kernel[k]);
         E[k] = run.result.error.l1;
         command_run_free(&run);
-        if (bad || claims_kit_slope(&s, m, "ladder %s --dx 0.25,0.1,0.05,0.02,0.01 --kernel %s", argument, kernel[k]))
+        if (bad ||
+            claims_kit_slope(&s, m, "ladder %s --dx 0.25,0.1,0.05,0.02,0.01 --kernel %s", m->argument, kernel[k]))
             return;
         if (k) claims_kit_number(m, E[k] / E[0], "", "E at dx = 0.05 m over the cubic spline's, %s", kernel[k]);
         claims_kit_number(m, s.value, "", "order, %s", kernel[k]);
@@ -185,10 +186,10 @@ static void take_kernels(const char *argument, struct claims_measured *m) {
 }
 
 /* "METHOD | METHOD": the central wave of two points is in the null space. */
-static void take_null_space(const char *argument, struct claims_measured *m) {
+static void take_null_space(struct claims_measured *m) {
     char method[40];
     int held = 1;
-    while (claims_kit_part(&argument, method, sizeof method)) {
+    while (claims_kit_part(&m->argument, method, sizeof method)) {
         struct command_run run;
         int bad = claims_kit_run(&run, m, "run rod-step %s --h 1.05 --dx 0.1", method);
         struct experiment *e = &run.request.experiment;
@@ -210,10 +211,10 @@ static void take_null_space(const char *argument, struct claims_measured *m) {
 }
 
 /* "words | dt": what the published Euler step adds to the error, from the same run without any time error. */
-static void take_time_error(const char *argument, struct claims_measured *m) {
+static void take_time_error(struct claims_measured *m) {
     char words[160], dt[32];
     double most = 0;
-    while (claims_kit_part(&argument, words, sizeof words) && claims_kit_part(&argument, dt, sizeof dt)) {
+    while (claims_kit_part(&m->argument, words, sizeof words) && claims_kit_part(&m->argument, dt, sizeof dt)) {
         struct command_run euler, exact;
         int bad = claims_kit_run(&euler, m, "run %s --stepper euler --dt %s", words, dt) |
                   claims_kit_run(&exact, m, "run %s --stepper exact", words);
@@ -232,12 +233,12 @@ static void take_time_error(const char *argument, struct claims_measured *m) {
 }
 
 /* E1 against the exact solution at five times: below what a plot can show. */
-static void take_agreement(const char *argument, struct claims_measured *m) {
+static void take_agreement(struct claims_measured *m) {
     double worst = 0, last = INFINITY;
     int falling = 1;
     for (int t = 1; t <= 5; t++) {
         struct command_run run;
-        int bad = claims_kit_run(&run, m, "run %s --t-end %d", argument, t);
+        int bad = claims_kit_run(&run, m, "run %s --t-end %d", m->argument, t);
         double most = run.result.shape.max;
         falling &= most <= last;
         worst = fmax(worst, run.result.error.linf / 10);

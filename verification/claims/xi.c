@@ -107,9 +107,8 @@ static int find(struct xi_best *b, struct claims_measured *m) {
 }
 
 /* Eq. 12 as printed, a vector, in place of the factor that eq. 13 multiplies by. */
-static void take_eq12(const char *argument, struct claims_measured *m) {
+static void take_eq12(struct claims_measured *m) {
     double printed = lattice_moment(1.2, 1), meant = lattice_moment(1.2, 0);
-    (void)argument;
     claims_kit_number(m, printed, "", "eq. 13's answer to x^2/2 with x_ij, component along x (1 is exact)");
     claims_kit_number(m, meant, "", "with r_ij");
     claims_kit_decide(m, fabs(printed - meant) <= 0.01, 1,
@@ -117,10 +116,9 @@ static void take_eq12(const char *argument, struct claims_measured *m) {
 }
 
 /* Eq. 13 as it stands, with the volume dx^2: its answer to x^2/2. */
-static void take_eq13(const char *argument, struct claims_measured *m) {
+static void take_eq13(struct claims_measured *m) {
     static const double h[] = {1.2, 2, 3};
     double worst = 0, as_run = fabs(lattice_moment(h[0], 0) - 1);
-    (void)argument;
     for (int i = 0; i < 3; i++) {
         double M = lattice_moment(h[i], 0);
         claims_kit_number(m, M, "", "answer to x^2/2, where 1 is exact, h/dx = %g", h[i]);
@@ -132,32 +130,34 @@ static void take_eq13(const char *argument, struct claims_measured *m) {
         "condition");
 }
 
-static void take_eq18(const char *argument, struct claims_measured *m) {
+/* By the paper's own measure of a suitable value: what eq. 18 adds to the error of the best xi, 3.5 % (section 6). */
+static void take_eq18(struct claims_measured *m) {
     static const int n[] = {18, 20, 24, 30, 60};
-    double off[2] = {0, 0}, at_fine = fabs(xi_eq18(xi_h(n[4])) / xi_closed_form(n[4]) - 1);
-    (void)argument;
+    double off[2] = {0, 0}, added = 0, at_fine = fabs(xi_eq18(xi_h(n[4])) / xi_closed_form(n[4]) - 1);
     for (int i = 0; i < 4; i++) {
         struct xi_best b = xi_as_stated(n[i], 0);
         if (find(&b, m)) return;
         double h = xi_h(n[i]), other[2] = {xi_closed_form(n[i]), b.xi};
+        added = fmax(added, xi_error(&b, xi_eq18(h)) - b.error);
         for (int k = 0; k < 2; k++) off[k] = fmax(off[k], fabs(xi_eq18(h) / other[k] - 1));
         if (n[i] != PLATE_SIDE) continue;
         claims_kit_number(m, xi_eq18(h), "m", "eq. 18 at h = %.3f m", h);
         claims_kit_number(m, other[0], "m", "closed form");
         claims_kit_number(m, other[1], "m", "fitted");
     }
-    claims_kit_number(m, 100 * off[0], "%", "eq. 18 off the closed form by at most, h = 0.004 to 0.0067 m");
+    claims_kit_number(m, added, "%", "error added by eq. 18, at most, h = 0.004 to 0.0067 m");
+    claims_kit_number(m, 100 * off[0], "%", "eq. 18 off the closed form by at most");
     claims_kit_number(m, 100 * off[1], "%", "off the fitted");
     claims_kit_number(m, 100 * at_fine, "%", "off the closed form at %g m", xi_h(n[4]));
-    claims_kit_decide(m, fmin(off[0], off[1]) <= 0.05, off[1] <= 0.05 && at_fine <= 0.05,
-                      "within 5 %% of the closed form or of the fit for h <= 0.007 m; of the fit, and of the closed "
-                      "form at smaller h too, for no condition");
+    claims_kit_decide(
+        m, added <= 3.5 + 1, off[1] <= 0.05 && at_fine <= 0.05,
+        "adds no more than 3.5 %% of error (+ 1 %%) for h <= 0.007 m; within 5 %% of the fit, and of the "
+        "closed form at smaller h too, for no condition");
 }
 
 /* What eq. 18 costs in error against the best xi. */
-static void take_rise(const char *argument, struct claims_measured *m) {
+static void take_rise(struct claims_measured *m) {
     struct xi_best b = xi_as_stated(PLATE_SIDE, 0);
-    (void)argument;
     if (find(&b, m)) return;
     double rise = xi_error(&b, xi_eq18(xi_h(b.n))) - b.error;
     claims_kit_number(m, b.error, "%", "error at the best xi");
@@ -165,10 +165,9 @@ static void take_rise(const char *argument, struct claims_measured *m) {
     claims_kit_decide(m, fabs(rise - 3.5) <= 1, 1, "adds 3.5 %% of error (+- 1 %%) at h = 0.006 m");
 }
 
-static void take_materials(const char *argument, struct claims_measured *m) {
+static void take_materials(struct claims_measured *m) {
     static const int n[] = {13, 17, 20, 24};
     double most = 0;
-    (void)argument;
     for (int i = 0; i < 4; i++) {
         double mean = 0, sum = 0;
         for (int k = 0; k < XI_MATERIALS; k++) {
@@ -188,9 +187,8 @@ static void take_materials(const char *argument, struct claims_measured *m) {
 }
 
 /* Whether the divergence between materials comes from their steps: smaller steps, and equal alpha t. */
-static void take_divergence(const char *argument, struct claims_measured *m) {
+static void take_divergence(struct claims_measured *m) {
     double lo[3] = {INFINITY, INFINITY, INFINITY}, hi[3] = {0};
-    (void)argument;
     for (int k = 0; k < XI_MATERIALS; k++) {
         struct xi_best b = xi_as_stated(PLATE_SIDE, k), slow = b, equal = b;
         slow.beta /= 8;
@@ -216,9 +214,8 @@ static double order_of(int material, const char *walls, struct claims_measured *
     return find(&a, m) || find(&b, m) ? NAN : log(a.error / b.error) / log(xi_h(a.n) / xi_h(b.n));
 }
 
-static void take_observed_order(const char *argument, struct claims_measured *m) {
+static void take_observed_order(struct claims_measured *m) {
     double order[2] = {0, 0};
-    (void)argument;
     for (int i = 0; i < 2; i++)
         for (int k = 0; k < XI_MATERIALS; k++) {
             double p = order_of(k, i ? "mirror" : "fixed", m);
@@ -234,11 +231,10 @@ static void take_observed_order(const char *argument, struct claims_measured *m)
 }
 
 /* The order of FTCS on the same plates, by eq. 19. */
-static void take_same_order(const char *argument, struct claims_measured *m) {
+static void take_same_order(struct claims_measured *m) {
     static const char *const walls[2] = {"fixed", "mirror"};
     static const int n[2] = {13, 24};
     double p[2], sph = order_of(0, "fixed", m);
-    (void)argument;
     for (int i = 0; i < 2; i++) {
         double error[2];
         for (int k = 0; k < 2; k++) {
@@ -260,9 +256,8 @@ static void take_same_order(const char *argument, struct claims_measured *m) {
 }
 
 /* Section 6: with xi kept, a smaller h heats faster. */
-static void take_direction(const char *argument, struct claims_measured *m) {
+static void take_direction(struct claims_measured *m) {
     double coarse = 1.643 * pow(13 / 17., 2), fine = 1.643 * pow(24 / 28., 2), M = lattice_moment(1.2, 0);
-    (void)argument;
     claims_kit_number(m, coarse * M, "", "rate over the true one, xi = 1.643 m, h = %.4f m", xi_h(13));
     claims_kit_number(m, fine * M, "", "h = %.4f m", xi_h(24));
     claims_kit_decide(m, fine > coarse, 1, "with xi kept, the particles conduct faster at the smaller h");

@@ -38,7 +38,7 @@ static int lines_at(const struct isotherm_grid *g, double (*T)(double, double), 
     double x, y, l;
     int lines, used;
     FILE *out = open_memstream(&text, &size);
-    lines = isotherm_trace(g, level, out, middle);
+    lines = isotherm_trace(g, level, 0.5, out, middle);
     fclose(out);
     *points = 0;
     for (at = text; sscanf(at, " %lf,%lf,%lf%n", &x, &y, &l, &used) == 3; at += used) {

@@ -1,0 +1,99 @@
+/* Files in memory: there whole, or not at all, and several together. */
+#include "verification/text/output.h"
+
+#include "solver/status.h"
+#include "verification/command/command_run.h"
+#include "verification/unit/near.h"
+
+#include <stdlib.h>
+#include <string.h>
+#include <unistd.h>
+
+static void assert_text(const char *path, const char *expected) {
+    char text[80] = "";
+    FILE *in = fopen(path, "r");
+    assert_non_null(in);
+    size_t n = fread(text, 1, sizeof text - 1, in);
+    fclose(in);
+    text[n] = '\0';
+    assert_string_equal(text, expected);
+}
+
+static void written_whole(void **state) {
+    (void)state;
+    char dir[] = "/tmp/test_output.XXXXXX", path[80];
+    struct failure why;
+    struct output page;
+    assert_non_null(mkdtemp(dir));
+    snprintf(path, sizeof path, "%s/%d.csv", dir, 7);
+    assert_int_equal(output_open(&page, &why, "%s/%d.csv", dir, 7), STATUS_OK);
+    fprintf(page.out, "x,T\n%g,%g\n", 0.31, 2.385);
+    assert_int_equal(access(path, F_OK), -1); /* nothing before it is closed */
+    output_end(&page);
+    assert_string_equal(page.text, "x,T\n0.31,2.385\n");
+    assert_int_equal(output_close(&page, 1, &why), STATUS_OK);
+    assert_text(path, "x,T\n0.31,2.385\n");
+    assert_int_equal(output_open(&page, &why, "%s/8.csv", dir), STATUS_OK);
+    output_drop(&page, 1);
+    unlink(path);
+    assert_int_equal(rmdir(dir), 0);
+}
+
+static void both_or_neither(void **state) {
+    (void)state;
+    char dir[] = "/tmp/test_output.XXXXXX";
+    struct failure why = {0};
+    struct output page[2] = {0};
+    assert_non_null(mkdtemp(dir));
+    assert_int_equal(output_open(&page[0], &why, "%s/one", dir), STATUS_OK);
+    assert_int_equal(output_open(&page[1], &why, "%s/nowhere/two", dir), STATUS_OK);
+    assert_int_equal(output_close(page, 2, &why), STATUS_INPUT);
+    assert_non_null(strstr(why.text, "nowhere/two"));
+    assert_int_equal(rmdir(dir), 0); /* the first one is not there */
+}
+
+static void a_path_too_long_is_refused(void **state) {
+    (void)state;
+    char dir[1100];
+    struct failure why;
+    struct output page;
+    memset(dir, 'd', sizeof dir - 1);
+    dir[sizeof dir - 1] = '\0';
+    assert_int_equal(output_open(&page, &why, "%s/one", dir), STATUS_INPUT);
+    assert_non_null(strstr(why.text, "too long"));
+    output_drop(&page, 1);
+    assert_int_equal(output_directory(dir, "one", &why), STATUS_INPUT);
+    assert_int_equal(output_directory("/nowhere/at/all", "one", &why), STATUS_INPUT);
+}
+
+/* A command that fails is named with its reason; one of another verb is read and not run. */
+static void commands_are_kept(void **state) {
+    (void)state;
+    struct command_run run;
+    struct failure why;
+    assert_int_equal(command_run_line(&run, "run rod-step so_ssph --dx %s", "0.3"), STATUS_INPUT);
+    assert_int_equal(command_run_check(&run, &why), STATUS_INPUT);
+    assert_non_null(strstr(why.text, "heatladder run rod-step so_ssph --dx 0.3: "));
+    command_run_free(&run);
+    assert_int_equal(command_run_line(&run, "reference rod-cosine --at 0.31 --time %g", 1.7), STATUS_OK);
+    assert_near(run.request.time.value[0], 1.7, 0);
+    assert_null(run.field.T);
+    const double kappa = 0.013, mode = 3, pi = acos(-1), x[2] = {0.31, 0};
+    assert_near(command_run_exact(&run, x, 1.7) - command_run_exact(&run, x, 1e9),
+                (command_run_exact(&run, x, 0) - command_run_exact(&run, x, 1e9)) *
+                    exp(-kappa * pow(mode * pi, 2) * 1.7),
+                1e-12);
+    command_run_free(&run);
+    assert_int_equal(command_run_line(&run, "%0500d", 7), STATUS_INPUT);
+    command_run_free(&run);
+}
+
+int main(void) {
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(written_whole),
+        cmocka_unit_test(both_or_neither),
+        cmocka_unit_test(a_path_too_long_is_refused),
+        cmocka_unit_test(commands_are_kept),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
