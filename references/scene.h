@@ -26,6 +26,15 @@ struct exact {
                      the mean of the two, error_bound half their difference */
 };
 
+/* Parameters for tests, all distinct and none 0 or 1 where another value can be, so that no swap or forgotten factor
+ * can hide. */
+struct scene_odd {
+    double param[PARAM_MAX];
+    double scale;    /* K, of the temperature differences */
+    double step;     /* m, of the differences that check the equation */
+    double earliest; /* s, from when on the solution is smooth over a few steps */
+};
+
 struct scene {
     const char *name;
     const char *about;          /* one line */
@@ -45,6 +54,7 @@ struct scene {
     struct exact (*second)(const struct problem *p, const double x[2], double t);
     /* The solution as printed in the source, K, where that differs from `exact`; else NULL. */
     double (*published)(const struct problem *p, const double x[2], double t);
+    struct scene_odd odd;
 };
 
 extern const struct scene *const scenes[]; /* ended by NULL, in alphabetical order */

@@ -186,4 +186,5 @@ const struct scene scene_plate = {
     .exact = exact,
     .second = second,
     .published = published,
+    .odd = {{0.13, 0.07, 0.31, 0.57, 0.83, 1.19, 0.11, 1, 23.7}, 1, 0.001, 20},
 };

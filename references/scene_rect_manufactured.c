@@ -121,4 +121,5 @@ const struct scene scene_rect_manufactured = {
     .setup = setup,
     .exact = exact,
     .second = second,
+    .odd = {{0.9, 0.6, 0.023, 0.0061, 1.9, 0.7, 1.3}, 2, 0.02, 0.1},
 };

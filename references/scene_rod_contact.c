@@ -119,4 +119,5 @@ const struct scene scene_rod_contact = {
     .setup = setup,
     .exact = exact,
     .second = second,
+    .odd = {{1.3, 0.13, 0.011, 2.3, 0.9, 0.0017, 0.61, 0.2, 1.1}, 1, 0.003, 0.9},
 };

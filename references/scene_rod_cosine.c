@@ -87,4 +87,5 @@ const struct scene scene_rod_cosine = {
     .setup = setup,
     .exact = exact,
     .second = second,
+    .odd = {{1.3, 0.017, 2, 1.1, 0.6, 1.7}, 1, 0.02, 0.1},
 };

@@ -93,4 +93,5 @@ const struct scene scene_rod_gauss = {
     .exact = exact,
     .second = second,
     .published = published,
+    .odd = {{11, 1.9, 0.017, 4.3}, 1, 0.1, 0.1},
 };

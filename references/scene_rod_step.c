@@ -94,4 +94,5 @@ const struct scene scene_rod_step = {
     .exact = exact,
     .second = second,
     .published = published,
+    .odd = {{1.7, 0.62, 0.013, 7.3, 2.385}, 7, 0.01, 1.5},
 };

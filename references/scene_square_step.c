@@ -107,4 +107,5 @@ const struct scene scene_square_step = {
     .exact = exact,
     .second = second,
     .published = published,
+    .odd = {{1.9, 0.47, 0.83, 0.013, 0.0071, 6.1, 3.7}, 6, 0.01, 2},
 };

@@ -135,4 +135,5 @@ const struct scene scene_wall_composite = {
     .prepared = prepared,
     .exact = exact,
     .second = second,
+    .odd = {{1.1, 0.37, 0.9, 1.3, 1.2, 0.013, 0.021, 0.3, 4}, 1, 0.01, 0.5},
 };

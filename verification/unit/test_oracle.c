@@ -19,19 +19,12 @@ static int read_text(const char *text, const struct problem *p, struct points *p
     return status;
 }
 
-static const struct scene *odd(const char *name, struct problem *p) {
-    for (int o = 0; o < ODD_SCENES; o++)
-        if (strcmp(odd_scenes[o].name, name) == 0) return odd_setup(&odd_scenes[o], p);
-    fail_msg("no scene %s", name);
-    return NULL;
-}
-
 static void points_are_read_as_programs_write_them(void **state) {
     (void)state;
     struct problem p;
     struct points points;
     struct failure why;
-    odd("square-step", &p);
+    odd_find("square-step", &p);
     const char *text = "\xEF\xBB\xBF# mesh 7\r\ncell , \"y\",dx, x,T\r\n\r\n1,-0.37,0.02,+4.1e-01,nan\r\n# half\r\n"
                        "2, 1.9000000001 ,0.03,-.5,0\r\n";
     assert_int_equal(read_text(text, &p, &points, &why), STATUS_OK);
@@ -54,7 +47,7 @@ static void many_points_are_all_read(void **state) {
     struct points points;
     struct failure why;
     char *text = malloc(N * 24 + 8), *to = text;
-    odd("rod-cosine", &p);
+    odd_find("rod-cosine", &p);
     to += sprintf(to, "x\n");
     for (int i = 0; i < N; i++) to += sprintf(to, "%.17g\n", 1.3 * (i + 0.5) / N);
     assert_int_equal(read_text(text, &p, &points, &why), STATUS_OK);
@@ -87,7 +80,7 @@ static void what_is_no_point_is_refused_by_line_and_column(void **state) {
         {"x,y\n0.1,0.2\n0.1,0.", "line 3: ends without a newline"},
     };
     struct problem p;
-    odd("square-step", &p);
+    odd_find("square-step", &p);
     for (size_t i = 0; i < sizeof bad / sizeof *bad; i++) {
         struct points points;
         struct failure why;
@@ -146,7 +139,7 @@ static void columns_hold_what_they_say(void **state) {
     (void)state;
     struct problem p;
     double v[COLUMNS_VALUES], d = 1e-4, there[2];
-    const struct scene *s = odd("rect-manufactured", &p);
+    const struct scene *s = odd_find("rect-manufactured", &p);
     const double x[2] = {0.31, 0.23};
     assert_int_equal(
         values("temperature,initial,source,k_x,k_y,rho_c,flux_x,flux_y,error_bound", s, &p, x, NULL, 1.3, v), 9);
@@ -169,7 +162,7 @@ static void columns_hold_what_they_say(void **state) {
     }
     assert_near(v[8], e.error_bound, 0);
 
-    s = odd("wall-composite", &p); /* two materials; at the interface, the upper one */
+    s = odd_find("wall-composite", &p); /* two materials; at the interface, the upper one */
     for (int side = 0; side < 2; side++) {
         const double at[2] = {side ? 0.37 : 0.369, 0};
         assert_int_equal(values("k_x,rho_c,flux_x", s, &p, at, NULL, 0.7, v), 3);
@@ -183,7 +176,7 @@ static void walls_are_told_by_their_kind(void **state) {
     (void)state;
     struct problem p;
     double v[COLUMNS_VALUES];
-    const struct scene *s = odd("rect-manufactured", &p);
+    const struct scene *s = odd_find("rect-manufactured", &p);
     double W = 0.9, H = 0.6;
     values("wall", s, &p, (double[2]){0.3, 0.2}, NULL, 1, v);
     assert_true(v[0] == 0 && v[1] == 0 && v[2] == 0);
@@ -204,11 +197,11 @@ static void walls_are_told_by_their_kind(void **state) {
     values("wall", s, &p, (double[2]){W, 0}, NULL, 1, v);
     assert_true(v[0] == 2);
 
-    s = odd("plate", &p); /* T1 = 0.31 at y = 0, T4 = 1.19 at x = 0 */
+    s = odd_find("plate", &p); /* T1 = 0.31 at y = 0, T4 = 1.19 at x = 0 */
     values("wall,temperature", s, &p, (double[2]){0, 0}, NULL, 1, v);
     assert_true(v[0] == 1 && isnan(v[3]));
     assert_near(v[1], (0.31 + 1.19) / 2, 1e-16);
-    s = odd("rod-contact", &p);
+    s = odd_find("rod-contact", &p);
     values("wall", s, &p, (double[2]){p.hi[0], 0}, NULL, 1, v);
     assert_true(v[0] == 1 && v[1] == p.wall(&p, X_HI, (double[2]){p.hi[0], 0}));
 }
@@ -219,12 +212,12 @@ static void cell_means_are_integrals(void **state) {
     (void)state;
     struct problem p;
     double v[3];
-    const struct scene *s = odd("rod-step", &p); /* 7.3 K for |x| <= 0.62 */
+    const struct scene *s = odd_find("rod-step", &p); /* 7.3 K for |x| <= 0.62 */
     values("initial_mean", s, &p, (double[2]){0.64, 0}, (double[2]){0.1, 0}, 1, v);
     assert_near(v[0], 7.3 * 0.3, 1e-13);
     values("initial_mean", s, &p, (double[2]){-0.1, 0}, (double[2]){9, 0}, 1, v);
     assert_near(v[0], 7.3 * 0.62 / 1.7, 1e-13);
-    s = odd("rod-gauss", &p);
+    s = odd_find("rod-gauss", &p);
     for (double sigma = 0.003; sigma < 3; sigma *= 5)
         for (double dx = 0.001; dx < 5; dx *= 7)
             for (double x = -0.2; x < 3; x += 0.57) {
@@ -235,10 +228,10 @@ static void cell_means_are_integrals(void **state) {
                 assert_near(v[0], sigma * sqrt(3.14159265358979323846 / 2) * integral / dx,
                             2e-13 + 1e-15 * sigma / dx);
             }
-    s = odd("square-step", &p); /* 6.1 K for |x| <= 0.47, |y| <= 0.83 */
+    s = odd_find("square-step", &p); /* 6.1 K for |x| <= 0.47, |y| <= 0.83 */
     values("initial_mean", s, &p, (double[2]){0.46, -0.8}, (double[2]){0.04, 0.1}, 1, v);
     assert_near(v[0], 6.1 * 0.75 * 0.8, 1e-13);
-    s = odd("rect-manufactured", &p);
+    s = odd_find("rect-manufactured", &p);
     values("initial_mean", s, &p, (double[2]){0.31, 0.23}, (double[2]){1e-3, 1e-3}, 1, v);
     double near = p.initial(&p, (double[2]){0.31, 0.23});
     assert_true(v[0] != near && fabs(v[0] - near) < 1e-5);
@@ -300,7 +293,7 @@ static void answers_are_csv(void **state) {
         {2, 0, 0, "wall", "x,time,wall_kind,wall_value,wall_b\n0.30,0.25,0,0,0\n1.2,0.25,0,0,0\n0.30,1.75,0,0,0\n"},
     };
     struct problem p;
-    const struct scene *s = odd("rod-cosine", &p);
+    const struct scene *s = odd_find("rod-cosine", &p);
     for (size_t i = 0; i < sizeof asked / sizeof *asked; i++) {
         struct answer a = {
             .scene = s, .problem = &p, .times = asked[i].times, .time = when + asked[i].from, .cell = asked[i].cell};

@@ -42,10 +42,11 @@ static double rate(const struct scene *s, const struct problem *p, const double 
 
 static void the_equation_holds(void **state) {
     (void)state;
-    for (int o = 0; o < ODD_SCENES; o++) {
+    for (int o = 0; scenes[o]; o++) {
         struct problem p;
-        const struct odd_scene *odd = &odd_scenes[o];
-        const struct scene *s = odd_setup(odd, &p);
+        const struct scene *s = scenes[o];
+        const struct scene_odd *odd = &s->odd;
+        odd_setup(s, &p);
         unsigned long random = 7;
         double worst = 0, largest = 0;
         for (int trial = 0; trial < 200; trial++) {
@@ -65,17 +66,18 @@ static void the_equation_holds(void **state) {
             worst = fmax(worst, fabs(storage - flow));
             largest = fmax(largest, part);
         }
-        print_message("%-18s residual %.1e of the largest term\n", odd->name, worst / largest);
+        print_message("%-18s residual %.1e of the largest term\n", s->name, worst / largest);
         assert_near(worst / largest, 0, 2e-8);
     }
 }
 
 static void the_sides_hold(void **state) {
     (void)state;
-    for (int o = 0; o < ODD_SCENES; o++) {
+    for (int o = 0; scenes[o]; o++) {
         struct problem p;
-        const struct odd_scene *odd = &odd_scenes[o];
-        const struct scene *s = odd_setup(odd, &p);
+        const struct scene *s = scenes[o];
+        const struct scene_odd *odd = &s->odd;
+        odd_setup(s, &p);
         unsigned long random = 11;
         for (int trial = 0; trial < 100; trial++)
             for (int side = X_LO; side < 2 * p.dim; side++) {
@@ -100,7 +102,7 @@ static void the_sides_hold(void **state) {
 static void wall_values_take_any_coordinate_along_their_axis(void **state) {
     (void)state;
     struct problem p;
-    odd_setup(&odd_scenes[1], &p);
+    odd_find("rect-manufactured", &p);
     for (int side = X_LO; side <= Y_HI; side++) {
         double on[2] = {0.3, 0.2}, off[2] = {0.3, 0.2};
         on[side / 2] = side % 2 ? p.hi[side / 2] : p.lo[side / 2];
@@ -112,9 +114,10 @@ static void wall_values_take_any_coordinate_along_their_axis(void **state) {
 
 static void the_start_holds(void **state) {
     (void)state;
-    for (int o = 0; o < ODD_SCENES; o++) {
+    for (int o = 0; scenes[o]; o++) {
         struct problem p;
-        const struct scene *s = odd_setup(&odd_scenes[o], &p);
+        const struct scene *s = scenes[o];
+        odd_setup(s, &p);
         unsigned long random = 13;
         for (int trial = 0; trial < 300; trial++) {
             double x[2] = {0, 0};
@@ -134,14 +137,14 @@ static void the_start_holds(void **state) {
 static void the_edge_of_the_start_is_closed(void **state) {
     (void)state;
     struct problem p;
-    odd_setup(&odd_scenes[5], &p); /* rod-step */
+    odd_find("rod-step", &p);
     for (int j = 0; j < 2; j++) {
         double edge = p.jump[0][j], out = j ? 1 : -1;
         assert_near(p.initial(&p, (double[2]){edge, 0}), 7.3, 0);
         assert_near(p.initial(&p, (double[2]){edge + out * 1e-15, 0}), 7.3, 0);
         assert_near(p.initial(&p, (double[2]){edge + out * 1e-10, 0}), 0, 0);
     }
-    odd_setup(&odd_scenes[2], &p); /* rod-contact: x_c belongs to the right half, as the material does */
+    odd_find("rod-contact", &p); /* x_c belongs to the right half, as the material does */
     assert_near(p.initial(&p, (double[2]){0.13, 0}), 0.2, 0);
     assert_near(p.initial(&p, (double[2]){0.13 - 1e-16, 0}), 0.2, 0);
     assert_near(p.initial(&p, (double[2]){0.13 - 1e-9, 0}), 0.9, 0);
@@ -149,10 +152,10 @@ static void the_edge_of_the_start_is_closed(void **state) {
 
 static void flux_is_continuous_at_an_interface(void **state) {
     (void)state;
-    static const int with_two[] = {2, 7};
+    static const char *const with_two[] = {"rod-contact", "wall-composite"};
     for (int i = 0; i < 2; i++) {
         struct problem p;
-        const struct scene *s = odd_setup(&odd_scenes[with_two[i]], &p);
+        const struct scene *s = odd_find(with_two[i], &p);
         double flux[2], d = 0.002, c = p.interface, t = p.t_end;
         for (int side = 0; side < 2; side++) {
             double sign = side ? 1 : -1, sum = forward[0] * at(s, &p, c + sign * 1e-15, 0, t);
@@ -168,9 +171,10 @@ static void flux_is_continuous_at_an_interface(void **state) {
 static void the_second_form_agrees(void **state) {
     (void)state;
     static const double times[] = {0.003, 0.05, 0.41, 1, 1.7};
-    for (int o = 0; o < ODD_SCENES; o++) {
+    for (int o = 0; scenes[o]; o++) {
         struct problem p;
-        const struct scene *s = odd_setup(&odd_scenes[o], &p);
+        const struct scene *s = scenes[o];
+        odd_setup(s, &p);
         unsigned long random = 17;
         double worst = 0, bound = 0;
         for (int k = 0; k < 5; k++)
@@ -183,18 +187,19 @@ static void the_second_form_agrees(void **state) {
                 bound = fmax(bound, e.error_bound);
             }
         print_message("%-18s |exact - second| <= %.1e K, bound of exact <= %.1e K\n", s->name, worst, bound);
-        assert_near(worst, 0, 1e-12 * odd_scenes[o].scale);
-        assert_near(bound, 0, 1e-12 * odd_scenes[o].scale);
+        assert_near(worst, 0, 1e-12 * s->odd.scale);
+        assert_near(bound, 0, 1e-12 * s->odd.scale);
     }
 }
 
 /* Against central differences of the second form, derived apart. */
 static void the_gradient_is_that_of_the_second_form(void **state) {
     (void)state;
-    for (int o = 0; o < ODD_SCENES; o++) {
+    for (int o = 0; scenes[o]; o++) {
         struct problem p;
-        const struct odd_scene *odd = &odd_scenes[o];
-        const struct scene *s = odd_setup(odd, &p);
+        const struct scene *s = scenes[o];
+        const struct scene_odd *odd = &s->odd;
+        odd_setup(s, &p);
         unsigned long random = 19;
         double worst = 0, largest = 0;
         for (int trial = 0; trial < 60; trial++) {
@@ -215,23 +220,24 @@ static void the_gradient_is_that_of_the_second_form(void **state) {
                 assert_true(e.gradient_bound[d] >= 0 && e.gradient_bound[d] < 1e-10 * odd->scale / step);
             }
         }
-        print_message("%-18s gradient off by %.1e of the largest\n", odd->name, worst / largest);
+        print_message("%-18s gradient off by %.1e of the largest\n", s->name, worst / largest);
         assert_near(worst / largest, 0, 2e-8);
     }
 }
 
 static void declared_symmetry_is_real(void **state) {
     (void)state;
-    for (int o = 0; o < ODD_SCENES; o++) {
+    for (int o = 0; scenes[o]; o++) {
         struct problem p;
-        const struct scene *s = odd_setup(&odd_scenes[o], &p);
+        const struct scene *s = scenes[o];
+        odd_setup(s, &p);
         for (int d = 0; d < p.dim; d++) {
             double x[2] = {p.lo[0] + 0.23 * (p.hi[0] - p.lo[0]), p.lo[1] + 0.31 * (p.hi[1] - p.lo[1])},
                    m[2] = {x[0], x[1]};
             m[d] = p.lo[d] + p.hi[d] - x[d];
             double difference = at(s, &p, x[0], x[1], p.t_end) - at(s, &p, m[0], m[1], p.t_end);
             if (p.mirror[d])
-                assert_near(difference, 0, 1e-13 * odd_scenes[o].scale);
+                assert_near(difference, 0, 1e-13 * s->odd.scale);
             else
                 assert_true(fabs(difference) > 1e-3);
         }

@@ -6,13 +6,6 @@
 
 #include <gsl/gsl_errno.h>
 
-static const struct odd_scene *odd(const char *name) {
-    for (int o = 0; o < ODD_SCENES; o++)
-        if (strcmp(odd_scenes[o].name, name) == 0) return &odd_scenes[o];
-    fail_msg("no scene %s at odd parameters", name);
-    return NULL;
-}
-
 static const struct known {
     const char *scene;
     double x[2], t, T; /* m, s, K */
@@ -47,10 +40,9 @@ static void known_values(void **state) {
     (void)state;
     for (size_t i = 0; i < sizeof known / sizeof *known; i++) {
         struct problem p;
-        const struct odd_scene *o = odd(known[i].scene);
-        const struct scene *s = odd_setup(o, &p);
+        const struct scene *s = odd_find(known[i].scene, &p);
         struct exact e = s->exact(&p, known[i].x, known[i].t);
-        assert_near(e.temperature, known[i].T, 1e-13 * o->scale);
+        assert_near(e.temperature, known[i].T, 1e-13 * s->odd.scale);
         assert_near(e.temperature, known[i].T, e.error_bound);
         if (known[i].t <= p.t_end) {
             struct exact f = s->second(&p, known[i].x, known[i].t);
@@ -72,15 +64,15 @@ static void plate_of_the_paper(void **state) {
 }
 
 static double value(const char *name, const int swap[][2], int swaps, double x, double y) {
-    struct odd_scene o = *odd(name);
+    struct scene s = *scene_find(name);
     struct problem p;
     for (int i = 0; i < swaps; i++) {
-        double kept = o.param[swap[i][0]];
-        o.param[swap[i][0]] = o.param[swap[i][1]];
-        o.param[swap[i][1]] = kept;
+        double kept = s.odd.param[swap[i][0]];
+        s.odd.param[swap[i][0]] = s.odd.param[swap[i][1]];
+        s.odd.param[swap[i][1]] = kept;
     }
-    const struct scene *s = odd_setup(&o, &p);
-    return s->exact(&p, (double[2]){x, y}, p.t_end).temperature;
+    odd_setup(&s, &p);
+    return s.exact(&p, (double[2]){x, y}, p.t_end).temperature;
 }
 
 static void swaps_show(void **state) {
@@ -134,9 +126,9 @@ static void published_plate_by_side(void **state) {
     static const double x[2] = {0.031, 0.017};
     for (int side = 0; side < 4; side++) {
         struct problem p;
-        struct odd_scene o = *odd("plate");
-        for (int i = 2; i <= 6; i++) o.param[i] = i == 2 + side ? 1.3 : 0;
-        const struct scene *s = odd_setup(&o, &p);
+        struct scene plate = *scene_find("plate"), *s = &plate;
+        for (int i = 2; i <= 6; i++) plate.odd.param[i] = i == 2 + side ? 1.3 : 0;
+        odd_setup(s, &p);
         double soon = s->published(&p, x, 23.7) - s->exact(&p, x, 23.7).temperature;
         double late = s->published(&p, x, 1e5) - s->exact(&p, x, 1e5).temperature;
         print_message("T%d alone, as printed: off by %.3g K early, %.3g K steady\n", side + 1, soon, late);

@@ -68,8 +68,7 @@ static void bad_values_are_refused(void **state) {
 
 static void defaults_are_accepted(void **state) {
     (void)state;
-    int count = 0;
-    for (const struct scene *const *s = scenes; *s; s++, count++) {
+    for (const struct scene *const *s = scenes; *s; s++) {
         struct problem p;
         struct failure why = {0};
         int last = 0;
@@ -82,7 +81,6 @@ static void defaults_are_accepted(void **state) {
         assert_true((*s)->about && (*s)->citation && (*s)->exact && (*s)->second && p.initial && p.wall);
         for (int i = 0; i < last; i++) assert_true((*s)->params[i].unit && (*s)->params[i].about);
     }
-    assert_int_equal(count, ODD_SCENES);
 }
 
 /* A setup leaves nothing of an earlier one behind. */
