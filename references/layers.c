@@ -6,30 +6,18 @@
  *                    + (theta - start_i/z) sinh(q_i (w_i - d))/sinh(q_i w_i)
  *
  * and theta(z), the contact's, follows from equal fluxes, sum_i k_i dT^/dd = 0 at d = 0.  No contact temperature,
- * error function or eigenvalue enters (Carslaw and Jaeger 1959, chapter 12).  The inversion is Talbot's, by the
- * midpoint rule with N points on the contour z(a) = N/t (0.5017 a cot(0.6407 a) - 0.6122 + 0.2645 i a), -pi < a < pi,
- * whose error falls as 3.89^-N (Trefethen, Weideman, Schmelzer 2006, BIT 46:653); N = 24 balances it with rounding.
+ * error function or eigenvalue enters (Carslaw and Jaeger 1959, chapter 12).  The inversion is Talbot's (talbot.h).
  * The slope's transform is q_i times the other's, |q_i| < 6/sqrt(kappa_i t) where exp(z t) counts.
  * Restrictions: constant walls, each layer at one temperature at the start. */
 #include "references/layers.h"
 
 #include <math.h>
 
-static const double pi = 3.14159265358979323846;
-
-/* The node z and its weight w exp(z t) dz/da, of t = 1. */
-static void contour(int j, double complex *z, double complex *weight) {
-    enum { N = 2 * LAYERS_NODES };
-    double a = (2 * j + 1) * pi / N, cot = 1 / tan(0.6407 * a);
-    *z = N * (0.5017 * a * cot - 0.6122 + 0.2645 * I * a);
-    *weight = cexp(*z) * (0.5017 * cot - 0.5017 * 0.6407 * a * (1 + cot * cot) + 0.2645 * I) * 2;
-}
-
 void layers_contour(const struct layers *w, double t, struct layers_contour *c) {
     c->w = *w;
-    for (int j = 0; j < LAYERS_NODES; j++) {
+    for (int j = 0; j < TALBOT_NODES; j++) {
         double complex z, weight, q[2], e[2], conductance = 0, flux = 0;
-        contour(j, &z, &weight);
+        talbot_node(j, &z, &weight);
         for (int i = 0; i < 2; i++) {
             q[i] = csqrt(z / t * (w->rho_c[i] / w->k[i]));
             e[i] = cexp(-q[i] * w->width[i]);
@@ -57,7 +45,7 @@ void layers_contour(const struct layers *w, double t, struct layers_contour *c) 
 struct curve layers_contour_at(const struct layers_contour *c, double x) {
     int i = x >= 0;
     double d = fabs(x), width = c->w.width[i], sum = 0, slope = 0;
-    for (int j = 0; j < LAYERS_NODES; j++) {
+    for (int j = 0; j < TALBOT_NODES; j++) {
         double complex q = c->node[i][j].q, near = cexp(-q * d), far = cexp(-q * (width - d));
         double complex wall = c->node[i][j].wall, core = c->node[i][j].core;
         sum += cimag(wall * far * (1 - near * near) + core * near * (1 - far * far));

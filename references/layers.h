@@ -2,8 +2,7 @@
 #define HEATLADDER_REFERENCES_LAYERS_H
 
 #include "references/series.h"
-
-#include <complex.h>
+#include "references/talbot.h"
 
 /* Two layers in perfect contact at x = 0, between walls at -width[0] and width[1], by the Laplace transform and by
  * eigenfunctions. */
@@ -16,7 +15,6 @@ struct layers {
 };
 
 /* The contour of the numerical inversion at one time, and what of the transform does not depend on x. */
-enum { LAYERS_NODES = 12 };
 struct layers_contour {
     struct layers w;
     double error[2]; /* K and K m^-1 */
@@ -24,7 +22,7 @@ struct layers_contour {
         double complex q;    /* m^-1: sqrt(z rho_c/k) */
         double complex wall; /* K: what sinh(q d) is multiplied by, d the distance to the contact */
         double complex core; /* K: what sinh(q (width - d)) is multiplied by */
-    } node[2][LAYERS_NODES]; /* by layer */
+    } node[2][TALBOT_NODES]; /* by layer */
 };
 
 /* t > 0 s */

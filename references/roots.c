@@ -3,9 +3,9 @@
  * A slab cooled at one end has modes sin or cos(z x/L) with k z/L cos z = -b sin z or k z/L sin z = b cos z.  Either
  * is, with biot = b L/k and atan2 from 0 to pi/2,
  *
- *     z + atan2(z, biot) = n pi   or   (n - 1/2) pi,
+ *     z + atan2(z, biot) = n pi   or   z - atan2(biot, z) = (n - 1) pi,
  *
- * whose left side increases from 0 without bound: one root for each n >= 1, at biot = 0 and infinity as well
+ * whose left sides increase without bound: one root for each n >= 1, at biot = 0 and infinity as well
  * (Carslaw and Jaeger 1959, section 3.9 and appendix IV). */
 #include "references/roots.h"
 
@@ -46,15 +46,15 @@ struct cooled {
     double biot;
 };
 
-/* z - (n - 1/2) pi - (1/2) pi + atan2(z, biot), the large parts first: their difference is exact. */
+/* The large parts first: their difference is exact. */
 static double phase(double z, const void *data) {
     const struct cooled *c = data;
-    return z - c->n * M_PI + (c->insulated ? M_PI_2 : 0) + atan2(z, c->biot);
+    return c->insulated ? z - (c->n - 1) * M_PI - atan2(c->biot, z) : z - c->n * M_PI + atan2(z, c->biot);
 }
 
 double roots_cooled(int n, int insulated, double biot) {
     struct cooled c = {n, insulated, biot};
-    double hi = n * M_PI - (insulated ? M_PI_2 : 0), lo = hi - M_PI_2;
+    double hi = (insulated ? n - 0.5 : n) * M_PI, lo = (insulated ? n - 1 : n - 0.5) * M_PI;
     if (biot == 0) return lo;
     if (isinf(biot)) return hi;
     return roots_increasing(phase, &c, lo, hi);

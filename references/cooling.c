@@ -1,0 +1,37 @@
+/* Slabs and half lines with a cooled end.
+ *
+ * Modes: q L = z, whose sine and cosine follow from z cot z = -biot or z tan z = biot, biot = h L, without the
+ * cancellation that they have near their zeros.  Held: sin z cos z = -z biot/(z^2 + biot^2); insulated: the same with
+ * the other sign; the integral of the square is L/2 (1 + biot/(z^2 + biot^2)) for both (Carslaw and Jaeger 1959,
+ * section 3.9).
+ *
+ * Half line: T = erf(d/s) + exp(h d + (h s/2)^2) erfc(d/s + h s/2)  (section 2.7); the second term is
+ * exp(-(d/s)^2) erfcx(d/s + h s/2), erfcx(y) = exp(y^2) erfc(y), which does not overflow. */
+#include "references/cooling.h"
+
+#include "references/roots.h"
+
+#include <math.h>
+
+struct cooling_mode cooling_mode(int n, int insulated, double L, double h) {
+    double biot = h * L, z = roots_cooled(n, insulated, biot), size = hypot(z, biot), sign = n % 2 ? 1 : -1;
+    if (z == 0) return (struct cooling_mode){0, L, L, 1}; /* nothing cools: the mean */
+    struct cooling_mode m = {.q = z / L, .norm = L / 2 * (1 + biot / (size * size))};
+    m.end_cosine = insulated ? sign * z / size : -sign * biot / size;
+    m.integral = (insulated ? sign * biot / size : 1 - m.end_cosine) / m.q;
+    return m;
+}
+
+/* Below 5 directly, where the rounded exponent costs 25 eps; then by its continued fraction, 20 of whose levels leave
+ * less than eps (Abramowitz and Stegun 1964, 7.1.14). */
+static double erfcx(double y) {
+    if (y < 5) return exp(y * y) * erfc(y);
+    double fraction = y;
+    for (int k = 20; k > 0; k--) fraction = y + k / 2.0 / fraction;
+    return 1 / (sqrt(M_PI) * fraction);
+}
+
+struct cooling_half cooling_half(double d, double h, double s) {
+    double z = d / s, fall = exp(-z * z), end = fall * erfcx(z + h * s / 2);
+    return (struct cooling_half){erf(z) + end, h * end, h * (h * s / 2 * end - fall / sqrt(M_PI)), end};
+}

@@ -1,0 +1,14 @@
+#ifndef HEATLADDER_REFERENCES_TALBOT_H
+#define HEATLADDER_REFERENCES_TALBOT_H
+
+#include <complex.h>
+
+/* Numerical inversion of a Laplace transform F:  f(t) = sum over the nodes of Im(weight F(z/t)), to 2e-13 of the
+ * largest |f| where F is that of diffusion (poles on the negative real axis). */
+
+enum { TALBOT_NODES = 12 };
+
+/* Node j: z, and its weight times t. */
+void talbot_node(int j, double complex *z, double complex *weight);
+
+#endif

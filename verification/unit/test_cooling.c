@@ -1,0 +1,213 @@
+/* Cooled ends: no root is missed and each is good to the last bit, half lines and modes are what they say, and the
+ * scenes have the limits of an insulated and of a held end. */
+#include "references/cooling.h"
+
+#include "references/cooled_plate.h"
+#include "references/roots.h"
+#include "verification/unit/odd_scenes.h"
+
+#include <float.h>
+#include <string.h>
+
+#include <gsl/gsl_errno.h>
+
+static const double pi = 3.14159265358979323846;
+
+/* z cot z = -biot and z tan z = biot by bisection in 40 digits. */
+static void roots_are_known(void **state) {
+    (void)state;
+    static const struct {
+        int n, insulated;
+        double biot, z;
+    } known[] = {
+        {1, 0, 0.37, 1.776172342176420698232},      {1, 1, 0.37, 0.5732025235114154397751},
+        {3, 0, 14.423, 8.873246010034986667007},    {3, 1, 14.423, 7.380977853508463440951},
+        {1, 1, 1e-12, 9.999999999998333232767e-7},  {1, 0, 1e-12, 1.570796326795533239004},
+        {2, 1, 3.1e-09, 3.141592654576553885322},   {7, 0, 2500000.0, 21.99113977867264142706},
+        {7, 1, 2500000.0, 20.42034408019602415325}, {400, 0, 0.001, 1255.066265905893077068},
+        {400, 1, 911.0, 1254.12369639422967525},    {1, 1, 1e+18, 1.570796326794896617661},
+        {2, 0, 1e+18, 6.283185307179586470642},
+    };
+    for (size_t i = 0; i < sizeof known / sizeof *known; i++) {
+        double z = roots_cooled(known[i].n, known[i].insulated, known[i].biot);
+        assert_near(z, known[i].z, 2 * DBL_EPSILON * known[i].z);
+    }
+}
+
+/* One root between neighbouring multiples of pi/2, for any biot: each obeys its equation to rounding. */
+static void no_root_is_missed(void **state) {
+    (void)state;
+    for (double biot = 1e-20; biot < 1e21; biot *= 7.3)
+        for (int insulated = 0; insulated < 2; insulated++)
+            for (int n = 1; n <= 60; n++) {
+                double z = roots_cooled(n, insulated, biot), hi = (n - insulated * 0.5) * pi, size = hypot(z, biot);
+                assert_true(z >= (hi - pi / 2) * (1 - 2 * DBL_EPSILON) && z <= hi * (1 + DBL_EPSILON));
+                double residual = insulated ? z * sin(z) - biot * cos(z) : z * cos(z) + biot * sin(z);
+                assert_near(residual / size, 0, 4 * DBL_EPSILON * (z + z / size));
+            }
+    for (int n = 1; n < 9; n++) {
+        assert_near(roots_cooled(n, 0, 0), (n - 0.5) * pi, DBL_EPSILON * n);
+        assert_near(roots_cooled(n, 0, INFINITY), n * pi, 0);
+        assert_near(roots_cooled(n, 1, 0), (n - 1) * pi, 0);
+        assert_near(roots_cooled(n, 1, INFINITY), (n - 0.5) * pi, DBL_EPSILON * n);
+    }
+}
+
+/* Integrals of a mode by Simpson's rule: error below 2e-11 for the first four. */
+static void modes_have_their_integrals(void **state) {
+    (void)state;
+    const double L = 0.37;
+    static const double h[] = {0, 1e-9, 0.83, 17, 4e5};
+    for (int i = 0; i < 5; i++)
+        for (int k = 0; k < 8; k++) {
+            enum { N = 2000 };
+            int insulated = k % 2;
+            struct cooling_mode m = cooling_mode(k / 2 + 1, insulated, L, h[i]);
+            double integral = 0, norm = 0;
+            for (int j = 0; j <= N; j++) {
+                double w = L / N / 3 * (j == 0 || j == N ? 1 : j % 2 ? 4 : 2), phase = m.q * L * j / N;
+                double value = insulated ? cos(phase) : sin(phase);
+                integral += w * value;
+                norm += w * value * value;
+            }
+            assert_near(m.integral, integral, 1e-11);
+            assert_near(m.norm, norm, 1e-11);
+            assert_near(m.end_cosine, cos(m.q * L), 1e-14);
+        }
+}
+
+/* At the end the flux is that of the air; both slopes are those of differences; far from the end nothing has changed;
+ * for h to infinity the end is held. */
+static void half_lines_cool(void **state) {
+    (void)state;
+    for (double h = 0.01; h < 1e4; h *= 13)
+        for (double s = 0.003; s < 30; s *= 4.7) {
+            struct cooling_half end = cooling_half(0, h, s);
+            assert_near(end.slope, h * end.T, 4 * DBL_EPSILON * h);
+            assert_near(cooling_half(6.3 * s, h, s).T, 1, 1e-15);
+            for (double d = 0.1 * s; d < 4 * s; d += 0.7 * s) {
+                double e = 1e-3 * s;
+                double by_d = (8 * (cooling_half(d + e, h, s).T - cooling_half(d - e, h, s).T) -
+                               (cooling_half(d + 2 * e, h, s).T - cooling_half(d - 2 * e, h, s).T)) /
+                              (12 * e);
+                double by_s = (8 * (cooling_half(d, h, s + e).T - cooling_half(d, h, s - e).T) -
+                               (cooling_half(d, h, s + 2 * e).T - cooling_half(d, h, s - 2 * e).T)) /
+                              (12 * e);
+                assert_near(cooling_half(d, h, s).slope, by_d, 2e-11 / s);
+                assert_near(cooling_half(d, h, s).change, by_s, 2e-11 / s);
+            }
+        }
+    assert_near(cooling_half(0.2, 1e17, 0.3).T, erf(0.2 / 0.3), 1e-15);
+    for (double y = 4.9; y < 25; y += 0.07) /* exp(y^2) erfc(y) by either way; exp rounds y^2 */
+        assert_near(cooling_half(0, 2 * y, 1).end, exp(y * y) * erfc(y), 4e-16 * y * y * exp(y * y) * erfc(y));
+    assert_near(cooling_half(0.2, 0, 0.3).T, 1, 0);
+}
+
+static const struct scene *scene_at(const char *name, const double *param, struct problem *p) {
+    struct failure why = {0};
+    const struct scene *s = scene_find(name);
+    scene_defaults(s, p);
+    for (int i = 0; s->params[i].name; i++) p->param[i] = param[i];
+    if (s->setup(p, &why)) fail_msg("%s", why.text);
+    return s;
+}
+
+static const double times[] = {0.03, 1.1, 17, 130, 700, 2900, 31000};
+enum { TIMES = sizeof times / sizeof *times };
+
+/* b = 0: the half of a rod twice as long between two held ends.  b = 1e19: both ends held. */
+static void rod_limits(void **state) {
+    (void)state;
+    double v[PARAM_MAX] = {0.37, 41, 2.9e6, 31, 97, 0, 7, 450}, L = v[0];
+    for (int i = 0; i < TIMES; i++)
+        for (double x = 0; x <= L; x += L / 17) {
+            struct problem p;
+            double s = sqrt(4 * v[1] / v[2] * times[i]);
+            v[5] = 0, v[6] = 7;
+            const struct scene *rod = scene_at("rod-cooling", v, &p);
+            struct exact e = rod->exact(&p, (double[2]){x, 0}, times[i]);
+            struct curve u = series_box(x - L, L, L, s);
+            assert_near(e.temperature, 31 + 66 * u.at.value, e.error_bound + 66 * u.at.error);
+            assert_near(e.gradient[0], 66 * u.slope.value, e.gradient_bound[0] + 66 * u.slope.error);
+            v[5] = 1e19, v[6] = 31;
+            rod = scene_at("rod-cooling", v, &p);
+            e = rod->exact(&p, (double[2]){x, 0}, times[i]);
+            u = series_box(x - L / 2, L / 2, L / 2, s);
+            assert_near(e.temperature, 31 + 66 * u.at.value, e.error_bound + 66 * u.at.error);
+        }
+}
+
+/* b = 0: the slab between y = 0 and an insulated end.  b = 1e19: the half of a plate twice as wide with cold sides.
+ */
+static void plate_limits(void **state) {
+    (void)state;
+    double v[PARAM_MAX] = {0.53, 0.91, 41, 2.9e6, 83, 7, 0, 7, 5000}, W = v[0], H = v[1];
+    for (int i = 1; i < TIMES; i++)
+        for (int k = 0; k < 40; k++) {
+            struct problem p;
+            double s = sqrt(4 * v[2] / v[3] * times[i]), x = W * (k % 8 + 0.13) / 8, y = H * (k / 8 + 0.07) / 5;
+            v[6] = 0;
+            const struct scene *plate = scene_at("plate-cooling", v, &p);
+            struct exact e = plate->exact(&p, (double[2]){x, y}, times[i]);
+            struct curve u = series_box(y - H, H, H, s);
+            assert_near(e.temperature, 83 - 76 * u.at.value, e.error_bound + 76 * u.at.error);
+            assert_near(e.gradient[0], 0, e.gradient_bound[0]);
+            assert_near(e.gradient[1], -76 * u.slope.value, e.gradient_bound[1] + 76 * u.slope.error);
+            v[6] = 1e19;
+            plate = scene_at("plate-cooling", v, &p);
+            e = plate->exact(&p, (double[2]){x, y}, times[i]);
+            struct rectangle r;
+            rectangle_prepare((double[2]){2 * W, H}, (double[4]){0, 0, 76, 0}, s, &r);
+            struct surface T = rectangle_at(&r, (double[2]){W + x, y});
+            assert_near(e.temperature, 7 + T.at.value, e.error_bound + T.at.error);
+        }
+}
+
+/* Published to four digits: test T4 of the standard NAFEMS benchmarks. */
+static void nafems_t4(void **state) {
+    (void)state;
+    struct problem p;
+    struct failure why;
+    const struct scene *s = scene_find("plate-cooling");
+    const double x[2] = {0.6, 0.2};
+    scene_defaults(s, &p);
+    assert_int_equal(s->setup(&p, &why), STATUS_OK);
+    assert_near(s->exact(&p, x, 2.5e5).temperature, 18.25, 0.005);
+    assert_near(s->exact(&p, x, 2.5e5).temperature, s->exact(&p, x, 1e9).temperature, 1e-12);
+    assert_true(s->exact(&p, x, 6000).temperature < 17);
+}
+
+/* On the hot side the gradient is the limit of that beside it; in the corner it grows without bound, and says so. */
+static void the_hot_side_has_a_gradient(void **state) {
+    (void)state;
+    struct problem p;
+    struct failure why;
+    const struct scene *s = scene_find("plate-cooling");
+    scene_defaults(s, &p);
+    assert_int_equal(s->setup(&p, &why), STATUS_OK);
+    for (double u = 1e-3; u < 0.6; u *= 2.1) {
+        struct exact on = s->exact(&p, (double[2]){0.6 - u, 0}, 3000);
+        struct exact off = s->exact(&p, (double[2]){0.6 - u, 1e-7 * u}, 3000);
+        assert_near(on.temperature, 100, on.error_bound);
+        assert_near(on.gradient[1], off.gradient[1], 1e-5 * fabs(off.gradient[1]));
+        assert_near(on.gradient[0], 0, on.gradient_bound[0]);
+    }
+    struct exact corner = s->exact(&p, (double[2]){0.6, 0}, 3000);
+    assert_near(corner.temperature, 100, corner.error_bound);
+    assert_true(isinf(corner.gradient[1]));
+}
+
+int main(void) {
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(roots_are_known),
+        cmocka_unit_test(no_root_is_missed),
+        cmocka_unit_test(modes_have_their_integrals),
+        cmocka_unit_test(half_lines_cool),
+        cmocka_unit_test(rod_limits),
+        cmocka_unit_test(plate_limits),
+        cmocka_unit_test(nafems_t4),
+        cmocka_unit_test(the_hot_side_has_a_gradient),
+    };
+    gsl_set_error_handler_off();
+    return cmocka_run_group_tests_name("cooling", tests, NULL, NULL);
+}
