@@ -10,6 +10,8 @@ enum { CUBATURE_KNOTS = 8 };
 
 /* Where the integrand may jump, or change within a distance far below the extents. */
 struct cubature_knots {
+    int grades; /* most parts on either side of a knot, each half of the one before; 0 or less: as many as there can
+                   be */
     int count[2];
     struct {
         double at;  /* m, any order; those outside are ignored */
@@ -17,9 +19,9 @@ struct cubature_knots {
     } knot[2][CUBATURE_KNOTS];
 };
 
-/* The mean of f over [lo, hi], dim 1 or 2 (lo[1] = hi[1] for dim 1), to about 1e-14 of the largest |f| met; `error`
- * is an estimate. */
-struct approx cubature_mean(double (*f)(const void *data, const double x[2]), const void *data, int dim,
+/* The mean of f over [lo, hi], dim 1 or 2 (lo[1] = hi[1] for dim 1), to about 1e-14 of the largest |f| met or to the
+ * mean of the errors that f states; `error` is an estimate with these in it. */
+struct approx cubature_mean(struct approx (*f)(const void *data, const double x[2]), const void *data, int dim,
                             const double lo[2], const double hi[2], const struct cubature_knots *knots);
 
 #endif

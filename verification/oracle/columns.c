@@ -69,9 +69,9 @@ static void initial(const struct columns_row *row, double *value) {
     *value = row->p->initial(row->p, row->x);
 }
 
-static double initial_at(const void *data, const double x[2]) {
+static struct approx initial_at(const void *data, const double x[2]) {
     const struct problem *p = data;
-    return p->initial(p, x);
+    return (struct approx){p->initial(p, x), 0};
 }
 
 static void initial_mean(const struct columns_row *row, double *value) {

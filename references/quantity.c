@@ -1,0 +1,154 @@
+/* Derived quantities of the exact solution.
+ *
+ * Fluxes are those of the side's own law where it gives them, q on a Neumann side and b (T_a - T) on a Robin side,
+ * and k dT/dn on a Dirichlet side.  There the flux density of a plate grows as 1/distance towards a corner whose
+ * other side is held at another temperature, and its integral has no value.  Integrals are by cubature.h, graded
+ * towards ends, jumps and interface down to the diffusion length. */
+#include "references/quantity.h"
+
+#include "references/cubature.h"
+#include "references/snapshot.h"
+
+#include "solver/status.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+static int read_place(const char *text, const struct problem *p, struct quantity *q, struct failure *why) {
+    const char *at = text + strlen("at:");
+    q->kind = QUANTITY_AT;
+    for (int a = 0; a < p->dim; a++) {
+        char *end;
+        q->at[a] = strtod(at, &end);
+        if (end == at || *end != (a + 1 < p->dim ? ',' : '\0') || !isfinite(q->at[a]))
+            return refuse(why, STATUS_INPUT, "quantity '%.60s': at: needs %s, such as %s", text,
+                          p->dim == 2 ? "X,Y" : "one number", p->dim == 2 ? "at:0.1,0.2" : "at:0.1");
+        if (q->at[a] < p->lo[a] || q->at[a] > p->hi[a])
+            return refuse(why, STATUS_INPUT, "quantity '%.60s': %c = %g m lies outside of %g to %g m", text, "xy"[a],
+                          q -> at[a], p -> lo[a], p -> hi[a]);
+        at = end + 1;
+    }
+    return STATUS_OK;
+}
+
+int quantity_read(const char *text, const struct problem *p, struct quantity *q, struct failure *why) {
+    static const char *const flux[] = {"flux_x_lo", "flux_x_hi", "flux_y_lo", "flux_y_hi"};
+    *q = (struct quantity){.kind = QUANTITY_HEAT};
+    if (strncmp(text, "at:", 3) == 0) return read_place(text, p, q, why);
+    if (strcmp(text, "heat") == 0) return STATUS_OK;
+    for (int s = 0; s < 2 * p->dim; s++) {
+        if (strcmp(text, flux[s]) != 0) continue;
+        *q = (struct quantity){.kind = QUANTITY_FLUX, .side = (enum side)s};
+        return STATUS_OK;
+    }
+    return refuse(why, STATUS_INPUT, "unknown quantity '%.60s' (valid: flux_x_lo, flux_x_hi, %sheat, at:%s)", text,
+                  p->dim == 2 ? "flux_y_lo, flux_y_hi, " : "", p->dim == 2 ? "X,Y" : "X");
+}
+
+const char *quantity_unit(const struct quantity *q, const struct problem *p) {
+    if (q->kind == QUANTITY_AT) return "K";
+    if (q->kind == QUANTITY_HEAT) return p->dim == 1 ? "J/m^2" : "J/m";
+    return p->dim == 1 ? "W/m^2" : "W/m";
+}
+
+/* What the integrands need. */
+struct field_at {
+    struct snapshot now;
+    enum side side;
+};
+
+static const struct material *material_at(const struct problem *p, const double x[2]) {
+    return &p->material[p->materials == 2 && x[0] >= p->interface];
+}
+
+static struct approx heat_density(const void *data, const double x[2]) {
+    const struct field_at *f = data;
+    struct exact e = snapshot_at(&f->now, x);
+    double rho_c = material_at(f->now.problem, x)->rho_c;
+    return (struct approx){rho_c * e.temperature, rho_c * e.error_bound};
+}
+
+/* k dT/dn at a point of the side f->side; along[0] is its coordinate along the side. */
+static struct approx flux_density(const void *data, const double along[2]) {
+    const struct field_at *f = data;
+    const struct problem *p = f->now.problem;
+    int s = f->side, a = s / 2;
+    double x[2] = {along[0], p->dim == 2 ? along[0] : 0};
+    x[a] = s % 2 ? p->hi[a] : p->lo[a];
+    double wall = p->wall(p, f->side, x), k = material_at(p, x)->k[a], b = p->robin[s];
+    if (p->side[s] == NEUMANN) return (struct approx){wall, 0};
+    struct exact e = snapshot_at(&f->now, x);
+    if (p->side[s] == ROBIN) return (struct approx){b * (wall - e.temperature), b * e.error_bound};
+    return (struct approx){s % 2 ? k * e.gradient[a] : -k * e.gradient[a], k * e.gradient_bound[a]};
+}
+
+/* Ends, middle, jumps and interface of an axis. */
+static void add_knots(const struct problem *p, int axis, int place, struct cubature_knots *knots) {
+    double at[CUBATURE_KNOTS] = {p->lo[axis], p->hi[axis], (p->lo[axis] + p->hi[axis]) / 2};
+    int n = 3;
+    for (int j = 0; j < p->jumps[axis]; j++) at[n++] = p->jump[axis][j];
+    if (axis == 0 && p->materials == 2) at[n++] = p->interface;
+    for (int i = 0; i < n; i++) {
+        knots->knot[place][i].at = at[i];
+        knots->knot[place][i].graded = 1;
+    }
+    knots->count[place] = n;
+}
+
+/* In two dimensions no feature is narrower than the diffusion length, at any t > 0. */
+static int grades_for(const struct problem *p, double t) {
+    double kappa = INFINITY, extent = 0;
+    for (int a = 0; a < p->dim; a++) {
+        for (int m = 0; m < p->materials; m++) kappa = fmin(kappa, p->material[m].k[a] / p->material[m].rho_c);
+        extent = fmax(extent, p->hi[a] - p->lo[a]);
+    }
+    return p->dim == 2 && t > 0 ? 1 + (int)fmax(0, ceil(log2(extent / sqrt(4 * kappa * t)))) : 0;
+}
+
+static struct quantity_value heat(struct field_at *f) {
+    const struct problem *p = f->now.problem;
+    struct cubature_knots knots = {.count = {0, 0}, .grades = grades_for(p, f->now.time)};
+    double volume = 1;
+    for (int a = 0; a < p->dim; a++) {
+        volume *= p->hi[a] - p->lo[a];
+        add_knots(p, a, a, &knots);
+    }
+    struct approx mean = cubature_mean(heat_density, f, p->dim, p->lo, p->hi, &knots);
+    return (struct quantity_value){volume * mean.value, volume * mean.error, 0};
+}
+
+static struct quantity_value flux(struct field_at *f) {
+    const struct problem *p = f->now.problem;
+    int axis = f->side < Y_LO;
+    if (p->dim == 1) {
+        struct approx end = flux_density(f, (double[2]){0, 0});
+        return (struct quantity_value){end.value, end.error, 0};
+    }
+    for (int end = 0; end < 2 && p->side[f->side] == DIRICHLET; end++) {
+        double corner[2];
+        corner[1 - axis] = f->side % 2 ? p->hi[1 - axis] : p->lo[1 - axis];
+        corner[axis] = end ? p->hi[axis] : p->lo[axis];
+        if (snapshot_at(&f->now, corner).no_value) return (struct quantity_value){NAN, NAN, 1};
+    }
+    struct cubature_knots knots = {.count = {0, 0}};
+    double lo[2] = {p->lo[axis], 0}, hi[2] = {p->hi[axis], 0};
+    add_knots(p, axis, 0, &knots);
+    struct approx mean = cubature_mean(flux_density, f, 1, lo, hi, &knots);
+    double length = hi[0] - lo[0];
+    return (struct quantity_value){length * mean.value, length * mean.error, 0};
+}
+
+struct quantity_value quantity_exact(const struct quantity *q, const struct scene *s, const struct problem *p,
+                                     double t) {
+    struct field_at f = {snapshot_take(s, p, t), q->side};
+    struct quantity_value v;
+    if (q->kind == QUANTITY_AT) {
+        struct exact e = snapshot_at(&f.now, q->at);
+        v = (struct quantity_value){e.temperature, e.error_bound, e.no_value};
+    } else {
+        v = q->kind == QUANTITY_HEAT ? heat(&f) : flux(&f);
+    }
+    snapshot_free(&f.now);
+    return v;
+}

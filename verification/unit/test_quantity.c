@@ -1,0 +1,161 @@
+/* Derived quantities of the exact solutions: heat kept in balance with the fluxes through the sides and the source,
+ * known values, and no value where there is none. */
+#include "references/quantity.h"
+
+#include "references/series.h"
+#include "verification/unit/odd_scenes.h"
+
+#include <string.h>
+
+#include <gsl/gsl_errno.h>
+
+static struct quantity_value of(const char *name, const struct scene *s, const struct problem *p, double t) {
+    struct quantity q;
+    struct failure why = {0};
+    if (quantity_read(name, p, &q, &why)) fail_msg("%s", why.text);
+    return quantity_exact(&q, s, p, t);
+}
+
+static double source_of(const struct problem *p) { /* the integral over the body, by the midpoint rule */
+    enum { N = 400 };
+    double sum = 0, area = (p->hi[0] - p->lo[0]) * (p->hi[1] - p->lo[1]);
+    for (int i = 0; p->source && i < N * N; i++) {
+        double x[2] = {p->lo[0] + (i % N + 0.5) / N * (p->hi[0] - p->lo[0]),
+                       p->lo[1] + (i / N + 0.5) / N * (p->hi[1] - p->lo[1])};
+        sum += p->source(p, x) * area / (N * N);
+    }
+    return sum;
+}
+
+/* d(heat)/dt = sum of the fluxes in + source, by differences of sixth order in time: heat comes from temperatures, a
+ * Dirichlet side's flux from gradients. */
+static void heat_is_kept(void **state) {
+    (void)state;
+    static const char *const flux[] = {"flux_x_lo", "flux_x_hi", "flux_y_lo", "flux_y_hi"};
+    static const double weight[] = {0, 0.75, -0.15, 1.0 / 60};
+    for (const struct scene *const *s = scenes; *s; s++) {
+        struct problem p;
+        odd_setup(*s, &p);
+        if (strcmp((*s)->name, "plate") == 0) /* sides that agree: else their fluxes are infinite */
+            p.param[2] = p.param[3] = p.param[4] = p.param[5];
+        double t = 0.6 * p.t_end, dt = 0.02 * t, rate = 0, in = source_of(&p), size = fabs(in), error = 0;
+        size += fabs(of("heat", *s, &p, t).value) / t;
+        for (int i = 1; i <= 3; i++)
+            for (int side = -1; side <= 1; side += 2) {
+                struct quantity_value heat = of("heat", *s, &p, t + side * i * dt);
+                rate += side * weight[i] * heat.value / dt;
+                error += weight[1] * heat.error_bound / dt;
+            }
+        for (int i = 0; i < 2 * p.dim; i++) {
+            struct quantity_value through = of(flux[i], *s, &p, t);
+            in += through.value;
+            size += fabs(through.value);
+            error += through.error_bound;
+        }
+        print_message("%-18s d(heat)/dt = %.6g, in %.6g\n", (*s)->name, rate, in);
+        assert_near(rate, in, 1e-7 * size + 3 * error); /* (dt/t)^6 times a constant below 2000 */
+        assert_true(error < 1e-6 * size);
+    }
+}
+
+/* By quadrature of the exact forms in 30 digits. */
+static void known_values(void **state) {
+    (void)state;
+    static const struct {
+        const char *scene, *quantity;
+        double t, value;
+    } known[] = {
+        {"rod-step", "heat", 2.385, 9.0519889300850331546},
+        {"rod-step", "flux_x_hi", 31.7, -0.037918604139578366584},
+        {"rod-gauss", "heat", 4.3, 4.7625935902234183701},
+        {"square-step", "heat", 3.7, 9.5184333685508621286},
+        {"square-step", "flux_y_lo", 170, -0.0032554797055087294106},
+        {"wall-composite", "heat", 0.4, 0.58395253844801412},
+        {"wall-composite", "flux_x_lo", 0.4, 0.049974917348278331},
+        {"rod-cooling", "heat", 450, 74022878.979507157},
+        {"rod-cooling", "flux_x_lo", 450, -19060.295738334468},
+        {"rod-cooling", "flux_x_hi", 450, -21089.033882998277},
+    };
+    for (size_t i = 0; i < sizeof known / sizeof *known; i++) {
+        struct problem p;
+        const struct scene *s = odd_find(known[i].scene, &p);
+        struct quantity_value v = of(known[i].quantity, s, &p, known[i].t);
+        assert_near(v.value, known[i].value, v.error_bound);
+        assert_true(v.error_bound < 1e-11 * fabs(v.value) + 1e-13 * s->odd.scale);
+    }
+}
+
+/* Sides alike: what is missing is a product of two boxes, whose means are sums over modes. */
+static void heat_of_a_plate(void **state) {
+    (void)state;
+    struct problem p;
+    const struct scene *s = odd_find("plate", &p);
+    for (int i = 2; i <= 5; i++) p.param[i] = 0.9;
+    double kappa = p.material[0].k[0] / p.material[0].rho_c;
+    for (double t = 0.02; t < 200; t *= 7) {
+        double mean[2] = {0, 0};
+        for (int a = 0; a < 2; a++)
+            for (int n = 1; n < 4000; n += 2) {
+                double q = n * 3.14159265358979323846, decay = kappa * t * q * q / (p.hi[a] * p.hi[a]);
+                mean[a] += 8 / (q * q) * exp(-decay);
+            }
+        double want = p.material[0].rho_c * p.hi[0] * p.hi[1] * (0.9 + (0.11 - 0.9) * mean[0] * mean[1]);
+        struct quantity_value v = of("heat", s, &p, t);
+        assert_near(v.value, want, v.error_bound + 1e-9 * want * (t < 0.1));
+        assert_true(v.error_bound < 1e-11 * want);
+    }
+}
+
+static void what_is_infinite_has_no_value(void **state) {
+    (void)state;
+    static const char *const flux[] = {"flux_x_lo", "flux_x_hi", "flux_y_lo", "flux_y_hi"};
+    struct problem p;
+    const struct scene *s = odd_find("plate", &p);
+    for (int i = 0; i < 4; i++) assert_true(of(flux[i], s, &p, 20).no_value);
+    assert_true(of("at:0,0", s, &p, 20).no_value);
+    struct quantity_value v = of("at:0.031,0.017", s, &p, 23.7);
+    assert_near(v.value, 0.30308057558458555, v.error_bound);
+    p.param[2] = p.param[5]; /* T1 = T4: two corners still disagree */
+    assert_true(!of("at:0,0", s, &p, 20).no_value && of("flux_x_lo", s, &p, 20).no_value);
+    assert_int_equal(of("heat", s, &p, 20).no_value, 0);
+}
+
+static void words_are_checked(void **state) {
+    (void)state;
+    static const struct {
+        const char *text, *says;
+    } bad[] = {
+        {"flux_y_lo", "unknown quantity 'flux_y_lo' (valid: flux_x_lo, flux_x_hi, heat, at:X)"},
+        {"at:", "needs one number"},
+        {"at:0.1,0.2", "needs one number"},
+        {"at:nan", "needs one number"},
+        {"at:1.4", "x = 1.4 m lies outside of 0 to 1.3 m"},
+        {"", "unknown quantity"},
+    };
+    struct problem p;
+    struct quantity q;
+    struct failure why = {0};
+    odd_find("rod-cosine", &p);
+    for (size_t i = 0; i < sizeof bad / sizeof *bad; i++) {
+        assert_int_equal(quantity_read(bad[i].text, &p, &q, &why), STATUS_INPUT);
+        if (!strstr(why.text, bad[i].says)) fail_msg("\"%s\" lacks \"%s\"", why.text, bad[i].says);
+    }
+    assert_int_equal(quantity_read("flux_x_hi", &p, &q, &why), STATUS_OK);
+    assert_true(q.kind == QUANTITY_FLUX && q.side == X_HI);
+    assert_string_equal(quantity_unit(&q, &p), "W/m^2");
+    odd_find("plate", &p);
+    assert_string_equal(quantity_unit(&q, &p), "W/m");
+    assert_int_equal(quantity_read("at:0.1,0.02", &p, &q, &why), STATUS_OK);
+    assert_near(q.at[1], 0.02, 0);
+    assert_int_equal(quantity_read("at:0.1", &p, &q, &why), STATUS_INPUT);
+}
+
+int main(void) {
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(heat_is_kept),      cmocka_unit_test(known_values),
+        cmocka_unit_test(heat_of_a_plate),   cmocka_unit_test(what_is_infinite_has_no_value),
+        cmocka_unit_test(words_are_checked),
+    };
+    gsl_set_error_handler_off();
+    return cmocka_run_group_tests_name("quantities", tests, NULL, NULL);
+}
