@@ -167,7 +167,7 @@ $(OUT)/%.svg $(OUT)/%.png: %.gp $(wildcard reports/page/*.gp) $(OUT)/report.stam
 	$(Q)scripts/plot $(OUT) $<
 
 # The figures that README.md shows.
-GALLERY := song_fig1b song_fig2a song_fig2b pamplona_fig5 stability_limits matched_fig1 operators_error
+GALLERY := song_fig1b song_fig2a song_fig2b pamplona_fig5 stability_limits matched_fig1 operators_error operators_redraw
 
 .PHONY: gallery
 gallery: report stability operators ## Copy the figures that the README shows to reports/gallery

@@ -12,7 +12,7 @@ static const char *const runs =
 
 static int write_curve(int order, const char *redraw, const char *name, FILE *out, struct failure *why) {
     static const int across[] = {20, 40, 80, 160, 320};
-    fprintf(out, "\n\n# order %d, %s\ndx [m],%s\n", order, name, name);
+    fprintf(out, "\n\n# order %d, every %s steps\ndx [m],%s\n", order, name, name);
     for (int i = 0; i < 5; i++) {
         struct command_run run;
         command_run_line(&run, runs, order, redraw, across[i]);
@@ -26,7 +26,7 @@ static int write_curve(int order, const char *redraw, const char *name, FILE *ou
 
 int operators_redraw(FILE *out, struct failure *why) {
     static const char *const redraw[][2] = {
-        {"", "never"}, {" --redraw 64", "64"}, {" --redraw 16", "16"}, {" --redraw 4", "4"}, {" --redraw 1", "1"}};
+        {"", "no"}, {" --redraw 64", "64"}, {" --redraw 16", "16"}, {" --redraw 4", "4"}, {" --redraw 1", "1"}};
     int status = STATUS_OK;
     figure_head(out, "rod-cosine: a cloud that is drawn anew every N steps");
     fprintf(out, "# command: heatladder ");

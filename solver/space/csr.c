@@ -95,14 +95,19 @@ static void scratch_add(struct scratch *s, uint32_t column, double value) {
     s->value[column] += value;
 }
 
-static int ascending(const void *a, const void *b) {
-    uint32_t x = *(const uint32_t *)a, y = *(const uint32_t *)b;
-    return (x > y) - (x < y);
+/* Ascending.  Columns arrive by cells, in runs that ascend: insertion takes a few moves each. */
+static void sort_columns(uint32_t *column, size_t n) {
+    for (size_t k = 1; k < n; k++) {
+        uint32_t held = column[k];
+        size_t at = k;
+        for (; at > 0 && column[at - 1] > held; at--) column[at] = column[at - 1];
+        column[at] = held;
+    }
 }
 
 /* Moves the scratch row of particle i to the list: off-diagonal columns, ascending. */
 static void scratch_flush(struct scratch *s, size_t i, struct list *out, double *diagonal) {
-    qsort(s->column, s->n, sizeof *s->column, ascending);
+    sort_columns(s->column, s->n);
     for (size_t k = 0; k < s->n; k++) {
         uint32_t j = s->column[k];
         if (j == i)

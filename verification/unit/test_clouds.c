@@ -43,7 +43,11 @@ static void six_neighbours(void **state) {
     for (size_t i = 0; i < c.n; i++) {
         int near = 0;
         if (fabs(c.x[i] - 0.4) > 0.5 || fabs(c.y[i] - 0.8) > 0.4) continue;
-        for (size_t j = 0; j < c.total; j++) near += j != i && distance(&c, i, j) < 1.3 * 0.05;
+        for (size_t j = 0; j < c.total; j++) {
+            if (j == i || distance(&c, i, j) > 1.3 * 0.05) continue;
+            assert_near(distance(&c, i, j) / 0.05, 1, 0.01);
+            near++;
+        }
         assert_int_equal(near, 6);
         seen++;
     }
