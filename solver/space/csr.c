@@ -138,17 +138,26 @@ static int direct_row(const struct assembly *m, size_t i, struct scratch *s, dou
     return STATUS_OK;
 }
 
+enum { BLOCKS = 64 };
+
 struct derivatives { /* rows of D_x and D_y at every point within one support of the domain */
-    struct list list;
-    size_t *begin; /* total + 1 */
+    struct list list[BLOCKS];
+    size_t *end;          /* total: where the row of a point ends in the list of its block */
+    unsigned char *block; /* total */
 };
 
-static int derive_all(const struct assembly *m, struct derivatives *d, struct failure *why) {
+static size_t derivatives_begin(const struct derivatives *d, size_t i) {
+    return i > 0 && d->block[i - 1] == d->block[i] ? d->end[i - 1] : 0;
+}
+
+/* The rows of one block of points. */
+static int derive_block(const struct assembly *m, int block, size_t begin, size_t end, struct derivatives *d,
+                        struct failure *why) {
     const struct cloud *c = m->c;
+    struct list *list = &d->list[block];
     uint32_t near[NEIGHBOURS_MAX];
     double weight[2][NEIGHBOURS_MAX], *w[2] = {weight[0], weight[1]};
-    d->begin = xcalloc(c->total + 1, sizeof *d->begin);
-    for (size_t i = 0; i < c->total; i++) {
+    for (size_t i = begin; i < end; i++) {
         size_t n = 0;
         double outside = 0;
         for (int a = 0; a < c->dim; a++) {
@@ -160,30 +169,47 @@ static int derive_all(const struct assembly *m, struct derivatives *d, struct fa
             double sum[2] = {0, 0};
             for (size_t k = 0; k < n; k++) {
                 double other = c->dim == 2 ? weight[1][k] : 0;
-                list_add(&d->list, 1, near[k], weight[0][k], other);
+                list_add(list, 1, near[k], weight[0][k], other);
                 sum[0] -= weight[0][k], sum[1] -= other;
             }
-            list_add(&d->list, 1, (uint32_t)i, sum[0], sum[1]);
+            list_add(list, 1, (uint32_t)i, sum[0], sum[1]);
         }
-        d->begin[i + 1] = d->list.n;
+        d->end[i] = list->n, d->block[i] = (unsigned char)block;
     }
     return STATUS_OK;
+}
+
+/* By as many threads; of several failures the first in the order of points. */
+static int derive_all(const struct assembly *m, int threads, struct derivatives *d, struct failure *why) {
+    size_t total = m->c->total;
+    int first_bad = BLOCKS;
+    d->end = xcalloc(total, sizeof *d->end);
+    d->block = xcalloc(total, sizeof *d->block);
+#pragma omp parallel for schedule(dynamic, 1) num_threads(threads)
+    for (int b = 0; b < BLOCKS; b++) {
+        struct failure local;
+        size_t begin = total * (size_t)b / BLOCKS, end = total * (size_t)(b + 1) / BLOCKS;
+        if (derive_block(m, b, begin, end, d, &local)) {
+#pragma omp critical(derivatives_failure)
+            if (b < first_bad) first_bad = b, *why = local;
+        }
+    }
+    return first_bad < BLOCKS ? why->status : STATUS_OK;
 }
 
 static void composed_row(const struct assembly *m, const struct derivatives *d, size_t i, struct scratch *s,
                          double *g) {
     const struct material *material = &m->p->material[0];
     double kappa[2] = {material->k[0] / material->rho_c, m->c->dim == 2 ? material->k[1] / material->rho_c : 0};
-    const struct list *l = &d->list;
-    for (size_t k = d->begin[i]; k < d->begin[i + 1]; k++) {
-        uint32_t j = l->column[k];
-        double x = kappa[0] * l->value[k], y = kappa[1] * l->other[k];
-        for (size_t q = d->begin[j]; q < d->begin[j + 1]; q++)
+    const struct list *own = &d->list[d->block[i]];
+    for (size_t k = derivatives_begin(d, i); k < d->end[i]; k++) {
+        uint32_t j = own->column[k];
+        const struct list *l = &d->list[d->block[j]];
+        double x = kappa[0] * own->value[k], y = kappa[1] * own->other[k];
+        for (size_t q = derivatives_begin(d, j); q < d->end[j]; q++)
             add_entry(m->c, s, g, l->column[q], x * l->value[q] + y * l->other[q]);
     }
 }
-
-enum { BLOCKS = 64 };
 
 /* The rows of one block of particles. */
 static int assemble_block(const struct assembly *m, const struct derivatives *d, struct heat_operator *a, double *g,
@@ -247,7 +273,7 @@ int csr_assemble(struct heat_operator *a, const struct problem *p, const struct 
                          KERNEL_SUPPORT * o->h * (c->spacing ? c->coarsest : spacing),
                          s->volume ? s->volume(p, o, o->h * spacing, c->volume) : c->volume,
                          layout_cell(o, spacing)};
-    struct derivatives d = {{0, 0, NULL, NULL, NULL}, NULL};
+    struct derivatives d = {{{0, 0, NULL, NULL, NULL}}, NULL, NULL};
     struct list part[BLOCKS] = {{0, 0, NULL, NULL, NULL}};
     size_t begin[BLOCKS + 1];
     int status = STATUS_OK, threads = o->threads > 1 ? o->threads : 1;
@@ -255,7 +281,7 @@ int csr_assemble(struct heat_operator *a, const struct problem *p, const struct 
     a->row = xcalloc(a->n + 1, sizeof *a->row);
     a->diagonal = xcalloc(a->n, sizeof *a->diagonal);
     neighbours_create(&m.cells, c, m.support);
-    if (s->sweeps == 2) status = derive_all(&m, &d, why);
+    if (s->sweeps == 2) status = derive_all(&m, threads, &d, why);
     for (size_t b = 0; b <= BLOCKS; b++) begin[b] = a->n * b / BLOCKS;
     int first_bad = BLOCKS;
 #pragma omp parallel for schedule(dynamic, 1) num_threads(threads) if (!status)
@@ -268,8 +294,9 @@ int csr_assemble(struct heat_operator *a, const struct problem *p, const struct 
         }
     }
     if (first_bad < BLOCKS) status = why->status;
-    list_free(&d.list);
-    free(d.begin);
+    for (int b = 0; b < BLOCKS; b++) list_free(&d.list[b]);
+    free(d.end);
+    free(d.block);
     neighbours_free(&m.cells);
     if (!status) {
         join(a, part, begin);

@@ -20,7 +20,7 @@ static void options_json(const struct result *r, struct json *j) {
     json_number(j, "order", accepts(r, "order") && o->order ? (double)o->order : NAN);
     json_text(j, "stepper", accepts(r, "stepper") ? stepper_words[o->stepper] : NULL);
     json_text(j, "layout", accepts(r, "layout") ? layout_words[o->layout] : NULL);
-    json_number(j, "jitter", o->layout == LAYOUT_JITTER || o->layout == LAYOUT_RELAXED ? o->jitter : 0);
+    json_number(j, "jitter", o->layout == LAYOUT_JITTER ? o->jitter : 0);
     json_number(j, "grading", o->layout == LAYOUT_GRADED ? o->grading : NAN);
     json_whole(j, "seed", (long long)o->seed);
     json_text(j, "sampling", accepts(r, "sampling") ? sampling_words[o->sampling] : NULL);
@@ -87,8 +87,8 @@ void result_describe(const struct result *r, char *text, size_t size) {
         return;
     }
     if (accepts(r, "kernel")) snprintf(kernel, sizeof kernel, "%s kernel, h/dx %g, ", kernel_words[o->kernel], o->h);
-    if (o->layout == LAYOUT_JITTER || o->layout == LAYOUT_RELAXED)
-        snprintf(jitter, sizeof jitter, " %g (seed %lu)", o->jitter, o->seed);
+    if (o->layout == LAYOUT_JITTER) snprintf(jitter, sizeof jitter, " %g (seed %lu)", o->jitter, o->seed);
+    if (o->layout == LAYOUT_RELAXED) snprintf(jitter, sizeof jitter, " (seed %lu)", o->seed);
     snprintf(text, size, "%s %s: %s%s%s, %s samples, %s walls, %s in time, t = %g s", r->scene->name, r->method->name,
              kernel, layout_words[o->layout], jitter, sampling_words[o->sampling], walls_words[o->walls],
              stepper_words[o->stepper], r->t_end);

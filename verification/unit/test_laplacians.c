@@ -281,6 +281,29 @@ static double no_flux(const struct problem *p, enum side s, const double x[2]) {
     return 0;
 }
 
+/* Rows of two sweeps, by one thread and by three. */
+static void threads_change_no_row(void **state) {
+    (void)state;
+    struct problem p = odd_rectangle();
+    struct options o = {.dx = 0.05, .h = 1.23, .seed = 7, .layout = LAYOUT_JITTER, .jitter = 0.31};
+    const struct scheme *s = named("flux_divergence")->scheme;
+    struct lattice l;
+    struct cloud c;
+    struct heat_operator a, b;
+    struct failure why;
+    assert_int_equal(layout_lattice(&p, &o, 1, &l, &why), STATUS_OK);
+    assert_int_equal(layout_cloud(&p, &o, &l, 4 * o.h * l.dx[0], &c, &why), STATUS_OK);
+    assert_int_equal(operator_create_rows(&a, &p, &o, s, &c, l.dx[0], &why), STATUS_OK);
+    o.threads = 3;
+    assert_int_equal(operator_create_rows(&b, &p, &o, s, &c, l.dx[0], &why), STATUS_OK);
+    assert_memory_equal(a.row, b.row, (a.n + 1) * sizeof *a.row);
+    assert_memory_equal(a.column, b.column, a.row[a.n] * sizeof *a.column);
+    assert_memory_equal(a.value, b.value, a.row[a.n] * sizeof *a.value);
+    operator_free(&a);
+    operator_free(&b);
+    layout_cloud_free(&c);
+}
+
 /* Sums of columns: d/dt of the heat that 1 K at particle j makes, over the largest weight. */
 static double lost(const char *name, double jitter) {
     struct problem p = odd_rectangle();
@@ -382,6 +405,7 @@ int main(void) {
         cmocka_unit_test(fluxes_by_the_kernels_gradient),
         cmocka_unit_test(second_derivatives_of_kernels),
         cmocka_unit_test(second_moments_on_the_lattice),
+        cmocka_unit_test(threads_change_no_row),
         cmocka_unit_test(who_conserves_heat),
         cmocka_unit_test(poor_clouds_are_refused),
         cmocka_unit_test(what_cannot_be_had_is_refused),
