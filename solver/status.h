@@ -12,10 +12,11 @@ enum {
     STATUS_NUMERICAL = 3,      /* a singular matrix, a program that failed */
     STATUS_INCONCLUSIVE = 4,   /* measured, and not enough to tell */
     STATUS_NOT_APPLICABLE = 5, /* good input, for which this method has no answer */
-    STATUS_UNSTABLE = 6        /* T grew without bound */
+    STATUS_UNSTABLE = 6,       /* T grew without bound */
+    STATUS_SKIPPED = 77        /* another program says that the case is not for it (as GNU Automake's tests do) */
 };
 
-/* The exit status of the program: 0 to 4; not applicable counts as input, unstable as numerical. */
+/* The exit status of the program: 0 to 4, or 77; not applicable counts as input, unstable as numerical. */
 int status_exit(int status);
 
 /* 1 where nothing was tried: STATUS_INPUT and STATUS_NOT_APPLICABLE. */

@@ -6,7 +6,6 @@
 #include "verification/command/arguments.h"
 
 #include "references/scene.h"
-#include "verification/run/external.h"
 #include "verification/command/option.h"
 #include "verification/command/verb.h"
 #include "verification/text/words.h"
@@ -42,7 +41,7 @@ static int take_scene(struct request *r, const char *name, struct failure *why) 
 static int take_method(struct request *r, const char *name, struct failure *why) {
     const char *names[WORDS_MAX] = {0};
     if (r->external) {
-        r->external->name = name;
+        r->external->name = r->experiment.program.label = name;
         return STATUS_OK;
     }
     r->experiment.method = method_find(name);
@@ -190,6 +189,17 @@ static int check_reference(const struct request *r, struct failure *why) {
     return STATUS_OK;
 }
 
+static int check_program(const struct request *r, struct failure *why) {
+    const struct program *g = &r->experiment.program;
+    if (g->solver && g->results)
+        return refuse(why, STATUS_INPUT, "--solver runs a program, --results judges what one left: give one of them");
+    if (!g->solver && (g->keep || g->timeout > 0))
+        return refuse(why, STATUS_INPUT, "--%s needs --solver 'CMD'", g->keep ? "keep" : "timeout");
+    for (int k = 0; k < COLUMN_COUNT && !program_given(g); k++)
+        if (g->columns.name[k][0]) return refuse(why, STATUS_INPUT, "--columns needs --solver or --results");
+    return STATUS_OK;
+}
+
 static int apply(struct request *r, const struct word *words, int count, struct failure *why) {
     for (int i = 0; i < count; i++)
         if (take_option(r, &words[i], why)) return why->status;
@@ -199,7 +209,24 @@ static int apply(struct request *r, const struct word *words, int count, struct 
     r->experiment.options.dt = r->rungs.dt.count ? r->rungs.dt.value[0] : 0;
     r->experiment.options.fourier = r->rungs.fourier.count ? r->rungs.fourier.value[0] : 0;
     if (words_among(r->verb->options, "points") && check_reference(r, why)) return why->status;
+    if (check_program(r, why)) return why->status;
     return check_together(r, why);
+}
+
+static int has_option(int argc, char *const *argv, const char *name) {
+    size_t length = strlen(name);
+    for (int i = 1; i < argc; i++)
+        if (strncmp(argv[i], "--", 2) == 0 && strncmp(argv[i] + 2, name, length) == 0 &&
+            (argv[i][length + 2] == '\0' || argv[i][length + 2] == '='))
+            return 1;
+    return 0;
+}
+
+/* Any METHOD word will do where a program stands in: it is a label then, which accepts no option of the model. */
+static void take_program(struct request *r) {
+    r->external = xcalloc(1, sizeof *r->external);
+    *r->external = (struct method){.about = "another program", .accepts = ""};
+    r->experiment.method = r->external;
 }
 
 int arguments_parse(int argc, char *const *argv, struct request *r, struct failure *why) {
@@ -212,10 +239,9 @@ int arguments_parse(int argc, char *const *argv, struct request *r, struct failu
     if (argc < 1) return refuse(why, STATUS_INPUT, "a verb is missing (see: heatladder --help)");
     r->verb = verb_find(argv[0]);
     if (!r->verb) return unknown_verb(argv[0], why);
-    for (int i = 1; i < argc && words_among(r->verb->options, "solver"); i++)
-        if (!r->external && (strcmp(argv[i], "--solver") == 0 || strncmp(argv[i], "--solver=", 9) == 0))
-            r->experiment.method = r->external =
-                external_method(NULL); /* any METHOD word will do: it is a label then */
+    if (words_among(r->verb->options, "solver") &&
+        (has_option(argc, argv, "solver") || has_option(argc, argv, "results")))
+        take_program(r);
     for (int i = 1; i < argc; i++) {
         if (strcmp(argv[i], "-v") == 0 && words_among(r->verb->options, "verbose")) {
             r->verbose = 1;

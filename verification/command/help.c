@@ -1,7 +1,8 @@
 /* Help, made from the tables that the arguments are read by, so that it cannot differ from them. */
 #include "verification/command/help.h"
 
-#include "verification/run/external.h"
+#include "verification/foreign/case_file.h"
+#include "verification/foreign/program.h"
 #include "verification/command/option.h"
 #include "verification/oracle/columns.h"
 #include "verification/text/table.h"
@@ -33,6 +34,6 @@ void help_verb(const struct verb *v, FILE *out) {
     }
     table_print(&t, out);
     table_free(&t);
-    if (words_among(v->options, "solver")) fprintf(out, "\n%s", external_help);
+    if (words_among(v->options, "solver")) fprintf(out, "\n%s\n%s", program_help, case_file_help);
     if (words_among(v->options, "what")) fprintf(out, "\n%s", columns_help);
 }

@@ -133,6 +133,11 @@ static int read_t_end(struct request *r, const struct option *o, const char *tex
     return set_param(r, "t_end", text, why);
 }
 
+static int read_columns(struct request *r, const struct option *o, const char *text, struct failure *why) {
+    (void)o;
+    return samples_columns_read(text, &r->experiment.program.columns, why);
+}
+
 #define IN(member) offsetof(struct request, member)
 #define POSITIVE ABOVE_ZERO, INFINITY
 #define FINITE -INFINITY, INFINITY
@@ -190,7 +195,15 @@ const struct option options_table[] = {
     {"time-error", "time-error", "E", "take the longest time step whose error (E1) is E, by step doubling",
      read_number, IN(experiment.time_error), NULL, 1e-12, INFINITY, 0},
     {"solver", "solver", "'CMD'", "a program that stands in for METHOD; {case} and {out} in CMD become paths",
-     read_text, IN(experiment.solver), NULL, FINITE, 0},
+     read_text, IN(experiment.program.solver), NULL, FINITE, 0},
+    {"results", "results", "DIR", "judge the answers that lie in DIR/SCENE/DX", read_text,
+     IN(experiment.program.results), NULL, FINITE, 0},
+    {"keep", "keep", "DIR", "keep case, answer and log of each run of --solver in DIR/SCENE/DX", read_text,
+     IN(experiment.program.keep), NULL, FINITE, 0},
+    {"timeout", "timeout", "S", "end what --solver runs after S seconds", read_number, IN(experiment.program.timeout),
+     NULL, POSITIVE, 0},
+    {"columns", "columns", "MAP", "what the columns of an answer are called: x=X,y=Y,T=temp,w=volume", read_columns,
+     0, NULL, FINITE, 0},
     {"warm-up", "warm-up", NULL, "solve for 0.1 s beforehand, so that what is timed finds program and memory ready",
      read_flag, IN(warm_up), NULL, FINITE, 0},
     {"field", "field", "FILE", "write the points, the temperature and the exact one as CSV", read_text,

@@ -51,11 +51,32 @@ static struct experiment rung_of(const struct experiment *e, const struct ladder
     return rung;
 }
 
+/* One after the other, the coarsest first, and none after one that failed: another program is timed alone, and what
+ * it does wrong shows where it costs least.  Of answers that are there already each is looked at. */
+static void climb_program(const struct experiment *e, const struct ladder_rungs *rungs, struct ladder *l) {
+    int failed = 0;
+    l->tried = 1;
+    for (int i = 0; i < l->n; i++) {
+        struct experiment rung = rung_of(e, rungs, l, i);
+        struct result *r = &l->rung[i];
+        if (failed && e->program.solver) {
+            *r = (struct result){.scene = e->scene,
+                                 .method = e->method,
+                                 .options = rung.options,
+                                 .t_end = e->problem.t_end,
+                                 .time_error = NAN};
+            refuse(&r->failure, STATUS_NUMERICAL, "not run, since a coarser one failed");
+        } else {
+            failed = run_experiment(&rung, r, NULL) || failed;
+        }
+    }
+}
+
 /* Against the semi-discrete reference, or the exact solution where there is none. */
 static void climb(const struct experiment *e, const struct ladder_rungs *rungs, struct ladder *l,
                   const struct semidiscrete *reference) {
     struct progress progress = progress_start("rungs", l->n);
-#pragma omp parallel for schedule(dynamic, 1) if (!e->solver) /* another program is timed alone */
+#pragma omp parallel for schedule(dynamic, 1)
     for (int i = 0; i < l->n; i++) {
         int finest_first = l->n - 1 - i;
         struct experiment rung = rung_of(e, rungs, l, finest_first);
@@ -72,7 +93,7 @@ static void climb(const struct experiment *e, const struct ladder_rungs *rungs, 
 static int collect(struct ladder *l, struct failure *why) {
     for (int i = 0; i < l->n; i++) {
         const struct failure *f = &l->rung[i].failure;
-        if (status_refused(f->status)) {
+        if (status_refused(f->status) && !l->tried) {
             *why = *f;
             return f->status;
         }
@@ -110,12 +131,14 @@ int ladder_run(const struct experiment *e, const struct ladder_rungs *rungs, str
     double start = omp_get_wtime();
     *l = (struct ladder){0};
     if (plan(rungs, l, why)) return why->status;
-    if (!l->in_time)
+    if (program_given(&e->program) && !l->in_time)
+        climb_program(e, rungs, l);
+    else if (!l->in_time)
         climb(e, rungs, l, NULL);
     else if (climb_in_time(e, rungs, l, why))
         return why->status;
     int status = collect(l, why);
-    if (status_refused(status)) return status;
+    if (status_refused(status) && !l->tried) return status;
     ladder_fit(l, rungs->norm);
     if (rungs->expect.count) ladder_judge(l, rungs->expect.value[0], rungs->expect.value[1]);
     if (rungs->ceiling > 0) {

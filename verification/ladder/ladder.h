@@ -29,6 +29,7 @@ struct ladder_rungs {
 
 struct ladder {
     int n;       /* rungs, coarsest first */
+    int tried;   /* 1: of another program, whose bad answers are rows of the ladder */
     int in_time; /* 1: x is dt, s; 0: x is dx, m */
     struct result rung[RUNG_MAX];
     long long

@@ -5,6 +5,7 @@
 
 #include "solver/method.h"
 #include "solver/problem.h"
+#include "verification/foreign/program.h"
 
 struct scene; /* references/scene.h */
 
@@ -13,8 +14,8 @@ struct experiment {
     const struct method *method;
     struct problem problem; /* set up from the scene and its parameters */
     struct options options;
-    double time_error;  /* E1 that the time step may make up; 0: not asked for */
-    const char *solver; /* the command of a program that stands in for the method; NULL for none */
+    double time_error;      /* E1 that the time step may make up; 0: not asked for */
+    struct program program; /* that stands in for the method, where it has a command or results */
 };
 
 #endif

@@ -17,7 +17,7 @@ static double rounding(const struct experiment *e, const struct field *f, double
     const struct problem *p = &e->problem;
     double applications = (double)f->steps * (f->stages > 0 ? f->stages : 1);
     double weights = 4 * p->dim * problem_diffusivity(p) * p->t_end / (dx * dx);
-    if (e->solver) applications = fmin(applications, weights * weights);
+    if (program_given(&e->program)) applications = fmin(applications, weights * weights);
     return DBL_EPSILON * (1 + sqrt(applications) + weights);
 }
 

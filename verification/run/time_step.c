@@ -14,7 +14,7 @@
 #include "verification/run/time_step.h"
 
 #include "references/scene.h"
-#include "verification/run/external.h"
+#include "verification/foreign/program.h"
 #include "verification/run/symmetry.h"
 #include "verification/run/norms.h"
 #include "verification/run/experiment.h"
@@ -218,7 +218,8 @@ int time_step_solve(struct experiment *e, struct field *f, struct time_step *ste
     struct options *o = &e->options;
     int given = o->dt > 0 || o->fourier > 0, particles = e->method->scheme != NULL;
     *stepping = (struct time_step){NAN, 0};
-    if (e->solver) return external_solve(e, f, why); /* its time step is its own */
+    if (program_given(&e->program)) /* its time step is its own */
+        return program_solve(&e->program, e->scene, &e->problem, &e->options, f, why);
     if (o->stepper == STEPPER_AUTO && e->time_error > 0 && particles) o->stepper = STEPPER_RKL2;
     if (o->stepper == STEPPER_AUTO && !given && particles) {
         o->stepper = STEPPER_EXACT;

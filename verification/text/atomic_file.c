@@ -1,8 +1,7 @@
 /* rename() replaces a file in one step (POSIX), so a reader sees the old text or the new.  The bytes are all in
  * memory before the file is opened, and interrupts wait for the moment that the writing takes: no partial file is
- * left.  A thread's mask would not hold them, as any other thread may take them: the process as a whole notes them,
- * and hears them afterwards.  Files that belong together are all written under their other names first, so that what
- * is between the first and the last of them is a few renames. */
+ * left.  Files that belong together are all written under their other names first, so that what is between the first
+ * and the last of them is a few renames. */
 #include "verification/text/atomic_file.h"
 
 #include "solver/status.h"
@@ -19,8 +18,45 @@
 
 enum { PATH_LENGTH = 4096, INTERRUPTS = 3 };
 
+/* A thread's signal mask would not hold interrupts, as any other thread may take them: handlers of the whole process
+ * note them.  poll() and sleep return early then, so that a waiting caller sees them at once. */
 static const int interrupts[INTERRUPTS] = {SIGINT, SIGTERM, SIGHUP};
 static atomic_int noted; /* the last interrupt that waits; a handler can reach nothing else */
+static int held;         /* calls of hold without release */
+static struct sigaction before[INTERRUPTS];
+
+static void note(int signal) {
+    atomic_store(&noted, signal);
+}
+
+void atomic_file_hold(void) {
+    struct sigaction wait = {.sa_handler = note};
+    sigemptyset(&wait.sa_mask);
+#pragma omp critical(atomic_file)
+    {
+        for (int k = 0; held == 0 && k < INTERRUPTS; k++) {
+            sigaction(interrupts[k], NULL, &before[k]);
+            if (before[k].sa_handler != SIG_IGN) sigaction(interrupts[k], &wait, NULL);
+        }
+        held++;
+    }
+}
+
+int atomic_file_noted(void) {
+    return atomic_load(&noted);
+}
+
+void atomic_file_release(void) {
+    int signal = 0;
+#pragma omp critical(atomic_file)
+    {
+        if (--held == 0) {
+            for (int k = 0; k < INTERRUPTS; k++) sigaction(interrupts[k], &before[k], NULL);
+            signal = atomic_exchange(&noted, 0);
+        }
+    }
+    if (signal) raise(signal);
+}
 
 static int refuse_path(const char *path, struct failure *why) {
     return refuse(why, STATUS_INPUT, "cannot write '%.300s': %s", path, strerror(errno));
@@ -124,19 +160,11 @@ static int write_all(const struct atomic_file *files, int count, char **real, st
     return status;
 }
 
-static void note(int signal) {
-    atomic_store(&noted, signal);
-}
-
 int atomic_file_write_all(const struct atomic_file *files, int count, struct failure *why) {
     char **real = xcalloc((size_t)count, sizeof *real);
-    struct sigaction wait = {.sa_handler = note}, before[INTERRUPTS];
-    sigemptyset(&wait.sa_mask);
-    for (int i = 0; i < INTERRUPTS; i++) sigaction(interrupts[i], &wait, &before[i]);
+    atomic_file_hold();
     int status = write_all(files, count, real, why);
-    for (int i = 0; i < INTERRUPTS; i++) sigaction(interrupts[i], &before[i], NULL);
-    int interrupt = atomic_exchange(&noted, 0);
-    if (interrupt) raise(interrupt);
+    atomic_file_release();
     for (int i = 0; i < count; i++) free(real[i]);
     free(real);
     return status;

@@ -24,4 +24,10 @@ struct atomic_file {
 /* The same for several that belong together: all are written in full before the first of them takes its place. */
 int atomic_file_write_all(const struct atomic_file *files, int count, struct failure *why);
 
+/* From hold to release SIGINT, SIGTERM and SIGHUP are noted, and raised by the outermost release.  Calls nest, and
+ * may come from any thread; what the caller of this program ignores stays ignored. */
+void atomic_file_hold(void);
+int atomic_file_noted(void); /* the signal that waits, 0 for none */
+void atomic_file_release(void);
+
 #endif

@@ -5,6 +5,7 @@
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
+#include <strings.h>
 
 /* strtod also takes leading blanks, hexadecimal, "inf" and "nan": only the letters of a decimal may reach it. */
 static int read_decimal(const char *text, size_t length, double *value) {
@@ -46,4 +47,33 @@ int number_read_whole(const char *text, long max, long *value) {
     errno = 0;
     *value = strtol(text, NULL, 10);
     return errno == 0 && *value <= max ? 0 : -1;
+}
+
+static int is_not_finite(const char *text, size_t length) {
+    static const char *const words[] = {"nan", "inf", "infinity", NULL};
+    size_t sign = length > 0 && (*text == '+' || *text == '-');
+    if (length >= sign + 5 && strncasecmp(text + sign, "nan(", 4) == 0) return 1; /* nan(0x8000000000000) */
+    for (int i = 0; words[i]; i++)
+        if (strlen(words[i]) == length - sign && strncasecmp(text + sign, words[i], length - sign) == 0) return 1;
+    return 0;
+}
+
+int number_read_printed(const char *text, size_t length, double *value) {
+    char digits[64], *end;
+    size_t n = 0;
+    *value = NAN;
+    if (length == 0 || length > sizeof digits - 2) return -1;
+    for (size_t i = 0; i < length; i++) {
+        char c = text[i];
+        int exponent = strchr("eEdD", c) != NULL;
+        if (!exponent && !strchr("0123456789+-.", c)) return is_not_finite(text, length) ? 1 : -1;
+        if ((c == '+' || c == '-') && n > 0 && digits[n - 1] != 'e') digits[n++] = 'e';
+        digits[n++] = exponent ? 'e' : c;
+    }
+    digits[n] = '\0';
+    double read = strtod(digits, &end);
+    if (*end != '\0' || end == digits) return -1;
+    if (!isfinite(read)) return 1;
+    *value = read;
+    return 0;
 }

@@ -1,6 +1,8 @@
 #ifndef HEATLADDER_VERIFICATION_TEXT_NUMBER_H
 #define HEATLADDER_VERIFICATION_TEXT_NUMBER_H
 
+#include <stddef.h>
+
 /* Numbers as people write them on a command line: strict, so that a slip is refused and not half read. */
 
 enum { NUMBERS_MAX = 32 };
@@ -19,5 +21,9 @@ int number_read_list(const char *text, double *values, int max);
 
 /* Reads the whole of `text` as a whole number in [0, max].  0 or -1. */
 int number_read_whole(const char *text, long max, long *value);
+
+/* Reads `length` bytes as a decimal the way programs print it: 1.5, 1.5e-3, 1.5D-3, or 1.2345-110 (Fortran, where the
+ * exponent takes three digits).  0; 1 for nan or inf in any case, *value then being NaN; -1 for anything else. */
+int number_read_printed(const char *text, size_t length, double *value);
 
 #endif

@@ -3,6 +3,8 @@
 
 #include "verification/unit/near.h"
 
+#include <string.h>
+
 static void decimals_and_fractions(void **state) {
     (void)state;
     double x = 0;
@@ -51,12 +53,48 @@ static void whole_numbers(void **state) {
     assert_int_equal(number_read_whole("", 10, &n), -1);
 }
 
+static void numbers_as_programs_print_them(void **state) {
+    (void)state;
+    static const struct {
+        const char *text;
+        int status;
+        double value;
+    } row[] = {{"2.385", 0, 2.385},
+               {"-1.5e-3", 0, -1.5e-3},
+               {"1.2345D-110", 0, 1.2345e-110},
+               {"1.2345-110", 0, 1.2345e-110},
+               {"+.7d+01", 0, 7},
+               {"7.", 0, 7},
+               {"3.5+2", 0, 350},
+               {"nan", 1, 0},
+               {"-Inf", 1, 0},
+               {"NaN(0x1)", 1, 0},
+               {"1e999", 1, 0},
+               {"", -1, 0},
+               {"0x1p3", -1, 0},
+               {"1,5", -1, 0},
+               {"1e", -1, 0},
+               {"1-", -1, 0},
+               {"-", -1, 0},
+               {"1e-", -1, 0},
+               {"1.5.5", -1, 0},
+               {"inform", -1, 0},
+               {"1e+-3", -1, 0}};
+    for (size_t i = 0; i < sizeof row / sizeof row[0]; i++) {
+        double value;
+        int status = number_read_printed(row[i].text, strlen(row[i].text), &value);
+        if (status != row[i].status) fail_msg("'%s': %d", row[i].text, status);
+        if (!status) assert_near(value, row[i].value, 1e-15 * fabs(row[i].value));
+    }
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(decimals_and_fractions),
         cmocka_unit_test(anything_else_is_refused),
         cmocka_unit_test(lists),
         cmocka_unit_test(whole_numbers),
+        cmocka_unit_test(numbers_as_programs_print_them),
     };
     return cmocka_run_group_tests_name("number", tests, NULL, NULL);
 }

@@ -80,9 +80,10 @@ int verb_ladder(const struct request *r, struct failure *why) {
     struct ladder *l = xcalloc(1, sizeof *l);
     int status = atomic_file_check(r->page_path, why);
     if (!status) status = ladder_run(&r->experiment, &r->rungs, l, why);
-    if (!status_refused(status)) {
+    if (!status_refused(status) || l->tried) {
         struct failure unwritten;
         (r->json ? print_json : print_text)(l);
+        if (!r->json && l->tried) why->text[0] = '\0'; /* it stands in the table */
         if (r->page_path && page_ladder_write(l, &r->rungs, r->page_path, &unwritten) && !status)
             status = unwritten.status, *why = unwritten;
     }

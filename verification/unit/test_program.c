@@ -1,6 +1,6 @@
 /* --solver: an FTCS written in awk stands in for a method, and must be seen as ours is: where it is right, where it
  * is wrong, and where it does not answer. */
-#include "verification/run/external.h"
+#include "verification/foreign/program.h"
 
 #include "verification/command/arguments.h"
 #include "verification/gates/gates.h"
@@ -10,9 +10,13 @@
 #include "verification/unit/near.h"
 
 #include <glob.h>
+#include <signal.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <sys/wait.h>
+#include <time.h>
+#include <unistd.h>
 
 #define AWK "awk -f verification/unit/ftcs.awk"
 #define MINE " --solver '" AWK " {case} > {out}'"
@@ -105,16 +109,22 @@ static void a_wrong_conductivity_is_caught(void **state) {
 static void what_is_wrong_is_named(void **state) {
     (void)state;
 #define RUN(command) "run rod-gauss mine --dx 1 --fourier 0.4 --solver '" command "'"
-    refused(RUN("true {case} {out}"), STATUS_INPUT, "left no CSV");
+    refused(RUN("true {case} {out}"), STATUS_INPUT, "no such file; the program left no answer");
     refused(RUN("cat {case} >/dev/null; : > {out}"), STATUS_INPUT, "empty");
     refused(RUN(": {case}; echo x,T > {out}"), STATUS_INPUT, "no point");
-    refused(RUN(AWK " -v bad=header {case} > {out}"), STATUS_INPUT, "line 3: 'x;T' should be the header x,T");
-    refused(RUN(AWK " -v bad=word {case} > {out}"), STATUS_INPUT, "line 31: '-12.5,warm'");
-    refused(RUN(AWK " -v bad=nan {case} > {out}"), STATUS_NUMERICAL, "line 31: T = nan K is not finite");
+    refused(RUN(AWK " -v bad=header {case} > {out}"), STATUS_INPUT,
+            "{out}, line 4: 1 column where the lines above have 2");
+    refused(RUN(AWK " -v bad=word {case} > {out}"), STATUS_INPUT,
+            "line 31, column 2: T = 'warm' is not a decimal number");
+    refused(RUN(AWK " -v bad=nan {case} > {out}"), STATUS_NUMERICAL, "line 31, column 2: T = nan is not finite");
     refused(RUN("exit 7; {case} {out}"), STATUS_NUMERICAL, "exit status 7");
     refused(RUN("/no/such/program {case} {out} 2>/dev/null"), STATUS_INPUT, "could not be run");
     refused(RUN("kill -9 $$; {case} {out}"), STATUS_NUMERICAL, "signal 9");
     refused(RUN(": {case}; printf \"x,T\\n99,0\\n\" > {out}"), STATUS_INPUT, "x = 99 m lies outside");
+    refused(RUN(AWK " {case} | head -n 20 > {out}"), STATUS_INPUT, "17 points where dx = 1 m asks for 29 at least");
+    refused(RUN("exit 77; {case} {out}"), STATUS_SKIPPED, "not applicable");
+    refused(RUN("ln -s /etc/passwd {out}; : {case}"), STATUS_INPUT, "a link");
+    refused(RUN("mkdir {out}; : {case}"), STATUS_INPUT, "a directory");
     refused(RUN("true {case}"), STATUS_INPUT, "must hold {case} and {out}");
 #undef RUN
 }
@@ -136,26 +146,32 @@ static void the_label_is_free_and_options_of_the_model_are_not(void **state) {
     arguments_free(&r);
 }
 
-/* Two dimensions, two materials, sides that vary: all of it is in the case file. */
+/* Two dimensions, two materials, sides that vary: all of it is in the case file, on which the last line of each
+ * command's output depends. */
 static void the_case_file_tells_all(void **state) {
     (void)state;
-    struct result result;
-    assert_int_equal(
-        run_line("run plate mine --dx 0.01 --solver 'grep -qx \"side_x_hi = dirichlet, 0.5\" {case} && grep -qx "
-                 "\"param_material = titanium\" {case} && printf \"x,y,T\\n0.05,0.05,1\\n\" > {out}' "
-                 "--set material=titanium",
-                 &result),
-        0);
-    assert_int_equal(result.particles, 1);
-    assert_int_equal(run_line("run rod-contact mine --dx 0.1 --solver 'grep -q \"^interface = \" {case} && grep -q "
-                              "\"^k_x = .*, \" {case} && printf \"x,T\\n0.5,1\\n\" > {out}'",
-                              &result),
-                     0);
-    assert_int_equal(
-        run_line("run rect-manufactured mine --dx 0.1 --solver 'grep -qx \"source = yes\" {case} && grep "
-                 "-q \"^side_.* = neumann, \" {case} && printf \"x,y,T\\n0.5,0.25,1\\n\" > {out}'",
-                 &result),
-        0);
+#define CASE(scene, text)                                                                                            \
+    refused("run " scene " --solver 'grep -qx \"" text "\" {case} && exit 77; {out}'", STATUS_SKIPPED, "77")
+    CASE("plate mine --dx 0.01 --set material=titanium", "side_x_hi = dirichlet, 0.5");
+    CASE("plate mine --dx 0.01 --set material=titanium", "param_material = titanium");
+    CASE("plate mine --dx 0.01 --set height=0.05", "cells = 10, 5");
+    CASE("rod-contact mine --dx 0.1", "interface = .*");
+    CASE("rod-contact mine --dx 0.1", "k_x = .*, .*");
+    CASE("rod-contact mine --dx 0.1 --set L=1.5", "oracle = rod-contact .*--set L=1.5 .*");
+    CASE("rect-manufactured mine --dx 0.1", "source = yes");
+    CASE("rect-manufactured mine --dx 0.1", "side_.* = neumann, .*, .*");
+#undef CASE
+}
+
+/* All that a program starts ends with it, what it leaves is removed, and interrupts are heard at once. */
+static void it_ends_in_time(void **state) {
+    (void)state;
+#define RUN(more, command) "run rod-gauss mine --dx 1 --fourier 0.4 " more " --solver '" command "'"
+    refused(RUN("--timeout 0.2", "echo so far; sleep 50 & sleep 50; {case} {out}"), STATUS_NUMERICAL,
+            "not done after 0.2 s (--timeout); it said last: so far");
+    refused(RUN("", "(sleep 50; " AWK " {case} > {out}) & true"), STATUS_NUMERICAL,
+            "ended before what it had started");
+#undef RUN
 }
 
 static void nothing_is_left_behind(void **state) {
@@ -167,9 +183,54 @@ static void nothing_is_left_behind(void **state) {
     assert_int_equal(setenv("TMPDIR", dir, 1), 0);
     assert_int_equal(run_line("run rod-step mine --dx 0.1 --fourier 0.4" MINE, &result), 0);
     refused("run rod-step mine --dx 0.1 --solver 'echo x > {out}; exit 3; {case}'", STATUS_NUMERICAL, "status 3");
+    refused(
+        "run rod-step mine --dx 0.1 --solver 'cd $TMPDIR && mkdir -p a/b && echo x > a/b/c && chmod 0 a && exit 4; "
+        "{case} {out}'",
+        STATUS_NUMERICAL, "status 4");
     unsetenv("TMPDIR");
     snprintf(pattern, sizeof pattern, "%s/*", dir);
     assert_int_equal(glob(pattern, 0, NULL, &found), GLOB_NOMATCH);
+    assert_int_equal(remove(dir), 0);
+}
+
+/* Waits until the number of directories in `dir` is `wanted`; 0, or -1 after ten seconds. */
+static int wait_for(const char *dir, size_t wanted) {
+    char pattern[64];
+    snprintf(pattern, sizeof pattern, "%s/*", dir);
+    for (int i = 0; i < 1000; i++) {
+        glob_t found = {0};
+        size_t n = glob(pattern, 0, NULL, &found) ? 0 : found.gl_pathc;
+        globfree(&found);
+        if (n == wanted) return 0;
+        nanosleep(&(struct timespec){0, 10000000}, NULL);
+    }
+    return -1;
+}
+
+/* An interrupt is heard while the program runs, and nothing is left; nor where nothing can be heard any more. */
+static void signals_leave_nothing(void **state) {
+    (void)state;
+    static const int signals[] = {SIGINT, SIGTERM, SIGHUP, SIGKILL};
+    char dir[] = "/tmp/program-test-XXXXXX";
+    assert_non_null(mkdtemp(dir));
+    for (int i = 0; i < 4; i++) {
+        int status;
+        pid_t child = fork();
+        assert_true(child >= 0);
+        if (child == 0) {
+            struct result result;
+            signal(signals[i], SIG_DFL);
+            setenv("TMPDIR", dir, 1);
+            run_line("run rod-gauss mine --dx 1 --solver 'sleep 60 & sleep 60; {case} {out}'", &result);
+            _exit(0);
+        }
+        assert_int_equal(wait_for(dir, 1), 0);
+        kill(child, signals[i]);
+        assert_int_equal(waitpid(child, &status, 0), child);
+        assert_true(WIFSIGNALED(status));
+        assert_int_equal(WTERMSIG(status), signals[i]);
+        assert_int_equal(wait_for(dir, 0), 0);
+    }
     assert_int_equal(remove(dir), 0);
 }
 
@@ -182,7 +243,9 @@ int main(void) {
         cmocka_unit_test(what_is_wrong_is_named),
         cmocka_unit_test(the_label_is_free_and_options_of_the_model_are_not),
         cmocka_unit_test(the_case_file_tells_all),
+        cmocka_unit_test(it_ends_in_time),
         cmocka_unit_test(nothing_is_left_behind),
+        cmocka_unit_test(signals_leave_nothing),
     };
-    return cmocka_run_group_tests_name("external", tests, NULL, NULL);
+    return cmocka_run_group_tests_name("program", tests, NULL, NULL);
 }

@@ -1,0 +1,138 @@
+/* What a program is told, and the same read again. */
+#include "verification/foreign/case_file.h"
+
+#include "references/scene.h"
+#include "solver/options.h"
+#include "solver/problem.h"
+#include "solver/status.h"
+
+#include <errno.h>
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+const char case_file_help[] =
+    "A case file has one `key = value` a line (SI, several values with commas between):\n"
+    "  scene, label, dim        the names on the command line; 1 for a rod, 2 for a rectangle\n"
+    "  param_NAME               every parameter of the scene (heatladder list scenes tells what each means)\n"
+    "  lo, hi                   the domain, m: along x, and along y\n"
+    "  cells                    extent over dx, rounded: along x, and along y\n"
+    "  materials, interface     1; or 2, the second at x >= interface, m\n"
+    "  k_x, k_y, rho_c          W/(m K), J/(m^3 K): of each material\n"
+    "  side_x_lo, side_x_hi, side_y_lo, side_y_hi\n"
+    "                           dirichlet, K; neumann, W/m^2 into the body; robin, W/(m^2 K), K around: one value,\n"
+    "                           or nine evenly along the side\n"
+    "  source                   yes where the scene has one, else no\n"
+    "  t_end, dx, dt, fourier   s, m; dt or fourier only where given\n"
+    "  NAME                     of --vary\n"
+    "  oracle                   words for `heatladder reference`, which tells the rest at any points: what the "
+    "scene\n"
+    "                           starts from, its source, what its walls hold\n"
+    "  threads                  how many the program may use\n";
+
+/* Places along a side at which a temperature or flux that varies is given. */
+enum { PLACES = 9 };
+
+static void write_pair(FILE *out, const char *key, const double *value, int count) {
+    fprintf(out, "%s = %.17g", key, value[0]);
+    if (count == 2) fprintf(out, ", %.17g", value[1]);
+    fputc('\n', out);
+}
+
+/* Each parameter with `before` and `between` around its name, and `after` its value. */
+static void write_params(const struct scene *s, const struct problem *p, const char *before, const char *between,
+                         const char *after, FILE *out) {
+    for (int i = 0; s->params[i].name; i++) {
+        fprintf(out, "%s%s%s", before, s->params[i].name, between);
+        if (s->params[i].choice)
+            fprintf(out, "%s%s", s->params[i].choice[(int)p->param[i]], after);
+        else
+            fprintf(out, "%.17g%s", p->param[i], after);
+    }
+}
+
+static void write_materials(const struct problem *p, FILE *out) {
+    static const char *const axis[] = {"k_x", "k_y"};
+    double value[MATERIAL_MAX];
+    fprintf(out, "materials = %d\n", p->materials);
+    if (p->materials == 2) fprintf(out, "interface = %.17g\n", p->interface);
+    for (int a = 0; a < p->dim; a++) {
+        for (int m = 0; m < p->materials; m++) value[m] = p->material[m].k[a];
+        write_pair(out, axis[a], value, p->materials);
+    }
+    for (int m = 0; m < p->materials; m++) value[m] = p->material[m].rho_c;
+    write_pair(out, "rho_c", value, p->materials);
+}
+
+/* One value where the side is held at one, else PLACES of them, evenly from its low to its high end. */
+static void write_side(const struct problem *p, int s, FILE *out) {
+    static const char *const kind[] = {[DIRICHLET] = "dirichlet", [NEUMANN] = "neumann", [ROBIN] = "robin"};
+    static const char *const name[] = {"side_x_lo", "side_x_hi", "side_y_lo", "side_y_hi"};
+    double value[PLACES];
+    int along = 1 - s / 2, count = 1;
+    for (int i = 0; i < PLACES; i++) {
+        double x[2];
+        x[s / 2] = s % 2 ? p->hi[s / 2] : p->lo[s / 2];
+        x[along] = p->lo[along] + (p->hi[along] - p->lo[along]) * i / (PLACES - 1);
+        value[i] = p->wall(p, (enum side)s, x);
+        if (value[i] != value[0]) count = PLACES;
+    }
+    fprintf(out, "%s = %s", name[s], kind[p->side[s]]);
+    if (p->side[s] == ROBIN) fprintf(out, ", %.17g", p->robin[s]);
+    for (int i = 0; i < count; i++) fprintf(out, ", %.17g", value[i]);
+    fputc('\n', out);
+}
+
+void case_file_write(const struct scene *s, const struct problem *p, const struct options *o,
+                     const struct case_extra *extra, FILE *out) {
+    fprintf(out, "scene = %s\nlabel = %s\ndim = %d\n", s->name, extra->label, p->dim);
+    write_params(s, p, "param_", " = ", "\n", out);
+    write_pair(out, "lo", p->lo, p->dim);
+    write_pair(out, "hi", p->hi, p->dim);
+    fprintf(out, "cells = %.0f", (p->hi[0] - p->lo[0]) / o->dx);
+    if (p->dim == 2) fprintf(out, ", %.0f", (p->hi[1] - p->lo[1]) / o->dx);
+    fputc('\n', out);
+    write_materials(p, out);
+    for (int side = 0; side < 2 * p->dim; side++) write_side(p, side, out);
+    fprintf(out, "source = %s\nt_end = %.17g\ndx = %.17g\n", p->source ? "yes" : "no", p->t_end, o->dx);
+    if (o->dt > 0) fprintf(out, "dt = %.17g\n", o->dt);
+    if (o->fourier > 0) fprintf(out, "fourier = %.17g\n", o->fourier);
+    if (extra->name) fprintf(out, "%s = %s\n", extra->name, extra->value);
+    fprintf(out, "oracle = %s", s->name);
+    write_params(s, p, " --set ", "=", "", out);
+    fprintf(out, "\nthreads = %d\n", o->threads > 1 ? o->threads : 1);
+}
+
+int case_file_value(const char *text, const char *key, char *value, size_t size) {
+    size_t length = strlen(key);
+    for (const char *line = text; line; line = strchr(line, '\n')) {
+        line += *line == '\n';
+        if (strncmp(line, key, length) != 0) continue;
+        const char *at = line + length + strspn(line + length, " \t");
+        if (*at != '=') continue;
+        at += 1 + strspn(at + 1, " \t");
+        size_t n = strcspn(at, "\r\n");
+        if (n >= size) return -1;
+        memcpy(value, at, n);
+        value[n] = '\0';
+        return 0;
+    }
+    return -1;
+}
+
+char *case_file_read(const char *path, struct failure *why) {
+    enum { ROOM = 1 << 16 };
+    FILE *in = fopen(path, "r");
+    if (!in) {
+        refuse(why, STATUS_INPUT, "%.200s: %s; `heatladder case` writes it", path, strerror(errno));
+        return NULL;
+    }
+    char *text = xcalloc(ROOM, 1);
+    size_t n = fread(text, 1, ROOM - 1, in);
+    int bad = ferror(in) || n == ROOM - 1 || strlen(text) != n;
+    fclose(in);
+    if (!bad) return text;
+    free(text);
+    refuse(why, STATUS_INPUT, "%.200s: not a case file; `heatladder case` writes it", path);
+    return NULL;
+}

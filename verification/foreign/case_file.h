@@ -1,0 +1,31 @@
+#ifndef HEATLADDER_VERIFICATION_FOREIGN_CASE_FILE_H
+#define HEATLADDER_VERIFICATION_FOREIGN_CASE_FILE_H
+
+/* The case file: one `key = value` a line, SI, numbers with 17 digits, several values with commas between. */
+
+#include <stddef.h>
+#include <stdio.h>
+
+struct failure;
+struct options;
+struct problem;
+struct scene;
+
+extern const char case_file_help[]; /* every key, for --help */
+
+struct case_extra { /* what is not of the problem */
+    const char *label;
+    const char *name, *value; /* of --vary; NULL for none */
+};
+
+/* Writes what another program must know to solve *p, of the scene *s, at *o. */
+void case_file_write(const struct scene *s, const struct problem *p, const struct options *o,
+                     const struct case_extra *extra, FILE *out);
+
+/* The value of a key in the text of a case file, at most size - 1 letters; 0 where it is there. */
+int case_file_value(const char *text, const char *key, char *value, size_t size);
+
+/* The whole text of a case file, to be freed; NULL with *why where it is none. */
+char *case_file_read(const char *path, struct failure *why);
+
+#endif

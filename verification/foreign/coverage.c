@@ -1,0 +1,162 @@
+/* The domain is divided into equal boxes, and none may be without a point.  Their side s must let pass each usual
+ * arrangement of points at spacing dx, N = extent / dx of them along an axis, and no field with a quarter missing:
+ *
+ *   nodes, cell centres, quadrature    the widest gap is dx, from the wall to the first inner node dx: s >= dx
+ *   jitter of up to dx/2 each way      the widest gap is below 2 dx: s >= 2 dx
+ *   independent, uniform               a box of the volume g^d dx^d is empty with probability exp(-g^d).  Of N^d
+ *                                      places of a box, N^d exp(-g^d) are so on average: 1 in 400 at
+ *                                      g^d = d ln N + 6, so that s = dx (d ln N + 6)^(1/d)
+ *   a quarter of an axis missing       must be seen: s <= extent / 4
+ *
+ * s = max(2 dx, min(dx (d ln N + 6)^(1/d), extent / 4)).  With `extent / s` rounded down to a whole number of boxes a
+ * gap of two boxes' sides always holds one: at N = 64 that is 5/16 of a rod or 1/8 of a square's side.
+ *
+ * Boxes of about a point each tell in a second pass which points are the same: closer than 1e-9 of the extent. */
+#include "verification/foreign/coverage.h"
+
+#include "solver/problem.h"
+#include "solver/status.h"
+#include "verification/foreign/samples.h"
+
+#include <math.h>
+#include <stdlib.h>
+
+static const double SLACK = 1e-9; /* of the extent: a coordinate may be a rounded decimal */
+
+struct boxes {
+    const struct samples *s;
+    const struct problem *p;
+    size_t count[2];
+};
+
+static double extent(const struct problem *p, int a) {
+    return p->hi[a] - p->lo[a];
+}
+
+static double cells(const struct problem *p, int a, double dx) {
+    return fmax(1, nearbyint(extent(p, a) / dx));
+}
+
+size_t coverage_fewest(const struct problem *p, double dx) {
+    double n = 1;
+    for (int a = 0; a < p->dim; a++) n *= fmax(1, cells(p, a, dx) - 1);
+    return (size_t)fmin(n, 1e18);
+}
+
+static int check_inside(const struct samples *s, const struct problem *p, struct failure *why) {
+    for (int a = 0; a < p->dim; a++) {
+        double away = SLACK * extent(p, a), lo = p->lo[a] - away, hi = p->hi[a] + away;
+        for (size_t i = 0; i < s->n; i++) {
+            double x = s->value[a][i];
+            if (x >= lo && x <= hi) continue;
+            return refuse(why, STATUS_INPUT, "%.150s, line %ld: %c = %.9g m lies outside of %g to %g m", s->path,
+                          s->line[i], "xy"[a], x, p -> lo[a], p -> hi[a]);
+        }
+    }
+    return STATUS_OK;
+}
+
+static size_t box_along(const struct boxes *b, int a, double x) {
+    double at = (x - b->p->lo[a]) / extent(b->p, a) * (double)b->count[a];
+    return at <= 0 ? 0 : at >= (double)b->count[a] ? b->count[a] - 1 : (size_t)at;
+}
+
+static size_t box_of(const struct boxes *b, size_t i) {
+    size_t box = box_along(b, 0, b->s->value[COLUMN_X][i]);
+    if (b->p->dim == 2) box += b->count[0] * box_along(b, 1, b->s->value[COLUMN_Y][i]);
+    return box;
+}
+
+static size_t all(const struct boxes *b) {
+    return b->count[0] * b->count[1];
+}
+
+static int refuse_gap(const struct boxes *b, size_t empty, struct failure *why) {
+    char where[2][64] = {"", ""};
+    for (int a = 0; a < b->p->dim; a++) {
+        size_t box = a == 0 ? empty % b->count[0] : empty / b->count[0];
+        double side = extent(b->p, a) / (double)b->count[a], lo = b->p->lo[a] + side * (double)box;
+        snprintf(where[a], sizeof where[a], "%s%.4g <= %c <= %.4g m", a ? ", " : "", lo, "xy"[a], lo + side);
+    }
+    return refuse(why, STATUS_INPUT, "%.150s: no point in %s%s: the field must cover the whole domain", b->s->path,
+                  where[0], where[1]);
+}
+
+static int check_gaps(const struct samples *s, const struct problem *p, double dx, struct failure *why) {
+    struct boxes b = {s, p, {1, 1}};
+    for (int a = 0; a < p->dim; a++) {
+        double g = pow(p->dim * log(cells(p, a, dx)) + 6, 1.0 / p->dim);
+        double side = fmax(2 * dx, fmin(g * dx, extent(p, a) / 4));
+        b.count[a] = (size_t)fmax(1, floor(extent(p, a) / side * (1 + SLACK)));
+    }
+    char *seen = xcalloc(all(&b), 1);
+    for (size_t i = 0; i < s->n; i++) seen[box_of(&b, i)] = 1;
+    size_t empty = 0;
+    while (empty < all(&b) && seen[empty]) empty++;
+    free(seen);
+    return empty < all(&b) ? refuse_gap(&b, empty, why) : STATUS_OK;
+}
+
+struct point {
+    double x, y;
+    size_t i;
+};
+
+static int by_place(const void *a, const void *b) {
+    const struct point *p = a, *q = b;
+    return p->x != q->x ? (p->x > q->x) - (p->x < q->x) : (p->y > q->y) - (p->y < q->y);
+}
+
+/* Two of the n points of a box, sorted by x, that are the same; 0 where there are none. */
+static int same_in_box(const struct samples *s, const struct problem *p, struct point *at, size_t n,
+                       struct failure *why) {
+    double away[2] = {SLACK * extent(p, 0), p->dim == 2 ? SLACK * extent(p, 1) : 1};
+    qsort(at, n, sizeof *at, by_place);
+    for (size_t i = 0; i < n; i++)
+        for (size_t j = i + 1; j < n && at[j].x - at[i].x <= away[0]; j++) {
+            if (!(fabs(at[j].y - at[i].y) <= away[1])) continue;
+            long l = s->line[at[i].i], m = s->line[at[j].i];
+            return refuse(why, STATUS_INPUT,
+                          "%.150s, line %ld: the same point as in line %ld (x = %.9g m%s); one value a "
+                          "point is wanted",
+                          s->path, l > m ? l : m, l > m ? m : l, at[i].x,
+                          p->dim == 1 ? ", for a rod one row of points" : "");
+        }
+    return STATUS_OK;
+}
+
+/* Points in the order of their boxes: first[b] to first[b + 1]. */
+static struct point *sort_into_boxes(const struct boxes *b, size_t *first) {
+    const struct samples *s = b->s;
+    struct point *at = xcalloc(s->n, sizeof *at);
+    for (size_t i = 0; i < s->n; i++) first[box_of(b, i) + 2]++;
+    for (size_t k = 2; k <= all(b); k++) first[k + 1] += first[k];
+    for (size_t i = 0; i < s->n; i++)
+        at[first[box_of(b, i) + 1]++] =
+            (struct point){s->value[COLUMN_X][i], b->p->dim == 2 ? s->value[COLUMN_Y][i] : 0, i};
+    return at;
+}
+
+static int check_same(const struct samples *s, const struct problem *p, struct failure *why) {
+    struct boxes b = {s, p, {1, 1}};
+    double each = pow((double)s->n, 1.0 / p->dim);
+    for (int a = 0; a < p->dim; a++) b.count[a] = (size_t)fmax(1, each);
+    size_t *first = xcalloc(all(&b) + 2, sizeof *first);
+    struct point *at = sort_into_boxes(&b, first);
+    int status = STATUS_OK;
+    for (size_t k = 0; k < all(&b) && !status; k++)
+        if (first[k + 1] > first[k] + 1) status = same_in_box(s, p, at + first[k], first[k + 1] - first[k], why);
+    free(at);
+    free(first);
+    return status;
+}
+
+int coverage_check(const struct samples *s, const struct problem *p, double dx, struct failure *why) {
+    size_t fewest = coverage_fewest(p, dx);
+    if (check_inside(s, p, why)) return STATUS_INPUT;
+    if (s->n < fewest)
+        return refuse(why, STATUS_INPUT, "%.150s: %zu point%s where dx = %g m asks for %zu at least", s->path, s->n,
+                      s->n == 1 ? "" : "s", dx, fewest);
+    if (check_gaps(s, p, dx, why)) return STATUS_INPUT;
+    return check_same(s, p, why);
+}

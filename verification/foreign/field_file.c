@@ -1,0 +1,121 @@
+/* From a file to a field. */
+#include "verification/foreign/field_file.h"
+
+#include "solver/field.h"
+#include "solver/problem.h"
+#include "solver/status.h"
+#include "verification/foreign/coverage.h"
+#include "verification/foreign/samples.h"
+#include "verification/foreign/table_file.h"
+#include "verification/foreign/vtk_file.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+enum { BUFFER = 1 << 20 };
+
+/* The whole file, ended by a NUL. */
+static char *read_text(FILE *in, size_t *size) {
+    size_t room = BUFFER;
+    char *text = xcalloc(room + 1, 1);
+    for (*size = 0;;) {
+        size_t n = fread(text + *size, 1, room - *size, in);
+        if (n == 0) return text;
+        *size += n;
+        if (*size < room) continue;
+        char *wider = xcalloc(2 * room + 1, 1);
+        memcpy(wider, text, *size);
+        free(text);
+        text = wider;
+        room *= 2;
+    }
+}
+
+static int read_vtk(FILE *in, const struct column_map *c, struct samples *s, struct failure *why) {
+    size_t size;
+    char *text = read_text(in, &size);
+    int status = vtk_file_read(text, size, c, s, why);
+    free(text);
+    return status;
+}
+
+int field_file_samples(const char *path, const char *name, int dim, const struct column_map *c, struct samples *s,
+                       struct failure *why) {
+    char start[64];
+    *s = (struct samples){.path = name, .dim = dim, .seconds = NAN, .steps = NAN, .updates = NAN};
+    FILE *in = samples_open(path, name, why);
+    if (!in) return STATUS_INPUT;
+    size_t n = fread(start, 1, sizeof start, in);
+    rewind(in);
+    int status = (vtk_file_is(start, n) ? read_vtk : table_file_read)(in, c, s, why);
+    if (!status && ferror(in)) status = refuse(why, STATUS_INPUT, "%.200s: could not be read to its end", name);
+    fclose(in);
+    if (status) samples_free(s);
+    return status;
+}
+
+/* A coordinate that is a rounded decimal of a wall's lies on the wall: what holds there (no value, in a corner whose
+ * sides disagree) must not hang on its last digit. */
+static void snap_to_walls(struct samples *s, const struct problem *p) {
+    for (int a = 0; a < s->dim; a++) {
+        double *x = s->value[COLUMN_X + a], away = 1e-9 * (p->hi[a] - p->lo[a]);
+        for (size_t i = 0; i < s->n; i++)
+            if (fabs(x[i] - p->lo[a]) <= away)
+                x[i] = p->lo[a];
+            else if (fabs(x[i] - p->hi[a]) <= away)
+                x[i] = p->hi[a];
+    }
+}
+
+static int check_weights(const struct samples *s, struct failure *why) {
+    double sum = 0;
+    for (size_t i = 0; i < s->n && s->value[COLUMN_W]; i++) {
+        double w = s->value[COLUMN_W][i];
+        if (!(w >= 0))
+            return refuse(why, STATUS_INPUT, "%.150s, line %ld: w = %g; a weight must be 0 or more", s->path,
+                          s->line[i], w);
+        sum += w;
+    }
+    if (s->value[COLUMN_W] && !(sum > 0))
+        return refuse(why, STATUS_INPUT, "%.150s: all weights w are 0; a norm needs some above", s->path);
+    return STATUS_OK;
+}
+
+static long long whole(double value) {
+    return value > 0 && value < 1e18 ? (long long)value : 0;
+}
+
+/* The arrays change hands. */
+static void hand_over(struct samples *s, const struct problem *p, struct field *f) {
+    double x[2];
+    *f = (struct field){.dim = s->dim, .n = s->n, .range = {HUGE_VAL, -HUGE_VAL}, .heat = {NAN, NAN}};
+    for (size_t i = 0; i < s->n; i++) {
+        x[0] = s->value[COLUMN_X][i];
+        x[1] = s->dim == 2 ? s->value[COLUMN_Y][i] : 0;
+        double start = p->initial(p, x);
+        f->range[0] = fmin(f->range[0], start), f->range[1] = fmax(f->range[1], start);
+    }
+    f->x = s->value[COLUMN_X], f->y = s->value[COLUMN_Y], f->T = s->value[COLUMN_T], f->weight = s->value[COLUMN_W];
+    for (int k = 0; k < COLUMN_COUNT; k++) s->value[k] = NULL;
+    f->time = p->t_end;
+    f->step_seconds = s->seconds;
+    f->steps = whole(s->steps);
+    f->updates = whole(s->updates);
+    f->dt = f->steps > 0 ? p->t_end / (double)f->steps : 0;
+    f->stages = f->steps > 0;
+}
+
+int field_file_read(const char *path, const char *name, const struct column_map *c, const struct problem *p,
+                    double dx, struct field *f, struct failure *why) {
+    struct samples s;
+    if (field_file_samples(path, name, p->dim, c, &s, why)) return why->status;
+    int status = coverage_check(&s, p, dx, why);
+    if (!status) status = check_weights(&s, why);
+    if (!status) {
+        snap_to_walls(&s, p);
+        hand_over(&s, p, f);
+    }
+    samples_free(&s);
+    return status;
+}

@@ -1,0 +1,211 @@
+/* A program is over when all that inherited a pipe from it has ended: the life line, which nobody writes to.  Waiting
+ * for the shell alone would read what a process in the background is still writing. */
+#include "verification/foreign/process.h"
+
+#include "solver/status.h"
+#include "verification/foreign/scratch.h"
+#include "verification/text/atomic_file.h"
+
+#include <errno.h>
+#include <fcntl.h>
+#include <poll.h>
+#include <signal.h>
+#include <spawn.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/wait.h>
+#include <time.h>
+#include <unistd.h>
+
+extern char **environ;
+
+enum { LINE = 400, LIFE = 9, READ = 0, WRITE = 1, SKIPPED = 77 };
+static const double GRACE = 2;  /* s: what a program started may outlive it by */
+static const double MERCY = 1;  /* s from SIGTERM to SIGKILL */
+static const int PATIENCE = 20; /* ms between two looks */
+
+enum end { RUNNING, ENDED, LEFT_OTHERS, TIMED_OUT, INTERRUPTED };
+
+struct running {
+    const struct process *process;
+    pid_t child;
+    int output[2], life[2];
+    int reaped, status; /* of the shell */
+    double start, end;  /* s */
+    char line[LINE];    /* what it is printing */
+    size_t length;
+    char last[LINE]; /* the last line that says something */
+};
+
+static double now(void) {
+    struct timespec t;
+    clock_gettime(CLOCK_MONOTONIC, &t);
+    return (double)t.tv_sec + 1e-9 * (double)t.tv_nsec;
+}
+
+/* The environment with TMPDIR set; the block and its first string are the caller's. */
+static char **environment(const char *dir) {
+    size_t n = 0, kept = 1, size = strlen(dir) + sizeof "TMPDIR=";
+    while (environ[n]) n++;
+    char **block = xcalloc(n + 2, sizeof *block);
+    block[0] = xcalloc(size, 1);
+    snprintf(block[0], size, "TMPDIR=%s", dir);
+    for (size_t i = 0; i < n; i++)
+        if (strncmp(environ[i], "TMPDIR=", 7) != 0) block[kept++] = environ[i];
+    return block;
+}
+
+static int spawn(struct running *r) {
+    char *argv[] = {"sh", "-c", (char *)r->process->command, NULL}, **env = environment(r->process->scratch->dir);
+    posix_spawn_file_actions_t files;
+    posix_spawnattr_t how;
+    posix_spawn_file_actions_init(&files);
+    posix_spawn_file_actions_addopen(&files, STDIN_FILENO, "/dev/null", O_RDONLY, 0);
+    posix_spawn_file_actions_adddup2(&files, r->output[WRITE], STDOUT_FILENO);
+    posix_spawn_file_actions_adddup2(&files, r->output[WRITE], STDERR_FILENO);
+    posix_spawn_file_actions_adddup2(&files, r->life[WRITE], LIFE);
+    posix_spawnattr_init(&how);
+    posix_spawnattr_setflags(&how, POSIX_SPAWN_SETPGROUP);
+    int error = posix_spawn(&r->child, "/bin/sh", &files, &how, argv, env);
+    posix_spawn_file_actions_destroy(&files);
+    posix_spawnattr_destroy(&how);
+    free(env[0]);
+    free(env);
+    return error;
+}
+
+static void close_pipes(struct running *r) {
+    for (int i = 0; i < 2; i++) {
+        if (r->output[i] >= 0) close(r->output[i]);
+        if (r->life[i] >= 0) close(r->life[i]);
+        r->output[i] = r->life[i] = -1;
+    }
+}
+
+/* 0, or an errno.  No pipe's end reaches another program that starts at the same time. */
+static int start(struct running *r) {
+    int error = 0;
+#pragma omp critical(foreign_spawn)
+    {
+        if (pipe(r->output) || pipe(r->life)) error = errno;
+        for (int i = 0; i < 2 && !error; i++) {
+            fcntl(r->output[i], F_SETFD, FD_CLOEXEC);
+            fcntl(r->life[i], F_SETFD, FD_CLOEXEC);
+        }
+        if (!error) fcntl(r->output[READ], F_SETFL, O_NONBLOCK);
+        if (!error) error = spawn(r);
+    }
+    if (error) return error;
+    close(r->output[WRITE]);
+    close(r->life[WRITE]);
+    r->output[WRITE] = r->life[WRITE] = -1;
+    scratch_watch(r->process->scratch, r->child);
+    r->start = now();
+    return 0;
+}
+
+static void print_line(struct running *r) {
+    r->line[r->length] = '\0';
+    fprintf(stderr, "%s: %s\n", r->process->label, r->line);
+    if (r->line[strspn(r->line, " \t")]) memcpy(r->last, r->line, r->length + 1);
+    r->length = 0;
+}
+
+/* Hands on what the program has printed so far; lines longer than a buffer in parts. */
+static void relay(struct running *r) {
+    char text[4096];
+    ssize_t n;
+    while ((n = read(r->output[READ], text, sizeof text)) > 0) {
+        if (r->process->log) fwrite(text, 1, (size_t)n, r->process->log);
+        for (ssize_t i = 0; i < n; i++) {
+            if (text[i] == '\n' || r->length == LINE - 1) print_line(r);
+            if (text[i] == '\n') continue;
+            r->line[r->length++] = (unsigned char)text[i] < ' ' && text[i] != '\t' ? ' ' : text[i];
+        }
+    }
+    if (n == 0 || (errno != EAGAIN && errno != EINTR)) {
+        close(r->output[READ]);
+        r->output[READ] = -1;
+    }
+}
+
+static void reap(struct running *r) {
+    if (r->reaped || waitpid(r->child, &r->status, WNOHANG) != r->child) return;
+    r->reaped = 1;
+    r->end = now();
+}
+
+/* Waits for output or the end of the life line, at most `most` ms. */
+static void look(struct running *r, int most) {
+    struct pollfd fd[2] = {{.fd = r->life[READ], .events = POLLIN}, {.fd = r->output[READ], .events = POLLIN}};
+    if (r->life[READ] < 0) most = 1; /* all has ended but for the shell's own status */
+    if (poll(fd, 2, most) > 0) {
+        if (fd[1].fd >= 0 && fd[1].revents) relay(r);
+        if (fd[0].fd >= 0 && fd[0].revents) {
+            close(r->life[READ]);
+            r->life[READ] = -1;
+        }
+    }
+    reap(r);
+}
+
+static enum end follow(struct running *r) {
+    for (;;) {
+        look(r, PATIENCE);
+        if (r->reaped && r->life[READ] < 0) return ENDED;
+        if (atomic_file_noted()) return INTERRUPTED;
+        if (r->reaped && now() > r->end + GRACE) return LEFT_OTHERS;
+        if (r->process->timeout > 0 && now() > r->start + r->process->timeout) return TIMED_OUT;
+    }
+}
+
+static void terminate(struct running *r) {
+    double deadline = now() + MERCY;
+    kill(-r->child, SIGTERM);
+    while (!(r->reaped && r->life[READ] < 0) && now() < deadline) look(r, PATIENCE);
+    kill(-r->child, SIGKILL);
+    while (!r->reaped) look(r, PATIENCE);
+}
+
+static int judge(const struct running *r, enum end end, struct failure *why) {
+    const char *says = *r->last ? "; it said last: " : "";
+    int status = r->status;
+    if (end == INTERRUPTED)
+        return refuse(why, STATUS_NUMERICAL, "--solver: interrupted by signal %d", atomic_file_noted());
+    if (end == TIMED_OUT)
+        return refuse(why, STATUS_NUMERICAL, "--solver: not done after %g s (--timeout)%s%.160s", r->process->timeout,
+                      says, r->last);
+    if (WIFSIGNALED(status))
+        return refuse(why, STATUS_NUMERICAL, "--solver: ended by signal %d%s%.160s", WTERMSIG(status), says, r->last);
+    status = WEXITSTATUS(status);
+    if (status == SKIPPED)
+        return refuse(why, STATUS_SKIPPED, "not applicable (exit status 77)%s%.160s", says, r->last);
+    if (status == 126 || status == 127)
+        return refuse(why, STATUS_INPUT, "--solver '%.160s': could not be run (exit status %d)%s%.160s",
+                      r->process->command, status, says, r->last);
+    if (status) return refuse(why, STATUS_NUMERICAL, "--solver: exit status %d%s%.160s", status, says, r->last);
+    if (end == LEFT_OTHERS)
+        return refuse(
+            why, STATUS_NUMERICAL,
+            "--solver: ended before what it had started, so that its answer may be unfinished (end the command "
+            "with `wait`)");
+    return STATUS_OK;
+}
+
+int process_run(const struct process *p, struct failure *why) {
+    struct running *r = xcalloc(1, sizeof *r);
+    *r = (struct running){.process = p, .output = {-1, -1}, .life = {-1, -1}};
+    int error = start(r), status;
+    if (error) {
+        status = refuse(why, STATUS_INPUT, "--solver '%.200s': %s", p->command, strerror(error));
+    } else {
+        enum end end = follow(r);
+        if (end != ENDED) terminate(r);
+        if (r->output[READ] >= 0) relay(r);
+        if (r->length) print_line(r);
+        status = judge(r, end, why);
+    }
+    close_pipes(r);
+    free(r);
+    return status;
+}

@@ -1,0 +1,45 @@
+#ifndef HEATLADDER_VERIFICATION_FOREIGN_SAMPLES_H
+#define HEATLADDER_VERIFICATION_FOREIGN_SAMPLES_H
+
+/* Points and temperatures as a file holds them, and by which names. */
+
+#include <stddef.h>
+#include <stdio.h>
+
+struct failure;
+
+enum { COLUMN_X, COLUMN_Y, COLUMN_T, COLUMN_W, COLUMN_COUNT, COLUMN_NAME = 64 };
+
+/* What the file calls x, y, T and w: "" for the name itself. */
+struct column_map {
+    char name[COLUMN_COUNT][COLUMN_NAME];
+};
+
+/* From 'x=X,y=Y,T=temp,w=volume', each at most once; a number stands for the place of a column, the first being 1. */
+int samples_columns_read(const char *map, struct column_map *c, struct failure *why);
+const char *samples_column_name(const struct column_map *c, int column);
+
+struct samples {      /* owned arrays: samples_free */
+    const char *path; /* what messages call the file */
+    int dim;
+    int has[COLUMN_COUNT]; /* 1 for a column that is there; to be set before the first samples_grow */
+    size_t n, room;
+    double *value[COLUMN_COUNT];    /* of n points; NULL for a column that is not there */
+    long *line;                     /* of the file, counted from 1 */
+    double seconds, steps, updates; /* what the program says that it took; NaN where it says nothing */
+};
+
+void samples_free(struct samples *s);
+void samples_grow(struct samples *s); /* to twice the room */
+
+/* The value of one cell into its place, or a refusal that names path, line and column. */
+int samples_put(struct samples *s, int column, const char *text, size_t length, long line, int place,
+                struct failure *why);
+
+/* A text for a message: printable, at most 40 letters, what is cut marked. */
+const char *samples_quote(const char *text, size_t length, char quoted[48]);
+
+/* Opens a regular file, no link; NULL with *why where it is not one. */
+FILE *samples_open(const char *path, const char *name, struct failure *why);
+
+#endif

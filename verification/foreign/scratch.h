@@ -1,0 +1,26 @@
+#ifndef HEATLADDER_VERIFICATION_FOREIGN_SCRATCH_H
+#define HEATLADDER_VERIFICATION_FOREIGN_SCRATCH_H
+
+/* A directory for one run of another program.  It is gone after scratch_close, and also where this program is killed:
+ * a shell waits for the end of a pipe, then ends the program's process group and removes the directory. */
+
+#include <sys/types.h>
+
+struct failure;
+
+enum { SCRATCH_PATH = 256 };
+
+struct scratch {
+    char dir[SCRATCH_PATH]; /* under TMPDIR where its name needs no quotes in a shell, else under /tmp */
+    int pipe;               /* written once: the process group */
+    pid_t guard;
+};
+
+int scratch_open(struct scratch *s, struct failure *why); /* STATUS_OK, or STATUS_INPUT with *why */
+void scratch_watch(struct scratch *s, pid_t group);       /* `group` ends with the directory */
+void scratch_close(struct scratch *s);                    /* returns when all is removed */
+
+/* Whether a path needs no quotes in a shell. */
+int scratch_is_plain(const char *path);
+
+#endif

@@ -1,0 +1,218 @@
+/* Tables of text: which character separates is seen from the header. */
+#include "verification/foreign/table_file.h"
+
+#include "solver/status.h"
+#include "verification/foreign/samples.h"
+#include "verification/text/number.h"
+#include "verification/text/words.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+enum { CELLS = 256 };
+
+struct cell {
+    const char *text;
+    size_t length;
+};
+
+struct reader {
+    FILE *in;
+    const struct column_map *wanted;
+    struct samples *s;
+    char *text; /* the line, without its end */
+    size_t room, length;
+    long line;
+    char separator; /* a comma, a semicolon, or a blank for any run of blanks */
+    struct cell cell[CELLS];
+    int cells;
+    char comment[400];       /* the last one */
+    int place[COLUMN_COUNT]; /* of each column among the cells; -1 where it is not there */
+    int width;               /* cells of a line */
+};
+
+static int wrong(const struct reader *t, struct failure *why, const char *what) {
+    return refuse(why, STATUS_INPUT, "%.150s, line %ld: %s", t->s->path, t->line, what);
+}
+
+static void take_comment(struct reader *t) {
+    const char *text = t->text + strspn(t->text, "# \t");
+    sscanf(text, "seconds = %lf", &t->s->seconds);
+    sscanf(text, "steps = %lf", &t->s->steps);
+    sscanf(text, "updates = %lf", &t->s->updates);
+    snprintf(t->comment, sizeof t->comment, "%s", text);
+}
+
+/* The next line that says something: 1, 0 at the end, or -1 with *why. */
+static int next_line(struct reader *t, struct failure *why) {
+    ssize_t read;
+    while ((read = getline(&t->text, &t->room, t->in)) >= 0) {
+        t->length = (size_t)read;
+        t->line++;
+        if (memchr(t->text, '\0', t->length)) return wrong(t, why, "a NUL byte: this is no text file"), -1;
+        if (t->text[t->length - 1] != '\n')
+            return wrong(t, why, "ends without a newline: the file looks cut off; end the last line too"), -1;
+        t->length = strcspn(t->text, "\r\n");
+        t->text[t->length] = '\0';
+        if (t->line == 1 && strncmp(t->text, "\xEF\xBB\xBF", 3) == 0) {
+            t->length -= 3;
+            memmove(t->text, t->text + 3, t->length + 1);
+        }
+        const char *first = t->text + strspn(t->text, " \t");
+        if (*first == '#')
+            take_comment(t);
+        else if (*first)
+            return 1;
+    }
+    return 0;
+}
+
+static char separator_of(const char *text) {
+    return strchr(text, ';') ? ';' : strchr(text, ',') ? ',' : ' ';
+}
+
+/* The cell that starts at `at`, without its blanks and quotes; where the next one would start. */
+static const char *split_cell(const char *at, char separator, struct cell *cell) {
+    at += strspn(at, " \t");
+    if (*at == '"' || *at == '\'') {
+        const char *end = strchr(at + 1, *at);
+        if (end) {
+            *cell = (struct cell){at + 1, (size_t)(end - at - 1)};
+            at = end + 1;
+            at += strspn(at, " \t");
+            return at;
+        }
+    }
+    size_t length = separator == ' ' ? strcspn(at, " \t") : strcspn(at, separator == ',' ? "," : ";");
+    cell->text = at;
+    at += length;
+    while (length > 0 && strchr(" \t", cell->text[length - 1])) length--;
+    cell->length = length;
+    return at;
+}
+
+/* Fills t->cell; -1 with *why where there are too many. */
+static int split(struct reader *t, const char *text, struct failure *why) {
+    t->cells = 0;
+    for (const char *at = text;; at++) {
+        if (t->separator == ' ') at += strspn(at, " \t");
+        if (t->separator == ' ' && *at == '\0') return 0;
+        if (t->cells == CELLS) return wrong(t, why, "more than 256 columns"), -1;
+        at = split_cell(at, t->separator, &t->cell[t->cells++]);
+        if (*at == '\0') return 0;
+        if (t->separator != ' ' && *at != t->separator) return wrong(t, why, "a quote is followed by more text"), -1;
+        if (t->separator == ' ') at--;
+    }
+}
+
+static int all_numbers(const struct reader *t) {
+    double ignored;
+    for (int i = 0; i < t->cells; i++)
+        if (number_read_printed(t->cell[i].text, t->cell[i].length, &ignored) < 0) return 0;
+    return 1;
+}
+
+static int is_cell(const struct cell *c, const char *name) {
+    return strlen(name) == c->length && memcmp(c->text, name, c->length) == 0;
+}
+
+/* The place of a column by its name, or by its number; -1, or -2 for a name that is there twice. */
+static int find(const struct reader *t, const char *name) {
+    int found = -1;
+    long number;
+    for (int i = 0; i < t->cells; i++)
+        if (is_cell(&t->cell[i], name)) found = found == -1 ? i : -2;
+    if (found == -1 && number_read_whole(name, t->cells, &number) == 0 && number > 0) found = (int)number - 1;
+    return found;
+}
+
+static void wanted_header(const struct reader *t, char *text, size_t size) {
+    const struct column_map *c = t->wanted;
+    snprintf(text, size, "%s,%s%s%s", samples_column_name(c, COLUMN_X),
+             t->s->dim == 2 ? samples_column_name(c, COLUMN_Y) : "", t->s->dim == 2 ? "," : "",
+             samples_column_name(c, COLUMN_T));
+}
+
+static int refuse_header(const struct reader *t, struct failure *why) {
+    char header[3 * COLUMN_NAME + 8], quoted[48];
+    wanted_header(t, header, sizeof header);
+    samples_quote(t->text, strlen(t->text), quoted);
+    return refuse(
+        why, STATUS_INPUT,
+        "%.120s, line %ld: '%s' should be the header %s, or --columns name the columns (x=NAME,T=NAME; a number "
+        "for the place)",
+        t->s->path, t->line, quoted, header);
+}
+
+/* Where x, y, T and w are.  w may be missing where nobody named it. */
+static int locate(struct reader *t, struct failure *why) {
+    for (int k = 0; k < COLUMN_COUNT; k++) {
+        int used = k != COLUMN_Y || t->s->dim == 2, optional = k == COLUMN_W && !t->wanted->name[k][0];
+        const char *name = samples_column_name(t->wanted, k);
+        t->place[k] = used ? find(t, name) : -1;
+        if (t->place[k] == -2)
+            return refuse(why, STATUS_INPUT, "%.150s, line %ld: two columns are called '%s'", t->s->path, t->line,
+                          name);
+        if (used && t->place[k] < 0 && !optional) return refuse_header(t, why);
+        t->s->has[k] = t->place[k] >= 0;
+    }
+    t->width = t->cells;
+    return STATUS_OK;
+}
+
+/* The header: the first line, or the comment above it; without one the columns go by their numbers.  1 where the line
+ * is a point already. */
+static int read_header(struct reader *t, struct failure *why) {
+    t->separator = separator_of(t->text);
+    if (split(t, t->text, why)) return -1;
+    int point = all_numbers(t), cells = t->cells;
+    if (point && *t->comment) {
+        char separator = t->separator;
+        t->separator = separator_of(t->comment);
+        if (split(t, t->comment, why)) return -1;
+        t->separator = separator;
+        if (t->cells != cells && split(t, t->text, why)) return -1;
+    }
+    if (locate(t, why)) return -1;
+    return point;
+}
+
+static int read_point(struct reader *t, struct failure *why) {
+    if (split(t, t->text, why)) return STATUS_INPUT;
+    if (t->cells != t->width)
+        return refuse(why, STATUS_INPUT, "%.150s, line %ld: %d column%s where the lines above have %d", t->s->path,
+                      t->line, t->cells, t->cells == 1 ? "" : "s", t->width);
+    if (t->s->n == t->s->room) samples_grow(t->s);
+    for (int k = 0; k < COLUMN_COUNT; k++) {
+        if (t->place[k] < 0) continue;
+        const struct cell *cell = &t->cell[t->place[k]];
+        if (samples_put(t->s, k, cell->text, cell->length, t->line, t->place[k] + 1, why)) return why->status;
+    }
+    t->s->n++;
+    return STATUS_OK;
+}
+
+static int read_all(struct reader *t, struct failure *why) {
+    int more = next_line(t, why);
+    if (more < 0) return STATUS_INPUT;
+    if (more == 0) return refuse(why, STATUS_INPUT, "%.150s: comments and no point", t->s->path);
+    int point = read_header(t, why);
+    if (point < 0) return STATUS_INPUT;
+    while (point || (more = next_line(t, why)) > 0) {
+        point = 0;
+        if (read_point(t, why)) return why->status;
+    }
+    if (more < 0) return STATUS_INPUT;
+    if (t->s->n == 0) return refuse(why, STATUS_INPUT, "%.150s: a header and no point", t->s->path);
+    return STATUS_OK;
+}
+
+int table_file_read(FILE *in, const struct column_map *c, struct samples *s, struct failure *why) {
+    struct reader *t = xcalloc(1, sizeof *t);
+    *t = (struct reader){.in = in, .wanted = c, .s = s};
+    int status = read_all(t, why);
+    free(t->text);
+    free(t);
+    return status;
+}

@@ -1,0 +1,251 @@
+/* What programs leave as an answer: tables and VTK of many kinds read alike, and what is no answer refused with line,
+ * column and what would be right. */
+#include "verification/foreign/field_file.h"
+
+#include "references/scene.h"
+#include "solver/method.h"
+#include "solver/problem.h"
+#include "verification/foreign/samples.h"
+
+#include "verification/unit/near.h"
+
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <unistd.h>
+
+static char path[] = "/tmp/field-file-test-XXXXXX";
+
+static void put(const char *text, size_t size) {
+    FILE *out = fopen(path, "w");
+    assert_non_null(out);
+    assert_int_equal(fwrite(text, 1, size, out), size);
+    fclose(out);
+}
+
+static int read_as(const char *text, int dim, const char *map, struct samples *s, struct failure *why) {
+    struct column_map c = {0};
+    if (map && samples_columns_read(map, &c, why)) return why->status;
+    put(text, strlen(text));
+    return field_file_samples(path, path, dim, &c, s, why);
+}
+
+/* Two points, (-2.5, 0.75) and (1.25, 0.5) where there is a y, at 3.5e-12 K and 7 K. */
+static void reads(const char *text, int dim, const char *map) {
+    struct samples s;
+    struct failure why;
+    if (read_as(text, dim, map, &s, &why)) fail_msg("%s: %s", text, why.text);
+    assert_int_equal(s.n, 2);
+    assert_near(s.value[COLUMN_X][0], -2.5, 0);
+    assert_near(s.value[COLUMN_X][1], 1.25, 0);
+    if (dim == 2) assert_near(s.value[COLUMN_Y][0], 0.75, 0);
+    if (dim == 2) assert_near(s.value[COLUMN_Y][1], 0.5, 0);
+    assert_near(s.value[COLUMN_T][0], 3.5e-12, 1e-27);
+    assert_near(s.value[COLUMN_T][1], 7, 0);
+    samples_free(&s);
+}
+
+static void refuses(const char *text, int dim, const char *map, const char *because) {
+    struct samples s;
+    struct failure why = {0};
+    if (!read_as(text, dim, map, &s, &why)) fail_msg("was read: %s", text);
+    if (!strstr(why.text, because)) fail_msg("%s: %s", text, why.text);
+}
+
+static void tables_of_all_kinds(void **state) {
+    (void)state;
+    reads("x,T\n-2.5,3.5e-12\n1.25,7\n", 1, NULL);
+    reads("T,x\n3.5e-12,-2.5\n7,1.25\n", 1, NULL);
+    reads("x,y,T\n-2.5,0.75,3.5e-12\n1.25,0.5,7\n", 2, NULL);
+    reads("\xEF\xBB\xBFx;T\r\n-2.5;3.5e-12\r\n1.25;7\r\n", 1, NULL);
+    reads("  x \t T\n  -2.5   3.5D-12\n\n   1.25 .7d+01  \n", 1, NULL);
+    reads("# made by hand\n# x T\n-2.5 3.5-12\n1.25 0.7+1\n", 1, NULL);
+    reads("\"Points:0\",\"Points:1\",\"a, b\",'T [K]'\n-2.5,9,1,3.5e-12\n1.25,9,2,7\n", 1, "x=Points:0,T=T [K]");
+    reads("-2.5 8 3.5e-12\n1.25 8 7\n", 1, "x=1,T=3");
+    reads("x,z,temp,y\n-2.5,4,3.5e-12,0.75\n1.25,4,7,0.5\n", 2, "T=temp");
+}
+
+static void weights_and_what_it_took(void **state) {
+    (void)state;
+    struct samples s;
+    struct failure why;
+    assert_int_equal(read_as("# seconds = 0.75\n# steps = 12\nx,T,w\n1.5,2,0.25\n", 1, NULL, &s, &why), 0);
+    assert_near(s.value[COLUMN_W][0], 0.25, 0);
+    assert_near(s.seconds, 0.75, 0);
+    assert_near(s.steps, 12, 0);
+    samples_free(&s);
+    assert_int_equal(read_as("x,T,vol\n1.5,2,0.25\n", 1, "w=vol", &s, &why), 0);
+    assert_near(s.value[COLUMN_W][0], 0.25, 0);
+    samples_free(&s);
+}
+
+static void vtk_of_both_kinds(void **state) {
+    (void)state;
+    reads("# vtk DataFile Version 3.0\ntitle\nASCII\nDATASET UNSTRUCTURED_GRID\nPOINTS 2 double\n-2.5 0.75 0 1.25 "
+          "0.5 0\n"
+          "CELLS 1 3\n2 0 1\nCELL_TYPES 1\n3\nPOINT_DATA 2\nSCALARS rank int 1\nLOOKUP_TABLE default\n4 5\n"
+          "SCALARS T double\nLOOKUP_TABLE default\n3.5e-12\n7\n",
+          2, NULL);
+    reads("# vtk DataFile Version 2.0\nt\nASCII\nDATASET POLYDATA\nPOINTS 2 float\n-2.5 0.75 0\n1.25 0.5 "
+          "0\nPOINT_DATA 2\n"
+          "FIELD attributes 2\nU 3 2 float\n1 2 3 4 5 6\ntemp 1 2 float\n3.5e-12 7\n",
+          1, "T=temp");
+    reads(
+        "<?xml version=\"1.0\"?>\n<VTKFile type=\"UnstructuredGrid\"><UnstructuredGrid>\n<Piece "
+        "NumberOfPoints=\"2\">\n"
+        "<Points><DataArray type=\"Float64\" NumberOfComponents=\"3\" format=\"ascii\">\n-2.5 0.75 0\n1.25 0.5 0\n"
+        "</DataArray></Points><PointData><DataArray Name=\"U\" NumberOfComponents=\"2\" format=\"ascii\">1 2 3 "
+        "4</DataArray>"
+        "<DataArray Name='T' format='ascii'>3.5e-12 7</DataArray></PointData></Piece></UnstructuredGrid></VTKFile>\n",
+        2, NULL);
+}
+
+static void what_is_no_answer(void **state) {
+    (void)state;
+    refuses("x,T\n1,2\n3,warm\n", 1, NULL, "line 3, column 2: T = 'warm' is not a decimal number");
+    refuses("x,T\n1,2\n3,\n", 1, NULL, "line 3, column 2: T = ''");
+    refuses("x,T\n1,0x1p3\n", 1, NULL, "not a hexadecimal");
+    refuses("x,T\n1,*****\n", 1, NULL, "Fortran prints asterisks");
+    refuses("x;T\n1;2,5\n", 1, NULL, "a number with a decimal point");
+    refuses("x,T\n1,-Infinity\n", 1, NULL, "line 2, column 2: T = -Infinity is not finite");
+    refuses("x,T\n1,2,3\n", 1, NULL, "line 2: 3 columns where the lines above have 2");
+    refuses("x,T\n1,2\n3,0.8", 1, NULL, "line 3: ends without a newline");
+    refuses("x,y\n1,2\n", 1, NULL, "line 1: 'x,y' should be the header x,T");
+    refuses("x,T,T\n1,2,3\n", 1, NULL, "two columns are called 'T'");
+    refuses("1,2\n", 1, NULL, "line 1: '1,2' should be the header x,T");
+    refuses("x,T\n", 1, NULL, "a header and no point");
+    refuses("# nothing\n", 1, NULL, "comments and no point");
+    refuses("", 1, NULL, "empty");
+    refuses("x,T\n1,2\n", 1, "t=T", "--columns 't=T'");
+    refuses("x,T\n1,2\n", 1, "T=a,T=b", "T is given twice");
+    refuses("# vtk DataFile Version 3.0\nt\nBINARY\n", 1, NULL, "line 3: ASCII is wanted");
+    refuses("# vtk DataFile Version 3.0\nt\nASCII\nPOINTS 2 float\n1 2 3 4\n", 1, NULL, "ends within an array");
+    refuses("# vtk DataFile Version 3.0\nt\nASCII\nPOINTS 1 float\n1 2 3\nCELL_DATA 1\nSCALARS T float\n1\n", 1, NULL,
+            "cell data are not at points");
+    refuses("<VTKFile><Points><DataArray format=\"appended\"/></Points>", 1, NULL, "format=\"ascii\" is wanted");
+    put("x,T\n1,2\0,5\n", 11);
+    struct samples s;
+    struct failure why;
+    assert_int_equal(field_file_samples(path, path, 1, &(struct column_map){0}, &s, &why), STATUS_INPUT);
+    assert_non_null(strstr(why.text, "line 2: a NUL byte"));
+}
+
+/* The square [-2, 2]^2 of square-step, or the rod of rod-step, with n by n points that the caller moves. */
+struct cloud {
+    struct problem p;
+    int n;
+    double first, step; /* of a coordinate, in spacings 4/n from the low wall */
+};
+
+static int judge(const struct cloud *c, int skip, struct field *f, struct failure *why) {
+    FILE *out = fopen(path, "w");
+    double dx = 4.0 / c->n;
+    fprintf(out, c->p.dim == 2 ? "x,y,T\n" : "x,T\n");
+    for (int j = 0; j < (c->p.dim == 2 ? c->n : 1); j++)
+        for (int i = 0; i < c->n; i++) {
+            if (i < skip) continue;
+            fprintf(out, "%.17g,", -2 + dx * (c->first + c->step * i));
+            if (c->p.dim == 2) fprintf(out, "%.17g,", -2 + dx * (c->first + c->step * j));
+            fprintf(out, "3.5\n");
+        }
+    fclose(out);
+    return field_file_read(path, path, &(struct column_map){0}, &c->p, dx, f, why);
+}
+
+static struct cloud cloud(const char *scene, int n, double first, double step) {
+    struct cloud c = {.n = n, .first = first, .step = step};
+    struct failure why;
+    scene_defaults(scene_find(scene), &c.p);
+    assert_int_equal(scene_find(scene)->setup(&c.p, &why), 0);
+    return c;
+}
+
+static void the_usual_arrangements_cover(void **state) {
+    (void)state;
+    static const char *const scene[] = {"rod-step", "square-step"};
+    for (int s = 0; s < 2; s++)
+        for (int n = 4; n < 80; n = n * 3 / 2) {
+            struct cloud usual[] = {cloud(scene[s], n, 0.5, 1),                /* cell centres */
+                                    cloud(scene[s], n, 0, n / (n - 1.0)),      /* nodes, the walls' too */
+                                    cloud(scene[s], n, 0, 1),                  /* nodes between the walls */
+                                    cloud(scene[s], n, 0.211, 1 - 0.422 / n)}; /* off the walls, not symmetric */
+            for (int k = 0; k < 4; k++) {
+                struct field f;
+                struct failure why;
+                if (judge(&usual[k], k == 2, &f, &why)) fail_msg("%s, n %d, %d: %s", scene[s], n, k, why.text);
+                field_free(&f);
+            }
+        }
+}
+
+static void parts_of_the_domain_do_not(void **state) {
+    (void)state;
+    static const char *const scene[] = {"rod-step", "square-step"};
+    for (int s = 0; s < 2; s++)
+        for (int n = 8; n < 80; n = n * 3 / 2) {
+            struct field f;
+            struct failure why;
+            struct cloud half = cloud(scene[s], n, 0.25, 0.5), few = cloud(scene[s], n, 0.5, 1);
+            assert_int_equal(judge(&half, 0, &f, &why), STATUS_INPUT);
+            if (!strstr(why.text, "must cover the whole domain")) fail_msg("%s", why.text);
+            assert_int_equal(judge(&few, n / 2, &f, &why), STATUS_INPUT);
+            if (!strstr(why.text, "at least")) fail_msg("%s", why.text);
+            struct cloud outside = cloud(scene[s], n, 1.5, 1), same = cloud(scene[s], n, 0.5, 1);
+            assert_int_equal(judge(&outside, 0, &f, &why), STATUS_INPUT);
+            if (!strstr(why.text, "lies outside of -2 to 2 m")) fail_msg("%s", why.text);
+            same.step = (n - 1.0) / n;
+            assert_int_equal(judge(&same, 0, &f, &why), 0);
+            field_free(&f);
+        }
+}
+
+static void a_point_counts_once(void **state) {
+    (void)state;
+    struct cloud c = cloud("rod-step", 8, 0, 0);
+    struct field f;
+    struct failure why;
+    const char *text = "x,T\n-1.75,1\n-1.25,2\n-0.75,1\n-0.25,2\n0.25,1\n0.25000000001,2\n0.75,1\n1.25,2\n1.75,1\n";
+    put(text, strlen(text));
+    assert_int_equal(field_file_read(path, path, &(struct column_map){0}, &c.p, 0.5, &f, &why), STATUS_INPUT);
+    if (!strstr(why.text, "line 7: the same point as in line 6")) fail_msg("%s", why.text);
+}
+
+/* 0.1 m is a wall of the plate, and so is 0.0999999999999 m. */
+static void rounded_coordinates_lie_on_the_walls(void **state) {
+    (void)state;
+    struct cloud c = cloud("plate", 11, 0, 1);
+    struct field f;
+    struct failure why;
+    FILE *out = fopen(path, "w");
+    fprintf(out, "x,y,T,w\n");
+    for (int j = 0; j <= 10; j++)
+        for (int i = 0; i <= 10; i++)
+            fprintf(out, "%.17g,%.17g,%d,%d\n", 0.0099999999999 * i, 1e-13 + 0.01 * j, i + 20 * j, 1 + i);
+    fclose(out);
+    assert_int_equal(field_file_read(path, path, &(struct column_map){0}, &c.p, 0.01, &f, &why), 0);
+    assert_int_equal(f.n, 121);
+    assert_near(f.x[10], 0.1, 0);
+    assert_near(f.y[120], 0.1, 0);
+    assert_near(f.y[5], 0, 0);
+    assert_near(f.T[21], 30, 0);
+    assert_near(f.weight[21], 11, 0);
+    field_free(&f);
+}
+
+int main(void) {
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(tables_of_all_kinds),
+        cmocka_unit_test(weights_and_what_it_took),
+        cmocka_unit_test(vtk_of_both_kinds),
+        cmocka_unit_test(what_is_no_answer),
+        cmocka_unit_test(the_usual_arrangements_cover),
+        cmocka_unit_test(parts_of_the_domain_do_not),
+        cmocka_unit_test(a_point_counts_once),
+        cmocka_unit_test(rounded_coordinates_lie_on_the_walls),
+    };
+    int file = mkstemp(path);
+    if (file < 0 || close(file)) return 1;
+    int failed = cmocka_run_group_tests_name("field_file", tests, NULL, NULL);
+    unlink(path);
+    return failed;
+}
