@@ -8,6 +8,7 @@
 #include "references/scene.h"
 #include "verification/command/option.h"
 #include "verification/command/verb.h"
+#include "verification/foreign/results.h"
 #include "verification/text/words.h"
 
 #include <stdio.h>
@@ -132,6 +133,8 @@ static int check_positionals(const struct request *r, struct failure *why) {
 }
 
 static int check_required(const struct request *r, struct failure *why) {
+    if (strcmp(r->verb->name, "ladder") == 0 && !r->rungs.dx.count && !r->experiment.program.results)
+        return refuse(why, STATUS_INPUT, "ladder needs --dx A,B,C,..., or --results DIR with a directory a spacing");
     for (const struct option *o = options_table; o->key; o++)
         if (words_among(r->verb->required, o->key) && !(r->given & 1ul << (o - options_table)))
             return refuse(why, STATUS_INPUT, "%s needs --%s %s: %s", r->verb->name, o->name, o->value, o->about);
@@ -195,15 +198,26 @@ static int check_program(const struct request *r, struct failure *why) {
         return refuse(why, STATUS_INPUT, "--solver runs a program, --results judges what one left: give one of them");
     if (!g->solver && (g->keep || g->timeout > 0))
         return refuse(why, STATUS_INPUT, "--%s needs --solver 'CMD'", g->keep ? "keep" : "timeout");
+    if (*g->vary && !program_given(g)) return refuse(why, STATUS_INPUT, "--vary needs --solver or --results");
     for (int k = 0; k < COLUMN_COUNT && !program_given(g); k++)
         if (g->columns.name[k][0]) return refuse(why, STATUS_INPUT, "--columns needs --solver or --results");
     return STATUS_OK;
 }
 
+/* Which spacings there are, and the parameters that the cases were written for: neither is typed again. */
+static int take_results(struct request *r, struct failure *why) {
+    struct experiment *e = &r->experiment;
+    char dir[RESULTS_PATH];
+    if (!e->program.results || !e->scene) return STATUS_OK;
+    snprintf(dir, sizeof dir, "%.700s/%s", e->program.results, e->scene->name);
+    if (!r->rungs.dx.count && results_list(dir, &r->rungs.dx, why)) return why->status;
+    return results_params(e->program.results, e->scene, &r->rungs.dx, r->overridden, &e->problem, why);
+}
+
 static int apply(struct request *r, const struct word *words, int count, struct failure *why) {
     for (int i = 0; i < count; i++)
         if (take_option(r, &words[i], why)) return why->status;
-    if (check_required(r, why)) return why->status;
+    if (check_required(r, why) || take_results(r, why)) return why->status;
     if (r->experiment.scene && r->experiment.scene->setup(&r->experiment.problem, why)) return why->status;
     r->experiment.options.dx = r->rungs.dx.value[0];
     r->experiment.options.dt = r->rungs.dt.count ? r->rungs.dt.value[0] : 0;

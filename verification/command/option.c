@@ -53,6 +53,7 @@ static int read_number(struct request *r, const struct option *o, const char *te
 static int read_numbers(struct request *r, const struct option *o, const char *text, struct failure *why) {
     struct numbers *list = place(r, o);
     list->count = number_read_list(text, list->value, NUMBERS_MAX);
+    list->text = text;
     if (list->count < 0)
         return refuse(why, STATUS_INPUT, "--%s '%.60s': must be 1 to %d numbers with commas between, such as %s",
                       o->name, text, NUMBERS_MAX, o->lo >= 0 ? "0.1,0.05,4/160" : "-0.3,0.7");
@@ -138,6 +139,25 @@ static int read_columns(struct request *r, const struct option *o, const char *t
     return samples_columns_read(text, &r->experiment.program.columns, why);
 }
 
+static int read_vary(struct request *r, const struct option *o, const char *text, struct failure *why) {
+    static const char *const taken[] = {"case", "out", "dx", NULL};
+    struct program *g = &r->experiment.program;
+    struct numbers *list = &r->rungs.vary;
+    size_t length = strspn(text, "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ_0123456789");
+    snprintf(g->vary, sizeof g->vary, "%.*s", (int)(length < sizeof g->vary ? length : 0), text);
+    if (!*g->vary || text[length] != '=' || words_index(taken, g->vary) >= 0)
+        return refuse(why, STATUS_INPUT,
+                      "--%s '%.60s': must be NAME=A,B,C,..., NAME of letters, digits and _, and not "
+                      "case, out or dx",
+                      o->name, text);
+    list->count = number_read_list(text + length + 1, list->value, NUMBERS_MAX);
+    for (int i = 0; i < list->count; i++)
+        if (!(list->value[i] > 0)) list->count = -1;
+    if (list->count > 0) return STATUS_OK;
+    return refuse(why, STATUS_INPUT, "--%s '%.60s': must be NAME=A,B,C,... with 1 to %d numbers > 0", o->name, text,
+                  NUMBERS_MAX);
+}
+
 #define IN(member) offsetof(struct request, member)
 #define POSITIVE ABOVE_ZERO, INFINITY
 #define FINITE -INFINITY, INFINITY
@@ -198,10 +218,14 @@ const struct option options_table[] = {
      read_text, IN(experiment.program.solver), NULL, FINITE, 0},
     {"results", "results", "DIR", "judge the answers that lie in DIR/SCENE/DX", read_text,
      IN(experiment.program.results), NULL, FINITE, 0},
+    {"into", "into", "DIR", "write DIR/SCENE/DX/case, and DIR/cases.txt with a directory a line", read_text, IN(into),
+     NULL, FINITE, 0},
     {"keep", "keep", "DIR", "keep case, answer and log of each run of --solver in DIR/SCENE/DX", read_text,
      IN(experiment.program.keep), NULL, FINITE, 0},
     {"timeout", "timeout", "S", "end what --solver runs after S seconds", read_number, IN(experiment.program.timeout),
      NULL, POSITIVE, 0},
+    {"vary", "vary", "NAME=A,B,C", "a ladder in a parameter of the program: {NAME} in its command, NAME in its case",
+     read_vary, 0, NULL, FINITE, 0},
     {"columns", "columns", "MAP", "what the columns of an answer are called: x=X,y=Y,T=temp,w=volume", read_columns,
      0, NULL, FINITE, 0},
     {"warm-up", "warm-up", NULL, "solve for 0.1 s beforehand, so that what is timed finds program and memory ready",

@@ -22,6 +22,7 @@ struct request {
     const char *points;      /* reference: file of points, - for standard input; NULL for `at` */
     const char *what;        /* reference: the columns asked for; NULL for the temperature */
     double error;            /* choose: E1 to be reached */
+    const char *into;        /* case: the directory of cases */
     struct method *external; /* owned: what the method is where a program stands in for it; else NULL */
     const char *only;        /* glob of the names of gates or claims; NULL for all */
     const char *bench_scene; /* bench: the one scene; NULL for all */

@@ -11,6 +11,7 @@
 #include "verification/foreign/case_file.h"
 #include "verification/foreign/field_file.h"
 #include "verification/foreign/process.h"
+#include "verification/foreign/results.h"
 #include "verification/foreign/scratch.h"
 #include "verification/text/atomic_file.h"
 
@@ -46,35 +47,22 @@ const char program_help[] =
     "case\n"
     "files that `heatladder case SCENE --dx A,B,C --into DIR` writes.\n";
 
-static const char *const answers[] = {"out.csv", "out.vtk", "out.vtu", "out.dat", NULL};
+const char *const program_answers[] = {"out.csv", "out.vtk", "out.vtu", "out.dat", NULL};
 
 int program_given(const struct program *g) {
     return g->solver || g->results;
 }
 
-static void shortest(double value, char text[40]) {
-    for (int digits = 1; digits <= 17; digits++) {
-        snprintf(text, 40, "%.*g", digits, value);
-        if (strtod(text, NULL) == value) return;
-    }
-}
-
-void program_directory(const char *dir, const struct program *g, const struct scene *s, const struct options *o,
-                       char path[PROGRAM_PATH]) {
-    char dx[40], dt[40];
-    shortest(o->dx, dx);
-    shortest(o->dt, dt);
-    int n = snprintf(path, PROGRAM_PATH, "%.600s/%s/%s", dir, s->name, dx);
-    if (g->vary)
-        snprintf(path + n, (size_t)(PROGRAM_PATH - n), "/%.60s=%.60s", g->vary, g->value);
-    else if (o->dt > 0)
-        snprintf(path + n, (size_t)(PROGRAM_PATH - n), "/dt=%s", dt);
+/* Below DIR/SCENE/DX: what else differs from rung to rung. */
+static void append_rung(const struct program *g, char path[RESULTS_PATH]) {
+    size_t n = strlen(path);
+    if (*g->rung) snprintf(path + n, RESULTS_PATH - n, "/%s", g->rung);
 }
 
 /* ---- Now ---- */
 
 struct place {
-    char input[PROGRAM_PATH + 16], output[PROGRAM_PATH + 16], log[PROGRAM_PATH + 16];
+    char input[RESULTS_PATH + 16], output[RESULTS_PATH + 16], log[RESULTS_PATH + 16];
 };
 
 static void place_in(const char *dir, struct place *at) {
@@ -96,9 +84,12 @@ static int make_directories(char *path, struct failure *why) {
 /* Where case and answer lie: the directory of --keep without an older answer, or the scratch. */
 static int choose_place(const struct program *g, const struct scene *s, const struct options *o,
                         const struct scratch *scratch, struct place *at, struct failure *why) {
-    char dir[PROGRAM_PATH];
+    char dir[RESULTS_PATH];
     if (g->keep) {
-        program_directory(g->keep, g, s, o, dir);
+        char dx[40];
+        results_number(o->dx, dx);
+        snprintf(dir, sizeof dir, "%.600s/%s/%s", g->keep, s->name, dx);
+        append_rung(g, dir);
         if (!scratch_is_plain(dir))
             return refuse(why, STATUS_INPUT, "--keep '%.200s': letters, digits and /._-+=,@%% are wanted in its name",
                           g->keep);
@@ -116,7 +107,7 @@ static int write_case(const struct program *g, const struct scene *s, const stru
                       const struct options *o, const char *path, struct failure *why) {
     FILE *out = fopen(path, "w");
     if (!out) return refuse(why, STATUS_INPUT, "cannot write '%.200s': %s", path, strerror(errno));
-    case_file_write(s, p, o, &(struct case_extra){g->label, g->vary, g->value}, out);
+    case_file_write(s, p, o, &(struct case_extra){g->label, *g->vary ? g->vary : NULL, g->value}, out);
     if (ferror(out) | fclose(out)) return refuse(why, STATUS_INPUT, "cannot write '%.200s'", path);
     return STATUS_OK;
 }
@@ -125,8 +116,9 @@ static int write_case(const struct program *g, const struct scene *s, const stru
 static char *fill_in(const struct program *g, const struct options *o, const struct place *at) {
     char *text = NULL, dx[40];
     size_t size;
-    shortest(o->dx, dx);
-    const char *name[] = {"case", "out", "dx", g->vary}, *value[] = {at->input, at->output, dx, g->value};
+    results_number(o->dx, dx);
+    const char *name[] = {"case", "out", "dx", *g->vary ? g->vary : NULL},
+               *value[] = {at->input, at->output, dx, g->value};
     FILE *out = open_memstream(&text, &size);
     if (!out) return NULL;
     for (const char *c = g->solver; *c; c++) {
@@ -151,9 +143,8 @@ static int run_command(const struct program *g, const struct scene *s, const str
     char dx[40], label[200];
     char *command = fill_in(g, o, at);
     if (!command) return refuse(why, STATUS_NUMERICAL, "out of memory for --solver");
-    shortest(o->dx, dx);
-    snprintf(label, sizeof label, "%s dx=%s%s%.60s%s%.60s", s->name, dx, g->vary ? " " : "", g->vary ? g->vary : "",
-             g->vary ? "=" : "", g->vary ? g->value : "");
+    results_number(o->dx, dx);
+    snprintf(label, sizeof label, "%s dx=%s%s%s", s->name, dx, *g->rung ? " " : "", g->rung);
     struct process process = {.command = command, .label = label, .scratch = scratch, .timeout = g->timeout};
     if (g->keep && !(process.log = fopen(at->log, "w")))
         refuse(why, STATUS_INPUT, "--keep: cannot write '%.300s': %s", at->log, strerror(errno));
@@ -197,12 +188,15 @@ static int solve_now(const struct program *g, const struct scene *s, const struc
 
 static int solve_later(const struct program *g, const struct scene *s, const struct problem *p,
                        const struct options *o, struct field *f, struct failure *why) {
-    char dir[PROGRAM_PATH], path[PROGRAM_PATH + 16];
-    program_directory(g->results, g, s, o, dir);
-    for (int i = 0; answers[i]; i++) {
-        snprintf(path, sizeof path, "%s/%s", dir, answers[i]);
+    char of_scene[RESULTS_PATH], dir[RESULTS_PATH], path[RESULTS_PATH + 16];
+    if (snprintf(of_scene, sizeof of_scene, "%s/%s", g->results, s->name) >= RESULTS_PATH - 200 ||
+        results_directory(of_scene, o->dx, dir))
+        return refuse(why, STATUS_INPUT, "--results '%.200s': too long a path", g->results);
+    append_rung(g, dir);
+    for (int i = 0; program_answers[i]; i++) {
+        snprintf(path, sizeof path, "%s/%s", dir, program_answers[i]);
         if (access(path, F_OK) == 0) break;
-        if (!answers[i + 1]) snprintf(path, sizeof path, "%s/%s", dir, answers[0]);
+        if (!program_answers[i + 1]) snprintf(path, sizeof path, "%s/%s", dir, program_answers[0]);
     }
     if (field_file_read(path, path, &g->columns, p, o->dx, f, why)) return why->status;
     f->seconds = f->step_seconds;

@@ -1,7 +1,9 @@
 /* The ladder: rungs, window, slope, verdict. */
 #include "verification/ladder/ladder.h"
 
+#include "verification/foreign/results.h"
 #include "verification/ladder/judge.h"
+#include "verification/ladder/self_difference.h"
 #include "verification/text/json.h"
 #include "verification/text/progress.h"
 #include "verification/run/run.h"
@@ -20,10 +22,26 @@ static int descending(const void *a, const void *b) {
     return (x < y) - (x > y);
 }
 
+/* A list that rises is refined as it rises: its inverse falls. */
+static int plan_vary(const struct ladder_rungs *r, struct ladder *l, struct failure *why) {
+    if (r->dx.count > 1 || r->dt.count > 1 || r->fourier.count > 1)
+        return refuse(why, STATUS_INPUT, "a ladder climbs in one thing: give one --dx and one time step with --vary");
+    if (r->vary.count < 2)
+        return refuse(why, STATUS_INPUT, "a ladder needs at least two rungs: --vary NAME=A,B,C,...");
+    l->n = r->vary.count;
+    l->inverse = r->vary.value[1] > r->vary.value[0];
+    for (int i = 0; i < l->n; i++) l->x[i] = l->inverse ? 1 / r->vary.value[i] : r->vary.value[i];
+    for (int i = 0; i + 1 < l->n; i++)
+        if (!(l->x[i + 1] < l->x[i]))
+            return refuse(why, STATUS_INPUT, "--vary: from the coarsest to the finest, all rising or all falling");
+    return STATUS_OK;
+}
+
 /* The numbers of the list that has several, coarsest first, into l->x. */
 static int plan(const struct ladder_rungs *r, struct ladder *l, struct failure *why) {
     const struct numbers *steps = r->dt.count ? &r->dt : &r->fourier;
     const char *name = steps->count < 2 ? "dx" : r->dt.count ? "dt" : "fourier";
+    if (r->vary.count) return plan_vary(r, l, why);
     if (r->dx.count > 1 && steps->count > 1)
         return refuse(why, STATUS_INPUT, "a ladder climbs in dx or in time: give one --dx, or one --%s", name);
     if (r->dx.count < 2 && steps->count < 2)
@@ -42,12 +60,21 @@ static int plan(const struct ladder_rungs *r, struct ladder *l, struct failure *
 static struct experiment rung_of(const struct experiment *e, const struct ladder_rungs *rungs, const struct ladder *l,
                                  int i) {
     struct experiment rung = *e;
-    if (!l->in_time)
+    struct program *g = &rung.program;
+    char value[40];
+    results_number(l->x[i], value);
+    if (rungs->vary.count) {
+        results_number(rungs->vary.value[i], g->value);
+        snprintf(g->rung, sizeof g->rung, "%s=%s", g->vary, g->value);
+    } else if (!l->in_time) {
         rung.options.dx = l->x[i];
-    else if (rungs->dt.count)
+    } else if (rungs->dt.count) {
         rung.options.dt = l->x[i];
-    else
+        snprintf(g->rung, sizeof g->rung, "dt=%s", value);
+    } else {
         rung.options.fourier = l->x[i];
+        snprintf(g->rung, sizeof g->rung, "fourier=%s", value);
+    }
     return rung;
 }
 
@@ -98,11 +125,33 @@ static int collect(struct ladder *l, struct failure *why) {
             return f->status;
         }
         if (f->status && !l->failure.status) l->failure = *f;
-        if (l->in_time && !f->status)
+        if (l->in_time && !f->status && !l->self_differences)
             l->x[i] = l->rung[i].dt; /* steps are whole, so it is not quite what was asked */
     }
     if (l->failure.status) *why = l->failure;
     return l->failure.status;
+}
+
+/* Without the particles' equations.  A run that fails leaves a ladder without errors. */
+static int climb_without_reference(const struct experiment *e, const struct ladder_rungs *rungs, struct ladder *l,
+                                   struct failure *why) {
+    struct experiment rung[RUNG_MAX];
+    if (l->n < 3)
+        return refuse(why, STATUS_INPUT,
+                      "successive runs tell the error in time of %s: three time steps at least, and for a gate %d",
+                      e->method->name, WINDOW_LEAST + 1);
+    for (int i = 0; i < l->n; i++) {
+        rung[i] = rung_of(e, rungs, l, i);
+        l->rung[i] = (struct result){.scene = e->scene,
+                                     .method = e->method,
+                                     .options = rung[i].options,
+                                     .t_end = e->problem.t_end,
+                                     .time_error = NAN};
+        refuse(&l->rung[i].failure, STATUS_NUMERICAL, "not run, since a coarser one failed");
+    }
+    int status = self_difference_climb(rung, l, why);
+    l->tried = program_given(&e->program) && status && l->rung[0].failure.status;
+    return status_refused(status) && !l->tried ? status : STATUS_OK;
 }
 
 /* Each rung measured against the reference; failed where there is none.  STATUS_INPUT with *why where it is refused.
@@ -111,6 +160,7 @@ static int climb_in_time(const struct experiment *e, const struct ladder_rungs *
                          struct failure *why) {
     struct experiment finest = rung_of(e, rungs, l, l->n - 1);
     struct semidiscrete reference;
+    if (!e->method->scheme) return climb_without_reference(e, rungs, l, why);
     int status = semidiscrete_solve(&finest, &reference, why);
     if (status_refused(status)) return status;
     l->semidiscrete_steps = reference.steps;
@@ -131,6 +181,7 @@ int ladder_run(const struct experiment *e, const struct ladder_rungs *rungs, str
     double start = omp_get_wtime();
     *l = (struct ladder){0};
     if (plan(rungs, l, why)) return why->status;
+    memcpy(l->vary, e->program.vary, sizeof l->vary);
     if (program_given(&e->program) && !l->in_time)
         climb_program(e, rungs, l);
     else if (!l->in_time)
@@ -237,12 +288,13 @@ void ladder_json(const struct ladder *l, struct json *j) {
     for (int i = 0; i < l->n; i++) {
         json_object(j, NULL);
         result_json(&l->rung[i], j);
+        if (*l->vary) json_number(j, l->vary, l->inverse ? 1 / l->x[i] : l->x[i]);
         json_whole(j, "counts", l->window.counts[i]);
         json_text(j, "left_out", l->window.left_out[i][0] ? l->window.left_out[i] : NULL);
         json_end(j);
     }
     json_end(j);
-    json_text(j, "against", l->in_time ? "dt" : "dx");
+    json_text(j, "against", l->in_time ? "dt" : *l->vary ? l->vary : "dx");
     json_number(j, "slope", l->slope.value);
     json_array(j, "slope_ci95");
     for (int i = 0; i < 2; i++) json_number(j, NULL, l->slope.ci[i]);

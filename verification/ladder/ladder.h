@@ -22,15 +22,19 @@ struct ladder_rungs {
     struct numbers dx;      /* m */
     struct numbers dt;      /* s */
     struct numbers fourier; /* - */
+    struct numbers vary;    /* of a parameter of the program, experiment.program.vary */
     struct numbers expect;  /* lowest and highest slope that pass; none where nothing is to be judged */
     double ceiling;         /* of the error at the finest rung that counts; 0: none */
     enum ladder_norm norm;  /* what is fitted and judged */
 };
 
 struct ladder {
-    int n;       /* rungs, coarsest first */
-    int tried;   /* 1: of another program, whose bad answers are rows of the ladder */
-    int in_time; /* 1: x is dt, s; 0: x is dx, m */
+    int n;                /* rungs, coarsest first */
+    int tried;            /* 1: of another program, whose bad answers are rows of the ladder */
+    int in_time;          /* 1: x is dt, s; 0: x is dx, m, or what the program varies in */
+    int inverse;          /* 1: x is 1 over what the program varies in, which rises */
+    char vary[40];        /* its name; "" for none */
+    int self_differences; /* 1: errors come from differences of successive runs (self_difference.h) */
     struct result rung[RUNG_MAX];
     long long
         semidiscrete_steps; /* in time: of the midpoint rule that the errors are against; 0: of the exact stepper */

@@ -10,6 +10,7 @@ enum { NUMBERS_MAX = 32 };
 struct numbers {
     int count;
     double value[NUMBERS_MAX];
+    const char *text; /* as typed; NULL where nobody typed it */
 };
 
 /* Reads the whole of `text` as a finite decimal, or as a fraction of two (4/42).  0, or -1 where it is neither. */

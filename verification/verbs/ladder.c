@@ -13,8 +13,10 @@
 #include <stdio.h>
 #include <stdlib.h>
 
-static void add_header(struct table *t, int in_time) {
-    const char *header[] = {in_time ? "dt [s]" : "dx [m]",
+static void add_header(struct table *t, const struct ladder *l) {
+    const char *header[] = {l->in_time ? "dt [s]"
+                            : *l->vary ? l->vary
+                                       : "dx [m]",
                             "particles",
                             "steps",
                             "E1",
@@ -29,7 +31,7 @@ static void add_header(struct table *t, int in_time) {
 
 static void add_rung(struct table *t, const struct ladder *l, int i) {
     const struct result *r = &l->rung[i];
-    table_add(t, "%.6g", l->x[i]);
+    table_add(t, "%.6g", l->inverse ? 1 / l->x[i] : l->x[i]);
     table_add(t, "%zu", r->particles);
     table_add(t, "%lld", r->steps);
     table_add(t, "%.4e", r->failure.status ? NAN : r->error.l1);
@@ -53,13 +55,15 @@ static void print_text(const struct ladder *l) {
     const char *verdict = verdict_words[l->verdict];
     result_describe(&l->rung[l->n - 1], what, sizeof what);
     printf("%s\n", what);
-    if (l->in_time && !l->semidiscrete_steps && !l->failure.status)
+    if (l->self_differences)
+        printf("errors by Richardson's extrapolation from successive runs on one grid; the finest is not shown\n");
+    else if (l->in_time && !l->semidiscrete_steps && !l->failure.status)
         printf("errors against the exact solution in time of the same particles' equations\n");
     if (l->semidiscrete_steps)
         printf("errors against %lld steps of rk2 for the same particles' equations, themselves wrong by %.1e\n",
                l->semidiscrete_steps, l->semidiscrete_error);
     printf("\n");
-    add_header(&t, l->in_time);
+    add_header(&t, l);
     for (int i = 0; i < l->n; i++) add_rung(&t, l, i);
     table_print(&t, stdout);
     table_free(&t);

@@ -1,0 +1,218 @@
+/* Directories of cases and answers. */
+#include "verification/foreign/results.h"
+
+#include "references/scene.h"
+#include "solver/options.h"
+#include "solver/status.h"
+#include "verification/foreign/case_file.h"
+#include "verification/foreign/program.h"
+#include "verification/text/atomic_file.h"
+#include "verification/text/words.h"
+
+#include <dirent.h>
+#include <errno.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/stat.h>
+
+void results_number(double value, char text[40]) {
+    for (int digits = 1; digits <= 17; digits++) {
+        snprintf(text, 40, "%.*g", digits, value);
+        if (strtod(text, NULL) == value) return;
+    }
+}
+
+static int is_directory(const char *path) {
+    struct stat is;
+    return stat(path, &is) == 0 && S_ISDIR(is.st_mode);
+}
+
+int results_directory(const char *dir, double value, char path[RESULTS_PATH]) {
+    char text[40];
+    double read;
+    results_number(value, text);
+    if (snprintf(path, RESULTS_PATH, "%s/%s", dir, text) >= RESULTS_PATH) return -1;
+    DIR *in = is_directory(path) ? NULL : opendir(dir);
+    for (struct dirent *d; in && (d = readdir(in));)
+        if (number_read(d->d_name, &read) == 0 && read == value &&
+            snprintf(path, RESULTS_PATH, "%s/%s", dir, d->d_name) >= RESULTS_PATH)
+            return closedir(in), -1;
+    if (in) closedir(in);
+    return 0;
+}
+
+int results_list(const char *dir, struct numbers *found, struct failure *why) {
+    DIR *in = opendir(dir);
+    int more = 0;
+    double value;
+    if (!in) return refuse(why, STATUS_INPUT, "--results: '%.300s': %s", dir, strerror(errno));
+    found->count = 0;
+    for (struct dirent *d; (d = readdir(in));) {
+        if (number_read(d->d_name, &value) || !(value > 0)) continue;
+        if (found->count == NUMBERS_MAX)
+            more = 1;
+        else
+            found->value[found->count++] = value;
+    }
+    closedir(in);
+    if (more)
+        return refuse(why, STATUS_INPUT, "--results: more than %d spacings in '%.300s'; --dx A,B,C,... says which",
+                      NUMBERS_MAX, dir);
+    if (!found->count)
+        return refuse(why, STATUS_INPUT,
+                      "--results: no directory in '%.300s' is called by its spacing, as `heatladder "
+                      "case` makes them",
+                      dir);
+    return STATUS_OK;
+}
+
+/* ---- Parameters ---- */
+
+static int read_param(const struct param *t, const char *text, double *value) {
+    if (!t->choice) return number_read(text, value);
+    int index = words_index(t->choice, text);
+    *value = index;
+    return index < 0 ? -1 : 0;
+}
+
+/* The parameters that the case at `path` has, against those that are set; new ones are set too. */
+static int compare_params(const char *path, const char *text, const struct scene *s, unsigned long *set,
+                          struct problem *p, struct failure *why) {
+    char key[80], value[80], scene[80];
+    if (case_file_value(text, "scene", scene, sizeof scene) || strcmp(scene, s->name) != 0)
+        return refuse(why, STATUS_INPUT, "%.300s: not a case of %s", path, s->name);
+    for (int i = 0; s->params[i].name; i++) {
+        double read;
+        snprintf(key, sizeof key, "param_%s", s->params[i].name);
+        if (case_file_value(text, key, value, sizeof value)) continue;
+        if (read_param(&s->params[i], value, &read))
+            return refuse(why, STATUS_INPUT, "%.300s: %s = %.40s is no value of it", path, key, value);
+        if (*set & 1ul << i && read != p->param[i])
+            return refuse(why, STATUS_INPUT, "%.300s: %s = %.40s, but %.17g in other cases or by --set", path, key,
+                          value, p->param[i]);
+        p->param[i] = read;
+        *set |= 1ul << i;
+    }
+    return STATUS_OK;
+}
+
+int results_params(const char *dir, const struct scene *s, const struct numbers *dx, unsigned long set,
+                   struct problem *p, struct failure *why) {
+    char of_scene[RESULTS_PATH], path[RESULTS_PATH], file[RESULTS_PATH + 8];
+    snprintf(of_scene, sizeof of_scene, "%.700s/%s", dir, s->name);
+    for (int i = 0; i < dx->count; i++) {
+        if (results_directory(of_scene, dx->value[i], path)) continue;
+        snprintf(file, sizeof file, "%s/case", path);
+        struct stat is;
+        if (stat(file, &is)) continue;
+        char *text = case_file_read(file, why);
+        int status = text ? compare_params(file, text, s, &set, p, why) : STATUS_INPUT;
+        free(text);
+        if (status) return status;
+    }
+    return STATUS_OK;
+}
+
+/* ---- Writing ---- */
+
+/* The whole of a file, or NULL; at most 16 MB. */
+static char *whole(const char *path) {
+    enum { MOST = 1 << 24 };
+    FILE *in = fopen(path, "r");
+    if (!in) return NULL;
+    struct stat is;
+    size_t size = fstat(fileno(in), &is) || is.st_size > MOST ? 0 : (size_t)is.st_size;
+    char *text = xcalloc(size + 1, 1);
+    size = fread(text, 1, size, in);
+    text[size] = '\0';
+    fclose(in);
+    return text;
+}
+
+static int has_answer(const char *dir) {
+    char path[RESULTS_PATH + 16];
+    struct stat is;
+    for (int i = 0; program_answers[i]; i++) {
+        snprintf(path, sizeof path, "%s/%s", dir, program_answers[i]);
+        if (stat(path, &is) == 0) return 1;
+    }
+    return 0;
+}
+
+static int write_one(const char *dir, const struct scene *s, const struct problem *p, const struct options *o,
+                     struct failure *why) {
+    char path[RESULTS_PATH + 8], *text = NULL;
+    size_t size;
+    FILE *out = open_memstream(&text, &size);
+    if (!out) return refuse(why, STATUS_NUMERICAL, "out of memory for '%.300s'", dir);
+    case_file_write(s, p, o, &(struct case_extra){.label = "results"}, out);
+    fclose(out);
+    snprintf(path, sizeof path, "%s/case", dir);
+    char *old = whole(path);
+    int same = old && strcmp(old, text) == 0, status = STATUS_OK;
+    if (old && !same && has_answer(dir))
+        status = refuse(why, STATUS_INPUT,
+                        "%.300s: an answer to another case lies there; remove it, or take another "
+                        "--into",
+                        dir);
+    if (!same && !status) status = atomic_file_write(path, text, size, why);
+    free(old);
+    free(text);
+    return status;
+}
+
+/* Whether `list` has the line `line`. */
+static int has_line(const char *list, const char *line) {
+    size_t length = strlen(line);
+    for (const char *at = list; (at = strstr(at, line)); at += length)
+        if ((at == list || at[-1] == '\n') && (at[length] == '\n' || at[length] == '\0')) return 1;
+    return 0;
+}
+
+static int make(const char *path, struct failure *why) {
+    if (mkdir(path, 0777) == 0 || is_directory(path)) return STATUS_OK;
+    return refuse(why, STATUS_INPUT, "--into: cannot make the directory '%.300s': %s", path, strerror(errno));
+}
+
+/* The next of the numbers with commas between, as typed; a fraction has a slash, which a name cannot hold. */
+static const char *next_name(const char *dx, double *value, char name[64]) {
+    size_t length = strcspn(dx, ",");
+    snprintf(name, 64, "%.*s", (int)(length < 64 ? length : 63), dx);
+    if (number_read(name, value)) *value = 0;
+    if (strchr(name, '/')) results_number(*value, name);
+    return dx[length] ? dx + length + 1 : NULL;
+}
+
+static int write_all(const char *dir, const struct scene *s, const struct problem *p, const struct options *o,
+                     const char *dx, const char *known, FILE *list, int *written, struct failure *why) {
+    char path[RESULTS_PATH], name[64];
+    struct options with = *o;
+    if (snprintf(path, sizeof path, "%s/%s", dir, s->name) >= RESULTS_PATH - 80)
+        return refuse(why, STATUS_INPUT, "--into '%.300s': too long a path", dir);
+    if (make(dir, why) || make(path, why)) return STATUS_INPUT;
+    for (*written = 0; dx; ++*written) {
+        dx = next_name(dx, &with.dx, name);
+        snprintf(path, sizeof path, "%s/%s/%s", dir, s->name, name);
+        if (make(path, why) || write_one(path, s, p, &with, why)) return why->status;
+        if (!has_line(known, path)) fprintf(list, "%s\n", path);
+    }
+    return STATUS_OK;
+}
+
+int results_write(const char *dir, const struct scene *s, const struct problem *p, const struct options *o,
+                  const char *dx, int *written, struct failure *why) {
+    char path[RESULTS_PATH + 16], *text = NULL;
+    size_t size;
+    FILE *list = open_memstream(&text, &size);
+    if (!list) return refuse(why, STATUS_NUMERICAL, "out of memory for '%.300s'", dir);
+    snprintf(path, sizeof path, "%.1000s/cases.txt", dir);
+    char *old = whole(path);
+    if (old) fputs(old, list);
+    int status = write_all(dir, s, p, o, dx, old ? old : "", list, written, why);
+    fclose(list);
+    if (!status) status = atomic_file_write(path, text, size, why);
+    free(old);
+    free(text);
+    return status;
+}

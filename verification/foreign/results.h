@@ -1,0 +1,39 @@
+#ifndef HEATLADDER_VERIFICATION_FOREIGN_RESULTS_H
+#define HEATLADDER_VERIFICATION_FOREIGN_RESULTS_H
+
+/* Cases written now and answers judged later: DIR/SCENE/DX/case beside DIR/SCENE/DX/out.csv. */
+
+#include "solver/problem.h"
+#include "verification/text/number.h"
+
+#include <stddef.h>
+
+struct failure;
+struct options;
+struct scene;
+
+enum { RESULTS_PATH = 1024 };
+
+/* The fewest digits that read back as `value`. */
+void results_number(double value, char text[40]);
+
+/* The subdirectory of `dir` whose name is a number of that value, however it was typed; where there is none, the one
+ * of the fewest digits.  0, or -1 where the path is too long. */
+int results_directory(const char *dir, double value, char path[RESULTS_PATH]);
+
+/* The subdirectories of `dir` whose names are numbers > 0, at most NUMBERS_MAX.  STATUS_OK, or STATUS_INPUT with *why
+ * where there are none or more. */
+int results_list(const char *dir, struct numbers *found, struct failure *why);
+
+/* Takes p->param from the case files of DIR/SCENE, which must all agree, and with the parameters that were set
+ * already (bits of `set`).  Directories without a case file are passed over. */
+int results_params(const char *dir, const struct scene *s, const struct numbers *dx, unsigned long set,
+                   struct problem *p, struct failure *why);
+
+/* Writes DIR/SCENE/DX/case for each of the numbers in `dx`, as typed, and names these directories in DIR/cases.txt,
+ * after those that stand there.  A case that is there and the same stays as it is; a different one is refused where
+ * it has an answer already. */
+int results_write(const char *dir, const struct scene *s, const struct problem *p, const struct options *o,
+                  const char *dx, int *written, struct failure *why);
+
+#endif

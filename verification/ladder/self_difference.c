@@ -1,0 +1,116 @@
+/* With T(dt) = T_0 + C dt^p on one grid two successive runs differ by
+ *
+ *     d_i = |T_i - T_(i+1)| = |C| (dt_i^p - dt_(i+1)^p)
+ *
+ * without the error of space, which is the same in both.  So the error in time of run i is, by Richardson (1911),
+ *
+ *     |C| dt_i^p = d_i / (1 - (dt_(i+1) / dt_i)^p)
+ *
+ * p, which this needs, is the slope that comes out: a fixed point, found by repeating the fit. */
+#include "verification/ladder/self_difference.h"
+
+#include "solver/field.h"
+#include "verification/ladder/ladder.h"
+#include "verification/run/experiment.h"
+#include "verification/run/run.h"
+
+#include <math.h>
+#include <stdlib.h>
+
+enum { FITS = 30 };
+static const double LEAST = 0.05; /* an order below is none */
+
+struct place {
+    double x, y, T, w;
+};
+
+static int by_place(const void *a, const void *b) {
+    const struct place *p = a, *q = b;
+    return p->x != q->x ? (p->x > q->x) - (p->x < q->x) : (p->y > q->y) - (p->y < q->y);
+}
+
+/* The points in an order of their own: another program may write them in any. */
+static struct place *sorted(const struct field *f) {
+    struct place *at = xcalloc(f->n, sizeof *at);
+    for (size_t i = 0; i < f->n; i++)
+        at[i] = (struct place){f->x[i], f->y ? f->y[i] : 0, f->T[i], f->weight ? f->weight[i] : 1};
+    qsort(at, f->n, sizeof *at, by_place);
+    return at;
+}
+
+static int on_one_grid(const struct problem *p, const struct place *a, const struct place *b, size_t n) {
+    double away[2] = {1e-9 * (p->hi[0] - p->lo[0]), 1e-9 * (p->hi[1] - p->lo[1])};
+    for (size_t i = 0; i < n; i++)
+        if (fabs(a[i].x - b[i].x) > away[0] || fabs(a[i].y - b[i].y) > away[1]) return 0;
+    return 1;
+}
+
+static void measure(const struct place *coarse, const struct place *fine, size_t n, struct result *r) {
+    double d1 = 0, d2 = 0, t1 = 0, t2 = 0, linf = 0;
+    for (size_t i = 0; i < n; i++) {
+        double w = fine[i].w, d = fabs(coarse[i].T - fine[i].T), T = fabs(fine[i].T);
+        d1 += w * d;
+        d2 += w * d * d;
+        t1 += w * T;
+        t2 += w * T * T;
+        linf = fmax(linf, d);
+    }
+    r->error = (struct norms_error){.l1 = d1 / t1, .l2 = sqrt(d2 / t2), .linf = linf, .n = n};
+    r->interior = r->boundary = (struct norms_error){.l1 = NAN, .l2 = NAN, .linf = NAN};
+    r->reference_error = 0;
+}
+
+static void extrapolate(struct ladder *l, const double *dt) {
+    double p = 1, d[RUNG_MAX], error[RUNG_MAX];
+    for (int i = 0; i < l->n; i++) error[i] = d[i] = l->rung[i].error.l1;
+    for (int fit = 0; fit < FITS; fit++) {
+        for (int i = 0; i < l->n; i++) error[i] = d[i] / (1 - pow(dt[i + 1] / dt[i], p));
+        double next = slope_fit(dt, error, l->n).value;
+        if (!(isfinite(next) && next > LEAST)) break;
+        p = next;
+    }
+    for (int i = 0; i < l->n; i++) {
+        double more = 1 / (1 - pow(dt[i + 1] / dt[i], p));
+        struct norms_error *e = &l->rung[i].error;
+        e->l1 *= more, e->l2 *= more, e->linf *= more;
+        l->x[i] = dt[i];
+    }
+}
+
+/* Rung i beside the one before. */
+static int compare(const struct experiment *e, struct place **before, size_t *n, const struct field *f, int i,
+                   struct ladder *l, struct failure *why) {
+    struct place *at = sorted(f);
+    int status = STATUS_OK;
+    if (i > 0 && (*n != f->n || !on_one_grid(&e->problem, *before, at, f->n)))
+        status = refuse(why, STATUS_INPUT,
+                        "a ladder in time needs all runs on one grid: at %g s the points are not those of %g s",
+                        l->x[i], l->x[i - 1]);
+    else if (i > 0)
+        measure(*before, at, f->n, &l->rung[i - 1]);
+    free(*before);
+    *before = at;
+    *n = f->n;
+    return status;
+}
+
+int self_difference_climb(const struct experiment *rung, struct ladder *l, struct failure *why) {
+    struct place *before = NULL;
+    double dt[RUNG_MAX];
+    size_t n = 0;
+    int status = STATUS_OK;
+    for (int i = 0; i < l->n && !status; i++) {
+        struct field f = {0};
+        status = run_experiment(&rung[i], &l->rung[i], &f);
+        if (status) *why = l->rung[i].failure;
+        dt[i] = l->rung[i].dt > 0 ? l->rung[i].dt : l->x[i];
+        if (!status) status = compare(&rung[i], &before, &n, &f, i, l, why);
+        field_free(&f);
+    }
+    free(before);
+    if (status) return status;
+    l->n--;
+    l->self_differences = 1;
+    extrapolate(l, dt);
+    return STATUS_OK;
+}

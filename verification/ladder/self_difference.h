@@ -1,0 +1,15 @@
+#ifndef HEATLADDER_VERIFICATION_LADDER_SELF_DIFFERENCE_H
+#define HEATLADDER_VERIFICATION_LADDER_SELF_DIFFERENCE_H
+
+/* A ladder in time of a method whose semi-discrete solution is not known: successive runs against each other. */
+
+struct experiment;
+struct failure;
+struct ladder;
+
+/* Runs the l->n experiments, which differ in their time step, one after the other, and sets errors and abscissas of
+ * the first l->n - 1 of them; l->n is one less then, as the last has nothing finer beside it.  STATUS_OK, or the
+ * status of the first that failed, with *why; STATUS_INPUT where the runs' points differ. */
+int self_difference_climb(const struct experiment *rung, struct ladder *l, struct failure *why);
+
+#endif

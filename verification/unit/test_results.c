@@ -1,0 +1,166 @@
+/* Cases written now and judged later, ladders in a parameter of a program, and ladders in time by self-differences.
+ */
+#include "verification/foreign/results.h"
+
+#include "solver/status.h"
+#include "verification/command/arguments.h"
+#include "verification/command/verb.h"
+#include "verification/ladder/ladder.h"
+
+#include "verification/unit/near.h"
+
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#define AWK "awk -f verification/unit/ftcs.awk"
+
+static char dir[] = "/tmp/results-test-XXXXXX";
+
+static int write_cases(const char *options, char *text, size_t size) {
+    struct request r;
+    struct failure why = {0};
+    char line[400];
+    int written;
+    snprintf(line, sizeof line, "case rod-gauss --into %s %s", dir, options);
+    if (arguments_parse_line(line, &r, &why)) fail_msg("%s", why.text);
+    int status = results_write(r.into, r.experiment.scene, &r.experiment.problem, &r.experiment.options,
+                               r.rungs.dx.text, &written, &why);
+    arguments_free(&r);
+    snprintf(text, size, "%s", why.text);
+    return status;
+}
+
+static void climb(const char *line, struct ladder *l, int wanted) {
+    struct request r;
+    struct failure why = {0};
+    if (arguments_parse_line(line, &r, &why)) fail_msg("%s", why.text);
+    int status = ladder_run(&r.experiment, &r.rungs, l, &why);
+    if (status != wanted) fail_msg("%s: %d, %s", line, status, why.text);
+    arguments_free(&r);
+}
+
+static void run_all(void) {
+    char command[400];
+    snprintf(command, sizeof command, "while read d; do " AWK " $d/case > $d/out.csv; done < %s/cases.txt", dir);
+    assert_int_equal(system(command), 0);
+}
+
+/* Neither spacings nor parameters are typed again, and the ladder is that of --solver. */
+static void later_is_as_now(void **state) {
+    (void)state;
+    char text[480], line[400];
+    struct ladder now, later;
+    assert_int_equal(write_cases("--dx 1,0.50,0.25,2e-1,1/8 --set kappa=0.4 --fourier 0.4", text, sizeof text), 0);
+    run_all();
+    climb("ladder rod-gauss mine --dx 1,0.5,0.25,0.2,0.125 --set kappa=0.4 --fourier 0.4 --solver '" AWK
+          " {case} > {out}'",
+          &now, 0);
+    snprintf(line, sizeof line, "ladder rod-gauss mine --results %s", dir);
+    climb(line, &later, 0);
+    assert_int_equal(later.n, 5);
+    for (int i = 0; i < 5; i++) assert_near(later.rung[i].error.l1, now.rung[i].error.l1, 0);
+}
+
+static void a_missing_answer_is_a_row(void **state) {
+    (void)state;
+    char line[400], path[400];
+    struct ladder l;
+    snprintf(path, sizeof path, "%s/rod-gauss/2e-1/out.csv", dir);
+    assert_int_equal(unlink(path), 0);
+    snprintf(line, sizeof line, "ladder rod-gauss mine --results %s", dir);
+    climb(line, &l, STATUS_INPUT);
+    assert_int_equal(l.n, 5);
+    assert_int_equal(l.rung[3].failure.status, STATUS_INPUT);
+    assert_non_null(strstr(l.rung[3].failure.text, "2e-1/out.csv: no such file"));
+    assert_int_equal(l.rung[4].failure.status, 0);
+    assert_int_equal(l.verdict, VERDICT_FAIL);
+    run_all();
+}
+
+/* More cases join those that are there; none takes the place of one that has an answer. */
+static void cases_are_added(void **state) {
+    (void)state;
+    char text[480], line[400], path[400];
+    struct ladder l;
+    struct stat before, after;
+    snprintf(path, sizeof path, "%s/rod-gauss/1/case", dir);
+    assert_int_equal(stat(path, &before), 0);
+    assert_int_equal(write_cases("--dx 1,0.1 --set kappa=0.4 --fourier 0.4", text, sizeof text), 0);
+    assert_int_equal(stat(path, &after), 0);
+    assert_int_equal(before.st_ino, after.st_ino);
+    run_all();
+    snprintf(line, sizeof line, "ladder rod-gauss mine --results %s", dir);
+    climb(line, &l, 0);
+    assert_int_equal(l.n, 6);
+    assert_int_equal(write_cases("--dx 1 --set kappa=0.3 --fourier 0.4", text, sizeof text), STATUS_INPUT);
+    assert_non_null(strstr(text, "an answer to another case lies there"));
+    struct request r;
+    struct failure why;
+    snprintf(line, sizeof line, "ladder rod-gauss mine --set kappa=0.3 --results %s", dir);
+    assert_int_equal(arguments_parse_line(line, &r, &why), STATUS_INPUT);
+    assert_non_null(strstr(why.text, "param_kappa = 0.4"));
+    arguments_free(&r);
+    snprintf(line, sizeof line, "ladder rod-step mine --results %s", dir);
+    assert_int_equal(arguments_parse_line(line, &r, &why), STATUS_INPUT);
+    assert_non_null(strstr(why.text, "No such file"));
+    arguments_free(&r);
+}
+
+/* The number of cells rises where dx falls; the order is the same. */
+static void a_program_varies_in_what_it_likes(void **state) {
+    (void)state;
+    struct ladder in_dx, in_cells;
+    climb("ladder rod-gauss mine --dx 1,0.5,0.25,0.125 --set kappa=0.4 --fourier 0.4 --solver '" AWK
+          " {case} > {out}'",
+          &in_dx, 0);
+    climb(
+        "ladder rod-gauss mine --dx 1 --vary cells_x=30,60,120,240 --set kappa=0.4 --fourier 0.4 --solver 'grep -qx "
+        "\"cells_x = {cells_x}\" {case} && sed \"s/^dx = .*/dx = $(awk \"BEGIN{print 30/{cells_x}}\")/\" {case} > "
+        "{case}.m && " AWK " {case}.m > {out}'",
+        &in_cells, 0);
+    for (int i = 0; i < 4; i++) assert_near(in_cells.rung[i].error.l1, in_dx.rung[i].error.l1, 1e-12);
+    assert_near(in_cells.slope.value, in_dx.slope.value, 1e-9);
+}
+
+/* For a particle method the semi-discrete solution is known: the errors that self-differences give are those. */
+static void self_differences_find_the_error_in_time(void **state) {
+    (void)state;
+    struct ladder ours, theirs;
+    climb("ladder rod-gauss ftcs --dx 0.5 --dt 0.3,0.2,0.1,0.03,0.02 --set kappa=0.1", &theirs, 0);
+    climb("ladder rod-gauss so_ssph --dx 0.5 --dt 0.3,0.2,0.1,0.03,0.02 --stepper euler --h 1 --set kappa=0.1", &ours,
+          0);
+    assert_int_equal(theirs.n, 4);
+    for (int i = 0; i < 4; i++) {
+        double known = ours.rung[i].error.l1;
+        assert_near(theirs.rung[i].error.l1, known, 0.02 * known);
+        assert_near(theirs.x[i], ours.x[i], 1e-12);
+    }
+    assert_near(theirs.slope.value, 1, 0.02);
+}
+
+static void it_needs_one_grid(void **state) {
+    (void)state;
+    struct ladder l;
+    climb("ladder rod-gauss mine --dx 1 --fourier 0.4,0.2,0.1 --solver 'sed \"s/^dx = .*/dx = "
+          "$(awk \"/^fourier/{print 2.5*\\$3}\" {case})/\" {case} > {case}.m && " AWK " {case}.m > {out}'",
+          &l, STATUS_INPUT);
+}
+
+int main(void) {
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(later_is_as_now),
+        cmocka_unit_test(a_missing_answer_is_a_row),
+        cmocka_unit_test(cases_are_added),
+        cmocka_unit_test(a_program_varies_in_what_it_likes),
+        cmocka_unit_test(self_differences_find_the_error_in_time),
+        cmocka_unit_test(it_needs_one_grid),
+    };
+    char command[80];
+    if (!mkdtemp(dir)) return 1;
+    int failed = cmocka_run_group_tests_name("results", tests, NULL, NULL);
+    snprintf(command, sizeof command, "rm -rf %s", dir);
+    return system(command) || failed;
+}
