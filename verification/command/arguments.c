@@ -117,6 +117,9 @@ static int take_option(struct request *r, const struct word *w, struct failure *
     if (r->given & bit && strcmp(o->key, "set") != 0)
         return refuse(why, STATUS_INPUT, "--%s is given twice", o->name);
     r->given |= bit;
+    if (strcmp(r->verb->name, "ladder") == 0 && !r->experiment.scene &&
+        !words_among("results columns at expect json", o->key))
+        return refuse(why, STATUS_INPUT, "--%s needs a scene: heatladder ladder SCENE NAME --results DIR", o->name);
     if (check_model(r, o, why)) return why->status;
     return o->read(r, o, w->value, why);
 }
@@ -267,7 +270,8 @@ int arguments_parse(int argc, char *const *argv, struct request *r, struct failu
             return why->status;
         }
     }
-    if (check_positionals(r, why)) return why->status;
+    int no_scene = positionals == 0 && strcmp(r->verb->name, "ladder") == 0 && has_option(argc, argv, "results");
+    if (!no_scene && check_positionals(r, why)) return why->status;
     return apply(r, words, options, why);
 }
 

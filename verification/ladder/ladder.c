@@ -274,6 +274,9 @@ void ladder_fit(struct ladder *l, enum ladder_norm norm) {
              l->slope.n < WINDOW_LEAST ? ", at least four must" : "");
     if (l->failure.status) l->verdict = VERDICT_FAIL;
     if (l->failure.status) snprintf(l->reason, sizeof l->reason, "a rung failed: %.200s", l->failure.text);
+    if (l->failure.status != STATUS_SKIPPED) return;
+    l->verdict = VERDICT_SKIPPED;
+    snprintf(l->reason, sizeof l->reason, "%.200s", l->failure.text);
 }
 
 void ladder_judge(struct ladder *l, double lo, double hi) {

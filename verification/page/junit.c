@@ -29,7 +29,7 @@ static void put_escaped(const char *text, FILE *out) {
 
 static void put_case(const struct gate_result *r, FILE *out) {
     const enum verdict verdict = r->measured.verdict;
-    const char *tag = verdict == VERDICT_FAIL ? "failure" : "error";
+    const char *tag = verdict == VERDICT_FAIL ? "failure" : verdict == VERDICT_SKIPPED ? "skipped" : "error";
     fprintf(out, "    <testcase name=\"");
     put_escaped(r->gate.id, out);
     fprintf(out, "\" time=\"%.3f\"", r->seconds);
@@ -49,17 +49,19 @@ static void put_case(const struct gate_result *r, FILE *out) {
 int junit_write(const struct gates *g, const char *path, struct failure *why) {
     struct output page;
     double seconds = 0;
-    int failed = 0, unclear = 0;
+    int failed = 0, skipped = 0, passed = 0;
     for (int i = 0; i < g->declared; i++) {
         seconds += g->result[i].seconds;
         failed += g->result[i].measured.verdict == VERDICT_FAIL;
-        unclear += g->result[i].measured.verdict != VERDICT_FAIL && g->result[i].measured.verdict != VERDICT_PASS;
+        passed += g->result[i].measured.verdict == VERDICT_PASS;
+        skipped += g->result[i].measured.verdict == VERDICT_SKIPPED;
     }
     if (output_open(&page, why, "%s", path)) return why->status;
     FILE *out = page.out;
     fprintf(out, "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<testsuites>\n");
-    fprintf(out, "  <testsuite name=\"gates\" tests=\"%d\" failures=\"%d\" errors=\"%d\" time=\"%.3f\">\n",
-            g->declared, failed, unclear, seconds);
+    fprintf(out,
+            "  <testsuite name=\"gates\" tests=\"%d\" failures=\"%d\" errors=\"%d\" skipped=\"%d\" time=\"%.3f\">\n",
+            g->declared, failed, g->declared - failed - skipped - passed, skipped, seconds);
     for (int i = 0; i < g->declared; i++) put_case(&g->result[i], out);
     fprintf(out, "  </testsuite>\n</testsuites>\n");
     return output_close(&page, 1, why);

@@ -88,7 +88,7 @@ static void print_failure(const struct gate_result *r) {
 }
 
 void print_gates(const struct gates *g, int all, double seconds) {
-    int count[4] = {0};
+    int count[VERDICT_SKIPPED + 1] = {0};
     if (all)
         print_all(g);
     else

@@ -4,7 +4,7 @@
 #include <math.h>
 #include <stddef.h>
 
-const char *const verdict_words[] = {"inconclusive", "fail", "pass", "measured", NULL};
+const char *const verdict_words[] = {"inconclusive", "fail", "pass", "measured", "skipped", NULL};
 
 enum verdict verdict_within(double x, double lo, double hi) {
     return isfinite(x) && lo <= x && x <= hi ? VERDICT_PASS : VERDICT_FAIL;

@@ -5,7 +5,8 @@ enum verdict {
     VERDICT_INCONCLUSIVE, /* zero, so that what nobody judged does not pass */
     VERDICT_FAIL,
     VERDICT_PASS,
-    VERDICT_MEASURED /* there was no band to judge by */
+    VERDICT_MEASURED, /* there was no band to judge by */
+    VERDICT_SKIPPED   /* not applicable, by its own word */
 };
 
 extern const char *const verdict_words[]; /* in the order of the enum, ended by NULL */

@@ -244,7 +244,7 @@ static void junit_tells_each_verdict(void **state) {
     fclose(in);
     unlink(path);
     assert_non_null(strstr(text, "<testcase name=\"reference/rod-step\""));
-    assert_non_null(strstr(text, "failures=\"0\" errors=\"1\" time=\"1.750\""));
+    assert_non_null(strstr(text, "failures=\"0\" errors=\"1\" skipped=\"0\" time=\"1.750\""));
     assert_non_null(strstr(text, " time=\"1.250\""));
     assert_non_null(strstr(text, " time=\"0.500\""));
     assert_non_null(strstr(text, "<error message=\"3 rungs &lt; 4 &amp; more\">"));

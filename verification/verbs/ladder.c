@@ -2,7 +2,11 @@
 #include "verification/command/verb.h"
 
 #include "verification/text/json.h"
+#include "references/scene.h"
+#include "verification/gates/gates.h"
+#include "verification/ladder/gci.h"
 #include "verification/ladder/ladder.h"
+#include "verification/page/junit.h"
 #include "verification/page/page.h"
 #include "verification/text/atomic_file.h"
 #include "verification/text/paint.h"
@@ -80,16 +84,106 @@ static void print_json(const struct ladder *l) {
     json_end(&j);
 }
 
+/* ---- Without a scene ---- */
+
+static const char gci_note[] = "p: observed order; GCI: grid convergence index of the finest, 1.25 |change| / (r^p - "
+                               "1) (Roache 1994; ASME V&V 20).\n"
+                               "No exact solution is known here: this says how far the answers agree with each "
+                               "other, not that they are right.\n";
+
+static void add_quantity(struct table *t, const struct gci *g, const struct gci_row *row) {
+    const char *note = row->oscillates         ? "oscillates: the order means little"
+                       : !isfinite(row->order) ? "changes do not fall: no order"
+                       : row->order < 0.5      ? "hardly converges"
+                                               : "";
+    table_add(t, "%s", row->name);
+    for (int i = g->n - 3; i < g->n; i++)
+        if (isfinite(row->value[i]))
+            table_add(t, "%.8g", row->value[i]);
+        else
+            table_add(t, "-");
+    table_add(t, "%.3f", row->order);
+    if (isfinite(row->extrapolated))
+        table_add(t, "%.8g", row->extrapolated);
+    else
+        table_add(t, "-");
+    table_add(t, "%.3g", 100 * row->index);
+    table_add(t, "%s", note);
+}
+
+static void print_gci(const struct gci *g) {
+    struct table t = table_create(8, 1);
+    table_add(&t, "quantity");
+    for (int i = g->n - 3; i < g->n; i++) table_add(&t, "at %.6g", g->h[i]);
+    table_add(&t, "p");
+    table_add(&t, "extrapolated");
+    table_add(&t, "GCI [%%]");
+    table_add(&t, " ");
+    for (int k = 0; k < g->rows; k++) add_quantity(&t, g, &g->row[k]);
+    printf("Richardson's extrapolation from the three finest of %d spacings\n\n", g->n);
+    table_print(&t, stdout);
+    table_free(&t);
+    printf("\n%s", gci_note);
+}
+
+/* With --expect the order of the first quantity is judged. */
+static int without_scene(const struct request *r, struct failure *why) {
+    struct gci *g = xcalloc(1, sizeof *g);
+    const struct numbers *expect = &r->rungs.expect;
+    int status = gci_read(r->experiment.program.results, &r->experiment.program.columns, &r->at, g, why);
+    if (!status && r->json) {
+        struct json j = json_on(stdout);
+        json_object(&j, NULL);
+        gci_json(g, &j);
+        json_end(&j);
+    } else if (!status) {
+        print_gci(g);
+    }
+    if (!status && expect->count &&
+        verdict_within(g->row[0].order, expect->value[0], expect->value[1]) != VERDICT_PASS)
+        status = refuse(why, STATUS_GATE, "the observed order of %s, %.3f, is not within %g to %g", g->row[0].name,
+                        g->row[0].order, expect->value[0], expect->value[1]);
+    free(g);
+    return status;
+}
+
+/* One test case; a ladder that nothing judges is measured, which is no failure. */
+static int write_junit(const struct request *r, const struct ladder *l, struct failure *why) {
+    char id[120], told[160];
+    const struct numbers *e = &r->rungs.expect;
+    struct gate_result result = {.seconds = l->seconds, .executed = 1};
+    snprintf(id, sizeof id, "%s/%s", r->experiment.scene->name, r->experiment.method->name);
+    snprintf(told, sizeof told, "--expect %g,%g --ceiling %g", e->count ? e->value[0] : -INFINITY,
+             e->count ? e->value[1] : INFINITY, r->rungs.ceiling > 0 ? r->rungs.ceiling : INFINITY);
+    result.gate = (struct gate){.id = id, .why = told, .command = id};
+    result_describe(&l->rung[l->n - 1], result.typed, sizeof result.typed);
+    result.measured = (struct measured){.value = l->slope.value, .verdict = l->verdict};
+    if (l->verdict == VERDICT_MEASURED) result.measured.verdict = VERDICT_PASS;
+    snprintf(result.measured.reason, sizeof result.measured.reason, "%s", l->reason);
+    struct gates one = {.declared = 1, .executed = 1, .result = &result};
+    return junit_write(&one, r->junit_path, why);
+}
+
+/* What is asked for beside the table; a failure to write counts where nothing else failed. */
+static int write_files(const struct request *r, const struct ladder *l, int status, struct failure *why) {
+    struct failure unwritten = {0};
+    if (r->page_path) page_ladder_write(l, &r->rungs, r->page_path, &unwritten);
+    if (r->junit_path && !unwritten.status) write_junit(r, l, &unwritten);
+    if (status || !unwritten.status) return status;
+    *why = unwritten;
+    return unwritten.status;
+}
+
 int verb_ladder(const struct request *r, struct failure *why) {
+    if (!r->experiment.scene) return without_scene(r, why);
     struct ladder *l = xcalloc(1, sizeof *l);
     int status = atomic_file_check(r->page_path, why);
+    if (!status) status = atomic_file_check(r->junit_path, why);
     if (!status) status = ladder_run(&r->experiment, &r->rungs, l, why);
     if (!status_refused(status) || l->tried) {
-        struct failure unwritten;
         (r->json ? print_json : print_text)(l);
         if (!r->json && l->tried) why->text[0] = '\0'; /* it stands in the table */
-        if (r->page_path && page_ladder_write(l, &r->rungs, r->page_path, &unwritten) && !status)
-            status = unwritten.status, *why = unwritten;
+        status = write_files(r, l, status, why);
     }
     if (!status && (r->rungs.expect.count || r->rungs.ceiling > 0) && l->verdict != VERDICT_PASS)
         status = l->verdict == VERDICT_FAIL ? STATUS_GATE : STATUS_INCONCLUSIVE;

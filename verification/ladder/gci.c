@@ -1,0 +1,238 @@
+/* Observed order, Richardson's extrapolation and GCI of three grids h1 < h2 < h3, r21 = h2/h1, r32 = h3/h2
+ * (Roache 1994; Celik et al. 2008; ASME V&V 20-2009, 2-4):
+ *
+ *     p = |ln|e32/e21| + q(p)| / ln r21,   q(p) = ln((r21^p - s)/(r32^p - s)),   s = sign(e32/e21)
+ *     f_ext = (r21^p f1 - f2) / (r21^p - 1),   GCI = 1.25 |(f1 - f2)/f1| / (r21^p - 1)
+ *
+ * 1.25 is the factor of safety for three grids or more.  Fields on different points are compared where the coarsest
+ * of the three has its points: there the finer ones are interpolated by least squares of degree three over the
+ * nearest points (interpolate.h), wrong by O(h^4).  This estimates what the codes' own answers converge to; that it
+ * is the solution is not shown. */
+#include "verification/ladder/gci.h"
+
+#include "solver/status.h"
+#include "verification/foreign/field_file.h"
+#include "verification/foreign/program.h"
+#include "verification/foreign/results.h"
+#include "verification/foreign/samples.h"
+#include "verification/ladder/interpolate.h"
+#include "verification/text/json.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/stat.h>
+
+static const double SAFETY = 1.25;
+enum { ITERATIONS = 100, PROBES = 400, WORDS = 65536 };
+
+double gci_order(double e21, double e32, double r21, double r32, int *oscillates) {
+    double ratio = e32 / e21, s = ratio < 0 ? -1 : 1, p = 1;
+    *oscillates = ratio < 0;
+    if (!(fabs(ratio) > 0) || !isfinite(ratio)) return NAN;
+    for (int i = 0; i < ITERATIONS; i++) {
+        double q = log((pow(r21, p) - s) / (pow(r32, p) - s)), next = fabs(log(fabs(ratio)) + q) / log(r21);
+        if (!isfinite(next) || next > 50) return NAN;
+        if (fabs(next - p) < 1e-12) break;
+        p = next;
+    }
+    return fabs(ratio) > 1 || r32 != r21 ? p : NAN;
+}
+
+/* Differences e[i] between answers i and i + 1, the coarsest first, to orders and index. */
+static void judge(const struct gci *g, const double *e, double size, struct gci_row *row) {
+    int n = g->n, ignored;
+    row->order = NAN;
+    for (int i = 0; i + 2 < n; i++)
+        row->orders[i] = row->order = gci_order(e[i + 1], e[i], g->h[i + 1] / g->h[i + 2], g->h[i] / g->h[i + 1],
+                                                i + 3 == n ? &row->oscillates : &ignored);
+    double more = pow(g->h[n - 2] / g->h[n - 1], row->order) - 1;
+    row->change = fabs(e[n - 2]) / fabs(size);
+    row->index = SAFETY * row->change / more;
+    row->extrapolated = row->value[n - 1] + (row->value[n - 1] - row->value[n - 2]) / more;
+}
+
+static struct gci_row *add(struct gci *g, const char *name) {
+    if (g->rows == GCI_QUANTITIES) return NULL;
+    struct gci_row *row = &g->row[g->rows++];
+    *row = (struct gci_row){0};
+    snprintf(row->name, sizeof row->name, "%s", name);
+    return row;
+}
+
+static void judge_values(const struct gci *g, struct gci_row *row) {
+    double e[NUMBERS_MAX] = {0};
+    for (int i = 0; i + 1 < g->n; i++) e[i] = row->value[i] - row->value[i + 1];
+    judge(g, e, row->value[g->n - 1], row);
+}
+
+/* ---- One line of values ---- */
+
+/* The next word of *at, ended in place; NULL at the end of the line. */
+static char *next_word(char **at) {
+    char *word = *at + strspn(*at, " \t,;\"");
+    if (*word == '\0') return NULL;
+    char *end = word + strcspn(word, ",;\"\t ");
+    *at = *end ? end + 1 : end;
+    *end = '\0';
+    return word;
+}
+
+/* 1 where the file has a line of names and one of numbers, as many; their values at spacing i. */
+static int read_values(const char *path, int i, struct gci *g) {
+    char *text = xcalloc(WORDS, 1), *line[3] = {NULL, NULL, NULL};
+    FILE *in = fopen(path, "r");
+    int lines = 0, same = 1, words = 0;
+    size_t n = in ? fread(text, 1, WORDS - 1, in) : 0;
+    if (in) fclose(in);
+    for (char *at = text; n < WORDS - 1 && at && *at && lines < 3;
+         at = strchr(at, '\0') + (strchr(at, '\0') < text + n)) {
+        char *end = strpbrk(at, "\r\n");
+        if (end) *end = '\0';
+        if (at[strspn(at, " \t")] && *at != '#') line[lines++] = at;
+    }
+    while (lines == 2 && same) {
+        char *name = next_word(&line[0]), *value = next_word(&line[1]);
+        if (!name && !value) break;
+        double read;
+        same = name && value && number_read(name, &read) != 0 && number_read(value, &read) == 0;
+        if (same && i == 0 && !add(g, name)) same = 0;
+        same = same && words < g->rows && strncmp(g->row[words].name, name, GCI_NAME - 1) == 0;
+        if (same) g->row[words++].value[i] = read;
+    }
+    free(text);
+    return lines == 2 && same && words == g->rows && words > 0;
+}
+
+/* ---- Fields ---- */
+
+static int read_field(const char *path, const struct column_map *c, struct samples *s, struct failure *why) {
+    struct failure first;
+    if (field_file_samples(path, path, 2, c, s, &first) == STATUS_OK) {
+        double lo = INFINITY, hi = -INFINITY;
+        for (size_t k = 0; k < s->n; k++) lo = fmin(lo, s->value[COLUMN_Y][k]), hi = fmax(hi, s->value[COLUMN_Y][k]);
+        if (hi > lo) return STATUS_OK;
+        s->dim = 1;
+        return STATUS_OK;
+    }
+    return field_file_samples(path, path, 1, c, s, why);
+}
+
+/* Distances between successive fields at the points of the third finest, at most PROBES of them. */
+static int compare_fields(struct gci *g, const struct samples *s, struct failure *why) {
+    const struct samples *coarse = &s[g->n - 3];
+    size_t stride = coarse->n / PROBES + 1;
+    double e[NUMBERS_MAX] = {0}, size = 0, *T = xcalloc((size_t)g->n, sizeof *T);
+    int status = STATUS_OK;
+    for (size_t k = 0; k < coarse->n && !status; k += stride) {
+        double x[2] = {coarse->value[COLUMN_X][k], coarse->dim == 2 ? coarse->value[COLUMN_Y][k] : 0};
+        for (int i = 0; i < g->n && !status; i++) status = interpolate_at(&s[i], x, &T[i], why);
+        for (int i = 0; i + 1 < g->n; i++) e[i] += fabs(T[i] - T[i + 1]);
+        size += fabs(T[g->n - 1]);
+    }
+    free(T);
+    struct gci_row *row = add(g, "T (mean over the points)");
+    if (status || !row) return status;
+    for (int i = 0; i < g->n; i++) row->value[i] = NAN;
+    judge(g, e, size, row);
+    return STATUS_OK;
+}
+
+static int probe(struct gci *g, const struct samples *s, const struct numbers *at, struct failure *why) {
+    char name[GCI_NAME];
+    double x[2] = {at->value[0], at->count == 2 ? at->value[1] : 0};
+    if (at->count != s->dim)
+        return refuse(why, STATUS_INPUT, "--at: %d numbers where the points have %d", at->count, s->dim);
+    snprintf(name, sizeof name, at->count == 2 ? "T at %g, %g" : "T at %g", x[0], x[1]);
+    struct gci_row *row = add(g, name);
+    for (int i = 0; i < g->n; i++)
+        if (interpolate_at(&s[i], x, &row->value[i], why)) return why->status;
+    judge_values(g, row);
+    return STATUS_OK;
+}
+
+static int read_fields(char (*path)[RESULTS_PATH + 16], const struct column_map *c, const struct numbers *at,
+                       struct gci *g, struct failure *why) {
+    struct samples *s = xcalloc((size_t)g->n, sizeof *s);
+    int status = STATUS_OK, read = 0;
+    for (; read < g->n && !status; read++) status = read_field(path[read], c, &s[read], why);
+    for (int i = 1; i < g->n && !status; i++)
+        if (s[i].dim != s[0].dim)
+            status = refuse(why, STATUS_INPUT, "%.200s has points of %d coordinates, %.200s of %d", path[i], s[i].dim,
+                            path[0], s[0].dim);
+    if (!status) status = compare_fields(g, s, why);
+    if (!status && at->count) status = probe(g, s, at, why);
+    for (int i = 0; i < read; i++) samples_free(&s[i]);
+    free(s);
+    return status;
+}
+
+/* ---- All ---- */
+
+static int descending(const void *a, const void *b) {
+    double x = *(const double *)a, y = *(const double *)b;
+    return (x < y) - (x > y);
+}
+
+static int find_answer(const char *dir, double h, char path[RESULTS_PATH + 16], struct failure *why) {
+    char of[RESULTS_PATH];
+    struct stat is;
+    if (results_directory(dir, h, of)) return refuse(why, STATUS_INPUT, "--results '%.200s': too long a path", dir);
+    for (int i = 0; program_answers[i]; i++) {
+        snprintf(path, RESULTS_PATH + 16, "%s/%s", of, program_answers[i]);
+        if (stat(path, &is) == 0) return STATUS_OK;
+    }
+    return refuse(why, STATUS_INPUT, "%.300s: no answer; out.csv, out.vtk, out.vtu or out.dat is wanted", of);
+}
+
+int gci_read(const char *dir, const struct column_map *c, const struct numbers *at, struct gci *g,
+             struct failure *why) {
+    struct numbers h;
+    char(*path)[RESULTS_PATH + 16] = xcalloc(NUMBERS_MAX, sizeof *path);
+    *g = (struct gci){0};
+    int status = results_list(dir, &h, why), values = 1;
+    if (!status && h.count < 3)
+        status = refuse(why, STATUS_INPUT,
+                        "--results '%.200s': %d spacings; without an exact solution three are needed", dir, h.count);
+    if (!status) {
+        qsort(h.value, (size_t)h.count, sizeof h.value[0], descending);
+        memcpy(g->h, h.value, sizeof g->h);
+        g->n = h.count;
+    }
+    for (int i = 0; i < g->n && !status; i++) status = find_answer(dir, g->h[i], path[i], why);
+    for (int i = 0; i < g->n && !status && values; i++) values = read_values(path[i], i, g);
+    if (!status && values)
+        for (int k = 0; k < g->rows; k++) judge_values(g, &g->row[k]);
+    else if (!status) {
+        g->rows = 0;
+        status = read_fields(path, c, at, g, why);
+    }
+    free(path);
+    return status;
+}
+
+void gci_json(const struct gci *g, struct json *j) {
+    json_array(j, "spacings");
+    for (int i = 0; i < g->n; i++) json_number(j, NULL, g->h[i]);
+    json_end(j);
+    json_array(j, "quantities");
+    for (int k = 0; k < g->rows; k++) {
+        const struct gci_row *row = &g->row[k];
+        json_object(j, NULL);
+        json_text(j, "quantity", row->name);
+        json_array(j, "values");
+        for (int i = 0; i < g->n; i++) json_number(j, NULL, row->value[i]);
+        json_end(j);
+        json_number(j, "observed_order", row->order);
+        json_array(j, "orders");
+        for (int i = 0; i + 2 < g->n; i++) json_number(j, NULL, row->orders[i]);
+        json_end(j);
+        json_number(j, "extrapolated", row->extrapolated);
+        json_number(j, "relative_change", row->change);
+        json_number(j, "gci", row->index);
+        json_whole(j, "oscillates", row->oscillates);
+        json_end(j);
+    }
+    json_end(j);
+}

@@ -1,0 +1,127 @@
+/* Without an exact solution: orders, limits and fields on points that no two grids share. */
+#include "verification/ladder/gci.h"
+
+#include "solver/status.h"
+#include "verification/foreign/samples.h"
+#include "verification/ladder/interpolate.h"
+
+#include "verification/unit/near.h"
+
+#include <gsl/gsl_errno.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/stat.h>
+
+static char dir[] = "/tmp/gci-test-XXXXXX";
+
+static FILE *answer(const char *sub, double h) {
+    char path[200];
+    snprintf(path, sizeof path, "%s/%s", dir, sub);
+    mkdir(path, 0777);
+    snprintf(path, sizeof path, "%s/%s/%.17g", dir, sub, h);
+    mkdir(path, 0777);
+    snprintf(path, sizeof path, "%s/%s/%.17g/out.csv", dir, sub, h);
+    FILE *out = fopen(path, "w");
+    assert_non_null(out);
+    return out;
+}
+
+static int read_sub(const char *sub, const struct numbers *at, struct gci *g, struct failure *why) {
+    char path[200];
+    snprintf(path, sizeof path, "%s/%s", dir, sub);
+    return gci_read(path, &(struct column_map){0}, at, g, why);
+}
+
+/* f = 2.385 + 0.7 h^1.7 on spacings of two different ratios. */
+static void the_order_is_found_for_unequal_ratios(void **state) {
+    (void)state;
+    double h[3] = {0.1, 0.15, 0.3}, f[3];
+    int oscillates;
+    for (int i = 0; i < 3; i++) f[i] = 2.385 + 0.7 * pow(h[i], 1.7);
+    assert_near(gci_order(f[1] - f[0], f[2] - f[1], 1.5, 2, &oscillates), 1.7, 1e-9);
+    assert_int_equal(oscillates, 0);
+    assert_true(isnan(gci_order(0.2, 0.1, 2, 2, &oscillates)));
+    gci_order(0.1, -0.2, 2, 2, &oscillates);
+    assert_int_equal(oscillates, 1);
+}
+
+static void a_line_of_quantities(void **state) {
+    (void)state;
+    static const double h[] = {0.4, 0.2, 0.1};
+    struct gci g;
+    struct failure why;
+    for (int i = 0; i < 3; i++) {
+        FILE *out = answer("values", h[i]);
+        fprintf(out, "flux,heat\n%.17g,%.17g\n", 3.25 + 0.9 * h[i] * h[i], 5.5 - 0.3 * h[i]);
+        fclose(out);
+    }
+    if (read_sub("values", &(struct numbers){0}, &g, &why)) fail_msg("%s", why.text);
+    assert_int_equal(g.rows, 2);
+    assert_string_equal(g.row[1].name, "heat");
+    assert_near(g.row[0].order, 2, 1e-9);
+    assert_near(g.row[0].extrapolated, 3.25, 1e-12);
+    assert_near(g.row[0].index, 1.25 * 0.9 * 0.03 / (3.25 + 0.9 * 0.01) / 3, 1e-12);
+    assert_near(g.row[1].order, 1, 1e-9);
+    assert_near(g.row[1].extrapolated, 5.5, 1e-12);
+}
+
+static double smooth(double x, double y, double h) {
+    return exp(0.3 * x) * cos(0.7 * y + 0.2) + 0.35 * h * h * sin(x + 0.4 * y + 1.1);
+}
+
+/* T + h^2 u at the centres of cells, which no two of the grids share. */
+static void fields_on_different_points(void **state) {
+    (void)state;
+    struct gci g;
+    struct failure why;
+    for (int dim = 1; dim <= 2; dim++) {
+        for (int n = 10; n <= 80; n *= 2) {
+            FILE *out = answer(dim == 1 ? "rod" : "square", 4.0 / n);
+            fprintf(out, dim == 1 ? "x,T\n" : "x,y,T\n");
+            for (int j = 0; j < (dim == 1 ? 1 : n); j++)
+                for (int i = 0; i < n; i++) {
+                    double h = 4.0 / n, x = -2 + h * (i + 0.5), y = dim == 1 ? 0 : -1 + h * (j + 0.5);
+                    fprintf(out, "%.17g,", x);
+                    if (dim == 2) fprintf(out, "%.17g,", y);
+                    fprintf(out, "%.17g\n", smooth(x, y, h));
+                }
+            fclose(out);
+        }
+        struct numbers at = {.count = dim, .value = {0.213, 0.377}};
+        if (read_sub(dim == 1 ? "rod" : "square", &at, &g, &why)) fail_msg("%s", why.text);
+        assert_int_equal(g.rows, 2);
+        assert_near(g.row[0].order, 2, 0.01);
+        assert_near(g.row[1].order, 2, 0.01);
+        assert_near(g.row[1].extrapolated, smooth(0.213, dim == 1 ? 0 : 0.377, 0), 1e-5);
+    }
+}
+
+static void what_is_missing_is_named(void **state) {
+    (void)state;
+    struct gci g;
+    struct failure why;
+    fclose(answer("two", 0.5));
+    fclose(answer("two", 0.25));
+    assert_int_equal(read_sub("two", &(struct numbers){0}, &g, &why), STATUS_INPUT);
+    assert_non_null(strstr(why.text, "2 spacings; without an exact solution three are needed"));
+    assert_int_equal(read_sub("none", &(struct numbers){0}, &g, &why), STATUS_INPUT);
+    fclose(answer("two", 0.125));
+    assert_int_equal(read_sub("two", &(struct numbers){0}, &g, &why), STATUS_INPUT);
+    assert_non_null(strstr(why.text, "empty"));
+}
+
+int main(void) {
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(the_order_is_found_for_unequal_ratios),
+        cmocka_unit_test(a_line_of_quantities),
+        cmocka_unit_test(fields_on_different_points),
+        cmocka_unit_test(what_is_missing_is_named),
+    };
+    char command[80];
+    gsl_set_error_handler_off();
+    if (!mkdtemp(dir)) return 1;
+    int failed = cmocka_run_group_tests_name("gci", tests, NULL, NULL);
+    snprintf(command, sizeof command, "rm -rf %s", dir);
+    return system(command) || failed;
+}
