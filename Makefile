@@ -106,6 +106,14 @@ endif
 install: all ## Install the program under PREFIX (DESTDIR is put before it)
 	install -d '$(DESTDIR)$(PREFIX)/bin'
 	install -m 755 $(BUILD)/heatladder '$(DESTDIR)$(PREFIX)/bin/heatladder'
+	install -d '$(DESTDIR)$(PREFIX)/share/man/man1' '$(DESTDIR)$(PREFIX)/share/bash-completion/completions'
+	$(BUILD)/heatladder man >$(BUILD)/heatladder.1
+	$(BUILD)/heatladder completion >$(BUILD)/heatladder.bash
+	install -m 644 $(BUILD)/heatladder.1 '$(DESTDIR)$(PREFIX)/share/man/man1/heatladder.1'
+	install -m 644 $(BUILD)/heatladder.bash '$(DESTDIR)$(PREFIX)/share/bash-completion/completions/heatladder'
+	if [ -d verification/examples ]; then \
+	install -d '$(DESTDIR)$(PREFIX)/share/heatladder/examples'; \
+	cp -r verification/examples/. '$(DESTDIR)$(PREFIX)/share/heatladder/examples/'; fi
 
 # A tarball of the last commit that builds, tests and installs by itself, and Debian's package of it.
 .PHONY: dist

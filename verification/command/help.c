@@ -9,15 +9,17 @@
 #include "verification/command/verb.h"
 #include "verification/text/words.h"
 
+const char help_about[] =
+    "heatladder VERB --help tells the options of a verb.\n"
+    "Environment: HEATLADDER_LANES=2, 4 or 8 sets how many doubles the vectors of the lattice's sweeps hold\n"
+    "  (without it the widest that the machine has); no width changes a bit of a result.\n"
+    "Exit status: 0 all held, 1 a gate failed, 2 bad usage or input, 3 a numerical failure, 4 inconclusive,\n"
+    "  77 skipped, since a program said that the case is not for it.\n";
+
 void help_program(FILE *out) {
     fprintf(out, "heatladder: verification and benchmarks for solvers of transient heat conduction\n\n");
     for (const struct verb *v = verbs; v->name; v++) fprintf(out, "  heatladder %-10s %s\n", v->name, v->about);
-    fprintf(
-        out,
-        "\n  heatladder VERB --help tells the options of a verb\n\n"
-        "Environment: HEATLADDER_LANES=2, 4 or 8 sets how many doubles the vectors of the lattice's sweeps "
-        "hold\n  (without it the widest that the machine has); no width changes a bit of a result.\n"
-        "Exit status: 0 all held, 1 a gate failed, 2 bad usage or input, 3 a numerical failure, 4 inconclusive.\n");
+    fprintf(out, "\n%s", help_about);
 }
 
 void help_verb(const struct verb *v, FILE *out) {

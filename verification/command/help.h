@@ -5,6 +5,8 @@
 
 struct verb;
 
+extern const char help_about[]; /* environment and exit statuses */
+
 void help_program(FILE *out);
 void help_verb(const struct verb *v, FILE *out);
 

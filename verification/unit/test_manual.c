@@ -1,0 +1,80 @@
+/* The manual page and the completion leave out no verb, option, scene or method, and are well formed. */
+#include "verification/command/manual.h"
+
+#include "references/scene.h"
+#include "solver/method.h"
+#include "verification/command/option.h"
+#include "verification/command/verb.h"
+
+#include "verification/unit/near.h"
+
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+static char *written(void (*write)(FILE *)) {
+    char *text = NULL;
+    size_t size;
+    FILE *out = open_memstream(&text, &size);
+    assert_non_null(out);
+    write(out);
+    fclose(out);
+    return text;
+}
+
+/* `name` with its dashes as roff has them. */
+static void has(const char *text, const char *before, const char *name, const char *after) {
+    char wanted[200];
+    size_t n = (size_t)snprintf(wanted, sizeof wanted, "%s", before);
+    for (; *name; name++) n += (size_t)snprintf(wanted + n, sizeof wanted - n, *name == '-' ? "\\-" : "%c", *name);
+    snprintf(wanted + n, sizeof wanted - n, "%s", after);
+    if (!strstr(text, wanted)) fail_msg("no '%s'", wanted);
+}
+
+static void the_page_is_complete(void **state) {
+    (void)state;
+    char *page = written(manual_page);
+    for (const struct verb *v = verbs; v->name; v++) has(page, ".SS \"heatladder ", v->name, "");
+    for (const struct option *o = options_table; o->key; o++) has(page, ".TP\n\\fB\\-\\-", o->name, "\\fR");
+    for (int i = 0; scenes[i]; i++) has(page, ".TP\n\\fB", scenes[i]->name, "\\fR");
+    for (int i = 0; methods[i]; i++) has(page, ".TP\n\\fB", methods[i]->name, "\\fR");
+    for (const char *line = page; line; line = strchr(line, '\n')) {
+        line += *line == '\n';
+        assert_int_not_equal(*line, '\'');
+        if (*line == '.') assert_non_null(strchr("TSPnfBI", line[1]));
+    }
+    free(page);
+}
+
+/* bash itself tells what is completed. */
+static void bash_completes(void **state) {
+    (void)state;
+    if (system("command -v bash >/dev/null 2>&1")) return;
+    char *text = written(manual_completion), path[] = "/tmp/completion-test-XXXXXX", command[400];
+    int file = mkstemp(path);
+    assert_true(file >= 0);
+    FILE *out = fdopen(file, "w");
+    fputs(text, out);
+    fclose(out);
+    free(text);
+    static const char *const row[][2] = {{"heatladder cho", "choose"},
+                                         {"heatladder ladder rod-g", "rod-gauss"},
+                                         {"heatladder run rod-gauss so_ssph --kernel wend", "wendland"},
+                                         {"heatladder verify --qui", "--quick"}};
+    for (int i = 0; i < 4; i++) {
+        snprintf(command, sizeof command,
+                 "bash -c 'source %s; COMP_WORDS=(%s); COMP_CWORD=$((${#COMP_WORDS[@]}-1)); _heatladder; "
+                 "[ \"${COMPREPLY[*]}\" = \"%s\" ]'",
+                 path, row[i][0], row[i][1]);
+        if (system(command)) fail_msg("%s", row[i][0]);
+    }
+    remove(path);
+}
+
+int main(void) {
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(the_page_is_complete),
+        cmocka_unit_test(bash_completes),
+    };
+    return cmocka_run_group_tests_name("manual", tests, NULL, NULL);
+}
