@@ -3,7 +3,10 @@
 #     X, Y: columns; bars: 'x' or 'y', the axis of the times (lowest and highest in columns 5 and 6), or ''
 #     front: 'time' or 'work', which of what nothing beats the last panel shows, or ''
 name = system(sprintf("basename '%s' .csv", data)) . '_' . chart
-wide = 1240; high = 1060
+programs = system(sprintf("sed -n 's/^n,.*,updates,//p' '%s'", data))
+has(word) = strstrt(programs, word) > 0
+panels = has('matched') + has('exact') + has('rkl2') + (has('rk2') || has('euler')) + has('ftcs') + (front ne '')
+wide = 1240; high = panels > 3 ? 1060 : 560 # one row or two
 load 'reports/page/style.gp'
 unset title
 unset bmargin
@@ -36,21 +39,24 @@ set format xy '10^{%T}'
 set offsets graph 0.03, graph 0.03, 0, 0
 set label 98 heading at screen 0.5, screen 0.975 center noenhanced font size_of(13)
 set label 99 caption at screen 0.012, screen 0.02 left noenhanced font size_of(8.5) textcolor rgb '#555555'
-set multiplot layout 2,3 margins screen 0.065, 0.985, 0.135, 0.93 spacing screen 0.05, 0.22
+set multiplot layout (panels > 3 ? 2 : 1),3 margins screen 0.065, 0.985, 143.0 / high, 1 - 74.0 / high \
+    spacing screen 0.05, 233.0 / high
+members(f) = sum [j=1:N] (MEMBER[j] == f)
+panel = 0
 do for [f=1:6] {
+    if (f < 6 ? members(f) == 0 : FRONT < 0) { continue }
+    panel = panel + 1
     set xlabel across offset 0, 0.5
-    set ylabel ((f == 1 || f == 4) ? along : '') offset 0.5
-    set title (f < 6 ? TITLE[f] : FRONT >= 0 ? 'what nothing else beats' : '') noenhanced font size_of(11) offset 0, -0.6
+    set ylabel (panel % 3 == 1 ? along : '') offset 0.5
+    set title (f < 6 ? TITLE[f] : 'what nothing else beats') noenhanced font size_of(11) offset 0, -0.6
     set key at graph 0, graph -0.17 left top Left reverse samplen 1.5 spacing 1.05
     eval sprintf("set key font '%s'", size_of(8))
-    if (f < 6 || FRONT >= 0) {
-        plot for [i=1:N] data index i-1 using X:Y with lines lc rgb '#d6d6d6' lw 0.8 notitle, \
-             for [i=1:N] data index i-1 using (MEMBER[i] == f ? column(X) : NaN):Y:(bars eq '' ? column(at) : $5):(bars eq '' ? column(at) : $6) \
-                 with @STYLE lc rgb colour(i) lw 0.8 pt 0 notitle, \
-             for [i=1:N] data index i-1 using (MEMBER[i] == f ? column(X) : NaN):Y with linespoints lc rgb colour(i) lw 1.2 \
-                 pt point(i) ps 0.8 * P title (MEMBER[i] == f ? WHO[i] : ''), \
-             data index (FRONT < 0 ? 0 : FRONT) using (f == 6 ? column(X) : NaN):Y with linespoints lc rgb BLACK lw 2.2 pt 7 ps 0.6 * P notitle
-    }
+    plot for [i=1:N] data index i-1 using X:Y with lines lc rgb '#d6d6d6' lw 0.8 notitle, \
+         for [i=1:N] data index i-1 using (MEMBER[i] == f ? column(X) : NaN):Y:(bars eq '' ? column(at) : $5):(bars eq '' ? column(at) : $6) \
+             with @STYLE lc rgb colour(i) lw 0.8 pt 0 notitle, \
+         for [i=1:N] data index i-1 using (MEMBER[i] == f ? column(X) : NaN):Y with linespoints lc rgb colour(i) lw 1.2 \
+             pt point(i) ps 0.8 * P title (MEMBER[i] == f ? WHO[i] : ''), \
+         data index (FRONT < 0 ? 0 : FRONT) using (f == 6 ? column(X) : NaN):Y with linespoints lc rgb BLACK lw 2.2 pt 7 ps 0.6 * P notitle
     unset label 98
     unset label 99
 }
