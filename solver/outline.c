@@ -3,6 +3,6 @@
 
 void outline_hold(struct outline *o, const char *what, size_t bytes, enum outline_phase from, enum outline_phase to) {
     if (bytes == 0) return;
-    o->array[o->count++] = (struct outline_array){what, bytes, from, to};
+    if (o->count < OUTLINE_ARRAYS) o->array[o->count++] = (struct outline_array){what, bytes, from, to};
     for (int i = (int)from; i <= (int)to; i++) o->bytes[i] += bytes;
 }

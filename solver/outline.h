@@ -28,7 +28,7 @@ struct outline {
     size_t bytes[OUTLINE_PHASES];               /* their sum in each phase */
 };
 
-/* Adds an array; none of 0 bytes. */
+/* Adds an array; none of 0 bytes.  Past OUTLINE_ARRAYS of them the bytes count, the name is left out. */
 void outline_hold(struct outline *o, const char *what, size_t bytes, enum outline_phase from, enum outline_phase to);
 
 /* The unit of field.work is one multiplication and addition in a stream of vectors.  What is done number by number

@@ -86,7 +86,7 @@ static int check_options(const struct ftcs_grid *g, const struct problem *p, con
                       g->method);
     if (o->stepper == STEPPER_MATCHED && g->with_fluxes && p->source)
         return refuse(
-            why, STATUS_INPUT,
+            why, STATUS_NOT_APPLICABLE,
             "--stepper matched: %s does not see (-1)^i, which a source feeds at the walls at third order; take "
             "ftcs",
             g->method);
