@@ -7,7 +7,7 @@
 
 /* A scene: a problem of the literature and its exact solution.  One file each, scene_<name>.c, found by wildcard. */
 
-struct failure; /* solver/method.h */
+struct failure; /* solver/status.h */
 
 struct param {
     const char *name;

@@ -118,7 +118,7 @@ const struct candidate candidates_table[] = {
     {0}};
 #undef MATCHED
 
-/* Whether n cells along x, as long as high, have no part of one left over, and meet every jump with a face. */
+/* Whether square cells, n of them along x, tile the domain with every jump on a face. */
 static int fits(const struct problem *p, int n, int jumps) {
     double dx = (p->hi[0] - p->lo[0]) / n;
     for (int a = 0; a < p->dim; a++) {
@@ -140,7 +140,7 @@ int candidate_unit(const struct problem *p) {
     return 0;
 }
 
-/* The place of the part that is nearest to `part` of 1, in n cells that are at most CANDIDATE_UNIT_MAX. */
+/* The fraction nearest to `part` whose denominator is at most CANDIDATE_UNIT_MAX. */
 static double nearest_part(double part) {
     double best = INFINITY;
     for (int n = 1; n <= CANDIDATE_UNIT_MAX; n++) {

@@ -20,18 +20,18 @@ enum { CANDIDATE_UNIT_MAX = 1024 };
 
 extern const struct candidate candidates_table[]; /* ended by a NULL label */
 
-/* One size of it: particles along x of the domain, and time steps where they are open (0: as for bench). */
+/* Particles along x of the domain, and time steps where they are open (0: as for bench). */
 struct candidate_size {
     int n, steps;
 };
 
 struct options candidate_options(const struct candidate *c, const struct experiment *e, struct candidate_size size);
 
-/* The number of cells along x whose multiples all suit the problem: no part of a cell is left over, and every jump,
- * if that can be, lies on a face.  0 where there is none up to CANDIDATE_UNIT_MAX. */
+/* The least number of cells along x with which square cells tile the domain, every jump on a face where that is
+ * possible; so do its multiples.  0 where there is none up to CANDIDATE_UNIT_MAX. */
 int candidate_unit(const struct problem *p);
 
-/* For a text: the values nearest to what the domain has, of which candidate_unit would be a unit. */
+/* As text: the nearest domain that has a candidate_unit. */
 void candidate_fitting(const struct problem *p, char *text, size_t size);
 
 /* The smallest multiple of the unit that is not below `least`. */
@@ -49,15 +49,15 @@ int candidate_run(const struct candidate *c, const struct experiment *e, struct 
 int candidate_prove(const struct candidate *c, const struct experiment *e, struct candidate_size size,
                     struct result *out, double *between);
 
-/* What a run takes, told by its plan (verification/choose/plan.h). */
+/* The predicted cost of a run, from its plan (plan.h). */
 struct candidate_cost {
     double work;     /* field.work */
-    double whole;    /* with the exact temperatures, and rows at what they take: for limits */
-    double bytes;    /* held at once, at most */
-    double rounding; /* what rounding leaves of E1, in the mean */
+    double whole;    /* with the exact temperatures and the full cost of CSR entries: for limits */
+    double bytes;    /* peak */
+    double rounding; /* mean part of E1 due to rounding */
 };
 
-/* The cost of the run; a status of solver/method.h.  Rounding: T is rounded at each application of the operator, by
+/* The cost of the run; a status of solver/status.h.  Rounding: T is rounded at each application of the operator, by
  * eps/4 of itself in the mean and at random: eps/4 sqrt(applications).  With transforms the symbol of the slowest
  * mode is what is left of terms of size kappa/dx^2, each wrong by eps/4 in the mean, and acts until the mode is gone:
  * eps/4 kappa min(t, L^2/(pi^2 kappa))/dx^2. */

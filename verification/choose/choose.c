@@ -1,6 +1,6 @@
 /* Choosing by measured orders and constants: each candidate runs on a few coarse rungs, which predict where it
- * reaches what is wanted (extrapolation.h).  The cheapest runs; what it measures joins its rungs; and so on until
- * the error is reached.  Where it cannot be, the finest runs that can be done show how far one comes.
+ * reaches what is wanted (extrapolation.h).  The cheapest is run and its error joins its rungs, until the
+ * error is reached.  Where that is impossible, the finest feasible runs give the best error.
  *
  * Costs are counted, so that the choice is the same on every machine. */
 #include "verification/choose/choose.h"
@@ -14,7 +14,7 @@
 
 const double choose_work_max = 2e11;
 enum { PROOFS = 8, LAST = 2 };
-static const double NEARER = 0.9; /* what makes a last run worth its time */
+static const double NEARER = 0.9; /* of the best error: what a last run must promise */
 static const double LUCKY = 0.1;  /* of the predicted error: below it one more run is wanted, */
 static const double FINER = 1.5;  /* with so many times the particles */
 
@@ -85,8 +85,8 @@ static void search(struct choose *c, const struct extrapolation_goal *goal) {
     progress_end(&shown);
 }
 
-/* Out of reach: the finest runs of those that should come nearest, while one may come nearer than what was measured.
- */
+/* The error is out of reach: the finest feasible runs, best prediction first, while one may improve on the best
+ * error. */
 static void try_finest(struct choose *c, const struct extrapolation_goal *goal) {
     struct extrapolation finest[CHOOSE_CANDIDATES];
     struct progress shown = progress_start("last runs at most", LAST);

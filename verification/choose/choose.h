@@ -21,8 +21,8 @@ struct choose {
     double between;                              /* its E1 half-way between the particles */
 };
 
-/* With no run that takes more than work_max.  STATUS_OK, STATUS_GATE where the error was not reached (*c then tells
- * the best), or STATUS_INPUT. */
+/* No run takes more than work_max.  STATUS_OK; STATUS_GATE where the error was not reached (the best is in *c); or
+ * STATUS_INPUT. */
 int choose_run(const struct experiment *e, double error, double work_max, struct choose *c, struct failure *why);
 
 #endif

@@ -33,7 +33,7 @@ void extrapolation_rule_out(struct extrapolation *c, const char *reason) {
 
 /* ---- Time ---- */
 
-/* The steps that leave a share of `error`, at which the goal's jumps are damped; 0 where they are not open. */
+/* Time steps whose error is a share of `error` and that damp the stiff modes of a jump below it; 0: not open. */
 static int time_steps(const struct extrapolation *c, const struct extrapolation_goal *goal, double error) {
     if (!(c->candidate->steps > 0)) return 0;
     double share = 1 / (1 + 2 * (goal->experiment->problem.dim + 1.0)), least = log(goal->error) / log(DAMPED);
@@ -44,7 +44,7 @@ static double time_part(const struct extrapolation *c, int steps) {
     return steps > 0 ? c->time_constant / ((double)steps * steps) : 0;
 }
 
-/* The error in space of a rung: the less it is of the whole, the less is known of it. */
+/* The space error of a rung; at least half of its error, since a small remainder is uncertain. */
 static double space_part(const struct extrapolation *c, const struct extrapolation_rung *rung) {
     return fmax(rung->error / 2, rung->error - time_part(c, rung->size.steps));
 }
@@ -99,7 +99,7 @@ static void cannot_converge(struct extrapolation *c) {
 
 /* ---- Cost ---- */
 
-/* What the run that is wanted will cost, or why it cannot be. */
+/* The cost of the predicted run, or the reason that rules it out. */
 static void check_cost(struct extrapolation *c, const struct extrapolation_goal *goal) {
     const struct extrapolation_rung *last = &c->rung[c->rungs - 1];
     struct candidate_cost cost;
@@ -122,7 +122,7 @@ static void check_cost(struct extrapolation *c, const struct extrapolation_goal 
     extrapolation_rule_out(c, text);
 }
 
-/* Where the error will be reached: between two rungs of which one has it, or beyond the last. */
+/* The size that reaches the error: between two rungs that bracket it, or beyond the last. */
 static void predict(struct extrapolation *c, const struct extrapolation_goal *goal) {
     int last = c->rungs - 1, reached = last + 1; /* from there on every rung has it */
     while (reached > 0 && c->rung[reached - 1].error <= goal->error) reached--;

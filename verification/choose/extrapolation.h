@@ -20,7 +20,7 @@ struct extrapolation {
     double time_constant;                   /* E1 of N time steps is this over N^2; 0 where they are not open */
     struct candidate_size wanted;           /* that should reach the error */
     double predicted_error, predicted_work; /* there; infinite work where it cannot be */
-    double rounding;                        /* that it leaves, where that is more than the error; else 0 */
+    double rounding;                        /* rounding error, where it exceeds the error wanted; else 0 */
     char reason[200];                       /* why it cannot */
 };
 
@@ -42,8 +42,8 @@ int extrapolation_scout(struct extrapolation *c, const struct extrapolation_goal
 void extrapolation_learn(struct extrapolation *c, const struct extrapolation_goal *goal, struct candidate_size size,
                          double predicted, double measured);
 
-/* The finest run, by tenths, that the work and the memory allow and that rounding does not spoil, and what it should
- * reach: *wanted and its predictions are set to it.  1, or 0 where nothing finer than the rungs can be predicted. */
+/* Sets *wanted and its predictions to the finest run, in steps of a tenth, within the limits of work, memory and
+ * rounding.  1, or 0 where nothing finer than the rungs can be predicted. */
 int extrapolation_finest(struct extrapolation *c, const struct extrapolation_goal *goal);
 
 void extrapolation_rule_out(struct extrapolation *c, const char *reason);

@@ -1,4 +1,4 @@
-/* How many time steps a search will end at, from two coarse runs that are searched in full.
+/* The number of time steps that a search ends at, extrapolated from two coarse searches.
  *
  * Runs of N steps at spacing dx have the error of space S = C dx^q and the time error K / N^p, p the stepper's order
  * and K a property of what is solved, which dx hardly changes.  Both are carried on along the line through the two
@@ -64,12 +64,12 @@ static int run(const struct experiment *e, double dx, struct rung *at, long long
     return dx == e->options.dx || (at->time > 0 && at->space > 0); /* nothing is carried on from dx itself */
 }
 
-/* At dx, on the line through a and b. */
+/* Log-log extrapolation to dx of the values a and b of the two rungs. */
 static double carried(double dx, const struct rung rung[2], double a, double b) {
     return a * pow(a / b, log(dx / rung[0].dx) / log(rung[0].dx / rung[1].dx));
 }
 
-/* The finest two multiples of dx that are quick to run; one, where that is dx itself. */
+/* The finest two multiples of dx with quick runs; one, where dx itself is quick. */
 static struct plan_steps take_rungs(const struct experiment *e, int strictly, struct rung rung[2]) {
     struct plan_steps f = {0};
     const double dx = e->options.dx, least = least_along(&e->problem, dx);

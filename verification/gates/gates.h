@@ -1,7 +1,8 @@
 #ifndef HEATLADDER_VERIFICATION_GATES_GATES_H
 #define HEATLADDER_VERIFICATION_GATES_GATES_H
 
-/* Gates: statements that must hold, each with its bounds and the reason for them.  A new one is a row of gates.def.
+/* Gates: statements that must hold, each with its bounds and the reason for them.  A new one is a row of one of the
+ * tables *.def.
  */
 
 #include "verification/gates/measures.h"
@@ -15,7 +16,7 @@ enum gate_tier { TIER_QUICK, TIER_FULL }; /* quick: in every run; full: left out
 struct gate {
     const char *id;
     enum gate_tier tier;
-    const char *measure; /* a name of measures.c */
+    const char *measure; /* a row of measures.def */
     const char *command; /* as a user would type it after the program's name */
     double lo, hi;       /* what the measure must lie in */
     double ceiling;      /* of the error beside it; NAN for none */

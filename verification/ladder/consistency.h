@@ -6,7 +6,7 @@ struct experiment;
 
 /* How far the derivatives of a particle method are from those of a smooth function, on a lattice of spacing
  * options.dx far from walls: sum |approximate - exact| / sum |exact| over some points, into *error.  First
- * derivatives where the method applies them twice, else kappa_x T_xx + kappa_y T_yy.  A status of solver/method.h. */
+ * derivatives where the method applies them twice, else kappa_x T_xx + kappa_y T_yy.  A status of solver/status.h. */
 int consistency_error(const struct experiment *e, double *error, struct failure *why);
 
 #endif

@@ -2,7 +2,7 @@
  *
  * Where A is diagonal under a transform, the exact stepper has it.  Elsewhere (jitter, two materials, fixed walls) it
  * is the midpoint rule's, which shares with super time stepping the operator alone.  It is stable for dt <= 2/bound
- * and wrong by dt^2/6 |A^3 T| t, where rkl2 is wrong by dt^2/18 or more (gates_time.def).
+ * and wrong by dt^2/6 |A^3 T| t, where rkl2 is wrong by dt^2/18 or more (gates/time.def).
  * With M steps to the finest rung's one it makes up 3/M^2 of that rung's error: 0.9 % for M = 18.
  *
  * That is measured, not trusted: a run of N steps of the size 1/bound and the reference's own of M > N differ by

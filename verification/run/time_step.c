@@ -1,8 +1,8 @@
-/* Which stepper, and which time step, where the user leaves that open.
+/* The choice of stepper and time step, where the user leaves them open.
  *
  * The exact stepper where the method has it.  Else the time step is refined until its error is shown to be small.
  * A run of N steps by a stepper of order p has the time error C e, e = c / N^p, with c = 1 but for rkl2, where it is
- * 1 + 8/(s^2 + s - 2) for s stages (gates_time.def).  Two runs then have
+ * 1 + 8/(s^2 + s - 2) for s stages (gates/time.def).  Two runs then have
  *
  *     T_inf = T_2 + (T_2 - T_1) e_2 / (e_1 - e_2)                                                 (Richardson 1911)
  *
@@ -62,7 +62,7 @@ double time_step_first(const struct experiment *e) {
     return fmax(1, ceil(steps));
 }
 
-/* The first run, at half the time step again and again while that is unstable. */
+/* The first run; the time step is halved while it is unstable. */
 static int first(struct search *s, struct failure *why) {
     double steps = time_step_first(s->e);
     int status = try_steps(s, steps, &s->coarse, why);
@@ -81,7 +81,7 @@ static int within_reach(double steps, double particles, int order) {
     return steps * particles * order <= TIME_STEP_UPDATES_MAX;
 }
 
-/* How many steps follow `steps`, which led to the estimate: as many where that will do. */
+/* The number of steps after `steps`, which gave the estimate; the same where its time error is small enough. */
 static double next_steps(double steps, struct estimate e, double particles, int order) {
     if (e.time <= SHARE * e.whole || e.time <= FLOOR) return steps;
     double more = ceil(steps * fmax(1.1, pow(e.time / (MARGIN * SHARE * e.space), 1.0 / order)));
@@ -119,7 +119,7 @@ static struct estimate compare(const struct search *s) {
     return e;
 }
 
-/* `steps` steps in the place of the coarser of two trials, which then is the finer one. */
+/* The finer trial becomes the coarser one; a run of `steps` steps takes its place. */
 static int replace(struct search *s, double steps, struct failure *why) {
     field_free(&s->coarse.field);
     s->coarse = s->fine;
@@ -140,7 +140,7 @@ static int refine(struct search *s, double *time_error, struct failure *why) {
     return status;
 }
 
-/* Fewer steps in the place of the finer run's, whose time error is `time`, where e->time_error allows. */
+/* Replaces the finer run, whose time error is `time`, by one of fewer steps where e->time_error allows it. */
 static void coarsen(struct search *s, double time, double *time_error) {
     double asked = s->e->time_error, *limit = find_limit(s);
     double most = s->fine.steps, steps = most * pow(time / asked, 1.0 / s->order);

@@ -31,7 +31,7 @@ struct time_step {
 };
 
 /* Solves e->problem by e->method and chooses what *e leaves open: the stepper, and a time step whose error
- * is at most 1 % of the whole.  On return e->options.stepper is the one that was used.  A status of solver/method.h;
+ * is at most 1 % of the whole.  On return e->options.stepper is the one that was used.  A status of solver/status.h;
  * on STATUS_OK the caller owns *f. */
 int time_step_solve(struct experiment *e, struct field *f, struct time_step *stepping, struct failure *why);
 

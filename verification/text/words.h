@@ -5,7 +5,7 @@
 
 #include <stddef.h>
 
-struct failure; /* solver/method.h */
+struct failure; /* solver/status.h */
 
 enum { WORDS_MAX = 64 }; /* the longest list that a caller may build on its stack, its NULL counted */
 
