@@ -165,12 +165,12 @@ static double job_size_of(const char *command) {
 
 struct job {
     int gate;
-    double cost;
+    double size;
 };
 
 static int heaviest_first(const void *a, const void *b) {
     const struct job *x = a, *y = b;
-    return x->cost != y->cost ? (x->cost < y->cost) - (x->cost > y->cost) : (x->gate > y->gate) - (x->gate < y->gate);
+    return x->size != y->size ? (x->size < y->size) - (x->size > y->size) : (x->gate > y->gate) - (x->gate < y->gate);
 }
 
 void gates_run(struct gates *g) {
