@@ -171,7 +171,7 @@ int matched_check(const struct problem *p, const struct options *o, const struct
     int jumps[2] = {0, 0}, vary = 0;
     if (s->sweeps == 2 && walls_bend(p, l))
         return refuse(
-            why, STATUS_INPUT,
+            why, STATUS_NOT_APPLICABLE,
             "--stepper matched: a first derivative taken twice does not see (-1)^i, which a wall with a source or "
             "with data that vary feeds at third order; take so_ssph");
     if (o->sampling != SAMPLING_POINT) return STATUS_OK;

@@ -117,7 +117,7 @@ static void what_is_blind_to_the_checkerboard_is_refused(void **state) {
         struct options o = {.dx = 0.05, .stepper = STEPPER_MATCHED};
         struct field f;
         struct failure why;
-        assert_int_equal(all[m]->solve(&p, &o, &f, &why), STATUS_INPUT);
+        assert_int_equal(all[m]->solve(&p, &o, &f, &why), STATUS_NOT_APPLICABLE);
         assert_non_null(strstr(why.text, "does not see (-1)^i"));
         p.source = NULL;
         assert_int_equal(all[m]->solve(&p, &o, &f, &why), STATUS_OK);
