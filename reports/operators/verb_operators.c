@@ -5,5 +5,5 @@
 #include "verification/command/request.h"
 
 int verb_operators(const struct request *r, struct failure *why) {
-    return operators_write(r->topic ? r->topic : "reports/out", why);
+    return operators_write(r->dir ? r->dir : "reports/out", why);
 }
