@@ -222,6 +222,9 @@ static int apply(struct request *r, const struct word *words, int count, struct 
         if (take_option(r, &words[i], why)) return why->status;
     if (check_required(r, why) || take_results(r, why)) return why->status;
     if (r->experiment.scene && r->experiment.scene->setup(&r->experiment.problem, why)) return why->status;
+    if (r->experiment.derived &&
+        quantity_read(r->experiment.derived, &r->experiment.problem, &r->experiment.quantity, why))
+        return why->status;
     r->experiment.options.dx = r->rungs.dx.value[0];
     r->experiment.options.dt = r->rungs.dt.count ? r->rungs.dt.value[0] : 0;
     r->experiment.options.fourier = r->rungs.fourier.count ? r->rungs.fourier.value[0] : 0;

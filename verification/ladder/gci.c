@@ -15,7 +15,7 @@
 #include "verification/foreign/program.h"
 #include "verification/foreign/results.h"
 #include "verification/foreign/samples.h"
-#include "verification/ladder/interpolate.h"
+#include "verification/run/interpolate.h"
 #include "verification/text/json.h"
 
 #include <math.h>
@@ -120,14 +120,14 @@ static int read_field(const char *path, const struct column_map *c, struct sampl
 }
 
 /* Distances between successive fields at the points of the third finest, at most PROBES of them. */
-static int compare_fields(struct gci *g, const struct samples *s, struct failure *why) {
+static int compare_fields(struct gci *g, const struct samples *s, const struct interpolate *f, struct failure *why) {
     const struct samples *coarse = &s[g->n - 3];
     size_t stride = coarse->n / PROBES + 1;
     double e[NUMBERS_MAX] = {0}, size = 0, *T = xcalloc((size_t)g->n, sizeof *T);
     int status = STATUS_OK;
     for (size_t k = 0; k < coarse->n && !status; k += stride) {
         double x[2] = {coarse->value[COLUMN_X][k], coarse->dim == 2 ? coarse->value[COLUMN_Y][k] : 0};
-        for (int i = 0; i < g->n && !status; i++) status = interpolate_at(&s[i], x, &T[i], why);
+        for (int i = 0; i < g->n && !status; i++) status = interpolate_at(&f[i], x, &T[i], NULL, why);
         for (int i = 0; i + 1 < g->n; i++) e[i] += fabs(T[i] - T[i + 1]);
         size += fabs(T[g->n - 1]);
     }
@@ -139,15 +139,15 @@ static int compare_fields(struct gci *g, const struct samples *s, struct failure
     return STATUS_OK;
 }
 
-static int probe(struct gci *g, const struct samples *s, const struct numbers *at, struct failure *why) {
+static int probe(struct gci *g, const struct interpolate *f, const struct numbers *at, struct failure *why) {
     char name[GCI_NAME];
     double x[2] = {at->value[0], at->count == 2 ? at->value[1] : 0};
-    if (at->count != s->dim)
-        return refuse(why, STATUS_INPUT, "--at: %d numbers where the points have %d", at->count, s->dim);
+    if (at->count != f->dim)
+        return refuse(why, STATUS_INPUT, "--at: %d numbers where the points have %d", at->count, f->dim);
     snprintf(name, sizeof name, at->count == 2 ? "T at %g, %g" : "T at %g", x[0], x[1]);
     struct gci_row *row = add(g, name);
     for (int i = 0; i < g->n; i++)
-        if (interpolate_at(&s[i], x, &row->value[i], why)) return why->status;
+        if (interpolate_at(&f[i], x, &row->value[i], NULL, why)) return why->status;
     judge_values(g, row);
     return STATUS_OK;
 }
@@ -161,8 +161,14 @@ static int read_fields(char (*path)[RESULTS_PATH + 16], const struct column_map 
         if (s[i].dim != s[0].dim)
             status = refuse(why, STATUS_INPUT, "%.200s has points of %d coordinates, %.200s of %d", path[i], s[i].dim,
                             path[0], s[0].dim);
-    if (!status) status = compare_fields(g, s, why);
-    if (!status && at->count) status = probe(g, s, at, why);
+    struct interpolate *f = xcalloc((size_t)g->n, sizeof *f);
+    for (int i = 0; i < g->n && !status; i++)
+        f[i] = interpolate_begin(s[i].path, s[i].dim, s[i].n, s[i].value[COLUMN_X], s[i].value[COLUMN_Y],
+                                 s[i].value[COLUMN_T]);
+    if (!status) status = compare_fields(g, s, f, why);
+    if (!status && at->count) status = probe(g, f, at, why);
+    for (int i = 0; i < g->n; i++) interpolate_end(&f[i]);
+    free(f);
     for (int i = 0; i < read; i++) samples_free(&s[i]);
     free(s);
     return status;

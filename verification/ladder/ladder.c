@@ -190,7 +190,7 @@ int ladder_run(const struct experiment *e, const struct ladder_rungs *rungs, str
         return why->status;
     int status = collect(l, why);
     if (status_refused(status) && !l->tried) return status;
-    ladder_fit(l, rungs->norm);
+    ladder_fit(l, e->derived ? LADDER_QUANTITY : rungs->norm);
     if (rungs->expect.count) ladder_judge(l, rungs->expect.value[0], rungs->expect.value[1]);
     if (rungs->ceiling > 0) {
         if (!rungs->expect.count && !l->failure.status) l->verdict = VERDICT_PASS, l->reason[0] = '\0';
@@ -211,6 +211,8 @@ static double in_norm(const struct result *r, enum ladder_norm norm) {
         return r->error.linf;
     case LADDER_INTERIOR:
         return r->interior.l1;
+    case LADDER_QUANTITY:
+        return r->derived_error;
     default:
         return r->boundary.l1;
     }
@@ -235,7 +237,8 @@ double ladder_finest_error(const struct ladder *l) {
 }
 
 void ladder_slope_text(const struct ladder *l, char *text, size_t size) {
-    static const char *const names[] = {"E1", "L2", "Linf", "E1 of the interior", "E1 near the walls"};
+    static const char *const names[] = {
+        "E1", "L2", "Linf", "E1 of the interior", "E1 near the walls", "the quantity's error"};
     int used = snprintf(text, size, "slope of %s: ", names[l->norm]);
     char *rest = text + used;
     size_t room = size - (size_t)used;
@@ -261,7 +264,8 @@ void ladder_fit(struct ladder *l, enum ladder_norm norm) {
             .x = l->x[i],
             .error = l->error[i],
             .time = l->in_time ? NAN : r->time_error,
-            .reference = r->reference_error / r->error.l1,
+            .reference =
+                norm == LADDER_QUANTITY ? r->derived_bound / r->derived_error : r->reference_error / r->error.l1,
             .rounding = r->rounding / r->error.l1,
             /* in time the particles stay where they are */
             .random = (r->options.layout == LAYOUT_JITTER || r->options.layout == LAYOUT_RELAXED) && !l->in_time};

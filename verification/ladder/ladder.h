@@ -14,7 +14,14 @@
  * several --dt or --fourier; its errors are against the solution of the same particles' equations without time error
  * (semidiscrete.h), so that no error of space is in them. */
 
-enum ladder_norm { LADDER_L1, LADDER_L2, LADDER_LINF, LADDER_INTERIOR, LADDER_BOUNDARY }; /* the last two: E1 */
+enum ladder_norm {
+    LADDER_L1,
+    LADDER_L2,
+    LADDER_LINF,
+    LADDER_INTERIOR,
+    LADDER_BOUNDARY,
+    LADDER_QUANTITY
+};                                            /* E1 of the interior and near walls; --quantity */
 extern const char *const ladder_norm_words[]; /* in the order of the enum, ended by NULL */
 
 /* The rungs that are asked for: one list has several numbers. */

@@ -5,6 +5,7 @@
 
 #include "solver/method.h"
 #include "solver/problem.h"
+#include "references/quantity.h"
 #include "verification/foreign/program.h"
 
 struct scene; /* references/scene.h */
@@ -14,7 +15,9 @@ struct experiment {
     const struct method *method;
     struct problem problem; /* set up from the scene and its parameters */
     struct options options;
-    double time_error;      /* E1 that the time step may make up; 0: not asked for */
+    double time_error;   /* E1 that the time step may make up; 0: not asked for */
+    const char *derived; /* the quantity that is measured beside the field, as typed; NULL for none */
+    struct quantity quantity;
     struct program program; /* that stands in for the method, where it has a command or results */
 };
 

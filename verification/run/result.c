@@ -53,6 +53,12 @@ void result_json(const struct result *r, struct json *j) {
     json_number(j, "error_l2", r->error.l2);
     json_number(j, "error_linf", r->error.linf);
     json_whole(j, "left_out_points", (long long)r->error.left_out);
+    if (r->derived_name) {
+        json_text(j, "quantity_name", r->derived_name);
+        json_number(j, "quantity", r->derived);
+        json_number(j, "quantity_exact", r->derived_exact);
+        json_number(j, "quantity_error", r->derived_error);
+    }
     json_number(j, "time_error", r->time_error);
     json_number(j, "reference_error", r->reference_error);
     json_number(j, "min", r->shape.min);

@@ -3,6 +3,7 @@
 
 #include "references/scene.h"
 #include "verification/run/experiment.h"
+#include "verification/run/derived.h"
 #include "verification/run/time_step.h"
 
 #include <float.h>
@@ -21,6 +22,22 @@ static double rounding(const struct experiment *e, const struct field *f, double
     return DBL_EPSILON * (1 + sqrt(applications) + weights);
 }
 
+static int measure_derived(const struct experiment *e, const struct field *f, struct result *out) {
+    out->derived_name = e->derived;
+    if (!e->derived) return STATUS_OK;
+    struct quantity_value exact = quantity_exact(&e->quantity, e->scene, &e->problem, f->time);
+    if (exact.no_value)
+        return refuse(&out->failure, STATUS_INPUT,
+                      "--quantity %.60s: has no finite value where two sides that meet hold different temperatures",
+                      e->derived);
+    int status = derived_value(&e->quantity, &e->problem, f, out->options.dx, &out->derived, &out->failure);
+    double size = exact.value != 0 ? fabs(exact.value) : 1;
+    out->derived_exact = exact.value;
+    out->derived_error = fabs(out->derived - exact.value) / size;
+    out->derived_bound = exact.error_bound / size;
+    return status;
+}
+
 static int measure(const struct experiment *e, const struct field *f, const double *reference, struct result *out) {
     const struct problem *p = &e->problem;
     if (norms_check(f, reference, &out->failure)) return STATUS_INPUT;
@@ -37,6 +54,7 @@ static int measure(const struct experiment *e, const struct field *f, const doub
     double skin = (p->dim == 2 ? fmin(p->hi[0] - p->lo[0], p->hi[1] - p->lo[1]) : p->hi[0] - p->lo[0]) / 10;
     out->interior = norms_error(p, f, reference, NORMS_INTERIOR, skin);
     out->boundary = norms_error(p, f, reference, NORMS_BOUNDARY, skin);
+    if (measure_derived(e, f, out)) return out->failure.status;
     out->shape = norms_shape(p, f, reference);
     out->settling = f->settling;
     out->heat_drift = norms_heat_drift(f);

@@ -3,7 +3,6 @@
 
 #include "solver/status.h"
 #include "verification/foreign/samples.h"
-#include "verification/ladder/interpolate.h"
 
 #include "verification/unit/near.h"
 

@@ -24,8 +24,8 @@ static void add_header(struct table *t, const struct ladder *l) {
                             "particles",
                             "steps",
                             "E1",
-                            "L2",
-                            "Linf [K]",
+                            l->norm == LADDER_QUANTITY ? "quantity" : "L2",
+                            l->norm == LADDER_QUANTITY ? "its error" : "Linf [K]",
                             "slope",
                             "time [%]",
                             "seconds",
@@ -39,8 +39,8 @@ static void add_rung(struct table *t, const struct ladder *l, int i) {
     table_add(t, "%zu", r->particles);
     table_add(t, "%lld", r->steps);
     table_add(t, "%.4e", r->failure.status ? NAN : r->error.l1);
-    table_add(t, "%.4e", r->failure.status ? NAN : r->error.l2);
-    table_add(t, "%.4e", r->failure.status ? NAN : r->error.linf);
+    table_add(t, "%.4e", r->failure.status ? NAN : r->derived_name ? r->derived : r->error.l2);
+    table_add(t, "%.4e", r->failure.status ? NAN : r->derived_name ? r->derived_error : r->error.linf);
     if (i == 0)
         table_add(t, " ");
     else
@@ -66,6 +66,7 @@ static void print_text(const struct ladder *l) {
     if (l->semidiscrete_steps)
         printf("errors against %lld steps of rk2 for the same particles' equations, themselves wrong by %.1e\n",
                l->semidiscrete_steps, l->semidiscrete_error);
+    if (l->rung[0].derived_name) printf("the exact quantity is %.12g\n", l->rung[0].derived_exact);
     printf("\n");
     add_header(&t, l);
     for (int i = 0; i < l->n; i++) add_rung(&t, l, i);

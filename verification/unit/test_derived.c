@@ -1,0 +1,94 @@
+/* Derived quantities of numerical fields: exact for polynomials of degree five, and as good as the field beside them.
+ */
+#include "verification/run/derived.h"
+
+#include "references/quantity.h"
+#include "solver/method.h"
+#include "solver/problem.h"
+#include "verification/command/arguments.h"
+#include "verification/ladder/ladder.h"
+
+#include "verification/unit/near.h"
+
+#include <gsl/gsl_errno.h>
+#include <string.h>
+
+/* T = x^3 y^2 - 0.7 x y + 0.2 x^5 + 1.3 y^4 on [-1, 2] x [0.5, 1.7], k = (0.3, 0.8), rho c = 1.9. */
+static double T(double x, double y) {
+    return x * x * x * y * y - 0.7 * x * y + 0.2 * pow(x, 5) + 1.3 * pow(y, 4);
+}
+
+/* Cells of 0.1 m, each with a point that is moved by up to 0.03 m. */
+static void fill(struct field *f) {
+    field_alloc(f, 2, 30 * 12);
+    for (int j = 0; j < 12; j++)
+        for (int i = 0; i < 30; i++) {
+            size_t k = (size_t)(30 * j + i);
+            f->x[k] = -1 + 0.1 * (i + 0.5) + 0.03 * sin(7.0 * i + 3.0 * j);
+            f->y[k] = 0.5 + 0.1 * (j + 0.5) + 0.03 * cos(5.0 * i + 11.0 * j);
+            f->T[k] = T(f->x[k], f->y[k]);
+        }
+}
+
+static void exact_for_polynomials(void **state) {
+    (void)state;
+    struct problem p = {.dim = 2, .lo = {-1, 0.5}, .hi = {2, 1.7}, .materials = 1, .material = {{{0.3, 0.8}, 1.9}}};
+    struct field f;
+    struct failure why;
+    fill(&f);
+    const double y2 = (pow(1.7, 3) - pow(0.5, 3)) / 3, y1 = (1.7 * 1.7 - 0.25) / 2, x4 = 3.75, x2 = 1.5;
+    const double y5 = (pow(1.7, 5) - pow(0.5, 5)) / 5;
+    const struct {
+        struct quantity quantity;
+        double value;
+    } row[] = {
+        {{.kind = QUANTITY_AT, .at = {0.2137, 1.1}}, T(0.2137, 1.1)},
+        /* -k_x dT/dx at x = -1, integrated over y; k_y dT/dy at y = 1.7 over x */
+        {{.kind = QUANTITY_FLUX, .side = X_LO}, -0.3 * (3 * y2 - 0.7 * y1 + 1.0 * 1.2)},
+        {{.kind = QUANTITY_FLUX, .side = Y_HI}, 0.8 * (2 * 1.7 * x4 - 0.7 * x2 + 5.2 * pow(1.7, 3) * 3)},
+        {{.kind = QUANTITY_HEAT}, 1.9 * (x4 * y2 - 0.7 * x2 * y1 + 0.2 * (64 - 1) / 6.0 * 1.2 + 1.3 * y5 * 3)},
+    };
+    for (int i = 0; i < 4; i++) {
+        double value;
+        if (derived_value(&row[i].quantity, &p, &f, 0.1, &value, &why)) fail_msg("%s", why.text);
+        assert_near(value, row[i].value, 1e-8 * fabs(row[i].value));
+    }
+    field_free(&f);
+}
+
+static void climb(const char *line, struct ladder *l, int wanted, const char *because) {
+    struct request r;
+    struct failure why = {0};
+    int status = arguments_parse_line(line, &r, &why);
+    if (!status) status = ladder_run(&r.experiment, &r.rungs, l, &why);
+    if (status != wanted || !strstr(why.text, because)) fail_msg("%s: %d, %s", line, status, why.text);
+    arguments_free(&r);
+}
+
+static void a_ladder_of_its_own(void **state) {
+    (void)state;
+    struct ladder l;
+    climb("ladder rod-cosine so_ssph --dx 1/20,1/40,1/80,1/160 --quantity at:0.3 --expect 1.95,2.05", &l, 0, "");
+    assert_int_equal(l.verdict, VERDICT_PASS);
+    climb("ladder rod-contact brookshaw --mean series --dx 1/40,1/80,1/160,1/320 --quantity heat --expect 1.9,2.1",
+          &l, 0, "");
+    assert_near(l.local[2], 2, 0.05);
+    assert_near(l.rung[3].derived, 2, 1e-5); /* rho_c1 T1 L */
+}
+
+static void what_has_no_value_is_refused(void **state) {
+    (void)state;
+    struct ladder l;
+    climb("ladder plate ftcs --dx 0.02,0.01 --quantity flux_x_lo", &l, STATUS_INPUT, "has no finite value");
+    climb("ladder plate ftcs --dx 0.02,0.01 --quantity flux", &l, STATUS_INPUT, "unknown quantity 'flux'");
+}
+
+int main(void) {
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(exact_for_polynomials),
+        cmocka_unit_test(a_ladder_of_its_own),
+        cmocka_unit_test(what_has_no_value_is_refused),
+    };
+    gsl_set_error_handler_off();
+    return cmocka_run_group_tests_name("derived", tests, NULL, NULL);
+}
