@@ -146,6 +146,14 @@ static int place_cloud(const struct problem *p, const struct options *o, const s
     return status;
 }
 
+/* Whether the data have jumps, or a wall whose temperature they do not meet. */
+static int is_rough(const struct problem *p, const struct lattice *l) {
+    int rough = p->materials > 1 || p->jumps[0] + p->jumps[1] > 0;
+    for (int s = 0; s < 2 * p->dim && !rough; s++)
+        rough = p->side[s] == DIRICHLET && !sample_meets_wall(p, l, (enum side)s);
+    return rough;
+}
+
 int particles_march(const struct problem *p, const struct options *o, const struct scheme *s, const struct lattice *l,
                     const struct heat_operator *a, double bound, struct march *m, struct failure *why) {
     *m = (struct march){.stepper = o->stepper, .time = p->t_end, .steps = 1, .stages = 1};
@@ -169,6 +177,7 @@ int particles_march(const struct problem *p, const struct options *o, const stru
     m->steps = (long long)fmax(1, steps);
     if (m->stepper == STEPPER_RK2) m->stages = 2;
     if (m->stepper == STEPPER_RKL2) m->stages = stepper_stages(m->time / (double)m->steps, bound);
+    if (m->stepper == STEPPER_RKL2 && is_rough(p, l)) stepper_start(m->time / (double)m->steps, bound, m->start);
     if (m->stages > STEPPER_STAGES_MAX)
         return refuse(why, STATUS_INPUT, "--%s %g: a step would take rkl2 more than %d stages; take more steps", name,
                       asked, STEPPER_STAGES_MAX);
@@ -195,7 +204,7 @@ static double set_up_work(const struct options *o, const struct lattice *l, cons
 
 void particles_count(const struct options *o, const struct lattice *l, const struct heat_operator *a,
                      const struct march *m, struct field *f) {
-    const long long applications = m->steps ? m->steps * m->stages : 1;
+    const long long applications = m->steps ? stepper_applications(m) : 1;
     f->dim = l->dim, f->n = a->n, f->h = o->h;
     f->steps = m->steps, f->stages = m->stages, f->dt = m->steps ? m->time / (double)m->steps : 0;
     f->updates = (long long)a->n * applications;

@@ -10,7 +10,16 @@
  * L(Y_0), but the recurrence of the polynomials alone (source and walls' values are a part of L, since its
  * coefficients add up to 1):
  *        u_j = (2j - 1)/j (u_{j-1} + w dt L(u_{j-1})) - (j - 1)/j u_{j-2},   T becomes (1 - b_s) T + b_s u_s,
- * two states in place of four in each stage. */
+ * two states in place of four in each stage.
+ *
+ * RKL2 multiplies what is stiff by 1 - b_s, a half, a step: what a jump sets in motion takes twenty steps to go,
+ * however small the error of each.  Where there is one, two quarters of the first step are taken by Gegenbauer's
+ * polynomials with parameter 5/2, of first order, which have no such term (as Rannacher starts the method of Crank
+ * and Nicolson by implicit half steps), and its other half by RKL2: T becomes C_s(1 + w (dt/4) L) T / C_s(1),   w = 6
+ * / (s (s + 5)), u_n = (2n + 3)/(n + 4) (u_{n-1} + w (dt/4) L(u_{n-1})) - (n - 1)/(n + 4) u_{n-2}. Two steps of error
+ * O(dt^2) leave the order at 2: they add (lambda dt)^2 / 64 to RKL2's lambda t (lambda dt)^2 / 18, of the other sign.
+ * |C_s(x) / C_s(1)| falls as 1 / (1 - x^2) away from x = 1, but is 1 at x = -1, from which 12 / s^2 is kept: stable
+ * and damping for dt/4 <= (s^2 + 5s - 6) / (3 |lambda|_max). */
 #include "solver/time/stepper.h"
 #include "solver/time/state.h"
 #include "solver/time/team.h"
@@ -20,8 +29,7 @@
 #include <stdlib.h>
 
 enum {
-    TOGETHER = 32, /* updates that the operator is handed at once; steps between checks of the bounds */
-    SHARED = 10000 /* doubles in a state from which threads pay */
+    TOGETHER = 32 /* updates that the operator is handed at once; steps between checks of the bounds */
 };
 
 int stepper_stages(double dt, double bound) {
@@ -29,6 +37,16 @@ int stepper_stages(double dt, double bound) {
     return s < 3                    ? 3
            : s > STEPPER_STAGES_MAX ? STEPPER_STAGES_MAX + 1
                                     : (int)s | 1; /* odd: even counts damp the highest modes less */
+}
+
+void stepper_start(double dt, double bound, int stages[2]) {
+    double s = fmax(2, ceil((sqrt(49 + 3 * dt * bound) - 5) / 2));
+    stages[0] = s > STEPPER_STAGES_MAX ? STEPPER_STAGES_MAX + 1 : (int)s;
+    stages[1] = stepper_stages(dt / 2, bound);
+}
+
+long long stepper_applications(const struct march *m) {
+    return m->steps * m->stages + (m->start[0] > 0 ? 2LL * m->start[0] + m->start[1] - m->stages : 0);
 }
 
 /* Whether the run has left its bounds. */
@@ -67,6 +85,33 @@ static void rkl2_step(const struct heat_operator *a, int s, double dt, double *Y
         n = 0;
     }
     Y[0] = turn[0], Y[1] = turn[1], Y[2] = T;
+}
+
+/* A step of first order that damps, by `s` stages: Y[0] holds T on entry and exit. */
+static void damping_step(const struct heat_operator *a, int s, double dt, double *Y[2]) {
+    struct update u[TOGETHER];
+    double w = 6 / ((double)s * (s + 5.0));
+    for (int j = 1, n = 0; j <= s; j++) {
+        double self = (2.0 * j + 3) / (j + 4);
+        u[n++] = (struct update){.rate = self * w * dt, .self = self, .old = 1 - self};
+        if (n < TOGETHER && j < s) continue;
+        state_update(a, u, n, Y);
+        n = 0;
+    }
+}
+
+static void rkl2_steps(struct heat_operator *a, struct team *team, const struct march *m, long long done, int count,
+                       double *Y[3]) {
+    double dt = m->time / (double)m->steps;
+    for (int k = 0; k < count; k++) {
+        a->threads = team_size(team);
+        if (m->start[0] == 0 || done + k > 0) {
+            rkl2_step(a, m->stages, dt, Y);
+            continue;
+        }
+        for (int quarter = 0; quarter < 2; quarter++) damping_step(a, m->start[0], dt / 4, Y);
+        rkl2_step(a, m->start[1], dt / 2, Y);
+    }
 }
 
 /* `count` steps that follow step `done`. */
@@ -110,10 +155,7 @@ int stepper_march(const struct heat_operator *a, const struct march *m, double *
         else if (m->stepper == STEPPER_RK2)
             rk2_steps(&own, m, count, Y);
         else
-            for (int k = 0; k < count; k++) {
-                own.threads = team_size(&team);
-                rkl2_step(&own, m->stages, m->time / (double)m->steps, Y);
-            }
+            rkl2_steps(&own, &team, m, done, count, Y);
         status = check_bounds(m, a, Y[0], done + count, why);
     }
     state_store(a, Y[0], T);

@@ -33,7 +33,8 @@ static void as_planned(const char *line) {
                  result.updates, result.bytes);
     assert_near(part->dt, result.dt, 1e-15 * result.dt);
     assert_near(part->work, result.work, 0);
-    assert_int_equal(part->updates, (long long)part->n * (part->steps ? part->steps * part->stages : 1));
+    if (result.options.stepper != STEPPER_RKL2) /* whose first step may be two of other stages */
+        assert_int_equal(part->updates, (long long)part->n * (part->steps ? part->steps * part->stages : 1));
     arguments_free(&r);
 }
 
