@@ -2,6 +2,8 @@
  *
  *   given temperature  T_ghost = 2 T_wall - T_mirror + d^2 T_nn, or T_wall (`fixed`, Pamplona 2019; first order)
  *   given flux         T_ghost = T_mirror + 2 d (k dT/dn) / k + d^3/3 T_nnn
+ *   cooled, Robin      T_ghost = T_mirror + 2 d b (T_a - T_mirror) / (k + b d): k dT/dn = b (T_a - T) midway, second
+ * order
  *
  * at the distance d from the wall.  What the wall holds is steady, so there the equation says k_n T_nn + k_t T_tt + G
  * = 0, and its normal derivative k_n T_nnn + k_t T_ntt + G_n = 0: T_tt, T_ntt and G_n follow from the data of the
@@ -74,8 +76,12 @@ static int check_options(const struct ftcs_grid *g, const struct problem *p, con
     if (p->materials > 1 && o->stepper == STEPPER_MATCHED)
         return refuse(why, STATUS_NOT_APPLICABLE, "--stepper matched: takes one material; valid here: euler, auto");
     for (int s = 0; s < 2 * p->dim; s++)
-        if (p->side[s] == ROBIN)
-            return refuse(why, STATUS_INPUT, "a Robin wall: %s has Dirichlet and Neumann walls", g->method);
+        if (p->side[s] == ROBIN && (o->layout == LAYOUT_NODE || o->stepper == STEPPER_MATCHED))
+            return refuse(
+                why, STATUS_NOT_APPLICABLE,
+                "%s: a Robin wall lies midway between a point and its ghost, which is of second order; take %s",
+                o->layout == LAYOUT_NODE ? "--layout node" : "--stepper matched",
+                o->layout == LAYOUT_NODE ? "--layout lattice" : "--stepper euler");
     if (options_is_cloud(o))
         return refuse(why, STATUS_NOT_APPLICABLE, "--layout %s: %s needs a grid: lattice or node",
                       layout_words[o->layout], g->method);
@@ -187,10 +193,19 @@ static void edge_make(struct ftcs_grid *g, const struct problem *p, const struct
         double apart = (2 * m + 1 + shift) * g->d[a], x[2];
         e->mirror[m] = m + shift < 0 ? 0 : m + shift;
         e->sign[m] = held ? 0 : given ? -1 : 1;
+        double k = p->material[last].k[a], taken = 0;
+        if (p->side[s] == ROBIN) {
+            taken = 2 / (1 + k / (p->robin[s] * apart / 2)); /* 0 to 2, whatever b is */
+            e->sign[m] = 1 - taken;
+        }
         for (int i = 0; i < length; i++) {
             x[a] = s % 2 ? p->hi[a] : p->lo[a];
             x[b] = g->origin[b] + i * g->d[b];
-            double value = p->wall(p, s, x), k = p->material[last].k[a];
+            double value = p->wall(p, s, x);
+            if (p->side[s] == ROBIN) {
+                e->offset[m * length + i] = taken * value;
+                continue;
+            }
             e->offset[m * length + i] =
                 held ? value : (given ? 2 * value : value / k * apart) + beyond(p, s, x, apart / 2, k) / k;
         }
@@ -220,7 +235,7 @@ static void bound(struct ftcs_grid *g, const struct problem *p, double source) {
             double value = p->wall(p, (enum side)s, foot), flux = p->side[s] == NEUMANN ? fabs(value) : 0;
             double k = p->material[s == X_HI ? p->materials - 1 : 0].k[s / 2];
             more = fmax(more, flux * (extent / k + p->t_end / g->rho_c / extent));
-            if (p->side[s] == DIRICHLET) lowest = fmin(lowest, value), highest = fmax(highest, value);
+            if (p->side[s] != NEUMANN) lowest = fmin(lowest, value), highest = fmax(highest, value);
         }
     }
     g->middle = 0.5 * (lowest + highest);

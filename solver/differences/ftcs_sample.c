@@ -35,9 +35,13 @@ static double continued(const struct problem *p, const double x[2]) {
         foot[a] = wall;
         image[a] = 2 * wall - x[a];
         double value = p->wall(p, (enum side)s, foot), inner = continued(p, image);
-        sum += p->side[s] == DIRICHLET
-                   ? 2 * value - inner
-                   : inner + 2 * outside * value / p->material[s == X_HI ? p->materials - 1 : 0].k[a];
+        if (p->side[s] == ROBIN) { /* k dT/dn = b (T_a - T), midway */
+            double k = p->material[s == X_HI ? p->materials - 1 : 0].k[a];
+            sum += inner + 2 * (value - inner) / (1 + k / (p->robin[s] * outside));
+        } else
+            sum += p->side[s] == DIRICHLET
+                       ? 2 * value - inner
+                       : inner + 2 * outside * value / p->material[s == X_HI ? p->materials - 1 : 0].k[a];
         sides++;
     }
     return sides ? sum / sides : p->initial(p, x);

@@ -34,8 +34,12 @@ int particles_resolve(const struct problem *p, const struct options *o, const st
     if (options_is_cloud(o) && !(o->jitter >= 0 && o->jitter <= 0.5))
         return refuse(why, STATUS_INPUT, "--jitter %g: must lie in 0 to 0.5, in units of dx", o->jitter);
     for (int side = 0; side < 2 * p->dim; side++)
-        if (p->side[side] == ROBIN)
-            return refuse(why, STATUS_INPUT, "a Robin wall: the particle methods have Dirichlet and Neumann walls");
+        if (p->side[side] == ROBIN && (o->stepper == STEPPER_MATCHED || order > 2))
+            return refuse(
+                why, STATUS_NOT_APPLICABLE,
+                "%s: a Robin wall's temperature moves, and its second derivative with it: the ghosts there are of "
+                "second order; take %s",
+                order > 2 ? "--order 3 and 4" : "--stepper matched", order > 2 ? "--order 2" : "another stepper");
     if (p->materials == 2 && o->sampling == SAMPLING_SPLINE)
         return refuse(why, STATUS_NOT_APPLICABLE,
                       "--sampling spline: four cells of two materials have no common average; take point or cell");

@@ -121,7 +121,7 @@ static void scratch_flush(struct scratch *s, size_t i, struct list *out, double 
 
 /* Adds w T_point to the row: the point may be a ghost. */
 static void add_entry(const struct cloud *c, struct scratch *s, double *g, uint32_t point, double w) {
-    scratch_add(s, c->source[point], w * c->sign[point]);
+    scratch_add(s, c->source[point], w * (c->factor ? c->factor[point] : c->sign[point]));
     *g += w * c->offset[point];
 }
 

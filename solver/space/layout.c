@@ -10,6 +10,7 @@
  *   fixed      T_g = T_wall (Pamplona Fig. 3, first order)
  *   Dirichlet  T_g = 2 T_wall - T_source + d^2 T_nn + O(d^4)
  *   Neumann    T_g = T_source + 2 d q / k_n + d^3/3 T_nnn + O(d^5)
+ *   Robin      T_g = f T_source + (1 - f) T_a + O(d^3), f = (k_n - b d)/(k_n + b d): k_n dT/dn = b (T_a - T) midway
  * Sides and source do not change in time, so that the equation gives k_n T_nn = -G - k_t T_tt on a Dirichlet wall
  * and, from its derivative, k_n T_nnn = -G_n - k_t (q/k_n)_tt on a Neumann wall.  With central differences of step d
  *   d^2 T_nn = -(d^2 G + k_t D^2 T_wall) / k_n,   d^3/3 T_nnn = -(d^2/6 (G_g - G_source) + d/3 k_t D^2 q / k_n) /
@@ -63,6 +64,18 @@ static int refuse_spacing(const struct problem *p, const struct options *o, doub
                   o->dx, near[0], near[1]);
 }
 
+/* (k - b d)/(k + b d), with no overflow where b is huge: what a ghost d beyond a Robin wall takes of its source. */
+static double robin_factor(const struct problem *p, int side, double k, double d) {
+    double ratio = p->side[side] == ROBIN ? p->robin[side] * d / k : 0;
+    return ratio > 1 ? (1 / ratio - 1) / (1 / ratio + 1) : (1 - ratio) / (1 + ratio);
+}
+
+double layout_robin_sum(double robin, int k) {
+    double sum = robin;
+    for (int i = 1; i < k; i++) sum = robin * (sum + 1) - 1;
+    return sum;
+}
+
 int layout_lattice(const struct problem *p, const struct options *o, double ratio, struct lattice *l,
                    struct failure *why) {
     *l = (struct lattice){.dim = p->dim, .n = {1, 1}, .dx = {1, 1}};
@@ -88,8 +101,14 @@ int layout_lattice(const struct problem *p, const struct options *o, double rati
         l->first[a] = p->lo[a] + (node ? (kind[0] == DIRICHLET) * l->dx[a] : l->dx[a] / 2);
         for (int s = 2 * a; s < 2 * a + 2; s++) {
             int dirichlet = p->side[s] == DIRICHLET;
+            double foot = s == X_HI ? p->hi[0] : p->lo[0];
             l->shift[s] = !node ? 0 : dirichlet ? -1 : 1;
-            l->sign[s] = !dirichlet ? 1 : o->walls == WALLS_FIXED ? 0 : -1;
+            l->sign[s] = p->side[s] == ROBIN ? LAYOUT_ROBIN : !dirichlet ? 1 : o->walls == WALLS_FIXED ? 0 : -1;
+            l->robin[s] = robin_factor(p, s, p->material[layout_material(p, foot)].k[a], l->dx[a] / 2);
+            if (node && p->side[s] == ROBIN)
+                return refuse(
+                    why, STATUS_NOT_APPLICABLE,
+                    "--layout node: a Robin wall lies midway between a particle and its ghost; take lattice");
         }
     }
     if (particles > PARTICLES_MAX)
@@ -132,14 +151,20 @@ static double curvature(const struct problem *p, int side, const double foot[2],
     return p->material[layout_material(p, foot[0])].k[along] * (sum - 2 * p->wall(p, (enum side)side, foot));
 }
 
-/* One reflection, along `axis`: T_ghost = *sign T_source + the returned offset.  `at` has the other coordinate. */
+/* One reflection, along `axis`: T_ghost = *sign T_source + the returned offset.  `at` has the other coordinate; l is
+ * as for layout_ghost_offset. */
 static double reflect(const struct problem *p, enum walls walls, int axis, int side, double ghost, double source,
-                      const double at[2], int *sign) {
+                      const double at[2], const struct lattice *l, double *sign) {
     double foot[2] = {at[0], at[1]}, outer[2] = {at[0], at[1]}, inner[2] = {at[0], at[1]};
     foot[axis] = side % 2 ? p->hi[axis] : p->lo[axis];
     outer[axis] = ghost, inner[axis] = source;
     double value = p->wall(p, (enum side)side, foot), d = fabs(ghost - foot[axis]);
     double k = p->material[layout_material(p, foot[0])].k[axis];
+    if (p->side[side] == ROBIN) {
+        int layer = l ? (int)round(d / l->dx[axis] + 0.5) : 0;
+        *sign = l ? layout_robin_sum(l->robin[side], layer) : robin_factor(p, side, k, d);
+        return (1 - *sign) * value;
+    }
     if (p->side[side] == NEUMANN) {
         double steeper = p->source ? d * d / 6 * (p->source(p, outer) - p->source(p, inner)) : 0;
         *sign = 1;
@@ -150,20 +175,20 @@ static double reflect(const struct problem *p, enum walls walls, int axis, int s
     return 2 * value - ((p->source ? d * d * p->source(p, foot) : 0) + curvature(p, side, foot, d)) / k;
 }
 
-double layout_ghost_offset(const struct problem *p, enum walls walls, const int side[2], const double ghost[2],
-                           const double source[2]) {
-    double offset = 0;
-    int orders = 0, sign;
+double layout_ghost_offset(const struct problem *p, enum walls walls, const struct lattice *l, const int side[2],
+                           const double ghost[2], const double source[2]) {
+    double offset = 0, sign;
+    int orders = 0;
     for (int outer = 0; outer < 2; outer++) { /* reflect along `outer` last */
         int inner = 1 - outer;
         if (side[outer] < 0) continue;
-        double sum = reflect(p, walls, outer, side[outer], ghost[outer], source[outer], ghost, &sign);
+        double sum = reflect(p, walls, outer, side[outer], ghost[outer], source[outer], ghost, l, &sign);
         if (side[inner] >= 0) {
             double at[2];
             at[outer] = source[outer];
             at[inner] = ghost[inner];
-            int inner_sign;
-            sum += sign * reflect(p, walls, inner, side[inner], ghost[inner], source[inner], at, &inner_sign);
+            double inner_sign;
+            sum += sign * reflect(p, walls, inner, side[inner], ghost[inner], source[inner], at, l, &inner_sign);
         }
         offset += sum;
         orders++;
@@ -200,6 +225,7 @@ static void add_ghosts(const struct problem *p, const struct options *o, const s
     for (int sx = -1; sx < 2; sx++)
         for (int sy = p->dim == 2 ? -1 : 1; sy < 2; sy++) { /* -1: not beyond this axis; else the side's parity */
             int side[2] = {sx, p->dim == 2 && sy >= 0 ? 2 + sy : -1}, sign = 1, near = 1;
+            double factor = 1;
             double ghost[2] = {source[0], source[1]};
             if (side[0] < 0 && side[1] < 0) continue;
             for (int a = 0; a < p->dim; a++) {
@@ -207,7 +233,11 @@ static void add_ghosts(const struct problem *p, const struct options *o, const s
                 double wall = side[a] % 2 ? p->hi[a] : p->lo[a];
                 near = near && fabs(source[a] - wall) < c->reach;
                 ghost[a] = 2 * wall - source[a];
-                sign *= l->sign[side[a]];
+                if (l->sign[side[a]] == LAYOUT_ROBIN)
+                    factor *= robin_factor(p, side[a], p->material[layout_material(p, ghost[0])].k[a],
+                                           fabs(source[a] - wall));
+                else
+                    sign *= l->sign[side[a]];
             }
             if (!near) continue;
             size_t k = c->total++;
@@ -215,7 +245,8 @@ static void add_ghosts(const struct problem *p, const struct options *o, const s
             c->y[k] = ghost[1];
             c->source[k] = (uint32_t)i;
             c->sign[k] = (signed char)sign;
-            c->offset[k] = layout_ghost_offset(p, o->walls, side, ghost, source);
+            if (c->factor) c->factor[k] = factor * sign;
+            c->offset[k] = layout_ghost_offset(p, o->walls, NULL, side, ghost, source);
         }
 }
 
@@ -251,6 +282,9 @@ int layout_cloud(const struct problem *p, const struct options *o, const struct 
     c->source = xcalloc(most, sizeof *c->source);
     c->sign = xcalloc(most, sizeof *c->sign);
     c->offset = xcalloc(most, sizeof *c->offset);
+    for (int s = 0; s < 2 * p->dim; s++)
+        if (p->side[s] == ROBIN && !c->factor) c->factor = xcalloc(most, sizeof *c->factor);
+    for (size_t i = 0; c->factor && i < n; i++) c->factor[i] = 1;
     place_particles(p, o, l, reach, c);
     if (o->layout == LAYOUT_RELAXED && relax_cloud(p, o, p->dim == 2 ? sqrt(c->volume) : c->volume, c, why)) {
         layout_cloud_free(c);
@@ -267,6 +301,7 @@ void layout_cloud_free(struct cloud *c) {
     free(c->source);
     free(c->sign);
     free(c->offset);
+    free(c->factor);
     free(c->spacing);
     *c = (struct cloud){0};
 }

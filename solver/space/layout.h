@@ -14,8 +14,11 @@ struct lattice {
     double dx[2];    /* m; dx[1] = 1 for a rod */
     double first[2]; /* m, position of unknown 0 */
     int shift[4]; /* the ghost k = 1, 2, ... beyond a side mirrors unknown k - 1 + shift, counted from that side; */
-    int sign[4];  /* below 0 that is the wall itself.  -1 odd, +1 even, 0 a ghost that holds the wall's value */
+    int sign[4];  /* below 0 that is the wall itself.  -1 odd, +1 even, 0 a ghost that holds the wall's value, */
+    double robin[4]; /* LAYOUT_ROBIN: T_-1 = robin T_0 and T_-k-1 = robin (T_-k + T_k) - T_k-1, and offsets */
 };
+
+enum { LAYOUT_ROBIN = 2 };
 
 /* The lattice of the options dx and layout (the lattice under the jitter for LAYOUT_JITTER).  ratio = dy / dx.
  * STATUS_INPUT where dx does not divide the domain, naming the nearest that do. */
@@ -38,11 +41,14 @@ double layout_rho_c(const struct problem *p, double width, double x);
 /* m: the width of the particles' cells on a lattice; 0 on clouds, where a particle is of one material. */
 double layout_cell(const struct options *o, double spacing);
 
+/* What ghost k = 1, 2, ... beyond a Robin side makes of a constant temperature. */
+double layout_robin_sum(double robin, int k);
+
 /* What the ghost at `ghost` adds to sign T_source, K, for the source at `source` (m).  side[a] is the side that it
  * lies beyond along axis a, or -1.  At a corner the two orders of reflection differ where the sides disagree: their
- * mean is taken. */
-double layout_ghost_offset(const struct problem *p, enum walls walls, const int side[2], const double ghost[2],
-                           const double source[2]);
+ * mean is taken.  l: the lattice that the ghost belongs to; NULL in a cloud. */
+double layout_ghost_offset(const struct problem *p, enum walls walls, const struct lattice *l, const int side[2],
+                           const double ghost[2], const double source[2]);
 
 /* Particles off the lattice, in the order of cells of side `reach`, followed by their ghosts. */
 struct cloud {
@@ -51,6 +57,7 @@ struct cloud {
     double *x, *y;     /* m, total each; y is all zero for a rod */
     uint32_t *source;  /* total; of particle i: i */
     signed char *sign; /* total */
+    double *factor;    /* total: what a Robin wall makes of the sign; NULL where there is none */
     double *offset;    /* K, total */
     double volume;     /* m^d, of every particle; their mean where they differ */
     double *spacing;   /* m, total: V^(1/d), with which h goes; NULL where all are alike */

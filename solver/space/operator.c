@@ -161,7 +161,7 @@ static void add_constants(const struct heat_operator *a, const struct problem *p
             double ghost[2], source[2];
             layout_position(l, i, j, ghost);
             layout_position(l, from[0], from[1], source);
-            double offset = layout_ghost_offset(p, o->walls, side, ghost, source);
+            double offset = layout_ghost_offset(p, o->walls, l, side, ghost, source);
             if (offset != 0) add_ghost(a, i, j, offset, g);
         }
     }

@@ -37,6 +37,10 @@ static double reflected(const struct problem *p, enum side s, double x, double y
     double foot[2] = {a ? x : wall, a ? wall : y}, value = p->wall(p, s, foot);
     double inside = a ? continued(p, x, 2 * wall - y) : continued(p, 2 * wall - x, y);
     if (p->side[s] == DIRICHLET) return 2 * value - inside;
+    if (p->side[s] == ROBIN) {
+        double ratio = p->robin[s] * beyond / p->material[layout_material(p, foot[0])].k[a];
+        return inside + 2 / (1 + 1 / ratio) * (value - inside); /* also where the ratio is 0 or overflows */
+    }
     return inside + value * 2 * beyond / p->material[layout_material(p, foot[0])].k[a];
 }
 

@@ -240,6 +240,13 @@ static void evolve_all(const struct modes *s, const struct products *start, doub
 int exact_check(const struct lattice *l, struct failure *why) {
     for (int s = 0; s < 2 * l->dim; s++)
         if (l->sign[s] == 0) return refuse(why, STATUS_NOT_APPLICABLE, "--stepper exact: needs --walls mirror");
+    for (int s = 0; s < 2 * l->dim; s++)
+        if (l->sign[s] == LAYOUT_ROBIN && l->n[s / 2] > TRANSFORM_ROBIN_MOST)
+            return refuse(
+                why, STATUS_NOT_APPLICABLE,
+                "--stepper exact: %d particles along an axis with a Robin wall, whose modes take a table of n x n: "
+                "at most %d",
+                l->n[s / 2], TRANSFORM_ROBIN_MOST);
     if ((l->shift[X_LO] > 0 && l->shift[X_HI] > 0 && l->n[0] < 2) ||
         (l->dim == 2 && l->shift[Y_LO] > 0 && l->shift[Y_HI] > 0 && l->n[1] < 2))
         return refuse(why, STATUS_NOT_APPLICABLE, "--stepper exact: needs two particles along an insulated axis");

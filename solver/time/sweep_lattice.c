@@ -39,20 +39,34 @@ static int support_of(const struct heat_operator *a) {
 
 /* ---- Homogeneous ghosts: sign x source along x, then along y, corners with them ---- */
 
+/* Beyond the last unknown *at, outwards by `step`. */
+static void robin_ghosts(double f, ptrdiff_t count, double *at, ptrdiff_t step) {
+    for (ptrdiff_t k = 1; k <= count; k++)
+        at[k * step] = k == 1 ? f * at[0] : f * (at[(k - 1) * step] + at[(1 - k) * step]) - at[(2 - k) * step];
+}
+
 static void refresh_row(const struct heat_operator *a, double *x, ptrdiff_t j) {
     const struct lattice *l = &a->lattice;
     ptrdiff_t nx = l->n[0];
     double *row = x + operator_row(a, j);
+    if (l->sign[X_LO] == LAYOUT_ROBIN) robin_ghosts(l->robin[X_LO], a->reach[0], row, -1);
+    if (l->sign[X_HI] == LAYOUT_ROBIN) robin_ghosts(l->robin[X_HI], a->reach[0], row + nx - 1, 1);
     for (ptrdiff_t k = 1; k <= a->reach[0]; k++) {
         ptrdiff_t lo = k - 1 + l->shift[X_LO], hi = k - 1 + l->shift[X_HI];
-        row[-k] = lo < 0 ? 0 : l->sign[X_LO] * row[lo];
-        row[nx - 1 + k] = hi < 0 ? 0 : l->sign[X_HI] * row[nx - 1 - hi];
+        if (l->sign[X_LO] != LAYOUT_ROBIN) row[-k] = lo < 0 ? 0 : l->sign[X_LO] * row[lo];
+        if (l->sign[X_HI] != LAYOUT_ROBIN) row[nx - 1 + k] = hi < 0 ? 0 : l->sign[X_HI] * row[nx - 1 - hi];
     }
 }
 
 static void refresh_side(const struct heat_operator *a, double *x, enum side s) {
     const struct lattice *l = &a->lattice;
     ptrdiff_t ry = a->reach[1], ny = l->n[1], width = l->n[0] + 2 * a->reach[0];
+    if (l->sign[s] == LAYOUT_ROBIN) {
+        for (ptrdiff_t i = 0; i < width; i++)
+            robin_ghosts(l->robin[s], ry, x + (s == Y_LO ? ry : ry + ny - 1) * a->stride + i,
+                         s == Y_LO ? -a->stride : a->stride);
+        return;
+    }
     for (ptrdiff_t k = 1; k <= ry; k++) {
         ptrdiff_t from = k - 1 + l->shift[s];
         double *to = x + (s == Y_LO ? ry - k : ry + ny - 1 + k) * a->stride;

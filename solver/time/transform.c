@@ -8,10 +8,18 @@
  * One plan for one line, carried out line by line: what FFTW plans without measuring for many lines at once is up to
  * four times slower.  Each pass takes rows along one axis to columns, so that two passes are a transform of the
  * plane.  Plans of the first KEPT lengths are kept for the life of the program: to plan a short line takes thirty
- * times as long as to transform it.  No result depends on whether one was kept. */
+ * times as long as to transform it.  No result depends on whether one was kept.
+ *
+ * With a Robin wall (ghosts as in layout.h) the modes are phi_k(i) = cos(theta_k (i + 1/2) - psi_lo), tan psi = (1 -
+ * f) /
+ * ((1 + f) tan(theta/2)) at a wall of factor f, since T_-1 = f T_0, and n theta_k = k pi + psi_lo + psi_hi, k = 0 ..
+ * n - 1: the right side falls from (k + 1) pi at most to k pi at least, so that each interval of pi / n has one root.
+ * They are the eigenvectors of a symmetric matrix, and so orthogonal: a table of n x n of them, of unit length, is
+ * its own inverse.  f = -1 and 1 are the sines and cosines above. */
 #include "solver/time/transform.h"
 
 #include <fftw3.h>
+#include <float.h>
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -37,6 +45,7 @@ static const struct basis bases[2][2][2] = {
 
 struct axis {
     int n, lines;
+    double *mode;      /* phi_k(i) at [k n + i], of unit length; NULL where FFTW does it */
     fftw_plan plan[2]; /* forward, back; of one line */
     int kept[2];       /* 1: not to be destroyed */
 };
@@ -50,14 +59,55 @@ static const struct basis *basis_of(const struct lattice *l, int axis) {
     return &bases[l->shift[2 * axis] != 0][l->sign[2 * axis] > 0][l->sign[2 * axis + 1] > 0];
 }
 
+static int is_robin(const struct lattice *l, int axis) {
+    return l->sign[2 * axis] == LAYOUT_ROBIN || l->sign[2 * axis + 1] == LAYOUT_ROBIN;
+}
+
+/* psi of a side */
+static double phase(const struct lattice *l, int side, double theta) {
+    double f = l->sign[side] == LAYOUT_ROBIN ? l->robin[side] : l->sign[side];
+    return atan2(1 - f, (1 + f) * tan(theta / 2));
+}
+
+/* n theta_k - k pi, in [0, pi] */
+static double robin_shift(const struct lattice *l, int axis, int k) {
+    double lo = 0, hi = M_PI;
+    for (int step = 0; step < 100 && hi - lo > DBL_EPSILON / 4 * hi; step++) {
+        double shift = (lo + hi) / 2, theta = (M_PI * k + shift) / l->n[axis];
+        *(shift < phase(l, 2 * axis, theta) + phase(l, 2 * axis + 1, theta) ? &lo : &hi) = shift;
+    }
+    return (lo + hi) / 2;
+}
+
+/* Whole turns are taken off theta (i + 1/2) = (k pi + shift) (2 i + 1) / (2 n) as whole numbers: it may be thousands.
+ */
+static double *robin_modes(const struct lattice *l, int axis) {
+    size_t n = (size_t)l->n[axis];
+    double *mode = xcalloc(n * n, sizeof *mode);
+    for (size_t k = 0; k < n; k++) {
+        double shift = robin_shift(l, axis, (int)k), psi = phase(l, 2 * axis, (M_PI * (double)k + shift) / (double)n);
+        double sum = 0, unit = 0.5 / (double)n;
+        for (size_t i = 0; i < n; i++) {
+            double turned = M_PI * (double)(k * (2 * i + 1) % (4 * n)),
+                   value = cos((turned + shift * (double)(2 * i + 1)) * unit - psi);
+            mode[k * n + i] = value;
+            sum += value * value;
+        }
+        for (size_t i = 0; i < n; i++) mode[k * n + i] /= sqrt(sum);
+    }
+    return mode;
+}
+
 double transform_angle(const struct lattice *l, int axis, int k) {
+    if (is_robin(l, axis)) return (M_PI * k + robin_shift(l, axis, k)) / l->n[axis];
     const struct basis *b = basis_of(l, axis);
     return M_PI * (k + b->first) / (l->n[axis] + b->more);
 }
 
 double transform_scale(const struct lattice *l) {
     double scale = 1;
-    for (int a = 0; a < l->dim; a++) scale *= 2.0 * (l->n[a] + basis_of(l, a)->more);
+    for (int a = 0; a < l->dim; a++)
+        if (!is_robin(l, a)) scale *= 2.0 * (l->n[a] + basis_of(l, a)->more);
     return scale;
 }
 
@@ -88,6 +138,10 @@ static fftw_plan find_plan(int n, fftw_r2r_kind kind, int *is_kept) {
 
 static struct axis prepare(const struct lattice *l, int axis) {
     struct axis a = {.n = l->n[axis], .lines = l->dim == 2 ? l->n[1 - axis] : 1};
+    if (is_robin(l, axis)) {
+        a.mode = robin_modes(l, axis);
+        return a;
+    }
 #pragma omp critical(fftw_planner)
     for (int way = 0; way < 2; way++) a.plan[way] = find_plan(a.n, basis_of(l, axis)->kind[way], &a.kept[way]);
     return a;
@@ -96,22 +150,32 @@ static struct axis prepare(const struct lattice *l, int axis) {
 struct transform *transform_create(const struct lattice *l) {
     struct transform *t = xcalloc(1, sizeof *t);
     t->dim = l->dim;
-    t->is_square = l->dim == 2 && l->n[0] == l->n[1] && basis_of(l, 0) == basis_of(l, 1);
+    t->is_square =
+        l->dim == 2 && l->n[0] == l->n[1] && basis_of(l, 0) == basis_of(l, 1) && !is_robin(l, 0) && !is_robin(l, 1);
     t->axis[0] = prepare(l, 0);
     if (l->dim == 2) t->axis[1] = t->is_square ? t->axis[0] : prepare(l, 1);
     return t;
 }
 
 void transform_free(struct transform *t) {
-    for (int a = 0; a < (t->is_square ? 1 : t->dim); a++)
+    for (int a = 0; a < (t->is_square ? 1 : t->dim); a++) {
 #pragma omp critical(fftw_planner)
         for (int way = 0; way < 2; way++)
-            if (!t->axis[a].kept[way]) fftw_destroy_plan(t->axis[a].plan[way]);
+            if (!t->axis[a].mode && !t->axis[a].kept[way]) fftw_destroy_plan(t->axis[a].plan[way]);
+        free(t->axis[a].mode);
+    }
     free(t);
 }
 
 /* FFTW takes no const, but keeps its input by FFTW_PRESERVE_INPUT. */
 static void line(const struct axis *a, int way, const double *from, double *to) {
+    size_t n = (size_t)a->n;
+    if (a->mode) {
+        memset(to, 0, n * sizeof *to);
+        for (size_t k = 0; k < n; k++)
+            for (size_t i = 0; i < n; i++) to[way ? i : k] += a->mode[k * n + i] * from[way ? k : i];
+        return;
+    }
     fftw_execute_r2r(a->plan[way], (double *)from, to);
 }
 
@@ -127,6 +191,10 @@ double transform_flops(const struct transform *t) {
     double all = 0;
     for (int a = 0; a < t->dim; a++) {
         double add, mul, fma;
+        if (t->axis[a].mode) {
+            all += 2 * t->axis[a].n;
+            continue;
+        }
         fftw_flops(t->axis[a].plan[1], &add, &mul, &fma);
         all += (add + mul + 2 * fma) / t->axis[a].n;
     }

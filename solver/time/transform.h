@@ -3,8 +3,10 @@
 
 #include "solver/space/layout.h"
 
-/* The sine or cosine transform of a lattice that has the parity of its mirroring walls (sign -1 or +1) on each axis.
- */
+/* The sine or cosine transform of a lattice that has the parity of its mirroring walls (sign -1 or +1) on each axis,
+ * or along an axis with a Robin wall the modes of that. */
+
+enum { TRANSFORM_ROBIN_MOST = 4096 }; /* unknowns along an axis with a Robin wall: its table is of their square */
 
 struct transform;
 

@@ -63,8 +63,8 @@ static void disagreeing_corners_take_the_mean(void **state) {
     /* walls at 0.8 K (right) and -0.23 K (top): 2 (0.8) - (2 (-0.23) - T) or 2 (-0.23) - (2 (0.8) - T) */
     const int side[2] = {X_HI, Y_HI};
     const double source[2] = {1.11, 1.37}, ghost[2] = {1.19, 1.43};
-    assert_near(layout_ghost_offset(&p, WALLS_MIRROR, side, ghost, source), 0, 1e-15);
-    assert_near(layout_ghost_offset(&p, WALLS_FIXED, side, ghost, source), (0.8 - 0.23) / 2, 1e-15);
+    assert_near(layout_ghost_offset(&p, WALLS_MIRROR, NULL, side, ghost, source), 0, 1e-15);
+    assert_near(layout_ghost_offset(&p, WALLS_FIXED, NULL, side, ghost, source), (0.8 - 0.23) / 2, 1e-15);
 }
 
 static void fixed_ghosts_hold_the_wall(void **state) {
