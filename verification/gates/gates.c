@@ -21,6 +21,7 @@
 const struct gate gates_table[] = {
 #include "verification/gates/rod.def"
 #include "verification/gates/manufactured.def"
+#include "verification/gates/cooling.def"
 #include "verification/gates/materials.def"
 #include "verification/gates/plane.def"
 #include "verification/gates/operators.def"
