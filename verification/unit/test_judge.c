@@ -289,6 +289,15 @@ static void flattening_passes_no_more_than_it_must(void **state) {
         }
 }
 
+static void what_does_not_fall_is_named(void **state) {
+    (void)state;
+    const double x[5] = {16, 8, 4, 2, 1}, error[5] = {70, 30, 16, 17.5, 2};
+    struct judged l = {x, error, 5, 0};
+    char reason[240];
+    assert_int_equal(judge_order(&l, 0.9, 1.1, reason, sizeof reason), VERDICT_FAIL);
+    assert_string_equal(reason, "the error does not fall: 1.6000e+01 at 4, 1.7500e+01 at 2");
+}
+
 static void the_fine_slope_by_hand(void **state) {
     (void)state;
     const double x[5] = {16, 8, 4, 2, 1}, error[5] = {7, 3, 16, 4, 2};
@@ -330,6 +339,7 @@ int main(void) {
         cmocka_unit_test(stand_ins_get_their_verdict),
         cmocka_unit_test(honest_scatter_passes_as_often_as_it_can),
         cmocka_unit_test(flattening_passes_no_more_than_it_must),
+        cmocka_unit_test(what_does_not_fall_is_named),
         cmocka_unit_test(the_fine_slope_by_hand),
         cmocka_unit_test(the_floor_by_hand),
         cmocka_unit_test(roughness_by_hand),

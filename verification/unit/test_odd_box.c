@@ -9,6 +9,7 @@
 #include "verification/unit/near.h"
 
 #include <gsl/gsl_errno.h>
+#include <stdio.h>
 #include <string.h>
 
 extern const struct method method_so_ssph, method_fo_ssph, method_brookshaw, method_ftcs, method_ftcs_flux;
@@ -302,13 +303,39 @@ static void axes_can_be_exchanged(void **state) {
                     }
 }
 
+/* ---- Where and when a run failed is what it says: on a particle of the box, with the step's own number ---- */
+
+static void a_failure_says_where(void **state) {
+    (void)state;
+    for (int dim = 1; dim <= 2; dim++) {
+        struct problem p = dim == 2 ? odd_rectangle() : odd_rod();
+        struct options o = usual;
+        struct field f;
+        struct failure why;
+        double x[2] = {0, 0.2375}, sum = 0, dt = 0.52 * o.dx * o.dx / ((0.7 + (dim == 2 ? 0.4 : 0)) / 1.3);
+        p.t_end = 4000 * dt;
+        o.fourier = 0, o.dt = dt;
+        assert_int_equal(method_ftcs.solve(&p, &o, &f, &why), STATUS_UNSTABLE);
+        const char *at = strstr(why.text, "at x = "), *bound = strstr(why.text, "kappa dt/dx^2 is ");
+        assert_true(at && bound);
+        assert_int_equal(sscanf(at, dim == 2 ? "at x = %lf m, y = %lf m" : "at x = %lf m", &x[0], &x[1]), dim);
+        assert_int_equal(sscanf(bound, "kappa dt/dx^2 is %lf", &sum), 1);
+        for (int a = 0; a < dim; a++) {
+            double cells = (x[a] - p.lo[a]) / o.dx - 0.5;
+            assert_near(cells, nearbyint(cells), 1e-4);
+            assert_true(p.lo[a] < x[a] && x[a] < p.hi[a]);
+        }
+        assert_near(sum, dt * (0.7 + (dim == 2 ? 0.4 : 0)) / 1.3 / (o.dx * o.dx), 1e-4);
+    }
+}
+
 int main(void) {
     gsl_set_error_handler_off();
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(on_lattices),           cmocka_unit_test(on_clouds),
         cmocka_unit_test(of_higher_order),       cmocka_unit_test(waves_decay_at_their_rate),
         cmocka_unit_test(heat_is_counted),       cmocka_unit_test(walls_are_hot_where_they_are),
-        cmocka_unit_test(axes_can_be_exchanged),
+        cmocka_unit_test(axes_can_be_exchanged), cmocka_unit_test(a_failure_says_where),
     };
     return cmocka_run_group_tests_name("odd_box", tests, NULL, NULL);
 }

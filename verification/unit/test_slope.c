@@ -105,6 +105,22 @@ static void coarse_rungs_are_left_out_until_four_remain(void **state) {
     assert_true(w.counts[2] && w.counts[3] && w.counts[4] && w.counts[5]);
 }
 
+/* Of an even number of finer local slopes the median is the mean of the middle two: of 2.00, 2.04, 2.12, 2.16 it
+ * is 2.08, from which 1.99 is less than 0.1 off and 1.97 is more. */
+static void the_median_of_an_even_number(void **state) {
+    (void)state;
+    for (int k = 0; k < 2; k++) {
+        const double local[N - 1] = {k ? 1.97 : 1.99, 2.00, 2.04, 2.12, 2.16};
+        struct window w;
+        struct window_rung rung[N];
+        double error[N] = {1};
+        for (int i = 0; i + 1 < N; i++) error[i + 1] = error[i] * pow(2, -local[i]);
+        rungs(error, N, rung);
+        window_choose(rung, N, &w);
+        assert_int_equal(w.counts[0], !k);
+    }
+}
+
 /* Second order on coarse rungs, nothing on fine ones: the fine ones stay, and fail. */
 static void the_fine_end_tells_the_truth(void **state) {
     (void)state;
@@ -147,6 +163,7 @@ int main(void) {
         cmocka_unit_test(a_clean_ladder_counts_whole),
         cmocka_unit_test(floors_are_left_out_with_their_reason),
         cmocka_unit_test(coarse_rungs_are_left_out_until_four_remain),
+        cmocka_unit_test(the_median_of_an_even_number),
         cmocka_unit_test(the_fine_end_tells_the_truth),
         cmocka_unit_test(what_is_not_finite_is_not_left_out),
         cmocka_unit_test(an_error_of_zero_is_rounding),
