@@ -2,6 +2,7 @@
 #include "verification/ladder/ladder.h"
 
 #include "verification/foreign/results.h"
+#include "verification/ladder/diagnose.h"
 #include "verification/ladder/judge.h"
 #include "verification/ladder/self_difference.h"
 #include "verification/text/json.h"
@@ -78,9 +79,15 @@ static struct experiment rung_of(const struct experiment *e, const struct ladder
     return rung;
 }
 
+/* Where the field of a rung is kept: of the finest and of the one before, which a diagnosis looks at. */
+static struct field *keep(struct field kept[2], int before_finest) {
+    return kept && before_finest < 2 ? &kept[before_finest] : NULL;
+}
+
 /* One after the other, the coarsest first, and none after one that failed: another program is timed alone, and what
  * it does wrong shows where it costs least.  Of answers that are there already each is looked at. */
-static void climb_program(const struct experiment *e, const struct ladder_rungs *rungs, struct ladder *l) {
+static void climb_program(const struct experiment *e, const struct ladder_rungs *rungs, struct ladder *l,
+                          struct field kept[2]) {
     int failed = 0;
     l->tried = 1;
     for (int i = 0; i < l->n; i++) {
@@ -94,14 +101,14 @@ static void climb_program(const struct experiment *e, const struct ladder_rungs 
                                  .time_error = NAN};
             refuse(&r->failure, STATUS_NUMERICAL, "not run, since a coarser one failed");
         } else {
-            failed = run_experiment(&rung, r, NULL) || failed;
+            failed = run_experiment(&rung, r, keep(kept, l->n - 1 - i)) || failed;
         }
     }
 }
 
 /* Against the semi-discrete reference, or the exact solution where there is none. */
 static void climb(const struct experiment *e, const struct ladder_rungs *rungs, struct ladder *l,
-                  const struct semidiscrete *reference) {
+                  const struct semidiscrete *reference, struct field kept[2]) {
     struct progress progress = progress_start("rungs", l->n);
 #pragma omp parallel for schedule(dynamic, 1)
     for (int i = 0; i < l->n; i++) {
@@ -110,7 +117,7 @@ static void climb(const struct experiment *e, const struct ladder_rungs *rungs, 
         if (reference)
             run_against(&rung, reference->field.T, reference->error, &l->rung[finest_first]);
         else
-            run_experiment(&rung, &l->rung[finest_first], NULL);
+            run_experiment(&rung, &l->rung[finest_first], keep(kept, i));
         progress_tick(&progress);
     }
     progress_end(&progress);
@@ -165,7 +172,7 @@ static int climb_in_time(const struct experiment *e, const struct ladder_rungs *
     if (status_refused(status)) return status;
     l->semidiscrete_steps = reference.steps;
     l->semidiscrete_error = reference.error;
-    if (!status) climb(e, rungs, l, &reference);
+    if (!status) climb(e, rungs, l, &reference, NULL);
     for (int i = 0; status && i < l->n; i++)
         l->rung[i] = (struct result){.scene = e->scene,
                                      .method = e->method,
@@ -177,26 +184,35 @@ static int climb_in_time(const struct experiment *e, const struct ladder_rungs *
     return STATUS_OK;
 }
 
+static void judge(const struct ladder_rungs *rungs, struct ladder *l) {
+    if (rungs->expect.count) ladder_judge(l, rungs->expect.value[0], rungs->expect.value[1]);
+    if (!(rungs->ceiling > 0)) return;
+    if (!rungs->expect.count && !l->failure.status) l->verdict = VERDICT_PASS, l->reason[0] = '\0';
+    judge_ceiling(ladder_finest_error(l), rungs->ceiling, &l->verdict, l->reason, sizeof l->reason);
+}
+
 int ladder_run(const struct experiment *e, const struct ladder_rungs *rungs, struct ladder *l, struct failure *why) {
     double start = omp_get_wtime();
+    struct field kept[2] = {{0}, {0}};
     *l = (struct ladder){0};
     if (plan(rungs, l, why)) return why->status;
     memcpy(l->vary, e->program.vary, sizeof l->vary);
     if (program_given(&e->program) && !l->in_time)
-        climb_program(e, rungs, l);
+        climb_program(e, rungs, l, kept);
     else if (!l->in_time)
-        climb(e, rungs, l, NULL);
+        climb(e, rungs, l, NULL, kept);
     else if (climb_in_time(e, rungs, l, why))
         return why->status;
     int status = collect(l, why);
-    if (status_refused(status) && !l->tried) return status;
-    ladder_fit(l, e->derived ? LADDER_QUANTITY : rungs->norm);
-    if (rungs->expect.count) ladder_judge(l, rungs->expect.value[0], rungs->expect.value[1]);
-    if (rungs->ceiling > 0) {
-        if (!rungs->expect.count && !l->failure.status) l->verdict = VERDICT_PASS, l->reason[0] = '\0';
-        judge_ceiling(ladder_finest_error(l), rungs->ceiling, &l->verdict, l->reason, sizeof l->reason);
+    if (!status_refused(status) || l->tried) {
+        ladder_fit(l, e->derived ? LADDER_QUANTITY : rungs->norm);
+        judge(rungs, l);
+        int judged = rungs->expect.count || rungs->ceiling > 0;
+        l->diagnosed = judged && l->verdict != VERDICT_PASS && !l->in_time && !l->vary[0] && !l->failure.status;
+        if (l->diagnosed) diagnose_ladder(e, kept, l);
+        l->seconds = omp_get_wtime() - start;
     }
-    l->seconds = omp_get_wtime() - start;
+    for (int k = 0; k < 2; k++) field_free(&kept[k]);
     return status;
 }
 
@@ -311,4 +327,5 @@ void ladder_json(const struct ladder *l, struct json *j) {
     json_end(j);
     json_text(j, "verdict", verdict_words[l->verdict]);
     json_text(j, "reason", l->reason);
+    diagnosis_json(&l->diagnosis, j);
 }

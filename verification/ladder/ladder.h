@@ -1,6 +1,7 @@
 #ifndef HEATLADDER_VERIFICATION_LADDER_LADDER_H
 #define HEATLADDER_VERIFICATION_LADDER_LADDER_H
 
+#include "verification/diagnosis/diagnosis.h"
 #include "verification/run/experiment.h"
 #include "verification/run/result.h"
 #include "verification/ladder/slope.h"
@@ -55,6 +56,8 @@ struct ladder {
     struct failure failure; /* of the first rung that failed numerically */
     enum verdict verdict;
     char reason[240];
+    int diagnosed; /* 1: a ladder in space did not pass, and `diagnosis` says what its errors look like */
+    struct diagnosis diagnosis;
     double seconds;
 };
 

@@ -109,6 +109,12 @@ int page_ladder_write(const struct ladder *l, const struct ladder_rungs *asked, 
     ladder_slope_text(l, slope, sizeof slope);
     html_text(out, slope);
     fprintf(out, ".</p>\n");
+    if (l->diagnosed) {
+        fprintf(out, "<p>Diagnosis: ");
+        html_text(out, l->diagnosis.what);
+        if (l->diagnosis.named) fprintf(out, " (%.0f %% of the error)", 100 * l->diagnosis.share);
+        fprintf(out, ".</p>\n");
+    }
     page_put_origin(out);
     fprintf(out, "<figure>\n");
     chart_write(&chart, out);

@@ -76,6 +76,10 @@ static void print_text(const struct ladder *l) {
     printf("\n%s\n", what);
     printf("%s%s%s: %s (%.2g s)\n", paint_start(stdout, verdict), verdict, paint_end(stdout, verdict), l->reason,
            l->seconds);
+    if (l->diagnosis.named)
+        printf("diagnosis: %s (%.0f %% of the error)\n", l->diagnosis.what, 100 * l->diagnosis.share);
+    else if (l->diagnosed)
+        printf("diagnosis: %s\n", l->diagnosis.what);
 }
 
 static void print_json(const struct ladder *l) {

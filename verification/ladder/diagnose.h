@@ -1,0 +1,13 @@
+#ifndef HEATLADDER_VERIFICATION_LADDER_DIAGNOSE_H
+#define HEATLADDER_VERIFICATION_LADDER_DIAGNOSE_H
+
+#include "solver/field.h"
+
+struct experiment;
+struct ladder;
+
+/* Which usual fault the errors of a ladder in space look like, into l->diagnosis: from the fields of its finest rung
+ * and of the one before, in that order (n = 0 where a rung has none). */
+void diagnose_ladder(const struct experiment *e, const struct field kept[2], struct ladder *l);
+
+#endif
