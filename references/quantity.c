@@ -73,7 +73,7 @@ static struct approx heat_density(const void *data, const double x[2]) {
 static struct approx flux_density(const void *data, const double along[2]) {
     const struct field_at *f = data;
     const struct problem *p = f->now.problem;
-    int s = f->side, a = s / 2;
+    int s = (int)f->side, a = s / 2;
     double x[2] = {along[0], p->dim == 2 ? along[0] : 0};
     x[a] = s % 2 ? p->hi[a] : p->lo[a];
     double wall = p->wall(p, f->side, x), k = material_at(p, x)->k[a], b = p->robin[s];

@@ -28,7 +28,8 @@ static void put_band(const struct page_gate *g, FILE *out) {
     html_cell(out, "td", text);
     snprintf(text, sizeof text, "%.4g", g->value);
     html_cell(out, "td", text);
-    snprintf(text, sizeof text, isnan(g->ceiling) ? "" : "%.3g, at most %.3g", g->error, g->ceiling);
+    text[0] = '\0';
+    if (!isnan(g->ceiling)) snprintf(text, sizeof text, "%.3g, at most %.3g", g->error, g->ceiling);
     html_cell(out, "td", text);
 }
 
