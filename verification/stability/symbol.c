@@ -33,7 +33,7 @@ static int from_scheme(struct symbol *s, const struct model_problem *b, struct f
     return STATUS_OK;
 }
 
-/* (T_1 - T_0) / dt around an impulse; mirrored, since T at -j says what the impulse's neighbour at +j weighs. */
+/* (T_1 - T_0) / dt around an impulse; mirrored, since T at -j says what the impulse's neighbour at +j counts. */
 static int from_impulse(struct symbol *s, const struct model_problem *given, struct failure *why) {
     struct model_problem b = *given;
     struct field f;

@@ -13,7 +13,7 @@
 
 extern const struct method method_so_ssph, method_contact_ssph, method_brookshaw, method_kernel_second;
 
-static struct options settled(enum layout_name layout) {
+static struct options options_of(enum layout_name layout) {
     return (struct options){
         .dx = 0.05, .h = 1.23, .seed = 7, .layout = layout, .jitter = 0.5, .grading = 2.7, .sweeps = 2000};
 }
@@ -35,7 +35,7 @@ static double distance(const struct cloud *c, size_t i, size_t j) {
 static void six_neighbours(void **state) {
     (void)state;
     struct problem p = odd_rectangle();
-    struct options o = settled(LAYOUT_HEXAGONAL);
+    struct options o = options_of(LAYOUT_HEXAGONAL);
     struct cloud c;
     int seen = 0;
     make(&p, &o, &c);
@@ -59,7 +59,7 @@ static void six_neighbours(void **state) {
 static void graded_cells(void **state) {
     (void)state;
     struct problem p = odd_rectangle();
-    struct options o = settled(LAYOUT_GRADED);
+    struct options o = options_of(LAYOUT_GRADED);
     struct lattice l;
     struct failure why;
     assert_int_equal(layout_lattice(&p, &o, 1, &l, &why), STATUS_OK);
@@ -82,7 +82,7 @@ static void graded_cells(void **state) {
 static void ghosts_take_after_their_sources(void **state) {
     (void)state;
     struct problem p = odd_rectangle();
-    struct options o = settled(LAYOUT_GRADED);
+    struct options o = options_of(LAYOUT_GRADED);
     struct cloud c;
     double sum = 0;
     make(&p, &o, &c);
@@ -111,7 +111,7 @@ static double nearest(const struct cloud *c) {
 static void settled_clouds(void **state) {
     (void)state;
     struct problem p = odd_rectangle();
-    struct options o = settled(LAYOUT_RELAXED), start = settled(LAYOUT_JITTER);
+    struct options o = options_of(LAYOUT_RELAXED), start = options_of(LAYOUT_JITTER);
     struct cloud c, d, raw;
     make(&p, &o, &c);
     make(&p, &start, &raw);
@@ -140,7 +140,7 @@ static void settled_clouds(void **state) {
 static void unsettled_clouds_say_how_far_they_came(void **state) {
     (void)state;
     struct problem p = odd_rectangle();
-    struct options o = settled(LAYOUT_RELAXED);
+    struct options o = options_of(LAYOUT_RELAXED);
     struct field f;
     struct failure why;
     o.sweeps = 3;
@@ -163,7 +163,7 @@ static void affine_fields_stay_on_any_cloud(void **state) {
     (void)state;
     for (int layout = LAYOUT_JITTER; layout <= LAYOUT_GRADED; layout++) {
         struct problem p = odd_rectangle();
-        struct options o = settled((enum layout_name)layout);
+        struct options o = options_of((enum layout_name)layout);
         struct failure why = {0};
         struct field f;
         p.initial = affine, p.wall = affine_wall;
@@ -183,7 +183,7 @@ static void affine_fields_stay_where_clouds_are_drawn_anew(void **state) {
     (void)state;
     for (int order = 2; order <= 3; order++) {
         struct problem p = odd_rectangle();
-        struct options o = settled(LAYOUT_JITTER);
+        struct options o = options_of(LAYOUT_JITTER);
         struct failure why = {0};
         struct field f, once;
         p.initial = affine, p.wall = affine_wall, p.t_end = 0.003;
@@ -206,7 +206,7 @@ static void affine_fields_stay_where_clouds_are_drawn_anew(void **state) {
 static void what_cannot_be_drawn_anew(void **state) {
     (void)state;
     struct problem p = odd_rectangle();
-    struct options o = settled(LAYOUT_GRADED);
+    struct options o = options_of(LAYOUT_GRADED);
     struct field f;
     struct failure why;
     o.redraw = 3, o.fourier = 0.05;
@@ -230,7 +230,7 @@ static void pair_fluxes_keep_heat_on_every_cloud(void **state) {
     for (int m = 0; m < 2; m++)
         for (int layout = LAYOUT_RELAXED; layout <= LAYOUT_GRADED; layout++) {
             struct problem p = odd_rectangle();
-            struct options o = settled((enum layout_name)layout);
+            struct options o = options_of((enum layout_name)layout);
             struct failure why = {0};
             struct field f;
             for (int s = 0; s < 4; s++) p.side[s] = NEUMANN;
@@ -304,7 +304,7 @@ static void piecewise_quadratics_are_exact(void **state) {
 static void one_material_is_so_ssph(void **state) {
     (void)state;
     struct problem p = odd_rectangle();
-    struct options o = settled(LAYOUT_JITTER);
+    struct options o = options_of(LAYOUT_JITTER);
     struct field a, b;
     struct failure why;
     o.jitter = 0.31;
@@ -323,7 +323,7 @@ static double heated(const struct problem *p, const double x[2]) {
 static void poor_contacts_are_refused(void **state) {
     (void)state;
     struct problem p = two_sides(2);
-    struct options o = settled(LAYOUT_JITTER);
+    struct options o = options_of(LAYOUT_JITTER);
     struct field f;
     struct failure why;
     double lone[1][2] = {{0.041, 0.013}}, w[1], *out[2] = {w, NULL};

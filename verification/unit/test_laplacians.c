@@ -34,7 +34,7 @@ static struct neighbourhood around(int dim, const double kappa[2]) {
         .dim = dim, .i = 3, .n = MANY, .d = place, .h = H, .V = volume, .rho_c = 1.3, .kappa = {kappa[0], kappa[1]}};
 }
 
-static void weigh(const char *name, const struct neighbourhood *nb, double w[2][MANY]) {
+static void weights_of(const char *name, const struct neighbourhood *nb, double w[2][MANY]) {
     struct problem p = odd_rectangle();
     struct options o = {.kernel = KERNEL_CUBIC};
     struct failure why = {0};
@@ -59,12 +59,12 @@ static void linear_fields_stay(void **state) {
     double w[2][MANY];
     struct neighbourhood nb = around(2, same);
     for (int k = 0; k < 4; k++) {
-        weigh(exact[k], &nb, w);
+        weights_of(exact[k], &nb, w);
         assert_near(moment(w[0], 1, 0), 0, 1e-10);
         assert_near(moment(w[0], 0, 1), 0, 1e-10);
     }
     for (int k = 0; k < 3; k++) {
-        weigh(not [k], &nb, w);
+        weights_of(not [k], &nb, w);
         assert_true(fabs(moment(w[0], 1, 0)) > 0.1);
     }
 }
@@ -75,16 +75,16 @@ static void quadratics_are_exact(void **state) {
     double w[2][MANY];
     struct neighbourhood nb = around(2, both);
     for (int k = 0; k < 2; k++) {
-        weigh(exact[k], &nb, w);
+        weights_of(exact[k], &nb, w);
         assert_near(moment(w[0], 2, 0), 2 * KX, 1e-12);
         assert_near(moment(w[0], 0, 2), 2 * KY, 1e-12);
         assert_near(moment(w[0], 1, 1), 0, 1e-12);
     }
     nb = around(2, same);
-    weigh("brookshaw_corrected", &nb, w); /* of the distance's square alone */
+    weights_of("brookshaw_corrected", &nb, w); /* of the distance's square alone */
     assert_near(moment(w[0], 2, 0) + moment(w[0], 0, 2), 4 * KX, 1e-12);
     assert_true(fabs(moment(w[0], 2, 0) - moment(w[0], 0, 2)) > 0.01);
-    weigh("cspm", &nb, w);
+    weights_of("cspm", &nb, w);
     assert_true(fabs(moment(w[0], 2, 0) - 2 * KX) > 0.001);
 }
 
@@ -92,7 +92,7 @@ static void positive_weights(void **state) {
     (void)state;
     double w[2][MANY];
     struct neighbourhood nb = around(2, same);
-    weigh("brookshaw_corrected", &nb, w);
+    weights_of("brookshaw_corrected", &nb, w);
     for (int j = 0; j < MANY; j++) assert_true(w[0][j] >= 0);
 }
 
@@ -201,7 +201,7 @@ static double solved(const double *f, components *right, components *left) {
 static double applied(const char *name, const double kappa[2]) {
     struct neighbourhood nb = around(2, kappa);
     double w[2][MANY], sum = 0;
-    weigh(name, &nb, w);
+    weights_of(name, &nb, w);
     for (int j = 0; j < MANY; j++) sum += w[0][j] * field[j];
     return sum;
 }
@@ -230,7 +230,7 @@ static void fluxes_by_the_kernels_gradient(void **state) {
     (void)state;
     double w[2][MANY];
     struct neighbourhood nb = around(2, both);
-    weigh("flux_divergence", &nb, w);
+    weights_of("flux_divergence", &nb, w);
     for (int j = 0; j < MANY; j++) {
         double r = hypot(place[j][0], place[j][1]);
         for (int a = 0; a < 2; a++) assert_near(w[a][j], -volume[j] * slope(r) * place[j][a] / r, 1e-12 / H);
