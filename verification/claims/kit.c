@@ -55,6 +55,18 @@ int claims_kit_run(struct command_run *run, struct claims_measured *m, const cha
     return status;
 }
 
+int claims_kit_result(struct result *out, struct claims_measured *m, const char *command, ...) {
+    struct command_run run;
+    va_list arguments;
+    va_start(arguments, command);
+    int status = command_run_list(&run, command, arguments);
+    va_end(arguments);
+    if (status && m) claims_kit_fail(m, run.result.failure.text);
+    *out = run.result;
+    command_run_free(&run);
+    return status;
+}
+
 int claims_kit_published(struct published *t, struct claims_measured *m, const char *name) {
     struct failure why;
     return published_read(t, name, &why) && claims_kit_fail(m, why.text);
@@ -84,13 +96,20 @@ int claims_kit_slope(struct slope *s, struct claims_measured *m, const char *com
     return status && claims_kit_fail(m, why.text);
 }
 
-int claims_kit_weights(struct claims_kit_cell *cell, const struct request *r, const double kappa[2],
-                       struct failure *why) {
-    const struct problem *p = &r->experiment.problem;
-    const struct options *o = &r->experiment.options;
+int claims_kit_weights(struct claims_kit_cell *cell, const double kappa[2], struct claims_measured *m,
+                       const char *command) {
+    struct request r;
+    struct failure why;
+    const struct problem *p = &r.experiment.problem;
+    const struct options *o = &r.experiment.options;
     double *w[2] = {cell->w[0], cell->w[1]};
-    if (operator_neighbourhood(p->dim, o->dx, o->h, cell->d, &cell->nb, why)) return why->status;
-    cell->nb.rho_c = p->material[0].rho_c;
-    memcpy(cell->nb.kappa, kappa, sizeof cell->nb.kappa);
-    return r->experiment.method->scheme->weights(p, o, &cell->nb, w, why);
+    int status = arguments_parse_line(command, &r, &why);
+    if (!status) status = operator_neighbourhood(p->dim, o->dx, o->h, cell->d, &cell->nb, &why);
+    if (!status) {
+        cell->nb.rho_c = p->material[0].rho_c;
+        memcpy(cell->nb.kappa, kappa, sizeof cell->nb.kappa);
+        status = r.experiment.method->scheme->weights(p, o, &cell->nb, w, &why);
+    }
+    arguments_free(&r);
+    return status && claims_kit_fail(m, why.text);
 }

@@ -27,6 +27,10 @@ int claims_kit_part(const char **rest, char *part, size_t size);
 int claims_kit_run(struct command_run *run, struct claims_measured *m, const char *command, ...)
     __attribute__((format(printf, 3, 4)));
 
+/* The same, of which the measures alone are kept: nothing to free. */
+int claims_kit_result(struct result *out, struct claims_measured *m, const char *command, ...)
+    __attribute__((format(printf, 3, 4)));
+
 /* reports/published/<name>.csv: 0, or 1 with *m failed. */
 int claims_kit_published(struct published *t, struct claims_measured *m, const char *name);
 
@@ -44,9 +48,9 @@ struct claims_kit_cell {
     double w[2][NEIGHBOURS_MAX];
 };
 
-/* Of the method, dx, h and kernel of a request.  0, or the status. */
-int claims_kit_weights(struct claims_kit_cell *cell, const struct request *r, const double kappa[2],
-                       struct failure *why);
+/* Of the method, dx, h and kernel of a command line.  0, or 1 with *m failed. */
+int claims_kit_weights(struct claims_kit_cell *cell, const double kappa[2], struct claims_measured *m,
+                       const char *command);
 
 /* What a row of claims.def can measure: one table a file, each ended by a NULL name.  A new measure is a function and
  * a row of the table of its file. */

@@ -67,12 +67,11 @@ static void take_table(struct claims_measured *m) {
     for (int r = 0; r < t.rows; r++) claims_kit_quote(m, &t, r);
     for (int r = 0; r < t.rows; r++)
         for (int i = 0; i < t.columns; i++) {
-            struct command_run run;
-            int bad = claims_kit_run(&run, m, "run %.*s %s%s --dx %s", scene, options, t.method[r], options + scene,
-                                     t.where[i]);
-            double measured = run.result.error.l1, ratio = measured / t.value[r][i];
-            command_run_free(&run);
-            if (bad) return;
+            struct result run;
+            if (claims_kit_result(&run, m, "run %.*s %s%s --dx %s", scene, options, t.method[r], options + scene,
+                                  t.where[i]))
+                return;
+            double measured = run.error.l1, ratio = measured / t.value[r][i];
             int digits = fabs(published_units(t.cell[r][i], measured)) <= 1;
             int near = digits || fabs(ratio - 1) <= 0.02;
             if (!near)

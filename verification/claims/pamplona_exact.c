@@ -13,11 +13,15 @@
 static const double FOREVER = 1e6; /* s: nothing transient is left of a plate of 0.1 m */
 
 /* The plate with the settings "NAME=VALUE --set ..."; 0, or *m failed. */
-static int plate(struct request *r, struct claims_measured *m, const char *settings) {
+static int plate(struct experiment *e, struct claims_measured *m, const char *settings) {
     char line[240];
+    struct request r;
     struct failure why;
     snprintf(line, sizeof line, "reference plate --at 0.01,0.01 --time 1%s%s", *settings ? " --set " : "", settings);
-    return arguments_parse_line(line, r, &why) && claims_kit_fail(m, why.text);
+    int bad = arguments_parse_line(line, &r, &why) && claims_kit_fail(m, why.text);
+    *e = r.experiment;
+    arguments_free(&r);
+    return bad;
 }
 
 /* Eq. 2 on the middle of each side. */
@@ -25,40 +29,38 @@ static void take_eq2(struct claims_measured *m) {
     static const char *const name[4] = {"T1", "T2", "T3", "T4"};
     static const double wall[4] = {0.25, 0.50, 0.75, 1.00};
     static const double middle[4][2] = {{0.05, 0}, {0.1, 0.05}, {0.05, 0.1}, {0, 0.05}};
-    struct request r;
+    struct experiment e;
     int held = 1;
-    if (!plate(&r, m, "")) {
-        for (int i = 0; i < 4; i++) {
-            double T = r.experiment.scene->published(&r.experiment.problem, middle[i], FOREVER);
-            claims_kit_number(m, T, "K", "eq. 2 on the side of %s = %.2f K", name[i], wall[i]);
-            held &= fabs(T - wall[i]) <= 1e-9;
-        }
-        claims_kit_decide(m, held, 1, "each side takes its own temperature (to 1e-9 K)");
+    if (plate(&e, m, "")) return;
+    for (int i = 0; i < 4; i++) {
+        double T = e.scene->published(&e.problem, middle[i], FOREVER);
+        claims_kit_number(m, T, "K", "eq. 2 on the side of %s = %.2f K", name[i], wall[i]);
+        held &= fabs(T - wall[i]) <= 1e-9;
     }
-    arguments_free(&r);
+    claims_kit_decide(m, held, 1, "each side takes its own temperature (to 1e-9 K)");
 }
 
-typedef double solution(const struct request *r, const double x[2], double t);
+typedef double solution(const struct experiment *e, const double x[2], double t);
 
-static double printed(const struct request *r, const double x[2], double t) {
-    return r->experiment.scene->published(&r->experiment.problem, x, t);
+static double printed(const struct experiment *e, const double x[2], double t) {
+    return e->scene->published(&e->problem, x, t);
 }
 
-static double exact(const struct request *r, const double x[2], double t) {
-    return r->experiment.scene->exact(&r->experiment.problem, x, t).temperature;
+static double exact(const struct experiment *e, const double x[2], double t) {
+    return e->scene->exact(&e->problem, x, t).temperature;
 }
 
 enum { GRID = 24 };
 
 /* Coefficient of sin(i pi x/a) sin(j pi y/b) in what T still lacks at 28.8894 s: exact but for modes beyond 24, of
  * which exp(-300) is left. */
-static double coefficient(const struct request *r, solution *T, int i, int j) {
-    const double pi = acos(-1), *hi = r->experiment.problem.hi;
+static double coefficient(const struct experiment *e, solution *T, int i, int j) {
+    const double pi = acos(-1), *hi = e->problem.hi;
     double sum = 0;
     for (int k = 1; k < GRID; k++)
         for (int l = 1; l < GRID; l++) {
             double x[2] = {hi[0] * k / GRID, hi[1] * l / GRID};
-            sum += (T(r, x, 28.8894) - T(r, x, FOREVER)) * sin(i * pi * k / GRID) * sin(j * pi * l / GRID);
+            sum += (T(e, x, 28.8894) - T(e, x, FOREVER)) * sin(i * pi * k / GRID) * sin(j * pi * l / GRID);
         }
     return 4 * sum / (GRID * GRID);
 }
@@ -67,19 +69,18 @@ static double coefficient(const struct request *r, solution *T, int i, int j) {
 static int compare(const char *side, double height, double *worst, struct claims_measured *m) {
     static const int mode[][2] = {{1, 1}, {1, 2}, {1, 3}, {3, 2}};
     char settings[160] = "";
-    struct request r;
+    struct experiment e;
     int along_x = side[1] == '1' || side[1] == '3', used = snprintf(settings, sizeof settings, "height=%g", height);
     for (int i = 1; i <= 4; i++)
         used += snprintf(settings + used, sizeof settings - (size_t)used, " --set T%d=%d", i, side[1] == '0' + i);
-    int bad = plate(&r, m, settings);
+    int bad = plate(&e, m, settings);
     *worst = 0;
     for (size_t k = 0; k < sizeof mode / sizeof *mode && !bad; k++) {
         /* a side along x (T1, T3) feeds odd m alone, one along y odd p */
         int i = mode[k][!along_x], j = mode[k][along_x];
-        double apart = fabs(coefficient(&r, printed, i, j) / coefficient(&r, exact, i, j) - 1);
+        double apart = fabs(coefficient(&e, printed, i, j) / coefficient(&e, exact, i, j) - 1);
         if (apart > *worst) *worst = apart;
     }
-    arguments_free(&r);
     return bad;
 }
 
@@ -97,95 +98,88 @@ static void take_eq7(struct claims_measured *m) {
 
 /* How far the plate is from its steady state at the time that the paper calls steady. */
 static void take_steady(struct claims_measured *m) {
-    struct request r;
+    struct experiment e;
     struct published t;
     if (claims_kit_published(&t, m, "pamplona_table1")) return;
     double printed_error = t.value[0][t.columns - 2], end = atof(t.where[t.columns - 2]);
-    if (!plate(&r, m, "")) {
-        double most = 0, apart = 0, size = 0, a2 = 0.1 * 0.1, pi = acos(-1);
-        double alpha = r.experiment.problem.material[0].k[0] / r.experiment.problem.material[0].rho_c;
-        for (int k = 0; k < 20; k++)
-            for (int l = 0; l < 20; l++) {
-                double x[2] = {(k + 0.5) * 0.005, (l + 0.5) * 0.005}, steady = exact(&r, x, FOREVER);
-                double lacks = fabs(exact(&r, x, end) - steady);
-                most = fmax(most, lacks);
-                apart += lacks;
-                size += steady;
-            }
-        claims_kit_number(m, exp(-2 * pi * pi * alpha * end / a2), "", "left of the slowest mode");
-        claims_kit_number(m, most, "K", "furthest from the steady state");
-        claims_kit_number(m, 100 * apart / size, "%", "on average");
-        claims_kit_decide(m, 100 * apart / size <= printed_error, 10 * 100 * apart / size <= printed_error,
-                          "what is missing is below the error that Table 1 prints for that time, %s %%; without "
-                          "a condition if below a tenth of it",
-                          t.cell[0][t.columns - 2]);
-    }
-    arguments_free(&r);
+    if (plate(&e, m, "")) return;
+    double most = 0, apart = 0, size = 0, a2 = 0.1 * 0.1, pi = acos(-1);
+    double alpha = e.problem.material[0].k[0] / e.problem.material[0].rho_c;
+    for (int k = 0; k < 20; k++)
+        for (int l = 0; l < 20; l++) {
+            double x[2] = {(k + 0.5) * 0.005, (l + 0.5) * 0.005}, steady = exact(&e, x, FOREVER);
+            double lacks = fabs(exact(&e, x, end) - steady);
+            most = fmax(most, lacks);
+            apart += lacks;
+            size += steady;
+        }
+    claims_kit_number(m, exp(-2 * pi * pi * alpha * end / a2), "", "left of the slowest mode");
+    claims_kit_number(m, most, "K", "furthest from the steady state");
+    claims_kit_number(m, 100 * apart / size, "%", "on average");
+    claims_kit_decide(m, 100 * apart / size <= printed_error, 10 * 100 * apart / size <= printed_error,
+                      "what is missing is below the error that Table 1 prints for that time, %s %%; without "
+                      "a condition if below a tenth of it",
+                      t.cell[0][t.columns - 2]);
 }
 
 /* The isotherm of the mean wall temperature. */
 static void take_diagonal(struct claims_measured *m) {
-    struct request r;
-    if (!plate(&r, m, "")) {
-        double most = 0, then = 0;
-        for (int k = 1; k < 20; k++) {
-            double x[2] = {k * 0.005, k * 0.005};
-            most = fmax(most, fabs(exact(&r, x, FOREVER) - 0.625));
-            then = fmax(then, fabs(exact(&r, x, 115.8822) - 0.625));
-        }
-        claims_kit_number(m, most, "K", "|T - 0.625 K| on the diagonal, steady");
-        claims_kit_number(m, then, "K", "at 115.8822 s");
-        claims_kit_decide(m, most <= 1e-9, then <= 0.02,
-                          "the diagonal has the mean of the four walls when steady (1e-9 K), and nearly so (0.02 K) "
-                          "at the time shown");
+    struct experiment e;
+    if (plate(&e, m, "")) return;
+    double most = 0, then = 0;
+    for (int k = 1; k < 20; k++) {
+        double x[2] = {k * 0.005, k * 0.005};
+        most = fmax(most, fabs(exact(&e, x, FOREVER) - 0.625));
+        then = fmax(then, fabs(exact(&e, x, 115.8822) - 0.625));
     }
-    arguments_free(&r);
+    claims_kit_number(m, most, "K", "|T - 0.625 K| on the diagonal, steady");
+    claims_kit_number(m, then, "K", "at 115.8822 s");
+    claims_kit_decide(m, most <= 1e-9, then <= 0.02,
+                      "the diagonal has the mean of the four walls when steady (1e-9 K), and nearly so (0.02 K) "
+                      "at the time shown");
 }
 
 /* "Temperatures near the left and the top drop along the time": the column and the row half a spacing from these
  * walls at the four times of Table 1. */
 static void take_drop(struct claims_measured *m) {
     struct published t;
-    struct request r;
+    struct experiment e;
     double least = INFINITY, first = 0, last = 0;
     if (claims_kit_published(&t, m, "pamplona_table1")) return;
-    if (!plate(&r, m, "")) {
-        for (int side = 0; side < 2; side++)
-            for (int i = 0; i < 20; i++) {
-                double along = (i + 0.5) * 0.005, x[2] = {side ? along : 0.0025, side ? 0.0975 : along}, T = 0;
-                for (int k = 0; k < 4; k++) {
-                    double before = T;
-                    T = exact(&r, x, atof(t.where[k]));
-                    if (k) least = fmin(least, T - before);
-                    if (k == 0) first += T / 40;
-                }
-                last += T / 40;
+    if (plate(&e, m, "")) return;
+    for (int side = 0; side < 2; side++)
+        for (int i = 0; i < 20; i++) {
+            double along = (i + 0.5) * 0.005, x[2] = {side ? along : 0.0025, side ? 0.0975 : along}, T = 0;
+            for (int k = 0; k < 4; k++) {
+                double before = T;
+                T = exact(&e, x, atof(t.where[k]));
+                if (k) least = fmin(least, T - before);
+                if (k == 0) first += T / 40;
             }
-        claims_kit_number(m, first, "K", "mean beside the left and the top wall at %s s", t.where[0]);
-        claims_kit_number(m, last, "K", "at %s s", t.where[3]);
-        claims_kit_number(m, least, "K", "least change of a point from one time to the next");
-        claims_kit_decide(m, last < first, 1, "their mean is lower at the last time than at the first");
-    }
-    arguments_free(&r);
+            last += T / 40;
+        }
+    claims_kit_number(m, first, "K", "mean beside the left and the top wall at %s s", t.where[0]);
+    claims_kit_number(m, last, "K", "at %s s", t.where[3]);
+    claims_kit_number(m, least, "K", "least change of a point from one time to the next");
+    claims_kit_decide(m, last < first, 1, "their mean is lower at the last time than at the first");
 }
 
 /* The steady state of three materials. */
 static void take_steady_material(struct claims_measured *m) {
-    struct request r[3];
+    struct experiment e[3];
     int bad = 0;
     double apart = 0, then = 0;
     for (int k = 0; k < 3; k++) {
         char setting[40];
         snprintf(setting, sizeof setting, "material=%s", xi_materials[k]);
-        bad |= plate(&r[k], m, setting);
+        bad |= plate(&e[k], m, setting);
     }
     for (int k = 1; k < 3 && !bad; k++)
         for (int i = 1; i < 20; i++) {
             double x[2] = {i * 0.005, fmod(7 * i, 20) * 0.005};
-            apart = fmax(apart, fabs(exact(&r[k], x, FOREVER) - exact(&r[0], x, FOREVER)));
-            then = fmax(then, fabs(exact(&r[k], x, 28.8894) - exact(&r[0], x, 28.8894)));
+            apart = fmax(apart, fabs(exact(&e[k], x, FOREVER) - exact(&e[0], x, FOREVER)));
+            then = fmax(then, fabs(exact(&e[k], x, 28.8894) - exact(&e[0], x, 28.8894)));
         }
-    for (int k = 0; k < 3; k++) arguments_free(&r[k]);
     if (bad) return;
     claims_kit_number(m, apart, "K", "steady states of titanium, vanadium and steel differ by at most");
     claims_kit_number(m, then, "K", "at 28.8894 s");

@@ -94,10 +94,8 @@ static void take_mass_rate(struct claims_measured *m) {
 
 /* Whether a run to 115.8822 s stays bounded; gamma as in eq. 17. */
 static int stable(double gamma) {
-    struct command_run run;
-    int status = claims_kit_run(&run, NULL, "run plate ftcs --dx 0.005 --fourier %.10g --t-end 115.8822", 2 * gamma);
-    command_run_free(&run);
-    return status == STATUS_OK;
+    struct result run;
+    return !claims_kit_result(&run, NULL, "run plate ftcs --dx 0.005 --fourier %.10g --t-end 115.8822", 2 * gamma);
 }
 
 static void take_eq17(struct claims_measured *m) {
@@ -160,11 +158,9 @@ static void take_cheaper(struct claims_measured *m) {
     struct published t;
     if (claims_kit_published(&t, m, "pamplona_table1")) return;
     for (int k = 0; k < PLATE_METHODS; k++) {
-        struct command_run run;
-        int bad = claims_kit_run(&run, m, "run plate %s --t-end %s", plate_words[k], t.where[PLATE_TIMES - 1]);
-        each[k] = (double)run.result.interactions / (double)run.result.steps;
-        command_run_free(&run);
-        if (bad) return;
+        struct result run;
+        if (claims_kit_result(&run, m, "run plate %s --t-end %s", plate_words[k], t.where[PLATE_TIMES - 1])) return;
+        each[k] = (double)run.interactions / (double)run.steps;
     }
     double seconds = t.value[0][PLATE_TIMES] / t.value[1][PLATE_TIMES], pairs = each[PLATE_SPH] / each[PLATE_FTCS];
     claims_kit_number(m, seconds, "", "printed seconds of SPH over those of FTCS");
@@ -223,16 +219,14 @@ static void take_eq11(struct claims_measured *m) {
     static const char *const mean[2] = {"arithmetic", "harmonic"};
     struct slope s[2];
     for (int i = 0; i < 2; i++) {
-        struct command_run run;
-        int bad = claims_kit_slope(&s[i], m,
-                                   "ladder rod-contact brookshaw --h 1.1 --mean %s --dx "
-                                   "2/80,2/160,2/320,2/640,2/1280",
-                                   mean[i]) ||
-                  claims_kit_run(&run, m, "run rod-contact brookshaw --h 1.1 --mean %s --dx 2/320", mean[i]);
-        if (bad) return;
+        struct result run;
+        if (claims_kit_slope(&s[i], m,
+                             "ladder rod-contact brookshaw --h 1.1 --mean %s --dx 2/80,2/160,2/320,2/640,2/1280",
+                             mean[i]) ||
+            claims_kit_result(&run, m, "run rod-contact brookshaw --h 1.1 --mean %s --dx 2/320", mean[i]))
+            return;
         claims_kit_number(m, s[i].value, "", "order, %s mean", mean[i]);
-        claims_kit_number(m, run.result.error.l1, "", "E at 320 particles");
-        command_run_free(&run);
+        claims_kit_number(m, run.error.l1, "", "E at 320 particles");
     }
     claims_kit_decide(m, s[0].ci[1] < 0.5, 1, "eq. 11 cannot deal with a jump of k if its order stays below 1/2");
 }

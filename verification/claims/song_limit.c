@@ -20,19 +20,22 @@ struct step_limits {
     double published, actual; /* s, at dx = 0.1 m and kappa = 0.01 m^2/s */
 };
 
+/* 0, or the status, with *m, where it is not NULL, failed. */
 static int limits_at(int dim, const char *method, const char *kernel, double h, struct step_limits *l,
-                     struct failure *why) {
+                     struct claims_measured *m) {
+    struct failure why;
     char line[160];
     struct request r;
     struct model_problem probe;
     struct step_limit limit;
     snprintf(line, sizeof line, "limit %s --dim %d --kernel %s --h %.10g", method, dim, kernel, h);
-    int status = arguments_parse_line(line, &r, why);
+    int status = arguments_parse_line(line, &r, &why);
     if (!status)
-        status = step_limit_setup(r.experiment.method, &r.experiment.options, r.dim, r.ratio, r.stages, &probe, why);
-    if (!status) status = step_limit_predict(&probe, &limit, why);
+        status = step_limit_setup(r.experiment.method, &r.experiment.options, r.dim, r.ratio, r.stages, &probe, &why);
+    if (!status) status = step_limit_predict(&probe, &limit, &why);
     if (!status) *l = (struct step_limits){0.1 * 0.1 / 0.01 * limit.published, 0.1 * 0.1 / 0.01 * limit.von_neumann};
     arguments_free(&r);
+    if (status && m) claims_kit_fail(m, why.text);
     return status;
 }
 
@@ -40,13 +43,9 @@ static int limits_at(int dim, const char *method, const char *kernel, double h, 
 static void take_quoted(struct claims_measured *m) {
     char method[32];
     struct step_limits l;
-    struct failure why;
     snprintf(method, sizeof method, "%.*s", (int)strcspn(m->argument, " "), m->argument);
     double quoted = atof(m->argument + strlen(method));
-    if (limits_at(1, method, "cubic", 1.05, &l, &why)) {
-        claims_kit_fail(m, why.text);
-        return;
-    }
+    if (limits_at(1, method, "cubic", 1.05, &l, m)) return;
     claims_kit_number(m, l.published, "s", "by the paper's formula");
     claims_kit_number(m, l.actual, "s", "|G| <= 1");
     claims_kit_number(m, quoted / l.published, "", "quoted over formula");
@@ -68,9 +67,8 @@ static int scan(const char *method, struct scan *worst, struct claims_measured *
         for (int k = 0; kernel_words[k]; k++)
             for (int i = 0; i <= 20; i++) {
                 struct step_limits l;
-                struct failure why;
                 double h = 1.02 + 0.05 * i;
-                if (limits_at(dim, method, kernel_words[k], h, &l, &why)) return claims_kit_fail(m, why.text);
+                if (limits_at(dim, method, kernel_words[k], h, &l, m)) return 1;
                 if (l.published / l.actual > worst->ratio)
                     *worst = (struct scan){l.published / l.actual, h, kernel_words[k], dim};
             }
@@ -81,13 +79,9 @@ static int scan(const char *method, struct scan *worst, struct claims_measured *
 static void take_bound(struct claims_measured *m) {
     struct step_limits rod, square;
     struct scan worst;
-    struct failure why;
-    if (limits_at(1, m->argument, "cubic", 1.05, &rod, &why) ||
-        limits_at(2, m->argument, "cubic", 1.1, &square, &why)) {
-        claims_kit_fail(m, why.text);
+    if (limits_at(1, m->argument, "cubic", 1.05, &rod, m) || limits_at(2, m->argument, "cubic", 1.1, &square, m) ||
+        scan(m->argument, &worst, m))
         return;
-    }
-    if (scan(m->argument, &worst, m)) return;
     double as_run = fmax(rod.published / rod.actual, square.published / square.actual);
     claims_kit_number(m, rod.actual / rod.published, "", "true limit over published, rod as run");
     claims_kit_number(m, square.actual / square.published, "", "true limit over published, square as run");
@@ -102,22 +96,20 @@ static void take_bound(struct claims_measured *m) {
 /* A run at 99 % of eq. 34 where the scan above finds weights that it does not cover: a rod, quartic kernel. */
 static void take_blow_up(struct claims_measured *m) {
     struct step_limits l, worst = {0, 1};
-    struct failure why;
+    struct result run;
     double h = 0;
     int status[2];
     for (int i = 0; i <= 30; i++) {
         double at = 1.01 + 0.01 * i;
-        if (limits_at(1, "so_ssph", "quartic", at, &l, &why)) continue;
+        if (limits_at(1, "so_ssph", "quartic", at, &l, NULL)) continue;
         if (l.published / l.actual > worst.published / worst.actual) worst = l, h = at;
     }
     for (int i = 0; i < 2; i++) {
-        struct command_run run;
         double dt = 0.99 * (i ? worst.actual : worst.published);
-        status[i] = claims_kit_run(&run, NULL,
-                                   "run rod-step so_ssph --kernel quartic --h %.4g --dx 0.1 --stepper "
-                                   "euler --dt %.10g --t-end %.10g",
-                                   h, dt, 4000 * dt);
-        command_run_free(&run);
+        status[i] = claims_kit_result(&run, NULL,
+                                      "run rod-step so_ssph --kernel quartic --h %.4g --dx 0.1 --stepper euler "
+                                      "--dt %.10g --t-end %.10g",
+                                      h, dt, 4000 * dt);
     }
     claims_kit_number(m, h, "", "h/dx");
     claims_kit_number(m, worst.published, "s", "eq. 34");
@@ -127,16 +119,13 @@ static void take_blow_up(struct claims_measured *m) {
     claims_kit_decide(m, status[0] == STATUS_OK, status[1] == STATUS_OK, "a run at 0.99 of eq. 34 stays bounded");
 }
 
+static const char square_line[] = "run square-step so_ssph --dx 0.1 --h 1.1";
+
 /* One step of SO on square-step, dx = 0.1, h/dx = 1.1, with kappa_y = ratio kappa_x: the weights, s^-1.  0, or *m
  * failed. */
 static int unequal(struct claims_kit_cell *cell, double ratio, struct claims_measured *m) {
     const double kappa[2] = {0.01, 0.01 * ratio};
-    struct request r;
-    struct failure why;
-    int status = arguments_parse_line("run square-step so_ssph --dx 0.1 --h 1.1", &r, &why);
-    if (!status) status = claims_kit_weights(cell, &r, kappa, &why);
-    arguments_free(&r);
-    return status && claims_kit_fail(m, why.text);
+    return claims_kit_weights(cell, kappa, m, square_line);
 }
 
 /* The largest of -S over 129 x 129 wave numbers, s^-1. */
@@ -170,13 +159,12 @@ static void take_unequal(struct claims_measured *m) {
         worst = fmax(worst, published[i] / actual[i]);
     }
     for (int i = 0; i < 2; i++) {
-        struct command_run run;
+        struct result run;
         double dt = 0.99 * (i ? actual : published)[2];
-        status[i] = claims_kit_run(&run, NULL,
-                                   "run square-step so_ssph --h 1.1 --dx 0.1 --set kappa_y=0.001 --stepper euler "
-                                   "--dt %.10g --t-end %.10g",
-                                   dt, 4000 * dt);
-        command_run_free(&run);
+        status[i] = claims_kit_result(&run, NULL,
+                                      "run square-step so_ssph --h 1.1 --dx 0.1 --set kappa_y=0.001 --stepper euler "
+                                      "--dt %.10g --t-end %.10g",
+                                      dt, 4000 * dt);
         claims_kit_number(m, dt, "s", "0.99 of %s at 1/10", i ? "|G| <= 1" : "eq. 34");
         claims_kit_number(m, status[i] == STATUS_UNSTABLE, "", "runs of 4000 such steps that blow up");
     }
@@ -191,17 +179,14 @@ static void take_unequal_weights(struct claims_measured *m) {
     double lowest[3], below[3];
     for (int i = 0; i < 3; i++) {
         struct claims_kit_cell cell;
-        struct command_run run;
+        struct result run;
         double centre = 0;
         if (unequal(&cell, ratio[i], m)) return;
         lowest[i] = 0;
         for (size_t j = 0; j < cell.nb.n; j++) centre += cell.w[0][j], lowest[i] = fmin(lowest[i], cell.w[0][j]);
         lowest[i] /= centre;
-        int bad =
-            claims_kit_run(&run, m, "run square-step so_ssph --h 1.1 --dx 0.1 --set kappa_y=%g", 0.01 * ratio[i]);
-        below[i] = run.result.shape.undershoot;
-        command_run_free(&run);
-        if (bad) return;
+        if (claims_kit_result(&run, m, "%s --set kappa_y=%g", square_line, 0.01 * ratio[i])) return;
+        below[i] = run.shape.undershoot;
         claims_kit_number(m, 100 * lowest[i], "%", "lowest weight, of the centre's, kappa_y/kappa_x = %g", ratio[i]);
         claims_kit_number(m, below[i], "K", "undershoot below 0 K at 5 s");
     }
@@ -226,13 +211,11 @@ static void take_eq33(struct claims_measured *m) {
     static const double one[2][2] = {{1, 0}, {0, 1}};
     const double dt = 0.1;
     struct claims_kit_cell cell, part[2];
-    struct request r;
-    struct failure why;
     double apart[2], web[2], limit[2];
-    int status = arguments_parse_line("run square-step so_ssph --dx 0.1 --h 1.1", &r, &why);
-    for (int a = 0; a < 2 && !status; a++) status = claims_kit_weights(&part[a], &r, one[a], &why);
-    for (int i = 0; i < 2 && !status; i++) {
-        status = claims_kit_weights(&cell, &r, kappas[i], &why);
+    for (int a = 0; a < 2; a++)
+        if (claims_kit_weights(&part[a], one[a], m, square_line)) return;
+    for (int i = 0; i < 2; i++) {
+        if (claims_kit_weights(&cell, kappas[i], m, square_line)) return;
         double complex step = 1 - dt * transfer(&cell, cell.w[0], 0.1);
         double complex printed = 1 - dt * (kappas[i][1] * transfer(&part[0], part[0].w[0], 0.1) +
                                            kappas[i][0] * transfer(&part[1], part[1].w[0], 0.1));
@@ -246,11 +229,6 @@ static void take_eq33(struct claims_measured *m) {
         limit[i] = centre[0] / (kappas[i][0] * centre[1]);
         apart[i] = cabs(step - printed);
         web[i] = cabs(step - on_the_web);
-    }
-    arguments_free(&r);
-    if (status) {
-        claims_kit_fail(m, why.text);
-        return;
     }
     int versions = m->argument[0] == 'v';
     claims_kit_number(m, apart[0], "", "|G printed - G| for kappa_x = kappa_y");
@@ -269,16 +247,8 @@ static void take_eq33(struct claims_measured *m) {
 /* G of eqs. 39 and 40 as printed, with a minus sign before the square, against one step of the scheme. */
 static void take_eq39(struct claims_measured *m) {
     struct claims_kit_cell cell;
-    struct request r;
-    struct failure why;
     const double kappa[2] = {0.01, 0}, dt = 0.5; /* s, what eq. 41 gives */
-    int status = arguments_parse_line("run rod-step fo_ssph --dx 0.1 --h 1.05", &r, &why);
-    if (!status) status = claims_kit_weights(&cell, &r, kappa, &why);
-    arguments_free(&r);
-    if (status) {
-        claims_kit_fail(m, why.text);
-        return;
-    }
+    if (claims_kit_weights(&cell, kappa, m, "run rod-step fo_ssph --dx 0.1 --h 1.05")) return;
     double complex square = cpow(transfer(&cell, cell.w[0], 0.1), 2);
     double complex printed = 1 - kappa[0] * dt * square, step = 1 + kappa[0] * dt * square;
     claims_kit_number(m, cabs(printed), "", "|G| as printed, dt by eq. 41");

@@ -9,57 +9,56 @@ static double outside(const struct result *r) {
     return fmax(r->shape.overshoot, r->shape.undershoot);
 }
 
-/* "run's words | ... | beyond: run's words | ...": none leaves its initial range (0 to 10 K). */
-static void take_no_oscillation(struct claims_measured *m) {
+static double wave(const struct result *r) {
+    return fmax(outside(r), r->shape.checkerboard);
+}
+
+static double relative_wave(const struct result *r) {
+    return wave(r) / r->shape.max;
+}
+
+/* "run's words | ... | + run's words | ...": held[0], or held[1] from the + on, loses its 1 where `size` of a run is
+ * not within lo to hi.  0, or 1 with *m failed. */
+static int look(struct claims_measured *m, double (*size)(const struct result *), const char *unit, double lo,
+                double hi, int held[2]) {
     char part[200];
-    int held[2] = {1, 1}, beyond = 0;
+    int beyond = 0;
+    held[0] = held[1] = 1;
     while (claims_kit_part(&m->argument, part, sizeof part)) {
-        struct command_run run;
+        struct result run;
         char *words = part;
         if (*words == '+') beyond = 1, words++;
-        int bad = claims_kit_run(&run, m, "run %s", words);
-        double most = outside(&run.result);
-        command_run_free(&run);
-        if (bad) return;
-        claims_kit_number(m, most, "K", "%s", words);
-        held[beyond] &= most <= 1e-11; /* rounding: 10 K, thousands of steps */
+        if (claims_kit_result(&run, m, "run %s", words)) return 1;
+        double most = size(&run);
+        claims_kit_number(m, most, unit, "%s", words);
+        held[beyond] &= lo <= most && most <= hi;
     }
+    return 0;
+}
+
+/* None leaves its initial range (0 to 10 K) by more than rounding does in thousands of steps. */
+static void take_no_oscillation(struct claims_measured *m) {
+    int held[2];
+    if (look(m, outside, "K", 0, 1e-11, held)) return;
     claims_kit_decide(m, held[0], held[1],
                       "no run leaves the initial range of 0 to 10 K (to rounding, 1e-11 K): the first two as "
                       "published, then others");
 }
 
-/* "run's words | ...": each leaves its initial range, or carries a wave of two points, by 1 % of the jump. */
+/* Each leaves its initial range, or carries a wave of two points, by 1 % of the jump. */
 static void take_oscillation(struct claims_measured *m) {
-    char part[200];
-    int held = 1;
-    while (claims_kit_part(&m->argument, part, sizeof part)) {
-        struct command_run run;
-        int bad = claims_kit_run(&run, m, "run %s", part);
-        double most = fmax(outside(&run.result), run.result.shape.checkerboard);
-        command_run_free(&run);
-        if (bad) return;
-        claims_kit_number(m, most, "K", "%s", part);
-        held &= most >= 0.1;
-    }
-    claims_kit_decide(m, held, 1,
+    int held[2];
+    if (look(m, wave, "K", 0.1, INFINITY, held)) return;
+    claims_kit_decide(m, held[0], held[1],
                       "overshoot, or the amplitude of a wave of two to four points, at least 0.1 K of the 10 K jump");
 }
 
-/* The same words, where there must be none: below 1e-6 of the largest temperature. */
+/* The same where there must be none. */
 static void take_smooth(struct claims_measured *m) {
-    char part[200];
-    int held = 1;
-    while (claims_kit_part(&m->argument, part, sizeof part)) {
-        struct command_run run;
-        int bad = claims_kit_run(&run, m, "run %s", part);
-        double most = fmax(outside(&run.result), run.result.shape.checkerboard) / run.result.shape.max;
-        command_run_free(&run);
-        if (bad) return;
-        claims_kit_number(m, most, "", "%s", part);
-        held &= most <= 1e-6;
-    }
-    claims_kit_decide(m, held, 1, "overshoot and waves of two to four points below 1e-6 of the largest temperature");
+    int held[2];
+    if (look(m, relative_wave, "", 0, 1e-6, held)) return;
+    claims_kit_decide(m, held[0], held[1],
+                      "overshoot and waves of two to four points below 1e-6 of the largest temperature");
 }
 
 /* The wave of two points in the error e: the largest |(1, -4, 6, -4, 1) . e|/16, which a pure (-1)^j passes whole. */
@@ -166,14 +165,12 @@ static void take_kernels(struct claims_measured *m) {
     static const char *const kernel[] = {"cubic", "quartic", "wendland"};
     double E[3], order = 0, apart = 0;
     for (int k = 0; k < 3; k++) {
-        struct command_run run;
+        struct result run;
         struct slope s;
-        int bad = claims_kit_run(&run, m, "run %s --dx 0.05 --kernel %s", m->argument, kernel[k]);
-        E[k] = run.result.error.l1;
-        command_run_free(&run);
-        if (bad ||
+        if (claims_kit_result(&run, m, "run %s --dx 0.05 --kernel %s", m->argument, kernel[k]) ||
             claims_kit_slope(&s, m, "ladder %s --dx 0.25,0.1,0.05,0.02,0.01 --kernel %s", m->argument, kernel[k]))
             return;
+        E[k] = run.error.l1;
         if (k) claims_kit_number(m, E[k] / E[0], "", "E at dx = 0.05 m over the cubic spline's, %s", kernel[k]);
         claims_kit_number(m, s.value, "", "order, %s", kernel[k]);
         order = fmax(order, fabs(s.value - 2));
@@ -237,15 +234,12 @@ static void take_agreement(struct claims_measured *m) {
     double worst = 0, last = INFINITY;
     int falling = 1;
     for (int t = 1; t <= 5; t++) {
-        struct command_run run;
-        int bad = claims_kit_run(&run, m, "run %s --t-end %d", m->argument, t);
-        double most = run.result.shape.max;
-        falling &= most <= last;
-        worst = fmax(worst, run.result.error.linf / 10);
-        last = most;
-        command_run_free(&run);
-        if (bad) return;
-        claims_kit_number(m, most, "K", "peak at %d s", t);
+        struct result run;
+        if (claims_kit_result(&run, m, "run %s --t-end %d", m->argument, t)) return;
+        falling &= run.shape.max <= last;
+        worst = fmax(worst, run.error.linf / 10);
+        last = run.shape.max;
+        claims_kit_number(m, last, "K", "peak at %d s", t);
     }
     claims_kit_number(m, 100 * worst, "% of T0", "largest error at any of the times");
     claims_kit_decide(m, worst <= 0.05 && falling, worst <= 0.01,
