@@ -45,25 +45,16 @@ static void slope_in(enum ladder_norm norm, const struct request *r, double lo, 
     free(l);
 }
 
-void measures_slope(const struct request *r, double lo, double hi, struct measured *m) {
-    slope_in(LADDER_L1, r, lo, hi, m);
-}
-
-void measures_slope_l2(const struct request *r, double lo, double hi, struct measured *m) {
-    slope_in(LADDER_L2, r, lo, hi, m);
-}
-
-void measures_slope_linf(const struct request *r, double lo, double hi, struct measured *m) {
-    slope_in(LADDER_LINF, r, lo, hi, m);
-}
-
-void measures_slope_interior(const struct request *r, double lo, double hi, struct measured *m) {
-    slope_in(LADDER_INTERIOR, r, lo, hi, m);
-}
-
-void measures_slope_boundary(const struct request *r, double lo, double hi, struct measured *m) {
-    slope_in(LADDER_BOUNDARY, r, lo, hi, m);
-}
+#define SLOPE(name, norm)                                                                                            \
+    void measures_##name(const struct request *r, double lo, double hi, struct measured *m) {                        \
+        slope_in(norm, r, lo, hi, m);                                                                                \
+    }
+SLOPE(slope, LADDER_L1)
+SLOPE(slope_l2, LADDER_L2)
+SLOPE(slope_linf, LADDER_LINF)
+SLOPE(slope_interior, LADDER_INTERIOR)
+SLOPE(slope_boundary, LADDER_BOUNDARY)
+#undef SLOPE
 
 static int by_falling_dx(const void *a, const void *b) {
     double x = *(const double *)a, y = *(const double *)b;
@@ -99,30 +90,18 @@ static int run(const struct request *r, struct result *result, struct measured *
     return status;
 }
 
-void measures_error(const struct request *r, double lo, double hi, struct measured *m) {
-    struct result result;
-    if (!run(r, &result, m)) measures_judge(m, result.error.l1, lo, hi);
-}
-
-void measures_error_linf(const struct request *r, double lo, double hi, struct measured *m) {
-    struct result result;
-    if (!run(r, &result, m)) measures_judge(m, result.error.linf, lo, hi);
-}
-
-void measures_overshoot(const struct request *r, double lo, double hi, struct measured *m) {
-    struct result result;
-    if (!run(r, &result, m)) measures_judge(m, fmax(result.shape.overshoot, result.shape.undershoot), lo, hi);
-}
-
-void measures_heat_drift(const struct request *r, double lo, double hi, struct measured *m) {
-    struct result result;
-    if (!run(r, &result, m)) measures_judge(m, result.heat_drift, lo, hi);
-}
-
-void measures_checkerboard(const struct request *r, double lo, double hi, struct measured *m) {
-    struct result result;
-    if (!run(r, &result, m)) measures_judge(m, result.shape.checkerboard, lo, hi);
-}
+/* A number of one run. */
+#define OF_RUN(name, value)                                                                                          \
+    void measures_##name(const struct request *r, double lo, double hi, struct measured *m) {                        \
+        struct result of;                                                                                            \
+        if (!run(r, &of, m)) measures_judge(m, value, lo, hi);                                                       \
+    }
+OF_RUN(error, of.error.l1)
+OF_RUN(error_linf, of.error.linf)
+OF_RUN(overshoot, fmax(of.shape.overshoot, of.shape.undershoot))
+OF_RUN(heat_drift, of.heat_drift)
+OF_RUN(checkerboard, of.shape.checkerboard)
+#undef OF_RUN
 
 void measures_checkerboard_kept(const struct request *r, double lo, double hi, struct measured *m) {
     struct request early = *r;

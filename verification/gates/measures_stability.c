@@ -24,18 +24,29 @@ static void append(struct measured *m, const char *format, ...) {
     va_end(arguments);
 }
 
-/* Both kinds of limit at the h/dx of the probe; 0, or *m failed. */
-static int find(struct model_problem *b, struct step_limit *l, struct measured *m) {
+static int start(const struct request *r, struct model_problem *b, struct measured *m) {
     struct failure why = {0};
-    int status = step_limit_predict(b, l, &why);
-    if (!status) status = step_limit_measure(b, &l->measured, &why);
+    int status = step_limit_setup(r->experiment.method, &r->experiment.options, r->dim, r->ratio, r->stages, b, &why);
     measures_fail(m, why.text);
     return status;
 }
 
-static int start(const struct request *r, struct model_problem *b, struct measured *m) {
+/* The limit that theory gives; 0, or *m failed. */
+static int predict(const struct request *r, struct model_problem *b, struct step_limit *l, struct measured *m) {
     struct failure why = {0};
-    int status = step_limit_setup(r->experiment.method, &r->experiment.options, r->dim, r->ratio, r->stages, b, &why);
+    int status = start(r, b, m);
+    if (status) return status;
+    status = step_limit_predict(b, l, &why);
+    measures_fail(m, why.text);
+    return status;
+}
+
+/* And the one that runs show. */
+static int find(const struct request *r, struct model_problem *b, struct step_limit *l, struct measured *m) {
+    struct failure why = {0};
+    int status = predict(r, b, l, m);
+    if (status) return status;
+    status = step_limit_measure(b, &l->measured, &why);
     measures_fail(m, why.text);
     return status;
 }
@@ -49,7 +60,7 @@ void measures_limit_agree(const struct request *r, double lo, double hi, struct 
         struct model_problem b;
         struct step_limit l;
         if (count > 1) with.experiment.options.h = ratio[k];
-        if (start(&with, &b, m) || find(&b, &l, m)) return;
+        if (find(&with, &b, &l, m)) return;
         double apart = fabs(l.measured / l.von_neumann - 1);
         if (apart < worst) continue;
         worst = apart;
@@ -64,11 +75,8 @@ void measures_limit_published(const struct request *r, double lo, double hi, str
     enum { STEPS = 1000 };
     struct model_problem b;
     struct step_limit l;
-    struct failure why = {0};
-    if (start(r, &b, m)) return;
-    int status = step_limit_predict(&b, &l, &why);
-    measures_fail(m, why.text);
-    if (status) return;
+    struct failure why;
+    if (predict(r, &b, &l, m)) return;
     int grows = step_limit_grows(&b, 0.99 * l.published, STEPS, &why);
     measures_judge(m, l.published / l.von_neumann, lo, hi);
     append(m, " (published %.5g, von Neumann %.5g)", l.published, l.von_neumann);
@@ -80,7 +88,7 @@ void measures_limit_published(const struct request *r, double lo, double hi, str
 void measures_limit_interval(const struct request *r, double lo, double hi, struct measured *m) {
     struct model_problem b;
     struct step_limit l;
-    if (start(r, &b, m) || find(&b, &l, m)) return;
+    if (find(r, &b, &l, m)) return;
     measures_judge(m, l.measured * l.radius / amplification_interval(&b.step), lo, hi);
     append(m, " (measured %.5g of 1/|lambda|, theory %.5g; |G| = 1 at %.5g)", l.measured * l.radius,
            amplification_interval(&b.step), amplification_reach(&b.step));
@@ -114,11 +122,7 @@ void measures_stepper_factor(const struct request *r, double lo, double hi, stru
 void measures_growth(const struct request *r, double lo, double hi, struct measured *m) {
     struct model_problem b;
     struct step_limit l;
-    struct failure why = {0};
-    if (start(r, &b, m)) return;
-    int status = step_limit_predict(&b, &l, &why);
-    measures_fail(m, why.text);
-    if (!status) measures_judge(m, l.growth, lo, hi);
+    if (!predict(r, &b, &l, m)) measures_judge(m, l.growth, lo, hi);
 }
 
 void measures_maximum_principle(const struct request *r, double lo, double hi, struct measured *m) {
@@ -157,9 +161,8 @@ void measures_endurance(const struct request *r, double lo, double hi, struct me
     struct step_limit l;
     struct long_run e;
     struct failure why = {0};
-    if (start(r, &b, m)) return;
-    int status = step_limit_predict(&b, &l, &why);
-    if (!status) status = long_run_measure(&b, 0.999 * l.von_neumann, steps, &e, &why);
+    if (predict(r, &b, &l, m)) return;
+    int status = long_run_measure(&b, 0.999 * l.von_neumann, steps, &e, &why);
     measures_fail(m, why.text);
     if (status) return;
     measures_judge(m, fabs(e.drift) / ((double)steps * DBL_EPSILON), lo, hi);
