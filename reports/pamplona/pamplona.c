@@ -3,8 +3,6 @@
 #include "reports/pamplona/pamplona.h"
 
 #include "reports/page/figure.h"
-#include "reports/pamplona/plate.h"
-#include "reports/pamplona/xi.h"
 
 #include "solver/status.h"
 #include "verification/claims/plate.h"

@@ -1,5 +1,5 @@
 /* Pamplona, Silva, Bucar, Vasco 2019, Table 1: tables of verification/claims/plate.h and readings.h. */
-#include "reports/pamplona/plate.h"
+#include "reports/pamplona/pamplona.h"
 
 #include "reports/page/figure.h"
 #include "verification/claims/published.h"

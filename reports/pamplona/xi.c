@@ -4,7 +4,7 @@
  * Walls of fixed ghosts make the plate late by ((n + 1)/n)^2, and the best xi makes up for most of that: the closed
  * form times ((n + 1)/n)^2.  Sizes: dx = h/1.2 must divide 0.1 m; order by eq. 19 between the n nearest to h = 0.009
  * and 0.005 m. */
-#include "reports/pamplona/xi.h"
+#include "reports/pamplona/pamplona.h"
 
 #include "reports/page/figure.h"
 #include "verification/claims/plate.h"
