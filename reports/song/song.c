@@ -11,6 +11,17 @@
 
 #define ROD "--dx 0.1 --h 1.05 --stepper euler --dt 5e-5"
 #define SQUARE "--dx 0.1 --h 1.1 --stepper euler --dt 0.001"
+/* A curve of a run, or of the exact solution, at a time in s. */
+#define ROD_RUN(t)                                                                                                   \
+    { "so_ssph " #t, "run rod-step so_ssph " ROD " --t-end " #t, REPORT_FIGURE_POINTS, 0 }
+#define ROD_EXACT(t)                                                                                                 \
+    { "exact " #t, "reference rod-step --at 0 --time " #t, REPORT_FIGURE_EXACT, 0 }
+#define CUT_RUN(t)                                                                                                   \
+    { "so_ssph " #t, "run square-step so_ssph " SQUARE " --t-end " #t, REPORT_FIGURE_CUT, 0.05 }
+#define CUT_EXACT(t)                                                                                                 \
+    { "exact " #t, "reference square-step --at 0,0.05 --time " #t, REPORT_FIGURE_EXACT, 0 }
+#define ISOTHERMS(t)                                                                                                 \
+    { #t " s", "run square-step so_ssph " SQUARE " --t-end " #t, REPORT_FIGURE_ISOTHERMS, 0 }
 #define END                                                                                                          \
     { 0 }
 
@@ -101,15 +112,8 @@ static const struct figure figures[] = {
      {0}},
     {"song_fig1c",
      "Song 2018, Figure 1c: SO-SSPH on the rod at four times",
-     (const struct figure_series[]){
-         {"exact 0.5", "reference rod-step --at 0 --time 0.5", REPORT_FIGURE_EXACT, 0},
-         {"exact 1", "reference rod-step --at 0 --time 1", REPORT_FIGURE_EXACT, 0},
-         {"exact 2.5", "reference rod-step --at 0 --time 2.5", REPORT_FIGURE_EXACT, 0},
-         {"exact 5", "reference rod-step --at 0 --time 5", REPORT_FIGURE_EXACT, 0},
-         {"so_ssph 0.5", "run rod-step so_ssph " ROD " --t-end 0.5", REPORT_FIGURE_POINTS, 0},
-         {"so_ssph 1", "run rod-step so_ssph " ROD " --t-end 1", REPORT_FIGURE_POINTS, 0},
-         {"so_ssph 2.5", "run rod-step so_ssph " ROD " --t-end 2.5", REPORT_FIGURE_POINTS, 0},
-         {"so_ssph 5", "run rod-step so_ssph " ROD " --t-end 5", REPORT_FIGURE_POINTS, 0}},
+     (const struct figure_series[]){ROD_EXACT(0.5), ROD_EXACT(1), ROD_EXACT(2.5), ROD_EXACT(5), ROD_RUN(0.5),
+                                    ROD_RUN(1), ROD_RUN(2.5), ROD_RUN(5), END},
      {0}},
     {"song_fig1d",
      "Song 2018, Figure 1d: FTCS on the rod, with and without heat fluxes, t = 5 s",
@@ -132,27 +136,12 @@ static const struct figure figures[] = {
      {0}},
     {"song_fig4",
      "Song 2018, Figure 4a-e: isotherms of SO-SSPH on the square",
-     (const struct figure_series[]){
-         {"1 s", "run square-step so_ssph " SQUARE " --t-end 1", REPORT_FIGURE_ISOTHERMS, 0},
-         {"2 s", "run square-step so_ssph " SQUARE " --t-end 2", REPORT_FIGURE_ISOTHERMS, 0},
-         {"3 s", "run square-step so_ssph " SQUARE " --t-end 3", REPORT_FIGURE_ISOTHERMS, 0},
-         {"4 s", "run square-step so_ssph " SQUARE " --t-end 4", REPORT_FIGURE_ISOTHERMS, 0},
-         {"5 s", "run square-step so_ssph " SQUARE " --t-end 5", REPORT_FIGURE_ISOTHERMS, 0},
-         END},
+     (const struct figure_series[]){ISOTHERMS(1), ISOTHERMS(2), ISOTHERMS(3), ISOTHERMS(4), ISOTHERMS(5), END},
      {1, 2, 9}},
     {"song_fig4f",
      "Song 2018, Figure 4f: SO-SSPH on the square along y = 0.05 m",
-     (const struct figure_series[]){
-         {"exact 1", "reference square-step --at 0,0.05 --time 1", REPORT_FIGURE_EXACT, 0},
-         {"exact 2", "reference square-step --at 0,0.05 --time 2", REPORT_FIGURE_EXACT, 0},
-         {"exact 3", "reference square-step --at 0,0.05 --time 3", REPORT_FIGURE_EXACT, 0},
-         {"exact 4", "reference square-step --at 0,0.05 --time 4", REPORT_FIGURE_EXACT, 0},
-         {"exact 5", "reference square-step --at 0,0.05 --time 5", REPORT_FIGURE_EXACT, 0},
-         {"so_ssph 1", "run square-step so_ssph " SQUARE " --t-end 1", REPORT_FIGURE_CUT, 0.05},
-         {"so_ssph 2", "run square-step so_ssph " SQUARE " --t-end 2", REPORT_FIGURE_CUT, 0.05},
-         {"so_ssph 3", "run square-step so_ssph " SQUARE " --t-end 3", REPORT_FIGURE_CUT, 0.05},
-         {"so_ssph 4", "run square-step so_ssph " SQUARE " --t-end 4", REPORT_FIGURE_CUT, 0.05},
-         {"so_ssph 5", "run square-step so_ssph " SQUARE " --t-end 5", REPORT_FIGURE_CUT, 0.05}},
+     (const struct figure_series[]){CUT_EXACT(1), CUT_EXACT(2), CUT_EXACT(3), CUT_EXACT(4), CUT_EXACT(5), CUT_RUN(1),
+                                    CUT_RUN(2), CUT_RUN(3), CUT_RUN(4), CUT_RUN(5)},
      {0}},
 };
 
