@@ -6,13 +6,13 @@
 #include <math.h>
 #include <string.h>
 
-static size_t group_length(const char *id) {
+size_t page_group_length(const char *id) {
     return strcspn(id, "/");
 }
 
-static int same_group(const char *a, const char *b) {
-    size_t n = group_length(a);
-    return n == group_length(b) && strncmp(a, b, n) == 0;
+int page_same_group(const char *a, const char *b) {
+    size_t n = page_group_length(a);
+    return n == page_group_length(b) && strncmp(a, b, n) == 0;
 }
 
 static int passed(const struct page_gate *g) {
@@ -53,12 +53,12 @@ static void put_header(FILE *out) {
 void page_put_group(const struct page_gate *gate, int count, const char *group, FILE *out) {
     int n = 0, good = 0;
     for (int i = 0; i < count; i++)
-        if (same_group(gate[i].id, group)) n++, good += passed(&gate[i]);
+        if (page_same_group(gate[i].id, group)) n++, good += passed(&gate[i]);
     if (n == 0) return;
     fprintf(out, "<details><summary>%d of %d gates hold</summary>\n", good, n);
     put_header(out);
     for (int i = 0; i < count; i++)
-        if (same_group(gate[i].id, group)) put_gate(&gate[i], out);
+        if (page_same_group(gate[i].id, group)) put_gate(&gate[i], out);
     fprintf(out, "</table></div></details>\n");
 }
 
@@ -80,11 +80,11 @@ static void put_groups(const struct page_gate *gate, int count, FILE *out) {
     fprintf(out, "<ul class=\"groups\">\n");
     for (int i = 0; i < count; i++) {
         int n = 0, good = 0, first = 1;
-        for (int k = 0; k < i && first; k++) first = !same_group(gate[k].id, gate[i].id);
+        for (int k = 0; k < i && first; k++) first = !page_same_group(gate[k].id, gate[i].id);
         for (int k = 0; k < count && first; k++)
-            if (same_group(gate[k].id, gate[i].id)) n++, good += passed(&gate[k]);
+            if (page_same_group(gate[k].id, gate[i].id)) n++, good += passed(&gate[k]);
         if (!first) continue;
-        fprintf(out, "<li>%.*s %d/%d ", (int)group_length(gate[i].id), gate[i].id, good, n);
+        fprintf(out, "<li>%.*s %d/%d ", (int)page_group_length(gate[i].id), gate[i].id, good, n);
         html_verdict(out, good == n ? "pass" : "fail");
         fprintf(out, "\n");
     }

@@ -56,7 +56,7 @@ void html_text(FILE *out, const char *text) {
             fputs("&quot;", out);
             break;
         default:
-            fputc(*text, out);
+            fputc((unsigned char)*text < ' ' ? ' ' : *text, out);
         }
 }
 

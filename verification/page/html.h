@@ -8,7 +8,8 @@
 void html_open(FILE *out, const char *title); /* up to the open <main> */
 void html_close(FILE *out);
 
-void html_text(FILE *out, const char *text); /* with the characters of HTML escaped */
+void html_text(FILE *out,
+               const char *text); /* the characters of HTML and XML escaped, control characters as blanks */
 
 /* A cell <th> or <td>; numbers are set right.  */
 void html_cell(FILE *out, const char *tag, const char *text);

@@ -3,46 +3,27 @@
 
 #include "solver/status.h"
 #include "verification/gates/gates.h"
+#include "verification/page/html.h"
 #include "verification/text/output.h"
 
 #include <stdio.h>
-
-/* XML's own characters, and what it cannot hold at all. */
-static void put_escaped(const char *text, FILE *out) {
-    for (; *text; text++) switch (*text) {
-        case '&':
-            fputs("&amp;", out);
-            break;
-        case '<':
-            fputs("&lt;", out);
-            break;
-        case '>':
-            fputs("&gt;", out);
-            break;
-        case '"':
-            fputs("&quot;", out);
-            break;
-        default:
-            fputc((unsigned char)*text < ' ' ? ' ' : *text, out);
-        }
-}
 
 static void put_case(const struct gate_result *r, FILE *out) {
     const enum verdict verdict = r->measured.verdict;
     const char *tag = verdict == VERDICT_FAIL ? "failure" : verdict == VERDICT_SKIPPED ? "skipped" : "error";
     fprintf(out, "    <testcase name=\"");
-    put_escaped(r->gate.id, out);
+    html_text(out, r->gate.id);
     fprintf(out, "\" time=\"%.3f\"", r->seconds);
     if (verdict == VERDICT_PASS) {
         fprintf(out, "/>\n");
         return;
     }
     fprintf(out, ">\n      <%s message=\"", tag);
-    put_escaped(r->measured.reason, out);
+    html_text(out, r->measured.reason);
     fprintf(out, "\">expected because: ");
-    put_escaped(r->gate.why, out);
+    html_text(out, r->gate.why);
     fprintf(out, "\nheatladder ");
-    put_escaped(r->typed, out);
+    html_text(out, r->typed);
     fprintf(out, "</%s>\n    </testcase>\n", tag);
 }
 

@@ -20,13 +20,7 @@ static void put_until(FILE *out, const char *from, const char *to) {
 static void put_inline(FILE *out, const char *text) {
     while (*text) {
         const char *close = NULL, *tag = NULL;
-        if (strncmp(text, "**", 2) == 0 && (close = strstr(text + 2, "**"))) {
-            fprintf(out, "<strong>");
-            put_until(out, text + 2, close);
-            fprintf(out, "</strong>");
-            text = close + 2;
-            continue;
-        }
+        int marks = 1;
         if (*text == '\\' && text[1] && strchr("_|*`", text[1])) {
             put_until(out, text + 1, text + 2);
             text += 2;
@@ -34,11 +28,12 @@ static void put_inline(FILE *out, const char *text) {
         }
         if (*text == '`' && (close = strchr(text + 1, '`'))) tag = "code";
         if (*text == '*' && text[1] != ' ' && text[1] != '*' && (close = strchr(text + 1, '*'))) tag = "em";
+        if (strncmp(text, "**", 2) == 0 && (close = strstr(text + 2, "**"))) tag = "strong", marks = 2;
         if (tag) {
             fprintf(out, "<%s>", tag);
-            put_until(out, text + 1, close);
+            put_until(out, text + marks, close);
             fprintf(out, "</%s>", tag);
-            text = close + 1;
+            text = close + marks;
             continue;
         }
         const char *middle = *text == '[' ? strstr(text, "](") : NULL, *end = middle ? strchr(middle, ')') : NULL;

@@ -17,6 +17,9 @@ struct page_gate {
     double error, ceiling; /* NAN where there is none */
 };
 
+size_t page_group_length(const char *id);
+int page_same_group(const char *a, const char *b);
+
 /* The verdict of all and its origin, then a word a group, then what failed in full, then every gate, folded away. */
 void page_put_gates(const struct page_gate *gate, int count, FILE *out);
 /* How many of a group hold, and its gates, folded away. */

@@ -1,13 +1,13 @@
-/* Verdicts for a reader.  A group is what stands before the first slash of a gate's id. */
+/* Verdicts for a reader. */
 #include "verification/page/print.h"
 
 #include "verification/gates/gates.h"
+#include "verification/page/page.h"
 #include "verification/text/paint.h"
 #include "verification/text/table.h"
 
 #include <math.h>
 #include <stdio.h>
-#include <string.h>
 
 enum { ACROSS = 4 }; /* groups in a line */
 
@@ -45,19 +45,10 @@ static void print_all(const struct gates *g) {
     table_free(&t);
 }
 
-static size_t group_length(const char *id) {
-    return strcspn(id, "/");
-}
-
-static int same_group(const char *a, const char *b) {
-    size_t n = group_length(a);
-    return n == group_length(b) && strncmp(a, b, n) == 0;
-}
-
 /* 1 where no gate before the i-th has its group. */
 static int is_first(const struct gates *g, int i) {
     for (int k = 0; k < i; k++)
-        if (same_group(g->result[k].gate.id, g->result[i].gate.id)) return 0;
+        if (page_same_group(g->result[k].gate.id, g->result[i].gate.id)) return 0;
     return 1;
 }
 
@@ -68,9 +59,9 @@ static void print_groups(const struct gates *g) {
         int of = 0, good = 0;
         if (!is_first(g, i)) continue;
         for (int k = i; k < g->declared; k++)
-            if (same_group(g->result[k].gate.id, id)) of++, good += holds(&g->result[k]);
+            if (page_same_group(g->result[k].gate.id, id)) of++, good += holds(&g->result[k]);
         const char *word = verdict_words[good == of ? VERDICT_PASS : VERDICT_FAIL];
-        printf("%s%-14.*s %3d/%-3d%s%s", paint_start(stdout, word), (int)group_length(id), id, good, of,
+        printf("%s%-14.*s %3d/%-3d%s%s", paint_start(stdout, word), (int)page_group_length(id), id, good, of,
                good == of ? " " : "!", paint_end(stdout, word));
         printf("%s", ++column % ACROSS ? "    " : "\n");
     }

@@ -4,6 +4,7 @@
 #include "solver/status.h"
 #include "verification/text/paint.h"
 
+#include <math.h>
 #include <stdarg.h>
 #include <stdlib.h>
 #include <string.h>
@@ -27,6 +28,13 @@ void table_add(struct table *t, const char *format, ...) {
     va_start(arguments, format);
     vsnprintf(t->cell[t->cells++], TABLE_CELL, format, arguments);
     va_end(arguments);
+}
+
+void table_number(struct table *t, const char *format, double value, const char *none) {
+    if (isfinite(value))
+        table_add(t, format, value);
+    else
+        table_add(t, "%s", none);
 }
 
 void table_print(const struct table *t, FILE *out) {

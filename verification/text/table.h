@@ -17,6 +17,9 @@ struct table {
 
 struct table table_create(int columns, int left);
 void table_add(struct table *t, const char *format, ...) __attribute__((format(printf, 2, 3)));
+/* The value, or `none` where it is not finite. */
+void table_number(struct table *t, const char *format, double value, const char *none)
+    __attribute__((format(printf, 2, 0)));
 void table_print(const struct table *t, FILE *out);
 void table_free(struct table *t);
 

@@ -60,10 +60,7 @@ static void print_text(const struct request *r, const struct choose *c) {
         if (!isfinite(o->predicted_work)) continue;
         table_add(&t, "%s", o->candidate->label);
         table_add(&t, "%d", o->wanted.n);
-        if (o->order > 0)
-            table_add(&t, "%.2f", o->order);
-        else
-            table_add(&t, "-");
+        table_number(&t, "%.2f", o->order > 0 ? o->order : NAN, "-");
         table_add(&t, "%.3e", o->predicted_error);
         table_add(&t, "%.3g", o->predicted_work);
     }

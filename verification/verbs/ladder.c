@@ -45,10 +45,7 @@ static void add_rung(struct table *t, const struct ladder *l, int i) {
         table_add(t, " ");
     else
         table_add(t, "%.3f", l->local[i - 1]);
-    if (isnan(r->time_error))
-        table_add(t, " ");
-    else
-        table_add(t, "%.2g", 100 * r->time_error);
+    table_number(t, "%.2g", 100 * r->time_error, " ");
     table_add(t, "%.2g", r->seconds);
     table_add(t, "%s", r->failure.status ? r->failure.text : l->window.left_out[i]);
 }
@@ -102,16 +99,9 @@ static void add_quantity(struct table *t, const struct gci *g, const struct gci_
                        : row->order < 0.5      ? "hardly converges"
                                                : "";
     table_add(t, "%s", row->name);
-    for (int i = g->n - 3; i < g->n; i++)
-        if (isfinite(row->value[i]))
-            table_add(t, "%.8g", row->value[i]);
-        else
-            table_add(t, "-");
+    for (int i = g->n - 3; i < g->n; i++) table_number(t, "%.8g", row->value[i], "-");
     table_add(t, "%.3f", row->order);
-    if (isfinite(row->extrapolated))
-        table_add(t, "%.8g", row->extrapolated);
-    else
-        table_add(t, "-");
+    table_number(t, "%.8g", row->extrapolated, "-");
     table_add(t, "%.3g", 100 * row->index);
     table_add(t, "%s", note);
 }
