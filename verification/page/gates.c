@@ -40,9 +40,7 @@ static void put_gate(const struct page_gate *g, FILE *out) {
     html_verdict(out, g->verdict);
     fprintf(out, "</td>");
     put_band(g, out);
-    fprintf(out, "<td>");
-    html_text(out, passed(g) ? g->why : g->reason);
-    fprintf(out, "</td></tr>\n");
+    html_print(out, "<td>%s</td></tr>\n", passed(g) ? g->why : g->reason);
 }
 
 static void put_header(FILE *out) {
@@ -63,17 +61,11 @@ void page_put_group(const struct page_gate *gate, int count, const char *group, 
 }
 
 static void put_failure(const struct page_gate *g, FILE *out) {
-    fprintf(out, "<h4>");
-    html_text(out, g->id);
-    fprintf(out, ": ");
+    html_print(out, "<h4>%s: ", g->id);
     html_verdict(out, g->verdict);
-    fprintf(out, "</h4>\n<p>");
-    html_text(out, g->reason);
-    fprintf(out, "</p>\n<p class=\"faint\">Expected because: ");
-    html_text(out, g->why);
-    fprintf(out, "</p>\n<pre><code>heatladder ");
-    html_text(out, g->command);
-    fprintf(out, "</code></pre>\n");
+    html_print(
+        out, "</h4>\n<p>%s</p>\n<p class=\"faint\">Expected because: %s</p>\n<pre><code>heatladder %s</code></pre>\n",
+        g->reason, g->why, g->command);
 }
 
 static void put_groups(const struct page_gate *gate, int count, FILE *out) {

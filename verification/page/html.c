@@ -1,7 +1,7 @@
 /* The frame of a page, its style, and images that are part of it. */
 #include "verification/page/html.h"
 
-#include <ctype.h>
+#include <stdarg.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -29,12 +29,11 @@ static const char style[] =
     "pre{white-space:pre-wrap}table{font-size:7.5pt}td,th{white-space:normal;overflow-wrap:anywhere}}\n";
 
 void html_open(FILE *out, const char *title) {
-    fprintf(out, "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
-                 "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n<title>");
-    html_text(out, title);
-    fprintf(out, "</title>\n<style>\n%s</style>\n</head>\n<body>\n<main>\n<h1>", style);
-    html_text(out, title);
-    fprintf(out, "</h1>\n");
+    fprintf(out,
+            "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
+            "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n<style>\n%s</style>\n",
+            style);
+    html_print(out, "<title>%s</title>\n</head>\n<body>\n<main>\n<h1>%s</h1>\n", title, title);
 }
 
 void html_close(FILE *out) {
@@ -60,6 +59,17 @@ void html_text(FILE *out, const char *text) {
         }
 }
 
+void html_print(FILE *out, const char *format, ...) {
+    va_list arguments;
+    va_start(arguments, format);
+    for (const char *at; (at = strstr(format, "%s")); format = at + 2) {
+        fwrite(format, 1, (size_t)(at - format), out);
+        html_text(out, va_arg(arguments, const char *));
+    }
+    va_end(arguments);
+    fputs(format, out);
+}
+
 static int is_number(const char *text) {
     char *end;
     strtod(text, &end);
@@ -68,15 +78,13 @@ static int is_number(const char *text) {
 
 void html_cell(FILE *out, const char *tag, const char *text) {
     fprintf(out, "<%s%s>", tag, is_number(text) ? " class=\"n\"" : "");
-    html_text(out, text);
-    fprintf(out, "</%s>", tag);
+    html_print(out, "%s</%s>", text, tag);
 }
 
 void html_verdict(FILE *out, const char *word) {
     int good = strcmp(word, "pass") == 0, bad = strcmp(word, "fail") == 0;
     fprintf(out, "<span class=\"%s\">%s ", good ? "pass" : bad ? "fail" : "other", good ? "✓" : bad ? "✗" : "?");
-    html_text(out, word);
-    fprintf(out, "</span>");
+    html_print(out, "%s</span>", word);
 }
 
 /* Base 64 (RFC 4648). */
@@ -97,9 +105,7 @@ int html_image(FILE *out, const char *path, const char *alternative) {
     FILE *in = fopen(path, "rb");
     unsigned char block[3 * 1024];
     if (!in) return -1;
-    fprintf(out, "<img alt=\"");
-    html_text(out, alternative);
-    fprintf(out, "\" src=\"data:image/svg+xml;base64,");
+    html_print(out, "<img alt=\"%s\" src=\"data:image/svg+xml;base64,", alternative);
     for (size_t n; (n = fread(block, 1, sizeof block, in)) > 0;) put_base64(out, block, n);
     fprintf(out, "\">");
     fclose(in);

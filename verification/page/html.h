@@ -8,8 +8,10 @@
 void html_open(FILE *out, const char *title); /* up to the open <main> */
 void html_close(FILE *out);
 
-void html_text(FILE *out,
-               const char *text); /* the characters of HTML and XML escaped, control characters as blanks */
+/* The characters of HTML and XML escaped, control characters as blanks. */
+void html_text(FILE *out, const char *text);
+/* As printf with no conversion but %s, each of them by html_text. */
+void html_print(FILE *out, const char *format, ...) __attribute__((format(printf, 2, 3)));
 
 /* A cell <th> or <td>; numbers are set right.  */
 void html_cell(FILE *out, const char *tag, const char *text);

@@ -11,20 +11,14 @@
 static void put_case(const struct gate_result *r, FILE *out) {
     const enum verdict verdict = r->measured.verdict;
     const char *tag = verdict == VERDICT_FAIL ? "failure" : verdict == VERDICT_SKIPPED ? "skipped" : "error";
-    fprintf(out, "    <testcase name=\"");
-    html_text(out, r->gate.id);
+    html_print(out, "    <testcase name=\"%s", r->gate.id);
     fprintf(out, "\" time=\"%.3f\"", r->seconds);
     if (verdict == VERDICT_PASS) {
         fprintf(out, "/>\n");
         return;
     }
-    fprintf(out, ">\n      <%s message=\"", tag);
-    html_text(out, r->measured.reason);
-    fprintf(out, "\">expected because: ");
-    html_text(out, r->gate.why);
-    fprintf(out, "\nheatladder ");
-    html_text(out, r->typed);
-    fprintf(out, "</%s>\n    </testcase>\n", tag);
+    html_print(out, ">\n      <%s message=\"%s\">expected because: %s\nheatladder %s</%s>\n    </testcase>\n", tag,
+               r->measured.reason, r->gate.why, r->typed, tag);
 }
 
 int junit_write(const struct gates *g, const char *path, struct failure *why) {

@@ -22,11 +22,7 @@ void page_put_origin(FILE *out) {
     if (gmtime_r(&now, &parts)) strftime(when, sizeof when, "%Y-%m-%d %H:%M UTC", &parts);
     if (uname(&machine) == 0)
         snprintf(where, sizeof where, "%.60s %.60s, %.60s", machine.sysname, machine.release, machine.machine);
-    fprintf(out, "<p class=\"faint\">Made %s on ", when);
-    html_text(out, where);
-    fprintf(out, " by heatladder ");
-    html_text(out, version_text);
-    fprintf(out, ".</p>\n");
+    html_print(out, "<p class=\"faint\">Made %s on %s by heatladder %s.</p>\n", when, where, version_text);
 }
 
 int page_gates_write(const struct gates *g, const char *title, const char *path, struct failure *why) {
@@ -103,15 +99,10 @@ int page_ladder_write(const struct ladder *l, const struct ladder_rungs *asked, 
     struct chart chart = {title, l->in_time ? "dt [s]" : "dx [m]", "E1", 1, &series, expected};
     fprintf(out, "<p class=\"verdict\">");
     html_verdict(out, verdict_words[l->verdict]);
-    fprintf(out, ": ");
-    html_text(out, l->reason);
-    fprintf(out, "</p>\n<p>");
     ladder_slope_text(l, slope, sizeof slope);
-    html_text(out, slope);
-    fprintf(out, ".</p>\n");
+    html_print(out, ": %s</p>\n<p>%s.</p>\n", l->reason, slope);
     if (l->diagnosed) {
-        fprintf(out, "<p>Diagnosis: ");
-        html_text(out, l->diagnosis.what);
+        html_print(out, "<p>Diagnosis: %s", l->diagnosis.what);
         if (l->diagnosis.named) fprintf(out, " (%.0f %% of the error)", 100 * l->diagnosis.share);
         fprintf(out, ".</p>\n");
     }
