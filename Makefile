@@ -32,11 +32,12 @@ MAKEFLAGS += -j$(shell getconf _NPROCESSORS_ONLN 2>/dev/null || echo 1)
 endif
 
 # Sources are found where they lie: one folder deep, tests apart.
-SOURCES := $(filter-out verification/unit/%,$(wildcard $(foreach d,solver references verification reports,$(d)/*.c $(d)/*/*.c)))
+SOURCES := $(filter-out verification/unit/% verification/examples/%,$(wildcard $(foreach d,solver references verification reports,$(d)/*.c $(d)/*/*.c)))
 OBJECTS := $(SOURCES:%.c=$(BUILD)/%.o)
 LIBRARY := $(filter-out $(BUILD)/verification/main.o,$(OBJECTS))
 SCENES  := $(sort $(wildcard references/scene_*.c))
-C_FILES := $(wildcard $(foreach d,solver references verification reports,$(foreach e,[ch] inc,$(d)/*.$(e) $(d)/*/*.$(e))))
+C_FILES := $(filter-out verification/examples/%,$(wildcard $(foreach d,solver references verification reports,\
+  $(foreach e,[ch] inc,$(d)/*.$(e) $(d)/*/*.$(e)))))
 TESTS   := $(patsubst verification/unit/%.c,$(BUILD)/unit/%,$(wildcard verification/unit/test_*.c))
 
 ##@ Build and install
@@ -130,11 +131,25 @@ deb: dist ## Build Debian's package from that tarball (needs debhelper)
 clean: ## Remove everything that was built
 	rm -rf $(BUILD) reports/out
 
+# Codes of others in small: not part of the program.
+.PHONY: examples
+examples: $(BUILD)/examples/cells_c ## Build the examples of programs for --solver, as far as there are compilers for them
+	$(Q)if command -v gfortran >/dev/null && [ -f verification/examples/cells.f90 ]; then \
+	$(MAKE) -s --no-print-directory $(BUILD)/examples/cells_f90; fi
+
+$(BUILD)/examples/cells_c: verification/examples/cells.c
+	@mkdir -p $(@D)
+	$(Q)$(CC) -O2 -o $@ $< -lm
+
+$(BUILD)/examples/cells_f90: verification/examples/cells.f90
+	@mkdir -p $(@D)
+	$(Q)gfortran -O2 -J $(@D) -o $@ $<
+
 ##@ Verify
 
 .PHONY: test
-test: $(TESTS) $(BUILD)/heatladder ## Run the unit tests, and the program as its user meets it
-	$(Q)PROGRAM=$(BUILD)/heatladder scripts/run_tests $(TESTS) scripts/check_program
+test: $(TESTS) $(BUILD)/heatladder examples ## Run the unit tests, the program as its user meets it, and the examples
+	$(Q)PROGRAM=$(BUILD)/heatladder EXAMPLES=$(BUILD)/examples scripts/run_tests $(TESTS) scripts/check_program scripts/check_examples
 
 .PHONY: verify
 verify: $(BUILD)/heatladder ## Run every gate, then write tables and plots to reports/out; the exit status is the gates'
