@@ -133,9 +133,8 @@ clean: ## Remove everything that was built
 
 # Codes of others in small: not part of the program.
 .PHONY: examples
-examples: $(BUILD)/examples/cells_c ## Build the examples of programs for --solver, as far as there are compilers for them
-	$(Q)if command -v gfortran >/dev/null && [ -f verification/examples/cells.f90 ]; then \
-	$(MAKE) -s --no-print-directory $(BUILD)/examples/cells_f90; fi
+examples: $(addprefix $(BUILD)/examples/,cells_c $(if $(shell command -v gfortran),cells_f90)) ## Build the examples of programs for --solver
+	@:
 
 $(BUILD)/examples/cells_c: verification/examples/cells.c
 	@mkdir -p $(@D)
