@@ -81,11 +81,12 @@ static void extrapolate(struct ladder *l, const double *dt) {
 static int compare(const struct experiment *e, struct place **before, size_t *n, const struct field *f, int i,
                    struct ladder *l, struct failure *why) {
     struct place *at = sorted(f);
+    const double *dt = &l->x[i];
     int status = STATUS_OK;
     if (i > 0 && (*n != f->n || !on_one_grid(&e->problem, *before, at, f->n)))
         status = refuse(why, STATUS_INPUT,
                         "a ladder in time needs all runs on one grid: at %g s the points are not those of %g s",
-                        l->x[i], l->x[i - 1]);
+                        dt[0], dt[-1]);
     else if (i > 0)
         measure(*before, at, f->n, &l->rung[i - 1]);
     free(*before);
