@@ -6,6 +6,7 @@
 #include "verification/run/experiment.h"
 #include "verification/ladder/slope.h"
 
+#include <gsl/gsl_sort_double.h>
 #include <math.h>
 #include <omp.h>
 #include <stdlib.h>
@@ -15,13 +16,8 @@ static const double LONG = 0.02; /* s: the last rung of a candidate may take thi
 static const int COARSEST[3] = {0, 32, 16}, FINEST[3] = {0, 4096, 640}; /* particles along x, by dimension */
 enum { FAILURES = 2, ASYMPTOTIC = 3 };
 
-static int ascending(const void *a, const void *b) {
-    double x = *(const double *)a, y = *(const double *)b;
-    return (x > y) - (x < y);
-}
-
 struct bench_time bench_summary(double *seconds, int count) {
-    qsort(seconds, (size_t)count, sizeof *seconds, ascending);
+    gsl_sort(seconds, 1, (size_t)count);
     return (struct bench_time){seconds[count / 2], seconds[0], seconds[count - 1]};
 }
 

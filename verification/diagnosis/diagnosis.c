@@ -16,6 +16,7 @@
 #include "verification/diagnosis/response.h"
 #include "verification/text/json.h"
 
+#include <gsl/gsl_sort_double.h>
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -73,11 +74,6 @@ static struct fit fit_error(const struct errors *s, const double *f) {
     return (struct fit){x[1], 1 - left / a[0][0], fabs(x[1]) * sqrt(a[1][1] / fmax(natural, 1e-300))};
 }
 
-static int ascending(const void *a, const void *b) {
-    double x = *(const double *)a, y = *(const double *)b;
-    return (x > y) - (x < y);
-}
-
 static struct errors errors_of(const struct problem *p, const struct response_lattice *l,
                                const struct diagnosis_rung *r) {
     const struct field *f = r->field;
@@ -90,7 +86,7 @@ static struct errors errors_of(const struct problem *p, const struct response_la
         s.h[i] *= dx2;
         size[i] = isfinite(s.g[i]) ? fabs(s.g[i]) : INFINITY;
     }
-    qsort(size, f->n, sizeof *size, ascending);
+    gsl_sort(size, 1, f->n);
     double largest = size[f->n - 1 - f->n / 20];
     for (size_t i = 0; i < f->n; i++) s.e[i] = fabs(s.g[i]) <= largest ? f->T[i] - r->exact[i] : NAN;
     free(size);

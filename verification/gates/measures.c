@@ -56,17 +56,12 @@ SLOPE(slope_interior, LADDER_INTERIOR)
 SLOPE(slope_boundary, LADDER_BOUNDARY)
 #undef SLOPE
 
-static int by_falling_dx(const void *a, const void *b) {
-    double x = *(const double *)a, y = *(const double *)b;
-    return (x < y) - (x > y);
-}
-
 void measures_operator_slope(const struct request *r, double lo, double hi, struct measured *m) {
     struct numbers dx = r->rungs.dx;
     struct experiment e = r->experiment;
     struct failure why = {0};
     double error[RUNG_MAX];
-    qsort(dx.value, (size_t)dx.count, sizeof dx.value[0], by_falling_dx);
+    number_sort_falling(dx.value, dx.count);
     for (int i = 0; i < dx.count; i++) {
         e.options.dx = dx.value[i];
         int status = consistency_error(&e, &error[i], &why);

@@ -176,11 +176,6 @@ static int read_fields(char (*path)[RESULTS_PATH + 16], const struct column_map 
 
 /* ---- All ---- */
 
-static int descending(const void *a, const void *b) {
-    double x = *(const double *)a, y = *(const double *)b;
-    return (x < y) - (x > y);
-}
-
 static int find_answer(const char *dir, double h, char path[RESULTS_PATH + 16], struct failure *why) {
     char of[RESULTS_PATH];
     struct stat is;
@@ -202,7 +197,7 @@ int gci_read(const char *dir, const struct column_map *c, const struct numbers *
         status = refuse(why, STATUS_INPUT,
                         "--results '%.200s': %d spacings; without an exact solution three are needed", dir, h.count);
     if (!status) {
-        qsort(h.value, (size_t)h.count, sizeof h.value[0], descending);
+        number_sort_falling(h.value, h.count);
         memcpy(g->h, h.value, sizeof g->h);
         g->n = h.count;
     }

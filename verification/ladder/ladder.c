@@ -18,11 +18,6 @@
 
 const char *const ladder_norm_words[] = {"l1", "l2", "linf", "interior", "boundary", NULL};
 
-static int descending(const void *a, const void *b) {
-    double x = *(const double *)a, y = *(const double *)b;
-    return (x < y) - (x > y);
-}
-
 /* A list that rises is refined as it rises: its inverse falls. */
 static int plan_vary(const struct ladder_rungs *r, struct ladder *l, struct failure *why) {
     if (r->dx.count > 1 || r->dt.count > 1 || r->fourier.count > 1)
@@ -52,7 +47,7 @@ static int plan(const struct ladder_rungs *r, struct ladder *l, struct failure *
     const struct numbers *list = l->in_time ? steps : &r->dx;
     l->n = list->count;
     memcpy(l->x, list->value, sizeof l->x);
-    qsort(l->x, (size_t)l->n, sizeof l->x[0], descending);
+    number_sort_falling(l->x, l->n);
     for (int i = 0; i + 1 < l->n; i++)
         if (!(l->x[i + 1] < l->x[i])) return refuse(why, STATUS_INPUT, "--%s: %g is given twice", name, l->x[i]);
     return STATUS_OK;

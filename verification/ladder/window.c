@@ -22,6 +22,8 @@
 
 #include "verification/ladder/slope.h"
 
+#include <gsl/gsl_sort_double.h>
+#include <gsl/gsl_statistics_double.h>
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -43,16 +45,11 @@ static void leave_out_floors(const struct window_rung *rung, int n, struct windo
     }
 }
 
-static int ascending(const void *a, const void *b) {
-    double x = *(const double *)a, y = *(const double *)b;
-    return (x > y) - (x < y);
-}
-
 static double median(const double *values, int n) {
     double sorted[RUNG_MAX];
     for (int i = 0; i < n; i++) sorted[i] = values[i];
-    qsort(sorted, (size_t)n, sizeof sorted[0], ascending);
-    return n % 2 ? sorted[n / 2] : (sorted[n / 2 - 1] + sorted[n / 2]) / 2;
+    gsl_sort(sorted, 1, (size_t)n);
+    return gsl_stats_median_from_sorted_data(sorted, 1, (size_t)n);
 }
 
 /* Looks at the rungs that count; returns 1 where it left the coarsest of them out. */

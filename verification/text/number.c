@@ -77,3 +77,12 @@ int number_read_printed(const char *text, size_t length, double *value) {
     *value = read;
     return 0;
 }
+
+static int falling(const void *a, const void *b) {
+    double x = *(const double *)a, y = *(const double *)b;
+    return (x < y) - (x > y);
+}
+
+void number_sort_falling(double *values, int count) {
+    qsort(values, (size_t)count, sizeof *values, falling);
+}
