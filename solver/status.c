@@ -4,6 +4,7 @@
 #include <stdarg.h>
 #include <stdio.h>
 #include <stdlib.h>
+#include <string.h>
 
 int status_exit(int status) {
     return status == STATUS_NOT_APPLICABLE ? STATUS_INPUT : status == STATUS_UNSTABLE ? STATUS_NUMERICAL : status;
@@ -22,11 +23,19 @@ int refuse(struct failure *f, int status, const char *format, ...) {
     return status;
 }
 
+void *xcheck(void *block, size_t count, size_t size) {
+    if (block) return block;
+    fprintf(stderr, "heatladder: out of memory (%zu x %zu bytes)\n", count, size);
+    exit(STATUS_NUMERICAL);
+}
+
 void *xcalloc(size_t count, size_t size) {
-    void *block = calloc(count ? count : 1, size);
-    if (!block) {
-        fprintf(stderr, "heatladder: out of memory (%zu x %zu bytes)\n", count, size);
-        exit(STATUS_NUMERICAL);
-    }
+    return xcheck(calloc(count ? count : 1, size), count, size);
+}
+
+void *xgrow(void *old, size_t used, size_t count, size_t size) {
+    void *block = xcalloc(count, size);
+    if (used) memcpy(block, old, used * size);
+    free(old);
     return block;
 }

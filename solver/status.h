@@ -34,4 +34,10 @@ int refuse(struct failure *f, int status, const char *format, ...) __attribute__
 /* calloc that ends the program where memory is out; count = 0 gives a block that can be freed. */
 void *xcalloc(size_t count, size_t size);
 
+/* xcalloc with the first `used` elements of `old`, which is freed. */
+void *xgrow(void *old, size_t used, size_t count, size_t size);
+
+/* The block; without one (NULL) the program ends as in xcalloc. */
+void *xcheck(void *block, size_t count, size_t size);
+
 #endif

@@ -10,7 +10,6 @@
 #include "verification/stability/step_limit.h"
 #include "reports/page/figure.h"
 #include "verification/command/command_run.h"
-#include "verification/text/output.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -45,18 +44,13 @@ static int write_curve(const struct curve *c, FILE *out, struct failure *why) {
     return STATUS_OK;
 }
 
-static int write_work(const char *dir, struct failure *why) {
-    struct output page;
-    if (output_open(&page, why, "%s/matched_fig1.csv", dir)) return why->status;
-    figure_head(page.out, "square-step: error against work, as published and matched");
-    fprintf(page.out,
+static int write_work(FILE *out, struct failure *why) {
+    figure_head(out, "square-step: error against work, as published and matched");
+    fprintf(out,
             "# command: heatladder run square-step so_ssph --dx 0.1 --stepper euler --dt 0.001\n"
             "# command: heatladder run square-step so_ssph --dx 0.1 --stepper matched --h iso --sampling spline\n");
     int status = STATUS_OK;
-    for (size_t i = 0; i < sizeof curves / sizeof *curves && !status; i++)
-        status = write_curve(&curves[i], page.out, why);
-    if (!status) return output_close(&page, 1, why);
-    output_drop(&page, 1);
+    for (size_t i = 0; i < sizeof curves / sizeof *curves && !status; i++) status = write_curve(&curves[i], out, why);
     return status;
 }
 
@@ -77,29 +71,25 @@ static int write_ratio(const struct method *m, enum kernel_name kernel, double h
     return STATUS_OK;
 }
 
-static int write_symbol(const char *dir, struct failure *why) {
+static int write_symbol(FILE *out, struct failure *why) {
     const struct method *m = method_find("so_ssph");
-    struct output page;
     int status = STATUS_OK;
-    if (output_open(&page, why, "%s/matched_fig2.csv", dir)) return why->status;
-    figure_head(page.out, "SO-SSPH in the plane: the symbol's error and the steps, over h/dx");
-    fprintf(page.out,
+    figure_head(out, "SO-SSPH in the plane: the symbol's error and the steps, over h/dx");
+    fprintf(out,
             "# command: heatladder run square-step so_ssph --dx 0.1 --stepper matched --h iso --sampling spline\n");
     for (int k = 0; kernel_words[k] && !status; k++) {
         struct options o = {.kernel = (enum kernel_name)k};
         double iso;
         status = matched_isotropic(&o, m->scheme, &iso, why);
-        fprintf(page.out, "\n\n# %s\nh/dx,A,B/2,F = 2 A,limit\n", kernel_words[k]);
-        for (int i = 0; i <= 48 && !status; i++) status = write_ratio(m, o.kernel, 0.8 + i * 0.025, page.out, why);
-        if (!status) fprintf(page.out, "\n\n# %s isotropic\nh/dx,A,B/2,F = 2 A,limit\n", kernel_words[k]);
-        if (!status) status = write_ratio(m, o.kernel, iso, page.out, why);
+        fprintf(out, "\n\n# %s\nh/dx,A,B/2,F = 2 A,limit\n", kernel_words[k]);
+        for (int i = 0; i <= 48 && !status; i++) status = write_ratio(m, o.kernel, 0.8 + i * 0.025, out, why);
+        if (!status) fprintf(out, "\n\n# %s isotropic\nh/dx,A,B/2,F = 2 A,limit\n", kernel_words[k]);
+        if (!status) status = write_ratio(m, o.kernel, iso, out, why);
     }
-    if (!status) return output_close(&page, 1, why);
-    output_drop(&page, 1);
     return status;
 }
 
 int matched_write(const char *dir, struct failure *why) {
-    int status = write_work(dir, why);
-    return status ? status : write_symbol(dir, why);
+    static const struct figure_page pages[] = {{"matched_fig1", write_work}, {"matched_fig2", write_symbol}};
+    return figure_pages(pages, 2, dir, why);
 }

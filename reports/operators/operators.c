@@ -253,20 +253,18 @@ int operators_write(const char *dir, struct failure *why) {
     struct output page[PAGES] = {{0}};
     double start = omp_get_wtime();
     int status = output_directory(dir, "operators.csv", why);
-    if (!status) status = output_open(&page[0], why, "%s/operators.csv", dir);
-    if (!status) status = output_open(&page[1], why, "%s/operators.md", dir);
-    if (!status) status = output_open(&page[2], why, "%s/operators_error.csv", dir);
-    if (!status) status = output_open(&page[3], why, "%s/operators_redraw.csv", dir);
-    if (!status) status = operators_redraw(page[3].out, why);
+    FILE *csv = output_open(&page[0], "%s/operators.csv", dir), *md = output_open(&page[1], "%s/operators.md", dir);
+    FILE *error = output_open(&page[2], "%s/operators_error.csv", dir);
+    if (!status) status = operators_redraw(output_open(&page[3], "%s/operators_redraw.csv", dir), why);
     if (!status) {
         struct order *all = take_orders();
-        fprintf(page[1].out, "# Discrete Laplacians side by side\n\n`grows`: a mode grows at any step.\n");
-        write_orders(all, page[0].out);
-        tabulate_orders(all, page[1].out);
+        fprintf(md, "# Discrete Laplacians side by side\n\n`grows`: a mode grows at any step.\n");
+        write_orders(all, csv);
+        tabulate_orders(all, md);
         free(all);
-        fprintf(page[0].out, "\n\n");
-        write_traits(page[0].out, page[1].out);
-        status = write_neighbours(page[2].out, why);
+        fprintf(csv, "\n\n");
+        write_traits(csv, md);
+        status = write_neighbours(error, why);
     }
     if (!status) status = output_close(page, PAGES, why);
     output_drop(page, PAGES);

@@ -231,16 +231,10 @@ static void write_figure(const struct work *w, FILE *out) {
 }
 
 static int write_pages(const struct work *w, const char *dir, struct failure *why) {
-    struct output page[3] = {0};
-    if (output_open(&page[0], why, "%s/%s.csv", dir, w->c->table) ||
-        output_open(&page[1], why, "%s/%s.md", dir, w->c->table) ||
-        output_open(&page[2], why, "%s/%s.csv", dir, w->c->figure)) {
-        output_drop(page, 3);
-        return why->status;
-    }
-    write_csv(w, page[0].out);
-    write_markdown(w, page[1].out);
-    write_figure(w, page[2].out);
+    struct output page[3];
+    write_csv(w, output_open(&page[0], "%s/%s.csv", dir, w->c->table));
+    write_markdown(w, output_open(&page[1], "%s/%s.md", dir, w->c->table));
+    write_figure(w, output_open(&page[2], "%s/%s.csv", dir, w->c->figure));
     return output_close(page, 3, why);
 }
 

@@ -7,6 +7,7 @@
 #include "verification/text/output.h"
 
 #include <math.h>
+#include <omp.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -164,6 +165,20 @@ static void write_head(const struct figure *figure, int n, FILE *out) {
     }
 }
 
+int figure_pages(const struct figure_page *pages, size_t count, const char *dir, struct failure *why) {
+    int status = STATUS_OK;
+    for (size_t i = 0; i < count && !status; i++) {
+        struct output page;
+        double start = omp_get_wtime();
+        status = pages[i].write(output_open(&page, "%s/%s.csv", dir, pages[i].name), why);
+        if (!status) status = output_close(&page, 1, why);
+        output_drop(&page, 1);
+        if (!status) printf("%s/%s.csv (%.1f s)\n", dir, pages[i].name, omp_get_wtime() - start);
+        fflush(stdout);
+    }
+    return status;
+}
+
 int figure_write(const struct figure *figure, const char *dir, struct failure *why) {
     struct command_run *run = xcalloc(SERIES_MAX, sizeof *run);
     char *text[SERIES_MAX] = {0};
@@ -179,10 +194,10 @@ int figure_write(const struct figure *figure, const char *dir, struct failure *w
         if (out) fclose(out);
     }
     for (int i = 0; i < n && !status; i++) status = command_run_check(&run[i], why);
-    if (!status) status = output_open(&page, why, "%s/%s.csv", dir, figure->name);
     if (!status) {
-        write_head(figure, n, page.out);
-        for (int i = 0; i < n; i++) fputs(text[i] ? text[i] : "", page.out);
+        FILE *out = output_open(&page, "%s/%s.csv", dir, figure->name);
+        write_head(figure, n, out);
+        for (int i = 0; i < n; i++) fputs(text[i] ? text[i] : "", out);
         status = output_close(&page, 1, why);
     }
     for (int i = 0; i < n; i++) {

@@ -7,6 +7,7 @@
  *     # heatladder ...
  *     header, rows, two blank lines        (gnuplot: plot FILE index "NAME") */
 
+#include <stddef.h>
 #include <stdio.h>
 
 struct failure;
@@ -36,6 +37,15 @@ struct figure {
 
 /* The first lines of a data file: its title, and how to make it again.  "# command: ..." lines may follow. */
 void figure_head(FILE *out, const char *title);
+
+/* A data file that is made by one function: `write` fills it, STATUS_OK or *why. */
+struct figure_page {
+    const char *name; /* of the file, without .csv */
+    int (*write)(FILE *out, struct failure *why);
+};
+
+/* Each in turn, put in its place as it is done; names and times go to standard output. */
+int figure_pages(const struct figure_page *pages, size_t count, const char *dir, struct failure *why);
 
 int figure_write(const struct figure *figure, const char *dir, struct failure *why);
 

@@ -81,14 +81,6 @@ static char *take_gate(char *at, struct page_gate *g) {
     return at + 1;
 }
 
-static struct page_gate *grow(struct page_gate *gate, int *room) {
-    struct page_gate *larger = xcalloc((size_t)(2 * *room + 64), sizeof *larger);
-    if (gate) memcpy(larger, gate, (size_t)*room * sizeof *gate);
-    *room = 2 * *room + 64;
-    free(gate);
-    return larger;
-}
-
 int gates_file_read(const char *path, struct gates_file *g) {
     *g = (struct gates_file){.text = read_whole(path)};
     char *at = g->text ? strstr(g->text, "\"gates\": [") : NULL;
@@ -97,9 +89,10 @@ int gates_file_read(const char *path, struct gates_file *g) {
         return -1;
     }
     at += strlen("\"gates\": [");
-    int room = 0;
+    size_t room = 0;
     while (at && *(at += strspn(at, " \t\r\n,")) == '{') {
-        if (g->count == room) g->gate = grow(g->gate, &room);
+        size_t used = (size_t)g->count;
+        if (used == room) g->gate = xgrow(g->gate, used, room = 2 * room + 64, sizeof *g->gate);
         at = take_gate(at + 1, &g->gate[g->count++]);
     }
     if (at) return 0;

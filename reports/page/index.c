@@ -179,18 +179,12 @@ static void write_summary(const struct gates_file *g, FILE *out) {
 
 int index_write(const char *dir, struct failure *why) {
     char path[1200];
-    struct output page[2] = {0};
+    struct output page[2];
     struct gates_file g = {0};
-    int status = output_open(&page[0], why, "%s/index.html", dir);
-    if (!status) status = output_open(&page[1], why, "%s/summary.md", dir);
-    if (!status) {
-        snprintf(path, sizeof path, "%s/gates.json", dir);
-        gates_file_read(path, &g);
-        write_page(dir, &g, page[0].out);
-        write_summary(&g, page[1].out);
-        status = output_close(page, 2, why);
-    }
-    output_drop(page, 2);
+    snprintf(path, sizeof path, "%s/gates.json", dir);
+    gates_file_read(path, &g);
+    write_page(dir, &g, output_open(&page[0], "%s/index.html", dir));
+    write_summary(&g, output_open(&page[1], "%s/summary.md", dir));
     gates_file_free(&g);
-    return status;
+    return output_close(page, 2, why);
 }

@@ -120,18 +120,15 @@ static void write_markdown(const struct results *s, FILE *out) {
 
 int pamplona_plate_write(const char *dir, struct failure *why) {
     struct results *s = xcalloc(1, sizeof *s);
-    struct output page[2] = {0};
+    struct output page[2];
     int status = published_read(&s->t, "pamplona_table1", why);
     if (!status) status = run_all(s, why);
-    if (!status) status = output_open(&page[0], why, "%s/pamplona_table1.csv", dir);
-    if (!status) status = output_open(&page[1], why, "%s/pamplona_table1.md", dir);
     if (!status) {
         s->readings = readings_try(&s->t);
-        write_csv(s, page[0].out);
-        write_markdown(s, page[1].out);
+        write_csv(s, output_open(&page[0], "%s/pamplona_table1.csv", dir));
+        write_markdown(s, output_open(&page[1], "%s/pamplona_table1.md", dir));
         status = output_close(page, 2, why);
     }
-    output_drop(page, 2);
     free(s->readings);
     free(s);
     return status;

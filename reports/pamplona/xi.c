@@ -167,12 +167,12 @@ static void write_table(const struct results *s, FILE *out) {
 }
 
 static const struct {
-    const char *name, *ending;
+    const char *name;
     void (*write)(const struct results *s, FILE *out);
 } pages[] = {
-    {"pamplona_fig7a", ".csv", write_errors}, {"pamplona_fig7b", ".csv", write_xi},
-    {"pamplona_fig8", ".csv", write_work},    {"pamplona_fig8_seconds", ".csv", write_seconds},
-    {"pamplona_fig7", ".md", write_table},
+    {"pamplona_fig7a.csv", write_errors}, {"pamplona_fig7b.csv", write_xi},
+    {"pamplona_fig8.csv", write_work},    {"pamplona_fig8_seconds.csv", write_seconds},
+    {"pamplona_fig7.md", write_table},
 };
 
 /* Row OTHER: titanium at a quarter of the time step, and at the time when its alpha t is that of steel. */
@@ -227,9 +227,7 @@ int pamplona_xi_write(const char *dir, struct failure *why) {
     if (!status) status = find_all(s, why);
     for (size_t i = 0; i < sizeof pages / sizeof *pages && !status; i++) {
         struct output page;
-        status = output_open(&page, why, "%s/%s%s", dir, pages[i].name, pages[i].ending);
-        if (status) break;
-        pages[i].write(s, page.out);
+        pages[i].write(s, output_open(&page, "%s/%s", dir, pages[i].name));
         status = output_close(&page, 1, why);
     }
     free(s);

@@ -1,15 +1,10 @@
 /* The pages of stability, and what they share. */
 #include "reports/stability/stability.h"
 
+#include "reports/page/figure.h"
 #include "verification/text/output.h"
 
-#include <omp.h>
-#include <string.h>
-
-static const struct {
-    const char *name; /* of the file, without .csv */
-    int (*write)(FILE *out, struct failure *why);
-} pages[] = {
+static const struct figure_page pages[] = {
     {"stability_limits", stability_limits_page},     {"stability_symbols", stability_symbols_page},
     {"stability_jitter", stability_jitter_page},     {"stability_walls", stability_walls_page},
     {"stability_blowup", stability_blowup_page},     {"stability_checkerboard", stability_checkerboard_page},
@@ -31,16 +26,5 @@ struct model_problem stability_probe(const char *method, int dim, enum kernel_na
 
 int stability_write(const char *dir, struct failure *why) {
     if (output_directory(dir, "stability_limits.csv", why)) return why->status;
-    for (size_t i = 0; i < sizeof pages / sizeof *pages; i++) {
-        struct output page;
-        double start = omp_get_wtime();
-        if (output_open(&page, why, "%s/%s.csv", dir, pages[i].name)) return why->status;
-        int status = pages[i].write(page.out, why);
-        if (!status) status = output_close(&page, 1, why);
-        output_drop(&page, 1);
-        if (status) return status;
-        printf("%s/%s.csv (%.1f s)\n", dir, pages[i].name, omp_get_wtime() - start);
-        fflush(stdout);
-    }
-    return STATUS_OK;
+    return figure_pages(pages, sizeof pages / sizeof *pages, dir, why);
 }

@@ -153,12 +153,8 @@ void claims_write_markdown(const struct claims *c, FILE *out) {
 }
 
 int claims_write_files(const struct claims *c, const char *dir, struct failure *why) {
-    struct output page[2] = {0};
-    if (output_open(&page[0], why, "%s/claims.csv", dir) || output_open(&page[1], why, "%s/claims.md", dir)) {
-        output_drop(page, 2);
-        return why->status;
-    }
-    claims_write_csv(c, page[0].out);
-    claims_write_markdown(c, page[1].out);
+    struct output page[2];
+    claims_write_csv(c, output_open(&page[0], "%s/claims.csv", dir));
+    claims_write_markdown(c, output_open(&page[1], "%s/claims.md", dir));
     return output_close(page, 2, why);
 }

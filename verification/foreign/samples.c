@@ -49,18 +49,11 @@ void samples_free(struct samples *s) {
     *s = (struct samples){0};
 }
 
-static void *wider(void *old, size_t n, size_t room, size_t size) {
-    void *block = xcalloc(room, size);
-    if (n) memcpy(block, old, n * size);
-    free(old);
-    return block;
-}
-
 void samples_grow(struct samples *s) {
     size_t room = s->room ? 2 * s->room : 1024;
     for (int k = 0; k < COLUMN_COUNT; k++)
-        if (s->has[k]) s->value[k] = wider(s->value[k], s->n, room, sizeof *s->value[k]);
-    s->line = wider(s->line, s->n, room, sizeof *s->line);
+        if (s->has[k]) s->value[k] = xgrow(s->value[k], s->n, room, sizeof *s->value[k]);
+    s->line = xgrow(s->line, s->n, room, sizeof *s->line);
     s->room = room;
 }
 

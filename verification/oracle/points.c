@@ -31,11 +31,7 @@ static char *read_all(FILE *in, size_t *size) {
     while ((got = fread(text + used, 1, room - used - 1, in)) > 0) {
         used += got;
         if (used + 1 < room) continue;
-        char *more = xcalloc(2 * room, 1);
-        memcpy(more, text, used);
-        free(text);
-        text = more;
-        room *= 2;
+        text = xgrow(text, used, room *= 2, 1);
     }
     *size = used;
     return text;
@@ -93,20 +89,13 @@ static int read_header(struct reader *r, const char *line, struct failure *why) 
     return STATUS_OK;
 }
 
-static void *larger(void *old, size_t used, size_t room, size_t size) {
-    void *block = xcalloc(room, size);
-    if (used) memcpy(block, old, used * size);
-    free(old);
-    return block;
-}
-
 static void grow(struct reader *r) {
     struct points *points = r->points;
     if (points->n < r->room) return;
     r->room = r->room ? 2 * r->room : 1024;
-    points->x = larger(points->x, points->n, r->room, sizeof *points->x);
-    points->typed = larger(points->typed, points->n, r->room, sizeof *points->typed);
-    if (r->place[COLUMN_DX] >= 0) points->cell = larger(points->cell, points->n, r->room, sizeof *points->cell);
+    points->x = xgrow(points->x, points->n, r->room, sizeof *points->x);
+    points->typed = xgrow(points->typed, points->n, r->room, sizeof *points->typed);
+    if (r->place[COLUMN_DX] >= 0) points->cell = xgrow(points->cell, points->n, r->room, sizeof *points->cell);
 }
 
 static int read_number(const struct reader *r, int column, struct points_text cell, double *value,

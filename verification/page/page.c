@@ -27,8 +27,7 @@ void page_put_origin(FILE *out) {
 
 int page_gates_write(const struct gates *g, const char *title, const char *path, struct failure *why) {
     struct output page;
-    if (output_open(&page, why, "%s", path)) return why->status;
-    FILE *out = page.out;
+    FILE *out = output_open(&page, "%s", path);
     html_open(out, title);
     struct page_gate *gate = xcalloc((size_t)g->declared, sizeof *gate);
     for (int i = 0; i < g->declared; i++) {
@@ -82,8 +81,7 @@ static void put_rungs(const struct ladder *l, FILE *out) {
 int page_ladder_write(const struct ladder *l, const struct ladder_rungs *asked, const char *path,
                       struct failure *why) {
     struct output page;
-    if (output_open(&page, why, "%s", path)) return why->status;
-    FILE *out = page.out;
+    FILE *out = output_open(&page, "%s", path);
     char title[240];
     result_describe(&l->rung[l->n - 1], title, sizeof title);
     double expected = asked->expect.count ? (asked->expect.value[0] + asked->expect.value[1]) / 2 : NAN;

@@ -8,21 +8,18 @@
 #include <stdlib.h>
 #include <sys/stat.h>
 
-static int path_of(char *path, size_t size, struct failure *why, const char *format, va_list arguments) {
-    int length = vsnprintf(path, size, format, arguments);
-    if (length >= 0 && (size_t)length < size) return STATUS_OK;
+static int refuse_path(const char *path, struct failure *why) {
     return refuse(why, STATUS_INPUT, "the path '%.100s...' is too long", path);
 }
 
-int output_open(struct output *o, struct failure *why, const char *path, ...) {
+FILE *output_open(struct output *o, const char *path, ...) {
     va_list arguments;
     *o = (struct output){0};
     va_start(arguments, path);
-    int status = path_of(o->path, sizeof o->path, why, path, arguments);
+    int length = vsnprintf(o->path, sizeof o->path, path, arguments);
     va_end(arguments);
-    if (status) return status;
-    o->out = open_memstream(&o->text, &o->size);
-    return o->out ? STATUS_OK : refuse(why, STATUS_NUMERICAL, "out of memory for '%.200s'", o->path);
+    o->too_long = length < 0 || (size_t)length >= sizeof o->path;
+    return o->out = xcheck(open_memstream(&o->text, &o->size), 1, BUFSIZ);
 }
 
 void output_end(struct output *o) {
@@ -41,6 +38,7 @@ int output_close(struct output *o, int count, struct failure *why) {
     for (int i = 0; i < count; i++) {
         output_end(&o[i]);
         file[i] = (struct atomic_file){o[i].path, o[i].text, o[i].size};
+        if (o[i].too_long) status = refuse_path(o[i].path, why);
         if (!o[i].text) status = refuse(why, STATUS_NUMERICAL, "out of memory for '%.200s'", o[i].path);
     }
     if (!status) status = atomic_file_write_all(file, count, why);
@@ -57,17 +55,9 @@ void output_drop(struct output *o, int count) {
     }
 }
 
-static int join(char *path, size_t size, struct failure *why, const char *format, ...) {
-    va_list arguments;
-    va_start(arguments, format);
-    int status = path_of(path, size, why, format, arguments);
-    va_end(arguments);
-    return status;
-}
-
 int output_directory(const char *dir, const char *name, struct failure *why) {
     char path[1024];
-    if (join(path, sizeof path, why, "%s/%s", dir, name)) return why->status;
+    if ((size_t)snprintf(path, sizeof path, "%s/%s", dir, name) >= sizeof path) return refuse_path(path, why);
     mkdir(dir, 0777); /* the check tells where it cannot be made */
     return atomic_file_check(path, why);
 }

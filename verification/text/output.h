@@ -3,8 +3,8 @@
 
 /* A file written in memory, then put in its place whole (atomic_file.h).
  *
- *     if (output_open(&page, why, "%s/%s.csv", dir, name)) return why->status;
- *     fprintf(page.out, ...);
+ *     FILE *out = output_open(&page, "%s/%s.csv", dir, name);
+ *     fprintf(out, ...);
  *     return output_close(&page, 1, why); */
 
 #include <stdio.h>
@@ -14,17 +14,18 @@ struct failure;
 struct output {
     FILE *out; /* to be written to; NULL once closed */
     char path[1024], *text;
+    int too_long; /* 1: `path` is cut off, which output_close refuses */
     size_t size;
 };
 
-/* Opens a file in memory; its place is a path, printf-like.  STATUS_OK, or with *why filled STATUS_INPUT (the path is
- * too long) or STATUS_NUMERICAL (no memory). */
-int output_open(struct output *o, struct failure *why, const char *path, ...) __attribute__((format(printf, 3, 4)));
+/* Opens a file in memory, to be written to; its place is a path, printf-like.  Ends the program without memory. */
+FILE *output_open(struct output *o, const char *path, ...) __attribute__((format(printf, 2, 3)));
 
 /* Ends the writing: `text` is what was written.  Not needed before output_close. */
 void output_end(struct output *o);
 
-/* Puts `count` files that belong together in their places, or with *why filled none of them.  Frees them. */
+/* Puts `count` files that belong together in their places: STATUS_OK; or none of them with *why filled, STATUS_INPUT
+ * where a place cannot be written, STATUS_NUMERICAL without memory.  Frees them. */
 int output_close(struct output *o, int count, struct failure *why);
 
 /* Frees them without a trace; also where some were never opened (zeroed). */

@@ -20,13 +20,6 @@ struct files {
     struct output file[WORDS_MAX];
 };
 
-static int keep_data(const struct bench_scene *b, struct files *files, const char *dir, struct failure *why) {
-    struct output *o = &files->file[files->count++];
-    if (output_open(o, why, "%s/bench_%s.csv", dir, b->scene->name)) return why->status;
-    bench_print_data(b, o->out);
-    return STATUS_OK;
-}
-
 /* One scene at its defaults: measured, printed and, with a folder, kept for it. */
 static int bench_one(const struct request *given, const struct scene *s, struct json *j, struct files *files,
                      struct failure *why) {
@@ -45,7 +38,8 @@ static int bench_one(const struct request *given, const struct scene *s, struct 
         bench_print_scene(b, stdout);
         fflush(stdout);
     }
-    if (!status && given->dir) status = keep_data(b, files, given->dir, why);
+    if (!status && given->dir)
+        bench_print_data(b, output_open(&files->file[files->count++], "%s/bench_%s.csv", given->dir, s->name));
     free(b);
     return status;
 }
@@ -81,9 +75,9 @@ static int bench_scenes(const struct request *r, FILE *out, struct files *files,
 int verb_bench(const struct request *r, struct failure *why) {
     struct files *files = xcalloc(1, sizeof *files);
     struct output *json = &files->file[files->count++];
-    int status = output_open(json, why, "%s/bench.json", r->dir ? r->dir : "");
-    if (!status && r->dir) status = atomic_file_check(json->path, why);
-    if (!status) status = bench_scenes(r, json->out, files, why);
+    FILE *out = output_open(json, "%s/bench.json", r->dir ? r->dir : "");
+    int status = r->dir ? atomic_file_check(json->path, why) : STATUS_OK;
+    if (!status) status = bench_scenes(r, out, files, why);
     output_end(json);
     if (!status && r->json) fputs(json->text, stdout);
     if (!status && r->dir) status = output_close(files->file, files->count, why);

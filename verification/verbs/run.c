@@ -51,8 +51,7 @@ static void print_json(const struct result *r, double between) {
 /* x[,y],T,exact in m and K, one line a point. */
 static int write_field(const struct request *r, const struct field *f, struct failure *why) {
     struct output page;
-    if (output_open(&page, why, "%s", r->field_path)) return why->status;
-    FILE *out = page.out;
+    FILE *out = output_open(&page, "%s", r->field_path);
     fprintf(out, "%s,T,exact\n", f->dim == 2 ? "x,y" : "x");
     struct snapshot exact = snapshot_take(r->experiment.scene, &r->experiment.problem, f->time);
     for (size_t i = 0; i < f->n; i++) {

@@ -40,8 +40,7 @@ static void gate_json(const struct gate_result *r, struct json *j) {
 
 static int write_json(const struct gates *g, const char *path, struct failure *why) {
     struct output page;
-    if (output_open(&page, why, "%s", path)) return why->status;
-    struct json j = json_on(page.out);
+    struct json j = json_on(output_open(&page, "%s", path));
     json_object(&j, NULL);
     json_whole(&j, "declared", g->declared);
     json_whole(&j, "executed", g->executed);
