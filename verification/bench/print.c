@@ -21,9 +21,7 @@ void bench_print_machine(FILE *out) {
 }
 
 void bench_print_engine(const struct bench_engine *e, FILE *out) {
-    struct table t = table_create(5, 1);
-    const char *header[] = {"engine", "median", "spread [%]", "aim", "verdict"};
-    for (int i = 0; i < 5; i++) table_add(&t, "%s", header[i]);
+    struct table t = table_headed(1, "engine|median|spread [%]|aim|verdict");
     for (int i = 0; i < e->count; i++) {
         const struct bench_engine_row *r = &e->row[i];
         table_add(&t, "%s", r->what);
@@ -43,10 +41,7 @@ void bench_print_engine(const struct bench_engine *e, FILE *out) {
 }
 
 static void print_front(const struct bench_scene *b, FILE *out) {
-    struct table t = table_create(8, 1);
-    const char *header[] = {"on a front", "along x",      "E1",         "seconds",
-                            "spread [%]", "work [pairs]", "B/particle", "fronts"};
-    for (int i = 0; i < 8; i++) table_add(&t, "%s", header[i]);
+    struct table t = table_headed(1, "on a front|along x|E1|seconds|spread [%]|work [pairs]|B/particle|fronts");
     for (int i = 0; i < b->count; i++) {
         const struct bench_row *r = &b->row[i];
         if (!r->front_time && !r->front_work) continue;
@@ -64,9 +59,7 @@ static void print_front(const struct bench_scene *b, FILE *out) {
 }
 
 static void print_growth(const struct bench_scene *b, FILE *out) {
-    struct table t = table_create(5, 1);
-    const char *header[] = {"growth with particles", "rungs", "seconds", "work", "of the steps"};
-    for (int i = 0; i < 5; i++) table_add(&t, "%s", header[i]);
+    struct table t = table_headed(1, "growth with particles|rungs|seconds|work|of the steps");
     for (int i = 0; i < b->growths; i++) {
         const struct bench_growth *g = &b->growth[i];
         table_add(&t, "%s", g->candidate->label);

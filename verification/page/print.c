@@ -16,9 +16,7 @@ static int holds(const struct gate_result *r) {
 }
 
 static void print_all(const struct gates *g) {
-    static const char *const header[] = {"gate", "verdict", "expected", "measured", "error", "seconds", "what"};
-    struct table t = table_create(7, 2);
-    for (int i = 0; i < 7; i++) table_add(&t, "%s", header[i]);
+    struct table t = table_headed(2, "gate|verdict|expected|measured|error|seconds|what");
     for (int i = 0; i < g->declared; i++) {
         const struct gate *gate = &g->result[i].gate;
         const struct measured *m = &g->result[i].measured;

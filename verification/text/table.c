@@ -13,17 +13,22 @@ struct table table_create(int columns, int left) {
     return (struct table){.columns = columns, .left = left};
 }
 
-static void grow(struct table *t) {
-    int room = t->room ? 2 * t->room : 8 * t->columns;
-    char(*cell)[TABLE_CELL] = xcalloc((size_t)room, sizeof *cell);
-    if (t->cells) memcpy(cell, t->cell, (size_t)t->cells * sizeof *cell);
-    free(t->cell);
-    t->cell = cell;
-    t->room = room;
+struct table table_headed(int left, const char *header) {
+    struct table t = table_create(1, left);
+    for (const char *at = header; *at; at++) t.columns += *at == '|';
+    for (const char *at = header;; at++) {
+        int length = (int)strcspn(at, "|");
+        table_add(&t, "%.*s", length, at);
+        at += length;
+        if (!*at) return t;
+    }
 }
 
 void table_add(struct table *t, const char *format, ...) {
-    if (t->cells == t->room) grow(t);
+    if (t->cells == t->room) {
+        t->room = t->room ? 2 * t->room : 8 * t->columns;
+        t->cell = xgrow(t->cell, (size_t)t->cells, (size_t)t->room, sizeof *t->cell);
+    }
     va_list arguments;
     va_start(arguments, format);
     vsnprintf(t->cell[t->cells++], TABLE_CELL, format, arguments);

@@ -16,6 +16,8 @@ struct table {
 };
 
 struct table table_create(int columns, int left);
+/* With a first row: "one|two|three". */
+struct table table_headed(int left, const char *header);
 void table_add(struct table *t, const char *format, ...) __attribute__((format(printf, 2, 3)));
 /* The value, or `none` where it is not finite. */
 void table_number(struct table *t, const char *format, double value, const char *none)

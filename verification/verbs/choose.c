@@ -52,9 +52,7 @@ static void print_text(const struct request *r, const struct choose *c) {
         printf("  %-10s %.3g s, work of %.3g pairs, %d proving run%s\n\n", "cost", p->seconds, p->work, c->proofs,
                c->proofs == 1 ? "" : "s");
     }
-    struct table t = table_create(5, 1);
-    const char *header[] = {"candidate", "particles along x", "order", "E1 predicted", "work [pairs]"};
-    for (int i = 0; i < 5; i++) table_add(&t, "%s", header[i]);
+    struct table t = table_headed(1, "candidate|particles along x|order|E1 predicted|work [pairs]");
     for (int i = 0; i < c->count; i++) {
         const struct extrapolation *o = &c->one[i];
         if (!isfinite(o->predicted_work)) continue;

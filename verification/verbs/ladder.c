@@ -17,22 +17,6 @@
 #include <stdio.h>
 #include <stdlib.h>
 
-static void add_header(struct table *t, const struct ladder *l) {
-    const char *header[] = {l->in_time ? "dt [s]"
-                            : *l->vary ? l->vary
-                                       : "dx [m]",
-                            "particles",
-                            "steps",
-                            "E1",
-                            l->norm == LADDER_QUANTITY ? "quantity" : "L2",
-                            l->norm == LADDER_QUANTITY ? "its error" : "Linf [K]",
-                            "slope",
-                            "time [%]",
-                            "seconds",
-                            "left out"};
-    for (int i = 0; i < 10; i++) table_add(t, "%s", header[i]);
-}
-
 static void add_rung(struct table *t, const struct ladder *l, int i) {
     const struct result *r = &l->rung[i];
     table_add(t, "%.6g", l->inverse ? 1 / l->x[i] : l->x[i]);
@@ -51,8 +35,13 @@ static void add_rung(struct table *t, const struct ladder *l, int i) {
 }
 
 static void print_text(const struct ladder *l) {
-    struct table t = table_create(10, 0);
-    char what[240];
+    char header[160], what[240];
+    snprintf(header, sizeof header, "%s|particles|steps|E1|%s|slope|time [%%]|seconds|left out",
+             l->in_time ? "dt [s]"
+             : *l->vary ? l->vary
+                        : "dx [m]",
+             l->norm == LADDER_QUANTITY ? "quantity|its error" : "L2|Linf [K]");
+    struct table t = table_headed(0, header);
     const char *verdict = verdict_words[l->verdict];
     result_describe(&l->rung[l->n - 1], what, sizeof what);
     printf("%s\n", what);
@@ -65,7 +54,6 @@ static void print_text(const struct ladder *l) {
                l->semidiscrete_steps, l->semidiscrete_error);
     if (l->rung[0].derived_name) printf("the exact quantity is %.12g\n", l->rung[0].derived_exact);
     printf("\n");
-    add_header(&t, l);
     for (int i = 0; i < l->n; i++) add_rung(&t, l, i);
     table_print(&t, stdout);
     table_free(&t);
@@ -107,13 +95,10 @@ static void add_quantity(struct table *t, const struct gci *g, const struct gci_
 }
 
 static void print_gci(const struct gci *g) {
-    struct table t = table_create(8, 1);
-    table_add(&t, "quantity");
-    for (int i = g->n - 3; i < g->n; i++) table_add(&t, "at %.6g", g->h[i]);
-    table_add(&t, "p");
-    table_add(&t, "extrapolated");
-    table_add(&t, "GCI [%%]");
-    table_add(&t, " ");
+    char header[160];
+    snprintf(header, sizeof header, "quantity|at %.6g|at %.6g|at %.6g|p|extrapolated|GCI [%%]| ", g->h[g->n - 3],
+             g->h[g->n - 2], g->h[g->n - 1]);
+    struct table t = table_headed(1, header);
     for (int k = 0; k < g->rows; k++) add_quantity(&t, g, &g->row[k]);
     printf("Richardson's extrapolation from the three finest of %d spacings\n\n", g->n);
     table_print(&t, stdout);
