@@ -5,7 +5,8 @@
  * as a tensor product in the plane.  Averages restore second order where a jump lies anywhere (Kreiss, Thomee,
  * Widlund 1970).  A cell of two materials starts at its heat over its heat capacity; its points are then the middles
  * of its two parts.  Gauss-Legendre with four points on each piece that is smooth: the rule is cut at the knots of B,
- * at the walls, at the planes where the data jump, and at their images in the walls. */
+ * at the walls, at the planes where the data jump, at their images in the walls, and at a plane of symmetry, which is
+ * a wall where half of the domain is computed. */
 #include "solver/differences/ftcs_sample.h"
 
 #include "solver/differences/ftcs_layers.h"
@@ -13,7 +14,7 @@
 
 #include <math.h>
 
-enum { GAUSS = 4, CUTS = 2 + 3 * JUMP_MAX, KNOTS = 5 + CUTS };
+enum { GAUSS = 4, CUTS = 3 + 3 * JUMP_MAX, KNOTS = 5 + CUTS };
 
 struct rule {
     int count;
@@ -80,6 +81,7 @@ static void rule_make(struct rule *r, const struct problem *p, int a, double cen
         cut[cuts++] = 2 * p->lo[a] - p->jump[a][i];
         cut[cuts++] = 2 * p->hi[a] - p->jump[a][i];
     }
+    if (p->mirror[a]) cut[cuts++] = (p->lo[a] + p->hi[a]) / 2;
     for (int c = 0; c < cuts; c++)
         cut[c] = (cut[c] - centre) / d; /* so that the weights add up to 1 to the last digit */
     for (int k = 0; k <= pieces; k++) knot[k] = k - 0.5 * pieces;

@@ -56,7 +56,11 @@ static void hold(const struct problem *p, const struct options *o, const struct 
     /* lists that grow by doubling, and the cloud with its ghosts */
     outline_hold(out, "rows while they are assembled, about", out->rows ? 2 * a->bytes : 0, OUTLINE_SET_UP,
                  OUTLINE_SET_UP);
-    /* of transforms what is held depends on the data, and is less than what the measured error holds */
+    /* on a rod; in the plane what transforms hold depends on the data, and is less than what the measured error holds
+     */
+    if (o->stepper == STEPPER_EXACT && p->dim == 1)
+        outline_hold(out, "rates of the modes and a transform", a->n * (size_t)(a->reach[0] + 2) * unit,
+                     OUTLINE_SET_UP, OUTLINE_SET_UP);
     if (o->stepper != STEPPER_EXACT)
         outline_hold(out,
                      m->stepper == STEPPER_RKL2 ? "three states with their ghosts" : "two states with their ghosts",

@@ -214,14 +214,17 @@ static void pass(const struct axis *a, int way, const double *in, double *out, d
 
 static void both_passes(const struct transform *t, int way, double *T) {
     size_t nx = (size_t)t->axis[0].n, ny = t->dim == 2 ? (size_t)t->axis[1].n : 1;
-    double *across = xcalloc(nx * ny, sizeof *across), *work = xcalloc(LINES * (nx > ny ? nx : ny), sizeof *work);
-    pass(&t->axis[0], way, T, across, work);
-    if (t->dim == 2)
+    double *across = xcalloc(nx * ny, sizeof *across);
+    if (t->dim == 2) {
+        double *work = xcalloc(LINES * (nx > ny ? nx : ny), sizeof *work);
+        pass(&t->axis[0], way, T, across, work);
         pass(&t->axis[1], way, across, T, work);
-    else
+        free(work);
+    } else {
+        line(&t->axis[0], way, T, across);
         memcpy(T, across, nx * sizeof *T);
+    }
     free(across);
-    free(work);
 }
 
 void transform_forward(const struct transform *t, double *T) {

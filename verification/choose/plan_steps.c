@@ -11,7 +11,7 @@
 
 #include <math.h>
 
-enum { COARSEST = 8, MULTIPLES = 4096 };        /* particles: least along an axis; multiples of dx */
+enum { COARSEST = 8, MULTIPLES = 4096 };        /* particles: least along an axis of a coarser run; multiples of dx */
 static const double SMALL[3] = {0, 1000, 2500}; /* particles of a quick run, by dimension */
 static const double QUICK = 2e7;                /* updates of its first trial */
 
@@ -73,7 +73,7 @@ static double carried(double dx, const struct rung rung[2], double a, double b) 
 static struct plan_steps take_rungs(const struct experiment *e, int strictly, struct rung rung[2]) {
     struct plan_steps f = {0};
     const double dx = e->options.dx, least = least_along(&e->problem, dx);
-    for (double m = 1; f.runs < 2 && m < MULTIPLES && least / m >= COARSEST; m++) {
+    for (double m = 1; f.runs < 2 && m < MULTIPLES && (m == 1 || least / m >= COARSEST); m++) {
         long long steps;
         if (!is_quick(e, m * dx) || (f.runs == 1 && m * dx < 1.4 * rung[0].dx)) continue;
         if ((strictly && !has_same_phase(&e->problem, dx, m * dx)) || !run(e, m * dx, &rung[f.runs], &steps))

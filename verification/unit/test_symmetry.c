@@ -46,6 +46,9 @@ static void a_part_is_the_whole(void **state) {
     as_the_whole("run rod-step ftcs --dx 0.05 --fourier 0.3", 2);
     as_the_whole("run rod-step so_ssph --dx 0.05 --walls fixed --stepper euler --dt 0.01", 2);
     as_the_whole("run rod-gauss brookshaw --dx 30/100 --volume tuned --stepper euler --fourier 0.05", 2);
+    as_the_whole("run rod-gauss brookshaw --dx 30/100 --volume tuned --stepper rkl2 --fourier 1", 2);
+    as_the_whole("run rod-gauss ftcs --dx 30/40 --sampling spline --dt 2.5", 2);
+    as_the_whole("run rod-gauss ftcs --dx 30/40 --sampling cell --dt 2.5", 2);
     as_the_whole("run square-step so_ssph --dx 0.1 --stepper exact", 4);
     as_the_whole("run square-step brookshaw --dx 0.1 --stepper rkl2 --dt 0.5", 4);
     as_the_whole("run square-step ftcs_flux --dx 0.1 --fourier 0.2", 4);
