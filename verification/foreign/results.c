@@ -76,9 +76,8 @@ static int read_param(const struct param *t, const char *text, double *value) {
     return index < 0 ? -1 : 0;
 }
 
-/* The parameters that the case at `path` has, against those that are set; new ones are set too. */
-static int compare_params(const char *path, const char *text, const struct scene *s, unsigned long *set,
-                          struct problem *p, struct failure *why) {
+int results_case_params(const char *path, const char *text, const struct scene *s, unsigned long *set,
+                        struct problem *p, struct failure *why) {
     char key[80], value[80], scene[80];
     if (case_file_value(text, "scene", scene, sizeof scene) || strcmp(scene, s->name) != 0)
         return refuse(why, STATUS_INPUT, "%.300s: not a case of %s", path, s->name);
@@ -107,7 +106,7 @@ int results_params(const char *dir, const struct scene *s, const struct numbers 
         struct stat is;
         if (stat(file, &is)) continue;
         char *text = case_file_read(file, why);
-        int status = text ? compare_params(file, text, s, &set, p, why) : STATUS_INPUT;
+        int status = text ? results_case_params(file, text, s, &set, p, why) : STATUS_INPUT;
         free(text);
         if (status) return status;
     }

@@ -25,6 +25,11 @@ int results_directory(const char *dir, double value, char path[RESULTS_PATH]);
  * where there are none or more. */
 int results_list(const char *dir, struct numbers *found, struct failure *why);
 
+/* The parameters in the `text` of the case file at `path`, against those in p->param that are set already (bits of
+ * *set); new ones are set too. */
+int results_case_params(const char *path, const char *text, const struct scene *s, unsigned long *set,
+                        struct problem *p, struct failure *why);
+
 /* Takes p->param from the case files of DIR/SCENE, which must all agree, and with the parameters that were set
  * already (bits of `set`).  Directories without a case file are passed over. */
 int results_params(const char *dir, const struct scene *s, const struct numbers *dx, unsigned long set,

@@ -36,11 +36,22 @@ static int wrong(const struct reader *t, struct failure *why, const char *what) 
     return refuse(why, STATUS_INPUT, "%.150s, line %ld: %s", t->s->path, t->line, what);
 }
 
+/* What a comment says the run took, where it is a number of any. */
+static void take_said(const char *text, const char *name, double *value) {
+    size_t length = strlen(name);
+    double said;
+    if (strncmp(text, name, length) != 0) return;
+    text += length + strspn(text + length, " \t");
+    if (*text++ != '=') return;
+    text += strspn(text, " \t");
+    if (number_read_printed(text, strcspn(text, " \t,;"), &said) == 0 && said >= 0) *value = said;
+}
+
 static void take_comment(struct reader *t) {
     const char *text = t->text + strspn(t->text, "# \t");
-    sscanf(text, "seconds = %lf", &t->s->seconds);
-    sscanf(text, "steps = %lf", &t->s->steps);
-    sscanf(text, "updates = %lf", &t->s->updates);
+    take_said(text, "seconds", &t->s->seconds);
+    take_said(text, "steps", &t->s->steps);
+    take_said(text, "updates", &t->s->updates);
     snprintf(t->comment, sizeof t->comment, "%s", text);
 }
 

@@ -3,6 +3,7 @@
 
 #include "solver/problem.h"
 #include "solver/status.h"
+#include "verification/text/number.h"
 
 #include <errno.h>
 #include <math.h>
@@ -100,9 +101,7 @@ static void grow(struct reader *r) {
 
 static int read_number(const struct reader *r, int column, struct points_text cell, double *value,
                        struct failure *why) {
-    char *end;
-    *value = strtod(cell.start, &end);
-    if (cell.length > 0 && end == cell.start + cell.length && isfinite(*value)) return STATUS_OK;
+    if (cell.length > 0 && number_read_printed(cell.start, (size_t)cell.length, value) == 0) return STATUS_OK;
     return refuse(why, STATUS_INPUT, "%.150s, line %ld, column %d (%s): '%.*s' is not a finite number", r->name,
                   r->line, r->place[column] + 1, names[column], cell.length < 40 ? cell.length : 40, cell.start);
 }

@@ -74,6 +74,9 @@ static void weights_and_what_it_took(void **state) {
     assert_near(s.seconds, 0.75, 0);
     assert_near(s.steps, 12, 0);
     samples_free(&s);
+    assert_int_equal(read_as("# seconds = inf\n# steps = -3\n# updates = 0x10\nx,T\n1.5,2\n", 1, NULL, &s, &why), 0);
+    assert_true(isnan(s.seconds) && isnan(s.steps) && isnan(s.updates));
+    samples_free(&s);
     assert_int_equal(read_as("x,T,vol\n1.5,2,0.25\n", 1, "w=vol", &s, &why), 0);
     assert_near(s.value[COLUMN_W][0], 0.25, 0);
     samples_free(&s);

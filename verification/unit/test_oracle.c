@@ -71,7 +71,7 @@ static void what_is_no_point_is_refused_by_line_and_column(void **state) {
         {"x,y,x\n0.1,0.2,0.3\n", "line 1: two columns are called 'x'"},
         {"x,y\n0.1,0.2\n\n0.1;0.2\n", "line 4: 1 column where the header has 2"},
         {"x,y\n0.1,0.2,0.3\n", "line 2: 3 columns where the header has 2"},
-        {"a,x,y\n7,0.1,0.2\n7,0.1,1.2345-110\n", "line 3, column 3 (y): '1.2345-110' is not a finite number"},
+        {"a,x,y\n7,0.1,0.2\n7,0.1,0x1p-3\n", "line 3, column 3 (y): '0x1p-3' is not a finite number"},
         {"x,y\n,0.2\n", "line 2, column 1 (x): '' is not a finite number"},
         {"x,y\nnan,0.2\n", "line 2, column 1 (x): 'nan' is not a finite number"},
         {"x,y\n0.1,0.2\n1.91,0.2\n", "line 3, column 1 (x): 1.91 m lies outside of -1.9 to 1.9 m"},

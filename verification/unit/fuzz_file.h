@@ -1,0 +1,38 @@
+#ifndef HEATLADDER_VERIFICATION_UNIT_FUZZ_FILE_H
+#define HEATLADDER_VERIFICATION_UNIT_FUZZ_FILE_H
+
+/* A file of a fuzzer's own, for readers that open what they read; it goes with the program. */
+
+#include <stdint.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <unistd.h>
+
+int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size);
+
+static char fuzz_directory[] = "/tmp/heatladder-fuzz-XXXXXX";
+static char fuzz_path[sizeof fuzz_directory + 8];
+
+static void fuzz_remove(void) {
+    unlink(fuzz_path);
+    rmdir(fuzz_directory);
+}
+
+/* Where it does not hold, the fuzzer ends and keeps the input. */
+static void fuzz_require(int holds) {
+    if (!holds) abort();
+}
+
+static const char *fuzz_put(const uint8_t *data, size_t size) {
+    if (!fuzz_path[0]) {
+        fuzz_require(mkdtemp(fuzz_directory) != NULL);
+        snprintf(fuzz_path, sizeof fuzz_path, "%s/file", fuzz_directory);
+        atexit(fuzz_remove);
+    }
+    FILE *out = fopen(fuzz_path, "w");
+    fuzz_require(out && fwrite(data, 1, size, out) == size && fclose(out) == 0);
+    return fuzz_path;
+}
+
+#endif
