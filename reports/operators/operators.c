@@ -9,6 +9,7 @@
 #include "reports/operators/operators.h"
 
 #include "solver/method.h"
+#include "solver/space/csr.h"
 #include "reports/page/figure.h"
 #include "verification/command/arguments.h"
 #include "verification/command/command_run.h"
@@ -167,6 +168,19 @@ static int assemble(const struct candidate_operator *o, const struct cloud_kind 
     return status;
 }
 
+static double least_weight(const struct heat_operator *a) {
+    struct row r;
+    double least = INFINITY;
+    csr_row_create(&r, a->n);
+    for (size_t i = 0; i < a->n; i++) {
+        operator_row_take(a, i, &r);
+        for (size_t k = 0; k < r.n; k++)
+            if (r.column[k] != i) least = fmin(least, r.value[r.column[k]]);
+    }
+    csr_row_free(&r);
+    return least;
+}
+
 static int take_trait(const struct candidate_operator *o, const struct cloud_kind *c, struct trait *t) {
     enum { SIDE = 14, TIMED = 316 };
     struct heat_operator a;
@@ -174,7 +188,7 @@ static int take_trait(const struct candidate_operator *o, const struct cloud_kin
     double ignored;
     int timed = c->layout == LAYOUT_JITTER; /* the others differ in places alone */
     if (assemble(o, c, SIDE, 1, &a, &ignored, &t->why)) return t->why.status;
-    for (size_t k = 0; k < a.row[a.n]; k++) t->least = fmin(t->least, a.value[k]);
+    t->least = least_weight(&a);
     t->neighbours = (double)a.pairs / (double)a.n;
     operator_free(&a);
     if (assemble(o, c, SIDE, 0, &a, &ignored, &t->why)) return t->why.status;

@@ -7,9 +7,11 @@
  * As printed the sum takes differences of fluxes: a pair gives both particles the same, not the opposite, so heat is
  * conserved on a lattice only.  Modes of wavelength 2 dx lie in the null space, as with fo_ssph, whose moment matrix
  * is what this one lacks.
- * The choice: differences of T in the gradient too, without which a constant would have one on a cloud. */
+ * The choices: differences of T in the gradient too, without which a constant would have one on a cloud; where h
+ * differs, a pair has the mean of both. */
 #include "solver/methods/correction.h"
 #include "solver/methods/particles.h"
+#include "solver/space/gradient.h"
 #include "solver/space/kernel.h"
 
 #include <math.h>
@@ -35,22 +37,31 @@ static double volume(const struct problem *p, const struct options *o, double h,
     return dV / (moment * spacing * spacing);
 }
 
-static int weights(const struct problem *p, const struct options *o, const struct neighbourhood *nb, double *w[2],
-                   struct failure *why) {
+static int pairs(const struct problem *p, const struct options *o, const struct neighbourhood *nb, double *F,
+                 double C[3], struct failure *why) {
     (void)p;
     if (nb->n == 0)
         return refuse(why, STATUS_NUMERICAL,
                       "particle %zu at (%.6g, %.6g) m has 0 neighbours: it has no gradient; take a larger --h", nb->i,
                       nb->x[0], nb->x[1]);
     for (size_t j = 0; j < nb->n; j++) {
-        double r = hypot(nb->d[j][0], nb->d[j][1]);
-        double F = r > 0 ? neighbourhood_volume(nb, j) * slope_over_distance(o->kernel, nb->dim, nb->h, r) : 0;
-        for (int a = 0; a < nb->dim; a++) w[a][j] = F * nb->d[j][a];
+        double r = hypot(nb->d[j][0], nb->d[j][1]), both = nb->volume * neighbourhood_volume(nb, j);
+        F[j] = r > 0 ? both * slope_over_distance(o->kernel, nb->dim, neighbourhood_mean_h(nb, j), r) : 0;
     }
+    C[0] = C[2] = 1 / nb->volume, C[1] = 0;
     return STATUS_OK;
 }
 
-static const struct scheme scheme = {.sweeps = 2, .check = check, .volume = volume, .weights = weights};
+static int weights(const struct problem *p, const struct options *o, const struct neighbourhood *nb, double *w[2],
+                   struct failure *why) {
+    double F[NEIGHBOURS_MAX], C[3];
+    if (pairs(p, o, nb, F, C, why)) return why->status;
+    gradient_weights(nb, F, C, w);
+    return STATUS_OK;
+}
+
+static const struct scheme scheme = {
+    .sweeps = 2, .check = check, .volume = volume, .weights = weights, .pairs = pairs};
 
 static int solve(const struct problem *p, const struct options *o, struct field *f, struct failure *why) {
     return particles_solve(p, o, &scheme, f, why);

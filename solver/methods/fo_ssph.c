@@ -4,6 +4,7 @@
  * wavelength 2 dx lie in the null space of the first derivative, and so of this operator.  One material only. */
 #include "solver/methods/particles.h"
 #include "solver/methods/ssph.h"
+#include "solver/space/gradient.h"
 
 static int check(const struct problem *p, const struct options *o, struct failure *why) {
     (void)o;
@@ -13,14 +14,21 @@ static int check(const struct problem *p, const struct options *o, struct failur
     return STATUS_OK;
 }
 
-static int weights(const struct problem *p, const struct options *o, const struct neighbourhood *nb, double *w[2],
-                   struct failure *why) {
+static int pairs(const struct problem *p, const struct options *o, const struct neighbourhood *nb, double *F,
+                 double C[3], struct failure *why) {
     (void)p;
-    double target[2][SSPH_TERMS_MAX] = {{1, 0}, {0, 1}};
-    return ssph_weights(nb, o->kernel, 1, nb->dim, target, w, why);
+    return ssph_gradient(nb, o->kernel, F, C, why);
 }
 
-static const struct scheme scheme = {.sweeps = 2, .check = check, .weights = weights};
+static int weights(const struct problem *p, const struct options *o, const struct neighbourhood *nb, double *w[2],
+                   struct failure *why) {
+    double F[NEIGHBOURS_MAX], C[3];
+    if (pairs(p, o, nb, F, C, why)) return why->status;
+    gradient_weights(nb, F, C, w);
+    return STATUS_OK;
+}
+
+static const struct scheme scheme = {.sweeps = 2, .check = check, .weights = weights, .pairs = pairs};
 
 static int solve(const struct problem *p, const struct options *o, struct field *f, struct failure *why) {
     return particles_solve(p, o, &scheme, f, why);

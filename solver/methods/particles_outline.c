@@ -36,7 +36,8 @@ static int count_rows(const struct problem *p, const struct options *o, const st
     if (status) return status;
     double times = n / (double)a->n;
     *bound = operator_bound(a) * finer * finer;
-    a->n = a->state = (size_t)n;
+    a->state = (size_t)n + (size_t)((double)(a->state - a->n) * pow(finer, p->dim - 1)); /* ghosts */
+    a->n = (size_t)n;
     a->pairs = (size_t)(times * (double)a->pairs), a->bytes = (size_t)(times * (double)a->bytes);
     if (finer > 1) out->stand_in = coarse.dx[0];
     return STATUS_OK;
@@ -44,18 +45,20 @@ static int count_rows(const struct problem *p, const struct options *o, const st
 
 static void hold(const struct problem *p, const struct options *o, const struct heat_operator *a,
                  const struct march *m, struct outline *out) {
-    size_t constants = a->constant ? a->state * sizeof *a->g : 0, unit = sizeof(double);
+    size_t constants = a->constant ? (a->weight ? a->state : a->n) * sizeof *a->g : 0, unit = sizeof(double);
     out->answer = p->dim + 1;
     out->on_lattice = particles_on_lattice(p, o, out->rows);
     out->neighbours = (double)a->pairs / (double)a->n;
     outline_hold(out, "places and temperatures", a->n * (size_t)out->answer * unit, OUTLINE_SET_UP, OUTLINE_STEPS);
     outline_hold(out,
-                 out->rows ? "rows: weights, columns, diagonal" : "stencil: a quadrant of weights, for all particles",
+                 a->gradient ? "first derivatives: pairs, places, ghosts, fluxes"
+                 : out->rows ? "rows: weights, columns, diagonal"
+                             : "stencil: a quadrant of weights, for all particles",
                  a->bytes - constants, OUTLINE_SET_UP, OUTLINE_STEPS);
     outline_hold(out, "what walls and source add", constants, OUTLINE_SET_UP, OUTLINE_STEPS);
-    /* lists that grow by doubling, and the cloud with its ghosts */
-    outline_hold(out, "rows while they are assembled, about", out->rows ? 2 * a->bytes : 0, OUTLINE_SET_UP,
-                 OUTLINE_SET_UP);
+    /* lists that grow by doubling, and the cloud with its ghosts; of pairs each is listed once */
+    outline_hold(out, "neighbours while they are found, about", out->rows ? (a->gradient ? 1 : 2) * a->bytes : 0,
+                 OUTLINE_SET_UP, OUTLINE_SET_UP);
     /* on a rod; in the plane what transforms hold depends on the data, and is less than what the measured error holds
      */
     if (o->stepper == STEPPER_EXACT && p->dim == 1)

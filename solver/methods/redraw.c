@@ -40,7 +40,8 @@ static int interpolate(const struct options *o, const struct cloud *from, const 
         double *at = d[nb.n], x = (all->x[j] - all->x[i]) / h, y = (all->y[j] - all->y[i]) / h;
         at[0] = x * h, at[1] = y * h;
         memcpy(P[nb.n], (double[TERMS]){1, x, x * x / 2, y, x * y, y * y / 2}, TERMS * sizeof *P[0]);
-        value[nb.n++] = from->sign[j] * T[from->source[j]] + from->offset[j];
+        double factor = from->factor ? from->factor[j] : from->sign[j];
+        value[nb.n++] = factor * T[from->source[j]] + from->offset[j];
     }
     int terms = all->dim == 2 ? TERMS : 3;
     const double target[TERMS] = {1};

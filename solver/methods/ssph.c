@@ -166,6 +166,23 @@ int ssph_weights(const struct neighbourhood *nb, enum kernel_name kernel, int or
     return STATUS_OK;
 }
 
+int ssph_gradient(const struct neighbourhood *nb, enum kernel_name kernel, double *F, double C[3],
+                  struct failure *why) {
+    int dim = nb->dim;
+    double matrix[4] = {0}, z[2][2] = {{1, 0}, {0, 1}}, unit = 1 / (nb->h * nb->h);
+    for (size_t j = 0; j < nb->n; j++) {
+        double s[2] = {nb->d[j][0] / nb->h, nb->d[j][1] / nb->h}, h = neighbourhood_mean_h(nb, j) / nb->h;
+        F[j] = kernel_value(kernel, dim, sqrt(s[0] * s[0] + s[1] * s[1]) / h);
+        for (int k = 0; k < dim; k++)
+            for (int l = 0; l < dim; l++) matrix[k * dim + l] += s[k] * s[l] * F[j];
+    }
+    double condition = factor(dim, matrix);
+    if (!(condition <= SSPH_CONDITION_MAX)) return singular(nb, dim, condition, F, why);
+    for (int a = 0; a < dim; a++) solve(dim, matrix, z[a]);
+    C[0] = z[0][0] * unit, C[1] = dim == 2 ? z[0][1] * unit : 0, C[2] = dim == 2 ? z[1][1] * unit : 0;
+    return STATUS_OK;
+}
+
 int ssph_fit(const struct neighbourhood *nb, enum kernel_name kernel, int terms, double P[][SSPH_TERMS_MAX],
              const double *target, double *w, struct failure *why) {
     double matrix[SSPH_TERMS_MAX * SSPH_TERMS_MAX] = {0}, scale[SSPH_TERMS_MAX], z[SSPH_TERMS_MAX];

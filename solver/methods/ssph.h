@@ -15,6 +15,11 @@ enum { SSPH_ORDER_MAX = 4, SSPH_TERMS_MAX = 14 };
 int ssph_weights(const struct neighbourhood *nb, enum kernel_name kernel, int order, int targets,
                  double target[][SSPH_TERMS_MAX], double *w[], struct failure *why);
 
+/* The first derivatives by that expansion to order 1, apart (struct scheme): F_j = W_j and C = (sum_j W_j d_j
+ * d_j)^-1, m^-2.  A pair has the mean of both smoothing lengths, so that its W is that of either particle. */
+int ssph_gradient(const struct neighbourhood *nb, enum kernel_name kernel, double *F, double C[3],
+                  struct failure *why);
+
 /* The same least squares with any functions: P[j][k], k < terms, of each neighbour, weighted with the kernel. Weights
  * w of sum_k target[k] c_k, where sum_k c_k P[j][k] approximates f_j - f_i.  Columns are scaled before the condition
  * number is taken. */

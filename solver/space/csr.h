@@ -9,4 +9,22 @@
 int csr_assemble(struct heat_operator *a, const struct problem *p, const struct options *o, const struct scheme *s,
                  const struct cloud *c, double spacing, struct failure *why);
 
+/* A row of A, ghosts in the columns of their sources. */
+struct row {
+    double *value;    /* by column, n of the operator; zero where not touched */
+    uint32_t *column; /* touched, in any order */
+    size_t n;         /* of these */
+    unsigned char *touched;
+};
+
+void csr_row_create(struct row *r, size_t n);
+void csr_row_clear(struct row *r);
+void csr_row_free(struct row *r);
+
+/* row += w at a column */
+static inline void csr_row_add(struct row *r, uint32_t column, double w) {
+    if (!r->touched[column]) r->touched[column] = 1, r->column[r->n++] = column;
+    r->value[column] += w;
+}
+
 #endif

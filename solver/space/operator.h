@@ -6,7 +6,8 @@
 #include <stddef.h>
 #include <stdint.h>
 
-/* The discrete operator of dT/dt = A T + g: one shared stencil on a lattice of one material, rows (CSR) elsewhere. */
+/* The discrete operator of dT/dt = A T + g: one shared stencil on a lattice of one material; elsewhere rows (CSR), or
+ * of a scheme of two sweeps its first derivatives. */
 
 enum {
     NEIGHBOURS_MAX = 1024,
@@ -21,7 +22,7 @@ struct neighbourhood { /* what a scheme sees of one particle */
     size_t n;        /* neighbours, itself left out */
     double (*d)[2];  /* m, x_j - x_i */
     double h;        /* m */
-    double volume;   /* m^d, of each particle, as the scheme's `volume` has it */
+    double volume;   /* m^d, of the particle, as the scheme's `volume` has it */
     double rho_c;    /* J m^-3 K^-1, of its cell */
     double kappa[2]; /* m^2 s^-1, at the particle, along each axis */
     const double *V; /* m^d, of each neighbour, likewise; NULL where all are `volume` */
@@ -47,6 +48,10 @@ struct scheme {
     double (*volume)(const struct problem *p, const struct options *o, double h, double dV);
     int (*weights)(const struct problem *p, const struct options *o, const struct neighbourhood *nb, double *w[2],
                    struct failure *why);
+    /* 2 sweeps only, the same weights taken apart, w[a][j] = F[j] (C d_j)_a: F alike from either particle of a pair,
+     * C symmetric (xx, xy, yy), F C d^2 in units of 1 */
+    int (*pairs)(const struct problem *p, const struct options *o, const struct neighbourhood *nb, double *F,
+                 double C[3], struct failure *why);
 };
 
 struct heat_operator {
@@ -54,16 +59,17 @@ struct heat_operator {
     struct lattice lattice;
     int reach[2];     /* stencil radius along each axis, in particles */
     ptrdiff_t stride; /* doubles from row to row of a state: ghosts and room for whole vectors */
-    double *weight;   /* s^-1, quadrant w[j * (reach[0] + 1) + i], the rest by symmetry; NULL with rows */
+    double *weight;   /* s^-1, quadrant w[j * (reach[0] + 1) + i], the rest by symmetry; NULL off the lattice */
     size_t *row;      /* n + 1 */
     uint32_t *column; /* row[n] */
     double *value;    /* s^-1, row[n] */
     double *diagonal; /* s^-1, n */
-    int constant;     /* 1: walls or a source add to dT/dt, and there is a g */
-    double *g;        /* K s^-1, what they add, in the shape of a state; NULL where it is zero */
-    size_t state;     /* doubles in a state: n, or the rows of a lattice with their ghosts */
-    size_t pairs;     /* neighbours of all particles together */
-    size_t bytes;     /* of the arrays above */
+    struct gradient *gradient; /* in place of rows: the state holds ghosts, and walls add to dT/dt by way of them */
+    int constant;              /* 1: walls or a source add to dT/dt, and there is a g */
+    double *g;                 /* K s^-1, what they add, in the shape of a state; NULL where it is zero */
+    size_t state;              /* doubles in a state: n, and ghosts on a lattice or with a gradient */
+    size_t pairs;              /* neighbours of all particles together, in both sweeps where there are two */
+    size_t bytes;              /* of the arrays above */
     int threads;
     int lanes; /* as of the options */
 };
@@ -93,6 +99,10 @@ int operator_neighbourhood(int dim, double dx, double h, double d[NEIGHBOURS_MAX
  * (m^2 s^-1): *weight is a quadrant as in struct heat_operator, to be freed. */
 int operator_stencil(const struct problem *p, const struct options *o, const struct scheme *s, double dx,
                      const double kappa[2], int *reach, double **weight, struct failure *why);
+
+struct row; /* csr.h */
+/* Row i of an operator off the lattice, in place of what *r held. */
+void operator_row_take(const struct heat_operator *a, size_t i, struct row *r);
 
 /* An upper bound of |lambda| over the spectrum of A, s^-1 (Gershgorin). */
 double operator_bound(const struct heat_operator *a);

@@ -1,4 +1,6 @@
-/* Updates by rows: y = rate (A x + g) + self x + old y + start Y0 with A in compressed rows. */
+/* Updates off the lattice, y = rate (A x + g) + self x + old y + start Y0, with A in compressed rows or as two sweeps
+ * of first derivatives, A x + g = div(kappa grad x) + g. */
+#include "solver/space/gradient.h"
 #include "solver/time/sweep.h"
 
 /* Four partial sums a row: additions that do not wait for each other, in an order that does not change.  No clones
@@ -14,22 +16,25 @@ static inline double row_times(const struct heat_operator *a, const double *rest
     return (sum[0] + sum[1]) + (sum[2] + sum[3]);
 }
 
+/* y_i, of sum = (A x)_i. */
+static inline double updated(const struct heat_operator *a, const struct update *u, double sum, const double *x,
+                             const double *y, size_t i) {
+    if (a->g) sum += a->g[i];
+    double to = u->rate * sum + u->self * x[i] + u->old * y[i];
+    if (u->Y0) to += u->start * u->Y0[i];
+    return to;
+}
+
 static void update_rows(const struct heat_operator *a, const struct update *u, const double *x, double *y,
                         size_t begin, size_t end) {
     if (sweep_is_plain(a, u)) {
         for (size_t i = begin; i < end; i++) y[i] = x[i] + u->rate * row_times(a, x, i);
         return;
     }
-    for (size_t i = begin; i < end; i++) {
-        double sum = row_times(a, x, i);
-        if (a->g) sum += a->g[i];
-        double to = u->rate * sum + u->self * x[i] + u->old * y[i];
-        if (u->Y0) to += u->start * u->Y0[i];
-        y[i] = to;
-    }
+    for (size_t i = begin; i < end; i++) y[i] = updated(a, u, row_times(a, x, i), x, y, i);
 }
 
-enum { SHARE = 5000 }; /* rows that are worth a thread */
+enum { SHARE = 5000 }; /* particles that are worth a thread */
 
 static void share_rows(const struct heat_operator *a, const struct update *u, size_t threads, const double *x,
                        double *y) {
@@ -45,5 +50,71 @@ void sweep_rows(const struct heat_operator *a, const struct update *u, int count
             share_rows(a, &u[k], threads, Y[k % 2], Y[1 - k % 2]);
         else
             update_rows(a, &u[k], Y[k % 2], Y[1 - k % 2], 0, a->n);
+    }
+}
+
+/* ---- Two sweeps: the first leaves q = kappa D x at all points, the second takes D . q at the particles.  A pair
+ * that another point keeps is read there: every sum is taken by its own particle, in an order that does not change
+ * ---- */
+
+static void fill_ghosts(const struct gradient *g, size_t n, double *x) {
+    for (size_t k = 0; k < g->total - n; k++) x[n + k] = g->factor[k] * x[g->source[k]] + g->offset[k];
+}
+
+#define INLINE static inline __attribute__((always_inline))
+
+/* sum += F d (T_j - T_i) */
+INLINE void add_difference(const struct gradient *g, const double *T, size_t i, size_t j, double F, double sum[2]) {
+    double slope = F * (T[j] - T[i]);
+    sum[0] += slope * (g->place[2 * j] - g->place[2 * i]);
+    sum[1] += slope * (g->place[2 * j + 1] - g->place[2 * i + 1]);
+}
+
+static void find_fluxes(const struct gradient *g, const double *T, size_t begin, size_t end) {
+    for (size_t i = begin; i < end; i++) {
+        const double *C = &g->C[3 * i];
+        double sum[2] = {0, 0};
+        for (uint32_t k = g->kept[i]; k < g->kept[i + 1]; k++) add_difference(g, T, i, g->other[k], g->F[k], sum);
+        for (uint32_t k = g->lent[i]; k < g->lent[i + 1]; k++)
+            add_difference(g, T, i, g->keeper[k], g->F[g->pair[k]], sum);
+        g->flux[2 * i] = g->kappa[0] * (C[0] * sum[0] + C[1] * sum[1]);
+        g->flux[2 * i + 1] = g->kappa[1] * (C[1] * sum[0] + C[2] * sum[1]);
+    }
+}
+
+/* The part of a pair in D . q, C's entries apart. */
+INLINE void add_divergence(const struct gradient *g, size_t i, size_t j, double F, double sum[3]) {
+    double dx = F * (g->place[2 * j] - g->place[2 * i]), dy = F * (g->place[2 * j + 1] - g->place[2 * i + 1]);
+    double qx = g->flux[2 * j] - g->flux[2 * i], qy = g->flux[2 * j + 1] - g->flux[2 * i + 1];
+    sum[0] += dx * qx;
+    sum[1] += dy * qx + dx * qy;
+    sum[2] += dy * qy;
+}
+
+static double divergence(const struct gradient *g, size_t i) {
+    const double *C = &g->C[3 * i];
+    double sum[3] = {0, 0, 0};
+    for (uint32_t k = g->kept[i]; k < g->kept[i + 1]; k++) add_divergence(g, i, g->other[k], g->F[k], sum);
+    for (uint32_t k = g->lent[i]; k < g->lent[i + 1]; k++) add_divergence(g, i, g->keeper[k], g->F[g->pair[k]], sum);
+    return C[0] * sum[0] + C[1] * sum[1] + C[2] * sum[2];
+}
+
+static void update_particles(const struct heat_operator *a, const struct update *u, const double *x, double *y,
+                             size_t begin, size_t end) {
+    for (size_t i = begin; i < end; i++) y[i] = updated(a, u, divergence(a->gradient, i), x, y, i);
+}
+
+void sweep_gradient(const struct heat_operator *a, const struct update *u, int count, double *const Y[2]) {
+    const struct gradient *g = a->gradient;
+    size_t most = a->n / SHARE, threads = a->threads < 1 ? 1 : (size_t)a->threads;
+    if (threads > most) threads = most > 0 ? most : 1;
+    for (int k = 0; k < count; k++) {
+        double *x = Y[k % 2], *y = Y[1 - k % 2];
+        fill_ghosts(g, a->n, x);
+#pragma omp parallel for num_threads(threads) if (threads > 1)
+        for (size_t t = 0; t < threads; t++) find_fluxes(g, x, g->total * t / threads, g->total * (t + 1) / threads);
+#pragma omp parallel for num_threads(threads) if (threads > 1)
+        for (size_t t = 0; t < threads; t++)
+            update_particles(a, &u[k], x, y, a->n * t / threads, a->n * (t + 1) / threads);
     }
 }

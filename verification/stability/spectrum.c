@@ -4,6 +4,8 @@
  * nothing: the bound below is 100 eps sqrt(n) radius. */
 #include "verification/stability/spectrum.h"
 
+#include "solver/space/csr.h"
+
 #include <float.h>
 #include <gsl/gsl_eigen.h>
 #include <math.h>
@@ -11,10 +13,13 @@
 
 static gsl_matrix *dense(const struct heat_operator *a) {
     gsl_matrix *m = gsl_matrix_calloc(a->n, a->n);
+    struct row r;
+    csr_row_create(&r, a->n);
     for (size_t i = 0; i < a->n; i++) {
-        gsl_matrix_set(m, i, i, a->diagonal[i]);
-        for (size_t k = a->row[i]; k < a->row[i + 1]; k++) gsl_matrix_set(m, i, a->column[k], a->value[k]);
+        operator_row_take(a, i, &r);
+        for (size_t k = 0; k < r.n; k++) gsl_matrix_set(m, i, r.column[k], r.value[r.column[k]]);
     }
+    csr_row_free(&r);
     return m;
 }
 
@@ -38,7 +43,7 @@ static void summarise(struct spectrum *s, const struct amplification *step) {
 int spectrum_create(struct spectrum *s, const struct heat_operator *a, const struct amplification *step,
                     struct failure *why) {
     *s = (struct spectrum){.n = a->n};
-    if (!a->row || a->n > SPECTRUM_MAX)
+    if (a->weight || a->n > SPECTRUM_MAX)
         return refuse(why, STATUS_INPUT, "%zu particles: all eigenvalues are found of at most %d with rows", a->n,
                       SPECTRUM_MAX);
     gsl_matrix *m = dense(a);

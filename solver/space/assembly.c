@@ -1,0 +1,66 @@
+/* Neighbourhoods of a cloud's points, as schemes see them. */
+#include "solver/space/assembly.h"
+#include "solver/space/kernel.h"
+
+#include <stdlib.h>
+
+void assembly_create(struct assembly *m, const struct problem *p, const struct options *o, const struct scheme *s,
+                     const struct cloud *c, double spacing) {
+    *m = (struct assembly){.p = p,
+                           .o = o,
+                           .s = s,
+                           .c = c,
+                           .h = o->h * spacing,
+                           .support = KERNEL_SUPPORT * o->h * (c->spacing ? c->coarsest : spacing),
+                           .volume = s->volume ? s->volume(p, o, o->h * spacing, c->volume) : c->volume,
+                           .cell = layout_cell(o, spacing)};
+    neighbours_create(&m->cells, c, m->support);
+}
+
+void assembly_free(struct assembly *m) {
+    neighbours_free(&m->cells);
+}
+
+int assembly_look(const struct assembly *m, size_t i, struct surroundings *out, struct failure *why) {
+    const struct cloud *c = m->c;
+    size_t n = neighbours_find(&m->cells, i, out->near, NEIGHBOURS_MAX);
+    if (n > NEIGHBOURS_MAX)
+        return refuse(why, STATUS_NUMERICAL, "particle %zu at (%.6g, %.6g) m has %zu neighbours, at most %d are held",
+                      i, c->x[i], c->y[i], n, NEIGHBOURS_MAX);
+    for (size_t k = 0; k < n; k++)
+        out->d[k][0] = c->x[out->near[k]] - c->x[i], out->d[k][1] = c->y[out->near[k]] - c->y[i];
+    const struct problem *p = m->p;
+    const struct material *material = &p->material[layout_material(p, c->x[i])];
+    out->nb = (struct neighbourhood){.dim = c->dim,
+                                     .i = i,
+                                     .x = {c->x[i], c->y[i]},
+                                     .n = n,
+                                     .d = out->d,
+                                     .h = m->h,
+                                     .volume = m->volume,
+                                     .rho_c = layout_rho_c(p, m->cell, c->x[i]),
+                                     .kappa = {material->k[0] / material->rho_c, material->k[1] / material->rho_c}};
+    if (!c->spacing) return STATUS_OK;
+    double unit = m->volume / c->volume, own = c->spacing[i]; /* unit: what the scheme counts a volume for */
+    for (size_t k = 0; k < n; k++) {
+        double s = c->spacing[out->near[k]];
+        out->V[k] = unit * (c->dim == 2 ? s * s : s), out->H[k] = m->o->h * s;
+    }
+    out->nb.V = out->V, out->nb.H = out->H, out->nb.h = m->o->h * own;
+    out->nb.volume = unit * (c->dim == 2 ? own * own : own);
+    return STATUS_OK;
+}
+
+void assembly_keep_constants(const struct assembly *m, double *g, struct heat_operator *a) {
+    const struct problem *p = m->p;
+    const struct cloud *c = m->c;
+    for (size_t i = 0; i < a->n; i++) {
+        double x[2] = {c->x[i], c->y[i]};
+        if (p->source) g[i] += p->source(p, x) / layout_rho_c(p, m->cell, x[0]);
+        a->constant |= g[i] != 0;
+    }
+    if (a->constant)
+        a->g = g, a->bytes += a->n * sizeof *g;
+    else
+        free(g);
+}

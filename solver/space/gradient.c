@@ -1,0 +1,222 @@
+/* Two sweeps in place of their product.
+ *
+ * The rows of D kappa D have some 50 entries in the plane, those of D some 15, and both derivatives of a pair are one
+ * number times C d.  F is symmetric and kept by one of the two particles, so that a particle takes 12 B for each pair
+ * that it keeps and 8 B for each that another does, 10 B a neighbour in place of 12 in rows.  The first sweep needs
+ * the derivatives at the ghosts within one support of the domain too. */
+#include "solver/space/gradient.h"
+#include "solver/space/assembly.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+void gradient_weights(const struct neighbourhood *nb, const double *F, const double C[3], double *w[2]) {
+    for (size_t j = 0; j < nb->n; j++) {
+        const double *d = nb->d[j];
+        w[0][j] = F[j] * (C[0] * d[0] + C[1] * d[1]);
+        if (nb->dim == 2) w[1][j] = F[j] * (C[1] * d[0] + C[2] * d[1]);
+    }
+}
+
+struct list { /* the pairs of a block of points */
+    size_t n, room;
+    uint32_t *other;
+    double *F;
+};
+
+static void list_add(struct list *l, uint32_t other, double F) {
+    if (l->n == l->room) {
+        l->room = l->room ? 2 * l->room : 64;
+        l->other = realloc(l->other, l->room * sizeof *l->other);
+        l->F = realloc(l->F, l->room * sizeof *l->F);
+        if (!l->other || !l->F) free(xcalloc(SIZE_MAX / 2, 2)); /* reports and ends */
+    }
+    l->other[l->n] = other;
+    l->F[l->n++] = F;
+}
+
+/* Whether point i is a particle, or a ghost within one support of the domain. */
+static int is_needed(const struct assembly *m, size_t i) {
+    const struct cloud *c = m->c;
+    double outside = 0;
+    for (int a = 0; a < c->dim; a++) {
+        double x = a ? c->y[i] : c->x[i];
+        outside = fmax(outside, fmax(m->p->lo[a] - x, x - m->p->hi[a]));
+    }
+    return outside < m->support;
+}
+
+/* The pairs of one block of points; kept[i + 1] counts those of i. */
+static int take_block(const struct assembly *m, const unsigned char *needed, size_t begin, size_t end,
+                      struct gradient *g, struct list *list, struct failure *why) {
+    struct surroundings *at = xcalloc(1, sizeof *at);
+    double F[NEIGHBOURS_MAX];
+    int status = STATUS_OK;
+    for (size_t i = begin; i < end && !status; i++) {
+        if (!needed[i]) continue;
+        status = assembly_look(m, i, at, why);
+        if (!status) status = m->s->pairs(m->p, m->o, &at->nb, F, &g->C[3 * i], why);
+        size_t before = list->n;
+        for (size_t k = 0; k < at->nb.n && !status; k++)
+            if (!needed[at->near[k]] || i < at->near[k]) list_add(list, at->near[k], F[k]);
+        g->kept[i + 1] = (uint32_t)(list->n - before);
+    }
+    free(at);
+    return status;
+}
+
+static void join(struct gradient *g, struct list part[ASSEMBLY_BLOCKS], size_t pairs) {
+    g->other = xcalloc(pairs, sizeof *g->other);
+    g->F = xcalloc(pairs, sizeof *g->F);
+    for (size_t b = 0, at = 0; b < ASSEMBLY_BLOCKS; at += part[b++].n) {
+        if (part[b].n == 0) continue;
+        memcpy(g->other + at, part[b].other, part[b].n * sizeof *g->other);
+        memcpy(g->F + at, part[b].F, part[b].n * sizeof *g->F);
+    }
+    for (size_t i = 0; i < g->total; i++) g->kept[i + 1] += g->kept[i];
+}
+
+/* Each pair once more, for its other point, in the order of keepers. */
+static void lend(struct gradient *g, const unsigned char *needed) {
+    uint32_t *at = g->lent;
+    for (uint32_t k = 0; k < g->kept[g->total]; k++)
+        if (needed[g->other[k]]) at[g->other[k] + 1]++;
+    for (size_t i = 0; i < g->total; i++) at[i + 1] += at[i];
+    g->keeper = xcalloc(at[g->total], sizeof *g->keeper);
+    g->pair = xcalloc(at[g->total], sizeof *g->pair);
+    for (uint32_t i = 0; i < g->total; i++)
+        for (uint32_t k = g->kept[i]; k < g->kept[i + 1]; k++) {
+            if (!needed[g->other[k]]) continue;
+            uint32_t to = at[g->other[k]]++;
+            g->keeper[to] = i, g->pair[to] = k;
+        }
+    memmove(at + 1, at, g->total * sizeof *at);
+    at[0] = 0;
+}
+
+static void place(const struct assembly *m, struct gradient *g) {
+    const struct cloud *c = m->c;
+    const struct material *material = &m->p->material[0];
+    size_t ghosts = c->total - c->n;
+    g->place = xcalloc(2 * c->total, sizeof *g->place);
+    for (size_t i = 0; i < c->total; i++) g->place[2 * i] = c->x[i], g->place[2 * i + 1] = c->y[i];
+    g->source = xcalloc(ghosts, sizeof *g->source);
+    g->factor = xcalloc(ghosts, sizeof *g->factor);
+    g->offset = xcalloc(ghosts, sizeof *g->offset);
+    for (size_t k = 0; k < ghosts; k++) {
+        g->source[k] = c->source[c->n + k], g->offset[k] = c->offset[c->n + k];
+        g->factor[k] = c->factor ? c->factor[c->n + k] : c->sign[c->n + k];
+    }
+    g->flux = xcalloc(2 * c->total, sizeof *g->flux);
+    for (int d = 0; d < c->dim; d++) g->kappa[d] = material->k[d] / material->rho_c;
+}
+
+/* Of both sweeps: at all points that are needed, and at the particles. */
+static void count(struct heat_operator *a, const struct gradient *g, const unsigned char *needed) {
+    size_t ghosts = g->total - a->n, kept = g->kept[g->total], lent = g->lent[g->total];
+    for (size_t i = 0; i < g->total; i++) {
+        size_t own = (size_t)(g->kept[i + 1] - g->kept[i]) + (g->lent[i + 1] - g->lent[i]);
+        a->pairs += own * (size_t)(needed[i] + (i < a->n));
+    }
+    a->bytes = kept * (sizeof *g->other + sizeof *g->F) + lent * (sizeof *g->keeper + sizeof *g->pair) +
+               2 * (g->total + 1) * sizeof *g->kept + g->total * 7 * sizeof(double) +
+               ghosts * (sizeof *g->source + 2 * sizeof(double));
+}
+
+int gradient_assemble(struct heat_operator *a, const struct problem *p, const struct options *o,
+                      const struct scheme *s, const struct cloud *c, double spacing, struct failure *why) {
+    struct assembly m;
+    struct gradient *g = xcalloc(1, sizeof *g);
+    struct list part[ASSEMBLY_BLOCKS] = {{0, 0, NULL, NULL}};
+    int threads = o->threads > 1 ? o->threads : 1, first_bad = ASSEMBLY_BLOCKS;
+    assembly_create(&m, p, o, s, c, spacing);
+    a->gradient = g, a->state = g->total = c->total;
+    g->C = xcalloc(3 * c->total, sizeof *g->C);
+    g->kept = xcalloc(c->total + 1, sizeof *g->kept);
+    g->lent = xcalloc(c->total + 1, sizeof *g->lent);
+    unsigned char *needed = xcalloc(c->total, 1);
+    for (size_t i = 0; i < c->total; i++) needed[i] = (unsigned char)is_needed(&m, i);
+#pragma omp parallel for schedule(dynamic, 1) num_threads(threads)
+    for (int b = 0; b < ASSEMBLY_BLOCKS; b++) {
+        struct failure local;
+        size_t begin = c->total * (size_t)b / ASSEMBLY_BLOCKS, end = c->total * (size_t)(b + 1) / ASSEMBLY_BLOCKS;
+        if (take_block(&m, needed, begin, end, g, &part[b], &local)) {
+#pragma omp critical(gradient_failure)
+            if (b < first_bad) first_bad = b, *why = local;
+        }
+    }
+    int status = first_bad < ASSEMBLY_BLOCKS ? why->status : STATUS_OK;
+    size_t pairs = 0;
+    for (int b = 0; b < ASSEMBLY_BLOCKS; b++) pairs += part[b].n;
+    if (!status && pairs > UINT32_MAX)
+        status = refuse(why, STATUS_INPUT, "%zu pairs of particles: two sweeps take at most %u", pairs, UINT32_MAX);
+    if (!status) {
+        join(g, part, pairs);
+        lend(g, needed);
+        place(&m, g);
+        count(a, g, needed);
+        assembly_keep_constants(&m, xcalloc(a->n, sizeof *a->g), a);
+    }
+    for (int b = 0; b < ASSEMBLY_BLOCKS; b++) free(part[b].other), free(part[b].F);
+    free(needed);
+    assembly_free(&m);
+    return status;
+}
+
+void gradient_free(struct gradient *g) {
+    if (!g) return;
+    free(g->place), free(g->C);
+    free(g->kept), free(g->lent);
+    free(g->other), free(g->F);
+    free(g->keeper), free(g->pair);
+    free(g->source), free(g->factor), free(g->offset);
+    free(g->flux);
+    free(g);
+}
+
+/* The derivative (C d)_a F of a pair, at point i towards point j. */
+static void derive(const struct gradient *g, size_t i, size_t j, double F, double D[2]) {
+    double dx = g->place[2 * j] - g->place[2 * i], dy = g->place[2 * j + 1] - g->place[2 * i + 1];
+    const double *C = &g->C[3 * i];
+    D[0] = F * (C[0] * dx + C[1] * dy), D[1] = F * (C[1] * dx + C[2] * dy);
+}
+
+/* Adds w T at a point to the row: the point may be a ghost. */
+static void add_entry(const struct gradient *g, size_t n, size_t point, double w, struct row *row) {
+    if (point < n)
+        csr_row_add(row, (uint32_t)point, w);
+    else
+        csr_row_add(row, g->source[point - n], w * g->factor[point - n]);
+}
+
+/* row += v . (D T)_i */
+static void add_derivative(const struct gradient *g, size_t n, size_t i, const double v[2], struct row *row) {
+    double D[2], sum = 0;
+    for (uint32_t k = g->kept[i], past = g->kept[i + 1]; k < past; k++) {
+        derive(g, i, g->other[k], g->F[k], D);
+        double w = v[0] * D[0] + v[1] * D[1];
+        add_entry(g, n, g->other[k], w, row), sum += w;
+    }
+    for (uint32_t k = g->lent[i], past = g->lent[i + 1]; k < past; k++) {
+        derive(g, i, g->keeper[k], g->F[g->pair[k]], D);
+        double w = v[0] * D[0] + v[1] * D[1];
+        add_entry(g, n, g->keeper[k], w, row), sum += w;
+    }
+    add_entry(g, n, i, -sum, row);
+}
+
+void gradient_compose(const struct gradient *g, size_t n, size_t i, struct row *row) {
+    double D[2], own[2] = {0, 0};
+    for (uint32_t k = g->kept[i]; k < g->kept[i + 1]; k++) {
+        derive(g, i, g->other[k], g->F[k], D);
+        for (int a = 0; a < 2; a++) D[a] *= g->kappa[a], own[a] -= D[a];
+        add_derivative(g, n, g->other[k], D, row);
+    }
+    for (uint32_t k = g->lent[i]; k < g->lent[i + 1]; k++) {
+        derive(g, i, g->keeper[k], g->F[g->pair[k]], D);
+        for (int a = 0; a < 2; a++) D[a] *= g->kappa[a], own[a] -= D[a];
+        add_derivative(g, n, g->keeper[k], D, row);
+    }
+    add_derivative(g, n, i, own, row);
+}
