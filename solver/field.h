@@ -25,7 +25,8 @@ struct field { /* owned arrays: field_free */
     double h;                 /* smoothing length over dx, as used; 0 for a method without one */
     double dt;                /* s, 0 for the exact stepper */
     long long steps;          /* time steps; 0 for the exact stepper */
-    int stages;               /* operator applications a step */
+    int stages;               /* operator applications a step; a first step may take more */
+    long long applications;   /* of the operator, in all steps; 0 for the exact stepper and where unknown */
     double heat[2];           /* J m^(d-3): sum of rho_c T volume at the start and at the end */
     double range[2];          /* K, lowest and highest of the sampled initial data */
     double bound;             /* s^-1: upper bound of the operator's spectrum; 0 where none is known */

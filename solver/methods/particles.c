@@ -211,6 +211,7 @@ void particles_count(const struct options *o, const struct lattice *l, const str
     const long long applications = m->steps ? stepper_applications(m) : 1;
     f->dim = l->dim, f->n = a->n, f->h = o->h;
     f->steps = m->steps, f->stages = m->stages, f->dt = m->steps ? m->time / (double)m->steps : 0;
+    f->applications = m->steps ? applications : 0;
     f->updates = (long long)a->n * applications;
     f->interactions = (long long)a->pairs * applications;
     f->work = set_up_work(o, l, a);

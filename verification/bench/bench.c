@@ -1,5 +1,6 @@
 /* The benchmark of a scene.  A rung is run once to warm up and to measure its error, then BENCH_RUNS times for its
- * median.  A candidate climbs until a rung takes long; a rung that fails is kept with its reason. */
+ * median.  A candidate climbs until a rung takes long; a rung that fails, or whose predicted work is out of
+ * proportion, is kept with its reason. */
 #include "verification/bench/bench.h"
 
 #include "verification/text/progress.h"
@@ -13,6 +14,9 @@
 #include <string.h>
 
 static const double LONG = 0.02; /* s: the last rung of a candidate may take this and a few times more */
+/* Pairs: a rung that follows one of LONG may take 16 times as long (explicit steps in the plane), at the 3e9 pairs a
+ * second of a fast core.  The coarsest rung follows none: its count alone bounds it. */
+static const double WORK_MAX = 1e9;
 static const int COARSEST[3] = {0, 32, 16}, FINEST[3] = {0, 4096, 640}; /* particles along x, by dimension */
 enum { FAILURES = 2, ASYMPTOTIC = 3 };
 
@@ -41,7 +45,19 @@ static struct bench_time time_runs(const struct candidate *c, const struct exper
     return bench_summary(seconds, BENCH_RUNS);
 }
 
-static void climb(const struct candidate *c, const struct experiment *e, int unit, struct bench_scene *b) {
+/* Whether the predicted work is more than WORK_MAX: *out says so.  What cannot be predicted is tried. */
+static int out_of_proportion(const struct candidate *c, const struct experiment *e, int n, struct result *out) {
+    struct candidate_size size = {n, 0};
+    struct candidate_cost cost;
+    struct failure why;
+    if (candidate_predict(c, e, size, &cost, &why) || cost.work <= WORK_MAX) return 0;
+    *out = (struct result){.scene = e->scene, .method = method_find(c->method), .t_end = e->problem.t_end};
+    out->options = candidate_options(c, e, size);
+    refuse(&out->failure, STATUS_NOT_APPLICABLE, "%.2g pairs predicted, more than %.0e", cost.work, WORK_MAX);
+    return 1;
+}
+
+void bench_climb(const struct candidate *c, const struct experiment *e, int unit, struct bench_scene *b) {
     int failures = 0, rungs = 0, before = 0;
     for (double at = COARSEST[e->problem.dim]; at <= FINEST[e->problem.dim] && rungs < BENCH_RUNGS; at *= 2) {
         int n = candidate_member(at, unit);
@@ -49,6 +65,8 @@ static void climb(const struct candidate *c, const struct experiment *e, int uni
         before = n;
         struct bench_row *row = &b->row[b->count++];
         *row = (struct bench_row){.candidate = c, .n = n};
+        row->left_out = out_of_proportion(c, e, n, &row->result);
+        if (row->left_out) return;
         if (candidate_run(c, e, (struct candidate_size){n, 0}, &row->result)) {
             if (++failures == FAILURES) return;
             continue;
@@ -62,6 +80,7 @@ static void climb(const struct candidate *c, const struct experiment *e, int uni
 
 const char *bench_outcome(const struct bench_row *row) {
     int status = row->result.failure.status;
+    if (row->left_out) return "left out";
     return status == STATUS_OK ? NULL : status_refused(status) ? "not applicable" : "failed";
 }
 
@@ -126,7 +145,7 @@ void bench_run(const struct experiment *e, struct bench_scene *b) {
     struct progress progress = progress_start("candidates", count);
     for (const struct candidate *c = candidates_table; c->label && unit; c++) {
         if (!c->dim || c->dim == e->problem.dim) {
-            climb(c, e, unit, b);
+            bench_climb(c, e, unit, b);
             fit_growth(c, e->problem.dim, b);
         }
         progress_tick(&progress);

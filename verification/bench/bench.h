@@ -15,6 +15,7 @@ struct bench_row {
     const struct candidate *candidate;
     int n;                /* particles along x */
     struct result result; /* its failure says why there is no more than that */
+    int left_out;         /* 1: not run, its predicted work is out of proportion */
     struct bench_time time;
     double work;                /* candidate_work */
     int front_time, front_work; /* 1: no other row has a smaller error for less */
@@ -39,11 +40,15 @@ struct bench_scene {
     struct bench_same slow, fast; /* of the row that takes longest, and of the one that takes least */
 };
 
-/* "failed" where a run went wrong, "not applicable" where the method refuses what it is asked for; NULL for neither.
- */
+/* "left out" where a run would take too much work, "failed" where it went wrong, "not applicable" where the method
+ * refuses what it is asked for; NULL for none of these. */
 const char *bench_outcome(const struct bench_row *row);
 
-/* Fills *b; *r holds the scene, set up.  Runs one after the other on one thread. */
+/* Adds to *b the rungs of one candidate, n multiples of `unit`, until one takes long, two have failed or one is left
+ * out. */
+void bench_climb(const struct candidate *c, const struct experiment *e, int unit, struct bench_scene *b);
+
+/* Fills *b; *e holds the scene, set up.  Runs one after the other on one thread. */
 void bench_run(const struct experiment *e, struct bench_scene *b);
 
 /* Median and extremes of `count` times, which are sorted. */

@@ -159,7 +159,8 @@ int candidate_solve(const struct candidate *c, const struct experiment *e, struc
 }
 
 static double rounding(const struct problem *p, const struct field *run, double dx) {
-    double applications = (double)run->steps * run->stages, width = p->hi[0] - p->lo[0];
+    double applications = fmax((double)run->applications, (double)run->steps * run->stages),
+           width = p->hi[0] - p->lo[0];
     double kappa = problem_diffusivity(p), lasts = fmin(p->t_end, width * width / (M_PI * M_PI * kappa));
     double symbol = run->steps == 0 ? kappa * lasts / (dx * dx) : 0;
     return DBL_EPSILON / 4 * (sqrt(applications) + symbol);

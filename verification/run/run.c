@@ -48,7 +48,7 @@ static int measure(const struct experiment *e, const struct field *f, const doub
     out->steps = f->steps;
     out->stages = f->stages;
     /* Euler is stable for dt <= 2 / bound */
-    out->saving = f->bound > 0 ? f->bound * p->t_end / 2 / ((double)f->steps * f->stages) : NAN;
+    out->saving = f->bound > 0 && f->applications > 0 ? f->bound * p->t_end / 2 / (double)f->applications : NAN;
     out->particles = f->n;
     out->error = norms_error(p, f, reference, NORMS_ALL, 0);
     double skin = (p->dim == 2 ? fmin(p->hi[0] - p->lo[0], p->hi[1] - p->lo[1]) : p->hi[0] - p->lo[0]) / 10;

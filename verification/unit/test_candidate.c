@@ -66,6 +66,22 @@ static void work_is_counted(void **state) {
     assert_near(twice.work - ftcs.work, 40 * (16 * (2 + 2) + 16 * 4), 1e-9);
 }
 
+/* What rkl2 saves is counted over all its updates, those of a damped first step among them: twice the updates, half
+ * the saving. */
+static void a_damped_start_counts_in_the_saving(void **state) {
+    (void)state;
+    const char *lines[] = {"run square-step so_ssph --stepper rkl2 --dx 4/160 --dt 5/6",
+                           "run square-step so_ssph --stepper rkl2 --dx 4/160 --dt 5/24"};
+    double euler[2];
+    for (int i = 0; i < 2; i++) {
+        struct result r = run(lines[i]);
+        double quarter = (double)r.particles / 4;
+        assert_true((double)r.updates > quarter * (double)r.steps * r.stages);
+        euler[i] = r.saving * (double)r.updates / quarter;
+    }
+    assert_near(euler[0] / euler[1], 1, 1e-12);
+}
+
 /* The plan of a run tells its cost to the last pair, and what rounding leaves is no more than what it can. */
 static void costs_are_predicted(void **state) {
     (void)state;
@@ -132,12 +148,44 @@ static void a_refusal_is_no_failure(void **state) {
     assert_string_equal(bench_outcome(&(struct bench_row){.result.failure.status = STATUS_NUMERICAL}), "failed");
 }
 
+/* Song's dt of 5e-5 s on the cooled plate takes 1.2e8 steps to its end, and 2e4 to t = 1 s. */
+static void work_out_of_proportion_is_left_out(void **state) {
+    (void)state;
+    const struct candidate *song = candidates_table;
+    while (song->options.dt == 0) song++;
+    static struct bench_scene b;
+    struct request r;
+    struct failure why;
+    const struct {
+        const char *line;
+        int rungs;
+        const char *outcome;
+    } cases[] = {{"run plate-cooling so_ssph --dx 0.05 --t-end 20", 1, "left out"},
+                 {"run plate-cooling so_ssph --dx 0.05 --t-end 0.01", 2, NULL}};
+    for (int i = 0; i < 2; i++) {
+        if (arguments_parse_line(cases[i].line, &r, &why)) fail_msg("%s: %s", cases[i].line, why.text);
+        b = (struct bench_scene){.scene = r.experiment.scene};
+        bench_climb(song, &r.experiment, candidate_unit(&r.experiment.problem), &b);
+        assert_true(b.count >= cases[i].rungs);
+        const char *outcome = bench_outcome(&b.row[0]);
+        assert_true(outcome == cases[i].outcome || strcmp(outcome, cases[i].outcome) == 0);
+        if (outcome) {
+            assert_int_equal(b.count, 1);
+            assert_non_null(strstr(b.row[0].result.failure.text, "pairs predicted, more than 1e+09"));
+            assert_string_equal(b.row[0].result.scene->name, "plate-cooling");
+        }
+        arguments_free(&r);
+    }
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(lattices_meet_the_jumps),
         cmocka_unit_test(every_candidate_names_a_method_and_differs),
         cmocka_unit_test(work_is_counted),
+        cmocka_unit_test(a_damped_start_counts_in_the_saving),
         cmocka_unit_test(costs_are_predicted),
+        cmocka_unit_test(work_out_of_proportion_is_left_out),
         cmocka_unit_test(searches_and_rows_cost_more_than_a_stencil),
         cmocka_unit_test(a_median_is_no_mean),
         cmocka_unit_test(a_ratio_is_as_wide_as_both),
