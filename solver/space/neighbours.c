@@ -33,24 +33,32 @@ void neighbours_free(struct neighbours *nb) {
     *nb = (struct neighbours){0};
 }
 
+int neighbours_runs(const struct neighbours *nb, size_t i, uint32_t begin[3], uint32_t end[3]) {
+    const struct cloud *c = nb->cloud;
+    int at[2] = {(int)((c->x[i] - nb->lo[0]) / nb->radius), (int)((c->y[i] - nb->lo[1]) / nb->radius)}, runs = 0;
+    int first = at[0] > 0 ? at[0] - 1 : 0, last = at[0] + 1 < nb->cells[0] ? at[0] + 1 : nb->cells[0] - 1;
+    for (int j = at[1] > 0 ? at[1] - 1 : 0; j <= at[1] + 1 && j < nb->cells[1]; j++) {
+        const uint32_t *row = nb->start + (size_t)j * (size_t)nb->cells[0];
+        begin[runs] = row[first], end[runs++] = row[last + 1];
+    }
+    return runs;
+}
+
 size_t neighbours_find(const struct neighbours *nb, size_t i, uint32_t *out, size_t most) {
     const struct cloud *c = nb->cloud;
-    int at[2] = {(int)((c->x[i] - nb->lo[0]) / nb->radius), (int)((c->y[i] - nb->lo[1]) / nb->radius)};
     /* lattice neighbours at exactly the radius must not be in or out by rounding: there the kernel is zero anyway */
     double radius2 = nb->radius * nb->radius * (1 - 1e-12);
+    uint32_t begin[3], end[3];
+    int runs = neighbours_runs(nb, i, begin, end);
     size_t found = 0;
-    for (int cy = at[1] - 1; cy <= at[1] + 1; cy++)
-        for (int cx = at[0] - 1; cx <= at[0] + 1; cx++) {
-            if (cx < 0 || cy < 0 || cx >= nb->cells[0] || cy >= nb->cells[1]) continue;
-            size_t cell = (size_t)cy * (size_t)nb->cells[0] + (size_t)cx;
-            for (uint32_t k = nb->start[cell]; k < nb->start[cell + 1]; k++) {
-                uint32_t j = nb->point[k];
-                double dx = c->x[j] - c->x[i], dy = c->y[j] - c->y[i];
-                double part = c->spacing ? (c->spacing[i] + c->spacing[j]) / (2 * c->coarsest) : 1;
-                if (j == i || dx * dx + dy * dy >= radius2 * part * part) continue;
-                if (found < most) out[found] = j;
-                found++;
-            }
+    for (int r = 0; r < runs; r++)
+        for (uint32_t k = begin[r]; k < end[r]; k++) {
+            uint32_t j = nb->point[k];
+            double dx = c->x[j] - c->x[i], dy = c->y[j] - c->y[i];
+            double part = c->spacing ? (c->spacing[i] + c->spacing[j]) / (2 * c->coarsest) : 1;
+            if (j == i || dx * dx + dy * dy >= radius2 * part * part) continue;
+            if (found < most) out[found] = j;
+            found++;
         }
     return found;
 }

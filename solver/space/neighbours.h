@@ -17,6 +17,10 @@ struct neighbours {
 void neighbours_create(struct neighbours *nb, const struct cloud *c, double radius);
 void neighbours_free(struct neighbours *nb);
 
+/* The points of the cells around point i, itself among them: nb->point[k] for begin[r] <= k < end[r], r below the
+ * count returned, at most 3. */
+int neighbours_runs(const struct neighbours *nb, size_t i, uint32_t begin[3], uint32_t end[3]);
+
 /* Indices of the points nearer than the radius (with cloud->spacing: than that of the mean of both spacings, the
  * coarsest having the radius) to point i, i itself left out, into out[most].  Returns how many there
  * are, which may be more than `most`. */

@@ -16,7 +16,6 @@
 #include <string.h>
 
 static const double REACH = 1.2, SETTLED = 3e-3, LONGEST = 0.1, STEP = 0.2, KEPT = 0.8;
-enum { NEAR_MAX = 256 };
 
 struct medium {
     const struct problem *p;
@@ -46,50 +45,85 @@ static void mirror_all(struct medium *m) {
         }
 }
 
-/* The move of particle i, its nearest neighbour (m) and the sum of kernels around it. */
-static void push(const struct medium *m, const struct neighbours *cells, size_t i, double *nearest, double *density) {
-    const struct cloud *c = &m->c;
-    uint32_t near[NEAR_MAX];
-    double H = REACH * m->spacing, sum[2] = {0, 0};
-    size_t found = neighbours_find(cells, i, near, NEAR_MAX);
-    *nearest = HUGE_VAL, *density = kernel_value(KERNEL_WENDLAND, c->dim, 0);
-    for (size_t k = 0; k < found && k < NEAR_MAX; k++) {
-        double d[2] = {c->x[i] - c->x[near[k]], c->y[i] - c->y[near[k]]}, r = hypot(d[0], d[1]);
-        double slope = r > 0 ? -kernel_slope(KERNEL_WENDLAND, c->dim, r / H) / r : 0;
-        for (int a = 0; a < c->dim; a++) sum[a] += slope * d[a];
-        *nearest = fmin(*nearest, r);
-        *density += kernel_value(KERNEL_WENDLAND, c->dim, r / H);
+/* Positions in the order of the cells, so that those around a point lie side by side. */
+struct sorted {
+    struct neighbours cells;
+    double *at; /* m, 2 each */
+};
+
+static void sort_cells(struct medium *m, struct sorted *s) {
+    struct cloud *c = &m->c;
+    mirror_all(m);
+    neighbours_create(&s->cells, c, KERNEL_SUPPORT * REACH * m->spacing);
+    s->at = xcalloc(2 * c->total, sizeof *s->at);
+    for (size_t k = 0; k < c->total; k++) {
+        s->at[2 * k] = c->x[s->cells.point[k]];
+        s->at[2 * k + 1] = c->y[s->cells.point[k]];
     }
-    double unit = STEP * m->spacing / kernel_value(KERNEL_WENDLAND, c->dim, 0);
-    double *v = &m->move[2 * i], most = LONGEST * m->spacing;
+}
+
+static void free_cells(struct sorted *s) {
+    neighbours_free(&s->cells);
+    free(s->at);
+}
+
+/* The move of particle i.  With u = max(0, 1 - r/(2 H)), -w'(s) e_ij/w(0) is (x_i - x_j)/H times 5 u^3, or 3 u^2 on a
+ * rod.  2 u is u + |u|, without a branch: half of the points that are looked at lie beyond. */
+static void push(const struct medium *m, const struct sorted *s, size_t i) {
+    const double x = m->c.x[i], y = m->c.y[i], H = REACH * m->spacing, half = 1 / (2 * H);
+    const int plane = m->c.dim == 2;
+    double sum[2] = {0, 0};
+    uint32_t begin[3], end[3];
+    int runs = neighbours_runs(&s->cells, i, begin, end);
+    for (int r = 0; r < runs; r++)
+        for (uint32_t k = begin[r]; k < end[r]; k++) {
+            double dx = x - s->at[2 * k], dy = y - s->at[2 * k + 1], u = 1 - half * sqrt(dx * dx + dy * dy);
+            u += fabs(u);
+            double slope = u * u * (plane ? u : 1);
+            sum[0] += slope * dx;
+            sum[1] += slope * dy;
+        }
+    double *v = &m->move[2 * i], unit = STEP * m->spacing / H * (plane ? 5.0 / 8 : 3.0 / 4),
+           most = LONGEST * m->spacing;
     for (int a = 0; a < 2; a++) v[a] = KEPT * v[a] + unit * sum[a];
-    double length = hypot(v[0], v[1]);
+    double length = sqrt(v[0] * v[0] + v[1] * v[1]);
     for (int a = 0; a < 2 && length > most; a++) v[a] *= most / length;
 }
 
-/* What moves all, and into *s its size, over the spacing, and the state before it. */
-static void sweep(struct medium *m, struct settling *s) {
-    struct cloud *c = &m->c;
-    struct neighbours cells;
-    double *density = xcalloc(c->n, sizeof *density), *nearest = xcalloc(c->n, sizeof *nearest);
+/* What moves all; returns its size, over the spacing. */
+static double sweep(struct medium *m) {
+    struct sorted s;
     int threads = m->o->threads > 1 ? m->o->threads : 1;
-    mirror_all(m);
-    neighbours_create(&cells, c, KERNEL_SUPPORT * REACH * m->spacing);
+    double moved = 0;
+    sort_cells(m, &s);
 #pragma omp parallel for num_threads(threads)
-    for (size_t i = 0; i < c->n; i++) push(m, &cells, i, &nearest[i], &density[i]);
-    neighbours_free(&cells);
-    double mean = 0, square = 0;
-    s->moved = 0, s->nearest = HUGE_VAL;
+    for (size_t i = 0; i < m->c.n; i++) push(m, &s, i);
+    free_cells(&s);
+    for (size_t i = 0; i < 2 * m->c.n; i++) moved += m->move[i] * m->move[i];
+    return sqrt(moved / (double)m->c.n) / m->spacing;
+}
+
+/* Into *to, how close particles lie and how evenly. */
+static void survey(struct medium *m, struct settling *to) {
+    const struct cloud *c = &m->c;
+    double *density = xcalloc(c->n, sizeof *density), mean = 0, square = 0, nearest = HUGE_VAL;
+    struct sorted s;
+    sort_cells(m, &s);
     for (size_t i = 0; i < c->n; i++) {
-        double move2 = m->move[2 * i] * m->move[2 * i] + m->move[2 * i + 1] * m->move[2 * i + 1];
-        s->moved += move2 / (m->spacing * m->spacing * (double)c->n);
-        s->nearest = fmin(s->nearest, nearest[i] / m->spacing);
+        uint32_t begin[3], end[3];
+        int runs = neighbours_runs(&s.cells, i, begin, end);
+        for (int r = 0; r < runs; r++)
+            for (uint32_t k = begin[r]; k < end[r]; k++) {
+                double distance = hypot(c->x[i] - s.at[2 * k], c->y[i] - s.at[2 * k + 1]);
+                density[i] += kernel_value(KERNEL_WENDLAND, c->dim, distance / (REACH * m->spacing));
+                if (s.cells.point[k] != i) nearest = fmin(nearest, distance);
+            }
         mean += density[i] / (double)c->n;
     }
     for (size_t i = 0; i < c->n; i++) square += (density[i] / mean - 1) * (density[i] / mean - 1) / (double)c->n;
-    s->spread = sqrt(square), s->moved = sqrt(s->moved);
+    to->spread = sqrt(square), to->nearest = nearest / m->spacing;
+    free_cells(&s);
     free(density);
-    free(nearest);
 }
 
 static void displace(struct medium *m) {
@@ -109,10 +143,11 @@ int relax_cloud(const struct problem *p, const struct options *o, double spacing
     memcpy(m.c.x, c->x, c->n * sizeof *c->x);
     memcpy(m.c.y, c->y, c->n * sizeof *c->y);
     for (s->sweeps = 0;; s->sweeps++) {
-        sweep(&m, s);
+        s->moved = sweep(&m);
         if (s->moved <= SETTLED || s->sweeps == o->sweeps) break;
         displace(&m);
     }
+    survey(&m, s);
     memcpy(c->x, m.c.x, c->n * sizeof *c->x);
     memcpy(c->y, m.c.y, c->n * sizeof *c->y);
     free(m.c.x);

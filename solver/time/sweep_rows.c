@@ -3,35 +3,61 @@
 #include "solver/space/gradient.h"
 #include "solver/time/sweep.h"
 
-/* Four partial sums a row: additions that do not wait for each other, in an order that does not change.  No clones
- * for wide vectors here: their gathers are slower than single loads. */
-static inline double row_times(const struct heat_operator *a, const double *restrict x, size_t i) {
-    const double *restrict value = a->value;
-    const uint32_t *restrict column = a->column;
-    double sum[4] = {a->diagonal[i] * x[i], 0, 0, 0};
-    size_t k = a->row[i], end = a->row[i + 1];
-    for (; k + 4 <= end; k += 4)
-        for (size_t p = 0; p < 4; p++) sum[p] += value[k + p] * x[column[k + p]];
-    for (; k < end; k++) sum[0] += value[k] * x[column[k]];
-    return (sum[0] + sum[1]) + (sum[2] + sum[3]);
+#include <string.h>
+
+#define INLINE static inline __attribute__((always_inline))
+
+/* Two doubles: what every machine of 64 bits has.  No wider ones: their gathers are slower than single loads. */
+typedef double two __attribute__((vector_size(16)));
+
+INLINE two load(const double *from) {
+    two v;
+    memcpy(&v, from, sizeof v);
+    return v;
 }
 
+/* Four partial sums a row: additions that do not wait for each other, in an order that does not change. */
+INLINE double row_times(double diagonal, const double *restrict value, const uint32_t *restrict column,
+                        const double *restrict x, size_t i, size_t k, size_t end) {
+    two even = {diagonal * x[i], 0}, odd = {0, 0};
+    for (; k + 4 <= end; k += 4) {
+        even += load(value + k) * (two){x[column[k]], x[column[k + 1]]};
+        odd += load(value + k + 2) * (two){x[column[k + 2]], x[column[k + 3]]};
+    }
+    for (; k < end; k++) even[0] += value[k] * x[column[k]];
+    return (even[0] + even[1]) + (odd[0] + odd[1]);
+}
+
+/* What an update has: x and the sum alone; y too; or source, walls' values or Y0 as well. */
+enum form { PLAIN, RECURRENCE, WHOLE };
+
 /* y_i, of sum = (A x)_i. */
-static inline double updated(const struct heat_operator *a, const struct update *u, double sum, const double *x,
-                             const double *y, size_t i) {
-    if (a->g) sum += a->g[i];
-    double to = u->rate * sum + u->self * x[i] + u->old * y[i];
-    if (u->Y0) to += u->start * u->Y0[i];
+INLINE double updated(const double *restrict g, struct update u, enum form form, double sum, const double *x,
+                      const double *y, size_t i) {
+    if (form == PLAIN) return x[i] + u.rate * sum;
+    if (form == WHOLE && g) sum += g[i];
+    double to = u.rate * sum + u.self * x[i] + u.old * y[i];
+    if (form == WHOLE && u.Y0) to += u.start * u.Y0[i];
     return to;
+}
+
+INLINE void update_form(const struct heat_operator *a, struct update u, enum form form, const double *restrict x,
+                        double *restrict y, size_t begin, size_t end) {
+    const double *restrict diagonal = a->diagonal, *restrict value = a->value, *restrict g = a->g;
+    const uint32_t *restrict column = a->column;
+    const size_t *restrict row = a->row;
+    for (size_t i = begin; i < end; i++)
+        y[i] = updated(g, u, form, row_times(diagonal[i], value, column, x, i, row[i], row[i + 1]), x, y, i);
 }
 
 static void update_rows(const struct heat_operator *a, const struct update *u, const double *x, double *y,
                         size_t begin, size_t end) {
-    if (sweep_is_plain(a, u)) {
-        for (size_t i = begin; i < end; i++) y[i] = x[i] + u->rate * row_times(a, x, i);
-        return;
-    }
-    for (size_t i = begin; i < end; i++) y[i] = updated(a, u, row_times(a, x, i), x, y, i);
+    if (sweep_is_plain(a, u))
+        update_form(a, *u, PLAIN, x, y, begin, end);
+    else if (!a->g && !u->Y0)
+        update_form(a, *u, RECURRENCE, x, y, begin, end);
+    else
+        update_form(a, *u, WHOLE, x, y, begin, end);
 }
 
 enum { SHARE = 5000 }; /* particles that are worth a thread */
@@ -60,8 +86,6 @@ void sweep_rows(const struct heat_operator *a, const struct update *u, int count
 static void fill_ghosts(const struct gradient *g, size_t n, double *x) {
     for (size_t k = 0; k < g->total - n; k++) x[n + k] = g->factor[k] * x[g->source[k]] + g->offset[k];
 }
-
-#define INLINE static inline __attribute__((always_inline))
 
 /* sum += F d (T_j - T_i) */
 INLINE void add_difference(const struct gradient *g, const double *T, size_t i, size_t j, double F, double sum[2]) {
@@ -101,7 +125,7 @@ static double divergence(const struct gradient *g, size_t i) {
 
 static void update_particles(const struct heat_operator *a, const struct update *u, const double *x, double *y,
                              size_t begin, size_t end) {
-    for (size_t i = begin; i < end; i++) y[i] = updated(a, u, divergence(a->gradient, i), x, y, i);
+    for (size_t i = begin; i < end; i++) y[i] = updated(a->g, *u, WHOLE, divergence(a->gradient, i), x, y, i);
 }
 
 void sweep_gradient(const struct heat_operator *a, const struct update *u, int count, double *const Y[2]) {
