@@ -106,11 +106,12 @@ static int read_number(const struct reader *r, int column, struct points_text ce
                   r->line, r->place[column] + 1, names[column], cell.length < 40 ? cell.length : 40, cell.start);
 }
 
-/* Takes a coordinate that is off by a rounding to the side. */
+/* Takes a coordinate that is off by a rounding, on either hand, to the side: nodes of a mesh are. */
 static int check_inside(const struct problem *p, int axis, double *x) {
     double lo = p->lo[axis], hi = p->hi[axis], away = slack * (hi - lo);
     if (!(*x >= lo - away && *x <= hi + away)) return -1;
-    *x = fmin(fmax(*x, lo), hi);
+    if (fabs(*x - lo) <= away) *x = lo;
+    if (fabs(*x - hi) <= away) *x = hi;
     return 0;
 }
 

@@ -26,12 +26,13 @@ static void points_are_read_as_programs_write_them(void **state) {
     struct failure why;
     odd_find("square-step", &p);
     const char *text = "\xEF\xBB\xBF# mesh 7\r\ncell , \"y\",dx, x,T\r\n\r\n1,-0.37,0.02,+4.1e-01,nan\r\n# half\r\n"
-                       "2, 1.9000000001 ,0.03,-.5,0\r\n";
+                       "2, 1.9000000001 ,0.03,-.5,0\r\n3,-1.8999999999,0.03,0,0\n";
     assert_int_equal(read_text(text, &p, &points, &why), STATUS_OK);
-    assert_int_equal(points.n, 2);
+    assert_int_equal(points.n, 3);
     assert_near(points.x[0][0], 0.41, 0);
     assert_near(points.x[0][1], -0.37, 0);
     assert_near(points.x[1][1], 1.9, 0); /* off by 1e-10: on the side */
+    assert_near(points.x[2][1], -1.9, 0);
     assert_near(points.cell[0][0], 0.02, 0);
     assert_near(points.cell[1][1], 0.03, 0); /* dy as dx */
     assert_int_equal(points.typed[0][0].length, 8);
