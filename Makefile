@@ -132,13 +132,18 @@ clean: ## Remove everything that was built
 	rm -rf $(BUILD) reports/out
 
 # Codes of others in small: not part of the program.
+CVODE = $(wildcard /usr/include/cvode/cvode.h /usr/local/include/cvode/cvode.h)
 .PHONY: examples
-examples: $(addprefix $(BUILD)/examples/,cells_c $(if $(shell command -v gfortran),cells_f90)) ## Build the examples of programs for --solver
+examples: $(addprefix $(BUILD)/examples/,cells_c $(if $(shell command -v gfortran),cells_f90) $(if $(CVODE),cvode)) ## Build the examples of programs for --solver
 	@:
 
 $(BUILD)/examples/cells_c: verification/examples/cells.c
 	@mkdir -p $(@D)
 	$(Q)$(CC) -O2 -o $@ $< -lm
+
+$(BUILD)/examples/cvode: verification/examples/cvode.c
+	@mkdir -p $(@D)
+	$(Q)$(CC) -O2 -o $@ $< $(addprefix -lsundials_,cvode nvecserial sunlinsolband sunmatrixband) -lm
 
 $(BUILD)/examples/cells_f90: verification/examples/cells.f90
 	@mkdir -p $(@D)
@@ -241,7 +246,7 @@ bench: $(BUILD)/heatladder ## Chart error against time and counted work, and mea
 	else echo "bench: gnuplot is not here (make setup installs it); charts were not drawn"; fi
 
 .PHONY: setup-peers
-setup-peers: ## Install the programs that bench-peers measures, where the system's packages have them
+setup-peers: ## Install the codes of others that bench-peers and league run, where the system's packages have them
 	$(Q)scripts/setup-peers
 
 # The peers alone are compiled for this machine, as their users would: ours picks its vectors when it runs, and they would
