@@ -188,10 +188,10 @@ int figure_write(const struct figure *figure, const char *dir, struct failure *w
 #pragma omp parallel for schedule(dynamic, 1)
     for (int i = 0; i < n; i++) {
         size_t size;
-        FILE *out = open_memstream(&text[i], &size);
+        FILE *out = xcheck(open_memstream(&text[i], &size), 1, BUFSIZ);
         command_run_line(&run[i], "%s", figure->series[i].command);
-        if (out && !run[i].result.failure.status) write_series(figure, &figure->series[i], &run[i], out);
-        if (out) fclose(out);
+        if (!run[i].result.failure.status) write_series(figure, &figure->series[i], &run[i], out);
+        fclose(out);
     }
     for (int i = 0; i < n && !status; i++) status = command_run_check(&run[i], why);
     if (!status) {

@@ -3,23 +3,11 @@
 #include "reports/page/gates_file.h"
 
 #include "solver/status.h"
+#include "verification/text/whole_file.h"
 
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
-
-static char *read_whole(const char *path) {
-    FILE *in = fopen(path, "rb");
-    char *text = NULL;
-    size_t room = 0;
-    if (!in) return NULL;
-    if (getdelim(&text, &room, '\0', in) < 0) {
-        free(text);
-        text = NULL;
-    }
-    fclose(in);
-    return text;
-}
 
 /* The string that begins at the quote *from, unescaped in place; *from moves past it.  NULL where it does not end. */
 static char *take_string(char **from) {
@@ -82,7 +70,7 @@ static char *take_gate(char *at, struct page_gate *g) {
 }
 
 int gates_file_read(const char *path, struct gates_file *g) {
-    *g = (struct gates_file){.text = read_whole(path)};
+    *g = (struct gates_file){.text = whole_file_at(path, NULL)};
     char *at = g->text ? strstr(g->text, "\"gates\": [") : NULL;
     if (!at) {
         gates_file_free(g);

@@ -5,6 +5,7 @@
 #include "solver/options.h"
 #include "solver/problem.h"
 #include "solver/status.h"
+#include "verification/text/whole_file.h"
 
 #include <errno.h>
 #include <math.h>
@@ -121,18 +122,11 @@ int case_file_value(const char *text, const char *key, char *value, size_t size)
 }
 
 char *case_file_read(const char *path, struct failure *why) {
-    enum { ROOM = 1 << 16 };
-    FILE *in = fopen(path, "r");
-    if (!in) {
-        refuse(why, STATUS_INPUT, "%.200s: %s; `heatladder case` writes it", path, strerror(errno));
-        return NULL;
-    }
-    char *text = xcalloc(ROOM, 1);
-    size_t n = fread(text, 1, ROOM - 1, in);
-    int bad = ferror(in) || n == ROOM - 1 || strlen(text) != n;
-    fclose(in);
-    if (!bad) return text;
+    size_t size;
+    char *text = whole_file_at(path, &size);
+    if (text && strlen(text) == size) return text;
+    refuse(why, STATUS_INPUT, "%.200s: %s; `heatladder case` writes it", path,
+           text ? "not a case file" : strerror(errno));
     free(text);
-    refuse(why, STATUS_INPUT, "%.200s: not a case file; `heatladder case` writes it", path);
     return NULL;
 }

@@ -8,33 +8,15 @@
 #include "verification/foreign/samples.h"
 #include "verification/foreign/table_file.h"
 #include "verification/foreign/vtk_file.h"
+#include "verification/text/whole_file.h"
 
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
-enum { BUFFER = 1 << 20 };
-
-/* The whole file, ended by a NUL. */
-static char *read_text(FILE *in, size_t *size) {
-    size_t room = BUFFER;
-    char *text = xcalloc(room + 1, 1);
-    for (*size = 0;;) {
-        size_t n = fread(text + *size, 1, room - *size, in);
-        if (n == 0) return text;
-        *size += n;
-        if (*size < room) continue;
-        char *wider = xcalloc(2 * room + 1, 1);
-        memcpy(wider, text, *size);
-        free(text);
-        text = wider;
-        room *= 2;
-    }
-}
-
 static int read_vtk(FILE *in, const struct column_map *c, struct samples *s, struct failure *why) {
     size_t size;
-    char *text = read_text(in, &size);
+    char *text = whole_file_read(in, &size);
     int status = vtk_file_read(text, size, c, s, why);
     free(text);
     return status;

@@ -114,13 +114,12 @@ static int write_case(const struct program *g, const struct scene *s, const stru
 
 /* The command with what is between braces replaced, to be freed; braces of any other word stay. */
 static char *fill_in(const struct program *g, const struct options *o, const struct place *at) {
-    char *text = NULL, dx[40];
+    char *text, dx[40];
     size_t size;
     results_number(o->dx, dx);
     const char *name[] = {"case", "out", "dx", *g->vary ? g->vary : NULL},
                *value[] = {at->input, at->output, dx, g->value};
-    FILE *out = open_memstream(&text, &size);
-    if (!out) return NULL;
+    FILE *out = xcheck(open_memstream(&text, &size), 1, BUFSIZ);
     for (const char *c = g->solver; *c; c++) {
         int found = -1;
         for (int i = 0; *c == '{' && i < 4 && name[i]; i++) {
@@ -142,7 +141,6 @@ static int run_command(const struct program *g, const struct scene *s, const str
                        const struct place *at, struct scratch *scratch, struct failure *why) {
     char dx[40], label[200];
     char *command = fill_in(g, o, at);
-    if (!command) return refuse(why, STATUS_NUMERICAL, "out of memory for --solver");
     results_number(o->dx, dx);
     snprintf(label, sizeof label, "%s dx=%s%s%s", s->name, dx, *g->rung ? " " : "", g->rung);
     struct process process = {.command = command, .label = label, .scratch = scratch, .timeout = g->timeout};

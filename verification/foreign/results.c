@@ -6,7 +6,8 @@
 #include "solver/status.h"
 #include "verification/foreign/case_file.h"
 #include "verification/foreign/program.h"
-#include "verification/text/atomic_file.h"
+#include "verification/text/output.h"
+#include "verification/text/whole_file.h"
 #include "verification/text/words.h"
 
 #include <dirent.h>
@@ -115,20 +116,6 @@ int results_params(const char *dir, const struct scene *s, const struct numbers 
 
 /* ---- Writing ---- */
 
-/* The whole of a file, or NULL; at most 16 MB. */
-static char *whole(const char *path) {
-    enum { MOST = 1 << 24 };
-    FILE *in = fopen(path, "r");
-    if (!in) return NULL;
-    struct stat is;
-    size_t size = fstat(fileno(in), &is) || is.st_size > MOST ? 0 : (size_t)is.st_size;
-    char *text = xcalloc(size + 1, 1);
-    size = fread(text, 1, size, in);
-    text[size] = '\0';
-    fclose(in);
-    return text;
-}
-
 static int has_answer(const char *dir) {
     char path[RESULTS_PATH + 16];
     struct stat is;
@@ -141,23 +128,19 @@ static int has_answer(const char *dir) {
 
 static int write_one(const char *dir, const struct scene *s, const struct problem *p, const struct options *o,
                      struct failure *why) {
-    char path[RESULTS_PATH + 8], *text = NULL;
-    size_t size;
-    FILE *out = open_memstream(&text, &size);
-    if (!out) return refuse(why, STATUS_NUMERICAL, "out of memory for '%.300s'", dir);
-    case_file_write(s, p, o, &(struct case_extra){.label = "results"}, out);
-    fclose(out);
-    snprintf(path, sizeof path, "%s/case", dir);
-    char *old = whole(path);
-    int same = old && strcmp(old, text) == 0, status = STATUS_OK;
+    struct output page;
+    case_file_write(s, p, o, &(struct case_extra){.label = "results"}, output_open(&page, "%s/case", dir));
+    output_end(&page);
+    char *old = whole_file_at(page.path, NULL);
+    int same = old && page.text && strcmp(old, page.text) == 0, status = STATUS_OK;
     if (old && !same && has_answer(dir))
         status = refuse(why, STATUS_INPUT,
                         "%.300s: an answer to another case lies there; remove it, or take another "
                         "--into",
                         dir);
-    if (!same && !status) status = atomic_file_write(path, text, size, why);
+    if (!same && !status) status = output_close(&page, 1, why);
+    output_drop(&page, 1);
     free(old);
-    free(text);
     return status;
 }
 
@@ -201,17 +184,13 @@ static int write_all(const char *dir, const struct scene *s, const struct proble
 
 int results_write(const char *dir, const struct scene *s, const struct problem *p, const struct options *o,
                   const char *dx, int *written, struct failure *why) {
-    char path[RESULTS_PATH + 16], *text = NULL;
-    size_t size;
-    FILE *list = open_memstream(&text, &size);
-    if (!list) return refuse(why, STATUS_NUMERICAL, "out of memory for '%.300s'", dir);
-    snprintf(path, sizeof path, "%.1000s/cases.txt", dir);
-    char *old = whole(path);
+    struct output page;
+    FILE *list = output_open(&page, "%.1000s/cases.txt", dir);
+    char *old = whole_file_at(page.path, NULL);
     if (old) fputs(old, list);
     int status = write_all(dir, s, p, o, dx, old ? old : "", list, written, why);
-    fclose(list);
-    if (!status) status = atomic_file_write(path, text, size, why);
+    if (!status) status = output_close(&page, 1, why);
+    output_drop(&page, 1);
     free(old);
-    free(text);
     return status;
 }

@@ -89,11 +89,7 @@ static void climb_program(const struct experiment *e, const struct ladder_rungs 
         struct experiment rung = rung_of(e, rungs, l, i);
         struct result *r = &l->rung[i];
         if (failed && e->program.solver) {
-            *r = (struct result){.scene = e->scene,
-                                 .method = e->method,
-                                 .options = rung.options,
-                                 .t_end = e->problem.t_end,
-                                 .time_error = NAN};
+            *r = run_blank(&rung);
             refuse(&r->failure, STATUS_NUMERICAL, "not run, since a coarser one failed");
         } else {
             failed = run_experiment(&rung, r, keep(kept, l->n - 1 - i)) || failed;
@@ -144,11 +140,7 @@ static int climb_without_reference(const struct experiment *e, const struct ladd
                       e->method->name, WINDOW_LEAST + 1);
     for (int i = 0; i < l->n; i++) {
         rung[i] = rung_of(e, rungs, l, i);
-        l->rung[i] = (struct result){.scene = e->scene,
-                                     .method = e->method,
-                                     .options = rung[i].options,
-                                     .t_end = e->problem.t_end,
-                                     .time_error = NAN};
+        l->rung[i] = run_blank(&rung[i]);
         refuse(&l->rung[i].failure, STATUS_NUMERICAL, "not run, since a coarser one failed");
     }
     int status = self_difference_climb(rung, l, why);
@@ -168,13 +160,11 @@ static int climb_in_time(const struct experiment *e, const struct ladder_rungs *
     l->semidiscrete_steps = reference.steps;
     l->semidiscrete_error = reference.error;
     if (!status) climb(e, rungs, l, &reference, NULL);
-    for (int i = 0; status && i < l->n; i++)
-        l->rung[i] = (struct result){.scene = e->scene,
-                                     .method = e->method,
-                                     .options = rung_of(e, rungs, l, i).options,
-                                     .t_end = e->problem.t_end,
-                                     .time_error = NAN,
-                                     .failure = *why};
+    for (int i = 0; status && i < l->n; i++) {
+        struct experiment rung = rung_of(e, rungs, l, i);
+        l->rung[i] = run_blank(&rung);
+        l->rung[i].failure = *why;
+    }
     field_free(&reference.field);
     return STATUS_OK;
 }

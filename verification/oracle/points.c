@@ -4,6 +4,7 @@
 #include "solver/problem.h"
 #include "solver/status.h"
 #include "verification/text/number.h"
+#include "verification/text/whole_file.h"
 
 #include <errno.h>
 #include <math.h>
@@ -24,19 +25,6 @@ struct reader {
     int place[COLUMNS]; /* among the columns, from 0; -1 where it is not there */
     int width;          /* columns of the header */
 };
-
-/* All of a stream and a NUL; its length in *size. */
-static char *read_all(FILE *in, size_t *size) {
-    size_t room = 1 << 16, used = 0, got;
-    char *text = xcalloc(room, 1);
-    while ((got = fread(text + used, 1, room - used - 1, in)) > 0) {
-        used += got;
-        if (used + 1 < room) continue;
-        text = xgrow(text, used, room *= 2, 1);
-    }
-    *size = used;
-    return text;
-}
 
 /* The next line that says something, ended by a NUL; NULL at the end, or with *why filled. */
 static char *next_line(struct reader *r, struct failure *why) {
@@ -165,7 +153,7 @@ static int read_lines(struct reader *r, struct failure *why) {
 int points_read(FILE *in, const char *name, const struct problem *p, struct points *points, struct failure *why) {
     size_t size;
     *why = (struct failure){0};
-    *points = (struct points){.dim = p->dim, .text = read_all(in, &size)};
+    *points = (struct points){.dim = p->dim, .text = whole_file_read(in, &size)};
     struct reader r = {.name = name, .p = p, .points = points, .at = points->text};
     if (ferror(in))
         refuse(why, STATUS_INPUT, "%.150s: %s", name, strerror(errno));

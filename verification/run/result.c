@@ -9,25 +9,25 @@
 #include <math.h>
 #include <stdio.h>
 
-static int accepts(const struct result *r, const char *option) {
+int result_accepts(const struct result *r, const char *option) {
     return words_among(r->method->accepts, option);
 }
 
 static void options_json(const struct result *r, struct json *j) {
     const struct options *o = &r->options;
-    json_text(j, "kernel", accepts(r, "kernel") ? kernel_words[o->kernel] : NULL);
+    json_text(j, "kernel", result_accepts(r, "kernel") ? kernel_words[o->kernel] : NULL);
     json_number(j, "h", o->h > 0 ? o->h : NAN);
-    json_number(j, "order", accepts(r, "order") && o->order ? (double)o->order : NAN);
-    json_text(j, "stepper", accepts(r, "stepper") ? stepper_words[o->stepper] : NULL);
-    json_text(j, "layout", accepts(r, "layout") ? layout_words[o->layout] : NULL);
+    json_number(j, "order", result_accepts(r, "order") && o->order ? (double)o->order : NAN);
+    json_text(j, "stepper", result_accepts(r, "stepper") ? stepper_words[o->stepper] : NULL);
+    json_text(j, "layout", result_accepts(r, "layout") ? layout_words[o->layout] : NULL);
     json_number(j, "jitter", o->layout == LAYOUT_JITTER ? o->jitter : 0);
     json_number(j, "grading", o->layout == LAYOUT_GRADED ? o->grading : NAN);
     json_whole(j, "seed", (long long)o->seed);
-    json_text(j, "sampling", accepts(r, "sampling") ? sampling_words[o->sampling] : NULL);
-    json_text(j, "walls", accepts(r, "walls") ? walls_words[o->walls] : NULL);
-    json_text(j, "mean", accepts(r, "mean") ? mean_words[o->mean] : NULL);
+    json_text(j, "sampling", result_accepts(r, "sampling") ? sampling_words[o->sampling] : NULL);
+    json_text(j, "walls", result_accepts(r, "walls") ? walls_words[o->walls] : NULL);
+    json_text(j, "mean", result_accepts(r, "mean") ? mean_words[o->mean] : NULL);
     json_text(j, "domain", domain_words[o->domain]);
-    json_text(j, "volume", accepts(r, "volume") ? volume_words[o->volume] : NULL);
+    json_text(j, "volume", result_accepts(r, "volume") ? volume_words[o->volume] : NULL);
 }
 
 void result_json(const struct result *r, struct json *j) {
@@ -92,7 +92,8 @@ void result_describe(const struct result *r, char *text, size_t size) {
         snprintf(text, size, "%s %s: %s, t = %g s", r->scene->name, r->method->name, r->method->about, r->t_end);
         return;
     }
-    if (accepts(r, "kernel")) snprintf(kernel, sizeof kernel, "%s kernel, h/dx %g, ", kernel_words[o->kernel], o->h);
+    if (result_accepts(r, "kernel"))
+        snprintf(kernel, sizeof kernel, "%s kernel, h/dx %g, ", kernel_words[o->kernel], o->h);
     if (o->layout == LAYOUT_JITTER) snprintf(jitter, sizeof jitter, " %g (seed %lu)", o->jitter, o->seed);
     if (o->layout == LAYOUT_RELAXED) snprintf(jitter, sizeof jitter, " (seed %lu)", o->seed);
     snprintf(text, size, "%s %s: %s%s%s, %s samples, %s walls, %s in time, t = %g s", r->scene->name, r->method->name,

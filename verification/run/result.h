@@ -41,6 +41,9 @@ struct result {
     size_t bytes;
 };
 
+/* 1 where the method takes the option, by its key. */
+int result_accepts(const struct result *r, const char *option);
+
 /* The members of the `run --json` contract, into an object that is open. */
 void result_json(const struct result *r, struct json *j);
 

@@ -68,9 +68,13 @@ static int measure(const struct experiment *e, const struct field *f, const doub
     return STATUS_OK;
 }
 
-static int solve(const struct experiment *e, struct result *out, struct field *f) {
-    *out = (struct result){
+struct result run_blank(const struct experiment *e) {
+    return (struct result){
         .scene = e->scene, .method = e->method, .options = e->options, .t_end = e->problem.t_end, .time_error = NAN};
+}
+
+static int solve(const struct experiment *e, struct result *out, struct field *f) {
+    *out = run_blank(e);
     *f = (struct field){0};
     struct experiment used = *e;
     struct time_step stepping;

@@ -6,9 +6,11 @@
 struct problem;
 struct experiment;
 
-/* Runs the experiment and measures it.  *out is always filled; its
- * failure says what went wrong, and its status is returned.  With `field` not NULL the caller owns *field after
- * STATUS_OK. */
+/* The result of an experiment that has not run: what was asked for, no failure, time_error NaN. */
+struct result run_blank(const struct experiment *e);
+
+/* Runs the experiment and measures it.  *out is always filled; its failure says what went wrong, and its status is
+ * returned.  With `field` not NULL the caller owns *field after STATUS_OK. */
 int run_experiment(const struct experiment *e, struct result *out, struct field *field);
 
 /* The same, with the error measured against `reference` (of the same points) and not the exact solution; its own

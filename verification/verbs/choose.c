@@ -6,25 +6,20 @@
 #include "verification/text/json.h"
 #include "verification/command/request.h"
 #include "verification/text/table.h"
-#include "verification/text/words.h"
 
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
-
-static int accepts(const struct result *r, const char *option) {
-    return words_among(r->method->accepts, option);
-}
 
 /* The command that does it again. */
 static void print_command(const struct request *r, const struct result *p) {
     const struct options *o = &p->options;
     printf("  heatladder run %s %s --dx %.17g --stepper %s --sampling %s", r->experiment.scene->name, p->method->name,
            o->dx, stepper_words[o->stepper], sampling_words[o->sampling]);
-    if (accepts(p, "h"))
+    if (result_accepts(p, "h"))
         printf(o->h_iso ? " --kernel %s --h iso" : " --kernel %s --h %.17g", kernel_words[o->kernel], o->h);
     if (o->order) printf(" --order %d", o->order);
-    if (accepts(p, "mean")) printf(" --mean %s", mean_words[o->mean]);
+    if (result_accepts(p, "mean")) printf(" --mean %s", mean_words[o->mean]);
     if (o->fourier > 0) printf(" --fourier %.17g", o->fourier);
     if (o->dt > 0) printf(" --dt %.17g", o->dt);
     for (int i = 0; r->experiment.scene->params[i].name; i++) {
@@ -95,7 +90,7 @@ static void print_json(const struct request *r, const struct choose *c) {
         json_number(&j, "dt", p->dt);
         json_whole(&j, "steps", p->steps);
         json_text(&j, "stepper", stepper_words[o->stepper]);
-        json_text(&j, "kernel", accepts(p, "kernel") ? kernel_words[o->kernel] : NULL);
+        json_text(&j, "kernel", result_accepts(p, "kernel") ? kernel_words[o->kernel] : NULL);
         json_number(&j, "h", o->h > 0 ? o->h : NAN);
         json_number(&j, "order", o->order ? (double)o->order : NAN);
         json_text(&j, "sampling", sampling_words[o->sampling]);

@@ -1,0 +1,29 @@
+/* A file read in one piece, into room that doubles. */
+#include "verification/text/whole_file.h"
+
+#include "solver/status.h"
+
+#include <stdlib.h>
+
+char *whole_file_read(FILE *in, size_t *size) {
+    size_t room = 1 << 16, used = 0, got;
+    char *text = xcalloc(room, 1);
+    while ((got = fread(text + used, 1, room - used - 1, in)) > 0) {
+        used += got;
+        if (used + 1 == room) text = xgrow(text, used, room *= 2, 1);
+    }
+    if (size) *size = used;
+    return text;
+}
+
+char *whole_file_at(const char *path, size_t *size) {
+    FILE *in = fopen(path, "rb");
+    if (!in) return NULL;
+    char *text = whole_file_read(in, size);
+    if (ferror(in)) {
+        free(text);
+        text = NULL;
+    }
+    fclose(in);
+    return text;
+}

@@ -1,0 +1,14 @@
+#ifndef HEATLADDER_VERIFICATION_TEXT_WHOLE_FILE_H
+#define HEATLADDER_VERIFICATION_TEXT_WHOLE_FILE_H
+
+/* All of a file as text in memory, ended by a NUL that *size does not count (size may be NULL).  To be freed. */
+
+#include <stdio.h>
+
+/* What is left of a stream; ferror(in) tells whether it could be read to its end. */
+char *whole_file_read(FILE *in, size_t *size);
+
+/* NULL, and errno tells why, where the file cannot be opened or read. */
+char *whole_file_at(const char *path, size_t *size);
+
+#endif
