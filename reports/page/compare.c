@@ -38,61 +38,37 @@ static struct cell *cell_of(const struct work *w, int choice, int method, int co
     return &w->cell[(choice * w->t.rows + method) * w->t.columns + column];
 }
 
-/* E1 (Song eq. 46) against the solution as the source prints it, or `exact` where the two are one; that solution
- * rounded to so many decimals, 0 for none, and `late` seconds after the end. */
-static double error_as_printed(const struct command_run *run, int decimals, double late) {
-    const struct experiment *e = &run->request.experiment;
-    const struct field *f = &run->field;
-    double apart = 0, whole = 0, unit = pow(10, -decimals), t = f->time + late;
-    for (size_t i = 0; i < f->n; i++) {
-        double x[2] = {f->x[i], f->y ? f->y[i] : 0}, w = f->weight ? f->weight[i] : 1;
-        double T = e->scene->published ? e->scene->published(&e->problem, x, t) : command_run_exact(run, x, t);
-        if (decimals) T = unit * round(T / unit);
-        apart += w * fabs(f->T[i] - T);
-        whole += w * fabs(T);
-    }
-    return apart / whole;
-}
-
 /* The cases first .. last - 1, in parallel, the finest of all methods before the coarser. */
 static int run_cases(struct work *w, int first, int last, struct failure *why) {
-    int status = STATUS_OK, each = w->t.rows * w->t.columns;
+    int each = w->t.rows * w->t.columns;
+    *why = (struct failure){0};
 #pragma omp parallel for schedule(dynamic, 1)
     for (int i = first * each; i < last * each; i++) {
         int choice = i / each, column = i % each / w->t.rows, method = i % w->t.rows;
         struct command_run run;
-        struct failure own;
         command_run_line(&run, "run %s %s --dx %s %s", w->c->scene, w->t.method[method], w->t.where[column],
                          w->c->choice[choice].options);
-        if (command_run_check(&run, &own)) {
-#pragma omp critical(report_compare)
-            {
-                *why = own;
-                status = own.status;
-            }
-        } else {
+        if (!command_run_note(&run, why))
             *cell_of(w, choice, method, column) =
-                (struct cell){error_as_printed(&run, w->c->choice[choice].decimals, w->c->choice[choice].late),
+                (struct cell){command_run_error(&run, w->c->choice[choice].decimals, w->c->choice[choice].late),
                               run.result.error.l1};
-        }
         command_run_free(&run);
     }
-    return status;
+    return why->status;
 }
 
-/* The ladder that a user would type for one method. */
-static void write_ladder(const struct work *w, int choice, int method, FILE *out) {
-    fprintf(out, "heatladder ladder %s %s %s --dx ", w->c->scene, w->t.method[method], w->c->choice[choice].options);
-    for (int i = w->t.columns - 1; i >= 0; i--) fprintf(out, "%s%s", w->t.where[i], i ? "," : "");
+/* The ladders that a user would type, one a line. */
+static void write_ladders(const struct work *w, const char *before, FILE *out) {
+    for (int m = 0; m < w->t.rows; m++) {
+        fprintf(out, "%sheatladder ladder %s %s %s --dx ", before, w->c->scene, w->t.method[m],
+                w->c->choice[0].options);
+        for (int i = w->t.columns - 1; i >= 0; i--) fprintf(out, "%s%s", w->t.where[i], i ? "," : "\n");
+    }
 }
 
 static void write_csv(const struct work *w, FILE *out) {
     figure_head(out, w->c->table_title);
-    for (int m = 0; m < w->t.rows; m++) {
-        fprintf(out, "# command: ");
-        write_ladder(w, 0, m, out);
-        fprintf(out, "\n");
-    }
+    write_ladders(w, "# command: ", out);
     fprintf(out, "choice,method,dx,published,measured,ratio,last_digits,measured_between_walls\n");
     for (int k = 0; k < w->choices; k++)
         for (int m = 0; m < w->t.rows; m++)
@@ -154,11 +130,7 @@ static void write_choices(const struct work *w, FILE *out) {
 
 static void write_markdown(const struct work *w, FILE *out) {
     fprintf(out, "# %s\n\nMade by `heatladder report DIR`; one method alone:\n\n", w->c->table_title);
-    for (int m = 0; m < w->t.rows; m++) {
-        fprintf(out, "    ");
-        write_ladder(w, 0, m, out);
-        fprintf(out, "\n");
-    }
+    write_ladders(w, "    ", out);
     fprintf(out, "\n");
     write_protocol(w, out);
     write_choices(w, out);
@@ -218,11 +190,7 @@ static void write_triangles(const struct work *w, FILE *out) {
 
 static void write_figure(const struct work *w, FILE *out) {
     figure_head(out, w->c->figure_title);
-    for (int m = 0; m < w->t.rows; m++) {
-        fprintf(out, "# command: ");
-        write_ladder(w, 0, m, out);
-        fprintf(out, "\n");
-    }
+    write_ladders(w, "# command: ", out);
     for (int m = 0; m < w->t.rows; m++) {
         write_points(w, m, 0, out);
         write_points(w, m, 1, out);

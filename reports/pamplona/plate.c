@@ -20,24 +20,15 @@ struct results {
 };
 
 static int run_all(struct results *s, struct failure *why) {
-    int status = STATUS_OK;
+    *why = (struct failure){0};
 #pragma omp parallel for schedule(dynamic, 1)
     for (int i = 0; i < METHODS * TIMES; i++) {
         struct command_run run;
-        struct failure own;
         command_run_line(&run, "run plate %s --t-end %s", plate_words[i / TIMES], s->t.where[i % TIMES]);
-        if (!command_run_check(&run, &own)) {
-            plate_measure(&run, &s->plate[i / TIMES][i % TIMES]);
-        } else {
-#pragma omp critical(report_plate)
-            {
-                *why = own;
-                status = own.status;
-            }
-        }
+        if (!command_run_note(&run, why)) plate_measure(&run, &s->plate[i / TIMES][i % TIMES]);
         command_run_free(&run);
     }
-    return status;
+    return why->status;
 }
 
 static void write_csv(const struct results *s, FILE *out) {

@@ -3,6 +3,7 @@
 
 #include "verification/command/arguments.h"
 #include "verification/ladder/ladder.h"
+#include "verification/stability/step_limit.h"
 
 #include <ctype.h>
 #include <math.h>
@@ -94,6 +95,22 @@ int claims_kit_slope(struct slope *s, struct claims_measured *m, const char *com
     arguments_free(&r);
     free(l);
     return status && claims_kit_fail(m, why.text);
+}
+
+int claims_kit_model(struct model_problem *b, struct claims_measured *m, const char *command, ...) {
+    char line[200];
+    va_list arguments;
+    struct failure why;
+    struct request r;
+    va_start(arguments, command);
+    vsnprintf(line, sizeof line, command, arguments);
+    va_end(arguments);
+    int status = arguments_parse_line(line, &r, &why);
+    if (!status)
+        status = step_limit_setup(r.experiment.method, &r.experiment.options, r.dim, r.ratio, r.stages, b, &why);
+    arguments_free(&r);
+    if (status && m) claims_kit_fail(m, why.text);
+    return status;
 }
 
 int claims_kit_weights(struct claims_kit_cell *cell, const double kappa[2], struct claims_measured *m,

@@ -5,6 +5,7 @@
  */
 
 #include "solver/space/operator.h"
+#include "verification/stability/model_problem.h"
 #include "verification/claims/claims.h"
 #include "verification/command/command_run.h"
 #include "verification/ladder/slope.h"
@@ -39,6 +40,11 @@ void claims_kit_quote(struct claims_measured *m, const struct published *t, int 
 
 /* Order of E1 over "ladder ...".  0, or 1 with *m failed. */
 int claims_kit_slope(struct slope *s, struct claims_measured *m, const char *command, ...)
+    __attribute__((format(printf, 3, 4)));
+
+/* The model problem of "limit ..." (model_problem.h), resolved.  0, or the status, with *m, where it is not NULL,
+ * failed. */
+int claims_kit_model(struct model_problem *b, struct claims_measured *m, const char *command, ...)
     __attribute__((format(printf, 3, 4)));
 
 /* One particle of a lattice, its neighbours within 2 h and the weights that a method gives them. */

@@ -86,20 +86,6 @@ static void take_table(struct claims_measured *m) {
                       "every error within 2 %% or one unit of its last digit; within 10 %% leaves a choice open");
 }
 
-/* sum |T - exact| / sum exact of a run, the exact solution `late` seconds after its end and rounded to decimals (0:
- * not rounded). */
-static double error_by(const struct command_run *run, double late, int decimals) {
-    const struct field *f = &run->field;
-    double apart = 0, size = 0, unit = pow(10, -decimals);
-    for (size_t i = 0; i < f->n; i++) {
-        double x[2] = {f->x[i], 0}, T = command_run_exact(run, x, f->time + late);
-        if (decimals) T = unit * round(T / unit);
-        apart += fabs(f->T[i] - T);
-        size += T;
-    }
-    return apart / size;
-}
-
 /* What the finest errors of Table 2 lack, by two fits of one number each: decimals of the exact solution, and seconds
  * of the clock. */
 static void take_gap(struct claims_measured *m) {
@@ -117,7 +103,7 @@ static void take_gap(struct claims_measured *m) {
                 struct command_run run;
                 int bad = claims_kit_run(&run, m, "run rod-gauss %s --h 1.05 --stepper exact --dx %s --t-end %.10g",
                                          t.method[r], t.where[i], 5 - fit[k].late);
-                double ratio = bad ? NAN : error_by(&run, fit[k].late, fit[k].decimals) / t.value[r][i];
+                double ratio = bad ? NAN : command_run_error(&run, fit[k].decimals, fit[k].late) / t.value[r][i];
                 command_run_free(&run);
                 if (bad) return;
                 worst[k] = fmax(worst[k], exp(fabs(log(ratio))));

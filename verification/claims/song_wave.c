@@ -1,6 +1,8 @@
 /* Song 2018, section 5: oscillations and what becomes of them, and the time step. */
 #include "verification/claims/kit.h"
 
+#include "verification/stability/symbol.h"
+
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -184,25 +186,22 @@ static void take_kernels(struct claims_measured *m) {
 
 /* "METHOD | METHOD": the central wave of two points is in the null space. */
 static void take_null_space(struct claims_measured *m) {
+    const double theta[2] = {acos(-1), 0};
     char method[40];
     int held = 1;
     while (claims_kit_part(&m->argument, method, sizeof method)) {
-        struct command_run run;
-        int bad = claims_kit_run(&run, m, "run rod-step %s --h 1.05 --dx 0.1", method);
-        struct experiment *e = &run.request.experiment;
-        double kappa[2] = {0.01, 0}, theta[2] = {acos(-1), 0};
-        struct heat_operator a = {0};
+        struct model_problem b;
+        struct symbol s;
         struct failure why;
-        if (!bad &&
-            operator_stencil(&e->problem, &e->options, e->method->scheme, 0.1, kappa, a.reach, &a.weight, &why))
-            bad = claims_kit_fail(m, why.text);
-        int sweeps = bad ? 0 : e->method->scheme->sweeps;
-        double rate = bad ? 0 : operator_symbol(&a, theta) * 0.1 * 0.1 / kappa[0];
-        free(a.weight);
-        command_run_free(&run);
-        if (bad) return;
+        if (claims_kit_model(&b, m, "limit %s --dim 1 --h 1.05", method)) return;
+        if (symbol_create(&s, &b, &why)) {
+            claims_kit_fail(m, why.text);
+            return;
+        }
+        double rate = creal(symbol_at(&s, theta));
+        symbol_free(&s);
         claims_kit_number(m, rate, "kappa/dx^2", "rate of (-1)^j, %s", method);
-        held &= (fabs(rate) <= 1e-12) == (sweeps == 2);
+        held &= (fabs(rate) <= 1e-12) == (b.method->scheme->sweeps == 2);
     }
     claims_kit_decide(m, held, 1, "0 to rounding (1e-12) for first derivatives applied twice, and for them alone");
 }

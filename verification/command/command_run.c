@@ -6,6 +6,7 @@
 #include "verification/command/verb.h"
 #include "verification/run/run.h"
 
+#include <math.h>
 #include <stdio.h>
 #include <string.h>
 
@@ -33,6 +34,28 @@ int command_run_check(const struct command_run *run, struct failure *why) {
     const struct failure *failure = &run->result.failure;
     if (!failure->status) return STATUS_OK;
     return refuse(why, failure->status, "heatladder %.100s: %.300s", run->command, failure->text);
+}
+
+int command_run_note(const struct command_run *run, struct failure *any) {
+    struct failure why;
+    int status = command_run_check(run, &why);
+#pragma omp critical(command_run_note)
+    if (status) *any = why;
+    return status;
+}
+
+double command_run_error(const struct command_run *run, int decimals, double late) {
+    const struct experiment *e = &run->request.experiment;
+    const struct field *f = &run->field;
+    double apart = 0, whole = 0, unit = pow(10, -decimals), t = f->time + late;
+    for (size_t i = 0; i < f->n; i++) {
+        double x[2] = {f->x[i], f->y ? f->y[i] : 0}, w = f->weight ? f->weight[i] : 1;
+        double T = e->scene->published ? e->scene->published(&e->problem, x, t) : command_run_exact(run, x, t);
+        if (decimals) T = unit * round(T / unit);
+        apart += w * fabs(f->T[i] - T);
+        whole += w * fabs(T);
+    }
+    return apart / whole;
 }
 
 double command_run_exact(const struct command_run *run, const double x[2], double t) {

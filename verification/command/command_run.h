@@ -25,6 +25,13 @@ int command_run_list(struct command_run *run, const char *format, va_list argume
 /* The failure, if any, with the command that it is of. */
 int command_run_check(const struct command_run *run, struct failure *why);
 
+/* Keeps the failure of a run of a parallel loop in *any, whose status was STATUS_OK; the run's status. */
+int command_run_note(const struct command_run *run, struct failure *any);
+
+/* E1 (Song eq. 46) against the solution as the source prints it, or the exact one where the two are one, taken `late`
+ * seconds after the end of the run and rounded to so many decimals, 0 for none. */
+double command_run_error(const struct command_run *run, int decimals, double late);
+
 /* The exact solution of the command's scene at x and time t (s), K. */
 double command_run_exact(const struct command_run *run, const double x[2], double t);
 
