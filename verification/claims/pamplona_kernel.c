@@ -9,7 +9,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 
-static const double RHO = 7854, C = 434, K = 60.5; /* steel, section 6: kg/m^3, J/kg/K, W/m/K */
+static const double RHO = 7854; /* steel, section 6: kg/m^3 */
 
 /* Eq. 9 with every sign as printed. */
 static double printed_kernel(int dim, double s) {
@@ -92,10 +92,11 @@ static void take_mass_rate(struct claims_measured *m) {
     claims_kit_decide(m, apart <= 1e-12, 1, "twice the mass gives the same field in half the time, to rounding");
 }
 
-/* Whether a run to 115.8822 s stays bounded; gamma as in eq. 17. */
+/* Whether a run to the last time of Table 1 stays bounded; gamma as in eq. 17. */
 static int stable(double gamma) {
     struct result run;
-    return !claims_kit_result(&run, NULL, "run plate ftcs --dx 0.005 --fourier %.10g --t-end 115.8822", 2 * gamma);
+    return !claims_kit_result(&run, NULL, "run plate ftcs --dx 0.005 --fourier %.10g --t-end %.10g", 2 * gamma,
+                              plate_time(PLATE_TIMES - 1));
 }
 
 static void take_eq17(struct claims_measured *m) {
@@ -126,7 +127,7 @@ static void take_time_order(struct claims_measured *m) {
     double order = atof(part);
     claims_kit_part(&m->argument, part, sizeof part);
     for (int i = 0; i < HALVINGS; i++) {
-        dt[i] = 28.8894 / (200 << i);
+        dt[i] = plate_time(0) / (200 << i);
         bad |= claims_kit_run(&run[i], m, "run %s --dt %.17g", part, dt[i]);
     }
     for (int i = 0; i + 1 < HALVINGS && !bad; i++)
@@ -140,12 +141,10 @@ static void take_time_order(struct claims_measured *m) {
 }
 
 static void take_step_order(struct claims_measured *m) {
-    static const double rho[3] = {RHO, 4500, 6100}, c[3] = {C, 522, 489}, k[3] = {K, 21.9, 30.7};
-    static const char *const name[3] = {"steel", "titanium", "vanadium"};
-    double dt[3];
-    for (int i = 0; i < 3; i++) {
-        dt[i] = 0.08 * rho[i] * c[i] * 0.006 * 0.006 / k[i];
-        claims_kit_number(m, dt[i], "s", "%s, beta = 0.08, h = 0.006 m", name[i]);
+    double dt[XI_MATERIALS];
+    for (int i = 0; i < XI_MATERIALS; i++) {
+        dt[i] = 0.08 * 0.006 * 0.006 / xi_diffusivity(i);
+        claims_kit_number(m, dt[i], "s", "%s, beta = 0.08, h = 0.006 m", xi_materials[i]);
     }
     claims_kit_decide(m, dt[1] > dt[2] && dt[2] > dt[0], 1, "titanium, vanadium, steel by falling step (eq. 15)");
 }

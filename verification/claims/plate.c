@@ -20,6 +20,12 @@ const char *const plate_definitions[PLATE_DEFINITIONS] = {
     "mean of abs(e)/T",     "sum abs(e) / sum T (Song eq. 46)",       "mean abs(e) over 1 K", "rms of e over 1 K",
     "L2 of e over L2 of T", "mean of abs(e)/T, ghosts without error", "max abs(e) over 1 K"};
 
+double plate_time(int k) {
+    struct published t;
+    struct failure why;
+    return published_read(&t, "pamplona_table1", &why) ? NAN : atof(t.where[k]);
+}
+
 void plate_average(const double *T, const double *exact, int n, double error[PLATE_DEFINITIONS]) {
     double relative = 0, e1 = 0, e2 = 0, T1 = 0, T2 = 0, most = 0, points = n * n;
     double all = (n + 4.0) * (n + 4.0); /* two layers of ghosts on each side */
@@ -150,15 +156,10 @@ static void take_accuracy(struct claims_measured *m) {
         claims_kit_decide(m, similar <= 1.1, 1, "mean of |e|/T of the two within 10 %% at all four times");
 }
 
-static double first_time(struct claims_measured *m) {
-    struct published t;
-    return claims_kit_published(&t, m, "pamplona_table1") ? NAN : atof(t.where[0]);
-}
-
 /* Where the error is at the first time, in % of 1 K, the hottest wall. */
 static void take_edges(struct claims_measured *m) {
     struct plate_errors e;
-    if (measure(&e, m, plate_words[PLATE_SPH], first_time(m))) return;
+    if (measure(&e, m, plate_words[PLATE_SPH], plate_time(0))) return;
     claims_kit_number(m, 100 * e.left_mean, "% of 1 K", "mean error beside the left wall");
     claims_kit_number(m, 100 * e.centre_mean, "% of 1 K", "in the middle");
     claims_kit_number(m, 100 * e.left_max, "% of 1 K", "largest error beside the left wall");
@@ -177,7 +178,7 @@ static void take_deficiency(struct claims_measured *m) {
     static const char mirror_words[] =
         "brookshaw --dx 0.005 --kernel quartic --h 1.2 --volume moment --stepper rk2 --dt 0.1623 --walls mirror";
     struct plate_errors fixed, mirror, grid;
-    double t = first_time(m);
+    double t = plate_time(0);
     if (measure(&fixed, m, fixed_words, t) || measure(&mirror, m, mirror_words, t) ||
         measure(&grid, m, plate_words[PLATE_FTCS], t))
         return;
@@ -197,7 +198,7 @@ static void take_deficiency(struct claims_measured *m) {
 /* Who is behind at the first time. */
 static void take_slower(struct claims_measured *m) {
     struct plate_errors e;
-    if (measure(&e, m, plate_words[PLATE_SPH], first_time(m))) return;
+    if (measure(&e, m, plate_words[PLATE_SPH], plate_time(0))) return;
     claims_kit_number(m, e.ring_late, "K", "outermost ring too cold by");
     claims_kit_number(m, e.centre_late, "K", "middle");
     claims_kit_number(m, 100 * e.ring_part, "%", "ring, of its own temperature");
@@ -212,7 +213,7 @@ static void take_slower(struct claims_measured *m) {
 static void take_xi_edges(struct claims_measured *m) {
     static const double xi[3] = {1.4, 1.643, 1.9}, later = 1500; /* m; s */
     struct plate_errors e[2][3];
-    double t[2] = {first_time(m), later}, range[2];
+    double t[2] = {plate_time(0), later}, range[2];
     char words[200];
     for (int i = 0; i < 2; i++) {
         for (int k = 0; k < 3; k++) {

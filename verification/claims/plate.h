@@ -8,6 +8,9 @@
 
 enum { PLATE_SPH, PLATE_FTCS, PLATE_METHODS, PLATE_SIDE = 20, PLATE_TIMES = 4 };
 
+/* The k-th time of Table 1, s. */
+double plate_time(int k);
+
 /* After "run plate ", in the order above.  The steps, which the paper does not print, make its four times whole
  * numbers of steps: 178, 357, 536, 714 of 0.1623 s (eq. 15 with beta = 0.08), twice as many of 0.08115 s (eq. 17 with
  * gamma = 0.0288, printed as 0.029). */

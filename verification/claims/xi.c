@@ -95,7 +95,7 @@ struct xi_line xi_growth(const double *h, const double *work, int n, int power) 
 }
 
 struct xi_best xi_as_stated(int n, int material) {
-    return (struct xi_best){.n = n, .material = material, .beta = 0.08, .t = 28.8894};
+    return (struct xi_best){.n = n, .material = material, .beta = 0.08, .t = plate_time(0)};
 }
 
 /* ---- Claims ---- */
@@ -240,8 +240,8 @@ static void take_same_order(struct claims_measured *m) {
         for (int k = 0; k < 2; k++) {
             struct command_run run;
             struct plate_errors e;
-            int bad = claims_kit_run(&run, m, "run plate ftcs --walls %s --dx %.17g --fourier 0.0576 --t-end 28.8894",
-                                     walls[i], 0.1 / n[k]);
+            int bad = claims_kit_run(&run, m, "run plate ftcs --walls %s --dx %.17g --fourier 0.0576 --t-end %.17g",
+                                     walls[i], 0.1 / n[k], plate_time(0));
             if (!bad) plate_measure(&run, &e);
             command_run_free(&run);
             if (bad || isnan(sph)) return;

@@ -32,7 +32,7 @@ struct xi_best {
     struct failure failure;
 };
 
-/* The one reading of all rows: the plate as stated, t = 28.8894 s, beta = 0.08 (plate.h). */
+/* The one reading of all rows: the plate as stated, the first time of Table 1, beta = 0.08 (plate.h). */
 struct xi_best xi_as_stated(int n, int material);
 
 /* The error at one xi; NaN with b->failure filled. */
