@@ -232,7 +232,7 @@ operators: $(BUILD)/heatladder ## Measure the discrete Laplacians side by side o
 	else echo "operators: gnuplot is not here (make setup installs it); the figure was not drawn"; fi
 
 # A benchmark says by which flags it was compiled.
-$(BUILD)/verification/bench/machine.o: DEFINES = -DBENCH_FLAGS='"-std=c11 -ffp-contract=off -fopenmp $(CFLAGS)"'
+$(BUILD)/verification/bench/print.o: DEFINES = -DBENCH_FLAGS='"-std=c11 -ffp-contract=off -fopenmp $(CFLAGS)"'
 
 BENCH := $(OUT)/bench
 

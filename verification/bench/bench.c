@@ -84,14 +84,18 @@ const char *bench_outcome(const struct bench_row *row) {
     return status == STATUS_OK ? NULL : status_refused(status) ? "not applicable" : "failed";
 }
 
+double bench_cost(const struct bench_row *row, int by_work) {
+    return by_work ? row->work : row->time.median;
+}
+
 /* Whether no other row is at least as good in both and better in one. */
 static int on_front(const struct bench_scene *b, const struct bench_row *row, int by_work) {
-    double error = row->result.error.l1, cost = by_work ? row->work : row->time.median;
+    double error = row->result.error.l1, cost = bench_cost(row, by_work);
     if (row->result.failure.status) return 0;
     for (int i = 0; i < b->count; i++) {
         const struct bench_row *other = &b->row[i];
         if (other->result.failure.status || other == row) continue;
-        double e = other->result.error.l1, w = by_work ? other->work : other->time.median;
+        double e = other->result.error.l1, w = bench_cost(other, by_work);
         if (e <= error && w <= cost && (e < error || w < cost)) return 0;
     }
     return 1;

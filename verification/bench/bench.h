@@ -40,6 +40,9 @@ struct bench_scene {
     struct bench_same slow, fast; /* of the row that takes longest, and of the one that takes least */
 };
 
+/* The counted work, or the median of the seconds. */
+double bench_cost(const struct bench_row *row, int by_work);
+
 /* "left out" where a run would take too much work, "failed" where it went wrong, "not applicable" where the method
  * refuses what it is asked for; NULL for none of these. */
 const char *bench_outcome(const struct bench_row *row);

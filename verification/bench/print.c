@@ -2,17 +2,52 @@
 #include "verification/bench/print.h"
 
 #include "references/scene.h"
+#include "solver/options.h"
 #include "verification/bench/bench.h"
 #include "verification/bench/engine.h"
-#include "verification/bench/machine.h"
 #include "verification/text/json.h"
 #include "verification/text/table.h"
+#include "verification/text/whole_file.h"
 
 #include <math.h>
+#include <omp.h>
+#include <stdlib.h>
 #include <string.h>
 
+#ifndef BENCH_FLAGS
+#define BENCH_FLAGS "unknown"
+#endif
+
+/* Where a benchmark ran, and by what it was compiled. */
+struct machine {
+    char processor[120]; /* as the system names it; "unknown" where it does not */
+    int cores;           /* that this process may use */
+    int lanes;           /* doubles in the vectors of the lattice's sweeps */
+    const char *compiler, *flags;
+};
+
+static void name_processor(char *name, size_t size) {
+    char *text = whole_file_at("/proc/cpuinfo", NULL), *at = text ? strstr(text, "model name") : NULL;
+    if (at) at = strstr(at, ": ");
+    snprintf(name, size, "%.*s", at ? (int)strcspn(at + 2, "\n") : 7, at ? at + 2 : "unknown");
+    free(text);
+}
+
+static struct machine machine_here(void) {
+    struct machine m = {.cores = omp_get_num_procs(), .flags = BENCH_FLAGS};
+#ifdef __clang__
+    m.compiler = "clang " __VERSION__;
+#else
+    m.compiler = "gcc " __VERSION__;
+#endif
+    struct failure ignored; /* a width that the machine lacks was refused when the command line was read */
+    if (options_lanes_forced(&m.lanes, &ignored) || m.lanes == 0) m.lanes = options_lanes_most();
+    name_processor(m.processor, sizeof m.processor);
+    return m;
+}
+
 void bench_print_machine(FILE *out) {
-    struct bench_machine m = bench_machine_here();
+    struct machine m = machine_here();
     fprintf(out,
             "processor  %s, %d cores, vectors of %d (HEATLADDER_LANES=2, 4 or 8 forces a width)\ncompiler   "
             "%s\nflags      %s\ntimes      median of %d runs after one to warm "
@@ -115,18 +150,17 @@ static void write_front(const struct bench_scene *b, int by_work, FILE *out) {
         const struct bench_row *next = NULL;
         for (int i = 0; i < b->count; i++) {
             const struct bench_row *r = &b->row[i];
-            double cost = by_work ? r->work : r->time.median;
-            if (!(by_work ? r->front_work : r->front_time) || cost <= below) continue;
-            if (!next || cost < (by_work ? next->work : next->time.median)) next = r;
+            if (!(by_work ? r->front_work : r->front_time) || bench_cost(r, by_work) <= below) continue;
+            if (!next || bench_cost(r, by_work) < bench_cost(next, by_work)) next = r;
         }
         if (!next) return;
-        below = by_work ? next->work : next->time.median;
+        below = bench_cost(next, by_work);
         write_row(next, out);
     }
 }
 
 void bench_print_data(const struct bench_scene *b, FILE *out) {
-    struct bench_machine m = bench_machine_here();
+    struct machine m = machine_here();
     fprintf(out, "# title: %s: error against cost\n# command: heatladder bench --scene %s\n# processor: %s\n",
             b->scene->name, b->scene->name, m.processor);
     fprintf(out, "# compiler: %s %s\n# seconds: median of %d; work: pairs\n", m.compiler, m.flags, BENCH_RUNS);
@@ -150,7 +184,7 @@ void bench_print_data(const struct bench_scene *b, FILE *out) {
 /* ---- JSON ---- */
 
 void bench_print_machine_json(struct json *j) {
-    struct bench_machine m = bench_machine_here();
+    struct machine m = machine_here();
     json_object(j, "machine");
     json_text(j, "processor", m.processor);
     json_whole(j, "cores", m.cores);
