@@ -5,7 +5,7 @@
 #include "verification/command/help.h"
 #include "verification/command/stack.h"
 #include "verification/command/verb.h"
-#include "verification/text/version.h"
+#include "verification/command/version.h"
 
 #include <gsl/gsl_errno.h>
 #include <stdio.h>

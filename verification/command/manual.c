@@ -9,7 +9,7 @@
 #include "verification/foreign/case_file.h"
 #include "verification/foreign/program.h"
 #include "verification/oracle/columns.h"
-#include "verification/text/version.h"
+#include "verification/command/version.h"
 #include "verification/text/words.h"
 
 #include <string.h>

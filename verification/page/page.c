@@ -7,7 +7,7 @@
 #include "verification/page/chart.h"
 #include "verification/page/html.h"
 #include "verification/text/output.h"
-#include "verification/text/version.h"
+#include "verification/command/version.h"
 
 #include <math.h>
 #include <stdlib.h>

@@ -1,5 +1,5 @@
-#ifndef HEATLADDER_VERIFICATION_TEXT_VERSION_H
-#define HEATLADDER_VERIFICATION_TEXT_VERSION_H
+#ifndef HEATLADDER_VERIFICATION_COMMAND_VERSION_H
+#define HEATLADDER_VERIFICATION_COMMAND_VERSION_H
 
 /* "1.0.0 (commit)": the release, and in a checkout the commit, with + where files differ from it. */
 extern const char version_text[];

@@ -1,5 +1,5 @@
 /* The version, as the Makefile tells it. */
-#include "verification/text/version.h"
+#include "verification/command/version.h"
 
 #include "version.inc"
 
