@@ -80,7 +80,15 @@ void claims_kit_quote(struct claims_measured *m, const struct published *t, int 
                                  i ? ", " : t->method[row], i ? "" : " ", t->cell[row][i]);
 }
 
-int claims_kit_slope(struct slope *s, struct claims_measured *m, const char *command, ...) {
+int claims_kit_judge(int *held, struct claims_measured *m, const struct judged *l, double lo, double hi) {
+    char reason[240];
+    enum verdict v = judge_order(l, lo, hi, reason, sizeof reason);
+    *held = v == VERDICT_PASS;
+    return v == VERDICT_INCONCLUSIVE && claims_kit_fail(m, reason);
+}
+
+int claims_kit_order(int *held, double *slope, struct claims_measured *m, const double band[2], const char *command,
+                     ...) {
     char line[400];
     va_list arguments;
     struct failure why;
@@ -91,10 +99,16 @@ int claims_kit_slope(struct slope *s, struct claims_measured *m, const char *com
     va_end(arguments);
     int status = arguments_parse_line(line, &r, &why);
     if (!status) status = ladder_run(&r.experiment, &r.rungs, l, &why);
-    *s = l->slope;
+    if (status) claims_kit_fail(m, why.text);
+    *slope = l->slope.value;
+    if (!status && held) {
+        ladder_judge(l, band[0], band[1]);
+        *held = l->verdict == VERDICT_PASS;
+        status = l->verdict == VERDICT_INCONCLUSIVE && claims_kit_fail(m, l->reason);
+    }
     arguments_free(&r);
     free(l);
-    return status && claims_kit_fail(m, why.text);
+    return status != 0;
 }
 
 int claims_kit_model(struct model_problem *b, struct claims_measured *m, const char *command, ...) {

@@ -8,6 +8,7 @@
 #include "verification/stability/model_problem.h"
 #include "verification/claims/claims.h"
 #include "verification/command/command_run.h"
+#include "verification/ladder/judge.h"
 #include "verification/ladder/slope.h"
 #include "verification/claims/published.h"
 
@@ -38,9 +39,13 @@ int claims_kit_published(struct published *t, struct claims_measured *m, const c
 /* Adds a row of the table to what the ledger says was published. */
 void claims_kit_quote(struct claims_measured *m, const struct published *t, int row);
 
-/* Order of E1 over "ladder ...".  0, or 1 with *m failed. */
-int claims_kit_slope(struct slope *s, struct claims_measured *m, const char *command, ...)
-    __attribute__((format(printf, 3, 4)));
+/* The verdict on an order in [lo, hi], of errors that fall with x: the rule of the gates (judge.h).  *held: whether
+ * it passes.  0, or 1 with *m failed, where rungs cannot tell. */
+int claims_kit_judge(int *held, struct claims_measured *m, const struct judged *l, double lo, double hi);
+
+/* The same, of E1 over "ladder ..."; *slope: the fitted order.  No verdict where held is NULL. */
+int claims_kit_order(int *held, double *slope, struct claims_measured *m, const double band[2], const char *command,
+                     ...) __attribute__((format(printf, 5, 6)));
 
 /* The model problem of "limit ..." (model_problem.h), resolved.  0, or the status, with *m, where it is not NULL,
  * failed. */

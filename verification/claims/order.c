@@ -22,19 +22,20 @@ static char *unlabel(char *part) {
 /* "ORDER | label: ladder's words | label: ...": the first is the published setting. */
 static void take_order(struct claims_measured *m) {
     char part[320];
-    struct slope s;
     int held[2] = {1, 1}, setting = 0;
     claims_kit_part(&m->argument, part, sizeof part);
     double order = atof(part);
     for (; claims_kit_part(&m->argument, part, sizeof part); setting++) {
         const char *words = unlabel(part);
-        if (claims_kit_slope(&s, m, "ladder %s", words)) return;
-        claims_kit_number(m, s.value, "", "order %s", part);
-        held[setting > 0] &= s.n >= 4 && order - BAND <= s.ci[0] && s.ci[1] <= order + BAND;
+        double slope;
+        int holds;
+        if (claims_kit_order(&holds, &slope, m, (double[2]){order - BAND, order + BAND}, "ladder %s", words)) return;
+        claims_kit_number(m, slope, "", "order %s", part);
+        held[setting > 0] &= holds;
     }
     claims_kit_decide(m, held[0], held[1],
-                      "the 95 %% interval of the slope must lie within %g +- %g in the first setting (as published) "
-                      "and in the others, if any",
+                      "an order of %g +- %g by the rule of the gates in the first setting (as published) and in the "
+                      "others, if any",
                       order, BAND);
 }
 
