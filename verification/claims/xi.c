@@ -130,7 +130,8 @@ static void take_eq13(struct claims_measured *m) {
         "condition");
 }
 
-/* By the paper's own measure of a suitable value: what eq. 18 adds to the error of the best xi, 3.5 % (section 6). */
+/* By the paper's own measure of a suitable value: what eq. 18 adds to the error of the best xi, 3.5 % (section 6),
+ * which is printed to 0.05 %. */
 static void take_eq18(struct claims_measured *m) {
     static const int n[] = {18, 20, 24, 30, 60};
     double off[2] = {0, 0}, added = 0, at_fine = fabs(xi_eq18(xi_h(n[4])) / xi_closed_form(n[4]) - 1);
@@ -150,8 +151,8 @@ static void take_eq18(struct claims_measured *m) {
     claims_kit_number(m, 100 * off[1], "%", "off the fitted");
     claims_kit_number(m, 100 * at_fine, "%", "off the closed form at %g m", xi_h(n[4]));
     claims_kit_decide(
-        m, added <= 3.5 + 1, off[1] <= 0.05 && at_fine <= 0.05,
-        "adds no more than 3.5 %% of error (+ 1 %%) for h <= 0.007 m; within 5 %% of the fit, and of the "
+        m, added < 3.55, off[1] <= 0.05 && at_fine <= 0.05,
+        "adds no more than 3.5 %% of error, as printed, for h <= 0.007 m; within 5 %% of the fit, and of the "
         "closed form at smaller h too, for no condition");
 }
 
