@@ -166,7 +166,7 @@ static double rounding(const struct problem *p, const struct field *run, double 
     return DBL_EPSILON / 4 * (sqrt(applications) + symbol);
 }
 
-enum { ROW = 9, EVALUATED = 20000 }; /* extra work of a CSR entry; work of an exact temperature */
+enum { EVALUATED = 20000 }; /* work of an exact temperature, at most: a plate's at the start */
 
 int candidate_predict(const struct candidate *c, const struct experiment *e, struct candidate_size size,
                       struct candidate_cost *cost, struct failure *why) {
@@ -176,8 +176,7 @@ int candidate_predict(const struct candidate *c, const struct experiment *e, str
     if (status) return status;
     const struct field *run = &plan.part.run;
     cost->work = run->work;
-    cost->whole =
-        run->work + (plan.part.rows ? ROW * (double)run->interactions : 0) + EVALUATED * (double)plan.particles;
+    cost->whole = plan_work(&plan) + EVALUATED * (double)plan.particles;
     cost->bytes = (double)plan.part.bytes[plan_peak(&plan)];
     cost->rounding = rounding(&e->problem, run, with.options.dx);
     return STATUS_OK;

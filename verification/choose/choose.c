@@ -5,6 +5,7 @@
  * Costs are counted, so that the choice is the same on every machine. */
 #include "verification/choose/choose.h"
 
+#include "verification/choose/forewarn.h"
 #include "verification/text/progress.h"
 #include "verification/run/experiment.h"
 
@@ -14,6 +15,7 @@
 
 const double choose_work_max = 2e11;
 enum { PROOFS = 8, LAST = 2 };
+static const double UNITS = 1e9;  /* s^-1: of work, by which a proving run is told to take long */
 static const double NEARER = 0.9; /* of the best error: what a last run must promise */
 static const double LUCKY = 0.1;  /* of the predicted error: below it one more run is wanted, */
 static const double FINER = 1.5;  /* with so many times the particles */
@@ -39,12 +41,25 @@ static void calibrate(struct choose *c, const struct extrapolation_goal *goal) {
     progress_end(&shown);
 }
 
+/* A proving run, said beforehand where it is the first that takes long: the exact temperature at each particle, and
+ * half-way to the next along each axis. */
+static int run_proof(struct choose *c, const struct candidate *one, const struct extrapolation_goal *goal,
+                     struct candidate_size size, struct result *result, double *between) {
+    struct candidate_cost cost;
+    struct failure ignored;
+    if (!c->forewarned && !candidate_predict(one, goal->experiment, size, &cost, &ignored)) {
+        double exact = (cost.whole - cost.work) * (1 + goal->experiment->problem.dim);
+        c->forewarned = forewarn("a proving run", (cost.work + exact) / UNITS);
+    }
+    return candidate_prove(one, goal->experiment, size, result, between);
+}
+
 /* Whether a finer run has the error too; it joins the rungs where it does not. */
-static int confirmed(struct extrapolation *one, const struct extrapolation_goal *goal) {
+static int confirmed(struct choose *c, struct extrapolation *one, const struct extrapolation_goal *goal) {
     struct result result;
     struct candidate_size finer = {candidate_member(FINER * one->wanted.n, goal->unit), one->wanted.steps};
     double between;
-    if (candidate_prove(one->candidate, goal->experiment, finer, &result, &between)) return 0;
+    if (run_proof(c, one->candidate, goal, finer, &result, &between)) return 0;
     double error = fmax(result.error.l1, between);
     if (error <= goal->error) return 1;
     extrapolation_learn(one, goal, finer, error, error);
@@ -57,14 +72,14 @@ static int prove(struct choose *c, struct extrapolation *one, const struct extra
     struct result result;
     struct extrapolation before = *one;
     double between;
-    int status = candidate_prove(one->candidate, goal->experiment, one->wanted, &result, &between);
+    int status = run_proof(c, one->candidate, goal, one->wanted, &result, &between);
     c->proofs++;
     if (status) {
         extrapolation_rule_out(one, result.failure.text);
         return 0;
     }
     double error = fmax(result.error.l1, between);
-    if (error < LUCKY * before.predicted_error && !confirmed(one, goal)) return 0;
+    if (error < LUCKY * before.predicted_error && !confirmed(c, one, goal)) return 0;
     if (!c->best.candidate || error < fmax(c->proof.error.l1, c->between))
         c->best = before, c->proof = result, c->between = between;
     c->reached = error <= c->error;

@@ -18,6 +18,7 @@ struct choose {
     int reached;                                 /* 1: the proof has the error */
     struct extrapolation best;                   /* what that run was, as predicted before it */
     struct result proof;                         /* the best of the proving runs */
+    int forewarned;                              /* 1: that a proving run takes long was said */
     double between;                              /* its E1 half-way between the particles */
 };
 

@@ -16,6 +16,11 @@ enum outline_phase plan_peak(const struct plan *plan) {
     return (enum outline_phase)most;
 }
 
+double plan_work(const struct plan *plan) {
+    const double ROW = 9; /* extra of a CSR entry, read from memory */
+    return plan->part.run.work + (plan->part.rows ? ROW * (double)plan->part.run.interactions : 0);
+}
+
 static int has_exact(const struct experiment *e) {
     struct options with = e->options;
     struct outline ignored;
@@ -25,7 +30,7 @@ static int has_exact(const struct experiment *e) {
 }
 
 /* What e->options leaves open, as time_step_solve resolves it. */
-static void resolve_steps(struct experiment *e, struct plan *plan) {
+static void resolve_steps(struct experiment *e, int first, struct plan *plan) {
     struct options *o = &e->options;
     int given = o->dt > 0 || o->fourier > 0, particles = e->method->scheme != NULL;
     if (o->stepper == STEPPER_AUTO && e->time_error > 0 && particles) o->stepper = STEPPER_RKL2;
@@ -33,7 +38,7 @@ static void resolve_steps(struct experiment *e, struct plan *plan) {
     if (o->stepper == STEPPER_AUTO) o->stepper = STEPPER_EULER;
     plan->refined = !given && o->stepper != STEPPER_EXACT && o->stepper != STEPPER_MATCHED && e->problem.t_end > 0;
     if (!plan->refined) return;
-    plan->forecast = plan_steps_predict(e);
+    plan->forecast = plan_steps_predict(e, first);
     if (plan->forecast.steps > 0) o->dt = e->problem.t_end / plan->forecast.steps;
 }
 
@@ -52,7 +57,7 @@ static void hold_whole(const struct experiment *e, struct plan *plan) {
         outline_hold(part, "the error and its transform", 2 * n * unit, OUTLINE_ERRORS, OUTLINE_ERRORS);
 }
 
-int plan_make(const struct experiment *given, struct plan *plan, struct failure *why) {
+static int make(const struct experiment *given, int first, struct plan *plan, struct failure *why) {
     struct experiment whole = *given, part;
     const struct method *m = given->method;
     int cut[2], status = STATUS_NOT_APPLICABLE;
@@ -60,7 +65,7 @@ int plan_make(const struct experiment *given, struct plan *plan, struct failure 
     if (!m->outline)
         return refuse(why, status, "%s does not tell what it stores and does (no outline in its struct method)",
                       m->name);
-    resolve_steps(&whole, plan);
+    resolve_steps(&whole, first, plan);
     part = whole;
     if (symmetry_reduce(&whole.problem, &whole.options, &part.problem, cut)) {
         status = m->outline(&part.problem, &part.options, &plan->part, why);
@@ -73,4 +78,12 @@ int plan_make(const struct experiment *given, struct plan *plan, struct failure 
     plan->particles = plan->part.run.n * (size_t)((plan->cut[0] ? 2 : 1) * (plan->cut[1] ? 2 : 1));
     hold_whole(&whole, plan);
     return STATUS_OK;
+}
+
+int plan_make(const struct experiment *e, struct plan *plan, struct failure *why) {
+    return make(e, 1, plan, why);
+}
+
+int plan_sketch(const struct experiment *e, struct plan *plan, struct failure *why) {
+    return make(e, 2, plan, why);
 }

@@ -24,11 +24,17 @@ extern const char *const plan_phases[]; /* names of enum outline_phase, ended by
 /* The phase in which most bytes are held. */
 enum outline_phase plan_peak(const struct plan *plan);
 
+/* What the solve does, in the unit of solver/outline.h, entries of rows at what it takes to read them. */
+double plan_work(const struct plan *plan);
+
 /* The plan of the run of *e.  Nothing as large as the run's own arrays is allocated, but for rows, which are
  * assembled up to 2e5 particles and estimated past that, and for the coarse runs that predict an open time step.
  * Bytes are good to 5 %, but for rows while they are assembled (a factor of 1.5) and for what FFTW holds, which is
  * left out: on a rod up to 0.6 of the plan, and 0.2 MB of a program's life. A status of solver/status.h: what the run
  * refuses, and STATUS_NOT_APPLICABLE for a method that has no outline. */
 int plan_make(const struct experiment *e, struct plan *plan, struct failure *why);
+
+/* The same for less work than the run: an open time step is predicted from coarser runs alone. */
+int plan_sketch(const struct experiment *e, struct plan *plan, struct failure *why);
 
 #endif

@@ -69,11 +69,11 @@ static double carried(double dx, const struct rung rung[2], double a, double b) 
     return a * pow(a / b, log(dx / rung[0].dx) / log(rung[0].dx / rung[1].dx));
 }
 
-/* The finest two multiples of dx with quick runs; one, where dx itself is quick. */
-static struct plan_steps take_rungs(const struct experiment *e, int strictly, struct rung rung[2]) {
+/* The finest two multiples of dx with quick runs, from `first` on; one, where dx itself is quick. */
+static struct plan_steps take_rungs(const struct experiment *e, int first, int strictly, struct rung rung[2]) {
     struct plan_steps f = {0};
     const double dx = e->options.dx, least = least_along(&e->problem, dx);
-    for (double m = 1; f.runs < 2 && m < MULTIPLES && (m == 1 || least / m >= COARSEST); m++) {
+    for (double m = first; f.runs < 2 && m < MULTIPLES && (m == 1 || least / m >= COARSEST); m++) {
         long long steps;
         if (!is_quick(e, m * dx) || (f.runs == 1 && m * dx < 1.4 * rung[0].dx)) continue;
         if ((strictly && !has_same_phase(&e->problem, dx, m * dx)) || !run(e, m * dx, &rung[f.runs], &steps))
@@ -84,11 +84,11 @@ static struct plan_steps take_rungs(const struct experiment *e, int strictly, st
     return f;
 }
 
-struct plan_steps plan_steps_predict(const struct experiment *e) {
+struct plan_steps plan_steps_predict(const struct experiment *e, int first) {
     struct rung rung[2];
-    struct plan_steps f = take_rungs(e, 1, rung);
+    struct plan_steps f = take_rungs(e, first, 1, rung);
     const double dx = e->options.dx;
-    if (f.steps == 0 && f.runs < 2) f = take_rungs(e, 0, rung);
+    if (f.steps == 0 && f.runs < 2) f = take_rungs(e, first, 0, rung);
     if (f.steps == 0 && f.runs == 2)
         f.steps = time_step_forecast(e, particles(&e->problem, dx), carried(dx, rung, rung[0].time, rung[1].time),
                                      carried(dx, rung, rung[0].space, rung[1].space));

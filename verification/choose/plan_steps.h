@@ -11,7 +11,8 @@ struct plan_steps {
     double dx[2]; /* m, theirs */
 };
 
-/* How many steps verification/run/time_step.h will choose for a run whose time step *e leaves open. */
-struct plan_steps plan_steps_predict(const struct experiment *e);
+/* How many steps verification/run/time_step.h will choose for a run whose time step *e leaves open: 1 for `first`, or
+ * 2 where the run itself is not to be made. */
+struct plan_steps plan_steps_predict(const struct experiment *e, int first);
 
 #endif

@@ -62,9 +62,10 @@ int number_read_printed(const char *text, size_t length, double *value) {
     char digits[64], *end;
     size_t n = 0;
     *value = NAN;
-    if (length == 0 || length > sizeof digits - 2) return -1;
+    if (length == 0) return -1;
     for (size_t i = 0; i < length; i++) {
         char c = text[i];
+        if (n + 3 > sizeof digits) return -1; /* an e, c and the NUL */
         int exponent = strchr("eEdD", c) != NULL;
         if (!exponent && !strchr("0123456789+-.", c)) return is_not_finite(text, length) ? 1 : -1;
         if ((c == '+' || c == '-') && n > 0 && digits[n - 1] != 'e') digits[n++] = 'e';

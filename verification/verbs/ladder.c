@@ -3,6 +3,7 @@
 
 #include "verification/text/json.h"
 #include "references/scene.h"
+#include "verification/choose/forewarn.h"
 #include "verification/gates/gates.h"
 #include "verification/ladder/gci.h"
 #include "verification/ladder/ladder.h"
@@ -154,11 +155,23 @@ static int write_files(const struct request *r, const struct ladder *l, int stat
     return unwritten.status;
 }
 
+/* Of the finest rung, which takes most. */
+static void forewarn_finest(const struct request *r) {
+    struct experiment finest = r->experiment;
+    if (program_given(&finest.program)) return;
+    for (int i = 0; i < r->rungs.dx.count; i++) finest.options.dx = fmin(finest.options.dx, r->rungs.dx.value[i]);
+    for (int i = 0; i < r->rungs.dt.count; i++) finest.options.dt = fmin(finest.options.dt, r->rungs.dt.value[i]);
+    for (int i = 0; i < r->rungs.fourier.count; i++)
+        finest.options.fourier = fmin(finest.options.fourier, r->rungs.fourier.value[i]);
+    forewarn("the finest rung", forewarn_seconds(&finest));
+}
+
 int verb_ladder(const struct request *r, struct failure *why) {
     if (!r->experiment.scene) return without_scene(r, why);
     struct ladder *l = xcalloc(1, sizeof *l);
     int status = atomic_file_check(r->page_path, why);
     if (!status) status = atomic_file_check(r->junit_path, why);
+    if (!status) forewarn_finest(r);
     if (!status) status = ladder_run(&r->experiment, &r->rungs, l, why);
     if (!status_refused(status) || l->tried) {
         (r->json ? print_json : print_text)(l);

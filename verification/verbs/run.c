@@ -5,6 +5,7 @@
 #include "verification/text/atomic_file.h"
 #include "verification/text/json.h"
 #include "verification/text/output.h"
+#include "verification/choose/forewarn.h"
 #include "verification/choose/halfway.h"
 #include "verification/command/request.h"
 #include "verification/run/run.h"
@@ -91,6 +92,7 @@ int verb_run(const struct request *r, struct failure *why) {
     struct result result;
     struct field field = {0};
     int status = check(r, why);
+    if (!status && !program_given(&r->experiment.program)) forewarn("this run", forewarn_seconds(&r->experiment));
     if (!status && r->warm_up) status = warm_up(r, why);
     if (!status) {
         status = run_experiment(&r->experiment, &result, &field);

@@ -1,0 +1,57 @@
+/* Seconds by counted work. */
+#include "verification/choose/forewarn.h"
+
+#include "verification/choose/plan.h"
+#include "verification/run/experiment.h"
+#include "verification/run/time_step.h"
+
+#include <math.h>
+#include <stdio.h>
+
+const double forewarn_least = 10;
+
+/* Of the unit of solver/outline.h, a second; an exact temperature, s. */
+static const double RATE = 5e9, EVALUATED = 4e-6;
+
+/* What is surely short: a search takes some 50 times the updates of its first run (a jump's, by Euler steps). */
+static const double SHORT_UPDATES = 2e6, SHORT_PARTICLES = 1e5;
+
+static double particles(const struct problem *p, double dx) {
+    double n = 1;
+    for (int a = 0; a < p->dim; a++) n *= (p->hi[a] - p->lo[a]) / dx;
+    return n;
+}
+
+static int is_short(const struct experiment *e) {
+    const struct options *o = &e->options;
+    double n = particles(&e->problem, o->dx), steps = time_step_first(e);
+    if (o->dt > 0) steps = e->problem.t_end / o->dt;
+    if (o->fourier > 0) steps = e->problem.t_end * problem_diffusivity(&e->problem) / (o->fourier * o->dx * o->dx);
+    return n <= SHORT_PARTICLES && n * steps <= SHORT_UPDATES;
+}
+
+double forewarn_seconds(const struct experiment *e) {
+    struct plan plan;
+    struct failure ignored;
+    if (is_short(e) || plan_sketch(e, &plan, &ignored)) return 0;
+    double runs = plan.refined ? 1.5 : 1; /* those before the last have half its steps, a quarter, ... */
+    return runs * plan_work(&plan) / RATE + EVALUATED * (double)plan.particles;
+}
+
+void forewarn_text(double seconds, char *text, size_t size) {
+    static const struct {
+        const char *name;
+        double seconds;
+    } unit[] = {{"seconds", 1}, {"minutes", 60}, {"hours", 3600}, {"days", 86400}, {"years", 3.156e7}};
+    int k = 0;
+    while (k < 4 && seconds >= 2 * unit[k + 1].seconds) k++;
+    snprintf(text, size, "%.2g %s", seconds / unit[k].seconds, unit[k].name);
+}
+
+int forewarn(const char *what, double seconds) {
+    char text[40];
+    if (!(seconds >= forewarn_least)) return 0;
+    forewarn_text(seconds, text, sizeof text);
+    fprintf(stderr, "heatladder: %s will take some %s of one processor, by the operations it counts\n", what, text);
+    return 1;
+}

@@ -1,0 +1,24 @@
+#ifndef HEATLADDER_VERIFICATION_CHOOSE_FOREWARN_H
+#define HEATLADDER_VERIFICATION_CHOOSE_FOREWARN_H
+
+/* What will take long says so beforehand, once, on standard error.  The prediction is of counted work, so that it is
+ * the same on every machine: FOREWARN_RATE of the unit of solver/outline.h a second, about what one processor does.
+ */
+
+#include <stddef.h>
+
+struct experiment;
+
+extern const double forewarn_least; /* s: what takes less is not told */
+
+/* Seconds of the run of *e by its plan, the exact temperatures and the search for a time step with it.  0 where the
+ * plan tells nothing or would take as long as the run: that is less than forewarn_least then. */
+double forewarn_seconds(const struct experiment *e);
+
+/* "3 minutes", "2.1 years" */
+void forewarn_text(double seconds, char *text, size_t size);
+
+/* Says that `what` will take so long, where it is forewarn_least or more: 1 then, else 0. */
+int forewarn(const char *what, double seconds);
+
+#endif

@@ -1,0 +1,73 @@
+/* What will take long is told beforehand, what is short is not: by counted work, the same on every machine. */
+#include "verification/choose/forewarn.h"
+
+#include "verification/command/arguments.h"
+#include "verification/command/request.h"
+
+#include "verification/unit/near.h"
+
+#include <gsl/gsl_errno.h>
+#include <string.h>
+
+static double seconds_of(const char *line) {
+    struct request r;
+    struct failure why;
+    if (arguments_parse_line(line, &r, &why)) fail_msg("%s: %s", line, why.text);
+    double seconds = forewarn_seconds(&r.experiment);
+    arguments_free(&r);
+    return seconds;
+}
+
+static void minutes_and_years_are_told(void **state) {
+    (void)state;
+    static const char *const lines[] = {"run rod-gauss so_ssph --dx 1e-6 --layout jitter",
+                                        "run rod-cosine ftcs_flux --dx 0.01 --t-end 1e6",
+                                        "run rod-step ftcs --dx 0.01 --set kappa=1e6",
+                                        "run square-step so_ssph --dx 4/640 --layout jitter --jitter 0.2"};
+    for (size_t i = 0; i < sizeof lines / sizeof *lines; i++)
+        if (!(seconds_of(lines[i]) >= forewarn_least)) fail_msg("%s: %g s", lines[i], seconds_of(lines[i]));
+}
+
+static void what_is_short_is_not(void **state) {
+    (void)state;
+    static const char *const lines[] = {"run rod-step so_ssph --dx 0.05",
+                                        "run square-step so_ssph --dx 4/640",
+                                        "run square-step ftcs --dx 0.02",
+                                        "run rod-contact brookshaw --dx 0.002",
+                                        "run plate brookshaw --dx 0.001",
+                                        "run square-step so_ssph --dx 0.05 --layout jitter --jitter 0.2",
+                                        "run rod-cosine fo_ssph --dx 1/6400 --layout node"};
+    for (size_t i = 0; i < sizeof lines / sizeof *lines; i++)
+        if (!(seconds_of(lines[i]) < forewarn_least)) fail_msg("%s: %g s", lines[i], seconds_of(lines[i]));
+}
+
+/* Of Euler steps the operations rise as 1/dx^3 on a rod. */
+static void it_grows_with_the_work(void **state) {
+    (void)state;
+    double coarse = seconds_of("run rod-step ftcs --dx 4/4000 --fourier 0.02"),
+           fine = seconds_of("run rod-step ftcs --dx 4/8000 --fourier 0.02");
+    assert_true(coarse > 0);
+    assert_near(fine / coarse, 8, 0.4);
+}
+
+static void texts(void **state) {
+    (void)state;
+    char text[40];
+    forewarn_text(23.7, text, sizeof text);
+    assert_string_equal(text, "24 seconds");
+    forewarn_text(150, text, sizeof text);
+    assert_string_equal(text, "2.5 minutes");
+    forewarn_text(3e8, text, sizeof text);
+    assert_string_equal(text, "9.5 years");
+}
+
+int main(void) {
+    gsl_set_error_handler_off();
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(minutes_and_years_are_told),
+        cmocka_unit_test(what_is_short_is_not),
+        cmocka_unit_test(it_grows_with_the_work),
+        cmocka_unit_test(texts),
+    };
+    return cmocka_run_group_tests_name("forewarn", tests, NULL, NULL);
+}
