@@ -95,6 +95,7 @@ OF_RUN(error, of.error.l1)
 OF_RUN(error_linf, of.error.linf)
 OF_RUN(overshoot, fmax(of.shape.overshoot, of.shape.undershoot))
 OF_RUN(heat_drift, of.heat_drift)
+OF_RUN(quantity, of.derived_name ? of.derived : NAN)
 OF_RUN(checkerboard, of.shape.checkerboard)
 #undef OF_RUN
 
@@ -104,6 +105,34 @@ void measures_checkerboard_kept(const struct request *r, double lo, double hi, s
     early.experiment.problem.t_end = r->experiment.problem.t_end / 10;
     if (run(&early, &first, m) || run(r, &last, m)) return;
     measures_judge(m, last.shape.checkerboard / first.shape.checkerboard, lo, hi);
+}
+
+/* The largest difference of two runs' temperatures, K; NaN where one fails. */
+static double runs_apart(const struct experiment *e, const struct problem of[2], struct measured *m) {
+    struct field f[2] = {{0}};
+    struct failure why;
+    double apart = NAN;
+    int status = e->method->solve(&of[0], &e->options, &f[0], &why);
+    if (!status) status = e->method->solve(&of[1], &e->options, &f[1], &why);
+    if (status) measures_fail(m, why.text);
+    for (size_t i = 0; i < f[0].n && !status; i++) apart = fmax(apart, fabs(f[0].T[i] - f[1].T[i]));
+    for (int k = 0; k < 2; k++) field_free(&f[k]);
+    return apart;
+}
+
+void measures_robin_limits(const struct request *r, double lo, double hi, struct measured *m) {
+    static const double b[] = {0, 1e300};
+    static const enum side_kind limit[] = {NEUMANN, DIRICHLET};
+    const struct experiment *e = &r->experiment;
+    double apart[2];
+    for (int end = 0; end < 2; end++) {
+        struct problem p[2] = {e->problem, e->problem};
+        for (int s = 0; s < 2 * e->problem.dim; s++)
+            if (e->problem.side[s] == ROBIN) p[0].robin[s] = b[end], p[1].side[s] = limit[end];
+        apart[end] = runs_apart(e, p, m);
+        if (isnan(apart[end])) return;
+    }
+    measures_judge(m, fmax(apart[0], apart[1]), lo, hi);
 }
 
 /* Points that fill the domain evenly and meet no symmetry of it: the additive sequences of the plastic number. */
