@@ -19,6 +19,8 @@ extern const char *const kernel_words[], *const stepper_words[];
 extern const char *const layout_words[], *const sampling_words[], *const walls_words[], *const domain_words[];
 extern const char *const mean_words[], *const volume_words[];
 
+struct field;
+
 struct options {
     double dx;      /* m, particle spacing along x (along y too, but for STEPPER_MATCHED with k_x != k_y) */
     double dt;      /* s; 0: not given.  The step used is t_end / ceil(t_end / dt), so that steps are whole. */
@@ -40,8 +42,11 @@ struct options {
     enum mean mean;
     enum volume volume;
     enum domain domain; /* of a scene with mirror planes: the part that has to be computed, or all */
-    int threads;        /* threads that one run may use; 0 or 1: one */
-    int lanes;          /* doubles in a vector of the lattice's sweeps, 2, 4 or 8; 0: options_lanes_most() */
+    /* borrowed: an answer to the same problem and options but for the time step, whose relaxed particles are taken as
+     * they lie; NULL where there is none */
+    const struct field *placed;
+    int threads; /* threads that one run may use; 0 or 1: one */
+    int lanes;   /* doubles in a vector of the lattice's sweeps, 2, 4 or 8; 0: options_lanes_most() */
 };
 
 /* Doubles in the widest vector of this machine: 2, 4 or 8.  No width changes a bit of a result. */

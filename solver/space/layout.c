@@ -24,6 +24,7 @@
 #include <gsl/gsl_rng.h>
 #include <math.h>
 #include <stdlib.h>
+#include <string.h>
 
 static const double PARTICLES_MAX = 4e9; /* rows have columns of 32 bits */
 
@@ -260,6 +261,12 @@ static void add_spacings(const struct problem *p, const struct options *o, const
     }
 }
 
+static void take_places(const struct field *from, struct cloud *c) {
+    memcpy(c->x, from->x, c->n * sizeof *c->x);
+    if (from->y) memcpy(c->y, from->y, c->n * sizeof *c->y);
+    c->settling = from->settling;
+}
+
 int layout_cloud(const struct problem *p, const struct options *o, const struct lattice *l, double reach,
                  struct cloud *c, struct failure *why) {
     if (o->layout == LAYOUT_GRADED) reach *= place_coarsest(p, o, l) / l->dx[0];
@@ -286,7 +293,9 @@ int layout_cloud(const struct problem *p, const struct options *o, const struct 
         if (p->side[s] == ROBIN && !c->factor) c->factor = xcalloc(most, sizeof *c->factor);
     for (size_t i = 0; c->factor && i < n; i++) c->factor[i] = 1;
     place_particles(p, o, l, reach, c);
-    if (o->layout == LAYOUT_RELAXED && relax_cloud(p, o, p->dim == 2 ? sqrt(c->volume) : c->volume, c, why)) {
+    if (o->layout == LAYOUT_RELAXED && o->placed && o->redraw == 0)
+        take_places(o->placed, c);
+    else if (o->layout == LAYOUT_RELAXED && relax_cloud(p, o, p->dim == 2 ? sqrt(c->volume) : c->volume, c, why)) {
         layout_cloud_free(c);
         return why->status;
     }

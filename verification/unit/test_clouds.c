@@ -341,6 +341,31 @@ static void poor_contacts_are_refused(void **state) {
     assert_non_null(strstr(why.text, "brookshaw"));
 }
 
+/* Particles taken from an earlier answer are those that would be settled again: the same temperatures, bit for bit;
+ * the answer's own dt has no part in it. */
+static void settled_particles_are_taken_as_they_lie(void **state) {
+    (void)state;
+    struct problem p = odd_rectangle();
+    struct options o = options_of(LAYOUT_RELAXED);
+    struct field before, again, taken;
+    struct failure why;
+    o.stepper = STEPPER_RK2;
+    o.fourier = 0.05;
+    assert_int_equal(method_so_ssph.solve(&p, &o, &before, &why), STATUS_OK);
+    o.fourier = 0.04;
+    assert_int_equal(method_so_ssph.solve(&p, &o, &again, &why), STATUS_OK);
+    o.placed = &before;
+    assert_int_equal(method_so_ssph.solve(&p, &o, &taken, &why), STATUS_OK);
+    assert_memory_equal(taken.x, again.x, taken.n * sizeof *taken.x);
+    assert_memory_equal(taken.y, again.y, taken.n * sizeof *taken.y);
+    assert_memory_equal(taken.T, again.T, taken.n * sizeof *taken.T);
+    assert_int_equal(taken.settling.sweeps, again.settling.sweeps);
+    assert_true(taken.T[17] != before.T[17]);
+    field_free(&before);
+    field_free(&again);
+    field_free(&taken);
+}
+
 int main(void) {
     gsl_set_error_handler_off();
     const struct CMUnitTest tests[] = {
@@ -348,6 +373,7 @@ int main(void) {
         cmocka_unit_test(graded_cells),
         cmocka_unit_test(ghosts_take_after_their_sources),
         cmocka_unit_test(settled_clouds),
+        cmocka_unit_test(settled_particles_are_taken_as_they_lie),
         cmocka_unit_test(unsettled_clouds_say_how_far_they_came),
         cmocka_unit_test(affine_fields_stay_on_any_cloud),
         cmocka_unit_test(affine_fields_stay_where_clouds_are_drawn_anew),
