@@ -64,7 +64,7 @@ $(BUILD)/version.inc: FORCE
 	if cmp -s $@.new $@; then rm $@.new; else mv $@.new $@; fi
 
 # The papers' tables, compiled in.
-PUBLISHED := $(sort $(wildcard reports/published/*.csv))
+PUBLISHED := $(filter-out %/measured.csv,$(sort $(wildcard reports/published/*.csv)))
 $(BUILD)/published.inc: $(PUBLISHED)
 	@mkdir -p $(@D)
 	$(Q)for f in $^; do b=$${f##*/}; echo "PUBLISHED(\"$${b%.csv}\","; \
@@ -153,7 +153,7 @@ $(BUILD)/examples/cells_f90: verification/examples/cells.f90
 
 .PHONY: test
 test: $(TESTS) $(BUILD)/heatladder examples ## Run the unit tests, the program as its user meets it, and the examples
-	$(Q)PROGRAM=$(BUILD)/heatladder EXAMPLES=$(BUILD)/examples scripts/run_tests $(TESTS) scripts/check_program scripts/check_examples
+	$(Q)PROGRAM=$(BUILD)/heatladder EXAMPLES=$(BUILD)/examples scripts/run_tests $(TESTS) scripts/check_program scripts/check_measured scripts/check_examples
 
 .PHONY: verify
 verify: $(BUILD)/heatladder ## Run every gate, then write tables and plots to reports/out; the exit status is the gates'
