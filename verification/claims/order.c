@@ -1,5 +1,6 @@
 /* Orders of accuracy and tables of errors against what is printed, and Song's exact solution. */
 #include "verification/claims/kit.h"
+#include "verification/stability/step_limit.h"
 
 #include "references/series.h"
 
@@ -172,10 +173,110 @@ static void take_walls(struct claims_measured *m) {
                       smallest);
 }
 
+/* ---- The other forms of the Laplacian, on the lattice and off it ---- */
+
+static const char SMOOTH[] = "run rect-manufactured %s --set k_y=0.02 --dx %g%s";
+static const char SHAKEN[] = " --layout jitter --jitter 0.1 --seed 1";
+
+/* On the lattice and with places up to 0.1 dx off: E1 at dx = 0.025 m, and its order from 0.05; and the largest
+ * growth rate with places up to 0.3 dx off, kappa/dx^2 (0 where none grows). */
+struct shaken {
+    double error[2], order[2], growth;
+};
+
+static int shake(const char *method, struct shaken *out, struct claims_measured *m) {
+    struct result coarse, fine;
+    struct model_problem b;
+    struct step_limit limit;
+    struct failure why;
+    *out = (struct shaken){{NAN, NAN}, {NAN, NAN}, NAN};
+    for (int off = 0; off < 2; off++) {
+        if (claims_kit_result(&coarse, m, SMOOTH, method, 0.05, off ? SHAKEN : "") ||
+            claims_kit_result(&fine, m, SMOOTH, method, 0.025, off ? SHAKEN : ""))
+            return 1;
+        out->error[off] = fine.error.l1, out->order[off] = log2(coarse.error.l1 / fine.error.l1);
+        claims_kit_number(m, out->error[off], "", "E1 of %s, %s", method, off ? "0.1 dx off" : "lattice");
+        claims_kit_number(m, out->order[off], "", "its order");
+    }
+    if (claims_kit_model(&b, m, "limit %s --dim 2 --layout jitter --jitter 0.3 --seed 1", method)) return 1;
+    if (step_limit_predict(&b, &limit, &why)) return claims_kit_fail(m, why.text);
+    out->growth = limit.grows ? limit.growth : 0;
+    claims_kit_number(m, out->growth, "kappa/dx^2", "growth 0.3 dx off");
+    return 0;
+}
+
+static int is_sensitive(const struct shaken *of) {
+    return of->order[0] >= 1.9 && of->order[1] < 1.5;
+}
+
+/* METHOD: its order where places are off. */
+static void take_sensitive(struct claims_measured *m) {
+    struct shaken of;
+    if (shake(m->argument, &of, m)) return;
+    claims_kit_decide(m, is_sensitive(&of), 1,
+                      "of second order on the lattice, and half an order short of it with places 0.1 dx off");
+}
+
+/* METHOD: and a run of small steps that leaves all bounds. */
+static void take_diverges(struct claims_measured *m) {
+    struct shaken of;
+    struct result run;
+    if (shake(m->argument, &of, m)) return;
+    int fails = claims_kit_result(&run, NULL, "run rect-manufactured %s --set k_y=0.02 --dx 0.05%s", m->argument,
+                                  " --layout jitter --jitter 0.3 --seed 1 --stepper euler --fourier 0.05") != 0;
+    claims_kit_number(m, fails, "", "runs that leave their bounds, 0.3 dx off, F = 0.05");
+    claims_kit_decide(m, is_sensitive(&of) && fails && of.growth > 0, 1,
+                      "half an order short with places 0.1 dx off; 0.3 dx off a mode grows and a run fails");
+}
+
+/* "METHOD | METHOD | ...": the first where particles are in disorder, against the others. */
+static void take_steadier(struct claims_measured *m) {
+    struct shaken of, other;
+    char method[40];
+    int better = 1;
+    claims_kit_part(&m->argument, method, sizeof method);
+    if (shake(method, &of, m)) return;
+    while (claims_kit_part(&m->argument, method, sizeof method)) {
+        if (shake(method, &other, m)) return;
+        better &= of.error[1] < other.error[1] && other.growth > 0;
+    }
+    claims_kit_decide(m, better && of.growth == 0, !is_sensitive(&of),
+                      "the least E1 with places off, and the only one of which no mode grows; without a condition if "
+                      "it keeps its order");
+}
+
+/* "METHOD | METHOD": accuracy and stability of the first against the second. */
+static void take_better(struct claims_measured *m) {
+    struct shaken of[2];
+    double step[2];
+    for (int k = 0; k < 2; k++) {
+        char method[40];
+        struct model_problem b;
+        struct step_limit limit;
+        struct failure why;
+        claims_kit_part(&m->argument, method, sizeof method);
+        if (shake(method, &of[k], m) || claims_kit_model(&b, m, "limit %s --dim 2", method)) return;
+        if (step_limit_predict(&b, &limit, &why)) {
+            claims_kit_fail(m, why.text);
+            return;
+        }
+        step[k] = limit.von_neumann;
+        claims_kit_number(m, step[k], "dx^2/kappa", "largest step on the lattice");
+    }
+    claims_kit_decide(m, of[0].error[1] < of[1].error[1] && step[0] > step[1],
+                      of[0].error[0] < of[1].error[0] && of[0].growth == 0,
+                      "less error with places off and a larger step on the lattice; without a condition if also less "
+                      "error there, and no growth 0.3 dx off");
+}
+
 const struct claims_measure claims_order_measures[] = {{"order", take_order},
                                                        {"printed_order", take_printed_order},
                                                        {"table", take_table},
                                                        {"gap", take_gap},
                                                        {"eq45", take_eq45},
                                                        {"walls", take_walls},
+                                                       {"sensitive", take_sensitive},
+                                                       {"diverges", take_diverges},
+                                                       {"steadier", take_steadier},
+                                                       {"better", take_better},
                                                        {0}};

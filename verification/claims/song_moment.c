@@ -5,6 +5,7 @@
  *   b~_k - b_k = sum_j (f_j - f_i - sum_l P_l u_l) P_k W dV                                                 (22, 25)
  */
 #include "verification/claims/kit.h"
+#include "solver/space/csr.h"
 
 #include "solver/space/kernel.h"
 #include "verification/command/arguments.h"
@@ -167,6 +168,62 @@ static void take_truncation(struct claims_measured *m) {
     claims_kit_decide(m, held, 1, "second order +- 0.1 for a smooth function on a lattice, by the rule of the gates");
 }
 
-const struct claims_measure claims_song_moment_measures[] = {
-    {"odd_moments", take_moments}, {"symmetric", take_symmetric},   {"scaling", take_scaling},
-    {"left_out", take_left_out},   {"truncation", take_truncation}, {0}};
+/* The largest |L x| and |L y| of an operator, in kappa/dx, away from the walls.  NaN where it fails. */
+static double of_linear(const char *method, struct claims_measured *m) {
+    struct model_problem b;
+    struct cloud c;
+    struct heat_operator a;
+    struct row r;
+    struct failure why;
+    double most = 0;
+    if (claims_kit_model(&b, m, "limit %s --dim 2 --layout jitter --jitter 0.2 --seed 3", method)) return NAN;
+    struct problem p = model_problem_setup(&b, PROBE_NOISE, 0);
+    if (model_problem_cloud(&b, &p, &c, &why)) return claims_kit_fail(m, why.text), NAN;
+    if (operator_create_rows(&a, &p, &b.options, b.method->scheme, &c, 1, &why)) {
+        layout_cloud_free(&c);
+        return claims_kit_fail(m, why.text), NAN;
+    }
+    double inside = 2 * KERNEL_SUPPORT * b.options.h; /* of two sweeps */
+    csr_row_create(&r, a.n);
+    for (size_t i = 0; i < a.n; i++) {
+        double sum[2] = {0, 0};
+        if (fmin(fmin(c.x[i] - p.lo[0], p.hi[0] - c.x[i]), fmin(c.y[i] - p.lo[1], p.hi[1] - c.y[i])) < inside)
+            continue;
+        operator_row_take(&a, i, &r);
+        for (size_t k = 0; k < r.n; k++)
+            sum[0] += r.value[r.column[k]] * (c.x[r.column[k]] - c.x[i]),
+                sum[1] += r.value[r.column[k]] * (c.y[r.column[k]] - c.y[i]);
+        most = fmax(most, fmax(fabs(sum[0]), fabs(sum[1])));
+    }
+    csr_row_free(&r);
+    operator_free(&a);
+    layout_cloud_free(&c);
+    claims_kit_number(m, most, "kappa/dx", "largest |L x|, %s", method);
+    return most;
+}
+
+/* "METHOD | ... | + METHOD": none is exact for a linear temperature on a cloud, the last is. */
+static void take_completeness(struct claims_measured *m) {
+    char part[40];
+    int none = 1, last = 1;
+    while (claims_kit_part(&m->argument, part, sizeof part)) {
+        const char *method = part + (*part == '+');
+        double most = of_linear(method, m);
+        if (isnan(most)) return;
+        if (*part == '+')
+            last &= most <= 1e-11;
+        else
+            none &= most >= 0.01;
+    }
+    claims_kit_decide(
+        m, none && last, 1,
+        "L x of the first three at least 0.01 kappa/dx somewhere, that of the last 0 to rounding (1e-11)");
+}
+
+const struct claims_measure claims_song_moment_measures[] = {{"odd_moments", take_moments},
+                                                             {"symmetric", take_symmetric},
+                                                             {"scaling", take_scaling},
+                                                             {"left_out", take_left_out},
+                                                             {"truncation", take_truncation},
+                                                             {"completeness", take_completeness},
+                                                             {0}};
