@@ -53,7 +53,8 @@ static int take_method(struct request *r, const char *name, struct failure *why)
 
 static int take_positional(struct request *r, int place, const char *word, struct failure *why) {
     const char *wanted = r->verb->positionals;
-    if (place == 0 && words_among(wanted, "SCENE")) return take_scene(r, word, why);
+    if (place == 0 && (words_among(wanted, "SCENE") || words_among(wanted, "[SCENE]")))
+        return take_scene(r, word, why);
     if (place == words_among(wanted, "SCENE") && words_among(wanted, "METHOD")) return take_method(r, word, why);
     if (place == 0 && (words_among(wanted, "[TOPIC]") || words_among(wanted, "[DIR]"))) {
         *(words_among(wanted, "[DIR]") ? &r->dir : &r->topic) = word;
@@ -117,6 +118,8 @@ static int take_option(struct request *r, const struct word *w, struct failure *
     if (r->given & bit && strcmp(o->key, "set") != 0)
         return refuse(why, STATUS_INPUT, "--%s is given twice", o->name);
     r->given |= bit;
+    if (words_among("dt fourier threads t-end set", o->key) && r->verb->positionals[0] == '[' && !r->experiment.scene)
+        return refuse(why, STATUS_INPUT, "--%s needs a scene: heatladder case SCENE --dx A,B,C --into DIR", o->name);
     if (strcmp(r->verb->name, "ladder") == 0 && !r->experiment.scene &&
         !words_among("results columns at expect json", o->key))
         return refuse(why, STATUS_INPUT, "--%s needs a scene: heatladder ladder SCENE NAME --results DIR", o->name);
@@ -138,6 +141,12 @@ static int check_positionals(const struct request *r, struct failure *why) {
 static int check_required(const struct request *r, struct failure *why) {
     if (strcmp(r->verb->name, "ladder") == 0 && !r->rungs.dx.count && !r->experiment.program.results)
         return refuse(why, STATUS_INPUT, "ladder needs --dx A,B,C,..., or --results DIR with a directory a spacing");
+    if (strcmp(r->verb->name, "case") == 0 && !r->experiment.scene == !r->battery)
+        return refuse(why, STATUS_INPUT,
+                      "case needs a scene, or --battery: heatladder case SCENE --dx A,B,C --into DIR");
+    if (r->experiment.scene && r->battery) return refuse(why, STATUS_INPUT, "--battery has scenes of its own");
+    if (strcmp(r->verb->name, "case") == 0 && r->experiment.scene && !r->rungs.dx.count)
+        return refuse(why, STATUS_INPUT, "case needs --dx A,B,C,...: the spacings");
     for (const struct option *o = options_table; o->key; o++)
         if (words_among(r->verb->required, o->key) && !(r->given & 1ul << (o - options_table)))
             return refuse(why, STATUS_INPUT, "%s needs --%s %s: %s", r->verb->name, o->name, o->value, o->about);
@@ -201,6 +210,8 @@ static int check_program(const struct request *r, struct failure *why) {
         return refuse(why, STATUS_INPUT, "--solver runs a program, --results judges what one left: give one of them");
     if (!g->solver && (g->keep || g->timeout > 0))
         return refuse(why, STATUS_INPUT, "--%s needs --solver 'CMD'", g->keep ? "keep" : "timeout");
+    if (r->order && !r->battery && !program_given(g) && words_among(r->verb->options, "order-of"))
+        return refuse(why, STATUS_INPUT, "--order needs --solver, --results or --battery: of which code?");
     if (*g->vary && !program_given(g)) return refuse(why, STATUS_INPUT, "--vary needs --solver or --results");
     for (int k = 0; k < COLUMN_COUNT && !program_given(g); k++)
         if (g->columns.name[k][0]) return refuse(why, STATUS_INPUT, "--columns needs --solver or --results");
@@ -210,11 +221,16 @@ static int check_program(const struct request *r, struct failure *why) {
 /* Which spacings there are, and the parameters that the cases were written for: neither is typed again. */
 static int take_results(struct request *r, struct failure *why) {
     struct experiment *e = &r->experiment;
+    struct program *g = &e->program;
     char dir[RESULTS_PATH];
-    if (!e->program.results || !e->scene) return STATUS_OK;
-    snprintf(dir, sizeof dir, "%.700s/%s", e->program.results, e->scene->name);
+    if (!g->results || !e->scene) return STATUS_OK;
+    if (results_setting(e->scene, &e->problem, r->overridden, g->setting) ||
+        !results_has(g->results, e->scene, g->setting))
+        g->setting[0] = '\0';
+    if (results_of_scene(g->results, e->scene, g->setting, dir))
+        return refuse(why, STATUS_INPUT, "--results '%.200s': too long a path", g->results);
     if (!r->rungs.dx.count && results_list(dir, &r->rungs.dx, why)) return why->status;
-    return results_params(e->program.results, e->scene, &r->rungs.dx, r->overridden, &e->problem, why);
+    return results_params(g->results, e->scene, g->setting, &r->rungs.dx, r->overridden, &e->problem, why);
 }
 
 static int apply(struct request *r, const struct word *words, int count, struct failure *why) {
@@ -305,14 +321,24 @@ static int split_line(char *line, char **words, int max) {
     }
 }
 
-int arguments_parse_line(const char *line, struct request *r, struct failure *why) {
+int arguments_parse_line_with(const char *line, const char *const *more, struct request *r, struct failure *why) {
     char *words[2 * LINE_WORDS];
-    size_t size = strlen(line) + 1;
-    *r = (struct request){.line = xcalloc(size, 1)};
+    size_t size = strlen(line) + 1, room = size;
+    for (const char *const *word = more; *word; word++) room += strlen(*word) + 1;
+    *r = (struct request){.line = xcalloc(room, 1)};
     memcpy(r->line, line, size);
     int n = split_line(r->line, words, 2 * LINE_WORDS);
     if (n < 0) return refuse(why, STATUS_INPUT, "'%.200s': too many words, or a quote is left open", line);
+    for (char *to = r->line + size; *more && n < 2 * LINE_WORDS; more++, n++) {
+        words[n] = memcpy(to, *more, strlen(*more) + 1);
+        to += strlen(*more) + 1;
+    }
+    if (*more) return refuse(why, STATUS_INPUT, "'%.200s': too many words", line);
     return arguments_parse(n, words, r, why);
+}
+
+int arguments_parse_line(const char *line, struct request *r, struct failure *why) {
+    return arguments_parse_line_with(line, (const char *const[]){NULL}, r, why);
 }
 
 void arguments_free(struct request *r) {

@@ -11,6 +11,9 @@ int arguments_parse(int argc, char *const *argv, struct request *r, struct failu
 /* The same from one line, as a user would type it after the name of the program; '...' and "..." hold blanks. */
 int arguments_parse_line(const char *line, struct request *r, struct failure *why);
 
+/* The same, with `more`, words ended by NULL, after those of the line. */
+int arguments_parse_line_with(const char *line, const char *const *more, struct request *r, struct failure *why);
+
 void arguments_free(struct request *r);
 
 #endif

@@ -71,6 +71,14 @@ static int read_whole(struct request *r, const struct option *o, const char *tex
     return STATUS_OK;
 }
 
+static int read_order_of(struct request *r, const struct option *o, const char *text, struct failure *why) {
+    long value;
+    if (number_read_whole(text, 4, &value) || value == 0 || value == 3)
+        return refuse(why, STATUS_INPUT, "--%s %.60s: must be 1, 2 or 4", o->name, text);
+    *(int *)place(r, o) = (int)value;
+    return STATUS_OK;
+}
+
 static int read_seed(struct request *r, const struct option *o, const char *text, struct failure *why) {
     long value;
     if (number_read_whole(text, 4294967295, &value))
@@ -252,6 +260,15 @@ const struct option options_table[] = {
      NULL, POSITIVE, 0},
     {"only", "only", "GLOB", "only the gates whose name matches, such as '*gauss*'", read_text, IN(only), NULL,
      FINITE, 0},
+    {"skip", "skip", "GLOB", "leave out the gates whose name matches", read_text, IN(skip), NULL, FINITE, 0},
+    {"gates", "gates", "FILE",
+     "judge the rows of FILE, GATE(\"id\", QUICK, \"measure\", \"command\", lo, hi, ceiling, "
+     "\"why\"), instead of those that are built in",
+     read_text, IN(gates_path), NULL, FINITE, 0},
+    {"battery", "battery", NULL, "the cases of the battery, all that verify --results DIR asks for", read_flag,
+     IN(battery), NULL, FINITE, 0},
+    {"order-of", "order", "P", "the order of the code in space: 1, 2 (default) or 4", read_order_of, IN(order), NULL,
+     1, 4, 0},
     {"quick", "quick", NULL, "the quick tier alone", read_flag, IN(quick), NULL, FINITE, 0},
     {"verbose", "verbose", NULL, "every gate, not only how many of each group hold; also -v", read_flag, IN(verbose),
      NULL, FINITE, 0},

@@ -25,6 +25,10 @@ struct request {
     const char *into;        /* case: the directory of cases */
     struct method *external; /* owned: what the method is where a program stands in for it; else NULL */
     const char *only;        /* glob of the names of gates or claims; NULL for all */
+    const char *skip;        /* verify: glob of the gates to leave out; NULL for none */
+    const char *gates_path;  /* verify: the file of rows; NULL for the built-in ones */
+    int order;               /* battery: of the code in space; 0: 2 */
+    int battery;             /* case: 1: the cases of the battery */
     const char *bench_scene; /* bench: the one scene; NULL for all */
     const char *field_path, *json_path, *junit_path, *page_path; /* NULL where not asked for */
     int warm_up;                                                 /* 1: what is timed comes after 0.1 s of the same */

@@ -45,7 +45,8 @@ const char program_help[] =
     "\n"
     "--results DIR judges what is there already: DIR/SCENE/DX/out.csv (or out.vtk, out.vtu, out.dat), beside the "
     "case\n"
-    "files that `heatladder case SCENE --dx A,B,C --into DIR` writes.\n";
+    "files that `heatladder case SCENE --dx A,B,C --into DIR` writes; DIR/SCENE/NAME=VALUE,.../DX where --set gives\n"
+    "these values and that directory is there, as `heatladder case --battery` makes it.\n";
 
 const char *const program_answers[] = {"out.csv", "out.vtk", "out.vtu", "out.dat", NULL};
 
@@ -187,8 +188,7 @@ static int solve_now(const struct program *g, const struct scene *s, const struc
 static int solve_later(const struct program *g, const struct scene *s, const struct problem *p,
                        const struct options *o, struct field *f, struct failure *why) {
     char of_scene[RESULTS_PATH], dir[RESULTS_PATH], path[RESULTS_PATH + 16];
-    if (snprintf(of_scene, sizeof of_scene, "%s/%s", g->results, s->name) >= RESULTS_PATH - 200 ||
-        results_directory(of_scene, o->dx, dir))
+    if (results_of_scene(g->results, s, g->setting, of_scene) || results_directory(of_scene, o->dx, dir))
         return refuse(why, STATUS_INPUT, "--results '%.200s': too long a path", g->results);
     append_rung(g, dir);
     for (int i = 0; program_answers[i]; i++) {

@@ -13,6 +13,8 @@ struct options;
 struct problem;
 struct scene;
 
+enum { PROGRAM_SETTING = 200 };
+
 extern const char program_help[]; /* how a program is run and what it answers, for --help */
 
 extern const char *const program_answers[]; /* names of files that hold an answer, ended by NULL */
@@ -25,7 +27,9 @@ struct program {
     double timeout;      /* s; 0 for none */
     struct column_map columns;
     char vary[40], value[40]; /* NAME of --vary, and what it is at this rung; "" for none */
-    char rung[100];           /* the directory of this rung below DX: NAME=VALUE or dt=DT; "" for DX itself */
+    char
+        setting[PROGRAM_SETTING]; /* of results: the directory of these parameters below SCENE; "" for SCENE itself */
+    char rung[100];               /* the directory of this rung below DX: NAME=VALUE or dt=DT; "" for DX itself */
 };
 
 /* 1 where there is a program: a command, or its answers. */

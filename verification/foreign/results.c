@@ -43,6 +43,32 @@ int results_directory(const char *dir, double value, char path[RESULTS_PATH]) {
     return 0;
 }
 
+int results_setting(const struct scene *s, const struct problem *p, unsigned long set, char text[PROGRAM_SETTING]) {
+    size_t used = 0;
+    text[0] = '\0';
+    for (int i = 0; s->params[i].name; i++) {
+        char value[40];
+        if (!(set & 1ul << i)) continue;
+        results_number(p->param[i], value);
+        const char *typed = s->params[i].choice ? s->params[i].choice[(int)p->param[i]] : value;
+        int more =
+            snprintf(text + used, PROGRAM_SETTING - used, "%s%s=%s", used ? "," : "", s->params[i].name, typed);
+        if (more < 0 || (size_t)more >= PROGRAM_SETTING - used) return -1;
+        used += (size_t)more;
+    }
+    return 0;
+}
+
+int results_of_scene(const char *dir, const struct scene *s, const char *setting, char path[RESULTS_PATH]) {
+    int n = snprintf(path, RESULTS_PATH, "%s/%s%s%s", dir, s->name, *setting ? "/" : "", setting);
+    return n < 0 || n >= RESULTS_PATH - 200 ? -1 : 0;
+}
+
+int results_has(const char *dir, const struct scene *s, const char *setting) {
+    char path[RESULTS_PATH];
+    return results_of_scene(dir, s, setting, path) == 0 && is_directory(path);
+}
+
 int results_list(const char *dir, struct numbers *found, struct failure *why) {
     DIR *in = opendir(dir);
     int more = 0;
@@ -97,10 +123,10 @@ int results_case_params(const char *path, const char *text, const struct scene *
     return STATUS_OK;
 }
 
-int results_params(const char *dir, const struct scene *s, const struct numbers *dx, unsigned long set,
-                   struct problem *p, struct failure *why) {
+int results_params(const char *dir, const struct scene *s, const char *setting, const struct numbers *dx,
+                   unsigned long set, struct problem *p, struct failure *why) {
     char of_scene[RESULTS_PATH], path[RESULTS_PATH], file[RESULTS_PATH + 8];
-    snprintf(of_scene, sizeof of_scene, "%.700s/%s", dir, s->name);
+    if (results_of_scene(dir, s, setting, of_scene)) return STATUS_OK; /* refused where the answer is read */
     for (int i = 0; i < dx->count; i++) {
         if (results_directory(of_scene, dx->value[i], path)) continue;
         snprintf(file, sizeof file, "%s/case", path);
@@ -166,29 +192,33 @@ static const char *next_name(const char *dx, double *value, char name[64]) {
     return dx[length] ? dx + length + 1 : NULL;
 }
 
-static int write_all(const char *dir, const struct scene *s, const struct problem *p, const struct options *o,
-                     const char *dx, const char *known, FILE *list, int *written, struct failure *why) {
-    char path[RESULTS_PATH], name[64];
+static int write_all(const struct results_place *at, const struct scene *s, const struct problem *p,
+                     const struct options *o, const char *dx, const char *known, FILE *list, int *written,
+                     struct failure *why) {
+    char of_scene[RESULTS_PATH], path[RESULTS_PATH], name[64];
     struct options with = *o;
-    if (snprintf(path, sizeof path, "%s/%s", dir, s->name) >= RESULTS_PATH - 80)
-        return refuse(why, STATUS_INPUT, "--into '%.300s': too long a path", dir);
-    if (make(dir, why) || make(path, why)) return STATUS_INPUT;
+    if (results_of_scene(at->dir, s, "", path) || results_of_scene(at->dir, s, at->setting, of_scene))
+        return refuse(why, STATUS_INPUT, "--into '%.300s': too long a path", at->dir);
+    if (make(at->dir, why) || make(path, why) || make(of_scene, why)) return STATUS_INPUT;
     for (*written = 0; dx; ++*written) {
         dx = next_name(dx, &with.dx, name);
-        snprintf(path, sizeof path, "%s/%s/%s", dir, s->name, name);
+        snprintf(path, sizeof path, "%.850s/%s", of_scene, name);
+        if (make(path, why)) return why->status;
+        size_t used = strlen(path);
+        if (*at->rung) snprintf(path + used, sizeof path - used, "/%.80s", at->rung);
         if (make(path, why) || write_one(path, s, p, &with, why)) return why->status;
         if (!has_line(known, path)) fprintf(list, "%s\n", path);
     }
     return STATUS_OK;
 }
 
-int results_write(const char *dir, const struct scene *s, const struct problem *p, const struct options *o,
-                  const char *dx, int *written, struct failure *why) {
+int results_write(const struct results_place *at, const struct scene *s, const struct problem *p,
+                  const struct options *o, const char *dx, int *written, struct failure *why) {
     struct output page;
-    FILE *list = output_open(&page, "%.1000s/cases.txt", dir);
+    FILE *list = output_open(&page, "%.1000s/cases.txt", at->dir);
     char *old = whole_file_at(page.path, NULL);
     if (old) fputs(old, list);
-    int status = write_all(dir, s, p, o, dx, old ? old : "", list, written, why);
+    int status = write_all(at, s, p, o, dx, old ? old : "", list, written, why);
     if (!status) status = output_close(&page, 1, why);
     output_drop(&page, 1);
     free(old);

@@ -4,6 +4,7 @@
 /* Cases written now and answers judged later: DIR/SCENE/DX/case beside DIR/SCENE/DX/out.csv. */
 
 #include "solver/problem.h"
+#include "verification/foreign/program.h"
 #include "verification/text/number.h"
 
 #include <stddef.h>
@@ -30,15 +31,29 @@ int results_list(const char *dir, struct numbers *found, struct failure *why);
 int results_case_params(const char *path, const char *text, const struct scene *s, unsigned long *set,
                         struct problem *p, struct failure *why);
 
+/* "NAME=VALUE,NAME=VALUE" of the parameters that were set (bits of `set`), in the order of the scene's table; ""
+ * where none was.  0, or -1 where that is too long. */
+int results_setting(const struct scene *s, const struct problem *p, unsigned long set, char text[PROGRAM_SETTING]);
+
+/* DIR/SCENE, or DIR/SCENE/SETTING where there is a setting.  0, or -1 where the path is too long. */
+int results_of_scene(const char *dir, const struct scene *s, const char *setting, char path[RESULTS_PATH]);
+
+/* Whether that directory is there. */
+int results_has(const char *dir, const struct scene *s, const char *setting);
+
 /* Takes p->param from the case files of DIR/SCENE, which must all agree, and with the parameters that were set
  * already (bits of `set`).  Directories without a case file are passed over. */
-int results_params(const char *dir, const struct scene *s, const struct numbers *dx, unsigned long set,
-                   struct problem *p, struct failure *why);
+int results_params(const char *dir, const struct scene *s, const char *setting, const struct numbers *dx,
+                   unsigned long set, struct problem *p, struct failure *why);
 
-/* Writes DIR/SCENE/DX/case for each of the numbers in `dx`, as typed, and names these directories in DIR/cases.txt,
- * after those that stand there.  A case that is there and the same stays as it is; a different one is refused where
- * it has an answer already. */
-int results_write(const char *dir, const struct scene *s, const struct problem *p, const struct options *o,
-                  const char *dx, int *written, struct failure *why);
+struct results_place { /* DIR/SCENE/SETTING/DX/RUNG; "" for neither */
+    const char *dir, *setting, *rung;
+};
+
+/* Writes the case into that place for each of the numbers in `dx`, as typed, and names these directories in
+ * DIR/cases.txt, after those that stand there.  A case that is there and the same stays as it is; a different one is
+ * refused where it has an answer already. */
+int results_write(const struct results_place *at, const struct scene *s, const struct problem *p,
+                  const struct options *o, const char *dx, int *written, struct failure *why);
 
 #endif

@@ -34,7 +34,7 @@ static int read_one(const char *text, size_t length, struct column_map *c, struc
 }
 
 int samples_columns_read(const char *map, struct column_map *c, struct failure *why) {
-    *c = (struct column_map){0};
+    *c = (struct column_map){.text = map};
     for (const char *at = map;; at++) {
         size_t length = strcspn(at, ",");
         if (read_one(at, length, c, why)) return STATUS_INPUT;

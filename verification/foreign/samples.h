@@ -13,6 +13,7 @@ enum { COLUMN_X, COLUMN_Y, COLUMN_T, COLUMN_W, COLUMN_COUNT, COLUMN_NAME = 64 };
 /* What the file calls x, y, T and w: "" for the name itself. */
 struct column_map {
     char name[COLUMN_COUNT][COLUMN_NAME];
+    const char *text; /* as typed; NULL where nobody typed it */
 };
 
 /* From 'x=X,y=Y,T=temp,w=volume', each at most once; a number stands for the place of a column, the first being 1. */

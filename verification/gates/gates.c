@@ -4,6 +4,8 @@
 
 #include "references/scene.h"
 #include "verification/command/arguments.h"
+#include "verification/foreign/program.h"
+#include "verification/foreign/scratch.h"
 #include "verification/ladder/judge.h"
 #include "verification/ladder/ladder.h"
 #include "verification/text/progress.h"
@@ -38,11 +40,6 @@ const struct gate gates_table[] = {
 
 enum { TEXT = 160 }; /* of the name and of the command of a reference's gate */
 
-static int matches(const struct gate *gate, const char *only, int quick) {
-    if (quick && gate->tier != TIER_QUICK) return 0;
-    return !only || fnmatch(only, gate->id, 0) == 0;
-}
-
 /* Every scene's reference is gated without a row: its two forms agree within their bounds, which are small. */
 static struct gate reference_gate(const struct scene *s, char *text) {
     struct problem p;
@@ -61,27 +58,53 @@ static struct gate reference_gate(const struct scene *s, char *text) {
 }
 
 /* A pattern has no nearest name. */
-static int none_matches(const char *only, int rows, struct failure *why) {
-    const char **ids = xcalloc((size_t)rows + 1, sizeof *ids), *nearest = NULL;
-    for (int i = 0; i < rows; i++) ids[i] = gates_table[i].id;
+static int none_matches(const struct gates *g, const char *only, struct failure *why) {
+    const char **ids = xcalloc((size_t)g->declared + 1, sizeof *ids), *nearest = NULL;
+    for (int i = 0; i < g->declared; i++) ids[i] = g->result[i].gate.id;
     if (only && !strpbrk(only, "*?[")) nearest = words_nearest(ids, only);
     free(ids);
     return refuse(why, STATUS_INPUT, "no gate matches '%.60s'%s%s%s (see: heatladder list gates)", only ? only : "*",
                   nearest ? "; did you mean '" : "", nearest ? nearest : "", nearest ? "'?" : "");
 }
 
+void gates_add(struct gates *g, const struct gate *gate) {
+    struct gate_result *more = xcalloc((size_t)g->declared + 1, sizeof *more);
+    if (g->declared) memcpy(more, g->result, (size_t)g->declared * sizeof *more);
+    free(g->result);
+    g->result = more;
+    g->result[g->declared++].gate = *gate;
+}
+
+static int matches(const char *glob, const struct gate *gate) {
+    return glob && fnmatch(glob, gate->id, 0) == 0;
+}
+
+int gates_choose(struct gates *g, const char *only, const char *skip, int quick, struct failure *why) {
+    int kept = 0;
+    for (int i = 0; i < g->declared; i++) kept += !only || matches(only, &g->result[i].gate);
+    if (!kept) return none_matches(g, only, why);
+    kept = 0;
+    for (int i = 0; i < g->declared; i++) {
+        struct gate gate = g->result[i].gate;
+        if ((quick && gate.tier != TIER_QUICK) || (only && !matches(only, &gate)) || matches(skip, &gate)) continue;
+        g->result[kept++].gate = gate;
+    }
+    g->declared = kept;
+    if (kept) return STATUS_OK;
+    return refuse(why, STATUS_INPUT, "no gate is left: --only '%.60s'%s%s%s%s", only ? only : "*",
+                  skip ? " --skip '" : "", skip ? skip : "", skip ? "'" : "", quick ? " --quick" : "");
+}
+
 int gates_collect(const char *only, int quick, struct gates *g, struct failure *why) {
     int rows = 0, references = 0;
     while (gates_table[rows].id) rows++;
     while (scenes[references]) references++;
-    *g = (struct gates){.result = xcalloc((size_t)(rows + references), sizeof *g->result),
+    *g = (struct gates){.declared = rows + references,
+                        .result = xcalloc((size_t)(rows + references), sizeof *g->result),
                         .text = xcalloc((size_t)references, 2 * TEXT)};
-    for (int i = 0; i < rows + references; i++) {
-        int s = i - rows;
-        struct gate gate = s < 0 ? gates_table[i] : reference_gate(scenes[s], g->text + 2 * TEXT * s);
-        if (matches(&gate, only, quick)) g->result[g->declared++].gate = gate;
-    }
-    return g->declared ? STATUS_OK : none_matches(only, rows, why);
+    for (int i = 0; i < rows; i++) g->result[i].gate = gates_table[i];
+    for (int s = 0; s < references; s++) g->result[rows + s].gate = reference_gate(scenes[s], g->text + 2 * TEXT * s);
+    return gates_choose(g, only, NULL, quick, why);
 }
 
 void gates_free(struct gates *g) {
@@ -90,46 +113,106 @@ void gates_free(struct gates *g) {
     *g = (struct gates){0};
 }
 
+/* The norm of a measure of slopes: "slope", "slope_NORM", "order" or "order_NORM"; -1 for any other measure. */
+static int slope_norm(const char *measure) {
+    if (strcmp(measure, "slope") == 0 || strcmp(measure, "order") == 0) return LADDER_L1;
+    if (strncmp(measure, "order_", 6) == 0) return words_index(ladder_norm_words, measure + 6);
+    return strncmp(measure, "slope_", 6) == 0 ? words_index(ladder_norm_words, measure + 6) : -1;
+}
+
 static void judge_refused(struct measured *m, const char *text) {
     m->verdict = VERDICT_FAIL;
     m->value = m->ci[0] = m->ci[1] = m->error = NAN;
     snprintf(m->reason, sizeof m->reason, "%.300s", text);
 }
 
-void gates_judge(const struct gate *gate, struct measured *m) {
+/* The words that let another program answer a gate, ended by NULL; what they keep lies below a name of the gate's. */
+struct words {
+    const char *word[9];
+    char keep[400], timeout[40];
+};
+
+static void words_of(const struct gate *gate, const struct program *g, struct words *w) {
+    int n = 0;
+    *w = (struct words){{NULL}, "", ""};
+    if (!g) return;
+    w->word[n++] = g->solver ? "--solver" : "--results";
+    w->word[n++] = g->solver ? g->solver : g->results;
+    if (g->keep) {
+        snprintf(w->keep, sizeof w->keep, "%.200s/%.100s", g->keep, gate->id);
+        w->word[n++] = "--keep", w->word[n++] = w->keep;
+    }
+    if (g->timeout > 0) {
+        snprintf(w->timeout, sizeof w->timeout, "%.17g", g->timeout);
+        w->word[n++] = "--timeout", w->word[n++] = w->timeout;
+    }
+    if (g->columns.text) w->word[n++] = "--columns", w->word[n++] = g->columns.text;
+}
+
+/* Of a ladder or a run alone: no other verb can be done by another program. */
+static int parse(const struct gate *gate, const struct program *program, struct request *r, struct failure *why) {
+    struct words w;
+    words_of(gate, program, &w);
+    if (arguments_parse_line_with(gate->command, w.word, r, why)) return why->status;
+    if (!isnan(gate->ceiling)) r->rungs.ceiling = gate->ceiling;
+    return STATUS_OK;
+}
+
+void gates_judge_by(const struct gate *gate, const struct program *program, struct measured *m) {
     struct request r;
     struct failure why;
     *m = (struct measured){0};
     const struct measure *measure = measures_find(gate->measure, m);
     if (!measure) return;
-    if (arguments_parse_line(gate->command, &r, &why)) {
+    if (parse(gate, program, &r, &why)) {
         judge_refused(m, why.text);
     } else if (measure->ceiling && !(gate->ceiling > 0)) {
         judge_refused(m, "this measure needs an error ceiling beside it");
     } else {
         measure->take(&r, gate->lo, gate->hi, m);
-        if (!isnan(gate->ceiling)) judge_ceiling(m->error, gate->ceiling, &m->verdict, m->reason, sizeof m->reason);
+        if (!isnan(gate->ceiling) && m->verdict != VERDICT_SKIPPED && slope_norm(gate->measure) < 0)
+            judge_ceiling(m->error, gate->ceiling, &m->verdict, m->reason, sizeof m->reason);
     }
     arguments_free(&r);
 }
 
-/* The norm of a measure of slopes: "slope" or "slope_NORM"; -1 for any other measure. */
-static int slope_norm(const char *measure) {
-    if (strcmp(measure, "slope") == 0) return LADDER_L1;
-    return strncmp(measure, "slope_", 6) == 0 ? words_index(ladder_norm_words, measure + 6) : -1;
+void gates_judge(const struct gate *gate, struct measured *m) {
+    gates_judge_by(gate, NULL, m);
+}
+
+static void put_word(FILE *out, const char *word) {
+    if (scratch_is_plain(word) || strncmp(word, "--", 2) == 0) {
+        fprintf(out, " %s", word);
+        return;
+    }
+    fprintf(out, " '");
+    for (; *word; word++)
+        if (*word == '\'')
+            fprintf(out, "'\\''");
+        else
+            fputc(*word, out);
+    fprintf(out, "'");
+}
+
+void gates_command_by(const struct gate *gate, const struct program *program, char *text, size_t size) {
+    struct words w;
+    int norm = slope_norm(gate->measure);
+    FILE *out = fmemopen(text, size, "w");
+    if (!out) return;
+    if (norm < 0)
+        fprintf(out, "verify --only '%s'", gate->id);
+    else
+        fprintf(out, "%s --expect %g,%g", gate->command, gate->lo, gate->hi);
+    if (norm > 0) fprintf(out, " --norm %s", ladder_norm_words[norm]);
+    if (norm >= 0 && !isnan(gate->ceiling)) fprintf(out, " --ceiling %.10g", gate->ceiling);
+    words_of(gate, program, &w);
+    for (int i = 0; w.word[i]; i++) put_word(out, w.word[i]);
+    fclose(out);
+    text[size - 1] = '\0';
 }
 
 void gates_command(const struct gate *gate, char *text, size_t size) {
-    int norm = slope_norm(gate->measure);
-    if (norm < 0) {
-        snprintf(text, size, "verify --only '%s'", gate->id);
-        return;
-    }
-    int used = snprintf(text, size, "%s --expect %g,%g", gate->command, gate->lo, gate->hi);
-    if (norm > 0 && (size_t)used < size)
-        used += snprintf(text + used, size - (size_t)used, " --norm %s", ladder_norm_words[norm]);
-    if (!isnan(gate->ceiling) && (size_t)used < size)
-        snprintf(text + used, size - (size_t)used, " --ceiling %.10g", gate->ceiling);
+    gates_command_by(gate, NULL, text, size);
 }
 
 /* About how many particle updates a command takes: the sum over rungs of particles x steps; steps = t kappa / (F
@@ -177,15 +260,18 @@ static int heaviest_first(const void *a, const void *b) {
 void gates_run(struct gates *g) {
     struct job *job = xcalloc((size_t)g->declared, sizeof *job);
     for (int i = 0; i < g->declared; i++) job[i] = (struct job){i, job_size_of(g->result[i].gate.command)};
-    qsort(job, (size_t)g->declared, sizeof *job, heaviest_first);
+    if (!g->program) qsort(job, (size_t)g->declared, sizeof *job, heaviest_first);
     struct progress progress = progress_start("gates", g->declared);
     int executed = 0;
-#pragma omp parallel for schedule(dynamic, 1) reduction(+ : executed)
+#pragma omp parallel for schedule(dynamic, 1) reduction(+ : executed) if (!g->program)
     for (int i = 0; i < g->declared; i++) {
         struct gate_result *result = &g->result[job[i].gate];
         double start = omp_get_wtime();
-        gates_command(&result->gate, result->typed, sizeof result->typed);
-        gates_judge(&result->gate, &result->measured);
+        gates_command_by(&result->gate, g->program, result->typed, sizeof result->typed);
+        size_t used = strlen(result->typed);
+        if (g->origin && strncmp(result->typed, "verify", 6) == 0)
+            snprintf(result->typed + used, sizeof result->typed - used, " %s", g->origin);
+        gates_judge_by(&result->gate, g->program, &result->measured);
         result->seconds = omp_get_wtime() - start;
         executed += !result->executed;
         result->executed = 1;
@@ -197,12 +283,16 @@ void gates_run(struct gates *g) {
 }
 
 int gates_status(const struct gates *g) {
-    int passed = 0, unclear = 0;
+    int passed = 0, unclear = 0, skipped = 0;
     for (int i = 0; i < g->declared; i++) {
-        passed += g->result[i].executed && g->result[i].measured.verdict == VERDICT_PASS;
-        unclear += g->result[i].executed && g->result[i].measured.verdict == VERDICT_INCONCLUSIVE;
+        const struct gate_result *r = &g->result[i];
+        passed += r->executed && r->measured.verdict == VERDICT_PASS;
+        unclear += r->executed && r->measured.verdict == VERDICT_INCONCLUSIVE;
+        skipped += r->executed && r->measured.verdict == VERDICT_SKIPPED;
     }
-    if (g->declared == 0 || g->executed != g->declared || passed + unclear < g->declared) return STATUS_GATE;
+    if (g->declared == 0 || g->executed != g->declared || passed + unclear + skipped < g->declared)
+        return STATUS_GATE;
+    if (!passed) unclear = 1;
     return unclear ? STATUS_INCONCLUSIVE : STATUS_OK;
 }
 

@@ -10,6 +10,7 @@
 #include <stddef.h>
 
 struct failure;
+struct program;
 
 enum gate_tier { TIER_QUICK, TIER_FULL }; /* quick: in every run; full: left out by --quick */
 
@@ -23,7 +24,7 @@ struct gate {
     const char *why;     /* where the bounds come from */
 };
 
-enum { GATES_COMMAND = 512 };
+enum { GATES_COMMAND = 4096, GATES_SOLVER = 2000 }; /* letters of a command, and of what runs a program */
 
 struct gate_result {
     struct gate gate;
@@ -36,8 +37,10 @@ struct gate_result {
 struct gates {
     int declared;
     int executed;
-    struct gate_result *result; /* declared of them, in the order of the table */
-    char *text;                 /* owned: names and commands of the references' gates */
+    struct gate_result *result;    /* declared of them, in the order of the table */
+    char *text;                    /* owned: names and commands of the references' gates */
+    const struct program *program; /* that answers all of them; NULL: each by its own command */
+    const char *origin;            /* words of `verify` without which these rows are not there; NULL for none */
 };
 
 extern const struct gate gates_table[]; /* ended by a NULL id */
@@ -48,17 +51,27 @@ extern const struct gate gates_table[]; /* ended by a NULL id */
 int gates_collect(const char *only, int quick, struct gates *g, struct failure *why);
 void gates_free(struct gates *g);
 
-/* Runs all, in parallel, the heaviest first. */
+/* One more row, whose texts outlive *g. */
+void gates_add(struct gates *g, const struct gate *gate);
+
+/* Leaves those whose id matches `only` and not `skip` (NULL: all, none), of the quick tier alone where asked.
+ * STATUS_OK; or STATUS_INPUT where none is left. */
+int gates_choose(struct gates *g, const char *only, const char *skip, int quick, struct failure *why);
+
+/* Runs all: in parallel, the heaviest first; by another program one after the other, as they stand. */
 void gates_run(struct gates *g);
 
-/* One row; never fails silently: what cannot be run is a failed verdict with its reason. */
+/* One row, answered by *program where there is one (NULL: by its own command); never fails silently: what cannot be
+ * run is a failed verdict with its reason. */
+void gates_judge_by(const struct gate *gate, const struct program *program, struct measured *m);
 void gates_judge(const struct gate *gate, struct measured *m);
 
 /* What shows the same verdict when it is typed after the program's name. */
+void gates_command_by(const struct gate *gate, const struct program *program, char *text, size_t size);
 void gates_command(const struct gate *gate, char *text, size_t size);
 
-/* STATUS_OK where as many were executed as declared and every one passed; STATUS_INCONCLUSIVE where none failed, but
- * some could not tell; else STATUS_GATE. */
+/* STATUS_OK where as many were executed as declared, none failed and one passed at least; STATUS_INCONCLUSIVE where
+ * none failed, but some could not tell or all were skipped; else STATUS_GATE. */
 int gates_status(const struct gates *g);
 
 /* 1 where a row of the table gates an order of that scene and method. */

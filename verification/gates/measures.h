@@ -14,6 +14,7 @@ struct measured {
         error; /* what a gate's ceiling bounds: E1; of a ladder its norm at the finest rung that counts; NaN: none */
     enum verdict verdict;
     char reason[320];
+    char diagnosis[200]; /* which usual fault the errors look like; "" where none was looked for */
 };
 
 struct measure {

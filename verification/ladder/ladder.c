@@ -170,6 +170,7 @@ static int climb_in_time(const struct experiment *e, const struct ladder_rungs *
 }
 
 static void judge(const struct ladder_rungs *rungs, struct ladder *l) {
+    if (rungs->scattered) l->window.scattered = 1;
     if (rungs->expect.count) ladder_judge(l, rungs->expect.value[0], rungs->expect.value[1]);
     if (!(rungs->ceiling > 0)) return;
     if (!rungs->expect.count && !l->failure.status) l->verdict = VERDICT_PASS, l->reason[0] = '\0';

@@ -34,6 +34,7 @@ struct ladder_rungs {
     struct numbers expect;  /* lowest and highest slope that pass; none where nothing is to be judged */
     double ceiling;         /* of the error at the finest rung that counts; 0: none */
     enum ladder_norm norm;  /* what is fitted and judged */
+    int scattered;          /* 1: the points may lie anywhere, so that errors may scatter (judge.h) */
 };
 
 struct ladder {

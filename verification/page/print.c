@@ -15,6 +15,10 @@ static int holds(const struct gate_result *r) {
     return r->executed && r->measured.verdict == VERDICT_PASS;
 }
 
+static int counts(const struct gate_result *r) {
+    return !r->executed || r->measured.verdict != VERDICT_SKIPPED;
+}
+
 static void print_all(const struct gates *g) {
     struct table t = table_headed(2, "gate|verdict|expected|measured|error|seconds|what");
     for (int i = 0; i < g->declared; i++) {
@@ -57,7 +61,7 @@ static void print_groups(const struct gates *g) {
         int of = 0, good = 0;
         if (!is_first(g, i)) continue;
         for (int k = i; k < g->declared; k++)
-            if (page_same_group(g->result[k].gate.id, id)) of++, good += holds(&g->result[k]);
+            if (page_same_group(g->result[k].gate.id, id)) of += counts(&g->result[k]), good += holds(&g->result[k]);
         const char *word = verdict_words[good == of ? VERDICT_PASS : VERDICT_FAIL];
         printf("%s%-14.*s %3d/%-3d%s%s", paint_start(stdout, word), (int)page_group_length(id), id, good, of,
                good == of ? " " : "!", paint_end(stdout, word));
@@ -73,7 +77,9 @@ static void print_failure(const struct gate_result *r) {
     printf("\n%s: %s%s%s: %s\n", gate->id, paint_start(stdout, word), word, paint_end(stdout, word), m->reason);
     if (isfinite(m->value)) printf("  measured %.6g, expected %.6g to %.6g", m->value, gate->lo, gate->hi);
     if (isfinite(m->value) && !isnan(gate->ceiling)) printf("; error %.4e, at most %.4e", m->error, gate->ceiling);
-    printf("%s  expected because: %s\n  heatladder %s\n", isfinite(m->value) ? "\n" : "", gate->why, r->typed);
+    printf("%s", isfinite(m->value) ? "\n" : "");
+    if (*m->diagnosis) printf("  diagnosis: %s\n", m->diagnosis);
+    printf("  expected because: %s\n  heatladder %s\n", gate->why, r->typed);
 }
 
 void print_gates(const struct gates *g, int all, double seconds) {
@@ -84,8 +90,13 @@ void print_gates(const struct gates *g, int all, double seconds) {
         print_groups(g);
     for (int i = 0; i < g->declared; i++) {
         count[g->result[i].measured.verdict]++;
-        if (!holds(&g->result[i])) print_failure(&g->result[i]);
+        if (g->result[i].measured.verdict == VERDICT_SKIPPED)
+            printf("\n%s: skipped: %s\n", g->result[i].gate.id, g->result[i].measured.reason);
+        else if (!holds(&g->result[i]))
+            print_failure(&g->result[i]);
     }
-    printf("\n%d gates declared, %d executed: %d passed, %d failed, %d inconclusive (%.2f s)\n", g->declared,
-           g->executed, count[VERDICT_PASS], count[VERDICT_FAIL], count[VERDICT_INCONCLUSIVE], seconds);
+    printf("\n%d gates declared, %d executed: %d passed, %d failed, %d inconclusive", g->declared, g->executed,
+           count[VERDICT_PASS], count[VERDICT_FAIL], count[VERDICT_INCONCLUSIVE]);
+    if (count[VERDICT_SKIPPED]) printf(", %d skipped", count[VERDICT_SKIPPED]);
+    printf(" (%.2f s)\n", seconds);
 }

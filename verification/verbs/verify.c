@@ -1,9 +1,11 @@
-/* heatladder verify: every gate, each with its reason. */
+/* heatladder verify: every gate, each with its reason; or those that another program is asked for. */
 #include "verification/command/verb.h"
 
 #include "references/scene.h"
 #include "solver/method.h"
 #include "verification/text/atomic_file.h"
+#include "verification/battery/battery.h"
+#include "verification/battery/gate_file.h"
 #include "verification/gates/gates.h"
 #include "verification/text/json.h"
 #include "verification/page/junit.h"
@@ -14,6 +16,9 @@
 
 #include <omp.h>
 #include <stdio.h>
+#include <string.h>
+
+enum { ORIGIN = 1100 };
 
 static void gate_json(const struct gate_result *r, struct json *j) {
     const struct gate *g = &r->gate;
@@ -33,6 +38,7 @@ static void gate_json(const struct gate_result *r, struct json *j) {
     json_number(j, "ceiling", g->ceiling);
     json_text(j, "verdict", verdict_words[m->verdict]);
     json_text(j, "reason", m->reason);
+    json_text(j, "diagnosis", *m->diagnosis ? m->diagnosis : NULL);
     json_text(j, "why", g->why);
     json_number(j, "seconds", r->seconds);
     json_end(j);
@@ -58,14 +64,42 @@ static int ungated(void) {
     return n;
 }
 
-static int verify(const struct request *r, struct gates *g, struct failure *why) {
+/* The rows: of a file, of the battery where another program answers, or the built-in ones. */
+static int collect(const struct request *r, struct gate_file *file, struct gates *g, char origin[],
+                   struct failure *why) {
+    const struct program *program = &r->experiment.program;
+    if (program->solver && strlen(program->solver) > GATES_SOLVER)
+        return refuse(why, STATUS_INPUT, "--solver: more than %d letters; put them into a script", GATES_SOLVER);
+    if (program->solver && (!strstr(program->solver, "{case}") || !strstr(program->solver, "{out}")))
+        return refuse(why, STATUS_INPUT, "--solver '%.200s': must hold {case} and {out}, which become paths",
+                      program->solver);
+    if (r->gates_path && r->order)
+        return refuse(why, STATUS_INPUT, "--gates and --order both say which rows: give one of them");
+    if (!program_given(program) && !r->gates_path) {
+        if (gates_collect(r->only, r->quick, g, why)) return why->status;
+        return r->skip ? gates_choose(g, NULL, r->skip, 0, why) : STATUS_OK;
+    }
+    if (program_given(program)) g->program = program;
+    if (r->gates_path && gate_file_open(r->gates_path, file, why)) return why->status;
+    for (int i = 0; i < file->count; i++) gates_add(g, &file->gate[i]);
+    if (!r->gates_path) battery_add(r->order ? r->order : 2, g);
+    g->origin = origin;
+    if (r->gates_path)
+        snprintf(origin, ORIGIN, "--gates '%.1000s'", r->gates_path);
+    else
+        snprintf(origin, ORIGIN, "--order %d", r->order ? r->order : 2);
+    return gates_choose(g, r->only, r->skip, r->quick, why);
+}
+
+static int verify(const struct request *r, struct gate_file *file, struct gates *g, struct failure *why) {
+    char origin[ORIGIN];
     if (atomic_file_check(r->json_path, why) || atomic_file_check(r->junit_path, why)) return why->status;
     if (atomic_file_check(r->page_path, why)) return why->status;
-    if (gates_collect(r->only, r->quick, g, why)) return why->status;
+    if (collect(r, file, g, origin, why)) return why->status;
     double start = omp_get_wtime();
     gates_run(g);
     print_gates(g, r->verbose, omp_get_wtime() - start);
-    if (!r->only && !r->quick && ungated())
+    if (!r->only && !r->quick && !r->skip && !g->origin && ungated())
         printf("%d pairs of scene and method have no gated ladder (see: heatladder list gates)\n", ungated());
     if (r->json_path && write_json(g, r->json_path, why)) return why->status;
     if (r->junit_path && junit_write(g, r->junit_path, why)) return why->status;
@@ -75,8 +109,10 @@ static int verify(const struct request *r, struct gates *g, struct failure *why)
 
 int verb_verify(const struct request *r, struct failure *why) {
     struct gates gates = {0};
-    int status = verify(r, &gates, why);
+    struct gate_file file = {0};
+    int status = verify(r, &file, &gates, why);
     if (!status) status = gates_status(&gates);
     gates_free(&gates);
+    gate_file_free(&file);
     return status;
 }

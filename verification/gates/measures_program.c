@@ -1,0 +1,86 @@
+/* What is asked of another program beside its errors. */
+#include "verification/gates/measures.h"
+
+#include "solver/field.h"
+#include "verification/command/request.h"
+#include "verification/ladder/self_difference.h"
+#include "verification/run/run.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+
+/* The status of a run or a ladder as a verdict, with its reason. */
+static void fail(struct measured *m, const struct failure *why) {
+    measures_fail(m, why->text);
+    if (why->status == STATUS_SKIPPED) m->verdict = VERDICT_SKIPPED;
+}
+
+static void skip(struct measured *m, const char *text) {
+    measures_fail(m, text);
+    m->verdict = VERDICT_SKIPPED;
+}
+
+void measures_quantity(const struct request *r, double lo, double hi, struct measured *m) {
+    struct result result;
+    if (run_experiment(&r->experiment, &result, NULL)) {
+        fail(m, &result.failure);
+    } else if (!result.derived_name) {
+        measures_fail(m, "this measure needs --quantity in its command");
+    } else {
+        measures_fail(m, "");
+        measures_judge(m, result.derived_error, lo, hi);
+        m->error = result.error.l1;
+    }
+}
+
+/* A program that takes a time step of its own gives the same at each that is asked for: the row is not for it. */
+void measures_slope_time(const struct request *r, double lo, double hi, struct measured *m) {
+    struct failure why = {0};
+    struct ladder *l = xcalloc(1, sizeof *l);
+    struct ladder_rungs rungs = r->rungs;
+    rungs.expect = (struct numbers){.count = 2, .value = {lo, hi}};
+    int status = ladder_run(&r->experiment, &rungs, l, &why), differ = 0;
+    for (int i = 0; i < l->n; i++) differ += l->error[i] != 0;
+    if (status) {
+        why.status = status;
+        fail(m, &why);
+    } else if (!differ) {
+        skip(m, "the answers are the same for every dt: the program takes a time step of its own");
+    } else {
+        *m = (struct measured){.value = l->slope.value,
+                               .ci = {l->slope.ci[0], l->slope.ci[1]},
+                               .error = ladder_finest_error(l),
+                               .verdict = l->verdict};
+        snprintf(m->reason, sizeof m->reason, "%s", l->reason);
+    }
+    free(l);
+}
+
+static double largest(const struct field *f) {
+    double most = 0;
+    for (size_t i = 0; i < f->n; i++) most = fmax(most, fabs(f->T[i]));
+    return most;
+}
+
+void measures_repeat(const struct request *r, double lo, double hi, struct measured *m) {
+    const struct experiment *e = &r->experiment;
+    struct result first, second;
+    struct field a = {0}, b = {0};
+    struct norms_error apart;
+    if (!e->program.solver) {
+        skip(m, "needs --solver: what lies there is one run");
+    } else if (run_experiment(e, &first, &a)) {
+        fail(m, &first.failure);
+    } else if (run_experiment(e, &second, &b)) {
+        fail(m, &second.failure);
+    } else if (!self_difference_fields(&e->problem, &a, &b, &apart)) {
+        skip(m, "the points differ from run to run");
+    } else {
+        measures_fail(m, "");
+        measures_judge(m, apart.linf / largest(&a), lo, hi);
+        m->error = first.error.l1;
+    }
+    field_free(&a);
+    field_free(&b);
+}

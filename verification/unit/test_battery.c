@@ -1,0 +1,225 @@
+/* The battery: correct codes pass it, live and later, and each planted fault is seen by the rows that are there for
+ * it. */
+#include "verification/unit/control_volumes.inc"
+
+#include "verification/battery/battery.h"
+#include "verification/command/arguments.h"
+#include "verification/foreign/program.h"
+#include "verification/run/run.h"
+
+#include "verification/unit/near.h"
+
+#include <fnmatch.h>
+#include <unistd.h>
+
+static const char *self; /* this program */
+static char dir[] = "/tmp/battery-test-XXXXXX";
+
+/* The rows that match, judged by this program's code (run as PROGRAM --solve ...): how many of the verdict. */
+static int count(int order, const char *code, const char *only, enum verdict verdict, int tell) {
+    struct program program = {.label = "mine"};
+    struct gates g = {.program = &program};
+    struct failure why;
+    char command[300];
+    int n = 0;
+    snprintf(command, sizeof command, "%s --solve %s {case} {out}", self, code);
+    program.solver = command;
+    battery_add(order, &g);
+    if (gates_choose(&g, only, NULL, 0, &why)) fail_msg("%s", why.text);
+    gates_run(&g);
+    for (int i = 0; i < g.declared; i++) {
+        const struct measured *m = &g.result[i].measured;
+        n += m->verdict == verdict;
+        if (tell && m->verdict != verdict) print_message("%s, %s: %s\n", code, g.result[i].gate.id, m->reason);
+    }
+    int left = tell ? g.declared - n : n;
+    gates_free(&g);
+    return left;
+}
+
+static void correct_codes_pass(void **state) {
+    (void)state;
+    assert_int_equal(count(2, "cell mean 0.3 none", NULL, VERDICT_PASS, 1), 0);
+    assert_int_equal(count(2, "node mean 0.45 none", NULL, VERDICT_PASS, 1), 0);
+    assert_int_equal(count(2, "cell mean 0.25 none", "[sjcw]*", VERDICT_PASS, 1), 0); /* F = 1/6 at walls: order 4 */
+    assert_int_equal(count(1, "cell point 0.25 wall", "[sjcw]*", VERDICT_PASS, 1),
+                     0); /* half a cell off: first order */
+    assert_int_equal(count(1, "node point 0.4 jump", "[sjcw]*", VERDICT_PASS, 1), 0);
+}
+
+/* "sees" of each row, kept; what a code cannot have is not there: no face of nodes lies on the interface. */
+static void faults_are_seen(void **state) {
+    (void)state;
+    static const struct {
+        const char *code, *rows;
+        int least; /* rows that must not pass */
+    } fault[] = {{"cell mean 0.25 step-fewer", "smooth/clock", 1},
+                 {"node mean 0.25 step-fewer", "smooth/clock", 1},
+                 {"cell point 0.2 step-more", "smooth/clock", 1},
+                 {"node mean 0.4 step-more", "smooth/clock", 1},
+                 {"cell mean 0.25 last-step", "smooth/clock", 1},
+                 {"node mean 0.2 last-step", "smooth/clock", 1},
+                 {"cell mean 0.25 conductivity", "[sw]*[gd]", 1},
+                 {"node mean 0.45 conductivity", "walls/*", 2},
+                 {"cell mean 0.25 capacity", "contact/*", 3},
+                 {"node mean 0.25 capacity", "contact/*", 3},
+                 {"cell mean 0.25 arithmetic", "contact/*", 3},
+                 {"cell mean 0.25 wall", "walls/cooled", 1},
+                 {"node mean 0.25 wall", "walls/*", 2},
+                 {"cell mean 0.25 corner", "plane/largest", 1},
+                 {"node mean 0.25 corner", "plane/cooled", 1},
+                 {"cell mean 0.25 flux-sign", "plane/source", 1},
+                 {"cell mean 0.25 swap-k", "plane/s*", 2},
+                 {"cell mean 0.25 axes", "plane/s*", 2},
+                 {"cell mean 0.25 source", "plane/source", 1},
+                 {"cell mean 0.25 interface", "contact/*", 3},
+                 {"node mean 0.25 interface", "contact/*", 3},
+                 {"cell mean 0.25 jump", "jump/*", 2},
+                 {"node mean 0.25 jump", "jump/*", 2},
+                 {"cell point 0.25 none", "jump/between", 1},
+                 {"cell mean 0.25 single", "contact/steady", 1},
+                 {"node mean 0.25 single", "contact/steady", 1},
+                 {"cell mean 0.25 race", "whole/repeat", 1}};
+    int missed = 0;
+    for (size_t i = 0; i < sizeof fault / sizeof *fault; i++) {
+        struct gates g = {0};
+        struct failure why;
+        battery_add(2, &g);
+        if (gates_choose(&g, fault[i].rows, NULL, 0, &why)) fail_msg("%s", why.text);
+        int seen = g.declared - count(2, fault[i].code, fault[i].rows, VERDICT_PASS, 0);
+        if (seen < fault[i].least) missed++, print_message("%s: seen by %d\n", fault[i].code, seen);
+        gates_free(&g);
+    }
+    assert_int_equal(missed, 0);
+}
+
+/* What the five-point difference leaves at the finest spacing of a row, times four; of jump/between at a jump on
+ * faces, since values at centres would be of the first order there. */
+static void ceilings_are_four_times_the_five_point_difference(void **state) {
+    (void)state;
+    int rows = 0, wrong = 0;
+    for (const struct battery_row *row = battery_table; row->order; row++) {
+        const struct gate *g = &row->gate;
+        char line[400], finest[40], *at;
+        struct request r;
+        struct failure why;
+        struct result result;
+        if (!strstr(g->why, "bounds: 4 times the five-point difference") || strncmp(g->command, "ladder", 6) != 0)
+            continue;
+        snprintf(line, sizeof line, "run%.300s", g->command + 6);
+        at = strstr(line, " mine ");
+        memcpy(at, " ftcs ", 6);
+        if ((at = strstr(line, " --set a=8/15"))) memmove(at, at + 13, strlen(at + 13) + 1);
+        snprintf(finest, sizeof finest, "%s", strrchr(line, ',') + 1);
+        at = strstr(line, "--dx ");
+        snprintf(at, 45, "--dx %s", finest);
+        if (arguments_parse_line(line, &r, &why) || run_experiment(&r.experiment, &result, NULL))
+            fail_msg("%s: %s%s", line, why.text, result.failure.text);
+        double left = 4 * (strcmp(g->measure, "order_linf") == 0 ? result.error.linf : result.error.l1);
+        if (!(fabs(g->ceiling / left - 1) < 0.02))
+            wrong++, print_message("%s: %.5g, not %.5g\n", g->id, left, g->ceiling);
+        rows++;
+        arguments_free(&r);
+    }
+    assert_int_equal(wrong, 0);
+    assert_true(rows >= 12);
+}
+
+/* What the cases of `case --battery` say is enough, and their answers get the verdicts of a live run. */
+static void later_is_as_now(void **state) {
+    (void)state;
+    struct program program = {.label = "mine", .results = dir};
+    struct gates g = {.program = &program};
+    struct failure why = {0};
+    char path[200], command[400], line[300];
+    int written, lines = 0;
+    battery_add(2, &g);
+    if (gates_choose(&g, "[sjcw]*", "whole/repeat", 0, &why) || battery_write(&g, dir, &written, &why))
+        fail_msg("%s", why.text);
+    snprintf(command, sizeof command,
+             "while read d; do %s --solve node mean 0.3 none $d/case $d/out.csv || exit 1; done "
+             "<%s/cases.txt",
+             self, dir);
+    assert_int_equal(system(command), 0);
+    snprintf(path, sizeof path, "%s/cases.txt", dir);
+    FILE *list = fopen(path, "r");
+    while (fgets(line, sizeof line, list)) lines++;
+    fclose(list);
+    assert_true(lines > 20 && lines < written); /* rows that share a case have it once */
+    gates_run(&g);
+    for (int i = 0; i < g.declared; i++)
+        if (g.result[i].measured.verdict != VERDICT_PASS)
+            fail_msg("%s: %s", g.result[i].gate.id, g.result[i].measured.reason);
+    assert_int_equal(gates_status(&g), STATUS_OK);
+    gates_free(&g);
+}
+
+/* The command beside a failure shows it. */
+static void a_failure_can_be_typed(void **state) {
+    (void)state;
+    struct program program = {.timeout = 100};
+    char command[GATES_COMMAND], solver[300];
+    snprintf(solver, sizeof solver, "%s --solve cell mean 0.25 'arithmetic' {case} {out}", self);
+    program.solver = solver;
+    for (const struct battery_row *row = battery_table; row->order; row++) {
+        struct request r;
+        struct failure why = {0};
+        struct ladder *l = xcalloc(1, sizeof *l);
+        if (row->order != 2 || strcmp(row->gate.id, "contact/wall") != 0) {
+            free(l);
+            continue;
+        }
+        gates_command_by(&row->gate, &program, command, sizeof command);
+        assert_non_null(strstr(command, "--solve cell mean 0.25 '\\''arithmetic'\\'' {case}"));
+        for (char *c; (c = strstr(command, "'\\''"));) memmove(c, c + 4, strlen(c + 4) + 1); /* as a shell reads it */
+        if (arguments_parse_line(command, &r, &why)) fail_msg("%s: %s", command, why.text);
+        ladder_run(&r.experiment, &r.rungs, l, &why);
+        assert_int_equal(l->verdict, VERDICT_FAIL);
+        arguments_free(&r);
+        free(l);
+    }
+}
+
+static void every_row_says_what_it_sees(void **state) {
+    (void)state;
+    for (const struct battery_row *row = battery_table; row->order; row++) {
+        const char *const more[] = {"--solver", "{case}{out}", NULL};
+        struct request r;
+        struct failure why;
+        struct measured m;
+        if (arguments_parse_line_with(row->gate.command, more, &r, &why)) fail_msg("%s: %s", row->gate.id, why.text);
+        arguments_free(&r);
+        assert_non_null(measures_find(row->gate.measure, &m));
+        assert_true(row->gate.lo < row->gate.hi);
+        assert_int_equal(strncmp(row->gate.why, "sees ", 5), 0);
+        for (const struct battery_row *other = battery_table; other < row; other++)
+            if (other->order == row->order && strcmp(other->gate.id, row->gate.id) == 0)
+                fail_msg("%s twice", row->gate.id);
+    }
+}
+
+static int make(void **state) {
+    (void)state;
+    return mkdtemp(dir) == NULL;
+}
+
+static int clean(void **state) {
+    char command[100];
+    (void)state;
+    snprintf(command, sizeof command, "rm -rf %s", dir);
+    return system(command);
+}
+
+int main(int argc, char **argv) {
+    self = argv[0];
+    if (argc == 8 && strcmp(argv[1], "--solve") == 0) return volumes_main(argv, (unsigned)getpid());
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(correct_codes_pass),
+        cmocka_unit_test(faults_are_seen),
+        cmocka_unit_test(ceilings_are_four_times_the_five_point_difference),
+        cmocka_unit_test(later_is_as_now),
+        cmocka_unit_test(a_failure_can_be_typed),
+        cmocka_unit_test(every_row_says_what_it_sees),
+    };
+    return cmocka_run_group_tests_name("battery", tests, make, clean);
+}
