@@ -1,0 +1,128 @@
+/* Rows of gates as text: what is taken, and where what is not is found. */
+#include "verification/battery/gate_file.h"
+
+#include "solver/status.h"
+
+#include "verification/unit/near.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <unistd.h>
+
+#define ROW(id) "GATE(\"" id "\", QUICK, \"error\", \"run rod-gauss ftcs --dx 0.5\", 0, 1e-3, NAN, \"small\")\n"
+
+static int read_text(const char *text, struct gate_file *f, struct failure *why) {
+    *why = (struct failure){0};
+    return gate_file_read(text, strlen(text), "rows", f, why);
+}
+
+static void rows_are_taken_as_c_writes_them(void **state) {
+    (void)state;
+    struct gate_file f;
+    struct failure why;
+    const char *text = "/* mine,\n   in two lines */\n" ROW(
+        "a/b") "// another\n"
+               "GATE ( \"c\" , FULL,\"slope\", \"ladder rod-gauss ftcs \"\n   \"--dx 1,0.5\" /* , */,\n"
+               " 1.9, 2.1e0, 1/1000, \"say \\\"why\\\"\\n\" )";
+    if (read_text(text, &f, &why)) fail_msg("%s", why.text);
+    assert_int_equal(f.count, 2);
+    assert_string_equal(f.gate[0].id, "a/b");
+    assert_true(f.gate[0].tier == TIER_QUICK && f.gate[0].lo == 0 && f.gate[0].hi == 1e-3 &&
+                isnan(f.gate[0].ceiling));
+    assert_string_equal(f.gate[1].command, "ladder rod-gauss ftcs --dx 1,0.5");
+    assert_string_equal(f.gate[1].why, "say \"why\"\n");
+    assert_true(f.gate[1].tier == TIER_FULL && f.gate[1].hi == 2.1 && f.gate[1].ceiling == 1e-3);
+    gate_file_free(&f);
+}
+
+/* The built-in tables are of this form. */
+static void a_table_of_our_own_is_taken(void **state) {
+    (void)state;
+    struct gate_file f;
+    struct failure why;
+    if (gate_file_open("verification/gates/manufactured.def", &f, &why)) fail_msg("%s", why.text);
+    int same = 0;
+    for (int i = 0; i < f.count; i++)
+        for (const struct gate *g = gates_table; g->id; g++)
+            same += strcmp(g->id, f.gate[i].id) == 0 && strcmp(g->command, f.gate[i].command) == 0 &&
+                    strcmp(g->why, f.gate[i].why) == 0 && g->lo == f.gate[i].lo && g->hi == f.gate[i].hi;
+    assert_true(f.count > 20);
+    assert_int_equal(same, f.count);
+    gate_file_free(&f);
+}
+
+static void what_is_wrong_is_found_with_its_place(void **state) {
+    (void)state;
+    static const struct {
+        const char *text, *said;
+    } bad[] = {
+        {"", "rows, line 1, column 1: no row"},
+        {" /* only */ ", "no row"},
+        {"/* open", "line 1, column 1: this comment has no end"},
+        {ROW("a") "gate(1)", "line 2, column 1: expected GATE(...), found gate(1)"},
+        {"GATE[", "column 5: expected '(', found ["},
+        {"GATE(a", "column 6: expected the id in \"...\", found a"},
+        {"GATE(\"a", "column 6: this text has no closing \""},
+        {"GATE(\"a\nb\"", "line 1, column 6: this text has no closing \""},
+        {"GATE(\"\", QUICK", "the id is empty"},
+        {"GATE(\"a\" QUICK", "column 10: expected ',', found QUICK"},
+        {"GATE(\"a\", quick,", "column 11: expected QUICK or FULL, found quick,"},
+        {"GATE(\"a\\x\", QUICK", "of escapes"},
+        {"GATE(\"a\", QUICK, \"error\", \"run\", zero", "expected the lower bound, a number or NAN, found zero"},
+        {"GATE(\"a\", QUICK, \"error\", \"run\", 0, 1, NAN, \"w\"", "expected ')', found the end of the line"},
+        {"GATE(\"a\", QUICK, \"error\", \"run\", 0, 1, NAN, \"w\"\n,", "line 2, column 1: expected ')', found ,"},
+        {"GATE(\"a\", QUICK, \"eror\", \"run\", 0, 1, NAN, \"w\")", "unknown measure 'eror'; did you mean 'error'?"},
+        {"GATE(\"a\", QUICK, \"error\", \"run\", 2, 1, NAN, \"w\")", "2 to 1 is no band"},
+        {"GATE(\"a\", QUICK, \"slope\", \"ladder\", 1, 2, NAN, \"w\")", "slope needs a ceiling > 0"},
+        {ROW("a") ROW("b") ROW("a"), "'a', is there twice"},
+        {"GATE(\"a\", QUICK, \"error\", \"run\", 0.0000000000000000000000000000000000000000001, 1, NAN, \"w\")",
+         "more than 39 letters"},
+    };
+    for (size_t i = 0; i < sizeof bad / sizeof *bad; i++) {
+        struct gate_file f;
+        struct failure why;
+        assert_int_equal(read_text(bad[i].text, &f, &why), STATUS_INPUT);
+        if (!strstr(why.text, bad[i].said)) fail_msg("\"%s\" does not say \"%s\"", why.text, bad[i].said);
+        gate_file_free(&f);
+    }
+}
+
+/* Any bytes, also cut anywhere, are refused or taken; a sanitizer sees what is read or written beyond them. */
+static void any_prefix_is_survived(void **state) {
+    (void)state;
+    const char *text = "/**/GATE(\"a\", QUICK, \"error\", \"r\" \"\\\"\", -1, INFINITY, NAN, \"w\") // ";
+    for (size_t n = 0; n <= strlen(text); n++) {
+        struct gate_file f;
+        struct failure why = {0};
+        char *part = malloc(n + 1);
+        memcpy(part, text, n);
+        part[n] = '\1';
+        int status = gate_file_read(part, n, "rows", &f, &why);
+        assert_true(status == STATUS_INPUT || f.count == 1);
+        gate_file_free(&f);
+        free(part);
+    }
+}
+
+static void files_that_are_none(void **state) {
+    (void)state;
+    struct gate_file f;
+    struct failure why = {0};
+    assert_int_equal(gate_file_open("/nonexistent/rows", &f, &why), STATUS_INPUT);
+    gate_file_free(&f);
+    assert_int_equal(gate_file_open("verification", &f, &why), STATUS_INPUT);
+    gate_file_free(&f);
+}
+
+int main(void) {
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(rows_are_taken_as_c_writes_them),
+        cmocka_unit_test(a_table_of_our_own_is_taken),
+        cmocka_unit_test(what_is_wrong_is_found_with_its_place),
+        cmocka_unit_test(any_prefix_is_survived),
+        cmocka_unit_test(files_that_are_none),
+    };
+    return cmocka_run_group_tests_name("gate_file", tests, NULL, NULL);
+}
