@@ -123,7 +123,7 @@ void manual_completion(FILE *out) {
     put_values(out);
     fprintf(out, "    *) case \"$verb\" in\n");
     for (const struct verb *v = verbs; v->name; v++) {
-        fprintf(out, "    %s) words=\"%s%s --help", v->name, words_among(v->positionals, "SCENE") ? "$scenes " : "",
+        fprintf(out, "    %s) words=\"%s%s --help", v->name, strstr(v->positionals, "SCENE") ? "$scenes " : "",
                 words_among(v->positionals, "METHOD") ? "$methods" : "");
         put_options(v, out);
         fprintf(out, "\" ;;\n");

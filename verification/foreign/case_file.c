@@ -104,6 +104,28 @@ void case_file_write(const struct scene *s, const struct problem *p, const struc
     fprintf(out, "\nthreads = %d\n", o->threads > 1 ? o->threads : 1);
 }
 
+static int divides(const struct problem *p, double dx) {
+    for (int a = 0; a < p->dim; a++) {
+        double cells = (p->hi[a] - p->lo[a]) / dx;
+        if (!(nearbyint(cells) >= 1 && fabs(cells - nearbyint(cells)) <= 1e-6 * cells)) return 0;
+    }
+    return 1;
+}
+
+int case_file_check(const struct problem *p, double dx, struct failure *why) {
+    enum { SEARCH = 100000 };
+    double extent = p->hi[0] - p->lo[0], coarse = floor(extent / dx), fine = coarse + 1;
+    char near[80] = "";
+    if (divides(p, dx)) return STATUS_OK;
+    for (int i = 0; i < SEARCH && coarse >= 1 && !divides(p, extent / coarse); i++) coarse--;
+    for (int i = 0; i < SEARCH && !divides(p, extent / fine); i++) fine++;
+    if (coarse >= 1) snprintf(near, sizeof near, "; %.10g does", extent / coarse);
+    size_t used = strlen(near);
+    if (divides(p, extent / fine))
+        snprintf(near + used, sizeof near - used, "%s %.10g does", used ? " and" : ";", extent / fine);
+    return refuse(why, STATUS_INPUT, "--dx %.10g: does not divide the domain into whole cells%s", dx, near);
+}
+
 int case_file_value(const char *text, const char *key, char *value, size_t size) {
     size_t length = strlen(key);
     for (const char *line = text; line; line = strchr(line, '\n')) {

@@ -18,6 +18,10 @@ struct case_extra { /* what is not of the problem */
     const char *name, *value; /* of --vary; NULL for none */
 };
 
+/* STATUS_OK; or STATUS_INPUT where dx (m) does not divide each extent of *p into whole cells, to a millionth of their
+ * number, with the nearest spacings that do. */
+int case_file_check(const struct problem *p, double dx, struct failure *why);
+
 /* Writes what another program must know to solve *p, of the scene *s, at *o. */
 void case_file_write(const struct scene *s, const struct problem *p, const struct options *o,
                      const struct case_extra *extra, FILE *out);

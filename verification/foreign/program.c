@@ -158,6 +158,7 @@ static int solve_at(const struct program *g, const struct scene *s, const struct
                     struct scratch *scratch, struct field *f, struct failure *why) {
     struct place at;
     *why = (struct failure){0};
+    if (case_file_check(p, o->dx, why)) return why->status;
     if (choose_place(g, s, o, scratch, &at, why) || write_case(g, s, p, o, at.input, why)) return why->status;
     double begin = omp_get_wtime();
     int status = run_command(g, s, o, &at, scratch, why);

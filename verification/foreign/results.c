@@ -199,6 +199,10 @@ static int write_all(const struct results_place *at, const struct scene *s, cons
     struct options with = *o;
     if (results_of_scene(at->dir, s, "", path) || results_of_scene(at->dir, s, at->setting, of_scene))
         return refuse(why, STATUS_INPUT, "--into '%.300s': too long a path", at->dir);
+    for (const char *next = dx; next;) {
+        next = next_name(next, &with.dx, name);
+        if (case_file_check(p, with.dx, why)) return why->status;
+    }
     if (make(at->dir, why) || make(path, why) || make(of_scene, why)) return STATUS_INPUT;
     for (*written = 0; dx; ++*written) {
         dx = next_name(dx, &with.dx, name);

@@ -19,6 +19,11 @@ static int passed(const struct page_gate *g) {
     return strcmp(g->verdict, "pass") == 0;
 }
 
+/* What a program says is not for it is no failure, and counts nowhere. */
+static int skipped(const struct page_gate *g) {
+    return strcmp(g->verdict, "skipped") == 0;
+}
+
 static void put_band(const struct page_gate *g, FILE *out) {
     char text[160];
     if (g->lo == 0)
@@ -51,7 +56,7 @@ static void put_header(FILE *out) {
 void page_put_group(const struct page_gate *gate, int count, const char *group, FILE *out) {
     int n = 0, good = 0;
     for (int i = 0; i < count; i++)
-        if (page_same_group(gate[i].id, group)) n++, good += passed(&gate[i]);
+        if (page_same_group(gate[i].id, group)) n += !skipped(&gate[i]), good += passed(&gate[i]);
     if (n == 0) return;
     fprintf(out, "<details><summary>%d of %d gates hold</summary>\n", good, n);
     put_header(out);
@@ -74,7 +79,7 @@ static void put_groups(const struct page_gate *gate, int count, FILE *out) {
         int n = 0, good = 0, first = 1;
         for (int k = 0; k < i && first; k++) first = !page_same_group(gate[k].id, gate[i].id);
         for (int k = 0; k < count && first; k++)
-            if (page_same_group(gate[k].id, gate[i].id)) n++, good += passed(&gate[k]);
+            if (page_same_group(gate[k].id, gate[i].id)) n += !skipped(&gate[k]), good += passed(&gate[k]);
         if (!first) continue;
         fprintf(out, "<li>%.*s %d/%d ", (int)page_group_length(gate[i].id), gate[i].id, good, n);
         html_verdict(out, good == n ? "pass" : "fail");
@@ -84,14 +89,16 @@ static void put_groups(const struct page_gate *gate, int count, FILE *out) {
 }
 
 void page_put_gates(const struct page_gate *gate, int count, FILE *out) {
-    int good = 0;
-    for (int i = 0; i < count; i++) good += passed(&gate[i]);
+    int good = 0, n = 0;
+    for (int i = 0; i < count; i++) n += !skipped(&gate[i]), good += passed(&gate[i]);
     fprintf(out, "<p class=\"verdict\">");
-    html_verdict(out, count > 0 && good == count ? "pass" : "fail");
-    fprintf(out, ": %d of %d gates hold</p>\n", good, count);
+    html_verdict(out, n > 0 && good == n ? "pass" : "fail");
+    fprintf(out, ": %d of %d gates hold", good, n);
+    if (n < count) fprintf(out, ", %d skipped", count - n);
+    fprintf(out, "</p>\n");
     page_put_origin(out);
     for (int i = 0; i < count; i++)
-        if (!passed(&gate[i])) put_failure(&gate[i], out);
+        if (!passed(&gate[i]) && !skipped(&gate[i])) put_failure(&gate[i], out);
     put_groups(gate, count, out);
     fprintf(out, "<details><summary>Every gate</summary>\n");
     put_header(out);

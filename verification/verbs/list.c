@@ -4,6 +4,7 @@
 #include "references/scene.h"
 #include "solver/method.h"
 #include "verification/claims/claims.h"
+#include "verification/battery/battery.h"
 #include "verification/gates/gates.h"
 #include "verification/command/request.h"
 #include "verification/text/table.h"
@@ -70,6 +71,15 @@ static void list_gates(void) {
                 printf("  %s %s\n", scenes[s]->name, methods[m]->name);
 }
 
+static void list_battery(void) {
+    for (const struct battery_row *row = battery_table; row->order; row++) {
+        const struct gate *g = &row->gate;
+        printf("%s (order %d): %s in [%g, %g]", g->id, row->order, g->measure, g->lo, g->hi);
+        if (!isnan(g->ceiling)) printf(", error at most %g", g->ceiling);
+        printf("\n  heatladder %s --solver 'CMD'\n  %s\n", g->command, g->why);
+    }
+}
+
 static void list_claims(void) {
     for (const struct claims_row *row = claims_table; row->id; row++)
         printf("%s: %s (%s)\n  expected: %s\n", row->id, row->published, row->source,
@@ -79,13 +89,9 @@ static void list_claims(void) {
 static const struct topic {
     const char *name;
     void (*list)(void);
-} topics[] = {{"scenes", list_scenes},
-              {"methods", list_methods},
-              {"kernels", list_kernels},
-              {"steppers", list_steppers},
-              {"gates", list_gates},
-              {"claims", list_claims},
-              {0}};
+} topics[] = {
+    {"scenes", list_scenes}, {"methods", list_methods}, {"kernels", list_kernels}, {"steppers", list_steppers},
+    {"gates", list_gates},   {"battery", list_battery}, {"claims", list_claims},   {0}};
 
 int verb_list(const struct request *r, struct failure *why) {
     const char *names[WORDS_MAX] = {0};
