@@ -119,6 +119,7 @@ OF_RUN(error_linf, of.error.linf)
 OF_RUN(overshoot, fmax(of.shape.overshoot, of.shape.undershoot))
 OF_RUN(heat_drift, of.heat_drift)
 OF_RUN(quantity, of.derived_name ? of.derived : NAN)
+OF_RUN(quantity_error, of.derived_name ? of.derived_error : NAN)
 OF_RUN(checkerboard, of.shape.checkerboard)
 #undef OF_RUN
 

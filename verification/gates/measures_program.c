@@ -21,19 +21,6 @@ static void skip(struct measured *m, const char *text) {
     m->verdict = VERDICT_SKIPPED;
 }
 
-void measures_quantity(const struct request *r, double lo, double hi, struct measured *m) {
-    struct result result;
-    if (run_experiment(&r->experiment, &result, NULL)) {
-        fail(m, &result.failure);
-    } else if (!result.derived_name) {
-        measures_fail(m, "this measure needs --quantity in its command");
-    } else {
-        measures_fail(m, "");
-        measures_judge(m, result.derived_error, lo, hi);
-        m->error = result.error.l1;
-    }
-}
-
 /* A program that takes a time step of its own gives the same at each that is asked for: the row is not for it. */
 void measures_slope_time(const struct request *r, double lo, double hi, struct measured *m) {
     struct failure why = {0};

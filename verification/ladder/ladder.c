@@ -194,7 +194,8 @@ int ladder_run(const struct experiment *e, const struct ladder_rungs *rungs, str
         ladder_fit(l, e->derived ? LADDER_QUANTITY : rungs->norm);
         judge(rungs, l);
         int judged = rungs->expect.count || rungs->ceiling > 0;
-        l->diagnosed = judged && l->verdict != VERDICT_PASS && !l->in_time && !l->vary[0] && !l->failure.status;
+        int wanted = rungs->diagnose || (judged && l->verdict != VERDICT_PASS);
+        l->diagnosed = wanted && !l->in_time && !l->vary[0] && !l->failure.status;
         if (l->diagnosed) diagnose_ladder(e, kept, l);
         l->seconds = omp_get_wtime() - start;
     }

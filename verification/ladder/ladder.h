@@ -34,6 +34,7 @@ struct ladder_rungs {
     struct numbers expect;  /* lowest and highest slope that pass; none where nothing is to be judged */
     double ceiling;         /* of the error at the finest rung that counts; 0: none */
     enum ladder_norm norm;  /* what is fitted and judged */
+    int diagnose;           /* 1: also where the ladder passes or nothing is judged */
     int scattered;          /* 1: the points may lie anywhere, so that errors may scatter (judge.h) */
 };
 
@@ -57,7 +58,8 @@ struct ladder {
     struct failure failure; /* of the first rung that failed numerically */
     enum verdict verdict;
     char reason[240];
-    int diagnosed; /* 1: a ladder in space did not pass, and `diagnosis` says what its errors look like */
+    int diagnosed; /* 1: a ladder in space did not pass, or it was asked: `diagnosis` says what its errors look like
+                    */
     struct diagnosis diagnosis;
     double seconds;
 };

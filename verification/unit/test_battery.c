@@ -154,6 +154,19 @@ static void later_is_as_now(void **state) {
     gates_free(&g);
 }
 
+/* The exact solution with an error of space alone: no step of its own is judged. */
+static void steps_of_its_own_are_not_judged(void **state) {
+    (void)state;
+    struct program program = {.label = "mine",
+                              .solver = "awk -v error=floor -f verification/unit/stand_in.awk {case} >{out}"};
+    for (const struct battery_row *row = battery_table; row->order; row++) {
+        struct measured m;
+        if (strcmp(row->gate.id, "whole/time") != 0) continue;
+        gates_judge_by(&row->gate, &program, &m);
+        assert_int_equal(m.verdict, VERDICT_SKIPPED);
+    }
+}
+
 /* The command beside a failure shows it. */
 static void a_failure_can_be_typed(void **state) {
     (void)state;
@@ -218,6 +231,7 @@ int main(int argc, char **argv) {
         cmocka_unit_test(faults_are_seen),
         cmocka_unit_test(ceilings_are_four_times_the_five_point_difference),
         cmocka_unit_test(later_is_as_now),
+        cmocka_unit_test(steps_of_its_own_are_not_judged),
         cmocka_unit_test(a_failure_can_be_typed),
         cmocka_unit_test(every_row_says_what_it_sees),
     };

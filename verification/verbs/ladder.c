@@ -171,8 +171,10 @@ int verb_ladder(const struct request *r, struct failure *why) {
     struct ladder *l = xcalloc(1, sizeof *l);
     int status = atomic_file_check(r->page_path, why);
     if (!status) status = atomic_file_check(r->junit_path, why);
+    struct ladder_rungs rungs = r->rungs;
+    rungs.diagnose = r->verbose;
     if (!status) forewarn_finest(r);
-    if (!status) status = ladder_run(&r->experiment, &r->rungs, l, why);
+    if (!status) status = ladder_run(&r->experiment, &rungs, l, why);
     if (!status_refused(status) || l->tried) {
         (r->json ? print_json : print_text)(l);
         if (!r->json && l->tried) why->text[0] = '\0'; /* it stands in the table */
