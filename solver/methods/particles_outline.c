@@ -52,13 +52,14 @@ static void hold(const struct problem *p, const struct options *o, const struct 
     outline_hold(out, "places and temperatures", a->n * (size_t)out->answer * unit, OUTLINE_SET_UP, OUTLINE_STEPS);
     outline_hold(out,
                  a->gradient ? "first derivatives: pairs, places, ghosts, fluxes"
-                 : out->rows ? "rows: weights, columns, diagonal"
+                 : out->rows ? "rows: weights, columns, diagonal, bands of a rod"
                              : "stencil: a quadrant of weights, for all particles",
                  a->bytes - constants, OUTLINE_SET_UP, OUTLINE_STEPS);
     outline_hold(out, "what walls and source add", constants, OUTLINE_SET_UP, OUTLINE_STEPS);
     /* lists that grow by doubling, and the cloud with its ghosts; of pairs each is listed once */
-    outline_hold(out, "neighbours while they are found, about", out->rows ? (a->gradient ? 1 : 2) * a->bytes : 0,
-                 OUTLINE_SET_UP, OUTLINE_SET_UP);
+    const size_t bands = a->banded ? (size_t)(2 * a->band + 1) * a->n * unit : 0;
+    outline_hold(out, "neighbours while they are found, about",
+                 out->rows ? (a->gradient ? 1 : 2) * (a->bytes - bands) : 0, OUTLINE_SET_UP, OUTLINE_SET_UP);
     /* on a rod; in the plane what transforms hold depends on the data, and is less than what the measured error holds
      */
     if (o->stepper == STEPPER_EXACT && p->dim == 1)

@@ -238,6 +238,7 @@ void operator_free(struct heat_operator *a) {
     free(a->column);
     free(a->value);
     free(a->diagonal);
+    free(a->banded);
     gradient_free(a->gradient);
     free(a->g);
     *a = (struct heat_operator){0};

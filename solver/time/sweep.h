@@ -21,4 +21,13 @@ void sweep_band_4(const struct heat_operator *a, int support, const struct updat
 void sweep_band_8(const struct heat_operator *a, int support, const struct update *u, const double *x, double *y,
                   ptrdiff_t row, ptrdiff_t end);
 
+/* The same for particles begin <= i < end of a rod, with bands of rows: where these reach beyond its ends they are 0,
+ * and x is not read there. */
+void sweep_bands_2(const struct heat_operator *a, const struct update *u, const double *x, double *y, ptrdiff_t begin,
+                   ptrdiff_t end);
+void sweep_bands_4(const struct heat_operator *a, const struct update *u, const double *x, double *y, ptrdiff_t begin,
+                   ptrdiff_t end);
+void sweep_bands_8(const struct heat_operator *a, const struct update *u, const double *x, double *y, ptrdiff_t begin,
+                   ptrdiff_t end);
+
 #endif

@@ -3,4 +3,5 @@
 
 #define LANES 2
 #define SWEEP_BAND sweep_band_2
+#define SWEEP_BANDS sweep_bands_2
 #include "solver/time/sweep_lanes.inc"

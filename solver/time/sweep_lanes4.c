@@ -3,4 +3,5 @@
 
 #define LANES 4
 #define SWEEP_BAND sweep_band_4
+#define SWEEP_BANDS sweep_bands_4
 #include "solver/time/sweep_lanes.inc"

@@ -3,4 +3,5 @@
 
 #define LANES 8
 #define SWEEP_BAND sweep_band_8
+#define SWEEP_BANDS sweep_bands_8
 #include "solver/time/sweep_lanes.inc"

@@ -68,9 +68,31 @@ static void share_rows(const struct heat_operator *a, const struct update *u, si
     for (size_t t = 0; t < threads; t++) update_rows(a, u, x, y, a->n * t / threads, a->n * (t + 1) / threads);
 }
 
+/* Bands of a rod: several updates share a sweep, as on a lattice, each a band's width behind the one before, so that
+ * a stretch of A serves all of them from the nearest cache.  One thread: a step of a rod is too short to share. */
+static void sweep_bands(const struct heat_operator *a, const struct update *u, int count, double *const Y[2]) {
+    enum { STRETCH = 256 };
+    int lanes = a->lanes ? a->lanes : options_lanes_most();
+    ptrdiff_t n = (ptrdiff_t)a->n, lag = a->band;
+    for (ptrdiff_t front = 0; front - (count - 1) * lag < n; front += STRETCH)
+        for (int k = 0; k < count; k++) {
+            ptrdiff_t lo = front - k * lag, hi = lo + STRETCH;
+            if (lo < 0) lo = 0;
+            if (hi > n) hi = n;
+            if (lo >= hi) continue;
+            (lanes == 8   ? sweep_bands_8
+             : lanes == 4 ? sweep_bands_4
+                          : sweep_bands_2)(a, &u[k], Y[k % 2], Y[1 - k % 2], lo, hi);
+        }
+}
+
 void sweep_rows(const struct heat_operator *a, const struct update *u, int count, double *const Y[2]) {
     size_t most = a->n / SHARE, threads = a->threads < 1 ? 1 : (size_t)a->threads;
     if (threads > most) threads = most;
+    if (a->banded) {
+        sweep_bands(a, u, count, Y);
+        return;
+    }
     for (int k = 0; k < count; k++) {
         if (threads > 1)
             share_rows(a, &u[k], threads, Y[k % 2], Y[1 - k % 2]);

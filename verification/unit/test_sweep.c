@@ -210,11 +210,69 @@ static void the_width_of_vectors_changes_no_bit(void **state) {
         }
 }
 
+/* ---- Rods with rows: bands ---- */
+
+/* As make, off the lattice. */
+static void make_rows(struct made *m, struct problem p, struct options o) {
+    struct lattice l;
+    struct cloud c;
+    struct failure why;
+    *m = (struct made){.p = p};
+    assert_int_equal(layout_lattice(&m->p, &o, 1, &l, &why), STATUS_OK);
+    assert_int_equal(layout_cloud(&m->p, &o, &l, 2 * o.h * l.dx[0], &c, &why), STATUS_OK);
+    assert_int_equal(operator_create_rows(&m->a, &m->p, &o, method_so_ssph.scheme, &c, l.dx[0], &why), STATUS_OK);
+    layout_cloud_free(&c);
+    m->Y[0] = any_state(&m->a, 0), m->Y[1] = any_state(&m->a, 1000003), m->Y0 = any_state(&m->a, 2000003);
+    for (int k = 0; k < UPDATES; k++) {
+        double rate = (1 + 0.1 * k) / (4 * operator_bound(&m->a));
+        m->u[k] = (struct update){rate, 0.83, -0.21, 0.17 + 0.01 * k, k % 5 ? m->Y0 : NULL};
+        if (k % 7 == 6) m->u[k] = (struct update){.rate = rate, .self = 1};
+    }
+}
+
+static void define_rows(const struct heat_operator *a, const struct update *u, const double *x, double *y) {
+    for (size_t i = 0; i < a->n; i++) {
+        double sum = (a->g ? a->g[i] : 0) + a->diagonal[i] * x[i];
+        for (size_t k = a->row[i]; k < a->row[i + 1]; k++) sum += a->value[k] * x[a->column[k]];
+        y[i] = u->rate * sum + u->self * x[i] + u->old * y[i] + (u->Y0 ? u->start * u->Y0[i] : 0);
+    }
+}
+
+/* 300 particles: two stretches of a shared sweep, and ends that no vector fits. */
+static void bands_are_the_rows(void **state) {
+    (void)state;
+    struct options o = {.dx = 0.005, .h = 1.6, .layout = LAYOUT_JITTER, .jitter = 0.3, .seed = 3, .lanes = 2};
+    struct made want, two, apart, wide;
+    make_rows(&want, odd_rod(), o);
+    make_rows(&two, odd_rod(), o);
+    make_rows(&apart, odd_rod(), o);
+    assert_non_null(two.a.banded);
+    assert_in_range(two.a.band, 3, 4);
+    state_update(&two.a, two.u, UPDATES, two.Y);
+    for (int k = 0; k < UPDATES; k++) define_rows(&want.a, &want.u[k], want.Y[k % 2], want.Y[1 - k % 2]);
+    for (size_t i = 0; i < want.a.n; i++) assert_near(two.Y[0][i], want.Y[UPDATES % 2][i], 1e-13);
+    for (int k = 0; k < UPDATES; k++) state_update(&apart.a, &apart.u[k], 1, apart.Y);
+    assert_same_bits(&apart, &two);
+    for (o.lanes = 4; o.lanes <= options_lanes_most(); o.lanes *= 2) {
+        make_rows(&wide, odd_rod(), o);
+        state_update(&wide.a, wide.u, UPDATES, wide.Y);
+        assert_same_bits(&wide, &two);
+        made_free(&wide);
+    }
+    made_free(&want);
+    made_free(&two);
+    made_free(&apart);
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(the_plane_is_swept_as_defined), cmocka_unit_test(two_sweeps_in_one_are_swept_as_defined),
-        cmocka_unit_test(a_rod_is_swept_as_defined),     cmocka_unit_test(sharing_a_sweep_changes_no_bit),
-        cmocka_unit_test(threads_change_no_bit),         cmocka_unit_test(the_width_of_vectors_changes_no_bit),
+        cmocka_unit_test(the_plane_is_swept_as_defined),
+        cmocka_unit_test(two_sweeps_in_one_are_swept_as_defined),
+        cmocka_unit_test(a_rod_is_swept_as_defined),
+        cmocka_unit_test(sharing_a_sweep_changes_no_bit),
+        cmocka_unit_test(threads_change_no_bit),
+        cmocka_unit_test(the_width_of_vectors_changes_no_bit),
+        cmocka_unit_test(bands_are_the_rows),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
