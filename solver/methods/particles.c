@@ -103,12 +103,31 @@ static void data_range(const struct problem *p, const struct field *f, double *l
  */
 static double heat_content(const struct problem *p, const struct field *f, double cell, double volume) {
     double sum[4] = {0}, all = 0;
-    for (size_t i = 0; i < f->n; i++)
-        if (p->materials == 1 && !f->weight)
-            sum[i % 4] += f->T[i];
-        else
-            all += layout_rho_c(p, cell, f->x[i]) * f->T[i] * (f->weight ? f->weight[i] : volume);
+    size_t i = 0;
+    if (p->materials == 1 && !f->weight) {
+        for (; i + 4 <= f->n; i += 4)
+            for (size_t k = 0; k < 4; k++) sum[k] += f->T[i + k];
+        for (; i < f->n; i++) sum[i % 4] += f->T[i];
+    }
+    for (; i < f->n; i++) all += layout_rho_c(p, cell, f->x[i]) * f->T[i] * (f->weight ? f->weight[i] : volume);
     return all + p->material[0].rho_c * ((sum[0] + sum[1]) + (sum[2] + sum[3])) * volume;
+}
+
+/* The lowest and the highest temperature; eight at a time, which do not wait for each other. */
+static void find_range(const struct field *f, double range[2]) {
+    enum { APART = 8 };
+    double lo[APART], hi[APART];
+    for (size_t k = 0; k < APART; k++) lo[k] = HUGE_VAL, hi[k] = -HUGE_VAL;
+    size_t i = 0;
+    for (; i + APART <= f->n; i += APART)
+        for (size_t k = 0; k < APART; k++) {
+            double T = f->T[i + k];
+            lo[k] = T < lo[k] ? T : lo[k];
+            hi[k] = T > hi[k] ? T : hi[k];
+        }
+    range[0] = HUGE_VAL, range[1] = -HUGE_VAL;
+    for (; i < f->n; i++) range[0] = fmin(range[0], f->T[i]), range[1] = fmax(range[1], f->T[i]);
+    for (size_t k = 0; k < APART; k++) range[0] = fmin(range[0], lo[k]), range[1] = fmax(range[1], hi[k]);
 }
 
 static void place_on_lattice(const struct lattice *l, struct field *f) {
@@ -260,17 +279,13 @@ int particles_solve(const struct problem *p, const struct options *given, const 
         }
         if (!rows) sample_lattice(p, o->sampling, &l, f->T);
         if (o->stepper == STEPPER_MATCHED) matched_source(p, o, &a, f->T);
-        f->range[0] = HUGE_VAL, f->range[1] = -HUGE_VAL;
         for (size_t i = 0; i < f->n && rows; i++) {
             double x[2] = {f->x[i], f->y ? f->y[i] : 0};
             double width[2] = {1, 1};
             for (int d = 0; d < p->dim; d++) width[d] = place_width(p, o, &l, d, x[d]);
             f->T[i] = (cell > 0 ? sample_cell : sample_initial)(p, o->sampling, width, x);
         }
-        for (size_t i = 0; i < f->n; i++) {
-            if (f->T[i] < f->range[0]) f->range[0] = f->T[i];
-            if (f->T[i] > f->range[1]) f->range[1] = f->T[i];
-        }
+        find_range(f, f->range);
         f->heat[0] = heat_content(p, f, cell, volume);
         f->time = p->t_end;
         double loop = now();
