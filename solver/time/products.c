@@ -2,13 +2,15 @@
  *
  * Each step takes the row and the column of the largest residual, X_r = R(., j*), Y_r = R(i*, .) / R(i*, j*), and
  * R = F - sum_r X_r Y_r is formed anew, a row at a time, so that F stays as it is and no copy of it is needed.  Every
- * value of F is looked at: what is called a sum of products is one. */
+ * value of F is looked at: what is called a sum of products is one.  A row that repeats the one before it, as most do
+ * in walls' values and in steps, has its residuals too, and is passed over. */
 #include "solver/time/products.h"
 
 #include "solver/status.h"
 
 #include <math.h>
 #include <stdlib.h>
+#include <string.h>
 
 enum { APART = 8 }; /* maxima that do not wait for each other */
 
@@ -39,10 +41,20 @@ static double largest(const double *restrict row, size_t n) {
     return all + none;
 }
 
+/* repeats[j]: 1 where row j is that before it, bit for bit */
+static char *find_repeats(const double *F, const int n[2]) {
+    char *repeats = xcalloc((size_t)n[1], 1);
+    size_t nx = (size_t)n[0];
+    for (int j = 1; j < n[1]; j++)
+        repeats[j] = memcmp(F + (size_t)j * nx, F + (size_t)(j - 1) * nx, nx * sizeof *F) == 0;
+    return repeats;
+}
+
 /* The largest |R|, and its row *at; NaN where a value is not finite. */
-static double search(const struct products *p, const double *F, double *row, int *at) {
+static double search(const struct products *p, const double *F, const char *repeats, double *row, int *at) {
     double most = -1;
     for (int j = 0; j < p->n[1]; j++) {
+        if (repeats[j]) continue;
         residual(p, F, j, row);
         double size = largest(row, (size_t)p->n[0]);
         if (isnan(size)) return size;
@@ -67,16 +79,18 @@ static void add_product(struct products *p, const double *F, int j) {
 
 int products_split(const double *F, const int n[2], double tolerance, int most, struct products *p) {
     double *row = xcalloc((size_t)n[0], sizeof *row), size, all = 0;
+    char *repeats = find_repeats(F, n);
     int at = 0;
     *p = (struct products){.n = {n[0], n[1]}};
     for (int a = 0; a < 2; a++) p->factor[a] = xcalloc((size_t)most * (size_t)n[a], sizeof *p->factor[a]);
     for (;;) {
-        size = search(p, F, row, &at);
+        size = search(p, F, repeats, row, &at);
         if (p->rank == 0) all = size;
         if (!(size > tolerance * all) || p->rank == most) break;
         add_product(p, F, at);
     }
     free(row);
+    free(repeats);
     if (size <= tolerance * all) return 1;
     products_free(p);
     return 0;

@@ -68,6 +68,28 @@ static void what_is_no_such_sum_is_not_taken_for_one(void **state) {
         }
 }
 
+static double alike(int i, int j) {
+    return cos(0.31 * i + 0.2) + 0 * j;
+}
+
+/* Rows that repeat each other are passed over, but for the one that differs in its last column. */
+static void a_row_that_repeats_another_but_for_one_value_is_seen(void **state) {
+    (void)state;
+    const int n[2] = {NX, NY};
+    double *F = field_of(n, alike), *again = xcalloc(NX * NY, sizeof *again);
+    struct products p;
+    assert_int_equal(products_split(F, n, 4 * DBL_EPSILON, 1, &p), 1);
+    products_free(&p);
+    F[9 * NX + NX - 1] += 1e-9;
+    assert_int_equal(products_split(F, n, 4 * DBL_EPSILON, 1, &p), 0);
+    assert_int_equal(products_split(F, n, 4 * DBL_EPSILON, 2, &p), 1);
+    products_join(&p, again);
+    for (int i = 0; i < NX * NY; i++) assert_near(again[i], F[i], 10 * DBL_EPSILON);
+    products_free(&p);
+    free(F);
+    free(again);
+}
+
 static void nothing_is_a_sum_of_no_products(void **state) {
     (void)state;
     const int n[2] = {NX, NY};
@@ -117,6 +139,7 @@ int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(a_sum_of_products_is_found_and_put_together),
         cmocka_unit_test(what_is_no_such_sum_is_not_taken_for_one),
+        cmocka_unit_test(a_row_that_repeats_another_but_for_one_value_is_seen),
         cmocka_unit_test(nothing_is_a_sum_of_no_products),
         cmocka_unit_test(few_modes_evolve_as_all_do),
     };
