@@ -112,13 +112,9 @@ static void place(const struct assembly *m, struct gradient *g) {
     for (int d = 0; d < c->dim; d++) g->kappa[d] = material->k[d] / material->rho_c;
 }
 
-/* Of both sweeps: at all points that are needed, and at the particles. */
-static void count(struct heat_operator *a, const struct gradient *g, const unsigned char *needed) {
+static void count(struct heat_operator *a, const struct gradient *g) {
     size_t ghosts = g->total - a->n, kept = g->kept[g->total], lent = g->lent[g->total];
-    for (size_t i = 0; i < g->total; i++) {
-        size_t own = (size_t)(g->kept[i + 1] - g->kept[i]) + (g->lent[i + 1] - g->lent[i]);
-        a->pairs += own * (size_t)(needed[i] + (i < a->n));
-    }
+    a->pairs = 2 * ((size_t)g->kept[a->n] + g->lent[a->n]);
     a->bytes = kept * (sizeof *g->other + sizeof *g->F) + lent * (sizeof *g->keeper + sizeof *g->pair) +
                2 * (g->total + 1) * sizeof *g->kept + g->total * 7 * sizeof(double) +
                ghosts * (sizeof *g->source + 2 * sizeof(double));
@@ -155,7 +151,7 @@ int gradient_assemble(struct heat_operator *a, const struct problem *p, const st
         join(g, part, pairs);
         lend(g, needed);
         place(&m, g);
-        count(a, g, needed);
+        count(a, g);
         assembly_keep_constants(&m, xcalloc(a->n, sizeof *a->g), a);
     }
     for (int b = 0; b < ASSEMBLY_BLOCKS; b++) free(part[b].other), free(part[b].F);
