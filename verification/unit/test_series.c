@@ -41,6 +41,23 @@ static void box_modes_know_their_limit(void **state) {
     assert_true(start.error >= 1);
 }
 
+/* What is left out is at most the sum of min(2/(q L), 2 a/L) exp(-(q s/2)^2) over the modes left out, here summed one
+ * by one; the bound replaces it by a geometric series of the first ratio, which falls slower. */
+static void box_modes_bound_their_tail(void **state) {
+    (void)state;
+    enum { LEFT_IN = 20000 };
+    const double L = 1.37, a = 0.41;
+    for (double E = 0.3; E < 20; E *= 2) { /* (q s/2)^2 of the first mode left out */
+        double s = 2 * sqrt(E) * L / (LEFT_IN * acos(-1)), left = 0;
+        for (int n = LEFT_IN; n < 12 * LEFT_IN; n++) {
+            double q = (n + 0.5) * acos(-1) / L;
+            left += fmin(2 / (q * L), 2 * a / L) * exp(-(q * s / 2) * (q * s / 2));
+        }
+        double error = series_box_modes(0.3, L, a, s).at.error;
+        assert_true(error >= fmin(1, left) && error <= fmin(1, 4 * left) + 1e-11);
+    }
+}
+
 static void gauss_forms_agree(void **state) {
     (void)state;
     for (double sigma = 0.05; sigma < 5; sigma *= 1.23)
@@ -234,6 +251,7 @@ int main(void) {
         cmocka_unit_test(box_forms_agree),
         cmocka_unit_test(box_is_exact_at_the_start_and_at_the_walls),
         cmocka_unit_test(box_modes_know_their_limit),
+        cmocka_unit_test(box_modes_bound_their_tail),
         cmocka_unit_test(gauss_forms_agree),
         cmocka_unit_test(levin_sums_what_crawls),
         cmocka_unit_test(levin_helps_on_the_middle_line_alone),
