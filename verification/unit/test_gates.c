@@ -6,6 +6,7 @@
 #include "solver/method.h"
 #include "verification/command/arguments.h"
 #include "verification/page/junit.h"
+#include "verification/run/run.h"
 
 #include "verification/unit/near.h"
 
@@ -89,6 +90,30 @@ static void derivatives_are_of_particle_methods(void **state) {
     assert_fails(judge("operator_slope", LADDER, 1.9, 2.1, 1), "ftcs is no particle method");
     assert_int_equal(judge("operator_slope", "ladder square-step fo_ssph --dx 0.4,0.1,0.2,0.05", 1.9, 2.1, 1).verdict,
                      VERDICT_PASS);
+}
+
+/* Measures that no right code would show to be wrong: an interval about its value, rounding that is not nothing, and
+ * the two times of a wave. */
+static void measures_measure(void **state) {
+    (void)state;
+    struct measured m = judge("operator_slope", "ladder rod-gauss so_ssph --dx 0.4,0.2,0.1,0.05", 1.9, 2.1, 1);
+    assert_true(m.ci[0] < m.value && m.value < m.ci[1]);
+    m = judge("stepper_factor", "limit so_ssph --dim 1 --stepper rkl2 --stages 9", 0, 1e-12, NAN);
+    assert_true(m.value > 0 && m.value < 1e-12);
+    double wave[2];
+    const char *const line[] = {"run rod-step ftcs --dx 0.1 --t-end 0.02", "run rod-step ftcs --dx 0.1 --t-end 0.2"};
+    for (int i = 0; i < 2; i++) {
+        struct request r;
+        struct failure why;
+        struct result result;
+        assert_int_equal(arguments_parse_line(line[i], &r, &why), STATUS_OK);
+        assert_int_equal(run_experiment(&r.experiment, &result, NULL), STATUS_OK);
+        wave[i] = result.shape.checkerboard;
+        arguments_free(&r);
+    }
+    m = judge("checkerboard_kept", line[1], 0, 1, NAN);
+    assert_true(fabs(wave[1] / wave[0] - 1) > 0.1);
+    assert_near(m.value, wave[1] / wave[0], 1e-12);
 }
 
 static void the_table_is_sound(void **state) {
@@ -262,6 +287,7 @@ int main(void) {
         cmocka_unit_test(what_is_unstable_fails_with_its_reason),
         cmocka_unit_test(what_is_not_finite_fails),
         cmocka_unit_test(derivatives_are_of_particle_methods),
+        cmocka_unit_test(measures_measure),
         cmocka_unit_test(the_table_is_sound),
         cmocka_unit_test(a_gate_can_be_typed),
         cmocka_unit_test(globs_choose),

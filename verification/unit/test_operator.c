@@ -202,6 +202,20 @@ static void unstable_runs_say_where_and_when(void **state) {
 }
 
 /* The moment matrices solved and the roots found in thirty digits (mpmath). */
+/* Of the 1024 that there is room for: squares of 31 but not 33 points, lines of 1023 but not 1025. */
+static void as_many_neighbours_as_there_is_room_for(void **state) {
+    (void)state;
+    static double d[NEIGHBOURS_MAX][2];
+    struct neighbourhood nb;
+    struct failure why;
+    const double most[] = {256, 8};
+    for (int dim = 1; dim <= 2; dim++) {
+        assert_int_equal(operator_neighbourhood(dim, 0.1, most[dim - 1], d, &nb, &why), STATUS_OK);
+        if (dim == 1) assert_int_equal(nb.n, 1022);
+        assert_int_equal(operator_neighbourhood(dim, 0.1, 1.001 * most[dim - 1], d, &nb, &why), STATUS_INPUT);
+    }
+}
+
 static void isotropic_ratios_are_met_to_1e_12(void **state) {
     (void)state;
     const double want[3] = {1.2591264671505325256, 1.3009329359932327481, 1.3503106162225201135};
@@ -247,6 +261,7 @@ int main(void) {
         cmocka_unit_test(brookshaw_keeps_heat_on_any_layout),
         cmocka_unit_test(singular_supports_are_named),
         cmocka_unit_test(unstable_runs_say_where_and_when),
+        cmocka_unit_test(as_many_neighbours_as_there_is_room_for),
         cmocka_unit_test(isotropic_ratios_are_met_to_1e_12),
         cmocka_unit_test(matching_needs_isotropy),
     };
