@@ -10,6 +10,8 @@
  *     e_i = g_i (c_i + A_i (T_i - Tc)/kappa_i (3/2 - s^2/(4 kappa_i t))),  g_i = s/(2 sqrt(pi kappa_i t^3))
  * exp(-s^2/(4 kappa_i t)), c_2 - c_1 = J,   E_1 c_1 + E_2 c_2 = -sqrt(pi) Q (M(rho_c) + (A_2 rho_c_2/k_2 - A_1
  * rho_c_1/k_1)/2). */
+#include "solver/differences/ftcs_sample.h"
+#include "verification/command/arguments.h"
 #include "verification/run/result.h"
 #include "verification/run/run.h"
 #include "verification/unit/stencil_moments.h"
@@ -96,6 +98,21 @@ static void cut_cells_keep_heat_and_steady_profiles(void **state) {
     }
 }
 
+/* A cell that the contact cuts starts at its heat over its heat capacity; neither start is 0 here. */
+static void cut_cells_start_at_their_heat(void **state) {
+    (void)state;
+    const char *const line = "run rod-contact ftcs --dx 0.1 --set x_c=0.03 --set T1=0.9 --set T2=0.3";
+    struct request r;
+    struct failure why;
+    assert_int_equal(arguments_parse_line(line, &r, &why), STATUS_OK);
+    /* the cell from 0 to 0.1: 0.03 m of 2 J/m^3/K at 0.9 K, 0.07 m of 0.5 J/m^3/K at 0.3 K */
+    double want = (0.03 * 2 * 0.9 + 0.07 * 0.5 * 0.3) / (0.03 * 2 + 0.07 * 0.5);
+    const double x[2] = {0.05, 0}, d[2] = {0.1, 0.1};
+    assert_near(ftcs_sample(&r.experiment.problem, x, d, SAMPLING_POINT), want, 1e-14);
+    assert_near(ftcs_sample(&r.experiment.problem, x, d, SAMPLING_CELL), want, 1e-14);
+    arguments_free(&r);
+}
+
 static void what_two_materials_refuse(void **state) {
     (void)state;
     const char *const lines[][2] = {
@@ -120,6 +137,7 @@ int main(void) {
         cmocka_unit_test(errors_of_a_contact_anywhere),
         cmocka_unit_test(the_same_on_either_side_of_rounding),
         cmocka_unit_test(cut_cells_keep_heat_and_steady_profiles),
+        cmocka_unit_test(cut_cells_start_at_their_heat),
         cmocka_unit_test(what_two_materials_refuse),
     };
     return cmocka_run_group_tests_name("interface", tests, NULL, NULL);

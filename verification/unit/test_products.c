@@ -50,6 +50,20 @@ static void a_sum_of_products_is_found_and_put_together(void **state) {
     free(again);
 }
 
+static void the_size_of_a_field_is_none_of_its_shape(void **state) {
+    (void)state;
+    const int n[2] = {NX, NY};
+    for (double unit = 1e-9; unit < 1e10; unit *= 1e18) {
+        double *F = field_of(n, three_products);
+        struct products p;
+        for (int i = 0; i < NX * NY; i++) F[i] *= unit;
+        assert_int_equal(products_split(F, n, 4 * DBL_EPSILON, 5, &p), 1);
+        assert_int_equal(p.rank, 3);
+        products_free(&p);
+        free(F);
+    }
+}
+
 static void what_is_no_such_sum_is_not_taken_for_one(void **state) {
     (void)state;
     const int n[2] = {NX, NY};
@@ -138,6 +152,7 @@ static void few_modes_evolve_as_all_do(void **state) {
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(a_sum_of_products_is_found_and_put_together),
+        cmocka_unit_test(the_size_of_a_field_is_none_of_its_shape),
         cmocka_unit_test(what_is_no_such_sum_is_not_taken_for_one),
         cmocka_unit_test(a_row_that_repeats_another_but_for_one_value_is_seen),
         cmocka_unit_test(nothing_is_a_sum_of_no_products),
