@@ -11,6 +11,7 @@
  * exp(-s^2/(4 kappa_i t)), c_2 - c_1 = J,   E_1 c_1 + E_2 c_2 = -sqrt(pi) Q (M(rho_c) + (A_2 rho_c_2/k_2 - A_1
  * rho_c_1/k_1)/2). */
 #include "solver/differences/ftcs_sample.h"
+#include "solver/space/sample.h"
 #include "verification/command/arguments.h"
 #include "verification/run/result.h"
 #include "verification/run/run.h"
@@ -98,6 +99,11 @@ static void cut_cells_keep_heat_and_steady_profiles(void **state) {
     }
 }
 
+static double sloping(const struct problem *p, const double x[2]) {
+    (void)p;
+    return 1 + 3 * x[0];
+}
+
 /* A cell that the contact cuts starts at its heat over its heat capacity; neither start is 0 here. */
 static void cut_cells_start_at_their_heat(void **state) {
     (void)state;
@@ -110,6 +116,13 @@ static void cut_cells_start_at_their_heat(void **state) {
     const double x[2] = {0.05, 0}, d[2] = {0.1, 0.1};
     assert_near(ftcs_sample(&r.experiment.problem, x, d, SAMPLING_POINT), want, 1e-14);
     assert_near(ftcs_sample(&r.experiment.problem, x, d, SAMPLING_CELL), want, 1e-14);
+    /* and a start that varies: the middles of the parts are at 0.015 m and 0.065 m */
+    r.experiment.problem.initial = sloping;
+    want = (0.03 * 2 * 1.045 + 0.07 * 0.5 * 1.195) / (0.03 * 2 + 0.07 * 0.5);
+    for (enum sampling how = SAMPLING_POINT; how <= SAMPLING_CELL; how++) {
+        assert_near(ftcs_sample(&r.experiment.problem, x, d, how), want, 1e-14);
+        assert_near(sample_cell(&r.experiment.problem, how, d, x), want, 1e-14);
+    }
     arguments_free(&r);
 }
 

@@ -325,6 +325,23 @@ static void the_floor_by_hand(void **state) {
     assert_near(judge_floor(&l, 1.4, 1.6), 0, 0);
 }
 
+/* The coarse half has another floor than the fine one: which rungs are fitted must not depend on the unit of x. */
+static void the_unit_of_x_does_not_matter(void **state) {
+    (void)state;
+    double x[8], error[8], share[3];
+    for (int i = 0; i < 8; i++) {
+        x[i] = pow(2, -i);
+        error[i] = pow(x[i], 1.5) * (i < 4 ? 1.3 : 1) + 0.2 * pow(x[7], 1.5);
+    }
+    for (int k = 0; k < 3; k++) {
+        struct judged l = {x, error, 8, 0};
+        share[k] = judge_floor(&l, 1.4, 1.6);
+        assert_true(share[k] > 0.1 && share[k] < 0.3);
+        assert_near(share[k], share[0], 1e-9);
+        for (int i = 0; i < 8; i++) x[i] *= 1e3;
+    }
+}
+
 /* 1, 0, 0, 0, 0 at equal distances: the differences (1, 0) of weights 1, 3, 3, 1 over sqrt(20), and about the line
  * 1/5 - (k - 2)/5 a sum of squares of 1 - 1/5 - 4/10: (1/20)/2 over 0.4/3. */
 static void roughness_by_hand(void **state) {
@@ -342,6 +359,7 @@ int main(void) {
         cmocka_unit_test(what_does_not_fall_is_named),
         cmocka_unit_test(the_fine_slope_by_hand),
         cmocka_unit_test(the_floor_by_hand),
+        cmocka_unit_test(the_unit_of_x_does_not_matter),
         cmocka_unit_test(roughness_by_hand),
     };
     return cmocka_run_group_tests_name("judge", tests, NULL, NULL);

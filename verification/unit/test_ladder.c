@@ -7,6 +7,7 @@
 #include "verification/command/arguments.h"
 #include "verification/run/run.h"
 #include "verification/run/time_step.h"
+#include "verification/text/json.h"
 
 #include "verification/unit/near.h"
 
@@ -220,6 +221,34 @@ static void a_ladder_in_space(void **state) {
     free(l);
 }
 
+/* As many numbers as there are, in the array of that name. */
+static int numbers_in(const char *text, const char *name) {
+    const char *at = strstr(text, name);
+    int n = 1;
+    assert_non_null(at);
+    for (at = strchr(at, '['); *at && *at != ']'; at++) n += *at == ',';
+    return n;
+}
+
+static void json_has_every_number(void **state) {
+    (void)state;
+    struct failure why;
+    struct ladder *l = xcalloc(1, sizeof *l);
+    climb("ladder rod-gauss ftcs --dx 0.25,1,0.125,0.5,0.0625 --expect 1.9,2.1", &with_exact, STATUS_OK, l, &why);
+    char *text = NULL;
+    size_t size = 0;
+    FILE *out = open_memstream(&text, &size);
+    struct json j = json_on(out);
+    json_object(&j, NULL);
+    ladder_json(l, &j);
+    json_end(&j);
+    fclose(out);
+    assert_int_equal(numbers_in(text, "slope_ci95"), 2);
+    assert_int_equal(numbers_in(text, "local_slopes"), 4);
+    free(text);
+    free(l);
+}
+
 static void a_ladder_in_time(void **state) {
     (void)state;
     struct failure why;
@@ -229,6 +258,12 @@ static void a_ladder_in_time(void **state) {
     assert_near(l->slope.value, 2, 1e-6);
     climb("ladder rod-gauss ftcs --dx 0.5 --dt 0.01,0.04,0.02,0.08 --stepper euler", &with_exact, STATUS_OK, l, &why);
     assert_near(l->slope.value, 1, 1e-6);
+    /* from differences of successive runs, at ratios that are not alike; E1 is over a sum of T with the error in it
+     */
+    climb("ladder rod-gauss ftcs --dx 0.5 --dt 8e-4,5e-4,2e-4,1e-4,4e-5", &euler, STATUS_OK, l, &why);
+    assert_int_equal(l->n, 4);
+    assert_near(l->slope.value, 1, 1e-3);
+    for (int i = 0; i < 4; i++) assert_near(l->error[i] / l->error[0], l->x[i] / l->x[0], 1e-3);
     climb("ladder rod-gauss ftcs --dx 0.5 --dt 0.01,0.04", &euler, STATUS_INPUT, l, &why);
     assert_non_null(strstr(why.text, "three time steps at least"));
     free(l);
@@ -311,6 +346,7 @@ int main(void) {
         cmocka_unit_test(an_unstable_first_step_is_halved),
         cmocka_unit_test(a_given_step_is_taken_as_it_is),
         cmocka_unit_test(a_ladder_in_space),
+        cmocka_unit_test(json_has_every_number),
         cmocka_unit_test(a_ladder_in_time),
         cmocka_unit_test(short_ladders_are_inconclusive),
         cmocka_unit_test(two_rungs_have_no_interval_to_print),
