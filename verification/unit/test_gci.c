@@ -3,6 +3,7 @@
 
 #include "solver/status.h"
 #include "verification/foreign/samples.h"
+#include "verification/text/json.h"
 
 #include "verification/unit/near.h"
 
@@ -63,6 +64,18 @@ static void a_line_of_quantities(void **state) {
     assert_near(g.row[0].index, 1.25 * 0.9 * 0.03 / (3.25 + 0.9 * 0.01) / 3, 1e-12);
     assert_near(g.row[1].order, 1, 1e-9);
     assert_near(g.row[1].extrapolated, 5.5, 1e-12);
+    char *text = NULL;
+    size_t size = 0;
+    FILE *out = open_memstream(&text, &size);
+    struct json j = json_on(out);
+    json_object(&j, NULL);
+    gci_json(&g, &j);
+    json_end(&j);
+    fclose(out);
+    const char *orders = strstr(text, "\"orders\""); /* of three grids one */
+    assert_non_null(orders);
+    assert_true(strcspn(orders, "]") < strcspn(orders, ","));
+    free(text);
 }
 
 static double smooth(double x, double y, double h) {
