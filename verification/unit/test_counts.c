@@ -1,0 +1,75 @@
+/* What a run counts and reports beside its errors, by hand: pairs, stages, applications, the mesh Fourier number. */
+#include "solver/time/stepper.h"
+#include "verification/command/arguments.h"
+#include "verification/run/run.h"
+
+#include "verification/unit/near.h"
+
+#include <math.h>
+
+static struct result result_of(const char *line) {
+    struct request r;
+    struct failure why;
+    struct result result;
+    if (arguments_parse_line(line, &r, &why)) fail_msg("%s: %s", line, why.text);
+    if (run_experiment(&r.experiment, &result, NULL)) fail_msg("%s: %s", line, result.failure.text);
+    arguments_free(&r);
+    return result;
+}
+
+/* Within 2.2 dx lie 2 on either side, and in the plane (1, 0), (1, 1), (2, 0) and what is alike. */
+static void pairs_are_neighbours(void **state) {
+    (void)state;
+    struct result rod = result_of("run rod-cosine so_ssph --dx 0.05 --stepper euler --fourier 0.2");
+    assert_near((double)rod.interactions / (double)rod.updates, 4, 0);
+    struct result plane = result_of("run plate brookshaw --dx 0.01 --stepper euler --fourier 0.1");
+    assert_near((double)plane.interactions / (double)plane.updates, 12, 0);
+}
+
+/* kappa = 0.013 m^2/s */
+static void the_fourier_number_is_that_of_the_step(void **state) {
+    (void)state;
+    struct result r = result_of("run rod-cosine so_ssph --dx 0.05 --stepper euler --dt 0.01 --set kappa=0.013");
+    assert_near(r.fourier, r.dt * 0.013 / (0.05 * 0.05), 1e-14);
+}
+
+/* RKL2 is stable for dt lambda <= (s^2 + s - 2)/2 (Meyer, Balsara, Aslam 2014, eq. 21, with lambda = 2/dt_expl): the
+ * fewest odd s that holds it, and 3 at least. */
+static void stages_are_the_fewest_that_are_stable(void **state) {
+    (void)state;
+    for (double z = 0.01; z < 1e6; z *= 1.37) {
+        int s = stepper_stages(z / 7.3, 7.3);
+        assert_true(s >= 3 && s % 2 == 1);
+        assert_true(z <= (s * s + s - 2) / 2.0 * (1 + 1e-8));
+        if (s > 3) assert_true(z > ((s - 2) * (s - 2) + (s - 2) - 2) / 2.0);
+    }
+}
+
+/* Where the start jumps the first step is two damped quarters, dt lambda <= 4/3 (s^2 + 5 s - 6), and a half.  From
+ * the stages of the others dt lambda is known between two bounds. */
+static void a_damped_start_takes_what_its_parts_need(void **state) {
+    (void)state;
+    for (double z = 0.01; z < 1e6; z *= 1.37) {
+        int s[2];
+        stepper_start(z / 7.3, 7.3, s);
+        assert_true(s[0] >= 2 && z <= 4.0 / 3 * (s[0] * (s[0] + 5) - 6) * (1 + 1e-8));
+        if (s[0] > 2) assert_true(z > 4.0 / 3 * ((s[0] - 1) * (s[0] + 4) - 6));
+        assert_int_equal(s[1], stepper_stages(z / 2, 1));
+    }
+    struct result r = result_of("run rod-step so_ssph --dx 0.02 --stepper rkl2 --dt 0.5 --domain whole");
+    long long first = r.updates / (long long)r.particles - (r.steps - 1) * r.stages;
+    int least[2], most[2], s = r.stages;
+    stepper_start(1, ((s - 2) * (s - 1) - 2) / 2.0, least);
+    stepper_start(1, (s * (s + 1) - 2) / 2.0, most);
+    assert_true(s > 3 && first >= 2 * least[0] + least[1] && first <= 2 * most[0] + most[1]);
+}
+
+int main(void) {
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(pairs_are_neighbours),
+        cmocka_unit_test(the_fourier_number_is_that_of_the_step),
+        cmocka_unit_test(stages_are_the_fewest_that_are_stable),
+        cmocka_unit_test(a_damped_start_takes_what_its_parts_need),
+    };
+    return cmocka_run_group_tests_name("counts", tests, NULL, NULL);
+}
