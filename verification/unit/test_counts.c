@@ -45,6 +45,15 @@ static void stages_are_the_fewest_that_are_stable(void **state) {
     }
 }
 
+static void the_bound_of_stages_is_met(void **state) {
+    (void)state;
+    for (int s = 3; s < 1000; s += 2) {
+        double z = (s * s + s - 2) / 2.0;
+        assert_int_equal(stepper_stages(z * (1 - 1e-6), 1), s);
+        assert_int_equal(stepper_stages(z * (1 + 1e-6), 1), s + 2);
+    }
+}
+
 /* Where the start jumps the first step is two damped quarters, dt lambda <= 4/3 (s^2 + 5 s - 6), and a half.  From
  * the stages of the others dt lambda is known between two bounds. */
 static void a_damped_start_takes_what_its_parts_need(void **state) {
@@ -69,6 +78,7 @@ int main(void) {
         cmocka_unit_test(pairs_are_neighbours),
         cmocka_unit_test(the_fourier_number_is_that_of_the_step),
         cmocka_unit_test(stages_are_the_fewest_that_are_stable),
+        cmocka_unit_test(the_bound_of_stages_is_met),
         cmocka_unit_test(a_damped_start_takes_what_its_parts_need),
     };
     return cmocka_run_group_tests_name("counts", tests, NULL, NULL);
