@@ -92,6 +92,14 @@ static void derivatives_are_of_particle_methods(void **state) {
                      VERDICT_PASS);
 }
 
+static void a_gate_without_a_ceiling_says_none(void **state) {
+    (void)state;
+    const struct gate gate = {"test", TIER_QUICK, "slope", LADDER, 1.9, 2.1, NAN, "a test"};
+    char text[400];
+    gates_command(&gate, text, sizeof text);
+    assert_string_equal(text, LADDER " --expect 1.9,2.1");
+}
+
 /* Measures that no right code would show to be wrong: an interval about its value, rounding that is not nothing, and
  * the two times of a wave. */
 static void measures_measure(void **state) {
@@ -287,6 +295,7 @@ int main(void) {
         cmocka_unit_test(what_is_unstable_fails_with_its_reason),
         cmocka_unit_test(what_is_not_finite_fails),
         cmocka_unit_test(derivatives_are_of_particle_methods),
+        cmocka_unit_test(a_gate_without_a_ceiling_says_none),
         cmocka_unit_test(measures_measure),
         cmocka_unit_test(the_table_is_sound),
         cmocka_unit_test(a_gate_can_be_typed),
