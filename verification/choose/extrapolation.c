@@ -2,8 +2,9 @@
  * runs that differ in their time steps alone give the error in time; the plan of the very run gives its cost.
  *
  * RKL2 leaves its time step open.  E1 = S n^-p + K N^-2 with N steps, whose stages grow as n / sqrt(N): the work,
- * n^(d+1) sqrt(N), is least where the time makes up p / (p + 4 (d + 1)) of E1.  Of what jumps set in motion the stiff
- * modes fall by DAMPED a step alone, however small K: the steps must take those below the error as well.
+ * n^(d+1) sqrt(N), is least where the time makes up p / (p + 4 (d + 1)) of E1.  A step takes no mode down by more
+ * than DAMPED, but for the first one at a jump: what is gone at the end time must be below the error in N steps,
+ * however small K.
  *
  * Rungs keep the place of the jumps between particles: where a lattice can have all of them midway, only such
  * lattices are taken, since there the order shows from the coarsest rungs on. */
@@ -33,7 +34,7 @@ void extrapolation_rule_out(struct extrapolation *c, const char *reason) {
 
 /* ---- Time ---- */
 
-/* Time steps whose error is a share of `error` and that damp the stiff modes of a jump below it; 0: not open. */
+/* Time steps whose error is a share of `error` and that damp the stiff modes below it; 0: not open. */
 static int time_steps(const struct extrapolation *c, const struct extrapolation_goal *goal, double error) {
     if (!(c->candidate->steps > 0)) return 0;
     double share = 1 / (1 + 2 * (goal->experiment->problem.dim + 1.0)), least = log(goal->error) / log(DAMPED);
