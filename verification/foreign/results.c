@@ -12,12 +12,17 @@
 
 #include <dirent.h>
 #include <errno.h>
+#include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 #include <sys/stat.h>
 
 void results_number(double value, char text[40]) {
+    if (value == floor(value) && fabs(value) < 1e6) { /* 100, where the fewest digits are 1e+02 */
+        snprintf(text, 40, "%.0f", value);
+        return;
+    }
     for (int digits = 1; digits <= 17; digits++) {
         snprintf(text, 40, "%.*g", digits, value);
         if (strtod(text, NULL) == value) return;

@@ -15,7 +15,7 @@ struct scene;
 
 enum { RESULTS_PATH = 1024 };
 
-/* The fewest digits that read back as `value`. */
+/* The fewest digits that read back as `value`; of a whole number below 1e6 all of them. */
 void results_number(double value, char text[40]);
 
 /* The subdirectory of `dir` whose name is a number of that value, however it was typed; where there is none, the one
