@@ -25,7 +25,7 @@ const char *const sampling_words[] = {
 const char *const walls_words[] = {[WALLS_MIRROR] = "mirror", [WALLS_FIXED] = "fixed", NULL};
 const char *const mean_words[] = {
     [MEAN_HARMONIC] = "harmonic", [MEAN_ARITHMETIC] = "arithmetic", [MEAN_SERIES] = "series", NULL};
-const char *const domain_words[] = {[DOMAIN_FOLDED] = "folded", [DOMAIN_WHOLE] = "whole", NULL};
+const char *const domain_words[] = {[DOMAIN_SYMMETRY] = "symmetry", [DOMAIN_WHOLE] = "whole", NULL};
 const char *const volume_words[] = {[VOLUME_MOMENT] = "moment", [VOLUME_RAW] = "raw", [VOLUME_TUNED] = "tuned", NULL};
 
 int options_lanes_most(void) {

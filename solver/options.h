@@ -11,7 +11,7 @@ enum layout_name { LAYOUT_LATTICE, LAYOUT_NODE, LAYOUT_JITTER, LAYOUT_RELAXED, L
 enum sampling { SAMPLING_POINT, SAMPLING_CELL, SAMPLING_SPLINE };
 enum walls { WALLS_MIRROR, WALLS_FIXED };
 enum mean { MEAN_HARMONIC, MEAN_ARITHMETIC, MEAN_SERIES };
-enum domain { DOMAIN_FOLDED, DOMAIN_WHOLE };
+enum domain { DOMAIN_SYMMETRY, DOMAIN_WHOLE };
 enum volume { VOLUME_MOMENT, VOLUME_RAW, VOLUME_TUNED };
 
 /* The words of the command line, indexed by the enums, ended by NULL. */

@@ -18,7 +18,7 @@
 
 static int check(const struct problem *p, const struct options *o, struct failure *why) {
     if (o->volume == VOLUME_TUNED)
-        return refuse(why, STATUS_INPUT, "--volume tuned: flux_divergence takes moment and raw");
+        return refuse(why, STATUS_NOT_APPLICABLE, "--volume tuned: flux_divergence takes moment and raw");
     return correction_check(p, "flux_divergence", 0, why);
 }
 

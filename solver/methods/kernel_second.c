@@ -16,7 +16,7 @@
 
 static int check(const struct problem *p, const struct options *o, struct failure *why) {
     if (o->volume == VOLUME_TUNED)
-        return refuse(why, STATUS_INPUT, "--volume tuned: kernel_second takes moment and raw");
+        return refuse(why, STATUS_NOT_APPLICABLE, "--volume tuned: kernel_second takes moment and raw");
     return correction_check(p, "kernel_second", 1, why);
 }
 

@@ -211,7 +211,7 @@ const struct option options_table[] = {
     {"xi", "xi", "XI", "Pamplona's xi for --volume tuned, m", read_number, IN(experiment.options.xi), NULL, POSITIVE,
      1},
     {"domain", "domain", "D",
-     "folded: of a scene with mirror planes, the half or quarter that must be computed; or whole", read_word,
+     "symmetry: of a scene with mirror planes, the half or quarter that must be computed; or whole", read_word,
      IN(experiment.options.domain), domain_words, 0, 0, 0},
     {"threads", "threads", "N", "threads that one run may use", read_whole, IN(experiment.options.threads), NULL, 1,
      1024, 0},

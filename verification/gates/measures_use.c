@@ -21,7 +21,7 @@ static double farthest(const struct field *a, const struct field *b) {
 }
 
 /* The error beside it: how far the two fields are apart, K. */
-void measures_fold(const struct request *r, double lo, double hi, struct measured *m) {
+void measures_symmetry(const struct request *r, double lo, double hi, struct measured *m) {
     const struct experiment *e = &r->experiment;
     struct options whole = e->options;
     struct field a = {0}, b = {0};

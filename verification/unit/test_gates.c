@@ -167,10 +167,11 @@ static void a_gate_can_be_typed(void **state) {
         arguments_free(&r);
         free(l);
     }
-    const struct gate other = {"fold/odd", TIER_QUICK, "fold", "run plate ftcs --dx 0.005", 2, 2, 1, "no ladder"};
+    const struct gate other = {"symmetry/odd", TIER_QUICK, "symmetry", "run plate ftcs --dx 0.005", 2, 2, 1,
+                               "no ladder"};
     char command[GATES_COMMAND];
     gates_command(&other, command, sizeof command);
-    assert_string_equal(command, "verify --only 'fold/odd'");
+    assert_string_equal(command, "verify --only 'symmetry/odd'");
     for (const struct gate *g = gates_table; g->id; g++) { /* none is cut */
         gates_command(g, command, sizeof command);
         assert_true(strlen(command) < sizeof command - 1);

@@ -77,7 +77,7 @@ static struct request request(const char *line, const struct method *m) {
     struct failure why;
     if (arguments_parse_line(line, &r, &why)) fail_msg("%s", why.text);
     r.experiment.method = m;
-    r.experiment.options.domain = DOMAIN_WHOLE; /* these methods know of no lattice to unfold */
+    r.experiment.options.domain = DOMAIN_WHOLE; /* these methods know of no lattice, nor of its symmetry */
     return r;
 }
 

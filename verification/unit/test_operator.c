@@ -90,7 +90,7 @@ static double value_at(const struct field *f, double x, double y) {
     return f->T[best];
 }
 
-/* Ghosts and stencil against folded rows: two ways through the same equations. */
+/* Ghosts and stencil against CSR rows with the ghosts eliminated: two ways through the same equations. */
 static void rows_equal_the_stencil(void **state) {
     (void)state;
     const char *names[] = {"so_ssph", "fo_ssph"};

@@ -59,7 +59,7 @@ static void climb(const char *options, const struct method *m, int status, struc
     snprintf(line, sizeof line, "ladder rod-gauss ftcs --dx 0.5 %s", options);
     if (arguments_parse_line(line, &r, why)) fail_msg("%s", why->text);
     r.experiment.method = m;
-    r.experiment.options.domain = DOMAIN_WHOLE; /* these methods know of no lattice to unfold */
+    r.experiment.options.domain = DOMAIN_WHOLE; /* these methods know of no lattice, nor of its symmetry */
     int got = ladder_run(&r.experiment, &r.rungs, l, why);
     if (got != status) fail_msg("%s: status %d, %s", line, got, why->text);
     arguments_free(&r);

@@ -22,7 +22,7 @@ static void solve(const char *line, enum domain domain, struct field *f) {
 /* `saving` is how many times less is updated. */
 static void as_the_whole(const char *line, int saving) {
     struct field part, whole;
-    solve(line, DOMAIN_FOLDED, &part);
+    solve(line, DOMAIN_SYMMETRY, &part);
     solve(line, DOMAIN_WHOLE, &whole);
     assert_int_equal(part.n, whole.n);
     /* temperatures of 10 K; each of the steps and each transform rounds to 2e-16 of that */
