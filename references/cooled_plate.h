@@ -22,6 +22,7 @@ struct cooled_plate {
 /* *hot and *start above the air; s > 0.  To be freed by free(). */
 struct cooled_plate *cooled_plate(double W, double H, double h, double hot, double start, double s);
 
+/* Temperature (K), its gradient (K m^-1) and their bounds at x, m. */
 struct surface cooled_plate_at(const struct cooled_plate *c, const double x[2]);
 
 /* The same temperature from the steady sine or cosine series less the transient one, summed anew for each point; s

@@ -23,6 +23,7 @@ struct cooling_half {
     double end;    /* E = exp(h d + (h s/2)^2) erfc(d/s + h s/2) */
 };
 
+/* At d, m, for h, m^-1, and s, m: all >= 0. */
 struct cooling_half cooling_half(double d, double h, double s);
 
 #endif

@@ -24,6 +24,7 @@ struct quantity_value {
  * body, J m^-2 or J per m of depth), at:X or at:X,Y (the temperature there, K).  STATUS_OK or STATUS_INPUT. */
 int quantity_read(const char *text, const struct problem *p, struct quantity *q, struct failure *why);
 
+/* The unit of its value on a rod or a rectangle. */
 const char *quantity_unit(const struct quantity *q, const struct problem *p);
 
 /* Of the exact solution at t > 0 s (heat and temperature: t >= 0). */

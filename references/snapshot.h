@@ -15,6 +15,7 @@ struct snapshot {
 struct snapshot snapshot_take(const struct scene *scene, const struct problem *problem, double time);
 void snapshot_free(struct snapshot *s);
 
+/* As scene->exact at x, m, and the time of the snapshot. */
 struct exact snapshot_at(const struct snapshot *s, const double x[2]);
 
 #endif

@@ -21,6 +21,7 @@ struct compare {
     const char *note;                    /* Markdown: where a digit differs, why */
 };
 
+/* Runs every choice and puts the three files into `dir`, all or none: STATUS_OK, or *why of a run or a file. */
 int compare_write(const struct compare *c, const char *dir, struct failure *why);
 
 #endif

@@ -47,6 +47,8 @@ struct figure_page {
 /* Each in turn, put in its place as it is done; names and times go to standard output. */
 int figure_pages(const struct figure_page *pages, size_t count, const char *dir, struct failure *why);
 
+/* Runs the commands of the series in parallel and puts NAME.csv into `dir`: STATUS_OK, or *why of a run or the file.
+ */
 int figure_write(const struct figure *figure, const char *dir, struct failure *why);
 
 #endif

@@ -17,6 +17,7 @@ struct row {
     unsigned char *touched;
 };
 
+/* An empty row of n columns; emptied again in as many steps as it has columns; freed. */
 void csr_row_create(struct row *r, size_t n);
 void csr_row_clear(struct row *r);
 void csr_row_free(struct row *r);

@@ -14,6 +14,7 @@ struct neighbours {
     uint32_t *point; /* cloud->total */
 };
 
+/* Sorts the points of *c, ghosts among them, into cells; radius in m.  End with neighbours_free. */
 void neighbours_create(struct neighbours *nb, const struct cloud *c, double radius);
 void neighbours_free(struct neighbours *nb);
 

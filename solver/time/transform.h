@@ -10,6 +10,7 @@ enum { TRANSFORM_ROBIN_MOST = 4096 }; /* unknowns along an axis with a Robin wal
 
 struct transform;
 
+/* For the sides of *l; end with transform_free. */
 struct transform *transform_create(const struct lattice *l);
 void transform_free(struct transform *t);
 

@@ -17,6 +17,7 @@ struct bench_engine {
     struct bench_engine_row row[BENCH_ENGINE_MOST];
 };
 
+/* Fills *e, one measurement after the other; half a minute or so. */
 void bench_engine_run(struct bench_engine *e);
 
 /* 1 where the row has no aim or holds it. */

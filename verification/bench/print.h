@@ -7,10 +7,11 @@ struct bench_engine;
 struct bench_scene;
 struct json;
 
+/* Text: the machine; throughputs beside their aims; of a scene the Pareto fronts, growth, what failed and what does
+ * not apply. */
 void bench_print_machine(FILE *out);
 void bench_print_engine(const struct bench_engine *e, FILE *out);
-void bench_print_scene(const struct bench_scene *b,
-                       FILE *out); /* the Pareto fronts, growth, what failed and what does not apply */
+void bench_print_scene(const struct bench_scene *b, FILE *out);
 
 /* Members of an object that is open. */
 void bench_print_machine_json(struct json *j);

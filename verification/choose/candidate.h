@@ -25,6 +25,7 @@ struct candidate_size {
     int n, steps;
 };
 
+/* Its options at that size: dx in m, dt in s where the steps are open. */
 struct options candidate_options(const struct candidate *c, const struct experiment *e, struct candidate_size size);
 
 /* The least number of cells along x with which square cells tile the domain, every jump on a face where that is

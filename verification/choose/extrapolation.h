@@ -46,6 +46,7 @@ void extrapolation_learn(struct extrapolation *c, const struct extrapolation_goa
  * rounding.  1, or 0 where nothing finer than the rungs can be predicted. */
 int extrapolation_finest(struct extrapolation *c, const struct extrapolation_goal *goal);
 
+/* No run of it is wanted: infinite work, and the reason. */
 void extrapolation_rule_out(struct extrapolation *c, const char *reason);
 
 #endif

@@ -12,6 +12,7 @@
 #include "verification/ladder/slope.h"
 #include "verification/claims/published.h"
 
+/* Adds a number, its unit and its name (printf-like); past CLAIMS_NUMBERS it is dropped. */
 void claims_kit_number(struct claims_measured *m, double value, const char *unit, const char *name, ...)
     __attribute__((format(printf, 4, 5)));
 

@@ -10,6 +10,7 @@
 
 struct failure;
 
+/* Into a stream: a paragraph, an object, a line or a table row a claim. */
 void claims_write_text(const struct claims *c, FILE *out);
 void claims_write_json(const struct claims *c, FILE *out);
 void claims_write_csv(const struct claims *c, FILE *out);

@@ -7,6 +7,7 @@ struct verb;
 
 extern const char help_about[]; /* environment and exit statuses */
 
+/* What --help prints: all verbs, or one with its options. */
 void help_program(FILE *out);
 void help_verb(const struct verb *v, FILE *out);
 

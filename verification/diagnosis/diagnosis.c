@@ -181,8 +181,9 @@ static const char *axis_name(int axis) {
 }
 
 static void describe(struct diagnosis *d) {
-    static const char *const side[] = {"x_lo", "x_hi", "y_lo", "y_hi"};
+    static const char *const sides[] = {"x_lo", "x_hi", "y_lo", "y_hi"};
     double size = d->size, apart = fabs(size);
+    const char *much = size < 0 ? "small" : "large", *axis = axis_name(d->fault.axis);
     char *to = d->what;
     const size_t room = sizeof d->what;
     switch (d->fault.kind) {
@@ -190,7 +191,7 @@ static void describe(struct diagnosis *d) {
         snprintf(to, room, "as if the run had stopped %.3g %s %s", apart, d->unit, size < 0 ? "early" : "late");
         break;
     case FAULT_CONDUCTIVITY:
-        snprintf(to, room, "as if the conductivity were %.3g %% too %s", apart, size < 0 ? "small" : "large");
+        snprintf(to, room, "as if the conductivity were %.3g %% too %s", apart, much);
         break;
     case FAULT_SWAP:
         snprintf(to, room, "as if k_x and k_y were in each other's place");
@@ -198,37 +199,36 @@ static void describe(struct diagnosis *d) {
     case FAULT_SOURCE:
         snprintf(to, room,
                  fabs(size + 100) < 5 ? "as if the source were lost" : "as if the source were %.3g %% too %s", apart,
-                 size < 0 ? "small" : "large");
+                 much);
         break;
     case FAULT_CAPACITY:
         snprintf(to, room, "as if rho c of the second material were that of the first");
         break;
     case FAULT_WALL:
         if (fabs(size + 100) < 5)
-            snprintf(to, room, "as if what side %s holds were lost", side[d->fault.axis]);
+            snprintf(to, room, "as if what side %s holds were lost", sides[d->fault.axis]);
         else if (fabs(size + 200) < 10)
-            snprintf(to, room, "as if what side %s holds had the wrong sign", side[d->fault.axis]);
+            snprintf(to, room, "as if what side %s holds had the wrong sign", sides[d->fault.axis]);
         else
-            snprintf(to, room, "as if what side %s holds were %.3g %% too %s", side[d->fault.axis], apart,
-                     size < 0 ? "small" : "large");
+            snprintf(to, room, "as if what side %s holds were %.3g %% too %s", sides[d->fault.axis], apart, much);
         break;
     case FAULT_EXTENT:
-        snprintf(to, room, "as if the sides across %s lay %.3g cells %s", axis_name(d->fault.axis), apart,
+        snprintf(to, room, "as if the sides across %s lay %.3g cells %s", axis, apart,
                  size < 0 ? "inside" : "outside");
         break;
     case FAULT_START_SHIFT:
         snprintf(to, room, "as if the initial data lay %.3g cells too far %s along %s", apart,
-                 size < 0 ? "down" : "up", axis_name(d->fault.axis));
+                 size < 0 ? "down" : "up", axis);
         break;
     case FAULT_START_WIDTH:
         snprintf(to, room, "as if the jumps of the initial data lay %.3g cells %s along %s", apart,
-                 size < 0 ? "inwards" : "outwards", axis_name(d->fault.axis));
+                 size < 0 ? "inwards" : "outwards", axis);
         break;
     case FAULT_INTERFACE:
         snprintf(to, room, "as if the interface lay %.3g cells too far %s", apart, size < 0 ? "down" : "up");
         break;
     case FAULT_AMPLITUDE:
-        snprintf(to, room, "as if all temperatures were %.3g %% too %s", apart, size < 0 ? "small" : "large");
+        snprintf(to, room, "as if all temperatures were %.3g %% too %s", apart, much);
         break;
     }
 }

@@ -20,6 +20,7 @@ struct chart {
     double slope; /* of the reference line through the last point of the first series; NAN for none */
 };
 
+/* One <svg> element, coordinates in px. */
 void chart_write(const struct chart *c, FILE *out);
 
 #endif

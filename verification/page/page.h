@@ -17,6 +17,7 @@ struct page_gate {
     double error, ceiling; /* NAN where there is none */
 };
 
+/* Characters of the group in an id; 1 where two ids have the same group. */
 size_t page_group_length(const char *id);
 int page_same_group(const char *a, const char *b);
 

@@ -46,6 +46,7 @@ struct norms_shape {
     double checkerboard;          /* K: see checkerboard.h */
 };
 
+/* exact: T of norms_exact, K. */
 struct norms_shape norms_shape(const struct problem *p, const struct field *f, const double *exact);
 
 /* (heat at the end - heat at the start) / |heat at the start| */

@@ -30,6 +30,39 @@ static void options_json(const struct result *r, struct json *j) {
     json_text(j, "volume", result_accepts(r, "volume") ? volume_words[o->volume] : NULL);
 }
 
+static void errors_json(const struct result *r, struct json *j) {
+    json_number(j, "error_l1", r->error.l1);
+    json_number(j, "error_l1_interior", r->interior.l1);
+    json_number(j, "error_l1_boundary", r->boundary.l1);
+    json_number(j, "error_l2", r->error.l2);
+    json_number(j, "error_linf", r->error.linf);
+    json_whole(j, "left_out_points", (long long)r->error.left_out);
+    if (r->derived_name) {
+        json_text(j, "quantity_name", r->derived_name);
+        json_number(j, "quantity", r->derived);
+        json_number(j, "quantity_exact", r->derived_exact);
+        json_number(j, "quantity_error", r->derived_error);
+    }
+}
+
+static void shape_json(const struct result *r, struct json *j) {
+    json_number(j, "min", r->shape.min);
+    json_number(j, "max", r->shape.max);
+    json_number(j, "overshoot", r->shape.overshoot);
+    json_number(j, "undershoot", r->shape.undershoot);
+    json_number(j, "variation", r->shape.variation);
+    json_number(j, "checkerboard", r->shape.checkerboard);
+    if (r->settling.sweeps > 0) {
+        json_object(j, "settling");
+        json_whole(j, "sweeps", r->settling.sweeps);
+        json_number(j, "moved", r->settling.moved);
+        json_number(j, "nearest", r->settling.nearest);
+        json_number(j, "spread", r->settling.spread);
+        json_end(j);
+    }
+    json_number(j, "heat_drift", r->heat_drift);
+}
+
 void result_json(const struct result *r, struct json *j) {
     json_text(j, "scene", r->scene->name);
     json_text(j, "method", r->method->name);
@@ -47,35 +80,10 @@ void result_json(const struct result *r, struct json *j) {
     json_number(j, "saving_over_euler", r->options.stepper == STEPPER_RKL2 ? r->saving : NAN);
     json_number(j, "t_end", r->t_end);
     json_whole(j, "particles", (long long)r->particles);
-    json_number(j, "error_l1", r->error.l1);
-    json_number(j, "error_l1_interior", r->interior.l1);
-    json_number(j, "error_l1_boundary", r->boundary.l1);
-    json_number(j, "error_l2", r->error.l2);
-    json_number(j, "error_linf", r->error.linf);
-    json_whole(j, "left_out_points", (long long)r->error.left_out);
-    if (r->derived_name) {
-        json_text(j, "quantity_name", r->derived_name);
-        json_number(j, "quantity", r->derived);
-        json_number(j, "quantity_exact", r->derived_exact);
-        json_number(j, "quantity_error", r->derived_error);
-    }
+    errors_json(r, j);
     json_number(j, "time_error", r->time_error);
     json_number(j, "reference_error", r->reference_error);
-    json_number(j, "min", r->shape.min);
-    json_number(j, "max", r->shape.max);
-    json_number(j, "overshoot", r->shape.overshoot);
-    json_number(j, "undershoot", r->shape.undershoot);
-    json_number(j, "variation", r->shape.variation);
-    json_number(j, "checkerboard", r->shape.checkerboard);
-    if (r->settling.sweeps > 0) {
-        json_object(j, "settling");
-        json_whole(j, "sweeps", r->settling.sweeps);
-        json_number(j, "moved", r->settling.moved);
-        json_number(j, "nearest", r->settling.nearest);
-        json_number(j, "spread", r->settling.spread);
-        json_end(j);
-    }
-    json_number(j, "heat_drift", r->heat_drift);
+    shape_json(r, j);
     json_number(j, "seconds", r->seconds);
     json_number(j, "step_seconds", r->step_seconds);
     json_whole(j, "updates", r->updates);

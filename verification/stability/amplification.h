@@ -13,6 +13,7 @@ struct amplification {
     int stages;           /* STEPPER_RKL2 */
 };
 
+/* G(z), z = dt lambda, without a unit. */
 double complex amplification_factor(const struct amplification *a, double complex z);
 
 /* The stability interval as theory states it: |G| <= 1 for -z in [0, it]. */

@@ -14,6 +14,7 @@ struct long_run {
     double mean;    /* K */
 };
 
+/* Runs `steps` steps of F = dt kappa/dx^2; STATUS_OK, or the status of the operator or the run. */
 int long_run_measure(const struct model_problem *given, double F, long long steps, struct long_run *e,
                      struct failure *why);
 

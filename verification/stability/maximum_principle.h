@@ -14,6 +14,7 @@ struct maximum_principle {
 /* Weights and runs that lie within this of 0 count as not negative: rounding of a sum of 100 terms */
 #define MAXIMUM_ROUNDING 1e-13
 
+/* Of the method of *given at h/dx = h.  STATUS_OK, or what the weights or a run were refused with. */
 int maximum_principle_find(const struct model_problem *given, double h, struct maximum_principle *x,
                            struct failure *why);
 

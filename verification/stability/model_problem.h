@@ -29,6 +29,7 @@ int model_problem_resolve(struct model_problem *b, int least, struct failure *wh
 
 double model_problem_kappa_y(const struct model_problem *b); /* over kappa_x */
 
+/* The problem itself: sides of n m, kappa 1 m^2/s along x, t_end 1 s; `disturb`, K, is for PROBE_HILL. */
 struct problem model_problem_setup(const struct model_problem *b, enum model_problem_data data, double disturb);
 
 /* `steps` steps of F = dt kappa/dx^2 by the method's own solve (RKL2: by stepper_march, since a run chooses its own

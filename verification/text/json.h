@@ -15,12 +15,14 @@ struct json {
     char closing[JSON_DEPTH];
 };
 
+/* Nothing is written before the first value; out stays the caller's. */
 struct json json_on(FILE *out);
 
 void json_object(struct json *j, const char *key); /* ends with json_end */
 void json_array(struct json *j, const char *key);  /* ends with json_end */
 void json_end(struct json *j);
 
+/* A value, or with a key a member. */
 void json_number(struct json *j, const char *key, double value);
 void json_whole(struct json *j, const char *key, long long value);
 void json_text(struct json *j, const char *key, const char *value); /* NULL becomes null */

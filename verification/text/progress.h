@@ -9,6 +9,7 @@ struct progress {
     int shown; /* 1 on a terminal */
 };
 
+/* `total` pieces of work, named by `what`. */
 struct progress progress_start(const char *what, int total);
 void progress_tick(struct progress *p); /* from any thread */
 void progress_end(struct progress *p);  /* takes the line away */

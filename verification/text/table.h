@@ -15,6 +15,7 @@ struct table {
     char (*cell)[TABLE_CELL];
 };
 
+/* Without a row yet; end with table_free. */
 struct table table_create(int columns, int left);
 /* With a first row: "one|two|three". */
 struct table table_headed(int left, const char *header);
