@@ -9,7 +9,6 @@
 #include "solver/method.h"
 #include "verification/claims/kit.h"
 #include "verification/text/progress.h"
-#include "verification/text/words.h"
 
 #include <fnmatch.h>
 #include <math.h>
@@ -22,34 +21,11 @@ const char *const claims_verdict_words[] = {"not measured", "reproduced",    "re
                                             "contradicted", "not explained", NULL};
 
 #define CLAIM(id, source, published, measure, argument, expected, why)                                               \
-    {id, source, published, measure, argument, CLAIMS_##expected, why},
+    {id, source, published, claims_##measure, argument, CLAIMS_##expected, why},
 const struct claims_row claims_table[] = {
 #include "verification/claims/claims.def"
     {0}};
 #undef CLAIM
-
-static const struct claims_measure *const tables[] = {
-    claims_order_measures,          claims_song_limit_measures,
-    claims_song_moment_measures,    claims_song_wave_measures,
-    claims_pamplona_exact_measures, claims_pamplona_kernel_measures,
-    claims_plate_measures,          claims_xi_measures,
-
-};
-
-/* The measure of that name; or NULL, and the reason with the nearest valid name. */
-static const struct claims_measure *find(const char *name, struct claims_measured *m) {
-    const char *names[WORDS_MAX] = {0};
-    struct failure why;
-    int n = 0;
-    for (size_t t = 0; t < sizeof tables / sizeof *tables; t++)
-        for (const struct claims_measure *measure = tables[t]; measure->name; measure++) {
-            if (strcmp(measure->name, name) == 0) return measure;
-            if (n < WORDS_MAX - 1) names[n++] = measure->name;
-        }
-    words_unknown(names, "measure", name, &why);
-    snprintf(m->reason, sizeof m->reason, "%s", why.text);
-    return NULL;
-}
 
 static void append(struct claims_measured *m, const char *before, const char *text) {
     size_t used = strlen(m->reason);
@@ -68,12 +44,9 @@ static void check(struct claims_measured *m) {
 
 void claims_judge(const struct claims_row *row, struct claims_measured *m) {
     *m = (struct claims_measured){.argument = row->argument};
-    const struct claims_measure *measure = find(row->measure, m);
-    if (measure) {
-        measure->take(m);
-        check(m);
-        if (*row->why) append(m, "; ", row->why);
-    }
+    row->measure(m);
+    check(m);
+    if (*row->why) append(m, "; ", row->why);
     if (claims_holds(row, m)) return;
     append(m, "; ", "the verdict changed, expected: ");
     append(m, "", claims_verdict_words[row->expected]);

@@ -34,17 +34,11 @@ struct claims_measured {
     char reason[720];    /* how the numbers make the verdict; what the row adds; whether it changed */
 };
 
-struct claims_measure {
-    const char *name;
-    /* Fills numbers, verdict and the first part of the reason. */
-    void (*take)(struct claims_measured *m);
-};
-
 struct claims_row {
     const char *id;
-    const char *source;    /* paper, and equation, table, figure or section */
-    const char *published; /* the statement or the number */
-    const char *measure;   /* a name of a table of kit.h */
+    const char *source;                         /* paper, and equation, table, figure or section */
+    const char *published;                      /* the statement or the number */
+    void (*measure)(struct claims_measured *m); /* of kit.h */
     const char *argument;
     enum claims_verdict expected;
     const char *why; /* what explains the numbers */

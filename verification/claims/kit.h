@@ -64,15 +64,11 @@ struct claims_kit_cell {
 int claims_kit_weights(struct claims_kit_cell *cell, const double kappa[2], struct claims_measured *m,
                        const char *command);
 
-/* What a row of claims.def can measure: one table a file, each ended by a NULL name.  A new measure is a function and
- * a row of the table of its file. */
-extern const struct claims_measure claims_order_measures[];           /* orders and tables of errors */
-extern const struct claims_measure claims_song_limit_measures[];      /* Song eqs. 31-41 */
-extern const struct claims_measure claims_song_moment_measures[];     /* Song eqs. 10-26 */
-extern const struct claims_measure claims_song_wave_measures[];       /* oscillations, time error */
-extern const struct claims_measure claims_pamplona_exact_measures[];  /* Pamplona eqs. 2-7, steady state */
-extern const struct claims_measure claims_pamplona_kernel_measures[]; /* eqs. 9, 14, 15, 17, time integration */
-extern const struct claims_measure claims_plate_measures[];           /* Table 1, section 6 */
-extern const struct claims_measure claims_xi_measures[];              /* eqs. 12, 13, 18, Figs. 7 and 8 */
+/* The measures, as the rows of claims.def name them: claims_<file>_<measure>.  Each reads m->argument and fills
+ * numbers, verdict and the first part of the reason. */
+#define CLAIM(id, source, published, measure, argument, expected, why)                                               \
+    void claims_##measure(struct claims_measured *m);
+#include "verification/claims/claims.def"
+#undef CLAIM
 
 #endif

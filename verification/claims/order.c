@@ -21,7 +21,7 @@ static char *unlabel(char *part) {
 }
 
 /* "ORDER | label: ladder's words | label: ...": the first is the published setting. */
-static void take_order(struct claims_measured *m) {
+void claims_order_order(struct claims_measured *m) {
     char part[320];
     int held[2] = {1, 1}, setting = 0;
     claims_kit_part(&m->argument, part, sizeof part);
@@ -41,7 +41,7 @@ static void take_order(struct claims_measured *m) {
 }
 
 /* "ORDER TABLE METHOD | ...": the slope of what is printed (reports/published). */
-static void take_printed_order(struct claims_measured *m) {
+void claims_order_printed_order(struct claims_measured *m) {
     char part[80], name[40], method[24];
     double order, dx[PUBLISHED_COLUMNS];
     int held = 1;
@@ -58,7 +58,7 @@ static void take_printed_order(struct claims_measured *m) {
 }
 
 /* "TABLE | scene and options": every error of the table, run again. */
-static void take_table(struct claims_measured *m) {
+void claims_order_table(struct claims_measured *m) {
     char name[40], options[160];
     double worst = 1;
     struct published t;
@@ -91,7 +91,7 @@ static void take_table(struct claims_measured *m) {
 /* What the errors of Table 2 lack, by two fits of one number each: decimals of the exact solution, and seconds of the
  * clock.  A fit explains them where it gives every digit that is printed: no tolerance besides half a unit of those.
  */
-static void take_gap(struct claims_measured *m) {
+void claims_order_gap(struct claims_measured *m) {
     static const struct {
         const char *name;
         double late;
@@ -135,7 +135,7 @@ static double printed(double x, double t, double kappa_x, double kappa_y) {
 }
 
 /* Largest |T(x) - T(-x)|: the problem is even. */
-static void take_eq45(struct claims_measured *m) {
+void claims_order_eq45(struct claims_measured *m) {
     double apart[2] = {0, 0};
     for (int i = 1; i <= 20; i++) {
         double x = 0.1 * i;
@@ -149,7 +149,7 @@ static void take_eq45(struct claims_measured *m) {
 }
 
 /* Eq. 45 is the solution of the infinite line; eq. 44 has walls at zero.  Relative to the errors of Table 1. */
-static void take_walls(struct claims_measured *m) {
+void claims_order_walls(struct claims_measured *m) {
     static const double time[2] = {5, 50};
     struct published t;
     double share[2], smallest = INFINITY;
@@ -210,7 +210,7 @@ static int is_sensitive(const struct shaken *of) {
 }
 
 /* METHOD: its order where places are off. */
-static void take_sensitive(struct claims_measured *m) {
+void claims_order_sensitive(struct claims_measured *m) {
     struct shaken of;
     if (shake(m->argument, &of, m)) return;
     claims_kit_decide(m, is_sensitive(&of), 1,
@@ -218,7 +218,7 @@ static void take_sensitive(struct claims_measured *m) {
 }
 
 /* METHOD: and a run of small steps that leaves all bounds. */
-static void take_diverges(struct claims_measured *m) {
+void claims_order_diverges(struct claims_measured *m) {
     struct shaken of;
     struct result run;
     if (shake(m->argument, &of, m)) return;
@@ -230,7 +230,7 @@ static void take_diverges(struct claims_measured *m) {
 }
 
 /* "METHOD | METHOD | ...": the first where particles are in disorder, against the others. */
-static void take_steadier(struct claims_measured *m) {
+void claims_order_steadier(struct claims_measured *m) {
     struct shaken of, other;
     char method[40];
     int better = 1;
@@ -246,7 +246,7 @@ static void take_steadier(struct claims_measured *m) {
 }
 
 /* "METHOD | METHOD": accuracy and stability of the first against the second. */
-static void take_better(struct claims_measured *m) {
+void claims_order_better(struct claims_measured *m) {
     struct shaken of[2];
     double step[2];
     for (int k = 0; k < 2; k++) {
@@ -268,15 +268,3 @@ static void take_better(struct claims_measured *m) {
                       "less error with places off and a larger step on the lattice; without a condition if also less "
                       "error there, and no growth 0.3 dx off");
 }
-
-const struct claims_measure claims_order_measures[] = {{"order", take_order},
-                                                       {"printed_order", take_printed_order},
-                                                       {"table", take_table},
-                                                       {"gap", take_gap},
-                                                       {"eq45", take_eq45},
-                                                       {"walls", take_walls},
-                                                       {"sensitive", take_sensitive},
-                                                       {"diverges", take_diverges},
-                                                       {"steadier", take_steadier},
-                                                       {"better", take_better},
-                                                       {0}};

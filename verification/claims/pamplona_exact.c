@@ -26,7 +26,7 @@ static int plate(struct experiment *e, struct claims_measured *m, const char *se
 }
 
 /* Eq. 2 on the middle of each side. */
-static void take_eq2(struct claims_measured *m) {
+void claims_pamplona_exact_eq2(struct claims_measured *m) {
     static const char *const name[4] = {"T1", "T2", "T3", "T4"};
     static const double wall[4] = {0.25, 0.50, 0.75, 1.00};
     static const double middle[4][2] = {{0.05, 0}, {0.1, 0.05}, {0.05, 0.1}, {0, 0.05}};
@@ -87,7 +87,7 @@ static int compare(const char *side, double height, double *worst, struct claims
 
 /* "T1" to "T4": A_pn, B_mn, C_pn or D_mn of eq. 7, by the coefficients that they make; a square plate, and another.
  */
-static void take_eq7(struct claims_measured *m) {
+void claims_pamplona_exact_eq7(struct claims_measured *m) {
     double square, other;
     if (compare(m->argument, 0.1, &square, m) || compare(m->argument, 0.07, &other, m)) return;
     claims_kit_number(m, square, "", "|printed/exact - 1| of the coefficients, square plate");
@@ -98,7 +98,7 @@ static void take_eq7(struct claims_measured *m) {
 }
 
 /* How far the plate is from its steady state at the time that the paper calls steady. */
-static void take_steady(struct claims_measured *m) {
+void claims_pamplona_exact_steady(struct claims_measured *m) {
     struct experiment e;
     struct published t;
     if (claims_kit_published(&t, m, "pamplona_table1")) return;
@@ -124,7 +124,7 @@ static void take_steady(struct claims_measured *m) {
 }
 
 /* The isotherm of the mean wall temperature. */
-static void take_diagonal(struct claims_measured *m) {
+void claims_pamplona_exact_diagonal(struct claims_measured *m) {
     struct experiment e;
     if (plate(&e, m, "")) return;
     double most = 0, then = 0, t = plate_time(PLATE_TIMES - 1);
@@ -142,7 +142,7 @@ static void take_diagonal(struct claims_measured *m) {
 
 /* "Temperatures near the left and the top drop along the time": the column and the row half a spacing from these
  * walls at the four times of Table 1. */
-static void take_drop(struct claims_measured *m) {
+void claims_pamplona_exact_drop(struct claims_measured *m) {
     struct published t;
     struct experiment e;
     double least = INFINITY, first = 0, last = 0;
@@ -166,7 +166,7 @@ static void take_drop(struct claims_measured *m) {
 }
 
 /* The steady state of three materials. */
-static void take_steady_material(struct claims_measured *m) {
+void claims_pamplona_exact_steady_material(struct claims_measured *m) {
     struct experiment e[3];
     int bad = 0;
     double apart = 0, then = 0, t = plate_time(0);
@@ -186,11 +186,3 @@ static void take_steady_material(struct claims_measured *m) {
     claims_kit_number(m, then, "K", "at %.7g s", t);
     claims_kit_decide(m, apart <= 1e-12, 1, "equal to rounding (1e-12 K)");
 }
-
-const struct claims_measure claims_pamplona_exact_measures[] = {{"eq2", take_eq2},
-                                                                {"eq7", take_eq7},
-                                                                {"steady", take_steady},
-                                                                {"diagonal", take_diagonal},
-                                                                {"drop", take_drop},
-                                                                {"steady_material", take_steady_material},
-                                                                {0}};

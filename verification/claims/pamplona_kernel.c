@@ -35,7 +35,7 @@ static double quartic(int dim, double s) {
     return kernel_value(KERNEL_QUARTIC, dim, s);
 }
 
-static void take_eq9(struct claims_measured *m) {
+void claims_pamplona_kernel_eq9(struct claims_measured *m) {
     double worst[2] = {0, 0};
     for (int dim = 1; dim <= 3; dim++) {
         double as_printed = integral(dim, printed_kernel);
@@ -48,7 +48,7 @@ static void take_eq9(struct claims_measured *m) {
 }
 
 /* "positive, decreasing monotonous": the kernel as meant. */
-static void take_shape(struct claims_measured *m) {
+void claims_pamplona_kernel_kernel_shape(struct claims_measured *m) {
     double least = INFINITY, turns = 2, scale = quartic(2, 0);
     for (int i = 1; i < 2000; i++) {
         double s = 0.001 * i;
@@ -60,7 +60,7 @@ static void take_shape(struct claims_measured *m) {
     claims_kit_decide(m, least >= 0 && turns >= 2, 1, "w >= 0 and dw/ds <= 0 for all s < 2");
 }
 
-static void take_mass(struct claims_measured *m) {
+void claims_pamplona_kernel_mass(struct claims_measured *m) {
     const double all = RHO * 0.1 * 0.1 * 1.643, real = all / 400, counted = all / 576;
     claims_kit_number(m, real, "kg", "eq. 14, N = 400");
     claims_kit_number(m, counted, "kg", "N = 576, ghosts counted");
@@ -69,7 +69,7 @@ static void take_mass(struct claims_measured *m) {
                       "0.224 kg to its three digits with N the particles of the plate; on condition, with another N");
 }
 
-static void take_ghosts(struct claims_measured *m) {
+void claims_pamplona_kernel_ghosts(struct claims_measured *m) {
     const int n = 20, layers = (int)floor(2 * 1.2), ghosts = (n + 2 * layers) * (n + 2 * layers) - n * n;
     claims_kit_number(m, n * n, "", "particles at dx = 0.005 m");
     claims_kit_number(m, ghosts, "", "ghosts in the two layers that 2 h = 2.4 dx reaches");
@@ -77,7 +77,7 @@ static void take_ghosts(struct claims_measured *m) {
 }
 
 /* "the time to reach the steady-state is inversely proportional to mass": the same field in half the time. */
-static void take_mass_rate(struct claims_measured *m) {
+void claims_pamplona_kernel_mass_rate(struct claims_measured *m) {
     static const char command[] = "run plate brookshaw --dx 0.005 --kernel quartic --h 1.2 --walls fixed --volume "
                                   "tuned --stepper rk2 --xi %g --dt %g --t-end %g";
     struct command_run once, twice;
@@ -99,7 +99,7 @@ static int stable(double gamma) {
                               plate_time(PLATE_TIMES - 1));
 }
 
-static void take_eq17(struct claims_measured *m) {
+void claims_pamplona_kernel_eq17(struct claims_measured *m) {
     double lo = 0.05, hi = 0.5;
     int published = stable(0.25);
     while (hi / lo > 1.002) {
@@ -118,7 +118,7 @@ static void take_eq17(struct claims_measured *m) {
 enum { HALVINGS = 5 };
 
 /* "ORDER | words": order in dt of one run, from differences between halved steps (Richardson). */
-static void take_time_order(struct claims_measured *m) {
+void claims_pamplona_kernel_time_order(struct claims_measured *m) {
     char part[200];
     struct command_run run[HALVINGS] = {0};
     double dt[HALVINGS], apart[HALVINGS] = {0};
@@ -144,7 +144,7 @@ static void take_time_order(struct claims_measured *m) {
                       order);
 }
 
-static void take_step_order(struct claims_measured *m) {
+void claims_pamplona_kernel_step_order(struct claims_measured *m) {
     double dt[XI_MATERIALS];
     for (int i = 0; i < XI_MATERIALS; i++) {
         dt[i] = 0.08 * 0.006 * 0.006 / xi_diffusivity(i);
@@ -156,7 +156,7 @@ static void take_step_order(struct claims_measured *m) {
 /* ---- Cost, by counted pairs, which are the same on any machine ---- */
 
 /* Pairs of both methods, step for step, and the printed seconds. */
-static void take_cheaper(struct claims_measured *m) {
+void claims_pamplona_kernel_cheaper(struct claims_measured *m) {
     double each[PLATE_METHODS];
     struct published t;
     if (claims_kit_published(&t, m, "pamplona_table1")) return;
@@ -176,7 +176,7 @@ static void take_cheaper(struct claims_measured *m) {
 }
 
 /* Fig. 8: work over h, as a power of h and as an exponential of h. */
-static void take_growth(struct claims_measured *m) {
+void claims_pamplona_kernel_growth(struct claims_measured *m) {
     enum { SIZES = 6 };
     static const int n[SIZES] = {12, 15, 18, 22, 27, 33};
     double h[SIZES], work[SIZES];
@@ -198,7 +198,7 @@ static void take_growth(struct claims_measured *m) {
 }
 
 /* Section 6: the costs of the materials differ by the number of their steps. */
-static void take_cost_materials(struct claims_measured *m) {
+void claims_pamplona_kernel_cost_materials(struct claims_measured *m) {
     double pairs[XI_MATERIALS], apart = 0;
     for (int k = 0; k < XI_MATERIALS; k++) {
         struct xi_best b = xi_as_stated(PLATE_SIDE, k);
@@ -218,7 +218,7 @@ static void take_cost_materials(struct claims_measured *m) {
 /* ---- Eq. 11 ---- */
 
 /* The contact of two materials with eq. 11's mean of the conductivities, and with eq. 13's. */
-static void take_eq11(struct claims_measured *m) {
+void claims_pamplona_kernel_eq11(struct claims_measured *m) {
     static const char *const mean[2] = {"arithmetic", "harmonic"};
     static const double converges[2] = {0.5, 3};
     double slope;
@@ -237,7 +237,7 @@ static void take_eq11(struct claims_measured *m) {
 }
 
 /* The kernel's second derivative rises somewhere, and what it makes of the Laplacian is worse than a first one's. */
-static void take_curvature(struct claims_measured *m) {
+void claims_pamplona_kernel_curvature(struct claims_measured *m) {
     static const char *const words[] = {"quartic", "cubic", "wendland"};
     static const enum kernel_name kernel[] = {KERNEL_QUARTIC, KERNEL_CUBIC, KERNEL_WENDLAND};
     int held[2] = {1, 1};
@@ -264,18 +264,3 @@ static void take_curvature(struct claims_measured *m) {
         "W'' rises within the support, and E1 is larger by it than by W' with the paper's kernel; without "
         "a condition if so with the others");
 }
-
-const struct claims_measure claims_pamplona_kernel_measures[] = {{"eq9", take_eq9},
-                                                                 {"kernel_shape", take_shape},
-                                                                 {"mass", take_mass},
-                                                                 {"ghosts", take_ghosts},
-                                                                 {"mass_rate", take_mass_rate},
-                                                                 {"eq17", take_eq17},
-                                                                 {"time_order", take_time_order},
-                                                                 {"step_order", take_step_order},
-                                                                 {"cheaper", take_cheaper},
-                                                                 {"growth", take_growth},
-                                                                 {"cost_materials", take_cost_materials},
-                                                                 {"eq11", take_eq11},
-                                                                 {"curvature", take_curvature},
-                                                                 {0}};

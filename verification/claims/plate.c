@@ -101,7 +101,7 @@ static double off_by(const double *measured, const double *printed) {
 }
 
 /* "METHOD": a row of Table 1, by the reading of all rows; and the nearest of what else was tried. */
-static void take_table1(struct claims_measured *m) {
+void claims_plate_table1(struct claims_measured *m) {
     struct plate_errors e[PLATE_METHODS][PLATE_TIMES];
     struct published t;
     double E[PLATE_TIMES], alone = INFINITY;
@@ -131,7 +131,7 @@ static void take_table1(struct claims_measured *m) {
 }
 
 /* "order", "falls" or "similar": what Table 1 is said to show. */
-static void take_accuracy(struct claims_measured *m) {
+void claims_plate_accuracy(struct claims_measured *m) {
     struct plate_errors e[PLATE_METHODS][PLATE_TIMES];
     struct published t;
     int order = 1, falls = 1;
@@ -157,7 +157,7 @@ static void take_accuracy(struct claims_measured *m) {
 }
 
 /* Where the error is at the first time, in % of 1 K, the hottest wall. */
-static void take_edges(struct claims_measured *m) {
+void claims_plate_edges(struct claims_measured *m) {
     struct plate_errors e;
     if (measure(&e, m, plate_words[PLATE_SPH], plate_time(0))) return;
     claims_kit_number(m, 100 * e.left_mean, "% of 1 K", "mean error beside the left wall");
@@ -172,7 +172,7 @@ static void take_edges(struct claims_measured *m) {
 }
 
 /* How many neighbours are missing near the walls, and what the same particles do with other ghosts. */
-static void take_deficiency(struct claims_measured *m) {
+void claims_plate_deficiency(struct claims_measured *m) {
     static const char fixed_words[] =
         "brookshaw --dx 0.005 --kernel quartic --h 1.2 --volume moment --stepper rk2 --dt 0.1623 --walls fixed";
     static const char mirror_words[] =
@@ -196,7 +196,7 @@ static void take_deficiency(struct claims_measured *m) {
 }
 
 /* Who is behind at the first time. */
-static void take_slower(struct claims_measured *m) {
+void claims_plate_slower(struct claims_measured *m) {
     struct plate_errors e;
     if (measure(&e, m, plate_words[PLATE_SPH], plate_time(0))) return;
     claims_kit_number(m, e.ring_late, "K", "outermost ring too cold by");
@@ -210,7 +210,7 @@ static void take_slower(struct claims_measured *m) {
 }
 
 /* What xi does to the error of the outermost ring: while the plate warms up, and once it is steady. */
-static void take_xi_edges(struct claims_measured *m) {
+void claims_plate_xi_edges(struct claims_measured *m) {
     static const double xi[3] = {1.4, 1.643, 1.9}, later = 1500; /* m; s */
     struct plate_errors e[2][3];
     double t[2] = {plate_time(0), later}, range[2];
@@ -232,11 +232,3 @@ static void take_xi_edges(struct claims_measured *m) {
         "a larger xi lowers the error of the ring by more than 1 %%: while the plate warms up; without a "
         "condition once it is steady too");
 }
-
-const struct claims_measure claims_plate_measures[] = {{"table1", take_table1},
-                                                       {"accuracy", take_accuracy},
-                                                       {"edges", take_edges},
-                                                       {"deficiency", take_deficiency},
-                                                       {"slower", take_slower},
-                                                       {"xi_edges", take_xi_edges},
-                                                       {0}};

@@ -38,7 +38,7 @@ static int limits_at(int dim, const char *method, const char *kernel, double h, 
 }
 
 /* "METHOD SECONDS": a limit that the text quotes for rod-step, dx = 0.1, h = 1.05 dx. */
-static void take_quoted(struct claims_measured *m) {
+void claims_song_limit_quoted_limit(struct claims_measured *m) {
     char method[32];
     struct step_limits l;
     snprintf(method, sizeof method, "%.*s", (int)strcspn(m->argument, " "), m->argument);
@@ -74,7 +74,7 @@ static int scan(const char *method, struct scan *worst, struct claims_measured *
 }
 
 /* "METHOD": whether a step at the published limit is stable. */
-static void take_bound(struct claims_measured *m) {
+void claims_song_limit_bound(struct claims_measured *m) {
     struct step_limits rod, square;
     struct scan worst;
     if (limits_at(1, m->argument, "cubic", 1.05, 1, &rod, m) ||
@@ -99,7 +99,7 @@ static int run_steps(const char *words, double dt) {
 }
 
 /* A run at 99 % of eq. 34 where the scan above finds weights that it does not cover: a rod, quartic kernel. */
-static void take_blow_up(struct claims_measured *m) {
+void claims_song_limit_blow_up(struct claims_measured *m) {
     struct step_limits l, worst = {0, 1};
     double h = 0;
     char words[80];
@@ -122,7 +122,7 @@ static void take_blow_up(struct claims_measured *m) {
 static const char square_line[] = "run square-step so_ssph --dx 0.1 --h 1.1";
 
 /* Eq. 34 where the two diffusivities differ, and runs of 4000 steps at 0.99 of it and of the true limit. */
-static void take_unequal(struct claims_measured *m) {
+void claims_song_limit_unequal(struct claims_measured *m) {
     static const double ratio[4] = {1, 0.25, 0.1, 1e-9};
     struct step_limits l[4];
     double worst = 0;
@@ -145,7 +145,7 @@ static void take_unequal(struct claims_measured *m) {
 }
 
 /* Weights and undershoots where the two diffusivities differ. */
-static void take_unequal_weights(struct claims_measured *m) {
+void claims_song_limit_unequal_weights(struct claims_measured *m) {
     static const double ratio[3] = {1, 0.1, 0.01};
     double lowest = 0, below = 0;
     for (int i = 0; i < 3; i++) {
@@ -183,7 +183,7 @@ static double complex transfer(const struct claims_kit_cell *cell, const double 
 
 /* G of eq. 33 as printed, eta with kappa_y and phi with kappa_x, against one step of the scheme on a plane wave.
  * "versions": beside that of the journal's web page, kappa_y at both, whose eq. 34 has kappa_x at both. */
-static void take_eq33(struct claims_measured *m) {
+void claims_song_limit_eq33(struct claims_measured *m) {
     static const double kappas[2][2] = {{0.01, 0.01}, {0.013, 0.004}};
     static const double one[2][2] = {{1, 0}, {0, 1}};
     const double dt = 0.1;
@@ -222,7 +222,7 @@ static void take_eq33(struct claims_measured *m) {
 }
 
 /* G of eqs. 39 and 40 as printed, with a minus sign before the square, against one step of the scheme. */
-static void take_eq39(struct claims_measured *m) {
+void claims_song_limit_eq39(struct claims_measured *m) {
     struct claims_kit_cell cell;
     const double kappa[2] = {0.01, 0}, dt = 0.5; /* s, what eq. 41 gives */
     if (claims_kit_weights(&cell, kappa, m, "run rod-step fo_ssph --dx 0.1 --h 1.05")) return;
@@ -232,12 +232,3 @@ static void take_eq39(struct claims_measured *m) {
     claims_kit_number(m, cabs(step), "", "|G| of the step (eq. 38)");
     claims_kit_decide(m, cabs(printed - step) <= 1e-12, 1, "the two agree to rounding (1e-12)");
 }
-
-const struct claims_measure claims_song_limit_measures[] = {{"quoted_limit", take_quoted},
-                                                            {"bound", take_bound},
-                                                            {"blow_up", take_blow_up},
-                                                            {"eq33", take_eq33},
-                                                            {"eq39", take_eq39},
-                                                            {"unequal", take_unequal},
-                                                            {"unequal_weights", take_unequal_weights},
-                                                            {0}};

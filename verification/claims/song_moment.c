@@ -80,14 +80,14 @@ static struct moments moments_at(int order, double dx, double scatter) {
 }
 
 /* Eq. 18, and that M is symmetric. */
-static void take_moments(struct claims_measured *m) {
+void claims_song_moment_odd_moments(struct claims_measured *m) {
     struct moments even = moments_at(2, 0.1, 0), scattered = moments_at(2, 0.1, 0.2);
     claims_kit_number(m, even.odd, "", "odd moment over its size, lattice");
     claims_kit_number(m, scattered.odd, "", "the same, particles scattered by 0.2 dx");
     claims_kit_decide(m, even.odd <= 1e-14, 1, "odd moments cancel to rounding (1e-14) on a lattice");
 }
 
-static void take_symmetric(struct claims_measured *m) {
+void claims_song_moment_symmetric(struct claims_measured *m) {
     double worst = 0, least = INFINITY;
     for (int i = 0; i < 2; i++) {
         struct moments s = moments_at(2, 0.1, 0.3 * i);
@@ -107,7 +107,7 @@ static double power(double coarse, double fine) {
 }
 
 /* Eqs. 20, 21, 24: exponents of the entries of M and of its inverse. */
-static void take_scaling(struct claims_measured *m) {
+void claims_song_moment_scaling(struct claims_measured *m) {
     int order = atoi(m->argument), terms = order == 2 ? TERMS : 2;
     struct moments a = moments_at(order, 0.1, 0), b = moments_at(order, 0.05, 0);
     double worst = 0, outside = 0;
@@ -128,7 +128,7 @@ static void take_scaling(struct claims_measured *m) {
 }
 
 /* Eqs. 22, 25: exponents of what the expansion leaves out. */
-static void take_left_out(struct claims_measured *m) {
+void claims_song_moment_left_out(struct claims_measured *m) {
     int order = atoi(m->argument), terms = order == 2 ? TERMS : 2, held = 1;
     struct moments a = moments_at(order, 0.02, 0), b = moments_at(order, 0.01, 0);
     for (int k = 0; k < terms; k++) {
@@ -140,7 +140,7 @@ static void take_left_out(struct claims_measured *m) {
 }
 
 /* Eqs. 23, 26: "METHOD", the order of its derivatives of a smooth function in 1D and in 2D. */
-static void take_truncation(struct claims_measured *m) {
+void claims_song_moment_truncation(struct claims_measured *m) {
     static const char *const scene[] = {"rod-gauss", "square-step"};
     int held = 1;
     for (int dim = 1; dim <= 2; dim++) {
@@ -203,7 +203,7 @@ static double of_linear(const char *method, struct claims_measured *m) {
 }
 
 /* "METHOD | ... | + METHOD": none is exact for a linear temperature on a cloud, the last is. */
-static void take_completeness(struct claims_measured *m) {
+void claims_song_moment_completeness(struct claims_measured *m) {
     char part[40];
     int none = 1, last = 1;
     while (claims_kit_part(&m->argument, part, sizeof part)) {
@@ -219,11 +219,3 @@ static void take_completeness(struct claims_measured *m) {
         m, none && last, 1,
         "L x of the first three at least 0.01 kappa/dx somewhere, that of the last 0 to rounding (1e-11)");
 }
-
-const struct claims_measure claims_song_moment_measures[] = {{"odd_moments", take_moments},
-                                                             {"symmetric", take_symmetric},
-                                                             {"scaling", take_scaling},
-                                                             {"left_out", take_left_out},
-                                                             {"truncation", take_truncation},
-                                                             {"completeness", take_completeness},
-                                                             {0}};

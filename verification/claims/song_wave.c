@@ -39,7 +39,7 @@ static int look(struct claims_measured *m, double (*size)(const struct result *)
 }
 
 /* None leaves its initial range (0 to 10 K) by more than rounding does in thousands of steps. */
-static void take_no_oscillation(struct claims_measured *m) {
+void claims_song_wave_no_oscillation(struct claims_measured *m) {
     int held[2];
     if (look(m, outside, "K", 0, 1e-11, held)) return;
     claims_kit_decide(m, held[0], held[1],
@@ -48,7 +48,7 @@ static void take_no_oscillation(struct claims_measured *m) {
 }
 
 /* Each leaves its initial range, or carries a wave of two points, by 1 % of the jump. */
-static void take_oscillation(struct claims_measured *m) {
+void claims_song_wave_oscillation(struct claims_measured *m) {
     int held[2];
     if (look(m, wave, "K", 0.1, INFINITY, held)) return;
     claims_kit_decide(m, held[0], held[1],
@@ -56,7 +56,7 @@ static void take_oscillation(struct claims_measured *m) {
 }
 
 /* The same where there must be none. */
-static void take_smooth(struct claims_measured *m) {
+void claims_song_wave_smooth(struct claims_measured *m) {
     int held[2];
     if (look(m, relative_wave, "", 0, 1e-6, held)) return;
     claims_kit_decide(m, held[0], held[1],
@@ -80,7 +80,7 @@ static double sawtooth(const struct command_run *run) {
  * rate as one of phi but for the second neighbours' weights, so that late on both are one mode each: their ratio
  * tends to that of the two coefficients of the start, about 0.04 (half of the box's alternating sum, cos(3 pi/8),
  * over its sum, 10). */
-static void take_persistence(struct claims_measured *m) {
+void claims_song_wave_persistence(struct claims_measured *m) {
     static const double time[3] = {50, 500, 1500};
     double wave[2][3], peak[2][3];
     for (int k = 0; k < 2; k++)
@@ -110,7 +110,7 @@ static double bump_with_sawtooth(const struct problem *p, const double x[2]) {
 }
 
 /* Largest sawtooth left at 50 s of smooth data with a sawtooth on top, "METHOD | METHOD": no gradient is infinite. */
-static void take_infinite_gradient(struct claims_measured *m) {
+void claims_song_wave_infinite_gradient(struct claims_measured *m) {
     char method[40];
     double left[2] = {NAN, NAN};
     for (int i = 0; i < 2 && claims_kit_part(&m->argument, method, sizeof method); i++) {
@@ -134,7 +134,7 @@ static void take_infinite_gradient(struct claims_measured *m) {
 }
 
 /* Area above a temperature, and above half of the peak, from 1 to 5 s: "run's words". */
-static void take_expands(struct claims_measured *m) {
+void claims_song_wave_expands(struct claims_measured *m) {
     static const double level[2] = {1, 5};
     double area[5][3];
     for (int t = 1; t <= 5; t++) {
@@ -163,7 +163,7 @@ static void take_expands(struct claims_measured *m) {
 }
 
 /* "run's words": E with each kernel over E with the cubic spline; and the order with each. */
-static void take_kernels(struct claims_measured *m) {
+void claims_song_wave_kernels(struct claims_measured *m) {
     static const char *const kernel[] = {"cubic", "quartic", "wendland"};
     double E[3], slope, apart = 0;
     int held = 1, holds;
@@ -186,7 +186,7 @@ static void take_kernels(struct claims_measured *m) {
 }
 
 /* "METHOD | METHOD": the central wave of two points is in the null space. */
-static void take_null_space(struct claims_measured *m) {
+void claims_song_wave_null_space(struct claims_measured *m) {
     const double theta[2] = {acos(-1), 0};
     char method[40];
     int held = 1;
@@ -208,7 +208,7 @@ static void take_null_space(struct claims_measured *m) {
 }
 
 /* "words | dt": what the published Euler step adds to the error, from the same run without any time error. */
-static void take_time_error(struct claims_measured *m) {
+void claims_song_wave_time_error(struct claims_measured *m) {
     char words[160], dt[32];
     double most = 0;
     while (claims_kit_part(&m->argument, words, sizeof words) && claims_kit_part(&m->argument, dt, sizeof dt)) {
@@ -230,7 +230,7 @@ static void take_time_error(struct claims_measured *m) {
 }
 
 /* E1 against the exact solution at five times: below what a plot can show. */
-static void take_agreement(struct claims_measured *m) {
+void claims_song_wave_agreement(struct claims_measured *m) {
     double worst = 0, last = INFINITY;
     int falling = 1;
     for (int t = 1; t <= 5; t++) {
@@ -245,15 +245,3 @@ static void take_agreement(struct claims_measured *m) {
     claims_kit_decide(m, worst <= 0.05 && falling, worst <= 0.01,
                       "peaks fall, and no point is off by more than 5 %% of T0 (1 %% for no condition)");
 }
-
-const struct claims_measure claims_song_wave_measures[] = {{"no_oscillation", take_no_oscillation},
-                                                           {"oscillation", take_oscillation},
-                                                           {"smooth", take_smooth},
-                                                           {"persistence", take_persistence},
-                                                           {"infinite_gradient", take_infinite_gradient},
-                                                           {"expands", take_expands},
-                                                           {"kernels", take_kernels},
-                                                           {"null_space", take_null_space},
-                                                           {"time_error", take_time_error},
-                                                           {"agreement", take_agreement},
-                                                           {0}};
