@@ -45,11 +45,13 @@ static int material_at(const struct columns_row *row) {
     return row->p->materials == 2 && row->x[0] >= row->p->interface;
 }
 
-static void temperature(const struct columns_row *row, double *value) {
+static void temperature(const struct columns_row *row, int axis, double *value) {
+    (void)axis;
     *value = row->exact.no_value ? NAN : row->exact.temperature;
 }
 
-static void error_bound(const struct columns_row *row, double *value) {
+static void error_bound(const struct columns_row *row, int axis, double *value) {
+    (void)axis;
     *value = row->exact.no_value ? NAN : row->exact.error_bound;
 }
 
@@ -57,15 +59,8 @@ static void flux(const struct columns_row *row, int axis, double *value) {
     *value = row->exact.no_value ? NAN : -row->p->material[material_at(row)].k[axis] * row->exact.gradient[axis];
 }
 
-static void flux_x(const struct columns_row *row, double *value) {
-    flux(row, 0, value);
-}
-
-static void flux_y(const struct columns_row *row, double *value) {
-    flux(row, 1, value);
-}
-
-static void initial(const struct columns_row *row, double *value) {
+static void initial(const struct columns_row *row, int axis, double *value) {
+    (void)axis;
     *value = row->p->initial(row->p, row->x);
 }
 
@@ -74,7 +69,8 @@ static struct approx initial_at(const void *data, const double x[2]) {
     return (struct approx){p->initial(p, x), 0};
 }
 
-static void initial_mean(const struct columns_row *row, double *value) {
+static void initial_mean(const struct columns_row *row, int axis, double *value) {
+    (void)axis;
     const struct problem *p = row->p;
     double lo[2] = {0, 0}, hi[2] = {0, 0};
     struct cubature_knots knots = {.count = {0, 0}};
@@ -88,19 +84,17 @@ static void initial_mean(const struct columns_row *row, double *value) {
     *value = cubature_mean(initial_at, p, p->dim, lo, hi, &knots).value;
 }
 
-static void source(const struct columns_row *row, double *value) {
+static void source(const struct columns_row *row, int axis, double *value) {
+    (void)axis;
     *value = row->p->source ? row->p->source(row->p, row->x) : 0;
 }
 
-static void k_x(const struct columns_row *row, double *value) {
-    *value = row->p->material[material_at(row)].k[0];
+static void conductivity(const struct columns_row *row, int axis, double *value) {
+    *value = row->p->material[material_at(row)].k[axis];
 }
 
-static void k_y(const struct columns_row *row, double *value) {
-    *value = row->p->material[material_at(row)].k[1];
-}
-
-static void rho_c(const struct columns_row *row, double *value) {
+static void rho_c(const struct columns_row *row, int axis, double *value) {
+    (void)axis;
     *value = row->p->material[material_at(row)].rho_c;
 }
 
@@ -115,16 +109,9 @@ static void wall_across(const struct columns_row *row, int axis, double *value) 
     value[2] = p->side[s] == ROBIN ? p->robin[s] : 0;
 }
 
-static void wall_x(const struct columns_row *row, double *value) {
-    wall_across(row, 0, value);
-}
-
-static void wall_y(const struct columns_row *row, double *value) {
-    wall_across(row, 1, value);
-}
-
-static void wall(const struct columns_row *row, double *value) {
+static void wall(const struct columns_row *row, int axis, double *value) {
     double other[3];
+    (void)axis;
     wall_across(row, 0, value);
     if (row->p->dim == 1) return;
     wall_across(row, 1, other);
@@ -136,19 +123,19 @@ static void wall(const struct columns_row *row, double *value) {
 }
 
 static const struct columns_kind kinds[] = {
-    {"temperature", "temperature", 1, 0, 0, temperature, 1},
-    {"error_bound", "error_bound", 1, 0, 0, error_bound, 1},
-    {"initial", "initial", 0, 0, 0, initial, 1},
-    {"initial_mean", "initial_mean", 0, 1, 0, initial_mean, 1},
-    {"source", "source", 0, 0, 0, source, 1},
-    {"k_x", "k_x", 0, 0, 0, k_x, 1},
-    {"k_y", "k_y", 0, 0, 1, k_y, 1},
-    {"rho_c", "rho_c", 0, 0, 0, rho_c, 1},
-    {"flux_x", "flux_x", 1, 0, 0, flux_x, 1},
-    {"flux_y", "flux_y", 1, 0, 1, flux_y, 1},
-    {"wall", "wall_kind,wall_value,wall_b", 0, 0, 0, wall, 3},
-    {"wall_x", "wall_x_kind,wall_x_value,wall_x_b", 0, 0, 0, wall_x, 3},
-    {"wall_y", "wall_y_kind,wall_y_value,wall_y_b", 0, 0, 1, wall_y, 3},
+    {"temperature", "temperature", 1, 0, 0, temperature, 0, 1},
+    {"error_bound", "error_bound", 1, 0, 0, error_bound, 0, 1},
+    {"initial", "initial", 0, 0, 0, initial, 0, 1},
+    {"initial_mean", "initial_mean", 0, 1, 0, initial_mean, 0, 1},
+    {"source", "source", 0, 0, 0, source, 0, 1},
+    {"k_x", "k_x", 0, 0, 0, conductivity, 0, 1},
+    {"k_y", "k_y", 0, 0, 1, conductivity, 1, 1},
+    {"rho_c", "rho_c", 0, 0, 0, rho_c, 0, 1},
+    {"flux_x", "flux_x", 1, 0, 0, flux, 0, 1},
+    {"flux_y", "flux_y", 1, 0, 1, flux, 1, 1},
+    {"wall", "wall_kind,wall_value,wall_b", 0, 0, 0, wall, 0, 3},
+    {"wall_x", "wall_x_kind,wall_x_value,wall_x_b", 0, 0, 0, wall_across, 0, 3},
+    {"wall_y", "wall_y_kind,wall_y_value,wall_y_b", 0, 0, 1, wall_across, 1, 3},
 };
 enum { KINDS = sizeof kinds / sizeof *kinds };
 
@@ -185,7 +172,7 @@ int columns_values(const struct columns *c, const struct snapshot *now, const do
     int n = 0;
     if (c->needs_time) row.exact = snapshot_at(now, x);
     for (int i = 0; i < c->count; i++) {
-        c->kind[i]->fill(&row, value + n);
+        c->kind[i]->fill(&row, c->kind[i]->axis, value + n);
         n += c->kind[i]->values;
     }
     return n;

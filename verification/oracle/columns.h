@@ -16,7 +16,8 @@ struct columns_kind {
     const char *header; /* of the columns that it fills */
     int needs_time, needs_cell;
     int plane; /* 1: a rod has none */
-    void (*fill)(const struct columns_row *row, double *value);
+    void (*fill)(const struct columns_row *row, int axis, double *value);
+    int axis;   /* along which it is told, where that matters */
     int values; /* how many it fills */
 };
 
