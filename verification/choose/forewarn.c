@@ -2,6 +2,7 @@
 #include "verification/choose/forewarn.h"
 
 #include "verification/choose/plan.h"
+#include "verification/choose/plan_steps.h"
 #include "verification/run/experiment.h"
 #include "verification/run/time_step.h"
 
@@ -16,15 +17,9 @@ static const double RATE = 5e9, EVALUATED = 4e-6;
 /* What is surely short: a search takes some 50 times the updates of its first run (a jump's, by Euler steps). */
 static const double SHORT_UPDATES = 2e6, SHORT_PARTICLES = 1e5;
 
-static double particles(const struct problem *p, double dx) {
-    double n = 1;
-    for (int a = 0; a < p->dim; a++) n *= (p->hi[a] - p->lo[a]) / dx;
-    return n;
-}
-
 static int is_short(const struct experiment *e) {
     const struct options *o = &e->options;
-    double n = particles(&e->problem, o->dx), steps = time_step_first(e);
+    double n = plan_steps_particles(&e->problem, o->dx), steps = time_step_first(e);
     if (o->dt > 0) steps = e->problem.t_end / o->dt;
     if (o->fourier > 0) steps = e->problem.t_end * problem_diffusivity(&e->problem) / (o->fourier * o->dx * o->dx);
     return n <= SHORT_PARTICLES && n * steps <= SHORT_UPDATES;

@@ -25,7 +25,7 @@ static double least_along(const struct problem *p, double dx) {
     return least;
 }
 
-static double particles(const struct problem *p, double dx) {
+double plan_steps_particles(const struct problem *p, double dx) {
     double n = 1;
     for (int a = 0; a < p->dim; a++) n *= (p->hi[a] - p->lo[a]) / dx;
     return n;
@@ -34,7 +34,7 @@ static double particles(const struct problem *p, double dx) {
 static int is_quick(const struct experiment *e, double dx) {
     struct experiment with = *e;
     with.options.dx = dx;
-    double n = particles(&e->problem, dx);
+    double n = plan_steps_particles(&e->problem, dx);
     return n <= SMALL[e->problem.dim] && n * time_step_first(&with) <= QUICK;
 }
 
@@ -90,7 +90,8 @@ struct plan_steps plan_steps_predict(const struct experiment *e, int first) {
     const double dx = e->options.dx;
     if (f.steps == 0 && f.runs < 2) f = take_rungs(e, first, 0, rung);
     if (f.steps == 0 && f.runs == 2)
-        f.steps = time_step_forecast(e, particles(&e->problem, dx), carried(dx, rung, rung[0].time, rung[1].time),
+        f.steps = time_step_forecast(e, plan_steps_particles(&e->problem, dx),
+                                     carried(dx, rung, rung[0].time, rung[1].time),
                                      carried(dx, rung, rung[0].space, rung[1].space));
     return f;
 }

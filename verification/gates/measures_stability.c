@@ -24,29 +24,14 @@ static void append(struct measured *m, const char *format, ...) {
     va_end(arguments);
 }
 
-static int start(const struct request *r, struct model_problem *b, struct measured *m) {
+/* The model problem, the limit that theory gives where l is not NULL, and the one that runs show where `measured`. 0,
+ * or *m failed. */
+static int find(const struct request *r, struct model_problem *b, struct step_limit *l, int measured,
+                struct measured *m) {
     struct failure why = {0};
     int status = step_limit_setup(r->experiment.method, &r->experiment.options, r->dim, r->ratio, r->stages, b, &why);
-    measures_fail(m, why.text);
-    return status;
-}
-
-/* The limit that theory gives; 0, or *m failed. */
-static int predict(const struct request *r, struct model_problem *b, struct step_limit *l, struct measured *m) {
-    struct failure why = {0};
-    int status = start(r, b, m);
-    if (status) return status;
-    status = step_limit_predict(b, l, &why);
-    measures_fail(m, why.text);
-    return status;
-}
-
-/* And the one that runs show. */
-static int find(const struct request *r, struct model_problem *b, struct step_limit *l, struct measured *m) {
-    struct failure why = {0};
-    int status = predict(r, b, l, m);
-    if (status) return status;
-    status = step_limit_measure(b, &l->measured, &why);
+    if (!status && l) status = step_limit_predict(b, l, &why);
+    if (!status && l && measured) status = step_limit_measure(b, &l->measured, &why);
     measures_fail(m, why.text);
     return status;
 }
@@ -60,7 +45,7 @@ void measures_limit_agree(const struct request *r, double lo, double hi, struct 
         struct model_problem b;
         struct step_limit l;
         if (count > 1) with.experiment.options.h = ratio[k];
-        if (find(&with, &b, &l, m)) return;
+        if (find(&with, &b, &l, 1, m)) return;
         double apart = fabs(l.measured / l.von_neumann - 1);
         if (apart < worst) continue;
         worst = apart;
@@ -76,7 +61,7 @@ void measures_limit_published(const struct request *r, double lo, double hi, str
     struct model_problem b;
     struct step_limit l;
     struct failure why;
-    if (predict(r, &b, &l, m)) return;
+    if (find(r, &b, &l, 0, m)) return;
     int grows = step_limit_grows(&b, 0.99 * l.published, STEPS, &why);
     measures_judge(m, l.published / l.von_neumann, lo, hi);
     append(m, " (published %.5g, von Neumann %.5g)", l.published, l.von_neumann);
@@ -88,7 +73,7 @@ void measures_limit_published(const struct request *r, double lo, double hi, str
 void measures_limit_interval(const struct request *r, double lo, double hi, struct measured *m) {
     struct model_problem b;
     struct step_limit l;
-    if (find(r, &b, &l, m)) return;
+    if (find(r, &b, &l, 1, m)) return;
     measures_judge(m, l.measured * l.radius / amplification_interval(&b.step), lo, hi);
     append(m, " (measured %.5g of 1/|lambda|, theory %.5g; |G| = 1 at %.5g)", l.measured * l.radius,
            amplification_interval(&b.step), amplification_reach(&b.step));
@@ -109,7 +94,7 @@ void measures_stepper_factor(const struct request *r, double lo, double hi, stru
     enum { POINTS = 400 };
     struct model_problem b;
     double worst = 0;
-    if (start(r, &b, m)) return;
+    if (find(r, &b, NULL, 0, m)) return;
     for (int k = 0; k <= POINTS && !isnan(worst); k++) {
         double z = 1.2 * amplification_interval(&b.step) * k / POINTS,
                theory = creal(amplification_factor(&b.step, -z));
@@ -122,13 +107,13 @@ void measures_stepper_factor(const struct request *r, double lo, double hi, stru
 void measures_growth(const struct request *r, double lo, double hi, struct measured *m) {
     struct model_problem b;
     struct step_limit l;
-    if (!predict(r, &b, &l, m)) measures_judge(m, l.growth, lo, hi);
+    if (!find(r, &b, &l, 0, m)) measures_judge(m, l.growth, lo, hi);
 }
 
 void measures_maximum_principle(const struct request *r, double lo, double hi, struct measured *m) {
     struct model_problem b;
     double where = NAN, kept = 0, refused = 0, apart = 0;
-    if (start(r, &b, m)) return;
+    if (find(r, &b, NULL, 0, m)) return;
     for (int k = 0; k < MAXIMUM_COUNT; k++) {
         struct maximum_principle x;
         struct failure why;
@@ -161,7 +146,7 @@ void measures_endurance(const struct request *r, double lo, double hi, struct me
     struct step_limit l;
     struct long_run e;
     struct failure why = {0};
-    if (predict(r, &b, &l, m)) return;
+    if (find(r, &b, &l, 0, m)) return;
     int status = long_run_measure(&b, 0.999 * l.von_neumann, steps, &e, &why);
     measures_fail(m, why.text);
     if (status) return;
