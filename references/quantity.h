@@ -3,7 +3,7 @@
 
 #include "references/scene.h"
 
-/* Numbers derived from a temperature field: what an engineer asks for, and where walls show first. */
+/* Quantities derived from a temperature field: flux through a side, heat of the body, temperature at a point. */
 
 enum quantity_kind { QUANTITY_FLUX, QUANTITY_HEAT, QUANTITY_AT };
 

@@ -1,7 +1,7 @@
 #ifndef HEATLADDER_SOLVER_FIELD_H
 #define HEATLADDER_SOLVER_FIELD_H
 
-/* What a method gives back. */
+/* The solution that a method returns: places, temperatures, counts and times. */
 
 #include <stddef.h>
 
@@ -19,7 +19,7 @@ struct field { /* owned arrays: field_free */
     double spacing[2]; /* m */
     double *x, *y;     /* m, n each; y is NULL for a rod */
     double *T;         /* K, n */
-    double *weight;    /* m^d, n: the volume that each point stands for in a norm; NULL where all are alike */
+    double *weight;    /* m^d, n: the volume that each point stands for in a norm; NULL where all are equal */
     struct settling settling; /* sweeps 0 where nothing was relaxed */
     double time;              /* s, the time that T belongs to (t_end) */
     double h;                 /* smoothing length over dx, as used; 0 for a method without one */

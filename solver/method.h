@@ -1,7 +1,7 @@
 #ifndef HEATLADDER_SOLVER_METHOD_H
 #define HEATLADDER_SOLVER_METHOD_H
 
-/* What a method offers. */
+/* A method: its name, options, solver, and an outline of its storage and work. */
 
 #include "solver/field.h"
 #include "solver/options.h"

@@ -1,7 +1,7 @@
 #ifndef HEATLADDER_SOLVER_OPTIONS_H
 #define HEATLADDER_SOLVER_OPTIONS_H
 
-/* What a method is asked for. */
+/* The numerical options of a method: stepper, kernel, layout, sampling, walls, steps. */
 
 #include "solver/status.h"
 

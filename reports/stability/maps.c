@@ -74,7 +74,7 @@ static int worst_condition(const struct model_problem *b, const struct neighbour
     return STATUS_OK;
 }
 
-static struct cell look(const struct model_problem *b) {
+static struct cell measure_cloud(const struct model_problem *b) {
     struct cell cell = {0, NAN};
     struct failure why;
     struct problem p = model_problem_setup(b, PROBE_NOISE, 0);
@@ -87,7 +87,7 @@ static struct cell look(const struct model_problem *b) {
     return cell;
 }
 
-static struct cell look_at(int i) {
+static struct cell worst_of_seeds(int i) {
     struct cell worst = {0, -INFINITY};
     for (unsigned long seed = 1; seed <= SEEDS; seed++) {
         struct model_problem b =
@@ -97,7 +97,7 @@ static struct cell look_at(int i) {
         b.options.jitter = 0.05 * (i / RATIOS % JITTERS);
         b.options.seed = seed;
         if (model_problem_resolve(&b, SIDE, &why)) return (struct cell){NAN, NAN};
-        struct cell cell = look(&b);
+        struct cell cell = measure_cloud(&b);
         worst.condition = fmax(worst.condition, cell.condition);
         if (!(cell.growth <= worst.growth)) worst.growth = cell.growth;
         if (isnan(worst.growth)) break;
@@ -112,7 +112,7 @@ int stability_jitter_page(FILE *out, struct failure *why) {
     stability_head(out, "Particles off the lattice, 2D, cubic kernel, the worst of three seeds",
                    "limit fo_ssph --dim 2 --h 1.1 --layout jitter --jitter 0.2 --seed 3");
 #pragma omp parallel for schedule(dynamic, 4)
-    for (int i = 0; i < CASES; i++) cell[CASES - 1 - i] = look_at(CASES - 1 - i);
+    for (int i = 0; i < CASES; i++) cell[CASES - 1 - i] = worst_of_seeds(CASES - 1 - i);
     for (int i = 0; i < CASES; i++) {
         if (i % (RATIOS * JITTERS) == 0)
             stability_block(out, jittered[i / (RATIOS * JITTERS)],

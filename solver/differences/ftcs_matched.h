@@ -3,7 +3,7 @@
 
 #include "solver/differences/ftcs_grid.h"
 
-/* The matched run of the finite differences on a rod: what it starts from and what its source is. */
+/* The matched run of the finite differences on a rod: its averaged start and its corrected source. */
 
 struct problem;
 struct failure;

@@ -60,7 +60,7 @@ struct cloud {
     double *factor;    /* total: what a Robin wall makes of the sign; NULL where there is none */
     double *offset;    /* K, total */
     double volume;     /* m^d, of every particle; their mean where they differ */
-    double *spacing;   /* m, total: V^(1/d), with which h goes; NULL where all are alike */
+    double *spacing;   /* m, total: V^(1/d), with which h goes; NULL where all are equal */
     double coarsest;   /* m, the largest of these */
     struct settling settling;
     double reach; /* m, ghosts fill the domain's surroundings this far */

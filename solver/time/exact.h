@@ -3,7 +3,7 @@
 
 #include "solver/space/operator.h"
 
-/* Whether the walls of a lattice mirror (sign -1 or +1), so that there is a transform; else STATUS_INPUT. */
+/* Whether the walls of a lattice mirror (sign -1 or +1), so that there is a transform; else STATUS_NOT_APPLICABLE. */
 int exact_check(const struct lattice *l, struct failure *why);
 
 /* exp(tA) on such a lattice: T, in the particles' order, is taken from 0 to t (s) without any time error. */

@@ -3,7 +3,8 @@
 
 #include "solver/space/operator.h"
 
-/* The matched run: what step and what start make a second-order operator and plain Euler fourth order. */
+/* The matched run: the time step and the start with which a second-order operator and Euler's method are of fourth
+ * order. */
 
 /* Leading error of a scheme's symbol, kappa (-|theta|^2 + A (theta_x^4 + theta_y^4) + B theta_x^2 theta_y^2) / dx^2.
  */

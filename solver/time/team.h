@@ -1,7 +1,7 @@
 #ifndef HEATLADDER_SOLVER_TIME_TEAM_H
 #define HEATLADDER_SOLVER_TIME_TEAM_H
 
-/* How many threads a march uses, from moment to moment: no result depends on it. */
+/* The number of threads of a time loop, adapted while it runs; no result depends on it. */
 
 struct team {
     int most, size;   /* threads that may be used, and that are */

@@ -1,7 +1,7 @@
 #ifndef HEATLADDER_VERIFICATION_BENCH_ENGINE_H
 #define HEATLADDER_VERIFICATION_BENCH_ENGINE_H
 
-/* How fast the hot loops are, beside what the machine's memory allows. */
+/* Throughput of the hot loops, beside the memory bandwidth of the machine. */
 
 enum { BENCH_ENGINE_MOST = 32 };
 

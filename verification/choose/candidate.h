@@ -1,7 +1,7 @@
 #ifndef HEATLADDER_VERIFICATION_CHOOSE_CANDIDATE_H
 #define HEATLADDER_VERIFICATION_CHOOSE_CANDIDATE_H
 
-/* Ways to run a scene whose error falls with dx alone, so that a few coarse runs predict the rest. */
+/* Combinations of method and options whose error falls with dx alone, so that a few coarse runs predict the rest. */
 
 #include "verification/run/result.h"
 

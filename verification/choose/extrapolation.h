@@ -1,7 +1,7 @@
 #ifndef HEATLADDER_VERIFICATION_CHOOSE_EXTRAPOLATION_H
 #define HEATLADDER_VERIFICATION_CHOOSE_EXTRAPOLATION_H
 
-/* What a few coarse runs of one candidate predict of finer ones. */
+/* Error and work of finer runs, extrapolated from a few coarse runs of one candidate. */
 
 #include "verification/choose/candidate.h"
 

@@ -1,8 +1,8 @@
 #ifndef HEATLADDER_VERIFICATION_CHOOSE_PLAN_H
 #define HEATLADDER_VERIFICATION_CHOOSE_PLAN_H
 
-/* What a run will store and do, and why, without doing it: what its method tells of the part that is computed, and
- * what symmetry, the search for a time step and the measured errors add. */
+/* Predicted storage and work of a run: the outline of its method for the part that is computed, and what symmetry,
+ * the search for a time step and the measured errors add. */
 
 #include "solver/outline.h"
 #include "verification/choose/plan_steps.h"

@@ -1,8 +1,8 @@
 #ifndef HEATLADDER_VERIFICATION_CLAIMS_KIT_H
 #define HEATLADDER_VERIFICATION_CLAIMS_KIT_H
 
-/* What the measures of claims are made of: numbers, verdicts, runs by their command line, and one particle's weights.
- */
+/* Tools of the ledger's measures: numbers, verdicts, runs by command line, model problems, the weights of one
+ * particle. */
 
 #include "solver/space/operator.h"
 #include "verification/stability/model_problem.h"

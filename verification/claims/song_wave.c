@@ -21,8 +21,8 @@ static double relative_wave(const struct result *r) {
 
 /* "run's words | ... | + run's words | ...": held[0], or held[1] from the + on, loses its 1 where `size` of a run is
  * not within lo to hi.  0, or 1 with *m failed. */
-static int look(struct claims_measured *m, double (*size)(const struct result *), const char *unit, double lo,
-                double hi, int held[2]) {
+static int check_runs(struct claims_measured *m, double (*size)(const struct result *), const char *unit, double lo,
+                      double hi, int held[2]) {
     char part[200];
     int beyond = 0;
     held[0] = held[1] = 1;
@@ -41,7 +41,7 @@ static int look(struct claims_measured *m, double (*size)(const struct result *)
 /* None leaves its initial range (0 to 10 K) by more than rounding does in thousands of steps. */
 void claims_song_wave_no_oscillation(struct claims_measured *m) {
     int held[2];
-    if (look(m, outside, "K", 0, 1e-11, held)) return;
+    if (check_runs(m, outside, "K", 0, 1e-11, held)) return;
     claims_kit_decide(m, held[0], held[1],
                       "no run leaves the initial range of 0 to 10 K (to rounding, 1e-11 K): the first two as "
                       "published, then others");
@@ -50,7 +50,7 @@ void claims_song_wave_no_oscillation(struct claims_measured *m) {
 /* Each leaves its initial range, or carries a wave of two points, by 1 % of the jump. */
 void claims_song_wave_oscillation(struct claims_measured *m) {
     int held[2];
-    if (look(m, wave, "K", 0.1, INFINITY, held)) return;
+    if (check_runs(m, wave, "K", 0.1, INFINITY, held)) return;
     claims_kit_decide(m, held[0], held[1],
                       "overshoot, or the amplitude of a wave of two to four points, at least 0.1 K of the 10 K jump");
 }
@@ -58,7 +58,7 @@ void claims_song_wave_oscillation(struct claims_measured *m) {
 /* The same where there must be none. */
 void claims_song_wave_smooth(struct claims_measured *m) {
     int held[2];
-    if (look(m, relative_wave, "", 0, 1e-6, held)) return;
+    if (check_runs(m, relative_wave, "", 0, 1e-6, held)) return;
     claims_kit_decide(m, held[0], held[1],
                       "overshoot and waves of two to four points below 1e-6 of the largest temperature");
 }

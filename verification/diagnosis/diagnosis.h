@@ -6,7 +6,7 @@
 struct field;
 struct json;
 
-/* What the errors of a ladder look like: the fault whose response explains most of the error field. */
+/* Diagnosis of a ladder's errors: the fault whose response explains most of the error field. */
 
 struct diagnosis_rung {
     const struct field *field;

@@ -5,7 +5,7 @@
 
 struct field;
 
-/* How the temperature at the end answers to a fault, by finite differences on a lattice of this program's own.  It
+/* The response of the final temperature to a fault, by finite differences on a lattice of this program's own.  It
  * explains an error; no verdict rests on it. */
 
 struct response_lattice {

@@ -1,7 +1,7 @@
 #ifndef HEATLADDER_VERIFICATION_FOREIGN_COVERAGE_H
 #define HEATLADDER_VERIFICATION_FOREIGN_COVERAGE_H
 
-/* Whether the points of an answer are those of a solution at the spacing dx on the whole domain. */
+/* Coverage: whether the points of an answer fill the whole domain at the spacing dx, each of them once. */
 
 #include <stddef.h>
 

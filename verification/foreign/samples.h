@@ -1,7 +1,7 @@
 #ifndef HEATLADDER_VERIFICATION_FOREIGN_SAMPLES_H
 #define HEATLADDER_VERIFICATION_FOREIGN_SAMPLES_H
 
-/* Points and temperatures as a file holds them, and by which names. */
+/* Points, temperatures and weights as read from a file, and the names of their columns. */
 
 #include <stddef.h>
 #include <stdio.h>

@@ -1,7 +1,7 @@
 #ifndef HEATLADDER_VERIFICATION_LADDER_GCI_H
 #define HEATLADDER_VERIFICATION_LADDER_GCI_H
 
-/* What answers tell without an exact solution: Richardson's extrapolation and the grid convergence index. */
+/* Without an exact solution: Richardson's extrapolation and the grid convergence index. */
 
 #include "verification/text/number.h"
 

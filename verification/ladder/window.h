@@ -1,7 +1,7 @@
 #ifndef HEATLADDER_VERIFICATION_LADDER_WINDOW_H
 #define HEATLADDER_VERIFICATION_LADDER_WINDOW_H
 
-/* Which rungs of a ladder tell its order, and why the others do not. */
+/* The rungs of a ladder that count for its order, and the reasons why others are left out. */
 
 #include "verification/text/number.h"
 

@@ -6,7 +6,7 @@
 
 struct scene;
 
-/* What is asked of a scene at a set of points. */
+/* Values of a scene's columns at a set of points. */
 struct answer {
     const struct scene *scene;
     const struct problem *problem;

@@ -1,7 +1,7 @@
 #ifndef HEATLADDER_VERIFICATION_ORACLE_COLUMNS_H
 #define HEATLADDER_VERIFICATION_ORACLE_COLUMNS_H
 
-/* What can be told about a scene at points of somebody's own: a column each, or three of a wall. */
+/* The columns of `reference --points`: quantities of a scene at given points, one value each, three for a wall. */
 
 struct failure;
 struct problem;

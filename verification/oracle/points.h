@@ -1,7 +1,7 @@
 #ifndef HEATLADDER_VERIFICATION_ORACLE_POINTS_H
 #define HEATLADDER_VERIFICATION_ORACLE_POINTS_H
 
-/* Points to be told about, as a program writes them. */
+/* The points of `reference --points`, from CSV. */
 
 #include <stddef.h>
 #include <stdio.h>

@@ -1,8 +1,8 @@
 #ifndef HEATLADDER_VERIFICATION_RUN_NORMS_H
 #define HEATLADDER_VERIFICATION_RUN_NORMS_H
 
-/* How far a field is from the exact solution, and what it does that no solution does.  Sums are sum(w |e|^p) with w
- * the volume that a point stands for. */
+/* Norms of a field's error, its range, variation, checkerboard and heat.  Sums are sum(w |e|^p) with w the volume
+ * that a point stands for. */
 
 #include <math.h>
 #include <stddef.h>

@@ -1,7 +1,7 @@
 #ifndef HEATLADDER_VERIFICATION_RUN_RESULT_H
 #define HEATLADDER_VERIFICATION_RUN_RESULT_H
 
-/* What one run gave. */
+/* The result of one run: options as resolved, norms, counts and times. */
 
 #include "solver/method.h"
 #include "verification/run/norms.h"

@@ -5,8 +5,7 @@
 
 struct experiment;
 
-/* What the rungs of a ladder in time are measured against: the same particles' equations, solved without time error.
- */
+/* The reference of a ladder in time: the semi-discrete equations of the same particles, solved without time error. */
 
 struct semidiscrete {
     struct field field; /* owned: field_free */

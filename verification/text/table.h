@@ -1,7 +1,7 @@
 #ifndef HEATLADDER_VERIFICATION_TEXT_TABLE_H
 #define HEATLADDER_VERIFICATION_TEXT_TABLE_H
 
-/* Columns of text that line up. */
+/* Tables of text with aligned columns. */
 
 #include <stdio.h>
 
