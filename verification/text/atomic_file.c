@@ -62,9 +62,19 @@ static int refuse_path(const char *path, struct failure *why) {
     return refuse(why, STATUS_INPUT, "cannot write '%.300s': %s", path, strerror(errno));
 }
 
+/* A file that may be written in a directory that may not: no other name can be put beside it. */
+static int is_alone(const char *path) {
+    char directory[PATH_LENGTH];
+    const char *slash = strrchr(path, '/');
+    int length =
+        snprintf(directory, sizeof directory, "%.*s", slash ? (int)(slash - path) + 1 : 1, slash ? path : ".");
+    return length < PATH_LENGTH && access(path, W_OK) == 0 && access(directory, W_OK) != 0;
+}
+
+/* What is written to as it is. */
 static int is_special(const char *path) {
     struct stat s;
-    return stat(path, &s) == 0 && !S_ISREG(s.st_mode);
+    return stat(path, &s) == 0 && (!S_ISREG(s.st_mode) || is_alone(path));
 }
 
 /* The name that the file is written under first; 0, or -1 where the path is too long. */
@@ -128,7 +138,7 @@ static int put_in_place(const char *path, int keep) {
 }
 
 static int write_special(const struct atomic_file *f, struct failure *why) {
-    int special = open(f->path, O_WRONLY);
+    int special = open(f->path, O_WRONLY | O_TRUNC);
     int bad = special < 0 || put(special, f->bytes, f->size);
     return bad || close(special) ? refuse_path(f->path, why) : STATUS_OK;
 }
