@@ -72,6 +72,14 @@ static char *next_bar(char *text) {
     return bar;
 }
 
+/* In bold too. */
+static int is_number(const char *cell) {
+    char *end;
+    cell += strspn(cell, "*");
+    strtod(cell, &end);
+    return end != cell && end[strspn(end, "*")] == '\0';
+}
+
 static void put_row(FILE *out, char *line, int header) {
     char *cell = line + 1;
     fprintf(out, "<tr>");
@@ -79,9 +87,7 @@ static void put_row(FILE *out, char *line, int header) {
         *bar = '\0';
         cell += strspn(cell, " ");
         for (char *last = bar; last > cell && last[-1] == ' ';) *--last = '\0';
-        char *end;
-        strtod(cell, &end);
-        fprintf(out, "<t%c%s>", header ? 'h' : 'd', end != cell && *end == '\0' ? " class=\"n\"" : "");
+        fprintf(out, "<t%c%s>", header ? 'h' : 'd', is_number(cell) ? " class=\"n\"" : "");
         put_inline(out, cell);
         fprintf(out, "</t%c>", header ? 'h' : 'd');
     }
