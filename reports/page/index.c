@@ -139,7 +139,7 @@ static void put_scene(const struct scene *s, const struct gates_file *g, const c
     fprintf(out, ". <span class=\"faint\">");
     html_text(out, s->citation);
     fprintf(out, "</span></p>\n");
-    page_put_group(g->gate, g->count, s->name, out);
+    page_put_scene(g->gate, g->count, s->name, out);
     put_parts(s->name, dir, out);
     put_precision(s, dir, out);
     fprintf(out, "</section>\n");

@@ -53,15 +53,25 @@ static void put_header(FILE *out) {
                  "<th class=\"n\">measured</th><th>error</th><th>why</th></tr>\n");
 }
 
-void page_put_group(const struct page_gate *gate, int count, const char *group, FILE *out) {
+/* Whether the scene is a word of the gate's command. */
+static int is_about(const struct page_gate *g, const char *scene) {
+    size_t length = strlen(scene);
+    const char *at = g->command;
+    while ((at = strstr(at, scene)) &&
+           !(at > g->command && at[-1] == ' ' && (at[length] == ' ' || at[length] == '\0')))
+        at += length;
+    return at != NULL;
+}
+
+void page_put_scene(const struct page_gate *gate, int count, const char *scene, FILE *out) {
     int n = 0, good = 0;
     for (int i = 0; i < count; i++)
-        if (page_same_group(gate[i].id, group)) n += !skipped(&gate[i]), good += passed(&gate[i]);
+        if (is_about(&gate[i], scene)) n += !skipped(&gate[i]), good += passed(&gate[i]);
     if (n == 0) return;
     fprintf(out, "<details><summary>%d of %d gates hold</summary>\n", good, n);
     put_header(out);
     for (int i = 0; i < count; i++)
-        if (page_same_group(gate[i].id, group)) put_gate(&gate[i], out);
+        if (is_about(&gate[i], scene)) put_gate(&gate[i], out);
     fprintf(out, "</table></div></details>\n");
 }
 

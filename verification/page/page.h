@@ -23,8 +23,8 @@ int page_same_group(const char *a, const char *b);
 
 /* The verdict of all and its origin, then a word a group, then what failed in full, then every gate, folded away. */
 void page_put_gates(const struct page_gate *gate, int count, FILE *out);
-/* How many of a group hold, and its gates, folded away. */
-void page_put_group(const struct page_gate *gate, int count, const char *group, FILE *out);
+/* How many of the gates whose command has that scene hold, and they, folded away. */
+void page_put_scene(const struct page_gate *gate, int count, const char *scene, FILE *out);
 
 /* When, where and by which version the page was made: a paragraph. */
 void page_put_origin(FILE *out);
