@@ -263,7 +263,11 @@ int vtk_file_read(const char *text, size_t size, const struct column_map *c, str
     s->has[COLUMN_Y] = s->dim == 2;
     s->has[COLUMN_W] = c->name[COLUMN_W][0] != '\0';
     if (strlen(text) != size) status = refuse(why, STATUS_INPUT, "%.200s: holds a NUL byte: not ascii", s->path);
-    if (!status) status = (memcmp(text, legacy, sizeof legacy - 1) == 0 ? read_legacy : read_xml)(v, why);
+    int is_legacy = !status && memcmp(text, legacy, sizeof legacy - 1) == 0;
+    if (is_legacy && text[size - 1] != '\n')
+        status = refuse(why, STATUS_INPUT,
+                        "%.200s: ends without a newline: the file looks cut off; end the last line too", s->path);
+    if (!status) status = (is_legacy ? read_legacy : read_xml)(v, why);
     if (!status) status = check_counts(v, why);
     if (!status) s->n = v->seen[COLUMN_X];
     free(v);

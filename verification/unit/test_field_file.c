@@ -105,6 +105,9 @@ static void vtk_of_both_kinds(void **state) {
 
 static void what_is_no_answer(void **state) {
     (void)state;
+    refuses("# vtk DataFile Version 2.0\nt\nASCII\nDATASET POLYDATA\nPOINTS 1 float\n-2.5 0.75 0\nPOINT_DATA 1\n"
+            "SCALARS T double\nLOOKUP_TABLE default\n0.8",
+            1, NULL, "ends without a newline");
     refuses("x,T\n1,2\n3,warm\n", 1, NULL, "line 3, column 2: T = 'warm' is not a decimal number");
     refuses("x,T\n1,2\n3,\n", 1, NULL, "line 3, column 2: T = ''");
     refuses("x,T\n1,0x1p3\n", 1, NULL, "not a hexadecimal");

@@ -112,6 +112,7 @@ static void what_is_wrong_is_named(void **state) {
     refused(RUN("true {case} {out}"), STATUS_INPUT, "no such file; the program left no answer");
     refused(RUN("cat {case} >/dev/null; : > {out}"), STATUS_INPUT, "empty");
     refused(RUN(": {case}; echo x,T > {out}"), STATUS_INPUT, "no point");
+    refused(RUN(AWK " {case} | sed 's/,[^T].*/,1e308/' > {out}"), STATUS_NUMERICAL, "E1 = inf");
     refused(RUN(AWK " -v bad=header {case} > {out}"), STATUS_INPUT,
             "{out}, line 4: 1 column where the lines above have 2");
     refused(RUN(AWK " -v bad=word {case} > {out}"), STATUS_INPUT,
