@@ -13,8 +13,8 @@ int atomic_file_check(const char *path, struct failure *why);
 
 /* Puts `size` bytes at `path`.  STATUS_OK or STATUS_INPUT; on a failure, or when interrupted, what was there before
  * stays whole.  Interrupts (SIGINT, SIGTERM, SIGHUP) wait until the file is in its place; no two threads may write at
- * once.  What is no regular file (/dev/null, a pipe), or lies in a directory that may not be written, is written to as
- * it is: it may be left in part. */
+ * once.  What is no regular file (/dev/null, a pipe), or lies in a directory that may not be written, is written to
+ * as it is: it may be left in part. */
 int atomic_file_write(const char *path, const char *bytes, size_t size, struct failure *why);
 
 struct atomic_file {
