@@ -1,5 +1,5 @@
-"""elements.py CASE OUT [DEGREE]: FEniCSx, Lagrange elements on segments or rectangles, BDF2 in time.  All that the
-case does not tell, `heatladder reference` does, at the elements' nodes; $HEATLADDER is that program."""
+"""elements.py CASE OUT: FEniCSx, linear elements on segments, bilinear ones on rectangles, BDF2 in time.  All that
+the case does not tell, `heatladder reference` does, at the elements' nodes; $HEATLADDER is that program."""
 import logging
 import os
 import subprocess
@@ -12,14 +12,15 @@ from mpi4py import MPI
 from petsc4py import PETSc
 logging.disable()  # of what is compiled
 case = dict(line.rstrip("\n").split(" = ", 1) for line in open(sys.argv[1]))
-degree, dim, t_end = int((sys.argv[3:] or "1")[0]), int(case["dim"]), float(case["t_end"])
+dim, t_end = int(case["dim"]), float(case["t_end"])
 lo, hi = (np.array([float(v) for v in case[key].split(",")]) for key in ("lo", "hi"))
 n = [int(v) for v in case["cells"].split(",")]
 body = mesh.create_interval(MPI.COMM_SELF, n[0], [lo[0], hi[0]]) if dim == 1 else \
     mesh.create_rectangle(MPI.COMM_SELF, [lo, hi], n, mesh.CellType.quadrilateral)
 
 def ask(space, points, what):  # a function of the space for each column
-    np.savetxt(sys.argv[2] + ".points", points, "%.17g", ",", header="x,y" if dim > 1 else "x", comments="")
+    rows = np.column_stack([points] + [np.full(len(points), width) for width in (hi - lo) / n])
+    np.savetxt(sys.argv[2] + ".points", rows, "%.17g", ",", header="x,y,dx,dy" if dim > 1 else "x,dx", comments="")
     words = [os.environ.get("HEATLADDER", "heatladder"), "reference", *case["oracle"].split()]
     words += ["--points", sys.argv[2] + ".points", "--what", what]
     told = subprocess.run(words, check=True, stdout=subprocess.PIPE, text=True).stdout.split("\n")[1:-1]
@@ -29,16 +30,15 @@ def ask(space, points, what):  # a function of the space for each column
         function.x.array[:] = column
     return functions
 
-V, D = (fem.FunctionSpace(body, (family, degree)) for family in ("Lagrange", "DG"))
-at, inside = V.tabulate_dof_coordinates()[:, :dim], D.tabulate_dof_coordinates()[:, :dim]
-of_cell = D.dofmap.list.array.reshape(-1, D.dofmap.dof_layout.num_dofs)
-for dofs in of_cell:  # each side of an interface or of a jump has its own value
+V, D, cell = (fem.FunctionSpace(body, space) for space in (("Lagrange", 1), ("DG", 1), ("DG", 0)))
+at, inside, centre = (space.tabulate_dof_coordinates()[:, :dim] for space in (V, D, cell))
+for dofs in D.dofmap.list.array.reshape(len(centre), -1):  # each side of an interface has its own value
     inside[dofs] += 1e-9 * (inside[dofs].mean(axis=0) - inside[dofs])
-start, source, rho_c, *k = ask(D, inside, "initial,source,rho_c,k_x" + ",k_y" * (dim - 1))
+(start,) = ask(cell, centre, "initial_mean")
+source, rho_c, *k = ask(D, inside, "source,rho_c,k_x" + ",k_y" * (dim - 1))
 kind, wall, _, *sides = ask(V, at, "wall,wall_x" + ",wall_y" * (dim - 1))
 speed = sum(k[d].x.array * (n[d] / (hi[d] - lo[d])) ** 2 for d in range(dim)) / rho_c.x.array
 steps = int(np.ceil(8 * t_end * speed.max()))
-
 
 u, v, normal = ufl.TrialFunction(V), ufl.TestFunction(V), ufl.FacetNormal(body)
 T, known, rate = fem.Function(V), fem.Function(V), fem.Constant(body, PETSc.ScalarType(0))
