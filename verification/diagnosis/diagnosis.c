@@ -4,7 +4,8 @@
  *     e = size f + b g + c h,    |b| <= 2,  |c| <= 1/2
  *
  * since a faulty code has its errors of discretization too.  A fault whose part |size f| is not at least twice |g +
- * h/5| is none: that is the size of a correct code's error.  The twentieth of the points where g is largest (corners
+ * h/5| and the difference of cell means from values, dx^2/24 laplace(T), is none: that is the size of a correct
+ * code's error.  The twentieth of the points where g is largest (corners
  * whose sides disagree) is left out.
  *
  * One field cannot tell faults of like response apart (without a source T depends on kappa t alone): how the size
@@ -25,17 +26,18 @@ static const double SHARE = 0.9;   /* of the squared error that a fault must exp
 static const double ALIKE = 0.02;  /* shares that differ by less tell nothing apart */
 static const double STEADY = 0.25; /* relative change of a size from rung to rung that still counts as none */
 static const double MOST = 2;      /* of what differences of second order leave: a correct code's own error */
-enum { POINTS = 20000, FAULTS = 20, ROUNDS = 20000 };
+enum { POINTS = 20000, FAULTS = 32, ROUNDS = 20000 };
 
 struct fit {
     double size, share;
-    double part; /* |size f| / |g + h/5| */
+    double part; /* |size f| / sqrt(|g + h/5|^2 + |m|^2) */
 };
 
 /* A rung: its errors, and what differences of second order leave. */
 struct errors {
     const struct field *field;
     double *e, *g, *h; /* K, owned; e is NAN at a point that is left out */
+    double *m;         /* K, owned: dx^2/24 laplace(T), as dx^2/(24 kappa) dT/dt of the fastest material */
 };
 
 struct candidate_fault {
@@ -52,10 +54,11 @@ static double clamp(double x, double most) {
 
 /* Minimum over size, b and c, one after the other until they stay: three numbers, two of them bounded. */
 static struct fit fit_error(const struct errors *s, const double *f) {
-    double a[4][4] = {{0}}; /* products of e, f, g, h */
+    double means = 0, a[4][4] = {{0}}; /* products of e, f, g, h */
     for (size_t i = 0; i < s->field->n; i++) {
         double w = s->field->weight ? s->field->weight[i] : 1, v[4] = {s->e[i], f[i], s->g[i], s->h[i]};
         if (!isfinite(v[0])) continue;
+        means += w * s->m[i] * s->m[i];
         for (int k = 0; k < 4; k++)
             for (int l = 0; l < 4; l++) a[k][l] += w * v[k] * v[l];
     }
@@ -68,7 +71,7 @@ static struct fit fit_error(const struct errors *s, const double *f) {
             x[k] = a[k][k] > 0 ? rest / a[k][k] : 0;
             if (k > 1) x[k] = clamp(x[k], k == 2 ? MOST : 0.5);
         }
-    double left = 0, natural = a[2][2] + 0.4 * a[2][3] + 0.04 * a[3][3];
+    double left = 0, natural = a[2][2] + 0.4 * a[2][3] + 0.04 * a[3][3] + means;
     for (int k = 0; k < 4; k++)
         for (int l = 0; l < 4; l++) left += x[k] * a[k][l] * x[l];
     return (struct fit){x[1], 1 - left / a[0][0], fabs(x[1]) * sqrt(a[1][1] / fmax(natural, 1e-300))};
@@ -77,10 +80,16 @@ static struct fit fit_error(const struct errors *s, const double *f) {
 static struct errors errors_of(const struct problem *p, const struct response_lattice *l,
                                const struct diagnosis_rung *r) {
     const struct field *f = r->field;
-    struct errors s = {f, xcalloc(f->n, sizeof(double)), xcalloc(f->n, sizeof(double)),
-                       xcalloc(f->n, sizeof(double))};
+    struct errors s = {.field = f};
+    double **const owned[] = {&s.e, &s.g, &s.h, &s.m};
+    for (int k = 0; k < 4; k++) *owned[k] = xcalloc(f->n, sizeof(double));
     double *size = xcalloc(f->n, sizeof *size), dx2 = pow(r->dx / l->dx, 2);
     response_base(p, l, f, s.g, s.h);
+    double kappa = 0;
+    for (int m = 0; m < p->materials; m++)
+        for (int a = 0; a < p->dim; a++) kappa = fmax(kappa, p->material[m].k[a] / p->material[m].rho_c);
+    response_at(p, l, (struct fault){FAULT_CLOCK, 0}, f, s.g, s.m);
+    for (size_t i = 0; i < f->n; i++) s.m[i] *= r->dx * r->dx / (24 * kappa);
     for (size_t i = 0; i < f->n; i++) {
         s.g[i] = dx2 * (s.g[i] - r->exact[i]);
         s.h[i] *= dx2;
@@ -94,14 +103,20 @@ static struct errors errors_of(const struct problem *p, const struct response_la
 }
 
 static int list_faults(const struct problem *p, struct fault *list) {
-    static const enum fault_kind along[] = {FAULT_EXTENT, FAULT_START_SHIFT, FAULT_START_WIDTH};
-    static const enum fault_kind whole[] = {FAULT_CLOCK,    FAULT_CONDUCTIVITY, FAULT_SWAP,     FAULT_SOURCE,
-                                            FAULT_CAPACITY, FAULT_INTERFACE,    FAULT_AMPLITUDE};
+    static const struct {
+        enum fault_kind kind;
+        int count; /* of axes, sides or corners */
+    } kinds[] = {{FAULT_CLOCK, 1},       {FAULT_CONDUCTIVITY, 1}, {FAULT_SWAP, 1},      {FAULT_TRANSPOSED, 1},
+                 {FAULT_SOURCE, 1},      {FAULT_CAPACITY, 1},     {FAULT_INTERFACE, 1}, {FAULT_MEAN, 1},
+                 {FAULT_AMPLITUDE, 1},   {FAULT_ISOTROPIC, 2},    {FAULT_EXTENT, 3},    {FAULT_START_SHIFT, 2},
+                 {FAULT_START_WIDTH, 2}, {FAULT_WALL, 5},         {FAULT_CORNER, 4}};
     int n = 0;
-    for (int i = 0; i < 7; i++) list[n++] = (struct fault){whole[i], 0};
-    for (int i = 0; i < 3; i++)
-        for (int a = 0; a < p->dim; a++) list[n++] = (struct fault){along[i], a};
-    for (int s = 0; s < 2 * p->dim; s++) list[n++] = (struct fault){FAULT_WALL, s};
+    struct faulty ignored;
+    for (size_t i = 0; i < sizeof kinds / sizeof *kinds; i++)
+        for (int a = 0; a < kinds[i].count; a++) {
+            list[n] = (struct fault){kinds[i].kind, a};
+            n += fault_make(p, list[n], 0, &ignored);
+        }
     return n;
 }
 
@@ -109,14 +124,16 @@ static int list_faults(const struct problem *p, struct fault *list) {
 static void follow(struct candidate_fault *c, const struct diagnosis_rung *fine,
                    const struct diagnosis_rung *coarse) {
     int place = c->fault.kind == FAULT_EXTENT || c->fault.kind == FAULT_START_SHIFT ||
-                c->fault.kind == FAULT_START_WIDTH || c->fault.kind == FAULT_INTERFACE;
+                c->fault.kind == FAULT_START_WIDTH || c->fault.kind == FAULT_INTERFACE ||
+                c->fault.kind == FAULT_CORNER || c->fault.kind == FAULT_MEAN;
     int clock = c->fault.kind == FAULT_CLOCK && fine->dt > 0 && coarse->dt > 0;
     c->unit[0] = clock ? fine->dt : place ? fine->dx : 1;
     c->unit[1] = clock ? coarse->dt : place ? coarse->dx : 1;
     c->name = clock ? "steps" : c->fault.kind == FAULT_CLOCK ? "s" : place ? "cells" : "%";
     double ratio = c->coarse.size / c->unit[1] / (c->fine.size / c->unit[0]);
     c->drift = ratio > 0 ? fabs(log(ratio)) : INFINITY;
-    if (fault_is_whole(c->fault.kind) && fabs(c->fine.size - 1) > STEADY) c->drift = INFINITY;
+    int whole = fault_is_whole(c->fault.kind) || c->fault.kind == FAULT_MEAN;
+    if (whole && fabs(c->fine.size / c->unit[0] - 1) > STEADY) c->drift = INFINITY;
 }
 
 /* Some POINTS of a rung, evenly along it; owned arrays, to be freed by drop. */
@@ -170,6 +187,7 @@ static int fit_all(const struct problem *p, const struct diagnosis_rung *rung, s
         free(errors[k].e);
         free(errors[k].g);
         free(errors[k].h);
+        free(errors[k].m);
     }
     free(response);
     response_lattice_free(&l);
@@ -177,11 +195,12 @@ static int fit_all(const struct problem *p, const struct diagnosis_rung *rung, s
 }
 
 static const char *axis_name(int axis) {
-    return axis ? "y" : "x";
+    return axis == 0 ? "x" : axis == 1 ? "y" : "x and y";
 }
 
 static void describe(struct diagnosis *d) {
-    static const char *const sides[] = {"x_lo", "x_hi", "y_lo", "y_hi"};
+    static const char *const sides[] = {"side x_lo holds", "side x_hi holds", "side y_lo holds", "side y_hi holds",
+                                        "sides of given flux hold"};
     double size = d->size, apart = fabs(size);
     const char *much = size < 0 ? "small" : "large", *axis = axis_name(d->fault.axis);
     char *to = d->what;
@@ -196,6 +215,19 @@ static void describe(struct diagnosis *d) {
     case FAULT_SWAP:
         snprintf(to, room, "as if k_x and k_y were in each other's place");
         break;
+    case FAULT_ISOTROPIC:
+        snprintf(to, room, "as if k_%s were k_%s", axis_name(d->fault.axis), axis_name(1 - d->fault.axis));
+        break;
+    case FAULT_TRANSPOSED:
+        snprintf(to, room, "as if x and y were swapped");
+        break;
+    case FAULT_CORNER:
+        snprintf(to, room, "as if what sides hold were lost at a corner, %s, %s", d->fault.axis & 1 ? "x_hi" : "x_lo",
+                 d->fault.axis & 2 ? "y_hi" : "y_lo");
+        break;
+    case FAULT_MEAN:
+        snprintf(to, room, "as if the arithmetic mean of two conductivities stood for the harmonic one");
+        break;
     case FAULT_SOURCE:
         snprintf(to, room,
                  fabs(size + 100) < 5 ? "as if the source were lost" : "as if the source were %.3g %% too %s", apart,
@@ -206,11 +238,11 @@ static void describe(struct diagnosis *d) {
         break;
     case FAULT_WALL:
         if (fabs(size + 100) < 5)
-            snprintf(to, room, "as if what side %s holds were lost", sides[d->fault.axis]);
+            snprintf(to, room, "as if what %s were lost", sides[d->fault.axis]);
         else if (fabs(size + 200) < 10)
-            snprintf(to, room, "as if what side %s holds had the wrong sign", sides[d->fault.axis]);
+            snprintf(to, room, "as if what %s had the wrong sign", sides[d->fault.axis]);
         else
-            snprintf(to, room, "as if what side %s holds were %.3g %% too %s", sides[d->fault.axis], apart, much);
+            snprintf(to, room, "as if what %s were %.3g %% too %s", sides[d->fault.axis], apart, much);
         break;
     case FAULT_EXTENT:
         snprintf(to, room, "as if the sides across %s lay %.3g cells %s", axis, apart,
@@ -270,6 +302,7 @@ void diagnosis_find(const struct problem *p, const struct diagnosis_rung *fine, 
     d->fault = c[best].fault;
     d->size = c[best].fine.size / c[best].unit[0] * (percent ? 100 : 1);
     d->unit = fault_is_whole(d->fault.kind) ? "" : c[best].name;
+    if (d->fault.kind == FAULT_CORNER) d->size = 1, d->unit = ""; /* lost or not: another lattice tells no more */
     d->share = c[best].fine.share;
     describe(d);
 }

@@ -6,6 +6,7 @@
 #include "verification/diagnosis/fault.h"
 
 #include <math.h>
+#include <string.h>
 
 static const struct faulty *faulty_of(const struct problem *p) {
     return p->data;
@@ -13,7 +14,8 @@ static const struct faulty *faulty_of(const struct problem *p) {
 
 /* Where X of the faulty problem lies in the coordinates that its data are given in. */
 static void to_right(const struct faulty *f, const double x[2], double right[2]) {
-    for (int a = 0; a < 2; a++) right[a] = f->centre[a] + f->stretch[a] * (x[a] - f->centre[a]);
+    int turned = f->fault.kind == FAULT_TRANSPOSED;
+    for (int a = 0; a < 2; a++) right[a ^ turned] = f->centre[a] + f->stretch[a] * (x[a] - f->centre[a]);
 }
 
 /* Away from the nearer of the jumps along an axis, so that what lies between two of them is wider by the size. */
@@ -34,13 +36,25 @@ static double initial(const struct problem *p, const double x[2]) {
     return f->fault.kind == FAULT_AMPLITUDE ? (1 + f->size) * T : T;
 }
 
+static int is_at_corner(const struct faulty *f, const double x[2]) {
+    int near = 1;
+    for (int a = 0; a < 2; a++) {
+        double corner = f->fault.axis >> a & 1 ? f->right->hi[a] : f->right->lo[a];
+        near = near && fabs(x[a] - corner) < f->size;
+    }
+    return near;
+}
+
 static double wall(const struct problem *p, enum side s, const double x[2]) {
     const struct faulty *f = faulty_of(p);
     double at[2];
     to_right(f, x, at);
+    if (f->fault.kind == FAULT_TRANSPOSED) return f->right->wall(f->right, (enum side)(s ^ 2), at);
+    if (f->fault.kind == FAULT_CORNER && f->right->side[s] == DIRICHLET && is_at_corner(f, at)) return 0;
     double value = f->right->wall(f->right, s, at);
     if (f->right->side[s] == NEUMANN) value /= f->stretch[s / 2];
-    if (f->fault.kind == FAULT_AMPLITUDE || (f->fault.kind == FAULT_WALL && f->fault.axis == (int)s))
+    int is_flux = f->right->side[s] == NEUMANN && f->fault.axis == FAULT_ALL_FLUXES;
+    if (f->fault.kind == FAULT_AMPLITUDE || (f->fault.kind == FAULT_WALL && (f->fault.axis == (int)s || is_flux)))
         value *= 1 + f->size;
     return value;
 }
@@ -63,26 +77,62 @@ static int has_wall_value(const struct problem *p, enum side s) {
     return 0;
 }
 
+static int has_fluxes(const struct problem *p) {
+    int fluxes = 0;
+    for (int s = 0; s < 2 * p->dim; s++) fluxes += p->side[s] == NEUMANN && has_wall_value(p, (enum side)s);
+    return fluxes >= 2;
+}
+
+static int has_corner(const struct problem *p, int corner) {
+    int held = 0;
+    for (int a = 0; a < 2; a++) {
+        enum side s = (enum side)(2 * a + (corner >> a & 1));
+        held = held || (p->side[s] == DIRICHLET && has_wall_value(p, s));
+    }
+    return held;
+}
+
+static int is_square(const struct problem *p) {
+    return p->dim == 2 && p->lo[0] == p->lo[1] && p->hi[0] == p->hi[1];
+}
+
 static int applies(const struct problem *p, struct fault fault) {
     switch (fault.kind) {
     case FAULT_SWAP:
+    case FAULT_ISOTROPIC:
         return p->dim == 2 && p->material[0].k[0] != p->material[0].k[1];
+    case FAULT_TRANSPOSED:
+        return is_square(p);
+    case FAULT_CORNER:
+        return p->dim == 2 && has_corner(p, fault.axis);
     case FAULT_SOURCE:
         return p->source != 0;
     case FAULT_CAPACITY:
         return p->materials == 2 && p->material[0].rho_c != p->material[1].rho_c;
     case FAULT_INTERFACE:
+    case FAULT_MEAN:
         return p->materials == 2;
     case FAULT_WALL:
+        if (fault.axis == FAULT_ALL_FLUXES) return has_fluxes(p);
         return fault.axis < 2 * p->dim && has_wall_value(p, (enum side)fault.axis);
     case FAULT_START_WIDTH:
         return fault.axis < p->dim && p->jumps[fault.axis] >= 2;
     case FAULT_EXTENT:
+        return fault.axis < p->dim || (fault.axis == FAULT_BOTH_AXES && p->dim == 2);
     case FAULT_START_SHIFT:
         return fault.axis < p->dim;
     default:
         return fault.axis == 0;
     }
+}
+
+static void turn(struct problem *q, const struct problem *p) {
+    for (int a = 0; a < 2; a++) {
+        q->material[0].k[a] = p->material[0].k[1 - a];
+        q->jumps[a] = p->jumps[1 - a];
+        memcpy(q->jump[a], p->jump[1 - a], sizeof q->jump[a]);
+    }
+    for (int s = 0; s < 4; s++) q->side[s] = p->side[s ^ 2], q->robin[s] = p->robin[s ^ 2];
 }
 
 static void stretch(struct faulty *f, int axis) {
@@ -115,11 +165,18 @@ int fault_make(const struct problem *p, struct fault fault, double size, struct 
     case FAULT_SWAP:
         q->material[0] = (struct material){{p->material[0].k[1], p->material[0].k[0]}, p->material[0].rho_c};
         break;
+    case FAULT_ISOTROPIC:
+        q->material[0].k[fault.axis] = p->material[0].k[1 - fault.axis];
+        break;
+    case FAULT_TRANSPOSED:
+        turn(q, p);
+        break;
     case FAULT_CAPACITY:
         q->material[1].rho_c = q->material[0].rho_c;
         break;
     case FAULT_EXTENT:
-        stretch(f, fault.axis);
+        for (int a = 0; a < p->dim; a++)
+            if (fault.axis == a || fault.axis == FAULT_BOTH_AXES) stretch(f, a);
         break;
     case FAULT_INTERFACE:
         q->interface += size;
@@ -138,7 +195,7 @@ int fault_make(const struct problem *p, struct fault fault, double size, struct 
 }
 
 int fault_is_whole(enum fault_kind kind) {
-    return kind == FAULT_SWAP || kind == FAULT_CAPACITY;
+    return kind == FAULT_SWAP || kind == FAULT_CAPACITY || kind == FAULT_ISOTROPIC || kind == FAULT_TRANSPOSED;
 }
 
 double fault_probe(const struct problem *p, struct fault fault) {
@@ -146,6 +203,7 @@ double fault_probe(const struct problem *p, struct fault fault) {
     case FAULT_CLOCK:
         return 0.01 * p->t_end;
     case FAULT_EXTENT:
+        return (p->hi[fault.axis % 2] - p->lo[fault.axis % 2]) / 200;
     case FAULT_START_SHIFT:
     case FAULT_START_WIDTH:
         return (p->hi[fault.axis] - p->lo[fault.axis]) / 200;

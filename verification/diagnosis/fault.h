@@ -9,20 +9,27 @@ enum fault_kind {
     FAULT_CLOCK,        /* s: the end time */
     FAULT_CONDUCTIVITY, /* relative: k of every material and axis */
     FAULT_SWAP,         /* 1: k_x and k_y in each other's place */
+    FAULT_ISOTROPIC,    /* 1: along this axis the conductivity of the other */
+    FAULT_TRANSPOSED,   /* 1: x and y of the answer in each other's place, on a square */
     FAULT_SOURCE,       /* relative: the source; -1: lost */
     FAULT_CAPACITY,     /* 1: rho c of the second material is the first one's */
     FAULT_WALL,         /* relative: what a side holds, temperature or flux; -1: zero */
+    FAULT_CORNER,       /* m: what sides of given temperature hold is zero so far from a corner */
     FAULT_EXTENT,       /* m: both sides across an axis lie so far outside */
     FAULT_START_SHIFT,  /* m: the initial data lie so far along an axis */
     FAULT_START_WIDTH,  /* m: either jump of the initial data lies so far outwards along an axis */
     FAULT_INTERFACE,    /* m: the interface of two materials */
+    FAULT_MEAN,         /* m: the arithmetic mean of two conductivities over a length (a cell) across their contact */
     FAULT_AMPLITUDE     /* relative: all temperatures */
 };
 
 struct fault {
     enum fault_kind kind;
-    int axis; /* 0 or 1; of FAULT_WALL the side, 0 to 3 */
+    int axis; /* 0 or 1; of FAULT_EXTENT also both; of FAULT_WALL the side, or all of given flux; of FAULT_CORNER 2 y
+               * + x, 1 for the upper end */
 };
+
+enum { FAULT_BOTH_AXES = 2, FAULT_ALL_FLUXES = 4 };
 
 /* A problem with a fault of one size.  `problem` points to the rest: it is not to be copied apart from it. */
 struct faulty {

@@ -15,13 +15,13 @@
 /* Small: Euler takes dt/2 d2T/dt2 off the error in space, all of it at 1/6. */
 static const double FOURIER = 0.05;
 
-static int solve(const struct problem *p, double dx, double fourier, struct field *f) {
+static int solve(const struct problem *p, double dx, double fourier, enum mean mean, struct field *f) {
     struct failure ignored;
     struct options o = {.dx = dx,
                         .fourier = fourier,
                         .stepper = STEPPER_EULER,
                         .sampling = p->jumps[0] + p->jumps[1] ? SAMPLING_CELL : SAMPLING_POINT,
-                        .mean = MEAN_SERIES,
+                        .mean = mean,
                         .domain = DOMAIN_WHOLE};
     return method_find("ftcs")->solve(p, &o, f, &ignored);
 }
@@ -51,12 +51,12 @@ int response_lattice_create(const struct problem *p, struct response_lattice *l)
     if (best < 0) return -1;
     struct field f;
     *l = (struct response_lattice){.dx = (p->hi[0] - p->lo[0]) / n};
-    if (solve(p, l->dx, FOURIER, &f)) return -1;
+    if (solve(p, l->dx, FOURIER, MEAN_SERIES, &f)) return -1;
     memcpy(l->n, f.shape, sizeof l->n);
     l->T = f.T;
     f.T = NULL;
     field_free(&f);
-    if (solve(p, l->dx, 3 * FOURIER, &f)) {
+    if (solve(p, l->dx, 3 * FOURIER, MEAN_SERIES, &f)) {
         response_lattice_free(l);
         return -1;
     }
@@ -141,8 +141,10 @@ int response_at(const struct problem *p, const struct response_lattice *l, struc
                 const double *base, double *response) {
     struct faulty with;
     struct field faulty;
-    double size = fault_probe(p, fault);
-    if (!fault_make(p, fault, size, &with) || solve(&with.problem, l->dx, FOURIER, &faulty)) return -1;
+    /* What happens in one cell is tried in one. */
+    double size = fault.kind == FAULT_MEAN || fault.kind == FAULT_CORNER ? l->dx : fault_probe(p, fault);
+    enum mean mean = fault.kind == FAULT_MEAN ? MEAN_ARITHMETIC : MEAN_SERIES;
+    if (!fault_make(p, fault, size, &with) || solve(&with.problem, l->dx, FOURIER, mean, &faulty)) return -1;
     carry(&with, l, faulty.T, f, response);
     for (size_t i = 0; i < f->n; i++) response[i] = (response[i] - base[i]) / size;
     field_free(&faulty);

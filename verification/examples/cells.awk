@@ -54,6 +54,6 @@ BEGIN {
         }
         for (a = 1; a <= m; a++) T[cell[a]] += dt * rate[a] / rho_c[cell[a]]
     }
-    print (dim == 2 ? "x,y,T" : "x,T") > ARGV[2]
+    print "# steps = " steps "\n" (dim == 2 ? "x,y,T" : "x,T") > ARGV[2]
     for (a = 1; a <= m; a++) print where[cell[a]] T[cell[a]] > ARGV[2]
 }

@@ -8,7 +8,7 @@ enum { MEAN, SOURCE, RHO_C, K, KIND, VALUE, B, COLUMNS = 11 }; /* K to B of x, t
 int main(int argc, char **argv) {
     char line[4096], oracle[2048] = "", *program = getenv("HEATLADDER");
     double lo[2] = {0}, hi[2] = {0, 1}, t_end = 0, fastest = 0;
-    int dim = 1, n[2] = {1, 1}, m = 0;
+    int dim = 1, n[2] = {1, 1}, m = 0, steps = 0;
     FILE *f = argc == 3 ? fopen(argv[1], "r") : NULL;
     if (!f) return fprintf(stderr, "cells CASE OUT\n"), 1;
     while (fgets(line, sizeof line, f))
@@ -46,13 +46,13 @@ int main(int argc, char **argv) {
         }
         fastest = fmax(fastest, speed);
     }
-    for (int step = 0, steps = (int)ceil(t_end * fastest / 0.25); step < steps; step++) {
+    for (int step = (steps = (int)ceil(t_end * fastest / 0.25), 0); step < steps; step++) {
         for (int a = 0, c = in[0]; a < m; c = in[++a])
             rate[c] = p[c][SOURCE] + g[c][0] * (T[c - 1] - T[c]) + g[c][1] * (T[c + 1] - T[c]) +
                       (dim < 2 ? 0 : g[c][2] * (T[c - nx] - T[c]) + g[c][3] * (T[c + nx] - T[c]));
         for (int a = 0, c = in[0]; a < m; c = in[++a]) T[c] += t_end / steps * rate[c] / p[c][RHO_C];
     }
-    f = fopen(argv[2], "w"), fprintf(f, dim == 2 ? "x,y,T\n" : "x,T\n");
+    f = fopen(argv[2], "w"), fprintf(f, "# steps = %d\n%s\n", steps, dim == 2 ? "x,y,T" : "x,T");
     for (int a = 0, c = in[0]; a < m; c = in[++a])
         fprintf(f, dim == 2 ? "%.17g,%.17g,%.17g\n" : "%.17g,%.17g\n", at[c][0], dim == 2 ? at[c][1] : T[c], T[c]);
     return fclose(f) != 0;

@@ -54,6 +54,6 @@ program cells
             g(1, :, :)*(T(:i - 1, 1:j) - T(1:i, 1:j)) + g(2, :, :)*(T(2:, 1:j) - T(1:i, 1:j)) + &
             g(3, :, :)*(T(1:i, :j - 1) - T(1:i, 1:j)) + g(4, :, :)*(T(1:i, 2:) - T(1:i, 1:j)))
     end do
-    open (13, file=argument(2)); write (13, '(a)') merge('x y T', 'x T  ', dim == 2)
+    open (13, file=argument(2)); write (13, '(a, i0/a)') '# steps = ', at, merge('x y T', 'x T  ', dim == 2)
     write (13, merge('(3es26.17e3)', '(2es26.17e3)', dim == 2)) ((x(:dim, i, j), T(i, j), i=1, n(1)), j=1, n(2))
 end program

@@ -54,6 +54,6 @@ for step = 1:steps
 end
 keep = false(shape); keep(in_x, in_y) = true;
 f = fopen(args{2}, 'w');
-fprintf(f, '%s\n', answer);
+fprintf(f, '# steps = %d\n%s\n', steps, answer);
 fprintf(f, [strjoin(repmat({'%.17g'}, 1, dim + 1), ',') '\n'], [points(keep(:), :), T(keep)]');
 fclose(f);

@@ -53,6 +53,7 @@ for step in range(steps):
     for c, value in zip(inside, new):
         T[c] = value
 with open(sys.argv[2], "w") as f:
+    print("# steps =", steps, file=f)
     print(*("xy"[:dim]), "T", sep=",", file=f)
     for c in inside:
         print(*points[c], T[c], sep=",", file=f)

@@ -1,9 +1,6 @@
 """elements.py CASE OUT: FEniCSx, linear elements on segments, bilinear ones on rectangles, BDF2 in time.  All that
 the case does not tell, `heatladder reference` does, at the elements' nodes; $HEATLADDER is that program."""
-import logging
-import os
-import subprocess
-import sys
+import logging, os, subprocess, sys
 import numpy as np
 import ufl
 from dolfinx import fem, mesh
@@ -25,7 +22,7 @@ def ask(space, points, what):  # a function of the space for each column
     words += ["--points", sys.argv[2] + ".points", "--what", what]
     told = subprocess.run(words, check=True, stdout=subprocess.PIPE, text=True).stdout.split("\n")[1:-1]
     columns = np.array([line.split(",")[dim:] for line in told], float).T
-    functions = [fem.Function(space) for column in columns]
+    functions = [fem.Function(space) for _ in columns]
     for function, column in zip(functions, columns):
         function.x.array[:] = column
     return functions
@@ -56,4 +53,5 @@ for step in range(steps):  # the first is Euler's
     older, old, rate.value = old, T.x.array.copy(), (1 if step == 0 else 1.5) * steps / t_end
     known.x.array[:] = (old if step == 0 else 2 * old - older / 2) * steps / t_end
     problem.solve()
-np.savetxt(sys.argv[2], np.c_[at, T.x.array], "%.17g", ",", header="x,y,T" if dim > 1 else "x,T", comments="")
+header = f"# steps = {steps}\n{'x,y,T' if dim > 1 else 'x,T'}"
+np.savetxt(sys.argv[2], np.c_[at, T.x.array], "%.17g", ",", header=header, comments="")

@@ -44,8 +44,9 @@ static void solve(const char *name, const struct problem *p, struct fault fault,
     double dt = p->t_end / ceil(p->t_end * kappa / (0.2 * dx * dx));
     if (fault.kind == FAULT_CLOCK) size *= dt;
     if (fault.kind == FAULT_EXTENT || fault.kind == FAULT_START_SHIFT || fault.kind == FAULT_START_WIDTH ||
-        fault.kind == FAULT_INTERFACE)
+        fault.kind == FAULT_INTERFACE || fault.kind == FAULT_MEAN || fault.kind == FAULT_CORNER)
         size *= dx;
+    if (fault.kind == FAULT_MEAN) o.mean = MEAN_ARITHMETIC;
     assert_true(fault_make(p, fault, size, &with));
     if (method_find("ftcs")->solve(&with.problem, &o, &r->field, &why)) fail_msg("%s: %s", name, why.text);
     r->exact = xcalloc(r->field.n, sizeof *r->exact);
@@ -96,6 +97,17 @@ static void faults_are_named_with_their_size(void **state) {
         {"plate", 0.005, 0.0025, {FAULT_EXTENT, 0}, 0.5, 0.5, "sides across x lay"},
         {"rod-cosine", 0.05, 0.025, {FAULT_EXTENT, 0}, 0.5, 0.5, "sides across x lay"},
         {"rod-step", 0.05, 0.025, {FAULT_AMPLITUDE, 0}, 0.013, 1.3, "temperatures"},
+        {"plate", 0.005, 0.0025, {FAULT_EXTENT, FAULT_BOTH_AXES}, 0.5, 0.5, "across x and y lay"},
+        {"rect-manufactured",
+         0.05,
+         0.025,
+         {FAULT_WALL, FAULT_ALL_FLUXES},
+         -2,
+         -200,
+         "given flux hold had the wrong sign"},
+        {"square-step", 0.1, 0.05, {FAULT_ISOTROPIC, 1}, 1, 100, "k_y were k_x"},
+        {"square-step", 0.1, 0.05, {FAULT_TRANSPOSED, 0}, 1, 100, "x and y were swapped"},
+        {"rod-contact", 0.02, 0.01, {FAULT_MEAN, 0}, 1, 1, "arithmetic mean"},
     };
     int wrong = 0;
     for (size_t i = 0; i < sizeof rows / sizeof *rows; i++) {
