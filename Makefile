@@ -277,6 +277,17 @@ bench-peers: $(BUILD)/heatladder $(BUILD)/peers/ftcs ## Chart SUNDIALS, SciPy an
 	scripts/plot $(OUT)/peers reports/bench/peers.gp $$data || exit 1; done; \
 	else echo "bench-peers: gnuplot is not here (make setup installs it); charts were not drawn"; fi
 
+.PHONY: league
+league: $(BUILD)/heatladder examples ## Run the battery on every example whose code is here, to reports/out/league (see setup-peers)
+	@mkdir -p $(OUT)/league
+	$(Q)scripts/league $(BUILD)/heatladder $(BUILD)/examples $(OUT)/league
+	$(Q)if command -v gnuplot >/dev/null; then scripts/plot $(OUT)/league reports/bench/league.gp $(OUT)/league/league.csv; \
+	else echo "league: gnuplot is not here (make setup installs it); the chart was not drawn"; fi
+
+.PHONY: faults
+faults: $(BUILD)/heatladder ## Seed faults in the examples and see which rows of the battery fail, to reports/out/league
+	$(Q)CC='$(CC)' scripts/fault-table $(BUILD)/heatladder $(OUT)/league
+
 ##@ Develop
 
 # What cppcheck 2.10 takes for faults: tables that a NULL ends, and arguments that a call fills.  The sweeps' macros,
@@ -292,6 +303,7 @@ lint: $(OBJECTS) ## Check includes, symbols, shared lines, seeded faults, the fo
 	$(Q)scripts/check_symbols $(BUILD)
 	$(Q)scripts/check_shared_lines
 	$(Q)scripts/mutants --check
+	$(Q)scripts/fault-table --check
 	$(Q)case $$(clang-format --version 2>/dev/null) in *" 14."*) clang-format --dry-run --Werror $(C_FILES);; \
 	*) echo "lint: clang-format 14 is not here, the format was not checked";; esac
 	$(Q)if command -v cppcheck >/dev/null; then cppcheck -j 2 $(CPPCHECK) $(filter-out solver/time/sweep_lanes%,$(SOURCES)); \

@@ -64,17 +64,23 @@ static void measure(const struct place *coarse, const struct place *fine, size_t
     r->reference_error = 0;
 }
 
+/* What a difference is to be multiplied by.  A program with a time step of its own runs at one step twice: what differs
+ * then is an error as it is. */
+static double extrapolated(const double *dt, double p) {
+    return dt[1] < dt[0] ? 1 / (1 - pow(dt[1] / dt[0], p)) : 1;
+}
+
 static void extrapolate(struct ladder *l, const double *dt) {
     double p = 1, d[RUNG_MAX], error[RUNG_MAX];
     for (int i = 0; i < l->n; i++) error[i] = d[i] = l->rung[i].error.l1;
     for (int fit = 0; fit < FITS; fit++) {
-        for (int i = 0; i < l->n; i++) error[i] = d[i] / (1 - pow(dt[i + 1] / dt[i], p));
+        for (int i = 0; i < l->n; i++) error[i] = d[i] * extrapolated(&dt[i], p);
         double next = slope_fit(dt, error, l->n).value;
         if (!(isfinite(next) && next > LEAST)) break;
         p = next;
     }
     for (int i = 0; i < l->n; i++) {
-        double more = 1 / (1 - pow(dt[i + 1] / dt[i], p));
+        double more = extrapolated(&dt[i], p);
         struct norms_error *e = &l->rung[i].error;
         e->l1 *= more, e->l2 *= more, e->linf *= more;
         l->x[i] = dt[i];
