@@ -31,8 +31,8 @@ $3 > 0 && $4 > 0 { n = ++count[$1, $2]; error[$1, $2, n] = $3; seconds[$1, $2, n
 END {
     md = to "/league.md"; csv = to "/league.csv"
     print "# Other codes\n" >md
-    print "Each code runs by its example in verification/examples.  A row of the battery that needs what the code or" >md
-    print "its glue has not is skipped.\n" >md
+    print "Each code runs by its example in verification/examples.  A row of the battery that needs what code or" >md
+    print "glue has not is skipped.\n" >md
     print "| code | version | rows held | failed | skipped | what failed |\n|---|---|---:|---:|---:|---|" >md
     for (c = 1; c <= codes; c++) {
         who = code[c]
@@ -42,8 +42,8 @@ END {
     }
     rows = split("smooth/gauss jump/faces contact/rod plane/square plane/source", row, " ")
     split("rod-gauss rod-step rod-contact square-step rect-manufactured", scene, " ")
-    print "\nOrder, E1 at the finest of the row's spacings, verdict, and the seconds of the whole command, start-up and" >md
-    print "all, at E1 = 1e-3 on the machine that this ran on (<: the coarsest rung is below that already).\n" >md
+    print "\nOrder, E1 at the finest of the row's spacings, verdict, and the seconds of the whole command with its" >md
+    print "start-up at E1 = 1e-3 on the machine that this ran on (<: the coarsest rung is below that already).\n" >md
     print "| code | scene | order | E1 | verdict | s at 1e-3 |\n|---|---|---:|---:|---|---:|" >md
     for (c = 1; c <= codes; c++) for (r = 1; r <= rows; r++) {
         key = code[c] SUBSEP row[r]
