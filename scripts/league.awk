@@ -43,7 +43,7 @@ END {
     rows = split("smooth/gauss jump/faces contact/rod plane/square plane/source", row, " ")
     split("rod-gauss rod-step rod-contact square-step rect-manufactured", scene, " ")
     print "\nOrder, E1 at the finest of the row's spacings, verdict, and the seconds of the whole command with" >md
-    print "its start-up at E1 = 1e-3 on the machine that this ran on (<: the coarsest rung is below that already).\n" >md
+    print "its start-up at E1 = 1e-3 on the machine that this ran on (<: the coarsest rung is below that).\n" >md
     print "| code | scene | order | E1 | verdict | s at 1e-3 |\n|---|---|---:|---:|---|---:|" >md
     for (c = 1; c <= codes; c++) for (r = 1; r <= rows; r++) {
         key = code[c] SUBSEP row[r]
