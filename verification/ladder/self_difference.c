@@ -64,8 +64,8 @@ static void measure(const struct place *coarse, const struct place *fine, size_t
     r->reference_error = 0;
 }
 
-/* What a difference is to be multiplied by.  A program with a time step of its own runs at one step twice: what differs
- * then is an error as it is. */
+/* What a difference is to be multiplied by.  A program with a time step of its own runs at one step twice: what
+ * differs then is an error as it is. */
 static double extrapolated(const double *dt, double p) {
     return dt[1] < dt[0] ? 1 / (1 - pow(dt[1] / dt[0], p)) : 1;
 }
