@@ -14,5 +14,6 @@ set ylabel 'E1  [-]'
 who(i) = system(sprintf("sed -n 's/^E1.*,//p' '%s' | sed -n %dp", data, i + 1))
 blocks = int(system(sprintf("grep -c '^E1' '%s'", data)))
 array COLOUR[5] = [BLACK, RED, BLUE, ORANGE, GREEN]
-plot for [i=0:blocks-1] data index i using 2:1 with linespoints lc rgb COLOUR[i % 5 + 1] lw 1.2 dt (i / 5 + 1) \
+array DASH[3] = [1, 3, 5]
+plot for [i=0:blocks-1] data index i using 2:1 with linespoints lc rgb COLOUR[i % 5 + 1] lw 1.2 dt DASH[i / 5 + 1] \
      pt (i % 7 + 4) ps P title who(i)
