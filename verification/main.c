@@ -66,9 +66,17 @@ static void keep_pages(void) {
 #endif
 }
 
+/* What --solver runs finds this program by $HEATLADDER, where nobody set that; one that PATH has needs no telling. */
+static void tell_programs(const char *typed) {
+    char *path = strchr(typed, '/') ? realpath(typed, NULL) : NULL;
+    if (path) setenv("HEATLADDER", path, 0);
+    free(path);
+}
+
 int main(int argc, char **argv) {
     gsl_set_error_handler(gsl_failed);
     keep_pages();
+    tell_programs(argv[0]);
     if (argc < 2) {
         help_program(stderr);
         exit(STATUS_INPUT);

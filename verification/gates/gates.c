@@ -283,13 +283,15 @@ void gates_run(struct gates *g) {
 }
 
 int gates_status(const struct gates *g) {
-    int passed = 0, unclear = 0, skipped = 0;
+    int passed = 0, unclear = 0, skipped = 0, silent = 0;
     for (int i = 0; i < g->declared; i++) {
         const struct gate_result *r = &g->result[i];
+        silent += r->executed && r->measured.verdict == VERDICT_FAIL && isnan(r->measured.value);
         passed += r->executed && r->measured.verdict == VERDICT_PASS;
         unclear += r->executed && r->measured.verdict == VERDICT_INCONCLUSIVE;
         skipped += r->executed && r->measured.verdict == VERDICT_SKIPPED;
     }
+    if (g->program && silent && silent + skipped == g->declared) return STATUS_NUMERICAL;
     if (g->declared == 0 || g->executed != g->declared || passed + unclear + skipped < g->declared)
         return STATUS_GATE;
     if (!passed) unclear = 1;

@@ -71,7 +71,8 @@ void gates_command_by(const struct gate *gate, const struct program *program, ch
 void gates_command(const struct gate *gate, char *text, size_t size);
 
 /* STATUS_OK where as many were executed as declared, none failed and one passed at least; STATUS_INCONCLUSIVE where
- * none failed, but some could not tell or all were skipped; else STATUS_GATE. */
+ * none failed, but some could not tell or all were skipped; STATUS_NUMERICAL where a program answered none that can
+ * be judged; else STATUS_GATE. */
 int gates_status(const struct gates *g);
 
 /* 1 where a row of the table gates an order of that scene and method. */
