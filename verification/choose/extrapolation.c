@@ -24,7 +24,7 @@ static const double BYTES_MAX = 8e9;      /* what a run may hold */
 static const double DAMPED = 0.6;         /* RKL2's factor of the stiffest modes in a step, about */
 static const int COARSEST[3] = {0, 4, 4}; /* by dimension: particles along x of the first rung, */
 static const int TIMED[3] = {0, 64, 32};  /* of the runs that show the error in time, */
-static const int RUNGS[3] = {0, 10, 8};   /* and rungs: apart by 2, then, where the order shows, by 1.5 */
+static const int RUNGS[3] = {0, 10, 8};   /* and rungs, apart by 1.5 */
 enum { FITTED = 3, FAR = 4 };
 
 void extrapolation_rule_out(struct extrapolation *c, const char *reason) {
@@ -162,7 +162,7 @@ void extrapolation_calibrate(struct extrapolation *c, const struct extrapolation
     int had = 0;
     measure_time(c, goal);
     extrapolation_rule_out(c, "has too few coarse rungs");
-    for (int k = 0; k < RUNGS[e->problem.dim]; k++, n *= k == 0 ? 2 : 1.5) {
+    for (int k = 0; k < RUNGS[e->problem.dim]; k++, n *= 1.5) {
         struct candidate_size size = {candidate_member(n, goal->unit), 0};
         if (c->rungs > 0) size.n = candidate_member(fmax(n, c->rung[c->rungs - 1].size.n + 1), goal->unit);
         size.steps = time_steps(c, goal, fmax(goal->error, before / 10));
