@@ -76,7 +76,7 @@ static struct experiment rung_of(const struct experiment *e, const struct ladder
 
 /* Where the field of a rung is kept: of the finest and of the one before, which a diagnosis looks at. */
 static struct field *keep(struct field kept[2], int before_finest) {
-    return kept && before_finest < 2 ? &kept[before_finest] : NULL;
+    return before_finest < 2 ? &kept[before_finest] : NULL;
 }
 
 /* One after the other, the coarsest first, and none after one that failed: another program is timed alone, and what

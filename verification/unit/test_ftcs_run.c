@@ -155,6 +155,24 @@ static void test_stability(void **state) {
     }
 }
 
+/* Two materials of one kappa, k/rho_c = 0.1/1 and 1/10: the cell of the second next to the interface, halfway
+ * between the points, has faces of 2/11 and 1/10, so that its rate is 31/22 of what --fourier counts in. */
+static void test_rate_of_two_materials(void **state) {
+    (void)state;
+    struct problem p = rod(3);
+    struct options o = {.dx = 0.05, .fourier = 0.8};
+    struct field f;
+    struct failure why = {0};
+    p.t_end = 200.5 * 0.8 * 0.05 * 0.05 / 0.1, p.materials = 2, p.interface = 0.3; /* 201 steps */
+    p.material[0] = (struct material){{1, 1}, 10}, p.material[1] = (struct material){{0.1, 0.1}, 1};
+    assert_int_equal(method_ftcs.solve(&p, &o, &f, &why), STATUS_UNSTABLE);
+    const char *text = strstr(why.text, "sum of kappa dt/dx^2 is ");
+    double sum = NAN;
+    assert_non_null(text);
+    assert_int_equal(sscanf(text, "sum of kappa dt/dx^2 is %lf", &sum), 1);
+    assert_near(sum, 0.8 * 200.5 / 201 * 31 / 22, 1e-5); /* six digits are printed */
+}
+
 /* The step is whole: t_end / ceil(t_end / dt); a dx that is out by rounding is snapped. */
 static void test_whole_steps(void **state) {
     (void)state;
@@ -187,6 +205,7 @@ int main(void) {
         cmocka_unit_test(test_sampling_past_the_walls),
         cmocka_unit_test(test_refusals),
         cmocka_unit_test(test_stability),
+        cmocka_unit_test(test_rate_of_two_materials),
         cmocka_unit_test(test_whole_steps),
     };
     return cmocka_run_group_tests_name("ftcs run", tests, NULL, NULL);

@@ -9,6 +9,7 @@
 #include "verification/unit/near.h"
 
 #include <gsl/gsl_errno.h>
+#include <stdio.h>
 #include <string.h>
 
 extern const struct method method_so_ssph, method_fo_ssph, method_brookshaw, method_ftcs;
@@ -53,6 +54,8 @@ static void heat_counts_each_material(void **state) {
     assert_int_equal(method_brookshaw.solve(&p, &o, &f, &why), STATUS_OK);
     const double heat = 1.7 * (1.3 * 0.55 + 0.9 * 0.95); /* from -0.35 to 0.2 m and on to 1.15 m */
     for (int k = 0; k < 2; k++) assert_near(f.heat[k] / heat, 1, 1e-13);
+    assert_near(f.spacing[0], 0.05, 1e-16);
+    assert_near(f.spacing[1], 0, 0); /* a rod has none across */
     field_free(&f);
 }
 
@@ -90,6 +93,28 @@ static double plane(const struct problem *p, const double x[2]) {
 
 static double plane_wall(const struct problem *p, enum side s, const double x[2]) {
     return p->side[s] == DIRICHLET ? plane(p, x) : p->material[0].k[1] * (s == Y_LO ? -0.29 : 0.29);
+}
+
+/* One wall that the start does not meet, with points on the walls: the start jumps there, whichever wall it is. */
+static double warmer(const struct problem *p, enum side s, const double x[2]) {
+    (void)x;
+    return p->side[s] == DIRICHLET ? 2.9 : 0;
+}
+
+static void matched_refuses_a_jump_at_every_wall(void **state) {
+    (void)state;
+    for (int s = 0; s < 4; s++) {
+        struct problem p = odd_rectangle();
+        struct options o = {.dx = 0.05, .h = 1.23, .stepper = STEPPER_MATCHED, .layout = LAYOUT_NODE};
+        struct field f;
+        struct failure why;
+        char where[40];
+        p.initial = warm, p.wall = warmer, p.material[0].k[1] = p.material[0].k[0];
+        for (int k = 0; k < 4; k++) p.side[k] = k == s ? DIRICHLET : NEUMANN;
+        snprintf(where, sizeof where, "jumps at %c = %.6g m", "xy"[s / 2], s % 2 ? p.hi[s / 2] : p.lo[s / 2]);
+        assert_int_equal(method_so_ssph.solve(&p, &o, &f, &why), STATUS_INPUT);
+        if (!strstr(why.text, where)) fail_msg("%s: %s", where, why.text);
+    }
 }
 
 static void planes_stay_on_any_cloud(void **state) {
@@ -172,6 +197,7 @@ int main(void) {
         cmocka_unit_test(steps_end_on_time),
         cmocka_unit_test(a_heated_rod_is_not_unstable),
         cmocka_unit_test(heat_counts_each_material),
+        cmocka_unit_test(matched_refuses_a_jump_at_every_wall),
         cmocka_unit_test(planes_stay_on_any_cloud),
         cmocka_unit_test(one_equation),
         cmocka_unit_test(what_is_not_a_number_is_unstable),

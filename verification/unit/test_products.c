@@ -13,6 +13,7 @@
 
 extern const struct method method_so_ssph;
 
+static const double PI = 3.14159265358979323846;
 enum { NX = 37, NY = 23 };
 
 static double product(int i, int j) {
@@ -104,6 +105,26 @@ static void a_row_that_repeats_another_but_for_one_value_is_seen(void **state) {
     free(again);
 }
 
+static double a_faint_second(int i, int j) {
+    return product(i, j) + 1e-10 * sin(0.7 * i + 0.4) * (j - 3.1);
+}
+
+/* A second product of 2e-9 at most is far above rounding: two are found, and no fewer will do. */
+static void a_faint_product_counts(void **state) {
+    (void)state;
+    const int n[2] = {NX, NY};
+    double *F = field_of(n, a_faint_second), *again = xcalloc(NX * NY, sizeof *again);
+    struct products p;
+    assert_int_equal(products_split(F, n, 4 * DBL_EPSILON, 1, &p), 0);
+    assert_int_equal(products_split(F, n, 4 * DBL_EPSILON, 2, &p), 1);
+    assert_int_equal(p.rank, 2);
+    products_join(&p, again);
+    for (int i = 0; i < NX * NY; i++) assert_near(again[i], F[i], 10 * DBL_EPSILON); /* |F| < 1.1 */
+    products_free(&p);
+    free(F);
+    free(again);
+}
+
 static void nothing_is_a_sum_of_no_products(void **state) {
     (void)state;
     const int n[2] = {NX, NY};
@@ -149,14 +170,55 @@ static void few_modes_evolve_as_all_do(void **state) {
         }
 }
 
+enum { ACROSS = 75 }; /* of a lattice of 0.02 m over 1.5 m */
+
+static double first_wave(int i, int j) {
+    (void)j;
+    return sin(PI * (i + 0.5) / ACROSS);
+}
+
+static double third_wave(int i, int j) {
+    (void)j;
+    return sin(3 * PI * (i + 0.5) / ACROSS);
+}
+
+/* A wave of 1e-9 beside one of 1 K is there all the same: what it adds is 1e-9 of what it is alone. */
+static void a_faint_wave_evolves(void **state) {
+    (void)state;
+    struct problem p = odd_rectangle();
+    struct options o = {.dx = 0.02, .h = 1.23};
+    struct lattice l;
+    struct heat_operator a;
+    struct failure why;
+    assert_int_equal(layout_lattice(&p, &o, 1, &l, &why), STATUS_OK);
+    assert_int_equal(l.n[0], ACROSS);
+    assert_int_equal(operator_create_lattice(&a, &p, &o, method_so_ssph.scheme, &l, &why), STATUS_OK);
+    free(a.g); /* the homogeneous problem */
+    a.g = NULL;
+    double *one = field_of(l.n, first_wave), *both = field_of(l.n, first_wave), *faint = field_of(l.n, third_wave);
+    for (size_t i = 0; i < a.n; i++) both[i] += 1e-9 * faint[i];
+    exact_evolve(&a, p.t_end, one);
+    exact_evolve(&a, p.t_end, both);
+    exact_evolve(&a, p.t_end, faint);
+    /* of 1 K to begin with; transforms of 75 x 60 round to some ten eps */
+    for (size_t i = 0; i < a.n; i++) assert_near(both[i] - one[i], 1e-9 * faint[i], 2e-14);
+    assert_true(fabs(faint[ACROSS / 2]) > 0.5); /* exp(-0.37) */
+    free(one);
+    free(both);
+    free(faint);
+    operator_free(&a);
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(a_sum_of_products_is_found_and_put_together),
         cmocka_unit_test(the_size_of_a_field_is_none_of_its_shape),
         cmocka_unit_test(what_is_no_such_sum_is_not_taken_for_one),
         cmocka_unit_test(a_row_that_repeats_another_but_for_one_value_is_seen),
+        cmocka_unit_test(a_faint_product_counts),
         cmocka_unit_test(nothing_is_a_sum_of_no_products),
         cmocka_unit_test(few_modes_evolve_as_all_do),
+        cmocka_unit_test(a_faint_wave_evolves),
     };
     return cmocka_run_group_tests_name("products", tests, NULL, NULL);
 }

@@ -106,6 +106,32 @@ static void a_wrong_conductivity_is_caught(void **state) {
     assert_non_null(strstr(m.reason, "above its ceiling"));
 }
 
+/* A diagnosis is made of the two finest rungs: those above them change nothing. */
+static void a_diagnosis_is_of_the_two_finest_rungs(void **state) {
+    (void)state;
+    static const char *const dx[] = {"0.05,0.025", "0.2,0.1,0.05,0.025"};
+    struct diagnosis found[2];
+    for (int k = 0; k < 2; k++) {
+        char line[300];
+        struct request r;
+        struct failure why;
+        struct ladder *l = xcalloc(1, sizeof *l);
+        snprintf(line, sizeof line,
+                 "ladder rod-step mine --fourier 0.2 --dx %s --solver '" AWK " -v wrong=1.2 {case} > {out}'", dx[k]);
+        if (arguments_parse_line(line, &r, &why)) fail_msg("%s", why.text);
+        r.rungs.diagnose = 1;
+        assert_int_equal(ladder_run(&r.experiment, &r.rungs, l, &why), STATUS_OK);
+        assert_int_equal(l->diagnosed, 1);
+        found[k] = l->diagnosis;
+        arguments_free(&r);
+        free(l);
+    }
+    assert_int_equal(found[0].named, 1);
+    assert_string_equal(found[0].what, found[1].what);
+    assert_near(found[0].size, found[1].size, 0);
+    assert_near(found[0].share, found[1].share, 0);
+}
+
 static void what_is_wrong_is_named(void **state) {
     (void)state;
 #define RUN(command) "run rod-gauss mine --dx 1 --fourier 0.4 --solver '" command "'"
@@ -241,6 +267,7 @@ int main(void) {
         cmocka_unit_test(its_order_is_judged),
         cmocka_unit_test(a_made_up_error_does_not_pass),
         cmocka_unit_test(a_wrong_conductivity_is_caught),
+        cmocka_unit_test(a_diagnosis_is_of_the_two_finest_rungs),
         cmocka_unit_test(what_is_wrong_is_named),
         cmocka_unit_test(the_label_is_free_and_options_of_the_model_are_not),
         cmocka_unit_test(the_case_file_tells_all),
