@@ -165,6 +165,20 @@ static void a_refused_exact_falls_back(void **state) {
     arguments_free(&r);
 }
 
+/* 5 s of 10 m^2/s at dx = 0.5 m are 1000 steps of F = 0.2, whose largest rate is 4 F = 0.8 a step; the fewest stages
+ * s of RKL2 have (s^2 + s - 2)/2 >= dt lambda: ten of them. */
+static void a_search_begins_with_some_ten_stages(void **state) {
+    (void)state;
+    struct request r = request("run rod-gauss ftcs --dx 0.5 --t-end 5 --set kappa=10 --stepper euler", &with_exact);
+    assert_near(time_step_first(&r.experiment), 1000, 0);
+    r.experiment.options.stepper = STEPPER_RKL2;
+    double part = 0.8 * 1000 / time_step_first(&r.experiment);
+    int stages = 1;
+    while (stages * (stages + 1) - 2 < 2 * part) stages++;
+    assert_int_equal(stages, 10);
+    arguments_free(&r);
+}
+
 /* The time error that is reported is the one that was put in. */
 static void the_step_is_refined_until_it_does_not_matter(void **state) {
     (void)state;
@@ -364,6 +378,7 @@ int main(void) {
         cmocka_unit_test(a_refused_exact_falls_back),
         cmocka_unit_test(wrong_input_is_not_tried_again),
         cmocka_unit_test(every_status_has_an_exit_status),
+        cmocka_unit_test(a_search_begins_with_some_ten_stages),
         cmocka_unit_test(the_step_is_refined_until_it_does_not_matter),
         cmocka_unit_test(an_unstable_first_step_is_halved),
         cmocka_unit_test(a_given_step_is_taken_as_it_is),
