@@ -32,7 +32,8 @@ MAKEFLAGS += -j$(shell getconf _NPROCESSORS_ONLN 2>/dev/null || echo 1)
 endif
 
 # Sources are found where they lie: one folder deep, tests apart.
-SOURCES := $(filter-out verification/unit/% verification/examples/%,$(wildcard $(foreach d,solver references verification reports,$(d)/*.c $(d)/*/*.c)))
+SOURCES := $(filter-out verification/unit/% verification/examples/%, \
+  $(wildcard $(foreach d,solver references verification reports,$(d)/*.c $(d)/*/*.c)))
 OBJECTS := $(SOURCES:%.c=$(BUILD)/%.o)
 LIBRARY := $(filter-out $(BUILD)/verification/main.o,$(OBJECTS))
 SCENES  := $(sort $(wildcard references/scene_*.c))

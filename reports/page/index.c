@@ -2,7 +2,7 @@
  * then operators, stability, the ledger, seeded faults, other codes, speed.  Nothing is computed here. */
 #include "reports/page/index.h"
 
-#include "reports/page/gates_file.h"
+#include "reports/page/gates_json.h"
 #include "references/scene.h"
 #include "solver/status.h"
 #include "verification/page/html.h"
@@ -133,7 +133,7 @@ static void put_contents(FILE *out) {
     fprintf(out, "</ul></nav>\n");
 }
 
-static void put_scene(const struct scene *s, const struct gates_file *g, const char *dir, FILE *out) {
+static void put_scene(const struct scene *s, const struct gates_json *g, const char *dir, FILE *out) {
     fprintf(out, "<section id=\"%s\">\n<h2>%s</h2>\n<p>", s->name, s->name);
     html_text(out, s->about);
     fprintf(out, ". <span class=\"faint\">");
@@ -145,7 +145,7 @@ static void put_scene(const struct scene *s, const struct gates_file *g, const c
     fprintf(out, "</section>\n");
 }
 
-static void put_verdict(const struct gates_file *g, FILE *out) {
+static void put_verdict(const struct gates_json *g, FILE *out) {
     if (g->count > 0)
         page_put_gates(g->gate, g->count, out);
     else
@@ -153,7 +153,7 @@ static void put_verdict(const struct gates_file *g, FILE *out) {
                 "No verdict: the gates were not run. <code>make verify</code> runs them.");
 }
 
-static void write_page(const char *dir, const struct gates_file *g, FILE *out) {
+static void write_page(const char *dir, const struct gates_json *g, FILE *out) {
     html_open(out, "heatladder: verification of transient heat conduction");
     put_verdict(g, out);
     put_contents(out);
@@ -166,7 +166,7 @@ static void write_page(const char *dir, const struct gates_file *g, FILE *out) {
     html_close(out);
 }
 
-static void write_summary(const struct gates_file *g, FILE *out) {
+static void write_summary(const struct gates_json *g, FILE *out) {
     int good = 0;
     for (int i = 0; i < g->count; i++) good += strcmp(g->gate[i].verdict, "pass") == 0;
     fprintf(out, "## heatladder: %d of %d gates hold\n", good, g->count);
@@ -180,11 +180,11 @@ static void write_summary(const struct gates_file *g, FILE *out) {
 int index_write(const char *dir, struct failure *why) {
     char path[1200];
     struct output page[2];
-    struct gates_file g = {0};
+    struct gates_json g = {0};
     snprintf(path, sizeof path, "%s/gates.json", dir);
-    gates_file_read(path, &g);
+    gates_json_read(path, &g);
     write_page(dir, &g, output_open(&page[0], "%s/index.html", dir));
     write_summary(&g, output_open(&page[1], "%s/summary.md", dir));
-    gates_file_free(&g);
+    gates_json_free(&g);
     return output_close(page, 2, why);
 }

@@ -6,6 +6,7 @@
 #include "verification/command/arguments.h"
 
 #include "references/scene.h"
+#include "verification/command/checks.h"
 #include "verification/command/option.h"
 #include "verification/command/verb.h"
 #include "verification/foreign/results.h"
@@ -143,86 +144,6 @@ static int check_positionals(const struct request *r, struct failure *why) {
                   r->verb->name, wanted);
 }
 
-static int check_required(const struct request *r, struct failure *why) {
-    if (strcmp(r->verb->name, "ladder") == 0 && !r->rungs.dx.count && !r->experiment.program.results)
-        return refuse(why, STATUS_INPUT, "ladder needs --dx A,B,C,..., or --results DIR with a directory a spacing");
-    if (strcmp(r->verb->name, "case") == 0 && !r->experiment.scene == !r->battery)
-        return refuse(why, STATUS_INPUT,
-                      "case needs a scene, or --battery: heatladder case SCENE --dx A,B,C --into DIR");
-    if (r->experiment.scene && r->battery) return refuse(why, STATUS_INPUT, "--battery has scenes of its own");
-    if (strcmp(r->verb->name, "case") == 0 && r->experiment.scene && !r->rungs.dx.count)
-        return refuse(why, STATUS_INPUT, "case needs --dx A,B,C,...: the spacings");
-    for (const struct option *o = options_table; o->key; o++)
-        if (words_among(r->verb->required, o->key) && !(r->given & 1ul << (o - options_table)))
-            return refuse(why, STATUS_INPUT, "%s needs --%s %s: %s", r->verb->name, o->name, o->value, o->about);
-    return STATUS_OK;
-}
-
-/* What no single option can see: options that contradict or need each other. */
-static int check_together(const struct request *r, struct failure *why) {
-    const struct options *o = &r->experiment.options;
-    if (r->rungs.dt.count && r->rungs.fourier.count)
-        return refuse(why, STATUS_INPUT, "--dt and --fourier both set the time step; give one of them");
-    if ((r->rungs.dt.count || r->rungs.fourier.count) && o->stepper == STEPPER_EXACT)
-        return refuse(why, STATUS_INPUT, "--stepper exact has no time step; leave out --%s",
-                      r->rungs.dt.count ? "dt" : "fourier");
-    if (o->jitter > 0 && o->layout != LAYOUT_JITTER && o->layout != LAYOUT_RELAXED)
-        return refuse(why, STATUS_INPUT, "--jitter %g needs --layout jitter or relaxed", o->jitter);
-    if (o->grading > 0 && o->layout != LAYOUT_GRADED)
-        return refuse(why, STATUS_INPUT, "--grading %g needs --layout graded", o->grading);
-    if (o->sweeps > 0 && o->layout != LAYOUT_RELAXED)
-        return refuse(why, STATUS_INPUT, "--sweeps %d needs --layout relaxed", o->sweeps);
-    if (o->redraw > 0 && !r->rungs.dt.count && !r->rungs.fourier.count)
-        return refuse(why, STATUS_INPUT, "--redraw %d: steps are counted, which needs --dt or --fourier", o->redraw);
-    if (r->experiment.time_error > 0 && (r->rungs.dt.count || r->rungs.fourier.count))
-        return refuse(why, STATUS_INPUT, "--time-error %g finds the time step: leave out --dt and --fourier",
-                      r->experiment.time_error);
-    if (r->experiment.time_error > 0 && (o->stepper == STEPPER_EXACT || o->stepper == STEPPER_MATCHED))
-        return refuse(why, STATUS_INPUT,
-                      "--time-error %g: --stepper %s leaves no time step to choose; euler, rk2 and rkl2 do",
-                      r->experiment.time_error, stepper_words[o->stepper]);
-    if (o->xi > 0 && o->volume != VOLUME_TUNED)
-        return refuse(why, STATUS_INPUT, "--xi %g needs --volume tuned", o->xi);
-    if (r->at.count > 2 || (r->at.count && r->experiment.scene && r->at.count != r->experiment.problem.dim))
-        return refuse(why, STATUS_INPUT, "--at needs %s for %s",
-                      r->experiment.problem.dim == 2 ? "X,Y" : "one number",
-                      r->experiment.scene ? r->experiment.scene->name : "a point");
-    if (r->rungs.expect.count &&
-        (r->rungs.expect.count != 2 || !(r->rungs.expect.value[0] < r->rungs.expect.value[1])))
-        return refuse(why, STATUS_INPUT, "--expect needs LO,HI with LO < HI, such as 1.9,2.1");
-    return STATUS_OK;
-}
-
-/* Points of a file, or one; and of that one the temperature at a time, or what is named. */
-static int check_reference(const struct request *r, struct failure *why) {
-    if (!r->points == !r->at.count)
-        return refuse(why, STATUS_INPUT, "reference needs either --at X[,Y] or --points FILE (- for standard input)");
-    if (!r->what && r->time.count == 0)
-        return refuse(why, STATUS_INPUT, "reference needs --time T[,T...]: when, s; or --what names columns without");
-    if (r->json && (r->points || r->what || r->time.count > 1))
-        return refuse(why, STATUS_INPUT,
-                      "--json tells the temperature at one point and time (--at, --time); %s is CSV",
-                      r->points ? "--points"
-                      : r->what ? "--what"
-                                : "--time T,T,...");
-    if (r->rungs.dx.count > 1) return refuse(why, STATUS_INPUT, "--dx: one extent for all cells");
-    return STATUS_OK;
-}
-
-static int check_program(const struct request *r, struct failure *why) {
-    const struct program *g = &r->experiment.program;
-    if (g->solver && g->results)
-        return refuse(why, STATUS_INPUT, "--solver runs a program, --results judges what one left: give one of them");
-    if (!g->solver && (g->keep || g->timeout > 0))
-        return refuse(why, STATUS_INPUT, "--%s needs --solver 'CMD'", g->keep ? "keep" : "timeout");
-    if (r->order && !r->battery && !program_given(g) && words_among(r->verb->options, "order-of"))
-        return refuse(why, STATUS_INPUT, "--order needs --solver, --results or --battery: of which code?");
-    if (*g->vary && !program_given(g)) return refuse(why, STATUS_INPUT, "--vary needs --solver or --results");
-    for (int k = 0; k < COLUMN_COUNT && !program_given(g); k++)
-        if (g->columns.name[k][0]) return refuse(why, STATUS_INPUT, "--columns needs --solver or --results");
-    return STATUS_OK;
-}
-
 /* Which spacings there are, and the parameters that the cases were written for: neither is typed again. */
 static int take_results(struct request *r, struct failure *why) {
     struct experiment *e = &r->experiment;
@@ -241,7 +162,7 @@ static int take_results(struct request *r, struct failure *why) {
 static int apply(struct request *r, const struct word *words, int count, struct failure *why) {
     for (int i = 0; i < count; i++)
         if (take_option(r, &words[i], why)) return why->status;
-    if (check_required(r, why) || take_results(r, why)) return why->status;
+    if (checks_required(r, why) || take_results(r, why)) return why->status;
     if (r->experiment.scene && r->experiment.scene->setup(&r->experiment.problem, why)) return why->status;
     if (r->experiment.derived &&
         quantity_read(r->experiment.derived, &r->experiment.problem, &r->experiment.quantity, why))
@@ -249,9 +170,7 @@ static int apply(struct request *r, const struct word *words, int count, struct 
     r->experiment.options.dx = r->rungs.dx.value[0];
     r->experiment.options.dt = r->rungs.dt.count ? r->rungs.dt.value[0] : 0;
     r->experiment.options.fourier = r->rungs.fourier.count ? r->rungs.fourier.value[0] : 0;
-    if (words_among(r->verb->options, "points") && check_reference(r, why)) return why->status;
-    if (check_program(r, why)) return why->status;
-    return check_together(r, why);
+    return checks_together(r, why);
 }
 
 static int has_option(int argc, char *const *argv, const char *name) {

@@ -4,7 +4,7 @@
 #include "verification/page/markdown.h"
 #include "verification/page/page.h"
 
-#include "reports/page/gates_file.h"
+#include "reports/page/gates_json.h"
 #include "verification/gates/gates.h"
 
 #include "verification/unit/near.h"
@@ -88,8 +88,8 @@ static void gates_are_read_back(void **state) {
         "{ \"id\": \"b\", \"expected\": 0, \"tolerance\": 7, \"verdict\": \"fail\" }\n]\n}\n",
         file);
     fclose(file);
-    struct gates_file g;
-    assert_int_equal(gates_file_read(path, &g), 0);
+    struct gates_json g;
+    assert_int_equal(gates_json_read(path, &g), 0);
     assert_int_equal(g.count, 2);
     assert_string_equal(g.gate[0].command, "run \"x\"");
     assert_near(g.gate[0].lo, 1.875, 0);
@@ -103,11 +103,11 @@ static void gates_are_read_back(void **state) {
     fclose(out);
     assert_non_null(strstr(text, "1 of 2 gates hold"));
     assert_non_null(strstr(text, "<h4>b: "));
-    gates_file_free(&g);
+    gates_json_free(&g);
     file = fopen(path, "w");
     fputs("{\"gates\": [\n{ \"id\": \"rod", file);
     fclose(file);
-    assert_int_equal(gates_file_read(path, &g), -1);
+    assert_int_equal(gates_json_read(path, &g), -1);
     unlink(path);
 }
 

@@ -1,6 +1,6 @@
 /* Reads the JSON of `verify --json`: the members of each object of the array "gates", in any order, one object after
  * the other.  A reader of that file and of no other JSON. */
-#include "reports/page/gates_file.h"
+#include "reports/page/gates_json.h"
 
 #include "solver/status.h"
 #include "verification/text/whole_file.h"
@@ -69,11 +69,11 @@ static char *take_gate(char *at, struct page_gate *g) {
     return at + 1;
 }
 
-int gates_file_read(const char *path, struct gates_file *g) {
-    *g = (struct gates_file){.text = whole_file_at(path, NULL)};
+int gates_json_read(const char *path, struct gates_json *g) {
+    *g = (struct gates_json){.text = whole_file_at(path, NULL)};
     char *at = g->text ? strstr(g->text, "\"gates\": [") : NULL;
     if (!at) {
-        gates_file_free(g);
+        gates_json_free(g);
         return -1;
     }
     at += strlen("\"gates\": [");
@@ -84,12 +84,12 @@ int gates_file_read(const char *path, struct gates_file *g) {
         at = take_gate(at + 1, &g->gate[g->count++]);
     }
     if (at) return 0;
-    gates_file_free(g);
+    gates_json_free(g);
     return -1;
 }
 
-void gates_file_free(struct gates_file *g) {
+void gates_json_free(struct gates_json *g) {
     free(g->gate);
     free(g->text);
-    *g = (struct gates_file){0};
+    *g = (struct gates_json){0};
 }
