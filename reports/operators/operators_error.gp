@@ -18,7 +18,7 @@ shapes = '7 9 11 5 13 8 10 6 4'
 do for [c = 1:3] {
     set title word(clouds, c) font size_of(11) offset 0,-0.6
     if (c == 1) { set ylabel 'E = Σ|T_e − T_n| / ΣT_e  [-]' offset 0.5 } else { unset ylabel; set format y '' }
-    if (c == 3) { set key at screen 0.985, 0.005 bottom right maxrows 3 width 2 } else { unset key }
+    if (c == 3) { set key at screen 0.985, 0.075 bottom right maxrows 3 width 2 } else { unset key }
     plot for [k = 1:9] data index sprintf('%s %s', word(names, k), word(clouds, c)) using 1:2 with linespoints \
         lc rgb word(colours, k) pt int(word(shapes, k)) ps 0.8 * P lw 1.2 title word(names, k)
     unset label 98; unset label 99
