@@ -169,7 +169,7 @@ static int assemble(const struct candidate_operator *o, const struct cloud_kind 
     struct problem p = model_problem_setup(&b, PROBE_NOISE, 0);
     if (model_problem_cloud(&b, &p, &cloud, why)) return why->status;
     double start = omp_get_wtime();
-    int status = operator_create_rows(a, &p, &b.options, b.method->scheme, &cloud, 1, why);
+    int status = operator_create_csr(a, &p, &b.options, b.method->scheme, &cloud, 1, why);
     *seconds = (omp_get_wtime() - start) / (double)cloud.n;
     layout_cloud_free(&cloud);
     return status;

@@ -134,7 +134,7 @@ static int spectrum_of(struct model_problem *b, int ghosts, struct spectrum *s, 
     struct cloud c;
     if (model_problem_cloud(b, &p, &c, why)) return why->status;
     if (!ghosts) c.total = c.n;
-    int status = operator_create_rows(&a, &p, &b->options, b->method->scheme, &c, 1, why);
+    int status = operator_create_csr(&a, &p, &b->options, b->method->scheme, &c, 1, why);
     layout_cloud_free(&c);
     if (status) return status;
     status = spectrum_create(s, &a, &b->step, why);

@@ -157,7 +157,7 @@ static int place_cloud(const struct problem *p, const struct options *o, const s
                        const struct lattice *l, struct heat_operator *a, struct field *f, struct failure *why) {
     struct cloud c;
     if (layout_cloud(p, o, l, particles_reach(o, s, l), &c, why)) return why->status;
-    int status = operator_create_rows(a, p, o, s, &c, l->dx[0], why);
+    int status = operator_create_csr(a, p, o, s, &c, l->dx[0], why);
     for (size_t i = 0; i < c.n; i++) {
         f->x[i] = c.x[i];
         if (f->y) f->y[i] = c.y[i];

@@ -31,7 +31,7 @@ static int count_rows(const struct problem *p, const struct options *o, const st
     struct cloud c;
     double finer = coarsening(p, o, l, &coarse), n = (double)l->n[0] * l->n[1];
     if (layout_cloud(p, o, &coarse, particles_reach(o, s, &coarse), &c, why)) return why->status;
-    int status = operator_create_rows(a, p, o, s, &c, coarse.dx[0], why);
+    int status = operator_create_csr(a, p, o, s, &c, coarse.dx[0], why);
     layout_cloud_free(&c);
     if (status) return status;
     double times = n / (double)a->n;

@@ -89,7 +89,7 @@ static int draw(const struct problem *p, struct options *o, const struct scheme 
     }
     status = carry(o, &from, &to, o->h * l->dx[0], f->T, why);
     operator_free(a);
-    if (!status) status = operator_create_rows(a, p, o, s, &to, l->dx[0], why);
+    if (!status) status = operator_create_csr(a, p, o, s, &to, l->dx[0], why);
     memcpy(f->x, to.x, to.n * sizeof *f->x);
     if (f->y) memcpy(f->y, to.y, to.n * sizeof *f->y);
     layout_cloud_free(&from);

@@ -90,8 +90,8 @@ int operator_create_lattice(struct heat_operator *a, const struct problem *p, co
 int operator_outline_lattice(struct heat_operator *a, const struct problem *p, const struct options *o,
                              const struct scheme *s, const struct lattice *l, struct failure *why);
 /* For particles anywhere; spacing (m) is what the h of the options counts in. */
-int operator_create_rows(struct heat_operator *a, const struct problem *p, const struct options *o,
-                         const struct scheme *s, const struct cloud *c, double spacing, struct failure *why);
+int operator_create_csr(struct heat_operator *a, const struct problem *p, const struct options *o,
+                        const struct scheme *s, const struct cloud *c, double spacing, struct failure *why);
 void operator_free(struct heat_operator *a);
 
 /* The neighbours within 2 h of a particle of an unbounded lattice of spacing dx (m) along every axis, h in dx, into

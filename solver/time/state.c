@@ -38,7 +38,7 @@ void state_update(const struct heat_operator *a, const struct update *u, int cou
     else if (a->gradient)
         sweep_gradient(a, u, count, Y);
     else
-        sweep_rows(a, u, count, Y);
+        sweep_csr(a, u, count, Y);
     if (count % 2) {
         double *swap = Y[0];
         Y[0] = Y[1], Y[1] = swap;

@@ -6,7 +6,7 @@
 /* The hot loops of state_update, for its `count` updates of the states Y[0] and Y[1] in turn. */
 
 void sweep_lattice(const struct heat_operator *a, const struct update *u, int count, double *const Y[2]);
-void sweep_rows(const struct heat_operator *a, const struct update *u, int count, double *const Y[2]);
+void sweep_csr(const struct heat_operator *a, const struct update *u, int count, double *const Y[2]);
 void sweep_gradient(const struct heat_operator *a, const struct update *u, int count, double *const Y[2]);
 
 /* 1 for an Euler step without source or walls' values. */

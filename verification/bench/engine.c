@@ -172,8 +172,8 @@ static void cloud(struct bench_engine *e, double bandwidth) {
         status = layout_cloud(&r.experiment.problem, &r.experiment.options, &l, 2 * r.experiment.options.h * l.dx[0],
                               &c, &why);
     if (!status) {
-        status = operator_create_rows(&a, &r.experiment.problem, &r.experiment.options, r.experiment.method->scheme,
-                                      &c, l.dx[0], &why);
+        status = operator_create_csr(&a, &r.experiment.problem, &r.experiment.options, r.experiment.method->scheme,
+                                     &c, l.dx[0], &why);
         double seconds = omp_get_wtime() - start;
         layout_cloud_free(&c);
         if (!status) {

@@ -93,7 +93,7 @@ int model_problem_operator(const struct model_problem *b, const struct problem *
         return operator_create_lattice(a, p, &b->options, s, &l, why);
     }
     if (model_problem_cloud(b, p, &c, why)) return why->status;
-    int status = operator_create_rows(a, p, &b->options, s, &c, 1, why);
+    int status = operator_create_csr(a, p, &b->options, s, &c, 1, why);
     layout_cloud_free(&c);
     return status;
 }

@@ -53,7 +53,7 @@ static struct outcome try(const struct method *method, struct made *m, double h)
     struct model_problem b = {.method = method, .dim = 2, .n = SIDE, .options = {.dx = 1, .h = h}};
     struct problem p = model_problem_setup(&b, PROBE_NOISE, 0);
     struct heat_operator a;
-    out.status = operator_create_rows(&a, &p, &b.options, method->scheme, &m->c, 1, &out.why);
+    out.status = operator_create_csr(&a, &p, &b.options, method->scheme, &m->c, 1, &out.why);
     if (out.status) return out;
     double T[2][MOST] = {{0}}, *turn[2] = {T[0], T[1]}, dt = 1 / fmax(1, operator_bound(&a));
     T[0][0] = 1;

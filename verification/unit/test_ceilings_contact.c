@@ -72,7 +72,7 @@ static double predicted(const char *more) {
     r.experiment.options.stepper = STEPPER_EULER;
     if (particles_prepare(p, &r.experiment.options, s, &o, &lattice, &rows, &why) ||
         layout_cloud(p, &o, &lattice, particles_reach(&o, s, &lattice), &c, &why) ||
-        operator_create_rows(&a, p, &o, s, &c, lattice.dx[0], &why))
+        operator_create_csr(&a, p, &o, s, &c, lattice.dx[0], &why))
         fail_msg("%s", why.text);
     double *rho_c = xcalloc(a.n, sizeof *rho_c), l[ALL], Q = 0, heat = 0, dx = lattice.dx[0];
     size_t contact = 0;

@@ -302,9 +302,9 @@ static void threads_change_no_pair(void **state) {
     struct failure why;
     assert_int_equal(layout_lattice(&p, &o, 1, &l, &why), STATUS_OK);
     assert_int_equal(layout_cloud(&p, &o, &l, 4 * o.h * l.dx[0], &c, &why), STATUS_OK);
-    assert_int_equal(operator_create_rows(&a, &p, &o, s, &c, l.dx[0], &why), STATUS_OK);
+    assert_int_equal(operator_create_csr(&a, &p, &o, s, &c, l.dx[0], &why), STATUS_OK);
     o.threads = 3;
-    assert_int_equal(operator_create_rows(&b, &p, &o, s, &c, l.dx[0], &why), STATUS_OK);
+    assert_int_equal(operator_create_csr(&b, &p, &o, s, &c, l.dx[0], &why), STATUS_OK);
     const struct gradient *of[2] = {a.gradient, b.gradient};
     size_t points = of[0]->total;
     assert_memory_equal(of[0]->kept, of[1]->kept, (points + 1) * sizeof *of[0]->kept);
@@ -334,7 +334,7 @@ static void two_sweeps_are_their_rows(void **state) {
     assert_int_equal(layout_lattice(&p, &o, 1, &l, &why), STATUS_OK);
     assert_int_equal(layout_cloud(&p, &o, &l, 4 * o.h * l.dx[0], &c, &why), STATUS_OK);
     for (int m = 0; m < 2; m++) {
-        assert_int_equal(operator_create_rows(&a, &p, &o, named(both_of[m])->scheme, &c, l.dx[0], &why), STATUS_OK);
+        assert_int_equal(operator_create_csr(&a, &p, &o, named(both_of[m])->scheme, &c, l.dx[0], &why), STATUS_OK);
         double *Y[2] = {xcalloc(a.state, sizeof(double)), xcalloc(a.state, sizeof(double))},
                bound = operator_bound(&a);
         double *x = xcalloc(a.n, sizeof *x);
@@ -369,7 +369,7 @@ static double lost(const char *name, double jitter) {
     const struct scheme *s = named(name)->scheme;
     assert_int_equal(layout_lattice(&p, &o, 1, &l, &why), STATUS_OK);
     assert_int_equal(layout_cloud(&p, &o, &l, s->sweeps * 2 * o.h * l.dx[0], &c, &why), STATUS_OK);
-    assert_int_equal(operator_create_rows(&a, &p, &o, s, &c, l.dx[0], &why), STATUS_OK);
+    assert_int_equal(operator_create_csr(&a, &p, &o, s, &c, l.dx[0], &why), STATUS_OK);
     double *sum = xcalloc(a.n, sizeof *sum), most = 0, size = 0;
     struct row r;
     csr_row_create(&r, a.n);

@@ -86,7 +86,7 @@ static void sweep_bands(const struct heat_operator *a, const struct update *u, i
         }
 }
 
-void sweep_rows(const struct heat_operator *a, const struct update *u, int count, double *const Y[2]) {
+void sweep_csr(const struct heat_operator *a, const struct update *u, int count, double *const Y[2]) {
     size_t most = a->n / SHARE, threads = a->threads < 1 ? 1 : (size_t)a->threads;
     if (threads > most) threads = most;
     if (a->banded) {
