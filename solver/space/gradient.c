@@ -3,7 +3,8 @@
  * The rows of D kappa D have some 50 entries in the plane, those of D some 15, and both derivatives of a pair are one
  * number times C d.  F is symmetric and kept by one of the two particles, so that a particle takes 12 B for each pair
  * that it keeps and 8 B for each that another does, 10 B a neighbour in place of 12 in rows.  The first sweep needs
- * the derivatives at the ghosts within one support of the domain too. */
+ * the derivatives at the ghosts within one support of the domain too.  Particles are in the order of cells, so that
+ * the two of a pair are within `reach` of each other: the second sweep can follow the first at that distance. */
 #include "solver/space/gradient.h"
 #include "solver/space/assembly.h"
 
@@ -112,6 +113,15 @@ static void place(const struct assembly *m, struct gradient *g) {
     for (int d = 0; d < c->dim; d++) g->kappa[d] = material->k[d] / material->rho_c;
 }
 
+/* Of two particles the first keeps their pair. */
+static size_t find_reach(const struct gradient *g, size_t n) {
+    size_t reach = 0;
+    for (size_t i = 0; i < n; i++)
+        for (uint32_t k = g->kept[i]; k < g->kept[i + 1]; k++)
+            if (g->other[k] < n && g->other[k] - i > reach) reach = g->other[k] - i;
+    return reach;
+}
+
 static void count(struct heat_operator *a, const struct gradient *g) {
     size_t ghosts = g->total - a->n, kept = g->kept[g->total], lent = g->lent[g->total];
     a->pairs = 2 * ((size_t)g->kept[a->n] + g->lent[a->n]);
@@ -151,6 +161,7 @@ int gradient_assemble(struct heat_operator *a, const struct problem *p, const st
         join(g, part, pairs);
         lend(g, needed);
         place(&m, g);
+        g->reach = find_reach(g, a->n);
         count(a, g);
         assembly_keep_constants(&m, xcalloc(a->n, sizeof *a->g), a);
     }

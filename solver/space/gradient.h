@@ -18,6 +18,7 @@ struct gradient {
     double *factor, *offset; /* and T_ghost = factor T_source + offset */
     double kappa[2];         /* m^2 s^-1 */
     double *flux;            /* 2 total: kappa D T, between the sweeps */
+    size_t reach;            /* the largest |i - j| of two particles that are a pair */
 };
 
 /* Fills *a with the gradient of scheme s on cloud c; arguments and failures as of csr_assemble. */

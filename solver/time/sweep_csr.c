@@ -150,17 +150,59 @@ static void update_particles(const struct heat_operator *a, const struct update 
     for (size_t i = begin; i < end; i++) y[i] = updated(a->g, *u, WHOLE, divergence(a->gradient, i), x, y, i);
 }
 
-void sweep_gradient(const struct heat_operator *a, const struct update *u, int count, double *const Y[2]) {
+/* Both sweeps over particles begin <= i < end.  The second follows the first at the distance that a pair reaches and
+ * meets its entries in a cache: they are read from memory once.  It takes lo <= i < hi, whose neighbours have fluxes
+ * here or at ghosts. */
+static void sweep_twice(const struct heat_operator *a, const struct update *u, const double *x, double *y,
+                        size_t begin, size_t end, size_t lo, size_t hi) {
+    enum { STRETCH = 256 };
+    size_t reach = a->gradient->reach;
+    for (size_t front = begin; front < end;) {
+        size_t past = end - front > STRETCH ? front + STRETCH : end;
+        find_fluxes(a->gradient, x, front, past);
+        size_t follow = past == end ? hi : past > lo + reach ? past - reach : lo;
+        if (follow > hi) follow = hi;
+        update_particles(a, u, x, y, lo, follow);
+        front = past, lo = follow;
+    }
+}
+
+/* Particles of share t that reach into no other. */
+static void share_inner(const struct heat_operator *a, size_t threads, size_t t, size_t inner[2]) {
+    size_t begin = a->n * t / threads, end = a->n * (t + 1) / threads, reach = a->gradient->reach;
+    inner[0] = t == 0 ? begin : begin + reach < end ? begin + reach : end;
+    inner[1] = t + 1 == threads ? end : end > inner[0] + reach ? end - reach : inner[0];
+}
+
+/* One update; what reaches into another thread's share waits until all fluxes are there. */
+static void update_twice(const struct heat_operator *a, const struct update *u, size_t threads, double *x,
+                         double *y) {
     const struct gradient *g = a->gradient;
+    size_t n = a->n, ghosts = g->total - n;
+    fill_ghosts(g, n, x);
+#pragma omp parallel num_threads(threads) if (threads > 1)
+    {
+#pragma omp for
+        for (size_t t = 0; t < threads; t++)
+            find_fluxes(g, x, n + ghosts * t / threads, n + ghosts * (t + 1) / threads);
+#pragma omp for
+        for (size_t t = 0; t < threads; t++) {
+            size_t inner[2];
+            share_inner(a, threads, t, inner);
+            sweep_twice(a, u, x, y, n * t / threads, n * (t + 1) / threads, inner[0], inner[1]);
+        }
+#pragma omp for
+        for (size_t t = 0; t < threads; t++) {
+            size_t inner[2];
+            share_inner(a, threads, t, inner);
+            update_particles(a, u, x, y, n * t / threads, inner[0]);
+            update_particles(a, u, x, y, inner[1], n * (t + 1) / threads);
+        }
+    }
+}
+
+void sweep_gradient(const struct heat_operator *a, const struct update *u, int count, double *const Y[2]) {
     size_t most = a->n / SHARE, threads = a->threads < 1 ? 1 : (size_t)a->threads;
     if (threads > most) threads = most > 0 ? most : 1;
-    for (int k = 0; k < count; k++) {
-        double *x = Y[k % 2], *y = Y[1 - k % 2];
-        fill_ghosts(g, a->n, x);
-#pragma omp parallel for num_threads(threads) if (threads > 1)
-        for (size_t t = 0; t < threads; t++) find_fluxes(g, x, g->total * t / threads, g->total * (t + 1) / threads);
-#pragma omp parallel for num_threads(threads) if (threads > 1)
-        for (size_t t = 0; t < threads; t++)
-            update_particles(a, &u[k], x, y, a->n * t / threads, a->n * (t + 1) / threads);
-    }
+    for (int k = 0; k < count; k++) update_twice(a, &u[k], threads, Y[k % 2], Y[1 - k % 2]);
 }

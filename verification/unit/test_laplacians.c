@@ -1,9 +1,8 @@
 /* The discrete Laplacians on neighbourhoods without any symmetry: what each must have exactly, each against its
  * formula written out step by step for a field of odd numbers, which of them conserve heat, and what they refuse. */
 #include "solver/methods/particles.h"
-#include "solver/space/gradient.h"
+#include "solver/space/csr.h"
 #include "solver/space/kernel.h"
-#include "solver/time/state.h"
 
 #include "verification/unit/odd_problems.h"
 #include "verification/unit/near.h"
@@ -290,71 +289,6 @@ static double no_flux(const struct problem *p, enum side s, const double x[2]) {
     return 0;
 }
 
-/* Two sweeps, by one thread and by three. */
-static void threads_change_no_pair(void **state) {
-    (void)state;
-    struct problem p = odd_rectangle();
-    struct options o = {.dx = 0.05, .h = 1.23, .seed = 7, .layout = LAYOUT_JITTER, .jitter = 0.31};
-    const struct scheme *s = named("flux_divergence")->scheme;
-    struct lattice l;
-    struct cloud c;
-    struct heat_operator a, b;
-    struct failure why;
-    assert_int_equal(layout_lattice(&p, &o, 1, &l, &why), STATUS_OK);
-    assert_int_equal(layout_cloud(&p, &o, &l, 4 * o.h * l.dx[0], &c, &why), STATUS_OK);
-    assert_int_equal(operator_create_csr(&a, &p, &o, s, &c, l.dx[0], &why), STATUS_OK);
-    o.threads = 3;
-    assert_int_equal(operator_create_csr(&b, &p, &o, s, &c, l.dx[0], &why), STATUS_OK);
-    const struct gradient *of[2] = {a.gradient, b.gradient};
-    size_t points = of[0]->total;
-    assert_memory_equal(of[0]->kept, of[1]->kept, (points + 1) * sizeof *of[0]->kept);
-    assert_memory_equal(of[0]->other, of[1]->other, of[0]->kept[points] * sizeof *of[0]->other);
-    assert_memory_equal(of[0]->F, of[1]->F, of[0]->kept[points] * sizeof *of[0]->F);
-    assert_memory_equal(of[0]->C, of[1]->C, 3 * points * sizeof *of[0]->C);
-    assert_memory_equal(of[0]->pair, of[1]->pair, of[0]->lent[points] * sizeof *of[0]->pair);
-    operator_free(&a);
-    operator_free(&b);
-    layout_cloud_free(&c);
-}
-
-/* What two sweeps make of a state, walls of all kinds among them, and the rows that they stand for. */
-static void two_sweeps_are_their_rows(void **state) {
-    (void)state;
-    static const char *const both_of[] = {"flux_divergence", "fo_ssph"};
-    struct problem p = odd_rectangle();
-    struct options o = {.dx = 0.05, .h = 1.23, .seed = 7, .layout = LAYOUT_JITTER, .jitter = 0.31};
-    struct lattice l;
-    struct cloud c;
-    struct heat_operator a;
-    struct row r;
-    struct failure why;
-    p.wall = no_flux;
-    p.source = NULL;
-    p.side[X_LO] = DIRICHLET, p.side[X_HI] = ROBIN, p.robin[X_HI] = 1.7, p.side[Y_LO] = NEUMANN;
-    assert_int_equal(layout_lattice(&p, &o, 1, &l, &why), STATUS_OK);
-    assert_int_equal(layout_cloud(&p, &o, &l, 4 * o.h * l.dx[0], &c, &why), STATUS_OK);
-    for (int m = 0; m < 2; m++) {
-        assert_int_equal(operator_create_csr(&a, &p, &o, named(both_of[m])->scheme, &c, l.dx[0], &why), STATUS_OK);
-        double *Y[2] = {xcalloc(a.state, sizeof(double)), xcalloc(a.state, sizeof(double))},
-               bound = operator_bound(&a);
-        double *x = xcalloc(a.n, sizeof *x);
-        for (size_t i = 0; i < a.n; i++) Y[0][i] = x[i] = sin(0.37 * (double)(i * i % 101));
-        state_update(&a, &(struct update){.rate = 1}, 1, Y);
-        csr_row_create(&r, a.n);
-        for (size_t i = 0; i < a.n; i++) {
-            double sum = 0;
-            operator_row_take(&a, i, &r);
-            for (size_t k = 0; k < r.n; k++) sum += r.value[r.column[k]] * x[r.column[k]];
-            assert_near(Y[0][i], sum, 1e-13 * bound);
-        }
-        csr_row_free(&r);
-        for (int k = 0; k < 2; k++) free(Y[k]);
-        free(x);
-        operator_free(&a);
-    }
-    layout_cloud_free(&c);
-}
-
 /* Sums of columns: d/dt of the heat that 1 K at particle j makes, over the largest weight. */
 static double lost(const char *name, double jitter) {
     struct problem p = odd_rectangle();
@@ -459,8 +393,6 @@ int main(void) {
         cmocka_unit_test(fluxes_by_the_kernels_gradient),
         cmocka_unit_test(second_derivatives_of_kernels),
         cmocka_unit_test(second_moments_on_the_lattice),
-        cmocka_unit_test(threads_change_no_pair),
-        cmocka_unit_test(two_sweeps_are_their_rows),
         cmocka_unit_test(who_conserves_heat),
         cmocka_unit_test(poor_clouds_are_refused),
         cmocka_unit_test(what_cannot_be_had_is_refused),
