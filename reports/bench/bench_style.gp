@@ -1,22 +1,12 @@
 # What the charts of a benchmark share: `data` is reports/out/bench/bench_SCENE.csv, `chart` the end of the name.
-# A panel a family of steppers, its programs coloured; all others in grey behind them, so that panels compare.
+# A panel holds at most seven programs of a family of steppers; all others stand in grey behind them.
 #     X, Y: columns; bars: 'x' or 'y', the axis of the times (lowest and highest in columns 5 and 6), or ''
 #     front: 'time' or 'work', which of what nothing beats the last panel shows, or ''
 name = system(sprintf("basename '%s' .csv", data)) . '_' . chart
-programs = system(sprintf("sed -n 's/^n,.*,updates,//p' '%s'", data))
-has(word) = strstrt(programs, word) > 0
-panels = has('matched') + has('exact') + has('rkl2') + (has('rk2') || has('euler')) + has('ftcs') + (front ne '')
-wide = 1240; high = panels > 3 ? 1060 : 560 # one row or two
-load 'reports/page/style.gp'
-unset title
-unset bmargin
-unset label 99
+set datafile separator comma
 stats data using 3 nooutput
 FRONTS = 2 # the last blocks
 N = STATS_blocks - FRONTS
-FRONT = front eq 'time' ? N : front eq 'work' ? N + 1 : -1
-STYLE = bars eq 'y' ? 'yerrorbars' : 'xerrorbars'
-at = bars eq 'y' ? Y : X
 array FAMILY[5] = ['matched', 'exact', 'rkl2', 'rk2 euler', 'ftcs']
 array TITLE[5] = ['matched step', 'exact in time', 'RKL2', 'RK2 and Euler', 'finite differences (FTCS)']
 who(i) = system(sprintf("sed -n 's/^n,.*,updates,//p' '%s' | sed -n %dp", data, i + 1))
@@ -28,36 +18,49 @@ array RANK[N]
 do for [i=1:N] {
     WHO[i] = who(i - 1)
     MEMBER[i] = family_of(WHO[i])
-    RANK[i] = 1 + sum [j=1:i] (j < i && MEMBER[j] == MEMBER[i])
+    RANK[i] = sum [j=1:i] (j < i && MEMBER[j] == MEMBER[i])
 }
+MOST = 7 # programs a panel: as many as there are colours
+members(f) = sum [j=1:N] (MEMBER[j] == f)
+parts(f) = f > 5 ? front ne '' : (members(f) + MOST - 1) / MOST
+per_part(f) = (members(f) + parts(f) - 1) / parts(f)
+panels = sum [f=1:6] parts(f)
+wide = 1240; high = 60 + 500 * ((panels + 2) / 3)
+load 'reports/page/style.gp'
+unset title
+unset bmargin
+unset label 99
+FRONT = front eq 'time' ? N : front eq 'work' ? N + 1 : -1
+STYLE = bars eq 'y' ? 'yerrorbars' : 'xerrorbars'
+at = bars eq 'y' ? Y : X
 array COLOUR[7] = [BLUE, RED, GREEN, ORANGE, PURPLE, SKY, BLACK]
 array POINT[7] = [7, 5, 9, 11, 13, 6, 4]
-colour(i) = COLOUR[(RANK[i] - 1) % 7 + 1]
-point(i) = POINT[(RANK[i] - 1 + (RANK[i] - 1) / 7) % 7 + 1] # another point where the colours begin again
+place(i) = RANK[i] % per_part(MEMBER[i]) + 1
+colour(i) = COLOUR[place(i)]
+point(i) = POINT[place(i)]
 set logscale xy
 set format xy '10^{%T}'
 set offsets graph 0.03, graph 0.03, 0, 0
-set label 98 heading at screen 0.5, screen 0.975 center noenhanced font size_of(13)
-set label 99 caption at screen 0.012, screen 0.02 left noenhanced font size_of(8.5) textcolor rgb '#555555'
-set multiplot layout (panels > 3 ? 2 : 1),3 margins screen 0.065, 0.985, 143.0 / high, 1 - 74.0 / high \
+set label 98 heading at screen 0.5, screen 1 - 27.0 / high center noenhanced font size_of(13)
+set label 99 caption at screen 0.012, screen 21.0 / high left noenhanced font size_of(8.5) textcolor rgb '#555555'
+set multiplot layout (panels + 2) / 3,3 margins screen 0.065, 0.985, 143.0 / high, 1 - 74.0 / high \
     spacing screen 0.05, 233.0 / high
-members(f) = sum [j=1:N] (MEMBER[j] == f)
 panel = 0
-do for [f=1:6] {
-    if (f < 6 ? members(f) == 0 : FRONT < 0) { continue }
+shown(i) = MEMBER[i] == f && RANK[i] / per_part(f) == part
+do for [f=1:6] { do for [part=0:parts(f)-1] {
     panel = panel + 1
     set xlabel across offset 0, 0.5
     set ylabel (panel % 3 == 1 ? along : '') offset 0.5
-    set title (f < 6 ? TITLE[f] : 'what nothing else beats') noenhanced font size_of(11) offset 0, -0.6
+    set title (f > 5 ? 'what nothing else beats' : part ? TITLE[f].', continued' : TITLE[f]) noenhanced font size_of(11) offset 0, -0.6
     set key at graph 0, graph -0.17 left top Left reverse samplen 1.5 spacing 1.05
     eval sprintf("set key font '%s'", size_of(8))
     plot for [i=1:N] data index i-1 using X:Y with lines lc rgb '#d6d6d6' lw 0.8 notitle, \
-         for [i=1:N] data index i-1 using (MEMBER[i] == f ? column(X) : NaN):Y:(bars eq '' ? column(at) : $5):(bars eq '' ? column(at) : $6) \
+         for [i=1:N] data index i-1 using (shown(i) ? column(X) : NaN):Y:(bars eq '' ? column(at) : $5):(bars eq '' ? column(at) : $6) \
              with @STYLE lc rgb colour(i) lw 0.8 pt 0 notitle, \
-         for [i=1:N] data index i-1 using (MEMBER[i] == f ? column(X) : NaN):Y with linespoints lc rgb colour(i) lw 1.2 \
-             pt point(i) ps 0.8 * P title (MEMBER[i] == f ? WHO[i] : ''), \
+         for [i=1:N] data index i-1 using (shown(i) ? column(X) : NaN):Y with linespoints lc rgb colour(i) lw 1.2 \
+             pt point(i) ps 0.8 * P title (shown(i) ? WHO[i] : ''), \
          data index (FRONT < 0 ? 0 : FRONT) using (f == 6 ? column(X) : NaN):Y with linespoints lc rgb BLACK lw 2.2 pt 7 ps 0.6 * P notitle
     unset label 98
     unset label 99
-}
+} }
 unset multiplot

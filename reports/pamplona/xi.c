@@ -52,7 +52,7 @@ static void write_errors(const struct results *s, FILE *out) {
 }
 
 static void write_xi(const struct results *s, FILE *out) {
-    head(out, "Pamplona 2019, Figure 7b: best xi on the plate, t = 28.9 s");
+    head(out, "Pamplona 2019, Figure 7b: best ξ on the plate, t = 28.9 s");
     for (int m = 0; m < MATERIALS; m++) {
         fprintf(out, "\n\n# %s\nh [m],xi [m]\n", xi_materials[m]);
         for (int i = 0; i < SIZES; i++) fprintf(out, "%.8g,%.6g\n", xi_h(size[i]), s->best[i][m].xi);

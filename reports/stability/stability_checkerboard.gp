@@ -36,8 +36,8 @@ do for [row = 1:2] {
         }
         if (p > 1) { set format y '' }
         plot for [m = 1:4] data index sprintf('%s %s', word(methods, m), word(places, p)) using 1:(row == 1 ? $2 : $3) \
-            with linespoints lc rgb word(colours, m) dt m pt (m == 1 ? 7 : m == 2 ? 4 : m == 3 ? 9 : 2) \
-            ps (m == 2 ? 1.4 : 0.7) * P title word(titles, m)
+            with linespoints lc rgb word(colours, m) dt m pt (m == 1 ? 7 : m == 2 ? 4 : m == 3 ? 8 : 2) \
+            ps (m == 2 ? 1.4 : m == 3 ? 1.2 : 0.6) * P title word(titles, m)
         unset label 98
         unset label 99
         unset label 1

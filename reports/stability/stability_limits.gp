@@ -15,6 +15,7 @@ methods = 'so_ssph fo_ssph brookshaw'
 titles = 'SO-SSPH FO-SSPH Brookshaw'
 colour(k) = k == 1 ? RED : k == 2 ? BLUE : GREEN
 mark(k) = k == 1 ? 7 : k == 2 ? 5 : 9
+open(k) = k == 1 ? 6 : k == 2 ? 4 : 8 # of what is published
 do for [dim = 1:2] {
     do for [m = 1:3] {
         set title sprintf('%s, %dD', word(titles, m), dim) font size_of(11) offset 0,-0.6
@@ -23,19 +24,21 @@ do for [dim = 1:2] {
         if (m == 2) { unset key } else { set key top left noenhanced }
         if (m < 3) {
             plot for [k = 1:3] data index sprintf('%s %s %dD', word(methods, m), word(kernels, k), dim) using 1:2 \
-                     with lines lc rgb colour(k) lw 1.2 dt 2 notitle, \
+                     with linespoints lc rgb colour(k) lw 1.2 dt 2 pt open(k) ps 0.7 * P pi 9 notitle, \
                  for [k = 1:3] data index sprintf('%s %s %dD', word(methods, m), word(kernels, k), dim) using 1:3 \
-                     with lines lc rgb colour(k) lw 1.2 dt 1 title word(kernels, k), \
+                     with lines lc rgb colour(k) lw 1.2 dt 1 notitle, \
                  for [k = 1:3] data index sprintf('%s %s %dD', word(methods, m), word(kernels, k), dim) using 1:4 \
                      with points lc rgb colour(k) pt mark(k) ps 0.7 * P notitle, \
-                 NaN with lines lc rgb BLACK lw 1.2 dt 2 title 'published', \
+                 for [k = 1:3] NaN with linespoints lc rgb colour(k) lw 1.2 dt 1 pt mark(k) ps 0.7 * P title word(kernels, k), \
+                 NaN with linespoints lc rgb BLACK lw 1.2 dt 2 pt 6 ps 0.7 * P title 'published', \
                  NaN with lines lc rgb BLACK lw 1.2 dt 1 title 'von Neumann', \
                  NaN with points lc rgb BLACK pt 7 ps 0.7 * P title 'measured'
         } else {
             plot for [k = 1:3] data index sprintf('%s %s %dD', word(methods, m), word(kernels, k), dim) using 1:3 \
-                     with lines lc rgb colour(k) lw 1.2 dt 1 title word(kernels, k), \
+                     with lines lc rgb colour(k) lw 1.2 dt 1 notitle, \
                  for [k = 1:3] data index sprintf('%s %s %dD', word(methods, m), word(kernels, k), dim) using 1:4 \
                      with points lc rgb colour(k) pt mark(k) ps 0.7 * P notitle, \
+                 for [k = 1:3] NaN with linespoints lc rgb colour(k) lw 1.2 dt 1 pt mark(k) ps 0.7 * P title word(kernels, k), \
                  data index sprintf('ftcs %dD', dim) using (0.5):1:(2.5):(0) with vectors nohead lc rgb BLACK lw 1.2 dt 2 \
                      title 'FTCS published', \
                  data index sprintf('ftcs %dD', dim) using (0.5):2:(2.5):(0) with vectors nohead lc rgb BLACK lw 1.2 dt 1 \

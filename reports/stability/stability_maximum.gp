@@ -15,7 +15,8 @@ do for [row = 1:2] {
     if (row == 1) { set yrange [-0.03:0.25] } else { set yrange [0:0.014] }
     set key top right noenhanced
     plot for [d = 1:2] for [k = 1:3] data index sprintf('%s %dD', word(kernels, k), d) using 1:(row == 1 ? $2 : $3) \
-        with lines lc rgb (k == 1 ? RED : k == 2 ? BLUE : GREEN) lw 1.4 dt d \
+        with linespoints lc rgb (k == 1 ? RED : k == 2 ? BLUE : GREEN) lw 1.4 dt d \
+        pt (k == 1 ? 7 : k == 2 ? 5 : 9) ps (k == 2 ? 0.6 : 0.8) * P pi 3 \
         title sprintf('%s, %dD', word(kernels, k), d)
     unset label 98
     unset label 99
