@@ -37,6 +37,45 @@ static double of_square(const char *method) {
     return sum / (4 * a * a);
 }
 
+/* E1 of rod-step at its defaults, of what is blind to (-1)^i with first derivatives of weights c[j], -c[-j] at j dx.
+ * Samples of a jump `off` dx beyond the middle of two particles are those of a piece that is so much wider; of
+ * (-1)^i they hold `half` dx of a source at either edge, of either sign since the hot particles are even in number.
+ * dx^2 is the operator's A and the samples' -+ 1/24; even and odd particles have U + V and U - V, of mean max. */
+static double of_rod(const double c[3], double dx, double off, double half, int averages) {
+    const double L = 2, a = 0.5, kt = 0.05, wide = a + off * dx;
+    double D = 2 * (-c[1] + 2 * c[2]), A = 2 * (c[1] + 8 * c[2]) / 3, sum = 0;
+    for (int i = 0; i < 100 * N; i++) {
+        double x = -L + 2 * L * (i + 0.5) / (100 * N), u[2], g[2];
+        for (int e = 0; e < 2; e++) {
+            double z = x + (e ? -a : a), T_xx = -z / (2 * kt), T_4x = (3 - z * z / (2 * kt)) * z / (4 * kt * kt);
+            u[e] = dx * dx * (A * kt * T_4x + (averages ? T_xx : -T_xx) / 24) * gauss(z, kt);
+            g[e] = half * dx * gauss(z, D * D * kt);
+        }
+        double U = box(x, -wide, wide, kt) - box(x, -a, a, kt) + u[0] - u[1];
+        sum += fmax(fabs(U), fabs(g[0] - g[1])) * L / (50 * N);
+    }
+    return sum / (2 * a);
+}
+
+static void jumps_off_the_middle(void **state) {
+    (void)state;
+    double c[3] = {0}, sum = 0;
+    for (int j = 1; j < 3; j++) { /* j W(j)/(2 sum j^2 W), of the cubic kernel at h/dx = 1.1 */
+        double s = j / 1.1;
+        c[j] = j * (s < 1 ? 2.0 / 3 - s * s * (1 - s / 2) : pow(2 - s, 3) / 6);
+        sum += 2 * j * c[j];
+    }
+    for (int j = 1; j < 3; j++) c[j] /= sum;
+    const double quarter = 4.0 / 642, on = 4.0 / 644, flux[3] = {0, 0.5, 0};
+    assert_near(of_rod(c, quarter, -0.25, 0.5, 0), 5.716e-3, 1e-6);
+    assert_near(of_rod(c, quarter, 0, 0.25, 1), 2.801e-3, 1e-6);
+    assert_near(of_rod(c, on, 0.5, 0.5, 0), 6.287e-3, 1e-6);
+    assert_near(of_rod(c, on, 0, 0, 1), 4.559e-5, 1e-8);
+    assert_near(of_rod(flux, quarter, -0.25, 0.5, 0), 5.637e-3, 1e-6);
+    assert_near(of_rod(flux, quarter, 0, 0.25, 1), 2.761e-3, 1e-6);
+    assert_near(of_rod(flux, on, 0.5, 0.5, 0), 6.224e-3, 1e-6);
+}
+
 /* 1 on the wall x = 0, 0 on y = 0, mirrored at both as ghosts are: what the temperature is near a corner. */
 static double near_corner(int i, int j) {
     double value = 2 / PI * atan2(fabs(j + 0.5), fabs(i + 0.5));
@@ -181,10 +220,61 @@ static void means_add_a_resistance(void **state) {
     assert_near(resistance(1, 0.001, 0, 1.1), -13.40, 0.005);
 }
 
+/* ---- The contact itself: the same pair sums, Runge and Kutta's four stages, and erf ---- */
+
+enum { CELLS = 320 };
+
+static void heating(const double *T, const double c[REACH + 1], int reach, int n, double rate[CELLS]) {
+    const double k[2] = {0.01, 0.001}, rho_c[2] = {2, 0.5}, across = 2 * k[0] * k[1] / (k[0] + k[1]);
+    for (int i = 0; i < n; i++) {
+        double sum = 0;
+        for (int j = i - reach; j <= i + reach; j++) {
+            if (j == i) continue;
+            int one = i >= n / 2, other = j >= n / 2;
+            double T_j = j < 0 ? 2 - T[-1 - j] : j >= n ? -T[2 * n - 1 - j] : T[j]; /* walls of 1 and 0 */
+            sum += c[abs(j - i)] * (one == other ? k[one] : across) * (T_j - T[i]);
+        }
+        rate[i] = sum / rho_c[i >= n / 2] * n * n / 4;
+    }
+}
+
+/* E1 of rod-contact at its defaults on n particles */
+static double of_contact(int n, double h) {
+    double T[CELLS], c[REACH + 1], stage[CELLS], rate[4][CELLS], sum = 0, heat = 0;
+    int reach = pair_weights(h, c), steps = (int)ceil(0.005 * n * n / 4 / 0.2);
+    const double part[4] = {0, 0.5, 0.5, 1}, weight[4] = {1 / 6.0, 1 / 3.0, 1 / 3.0, 1 / 6.0}, dt = 1.0 / steps;
+    for (int i = 0; i < n; i++) T[i] = i < n / 2;
+    for (int step = 0; step < steps; step++) {
+        for (int s = 0; s < 4; s++) {
+            for (int i = 0; i < n; i++) stage[i] = T[i] + (s ? part[s] * dt * rate[s - 1][i] : 0);
+            heating(stage, c, reach, n, rate[s]);
+        }
+        for (int s = 0; s < 4; s++)
+            for (int i = 0; i < n; i++) T[i] += weight[s] * dt * rate[s][i];
+    }
+    double e1 = sqrt(0.01 * 2), e2 = sqrt(0.001 * 0.5), T_c = e1 / (e1 + e2);
+    for (int i = 0; i < n; i++) {
+        double x = (2 * i + 1.0 - n) / n;
+        double exact = x < 0 ? T_c + (1 - T_c) * erf(-x / sqrt(4 * 0.005)) : T_c * erfc(x / sqrt(4 * 0.002));
+        sum += fabs(T[i] - exact), heat += exact;
+    }
+    return sum / heat;
+}
+
+static void a_short_ladder_at_the_contact(void **state) {
+    (void)state;
+    const double slopes[4] = {0, 2.3115, 2.3580, 2.4084};
+    for (int r = 1; r < 4; r++)
+        assert_near(log2(of_contact(20 << r, 1.1) / of_contact(40 << r, 1.1)), slopes[r], 1e-4);
+    assert_near(of_contact(320, 1.1), 3.184e-5, 1e-8);
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {
+        cmocka_unit_test(jumps_off_the_middle),
         cmocka_unit_test(jumps_walls_and_corners),
         cmocka_unit_test(means_add_a_resistance),
+        cmocka_unit_test(a_short_ladder_at_the_contact),
     };
     return cmocka_run_group_tests_name("predicted, first order", tests, NULL, NULL);
 }
