@@ -1,9 +1,13 @@
 /* A plate with one hot side, one insulated and two cooled ones: early form and modes.
  *
  * With cos(p x), p W tan(p W) = h W, and sin(r y), r H cot(r H) = -h H, whose integrals and those of their squares
- * are I_m, N_m and J_n, M_n, and u = d/dt of the half line y > 0 that is heated to 1, the response to the hot side is
+ * are I_m, N_m and J_n, M_n, what is left of a start at 1 is a product of two slabs (early: of half lines),
  *
- *     F(t) = int_0^t u(y, t') X(x, t') dt'      X: the slab across, from 1, insulated and cooled        (Duhamel)
+ *     X(x, t) Y(y, t),  X = sum_m I_m/N_m cos(p x) exp(-kappa p^2 t),  Y = sum_n J_n/M_n sin(r y) exp(-kappa r^2 t),
+ *
+ * and with u = d/dt of the half line y > 0 that is heated to 1, the response to the hot side is
+ *
+ *     F(t) = int_0^t u(y, t') X(x, t') dt'                                                              (Duhamel)
  *     F(t) = F(inf) - sum_mn C_mn cos(p x) sin(r y) exp(-kappa (p^2 + r^2) t),  C = r I_m/(N_m M_n (p^2 + r^2)),
  *
  * the coefficients by Green's second identity from the hot side alone.  Neither is cheap everywhere: the integral
@@ -11,15 +15,17 @@
  *
  *     F(t) = F(t0) + sum_mn C_mn cos(p x) sin(r y) (exp(-kappa (p^2 + r^2) t0) - exp(-kappa (p^2 + r^2) t)).
  *
- * sqrt(4 kappa t0) = s0 = 0.12 of the shorter extent, so that ends do not feel each other (erfc(1/0.12) = 4e-32), and
- * some 4.1 W/s0 and 4.1 H/s0 modes have exponents below 41.5.  With z = y/sqrt(4 kappa t'),
+ * sqrt(4 kappa t0) = s0 = 0.16 of the shorter extent, so that ends do not feel each other (erfc(1/0.16) = 1e-18);
+ * modes count whose exponent kappa (p^2 + r^2) t0 is below 41.5, within a quarter of an ellipse of 4.1 W/s0 by 4.1
+ * H/s0.  With z = y/sqrt(4 kappa t') and d = W - x,
  *
- *     F(t0) = 2/sqrt(pi) int_{y/s0}^inf exp(-z^2) X(u, s = y/z) dz,   u = W - x,
+ *     F(t0) = erfc(y/s0) - 2/sqrt(pi) int_{y/s0}^inf exp(-z^2) (1 - X(d, s = y/z)) dz,
  *
- * X of cooling_half; further than 6.1 s0 from x = W it is erfc(y/s0).  By panels of log z no longer than 1, with 16
- * Gauss points: the integrand is analytic within pi/4 of the axis, so that the error is 3.4^-32 = 1e-17. What is left
- * of a start at 1 is sum_mn I_m J_n/(N_m M_n) cos sin exp, early a product of half lines. Restrictions: isotropic;
- * both cooled sides alike. */
+ * X of cooling_half: nothing is left to integrate where s is 6.1 times below d or y.  By panels of log s of length 1
+ * from s0 down, with 16 Gauss points: the integrand is analytic within pi/4 of the axis, so that the error is 3.4^-32
+ * = 1e-17.  The panels lie alike for all points, so that each term is a product of what x and what y gives: points of
+ * a lattice share these, and with them each column's sums over m.  Restrictions: isotropic; both cooled sides alike.
+ */
 #include "references/cooled_plate.h"
 
 #include "references/cooling.h"
@@ -29,114 +35,222 @@
 #include <float.h>
 #include <math.h>
 #include <stdlib.h>
+#include <string.h>
 
 #include <gsl/gsl_integration.h>
 
-static const double last_exponent = 41.5;
-enum { MODES_MOST = 520 }; /* along x: 4.1 W/s0 + 2, W no longer than 10 H */
+static const double last_exponent = 41.5, reach = 6.1;
+enum { NODES = COOLED_PLATE_NODES, KEPT = 8 /* panels that points share; nearer the corner each has its own */ };
 
 static int modes_of(double L, double s) {
     return (int)(2 + L / s * 2 * sqrt(last_exponent) / M_PI);
 }
 
-/* Sizes of the modes at s, K: those that the hot side has given since s0 and those left of the start. */
-static void fill_modes(struct cooled_plate *c) {
-    double *p = c->mode, *r = p + c->m, *size = r + c->n, c0 = c->early * c->early / 4, c1 = c->s * c->s / 4;
-    struct cooling_mode *along = xcalloc((size_t)c->m, sizeof *along);
-    for (int m = 0; m < c->m; m++) {
-        along[m] = cooling_mode(m + 1, 1, c->W, c->h);
-        p[m] = along[m].q;
+/* ---- What all points share ---- */
+
+/* One axis: wave numbers, and what is left of a start at 1. */
+static void fill_axis(const struct cooling_mode *mode, int count, double late, double *q, double *left,
+                      double error[2], double *steepest) {
+    for (int k = 0; k < count; k++) {
+        double exponent = late * mode[k].q * mode[k].q, shape = mode[k].integral / mode[k].norm * exp(-exponent);
+        double rounding = DBL_EPSILON * fabs(shape) * (6 + 8 * exponent + 3 * k);
+        q[k] = mode[k].q;
+        left[k] = exponent > last_exponent ? 0 : shape;
+        error[0] += rounding;
+        error[1] += q[k] * rounding;
+        *steepest += q[k] * fabs(left[k]);
     }
-    for (int n = 0; n < c->n; n++) {
-        struct cooling_mode Y = cooling_mode(n + 1, 0, c->H, c->h);
-        r[n] = Y.q;
-        for (int m = 0; m < c->m; m++) {
-            double rate = p[m] * p[m] + Y.q * Y.q, shape = along[m].integral / (along[m].norm * Y.norm);
-            double given = Y.q / rate * exp(-c0 * rate) * -expm1(-(c1 - c0) * rate);
-            double left = Y.integral * exp(-c1 * rate);
-            size[n * c->m + m] = shape * (c->hot * given + c->start * left);
-            double rounding = DBL_EPSILON * fabs(shape) *
-                              (fabs(c->hot) * given * (12 + 8 * c0 * rate + 3 * (m + n)) +
-                               fabs(c->start * left) * (12 + 8 * c1 * rate + 3 * (m + n)));
+}
+
+/* What the hot side has given since s0, and the bounds of all. */
+static void fill_modes(struct cooled_plate *c) {
+    double *p = c->mode, *r = p + c->m, *given = r + c->n + c->m + c->n, c0 = pow(c->early / 2, 2);
+    double late = pow(c->s / 2, 2), error[2][2] = {{0}}, steepest[2] = {0};
+    struct cooling_mode *X = xcalloc((size_t)c->m + (size_t)c->n, sizeof *X), *Y = X + c->m;
+    for (int m = 0; m < c->m; m++) X[m] = cooling_mode(m + 1, 1, c->W, c->h);
+    for (int n = 0; n < c->n; n++) Y[n] = cooling_mode(n + 1, 0, c->H, c->h);
+    fill_axis(X, c->m, late, p, r + c->n, error[0], &steepest[0]);
+    fill_axis(Y, c->n, late, r, r + c->n + c->m, error[1], &steepest[1]);
+    c->error[0] += fabs(c->start) * (error[0][0] + error[1][0]);
+    for (int a = 0; a < 2; a++)
+        c->error[1] += fabs(c->start) * (error[a][1] + steepest[a] * (error[1 - a][0] + 4 * DBL_EPSILON));
+    for (int m = 0; m < c->m && c->hot != 0; m++)
+        for (int n = 0; n < c->n; n++) {
+            double rate = p[m] * p[m] + r[n] * r[n], shape = X[m].integral / (X[m].norm * Y[n].norm);
+            if (c0 * rate > last_exponent) break;
+            double size = c->hot * shape * r[n] / rate * exp(-c0 * rate) * -expm1(-(late - c0) * rate);
+            double rounding = DBL_EPSILON * fabs(size) * (12 + 8 * c0 * rate + 3 * (m + n));
+            given[m * c->n + n] = size;
             c->error[0] += rounding;
             c->error[1] += sqrt(rate) * rounding;
         }
-    }
-    free(along);
+    free(X);
 }
 
 struct cooled_plate *cooled_plate(double W, double H, double h, double hot, double start, double s) {
-    double early = fmin(s, 0.12 * fmin(W, H));
-    int m = early < s ? modes_of(W, early) : 0, n = early < s ? modes_of(H, early) : 0;
-    struct cooled_plate *c = xcalloc(1, sizeof *c + ((size_t)m + (size_t)n + (size_t)m * (size_t)n) * sizeof(double));
+    double early = fmin(s, 0.16 * fmin(W, H)), first = hot == 0 ? s : early;
+    int m = early < s ? modes_of(W, first) : 0, n = early < s ? modes_of(H, first) : 0;
+    size_t modes = 2 * ((size_t)m + (size_t)n) + (size_t)m * (size_t)n;
+    struct cooled_plate *c = xcalloc(1, sizeof *c + modes * sizeof(double));
     *c = (struct cooled_plate){
         .W = W, .H = H, .h = h, .s = s, .hot = hot, .start = start, .early = early, .m = m, .n = n};
     double scale = fabs(hot) + fabs(start);
     c->error[0] = 60 * DBL_EPSILON * scale;
     c->error[1] = 100 * DBL_EPSILON * scale * (1 / early + h);
-    gsl_integration_glfixed_table *table = gsl_integration_glfixed_table_alloc(COOLED_PLATE_NODES);
-    for (int i = 0; i < COOLED_PLATE_NODES; i++)
-        gsl_integration_glfixed_point(0, 1, (size_t)i, &c->node[i], &c->weight[i], table);
+    gsl_integration_glfixed_table *table = gsl_integration_glfixed_table_alloc(NODES);
+    for (int i = 0; i < NODES; i++) gsl_integration_glfixed_point(0, 1, (size_t)i, &c->node[i], &c->weight[i], table);
     gsl_integration_glfixed_table_free(table);
     fill_modes(c);
     return c;
 }
 
-/* F at the early width s, its integral by log s', s' = y/z.  On y = 0 its slope is 2/sqrt(pi) times
- * int_0^s dX/ds'/s' ds' - X/s, which grows as log u towards the corner u = 0. */
-static struct surface heated(const struct cooled_plate *c, double u, double y, double s) {
-    const double reach = 6.1, unit = 2 / sqrt(M_PI);
-    double edge = unit * exp(-y * y / (s * s)) / s, lo = y > 0 ? y / reach : u / reach;
-    struct surface F = {{erfc(y / s), 0}, {{0, 0}, {-edge, 0}}};
-    if (u > reach * s || lo >= s) return F;
-    F = (struct surface){{y == 0, 0}, {{0, 0}, {-edge * cooling_half(u, c->h, s).T, 0}}};
-    if (lo == 0) F.slope[1] = (struct approx){-INFINITY, INFINITY};
-    if (lo == 0) return F;
-    double length = log(s / lo);
-    int panels = (int)ceil(length);
-    for (int i = 0; i < panels * COOLED_PLATE_NODES; i++) {
-        int k = i % COOLED_PLATE_NODES;
-        double width = s * exp(-(i / COOLED_PLATE_NODES + c->node[k]) * length / panels), z = y / width;
-        double w = unit * c->weight[k] * length / panels * exp(-z * z);
-        struct cooling_half X = cooling_half(u, c->h, width);
-        F.at.value += w * z * X.T;
-        F.slope[0].value -= w * z * X.slope; /* u = W - x */
-        F.slope[1].value += w * X.change;
+/* ---- What x gives, and what y gives ---- */
+
+/* A factor of every term: `node` of the integral, `mode` and `slope` of the sums. */
+struct factor {
+    double at;                 /* m */
+    double start, start_slope; /* the slab at s, from 1 */
+    double early, edge;        /* X(d, s0); erfc(y/s0) and its slope */
+    int panels, done;          /* panels that it asks for, nodes that are filled in */
+    double (*node)[3], *mode, *slope;
+};
+
+static double width_of(const struct cooled_plate *c, int k) {
+    return c->early * exp(-(k / NODES + c->node[k % NODES]));
+}
+
+static int panels_of(const struct cooled_plate *c, double distance) {
+    double length = log(reach * c->early / distance);
+    return length < 0 ? 0 : length < 700 ? (int)ceil(length) : 700;
+}
+
+/* 1 - X, and the slope of X by x and its change by s. */
+static void x_node(const struct cooled_plate *c, double x, int k, double node[3]) {
+    struct cooling_half X = cooling_half(c->W - x, c->h, width_of(c, k));
+    node[0] = 1 - X.T, node[1] = -X.slope, node[2] = X.change;
+}
+
+/* Weights of 1 - X and of the others: with z, and without. */
+static void y_node(const struct cooled_plate *c, double y, int k, double node[3]) {
+    double z = y / width_of(c, k);
+    node[1] = 2 / sqrt(M_PI) * c->weight[k % NODES] * exp(-z * z);
+    node[0] = z * node[1];
+}
+
+/* Modes along y that count beside p: those beyond are 0. */
+static int rows_of(const struct cooled_plate *c, double p) {
+    double left = 4 * last_exponent / (c->early * c->early) - p * p;
+    int most = 2 + (left > 0 ? (int)(c->H / M_PI * sqrt(left)) : 0);
+    return c->hot == 0 ? 0 : most < c->n ? most : c->n;
+}
+
+static void fill_x(const struct cooled_plate *c, double x, struct factor *f) {
+    const double *p = c->mode, *left = p + c->m + c->n, *given = left + c->m + c->n;
+    f->at = x;
+    f->done = 0;
+    f->start = f->start_slope = 0;
+    if (c->m == 0) {
+        struct cooling_half X = cooling_half(c->W - x, c->h, c->s);
+        f->start = X.T, f->start_slope = -X.slope;
     }
-    return F;
-}
-
-/* What is left, early, of a start at 1. */
-static struct surface cooled(const struct cooled_plate *c, const double x[2], double s) {
-    struct cooling_half X = cooling_half(c->W - x[0], c->h, s), Y = cooling_half(c->H - x[1], c->h, s);
-    double z = x[1] / s, held = erf(z) + Y.T - 1, slope = 2 / sqrt(M_PI) / s * exp(-z * z) - Y.slope;
-    return (struct surface){{X.T * held, 0}, {{-X.slope * held, 0}, {X.T * slope, 0}}};
-}
-
-static void add(struct surface *T, double factor, struct surface part) {
-    T->at.value += factor * part.at.value;
-    for (int a = 0; a < 2; a++) T->slope[a].value += factor * part.slope[a].value;
-}
-
-struct surface cooled_plate_at(const struct cooled_plate *c, const double x[2]) {
-    struct surface T = {{0, c->error[0]}, {{0, c->error[1]}, {0, c->error[1]}}};
-    const double *p = c->mode, *r = p + c->m, *size = r + c->n;
-    add(&T, c->hot, heated(c, c->W - x[0], x[1], c->early));
-    if (c->m == 0) add(&T, c->start, cooled(c, x, c->s));
-    double cosine[MODES_MOST], sine[MODES_MOST];
+    memset(f->mode, 0, 2 * (size_t)c->n * sizeof(double));
     for (int m = 0; m < c->m; m++) {
-        cosine[m] = cos(p[m] * x[0]);
-        sine[m] = p[m] * sin(p[m] * x[0]);
+        double cosine = cos(p[m] * x), sine = -p[m] * sin(p[m] * x);
+        const double *size = given + m * c->n;
+        int rows = rows_of(c, p[m]);
+        f->start += left[m] * cosine;
+        f->start_slope += left[m] * sine;
+        for (int n = 0; n < rows; n++) {
+            f->mode[n] += size[n] * cosine;
+            f->slope[n] += size[n] * sine;
+        }
+    }
+    if (c->hot == 0) return;
+    f->early = cooling_half(c->W - x, c->h, c->early).T;
+    f->panels = panels_of(c, c->W - x);
+}
+
+static void fill_y(const struct cooled_plate *c, double y, struct factor *f) {
+    const double *r = c->mode + c->m, *left = r + c->n + c->m;
+    f->at = y;
+    f->done = 0;
+    f->start = f->start_slope = 0;
+    if (c->m == 0) {
+        struct cooling_half Y = cooling_half(c->H - y, c->h, c->s);
+        f->start = erf(y / c->s) + Y.T - 1;
+        f->start_slope = 2 / sqrt(M_PI) / c->s * exp(-pow(y / c->s, 2)) - Y.slope;
     }
     for (int n = 0; n < c->n; n++) {
-        double value = 0, slope = 0;
-        for (int m = 0; m < c->m; m++) {
-            value += size[n * c->m + m] * cosine[m];
-            slope -= size[n * c->m + m] * sine[m];
-        }
-        T.at.value += value * sin(r[n] * x[1]);
-        T.slope[0].value += slope * sin(r[n] * x[1]);
-        T.slope[1].value += value * r[n] * cos(r[n] * x[1]);
+        f->mode[n] = sin(r[n] * y);
+        f->slope[n] = r[n] * cos(r[n] * y);
+        f->start += left[n] * f->mode[n];
+        f->start_slope += left[n] * f->slope[n];
     }
+    if (c->hot == 0) return;
+    f->early = erfc(y / c->early);
+    f->edge = -2 / sqrt(M_PI) / c->early * exp(-pow(y / c->early, 2));
+    f->panels = panels_of(c, y);
+}
+
+/* ---- Their products ---- */
+
+/* F at s0.  On y = 0 its slope grows as the log of the distance to the corner, where nothing is left to integrate. */
+static void add_heated(const struct cooled_plate *c, struct factor *X, struct factor *Y, struct surface *T) {
+    double F = Y->early, slope[2] = {0, Y->edge * X->early}, own[2][3];
+    int panels = X->panels < Y->panels ? X->panels : Y->panels, corner = X->at >= c->W && Y->at <= 0;
+    for (int k = 0; k < NODES * panels && !corner; k++) {
+        double *x = k < NODES * KEPT ? X->node[k] : own[0], *y = k < NODES * KEPT ? Y->node[k] : own[1];
+        if (k >= X->done) x_node(c, X->at, k, x);
+        if (k >= Y->done) y_node(c, Y->at, k, y);
+        F -= y[0] * x[0];
+        slope[0] += y[0] * x[1];
+        slope[1] += y[1] * x[2];
+    }
+    int done = NODES * (corner ? 0 : panels < KEPT ? panels : KEPT);
+    if (X->done < done) X->done = done;
+    if (Y->done < done) Y->done = done;
+    T->at.value += c->hot * F;
+    for (int a = 0; a < 2; a++) T->slope[a].value += c->hot * slope[a];
+    if (corner) T->slope[1] = (struct approx){-INFINITY, INFINITY};
+}
+
+static struct surface join(const struct cooled_plate *c, struct factor *X, struct factor *Y) {
+    struct surface T = {
+        {c->start * X->start * Y->start, c->error[0]},
+        {{c->start * X->start_slope * Y->start, c->error[1]}, {c->start * X->start * Y->start_slope, c->error[1]}}};
+    if (c->hot == 0) return T;
+    for (int n = 0; n < c->n; n++) {
+        T.at.value += X->mode[n] * Y->mode[n];
+        T.slope[0].value += X->slope[n] * Y->mode[n];
+        T.slope[1].value += X->mode[n] * Y->slope[n];
+    }
+    add_heated(c, X, Y, &T);
     return T;
+}
+
+/* How far apart the points of a lattice's column lie, rows one after the other; 1 for other points. */
+static size_t line_of(size_t n, const double *x, const double *y) {
+    for (size_t k = 1; k < n; k++)
+        if (x[k] == x[0] && y[k] != y[0]) return k;
+    return 1;
+}
+
+void cooled_plate_at(const struct cooled_plate *c, size_t n, const double *x, const double *y, struct surface *T) {
+    size_t line = line_of(n, x, y), nodes = c->hot == 0 ? 0 : NODES * KEPT, each = 3 * nodes + 2 * (size_t)c->n;
+    struct factor *f = xcalloc(line + 1, sizeof *f);
+    double *all = xcalloc((line + 1) * each + 1, sizeof *all);
+    for (size_t i = 0; i <= line; i++) {
+        f[i].at = NAN;
+        f[i].node = (double(*)[3])(all + i * each);
+        f[i].mode = all + i * each + 3 * nodes;
+        f[i].slope = f[i].mode + c->n;
+    }
+    for (size_t i = 0; i < n; i++) {
+        struct factor *X = &f[i % line], *Y = &f[line];
+        if (X->at != x[i]) fill_x(c, x[i], X);
+        if (Y->at != y[i]) fill_y(c, y[i], Y);
+        T[i] = join(c, X, Y);
+    }
+    free(all);
+    free(f);
 }

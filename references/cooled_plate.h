@@ -16,14 +16,16 @@ struct cooled_plate {
     double node[COOLED_PLATE_NODES], weight[COOLED_PLATE_NODES];
     double error[2]; /* K, K m^-1 */
     int m, n;        /* modes along x and y; 0 while it is early */
-    double mode[];   /* wave numbers along x (m) and y (n), then their sizes (n rows of m), K */
+    double mode[];   /* wave numbers along x (m) and y (n), the start's sizes along x and y, the hot side's (m rows
+                        of n), K */
 };
 
 /* *hot and *start above the air; s > 0.  To be freed by free(). */
 struct cooled_plate *cooled_plate(double W, double H, double h, double hot, double start, double s);
 
-/* Temperature (K), its gradient (K m^-1) and their bounds at x, m. */
-struct surface cooled_plate_at(const struct cooled_plate *c, const double x[2]);
+/* Temperatures (K), their gradients (K m^-1) and their bounds at the n points (x[i], y[i]), m: cheaper where they are
+ * those of a lattice, row by row. */
+void cooled_plate_at(const struct cooled_plate *c, size_t n, const double *x, const double *y, struct surface *T);
 
 /* The same temperature from the steady sine or cosine series less the transient one, summed anew for each point; s
  * may be INFINITY. */

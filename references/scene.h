@@ -47,6 +47,9 @@ struct scene {
     void *(*prepare)(const struct problem *p, double t);
     /* Exact solution of *p at x and time t, from what `prepare` gave for that time; NULL as `prepare` is. */
     struct exact (*prepared)(const struct problem *p, const void *shared, const double x[2], double t);
+    /* The same at the n points (x[i], y[i]), where those of a lattice have more to share; else NULL. */
+    void (*at_points)(const struct problem *p, const void *shared, size_t n, const double *x, const double *y,
+                      double t, struct exact *e);
     /* Exact solution of *p at x and time t >= 0 s.  For many points at one time: snapshot.h. */
     struct exact (*exact)(const struct problem *p, const double x[2], double t);
     /* A second form of the temperature, derived apart, for the reference to be checked against (every scene has one).

@@ -88,14 +88,24 @@ static double rounding_of(const double *v) {
     return 2 * DBL_EPSILON * (fabs(v[T1]) + fabs(v[T0]) + fabs(v[T_A]));
 }
 
-static struct exact prepared(const struct problem *p, const void *shared, const double x[2], double t) {
+static void at_points(const struct problem *p, const void *shared, size_t n, const double *x, const double *y,
+                      double t, struct exact *e) {
     const double *v = p->param;
-    if (t == 0) return (struct exact){.temperature = v[T0]};
-    struct surface T = cooled_plate_at(shared, x);
-    return (struct exact){.temperature = v[T_A] + T.at.value,
-                          .error_bound = T.at.error + rounding_of(v),
-                          .gradient = {T.slope[0].value, T.slope[1].value},
-                          .gradient_bound = {T.slope[0].error, T.slope[1].error}};
+    struct surface *T = xcalloc(n, sizeof *T);
+    if (t > 0) cooled_plate_at(shared, n, x, y, T);
+    for (size_t i = 0; i < n; i++)
+        e[i] = t == 0 ? (struct exact){.temperature = v[T0]}
+                      : (struct exact){.temperature = v[T_A] + T[i].at.value,
+                                       .error_bound = T[i].at.error + rounding_of(v),
+                                       .gradient = {T[i].slope[0].value, T[i].slope[1].value},
+                                       .gradient_bound = {T[i].slope[0].error, T[i].slope[1].error}};
+    free(T);
+}
+
+static struct exact prepared(const struct problem *p, const void *shared, const double x[2], double t) {
+    struct exact e;
+    at_points(p, shared, 1, &x[0], &x[1], t, &e);
+    return e;
 }
 
 static struct exact exact(const struct problem *p, const double x[2], double t) {
@@ -122,6 +132,7 @@ const struct scene scene_plate_cooling = {
     .setup = setup,
     .prepare = prepare,
     .prepared = prepared,
+    .at_points = at_points,
     .exact = exact,
     .second = second,
 };

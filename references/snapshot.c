@@ -16,3 +16,11 @@ struct exact snapshot_at(const struct snapshot *s, const double x[2]) {
     if (s->scene->prepared) return s->scene->prepared(s->problem, s->shared, x, s->time);
     return s->scene->exact(s->problem, x, s->time);
 }
+
+void snapshot_at_points(const struct snapshot *s, size_t n, const double *x, const double *y, struct exact *e) {
+    if (s->scene->at_points) {
+        s->scene->at_points(s->problem, s->shared, n, x, y, s->time, e);
+        return;
+    }
+    for (size_t i = 0; i < n; i++) e[i] = snapshot_at(s, (double[2]){x[i], y ? y[i] : 0});
+}

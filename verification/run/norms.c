@@ -17,27 +17,28 @@ static double weight(const struct field *f, size_t i) {
     return f->weight ? f->weight[i] : 1;
 }
 
-/* T[i], and its bound. */
-static void exact_at(const struct snapshot *now, const struct field *f, size_t i, double *T, double *bound) {
-    double x[2];
-    point(f, i, x);
-    struct exact e = snapshot_at(now, x);
-    T[i] = e.no_value ? NORMS_NO_VALUE : isfinite(e.temperature) ? e.temperature : NAN;
-    bound[i] = e.error_bound;
+enum { CHUNK = 2000 }; /* points at a time */
+
+/* T and its bound of a chunk from point `first` on. */
+static void exact_chunk(const struct snapshot *now, const struct field *f, size_t first, double *T, double *bound) {
+    size_t n = f->n - first < CHUNK ? f->n - first : CHUNK;
+    struct exact *e = xcalloc(n, sizeof *e);
+    snapshot_at_points(now, n, f->x + first, f->y ? f->y + first : NULL, e);
+    for (size_t i = 0; i < n; i++) {
+        T[first + i] = e[i].no_value ? NORMS_NO_VALUE : isfinite(e[i].temperature) ? e[i].temperature : NAN;
+        bound[first + i] = e[i].error_bound;
+    }
+    free(e);
 }
 
 /* Points by many threads where there are many of them; sums in the order of the points, so that they are the same for
  * any number of threads. */
 double norms_exact(const struct scene *s, const struct problem *p, const struct field *f, double *T) {
-    enum { MANY = 20000, CHUNK = 2000 };
+    enum { MANY = 20000 };
     double bound = 0, whole = 0, *bounds = xcalloc(f->n, sizeof *bounds);
     struct snapshot now = snapshot_take(s, p, f->time);
-    if (f->n < MANY) {
-        for (size_t i = 0; i < f->n; i++) exact_at(&now, f, i, T, bounds);
-    } else {
-#pragma omp parallel for schedule(dynamic, CHUNK)
-        for (size_t i = 0; i < f->n; i++) exact_at(&now, f, i, T, bounds);
-    }
+#pragma omp parallel for schedule(dynamic, 1) if (f->n >= MANY)
+    for (size_t i = 0; i < f->n; i += CHUNK) exact_chunk(&now, f, i, T, bounds);
     snapshot_free(&now);
     for (size_t i = 0; i < f->n; i++) {
         if (T[i] == NORMS_NO_VALUE) continue;

@@ -178,6 +178,12 @@ static void nafems_t4(void **state) {
     assert_true(s->exact(&p, x, 6000).temperature < 17);
 }
 
+static struct surface surface_at(const struct cooled_plate *c, const double x[2]) {
+    struct surface T;
+    cooled_plate_at(c, 1, &x[0], &x[1], &T);
+    return T;
+}
+
 /* While it is early, of a plate that starts warm: central differences, off by step^2/6 of a third derivative of up to
  * some 1e6 K m^-3. */
 static void early_gradients_are_differences(void **state) {
@@ -187,14 +193,34 @@ static void early_gradients_are_differences(void **state) {
     for (size_t i = 0; i < sizeof at / sizeof *at; i++)
         for (int a = 0; a < 2; a++) {
             double x[2] = {at[i][0], at[i][1]}, T[2];
-            double slope = cooled_plate_at(c, x).slope[a].value;
+            double slope = surface_at(c, x).slope[a].value;
             for (int k = 0; k < 2; k++) {
                 x[a] = at[i][a] + (k ? step : -step);
-                T[k] = cooled_plate_at(c, x).at.value;
+                T[k] = surface_at(c, x).at.value;
             }
             assert_near((T[1] - T[0]) / (2 * step), slope, 0.02);
         }
     free(c);
+}
+
+/* Points of a lattice share what they can, and points that follow them do not: each has the bits that it has alone.
+ */
+static void shared_points_are_as_alone(void **state) {
+    (void)state;
+    enum { NX = 7, NY = 5, N = NX * NY + 4 };
+    double x[N], y[N];
+    for (int i = 0; i < NX * NY; i++) x[i] = 0.6 * (i % NX + 0.5) / NX, y[i] = (i / NX + 0.5) / NY;
+    for (int i = NX * NY; i < N; i++) x[i] = 0.6 - 0.013 * (i - NX * NY), y[i] = i % 2 ? 1e-9 : 0.37;
+    for (int late = 0; late < 2; late++) {
+        struct cooled_plate *c = cooled_plate(0.6, 1, 14.4, 100, 37, late ? 0.4 : 0.05);
+        struct surface T[N];
+        cooled_plate_at(c, N, x, y, T);
+        for (int i = 0; i < N; i++) {
+            struct surface alone = surface_at(c, (double[2]){x[i], y[i]});
+            assert_memory_equal(&T[i], &alone, sizeof alone);
+        }
+        free(c);
+    }
 }
 
 /* On the hot side the gradient is the limit of that beside it; in the corner it grows without bound, and says so. */
@@ -227,6 +253,7 @@ int main(void) {
         cmocka_unit_test(plate_limits),
         cmocka_unit_test(nafems_t4),
         cmocka_unit_test(early_gradients_are_differences),
+        cmocka_unit_test(shared_points_are_as_alone),
         cmocka_unit_test(the_hot_side_has_a_gradient),
     };
     gsl_set_error_handler_off();
