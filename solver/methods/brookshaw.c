@@ -7,6 +7,7 @@
  *
  * The volume V: raw dx^d; tuned, Pamplona eq. 14, V = area xi / N with N counting the ghosts; moment, the V for which
  * the operator is exact for x^2 and y^2 on the lattice, sum_j w_j x_j^2 = 2 kappa.
+ * Weights are >= 0: a cloud carries the operator, bounded, if every particle has a neighbour.
  * Isotropic conductivity only: F depends on the distance alone. */
 #include "solver/space/kernel.h"
 #include "solver/methods/particles.h"

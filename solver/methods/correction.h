@@ -38,6 +38,16 @@ int correction_solve(const struct neighbourhood *nb, const char *what, int terms
                      double K[CORRECTION_TERMS][CORRECTION_TERMS], const double *target, double *z,
                      struct failure *why);
 
+/* For operators without a matrix, whose gradient of linear T is Gamma grad T, Gamma = sum_j F_j d_j d_j^T (F in
+ * m^-2): STATUS_NUMERICAL as correction_create where along some direction there is none. */
+int correction_spans(const struct neighbourhood *nb, const double *F, struct failure *why);
+
+/* For weights that the distance alone tells: where one half of the plane (of the rod) is without neighbours, all
+ * a.d_j >= 0 along some a, linear T does not stay but for weights that change sign and happen to cancel (Seibold
+ * 2008, Comput. Methods Appl. Mech. Engrg. 198:592, of positive stencils).  STATUS_NUMERICAL names the particle and
+ * its neighbour count there. */
+int correction_surrounds(const struct neighbourhood *nb, struct failure *why);
+
 /* The check of schemes that take one material; isotropic: 1 for those whose weights depend on the distance alone. */
 int correction_check(const struct problem *p, const char *method, int isotropic, struct failure *why);
 

@@ -7,6 +7,7 @@
  * As printed the sum takes differences of fluxes: a pair gives both particles the same, not the opposite, so heat is
  * conserved on a lattice only.  Modes of wavelength 2 dx lie in the null space, as with fo_ssph, whose moment matrix
  * is what this one lacks.
+ * A particle all of whose neighbours lie on one line has no flux across it (correction_spans): refused.
  * The choices: differences of T in the gradient too, without which a constant would have one on a cloud; where h
  * differs, a pair has the mean of both. */
 #include "solver/methods/correction.h"
@@ -40,16 +41,12 @@ static double volume(const struct problem *p, const struct options *o, double h,
 static int pairs(const struct problem *p, const struct options *o, const struct neighbourhood *nb, double *F,
                  double C[3], struct failure *why) {
     (void)p;
-    if (nb->n == 0)
-        return refuse(why, STATUS_NUMERICAL,
-                      "particle %zu at (%.6g, %.6g) m has 0 neighbours: it has no gradient; take a larger --h", nb->i,
-                      nb->x[0], nb->x[1]);
     for (size_t j = 0; j < nb->n; j++) {
         double r = hypot(nb->d[j][0], nb->d[j][1]), both = nb->volume * neighbourhood_volume(nb, j);
         F[j] = r > 0 ? both * slope_over_distance(o->kernel, nb->dim, neighbourhood_mean_h(nb, j), r) : 0;
     }
     C[0] = C[2] = 1 / nb->volume, C[1] = 0;
-    return STATUS_OK;
+    return correction_spans(nb, F, why);
 }
 
 static int weights(const struct problem *p, const struct options *o, const struct neighbourhood *nb, double *w[2],

@@ -7,7 +7,7 @@
  * lap W changes sign: near neighbours, s < 0.89 of the cubic kernel in the plane, have negative weights, and a
  * negative weight that is large enough makes a mode grow.
  * The choice: T_i is taken off, so that a constant stays constant where the sum of lap W does not vanish.
- * Isotropic conductivity only. */
+ * Isotropic conductivity only; a particle must have neighbours on every side (correction_surrounds). */
 #include "solver/methods/correction.h"
 #include "solver/methods/particles.h"
 #include "solver/space/kernel.h"
@@ -39,10 +39,6 @@ static double volume(const struct problem *p, const struct options *o, double h,
 static int weights(const struct problem *p, const struct options *o, const struct neighbourhood *nb, double *w[2],
                    struct failure *why) {
     (void)p;
-    if (nb->n == 0)
-        return refuse(why, STATUS_NUMERICAL,
-                      "particle %zu at (%.6g, %.6g) m has 0 neighbours: no heat reaches it; take a larger --h", nb->i,
-                      nb->x[0], nb->x[1]);
     for (size_t j = 0; j < nb->n; j++) {
         double r = hypot(nb->d[j][0], nb->d[j][1]);
         if (!(r > 0))
@@ -53,7 +49,7 @@ static int weights(const struct problem *p, const struct options *o, const struc
         w[0][j] = nb->kappa[0] * neighbourhood_volume(nb, j) *
                   laplacian(o->kernel, nb->dim, neighbourhood_mean_h(nb, j), r);
     }
-    return STATUS_OK;
+    return correction_surrounds(nb, why);
 }
 
 static const struct scheme scheme = {.sweeps = 1, .check = check, .volume = volume, .weights = weights};

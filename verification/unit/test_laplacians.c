@@ -336,14 +336,18 @@ static void who_conserves_heat(void **state) {
 
 /* ---- Refusals ---- */
 
-static void try_few(const char *name, size_t n, double (*d)[2], const char *says) {
+static int try_weights(const char *name, size_t n, double (*d)[2], struct failure *why) {
     struct problem p = odd_rectangle();
     struct options o = {.kernel = KERNEL_CUBIC};
-    struct failure why = {0};
     double w[2][MANY], *out[2] = {w[0], w[1]};
     struct neighbourhood nb = around(2, same);
     nb.n = n, nb.d = d;
-    assert_int_equal(named(name)->scheme->weights(&p, &o, &nb, out, &why), STATUS_NUMERICAL);
+    return named(name)->scheme->weights(&p, &o, &nb, out, why);
+}
+
+static void try_few(const char *name, size_t n, double (*d)[2], const char *says) {
+    struct failure why = {0};
+    assert_int_equal(try_weights(name, n, d, &why), STATUS_NUMERICAL);
     assert_non_null(strstr(why.text, "particle 3 at"));
     assert_non_null(strstr(why.text, says));
 }
@@ -352,6 +356,8 @@ static void poor_clouds_are_refused(void **state) {
     (void)state;
     static const char *const corrected[] = {"brookshaw_corrected", "schwaiger", "fatehi_manzari", "cspm"};
     double line[4][2] = {{0.021, 0.042}, {-0.017, -0.034}, {0.043, 0.086}, {-0.03, -0.06}};
+    double right[5][2] = {{0.041, 0.013}, {0.003, 0.049}, {0.011, -0.055}, {0.063, -0.038}, {0.021, 0.007}};
+    struct failure why;
     double three[2][2] = {{0.041, 0.013}, {0.003, 0.049}}, twice[2][2] = {{0.041, 0.013}, {0, 0}};
     for (int m = 0; m < 4; m++) {
         try_few(corrected[m], 0, place, "has 0 neighbours, condition number");
@@ -359,9 +365,17 @@ static void poor_clouds_are_refused(void **state) {
     }
     try_few("fatehi_manzari", 2, three, "has 2 neighbours, condition number");
     try_few("cspm", 2, three, "has 2 neighbours, condition number");
-    try_few("kernel_second", 0, place, "has 0 neighbours");
     try_few("kernel_second", 2, twice, "at the same place");
-    try_few("flux_divergence", 0, place, "has 0 neighbours");
+    static const char *const empty = "neighbours, none in one half of the plane";
+    for (size_t n = 0; n < 3; n++) try_few("kernel_second", n, place, empty);
+    try_few("kernel_second", 4, line, "has 4 neighbours, none in one half of the plane");
+    try_few("kernel_second", 5, right, empty);
+    right[4][0] = -0.011, right[4][1] = 0.018; /* leaves a gap of 160 degrees */
+    assert_int_equal(try_weights("kernel_second", 5, right, &why), STATUS_OK);
+    try_few("flux_divergence", 0, place, "has 0 neighbours, condition number infinite");
+    try_few("flux_divergence", 1, place, "has 1 neighbours, condition number");
+    try_few("flux_divergence", 4, line, "has 4 neighbours, condition number");
+    assert_int_equal(try_weights("flux_divergence", 2, three, &why), STATUS_OK);
 }
 
 static void what_cannot_be_had_is_refused(void **state) {
