@@ -38,9 +38,10 @@ static void print_text(const struct model_problem *b, const struct step_limit *l
     int cloud = options_is_cloud(&b->options);
     printf("%s in %dD", b->method->name, b->dim);
     if (b->method->scheme) printf(", %s kernel, h/dx = %g", kernel_words[b->options.kernel], b->options.h);
-    if (cloud) printf(", %s", layout_words[b->options.layout]);
+    if (b->options.layout != LAYOUT_LATTICE) printf(", %s", layout_words[b->options.layout]);
     if (b->options.jitter > 0) printf(" %g, seed %lu", b->options.jitter, b->options.seed);
     if (b->dim == 2 && model_problem_kappa_y(b) < 1) printf(", kappa_y/kappa_x %g", model_problem_kappa_y(b));
+    if (b->options.walls != WALLS_MIRROR) printf(", walls %s", walls_words[b->options.walls]);
     printf(", %s: dt kappa/dx^2 up to\n", stepper_words[b->step.stepper]);
     if (l->source)
         printf("  %-12s %.6g (%s)\n", "published", l->published, l->source);
