@@ -24,7 +24,7 @@ int ftcs_matched_points(const struct ftcs_grid *g, const struct problem *p, int 
     for (int k = 0; k < jumps; k++) {
         double cells = (jump[k] - g->origin[0]) / g->d[0] + 0.5;
         if (fabs(cells - nearbyint(cells)) > 1e-6)
-            return refuse(why, STATUS_INPUT,
+            return refuse(why, STATUS_NOT_APPLICABLE,
                           "--stepper matched: the start jumps at x = %g m, not midway between two points; take "
                           "--sampling spline",
                           jump[k]);
@@ -36,7 +36,7 @@ int ftcs_matched_points(const struct ftcs_grid *g, const struct problem *p, int 
         slopes |= !across && p->initial(p, (double[2]){x, 0}) != p->initial(p, (double[2]){next, 0});
     }
     if (jumps && slopes)
-        return refuse(why, STATUS_INPUT,
+        return refuse(why, STATUS_NOT_APPLICABLE,
                       "--stepper matched: the start jumps and varies between its jumps; take --sampling spline");
     *m = jumps ? -1 : 0;
     return STATUS_OK;

@@ -192,7 +192,7 @@ int matched_check(const struct problem *p, const struct options *o, const struct
             double at = (plane[a][k] - l->first[a]) / l->dx[a];
             if (fabs(at - floor(at) - 0.5) < 1e-6) continue;
             return refuse(
-                why, STATUS_INPUT,
+                why, STATUS_NOT_APPLICABLE,
                 "--stepper matched: the start jumps at %c = %.6g m, which is not midway between two particles: "
                 "points are then of no known order; take --sampling spline",
                 "xy"[a], plane[a][k]);
@@ -201,7 +201,7 @@ int matched_check(const struct problem *p, const struct options *o, const struct
     }
     if ((jumps[0] || jumps[1]) && (vary || (p->dim == 2 && !(jumps[0] && jumps[1]))))
         return refuse(
-            why, STATUS_INPUT,
+            why, STATUS_NOT_APPLICABLE,
             "--stepper matched: the start jumps %s: points of jumps and of the rest start at different times; "
             "take --sampling spline",
             vary ? "and varies between its jumps" : "along one axis alone");
@@ -250,7 +250,7 @@ static int matching_step(const struct problem *p, const struct options *o, const
         double iso;
         if (matched_isotropic(o, s, &iso, why)) return why->status;
         return refuse(
-            why, STATUS_INPUT,
+            why, STATUS_NOT_APPLICABLE,
             "--h %.12g: not isotropic (A = %.4g, B = %.4g, B = 2 A is wanted), so that no step matches; take "
             "--h iso (%.12g)",
             o->h, e.A, e.B, iso);

@@ -189,10 +189,36 @@ static void errors_without_one_part(void **state) {
     arguments_free(&q);
 }
 
+/* Good input that no step matches is not applicable; what is no input at all, or told twice, is bad. */
+static void what_does_not_match_is_not_bad_input(void **state) {
+    (void)state;
+    static const struct {
+        const char *line, *word;
+        int status;
+    } all[] = {
+        {"run square-step so_ssph --stepper matched --h 1.1 --dx 0.1", "--h iso", STATUS_NOT_APPLICABLE},
+        {"run square-step ftcs --stepper matched --dx 0.1", "isotropic", STATUS_NOT_APPLICABLE},
+        {"run plate so_ssph --stepper matched --h iso --set T1=0 --set T3=0 --dx 0.01", "along one axis alone",
+         STATUS_NOT_APPLICABLE},
+        {"run square-step so_ssph --stepper matched --h iso --dx 0.1 --dt 0.1", "--dt", STATUS_INPUT},
+        {"run rod-gauss so_ssph --stepper matched --sampling spline --dx 0.5 --t-end 1e-3", "--t-end", STATUS_INPUT},
+    };
+    for (size_t i = 0; i < sizeof all / sizeof *all; i++) {
+        struct request r = request(all[i].line);
+        struct experiment *e = &r.experiment;
+        struct field f;
+        struct failure why = {0};
+        assert_int_equal(e->method->solve(&e->problem, &e->options, &f, &why), all[i].status);
+        if (!strstr(why.text, all[i].word)) fail_msg("'%s' is not in: %s", all[i].word, why.text);
+        arguments_free(&r);
+    }
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(errors_of_matched_runs),
         cmocka_unit_test(errors_without_one_part),
+        cmocka_unit_test(what_does_not_match_is_not_bad_input),
     };
     return cmocka_run_group_tests_name("ceilings_matched", tests, NULL, NULL);
 }
