@@ -3,6 +3,7 @@
 
 #include "references/scene.h"
 #include "verification/run/symmetry.h"
+#include "verification/choose/forewarn.h"
 #include "verification/choose/halfway.h"
 #include "verification/choose/plan.h"
 #include "verification/run/experiment.h"
@@ -171,8 +172,6 @@ static double rounding(const struct problem *p, const struct field *run, double 
     return DBL_EPSILON / 4 * (sqrt(applications) + symbol);
 }
 
-enum { EVALUATED = 20000 }; /* work of an exact temperature, at most: a plate's at the start */
-
 int candidate_predict(const struct candidate *c, const struct experiment *e, struct candidate_size size,
                       struct candidate_cost *cost, struct failure *why) {
     struct experiment with = experiment_of(c, e, size);
@@ -181,7 +180,9 @@ int candidate_predict(const struct candidate *c, const struct experiment *e, str
     if (status) return status;
     const struct field *run = &plan.part.run;
     cost->work = run->work;
-    cost->whole = plan_work(&plan) + EVALUATED * (double)plan.particles;
+    double exact = forewarn_exact * forewarn_rate * (double)plan.particles;
+    cost->whole = plan_work(&plan) + exact;
+    cost->proof = cost->whole + plan.dim * exact;
     cost->bytes = (double)plan.part.bytes[plan_peak(&plan)];
     cost->rounding = rounding(&e->problem, run, with.options.dx);
     return STATUS_OK;

@@ -54,6 +54,7 @@ int candidate_prove(const struct candidate *c, const struct experiment *e, struc
 struct candidate_cost {
     double work;     /* field.work */
     double whole;    /* with the exact temperatures and the full cost of CSR entries: for limits */
+    double proof;    /* with those half-way between the particles too */
     double bytes;    /* peak */
     double rounding; /* mean part of E1 due to rounding */
 };

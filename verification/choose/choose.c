@@ -5,7 +5,6 @@
  * Costs are counted, so that the choice is the same on every machine. */
 #include "verification/choose/choose.h"
 
-#include "verification/choose/forewarn.h"
 #include "verification/text/progress.h"
 #include "verification/run/experiment.h"
 
@@ -15,7 +14,6 @@
 
 const double choose_work_max = 2e11;
 enum { PROOFS = 8, LAST = 2 };
-static const double UNITS = 1e9;  /* s^-1: of work, by which a proving run is told to take long */
 static const double NEARER = 0.9; /* of the best error: what a last run must promise */
 static const double LUCKY = 0.1;  /* of the predicted error: below it one more run is wanted, */
 static const double FINER = 1.5;  /* with so many times the particles */
@@ -41,16 +39,13 @@ static void calibrate(struct choose *c, const struct extrapolation_goal *goal) {
     progress_end(&shown);
 }
 
-/* A proving run, said beforehand where it is the first that takes long: the exact temperature at each particle, and
- * half-way to the next along each axis. */
+/* A proving run, told beforehand where it makes the search long. */
 static int run_proof(struct choose *c, const struct candidate *one, const struct extrapolation_goal *goal,
                      struct candidate_size size, struct result *result, double *between) {
     struct candidate_cost cost;
     struct failure ignored;
-    if (!c->forewarned && !candidate_predict(one, goal->experiment, size, &cost, &ignored)) {
-        double exact = (cost.whole - cost.work) * (1 + goal->experiment->problem.dim);
-        c->forewarned = forewarn("a proving run", (cost.work + exact) / UNITS);
-    }
+    if (!candidate_predict(one, goal->experiment, size, &cost, &ignored))
+        forewarn_next(&c->forewarned, "the search with its next run", cost.proof / forewarn_rate);
     return candidate_prove(one, goal->experiment, size, result, between);
 }
 

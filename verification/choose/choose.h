@@ -4,6 +4,7 @@
 /* The cheapest run of a scene that reaches an error. */
 
 #include "verification/choose/extrapolation.h"
+#include "verification/choose/forewarn.h"
 
 enum { CHOOSE_CANDIDATES = 32 };
 
@@ -18,7 +19,7 @@ struct choose {
     int reached;                                 /* 1: the proof has the error */
     struct extrapolation best;                   /* what that run was, as predicted before it */
     struct result proof;                         /* the best of the proving runs */
-    int forewarned;                              /* 1: that a proving run takes long was said */
+    struct forewarned forewarned;                /* proving runs */
     double between;                              /* its E1 half-way between the particles */
 };
 

@@ -11,8 +11,8 @@
 
 const double forewarn_least = 10;
 
-/* Of the unit of solver/outline.h, a second; an exact temperature, s. */
-static const double RATE = 5e9, EVALUATED = 4e-6;
+const double forewarn_rate = 5e9;
+const double forewarn_exact = 2e-6; /* a plate's at the start: 53 x 53 modes, value and slope */
 
 /* What is surely short: a search takes some 50 times the updates of its first run (a jump's, by Euler steps). */
 static const double SHORT_UPDATES = 2e6, SHORT_PARTICLES = 1e5;
@@ -30,7 +30,7 @@ double forewarn_seconds(const struct experiment *e) {
     struct failure ignored;
     if (is_short(e) || plan_sketch(e, &plan, &ignored)) return 0;
     double runs = plan.refined ? 1.5 : 1; /* those before the last have half its steps, a quarter, ... */
-    return runs * plan_work(&plan) / RATE + EVALUATED * (double)plan.particles;
+    return runs * plan_work(&plan) / forewarn_rate + forewarn_exact * (double)plan.particles;
 }
 
 void forewarn_text(double seconds, char *text, size_t size) {
@@ -48,5 +48,12 @@ int forewarn(const char *what, double seconds) {
     if (!(seconds >= forewarn_least)) return 0;
     forewarn_text(seconds, text, sizeof text);
     fprintf(stderr, "heatladder: %s will take some %s of one processor, by the operations it counts\n", what, text);
+    return 1;
+}
+
+int forewarn_next(struct forewarned *f, const char *what, double seconds) {
+    f->all += seconds;
+    if (!(f->all > 2 * f->told) || !forewarn(what, f->all)) return 0;
+    f->told = f->all;
     return 1;
 }

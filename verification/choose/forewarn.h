@@ -2,7 +2,7 @@
 #define HEATLADDER_VERIFICATION_CHOOSE_FOREWARN_H
 
 /* What will take long says so beforehand, once, on standard error.  The prediction is of counted work, so that it is
- * the same on every machine: FOREWARN_RATE of the unit of solver/outline.h a second, about what one processor does.
+ * the same on every machine: forewarn_rate of the unit of solver/outline.h a second, about what one processor does.
  */
 
 #include <stddef.h>
@@ -10,6 +10,13 @@
 struct experiment;
 
 extern const double forewarn_least; /* s: what takes less is not told */
+extern const double forewarn_rate;  /* s^-1 */
+extern const double forewarn_exact; /* s: of an exact temperature of the plane, at most; a fifth of it on a rod */
+
+/* Several runs, each known only when the one before is over: seconds of all so far, and as told last. */
+struct forewarned {
+    double all, told;
+};
 
 /* Seconds of the run of *e by its plan, the exact temperatures and the search for a time step with it.  0 where the
  * plan tells nothing or would take as long as the run: that is less than forewarn_least then. */
@@ -20,5 +27,8 @@ void forewarn_text(double seconds, char *text, size_t size);
 
 /* Says that `what` will take so long, where it is forewarn_least or more: 1 then, else 0. */
 int forewarn(const char *what, double seconds);
+
+/* The same for one run more, where all are more than twice what was told. */
+int forewarn_next(struct forewarned *f, const char *what, double seconds);
 
 #endif

@@ -178,6 +178,24 @@ static void work_out_of_proportion_is_left_out(void **state) {
     }
 }
 
+/* What took 43.7 s of a processor of 4e9 to 5e9 pairs a second: 6.7e6 exact temperatures at the particles, and as many
+ * half-way along each axis, were three quarters of that. */
+static void a_proving_run_is_more_than_its_solve(void **state) {
+    (void)state;
+    struct request r;
+    struct candidate_cost cost;
+    struct failure why;
+    const struct candidate *c = candidates_table;
+    while (strcmp(c->label, "ftcs at F = 0.2, cell samples") != 0) c++;
+    assert_int_equal(arguments_parse_line("choose plate --error 1e-3 --t-end 0.01", &r, &why), STATUS_OK);
+    assert_int_equal(candidate_predict(c, &r.experiment, (struct candidate_size){2581, 0}, &cost, &why), STATUS_OK);
+    double n = 2581.0 * 2581;
+    assert_near(cost.work / 5.56e10, 1, 0.01);
+    assert_near((cost.proof - cost.whole) / n, 2 * 10000, 1);
+    assert_true(cost.proof > 2e11 && cost.proof < 3.3e11);
+    arguments_free(&r);
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(lattices_meet_the_jumps),
@@ -187,6 +205,7 @@ int main(void) {
         cmocka_unit_test(costs_are_predicted),
         cmocka_unit_test(work_out_of_proportion_is_left_out),
         cmocka_unit_test(searches_and_rows_cost_more_than_a_stencil),
+        cmocka_unit_test(a_proving_run_is_more_than_its_solve),
         cmocka_unit_test(a_median_is_no_mean),
         cmocka_unit_test(a_ratio_is_as_wide_as_both),
         cmocka_unit_test(a_refusal_is_no_failure),

@@ -118,7 +118,7 @@ static void domains_without_a_lattice_are_told_of_one(void **state) {
 
 /* As candidate_predict counts it: rows at ten times their pairs, and the exact temperature of each particle. */
 static double whole(const struct result *r, int rows) {
-    return r->work + 2e4 * (double)r->particles + (rows ? 9 * (double)r->interactions : 0);
+    return r->work + 1e4 * (double)r->particles + (rows ? 9 * (double)r->interactions : 0);
 }
 
 /* No run may take more than 1e9 pairs.  What was the best then is within reach, and work was left for nothing finer.

@@ -50,6 +50,19 @@ static void it_grows_with_the_work(void **state) {
     assert_near(fine / coarse, 8, 0.4);
 }
 
+/* Of a search that gets longer as it goes: all of it, each time that it has doubled. */
+static void a_search_that_doubles_says_so_again(void **state) {
+    (void)state;
+    static const struct {
+        double seconds;
+        int told;
+    } run[] = {{4, 0}, {5, 0}, {3, 1}, {11, 0}, {2, 1}, {24, 0}, {1e3, 1}};
+    struct forewarned f = {0};
+    for (size_t i = 0; i < sizeof run / sizeof *run; i++)
+        assert_int_equal(forewarn_next(&f, "the search with its next run", run[i].seconds), run[i].told);
+    assert_near(f.told, 1049, 0);
+}
+
 static void texts(void **state) {
     (void)state;
     char text[40];
@@ -67,6 +80,7 @@ int main(void) {
         cmocka_unit_test(minutes_and_years_are_told),
         cmocka_unit_test(what_is_short_is_not),
         cmocka_unit_test(it_grows_with_the_work),
+        cmocka_unit_test(a_search_that_doubles_says_so_again),
         cmocka_unit_test(texts),
     };
     return cmocka_run_group_tests_name("forewarn", tests, NULL, NULL);
