@@ -27,7 +27,7 @@ $(error $(UNSAFE): the order of additions would be left to the compiler, or NaN 
 endif
 
 # A plain `make` uses all processors.
-ifeq ($(filter -j% --jobs% --jobserver%,$(MAKEFLAGS)),)
+ifeq ($(MAKELEVEL)$(filter -j% --jobs% --jobserver%,$(MAKEFLAGS)),0)
 MAKEFLAGS += -j$(shell getconf _NPROCESSORS_ONLN 2>/dev/null || echo 1)
 endif
 
@@ -101,7 +101,8 @@ setup: ## Install what the build needs and this machine lacks
 
 # In `make -j setup test` nothing is compiled before all is there.
 ifneq ($(filter setup,$(MAKECMDGOALS)),)
-$(BUILD)/scenes.inc $(BUILD)/version.inc $(BUILD)/published.inc: | setup
+EXAMPLES := cells_c cells_f90 cvode
+$(addprefix $(BUILD)/,scenes.inc version.inc published.inc $(EXAMPLES:%=examples/%) peers/ftcs): | setup
 endif
 
 .PHONY: install
@@ -135,8 +136,14 @@ clean: ## Remove everything that was built
 # Codes of others in small: not part of the program.
 CVODE = $(wildcard /usr/include/cvode/cvode.h /usr/local/include/cvode/cvode.h)
 .PHONY: examples
+ifeq ($(filter setup-peers,$(MAKECMDGOALS)),)
 examples: $(addprefix $(BUILD)/examples/,cells_c $(if $(shell command -v gfortran),cells_f90) $(if $(CVODE),cvode)) ## Build the examples of programs for --solver
 	@:
+else # which of them can be built shows when all is there
+examples: setup-peers
+	+$(Q)$(MAKE) --no-print-directory examples
+bench-peers faults: | setup-peers
+endif
 
 $(BUILD)/examples/cells_c: verification/examples/cells.c
 	@mkdir -p $(@D)
@@ -223,8 +230,6 @@ stability: $(BUILD)/heatladder ## Measure where methods fail and draw it, to rep
 	scripts/plot $(OUT) $$f || exit 1; done; \
 	else echo "stability: gnuplot is not here (make setup installs it); figures were not drawn"; fi
 
-##@ Speed
-
 OPERATORS := $(wildcard reports/operators/*.gp)
 
 .PHONY: operators
@@ -234,6 +239,8 @@ operators: $(BUILD)/heatladder ## Measure the discrete Laplacians side by side o
 	$(Q)if command -v gnuplot >/dev/null; then for f in $(OPERATORS); do \
 	scripts/plot $(OUT) $$f || exit 1; done; \
 	else echo "operators: gnuplot is not here (make setup installs it); the figure was not drawn"; fi
+
+##@ Speed
 
 # A benchmark says by which flags it was compiled.
 $(BUILD)/verification/bench/print.o: DEFINES = -DBENCH_FLAGS='"-std=c11 -ffp-contract=off -fopenmp $(CFLAGS)"'
