@@ -247,6 +247,26 @@ static double job_size_of(const char *command) {
     return isfinite(work) ? work : 0;
 }
 
+/* Rungs of a ladder, in whatever it climbs; 1 of a run. */
+static int runs_of(const struct gate *gate, const struct program *program) {
+    struct request r;
+    struct failure why;
+    int runs = 1;
+    if (!parse(gate, program, &r, &why)) {
+        const struct numbers *climbs[] = {&r.rungs.dx, &r.rungs.dt, &r.rungs.fourier, &r.rungs.vary};
+        for (int i = 0; i < 4; i++)
+            if (climbs[i]->count > runs) runs = climbs[i]->count;
+    }
+    arguments_free(&r);
+    return runs;
+}
+
+int gates_runs(const struct gates *g) {
+    int runs = 0;
+    for (int i = 0; i < g->declared; i++) runs += runs_of(&g->result[i].gate, g->program);
+    return runs;
+}
+
 struct job {
     int gate;
     double size;

@@ -58,6 +58,9 @@ void gates_add(struct gates *g, const struct gate *gate);
  * STATUS_OK; or STATUS_INPUT where none is left. */
 int gates_choose(struct gates *g, const char *only, const char *skip, int quick, struct failure *why);
 
+/* About how many runs another program would make of them. */
+int gates_runs(const struct gates *g);
+
 /* Runs all: in parallel, the heaviest first; by another program one after the other, as they stand. */
 void gates_run(struct gates *g);
 

@@ -178,8 +178,8 @@ static void work_out_of_proportion_is_left_out(void **state) {
     }
 }
 
-/* What took 43.7 s of a processor of 4e9 to 5e9 pairs a second: 6.7e6 exact temperatures at the particles, and as many
- * half-way along each axis, were three quarters of that. */
+/* What took 43.7 s of a processor of 4e9 to 5e9 pairs a second: 6.7e6 exact temperatures at the particles, and as
+ * many half-way along each axis, were three quarters of that. */
 static void a_proving_run_is_more_than_its_solve(void **state) {
     (void)state;
     struct request r;

@@ -3,6 +3,7 @@
 #include "verification/command/verb.h"
 
 #include "references/scene.h"
+#include "verification/choose/forewarn.h"
 #include "verification/command/request.h"
 #include "verification/oracle/answer.h"
 #include "verification/text/json.h"
@@ -72,6 +73,10 @@ static int read_points(const struct request *r, struct points *points, struct fa
     return status;
 }
 
+static double seconds(const struct answer *a) {
+    return (double)a->points.n * a->times * (a->problem->dim > 1 ? forewarn_exact : forewarn_exact / 5);
+}
+
 int verb_reference(const struct request *r, struct failure *why) {
     struct answer a = {.scene = r->experiment.scene,
                        .problem = &r->experiment.problem,
@@ -81,6 +86,7 @@ int verb_reference(const struct request *r, struct failure *why) {
     if (columns_parse(r->what ? r->what : "temperature", a.problem->dim, &a.columns, why)) return why->status;
     if (read_points(r, &a.points, why)) return why->status;
     int status = answer_check(&a, why);
+    if (!status) forewarn("the answer", seconds(&a));
     if (!status && (r->points || r->what || r->time.count > 1))
         answer_write(&a, stdout);
     else if (!status)

@@ -96,6 +96,8 @@ static int verify(const struct request *r, struct gate_file *file, struct gates 
     if (atomic_file_check(r->json_path, why) || atomic_file_check(r->junit_path, why)) return why->status;
     if (atomic_file_check(r->page_path, why)) return why->status;
     if (collect(r, file, g, origin, why)) return why->status;
+    if (g->program && g->program->solver)
+        fprintf(stderr, "heatladder: the program is run some %d times, one after the other\n", gates_runs(g));
     double start = omp_get_wtime();
     gates_run(g);
     print_gates(g, r->verbose, omp_get_wtime() - start);
