@@ -252,7 +252,7 @@ bench: $(BUILD)/heatladder ## Chart error against time and counted work, and mea
 	@mkdir -p $(BENCH)
 	$(Q)$(BUILD)/heatladder bench $(BENCH) > $(BENCH)/bench.txt; status=$$?; cat $(BENCH)/bench.txt; exit $$status
 	$(Q)if command -v gnuplot >/dev/null; then for data in $(BENCH)/bench_*.csv; do \
-	for chart in time work growth; do \
+	for chart in time work growth convergence; do \
 	scripts/plot $(BENCH) reports/bench/bench_$$chart.gp $$data || exit 1; done; done; \
 	else echo "bench: gnuplot is not here (make setup installs it); charts were not drawn"; fi
 

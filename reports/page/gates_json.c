@@ -71,11 +71,14 @@ static char *take_gate(char *at, struct page_gate *g) {
 
 int gates_json_read(const char *path, struct gates_json *g) {
     *g = (struct gates_json){.text = whole_file_at(path, NULL)};
-    char *at = g->text ? strstr(g->text, "\"gates\": [") : NULL;
+    static const char made[] = "\"made\": ";
+    char *at = g->text ? strstr(g->text, "\"gates\": [") : NULL, *origin = at ? strstr(g->text, made) : NULL;
     if (!at) {
         gates_json_free(g);
         return -1;
     }
+    g->made = "at a time and place that their file does not tell";
+    if (origin && origin < at && *(origin += strlen(made)) == '"') g->made = take_string(&origin);
     at += strlen("\"gates\": [");
     size_t room = 0;
     while (at && *(at += strspn(at, " \t\r\n,")) == '{') {

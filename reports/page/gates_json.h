@@ -7,6 +7,7 @@
 
 struct gates_json {
     int count;
+    const char *made;       /* when, where and by which version they were run; into `text` */
     struct page_gate *gate; /* owned; its texts point into `text` */
     char *text;             /* owned */
 };

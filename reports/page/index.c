@@ -40,7 +40,9 @@ static const struct part {
     {"plate", PAGE, "pamplona_table1.md", NULL, NULL, "make report"},
     {"plate", FIGURE, "pamplona_fig5.svg", "pamplona_fig5.csv",
      "Pamplona Figure 5: isotherms of SPH and of the exact solution", "make report"},
-    {"plate", FIGURE, "pamplona_fig7a.svg", "pamplona_fig7a.csv", "Pamplona Figure 7a: best xi against h",
+    {"plate", FIGURE, "pamplona_fig7a.svg", "pamplona_fig7a.csv",
+     "Pamplona Figure 7a: least mean relative error against h, first order", "make report"},
+    {"plate", FIGURE, "pamplona_fig7b.svg", "pamplona_fig7b.csv", "Pamplona Figure 7b: best xi against h",
      "make report"},
     {"plate", FIGURE, "pamplona_fig8.svg", "pamplona_fig8.csv", "Pamplona Figure 8: cost against h", "make report"},
     {"Operators", PAGE, "operators.md", NULL, NULL, "make operators"},
@@ -116,13 +118,17 @@ static void put_parts(const char *section, const char *dir, FILE *out) {
         if (strcmp(parts[i].section, section) == 0) put_part(&parts[i], dir, out);
 }
 
-/* Error against time and against work, as `make bench` draws them for each scene that it has. */
+/* As `make bench` draws them for each scene that it has. */
 static void put_precision(const struct scene *s, const char *dir, FILE *out) {
-    char file[160], data[160], text[160];
-    snprintf(file, sizeof file, "bench/bench_%s_work.svg", s->name);
-    snprintf(data, sizeof data, "bench/bench_%s.csv", s->name);
-    snprintf(text, sizeof text, "Error against counted work on %s", s->name);
-    put_part(&(struct part){s->name, FIGURE, file, data, text, "make bench"}, dir, out);
+    static const char *const chart[] = {"convergence", "work"};
+    static const char *const across[] = {"particles along x", "counted work"};
+    for (int i = 0; i < 2; i++) {
+        char file[160], data[160], text[160];
+        snprintf(file, sizeof file, "bench/bench_%s_%s.svg", s->name, chart[i]);
+        snprintf(data, sizeof data, "bench/bench_%s.csv", s->name);
+        snprintf(text, sizeof text, "Error against %s on %s", across[i], s->name);
+        put_part(&(struct part){s->name, FIGURE, file, data, text, "make bench"}, dir, out);
+    }
 }
 
 static void put_contents(FILE *out) {
@@ -146,11 +152,14 @@ static void put_scene(const struct scene *s, const struct gates_json *g, const c
 }
 
 static void put_verdict(const struct gates_json *g, FILE *out) {
+    char now[PAGE_ORIGIN];
+    page_origin(now, sizeof now);
     if (g->count > 0)
-        page_put_gates(g->gate, g->count, out);
+        page_put_gates(g->gate, g->count, g->made, out);
     else
         fprintf(out, "<p class=\"verdict\">%s</p>\n",
                 "No verdict: the gates were not run. <code>make verify</code> runs them.");
+    html_print(out, "<p class=\"faint\">This page was made %s, of the files that lay there.</p>\n", now);
 }
 
 static void write_page(const char *dir, const struct gates_json *g, FILE *out) {

@@ -7,7 +7,7 @@ set label 98 heading at screen 0.5, screen 0.975 center noenhanced font size_of(
 unset bmargin
 set multiplot layout 2,3 margins screen 0.065, 0.985, 0.195, 0.915 spacing screen 0.055, 0.085
 set xrange [0.5:3]
-set yrange [0.1:20]
+set yrange [0.1:200] # room for the key
 set logscale y
 set xtics 0.5
 kernels = 'cubic quartic wendland'

@@ -98,7 +98,7 @@ static void put_groups(const struct page_gate *gate, int count, FILE *out) {
     fprintf(out, "</ul>\n");
 }
 
-void page_put_gates(const struct page_gate *gate, int count, FILE *out) {
+void page_put_gates(const struct page_gate *gate, int count, const char *made, FILE *out) {
     int good = 0, n = 0;
     for (int i = 0; i < count; i++) n += !skipped(&gate[i]), good += passed(&gate[i]);
     fprintf(out, "<p class=\"verdict\">");
@@ -106,7 +106,7 @@ void page_put_gates(const struct page_gate *gate, int count, FILE *out) {
     fprintf(out, ": %d of %d gates hold", good, n);
     if (n < count) fprintf(out, ", %d skipped", count - n);
     fprintf(out, "</p>\n");
-    page_put_origin(out);
+    html_print(out, "<p class=\"faint\">The gates were run %s.</p>\n", made);
     for (int i = 0; i < count; i++)
         if (!passed(&gate[i]) && !skipped(&gate[i])) put_failure(&gate[i], out);
     put_groups(gate, count, out);

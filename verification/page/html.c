@@ -14,8 +14,9 @@ static const char style[] =
     "main{max-width:70rem;margin:0 auto;padding:1rem}\n"
     "h1{font-size:1.7rem;line-height:1.2}h2{margin-top:2.5rem;border-bottom:1px solid var(--line)}\n"
     "h1,h2,h3,h4{break-after:avoid}a{color:inherit}\n"
-    ".scroll{overflow-x:auto}table{border-collapse:collapse;font-size:.86rem;margin:.7rem 0}\n"
+    ".scroll{overflow:auto;max-height:36rem}table{border-collapse:collapse;font-size:.86rem;margin:.7rem 0}\n"
     "th,td{padding:.2rem .6rem;border-bottom:1px solid var(--line);text-align:left;vertical-align:top}\n"
+    "th{position:sticky;top:0;background:var(--paper)}td:first-child{min-width:9rem}td code{overflow-wrap:normal}\n"
     "td.n,th.n{text-align:right;font-variant-numeric:tabular-nums;white-space:nowrap}\n"
     "code,pre{font:.84rem/1.4 ui-monospace,monospace}pre{overflow-x:auto;padding:.6rem;border:1px solid "
     "var(--line)}\n"
@@ -25,8 +26,12 @@ static const char style[] =
     ".pass{color:var(--pass)}.fail{color:var(--fail);font-weight:bold}.other{color:var(--other);font-weight:bold}\n"
     ".verdict{font-size:1.25rem}nav ul{columns:2 14rem;padding-left:1.2rem}\n"
     ".groups{columns:4 11rem;list-style:none;padding:0;font-size:.9rem}\n"
-    "@media print{body{font-size:10pt;background:#fff;color:#000}nav{display:none}.scroll{overflow:visible}\n"
-    "pre{white-space:pre-wrap}table{font-size:7.5pt}td,th{white-space:normal;overflow-wrap:anywhere}}\n";
+    "@media "
+    "print{body{font-size:10pt;background:#fff;color:#000}nav{display:none}.scroll{overflow:visible;max-height:none}"
+    "\n"
+    "pre{white-space:pre-wrap}table{font-size:7.5pt}td,th{position:static;white-space:normal;overflow-wrap:break-"
+    "word;min-width:0}\n"
+    "th,td{padding:.1rem .3rem}td:first-child{min-width:4rem}}\n";
 
 void html_open(FILE *out, const char *title) {
     fprintf(out,

@@ -14,7 +14,7 @@
 #include <sys/utsname.h>
 #include <time.h>
 
-void page_put_origin(FILE *out) {
+void page_origin(char *text, size_t size) {
     struct utsname machine;
     char when[64] = "", where[256] = "an unknown machine";
     time_t now = time(NULL);
@@ -22,7 +22,7 @@ void page_put_origin(FILE *out) {
     if (gmtime_r(&now, &parts)) strftime(when, sizeof when, "%Y-%m-%d %H:%M UTC", &parts);
     if (uname(&machine) == 0)
         snprintf(where, sizeof where, "%.60s %.60s, %.60s", machine.sysname, machine.release, machine.machine);
-    html_print(out, "<p class=\"faint\">Made %s on %s by heatladder %s.</p>\n", when, where, version_text);
+    snprintf(text, size, "%s on %s by heatladder %s", when, where, version_text);
 }
 
 int page_gates_write(const struct gates *g, const char *title, const char *path, struct failure *why) {
@@ -44,7 +44,9 @@ int page_gates_write(const struct gates *g, const char *title, const char *path,
                                      .error = m->error,
                                      .ceiling = row->ceiling};
     }
-    page_put_gates(gate, g->declared, out);
+    char made[PAGE_ORIGIN];
+    page_origin(made, sizeof made);
+    page_put_gates(gate, g->declared, made, out);
     free(gate);
     html_close(out);
     return output_close(&page, 1, why);
@@ -104,7 +106,9 @@ int page_ladder_write(const struct ladder *l, const struct ladder_rungs *asked, 
         if (l->diagnosis.named) fprintf(out, " (%.0f %% of the error)", 100 * l->diagnosis.share);
         fprintf(out, ".</p>\n");
     }
-    page_put_origin(out);
+    char made[PAGE_ORIGIN];
+    page_origin(made, sizeof made);
+    html_print(out, "<p class=\"faint\">Made %s.</p>\n", made);
     fprintf(out, "<figure>\n");
     chart_write(&chart, out);
     fprintf(out, "</figure>\n");

@@ -10,6 +10,8 @@ struct ladder_rungs;
 
 /* Verdicts of gates as HTML; a gate's group is its id up to the first slash. */
 
+enum { PAGE_ORIGIN = 400 }; /* letters of when, where and by what */
+
 struct page_gate {
     const char *id, *verdict, *reason, *why, *command;
     double lo, hi;         /* the band */
@@ -21,13 +23,14 @@ struct page_gate {
 size_t page_group_length(const char *id);
 int page_same_group(const char *a, const char *b);
 
-/* The verdict of all and its origin, then a word a group, then what failed in full, then every gate, folded away. */
-void page_put_gates(const struct page_gate *gate, int count, FILE *out);
+/* The verdict of all and where it was made (as page_origin), then a word a group, then what failed in full, then
+ * every gate, folded away. */
+void page_put_gates(const struct page_gate *gate, int count, const char *made, FILE *out);
 /* How many of the gates whose command has that scene hold, and they, folded away. */
 void page_put_scene(const struct page_gate *gate, int count, const char *scene, FILE *out);
 
-/* When, where and by which version the page was made: a paragraph. */
-void page_put_origin(FILE *out);
+/* When, where and by which version something is made: now, here, by this one. */
+void page_origin(char *text, size_t size);
 
 /* A page of its own at `path`, whole or not at all.  A status of solver/status.h. */
 int page_gates_write(const struct gates *g, const char *title, const char *path, struct failure *why);

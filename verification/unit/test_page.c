@@ -82,7 +82,8 @@ static void gates_are_read_back(void **state) {
     char path[] = "/tmp/heatladder_page.XXXXXX";
     FILE *file = fdopen(mkstemp(path), "w");
     fputs(
-        "{\n\"declared\": 2,\n\"gates\": [\n{ \"id\": \"rod/a\", \"command\": \"run \\\"x\\\"\", \"expected\": 2,\n"
+        "{\n\"made\": \"today \\\"here\\\"\",\n\"declared\": 2,\n\"gates\": [\n{ \"id\": \"rod/a\", \"command\": "
+        "\"run \\\"x\\\"\", \"expected\": 2,\n"
         "\"tolerance\": 0.125, \"measured\": 2.0625, \"interval95\": [ 1, 2 ], \"error\": 3e-4, \"ceiling\": null,\n"
         "\"verdict\": \"pass\", \"reason\": \"r\", \"why\": \"w\", \"seconds\": 1 },\n"
         "{ \"id\": \"b\", \"expected\": 0, \"tolerance\": 7, \"verdict\": \"fail\" }\n]\n}\n",
@@ -99,9 +100,10 @@ static void gates_are_read_back(void **state) {
     assert_near(g.gate[1].lo, 0, 0);
     assert_near(g.gate[1].hi, 7, 0);
     FILE *out = begin();
-    page_put_gates(g.gate, g.count, out);
+    page_put_gates(g.gate, g.count, g.made, out);
     fclose(out);
     assert_non_null(strstr(text, "1 of 2 gates hold"));
+    assert_non_null(strstr(text, "The gates were run today &quot;here&quot;."));
     assert_non_null(strstr(text, "<h4>b: "));
     gates_json_free(&g);
     file = fopen(path, "w");

@@ -47,7 +47,10 @@ static void gate_json(const struct gate_result *r, struct json *j) {
 static int write_json(const struct gates *g, const char *path, struct failure *why) {
     struct output page;
     struct json j = json_on(output_open(&page, "%s", path));
+    char made[PAGE_ORIGIN];
+    page_origin(made, sizeof made);
     json_object(&j, NULL);
+    json_text(&j, "made", made);
     json_whole(&j, "declared", g->declared);
     json_whole(&j, "executed", g->executed);
     json_array(&j, "gates");

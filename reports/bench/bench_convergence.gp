@@ -1,0 +1,6 @@
+# Error over the number of particles along x: the order of each.
+chart = 'convergence'
+X = 1; Y = 3; bars = ''; front = ''
+across = 'particles along x  [-]'
+along = 'E1  [-]'
+load 'reports/bench/bench_style.gp'
