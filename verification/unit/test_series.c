@@ -5,6 +5,7 @@
 #include "references/rectangle.h"
 #include "verification/unit/near.h"
 
+#include <float.h>
 #include <gsl/gsl_errno.h>
 
 static void box_forms_agree(void **state) {
@@ -71,6 +72,16 @@ static void gauss_forms_agree(void **state) {
 }
 
 /* sum of 1/n^2 = pi^2/6, whose partial sums are off by 1/n */
+/* x and sigma are rounded, each by half of eps, and exp(-z^2/2) is off by z^2 times that. */
+static void gauss_bounds_hold_what_rounding_of_x_does(void **state) {
+    (void)state;
+    for (double z = 1.3; z < 9; z *= 1.4) {
+        struct approx u = series_gauss_images(z * 1.37, 40, 1.37).at;
+        assert_near(u.value, exp(-z * z / 2), u.error);
+        assert_true(u.error >= z * z * DBL_EPSILON * u.value);
+    }
+}
+
 static void levin_sums_what_crawls(void **state) {
     (void)state;
     double term[30];
@@ -253,6 +264,7 @@ int main(void) {
         cmocka_unit_test(box_modes_know_their_limit),
         cmocka_unit_test(box_modes_bound_their_tail),
         cmocka_unit_test(gauss_forms_agree),
+        cmocka_unit_test(gauss_bounds_hold_what_rounding_of_x_does),
         cmocka_unit_test(levin_sums_what_crawls),
         cmocka_unit_test(levin_helps_on_the_middle_line_alone),
         cmocka_unit_test(steady_strips_are_the_sine_series),
