@@ -41,7 +41,8 @@ static const double early = 0.159, last_exponent = 41.5;
 
 struct shared {
     double h, s; /* m^-1, m */
-    int modes;   /* 0 while it is early */
+    int is_early;
+    int modes; /* that are left: none once it is steady */
     double q[MODES], size[MODES];
     double error[2]; /* K, K/m */
 };
@@ -103,7 +104,8 @@ static void *prepare(const struct problem *p, double t) {
     if (t == 0) return g;
     double all = DBL_EPSILON * (fabs(v[T1]) + fabs(v[T0]) + fabs(v[T_A]));
     g->error[0] = 4 * all + 1e-17 * scale_of(v);
-    if (g->s > early * v[L]) {
+    g->is_early = g->s <= early * v[L];
+    if (!g->is_early) {
         g->error[1] = 8 * all / v[L];
         add_modes(v, g);
     } else {
@@ -118,7 +120,7 @@ static struct exact prepared(const struct problem *p, const void *shared, const 
     const double *v = p->param;
     struct exact e = {.temperature = v[T0], .error_bound = g->error[0], .gradient_bound = {g->error[1]}};
     if (t == 0) return e;
-    if (g->modes == 0) {
+    if (g->is_early) {
         struct cooling_half cold = cooling_half(v[L] - x[0], g->h, g->s);
         double z = x[0] / g->s;
         e.temperature += (v[T1] - v[T0]) * erfc(z) + (v[T_A] - v[T0]) * (erfc((v[L] - x[0]) / g->s) - cold.end);

@@ -113,7 +113,7 @@ static const struct scene *scene_at(const char *name, const double *param, struc
     return s;
 }
 
-static const double times[] = {0.03, 1.1, 17, 130, 700, 2900, 31000};
+static const double times[] = {0.03, 1.1, 17, 130, 700, 2900, 31000, 4e5, 1e9};
 enum { TIMES = sizeof times / sizeof *times };
 
 /* b = 0: the half of a rod twice as long between two held ends.  b = 1e19: both ends held. */
@@ -135,6 +135,21 @@ static void rod_limits(void **state) {
             e = rod->exact(&p, (double[2]){x, 0}, times[i]);
             u = series_box(x - L / 2, L / 2, L / 2, s);
             assert_near(e.temperature, 31 + 66 * u.at.value, e.error_bound + 66 * u.at.error);
+        }
+}
+
+/* A cooled rod ends as a line, however late it is. */
+static void a_rod_ends_as_a_line(void **state) {
+    (void)state;
+    struct problem p;
+    const double v[PARAM_MAX] = {0.37, 41, 2.9e6, 31, 97, 630, 7, 450}, h = v[5] / v[1];
+    const struct scene *rod = scene_at("rod-cooling", v, &p);
+    for (double t = 3e4; t < 1e13; t *= 1.3) /* the slowest mode: exp(-7.5e-4 t) */
+        for (double x = 0; x <= v[0]; x += v[0] / 17) {
+            struct exact e = rod->exact(&p, (double[2]){x, 0}, t);
+            double slope = (v[6] - v[3]) * h / (1 + h * v[0]), left = 200 * exp(-7.5e-4 * t);
+            assert_near(e.temperature, v[3] + slope * x, 1e-13 * 97 + left);
+            assert_near(e.gradient[0], slope, 1e-12 + 10 * left / v[0]);
         }
 }
 
@@ -250,6 +265,7 @@ int main(void) {
         cmocka_unit_test(modes_have_their_integrals),
         cmocka_unit_test(half_lines_cool),
         cmocka_unit_test(rod_limits),
+        cmocka_unit_test(a_rod_ends_as_a_line),
         cmocka_unit_test(plate_limits),
         cmocka_unit_test(nafems_t4),
         cmocka_unit_test(early_gradients_are_differences),
