@@ -280,7 +280,8 @@ bench-peers: $(BUILD)/heatladder $(BUILD)/peers/ftcs ## Chart SUNDIALS, SciPy an
 	@mkdir -p $(OUT)/peers
 	$(Q)if echo '#include <cvode/cvode.h>' | $(CC) -E -x c - >/dev/null 2>&1; then \
 	$(MAKE) -s --no-print-directory $(BUILD)/peers/sundials; fi
-	$(Q)scripts/bench-peers $(BUILD)/heatladder $(BUILD)/peers $(OUT)/peers
+	$(Q)PEERS=$(BUILD)/peers PYTHON=$${PYTHON:-$$(command -v /usr/bin/python3 || echo python3)} GOMP_SPINCOUNT=10000 \
+	$(BUILD)/heatladder bench --peers $(OUT)/peers
 	$(Q)if command -v gnuplot >/dev/null; then for data in $(OUT)/peers/peers_*.csv; do \
 	scripts/plot $(OUT)/peers reports/bench/peers.gp $$data || exit 1; done; \
 	else echo "bench-peers: gnuplot is not here (make setup installs it); charts were not drawn"; fi

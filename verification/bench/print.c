@@ -50,12 +50,12 @@ void bench_print_machine(FILE *out) {
     struct machine m = machine_here();
     fprintf(out,
             "processor  %s, %d cores, vectors of %d (HEATLADDER_LANES=2, 4 or 8 forces a width)\ncompiler   "
-            "%s\nflags      %s\ntimes      median of %d runs after one to warm "
-            "up\n\n",
-            m.processor, m.cores, m.lanes, m.compiler, m.flags, BENCH_RUNS);
+            "%s\nflags      %s\n",
+            m.processor, m.cores, m.lanes, m.compiler, m.flags);
 }
 
 void bench_print_engine(const struct bench_engine *e, FILE *out) {
+    fprintf(out, "times      median of %d runs after one to warm up\n\n", BENCH_RUNS);
     struct table t = table_headed(1, "engine|median|spread [%]|aim|verdict");
     for (int i = 0; i < e->count; i++) {
         const struct bench_engine_row *r = &e->row[i];

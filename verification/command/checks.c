@@ -52,6 +52,8 @@ static int check_options(const struct request *r, struct failure *why) {
         return refuse(why, STATUS_INPUT, "--at needs %s for %s",
                       r->experiment.problem.dim == 2 ? "X,Y" : "one number",
                       r->experiment.scene ? r->experiment.scene->name : "a point");
+    if (r->peers && r->json)
+        return refuse(why, STATUS_INPUT, "--peers tells text, and CSV into DIR: leave out --json");
     if (r->rungs.expect.count &&
         (r->rungs.expect.count != 2 || !(r->rungs.expect.value[0] < r->rungs.expect.value[1])))
         return refuse(why, STATUS_INPUT, "--expect needs LO,HI with LO < HI, such as 1.9,2.1");

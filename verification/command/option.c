@@ -220,6 +220,8 @@ const struct option options_table[] = {
      FINITE, 2},
     {"error", "error", "E", "the error (E1) to be reached", read_number, IN(error), NULL, POSITIVE, 0},
     {"scene", "scene", "SCENE", "that scene alone", read_text, IN(bench_scene), NULL, FINITE, 0},
+    {"peers", "peers", NULL, "the codes of others beside ours (make setup-peers), from the root of the sources",
+     read_flag, IN(peers), NULL, FINITE, 0},
     {"time-error", "time-error", "E", "take the longest time step whose error (E1) is E, by step doubling",
      read_number, IN(experiment.time_error), NULL, 1e-12, INFINITY, 0},
     {"solver", "solver", "'CMD'", "a program that stands in for METHOD; {case} and {out} in CMD become paths",

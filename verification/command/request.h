@@ -30,6 +30,7 @@ struct request {
     int order;               /* battery: of the code in space; 0: 2 */
     int battery;             /* case: 1: the cases of the battery */
     const char *bench_scene; /* bench: the one scene; NULL for all */
+    int peers;               /* bench: 1: the codes of others beside ours */
     const char *field_path, *json_path, *junit_path, *page_path; /* NULL where not asked for */
     int warm_up;                                                 /* 1: what is timed comes after 0.1 s of the same */
     int json;                                                    /* 1: JSON on standard output instead of text */

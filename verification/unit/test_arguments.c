@@ -118,6 +118,7 @@ static const struct refusal {
     {"run rod-step ftcs --dx 0.1 --dt NaN", "--dt 'NaN'"},
     {"run rod-step ftcs --dx 0.1 --dt 1 --fourier 0.1", "--dt and --fourier both set the time step"},
     {"run rod-step so_ssph --dx 0.1 --dt 1 --stepper exact", "--stepper exact has no time step; leave out --dt"},
+    {"bench --peers --json", "--peers tells text, and CSV into DIR: leave out --json"},
     {"run rod-step ftcs --dx 0.1 --kernel cubic", "--kernel has no meaning for ftcs; it has for "},
     {"run rod-step ftcs --dx 0.1 --order 3", "it has for so_ssph"},
     {"run rod-step so_ssph --dx 0.1 --kernel cubci", "unknown kernel 'cubci'; did you mean 'cubic'?"},

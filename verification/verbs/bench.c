@@ -1,18 +1,22 @@
-/* heatladder bench: error against time and against counted work, and the speed of the engine. */
+/* heatladder bench: error against time and against counted work, and the speed of the engine; or, with --peers, error
+ * against time beside the codes of others. */
 #include "verification/command/verb.h"
 
 #include "references/scene.h"
 #include "verification/text/atomic_file.h"
 #include "verification/bench/bench.h"
 #include "verification/bench/engine.h"
+#include "verification/bench/peers.h"
 #include "verification/bench/print.h"
 #include "verification/text/json.h"
 #include "verification/text/output.h"
 #include "verification/command/request.h"
 #include "verification/text/words.h"
 
+#include <omp.h>
 #include <stdio.h>
 #include <stdlib.h>
+#include <string.h>
 
 /* The files of one run, kept until all can be put in their places. */
 struct files {
@@ -72,14 +76,48 @@ static int bench_scenes(const struct request *r, FILE *out, struct files *files,
     return status;
 }
 
-int verb_bench(const struct request *r, struct failure *why) {
-    struct files *files = xcalloc(1, sizeof *files);
+/* ---- Beside others ---- */
+
+static void write_charts(const struct request *r, const struct peers *all, struct files *files) {
+    const char *scene = "";
+    for (const struct peers_row *row = all->row; row->peer; scene = row->peer->scene, row++)
+        for (int many = 0; many < 2 && strcmp(row->peer->scene, scene) != 0; many++)
+            if (!many || all->threads > 1)
+                peers_print_data(all, row->peer->scene, many,
+                                 output_open(&files->file[files->count++], "%s/peers_%s%s.csv", r->dir,
+                                             row->peer->scene, many ? "_threads" : ""));
+}
+
+static int bench_peers(const struct request *r, struct files *files, struct failure *why) {
+    const char *dir = r->dir ? r->dir : "";
+    struct output *table = &files->file[files->count++];
+    struct peers all = {.threads = omp_get_num_procs()};
+    FILE *out = output_open(table, "%s/peers.txt", dir);
+    int status = r->dir ? atomic_file_check(table->path, why) : STATUS_OK;
+    all.runs = output_open(&files->file[files->count++], "%s/runs.csv", dir);
+    all.orders = output_open(&files->file[files->count++], "%s/orders.csv", dir);
+    if (!status) status = peers_run(peers_table, r->bench_scene, &all, why);
+    if (!status) peers_print(&all, out);
+    if (!status && r->dir) write_charts(r, &all, files);
+    output_end(table);
+    if (!status) fputs(table->text, stdout);
+    peers_free(&all);
+    return status;
+}
+
+static int bench_ours(const struct request *r, struct files *files, struct failure *why) {
     struct output *json = &files->file[files->count++];
     FILE *out = output_open(json, "%s/bench.json", r->dir ? r->dir : "");
     int status = r->dir ? atomic_file_check(json->path, why) : STATUS_OK;
     if (!status) status = bench_scenes(r, out, files, why);
     output_end(json);
     if (!status && r->json) fputs(json->text, stdout);
+    return status;
+}
+
+int verb_bench(const struct request *r, struct failure *why) {
+    struct files *files = xcalloc(1, sizeof *files);
+    int status = (r->peers ? bench_peers : bench_ours)(r, files, why);
     if (!status && r->dir) status = output_close(files->file, files->count, why);
     output_drop(files->file, files->count);
     free(files);

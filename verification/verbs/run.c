@@ -9,10 +9,8 @@
 #include "verification/choose/halfway.h"
 #include "verification/command/request.h"
 #include "verification/run/run.h"
-#include "verification/run/time_step.h"
 
 #include <math.h>
-#include <omp.h>
 #include <stdio.h>
 
 static void print_text(const struct result *r) {
@@ -74,26 +72,12 @@ static int check(const struct request *r, struct failure *why) {
     return atomic_file_check(r->field_path, why);
 }
 
-/* A tenth of a second of solves: then program and memory are ready, and the processor runs at its full rate. */
-static int warm_up(const struct request *r, struct failure *why) {
-    double start = omp_get_wtime();
-    struct time_step ignored;
-    int status;
-    do {
-        struct experiment e = r->experiment;
-        struct field field = {0};
-        status = time_step_solve(&e, &field, &ignored, why);
-        field_free(&field);
-    } while (!status && omp_get_wtime() - start < 0.1);
-    return status;
-}
-
 int verb_run(const struct request *r, struct failure *why) {
     struct result result;
     struct field field = {0};
     int status = check(r, why);
     if (!status && !program_given(&r->experiment.program)) forewarn("this run", forewarn_seconds(&r->experiment));
-    if (!status && r->warm_up) status = warm_up(r, why);
+    if (!status && r->warm_up) status = run_warm_up(&r->experiment, why);
     if (!status) {
         status = run_experiment(&r->experiment, &result, &field);
         *why = result.failure;

@@ -10,14 +10,18 @@ the case allows threads, loops are generated with OpenMP, which takes their numb
 import sys
 import time
 
-import numpy as np
-from compyle.config import get_config
-from pysph.base.kernels import CubicSpline, QuinticSpline
-from pysph.base.nnps import LinkedListNNPS
-from pysph.base.utils import get_particle_array
-from pysph.sph.acceleration_eval import AccelerationEval
-from pysph.sph.equation import Equation, Group
-from pysph.sph.sph_compiler import SPHCompiler
+try:
+    import numpy as np
+    from compyle.config import get_config
+    from pysph.base.kernels import CubicSpline, QuinticSpline
+    from pysph.base.nnps import LinkedListNNPS
+    from pysph.base.utils import get_particle_array
+    from pysph.sph.acceleration_eval import AccelerationEval
+    from pysph.sph.equation import Equation, Group
+    from pysph.sph.sph_compiler import SPHCompiler
+except ImportError as missing:
+    print(f"pysph_peer: {missing}")
+    sys.exit(77)
 
 
 class Conduction(Equation):

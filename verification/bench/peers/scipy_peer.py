@@ -13,13 +13,17 @@ start: `# seconds` in the answer.
 import sys
 import time
 
-import numpy as np
+try:
+    import numpy as np
 
-if sys.argv[3:4] in (["dst"], ["dstk"]):  # a run loads what it needs
-    from scipy import fft
-else:
-    from scipy import integrate, sparse
-    from scipy.sparse import linalg
+    if sys.argv[3:4] in (["dst"], ["dstk"]):  # a run loads what it needs
+        from scipy import fft
+    else:
+        from scipy import integrate, sparse
+        from scipy.sparse import linalg
+except ImportError as missing:
+    print(f"scipy_peer: {missing}")
+    sys.exit(77)
 
 
 def read_case(path):

@@ -1,0 +1,295 @@
+/* The peers beside ours: as text, and as the data of a chart. */
+#include "verification/bench/peers.h"
+
+#include "verification/bench/print.h"
+#include "verification/ladder/slope.h"
+#include "verification/text/table.h"
+#include "verification/text/whole_file.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+enum { ERRORS = 3, LAST_SIZES = 4 };
+static const double error_at[ERRORS] = {1e-3, 5e-4, 5e-5};
+static const double BEYOND = 5; /* times the error of the finest size */
+
+/* The next row that was measured, of that scene and with a name that begins so; the first where `row` is NULL. */
+static const struct peers_row *next(const struct peers *all, const struct peers_row *row, const char *scene,
+                                    const char *begins) {
+    for (row = row ? row + 1 : all->row; row->peer; row++)
+        if (!row->missing && !strcmp(row->peer->scene, scene) && !strncmp(row->peer->who, begins, strlen(begins)))
+            return row;
+    return NULL;
+}
+
+static void each_scene(const struct peers *all, FILE *out,
+                       void (*print)(const struct peers *all, const char *scene, FILE *out)) {
+    for (const struct peers_row *row = all->row; row->peer; row++)
+        if (row == all->row || strcmp(row->peer->scene, row[-1].peer->scene)) print(all, row->peer->scene, out);
+}
+
+struct reach {              /* of an error, or of a size */
+    struct bench_time time; /* s; a median of 0: not reached */
+    int beyond;             /* 1: past the finest size */
+};
+
+static double between(double a, double b, double part) {
+    return a * pow(b / a, part);
+}
+
+/* Along the straight line (log-log) through the sizes on either side of the error E; past the finest size by less
+ * than a factor of 5 in E along the last two, where those fall at first order or faster.  Sizes that failed are left
+ * out. */
+static struct reach reach(const struct peers_row *row, int many, double E) {
+    const struct peers_runs *a = NULL, *b = NULL;
+    double ratio = 1; /* of the two sizes */
+    for (int i = 0, last = 0; row && i < row->sizes && !(a && b->error <= E); i++) {
+        if (!row->size[i].with[many].count) continue;
+        a = b;
+        b = &row->size[i].with[many];
+        ratio = (double)row->size[i].n / row->size[last].n;
+        last = i;
+    }
+    if (!a || a->error < E) return (struct reach){0};
+    struct reach r = {.beyond = b->error > E};
+    if (r.beyond && (b->error > BEYOND * E || log(a->error / b->error) / log(ratio) < 1)) return (struct reach){0};
+    double part = log(E / a->error) / log(b->error / a->error);
+    r.time.median = between(a->time.median, b->time.median, part);
+    r.time.lowest = between(a->time.lowest, b->time.lowest, part);
+    r.time.highest = between(a->time.highest, b->time.highest, part);
+    return r;
+}
+
+static struct reach at_size(const struct peers_row *row, int n) {
+    for (int i = 0; row && i < row->sizes; i++)
+        if (row->size[i].n == n) return (struct reach){.time = row->size[i].with[0].time};
+    return (struct reach){0};
+}
+
+static void add_seconds(struct table *t, struct reach r) {
+    if (r.time.median > 0)
+        table_add(t, "%s%.3g", r.beyond ? "~" : "", r.time.median);
+    else
+        table_add(t, "-");
+}
+
+static double order(const struct peers_row *row) {
+    double dx[PEERS_SIZES], error[PEERS_SIZES];
+    int n = 0;
+    for (int i = row->sizes > LAST_SIZES ? row->sizes - LAST_SIZES : 0; i < row->sizes; i++) {
+        if (!row->size[i].with[0].count) continue;
+        dx[n] = 1.0 / row->size[i].n;
+        error[n++] = row->size[i].with[0].error;
+    }
+    return slope_fit(dx, error, n).value;
+}
+
+static void print_scene(const struct peers *all, const char *scene, FILE *out) {
+    char header[200];
+    snprintf(header, sizeof header,
+             "%s: solve [s] at E1 =|order|gate on the order|1e-3|5e-4|5e-5|%d threads: 1e-3|5e-4|5e-5|start-up [s]",
+             scene, all->threads);
+    struct table t = table_headed(1, header);
+    for (const struct peers_row *row = NULL; (row = next(all, row, scene, ""));) {
+        if (row->peer->kind == PEERS_RATE) continue;
+        table_add(&t, "%s", row->peer->who);
+        table_number(&t, "%.2f", order(row), "-");
+        table_add(&t, "%s", row->order);
+        for (int i = 0; i < ERRORS; i++) add_seconds(&t, reach(row, 0, error_at[i]));
+        for (int i = 0; i < ERRORS; i++)
+            if (row->peer->serial || all->threads == 1)
+                table_add(&t, "as one");
+            else
+                add_seconds(&t, reach(row, 1, error_at[i]));
+        if (row->peer->kind == PEERS_THEIRS && row->size[0].with[0].count)
+            table_add(&t, "%.2g", fmax(row->size[0].with[0].start_up, 0.001));
+        else
+            table_add(&t, " ");
+    }
+    table_print(&t, out);
+    table_free(&t);
+    fputc('\n', out);
+}
+
+/* ---- What was aimed at: on square-step, with one thread ---- */
+
+/* How many times faster ours is; `whole`: ours without symmetry. */
+static void add_aim(struct table *t, struct reach theirs, struct reach ours, struct reach whole, double aim) {
+    int known = theirs.time.median > 0 && ours.time.median > 0;
+    struct bench_time ratio = bench_ratio(theirs.time, ours.time);
+    table_number(t, "%.3g", known ? ratio.median : NAN, "-");
+    if (known)
+        table_add(t, "%.3g to %.3g", ratio.lowest, ratio.highest);
+    else
+        table_add(t, " ");
+    table_add(t, "%g", aim);
+    table_add(t, "%s", !known ? "unknown" : ratio.median >= aim ? "held" : "missed");
+    table_number(t, "%.3g", known && whole.time.median > 0 ? theirs.time.median / whole.time.median : NAN, " ");
+    add_seconds(t, ours);
+    add_seconds(t, theirs);
+}
+
+/* At the error E, beside the fastest of those whose name begins so, which were measured there or else reach beyond.
+ */
+static void aim_error(const struct peers *all, struct table *t, const char *ours, const char *begins, double E,
+                      double aim) {
+    const char *scene = "square-step";
+    char whole[60];
+    struct reach best = {0};
+    const struct peers_row *who = NULL, *row = NULL;
+    while ((row = next(all, row, scene, begins))) {
+        struct reach r = reach(row, 0, E);
+        if (row->peer->kind != PEERS_THEIRS || r.time.median == 0) continue;
+        if (who && (r.beyond != best.beyond ? r.beyond : r.time.median > best.time.median)) continue;
+        best = r;
+        who = row;
+    }
+    snprintf(whole, sizeof whole, "%s unfolded", ours);
+    table_add(t, "%s at E1 = %g, %s", ours, E, who ? who->peer->who : *begins ? begins : "the fastest");
+    add_aim(t, best, reach(next(all, NULL, scene, ours), 0, E), reach(next(all, NULL, scene, whole), 0, E), aim);
+}
+
+static void aim_sizes(const struct peers *all, struct table *t) {
+    const struct peers_row *ours = next(all, NULL, "square-step", "so_ssph exact"),
+                           *whole = next(all, NULL, "square-step", "so_ssph exact unfolded"),
+                           *theirs = next(all, NULL, "square-step", "SciPy DST");
+    for (int i = 0; ours && i < ours->sizes; i++) {
+        int n = ours->size[i].n;
+        table_add(t, "so_ssph exact at n = %d, SciPy DST", n);
+        add_aim(t, at_size(theirs, n), at_size(ours, n), at_size(whole, n), 1);
+    }
+}
+
+/* Seconds an update. */
+static struct reach update(const struct peers_row *row) {
+    const struct peers_runs *runs = row ? &row->size[row->sizes - 1].with[0] : NULL;
+    if (!runs || !runs->count) return (struct reach){0};
+    double each = 1 / runs->updates;
+    return (struct reach){{each * runs->time.median, each * runs->time.lowest, each * runs->time.highest}, 0};
+}
+
+static void print_aims(const struct peers *all, FILE *out) {
+    struct table t = table_headed(1, "aims on square-step, one thread|times faster|lowest to highest|aim|verdict|"
+                                     "without symmetry|ours [s]|theirs [s]");
+    const struct peers_row *theirs = next(all, NULL, "square-step", "PySPH Brookshaw cubic kernel"), *row = NULL;
+    for (int i = 0; i < ERRORS; i++) aim_error(all, &t, "so_ssph rkl2", "SUNDIALS", error_at[i], 5);
+    aim_error(all, &t, "so_ssph matched", "", error_at[ERRORS - 1], 100);
+    aim_sizes(all, &t);
+    while ((row = next(all, row, "square-step", "brookshaw"))) {
+        table_add(&t, "an update of %s, PySPH", row->peer->who);
+        add_aim(&t, update(theirs), update(row), (struct reach){0}, 20);
+    }
+    table_print(&t, out);
+    table_free(&t);
+    fputc('\n', out);
+}
+
+/* ---- Every size, and what went wrong ---- */
+
+static void add_runs(struct table *t, const struct peers_runs *runs) {
+    if (runs->count)
+        table_add(t, "%.3g (%.3g to %.3g; %d)", runs->time.median, runs->time.lowest, runs->time.highest,
+                  runs->count);
+    else
+        table_add(t, "-");
+}
+
+static void print_sizes(const struct peers *all, const char *scene, FILE *out) {
+    char header[200];
+    snprintf(header, sizeof header, "%s: every size|n|E1|one thread [s] (from, to; repeats)|%d threads [s]|setting",
+             scene, all->threads);
+    struct table t = table_headed(1, header);
+    for (const struct peers_row *row = NULL; (row = next(all, row, scene, ""));)
+        for (const struct peers_size *s = row->size; s < row->size + row->sizes; s++) {
+            table_add(&t, "%s", row->peer->who);
+            table_add(&t, "%d", s->n);
+            table_number(&t, "%.3e", s->with[0].count ? s->with[0].error : NAN, "-");
+            for (int many = 0; many < 2; many++) add_runs(&t, &s->with[many]);
+            table_add(&t, "%s", s->setting);
+        }
+    table_print(&t, out);
+    table_free(&t);
+    fputc('\n', out);
+}
+
+static void print_failures(const struct peers *all, FILE *out) {
+    int failed = 0;
+    for (const struct peers_row *row = all->row; row->peer; row++) {
+        const struct peer *p = row->peer;
+        if (row->missing) fprintf(out, "not installed (make setup-peers): %s on %s\n", p->who, p->scene);
+        for (int k = 0; k < 2 * row->sizes && !row->missing; k++) {
+            const struct peers_size *s = &row->size[k / 2];
+            const struct peers_runs *runs = &s->with[k % 2];
+            if (!*runs->failure) continue;
+            fprintf(out, "failed: %s, %s, n = %d, %s: %s\n", p->scene, p->who, s->n,
+                    k % 2 ? "all threads" : "one thread", runs->failure);
+            failed = 1;
+        }
+    }
+    if (!failed) fprintf(out, "No run failed.\n");
+}
+
+static const char notes_orders[] =
+    "order: over the last four sizes.  gate: the suite's own, the slope with its interval inside the band, on the\n"
+    "same sizes.  -: not reached; ~: beyond the finest size; as one: it knows no threads or is the slower of two.\n"
+    "start-up: at the first size, with writing and reading the answer, 0.1 s of warming up left out, to a\n"
+    "millisecond; ours has none, the whole call counts.  unfolded, without symmetry: ours computes a quarter of the\n"
+    "symmetric square, unless told --domain whole; the peers have the whole.\n\n";
+
+static const char notes_times[] =
+    "\nEvery time is that of a solve after 0.1 s of the same; the peers' each in a process of its own, ours in this "
+    "one.\n"
+    "Medians of nine, of five past 5 ms, of three past 0.05 s, one past 4 s.  An update is that of the time loop;\n"
+    "PySPH's has the search for neighbours in it, once, 2 % of it.  Settings were looked for beforehand and not "
+    "timed:\n"
+    "a peer's is the loosest tolerance whose error is within 5 % of the tightest's, rkl2's the time step that\n"
+    "--time-error finds for the loosest such error in time.\n"
+    "SUNDIALS as packaged is compiled without optimisation: the stand-in brings its own vector kernels and "
+    "right-hand\n"
+    "side, compiled at -O3 -march=native.\n"
+    "PySPH keeps h/dx = 1.1 and the volume dx^2: without a corrected second moment its error stalls under "
+    "refinement,\n"
+    "and its fixed ghosts make a wall first order.\n";
+
+static void print_versions(FILE *out) {
+    FILE *in = popen(peers_versions, "r");
+    char *text = in ? whole_file_read(in, NULL) : NULL;
+    if (text) fputs(text, out);
+    free(text);
+    if (in) pclose(in);
+}
+
+void peers_print(const struct peers *all, FILE *out) {
+    bench_print_machine(out);
+    print_versions(out);
+    fprintf(out, "load when it began: %.2f; times with all threads mean little unless the machine was theirs\n\n",
+            all->load);
+    each_scene(all, out, print_scene);
+    fputs(notes_orders, out);
+    print_aims(all, out);
+    each_scene(all, out, print_sizes);
+    print_failures(all, out);
+    fputs(notes_times, out);
+}
+
+void peers_print_data(const struct peers *all, const char *scene, int many, FILE *out) {
+    fprintf(out, "# title: %s: others beside ours, ", scene);
+    if (many)
+        fprintf(out, "all %d threads (load %.2f when it began)\n", all->threads, all->load);
+    else
+        fprintf(out, "one thread\n");
+    fprintf(out, "# command: make bench-peers\n");
+    int blocks = 0;
+    for (const struct peers_row *row = NULL; (row = next(all, row, scene, ""));) {
+        const struct peer *p = row->peer;
+        if (p->kind == PEERS_WHOLE || p->kind == PEERS_RATE) continue;
+        int alone = many && p->serial;
+        const char *note = alone ? " (one thread)" : "";
+        fprintf(out, "%s# %s\nn,E1 [-],solve [s],%s%s\n", blocks++ ? "\n\n" : "", p->who, p->who, note);
+        for (const struct peers_size *s = row->size; s < row->size + row->sizes; s++) {
+            const struct peers_runs *runs = &s->with[many && !alone];
+            if (runs->count) fprintf(out, "%d,%.17g,%.6e,%s%s\n", s->n, runs->error, runs->time.median, p->who, note);
+        }
+    }
+}
