@@ -57,14 +57,34 @@ static struct gate reference_gate(const struct scene *s, char *text) {
         0,  1,          1e-12,       "two forms derived apart differ by no more than the sum of their bounds"};
 }
 
-/* A pattern has no nearest name. */
-static int none_matches(const struct gates *g, const char *only, struct failure *why) {
-    const char **ids = xcalloc((size_t)g->declared + 1, sizeof *ids), *nearest = NULL;
-    for (int i = 0; i < g->declared; i++) ids[i] = g->result[i].gate.id;
-    if (only && !strpbrk(only, "*?[")) nearest = words_nearest(ids, only);
-    free(ids);
-    return refuse(why, STATUS_INPUT, "no gate matches '%.60s'%s%s%s (see: heatladder list gates)", only ? only : "*",
-                  nearest ? "; did you mean '" : "", nearest ? nearest : "", nearest ? "'?" : "");
+/* The nearest name into `hint`; of a pattern the nearest group, the part of a name before its slash. */
+static void nearest_name(const struct gates *g, const char *glob, char *hint, size_t size) {
+    char(*name)[TEXT] = xcalloc((size_t)g->declared, sizeof *name), typed[TEXT];
+    const char **names = xcalloc((size_t)g->declared + 1, sizeof *names), *nearest = NULL;
+    int pattern = glob[strcspn(glob, "*?[")] != '\0', length = pattern ? (int)strcspn(glob, "/") : (int)strlen(glob);
+    snprintf(typed, sizeof typed, "%.*s", length, glob);
+    for (int i = 0; i < g->declared; i++) {
+        const char *id = g->result[i].gate.id;
+        snprintf(name[i], sizeof name[i], "%.*s", pattern ? (int)strcspn(id, "/") : TEXT - 1, id);
+        names[i] = name[i];
+    }
+    if (!strpbrk(typed, "*?[")) nearest = words_nearest(names, typed);
+    hint[0] = '\0';
+    if (nearest) snprintf(hint, size, "; did you mean '%.60s%s'?", nearest, pattern ? "/*" : "");
+    free(names);
+    free(name);
+}
+
+/* `option`: which one the glob is of. */
+static int none_matches(const struct gates *g, const char *option, const char *glob, struct failure *why) {
+    char hint[100];
+    int file = g->origin && strncmp(g->origin, "--gates", 7) == 0;
+    nearest_name(g, glob, hint, sizeof hint);
+    return refuse(why, STATUS_INPUT, "--%s: no gate matches '%.60s'%s (see: %s%.200s)", option, glob, hint,
+                  file ? "" : "heatladder list ",
+                  file        ? g->origin
+                  : g->origin ? "battery"
+                              : "gates");
 }
 
 void gates_add(struct gates *g, const struct gate *gate) {
@@ -80,10 +100,13 @@ static int matches(const char *glob, const struct gate *gate) {
 }
 
 int gates_choose(struct gates *g, const char *only, const char *skip, int quick, struct failure *why) {
-    int kept = 0;
-    for (int i = 0; i < g->declared; i++) kept += !only || matches(only, &g->result[i].gate);
-    if (!kept) return none_matches(g, only, why);
-    kept = 0;
+    int found = 0, left_out = 0, kept = 0;
+    for (int i = 0; i < g->declared; i++) {
+        found += matches(only, &g->result[i].gate);
+        left_out += matches(skip, &g->result[i].gate);
+    }
+    if (only && !found) return none_matches(g, "only", only, why);
+    if (skip && !left_out) return none_matches(g, "skip", skip, why);
     for (int i = 0; i < g->declared; i++) {
         struct gate gate = g->result[i].gate;
         if ((quick && gate.tier != TIER_QUICK) || (only && !matches(only, &gate)) || matches(skip, &gate)) continue;
@@ -95,7 +118,7 @@ int gates_choose(struct gates *g, const char *only, const char *skip, int quick,
                   skip ? " --skip '" : "", skip ? skip : "", skip ? "'" : "", quick ? " --quick" : "");
 }
 
-int gates_collect(const char *only, int quick, struct gates *g, struct failure *why) {
+int gates_collect(const char *only, const char *skip, int quick, struct gates *g, struct failure *why) {
     int rows = 0, references = 0;
     while (gates_table[rows].id) rows++;
     while (scenes[references]) references++;
@@ -104,7 +127,7 @@ int gates_collect(const char *only, int quick, struct gates *g, struct failure *
                         .text = xcalloc((size_t)references, 2 * TEXT)};
     for (int i = 0; i < rows; i++) g->result[i].gate = gates_table[i];
     for (int s = 0; s < references; s++) g->result[rows + s].gate = reference_gate(scenes[s], g->text + 2 * TEXT * s);
-    return gates_choose(g, only, NULL, quick, why);
+    return gates_choose(g, only, skip, quick, why);
 }
 
 void gates_free(struct gates *g) {

@@ -45,17 +45,16 @@ struct gates {
 
 extern const struct gate gates_table[]; /* ended by a NULL id */
 
-/* The gates whose id matches `only` (NULL: all; * matches / too), of the quick tier alone where asked: the rows of
- * the table, then one for each scene's reference.  STATUS_OK; or STATUS_INPUT where none matches.  End with
- * gates_free. */
-int gates_collect(const char *only, int quick, struct gates *g, struct failure *why);
+/* The rows of the table, then one for each scene's reference, of these those that gates_choose leaves; its status.
+ * End with gates_free. */
+int gates_collect(const char *only, const char *skip, int quick, struct gates *g, struct failure *why);
 void gates_free(struct gates *g);
 
 /* One more row, whose texts outlive *g. */
 void gates_add(struct gates *g, const struct gate *gate);
 
-/* Leaves those whose id matches `only` and not `skip` (NULL: all, none), of the quick tier alone where asked.
- * STATUS_OK; or STATUS_INPUT where none is left. */
+/* Leaves those whose id matches `only` and not `skip` (NULL: all, none; * matches / too), of the quick tier alone where
+ * asked.  STATUS_OK; or STATUS_INPUT where one of the two matches no row at all, or none is left. */
 int gates_choose(struct gates *g, const char *only, const char *skip, int quick, struct failure *why);
 
 /* About how many runs another program would make of them. */

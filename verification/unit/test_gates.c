@@ -204,19 +204,41 @@ static void globs_choose(void **state) {
     (void)state;
     struct gates g;
     struct failure why;
-    assert_int_equal(gates_collect("reference/*", 0, &g, &why), STATUS_OK);
+    assert_int_equal(gates_collect("reference/*", NULL, 0, &g, &why), STATUS_OK);
     int n = 0;
     while (scenes[n]) n++;
     assert_int_equal(g.declared, n); /* one for every scene */
     gates_free(&g);
-    assert_int_equal(gates_collect("reference/rod-setp", 0, &g, &why), STATUS_INPUT);
+    assert_int_equal(gates_collect("reference/rod-setp", NULL, 0, &g, &why), STATUS_INPUT);
     assert_non_null(strstr(why.text, "no gate matches 'reference/rod-setp'"));
     gates_free(&g);
-    assert_int_equal(gates_collect("time-error/rkl", 0, &g, &why), STATUS_INPUT); /* of the last table */
+    assert_int_equal(gates_collect("time-error/rkl", NULL, 0, &g, &why), STATUS_INPUT); /* of the last table */
     assert_non_null(strstr(why.text, "did you mean 'time-error/rk2'"));
     gates_free(&g);
-    assert_int_equal(gates_collect("nosuch*", 0, &g, &why), STATUS_INPUT);
-    assert_non_null(strstr(why.text, "no gate matches 'nosuch*' (see: heatladder list gates)"));
+    assert_int_equal(gates_collect("nosuch*", NULL, 0, &g, &why), STATUS_INPUT);
+    assert_non_null(strstr(why.text, "--only: no gate matches 'nosuch*' (see: heatladder list gates)"));
+    gates_free(&g);
+}
+
+static void what_skip_leaves_out_is_there(void **state) {
+    (void)state;
+    struct gates g;
+    struct failure why;
+    assert_int_equal(gates_collect("reference/rod-*", "time-error/*", 0, &g, &why), STATUS_OK); /* others' rows */
+    int n = g.declared;
+    gates_free(&g);
+    assert_int_equal(gates_collect("reference/rod-*", "reference/rod-step", 0, &g, &why), STATUS_OK);
+    assert_int_equal(g.declared, n - 1);
+    gates_free(&g);
+    assert_int_equal(gates_collect(NULL, "reference/rod-setp", 0, &g, &why), STATUS_INPUT);
+    assert_non_null(
+        strstr(why.text, "--skip: no gate matches 'reference/rod-setp'; did you mean 'reference/rod-step'?"));
+    gates_free(&g);
+    assert_int_equal(gates_collect("reference/*", "refrence/*", 0, &g, &why), STATUS_INPUT);
+    assert_non_null(strstr(why.text, "--skip: no gate matches 'refrence/*'; did you mean 'reference/*'?"));
+    gates_free(&g);
+    assert_int_equal(gates_collect("reference/*", "reference/*", 0, &g, &why), STATUS_INPUT);
+    assert_non_null(strstr(why.text, "no gate is left"));
     gates_free(&g);
 }
 
@@ -224,7 +246,7 @@ static void declared_must_be_executed(void **state) {
     (void)state;
     struct gates g;
     struct failure why;
-    assert_int_equal(gates_collect("reference/rod-*", 0, &g, &why), STATUS_OK);
+    assert_int_equal(gates_collect("reference/rod-*", NULL, 0, &g, &why), STATUS_OK);
     assert_int_equal(gates_status(&g), STATUS_GATE); /* none was run */
     gates_run(&g);
     assert_int_equal(g.executed, g.declared);
@@ -288,7 +310,7 @@ static void junit_tells_each_verdict(void **state) {
     struct failure why;
     char path[] = "/tmp/heatladder_junit.XXXXXX", text[20000];
     close(mkstemp(path));
-    assert_int_equal(gates_collect("reference/rod-*", 0, &g, &why), STATUS_OK);
+    assert_int_equal(gates_collect("reference/rod-*", NULL, 0, &g, &why), STATUS_OK);
     gates_run(&g);
     g.result[0].seconds = 1.25, g.result[1].seconds = 0.5;
     for (int i = 2; i < g.declared; i++) g.result[i].seconds = 0;
@@ -323,6 +345,7 @@ int main(void) {
         cmocka_unit_test(the_table_is_sound),
         cmocka_unit_test(a_gate_can_be_typed),
         cmocka_unit_test(globs_choose),
+        cmocka_unit_test(what_skip_leaves_out_is_there),
         cmocka_unit_test(declared_must_be_executed),
         cmocka_unit_test(references_are_held_to_their_bounds),
         cmocka_unit_test(junit_tells_each_verdict),

@@ -78,10 +78,7 @@ static int collect(const struct request *r, struct gate_file *file, struct gates
                       program->solver);
     if (r->gates_path && r->order)
         return refuse(why, STATUS_INPUT, "--gates and --order both say which rows: give one of them");
-    if (!program_given(program) && !r->gates_path) {
-        if (gates_collect(r->only, r->quick, g, why)) return why->status;
-        return r->skip ? gates_choose(g, NULL, r->skip, 0, why) : STATUS_OK;
-    }
+    if (!program_given(program) && !r->gates_path) return gates_collect(r->only, r->skip, r->quick, g, why);
     if (program_given(program)) g->program = program;
     if (r->gates_path && gate_file_open(r->gates_path, file, why)) return why->status;
     for (int i = 0; i < file->count; i++) gates_add(g, &file->gate[i]);
