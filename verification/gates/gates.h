@@ -53,8 +53,8 @@ void gates_free(struct gates *g);
 /* One more row, whose texts outlive *g. */
 void gates_add(struct gates *g, const struct gate *gate);
 
-/* Leaves those whose id matches `only` and not `skip` (NULL: all, none; * matches / too), of the quick tier alone where
- * asked.  STATUS_OK; or STATUS_INPUT where one of the two matches no row at all, or none is left. */
+/* Leaves those whose id matches `only` and not `skip` (NULL: all, none; * matches / too), of the quick tier alone
+ * where asked.  STATUS_OK; or STATUS_INPUT where one of the two matches no row at all, or none is left. */
 int gates_choose(struct gates *g, const char *only, const char *skip, int quick, struct failure *why);
 
 /* About how many runs another program would make of them. */
