@@ -97,7 +97,12 @@ static int put_file(const struct part *part, const char *path, FILE *out) {
         markdown_write(out, in, 2);
     } else {
         fprintf(out, "<pre><code>");
-        while (fgets(line, sizeof line, in)) html_text(out, line);
+        while (fgets(line, sizeof line, in)) {
+            size_t length = strcspn(line, "\n");
+            int ends = line[length] == '\n';
+            line[length] = '\0';
+            html_print(out, ends ? "%s\n" : "%s", line);
+        }
         fprintf(out, "</code></pre>\n");
     }
     fclose(in);

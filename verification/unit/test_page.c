@@ -5,6 +5,8 @@
 #include "verification/page/page.h"
 
 #include "reports/page/gates_json.h"
+#include "reports/page/index.h"
+#include "solver/status.h"
 #include "verification/gates/gates.h"
 
 #include "verification/unit/near.h"
@@ -113,12 +115,44 @@ static void gates_are_read_back(void **state) {
     unlink(path);
 }
 
+static char *whole(const char *path) {
+    static char page[200000];
+    FILE *in = fopen(path, "r");
+    assert_non_null(in);
+    page[fread(page, 1, sizeof page - 1, in)] = '\0';
+    fclose(in);
+    return page;
+}
+
+/* Of a directory with a listing alone: the rest is named with the command that makes it. */
+static void a_page_of_what_there_is(void **state) {
+    (void)state;
+    char dir[] = "/tmp/heatladder_page.XXXXXX", path[60];
+    struct failure why;
+    assert_non_null(mkdtemp(dir));
+    snprintf(path, sizeof path, "%s/mutants.txt", dir);
+    FILE *listing = fopen(path, "w");
+    fputs("first < 2\n  second\n", listing);
+    fclose(listing);
+    assert_int_equal(index_write(dir, &why), 0);
+    unlink(path);
+    snprintf(path, sizeof path, "%s/summary.md", dir);
+    unlink(path);
+    snprintf(path, sizeof path, "%s/index.html", dir);
+    const char *page = whole(path);
+    assert_non_null(strstr(page, "No verdict: the gates were not run. <code>make verify</code> runs them."));
+    assert_non_null(strstr(page, "<pre><code>first &lt; 2\n  second\n</code></pre>"));
+    assert_non_null(strstr(page, "Not here: claims/claims.md; <code>make claims</code> makes it."));
+    assert_null(strstr(page, "Not here: mutants.txt"));
+    unlink(path);
+    assert_int_equal(rmdir(dir), 0);
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(markdown_becomes_html),
-        cmocka_unit_test(images_are_part_of_the_page),
-        cmocka_unit_test(charts_hold_their_points),
-        cmocka_unit_test(gates_are_read_back),
+        cmocka_unit_test(markdown_becomes_html),    cmocka_unit_test(images_are_part_of_the_page),
+        cmocka_unit_test(charts_hold_their_points), cmocka_unit_test(gates_are_read_back),
+        cmocka_unit_test(a_page_of_what_there_is),
     };
     return cmocka_run_group_tests_name("page", tests, NULL, NULL);
 }
