@@ -28,6 +28,7 @@ static void set_text(struct page_gate *g, const char *key, const char *value) {
     if (strcmp(key, "reason") == 0) g->reason = value;
     if (strcmp(key, "why") == 0) g->why = value;
     if (strcmp(key, "command") == 0) g->command = value;
+    if (strcmp(key, "diagnosis") == 0) g->diagnosis = value;
 }
 
 static void set_number(struct page_gate *g, const char *key, double value, double *middle, double *half) {
@@ -41,8 +42,15 @@ static void set_number(struct page_gate *g, const char *key, double value, doubl
 /* One object, from behind its brace; returns where it ends, or NULL. */
 static char *take_gate(char *at, struct page_gate *g) {
     double middle = NAN, half = NAN;
-    *g = (struct page_gate){
-        .id = "", .verdict = "", .reason = "", .why = "", .command = "", .value = NAN, .error = NAN, .ceiling = NAN};
+    *g = (struct page_gate){.id = "",
+                            .verdict = "",
+                            .reason = "",
+                            .why = "",
+                            .command = "",
+                            .diagnosis = "",
+                            .value = NAN,
+                            .error = NAN,
+                            .ceiling = NAN};
     for (;;) {
         at += strspn(at, " \t\r\n,");
         if (*at == '}') break;

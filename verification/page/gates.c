@@ -78,9 +78,10 @@ void page_put_scene(const struct page_gate *gate, int count, const char *scene, 
 static void put_failure(const struct page_gate *g, FILE *out) {
     html_print(out, "<h4>%s: ", g->id);
     html_verdict(out, g->verdict);
-    html_print(
-        out, "</h4>\n<p>%s</p>\n<p class=\"faint\">Expected because: %s</p>\n<pre><code>heatladder %s</code></pre>\n",
-        g->reason, g->why, g->command);
+    html_print(out, "</h4>\n<p>%s</p>\n", g->reason);
+    if (*g->diagnosis) html_print(out, "<p>Diagnosis: %s.</p>\n", g->diagnosis);
+    html_print(out, "<p class=\"faint\">Expected because: %s</p>\n<pre><code>heatladder %s</code></pre>\n", g->why,
+               g->command);
 }
 
 static void put_groups(const struct page_gate *gate, int count, FILE *out) {

@@ -18,7 +18,8 @@ static const char style[] =
     "th,td{padding:.2rem .6rem;border-bottom:1px solid var(--line);text-align:left;vertical-align:top}\n"
     "th{position:sticky;top:0;background:var(--paper)}td:first-child{min-width:9rem}td code{overflow-wrap:normal}\n"
     "td.n,th.n{text-align:right;font-variant-numeric:tabular-nums;white-space:nowrap}\n"
-    "code,pre{font:.84rem/1.4 ui-monospace,monospace}pre{overflow-x:auto;padding:.6rem;border:1px solid "
+    "code,pre{font:.84rem/1.4 ui-monospace,monospace}pre{overflow:auto;max-height:36rem;padding:.6rem;border:1px "
+    "solid "
     "var(--line)}\n"
     "code{overflow-wrap:anywhere}figure{margin:1.2rem 0;break-inside:avoid}\n"
     "figure img,figure svg{max-width:100%;height:auto;background:#fff;border:1px solid var(--line)}\n"
@@ -29,9 +30,10 @@ static const char style[] =
     "@media "
     "print{body{font-size:10pt;background:#fff;color:#000}nav{display:none}.scroll{overflow:visible;max-height:none}"
     "\n"
-    "pre{white-space:pre-wrap}table{font-size:7.5pt}td,th{position:static;white-space:normal;overflow-wrap:break-"
+    "pre{white-space:pre-wrap;max-height:none;font-size:6.5pt}table{font-size:7.5pt}td,th{position:static;white-"
+    "space:normal;overflow-wrap:break-"
     "word;min-width:0}\n"
-    "th,td{padding:.1rem .3rem}td:first-child{min-width:4rem}}\n";
+    "th,td{padding:.1rem .3rem}td:first-child{min-width:4rem}figure img{max-height:11cm}}\n";
 
 void html_open(FILE *out, const char *title) {
     fprintf(out,

@@ -14,6 +14,7 @@ enum { PAGE_ORIGIN = 400 }; /* letters of when, where and by what */
 
 struct page_gate {
     const char *id, *verdict, *reason, *why, *command;
+    const char *diagnosis; /* "": none */
     double lo, hi;         /* the band */
     double value;          /* what was measured */
     double error, ceiling; /* NAN where there is none */

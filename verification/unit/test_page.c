@@ -88,7 +88,8 @@ static void gates_are_read_back(void **state) {
         "\"run \\\"x\\\"\", \"expected\": 2,\n"
         "\"tolerance\": 0.125, \"measured\": 2.0625, \"interval95\": [ 1, 2 ], \"error\": 3e-4, \"ceiling\": null,\n"
         "\"verdict\": \"pass\", \"reason\": \"r\", \"why\": \"w\", \"seconds\": 1 },\n"
-        "{ \"id\": \"b\", \"expected\": 0, \"tolerance\": 7, \"verdict\": \"fail\" }\n]\n}\n",
+        "{ \"id\": \"b\", \"expected\": 0, \"tolerance\": 7, \"verdict\": \"fail\", \"diagnosis\": \"1 step late\" "
+        "}\n]\n}\n",
         file);
     fclose(file);
     struct gates_json g;
@@ -107,6 +108,7 @@ static void gates_are_read_back(void **state) {
     assert_non_null(strstr(text, "1 of 2 gates hold"));
     assert_non_null(strstr(text, "The gates were run today &quot;here&quot;."));
     assert_non_null(strstr(text, "<h4>b: "));
+    assert_non_null(strstr(text, "<p>Diagnosis: 1 step late.</p>"));
     gates_json_free(&g);
     file = fopen(path, "w");
     fputs("{\"gates\": [\n{ \"id\": \"rod", file);
