@@ -9,3 +9,7 @@ double problem_diffusivity(const struct problem *p) {
         for (int a = 0; a < p->dim; a++) kappa = fmax(kappa, p->material[m].k[a] / p->material[m].rho_c);
     return kappa;
 }
+
+double problem_source(const struct problem *p, const double x[2], double t) {
+    return (p->source ? p->source(p, x) : 0) + (p->source_change ? p->source_change(p, x, t) : 0);
+}

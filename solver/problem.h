@@ -2,8 +2,8 @@
 #define HEATLADDER_SOLVER_PROBLEM_H
 
 /* What is solved:  rho_c dT/dt = d/dx(k_x dT/dx) + d/dy(k_y dT/dy) + G
- * on a rod [lo[0], hi[0]] or a rectangle.  Data only; SI units.  Sides, source and coefficients do not change in
- * time, so that every method solves dT/dt = A T + g with one A and one g. */
+ * on a rod [lo[0], hi[0]] or a rectangle.  Data only; SI units.  Sides and coefficients do not change in time, nor
+ * does the source but for `source_change`, so that dT/dt = A T + g with one A and one g. */
 
 enum side { X_LO, X_HI, Y_LO, Y_HI };
 enum side_kind { DIRICHLET, NEUMANN, ROBIN };
@@ -38,9 +38,15 @@ struct problem {
     double (*wall)(const struct problem *p, enum side s, const double x[2]);
     /* W m^-3; NULL where there is none.  x may lie a few spacings outside */
     double (*source)(const struct problem *p, const double x[2]);
+    /* W m^-3, what the source has more at the time t, s; NULL where it does not change.  Zero on Dirichlet sides and
+     * without a slope across the others, so that ghosts are those of `source` */
+    double (*source_change)(const struct problem *p, const double x[2], double t);
 };
 
 /* The largest diffusivity of all materials and axes, m^2 s^-1. */
 double problem_diffusivity(const struct problem *p);
+
+/* The whole source at x and the time t, W m^-3; 0 where there is none. */
+double problem_source(const struct problem *p, const double x[2], double t);
 
 #endif

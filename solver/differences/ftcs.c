@@ -164,11 +164,12 @@ static void hand_over(struct ftcs_grid *g, struct field *f) {
     }
 }
 
-static int run(struct ftcs_grid *g, struct failure *why) {
+static int run(struct ftcs_grid *g, const struct problem *p, struct failure *why) {
     const double mean = g->dt;
     for (long long step = 1; step <= g->steps; step++) {
         g->dt = mean * (step % 2 ? 1 + g->alternation : 1 - g->alternation);
         ftcs_grid_walls(g);
+        if (p->source_change) ftcs_grid_source(g, p, (double)(step - 1) * mean);
         if (g->with_fluxes)
             step_fluxes(g);
         else
@@ -226,7 +227,7 @@ static int solve(const char *method, int with_fluxes, const struct problem *p, c
     int status = ftcs_grid_make(&g, method, with_fluxes, p, o, why);
     if (status) return status;
     double before = heat(&g), stepping = seconds_now();
-    status = run(&g, why);
+    status = run(&g, p, why);
     double stepped = seconds_now();
     if (status == STATUS_OK) {
         double after = heat(&g);

@@ -90,6 +90,10 @@ static int check_options(const struct ftcs_grid *g, const struct problem *p, con
                       "--stepper matched: in the plane the error of %s is not isotropic, and no step "
                       "cancels it; valid here: euler, auto",
                       g->method);
+    if (o->stepper == STEPPER_MATCHED && p->source_change)
+        return refuse(why, STATUS_NOT_APPLICABLE,
+                      "--stepper matched: a source that changes in time has an error of its own in Euler's steps, "
+                      "which no step cancels; take --stepper euler");
     if (o->stepper == STEPPER_MATCHED && g->with_fluxes && p->source)
         return refuse(
             why, STATUS_NOT_APPLICABLE,
@@ -264,13 +268,22 @@ static void fill(struct ftcs_grid *g, const struct problem *p, const struct opti
             g->lowest = fmin(g->lowest, T);
             g->highest = fmax(g->highest, T);
             if (!p->source) continue;
-            double G = p->source(p, x);
-            source = fmax(source, fabs(G));
+            double G = p->source(p, x), last = p->source_change ? G + p->source_change(p, x, p->t_end) : G;
+            source = fmax(source, fmax(fabs(G), fabs(last)));
             g->T[g->corner + j * g->stride + i] += g->start * G / ftcs_grid_rho_c(g, i);
             if (o->stepper == STEPPER_MATCHED) G += ftcs_matched_source(g, p, x);
             g->heating[(ptrdiff_t)j * nx + i] = G / ftcs_grid_rho_c(g, i);
         }
     bound(g, p, source);
+}
+
+void ftcs_grid_source(struct ftcs_grid *g, const struct problem *p, double t) {
+    for (int j = 0; j < g->n[1]; j++)
+        for (int i = 0; i < g->n[0]; i++) {
+            double x[2] = {g->origin[0] + i * g->d[0], g->origin[1] + j * g->d[1]};
+            g->heating[(ptrdiff_t)j * g->n[0] + i] =
+                (p->source(p, x) + p->source_change(p, x, t)) / ftcs_grid_rho_c(g, i);
+        }
 }
 
 void ftcs_grid_walls(const struct ftcs_grid *g) {

@@ -50,6 +50,9 @@ int ftcs_grid_outline(struct ftcs_grid *g, const char *method, int with_fluxes, 
 void ftcs_grid_free(struct ftcs_grid *g);
 void ftcs_grid_keep_T(struct ftcs_grid *g); /* frees all that a finished run needs no more */
 
+/* Sets `heating` to that of the time t, s, of a source that changes. */
+void ftcs_grid_source(struct ftcs_grid *g, const struct problem *p, double t);
+
 /* Sets the ghosts from the unknowns. */
 void ftcs_grid_walls(const struct ftcs_grid *g);
 

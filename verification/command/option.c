@@ -62,6 +62,29 @@ static int read_numbers(struct request *r, const struct option *o, const char *t
     return STATUS_OK;
 }
 
+/* T,T,... or FROM:TO:COUNT, evenly, both ends with them. */
+static int read_times(struct request *r, const struct option *o, const char *text, struct failure *why) {
+    enum { MOST = 10000000 };
+    const char *first = strchr(text, ':'), *last = strrchr(text, ':');
+    char word[2][40];
+    long count = 0;
+    r->times = 0;
+    if (!first) return read_numbers(r, o, text, why);
+    int bad = last == first || first - text >= 40 || last - first > 40;
+    for (int k = 0; k < 2 && !bad; k++) {
+        const char *from = k ? first + 1 : text;
+        snprintf(word[k], sizeof word[k], "%.*s", (int)((k ? last : first) - from), from);
+        bad = number_read(word[k], &r->time.value[k]) || r->time.value[k] < o->lo;
+    }
+    if (bad || number_read_whole(last + 1, MOST, &count) || count < 2)
+        return refuse(why, STATUS_INPUT,
+                      "--%s '%.60s': must be numbers with commas between, or FROM:TO:COUNT, such as "
+                      "0:1.5:16, with a COUNT from 2 to %d",
+                      o->name, text, MOST);
+    r->time.count = 2, r->time.text = text, r->times = (int)count;
+    return STATUS_OK;
+}
+
 static int read_whole(struct request *r, const struct option *o, const char *text, struct failure *why) {
     long value;
     if (number_read_whole(text, (long)o->hi, &value) || value < (long)o->lo)
@@ -253,7 +276,8 @@ const struct option options_table[] = {
      read_word, IN(rungs.norm), ladder_norm_words, 0, 0, 0},
     {"at", "at", "X[,Y]", "where, m; of ladder without a scene one of the quantities", read_numbers, IN(at), NULL,
      FINITE, 0},
-    {"time", "time", "T[,T...]", "when, s", read_numbers, IN(time), NULL, 0, INFINITY, 0},
+    {"time", "time", "T[,T...]", "when, s; FROM:TO:COUNT: evenly, the ends too", read_times, IN(time), NULL, 0,
+     INFINITY, 0},
     {"points", "points", "FILE", "CSV of points x or x,y, m; - for standard input", read_text, IN(points), NULL,
      FINITE, 0},
     {"what", "what", "LIST", "columns to tell at each point, with commas between; temperature if left out", read_text,

@@ -19,6 +19,7 @@ struct request {
     int dim, stages;         /* limit: 1 or 2; of rkl2, else 0 */
     struct numbers at;       /* m: x, or x and y */
     struct numbers time;     /* s */
+    int times;               /* > 1: so many, evenly from time.value[0] to [1]; 0: those of `time` */
     const char *points;      /* reference: file of points, - for standard input; NULL for `at` */
     const char *what;        /* reference: the columns asked for; NULL for the temperature */
     double error;            /* choose: E1 to be reached */

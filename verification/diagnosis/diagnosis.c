@@ -1,12 +1,15 @@
 /* Least squares of the error field e with the response f of one fault at a time, beside what differences of second
  * order leave at the same spacing: in space g, in time (Euler's, of mesh Fourier number 1) h,
  *
- *     e = size f + b g + c h,    |b| <= 2,  |c| <= 1/2
+ *     e = size f + b g + c h + d m,    |b| <= 2,  |c| <= 1/2,  0 <= d <= 1
  *
- * since a faulty code has its errors of discretization too.  A fault whose part |size f| is not at least twice |g +
- * h/5| and the difference of cell means from values, dx^2/24 laplace(T), is none: that is the size of a correct
- * code's error.  The twentieth of the points where g is largest (corners
- * whose sides disagree) is left out.
+ * since a faulty code has its errors of discretization too.  m = dx^2/24 laplace(T) is what the mean over a cell has
+ * more than the value at its centre: whether a code's numbers are means (d = 1) or values (d = 0) is not known. Where
+ * m looks like the fault (of one material without a source it is dx^2/(24 kappa) dT/dt, a clock that is fast by a
+ * sixth of a step at F = 1/4) no fit can tell, and d = 1/2 leaves half of the doubt to either side.  From data that
+ * jump, where means are values on faces, g has it already: d = 0.  A fault whose part |size f| is not at least twice
+ * |g + h/5| and m is none: that is the size of a correct code's error.  The twentieth of the points where g is
+ * largest (corners whose sides disagree) is left out.
  *
  * One field cannot tell faults of like response apart (without a source T depends on kappa t alone): how the size
  * goes with the spacing can.  A clock is wrong by steps, a place by cells, a coefficient by a part of itself. */
@@ -37,7 +40,8 @@ struct fit {
 struct errors {
     const struct field *field;
     double *e, *g, *h; /* K, owned; e is NAN at a point that is left out */
-    double *m;         /* K, owned: dx^2/24 laplace(T), as dx^2/(24 kappa) dT/dt of the fastest material */
+    double *m;         /* K, owned: dx^2/24 laplace(T); of two materials dx^2/(24 kappa) dT/dt of the faster */
+    int is_mean;       /* 1: a mean over a cell may stand for a value */
 };
 
 struct candidate_fault {
@@ -52,43 +56,46 @@ static double clamp(double x, double most) {
     return fmax(-most, fmin(most, x));
 }
 
-/* Minimum over size, b and c, one after the other until they stay: three numbers, two of them bounded. */
+/* Minimum over size, b, c and d, one after the other until they stay: four numbers, three of them bounded. */
 static struct fit fit_error(const struct errors *s, const double *f) {
-    double means = 0, a[4][4] = {{0}}; /* products of e, f, g, h */
+    enum { N = 5 };
+    double a[N][N] = {{0}}; /* products of e, f, g, h, m */
     for (size_t i = 0; i < s->field->n; i++) {
-        double w = s->field->weight ? s->field->weight[i] : 1, v[4] = {s->e[i], f[i], s->g[i], s->h[i]};
+        double w = s->field->weight ? s->field->weight[i] : 1, v[N] = {s->e[i], f[i], s->g[i], s->h[i], s->m[i]};
         if (!isfinite(v[0])) continue;
-        means += w * s->m[i] * s->m[i];
-        for (int k = 0; k < 4; k++)
-            for (int l = 0; l < 4; l++) a[k][l] += w * v[k] * v[l];
+        for (int k = 0; k < N; k++)
+            for (int l = 0; l < N; l++) a[k][l] += w * v[k] * v[l];
     }
     if (!(a[0][0] > 0 && a[1][1] > 0)) return (struct fit){0, 0, 0};
-    double x[4] = {-1, 0, 0, 0}; /* of e, f, g, h: x.v is what is left */
+    double x[N] = {-1, 0, 0, 0, s->is_mean ? 0.5 : 0}; /* of e, f, g, h, m: x.v is what is left */
+    int free = s->is_mean && a[1][4] * a[1][4] < SHARE * a[1][1] * a[4][4] ? N : N - 1;
     for (int round = 0; round < ROUNDS; round++)
-        for (int k = 1; k < 4; k++) {
+        for (int k = 1; k < free; k++) {
             double rest = 0;
-            for (int l = 0; l < 4; l++) rest -= l == k ? 0 : a[k][l] * x[l];
+            for (int l = 0; l < N; l++) rest -= l == k ? 0 : a[k][l] * x[l];
             x[k] = a[k][k] > 0 ? rest / a[k][k] : 0;
-            if (k > 1) x[k] = clamp(x[k], k == 2 ? MOST : 0.5);
+            if (k == 2 || k == 3) x[k] = clamp(x[k], k == 2 ? MOST : 0.5);
+            if (k == 4) x[k] = fmax(0, fmin(1, x[k]));
         }
-    double left = 0, natural = a[2][2] + 0.4 * a[2][3] + 0.04 * a[3][3] + means;
-    for (int k = 0; k < 4; k++)
-        for (int l = 0; l < 4; l++) left += x[k] * a[k][l] * x[l];
+    double left = 0, natural = a[2][2] + 0.4 * a[2][3] + 0.04 * a[3][3] + a[4][4];
+    for (int k = 0; k < N; k++)
+        for (int l = 0; l < N; l++) left += x[k] * a[k][l] * x[l];
     return (struct fit){x[1], 1 - left / a[0][0], fabs(x[1]) * sqrt(a[1][1] / fmax(natural, 1e-300))};
 }
 
 static struct errors errors_of(const struct problem *p, const struct response_lattice *l,
                                const struct diagnosis_rung *r) {
     const struct field *f = r->field;
-    struct errors s = {.field = f};
+    struct errors s = {.field = f, .is_mean = p->jumps[0] + p->jumps[1] == 0 && p->materials == 1};
     double **const owned[] = {&s.e, &s.g, &s.h, &s.m};
     for (int k = 0; k < 4; k++) *owned[k] = xcalloc(f->n, sizeof(double));
     double *size = xcalloc(f->n, sizeof *size), dx2 = pow(r->dx / l->dx, 2);
     response_base(p, l, f, s.g, s.h);
-    double kappa = 0;
-    for (int m = 0; m < p->materials; m++)
-        for (int a = 0; a < p->dim; a++) kappa = fmax(kappa, p->material[m].k[a] / p->material[m].rho_c);
-    response_at(p, l, (struct fault){FAULT_CLOCK, 0}, f, s.g, s.m);
+    if (p->materials == 1)
+        response_laplacian(p, l, f, s.m);
+    else
+        response_at(p, l, (struct fault){FAULT_CLOCK, 0}, f, s.g, s.m);
+    double kappa = p->materials == 1 ? 1 : problem_diffusivity(p);
     for (size_t i = 0; i < f->n; i++) s.m[i] *= r->dx * r->dx / (24 * kappa);
     for (size_t i = 0; i < f->n; i++) {
         s.g[i] = dx2 * (s.g[i] - r->exact[i]);
@@ -108,8 +115,8 @@ static int list_faults(const struct problem *p, struct fault *list) {
         int count; /* of axes, sides or corners */
     } kinds[] = {{FAULT_CLOCK, 1},       {FAULT_CONDUCTIVITY, 1}, {FAULT_SWAP, 1},      {FAULT_TRANSPOSED, 1},
                  {FAULT_SOURCE, 1},      {FAULT_CAPACITY, 1},     {FAULT_INTERFACE, 1}, {FAULT_MEAN, 1},
-                 {FAULT_AMPLITUDE, 1},   {FAULT_ISOTROPIC, 2},    {FAULT_EXTENT, 3},    {FAULT_START_SHIFT, 2},
-                 {FAULT_START_WIDTH, 2}, {FAULT_WALL, 5},         {FAULT_CORNER, 4}};
+                 {FAULT_AMPLITUDE, 1},   {FAULT_SOURCE_TIME, 1},  {FAULT_ISOTROPIC, 2}, {FAULT_EXTENT, 3},
+                 {FAULT_START_SHIFT, 2}, {FAULT_START_WIDTH, 2},  {FAULT_WALL, 5},      {FAULT_CORNER, 4}};
     int n = 0;
     struct faulty ignored;
     for (size_t i = 0; i < sizeof kinds / sizeof *kinds; i++)
@@ -126,10 +133,11 @@ static void follow(struct candidate_fault *c, const struct diagnosis_rung *fine,
     int place = c->fault.kind == FAULT_EXTENT || c->fault.kind == FAULT_START_SHIFT ||
                 c->fault.kind == FAULT_START_WIDTH || c->fault.kind == FAULT_INTERFACE ||
                 c->fault.kind == FAULT_CORNER || c->fault.kind == FAULT_MEAN;
-    int clock = c->fault.kind == FAULT_CLOCK && fine->dt > 0 && coarse->dt > 0;
+    int in_time = c->fault.kind == FAULT_CLOCK || c->fault.kind == FAULT_SOURCE_TIME;
+    int clock = in_time && fine->dt > 0 && coarse->dt > 0;
     c->unit[0] = clock ? fine->dt : place ? fine->dx : 1;
     c->unit[1] = clock ? coarse->dt : place ? coarse->dx : 1;
-    c->name = clock ? "steps" : c->fault.kind == FAULT_CLOCK ? "s" : place ? "cells" : "%";
+    c->name = clock ? "steps" : in_time ? "s" : place ? "cells" : "%";
     double ratio = c->coarse.size / c->unit[1] / (c->fine.size / c->unit[0]);
     c->drift = ratio > 0 ? fabs(log(ratio)) : INFINITY;
     int whole = fault_is_whole(c->fault.kind) || c->fault.kind == FAULT_MEAN;
@@ -232,6 +240,10 @@ static void describe(struct diagnosis *d) {
         snprintf(to, room,
                  fabs(size + 100) < 5 ? "as if the source were lost" : "as if the source were %.3g %% too %s", apart,
                  much);
+        break;
+    case FAULT_SOURCE_TIME:
+        snprintf(to, room, "as if the source were that of %.3g %s %s", apart, d->unit,
+                 size < 0 ? "earlier" : "later");
         break;
     case FAULT_CAPACITY:
         snprintf(to, room, "as if rho c of the second material were that of the first");

@@ -67,6 +67,14 @@ static double source(const struct problem *p, const double x[2]) {
     return f->fault.kind == FAULT_SOURCE || f->fault.kind == FAULT_AMPLITUDE ? (1 + f->size) * value : value;
 }
 
+static double source_change(const struct problem *p, const double x[2], double t) {
+    const struct faulty *f = faulty_of(p);
+    double at[2];
+    to_right(f, x, at);
+    double value = f->right->source_change(f->right, at, f->fault.kind == FAULT_SOURCE_TIME ? t + f->size : t);
+    return f->fault.kind == FAULT_SOURCE || f->fault.kind == FAULT_AMPLITUDE ? (1 + f->size) * value : value;
+}
+
 static int has_wall_value(const struct problem *p, enum side s) {
     for (int i = 0; i <= 8; i++) {
         double x[2];
@@ -107,6 +115,8 @@ static int applies(const struct problem *p, struct fault fault) {
         return p->dim == 2 && has_corner(p, fault.axis);
     case FAULT_SOURCE:
         return p->source != 0;
+    case FAULT_SOURCE_TIME:
+        return p->source_change != 0;
     case FAULT_CAPACITY:
         return p->materials == 2 && p->material[0].rho_c != p->material[1].rho_c;
     case FAULT_INTERFACE:
@@ -154,6 +164,7 @@ int fault_make(const struct problem *p, struct fault fault, double size, struct 
     q->initial = initial;
     q->wall = wall;
     if (p->source) q->source = source;
+    if (p->source_change) q->source_change = source_change;
     for (int a = 0; a < 2; a++) f->centre[a] = (p->lo[a] + p->hi[a]) / 2, q->mirror[a] = 0;
     switch (fault.kind) {
     case FAULT_CLOCK:
@@ -201,6 +212,7 @@ int fault_is_whole(enum fault_kind kind) {
 double fault_probe(const struct problem *p, struct fault fault) {
     switch (fault.kind) {
     case FAULT_CLOCK:
+    case FAULT_SOURCE_TIME:
         return 0.01 * p->t_end;
     case FAULT_EXTENT:
         return (p->hi[fault.axis % 2] - p->lo[fault.axis % 2]) / 200;

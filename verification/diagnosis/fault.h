@@ -12,6 +12,7 @@ enum fault_kind {
     FAULT_ISOTROPIC,    /* 1: along this axis the conductivity of the other */
     FAULT_TRANSPOSED,   /* 1: x and y of the answer in each other's place, on a square */
     FAULT_SOURCE,       /* relative: the source; -1: lost */
+    FAULT_SOURCE_TIME,  /* s: the source, which changes, is that of so much later */
     FAULT_CAPACITY,     /* 1: rho c of the second material is the first one's */
     FAULT_WALL,         /* relative: what a side holds, temperature or flux; -1: zero */
     FAULT_CORNER,       /* m: what sides of given temperature hold is zero so far from a corner */

@@ -137,6 +137,22 @@ void response_base(const struct problem *p, const struct response_lattice *l, co
     carry(&none, l, l->longer, f, longer);
 }
 
+void response_laplacian(const struct problem *p, const struct response_lattice *l, const struct field *f,
+                        double *out) {
+    struct faulty none;
+    int n[2] = {l->n[0], l->n[1]};
+    double *D = xcalloc((size_t)(n[0] * n[1]), sizeof *D);
+    for (int c = 0; c < n[0] * n[1]; c++)
+        for (int a = 0, at[2] = {c % n[0], c / n[0]}, stride[2] = {1, n[0]}; a < p->dim; a++) {
+            int inner = at[a] < 1 ? 1 : at[a] > n[a] - 2 ? n[a] - 2 : at[a]; /* as next to the wall */
+            const double *T = l->T + c + (inner - at[a]) * stride[a];
+            D[c] += (T[stride[a]] - 2 * *T + T[-stride[a]]) / (l->dx * l->dx);
+        }
+    fault_make(p, (struct fault){FAULT_AMPLITUDE, 0}, 0, &none);
+    carry(&none, l, D, f, out);
+    free(D);
+}
+
 int response_at(const struct problem *p, const struct response_lattice *l, struct fault fault, const struct field *f,
                 const double *base, double *response) {
     struct faulty with;

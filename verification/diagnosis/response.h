@@ -25,6 +25,10 @@ void response_lattice_free(struct response_lattice *l);
 void response_base(const struct problem *p, const struct response_lattice *l, const struct field *f, double *base,
                    double *longer);
 
+/* laplace(T) at the points of *f, K m^-2, into out[f->n], of one material. */
+void response_laplacian(const struct problem *p, const struct response_lattice *l, const struct field *f,
+                        double *out);
+
 /* dT/dsize of that fault at the points of *f, K per unit of its size (of a fault that is there in full or not: the
  * whole difference), into response[f->n]; 0, or -1 where *p cannot have it. */
 int response_at(const struct problem *p, const struct response_lattice *l, struct fault fault, const struct field *f,

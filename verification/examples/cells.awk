@@ -18,18 +18,16 @@ BEGIN {
             i = position(c, d); inside = inside && i >= 1 && i <= n[d]
             row = row place(d, i) ","; width = width (d > 1 ? "," : "") h[d]
         }
-        print row width > points
-        if (inside) { cell[++m] = c; where[c] = row }
+        print row width > points; if (inside) { cell[++m] = c; where[c] = row }
     }
     close(points); program = "HEATLADDER" in ENVIRON ? ENVIRON["HEATLADDER"] : "heatladder"
-    command = program " reference " field["oracle"] " --points '" points "' --what " \
-        "initial_mean,source,rho_c,k_x,wall_x" (dim == 2 ? ",k_y,wall_y" : "")
+    ask = program " reference " field["oracle"] " --points '" points "' --time 0"
+    command = ask " --what initial_mean,source,rho_c,k_x,wall_x" (dim == 2 ? ",k_y,wall_y" : "")
     for (c = -1; (command | getline line) > 0; c++) {
         split(line, told, ",")
         T[c] = told[dim + 1]; source[c] = told[dim + 2]; rho_c[c] = told[dim + 3]
-        for (d = 1; d <= dim; d++) {
-            k[c, d] = told[dim + 4 * d]; kind[c, d] = told[dim + 4 * d + 1]
-            value[c, d] = told[dim + 4 * d + 2]; b[c, d] = told[dim + 4 * d + 3]
+        for (d = 1; (at = dim + 4 * d) <= 5 * dim; d++) {
+            k[c, d] = told[at]; kind[c, d] = told[at + 1]; value[c, d] = told[at + 2]; b[c, d] = told[at + 3]
         }
     }
     if (close(command) || c != all) exit 1
@@ -40,16 +38,18 @@ BEGIN {
             e = c + s * (d == 1 ? 1 : nx); side = position(c, d) == (s < 0 ? 1 : n[d])
             beyond = !side ? h[d] / (2 * k[e, d]) : kind[e, d] == 3 ? 1 / b[e, d] : 0
             if (side) T[e] = value[e, d]
-            if (side && kind[e, d] == 2) source[c] += value[e, d] / h[d]
+            if (side && kind[e, d] == 2) flux[c] += value[e, d] / h[d]
             else { g[a, ++faces[a]] = 1 / (h[d] / (2 * k[c, d]) + beyond) / h[d]; next_to[a, faces[a]] = e }
-            speed += k[c, d] / (h[d] * h[d] * rho_c[c]) / 2
+            speed += k[c, d] / (h[d] * h[d] * rho_c[c]) / 2; fastest = speed > fastest ? speed : fastest
         }
-        fastest = speed > fastest ? speed : fastest
     }
     steps = t_end * fastest / 0.25; steps = int(steps) + (steps > int(steps)); dt = t_end / steps
+    command = ask ":" t_end ":" steps + 1 " --what source | tail -n +2" # for all steps
     for (step = 1; step <= steps; step++) {
+        for (c = 0; c < all && field["source"] == "changing" && (command | getline line) > 0; c++)
+            source[c] = substr(line, match(line, /[^,]*$/)) + 0
         for (a = 1; a <= m; a++) {
-            rate[a] = source[c = cell[a]]
+            rate[a] = source[c = cell[a]] + flux[c]
             for (s = 1; s <= faces[a]; s++) rate[a] += g[a, s] * (T[next_to[a, s]] - T[c])
         }
         for (a = 1; a <= m; a++) T[cell[a]] += dt * rate[a] / rho_c[cell[a]]

@@ -16,21 +16,18 @@ else
     points = [x(:), y(:)]; ny = n(2) + 2; in_y = 2:n(2) + 1;
     header = 'x,y,dx,dy'; more = ',k_y,wall_y'; answer = 'x,y,T';
 end
-in_x = 2:n(1) + 1; shape = [n(1) + 2, ny];
-f = fopen([args{2} '.points'], 'w');
+in_x = 2:n(1) + 1; shape = [n(1) + 2, ny]; f = fopen([args{2} '.points'], 'w');
 fprintf(f, '%s\n', header);
 fprintf(f, [strjoin(repmat({'%.17g'}, 1, 2 * dim), ',') '\n'], [points, repmat(h, rows(points), 1)]');
 fclose(f);
-program = getenv('HEATLADDER');
-if isempty(program) program = 'heatladder'; end
-[status, told] = system([program ' reference ' field.oracle ' --points ''' args{2} '.points'' --what ' ...
-    'initial_mean,source,rho_c,k_x,wall_x' more]);
+ask = ['${HEATLADDER:-heatladder} reference ' field.oracle ' --points ''' args{2} '.points'' --time 0'];
+[status, told] = system([ask ' --what initial_mean,source,rho_c,k_x,wall_x' more]);
 if status error('no answer from heatladder reference'); end
 told = sscanf(strrep(regexprep(told, '^[^\n]*\n', ''), ',', ' '), '%f', [5 * dim + 3, Inf])'(:, dim + 1:end);
 p = @(column) reshape(told(:, column), shape);
 
 % Conductances of the faces, over the cell's width: half cells in series, and at a side Robin's coefficient.
-T = p(1); source = p(2)(in_x, in_y); rho_c = p(3)(in_x, in_y); g = cell(1, 2 * dim); speed = 0;
+T = p(1); source = p(2)(in_x, in_y); flux = 0 * source; rho_c = p(3)(in_x, in_y); g = cell(1, 2 * dim); speed = 0;
 for s = 1:2 * dim
     d = ceil(s / 2); step = 2 * mod(s + 1, 2) - 1;
     ix{s} = in_x + step * (d == 1); iy{s} = in_y + step * (d == 2);
@@ -40,13 +37,16 @@ for s = 1:2 * dim
     side = place == 1 | place == n(d) + 2;
     beyond = h(d) ./ (2 * k_e); beyond(side) = 0; beyond(side & kind == 3) = 1 ./ b(side & kind == 3);
     g{s} = 1 ./ (h(d) ./ (2 * k) + beyond) / h(d); g{s}(side & kind == 2) = 0;
-    source(side & kind == 2) += value(side & kind == 2) / h(d);
+    flux(side & kind == 2) += value(side & kind == 2) / h(d);
     around = T(ix{s}, iy{s}); around(side) = value(side); T(ix{s}, iy{s}) = around;
     speed = speed + k ./ (h(d) ^ 2 * rho_c) / 2;
 end
-steps = ceil(t_end * max(speed(:)) / 0.25);
+steps = ceil(t_end * max(speed(:)) / 0.25); change = strcmp(field.source, 'changing');
+if change [~, told] = system(sprintf('%s:%.17g:%d --what source | sed "1d; s/.*,//"', ask, t_end, steps + 1)); end
 for step = 1:steps
-    rate = source;
+    if step * change == 1 told = sscanf(told, '%f', [prod(shape), Inf]); end
+    if change source = reshape(told(:, step), shape)(in_x, in_y); end
+    rate = source + flux;
     for s = 1:2 * dim
         rate += g{s} .* (T(ix{s}, iy{s}) - T(in_x, in_y));
     end

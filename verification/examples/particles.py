@@ -1,7 +1,6 @@
 """particles.py CASE OUT: PySPH, Brookshaw's Laplacian on a lattice of particles with mirrored ghosts, Euler.  All
 that the case does not tell, `heatladder reference` does, at particles and at sides; $HEATLADDER is that program."""
-import os, subprocess, sys
-import numpy as np
+import os, subprocess, sys, numpy as np
 from pysph.base.kernels import CubicSpline
 from pysph.base.nnps import LinkedListNNPS
 from pysph.base.utils import get_particle_array
@@ -18,6 +17,7 @@ class Conduction(Equation):  # Espanol and Revenga 2003 (anisotropic); Cleary an
         F = (XIJ[0] * DWIJ[0] + XIJ[1] * DWIJ[1]) / (R2IJ + 1e-300)
         d_aT[d_idx] += d_V[d_idx] * k * F * (d_T[d_idx] - s_T[s_idx])
 case = dict(line.rstrip("\n").split(" = ", 1) for line in open(sys.argv[1]))
+if case["source"] == "changing": sys.exit(77)
 dim, t_end, layers = int(case["dim"]), float(case["t_end"]), 3  # of ghosts: h is 1.2 spacings
 lo, hi = ([float(v) for v in case[key].split(",")] for key in ("lo", "hi"))
 n = [int(v) for v in case["cells"].split(",")]

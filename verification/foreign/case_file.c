@@ -23,7 +23,7 @@ const char case_file_help[] =
     "  side_x_lo, side_x_hi, side_y_lo, side_y_hi\n"
     "                           dirichlet, K; neumann, W/m^2 into the body; robin, W/(m^2 K), K around: one value,\n"
     "                           or nine evenly along the side\n"
-    "  source                   yes where the scene has one, else no\n"
+    "  source                   yes where the scene has one, changing where it does so in time, else no\n"
     "  t_end, dx, dt, fourier   s, m; dt or fourier only where given\n"
     "  NAME                     of --vary\n"
     "  oracle                   words for `heatladder reference`, which tells the rest at any points: what the "
@@ -95,7 +95,11 @@ void case_file_write(const struct scene *s, const struct problem *p, const struc
     fputc('\n', out);
     write_materials(p, out);
     for (int side = 0; side < 2 * p->dim; side++) write_side(p, side, out);
-    fprintf(out, "source = %s\nt_end = %.17g\ndx = %.17g\n", p->source ? "yes" : "no", p->t_end, o->dx);
+    fprintf(out, "source = %s\nt_end = %.17g\ndx = %.17g\n",
+            p->source_change ? "changing"
+            : p->source      ? "yes"
+                             : "no",
+            p->t_end, o->dx);
     if (o->dt > 0) fprintf(out, "dt = %.17g\n", o->dt);
     if (o->fourier > 0) fprintf(out, "fourier = %.17g\n", o->fourier);
     if (extra->name) fprintf(out, "%s = %s\n", extra->name, extra->value);

@@ -14,6 +14,7 @@ struct columns_row {
     const struct problem *p;
     const double *x;
     const double *cell;
+    double time;        /* s */
     struct exact exact; /* where a column needs the time */
 };
 
@@ -26,7 +27,8 @@ const char columns_help[] =
     "  initial_mean        its mean over the cell around the point, clipped to the domain: the cell's extents are "
     "in\n"
     "                      columns dx and dy of the points (dy left out: the same), else --dx for all\n"
-    "  source k_x k_y rho_c   of the equation; at an interface, of the upper material\n"
+    "  source k_x k_y rho_c   of the equation; at an interface, of the upper material; a source that changes needs a "
+    "time\n"
     "  wall                three columns, wall_kind, wall_value and wall_b: 0 off the sides; 1 (first kind, "
     "Dirichlet)\n"
     "                      T = value; 2 (second kind, Neumann) k dT/dn = value, the flux into the body; 3 (third "
@@ -86,7 +88,7 @@ static void initial_mean(const struct columns_row *row, int axis, double *value)
 
 static void source(const struct columns_row *row, int axis, double *value) {
     (void)axis;
-    *value = row->p->source ? row->p->source(row->p, row->x) : 0;
+    *value = problem_source(row->p, row->x, row->time);
 }
 
 static void conductivity(const struct columns_row *row, int axis, double *value) {
@@ -168,7 +170,7 @@ void columns_header(const struct columns *c, char *text) {
 
 int columns_values(const struct columns *c, const struct snapshot *now, const double x[2], const double cell[2],
                    double *value) {
-    struct columns_row row = {.p = now->problem, .x = x, .cell = cell};
+    struct columns_row row = {.p = now->problem, .x = x, .cell = cell, .time = now->time};
     int n = 0;
     if (c->needs_time) row.exact = snapshot_at(now, x);
     for (int i = 0; i < c->count; i++) {

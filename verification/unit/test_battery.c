@@ -72,6 +72,8 @@ static void faults_are_seen(void **state) {
                  {"cell mean 0.25 swap-k", "plane/s*", 2},
                  {"cell mean 0.25 axes", "plane/s*", 2},
                  {"cell mean 0.25 source", "plane/source", 1},
+                 {"cell mean 0.25 source-time", "plane/changing", 1},
+                 {"node mean 0.25 source-time", "plane/changing", 1},
                  {"cell mean 0.25 interface", "contact/*", 3},
                  {"node mean 0.25 interface", "contact/*", 3},
                  {"cell mean 0.25 jump", "jump/*", 2},
@@ -123,6 +125,36 @@ static void ceilings_are_four_times_the_five_point_difference(void **state) {
     }
     assert_int_equal(wrong, 0);
     assert_true(rows >= 12);
+}
+
+/* The ceiling of plane/changing: the mean over a cell, dx^2/24 laplace(T) by differences, and four times that. */
+static void the_ceiling_of_a_changing_source(void **state) {
+    (void)state;
+    static const char *const line = "run rect-manufactured ftcs --set A=0.05 --set rise=8 --set t_end=0.25 --dx 1/80 "
+                                    "--fourier 0.01";
+    const double dx = 0.0125, d = 1e-3;
+    struct request r;
+    struct failure why;
+    struct result result;
+    struct field f;
+    double mean = 0, sum = 0;
+    if (arguments_parse_line(line, &r, &why) || run_experiment(&r.experiment, &result, &f)) fail_msg("%s", line);
+    const struct problem *p = &r.experiment.problem;
+    for (size_t i = 0; i < f.n; i++) {
+        static const double step[5][2] = {{0, 0}, {1, 0}, {-1, 0}, {0, 1}, {0, -1}};
+        double T[5];
+        for (int k = 0; k < 5; k++)
+            T[k] =
+                r.experiment.scene->exact(p, (double[2]){f.x[i] + d * step[k][0], f.y[i] + d * step[k][1]}, p->t_end)
+                    .temperature;
+        mean += fabs(T[1] + T[2] + T[3] + T[4] - 4 * T[0]) / (d * d) * dx * dx / 24, sum += T[0];
+    }
+    double left = mean / sum + 4 * result.error.l1;
+    print_message("plane/changing: %.5g and 4 times %.5g\n", mean / sum, result.error.l1);
+    for (const struct battery_row *row = battery_table; row->order; row++)
+        if (strcmp(row->gate.id, "plane/changing") == 0) assert_true(fabs(row->gate.ceiling / left - 1) < 0.02);
+    field_free(&f);
+    arguments_free(&r);
 }
 
 /* What the cases of `case --battery` say is enough, and their answers get the verdicts of a live run. */
@@ -229,6 +261,7 @@ int main(int argc, char **argv) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(correct_codes_pass),
         cmocka_unit_test(faults_are_seen),
+        cmocka_unit_test(the_ceiling_of_a_changing_source),
         cmocka_unit_test(ceilings_are_four_times_the_five_point_difference),
         cmocka_unit_test(later_is_as_now),
         cmocka_unit_test(steps_of_its_own_are_not_judged),

@@ -16,13 +16,20 @@ struct rung {
     struct diagnosis_rung at;
 };
 
+static const char CHANGING[] = "rect-manufactured whose source changes";
+
+static const struct scene *scene_of(const char *name) {
+    return scene_find(strcmp(name, CHANGING) == 0 ? "rect-manufactured" : name);
+}
+
 static struct problem problem_of(const char *name) {
     struct problem p;
     struct failure why;
-    const struct scene *s = scene_find(name);
+    const struct scene *s = scene_of(name);
     scene_defaults(s, &p);
     if (strcmp(name, "square-step") == 0) p.param[1] = 0.5, p.param[2] = 0.75, p.param[3] = 0.02; /* a, b, kappa_x */
-    if (strcmp(name, "rect-manufactured") == 0) p.param[2] = 0.005, p.param[3] = 0.02; /* k_x, k_y: G matters */
+    if (strcmp(name, "rect-manufactured") == 0) p.param[2] = 0.005, p.param[3] = 0.02;     /* k_x, k_y: G matters */
+    if (strcmp(name, CHANGING) == 0) p.param[5] = 0.05, p.param[6] = 8, p.param[7] = 0.25; /* A, rise, t_end */
     if (s->setup(&p, &why)) fail_msg("%s", why.text);
     return p;
 }
@@ -42,12 +49,16 @@ static void solve(const char *name, const struct problem *p, struct fault fault,
     for (int m = 0; m < p->materials; m++)
         for (int a = 0; a < p->dim; a++) kappa = fmax(kappa, p->material[m].k[a] / p->material[m].rho_c);
     double dt = p->t_end / ceil(p->t_end * kappa / (0.2 * dx * dx));
-    if (fault.kind == FAULT_CLOCK) size *= dt;
+    if (fault.kind == FAULT_CLOCK || fault.kind == FAULT_SOURCE_TIME) size *= dt;
     if (fault.kind == FAULT_EXTENT || fault.kind == FAULT_START_SHIFT || fault.kind == FAULT_START_WIDTH ||
         fault.kind == FAULT_INTERFACE || fault.kind == FAULT_MEAN || fault.kind == FAULT_CORNER)
         size *= dx;
+    double inside[2] = {p->lo[0] + 0.3 * (p->hi[0] - p->lo[0]), p->lo[1] + 0.4 * (p->hi[1] - p->lo[1])};
     if (fault.kind == FAULT_MEAN) o.mean = MEAN_ARITHMETIC;
     assert_true(fault_make(p, fault, size, &with));
+    if (fault.kind == FAULT_SOURCE_TIME)
+        assert_near(with.problem.source_change(&with.problem, inside, 0.1), p->source_change(p, inside, 0.1 + size),
+                    0);
     if (method_find("ftcs")->solve(&with.problem, &o, &r->field, &why)) fail_msg("%s: %s", name, why.text);
     r->exact = xcalloc(r->field.n, sizeof *r->exact);
     for (size_t i = 0; i < r->field.n; i++) {
@@ -55,7 +66,7 @@ static void solve(const char *name, const struct problem *p, struct fault fault,
         for (int a = 0; a < p->dim; a++) x[a] = with.centre[a] + with.stretch[a] * (x[a] - with.centre[a]);
         r->field.x[i] = x[0];
         if (r->field.y) r->field.y[i] = x[1];
-        struct exact e = scene_find(name)->exact(p, x, p->t_end);
+        struct exact e = scene_of(name)->exact(p, x, p->t_end);
         r->exact[i] = e.no_value ? NAN : e.temperature;
     }
     r->at = (struct diagnosis_rung){&r->field, r->exact, dx, dt};
@@ -108,6 +119,8 @@ static void faults_are_named_with_their_size(void **state) {
         {"square-step", 0.1, 0.05, {FAULT_ISOTROPIC, 1}, 1, 100, "k_y were k_x"},
         {"square-step", 0.1, 0.05, {FAULT_TRANSPOSED, 0}, 1, 100, "x and y were swapped"},
         {"rod-contact", 0.02, 0.01, {FAULT_MEAN, 0}, 1, 1, "arithmetic mean"},
+        {CHANGING, 0.025, 0.0125, {FAULT_SOURCE_TIME, 0}, 1, 1, "source were that of"},
+        {CHANGING, 0.025, 0.0125, {FAULT_CLOCK, 0}, 0.5, 0.5, "late"},
     };
     int wrong = 0;
     for (size_t i = 0; i < sizeof rows / sizeof *rows; i++) {

@@ -199,6 +199,40 @@ static void test_matched_starts_late(void **state) {
     }
 }
 
+/* T = level + t mode, mode being one of the differences: what it takes at the time t. */
+static double nothing(const struct problem *p, const double x[2]) {
+    (void)p, (void)x;
+    return 0;
+}
+
+static double rising(const struct problem *p, const double x[2], double t) {
+    return p->material[0].rho_c * (1 + p->param[4] * t) * (mode(p, x) - p->param[2]) / p->param[3];
+}
+
+static double level_alone(const struct problem *p, const double x[2]) {
+    (void)x;
+    return p->param[2];
+}
+
+/* Euler's step has no error where T is linear in time and the source that of its start. */
+static void test_source_that_changes_is_that_of_the_old_time(void **state) {
+    (void)state;
+    const struct method *const both[] = {&method_ftcs, &method_ftcs_flux};
+    for (int turn = 0; turn < 4; turn++) {
+        const struct method *m = both[turn >> 1];
+        struct problem p = turn & 1 ? plane(5, 3) : rod(13);
+        struct options o = {.dx = 0.046, .dt = 0.00061};
+        p.initial = level_alone, p.source = nothing, p.source_change = rising;
+        p.t_end = 217 * o.dt;
+        for (int a = 0; a < p.dim; a++)
+            p.param[4] += p.material[0].k[a] / p.material[0].rho_c / (o.dx * o.dx) *
+                          symbol(m, p.param[a], o.dx, p.hi[a] - p.lo[a]);
+        struct field f = solved(m, &p, &o);
+        assert_near(mode_error(&p, &f, p.t_end / p.param[3]), 0, 1e-13);
+        field_free(&f);
+    }
+}
+
 static void test_matched_is_fourth_order(void **state) {
     (void)state;
     double matched, plain;
@@ -222,6 +256,7 @@ int main(void) {
         cmocka_unit_test(test_fixed_walls_lie_half_a_spacing_out),
         cmocka_unit_test(test_heat_balance),
         cmocka_unit_test(test_matched_starts_late),
+        cmocka_unit_test(test_source_that_changes_is_that_of_the_old_time),
         cmocka_unit_test(test_matched_is_fourth_order),
     };
     return cmocka_run_group_tests_name("ftcs", tests, NULL, NULL);

@@ -147,7 +147,7 @@ static void columns_hold_what_they_say(void **state) {
     struct exact e = s->exact(&p, x, 1.3);
     assert_near(v[0], e.temperature, 0);
     assert_near(v[1], p.initial(&p, x), 0);
-    assert_near(v[2], p.source(&p, x), 0);
+    assert_near(v[2], problem_source(&p, x, 1.3), 0);
     assert_near(v[3], 0.023, 0);
     assert_near(v[4], 0.0061, 0);
     assert_near(v[5], 1.9, 0);
@@ -295,6 +295,12 @@ static void answers_are_csv(void **state) {
     };
     struct problem p;
     const struct scene *s = odd_find("rod-cosine", &p);
+    struct problem made;
+    const struct scene *changing = odd_find("rect-manufactured", &made);
+    struct answer untimed = {.scene = changing, .problem = &made};
+    char *refused = answered(&untimed, "x,y\n0.3,0.2\n", "source");
+    assert_int_equal(strncmp(refused, "--what source changes in time here", 34), 0);
+    free(refused);
     for (size_t i = 0; i < sizeof asked / sizeof *asked; i++) {
         struct answer a = {
             .scene = s, .problem = &p, .times = asked[i].times, .time = when + asked[i].from, .cell = asked[i].cell};

@@ -186,6 +186,7 @@ static void the_case_file_tells_all(void **state) {
     CASE("rod-contact mine --dx 0.1", "k_x = .*, .*");
     CASE("rod-contact mine --dx 0.1 --set L=1.5", "oracle = rod-contact .*--set L=1.5 .*");
     CASE("rect-manufactured mine --dx 0.1", "source = yes");
+    CASE("rect-manufactured mine --dx 0.1 --set rise=1", "source = changing");
     CASE("rect-manufactured mine --dx 0.1", "side_.* = neumann, .*, .*");
 #undef CASE
 }

@@ -54,7 +54,7 @@ static void the_equation_holds(void **state) {
                 flow += term;
                 part = fmax(part, fabs(term));
             }
-            if (p.source) flow += p.source(&p, x);
+            flow += problem_source(&p, x, t);
             worst = fmax(worst, fabs(storage - flow));
             largest = fmax(largest, part);
         }

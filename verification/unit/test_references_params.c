@@ -45,6 +45,7 @@ static const struct refusal {
     {"rod-cosine", "mode", 0, "whole number from 1 to 32"},
     {"rod-cosine", "A", 1.5, "A < Tm"},
     {"rect-manufactured", "A", 1.5, "A <= 1"},
+    {"rect-manufactured", "rise", -0.1, "0 K/s or more"},
     {"rect-manufactured", "k_y", NAN, "greater than 0 W/m/K"},
 };
 

@@ -9,9 +9,11 @@
 #include "verification/text/json.h"
 
 #include "solver/method.h"
+#include "solver/status.h"
 
 #include <errno.h>
 #include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
 
 /* Both forms at one point. */
@@ -77,20 +79,27 @@ static double seconds(const struct answer *a) {
     return (double)a->points.n * a->times * (a->problem->dim > 1 ? forewarn_exact : forewarn_exact / 5);
 }
 
+/* The times of --time, to be freed. */
+static double *list_times(const struct request *r, int *count) {
+    *count = r->times ? r->times : r->time.count;
+    double *time = xcalloc((size_t)*count + 1, sizeof *time), from = r->time.value[0], to = r->time.value[1];
+    for (int k = 0; k < *count; k++) time[k] = r->times ? from + (to - from) * k / (*count - 1) : r->time.value[k];
+    return time;
+}
+
 int verb_reference(const struct request *r, struct failure *why) {
-    struct answer a = {.scene = r->experiment.scene,
-                       .problem = &r->experiment.problem,
-                       .times = r->time.count,
-                       .time = r->time.value,
-                       .cell = r->rungs.dx.value[0]};
+    struct answer a = {.scene = r->experiment.scene, .problem = &r->experiment.problem, .cell = r->rungs.dx.value[0]};
     if (columns_parse(r->what ? r->what : "temperature", a.problem->dim, &a.columns, why)) return why->status;
     if (read_points(r, &a.points, why)) return why->status;
+    double *time = list_times(r, &a.times);
+    a.time = time;
     int status = answer_check(&a, why);
-    if (!status) forewarn("the answer", seconds(&a));
+    if (!status && a.columns.needs_time) forewarn("the answer", seconds(&a));
     if (!status && (r->points || r->what || r->time.count > 1))
         answer_write(&a, stdout);
     else if (!status)
         print_forms(r);
+    free(time);
     points_free(&a.points);
     return status;
 }
