@@ -119,15 +119,15 @@ static void join(struct heat_operator *a, struct list part[ASSEMBLY_BLOCKS],
         total * (sizeof *a->column + sizeof *a->value) + (a->n + 1) * sizeof *a->row + a->n * sizeof *a->diagonal;
 }
 
-/* The bands of A, where they have no more than twice the entries of its rows. */
+/* How far A's rows reach; its bands once more, where they have no more than twice the entries of its rows. */
 static void copy_bands(struct heat_operator *a) {
     ptrdiff_t n = (ptrdiff_t)a->n, band = 0;
     for (ptrdiff_t i = 0; i < n; i++)
         for (size_t k = a->row[i]; k < a->row[i + 1]; k++)
             if (labs((ptrdiff_t)a->column[k] - i) > band) band = labs((ptrdiff_t)a->column[k] - i);
     size_t entries = (size_t)(2 * band + 1) * a->n;
-    if (entries > 2 * (a->row[a->n] + a->n)) return;
     a->band = (int)band;
+    if (entries > 2 * (a->row[a->n] + a->n)) return;
     a->banded = xcalloc(entries, sizeof *a->banded);
     for (ptrdiff_t i = 0; i < n; i++) {
         a->banded[band * n + i] = a->diagonal[i];

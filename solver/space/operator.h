@@ -64,10 +64,8 @@ struct heat_operator {
     uint32_t *column; /* row[n] */
     double *value;    /* s^-1, row[n] */
     double *diagonal; /* s^-1, n */
-    /* rows of a rod: A_(i, i + d) once more at banded[(d + band) * n + i], |d| <= band, s^-1; NULL where rows are
-     * wide */
-    double *banded;
-    int band;
+    int band;         /* the largest |column - row| of an entry */
+    double *banded;   /* A_(i, i + d) once more at banded[(d + band) * n + i], s^-1; NULL where rows are sparse */
     struct gradient *gradient; /* in place of rows: the state holds ghosts, and walls add to dT/dt by way of them */
     int constant;              /* 1: walls or a source add to dT/dt, and there is a g */
     double *g;                 /* K s^-1, what they add, in the shape of a state; NULL where it is zero */

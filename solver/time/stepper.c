@@ -22,7 +22,7 @@
  * and damping for dt/4 <= (s^2 + 5s - 6) / (3 |lambda|_max). */
 #include "solver/time/stepper.h"
 #include "solver/time/state.h"
-#include "solver/time/team.h"
+#include "solver/team.h"
 
 #include <math.h>
 #include <stdio.h>

@@ -2,6 +2,7 @@
  * of first derivatives, A x + g = div(kappa grad x) + g. */
 #include "solver/space/gradient.h"
 #include "solver/time/sweep.h"
+#include "solver/time/wavefront.h"
 
 #include <string.h>
 
@@ -60,46 +61,36 @@ static void update_rows(const struct heat_operator *a, const struct update *u, c
         update_form(a, *u, WHOLE, x, y, begin, end);
 }
 
-enum { SHARE = 5000 }; /* particles that are worth a thread */
+/* ---- Several updates in one sweep over the rows, which are read once for all of them (wavefront.c) ---- */
 
-static void share_rows(const struct heat_operator *a, const struct update *u, size_t threads, const double *x,
-                       double *y) {
-#pragma omp parallel for num_threads(threads)
-    for (size_t t = 0; t < threads; t++) update_rows(a, u, x, y, a->n * t / threads, a->n * (t + 1) / threads);
+struct sweep {
+    const struct heat_operator *a;
+    const struct update *u;
+    double *const *Y;
+};
+
+static void advance_rows(const void *what, int k, ptrdiff_t lo, ptrdiff_t hi) {
+    const struct sweep *s = what;
+    update_rows(s->a, &s->u[k], s->Y[k % 2], s->Y[1 - k % 2], (size_t)lo, (size_t)hi);
 }
 
-/* Bands of a rod: several updates share a sweep, as on a lattice, each a band's width behind the one before, so that
- * a stretch of A serves all of them from the nearest cache.  One thread: a step of a rod is too short to share. */
-static void sweep_bands(const struct heat_operator *a, const struct update *u, int count, double *const Y[2]) {
-    enum { STRETCH = 256 };
-    int lanes = a->lanes ? a->lanes : options_lanes_most();
-    ptrdiff_t n = (ptrdiff_t)a->n, lag = a->band;
-    for (ptrdiff_t front = 0; front - (count - 1) * lag < n; front += STRETCH)
-        for (int k = 0; k < count; k++) {
-            ptrdiff_t lo = front - k * lag, hi = lo + STRETCH;
-            if (lo < 0) lo = 0;
-            if (hi > n) hi = n;
-            if (lo >= hi) continue;
-            (lanes == 8   ? sweep_bands_8
-             : lanes == 4 ? sweep_bands_4
-                          : sweep_bands_2)(a, &u[k], Y[k % 2], Y[1 - k % 2], lo, hi);
-        }
+static void advance_bands(const void *what, int k, ptrdiff_t lo, ptrdiff_t hi) {
+    const struct sweep *s = what;
+    int lanes = s->a->lanes ? s->a->lanes : options_lanes_most();
+    (lanes == 8   ? sweep_bands_8
+     : lanes == 4 ? sweep_bands_4
+                  : sweep_bands_2)(s->a, &s->u[k], s->Y[k % 2], s->Y[1 - k % 2], lo, hi);
 }
 
+/* A rod has one thread: a step of one is too short to share. */
 void sweep_csr(const struct heat_operator *a, const struct update *u, int count, double *const Y[2]) {
-    size_t most = a->n / SHARE, threads = a->threads < 1 ? 1 : (size_t)a->threads;
-    if (threads > most) threads = most;
-    if (a->banded) {
-        sweep_bands(a, u, count, Y);
-        return;
-    }
-    for (int k = 0; k < count; k++) {
-        if (threads > 1)
-            share_rows(a, &u[k], threads, Y[k % 2], Y[1 - k % 2]);
-        else
-            update_rows(a, &u[k], Y[k % 2], Y[1 - k % 2], 0, a->n);
-    }
+    struct sweep s = {a, u, Y};
+    struct wavefront w = {advance_rows, &s, (ptrdiff_t)a->n, a->band, 256, 8, a->threads};
+    if (a->banded) w.advance = advance_bands, w.together = count, w.threads = 1;
+    wavefront_sweep(&w, count);
 }
+
+enum { SHARE = 5000 }; /* particles that are worth a thread */
 
 /* ---- Two sweeps: the first leaves q = kappa D x at all points, the second takes D . q at the particles.  A pair
  * that another point keeps is read there: every sum is taken by its own particle, in an order that does not change

@@ -1,19 +1,13 @@
-/* Updates on a lattice of one material, walls through ghosts.
- *
- * Several updates share a sweep: update l follows update l - 1 at the distance of the stencil's reach, a band of rows
- * at a time, so that a state that does not fit the cache goes through it once for all of them.  (Update l + 1 writes
- * over the input of update l, whose readers are then past.)  Threads take slabs of rows, which shrink by the reach
- * from update to update; what is left between two slabs is filled in when both are done.  Neither changes a bit of
- * the result.  Rods stay on one thread: a step of one is too short to share. */
+/* Updates on a lattice of one material, walls through ghosts: several in one sweep over the rows (wavefront.c).  Rods
+ * stay on one thread: a step of one is too short to share. */
 #include "solver/time/sweep.h"
+#include "solver/time/wavefront.h"
 
-#include <omp.h>
 #include <string.h>
 
 enum {
-    BAND = 8,      /* rows at a time */
-    TOGETHER = 8,  /* updates a sweep */
-    FEWEST = 10000 /* particles that are worth threads: 8 updates of them take ten times as long as a barrier */
+    BAND = 8,    /* rows at a time */
+    TOGETHER = 8 /* updates a sweep */
 };
 
 typedef void (*band_update)(const struct heat_operator *a, int support, const struct update *u, const double *x,
@@ -89,14 +83,14 @@ static void refresh_all(const struct heat_operator *a, double *x) {
 struct sweep {
     const struct heat_operator *a;
     const struct update *u;
-    int count; /* updates */
-    int support;
+    int count, support;
     band_update band;
     double *const *Y;
 };
 
 /* Update k of rows [row, end), and the ghosts that the next one needs of them. */
-static void advance(const struct sweep *s, int k, ptrdiff_t row, ptrdiff_t end) {
+static void advance(const void *what, int k, ptrdiff_t row, ptrdiff_t end) {
+    const struct sweep *s = what;
     const struct heat_operator *a = s->a;
     ptrdiff_t ny = a->lattice.n[1], lowest = a->reach[1] < ny ? a->reach[1] : ny - 1;
     double *y = s->Y[1 - k % 2];
@@ -107,53 +101,11 @@ static void advance(const struct sweep *s, int k, ptrdiff_t row, ptrdiff_t end) 
     if (end == ny) refresh_side(a, y, Y_HI);
 }
 
-/* All updates of the rows [row, end) as far as they do not depend on rows beyond: where others lie there, each update
- * does fewer rows. */
-static void sweep_slab(const struct sweep *s, ptrdiff_t row, ptrdiff_t end) {
-    ptrdiff_t ny = s->a->lattice.n[1], lag = s->a->reach[1], below = row > 0 ? lag : 0, above = end < ny ? lag : 0;
-    for (ptrdiff_t front = row; front - (s->count - 1) * lag < end; front += BAND)
-        for (int k = 0; k < s->count; k++) {
-            ptrdiff_t lo = front - k * lag, hi = lo + BAND;
-            if (lo < row + k * below) lo = row + k * below;
-            if (hi > end - k * above) hi = end - k * above;
-            if (lo < hi) advance(s, k, lo, hi);
-        }
-}
-
-/* What two slabs left undone on either side of `row`. */
-static void sweep_seam(const struct sweep *s, ptrdiff_t row) {
-    ptrdiff_t lag = s->a->reach[1];
-    for (int k = 1; k < s->count; k++) advance(s, k, row - k * lag, row + k * lag);
-}
-
-static void sweep_slabs(const struct sweep *s, int threads) {
-    ptrdiff_t ny = s->a->lattice.n[1];
-#pragma omp parallel num_threads(threads)
-    {
-        ptrdiff_t team = omp_get_num_threads(), t = omp_get_thread_num();
-        sweep_slab(s, ny * t / team, ny * (t + 1) / team);
-#pragma omp barrier
-        if (t > 0) sweep_seam(s, ny * t / team);
-    }
-}
-
-/* A slab must hold what it leaves undone at both ends. */
-static ptrdiff_t threads_of(const struct heat_operator *a) {
-    ptrdiff_t lag = a->reach[1], most = lag > 0 && a->n > FEWEST ? a->lattice.n[1] / (2 * lag) : 1;
-    return most < 1 ? 1 : a->threads < most ? (a->threads > 1 ? a->threads : 1) : most;
-}
-
+/* A slab holds the rows that its side mirrors. */
 void sweep_lattice(const struct heat_operator *a, const struct update *u, int count, double *const Y[2]) {
-    ptrdiff_t ny = a->lattice.n[1], lag = a->reach[1], threads = threads_of(a), together = TOGETHER;
-    if (threads > 1 && together > ny / threads / (2 * lag)) together = ny / threads / (2 * lag);
-    struct sweep s = {.a = a, .support = support_of(a), .band = band_of(a->lanes)};
-    for (int k = 0; k < count; k += s.count) {
-        double *turn[2] = {Y[k % 2], Y[1 - k % 2]};
-        s.u = u + k, s.count = count - k < together ? count - k : (int)together, s.Y = turn;
-        refresh_all(a, turn[0]);
-        if (threads == 1)
-            sweep_slab(&s, 0, ny);
-        else
-            sweep_slabs(&s, (int)threads);
-    }
+    struct sweep s = {a, u, count, support_of(a), band_of(a->lanes), Y};
+    ptrdiff_t ny = a->lattice.n[1], lag = a->reach[1], slabs = lag > 0 ? ny / (2 * lag) : 1;
+    struct wavefront w = {advance, &s, ny, lag, BAND, TOGETHER, a->threads < slabs ? a->threads : (int)slabs};
+    refresh_all(a, Y[0]);
+    wavefront_sweep(&w, count);
 }

@@ -176,7 +176,6 @@ static void threads_change_no_bit(void **state) {
     for (int plain = 0; plain < 2; plain++) {
         struct made one;
         make(&one, odd_rectangle(), (struct options){.dx = 0.01, .h = 1.23}, &method_so_ssph, plain);
-        assert_true(one.a.n > 10000);
         state_update(&one.a, one.u, UPDATES, one.Y);
         for (size_t k = 0; k < sizeof threads / sizeof *threads; k++) {
             struct made many;
@@ -264,6 +263,27 @@ static void bands_are_the_rows(void **state) {
     made_free(&apart);
 }
 
+/* A cloud of the plane: several stretches and slabs, and more threads than slabs that could share a sweep. */
+static void rows_share_a_sweep(void **state) {
+    (void)state;
+    static const int threads[] = {1, 2, 3, 1000};
+    struct options o = {.dx = 0.02, .h = 1.2, .layout = LAYOUT_JITTER, .jitter = 0.2, .seed = 3};
+    struct made apart;
+    make_rows(&apart, odd_rectangle(), o);
+    assert_null(apart.a.banded);
+    assert_true(apart.a.n > 10 * (size_t)apart.a.band);
+    for (int k = 0; k < UPDATES; k++) state_update(&apart.a, &apart.u[k], 1, apart.Y);
+    for (size_t k = 0; k < sizeof threads / sizeof *threads; k++) {
+        struct made many;
+        make_rows(&many, odd_rectangle(), o);
+        many.a.threads = threads[k];
+        state_update(&many.a, many.u, UPDATES, many.Y);
+        assert_same_bits(&many, &apart);
+        made_free(&many);
+    }
+    made_free(&apart);
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(the_plane_is_swept_as_defined),
@@ -273,6 +293,7 @@ int main(void) {
         cmocka_unit_test(threads_change_no_bit),
         cmocka_unit_test(the_width_of_vectors_changes_no_bit),
         cmocka_unit_test(bands_are_the_rows),
+        cmocka_unit_test(rows_share_a_sweep),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

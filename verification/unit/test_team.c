@@ -1,5 +1,5 @@
 /* When a march takes threads and when it goes on alone: decided by what a look at the machine has seen. */
-#include "solver/time/team.h"
+#include "solver/team.h"
 
 #include "verification/unit/near.h"
 

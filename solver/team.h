@@ -1,5 +1,5 @@
-#ifndef HEATLADDER_SOLVER_TIME_TEAM_H
-#define HEATLADDER_SOLVER_TIME_TEAM_H
+#ifndef HEATLADDER_SOLVER_TEAM_H
+#define HEATLADDER_SOLVER_TEAM_H
 
 /* The number of threads of a time loop, adapted while it runs; no result depends on it. */
 

@@ -5,7 +5,7 @@
  * begins alone and takes others only while the system has processors without work: the fourth field of Linux's
  * /proc/loadavg counts what is running.  Once together, threads that wait keep their processors busy, so that less
  * processor time than threads x time means that another program has taken some: the march goes on alone. */
-#include "solver/time/team.h"
+#include "solver/team.h"
 
 #include <omp.h>
 #include <stdio.h>
