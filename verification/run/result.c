@@ -95,13 +95,16 @@ void result_json(const struct result *r, struct json *j) {
 
 void result_describe(const struct result *r, char *text, size_t size) {
     const struct options *o = &r->options;
-    char kernel[48] = "", jitter[48] = "";
+    char kernel[64] = "", jitter[48] = "";
     if (!*r->method->accepts) {
         snprintf(text, size, "%s %s: %s, t = %g s", r->scene->name, r->method->name, r->method->about, r->t_end);
         return;
     }
-    if (result_accepts(r, "kernel"))
-        snprintf(kernel, sizeof kernel, "%s kernel, h/dx %g, ", kernel_words[o->kernel], o->h);
+    if (result_accepts(r, "kernel")) {
+        char h[24] = ""; /* a run that was refused has resolved none */
+        if (o->h > 0) snprintf(h, sizeof h, ", h/dx %g", o->h);
+        snprintf(kernel, sizeof kernel, "%s kernel%s, ", kernel_words[o->kernel], h);
+    }
     if (o->layout == LAYOUT_JITTER) snprintf(jitter, sizeof jitter, " %g (seed %lu)", o->jitter, o->seed);
     if (o->layout == LAYOUT_RELAXED) snprintf(jitter, sizeof jitter, " (seed %lu)", o->seed);
     snprintf(text, size, "%s %s: %s%s%s, %s samples, %s walls, %s in time, t = %g s", r->scene->name, r->method->name,

@@ -10,12 +10,14 @@ struct progress progress_start(const char *what, int total) {
 }
 
 void progress_tick(struct progress *p) {
-    int done;
-#pragma omp atomic capture
-    done = ++p->done;
+#pragma omp atomic
+    ++p->done;
     if (!p->shown) return;
 #pragma omp critical(progress_line)
     {
+        int done;
+#pragma omp atomic read
+        done = p->done;
         fprintf(stderr, "\r%d of %d %s ", done, p->total, p->what);
         fflush(stderr);
     }

@@ -23,13 +23,13 @@ static void add_rung(struct table *t, const struct ladder *l, int i) {
     table_add(t, "%.6g", l->inverse ? 1 / l->x[i] : l->x[i]);
     table_add(t, "%zu", r->particles);
     table_add(t, "%lld", r->steps);
-    table_add(t, "%.4e", r->failure.status ? NAN : r->error.l1);
-    table_add(t, "%.4e", r->failure.status ? NAN : r->derived_name ? r->derived : r->error.l2);
-    table_add(t, "%.4e", r->failure.status ? NAN : r->derived_name ? r->derived_error : r->error.linf);
+    table_number(t, "%.4e", r->failure.status ? NAN : r->error.l1, "-");
+    table_number(t, "%.4e", r->failure.status ? NAN : r->derived_name ? r->derived : r->error.l2, "-");
+    table_number(t, "%.4e", r->failure.status ? NAN : r->derived_name ? r->derived_error : r->error.linf, "-");
     if (i == 0)
         table_add(t, " ");
     else
-        table_add(t, "%.3f", l->local[i - 1]);
+        table_number(t, "%.3f", l->local[i - 1], "-");
     table_number(t, "%.2g", 100 * r->time_error, " ");
     table_add(t, "%.2g", r->seconds);
     table_add(t, "%s", r->failure.status ? r->failure.text : l->window.left_out[i]);
