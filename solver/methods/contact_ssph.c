@@ -8,7 +8,8 @@
  * The weights are the least squares of these five (two on a rod) functions, weighted with the kernel.
  *
  * Exact: for all fields that are quadratics on either side and meet these conditions, on any cloud.  The truncation
- * is O(dx) at the interface as elsewhere on a cloud: second order in all, at any contrast. Heat is not conserved.
+ * is O(dx) at the interface as elsewhere on a cloud: second order in all, at any contrast. Heat is not conserved:
+ * a start that jumps at the contact is of first order but for the averages of start.c.
  * Where no neighbour lies beyond the interface, and for one material, it is so_ssph. Restrictions: no source with two
  * materials (its jump would have to be told); layers thicker than the kernel's support, so that the images beyond a
  * wall are of the wall's own material. */
@@ -62,7 +63,7 @@ static int weights(const struct problem *p, const struct options *o, const struc
     return ssph_fit(nb, o->kernel, nb->dim == 1 ? 2 : 5, P, target[0], w[0], why);
 }
 
-static const struct scheme scheme = {.sweeps = 1, .check = check, .weights = weights};
+static const struct scheme scheme = {.sweeps = 1, .keeps_start = 1, .check = check, .weights = weights};
 
 static int solve(const struct problem *p, const struct options *o, struct field *f, struct failure *why) {
     return particles_solve(p, o, &scheme, f, why);

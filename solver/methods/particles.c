@@ -2,6 +2,7 @@
  */
 #include "solver/methods/particles.h"
 #include "solver/methods/redraw.h"
+#include "solver/methods/start.h"
 #include "solver/outline.h"
 #include "solver/time/exact.h"
 #include "solver/time/matched.h"
@@ -289,11 +290,13 @@ int particles_solve(const struct problem *p, const struct options *given, const 
             for (int d = 0; d < p->dim; d++) width[d] = place_width(p, o, &l, d, x[d]);
             f->T[i] = (cell > 0 ? sample_cell : sample_initial)(p, o->sampling, width, x);
         }
+        if (s->keeps_start && p->materials == 2 && p->dim == 1 && o->sampling == SAMPLING_CELL)
+            status = start_keep_heat(p, o, s, f, why);
         find_range(f, f->range);
         f->heat[0] = heat_content(p, f, cell, volume);
         f->time = p->t_end;
         double loop = now();
-        status = integrate(p, o, s, &l, &a, f, why);
+        if (!status) status = integrate(p, o, s, &l, &a, f, why);
         f->step_seconds = now() - loop;
         f->heat[1] = heat_content(p, f, cell, volume);
     }

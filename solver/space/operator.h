@@ -42,6 +42,8 @@ struct scheme {
     /* 1: weights w[0] of dT_i/dt = sum w_j (T_j - T_i).  2: weights w[0], w[1] of the two first derivatives, applied
      * twice: dT/dt = d/dx(kappa_x dT/dx) + d/dy(kappa_y dT/dy) */
     int sweeps;
+    /* 1: of averages over cells a rod of two materials starts with what start_keep_heat makes of them */
+    int keeps_start;
     int (*check)(const struct problem *p, const struct options *o, struct failure *why);
     /* m^d: what a particle's volume dV = dx^d counts for, on a lattice of that volume and smoothing length h (m);
      * NULL where weights do not depend on it */

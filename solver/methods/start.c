@@ -1,0 +1,109 @@
+/* What an operator keeps of a start that jumps at the contact of two materials.
+ *
+ * Rows that are exact for all that the interface makes of quadratics are not symmetric, and keep sum_i l_i T_i with
+ * l A = 0, where l_i differs from a particle's heat capacity next to the contact (on clouds everywhere).  Let H_i be
+ * 1 on one side and 0 on the other: sum_i l_i H_i is that side's heat capacity but for some s of a particle's, s =
+ * O(1), and as much less on the other side.  A start of T1 and T2 then holds s (T1 - T2) of a particle's heat too
+ * much: first order, which no average over cells changes, since where the contact lies between cells there is nothing
+ * to average. A start with the right sum_i l_i T_i is of second order, for what is left of it, a dipole, is O(dx^2).
+ *
+ * l is the stationary distribution of a chain with the rates A_ij: found without any cancellation, for rates >= 0, by
+ * elimination from the far end (Grassmann, Taksar, Heyman 1985, Oper. Res. 33:1107). */
+#include "solver/methods/start.h"
+#include "solver/methods/particles.h"
+#include "solver/space/kernel.h"
+
+#include <math.h>
+#include <stdlib.h>
+
+static size_t band_of(const struct heat_operator *a) {
+    size_t band = 0;
+    for (size_t i = 0; i < a->n; i++)
+        for (size_t k = a->row[i]; k < a->row[i + 1]; k++) {
+            size_t j = a->column[k], apart = j > i ? j - i : i - j;
+            if (apart > band) band = apart;
+        }
+    return band;
+}
+
+int start_kept(const struct heat_operator *a, double all, double *l, struct failure *why) {
+    size_t n = a->n, band = band_of(a), width = 2 * band + 1;
+    double *rate = xcalloc(n * width, sizeof *rate), sum = 0;
+    for (size_t i = 0; i < n; i++)
+        for (size_t k = a->row[i]; k < a->row[i + 1]; k++) rate[i * width + a->column[k] + band - i] = a->value[k];
+    int status = STATUS_OK;
+    for (size_t k = n - 1; k > 0 && !status; k--) { /* k is left out: who went there goes on to where it leads */
+        size_t first = k > band ? k - band : 0;
+        const double *from = &rate[k * width + band - k];
+        double away = 0;
+        for (size_t j = first; j < k; j++) away += from[j];
+        if (!(fabs(away) > 0))
+            status = refuse(why, STATUS_NUMERICAL,
+                            "particle %zu has no weights towards those before it: what the rod "
+                            "keeps of its start cannot be told; take a larger --h or less "
+                            "--jitter",
+                            k);
+        for (size_t i = first; i < k; i++) {
+            double *row = &rate[i * width + band - i];
+            row[k] /= away;
+            for (size_t j = first; j < k; j++) row[j] += row[k] * from[j];
+        }
+    }
+    l[0] = sum = 1;
+    for (size_t k = 1; k < n; k++) {
+        l[k] = 0;
+        for (size_t i = k > band ? k - band : 0; i < k; i++) l[k] += l[i] * rate[i * width + k + band - i];
+        sum += l[k];
+    }
+    for (size_t k = 0; k < n; k++) l[k] *= all / sum;
+    free(rate);
+    return status;
+}
+
+static double nothing(const struct problem *p, enum side s, const double x[2]) {
+    (void)p, (void)s, (void)x;
+    return 0;
+}
+
+/* The same particles between insulated ends. */
+static int insulate(const struct problem *p, const struct options *o, const struct scheme *s, const struct field *f,
+                    struct heat_operator *a, struct failure *why) {
+    struct problem q = *p;
+    struct options there = *o;
+    struct lattice l;
+    struct cloud c;
+    q.source = NULL, q.wall = nothing;
+    q.side[X_LO] = q.side[X_HI] = NEUMANN;
+    there.placed = f;
+    if (layout_lattice(&q, &there, 1, &l, why)) return why->status;
+    if (layout_cloud(&q, &there, &l, particles_reach(&there, s, &l), &c, why)) return why->status;
+    int status = operator_create_csr(a, &q, &there, s, &c, l.dx[0], why);
+    layout_cloud_free(&c);
+    return status;
+}
+
+int start_keep_heat(const struct problem *p, const struct options *o, const struct scheme *s, struct field *f,
+                    struct failure *why) {
+    double apart = 1e-10 * (p->hi[0] - p->lo[0]), low[2] = {p->interface - apart, 0},
+           high[2] = {p->interface + apart, 0};
+    double jump = p->initial(p, high) - p->initial(p, low);
+    struct heat_operator a;
+    if (jump == 0) return STATUS_OK;
+    if (insulate(p, o, s, f, &a, why)) return why->status;
+    double *l = xcalloc(f->n, sizeof *l), support = KERNEL_SUPPORT * o->h * (p->hi[0] - p->lo[0]) / (double)f->n;
+    double side[2] = {p->material[0].rho_c * (p->interface - p->lo[0]),
+                      p->material[1].rho_c * (p->hi[0] - p->interface)};
+    int status = start_kept(&a, side[0] + side[1], l, why);
+    double more = -side[1], near = 0; /* of what the second side holds; l near the contact */
+    for (size_t i = 0; i < f->n; i++) {
+        if (layout_material(p, f->x[i]) == 1) more += l[i];
+        if (fabs(f->x[i] - p->interface) < support) near += l[i];
+    }
+    for (size_t i = 0; i < f->n && !status; i++) {
+        double x[2] = {f->x[i], 0};
+        if (fabs(x[0] - p->interface) < support) f->T[i] = p->initial(p, x) - jump * more / near;
+    }
+    free(l);
+    operator_free(&a);
+    return status;
+}
