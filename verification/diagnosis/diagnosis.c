@@ -18,6 +18,7 @@
 #include "solver/field.h"
 #include "solver/status.h"
 #include "verification/diagnosis/response.h"
+#include "verification/diagnosis/wording.h"
 #include "verification/text/json.h"
 
 #include <gsl/gsl_sort_double.h>
@@ -116,7 +117,8 @@ static int list_faults(const struct problem *p, struct fault *list) {
     } kinds[] = {{FAULT_CLOCK, 1},       {FAULT_CONDUCTIVITY, 1}, {FAULT_SWAP, 1},      {FAULT_TRANSPOSED, 1},
                  {FAULT_SOURCE, 1},      {FAULT_CAPACITY, 1},     {FAULT_INTERFACE, 1}, {FAULT_MEAN, 1},
                  {FAULT_AMPLITUDE, 1},   {FAULT_SOURCE_TIME, 1},  {FAULT_ISOTROPIC, 2}, {FAULT_EXTENT, 3},
-                 {FAULT_START_SHIFT, 2}, {FAULT_START_WIDTH, 2},  {FAULT_WALL, 5},      {FAULT_CORNER, 4}};
+                 {FAULT_START_SHIFT, 2}, {FAULT_START_WIDTH, 2},  {FAULT_SAMPLES, 2},   {FAULT_WALL, 5},
+                 {FAULT_CORNER, 4}};
     int n = 0;
     struct faulty ignored;
     for (size_t i = 0; i < sizeof kinds / sizeof *kinds; i++)
@@ -127,21 +129,41 @@ static int list_faults(const struct problem *p, struct fault *list) {
     return n;
 }
 
+/* How far outwards, m, the jumps of the start lie where it jumps midway between the points next to them along an
+ * axis; 0 where they do not agree. */
+static double displacement(const struct problem *p, int axis, const struct diagnosis_rung *r) {
+    const double *x = axis ? r->field->y : r->field->x;
+    double out = 0;
+    for (int k = 0; k < p->jumps[axis]; k++) {
+        double at = p->jump[axis][k], below = -INFINITY, above = INFINITY;
+        for (size_t i = 0; i < r->field->n; i++)
+            if (x[i] < at)
+                below = fmax(below, x[i]);
+            else
+                above = fmin(above, x[i]);
+        double moved = (2 * k < p->jumps[axis] ? -1 : 1) * ((below + above) / 2 - at);
+        if (k && fabs(moved - out) > 1e-6 * r->dx) return 0;
+        out = moved;
+    }
+    return fabs(out) > 1e-6 * r->dx ? out : 0;
+}
+
 /* The unit in which the size of a fault stays from rung to rung, and what is left of its change. */
-static void follow(struct candidate_fault *c, const struct diagnosis_rung *fine,
+static void follow(const struct problem *p, struct candidate_fault *c, const struct diagnosis_rung *fine,
                    const struct diagnosis_rung *coarse) {
     int place = c->fault.kind == FAULT_EXTENT || c->fault.kind == FAULT_START_SHIFT ||
-                c->fault.kind == FAULT_START_WIDTH || c->fault.kind == FAULT_INTERFACE ||
-                c->fault.kind == FAULT_CORNER || c->fault.kind == FAULT_MEAN;
+                c->fault.kind == FAULT_START_WIDTH || c->fault.kind == FAULT_INTERFACE || c->fault.kind == FAULT_MEAN;
     int in_time = c->fault.kind == FAULT_CLOCK || c->fault.kind == FAULT_SOURCE_TIME;
     int clock = in_time && fine->dt > 0 && coarse->dt > 0;
     c->unit[0] = clock ? fine->dt : place ? fine->dx : 1;
     c->unit[1] = clock ? coarse->dt : place ? coarse->dx : 1;
+    if (c->fault.kind == FAULT_SAMPLES)
+        c->unit[0] = displacement(p, c->fault.axis, fine), c->unit[1] = displacement(p, c->fault.axis, coarse);
     c->name = clock ? "steps" : in_time ? "s" : place ? "cells" : "%";
     double ratio = c->coarse.size / c->unit[1] / (c->fine.size / c->unit[0]);
     c->drift = ratio > 0 ? fabs(log(ratio)) : INFINITY;
-    int whole = fault_is_whole(c->fault.kind) || c->fault.kind == FAULT_MEAN;
-    if (whole && fabs(c->fine.size / c->unit[0] - 1) > STEADY) c->drift = INFINITY;
+    int whole = fault_is_whole(c->fault.kind) || c->fault.kind == FAULT_MEAN || c->fault.kind == FAULT_SAMPLES;
+    if (whole && !(fabs(c->fine.size / c->unit[0] - 1) <= STEADY)) c->drift = INFINITY;
 }
 
 /* Some POINTS of a rung, evenly along it; owned arrays, to be freed by drop. */
@@ -183,12 +205,14 @@ static int fit_all(const struct problem *p, const struct diagnosis_rung *rung, s
         struct fit fit[2];
         int failed = 0;
         for (int k = 0; k < 2 && !failed; k++) {
-            failed = response_at(p, &l, list[i], rung[k].field, base[k], response);
+            failed = list[i].kind == FAULT_CORNER
+                         ? response_at_corner(p, rung[k].dx, list[i], rung[k].field, response)
+                         : response_at(p, &l, list[i], rung[k].field, base[k], response);
             if (!failed) fit[k] = fit_error(&errors[k], response);
         }
         if (failed) continue;
         c[n] = (struct candidate_fault){.fault = list[i], .fine = fit[0], .coarse = fit[1]};
-        follow(&c[n++], &rung[0], &rung[1]);
+        follow(p, &c[n++], &rung[0], &rung[1]);
     }
     for (int k = 0; k < 2; k++) {
         free(base[k]);
@@ -200,81 +224,6 @@ static int fit_all(const struct problem *p, const struct diagnosis_rung *rung, s
     free(response);
     response_lattice_free(&l);
     return n;
-}
-
-static const char *axis_name(int axis) {
-    return axis == 0 ? "x" : axis == 1 ? "y" : "x and y";
-}
-
-static void describe(struct diagnosis *d) {
-    static const char *const sides[] = {"side x_lo holds", "side x_hi holds", "side y_lo holds", "side y_hi holds",
-                                        "sides of given flux hold"};
-    double size = d->size, apart = fabs(size);
-    const char *much = size < 0 ? "small" : "large", *axis = axis_name(d->fault.axis);
-    char *to = d->what;
-    const size_t room = sizeof d->what;
-    switch (d->fault.kind) {
-    case FAULT_CLOCK:
-        snprintf(to, room, "as if the run had stopped %.3g %s %s", apart, d->unit, size < 0 ? "early" : "late");
-        break;
-    case FAULT_CONDUCTIVITY:
-        snprintf(to, room, "as if the conductivity were %.3g %% too %s", apart, much);
-        break;
-    case FAULT_SWAP:
-        snprintf(to, room, "as if k_x and k_y were in each other's place");
-        break;
-    case FAULT_ISOTROPIC:
-        snprintf(to, room, "as if k_%s were k_%s", axis_name(d->fault.axis), axis_name(1 - d->fault.axis));
-        break;
-    case FAULT_TRANSPOSED:
-        snprintf(to, room, "as if x and y were swapped");
-        break;
-    case FAULT_CORNER:
-        snprintf(to, room, "as if what sides hold were lost at a corner, %s, %s", d->fault.axis & 1 ? "x_hi" : "x_lo",
-                 d->fault.axis & 2 ? "y_hi" : "y_lo");
-        break;
-    case FAULT_MEAN:
-        snprintf(to, room, "as if the arithmetic mean of two conductivities stood for the harmonic one");
-        break;
-    case FAULT_SOURCE:
-        snprintf(to, room,
-                 fabs(size + 100) < 5 ? "as if the source were lost" : "as if the source were %.3g %% too %s", apart,
-                 much);
-        break;
-    case FAULT_SOURCE_TIME:
-        snprintf(to, room, "as if the source were that of %.3g %s %s", apart, d->unit,
-                 size < 0 ? "earlier" : "later");
-        break;
-    case FAULT_CAPACITY:
-        snprintf(to, room, "as if rho c of the second material were that of the first");
-        break;
-    case FAULT_WALL:
-        if (fabs(size + 100) < 5)
-            snprintf(to, room, "as if what %s were lost", sides[d->fault.axis]);
-        else if (fabs(size + 200) < 10)
-            snprintf(to, room, "as if what %s had the wrong sign", sides[d->fault.axis]);
-        else
-            snprintf(to, room, "as if what %s were %.3g %% too %s", sides[d->fault.axis], apart, much);
-        break;
-    case FAULT_EXTENT:
-        snprintf(to, room, "as if the sides across %s lay %.3g cells %s", axis, apart,
-                 size < 0 ? "inside" : "outside");
-        break;
-    case FAULT_START_SHIFT:
-        snprintf(to, room, "as if the initial data lay %.3g cells too far %s along %s", apart,
-                 size < 0 ? "down" : "up", axis);
-        break;
-    case FAULT_START_WIDTH:
-        snprintf(to, room, "as if the jumps of the initial data lay %.3g cells %s along %s", apart,
-                 size < 0 ? "inwards" : "outwards", axis);
-        break;
-    case FAULT_INTERFACE:
-        snprintf(to, room, "as if the interface lay %.3g cells too far %s", apart, size < 0 ? "down" : "up");
-        break;
-    case FAULT_AMPLITUDE:
-        snprintf(to, room, "as if all temperatures were %.3g %% too %s", apart, much);
-        break;
-    }
 }
 
 static int stays(const struct candidate_fault *c) {
@@ -313,10 +262,17 @@ void diagnosis_find(const struct problem *p, const struct diagnosis_rung *fine, 
     d->named = 1;
     d->fault = c[best].fault;
     d->size = c[best].fine.size / c[best].unit[0] * (percent ? 100 : 1);
-    d->unit = fault_is_whole(d->fault.kind) ? "" : c[best].name;
-    if (d->fault.kind == FAULT_CORNER) d->size = 1, d->unit = ""; /* lost or not: another lattice tells no more */
+    d->unit = fault_is_whole(d->fault.kind) || d->fault.kind == FAULT_SAMPLES ? "" : c[best].name;
     d->share = c[best].fine.share;
-    describe(d);
+    wording_fault(d);
+}
+
+int diagnosis_repeat(double apart, double largest, struct diagnosis *d) {
+    static const double SUMS = 1e-9; /* 1e6 roundings of 1e-16, and a tenfold */
+    if (!(apart > SUMS * largest)) return 0;
+    *d = (struct diagnosis){.named = 1, .size = apart, .unit = "K", .share = NAN};
+    snprintf(d->what, sizeof d->what, "as if threads raced: two runs of the same are %.2g K apart", apart);
+    return 1;
 }
 
 void diagnosis_json(const struct diagnosis *d, struct json *j) {

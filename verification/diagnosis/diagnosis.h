@@ -20,7 +20,7 @@ struct diagnosis {
     struct fault fault;
     double size;      /* in `unit` */
     const char *unit; /* "steps", "s", "%", "cells" or "" */
-    double share;     /* of the squared error, 0 to 1, at the finest rung */
+    double share;     /* of the squared error, 0 to 1, at the finest rung; NAN where it is not by its share */
     char what[160];   /* "as if the run had stopped 0.98 steps early"; why none is named where none is */
 };
 
@@ -29,6 +29,14 @@ struct diagnosis {
  * everything.  Errors of discretization grow with the spacing otherwise, so that none is named for them. */
 void diagnosis_find(const struct problem *p, const struct diagnosis_rung *fine, const struct diagnosis_rung *coarse,
                     struct diagnosis *d);
+
+/* Two runs of the same that are `apart`, K, of fields as large as `largest`, K, are named where that is more than
+ * sums in another order leave: what one field looks like tells nothing then.  1 where it is. */
+int diagnosis_repeat(double apart, double largest, struct diagnosis *d);
+
+/* Temperatures that are all rounded to the same few digits, or to 24 bits, and an error (relative, E1) that this
+ * explains, with cells along the longer side.  1 where they are. */
+int diagnosis_rounding(const struct field *f, double error, double cells, struct diagnosis *d);
 
 /* The member "diagnosis" of an object that is open: null, or what, size, unit and share. */
 void diagnosis_json(const struct diagnosis *d, struct json *j);

@@ -30,7 +30,7 @@ static double initial(const struct problem *p, const double x[2]) {
     double at[2];
     to_right(f, x, at);
     if (f->fault.kind == FAULT_START_SHIFT) at[f->fault.axis] -= f->size;
-    if (f->fault.kind == FAULT_START_WIDTH)
+    if (f->fault.kind == FAULT_START_WIDTH || f->fault.kind == FAULT_SAMPLES)
         at[f->fault.axis] = narrowed(f->right, f->fault.axis, at[f->fault.axis], f->size);
     double T = f->right->initial(f->right, at);
     return f->fault.kind == FAULT_AMPLITUDE ? (1 + f->size) * T : T;
@@ -126,6 +126,7 @@ static int applies(const struct problem *p, struct fault fault) {
         if (fault.axis == FAULT_ALL_FLUXES) return has_fluxes(p);
         return fault.axis < 2 * p->dim && has_wall_value(p, (enum side)fault.axis);
     case FAULT_START_WIDTH:
+    case FAULT_SAMPLES:
         return fault.axis < p->dim && p->jumps[fault.axis] >= 2;
     case FAULT_EXTENT:
         return fault.axis < p->dim || (fault.axis == FAULT_BOTH_AXES && p->dim == 2);
@@ -196,6 +197,7 @@ int fault_make(const struct problem *p, struct fault fault, double size, struct 
         for (int k = 0; k < q->jumps[fault.axis]; k++) q->jump[fault.axis][k] += size;
         break;
     case FAULT_START_WIDTH:
+    case FAULT_SAMPLES:
         for (int k = 0; k < q->jumps[fault.axis]; k++)
             q->jump[fault.axis][k] += 2 * k < q->jumps[fault.axis] ? -size : size;
         break;
@@ -218,6 +220,7 @@ double fault_probe(const struct problem *p, struct fault fault) {
         return (p->hi[fault.axis % 2] - p->lo[fault.axis % 2]) / 200;
     case FAULT_START_SHIFT:
     case FAULT_START_WIDTH:
+    case FAULT_SAMPLES:
         return (p->hi[fault.axis] - p->lo[fault.axis]) / 200;
     case FAULT_INTERFACE:
         return (p->hi[0] - p->lo[0]) / 200;

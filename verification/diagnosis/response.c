@@ -158,11 +158,29 @@ int response_at(const struct problem *p, const struct response_lattice *l, struc
     struct faulty with;
     struct field faulty;
     /* What happens in one cell is tried in one. */
-    double size = fault.kind == FAULT_MEAN || fault.kind == FAULT_CORNER ? l->dx : fault_probe(p, fault);
+    double size = fault.kind == FAULT_MEAN ? l->dx : fault_probe(p, fault);
     enum mean mean = fault.kind == FAULT_MEAN ? MEAN_ARITHMETIC : MEAN_SERIES;
     if (!fault_make(p, fault, size, &with) || solve(&with.problem, l->dx, FOURIER, mean, &faulty)) return -1;
     carry(&with, l, faulty.T, f, response);
     for (size_t i = 0; i < f->n; i++) response[i] = (response[i] - base[i]) / size;
     field_free(&faulty);
     return 0;
+}
+
+int response_at_corner(const struct problem *p, double dx, struct fault fault, const struct field *f,
+                       double *response) {
+    enum { MOST = 160 };
+    struct faulty with;
+    struct field right, faulty;
+    if ((p->hi[0] - p->lo[0]) / dx > MOST + 0.5 || !fault_make(p, fault, dx, &with)) return -1;
+    if (solve(p, dx, 4 * FOURIER, MEAN_SERIES, &right)) return -1;
+    int failed = solve(&with.problem, dx, 4 * FOURIER, MEAN_SERIES, &faulty);
+    if (!failed) {
+        struct response_lattice l = {{right.shape[0], right.shape[1]}, dx, right.T, NULL};
+        for (size_t i = 0; i < right.n; i++) right.T[i] = faulty.T[i] - right.T[i];
+        carry(&with, &l, l.T, f, response);
+        field_free(&faulty);
+    }
+    field_free(&right);
+    return failed ? -1 : 0;
 }

@@ -34,4 +34,10 @@ void response_laplacian(const struct problem *p, const struct response_lattice *
 int response_at(const struct problem *p, const struct response_lattice *l, struct fault fault, const struct field *f,
                 const double *base, double *response);
 
+/* The same of what sides of given temperature lose in the cell of a corner, K for all of it, on a lattice of cells of
+ * the size dx, m: what the corner's surroundings lose goes with the cell, not in proportion.  -1 also where that
+ * would be more than 160 cells along x. */
+int response_at_corner(const struct problem *p, double dx, struct fault fault, const struct field *f,
+                       double *response);
+
 #endif

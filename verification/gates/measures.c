@@ -3,6 +3,7 @@
 
 #include "references/scene.h"
 #include "verification/command/request.h"
+#include "verification/diagnosis/wording.h"
 #include "verification/ladder/consistency.h"
 #include "verification/ladder/judge.h"
 #include "verification/ladder/ladder.h"
@@ -45,9 +46,7 @@ static void slope_in(enum ladder_norm norm, int scattered, const struct request 
         m->verdict = l->verdict;
         snprintf(m->reason, sizeof m->reason, "%s", l->reason);
         m->error = ladder_finest_error(l);
-        if (l->diagnosis.named)
-            snprintf(m->diagnosis, sizeof m->diagnosis, "%s (%.0f %% of the error)", l->diagnosis.what,
-                     100 * l->diagnosis.share);
+        if (l->diagnosis.named) wording_text(&l->diagnosis, m->diagnosis, sizeof m->diagnosis);
     }
     free(l);
 }
@@ -114,7 +113,6 @@ static int run(const struct request *r, struct result *result, struct measured *
         struct result of;                                                                                            \
         if (!run(r, &of, m)) measures_judge(m, value, lo, hi);                                                       \
     }
-OF_RUN(error, of.error.l1)
 OF_RUN(error_linf, of.error.linf)
 OF_RUN(overshoot, fmax(of.shape.overshoot, of.shape.undershoot))
 OF_RUN(heat_drift, of.heat_drift)

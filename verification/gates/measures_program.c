@@ -3,6 +3,8 @@
 
 #include "solver/field.h"
 #include "verification/command/request.h"
+#include "verification/diagnosis/diagnosis.h"
+#include "verification/diagnosis/wording.h"
 #include "verification/ladder/self_difference.h"
 #include "verification/run/run.h"
 
@@ -50,11 +52,33 @@ static double largest(const struct field *f) {
     return most;
 }
 
+/* Of one run no fault can be followed from rung to rung, but few digits are seen. */
+void measures_error(const struct request *r, double lo, double hi, struct measured *m) {
+    const struct experiment *e = &r->experiment;
+    struct result result;
+    struct field f = {0};
+    struct diagnosis d;
+    int status = run_experiment(e, &result, &f);
+    if (status) {
+        fail(m, &result.failure);
+    } else {
+        double extent = fmax(e->problem.hi[0] - e->problem.lo[0], e->problem.hi[1] - e->problem.lo[1]);
+        measures_fail(m, "");
+        measures_judge(m, result.error.l1, lo, hi);
+        m->error = result.error.l1;
+        if (program_given(&e->program) && m->verdict == VERDICT_FAIL &&
+            diagnosis_rounding(&f, m->error, extent / e->options.dx, &d))
+            wording_text(&d, m->diagnosis, sizeof m->diagnosis);
+    }
+    field_free(&f);
+}
+
 void measures_repeat(const struct request *r, double lo, double hi, struct measured *m) {
     const struct experiment *e = &r->experiment;
     struct result first, second;
     struct field a = {0}, b = {0};
     struct norms_error apart;
+    struct diagnosis d;
     if (!e->program.solver) {
         skip(m, "needs --solver: what lies there is one run");
     } else if (run_experiment(e, &first, &a)) {
@@ -67,6 +91,8 @@ void measures_repeat(const struct request *r, double lo, double hi, struct measu
         measures_fail(m, "");
         measures_judge(m, apart.linf / largest(&a), lo, hi);
         m->error = first.error.l1;
+        if (m->verdict == VERDICT_FAIL && diagnosis_repeat(apart.linf, largest(&a), &d))
+            wording_text(&d, m->diagnosis, sizeof m->diagnosis);
     }
     field_free(&a);
     field_free(&b);

@@ -4,11 +4,33 @@
 #include "solver/field.h"
 #include "verification/diagnosis/diagnosis.h"
 #include "verification/ladder/ladder.h"
+#include "verification/ladder/self_difference.h"
 #include "verification/run/norms.h"
+#include "verification/run/run.h"
 
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
+
+/* The coarser rung once more: 1 where a program's answer differs, and that is the diagnosis. */
+static int differs(const struct experiment *e, const struct field *before, double dx, struct diagnosis *d) {
+    struct experiment again = *e;
+    struct result result;
+    struct field f = {0};
+    struct norms_error apart;
+    double largest = 0;
+    if (!e->program.solver) return 0;
+    again.options.dx = dx;
+    again.program.keep = NULL;
+    int differs = run_experiment(&again, &result, &f) == STATUS_OK;
+    for (size_t i = 0; i < f.n; i++) largest = fmax(largest, fabs(f.T[i]));
+    if (differs && self_difference_fields(&e->problem, before, &f, &apart))
+        differs = diagnosis_repeat(apart.linf, largest, d);
+    else
+        differs = 0;
+    field_free(&f);
+    return differs;
+}
 
 void diagnose_ladder(const struct experiment *e, const struct field kept[2], struct ladder *l) {
     struct diagnosis_rung rung[2];
@@ -17,6 +39,7 @@ void diagnose_ladder(const struct experiment *e, const struct field kept[2], str
         snprintf(l->diagnosis.what, sizeof l->diagnosis.what, "none: two rungs with an answer are needed");
         return;
     }
+    if (differs(e, &kept[1], l->x[l->n - 2], &l->diagnosis)) return;
     for (int k = 0; k < 2; k++) {
         exact[k] = xcalloc(kept[k].n, sizeof **exact);
         norms_exact(e->scene, &e->problem, &kept[k], exact[k]);

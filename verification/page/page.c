@@ -2,6 +2,7 @@
 #include "verification/page/page.h"
 
 #include "solver/status.h"
+#include "verification/diagnosis/wording.h"
 #include "verification/gates/gates.h"
 #include "verification/ladder/ladder.h"
 #include "verification/page/chart.h"
@@ -91,7 +92,7 @@ int page_ladder_write(const struct ladder *l, const struct ladder_rungs *asked, 
     html_open(out, title);
     double error[RUNG_MAX];
     int hollow[RUNG_MAX];
-    char slope[160];
+    char slope[240];
     for (int i = 0; i < l->n; i++) {
         error[i] = l->rung[i].failure.status ? NAN : l->rung[i].error.l1;
         hollow[i] = !l->window.counts[i];
@@ -103,9 +104,8 @@ int page_ladder_write(const struct ladder *l, const struct ladder_rungs *asked, 
     ladder_slope_text(l, slope, sizeof slope);
     html_print(out, ": %s</p>\n<p>%s.</p>\n", l->reason, slope);
     if (l->diagnosed) {
-        html_print(out, "<p>Diagnosis: %s", l->diagnosis.what);
-        if (l->diagnosis.named) fprintf(out, " (%.0f %% of the error)", 100 * l->diagnosis.share);
-        fprintf(out, ".</p>\n");
+        wording_text(&l->diagnosis, slope, sizeof slope);
+        html_print(out, "<p>Diagnosis: %s.</p>\n", slope);
     }
     char made[PAGE_ORIGIN];
     page_origin(made, sizeof made);

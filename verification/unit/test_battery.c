@@ -157,6 +157,37 @@ static void the_ceiling_of_a_changing_source(void **state) {
     arguments_free(&r);
 }
 
+/* Where two runs differ that is the diagnosis, of the row on it and of any ladder that is looked at; few digits are
+ * that of a steady state. */
+static void what_one_field_cannot_tell_is_named(void **state) {
+    (void)state;
+    static const char *const code[] = {"race", "single"}, *const rows[] = {"whole/repeat", "contact/steady"},
+                             *const says[] = {"as if threads raced", "rounded to 7 digits"};
+    struct program program = {.label = "mine"};
+    struct request r;
+    struct failure why = {0};
+    struct ladder *l = xcalloc(1, sizeof *l);
+    char line[400], command[300];
+    for (int k = 0; k < 2; k++) {
+        snprintf(command, sizeof command, "%s --solve cell mean 0.25 %s {case} {out}", self, code[k]);
+        program.solver = command;
+        for (const struct battery_row *row = battery_table; row->order; row++) {
+            struct measured m;
+            if (row->order != 2 || strcmp(row->gate.id, rows[k]) != 0) continue;
+            gates_judge_by(&row->gate, &program, &m);
+            if (!strstr(m.diagnosis, says[k])) fail_msg("%s: '%s'", rows[k], m.diagnosis);
+        }
+    }
+    snprintf(line, sizeof line,
+             "ladder rod-gauss mine --dx 1,0.5 --solver '%s --solve cell mean 0.25 race {case} {out}'", self);
+    if (arguments_parse_line(line, &r, &why)) fail_msg("%s: %s", line, why.text);
+    r.rungs.diagnose = 1;
+    ladder_run(&r.experiment, &r.rungs, l, &why);
+    assert_non_null(strstr(l->diagnosis.what, says[0]));
+    arguments_free(&r);
+    free(l);
+}
+
 /* What the cases of `case --battery` say is enough, and their answers get the verdicts of a live run. */
 static void later_is_as_now(void **state) {
     (void)state;
@@ -263,6 +294,7 @@ int main(int argc, char **argv) {
         cmocka_unit_test(faults_are_seen),
         cmocka_unit_test(the_ceiling_of_a_changing_source),
         cmocka_unit_test(ceilings_are_four_times_the_five_point_difference),
+        cmocka_unit_test(what_one_field_cannot_tell_is_named),
         cmocka_unit_test(later_is_as_now),
         cmocka_unit_test(steps_of_its_own_are_not_judged),
         cmocka_unit_test(a_failure_can_be_typed),

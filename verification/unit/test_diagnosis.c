@@ -119,6 +119,8 @@ static void faults_are_named_with_their_size(void **state) {
         {"square-step", 0.1, 0.05, {FAULT_ISOTROPIC, 1}, 1, 100, "k_y were k_x"},
         {"square-step", 0.1, 0.05, {FAULT_TRANSPOSED, 0}, 1, 100, "x and y were swapped"},
         {"rod-contact", 0.02, 0.01, {FAULT_MEAN, 0}, 1, 1, "arithmetic mean"},
+        {"rect-manufactured", 0.05, 0.025, {FAULT_CORNER, 0}, 1, 100, "lost at a corner, x_lo, y_lo"},
+        {"plate", 0.005, 0.0025, {FAULT_CORNER, 3}, 1, 100, "lost at a corner, x_hi, y_hi"},
         {CHANGING, 0.025, 0.0125, {FAULT_SOURCE_TIME, 0}, 1, 1, "source were that of"},
         {CHANGING, 0.025, 0.0125, {FAULT_CLOCK, 0}, 0.5, 0.5, "late"},
     };
@@ -129,6 +131,52 @@ static void faults_are_named_with_their_size(void **state) {
         wrong += !d.named || !strstr(d.what, rows[i].what) || fabs(d.size - rows[i].size) > 0.2 * fabs(rows[i].size);
     }
     assert_int_equal(wrong, 0);
+}
+
+/* A jump a third of a cell below a face at dx = 0.05, a third above one at 0.025: values at the points put it there.
+ */
+static void values_for_means_are_named(void **state) {
+    (void)state;
+    struct problem p = problem_of("rod-step");
+    struct rung r[2];
+    struct diagnosis d;
+    struct failure why;
+    p.param[1] = 8.0 / 15; /* a */
+    if (scene_find("rod-step")->setup(&p, &why)) fail_msg("%s", why.text);
+    for (int k = 0; k < 2; k++) {
+        solve("rod-step", &p, (struct fault){FAULT_SAMPLES, 0}, k ? 0.05 / 3 : -0.025 / 3, k ? 0.05 : 0.025, &r[k]);
+    }
+    diagnosis_find(&p, &r[0].at, &r[1].at, &d);
+    print_message("%s\n", d.what);
+    assert_non_null(strstr(d.what, "values at the points"));
+    for (int i = 0; i < 2; i++) field_free(&r[i].field), free(r[i].exact);
+}
+
+static void rounded_temperatures_are_named(void **state) {
+    (void)state;
+    double T[40];
+    struct field f = {.dim = 1, .n = 40, .T = T};
+    struct diagnosis d;
+    for (int i = 0; i < 40; i++) T[i] = (float)(1.1 + sqrt(i) / 70);
+    assert_int_equal(diagnosis_rounding(&f, 1e-6, 40, &d), 1);
+    assert_string_equal(d.what, "as if temperatures were rounded to 7 digits");
+    assert_int_equal(diagnosis_rounding(&f, 1e-3, 40, &d), 0); /* more than the digits leave */
+    for (int i = 0; i < 40; i++) T[i] = nearbyint(1e8 * T[i]) / 1e8;
+    assert_int_equal(diagnosis_rounding(&f, 1e-7, 40, &d), 1);
+    assert_near(d.size, 9, 0);
+    T[17] = 1.1 + sqrt(17) / 70;
+    assert_int_equal(diagnosis_rounding(&f, 1e-7, 40, &d), 0); /* one with all its digits */
+    for (int i = 0; i < 40; i++) T[i] = 1 + i / 40.0;
+    assert_int_equal(diagnosis_rounding(&f, 1e-7, 40, &d), 0); /* round by themselves */
+}
+
+static void runs_that_differ_are_named(void **state) {
+    (void)state;
+    struct diagnosis d;
+    assert_int_equal(diagnosis_repeat(1.1e-9, 1, &d), 1);
+    assert_non_null(strstr(d.what, "two runs of the same are 1.1e-09 K apart"));
+    assert_int_equal(diagnosis_repeat(0.9e-9, 1, &d), 0);
+    assert_int_equal(diagnosis_repeat(1.1e-9, 2, &d), 0);
 }
 
 static void a_correct_code_has_none(void **state) {
@@ -147,7 +195,8 @@ static void a_correct_code_has_none(void **state) {
 
 int main(void) {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(faults_are_named_with_their_size),
+        cmocka_unit_test(faults_are_named_with_their_size), cmocka_unit_test(values_for_means_are_named),
+        cmocka_unit_test(rounded_temperatures_are_named),   cmocka_unit_test(runs_that_differ_are_named),
         cmocka_unit_test(a_correct_code_has_none),
     };
     return cmocka_run_group_tests_name("diagnosis", tests, NULL, NULL);

@@ -4,6 +4,7 @@
 #include "verification/text/json.h"
 #include "references/scene.h"
 #include "verification/choose/forewarn.h"
+#include "verification/diagnosis/wording.h"
 #include "verification/gates/gates.h"
 #include "verification/ladder/gci.h"
 #include "verification/ladder/ladder.h"
@@ -62,10 +63,9 @@ static void print_text(const struct ladder *l) {
     printf("\n%s\n", what);
     printf("%s%s%s: %s (%.2g s)\n", paint_start(stdout, verdict), verdict, paint_end(stdout, verdict), l->reason,
            l->seconds);
-    if (l->diagnosis.named)
-        printf("diagnosis: %s (%.0f %% of the error)\n", l->diagnosis.what, 100 * l->diagnosis.share);
-    else if (l->diagnosed)
-        printf("diagnosis: %s\n", l->diagnosis.what);
+    if (!l->diagnosed) return;
+    wording_text(&l->diagnosis, what, sizeof what);
+    printf("diagnosis: %s\n", what);
 }
 
 static void print_json(const struct ladder *l) {

@@ -1,0 +1,38 @@
+/* Temperatures that were kept, or written, with few digits.
+ *
+ * An explicit step that changes T by less than half a unit of its last digit, u |T|, changes nothing: the run stalls
+ * where F times the second difference is that small, so that the error of a steady state is up to N^2/8 u/F of N
+ * cells, N^2 u at F = 1/8.  An error above that has another cause. */
+#include "verification/diagnosis/diagnosis.h"
+
+#include "solver/field.h"
+
+#include <float.h>
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+
+/* Decimal digits that tell T, up to `most`; more than that where they do not. */
+static int digits_of(double T, int most) {
+    for (int digits = 1; digits <= most; digits++) {
+        char text[40];
+        snprintf(text, sizeof text, "%.*e", digits - 1, T);
+        if (strtod(text, NULL) == T) return digits;
+    }
+    return most + 1;
+}
+
+int diagnosis_rounding(const struct field *f, double error, double cells, struct diagnosis *d) {
+    enum { MOST = 9, LEAST = 10 }; /* digits; values that are not round by chance */
+    int digits = 0, full = 0;
+    for (size_t i = 0; i < f->n && digits <= MOST; i++) {
+        int of = f->T[i] == (float)f->T[i] ? FLT_DIG + 1 : digits_of(f->T[i], MOST);
+        full += of >= FLT_DIG;
+        digits = of > digits ? of : digits;
+    }
+    double unit = 0.5 * pow(10, 1 - digits);
+    if (digits > MOST || full < LEAST || !(error <= cells * cells * unit)) return 0;
+    *d = (struct diagnosis){.named = 1, .size = digits, .unit = "digits", .share = NAN};
+    snprintf(d->what, sizeof d->what, "as if temperatures were rounded to %d digits", digits);
+    return 1;
+}

@@ -1,0 +1,92 @@
+/* What a diagnosis says. */
+#include "verification/diagnosis/wording.h"
+
+#include "verification/diagnosis/diagnosis.h"
+
+#include <math.h>
+#include <stdio.h>
+
+static const char *axis_name(int axis) {
+    return axis == 0 ? "x" : axis == 1 ? "y" : "x and y";
+}
+
+void wording_fault(struct diagnosis *d) {
+    static const char *const sides[] = {"side x_lo holds", "side x_hi holds", "side y_lo holds", "side y_hi holds",
+                                        "sides of given flux hold"};
+    double size = d->size, apart = fabs(size);
+    const char *much = size < 0 ? "small" : "large", *axis = axis_name(d->fault.axis);
+    char *to = d->what;
+    const size_t room = sizeof d->what;
+    switch (d->fault.kind) {
+    case FAULT_CLOCK:
+        snprintf(to, room, "as if the run had stopped %.3g %s %s", apart, d->unit, size < 0 ? "early" : "late");
+        break;
+    case FAULT_CONDUCTIVITY:
+        snprintf(to, room, "as if the conductivity were %.3g %% too %s", apart, much);
+        break;
+    case FAULT_SWAP:
+        snprintf(to, room, "as if k_x and k_y were in each other's place");
+        break;
+    case FAULT_ISOTROPIC:
+        snprintf(to, room, "as if k_%s were k_%s", axis_name(d->fault.axis), axis_name(1 - d->fault.axis));
+        break;
+    case FAULT_TRANSPOSED:
+        snprintf(to, room, "as if x and y were swapped");
+        break;
+    case FAULT_CORNER:
+        snprintf(to, room, "as if %.3g %% of what sides hold were lost at a corner, %s, %s", apart,
+                 d->fault.axis & 1 ? "x_hi" : "x_lo", d->fault.axis & 2 ? "y_hi" : "y_lo");
+        break;
+    case FAULT_MEAN:
+        snprintf(to, room, "as if the arithmetic mean of two conductivities stood for the harmonic one");
+        break;
+    case FAULT_SOURCE:
+        snprintf(to, room,
+                 fabs(size + 100) < 5 ? "as if the source were lost" : "as if the source were %.3g %% too %s", apart,
+                 much);
+        break;
+    case FAULT_SOURCE_TIME:
+        snprintf(to, room, "as if the source were that of %.3g %s %s", apart, d->unit,
+                 size < 0 ? "earlier" : "later");
+        break;
+    case FAULT_CAPACITY:
+        snprintf(to, room, "as if rho c of the second material were that of the first");
+        break;
+    case FAULT_WALL:
+        if (fabs(size + 100) < 5)
+            snprintf(to, room, "as if what %s were lost", sides[d->fault.axis]);
+        else if (fabs(size + 200) < 10)
+            snprintf(to, room, "as if what %s had the wrong sign", sides[d->fault.axis]);
+        else
+            snprintf(to, room, "as if what %s were %.3g %% too %s", sides[d->fault.axis], apart, much);
+        break;
+    case FAULT_EXTENT:
+        snprintf(to, room, "as if the sides across %s lay %.3g cells %s", axis, apart,
+                 size < 0 ? "inside" : "outside");
+        break;
+    case FAULT_START_SHIFT:
+        snprintf(to, room, "as if the initial data lay %.3g cells too far %s along %s", apart,
+                 size < 0 ? "down" : "up", axis);
+        break;
+    case FAULT_START_WIDTH:
+        snprintf(to, room, "as if the jumps of the initial data lay %.3g cells %s along %s", apart,
+                 size < 0 ? "inwards" : "outwards", axis);
+        break;
+    case FAULT_SAMPLES:
+        snprintf(to, room, "as if the initial data were values at the points, where means over cells are due");
+        break;
+    case FAULT_INTERFACE:
+        snprintf(to, room, "as if the interface lay %.3g cells too far %s", apart, size < 0 ? "down" : "up");
+        break;
+    case FAULT_AMPLITUDE:
+        snprintf(to, room, "as if all temperatures were %.3g %% too %s", apart, much);
+        break;
+    }
+}
+
+void wording_text(const struct diagnosis *d, char *text, size_t size) {
+    if (d->named && isfinite(d->share))
+        snprintf(text, size, "%s (%.0f %% of the error)", d->what, 100 * d->share);
+    else
+        snprintf(text, size, "%s", d->what);
+}

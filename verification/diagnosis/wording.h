@@ -1,0 +1,14 @@
+#ifndef HEATLADDER_VERIFICATION_DIAGNOSIS_WORDING_H
+#define HEATLADDER_VERIFICATION_DIAGNOSIS_WORDING_H
+
+#include <stddef.h>
+
+struct diagnosis;
+
+/* d->what of a fault that is named, from its kind, size and unit. */
+void wording_fault(struct diagnosis *d);
+
+/* What it says, and the share of the error where there is one. */
+void wording_text(const struct diagnosis *d, char *text, size_t size);
+
+#endif
