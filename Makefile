@@ -116,7 +116,7 @@ install: all ## Install the program under PREFIX (DESTDIR is put before it)
 	install -m 644 $(BUILD)/heatladder.bash '$(DESTDIR)$(PREFIX)/share/bash-completion/completions/heatladder'
 	if [ -d verification/examples ]; then \
 	install -d '$(DESTDIR)$(PREFIX)/share/heatladder/examples'; \
-	cp -r verification/examples/. '$(DESTDIR)$(PREFIX)/share/heatladder/examples/'; fi
+	cp verification/examples/* '$(DESTDIR)$(PREFIX)/share/heatladder/examples/'; fi
 
 # A tarball of the last commit that builds, tests and installs by itself, and Debian's package of it.
 .PHONY: dist
@@ -318,9 +318,13 @@ lint: $(OBJECTS) ## Check includes, symbols, shared lines, seeded faults, the fo
 	$(Q)if command -v cppcheck >/dev/null; then cppcheck -j 2 $(CPPCHECK) $(filter-out solver/time/sweep_lanes%,$(SOURCES)); \
 	else echo "lint: cppcheck is not here, common faults were not looked for"; fi
 
+MUTANTS ?= *
 .PHONY: mutants
-mutants: ## Seed faults, one at a time, and see that a test or a gate catches each
-	$(Q)CC='$(CC)' scripts/mutants
+mutants: ## Seed faults (those named MUTANTS, all), one at a time; a test or a gate must catch each: reports/out/mutants.txt
+	@mkdir -p $(OUT)
+	$(Q)rm -f $(OUT)/mutants.failed
+	$(Q){ CC='$(CC)' scripts/mutants '$(MUTANTS)' || echo $$? >$(OUT)/mutants.failed; } | tee $(OUT)/mutants.new
+	$(Q)mv $(OUT)/mutants.new $(OUT)/mutants.txt; if [ -f $(OUT)/mutants.failed ]; then rm $(OUT)/mutants.failed; exit 1; fi
 
 .PHONY: format
 format: ## Lay out the sources by .clang-format

@@ -25,7 +25,7 @@ members(f) = sum [j=1:N] (MEMBER[j] == f)
 parts(f) = f > 5 ? front ne '' : (members(f) + MOST - 1) / MOST
 per_part(f) = (members(f) + parts(f) - 1) / parts(f)
 panels = sum [f=1:6] parts(f)
-wide = 1240; high = 100 + 500 * ((panels + 2) / 3)
+wide = 1240; high = 118 + 500 * ((panels + 2) / 3)
 load 'reports/page/style.gp'
 unset title
 unset bmargin
@@ -43,7 +43,7 @@ set format xy '10^{%T}'
 set offsets graph 0.03, graph 0.03, 0, 0
 set label 98 heading at screen 0.5, screen 1 - 27.0 / high center noenhanced font size_of(13)
 set label 99 caption at screen 0.012, screen 21.0 / high left noenhanced font size_of(8.5) textcolor rgb '#555555'
-set multiplot layout (panels + 2) / 3,3 margins screen 0.072, 0.985, 183.0 / high, 1 - 74.0 / high \
+set multiplot layout (panels + 2) / 3,3 margins screen 0.072, 0.985, 201.0 / high, 1 - 74.0 / high \
     spacing screen 0.05, 233.0 / high
 panel = 0
 shown(i) = MEMBER[i] == f && RANK[i] / per_part(f) == part
@@ -52,7 +52,7 @@ do for [f=1:6] { do for [part=0:parts(f)-1] {
     set xlabel across offset 0, 0.5
     set ylabel (panel % 3 == 1 ? along : '') offset 0.5
     set title (f > 5 ? 'what nothing else beats' : part ? TITLE[f].', continued' : TITLE[f]) noenhanced font size_of(11) offset 0, -0.6
-    set key at graph 0, graph -0.17 left top Left reverse samplen 1.5 spacing 1.05
+    set key at graph 0, graph -0.2 left top Left reverse samplen 1.5 spacing 1.05
     eval sprintf("set key font '%s'", size_of(8))
     plot for [i=1:N] data index i-1 using X:Y with lines lc rgb '#d6d6d6' lw 0.8 notitle, \
          for [i=1:N] data index i-1 using (shown(i) ? column(X) : NaN):Y:(bars eq '' ? column(at) : $5):(bars eq '' ? column(at) : $6) \

@@ -60,6 +60,7 @@ static const struct part {
      "make stability"},
     {"Ledger", PAGE, "claims/claims.md", NULL, NULL, "make claims"},
     {"Seeded faults", LISTING, "mutants.txt", NULL, NULL, "make mutants"},
+    {"Seeded faults", PAGE, "league/faults.md", NULL, NULL, "make faults"},
     {"Other codes", PAGE, "league/league.md", NULL, NULL, "make league"},
     {"Other codes", FIGURE, "league/league.svg", "league/league.csv", "Error against time, code by code",
      "make league"},
