@@ -14,7 +14,7 @@
 #include <string.h>
 
 enum { RUNS = 9, COMMAND = 500 };
-static const double WARM = 0.1;   /* s: how long all solve before what is timed; what takes longer does it once */
+static const double WARM = 0.1;   /* s: how long all solve, at least once, before what is timed */
 static const double TUNED = 1.05; /* error over that of the tightest setting */
 
 const char *const peers_kind_words[] = {"peer", "ours", "whole", "rate"};
@@ -91,7 +91,7 @@ static int record(const struct peers *all, struct peers_row *row, struct peers_s
     if (runs->count == 0) {
         runs->error = r.error.l1;
         runs->updates = (double)r.updates;
-        runs->start_up = r.seconds - solve - (solve > WARM ? 0 : WARM);
+        runs->start_up = r.seconds - solve - fmax(solve, WARM);
     }
     seconds[runs->count++] = solve;
     return STATUS_OK;

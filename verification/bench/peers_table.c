@@ -7,7 +7,8 @@
 #define SQUARE .scene = "square-step", .side = "4"
 #define PLATE .scene = "plate", .side = "0.1"
 #define BUILT(name) "p=${PEERS:-build/peers}/" name "; [ -x $p ] || exit 77; $p {case} {out}"
-#define PYTHON(name) "${PYTHON:-python3} verification/bench/peers/" name " {case} {out}"
+#define PYTHON(name)                                                                                                 \
+    "p=${PYTHON:-python3}; command -v $p >/dev/null || exit 77; $p verification/bench/peers/" name " {case} {out}"
 /* of the gates of square-step and plate, those of differences and of Brookshaw's Laplacian */
 #define SECOND                                                                                                       \
     { 1.9, 2.1 }

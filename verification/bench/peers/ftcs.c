@@ -74,12 +74,12 @@ int main(int argc, char **argv) {
     double *body = malloc(nx * ny * sizeof *body), *T = calloc(size, sizeof *T), *next = calloc(size, sizeof *T);
     if (!body || !T || !next) rectangle_die("out of memory");
     long steps = (long)ceil(6 * p.kappa[0] * p.t_end / (p.dx * p.dx) * (1 - 1e-12));
-    double start = rectangle_now(), seconds;
+    double start = rectangle_now(), begin, seconds;
     do {
-        double begin = rectangle_now();
+        begin = rectangle_now();
         solve(&p, steps, body, T, next);
         seconds = rectangle_now() - begin;
-    } while (rectangle_now() - start < RECTANGLE_WARM);
+    } while (begin - start < RECTANGLE_WARM);
     rectangle_write(&p, body, argv[2], seconds, steps);
     free(body);
     free(T);

@@ -90,7 +90,7 @@ def main(case_path, out, kernel_name, fourier):
     steps = int(np.ceil(t_end * kappa / (float(fourier) * dx * dx)))
     dt = t_end / steps
     start = time.perf_counter()
-    while True:  # a tenth of a second: then program and memory are ready
+    while True:  # a tenth of a second, then the one that counts: program and memory are ready
         body.T[:] = T[inside]
         begin = time.perf_counter()
         nnps = LinkedListNNPS(dim=2, particles=arrays, radius_scale=kernel.radius_scale, fixed_h=True, cache=True)
@@ -99,7 +99,7 @@ def main(case_path, out, kernel_name, fourier):
             evaluation.compute(0.0, dt)
             body.T += dt * body.aT
         seconds = time.perf_counter() - begin
-        if time.perf_counter() - start > 0.1:
+        if begin - start > 0.1:
             break
     with open(out, "w") as answer:
         answer.write(f"# seconds = {seconds:.9g}\n# steps = {steps}\n# updates = {steps * body.get_number_of_particles()}\n")

@@ -15,8 +15,8 @@ struct rectangle {
 
 enum { RECTANGLE_FEW = 16384 }; /* points that threads are not woken for: some microseconds of work */
 
-/* s: solves are done over until so much has passed, and the last is timed, so that it finds program and memory ready
- */
+/* s: solves are done over until so much has passed, then the one that is timed.  Not the one during which it passes:
+ * that is the likelier one the longer it takes, on a busy machine one in which others had their turn. */
 #define RECTANGLE_WARM 0.1
 
 /* Ends the program where it cannot be read or is another scene. */
