@@ -1,23 +1,26 @@
-/* Threads only where processors are idle.
+/* Threads only where they are seen to pay.
  *
  * Threads that share a sweep wait for each other, and a thread whose processor is taken by another program keeps all
- * waiting for as long as the system's time slice lasts, a thousand times longer than the wait of a sweep.  So a march
- * begins alone and takes others only while the system has processors without work: the fourth field of Linux's
- * /proc/loadavg counts what is running.  Once together, threads that wait keep their processors busy, so that less
- * processor time than threads x time means that another program has taken some: the march goes on alone. */
+ * waiting for as long as the system's time slice lasts, a thousand times longer than the wait of a sweep; where there
+ * is little work in a sweep, waiting is most of it.  So a march begins alone and measures its rate.  While the system
+ * has processors without work (the fourth field of Linux's /proc/loadavg counts what is running) it tries a stretch
+ * with others, and goes on so while that takes less time by GAIN than alone.  What a trial loses is made up before
+ * there is another: with all losses at most LOSS of the time since the beginning, a march of length T and one stretch
+ * d that went wrong at its end take at most T/(1 - LOSS) + d, however busy the machine is and however small the
+ * sweep. */
 #include "solver/team.h"
 
 #include <omp.h>
 #include <stdio.h>
 #include <time.h>
 
-static const double PERIOD = 2e-3; /* s, between looks: a hundred times what a look takes */
-static const double SHARE = 0.9;   /* of the processor time of a quiet machine */
-enum { PATIENCE_MOST = 64 };
+static const double ALONE = 1e-3;    /* s, between looks at one thread: fifty times what a look takes */
+static const double TOGETHER = 1e-4; /* s, between looks at several, which ask the clock alone */
+static const double GAIN = 1.1, LOSS = 0.05;
 
-static double now(clockid_t clock) {
+static double now(void) {
     struct timespec t;
-    clock_gettime(clock, &t);
+    clock_gettime(CLOCK_MONOTONIC, &t);
     return (double)t.tv_sec + 1e-9 * (double)t.tv_nsec;
 }
 
@@ -31,35 +34,29 @@ static int idle_processors(void) {
     return running < all ? all - running : 0;
 }
 
-void team_look(struct team *t, double wall, double cpu, int idle) {
+void team_look(struct team *t, double wall, double work, double elapsed, int idle) {
     if (t->size > 1) {
-        if (cpu >= SHARE * t->size * wall) {
-            t->patience = 0;
-            return;
-        }
+        double alone = work / t->rate;
+        if (wall * GAIN <= alone) return;
+        if (wall > alone) t->lost += wall - alone;
         t->size = 1;
-        t->patience = t->patience == 0 ? 1 : t->patience < PATIENCE_MOST ? 2 * t->patience : PATIENCE_MOST;
-        t->alone = t->patience;
-    } else if (t->alone > 0) {
-        t->alone--;
     } else {
-        t->size = 1 + idle < t->most ? 1 + idle : t->most;
+        t->rate = work / wall;
+        if (t->lost <= LOSS * elapsed) t->size = 1 + idle < t->most ? 1 + idle : t->most;
     }
 }
 
 struct team team_start(int most) {
-    struct team t = {.most = most, .size = 1};
-    if (most > 1) team_look(&t, 0, 0, idle_processors());
-    t.wall = now(CLOCK_MONOTONIC), t.cpu = now(CLOCK_PROCESS_CPUTIME_ID);
-    return t;
+    double begin = most > 1 ? now() : 0;
+    return (struct team){.most = most, .size = 1, .begin = begin, .look = begin};
 }
 
-int team_size(struct team *t) {
+int team_size(struct team *t, double work) {
     if (t->most < 2) return 1;
-    double wall = now(CLOCK_MONOTONIC);
-    if (wall - t->wall < PERIOD) return t->size;
-    double cpu = now(CLOCK_PROCESS_CPUTIME_ID);
-    team_look(t, wall - t->wall, cpu - t->cpu, t->size > 1 || t->alone > 0 ? 0 : idle_processors());
-    t->wall = now(CLOCK_MONOTONIC), t->cpu = cpu;
+    double at = now(), wall = at - t->look;
+    t->work += work;
+    if (wall < (t->size > 1 ? TOGETHER : ALONE) || t->work == 0) return t->size;
+    team_look(t, wall, t->work, at - t->begin, t->size > 1 ? 0 : idle_processors());
+    t->look = now(), t->work = 0;
     return t->size;
 }

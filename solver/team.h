@@ -1,22 +1,23 @@
 #ifndef HEATLADDER_SOLVER_TEAM_H
 #define HEATLADDER_SOLVER_TEAM_H
 
-/* The number of threads of a time loop, adapted while it runs; no result depends on it. */
+/* The number of threads of a time loop, measured while it runs; no result depends on it. */
 
 struct team {
-    int most, size;   /* threads that may be used, and that are */
-    int alone;        /* looks that still pass before others are taken again */
-    int patience;     /* how many that was at the last time; 0: the last stretch together went well */
-    double wall, cpu; /* s, at the last look */
+    int most, size;     /* threads that may be used, and of the stretch in hand */
+    double work;        /* done since the last look, in a unit that takes one thread the same time throughout */
+    double rate;        /* of one thread, work a second */
+    double begin, look; /* s, of the march and of the last look */
+    double lost;        /* s that threads have cost so far */
 };
 
 /* A team of one that may grow to `most`. */
 struct team team_start(int most);
-/* The threads for the next stretch of work; looks at the machine every few milliseconds. */
-int team_size(struct team *t);
+/* The threads for the next stretch, after one that did so much work (0: the first). */
+int team_size(struct team *t, double work);
 
-/* The decision of one look: *t holds the threads of the last stretch, which had cpu seconds of processors in wall
- * seconds; `idle` processors have nothing to do. */
-void team_look(struct team *t, double wall, double cpu, int idle);
+/* The decision of one look: the last stretches took t->size threads `wall` seconds for `work`, `elapsed` seconds
+ * after the beginning; `idle` processors have nothing to do. */
+void team_look(struct team *t, double wall, double work, double elapsed, int idle);
 
 #endif

@@ -10,6 +10,7 @@
 #include "solver/space/relax.h"
 #include "solver/space/kernel.h"
 #include "solver/space/neighbours.h"
+#include "solver/team.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -19,7 +20,6 @@ static const double REACH = 1.2, SETTLED = 3e-3, LONGEST = 0.1, STEP = 0.2, KEPT
 
 struct medium {
     const struct problem *p;
-    const struct options *o;
     double spacing; /* m */
     struct cloud c; /* particles and their images: positions alone */
     double *move;   /* m, 2 each */
@@ -91,9 +91,8 @@ static void push(const struct medium *m, const struct sorted *s, size_t i) {
 }
 
 /* What moves all; returns its size, over the spacing. */
-static double sweep(struct medium *m) {
+static double sweep(struct medium *m, int threads) {
     struct sorted s;
-    int threads = m->o->threads > 1 ? m->o->threads : 1;
     double moved = 0;
     sort_cells(m, &s);
 #pragma omp parallel for num_threads(threads)
@@ -135,15 +134,16 @@ static void displace(struct medium *m) {
 
 int relax_cloud(const struct problem *p, const struct options *o, double spacing, struct cloud *c,
                 struct failure *why) {
-    struct medium m = {.p = p, .o = o, .spacing = spacing, .c = {.dim = c->dim, .n = c->n}};
+    struct medium m = {.p = p, .spacing = spacing, .c = {.dim = c->dim, .n = c->n}};
     struct settling *s = &c->settling;
     m.c.x = xcalloc(4 * c->n, sizeof *m.c.x);
     m.c.y = xcalloc(4 * c->n, sizeof *m.c.y);
     m.move = xcalloc(2 * c->n, sizeof *m.move);
     memcpy(m.c.x, c->x, c->n * sizeof *c->x);
     memcpy(m.c.y, c->y, c->n * sizeof *c->y);
+    struct team team = team_start(o->threads);
     for (s->sweeps = 0;; s->sweeps++) {
-        s->moved = sweep(&m);
+        s->moved = sweep(&m, team_size(&team, s->sweeps > 0));
         if (s->moved <= SETTLED || s->sweeps == o->sweeps) break;
         displace(&m);
     }

@@ -27,9 +27,11 @@
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
+#include <string.h>
 
 enum {
-    TOGETHER = 32 /* updates that the operator is handed at once; steps between checks of the bounds */
+    TOGETHER = 32, /* updates that the operator is handed at once; steps between checks of the bounds */
+    FIRST = 8      /* of one thread, before others are tried */
 };
 
 int stepper_stages(double dt, double bound) {
@@ -104,13 +106,14 @@ static void rkl2_steps(struct heat_operator *a, struct team *team, const struct 
                        double *Y[3]) {
     double dt = m->time / (double)m->steps;
     for (int k = 0; k < count; k++) {
-        a->threads = team_size(team);
         if (m->start[0] == 0 || done + k > 0) {
             rkl2_step(a, m->stages, dt, Y);
+            a->threads = team_size(team, m->stages);
             continue;
         }
         for (int quarter = 0; quarter < 2; quarter++) damping_step(a, m->start[0], dt / 4, Y);
         rkl2_step(a, m->start[1], dt / 2, Y);
+        a->threads = team_size(team, 2 * m->start[0] + m->start[1]);
     }
 }
 
@@ -143,19 +146,22 @@ int stepper_march(const struct heat_operator *a, const struct march *m, double *
     int arrays = stepper_arrays(m->stepper), status = STATUS_OK;
     double *Y[3] = {NULL};
     for (int k = 0; k < arrays; k++) Y[k] = xcalloc(a->state, sizeof *Y[k]);
+    if (a->threads > 1) memset(Y[1], 0, a->state * sizeof **Y); /* memory is there when updates are timed */
     *bytes += (size_t)arrays * a->state * sizeof **Y;
     state_load(a, T, Y[0]);
     struct heat_operator own = *a;
     struct team team = team_start(a->threads);
-    for (long long done = 0; done < m->steps && !status; done += TOGETHER) {
-        int count = m->steps - done < TOGETHER ? (int)(m->steps - done) : TOGETHER;
-        own.threads = team_size(&team);
+    own.threads = team_size(&team, 0);
+    for (long long done = 0, count; done < m->steps && !status; done += count) {
+        count = done == 0 ? FIRST : TOGETHER;
+        if (count > m->steps - done) count = m->steps - done;
         if (m->stepper == STEPPER_EULER)
-            euler_steps(&own, m, done, count, Y);
+            euler_steps(&own, m, done, (int)count, Y);
         else if (m->stepper == STEPPER_RK2)
-            rk2_steps(&own, m, count, Y);
+            rk2_steps(&own, m, (int)count, Y);
         else
-            rkl2_steps(&own, &team, m, done, count, Y);
+            rkl2_steps(&own, &team, m, done, (int)count, Y);
+        if (m->stepper != STEPPER_RKL2) own.threads = team_size(&team, (double)count);
         status = check_bounds(m, a, Y[0], done + count, why);
     }
     state_store(a, Y[0], T);
