@@ -56,11 +56,13 @@ $(BUILD)/scenes.inc: FORCE
 	$(Q)for f in $(SCENES); do b=$${f##*/scene_}; echo "SCENE($${b%.c})"; done > $@.new; \
 	if cmp -s $@.new $@; then rm $@.new; else mv $@.new $@; fi
 
-# The release, and the commit where there is one to ask.
+# The release, and the commit: git's where this is its tree and not one that lies in another's, or the archive's.
+# archive of $Format:%h$
 VERSION := 1.0.0
 $(BUILD)/version.inc: FORCE
 	@mkdir -p $(@D)
-	$(Q)commit=$$(git -C . describe --always --dirty=+ 2>/dev/null) || commit=; \
+	$(Q)commit=$$(sed -n 's/^# archive of \([0-9a-f]*\)$$/\1/p' Makefile); \
+	[ ! -e .git ] || commit=$$(git describe --always --dirty=+ 2>/dev/null) || commit=; \
 	printf '#define VERSION_TEXT "%s%s"\n' '$(VERSION)' "$${commit:+ ($$commit)}" > $@.new; \
 	if cmp -s $@.new $@; then rm $@.new; else mv $@.new $@; fi
 
