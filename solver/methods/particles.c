@@ -184,7 +184,7 @@ static int is_rough(const struct problem *p, const struct lattice *l) {
 
 int particles_march(const struct problem *p, const struct options *o, const struct scheme *s, const struct lattice *l,
                     const struct heat_operator *a, double bound, struct march *m, struct failure *why) {
-    *m = (struct march){.stepper = o->stepper, .time = p->t_end, .steps = 1, .stages = 1};
+    *m = (struct march){.stepper = o->stepper, .time = p->t_end, .steps = 1, .stages = 1, .bound = bound};
     if (o->stepper == STEPPER_EXACT) m->steps = m->stages = 0;
     if (o->stepper == STEPPER_EXACT) return STATUS_OK;
     if (o->stepper == STEPPER_MATCHED) {
@@ -217,11 +217,12 @@ int particles_march(const struct problem *p, const struct options *o, const stru
 /* Beside the steps: samples (averages along an axis take two nodes a particle, of a spline one), weights, a stencil
  * for each h/dx that --h iso tries, some ten, and for transforms what is planned or tabulated once for an axis, 10
  * log2 n for each particle to and fro, and the modes. */
-static double set_up_work(const struct options *o, const struct lattice *l, const struct heat_operator *a) {
+static double set_up_work(const struct options *o, const struct lattice *l, const struct heat_operator *a,
+                          int twice) {
     enum { WEIGHT = 3 * OUTLINE_FUNCTION, ISO = 25000, AXIS = 25000, TRANSFORM = 10 };
     double n = (double)a->n, samples = o->sampling == SAMPLING_CELL ? pow(2, l->dim) : 1;
     double scalar = n * (OUTLINE_PLACE + OUTLINE_SAMPLE * samples), streamed = 0;
-    if (!a->weight) scalar += WEIGHT * (double)a->pairs;
+    if (!a->weight) scalar += WEIGHT * (double)a->pairs * (twice ? 2 : 1);
     if (o->h_iso) scalar += ISO;
     for (int d = 0; d < l->dim && o->stepper == STEPPER_EXACT; d++) {
         scalar += AXIS + OUTLINE_FUNCTION * n / l->dim;
@@ -230,15 +231,15 @@ static double set_up_work(const struct options *o, const struct lattice *l, cons
     return OUTLINE_SCALAR * scalar + streamed;
 }
 
-void particles_count(const struct options *o, const struct lattice *l, const struct heat_operator *a,
-                     const struct march *m, struct field *f) {
+void particles_count(const struct problem *p, const struct options *o, const struct scheme *s,
+                     const struct lattice *l, const struct heat_operator *a, const struct march *m, struct field *f) {
     const long long applications = m->steps ? stepper_applications(m) : 1;
     f->dim = l->dim, f->n = a->n, f->h = o->h;
     f->steps = m->steps, f->stages = m->stages, f->dt = m->steps ? m->time / (double)m->steps : 0;
     f->applications = m->steps ? applications : 0;
     f->updates = (long long)a->n * applications;
     f->interactions = (long long)a->pairs * applications;
-    f->work = set_up_work(o, l, a);
+    f->work = set_up_work(o, l, a, start_is_kept(p, o, s));
     if (m->steps == 0) return;
     f->work += (double)f->interactions + 2 * (double)f->updates; /* each update loads and stores */
     f->work += OUTLINE_SCALAR * OUTLINE_GHOST * (double)(a->state - a->n) * (double)applications;
@@ -250,7 +251,7 @@ static int integrate(const struct problem *p, const struct options *o, const str
     struct march m;
     double bound = operator_bound(a);
     if (particles_march(p, o, s, l, a, bound, &m, why)) return why->status;
-    particles_count(o, l, a, &m, f);
+    particles_count(p, o, s, l, a, &m, f);
     if (o->stepper == STEPPER_EXACT) {
         exact_evolve(a, p->t_end, f->T);
         return STATUS_OK;
@@ -290,8 +291,7 @@ int particles_solve(const struct problem *p, const struct options *given, const 
             for (int d = 0; d < p->dim; d++) width[d] = place_width(p, o, &l, d, x[d]);
             f->T[i] = (cell > 0 ? sample_cell : sample_initial)(p, o->sampling, width, x);
         }
-        if (s->keeps_start && p->materials == 2 && p->dim == 1 && o->sampling == SAMPLING_CELL)
-            status = start_keep_heat(p, o, s, f, why);
+        if (start_is_kept(p, o, s)) status = start_keep_heat(p, o, s, f, why);
         find_range(f, f->range);
         f->heat[0] = heat_content(p, f, cell, volume);
         f->time = p->t_end;

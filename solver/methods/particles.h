@@ -37,7 +37,7 @@ int particles_march(const struct problem *p, const struct options *o, const stru
                     const struct heat_operator *a, double bound, struct march *m, struct failure *why);
 
 /* Points, h, steps, updates, interactions and work of that march, into *f. */
-void particles_count(const struct options *o, const struct lattice *l, const struct heat_operator *a,
-                     const struct march *m, struct field *f);
+void particles_count(const struct problem *p, const struct options *o, const struct scheme *s,
+                     const struct lattice *l, const struct heat_operator *a, const struct march *m, struct field *f);
 
 #endif

@@ -3,6 +3,7 @@
  * Rows are assembled to be counted, up to ASSEMBLED particles.  Past that those of a lattice `finer` times coarser
  * stand in: they have as many entries a particle, and a spectrum finer^2 times smaller. */
 #include "solver/methods/particles.h"
+#include "solver/methods/start.h"
 #include "solver/outline.h"
 
 #include <math.h>
@@ -92,8 +93,11 @@ int particles_outline(const struct problem *p, const struct options *given, cons
     if (!status) status = particles_march(p, o, s, &l, &a, bound, &m, why);
     if (!status) {
         out->weights = weights_of(p, out->rows);
-        particles_count(o, &l, &a, &m, &out->run);
+        particles_count(p, o, s, &l, &a, &m, &out->run);
         hold(p, o, &a, &m, out);
+        if (start_is_kept(p, o, s))
+            outline_hold(out, "rows once more, for what they keep of the start", 3 * a.bytes, OUTLINE_SET_UP,
+                         OUTLINE_SET_UP);
         out->run.bytes = out->bytes[OUTLINE_STEPS];
     }
     operator_free(&a);

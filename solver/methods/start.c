@@ -82,6 +82,10 @@ static int insulate(const struct problem *p, const struct options *o, const stru
     return status;
 }
 
+int start_is_kept(const struct problem *p, const struct options *o, const struct scheme *s) {
+    return s->keeps_start && p->materials == 2 && p->dim == 1 && o->sampling == SAMPLING_CELL;
+}
+
 int start_keep_heat(const struct problem *p, const struct options *o, const struct scheme *s, struct field *f,
                     struct failure *why) {
     double apart = 1e-10 * (p->hi[0] - p->lo[0]), low[2] = {p->interface - apart, 0},

@@ -66,8 +66,9 @@ static int check_bounds(const struct march *m, const struct heat_operator *a, co
     return refuse(
         why, STATUS_UNSTABLE,
         "unstable: at step %lld of %lld (t = %.6g s) particle %zu%s has %.4g K, the data lie in [%.4g, %.4g] K; "
-        "dt = %.6g s is too large",
-        step, m->steps, dt * (double)step, i, where, value, m->lo, m->hi, dt);
+        "dt = %.6g s is too large%s",
+        step, m->steps, dt * (double)step, i, where, value, m->lo, m->hi, dt,
+        dt * m->bound <= 2 ? ", or a mode grows at any step (heatladder limit tells)" : "");
 }
 
 /* One super step: Y[0] holds T on entry and exit.  The first stage and the rest apart, so that T stays for u_2 and

@@ -15,6 +15,7 @@ struct march {
                             half that follows; 0: a step as all others */
     const double *x, *y; /* m, positions for messages; NULL where there are none, and y on a rod */
     double lo, hi;       /* K, what a stable run stays near: see stepper_march */
+    double bound;        /* s^-1, of the spectrum, for messages */
 };
 
 enum { STEPPER_STAGES_MAX = 1000000 }; /* s^2 eps, what rounding grows to in a step, stays small */

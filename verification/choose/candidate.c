@@ -25,9 +25,7 @@
 #define CELL .sampling = SAMPLING_CELL
 /* Left out, since a row that is here has less error for no more work.  On a lattice (gates/operators.def)
  * brookshaw_corrected and schwaiger have fatehi_manzari's stencil; cspm and kernel_second have 2.15 times its fourth
- * moment over the same neighbours, flux_divergence 4 times over a stencil of twice the reach.  contact_ssph has the
- * error of brookshaw's series mean where the start does not jump at the contact, three times that where it does, and
- * more neighbours than h/dx 0.7; off the lattice, where it is the one that converges, nobody chooses to be. */
+ * moment over the same neighbours, flux_divergence 4 times over a stencil of twice the reach.  */
 const struct candidate candidates_table[] = {
     CANDIDATE("so_ssph matched, cubic kernel", "so_ssph", 2, 0, 0, MATCHED, SPLINE, .h_iso = 1),
     CANDIDATE("so_ssph matched, quartic kernel", "so_ssph", 2, 0, 0, MATCHED, SPLINE, .h_iso = 1,
@@ -67,6 +65,7 @@ const struct candidate candidates_table[] = {
     CANDIDATE("so_ssph rkl2, spline samples, h/dx 0.9", "so_ssph", 0, 0.125, 0, RKL2, SPLINE, .h = 0.9),
     CANDIDATE("brookshaw rkl2, series mean", "brookshaw", 0, 0.125, 0, RKL2, .mean = MEAN_SERIES),
     CANDIDATE("brookshaw rkl2, series mean, h/dx 0.7", "brookshaw", 0, 0.125, 0, RKL2, .mean = MEAN_SERIES, .h = 0.7),
+    CANDIDATE("contact_ssph rkl2, h/dx 0.7, cell samples", "contact_ssph", 1, 0.125, 0, RKL2, CELL, .h = 0.7),
     CANDIDATE("so_ssph exact, h/dx 1.05", "so_ssph", 0, 0, 1, EXACT, .h = 1.05),
     CANDIDATE("so_ssph exact, h/dx 1.3", "so_ssph", 0, 0, 1, EXACT, .h = 1.3),
     CANDIDATE("so_ssph exact, h/dx 2", "so_ssph", 0, 0, 1, EXACT, .h = 2),
