@@ -2,7 +2,8 @@
  *
  * Orders: a ladder for each operator, cloud and scene.  rod-cosine is smooth and insulated, and says what is kept of
  * its heat; square-step starts with jumps, averaged over cells; rect-manufactured has a source, temperatures and
- * fluxes at its walls (isotropic here, which all operators take); wall-composite has two materials of k 1 : 1000.
+ * fluxes at its walls (isotropic here, which all operators take); wall-composite has two materials of k 1 : 1000,
+ * rod-contact a start that jumps where two meet.
  * Operators by themselves: n x n particles in the plane with dx = 1 and kappa = 1, insulated for the weights, between
  * cold walls for the eigenvalues; assembly is timed on 316 x 316 particles.
  * Error against neighbours: rect-manufactured at one spacing, h/dx from 0.9 to 2. */
@@ -45,6 +46,7 @@ static const struct trial {
     {"square-step", " --sampling cell", "1/4,1/8,1/12,1/16", 1},
     {"rect-manufactured", " --set k_y=0.02", "1/10,1/20,1/30,1/50", 1},
     {"wall-composite", " --t-end 0.1", "1/20,1/40,1/80,1/160", 2},
+    {"rod-contact", " --sampling cell", "1/40,1/80,1/160,1/320", 2},
 };
 
 static const struct candidate_operator {
