@@ -42,8 +42,15 @@ void table_number(struct table *t, const char *format, double value, const char 
         table_add(t, "%s", none);
 }
 
+/* Whether the last column, its header apart, holds sentences. */
+static int ends_in_words(const struct table *t) {
+    for (int i = 2 * t->columns - 1; i < t->cells; i += t->columns)
+        if (strchr(t->cell[i], ' ')) return 1;
+    return 0;
+}
+
 void table_print(const struct table *t, FILE *out) {
-    int width[TABLE_COLUMNS] = {0};
+    int width[TABLE_COLUMNS] = {0}, words = ends_in_words(t);
     for (int i = 0; i < t->cells; i++) {
         int w = (int)strlen(t->cell[i]), c = i % t->columns;
         if (w > width[c]) width[c] = w;
@@ -51,9 +58,8 @@ void table_print(const struct table *t, FILE *out) {
     for (int i = 0; i < t->cells; i++) {
         int c = i % t->columns, last = c == t->columns - 1;
         const char *text = t->cell[i];
-        int w = last && (*text == '\0' || c < t->left) ? 0
-                : c < t->left                          ? -width[c]
-                                                       : width[c]; /* no blanks at the end */
+        int w = c < t->left ? -width[c] : width[c];
+        if (last && (*text == '\0' || words || c < t->left)) w = 0; /* no blanks at the end */
         fprintf(out, "%s%s%*s%s%s", c ? "  " : "", paint_start(out, text), w, text, paint_end(out, text),
                 last ? "\n" : "");
     }

@@ -9,7 +9,7 @@ enum { TABLE_COLUMNS = 16, TABLE_CELL = 120 };
 
 struct table {
     int columns;
-    int left;  /* the first so many columns are set left, the others right */
+    int left;  /* the first so many columns are set left, and a last one of sentences; the others right */
     int cells; /* filled so far, row by row; the first row is the header */
     int room;
     char (*cell)[TABLE_CELL];
