@@ -6,6 +6,7 @@
 #include "verification/command/verb.h"
 #include "verification/text/words.h"
 
+#include <math.h>
 #include <string.h>
 
 int checks_required(const struct request *r, struct failure *why) {
@@ -52,6 +53,14 @@ static int check_options(const struct request *r, struct failure *why) {
         return refuse(why, STATUS_INPUT, "--at needs %s for %s",
                       r->experiment.problem.dim == 2 ? "X,Y" : "one number",
                       r->experiment.scene ? r->experiment.scene->name : "a point");
+    double least = INFINITY;
+    for (int i = 0; i < r->rungs.dt.count; i++) least = fmin(least, r->rungs.dt.value[i]);
+    if (r->rungs.fine > 0 && !(r->rungs.dt.count > 1 && r->rungs.fine < least))
+        return refuse(why, STATUS_INPUT, "--fine %g: needs --dt A,B,C, and to be below the finest of them",
+                      r->rungs.fine);
+    if (r->rungs.fine > 0 && r->experiment.method && r->experiment.method->scheme)
+        return refuse(why, STATUS_INPUT, "--fine: what %s is to reach in time is known; leave it out",
+                      r->experiment.method->name);
     if (r->peers && r->json)
         return refuse(why, STATUS_INPUT, "--peers tells text, and CSV into DIR: leave out --json");
     if (r->rungs.expect.count &&

@@ -260,6 +260,8 @@ const struct option options_table[] = {
     {"quantity", "quantity", "Q",
      "judge flux_x_lo, flux_x_hi, flux_y_lo, flux_y_hi, heat, or at:X[,Y], not the field", read_text,
      IN(experiment.derived), NULL, FINITE, 0},
+    {"fine", "fine", "DT", "of a ladder in time: a finer step, s, whose run all are measured against", read_number,
+     IN(rungs.fine), NULL, POSITIVE, 0},
     {"vary", "vary", "NAME=A,B,C", "a ladder in a parameter of the program: {NAME} in its command, NAME in its case",
      read_vary, 0, NULL, FINITE, 0},
     {"columns", "columns", "MAP", "what the columns of an answer are called: x=X,y=Y,T=temp,w=volume", read_columns,

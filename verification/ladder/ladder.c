@@ -133,8 +133,8 @@ static int collect(struct ladder *l, struct failure *why) {
 /* Without the particles' equations.  A run that fails leaves a ladder without errors. */
 static int climb_without_reference(const struct experiment *e, const struct ladder_rungs *rungs, struct ladder *l,
                                    struct failure *why) {
-    struct experiment rung[RUNG_MAX];
-    if (l->n < 3)
+    struct experiment rung[RUNG_MAX], fine = *e;
+    if (l->n < 3 && !(rungs->fine > 0))
         return refuse(why, STATUS_INPUT,
                       "successive runs tell the error in time of %s: three time steps at least, and for a gate %d",
                       e->method->name, WINDOW_LEAST + 1);
@@ -143,7 +143,12 @@ static int climb_without_reference(const struct experiment *e, const struct ladd
         l->rung[i] = run_blank(&rung[i]);
         refuse(&l->rung[i].failure, STATUS_NUMERICAL, "not run, since a coarser one failed");
     }
-    int status = self_difference_climb(rung, l, why);
+    fine.options.dt = l->fine = rungs->fine;
+    char value[40];
+    results_number(rungs->fine, value);
+    snprintf(fine.program.rung, sizeof fine.program.rung, "dt=%s", value);
+    int status =
+        rungs->fine > 0 ? self_difference_climb_to(rung, &fine, l, why) : self_difference_climb(rung, l, why);
     l->tried = program_given(&e->program) && status && l->rung[0].failure.status;
     return status_refused(status) && !l->tried ? status : STATUS_OK;
 }

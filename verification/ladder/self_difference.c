@@ -6,7 +6,8 @@
  *
  *     |C| dt_i^p = d_i / (1 - (dt_(i+1) / dt_i)^p)
  *
- * p, which this needs, is the slope that comes out: a fixed point, found by repeating the fit. */
+ * p, which this needs, is the slope that comes out: a fixed point, found by repeating the fit.  Against one finer run
+ * its step stands for dt_(i+1). */
 #include "verification/ladder/self_difference.h"
 
 #include "solver/field.h"
@@ -64,23 +65,23 @@ static void measure(const struct place *coarse, const struct place *fine, size_t
     r->reference_error = 0;
 }
 
-/* What a difference is to be multiplied by.  A program with a time step of its own runs at one step twice: what
- * differs then is an error as it is. */
-static double extrapolated(const double *dt, double p) {
-    return dt[1] < dt[0] ? 1 / (1 - pow(dt[1] / dt[0], p)) : 1;
+/* What the difference of runs at dt and at a finer step is to be multiplied by.  A program with a time step of its
+ * own runs at one step twice: what differs then is an error as it is. */
+static double extrapolated(double dt, double finer, double p) {
+    return finer < dt ? 1 / (1 - pow(finer / dt, p)) : 1;
 }
 
 static void extrapolate(struct ladder *l, const double *dt) {
     double p = 1, d[RUNG_MAX], error[RUNG_MAX];
     for (int i = 0; i < l->n; i++) error[i] = d[i] = l->rung[i].error.l1;
     for (int fit = 0; fit < FITS; fit++) {
-        for (int i = 0; i < l->n; i++) error[i] = d[i] * extrapolated(&dt[i], p);
+        for (int i = 0; i < l->n; i++) error[i] = d[i] * extrapolated(dt[i], l->fine > 0 ? l->fine : dt[i + 1], p);
         double next = slope_fit(dt, error, l->n).value;
         if (!(isfinite(next) && next > LEAST)) break;
         p = next;
     }
     for (int i = 0; i < l->n; i++) {
-        double more = extrapolated(&dt[i], p);
+        double more = extrapolated(dt[i], l->fine > 0 ? l->fine : dt[i + 1], p);
         struct norms_error *e = &l->rung[i].error;
         e->l1 *= more, e->l2 *= more, e->linf *= more;
         l->x[i] = dt[i];
@@ -113,6 +114,36 @@ int self_difference_fields(const struct problem *p, const struct field *a, const
     free(at);
     free(of);
     return same;
+}
+
+int self_difference_climb_to(const struct experiment *rung, const struct experiment *fine, struct ladder *l,
+                             struct failure *why) {
+    double dt[RUNG_MAX];
+    struct field last = {0};
+    struct result result;
+    int status = run_experiment(fine, &result, &last);
+    if (status) *why = result.failure;
+    for (int i = 0; i < l->n && !status; i++) {
+        struct field f = {0};
+        status = run_experiment(&rung[i], &l->rung[i], &f);
+        dt[i] = l->rung[i].dt > 0 ? l->rung[i].dt : l->x[i];
+        if (status)
+            *why = l->rung[i].failure;
+        else if (!self_difference_fields(&rung[i].problem, &f, &last, &l->rung[i].error))
+            status =
+                refuse(why, STATUS_INPUT,
+                       "a ladder in time needs all runs on one grid: at %g s the points are not those of --fine %g",
+                       l->x[i], l->fine);
+        l->rung[i].interior = l->rung[i].boundary = (struct norms_error){.l1 = NAN, .l2 = NAN, .linf = NAN};
+        l->rung[i].reference_error = 0;
+        field_free(&f);
+    }
+    field_free(&last);
+    if (status) return status;
+    l->self_differences = 1;
+    l->fine = result.dt > 0 ? result.dt : l->fine;
+    extrapolate(l, dt);
+    return STATUS_OK;
 }
 
 int self_difference_climb(const struct experiment *rung, struct ladder *l, struct failure *why) {

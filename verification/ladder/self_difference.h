@@ -1,7 +1,8 @@
 #ifndef HEATLADDER_VERIFICATION_LADDER_SELF_DIFFERENCE_H
 #define HEATLADDER_VERIFICATION_LADDER_SELF_DIFFERENCE_H
 
-/* A ladder in time of a method whose semi-discrete solution is not known: successive runs against each other. */
+/* A ladder in time of a method whose semi-discrete solution is not known: successive runs against each other, or all
+ * against one of a finer step. */
 
 struct experiment;
 struct failure;
@@ -14,6 +15,10 @@ struct problem;
  * the first l->n - 1 of them; l->n is one less then, as the last has nothing finer beside it.  STATUS_OK, or the
  * status of the first that failed, with *why; STATUS_INPUT where the runs' points differ. */
 int self_difference_climb(const struct experiment *rung, struct ladder *l, struct failure *why);
+
+/* The same of all l->n experiments against *fine, whose step is l->fine. */
+int self_difference_climb_to(const struct experiment *rung, const struct experiment *fine, struct ladder *l,
+                             struct failure *why);
 
 /* How far two fields are apart, relative to the second but for the largest difference (K), into *apart, whatever the
  * order of their points.  1; or 0 where these are not the same. */

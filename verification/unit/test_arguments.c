@@ -101,6 +101,8 @@ static const struct refusal {
     {"reference rod-step --time 0.3", "reference needs either --at X[,Y] or --points FILE"},
     {"reference rod-step --time 0.3 --at 0.1 --points p.csv", "reference needs either --at X[,Y] or --points FILE"},
     {"reference rod-step --time 0.3 --points p.csv --json", "--points is CSV"},
+    {"ladder rod-gauss ftcs --dx 1 --dt 0.2,0.1 --fine 0.1", "--fine 0.1: needs --dt A,B,C, and to be below"},
+    {"ladder rod-gauss so_ssph --dx 1 --dt 0.2,0.1 --fine 0.01", "--fine: what so_ssph is to reach in time is known"},
     {"reference rod-step --time 0:1 --at 0.1", "numbers with commas between, or FROM:TO:COUNT"},
     {"reference rod-step --time 0:1:1 --at 0.1", "a COUNT from 2 to "},
     {"reference rod-step --time -1:1:5 --at 0.1", "numbers with commas between, or FROM:TO:COUNT"},
