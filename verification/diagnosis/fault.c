@@ -36,21 +36,11 @@ static double initial(const struct problem *p, const double x[2]) {
     return f->fault.kind == FAULT_AMPLITUDE ? (1 + f->size) * T : T;
 }
 
-static int is_at_corner(const struct faulty *f, const double x[2]) {
-    int near = 1;
-    for (int a = 0; a < 2; a++) {
-        double corner = f->fault.axis >> a & 1 ? f->right->hi[a] : f->right->lo[a];
-        near = near && fabs(x[a] - corner) < f->size;
-    }
-    return near;
-}
-
 static double wall(const struct problem *p, enum side s, const double x[2]) {
     const struct faulty *f = faulty_of(p);
     double at[2];
     to_right(f, x, at);
     if (f->fault.kind == FAULT_TRANSPOSED) return f->right->wall(f->right, (enum side)(s ^ 2), at);
-    if (f->fault.kind == FAULT_CORNER && f->right->side[s] == DIRICHLET && is_at_corner(f, at)) return 0;
     double value = f->right->wall(f->right, s, at);
     if (f->right->side[s] == NEUMANN) value /= f->stretch[s / 2];
     int is_flux = f->right->side[s] == NEUMANN && f->fault.axis == FAULT_ALL_FLUXES;
@@ -59,11 +49,29 @@ static double wall(const struct problem *p, enum side s, const double x[2]) {
     return value;
 }
 
+/* What the cell of a corner lacks, W m^-3, where the sides of given temperature T there are taken for cold: 2 k
+ * T/dx^2 of each, across half a cell.  Nothing on a side itself and even about it, so that ghosts have no part in it.
+ */
+static double lost_at_corner(const struct faulty *f, const double x[2]) {
+    const struct problem *p = f->right;
+    double dx = f->size, lost = 0;
+    for (int a = 0; a < 2; a++) {
+        double away = fabs(x[a] - (f->fault.axis >> a & 1 ? p->hi[a] : p->lo[a]));
+        if (away < dx / 4 || away > 3 * dx / 4) return 0;
+    }
+    for (int a = 0; a < 2; a++) {
+        enum side s = (enum side)(2 * a + (f->fault.axis >> a & 1));
+        if (p->side[s] == DIRICHLET) lost += 2 * p->material[0].k[a] * p->wall(p, s, x) / (dx * dx);
+    }
+    return lost;
+}
+
 static double source(const struct problem *p, const double x[2]) {
     const struct faulty *f = faulty_of(p);
     double at[2];
     to_right(f, x, at);
-    double value = f->right->source(f->right, at);
+    double value = f->right->source ? f->right->source(f->right, at) : 0;
+    if (f->fault.kind == FAULT_CORNER) value -= lost_at_corner(f, at);
     return f->fault.kind == FAULT_SOURCE || f->fault.kind == FAULT_AMPLITUDE ? (1 + f->size) * value : value;
 }
 
@@ -164,7 +172,7 @@ int fault_make(const struct problem *p, struct fault fault, double size, struct 
     q->data = f;
     q->initial = initial;
     q->wall = wall;
-    if (p->source) q->source = source;
+    if (p->source || fault.kind == FAULT_CORNER) q->source = source;
     if (p->source_change) q->source_change = source_change;
     for (int a = 0; a < 2; a++) f->centre[a] = (p->lo[a] + p->hi[a]) / 2, q->mirror[a] = 0;
     switch (fault.kind) {

@@ -15,7 +15,7 @@ enum fault_kind {
     FAULT_SOURCE_TIME,  /* s: the source, which changes, is that of so much later */
     FAULT_CAPACITY,     /* 1: rho c of the second material is the first one's */
     FAULT_WALL,         /* relative: what a side holds, temperature or flux; -1: zero */
-    FAULT_CORNER,       /* m: what sides of given temperature hold is zero so far from a corner */
+    FAULT_CORNER,       /* m: for a corner's cell of that size, sides of given temperature there are at zero */
     FAULT_EXTENT,       /* m: both sides across an axis lie so far outside */
     FAULT_START_SHIFT,  /* m: the initial data lie so far along an axis */
     FAULT_START_WIDTH,  /* m: either jump of the initial data lies so far outwards along an axis */
