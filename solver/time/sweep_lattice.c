@@ -97,6 +97,7 @@ static void advance(const void *what, int k, ptrdiff_t row, ptrdiff_t end) {
     s->band(a, s->support, &s->u[k], s->Y[k % 2], y, row, end);
     if (k + 1 == s->count) return;
     for (ptrdiff_t j = row; j < end; j++) refresh_row(a, y, j);
+    if (a->reach[1] == 0) return;
     if (row <= lowest && lowest < end) refresh_side(a, y, Y_LO); /* these mirror the rows up to `lowest` */
     if (end == ny) refresh_side(a, y, Y_HI);
 }
