@@ -1,15 +1,16 @@
 /* Least squares of the error field e with the response f of one fault at a time, beside what differences of second
  * order leave at the same spacing: in space g, in time (Euler's, of mesh Fourier number 1) h,
  *
- *     e = size f + b g + c h + d m,    |b| <= 2,  |c| <= 1/2,  0 <= d <= 1
+ *     e = size f + b g + c h + d m,    |b| <= 2,  |c| <= 1/2,  |d| <= 2
  *
  * since a faulty code has its errors of discretization too.  m = dx^2/24 laplace(T) is what the mean over a cell has
- * more than the value at its centre: whether a code's numbers are means (d = 1) or values (d = 0) is not known. Where
- * m looks like the fault (of one material without a source it is dx^2/(24 kappa) dT/dt, a clock that is fast by a
- * sixth of a step at F = 1/4) no fit can tell, and d = 1/2 leaves half of the doubt to either side.  From data that
- * jump, where means are values on faces, g has it already: d = 0.  A fault whose part |size f| is not at least twice
- * |g + h/5| and m is none: that is the size of a correct code's error.  The twentieth of the points where g is
- * largest (corners whose sides disagree) is left out.
+ * more than the value at its centre.  What a code's numbers are is not known: values (d = 0), means over cells (1),
+ * linear elements that start from a projection (-2 at their nodes, 2 with a lumped mass).  Where m looks like the
+ * fault (of one material without a source it is dx^2/(24 kappa) dT/dt, a clock that is fast by a sixth of a step at
+ * F = 1/4) no fit can tell, and d = 1/2, between values and means, is taken.  From data that jump, where means are
+ * values on faces, g has it already: d = 0.  A fault whose part |size f| is not at least twice |g + h/5| and three
+ * times |m|, which is more than any of these d are from 1/2, is none: that is the size of a correct code's error.
+ * The twentieth of the points where g is largest (corners whose sides disagree) is left out.
  *
  * One field cannot tell faults of like response apart (without a source T depends on kappa t alone): how the size
  * goes with the spacing can.  A clock is wrong by steps, a place by cells, a coefficient by a part of itself. */
@@ -34,7 +35,7 @@ enum { POINTS = 20000, FAULTS = 32, ROUNDS = 20000 };
 
 struct fit {
     double size, share;
-    double part; /* |size f| / sqrt(|g + h/5|^2 + |m|^2) */
+    double part; /* |size f| / sqrt(|g + h/5|^2 + |3/2 m|^2) */
 };
 
 /* A rung: its errors, and what differences of second order leave. */
@@ -76,9 +77,9 @@ static struct fit fit_error(const struct errors *s, const double *f) {
             for (int l = 0; l < N; l++) rest -= l == k ? 0 : a[k][l] * x[l];
             x[k] = a[k][k] > 0 ? rest / a[k][k] : 0;
             if (k == 2 || k == 3) x[k] = clamp(x[k], k == 2 ? MOST : 0.5);
-            if (k == 4) x[k] = fmax(0, fmin(1, x[k]));
+            if (k == 4) x[k] = clamp(x[k], MOST);
         }
-    double left = 0, natural = a[2][2] + 0.4 * a[2][3] + 0.04 * a[3][3] + a[4][4];
+    double left = 0, natural = a[2][2] + 0.4 * a[2][3] + 0.04 * a[3][3] + 2.25 * a[4][4];
     for (int k = 0; k < N; k++)
         for (int l = 0; l < N; l++) left += x[k] * a[k][l] * x[l];
     return (struct fit){x[1], 1 - left / a[0][0], fabs(x[1]) * sqrt(a[1][1] / fmax(natural, 1e-300))};
