@@ -179,6 +179,22 @@ static void runs_that_differ_are_named(void **state) {
     assert_int_equal(diagnosis_repeat(1.1e-9, 2, &d), 0);
 }
 
+/* Of a program that does not say its steps. */
+static void a_conductivity_is_no_end_time(void **state) {
+    (void)state;
+    struct problem p = problem_of("rod-cosine");
+    struct rung r[2];
+    struct diagnosis d;
+    for (int k = 0; k < 2; k++) {
+        solve("rod-cosine", &p, (struct fault){FAULT_CONDUCTIVITY, 0}, 0.02, k ? 0.05 : 0.025, &r[k]);
+        r[k].at.dt = 0;
+    }
+    diagnosis_find(&p, &r[0].at, &r[1].at, &d);
+    print_message("%s\n", d.what);
+    assert_non_null(strstr(d.what, "as if the conductivity were"));
+    for (int i = 0; i < 2; i++) field_free(&r[i].field), free(r[i].exact);
+}
+
 /* Linear elements that start from a projection lie dx^2/12 laplace(T) below T at their nodes: no clock is to blame.
  */
 static void a_projection_is_no_fault(void **state) {
@@ -221,7 +237,8 @@ int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(faults_are_named_with_their_size), cmocka_unit_test(values_for_means_are_named),
         cmocka_unit_test(rounded_temperatures_are_named),   cmocka_unit_test(runs_that_differ_are_named),
-        cmocka_unit_test(a_projection_is_no_fault),         cmocka_unit_test(a_correct_code_has_none),
+        cmocka_unit_test(a_conductivity_is_no_end_time),    cmocka_unit_test(a_projection_is_no_fault),
+        cmocka_unit_test(a_correct_code_has_none),
     };
     return cmocka_run_group_tests_name("diagnosis", tests, NULL, NULL);
 }
