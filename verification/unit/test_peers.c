@@ -152,23 +152,25 @@ static void aims_compare_at_the_same_error(void **state) {
         {.scene = "square-step", .who = "so_ssph rkl2 unfolded", .kind = PEERS_WHOLE, .serial = 1}};
     struct peers_row rows[] = {line(&who[0], 1), line(&who[1], 60), line(&who[2], 50), line(&who[3], 20), {0}};
     struct peers all = {.threads = 1, .row = rows};
-    char verdict[20];
+    char verdict[2][20];
     struct output page;
     const char *what = "so_ssph rkl2 at E1 = 0.001, SUNDIALS fast", *text = table_of(&all, &page),
                *at = strstr(text, what);
-    double ratio, low, high, aim, whole, ours, theirs;
+    double ratio, low, high, aim[2], whole, ours, theirs;
     if (!at) fail_msg("%s", text);
-    assert_int_equal(sscanf(at + strlen(what), "%lf %lf to %lf %lf %19s %lf %lf %lf", &ratio, &low, &high, &aim,
-                            verdict, &whole, &ours, &theirs),
-                     8);
+    assert_int_equal(sscanf(at + strlen(what), "%lf %lf to %lf %lf %19s %lf %lf %19s %lf %lf", &ratio, &low, &high,
+                            &aim[0], verdict[0], &whole, &aim[1], verdict[1], &ours, &theirs),
+                     10);
     assert_near(ours, 10, 0);
     assert_near(theirs, 500, 0);
     assert_near(ratio, 50, 0);
     assert_near(low, 12.5, 0); /* half of theirs over twice ours */
     assert_near(high, 200, 0);
     assert_near(whole, 2.5, 0);
-    assert_near(aim, 5, 0);
-    assert_string_equal(verdict, "held");
+    assert_near(aim[0], 10, 0);
+    assert_string_equal(verdict[0], "held");
+    assert_near(aim[1], 3, 0);
+    assert_string_equal(verdict[1], "missed");
     has(text, "so_ssph rkl2 at E1 = 5e-05, SUNDIALS fast"); /* past the finest by a factor of 2 */
     has(text, "~");
     output_drop(&page, 1);
