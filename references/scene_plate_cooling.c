@@ -93,12 +93,14 @@ static void at_points(const struct problem *p, const void *shared, size_t n, con
     const double *v = p->param;
     struct surface *T = xcalloc(n, sizeof *T);
     if (t > 0) cooled_plate_at(shared, n, x, y, T);
-    for (size_t i = 0; i < n; i++)
-        e[i] = t == 0 ? (struct exact){.temperature = v[T0]}
-                      : (struct exact){.temperature = v[T_A] + T[i].at.value,
-                                       .error_bound = T[i].at.error + rounding_of(v),
-                                       .gradient = {T[i].slope[0].value, T[i].slope[1].value},
-                                       .gradient_bound = {T[i].slope[0].error, T[i].slope[1].error}};
+    for (size_t i = 0; i < n; i++) {
+        e[i] = (struct exact){.temperature = v[T0]};
+        if (t == 0) continue;
+        e[i] = (struct exact){.temperature = v[T_A] + T[i].at.value,
+                              .error_bound = T[i].at.error + rounding_of(v),
+                              .gradient = {T[i].slope[0].value, T[i].slope[1].value},
+                              .gradient_bound = {T[i].slope[0].error, T[i].slope[1].error}};
+    }
     free(T);
 }
 
