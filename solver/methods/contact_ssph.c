@@ -51,16 +51,16 @@ static void functions(const struct problem *p, const struct neighbourhood *nb, c
 
 static int weights(const struct problem *p, const struct options *o, const struct neighbourhood *nb, double *w[2],
                    struct failure *why) {
-    double target[1][SSPH_TERMS_MAX] = {{0}}, P[NEIGHBOURS_MAX][SSPH_TERMS_MAX];
+    double target[SSPH_TERMS_MAX] = {0}, P[NEIGHBOURS_MAX][SSPH_TERMS_MAX];
     int crossed = 0, second = nb->dim == 1 ? 1 : 2;
-    target[0][second] = nb->kappa[0];
-    if (nb->dim == 2) target[0][4] = nb->kappa[1];
+    target[second] = nb->kappa[0];
+    if (nb->dim == 2) target[4] = nb->kappa[1];
     for (size_t j = 0; j < nb->n && p->materials == 2; j++)
         crossed |= layout_material(p, nb->x[0]) != layout_material(p, nb->x[0] + nb->d[j][0]);
-    if (!crossed) return ssph_weights(nb, o->kernel, 2, 1, target, w, why);
+    if (!crossed) return ssph_weights(nb, o->kernel, 2, target, w[0], why);
     for (size_t j = 0; j < nb->n; j++) functions(p, nb, nb->d[j], P[j]);
-    for (int k = 0; k < SSPH_TERMS_MAX; k++) target[0][k] /= nb->h * nb->h;
-    return ssph_fit(nb, o->kernel, nb->dim == 1 ? 2 : 5, P, target[0], w[0], why);
+    for (int k = 0; k < SSPH_TERMS_MAX; k++) target[k] /= nb->h * nb->h;
+    return ssph_fit(nb, o->kernel, nb->dim == 1 ? 2 : 5, P, target, w[0], why);
 }
 
 static const struct scheme scheme = {.sweeps = 1, .keeps_start = 1, .check = check, .weights = weights};

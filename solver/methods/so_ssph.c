@@ -17,10 +17,10 @@ static int check(const struct problem *p, const struct options *o, struct failur
 static int weights(const struct problem *p, const struct options *o, const struct neighbourhood *nb, double *w[2],
                    struct failure *why) {
     (void)p;
-    double target[1][SSPH_TERMS_MAX] = {{0}};
-    target[0][nb->dim == 1 ? 1 : 2] = nb->kappa[0];
-    if (nb->dim == 2) target[0][4] = nb->kappa[1];
-    return ssph_weights(nb, o->kernel, o->order ? o->order : 2, 1, target, w, why);
+    double target[SSPH_TERMS_MAX] = {0};
+    target[nb->dim == 1 ? 1 : 2] = nb->kappa[0];
+    if (nb->dim == 2) target[4] = nb->kappa[1];
+    return ssph_weights(nb, o->kernel, o->order ? o->order : 2, target, w[0], why);
 }
 
 static const struct scheme scheme = {.sweeps = 1, .check = check, .weights = weights};

@@ -144,25 +144,16 @@ static int singular(const struct neighbourhood *nb, int terms, double condition,
         nb->i, nb->x[0], nb->x[1], nb->n, terms, number, SSPH_CONDITION_MAX);
 }
 
-int ssph_weights(const struct neighbourhood *nb, enum kernel_name kernel, int order, int targets,
-                 double target[][SSPH_TERMS_MAX], double *w[], struct failure *why) {
+int ssph_weights(const struct neighbourhood *nb, enum kernel_name kernel, int order, const double *target, double *w,
+                 struct failure *why) {
     int terms = terms_of(nb->dim, order);
-    double matrix[SSPH_TERMS_MAX * SSPH_TERMS_MAX] = {0};
-    assemble(nb, kernel, order, matrix, w[0]);
+    double matrix[SSPH_TERMS_MAX * SSPH_TERMS_MAX] = {0}, z[SSPH_TERMS_MAX];
+    assemble(nb, kernel, order, matrix, w);
     double condition = factor(terms, matrix);
-    if (!(condition <= SSPH_CONDITION_MAX)) return singular(nb, terms, condition, w[0], why);
-
-    double z[2][SSPH_TERMS_MAX];
-    for (int t = 0; t < targets; t++) {
-        double unit = 1;
-        int k = 0;
-        for (int degree = 1; degree <= order; degree++) {
-            unit *= nb->h;
-            for (int b = 0; b <= (nb->dim == 2 ? degree : 0); b++, k++) z[t][k] = target[t][k] / unit;
-        }
-        solve(terms, matrix, z[t]);
-    }
-    for (int t = targets - 1; t >= 0; t--) combine(nb, order, w[0], z[t], w[t]); /* w[0] holds W till then */
+    if (!(condition <= SSPH_CONDITION_MAX)) return singular(nb, terms, condition, w, why);
+    for (int k = 0; k < terms; k++) z[k] = target[k] / (nb->h * nb->h);
+    solve(terms, matrix, z);
+    combine(nb, order, w, z, w); /* w holds W till then */
     return STATUS_OK;
 }
 

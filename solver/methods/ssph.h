@@ -8,12 +8,12 @@ enum { SSPH_ORDER_MAX = 4, SSPH_TERMS_MAX = 14 };
 /* A condition number (1-norm, in units of h) past this leaves fewer than six digits in the weights: an error. */
 #define SSPH_CONDITION_MAX 1e10
 
-/* Weights of linear combinations of derivatives from a Taylor expansion to `order` (Song eqs. 9-13): for each of the
- * `targets`, w[t][j] (nb->n of them) such that sum_j w[t][j] (f_j - f_i) approximates sum_ab c D^(a,b) f.  The terms
- * of `target[t]` are ordered x, y, x^2, xy, y^2, x^3, ... (x, x^2, ... on a rod) and have the unit m^(a+b).
+/* Weights of a linear combination of second derivatives from a Taylor expansion to `order` (Song eqs. 9-13): w[j]
+ * (nb->n of them) such that sum_j w[j] (f_j - f_i) approximates sum_k target[k] times the k-th derivative.  Terms are
+ * ordered x, y, x^2, xy, y^2, x^3, ... (x, x^2, ... on a rod); those of another degree than 2 are 0.
  * STATUS_NUMERICAL names the particle, its neighbour count and the condition number. */
-int ssph_weights(const struct neighbourhood *nb, enum kernel_name kernel, int order, int targets,
-                 double target[][SSPH_TERMS_MAX], double *w[], struct failure *why);
+int ssph_weights(const struct neighbourhood *nb, enum kernel_name kernel, int order, const double *target, double *w,
+                 struct failure *why);
 
 /* The first derivatives by that expansion to order 1, apart (struct scheme): F_j = W_j and C = (sum_j W_j d_j
  * d_j)^-1, m^-2.  A pair has the mean of both smoothing lengths, so that its W is that of either particle. */
