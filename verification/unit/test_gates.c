@@ -242,6 +242,19 @@ static void what_skip_leaves_out_is_there(void **state) {
     gates_free(&g);
 }
 
+static void runs_of_another_program_are_counted(void **state) {
+    (void)state;
+    static const struct program program = {.solver = "true"};
+    static const struct gate rows[] = {
+        {.id = "a", .measure = "slope", .command = "ladder rod-gauss x --dx 1,0.5,0.25"},
+        {.id = "b", .measure = "slope", .command = "ladder rod-gauss x --dx 1 --dt 4,2"},
+        {.id = "c", .measure = "drift", .command = "run rod-gauss x --dx 1"}};
+    struct gates g = {.program = &program};
+    for (int i = 0; i < 3; i++) gates_add(&g, &rows[i]);
+    assert_int_equal(gates_runs(&g), 3 + 2 + 1);
+    gates_free(&g);
+}
+
 static void declared_must_be_executed(void **state) {
     (void)state;
     struct gates g;
@@ -346,6 +359,7 @@ int main(void) {
         cmocka_unit_test(a_gate_can_be_typed),
         cmocka_unit_test(globs_choose),
         cmocka_unit_test(what_skip_leaves_out_is_there),
+        cmocka_unit_test(runs_of_another_program_are_counted),
         cmocka_unit_test(declared_must_be_executed),
         cmocka_unit_test(references_are_held_to_their_bounds),
         cmocka_unit_test(junit_tells_each_verdict),
