@@ -6,6 +6,10 @@
 
 #include <string.h>
 
+void answer_times(double from, double to, int count, double *time) {
+    for (int k = 0; k < count; k++) time[k] = from + (to - from) * k / (count - 1);
+}
+
 int answer_check(const struct answer *a, struct failure *why) {
     for (int i = 0; i < a->columns.count; i++) {
         const struct columns_kind *kind = a->columns.kind[i];

@@ -17,6 +17,9 @@ struct answer {
     double cell;        /* m: extent of a cell where the points do not tell; 0 where not given */
 };
 
+/* `count` >= 2 times evenly from `from` to `to` (s), both ends among them. */
+void answer_times(double from, double to, int count, double *time);
+
 /* Whether all that the columns need is there: times, cells. */
 int answer_check(const struct answer *a, struct failure *why);
 

@@ -279,6 +279,13 @@ static char *answered(struct answer *a, const char *text, const char *what) {
     return page;
 }
 
+static void times_have_both_ends(void **state) {
+    (void)state;
+    double time[4];
+    answer_times(0.5, 2, 4, time);
+    for (int k = 0; k < 4; k++) assert_near(time[k], 0.5 * (k + 1), 0);
+}
+
 static void answers_are_csv(void **state) {
     (void)state;
     static const double when[] = {0.25, 1.75, 0};
@@ -321,6 +328,7 @@ int main(void) {
         cmocka_unit_test(walls_are_told_by_their_kind),
         cmocka_unit_test(cell_means_are_integrals),
         cmocka_unit_test(cubature_refines_what_is_not_smooth),
+        cmocka_unit_test(times_have_both_ends),
         cmocka_unit_test(answers_are_csv),
     };
     gsl_set_error_handler_off();

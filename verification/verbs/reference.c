@@ -82,8 +82,11 @@ static double seconds(const struct answer *a) {
 /* The times of --time, to be freed. */
 static double *list_times(const struct request *r, int *count) {
     *count = r->times ? r->times : r->time.count;
-    double *time = xcalloc((size_t)*count + 1, sizeof *time), from = r->time.value[0], to = r->time.value[1];
-    for (int k = 0; k < *count; k++) time[k] = r->times ? from + (to - from) * k / (*count - 1) : r->time.value[k];
+    double *time = xcalloc((size_t)*count + 1, sizeof *time);
+    if (r->times)
+        answer_times(r->time.value[0], r->time.value[1], r->times, time);
+    else
+        memcpy(time, r->time.value, (size_t)*count * sizeof *time);
     return time;
 }
 
