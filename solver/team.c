@@ -4,10 +4,10 @@
  * waiting for as long as the system's time slice lasts, a thousand times longer than the wait of a sweep; where there
  * is little work in a sweep, waiting is most of it.  So a march begins alone and measures its rate.  While the system
  * has processors without work (the fourth field of Linux's /proc/loadavg counts what is running) it tries a stretch
- * with others, and goes on so while that takes less time by GAIN than alone.  What a trial loses is made up before
- * there is another: with all losses at most LOSS of the time since the beginning, a march of length T and one stretch
- * d that went wrong at its end take at most T/(1 - LOSS) + d, however busy the machine is and however small the
- * sweep. */
+ * with others, and goes on so while that takes less time by GAIN than alone.  A trial is begun where LOSS of the time
+ * since the beginning is more than all that trials have lost and what this one may, TRIAL: a march of length T takes
+ * at most T/(1 - LOSS), and what a stretch at its end loses beyond TRIAL, however busy the machine is and however
+ * small the sweep.  Within 0.2 s there is no trial. */
 #include "solver/team.h"
 
 #include <omp.h>
@@ -16,6 +16,7 @@
 
 static const double ALONE = 1e-3;    /* s, between looks at one thread: fifty times what a look takes */
 static const double TOGETHER = 1e-4; /* s, between looks at several, which ask the clock alone */
+static const double TRIAL = 1e-2;    /* s: to wake a processor and wait for it; 2 to 19 ms were seen on two */
 static const double GAIN = 1.1, LOSS = 0.05;
 
 static double now(void) {
@@ -42,7 +43,7 @@ void team_look(struct team *t, double wall, double work, double elapsed, int idl
         t->size = 1;
     } else {
         t->rate = work / wall;
-        if (t->lost <= LOSS * elapsed) t->size = 1 + idle < t->most ? 1 + idle : t->most;
+        if (t->lost + TRIAL <= LOSS * elapsed) t->size = 1 + idle < t->most ? 1 + idle : t->most;
     }
 }
 

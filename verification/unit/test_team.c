@@ -6,14 +6,14 @@
 static void processors_without_work_are_taken(void **state) {
     (void)state;
     struct team t = {.most = 3, .size = 1};
-    team_look(&t, 0.002, 8, 0.002, 0);
+    team_look(&t, 0.002, 8, 0.3, 0);
     assert_int_equal(t.size, 1); /* the others are busy */
     assert_near(t.rate, 4000, 1e-9);
-    team_look(&t, 0.004, 8, 0.006, 1);
+    team_look(&t, 0.004, 8, 0.304, 1);
     assert_int_equal(t.size, 2);
     assert_near(t.rate, 2000, 1e-9); /* the last look counts */
     struct team many = {.most = 3, .size = 1};
-    team_look(&many, 0.002, 8, 0.002, 11);
+    team_look(&many, 0.002, 8, 0.3, 11);
     assert_int_equal(many.size, 3); /* no more than may be used */
 }
 
@@ -34,9 +34,9 @@ static void threads_that_do_not_pay_go_home(void **state) {
 static void losses_are_made_up_first(void **state) {
     (void)state;
     struct team t = {.most = 2, .size = 1, .lost = 0.0005};
-    team_look(&t, 0.001, 1, 0.0099, 1);
+    team_look(&t, 0.001, 1, 0.2099, 1);
     assert_int_equal(t.size, 1);
-    team_look(&t, 0.001, 1, 0.0101, 1); /* 5 % of the time since the beginning */
+    team_look(&t, 0.001, 1, 0.2101, 1); /* 5 % of the time since the beginning: this, and 10 ms that it may lose */
     assert_int_equal(t.size, 2);
 }
 
@@ -47,7 +47,7 @@ static void a_march_is_never_much_slower(void **state) {
     for (double factor = 0.5; factor < 300; factor *= 1.7) {
         struct team t = {.most = 2, .size = 1};
         double stretch = 3e-4, wall = 0, alone = 0;
-        while (alone < 25 * factor * stretch || alone < 0.1) {
+        while (alone < 25 * factor * stretch || alone < 20) {
             double took = t.size > 1 ? factor * stretch : stretch;
             alone += stretch, wall += took;
             team_look(&t, took, 1, wall, 1);
