@@ -30,6 +30,7 @@ static const char *fuzz_put(const uint8_t *data, size_t size) {
         snprintf(fuzz_path, sizeof fuzz_path, "%s/file", fuzz_directory);
         atexit(fuzz_remove);
     }
+    unlink(fuzz_path); /* a file that is truncated goes to the disk when it is closed (ext4); a new one does not */
     FILE *out = fopen(fuzz_path, "w");
     fuzz_require(out && fwrite(data, 1, size, out) == size && fclose(out) == 0);
     return fuzz_path;
