@@ -65,12 +65,10 @@ void gates_run(struct gates *g);
 
 /* One row, answered by *program where there is one (NULL: by its own command); never fails silently: what cannot be
  * run is a failed verdict with its reason. */
-void gates_judge_by(const struct gate *gate, const struct program *program, struct measured *m);
-void gates_judge(const struct gate *gate, struct measured *m);
+void gates_judge(const struct gate *gate, const struct program *program, struct measured *m);
 
 /* What shows the same verdict when it is typed after the program's name. */
-void gates_command_by(const struct gate *gate, const struct program *program, char *text, size_t size);
-void gates_command(const struct gate *gate, char *text, size_t size);
+void gates_command(const struct gate *gate, const struct program *program, char *text, size_t size);
 
 /* STATUS_OK where as many were executed as declared, none failed and one passed at least; STATUS_INCONCLUSIVE where
  * none failed, but some could not tell or all were skipped; STATUS_NUMERICAL where a program answered none that can

@@ -174,7 +174,7 @@ static void what_one_field_cannot_tell_is_named(void **state) {
         for (const struct battery_row *row = battery_table; row->order; row++) {
             struct measured m;
             if (row->order != 2 || strcmp(row->gate.id, rows[k]) != 0) continue;
-            gates_judge_by(&row->gate, &program, &m);
+            gates_judge(&row->gate, &program, &m);
             if (!strstr(m.diagnosis, says[k])) fail_msg("%s: '%s'", rows[k], m.diagnosis);
         }
     }
@@ -225,7 +225,7 @@ static void steps_of_its_own_are_not_judged(void **state) {
     for (const struct battery_row *row = battery_table; row->order; row++) {
         struct measured m;
         if (strcmp(row->gate.id, "whole/time") != 0) continue;
-        gates_judge_by(&row->gate, &program, &m);
+        gates_judge(&row->gate, &program, &m);
         assert_int_equal(m.verdict, VERDICT_SKIPPED);
     }
 }
@@ -245,7 +245,7 @@ static void a_failure_can_be_typed(void **state) {
             free(l);
             continue;
         }
-        gates_command_by(&row->gate, &program, command, sizeof command);
+        gates_command(&row->gate, &program, command, sizeof command);
         assert_non_null(strstr(command, "--solve cell mean 0.25 '\\''arithmetic'\\'' {case}"));
         for (char *c; (c = strstr(command, "'\\''"));) memmove(c, c + 4, strlen(c + 4) + 1); /* as a shell reads it */
         if (arguments_parse_line(command, &r, &why)) fail_msg("%s: %s", command, why.text);

@@ -21,7 +21,7 @@
 static struct measured judge(const char *measure, const char *command, double lo, double hi, double ceiling) {
     struct gate gate = {"test", TIER_QUICK, measure, command, lo, hi, ceiling, "a test"};
     struct measured m;
-    gates_judge(&gate, &m);
+    gates_judge(&gate, NULL, &m);
     return m;
 }
 
@@ -99,7 +99,7 @@ static void a_gate_without_a_ceiling_says_none(void **state) {
     (void)state;
     const struct gate gate = {"test", TIER_QUICK, "slope", LADDER, 1.9, 2.1, NAN, "a test"};
     char text[400];
-    gates_command(&gate, text, sizeof text);
+    gates_command(&gate, NULL, text, sizeof text);
     assert_string_equal(text, LADDER " --expect 1.9,2.1");
 }
 
@@ -179,9 +179,9 @@ static void a_gate_can_be_typed(void **state) {
         struct request r;
         struct failure why;
         struct ladder *l = xcalloc(1, sizeof *l);
-        gates_judge(&rows[k], &m);
+        gates_judge(&rows[k], NULL, &m);
         assert_int_not_equal(m.verdict, VERDICT_PASS);
-        gates_command(&rows[k], command, sizeof command);
+        gates_command(&rows[k], NULL, command, sizeof command);
         if (arguments_parse_line(command, &r, &why)) fail_msg("%s: %s", command, why.text);
         assert_int_equal(ladder_run(&r.experiment, &r.rungs, l, &why), STATUS_OK);
         assert_int_equal(l->verdict, m.verdict);
@@ -192,10 +192,10 @@ static void a_gate_can_be_typed(void **state) {
     const struct gate other = {"symmetry/odd", TIER_QUICK, "symmetry", "run plate ftcs --dx 0.005", 2, 2, 1,
                                "no ladder"};
     char command[GATES_COMMAND];
-    gates_command(&other, command, sizeof command);
+    gates_command(&other, NULL, command, sizeof command);
     assert_string_equal(command, "verify --only 'symmetry/odd'");
     for (const struct gate *g = gates_table; g->id; g++) { /* none is cut */
-        gates_command(g, command, sizeof command);
+        gates_command(g, NULL, command, sizeof command);
         assert_true(strlen(command) < sizeof command - 1);
     }
 }

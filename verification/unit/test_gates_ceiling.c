@@ -11,7 +11,7 @@
 static struct measured judge(const char *command, double ceiling) {
     const struct gate gate = {"odd", TIER_QUICK, "overshoot", command, 0, 1e-12, ceiling, "a test of ceilings"};
     struct measured m;
-    gates_judge(&gate, &m);
+    gates_judge(&gate, NULL, &m);
     return m;
 }
 
@@ -33,7 +33,7 @@ static void an_error_that_is_not_a_number_fails(void **state) {
     const char *command = "limit so_ssph --dim 1 --kernel cubic --h 1.05";
     const struct gate gate = {"odd", TIER_QUICK, "limit_published", command, 0.95, 1, 1, "a test of ceilings"};
     struct measured m;
-    gates_judge(&gate, &m);
+    gates_judge(&gate, NULL, &m);
     assert_true(0.95 <= m.value && m.value <= 1);
     assert_true(isnan(m.error));
     assert_int_equal(m.verdict, VERDICT_FAIL);

@@ -55,7 +55,7 @@ static void its_order_is_judged(void **state) {
     struct gate gate = {.id = "mine", .measure = "slope", .lo = 1.9, .hi = 2.1, .ceiling = 1.63e-4, .why = ""};
     struct measured m;
     gate.command = "ladder rod-gauss mine --set kappa=0.4 --fourier 0.4 --dx 1,0.5,0.25,0.2,0.125" MINE;
-    gates_judge(&gate, &m);
+    gates_judge(&gate, NULL, &m);
     if (m.verdict != VERDICT_PASS) fail_msg("%s", m.reason);
 }
 
@@ -101,7 +101,7 @@ static void a_wrong_conductivity_is_caught(void **state) {
     struct measured m;
     gate.command = "ladder rod-gauss mine --set kappa=0.4 --fourier 0.2 --dx 1,0.5,0.25,0.2,0.125 --solver '" AWK
                    " -v wrong=2 {case} > {out}'";
-    gates_judge(&gate, &m);
+    gates_judge(&gate, NULL, &m);
     assert_int_equal(m.verdict, VERDICT_FAIL);
     assert_non_null(strstr(m.reason, "above its ceiling"));
 }

@@ -1,0 +1,138 @@
+/* Which gates: rows of the tables, one for each scene's reference; of these what --only, --skip, --quick leave. */
+#include "verification/gates/gates.h"
+
+#include "references/scene.h"
+#include "solver/status.h"
+#include "verification/text/words.h"
+
+#include <fnmatch.h>
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#define GATE(id, tier, measure, command, lo, hi, ceiling, why)                                                       \
+    {id, TIER_##tier, measure, command, lo, hi, ceiling, why},
+const struct gate gates_table[] = {
+#include "verification/gates/rod.def"
+#include "verification/gates/manufactured.def"
+#include "verification/gates/cooling.def"
+#include "verification/gates/materials.def"
+#include "verification/gates/plane.def"
+#include "verification/gates/operators.def"
+#include "verification/gates/stability.def"
+#include "verification/gates/time.def"
+#include "verification/gates/use.def"
+/* Every claim's verdict is gated without a row. */
+#define CLAIM(id, source, published, measure, argument, expected, why)                                               \
+    {"claim/" id, TIER_FULL, "claim", "claims --only " id, 0.5, 1.5, NAN, "expected of it in claims.def: " #expected},
+#include "verification/claims/claims.def"
+#undef CLAIM
+    {0}};
+#undef GATE
+
+enum { TEXT = 160 }; /* of the name and of the command of a reference's gate */
+
+/* Every scene's reference is gated without a row: its two forms agree within their bounds, which are small. */
+static struct gate reference_gate(const struct scene *s, char *text) {
+    struct problem p;
+    struct failure why;
+    char *id = text, *command = text + TEXT;
+    scene_defaults(s, &p);
+    snprintf(id, TEXT, "reference/%s", s->name);
+    if (s->setup(&p, &why)) p.dim = 1; /* its command then fails with that text */
+    double x = p.lo[0] + 0.137 * (p.hi[0] - p.lo[0]), y = p.lo[1] + 0.311 * (p.hi[1] - p.lo[1]);
+    int n = snprintf(command, TEXT, "reference %s --at %.3g", s->name, x);
+    if (p.dim == 2) n += snprintf(command + n, (size_t)(TEXT - n), ",%.3g", y);
+    snprintf(command + n, (size_t)(TEXT - n), " --time %.3g", p.t_end);
+    return (struct gate){
+        id, TIER_QUICK, "reference", command,
+        0,  1,          1e-12,       "two forms derived apart differ by no more than the sum of their bounds"};
+}
+
+/* The nearest name into `hint`; of a pattern the nearest group, the part of a name before its slash. */
+static void nearest_name(const struct gates *g, const char *glob, char *hint, size_t size) {
+    char(*name)[TEXT] = xcalloc((size_t)g->declared, sizeof *name), typed[TEXT];
+    const char **names = xcalloc((size_t)g->declared + 1, sizeof *names), *nearest = NULL;
+    int pattern = glob[strcspn(glob, "*?[")] != '\0', length = pattern ? (int)strcspn(glob, "/") : (int)strlen(glob);
+    snprintf(typed, sizeof typed, "%.*s", length, glob);
+    for (int i = 0; i < g->declared; i++) {
+        const char *id = g->result[i].gate.id;
+        snprintf(name[i], sizeof name[i], "%.*s", pattern ? (int)strcspn(id, "/") : TEXT - 1, id);
+        names[i] = name[i];
+    }
+    if (!strpbrk(typed, "*?[")) nearest = words_nearest(names, typed);
+    hint[0] = '\0';
+    if (nearest) snprintf(hint, size, "; did you mean '%.60s%s'?", nearest, pattern ? "/*" : "");
+    free(names);
+    free(name);
+}
+
+/* `option`: which one the glob is of. */
+static int none_matches(const struct gates *g, const char *option, const char *glob, struct failure *why) {
+    char hint[100];
+    int file = g->origin && strncmp(g->origin, "--gates", 7) == 0;
+    nearest_name(g, glob, hint, sizeof hint);
+    return refuse(why, STATUS_INPUT, "--%s: no gate matches '%.60s'%s (see: %s%.200s)", option, glob, hint,
+                  file ? "" : "heatladder list ",
+                  file        ? g->origin
+                  : g->origin ? "battery"
+                              : "gates");
+}
+
+void gates_add(struct gates *g, const struct gate *gate) {
+    struct gate_result *more = xcalloc((size_t)g->declared + 1, sizeof *more);
+    if (g->declared) memcpy(more, g->result, (size_t)g->declared * sizeof *more);
+    free(g->result);
+    g->result = more;
+    g->result[g->declared++].gate = *gate;
+}
+
+static int matches(const char *glob, const struct gate *gate) {
+    return glob && fnmatch(glob, gate->id, 0) == 0;
+}
+
+int gates_choose(struct gates *g, const char *only, const char *skip, int quick, struct failure *why) {
+    int found = 0, left_out = 0, kept = 0;
+    for (int i = 0; i < g->declared; i++) {
+        found += matches(only, &g->result[i].gate);
+        left_out += matches(skip, &g->result[i].gate);
+    }
+    if (only && !found) return none_matches(g, "only", only, why);
+    if (skip && !left_out) return none_matches(g, "skip", skip, why);
+    for (int i = 0; i < g->declared; i++) {
+        struct gate gate = g->result[i].gate;
+        if ((quick && gate.tier != TIER_QUICK) || (only && !matches(only, &gate)) || matches(skip, &gate)) continue;
+        g->result[kept++].gate = gate;
+    }
+    g->declared = kept;
+    if (kept) return STATUS_OK;
+    return refuse(why, STATUS_INPUT, "no gate is left: --only '%.60s'%s%s%s%s", only ? only : "*",
+                  skip ? " --skip '" : "", skip ? skip : "", skip ? "'" : "", quick ? " --quick" : "");
+}
+
+int gates_collect(const char *only, const char *skip, int quick, struct gates *g, struct failure *why) {
+    int rows = 0, references = 0;
+    while (gates_table[rows].id) rows++;
+    while (scenes[references]) references++;
+    *g = (struct gates){.declared = rows + references,
+                        .result = xcalloc((size_t)(rows + references), sizeof *g->result),
+                        .text = xcalloc((size_t)references, 2 * TEXT)};
+    for (int i = 0; i < rows; i++) g->result[i].gate = gates_table[i];
+    for (int s = 0; s < references; s++) g->result[rows + s].gate = reference_gate(scenes[s], g->text + 2 * TEXT * s);
+    return gates_choose(g, only, skip, quick, why);
+}
+
+void gates_free(struct gates *g) {
+    free(g->result);
+    free(g->text);
+    *g = (struct gates){0};
+}
+
+int gates_has_order(const char *scene, const char *method) {
+    char start[120];
+    int length = snprintf(start, sizeof start, "ladder %s %s ", scene, method);
+    for (const struct gate *gate = gates_table; gate->id; gate++)
+        if (strncmp(gate->measure, "slope", 5) == 0 && strncmp(gate->command, start, (size_t)length) == 0) return 1;
+    return 0;
+}

@@ -1,0 +1,127 @@
+/* One gate: its command, by another program where there is one, and what its measure says of it. */
+#include "verification/gates/gates.h"
+
+#include "verification/command/arguments.h"
+#include "verification/foreign/program.h"
+#include "verification/foreign/scratch.h"
+#include "verification/ladder/judge.h"
+#include "verification/ladder/ladder.h"
+#include "verification/text/words.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+
+/* The norm of a measure of slopes: "slope", "slope_NORM", "order" or "order_NORM"; -1 for any other measure. */
+static int slope_norm(const char *measure) {
+    if (strcmp(measure, "slope") == 0 || strcmp(measure, "order") == 0) return LADDER_L1;
+    if (strncmp(measure, "order_", 6) == 0) return words_index(ladder_norm_words, measure + 6);
+    return strncmp(measure, "slope_", 6) == 0 ? words_index(ladder_norm_words, measure + 6) : -1;
+}
+
+static void judge_refused(struct measured *m, const char *text) {
+    m->verdict = VERDICT_FAIL;
+    m->value = m->ci[0] = m->ci[1] = m->error = NAN;
+    snprintf(m->reason, sizeof m->reason, "%.300s", text);
+}
+
+/* The words that let another program answer a gate, ended by NULL; what they keep lies below a name of the gate's. */
+struct words {
+    const char *word[9];
+    char keep[400], timeout[40];
+};
+
+static void words_of(const struct gate *gate, const struct program *g, struct words *w) {
+    int n = 0;
+    *w = (struct words){{NULL}, "", ""};
+    if (!g) return;
+    w->word[n++] = g->solver ? "--solver" : "--results";
+    w->word[n++] = g->solver ? g->solver : g->results;
+    if (g->keep) {
+        snprintf(w->keep, sizeof w->keep, "%.200s/%.100s", g->keep, gate->id);
+        w->word[n++] = "--keep", w->word[n++] = w->keep;
+    }
+    if (g->timeout > 0) {
+        snprintf(w->timeout, sizeof w->timeout, "%.17g", g->timeout);
+        w->word[n++] = "--timeout", w->word[n++] = w->timeout;
+    }
+    if (g->columns.text) w->word[n++] = "--columns", w->word[n++] = g->columns.text;
+}
+
+/* Of a ladder or a run alone: no other verb can be done by another program. */
+static int parse(const struct gate *gate, const struct program *program, struct request *r, struct failure *why) {
+    struct words w;
+    words_of(gate, program, &w);
+    if (arguments_parse_line_with(gate->command, w.word, r, why)) return why->status;
+    if (!isnan(gate->ceiling)) r->rungs.ceiling = gate->ceiling;
+    return STATUS_OK;
+}
+
+void gates_judge(const struct gate *gate, const struct program *program, struct measured *m) {
+    struct request r;
+    struct failure why;
+    *m = (struct measured){0};
+    const struct measure *measure = measures_find(gate->measure, m);
+    if (!measure) return;
+    if (parse(gate, program, &r, &why)) {
+        judge_refused(m, why.text);
+    } else if (measure->ceiling && !(gate->ceiling > 0)) {
+        judge_refused(m, "this measure needs an error ceiling beside it");
+    } else {
+        measure->take(&r, gate->lo, gate->hi, m);
+        if (!isnan(gate->ceiling) && m->verdict != VERDICT_SKIPPED && slope_norm(gate->measure) < 0)
+            judge_ceiling(m->error, gate->ceiling, &m->verdict, m->reason, sizeof m->reason);
+    }
+    arguments_free(&r);
+}
+
+static void put_word(FILE *out, const char *word) {
+    if (scratch_is_plain(word) || strncmp(word, "--", 2) == 0) {
+        fprintf(out, " %s", word);
+        return;
+    }
+    fprintf(out, " '");
+    for (; *word; word++)
+        if (*word == '\'')
+            fprintf(out, "'\\''");
+        else
+            fputc(*word, out);
+    fprintf(out, "'");
+}
+
+void gates_command(const struct gate *gate, const struct program *program, char *text, size_t size) {
+    struct words w;
+    int norm = slope_norm(gate->measure);
+    FILE *out = fmemopen(text, size, "w");
+    if (!out) return;
+    if (norm < 0)
+        fprintf(out, "verify --only '%s'", gate->id);
+    else
+        fprintf(out, "%s --expect %g,%g", gate->command, gate->lo, gate->hi);
+    if (norm > 0) fprintf(out, " --norm %s", ladder_norm_words[norm]);
+    if (norm >= 0 && !isnan(gate->ceiling)) fprintf(out, " --ceiling %.10g", gate->ceiling);
+    words_of(gate, program, &w);
+    for (int i = 0; w.word[i]; i++) put_word(out, w.word[i]);
+    fclose(out);
+    text[size - 1] = '\0';
+}
+
+/* Rungs of a ladder, in whatever it climbs; 1 of a run. */
+static int runs_of(const struct gate *gate, const struct program *program) {
+    struct request r;
+    struct failure why;
+    int runs = 1;
+    if (!parse(gate, program, &r, &why)) {
+        const struct numbers *climbs[] = {&r.rungs.dx, &r.rungs.dt, &r.rungs.fourier, &r.rungs.vary};
+        for (int i = 0; i < 4; i++)
+            if (climbs[i]->count > runs) runs = climbs[i]->count;
+    }
+    arguments_free(&r);
+    return runs;
+}
+
+int gates_runs(const struct gates *g) {
+    int runs = 0;
+    for (int i = 0; i < g->declared; i++) runs += runs_of(&g->result[i].gate, g->program);
+    return runs;
+}

@@ -1,0 +1,124 @@
+/* What the rungs of a ladder say: errors, window, slope, verdict. */
+#include "verification/ladder/ladder.h"
+
+#include "verification/ladder/judge.h"
+#include "verification/text/json.h"
+
+#include <math.h>
+#include <stdio.h>
+
+const char *const ladder_norm_words[] = {"l1", "l2", "linf", "interior", "boundary", NULL};
+
+static double in_norm(const struct result *r, enum ladder_norm norm) {
+    if (r->failure.status) return NAN;
+    switch (norm) {
+    case LADDER_L1:
+        return r->error.l1;
+    case LADDER_L2:
+        return r->error.l2;
+    case LADDER_LINF:
+        return r->error.linf;
+    case LADDER_INTERIOR:
+        return r->interior.l1;
+    case LADDER_QUANTITY:
+        return r->derived_error;
+    default:
+        return r->boundary.l1;
+    }
+}
+
+/* The points of the window, coarsest first; how many. */
+static int inside(const struct ladder *l, double *x, double *error) {
+    int m = 0;
+    for (int i = 0; i < l->n; i++) {
+        if (!l->window.counts[i]) continue;
+        x[m] = l->x[i];
+        error[m++] = l->error[i];
+    }
+    return m;
+}
+
+double ladder_finest_error(const struct ladder *l) {
+    double error = NAN;
+    for (int i = 0; i < l->n; i++)
+        if (l->window.counts[i]) error = l->error[i];
+    return error;
+}
+
+void ladder_slope_text(const struct ladder *l, char *text, size_t size) {
+    static const char *const names[] = {
+        "E1", "L2", "Linf", "E1 of the interior", "E1 near the walls", "the quantity's error"};
+    int used = snprintf(text, size, "slope of %s: ", names[l->norm]);
+    char *rest = text + used;
+    size_t room = size - (size_t)used;
+    if (!isfinite(l->slope.value))
+        snprintf(rest, room, "- (%d of %d rungs count, a slope needs two)", l->slope.n, l->n);
+    else if (l->slope.n < 3)
+        snprintf(rest, room, "%.4f, 95 %% interval - (of two rungs there is none), over 2 of %d rungs",
+                 l->slope.value, l->n);
+    else
+        snprintf(rest, room, "%.4f, 95 %% interval [%.4f, %.4f], over %d of %d rungs", l->slope.value, l->slope.ci[0],
+                 l->slope.ci[1], l->slope.n, l->n);
+}
+
+void ladder_fit(struct ladder *l, enum ladder_norm norm) {
+    struct window_rung rung[RUNG_MAX];
+    double x[RUNG_MAX], error[RUNG_MAX];
+    l->norm = norm;
+    for (int i = 0; i < l->n; i++) {
+        const struct result *r = &l->rung[i];
+        l->error[i] = in_norm(r, norm);
+        /* the shares are of E1; another norm of the same field is judged by them too */
+        rung[i] = (struct window_rung){
+            .x = l->x[i],
+            .error = l->error[i],
+            .time = l->in_time ? NAN : r->time_error,
+            .reference =
+                norm == LADDER_QUANTITY ? r->derived_bound / r->derived_error : r->reference_error / r->error.l1,
+            .rounding = r->rounding / r->error.l1,
+            /* in time the particles stay where they are */
+            .random = (r->options.layout == LAYOUT_JITTER || r->options.layout == LAYOUT_RELAXED) && !l->in_time};
+    }
+    slope_local(l->x, l->error, l->n, l->local);
+    window_choose(rung, l->n, &l->window);
+    l->slope = slope_fit(x, error, inside(l, x, error));
+    l->verdict = isfinite(l->slope.value) && l->slope.n >= WINDOW_LEAST ? VERDICT_MEASURED : VERDICT_INCONCLUSIVE;
+    snprintf(l->reason, sizeof l->reason, "%d of %d rungs count%s", l->slope.n, l->n,
+             l->slope.n < WINDOW_LEAST ? ", at least four must" : "");
+    if (l->failure.status) l->verdict = VERDICT_FAIL;
+    if (l->failure.status) snprintf(l->reason, sizeof l->reason, "a rung failed: %.200s", l->failure.text);
+    if (l->failure.status != STATUS_SKIPPED) return;
+    l->verdict = VERDICT_SKIPPED;
+    snprintf(l->reason, sizeof l->reason, "%.200s", l->failure.text);
+}
+
+void ladder_judge(struct ladder *l, double lo, double hi) {
+    double x[RUNG_MAX], error[RUNG_MAX];
+    if (l->failure.status) return; /* a rung failed, and the ladder with it */
+    struct judged judged = {x, error, inside(l, x, error), l->window.scattered};
+    l->verdict = judge_order(&judged, lo, hi, l->reason, sizeof l->reason);
+}
+
+void ladder_json(const struct ladder *l, struct json *j) {
+    json_array(j, "rungs");
+    for (int i = 0; i < l->n; i++) {
+        json_object(j, NULL);
+        result_json(&l->rung[i], j);
+        if (*l->vary) json_number(j, l->vary, l->inverse ? 1 / l->x[i] : l->x[i]);
+        json_whole(j, "counts", l->window.counts[i]);
+        json_text(j, "left_out", l->window.left_out[i][0] ? l->window.left_out[i] : NULL);
+        json_end(j);
+    }
+    json_end(j);
+    json_text(j, "against", l->in_time ? "dt" : *l->vary ? l->vary : "dx");
+    json_number(j, "slope", l->slope.value);
+    json_array(j, "slope_ci95");
+    for (int i = 0; i < 2; i++) json_number(j, NULL, l->slope.ci[i]);
+    json_end(j);
+    json_array(j, "local_slopes");
+    for (int i = 0; i + 1 < l->n; i++) json_number(j, NULL, l->local[i]);
+    json_end(j);
+    json_text(j, "verdict", verdict_words[l->verdict]);
+    json_text(j, "reason", l->reason);
+    diagnosis_json(&l->diagnosis, j);
+}
