@@ -141,12 +141,13 @@ int relax_cloud(const struct problem *p, const struct options *o, double spacing
     m.move = xcalloc(2 * c->n, sizeof *m.move);
     memcpy(m.c.x, c->x, c->n * sizeof *c->x);
     memcpy(m.c.y, c->y, c->n * sizeof *c->y);
-    struct team team = team_start(o->threads);
+    struct team team = team_start(o->threads, 0);
     for (s->sweeps = 0;; s->sweeps++) {
         s->moved = sweep(&m, team_size(&team, s->sweeps > 0));
         if (s->moved <= SETTLED || s->sweeps == o->sweeps) break;
         displace(&m);
     }
+    team_end(&team);
     survey(&m, s);
     memcpy(c->x, m.c.x, c->n * sizeof *c->x);
     memcpy(c->y, m.c.y, c->n * sizeof *c->y);

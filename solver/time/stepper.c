@@ -31,7 +31,7 @@
 
 enum {
     TOGETHER = 32, /* updates that the operator is handed at once; steps between checks of the bounds */
-    FIRST = 8      /* of one thread, before others are tried */
+    FIRST = 8      /* of one thread, twice: before one is woken, and before others are tried */
 };
 
 int stepper_stages(double dt, double bound) {
@@ -151,10 +151,11 @@ int stepper_march(const struct heat_operator *a, const struct march *m, double *
     *bytes += (size_t)arrays * a->state * sizeof **Y;
     state_load(a, T, Y[0]);
     struct heat_operator own = *a;
-    struct team team = team_start(a->threads);
+    struct team team =
+        team_start(a->threads, (double)(m->stepper == STEPPER_RKL2 ? stepper_applications(m) : m->steps));
     own.threads = team_size(&team, 0);
     for (long long done = 0, count; done < m->steps && !status; done += count) {
-        count = done == 0 ? FIRST : TOGETHER;
+        count = done < 2 * FIRST ? FIRST : TOGETHER;
         if (count > m->steps - done) count = m->steps - done;
         if (m->stepper == STEPPER_EULER)
             euler_steps(&own, m, done, (int)count, Y);
@@ -165,6 +166,7 @@ int stepper_march(const struct heat_operator *a, const struct march *m, double *
         if (m->stepper != STEPPER_RKL2) own.threads = team_size(&team, (double)count);
         status = check_bounds(m, a, Y[0], done + count, why);
     }
+    team_end(&team);
     state_store(a, Y[0], T);
     for (int k = 0; k < arrays; k++) free(Y[k]);
     return status;
