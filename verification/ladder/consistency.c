@@ -62,6 +62,7 @@ int consistency_error(const struct experiment *e, double *error, struct failure 
     int order = o->order > 2 ? o->order : 2;
     struct neighbourhood nb;
     if (operator_neighbourhood(p->dim, o->dx, o->h > 0 ? o->h : 1.1 * order / 2, d, &nb, why)) return why->status;
+    if (scheme->volume) nb.volume = scheme->volume(p, o, nb.h, nb.volume);
     nb.rho_c = p->material[0].rho_c;
     for (int a = 0; a < p->dim; a++) nb.kappa[a] = p->material[0].k[a] / p->material[0].rho_c;
     if (scheme->check(p, o, why) || scheme->weights(p, o, &nb, w, why)) return why->status;

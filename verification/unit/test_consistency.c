@@ -4,7 +4,10 @@
 #include "solver/space/operator.h"
 #include "verification/command/arguments.h"
 
-#include "verification/unit/near.h"
+#include "verification/unit/stencil_moments.h"
+
+#include <complex.h>
+#include <float.h>
 
 /* Leaves what is not a number where the next function has its arrays. */
 static double __attribute__((noinline)) spoil(void) {
@@ -28,9 +31,46 @@ static void what_lies_behind_the_last_neighbour_is_not_read(void **state) {
     }
 }
 
+/* The function is the imaginary part of exp(z.x + i c), z = a + i b along each axis, whose derivatives are powers of
+ * z: a stencil gives S = sum w (exp(z.d) - 1) times it, where the exact factor is E = kappa_x z_x^2 + kappa_y z_y^2.
+ */
+static void assert_symbol(const char *line, const char *method, const double kappa[2]) {
+    const double complex z[2] = {CMPLX(0.3, 1.1), CMPLX(-0.2, 0.7)};
+    struct request r;
+    struct failure why;
+    double error, off = 0, size = 0, dx;
+    double complex S = 0, E = 0;
+    if (arguments_parse_line(line, &r, &why)) fail_msg("%s", why.text);
+    assert_int_equal(consistency_error(&r.experiment, &error, &why), STATUS_OK);
+    dx = r.experiment.options.dx;
+    arguments_free(&r);
+    struct stencil s = stencil_of(method, kappa);
+    for (int a = 0; a < 2; a++) E += kappa[a] * z[a] * z[a];
+    for (int j = -s.reach[1]; j <= s.reach[1]; j++)
+        for (int i = -s.reach[0]; i <= s.reach[0]; i++)
+            S += stencil_weight(&s, i, j) / (dx * dx) * (cexp(dx * (i * z[0] + j * z[1])) - 1);
+    for (int k = 0; k < 16; k++) {
+        double complex u = cexp((-1 + 0.137 * k) * z[0] + (0.9 - 0.119 * k) * z[1] + CMPLX(0, 0.4));
+        off += fabs(cimag((S - E) * u));
+        size += fabs(cimag(E * u));
+    }
+    free(s.w);
+    /* a sum of some 20 weights of size kappa/dx^2, rounded, beside kappa z^2 */
+    assert_near(error, off / size, 100 * DBL_EPSILON / (dx * dx));
+}
+
+static void the_error_is_that_of_the_symbol(void **state) {
+    (void)state;
+    assert_symbol("run square-step so_ssph --h 1.1 --dx 0.1 --set kappa_x=0.013 --set kappa_y=0.0029", "so_ssph",
+                  (double[]){0.013, 0.0029});
+    assert_symbol("run square-step brookshaw --h 1.1 --dx 0.07 --set kappa_x=0.013 --set kappa_y=0.013", "brookshaw",
+                  (double[]){0.013, 0.013});
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(what_lies_behind_the_last_neighbour_is_not_read),
+        cmocka_unit_test(the_error_is_that_of_the_symbol),
     };
     return cmocka_run_group_tests_name("consistency", tests, NULL, NULL);
 }
