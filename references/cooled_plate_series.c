@@ -49,7 +49,7 @@ static void steady_along_y(double W, double H, double h, const double x[2], stru
 
 struct approx cooled_plate_series(double W, double H, double h, double hot, double start, double s,
                                   const double x[2]) {
-    struct approx T = {0, 1e-17}, F = {0, 4 * DBL_EPSILON};
+    struct approx T = {0, 1e-17 * (fabs(hot) + fabs(start))}, F = {0, 4 * DBL_EPSILON};
     (x[1] * H > (W - x[0]) * W ? steady_along_x : steady_along_y)(W, H, h, x, &F);
     T.value = hot * F.value;
     T.error += fabs(hot) * F.error;

@@ -235,6 +235,28 @@ static void two_equal_layers_are_one_wall(void **state) {
     }
 }
 
+/* Seen from its other side a wall is the same wall, and nothing less is known of it. */
+static void layers_have_no_first_side(void **state) {
+    (void)state;
+    static struct layers_modes m, n;
+    struct layers w = {{0.37, 0.73}, {0.9, 2.1}, {1.3, 0.4}, {0.2, 31}, {1.7, 1.7}}, v = w;
+    for (int i = 0; i < 2; i++) {
+        v.width[i] = w.width[1 - i], v.k[i] = w.k[1 - i], v.rho_c[i] = w.rho_c[1 - i];
+        v.wall[i] = w.wall[1 - i], v.start[i] = w.start[1 - i];
+    }
+    for (double t = 0.001; t < 1; t *= 2.1) {
+        layers_modes(&w, t, &m);
+        layers_modes(&v, t, &n);
+        assert_int_equal(m.n, n.n);
+        for (int k = 0; k < 2; k++) assert_near(m.error[k], n.error[k], 1e-9 * m.error[k]); /* of sums turned round */
+        for (double x = -0.36; x < 0.73; x += 0.083) {
+            struct curve e = layers_modes_at(&m, x), f = layers_modes_at(&n, -x);
+            assert_near(e.at.value, f.at.value, e.at.error + f.at.error);
+            assert_near(e.slope.value, -f.slope.value, e.slope.error + f.slope.error);
+        }
+    }
+}
+
 /* No mode is missed, even where both layers resonate and the contact is a node: the n-th has n - 1 nodes, so that the
  * frequencies of layers alike in all but name are n pi/(their times), and of any others lie between. */
 static void no_mode_of_two_layers_is_missed(void **state) {
@@ -274,6 +296,7 @@ int main(void) {
         cmocka_unit_test(rectangle_slopes_are_differences),
         cmocka_unit_test(sinh_ratio_never_overflows),
         cmocka_unit_test(two_equal_layers_are_one_wall),
+        cmocka_unit_test(layers_have_no_first_side),
         cmocka_unit_test(no_mode_of_two_layers_is_missed),
     };
     gsl_set_error_handler_off();

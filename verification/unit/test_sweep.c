@@ -145,6 +145,22 @@ static void a_rod_is_swept_as_defined(void **state) {
     }
 }
 
+/* What is left out of the loops of a plain update must not be there: the particle itself counts once, what was two
+ * updates ago and the start not at all, and nothing comes from outside. */
+static void only_steps_of_euler_are_plain(void **state) {
+    (void)state;
+    double some[1] = {0.3};
+    struct heat_operator closed = {.n = 1}, fed = {.n = 1, .g = some};
+    struct update euler = {.rate = 0.7, .self = 1}, weighted = {.rate = 0.7, .self = 0.9},
+                  two_back = {.rate = 0.7, .self = 1, .old = -0.2},
+                  from_start = {.rate = 0.7, .self = 1, .start = 0.1, .Y0 = some};
+    assert_int_equal(sweep_is_plain(&closed, &euler), 1);
+    assert_int_equal(sweep_is_plain(&fed, &euler), 0);
+    assert_int_equal(sweep_is_plain(&closed, &weighted), 0);
+    assert_int_equal(sweep_is_plain(&closed, &two_back), 0);
+    assert_int_equal(sweep_is_plain(&closed, &from_start), 0);
+}
+
 /* ---- The same bits ---- */
 
 static void assert_same_bits(const struct made *got, const struct made *want) {
@@ -289,6 +305,7 @@ int main(void) {
         cmocka_unit_test(the_plane_is_swept_as_defined),
         cmocka_unit_test(two_sweeps_in_one_are_swept_as_defined),
         cmocka_unit_test(a_rod_is_swept_as_defined),
+        cmocka_unit_test(only_steps_of_euler_are_plain),
         cmocka_unit_test(sharing_a_sweep_changes_no_bit),
         cmocka_unit_test(threads_change_no_bit),
         cmocka_unit_test(the_width_of_vectors_changes_no_bit),

@@ -4,7 +4,10 @@
 #include "verification/unit/odd_problems.h"
 #include "verification/unit/near.h"
 
+#include <float.h>
 #include <stdlib.h>
+
+static const double PI = 3.14159265358979323846;
 
 /* Between walls of each kind, on cells and on nodes. */
 static struct lattice between(int sides, enum layout_name layout, double dx) {
@@ -75,10 +78,29 @@ static void all_modes_give_the_data_back(void **state) {
         }
 }
 
+/* Insulated at one end, cooled by f = (1 - b)/(1 + b) at the other: mode k of n particles is cos(theta (i + 1/2)),
+ * and the ghost asks for tan(n theta) tan(theta/2) = b.  The slowest one decays however little is cooled: its theta
+ * is sqrt(2 b/n) and must be known to its own last digits, not to those of pi. */
+static void cooled_ends_have_their_angles(void **state) {
+    (void)state;
+    enum { N = 11 };
+    for (int power = 3; power <= 50; power += 47 / 3) {
+        struct lattice l = {.dim = 1, .n = {N, 1}, .sign = {1, LAYOUT_ROBIN}, .robin = {0, 1 - ldexp(1, -power)}};
+        double b = ldexp(1, -power) / (2 - ldexp(1, -power));
+        double slowest = transform_angle(&l, 0, 0);
+        assert_near(tan(N * slowest) * tan(slowest / 2) / b, 1, 16 * DBL_EPSILON);
+        for (int k = 1; k < N; k++) {
+            double theta = transform_angle(&l, 0, k);
+            assert_near(theta, (PI * k + atan(b / tan(theta / 2))) / N, 4 * DBL_EPSILON * theta);
+        }
+    }
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(a_mode_has_one_coefficient),
         cmocka_unit_test(all_modes_give_the_data_back),
+        cmocka_unit_test(cooled_ends_have_their_angles),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
