@@ -197,6 +197,7 @@ int arguments_parse(int argc, char *const *argv, struct request *r, struct failu
     int options = 0, positionals = 0;
     if (options_lanes_forced(&r->experiment.options.lanes, why)) return why->status;
     if (argc < 1) return refuse(why, STATUS_INPUT, "a verb is missing (see: heatladder --help)");
+    r->typed = words_line(argc, (const char *const *)argv);
     r->verb = verb_find(argv[0]);
     if (!r->verb) return unknown_verb(argv[0], why);
     if (words_among(r->verb->options, "solver") &&
@@ -267,6 +268,7 @@ int arguments_parse_line(const char *line, struct request *r, struct failure *wh
 
 void arguments_free(struct request *r) {
     free(r->line);
+    free(r->typed);
     free(r->external);
     *r = (struct request){0};
 }

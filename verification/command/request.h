@@ -39,7 +39,8 @@ struct request {
     int quick;                                                   /* 1: the quick tier of the gates alone */
     unsigned long given;                                         /* which rows of the option table were given */
     unsigned long overridden;                                    /* which parameters of the scene were given */
-    char *line; /* owned: the words of a command that was given as one line; else NULL */
+    char *typed; /* owned: the command after the program's name, quoted for a shell */
+    char *line;  /* owned: the words of a command that was given as one line; else NULL */
 };
 
 #endif

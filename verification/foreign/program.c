@@ -14,6 +14,7 @@
 #include "verification/foreign/results.h"
 #include "verification/foreign/scratch.h"
 #include "verification/text/atomic_file.h"
+#include "verification/text/words.h"
 
 #include <errno.h>
 #include <math.h>
@@ -91,7 +92,7 @@ static int choose_place(const struct program *g, const struct scene *s, const st
         results_number(o->dx, dx);
         snprintf(dir, sizeof dir, "%.600s/%s/%s", g->keep, s->name, dx);
         append_rung(g, dir);
-        if (!scratch_is_plain(dir))
+        if (!words_is_plain(dir))
             return refuse(why, STATUS_INPUT, "--keep '%.200s': letters, digits and /._-+=,@%% are wanted in its name",
                           g->keep);
         if (make_directories(dir, why)) return STATUS_INPUT;

@@ -2,6 +2,7 @@
 #include "verification/foreign/scratch.h"
 
 #include "solver/status.h"
+#include "verification/text/words.h"
 
 #include <errno.h>
 #include <fcntl.h>
@@ -19,11 +20,6 @@ static const char guard[] = "read -r group; read -r end\n"
                             "[ -z \"$group\" ] || kill -s KILL -- \"-$group\" 2>/dev/null\n"
                             "for try in 1 2 3; do rm -rf -- \"$0\" 2>/dev/null && exit\n"
                             "chmod -R u+rwx -- \"$0\" 2>/dev/null; done";
-
-int scratch_is_plain(const char *path) {
-    static const char plain[] = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789/._-+=,@%";
-    return path[strspn(path, plain)] == '\0';
-}
 
 static int start_guard(struct scratch *s, const int ends[2]) {
     char *argv[] = {"sh", "-c", (char *)guard, s->dir, NULL};
@@ -44,7 +40,7 @@ static int start_guard(struct scratch *s, const int ends[2]) {
 int scratch_open(struct scratch *s, struct failure *why) {
     const char *parent = getenv("TMPDIR");
     int ends[2] = {-1, -1}, error = 0;
-    if (!parent || *parent != '/' || strlen(parent) > SCRATCH_PATH - 60 || !scratch_is_plain(parent)) parent = "/tmp";
+    if (!parent || *parent != '/' || strlen(parent) > SCRATCH_PATH - 60 || !words_is_plain(parent)) parent = "/tmp";
     snprintf(s->dir, sizeof s->dir, "%.195s/heatladder-XXXXXX", parent);
     if (!mkdtemp(s->dir))
         return refuse(why, STATUS_INPUT, "cannot make a directory in '%.195s': %s", parent, strerror(errno));

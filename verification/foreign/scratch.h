@@ -20,7 +20,4 @@ int scratch_open(struct scratch *s, struct failure *why); /* STATUS_OK, or STATU
 void scratch_watch(struct scratch *s, pid_t group);       /* `group` ends with the directory */
 void scratch_close(struct scratch *s);                    /* returns when all is removed */
 
-/* Whether a path needs no quotes in a shell. */
-int scratch_is_plain(const char *path);
-
 #endif

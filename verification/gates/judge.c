@@ -3,13 +3,13 @@
 
 #include "verification/command/arguments.h"
 #include "verification/foreign/program.h"
-#include "verification/foreign/scratch.h"
 #include "verification/ladder/judge.h"
 #include "verification/ladder/ladder.h"
 #include "verification/text/words.h"
 
 #include <math.h>
 #include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
 
 /* The norm of a measure of slopes: "slope", "slope_NORM", "order" or "order_NORM"; -1 for any other measure. */
@@ -25,15 +25,16 @@ static void judge_refused(struct measured *m, const char *text) {
     snprintf(m->reason, sizeof m->reason, "%.300s", text);
 }
 
-/* The words that let another program answer a gate, ended by NULL; what they keep lies below a name of the gate's. */
+/* The words that let another program answer a gate; what they keep lies below a name of the gate's. */
 struct words {
-    const char *word[9];
+    const char *word[9]; /* ended by NULL */
+    int count;
     char keep[400], timeout[40];
 };
 
 static void words_of(const struct gate *gate, const struct program *g, struct words *w) {
     int n = 0;
-    *w = (struct words){{NULL}, "", ""};
+    *w = (struct words){0};
     if (!g) return;
     w->word[n++] = g->solver ? "--solver" : "--results";
     w->word[n++] = g->solver ? g->solver : g->results;
@@ -46,6 +47,7 @@ static void words_of(const struct gate *gate, const struct program *g, struct wo
         w->word[n++] = "--timeout", w->word[n++] = w->timeout;
     }
     if (g->columns.text) w->word[n++] = "--columns", w->word[n++] = g->columns.text;
+    w->count = n;
 }
 
 /* Of a ladder or a run alone: no other verb can be done by another program. */
@@ -75,20 +77,6 @@ void gates_judge(const struct gate *gate, const struct program *program, struct 
     arguments_free(&r);
 }
 
-static void put_word(FILE *out, const char *word) {
-    if (scratch_is_plain(word) || strncmp(word, "--", 2) == 0) {
-        fprintf(out, " %s", word);
-        return;
-    }
-    fprintf(out, " '");
-    for (; *word; word++)
-        if (*word == '\'')
-            fprintf(out, "'\\''");
-        else
-            fputc(*word, out);
-    fprintf(out, "'");
-}
-
 void gates_command(const struct gate *gate, const struct program *program, char *text, size_t size) {
     struct words w;
     int norm = slope_norm(gate->measure);
@@ -101,7 +89,9 @@ void gates_command(const struct gate *gate, const struct program *program, char 
     if (norm > 0) fprintf(out, " --norm %s", ladder_norm_words[norm]);
     if (norm >= 0 && !isnan(gate->ceiling)) fprintf(out, " --ceiling %.10g", gate->ceiling);
     words_of(gate, program, &w);
-    for (int i = 0; w.word[i]; i++) put_word(out, w.word[i]);
+    char *more = words_line(w.count, w.word);
+    fprintf(out, "%s%s", w.count > 0 ? " " : "", more);
+    free(more);
     fclose(out);
     text[size - 1] = '\0';
 }

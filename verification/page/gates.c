@@ -84,28 +84,47 @@ static void put_failure(const struct page_gate *g, FILE *out) {
                g->command);
 }
 
+/* Gates of one group, or all. */
+struct tally {
+    int held, judged, failed;
+};
+
+static struct tally tally_of(const struct page_gate *gate, int count, const char *group) {
+    struct tally t = {0};
+    for (int i = 0; i < count; i++) {
+        if (skipped(&gate[i]) || (group && !page_same_group(gate[i].id, group))) continue;
+        t.judged++;
+        t.held += passed(&gate[i]);
+        t.failed += !passed(&gate[i]) && strcmp(gate[i].verdict, "inconclusive") != 0;
+    }
+    return t;
+}
+
+/* As gates_status: where nothing was judged, nothing is known. */
+static const char *tally_word(struct tally t) {
+    return t.failed ? "fail" : t.held < t.judged || t.judged == 0 ? "inconclusive" : "pass";
+}
+
 static void put_groups(const struct page_gate *gate, int count, FILE *out) {
     fprintf(out, "<ul class=\"groups\">\n");
     for (int i = 0; i < count; i++) {
-        int n = 0, good = 0, first = 1;
+        int first = 1;
         for (int k = 0; k < i && first; k++) first = !page_same_group(gate[k].id, gate[i].id);
-        for (int k = 0; k < count && first; k++)
-            if (page_same_group(gate[k].id, gate[i].id)) n += !skipped(&gate[k]), good += passed(&gate[k]);
         if (!first) continue;
-        fprintf(out, "<li>%.*s %d/%d ", (int)page_group_length(gate[i].id), gate[i].id, good, n);
-        html_verdict(out, good == n ? "pass" : "fail");
+        struct tally t = tally_of(gate, count, gate[i].id);
+        fprintf(out, "<li>%.*s %d/%d ", (int)page_group_length(gate[i].id), gate[i].id, t.held, t.judged);
+        html_verdict(out, t.judged ? tally_word(t) : "skipped");
         fprintf(out, "\n");
     }
     fprintf(out, "</ul>\n");
 }
 
 void page_put_gates(const struct page_gate *gate, int count, const char *made, FILE *out) {
-    int good = 0, n = 0;
-    for (int i = 0; i < count; i++) n += !skipped(&gate[i]), good += passed(&gate[i]);
+    struct tally t = tally_of(gate, count, NULL);
     fprintf(out, "<p class=\"verdict\">");
-    html_verdict(out, n > 0 && good == n ? "pass" : "fail");
-    fprintf(out, ": %d of %d gates hold", good, n);
-    if (n < count) fprintf(out, ", %d skipped", count - n);
+    html_verdict(out, tally_word(t));
+    fprintf(out, ": %d of %d gates hold", t.held, t.judged);
+    if (t.judged < count) fprintf(out, ", %d skipped", count - t.judged);
     fprintf(out, "</p>\n");
     html_print(out, "<p class=\"faint\">The gates were run %s.</p>\n", made);
     for (int i = 0; i < count; i++)

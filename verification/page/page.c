@@ -26,7 +26,12 @@ void page_origin(char *text, size_t size) {
     snprintf(text, size, "%s on %s by heatladder %s", when, where, version_text);
 }
 
-int page_gates_write(const struct gates *g, const char *title, const char *path, struct failure *why) {
+static void put_command(const char *command, FILE *out) {
+    html_print(out, "<p class=\"faint\">Made by</p>\n<pre><code>heatladder %s</code></pre>\n", command);
+}
+
+int page_gates_write(const struct gates *g, const char *title, const char *command, const char *path,
+                     struct failure *why) {
     struct output page;
     FILE *out = output_open(&page, "%s", path);
     html_open(out, title);
@@ -49,6 +54,7 @@ int page_gates_write(const struct gates *g, const char *title, const char *path,
     char made[PAGE_ORIGIN];
     page_origin(made, sizeof made);
     page_put_gates(gate, g->declared, made, out);
+    put_command(command, out);
     free(gate);
     html_close(out);
     return output_close(&page, 1, why);
@@ -82,7 +88,7 @@ static void put_rungs(const struct ladder *l, FILE *out) {
     fprintf(out, "</table></div>\n");
 }
 
-int page_ladder_write(const struct ladder *l, const struct ladder_rungs *asked, const char *path,
+int page_ladder_write(const struct ladder *l, const struct ladder_rungs *asked, const char *command, const char *path,
                       struct failure *why) {
     struct output page;
     FILE *out = output_open(&page, "%s", path);
@@ -114,6 +120,7 @@ int page_ladder_write(const struct ladder *l, const struct ladder_rungs *asked, 
     chart_write(&chart, out);
     fprintf(out, "</figure>\n");
     put_rungs(l, out);
+    put_command(command, out);
     html_close(out);
     return output_close(&page, 1, why);
 }

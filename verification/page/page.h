@@ -33,9 +33,11 @@ void page_put_scene(const struct page_gate *gate, int count, const char *scene, 
 /* When, where and by which version something is made: now, here, by this one. */
 void page_origin(char *text, size_t size);
 
-/* A page of its own at `path`, whole or not at all.  A status of solver/status.h. */
-int page_gates_write(const struct gates *g, const char *title, const char *path, struct failure *why);
-int page_ladder_write(const struct ladder *l, const struct ladder_rungs *asked, const char *path,
+/* A page of its own at `path`, whole or not at all, with the command that makes it, which is typed after the
+ * program's name.  A status of solver/status.h. */
+int page_gates_write(const struct gates *g, const char *title, const char *command, const char *path,
+                     struct failure *why);
+int page_ladder_write(const struct ladder *l, const struct ladder_rungs *asked, const char *command, const char *path,
                       struct failure *why);
 
 #endif

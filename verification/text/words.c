@@ -5,6 +5,7 @@
 #include "solver/status.h"
 
 #include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
 
 enum { LENGTH_MAX = 63 }; /* letters beyond these are not compared */
@@ -71,4 +72,25 @@ int words_unknown(const char *const *words, const char *what, const char *word, 
     if (!words[0]) return refuse(why, STATUS_INPUT, "unknown %s '%.60s'; there is none", what, word);
     if (nearest) snprintf(hint, sizeof hint, "; did you mean '%.60s'?", nearest);
     return refuse(why, STATUS_INPUT, "unknown %s '%.60s'%s (valid: %s)", what, word, hint, valid);
+}
+
+int words_is_plain(const char *word) {
+    static const char plain[] = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789/._-+=,@%";
+    return *word && word[strspn(word, plain)] == '\0';
+}
+
+/* '...' holds all but a quote, which becomes '\'' (POSIX, shell command language, 2.2.2). */
+char *words_line(int count, const char *const *words) {
+    size_t room = 1;
+    for (int i = 0; i < count; i++) room += 4 * strlen(words[i]) + 3;
+    char *line = xcalloc(room, 1), *to = line;
+    for (int i = 0; i < count; i++) {
+        const char *from = words[i];
+        int quoted = !words_is_plain(from);
+        if (i > 0) *to++ = ' ';
+        if (quoted) *to++ = '\'';
+        for (; *from; from++) to += sprintf(to, *from == '\'' ? "'\\''" : "%c", *from);
+        if (quoted) *to++ = '\'';
+    }
+    return line;
 }

@@ -15,6 +15,12 @@ int words_index(const char *const *words, const char *word);
 /* The word of the list that takes the fewest edits to reach; NULL where none is within half of the word's letters. */
 const char *words_nearest(const char *const *words, const char *word);
 
+/* Whether a word is some letters, digits and /._-+=,@%, which mean nothing to a shell. */
+int words_is_plain(const char *word);
+
+/* The words in one line, in quotes where a shell would change them; the caller frees it. */
+char *words_line(int count, const char *const *words);
+
 /* Writes "a, b, c", cut to size. */
 void words_join(const char *const *words, char *text, size_t size);
 

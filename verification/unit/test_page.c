@@ -7,7 +7,9 @@
 #include "reports/page/gates_json.h"
 #include "reports/page/index.h"
 #include "solver/status.h"
+#include "verification/command/arguments.h"
 #include "verification/gates/gates.h"
+#include "verification/ladder/ladder.h"
 
 #include "verification/unit/near.h"
 
@@ -117,6 +119,37 @@ static void gates_are_read_back(void **state) {
     unlink(path);
 }
 
+/* What fails, what is not decided, and what was left to the program. */
+static void the_worst_gate_is_the_verdict(void **state) {
+    (void)state;
+    const char *const verdicts[] = {"pass", "skipped", "inconclusive", "fail"};
+    const char *const whole[] = {": 1 of 1 gates hold<", ": 1 of 1 gates hold, 1 skipped<",
+                                 ": 1 of 2 gates hold, 1 skipped<", ": 1 of 3 gates hold, 1 skipped<"};
+    const char *const word[] = {"pass", "pass", "inconclusive", "fail"};
+    struct page_gate gate[4];
+    for (int n = 1; n <= 4; n++) {
+        char head[160];
+        gate[n - 1] = (struct page_gate){.id = verdicts[n - 1],
+                                         .verdict = verdicts[n - 1],
+                                         .reason = "r",
+                                         .why = "w",
+                                         .command = "run",
+                                         .diagnosis = "",
+                                         .ceiling = NAN};
+        FILE *out = begin();
+        page_put_gates(gate, n, "now", out);
+        fclose(out);
+        snprintf(head, sizeof head, "%s</span>%s", word[n - 1], whole[n - 1]);
+        assert_non_null(strstr(text, head));
+    }
+    assert_non_null(strstr(text, "<li>inconclusive 0/1 <span class=\"other\">"));
+    FILE *out = begin();
+    page_put_gates(gate + 1, 1, "now", out);
+    fclose(out);
+    assert_non_null(strstr(text, "inconclusive</span>: 0 of 0 gates hold, 1 skipped"));
+    assert_non_null(strstr(text, "<li>skipped 0/0 <span class=\"other\">? skipped</span>"));
+}
+
 static char *whole(const char *path) {
     static char page[200000];
     FILE *in = fopen(path, "r");
@@ -124,6 +157,24 @@ static char *whole(const char *path) {
     page[fread(page, 1, sizeof page - 1, in)] = '\0';
     fclose(in);
     return page;
+}
+
+static void a_ladder_says_what_made_it(void **state) {
+    (void)state;
+    char path[] = "/tmp/heatladder_page.XXXXXX";
+    struct ladder *l = xcalloc(1, sizeof *l);
+    struct request r;
+    struct failure why;
+    close(mkstemp(path));
+    assert_int_equal(arguments_parse_line("ladder rod-gauss ftcs --dx 1,0.5 --set 'kappa=1.1' --norm l2", &r, &why),
+                     0);
+    assert_int_equal(ladder_run(&r.experiment, &r.rungs, l, &why), 0);
+    assert_int_equal(page_ladder_write(l, &r.rungs, r.typed, path, &why), 0);
+    assert_non_null(
+        strstr(whole(path), "<code>heatladder ladder rod-gauss ftcs --dx 1,0.5 --set kappa=1.1 --norm l2<"));
+    arguments_free(&r);
+    free(l);
+    unlink(path);
 }
 
 /* Of a directory with a listing alone: the rest is named with the command that makes it. */
@@ -152,8 +203,9 @@ static void a_page_of_what_there_is(void **state) {
 
 int main(void) {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(markdown_becomes_html),    cmocka_unit_test(images_are_part_of_the_page),
-        cmocka_unit_test(charts_hold_their_points), cmocka_unit_test(gates_are_read_back),
+        cmocka_unit_test(markdown_becomes_html),         cmocka_unit_test(images_are_part_of_the_page),
+        cmocka_unit_test(charts_hold_their_points),      cmocka_unit_test(gates_are_read_back),
+        cmocka_unit_test(the_worst_gate_is_the_verdict), cmocka_unit_test(a_ladder_says_what_made_it),
         cmocka_unit_test(a_page_of_what_there_is),
     };
     return cmocka_run_group_tests_name("page", tests, NULL, NULL);

@@ -5,6 +5,7 @@
 
 #include "verification/unit/near.h"
 
+#include <stdlib.h>
 #include <string.h>
 
 static const char *const animals[] = {"ox", "so_ssph", "fo_ssph", "wombat", NULL};
@@ -59,6 +60,17 @@ static void unknown_names_the_nearest_and_the_valid(void **state) {
                         "unknown method 'so_shp'; did you mean 'so_ssph'? (valid: ox, so_ssph, fo_ssph, wombat)");
 }
 
+static void a_line_is_quoted_for_a_shell(void **state) {
+    (void)state;
+    const char *const words[] = {"verify", "--solver", "it's {case} \"$x\"", "--dx=0.1,1e-2", "", "a*"};
+    char *line = words_line(6, words);
+    assert_string_equal(line, "verify --solver 'it'\\''s {case} \"$x\"' --dx=0.1,1e-2 '' 'a*'");
+    free(line);
+    line = words_line(0, words);
+    assert_string_equal(line, "");
+    free(line);
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(index_is_exact),
@@ -67,6 +79,7 @@ int main(void) {
         cmocka_unit_test(among_wants_whole_words),
         cmocka_unit_test(join_is_cut_to_size),
         cmocka_unit_test(unknown_names_the_nearest_and_the_valid),
+        cmocka_unit_test(a_line_is_quoted_for_a_shell),
     };
     return cmocka_run_group_tests_name("words", tests, NULL, NULL);
 }

@@ -139,7 +139,7 @@ static int write_junit(const struct request *r, const struct ladder *l, struct f
     snprintf(told, sizeof told, "--expect %g,%g --ceiling %g", e->count ? e->value[0] : -INFINITY,
              e->count ? e->value[1] : INFINITY, r->rungs.ceiling > 0 ? r->rungs.ceiling : INFINITY);
     result.gate = (struct gate){.id = id, .why = told, .command = id};
-    result_describe(&l->rung[l->n - 1], result.typed, sizeof result.typed);
+    snprintf(result.typed, sizeof result.typed, "%s", r->typed);
     result.measured = (struct measured){.value = l->slope.value, .verdict = l->verdict};
     if (l->verdict == VERDICT_MEASURED) result.measured.verdict = VERDICT_PASS;
     snprintf(result.measured.reason, sizeof result.measured.reason, "%s", l->reason);
@@ -150,7 +150,7 @@ static int write_junit(const struct request *r, const struct ladder *l, struct f
 /* What is asked for beside the table; a failure to write counts where nothing else failed. */
 static int write_files(const struct request *r, const struct ladder *l, int status, struct failure *why) {
     struct failure unwritten = {0};
-    if (r->page_path) page_ladder_write(l, &r->rungs, r->page_path, &unwritten);
+    if (r->page_path) page_ladder_write(l, &r->rungs, r->typed, r->page_path, &unwritten);
     if (r->junit_path && !unwritten.status) write_junit(r, l, &unwritten);
     if (status || !unwritten.status) return status;
     *why = unwritten;

@@ -91,11 +91,11 @@ static int collect(const struct request *r, struct gate_file *file, struct gates
     return gates_choose(g, r->only, r->skip, r->quick, why);
 }
 
-static int write_page(const struct gates *g, const char *path, struct failure *why) {
+static int write_page(const struct gates *g, const struct request *r, struct failure *why) {
     const char *solver = g->program ? g->program->solver : NULL;
     char title[200] = "heatladder verify";
-    if (solver) snprintf(title, sizeof title, "heatladder verify --solver '%.120s'", solver);
-    return page_gates_write(g, title, path, why);
+    if (solver) snprintf(title, sizeof title, "heatladder verify: %.120s", solver);
+    return page_gates_write(g, title, r->typed, r->page_path, why);
 }
 
 static int verify(const struct request *r, struct gate_file *file, struct gates *g, struct failure *why) {
@@ -112,7 +112,7 @@ static int verify(const struct request *r, struct gate_file *file, struct gates 
         printf("%d pairs of scene and method have no gated ladder (see: heatladder list gates)\n", ungated());
     if (r->json_path && write_json(g, r->json_path, why)) return why->status;
     if (r->junit_path && junit_write(g, r->junit_path, why)) return why->status;
-    if (r->page_path && write_page(g, r->page_path, why)) return why->status;
+    if (r->page_path && write_page(g, r, why)) return why->status;
     return STATUS_OK;
 }
 
