@@ -4,8 +4,10 @@
  *     e = size f + b g + c h + d m,    |b| <= 2,  |c| <= 1/2,  |d| <= 2
  *
  * since a faulty code has its errors of discretization too.  m = dx^2/24 laplace(T) is what the mean over a cell has
- * more than the value at its centre.  What a code's numbers are is not known: values (d = 0), means over cells (1),
- * linear elements that start from a projection (-2 at their nodes, 2 with a lumped mass).  Where m looks like the
+ * more than the value at its centre.  A code's numbers are values (d = 0), means over cells (1), linear elements that
+ * start from a projection (-2 at their nodes, 2 with a lumped mass): what is so at the start stays so, since d m goes
+ * through time as T does.  An answer at the start tells d (diagnosis_mean), and its part is taken off e.  Without
+ * one, where m looks like the
  * fault (of one material without a source it is dx^2/(24 kappa) dT/dt, a clock that is fast by a sixth of a step at
  * F = 1/4) no fit can tell, and d = 1/2, between values and means, is taken.  From data that jump, where means are
  * values on faces, g has it already: d = 0.  A fault whose part |size f| is not at least twice |g + h/5| and three
@@ -107,9 +109,35 @@ static struct errors errors_of(const struct problem *p, const struct response_la
     }
     gsl_sort(size, 1, f->n);
     double largest = size[f->n - 1 - f->n / 20];
-    for (size_t i = 0; i < f->n; i++) s.e[i] = fabs(s.g[i]) <= largest ? f->T[i] - r->exact[i] : NAN;
+    for (size_t i = 0; i < f->n; i++) {
+        s.e[i] = fabs(s.g[i]) <= largest ? f->T[i] - r->exact[i] : NAN;
+        if (!s.is_mean || !isfinite(r->mean)) continue;
+        s.e[i] -= r->mean * s.m[i];
+        s.m[i] = 0;
+    }
     free(size);
     return s;
+}
+
+static void errors_free(struct errors *s) {
+    free(s->e);
+    free(s->g);
+    free(s->h);
+    free(s->m);
+}
+
+double diagnosis_mean(const struct problem *p, const struct diagnosis_rung *start) {
+    struct response_lattice l;
+    double ee = 0, em = 0, mm = 0;
+    if (p->materials > 1 || p->jumps[0] + p->jumps[1] > 0 || response_lattice_create(p, &l)) return NAN;
+    struct errors s = errors_of(p, &l, start);
+    for (size_t i = 0; i < s.field->n; i++) {
+        double w = s.field->weight ? s.field->weight[i] : 1;
+        if (isfinite(s.e[i])) ee += w * s.e[i] * s.e[i], em += w * s.e[i] * s.m[i], mm += w * s.m[i] * s.m[i];
+    }
+    errors_free(&s);
+    response_lattice_free(&l);
+    return mm > 0 && ee - em * em / mm <= (1 - SHARE) * fmax(ee, mm) ? em / mm : NAN;
 }
 
 static int list_faults(const struct problem *p, struct fault *list) {
@@ -183,7 +211,7 @@ static struct diagnosis_rung sample(const struct diagnosis_rung *r, struct field
         f->T[i] = r->field->T[i * stride];
         exact[i] = r->exact[i * stride];
     }
-    return (struct diagnosis_rung){f, exact, r->dx, r->dt};
+    return (struct diagnosis_rung){f, exact, r->dx, r->dt, r->mean};
 }
 
 static void drop(struct diagnosis_rung *r, struct field *f) {
@@ -218,10 +246,7 @@ static int fit_all(const struct problem *p, const struct diagnosis_rung *rung, s
     }
     for (int k = 0; k < 2; k++) {
         free(base[k]);
-        free(errors[k].e);
-        free(errors[k].g);
-        free(errors[k].h);
-        free(errors[k].m);
+        errors_free(&errors[k]);
     }
     free(response);
     response_lattice_free(&l);

@@ -13,6 +13,7 @@ struct diagnosis_rung {
     const double *exact; /* K, at the points of the field; NAN where the solution has no value */
     double dx;           /* m */
     double dt;           /* s; 0 where unknown */
+    double mean;         /* by how many dx^2/24 laplace(T) the numbers differ from values; NAN where unknown */
 };
 
 struct diagnosis {
@@ -23,6 +24,10 @@ struct diagnosis {
     double share;     /* of the squared error, 0 to 1, at the finest rung; NAN where it is not by its share */
     char what[160];   /* "as if the run had stopped 0.98 steps early"; why none is named where none is */
 };
+
+/* `mean` of a rung of that code, from its answer at a time so early that T is still that of the start; NAN where that
+ * is not what its errors look like. */
+double diagnosis_mean(const struct problem *p, const struct diagnosis_rung *start);
 
 /* Names a fault that explains at least 90 % of the squared error of the finest rung, *fine, and whose size follows
  * the spacing as that fault does from the next coarser rung, *coarse: a part of a cell or of a step, or of

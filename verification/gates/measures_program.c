@@ -52,23 +52,32 @@ static double largest(const struct field *f) {
     return most;
 }
 
-/* Of one run no fault can be followed from rung to rung, but few digits are seen. */
+/* Of one run few digits are seen; other faults are followed from a run at twice the spacing. */
+static void diagnose(const struct request *r, const struct field *f, struct measured *m) {
+    const struct experiment *e = &r->experiment;
+    const double dx = e->options.dx;
+    double extent = fmax(e->problem.hi[0] - e->problem.lo[0], e->problem.hi[1] - e->problem.lo[1]);
+    struct ladder_rungs rungs = {.dx = {.count = 2, .value = {2 * dx, dx}}, .diagnose = 1};
+    struct ladder *l = xcalloc(1, sizeof *l);
+    struct failure ignored;
+    if (diagnosis_rounding(f, m->error, extent / dx, &l->diagnosis) ||
+        (e->program.solver && !ladder_run(e, &rungs, l, &ignored) && l->diagnosis.named))
+        wording_text(&l->diagnosis, m->diagnosis, sizeof m->diagnosis);
+    free(l);
+}
+
 void measures_error(const struct request *r, double lo, double hi, struct measured *m) {
     const struct experiment *e = &r->experiment;
     struct result result;
     struct field f = {0};
-    struct diagnosis d;
     int status = run_experiment(e, &result, &f);
     if (status) {
         fail(m, &result.failure);
     } else {
-        double extent = fmax(e->problem.hi[0] - e->problem.lo[0], e->problem.hi[1] - e->problem.lo[1]);
         measures_fail(m, "");
         measures_judge(m, result.error.l1, lo, hi);
         m->error = result.error.l1;
-        if (program_given(&e->program) && m->verdict == VERDICT_FAIL &&
-            diagnosis_rounding(&f, m->error, extent / e->options.dx, &d))
-            wording_text(&d, m->diagnosis, sizeof m->diagnosis);
+        if (program_given(&e->program) && m->verdict == VERDICT_FAIL) diagnose(r, &f, m);
     }
     field_free(&f);
 }

@@ -1,7 +1,9 @@
 /* From the rungs of a ladder to the diagnosis of their errors. */
 #include "verification/ladder/diagnose.h"
 
+#include "references/scene.h"
 #include "solver/field.h"
+#include "solver/status.h"
 #include "verification/diagnosis/diagnosis.h"
 #include "verification/ladder/ladder.h"
 #include "verification/ladder/self_difference.h"
@@ -11,6 +13,7 @@
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
+#include <string.h>
 
 /* The coarser rung once more: 1 where a program's answer differs, and that is the diagnosis. */
 static int differs(const struct experiment *e, const struct field *before, double dx, struct diagnosis *d) {
@@ -32,6 +35,29 @@ static int differs(const struct experiment *e, const struct field *before, doubl
     return differs;
 }
 
+/* What the program's numbers are, from its answer at dx so early that a step too many, or none, is a hundredth of
+ * what a mean over a cell has more than a value. */
+static double mean_of_start(const struct experiment *e, double dx) {
+    static const double EARLY = 1e-4; /* of dx^2/kappa; that mean: 1/24 */
+    struct experiment start = *e;
+    struct result result;
+    struct failure ignored;
+    struct field f = {0};
+    int i = 0;
+    if (!e->program.solver) return NAN;
+    start.options.dx = dx;
+    start.program.keep = NULL;
+    while (strcmp(e->scene->params[i].name, "t_end") != 0) i++;
+    start.problem.param[i] = EARLY * dx * dx / problem_diffusivity(&e->problem);
+    if (e->scene->setup(&start.problem, &ignored) || run_experiment(&start, &result, &f)) return NAN;
+    double *exact = xcalloc(f.n, sizeof *exact);
+    norms_exact(e->scene, &start.problem, &f, exact);
+    double mean = diagnosis_mean(&start.problem, &(struct diagnosis_rung){&f, exact, dx, 0, NAN});
+    free(exact);
+    field_free(&f);
+    return mean;
+}
+
 void diagnose_ladder(const struct experiment *e, const struct field kept[2], struct ladder *l) {
     struct diagnosis_rung rung[2];
     double *exact[2];
@@ -40,12 +66,13 @@ void diagnose_ladder(const struct experiment *e, const struct field kept[2], str
         return;
     }
     if (differs(e, &kept[1], l->x[l->n - 2], &l->diagnosis)) return;
+    double mean = mean_of_start(e, l->x[l->n - 2]);
     for (int k = 0; k < 2; k++) {
         exact[k] = xcalloc(kept[k].n, sizeof **exact);
         norms_exact(e->scene, &e->problem, &kept[k], exact[k]);
         double dt = kept[k].dt;
         if (!(dt > 0) && kept[k].steps > 0) dt = kept[k].time / (double)kept[k].steps;
-        rung[k] = (struct diagnosis_rung){&kept[k], exact[k], l->x[l->n - 1 - k], dt};
+        rung[k] = (struct diagnosis_rung){&kept[k], exact[k], l->x[l->n - 1 - k], dt, mean};
     }
     diagnosis_find(&e->problem, &rung[0], &rung[1], &l->diagnosis);
     for (int k = 0; k < 2; k++) free(exact[k]);

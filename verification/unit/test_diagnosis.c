@@ -69,7 +69,7 @@ static void solve(const char *name, const struct problem *p, struct fault fault,
         struct exact e = scene_of(name)->exact(p, x, p->t_end);
         r->exact[i] = e.no_value ? NAN : e.temperature;
     }
-    r->at = (struct diagnosis_rung){&r->field, r->exact, dx, dt};
+    r->at = (struct diagnosis_rung){&r->field, r->exact, dx, dt, NAN};
 }
 
 static struct diagnosis find(const char *name, struct fault fault, double units, double coarse, double fine) {
@@ -195,28 +195,57 @@ static void a_conductivity_is_no_end_time(void **state) {
     for (int i = 0; i < 2; i++) field_free(&r[i].field), free(r[i].exact);
 }
 
+/* rod-gauss by a code whose numbers differ from values by `mean` dx^2/24 T_xx, with that fault of a clock. */
+static void solve_means(struct problem *p, double mean, double steps, double dx, struct rung *r) {
+    const struct scene *s = scene_of("rod-gauss");
+    const double d = 1e-3;
+    solve("rod-gauss", p, (struct fault){FAULT_CLOCK, 0}, steps, dx, r);
+    for (size_t i = 0; i < r->field.n; i++) {
+        double x = r->field.x[i], T[3];
+        for (int j = 0; j < 3; j++) T[j] = s->exact(p, (double[2]){x + (j - 1) * d, 0}, p->t_end).temperature;
+        r->field.T[i] += mean * dx * dx / 24 * (T[0] - 2 * T[1] + T[2]) / (d * d);
+    }
+}
+
 /* Linear elements that start from a projection lie dx^2/12 laplace(T) below T at their nodes: no clock is to blame.
  */
 static void a_projection_is_no_fault(void **state) {
     (void)state;
     struct problem p = problem_of("rod-gauss");
-    const struct scene *s = scene_of("rod-gauss");
-    const double d = 1e-3;
     struct rung r[2];
     struct diagnosis found;
-    for (int k = 0; k < 2; k++) {
-        double dx = k ? 0.3 : 0.15;
-        solve("rod-gauss", &p, (struct fault){FAULT_AMPLITUDE, 0}, 0, dx, &r[k]);
-        for (size_t i = 0; i < r[k].field.n; i++) {
-            double x = r[k].field.x[i], T[3];
-            for (int j = 0; j < 3; j++) T[j] = s->exact(&p, (double[2]){x + (j - 1) * d, 0}, p.t_end).temperature;
-            r[k].field.T[i] -= dx * dx / 12 * (T[0] - 2 * T[1] + T[2]) / (d * d);
-        }
-    }
+    for (int k = 0; k < 2; k++) solve_means(&p, -2, 0, k ? 0.3 : 0.15, &r[k]);
     diagnosis_find(&p, &r[0].at, &r[1].at, &found);
     print_message("%s\n", found.what);
     assert_int_equal(found.named, 0);
     for (int i = 0; i < 2; i++) field_free(&r[i].field), free(r[i].exact);
+}
+
+/* An answer at the start tells what the numbers are, and so what is left of them for a clock.  The lattice, of 30/64
+ * m, has dx^2/12 T_xxxx too little of T_xx: of a Gaussian dx^2/12 5/(2 sigma^2) = 1.1 %. */
+static void a_start_tells_what_numbers_are(void **state) {
+    (void)state;
+    static const double means[] = {0, 1, -2, 2}, steps[] = {1, -1, -1, 1};
+    struct problem p = problem_of("rod-gauss"), early = p;
+    struct failure why;
+    early.param[3] = 1e-5; /* t_end */
+    if (scene_of("rod-gauss")->setup(&early, &why)) fail_msg("%s", why.text);
+    for (int i = 0; i < 4; i++) {
+        struct rung r[2], start;
+        struct diagnosis found;
+        solve_means(&early, means[i], 0, 0.3, &start);
+        double mean = diagnosis_mean(&early, &start.at);
+        assert_near(mean, means[i], 0.02 * fmax(1, fabs(means[i])));
+        for (int k = 0; k < 2; k++) solve_means(&p, means[i], steps[i], k ? 0.3 : 0.15, &r[k]), r[k].at.mean = mean;
+        diagnosis_find(&p, &r[0].at, &r[1].at, &found);
+        print_message("%g: %s\n", mean, found.what);
+        assert_true(found.named && found.fault.kind == FAULT_CLOCK);
+        assert_near(found.size, steps[i], 0.02);
+        for (size_t k = 0; k < start.field.n; k++) start.field.T[k] += 0.01 * sin(0.3 * (double)k);
+        assert_true(isnan(diagnosis_mean(&early, &start.at))); /* something else */
+        field_free(&start.field), free(start.exact);
+        for (int k = 0; k < 2; k++) field_free(&r[k].field), free(r[k].exact);
+    }
 }
 
 static void a_correct_code_has_none(void **state) {
@@ -238,7 +267,7 @@ int main(void) {
         cmocka_unit_test(faults_are_named_with_their_size), cmocka_unit_test(values_for_means_are_named),
         cmocka_unit_test(rounded_temperatures_are_named),   cmocka_unit_test(runs_that_differ_are_named),
         cmocka_unit_test(a_conductivity_is_no_end_time),    cmocka_unit_test(a_projection_is_no_fault),
-        cmocka_unit_test(a_correct_code_has_none),
+        cmocka_unit_test(a_start_tells_what_numbers_are),   cmocka_unit_test(a_correct_code_has_none),
     };
     return cmocka_run_group_tests_name("diagnosis", tests, NULL, NULL);
 }
