@@ -93,11 +93,12 @@ int atomic_file_check(const char *path, struct failure *why) {
         return special < 0 || close(special) ? refuse_path(path, why) : STATUS_OK;
     }
     if (beside(path, name)) return refuse_path(path, why);
+    atomic_file_hold();
     int file = open(name, O_WRONLY | O_CREAT | O_EXCL, 0666);
-    if (file < 0) return refuse_path(path, why);
-    close(file);
-    unlink(name);
-    return STATUS_OK;
+    int bad = file < 0 || close(file) || unlink(name);
+    int status = bad ? refuse_path(path, why) : STATUS_OK;
+    atomic_file_release();
+    return status;
 }
 
 static int put(int file, const char *bytes, size_t size) {
