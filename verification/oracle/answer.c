@@ -3,7 +3,9 @@
 
 #include "references/snapshot.h"
 #include "solver/status.h"
+#include "verification/text/number.h"
 
+#include <stdlib.h>
 #include <string.h>
 
 void answer_times(double from, double to, int count, double *time) {
@@ -29,19 +31,42 @@ int answer_check(const struct answer *a, struct failure *why) {
     return STATUS_OK;
 }
 
+enum { BLOCK = 4096 }; /* points whose exact solution is asked for at once: those of a lattice share */
+
+static void exact_of(const struct answer *a, const struct snapshot *now, size_t first, size_t n,
+                     struct exact e[BLOCK]) {
+    static const size_t room = BLOCK;
+    double *x = xcalloc(2 * room, sizeof *x), *y = x + room;
+    for (size_t i = 0; i < n; i++) x[i] = a->points.x[first + i][0], y[i] = a->points.x[first + i][1];
+    snapshot_at_points(now, n, x, y, e);
+    free(x);
+}
+
 static void write_points(const struct answer *a, double time, FILE *out) {
     struct snapshot now = snapshot_take(a->scene, a->problem, time);
     const double same[2] = {a->cell, a->cell};
+    struct exact *exact = xcalloc(BLOCK, sizeof *exact);
     double value[COLUMNS_VALUES];
+    char digits[NUMBER_PRINTED];
     for (size_t i = 0; i < a->points.n; i++) {
-        int n = columns_values(&a->columns, &now, a->points.x[i], a->points.cell ? a->points.cell[i] : same, value);
-        for (int d = 0; d < a->points.dim; d++)
-            fprintf(out, "%s%.*s", d ? "," : "", a->points.typed[i][d].length, a->points.typed[i][d].start);
-        if (a->times > 1) fprintf(out, ",%.17g", time);
-        for (int k = 0; k < n; k++) fprintf(out, ",%.17g", value[k]);
-        fputc('\n', out);
+        size_t left = a->points.n - i;
+        if (a->columns.needs_time && i % BLOCK == 0) exact_of(a, &now, i, left < BLOCK ? left : BLOCK, exact);
+        int n =
+            columns_values(&a->columns, a->problem, time, a->points.x[i], a->points.cell ? a->points.cell[i] : same,
+                           a->columns.needs_time ? &exact[i % BLOCK] : NULL, value);
+        for (int d = 0; d < a->points.dim; d++) {
+            if (d) putc(',', out);
+            fwrite(a->points.typed[i][d].start, 1, (size_t)a->points.typed[i][d].length, out);
+        }
+        for (int k = a->times > 1 ? -1 : 0; k < n; k++) {
+            size_t length = (size_t)number_print(k < 0 ? time : value[k], digits);
+            putc(',', out);
+            fwrite(digits, 1, length, out);
+        }
+        putc('\n', out);
         if (ferror(out)) break;
     }
+    free(exact);
     snapshot_free(&now);
 }
 

@@ -2,7 +2,7 @@
 #include "verification/oracle/columns.h"
 
 #include "references/cubature.h"
-#include "references/snapshot.h"
+#include "references/scene.h"
 #include "solver/status.h"
 #include "verification/text/words.h"
 
@@ -168,11 +168,11 @@ void columns_header(const struct columns *c, char *text) {
         used += (size_t)snprintf(text + used, COLUMNS_HEADER - used, ",%s", c->kind[i]->header);
 }
 
-int columns_values(const struct columns *c, const struct snapshot *now, const double x[2], const double cell[2],
-                   double *value) {
-    struct columns_row row = {.p = now->problem, .x = x, .cell = cell, .time = now->time};
+int columns_values(const struct columns *c, const struct problem *p, double time, const double x[2],
+                   const double cell[2], const struct exact *exact, double *value) {
+    struct columns_row row = {.p = p, .x = x, .cell = cell, .time = time};
     int n = 0;
-    if (c->needs_time) row.exact = snapshot_at(now, x);
+    if (exact) row.exact = *exact;
     for (int i = 0; i < c->count; i++) {
         c->kind[i]->fill(&row, c->kind[i]->axis, value + n);
         n += c->kind[i]->values;

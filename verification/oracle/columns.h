@@ -4,8 +4,8 @@
 /* The columns of `reference --points`: quantities of a scene at given points, one value each, three for a wall. */
 
 struct failure;
+struct exact;
 struct problem;
-struct snapshot;
 
 enum { COLUMNS_MAX = 24, COLUMNS_VALUES = 3 * COLUMNS_MAX };
 
@@ -36,8 +36,9 @@ int columns_parse(const char *list, int dim, struct columns *c, struct failure *
 enum { COLUMNS_HEADER = 1024 };
 void columns_header(const struct columns *c, char *text);
 
-/* The values at x, in the order of the header; how many.  `cell` m, extents of the cell around x, or NULL. */
-int columns_values(const struct columns *c, const struct snapshot *now, const double x[2], const double cell[2],
-                   double *value);
+/* The values at x, m, and `time`, s, in the order of the header; how many.  `cell`: extents of the cell around x, m,
+ * or NULL; `exact`: there and then, or NULL where no column needs the time. */
+int columns_values(const struct columns *c, const struct problem *p, double time, const double x[2],
+                   const double cell[2], const struct exact *exact, double *value);
 
 #endif

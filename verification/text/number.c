@@ -3,6 +3,7 @@
 
 #include <errno.h>
 #include <math.h>
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 #include <strings.h>
@@ -77,6 +78,19 @@ int number_read_printed(const char *text, size_t length, double *value) {
     if (!isfinite(read)) return 1;
     *value = read;
     return 0;
+}
+
+int number_print(double value, char text[NUMBER_PRINTED]) {
+    char digits[NUMBER_PRINTED];
+    int n = 0, length = 0;
+    if (!(fabs(value) < 1e15) || value != (double)(long long)value || (value == 0 && signbit(value)))
+        return snprintf(text, NUMBER_PRINTED, "%.17g", value);
+    for (long long left = llabs((long long)value); left > 0 || n == 0; left /= 10)
+        digits[n++] = (char)('0' + left % 10);
+    if (value < 0) text[length++] = '-';
+    while (n > 0) text[length++] = digits[--n];
+    text[length] = '\0';
+    return length;
 }
 
 static int falling(const void *a, const void *b) {

@@ -26,6 +26,10 @@ void number_sort_falling(double *values, int count);
 /* Reads the whole of `text` as a whole number in [0, max].  0 or -1. */
 int number_read_whole(const char *text, long max, long *value);
 
+/* Writes `value` as printf's %.17g does, whole numbers without it; the length. */
+enum { NUMBER_PRINTED = 32 };
+int number_print(double value, char text[NUMBER_PRINTED]);
+
 /* Reads `length` bytes as a decimal the way programs print it: 1.5, 1.5e-3, 1.5D-3, or 1.2345-110 (Fortran, where the
  * exponent takes three digits).  0; 1 for nan or inf in any case, *value then being NaN; -1 for anything else. */
 int number_read_printed(const char *text, size_t length, double *value);

@@ -3,6 +3,8 @@
 
 #include "verification/unit/near.h"
 
+#include <float.h>
+#include <stdio.h>
 #include <string.h>
 
 static void decimals_and_fractions(void **state) {
@@ -90,6 +92,20 @@ static void numbers_as_programs_print_them(void **state) {
     }
 }
 
+/* As printf does, which is slower for whole numbers. */
+static void numbers_are_printed_with_all_their_digits(void **state) {
+    (void)state;
+    static const double value[] = {0,        -0.0,      1,     -7,      10,   3600000, 999999999999999.0,
+                                   1e15,     -1e15,     1e300, 0.1 + 2, 52.5, -1e-310, NAN,
+                                   INFINITY, -INFINITY, 1e17,  1e18,    -20,  1e5,     DBL_MAX};
+    for (size_t i = 0; i < sizeof value / sizeof *value; i++) {
+        char text[NUMBER_PRINTED], wanted[400];
+        int length = snprintf(wanted, sizeof wanted, "%.17g", value[i]);
+        assert_int_equal(number_print(value[i], text), length);
+        assert_string_equal(text, wanted);
+    }
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(decimals_and_fractions),
@@ -97,6 +113,7 @@ int main(void) {
         cmocka_unit_test(lists),
         cmocka_unit_test(whole_numbers),
         cmocka_unit_test(numbers_as_programs_print_them),
+        cmocka_unit_test(numbers_are_printed_with_all_their_digits),
     };
     return cmocka_run_group_tests_name("number", tests, NULL, NULL);
 }
