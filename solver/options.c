@@ -12,6 +12,7 @@ const char *const stepper_words[] = {[STEPPER_AUTO] = "auto",
                                      [STEPPER_RKL2] = "rkl2",
                                      [STEPPER_EXACT] = "exact",
                                      [STEPPER_MATCHED] = "matched",
+                                     [STEPPER_CHEBYSHEV] = "chebyshev",
                                      NULL};
 const char *const layout_words[] = {[LAYOUT_LATTICE] = "lattice",
                                     [LAYOUT_NODE] = "node",

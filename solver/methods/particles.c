@@ -4,6 +4,7 @@
 #include "solver/methods/redraw.h"
 #include "solver/methods/start.h"
 #include "solver/outline.h"
+#include "solver/time/chebyshev.h"
 #include "solver/time/exact.h"
 #include "solver/time/matched.h"
 #include "solver/space/place.h"
@@ -193,9 +194,11 @@ int particles_march(const struct problem *p, const struct options *o, const stru
         m->stepper = STEPPER_EULER, m->time = plan.run_time, m->steps = plan.steps, m->alternation = plan.alternation;
         return STATUS_OK;
     }
-    /* unasked: half of the stable step, and for rkl2 as many steps as put its s^2 to use */
+    /* unasked: half of the stable step, for rkl2 as many steps as put its s^2 to use, for chebyshev one */
     double dt = o->dt;
     if (dt == 0 && o->fourier > 0) dt = o->fourier * l->dx[0] * l->dx[0] / problem_diffusivity(p);
+    if (dt == 0 && o->stepper == STEPPER_CHEBYSHEV) dt = p->t_end;
+    if (o->stepper == STEPPER_CHEBYSHEV) dt = fmin(dt, chebyshev_longest(bound));
     if (dt == 0) dt = o->stepper == STEPPER_RKL2 ? sqrt(p->t_end / bound) : 1 / bound;
     const char *name = o->fourier > 0 && o->dt == 0 ? "fourier" : "dt"; /* what was asked for, for messages */
     double asked = o->fourier > 0 && o->dt == 0 ? o->fourier : dt;
@@ -204,6 +207,7 @@ int particles_march(const struct problem *p, const struct options *o, const stru
     if (steps > 1e12) return refuse(why, STATUS_INPUT, "--%s %g: more than 1e12 steps", name, asked);
     m->steps = (long long)fmax(1, steps);
     if (m->stepper == STEPPER_RK2) m->stages = 2;
+    if (m->stepper == STEPPER_CHEBYSHEV) m->stages = chebyshev_degree(m->time / (double)m->steps, bound);
     if (m->stepper == STEPPER_RKL2) m->stages = stepper_stages(m->time / (double)m->steps, bound);
     if (m->stepper == STEPPER_RKL2 && is_rough(p, l)) stepper_start(m->time / (double)m->steps, bound, m->start);
     if (m->stages > STEPPER_STAGES_MAX)

@@ -68,7 +68,7 @@ static void hold(const struct problem *p, const struct options *o, const struct 
                      OUTLINE_SET_UP, OUTLINE_SET_UP);
     if (o->stepper != STEPPER_EXACT)
         outline_hold(out,
-                     m->stepper == STEPPER_RKL2 ? "three states with their ghosts" : "two states with their ghosts",
+                     stepper_arrays(m->stepper) == 3 ? "three states with their ghosts" : "two states with their ghosts",
                      (size_t)stepper_arrays(m->stepper) * a->state * unit, OUTLINE_STEPS, OUTLINE_STEPS);
 }
 

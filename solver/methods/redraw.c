@@ -11,6 +11,7 @@
 #include "solver/methods/ssph.h"
 #include "solver/space/kernel.h"
 #include "solver/space/neighbours.h"
+#include "solver/time/chebyshev.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -108,7 +109,9 @@ int redraw_march(const struct problem *p, const struct options *given, const str
         struct march part = *m;
         part.steps = m->steps - done < o.redraw ? m->steps - done : o.redraw;
         part.time = dt * (double)part.steps;
-        if (m->stepper == STEPPER_RKL2) part.stages = stepper_stages(dt, operator_bound(a));
+        part.bound = operator_bound(a);
+        if (m->stepper == STEPPER_RKL2) part.stages = stepper_stages(dt, part.bound);
+        if (m->stepper == STEPPER_CHEBYSHEV) part.stages = chebyshev_degree(dt, part.bound);
         status = stepper_march(a, &part, f->T, &ignored, why);
         done += part.steps;
         if (!status && done < m->steps) status = draw(p, &o, s, l, a, f, why);

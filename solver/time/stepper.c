@@ -19,8 +19,11 @@
  * / (s (s + 5)), u_n = (2n + 3)/(n + 4) (u_{n-1} + w (dt/4) L(u_{n-1})) - (n - 1)/(n + 4) u_{n-2}. Two steps of error
  * O(dt^2) leave the order at 2: they add (lambda dt)^2 / 64 to RKL2's lambda t (lambda dt)^2 / 18, of the other sign.
  * |C_s(x) / C_s(1)| falls as 1 / (1 - x^2) away from x = 1, but is 1 at x = -1, from which 12 / s^2 is kept: stable
- * and damping for dt/4 <= (s^2 + 5s - 6) / (3 |lambda|_max). */
+ * and damping for dt/4 <= (s^2 + 5s - 6) / (3 |lambda|_max).
+ *
+ * chebyshev  exp(dt L) to rounding, for a spectrum near the real axis (chebyshev.c) */
 #include "solver/time/stepper.h"
+#include "solver/time/chebyshev.h"
 #include "solver/time/state.h"
 #include "solver/team.h"
 
@@ -63,12 +66,15 @@ static int check_bounds(const struct march *m, const struct heat_operator *a, co
     value = T[i];
     free(T);
     if (m->x) snprintf(where, sizeof where, " at (%.6g, %.6g) m", m->x[i], m->y ? m->y[i] : 0);
+    const char *reason = m->stepper == STEPPER_CHEBYSHEV ? "a mode grows, or the spectrum is not near the real axis"
+                         : dt * m->bound <= 2
+                             ? "dt is too large, or a mode grows at any step (heatladder limit tells)"
+                             : "dt is too large";
     return refuse(
         why, STATUS_UNSTABLE,
         "unstable: at step %lld of %lld (t = %.6g s) particle %zu%s has %.4g K, the data lie in [%.4g, %.4g] K; "
-        "dt = %.6g s is too large%s",
-        step, m->steps, dt * (double)step, i, where, value, m->lo, m->hi, dt,
-        dt * m->bound <= 2 ? ", or a mode grows at any step (heatladder limit tells)" : "");
+        "dt = %.6g s: %s",
+        step, m->steps, dt * (double)step, i, where, value, m->lo, m->hi, dt, reason);
 }
 
 /* One super step: Y[0] holds T on entry and exit.  The first stage and the rest apart, so that T stays for u_2 and
@@ -118,6 +124,21 @@ static void rkl2_steps(struct heat_operator *a, struct team *team, const struct 
     }
 }
 
+static void chebyshev_step(struct heat_operator *a, struct team *team, const struct march *m, double *Y[3]) {
+    double *T = Y[0], *turn[2] = {Y[1], Y[2]};
+    struct update *u = xcalloc((size_t)m->stages, sizeof *u);
+    chebyshev_updates(m->time / (double)m->steps, m->bound, m->stages, u);
+    state_update(a, u, 1, (double *[2]){T, Y[1]});
+    for (int k = 1, count; k < m->stages; k += count) {
+        count = m->stages - k < TOGETHER ? m->stages - k : TOGETHER;
+        for (int n = k; n < k + count; n++) u[n].Y0 = T;
+        state_update(a, u + k, count, turn);
+        a->threads = team_size(team, count);
+    }
+    free(u);
+    Y[0] = turn[0], Y[1] = turn[1], Y[2] = T;
+}
+
 /* `count` steps that follow step `done`. */
 static void euler_steps(const struct heat_operator *a, const struct march *m, long long done, int count,
                         double *Y[2]) {
@@ -139,7 +160,7 @@ static void rk2_steps(const struct heat_operator *a, const struct march *m, int 
 }
 
 int stepper_arrays(enum stepper stepper) {
-    return stepper == STEPPER_RKL2 ? 3 : 2;
+    return stepper == STEPPER_RKL2 || stepper == STEPPER_CHEBYSHEV ? 3 : 2;
 }
 
 int stepper_march(const struct heat_operator *a, const struct march *m, double *T, size_t *bytes,
@@ -151,19 +172,21 @@ int stepper_march(const struct heat_operator *a, const struct march *m, double *
     *bytes += (size_t)arrays * a->state * sizeof **Y;
     state_load(a, T, Y[0]);
     struct heat_operator own = *a;
-    struct team team =
-        team_start(a->threads, (double)(m->stepper == STEPPER_RKL2 ? stepper_applications(m) : m->steps));
+    struct team team = team_start(a->threads, (double)(arrays == 3 ? stepper_applications(m) : m->steps));
     own.threads = team_size(&team, 0);
     for (long long done = 0, count; done < m->steps && !status; done += count) {
         count = done < 2 * FIRST ? FIRST : TOGETHER;
         if (count > m->steps - done) count = m->steps - done;
+        if (m->stepper == STEPPER_CHEBYSHEV) count = 1;
         if (m->stepper == STEPPER_EULER)
             euler_steps(&own, m, done, (int)count, Y);
         else if (m->stepper == STEPPER_RK2)
             rk2_steps(&own, m, (int)count, Y);
+        else if (m->stepper == STEPPER_CHEBYSHEV)
+            chebyshev_step(&own, &team, m, Y);
         else
             rkl2_steps(&own, &team, m, done, (int)count, Y);
-        if (m->stepper != STEPPER_RKL2) own.threads = team_size(&team, (double)count);
+        if (arrays == 2) own.threads = team_size(&team, (double)count);
         status = check_bounds(m, a, Y[0], done + count, why);
     }
     team_end(&team);

@@ -6,16 +6,16 @@
 /* Explicit time stepping of dT/dt = A T + g. */
 
 struct march {
-    enum stepper stepper; /* STEPPER_EULER, STEPPER_RK2 or STEPPER_RKL2 */
+    enum stepper stepper; /* STEPPER_EULER, STEPPER_RK2, STEPPER_RKL2 or STEPPER_CHEBYSHEV */
     double time;          /* s, how long */
     long long steps;
     double alternation;  /* STEPPER_EULER: steps alternate between dt (1 + alternation) and dt (1 - alternation) */
-    int stages;          /* STEPPER_RKL2; else 1 or 2 */
+    int stages;          /* STEPPER_RKL2; the degree of STEPPER_CHEBYSHEV; else 1 or 2 */
     int start[2];        /* STEPPER_RKL2: stages of a first step that damps, of each of two quarters of it and of the
                             half that follows; 0: a step as all others */
     const double *x, *y; /* m, positions for messages; NULL where there are none, and y on a rod */
     double lo, hi;       /* K, what a stable run stays near: see stepper_march */
-    double bound;        /* s^-1, of the spectrum, for messages */
+    double bound;        /* s^-1, of the spectrum: for STEPPER_CHEBYSHEV, and for messages */
 };
 
 enum { STEPPER_STAGES_MAX = 1000000 }; /* s^2 eps, what rounding grows to in a step, stays small */

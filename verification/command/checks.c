@@ -43,7 +43,7 @@ static int check_options(const struct request *r, struct failure *why) {
     if (r->experiment.time_error > 0 && (r->rungs.dt.count || r->rungs.fourier.count))
         return refuse(why, STATUS_INPUT, "--time-error %g finds the time step: leave out --dt and --fourier",
                       r->experiment.time_error);
-    if (r->experiment.time_error > 0 && (o->stepper == STEPPER_EXACT || o->stepper == STEPPER_MATCHED))
+    if (r->experiment.time_error > 0 && (o->stepper == STEPPER_EXACT || o->stepper >= STEPPER_MATCHED))
         return refuse(why, STATUS_INPUT,
                       "--time-error %g: --stepper %s leaves no time step to choose; euler, rk2 and rkl2 do",
                       r->experiment.time_error, stepper_words[o->stepper]);

@@ -9,13 +9,17 @@ struct experiment;
 
 struct semidiscrete {
     struct field field; /* owned: field_free */
-    long long steps;    /* of the midpoint rule; 0 where field is exact in time */
-    double error;       /* the time error of field, estimated: sum w|error| / sum w|T|; 0 where exact */
+    long long steps;    /* by polynomials; 0 where field is the exact stepper's */
+    long long updates;  /* of the runs before this one */
+    double error;       /* of field: sum w|difference| / sum w|T| of it and of half as many steps; 0 where exact */
 };
 
-/* The exact stepper's field, or where there is none the midpoint rule's, at steps that suit *e, the finest rung.
+/* The exact stepper's field, or where there is none that of polynomials.
  * STATUS_OK; STATUS_NOT_APPLICABLE for what is no particle method; STATUS_UNSTABLE where the equations themselves
  * are. */
 int semidiscrete_solve(const struct experiment *e, struct semidiscrete *s, struct failure *why);
+
+/* By polynomials wherever the method can step. */
+int semidiscrete_polynomials(const struct experiment *e, struct semidiscrete *s, struct failure *why);
 
 #endif

@@ -9,12 +9,15 @@
  * without time error, from which the distance of either is its own.  Two cheap runs give both; they predict the N at
  * which it is 1 % of the error of T_inf, and the run at that N is measured against the one before.
  *
+ * Polynomials in time (semidiscrete.c) need no such search: two runs that agree show how small their error is.
+ *
  * For --time-error the steps are halved until the error is what is asked for; then the longest step is looked for: a
  * run of fewer steps is measured against T_inf.  Norms are E1's. */
 #include "verification/run/time_step.h"
 
 #include "references/scene.h"
 #include "verification/foreign/program.h"
+#include "verification/run/semidiscrete.h"
 #include "verification/run/symmetry.h"
 #include "verification/run/norms.h"
 #include "verification/run/experiment.h"
@@ -215,6 +218,21 @@ double time_step_forecast(const struct experiment *e, double particles, double t
     return next_steps(steps, (struct estimate){at, space + at, space}, particles, order);
 }
 
+static int solve_by_polynomials(const struct experiment *e, struct field *f, struct time_step *stepping,
+                                struct failure *why) {
+    struct semidiscrete s;
+    int status = semidiscrete_polynomials(e, &s, why);
+    if (status) return status;
+    double *exact = xcalloc(s.field.n, sizeof *exact);
+    norms_exact(e->scene, &e->problem, &s.field, exact);
+    *f = s.field;
+    stepping->time_error = s.error / norms_error(&e->problem, f, exact, NORMS_ALL, 0).l1;
+    stepping->updates = s.updates;
+    f->bytes += time_step_bytes(e, f->n, f->n * sizeof *f->T * (size_t)(f->dim + 1 + (f->weight != NULL)));
+    free(exact);
+    return STATUS_OK;
+}
+
 int time_step_solve(struct experiment *e, struct field *f, struct time_step *stepping, struct failure *why) {
     struct options *o = &e->options;
     int given = o->dt > 0 || o->fourier > 0, particles = e->method->scheme != NULL;
@@ -232,7 +250,9 @@ int time_step_solve(struct experiment *e, struct field *f, struct time_step *ste
     }
     if (o->stepper == STEPPER_AUTO) o->stepper = STEPPER_EULER;
     if (o->stepper == STEPPER_EXACT) stepping->time_error = 0;
-    if (given || o->stepper == STEPPER_EXACT || o->stepper == STEPPER_MATCHED || e->problem.t_end <= 0)
+    if (o->stepper == STEPPER_CHEBYSHEV && !given && e->problem.t_end > 0)
+        return solve_by_polynomials(e, f, stepping, why);
+    if (given || o->stepper >= STEPPER_EXACT || e->problem.t_end <= 0)
         return symmetry_solve(e->method, &e->problem, o, f, why);
     return solve_searched(e, f, stepping, why);
 }

@@ -35,7 +35,7 @@ int step_limit_setup(const struct method *m, const struct options *o, int dim, d
     *b = (struct model_problem){.method = m, .dim = dim, .ratio = ratio, .options = *o, .step = {o->stepper, stages}};
     if (ratio > 0 && dim == 1)
         return refuse(why, STATUS_INPUT, "--ratio %g: a rod has one diffusivity; --dim 2 has two", ratio);
-    if (b->step.stepper == STEPPER_EXACT || b->step.stepper == STEPPER_MATCHED)
+    if (b->step.stepper >= STEPPER_EXACT)
         return refuse(why, STATUS_INPUT, "--stepper %s: limit takes euler, rk2 and rkl2",
                       stepper_words[b->step.stepper]);
     if (b->step.stepper == STEPPER_RKL2 ? stages < 3 : stages > 0)

@@ -124,8 +124,16 @@ static void exact_is_the_limit_of_small_steps(void **state) {
             o.stepper = STEPPER_RKL2, o.dt = p.t_end / 400;
             run("so_ssph", p, o, &b);
             for (size_t i = 0; i < a.n; i++) assert_near(b.T[i], a.T[i], 2e-5); /* O(dt^2), measured 9e-6 */
-            field_free(&a);
             field_free(&b);
+            o.stepper = STEPPER_CHEBYSHEV;
+            for (int steps = 1; steps < 8; steps += 6) { /* no time error in one step or seven */
+                o.dt = p.t_end / steps;
+                run("so_ssph", p, o, &b);
+                assert_int_equal(b.steps, steps);
+                for (size_t i = 0; i < a.n; i++) assert_near(b.T[i], a.T[i], 1e-11);
+                field_free(&b);
+            }
+            field_free(&a);
         }
 }
 

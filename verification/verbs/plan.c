@@ -35,6 +35,8 @@ static void describe_steps(const struct experiment *e, const struct plan *plan, 
         snprintf(text, size, "exp(tA) in one pair of transforms: one stencil and walls that mirror");
     else if (plan->options.stepper == STEPPER_MATCHED)
         snprintf(text, size, "the step whose own error cancels that of space");
+    else if (plan->options.stepper == STEPPER_CHEBYSHEV)
+        snprintf(text, size, "exp(tA) by polynomials, to rounding; where two runs do not agree, more steps");
     else if (!plan->refined)
         snprintf(text, size, "as asked");
     else if (f->steps == 0)
