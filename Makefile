@@ -89,8 +89,8 @@ $(BUILD)/%.o: %.c $(BUILD)/flags | $(BUILD)/scenes.inc $(BUILD)/version.inc $(BU
 
 # One file for each width of vector; the program asks the processor which of them it may call.
 X86 = $(filter x86_64%,$(shell $(CC) -dumpmachine))
-$(BUILD)/solver/time/sweep_lanes4.o: DEFINES += $(if $(X86),-mavx2)
-$(BUILD)/solver/time/sweep_lanes8.o: DEFINES += $(if $(X86),-mavx512f)
+$(BUILD)/solver/sweep/lanes4.o: DEFINES += $(if $(X86),-mavx2)
+$(BUILD)/solver/sweep/lanes8.o: DEFINES += $(if $(X86),-mavx512f)
 
 $(BUILD)/unit/%: verification/unit/%.c $(LIBRARY)
 	@mkdir -p $(@D)
@@ -321,7 +321,7 @@ lint: $(OBJECTS) ## Check includes, symbols, shared lines, seeded faults, the fo
 	$(Q)scripts/fault-table --check
 	$(Q)case $$(clang-format --version 2>/dev/null) in *" 14."*) clang-format --dry-run --Werror $(C_FILES);; \
 	*) echo "lint: clang-format 14 is not here, the format was not checked";; esac
-	$(Q)if command -v cppcheck >/dev/null; then cppcheck -j 2 $(CPPCHECK) $(filter-out solver/time/sweep_lanes%,$(SOURCES)); \
+	$(Q)if command -v cppcheck >/dev/null; then cppcheck -j 2 $(CPPCHECK) $(filter-out solver/sweep/lanes%,$(SOURCES)); \
 	else echo "lint: cppcheck is not here, common faults were not looked for"; fi
 
 MUTANTS ?= *

@@ -67,9 +67,9 @@ static void hold(const struct problem *p, const struct options *o, const struct 
         outline_hold(out, "rates of the modes and a transform", a->n * (size_t)(a->reach[0] + 2) * unit,
                      OUTLINE_SET_UP, OUTLINE_SET_UP);
     if (o->stepper != STEPPER_EXACT)
-        outline_hold(out,
-                     stepper_arrays(m->stepper) == 3 ? "three states with their ghosts" : "two states with their ghosts",
-                     (size_t)stepper_arrays(m->stepper) * a->state * unit, OUTLINE_STEPS, OUTLINE_STEPS);
+        outline_hold(
+            out, stepper_arrays(m->stepper) == 3 ? "three states with their ghosts" : "two states with their ghosts",
+            (size_t)stepper_arrays(m->stepper) * a->state * unit, OUTLINE_STEPS, OUTLINE_STEPS);
 }
 
 static const char *weights_of(const struct problem *p, int rows) {

@@ -1,7 +1,7 @@
 #ifndef HEATLADDER_SOLVER_TIME_CHEBYSHEV_H
 #define HEATLADDER_SOLVER_TIME_CHEBYSHEV_H
 
-#include "solver/time/state.h"
+#include "solver/sweep/state.h"
 
 /* exp(dt L) to rounding, for a spectrum on [-bound, 0] (s^-1). */
 

@@ -14,7 +14,7 @@
 #include "solver/time/exact.h"
 
 #include "solver/time/products.h"
-#include "solver/time/state.h"
+#include "solver/sweep/state.h"
 #include "solver/time/transform.h"
 
 #include <float.h>

@@ -24,7 +24,7 @@
  * chebyshev  exp(dt L) to rounding, for a spectrum near the real axis (chebyshev.c) */
 #include "solver/time/stepper.h"
 #include "solver/time/chebyshev.h"
-#include "solver/time/state.h"
+#include "solver/sweep/state.h"
 #include "solver/team.h"
 
 #include <math.h>

@@ -4,7 +4,7 @@
  * particle, once for the updates that share a sweep. */
 #include "verification/bench/engine.h"
 
-#include "solver/time/state.h"
+#include "solver/sweep/state.h"
 #include "verification/command/arguments.h"
 #include "verification/bench/bench.h"
 #include "verification/text/progress.h"

@@ -1,7 +1,7 @@
 /* Clouds that a method cannot work on: each gives a refusal that names the particle, its neighbours and the condition
  * number, or a measured, finite result; never NaN. */
 #include "solver/method.h" /* before cmocka.h, which makes a macro of `fail` */
-#include "solver/time/state.h"
+#include "solver/sweep/state.h"
 #include "verification/stability/model_problem.h"
 #include "verification/stability/spectrum.h"
 #include "verification/unit/near.h"

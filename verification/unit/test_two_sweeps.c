@@ -3,7 +3,7 @@
 #include "solver/methods/particles.h"
 #include "solver/space/csr.h"
 #include "solver/space/gradient.h"
-#include "solver/time/state.h"
+#include "solver/sweep/state.h"
 
 #include "verification/unit/odd_problems.h"
 #include "verification/unit/near.h"

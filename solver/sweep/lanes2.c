@@ -1,7 +1,7 @@
 /* sweep_band_2: vectors of 2 doubles, for any machine. */
-#include "solver/time/sweep.h"
+#include "solver/sweep/sweep.h"
 
 #define LANES 2
 #define SWEEP_BAND sweep_band_2
 #define SWEEP_BANDS sweep_bands_2
-#include "solver/time/sweep_lanes.inc"
+#include "solver/sweep/lanes.inc"

@@ -1,8 +1,8 @@
 /* Updates off the lattice, y = rate (A x + g) + self x + old y + start Y0, with A in compressed rows or as two sweeps
  * of first derivatives, A x + g = div(kappa grad x) + g. */
 #include "solver/space/gradient.h"
-#include "solver/time/sweep.h"
-#include "solver/time/wavefront.h"
+#include "solver/sweep/sweep.h"
+#include "solver/sweep/wavefront.h"
 
 #include <string.h>
 

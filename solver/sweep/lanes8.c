@@ -1,7 +1,7 @@
 /* sweep_band_8: vectors of 8 doubles, for AVX-512. */
-#include "solver/time/sweep.h"
+#include "solver/sweep/sweep.h"
 
 #define LANES 8
 #define SWEEP_BAND sweep_band_8
 #define SWEEP_BANDS sweep_bands_8
-#include "solver/time/sweep_lanes.inc"
+#include "solver/sweep/lanes.inc"

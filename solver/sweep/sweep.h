@@ -1,7 +1,7 @@
-#ifndef HEATLADDER_SOLVER_TIME_SWEEP_H
-#define HEATLADDER_SOLVER_TIME_SWEEP_H
+#ifndef HEATLADDER_SOLVER_SWEEP_SWEEP_H
+#define HEATLADDER_SOLVER_SWEEP_SWEEP_H
 
-#include "solver/time/state.h"
+#include "solver/sweep/state.h"
 
 /* The hot loops of state_update, for its `count` updates of the states Y[0] and Y[1] in turn. */
 

@@ -1,7 +1,7 @@
 /* Updates on a lattice of one material, walls through ghosts: several in one sweep over the rows (wavefront.c).  Rods
  * stay on one thread: a step of one is too short to share. */
-#include "solver/time/sweep.h"
-#include "solver/time/wavefront.h"
+#include "solver/sweep/sweep.h"
+#include "solver/sweep/wavefront.h"
 
 #include <string.h>
 

@@ -1,7 +1,7 @@
 /* sweep_band_4: vectors of 4 doubles, for AVX2. */
-#include "solver/time/sweep.h"
+#include "solver/sweep/sweep.h"
 
 #define LANES 4
 #define SWEEP_BAND sweep_band_4
 #define SWEEP_BANDS sweep_bands_4
-#include "solver/time/sweep_lanes.inc"
+#include "solver/sweep/lanes.inc"

@@ -4,7 +4,7 @@
  * goes through it once for all of them.  (Update k + 1 writes over the input of update k, whose readers are then
  * past.) Threads take slabs, which shrink by the lag from update to update; what is left between two slabs is filled
  * in when both are done.  Neither changes a bit of the result.  Threads wait for each other twice a sweep. */
-#include "solver/time/wavefront.h"
+#include "solver/sweep/wavefront.h"
 
 #include <omp.h>
 

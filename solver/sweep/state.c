@@ -1,6 +1,6 @@
 /* States in and out, and their updates by way of the sweep that fits. */
-#include "solver/time/state.h"
-#include "solver/time/sweep.h"
+#include "solver/sweep/state.h"
+#include "solver/sweep/sweep.h"
 
 #include <string.h>
 
