@@ -49,7 +49,7 @@ struct ladder {
     double fine;          /* s: the step of the run that they are from; 0: of successive runs */
     struct result rung[RUNG_MAX];
     long long
-        semidiscrete_steps; /* in time: of the polynomials that the errors are against; 0: of the exact stepper */
+        semidiscrete_steps;    /* in time: of the polynomials that the errors are against; 0: of the exact stepper */
     double semidiscrete_error; /* its own error, as in struct semidiscrete */
     double x[RUNG_MAX];
     enum ladder_norm norm;
