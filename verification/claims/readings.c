@@ -94,9 +94,14 @@ static double coefficient(int m, int p) {
 /* Cut off after `terms`; a plate of side a, m, whose points begin at x0. */
 static void series(double a, double x0, double t, int terms, double T[N * N]) {
     const double pi = acos(-1);
-    double(*sine)[N] = xcalloc(TERMS + 1, sizeof *sine), (*inner)[N] = xcalloc(TERMS + 1, sizeof *inner);
+    double(*table)[N] = xcalloc(4 * (TERMS + 1), sizeof *table);
+    double(*sine)[N] = table, (*inner)[N] = sine + TERMS + 1, (*lo)[N] = inner + TERMS + 1, (*hi)[N] = lo + TERMS + 1;
     for (int n = 1; n <= terms; n++)
-        for (int i = 0; i < N; i++) sine[n][i] = sin(n * pi * (x0 + i * DX) / a);
+        for (int i = 0; i < N; i++) {
+            double u = (x0 + i * DX) / a;
+            sine[n][i] = sin(n * pi * (x0 + i * DX) / a);
+            lo[n][i] = strip(n * pi, 1 - u), hi[n][i] = strip(n * pi, u);
+        }
     for (int m = 1; m <= terms; m++) /* the double sum over p, for each row of points */
         for (int p = 1; p <= terms; p++) {
             double decay = (m * m + p * p) * pi * pi * ALPHA * t / (a * a);
@@ -105,33 +110,30 @@ static void series(double a, double x0, double t, int terms, double T[N * N]) {
         }
     for (int j = 0; j < N; j++)
         for (int i = 0; i < N; i++) {
-            double sum = 0, x = (x0 + i * DX) / a, y = (x0 + j * DX) / a;
+            double sum = 0;
             for (int n = 1; n <= terms; n++) {
                 sum -= sine[n][i] * inner[n][j];
                 if (n % 2 == 0) continue;
                 double q = n * pi;
-                sum += 4 / q * sine[n][i] * (T1 * strip(q, 1 - y) + T3 * strip(q, y));
-                sum += 4 / q * sine[n][j] * (T2 * strip(q, x) + T4 * strip(q, 1 - x));
+                sum += 4 / q * sine[n][i] * (T1 * lo[n][j] + T3 * hi[n][j]);
+                sum += 4 / q * sine[n][j] * (T2 * hi[n][i] + T4 * lo[n][i]);
             }
             T[j * N + i] = sum;
         }
-    free(sine);
-    free(inner);
+    free(table);
 }
 
-static void compare(struct reading *r, const struct published *t, double (*T)[PLATE_TIMES][N * N]) {
-    double exact[N * N], error[PLATE_DEFINITIONS];
-    int outside = r->place == 2;
-    for (int k = 0; k < PLATE_TIMES; k++) {
-        series(N * DX + outside * DX, (1 + outside) * DX / 2, atof(t->where[k]), readings_terms[r->terms], exact);
+static void compare(struct reading *r, const struct published *t, double (*T)[PLATE_TIMES][N * N],
+                    double exact[PLATE_TIMES][N * N]) {
+    double error[PLATE_DEFINITIONS];
+    for (int k = 0; k < PLATE_TIMES; k++)
         for (int i = 0; i < PLATE_METHODS; i++) {
-            plate_average(T[i][k], exact, N, error);
+            plate_average(T[i][k], exact[k], N, error);
             for (int d = 0; d < PLATE_DEFINITIONS; d++) {
                 r->error[d][i][k] = error[d];
                 r->off[d] = fmax(r->off[d], exp(fabs(log(error[d] / t->value[i][k]))));
             }
         }
-    }
     for (int d = 0; d < PLATE_DEFINITIONS; d++)
         if (r->off[d] < r->off[r->best]) r->best = d;
 }
@@ -139,18 +141,26 @@ static void compare(struct reading *r, const struct published *t, double (*T)[PL
 struct readings *readings_try(const struct published *t) {
     struct readings *all = xcalloc(1, sizeof *all);
     double(*T)[PLATE_TIMES][N * N] = xcalloc(PLATE_METHODS, sizeof *T);
-    for (int place = 0; place < READINGS_PLACES; place++)
+    double(*exact)[PLATE_TIMES][N * N] = xcalloc(READINGS_SERIES, sizeof *exact);
+    for (int place = 0; place < READINGS_PLACES; place++) {
+        int outside = place == 2;
+        for (int terms = 0; terms < READINGS_SERIES; terms++)
+            for (int k = 0; k < PLATE_TIMES; k++)
+                series(N * DX + outside * DX, (1 + outside) * DX / 2, atof(t->where[k]), readings_terms[terms],
+                       exact[terms][k]);
         for (int corner = 0; corner < READINGS_CORNERS; corner++) {
             for (int i = 0; i < PLATE_METHODS; i++) solve(i, corner, place == 1 ? 1.1025 : 1, t, T[i]);
             for (int terms = 0; terms < READINGS_SERIES; terms++) {
                 struct reading *r = &all->reading[all->count];
                 *r = (struct reading){.place = place, .corner = corner, .terms = terms};
-                compare(r, t, T);
+                compare(r, t, T, exact[terms]);
                 const struct reading *nearest = &all->reading[all->nearest];
                 if (r->off[r->best] < nearest->off[nearest->best]) all->nearest = all->count;
                 all->count++;
             }
         }
+    }
+    free(exact);
     free(T);
     return all;
 }
