@@ -131,13 +131,13 @@ static double transient_start(const struct problem *p, const double x[2]) {
     return initial(p, x) - steady(p, x);
 }
 
-/* G's change over rho_c: what it has at once, and what it gains in a second. */
+/* G's change over rho_c: what it has at once, and what it gains in time, K s^-2. */
 static double heated(const struct problem *p, const double x[2]) {
     return source_change(p, x, 0) / p->param[RHO_C];
 }
 
 static double heated_more(const struct problem *p, const double x[2]) {
-    return (source_change(p, x, 1) - source_change(p, x, 0)) / p->param[RHO_C];
+    return (source_change(p, x, p->t_end) - source_change(p, x, 0)) / (p->t_end * p->param[RHO_C]);
 }
 
 /* The integral over s from 0 to t of exp((t - s)L) of what G has more at s. */

@@ -5,6 +5,7 @@
 #include "references/series.h"
 #include "verification/unit/odd_scenes.h"
 
+#include <float.h>
 #include <string.h>
 
 #include <gsl/gsl_errno.h>
@@ -56,6 +57,46 @@ static void heat_is_kept(void **state) {
         print_message("%-18s d(heat)/dt = %.6g, in %.6g\n", (*s)->name, rate, in);
         assert_near(rate, in, 1e-7 * size + 3 * error); /* (dt/t)^6 times a constant below 2000 */
         assert_true(error < 1e-6 * size);
+    }
+}
+
+/* What is known of the heat: where every box is fine enough, its rules differ by 1e-13 |T|, sums round to 8 eps |T|,
+ * and the rest is the temperatures' own.  Boxes are graded down to 2^-12 of a plate; kappa t is above that. */
+static void features_are_resolved(void **state) {
+    (void)state;
+    enum { N = 40 };
+    for (const struct scene *const *s = scenes; *s; s++) {
+        struct problem p;
+        odd_setup(*s, &p);
+        double whole = (p.hi[0] - p.lo[0]) * (p.dim == 2 ? p.hi[1] - p.lo[1] : 1);
+        double rho_c = fmax(p.material[0].rho_c, p.material[1].rho_c);
+        for (double t = 1e-6 * p.t_end; t < 2 * p.t_end; t *= 100) {
+            double most = 0, unknown = 0;
+            for (int k = 0; k < (p.dim == 2 ? (N + 1) * (N + 1) : N + 1); k++) {
+                double x[2] = {p.lo[0] + k % (N + 1) * (p.hi[0] - p.lo[0]) / N, 0};
+                if (p.dim == 2) x[1] = p.lo[1] + k / (N + 1) * (p.hi[1] - p.lo[1]) / N;
+                struct exact e = (*s)->exact(&p, x, t);
+                if (e.no_value) continue;
+                most = fmax(most, fabs(e.temperature)), unknown = fmax(unknown, e.error_bound);
+            }
+            double bound = of("heat", *s, &p, t).error_bound;
+            assert_near(bound, 0, whole * rho_c * (most * (1e-13 + 8 * DBL_EPSILON) + unknown));
+        }
+    }
+}
+
+/* A pulse that is narrow beside the rod lies at its middle, which no rule would meet by chance. */
+static void a_narrow_pulse_is_found(void **state) {
+    (void)state;
+    for (double sigma = 1; sigma > 1e-6; sigma /= 1.03) {
+        struct problem p;
+        struct failure why;
+        const struct scene *s = scene_find("rod-gauss");
+        scene_defaults(s, &p);
+        p.param[1] = sigma;
+        assert_int_equal(s->setup(&p, &why), STATUS_OK);
+        struct quantity_value heat = of("heat", s, &p, 0);
+        assert_near(heat.value, sqrt(2 * 3.14159265358979323846) * sigma, heat.error_bound);
     }
 }
 
@@ -149,12 +190,14 @@ static void words_are_checked(void **state) {
     assert_int_equal(quantity_read("at:0.1,0.02", &p, &q, &why), STATUS_OK);
     assert_near(q.at[1], 0.02, 0);
     assert_int_equal(quantity_read("at:0.1", &p, &q, &why), STATUS_INPUT);
+    assert_non_null(strstr(why.text, "needs X,Y, such as at:0.1,0.2"));
 }
 
 int main(void) {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(heat_is_kept),      cmocka_unit_test(known_values),
-        cmocka_unit_test(heat_of_a_plate),   cmocka_unit_test(what_is_infinite_has_no_value),
+        cmocka_unit_test(heat_is_kept),          cmocka_unit_test(known_values),
+        cmocka_unit_test(features_are_resolved), cmocka_unit_test(a_narrow_pulse_is_found),
+        cmocka_unit_test(heat_of_a_plate),       cmocka_unit_test(what_is_infinite_has_no_value),
         cmocka_unit_test(words_are_checked),
     };
     gsl_set_error_handler_off();

@@ -67,6 +67,39 @@ static void bad_values_are_refused(void **state) {
     }
 }
 
+/* The limit of which material is told. */
+static void the_faster_half_rod_is_named(void **state) {
+    (void)state;
+    const struct scene *s = scene_find("rod-contact");
+    struct problem p;
+    struct failure why = {0};
+    scene_defaults(s, &p);
+    p.param[index_of(s, "k2")] = 0.02;
+    assert_int_equal(s->setup(&p, &why), STATUS_INPUT);
+    if (!strstr(why.text, "D = L - |x_c| = 1 m and k2/rho_c2 = 0.04 m^2/s")) fail_msg("\"%s\"", why.text);
+}
+
+/* Where a refusal says "needs ... to", both are valid. */
+static void the_ends_of_a_range_are_in_it(void **state) {
+    (void)state;
+    static const struct {
+        const char *scene;
+        double most; /* of height/width, and of width/height */
+    } plates[] = {{"plate", 1000}, {"plate-cooling", 10}};
+    for (int k = 0; k < 4; k++) {
+        const struct scene *s = scene_find(plates[k / 2].scene);
+        struct problem p;
+        struct failure why = {0};
+        double *height = &p.param[index_of(s, "height")], width = 0.25;
+        scene_defaults(s, &p);
+        p.param[index_of(s, "width")] = width;
+        *height = k % 2 ? width * plates[k / 2].most : width / plates[k / 2].most;
+        if (s->setup(&p, &why)) fail_msg("%s: %s", s->name, why.text);
+        *height *= k % 2 ? 1.001 : 0.999;
+        assert_int_equal(s->setup(&p, &why), STATUS_INPUT);
+    }
+}
+
 static void defaults_are_accepted(void **state) {
     (void)state;
     for (const struct scene *const *s = scenes; *s; s++) {
@@ -104,8 +137,8 @@ static void setup_starts_afresh(void **state) {
 
 int main(void) {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(bad_values_are_refused),
-        cmocka_unit_test(defaults_are_accepted),
+        cmocka_unit_test(bad_values_are_refused),        cmocka_unit_test(the_faster_half_rod_is_named),
+        cmocka_unit_test(the_ends_of_a_range_are_in_it), cmocka_unit_test(defaults_are_accepted),
         cmocka_unit_test(setup_starts_afresh),
     };
     gsl_set_error_handler_off();

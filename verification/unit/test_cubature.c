@@ -1,0 +1,103 @@
+/* Cubature: polynomials, what is told of narrow places, and where it ends. */
+#include "references/cubature.h"
+
+#include "verification/unit/near.h"
+
+#include <float.h>
+
+struct counted {
+    int calls; /* so far; of a shape, which one */
+    double width, error;
+};
+
+/* The rule is exact for degree 11; the largest value here is 2. */
+static struct approx polynomial(const void *data, const double x[2]) {
+    (void)data;
+    return (struct approx){pow(x[0], 11) + pow(x[1], 10), 0};
+}
+
+static void polynomials_are_exact(void **state) {
+    (void)state;
+    const double lo[2] = {0, -1}, hi[2] = {1, 1};
+    struct approx mean = cubature_mean(polynomial, NULL, 2, lo, hi, &(struct cubature_knots){.count = {0, 0}});
+    assert_near(mean.value, 1.0 / 12 + 1.0 / 11, 8 * DBL_EPSILON * 2);
+    assert_true(mean.error <= (2 + 8) * DBL_EPSILON * 2);
+}
+
+/* 0.9 error above what is meant at the points of a box, as much below it at those of its halves. */
+static struct approx noise(const void *data, const double x[2]) {
+    static const double node[] = {0.2386191860831969, 0.6612093864662645, 0.9324695142031521};
+    struct counted *c = (struct counted *)data;
+    double sign = -0.9;
+    for (int k = 0; k < 3; k++)
+        if (fabs(fabs(x[0]) - node[k]) < 1e-9) sign = 0.9;
+    c->calls++;
+    return (struct approx){sign * c->error, c->error};
+}
+
+/* The two may differ by the errors of both: no smaller box knows more. */
+static void what_is_not_known_is_not_refined(void **state) {
+    (void)state;
+    struct counted c = {.error = 0.3};
+    const double lo[2] = {-1, 0}, hi[2] = {1, 0};
+    struct approx mean = cubature_mean(noise, &c, 1, lo, hi, &(struct cubature_knots){.count = {0, 0}});
+    assert_int_equal(c.calls, 6 + 2 * 6);
+    assert_near(mean.value, 0, mean.error);
+}
+
+static struct approx pulse(const void *data, const double x[2]) {
+    const struct counted *c = data;
+    double z = (x[0] - 0.3) / c->width;
+    return (struct approx){exp(-z * z), 0};
+}
+
+static void a_knot_finds_what_is_narrow(void **state) {
+    (void)state;
+    struct counted c = {.width = 1e-7};
+    const double lo[2] = {-1, 0}, hi[2] = {1, 0};
+    struct cubature_knots none = {.count = {0, 0}}, one = {.count = {1, 0}};
+    one.knot[0][0].at = 0.3, one.knot[0][0].graded = 1;
+    struct approx found = cubature_mean(pulse, &c, 1, lo, hi, &one);
+    assert_near(found.value, sqrt(3.14159265358979323846) * c.width / 2, 1e-14);
+    assert_near(cubature_mean(pulse, &c, 1, lo, hi, &none).value, 0, 1e-300); /* why it has to be told */
+}
+
+/* Shapes of diffusion, of any width. */
+static struct approx shape(const void *data, const double x[2]) {
+    const struct counted *c = data;
+    double z = (x[0] - 0.3) / c->width;
+    const double value[] = {exp(-z * z), erf(z), z * exp(-z * z), 1 / (1 + z * z), exp(-fabs(z))};
+    return (struct approx){value[c->calls], 0};
+}
+
+/* Their integrals up to z. */
+static double below(int which, double z) {
+    const double root = sqrt(3.14159265358979323846), bell = exp(-z * z);
+    const double value[] = {root / 2 * erf(z), z * erf(z) + bell / root, -bell / 2, atan(z),
+                            z < 0 ? exp(z) : 2 - exp(-z)};
+    return value[which];
+}
+
+static void bounds_hold_at_every_width(void **state) {
+    (void)state;
+    const double lo[2] = {-1, 0}, hi[2] = {1, 0};
+    struct cubature_knots knots = {.count = {1, 0}};
+    knots.knot[0][0].at = 0.3, knots.knot[0][0].graded = 1;
+    for (struct counted c = {0}; c.calls < 5; c.calls++)
+        for (c.width = 1; c.width > 1e-6; c.width /= 1.02) {
+            struct approx mean = cubature_mean(shape, &c, 1, lo, hi, &knots);
+            double want = c.width / 2 * (below(c.calls, 0.7 / c.width) - below(c.calls, -1.3 / c.width));
+            assert_near(mean.value, want, mean.error);
+            assert_near(mean.error, 0, 1e-13 + 8 * DBL_EPSILON);
+        }
+}
+
+int main(void) {
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(polynomials_are_exact),
+        cmocka_unit_test(what_is_not_known_is_not_refined),
+        cmocka_unit_test(a_knot_finds_what_is_narrow),
+        cmocka_unit_test(bounds_hold_at_every_width),
+    };
+    return cmocka_run_group_tests_name("cubature", tests, NULL, NULL);
+}
