@@ -1,6 +1,8 @@
 /* The benchmark of a scene.  A rung is run once to warm up and to measure its error, then BENCH_RUNS times for its
- * median.  A candidate climbs until a rung takes long; a rung that fails, or whose predicted work is out of
- * proportion, is kept with its reason. */
+ * median.  A candidate has its share of the scene's seconds, what is left divided by the candidates that are left; it
+ * climbs while the next rung is predicted to fit in.  That takes what the rung before took, times the ratio of their
+ * counted work; the first one's is that of all rungs of the scene so far.  So the whole ends in time on any machine,
+ * but for what a prediction is off.  A rung that fails or is left out is kept with its reason. */
 #include "verification/bench/bench.h"
 
 #include "verification/text/progress.h"
@@ -13,10 +15,6 @@
 #include <stdlib.h>
 #include <string.h>
 
-static const double LONG = 0.02; /* s: the last rung of a candidate may take this and a few times more */
-/* Pairs: a rung that follows one of LONG may take 16 times as long (explicit steps in the plane), at the 3e9 pairs a
- * second of a fast core.  The coarsest rung follows none: its count alone bounds it. */
-static const double WORK_MAX = 1e9;
 static const int COARSEST[3] = {0, 32, 16}, FINEST[3] = {0, 4096, 640}; /* particles along x, by dimension */
 enum { FAILURES = 2, ASYMPTOTIC = 3 };
 
@@ -45,28 +43,38 @@ static struct bench_time time_runs(const struct candidate *c, const struct exper
     return bench_summary(seconds, BENCH_RUNS);
 }
 
-/* Whether the predicted work is more than WORK_MAX: *out says so.  What cannot be predicted is tried. */
-static int out_of_proportion(const struct candidate *c, const struct experiment *e, int n, struct result *out) {
-    struct candidate_size size = {n, 0};
+/* Pairs of a rung with its exact temperatures; 0 where they cannot be predicted: such a rung is tried. */
+static double predict_work(const struct candidate *c, const struct experiment *e, int n) {
     struct candidate_cost cost;
     struct failure why;
-    if (candidate_predict(c, e, size, &cost, &why) || cost.work <= WORK_MAX) return 0;
-    *out = (struct result){.scene = e->scene, .method = method_find(c->method), .t_end = e->problem.t_end};
-    out->options = candidate_options(c, e, size);
-    refuse(&out->failure, STATUS_NOT_APPLICABLE, "%.2g pairs predicted, more than %.0e", cost.work, WORK_MAX);
-    return 1;
+    return candidate_predict(c, e, (struct candidate_size){n, 0}, &cost, &why) ? 0 : cost.whole;
 }
 
-void bench_climb(const struct candidate *c, const struct experiment *e, int unit, struct bench_scene *b) {
+static void leave_out(const struct candidate *c, const struct experiment *e, double work, double seconds, double left,
+                      struct bench_row *row) {
+    struct result *out = &row->result;
+    *out = (struct result){.scene = e->scene, .method = method_find(c->method), .t_end = e->problem.t_end};
+    out->options = candidate_options(c, e, (struct candidate_size){row->n, 0});
+    refuse(&out->failure, STATUS_NOT_APPLICABLE, "%.2g pairs, %d times %.2g s predicted of %.2g s that are left",
+           work, BENCH_RUNS + 1, seconds / (BENCH_RUNS + 1), left);
+    row->left_out = 1;
+}
+
+void bench_climb(const struct candidate *c, const struct experiment *e, int unit, double seconds,
+                 struct bench_scene *b) {
     int failures = 0, rungs = 0, before = 0;
+    double rate = b->work > 0 ? b->seconds / b->work : 0, begin = omp_get_wtime();
     for (double at = COARSEST[e->problem.dim]; at <= FINEST[e->problem.dim] && rungs < BENCH_RUNGS; at *= 2) {
         int n = candidate_member(at, unit);
         if (n == before || b->count == BENCH_ROWS) continue;
         before = n;
         struct bench_row *row = &b->row[b->count++];
         *row = (struct bench_row){.candidate = c, .n = n};
-        row->left_out = out_of_proportion(c, e, n, &row->result);
-        if (row->left_out) return;
+        double start = omp_get_wtime(), left = seconds - (start - begin), work = predict_work(c, e, n);
+        if (work * rate > left) {
+            leave_out(c, e, work, work * rate, left, row);
+            return;
+        }
         if (candidate_run(c, e, (struct candidate_size){n, 0}, &row->result)) {
             if (++failures == FAILURES) return;
             continue;
@@ -74,7 +82,9 @@ void bench_climb(const struct candidate *c, const struct experiment *e, int unit
         rungs++;
         row->work = row->result.work;
         row->time = time_runs(c, e, n);
-        if (row->time.median > LONG) return;
+        double took = omp_get_wtime() - start;
+        b->seconds += took, b->work += work;
+        if (work > 0) rate = took / work;
     }
 }
 
@@ -141,15 +151,17 @@ static struct bench_same time_against_itself(const struct experiment *e, const s
     return (struct bench_same){row->candidate->label, ratio};
 }
 
-void bench_run(const struct experiment *e, struct bench_scene *b) {
+void bench_run(const struct experiment *e, double seconds, struct bench_scene *b) {
     int unit = candidate_unit(&e->problem);
     *b = (struct bench_scene){.scene = e->scene};
     int count = 0;
     while (candidates_table[count].label) count++;
+    double begin = omp_get_wtime();
+    int left = count;
     struct progress progress = progress_start("candidates", count);
-    for (const struct candidate *c = candidates_table; c->label && unit; c++) {
+    for (const struct candidate *c = candidates_table; c->label && unit; c++, left--) {
         if (!c->dim || c->dim == e->problem.dim) {
-            bench_climb(c, e, unit, b);
+            bench_climb(c, e, unit, (seconds - (omp_get_wtime() - begin)) / left, b);
             fit_growth(c, e->problem.dim, b);
         }
         progress_tick(&progress);

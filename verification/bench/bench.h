@@ -15,7 +15,7 @@ struct bench_row {
     const struct candidate *candidate;
     int n;                /* particles along x */
     struct result result; /* its failure says why there is no more than that */
-    int left_out;         /* 1: not run, its predicted work is out of proportion */
+    int left_out;         /* 1: not run, since it is predicted to take longer than may be spent */
     struct bench_time time;
     double work;                /* candidate_work */
     int front_time, front_work; /* 1: no other row has a smaller error for less */
@@ -38,21 +38,23 @@ struct bench_scene {
     struct bench_row row[BENCH_ROWS]; /* by candidate, coarsest first */
     struct bench_growth growth[BENCH_ROWS / BENCH_RUNGS];
     struct bench_same slow, fast; /* of the row that takes longest, and of the one that takes least */
+    double seconds, work;         /* s and pairs of all rungs */
 };
 
 /* The counted work, or the median of the seconds. */
 double bench_cost(const struct bench_row *row, int by_work);
 
-/* "left out" where a run would take too much work, "failed" where it went wrong, "not applicable" where the method
+/* "left out" where a run would take too long, "failed" where it went wrong, "not applicable" where the method
  * refuses what it is asked for; NULL for none of these. */
 const char *bench_outcome(const struct bench_row *row);
 
-/* Adds to *b the rungs of one candidate, n multiples of `unit`, until one takes long, two have failed or one is left
- * out. */
-void bench_climb(const struct candidate *c, const struct experiment *e, int unit, struct bench_scene *b);
+/* Adds to *b the rungs of one candidate, n multiples of `unit`, until two have failed or one is left out: so many
+ * seconds may be spent. */
+void bench_climb(const struct candidate *c, const struct experiment *e, int unit, double seconds,
+                 struct bench_scene *b);
 
-/* Fills *b; *e holds the scene, set up.  Runs one after the other on one thread. */
-void bench_run(const struct experiment *e, struct bench_scene *b);
+/* Fills *b in so many seconds; *e holds the scene, set up.  Runs one after the other on one thread. */
+void bench_run(const struct experiment *e, double seconds, struct bench_scene *b);
 
 /* Median and extremes of `count` times, which are sorted. */
 struct bench_time bench_summary(double *seconds, int count);

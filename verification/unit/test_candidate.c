@@ -148,8 +148,9 @@ static void a_refusal_is_no_failure(void **state) {
     assert_string_equal(bench_outcome(&(struct bench_row){.result.failure.status = STATUS_NUMERICAL}), "failed");
 }
 
-/* Song's dt of 5e-5 s on the cooled plate takes 1.2e8 steps to its end, and 2e4 to t = 1 s. */
-static void work_out_of_proportion_is_left_out(void **state) {
+/* Song's dt of 5e-5 s on the cooled plate, where all rungs so far took 1e-9 s a pair: to its end 1.2e8 steps, and to
+ * t = 0.01 s 200, which are no second. */
+static void what_takes_too_long_is_left_out(void **state) {
     (void)state;
     const struct candidate *song = candidates_table;
     while (song->options.dt == 0) song++;
@@ -158,21 +159,25 @@ static void work_out_of_proportion_is_left_out(void **state) {
     struct failure why;
     const struct {
         const char *line;
-        int rungs;
+        double seconds;
         const char *outcome;
-    } cases[] = {{"run plate-cooling so_ssph --dx 0.05 --t-end 20", 1, "left out"},
-                 {"run plate-cooling so_ssph --dx 0.05 --t-end 0.01", 2, NULL}};
-    for (int i = 0; i < 2; i++) {
+    } cases[] = {{"run plate-cooling so_ssph --dx 0.05 --t-end 20", 4, "left out"},
+                 {"run plate-cooling so_ssph --dx 0.05 --t-end 20", 0, "left out"},
+                 {"run plate-cooling so_ssph --dx 0.05 --t-end 0.01", 1e3, NULL}};
+    for (int i = 0; i < 3; i++) {
         if (arguments_parse_line(cases[i].line, &r, &why)) fail_msg("%s: %s", cases[i].line, why.text);
-        b = (struct bench_scene){.scene = r.experiment.scene};
-        bench_climb(song, &r.experiment, candidate_unit(&r.experiment.problem), &b);
-        assert_true(b.count >= cases[i].rungs);
+        b = (struct bench_scene){.scene = r.experiment.scene, .seconds = 1, .work = 1e9};
+        bench_climb(song, &r.experiment, candidate_unit(&r.experiment.problem), cases[i].seconds, &b);
         const char *outcome = bench_outcome(&b.row[0]);
         assert_true(outcome == cases[i].outcome || strcmp(outcome, cases[i].outcome) == 0);
         if (outcome) {
             assert_int_equal(b.count, 1);
-            assert_non_null(strstr(b.row[0].result.failure.text, "pairs predicted, more than 1e+09"));
+            assert_non_null(strstr(b.row[0].result.failure.text, "s that are left"));
             assert_string_equal(b.row[0].result.scene->name, "plate-cooling");
+            assert_near(b.seconds, 1, 0);
+        } else {
+            assert_true(b.count > 1);
+            assert_true(b.seconds > 1 && b.work > 1e9);
         }
         arguments_free(&r);
     }
@@ -203,7 +208,7 @@ int main(void) {
         cmocka_unit_test(work_is_counted),
         cmocka_unit_test(a_damped_start_counts_in_the_saving),
         cmocka_unit_test(costs_are_predicted),
-        cmocka_unit_test(work_out_of_proportion_is_left_out),
+        cmocka_unit_test(what_takes_too_long_is_left_out),
         cmocka_unit_test(searches_and_rows_cost_more_than_a_stencil),
         cmocka_unit_test(a_proving_run_is_more_than_its_solve),
         cmocka_unit_test(a_median_is_no_mean),

@@ -18,6 +18,8 @@
 #include <stdlib.h>
 #include <string.h>
 
+static const double SECONDS = 4; /* of a scene: of a minute ten scenes leave a third to the engine and the charts */
+
 /* The files of one run, kept until all can be put in their places. */
 struct files {
     int count;
@@ -32,7 +34,7 @@ static int bench_one(const struct request *given, const struct scene *s, struct 
     e.scene = s;
     scene_defaults(s, &e.problem);
     int status = s->setup(&e.problem, why);
-    if (!status) bench_run(&e, b);
+    if (!status) bench_run(&e, SECONDS, b);
     if (!status) {
         json_object(j, NULL);
         bench_print_scene_json(b, j);
