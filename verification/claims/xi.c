@@ -151,14 +151,20 @@ void claims_xi_eq18(struct claims_measured *m) {
                       "closed form below it too, for no condition");
 }
 
-/* What eq. 18 costs in error against the best xi. */
+/* What eq. 18 costs in error against the best xi.  Two numbers are printed, 9 and 3.5: they agree where some factor
+ * that rounds to 9 adds what rounds to 3.5 %.  The error falls as xi rises to the best one. */
 void claims_xi_eq18_rise(struct claims_measured *m) {
+    static const double factor[] = {8.5, 9, 9.5};
     struct xi_best b = xi_as_stated(PLATE_SIDE, 0);
+    double rise[3];
     if (find(&b, m)) return;
-    double rise = xi_error(&b, xi_eq18(xi_h(b.n))) - b.error;
     claims_kit_number(m, b.error, "%", "error at the best xi");
-    claims_kit_number(m, rise, "%", "added by eq. 18");
-    claims_kit_decide(m, fabs(rise - 3.5) <= 1, 1, "adds 3.5 %% of error (+- 1 %%) at h = 0.006 m");
+    for (int i = 0; i < 3; i++) {
+        rise[i] = xi_error(&b, factor[i] * cbrt(xi_h(b.n))) - b.error;
+        claims_kit_number(m, rise[i], "%", "added by %g h^(1/3)", factor[i]);
+    }
+    claims_kit_decide(m, rise[2] < 3.55 && rise[0] >= 3.45, 1,
+                      "a factor that rounds to 9 adds an error that rounds to 3.5 %% at h = 0.006 m");
 }
 
 void claims_xi_xi_materials(struct claims_measured *m) {
