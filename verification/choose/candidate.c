@@ -163,12 +163,11 @@ int candidate_solve(const struct candidate *c, const struct experiment *e, struc
     return symmetry_solve(with.method, &with.problem, &with.options, f, why);
 }
 
+/* A value is rounded at each application, or at each of the log2(2 n) levels of two transforms along each axis. */
 static double rounding(const struct problem *p, const struct field *run, double dx) {
-    double applications = fmax((double)run->applications, (double)run->steps * run->stages),
-           width = p->hi[0] - p->lo[0];
-    double kappa = problem_diffusivity(p), lasts = fmin(p->t_end, width * width / (M_PI * M_PI * kappa));
-    double symbol = run->steps == 0 ? kappa * lasts / (dx * dx) : 0;
-    return DBL_EPSILON / 4 * (sqrt(applications) + symbol);
+    double roundings = fmax((double)run->applications, (double)run->steps * run->stages);
+    for (int a = 0; a < p->dim && run->steps == 0; a++) roundings += 2 * log2(2 * (p->hi[a] - p->lo[a]) / dx);
+    return DBL_EPSILON / 4 * sqrt(roundings);
 }
 
 int candidate_predict(const struct candidate *c, const struct experiment *e, struct candidate_size size,
