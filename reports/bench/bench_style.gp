@@ -7,8 +7,8 @@ set datafile separator comma
 stats data using 3 nooutput
 FRONTS = 2 # the last blocks
 N = STATS_blocks - FRONTS
-array FAMILY[5] = ['matched', 'exact', 'rkl2', 'rk2 euler', 'ftcs']
-array TITLE[5] = ['matched step', 'exact in time', 'RKL2', 'RK2 and Euler', 'finite differences (FTCS)']
+array FAMILY[5] = ['matched', 'exact', 'rkl2 chebyshev', 'rk2 euler', 'ftcs']
+array TITLE[5] = ['matched step', 'exact in time', 'RKL2, Chebyshev', 'RK2 and Euler', 'finite differences (FTCS)']
 who(i) = system(sprintf("sed -n 's/^n,.*,updates,//p' '%s' | sed -n %dp", data, i + 1))
 in_family(who, f) = sum [w=1:words(FAMILY[f])] (strstrt(who, word(FAMILY[f], w)) > 0)
 family_of(who) = strstrt(who, 'ftcs') == 1 ? 5 : in_family(who, 1) ? 1 : in_family(who, 2) ? 2 : in_family(who, 3) ? 3 : 4

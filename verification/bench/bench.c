@@ -31,7 +31,7 @@ static double time_once(const struct candidate *c, const struct experiment *e, i
     struct field f = {0};
     struct failure why;
     double start = omp_get_wtime();
-    int status = candidate_solve(c, e, (struct candidate_size){n, 0}, &f, &why);
+    int status = candidate_solve(c, e, n, &f, &why);
     double seconds = omp_get_wtime() - start;
     field_free(&f);
     return status ? NAN : seconds;
@@ -47,14 +47,14 @@ static struct bench_time time_runs(const struct candidate *c, const struct exper
 static double predict_work(const struct candidate *c, const struct experiment *e, int n) {
     struct candidate_cost cost;
     struct failure why;
-    return candidate_predict(c, e, (struct candidate_size){n, 0}, &cost, &why) ? 0 : cost.whole;
+    return candidate_predict(c, e, n, &cost, &why) ? 0 : cost.whole;
 }
 
 static void leave_out(const struct candidate *c, const struct experiment *e, double work, double seconds, double left,
                       struct bench_row *row) {
     struct result *out = &row->result;
     *out = (struct result){.scene = e->scene, .method = method_find(c->method), .t_end = e->problem.t_end};
-    out->options = candidate_options(c, e, (struct candidate_size){row->n, 0});
+    out->options = candidate_options(c, e, row->n);
     refuse(&out->failure, STATUS_NOT_APPLICABLE, "%.2g pairs, %d times %.2g s predicted of %.2g s that are left",
            work, BENCH_RUNS + 1, seconds / (BENCH_RUNS + 1), left);
     row->left_out = 1;
@@ -75,7 +75,7 @@ void bench_climb(const struct candidate *c, const struct experiment *e, int unit
             leave_out(c, e, work, work * rate, left, row);
             return;
         }
-        if (candidate_run(c, e, (struct candidate_size){n, 0}, &row->result)) {
+        if (candidate_run(c, e, n, &row->result)) {
             if (++failures == FAILURES) return;
             continue;
         }

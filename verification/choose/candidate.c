@@ -20,6 +20,7 @@
 #define EXACT .stepper = STEPPER_EXACT
 #define EULER .stepper = STEPPER_EULER
 #define RKL2 .stepper = STEPPER_RKL2
+#define CHEBYSHEV .stepper = STEPPER_CHEBYSHEV
 #define MATCHED .stepper = STEPPER_MATCHED
 #define SPLINE .sampling = SAMPLING_SPLINE
 #define CELL .sampling = SAMPLING_CELL
@@ -58,14 +59,13 @@ const struct candidate candidates_table[] = {
     CANDIDATE("fatehi_manzari exact, h/dx 0.9", "fatehi_manzari", 0, 0, 0, EXACT, .h = 0.9),
     CANDIDATE("ftcs at F = 1/6", "ftcs", 0, 0, 0, EULER, .fourier = 1.0 / 6),
     CANDIDATE("ftcs at F = 0.2, cell samples", "ftcs", 0, 0, 0, EULER, .fourier = 0.2, CELL),
-    CANDIDATE("so_ssph rkl2", "so_ssph", 0, 0.125, 0, RKL2, CELL),
-    CANDIDATE("brookshaw rkl2, series mean, h/dx 0.7, spline samples", "brookshaw", 0, 0.125, 0, RKL2,
-              .mean = MEAN_SERIES, .h = 0.7, SPLINE),
-    CANDIDATE("so_ssph rkl2, spline samples", "so_ssph", 0, 0.125, 0, RKL2, SPLINE),
-    CANDIDATE("so_ssph rkl2, spline samples, h/dx 0.9", "so_ssph", 0, 0.125, 0, RKL2, SPLINE, .h = 0.9),
-    CANDIDATE("brookshaw rkl2, series mean", "brookshaw", 0, 0.125, 0, RKL2, .mean = MEAN_SERIES),
-    CANDIDATE("brookshaw rkl2, series mean, h/dx 0.7", "brookshaw", 0, 0.125, 0, RKL2, .mean = MEAN_SERIES, .h = 0.7),
-    CANDIDATE("contact_ssph rkl2, h/dx 0.7, cell samples", "contact_ssph", 1, 0.125, 0, RKL2, CELL, .h = 0.7),
+    CANDIDATE("brookshaw chebyshev, series mean", "brookshaw", 0, 0, 0, CHEBYSHEV, .mean = MEAN_SERIES),
+    CANDIDATE("brookshaw chebyshev, series mean, h/dx 0.7", "brookshaw", 0, 0, 0, CHEBYSHEV, .mean = MEAN_SERIES,
+              .h = 0.7),
+    CANDIDATE("contact_ssph chebyshev, h/dx 0.7, cell samples", "contact_ssph", 1, 0, 0, CHEBYSHEV, CELL, .h = 0.7),
+    CANDIDATE("so_ssph rkl2", "so_ssph", 0, 0.125, 1, RKL2, CELL),
+    CANDIDATE("so_ssph rkl2, spline samples", "so_ssph", 0, 0.125, 1, RKL2, SPLINE),
+    CANDIDATE("brookshaw rkl2, series mean", "brookshaw", 0, 0.125, 1, RKL2, .mean = MEAN_SERIES),
     CANDIDATE("so_ssph exact, h/dx 1.05", "so_ssph", 0, 0, 1, EXACT, .h = 1.05),
     CANDIDATE("so_ssph exact, h/dx 1.3", "so_ssph", 0, 0, 1, EXACT, .h = 1.3),
     CANDIDATE("so_ssph exact, h/dx 2", "so_ssph", 0, 0, 1, EXACT, .h = 2),
@@ -126,30 +126,29 @@ int candidate_member(double least, int unit) {
     return unit * (int)fmax(1, ceil(least / unit - 1e-9));
 }
 
-struct options candidate_options(const struct candidate *c, const struct experiment *e, struct candidate_size size) {
+struct options candidate_options(const struct candidate *c, const struct experiment *e, int n) {
     struct options o = c->options;
-    o.dx = (e->problem.hi[0] - e->problem.lo[0]) / size.n;
+    o.dx = (e->problem.hi[0] - e->problem.lo[0]) / n;
     o.threads = e->options.threads;
-    if (c->steps > 0) o.dt = e->problem.t_end / (size.steps > 0 ? size.steps : ceil(10 + c->steps * size.n));
+    if (o.stepper == STEPPER_CHEBYSHEV) o.dt = e->problem.t_end; /* one step leaves no error */
+    if (c->steps > 0) o.dt = e->problem.t_end / ceil(10 + c->steps * n);
     return o;
 }
 
-static struct experiment experiment_of(const struct candidate *c, const struct experiment *e,
-                                       struct candidate_size size) {
+static struct experiment experiment_of(const struct candidate *c, const struct experiment *e, int n) {
     struct experiment with = *e;
     with.method = method_find(c->method);
-    with.options = candidate_options(c, e, size);
+    with.options = candidate_options(c, e, n);
     return with;
 }
 
-int candidate_run(const struct candidate *c, const struct experiment *e, struct candidate_size size,
-                  struct result *out) {
-    return candidate_prove(c, e, size, out, NULL);
+int candidate_run(const struct candidate *c, const struct experiment *e, int n, struct result *out) {
+    return candidate_prove(c, e, n, out, NULL);
 }
 
-int candidate_prove(const struct candidate *c, const struct experiment *e, struct candidate_size size,
-                    struct result *out, double *between) {
-    struct experiment with = experiment_of(c, e, size);
+int candidate_prove(const struct candidate *c, const struct experiment *e, int n, struct result *out,
+                    double *between) {
+    struct experiment with = experiment_of(c, e, n);
     struct field field = {0};
     int status = run_experiment(&with, out, between ? &field : NULL);
     if (!status && between) *between = halfway_error(e->scene, &e->problem, &field);
@@ -157,9 +156,9 @@ int candidate_prove(const struct candidate *c, const struct experiment *e, struc
     return status;
 }
 
-int candidate_solve(const struct candidate *c, const struct experiment *e, struct candidate_size size,
-                    struct field *f, struct failure *why) {
-    struct experiment with = experiment_of(c, e, size);
+int candidate_solve(const struct candidate *c, const struct experiment *e, int n, struct field *f,
+                    struct failure *why) {
+    struct experiment with = experiment_of(c, e, n);
     return symmetry_solve(with.method, &with.problem, &with.options, f, why);
 }
 
@@ -170,9 +169,9 @@ static double rounding(const struct problem *p, const struct field *run, double 
     return DBL_EPSILON / 4 * sqrt(roundings);
 }
 
-int candidate_predict(const struct candidate *c, const struct experiment *e, struct candidate_size size,
-                      struct candidate_cost *cost, struct failure *why) {
-    struct experiment with = experiment_of(c, e, size);
+int candidate_predict(const struct candidate *c, const struct experiment *e, int n, struct candidate_cost *cost,
+                      struct failure *why) {
+    struct experiment with = experiment_of(c, e, n);
     struct plan plan;
     int status = plan_make(&with, &plan, why);
     if (status) return status;

@@ -12,7 +12,7 @@ struct candidate {
     const char *method;
     struct options options; /* dx left open */
     int dim;                /* 1 or 2: for that dimension only; 0: for both */
-    double steps;           /* > 0: time steps are open, for bench 10 and this many for each particle along x */
+    double steps;           /* > 0: time steps for each particle along x, and 10 */
     int bench_only;         /* 1: for bench alone */
 };
 
@@ -20,13 +20,8 @@ enum { CANDIDATE_UNIT_MAX = 1024 };
 
 extern const struct candidate candidates_table[]; /* ended by a NULL label */
 
-/* Particles along x of the domain, and time steps where they are open (0: as for bench). */
-struct candidate_size {
-    int n, steps;
-};
-
-/* Its options at that size: dx in m, dt in s where the steps are open. */
-struct options candidate_options(const struct candidate *c, const struct experiment *e, struct candidate_size size);
+/* Its options with n particles along x of the domain: dx in m, dt in s. */
+struct options candidate_options(const struct candidate *c, const struct experiment *e, int n);
 
 /* The least number of cells along x with which square cells tile the domain, every jump on a face where that is
  * possible; so do its multiples.  0 where there is none up to CANDIDATE_UNIT_MAX. */
@@ -39,16 +34,15 @@ void candidate_fitting(const struct problem *p, char *text, size_t size);
 int candidate_member(double least, int unit);
 
 /* The solve alone, as struct method's. */
-int candidate_solve(const struct candidate *c, const struct experiment *e, struct candidate_size size,
-                    struct field *f, struct failure *why);
+int candidate_solve(const struct candidate *c, const struct experiment *e, int n, struct field *f,
+                    struct failure *why);
 
 /* Runs and measures it; as run_experiment. */
-int candidate_run(const struct candidate *c, const struct experiment *e, struct candidate_size size,
-                  struct result *out);
+int candidate_run(const struct candidate *c, const struct experiment *e, int n, struct result *out);
 
 /* The same, with *between the error half-way between the particles (halfway.h). */
-int candidate_prove(const struct candidate *c, const struct experiment *e, struct candidate_size size,
-                    struct result *out, double *between);
+int candidate_prove(const struct candidate *c, const struct experiment *e, int n, struct result *out,
+                    double *between);
 
 /* The predicted cost of a run, from its plan (plan.h). */
 struct candidate_cost {
@@ -63,7 +57,7 @@ struct candidate_cost {
  * eps/4 of itself in the mean and at random: eps/4 sqrt(applications).  With transforms the symbol of the slowest
  * mode is what is left of terms of size kappa/dx^2, each wrong by eps/4 in the mean, and acts until the mode is gone:
  * eps/4 kappa min(t, L^2/(pi^2 kappa))/dx^2. */
-int candidate_predict(const struct candidate *c, const struct experiment *e, struct candidate_size size,
-                      struct candidate_cost *cost, struct failure *why);
+int candidate_predict(const struct candidate *c, const struct experiment *e, int n, struct candidate_cost *cost,
+                      struct failure *why);
 
 #endif

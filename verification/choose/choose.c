@@ -40,24 +40,24 @@ static void calibrate(struct choose *c, const struct extrapolation_goal *goal) {
 }
 
 /* A proving run, told beforehand where it makes the search long. */
-static int run_proof(struct choose *c, const struct candidate *one, const struct extrapolation_goal *goal,
-                     struct candidate_size size, struct result *result, double *between) {
+static int run_proof(struct choose *c, const struct candidate *one, const struct extrapolation_goal *goal, int n,
+                     struct result *result, double *between) {
     struct candidate_cost cost;
     struct failure ignored;
-    if (!candidate_predict(one, goal->experiment, size, &cost, &ignored))
+    if (!candidate_predict(one, goal->experiment, n, &cost, &ignored))
         forewarn_next(&c->forewarned, "the search with its next run", cost.proof / forewarn_rate);
-    return candidate_prove(one, goal->experiment, size, result, between);
+    return candidate_prove(one, goal->experiment, n, result, between);
 }
 
 /* Whether a finer run has the error too; it joins the rungs where it does not. */
 static int confirmed(struct choose *c, struct extrapolation *one, const struct extrapolation_goal *goal) {
     struct result result;
-    struct candidate_size finer = {candidate_member(FINER * one->wanted.n, goal->unit), one->wanted.steps};
+    int finer = candidate_member(FINER * one->wanted, goal->unit);
     double between;
     if (run_proof(c, one->candidate, goal, finer, &result, &between)) return 0;
     double error = fmax(result.error.l1, between);
     if (error <= goal->error) return 1;
-    extrapolation_learn(one, goal, finer, error, error);
+    extrapolation_learn(one, goal, finer, error);
     return 0;
 }
 
@@ -79,7 +79,7 @@ static int prove(struct choose *c, struct extrapolation *one, const struct extra
         c->best = before, c->proof = result, c->between = between;
     c->reached = error <= c->error;
     if (c->reached) return 1;
-    extrapolation_learn(one, goal, before.wanted, before.predicted_error, error);
+    extrapolation_learn(one, goal, before.wanted, error);
     return 0;
 }
 
@@ -138,7 +138,7 @@ static int say_best(const struct choose *c, struct failure *why) {
         return refuse(why, STATUS_GATE, "an error of %g was not reached: no candidate runs on this scene", c->error);
     return refuse(why, STATUS_GATE,
                   "an error of %g was not reached%s; the best was %.3g, by %s with %d particles along x", c->error,
-                  rounding, best->error, whose, best->size.n);
+                  rounding, best->error, whose, best->n);
 }
 
 int choose_run(const struct experiment *e, double error, double work_max, struct choose *c, struct failure *why) {

@@ -8,7 +8,7 @@
 enum { EXTRAPOLATION_RUNGS = 12 };
 
 struct extrapolation_rung {
-    struct candidate_size size;
+    int n;        /* particles along x */
     double error; /* E1 */
 };
 
@@ -17,8 +17,7 @@ struct extrapolation {
     int rungs; /* runs so far, coarsest first */
     struct extrapolation_rung rung[EXTRAPOLATION_RUNGS];
     double order;                           /* error ~ n^-order; 0 where not fitted */
-    double time_constant;                   /* E1 of N time steps is this over N^2; 0 where they are not open */
-    struct candidate_size wanted;           /* that should reach the error */
+    int wanted;                             /* particles along x that should reach the error */
     double predicted_error, predicted_work; /* there; infinite work where it cannot be */
     double rounding;                        /* rounding error, where it exceeds the error wanted; else 0 */
     char reason[200];                       /* why it cannot */
@@ -38,9 +37,8 @@ void extrapolation_calibrate(struct extrapolation *c, const struct extrapolation
 /* If the predicted size is far beyond the last rung, runs one between; 1 if added. */
 int extrapolation_scout(struct extrapolation *c, const struct extrapolation_goal *goal);
 
-/* Adds the measured error of the run *size to the rungs and predicts again. */
-void extrapolation_learn(struct extrapolation *c, const struct extrapolation_goal *goal, struct candidate_size size,
-                         double predicted, double measured);
+/* Adds the measured error of n particles along x to the rungs and predicts again. */
+void extrapolation_learn(struct extrapolation *c, const struct extrapolation_goal *goal, int n, double measured);
 
 /* Sets *wanted and its predictions to the finest run, in steps of a tenth, within the limits of work, memory and
  * rounding.  1, or 0 where nothing finer than the rungs can be predicted. */

@@ -35,7 +35,7 @@ static void a_rung_is_not_exact_for_its_places_alone(void **state) {
     double w = 0.7 * exp(-0.0005 * pow(9 * 3.14159265358979323846, 2));
     int seen = 0;
     for (int i = 0; i < c.rungs; i++) {
-        if (c.rung[i].size.n != 9) continue;
+        if (c.rung[i].n != 9) continue;
         seen = 1;
         assert_near(c.rung[i].error, w, 1e-9);
     }

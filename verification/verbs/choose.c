@@ -52,7 +52,7 @@ static void print_text(const struct request *r, const struct choose *c) {
         const struct extrapolation *o = &c->one[i];
         if (!isfinite(o->predicted_work)) continue;
         table_add(&t, "%s", o->candidate->label);
-        table_add(&t, "%d", o->wanted.n);
+        table_add(&t, "%d", o->wanted);
         table_number(&t, "%.2f", o->order > 0 ? o->order : NAN, "-");
         table_add(&t, "%.3e", o->predicted_error);
         table_add(&t, "%.3g", o->predicted_work);
