@@ -54,7 +54,7 @@ struct options {
      * they lie; NULL where there is none */
     const struct field *placed;
     int threads; /* threads that one run may use; 0 or 1: one */
-    int lanes;   /* doubles in a vector of the lattice's sweeps, 2, 4 or 8; 0: options_lanes_most() */
+    int lanes;   /* doubles in a vector of the hot loops, 2, 4 or 8; 0: options_lanes_most() */
 };
 
 /* Doubles in the widest vector of this machine: 2, 4 or 8.  No width changes a bit of a result. */

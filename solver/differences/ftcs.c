@@ -14,6 +14,7 @@
  *
  * Restricted to a uniform grid, dx = dy; two materials (ftcs_layers.h) on a rod, direct. */
 #include "solver/differences/ftcs_grid.h"
+#include "solver/differences/ftcs_loops.h"
 #include "solver/method.h"
 #include "solver/outline.h"
 #include "solver/problem.h"
@@ -22,12 +23,6 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <time.h>
-
-#if defined(__x86_64__) && defined(__gnu_linux__)
-#define HOT __attribute__((target_clones("avx512f", "avx2", "default")))
-#else
-#define HOT
-#endif
 
 enum { CHECK_EVERY = 32 };
 
@@ -39,47 +34,18 @@ static double seconds_now(void) {
 
 /* ---- One step ---- */
 
-HOT static void rod_step(int n, double Fx, const double *restrict T, double *restrict next) {
-    for (int i = 0; i < n; i++) next[i] = T[i] + Fx * ((T[i + 1] - T[i]) - (T[i] - T[i - 1]));
-}
-
-/* Two materials. */
-HOT static void layers_step(int n, double dt, const double *restrict left, const double *restrict right,
-                            const double *restrict T, double *restrict next) {
-    for (int i = 0; i < n; i++) next[i] = T[i] + dt * (right[i] * (T[i + 1] - T[i]) - left[i] * (T[i] - T[i - 1]));
-}
-
-HOT static void row_step(int n, double Fx, double Fy, const double *restrict T, const double *restrict below,
-                         const double *restrict above, double *restrict next) {
-    for (int i = 0; i < n; i++)
-        next[i] = T[i] + Fx * ((T[i + 1] - T[i]) - (T[i] - T[i - 1])) + Fy * ((above[i] - T[i]) - (T[i] - below[i]));
-}
-
-/* to = (or, with `add`, to +=) factor (ahead - behind) */
-HOT static void difference(int n, double factor, const double *restrict ahead, const double *restrict behind, int add,
-                           double *restrict to) {
-    if (add)
-        for (int i = 0; i < n; i++) to[i] += factor * (ahead[i] - behind[i]);
-    else
-        for (int i = 0; i < n; i++) to[i] = factor * (ahead[i] - behind[i]);
-}
-
-HOT static void accumulate(int n, double dt, const double *restrict heating, double *restrict T) {
-    for (int i = 0; i < n; i++) T[i] += dt * heating[i];
-}
-
 static void step_direct(struct ftcs_grid *g) {
     double Fx = g->kappa[0] * g->dt / (g->d[0] * g->d[0]), Fy = g->kappa[1] * g->dt / (g->d[1] * g->d[1]);
     for (ptrdiff_t j = 0; j < g->n[1]; j++) {
         const double *T = g->T + g->corner + j * g->stride;
         double *next = g->next + g->corner + j * g->stride;
         if (g->layers[0])
-            layers_step(g->n[0], g->dt, g->layers[1], g->layers[2], T, next);
+            g->loops->layers(g->n[0], g->dt, g->layers[1], g->layers[2], T, next);
         else if (g->dim == 1)
-            rod_step(g->n[0], Fx, T, next);
+            g->loops->rod(g->n[0], Fx, T, next);
         else
-            row_step(g->n[0], Fx, Fy, T, T - g->stride, T + g->stride, next);
-        if (g->heating) accumulate(g->n[0], g->dt, g->heating + j * g->n[0], next);
+            g->loops->row(g->n[0], Fx, Fy, T, T - g->stride, T + g->stride, next);
+        if (g->heating) g->loops->accumulate(g->n[0], g->dt, g->heating + j * g->n[0], next);
     }
     double *old = g->T;
     g->T = g->next;
@@ -88,24 +54,20 @@ static void step_direct(struct ftcs_grid *g) {
 
 /* In place: q_y of rows j - 1, j and j + 1 is held, and that of row j + 1 is taken before T of row j changes. */
 static void step_fluxes(struct ftcs_grid *g) {
+    const struct ftcs_loops *loops = g->loops;
     int nx = g->n[0];
     double *qx = g->q, *qy = qx + nx + 2;
     double half[2] = {0.5 / g->d[0], 0.5 / g->d[1]};
     for (ptrdiff_t j = g->dim == 2 ? -2 : 0; j < g->n[1]; j++) {
         double *T = g->T + g->corner + j * g->stride;
-        if (g->dim == 2) difference(nx, -g->kappa[1] * half[1], T + 2 * g->stride, T, 0, qy + (j + 3) % 3 * nx);
+        if (g->dim == 2)
+            loops->difference(nx, -g->kappa[1] * half[1], T + 2 * g->stride, T, 0, qy + (j + 3) % 3 * nx);
         if (j < 0) continue;
-        difference(nx + 2, -g->kappa[0] * half[0], T, T - 2, 0, qx);
-        difference(nx, -g->dt * half[0], qx + 2, qx, 1, T);
-        if (g->dim == 2) difference(nx, -g->dt * half[1], qy + (j + 3) % 3 * nx, qy + (j + 1) % 3 * nx, 1, T);
-        if (g->heating) accumulate(nx, g->dt, g->heating + j * nx, T);
+        loops->difference(nx + 2, -g->kappa[0] * half[0], T, T - 2, 0, qx);
+        loops->difference(nx, -g->dt * half[0], qx + 2, qx, 1, T);
+        if (g->dim == 2) loops->difference(nx, -g->dt * half[1], qy + (j + 3) % 3 * nx, qy + (j + 1) % 3 * nx, 1, T);
+        if (g->heating) loops->accumulate(nx, g->dt, g->heating + j * nx, T);
     }
-}
-
-HOT static int count_outside(int n, double middle, double reach, const double *T) {
-    int count = 0;
-    for (int i = 0; i < n; i++) count += !(fabs(T[i] - middle) <= reach);
-    return count;
 }
 
 /* What 1/2 bounds, and 2 with fluxes: dt sum of kappa/dx^2. */
@@ -119,7 +81,7 @@ static double fourier_sum(const struct ftcs_grid *g) {
 static int check_stable(const struct ftcs_grid *g, long long step, struct failure *why) {
     for (int j = 0; j < g->n[1]; j++) {
         const double *row = g->T + g->corner + j * g->stride;
-        if (count_outside(g->n[0], g->middle, g->reach, row) == 0) continue;
+        if (g->loops->outside(g->n[0], g->middle, g->reach, row) == 0) continue;
         int i = 0;
         while (fabs(row[i] - g->middle) <= g->reach) i++;
         char y[40] = "";

@@ -12,6 +12,7 @@
 #include "solver/differences/ftcs_grid.h"
 
 #include "solver/differences/ftcs_layers.h"
+#include "solver/differences/ftcs_loops.h"
 #include "solver/differences/ftcs_matched.h"
 #include "solver/differences/ftcs_sample.h"
 #include "solver/method.h"
@@ -327,7 +328,7 @@ void ftcs_grid_free(struct ftcs_grid *g) {
 
 int ftcs_grid_outline(struct ftcs_grid *g, const char *method, int with_fluxes, const struct problem *p,
                       const struct options *o, struct failure *why) {
-    *g = (struct ftcs_grid){.method = method, .with_fluxes = with_fluxes};
+    *g = (struct ftcs_grid){.method = method, .with_fluxes = with_fluxes, .loops = ftcs_loops_of(o->lanes)};
     int status = check_options(g, p, o, why);
     if (status) return status;
     lay_grid(g, p, o);

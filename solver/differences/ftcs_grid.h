@@ -8,6 +8,7 @@
 struct problem;
 struct options;
 struct failure;
+struct ftcs_loops;
 
 enum { FTCS_LAYERS = 2 }; /* of ghosts: the fluxes reach two points far */
 
@@ -20,6 +21,7 @@ struct ftcs_edge {
 
 struct ftcs_grid {
     const char *method; /* its name */
+    const struct ftcs_loops *loops;
     int with_fluxes, dim;
     int n[2];               /* unknowns along x and y; 1 along y for a rod */
     double origin[2], d[2]; /* m: the first unknown, the spacing; a rod is 1 m high */
