@@ -11,7 +11,7 @@
 
 const char help_about[] =
     "heatladder VERB --help tells the options of a verb.\n"
-    "Environment: HEATLADDER_LANES=2, 4 or 8 sets how many doubles the vectors of the lattice's sweeps hold\n"
+    "Environment: HEATLADDER_LANES=2, 4 or 8 sets how many doubles the vectors of the hot loops hold\n"
     "  (without it the widest that the machine has); no width changes a bit of a result.\n"
     "  A program of --solver finds this one as $HEATLADDER, where that is not set.\n"
     "Exit status: 0 all held, 1 a gate failed, 2 bad usage or input, 3 a numerical failure, 4 inconclusive,\n"
