@@ -6,13 +6,13 @@
  * since a faulty code has its errors of discretization too.  m = dx^2/24 laplace(T) is what the mean over a cell has
  * more than the value at its centre.  A code's numbers are values (d = 0), means over cells (1), linear elements that
  * start from a projection (-2 at their nodes, 2 with a lumped mass): what is so at the start stays so, since d m goes
- * through time as T does.  An answer at the start tells d (diagnosis_mean), and its part is taken off e.  Without
- * one, where m looks like the
- * fault (of one material without a source it is dx^2/(24 kappa) dT/dt, a clock that is fast by a sixth of a step at
- * F = 1/4) no fit can tell, and d = 1/2, between values and means, is taken.  From data that jump, where means are
- * values on faces, g has it already: d = 0.  A fault whose part |size f| is not at least twice |g + h/5| and three
- * times |m|, which is more than any of these d are from 1/2, is none: that is the size of a correct code's error.
- * The twentieth of the points where g is largest (corners whose sides disagree) is left out.
+ * through time as T does, unless a source adds values to means.  An answer at the start tells d (diagnosis_mean), and
+ * its part is taken off e.  Without one, where m looks like the fault (of one material without a source it is
+ * dx^2/(24 kappa) dT/dt, a clock that is fast by a sixth of a step at F = 1/4) no fit can tell, and d = 1/2, between
+ * values and means, is taken.  From data that jump, where means are values on faces, g has it already: d = 0.  A
+ * fault whose part |size f| is not at least twice |g + h/5| and three times |m|, which is more than any of these d
+ * are from 1/2, is none: that is the size of a correct code's error.  The twentieth of the points where g is largest
+ * (corners whose sides disagree) is left out.
  *
  * One field cannot tell faults of like response apart (without a source T depends on kappa t alone): how the size
  * goes with the spacing can.  A clock is wrong by steps, a place by cells, a coefficient by a part of itself. */
@@ -129,7 +129,7 @@ static void errors_free(struct errors *s) {
 double diagnosis_mean(const struct problem *p, const struct diagnosis_rung *start) {
     struct response_lattice l;
     double ee = 0, em = 0, mm = 0;
-    if (p->materials > 1 || p->jumps[0] + p->jumps[1] > 0 || response_lattice_create(p, &l)) return NAN;
+    if (p->materials > 1 || p->jumps[0] + p->jumps[1] > 0 || p->source || response_lattice_create(p, &l)) return NAN;
     struct errors s = errors_of(p, &l, start);
     for (size_t i = 0; i < s.field->n; i++) {
         double w = s.field->weight ? s.field->weight[i] : 1;

@@ -246,6 +246,11 @@ static void a_start_tells_what_numbers_are(void **state) {
         field_free(&start.field), free(start.exact);
         for (int k = 0; k < 2; k++) field_free(&r[k].field), free(r[k].exact);
     }
+    struct problem made = problem_of("rect-manufactured"); /* what a source adds may be values where T is means */
+    struct rung start;
+    solve("rect-manufactured", &made, (struct fault){FAULT_CLOCK, 0}, 0, 0.05, &start);
+    assert_true(isnan(diagnosis_mean(&made, &start.at)));
+    field_free(&start.field), free(start.exact);
 }
 
 static void a_correct_code_has_none(void **state) {
