@@ -6,7 +6,6 @@
 #include "verification/ladder/ladder.h"
 #include "verification/run/run.h"
 #include "verification/text/progress.h"
-#include "verification/text/whole_file.h"
 #include "verification/text/words.h"
 
 #include <math.h>
@@ -111,9 +110,9 @@ static void time_size(const struct peers *all, struct peers_row *row, struct pee
 }
 
 /* The suite's own verdict on the order, over the same sizes, with the setting of the finest. */
-static void judge(const struct peers *all, struct peers_row *row) {
+static void judge(struct peers_row *row) {
     const struct peer *p = row->peer;
-    char options[200], text[PEERS_FAILURE];
+    char options[200];
     size_t used = (size_t)snprintf(options, sizeof options, " --expect %g,%g --dx ", p->gate[0], p->gate[1]);
     for (int i = 0; i < row->sizes; i++)
         used += (size_t)snprintf(options + used, sizeof options - used, "%s%s/%d", i ? "," : "", p->side, p->n[i]);
@@ -122,17 +121,11 @@ static void judge(const struct peers *all, struct peers_row *row) {
     struct failure why;
     int status = read_line(p, "ladder", options, 1, row->size[row->sizes - 1].setting, &r, &why);
     if (!status) status = ladder_run(&r.experiment, &r.rungs, l, &why);
-    const char *verdict = verdict_words[l->verdict];
-    fprintf(all->orders, "%s,peer,%s,%g to %g,", p->scene, p->who, p->gate[0], p->gate[1]);
-    if (status == STATUS_INPUT) {
-        keep_text(why.text, text, sizeof text);
+    if (status == STATUS_INPUT)
         snprintf(row->order, sizeof row->order, "failed");
-        fprintf(all->orders, ",,,failed: %s\n", text);
-    } else {
-        snprintf(row->order, sizeof row->order, "%s: %.2f (%g to %g)", verdict, l->slope.value, p->gate[0],
-                 p->gate[1]);
-        fprintf(all->orders, "%.17g,%.17g,%.17g,%s\n", l->slope.value, l->slope.ci[0], l->slope.ci[1], verdict);
-    }
+    else
+        snprintf(row->order, sizeof row->order, "%s: %.2f (%g to %g)", verdict_words[l->verdict], l->slope.value,
+                 p->gate[0], p->gate[1]);
     arguments_free(&r);
     free(l);
 }
@@ -148,14 +141,7 @@ static void measure(const struct peers *all, struct peers_row *row, int many) {
         if (!many) tune(p, s);
         time_size(all, row, s, many);
     }
-    if (!many && p->gate[1] > 0 && !row->missing) judge(all, row);
-}
-
-static double load_now(void) {
-    char *text = whole_file_at("/proc/loadavg", NULL);
-    double load = text ? strtod(text, NULL) : NAN;
-    free(text);
-    return load;
+    if (!many && p->gate[1] > 0 && !row->missing) judge(row);
 }
 
 int peers_run(const struct peer *table, const char *scene, struct peers *all, struct failure *why) {
@@ -165,13 +151,11 @@ int peers_run(const struct peer *table, const char *scene, struct peers *all, st
         if (words_index(names, p->scene) < 0 && count < WORDS_MAX - 1) names[count++] = p->scene;
     if (scene && words_index(names, scene) < 0) return words_unknown(names, "scene", scene, why);
     all->row = xcalloc((size_t)rows + 1, sizeof *all->row);
-    all->load = load_now();
     rows = 0;
     for (const struct peer *p = table; p->scene; p++)
         if (!scene || strcmp(scene, p->scene) == 0) all->row[rows++].peer = p;
     struct progress progress = progress_start("programs", rounds * rows);
     fprintf(all->runs, "scene,threads,kind,who,n,setting,E1,solve,whole,updates,failure\n");
-    fprintf(all->orders, "scene,kind,who,gate,slope,low,high,verdict\n");
     for (int many = 0; many < rounds; many++) {
         for (struct peers_row *row = all->row; row->peer; row++) {
             measure(all, row, many);

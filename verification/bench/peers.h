@@ -53,10 +53,8 @@ struct peers_row {
 };
 
 struct peers {
-    int threads;  /* set by the caller: how many all of them are */
-    FILE *runs;   /* likewise: gets a line a run, CSV */
-    FILE *orders; /* likewise: a line a ladder */
-    double load;  /* of the machine when it began */
+    int threads; /* set by the caller: how many all of them are */
+    FILE *runs;  /* likewise: gets a line a run, CSV */
     struct peers_row *row;
 };
 
@@ -67,7 +65,7 @@ struct peers {
 int peers_run(const struct peer *table, const char *scene, struct peers *all, struct failure *why);
 void peers_free(struct peers *all);
 
-/* The whole table as text: orders, seconds at an error, what was aimed at and reached, every size, what failed. */
+/* The whole table as text: orders, seconds at an error, what was aimed at and reached, what failed. */
 void peers_print(const struct peers *all, FILE *out);
 
 /* The data of one scene's chart, with one thread or with all (`many`), where what knows no threads stands for itself.

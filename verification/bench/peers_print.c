@@ -2,7 +2,6 @@
 #include "verification/bench/peers.h"
 
 #include "verification/bench/print.h"
-#include "verification/ladder/slope.h"
 #include "verification/text/table.h"
 #include "verification/text/whole_file.h"
 
@@ -10,7 +9,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { ERRORS = 3, LAST_SIZES = 4 };
+enum { ERRORS = 3 };
 static const double error_at[ERRORS] = {1e-3, 5e-4, 5e-5};
 static const double BEYOND = 5; /* times the error of the finest size */
 
@@ -74,27 +73,15 @@ static void add_seconds(struct table *t, struct reach r) {
         table_add(t, "-");
 }
 
-static double order(const struct peers_row *row) {
-    double dx[PEERS_SIZES], error[PEERS_SIZES];
-    int n = 0;
-    for (int i = row->sizes > LAST_SIZES ? row->sizes - LAST_SIZES : 0; i < row->sizes; i++) {
-        if (!row->size[i].with[0].count) continue;
-        dx[n] = 1.0 / row->size[i].n;
-        error[n++] = row->size[i].with[0].error;
-    }
-    return slope_fit(dx, error, n).value;
-}
-
 static void print_scene(const struct peers *all, const char *scene, FILE *out) {
     char header[200];
     snprintf(header, sizeof header,
-             "%s: solve [s] at E1 =|order|gate on the order|1e-3|5e-4|5e-5|%d threads: 1e-3|5e-4|5e-5|start-up [s]",
+             "%s: solve [s] at E1 =|order, and its gate|1e-3|5e-4|5e-5|%d threads: 1e-3|5e-4|5e-5|start-up [s]",
              scene, all->threads);
     struct table t = table_headed(1, header);
     for (const struct peers_row *row = NULL; (row = next(all, row, scene, ""));) {
         if (row->peer->kind == PEERS_RATE) continue;
         table_add(&t, "%s", row->peer->who);
-        table_number(&t, "%.2f", order(row), "-");
         table_add(&t, "%s", row->order);
         for (int i = 0; i < ERRORS; i++) add_seconds(&t, reach(row, 0, error_at[i]));
         for (int i = 0; i < ERRORS; i++)
@@ -195,72 +182,38 @@ static void print_aims(const struct peers *all, FILE *out) {
     fputc('\n', out);
 }
 
-/* ---- Every size, and what went wrong ---- */
-
-static void add_runs(struct table *t, const struct peers_runs *runs) {
-    if (runs->count)
-        table_add(t, "%.3g (%.3g to %.3g; %d)", runs->time.median, runs->time.lowest, runs->time.highest,
-                  runs->count);
-    else
-        table_add(t, "-");
-}
-
-static void print_sizes(const struct peers *all, const char *scene, FILE *out) {
-    char header[200];
-    snprintf(header, sizeof header, "%s: every size|n|E1|one thread [s] (from, to; repeats)|%d threads [s]|setting",
-             scene, all->threads);
-    struct table t = table_headed(1, header);
-    for (const struct peers_row *row = NULL; (row = next(all, row, scene, ""));)
-        for (const struct peers_size *s = row->size; s < row->size + row->sizes; s++) {
-            table_add(&t, "%s", row->peer->who);
-            table_add(&t, "%d", s->n);
-            table_number(&t, "%.3e", s->with[0].count ? s->with[0].error : NAN, "-");
-            for (int many = 0; many < 2; many++) add_runs(&t, &s->with[many]);
-            table_add(&t, "%s", s->setting);
-        }
-    table_print(&t, out);
-    table_free(&t);
-    fputc('\n', out);
-}
+/* ---- What went wrong ---- */
 
 static void print_failures(const struct peers *all, FILE *out) {
     int failed = 0;
     for (const struct peers_row *row = all->row; row->peer; row++) {
         const struct peer *p = row->peer;
         if (row->missing) fprintf(out, "not installed (make setup-peers): %s on %s\n", p->who, p->scene);
-        for (int k = 0; k < 2 * row->sizes && !row->missing; k++) {
+        for (int k = 0; k < 2 * row->sizes; k++) {
             const struct peers_size *s = &row->size[k / 2];
-            const struct peers_runs *runs = &s->with[k % 2];
-            if (!*runs->failure) continue;
-            fprintf(out, "failed: %s, %s, n = %d, %s: %s\n", p->scene, p->who, s->n,
-                    k % 2 ? "all threads" : "one thread", runs->failure);
-            failed = 1;
+            if (*s->with[k % 2].failure)
+                failed = fprintf(out, "failed: %s, %s, n = %d, %s: %s\n", p->scene, p->who, s->n,
+                                 k % 2 ? "all threads" : "one thread", s->with[k % 2].failure);
         }
     }
     if (!failed) fprintf(out, "No run failed.\n");
 }
 
-static const char notes_orders[] =
-    "order: over the last four sizes.  gate: the suite's own, the slope with its interval inside the band, on the\n"
-    "same sizes.  -: not reached; ~: beyond the finest size; as one: it knows no threads or is the slower of two.\n"
-    "start-up: at the first size, with writing and reading the answer, 0.1 s of warming up left out, to a\n"
-    "millisecond; ours has none, the whole call counts.  unfolded, without symmetry: ours computes a quarter of the\n"
-    "symmetric square, unless told --domain whole; the peers have the whole.\n\n";
-
-static const char notes_times[] =
-    "\nEvery time is that of a solve after 0.1 s of the same; the peers' each in a process of its own, ours in this "
-    "one.\n"
-    "Medians of nine, of five past 5 ms, of three past 0.05 s, one past 4 s.  An update is that of the time loop;\n"
-    "PySPH's has the search for neighbours in it, once, 2 % of it.  Settings were looked for beforehand and not "
-    "timed:\n"
-    "a peer's is the loosest tolerance whose error is within 5 % of the tightest's, rkl2's the time step that\n"
-    "--time-error finds for the loosest such error in time.\n"
-    "SUNDIALS as packaged is compiled without optimisation: the stand-in brings its own vector kernels and "
-    "right-hand\n"
-    "side, compiled at -O3 -march=native.\n"
-    "PySPH keeps h/dx = 1.1 and the volume dx^2: without a corrected second moment its error stalls under "
-    "refinement,\n"
-    "and its fixed ghosts make a wall first order.\n";
+static const char notes[] =
+    "\norder: the suite's verdict on its slope.  -: not reached; ~: beyond the finest size; as one: it knows no "
+    "threads "
+    "or is\n"
+    "the slower of two.  start-up: at the first size, with writing and reading the answer; ours has none.  unfolded: "
+    "ours\n"
+    "without symmetry, as the others always.  Times are medians of up to nine solves, each after 0.1 s of the same, "
+    "with the\n"
+    "loosest tolerance whose error is within 5 % of the tightest's.  An update is that of the time loop; PySPH's has "
+    "the\n"
+    "search for neighbours in it, once, 2 % of it.  SUNDIALS as packaged is compiled without optimisation: the "
+    "stand-in\n"
+    "brings its own vector kernels and right-hand side, compiled at -O3 -march=native.  PySPH keeps h/dx = 1.1 and "
+    "the\n"
+    "volume dx^2, and its fixed ghosts make a wall first order.\n";
 
 static void print_versions(FILE *out) {
     FILE *in = popen(peers_versions, "r");
@@ -273,23 +226,16 @@ static void print_versions(FILE *out) {
 void peers_print(const struct peers *all, FILE *out) {
     bench_print_machine(out);
     print_versions(out);
-    fprintf(out, "load when it began: %.2f; times with all threads mean little unless the machine was theirs\n\n",
-            all->load);
+    fprintf(out, "times with all threads mean little unless the machine was theirs\n\n");
     each_scene(all, out, print_scene);
-    fputs(notes_orders, out);
     print_aims(all, out);
-    each_scene(all, out, print_sizes);
     print_failures(all, out);
-    fputs(notes_times, out);
+    fputs(notes, out);
 }
 
 void peers_print_data(const struct peers *all, const char *scene, int many, FILE *out) {
-    fprintf(out, "# title: %s: others beside ours, ", scene);
-    if (many)
-        fprintf(out, "all %d threads (load %.2f when it began)\n", all->threads, all->load);
-    else
-        fprintf(out, "one thread\n");
-    fprintf(out, "# command: make bench-peers\n");
+    fprintf(out, "# title: %s: others beside ours, %s\n# command: make bench-peers\n", scene,
+            many ? "all threads" : "one thread");
     int blocks = 0;
     for (const struct peers_row *row = NULL; (row = next(all, row, scene, ""));) {
         const struct peer *p = row->peer;

@@ -192,7 +192,7 @@ static void peers_end_too(void **state) {
             snprintf(command, sizeof command, "kill -%d %ld; sleep 100; : {case} {out}", signals[i], (long)getpid());
             struct peer table[] = {{.scene = "rod-cosine", .side = "1", .who = "slow", .command = command, .n = {10}},
                                    {.scene = NULL}};
-            struct peers all = {.threads = 1, .runs = fopen("/dev/null", "w"), .orders = fopen("/dev/null", "w")};
+            struct peers all = {.threads = 1, .runs = fopen("/dev/null", "w")};
             _exit(peers_run(table, NULL, &all, &why));
         }
         close(ends[1]);

@@ -97,7 +97,6 @@ static int bench_peers(const struct request *r, struct files *files, struct fail
     FILE *out = output_open(table, "%s/peers.txt", dir);
     int status = r->dir ? atomic_file_check(table->path, why) : STATUS_OK;
     all.runs = output_open(&files->file[files->count++], "%s/runs.csv", dir);
-    all.orders = output_open(&files->file[files->count++], "%s/orders.csv", dir);
     if (!status) status = peers_run(peers_table, r->bench_scene, &all, why);
     if (!status) peers_print(&all, out);
     if (!status && r->dir) write_charts(r, &all, files);
