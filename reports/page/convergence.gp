@@ -14,5 +14,6 @@ plot data index 'fo_ssph line measured' using 1:2 with lines lc rgb RED lw 1.0 d
      data index 'fo_ssph published' using 1:2 with points ls 12 title columnheader(2), \
      data index 'so_ssph measured' using 1:2 with points ls 3 title columnheader(2), \
      data index 'so_ssph published' using 1:2 with points ls 13 title columnheader(2), \
+     keyentry with lines lc rgb GREY lw 1.0 title 'fitted to what is measured', \
      data index 'triangles' using 1:2 with lines ls 7 notitle, \
      data index 'orders' using 1:2:3 with labels center font size_of(11) tc rgb GREY notitle

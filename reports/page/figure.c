@@ -161,7 +161,9 @@ static void write_head(const struct figure *figure, int n, FILE *out) {
         const struct figure_series *s = &figure->series[i];
         int again = 0;
         for (int j = 0; j < i; j++) again |= strcmp(figure->series[j].command, s->command) == 0;
-        if (!again && s->part != REPORT_FIGURE_EXACT) fprintf(out, "# command: heatladder %s\n", s->command);
+        if (!again && s->part != REPORT_FIGURE_EXACT)
+            fprintf(out, "# command: heatladder %s%s\n", s->command,
+                    s->part == REPORT_FIGURE_START ? "  (its start)" : "");
     }
 }
 
