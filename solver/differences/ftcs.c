@@ -15,6 +15,7 @@
  * Restricted to a uniform grid, dx = dy; two materials (ftcs_layers.h) on a rod, direct. */
 #include "solver/differences/ftcs_grid.h"
 #include "solver/differences/ftcs_loops.h"
+#include "solver/differences/ftcs_plan.h"
 #include "solver/method.h"
 #include "solver/outline.h"
 #include "solver/problem.h"
@@ -163,7 +164,7 @@ static int outline(const char *method, int with_fluxes, const struct problem *p,
                    struct outline *out, struct failure *why) {
     struct ftcs_grid g;
     *out = (struct outline){0};
-    if (ftcs_grid_outline(&g, method, with_fluxes, p, o, why)) return why->status;
+    if (ftcs_plan(&g, method, with_fluxes, p, o, why)) return why->status;
     size_t nx = (size_t)g.n[0], ny = (size_t)g.n[1], rows = g.dim == 2 ? 1 : 0, unit = sizeof(double);
     count(&g, o, &out->run);
     out->weights = "one stencil for all points: a grid of one material";

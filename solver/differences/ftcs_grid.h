@@ -46,9 +46,6 @@ struct ftcs_grid {
 /* 0 and *g ready for its first step, to be given to ftcs_grid_free; or STATUS_INPUT, *why filled and nothing held. */
 int ftcs_grid_make(struct ftcs_grid *g, const char *method, int with_fluxes, const struct problem *p,
                    const struct options *o, struct failure *why);
-/* The same without its arrays: sizes, steps and refusals. */
-int ftcs_grid_outline(struct ftcs_grid *g, const char *method, int with_fluxes, const struct problem *p,
-                      const struct options *o, struct failure *why);
 void ftcs_grid_free(struct ftcs_grid *g);
 void ftcs_grid_keep_T(struct ftcs_grid *g); /* frees all that a finished run needs no more */
 
