@@ -8,11 +8,14 @@
 #include "verification/page/html.h"
 #include "verification/page/markdown.h"
 #include "verification/text/output.h"
+#include "verification/text/whole_file.h"
 
 #include <stdlib.h>
 #include <string.h>
 #include <unistd.h>
 
+enum { LISTED = 45 };                /* lines of a listing that are not folded away */
+enum { WIDE = 950 };                 /* pixels */
 enum kind { FIGURE, PAGE, LISTING }; /* <file>.svg with its data, <file> of Markdown, <file> as it is */
 
 static const struct part {
@@ -80,9 +83,20 @@ static int missing(const struct part *part, FILE *out) {
     return 0;
 }
 
+/* Several panels: not to be printed two in a row. */
+static int is_wide(const char *path) {
+    char head[600] = "";
+    FILE *in = fopen(path, "r");
+    if (!in) return 0;
+    size_t got = fread(head, 1, sizeof head - 1, in);
+    fclose(in);
+    const char *width = got ? strstr(head, " width=\"") : NULL;
+    return width && strtod(width + strlen(" width=\""), NULL) > WIDE;
+}
+
 static int put_figure(const struct part *part, const char *path, FILE *out) {
     if (access(path, R_OK)) return missing(part, out);
-    fprintf(out, "<figure>");
+    fprintf(out, "<figure%s>", is_wide(path) ? " class=\"wide\"" : "");
     html_image(out, path, part->text);
     fprintf(out, "<figcaption>");
     html_text(out, part->text);
@@ -90,23 +104,62 @@ static int put_figure(const struct part *part, const char *path, FILE *out) {
     return 1;
 }
 
+/* Lines of the text from `from` up to `to`. */
+static int lines_in(const char *from, const char *to) {
+    int n = 0;
+    for (; from < to; from++) n += *from == '\n';
+    return n;
+}
+
+/* Behind the blank line that ends a paragraph, or the end of the text. */
+static char *after_paragraph(char *text) {
+    char *blank = strstr(text, "\n\n");
+    return blank ? blank + 2 : text + strlen(text);
+}
+
+static void put_lines(char *from, char *to, FILE *out) {
+    char kept = *to, *end;
+    *to = '\0';
+    fprintf(out, "<pre><code>");
+    for (; *from; from = end) {
+        end = from + strcspn(from, "\n");
+        int ends = *end == '\n';
+        *end = '\0';
+        html_print(out, ends ? "%s\n" : "%s", from);
+        if (ends) *end++ = '\n';
+    }
+    fprintf(out, "</code></pre>\n");
+    *to = kept;
+}
+
+/* A listing's first paragraphs and a last one of a line; what does not fit between them is folded away. */
+static void put_listing(const char *name, char *text, FILE *out) {
+    char *end = text + strlen(text), *fold = text, *last = text;
+    while (fold < end && lines_in(text, after_paragraph(fold)) <= LISTED) fold = after_paragraph(fold);
+    for (char *next = text; next < end; next = after_paragraph(next)) last = next;
+    if (last < fold || lines_in(last, end) > 1) last = end;
+    if (fold > text) put_lines(text, fold, out);
+    if (fold < last) {
+        html_print(out, "<details><summary>%s", name);
+        fprintf(out, ": %d lines more</summary>\n", lines_in(fold, last));
+        put_lines(fold, last, out);
+        fprintf(out, "</details>\n");
+    }
+    if (last < end) put_lines(last, end, out);
+}
+
 static int put_file(const struct part *part, const char *path, FILE *out) {
     FILE *in = fopen(path, "r");
-    char line[4096];
     if (!in) return missing(part, out);
     if (part->kind == PAGE) {
         markdown_write(out, in, 2);
     } else {
-        fprintf(out, "<pre><code>");
-        while (fgets(line, sizeof line, in)) {
-            size_t length = strcspn(line, "\n");
-            int ends = line[length] == '\n';
-            line[length] = '\0';
-            html_print(out, ends ? "%s\n" : "%s", line);
-        }
-        fprintf(out, "</code></pre>\n");
+        char *text = whole_file_read(in, NULL);
+        put_listing(part->file, text, out);
+        free(text);
     }
     fclose(in);
+    fprintf(out, "<p class=\"faint\"><code>%s</code></p>\n", part->command);
     return 1;
 }
 

@@ -17,6 +17,7 @@ static const char style[] =
     ".scroll{overflow:auto;max-height:36rem}table{border-collapse:collapse;font-size:.86rem;margin:.7rem 0}\n"
     "th,td{padding:.2rem .6rem;border-bottom:1px solid var(--line);text-align:left;vertical-align:top}\n"
     "th{position:sticky;top:0;background:var(--paper)}td:first-child{min-width:9rem}td code{overflow-wrap:normal}\n"
+    "th.up{writing-mode:vertical-rl;vertical-align:bottom;padding:.3rem .1rem}\n"
     "td.n,th.n{text-align:right;font-variant-numeric:tabular-nums;white-space:nowrap}\n"
     "code,pre{font:.84rem/1.4 ui-monospace,monospace}pre{overflow:auto;max-height:36rem;padding:.6rem;border:1px "
     "solid "
@@ -28,12 +29,15 @@ static const char style[] =
     ".verdict{font-size:1.25rem}nav ul{columns:2 14rem;padding-left:1.2rem}\n"
     ".groups{columns:4 11rem;list-style:none;padding:0;font-size:.9rem}\n"
     "@media "
-    "print{body{font-size:10pt;background:#fff;color:#000}nav{display:none}.scroll{overflow:visible;max-height:none}"
-    "\n"
-    "pre{white-space:pre-wrap;max-height:none;font-size:6.5pt}table{font-size:7.5pt}td,th{position:static;white-"
-    "space:normal;overflow-wrap:break-"
-    "word;min-width:0}\n"
-    "th,td{padding:.1rem .3rem}td:first-child{min-width:4rem}figure img{max-height:11cm}}\n";
+    "print{@page{margin:12mm}html{font-size:9pt}body{font-size:1rem;line-height:1.35;background:#fff;color:#000}\n"
+    "main{padding:0}nav{display:none}h2{margin-top:1rem}.scroll{overflow:visible;max-height:none}\n"
+    "pre{white-space:pre-wrap;max-height:none;font-size:6.5pt}table{font-size:7pt;line-height:1.25}code{font-size:."
+    "9em}\n"
+    "td,th{position:static;white-space:normal;overflow-wrap:break-word;min-width:0}th,td{padding:.1rem .3rem}\n"
+    "td:first-child{min-width:4rem}th.up{font-size:6pt}tr{break-inside:avoid}\n"
+    "figure{display:inline-block;width:49%;margin:.3rem 0;padding:0 "
+    ".2rem;vertical-align:top}figure.wide{width:100%}\n"
+    "figure img{max-height:10cm}}\n";
 
 void html_open(FILE *out, const char *title) {
     fprintf(out,

@@ -6,6 +6,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+enum { UPRIGHT = 10 }; /* columns, beyond which headers stand upright */
 enum block { NONE, PARAGRAPH, LIST, TABLE, CODE };
 
 static void put_until(FILE *out, const char *from, const char *to) {
@@ -80,14 +81,18 @@ static int is_number(const char *cell) {
     return end != cell && end[strspn(end, "*")] == '\0';
 }
 
+/* Of a table with many columns the headers stand upright. */
 static void put_row(FILE *out, char *line, int header) {
     char *cell = line + 1;
+    int columns = 0;
+    for (char *bar = cell; (bar = next_bar(bar)); bar++) columns++;
+    const char *upright = header && columns > UPRIGHT ? " class=\"up\"" : "";
     fprintf(out, "<tr>");
     for (char *bar; (bar = next_bar(cell)); cell = bar + 1) {
         *bar = '\0';
         cell += strspn(cell, " ");
         for (char *last = bar; last > cell && last[-1] == ' ';) *--last = '\0';
-        fprintf(out, "<t%c%s>", header ? 'h' : 'd', is_number(cell) ? " class=\"n\"" : "");
+        fprintf(out, "<t%c%s>", header ? 'h' : 'd', is_number(cell) ? " class=\"n\"" : upright);
         put_inline(out, cell);
         fprintf(out, "</t%c>", header ? 'h' : 'd');
     }

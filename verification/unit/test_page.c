@@ -47,6 +47,9 @@ static void markdown_becomes_html(void **state) {
     assert_string_equal(markdown("| a | \\|b\\| |\n|---|---:|\n| 1.5 | two |\n"),
                         "<div class=\"scroll\"><table>\n<tr><th>a</th><th>|b|</th></tr>\n"
                         "<tr><td class=\"n\">1.5</td><td>two</td></tr>\n</table></div>\n");
+    assert_non_null(
+        strstr(markdown("|a|b|c|d|e|f|g|h|i|j|k|\n|---|\n"), "<tr><th class=\"up\">a</th><th class=\"up\">b<"));
+    assert_null(strstr(markdown("|a|b|c|d|e|f|g|h|i|j|\n|---|\n"), "up"));
 }
 
 static void images_are_part_of_the_page(void **state) {
@@ -177,6 +180,32 @@ static void a_ladder_says_what_made_it(void **state) {
     unlink(path);
 }
 
+/* A short paragraph first, a long one that is folded away, a line that closes. */
+static void a_long_listing_is_folded(void **state) {
+    (void)state;
+    char dir[] = "/tmp/heatladder_page.XXXXXX", path[60];
+    struct failure why;
+    assert_non_null(mkdtemp(dir));
+    snprintf(path, sizeof path, "%s/mutants.txt", dir);
+    FILE *listing = fopen(path, "w");
+    fputs("head\n\n", listing);
+    for (int i = 0; i < 60; i++) fprintf(listing, "row %d\n", i);
+    fputs("\n60 seen\n", listing);
+    fclose(listing);
+    assert_int_equal(index_write(dir, &why), 0);
+    unlink(path);
+    snprintf(path, sizeof path, "%s/summary.md", dir);
+    unlink(path);
+    snprintf(path, sizeof path, "%s/index.html", dir);
+    const char *page = whole(path);
+    assert_non_null(strstr(page, "<pre><code>head\n\n</code></pre>\n<details><summary>mutants.txt: 61 lines "
+                                 "more</summary>\n<pre><code>row 0\nrow 1\n"));
+    assert_non_null(strstr(page, "row 59\n\n</code></pre>\n</details>\n<pre><code>60 seen\n</code></pre>\n"
+                                 "<p class=\"faint\"><code>make mutants</code></p>\n"));
+    unlink(path);
+    assert_int_equal(rmdir(dir), 0);
+}
+
 /* Of a directory with a listing alone: the rest is named with the command that makes it. */
 static void a_page_of_what_there_is(void **state) {
     (void)state;
@@ -206,7 +235,7 @@ int main(void) {
         cmocka_unit_test(markdown_becomes_html),         cmocka_unit_test(images_are_part_of_the_page),
         cmocka_unit_test(charts_hold_their_points),      cmocka_unit_test(gates_are_read_back),
         cmocka_unit_test(the_worst_gate_is_the_verdict), cmocka_unit_test(a_ladder_says_what_made_it),
-        cmocka_unit_test(a_page_of_what_there_is),
+        cmocka_unit_test(a_long_listing_is_folded),      cmocka_unit_test(a_page_of_what_there_is),
     };
     return cmocka_run_group_tests_name("page", tests, NULL, NULL);
 }
