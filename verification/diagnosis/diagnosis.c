@@ -1,53 +1,22 @@
-/* Least squares of the error field e with the response f of one fault at a time, beside what differences of second
- * order leave at the same spacing: in space g, in time (Euler's, of mesh Fourier number 1) h,
- *
- *     e = size f + b g + c h + d m,    |b| <= 2,  |c| <= 1/2,  |d| <= 2
- *
- * since a faulty code has its errors of discretization too.  m = dx^2/24 laplace(T) is what the mean over a cell has
- * more than the value at its centre.  A code's numbers are values (d = 0), means over cells (1), linear elements that
- * start from a projection (-2 at their nodes, 2 with a lumped mass): what is so at the start stays so, since d m goes
- * through time as T does, unless a source adds values to means.  An answer at the start tells d (diagnosis_mean), and
- * its part is taken off e.  Without one, where m looks like the fault (of one material without a source it is
- * dx^2/(24 kappa) dT/dt, a clock that is fast by a sixth of a step at F = 1/4) no fit can tell, and d = 1/2, between
- * values and means, is taken.  From data that jump, where means are values on faces, g has it already: d = 0.  A
- * fault whose part |size f| is not at least twice |g + h/5| and three times |m|, which is more than any of these d
- * are from 1/2, is none: that is the size of a correct code's error.  The twentieth of the points where g is largest
- * (corners whose sides disagree) is left out.
- *
- * One field cannot tell faults of like response apart (without a source T depends on kappa t alone): how the size
+/* One field cannot tell faults of like response apart (without a source T depends on kappa t alone): how the size
  * goes with the spacing can.  A clock is wrong by steps, a place by cells, a coefficient by a part of itself. */
 #include "verification/diagnosis/diagnosis.h"
 
 #include "solver/field.h"
 #include "solver/status.h"
+#include "verification/diagnosis/fit.h"
 #include "verification/diagnosis/response.h"
 #include "verification/diagnosis/wording.h"
 #include "verification/text/json.h"
 
-#include <gsl/gsl_sort_double.h>
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
-static const double SHARE = 0.9;   /* of the squared error that a fault must explain to be named */
 static const double ALIKE = 0.02;  /* shares that differ by less tell nothing apart */
 static const double STEADY = 0.25; /* relative change of a size from rung to rung that still counts as none */
-static const double MOST = 2;      /* of what differences of second order leave: a correct code's own error */
-enum { POINTS = 20000, FAULTS = 32, ROUNDS = 20000 };
-
-struct fit {
-    double size, share;
-    double part; /* |size f| / sqrt(|g + h/5|^2 + |3/2 m|^2) */
-};
-
-/* A rung: its errors, and what differences of second order leave. */
-struct errors {
-    const struct field *field;
-    double *e, *g, *h; /* K, owned; e is NAN at a point that is left out */
-    double *m;         /* K, owned: dx^2/24 laplace(T); of two materials dx^2/(24 kappa) dT/dt of the faster */
-    int is_mean;       /* 1: a mean over a cell may stand for a value */
-};
+enum { POINTS = 20000, FAULTS = 32 };
 
 struct candidate_fault {
     struct fault fault;
@@ -57,87 +26,18 @@ struct candidate_fault {
     const char *name; /* of the unit */
 };
 
-static double clamp(double x, double most) {
-    return fmax(-most, fmin(most, x));
-}
-
-/* Minimum over size, b, c and d, one after the other until they stay: four numbers, three of them bounded. */
-static struct fit fit_error(const struct errors *s, const double *f) {
-    enum { N = 5 };
-    double a[N][N] = {{0}}; /* products of e, f, g, h, m */
-    for (size_t i = 0; i < s->field->n; i++) {
-        double w = s->field->weight ? s->field->weight[i] : 1, v[N] = {s->e[i], f[i], s->g[i], s->h[i], s->m[i]};
-        if (!isfinite(v[0])) continue;
-        for (int k = 0; k < N; k++)
-            for (int l = 0; l < N; l++) a[k][l] += w * v[k] * v[l];
-    }
-    if (!(a[0][0] > 0 && a[1][1] > 0)) return (struct fit){0, 0, 0};
-    double x[N] = {-1, 0, 0, 0, s->is_mean ? 0.5 : 0}; /* of e, f, g, h, m: x.v is what is left */
-    int free = s->is_mean && a[1][4] * a[1][4] < SHARE * a[1][1] * a[4][4] ? N : N - 1;
-    for (int round = 0; round < ROUNDS; round++)
-        for (int k = 1; k < free; k++) {
-            double rest = 0;
-            for (int l = 0; l < N; l++) rest -= l == k ? 0 : a[k][l] * x[l];
-            x[k] = a[k][k] > 0 ? rest / a[k][k] : 0;
-            if (k == 2 || k == 3) x[k] = clamp(x[k], k == 2 ? MOST : 0.5);
-            if (k == 4) x[k] = clamp(x[k], MOST);
-        }
-    double left = 0, natural = a[2][2] + 0.4 * a[2][3] + 0.04 * a[3][3] + 2.25 * a[4][4];
-    for (int k = 0; k < N; k++)
-        for (int l = 0; l < N; l++) left += x[k] * a[k][l] * x[l];
-    return (struct fit){x[1], 1 - left / a[0][0], fabs(x[1]) * sqrt(a[1][1] / fmax(natural, 1e-300))};
-}
-
-static struct errors errors_of(const struct problem *p, const struct response_lattice *l,
-                               const struct diagnosis_rung *r) {
-    const struct field *f = r->field;
-    struct errors s = {.field = f, .is_mean = p->jumps[0] + p->jumps[1] == 0 && p->materials == 1};
-    double **const owned[] = {&s.e, &s.g, &s.h, &s.m};
-    for (int k = 0; k < 4; k++) *owned[k] = xcalloc(f->n, sizeof(double));
-    double *size = xcalloc(f->n, sizeof *size), dx2 = pow(r->dx / l->dx, 2);
-    response_base(p, l, f, s.g, s.h);
-    if (p->materials == 1)
-        response_laplacian(p, l, f, s.m);
-    else
-        response_at(p, l, (struct fault){FAULT_CLOCK, 0}, f, s.g, s.m);
-    double kappa = p->materials == 1 ? 1 : problem_diffusivity(p);
-    for (size_t i = 0; i < f->n; i++) s.m[i] *= r->dx * r->dx / (24 * kappa);
-    for (size_t i = 0; i < f->n; i++) {
-        s.g[i] = dx2 * (s.g[i] - r->exact[i]);
-        s.h[i] *= dx2;
-        size[i] = isfinite(s.g[i]) ? fabs(s.g[i]) : INFINITY;
-    }
-    gsl_sort(size, 1, f->n);
-    double largest = size[f->n - 1 - f->n / 20];
-    for (size_t i = 0; i < f->n; i++) {
-        s.e[i] = fabs(s.g[i]) <= largest ? f->T[i] - r->exact[i] : NAN;
-        if (!s.is_mean || !isfinite(r->mean)) continue;
-        s.e[i] -= r->mean * s.m[i];
-        s.m[i] = 0;
-    }
-    free(size);
-    return s;
-}
-
-static void errors_free(struct errors *s) {
-    free(s->e);
-    free(s->g);
-    free(s->h);
-    free(s->m);
-}
-
 double diagnosis_mean(const struct problem *p, const struct diagnosis_rung *start) {
     struct response_lattice l;
     double ee = 0, em = 0, mm = 0;
     if (p->materials > 1 || p->jumps[0] + p->jumps[1] > 0 || p->source || response_lattice_create(p, &l)) return NAN;
-    struct errors s = errors_of(p, &l, start);
+    struct fit_errors s = fit_errors(p, &l, start);
     for (size_t i = 0; i < s.field->n; i++) {
         double w = s.field->weight ? s.field->weight[i] : 1;
         if (isfinite(s.e[i])) ee += w * s.e[i] * s.e[i], em += w * s.e[i] * s.m[i], mm += w * s.m[i] * s.m[i];
     }
-    errors_free(&s);
+    fit_errors_free(&s);
     response_lattice_free(&l);
-    return mm > 0 && ee - em * em / mm <= (1 - SHARE) * fmax(ee, mm) ? em / mm : NAN;
+    return mm > 0 && ee - em * em / mm <= (1 - FIT_SHARE) * fmax(ee, mm) ? em / mm : NAN;
 }
 
 static int list_faults(const struct problem *p, struct fault *list) {
@@ -224,7 +124,7 @@ static int fit_all(const struct problem *p, const struct diagnosis_rung *rung, s
     struct fault list[FAULTS];
     int n = 0, faults = list_faults(p, list);
     if (response_lattice_create(p, &l)) return 0;
-    struct errors errors[2] = {errors_of(p, &l, &rung[0]), errors_of(p, &l, &rung[1])};
+    struct fit_errors errors[2] = {fit_errors(p, &l, &rung[0]), fit_errors(p, &l, &rung[1])};
     double *base[2], *response = xcalloc(rung[0].field->n + rung[1].field->n, sizeof *response);
     for (int k = 0; k < 2; k++) {
         double dx2 = pow(rung[k].dx / l.dx, 2);
@@ -238,7 +138,7 @@ static int fit_all(const struct problem *p, const struct diagnosis_rung *rung, s
             failed = list[i].kind == FAULT_CORNER
                          ? response_at_corner(p, rung[k].dx, list[i], rung[k].field, response)
                          : response_at(p, &l, list[i], rung[k].field, base[k], response);
-            if (!failed) fit[k] = fit_error(&errors[k], response);
+            if (!failed) fit[k] = fit_fault(&errors[k], response);
         }
         if (failed) continue;
         c[n] = (struct candidate_fault){.fault = list[i], .fine = fit[0], .coarse = fit[1]};
@@ -246,7 +146,7 @@ static int fit_all(const struct problem *p, const struct diagnosis_rung *rung, s
     }
     for (int k = 0; k < 2; k++) {
         free(base[k]);
-        errors_free(&errors[k]);
+        fit_errors_free(&errors[k]);
     }
     free(response);
     response_lattice_free(&l);
@@ -254,7 +154,7 @@ static int fit_all(const struct problem *p, const struct diagnosis_rung *rung, s
 }
 
 static int stays(const struct candidate_fault *c) {
-    return c->drift <= log(1 + STEADY) && c->coarse.share >= SHARE - ALIKE;
+    return c->drift <= log(1 + STEADY) && c->coarse.share >= FIT_SHARE - ALIKE;
 }
 
 /* A clock that is off by the same time at every spacing: T depends on kappa t alone, and a conductivity explains the
@@ -273,9 +173,9 @@ void diagnosis_find(const struct problem *p, const struct diagnosis_rung *fine, 
     for (int i = 0; i < 2; i++) drop(&sampled[i], &field[i]);
     *d = (struct diagnosis){.unit = ""};
     for (int i = 0; i < n; i++)
-        if (c[i].fine.part >= MOST) most = fmax(most, c[i].fine.share);
+        if (c[i].fine.part >= FIT_MOST) most = fmax(most, c[i].fine.share);
     d->share = most;
-    if (most < SHARE) {
+    if (most < FIT_SHARE) {
         if (most > 0)
             snprintf(d->what, sizeof d->what, "no usual fault explains more than %.0f %% of the error", 100 * most);
         else
@@ -283,7 +183,7 @@ void diagnosis_find(const struct problem *p, const struct diagnosis_rung *fine, 
         return;
     }
     for (int i = 0; i < n; i++) {
-        if (c[i].fine.part < MOST || c[i].fine.share < fmax(SHARE, most - ALIKE) || !stays(&c[i])) continue;
+        if (c[i].fine.part < FIT_MOST || c[i].fine.share < fmax(FIT_SHARE, most - ALIKE) || !stays(&c[i])) continue;
         if (best < 0 || is_end(&c[best]) || (!is_end(&c[i]) && c[i].drift < c[best].drift)) best = i;
     }
     if (best < 0) {

@@ -1,0 +1,96 @@
+/* Least squares of the error field e with the response f of one fault at a time, beside what differences of second
+ * order leave at the same spacing: in space g, in time (Euler's, of mesh Fourier number 1) h,
+ *
+ *     e = size f + b g + c h + d m,    |b| <= 2,  |c| <= 1/2,  |d| <= 2
+ *
+ * since a faulty code has its errors of discretization too.  m = dx^2/24 laplace(T) is what the mean over a cell has
+ * more than the value at its centre.  A code's numbers are values (d = 0), means over cells (1), linear elements that
+ * start from a projection (-2 at their nodes, 2 with a lumped mass): what is so at the start stays so, since d m goes
+ * through time as T does, unless a source adds values to means.  An answer at the start tells d (diagnosis_mean), and
+ * its part is taken off e.  Without one, where m looks like the fault (of one material without a source it is
+ * dx^2/(24 kappa) dT/dt, a clock that is fast by a sixth of a step at F = 1/4) no fit can tell, and d = 1/2, between
+ * values and means, is taken.  From data that jump, where means are values on faces, g has it already: d = 0.  A
+ * fault whose part |size f| is not at least twice |g + h/5| and three times |m|, which is more than any of these d
+ * are from 1/2, is none: that is the size of a correct code's error.  The twentieth of the points where g is largest
+ * (corners whose sides disagree) is left out. */
+#include "verification/diagnosis/fit.h"
+
+#include "solver/field.h"
+#include "solver/status.h"
+#include "verification/diagnosis/diagnosis.h"
+#include "verification/diagnosis/response.h"
+
+#include <gsl/gsl_sort_double.h>
+#include <math.h>
+#include <stdlib.h>
+
+enum { ROUNDS = 20000 };
+
+static double clamp(double x, double most) {
+    return fmax(-most, fmin(most, x));
+}
+
+/* Minimum over size, b, c and d, one after the other until they stay: four numbers, three of them bounded. */
+struct fit fit_fault(const struct fit_errors *s, const double *f) {
+    enum { N = 5 };
+    double a[N][N] = {{0}}; /* products of e, f, g, h, m */
+    for (size_t i = 0; i < s->field->n; i++) {
+        double w = s->field->weight ? s->field->weight[i] : 1, v[N] = {s->e[i], f[i], s->g[i], s->h[i], s->m[i]};
+        if (!isfinite(v[0])) continue;
+        for (int k = 0; k < N; k++)
+            for (int l = 0; l < N; l++) a[k][l] += w * v[k] * v[l];
+    }
+    if (!(a[0][0] > 0 && a[1][1] > 0)) return (struct fit){0, 0, 0};
+    double x[N] = {-1, 0, 0, 0, s->is_mean ? 0.5 : 0}; /* of e, f, g, h, m: x.v is what is left */
+    int free = s->is_mean && a[1][4] * a[1][4] < FIT_SHARE * a[1][1] * a[4][4] ? N : N - 1;
+    for (int round = 0; round < ROUNDS; round++)
+        for (int k = 1; k < free; k++) {
+            double rest = 0;
+            for (int l = 0; l < N; l++) rest -= l == k ? 0 : a[k][l] * x[l];
+            x[k] = a[k][k] > 0 ? rest / a[k][k] : 0;
+            if (k == 2 || k == 3) x[k] = clamp(x[k], k == 2 ? FIT_MOST : 0.5);
+            if (k == 4) x[k] = clamp(x[k], FIT_MOST);
+        }
+    double left = 0, natural = a[2][2] + 0.4 * a[2][3] + 0.04 * a[3][3] + 2.25 * a[4][4];
+    for (int k = 0; k < N; k++)
+        for (int l = 0; l < N; l++) left += x[k] * a[k][l] * x[l];
+    return (struct fit){x[1], 1 - left / a[0][0], fabs(x[1]) * sqrt(a[1][1] / fmax(natural, 1e-300))};
+}
+
+struct fit_errors fit_errors(const struct problem *p, const struct response_lattice *l,
+                             const struct diagnosis_rung *r) {
+    const struct field *f = r->field;
+    struct fit_errors s = {.field = f, .is_mean = p->jumps[0] + p->jumps[1] == 0 && p->materials == 1};
+    double **const owned[] = {&s.e, &s.g, &s.h, &s.m};
+    for (int k = 0; k < 4; k++) *owned[k] = xcalloc(f->n, sizeof(double));
+    double *size = xcalloc(f->n, sizeof *size), dx2 = pow(r->dx / l->dx, 2);
+    response_base(p, l, f, s.g, s.h);
+    if (p->materials == 1)
+        response_laplacian(p, l, f, s.m);
+    else
+        response_at(p, l, (struct fault){FAULT_CLOCK, 0}, f, s.g, s.m);
+    double kappa = p->materials == 1 ? 1 : problem_diffusivity(p);
+    for (size_t i = 0; i < f->n; i++) s.m[i] *= r->dx * r->dx / (24 * kappa);
+    for (size_t i = 0; i < f->n; i++) {
+        s.g[i] = dx2 * (s.g[i] - r->exact[i]);
+        s.h[i] *= dx2;
+        size[i] = isfinite(s.g[i]) ? fabs(s.g[i]) : INFINITY;
+    }
+    gsl_sort(size, 1, f->n);
+    double largest = size[f->n - 1 - f->n / 20];
+    for (size_t i = 0; i < f->n; i++) {
+        s.e[i] = fabs(s.g[i]) <= largest ? f->T[i] - r->exact[i] : NAN;
+        if (!s.is_mean || !isfinite(r->mean)) continue;
+        s.e[i] -= r->mean * s.m[i];
+        s.m[i] = 0;
+    }
+    free(size);
+    return s;
+}
+
+void fit_errors_free(struct fit_errors *s) {
+    free(s->e);
+    free(s->g);
+    free(s->h);
+    free(s->m);
+}

@@ -1,0 +1,35 @@
+#ifndef HEATLADDER_VERIFICATION_DIAGNOSIS_FIT_H
+#define HEATLADDER_VERIFICATION_DIAGNOSIS_FIT_H
+
+/* The errors of a rung, and how much of them one fault explains. */
+
+struct diagnosis_rung;
+struct field;
+struct problem;
+struct response_lattice;
+
+static const double FIT_SHARE = 0.9; /* of the squared error that a fault must explain to be named */
+static const double FIT_MOST = 2;    /* of what differences of second order leave: a correct code's own error */
+
+struct fit {
+    double size, share;
+    double part; /* |size f| / sqrt(|g + h/5|^2 + |3/2 m|^2) */
+};
+
+/* A rung: its errors, and what differences of second order leave. */
+struct fit_errors {
+    const struct field *field;
+    double *e, *g, *h; /* K, owned; e is NAN at a point that is left out */
+    double *m;         /* K, owned: dx^2/24 laplace(T); of two materials dx^2/(24 kappa) dT/dt of the faster */
+    int is_mean;       /* 1: a mean over a cell may stand for a value */
+};
+
+/* `mean` of *r, where it is known, is taken off already.  To be ended by fit_errors_free. */
+struct fit_errors fit_errors(const struct problem *p, const struct response_lattice *l,
+                             const struct diagnosis_rung *r);
+void fit_errors_free(struct fit_errors *s);
+
+/* The least squares of a fault whose response, K per unit of its size, is f, at the points of *s. */
+struct fit fit_fault(const struct fit_errors *s, const double *f);
+
+#endif
