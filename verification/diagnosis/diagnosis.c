@@ -133,13 +133,16 @@ static int fit_all(const struct problem *p, const struct diagnosis_rung *rung, s
     }
     for (int i = 0; i < faults; i++) {
         struct fit fit[2];
-        int failed = 0;
+        struct response r = {.size = 0};
+        int corner = list[i].kind == FAULT_CORNER, failed = !corner && response_take(p, &l, list[i], &r);
         for (int k = 0; k < 2 && !failed; k++) {
-            failed = list[i].kind == FAULT_CORNER
-                         ? response_at_corner(p, rung[k].dx, list[i], rung[k].field, response)
-                         : response_at(p, &l, list[i], rung[k].field, base[k], response);
+            if (corner)
+                failed = response_at_corner(p, rung[k].dx, list[i], rung[k].field, response);
+            else
+                response_at(&r, &l, rung[k].field, base[k], response);
             if (!failed) fit[k] = fit_fault(&errors[k], response);
         }
+        response_free(&r);
         if (failed) continue;
         c[n] = (struct candidate_fault){.fault = list[i], .fine = fit[0], .coarse = fit[1]};
         follow(p, &c[n++], &rung[0], &rung[1]);

@@ -65,10 +65,13 @@ struct fit_errors fit_errors(const struct problem *p, const struct response_latt
     for (int k = 0; k < 4; k++) *owned[k] = xcalloc(f->n, sizeof(double));
     double *size = xcalloc(f->n, sizeof *size), dx2 = pow(r->dx / l->dx, 2);
     response_base(p, l, f, s.g, s.h);
-    if (p->materials == 1)
+    struct response clock;
+    if (p->materials == 1) {
         response_laplacian(p, l, f, s.m);
-    else
-        response_at(p, l, (struct fault){FAULT_CLOCK, 0}, f, s.g, s.m);
+    } else if (!response_take(p, l, (struct fault){FAULT_CLOCK, 0}, &clock)) {
+        response_at(&clock, l, f, s.g, s.m);
+        response_free(&clock);
+    }
     double kappa = p->materials == 1 ? 1 : problem_diffusivity(p);
     for (size_t i = 0; i < f->n; i++) s.m[i] *= r->dx * r->dx / (24 * kappa);
     for (size_t i = 0; i < f->n; i++) {

@@ -153,18 +153,21 @@ void response_laplacian(const struct problem *p, const struct response_lattice *
     free(D);
 }
 
-int response_at(const struct problem *p, const struct response_lattice *l, struct fault fault, const struct field *f,
-                const double *base, double *response) {
-    struct faulty with;
-    struct field faulty;
+int response_take(const struct problem *p, const struct response_lattice *l, struct fault fault, struct response *r) {
     /* What happens in one cell is tried in one. */
-    double size = fault.kind == FAULT_MEAN ? l->dx : fault_probe(p, fault);
     enum mean mean = fault.kind == FAULT_MEAN ? MEAN_ARITHMETIC : MEAN_SERIES;
-    if (!fault_make(p, fault, size, &with) || solve(&with.problem, l->dx, FOURIER, mean, &faulty)) return -1;
-    carry(&with, l, faulty.T, f, response);
-    for (size_t i = 0; i < f->n; i++) response[i] = (response[i] - base[i]) / size;
-    field_free(&faulty);
-    return 0;
+    r->size = fault.kind == FAULT_MEAN ? l->dx : fault_probe(p, fault);
+    return fault_make(p, fault, r->size, &r->with) && !solve(&r->with.problem, l->dx, FOURIER, mean, &r->T) ? 0 : -1;
+}
+
+void response_free(struct response *r) {
+    field_free(&r->T);
+}
+
+void response_at(const struct response *r, const struct response_lattice *l, const struct field *f,
+                 const double *base, double *out) {
+    carry(&r->with, l, r->T.T, f, out);
+    for (size_t i = 0; i < f->n; i++) out[i] = (out[i] - base[i]) / r->size;
 }
 
 int response_at_corner(const struct problem *p, double dx, struct fault fault, const struct field *f,

@@ -1,9 +1,8 @@
 #ifndef HEATLADDER_VERIFICATION_DIAGNOSIS_RESPONSE_H
 #define HEATLADDER_VERIFICATION_DIAGNOSIS_RESPONSE_H
 
+#include "solver/field.h"
 #include "verification/diagnosis/fault.h"
-
-struct field;
 
 /* The response of the final temperature to a fault, by finite differences on a lattice of this program's own.  It
  * explains an error; no verdict rests on it. */
@@ -29,10 +28,21 @@ void response_base(const struct problem *p, const struct response_lattice *l, co
 void response_laplacian(const struct problem *p, const struct response_lattice *l, const struct field *f,
                         double *out);
 
-/* dT/dsize of that fault at the points of *f, K per unit of its size (of a fault that is there in full or not: the
- * whole difference), into response[f->n]; 0, or -1 where *p cannot have it. */
-int response_at(const struct problem *p, const struct response_lattice *l, struct fault fault, const struct field *f,
-                const double *base, double *response);
+/* The final temperature of *p with that fault. */
+struct response {
+    struct faulty with;
+    double size;    /* of the fault */
+    struct field T; /* K, on the lattice; owned */
+};
+
+/* 0; -1 where *p cannot have it, and nothing is to be freed. */
+int response_take(const struct problem *p, const struct response_lattice *l, struct fault fault, struct response *r);
+void response_free(struct response *r);
+
+/* dT/dsize at the points of *f, K per unit of the fault's size (of one that is there in full or not: the whole
+ * difference), into out[f->n]; base: of response_base. */
+void response_at(const struct response *r, const struct response_lattice *l, const struct field *f,
+                 const double *base, double *out);
 
 /* The same of what sides of given temperature lose in the cell of a corner, K for all of it, on a lattice of cells of
  * the size dx, m: what the corner's surroundings lose goes with the cell, not in proportion.  -1 also where that
