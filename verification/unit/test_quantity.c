@@ -85,6 +85,24 @@ static void features_are_resolved(void **state) {
     }
 }
 
+/* Boxes end where the start jumps: its heat is a sum of constants, of which only rounding is unknown.  The edge is
+ * closed, with 1e-12 of the half width for the rounding of places, which the boxes of a rod are small enough to see.
+ */
+static void the_start_is_summed_piece_by_piece(void **state) {
+    (void)state;
+    struct problem p;
+    const struct scene *s = odd_find("rod-step", &p);
+    double T0 = p.param[3], whole = p.hi[0] - p.lo[0], want = 2 * p.param[1] * T0;
+    struct quantity_value heat = of("heat", s, &p, 0);
+    assert_near(heat.value, want * (1 + 1e-12), heat.error_bound);
+    assert_near(heat.error_bound, 0, 10 * DBL_EPSILON * whole * T0);
+    s = odd_find("square-step", &p);
+    T0 = p.param[5], whole = (p.hi[0] - p.lo[0]) * (p.hi[1] - p.lo[1]), want = 4 * p.param[1] * p.param[2] * T0;
+    heat = of("heat", s, &p, 0);
+    assert_near(heat.value, want, heat.error_bound);
+    assert_near(heat.error_bound, 0, 10 * DBL_EPSILON * whole * T0);
+}
+
 /* A pulse that is narrow beside the rod lies at its middle, which no rule would meet by chance. */
 static void a_narrow_pulse_is_found(void **state) {
     (void)state;
@@ -195,9 +213,13 @@ static void words_are_checked(void **state) {
 
 int main(void) {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(heat_is_kept),          cmocka_unit_test(known_values),
-        cmocka_unit_test(features_are_resolved), cmocka_unit_test(a_narrow_pulse_is_found),
-        cmocka_unit_test(heat_of_a_plate),       cmocka_unit_test(what_is_infinite_has_no_value),
+        cmocka_unit_test(heat_is_kept),
+        cmocka_unit_test(known_values),
+        cmocka_unit_test(features_are_resolved),
+        cmocka_unit_test(a_narrow_pulse_is_found),
+        cmocka_unit_test(the_start_is_summed_piece_by_piece),
+        cmocka_unit_test(heat_of_a_plate),
+        cmocka_unit_test(what_is_infinite_has_no_value),
         cmocka_unit_test(words_are_checked),
     };
     gsl_set_error_handler_off();
