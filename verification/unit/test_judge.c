@@ -1,14 +1,9 @@
-/* Verdicts on ladders made to measure: what must not pass, what must, and how often under scatter. */
-#include "verification/ladder/judge.h"
-
+/* Verdicts on ladders made to measure: what must not pass, and what must. */
 #include "verification/ladder/slope.h"
-#include "verification/ladder/window.h"
 
+#include "verification/unit/judged_ladder.h"
 #include "verification/unit/near.h"
 
-#include <gsl/gsl_cdf.h>
-#include <gsl/gsl_randist.h>
-#include <gsl/gsl_rng.h>
 #include <string.h>
 
 /* A ladder: dx_i = first/ratio^i, error(dx) with the finest dx as a second argument. */
@@ -152,22 +147,6 @@ static const struct stand_in cases[] = {
     {"a band upside down", 0.4, 2, 6, power, 2.1, 1.9, VERDICT_FAIL, "not finite"},
 };
 
-/* Through the window, as a ladder goes. */
-static enum verdict judge(const double *x, const double *error, int n, double lo, double hi, int *scattered,
-                          char reason[240]) {
-    struct window_rung rung[RUNG_MAX] = {0};
-    struct window w;
-    double in[RUNG_MAX], of[RUNG_MAX];
-    int m = 0;
-    for (int i = 0; i < n; i++) rung[i] = (struct window_rung){.x = x[i], .error = error[i]};
-    window_choose(rung, n, &w);
-    for (int i = 0; i < n; i++)
-        if (w.counts[i]) in[m] = x[i], of[m++] = error[i];
-    struct judged judged = {in, of, m, w.scattered};
-    *scattered = w.scattered;
-    return judge_order(&judged, lo, hi, reason, 240);
-}
-
 static void stand_ins_get_their_verdict(void **state) {
     (void)state;
     for (size_t k = 0; k < sizeof cases / sizeof cases[0]; k++) {
@@ -183,110 +162,6 @@ static void stand_ins_get_their_verdict(void **state) {
         if (verdict != c->verdict || !strstr(reason, c->said))
             fail_msg("%s: %s: %s", c->name, verdict_words[verdict], reason);
     }
-}
-
-struct coverage {
-    double pass, interval, recognised;
-};
-
-enum { TRIALS = 1500 };
-
-/* Of n rungs at x_i = 0.1/ratio^i with error x^2 + part * finest^(2-q) x^q and a scatter of s (of the logarithm). */
-static struct coverage count(int n, double ratio, double s, double part, double q) {
-    struct coverage c = {0};
-    gsl_rng *random = gsl_rng_alloc(gsl_rng_mt19937);
-    gsl_rng_set(random, 2385);
-    double finest = 0.1 / pow(ratio, n - 1);
-    for (int t = 0; t < TRIALS; t++) {
-        double x[RUNG_MAX], error[RUNG_MAX];
-        char reason[240];
-        int scattered;
-        for (int i = 0; i < n; i++) {
-            x[i] = 0.1 / pow(ratio, i);
-            error[i] = (x[i] * x[i] + part * pow(finest, 2 - q) * pow(x[i], q)) * exp(gsl_ran_gaussian(random, s));
-        }
-        struct slope all = slope_fit(x, error, n);
-        c.interval += (1.9 <= all.ci[0] && all.ci[1] <= 2.1) / (double)TRIALS;
-        c.pass += (judge(x, error, n, 1.9, 2.1, &scattered, reason) == VERDICT_PASS) / (double)TRIALS;
-        c.recognised += scattered / (double)TRIALS;
-    }
-    gsl_rng_free(random);
-    return c;
-}
-
-/* The interval of a fit alone lies inside the band in a share of cases that the scatter fixes: with the slope's error
- * d ~ N(0, s^2/S) and the interval's half width t sqrt(s^2 X/(m-2)/S), X of chi squared, both independent.
- * Quadrature over X, by midpoints of equal probability. */
-static double share_inside(int n, double ratio, double s) {
-    enum { CELLS = 4000 };
-    double S = pow(log(ratio), 2) * n * (n * n - 1.0) / 12, sigma = s / sqrt(S), share = 0;
-    double t = gsl_cdf_tdist_Pinv(0.975, n - 2);
-    for (int k = 0; k < CELLS; k++) {
-        double room = 0.1 - t * sigma * sqrt(gsl_cdf_chisq_Pinv((k + 0.5) / CELLS, n - 2) / (n - 2));
-        if (room > 0) share += (1 - 2 * gsl_cdf_ugaussian_Q(room / sigma)) / CELLS;
-    }
-    return share;
-}
-
-/* Three standard errors of a share that was counted. */
-static double noise(double share) {
-    return 3 * sqrt(fmax(share * (1 - share), 0.01) / TRIALS);
-}
-
-/* An honest ladder is lost to the interval (as it must), to the finer half of m = n/2 local slopes outside the band,
- * and to what chance does in the window and in the floor: at most 0.01 for the F-test, and 0.04 for scatter that is
- * not recognised, which is then judged by its two finest rungs. */
-static void honest_scatter_passes_as_often_as_it_can(void **state) {
-    (void)state;
-    static const struct {
-        int n;
-        double ratio, s;
-    } ladder[] = {{8, 2, 0.1}, {11, 1.6, 0.1}, {16, 1.41421356237309505, 0.1}, {6, 2, 0.03}, {8, 2, 0.03}};
-    for (size_t k = 0; k < sizeof ladder / sizeof ladder[0]; k++) {
-        int n = ladder[k].n, m = n / 2;
-        struct coverage c = count(n, ladder[k].ratio, ladder[k].s, 0, 2);
-        double inside = share_inside(n, ladder[k].ratio, ladder[k].s);
-        double fine = 2 * ladder[k].s / log(ladder[k].ratio) * sqrt(3.0 / (m * (m + 1.0) * (m + 2)));
-        double lost = 2 * gsl_cdf_ugaussian_Q(0.1 / fine) + 0.05;
-        assert_near(c.interval, inside, noise(inside));
-        assert_true(c.pass <= inside + noise(inside));
-        if (!(c.pass >= inside - lost - noise(inside)))
-            fail_msg("%d rungs: %.3f pass, %.3f are inside, %.3f may be lost", n, c.pass, inside, lost);
-        assert_true(c.recognised > 0.85);
-    }
-}
-
-/* The slope of the finer half without scatter, and its standard error. */
-static double fine_inside(int n, double ratio, double s, double part, double q) {
-    double x[RUNG_MAX], error[RUNG_MAX], finest = 0.1 / pow(ratio, n - 1);
-    int m = n / 2;
-    for (int i = 0; i < n; i++) {
-        x[i] = 0.1 / pow(ratio, i);
-        error[i] = x[i] * x[i] + part * pow(finest, 2 - q) * pow(x[i], q);
-    }
-    struct judged l = {x, error, n, 1};
-    double slope = judge_fine_slope(&l);
-    double off = 2 * s / log(ratio) * sqrt(3.0 / (m * (m + 1.0) * (m + 2)));
-    return gsl_cdf_ugaussian_P((2.1 - slope) / off) - gsl_cdf_ugaussian_P((1.9 - slope) / off);
-}
-
-/* A quarter of the finest error a floor, or first order.  With two per cent of scatter: a floor never, first order
- * only where the scatter is recognised, so that the finer half decides; with ten no more often than that half happens
- * to lie in the band. */
-static void flattening_passes_no_more_than_it_must(void **state) {
-    (void)state;
-    static const struct {
-        int n;
-        double ratio;
-    } ladder[] = {{8, 2}, {11, 1.41421356237309505}, {16, 1.41421356237309505}};
-    for (int k = 0; k < 3; k++)
-        for (int q = 0; q < 2; q++) {
-            struct coverage c = count(ladder[k].n, ladder[k].ratio, 0.02, 1.0 / 3, q);
-            if (!(c.pass <= (q ? c.recognised : 0) + 0.02)) fail_msg("%d, q = %d: %.3f", ladder[k].n, q, c.pass);
-            c = count(ladder[k].n, ladder[k].ratio, 0.1, 1.0 / 3, q);
-            double most = fmin(c.interval, fine_inside(ladder[k].n, ladder[k].ratio, 0.1, 1.0 / 3, q));
-            if (!(c.pass <= most + noise(most))) fail_msg("%d, q = %d: %.3f > %.3f", ladder[k].n, q, c.pass, most);
-        }
 }
 
 static void what_does_not_fall_is_named(void **state) {
@@ -351,14 +226,9 @@ static void roughness_by_hand(void **state) {
 
 int main(void) {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(stand_ins_get_their_verdict),
-        cmocka_unit_test(honest_scatter_passes_as_often_as_it_can),
-        cmocka_unit_test(flattening_passes_no_more_than_it_must),
-        cmocka_unit_test(what_does_not_fall_is_named),
-        cmocka_unit_test(the_fine_slope_by_hand),
-        cmocka_unit_test(the_floor_by_hand),
-        cmocka_unit_test(the_unit_of_x_does_not_matter),
-        cmocka_unit_test(roughness_by_hand),
+        cmocka_unit_test(stand_ins_get_their_verdict),   cmocka_unit_test(what_does_not_fall_is_named),
+        cmocka_unit_test(the_fine_slope_by_hand),        cmocka_unit_test(the_floor_by_hand),
+        cmocka_unit_test(the_unit_of_x_does_not_matter), cmocka_unit_test(roughness_by_hand),
     };
     return cmocka_run_group_tests_name("judge", tests, NULL, NULL);
 }

@@ -1,0 +1,156 @@
+/* Gates as rows: which there are, which are chosen, what can be typed, and that all are run. */
+#include "verification/gates/gates.h"
+
+#include "verification/command/arguments.h"
+
+#include "verification/unit/near.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+static void the_table_is_sound(void **state) {
+    (void)state;
+    for (const struct gate *g = gates_table; g->id; g++) {
+        struct measured m;
+        struct request r;
+        struct failure why = {0};
+        const struct measure *measure = measures_find(g->measure, &m);
+        if (!measure) fail_msg("%s: %s", g->id, m.reason);
+        if (arguments_parse_line(g->command, &r, &why)) fail_msg("%s: %s", g->id, why.text);
+        arguments_free(&r);
+        if (!(g->lo <= g->hi)) fail_msg("%s: [%g, %g] is no band", g->id, g->lo, g->hi);
+        if (measure->ceiling && !(g->ceiling > 0)) fail_msg("%s: no ceiling", g->id);
+        if (strlen(g->why) < 10) fail_msg("%s: no reason", g->id);
+        for (const struct gate *other = gates_table; other < g; other++)
+            if (strcmp(other->id, g->id) == 0) fail_msg("%s is there twice", g->id);
+    }
+}
+
+/* What is typed gives the same verdict for the same reason, whether it is the interval, the norm or the ceiling. */
+static void a_gate_can_be_typed(void **state) {
+    (void)state;
+    static const struct gate rows[] = {
+        {"a", TIER_QUICK, "slope", "ladder rod-gauss so_ssph --dx 1,0.5,0.25,0.125", 2.01, 2.3, 1, "too high"},
+        {"b", TIER_QUICK, "slope_linf", "ladder plate so_ssph --dx 0.01,0.005,0.0025,0.00125", 1.9, 2.1, 1,
+         "a corner"},
+        {"c", TIER_QUICK, "slope_boundary", "ladder rod-step so_ssph --dx 0.2,0.1,0.05,0.025", 1.8, 2.2, 1e-7, "low"},
+        {"d", TIER_QUICK, "slope", "ladder rod-gauss so_ssph --dx 1,0.5", 1.9, 2.1, 1, "short"}};
+    for (int k = 0; k < 4; k++) {
+        char command[GATES_COMMAND];
+        struct measured m;
+        struct request r;
+        struct failure why;
+        struct ladder *l = xcalloc(1, sizeof *l);
+        gates_judge(&rows[k], NULL, &m);
+        assert_int_not_equal(m.verdict, VERDICT_PASS);
+        gates_command(&rows[k], NULL, command, sizeof command);
+        if (arguments_parse_line(command, &r, &why)) fail_msg("%s: %s", command, why.text);
+        assert_int_equal(ladder_run(&r.experiment, &r.rungs, l, &why), STATUS_OK);
+        assert_int_equal(l->verdict, m.verdict);
+        assert_string_equal(l->reason, m.reason);
+        arguments_free(&r);
+        free(l);
+    }
+    const struct gate other = {"symmetry/odd", TIER_QUICK, "symmetry", "run plate ftcs --dx 0.005", 2, 2, 1,
+                               "no ladder"};
+    char command[GATES_COMMAND];
+    gates_command(&other, NULL, command, sizeof command);
+    assert_string_equal(command, "verify --only 'symmetry/odd'");
+    for (const struct gate *g = gates_table; g->id; g++) { /* none is cut */
+        gates_command(g, NULL, command, sizeof command);
+        assert_true(strlen(command) < sizeof command - 1);
+    }
+}
+
+static void globs_choose(void **state) {
+    (void)state;
+    struct gates g;
+    struct failure why;
+    assert_int_equal(gates_collect("reference/*", NULL, 0, &g, &why), STATUS_OK);
+    int n = 0;
+    while (scenes[n]) n++;
+    assert_int_equal(g.declared, n); /* one for every scene */
+    gates_free(&g);
+    assert_int_equal(gates_collect("reference/rod-setp", NULL, 0, &g, &why), STATUS_INPUT);
+    assert_non_null(strstr(why.text, "no gate matches 'reference/rod-setp'"));
+    gates_free(&g);
+    assert_int_equal(gates_collect("time-error/rkl", NULL, 0, &g, &why), STATUS_INPUT); /* of the last table */
+    assert_non_null(strstr(why.text, "did you mean 'time-error/rk2'"));
+    gates_free(&g);
+    assert_int_equal(gates_collect("nosuch*", NULL, 0, &g, &why), STATUS_INPUT);
+    assert_non_null(strstr(why.text, "--only: no gate matches 'nosuch*' (see: heatladder list gates)"));
+    gates_free(&g);
+}
+
+static void what_skip_leaves_out_is_there(void **state) {
+    (void)state;
+    struct gates g;
+    struct failure why;
+    assert_int_equal(gates_collect("reference/rod-*", "time-error/*", 0, &g, &why), STATUS_OK); /* others' rows */
+    int n = g.declared;
+    gates_free(&g);
+    assert_int_equal(gates_collect("reference/rod-*", "reference/rod-step", 0, &g, &why), STATUS_OK);
+    assert_int_equal(g.declared, n - 1);
+    gates_free(&g);
+    assert_int_equal(gates_collect(NULL, "reference/rod-setp", 0, &g, &why), STATUS_INPUT);
+    assert_non_null(
+        strstr(why.text, "--skip: no gate matches 'reference/rod-setp'; did you mean 'reference/rod-step'?"));
+    gates_free(&g);
+    assert_int_equal(gates_collect("reference/*", "refrence/*", 0, &g, &why), STATUS_INPUT);
+    assert_non_null(strstr(why.text, "--skip: no gate matches 'refrence/*'; did you mean 'reference/*'?"));
+    gates_free(&g);
+    assert_int_equal(gates_collect("reference/*", "reference/*", 0, &g, &why), STATUS_INPUT);
+    assert_non_null(strstr(why.text, "no gate is left"));
+    gates_free(&g);
+}
+
+static void runs_of_another_program_are_counted(void **state) {
+    (void)state;
+    static const struct program program = {.solver = "true"};
+    static const struct gate rows[] = {
+        {.id = "a", .measure = "slope", .command = "ladder rod-gauss x --dx 1,0.5,0.25"},
+        {.id = "b", .measure = "slope", .command = "ladder rod-gauss x --dx 1 --dt 4,2"},
+        {.id = "c", .measure = "drift", .command = "run rod-gauss x --dx 1"}};
+    struct gates g = {.program = &program};
+    for (int i = 0; i < 3; i++) gates_add(&g, &rows[i]);
+    assert_int_equal(gates_runs(&g), 3 + 2 + 1);
+    gates_free(&g);
+}
+
+static void declared_must_be_executed(void **state) {
+    (void)state;
+    struct gates g;
+    struct failure why;
+    assert_int_equal(gates_collect("reference/rod-*", NULL, 0, &g, &why), STATUS_OK);
+    assert_int_equal(gates_status(&g), STATUS_GATE); /* none was run */
+    gates_run(&g);
+    assert_int_equal(g.executed, g.declared);
+    assert_int_equal(gates_status(&g), STATUS_OK);
+    g.executed--;
+    assert_int_equal(gates_status(&g), STATUS_GATE);
+    g.executed++;
+    g.result[0].executed = 0;
+    assert_int_equal(gates_status(&g), STATUS_GATE);
+    g.result[0].executed = 1;
+    g.result[0].measured.verdict = VERDICT_INCONCLUSIVE;
+    assert_int_equal(gates_status(&g), STATUS_INCONCLUSIVE);
+    g.result[1].measured.verdict = VERDICT_FAIL;
+    assert_int_equal(gates_status(&g), STATUS_GATE); /* a failure is one, whatever else could not tell */
+    g.result[1].measured.verdict = VERDICT_PASS;
+    g.result[0].measured.verdict = VERDICT_MEASURED;
+    assert_int_equal(gates_status(&g), STATUS_GATE);
+    gates_free(&g);
+    assert_int_equal(gates_status(&(struct gates){0}), STATUS_GATE); /* nothing is not enough */
+}
+
+int main(void) {
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(the_table_is_sound),
+        cmocka_unit_test(a_gate_can_be_typed),
+        cmocka_unit_test(globs_choose),
+        cmocka_unit_test(what_skip_leaves_out_is_there),
+        cmocka_unit_test(runs_of_another_program_are_counted),
+        cmocka_unit_test(declared_must_be_executed),
+    };
+    return cmocka_run_group_tests_name("gate_rows", tests, NULL, NULL);
+}

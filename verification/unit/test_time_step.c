@@ -1,0 +1,172 @@
+/* The choice of a time step, on methods whose errors are made to measure. */
+#include "verification/run/run.h"
+#include "verification/run/time_step.h"
+
+#include "verification/unit/made_methods.h"
+#include "verification/unit/near.h"
+
+static void the_exact_stepper_where_there_is_one(void **state) {
+    (void)state;
+    struct request r = request("run rod-gauss ftcs --dx 0.5", &with_exact);
+    struct result result;
+    assert_int_equal(run_experiment(&r.experiment, &result, NULL), STATUS_OK);
+    assert_int_equal(result.options.stepper, STEPPER_EXACT);
+    assert_near(result.time_error, 0, 0);
+    assert_near(result.error.l1, C * 0.25, 1e-12);
+    arguments_free(&r);
+}
+
+/* The longest step whose error is what is asked for: D dt^Q, to the 5 % that the search goes by and a whole step. */
+static void a_time_error_is_met_and_not_more(void **state) {
+    (void)state;
+    static const char *const lines[] = {"run rod-gauss ftcs --dx 0.5 --stepper euler --time-error 1e-3",
+                                        "run rod-gauss ftcs --dx 0.5 --stepper rkl2 --time-error 1e-3",
+                                        "run rod-gauss ftcs --dx 0.5 --stepper rkl2 --time-error 0.2"};
+    for (int i = 0; i < 3; i++) {
+        struct request r = request(lines[i], &with_exact);
+        struct result result;
+        assert_int_equal(run_experiment(&r.experiment, &result, NULL), STATUS_OK);
+        double error = D * pow(result.dt, i ? 2 : 1),
+               coarser = r.experiment.problem.t_end / ((double)result.steps / 1.05 - 1);
+        assert_true(error <= r.experiment.time_error * (1 + 1e-6));
+        assert_true(result.steps <= 2 || D * pow(coarser, i ? 2 : 1) > r.experiment.time_error);
+        arguments_free(&r);
+    }
+}
+
+/* Where the time error grows faster than its order, the first step tried is too long, by as much as half of the error
+ * asked for: what is taken has that error all the same, by the search's own account. */
+static void a_step_that_is_a_little_too_long_is_not_taken(void **state) {
+    (void)state;
+    static const char *const asked[] = {"1e-3", "2e-3", "3e-3", "5e-3", "8e-3"};
+    for (int i = 0; i < 5; i++) {
+        char line[100];
+        snprintf(line, sizeof line, "run rod-gauss ftcs --dx 0.5 --stepper rkl2 --time-error %s", asked[i]);
+        struct request r = request(line, &with_exact);
+        struct result result;
+        steep = 200;
+        assert_int_equal(run_experiment(&r.experiment, &result, NULL), STATUS_OK);
+        steep = 0;
+        assert_true(result.time_error * result.error.l1 <= r.experiment.time_error * (1 + 1e-12));
+        arguments_free(&r);
+    }
+}
+
+static void a_time_error_out_of_reach_is_said(void **state) {
+    (void)state;
+    struct request r = request("run rod-gauss ftcs --dx 0.5 --stepper euler --time-error 1e-12", &with_exact);
+    struct result result;
+    assert_int_equal(run_experiment(&r.experiment, &result, NULL), STATUS_GATE);
+    assert_non_null(strstr(result.failure.text, "--time-error 1e-12"));
+    arguments_free(&r);
+}
+
+/* Another stepper is for what the exact one has no answer to, not for input that is wrong. */
+static void wrong_input_is_not_tried_again(void **state) {
+    (void)state;
+    struct request r = request("run rod-gauss ftcs --dx 0.5", &wrong_input);
+    struct result result;
+    assert_int_equal(run_experiment(&r.experiment, &result, NULL), STATUS_INPUT);
+    assert_int_equal(result.options.stepper, STEPPER_EXACT);
+    arguments_free(&r);
+}
+
+static void every_status_has_an_exit_status(void **state) {
+    (void)state;
+    static const int exits[] = {0, 1, 2, 3, 4, 2, 3};
+    for (int status = STATUS_OK; status <= STATUS_UNSTABLE; status++)
+        assert_int_equal(status_exit(status), exits[status]);
+}
+
+static void a_refused_exact_falls_back(void **state) {
+    (void)state;
+    struct request r = request("run rod-gauss ftcs --dx 0.5", &no_exact);
+    struct result result;
+    assert_int_equal(run_experiment(&r.experiment, &result, NULL), STATUS_OK);
+    assert_int_equal(result.options.stepper, STEPPER_RKL2);
+    assert_true(result.time_error > 0 && result.time_error <= 0.01);
+    arguments_free(&r);
+}
+
+/* 5 s of 10 m^2/s at dx = 0.5 m are 1000 steps of F = 0.2, whose largest rate is 4 F = 0.8 a step; the fewest stages
+ * s of RKL2 have (s^2 + s - 2)/2 >= dt lambda: ten of them. */
+static void a_search_begins_with_some_ten_stages(void **state) {
+    (void)state;
+    struct request r = request("run rod-gauss ftcs --dx 0.5 --t-end 5 --set kappa=10 --stepper euler", &with_exact);
+    assert_near(time_step_first(&r.experiment), 1000, 0);
+    r.experiment.options.stepper = STEPPER_RKL2;
+    double part = 0.8 * 1000 / time_step_first(&r.experiment);
+    int stages = 1;
+    while (stages * (stages + 1) - 2 < 2 * part) stages++;
+    assert_int_equal(stages, 10);
+    arguments_free(&r);
+}
+
+/* The time error that is reported is the one that was put in. */
+static void the_step_is_refined_until_it_does_not_matter(void **state) {
+    (void)state;
+    struct request r = request("run rod-gauss ftcs --dx 0.5", &euler);
+    struct result result;
+    assert_int_equal(run_experiment(&r.experiment, &result, NULL), STATUS_OK);
+    double space = C * 0.25, time = D * result.dt;
+    assert_near(result.error.l1, space + time, 1e-12);
+    assert_near(result.time_error, time / (space + time), 1e-9);
+    assert_true(result.time_error <= 0.01 && result.time_error > 0.005); /* and no finer than needed */
+    arguments_free(&r);
+}
+
+static void an_unstable_first_step_is_halved(void **state) {
+    (void)state;
+    struct request r = request("run rod-gauss ftcs --dx 0.5", &picky);
+    struct result result;
+    assert_int_equal(run_experiment(&r.experiment, &result, NULL), STATUS_OK);
+    assert_true(result.time_error <= 0.01);
+    arguments_free(&r);
+}
+
+static void a_given_step_is_taken_as_it_is(void **state) {
+    (void)state;
+    struct request r = request("run rod-gauss ftcs --dx 0.5 --dt 0.7", &euler);
+    struct result result;
+    assert_int_equal(run_experiment(&r.experiment, &result, NULL), STATUS_OK);
+    assert_int_equal(result.steps, 8); /* 5 s in whole steps of at most 0.7 s */
+    assert_near(result.dt, 0.625, 0);
+    assert_true(isnan(result.time_error));
+    arguments_free(&r);
+}
+
+/* Data of zero, and data whose last trace has decayed past the least double. */
+static void no_error_is_relative_to_zero(void **state) {
+    (void)state;
+    static const char *const lines[] = {
+        "run rod-contact brookshaw --dx 0.1 --set T1=0 --stepper euler --dt 0.1",
+        "run plate so_ssph --dx 0.01 --set T1=0 --set T2=0 --set T3=0 --set T4=0 --time-error 1e-3",
+        "run rod-step so_ssph --dx 0.1 --set t_end=1e7"};
+    for (int i = 0; i < 3; i++) {
+        struct request r;
+        struct failure why;
+        struct result result;
+        assert_int_equal(arguments_parse_line(lines[i], &r, &why), STATUS_OK);
+        assert_int_equal(run_experiment(&r.experiment, &result, NULL), STATUS_INPUT);
+        assert_non_null(strstr(result.failure.text, "the exact solution is 0 K at all points"));
+        arguments_free(&r);
+    }
+}
+
+int main(void) {
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(the_exact_stepper_where_there_is_one),
+        cmocka_unit_test(a_time_error_is_met_and_not_more),
+        cmocka_unit_test(a_step_that_is_a_little_too_long_is_not_taken),
+        cmocka_unit_test(a_time_error_out_of_reach_is_said),
+        cmocka_unit_test(no_error_is_relative_to_zero),
+        cmocka_unit_test(a_refused_exact_falls_back),
+        cmocka_unit_test(wrong_input_is_not_tried_again),
+        cmocka_unit_test(every_status_has_an_exit_status),
+        cmocka_unit_test(a_search_begins_with_some_ten_stages),
+        cmocka_unit_test(the_step_is_refined_until_it_does_not_matter),
+        cmocka_unit_test(an_unstable_first_step_is_halved),
+        cmocka_unit_test(a_given_step_is_taken_as_it_is),
+    };
+    return cmocka_run_group_tests_name("time_step", tests, NULL, NULL);
+}
