@@ -8,6 +8,8 @@
 #include <stdio.h>
 
 const char *const ladder_norm_words[] = {"l1", "l2", "linf", "interior", "boundary", NULL};
+const char *const ladder_norm_titles[] = {
+    "E1", "L2", "Linf", "E1 of the interior", "E1 near the walls", "the quantity's error"};
 
 static double in_norm(const struct result *r, enum ladder_norm norm) {
     if (r->failure.status) return NAN;
@@ -45,10 +47,16 @@ double ladder_finest_error(const struct ladder *l) {
     return error;
 }
 
+const char *ladder_axis(const struct ladder *l) {
+    return l->in_time ? "dt [s]" : *l->vary ? l->vary : "dx [m]";
+}
+
+double ladder_asked(const struct ladder *l, int rung) {
+    return l->inverse ? 1 / l->x[rung] : l->x[rung];
+}
+
 void ladder_slope_text(const struct ladder *l, char *text, size_t size) {
-    static const char *const names[] = {
-        "E1", "L2", "Linf", "E1 of the interior", "E1 near the walls", "the quantity's error"};
-    int used = snprintf(text, size, "slope of %s: ", names[l->norm]);
+    int used = snprintf(text, size, "slope of %s: ", ladder_norm_titles[l->norm]);
     char *rest = text + used;
     size_t room = size - (size_t)used;
     if (!isfinite(l->slope.value))
@@ -104,7 +112,7 @@ void ladder_json(const struct ladder *l, struct json *j) {
     for (int i = 0; i < l->n; i++) {
         json_object(j, NULL);
         result_json(&l->rung[i], j);
-        if (*l->vary) json_number(j, l->vary, l->inverse ? 1 / l->x[i] : l->x[i]);
+        if (*l->vary) json_number(j, l->vary, ladder_asked(l, i));
         json_whole(j, "counts", l->window.counts[i]);
         json_text(j, "left_out", l->window.left_out[i][0] ? l->window.left_out[i] : NULL);
         json_end(j);

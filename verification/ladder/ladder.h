@@ -22,8 +22,9 @@ enum ladder_norm {
     LADDER_INTERIOR,
     LADDER_BOUNDARY,
     LADDER_QUANTITY
-};                                            /* E1 of the interior and near walls; --quantity */
-extern const char *const ladder_norm_words[]; /* in the order of the enum, ended by NULL */
+};                                             /* E1 of the interior and near walls; --quantity */
+extern const char *const ladder_norm_words[];  /* in the order of the enum, ended by NULL */
+extern const char *const ladder_norm_titles[]; /* for a reader, in the same order, LADDER_QUANTITY too */
 
 /* The rungs that are asked for: one list has several numbers. */
 struct ladder_rungs {
@@ -79,6 +80,11 @@ void ladder_judge(struct ladder *l, double lo, double hi);
 
 /* The error at the finest rung that counts, in the norm that was fitted; NaN where none counts. */
 double ladder_finest_error(const struct ladder *l);
+
+/* What x is, "dx [m]" of a ladder in space, and x of a rung as it was asked for: where what a program varies in
+ * rises, 1/x. */
+const char *ladder_axis(const struct ladder *l);
+double ladder_asked(const struct ladder *l, int rung);
 
 /* The slope, its interval and of how many rungs, in a line; of fewer than three rungs, why there is no interval. */
 void ladder_slope_text(const struct ladder *l, char *text, size_t size);

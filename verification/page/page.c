@@ -67,20 +67,21 @@ static void put_number(FILE *out, const char *format, double value) {
 }
 
 static void put_rungs(const struct ladder *l, FILE *out) {
-    fprintf(out,
-            "<div class=\"scroll\"><table>\n<tr><th class=\"n\">%s</th><th class=\"n\">points</th>"
-            "<th class=\"n\">E1</th><th class=\"n\">L2</th><th class=\"n\">L-infinity [K]</th>"
-            "<th class=\"n\">slope</th><th>left out</th></tr>\n",
-            l->in_time ? "dt [s]" : "dx [m]");
+    int quantity = l->norm == LADDER_QUANTITY;
+    html_print(out,
+               "<div class=\"scroll\"><table>\n<tr><th class=\"n\">%s</th><th class=\"n\">points</th>"
+               "<th class=\"n\">E1</th><th class=\"n\">%s</th><th class=\"n\">%s</th>"
+               "<th class=\"n\">slope</th><th>left out</th></tr>\n",
+               ladder_axis(l), quantity ? "quantity" : "L2", quantity ? "its error" : "L-infinity [K]");
     for (int i = 0; i < l->n; i++) {
         const struct result *r = &l->rung[i];
         int failed = r->failure.status != STATUS_OK;
         fprintf(out, "<tr>");
-        put_number(out, "%.6g", l->x[i]);
+        put_number(out, "%.6g", ladder_asked(l, i));
         put_number(out, "%.0f", (double)r->particles);
         put_number(out, "%.4e", failed ? NAN : r->error.l1);
-        put_number(out, "%.4e", failed ? NAN : r->error.l2);
-        put_number(out, "%.4e", failed ? NAN : r->error.linf);
+        put_number(out, "%.4e", failed ? NAN : quantity ? r->derived : r->error.l2);
+        put_number(out, "%.4e", failed ? NAN : quantity ? r->derived_error : r->error.linf);
         put_number(out, "%.3f", i ? l->local[i - 1] : NAN);
         html_cell(out, "td", failed ? r->failure.text : l->window.left_out[i]);
         fprintf(out, "</tr>\n");
@@ -92,19 +93,17 @@ int page_ladder_write(const struct ladder *l, const struct ladder_rungs *asked, 
                       struct failure *why) {
     struct output page;
     FILE *out = output_open(&page, "%s", path);
-    char title[240];
+    char title[240], name[80], axis[60];
     result_describe(&l->rung[l->n - 1], title, sizeof title);
+    snprintf(name, sizeof name, "%s (hollow: left out of the fit)", ladder_norm_titles[l->norm]);
+    snprintf(axis, sizeof axis, "%s%s", l->inverse ? "1 / " : "", ladder_axis(l));
     double expected = asked->expect.count ? (asked->expect.value[0] + asked->expect.value[1]) / 2 : NAN;
     html_open(out, title);
-    double error[RUNG_MAX];
     int hollow[RUNG_MAX];
     char slope[240];
-    for (int i = 0; i < l->n; i++) {
-        error[i] = l->rung[i].failure.status ? NAN : l->rung[i].error.l1;
-        hollow[i] = !l->window.counts[i];
-    }
-    struct chart_series series = {"E1 (hollow: left out of the fit)", l->n, l->x, error, hollow};
-    struct chart chart = {title, l->in_time ? "dt [s]" : "dx [m]", "E1", 1, &series, expected};
+    for (int i = 0; i < l->n; i++) hollow[i] = !l->window.counts[i];
+    struct chart_series series = {name, l->n, l->x, l->error, hollow};
+    struct chart chart = {title, axis, ladder_norm_titles[l->norm], 1, &series, expected};
     fprintf(out, "<p class=\"verdict\">");
     html_verdict(out, verdict_words[l->verdict]);
     ladder_slope_text(l, slope, sizeof slope);

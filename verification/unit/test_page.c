@@ -162,22 +162,42 @@ static char *whole(const char *path) {
     return page;
 }
 
-static void a_ladder_says_what_made_it(void **state) {
-    (void)state;
+/* The page of a ladder of two rungs. */
+static const char *page_of(const char *line) {
     char path[] = "/tmp/heatladder_page.XXXXXX";
     struct ladder *l = xcalloc(1, sizeof *l);
     struct request r;
     struct failure why;
     close(mkstemp(path));
-    assert_int_equal(arguments_parse_line("ladder rod-gauss ftcs --dx 1,0.5 --set 'kappa=1.1' --norm l2", &r, &why),
-                     0);
+    assert_int_equal(arguments_parse_line(line, &r, &why), 0);
     assert_int_equal(ladder_run(&r.experiment, &r.rungs, l, &why), 0);
     assert_int_equal(page_ladder_write(l, &r.rungs, r.typed, path, &why), 0);
-    assert_non_null(
-        strstr(whole(path), "<code>heatladder ladder rod-gauss ftcs --dx 1,0.5 --set kappa=1.1 --norm l2<"));
     arguments_free(&r);
     free(l);
+    const char *page = whole(path);
     unlink(path);
+    return page;
+}
+
+static void a_ladder_says_what_made_it(void **state) {
+    (void)state;
+    assert_non_null(strstr(page_of("ladder rod-gauss ftcs --dx 1,0.5 --set 'kappa=1.1' --norm l2"),
+                           "<code>heatladder ladder rod-gauss ftcs --dx 1,0.5 --set kappa=1.1 --norm l2<"));
+}
+
+/* Chart and name are of the norm that is judged, and a quantity stands in the table. */
+static void a_ladder_shows_what_is_judged(void **state) {
+    (void)state;
+    char first[200];
+    const char *page = page_of("ladder rod-gauss ftcs --dx 1,0.5"), *point = strstr(page, "<circle");
+    assert_non_null(strstr(page, "E1 (hollow: left out of the fit)</text>"));
+    snprintf(first, sizeof first, "%.*s", (int)strcspn(point, ">"), point);
+    page = page_of("ladder rod-gauss ftcs --dx 1,0.5 --norm l2");
+    assert_non_null(strstr(page, "L2 (hollow: left out of the fit)</text>"));
+    assert_true(strncmp(strstr(page, "<circle"), first, strlen(first)) != 0);
+    page = page_of("ladder rod-gauss ftcs --dx 1,0.5 --quantity at:0.31");
+    assert_non_null(strstr(page, "the quantity's error (hollow"));
+    assert_non_null(strstr(page, "<th class=\"n\">quantity</th><th class=\"n\">its error</th>"));
 }
 
 /* A short paragraph first, a long one that is folded away, a line that closes. */
@@ -235,7 +255,8 @@ int main(void) {
         cmocka_unit_test(markdown_becomes_html),         cmocka_unit_test(images_are_part_of_the_page),
         cmocka_unit_test(charts_hold_their_points),      cmocka_unit_test(gates_are_read_back),
         cmocka_unit_test(the_worst_gate_is_the_verdict), cmocka_unit_test(a_ladder_says_what_made_it),
-        cmocka_unit_test(a_long_listing_is_folded),      cmocka_unit_test(a_page_of_what_there_is),
+        cmocka_unit_test(a_ladder_shows_what_is_judged), cmocka_unit_test(a_long_listing_is_folded),
+        cmocka_unit_test(a_page_of_what_there_is),
     };
     return cmocka_run_group_tests_name("page", tests, NULL, NULL);
 }

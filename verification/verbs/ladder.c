@@ -21,7 +21,7 @@
 
 static void add_rung(struct table *t, const struct ladder *l, int i) {
     const struct result *r = &l->rung[i];
-    table_add(t, "%.6g", l->inverse ? 1 / l->x[i] : l->x[i]);
+    table_add(t, "%.6g", ladder_asked(l, i));
     table_add(t, "%zu", r->particles);
     table_add(t, "%lld", r->steps);
     table_number(t, "%.4e", r->failure.status ? NAN : r->error.l1, "-");
@@ -38,10 +38,7 @@ static void add_rung(struct table *t, const struct ladder *l, int i) {
 
 static void print_text(const struct ladder *l) {
     char header[160], what[240];
-    snprintf(header, sizeof header, "%s|particles|steps|E1|%s|slope|time [%%]|seconds|left out",
-             l->in_time ? "dt [s]"
-             : *l->vary ? l->vary
-                        : "dx [m]",
+    snprintf(header, sizeof header, "%s|particles|steps|E1|%s|slope|time [%%]|seconds|left out", ladder_axis(l),
              l->norm == LADDER_QUANTITY ? "quantity|its error" : "L2|Linf [K]");
     struct table t = table_headed(0, header);
     const char *verdict = verdict_words[l->verdict];
