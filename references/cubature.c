@@ -1,17 +1,17 @@
 /* Adaptive cubature: Gauss-Legendre rules of 6 points on a box and on its halves along each axis.
  *
  * On a box of extent h on which f varies over the length l the rule is off by 1.9e-16 (h/l)^12 of f (remainder term;
- * Abramowitz and Stegun 1964, 25.4.30), on its halves by 4096 times less.  Where the two differ by 1e-13 of f at
+ * Abramowitz and Stegun 1964, 25.4.30), on its halves by 4096 times less.  Where the two differ by 1e-14 of f at
  * most, that of the halves is taken and the difference stated as its error: 4096 times too much, but for a box on
  * which the errors of its parts happen to cancel.  Elsewhere the halves are boxes, until they are too small to count.
  * A feature that is narrow beside the box falls between the points; the caller names where such may be, and boxes are
- * graded towards these places by factors of two. */
+ * graded towards these places by factors of four. */
 #include "references/cubature.h"
 
 #include <float.h>
 #include <math.h>
 
-enum { GRADES_1D = 40, GRADES_2D = 12, BREAKS = 2 + CUBATURE_KNOTS * (2 * GRADES_1D + 1) };
+enum { GRADES_1D = 20, GRADES_2D = 12, BREAKS = 2 + CUBATURE_KNOTS * (2 * GRADES_1D + 1) };
 
 enum { POINTS = 6 };
 /* On (-1, 1): the positive nodes and their weights. */
@@ -68,7 +68,7 @@ static double box(struct integrand *g, const double lo[2], const double hi[2], s
     }
     double apart = fabs(mean.value - once.value), middle = (lo[0] + hi[0]) / 2;
     int small = !(middle > lo[0] && middle < hi[0]) || share * apart <= 1e-17 * g->size;
-    if (!(apart > 1e-13 * g->size) || apart <= 2 * mean.error || small) { /* a NaN ends it too */
+    if (!(apart > 1e-14 * g->size) || apart <= 2 * mean.error || small) { /* a NaN ends it too */
         g->error += share * (mean.error + apart);
         return share * mean.value;
     }
@@ -98,8 +98,8 @@ static int breaks(double lo, double hi, const struct cubature_knots *knots, int 
         if (!(at >= lo && at <= hi)) continue;
         n = insert(list, n, at);
         for (int j = 1; j <= grades && knots->knot[axis][k].graded; j++) {
-            n = insert(list, n, at - ldexp(hi - lo, -j));
-            n = insert(list, n, at + ldexp(hi - lo, -j));
+            n = insert(list, n, at - ldexp(hi - lo, -2 * j));
+            n = insert(list, n, at + ldexp(hi - lo, -2 * j));
         }
     }
     return n;

@@ -10,8 +10,8 @@ enum { CUBATURE_KNOTS = 8 };
 
 /* Where the integrand may jump, or change within a distance far below the extents. */
 struct cubature_knots {
-    int grades; /* most parts on either side of a knot, each half of the one before; 0 or less: as many as there can
-                   be */
+    int grades; /* most parts on either side of a knot, each a quarter of the one before; 0 or less: as many as there
+                   can be */
     int count[2];
     struct {
         double at;  /* m, any order; those outside are ignored */

@@ -103,7 +103,7 @@ static int grades_for(const struct problem *p, double t) {
         for (int m = 0; m < p->materials; m++) kappa = fmin(kappa, p->material[m].k[a] / p->material[m].rho_c);
         extent = fmax(extent, p->hi[a] - p->lo[a]);
     }
-    return p->dim == 2 && t > 0 ? 1 + (int)fmax(0, ceil(log2(extent / sqrt(4 * kappa * t)))) : 0;
+    return p->dim == 2 && t > 0 ? 1 + (int)fmax(0, ceil(log2(extent / sqrt(4 * kappa * t)) / 2)) : 0;
 }
 
 static struct quantity_value heat(struct field_at *f) {
