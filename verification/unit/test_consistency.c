@@ -35,7 +35,7 @@ static void what_lies_behind_the_last_neighbour_is_not_read(void **state) {
  * z: a stencil gives S = sum w (exp(z.d) - 1) times it, where the exact factor is E = kappa_x z_x^2 + kappa_y z_y^2.
  */
 static void assert_symbol(const char *line, const char *method, const double kappa[2]) {
-    const double complex z[2] = {CMPLX(0.3, 1.1), CMPLX(-0.2, 0.7)};
+    const double complex z[2] = {0.3 + 1.1 * I, -0.2 + 0.7 * I};
     struct request r;
     struct failure why;
     double error, off = 0, size = 0, dx;
@@ -50,7 +50,7 @@ static void assert_symbol(const char *line, const char *method, const double kap
         for (int i = -s.reach[0]; i <= s.reach[0]; i++)
             S += stencil_weight(&s, i, j) / (dx * dx) * (cexp(dx * (i * z[0] + j * z[1])) - 1);
     for (int k = 0; k < 16; k++) {
-        double complex u = cexp((-1 + 0.137 * k) * z[0] + (0.9 - 0.119 * k) * z[1] + CMPLX(0, 0.4));
+        double complex u = cexp((-1 + 0.137 * k) * z[0] + (0.9 - 0.119 * k) * z[1] + 0.4 * I);
         off += fabs(cimag((S - E) * u));
         size += fabs(cimag(E * u));
     }

@@ -58,6 +58,27 @@ static void json_has_every_number(void **state) {
     free(l);
 }
 
+/* What passes looks like no fault, nor does what nobody judges; a ladder in time has no cells to tell one by. */
+static void only_failures_in_space_are_diagnosed(void **state) {
+    (void)state;
+    static const struct {
+        const char *line;
+        int diagnosed;
+    } ladders[] = {
+        {"ladder rod-gauss ftcs --dx 1,0.5,0.25,0.125 --expect 1.9,2.1", 0},
+        {"ladder rod-gauss ftcs --dx 1,0.5,0.25,0.125", 0},
+        {"ladder rod-gauss ftcs --dx 1,0.5,0.25,0.125 --expect 2.9,3.1", 1},
+        {"ladder rod-gauss ftcs --dx 0.25 --dt 0.5,0.25,0.125,0.0625 --expect 2.9,3.1", 0},
+    };
+    for (size_t k = 0; k < sizeof ladders / sizeof *ladders; k++) {
+        struct failure why;
+        struct ladder *l = xcalloc(1, sizeof *l);
+        climb(ladders[k].line, &with_exact, STATUS_OK, l, &why);
+        if (l->diagnosed != ladders[k].diagnosed) fail_msg("%s: diagnosed %d", ladders[k].line, l->diagnosed);
+        free(l);
+    }
+}
+
 static void a_ladder_in_time(void **state) {
     (void)state;
     struct failure why;
@@ -148,6 +169,7 @@ int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(a_ladder_in_space),
         cmocka_unit_test(json_has_every_number),
+        cmocka_unit_test(only_failures_in_space_are_diagnosed),
         cmocka_unit_test(a_ladder_in_time),
         cmocka_unit_test(short_ladders_are_inconclusive),
         cmocka_unit_test(two_rungs_have_no_interval_to_print),
