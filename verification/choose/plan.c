@@ -36,9 +36,10 @@ static void resolve_steps(struct experiment *e, int first, struct plan *plan) {
     if (o->stepper == STEPPER_AUTO && e->time_error > 0 && particles) o->stepper = STEPPER_RKL2;
     if (o->stepper == STEPPER_AUTO && !given && particles) o->stepper = has_exact(e) ? STEPPER_EXACT : STEPPER_RKL2;
     if (o->stepper == STEPPER_AUTO) o->stepper = STEPPER_EULER;
-    if (o->stepper == STEPPER_CHEBYSHEV && !given) o->dt = e->problem.t_end / 2; /* the second of two that agree */
-    plan->refined = !given && o->stepper < STEPPER_EXACT && e->problem.t_end > 0;
-    if (!plan->refined) return;
+    int polynomials = o->stepper == STEPPER_CHEBYSHEV;
+    plan->refined = !given && (o->stepper < STEPPER_EXACT || polynomials) && e->problem.t_end > 0;
+    if (plan->refined && polynomials) o->dt = e->problem.t_end / 2; /* the second of two runs that agree */
+    if (!plan->refined || polynomials) return;
     plan->forecast = plan_steps_predict(e, first);
     if (plan->forecast.steps > 0) o->dt = e->problem.t_end / plan->forecast.steps;
 }

@@ -183,6 +183,7 @@ static int reach(struct search *s, double *time_error, struct failure *why) {
 
 size_t time_step_bytes(const struct experiment *e, size_t n, size_t answer) {
     size_t array = n * sizeof(double);
+    if (e->options.stepper == STEPPER_CHEBYSHEV) return answer;
     return e->time_error > 0 ? 2 * array + 2 * answer : array + answer;
 }
 

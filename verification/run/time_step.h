@@ -21,7 +21,8 @@ double time_step_first(const struct experiment *e);
 double time_step_forecast(const struct experiment *e, double particles, double time, double space);
 
 /* Bytes held beside a run while its time step is searched for, of n points and answers of that size: the exact
- * temperatures and the answer before; for --time-error two of these and the one without time error. */
+ * temperatures and the answer before, of polynomials that alone; for --time-error two of these and the one without
+ * time error. */
 size_t time_step_bytes(const struct experiment *e, size_t n, size_t answer);
 
 struct time_step {

@@ -49,6 +49,8 @@ static void runs_do_what_was_planned(void **state) {
     as_planned("run square-step so_ssph --dx 0.1 --h iso --stepper matched --sampling spline");
     as_planned("run square-step so_ssph --dx 0.1 --stepper matched --h iso --set kappa_y=0.0025");
     as_planned("run square-step so_ssph --dx 0.1 --layout jitter --jitter 0.2 --stepper rkl2 --dt 0.5");
+    as_planned("run square-step so_ssph --dx 0.1 --layout jitter --jitter 0.2 --stepper chebyshev --dt 0.5");
+    as_planned("run square-step so_ssph --dx 0.1 --layout jitter --jitter 0.2 --stepper chebyshev");
     as_planned("run rod-contact brookshaw --dx 0.02 --stepper euler --fourier 0.2");
     as_planned("run rod-contact ftcs --dx 0.02 --fourier 0.2");
     as_planned("run rect-manufactured so_ssph --dx 0.05 --stepper exact");

@@ -5,6 +5,7 @@
 #include "references/scene.h"
 #include "solver/space/operator.h"
 #include "verification/command/arguments.h"
+#include "verification/run/run.h"
 #include "verification/run/semidiscrete.h"
 
 #include "verification/unit/near.h"
@@ -169,6 +170,22 @@ static void the_polynomials_reference_is_the_exact_one(void **state) {
     for (int i = 0; i < 2; i++) field_free(&reference[i].field);
 }
 
+/* Polynomials that a user asks for: what the last two differ by is the time error, three times what is left here. */
+static void polynomials_tell_their_time_error(void **state) {
+    (void)state;
+    struct request r;
+    struct result result;
+    struct failure why;
+    if (arguments_parse_line("run rod-gauss so_ssph --dx 0.5 --stepper chebyshev", &r, &why))
+        fail_msg("%s", why.text);
+    r.experiment.method = &wrong, r.experiment.options.domain = DOMAIN_WHOLE;
+    assert_int_equal(run_experiment(&r.experiment, &result, NULL), STATUS_OK);
+    assert_int_equal(result.steps, 256);
+    assert_near(result.error.l1, 0.6 / 256 / 256, 1e-9);
+    assert_near(result.time_error, 3, 1e-3);
+    arguments_free(&r);
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(the_reference_is_two_polynomials_that_agree),
@@ -176,6 +193,7 @@ int main(void) {
         cmocka_unit_test(equations_that_are_unstable_fail_the_ladder),
         cmocka_unit_test(a_coarse_rung_off_the_lattice_is_left_out),
         cmocka_unit_test(the_polynomials_reference_is_the_exact_one),
+        cmocka_unit_test(polynomials_tell_their_time_error),
     };
     return cmocka_run_group_tests_name("reference", tests, NULL, NULL);
 }
