@@ -39,7 +39,10 @@ static double *versines(const struct heat_operator *a, int axis) {
     double *table = xcalloc((size_t)n * (size_t)(r + 1), sizeof *table);
     for (int k = 0; k < n; k++) {
         double theta = l->dim > axis ? transform_angle(l, axis, k) : 0;
-        for (int i = 1; i <= r; i++) table[i * n + k] = -4 * pow(sin(i * theta / 2), 2);
+        for (int i = 1; i <= r; i++) {
+            double half = sin(i * theta / 2);
+            table[i * n + k] = -4 * half * half;
+        }
     }
     return table;
 }
