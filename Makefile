@@ -254,8 +254,8 @@ bench: $(BUILD)/heatladder ## Chart error against time and counted work, and mea
 	@mkdir -p $(BENCH)
 	$(Q)$(BUILD)/heatladder bench $(BENCH) > $(BENCH)/bench.txt; status=$$?; cat $(BENCH)/bench.txt; exit $$status
 	$(Q)if command -v gnuplot >/dev/null; then for data in $(BENCH)/bench_*.csv; do \
-	for chart in time work growth convergence; do \
-	scripts/plot $(BENCH) reports/bench/bench_$$chart.gp $$data || exit 1; done; done; \
+	for chart in time work growth convergence; do echo reports/bench/bench_$$chart.gp $$data; done; done | \
+	xargs -n 2 -P $$(getconf _NPROCESSORS_ONLN) scripts/plot $(BENCH); \
 	else echo "bench: gnuplot is not here (make setup installs it); charts were not drawn"; fi
 
 .PHONY: setup-peers
