@@ -6,6 +6,8 @@
  * in when both are done.  Neither changes a bit of the result.  Threads wait for each other twice a sweep. */
 #include "solver/sweep/wavefront.h"
 
+#include "solver/sweep/flush.h"
+
 #include <omp.h>
 
 /* Updates [first, first + count) of the units [begin, end) as far as they do not depend on units beyond: where others
@@ -33,14 +35,17 @@ void wavefront_sweep(const struct wavefront *w, int count) {
         together = w->units / threads / (2 * w->lag);
     if (together < 1) together = 1;
     if (threads <= 1) {
+        unsigned mode = flush_begin();
         for (int k = 0; k < count; k += (int)together)
             sweep_slab(w, k, count - k < together ? count - k : (int)together, 0, w->units);
+        flush_end(mode);
         return;
     }
 #pragma omp parallel num_threads((int)threads)
     {
         ptrdiff_t team = omp_get_num_threads(), t = omp_get_thread_num();
         ptrdiff_t begin = w->units * t / team, end = w->units * (t + 1) / team;
+        unsigned mode = flush_begin();
         for (int k = 0; k < count; k += (int)together) {
             int some = count - k < together ? count - k : (int)together;
             sweep_slab(w, k, some, begin, end);
@@ -48,5 +53,6 @@ void wavefront_sweep(const struct wavefront *w, int count) {
             if (t > 0) sweep_seam(w, k, some, begin);
 #pragma omp barrier
         }
+        flush_end(mode);
     }
 }

@@ -37,7 +37,34 @@ static void every_unit_has_every_update_in_turn(void **state) {
                 }
 }
 
+/* The fourth part of the smallest number that is held in full, of each unit in its last update. */
+static void quarter(const void *what, int k, ptrdiff_t lo, ptrdiff_t hi) {
+    volatile double least = 2.3e-308;
+    double *const *part = what;
+    (void)k;
+    for (ptrdiff_t i = lo; i < hi; i++) (*part)[i] = least / 4;
+}
+
+static void what_no_temperature_needs_is_zero(void **state) {
+    (void)state;
+#ifdef __SSE2__
+    for (int threads = 1; threads <= 3; threads++) {
+        double part[UNITS], *parts = part, after;
+        volatile double least = 2.3e-308;
+        for (int i = 0; i < UNITS; i++) part[i] = 1;
+        struct wavefront w = {quarter, &parts, UNITS, 2, 8, 8, threads};
+        wavefront_sweep(&w, UPDATES);
+        for (int i = 0; i < UNITS; i++) assert_true(part[i] == 0);
+        after = least / 4;
+        assert_true(after > 0); /* in a sweep alone */
+    }
+#else
+    skip();
+#endif
+}
+
 int main(void) {
-    const struct CMUnitTest tests[] = {cmocka_unit_test(every_unit_has_every_update_in_turn)};
+    const struct CMUnitTest tests[] = {cmocka_unit_test(every_unit_has_every_update_in_turn),
+                                       cmocka_unit_test(what_no_temperature_needs_is_zero)};
     return cmocka_run_group_tests_name("wavefront", tests, NULL, NULL);
 }
