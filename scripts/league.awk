@@ -19,10 +19,10 @@ file == 1 { code[++codes] = $1; version[$1] = $2; next }
 file == 2 {
     key = $1 SUBSEP $2
     verdict[key] = $3; order[key] = $4; finest[key] = $5
-    tally[$1, $3 == "inconclusive" ? "fail" : $3]++
+    tally[$1, $3]++
     if ($3 == "fail" || $3 == "inconclusive") {
         names = failed[$1]
-        failed[$1] = names (names == "" ? "" : ", ") $2 ($6 ~ /^as if/ ? " (" $6 ")" : "")
+        failed[$1] = names (names == "" ? "" : ", ") $2 ($3 == "inconclusive" ? " (inconclusive)" : "") ($6 ~ /^as if/ ? " (" $6 ")" : "")
         sub(/ \([0-9]+ % of the error\)/, "", failed[$1])
     }
     next
@@ -33,12 +33,13 @@ END {
     print "# Other codes\n" >md
     print "Each code runs by its example in verification/examples.  A row of the battery that needs what code or" >md
     print "glue has not is skipped.\n" >md
-    print "| code | version | rows held | failed | skipped | what failed |\n|---|---|---:|---:|---:|---|" >md
+    print "| code | version | rows held | failed | inconclusive | skipped | what did not hold |" >md
+    print "|---|---|---:|---:|---:|---:|---|" >md
     for (c = 1; c <= codes; c++) {
         who = code[c]
-        if (version[who] == "-") print "| " who " | not here (make setup-peers) | | | | |" >md
-        else printf "| %s | %s | %d | %d | %d | %s |\n", who, version[who], tally[who, "pass"], tally[who, "fail"],
-            tally[who, "skipped"], failed[who] >md
+        if (version[who] == "-") print "| " who " | not here (make setup-peers) | | | | | |" >md
+        else printf "| %s | %s | %d | %d | %d | %d | %s |\n", who, version[who], tally[who, "pass"],
+            tally[who, "fail"], tally[who, "inconclusive"], tally[who, "skipped"], failed[who] >md
     }
     rows = split("smooth/gauss jump/faces contact/rod plane/square plane/source", row, " ")
     split("rod-gauss rod-step rod-contact square-step rect-manufactured", scene, " ")

@@ -1,107 +1,14 @@
-/* The oracle: points as programs write them, every column against what it stands for, refusals that name line and
- * column. */
+/* The oracle: every column against what it stands for, and the table that is written of them. */
 #include "verification/oracle/answer.h"
 
-#include "references/cubature.h"
 #include "references/snapshot.h"
 #include "verification/unit/odd_scenes.h"
+#include "verification/unit/points_text.h"
 
 #include <stdlib.h>
 #include <string.h>
 
 #include <gsl/gsl_errno.h>
-
-static int read_text(const char *text, const struct problem *p, struct points *points, struct failure *why) {
-    FILE *in = fmemopen((void *)text, strlen(text), "r");
-    assert_non_null(in);
-    int status = points_read(in, "points.csv", p, points, why);
-    fclose(in);
-    return status;
-}
-
-static void points_are_read_as_programs_write_them(void **state) {
-    (void)state;
-    struct problem p;
-    struct points points;
-    struct failure why;
-    odd_find("square-step", &p);
-    const char *text = "\xEF\xBB\xBF# mesh 7\r\ncell , \"y\",dx, x,T\r\n\r\n1,-0.37,0.02,+4.1e-01,nan\r\n# half\r\n"
-                       "2, 1.9000000001 ,0.03,-.5,0\r\n3,-1.8999999999,0.03,0,0\n";
-    assert_int_equal(read_text(text, &p, &points, &why), STATUS_OK);
-    assert_int_equal(points.n, 3);
-    assert_near(points.x[0][0], 0.41, 0);
-    assert_near(points.x[0][1], -0.37, 0);
-    assert_near(points.x[1][1], 1.9, 0); /* off by 1e-10: on the side */
-    assert_near(points.x[2][1], -1.9, 0);
-    assert_near(points.cell[0][0], 0.02, 0);
-    assert_near(points.cell[1][1], 0.03, 0); /* dy as dx */
-    assert_int_equal(points.typed[0][0].length, 8);
-    assert_memory_equal(points.typed[0][0].start, "+4.1e-01", 8);
-    points_free(&points);
-}
-
-/* More points than the first blocks hold, of the text and of the numbers. */
-static void many_points_are_all_read(void **state) {
-    (void)state;
-    enum { N = 9001 };
-    struct problem p;
-    struct points points;
-    struct failure why;
-    char *text = malloc(N * 24 + 8), *to = text;
-    odd_find("rod-cosine", &p);
-    to += sprintf(to, "x\n");
-    for (int i = 0; i < N; i++) to += sprintf(to, "%.17g\n", 1.3 * (i + 0.5) / N);
-    assert_int_equal(read_text(text, &p, &points, &why), STATUS_OK);
-    assert_int_equal(points.n, N);
-    for (int i = 0; i < N; i++) assert_near(points.x[i][0], 1.3 * (i + 0.5) / N, 0);
-    assert_null(points.cell);
-    points_free(&points);
-    free(text);
-}
-
-static void what_is_no_point_is_refused_by_line_and_column(void **state) {
-    (void)state;
-    static const struct {
-        const char *text, *says;
-    } bad[] = {
-        {"", "points.csv: empty; it starts with the header x,y"},
-        {"# x,y\n", "empty"},
-        {"x,y\n", "a header and no point"},
-        {"x,z\n0.1,0.2\n", "line 1: 'x,z' has no column y; the header is x,y"},
-        {"0.1,0.2\n", "line 1: '0.1,0.2' has no column x"},
-        {"x,y,x\n0.1,0.2,0.3\n", "line 1: two columns are called 'x'"},
-        {"x,y\n0.1,0.2\n\n0.1;0.2\n", "line 4: 1 column where the header has 2"},
-        {"x,y\n0.1,0.2,0.3\n", "line 2: 3 columns where the header has 2"},
-        {"a,x,y\n7,0.1,0.2\n7,0.1,0x1p-3\n", "line 3, column 3 (y): '0x1p-3' is not a finite number"},
-        {"x,y\n,0.2\n", "line 2, column 1 (x): '' is not a finite number"},
-        {"x,y\nnan,0.2\n", "line 2, column 1 (x): 'nan' is not a finite number"},
-        {"x,y\n0.1,0.2\n1.91,0.2\n", "line 3, column 1 (x): 1.91 m lies outside of -1.9 to 1.9 m"},
-        {"x,y\n0.1,0.2\n0.15,-2\n", "line 3, column 2 (y): -2 m lies outside"},
-        {"x,y,dx\n0.1,0.2,-0.01\n", "line 2, column 3 (dx): -0.01 m: a cell's extent is 0 or more"},
-        {"x,y\n0.1,0.2\n0.1,0.", "line 3: ends without a newline"},
-    };
-    struct problem p;
-    odd_find("square-step", &p);
-    for (size_t i = 0; i < sizeof bad / sizeof *bad; i++) {
-        struct points points;
-        struct failure why;
-        int status = *bad[i].text ? read_text(bad[i].text, &p, &points, &why) : STATUS_INPUT;
-        if (!*bad[i].text) {
-            FILE *in = tmpfile();
-            status = points_read(in, "points.csv", &p, &points, &why);
-            fclose(in);
-        }
-        assert_int_equal(status, STATUS_INPUT);
-        if (!strstr(why.text, bad[i].says)) fail_msg("\"%s\" lacks \"%s\"", why.text, bad[i].says);
-        assert_null(points.x);
-    }
-    FILE *in = fmemopen((void *)"x,y\n0.1,\0.2\n", 13, "r");
-    struct points points;
-    struct failure why;
-    assert_int_equal(points_read(in, "points.csv", &p, &points, &why), STATUS_INPUT);
-    assert_non_null(strstr(why.text, "NUL"));
-    fclose(in);
-}
 
 static void lists_of_columns_are_checked(void **state) {
     (void)state;
@@ -245,28 +152,12 @@ static void cell_means_are_integrals(void **state) {
     assert_near(v[0], fine, 1e-14);
 }
 
-static struct approx bump(const void *data, const double x[2]) {
-    (void)data;
-    return (struct approx){exp(-3 * x[0]) * sqrt(x[1]), 0};
-}
-
-static void cubature_refines_what_is_not_smooth(void **state) {
-    (void)state;
-    struct cubature_knots none = {.count = {0, 0}}, root = {.count = {0, 1}, .knot[1][0] = {0, 1}};
-    double want = -expm1(-3 * 0.7) / 3 / 0.7 * pow(1.3, 1.5) * 2 / 3 / 1.3;
-    struct approx a = cubature_mean(bump, NULL, 2, (double[2]){0, 0}, (double[2]){0.7, 1.3}, &none);
-    struct approx b = cubature_mean(bump, NULL, 2, (double[2]){0, 0}, (double[2]){0.7, 1.3}, &root);
-    assert_near(a.value, want, 1e-11);
-    assert_near(a.value, want, a.error);
-    assert_near(b.value, want, 1e-13);
-}
-
 static char *answered(struct answer *a, const char *text, const char *what) {
     struct failure why = {0};
     char *page = NULL;
     size_t size = 0;
     if (columns_parse(what, a->problem->dim, &a->columns, &why)) fail_msg("%s", why.text);
-    if (read_text(text, a->problem, &a->points, &why)) fail_msg("%s", why.text);
+    if (points_text(text, a->problem, &a->points, &why)) fail_msg("%s", why.text);
     if (answer_check(a, &why)) {
         points_free(&a->points);
         return strdup(why.text);
@@ -339,14 +230,10 @@ static void many_points_have_their_own_answers(void **state) {
 
 int main(void) {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(points_are_read_as_programs_write_them),
-        cmocka_unit_test(many_points_are_all_read),
-        cmocka_unit_test(what_is_no_point_is_refused_by_line_and_column),
         cmocka_unit_test(lists_of_columns_are_checked),
         cmocka_unit_test(columns_hold_what_they_say),
         cmocka_unit_test(walls_are_told_by_their_kind),
         cmocka_unit_test(cell_means_are_integrals),
-        cmocka_unit_test(cubature_refines_what_is_not_smooth),
         cmocka_unit_test(times_have_both_ends),
         cmocka_unit_test(answers_are_csv),
         cmocka_unit_test(many_points_have_their_own_answers),

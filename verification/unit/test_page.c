@@ -200,54 +200,47 @@ static void a_ladder_shows_what_is_judged(void **state) {
     assert_non_null(strstr(page, "<th class=\"n\">quantity</th><th class=\"n\">its error</th>"));
 }
 
-/* A short paragraph first, a long one that is folded away, a line that closes. */
-static void a_long_listing_is_folded(void **state) {
-    (void)state;
+/* The page of a directory that has mutants.txt alone. */
+static const char *page_of_listing(const char *listing) {
     char dir[] = "/tmp/heatladder_page.XXXXXX", path[60];
     struct failure why;
     assert_non_null(mkdtemp(dir));
     snprintf(path, sizeof path, "%s/mutants.txt", dir);
-    FILE *listing = fopen(path, "w");
-    fputs("head\n\n", listing);
-    for (int i = 0; i < 60; i++) fprintf(listing, "row %d\n", i);
-    fputs("\n60 seen\n", listing);
-    fclose(listing);
+    FILE *out = fopen(path, "w");
+    fputs(listing, out);
+    fclose(out);
     assert_int_equal(index_write(dir, &why), 0);
     unlink(path);
     snprintf(path, sizeof path, "%s/summary.md", dir);
     unlink(path);
     snprintf(path, sizeof path, "%s/index.html", dir);
     const char *page = whole(path);
+    unlink(path);
+    assert_int_equal(rmdir(dir), 0);
+    return page;
+}
+
+/* A short paragraph first, a long one that is folded away, a line that closes. */
+static void a_long_listing_is_folded(void **state) {
+    (void)state;
+    char listing[800], *to = listing + sprintf(listing, "head\n\n");
+    for (int i = 0; i < 60; i++) to += sprintf(to, "row %d\n", i);
+    sprintf(to, "\n60 seen\n");
+    const char *page = page_of_listing(listing);
     assert_non_null(strstr(page, "<pre><code>head\n\n</code></pre>\n<details><summary>mutants.txt: 61 lines "
                                  "more</summary>\n<pre><code>row 0\nrow 1\n"));
     assert_non_null(strstr(page, "row 59\n\n</code></pre>\n</details>\n<pre><code>60 seen\n</code></pre>\n"
                                  "<p class=\"faint\"><code>make mutants</code></p>\n"));
-    unlink(path);
-    assert_int_equal(rmdir(dir), 0);
 }
 
 /* Of a directory with a listing alone: the rest is named with the command that makes it. */
 static void a_page_of_what_there_is(void **state) {
     (void)state;
-    char dir[] = "/tmp/heatladder_page.XXXXXX", path[60];
-    struct failure why;
-    assert_non_null(mkdtemp(dir));
-    snprintf(path, sizeof path, "%s/mutants.txt", dir);
-    FILE *listing = fopen(path, "w");
-    fputs("first < 2\n  second\n", listing);
-    fclose(listing);
-    assert_int_equal(index_write(dir, &why), 0);
-    unlink(path);
-    snprintf(path, sizeof path, "%s/summary.md", dir);
-    unlink(path);
-    snprintf(path, sizeof path, "%s/index.html", dir);
-    const char *page = whole(path);
+    const char *page = page_of_listing("first < 2\n  second\n");
     assert_non_null(strstr(page, "No verdict: the gates were not run. <code>make verify</code> runs them."));
     assert_non_null(strstr(page, "<pre><code>first &lt; 2\n  second\n</code></pre>"));
     assert_non_null(strstr(page, "Not here: claims/claims.md; <code>make claims</code> makes it."));
     assert_null(strstr(page, "Not here: mutants.txt"));
-    unlink(path);
-    assert_int_equal(rmdir(dir), 0);
 }
 
 int main(void) {
