@@ -120,7 +120,7 @@ static int check_model(const struct request *r, const struct option *o, struct f
 
 static int take_option(struct request *r, const struct word *w, struct failure *why) {
     const struct option *o = w->option;
-    unsigned long bit = 1ul << (o - options_table);
+    unsigned long long bit = 1ull << (o - options_table);
     if (r->given & bit && strcmp(o->key, "set") != 0)
         return refuse(why, STATUS_INPUT, "--%s is given twice", o->name);
     r->given |= bit;

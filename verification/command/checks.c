@@ -19,7 +19,7 @@ int checks_required(const struct request *r, struct failure *why) {
     if (strcmp(r->verb->name, "case") == 0 && r->experiment.scene && !r->rungs.dx.count)
         return refuse(why, STATUS_INPUT, "case needs --dx A,B,C,...: the spacings");
     for (const struct option *o = options_table; o->key; o++)
-        if (words_among(r->verb->required, o->key) && !(r->given & 1ul << (o - options_table)))
+        if (words_among(r->verb->required, o->key) && !(r->given & 1ull << (o - options_table)))
             return refuse(why, STATUS_INPUT, "%s needs --%s %s: %s", r->verb->name, o->name, o->value, o->about);
     return STATUS_OK;
 }

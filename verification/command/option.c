@@ -210,8 +210,8 @@ const struct option options_table[] = {
      NULL, ABOVE_ZERO, 1, 0},
     {"order", "order", "P", "Taylor order, 2 to 4", read_whole, IN(experiment.options.order), NULL, 2, 4, 1},
     {"layout", "layout", "L",
-     "where the particles are: on a lattice, with nodes on the walls, moved at random, settled after that, in "
-     "hexagons, or ever coarser",
+     "where the particles are: at cell centres, on the walls too, moved at random, settled after that, in hexagons, "
+     "in cells that grow",
      read_word, IN(experiment.options.layout), layout_words, 0, 0, 1},
     {"jitter", "jitter", "A",
      "particles lie within +-A dx of the lattice's, 0 to 0.5; relaxed: at the start, 0.5 where not given",
@@ -307,6 +307,7 @@ const struct option options_table[] = {
     {"json-file", "json", "FILE", "write the verdicts as JSON", read_text, IN(json_path), NULL, FINITE, 0},
     {"json", "json", NULL, "JSON instead of text", read_flag, IN(json), NULL, FINITE, 0},
     {0}};
+_Static_assert(sizeof options_table / sizeof *options_table - 1 <= 64, "struct request has a bit for each row");
 
 const struct option *option_find(const char *allowed, const char *name) {
     for (const struct option *o = options_table; o->key; o++)

@@ -37,7 +37,7 @@ struct request {
     int json;                                                    /* 1: JSON on standard output instead of text */
     int verbose;                                                 /* 1: every gate, not only the groups */
     int quick;                                                   /* 1: the quick tier of the gates alone */
-    unsigned long given;                                         /* which rows of the option table were given */
+    unsigned long long given;                                    /* which rows of the option table were given */
     unsigned long overridden;                                    /* which parameters of the scene were given */
     char *typed; /* owned: the command after the program's name, quoted for a shell */
     char *line;  /* owned: the words of a command that was given as one line; else NULL */

@@ -5,7 +5,7 @@
 
 #include <stdio.h>
 
-enum { TABLE_COLUMNS = 16, TABLE_CELL = 120 };
+enum { TABLE_COLUMNS = 16, TABLE_CELL = 512 }; /* letters of a cell: a failure with its reason */
 
 struct table {
     int columns;

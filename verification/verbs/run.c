@@ -13,7 +13,8 @@
 #include <math.h>
 #include <stdio.h>
 
-static void print_text(const struct result *r) {
+/* unit: of --quantity */
+static void print_text(const struct result *r, const char *unit) {
     char what[240];
     result_describe(r, what, sizeof what);
     printf("%s\n", what);
@@ -24,6 +25,9 @@ static void print_text(const struct result *r) {
     if (r->options.stepper == STEPPER_RKL2 && r->saving > 0)
         printf("  %-14s the fewest stable Euler steps take %.3g times the updates\n", "saving", r->saving);
     printf("  %-14s E1 %.4e   L2 %.4e   L-infinity %.4e K\n", "error", r->error.l1, r->error.l2, r->error.linf);
+    if (r->derived_name)
+        printf("  %-14s %.6g %s (exact: %.6g), relative error %.4e\n", r->derived_name, r->derived, unit,
+               r->derived_exact, r->derived_error);
     if (r->time_error > 0) printf("  %-14s %.2g %% of E1\n", "time error", 100 * r->time_error);
     printf("  %-14s %.6g to %.6g K, past the initial range by %.2e above, %.2e below\n", "temperature", r->shape.min,
            r->shape.max, r->shape.overshoot, r->shape.undershoot);
@@ -86,7 +90,7 @@ int verb_run(const struct request *r, struct failure *why) {
     if (!status && r->json)
         print_json(&result, halfway_error(r->experiment.scene, &r->experiment.problem, &field));
     else if (!status)
-        print_text(&result);
+        print_text(&result, quantity_unit(&r->experiment.quantity, &r->experiment.problem));
     field_free(&field);
     return status;
 }
