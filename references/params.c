@@ -27,13 +27,9 @@ int params_between(const struct param *table, const struct problem *p, int i, do
                   value, lo, hi, gap, unit, colon, reason);
 }
 
-int params_positive(const struct param *table, const struct problem *p, int i, struct failure *why) {
-    return params_between(table, p, i, 0, INFINITY, NULL, why);
-}
-
 int params_all_positive(const struct param *table, const struct problem *p, const int *list, struct failure *why) {
     for (; *list >= 0; list++)
-        if (params_positive(table, p, *list, why)) return STATUS_INPUT;
+        if (params_between(table, p, *list, 0, INFINITY, NULL, why)) return STATUS_INPUT;
     return STATUS_OK;
 }
 

@@ -13,10 +13,7 @@ void params_keep(struct problem *p);
 int params_between(const struct param *table, const struct problem *p, int i, double lo, double hi,
                    const char *because, struct failure *why);
 
-/* param[i] > 0 */
-int params_positive(const struct param *table, const struct problem *p, int i, struct failure *why);
-
-/* every parameter of the list, ended by -1, > 0 */
+/* Every parameter of the list, ended by -1, > 0. */
 int params_all_positive(const struct param *table, const struct problem *p, const int *list, struct failure *why);
 
 /* param[i] finite */

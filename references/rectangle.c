@@ -35,20 +35,6 @@
 static const double pi = 3.14159265358979323846;
 static const double last_exponent = 41.5; /* exp(-41.5) = 9.5e-19 */
 
-double rectangle_sinh_ratio(double q, double a, double b) {
-    return exp(-q * (b - a)) * expm1(-2 * q * a) / expm1(-2 * q * b);
-}
-
-struct series_levin rectangle_steady_series(double xi, double W, double eta, double B, size_t n) {
-    double term[512];
-    if (n > sizeof term / sizeof *term) n = sizeof term / sizeof *term;
-    for (size_t i = 0; i < n; i++) {
-        double odd = 2 * (double)i + 1, q = odd * pi / B;
-        term[i] = 4 / (odd * pi) * sin(q * eta) * rectangle_sinh_ratio(q, W - xi, W);
-    }
-    return series_accelerate(term, n);
-}
-
 /* Place along an axis: distances to both ends, and the angle pi near/length with its sine and cosine. */
 struct place {
     double lo, hi, length, sine, cosine; /* cosine > 0 in the lower half */

@@ -33,10 +33,4 @@ struct approx rectangle_steady(double xi, double W, double eta, double B);
 /* The same after the time s, from quadrature over time of the wall's Green's function (rectangle_quadrature.c). */
 struct approx rectangle_quadrature(double xi, double W, double eta, double B, double s);
 
-/* The steady state from the first n terms of the sine series of Pamplona 2019 eq. 2, plainly and accelerated. */
-struct series_levin rectangle_steady_series(double xi, double W, double eta, double B, size_t n);
-
-/* sinh(q a)/sinh(q b) for 0 <= a <= b, q > 0, without overflow. */
-double rectangle_sinh_ratio(double q, double a, double b);
-
 #endif

@@ -13,7 +13,6 @@
 #include <math.h>
 
 #include <gsl/gsl_errno.h>
-#include <gsl/gsl_sum.h>
 
 static const double pi = 3.14159265358979323846;
 
@@ -158,19 +157,4 @@ struct curve series_gauss(double x, double L, double sigma) {
 
 struct curve series_gauss_other(double x, double L, double sigma) {
     return sigma <= L ? series_gauss_modes(x, L, sigma) : series_gauss_images(x, L, sigma);
-}
-
-struct series_levin series_accelerate(const double *term, size_t n) {
-    struct series_levin r = {0, 0, INFINITY, 0};
-    for (size_t i = 0; i < n; i++) r.plain += term[i];
-    r.accelerated = r.plain;
-    gsl_sum_levin_u_workspace *w = gsl_sum_levin_u_alloc(n);
-    double limit, error;
-    if (w && gsl_sum_levin_u_accel(term, n, w, &limit, &error) == GSL_SUCCESS) {
-        r.accelerated = limit;
-        r.error = error;
-        r.terms_used = w->terms_used;
-    }
-    gsl_sum_levin_u_free(w);
-    return r;
 }

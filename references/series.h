@@ -41,13 +41,4 @@ struct curve series_gauss_modes(double x, double L, double sigma);
 struct curve series_gauss(double x, double L, double sigma);
 struct curve series_gauss_other(double x, double L, double sigma);
 
-/* A sum from its first n terms, plainly and through the Levin u-transform (gsl_sum_levin_u_accel). */
-struct series_levin {
-    double plain;       /* sum of all n terms */
-    double accelerated; /* limit that the transform sees */
-    double error;       /* GSL's own estimate of its error; INFINITY where GSL failed */
-    size_t terms_used;  /* by the transform */
-};
-struct series_levin series_accelerate(const double *term, size_t n);
-
 #endif

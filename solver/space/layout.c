@@ -71,7 +71,8 @@ static double robin_factor(const struct problem *p, int side, double k, double d
     return ratio > 1 ? (1 / ratio - 1) / (1 / ratio + 1) : (1 - ratio) / (1 + ratio);
 }
 
-double layout_robin_sum(double robin, int k) {
+/* What ghost k = 1, 2, ... beyond a Robin side makes of a constant temperature. */
+static double robin_sum(double robin, int k) {
     double sum = robin;
     for (int i = 1; i < k; i++) sum = robin * (sum + 1) - 1;
     return sum;
@@ -163,7 +164,7 @@ static double reflect(const struct problem *p, enum walls walls, int axis, int s
     double k = p->material[layout_material(p, foot[0])].k[axis];
     if (p->side[side] == ROBIN) {
         int layer = l ? (int)round(d / l->dx[axis] + 0.5) : 0;
-        *sign = l ? layout_robin_sum(l->robin[side], layer) : robin_factor(p, side, k, d);
+        *sign = l ? robin_sum(l->robin[side], layer) : robin_factor(p, side, k, d);
         return (1 - *sign) * value;
     }
     if (p->side[side] == NEUMANN) {

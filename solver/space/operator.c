@@ -291,12 +291,3 @@ double operator_bound(const struct heat_operator *a) {
     }
     return most;
 }
-
-double operator_symbol(const struct heat_operator *a, const double theta[2]) {
-    double sum = 0;
-    for (int j = 0; j <= a->reach[1]; j++)
-        for (int i = 0; i <= a->reach[0]; i++)
-            sum += a->weight[j * (a->reach[0] + 1) + i] * (i ? 2 : 1) * (j ? 2 : 1) * cos(i * theta[0]) *
-                   cos(j * theta[1]);
-    return sum;
-}

@@ -11,8 +11,7 @@
 
 enum {
     NEIGHBOURS_MAX = 1024,
-    REACH_MAX = 32, /* of a stencil of the plane: that of NEIGHBOURS_MAX, twice for two sweeps */
-    LANES_MAX = 8   /* doubles in the widest vector of any machine */
+    LANES_MAX = 8 /* doubles in the widest vector of any machine */
 };
 
 struct neighbourhood { /* what a scheme sees of one particle */
@@ -110,8 +109,5 @@ void operator_row_take(const struct heat_operator *a, size_t i, struct row *r);
 
 /* An upper bound of |lambda| over the spectrum of A, s^-1 (Gershgorin). */
 double operator_bound(const struct heat_operator *a);
-
-/* Eigenvalue of the lattice operator at the wave numbers theta (radians a particle), s^-1. */
-double operator_symbol(const struct heat_operator *a, const double theta[2]);
 
 #endif

@@ -16,7 +16,7 @@
 #include <string.h>
 
 static const int COARSEST[3] = {0, 32, 16}, FINEST[3] = {0, 4096, 640}; /* particles along x, by dimension */
-enum { FAILURES = 2, ASYMPTOTIC = 3 };
+enum { FAILURES = 2 };
 
 struct bench_time bench_summary(double *seconds, int count) {
     gsl_sort(seconds, 1, (size_t)count);

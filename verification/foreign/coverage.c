@@ -37,7 +37,9 @@ static double cells(const struct problem *p, int a, double dx) {
     return fmax(1, nearbyint(extent(p, a) / dx));
 }
 
-size_t coverage_fewest(const struct problem *p, double dx) {
+/* The fewest points that dx asks for: with N = extent / dx cells along an axis, the N - 1 nodes between the walls of
+ * each axis, multiplied.  Cell centres are N, nodes with the walls N + 1, quadrature points more. */
+static size_t fewest_points(const struct problem *p, double dx) {
     double n = 1;
     for (int a = 0; a < p->dim; a++) n *= fmax(1, cells(p, a, dx) - 1);
     return (size_t)fmin(n, 1e18);
@@ -152,7 +154,7 @@ static int check_same(const struct samples *s, const struct problem *p, struct f
 }
 
 int coverage_check(const struct samples *s, const struct problem *p, double dx, struct failure *why) {
-    size_t fewest = coverage_fewest(p, dx);
+    size_t fewest = fewest_points(p, dx);
     if (check_inside(s, p, why)) return STATUS_INPUT;
     if (s->n < fewest)
         return refuse(why, STATUS_INPUT, "%.150s: %zu point%s where dx = %g m asks for %zu at least", s->path, s->n,

@@ -9,11 +9,8 @@ struct failure;
 struct problem;
 struct samples;
 
-/* The fewest points that dx asks for: with N = extent / dx cells along an axis, the N - 1 nodes between the walls of
- * each axis, multiplied.  Cell centres are N, nodes with the walls N + 1, quadrature points more. */
-size_t coverage_fewest(const struct problem *p, double dx);
-
-/* STATUS_OK; STATUS_INPUT with *why for a point outside of the domain, fewer points than dx asks for, the same point
+/* STATUS_OK; STATUS_INPUT with *why for a point outside of the domain, fewer points than dx asks for (N - 1 along
+ * an axis of N = extent / dx cells: the nodes between its walls), the same point
  * twice, or a part of the domain without one.  How large a part may be without: coverage.c. */
 int coverage_check(const struct samples *s, const struct problem *p, double dx, struct failure *why);
 

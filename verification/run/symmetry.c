@@ -49,7 +49,6 @@ static void mirror(double *x, int n, double lo, double hi) {
 static void restore(struct field *f, const struct problem *whole, const int cut[2]) {
     struct field part = *f;
     int copies = (cut[0] ? 2 : 1) * (cut[1] ? 2 : 1);
-    *f = part;
     f->n = part.n * (size_t)copies;
     f->x = xcalloc(f->n, sizeof *f->x);
     f->y = part.y ? xcalloc(f->n, sizeof *f->y) : NULL;

@@ -52,6 +52,16 @@ static void stencils_differentiate_polynomials_exactly(void **state) {
     assert_near(moment("so_ssph", o, kappa, 2, 2), 0, 1e-10);
 }
 
+/* Eigenvalue of the lattice operator at the wave numbers theta (radians a particle), s^-1. */
+static double symbol(const struct heat_operator *a, const double theta[2]) {
+    double sum = 0;
+    for (int j = 0; j <= a->reach[1]; j++)
+        for (int i = 0; i <= a->reach[0]; i++)
+            sum += a->weight[j * (a->reach[0] + 1) + i] * (i ? 2 : 1) * (j ? 2 : 1) * cos(i * theta[0]) *
+                   cos(j * theta[1]);
+    return sum;
+}
+
 static void fo_is_blind_to_the_checkerboard(void **state) {
     (void)state;
     struct problem p = odd_rectangle();
@@ -63,10 +73,10 @@ static void fo_is_blind_to_the_checkerboard(void **state) {
     const double corner[3][2] = {{M_PI, M_PI}, {M_PI, 0}, {0, M_PI}};
     for (int k = 0; k < 3; k++) {
         assert_int_equal(operator_create_lattice(&a, &p, &o, method_find("fo_ssph")->scheme, &l, &why), STATUS_OK);
-        assert_near(operator_symbol(&a, corner[k]), 0, 1e-10);
+        assert_near(symbol(&a, corner[k]), 0, 1e-10);
         operator_free(&a);
         assert_int_equal(operator_create_lattice(&a, &p, &o, method_find("so_ssph")->scheme, &l, &why), STATUS_OK);
-        assert_true(operator_symbol(&a, corner[k]) < -0.5 * 0.4 / 1.3 / (0.05 * 0.05));
+        assert_true(symbol(&a, corner[k]) < -0.5 * 0.4 / 1.3 / (0.05 * 0.05));
         operator_free(&a);
     }
 }
