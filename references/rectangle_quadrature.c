@@ -1,8 +1,8 @@
 /* Rectangle with one side switched on, from quadrature over time of the wall's Green's function.
  *
  * The hot side acts through the kernel of the half line, d/dt erfc(xi/s), on what the two neighbours leave of 1 by
- * then, a unit box that cools; images across xi = W of alternating sign make the far side cold.  With z = xi/sqrt(4
- * kappa tau)
+ * then, a unit box that cools; images across xi = W of alternating sign make the far side cold.  With
+ * z = xi/sqrt(4 kappa tau)
  *
  *     T = sum over images of +-2/sqrt(pi) int_{xi/s}^inf exp(-z^2) box(eta, xi/z) dz
  *

@@ -5,8 +5,8 @@
  *
  * The problem is linear: T = T0 + sum_i (T_i - T0) H_i, H_i the response to side i alone going from 0 to 1
  * (rectangle.c: strips for the steady part, a double sine series for the rest).  The second form integrates the
- * walls' Green's function over time.  Both are good to 1e-13 of
- * max|T_i - T0|.
+ * walls' Green's function over time.  Both are good to
+ * 1e-13 of max|T_i - T0|.
  *
  * As printed, the paper's solution is another one (`published`, with T0 = 0 as there; a = width, b = height):
  *   eq. 2: sinh(n pi (y - b)/a) is -sinh(n pi b/a) at y = 0, so that side takes -T1; likewise x = 0 takes -T4.

@@ -6,8 +6,7 @@
  * The benchmark is the steady state at the defaults: 18.25 K above 0 at (0.6, 0.2) m (The Standard NAFEMS Benchmarks,
  * 1990, test T4; Cameron, Casey, Simpson 1986).  It names no heat capacity and no start; these are ours, steel and
  * the air's temperature.  At the defaults the slowest mode decays in 5000 s; the plate is steady to round-off after
- * 210000 s
- * (--t-end 2.5e5).
+ * 210000 s (--t-end 2.5e5).
  *
  * The solution is a response to the hot side and what is left of the start (cooled_plate.c: early half lines and
  * modes); the second form is a steady series along x or y less the double series of what is missing

@@ -6,8 +6,8 @@
  *
  *     late:   u = (T_a - T1) h x/(1 + h L) + sum_n c_n sin(q_n x) exp(-(q_n s/2)^2),   q_n L cot(q_n L) = -h L
  *             c_n = ((T0 - T1) (1 - cos(q_n L)) + (T_a - T1) cos(q_n L))/(q_n N_n),   N_n = integral of sin(q_n x)^2
- *     early:  T = T0 + (T1 - T0) erfc(x/s) + (T_a - T0) (erfc(d/s) - exp(h d + (h s/2)^2) erfc(d/s + h s/2)),  d = L
- * - x
+ *     early:  T = T0 + (T1 - T0) erfc(x/s) + (T_a - T0) (erfc(d/s) - exp(h d + (h s/2)^2) erfc(d/s + h s/2)),
+ *             d = L - x
  *
  * (Carslaw and Jaeger 1959, sections 3.9 to 3.11 and 2.7).  Early: s <= 0.159 L, when either end does not feel the
  * other: erfc(L/s) < 7e-19.  At b = 0 the end is insulated; for b to infinity it is held at T_a. The second form

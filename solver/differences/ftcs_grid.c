@@ -2,8 +2,8 @@
  *
  *   given temperature  T_ghost = 2 T_wall - T_mirror + d^2 T_nn, or T_wall (`fixed`, Pamplona 2019; first order)
  *   given flux         T_ghost = T_mirror + 2 d (k dT/dn) / k + d^3/3 T_nnn
- *   cooled, Robin      T_ghost = T_mirror + 2 d b (T_a - T_mirror) / (k + b d): k dT/dn = b (T_a - T) midway, second
- * order
+ *   cooled, Robin      T_ghost = T_mirror + 2 d b (T_a - T_mirror) / (k + b d): k dT/dn = b (T_a - T) midway
+ *                      (second order)
  *
  * at the distance d from the wall.  What the wall holds is steady, so there the equation says k_n T_nn + k_t T_tt + G
  * = 0, and its normal derivative k_n T_nnn + k_t T_ntt + G_n = 0: T_tt, T_ntt and G_n follow from the data of the

@@ -1,7 +1,9 @@
-/* The matched run of the finite differences.  Euler's error, -(dt/2) T_tt, is -(dt/2) (kappa^2 T_xxxx + kappa
- * G_xx/rho_c) for a steady source: at kappa dt/dx^2 = 2A the first part cancels the error of space, A kappa dx^2
- * T_xxxx, and the source becomes G + A dx^2 G_xx, so that the second does nothing either, nor does the error of space
- * once steady. */
+/* The matched run of the finite differences.  With a steady source Euler's error is
+ *
+ *     -(dt/2) T_tt = -(dt/2) (kappa^2 T_xxxx + kappa G_xx/rho_c).
+ *
+ * At kappa dt/dx^2 = 2A its first part cancels the error of space, A kappa dx^2 T_xxxx.  The source becomes
+ * G + A dx^2 G_xx, which cancels the second part, and the error of space once steady. */
 #include "solver/differences/ftcs_matched.h"
 
 #include "solver/problem.h"

@@ -12,10 +12,11 @@
  *   Neumann    T_g = T_source + 2 d q / k_n + d^3/3 T_nnn + O(d^5)
  *   Robin      T_g = f T_source + (1 - f) T_a + O(d^3), f = (k_n - b d)/(k_n + b d): k_n dT/dn = b (T_a - T) midway
  * Sides and source do not change in time, so that the equation gives k_n T_nn = -G - k_t T_tt on a Dirichlet wall
- * and, from its derivative, k_n T_nnn = -G_n - k_t (q/k_n)_tt on a Neumann wall.  With central differences of step d
- *   d^2 T_nn = -(d^2 G + k_t D^2 T_wall) / k_n,   d^3/3 T_nnn = -(d^2/6 (G_g - G_source) + d/3 k_t D^2 q / k_n) /
- * k_n, D^2 f = f(t + d) - 2 f(t) + f(t - d), keep these orders.  At a corner wall data and source are taken where
- * their formulas continue them. */
+ * and, from its derivative, k_n T_nnn = -G_n - k_t (q/k_n)_tt on a Neumann wall.  Central differences of step d,
+ * D^2 f = f(t + d) - 2 f(t) + f(t - d), keep these orders:
+ *   d^2 T_nn = -(d^2 G + k_t D^2 T_wall) / k_n
+ *   d^3/3 T_nnn = -(d^2/6 (G_g - G_source) + d/3 k_t D^2 q / k_n) / k_n
+ * At a corner, wall data and source are taken where their formulas continue them. */
 #include "solver/space/layout.h"
 
 #include "solver/space/place.h"

@@ -13,9 +13,10 @@ struct lattice {
     int n[2];        /* unknowns along x and y; n[1] = 1 for a rod */
     double dx[2];    /* m; dx[1] = 1 for a rod */
     double first[2]; /* m, position of unknown 0 */
-    int shift[4]; /* the ghost k = 1, 2, ... beyond a side mirrors unknown k - 1 + shift, counted from that side; */
-    int sign[4];  /* below 0 that is the wall itself.  -1 odd, +1 even, 0 a ghost that holds the wall's value, */
-    double robin[4]; /* LAYOUT_ROBIN: T_-1 = robin T_0 and T_-k-1 = robin (T_-k + T_k) - T_k-1, and offsets */
+    /* Ghosts k = 1, 2, ... beyond side s: */
+    int shift[4];    /* mirror unknown k - 1 + shift[s], counted from that side; below 0 it is the wall itself */
+    int sign[4];     /* -1: odd; 1: even; 0: they hold the wall's value; LAYOUT_ROBIN: as `robin` says */
+    double robin[4]; /* T_-1 = robin T_0 and T_-k-1 = robin (T_-k + T_k) - T_k-1, and offsets */
 };
 
 enum { LAYOUT_ROBIN = 2 };

@@ -10,8 +10,8 @@
 
 /* Two doubles: what every machine of 64 bits has.  No wider ones, since x is not where a vector could load it.  Of
  * 3840 rows of 15 entries (AVX-512) an entry takes 0.32 ns by pairs of single loads, 0.43 by four of them in one
- * vector of four, 0.60 by gathers of four and 0.53 of eight; of 10^6 rows, which come from
- * memory, 1.40, 1.45, 1.36, 1.31. */
+ * vector of four, 0.60 by gathers of four and 0.53 of eight; of 10^6 rows, which come from memory, 1.40, 1.45, 1.36
+ * and 1.31. */
 typedef double two __attribute__((vector_size(16)));
 
 INLINE two load(const double *from) {

@@ -1,8 +1,10 @@
 /* The exact solution of the semi-discrete problem dT/dt = A T + g on a lattice.
  *
  * Stencils are even and ghosts mirror, so A is diagonal under the sine or cosine transform that has the walls'
- * parity: T^(t) = exp(lambda t) T^(0) + t phi(lambda t) g^,   phi(z) = (exp(z) - 1) / z, lambda = sum_ij w_ij cos(i
- * theta_x) cos(j theta_y) the symbol at the transform's wave numbers.
+ * parity, and its eigenvalues are the symbol at the transform's wave numbers:
+ *
+ *     T^(t) = exp(lambda t) T^(0) + t phi(lambda t) g^,   phi(z) = (exp(z) - 1) / z,
+ *     lambda = sum_ij w_ij cos(i theta_x) cos(j theta_y).
  *
  * On a plane the work is less than that of two transforms of all values where
  *   - the data are a sum of R products X(x) Y(y), seen by elimination: their transform is that of 2 R lines;

@@ -15,11 +15,12 @@
  * RKL2 multiplies what is stiff by 1 - b_s, a half, a step: what a jump sets in motion takes twenty steps to go,
  * however small the error of each.  Where there is one, two quarters of the first step are taken by Gegenbauer's
  * polynomials with parameter 5/2, of first order, which have no such term (as Rannacher starts the method of Crank
- * and Nicolson by implicit half steps), and its other half by RKL2: T becomes C_s(1 + w (dt/4) L) T / C_s(1),   w = 6
- * / (s (s + 5)), u_n = (2n + 3)/(n + 4) (u_{n-1} + w (dt/4) L(u_{n-1})) - (n - 1)/(n + 4) u_{n-2}. Two steps of error
- * O(dt^2) leave the order at 2: they add (lambda dt)^2 / 64 to RKL2's lambda t (lambda dt)^2 / 18, of the other sign.
- * |C_s(x) / C_s(1)| falls as 1 / (1 - x^2) away from x = 1, but is 1 at x = -1, from which 12 / s^2 is kept: stable
- * and damping for dt/4 <= (s^2 + 5s - 6) / (3 |lambda|_max).
+ * and Nicolson by implicit half steps), and its other half by RKL2:
+ *        T becomes C_s(1 + w (dt/4) L) T / C_s(1),   w = 6 / (s (s + 5)),
+ *        u_n = (2n + 3)/(n + 4) (u_{n-1} + w (dt/4) L(u_{n-1})) - (n - 1)/(n + 4) u_{n-2}.
+ * Two steps of error O(dt^2) leave the order at 2: they add (lambda dt)^2 / 64 to RKL2's lambda t (lambda dt)^2 / 18,
+ * of the other sign.  |C_s(x) / C_s(1)| falls as 1 / (1 - x^2) away from x = 1, but is 1 at x = -1, so that x stays
+ * 12 / s^2 away from -1: stable and damping for dt/4 <= (s^2 + 5s - 6) / (3 |lambda|_max).
  *
  * chebyshev  exp(dt L) to rounding, for a spectrum near the real axis (chebyshev.c) */
 #include "solver/time/stepper.h"

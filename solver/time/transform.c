@@ -10,11 +10,13 @@
  * plane.  Plans of the first KEPT lengths are kept for the life of the program: to plan a short line takes thirty
  * times as long as to transform it.  No result depends on whether one was kept.
  *
- * With a Robin wall (ghosts as in layout.h) the modes are phi_k(i) = cos(theta_k (i + 1/2) - psi_lo), tan psi = (1 -
- * f) /
- * ((1 + f) tan(theta/2)) at a wall of factor f, since T_-1 = f T_0, and n theta_k = k pi + psi_lo + psi_hi, k = 0 ..
- * n - 1: the right side falls from (k + 1) pi at most to k pi at least, so that each interval of pi / n has one root.
- * They are the eigenvectors of a symmetric matrix, and so orthogonal: a table of n x n of them, of unit length, is
+ * With a Robin wall (ghosts as in layout.h) the modes are, k = 0 .. n - 1,
+ *
+ *     phi_k(i) = cos(theta_k (i + 1/2) - psi_lo),   n theta_k = k pi + psi_lo + psi_hi,
+ *     tan psi = (1 - f) / ((1 + f) tan(theta/2)) at a wall of factor f, since T_-1 = f T_0.
+ *
+ * As theta_k grows by pi / n, the right side falls from (k + 1) pi at most to k pi at least: one root for each k.
+ * These are the eigenvectors of a symmetric matrix, and so orthogonal: a table of n x n of them, of unit length, is
  * its own inverse.  f = -1 and 1 are the sines and cosines above. */
 #include "solver/time/transform.h"
 

@@ -19,8 +19,8 @@ struct choose {
     int reached;                                 /* 1: the proof has the error */
     struct extrapolation best;                   /* what that run was, as predicted before it */
     struct result proof;                         /* the best of the proving runs */
-    struct forewarned forewarned;                /* proving runs */
     double between;                              /* its E1 half-way between the particles */
+    struct forewarned forewarned;                /* of the proving runs */
 };
 
 /* No run takes more than work_max.  STATUS_OK; STATUS_GATE where the error was not reached (the best is in *c); or

@@ -2,9 +2,9 @@
  *
  * Four ways in which a straight line through (log x, log error) can mislead, and what is asked beside the fit:
  *
- *   A ladder that flattens.  A share f of the finest error that does not fall takes (r^p - 1)/log r^p f, here of
- * ratio r = 2 and p = 2 some f, off p in the last local slope, but r^-p as much in the slope before, and so on: the
- * mean over many rungs hides it.  The local slope of the two finest rungs must lie in the band.
+ *   A ladder that flattens.  A share f of the finest error that does not fall takes f (1 - r^-p)/log r off p in the
+ *   last local slope (some f for r = 2 and p = 2), but only r^-p as much off the slope before, and so on: the mean
+ *   over many rungs hides it.  The local slope of the two finest rungs must lie in the band.
  *
  *   Errors that scatter.  With a relative scatter s a local slope has the standard error sqrt(2) s/log r: 0.2 for
  *   s = 0.1 and r = 2, which no band of +-0.1 holds.  There the slope is that of the finer half of the local slopes,
@@ -19,7 +19,7 @@
  *   finest error at most.  It is a linear least-squares fit of C x^p/E + F/E = 1 for each p of the band.  The rungs
  *   are the finest that span a factor of 4 (at least four), since coarser ones have terms of higher order instead; of
  *   scattered errors all, and a floor counts where it is significant: an F-test at 1 % of what it takes off the sum
- * of squares.  Where the band holds an order of 0 a floor is what was expected. */
+ *   of squares.  Where the band holds an order of 0 a floor is what was expected. */
 #include "verification/ladder/judge.h"
 
 #include "verification/ladder/slope.h"

@@ -22,8 +22,7 @@ struct result {
     double saving; /* updates of the fewest stable Euler steps over those taken (RKL2); NaN where unknown */
     size_t particles;
     struct norms_error error;
-    struct norms_error interior,
-        boundary; /* apart by the distance to the nearest wall, a tenth of the least extent */
+    struct norms_error interior, boundary; /* a tenth of the least extent or more from the nearest wall, and nearer */
     struct norms_shape shape;
     struct settling settling; /* of a relaxed cloud */
     double heat_drift;
