@@ -21,7 +21,7 @@ struct cell {
 struct work {
     const struct compare *c;
     struct published t;
-    int choices, cases;
+    int choices;
     struct cell *cell; /* [choice][method][column] */
 };
 

@@ -139,20 +139,20 @@ static void write_isotherms(const struct figure *figure, const struct figure_ser
 static void write_series(const struct figure *figure, const struct figure_series *s, const struct command_run *run,
                          FILE *out) {
     int rod = run->request.experiment.problem.dim == 1;
-    if (s->part == REPORT_FIGURE_ISOTHERMS) {
+    if (s->part == FIGURE_ISOTHERMS) {
         write_isotherms(figure, s, run, out);
         return;
     }
-    int surface = s->part == REPORT_FIGURE_START && !rod;
+    int surface = s->part == FIGURE_START && !rod;
     head(out, s->name, s->command, surface ? "x [m],y [m],T [K]" : "x [m],T [K]");
-    if (s->part == REPORT_FIGURE_EXACT)
+    if (s->part == FIGURE_EXACT)
         write_exact(run, out);
-    else if (s->part == REPORT_FIGURE_CUT)
+    else if (s->part == FIGURE_CUT)
         write_cut(run, s->at, out);
     else if (surface)
         write_rows(run, out);
     else
-        write_rod(run, s->part == REPORT_FIGURE_START, out);
+        write_rod(run, s->part == FIGURE_START, out);
 }
 
 static void write_head(const struct figure *figure, int n, FILE *out) {
@@ -161,9 +161,9 @@ static void write_head(const struct figure *figure, int n, FILE *out) {
         const struct figure_series *s = &figure->series[i];
         int again = 0;
         for (int j = 0; j < i; j++) again |= strcmp(figure->series[j].command, s->command) == 0;
-        if (!again && s->part != REPORT_FIGURE_EXACT)
+        if (!again && s->part != FIGURE_EXACT)
             fprintf(out, "# command: heatladder %s%s\n", s->command,
-                    s->part == REPORT_FIGURE_START ? "  (its start)" : "");
+                    s->part == FIGURE_START ? "  (its start)" : "");
     }
 }
 

@@ -13,11 +13,11 @@
 struct failure;
 
 enum figure_part {
-    REPORT_FIGURE_POINTS,    /* `run`: x,T of a rod */
-    REPORT_FIGURE_START,     /* `run`: the initial data at its points; x,T or x,y,T by rows */
-    REPORT_FIGURE_CUT,       /* `run`: x,T along y = at */
-    REPORT_FIGURE_EXACT,     /* `reference`: x,T finely, of a rod or along the y of --at */
-    REPORT_FIGURE_ISOTHERMS, /* `run`: isotherms, those of the exact solution, where to write their levels; and E, %
+    FIGURE_POINTS,    /* `run`: x,T of a rod */
+    FIGURE_START,     /* `run`: the initial data at its points; x,T or x,y,T by rows */
+    FIGURE_CUT,       /* `run`: x,T along y = at */
+    FIGURE_EXACT,     /* `reference`: x,T finely, of a rod or along the y of --at */
+    FIGURE_ISOTHERMS, /* `run`: isotherms, those of the exact solution, where to write their levels; and E, %
                               */
 };
 

@@ -18,7 +18,7 @@ static int write_isotherms(const char *name, const char *title, const char *word
     if (published_read(&t, "pamplona_table1", why)) return why->status;
     for (int k = 0; k < PLATE_TIMES; k++) {
         snprintf(command[k], sizeof command[k], "run plate %s --t-end %s", words, t.where[k]);
-        series[k] = (struct figure_series){t.where[k], command[k], REPORT_FIGURE_ISOTHERMS, 0};
+        series[k] = (struct figure_series){t.where[k], command[k], FIGURE_ISOTHERMS, 0};
     }
     struct figure figure = {name, title, series, {0.125, 0.1, 0.925}};
     return figure_write(&figure, dir, why);

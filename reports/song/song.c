@@ -13,15 +13,15 @@
 #define SQUARE "--dx 0.1 --h 1.1 --stepper euler --dt 0.001"
 /* A curve of a run, or of the exact solution, at a time in s. */
 #define ROD_RUN(t)                                                                                                   \
-    { "so_ssph " #t, "run rod-step so_ssph " ROD " --t-end " #t, REPORT_FIGURE_POINTS, 0 }
+    { "so_ssph " #t, "run rod-step so_ssph " ROD " --t-end " #t, FIGURE_POINTS, 0 }
 #define ROD_EXACT(t)                                                                                                 \
-    { "exact " #t, "reference rod-step --at 0 --time " #t, REPORT_FIGURE_EXACT, 0 }
+    { "exact " #t, "reference rod-step --at 0 --time " #t, FIGURE_EXACT, 0 }
 #define CUT_RUN(t)                                                                                                   \
-    { "so_ssph " #t, "run square-step so_ssph " SQUARE " --t-end " #t, REPORT_FIGURE_CUT, 0.05 }
+    { "so_ssph " #t, "run square-step so_ssph " SQUARE " --t-end " #t, FIGURE_CUT, 0.05 }
 #define CUT_EXACT(t)                                                                                                 \
-    { "exact " #t, "reference square-step --at 0,0.05 --time " #t, REPORT_FIGURE_EXACT, 0 }
+    { "exact " #t, "reference square-step --at 0,0.05 --time " #t, FIGURE_EXACT, 0 }
 #define ISOTHERMS(t)                                                                                                 \
-    { #t " s", "run square-step so_ssph " SQUARE " --t-end " #t, REPORT_FIGURE_ISOTHERMS, 0 }
+    { #t " s", "run square-step so_ssph " SQUARE " --t-end " #t, FIGURE_ISOTHERMS, 0 }
 #define END                                                                                                          \
     { 0 }
 
@@ -99,15 +99,15 @@ static const struct compare tables[] = {
 static const struct figure figures[] = {
     {"song_fig1a",
      "Song 2018, Figure 1a: the rod at the start",
-     (const struct figure_series[]){{"exact", "reference rod-step --at 0 --time 0", REPORT_FIGURE_EXACT, 0},
-                                    {"particles", "run rod-step so_ssph " ROD, REPORT_FIGURE_START, 0},
+     (const struct figure_series[]){{"exact", "reference rod-step --at 0 --time 0", FIGURE_EXACT, 0},
+                                    {"particles", "run rod-step so_ssph " ROD, FIGURE_START, 0},
                                     END},
      {0}},
     {"song_fig1b",
      "Song 2018, Figure 1b: FO-SSPH and SO-SSPH on the rod, t = 5 s",
-     (const struct figure_series[]){{"exact", "reference rod-step --at 0 --time 5", REPORT_FIGURE_EXACT, 0},
-                                    {"fo_ssph", "run rod-step fo_ssph " ROD, REPORT_FIGURE_POINTS, 0},
-                                    {"so_ssph", "run rod-step so_ssph " ROD, REPORT_FIGURE_POINTS, 0},
+     (const struct figure_series[]){{"exact", "reference rod-step --at 0 --time 5", FIGURE_EXACT, 0},
+                                    {"fo_ssph", "run rod-step fo_ssph " ROD, FIGURE_POINTS, 0},
+                                    {"so_ssph", "run rod-step so_ssph " ROD, FIGURE_POINTS, 0},
                                     END},
      {0}},
     {"song_fig1c",
@@ -118,20 +118,20 @@ static const struct figure figures[] = {
     {"song_fig1d",
      "Song 2018, Figure 1d: FTCS on the rod, with and without heat fluxes, t = 5 s",
      (const struct figure_series[]){
-         {"exact", "reference rod-step --at 0 --time 5", REPORT_FIGURE_EXACT, 0},
-         {"ftcs_flux", "run rod-step ftcs_flux --dx 0.1 --dt 5e-5", REPORT_FIGURE_POINTS, 0},
-         {"ftcs direct", "run rod-step ftcs --dx 0.1 --dt 5e-5", REPORT_FIGURE_POINTS, 0},
+         {"exact", "reference rod-step --at 0 --time 5", FIGURE_EXACT, 0},
+         {"ftcs_flux", "run rod-step ftcs_flux --dx 0.1 --dt 5e-5", FIGURE_POINTS, 0},
+         {"ftcs direct", "run rod-step ftcs --dx 0.1 --dt 5e-5", FIGURE_POINTS, 0},
          END},
      {0}},
     {"song_fig3a",
      "Song 2018, Figure 3a: the square at the start",
-     (const struct figure_series[]){{"particles", "run square-step so_ssph " SQUARE, REPORT_FIGURE_START, 0}, END},
+     (const struct figure_series[]){{"particles", "run square-step so_ssph " SQUARE, FIGURE_START, 0}, END},
      {0}},
     {"song_fig3b",
      "Song 2018, Figure 3b: FO-SSPH and SO-SSPH on the square along y = 0.05 m, t = 5 s",
-     (const struct figure_series[]){{"exact", "reference square-step --at 0,0.05 --time 5", REPORT_FIGURE_EXACT, 0},
-                                    {"fo_ssph", "run square-step fo_ssph " SQUARE, REPORT_FIGURE_CUT, 0.05},
-                                    {"so_ssph", "run square-step so_ssph " SQUARE, REPORT_FIGURE_CUT, 0.05},
+     (const struct figure_series[]){{"exact", "reference square-step --at 0,0.05 --time 5", FIGURE_EXACT, 0},
+                                    {"fo_ssph", "run square-step fo_ssph " SQUARE, FIGURE_CUT, 0.05},
+                                    {"so_ssph", "run square-step so_ssph " SQUARE, FIGURE_CUT, 0.05},
                                     END},
      {0}},
     {"song_fig4",

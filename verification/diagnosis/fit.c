@@ -42,9 +42,9 @@ struct fit fit_fault(const struct fit_errors *s, const double *f) {
     }
     if (!(a[0][0] > 0 && a[1][1] > 0)) return (struct fit){0, 0, 0};
     double x[N] = {-1, 0, 0, 0, s->is_mean ? 0.5 : 0}; /* of e, f, g, h, m: x.v is what is left */
-    int free = s->is_mean && a[1][4] * a[1][4] < FIT_SHARE * a[1][1] * a[4][4] ? N : N - 1;
+    int numbers = s->is_mean && a[1][4] * a[1][4] < FIT_SHARE * a[1][1] * a[4][4] ? N : N - 1;
     for (int round = 0; round < ROUNDS; round++)
-        for (int k = 1; k < free; k++) {
+        for (int k = 1; k < numbers; k++) {
             double rest = 0;
             for (int l = 0; l < N; l++) rest -= l == k ? 0 : a[k][l] * x[l];
             x[k] = a[k][k] > 0 ? rest / a[k][k] : 0;
