@@ -1,4 +1,4 @@
-/* The list of methods. */
+/* The list of methods, and calls of one. */
 #include "solver/method.h"
 
 #include <string.h>
@@ -17,4 +17,14 @@ const struct method *method_find(const char *name) {
     for (int i = 0; methods[i]; i++)
         if (strcmp(methods[i]->name, name) == 0) return methods[i];
     return NULL;
+}
+
+int method_solve(const struct method *m, const struct problem *p, const struct options *o, struct field *f,
+                 struct failure *why) {
+    return m->solve(m, p, o, f, why);
+}
+
+int method_outline(const struct method *m, const struct problem *p, const struct options *o, struct outline *out,
+                   struct failure *why) {
+    return m->outline(m, p, o, out, why);
 }

@@ -162,8 +162,7 @@ static void write_head(const struct figure *figure, int n, FILE *out) {
         int again = 0;
         for (int j = 0; j < i; j++) again |= strcmp(figure->series[j].command, s->command) == 0;
         if (!again && s->part != FIGURE_EXACT)
-            fprintf(out, "# command: heatladder %s%s\n", s->command,
-                    s->part == FIGURE_START ? "  (its start)" : "");
+            fprintf(out, "# command: heatladder %s%s\n", s->command, s->part == FIGURE_START ? "  (its start)" : "");
     }
 }
 

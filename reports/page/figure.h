@@ -17,8 +17,7 @@ enum figure_part {
     FIGURE_START,     /* `run`: the initial data at its points; x,T or x,y,T by rows */
     FIGURE_CUT,       /* `run`: x,T along y = at */
     FIGURE_EXACT,     /* `reference`: x,T finely, of a rod or along the y of --at */
-    FIGURE_ISOTHERMS, /* `run`: isotherms, those of the exact solution, where to write their levels; and E, %
-                              */
+    FIGURE_ISOTHERMS, /* `run`: isotherms, those of the exact solution, where to write their levels; and E in % */
 };
 
 struct figure_series {

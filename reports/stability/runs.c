@@ -21,7 +21,7 @@ static double apart(const struct model_problem *b, double F, long long steps) {
         struct problem p = model_problem_setup(b, PROBE_HILL, i * DISTURBANCE);
         p.t_end = F * (double)steps;
         o.dt = F;
-        if (!b->method->solve(&p, &o, &f[i], &why)) continue;
+        if (!method_solve(b->method, &p, &o, &f[i], &why)) continue;
         if (i) field_free(&f[0]);
         return NAN;
     }

@@ -96,7 +96,9 @@ static int check_stable(const struct ftcs_grid *g, long long step, struct failur
     return STATUS_OK;
 }
 
-/* ---- The method ---- */
+/* ---- The methods ---- */
+
+extern const struct method method_ftcs_flux;
 
 static double heat(const struct ftcs_grid *g) {
     long double sum = 0;
@@ -160,11 +162,12 @@ static void count(const struct ftcs_grid *g, const struct options *o, struct fie
     f->work += OUTLINE_SCALAR * OUTLINE_GHOST * ((double)g->size - n) * (double)g->steps;
 }
 
-static int outline(const char *method, int with_fluxes, const struct problem *p, const struct options *o,
-                   struct outline *out, struct failure *why) {
+static int outline(const struct method *m, const struct problem *p, const struct options *o, struct outline *out,
+                   struct failure *why) {
     struct ftcs_grid g;
+    const int with_fluxes = m == &method_ftcs_flux;
     *out = (struct outline){0};
-    if (ftcs_plan(&g, method, with_fluxes, p, o, why)) return why->status;
+    if (ftcs_plan(&g, m->name, with_fluxes, p, o, why)) return why->status;
     size_t nx = (size_t)g.n[0], ny = (size_t)g.n[1], rows = g.dim == 2 ? 1 : 0, unit = sizeof(double);
     count(&g, o, &out->run);
     out->weights = "one stencil for all points: a grid of one material";
@@ -183,11 +186,11 @@ static int outline(const char *method, int with_fluxes, const struct problem *p,
     return STATUS_OK;
 }
 
-static int solve(const char *method, int with_fluxes, const struct problem *p, const struct options *o,
-                 struct field *f, struct failure *why) {
+static int solve(const struct method *m, const struct problem *p, const struct options *o, struct field *f,
+                 struct failure *why) {
     struct ftcs_grid g;
     double called = seconds_now();
-    int status = ftcs_grid_make(&g, method, with_fluxes, p, o, why);
+    int status = ftcs_grid_make(&g, m->name, m == &method_ftcs_flux, p, o, why);
     if (status) return status;
     double before = heat(&g), stepping = seconds_now();
     status = run(&g, p, why);
@@ -212,36 +215,18 @@ static int solve(const char *method, int with_fluxes, const struct problem *p, c
     return status;
 }
 
-static int solve_direct(const struct problem *p, const struct options *o, struct field *f, struct failure *why) {
-    return solve("ftcs", 0, p, o, f, why);
-}
-
-static int solve_fluxes(const struct problem *p, const struct options *o, struct field *f, struct failure *why) {
-    return solve("ftcs_flux", 1, p, o, f, why);
-}
-
-static int outline_direct(const struct problem *p, const struct options *o, struct outline *out,
-                          struct failure *why) {
-    return outline("ftcs", 0, p, o, out, why);
-}
-
-static int outline_fluxes(const struct problem *p, const struct options *o, struct outline *out,
-                          struct failure *why) {
-    return outline("ftcs_flux", 1, p, o, out, why);
-}
-
 const struct method method_ftcs = {
     .name = "ftcs",
     .about = "finite differences, (T[i+1] - 2 T[i] + T[i-1])/dx^2, Euler: Song eq. 5, Pamplona eq. 16",
     .accepts = "stepper layout sampling walls mean",
-    .solve = solve_direct,
-    .outline = outline_direct,
+    .solve = solve,
+    .outline = outline,
 };
 
 const struct method method_ftcs_flux = {
     .name = "ftcs_flux",
     .about = "finite differences through the heat fluxes, (q[i+1] - q[i-1])/(2 dx), Euler: Song eq. 6",
     .accepts = "stepper layout sampling walls",
-    .solve = solve_fluxes,
-    .outline = outline_fluxes,
+    .solve = solve,
+    .outline = outline,
 };

@@ -81,19 +81,11 @@ static int weights(const struct problem *p, const struct options *o, const struc
 
 static const struct scheme scheme = {.sweeps = 1, .check = check, .volume = volume, .weights = weights};
 
-static int solve(const struct problem *p, const struct options *o, struct field *f, struct failure *why) {
-    return particles_solve(p, o, &scheme, f, why);
-}
-
-static int outline(const struct problem *p, const struct options *o, struct outline *out, struct failure *why) {
-    return particles_outline(p, o, &scheme, out, why);
-}
-
 const struct method method_brookshaw = {
     .name = "brookshaw",
     .about = "Brookshaw's pair operator with Cleary & Monaghan's conductivity (Pamplona eq. 13)",
     .accepts = "stepper kernel h layout jitter grading sweeps redraw seed sampling walls mean volume xi",
     .scheme = &scheme,
-    .solve = solve,
-    .outline = outline,
+    .solve = particles_solve,
+    .outline = particles_outline,
 };

@@ -60,19 +60,11 @@ static int weights(const struct problem *p, const struct options *o, const struc
 static const struct scheme scheme = {
     .sweeps = 2, .check = check, .volume = volume, .weights = weights, .pairs = pairs};
 
-static int solve(const struct problem *p, const struct options *o, struct field *f, struct failure *why) {
-    return particles_solve(p, o, &scheme, f, why);
-}
-
-static int outline(const struct problem *p, const struct options *o, struct outline *out, struct failure *why) {
-    return particles_outline(p, o, &scheme, out, why);
-}
-
 const struct method method_flux_divergence = {
     .name = "flux_divergence",
     .about = "the divergence of the flux by the kernel's gradient, twice (Pamplona eq. 10)",
     .accepts = "stepper kernel h layout jitter grading sweeps redraw seed sampling walls volume",
     .scheme = &scheme,
-    .solve = solve,
-    .outline = outline,
+    .solve = particles_solve,
+    .outline = particles_outline,
 };

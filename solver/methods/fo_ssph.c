@@ -30,19 +30,11 @@ static int weights(const struct problem *p, const struct options *o, const struc
 
 static const struct scheme scheme = {.sweeps = 2, .check = check, .weights = weights, .pairs = pairs};
 
-static int solve(const struct problem *p, const struct options *o, struct field *f, struct failure *why) {
-    return particles_solve(p, o, &scheme, f, why);
-}
-
-static int outline(const struct problem *p, const struct options *o, struct outline *out, struct failure *why) {
-    return particles_outline(p, o, &scheme, out, why);
-}
-
 const struct method method_fo_ssph = {
     .name = "fo_ssph",
     .about = "first-order symmetric SPH: q = -kappa <grad T>, dT/dt = -<div q> (Song eqs. 13, 37)",
     .accepts = "stepper kernel h layout jitter grading sweeps redraw seed sampling walls",
     .scheme = &scheme,
-    .solve = solve,
-    .outline = outline,
+    .solve = particles_solve,
+    .outline = particles_outline,
 };

@@ -54,19 +54,11 @@ static int weights(const struct problem *p, const struct options *o, const struc
 
 static const struct scheme scheme = {.sweeps = 1, .check = check, .volume = volume, .weights = weights};
 
-static int solve(const struct problem *p, const struct options *o, struct field *f, struct failure *why) {
-    return particles_solve(p, o, &scheme, f, why);
-}
-
-static int outline(const struct problem *p, const struct options *o, struct outline *out, struct failure *why) {
-    return particles_outline(p, o, &scheme, out, why);
-}
-
 const struct method method_kernel_second = {
     .name = "kernel_second",
     .about = "the kernel's second derivative, sum_j V_j (T_j - T_i) lap W (Takeda et al. 1994)",
     .accepts = "stepper kernel h layout jitter grading sweeps redraw seed sampling walls volume",
     .scheme = &scheme,
-    .solve = solve,
-    .outline = outline,
+    .solve = particles_solve,
+    .outline = particles_outline,
 };

@@ -267,9 +267,10 @@ static int integrate(const struct problem *p, const struct options *o, const str
     return stepper_march(a, &m, f->T, &f->bytes, why);
 }
 
-int particles_solve(const struct problem *p, const struct options *given, const struct scheme *s, struct field *out,
+int particles_solve(const struct method *m, const struct problem *p, const struct options *given, struct field *out,
                     struct failure *why) {
     double begin = now();
+    const struct scheme *s = m->scheme;
     struct options resolved, *o = &resolved;
     struct lattice l;
     int rows;

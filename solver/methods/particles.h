@@ -6,13 +6,13 @@
 
 struct outline;
 
-/* A whole run of a particle method: layout, sampling, operator, stepper, field.  As struct method's solve. */
-int particles_solve(const struct problem *p, const struct options *o, const struct scheme *s, struct field *f,
+/* `solve` of a method with a scheme: layout, sampling, operator, stepper, field. */
+int particles_solve(const struct method *m, const struct problem *p, const struct options *o, struct field *f,
                     struct failure *why);
 
-/* What that would store and do.  As struct method's outline; rows are assembled for it, those of a coarser lattice
- * where there are more than 2e5 particles. */
-int particles_outline(const struct problem *p, const struct options *o, const struct scheme *s, struct outline *out,
+/* `outline` of a method with a scheme.  Rows are assembled for it, those of a coarser lattice where there are more
+ * than 2e5 particles. */
+int particles_outline(const struct method *m, const struct problem *p, const struct options *o, struct outline *out,
                       struct failure *why);
 
 /* ---- The parts of both ---- */

@@ -78,23 +78,24 @@ static const char *weights_of(const struct problem *p, int rows) {
                                : "a row for each particle: off the lattice each has its own neighbours";
 }
 
-int particles_outline(const struct problem *p, const struct options *given, const struct scheme *s,
+int particles_outline(const struct method *m, const struct problem *p, const struct options *given,
                       struct outline *out, struct failure *why) {
+    const struct scheme *s = m->scheme;
     struct options resolved, *o = &resolved;
     struct lattice l;
     struct heat_operator a = {0};
-    struct march m;
+    struct march march;
     double bound = 0;
     *out = (struct outline){0};
     if (particles_prepare(p, given, s, o, &l, &out->rows, why)) return why->status;
     int status =
         out->rows ? count_rows(p, o, s, &l, &a, &bound, out, why) : operator_outline_lattice(&a, p, o, s, &l, why);
     if (!status && !out->rows) bound = operator_bound(&a);
-    if (!status) status = particles_march(p, o, s, &l, &a, bound, &m, why);
+    if (!status) status = particles_march(p, o, s, &l, &a, bound, &march, why);
     if (!status) {
         out->weights = weights_of(p, out->rows);
-        particles_count(p, o, s, &l, &a, &m, &out->run);
-        hold(p, o, &a, &m, out);
+        particles_count(p, o, s, &l, &a, &march, &out->run);
+        hold(p, o, &a, &march, out);
         if (start_is_kept(p, o, s))
             outline_hold(out, "rows once more, for what they keep of the start", 3 * a.bytes, OUTLINE_SET_UP,
                          OUTLINE_SET_UP);

@@ -36,19 +36,11 @@ static int weights(const struct problem *p, const struct options *o, const struc
 
 static const struct scheme scheme = {.sweeps = 1, .check = check, .weights = weights};
 
-static int solve(const struct problem *p, const struct options *o, struct field *f, struct failure *why) {
-    return particles_solve(p, o, &scheme, f, why);
-}
-
-static int outline(const struct problem *p, const struct options *o, struct outline *out, struct failure *why) {
-    return particles_outline(p, o, &scheme, out, why);
-}
-
 const struct method method_schwaiger = {
     .name = "schwaiger",
     .about = "Schwaiger's pair operator less the corrected gradient, over the trace of its moments (2008)",
     .accepts = "stepper kernel h layout jitter grading sweeps redraw seed sampling walls",
     .scheme = &scheme,
-    .solve = solve,
-    .outline = outline,
+    .solve = particles_solve,
+    .outline = particles_outline,
 };

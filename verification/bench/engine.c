@@ -60,7 +60,7 @@ static struct bench_time update_lanes(const char *command, int lanes) {
     if (lanes) r.experiment.options.lanes = lanes;
     for (int k = -1; k < BENCH_RUNS && !status; k++) {
         struct field f;
-        status = r.experiment.method->solve(&r.experiment.problem, &r.experiment.options, &f, &why);
+        status = method_solve(r.experiment.method, &r.experiment.problem, &r.experiment.options, &f, &why);
         if (status) break;
         if (k >= 0) seconds[k] = f.step_seconds / (double)f.updates;
         field_free(&f);
@@ -134,7 +134,7 @@ static double protocol_once(void) {
         struct failure why;
         struct field f = {0};
         if (!arguments_parse_line(line, &r, &why))
-            r.experiment.method->solve(&r.experiment.problem, &r.experiment.options, &f, &why);
+            method_solve(r.experiment.method, &r.experiment.problem, &r.experiment.options, &f, &why);
         field_free(&f);
         arguments_free(&r);
     }

@@ -26,7 +26,7 @@ static int has_exact(const struct experiment *e) {
     struct outline ignored;
     struct failure why;
     with.stepper = STEPPER_EXACT;
-    return e->method->outline(&e->problem, &with, &ignored, &why) != STATUS_NOT_APPLICABLE;
+    return method_outline(e->method, &e->problem, &with, &ignored, &why) != STATUS_NOT_APPLICABLE;
 }
 
 /* What e->options leaves open, as time_step_solve resolves it. */
@@ -70,10 +70,10 @@ static int make(const struct experiment *given, int first, struct plan *plan, st
     resolve_steps(&whole, first, plan);
     part = whole;
     if (symmetry_reduce(&whole.problem, &whole.options, &part.problem, cut)) {
-        status = m->outline(&part.problem, &part.options, &plan->part, why);
+        status = method_outline(m, &part.problem, &part.options, &plan->part, why);
         if (!status) plan->cut[0] = cut[0], plan->cut[1] = cut[1];
     }
-    if (status_refused(status)) status = m->outline(&whole.problem, &whole.options, &plan->part, why);
+    if (status_refused(status)) status = method_outline(m, &whole.problem, &whole.options, &plan->part, why);
     if (status) return status;
     plan->options = whole.options;
     if (plan->part.run.h > 0) plan->options.h = plan->part.run.h;

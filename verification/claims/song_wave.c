@@ -121,7 +121,8 @@ void claims_song_wave_infinite_gradient(struct claims_measured *m) {
                                  method);
         struct experiment *e = &run.request.experiment;
         e->problem.initial = bump_with_sawtooth;
-        if (!bad && e->method->solve(&e->problem, &e->options, &field, &why)) bad = claims_kit_fail(m, why.text);
+        if (!bad && method_solve(e->method, &e->problem, &e->options, &field, &why))
+            bad = claims_kit_fail(m, why.text);
         field_free(&run.field);
         run.field = field;
         if (!bad) left[i] = sawtooth(&run);

@@ -23,7 +23,7 @@ static int solve(const struct problem *p, double dx, double fourier, enum mean m
                         .sampling = p->jumps[0] + p->jumps[1] ? SAMPLING_CELL : SAMPLING_POINT,
                         .mean = mean,
                         .domain = DOMAIN_WHOLE};
-    return method_find("ftcs")->solve(p, &o, f, &ignored);
+    return method_solve(method_find("ftcs"), p, &o, f, &ignored);
 }
 
 static int is_face(double at, double lo, double dx) {

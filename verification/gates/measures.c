@@ -134,8 +134,8 @@ static double runs_apart(const struct experiment *e, const struct problem of[2],
     struct field f[2] = {{0}};
     struct failure why;
     double apart = NAN;
-    int status = e->method->solve(&of[0], &e->options, &f[0], &why);
-    if (!status) status = e->method->solve(&of[1], &e->options, &f[1], &why);
+    int status = method_solve(e->method, &of[0], &e->options, &f[0], &why);
+    if (!status) status = method_solve(e->method, &of[1], &e->options, &f[1], &why);
     if (status) measures_fail(m, why.text);
     for (size_t i = 0; i < f[0].n && !status; i++) apart = fmax(apart, fabs(f[0].T[i] - f[1].T[i]));
     for (int k = 0; k < 2; k++) field_free(&f[k]);

@@ -53,7 +53,7 @@ int semidiscrete_solve(const struct experiment *e, struct semidiscrete *s, struc
                       e->method->name);
     exact.stepper = STEPPER_EXACT;
     exact.dt = exact.fourier = 0;
-    int status = e->method->solve(&e->problem, &exact, &s->field, why);
+    int status = method_solve(e->method, &e->problem, &exact, &s->field, why);
     if (status != STATUS_NOT_APPLICABLE) return status;
     status = semidiscrete_polynomials(e, s, why);
     if (status != STATUS_UNSTABLE) return status;

@@ -74,9 +74,9 @@ int symmetry_solve(const struct method *m, const struct problem *p, const struct
     struct problem half;
     int cut[2];
     if (symmetry_reduce(p, o, &half, cut)) {
-        int status = m->solve(&half, o, f, why);
+        int status = method_solve(m, &half, o, f, why);
         if (status == STATUS_OK) restore(f, p, cut);
         if (!status_refused(status)) return status; /* the part may be too short for the stencil */
     }
-    return m->solve(p, o, f, why);
+    return method_solve(m, p, o, f, why);
 }

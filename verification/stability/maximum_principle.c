@@ -18,7 +18,7 @@ static int run(const struct model_problem *b, double F, long long steps, double 
     struct field f;
     p.t_end = F * (double)steps;
     o.dt = F;
-    if (b->method->solve(&p, &o, &f, why)) return why->status;
+    if (method_solve(b->method, &p, &o, &f, why)) return why->status;
     for (size_t i = 0; i < f.n; i++) *undershoot = fmax(*undershoot, fmax(-f.T[i], f.T[i] - 1));
     field_free(&f);
     return STATUS_OK;

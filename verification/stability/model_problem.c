@@ -165,7 +165,7 @@ int model_problem_run(const struct model_problem *b, const struct problem *given
     if (b->step.stepper == STEPPER_RKL2) return march(b, &p, F, steps, largest, why);
     p.t_end = F * (double)steps;
     o.dt = F;
-    if (b->method->solve(&p, &o, &f, why)) return why->status;
+    if (method_solve(b->method, &p, &o, &f, why)) return why->status;
     *largest = largest_of(f.T, f.n);
     field_free(&f);
     return STATUS_OK;

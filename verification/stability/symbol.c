@@ -42,7 +42,7 @@ static int from_impulse(struct symbol *s, const struct model_problem *given, str
     struct options o = b.options;
     o.stepper = STEPPER_EULER, o.layout = LAYOUT_LATTICE; /* IMPULSE unknowns, whatever holds the walls */
     p.t_end = o.dt = 1.0 / 64;
-    if (b.method->solve(&p, &o, &f, why)) return why->status;
+    if (method_solve(b.method, &p, &o, &f, why)) return why->status;
     int r = IMPULSE / 2, ry = b.dim == 2 ? r : 0;
     reserve(s, b.dim, r, ry);
     for (int j = -ry; j <= ry; j++)

@@ -53,7 +53,7 @@ static inline struct problem plane(int along, int up) {
 static inline struct field solved(const struct method *m, const struct problem *p, const struct options *o) {
     struct field f;
     struct failure why = {0};
-    if (m->solve(p, o, &f, &why)) fail_msg("%s", why.text);
+    if (method_solve(m, p, o, &f, &why)) fail_msg("%s", why.text);
     return f;
 }
 

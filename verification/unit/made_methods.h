@@ -40,34 +40,39 @@ static inline int answer(const struct problem *p, const struct options *o, int o
     return STATUS_OK;
 }
 
-static inline int solve_euler(const struct problem *p, const struct options *o, struct field *f,
-                              struct failure *why) {
+static inline int solve_euler(const struct method *m, const struct problem *p, const struct options *o,
+                              struct field *f, struct failure *why) {
+    (void)m;
     if (o->stepper == STEPPER_EXACT) return refuse(why, STATUS_NOT_APPLICABLE, "--stepper exact: not here");
     return answer(p, o, o->stepper == STEPPER_RKL2 ? 2 : 1, f);
 }
 
-static inline int solve_any(const struct problem *p, const struct options *o, struct field *f, struct failure *why) {
-    (void)why;
+static inline int solve_any(const struct method *m, const struct problem *p, const struct options *o, struct field *f,
+                            struct failure *why) {
+    (void)m, (void)why;
     return answer(p, o, o->stepper == STEPPER_RKL2 ? 2 : 1, f);
 }
 
-static inline int solve_picky(const struct problem *p, const struct options *o, struct field *f,
-                              struct failure *why) {
+static inline int solve_picky(const struct method *m, const struct problem *p, const struct options *o,
+                              struct field *f, struct failure *why) {
+    (void)m;
     double F = o->dt * p->material[0].k[0] / (o->dx * o->dx);
     if (F > 0.01) return refuse(why, STATUS_UNSTABLE, "T grew at step 7");
     return answer(p, o, 1, f);
 }
 
-static inline int solve_broken(const struct problem *p, const struct options *o, struct field *f,
-                               struct failure *why) {
+static inline int solve_broken(const struct method *m, const struct problem *p, const struct options *o,
+                               struct field *f, struct failure *why) {
+    (void)m;
     if (o->dx < 0.3) return refuse(why, STATUS_UNSTABLE, "T grew at step 7");
     return answer(p, o, 1, f);
 }
 
-static inline int solve_wrong_input(const struct problem *p, const struct options *o, struct field *f,
-                                    struct failure *why) {
+static inline int solve_wrong_input(const struct method *m, const struct problem *p, const struct options *o,
+                                    struct field *f, struct failure *why) {
+    (void)m;
     if (o->stepper == STEPPER_EXACT) return refuse(why, STATUS_INPUT, "--dx: does not divide the domain");
-    return solve_euler(p, o, f, why);
+    return solve_euler(m, p, o, f, why);
 }
 
 static const struct scheme scheme;

@@ -81,7 +81,8 @@ static void ceilings_are_the_predicted_errors(void **state) {
         if (arguments_parse_line(g->command, &r, &why)) fail_msg("%s: %s", g->id, why.text);
         struct options finest = r.experiment.options;
         for (int i = 0; i < r.rungs.dt.count; i++) finest.dt = fmin(finest.dt, r.rungs.dt.value[i]);
-        if (r.experiment.method->solve(&r.experiment.problem, &finest, &f, &why)) fail_msg("%s: %s", g->id, why.text);
+        if (method_solve(r.experiment.method, &r.experiment.problem, &finest, &f, &why))
+            fail_msg("%s: %s", g->id, why.text);
         double predicted = constant(f.stages) * f.dt * f.dt * strength(r.experiment.scene, &r.experiment.problem);
         if (!(fabs(g->ceiling / predicted - 1.03) <= 0.012))
             fail_msg("%s: ceiling %g, predicted %g, %d stages", g->id, g->ceiling, predicted, f.stages);

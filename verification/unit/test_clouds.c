@@ -144,7 +144,7 @@ static void unsettled_clouds_say_how_far_they_came(void **state) {
     struct field f;
     struct failure why;
     o.sweeps = 3;
-    assert_int_equal(method_so_ssph.solve(&p, &o, &f, &why), STATUS_NUMERICAL);
+    assert_int_equal(method_solve(&method_so_ssph, &p, &o, &f, &why), STATUS_NUMERICAL);
     assert_non_null(strstr(why.text, "not settled after 3 sweeps"));
     assert_non_null(strstr(why.text, "nearest particles are 0."));
 }
@@ -168,7 +168,7 @@ static void affine_fields_stay_on_any_cloud(void **state) {
         struct field f;
         p.initial = affine, p.wall = affine_wall;
         if (layout == LAYOUT_JITTER) o.jitter = 0.31;
-        if (method_so_ssph.solve(&p, &o, &f, &why)) print_error("%s\n", why.text);
+        if (method_solve(&method_so_ssph, &p, &o, &f, &why)) print_error("%s\n", why.text);
         assert_int_equal(why.status, STATUS_OK);
         for (size_t i = 0; i < f.n; i++) {
             double x[2] = {f.x[i], f.y[i]};
@@ -188,11 +188,11 @@ static void affine_fields_stay_where_clouds_are_drawn_anew(void **state) {
         struct field f, once;
         p.initial = affine, p.wall = affine_wall, p.t_end = 0.003;
         o.jitter = 0.31, o.redraw = 3, o.fourier = 0.05, o.stepper = STEPPER_RK2, o.order = order, o.h = 1.7;
-        if (method_so_ssph.solve(&p, &o, &f, &why)) print_error("%s\n", why.text);
+        if (method_solve(&method_so_ssph, &p, &o, &f, &why)) print_error("%s\n", why.text);
         assert_int_equal(why.status, STATUS_OK);
         assert_true(f.steps > 3);
         o.redraw = 0;
-        assert_int_equal(method_so_ssph.solve(&p, &o, &once, &why), STATUS_OK);
+        assert_int_equal(method_solve(&method_so_ssph, &p, &o, &once, &why), STATUS_OK);
         assert_true(memcmp(f.x, once.x, f.n * sizeof *f.x) != 0);
         for (size_t i = 0; i < f.n; i++) {
             double x[2] = {f.x[i], f.y[i]};
@@ -210,12 +210,12 @@ static void what_cannot_be_drawn_anew(void **state) {
     struct field f;
     struct failure why;
     o.redraw = 3, o.fourier = 0.05;
-    assert_int_equal(method_so_ssph.solve(&p, &o, &f, &why), STATUS_NOT_APPLICABLE);
+    assert_int_equal(method_solve(&method_so_ssph, &p, &o, &f, &why), STATUS_NOT_APPLICABLE);
     assert_non_null(strstr(why.text, "--redraw 3"));
     o.layout = LAYOUT_JITTER;
     p.materials = 2, p.interface = 0.4;
     p.material[1] = p.material[0];
-    assert_int_equal(method_contact_ssph.solve(&p, &o, &f, &why), STATUS_NOT_APPLICABLE);
+    assert_int_equal(method_solve(&method_contact_ssph, &p, &o, &f, &why), STATUS_NOT_APPLICABLE);
     assert_non_null(strstr(why.text, "one material"));
 }
 
@@ -236,7 +236,7 @@ static void pair_fluxes_keep_heat_on_every_cloud(void **state) {
             for (int s = 0; s < 4; s++) p.side[s] = NEUMANN;
             p.wall = no_flux, p.material[0].k[1] = p.material[0].k[0], p.t_end = 1e-4;
             o.h = 1.1, o.stepper = STEPPER_EULER, o.fourier = 0.02;
-            if (pair[m]->solve(&p, &o, &f, &why)) print_error("%s\n", why.text);
+            if (method_solve(pair[m], &p, &o, &f, &why)) print_error("%s\n", why.text);
             assert_int_equal(why.status, STATUS_OK);
             assert_near(f.heat[1] / f.heat[0], 1, 1e-13);
             field_free(&f);
@@ -253,11 +253,11 @@ static void settled_particles_are_taken_as_they_lie(void **state) {
     struct failure why;
     o.stepper = STEPPER_RK2;
     o.fourier = 0.05;
-    assert_int_equal(method_so_ssph.solve(&p, &o, &before, &why), STATUS_OK);
+    assert_int_equal(method_solve(&method_so_ssph, &p, &o, &before, &why), STATUS_OK);
     o.fourier = 0.04;
-    assert_int_equal(method_so_ssph.solve(&p, &o, &again, &why), STATUS_OK);
+    assert_int_equal(method_solve(&method_so_ssph, &p, &o, &again, &why), STATUS_OK);
     o.placed = &before;
-    assert_int_equal(method_so_ssph.solve(&p, &o, &taken, &why), STATUS_OK);
+    assert_int_equal(method_solve(&method_so_ssph, &p, &o, &taken, &why), STATUS_OK);
     assert_memory_equal(taken.x, again.x, taken.n * sizeof *taken.x);
     assert_memory_equal(taken.y, again.y, taken.n * sizeof *taken.y);
     assert_memory_equal(taken.T, again.T, taken.n * sizeof *taken.T);

@@ -77,8 +77,8 @@ static void one_material_is_so_ssph(void **state) {
     struct field a, b;
     struct failure why;
     o.jitter = 0.31;
-    assert_int_equal(method_so_ssph.solve(&p, &o, &a, &why), STATUS_OK);
-    assert_int_equal(method_contact_ssph.solve(&p, &o, &b, &why), STATUS_OK);
+    assert_int_equal(method_solve(&method_so_ssph, &p, &o, &a, &why), STATUS_OK);
+    assert_int_equal(method_solve(&method_contact_ssph, &p, &o, &b, &why), STATUS_OK);
     assert_memory_equal(a.T, b.T, a.n * sizeof *a.T);
     field_free(&a);
     field_free(&b);
@@ -102,11 +102,11 @@ static void poor_contacts_are_refused(void **state) {
     assert_non_null(strstr(why.text, "particle 3"));
     assert_non_null(strstr(why.text, "has 1 neighbours for 5 unknowns, condition number"));
     p.interface = p.hi[0] - 0.11;
-    assert_int_equal(method_contact_ssph.solve(&p, &o, &f, &why), STATUS_INPUT);
+    assert_int_equal(method_solve(&method_contact_ssph, &p, &o, &f, &why), STATUS_INPUT);
     assert_non_null(strstr(why.text, "0.11 m from a wall"));
     p = two_sides(2);
     p.source = heated;
-    assert_int_equal(method_contact_ssph.solve(&p, &o, &f, &why), STATUS_NOT_APPLICABLE);
+    assert_int_equal(method_solve(&method_contact_ssph, &p, &o, &f, &why), STATUS_NOT_APPLICABLE);
     assert_non_null(strstr(why.text, "brookshaw"));
 }
 

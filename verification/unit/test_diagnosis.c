@@ -59,7 +59,7 @@ static void solve(const char *name, const struct problem *p, struct fault fault,
     if (fault.kind == FAULT_SOURCE_TIME)
         assert_near(with.problem.source_change(&with.problem, inside, 0.1), p->source_change(p, inside, 0.1 + size),
                     0);
-    if (method_find("ftcs")->solve(&with.problem, &o, &r->field, &why)) fail_msg("%s: %s", name, why.text);
+    if (method_solve(method_find("ftcs"), &with.problem, &o, &r->field, &why)) fail_msg("%s: %s", name, why.text);
     r->exact = xcalloc(r->field.n, sizeof *r->exact);
     for (size_t i = 0; i < r->field.n; i++) {
         double x[2] = {r->field.x[i], r->field.y ? r->field.y[i] : 0};

@@ -78,7 +78,7 @@ static void test_sampling_past_the_walls(void **state) {
 static void refused(const struct method *m, const struct problem *p, const struct options *o, const char *words[]) {
     struct field f = {.n = 77};
     struct failure why = {0};
-    assert_true(status_refused(m->solve(p, o, &f, &why)));
+    assert_true(status_refused(method_solve(m, p, o, &f, &why)));
     assert_true(status_refused(why.status));
     assert_int_equal(f.n, 77);
     for (; *words; words++)
@@ -138,7 +138,7 @@ static void test_stability(void **state) {
 
         struct failure why = {0};
         o.fourier = 1.02 * limit[m] * share;
-        assert_int_equal(both[m]->solve(&p, &o, &f, &why), STATUS_UNSTABLE);
+        assert_int_equal(method_solve(both[m], &p, &o, &f, &why), STATUS_UNSTABLE);
         const char *text = strstr(why.text, "unstable at step ");
         long step_seen = 0, steps = 0;
         assert_non_null(text);
@@ -148,10 +148,10 @@ static void test_stability(void **state) {
         assert_non_null(strstr(why.text, " at x = "));
         assert_non_null(strstr(why.text, ", y = "));
         o.fourier = 3 * limit[m], p.t_end = 19.5 * o.fourier * 0.046 * 0.046 * 2.385 / 0.71; /* at the last step */
-        assert_int_equal(both[m]->solve(&p, &o, &f, &why), STATUS_UNSTABLE);
+        assert_int_equal(method_solve(both[m], &p, &o, &f, &why), STATUS_UNSTABLE);
         assert_non_null(strstr(why.text, "unstable at step 20 of 20,"));
         p.initial = mode, p.param[2] = NAN; /* not a number from the start */
-        assert_int_equal(both[m]->solve(&p, &o, &f, &why), STATUS_UNSTABLE);
+        assert_int_equal(method_solve(both[m], &p, &o, &f, &why), STATUS_UNSTABLE);
     }
 }
 
@@ -165,7 +165,7 @@ static void test_rate_of_two_materials(void **state) {
     struct failure why = {0};
     p.t_end = 200.5 * 0.8 * 0.05 * 0.05 / 0.1, p.materials = 2, p.interface = 0.3; /* 201 steps */
     p.material[0] = (struct material){{1, 1}, 10}, p.material[1] = (struct material){{0.1, 0.1}, 1};
-    assert_int_equal(method_ftcs.solve(&p, &o, &f, &why), STATUS_UNSTABLE);
+    assert_int_equal(method_solve(&method_ftcs, &p, &o, &f, &why), STATUS_UNSTABLE);
     const char *text = strstr(why.text, "sum of kappa dt/dx^2 is ");
     double sum = NAN;
     assert_non_null(text);

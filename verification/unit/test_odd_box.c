@@ -34,7 +34,7 @@ static void stays(const struct method *m, int dim, int sides, struct options o) 
     for (int s = 0; s < 4; s++) p.side[s] = sides >> s & 1 ? NEUMANN : DIRICHLET;
     snprintf(what, sizeof what, "%s, %d-D, sides %d, layout %d, sampling %d, order %d", m->name, dim, sides, o.layout,
              o.sampling, o.order);
-    if (m->solve(&p, &o, &f, &why)) fail_msg("%s: %s", what, why.text);
+    if (method_solve(m, &p, &o, &f, &why)) fail_msg("%s: %s", what, why.text);
     assert_true(f.n > 18);
     for (size_t i = 0; i < f.n; i++) {
         const double x[2] = {f.x[i], f.y ? f.y[i] : 0};
@@ -115,7 +115,7 @@ static void decays(const struct method *m, int order) {
     p.t_end = 0.9 / rate;
     o.dx = 0.0375, o.order = order, o.fourier = 0.05;
     if (order) o.h = 0.65 * order;
-    if (m->solve(&p, &o, &f, &why)) fail_msg("%s, order %d: %s", m->name, order, why.text);
+    if (method_solve(m, &p, &o, &f, &why)) fail_msg("%s, order %d: %s", m->name, order, why.text);
     for (size_t i = 0; i < f.n; i++) {
         double w = wave(&p, (const double[]){f.x[i], f.y[i]}) - 1.9;
         left += w * (f.T[i] - 1.9);
@@ -171,7 +171,7 @@ static void heat_is_counted(void **state) {
                 p.material[1] = (struct material){{0.21, 0.21}, 0.9};
                 for (int s = 0; s < 4; s++) p.side[s] = NEUMANN;
                 o.layout = node ? LAYOUT_NODE : LAYOUT_LATTICE;
-                if (all[m]->solve(&p, &o, &f, &why)) fail_msg("%s: %s", all[m]->name, why.text);
+                if (method_solve(all[m], &p, &o, &f, &why)) fail_msg("%s: %s", all[m]->name, why.text);
                 double held = 1.7 * height * (1.3 * 0.6 + (two ? 0.9 : 1.3) * 0.9),
                        gained = p.t_end * height * 0.43 * 1.5 * 1.5 / 2;
                 assert_near(f.heat[0] / held, 1, 1e-12);
@@ -210,7 +210,7 @@ static void walls_are_hot_where_they_are(void **state) {
                 double most = 0;
                 p.initial = cold, p.wall = hot_corner, p.t_end = 0.05;
                 for (int s = 0; s < 4; s++) p.side[s] = s / 2 == hot_side / 2 ? DIRICHLET : NEUMANN;
-                if (all[m]->solve(&p, &o, &f, &why))
+                if (method_solve(all[m], &p, &o, &f, &why))
                     fail_msg("%s, side %d, end %d: %s", all[m]->name, hot_side, hot_end, why.text);
                 for (size_t i = 0; i < f.n; i++) most = fmax(most, f.T[i]);
                 assert_true(most > 0.8 && most < 2.385);
@@ -271,7 +271,8 @@ static void exchanges(const struct method *m, int sides, struct options o) {
         lying.jumps[a] = upright.jumps[1 - a], lying.jump[a][0] = upright.jump[1 - a][0];
         for (int hi = 0; hi < 2; hi++) lying.side[2 * a + hi] = upright.side[2 * (1 - a) + hi];
     }
-    if (m->solve(&upright, &o, &f, &why) || m->solve(&lying, &o, &g, &why)) fail_msg("%s: %s", what, why.text);
+    if (method_solve(m, &upright, &o, &f, &why) || method_solve(m, &lying, &o, &g, &why))
+        fail_msg("%s: %s", what, why.text);
     assert_int_equal(f.shape[0], g.shape[1]);
     assert_int_equal(f.shape[1], g.shape[0]);
     for (int j = 0; j < f.shape[1]; j++)
@@ -315,7 +316,7 @@ static void a_failure_says_where(void **state) {
         double x[2] = {0, 0.2375}, sum = 0, dt = 0.52 * o.dx * o.dx / ((0.7 + (dim == 2 ? 0.4 : 0)) / 1.3);
         p.t_end = 4000 * dt;
         o.fourier = 0, o.dt = dt;
-        assert_int_equal(method_ftcs.solve(&p, &o, &f, &why), STATUS_UNSTABLE);
+        assert_int_equal(method_solve(&method_ftcs, &p, &o, &f, &why), STATUS_UNSTABLE);
         const char *at = strstr(why.text, "at x = "), *bound = strstr(why.text, "kappa dt/dx^2 is ");
         assert_true(at && bound);
         assert_int_equal(sscanf(at, dim == 2 ? "at x = %lf m, y = %lf m" : "at x = %lf m", &x[0], &x[1]), dim);

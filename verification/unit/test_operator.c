@@ -84,7 +84,7 @@ static void fo_is_blind_to_the_checkerboard(void **state) {
 static void run(const char *name, struct problem p, struct options o, struct field *f) {
     struct failure why = {0};
     const struct method *m = method_find(name);
-    if (m->solve(&p, &o, f, &why)) print_error("%s\n", why.text);
+    if (method_solve(m, &p, &o, f, &why)) print_error("%s\n", why.text);
     assert_int_equal(why.status, STATUS_OK);
 }
 
@@ -192,17 +192,17 @@ static void singular_supports_are_named(void **state) {
     struct field f;
     struct failure why;
     o.h = 0.6; /* no diagonal neighbours: T_xy has nothing to be seen by */
-    assert_int_equal(method_so_ssph.solve(&p, &o, &f, &why), STATUS_NUMERICAL);
+    assert_int_equal(method_solve(&method_so_ssph, &p, &o, &f, &why), STATUS_NUMERICAL);
     assert_non_null(strstr(why.text, "4 neighbours"));
     assert_non_null(strstr(why.text, "condition number"));
     o.h = 0.75, o.kernel = KERNEL_QUARTIC; /* diagonal neighbours at s = 1.886, where it is negative */
-    assert_int_equal(method_so_ssph.solve(&p, &o, &f, &why), STATUS_NUMERICAL);
+    assert_int_equal(method_solve(&method_so_ssph, &p, &o, &f, &why), STATUS_NUMERICAL);
     assert_non_null(strstr(why.text, "indefinite moment matrix"));
     assert_non_null(strstr(why.text, "negative at 4 of them"));
     assert_null(strstr(why.text, "infinite"));
     o.kernel = KERNEL_CUBIC;
     o.h = 0.45; /* no neighbours at all */
-    assert_int_equal(method_fo_ssph.solve(&p, &o, &f, &why), STATUS_NUMERICAL);
+    assert_int_equal(method_solve(&method_fo_ssph, &p, &o, &f, &why), STATUS_NUMERICAL);
     assert_non_null(strstr(why.text, "0 neighbours"));
 }
 
@@ -214,7 +214,7 @@ static void unstable_runs_say_where_and_when(void **state) {
     struct failure why;
     p.t_end = 0.3;
     o.stepper = STEPPER_EULER, o.fourier = 0.9;
-    assert_int_equal(method_so_ssph.solve(&p, &o, &f, &why), STATUS_UNSTABLE);
+    assert_int_equal(method_solve(&method_so_ssph, &p, &o, &f, &why), STATUS_UNSTABLE);
     assert_non_null(strstr(why.text, "unstable: at step"));
     assert_non_null(strstr(why.text, "particle"));
 }
@@ -261,7 +261,7 @@ static void matching_needs_isotropy(void **state) {
     struct problem p = odd_rectangle();
     p.material[0].k[1] = p.material[0].k[0];
     struct field f;
-    assert_int_equal(method_so_ssph.solve(&p, &o, &f, &why), STATUS_NOT_APPLICABLE);
+    assert_int_equal(method_solve(&method_so_ssph, &p, &o, &f, &why), STATUS_NOT_APPLICABLE);
     assert_non_null(strstr(why.text, "--h iso"));
     o.order = 4; /* nor has order 4, at any --h */
     assert_int_equal(matched_isotropic(&o, method_so_ssph.scheme, &h, &why), STATUS_NOT_APPLICABLE);

@@ -23,7 +23,7 @@ static void steps_end_on_time(void **state) {
         struct field f;
         struct failure why;
         if (swap) p.material[0].k[0] = 0.4, p.material[0].k[1] = 0.7;
-        assert_int_equal(method_so_ssph.solve(&p, &o, &f, &why), STATUS_OK);
+        assert_int_equal(method_solve(&method_so_ssph, &p, &o, &f, &why), STATUS_OK);
         double asked = 0.19 * 0.05 * 0.05 / (0.7 / 1.3);
         assert_int_equal(f.steps, ceil(p.t_end / asked));
         assert_near(f.dt * (double)f.steps, p.t_end, 1e-16);
@@ -51,7 +51,7 @@ static void heat_counts_each_material(void **state) {
     p.materials = 2, p.interface = 0.2, p.initial = warm, p.wall = no_flux;
     p.material[1] = (struct material){{0.2, 0.2}, 0.9};
     for (int s = 0; s < 4; s++) p.side[s] = NEUMANN;
-    assert_int_equal(method_brookshaw.solve(&p, &o, &f, &why), STATUS_OK);
+    assert_int_equal(method_solve(&method_brookshaw, &p, &o, &f, &why), STATUS_OK);
     const double heat = 1.7 * (1.3 * 0.55 + 0.9 * 0.95); /* from -0.35 to 0.2 m and on to 1.15 m */
     for (int k = 0; k < 2; k++) assert_near(f.heat[k] / heat, 1, 1e-13);
     assert_near(f.spacing[0], 0.05, 1e-16);
@@ -78,7 +78,7 @@ static void a_heated_rod_is_not_unstable(void **state) {
         p.initial = warm, p.wall = heating, p.source = NULL;
         p.side[X_LO] = p.side[X_HI] = NEUMANN;
         p.t_end = 40 * extent * extent * p.material[0].rho_c / p.material[0].k[0];
-        if (all[k]->solve(&p, &o, &f, &why)) fail_msg("%s: %s", all[k]->name, why.text);
+        if (method_solve(all[k], &p, &o, &f, &why)) fail_msg("%s: %s", all[k]->name, why.text);
         for (size_t i = 0; i < f.n; i++) mean += f.T[i] / (double)f.n;
         assert_near(mean, 1.7 + 0.37 * p.t_end / (p.material[0].rho_c * extent), 1e-9 * mean);
         field_free(&f);
@@ -112,7 +112,7 @@ static void matched_refuses_a_jump_at_every_wall(void **state) {
         p.initial = warm, p.wall = warmer, p.material[0].k[1] = p.material[0].k[0];
         for (int k = 0; k < 4; k++) p.side[k] = k == s ? DIRICHLET : NEUMANN;
         snprintf(where, sizeof where, "jumps at %c = %.6g m", "xy"[s / 2], s % 2 ? p.hi[s / 2] : p.lo[s / 2]);
-        assert_int_equal(method_so_ssph.solve(&p, &o, &f, &why), STATUS_NOT_APPLICABLE);
+        assert_int_equal(method_solve(&method_so_ssph, &p, &o, &f, &why), STATUS_NOT_APPLICABLE);
         if (!strstr(why.text, where)) fail_msg("%s: %s", where, why.text);
     }
 }
@@ -127,7 +127,7 @@ static void planes_stay_on_any_cloud(void **state) {
         struct failure why;
         p.initial = plane, p.wall = plane_wall;
         o.stepper = STEPPER_EULER, o.fourier = 0.07;
-        assert_int_equal(of_planes[m]->solve(&p, &o, &f, &why), STATUS_OK);
+        assert_int_equal(method_solve(of_planes[m], &p, &o, &f, &why), STATUS_OK);
         for (size_t i = 0; i < f.n; i++) {
             const double x[2] = {f.x[i], f.y[i]};
             assert_near(f.T[i], plane(&p, x), 1e-13); /* some 50 steps, each of a few dozen roundings of 1 K */

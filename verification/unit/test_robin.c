@@ -64,7 +64,7 @@ static double decay(const struct problem *p) {
 static struct field solved(const struct method *m, const struct problem *p, const struct options *o) {
     struct field f;
     struct failure why = {0};
-    if (m->solve(p, o, &f, &why)) fail_msg("%s: %s", m->name, why.text);
+    if (method_solve(m, p, o, &f, &why)) fail_msg("%s: %s", m->name, why.text);
     return f;
 }
 
@@ -208,10 +208,10 @@ static void what_has_no_answer_is_refused(void **state) {
     struct field f;
     struct failure why;
     for (int k = 0; k < 3; k++) {
-        assert_int_equal(method_so_ssph.solve(&p, &o[k], &f, &why), STATUS_NOT_APPLICABLE);
+        assert_int_equal(method_solve(&method_so_ssph, &p, &o[k], &f, &why), STATUS_NOT_APPLICABLE);
         assert_non_null(strstr(why.text, "Robin wall"));
         if (k == 0) continue;
-        assert_int_equal(method_ftcs.solve(&p, &o[k], &f, &why), STATUS_NOT_APPLICABLE);
+        assert_int_equal(method_solve(&method_ftcs, &p, &o[k], &f, &why), STATUS_NOT_APPLICABLE);
         assert_non_null(strstr(why.text, "Robin wall"));
     }
 }

@@ -52,7 +52,7 @@ static double arch_error(int n) {
     struct field f;
     struct failure why;
     double sum = 0;
-    assert_int_equal(method_so_ssph.solve(&p, &o, &f, &why), STATUS_OK);
+    assert_int_equal(method_solve(&method_so_ssph, &p, &o, &f, &why), STATUS_OK);
     for (size_t i = 0; i < f.n; i++) sum += fabs(f.T[i] - arch_later(f.x[i], p.t_end)) / n;
     field_free(&f);
     return sum;

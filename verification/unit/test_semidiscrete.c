@@ -34,21 +34,28 @@ static int answer(const struct problem *p, const struct options *o, double part,
     return STATUS_OK;
 }
 
-static int solve_real(const struct problem *p, const struct options *o, struct field *f, struct failure *why) {
+static int solve_real(const struct method *m, const struct problem *p, const struct options *o, struct field *f,
+                      struct failure *why) {
+    (void)m;
     return answer(p, o, 1, 5e-10, f, why);
 }
 
-static int solve_off(const struct problem *p, const struct options *o, struct field *f, struct failure *why) {
+static int solve_off(const struct method *m, const struct problem *p, const struct options *o, struct field *f,
+                     struct failure *why) {
+    (void)m;
     if (o->stepper == STEPPER_CHEBYSHEV && o->dt > 0.4) return refuse(why, STATUS_UNSTABLE, "T grew");
     return answer(p, o, 1, 6.4e-7, f, why);
 }
 
-static int solve_wrong(const struct problem *p, const struct options *o, struct field *f, struct failure *why) {
+static int solve_wrong(const struct method *m, const struct problem *p, const struct options *o, struct field *f,
+                       struct failure *why) {
+    (void)m;
     return answer(p, o, 1.0 / 64, 0.6, f, why);
 }
 
-static int solve_growing(const struct problem *p, const struct options *o, struct field *f, struct failure *why) {
-    (void)p, (void)f;
+static int solve_growing(const struct method *m, const struct problem *p, const struct options *o, struct field *f,
+                         struct failure *why) {
+    (void)m, (void)p, (void)f;
     if (o->stepper == STEPPER_EXACT) return refuse(why, STATUS_NOT_APPLICABLE, "--stepper exact: not here");
     return refuse(why, STATUS_UNSTABLE, "T grew at any step");
 }

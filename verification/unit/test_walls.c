@@ -15,7 +15,7 @@ static double farthest(const struct method *m, const struct problem *p, const st
     struct field f;
     struct failure why;
     double most = 0;
-    if (m->solve(p, o, &f, &why)) fail_msg("%s: %s", m->name, why.text);
+    if (method_solve(m, p, o, &f, &why)) fail_msg("%s: %s", m->name, why.text);
     for (size_t i = 0; i < f.n; i++) {
         double x[2] = {f.x[i], f.y ? f.y[i] : 0};
         most = fmax(most, fabs(f.T[i] - p->initial(p, x)));
@@ -90,7 +90,7 @@ static double matched_error(const struct method *m, enum sampling sampling, doub
     double kappa = p.material[0].k[0] / p.material[0].rho_c, most = 0;
     struct field f;
     struct failure why;
-    if (m->solve(&p, &o, &f, &why)) fail_msg("%s: %s", m->name, why.text);
+    if (method_solve(m, &p, &o, &f, &why)) fail_msg("%s: %s", m->name, why.text);
     p.param[0] *= exp(-kappa * wave(&p) * wave(&p) * p.t_end);
     for (size_t i = 0; i < f.n; i++) most = fmax(most, fabs(f.T[i] - warm(&p, (double[2]){f.x[i], 0})));
     field_free(&f);
@@ -117,10 +117,10 @@ static void what_is_blind_to_the_checkerboard_is_refused(void **state) {
         struct options o = {.dx = 0.05, .stepper = STEPPER_MATCHED};
         struct field f;
         struct failure why;
-        assert_int_equal(all[m]->solve(&p, &o, &f, &why), STATUS_NOT_APPLICABLE);
+        assert_int_equal(method_solve(all[m], &p, &o, &f, &why), STATUS_NOT_APPLICABLE);
         assert_non_null(strstr(why.text, "does not see (-1)^i"));
         p.source = NULL;
-        assert_int_equal(all[m]->solve(&p, &o, &f, &why), STATUS_OK);
+        assert_int_equal(method_solve(all[m], &p, &o, &f, &why), STATUS_OK);
         field_free(&f);
     }
 }
@@ -146,7 +146,7 @@ static void points_of_unknown_order_are_refused(void **state) {
             struct failure why;
             p.initial = step_at, p.jumps[0] = 1, p.jump[0][0] = row[k].at, p.param[0] = row[k].slope;
             p.t_end = 0.1;
-            int status = all[m]->solve(&p, &o, &f, &why);
+            int status = method_solve(all[m], &p, &o, &f, &why);
             assert_int_equal(status, row[k].says ? STATUS_NOT_APPLICABLE : STATUS_OK);
             if (!status)
                 field_free(&f);
