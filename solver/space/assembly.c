@@ -3,6 +3,7 @@
 #include "solver/space/kernel.h"
 
 #include <stdlib.h>
+#include <string.h>
 
 void assembly_create(struct assembly *m, const struct problem *p, const struct options *o, const struct scheme *s,
                      const struct cloud *c, double spacing) {
@@ -49,6 +50,29 @@ int assembly_look(const struct assembly *m, size_t i, struct surroundings *out, 
     out->nb.V = out->V, out->nb.H = out->H, out->nb.h = m->o->h * own;
     out->nb.volume = unit * (c->dim == 2 ? own * own : own);
     return STATUS_OK;
+}
+
+void assembly_list_grow(struct assembly_list *l) {
+    l->room = l->room ? 2 * l->room : 64;
+    l->point = xcheck(realloc(l->point, l->room * sizeof *l->point), l->room, sizeof *l->point);
+    l->value = xcheck(realloc(l->value, l->room * sizeof *l->value), l->room, sizeof *l->value);
+}
+
+size_t assembly_list_join(const struct assembly_list part[ASSEMBLY_BLOCKS], uint32_t **point, double **value) {
+    size_t total = 0;
+    for (int b = 0; b < ASSEMBLY_BLOCKS; b++) total += part[b].n;
+    *point = xcalloc(total, sizeof **point);
+    *value = xcalloc(total, sizeof **value);
+    for (size_t b = 0, at = 0; b < ASSEMBLY_BLOCKS; at += part[b++].n) {
+        if (part[b].n == 0) continue;
+        memcpy(*point + at, part[b].point, part[b].n * sizeof **point);
+        memcpy(*value + at, part[b].value, part[b].n * sizeof **value);
+    }
+    return total;
+}
+
+void assembly_list_free(struct assembly_list part[ASSEMBLY_BLOCKS]) {
+    for (int b = 0; b < ASSEMBLY_BLOCKS; b++) free(part[b].point), free(part[b].value);
 }
 
 void assembly_keep_constants(const struct assembly *m, double *g, struct heat_operator *a) {

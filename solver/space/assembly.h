@@ -19,6 +19,12 @@ struct assembly {
     double cell;       /* m, as layout_cell */
 };
 
+struct assembly_list { /* what a block's points keep of their neighbours, one point after the other */
+    size_t n, room;
+    uint32_t *point;
+    double *value;
+};
+
 struct surroundings {
     struct neighbourhood nb;
     uint32_t near[NEIGHBOURS_MAX]; /* the points of its neighbours */
@@ -32,6 +38,19 @@ void assembly_free(struct assembly *m);
 
 /* The neighbourhood of point i.  STATUS_NUMERICAL where it has more neighbours than are held. */
 int assembly_look(const struct assembly *m, size_t i, struct surroundings *out, struct failure *why);
+
+void assembly_list_grow(struct assembly_list *l); /* to twice the room */
+
+/* One entry more, at the end. */
+static inline void assembly_list_add(struct assembly_list *l, uint32_t point, double value) {
+    if (l->n == l->room) assembly_list_grow(l);
+    l->point[l->n] = point;
+    l->value[l->n++] = value;
+}
+
+/* The entries of all blocks, in their order, into arrays that the caller owns; returns how many. */
+size_t assembly_list_join(const struct assembly_list part[ASSEMBLY_BLOCKS], uint32_t **point, double **value);
+void assembly_list_free(struct assembly_list part[ASSEMBLY_BLOCKS]);
 
 /* g (n of the cloud's particles) += the source's part, K s^-1; it becomes *a's where any of it is not zero. */
 void assembly_keep_constants(const struct assembly *m, double *g, struct heat_operator *a);

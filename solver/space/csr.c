@@ -7,7 +7,6 @@
 #include "solver/space/assembly.h"
 
 #include <stdlib.h>
-#include <string.h>
 
 void csr_row_create(struct row *r, size_t n) {
     *r = (struct row){xcalloc(n, sizeof(double)), xcalloc(n, sizeof(uint32_t)), 0, xcalloc(n, 1)};
@@ -24,29 +23,6 @@ void csr_row_free(struct row *r) {
     free(r->touched);
 }
 
-struct list { /* the rows of a block of points, one after the other; each ends at end[i] */
-    size_t n, room;
-    uint32_t *column;
-    double *value;
-};
-
-static void list_add(struct list *l, uint32_t column, double value) {
-    if (l->n == l->room) {
-        l->room = l->room ? 2 * l->room : 64;
-        l->column = realloc(l->column, l->room * sizeof *l->column);
-        l->value = realloc(l->value, l->room * sizeof *l->value);
-        if (!l->column || !l->value) free(xcalloc(SIZE_MAX / 2, 2)); /* reports and ends */
-    }
-    l->column[l->n] = column;
-    l->value[l->n] = value;
-    l->n++;
-}
-
-static void list_free(struct list *l) {
-    free(l->column);
-    free(l->value);
-}
-
 /* Ascending.  Columns arrive by cells, in runs that ascend: insertion takes a few moves each. */
 static void sort_columns(uint32_t *column, size_t n) {
     for (size_t k = 1; k < n; k++) {
@@ -58,14 +34,14 @@ static void sort_columns(uint32_t *column, size_t n) {
 }
 
 /* Moves the row of particle i to the list: off-diagonal columns, ascending. */
-static void flush(struct row *r, size_t i, struct list *out, double *diagonal) {
+static void flush(struct row *r, size_t i, struct assembly_list *out, double *diagonal) {
     sort_columns(r->column, r->n);
     for (size_t k = 0; k < r->n; k++) {
         uint32_t j = r->column[k];
         if (j == i)
             *diagonal += r->value[j];
         else if (r->value[j] != 0)
-            list_add(out, j, r->value[j]);
+            assembly_list_add(out, j, r->value[j]);
     }
     csr_row_clear(r);
 }
@@ -86,7 +62,7 @@ static int add_row(const struct assembly *m, size_t i, struct surroundings *at, 
 
 /* The rows of one block of particles. */
 static int assemble_block(const struct assembly *m, struct heat_operator *a, double *g, size_t begin, size_t end,
-                          struct list *out, struct failure *why) {
+                          struct assembly_list *out, struct failure *why) {
     struct row r;
     struct surroundings *at = xcalloc(1, sizeof *at);
     int status = STATUS_OK;
@@ -101,20 +77,11 @@ static int assemble_block(const struct assembly *m, struct heat_operator *a, dou
     return status;
 }
 
-static void join(struct heat_operator *a, struct list part[ASSEMBLY_BLOCKS],
+static void join(struct heat_operator *a, const struct assembly_list part[ASSEMBLY_BLOCKS],
                  const size_t begin[ASSEMBLY_BLOCKS + 1]) {
-    size_t total = 0;
-    for (int b = 0; b < ASSEMBLY_BLOCKS; b++) total += part[b].n;
-    a->column = xcalloc(total, sizeof *a->column);
-    a->value = xcalloc(total, sizeof *a->value);
-    for (size_t b = 0, at = 0; b < ASSEMBLY_BLOCKS; at += part[b].n, b++) {
-        if (part[b].n) {
-            memcpy(a->column + at, part[b].column, part[b].n * sizeof *a->column);
-            memcpy(a->value + at, part[b].value, part[b].n * sizeof *a->value);
-        }
+    for (size_t b = 0, at = 0; b < ASSEMBLY_BLOCKS; at += part[b++].n)
         for (size_t i = begin[b]; i < begin[b + 1]; i++) a->row[i + 1] += at;
-    }
-    a->pairs = total;
+    size_t total = a->pairs = assembly_list_join(part, &a->column, &a->value);
     a->bytes =
         total * (sizeof *a->column + sizeof *a->value) + (a->n + 1) * sizeof *a->row + a->n * sizeof *a->diagonal;
 }
@@ -140,7 +107,7 @@ static void copy_bands(struct heat_operator *a) {
 int csr_assemble(struct heat_operator *a, const struct problem *p, const struct options *o, const struct scheme *s,
                  const struct cloud *c, double spacing, struct failure *why) {
     struct assembly m;
-    struct list part[ASSEMBLY_BLOCKS] = {{0, 0, NULL, NULL}};
+    struct assembly_list part[ASSEMBLY_BLOCKS] = {{0, 0, NULL, NULL}};
     size_t begin[ASSEMBLY_BLOCKS + 1];
     int status = STATUS_OK, threads = o->threads > 1 ? o->threads : 1, first_bad = ASSEMBLY_BLOCKS;
     double *g = xcalloc(a->n, sizeof *g);
@@ -157,7 +124,7 @@ int csr_assemble(struct heat_operator *a, const struct problem *p, const struct 
         }
     }
     if (first_bad < ASSEMBLY_BLOCKS) status = why->status;
-    assembly_free(&m);
+    assembly_free(&m); /* before the rows stand twice */
     if (!status) {
         join(a, part, begin);
         copy_bands(a);
@@ -165,6 +132,6 @@ int csr_assemble(struct heat_operator *a, const struct problem *p, const struct 
     } else {
         free(g);
     }
-    for (int b = 0; b < ASSEMBLY_BLOCKS; b++) list_free(&part[b]);
+    assembly_list_free(part);
     return status;
 }

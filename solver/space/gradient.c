@@ -20,23 +20,6 @@ void gradient_weights(const struct neighbourhood *nb, const double *F, const dou
     }
 }
 
-struct list { /* the pairs of a block of points */
-    size_t n, room;
-    uint32_t *other;
-    double *F;
-};
-
-static void list_add(struct list *l, uint32_t other, double F) {
-    if (l->n == l->room) {
-        l->room = l->room ? 2 * l->room : 64;
-        l->other = realloc(l->other, l->room * sizeof *l->other);
-        l->F = realloc(l->F, l->room * sizeof *l->F);
-        if (!l->other || !l->F) free(xcalloc(SIZE_MAX / 2, 2)); /* reports and ends */
-    }
-    l->other[l->n] = other;
-    l->F[l->n++] = F;
-}
-
 /* Whether point i is a particle, or a ghost within one support of the domain. */
 static int is_needed(const struct assembly *m, size_t i) {
     const struct cloud *c = m->c;
@@ -50,7 +33,7 @@ static int is_needed(const struct assembly *m, size_t i) {
 
 /* The pairs of one block of points; kept[i + 1] counts those of i. */
 static int take_block(const struct assembly *m, const unsigned char *needed, size_t begin, size_t end,
-                      struct gradient *g, struct list *list, struct failure *why) {
+                      struct gradient *g, struct assembly_list *list, struct failure *why) {
     struct surroundings *at = xcalloc(1, sizeof *at);
     double F[NEIGHBOURS_MAX];
     int status = STATUS_OK;
@@ -60,22 +43,11 @@ static int take_block(const struct assembly *m, const unsigned char *needed, siz
         if (!status) status = m->s->pairs(m->p, m->o, &at->nb, F, &g->C[3 * i], why);
         size_t before = list->n;
         for (size_t k = 0; k < at->nb.n && !status; k++)
-            if (!needed[at->near[k]] || i < at->near[k]) list_add(list, at->near[k], F[k]);
+            if (!needed[at->near[k]] || i < at->near[k]) assembly_list_add(list, at->near[k], F[k]);
         g->kept[i + 1] = (uint32_t)(list->n - before);
     }
     free(at);
     return status;
-}
-
-static void join(struct gradient *g, struct list part[ASSEMBLY_BLOCKS], size_t pairs) {
-    g->other = xcalloc(pairs, sizeof *g->other);
-    g->F = xcalloc(pairs, sizeof *g->F);
-    for (size_t b = 0, at = 0; b < ASSEMBLY_BLOCKS; at += part[b++].n) {
-        if (part[b].n == 0) continue;
-        memcpy(g->other + at, part[b].other, part[b].n * sizeof *g->other);
-        memcpy(g->F + at, part[b].F, part[b].n * sizeof *g->F);
-    }
-    for (size_t i = 0; i < g->total; i++) g->kept[i + 1] += g->kept[i];
 }
 
 /* Each pair once more, for its other point, in the order of keepers. */
@@ -134,7 +106,7 @@ int gradient_assemble(struct heat_operator *a, const struct problem *p, const st
                       const struct scheme *s, const struct cloud *c, double spacing, struct failure *why) {
     struct assembly m;
     struct gradient *g = xcalloc(1, sizeof *g);
-    struct list part[ASSEMBLY_BLOCKS] = {{0, 0, NULL, NULL}};
+    struct assembly_list part[ASSEMBLY_BLOCKS] = {{0, 0, NULL, NULL}};
     int threads = o->threads > 1 ? o->threads : 1, first_bad = ASSEMBLY_BLOCKS;
     assembly_create(&m, p, o, s, c, spacing);
     a->gradient = g, a->state = g->total = c->total;
@@ -158,14 +130,15 @@ int gradient_assemble(struct heat_operator *a, const struct problem *p, const st
     if (!status && pairs > UINT32_MAX)
         status = refuse(why, STATUS_INPUT, "%zu pairs of particles: two sweeps take at most %u", pairs, UINT32_MAX);
     if (!status) {
-        join(g, part, pairs);
+        assembly_list_join(part, &g->other, &g->F);
+        for (size_t i = 0; i < g->total; i++) g->kept[i + 1] += g->kept[i];
         lend(g, needed);
         place(&m, g);
         g->reach = find_reach(g, a->n);
         count(a, g);
         assembly_keep_constants(&m, xcalloc(a->n, sizeof *a->g), a);
     }
-    for (int b = 0; b < ASSEMBLY_BLOCKS; b++) free(part[b].other), free(part[b].F);
+    assembly_list_free(part);
     free(needed);
     assembly_free(&m);
     return status;
