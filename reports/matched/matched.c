@@ -55,13 +55,13 @@ static int write_work(FILE *out, struct failure *why) {
 }
 
 static int write_ratio(const struct method *m, enum kernel_name kernel, double h, FILE *out, struct failure *why) {
-    struct model_problem probe = {.method = m, .dim = 2, .options = {.dx = 1, .h = h, .kernel = kernel}};
+    struct model_problem b = {.method = m, .dim = 2, .options = {.dx = 1, .h = h, .kernel = kernel}};
     struct symbol_error e;
     struct step_limit limit;
-    probe.step.stepper = STEPPER_EULER, probe.step.stages = 1;
-    int status = step_limit_model(&probe, why);
-    if (!status) status = step_limit_predict(&probe, &limit, why);
-    if (!status) status = matched_symbol(2, &probe.options, m->scheme, &e, why);
+    b.step.stepper = STEPPER_EULER, b.step.stages = 1;
+    int status = step_limit_model(&b, why);
+    if (!status) status = step_limit_predict(&b, &limit, why);
+    if (!status) status = matched_symbol(2, &b.options, m->scheme, &e, why);
     if (status == STATUS_NUMERICAL) { /* the quartic kernel is not positive: M need not be, at small supports */
         fprintf(out, "# h/dx %.4f: singular\n", h);
         return STATUS_OK;

@@ -168,7 +168,7 @@ static int assemble(const struct candidate_operator *o, const struct cloud_kind 
                               .step = {STEPPER_EULER, 0}};
     struct cloud cloud;
     if (model_problem_resolve(&b, n, why)) return why->status;
-    struct problem p = model_problem_setup(&b, PROBE_NOISE, 0);
+    struct problem p = model_problem_setup(&b, MODEL_NOISE, 0);
     if (model_problem_cloud(&b, &p, &cloud, why)) return why->status;
     double start = omp_get_wtime();
     int status = operator_create_csr(a, &p, &b.options, b.method->scheme, &cloud, 1, why);

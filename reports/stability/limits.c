@@ -24,7 +24,7 @@ static void find(int i, struct point *point) {
     struct failure why;
     int k = i % RATIOS, kernel = i / RATIOS % KERNELS, method = i / (RATIOS * KERNELS) % METHODS;
     int dim = 1 + i / (RATIOS * KERNELS * METHODS);
-    struct model_problem b = stability_probe(names[method], dim, (enum kernel_name)kernel, ratio_of(k));
+    struct model_problem b = stability_model(names[method], dim, (enum kernel_name)kernel, ratio_of(k));
     struct step_limit *l = &point->limit;
     point->found = !step_limit_model(&b, &why) && !step_limit_predict(&b, l, &why);
     /* by trying: every 0.1 on a rod; on a square every 0.25, and every 0.5 past 1.5 */
@@ -44,7 +44,7 @@ static void print(FILE *out, const struct point *point, double h) {
 static int differences(FILE *out, struct failure *why) {
     static const char *const method[] = {"ftcs", "ftcs_flux"};
     for (int i = 0; i < 4; i++) {
-        struct model_problem b = stability_probe(method[i % 2], 1 + i / 2, KERNEL_CUBIC, 0);
+        struct model_problem b = stability_model(method[i % 2], 1 + i / 2, KERNEL_CUBIC, 0);
         struct step_limit l;
         char name[40];
         if (step_limit_model(&b, why) || step_limit_predict(&b, &l, why) || step_limit_measure(&b, &l.measured, why))
@@ -64,7 +64,7 @@ static int unequal(FILE *out, struct failure *why) {
         snprintf(name, sizeof name, "unequal %s", kernel_words[k]);
         stability_block(out, name, "kappa_y/kappa_x,published,von_neumann");
         for (int i = 0; i <= STEPS; i++) {
-            struct model_problem b = stability_probe("so_ssph", 2, (enum kernel_name)k, 1.1);
+            struct model_problem b = stability_model("so_ssph", 2, (enum kernel_name)k, 1.1);
             struct step_limit l;
             b.ratio = fmax(1e-9, (double)i / STEPS);
             if (step_limit_model(&b, why) || step_limit_predict(&b, &l, why)) return why->status;
@@ -97,7 +97,7 @@ int stability_maximum_page(FILE *out, struct failure *why) {
                    "verify --only 'maximum/*'");
     for (int i = 0; i < DIMS * KERNELS; i++) {
         char name[40];
-        struct model_problem b = stability_probe("so_ssph", 1 + i / KERNELS, (enum kernel_name)(i % KERNELS), 0);
+        struct model_problem b = stability_model("so_ssph", 1 + i / KERNELS, (enum kernel_name)(i % KERNELS), 0);
         snprintf(name, sizeof name, "%s %dD", kernel_words[i % KERNELS], b.dim);
         stability_block(out, name, "h/dx,lowest_weight/|w0|,undershoot_K");
         for (int k = 0; k < MAXIMUM_COUNT; k++) {

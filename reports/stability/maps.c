@@ -27,7 +27,7 @@ static const struct map maps[] = {
 
 static int write_map(FILE *out, const struct map *m, struct failure *why) {
     enum { CELLS = 96 };
-    struct model_problem b = stability_probe(m->method, 2, m->kernel, m->h);
+    struct model_problem b = stability_model(m->method, 2, m->kernel, m->h);
     struct symbol s;
     struct step_limit l;
     if (step_limit_model(&b, why) || step_limit_predict(&b, &l, why) || symbol_create(&s, &b, why))
@@ -77,7 +77,7 @@ static int worst_condition(const struct model_problem *b, const struct neighbour
 static struct cell measure_cloud(const struct model_problem *b) {
     struct cell cell = {0, NAN};
     struct failure why;
-    struct problem p = model_problem_setup(b, PROBE_NOISE, 0);
+    struct problem p = model_problem_setup(b, MODEL_NOISE, 0);
     struct cloud c;
     struct step_limit l;
     if (model_problem_cloud(b, &p, &c, &why)) return cell;
@@ -91,7 +91,7 @@ static struct cell worst_of_seeds(int i) {
     struct cell worst = {0, -INFINITY};
     for (unsigned long seed = 1; seed <= SEEDS; seed++) {
         struct model_problem b =
-            stability_probe(jittered[i / (RATIOS * JITTERS)], 2, KERNEL_CUBIC, 0.7 + 0.05 * (i % RATIOS));
+            stability_model(jittered[i / (RATIOS * JITTERS)], 2, KERNEL_CUBIC, 0.7 + 0.05 * (i % RATIOS));
         struct failure why;
         b.options.layout = LAYOUT_JITTER;
         b.options.jitter = 0.05 * (i / RATIOS % JITTERS);
@@ -129,7 +129,7 @@ int stability_jitter_page(FILE *out, struct failure *why) {
 /* ---- Walls without ghosts ---- */
 
 static int spectrum_of(struct model_problem *b, int ghosts, struct spectrum *s, struct failure *why) {
-    struct problem p = model_problem_setup(b, PROBE_NOISE, 0);
+    struct problem p = model_problem_setup(b, MODEL_NOISE, 0);
     struct heat_operator a;
     struct cloud c;
     if (model_problem_cloud(b, &p, &c, why)) return why->status;
@@ -159,7 +159,7 @@ int stability_walls_page(FILE *out, struct failure *why) {
                     "method,dim,h/dx,walls,largest real part,largest |imaginary part|,largest |lambda|,limit (dt "
                     "kappa/dx^2)");
     for (int i = 0; i < 24; i++) {
-        struct model_problem b = stability_probe(method[i % 3], 1 + i / 3 % 2, KERNEL_CUBIC, i / 6 % 2 ? 1.6 : 1.1);
+        struct model_problem b = stability_model(method[i % 3], 1 + i / 3 % 2, KERNEL_CUBIC, i / 6 % 2 ? 1.6 : 1.1);
         struct spectrum s;
         struct failure refused;
         int ghosts = i / 12;

@@ -18,7 +18,7 @@ static double apart(const struct model_problem *b, double F, long long steps) {
     struct options o = b->options;
     double most = 0;
     for (int i = 0; i < 2; i++) {
-        struct problem p = model_problem_setup(b, PROBE_HILL, i * DISTURBANCE);
+        struct problem p = model_problem_setup(b, MODEL_HILL, i * DISTURBANCE);
         p.t_end = F * (double)steps;
         o.dt = F;
         if (!method_solve(b->method, &p, &o, &f[i], &why)) continue;
@@ -53,8 +53,8 @@ int stability_blowup_page(FILE *out, struct failure *why) {
     stability_head(out, "A disturbance of 1e-10 K at 0.99 of the published bound, and at 0.99 of the true one",
                    "limit so_ssph --dim 1 --kernel quartic --h 1.1");
     fprintf(out, "# command: heatladder limit ftcs --dim 2\n");
-    if (follow(out, "so_ssph", stability_probe("so_ssph", 1, KERNEL_QUARTIC, 1.1), 10, why)) return why->status;
-    return follow(out, "ftcs", stability_probe("ftcs", 2, KERNEL_CUBIC, 0), 1, why);
+    if (follow(out, "so_ssph", stability_model("so_ssph", 1, KERNEL_QUARTIC, 1.1), 10, why)) return why->status;
+    return follow(out, "ftcs", stability_model("ftcs", 2, KERNEL_CUBIC, 0), 1, why);
 }
 
 /* ---- The checkerboard over time ---- */
@@ -111,7 +111,7 @@ int stability_steppers_page(FILE *out, struct failure *why) {
             double z = 1.25 * amplification_interval(a) * k / POINTS, G = creal(amplification_factor(a, -z));
             fprintf(out, "%.6g,%.6g,%.6g\n", z, fabs(G), G);
         }
-        struct model_problem b = stability_probe("so_ssph", 1, KERNEL_CUBIC, 1.1);
+        struct model_problem b = stability_model("so_ssph", 1, KERNEL_CUBIC, 1.1);
         struct step_limit l;
         b.step = *a;
         if (step_limit_model(&b, why) || step_limit_predict(&b, &l, why) || step_limit_measure(&b, &l.measured, why))

@@ -19,7 +19,7 @@ void stability_block(FILE *out, const char *name, const char *columns) {
     fprintf(out, "\n\n# %s\n%s\n", name, columns);
 }
 
-struct model_problem stability_probe(const char *method, int dim, enum kernel_name kernel, double h) {
+struct model_problem stability_model(const char *method, int dim, enum kernel_name kernel, double h) {
     return (struct model_problem){
         .method = method_find(method), .dim = dim, .options = {.kernel = kernel, .h = h}, .step = {STEPPER_EULER, 0}};
 }

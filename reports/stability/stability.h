@@ -15,8 +15,9 @@ int stability_write(const char *dir, struct failure *why);
 void stability_head(FILE *out, const char *title, const char *command);
 void stability_block(FILE *out, const char *name, const char *columns);
 
-/* A probe of a method by its name, with a kernel and an h/dx (h = 0: the default), defaults not yet resolved. */
-struct model_problem stability_probe(const char *method, int dim, enum kernel_name kernel, double h);
+/* The model problem of a method by its name, with a kernel and an h/dx (h = 0: the default), defaults not yet
+ * resolved. */
+struct model_problem stability_model(const char *method, int dim, enum kernel_name kernel, double h);
 
 /* The pages.  Each writes into `out`. */
 int stability_limits_page(FILE *out, struct failure *why);

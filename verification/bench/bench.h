@@ -17,7 +17,7 @@ struct bench_row {
     struct result result; /* its failure says why there is no more than that */
     int left_out;         /* 1: not run, since it is predicted to take longer than may be spent */
     struct bench_time time;
-    double work;                /* candidate_work */
+    double work;                /* of the run, in the unit of solver/outline.h */
     int front_time, front_work; /* 1: no other row has a smaller error for less */
 };
 

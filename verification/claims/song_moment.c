@@ -177,7 +177,7 @@ static double of_linear(const char *method, struct claims_measured *m) {
     struct failure why;
     double most = 0;
     if (claims_kit_model(&b, m, "limit %s --dim 2 --layout jitter --jitter 0.2 --seed 3", method)) return NAN;
-    struct problem p = model_problem_setup(&b, PROBE_NOISE, 0);
+    struct problem p = model_problem_setup(&b, MODEL_NOISE, 0);
     if (model_problem_cloud(&b, &p, &c, &why)) return claims_kit_fail(m, why.text), NAN;
     if (operator_create_csr(&a, &p, &b.options, b.method->scheme, &c, 1, &why)) {
         layout_cloud_free(&c);

@@ -28,7 +28,7 @@ int long_run_measure(const struct model_problem *given, double F, long long step
     struct heat_operator a;
     b.n = PARTICLES;
     b.insulated = 1;
-    struct problem p = model_problem_setup(&b, PROBE_NOISE, 0);
+    struct problem p = model_problem_setup(&b, MODEL_NOISE, 0);
     if (model_problem_operator(&b, &p, &a, why)) return why->status;
     double *T = xcalloc(a.n, sizeof *T), before, largest;
     for (size_t i = 0; i < a.n; i++) T[i] = 1.5 + p.initial(&p, (double[2]){(double)i, 0}) / 2;

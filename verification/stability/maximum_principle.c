@@ -13,7 +13,7 @@ double maximum_principle_h(int k) {
 }
 
 static int run(const struct model_problem *b, double F, long long steps, double *undershoot, struct failure *why) {
-    struct problem p = model_problem_setup(b, PROBE_IMPULSE, 0);
+    struct problem p = model_problem_setup(b, MODEL_IMPULSE, 0);
     struct options o = b->options;
     struct field f;
     p.t_end = F * (double)steps;

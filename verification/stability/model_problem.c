@@ -47,8 +47,8 @@ struct problem model_problem_setup(const struct model_problem *b, enum model_pro
                         .materials = 1,
                         .material = {{{1, model_problem_kappa_y(b)}, 1}},
                         .param = {disturb},
-                        .initial = data == PROBE_NOISE     ? noise_at
-                                   : data == PROBE_IMPULSE ? impulse_at
+                        .initial = data == MODEL_NOISE     ? noise_at
+                                   : data == MODEL_IMPULSE ? impulse_at
                                                            : hill_at,
                         .wall = zero};
     for (int a = 0; a < b->dim; a++) p.hi[a] = b->n;
@@ -57,7 +57,7 @@ struct problem model_problem_setup(const struct model_problem *b, enum model_pro
 }
 
 int model_problem_resolve(struct model_problem *b, int least, struct failure *why) {
-    struct problem p = model_problem_setup(b, PROBE_NOISE, 0);
+    struct problem p = model_problem_setup(b, MODEL_NOISE, 0);
     const struct scheme *s = b->method->scheme;
     if (!s && options_is_cloud(&b->options))
         return refuse(why, STATUS_INPUT, "--layout %s: %s needs a grid: lattice or node",

@@ -19,9 +19,9 @@ struct model_problem {
 };
 
 enum model_problem_data {
-    PROBE_NOISE,   /* in [-1, 1], by the cell that a particle lies in */
-    PROBE_IMPULSE, /* 1 K in the middle cell */
-    PROBE_HILL     /* half a wave along each axis, 1 K high, and `disturb` times the noise */
+    MODEL_NOISE,   /* in [-1, 1], by the cell that a particle lies in */
+    MODEL_IMPULSE, /* 1 K in the middle cell */
+    MODEL_HILL     /* half a wave along each axis, 1 K high, and `disturb` times the noise */
 };
 
 /* The options resolved (h/dx), and the least n that the method's reach allows where b->n is 0: at least `least`. */
@@ -29,7 +29,7 @@ int model_problem_resolve(struct model_problem *b, int least, struct failure *wh
 
 double model_problem_kappa_y(const struct model_problem *b); /* over kappa_x */
 
-/* The problem itself: sides of n m, kappa 1 m^2/s along x, t_end 1 s; `disturb`, K, is for PROBE_HILL. */
+/* The problem itself: sides of n m, kappa 1 m^2/s along x, t_end 1 s; `disturb`, K, is for MODEL_HILL. */
 struct problem model_problem_setup(const struct model_problem *b, enum model_problem_data data, double disturb);
 
 /* `steps` steps of F = dt kappa/dx^2 by the method's own solve (RKL2: by stepper_march, since a run chooses its own

@@ -48,7 +48,7 @@ static int song_bound(const struct model_problem *b, const struct neighbourhood 
                       struct failure *why) {
     double w[2][NEIGHBOURS_MAX], *out[2] = {w[0], w[1]}, sum[2] = {0, 0}, *least = strictest;
     int sweeps = b->method->scheme->sweeps;
-    struct problem p = model_problem_setup(b, PROBE_NOISE, 0);
+    struct problem p = model_problem_setup(b, MODEL_NOISE, 0);
     if (b->method->scheme->weights(&p, &b->options, nb, out, why)) return why->status;
     for (size_t k = 0; k < nb->n; k++)
         for (int a = 0; a < (sweeps == 2 ? b->dim : 1); a++) sum[a] += sweeps == 2 ? fabs(w[a][k]) : w[a][k];
@@ -64,7 +64,7 @@ static int song(const struct model_problem *given, double *published, struct fai
     struct cloud c;
     int cloud = options_is_cloud(&b.options);
     if (!cloud) b.options.layout = LAYOUT_LATTICE;
-    struct problem p = model_problem_setup(&b, PROBE_NOISE, 0);
+    struct problem p = model_problem_setup(&b, MODEL_NOISE, 0);
     if (model_problem_cloud(&b, &p, &c, why)) return why->status;
     *published = INFINITY;
     int status = model_problem_around(&b, &c, cloud ? c.n : 1, song_bound, published, why);
@@ -100,7 +100,7 @@ static int from_symbol(const struct model_problem *b, struct step_limit *l, stru
 }
 
 static int from_spectrum(const struct model_problem *b, struct step_limit *l, struct failure *why) {
-    struct problem p = model_problem_setup(b, PROBE_NOISE, 0);
+    struct problem p = model_problem_setup(b, MODEL_NOISE, 0);
     struct heat_operator a;
     struct spectrum s;
     if (model_problem_operator(b, &p, &a, why)) return why->status;
@@ -125,7 +125,7 @@ int step_limit_predict(const struct model_problem *b, struct step_limit *l, stru
 }
 
 int step_limit_grows(const struct model_problem *b, double F, long long steps, struct failure *why) {
-    struct problem p = model_problem_setup(b, PROBE_NOISE, 0);
+    struct problem p = model_problem_setup(b, MODEL_NOISE, 0);
     double largest;
     int status = model_problem_run(b, &p, F, steps, &largest, why);
     return status == STATUS_UNSTABLE ? 1 : status ? -1 : !(largest <= 2);

@@ -30,7 +30,7 @@ int step_limit_grows(const struct model_problem *b, double F, long long steps, s
 
 enum { LIMIT_ROD = 48, LIMIT_SQUARE = 24, LIMIT_SQUARE_JITTER = 14, LIMIT_STEPS = 1000 };
 
-/* A probe of the size that limits are looked for on, resolved; and that of a command `limit`. */
+/* Resolves *b on so many particles that limits are looked for on; and the model problem of a command `limit`. */
 int step_limit_model(struct model_problem *b, struct failure *why);
 int step_limit_setup(const struct method *m, const struct options *o, int dim, double ratio, int stages,
                      struct model_problem *b, struct failure *why);

@@ -21,7 +21,7 @@ static void reserve(struct symbol *s, int dim, int rx, int ry) {
 }
 
 static int from_scheme(struct symbol *s, const struct model_problem *b, struct failure *why) {
-    struct problem p = model_problem_setup(b, PROBE_NOISE, 0);
+    struct problem p = model_problem_setup(b, MODEL_NOISE, 0);
     const double kappa[2] = {1, model_problem_kappa_y(b)};
     double *quadrant;
     int r[2];
@@ -38,7 +38,7 @@ static int from_impulse(struct symbol *s, const struct model_problem *given, str
     struct model_problem b = *given;
     struct field f;
     b.n = IMPULSE;
-    struct problem p = model_problem_setup(&b, PROBE_IMPULSE, 0);
+    struct problem p = model_problem_setup(&b, MODEL_IMPULSE, 0);
     struct options o = b.options;
     o.stepper = STEPPER_EULER, o.layout = LAYOUT_LATTICE; /* IMPULSE unknowns, whatever holds the walls */
     p.t_end = o.dt = 1.0 / 64;

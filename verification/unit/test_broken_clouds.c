@@ -51,7 +51,7 @@ struct outcome {
 static struct outcome try(const struct method *method, struct made *m, double h) {
     struct outcome out = {0};
     struct model_problem b = {.method = method, .dim = 2, .n = SIDE, .options = {.dx = 1, .h = h}};
-    struct problem p = model_problem_setup(&b, PROBE_NOISE, 0);
+    struct problem p = model_problem_setup(&b, MODEL_NOISE, 0);
     struct heat_operator a;
     out.status = operator_create_csr(&a, &p, &b.options, method->scheme, &m->c, 1, &out.why);
     if (out.status) return out;
@@ -179,7 +179,7 @@ static void jitter_is_refused_or_measured(void **state) {
         struct failure why;
         b.options = (struct options){.h = h[k % 6], .layout = LAYOUT_JITTER, .jitter = 0.125 * (k / 6), .seed = 7};
         assert_int_equal(model_problem_resolve(&b, 12, &why), STATUS_OK);
-        struct problem p = model_problem_setup(&b, PROBE_NOISE, 0);
+        struct problem p = model_problem_setup(&b, MODEL_NOISE, 0);
         int status = model_problem_operator(&b, &p, &a, &why);
         if (status) {
             assert_int_equal(status, STATUS_NUMERICAL);

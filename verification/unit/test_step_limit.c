@@ -179,7 +179,7 @@ static void rows_have_the_symbols_eigenvalues(void **state) {
     assert_int_equal(symbol_create(&s, &b, &why), STATUS_OK);
     b.options.layout = LAYOUT_JITTER; /* of amplitude 0 */
     b.n = 16;
-    struct problem p = model_problem_setup(&b, PROBE_NOISE, 0);
+    struct problem p = model_problem_setup(&b, MODEL_NOISE, 0);
     assert_int_equal(model_problem_operator(&b, &p, &a, &why), STATUS_OK);
     assert_int_equal(spectrum_create(&e, &a, &b.step, &why), STATUS_OK);
     for (int k = 1; k <= 16; k++) {
