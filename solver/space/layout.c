@@ -1,10 +1,8 @@
-/* Where the particles and their ghosts are.
+/* Lattices, and what ghosts hold.
  *
  * Cell-centred lattice: x_i = lo + (i + 1/2) dx (Song's tables; the walls lie midway between a particle and its
  * mirror image).  Node lattice: x_i = lo + i dx, where a node on a Dirichlet wall is known and so not a particle, and
- * a node on a Neumann wall is one.  Jitter: each particle of the cell-centred lattice is moved uniformly within +-A
- * dx along each axis; its ghosts are the mirror images of the moved particles, so that walls stay exact; so are those
- * of all clouds (place.c, relax.c).
+ * a node on a Neumann wall is one.
  *
  * Ghosts at the distance d beyond a wall, n its outward normal, t along it:
  *   fixed      T_g = T_wall (Pamplona Fig. 3, first order)
@@ -20,12 +18,8 @@
 #include "solver/space/layout.h"
 
 #include "solver/space/place.h"
-#include "solver/space/relax.h"
 
-#include <gsl/gsl_rng.h>
 #include <math.h>
-#include <stdlib.h>
-#include <string.h>
 
 static const double PARTICLES_MAX = 4e9; /* rows have columns of 32 bits */
 
@@ -66,8 +60,7 @@ static int refuse_spacing(const struct problem *p, const struct options *o, doub
                   o->dx, near[0], near[1]);
 }
 
-/* (k - b d)/(k + b d), with no overflow where b is huge: what a ghost d beyond a Robin wall takes of its source. */
-static double robin_factor(const struct problem *p, int side, double k, double d) {
+double layout_robin_factor(const struct problem *p, int side, double k, double d) {
     double ratio = p->side[side] == ROBIN ? p->robin[side] * d / k : 0;
     return ratio > 1 ? (1 / ratio - 1) / (1 / ratio + 1) : (1 - ratio) / (1 + ratio);
 }
@@ -107,7 +100,7 @@ int layout_lattice(const struct problem *p, const struct options *o, double rati
             double foot = s == X_HI ? p->hi[0] : p->lo[0];
             l->shift[s] = !node ? 0 : dirichlet ? -1 : 1;
             l->sign[s] = p->side[s] == ROBIN ? LAYOUT_ROBIN : !dirichlet ? 1 : o->walls == WALLS_FIXED ? 0 : -1;
-            l->robin[s] = robin_factor(p, s, p->material[layout_material(p, foot)].k[a], l->dx[a] / 2);
+            l->robin[s] = layout_robin_factor(p, s, p->material[layout_material(p, foot)].k[a], l->dx[a] / 2);
             if (node && p->side[s] == ROBIN)
                 return refuse(
                     why, STATUS_NOT_APPLICABLE,
@@ -165,7 +158,7 @@ static double reflect(const struct problem *p, enum walls walls, int axis, int s
     double k = p->material[layout_material(p, foot[0])].k[axis];
     if (p->side[side] == ROBIN) {
         int layer = l ? (int)round(d / l->dx[axis] + 0.5) : 0;
-        *sign = l ? robin_sum(l->robin[side], layer) : robin_factor(p, side, k, d);
+        *sign = l ? robin_sum(l->robin[side], layer) : layout_robin_factor(p, side, k, d);
         return (1 - *sign) * value;
     }
     if (p->side[side] == NEUMANN) {
@@ -197,122 +190,4 @@ double layout_ghost_offset(const struct problem *p, enum walls walls, const stru
         orders++;
     }
     return orders ? offset / orders : 0;
-}
-
-/* Particles in the order of square cells of side `reach`: neighbours in space are neighbours in memory. */
-static void place_particles(const struct problem *p, const struct options *o, const struct lattice *l, double reach,
-                            struct cloud *c) {
-    int block[2] = {(int)fmax(1, floor(reach / l->dx[0])), l->dim == 2 ? (int)fmax(1, floor(reach / l->dx[1])) : 1};
-    gsl_rng *random = gsl_rng_alloc(gsl_rng_mt19937);
-    gsl_rng_set(random, o->seed);
-    double amplitude = o->layout == LAYOUT_JITTER || o->layout == LAYOUT_RELAXED ? 2 * o->jitter : 0;
-    size_t k = 0;
-    for (int j0 = 0; j0 < l->n[1]; j0 += block[1])
-        for (int i0 = 0; i0 < l->n[0]; i0 += block[0])
-            for (int j = j0; j < j0 + block[1] && j < l->n[1]; j++)
-                for (int i = i0; i < i0 + block[0] && i < l->n[0]; i++, k++) {
-                    double x[2];
-                    place_position(p, o, l, i, j, x);
-                    c->x[k] = x[0] + amplitude * l->dx[0] * (gsl_rng_uniform(random) - 0.5);
-                    c->y[k] = l->dim == 2 ? x[1] + amplitude * l->dx[1] * (gsl_rng_uniform(random) - 0.5) : 0;
-                    c->source[k] = (uint32_t)k;
-                    c->sign[k] = 1;
-                }
-    gsl_rng_free(random);
-}
-
-/* The images of particle i beyond the walls, up to three (two sides and the corner between them). */
-static void add_ghosts(const struct problem *p, const struct options *o, const struct lattice *l, size_t i,
-                       struct cloud *c) {
-    double source[2] = {c->x[i], c->y[i]};
-    for (int sx = -1; sx < 2; sx++)
-        for (int sy = p->dim == 2 ? -1 : 1; sy < 2; sy++) { /* -1: not beyond this axis; else the side's parity */
-            int side[2] = {sx, p->dim == 2 && sy >= 0 ? 2 + sy : -1}, sign = 1, near = 1;
-            double factor = 1;
-            double ghost[2] = {source[0], source[1]};
-            if (side[0] < 0 && side[1] < 0) continue;
-            for (int a = 0; a < p->dim; a++) {
-                if (side[a] < 0) continue;
-                double wall = side[a] % 2 ? p->hi[a] : p->lo[a];
-                near = near && fabs(source[a] - wall) < c->reach;
-                ghost[a] = 2 * wall - source[a];
-                if (l->sign[side[a]] == LAYOUT_ROBIN)
-                    factor *= robin_factor(p, side[a], p->material[layout_material(p, ghost[0])].k[a],
-                                           fabs(source[a] - wall));
-                else
-                    sign *= l->sign[side[a]];
-            }
-            if (!near) continue;
-            size_t k = c->total++;
-            c->x[k] = ghost[0];
-            c->y[k] = ghost[1];
-            c->source[k] = (uint32_t)i;
-            c->sign[k] = (signed char)sign;
-            if (c->factor) c->factor[k] = factor * sign;
-            c->offset[k] = layout_ghost_offset(p, o->walls, NULL, side, ghost, source);
-        }
-}
-
-/* Of particles and ghosts, which have their sources'. */
-static void add_spacings(const struct problem *p, const struct options *o, const struct lattice *l, struct cloud *c) {
-    c->spacing = xcalloc(c->total, sizeof *c->spacing);
-    c->coarsest = place_coarsest(p, o, l);
-    for (size_t i = 0; i < c->total; i++) {
-        double x[2] = {c->x[c->source[i]], c->y[c->source[i]]};
-        c->spacing[i] = place_spacing(p, o, l, x);
-    }
-}
-
-static void take_places(const struct field *from, struct cloud *c) {
-    memcpy(c->x, from->x, c->n * sizeof *c->x);
-    if (from->y) memcpy(c->y, from->y, c->n * sizeof *c->y);
-    c->settling = from->settling;
-}
-
-int layout_cloud(const struct problem *p, const struct options *o, const struct lattice *l, double reach,
-                 struct cloud *c, struct failure *why) {
-    if (o->layout == LAYOUT_GRADED) reach *= place_coarsest(p, o, l) / l->dx[0];
-    if (o->layout == LAYOUT_NODE)
-        return refuse(why, STATUS_NOT_APPLICABLE,
-                      "--layout node: particles with rows of their own need another layout");
-    for (int a = 0; a < p->dim; a++)
-        if (reach > p->hi[a] - p->lo[a])
-            return refuse(why, STATUS_INPUT,
-                          "--dx %g: the ghosts of a wall reach %g m, past the opposite wall; take a "
-                          "smaller --dx or --h",
-                          o->dx, reach);
-    size_t n = (size_t)l->n[0] * (size_t)l->n[1], width[2];
-    for (int a = 0; a < 2; a++) width[a] = a < p->dim ? (size_t)(2 * ceil(reach / l->dx[a]) + 3) : 0;
-    size_t most = n + width[0] * (size_t)l->n[1] + width[1] * (size_t)l->n[0] + width[0] * width[1];
-    if (o->layout == LAYOUT_GRADED) most = 9 * n;
-    *c = (struct cloud){.dim = p->dim, .n = n, .total = n, .reach = reach, .volume = l->dx[0] * l->dx[1]};
-    c->x = xcalloc(most, sizeof *c->x);
-    c->y = xcalloc(most, sizeof *c->y);
-    c->source = xcalloc(most, sizeof *c->source);
-    c->sign = xcalloc(most, sizeof *c->sign);
-    c->offset = xcalloc(most, sizeof *c->offset);
-    for (int s = 0; s < 2 * p->dim; s++)
-        if (p->side[s] == ROBIN && !c->factor) c->factor = xcalloc(most, sizeof *c->factor);
-    for (size_t i = 0; c->factor && i < n; i++) c->factor[i] = 1;
-    place_particles(p, o, l, reach, c);
-    if (o->layout == LAYOUT_RELAXED && o->placed && o->redraw == 0)
-        take_places(o->placed, c);
-    else if (o->layout == LAYOUT_RELAXED && relax_cloud(p, o, p->dim == 2 ? sqrt(c->volume) : c->volume, c, why)) {
-        layout_cloud_free(c);
-        return why->status;
-    }
-    for (size_t i = 0; i < n; i++) add_ghosts(p, o, l, i, c);
-    if (o->layout == LAYOUT_GRADED) add_spacings(p, o, l, c);
-    return STATUS_OK;
-}
-
-void layout_cloud_free(struct cloud *c) {
-    free(c->x);
-    free(c->y);
-    free(c->source);
-    free(c->sign);
-    free(c->offset);
-    free(c->factor);
-    free(c->spacing);
-    *c = (struct cloud){0};
 }

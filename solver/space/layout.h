@@ -42,6 +42,10 @@ double layout_rho_c(const struct problem *p, double width, double x);
 /* m: the width of the particles' cells on a lattice; 0 on clouds, where a particle is of one material. */
 double layout_cell(const struct options *o, double spacing);
 
+/* (k - b d)/(k + b d), with no overflow where b is huge: what a ghost at the distance d (m) beyond a Robin side takes
+ * of its source; 1 for another side. */
+double layout_robin_factor(const struct problem *p, int side, double k, double d);
+
 /* What the ghost at `ghost` adds to sign T_source, K, for the source at `source` (m).  side[a] is the side that it
  * lies beyond along axis a, or -1.  At a corner the two orders of reflection differ where the sides disagree: their
  * mean is taken.  l: the lattice that the ghost belongs to; NULL in a cloud. */

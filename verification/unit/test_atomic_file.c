@@ -17,6 +17,7 @@
 
 struct place {
     char directory[64], path[96];
+    char nowhere[96], refusal[160]; /* a file in a directory that is not there, and what is said of it */
 };
 
 static int set_up(void **state) {
@@ -24,6 +25,8 @@ static int set_up(void **state) {
     strcpy(p->directory, "/tmp/heatladder_test.XXXXXX");
     if (!mkdtemp(p->directory)) return -1;
     snprintf(p->path, sizeof p->path, "%s/out.json", p->directory);
+    snprintf(p->nowhere, sizeof p->nowhere, "%s/none/out.csv", p->directory);
+    snprintf(p->refusal, sizeof p->refusal, "cannot write '%s': No such file or directory", p->nowhere);
     *state = p;
     return 0;
 }
@@ -78,9 +81,9 @@ static void a_check_leaves_what_is_there(void **state) {
 static void what_cannot_be_written_is_refused(void **state) {
     const struct place *p = *state;
     struct failure why = {0};
-    assert_int_equal(atomic_file_check("/nonexistent/out.json", &why), STATUS_INPUT);
-    assert_string_equal(why.text, "cannot write '/nonexistent/out.json': No such file or directory");
-    assert_int_equal(atomic_file_write("/nonexistent/out.json", "x", 1, &why), STATUS_INPUT);
+    assert_int_equal(atomic_file_check(p->nowhere, &why), STATUS_INPUT);
+    assert_string_equal(why.text, p->refusal);
+    assert_int_equal(atomic_file_write(p->nowhere, "x", 1, &why), STATUS_INPUT);
     assert_int_equal(atomic_file_check(p->directory, &why), STATUS_INPUT);
     assert_int_equal(atomic_file_write(p->directory, "x", 1, &why), STATUS_INPUT);
     assert_int_equal(entries(p->directory), 0);
@@ -96,9 +99,9 @@ static void of_several_all_or_none(void **state) {
     read_back(other, text, sizeof text);
     unlink(other);
     assert_string_equal(text, "two");
-    const struct atomic_file bad[] = {{p->path, "new", 3}, {"/nonexistent/out.csv", "x", 1}, {other, "y", 1}};
+    const struct atomic_file bad[] = {{p->path, "new", 3}, {p->nowhere, "x", 1}, {other, "y", 1}};
     assert_int_equal(atomic_file_write_all(bad, 3, &why), STATUS_INPUT);
-    assert_string_equal(why.text, "cannot write '/nonexistent/out.csv': No such file or directory");
+    assert_string_equal(why.text, p->refusal);
     read_back(p->path, text, sizeof text);
     assert_string_equal(text, "one");
     assert_int_equal(entries(p->directory), 1); /* no part is left behind */
