@@ -21,9 +21,9 @@ endif
 
 # Results must be the same bits for any number of threads and any width of vectors, and NaN must be seen.
 UNSAFE := $(filter -ffast-math -Ofast -funsafe-math-optimizations -fassociative-math -freciprocal-math \
-  -ffinite-math-only -fno-signed-zeros -ffp-contract=fast -ffp-contract=on,$(CC) $(CFLAGS))
+  -ffinite-math-only -fno-signed-zeros -ffp-contract=fast% -ffp-contract=on -ffp-model=%,$(CC) $(CFLAGS) $(LDFLAGS))
 ifneq ($(UNSAFE),)
-$(error $(UNSAFE): the order of additions would be left to the compiler, or NaN be assumed away; leave it out of CFLAGS)
+$(error $(UNSAFE): the order of additions would be left to the compiler, or NaN be assumed away; leave it out)
 endif
 
 # A plain `make` uses all processors.

@@ -26,7 +26,7 @@ int refuse(struct failure *f, int status, const char *format, ...) {
 void *xcheck(void *block, size_t count, size_t size) {
     if (block) return block;
     fprintf(stderr, "heatladder: out of memory (%zu x %zu bytes)\n", count, size);
-    exit(STATUS_NUMERICAL);
+    _Exit(STATUS_NUMERICAL); /* of any thread, while others run */
 }
 
 void *xcalloc(size_t count, size_t size) {

@@ -11,6 +11,7 @@
 #ifdef __GLIBC__
 #include <malloc.h>
 #endif
+#include <omp.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -54,7 +55,22 @@ static int flush(int status) {
 static void gsl_failed(const char *reason, const char *file, int line, int error) {
     if (error != GSL_ENOMEM) return;
     fprintf(stderr, "heatladder: out of memory (GSL, %s:%d: %s)\n", file, line, reason);
-    exit(STATUS_NUMERICAL);
+    _Exit(STATUS_NUMERICAL);
+}
+
+/* OpenMP's runtime ends the program by itself where it has no memory or no thread for a team, with status 1, which
+ * here says that a gate failed. */
+static int over; /* whether main has ended it */
+
+static void ended_by_others(void) {
+    if (over) return;
+    fputs("heatladder: out of memory or of threads, says OpenMP; OMP_NUM_THREADS=1 asks for no others\n", stderr);
+    _Exit(STATUS_NUMERICAL);
+}
+
+/* A team's threads are listed on the stack of the one that starts it: 100000 of them are more than it holds. */
+static void limit_threads(void) {
+    if (omp_get_max_threads() > THREADS_MOST) omp_set_num_threads(THREADS_MOST);
 }
 
 /* What a run frees stays with the program: the next run of the same size finds its pages there.  To fetch them anew
@@ -73,15 +89,23 @@ static void tell_programs(const char *typed) {
     free(path);
 }
 
-int main(int argc, char **argv) {
-    gsl_set_error_handler(gsl_failed);
-    keep_pages();
-    tell_programs(argv[0]);
+static int answer(int argc, char **argv) {
     if (argc < 2) {
         help_program(stderr);
-        exit(STATUS_INPUT);
+        return STATUS_INPUT;
     }
     if (strcmp(argv[1], "--version") == 0)
-        exit(flush(printf("heatladder %s\n", version_text) < 0 ? STATUS_INPUT : STATUS_OK));
-    exit(flush(wants_help(argc, argv) ? help(argc, argv) : act(argc - 1, argv + 1)));
+        return flush(printf("heatladder %s\n", version_text) < 0 ? STATUS_INPUT : STATUS_OK);
+    return flush(wants_help(argc, argv) ? help(argc, argv) : act(argc - 1, argv + 1));
+}
+
+int main(int argc, char **argv) {
+    gsl_set_error_handler(gsl_failed);
+    atexit(ended_by_others);
+    keep_pages();
+    limit_threads();
+    tell_programs(argv[0]);
+    int status = answer(argc, argv);
+    over = 1;
+    return status;
 }

@@ -6,6 +6,7 @@
 #include "verification/foreign/samples.h"
 #include "verification/text/number.h"
 
+#include <errno.h>
 #include <math.h>
 #include <stdarg.h>
 #include <stdio.h>
@@ -203,15 +204,14 @@ int gate_file_read(const char *text, size_t size, const char *name, struct gate_
 int gate_file_open(const char *path, struct gate_file *f, struct failure *why) {
     enum { MOST = 1 << 20 };
     *f = (struct gate_file){0};
-    FILE *in = samples_open(path, path, why);
-    if (!in) return why->status;
+    FILE *in = fopen(path, "r");
+    if (!in) return refuse(why, STATUS_INPUT, "--gates %.200s: %s", path, strerror(errno));
     char *text = xcalloc(MOST + 1, 1);
     size_t n = fread(text, 1, MOST + 1, in);
-    int bad = ferror(in);
+    int status = ferror(in) ? refuse(why, STATUS_INPUT, "--gates %.200s: %s", path, strerror(errno))
+                 : n > MOST ? refuse(why, STATUS_INPUT, "--gates %.200s: larger than 1 MB", path)
+                            : gate_file_read(text, n, path, f, why);
     fclose(in);
-    int status = bad || n > MOST
-                     ? refuse(why, STATUS_INPUT, "%.200s: could not be read, or is larger than 1 MB", path)
-                     : gate_file_read(text, n, path, f, why);
     free(text);
     return status;
 }

@@ -63,9 +63,9 @@ static int check_options(const struct request *r, struct failure *why) {
                       r->experiment.method->name);
     if (r->peers && r->json)
         return refuse(why, STATUS_INPUT, "--peers tells text, and CSV into DIR: leave out --json");
-    if (r->rungs.expect.count &&
-        (r->rungs.expect.count != 2 || !(r->rungs.expect.value[0] < r->rungs.expect.value[1])))
-        return refuse(why, STATUS_INPUT, "--expect needs LO,HI with LO < HI, such as 1.9,2.1");
+    const struct numbers *e = &r->rungs.expect;
+    if (e->count && !(e->count == 2 && e->value[0] < e->value[1]))
+        return refuse(why, STATUS_INPUT, "--expect %.60s: needs LO,HI with LO < HI, such as 1.9,2.1", e->text);
     return STATUS_OK;
 }
 

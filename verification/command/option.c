@@ -5,6 +5,7 @@
 #include "references/scene.h"
 #include "verification/text/number.h"
 #include "verification/command/request.h"
+#include "verification/command/stack.h"
 #include "verification/text/words.h"
 
 #include <math.h>
@@ -237,7 +238,7 @@ const struct option options_table[] = {
      "symmetry: of a scene with mirror planes, the half or quarter that must be computed; or whole", read_word,
      IN(experiment.options.domain), domain_words, 0, 0, 0},
     {"threads", "threads", "N", "threads that one run may use", read_whole, IN(experiment.options.threads), NULL, 1,
-     1024, 0},
+     THREADS_MOST, 0},
     {"t-end", "t-end", "T", "end time, s; the same as --set t_end=T", read_t_end, 0, NULL, FINITE, 2},
     {"set", "set", "NAME=VALUE", "override a parameter of the scene (see: heatladder list scenes)", read_set, 0, NULL,
      FINITE, 2},

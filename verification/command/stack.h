@@ -3,7 +3,8 @@
 
 struct failure;
 
-enum { STACK_LEAST = 256 }; /* kB of a thread: twice what the deepest call has been seen to take, 64 to 128 */
+enum { STACK_LEAST = 256 };   /* kB of a thread: twice what the deepest call has been seen to take, 64 to 128 */
+enum { THREADS_MOST = 1024 }; /* of one run, and of a team: 100 kB of that stack */
 
 /* STATUS_OK; or STATUS_INPUT where the limit of the stack (ulimit -s) or of OpenMP's threads (OMP_STACKSIZE,
  * GOMP_STACKSIZE) is below STACK_LEAST: a thread would end without a word. */

@@ -110,7 +110,9 @@ static int write_case(const struct program *g, const struct scene *s, const stru
     FILE *out = fopen(path, "w");
     if (!out) return refuse(why, STATUS_INPUT, "cannot write '%.200s': %s", path, strerror(errno));
     case_file_write(s, p, o, &(struct case_extra){g->label, *g->vary ? g->vary : NULL, g->value}, out);
-    if (ferror(out) | fclose(out)) return refuse(why, STATUS_INPUT, "cannot write '%.200s'", path);
+    int bad = fflush(out) || ferror(out), error = errno;
+    if (fclose(out) || bad)
+        return refuse(why, STATUS_INPUT, "cannot write '%.200s': %s", path, strerror(bad ? error : errno));
     return STATUS_OK;
 }
 

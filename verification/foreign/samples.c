@@ -100,7 +100,7 @@ FILE *samples_open(const char *path, const char *name, struct failure *why) {
     else if (is.st_size == 0)
         refuse(why, STATUS_INPUT, "%.200s: empty; the answer must be a table of points or a VTK file", name);
     else
-        return fdopen(file, "r");
+        return xcheck(fdopen(file, "r"), 1, BUFSIZ);
     if (file >= 0) close(file);
     return NULL;
 }

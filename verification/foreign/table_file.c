@@ -76,6 +76,7 @@ static int next_line(struct reader *t, struct failure *why) {
         else if (*first)
             return 1;
     }
+    if (!ferror(t->in) && !feof(t->in)) xcheck(NULL, t->room, 1); /* a line longer than what memory is left */
     return 0;
 }
 

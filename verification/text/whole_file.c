@@ -4,12 +4,14 @@
 #include "solver/status.h"
 
 #include <stdlib.h>
+#include <string.h>
 
 char *whole_file_read(FILE *in, size_t *size) {
     size_t room = 1 << 16, used = 0, got;
     char *text = xcalloc(room, 1);
     while ((got = fread(text + used, 1, room - used - 1, in)) > 0) {
         used += got;
+        if (memchr(text + used - got, '\0', got)) break;
         if (used + 1 == room) text = xgrow(text, used, room *= 2, 1);
     }
     if (size) *size = used;

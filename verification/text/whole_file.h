@@ -5,7 +5,8 @@
 
 #include <stdio.h>
 
-/* What is left of a stream; ferror(in) tells whether it could be read to its end. */
+/* What is left of a stream; ferror(in) tells whether it could be read to its end.  Where a NUL is met, no text, what
+ * follows in the stream is left: a device may give them without end. */
 char *whole_file_read(FILE *in, size_t *size);
 
 /* NULL, and errno tells why, where the file cannot be opened or read. */

@@ -111,9 +111,31 @@ static void files_that_are_none(void **state) {
     struct gate_file f;
     struct failure why = {0};
     assert_int_equal(gate_file_open("/nonexistent/rows", &f, &why), STATUS_INPUT);
+    assert_non_null(strstr(why.text, "--gates /nonexistent/rows: No such file"));
     gate_file_free(&f);
     assert_int_equal(gate_file_open("verification", &f, &why), STATUS_INPUT);
+    assert_non_null(strstr(why.text, "Is a directory"));
     gate_file_free(&f);
+    assert_int_equal(gate_file_open("/dev/null", &f, &why), STATUS_INPUT);
+    assert_non_null(strstr(why.text, "no row"));
+    gate_file_free(&f);
+}
+
+static void a_link_to_rows_is_followed(void **state) {
+    (void)state;
+    struct gate_file f;
+    struct failure why;
+    char here[] = "/tmp/gates-test-XXXXXX", path[64], *rows = realpath("verification/gates/time.def", NULL);
+    assert_non_null(mkdtemp(here));
+    snprintf(path, sizeof path, "%s/rows", here);
+    assert_int_equal(symlink(rows, path), 0);
+    int status = gate_file_open(path, &f, &why);
+    unlink(path);
+    remove(here);
+    if (status) fail_msg("%s", why.text);
+    assert_true(f.count > 5);
+    gate_file_free(&f);
+    free(rows);
 }
 
 int main(void) {
@@ -123,6 +145,7 @@ int main(void) {
         cmocka_unit_test(what_is_wrong_is_found_with_its_place),
         cmocka_unit_test(any_prefix_is_survived),
         cmocka_unit_test(files_that_are_none),
+        cmocka_unit_test(a_link_to_rows_is_followed),
     };
     return cmocka_run_group_tests_name("gate_file", tests, NULL, NULL);
 }

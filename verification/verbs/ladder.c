@@ -127,18 +127,29 @@ static int without_scene(const struct request *r, struct failure *why) {
     return status;
 }
 
-/* One test case; a ladder that nothing judges is measured, which is no failure. */
-static int write_junit(const struct request *r, const struct ladder *l, struct failure *why) {
-    char id[120], told[160];
+static int is_judged(const struct request *r) {
+    return r->rungs.expect.count || r->rungs.ceiling > 0;
+}
+
+/* --expect and --ceiling as they were given. */
+static void print_asked(const struct request *r, char *text, size_t size) {
     const struct numbers *e = &r->rungs.expect;
+    int n = e->count ? snprintf(text, size, "--expect %g,%g", e->value[0], e->value[1]) : 0;
+    if (r->rungs.ceiling > 0)
+        n += snprintf(text + n, size - (size_t)n, "%s--ceiling %g", n ? " " : "", r->rungs.ceiling);
+    if (!n) snprintf(text, size, "its runs should end");
+}
+
+/* One test case, which passes where the exit status is to be 0: also a ladder that ran and that nothing judges. */
+static int write_junit(const struct request *r, const struct ladder *l, int status, struct failure *why) {
+    char id[120], told[160];
     struct gate_result result = {.seconds = l->seconds, .executed = 1};
     snprintf(id, sizeof id, "%s/%s", r->experiment.scene->name, r->experiment.method->name);
-    snprintf(told, sizeof told, "--expect %g,%g --ceiling %g", e->count ? e->value[0] : -INFINITY,
-             e->count ? e->value[1] : INFINITY, r->rungs.ceiling > 0 ? r->rungs.ceiling : INFINITY);
+    print_asked(r, told, sizeof told);
     result.gate = (struct gate){.id = id, .why = told, .command = id};
     snprintf(result.typed, sizeof result.typed, "%s", r->typed);
     result.measured = (struct measured){.value = l->slope.value, .verdict = l->verdict};
-    if (l->verdict == VERDICT_MEASURED) result.measured.verdict = VERDICT_PASS;
+    if (!status && !is_judged(r)) result.measured.verdict = VERDICT_PASS;
     snprintf(result.measured.reason, sizeof result.measured.reason, "%s", l->reason);
     struct gates one = {.declared = 1, .executed = 1, .result = &result};
     return junit_write(&one, r->junit_path, why);
@@ -148,7 +159,7 @@ static int write_junit(const struct request *r, const struct ladder *l, struct f
 static int write_files(const struct request *r, const struct ladder *l, int status, struct failure *why) {
     struct failure unwritten = {0};
     if (r->page_path) page_ladder_write(l, &r->rungs, r->typed, r->page_path, &unwritten);
-    if (r->junit_path && !unwritten.status) write_junit(r, l, &unwritten);
+    if (r->junit_path && !unwritten.status) write_junit(r, l, status, &unwritten);
     if (status || !unwritten.status) return status;
     *why = unwritten;
     return unwritten.status;
@@ -179,7 +190,7 @@ int verb_ladder(const struct request *r, struct failure *why) {
         if (!r->json && l->tried) why->text[0] = '\0'; /* it stands in the table */
         status = write_files(r, l, status, why);
     }
-    if (!status && (r->rungs.expect.count || r->rungs.ceiling > 0) && l->verdict != VERDICT_PASS)
+    if (!status && is_judged(r) && l->verdict != VERDICT_PASS)
         status = l->verdict == VERDICT_FAIL ? STATUS_GATE : STATUS_INCONCLUSIVE;
     free(l);
     return status;
