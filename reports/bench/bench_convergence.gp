@@ -1,5 +1,5 @@
 # Error over the number of particles along x: the order of each.
-chart = 'convergence'
+chart = 'convergence'; subject = 'error against particles along x'
 X = 1; Y = 3; bars = ''; front = ''
 across = 'particles along x  [-]'
 along = 'E1  [-]'

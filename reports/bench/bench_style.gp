@@ -1,4 +1,5 @@
-# What the charts of a benchmark share: `data` is reports/out/bench/bench_SCENE.csv, `chart` the end of the name.
+# What the charts of a benchmark share: `data` is reports/out/bench/bench_SCENE.csv, `chart` the end of the name,
+# `subject` the title's.
 # A panel holds at most seven programs of a family of steppers; all others stand in grey behind them.
 #     X, Y: columns; bars: 'x' or 'y', the axis of the times (lowest and highest in columns 5 and 6), or ''
 #     front: 'time' or 'work', which of what nothing beats the last panel shows, or ''
@@ -25,41 +26,39 @@ members(f) = sum [j=1:N] (MEMBER[j] == f)
 parts(f) = f > 5 ? front ne '' : (members(f) + MOST - 1) / MOST
 per_part(f) = (members(f) + parts(f) - 1) / parts(f)
 panels = sum [f=1:6] parts(f)
-wide = 1240; high = 118 + 500 * ((panels + 2) / 3)
+wide = 1240; high = 134 + 500 * ((panels + 2) / 3)
 load 'reports/page/style.gp'
 unset title
 unset bmargin
 unset label 99
-FRONT = front eq 'time' ? N : front eq 'work' ? N + 1 : -1
+FRONT = front eq 'time' ? N : N + 1 # its block
+array SHOWN[MOST]
 STYLE = bars eq 'y' ? 'yerrorbars' : 'xerrorbars'
-at = bars eq 'y' ? Y : X
+LOW = bars eq '' ? X : 5; HIGH = bars eq '' ? X : 6
 array COLOUR[7] = [BLUE, RED, GREEN, ORANGE, PURPLE, SKY, BLACK]
 array POINT[7] = [7, 5, 9, 11, 13, 6, 4]
-place(i) = RANK[i] % per_part(MEMBER[i]) + 1
-colour(i) = COLOUR[place(i)]
-point(i) = POINT[place(i)]
 set logscale xy
 set format xy '10^{%T}'
 set offsets graph 0.03, graph 0.03, 0, 0
-set label 98 heading at screen 0.5, screen 1 - 27.0 / high center noenhanced font size_of(13)
+set label 98 heading[1:strstrt(heading, ':')].' '.subject at screen 0.5, screen 1 - 27.0 / high center noenhanced font size_of(13)
 set label 99 caption at screen 0.012, screen 21.0 / high left noenhanced font size_of(8.5) textcolor rgb '#555555'
-set multiplot layout (panels + 2) / 3,3 margins screen 0.072, 0.985, 201.0 / high, 1 - 74.0 / high \
+set multiplot layout (panels + 2) / 3,3 margins screen 0.072, 0.985, 217.0 / high, 1 - 74.0 / high \
     spacing screen 0.05, 233.0 / high
 panel = 0
-shown(i) = MEMBER[i] == f && RANK[i] / per_part(f) == part
 do for [f=1:6] { do for [part=0:parts(f)-1] {
     panel = panel + 1
+    n = 0
+    do for [i=1:N] { if (MEMBER[i] == f && RANK[i] / per_part(f) == part) { n = n + 1; SHOWN[n] = i } }
     set xlabel across offset 0, 0.5
     set ylabel (panel % 3 == 1 ? along : '') offset 0.5
     set title (f > 5 ? 'what nothing else beats' : part ? TITLE[f].', continued' : TITLE[f]) noenhanced font size_of(11) offset 0, -0.6
     set key at graph 0, graph -0.2 left top Left reverse samplen 1.5 spacing 1.05
     eval sprintf("set key font '%s'", size_of(8))
-    plot for [i=1:N] data index i-1 using X:Y with lines lc rgb '#d6d6d6' lw 0.8 notitle, \
-         for [i=1:N] data index i-1 using (shown(i) ? column(X) : NaN):Y:(bars eq '' ? column(at) : $5):(bars eq '' ? column(at) : $6) \
-             with @STYLE lc rgb colour(i) lw 0.8 pt 0 notitle, \
-         for [i=1:N] data index i-1 using (shown(i) ? column(X) : NaN):Y with linespoints lc rgb colour(i) lw 1.2 \
-             pt point(i) ps 0.8 * P title (shown(i) ? WHO[i] : ''), \
-         data index (FRONT < 0 ? 0 : FRONT) using (f == 6 ? column(X) : NaN):Y with linespoints lc rgb BLACK lw 2.2 pt 7 ps 0.6 * P notitle
+    plot data index 0:(N-1) using X:Y with lines lc rgb '#d6d6d6' lw 0.8 notitle, \
+         for [j=1:n] data index SHOWN[j]-1 using X:Y:LOW:HIGH with @STYLE lc rgb COLOUR[j] lw 0.8 pt 0 notitle, \
+         for [j=1:n] data index SHOWN[j]-1 using X:Y with linespoints lc rgb COLOUR[j] lw 1.2 pt POINT[j] ps 0.8 * P \
+             title WHO[SHOWN[j]], \
+         for [i=FRONT:(f == 6 ? FRONT : FRONT-1)] data index i using X:Y with linespoints lc rgb BLACK lw 2.2 pt 7 ps 0.6 * P notitle
     unset label 98
     unset label 99
 } }

@@ -1,5 +1,5 @@
 # Error over wall time; a bar spans the runs.
-chart = 'time'
+chart = 'time'; subject = 'error against wall time'
 X = 4; Y = 3; bars = 'x'; front = 'time'
 across = 'wall time of a run  [s]'
 along = 'E1  [-]'

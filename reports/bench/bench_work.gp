@@ -1,5 +1,5 @@
 # Error over counted work, which is the same on every machine.
-chart = 'work'
+chart = 'work'; subject = 'error against counted work'
 X = 7; Y = 3; bars = ''; front = 'work'
 across = 'work  [pairs of particles]'
 along = 'E1  [-]'
