@@ -5,7 +5,7 @@ load 'reports/page/style.gp'
 unset title
 set label 98 heading at screen 0.5, screen 0.965 center noenhanced font size_of(13)
 unset bmargin
-set multiplot layout 1,2 margins screen 0.085, 0.985, 0.34, 0.88 spacing screen 0.05, 0.05
+set multiplot layout 1,2 margins screen 0.085, 0.985, 0.34, 0.88 spacing screen 0.075, 0.05
 set logscale xy
 set format y '10^{%T}'
 set xtics ('1/320' 1.0/320, '1/160' 1.0/160, '1/80' 1.0/80, '1/40' 1.0/40, '1/20' 1.0/20)

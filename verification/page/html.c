@@ -28,16 +28,19 @@ static const char style[] =
     ".pass{color:var(--pass)}.fail{color:var(--fail);font-weight:bold}.other{color:var(--other);font-weight:bold}\n"
     ".verdict{font-size:1.25rem}nav ul{columns:2 14rem;padding-left:1.2rem}\n"
     ".groups{columns:4 11rem;list-style:none;padding:0;font-size:.9rem}\n"
-    "@media "
-    "print{@page{margin:12mm}html{font-size:9pt}body{font-size:1rem;line-height:1.35;background:#fff;color:#000}\n"
+    "@media screen and (max-width:44rem){.wide,.scroll{overflow:auto}.scroll{max-height:80vh}\n"
+    ".wide img{max-width:none;width:60rem}\n"
+    "table:has(th:nth-child(6)){min-width:64rem}table:has(tr:first-child>th.up){min-width:0}}\n"
+    "@media print{@page{margin:12mm}html{font-size:9pt}body{font-size:1rem;line-height:1.35;background:#fff;"
+    "color:#000}\n"
     "main{padding:0}nav{display:none}h2{margin-top:1rem}.scroll{overflow:visible;max-height:none}\n"
     "pre{white-space:pre-wrap;max-height:none;font-size:6.5pt}table{font-size:7pt;line-height:1.25}code{font-size:."
     "9em}\n"
     "td,th{position:static;white-space:normal;overflow-wrap:break-word;min-width:0}th,td{padding:.1rem .3rem}\n"
     "td:first-child{min-width:4rem}th.up{font-size:6pt}tr{break-inside:avoid}\n"
-    "figure{display:inline-block;width:49%;margin:.3rem 0;padding:0 "
-    ".2rem;vertical-align:top}figure.wide{width:100%}\n"
-    "figure img{max-height:10cm}}\n";
+    "figure{display:inline-block;width:49%;margin:.3rem 0;padding:0 .2rem;vertical-align:top}\n"
+    "figure img{max-height:10cm}figure.wide{display:block;width:auto}.wide img{max-height:20cm}\n"
+    "section+section{break-before:page}}\n";
 
 void html_open(FILE *out, const char *title) {
     fprintf(out,
