@@ -1,4 +1,4 @@
-/* Memory of a field, and how far two are from each other. */
+/* Memory of a field, and how far it is from another. */
 #include "solver/field.h"
 
 #include "solver/status.h"
@@ -30,4 +30,13 @@ double field_distance(const struct field *f, const double *T, const double *size
         whole += w * fabs(size[i]);
     }
     return apart / whole;
+}
+
+double field_farthest(const struct field *f, const double *T) {
+    double most = 0;
+    for (size_t i = 0; i < f->n; i++) {
+        double apart = fabs(f->T[i] - T[i]);
+        if (!(apart <= most)) most = apart; /* a NaN stays */
+    }
+    return most;
 }

@@ -45,4 +45,7 @@ void field_free(struct field *f);
  * there.  w: f->weight. */
 double field_distance(const struct field *f, const double *T, const double *size);
 
+/* K: the largest |f->T[i] - T[i]| at the n points of *f; NaN where one is. */
+double field_farthest(const struct field *f, const double *T);
+
 #endif

@@ -16,7 +16,6 @@ static double apart(const struct model_problem *b, double F, long long steps) {
     struct field f[2];
     struct failure why;
     struct options o = b->options;
-    double most = 0;
     for (int i = 0; i < 2; i++) {
         struct problem p = model_problem_setup(b, MODEL_HILL, i * DISTURBANCE);
         p.t_end = F * (double)steps;
@@ -25,7 +24,7 @@ static double apart(const struct model_problem *b, double F, long long steps) {
         if (i) field_free(&f[0]);
         return NAN;
     }
-    for (size_t i = 0; i < f[0].n; i++) most = fmax(most, fabs(f[1].T[i] - f[0].T[i]));
+    double most = field_farthest(&f[0], f[1].T);
     field_free(&f[0]);
     field_free(&f[1]);
     return most;

@@ -111,9 +111,11 @@ static int on_front(const struct bench_scene *b, const struct bench_row *row, in
     return 1;
 }
 
-/* Explicit steps that shrink with dx^2 make N^(1 + 2/d); n steps of sqrt(n) stages N^(1 + 3/(2d)); transforms N. */
+/* Explicit steps that shrink with dx^2 make N^(1 + 2/d); n steps of sqrt(n) stages N^(1 + 3/(2d)); one step of n
+ * updates by polynomials N^(1 + 1/d); transforms N. */
 static double expected_growth(const struct candidate *c, int dim) {
     if (c->options.stepper == STEPPER_EXACT || c->options.dt > 0) return 1;
+    if (c->options.stepper == STEPPER_CHEBYSHEV) return 1 + 1.0 / dim;
     if (c->options.stepper == STEPPER_RKL2) return 1 + 1.5 / dim;
     return 1 + 2.0 / dim;
 }

@@ -82,9 +82,7 @@ void claims_pamplona_kernel_mass_rate(struct claims_measured *m) {
                                   "tuned --stepper rk2 --xi %g --dt %g --t-end %g";
     struct command_run once, twice;
     int bad = claims_kit_run(&once, m, command, 1.2, 0.1, 20.0) | claims_kit_run(&twice, m, command, 2.4, 0.05, 10.0);
-    double apart = 0;
-    for (size_t i = 0; i < (bad ? 0 : once.field.n); i++)
-        apart = fmax(apart, fabs(once.field.T[i] - twice.field.T[i]));
+    double apart = bad ? NAN : field_farthest(&once.field, twice.field.T);
     command_run_free(&once);
     command_run_free(&twice);
     if (bad) return;

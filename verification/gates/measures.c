@@ -129,32 +129,31 @@ void measures_checkerboard_kept(const struct request *r, double lo, double hi, s
     measures_judge(m, last.shape.checkerboard / first.shape.checkerboard, lo, hi);
 }
 
-/* The largest difference of two runs' temperatures, K; NaN where one fails. */
-static double runs_apart(const struct experiment *e, const struct problem of[2], struct measured *m) {
+/* *worst, K: raised to the largest difference of two runs' temperatures; a status, *m failed, where a run is. */
+static int runs_apart(const struct experiment *e, const struct problem of[2], double *worst, struct measured *m) {
     struct field f[2] = {{0}};
     struct failure why;
-    double apart = NAN;
     int status = method_solve(e->method, &of[0], &e->options, &f[0], &why);
     if (!status) status = method_solve(e->method, &of[1], &e->options, &f[1], &why);
     if (status) measures_fail(m, why.text);
-    for (size_t i = 0; i < f[0].n && !status; i++) apart = fmax(apart, fabs(f[0].T[i] - f[1].T[i]));
+    double apart = status ? NAN : field_farthest(&f[0], f[1].T);
+    if (!(apart <= *worst)) *worst = apart; /* a NaN stays */
     for (int k = 0; k < 2; k++) field_free(&f[k]);
-    return apart;
+    return status;
 }
 
 void measures_robin_limits(const struct request *r, double lo, double hi, struct measured *m) {
     static const double b[] = {0, 1e300};
     static const enum side_kind limit[] = {NEUMANN, DIRICHLET};
     const struct experiment *e = &r->experiment;
-    double apart[2];
+    double worst = 0;
     for (int end = 0; end < 2; end++) {
         struct problem p[2] = {e->problem, e->problem};
         for (int s = 0; s < 2 * e->problem.dim; s++)
             if (e->problem.side[s] == ROBIN) p[0].robin[s] = b[end], p[1].side[s] = limit[end];
-        apart[end] = runs_apart(e, p, m);
-        if (isnan(apart[end])) return;
+        if (runs_apart(e, p, &worst, m)) return;
     }
-    measures_judge(m, fmax(apart[0], apart[1]), lo, hi);
+    measures_judge(m, worst, lo, hi);
 }
 
 /* Points that fill the domain evenly and meet no symmetry of it: the additive sequences of the plastic number. */

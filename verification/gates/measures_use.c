@@ -13,13 +13,6 @@
 #include <stdio.h>
 #include <stdlib.h>
 
-static double farthest(const struct field *a, const struct field *b) {
-    double most = 0;
-    for (size_t i = 0; i < a->n; i++)
-        if (!(fabs(a->T[i] - b->T[i]) <= most)) most = fabs(a->T[i] - b->T[i]); /* a NaN stays */
-    return most;
-}
-
 /* The error beside it: how far the two fields are apart, K. */
 void measures_symmetry(const struct request *r, double lo, double hi, struct measured *m) {
     const struct experiment *e = &r->experiment;
@@ -32,7 +25,7 @@ void measures_symmetry(const struct request *r, double lo, double hi, struct mea
     measures_fail(m, why.text);
     if (!status) {
         measures_judge(m, (double)b.updates / (double)a.updates, lo, hi);
-        m->error = a.n == b.n ? farthest(&a, &b) : NAN;
+        m->error = a.n == b.n ? field_farthest(&a, b.T) : NAN;
     }
     field_free(&a);
     field_free(&b);
