@@ -20,7 +20,7 @@ struct ftcs_loops {
     int (*outside)(int n, double middle, double reach, const double *T);
 };
 
-/* Those that take 2, 4 or 8 doubles at once; 0: as many as the machine can. */
+/* The loops that take 2, 4 or 8 doubles at once; 0: as many as the machine can. */
 const struct ftcs_loops *ftcs_loops_of(int lanes);
 
 #endif

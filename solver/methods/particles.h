@@ -21,7 +21,7 @@ int particles_outline(const struct method *m, const struct problem *p, const str
 int particles_resolve(const struct problem *p, const struct options *o, const struct scheme *s,
                       struct options *resolved, struct failure *why);
 
-/* These, the lattice, and whether each particle gets a row of its own. */
+/* The resolved options, the lattice, and whether each particle gets a row of its own. */
 int particles_prepare(const struct problem *p, const struct options *o, const struct scheme *s,
                       struct options *resolved, struct lattice *l, int *rows, struct failure *why);
 

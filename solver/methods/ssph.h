@@ -26,7 +26,7 @@ int ssph_gradient(const struct neighbourhood *nb, enum kernel_name kernel, doubl
 int ssph_fit(const struct neighbourhood *nb, enum kernel_name kernel, int terms, double P[][SSPH_TERMS_MAX],
              const double *target, double *w, struct failure *why);
 
-/* That condition number, of the moment matrix of the neighbourhood; infinite where it has no Cholesky factor. */
+/* The condition number of the moment matrix of ssph_weights; infinite where it has no Cholesky factor. */
 double ssph_condition(const struct neighbourhood *nb, enum kernel_name kernel, int order);
 
 #endif

@@ -22,7 +22,7 @@ void assembly_free(struct assembly *m) {
     neighbours_free(&m->cells);
 }
 
-int assembly_look(const struct assembly *m, size_t i, struct surroundings *out, struct failure *why) {
+int assembly_neighbourhood(const struct assembly *m, size_t i, struct surroundings *out, struct failure *why) {
     const struct cloud *c = m->c;
     size_t n = neighbours_find(&m->cells, i, out->near, NEIGHBOURS_MAX);
     if (n > NEIGHBOURS_MAX)

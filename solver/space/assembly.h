@@ -37,7 +37,7 @@ void assembly_create(struct assembly *m, const struct problem *p, const struct o
 void assembly_free(struct assembly *m);
 
 /* The neighbourhood of point i.  STATUS_NUMERICAL where it has more neighbours than are held. */
-int assembly_look(const struct assembly *m, size_t i, struct surroundings *out, struct failure *why);
+int assembly_neighbourhood(const struct assembly *m, size_t i, struct surroundings *out, struct failure *why);
 
 void assembly_list_grow(struct assembly_list *l); /* to twice the room */
 

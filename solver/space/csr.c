@@ -34,7 +34,7 @@ static void sort_columns(uint32_t *column, size_t n) {
 }
 
 /* Moves the row of particle i to the list: off-diagonal columns, ascending. */
-static void flush(struct row *r, size_t i, struct assembly_list *out, double *diagonal) {
+static void move_row(struct row *r, size_t i, struct assembly_list *out, double *diagonal) {
     sort_columns(r->column, r->n);
     for (size_t k = 0; k < r->n; k++) {
         uint32_t j = r->column[k];
@@ -50,7 +50,7 @@ static int add_row(const struct assembly *m, size_t i, struct surroundings *at, 
                    double *g, struct failure *why) {
     const struct cloud *c = m->c;
     double weight[NEIGHBOURS_MAX], *w[2] = {weight, NULL};
-    if (assembly_look(m, i, at, why) || m->s->weights(m->p, m->o, &at->nb, w, why)) return why->status;
+    if (assembly_neighbourhood(m, i, at, why) || m->s->weights(m->p, m->o, &at->nb, w, why)) return why->status;
     for (size_t k = 0; k < at->nb.n; k++) {
         uint32_t j = at->near[k]; /* may be a ghost */
         *diagonal -= weight[k];
@@ -69,7 +69,7 @@ static int assemble_block(const struct assembly *m, struct heat_operator *a, dou
     csr_row_create(&r, m->c->n);
     for (size_t i = begin; i < end && !status; i++) {
         status = add_row(m, i, at, &r, &a->diagonal[i], &g[i], why);
-        flush(&r, i, out, &a->diagonal[i]);
+        move_row(&r, i, out, &a->diagonal[i]);
         a->row[i + 1] = out->n;
     }
     csr_row_free(&r);

@@ -39,7 +39,7 @@ static int take_block(const struct assembly *m, const unsigned char *needed, siz
     int status = STATUS_OK;
     for (size_t i = begin; i < end && !status; i++) {
         if (!needed[i]) continue;
-        status = assembly_look(m, i, at, why);
+        status = assembly_neighbourhood(m, i, at, why);
         if (!status) status = m->s->pairs(m->p, m->o, &at->nb, F, &g->C[3 * i], why);
         size_t before = list->n;
         for (size_t k = 0; k < at->nb.n && !status; k++)

@@ -37,16 +37,19 @@ static inline double neighbourhood_mean_h(const struct neighbourhood *nb, size_t
     return nb->H ? (nb->h + nb->H[j]) / 2 : nb->h;
 }
 
-struct scheme {
-    /* 1: weights w[0] of dT_i/dt = sum w_j (T_j - T_i).  2: weights w[0], w[1] of the two first derivatives, applied
-     * twice: dT/dt = d/dx(kappa_x dT/dx) + d/dy(kappa_y dT/dy) */
+struct scheme { /* how a particle method weights neighbours; options are resolved */
+    /* 1: dT_i/dt = sum_j w[0][j] (T_j - T_i).  2: w[0], w[1] give the two first derivatives, which are applied twice:
+     * dT/dt = d/dx(kappa_x dT/dx) + d/dy(kappa_y dT/dy) */
     int sweeps;
     /* 1: of averages over cells a rod of two materials starts with what start_keep_heat makes of them */
     int keeps_start;
+    /* STATUS_OK, or why this method has no answer to such a problem */
     int (*check)(const struct problem *p, const struct options *o, struct failure *why);
     /* m^d: what a particle's volume dV = dx^d counts for, on a lattice of that volume and smoothing length h (m);
      * NULL where weights do not depend on it */
     double (*volume)(const struct problem *p, const struct options *o, double h, double dV);
+    /* Fills w[0] (s^-1), or w[0] and on a rectangle w[1] (m^-1) for 2 sweeps, of nb->n each.  STATUS_NUMERICAL names
+     * the particle, its neighbour count and the reason */
     int (*weights)(const struct problem *p, const struct options *o, const struct neighbourhood *nb, double *w[2],
                    struct failure *why);
     /* 2 sweeps only, the same weights taken apart, w[a][j] = F[j] (C d_j)_a: F alike from either particle of a pair,

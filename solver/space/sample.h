@@ -8,15 +8,15 @@
  * even with the flux's slope about a Neumann wall. */
 double sample_initial(const struct problem *p, enum sampling sampling, const double dx[2], const double x[2]);
 
-/* The same for a particle of a lattice, whose cell the interface may cut: its heat over its heat capacity.  Points
- * are then those in the middle of either part. */
+/* sample_initial for a particle of a lattice, whose cell the interface may cut: its heat over its heat capacity.
+ * Points are then those in the middle of either part. */
 double sample_cell(const struct problem *p, enum sampling sampling, const double dx[2], const double x[2]);
 
 /* Whether the data have the temperature of a Dirichlet wall, to 1e-9 of their size, at every row or column of the
  * lattice: averages need not be cut there. */
 int sample_meets_wall(const struct problem *p, const struct lattice *l, enum side s);
 
-/* The same for every particle of a lattice: T[j * n[0] + i], K. */
+/* sample_initial for every particle of a lattice: T[j * n[0] + i], K. */
 void sample_lattice(const struct problem *p, enum sampling sampling, const struct lattice *l, double *T);
 
 #endif

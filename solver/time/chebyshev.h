@@ -11,8 +11,8 @@ double chebyshev_longest(double bound);
 /* Updates that a step of dt (s) takes, at least 2. */
 int chebyshev_degree(double dt, double bound);
 
-/* These into u (degree), Y0 aside: of a step from T, the first writes y from x = T, the second reads T as Y0 alone
- * and each of the others x, y and Y0 = T. */
+/* Those updates, into u (degree of them), Y0 aside: of a step from T, the first writes y from x = T, the second reads
+ * T as Y0 alone and each of the others x, y and Y0 = T. */
 void chebyshev_updates(double dt, double bound, int degree, struct update *u);
 
 #endif

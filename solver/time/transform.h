@@ -20,7 +20,7 @@ void transform_forward(const struct transform *t, double *T);
 void transform_backward(const struct transform *t, double *T);
 double transform_scale(const struct lattice *l);
 
-/* The same of one line of n[axis] values along an axis. */
+/* The transform of one line of n[axis] values along an axis. */
 void transform_line_forward(const struct transform *t, int axis, const double *line, double *to);
 void transform_line_backward(const struct transform *t, int axis, const double *line, double *to);
 

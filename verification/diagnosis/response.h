@@ -44,9 +44,9 @@ void response_free(struct response *r);
 void response_at(const struct response *r, const struct response_lattice *l, const struct field *f,
                  const double *base, double *out);
 
-/* The same of what sides of given temperature lose in the cell of a corner, K for all of it, on a lattice of cells of
- * the size dx, m: what the corner's surroundings lose goes with the cell, not in proportion.  -1 also where that
- * would be more than 160 cells along x. */
+/* The response to FAULT_CORNER, K for all that is lost, into response[f->n].  Taken on a lattice of cells of the size
+ * dx, m, since what a corner's cell lacks does not go in proportion to it.  0; -1 where *p cannot have that fault or
+ * there would be more than 160 cells along x. */
 int response_at_corner(const struct problem *p, double dx, struct fault fault, const struct field *f,
                        double *response);
 
