@@ -10,10 +10,9 @@
  *
  * A trial is begun where   lost + wake + 2 stretch <= LOSS T,   lost: by all trials before; wake: what the thread
  * took to begin, or the most that a trial has lost, if that is more; 2 stretch: both last twice as long as alone.  So
- * trials lose at most LOSS T as long as none loses more than was foreseen, and what one does lose is foreseen for the
- * next: at most 1.05 T, and what one trial loses beyond that, on any machine and however small the sweep.  The rest
- * up to 1.1 T is for that one.  Looks come a twentieth of the time so far apart, since one that comes so much later
- * loses no more. */
+ * the run takes 1.05 T at most as long as no trial loses more than was foreseen.  What one loses beyond that comes on
+ * top, once: the next trial foresees it.  Looks of one thread alone are LOSS of the time so far apart: a trial
+ * that begins that much later loses no more. */
 #include "solver/team.h"
 
 #include <math.h>

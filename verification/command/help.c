@@ -25,18 +25,20 @@ void help_program(FILE *out) {
 
 void help_verb(const struct verb *v, FILE *out) {
     struct table t = table_create(2, 2);
+    int lists = 0;
     fprintf(out, "heatladder %s%s%s [options]: %s\n\n", v->name, *v->positionals ? " " : "", v->positionals,
             v->about);
     for (const struct option *o = options_table; o->key; o++) {
         char words[80] = "";
         if (!words_among(v->options, o->key)) continue;
-        if (o->words) words_join(o->words, words, sizeof words);
+        if (o->words) words_join(o->words, words, sizeof words), lists = 1;
         table_add(&t, "  --%s %s", o->name, o->value ? o->value : "");
         table_add(&t, "%s%s%s%s", o->about, *words ? ": " : "", words,
                   words_among(v->required, o->key) ? " (required)" : "");
     }
     table_print(&t, out);
     table_free(&t);
+    if (lists) fprintf(out, "\nOf words that are listed the first is the default.\n");
     if (words_among(v->options, "solver")) fprintf(out, "\n%s\n%s", program_help, case_file_help);
     if (words_among(v->options, "what")) fprintf(out, "\n%s", columns_help);
 }

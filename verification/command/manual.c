@@ -84,7 +84,8 @@ void manual_page(FILE *out) {
     put_literally(help_about, out);
     fprintf(out, ".SH VERBS\n");
     for (const struct verb *v = verbs; v->name; v++) put_verb(v, out);
-    fprintf(out, ".SH OPTIONS\nEach has a meaning for the verbs that name it above.\n");
+    fprintf(out, ".SH OPTIONS\nEach has a meaning for the verbs that name it above.  "
+                 "Of words that are listed the first is the default.\n");
     for (const struct option *o = options_table; o->key; o++) put_option(o, out);
     put_names(out);
     fprintf(out, ".SH \"OTHER PROGRAMS\"\n");

@@ -9,9 +9,9 @@ struct failure;
 struct problem;
 struct samples;
 
-/* STATUS_OK; STATUS_INPUT with *why for a point outside of the domain, fewer points than dx asks for (N - 1 along
- * an axis of N = extent / dx cells: the nodes between its walls), the same point
- * twice, or a part of the domain without one.  How large a part may be without: coverage.c. */
+/* STATUS_OK; STATUS_INPUT with *why for a point outside of the domain, fewer points than dx asks for (N - 1 along an
+ * axis of N = extent / dx cells: the nodes between its walls), the same point twice, or a part of the domain without
+ * a point.  How large a part may be without one: coverage.c. */
 int coverage_check(const struct samples *s, const struct problem *p, double dx, struct failure *why);
 
 #endif

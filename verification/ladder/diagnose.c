@@ -35,8 +35,8 @@ static int differs(const struct experiment *e, const struct field *before, doubl
     return differs;
 }
 
-/* What the program's numbers are, from its answer at dx so early that a step too many, or none, is a hundredth of
- * what a mean over a cell has more than a value. */
+/* Whether the program's numbers are values or means (diagnosis_mean), from its answer at dx and a time so early that
+ * one step too many, or none, is a hundredth of what a mean over a cell has more than a value. */
 static double mean_of_start(const struct experiment *e, double dx) {
     static const double EARLY = 1e-4; /* of dx^2/kappa; that mean: 1/24 */
     struct experiment start = *e;

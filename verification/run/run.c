@@ -28,9 +28,9 @@ static double transform_rounding(const struct problem *p, const struct field *f,
 }
 
 /* What rounding can make up of E1.  A weight is of size kappa/dx^2 and wrong by eps of that, the same at every step:
- * over the run that adds up to 4 dim eps kappa t/dx^2.  Each step rounds T once more, at random: eps sqrt(steps). How
- * many steps another program took is what it says, and no more of them count than would round as much as the weights
- * do: (4 dim kappa t/dx^2)^2, where the square root of that makes an explicit scheme stable. */
+ * over the run that adds up to 4 dim eps kappa t/dx^2.  Each step rounds T once more, at random: eps sqrt(steps).
+ * How many steps another program took is its own claim: at most (4 dim kappa t/dx^2)^2 of them count, which round as
+ * much as the weights do, and are the square of what makes an explicit scheme stable. */
 static double rounding(const struct experiment *e, const struct field *f, double dx) {
     const struct problem *p = &e->problem;
     if (f->steps == 0 && !program_given(&e->program)) return DBL_EPSILON + transform_rounding(p, f, dx);

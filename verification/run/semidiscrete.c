@@ -4,10 +4,10 @@
  * is exp(tA) by Chebyshev's polynomials (solver/time/chebyshev.c), which share with the rungs' steppers the operator
  * alone and have no time error where the spectrum is real.
  *
- * That is measured, not trusted, here and where a user asks for them: runs of N and of N/2 steps are two polynomials
- * of different degree and differ by what an eigenvalue off the axis makes of either, the coarser one more.  N is
- * doubled until the equations are solved and both agree.  The ladder's window leaves out each rung of whose error
- * what is left is too large a part. */
+ * That is checked, here and where a user asks for them: runs of N and of N/2 steps are polynomials of different
+ * degree, and differ where an eigenvalue off the axis makes them wrong.  N is doubled until the run is stable and
+ * both agree.  What is left between them is the reference's own error, by which the ladder's window leaves rungs out.
+ */
 #include "verification/run/semidiscrete.h"
 
 #include "verification/run/experiment.h"

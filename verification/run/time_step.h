@@ -20,9 +20,9 @@ double time_step_first(const struct experiment *e);
  * without time error and `time` / steps^p what the steps add, p the stepper's order.  0: out of reach. */
 double time_step_forecast(const struct experiment *e, double particles, double time, double space);
 
-/* Bytes held beside a run while its time step is searched for, of n points and answers of that size: the exact
- * temperatures and the answer before, of polynomials that alone; for --time-error two of these and the one without
- * time error. */
+/* Bytes held beside a run while its time step is searched for, of n points and `answer` bytes a run: the exact
+ * temperatures and the run before; by polynomials the run before alone; for --time-error two runs and the
+ * temperatures without time error too. */
 size_t time_step_bytes(const struct experiment *e, size_t n, size_t answer);
 
 struct time_step {
