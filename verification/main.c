@@ -7,11 +7,13 @@
 #include "verification/command/verb.h"
 #include "verification/command/version.h"
 
+#include <errno.h>
 #include <gsl/gsl_errno.h>
 #ifdef __GLIBC__
 #include <malloc.h>
 #endif
 #include <omp.h>
+#include <signal.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -68,6 +70,20 @@ static void ended_by_others(void) {
     _Exit(STATUS_NUMERICAL);
 }
 
+/* FFTW aborts it where it has no memory, in the thread that asked for it. */
+static void fftw_failed(int signal) {
+    (void)signal;
+    if (errno != ENOMEM) return;
+    fputs("heatladder: out of memory (FFTW)\n", stderr);
+    _Exit(STATUS_NUMERICAL);
+}
+
+static void take_aborts(void) {
+    struct sigaction abort = {.sa_handler = fftw_failed, .sa_flags = (int)SA_RESETHAND};
+    sigemptyset(&abort.sa_mask);
+    sigaction(SIGABRT, &abort, NULL);
+}
+
 /* A team's threads are listed on the stack of the one that starts it: 100000 of them are more than it holds. */
 static void limit_threads(void) {
     if (omp_get_max_threads() > THREADS_MOST) omp_set_num_threads(THREADS_MOST);
@@ -85,7 +101,7 @@ static void keep_pages(void) {
 /* What --solver runs finds this program by $HEATLADDER, where nobody set that; one that PATH has needs no telling. */
 static void tell_programs(const char *typed) {
     char *path = strchr(typed, '/') ? realpath(typed, NULL) : NULL;
-    if (path) setenv("HEATLADDER", path, 0);
+    if (path && setenv("HEATLADDER", path, 0)) xcheck(NULL, 1, strlen(path));
     free(path);
 }
 
@@ -102,6 +118,7 @@ static int answer(int argc, char **argv) {
 int main(int argc, char **argv) {
     gsl_set_error_handler(gsl_failed);
     atexit(ended_by_others);
+    take_aborts();
     keep_pages();
     limit_threads();
     tell_programs(argv[0]);

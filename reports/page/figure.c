@@ -189,7 +189,7 @@ int figure_write(const struct figure *figure, const char *dir, struct failure *w
 #pragma omp parallel for schedule(dynamic, 1)
     for (int i = 0; i < n; i++) {
         size_t size;
-        FILE *out = xcheck(open_memstream(&text[i], &size), 1, BUFSIZ);
+        FILE *out = output_stream(&text[i], &size);
         command_run_line(&run[i], "%s", figure->series[i].command);
         if (!run[i].result.failure.status) write_series(figure, &figure->series[i], &run[i], out);
         fclose(out);
@@ -198,7 +198,7 @@ int figure_write(const struct figure *figure, const char *dir, struct failure *w
     if (!status) {
         FILE *out = output_open(&page, "%s/%s.csv", dir, figure->name);
         write_head(figure, n, out);
-        for (int i = 0; i < n; i++) fputs(text[i] ? text[i] : "", out);
+        for (int i = 0; i < n; i++) fputs(text[i], out);
         status = output_close(&page, 1, why);
     }
     for (int i = 0; i < n; i++) {

@@ -86,7 +86,7 @@ static int missing(const struct part *part, FILE *out) {
 /* Several panels: not to be printed two in a row. */
 static int is_wide(const char *path) {
     char head[600] = "";
-    FILE *in = fopen(path, "r");
+    FILE *in = whole_file_open(path);
     if (!in) return 0;
     size_t got = fread(head, 1, sizeof head - 1, in);
     fclose(in);
@@ -149,7 +149,7 @@ static void put_listing(const char *name, char *text, FILE *out) {
 }
 
 static int put_file(const struct part *part, const char *path, FILE *out) {
-    FILE *in = fopen(path, "r");
+    FILE *in = whole_file_open(path);
     if (!in) return missing(part, out);
     if (part->kind == PAGE) {
         markdown_write(out, in, 2);

@@ -60,13 +60,13 @@ static int spawn(struct running *r) {
     posix_spawn_file_actions_t files;
     posix_spawnattr_t how;
     posix_spawn_file_actions_init(&files);
-    posix_spawn_file_actions_addopen(&files, STDIN_FILENO, "/dev/null", O_RDONLY, 0);
-    posix_spawn_file_actions_adddup2(&files, r->output[WRITE], STDOUT_FILENO);
-    posix_spawn_file_actions_adddup2(&files, r->output[WRITE], STDERR_FILENO);
-    posix_spawn_file_actions_adddup2(&files, r->life[WRITE], LIFE);
     posix_spawnattr_init(&how);
     posix_spawnattr_setflags(&how, POSIX_SPAWN_SETPGROUP);
-    int error = posix_spawn(&r->child, "/bin/sh", &files, &how, argv, env);
+    int error = posix_spawn_file_actions_addopen(&files, STDIN_FILENO, "/dev/null", O_RDONLY, 0);
+    if (!error) error = posix_spawn_file_actions_adddup2(&files, r->output[WRITE], STDOUT_FILENO);
+    if (!error) error = posix_spawn_file_actions_adddup2(&files, r->output[WRITE], STDERR_FILENO);
+    if (!error) error = posix_spawn_file_actions_adddup2(&files, r->life[WRITE], LIFE);
+    if (!error) error = posix_spawn(&r->child, "/bin/sh", &files, &how, argv, env);
     posix_spawn_file_actions_destroy(&files);
     posix_spawnattr_destroy(&how);
     free(env[0]);

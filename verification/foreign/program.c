@@ -14,6 +14,7 @@
 #include "verification/foreign/results.h"
 #include "verification/foreign/scratch.h"
 #include "verification/text/atomic_file.h"
+#include "verification/text/output.h"
 #include "verification/text/words.h"
 
 #include <errno.h>
@@ -123,7 +124,7 @@ static char *fill_in(const struct program *g, const struct options *o, const str
     results_number(o->dx, dx);
     const char *name[] = {"case", "out", "dx", *g->vary ? g->vary : NULL},
                *value[] = {at->input, at->output, dx, g->value};
-    FILE *out = xcheck(open_memstream(&text, &size), 1, BUFSIZ);
+    FILE *out = output_stream(&text, &size);
     for (const char *c = g->solver; *c; c++) {
         int found = -1;
         for (int i = 0; *c == '{' && i < 4 && name[i]; i++) {

@@ -80,8 +80,7 @@ void gates_judge(const struct gate *gate, const struct program *program, struct 
 void gates_command(const struct gate *gate, const struct program *program, char *text, size_t size) {
     struct words w;
     int norm = slope_norm(gate->measure);
-    FILE *out = fmemopen(text, size, "w");
-    if (!out) return;
+    FILE *out = xcheck(fmemopen(text, size, "w"), size, 1);
     if (norm < 0)
         fprintf(out, "verify --only '%s'", gate->id);
     else

@@ -17,6 +17,7 @@
 #include "verification/foreign/samples.h"
 #include "verification/run/interpolate.h"
 #include "verification/text/json.h"
+#include "verification/text/whole_file.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -82,7 +83,7 @@ static char *next_word(char **at) {
 /* 1 where the file has a line of names and one of numbers, as many; their values at spacing i. */
 static int read_values(const char *path, int i, struct gci *g) {
     char *text = xcalloc(WORDS, 1), *line[3] = {NULL, NULL, NULL};
-    FILE *in = fopen(path, "r");
+    FILE *in = whole_file_open(path);
     int lines = 0, same = 1, words = 0;
     size_t n = in ? fread(text, 1, WORDS - 1, in) : 0;
     if (in) fclose(in);

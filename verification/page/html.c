@@ -1,6 +1,8 @@
 /* The frame of a page, its style, and images that are part of it. */
 #include "verification/page/html.h"
 
+#include "verification/text/whole_file.h"
+
 #include <stdarg.h>
 #include <stdlib.h>
 #include <string.h>
@@ -116,7 +118,7 @@ static void put_base64(FILE *out, const unsigned char *data, size_t n) {
 }
 
 int html_image(FILE *out, const char *path, const char *alternative) {
-    FILE *in = fopen(path, "rb");
+    FILE *in = whole_file_open(path);
     unsigned char block[3 * 1024];
     if (!in) return -1;
     html_print(out, "<img alt=\"%s\" src=\"data:image/svg+xml;base64,", alternative);

@@ -1,6 +1,7 @@
 /* Markdown to HTML, line by line: as much of it as the reports write. */
 #include "verification/page/markdown.h"
 
+#include "solver/status.h"
 #include "verification/page/html.h"
 
 #include <stdlib.h>
@@ -136,6 +137,7 @@ void markdown_write(FILE *out, FILE *in, int deeper) {
         if (n > 0 && line[n - 1] == '\n') line[n - 1] = '\0';
         put_line(out, line, deeper, &open);
     }
+    if (!feof(in) && !ferror(in)) xcheck(NULL, room, 2); /* getline has no memory */
     end_block(out, &open);
     free(line);
 }

@@ -82,7 +82,7 @@ double complex symbol_at(const struct symbol *s, const double theta[2]) {
 
 /* lambda at the phases 2 pi k/PHASES: a transform of the stencil, padded with zeros and wrapped around. */
 static fftw_complex *transform(const struct symbol *s, int ny) {
-    fftw_complex *z = fftw_malloc(sizeof *z * (size_t)(PHASES * ny));
+    fftw_complex *z = xcheck(fftw_malloc(sizeof *z * (size_t)(PHASES * ny)), (size_t)(PHASES * ny), sizeof *z);
     fftw_plan plan;
 #pragma omp critical(fftw_planner)
     plan = s->dim == 2 ? fftw_plan_dft_2d(ny, PHASES, z, z, FFTW_BACKWARD, FFTW_ESTIMATE)

@@ -146,18 +146,18 @@ static int write_special(const struct atomic_file *f, struct failure *why) {
 
 static char *real_path(const char *path) {
     char *real = realpath(path, NULL); /* so that a link stays a link */
-    if (real) return real;
+    if (real || errno == ENOMEM) return xcheck(real, PATH_LENGTH, 1);
     real = xcalloc(strlen(path) + 1, 1);
     return strcpy(real, path);
 }
 
 static int write_all(const struct atomic_file *files, int count, char **real, struct failure *why) {
     int status = STATUS_OK, prepared = 0;
+    for (int i = 0; i < count; i++) /* first, since the program ends where memory is out */
+        if (!is_special(files[i].path)) real[i] = real_path(files[i].path);
     for (; prepared < count; prepared++) {
         const struct atomic_file *f = &files[prepared];
-        if (is_special(f->path)) continue;
-        real[prepared] = real_path(f->path);
-        if (prepare(real[prepared], f->bytes, f->size)) {
+        if (real[prepared] && prepare(real[prepared], f->bytes, f->size)) {
             status = refuse_path(f->path, why);
             break;
         }

@@ -1,4 +1,6 @@
-/* Files in memory (POSIX open_memstream), put in place whole. */
+/* Files in memory, put in place whole.  POSIX has open_memstream for them; glibc's drops what it has no memory for,
+ * and neither ferror nor fclose tells.  A stream of our own ends the program there (fopencookie: glibc, musl). */
+#define _GNU_SOURCE
 #include "verification/text/output.h"
 
 #include "solver/status.h"
@@ -6,10 +8,43 @@
 
 #include <stdarg.h>
 #include <stdlib.h>
+#include <string.h>
 #include <sys/stat.h>
 
 static int refuse_path(const char *path, struct failure *why) {
     return refuse(why, STATUS_INPUT, "the path '%.100s...' is too long", path);
+}
+
+struct memory { /* what a stream has been given: text and size are its caller's */
+    char **text;
+    size_t *size, room;
+};
+
+static ssize_t memory_write(void *cookie, const char *bytes, size_t count) {
+    struct memory *m = cookie;
+    size_t used = *m->size, least = used + count + 1;
+    if (least > m->room) {
+        m->room = least > 2 * m->room ? least : 2 * m->room;
+        *m->text = xgrow(*m->text, used, m->room, 1);
+    }
+    memcpy(*m->text + used, bytes, count);
+    *m->size += count;
+    (*m->text)[*m->size] = '\0';
+    return (ssize_t)count;
+}
+
+static int memory_close(void *cookie) {
+    free(cookie);
+    return 0;
+}
+
+FILE *output_stream(char **text, size_t *size) {
+    struct memory *m = xcalloc(1, sizeof *m);
+    *m = (struct memory){text, size, BUFSIZ};
+    *text = xcalloc(BUFSIZ, 1);
+    *size = 0;
+    return xcheck(fopencookie(m, "w", (cookie_io_functions_t){.write = memory_write, .close = memory_close}), 1,
+                  BUFSIZ);
 }
 
 FILE *output_open(struct output *o, const char *path, ...) {
@@ -19,16 +54,11 @@ FILE *output_open(struct output *o, const char *path, ...) {
     int length = vsnprintf(o->path, sizeof o->path, path, arguments);
     va_end(arguments);
     o->too_long = length < 0 || (size_t)length >= sizeof o->path;
-    return o->out = xcheck(open_memstream(&o->text, &o->size), 1, BUFSIZ);
+    return o->out = output_stream(&o->text, &o->size);
 }
 
 void output_end(struct output *o) {
-    if (!o->out) return;
-    int failed = ferror(o->out);
-    if (fclose(o->out) || failed) { /* out of memory */
-        free(o->text);
-        o->text = NULL;
-    }
+    if (o->out) fclose(o->out);
     o->out = NULL;
 }
 
@@ -39,7 +69,6 @@ int output_close(struct output *o, int count, struct failure *why) {
         output_end(&o[i]);
         file[i] = (struct atomic_file){o[i].path, o[i].text, o[i].size};
         if (o[i].too_long) status = refuse_path(o[i].path, why);
-        if (!o[i].text) status = refuse(why, STATUS_NUMERICAL, "out of memory for '%.200s'", o[i].path);
     }
     if (!status) status = atomic_file_write_all(file, count, why);
     output_drop(o, count);

@@ -11,6 +11,10 @@
 
 struct failure;
 
+/* As POSIX open_memstream: a stream whose text, ended by a NUL, is to be freed after fclose; but ends the program
+ * where memory is out, instead of leaving out what did not fit.  Not for seeking. */
+FILE *output_stream(char **text, size_t *size);
+
 struct output {
     FILE *out; /* to be written to; NULL once closed */
     char path[1024], *text;
@@ -25,7 +29,7 @@ FILE *output_open(struct output *o, const char *path, ...) __attribute__((format
 void output_end(struct output *o);
 
 /* Puts `count` files that belong together in their places: STATUS_OK; or none of them with *why filled, STATUS_INPUT
- * where a place cannot be written, STATUS_NUMERICAL without memory.  Frees them. */
+ * where a place cannot be written.  Frees them. */
 int output_close(struct output *o, int count, struct failure *why);
 
 /* Frees them without a trace; also where some were never opened (zeroed). */

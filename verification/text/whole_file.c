@@ -3,8 +3,14 @@
 
 #include "solver/status.h"
 
+#include <errno.h>
 #include <stdlib.h>
 #include <string.h>
+
+FILE *whole_file_open(const char *path) {
+    FILE *in = fopen(path, "rb");
+    return in || errno != ENOMEM ? in : xcheck(NULL, 1, BUFSIZ);
+}
 
 char *whole_file_read(FILE *in, size_t *size) {
     size_t room = 1 << 16, used = 0, got;
@@ -19,7 +25,7 @@ char *whole_file_read(FILE *in, size_t *size) {
 }
 
 char *whole_file_at(const char *path, size_t *size) {
-    FILE *in = fopen(path, "rb");
+    FILE *in = whole_file_open(path);
     if (!in) return NULL;
     char *text = whole_file_read(in, size);
     if (ferror(in)) {

@@ -5,6 +5,10 @@
 
 #include <stdio.h>
 
+/* fopen of a file to be read: NULL, and errno tells why; but ends the program where memory is out, so that a file
+ * that is there is not taken for one that is not. */
+FILE *whole_file_open(const char *path);
+
 /* What is left of a stream; ferror(in) tells whether it could be read to its end.  Where a NUL is met, no text, what
  * follows in the stream is left: a device may give them without end. */
 char *whole_file_read(FILE *in, size_t *size);

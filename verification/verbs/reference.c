@@ -7,6 +7,7 @@
 #include "verification/command/request.h"
 #include "verification/oracle/answer.h"
 #include "verification/text/json.h"
+#include "verification/text/whole_file.h"
 
 #include "solver/method.h"
 #include "solver/status.h"
@@ -68,7 +69,7 @@ static int read_points(const struct request *r, struct points *points, struct fa
     const struct problem *p = &r->experiment.problem;
     if (!r->points) return points_one(p, r->at.value, points, why);
     if (strcmp(r->points, "-") == 0) return points_read(stdin, "standard input", p, points, why);
-    FILE *in = fopen(r->points, "r");
+    FILE *in = whole_file_open(r->points);
     if (!in) return refuse(why, STATUS_INPUT, "--points %.200s: %s", r->points, strerror(errno));
     int status = points_read(in, r->points, p, points, why);
     fclose(in);
