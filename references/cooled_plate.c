@@ -52,7 +52,8 @@ static int modes_of(double L, double s) {
 static void fill_axis(const struct cooling_mode *mode, int count, double late, double *q, double *left,
                       double error[2], double *steepest) {
     for (int k = 0; k < count; k++) {
-        double exponent = late * mode[k].q * mode[k].q, shape = mode[k].integral / mode[k].norm * exp(-exponent);
+        double exponent = fmin(late * mode[k].q * mode[k].q, 800); /* exp: 0 */
+        double shape = mode[k].integral / mode[k].norm * exp(-exponent);
         double rounding = DBL_EPSILON * fabs(shape) * (6 + 8 * exponent + 3 * k);
         q[k] = mode[k].q;
         left[k] = exponent > last_exponent ? 0 : shape;

@@ -15,7 +15,7 @@
 #include <math.h>
 #include <stdlib.h>
 
-enum { MOST = 20000 };
+enum { MOST = 20000, MODES = 2000 /* along either axis */ };
 static const double last_exponent = 41.5;
 
 static void steady_along_x(double W, double H, double h, const double x[2], struct approx *F) {
@@ -53,7 +53,9 @@ struct approx cooled_plate_series(double W, double H, double h, double hot, doub
     (x[1] * H > (W - x[0]) * W ? steady_along_x : steady_along_y)(W, H, h, x, &F);
     T.value = hot * F.value;
     T.error += fabs(hot) * F.error;
-    int most = s < INFINITY ? (int)fmin(2 + W / s * 2 * sqrt(last_exponent) / M_PI, MOST) : 0;
+    double needed = s < INFINITY ? fmax(W, H) / s * 2 * sqrt(last_exponent) / M_PI : 0;
+    if (needed > MODES) T.error = INFINITY; /* modes that count are left out */
+    int most = needed == 0 || needed > MODES ? 0 : (int)(2 + W / s * 2 * sqrt(last_exponent) / M_PI);
     struct cooling_mode *along = xcalloc((size_t)most, sizeof *along);
     for (int m = 0; m < most; m++) along[m] = cooling_mode(m + 1, 1, W, h);
     for (int n = 1, alive = most; n <= MOST && alive; n++) {

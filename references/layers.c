@@ -7,7 +7,8 @@
  *
  * and theta(z), the contact's, follows from equal fluxes, sum_i k_i dT^/dd = 0 at d = 0.  No contact temperature,
  * error function or eigenvalue enters (Carslaw and Jaeger 1959, chapter 12).  The inversion is Talbot's (talbot.h).
- * The slope's transform is q_i times the other's, |q_i| < 6/sqrt(kappa_i t) where exp(z t) counts.
+ * The slope's transform is q_i times the other's, |q_i| < 6/sqrt(kappa_i t) where exp(z t) counts; late it is that of
+ * the steady flux, which through the thinner layer alone would be k_i scale/w_i.
  * Restrictions: constant walls, each layer at one temperature at the start. */
 #include "references/layers.h"
 
@@ -16,19 +17,19 @@
 void layers_contour(const struct layers *w, double t, struct layers_contour *c) {
     c->w = *w;
     for (int j = 0; j < TALBOT_NODES; j++) {
-        double complex z, weight, q[2], e[2], conductance = 0, flux = 0;
+        double complex z, weight, q[2], e[2], given[2], conductance = 0, flux = 0;
         talbot_node(j, &z, &weight);
         for (int i = 0; i < 2; i++) {
-            q[i] = csqrt(z / t * (w->rho_c[i] / w->k[i]));
+            q[i] = csqrt(z) * (sqrt(w->rho_c[i] / w->k[i]) / sqrt(t));
             e[i] = cexp(-q[i] * w->width[i]);
-            double complex g =
-                w->k[i] * q[i] / (1 - e[i] * e[i]); /* k q coth(q w) and k q/sinh(q w) are g times .. */
+            given[i] = talbot_one_less(q[i] * w->width[i], e[i]);
+            double complex g = w->k[i] * q[i] / given[i]; /* k q coth(q w) and k q/sinh(q w) are g times .. */
             conductance += g * (1 + e[i] * e[i]);
             flux += g * ((1 + e[i] * e[i]) * (w->start[i] - w->start[0]) + 2 * e[i] * (w->wall[i] - w->start[i]));
         }
         double complex theta = w->start[0] + flux / conductance; /* z times the transform of the contact's */
         for (int i = 0; i < 2; i++) {
-            double complex scale = weight / z / (1 - e[i] * e[i]);
+            double complex scale = weight / z / given[i];
             c->node[i][j].q = q[i];
             c->node[i][j].wall = scale * (w->wall[i] - w->start[i]);
             c->node[i][j].core = scale * (theta - w->start[i]);
@@ -38,7 +39,8 @@ void layers_contour(const struct layers *w, double t, struct layers_contour *c) 
         fmax(fabs(w->start[1] - w->start[0]), fmax(fabs(w->wall[0] - w->start[0]), fabs(w->wall[1] - w->start[1])));
     double kappa = fmin(w->k[0] / w->rho_c[0], w->k[1] / w->rho_c[1]);
     c->error[0] = 2e-13 * scale + 4e-16 * fmax(fabs(w->start[0]), fabs(w->start[1]));
-    c->error[1] = 2e-13 * scale * 6 / sqrt(kappa * t);
+    double steep = fmax(w->k[0], w->k[1]) / fmin(w->k[0], w->k[1]) / fmin(w->width[0], w->width[1]);
+    c->error[1] = 2e-13 * scale * (6 / sqrt(kappa * t) + steep);
 }
 
 /* sinh(q d)/sinh(q w) = (exp(-q (w - d)) - exp(-q (w + d)))/(1 - exp(-2 q w)): no overflow. */
@@ -48,7 +50,7 @@ struct curve layers_contour_at(const struct layers_contour *c, double x) {
     for (int j = 0; j < TALBOT_NODES; j++) {
         double complex q = c->node[i][j].q, near = cexp(-q * d), far = cexp(-q * (width - d));
         double complex wall = c->node[i][j].wall, core = c->node[i][j].core;
-        sum += cimag(wall * far * (1 - near * near) + core * near * (1 - far * far));
+        sum += cimag(wall * far * talbot_one_less(q * d, near) + core * near * talbot_one_less(q * (width - d), far));
         slope += cimag(q * (wall * far * (1 + near * near) - core * near * (1 + far * far)));
     }
     return (struct curve){{c->w.start[i] + sum, c->error[0]}, {i ? slope : -slope, c->error[1]}};

@@ -108,8 +108,9 @@ static int corner(const struct problem *p, const double x[2], struct exact *e) {
 
 static void *prepare(const struct problem *p, double t) {
     const double *v = p->param, side[4] = {v[T4] - v[T0], v[T2] - v[T0], v[T1] - v[T0], v[T3] - v[T0]};
+    double least = 1e-100 * fmin(v[WIDTH], v[HEIGHT]); /* squares of smaller widths underflow */
     struct rectangle *r = xcalloc(1, sizeof *r);
-    if (t > 0) rectangle_prepare(p->hi, side, width_at(p, t), r);
+    if (t > 0) rectangle_prepare(p->hi, side, fmax(width_at(p, t), least), r);
     return r;
 }
 

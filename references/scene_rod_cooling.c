@@ -152,11 +152,12 @@ static struct exact second(const struct problem *p, const double x[2], double t)
     for (int j = 0; j < TALBOT_NODES; j++) {
         double complex z, weight;
         talbot_node(j, &z, &weight);
-        double complex q = csqrt(z / t * v[RHO_C] / v[K]), plus = v[K] * q + v[B], minus = v[K] * q - v[B];
-        double complex held = cexp(-q * x[0]) * (plus + minus * cexp(-2 * q * d));
-        double complex air = v[B] * cexp(-q * d) * (1 - cexp(-2 * q * x[0]));
+        double complex q = csqrt(z) * (sqrt(v[RHO_C] / v[K]) / sqrt(t)), e = cexp(-q * d), f = cexp(-q * x[0]),
+                       g = e * f;
+        double complex held = f * (v[K] * q * (1 + e * e) + v[B] * talbot_one_less(q * d, e));
+        double complex air = v[B] * e * talbot_one_less(q * x[0], f);
         sum += cimag(weight / z * ((v[T1] - v[T0]) * held + (v[T_A] - v[T0]) * air) /
-                     (plus + minus * cexp(-2 * q * v[L])));
+                     (v[K] * q * (1 + g * g) + v[B] * talbot_one_less(q * v[L], g)));
     }
     return (struct exact){.temperature = v[T0] + sum, .error_bound = 4e-13 * scale_of(v) + 4e-16 * fabs(v[T0])};
 }

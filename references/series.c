@@ -16,18 +16,20 @@
 
 static const double pi = 3.14159265358979323846;
 
-enum { MODES_MAX = 20000 };
-static const double negligible = 1e-18; /* of a unit amplitude */
+enum { MODES_MAX = 20000, IMAGES_MAX = 100000 };
+static const double negligible = 1e-18;                              /* of a unit amplitude */
+static const struct curve no_bound = {{0, INFINITY}, {0, INFINITY}}; /* where more terms count than are summed */
 
 double series_box_line(double x, double a, double s) {
     if (s == 0) return series_in_box(x, a);
     return (erf((a + x) / s) + erf((a - x) / s)) / 2;
 }
 
-/* How many images on either side lie within `reach` of x; `half` is half the width of the source. */
+/* How many images on either side lie within `reach` of x, up to IMAGES_MAX; `half` is half the width of the source.
+ */
 static int images_within(double x, double L, double half, double reach) {
     double k = ceil((reach + fabs(x) + half) / (2 * L)) - 1;
-    return k > 0 ? (int)fmin(k, 1e6) : 0;
+    return k > 0 ? (int)fmin(k, IMAGES_MAX) : 0;
 }
 
 /* (erf(z + h) - erf(z - h))/2 for h <= 1/4 without cancellation: the Taylor series of erf about z in Hermite
@@ -76,6 +78,7 @@ struct curve series_box_images(double x, double L, double a, double s) {
     int K = images_within(x, L, a, SERIES_REACH * s);
     double beyond = 2.2 * fmin(3.2e-18, 7.8e-17 * a / s); /* erfc(reach)/2, or 2 a/s exp(-reach^2)/sqrt(pi) */
     struct curve sum = {{0, beyond}, {0, beyond * 2 * SERIES_REACH / s}};
+    if (K == IMAGES_MAX) return no_bound;
     for (int k = -K; k <= K; k++) {
         double to = x - 2 * k * L, d = fabs(to);
         if (d - a > SERIES_REACH * s) continue;
@@ -123,6 +126,7 @@ struct curve series_gauss_images(double x, double L, double sigma) {
     const double reach = 9.3 * sigma; /* exp(-9.3^2/2) = 1.7e-19, and 9.3 times that */
     int K = images_within(x, L, 0, reach);
     struct curve sum = {{0, 2 * negligible}, {0, 4 * negligible / sigma}};
+    if (K == IMAGES_MAX) return no_bound;
     for (int k = -K; k <= K; k++) {
         double z = (x - 2 * k * L) / sigma, u = exp(-z * z / 2), sign = k % 2 ? -1 : 1;
         double lost = DBL_EPSILON * (2 * fabs(z) + fabs(2 * k * L) / sigma);
@@ -146,9 +150,9 @@ struct curve series_gauss_modes(double x, double L, double sigma) {
         sum.slope.value -= c * q * sin(q * x);
         sum.at.error += error;
         sum.slope.error += q * error;
-        if (c <= negligible * amplitude) break;
+        if (c <= negligible * amplitude) return sum;
     }
-    return sum;
+    return no_bound;
 }
 
 struct curve series_gauss(double x, double L, double sigma) {

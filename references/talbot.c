@@ -14,3 +14,9 @@ void talbot_node(int j, double complex *z, double complex *weight) {
     *z = N * (0.5017 * a * cot - 0.6122 + 0.2645 * I * a);
     *weight = cexp(*z) * (0.5017 * cot - 0.5017 * 0.6407 * a * (1 + cot * cot) + 0.2645 * I) * 2;
 }
+
+double complex talbot_one_less(double complex u, double complex e) {
+    if (cabs(u) > 0.5) return 1 - e * e;
+    double a = creal(u), b = cimag(u), left = exp(-2 * a);
+    return CMPLX(-expm1(-2 * a) + 2 * left * sin(b) * sin(b), left * sin(2 * b));
+}

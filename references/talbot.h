@@ -11,4 +11,7 @@ enum { TALBOT_NODES = 12 };
 /* Node j: z, and its weight times t. */
 void talbot_node(int j, double complex *z, double complex *weight);
 
+/* 1 - exp(-2 u), Re u >= 0, from e = exp(-u): late, u is small, and the difference would be rounded by eps/u. */
+double complex talbot_one_less(double complex u, double complex e);
+
 #endif

@@ -179,7 +179,7 @@ void measures_reference(const struct request *r, double lo, double hi, struct me
         struct exact a = r->experiment.scene->exact(p, x, t), b = r->experiment.scene->second(p, x, t);
         double apart = fabs(a.temperature - b.temperature);
         double allowed = a.error_bound + b.error_bound;
-        double ratio = !(allowed >= 0) ? NAN : apart == 0 ? 0 : apart / allowed;
+        double ratio = !(allowed >= 0 && allowed < INFINITY) ? NAN : apart == 0 ? 0 : apart / allowed;
         if (t == p->t_end) bound = fmax(bound, a.error_bound);
         size = fmax(size, fabs(a.temperature));
         if (ratio <= worst) continue;

@@ -238,6 +238,23 @@ static void shared_points_are_as_alone(void **state) {
     }
 }
 
+/* Early the double series would take modes without number: it says that it has no bound, and at once.  As long as it
+ * has one, it holds. */
+static void the_series_knows_its_limit(void **state) {
+    (void)state;
+    int bounded = 0, unbounded = 0;
+    for (double s = 0.3; s > 1e-9; s /= 2.3) {
+        struct cooled_plate *c = cooled_plate(0.6, 1, 14.4, 100, 37, s);
+        const double x[2] = {0.41, 0.0087};
+        struct surface T = surface_at(c, x);
+        struct approx U = cooled_plate_series(0.6, 1, 14.4, 100, 37, s, x);
+        free(c);
+        if (isfinite(U.error)) assert_near(U.value, T.at.value, U.error + T.at.error);
+        bounded += U.error < 1e-8, unbounded += isinf(U.error);
+    }
+    assert_true(bounded >= 5 && unbounded >= 5);
+}
+
 /* On the hot side the gradient is the limit of that beside it; in the corner it grows without bound, and says so. */
 static void the_hot_side_has_a_gradient(void **state) {
     (void)state;
@@ -270,6 +287,7 @@ int main(void) {
         cmocka_unit_test(nafems_t4),
         cmocka_unit_test(early_gradients_are_differences),
         cmocka_unit_test(shared_points_are_as_alone),
+        cmocka_unit_test(the_series_knows_its_limit),
         cmocka_unit_test(the_hot_side_has_a_gradient),
     };
     gsl_set_error_handler_off();

@@ -66,9 +66,36 @@ static void bounds_of_small_pulses_are_small(void **state) {
     }
 }
 
+/* At any time a scene has a temperature with a bound, and its second form is within the bounds, or has none.  Of
+ * rod-contact only while its walls are not felt. */
+static void any_time_has_its_bound(void **state) {
+    (void)state;
+    for (int i = 0; scenes[i]; i++) {
+        const struct scene *s = scenes[i];
+        struct problem p;
+        struct failure why;
+        scene_defaults(s, &p);
+        assert_int_equal(s->setup(&p, &why), STATUS_OK);
+        const double x[2] = {0.31 * p.lo[0] + 0.69 * p.hi[0], 0.57 * p.lo[1] + 0.43 * p.hi[1]};
+        int bounded = 0;
+        for (double t = 1e-310; t < 1e300; t *= 1e5) {
+            if (strcmp(s->name, "rod-contact") == 0 && t > p.t_end) break;
+            struct exact e = s->exact(&p, x, t), f = s->second(&p, x, t);
+            if (!isfinite(e.temperature) || !isfinite(e.error_bound)) fail_msg("%s, t = %g", s->name, t);
+            if (!isfinite(f.error_bound)) continue;
+            double apart = fabs(e.temperature - f.temperature);
+            if (!(apart <= e.error_bound + f.error_bound))
+                fail_msg("%s, t = %g: %g apart, bounds %g and %g", s->name, t, apart, e.error_bound, f.error_bound);
+            bounded++;
+        }
+        assert_true(bounded > 0);
+    }
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(values_hold_within_their_bounds),
+        cmocka_unit_test(any_time_has_its_bound),
         cmocka_unit_test(bounds_of_small_pulses_are_small),
     };
     gsl_set_error_handler_off();

@@ -23,7 +23,10 @@ static int power_of(const char *unit, struct powers by) {
 
 /* got is 2^power times want, but for what underflows. */
 static void assert_times(double got, double want, int power) {
-    assert_near(ldexp(got, -power), want, DBL_MIN * fmax(1, ldexp(1, -power)));
+    if (isinf(want))
+        assert_true(isinf(got)); /* a form that would take too many terms */
+    else
+        assert_near(ldexp(got, -power), want, DBL_MIN * fmax(1, ldexp(1, -power)));
 }
 
 static void assert_alike(const struct scene *s, struct powers by) {

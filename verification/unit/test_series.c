@@ -59,6 +59,19 @@ static void box_modes_bound_their_tail(void **state) {
     }
 }
 
+/* Late, images without number count; what would be summed is not. */
+static void terms_know_their_limit(void **state) {
+    (void)state;
+    for (double s = 1e7; s < 1e300; s *= 1e60) {
+        struct curve u = series_box_images(0.3, 1.37, 0.41, s), v = series_gauss_images(0.3, 1.37, s);
+        assert_true(isinf(u.at.error) && isinf(u.slope.error) && isinf(v.at.error) && isinf(v.slope.error));
+    }
+    assert_true(isinf(series_gauss_modes(0.3, 1.37, 1e-5).at.error)); /* early, nor do modes */
+    struct approx u = series_box_images(0.3, 1.37, 0.41, 1e4).at;
+    assert_near(u.value, 0, u.error);
+    assert_true(u.error < 1e-12);
+}
+
 static void gauss_forms_agree(void **state) {
     (void)state;
     for (double sigma = 0.05; sigma < 5; sigma *= 1.23)
@@ -152,8 +165,8 @@ static void four_sides_are_a_product_of_boxes(void **state) {
 /* Long and short plates have their middle left out; slopes are those of central differences. */
 static void long_plates_agree_with_quadrature(void **state) {
     (void)state;
-    static const double s[] = {0.0149, 0.04, 0.3, 2.1, 91};
-    for (int i = 0; i < 5; i++)
+    static const double s[] = {0.0149, 0.04, 0.3, 2.1, 91, 1e7};
+    for (int i = 0; i < 6; i++)
         for (double x = 0.0013; x < 1; x += 0.119) {
             struct surface u = one_side(0, x * 7.3, 7.3, 0.031, 0.1, s[i]);
             struct approx v = rectangle_quadrature(x * 7.3, 7.3, 0.031, 0.1, s[i]);
@@ -196,7 +209,7 @@ static void two_equal_layers_are_one_wall(void **state) {
     struct layers_contour c;
     struct layers w = {{0.37, 0.73}, {0.9, 0.9}, {1.3, 1.3}, {0.2, 0.2}, {1.7, 1.7}};
     double kappa = 0.9 / 1.3, L = 0.37 + 0.73;
-    for (double t = 0.0001; t < 1; t *= 2.1) {
+    for (double t = 0.0001; t < 1e12; t *= t < 1 ? 2.1 : 37) {
         layers_modes(&w, t, &m);
         layers_contour(&w, t, &c);
         for (int n = 0; n < m.n; n++)
@@ -209,6 +222,18 @@ static void two_equal_layers_are_one_wall(void **state) {
             assert_near(e.slope.value, 1.5 * u.slope.value, e.slope.error);
             assert_near(f.slope.value, 1.5 * u.slope.value, f.slope.error);
         }
+    }
+}
+
+/* Of any time that can be written down. */
+static void layers_begin_at_their_start(void **state) {
+    (void)state;
+    struct layers_contour c;
+    struct layers w = {{0.37, 0.73}, {0.9, 2.1}, {1.3, 0.4}, {0.2, 31}, {1.7, 1.7}};
+    for (double t = 5e-324; t < 1e-9; t *= 1e31) {
+        layers_contour(&w, t, &c);
+        assert_near(layers_contour_at(&c, -0.11).at.value, 1.7, c.error[0]);
+        assert_near(layers_contour_at(&c, 0.73).at.value, 31, c.error[0]);
     }
 }
 
@@ -262,6 +287,7 @@ int main(void) {
         cmocka_unit_test(box_is_exact_at_the_start_and_at_the_walls),
         cmocka_unit_test(box_modes_know_their_limit),
         cmocka_unit_test(box_modes_bound_their_tail),
+        cmocka_unit_test(terms_know_their_limit),
         cmocka_unit_test(gauss_forms_agree),
         cmocka_unit_test(gauss_bounds_hold_what_rounding_of_x_does),
         cmocka_unit_test(steady_strips_are_the_sine_series),
@@ -270,6 +296,7 @@ int main(void) {
         cmocka_unit_test(long_plates_agree_with_quadrature),
         cmocka_unit_test(rectangle_slopes_are_differences),
         cmocka_unit_test(two_equal_layers_are_one_wall),
+        cmocka_unit_test(layers_begin_at_their_start),
         cmocka_unit_test(layers_have_no_first_side),
         cmocka_unit_test(no_mode_of_two_layers_is_missed),
     };

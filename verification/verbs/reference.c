@@ -33,8 +33,9 @@ static void print_json(const struct request *r, const struct forms *f) {
     json_number(&j, "time", r->time.value[0]);
     json_number(&j, "temperature", f->exact.no_value ? NAN : f->exact.temperature);
     json_number(&j, "error_bound", f->exact.no_value ? NAN : f->exact.error_bound);
-    json_number(&j, "second_form", f->second.no_value ? NAN : f->second.temperature);
-    json_number(&j, "second_error_bound", f->second.no_value ? NAN : f->second.error_bound);
+    int second = !f->second.no_value && isfinite(f->second.error_bound);
+    json_number(&j, "second_form", second ? f->second.temperature : NAN);
+    json_number(&j, "second_error_bound", second ? f->second.error_bound : NAN);
     if (r->experiment.scene->published) {
         json_number(&j, "published", f->published);
         json_number(&j, "difference", f->exact.no_value ? NAN : f->published - f->exact.temperature);
@@ -51,8 +52,13 @@ static void print_text(const struct request *r, const struct forms *f) {
         return;
     }
     printf("  %-12s %.17g K, within %.1e K\n", "temperature", f->exact.temperature, f->exact.error_bound);
-    printf("  %-12s %.17g K, within %.1e K\n", "second form", f->second.temperature, f->second.error_bound);
-    if (r->experiment.scene->published)
+    if (isfinite(f->second.error_bound))
+        printf("  %-12s %.17g K, within %.1e K\n", "second form", f->second.temperature, f->second.error_bound);
+    else
+        printf("  %-12s -, since at this time it would take too many terms\n", "second form");
+    if (r->experiment.scene->published && !isfinite(f->published))
+        printf("  %-12s -, since as printed it overflows\n", "as published");
+    else if (r->experiment.scene->published)
         printf("  %-12s %.17g K, %+.1e K away\n", "as published", f->published, f->published - f->exact.temperature);
 }
 
