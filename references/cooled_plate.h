@@ -3,6 +3,8 @@
 
 #include "references/rectangle.h"
 
+#include <stddef.h>
+
 /* A plate [0, W] x [0, H] at zero whose side y = 0 is held at 1 from t = 0 on; x = 0 is insulated, the other two are
  * cooled, dT/dn = -h T, h in m^-1.  s = sqrt(4 kappa t), m, stands for the time. */
 

@@ -2,7 +2,6 @@
 #define HEATLADDER_REFERENCES_SERIES_H
 
 #include <math.h>
-#include <stddef.h>
 
 /* Sums that the references share.  Each form exists twice, from images and from modes, so that one can check the
  * other; each states its error.  A width s = sqrt(4 kappa t), m, stands for the time. */

@@ -11,7 +11,6 @@
 #include "reports/page/figure.h"
 #include "verification/command/command_run.h"
 
-#include <math.h>
 #include <stdio.h>
 #include <string.h>
 

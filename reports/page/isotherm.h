@@ -3,7 +3,6 @@
 
 /* Isotherms of temperatures on a lattice, as lines that can be drawn. */
 
-#include <stddef.h>
 #include <stdio.h>
 
 struct isotherm_grid {

@@ -13,7 +13,6 @@
 #include "solver/space/neighbours.h"
 #include "solver/time/chebyshev.h"
 
-#include <math.h>
 #include <stdlib.h>
 #include <string.h>
 

@@ -5,7 +5,6 @@
 #include "verification/command/arguments.h"
 #include "verification/foreign/results.h"
 
-#include <math.h>
 #include <stdio.h>
 #include <string.h>
 

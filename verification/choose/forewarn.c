@@ -6,7 +6,6 @@
 #include "verification/run/experiment.h"
 #include "verification/run/time_step.h"
 
-#include <math.h>
 #include <stdio.h>
 
 const double forewarn_least = 10;

@@ -5,8 +5,6 @@
 #include "verification/run/symmetry.h"
 #include "verification/run/time_step.h"
 
-#include <math.h>
-
 const char *const plan_phases[] = {"set-up", "steps", "errors", NULL};
 
 enum outline_phase plan_peak(const struct plan *plan) {

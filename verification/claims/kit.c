@@ -6,7 +6,6 @@
 #include "verification/stability/step_limit.h"
 
 #include <ctype.h>
-#include <math.h>
 #include <stdarg.h>
 #include <stdio.h>
 #include <stdlib.h>

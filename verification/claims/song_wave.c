@@ -4,7 +4,6 @@
 #include "verification/stability/symbol.h"
 
 #include <math.h>
-#include <stdio.h>
 #include <stdlib.h>
 
 static double outside(const struct result *r) {

@@ -3,8 +3,6 @@
 
 /* Coverage: whether the points of an answer fill the whole domain at the spacing dx, each of them once. */
 
-#include <stddef.h>
-
 struct failure;
 struct problem;
 struct samples;

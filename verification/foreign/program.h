@@ -5,8 +5,6 @@
 
 #include "verification/foreign/samples.h"
 
-#include <stddef.h>
-
 struct failure;
 struct field;
 struct options;

@@ -7,8 +7,6 @@
 #include "verification/foreign/program.h"
 #include "verification/text/number.h"
 
-#include <stddef.h>
-
 struct failure;
 struct options;
 struct scene;

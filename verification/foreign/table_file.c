@@ -4,9 +4,7 @@
 #include "solver/status.h"
 #include "verification/foreign/samples.h"
 #include "verification/text/number.h"
-#include "verification/text/words.h"
 
-#include <math.h>
 #include <stdlib.h>
 #include <string.h>
 

@@ -25,7 +25,6 @@
 #include "verification/ladder/slope.h"
 #include "verification/ladder/window.h"
 
-#include <float.h>
 #include <gsl/gsl_cdf.h>
 #include <math.h>
 #include <stdio.h>

@@ -9,10 +9,8 @@
 #include "verification/run/run.h"
 #include "verification/run/semidiscrete.h"
 
-#include <math.h>
 #include <omp.h>
 #include <stdio.h>
-#include <stdlib.h>
 #include <string.h>
 
 /* A list that rises is refined as it rises: its inverse falls. */

@@ -3,7 +3,7 @@
 
 /* A neighbourhood without any symmetry, and the weights that a discrete Laplacian has there. */
 
-#include "solver/methods/particles.h"
+#include "solver/space/operator.h"
 
 #include "verification/unit/near.h"
 

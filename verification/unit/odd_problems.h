@@ -3,7 +3,6 @@
 
 /* A small problem with every number its own, for tests of the particle code. */
 
-#include "solver/space/layout.h"
 #include "solver/problem.h"
 
 #include <math.h>

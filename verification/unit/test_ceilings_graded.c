@@ -7,7 +7,7 @@
  * ghosts with their own sources' distances miss 2 A s^2 of the slope, of which rows that lie midway take w = 1/12 off
  * (test_ceilings_robin.c); the ghosts of a lattice have 1/12 in place of all of it.  T_x jumps at the cooled end from
  * the start on, by g: sums over midpoints keep the heat, and have s^2/24 g less of it than T.  Everything in dx^2. */
-#include "solver/methods/particles.h"
+#include "solver/space/operator.h"
 #include "references/cooling.h"
 #include "verification/command/arguments.h"
 #include "verification/command/request.h"

@@ -1,8 +1,6 @@
 /* Relaxed, hexagonal and graded clouds: where particles are, what they stand for, that threads change nothing, and
  * what is refused. */
-#include "solver/methods/particles.h"
 #include "solver/space/place.h"
-#include "solver/space/relax.h"
 
 #include "verification/unit/odd_problems.h"
 #include "verification/unit/near.h"

@@ -1,5 +1,5 @@
 /* SSPH across a contact: fields that it must have exactly, one material, and what is refused. */
-#include "solver/methods/particles.h"
+#include "solver/space/operator.h"
 
 #include "verification/unit/odd_problems.h"
 #include "verification/unit/near.h"

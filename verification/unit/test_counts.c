@@ -5,8 +5,6 @@
 
 #include "verification/unit/near.h"
 
-#include <math.h>
-
 static struct result result_of(const char *line) {
     struct request r;
     struct failure why;

@@ -2,7 +2,6 @@
  * are kappa/dx^2. */
 #include "solver/time/exact.h"
 
-#include "solver/methods/particles.h"
 #include "solver/space/operator.h"
 #include "solver/time/transform.h"
 #include "verification/command/command_run.h"

@@ -1,9 +1,6 @@
 /* The discrete operator: derivatives that it must have exactly, its two forms against each other, the exact stepper
  * against small steps, and what no method may do to heat. */
-#include "solver/time/exact.h"
 #include "solver/time/matched.h"
-#include "solver/methods/particles.h"
-#include "solver/time/stepper.h"
 
 extern const struct method method_so_ssph, method_fo_ssph;
 

@@ -1,7 +1,6 @@
 /* The oracle: every column against what it stands for, and the table that is written of them. */
 #include "verification/oracle/answer.h"
 
-#include "references/snapshot.h"
 #include "verification/unit/odd_scenes.h"
 #include "verification/unit/points_text.h"
 

@@ -2,7 +2,6 @@
  * stay as it is; and the steppers on one equation. */
 #include "solver/method.h"
 
-#include "solver/methods/particles.h"
 #include "solver/time/stepper.h"
 
 #include "verification/unit/odd_problems.h"

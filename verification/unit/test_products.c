@@ -2,7 +2,6 @@
  * not taken for one, and few modes evolve as all modes do. */
 #include "solver/time/products.h"
 
-#include "solver/methods/particles.h"
 #include "solver/time/exact.h"
 
 #include "verification/unit/near.h"

@@ -3,8 +3,6 @@
  * The rod: cos(mu s) about T_a, s from an insulated wall, mu L tan(mu L) = b L/k.  The plate: the same along y, and
  * along x a mode between two Robin walls of b_lo and b_hi: cos(nu s - psi), tan psi = b_lo/(k nu), nu L = psi +
  * atan(b_hi/(k nu)). */
-#include "solver/time/exact.h"
-#include "solver/sweep/state.h"
 #include "solver/time/transform.h"
 
 #include "verification/unit/odd_problems.h"

@@ -1,6 +1,5 @@
 /* The hot loops of the lattice against their definition, one particle after the other, and against themselves: what
  * shares a sweep, how wide a vector is and how many threads there are must not change a bit. */
-#include "solver/methods/particles.h"
 #include "solver/sweep/sweep.h"
 
 #include "verification/unit/odd_problems.h"

@@ -7,7 +7,6 @@
 #include "verification/unit/near.h"
 
 #include <gsl/gsl_errno.h>
-#include <stdio.h>
 
 static void solve(const char *line, enum domain domain, struct field *f) {
     struct request r;

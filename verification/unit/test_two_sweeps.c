@@ -1,6 +1,5 @@
 /* Two sweeps of first derivatives: pairs that do not depend on threads, updates that are their definition to the bit
  * for any number of them, and the rows that they stand for. */
-#include "solver/methods/particles.h"
 #include "solver/space/csr.h"
 #include "solver/space/gradient.h"
 #include "solver/sweep/state.h"
