@@ -26,8 +26,9 @@ int assembly_neighbourhood(const struct assembly *m, size_t i, struct surroundin
     const struct cloud *c = m->c;
     size_t n = neighbours_find(&m->cells, i, out->near, NEIGHBOURS_MAX);
     if (n > NEIGHBOURS_MAX)
-        return refuse(why, STATUS_NUMERICAL, "particle %zu at (%.6g, %.6g) m has %zu neighbours, at most %d are held",
-                      i, c->x[i], c->y[i], n, NEIGHBOURS_MAX);
+        return refuse(why, STATUS_NUMERICAL,
+                      "particle %zu at (%.6g, %.6g) m has %zu neighbours, at most %d are held; take a smaller --h", i,
+                      c->x[i], c->y[i], n, NEIGHBOURS_MAX);
     for (size_t k = 0; k < n; k++)
         out->d[k][0] = c->x[out->near[k]] - c->x[i], out->d[k][1] = c->y[out->near[k]] - c->y[i];
     const struct problem *p = m->p;

@@ -53,11 +53,11 @@ static int refuse_spacing(const struct problem *p, const struct options *o, doub
     nearest_spacings(p, o->dx, ratio, near);
     if (isnan(near[0]))
         return refuse(why, STATUS_INPUT,
-                      "--dx %g does not divide the domain, and with dy = %.6g dx none near it does", o->dx, ratio);
+                      "--dx %g: does not divide the domain, and with dy = %.6g dx none near it does", o->dx, ratio);
     if (isnan(near[1]))
-        return refuse(why, STATUS_INPUT, "--dx %g does not divide the domain; try %.10g", o->dx, near[0]);
-    return refuse(why, STATUS_INPUT, "--dx %g does not divide the domain; the nearest that do are %.10g and %.10g",
-                  o->dx, near[0], near[1]);
+        return refuse(why, STATUS_INPUT, "--dx %g: does not divide the domain; nearest: %.10g", o->dx, near[0]);
+    return refuse(why, STATUS_INPUT, "--dx %g: does not divide the domain; nearest: %.10g, %.10g", o->dx, near[0],
+                  near[1]);
 }
 
 double layout_robin_factor(const struct problem *p, int side, double k, double d) {
@@ -85,7 +85,7 @@ int layout_lattice(const struct problem *p, const struct options *o, double rati
             spacing = (p->hi[a] - p->lo[a]) / place_rows(p->hi[a] - p->lo[a], o->dx);
         int divides = count_cells(p, a, spacing, &cells);
         if (!(cells < CELLS_MAX))
-            return refuse(why, STATUS_INPUT, "--dx %g: %g particles along %c, fewer than %g can be", o->dx, cells,
+            return refuse(why, STATUS_INPUT, "--dx %g: %g particles along %c, must be below %g", o->dx, cells,
                           "xy"[a], CELLS_MAX);
         if (!divides) return refuse_spacing(p, o, ratio, why);
         const enum side_kind *kind = &p->side[2 * a];

@@ -87,7 +87,7 @@ int layout_cloud(const struct problem *p, const struct options *o, const struct 
     if (o->layout == LAYOUT_GRADED) reach *= place_coarsest(p, o, l) / l->dx[0];
     if (o->layout == LAYOUT_NODE)
         return refuse(why, STATUS_NOT_APPLICABLE,
-                      "--layout node: particles with rows of their own need another layout");
+                      "--layout node: two materials give each particle a row of its own, which needs another layout");
     for (int a = 0; a < p->dim; a++)
         if (reach > p->hi[a] - p->lo[a])
             return refuse(why, STATUS_INPUT,

@@ -40,7 +40,7 @@ int operator_neighbourhood(int dim, double dx, double h, double d[NEIGHBOURS_MAX
     *nb = (struct neighbourhood){.dim = dim, .d = d, .h = h * dx, .volume = dim == 2 ? dx * dx : dx};
     double reach = ceil(KERNEL_SUPPORT * h * (1 - 1e-12)) - 1, across = 2 * reach + 1;
     if (!((dim == 2 ? across * across : across) <= NEIGHBOURS_MAX))
-        return refuse(why, STATUS_INPUT, "--h %g: more than %d neighbours", h, NEIGHBOURS_MAX);
+        return refuse(why, STATUS_INPUT, "--h %g: more than %d neighbours; take a smaller --h", h, NEIGHBOURS_MAX);
     int r = (int)reach, ry = dim == 2 ? r : 0;
     for (int j = -ry; j <= ry; j++)
         for (int i = -r; i <= r; i++) {

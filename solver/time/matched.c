@@ -264,7 +264,7 @@ static int matching_step(const struct problem *p, const struct options *o, const
 int matched_plan(const struct problem *p, const struct options *o, const struct scheme *s,
                  const struct heat_operator *a, struct matched *m, struct failure *why) {
     double F, kappa = p->material[0].k[0] / p->material[0].rho_c, dx2 = a->lattice.dx[0] * a->lattice.dx[0];
-    if (o->dt > 0) return refuse(why, STATUS_INPUT, "--stepper matched finds its own step: leave out --dt");
+    if (o->dt > 0) return refuse(why, STATUS_INPUT, "--stepper matched: sets the step itself; leave out --dt");
     if (matching_step(p, o, s, a, kappa / dx2, &F, why)) return why->status;
     m->run_time = p->t_end - start_time(p, o, &a->lattice);
     if (!(m->run_time > 0))

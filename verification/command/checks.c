@@ -30,25 +30,25 @@ static int check_options(const struct request *r, struct failure *why) {
     if (r->rungs.dt.count && r->rungs.fourier.count)
         return refuse(why, STATUS_INPUT, "--dt and --fourier both set the time step; give one of them");
     if ((r->rungs.dt.count || r->rungs.fourier.count) && o->stepper == STEPPER_EXACT)
-        return refuse(why, STATUS_INPUT, "--stepper exact has no time step; leave out --%s",
+        return refuse(why, STATUS_INPUT, "--stepper exact: has no time step; leave out --%s",
                       r->rungs.dt.count ? "dt" : "fourier");
     if (o->jitter > 0 && o->layout != LAYOUT_JITTER && o->layout != LAYOUT_RELAXED)
-        return refuse(why, STATUS_INPUT, "--jitter %g needs --layout jitter or relaxed", o->jitter);
+        return refuse(why, STATUS_INPUT, "--jitter %g: needs --layout jitter or relaxed", o->jitter);
     if (o->grading > 0 && o->layout != LAYOUT_GRADED)
-        return refuse(why, STATUS_INPUT, "--grading %g needs --layout graded", o->grading);
+        return refuse(why, STATUS_INPUT, "--grading %g: needs --layout graded", o->grading);
     if (o->sweeps > 0 && o->layout != LAYOUT_RELAXED)
-        return refuse(why, STATUS_INPUT, "--sweeps %d needs --layout relaxed", o->sweeps);
+        return refuse(why, STATUS_INPUT, "--sweeps %d: needs --layout relaxed", o->sweeps);
     if (o->redraw > 0 && !r->rungs.dt.count && !r->rungs.fourier.count)
         return refuse(why, STATUS_INPUT, "--redraw %d: steps are counted, which needs --dt or --fourier", o->redraw);
     if (r->experiment.time_error > 0 && (r->rungs.dt.count || r->rungs.fourier.count))
-        return refuse(why, STATUS_INPUT, "--time-error %g finds the time step: leave out --dt and --fourier",
+        return refuse(why, STATUS_INPUT, "--time-error %g: finds the time step; leave out --dt and --fourier",
                       r->experiment.time_error);
     if (r->experiment.time_error > 0 && (o->stepper == STEPPER_EXACT || o->stepper >= STEPPER_MATCHED))
         return refuse(why, STATUS_INPUT,
                       "--time-error %g: --stepper %s leaves no time step to choose; euler, rk2 and rkl2 do",
                       r->experiment.time_error, stepper_words[o->stepper]);
     if (o->xi > 0 && o->volume != VOLUME_TUNED)
-        return refuse(why, STATUS_INPUT, "--xi %g needs --volume tuned", o->xi);
+        return refuse(why, STATUS_INPUT, "--xi %g: needs --volume tuned", o->xi);
     if (r->at.count > 2 || (r->at.count && r->experiment.scene && r->at.count != r->experiment.problem.dim))
         return refuse(why, STATUS_INPUT, "--at needs %s for %s",
                       r->experiment.problem.dim == 2 ? "X,Y" : "one number",
