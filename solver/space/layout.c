@@ -56,7 +56,7 @@ static int refuse_spacing(const struct problem *p, const struct options *o, doub
                       "--dx %g: does not divide the domain, and with dy = %.6g dx none near it does", o->dx, ratio);
     if (isnan(near[1]))
         return refuse(why, STATUS_INPUT, "--dx %g: does not divide the domain; nearest: %.10g", o->dx, near[0]);
-    return refuse(why, STATUS_INPUT, "--dx %g: does not divide the domain; nearest: %.10g, %.10g", o->dx, near[0],
+    return refuse(why, STATUS_INPUT, "--dx %g: does not divide the domain; nearest: %.10g and %.10g", o->dx, near[0],
                   near[1]);
 }
 

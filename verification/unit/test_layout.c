@@ -136,10 +136,10 @@ static void spacings_that_do_not_divide_are_refused(void **state) {
     struct lattice l;
     struct failure why;
     assert_int_equal(layout_lattice(&p, &o, 1, &l, &why), STATUS_INPUT);
-    assert_non_null(strstr(why.text, "nearest: 0.06, 0.075"));
+    assert_non_null(strstr(why.text, "nearest: 0.06 and 0.075"));
     o.dx = 0.0745; /* 20.1 of them fit, and 20 cells do divide: only 0.075 is of 20 */
     assert_int_equal(layout_lattice(&p, &o, 1, &l, &why), STATUS_INPUT);
-    assert_non_null(strstr(why.text, "nearest: 0.06, 0.075"));
+    assert_non_null(strstr(why.text, "nearest: 0.06 and 0.075"));
     o.dx = 1e-12;
     assert_int_equal(layout_lattice(&p, &o, 1, &l, &why), STATUS_INPUT);
     assert_non_null(strstr(why.text, "--dx 1e-12: 1.5e+12 particles along x, must be below 1e+08"));
