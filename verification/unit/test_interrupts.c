@@ -5,6 +5,7 @@
 #include "verification/bench/peers.h"
 #include "verification/command/arguments.h"
 #include "verification/command/verb.h"
+#include "verification/text/whole_file.h"
 
 #include "solver/status.h"
 
