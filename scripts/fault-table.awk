@@ -1,9 +1,9 @@
 # faults.md from the rows of faults.txt (tabs between) and faults.tsv: fault by row of the battery, and what the
 # diagnosis makes of each fault and example.
 
-# The sentence without its number and its share; the number is left in `size`.
+# The sentence without its number and what is in parentheses; the number is left in `size`.
 function name_of(text) {
-    sub(/ \([0-9]+ % of the error\)$/, "", text)
+    sub(/ \([^()]*\)$/, "", text)
     size = match(text, /[0-9][0-9.]*(e[-+]?[0-9]+)?/) ? substr(text, RSTART, RLENGTH) + 0 : 0
     sub(/ [0-9][0-9.]*(e[-+]?[0-9]+)? /, " # ", text)
     return text
@@ -23,21 +23,9 @@ FNR == NR {
 {
     code = $1 SUBSEP $2
     if (!(code in seen)) { seen[code] = 0; codes[++all] = code; fault_of[code] = $1; example_of[code] = $2 }
+    if ($3 == "*") { told[code] = $5 ~ /^as if/ ? $5 : ""; next }
     if (!($3 in known)) { known[$3]; row[++rows] = $3 }
     if ($4 == "fail" || $4 == "inconclusive") { caught[$1, $3]++; seen[code]++; by[code] = by[code] " " $3 }
-    if ($4 != "pass" && $5 ~ /^as if/) {
-        n = name_of($5)
-        if (!((code, n) in votes)) { named[code, ++names[code]] = n; first[code, n] = $5 }
-        votes[code, n]++
-        if (right($1, $5)) first[code, n] = $5
-    }
-}
-function told(code,    i, n, best) {
-    for (i = 1; i <= names[code]; i++) {
-        n = named[code, i]
-        if (best == "" || votes[code, n] > votes[code, best]) best = n
-    }
-    return best == "" ? "" : first[code, best]
 }
 END {
     print "# Faults seeded in the examples, and the rows of the battery that see them\n"
@@ -66,7 +54,7 @@ END {
         for (c = 1; c <= all; c++) {
             if (fault_of[codes[c]] != name) continue
             examples++
-            t = told(codes[c])
+            t = told[codes[c]]
             if (t == "") silent++
             else if (f && right(name, t)) good++
             else bad++
@@ -80,8 +68,8 @@ END {
     printf "\nOf %d cases %d are named rightly (%.0f %%), %d wrongly, %d not at all; ", cases, goods,
         100 * goods / (cases ? cases : 1), bads, silents
     printf "of %d correct codes %d have a fault named.\n", correct, correct_bad
-    print "\nA case is named by what most of its failing rows say, rightly where that is the fault and a number in it"
-    print "within 20 %."
+    print "\nA case is named by what most of its failing rows say, with the middle one of their sizes: rightly where"
+    print "that is the fault and the size within 20 %."
     missed = ""
     for (c = 1; c <= all; c++) if (fault_of[codes[c]] != "correct" && !seen[codes[c]])
         missed = missed "\n- " fault_of[codes[c]] ", " example_of[codes[c]]

@@ -5,6 +5,8 @@
 
 #include <math.h>
 #include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
 
 static const char *axis_name(int axis) {
     return axis == 0 ? "x" : axis == 1 ? "y" : "x and y";
@@ -89,4 +91,62 @@ void wording_text(const struct diagnosis *d, char *text, size_t size) {
         snprintf(text, size, "%s (%.0f %% of the error)", d->what, 100 * d->share);
     else
         snprintf(text, size, "%s", d->what);
+}
+
+/* Where the size stands in a text, and letters of the sentence, which the share follows. */
+static const char *size_in(const char *text, size_t *letters) {
+    const char *share = strstr(text, " (");
+    *letters = share ? (size_t)(share - text) : strlen(text);
+    const char *digit = text + strcspn(text, "0123456789");
+    return digit < text + *letters ? digit : text + *letters;
+}
+
+static double size_of(const char *text) {
+    size_t letters;
+    const char *at = size_in(text, &letters);
+    return at < text + letters ? strtod(at, NULL) : 0;
+}
+
+static int same_fault(const char *a, const char *b) {
+    size_t m, n;
+    const char *x = size_in(a, &m), *y = size_in(b, &n);
+    if (x - a != y - b || strncmp(a, b, (size_t)(x - a)) != 0) return 0;
+    x += strspn(x, "0123456789.e+-"), y += strspn(y, "0123456789.e+-");
+    return a + m - x == b + n - y && strncmp(x, y, (size_t)(a + m - x)) == 0;
+}
+
+/* The first of those that most say. */
+static int most_named(const char *const text[], int count, int *votes) {
+    int best = -1;
+    *votes = 0;
+    for (int i = 0; i < count; i++) {
+        int same = 0;
+        for (int k = 0; k < count; k++) same += same_fault(text[i], text[k]);
+        if (*text[i] && same > *votes) best = i, *votes = same;
+    }
+    return best;
+}
+
+/* Of those that say what the best says the one that has half of the others' sizes below its own. */
+static int middle(const char *const text[], int count, int best, int votes) {
+    for (int i = 0; i < count; i++) {
+        int below = 0;
+        if (!same_fault(text[i], text[best])) continue;
+        for (int k = 0; k < count; k++) {
+            double size = size_of(text[k]) - size_of(text[i]);
+            below += same_fault(text[k], text[best]) && (size < 0 || (size == 0 && k < i));
+        }
+        if (below == (votes - 1) / 2) return i;
+    }
+    return best;
+}
+
+void wording_all(const char *const text[], int count, char *all, size_t size) {
+    int votes, best = most_named(text, count, &votes);
+    size_t letters;
+    *all = '\0';
+    if (best < 0) return;
+    const char *what = text[middle(text, count, best, votes)];
+    size_in(what, &letters);
+    snprintf(all, size, "%.*s (%d of %d gates that do not hold)", (int)letters, what, votes, count);
 }

@@ -3,6 +3,7 @@
 #include "verification/gates/gates.h"
 
 #include "verification/command/arguments.h"
+#include "verification/diagnosis/wording.h"
 #include "verification/text/progress.h"
 
 #include <math.h>
@@ -92,4 +93,15 @@ int gates_status(const struct gates *g) {
         return STATUS_GATE;
     if (!passed) unclear = 1;
     return unclear ? STATUS_INCONCLUSIVE : STATUS_OK;
+}
+
+void gates_diagnosis(const struct gates *g, char *text, size_t size) {
+    const char **said = xcalloc((size_t)g->declared, sizeof *said);
+    int count = 0;
+    for (int i = 0; i < g->declared; i++) {
+        const struct measured *m = &g->result[i].measured;
+        if (m->verdict == VERDICT_FAIL || m->verdict == VERDICT_INCONCLUSIVE) said[count++] = m->diagnosis;
+    }
+    wording_all(said, count, text, size);
+    free(said);
 }

@@ -75,6 +75,9 @@ void gates_command(const struct gate *gate, const struct program *program, char 
  * be judged; else STATUS_GATE. */
 int gates_status(const struct gates *g);
 
+/* wording_all of those that do not hold. */
+void gates_diagnosis(const struct gates *g, char *text, size_t size);
+
 /* 1 where a row of the table gates an order of that scene and method. */
 int gates_has_order(const char *scene, const char *method);
 

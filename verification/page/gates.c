@@ -1,9 +1,12 @@
 /* Gates on a page. */
 #include "verification/page/page.h"
 
+#include "solver/status.h"
+#include "verification/diagnosis/wording.h"
 #include "verification/page/html.h"
 
 #include <math.h>
+#include <stdlib.h>
 #include <string.h>
 
 size_t page_group_length(const char *id) {
@@ -119,6 +122,17 @@ static void put_groups(const struct page_gate *gate, int count, FILE *out) {
     fprintf(out, "</ul>\n");
 }
 
+static void put_diagnosis(const struct page_gate *gate, int count, FILE *out) {
+    const char **said = xcalloc((size_t)count, sizeof *said);
+    char all[WORDING_ALL];
+    int n = 0;
+    for (int i = 0; i < count; i++)
+        if (!passed(&gate[i]) && !skipped(&gate[i])) said[n++] = gate[i].diagnosis;
+    wording_all(said, n, all, sizeof all);
+    if (*all) html_print(out, "<p class=\"verdict\">Diagnosis: %s.</p>\n", all);
+    free(said);
+}
+
 void page_put_gates(const struct page_gate *gate, int count, const char *made, FILE *out) {
     struct tally t = tally_of(gate, count, NULL);
     fprintf(out, "<p class=\"verdict\">");
@@ -126,6 +140,7 @@ void page_put_gates(const struct page_gate *gate, int count, const char *made, F
     fprintf(out, ": %d of %d gates hold", t.held, t.judged);
     if (t.judged < count) fprintf(out, ", %d skipped", count - t.judged);
     fprintf(out, "</p>\n");
+    put_diagnosis(gate, count, out);
     html_print(out, "<p class=\"faint\">The gates were run %s.</p>\n", made);
     for (int i = 0; i < count; i++)
         if (!passed(&gate[i]) && !skipped(&gate[i])) put_failure(&gate[i], out);

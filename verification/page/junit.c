@@ -17,8 +17,9 @@ static void put_case(const struct gate_result *r, FILE *out) {
         fprintf(out, "/>\n");
         return;
     }
-    html_print(out, ">\n      <%s message=\"%s\">expected because: %s\nheatladder %s</%s>\n    </testcase>\n", tag,
-               r->measured.reason, r->gate.why, r->typed, tag);
+    html_print(out, ">\n      <%s message=\"%s%s%s\">expected because: %s\nheatladder %s</%s>\n    </testcase>\n",
+               tag, r->measured.reason, *r->measured.diagnosis ? "; diagnosis: " : "", r->measured.diagnosis,
+               r->gate.why, r->typed, tag);
 }
 
 int junit_write(const struct gates *g, const char *path, struct failure *why) {

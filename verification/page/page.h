@@ -24,8 +24,8 @@ struct page_gate {
 size_t page_group_length(const char *id);
 int page_same_group(const char *a, const char *b);
 
-/* The verdict of all and where it was made (as page_origin), then a word a group, then what failed in full, then
- * every gate, folded away. */
+/* The verdict of all and where it was made (as page_origin), what most failures look like, then what failed in
+ * full, then a word a group, then every gate, folded away. */
 void page_put_gates(const struct page_gate *gate, int count, const char *made, FILE *out);
 /* How many of the gates whose command has that scene hold, and they, folded away. */
 void page_put_scene(const struct page_gate *gate, int count, const char *scene, FILE *out);

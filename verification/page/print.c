@@ -1,6 +1,7 @@
 /* Verdicts for a reader. */
 #include "verification/page/print.h"
 
+#include "verification/diagnosis/wording.h"
 #include "verification/gates/gates.h"
 #include "verification/page/page.h"
 #include "verification/text/paint.h"
@@ -95,6 +96,9 @@ void print_gates(const struct gates *g, int all, double seconds) {
         else if (!holds(&g->result[i]))
             print_failure(&g->result[i]);
     }
+    char diagnosis[WORDING_ALL];
+    gates_diagnosis(g, diagnosis, sizeof diagnosis);
+    if (*diagnosis) printf("\ndiagnosis: %s\n", diagnosis);
     printf("\n%d gates declared, %d executed: %d passed, %d failed, %d inconclusive", g->declared, g->executed,
            count[VERDICT_PASS], count[VERDICT_FAIL], count[VERDICT_INCONCLUSIVE]);
     if (count[VERDICT_SKIPPED]) printf(", %d skipped", count[VERDICT_SKIPPED]);

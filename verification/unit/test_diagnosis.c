@@ -1,5 +1,6 @@
 /* Faults planted in a correct code are named, with their size; a correct code has none. */
 #include "verification/diagnosis/diagnosis.h"
+#include "verification/diagnosis/wording.h"
 
 #include "references/scene.h"
 #include "solver/method.h"
@@ -256,6 +257,31 @@ static void a_start_tells_what_numbers_are(void **state) {
     }
 }
 
+/* The fault that most gates name, its middle size; "" for a gate that names none. */
+static void most_gates_name_one_fault(void **state) {
+    (void)state;
+    static const char *const said[] = {"as if all temperatures were 0.3 % too small (95 % of the error)",
+                                       "as if the conductivity were 1.06 % too large (99 % of the error)",
+                                       "",
+                                       "as if the conductivity were 0.9 % too large (100 % of the error)",
+                                       "as if the conductivity were 1e-05 % too small (91 % of the error)",
+                                       "as if the conductivity were 1.01 % too large (92 % of the error)",
+                                       "as if all temperatures were 2 % too small (95 % of the error)"};
+    static const char *const bare[] = {"", "as if k_y were k_x (93 % of the error)", "as if k_y were k_x",
+                                       "as if k_x were k_y"};
+    char all[WORDING_ALL];
+    wording_all(said, 7, all, sizeof all);
+    assert_string_equal(all, "as if the conductivity were 1.01 % too large (3 of 7 gates that do not hold)");
+    wording_all(said + 3, 3, all, sizeof all); /* of two the smaller */
+    assert_string_equal(all, "as if the conductivity were 0.9 % too large (2 of 3 gates that do not hold)");
+    wording_all(said, 2, all, sizeof all); /* of as many the first */
+    assert_string_equal(all, "as if all temperatures were 0.3 % too small (1 of 2 gates that do not hold)");
+    wording_all(bare, 4, all, sizeof all);
+    assert_string_equal(all, "as if k_y were k_x (2 of 4 gates that do not hold)");
+    wording_all(bare, 1, all, sizeof all);
+    assert_string_equal(all, "");
+}
+
 static void a_correct_code_has_none(void **state) {
     (void)state;
     static const char *const names[] = {"rod-gauss",   "rod-step", "rod-cosine",       "rod-contact",
@@ -275,7 +301,8 @@ int main(void) {
         cmocka_unit_test(faults_are_named_with_their_size), cmocka_unit_test(values_for_means_are_named),
         cmocka_unit_test(rounded_temperatures_are_named),   cmocka_unit_test(runs_that_differ_are_named),
         cmocka_unit_test(a_conductivity_is_no_end_time),    cmocka_unit_test(a_projection_is_no_fault),
-        cmocka_unit_test(a_start_tells_what_numbers_are),   cmocka_unit_test(a_correct_code_has_none),
+        cmocka_unit_test(a_start_tells_what_numbers_are),   cmocka_unit_test(most_gates_name_one_fault),
+        cmocka_unit_test(a_correct_code_has_none),
     };
     return cmocka_run_group_tests_name("diagnosis", tests, NULL, NULL);
 }

@@ -2,6 +2,7 @@
 #include "verification/gates/gates.h"
 
 #include "verification/command/arguments.h"
+#include "verification/diagnosis/wording.h"
 #include "verification/page/junit.h"
 #include "verification/run/run.h"
 
@@ -190,6 +191,7 @@ static void junit_tells_each_verdict(void **state) {
     for (int i = 2; i < g.declared; i++) g.result[i].seconds = 0;
     g.result[1].measured.verdict = VERDICT_INCONCLUSIVE;
     snprintf(g.result[1].measured.reason, sizeof g.result[1].measured.reason, "3 rungs < 4 & more");
+    snprintf(g.result[1].measured.diagnosis, sizeof g.result[1].measured.diagnosis, "as if 1 > 0");
     assert_int_equal(junit_write(&g, path, &why), STATUS_OK);
     FILE *in = fopen(path, "r");
     text[fread(text, 1, sizeof text - 1, in)] = '\0';
@@ -199,8 +201,22 @@ static void junit_tells_each_verdict(void **state) {
     assert_non_null(strstr(text, "failures=\"0\" errors=\"1\" skipped=\"0\" time=\"1.750\""));
     assert_non_null(strstr(text, " time=\"1.250\""));
     assert_non_null(strstr(text, " time=\"0.500\""));
-    assert_non_null(strstr(text, "<error message=\"3 rungs &lt; 4 &amp; more\">"));
+    assert_non_null(strstr(text, "<error message=\"3 rungs &lt; 4 &amp; more; diagnosis: as if 1 &gt; 0\">"));
     gates_free(&g);
+}
+
+static void those_that_do_not_hold_are_diagnosed(void **state) {
+    (void)state;
+    static const enum verdict verdicts[] = {VERDICT_FAIL, VERDICT_PASS, VERDICT_INCONCLUSIVE, VERDICT_SKIPPED};
+    struct gate_result result[4] = {0};
+    struct gates g = {.declared = 4, .executed = 4, .result = result};
+    char all[WORDING_ALL];
+    for (int i = 0; i < 4; i++) {
+        result[i].measured.verdict = verdicts[i];
+        snprintf(result[i].measured.diagnosis, sizeof result[i].measured.diagnosis, "as if late");
+    }
+    gates_diagnosis(&g, all, sizeof all);
+    assert_string_equal(all, "as if late (2 of 2 gates that do not hold)");
 }
 
 int main(void) {
@@ -218,6 +234,7 @@ int main(void) {
         cmocka_unit_test(measures_measure),
         cmocka_unit_test(references_are_held_to_their_bounds),
         cmocka_unit_test(junit_tells_each_verdict),
+        cmocka_unit_test(those_that_do_not_hold_are_diagnosed),
     };
     return cmocka_run_group_tests_name("gates", tests, NULL, NULL);
 }

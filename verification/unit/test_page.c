@@ -114,6 +114,7 @@ static void gates_are_read_back(void **state) {
     assert_non_null(strstr(text, "The gates were run today &quot;here&quot;."));
     assert_non_null(strstr(text, "<h4>b: "));
     assert_non_null(strstr(text, "<p>Diagnosis: 1 step late.</p>"));
+    assert_non_null(strstr(text, "<p class=\"verdict\">Diagnosis: 1 step late (1 of 1 gates that do not hold).</p>"));
     gates_json_free(&g);
     file = fopen(path, "w");
     fputs("{\"gates\": [\n{ \"id\": \"rod", file);

@@ -6,6 +6,7 @@
 #include "verification/text/atomic_file.h"
 #include "verification/battery/battery.h"
 #include "verification/battery/gate_file.h"
+#include "verification/diagnosis/wording.h"
 #include "verification/gates/gates.h"
 #include "verification/text/json.h"
 #include "verification/page/junit.h"
@@ -47,12 +48,14 @@ static void gate_json(const struct gate_result *r, struct json *j) {
 static int write_json(const struct gates *g, const char *path, struct failure *why) {
     struct output page;
     struct json j = json_on(output_open(&page, "%s", path));
-    char made[PAGE_ORIGIN];
+    char made[PAGE_ORIGIN], diagnosis[WORDING_ALL];
     page_origin(made, sizeof made);
+    gates_diagnosis(g, diagnosis, sizeof diagnosis);
     json_object(&j, NULL);
     json_text(&j, "made", made);
     json_whole(&j, "declared", g->declared);
     json_whole(&j, "executed", g->executed);
+    json_text(&j, "diagnosis", *diagnosis ? diagnosis : NULL);
     json_array(&j, "gates");
     for (int i = 0; i < g->declared; i++) gate_json(&g->result[i], &j);
     json_end(&j);
