@@ -251,7 +251,7 @@ void particles_count(const struct problem *p, const struct options *o, const str
 
 static int integrate(const struct problem *p, const struct options *o, const struct scheme *s,
                      const struct lattice *l, struct heat_operator *a, struct field *f, struct failure *why) {
-    f->bytes = a->n * (size_t)(p->dim + 1) * sizeof *f->T + a->bytes;
+    f->bytes = a->n * (size_t)(p->dim + 1 + (f->weight != NULL)) * sizeof *f->T + a->bytes;
     struct march m;
     double bound = operator_bound(a);
     if (particles_march(p, o, s, l, a, bound, &m, why)) return why->status;

@@ -47,10 +47,11 @@ static int count_rows(const struct problem *p, const struct options *o, const st
 static void hold(const struct problem *p, const struct options *o, const struct heat_operator *a,
                  const struct march *m, struct outline *out) {
     size_t constants = a->constant ? (a->weight ? a->state : a->n) * sizeof *a->g : 0, unit = sizeof(double);
-    out->answer = p->dim + 1;
+    out->answer = p->dim + 1 + (o->layout == LAYOUT_GRADED); /* whose cells differ in volume */
     out->on_lattice = particles_on_lattice(p, o, out->rows);
     out->neighbours = (double)a->pairs / (double)a->n;
-    outline_hold(out, "places and temperatures", a->n * (size_t)out->answer * unit, OUTLINE_SET_UP, OUTLINE_STEPS);
+    outline_hold(out, out->answer > p->dim + 1 ? "places, temperatures and volumes" : "places and temperatures",
+                 a->n * (size_t)out->answer * unit, OUTLINE_SET_UP, OUTLINE_STEPS);
     outline_hold(out,
                  a->gradient ? "first derivatives: pairs, places, ghosts, fluxes"
                  : out->rows ? "rows: weights, columns, diagonal, bands of a rod"

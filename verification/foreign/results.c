@@ -74,11 +74,18 @@ int results_has(const char *dir, const struct scene *s, const char *setting) {
     return results_of_scene(dir, s, setting, path) == 0 && is_directory(path);
 }
 
-int results_list(const char *dir, struct numbers *found, struct failure *why) {
+int results_directory_check(const char *dir, struct failure *why) {
     DIR *in = opendir(dir);
+    if (!in) return refuse(why, STATUS_INPUT, "--results '%.300s': %s", dir, strerror(errno));
+    closedir(in);
+    return STATUS_OK;
+}
+
+int results_list(const char *dir, struct numbers *found, struct failure *why) {
     int more = 0;
     double value;
-    if (!in) return refuse(why, STATUS_INPUT, "--results: '%.300s': %s", dir, strerror(errno));
+    if (results_directory_check(dir, why)) return STATUS_INPUT;
+    DIR *in = xcheck(opendir(dir), 1, BUFSIZ);
     found->count = 0;
     for (struct dirent *d; (d = readdir(in));) {
         if (number_read(d->d_name, &value) || !(value > 0)) continue;

@@ -20,6 +20,9 @@ void results_number(double value, char text[40]);
  * of the fewest digits.  0, or -1 where the path is too long. */
 int results_directory(const char *dir, double value, char path[RESULTS_PATH]);
 
+/* STATUS_OK where `dir` is a directory that can be read, else STATUS_INPUT. */
+int results_directory_check(const char *dir, struct failure *why);
+
 /* The subdirectories of `dir` whose names are numbers > 0, at most NUMBERS_MAX.  STATUS_OK, or STATUS_INPUT with *why
  * where there are none or more. */
 int results_list(const char *dir, struct numbers *found, struct failure *why);

@@ -12,6 +12,7 @@
 #include "verification/page/junit.h"
 #include "verification/text/output.h"
 #include "verification/command/request.h"
+#include "verification/foreign/results.h"
 #include "verification/page/page.h"
 #include "verification/page/print.h"
 
@@ -79,6 +80,7 @@ static int collect(const struct request *r, struct gate_file *file, struct gates
     if (program->solver && (!strstr(program->solver, "{case}") || !strstr(program->solver, "{out}")))
         return refuse(why, STATUS_INPUT, "--solver '%.200s': must hold {case} and {out}, which become paths",
                       program->solver);
+    if (program->results && results_directory_check(program->results, why)) return why->status;
     if (r->gates_path && r->order)
         return refuse(why, STATUS_INPUT, "--gates and --order both say which rows: give one of them");
     if (!program_given(program) && !r->gates_path) return gates_collect(r->only, r->skip, r->quick, g, why);
@@ -107,7 +109,8 @@ static int verify(const struct request *r, struct gate_file *file, struct gates 
     if (atomic_file_check(r->page_path, why)) return why->status;
     if (collect(r, file, g, origin, why)) return why->status;
     if (g->program && g->program->solver)
-        fprintf(stderr, "heatladder: the program is run some %d times, one after the other\n", gates_runs(g));
+        fprintf(stderr, "heatladder: the program is run some %d time%s, one after the other\n", gates_runs(g),
+                gates_runs(g) == 1 ? "" : "s");
     double start = omp_get_wtime();
     gates_run(g);
     print_gates(g, r->verbose, omp_get_wtime() - start);
