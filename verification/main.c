@@ -8,6 +8,7 @@
 #include "verification/command/version.h"
 
 #include <errno.h>
+#include <ctype.h>
 #include <gsl/gsl_errno.h>
 #ifdef __GLIBC__
 #include <malloc.h>
@@ -34,13 +35,20 @@ static int help(int argc, char *const *argv) {
     return STATUS_OK;
 }
 
+/* On one line, whatever the words or files that it quotes hold. */
+static void print_failure(const char *text) {
+    fputs("heatladder: ", stderr);
+    for (; *text; text++) fputc(iscntrl((unsigned char)*text) ? '?' : *text, stderr);
+    fputc('\n', stderr);
+}
+
 static int act(int argc, char *const *argv) {
     struct request request = {0};
     struct failure why;
     int status = stack_check(&why);
     if (!status) status = arguments_parse(argc, argv, &request, &why);
     if (!status) status = request.verb->act(&request, &why);
-    if (status && *why.text) fprintf(stderr, "heatladder: %s\n", why.text);
+    if (status && *why.text) print_failure(why.text);
     arguments_free(&request);
     return status_exit(status);
 }
