@@ -32,7 +32,6 @@
 #include <float.h>
 #include <math.h>
 
-static const double pi = 3.14159265358979323846;
 static const double last_exponent = 41.5; /* exp(-41.5) = 9.5e-19 */
 
 /* Place along an axis: distances to both ends, and the angle pi near/length with its sine and cosine. */
@@ -41,7 +40,7 @@ struct place {
 };
 
 static struct place place(double lo, double hi, double length) {
-    double angle = pi * fmin(lo, hi) / length, c = cos(angle);
+    double angle = M_PI * fmin(lo, hi) / length, c = cos(angle);
     return (struct place){lo, hi, length, sin(angle), lo <= hi ? c : -c};
 }
 
@@ -52,20 +51,21 @@ struct sum {
 
 /* A(u) of the comment on top, its slope by u in `along`. */
 static struct sum strip(double u, const struct place *eta) {
-    double grown = expm1(pi * u / eta->length), sinh_u = (grown + grown / (grown + 1)) / 2, cosh_u = hypot(1, sinh_u);
+    double grown = expm1(M_PI * u / eta->length), sinh_u = (grown + grown / (grown + 1)) / 2,
+           cosh_u = hypot(1, sinh_u);
     double den = (sinh_u * sinh_u + eta->sine * eta->sine) * eta->length / 2;
-    struct sum A = {2 / pi * atan2(eta->sine, sinh_u), -eta->sine * cosh_u / den, eta->cosine * sinh_u / den, 0};
+    struct sum A = {2 / M_PI * atan2(eta->sine, sinh_u), -eta->sine * cosh_u / den, eta->cosine * sinh_u / den, 0};
     A.size = fabs(A.along) + fabs(A.across);
     return A;
 }
 
 /* D(u), its slope by u in `along`, by xi in `across`. */
 static struct sum wedge(double u, const struct place *xi) {
-    double shrunk = expm1(-pi * u / xi->length), e = 1 + shrunk, half = xi->sine * xi->sine / (1 + xi->cosine);
+    double shrunk = expm1(-M_PI * u / xi->length), e = 1 + shrunk, half = xi->sine * xi->sine / (1 + xi->cosine);
     if (xi->cosine < 0) half = 1 - xi->cosine;                  /* 1 - cos */
     double real = -shrunk + e * half, imaginary = e * xi->sine; /* of 1 - zeta, but for a sign */
     double den = (real * real + imaginary * imaginary) * xi->length / 2;
-    struct sum D = {2 / pi * atan2(imaginary, real), -imaginary / den, -e * (half + shrunk) / den, 0};
+    struct sum D = {2 / M_PI * atan2(imaginary, real), -imaginary / den, -e * (half + shrunk) / den, 0};
     D.size = fabs(D.along) + fabs(D.across);
     return D;
 }
@@ -83,11 +83,11 @@ static struct sum images(struct sum (*image)(double, const struct place *), doub
                          const struct place *b, int step) {
     struct sum H = image(near, b);
     add(&H, -1, -1, image(w + far, b));
-    double rate = pi / b->length, p = exp(-rate * near), o = exp(-rate * (w + far)), grow = exp(2 * rate * w);
+    double rate = M_PI / b->length, p = exp(-rate * near), o = exp(-rate * (w + far)), grow = exp(2 * rate * w);
     double pn = p, on = o, grown = grow, s = b->sine, c = b->cosine, sn = s, cn = c;
     for (int n = 1; grown < 1e18; n++) {
         if (step == 1 || n % 2) {
-            double size = 2 * step / (n * pi) / (grown - 1);
+            double size = 2 * step / (n * M_PI) / (grown - 1);
             H.value += size * sn * (pn - on);
             H.along -= size * n * rate * sn * (pn + on);
             H.across += size * n * rate * cn * (pn - on);
@@ -124,12 +124,12 @@ struct approx rectangle_steady(double xi, double W, double eta, double B) {
 
 /* The row n of modes: coefficients while they count. */
 static void prepare_row(struct rectangle *r, int n, double c) {
-    const double *g = r->side, W = r->cut[0], H = r->cut[1], ky = n * pi / H;
+    const double *g = r->side, W = r->cut[0], H = r->cut[1], ky = n * M_PI / H;
     for (int m = 1; m <= RECTANGLE_MODES; m++) {
-        double kx = m * pi / W, rate = kx * kx + ky * ky, size = 0;
+        double kx = m * M_PI / W, rate = kx * kx + ky * ky, size = 0;
         if (c * rate > last_exponent) break;
-        if (m % 2) size += 8 * ky / (m * pi * H) * (g[2] + (n % 2 ? g[3] : -g[3]));
-        if (n % 2) size += 8 * kx / (n * pi * W) * (g[0] + (m % 2 ? g[1] : -g[1]));
+        if (m % 2) size += 8 * ky / (m * M_PI * H) * (g[2] + (n % 2 ? g[3] : -g[3]));
+        if (n % 2) size += 8 * kx / (n * M_PI * W) * (g[0] + (m % 2 ? g[1] : -g[1]));
         size *= exp(-c * rate) / rate;
         r->mode[n - 1][m - 1] = size;
         r->count[n - 1] = m;
@@ -190,7 +190,7 @@ static void subtract_modes(const struct rectangle *r, const struct place at[2], 
     double sx[RECTANGLE_MODES], cx[RECTANGLE_MODES], sy[RECTANGLE_MODES], cy[RECTANGLE_MODES];
     table(&at[0], r->count[0], sx, cx);
     table(&at[1], r->rows, sy, cy);
-    for (int m = 0; m < r->count[0]; m++) cx[m] *= (m + 1) * pi / at[0].length;
+    for (int m = 0; m < r->count[0]; m++) cx[m] *= (m + 1) * M_PI / at[0].length;
     for (int n = 0; n < r->rows; n++) {
         double value = 0, slope = 0;
         for (int m = 0; m < r->count[n]; m++) {
@@ -199,7 +199,7 @@ static void subtract_modes(const struct rectangle *r, const struct place at[2], 
         }
         T->at.value -= value * sy[n];
         T->slope[0].value -= slope * sy[n];
-        T->slope[1].value -= value * cy[n] * (n + 1) * pi / at[1].length;
+        T->slope[1].value -= value * cy[n] * (n + 1) * M_PI / at[1].length;
     }
 }
 

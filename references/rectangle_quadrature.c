@@ -18,8 +18,6 @@
 #include <gsl/gsl_errno.h>
 #include <gsl/gsl_integration.h>
 
-static const double pi = 3.14159265358979323846;
-
 enum { IMAGES_MAX = 10000 };
 
 struct kernel {
@@ -32,7 +30,7 @@ static double integrand(double log_z, void *data) {
     const struct kernel *k = data;
     double z = exp(log_z);
     struct curve across = series_box(k->eta - k->B / 2, k->B / 2, k->B / 2, k->distance / z);
-    return 2 / sqrt(pi) * z * exp(-z * z) * across.at.value;
+    return 2 / sqrt(M_PI) * z * exp(-z * z) * across.at.value;
 }
 
 /* The hot side seen from one image of the point: int over time of (wall kernel of the half line) x (box across). */

@@ -48,8 +48,6 @@ static const struct param params[] = {
     {NULL, 0, NULL, NULL, NULL},
 };
 
-static const double pi = 3.14159265358979323846;
-
 static double initial(const struct problem *p, const double x[2]) {
     (void)x;
     return p->param[T0];
@@ -155,8 +153,8 @@ static struct exact second(const struct problem *p, const double x[2], double t)
 static double published_coefficient(const double *v, int m, int p) {
     double a = v[WIDTH], b = v[HEIGHT], sign = m % 2 ? -1 : 1, K = 0;
     double nm = a * a * p * p + b * b * m * m; /* both denominators, at n = m and at n = p */
-    if (m % 2) K += 16 / (m * pi * pi) * a / 2 * (-a * p * v[T1] + b * p * v[T3] * sign) / nm;
-    if (p % 2) K += 16 / (p * pi * pi) * b / 2 * (b * m * v[T2] * sign - a * m * v[T4]) / nm;
+    if (m % 2) K += 16 / (m * M_PI * M_PI) * a / 2 * (-a * p * v[T1] + b * p * v[T3] * sign) / nm;
+    if (p % 2) K += 16 / (p * M_PI * M_PI) * b / 2 * (b * m * v[T2] * sign - a * m * v[T4]) / nm;
     return K;
 }
 
@@ -169,7 +167,7 @@ static double published(const struct problem *p, const double x[2], double t) {
         v[T3] * rectangle_steady(b - x[1], b, x[0], a).value - v[T4] * rectangle_steady(x[0], a, x[1], b).value;
     for (int m = 1; m <= MODES; m++)
         for (int n = 1; n <= MODES; n++) {
-            double q = m * pi / a, r = n * pi / b, rate = c * (q * q + r * r);
+            double q = m * M_PI / a, r = n * M_PI / b, rate = c * (q * q + r * r);
             if (rate > 40) break;
             T += published_coefficient(v, m, n) * sin(q * x[0]) * sin(r * x[1]) * exp(-rate);
         }

@@ -49,7 +49,6 @@ static const struct param params[] = {
     {NULL, 0, NULL, NULL, NULL},
 };
 
-static const double pi = 3.14159265358979323846;
 static const double rate_x = 0.8, rate_y = 1.1, phase_y = 0.4; /* of S */
 
 static double steady(const struct problem *p, const double x[2]) {
@@ -69,9 +68,9 @@ static double source(const struct problem *p, const double x[2]) {
 
 /* The derivative of R of that order, 0 to 2, times width^order. */
 static double shape(const struct problem *p, const double x[2], int order) {
-    double a = pi * x[0] / p->param[WIDTH];
-    if (order == 1) return pi * (cos(a) - 0.3 * cos(3 * a));
-    return order == 0 ? sin(a) - 0.1 * sin(3 * a) : pi * pi * (0.9 * sin(3 * a) - sin(a));
+    double a = M_PI * x[0] / p->param[WIDTH];
+    if (order == 1) return M_PI * (cos(a) - 0.3 * cos(3 * a));
+    return order == 0 ? sin(a) - 0.1 * sin(3 * a) : M_PI * M_PI * (0.9 * sin(3 * a) - sin(a));
 }
 
 static double source_change(const struct problem *p, const double x[2], double t) {
@@ -87,7 +86,7 @@ static double wall(const struct problem *p, enum side s, const double x[2]) {
 }
 
 static struct exact exact(const struct problem *p, const double x[2], double t) {
-    const double *v = p->param, q = 2 * pi / v[WIDTH], r = pi / v[HEIGHT];
+    const double *v = p->param, q = 2 * M_PI / v[WIDTH], r = M_PI / v[HEIGHT];
     double lambda = (v[K_X] * q * q + v[K_Y] * r * r) / v[RHO_C], exponent = fmin(lambda * t, 800); /* exp: 0 */
     double amplitude = v[A] * exp(-exponent);
     double rounding = amplitude * (6 + 2 * q * fabs(x[0]) + 2 * r * fabs(x[1]) + 6 * exponent);
@@ -102,7 +101,7 @@ static struct exact exact(const struct problem *p, const double x[2], double t) 
 }
 
 static double initial(const struct problem *p, const double x[2]) {
-    const double *v = p->param, q = 2 * pi / v[WIDTH], r = pi / v[HEIGHT];
+    const double *v = p->param, q = 2 * M_PI / v[WIDTH], r = M_PI / v[HEIGHT];
     return steady(p, x) + v[A] * sin(q * x[0]) * cos(r * x[1]);
 }
 

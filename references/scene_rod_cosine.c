@@ -30,11 +30,9 @@ static const struct param params[] = {
     {NULL, 0, NULL, NULL, NULL},
 };
 
-static const double pi = 3.14159265358979323846;
-
 /* The rate is rounded by 4 eps of itself, the phase by 2 eps. */
 static struct exact exact(const struct problem *p, const double x[2], double t) {
-    double q = p->param[MODE] * pi / p->param[L], rate = p->param[KAPPA] * q * q;
+    double q = p->param[MODE] * M_PI / p->param[L], rate = p->param[KAPPA] * q * q;
     double amplitude = p->param[A] * exp(-rate * t), wave = amplitude * cos(q * x[0]);
     double rounding = DBL_EPSILON * amplitude * (4 + 2 * q * fabs(x[0]) + 5 * rate * t);
     return (struct exact){.temperature = p->param[TM] + wave,

@@ -14,8 +14,6 @@
 
 #include <gsl/gsl_errno.h>
 
-static const double pi = 3.14159265358979323846;
-
 enum { MODES_MAX = 20000, IMAGES_MAX = 100000 };
 static const double negligible = 1e-18;                              /* of a unit amplitude */
 static const struct curve no_bound = {{0, INFINITY}, {0, INFINITY}}; /* where more terms count than are summed */
@@ -46,20 +44,20 @@ static double pulse(double z, double h) {
         factorial *= n + 2;
         if (n % 2) sum += g / factorial;
     }
-    return 2 / sqrt(pi) * h * exp(-z * z) * sum;
+    return 2 / sqrt(M_PI) * h * exp(-z * z) * sum;
 }
 
 /* One image at the distance d >= 0 of its centre, unsigned; `lost` is what d may be off by, in units of eps.  The
  * arguments v = (d -+ a)/s are off by eps (2 |v| + lost/s), and erfc changes by 2/sqrt(pi) exp(-v^2) of that; erfc
  * itself is good to 5 units in the last place (glibc). */
 static struct curve box_image(double d, double a, double s, double lost) {
-    double in = (d - a) / s, out = (d + a) / s, edge = exp(-in * in) / sqrt(pi);
+    double in = (d - a) / s, out = (d + a) / s, edge = exp(-in * in) / sqrt(M_PI);
     struct curve u;
     if (4 * a > s) {
         double near = erfc(in), far = erfc(out);
         u.at.value = (near - far) / 2;
         u.at.error = DBL_EPSILON * (3 * (near + far) + edge * (2 * fabs(in) + lost / s));
-        double other = exp(-out * out) / sqrt(pi);
+        double other = exp(-out * out) / sqrt(M_PI);
         u.slope.value = (other - edge) / s;
         u.slope.error =
             DBL_EPSILON / s * (edge * (4 + (2 * fabs(in) + lost / s) * 2 * fabs(in)) + other * (4 + 4 * out * out));
@@ -67,7 +65,7 @@ static struct curve box_image(double d, double a, double s, double lost) {
         double z = d / s, h = a / s, relative = 12 + 2 * z * (2 * z + lost / s);
         u.at.value = pulse(z, h);
         u.at.error = DBL_EPSILON * relative * u.at.value;
-        u.slope.value = -2 / sqrt(pi) / s * exp(-z * z - h * h) * sinh(2 * z * h);
+        u.slope.value = -2 / sqrt(M_PI) / s * exp(-z * z - h * h) * sinh(2 * z * h);
         u.slope.error = DBL_EPSILON * (relative * fabs(u.slope.value) + 4 * u.at.value * lost / (s * s));
     }
     return u;
@@ -97,13 +95,13 @@ struct curve series_box_modes(double x, double L, double a, double s) {
     struct curve sum = {{0, 0}, {0, 0}};
     double tail = 0, steep = 0, small = fmin(1, 2 * a / L); /* |2 sin(q a)/(q L)| <= 2 a/L */
     for (int n = 0; n < MODES_MAX; n++) {
-        double q = (n + 0.5) * pi / L, E = (q * s / 2) * (q * s / 2), decay = exp(-E), c = 2 / (q * L) * decay;
+        double q = (n + 0.5) * M_PI / L, E = (q * s / 2) * (q * s / 2), decay = exp(-E), c = 2 / (q * L) * decay;
         double amplitude = c * sin(q * a), rounding = fabs(amplitude) * (4 + 6 * E) + 2 * c * q * a;
         sum.at.value += amplitude * cos(q * x);
         sum.slope.value -= amplitude * q * sin(q * x);
         sum.at.error += DBL_EPSILON * (rounding + 2 * fabs(amplitude) * q * fabs(x));
         sum.slope.error += DBL_EPSILON * q * (rounding + fabs(amplitude) * (2 + 2 * q * fabs(x)));
-        double ratio = exp(-q * pi / L * s * s / 2); /* of each later mode to the one before, at most */
+        double ratio = exp(-q * M_PI / L * s * s / 2); /* of each later mode to the one before, at most */
         tail = fmin(1, fmin(2 / (q * L), small) * decay * ratio / (1 - ratio));
         steep = fmin(2 / L, q * small) * decay * ratio / (1 - ratio) * (1 + 1 / ((n + 0.5) * (1 - ratio)));
         if (tail <= negligible * small && steep * L <= 10 * negligible * small) break;
@@ -141,10 +139,10 @@ struct curve series_gauss_images(double x, double L, double sigma) {
 /* The coefficient of mode q is (1/L) times the integral of exp(-x^2/(2 sigma^2)) cos(q x) over the whole line, since
  * the images of the source and the antiperiod 2L of the mode change sign together. */
 struct curve series_gauss_modes(double x, double L, double sigma) {
-    double amplitude = sqrt(2 * pi) * sigma / L;
+    double amplitude = sqrt(2 * M_PI) * sigma / L;
     struct curve sum = {{0, 2 * negligible}, {0, 40 * negligible / L}};
     for (int n = 0; n < MODES_MAX; n++) {
-        double q = (n + 0.5) * pi / L, z = q * sigma, c = amplitude * exp(-z * z / 2);
+        double q = (n + 0.5) * M_PI / L, z = q * sigma, c = amplitude * exp(-z * z / 2);
         double error = DBL_EPSILON * c * (4 + 4 * z * z + 2 * q * fabs(x));
         sum.at.value += c * cos(q * x);
         sum.slope.value -= c * q * sin(q * x);

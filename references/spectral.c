@@ -26,8 +26,6 @@ struct spectral {
     double *c;              /* K, n[0] x n[1], x fastest */
 };
 
-static const double pi = 3.14159265358979323846;
-
 static int order(const struct spectral *s, int d, int m) { /* of the m-th mode along axis d */
     return s->kind[d] == DIRICHLET ? m + 1 : m;
 }
@@ -89,7 +87,7 @@ void spectral_free(struct spectral *s) {
 
 /* Value at x of mode m of axis d after t; its phase is rounded, which *error takes up. */
 static double mode(const struct spectral *s, int d, int m, double x, double t, double *error) {
-    double q = order(s, d, m) * pi / s->width[d], phase = q * (x - s->lo[d]);
+    double q = order(s, d, m) * M_PI / s->width[d], phase = q * (x - s->lo[d]);
     double decay = exp(-s->kappa[d] * q * q * t);
     *error = decay * (2 + fabs(phase)) * DBL_EPSILON;
     return decay * (s->kind[d] == DIRICHLET ? sin(phase) : cos(phase));

@@ -39,7 +39,7 @@ static int write_map(FILE *out, const struct map *m, struct failure *why) {
     for (int j = 0; j <= CELLS; j++) {
         for (int i = 0; i <= CELLS; i++) {
             double part[2] = {2.0 * i / CELLS - 1, 2.0 * j / CELLS - 1};
-            double theta[2] = {acos(-1) * part[0], acos(-1) * part[1]};
+            double theta[2] = {M_PI * part[0], M_PI * part[1]};
             fprintf(out, "%.5g,%.5g,%.5g\n", part[0], part[1],
                     cabs(amplification_factor(&b.step, F * symbol_at(&s, theta))));
         }

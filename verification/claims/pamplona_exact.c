@@ -56,7 +56,7 @@ enum { GRID = 24 };
 /* Coefficient of sin(i pi x/a) sin(j pi y/b) in what T still lacks at the first time of Table 1: exact but for modes
  * beyond 24, of which exp(-300) is left. */
 static double coefficient(const struct experiment *e, solution *T, int i, int j) {
-    const double pi = acos(-1), *hi = e->problem.hi;
+    const double pi = M_PI, *hi = e->problem.hi;
     double sum = 0, t = plate_time(0);
     for (int k = 1; k < GRID; k++)
         for (int l = 1; l < GRID; l++) {
@@ -104,7 +104,7 @@ void claims_pamplona_exact_steady(struct claims_measured *m) {
     if (claims_kit_published(&t, m, "pamplona_table1")) return;
     double printed_error = t.value[0][t.columns - 2], end = atof(t.where[t.columns - 2]);
     if (plate(&e, m, "")) return;
-    double most = 0, apart = 0, size = 0, a2 = 0.1 * 0.1, pi = acos(-1);
+    double most = 0, apart = 0, size = 0, a2 = 0.1 * 0.1, pi = M_PI;
     double alpha = e.problem.material[0].k[0] / e.problem.material[0].rho_c;
     for (int k = 0; k < 20; k++)
         for (int l = 0; l < 20; l++) {

@@ -13,14 +13,14 @@ static const double RHO = 7854; /* steel, section 6: kg/m^3 */
 
 /* Eq. 9 with every sign as printed. */
 static double printed_kernel(int dim, double s) {
-    const double pi = acos(-1), norm[3] = {1, 15 / (7 * pi), 315 / (208 * pi)};
+    const double pi = M_PI, norm[3] = {1, 15 / (7 * pi), 315 / (208 * pi)};
     return norm[dim - 1] * (2.0 / 3 + s * s * (9.0 / 8 + s * (19.0 / 24 + s * 5 / 32)));
 }
 
 /* Integral over all space, by Simpson's rule on 400 pieces. */
 static double integral(int dim, double (*w)(int dim, double s)) {
     enum { PIECES = 400 };
-    const double pi = acos(-1), shell[3] = {2, 2 * pi, 4 * pi};
+    const double pi = M_PI, shell[3] = {2, 2 * pi, 4 * pi};
     double sum = 0, step = 2.0 / PIECES;
     for (int i = 0; i < PIECES; i++) { /* open at s = 2, where the kernel is cut off */
         double s = i * step, sample[3] = {s, s + step / 2, s + step * (1 - 1e-15)};

@@ -86,14 +86,14 @@ static double strip(double q, double u) {
 }
 
 static double coefficient(int m, int p) {
-    const double pi = acos(-1), sign_m = m % 2 ? -1 : 1, sign_p = p % 2 ? -1 : 1;
+    const double pi = M_PI, sign_m = m % 2 ? -1 : 1, sign_p = p % 2 ? -1 : 1;
     double sum = (m % 2 ? (double)p / m * (T1 - sign_p * T3) : 0) + (p % 2 ? (double)m / p * (T4 - sign_m * T2) : 0);
     return 8 / (pi * pi * (m * m + p * p)) * sum;
 }
 
 /* Cut off after `terms`; a plate of side a, m, whose points begin at x0. */
 static void series(double a, double x0, double t, int terms, double T[N * N]) {
-    const double pi = acos(-1);
+    const double pi = M_PI;
     double(*table)[N] = xcalloc(4 * (TERMS + 1), sizeof *table);
     double(*sine)[N] = table, (*inner)[N] = sine + TERMS + 1, (*lo)[N] = inner + TERMS + 1, (*hi)[N] = lo + TERMS + 1;
     for (int n = 1; n <= terms; n++)

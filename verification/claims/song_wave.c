@@ -187,7 +187,7 @@ void claims_song_wave_kernels(struct claims_measured *m) {
 
 /* "METHOD | METHOD": the central wave of two points is in the null space. */
 void claims_song_wave_null_space(struct claims_measured *m) {
-    const double theta[2] = {acos(-1), 0};
+    const double theta[2] = {M_PI, 0};
     char method[40];
     int held = 1;
     while (claims_kit_part(&m->argument, method, sizeof method)) {

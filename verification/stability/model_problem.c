@@ -28,7 +28,7 @@ static double impulse_at(const struct problem *p, const double x[2]) {
 
 static double hill_at(const struct problem *p, const double x[2]) {
     double T = 1;
-    for (int a = 0; a < p->dim; a++) T *= sin(acos(-1) * x[a] / p->hi[a]);
+    for (int a = 0; a < p->dim; a++) T *= sin(M_PI * x[a] / p->hi[a]);
     return T + p->param[0] * noise_at(p, x);
 }
 

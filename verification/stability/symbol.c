@@ -104,7 +104,7 @@ static double allowed(const struct amplification *step, double reach, double flo
 
 static void search(const struct symbol *s, const struct amplification *step, double reach, double floor,
                    struct symbol_extreme *e) {
-    for (double size = 2 * acos(-1) / PHASES; size > 1e-9;) {
+    for (double size = 2 * M_PI / PHASES; size > 1e-9;) {
         int moved = 0;
         for (int d = 0; d < 2 * s->dim; d++) {
             double theta[2] = {e->theta[0], e->theta[1]};
@@ -124,7 +124,7 @@ struct symbol_extreme symbol_extreme(const struct symbol *s, const struct amplif
     int ny = s->dim == 2 ? PHASES : 1;
     fftw_complex *z = transform(s, ny);
     struct symbol_extreme e = {.limit = INFINITY, .growth = -INFINITY};
-    double reach = amplification_reach(step), unit = 2 * acos(-1) / PHASES;
+    double reach = amplification_reach(step), unit = 2 * M_PI / PHASES;
     for (int k = 0; k < PHASES * ny; k++) e.radius = fmax(e.radius, cabs(z[k]));
     double floor = 1e-12 * e.radius; /* rounding of a sum of weights */
     for (int k = 0; k < PHASES * ny; k++) {

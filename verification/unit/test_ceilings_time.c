@@ -25,7 +25,7 @@ static void the_third_order_term_is_known(void **state) {
         struct amplification a = {STEPPER_RKL2, s};
         double complex c[4] = {0};
         for (int i = 0; i < POINTS; i++) {
-            double complex z = cexp(2 * acos(-1) * I * i / POINTS), G = amplification_factor(&a, z);
+            double complex z = cexp(2 * M_PI * I * i / POINTS), G = amplification_factor(&a, z);
             for (int k = 0; k < 4; k++) c[k] += G / cpow(z, k) / POINTS;
         }
         for (int k = 0; k < 3; k++) assert_near(creal(c[k]), k < 2 ? 1 : 0.5, 1e-12);

@@ -12,8 +12,6 @@
 #include <gsl/gsl_errno.h>
 #include <stdlib.h>
 
-static const double pi = 3.14159265358979323846;
-
 /* z cot z = -biot and z tan z = biot by bisection in 40 digits. */
 static void roots_are_known(void **state) {
     (void)state;
@@ -41,16 +39,16 @@ static void no_root_is_missed(void **state) {
     for (double biot = 1e-20; biot < 1e21; biot *= 7.3)
         for (int insulated = 0; insulated < 2; insulated++)
             for (int n = 1; n <= 60; n++) {
-                double z = roots_cooled(n, insulated, biot), hi = (n - insulated * 0.5) * pi, size = hypot(z, biot);
-                assert_true(z >= (hi - pi / 2) * (1 - 2 * DBL_EPSILON) && z <= hi * (1 + DBL_EPSILON));
+                double z = roots_cooled(n, insulated, biot), hi = (n - insulated * 0.5) * M_PI, size = hypot(z, biot);
+                assert_true(z >= (hi - M_PI / 2) * (1 - 2 * DBL_EPSILON) && z <= hi * (1 + DBL_EPSILON));
                 double residual = insulated ? z * sin(z) - biot * cos(z) : z * cos(z) + biot * sin(z);
                 assert_near(residual / size, 0, 4 * DBL_EPSILON * (z + z / size));
             }
     for (int n = 1; n < 9; n++) {
-        assert_near(roots_cooled(n, 0, 0), (n - 0.5) * pi, DBL_EPSILON * n);
-        assert_near(roots_cooled(n, 0, INFINITY), n * pi, 0);
-        assert_near(roots_cooled(n, 1, 0), (n - 1) * pi, 0);
-        assert_near(roots_cooled(n, 1, INFINITY), (n - 0.5) * pi, DBL_EPSILON * n);
+        assert_near(roots_cooled(n, 0, 0), (n - 0.5) * M_PI, DBL_EPSILON * n);
+        assert_near(roots_cooled(n, 0, INFINITY), n * M_PI, 0);
+        assert_near(roots_cooled(n, 1, 0), (n - 1) * M_PI, 0);
+        assert_near(roots_cooled(n, 1, INFINITY), (n - 0.5) * M_PI, DBL_EPSILON * n);
     }
 }
 

@@ -164,7 +164,7 @@ static void heat_drifts_relative_to_its_size(void **state) {
  * not at all in the lower half. */
 static void a_pure_mode_has_its_amplitude(void **state) {
     (void)state;
-    const double pi = acos(-1);
+    const double pi = M_PI;
     for (int n = 7; n <= 8; n++)
         for (int sides = 0; sides < 4; sides++)
             for (int k = 0; k < n; k++) {
@@ -185,7 +185,7 @@ static void a_pure_mode_has_its_amplitude(void **state) {
 
 static void a_mode_of_the_plane_has_its_amplitude(void **state) {
     (void)state;
-    const double pi = acos(-1);
+    const double pi = M_PI;
     struct problem p = {.dim = 2, .lo = {0, -1}, .hi = {1.4, 1}, .wall = wall_of_side};
     p.side[Y_LO] = p.side[Y_HI] = NEUMANN;
     struct field f = points(&p, 7, 10);
@@ -200,7 +200,7 @@ static void a_mode_of_the_plane_has_its_amplitude(void **state) {
 /* Points on the lattice that the walls are on. */
 static void nodes_have_their_own_transforms(void **state) {
     (void)state;
-    const double pi = acos(-1);
+    const double pi = M_PI;
     struct problem p = {.dim = 1, .lo = {0}, .hi = {2}, .wall = wall_of_side};
     struct field inner = points(&p, 9, 1);
     double exact[11] = {0};

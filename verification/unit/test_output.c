@@ -86,7 +86,7 @@ static void commands_are_kept(void **state) {
     assert_int_equal(command_run_line(&run, "reference rod-cosine --at 0.31 --time %g", 1.7), STATUS_OK);
     assert_near(run.request.time.value[0], 1.7, 0);
     assert_null(run.field.T);
-    const double kappa = 0.013, mode = 3, pi = acos(-1), x[2] = {0.31, 0};
+    const double kappa = 0.013, mode = 3, pi = M_PI, x[2] = {0.31, 0};
     assert_near(command_run_exact(&run, x, 1.7) - command_run_exact(&run, x, 1e9),
                 (command_run_exact(&run, x, 0) - command_run_exact(&run, x, 1e9)) *
                     exp(-kappa * pow(mode * pi, 2) * 1.7),

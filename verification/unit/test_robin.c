@@ -33,7 +33,7 @@ static double mode(const struct problem *p, const double x[2]) {
 
 /* The lowest root nu of nu L = atan(lo/(k nu)) + atan(hi/(k nu)), and psi. */
 static void lowest_mode(double lo, double hi, double k, double L, double *nu, double *psi) {
-    double below = 0, above = acos(-1) / L;
+    double below = 0, above = M_PI / L;
     for (int i = 0; i < 200; i++) {
         *nu = (below + above) / 2;
         *(*nu * L < atan2(lo, k * *nu) + atan2(hi, k * *nu) ? &below : &above) = *nu;

@@ -49,9 +49,9 @@ static void box_modes_bound_their_tail(void **state) {
     enum { LEFT_IN = 20000 };
     const double L = 1.37, a = 0.41;
     for (double E = 0.3; E < 20; E *= 2) { /* (q s/2)^2 of the first mode left out */
-        double s = 2 * sqrt(E) * L / (LEFT_IN * acos(-1)), left = 0;
+        double s = 2 * sqrt(E) * L / (LEFT_IN * M_PI), left = 0;
         for (int n = LEFT_IN; n < 12 * LEFT_IN; n++) {
-            double q = (n + 0.5) * acos(-1) / L;
+            double q = (n + 0.5) * M_PI / L;
             left += fmin(2 / (q * L), 2 * a / L) * exp(-(q * s / 2) * (q * s / 2));
         }
         double error = series_box_modes(0.3, L, a, s).at.error;

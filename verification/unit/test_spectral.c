@@ -5,8 +5,6 @@
 
 #include <gsl/gsl_errno.h>
 
-static const double pi = 3.14159265358979323846;
-
 static struct problem box(int dim, enum side_kind along_x, enum side_kind along_y) {
     struct problem p = {.dim = dim, .lo = {-0.3, 0.2}, .hi = {1.1, 1.3}, .materials = 1};
     p.material[0] = (struct material){{0.023, 0.0061}, 1.9};
@@ -17,12 +15,12 @@ static struct problem box(int dim, enum side_kind along_x, enum side_kind along_
 
 /* Two modes an axis, 5 along x; kind sine or cosine by the sides */
 static double wave(const struct problem *p, int d, int m, double x) {
-    double phase = m * pi * (x - p->lo[d]) / (p->hi[d] - p->lo[d]);
+    double phase = m * M_PI * (x - p->lo[d]) / (p->hi[d] - p->lo[d]);
     return p->side[2 * d] == DIRICHLET ? sin(phase) : cos(phase);
 }
 
 static double rate(const struct problem *p, int d, int m) {
-    double q = m * pi / (p->hi[d] - p->lo[d]);
+    double q = m * M_PI / (p->hi[d] - p->lo[d]);
     return p->material[0].k[d] / p->material[0].rho_c * q * q;
 }
 

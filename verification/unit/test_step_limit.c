@@ -93,7 +93,7 @@ static double largest_of_rod(const double w[3], int n, int node, int fixed) {
     enum { MOST = 16 };
     double T[MOST] = {0}, next[MOST], size = 0;
     if (!fixed) {
-        double theta = acos(-1) * (node ? n - 1 : n) / n;
+        double theta = M_PI * (node ? n - 1 : n) / n;
         return 2 * w[1] * (1 - cos(theta)) + 2 * w[2] * (1 - cos(2 * theta));
     }
     int unknowns = node ? n - 1 : n;
@@ -183,7 +183,7 @@ static void rows_have_the_symbols_eigenvalues(void **state) {
     assert_int_equal(model_problem_operator(&b, &p, &a, &why), STATUS_OK);
     assert_int_equal(spectrum_create(&e, &a, &b.step, &why), STATUS_OK);
     for (int k = 1; k <= 16; k++) {
-        double theta[2] = {acos(-1) * k / 16, 0}, want = creal(symbol_at(&s, theta)), nearest = INFINITY;
+        double theta[2] = {M_PI * k / 16, 0}, want = creal(symbol_at(&s, theta)), nearest = INFINITY;
         for (size_t i = 0; i < e.n; i++) nearest = fmin(nearest, cabs(e.lambda[i] - want));
         assert_near(nearest, 0, spectrum_rounding(&e));
     }
