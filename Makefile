@@ -306,8 +306,7 @@ faults: $(BUILD)/heatladder ## Seed faults in the examples and see which rows of
 ##@ Develop
 
 # What cppcheck 2.10 takes for faults: tables that a NULL ends, and arguments that a call fills.  The sweeps' macros,
-# written out, take it minutes: left out.  The compiler's
-# warnings and `make sanitize` look after these.
+# written out, take it minutes: left out.  The compiler's warnings and `make sanitize` look after these.
 CPPCHECK := --quiet --error-exitcode=1 --std=c11 --enable=warning,portability --inline-suppr -I. \
             $(addprefix --suppress=,arrayIndexOutOfBounds arrayIndexThenCheck ctuuninitvar uninitvar)
 
