@@ -1,4 +1,4 @@
-/* Reads a command line against two tables: verbs.def says which options a verb has, option.c how each is read.
+/* Reads a command line against two tables: verbs.def says which options a verb has, options.def how each is read.
  *
  * The scene must be known before its parameters can be set, so the words are walked twice: first the positionals,
  * then the options in their order.  Nothing is guessed: what is unknown, doubled, empty or without a meaning for the
@@ -106,8 +106,7 @@ static int split_option(const struct verb *v, int argc, char *const *argv, int *
 
 /* An option of the model must be one that the method accepts; the text names the methods that do. */
 static int check_model(const struct request *r, const struct option *o, struct failure *why) {
-    if (o->model != 1 || !r->experiment.method || words_among(r->experiment.method->accepts, o->key))
-        return STATUS_OK;
+    if (!o->model || !r->experiment.method || words_among(r->experiment.method->accepts, o->key)) return STATUS_OK;
     const char *names[WORDS_MAX] = {0};
     char text[240];
     int n = 0;

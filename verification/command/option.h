@@ -1,7 +1,7 @@
 #ifndef HEATLADDER_VERIFICATION_COMMAND_OPTION_H
 #define HEATLADDER_VERIFICATION_COMMAND_OPTION_H
 
-/* The options of the command line: one table, read by arguments.c and by the help. */
+/* The options of the command line: one table, options.def, read by arguments.c and by the help. */
 
 #include <stddef.h>
 
@@ -18,7 +18,7 @@ struct option {
     size_t offset;            /* of its place in struct request */
     const char *const *words; /* the words that it takes; NULL for another kind of value */
     double lo, hi;            /* the numbers that it takes */
-    int model;                /* 1: has a meaning only for methods that accept it; 2: a scene's parameter */
+    int model;                /* 1: has a meaning only for methods that accept it */
 };
 
 extern const struct option options_table[]; /* ended by a NULL key */
