@@ -112,11 +112,13 @@ static int put(int file, const char *bytes, size_t size) {
     return 0;
 }
 
-/* Writes the part beside `path`, to be renamed.  0, or -1 with errno set and nothing left behind. */
+/* Writes the part beside `path`, to be renamed; nobody may read it who could not read what was there.  0, or -1 with
+ * errno set and nothing left behind. */
 static int prepare(const char *path, const char *bytes, size_t size) {
     char name[PATH_LENGTH];
+    struct stat was;
     if (beside(path, name)) return -1;
-    int file = open(name, O_WRONLY | O_CREAT | O_EXCL, 0666);
+    int file = open(name, O_WRONLY | O_CREAT | O_EXCL, stat(path, &was) ? 0666 : was.st_mode & 0666);
     if (file < 0) return -1;
     int bad = put(file, bytes, size);
     bad = close(file) || bad;

@@ -65,6 +65,17 @@ static void writes_and_replaces(void **state) {
     assert_int_equal(entries(p->directory), 1);
 }
 
+static void who_may_read_it_stays(void **state) {
+    const struct place *p = *state;
+    struct failure why;
+    struct stat s;
+    assert_int_equal(atomic_file_write(p->path, "first", 5, &why), STATUS_OK);
+    assert_int_equal(chmod(p->path, 0640), 0);
+    assert_int_equal(atomic_file_write(p->path, "second", 6, &why), STATUS_OK);
+    assert_int_equal(stat(p->path, &s), 0);
+    assert_int_equal(s.st_mode & 0777, 0640);
+}
+
 static void a_check_leaves_what_is_there(void **state) {
     const struct place *p = *state;
     struct failure why;
@@ -179,6 +190,7 @@ static void interrupts_wait_for_the_writing(void **state) {
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test_setup_teardown(writes_and_replaces, set_up, tear_down),
+        cmocka_unit_test_setup_teardown(who_may_read_it_stays, set_up, tear_down),
         cmocka_unit_test_setup_teardown(a_check_leaves_what_is_there, set_up, tear_down),
         cmocka_unit_test_setup_teardown(what_cannot_be_written_is_refused, set_up, tear_down),
         cmocka_unit_test_setup_teardown(of_several_all_or_none, set_up, tear_down),
