@@ -1,14 +1,96 @@
-/* What a run of a particle method would store and do: its lattice, its operator and its steps, without its states.
+/* The steps of a run of a particle method and what they cost; and what the run would store and do, told from its
+ * lattice, its operator and its steps without its states.
  *
  * Rows are assembled to be counted, up to ASSEMBLED particles.  Past that those of a lattice `finer` times coarser
  * stand in: they have as many entries a particle, and a spectrum finer^2 times smaller. */
 #include "solver/methods/particles.h"
 #include "solver/methods/start.h"
 #include "solver/outline.h"
+#include "solver/space/sample.h"
+#include "solver/time/chebyshev.h"
+#include "solver/time/matched.h"
 
 #include <math.h>
 
 static const double ASSEMBLED = 2e5, FEWEST = 2000; /* particles: most, and least of a stand-in */
+
+/* ---- Steps, and what they cost ---- */
+
+/* Whether the data have jumps, or a wall whose temperature they do not meet. */
+static int is_rough(const struct problem *p, const struct lattice *l) {
+    int rough = p->materials > 1 || p->jumps[0] + p->jumps[1] > 0;
+    for (int s = 0; s < 2 * p->dim && !rough; s++)
+        rough = p->side[s] == DIRICHLET && !sample_meets_wall(p, l, (enum side)s);
+    return rough;
+}
+
+int particles_march(const struct problem *p, const struct options *o, const struct scheme *s, const struct lattice *l,
+                    const struct heat_operator *a, double bound, struct march *m, struct failure *why) {
+    *m = (struct march){.stepper = o->stepper, .time = p->t_end, .steps = 1, .stages = 1, .bound = bound};
+    if (o->stepper == STEPPER_EXACT) m->steps = m->stages = 0;
+    if (o->stepper == STEPPER_EXACT) return STATUS_OK;
+    if (o->stepper == STEPPER_MATCHED) {
+        struct matched plan;
+        if (matched_plan(p, o, s, a, &plan, why)) return why->status;
+        m->stepper = STEPPER_EULER, m->time = plan.run_time, m->steps = plan.steps, m->alternation = plan.alternation;
+        return STATUS_OK;
+    }
+    /* unasked: half of the stable step, for rkl2 as many steps as put its s^2 to use, for chebyshev one */
+    double dt = o->dt;
+    if (dt == 0 && o->fourier > 0) dt = o->fourier * l->dx[0] * l->dx[0] / problem_diffusivity(p);
+    if (dt == 0 && o->stepper == STEPPER_CHEBYSHEV) dt = p->t_end;
+    if (o->stepper == STEPPER_CHEBYSHEV) dt = fmin(dt, chebyshev_longest(bound));
+    if (dt == 0) dt = o->stepper == STEPPER_RKL2 ? sqrt(p->t_end / bound) : 1 / bound;
+    const char *name = o->fourier > 0 && o->dt == 0 ? "fourier" : "dt"; /* what was asked for, for messages */
+    double asked = o->fourier > 0 && o->dt == 0 ? o->fourier : dt;
+    if (!(dt > 0) || !isfinite(dt)) return refuse(why, STATUS_INPUT, "--%s %g: makes steps of %g s", name, asked, dt);
+    double steps = ceil(p->t_end / dt - 1e-9);
+    if (steps > 1e12) return refuse(why, STATUS_INPUT, "--%s %g: more than 1e12 steps", name, asked);
+    m->steps = (long long)fmax(1, steps);
+    if (m->stepper == STEPPER_RK2) m->stages = 2;
+    if (m->stepper == STEPPER_CHEBYSHEV) m->stages = chebyshev_degree(m->time / (double)m->steps, bound);
+    if (m->stepper == STEPPER_RKL2) m->stages = stepper_stages(m->time / (double)m->steps, bound);
+    if (m->stepper == STEPPER_RKL2 && is_rough(p, l)) stepper_start(m->time / (double)m->steps, bound, m->start);
+    if (m->stages > STEPPER_STAGES_MAX)
+        return refuse(why, STATUS_INPUT, "--%s %g: a step would take rkl2 more than %d stages; take more steps", name,
+                      asked, STEPPER_STAGES_MAX);
+    if ((double)a->pairs * (double)m->steps * m->stages > 9e18)
+        return refuse(why, STATUS_INPUT, "--%s %g: more interactions than can be counted, 9e18", name, asked);
+    return STATUS_OK;
+}
+
+/* Beside the steps: samples (averages along an axis take two nodes a particle, of a spline one), weights, a stencil
+ * for each h/dx that --h iso tries, some ten, and for transforms what is planned or tabulated once for an axis, 10
+ * log2 n for each particle to and fro, and the modes. */
+static double set_up_work(const struct options *o, const struct lattice *l, const struct heat_operator *a,
+                          int twice) {
+    enum { WEIGHT = 3 * OUTLINE_FUNCTION, ISO = 25000, AXIS = 25000, TRANSFORM = 10 };
+    double n = (double)a->n, samples = o->sampling == SAMPLING_CELL ? pow(2, l->dim) : 1;
+    double scalar = n * (OUTLINE_PLACE + OUTLINE_SAMPLE * samples), streamed = 0;
+    if (!a->weight) scalar += WEIGHT * (double)a->pairs * (twice ? 2 : 1);
+    if (o->h_iso) scalar += ISO;
+    for (int d = 0; d < l->dim && o->stepper == STEPPER_EXACT; d++) {
+        scalar += AXIS + OUTLINE_FUNCTION * n / l->dim;
+        streamed += (2 + a->constant) * TRANSFORM * n * log2(l->n[d]);
+    }
+    return OUTLINE_SCALAR * scalar + streamed;
+}
+
+void particles_count(const struct problem *p, const struct options *o, const struct scheme *s,
+                     const struct lattice *l, const struct heat_operator *a, const struct march *m, struct field *f) {
+    const long long applications = m->steps ? stepper_applications(m) : 1;
+    f->dim = l->dim, f->n = a->n, f->h = o->h;
+    f->steps = m->steps, f->stages = m->stages, f->dt = m->steps ? m->time / (double)m->steps : 0;
+    f->applications = m->steps ? applications : 0;
+    f->updates = (long long)a->n * applications;
+    f->interactions = (long long)a->pairs * applications;
+    f->work = set_up_work(o, l, a, start_is_kept(p, o, s));
+    if (m->steps == 0) return;
+    f->work += (double)f->interactions + 2 * (double)f->updates; /* each update loads and stores */
+    f->work += OUTLINE_SCALAR * OUTLINE_GHOST * (double)(a->state - a->n) * (double)applications;
+}
+
+/* ---- Without the run ---- */
 
 /* How many times coarser the lattice is whose rows are counted, *coarse. */
 static double coarsening(const struct problem *p, const struct options *o, const struct lattice *l,
