@@ -1,6 +1,7 @@
 /* Seconds by counted work. */
 #include "verification/choose/forewarn.h"
 
+#include "solver/status.h"
 #include "verification/choose/plan.h"
 #include "verification/choose/plan_steps.h"
 #include "verification/run/experiment.h"
@@ -24,12 +25,22 @@ static int is_short(const struct experiment *e) {
     return n <= SHORT_PARTICLES && n * steps <= SHORT_UPDATES;
 }
 
+static double seconds_of(const struct plan *plan) {
+    double runs = plan->refined ? 1.5 : 1; /* those before the last have half its steps, a quarter, ... */
+    return runs * plan_work(plan) / forewarn_rate + forewarn_exact * (double)plan->particles;
+}
+
 double forewarn_seconds(const struct experiment *e) {
     struct plan plan;
     struct failure ignored;
-    if (is_short(e) || plan_sketch(e, &plan, &ignored)) return 0;
-    double runs = plan.refined ? 1.5 : 1; /* those before the last have half its steps, a quarter, ... */
-    return runs * plan_work(&plan) / forewarn_rate + forewarn_exact * (double)plan.particles;
+    return is_short(e) || plan_sketch(e, &plan, &ignored) ? 0 : seconds_of(&plan);
+}
+
+int forewarn_run(const struct experiment *e, struct failure *why) {
+    struct plan plan;
+    int status = is_short(e) ? STATUS_NOT_APPLICABLE : plan_sketch(e, &plan, why);
+    if (!status) forewarn("this run", seconds_of(&plan));
+    return status == STATUS_INPUT ? status : STATUS_OK;
 }
 
 void forewarn_text(double seconds, char *text, size_t size) {

@@ -41,6 +41,21 @@ static void what_is_short_is_not(void **state) {
         if (!(seconds_of(lines[i]) < forewarn_least)) fail_msg("%s: %g s", lines[i], seconds_of(lines[i]));
 }
 
+/* Before anything is set up: 39 million rows. */
+static void what_cannot_be_counted_is_refused(void **state) {
+    (void)state;
+    struct request r;
+    struct failure why;
+    const char *line = "run wall-composite brookshaw --dx 2.58301e-08 --stepper chebyshev --domain whole";
+    assert_int_equal(arguments_parse_line(line, &r, &why), STATUS_OK);
+    assert_int_equal(forewarn_run(&r.experiment, &why), STATUS_INPUT);
+    assert_non_null(strstr(why.text, "more interactions than can be counted"));
+    arguments_free(&r);
+    assert_int_equal(arguments_parse_line("run rod-step so_ssph --dx 0.05", &r, &why), STATUS_OK);
+    assert_int_equal(forewarn_run(&r.experiment, &why), STATUS_OK);
+    arguments_free(&r);
+}
+
 /* Of Euler steps the operations rise as 1/dx^3 on a rod. */
 static void it_grows_with_the_work(void **state) {
     (void)state;
@@ -77,11 +92,9 @@ static void texts(void **state) {
 int main(void) {
     gsl_set_error_handler_off();
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(minutes_and_years_are_told),
-        cmocka_unit_test(what_is_short_is_not),
-        cmocka_unit_test(it_grows_with_the_work),
-        cmocka_unit_test(a_search_that_doubles_says_so_again),
-        cmocka_unit_test(texts),
+        cmocka_unit_test(minutes_and_years_are_told),          cmocka_unit_test(what_is_short_is_not),
+        cmocka_unit_test(what_cannot_be_counted_is_refused),   cmocka_unit_test(it_grows_with_the_work),
+        cmocka_unit_test(a_search_that_doubles_says_so_again), cmocka_unit_test(texts),
     };
     return cmocka_run_group_tests_name("forewarn", tests, NULL, NULL);
 }
