@@ -198,6 +198,9 @@ $(OUT)/report.stamp: $(BUILD)/heatladder
 figures: $(FIGURES)
 	@:
 
+# scripts/plot puts whole figures in their places: those from before stay where make is interrupted.
+.PRECIOUS: $(FIGURES) $(FIGURES:.svg=.png)
+
 vpath %.gp $(sort $(dir $(SCRIPTS)))
 $(OUT)/%.svg $(OUT)/%.png: %.gp $(wildcard reports/page/*.gp) $(OUT)/report.stamp
 	@echo "  PLOT  $(@:.svg=)"
@@ -252,7 +255,9 @@ BENCH := $(OUT)/bench
 .PHONY: bench
 bench: $(BUILD)/heatladder ## Chart error against time and counted work, and measure the engine, to reports/out/bench
 	@mkdir -p $(BENCH)
-	$(Q)$(BUILD)/heatladder bench $(BENCH) > $(BENCH)/bench.txt; status=$$?; cat $(BENCH)/bench.txt; exit $$status
+	$(Q)trap 'rm -f $(BENCH)/bench.new' EXIT; trap 'exit 130' INT TERM HUP; \
+	$(BUILD)/heatladder bench $(BENCH) > $(BENCH)/bench.new || { status=$$?; cat $(BENCH)/bench.new; exit $$status; }; \
+	cat $(BENCH)/bench.new; mv $(BENCH)/bench.new $(BENCH)/bench.txt
 	$(Q)if command -v gnuplot >/dev/null; then for data in $(BENCH)/bench_*.csv; do \
 	for chart in time work growth convergence; do echo reports/bench/bench_$$chart.gp $$data; done; done | \
 	xargs -n 2 -P $$(getconf _NPROCESSORS_ONLN) scripts/plot $(BENCH); \
@@ -328,8 +333,9 @@ MUTANTS ?= *
 mutants: ## Seed faults (those named MUTANTS, all), one at a time; a test or a gate must catch each: reports/out/mutants.txt
 	@mkdir -p $(OUT)
 	$(Q)rm -f $(OUT)/mutants.failed
-	$(Q){ CC='$(CC)' scripts/mutants '$(MUTANTS)' || echo $$? >$(OUT)/mutants.failed; } | tee $(OUT)/mutants.new
-	$(Q)mv $(OUT)/mutants.new $(OUT)/mutants.txt; if [ -f $(OUT)/mutants.failed ]; then rm $(OUT)/mutants.failed; exit 1; fi
+	$(Q)trap 'rm -f $(OUT)/mutants.new' EXIT; trap 'exit 130' INT TERM HUP; \
+	{ CC='$(CC)' scripts/mutants '$(MUTANTS)' || echo $$? >$(OUT)/mutants.failed; } | tee $(OUT)/mutants.new; \
+	mv $(OUT)/mutants.new $(OUT)/mutants.txt; if [ -f $(OUT)/mutants.failed ]; then rm $(OUT)/mutants.failed; exit 1; fi
 
 .PHONY: format
 format: ## Lay out the sources by .clang-format

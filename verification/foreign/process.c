@@ -19,7 +19,7 @@
 
 extern char **environ;
 
-enum { LINE = 400, LIFE = 9, READ = 0, WRITE = 1, SKIPPED = 77 };
+enum { LINE = 400, GUARD = 8, LIFE = 9, READ = 0, WRITE = 1, SKIPPED = 77 };
 static const double GRACE = 2;  /* s: what a program started may outlive it by */
 static const double MERCY = 1;  /* s from SIGTERM to SIGKILL */
 static const int PATIENCE = 20; /* ms between two looks */
@@ -55,8 +55,13 @@ static char **environment(const char *dir) {
     return block;
 }
 
+/* The shell tells the guard its process group before the command begins: were it told by this program, killed in
+ * between, the command would stay.  $0 is the command. */
+static const char told[] = "echo $$ >&8; exec /bin/sh -c \"$0\" 8>&-";
+
 static int spawn(struct running *r) {
-    char *argv[] = {"sh", "-c", (char *)r->process->command, NULL}, **env = environment(r->process->scratch->dir);
+    char *argv[] = {"sh", "-c", (char *)told, (char *)r->process->command, NULL},
+         **env = environment(r->process->scratch->dir);
     posix_spawn_file_actions_t files;
     posix_spawnattr_t how;
     posix_spawn_file_actions_init(&files);
@@ -65,6 +70,7 @@ static int spawn(struct running *r) {
     int error = posix_spawn_file_actions_addopen(&files, STDIN_FILENO, "/dev/null", O_RDONLY, 0);
     if (!error) error = posix_spawn_file_actions_adddup2(&files, r->output[WRITE], STDOUT_FILENO);
     if (!error) error = posix_spawn_file_actions_adddup2(&files, r->output[WRITE], STDERR_FILENO);
+    if (!error) error = posix_spawn_file_actions_adddup2(&files, r->process->scratch->pipe, GUARD);
     if (!error) error = posix_spawn_file_actions_adddup2(&files, r->life[WRITE], LIFE);
     if (!error) error = posix_spawn(&r->child, "/bin/sh", &files, &how, argv, env);
     posix_spawn_file_actions_destroy(&files);
@@ -99,7 +105,6 @@ static int start(struct running *r) {
     close(r->output[WRITE]);
     close(r->life[WRITE]);
     r->output[WRITE] = r->life[WRITE] = -1;
-    scratch_watch(r->process->scratch, r->child);
     r->start = now();
     return 0;
 }

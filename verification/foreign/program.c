@@ -109,13 +109,10 @@ static int choose_place(const struct program *g, const struct scene *s, const st
 
 static int write_case(const struct program *g, const struct scene *s, const struct problem *p,
                       const struct options *o, const char *path, struct failure *why) {
-    FILE *out = fopen(path, "w");
-    if (!out) return refuse(why, STATUS_INPUT, "cannot write '%.200s': %s", path, strerror(errno));
+    struct output page;
+    FILE *out = output_open(&page, "%s", path);
     case_file_write(s, p, o, &(struct case_extra){g->label, *g->vary ? g->vary : NULL, g->value}, out);
-    int bad = fflush(out) || ferror(out), error = errno;
-    if (fclose(out) || bad)
-        return refuse(why, STATUS_INPUT, "cannot write '%.200s': %s", path, strerror(bad ? error : errno));
-    return STATUS_OK;
+    return output_close(&page, 1, why);
 }
 
 /* The command with what is between braces replaced, to be freed; braces of any other word stay. */

@@ -58,10 +58,6 @@ int scratch_open(struct scratch *s, struct failure *why) {
     return refuse(why, STATUS_INPUT, "cannot run /bin/sh: %s", strerror(error));
 }
 
-void scratch_watch(struct scratch *s, pid_t group) {
-    dprintf(s->pipe, "%ld\n", (long)group);
-}
-
 void scratch_close(struct scratch *s) {
     close(s->pipe);
     while (waitpid(s->guard, NULL, 0) < 0 && errno == EINTR) continue;

@@ -12,12 +12,11 @@ enum { SCRATCH_PATH = 256 };
 
 struct scratch {
     char dir[SCRATCH_PATH]; /* under TMPDIR where its name needs no quotes in a shell, else under /tmp */
-    int pipe;               /* written once: the process group */
+    int pipe;               /* a line is written to it: the process group, which ends with the directory */
     pid_t guard;
 };
 
 int scratch_open(struct scratch *s, struct failure *why); /* STATUS_OK, or STATUS_INPUT with *why */
-void scratch_watch(struct scratch *s, pid_t group);       /* `group` ends with the directory */
 void scratch_close(struct scratch *s);                    /* returns when all is removed */
 
 #endif

@@ -3,6 +3,8 @@
 #include "verification/foreign/program.h"
 
 #include "verification/command/arguments.h"
+#include "verification/foreign/process.h"
+#include "verification/foreign/scratch.h"
 #include "verification/gates/gates.h"
 #include "verification/ladder/ladder.h"
 #include "verification/run/run.h"
@@ -262,6 +264,21 @@ static void signals_leave_nothing(void **state) {
     assert_int_equal(remove(dir), 0);
 }
 
+/* Who is told of the program's process group is told by the program: that nobody listens is its failure, not ours. */
+static void a_guard_that_is_gone_ends_nobody_else(void **state) {
+    (void)state;
+    struct failure why = {0};
+    struct scratch scratch;
+    struct process process = {.command = "exit 0", .label = "it", .scratch = &scratch};
+    assert_int_equal(scratch_open(&scratch, &why), STATUS_OK);
+    kill(scratch.guard, SIGKILL);
+    waitpid(scratch.guard, NULL, 0);
+    signal(SIGPIPE, SIG_DFL);
+    assert_int_equal(process_run(&process, &why), STATUS_NUMERICAL);
+    assert_int_equal(remove(scratch.dir), 0);
+    close(scratch.pipe);
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(agrees_with_our_own),
@@ -275,6 +292,7 @@ int main(void) {
         cmocka_unit_test(it_ends_in_time),
         cmocka_unit_test(nothing_is_left_behind),
         cmocka_unit_test(signals_leave_nothing),
+        cmocka_unit_test(a_guard_that_is_gone_ends_nobody_else),
     };
     return cmocka_run_group_tests_name("program", tests, NULL, NULL);
 }

@@ -3,7 +3,6 @@
 #include "verification/command/verb.h"
 
 #include "references/scene.h"
-#include "verification/text/atomic_file.h"
 #include "verification/bench/bench.h"
 #include "verification/bench/engine.h"
 #include "verification/bench/peers.h"
@@ -95,7 +94,7 @@ static int bench_peers(const struct request *r, struct files *files, struct fail
     struct output *table = &files->file[files->count++];
     struct peers all = {.threads = omp_get_num_procs()};
     FILE *out = output_open(table, "%s/peers.txt", dir);
-    int status = r->dir ? atomic_file_check(table->path, why) : STATUS_OK;
+    int status = r->dir ? output_directory(r->dir, "peers.txt", why) : STATUS_OK;
     all.runs = output_open(&files->file[files->count++], "%s/runs.csv", dir);
     if (!status) status = peers_run(peers_table, r->bench_scene, &all, why);
     if (!status) peers_print(&all, out);
@@ -109,7 +108,7 @@ static int bench_peers(const struct request *r, struct files *files, struct fail
 static int bench_ours(const struct request *r, struct files *files, struct failure *why) {
     struct output *json = &files->file[files->count++];
     FILE *out = output_open(json, "%s/bench.json", r->dir ? r->dir : "");
-    int status = r->dir ? atomic_file_check(json->path, why) : STATUS_OK;
+    int status = r->dir ? output_directory(r->dir, "bench.json", why) : STATUS_OK;
     if (!status) status = bench_scenes(r, out, files, why);
     output_end(json);
     if (!status && r->json) fputs(json->text, stdout);
