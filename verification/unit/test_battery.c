@@ -291,7 +291,7 @@ static int clean(void **state) {
 
 int main(int argc, char **argv) {
     self = argv[0];
-    if (argc == 8 && strcmp(argv[1], "--solve") == 0) return volumes_main(argv, (unsigned)getpid());
+    if (argc == 8 && strcmp(argv[1], "--solve") == 0) return volumes_main(argv, (int)getpid());
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(correct_codes_pass),
         cmocka_unit_test(faults_are_seen),
