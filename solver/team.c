@@ -23,9 +23,8 @@
 #include <stdlib.h>
 #include <time.h>
 
-static const double LOSS = 0.05; /* half of what may be lost in all */
-static const double ALONE =
-    1e-3; /* s, before the first look: to read a small file and make a thread are 50 us of it */
+static const double LOSS = 0.05;  /* half of what may be lost in all */
+static const double ALONE = 1e-3; /* s, before the first look, which reads a small file and makes a thread: 50 us */
 static const double TOGETHER = 1e-4; /* s, of a trial at least: 100 readings of a clock that takes 1 us */
 
 /* Two hold it, and the last one to leave frees it: neither waits for the other. */

@@ -24,10 +24,9 @@ struct program {
     const char *keep;    /* where case, answer and log of each rung stay, likewise; NULL for nowhere */
     double timeout;      /* s; 0 for none */
     struct column_map columns;
-    char vary[40], value[40]; /* NAME of --vary, and what it is at this rung; "" for none */
-    char
-        setting[PROGRAM_SETTING]; /* of results: the directory of these parameters below SCENE; "" for SCENE itself */
-    char rung[100];               /* the directory of this rung below DX: NAME=VALUE or dt=DT; "" for DX itself */
+    char vary[40], value[40];      /* NAME of --vary, and what it is at this rung; "" for none */
+    char setting[PROGRAM_SETTING]; /* of results: the parameters' directory below SCENE; "" for SCENE itself */
+    char rung[100];                /* the directory of this rung below DX: NAME=VALUE or dt=DT; "" for DX itself */
 };
 
 /* 1 where there is a program: a command, or its answers. */

@@ -10,8 +10,7 @@ struct request;
 struct measured {
     double value;
     double ci[2]; /* 95 % interval of a slope; else the value twice */
-    double
-        error; /* what a gate's ceiling bounds: E1; of a ladder its norm at the finest rung that counts; NaN: none */
+    double error; /* what a ceiling bounds: E1; of a ladder its norm at the finest rung that counts; NaN: none */
     enum verdict verdict;
     char reason[320];
     char diagnosis[200]; /* which usual fault the errors look like; "" where none was looked for */

@@ -49,9 +49,8 @@ struct ladder {
     int self_differences; /* 1: errors come from differences of runs (self_difference.h) */
     double fine;          /* s: the step of the run that they are from; 0: of successive runs */
     struct result rung[RUNG_MAX];
-    long long
-        semidiscrete_steps;    /* in time: of the polynomials that the errors are against; 0: of the exact stepper */
-    double semidiscrete_error; /* its own error, as in struct semidiscrete */
+    long long semidiscrete_steps; /* in time: of the polynomials that errors are against; 0: of the exact stepper */
+    double semidiscrete_error;    /* its own error, as in struct semidiscrete */
     double x[RUNG_MAX];
     enum ladder_norm norm;
     double error[RUNG_MAX]; /* in that norm; NaN where the run failed */

@@ -26,8 +26,8 @@
 #include <stdlib.h>
 
 static const double SHARE = 0.01, MARGIN = 0.8; /* aims at 0.8 % so that a slightly wrong forecast still holds */
-static const double FOURIER =
-    0.2; /* of the first run, over the dimension: stable for every method but rkl2, which is so at any */
+/* Of the first run, over the dimension: stable for every method (rkl2 is so at any). */
+static const double FOURIER = 0.2;
 static const double FLOOR = 1e-12; /* of E1: what rounding leaves; no time error below it is looked for */
 enum { HALVINGS = 8, ROUNDS = 5 };
 
@@ -246,8 +246,8 @@ int time_step_solve(struct experiment *e, struct field *f, struct time_step *ste
         int status = symmetry_solve(e->method, &e->problem, o, f, why);
         if (status == STATUS_OK) stepping->time_error = 0;
         if (status != STATUS_NOT_APPLICABLE) return status;
-        o->stepper =
-            STEPPER_RKL2; /* not on this layout or with these walls: s stages do the work of s^2/4 Euler steps */
+        /* not on this layout or with these walls: s stages do the work of s^2/4 Euler steps */
+        o->stepper = STEPPER_RKL2;
     }
     if (o->stepper == STEPPER_AUTO) o->stepper = STEPPER_EULER;
     if (o->stepper == STEPPER_EXACT) stepping->time_error = 0;

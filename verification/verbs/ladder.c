@@ -21,19 +21,20 @@
 
 static void add_rung(struct table *t, const struct ladder *l, int i) {
     const struct result *r = &l->rung[i];
+    int failed = r->failure.status != STATUS_OK;
     table_add(t, "%.6g", ladder_asked(l, i));
     table_add(t, "%zu", r->particles);
     table_add(t, "%lld", r->steps);
-    table_number(t, "%.4e", r->failure.status ? NAN : r->error.l1, "-");
-    table_number(t, "%.4e", r->failure.status ? NAN : r->derived_name ? r->derived : r->error.l2, "-");
-    table_number(t, "%.4e", r->failure.status ? NAN : r->derived_name ? r->derived_error : r->error.linf, "-");
+    table_number(t, "%.4e", failed ? NAN : r->error.l1, "-");
+    table_number(t, "%.4e", failed ? NAN : r->derived_name ? r->derived : r->error.l2, "-");
+    table_number(t, "%.4e", failed ? NAN : r->derived_name ? r->derived_error : r->error.linf, "-");
     if (i == 0)
         table_add(t, " ");
     else
         table_number(t, "%.3f", l->local[i - 1], "-");
     table_number(t, "%.2g", 100 * r->time_error, " ");
     table_number(t, "%.2g", r->seconds, "-");
-    table_add(t, "%s", r->failure.status ? r->failure.text : l->window.left_out[i]);
+    table_add(t, "%s", failed ? r->failure.text : l->window.left_out[i]);
 }
 
 static void print_text(const struct ladder *l) {
