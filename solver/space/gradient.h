@@ -7,15 +7,15 @@
  * of each pair once, d from the places.  Points are the particles, in their order, and after them their ghosts; the
  * state of such an operator holds both. */
 struct gradient {
-    size_t total;          /* points */
+    size_t total;          /* points: n particles and their ghosts */
     double *place;         /* m, 2 total: x, y */
     double *C;             /* 3 total: xx, xy, yy; zero at ghosts whose derivatives nothing needs */
     uint32_t *kept, *lent; /* total + 1 each: where the pairs that a point keeps begin, and those that others keep */
-    uint32_t *other;       /* kept[total]: the other point of a pair */
-    double *F;             /* kept[total] */
-    uint32_t *keeper, *pair; /* lent[total]: who keeps the pair, and where */
-    uint32_t *source;        /* of ghost total - n: a particle, */
-    double *factor, *offset; /* and T_ghost = factor T_source + offset */
+    uint32_t *other;       /* kept[total]: of each pair that is kept, the other point */
+    double *F;             /* kept[total]: of these pairs */
+    uint32_t *keeper, *pair; /* lent[total]: of each pair that another point keeps, that point, and its place in F */
+    uint32_t *source;        /* total - n: of each ghost, its particle */
+    double *factor, *offset; /* total - n each: T_ghost = factor T_source + offset */
     double kappa[2];         /* m^2 s^-1 */
     double *flux;            /* 2 total: kappa D T, between the sweeps */
     size_t reach;            /* the largest |i - j| of two particles that are a pair */

@@ -108,8 +108,10 @@ static int is_cut(const struct axis *a, int i) {
     return inside;
 }
 
-struct rule {     /* the average about particle i: */
-    size_t nodes; /* sum over k of weight[begin[i] + k] T0(node[first[i] + k]), begin[i] + k < begin[i + 1] */
+/* The average about particle i is the sum over k of weight[begin[i] + k] T0(node[first[i] + k]), begin[i] + k <
+ * begin[i + 1]. */
+struct rule {
+    size_t nodes;
     double *node, *weight;
     size_t *first, *begin;
 };

@@ -15,8 +15,8 @@
 const double choose_work_max = 2e11;
 enum { PROOFS = 8, LAST = 2 };
 static const double NEARER = 0.9; /* of the best error: what a last run must promise */
-static const double LUCKY = 0.1;  /* of the predicted error: below it one more run is wanted, */
-static const double FINER = 1.5;  /* with so many times the particles */
+static const double LUCKY = 0.1;  /* of the predicted error: below it one more run is wanted */
+static const double FINER = 1.5;  /* particles along x of that run over those of the one before */
 
 static int cheapest_first(const void *a, const void *b) {
     const struct extrapolation *x = a, *y = b;

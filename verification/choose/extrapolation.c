@@ -18,8 +18,8 @@ static const double MARGIN = 0.9;         /* of the error wanted: what a forecas
 static const double COARSE_MAX = 1e10;    /* some seconds: of a rung without which there is no forecast */
 static const double MORE_MAX = 1e8;       /* of a rung beyond those */
 static const double BYTES_MAX = 8e9;      /* what a run may hold */
-static const int COARSEST[3] = {0, 4, 4}; /* by dimension: particles along x of the first rung, */
-static const int RUNGS[3] = {0, 10, 8};   /* and rungs, apart by 1.5 */
+static const int COARSEST[3] = {0, 4, 4}; /* particles along x of the first rung, by dimension */
+static const int RUNGS[3] = {0, 10, 8};   /* how many, by dimension, each 1.5 times as fine as the one before */
 enum { FITTED = 3, FAR = 4 };
 
 void extrapolation_rule_out(struct extrapolation *c, const char *reason) {
