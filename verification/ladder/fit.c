@@ -59,8 +59,10 @@ void ladder_slope_text(const struct ladder *l, char *text, size_t size) {
     int used = snprintf(text, size, "slope of %s: ", ladder_norm_titles[l->norm]);
     char *rest = text + used;
     size_t room = size - (size_t)used;
+    int known = 0;
+    for (int i = 0; i < l->n; i++) known += l->window.counts[i] && isfinite(l->error[i]) && l->error[i] > 0;
     if (!isfinite(l->slope.value))
-        snprintf(rest, room, "- (%d of %d rungs count, a slope needs two)", l->slope.n, l->n);
+        snprintf(rest, room, "- (of %d rungs %d count and have an error, a slope needs two)", l->n, known);
     else if (l->slope.n < 3)
         snprintf(rest, room, "%.4f, 95 %% interval - (of two rungs there is none), over 2 of %d rungs",
                  l->slope.value, l->n);

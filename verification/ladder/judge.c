@@ -152,5 +152,8 @@ void judge_ceiling(double error, double ceiling, enum verdict *verdict, char *re
         return;
     }
     *verdict = VERDICT_FAIL;
-    snprintf(reason + used, size - used, "%sthe error %.4g is above its ceiling %.4g", apart, error, ceiling);
+    if (isfinite(error))
+        snprintf(reason + used, size - used, "%sthe error %.4g is above its ceiling %.4g", apart, error, ceiling);
+    else
+        snprintf(reason + used, size - used, "%sno error to hold against the ceiling %.4g", apart, ceiling);
 }
