@@ -36,10 +36,10 @@ double forewarn_seconds(const struct experiment *e) {
     return is_short(e) || plan_sketch(e, &plan, &ignored) ? 0 : seconds_of(&plan);
 }
 
-int forewarn_run(const struct experiment *e, struct failure *why) {
+int forewarn_run(const char *what, const struct experiment *e, struct failure *why) {
     struct plan plan;
     int status = is_short(e) ? STATUS_NOT_APPLICABLE : plan_sketch(e, &plan, why);
-    if (!status) forewarn("this run", seconds_of(&plan));
+    if (!status) forewarn(what, seconds_of(&plan));
     return status == STATUS_INPUT ? status : STATUS_OK;
 }
 

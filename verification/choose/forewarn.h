@@ -29,9 +29,9 @@ void forewarn_text(double seconds, char *text, size_t size);
 /* Says that `what` will take so long, where it is forewarn_least or more: 1 then, else 0. */
 int forewarn(const char *what, double seconds);
 
-/* Says how long the run of *e will take.  STATUS_OK; STATUS_INPUT where its plan is refused, as the run would be once
- * all is set up. */
-int forewarn_run(const struct experiment *e, struct failure *why);
+/* Says how long `what`, the run of *e, will take.  STATUS_OK; STATUS_INPUT where its plan is refused, as the run
+ * would be once all is set up. */
+int forewarn_run(const char *what, const struct experiment *e, struct failure *why);
 
 /* The same for one run more, where all are more than twice what was told. */
 int forewarn_next(struct forewarned *f, const char *what, double seconds);

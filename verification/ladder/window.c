@@ -35,7 +35,9 @@ static void leave_out_floors(const struct window_rung *rung, int n, struct windo
         const struct window_rung *r = &rung[i];
         char *why = w->left_out[i];
         size_t size = sizeof w->left_out[i];
-        if (r->rounding > FLOOR_SHARE)
+        if (r->rounding >= 1)
+            snprintf(why, size, "round-off floor: all of the error may be rounding");
+        else if (r->rounding > FLOOR_SHARE)
             snprintf(why, size, "round-off floor: up to %.0f %% of the error is rounding", 100 * r->rounding);
         else if (r->reference > FLOOR_SHARE)
             snprintf(why, size, "reference floor: up to %.0f %% is the reference's own error", 100 * r->reference);

@@ -48,11 +48,11 @@ static void what_cannot_be_counted_is_refused(void **state) {
     struct failure why;
     const char *line = "run wall-composite brookshaw --dx 2.58301e-08 --stepper chebyshev --domain whole";
     assert_int_equal(arguments_parse_line(line, &r, &why), STATUS_OK);
-    assert_int_equal(forewarn_run(&r.experiment, &why), STATUS_INPUT);
+    assert_int_equal(forewarn_run("it", &r.experiment, &why), STATUS_INPUT);
     assert_non_null(strstr(why.text, "more interactions than can be counted"));
     arguments_free(&r);
     assert_int_equal(arguments_parse_line("run rod-step so_ssph --dx 0.05", &r, &why), STATUS_OK);
-    assert_int_equal(forewarn_run(&r.experiment, &why), STATUS_OK);
+    assert_int_equal(forewarn_run("it", &r.experiment, &why), STATUS_OK);
     arguments_free(&r);
 }
 

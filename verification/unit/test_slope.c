@@ -153,6 +153,7 @@ static void an_error_of_zero_is_rounding(void **state) {
     struct window_rung rung[2] = {{.x = 1, .error = 1}, {.x = 0.5, .error = 0, .rounding = 1e-15 / 0.0}};
     window_choose(rung, 2, &w);
     assert_int_equal(w.counts[1], 0);
+    assert_non_null(strstr(w.left_out[1], "all of the error"));
 }
 
 int main(void) {

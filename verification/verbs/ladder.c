@@ -166,15 +166,15 @@ static int write_files(const struct request *r, const struct ladder *l, int stat
     return unwritten.status;
 }
 
-/* Of the finest rung, which takes most. */
-static void forewarn_finest(const struct request *r) {
+/* Of the finest rung, which takes most; refused where it is to be. */
+static int forewarn_finest(const struct request *r, struct failure *why) {
     struct experiment finest = r->experiment;
-    if (program_given(&finest.program)) return;
+    if (program_given(&finest.program)) return STATUS_OK;
     for (int i = 0; i < r->rungs.dx.count; i++) finest.options.dx = fmin(finest.options.dx, r->rungs.dx.value[i]);
     for (int i = 0; i < r->rungs.dt.count; i++) finest.options.dt = fmin(finest.options.dt, r->rungs.dt.value[i]);
     for (int i = 0; i < r->rungs.fourier.count; i++)
         finest.options.fourier = fmin(finest.options.fourier, r->rungs.fourier.value[i]);
-    forewarn("the finest rung", forewarn_seconds(&finest));
+    return forewarn_run("the finest rung", &finest, why);
 }
 
 int verb_ladder(const struct request *r, struct failure *why) {
@@ -184,7 +184,7 @@ int verb_ladder(const struct request *r, struct failure *why) {
     if (!status) status = atomic_file_check(r->junit_path, why);
     struct ladder_rungs rungs = r->rungs;
     rungs.diagnose = r->verbose;
-    if (!status) forewarn_finest(r);
+    if (!status) status = forewarn_finest(r, why);
     if (!status) status = ladder_run(&r->experiment, &rungs, l, why);
     if (!status_refused(status) || l->tried) {
         (r->json ? print_json : print_text)(l);

@@ -80,7 +80,7 @@ int verb_run(const struct request *r, struct failure *why) {
     struct result result;
     struct field field = {0};
     int status = check(r, why);
-    if (!status && !program_given(&r->experiment.program)) status = forewarn_run(&r->experiment, why);
+    if (!status && !program_given(&r->experiment.program)) status = forewarn_run("this run", &r->experiment, why);
     if (!status && r->warm_up) status = run_warm_up(&r->experiment, why);
     if (!status) {
         status = run_experiment(&r->experiment, &result, &field);
