@@ -86,10 +86,11 @@ static void fftw_failed(int signal) {
     _Exit(STATUS_NUMERICAL);
 }
 
-static void take_aborts(void) {
+static void take_signals(void) {
     struct sigaction abort = {.sa_handler = fftw_failed, .sa_flags = (int)SA_RESETHAND};
     sigemptyset(&abort.sa_mask);
     sigaction(SIGABRT, &abort, NULL);
+    signal(SIGXFSZ, SIG_IGN); /* write() then fails: what was begun is removed */
 }
 
 /* A team's threads are listed on the stack of the one that starts it: 100000 of them are more than it holds. */
@@ -126,7 +127,7 @@ static int answer(int argc, char **argv) {
 int main(int argc, char **argv) {
     gsl_set_error_handler(gsl_failed);
     atexit(ended_by_others);
-    take_aborts();
+    take_signals();
     keep_pages();
     limit_threads();
     tell_programs(argv[0]);

@@ -64,9 +64,13 @@ static int spawn(struct running *r) {
          **env = environment(r->process->scratch->dir);
     posix_spawn_file_actions_t files;
     posix_spawnattr_t how;
+    sigset_t ignored; /* by this program, and not by that one */
     posix_spawn_file_actions_init(&files);
     posix_spawnattr_init(&how);
-    posix_spawnattr_setflags(&how, POSIX_SPAWN_SETPGROUP);
+    posix_spawnattr_setflags(&how, POSIX_SPAWN_SETPGROUP | POSIX_SPAWN_SETSIGDEF);
+    sigemptyset(&ignored);
+    sigaddset(&ignored, SIGXFSZ);
+    posix_spawnattr_setsigdefault(&how, &ignored);
     int error = posix_spawn_file_actions_addopen(&files, STDIN_FILENO, "/dev/null", O_RDONLY, 0);
     if (!error) error = posix_spawn_file_actions_adddup2(&files, r->output[WRITE], STDOUT_FILENO);
     if (!error) error = posix_spawn_file_actions_adddup2(&files, r->output[WRITE], STDERR_FILENO);

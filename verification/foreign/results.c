@@ -191,8 +191,9 @@ static int has_line(const char *list, const char *line) {
 }
 
 static int make(const char *path, struct failure *why) {
-    if (mkdir(path, 0777) == 0 || is_directory(path)) return STATUS_OK;
-    return refuse(why, STATUS_INPUT, "--into: cannot make the directory '%.300s': %s", path, strerror(errno));
+    int error = mkdir(path, 0777) ? errno : 0;
+    if (!error || is_directory(path)) return STATUS_OK;
+    return refuse(why, STATUS_INPUT, "--into: cannot make the directory '%.300s': %s", path, strerror(error));
 }
 
 /* The next of the numbers with commas between, as typed; a fraction has a slash, which a name cannot hold. */

@@ -6,6 +6,7 @@
 #include "solver/status.h"
 #include "verification/text/atomic_file.h"
 
+#include <errno.h>
 #include <stdarg.h>
 #include <stdlib.h>
 #include <string.h>
@@ -87,6 +88,9 @@ void output_drop(struct output *o, int count) {
 int output_directory(const char *dir, const char *name, struct failure *why) {
     char path[1024];
     if ((size_t)snprintf(path, sizeof path, "%s/%s", dir, name) >= sizeof path) return refuse_path(path, why);
-    mkdir(dir, 0777); /* the check tells where it cannot be made */
-    return atomic_file_check(path, why);
+    int error = mkdir(dir, 0777) ? errno : EEXIST;
+    if (!atomic_file_check(path, why)) return STATUS_OK;
+    return error == EEXIST
+               ? why->status
+               : refuse(why, STATUS_INPUT, "cannot make the directory '%.300s': %s", dir, strerror(error));
 }
