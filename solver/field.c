@@ -36,7 +36,7 @@ double field_farthest(const struct field *f, const double *T) {
     double most = 0;
     for (size_t i = 0; i < f->n; i++) {
         double apart = fabs(f->T[i] - T[i]);
-        if (!(apart <= most)) most = apart; /* a NaN stays */
+        if (apart > most || isnan(apart)) most = apart; /* a NaN stays */
     }
     return most;
 }

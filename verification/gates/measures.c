@@ -137,7 +137,7 @@ static int runs_apart(const struct experiment *e, const struct problem of[2], do
     if (!status) status = method_solve(e->method, &of[1], &e->options, &f[1], &why);
     if (status) measures_fail(m, why.text);
     double apart = status ? NAN : field_farthest(&f[0], f[1].T);
-    if (!(apart <= *worst)) *worst = apart; /* a NaN stays */
+    if (apart > *worst || isnan(apart)) *worst = apart; /* a NaN stays */
     for (int k = 0; k < 2; k++) field_free(&f[k]);
     return status;
 }

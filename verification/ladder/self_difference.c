@@ -54,7 +54,7 @@ static struct norms_error distance(const struct place *coarse, const struct plac
         d2 += w * d * d;
         t1 += w * T;
         t2 += w * T * T;
-        if (!(d <= linf)) linf = d; /* a NaN stays */
+        if (d > linf || isnan(d)) linf = d; /* a NaN stays */
     }
     return (struct norms_error){.l1 = d1 / t1, .l2 = sqrt(d2 / t2), .linf = linf, .n = n};
 }

@@ -17,7 +17,7 @@ static double heat(const double *T, size_t n, double *largest) {
     *largest = -INFINITY;
     for (size_t i = 0; i < n; i++) {
         sum += T[i];
-        if (!(T[i] <= *largest)) *largest = T[i];
+        if (T[i] > *largest || isnan(T[i])) *largest = T[i];
     }
     return (double)(sum / (long double)n);
 }

@@ -129,7 +129,7 @@ int model_problem_around(const struct model_problem *b, const struct cloud *c, s
 static double largest_of(const double *T, size_t n) {
     double most = 0;
     for (size_t i = 0; i < n; i++)
-        if (!(fabs(T[i]) <= most)) most = fabs(T[i]); /* a NaN stays */
+        if (fabs(T[i]) > most || isnan(T[i])) most = fabs(T[i]); /* a NaN stays */
     return most;
 }
 

@@ -1,10 +1,12 @@
-/* The manual page and the completion leave out no verb, option, scene or method, and are well formed. */
+/* Help, manual page and completion leave out no verb, option, scene or method, and are well formed. */
 #include "verification/command/manual.h"
 
 #include "references/scene.h"
 #include "solver/method.h"
+#include "verification/command/help.h"
 #include "verification/command/option.h"
 #include "verification/command/verb.h"
+#include "verification/text/words.h"
 
 #include "verification/unit/near.h"
 
@@ -46,6 +48,27 @@ static void the_page_is_complete(void **state) {
     free(page);
 }
 
+/* Each option of each verb with all that is told of it, the words that it takes last. */
+static void the_help_is_whole(void **state) {
+    (void)state;
+    for (const struct verb *v = verbs; v->name; v++) {
+        char *text = NULL, words[200] = "", wanted[600];
+        size_t size;
+        FILE *out = open_memstream(&text, &size);
+        assert_non_null(out);
+        help_verb(v, out);
+        fclose(out);
+        for (const struct option *o = options_table; o->key; o++) {
+            if (!words_among(v->options, o->key)) continue;
+            if (o->words) words_join(o->words, words, sizeof words);
+            snprintf(wanted, sizeof wanted, "%s%s%s%s\n", o->about, o->words ? ": " : "", o->words ? words : "",
+                     words_among(v->required, o->key) ? " (required)" : "");
+            if (!strstr(text, wanted)) fail_msg("%s --%s: '%s' is cut", v->name, o->name, wanted);
+        }
+        free(text);
+    }
+}
+
 /* bash itself tells what is completed. */
 static void bash_completes(void **state) {
     (void)state;
@@ -74,6 +97,7 @@ static void bash_completes(void **state) {
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(the_page_is_complete),
+        cmocka_unit_test(the_help_is_whole),
         cmocka_unit_test(bash_completes),
     };
     return cmocka_run_group_tests_name("manual", tests, NULL, NULL);

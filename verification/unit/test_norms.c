@@ -222,8 +222,22 @@ static void nodes_have_their_own_transforms(void **state) {
     field_free(&all);
 }
 
+static void a_nan_is_the_farthest(void **state) {
+    (void)state;
+    double T[4] = {1, 2.5, -3, 0.1}, other[4] = {1.25, 2.5, -1.3, 0.7};
+    const struct field f = {.dim = 1, .n = 4, .T = T};
+    assert_near(field_farthest(&f, other), 1.7, 1e-15);
+    for (int i = 0; i < 4; i++) {
+        double one = other[i];
+        other[i] = NAN;
+        assert_true(isnan(field_farthest(&f, other)));
+        other[i] = one;
+    }
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {
+        cmocka_unit_test(a_nan_is_the_farthest),
         cmocka_unit_test(three_norms_by_hand),
         cmocka_unit_test(points_without_a_value_are_left_out_and_counted),
         cmocka_unit_test(weights_are_outside_of_the_power),
