@@ -18,5 +18,5 @@ void talbot_node(int j, double complex *z, double complex *weight) {
 double complex talbot_one_less(double complex u, double complex e) {
     if (cabs(u) > 0.5) return 1 - e * e;
     double a = creal(u), b = cimag(u), left = exp(-2 * a);
-    return CMPLX(-expm1(-2 * a) + 2 * left * sin(b) * sin(b), left * sin(2 * b));
+    return -expm1(-2 * a) + 2 * left * sin(b) * sin(b) + I * left * sin(2 * b);
 }
