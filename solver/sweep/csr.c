@@ -1,6 +1,7 @@
 /* Updates off the lattice, y = rate (A x + g) + self x + old y + start Y0, with A in compressed rows or as two sweeps
  * of first derivatives, A x + g = div(kappa grad x) + g. */
 #include "solver/space/gradient.h"
+#include "solver/sweep/flush.h"
 #include "solver/sweep/sweep.h"
 #include "solver/sweep/wavefront.h"
 
@@ -176,6 +177,7 @@ static void update_twice(const struct heat_operator *a, const struct update *u, 
     fill_ghosts(g, n, x);
 #pragma omp parallel num_threads(threads) if (threads > 1)
     {
+        unsigned mode = flush_begin();
 #pragma omp for
         for (size_t t = 0; t < threads; t++)
             find_fluxes(g, x, n + ghosts * t / threads, n + ghosts * (t + 1) / threads);
@@ -192,6 +194,7 @@ static void update_twice(const struct heat_operator *a, const struct update *u, 
             update_particles(a, u, x, y, n * t / threads, inner[0]);
             update_particles(a, u, x, y, inner[1], n * (t + 1) / threads);
         }
+        flush_end(mode);
     }
 }
 

@@ -45,6 +45,33 @@ static void threads_change_no_pair(void **state) {
     layout_cloud_free(&c);
 }
 
+/* A quarter of the least number that is held in full is zero, in a sweep alone. */
+static void what_no_temperature_needs_is_zero(void **state) {
+    (void)state;
+#ifdef __SSE2__
+    struct problem p = odd_rectangle();
+    struct options o = {.dx = 0.05, .h = 1.23, .seed = 7, .layout = LAYOUT_JITTER, .jitter = 0.31};
+    struct lattice l;
+    struct cloud c;
+    struct heat_operator a;
+    struct failure why;
+    assert_int_equal(layout_lattice(&p, &o, 1, &l, &why), STATUS_OK);
+    assert_int_equal(layout_cloud(&p, &o, &l, 4 * o.h * l.dx[0], &c, &why), STATUS_OK);
+    assert_int_equal(operator_create_csr(&a, &p, &o, method_flux_divergence.scheme, &c, l.dx[0], &why), STATUS_OK);
+    double *Y[2] = {xcalloc(a.state, sizeof(double)), xcalloc(a.state, sizeof(double))};
+    volatile double least = 2.3e-308;
+    for (size_t i = 0; i < a.n; i++) Y[0][i] = least;
+    state_update(&a, &(struct update){.rate = 0, .self = 0.25}, 1, Y);
+    for (size_t i = 0; i < a.n; i++) assert_true(Y[0][i] == 0);
+    assert_true(least / 4 > 0);
+    free(Y[0]), free(Y[1]);
+    operator_free(&a);
+    layout_cloud_free(&c);
+#else
+    skip();
+#endif
+}
+
 /* ---- The definition: fluxes of all points, then what flows in; sums in the order of the pairs ---- */
 
 /* From point i to the other point of its pair number k, kept ones first: which, d in m, and F. */
@@ -184,6 +211,7 @@ int main(void) {
     gsl_set_error_handler_off();
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(threads_change_no_pair),
+        cmocka_unit_test(what_no_temperature_needs_is_zero),
         cmocka_unit_test(no_thread_changes_a_bit),
         cmocka_unit_test(two_sweeps_are_their_rows),
     };
