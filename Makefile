@@ -1,5 +1,8 @@
 # heatladder: verification and benchmarks for transient heat conduction.  `make help` lists the targets.
 
+# Where numbers are written with a comma some awks write theirs so.
+export LC_ALL := C.UTF-8
+
 CC       ?= cc
 CFLAGS   ?= -O3 -g
 WARN     := -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wvla -Wmissing-prototypes -Wstrict-prototypes
