@@ -1,5 +1,5 @@
-# LC_ALL=C awk -f cells.awk CASE OUT: finite volumes on a grid of cells, explicit Euler.  All that the case does not tell,
-# `heatladder reference` does, at the centres of the cells and of the faces on the sides; $HEATLADDER is that program.
+# LC_ALL=C awk -f cells.awk CASE OUT: finite volumes on a grid of cells, explicit Euler.  All that the case does not
+# tell, `heatladder reference` does, at the centres of cells and of faces on the sides; $HEATLADDER is that program.
 function place(d, i) { return i < 1 ? lo[d] : i > n[d] ? hi[d] : lo[d] + (i - 0.5) * h[d] }
 function position(c, d) { return d == 1 ? c % nx : int(c / nx) }
 BEGIN {
