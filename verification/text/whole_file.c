@@ -9,7 +9,8 @@
 
 FILE *whole_file_open(const char *path) {
     FILE *in = fopen(path, "rb");
-    return in || errno != ENOMEM ? in : xcheck(NULL, 1, BUFSIZ);
+    if (!in && errno == ENOMEM) xcheck(NULL, 1, BUFSIZ);
+    return in;
 }
 
 char *whole_file_read(FILE *in, size_t *size) {
