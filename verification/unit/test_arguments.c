@@ -178,7 +178,7 @@ static void the_width_of_vectors_comes_from_the_environment(void **state) {
     static const char *const wrong[] = {"3", "0", "16", "4x", " 4", "-2", "wide"};
     struct request r;
     struct failure why;
-    char word[8];
+    char word[12];
     for (int lanes = 2; lanes <= 8; lanes *= 2) {
         snprintf(word, sizeof word, "%d", lanes);
         setenv("HEATLADDER_LANES", word, 1);
