@@ -25,7 +25,7 @@ FNR == NR {
     if (!(code in seen)) { seen[code] = 0; codes[++all] = code; fault_of[code] = $1; example_of[code] = $2 }
     if ($3 == "*") { told[code] = $5 ~ /^as if/ ? $5 : ""; next }
     if (!($3 in known)) { known[$3]; row[++rows] = $3 }
-    if ($4 == "fail" || $4 == "inconclusive") { caught[$1, $3]++; seen[code]++; by[code] = by[code] " " $3 }
+    if ($4 == "fail" || $4 == "inconclusive") { caught[$1, $3]++; seen[code]++ }
 }
 END {
     print "# Faults seeded in the examples, and the rows of the battery that see them\n"

@@ -18,21 +18,27 @@ static double no_flux(const struct problem *p, enum side s, const double x[2]) {
     return 0;
 }
 
+/* *a on a cloud of its own; ended by operator_free. */
+static void assemble(const struct problem *p, const struct options *o, const struct method *m,
+                     struct heat_operator *a) {
+    struct lattice l;
+    struct cloud c;
+    struct failure why;
+    assert_int_equal(layout_lattice(p, o, 1, &l, &why), STATUS_OK);
+    assert_int_equal(layout_cloud(p, o, &l, 4 * o->h * l.dx[0], &c, &why), STATUS_OK);
+    assert_int_equal(operator_create_csr(a, p, o, m->scheme, &c, l.dx[0], &why), STATUS_OK);
+    layout_cloud_free(&c);
+}
+
 /* Two sweeps, by one thread and by three. */
 static void threads_change_no_pair(void **state) {
     (void)state;
     struct problem p = odd_rectangle();
     struct options o = {.dx = 0.05, .h = 1.23, .seed = 7, .layout = LAYOUT_JITTER, .jitter = 0.31};
-    const struct scheme *s = method_flux_divergence.scheme;
-    struct lattice l;
-    struct cloud c;
     struct heat_operator a, b;
-    struct failure why;
-    assert_int_equal(layout_lattice(&p, &o, 1, &l, &why), STATUS_OK);
-    assert_int_equal(layout_cloud(&p, &o, &l, 4 * o.h * l.dx[0], &c, &why), STATUS_OK);
-    assert_int_equal(operator_create_csr(&a, &p, &o, s, &c, l.dx[0], &why), STATUS_OK);
+    assemble(&p, &o, &method_flux_divergence, &a);
     o.threads = 3;
-    assert_int_equal(operator_create_csr(&b, &p, &o, s, &c, l.dx[0], &why), STATUS_OK);
+    assemble(&p, &o, &method_flux_divergence, &b);
     const struct gradient *of[2] = {a.gradient, b.gradient};
     size_t points = of[0]->total;
     assert_memory_equal(of[0]->kept, of[1]->kept, (points + 1) * sizeof *of[0]->kept);
@@ -42,7 +48,6 @@ static void threads_change_no_pair(void **state) {
     assert_memory_equal(of[0]->pair, of[1]->pair, of[0]->lent[points] * sizeof *of[0]->pair);
     operator_free(&a);
     operator_free(&b);
-    layout_cloud_free(&c);
 }
 
 /* A quarter of the least number that is held in full is zero, in a sweep alone. */
@@ -51,13 +56,8 @@ static void what_no_temperature_needs_is_zero(void **state) {
 #ifdef __SSE2__
     struct problem p = odd_rectangle();
     struct options o = {.dx = 0.05, .h = 1.23, .seed = 7, .layout = LAYOUT_JITTER, .jitter = 0.31};
-    struct lattice l;
-    struct cloud c;
     struct heat_operator a;
-    struct failure why;
-    assert_int_equal(layout_lattice(&p, &o, 1, &l, &why), STATUS_OK);
-    assert_int_equal(layout_cloud(&p, &o, &l, 4 * o.h * l.dx[0], &c, &why), STATUS_OK);
-    assert_int_equal(operator_create_csr(&a, &p, &o, method_flux_divergence.scheme, &c, l.dx[0], &why), STATUS_OK);
+    assemble(&p, &o, &method_flux_divergence, &a);
     double *Y[2] = {xcalloc(a.state, sizeof(double)), xcalloc(a.state, sizeof(double))};
     volatile double least = 2.3e-308;
     for (size_t i = 0; i < a.n; i++) Y[0][i] = least;
@@ -66,7 +66,6 @@ static void what_no_temperature_needs_is_zero(void **state) {
     assert_true(least / 4 > 0);
     free(Y[0]), free(Y[1]);
     operator_free(&a);
-    layout_cloud_free(&c);
 #else
     skip();
 #endif
@@ -145,14 +144,9 @@ static void no_thread_changes_a_bit(void **state) {
     for (int strip = 0; strip < 2; strip++) {
         struct problem p = odd_rectangle();
         struct options o = {.dx = 0.01, .h = 1.23, .seed = 7, .layout = LAYOUT_JITTER, .jitter = 0.2};
-        struct lattice l;
-        struct cloud c;
         struct heat_operator a;
-        struct failure why;
         if (strip) p.hi[0] = p.lo[0] + 15, p.hi[1] = p.lo[1] + 0.08;
-        assert_int_equal(layout_lattice(&p, &o, 1, &l, &why), STATUS_OK);
-        assert_int_equal(layout_cloud(&p, &o, &l, 4 * o.h * l.dx[0], &c, &why), STATUS_OK);
-        assert_int_equal(operator_create_csr(&a, &p, &o, method_fo_ssph.scheme, &c, l.dx[0], &why), STATUS_OK);
+        assemble(&p, &o, &method_fo_ssph, &a);
         assert_true(a.n > 10000);
         assert_int_equal(a.gradient->reach > a.n / 2, strip);
         double *want = updated(&a, 1);
@@ -165,28 +159,22 @@ static void no_thread_changes_a_bit(void **state) {
         }
         free(want);
         operator_free(&a);
-        layout_cloud_free(&c);
     }
 }
 
 /* What two sweeps make of a state, walls of all kinds among them, and the rows that they stand for. */
 static void two_sweeps_are_their_rows(void **state) {
     (void)state;
-    const struct scheme *const both_of[] = {method_flux_divergence.scheme, method_fo_ssph.scheme};
+    const struct method *const both_of[] = {&method_flux_divergence, &method_fo_ssph};
     struct problem p = odd_rectangle();
     struct options o = {.dx = 0.05, .h = 1.23, .seed = 7, .layout = LAYOUT_JITTER, .jitter = 0.31};
-    struct lattice l;
-    struct cloud c;
     struct heat_operator a;
     struct row r;
-    struct failure why;
     p.wall = no_flux;
     p.source = NULL;
     p.side[X_LO] = DIRICHLET, p.side[X_HI] = ROBIN, p.robin[X_HI] = 1.7, p.side[Y_LO] = NEUMANN;
-    assert_int_equal(layout_lattice(&p, &o, 1, &l, &why), STATUS_OK);
-    assert_int_equal(layout_cloud(&p, &o, &l, 4 * o.h * l.dx[0], &c, &why), STATUS_OK);
     for (int m = 0; m < 2; m++) {
-        assert_int_equal(operator_create_csr(&a, &p, &o, both_of[m], &c, l.dx[0], &why), STATUS_OK);
+        assemble(&p, &o, both_of[m], &a);
         double *Y[2] = {xcalloc(a.state, sizeof(double)), xcalloc(a.state, sizeof(double))},
                bound = operator_bound(&a);
         double *x = xcalloc(a.n, sizeof *x);
@@ -204,7 +192,6 @@ static void two_sweeps_are_their_rows(void **state) {
         free(x);
         operator_free(&a);
     }
-    layout_cloud_free(&c);
 }
 
 int main(void) {
