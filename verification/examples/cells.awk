@@ -22,7 +22,7 @@ BEGIN {
     }
     close(points); program = "HEATLADDER" in ENVIRON ? ENVIRON["HEATLADDER"] : "heatladder"
     ask = program " reference " field["oracle"] " --points '" points "' --time 0"
-    command = ask " --what initial_mean,source,rho_c,k_x,wall_x" (dim == 2 ? ",k_y,wall_y" : "")
+    command = ask " --what initial_heat,source,rho_c,k_x,wall_x" (dim == 2 ? ",k_y,wall_y" : "")
     for (c = -1; (command | getline line) > 0; c++) {
         split(line, told, ",")
         T[c] = told[dim + 1]; source[c] = told[dim + 2]; rho_c[c] = told[dim + 3]

@@ -28,7 +28,7 @@ int main(int argc, char **argv) {
         in[m] = c, m += inside, fprintf(f, "%.17g,%.17g,%.17g,%.17g\n", at[c][0], at[c][1], h[0], h[1]);
     }
     snprintf(ask, sizeof ask, "${HEATLADDER:-heatladder} reference %s --points %s.points --time 0", oracle, argv[2]);
-    sprintf(line, "%s --what initial_mean,source,rho_c,k_x,wall_x%s", ask, dim > 1 ? ",k_y,wall_y" : "");
+    sprintf(line, "%s --what initial_heat,source,rho_c,k_x,wall_x%s", ask, dim > 1 ? ",k_y,wall_y" : "");
     fclose(f), f = popen(line, "r"), fgets(line, sizeof line, f);
     for (int c = 0, i = -dim; c < all && fgets(line, sizeof line, f); T[c] = p[c][MEAN], c++, i = -dim)
         for (char *w = strtok(line, ","); w; w = strtok(NULL, ","), i++) if (i >= 0) p[c][i] = atof(w);

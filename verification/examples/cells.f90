@@ -26,7 +26,7 @@ program cells
     open (11, file=trim(argument(2))//'.points'); write (11, '(a)') 'x,y,dx,dy'
     write (11, '(3(es25.17e3, ","), es25.17e3)') ((x(:, i, j), h, i=0, n(1) + 1), j=first, last); close (11)
     argument(3) = trim(argument(3))//' --points "'//trim(argument(2))//'.points" >"'//trim(argument(2))//'.told"'
-    line = ' --time 0 --what initial_mean,source,rho_c,k_x,wall_x'//merge(',k_y,wall_y', '           ', dim == 2)
+    line = ' --time 0 --what initial_heat,source,rho_c,k_x,wall_x'//merge(',k_y,wall_y', '           ', dim == 2)
     call execute_command_line(trim(argument(3))//line, exitstat=status)
     if (status /= 0) error stop 'cells: no answer from heatladder reference'
     open (12, file=trim(argument(2))//'.told'); read (12, '(a)') line

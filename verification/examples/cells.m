@@ -21,7 +21,7 @@ fprintf(f, '%s\n', header);
 fprintf(f, [strjoin(repmat({'%.17g'}, 1, 2 * dim), ',') '\n'], [points, repmat(h, rows(points), 1)]');
 fclose(f);
 ask = ['${HEATLADDER:-heatladder} reference ' field.oracle ' --points ''' args{2} '.points'' --time 0'];
-[status, told] = system([ask ' --what initial_mean,source,rho_c,k_x,wall_x' more]);
+[status, told] = system([ask ' --what initial_heat,source,rho_c,k_x,wall_x' more]);
 if status error('no answer from heatladder reference'); end
 told = sscanf(strrep(regexprep(told, '^[^\n]*\n', ''), ',', ' '), '%f', [5 * dim + 3, Inf])'(:, dim + 1:end);
 p = @(column) reshape(told(:, column), shape);

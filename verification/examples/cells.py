@@ -23,7 +23,7 @@ def ask(time, what):  # a row of answers for each point
     words += ["--points", f.name, "--time", time, "--what", what]
     told = subprocess.run(words, check=True, stdout=subprocess.PIPE, text=True).stdout.split("\n")[1:-1]
     return [[float(v) for v in line.split(",")[dim:]] for line in told]
-told = ask("0", "initial_mean,source,rho_c,k_x,wall_x" + (",k_y,wall_y" if dim == 2 else ""))
+told = ask("0", "initial_heat,source,rho_c,k_x,wall_x" + (",k_y,wall_y" if dim == 2 else ""))
 # Conductances of the faces, over the cell's width: half cells in series, and at a side Robin's coefficient.
 T = [p[0] for p in told]
 source = [p[1] for p in told]

@@ -39,7 +39,7 @@ int main(int argc, char **argv) {
     double *T = N_VGetArrayPointer(v);
     snprintf(line, sizeof line, "%s.points", argv[2]), f = fopen(line, "w"), fprintf(f, "x,y,dx,dy\n");
     for (int c = 0; c < all; c++) fprintf(f, "%.17g,%.17g,%.17g,%.17g\n", at(c, 0), at(c, 1), h[0], h[1]);
-    fclose(f), snprintf(line, sizeof line, "%s reference %s --points %s.points --what initial_mean,source,rho_c,%s",
+    fclose(f), snprintf(line, sizeof line, "%s reference %s --points %s.points --what initial_heat,source,rho_c,%s",
              program ? program : "heatladder", oracle, argv[2], dim == 2 ? "k_x,wall_x,k_y,wall_y" : "k_x,wall_x");
     f = popen(line, "r"), fgets(line, sizeof line, f);
     for (int c = 0; c < all; T[c] = p[c][MEAN], c++)

@@ -18,7 +18,7 @@ awk -F ' = |, ' 'function tell(x, y) { print x "," y "," hx "," hy }
         print n, m, x0, x1, hx, y0, y1, hy, u["dim"], u["t_end"] >"/dev/stderr" }' OFMT=%.17g CONVFMT=%.17g "$1" \
     >"$foam/points" 2>"$foam/shape"
 "${HEATLADDER:-heatladder}" reference $(sed -n 's/^oracle = //p' "$1") --points "$foam/points" \
-    --what initial_mean,rho_c,k_x,wall_x$more >"$foam/told"
+    --what initial_heat,rho_c,k_x,wall_x$more >"$foam/told"
 cd "$foam"
 awk -F, -v shape="$(cat shape)" 'function head(file, class) {
         print "FoamFile { version 2.0; format ascii; class " class "; object any; }" >file }

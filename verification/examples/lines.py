@@ -22,7 +22,7 @@ grid = np.meshgrid(*axes, indexing="ij")
 rows = np.column_stack([x.ravel() for x in grid] + [np.full(grid[0].size, width) for width in h])
 np.savetxt(sys.argv[2] + ".points", rows, "%.17g", ",", header="x,y,dx,dy" if dim > 1 else "x,dx", comments="")
 words = [os.environ.get("HEATLADDER", "heatladder"), "reference", *case["oracle"].split(), "--points"]
-words += [sys.argv[2] + ".points", "--what", "initial_mean,source,rho_c,k_x,wall_x" + ",k_y,wall_y" * (dim - 1)]
+words += [sys.argv[2] + ".points", "--what", "initial_heat,source,rho_c,k_x,wall_x" + ",k_y,wall_y" * (dim - 1)]
 told = subprocess.run(words, check=True, stdout=subprocess.PIPE, text=True).stdout.split("\n")[1:-1]
 told = np.array([line.split(",")[dim:] for line in told], float).T.reshape(-1, *grid[0].shape)
 inside = (slice(1, -1),) * dim

@@ -27,6 +27,9 @@ const char columns_help[] =
     "  initial_mean        its mean over the cell around the point, clipped to the domain: the cell's extents are "
     "in\n"
     "                      columns dx and dy of the points (dy left out: the same), else --dx for all\n"
+    "  initial_heat        the temperature that keeps the heat of that cell: the integral of rho_c T over that of "
+    "rho_c.\n"
+    "                      It is the plain mean where the cell has one material\n"
     "  source k_x k_y rho_c   of the equation; at an interface, of the upper material; a source that changes needs a "
     "time\n"
     "  wall                three columns, wall_kind, wall_value and wall_b: 0 off the sides; 1 (first kind, "
@@ -41,7 +44,18 @@ const char columns_help[] =
     "The\n"
     "answer has the coordinates as they were typed, `time` after them where several are given (first all points of "
     "the\n"
-    "first), and the columns with 17 digits.  What needs no time needs no --time.\n";
+    "first), and the columns with 17 digits.  What needs no time needs no --time.\n"
+    "\n"
+    "The start of your code:\n"
+    "  your unknowns are       take            at                          with the cell\n"
+    "  means over cells        initial_heat    the centre of each cell     that cell\n"
+    "  values at nodes         initial_heat    each node                   half-way to its neighbours\n"
+    "  particles               initial_heat    each particle               what it stands for, m/rho\n"
+    "  nodes of elements       initial         each node, or, where data   -\n"
+    "                                          jump, the points of the\n"
+    "                                          quadrature of rho_c T v\n"
+    "A cell may hold an interface or a jump.  A node or a corner on a side has the part of its cell that is in the "
+    "domain.\n";
 
 static int material_at(const struct columns_row *row) {
     return row->p->materials == 2 && row->x[0] >= row->p->interface;
@@ -71,19 +85,51 @@ static struct approx initial_at(const void *data, const double x[2]) {
     return (struct approx){p->initial(p, x), 0};
 }
 
-static void initial_mean(const struct columns_row *row, int axis, double *value) {
-    (void)axis;
-    const struct problem *p = row->p;
-    double lo[2] = {0, 0}, hi[2] = {0, 0};
+/* Over the part of the domain from lo to hi. */
+static double mean_start(const struct problem *p, const double lo[2], const double hi[2]) {
     struct cubature_knots knots = {.count = {0, 0}};
     for (int a = 0; a < p->dim; a++) {
-        lo[a] = fmax(row->x[a] - row->cell[a] / 2, p->lo[a]);
-        hi[a] = fmin(row->x[a] + row->cell[a] / 2, p->hi[a]);
         for (int j = 0; j < p->jumps[a]; j++) knots.knot[a][knots.count[a]++].at = p->jump[a][j];
         knots.knot[a][knots.count[a]].at = (p->lo[a] + p->hi[a]) / 2; /* where the data of a scene may have a peak */
         knots.knot[a][knots.count[a]++].graded = 1;
     }
-    *value = cubature_mean(initial_at, p, p->dim, lo, hi, &knots).value;
+    return cubature_mean(initial_at, p, p->dim, lo, hi, &knots).value;
+}
+
+/* The cell around the point, clipped to the domain. */
+static void cell_of(const struct columns_row *row, double lo[2], double hi[2]) {
+    lo[1] = hi[1] = 0;
+    for (int a = 0; a < row->p->dim; a++) {
+        lo[a] = fmax(row->x[a] - row->cell[a] / 2, row->p->lo[a]);
+        hi[a] = fmin(row->x[a] + row->cell[a] / 2, row->p->hi[a]);
+    }
+}
+
+static void initial_mean(const struct columns_row *row, int axis, double *value) {
+    (void)axis;
+    double lo[2], hi[2];
+    cell_of(row, lo, hi);
+    *value = mean_start(row->p, lo, hi);
+}
+
+/* What either material has of the cell, weighted with its rho c. */
+static void initial_heat(const struct columns_row *row, int axis, double *value) {
+    (void)axis;
+    const struct problem *p = row->p;
+    double lo[2], hi[2], between[2];
+    cell_of(row, lo, hi);
+    int cut = p->materials == 2 && lo[0] < p->interface && p->interface < hi[0];
+    *value = 0;
+    if (cut) {
+        double part[2] = {(p->interface - lo[0]) * p->material[0].rho_c,
+                          (hi[0] - p->interface) * p->material[1].rho_c};
+        between[0] = p->interface, between[1] = hi[1];
+        *value = mean_start(p, lo, between) * part[0];
+        between[1] = lo[1];
+        *value = (*value + mean_start(p, between, hi) * part[1]) / (part[0] + part[1]);
+    } else {
+        *value = mean_start(p, lo, hi);
+    }
 }
 
 static void source(const struct columns_row *row, int axis, double *value) {
@@ -129,6 +175,7 @@ static const struct columns_kind kinds[] = {
     {"error_bound", "error_bound", 1, 0, 0, error_bound, 0, 1},
     {"initial", "initial", 0, 0, 0, initial, 0, 1},
     {"initial_mean", "initial_mean", 0, 1, 0, initial_mean, 0, 1},
+    {"initial_heat", "initial_heat", 0, 1, 0, initial_heat, 0, 1},
     {"source", "source", 0, 0, 0, source, 0, 1},
     {"k_x", "k_x", 0, 0, 0, conductivity, 0, 1},
     {"k_y", "k_y", 0, 0, 1, conductivity, 1, 1},

@@ -151,6 +151,33 @@ static void cell_means_are_integrals(void **state) {
     assert_near(v[0], fine, 1e-14);
 }
 
+/* A node on an interface keeps the heat of either side, by rho c; one beside it whose cell reaches across likewise;
+ * at a wall the half of the cell that is there.  A cell of one material has its plain mean. */
+static void a_start_can_keep_the_heat(void **state) {
+    (void)state;
+    struct problem p;
+    double v[2];
+    const struct scene *s = odd_find("rod-contact", &p);
+    double x_c = p.interface, dx = 0.08, T[2] = {p.initial(&p, (double[2]){x_c - dx, 0}), p.initial(&p, p.hi)};
+    double c[2] = {p.material[0].rho_c, p.material[1].rho_c};
+    for (double off = -0.4; off < 0.5; off += 0.2) {
+        double part[2] = {(0.5 - off) * c[0], (0.5 + off) * c[1]};
+        values("initial_heat,initial_mean", s, &p, (double[2]){x_c + off * dx, 0}, (double[2]){dx, 0}, 1, v);
+        assert_near(v[0], (part[0] * T[0] + part[1] * T[1]) / (part[0] + part[1]), 5e-11);
+        assert_near(v[1], (0.5 - off) * T[0] + (0.5 + off) * T[1], 5e-11);
+    }
+    scene_defaults(s, &p); /* rho c of 2 and 0.5, at 1 K and 0 K */
+    struct failure why;
+    assert_int_equal(s->setup(&p, &why), STATUS_OK);
+    values("initial_heat", s, &p, (double[2]){0, 0}, (double[2]){dx, 0}, 1, v);
+    assert_near(v[0], 0.8, 5e-11); /* what lies within 1e-12 L of the contact starts as the right half does */
+    s = odd_find("rect-manufactured", &p);
+    for (int i = 0; i < 3; i++) {
+        values("initial_heat,initial_mean", s, &p, (double[2]){i * p.hi[0] / 2, 0.1}, (double[2]){0.18, 0.34}, 1, v);
+        assert_near(v[0], v[1], 0);
+    }
+}
+
 static char *answered(struct answer *a, const char *text, const char *what) {
     struct failure why = {0};
     char *page = NULL;
@@ -233,6 +260,7 @@ int main(void) {
         cmocka_unit_test(columns_hold_what_they_say),
         cmocka_unit_test(walls_are_told_by_their_kind),
         cmocka_unit_test(cell_means_are_integrals),
+        cmocka_unit_test(a_start_can_keep_the_heat),
         cmocka_unit_test(times_have_both_ends),
         cmocka_unit_test(answers_are_csv),
         cmocka_unit_test(many_points_have_their_own_answers),
