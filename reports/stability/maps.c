@@ -2,7 +2,7 @@
  * part; and what walls without ghosts do to the spectrum. */
 #include "reports/stability/stability.h"
 
-#include "solver/methods/ssph.h"
+#include "solver/particles/ssph.h"
 #include "verification/stability/step_limit.h"
 #include "verification/stability/spectrum.h"
 #include "verification/stability/symbol.h"

@@ -10,7 +10,7 @@
  * Weights are >= 0: a cloud carries the operator, bounded, if every particle has a neighbour.
  * Isotropic conductivity only: F depends on the distance alone. */
 #include "solver/space/kernel.h"
-#include "solver/methods/particles.h"
+#include "solver/particles/particles.h"
 
 #include <math.h>
 

@@ -9,8 +9,8 @@
  * cloud.  Heat is not conserved, as Gamma_i differs from Gamma_j.
  * The choice: Gamma at the particle alone.  The mean of Gamma_i^-1 and Gamma_j^-1 would conserve, and be exact for
  * nothing.  Volumes that are alike cancel. */
-#include "solver/methods/correction.h"
-#include "solver/methods/particles.h"
+#include "solver/particles/correction.h"
+#include "solver/particles/particles.h"
 
 static int check(const struct problem *p, const struct options *o, struct failure *why) {
     (void)o;

@@ -8,8 +8,8 @@
  * Exact: for linear T on any cloud; for quadratics where third moments vanish, as on a lattice.  Elsewhere <grad T>
  * takes up part of a quadratic that K does not know of (Fatehi & Manzari's K does), an error that does not fall with
  * h.  Heat is not conserved, and weights change sign with w_xx. */
-#include "solver/methods/correction.h"
-#include "solver/methods/particles.h"
+#include "solver/particles/correction.h"
+#include "solver/particles/particles.h"
 #include "solver/space/kernel.h"
 
 #include <math.h>

@@ -8,8 +8,8 @@
  *
  * Exact: for all quadratics on any cloud where K is regular; the error is O(h), and O(h^2) where odd moments vanish.
  * Heat is not conserved, and weights can be negative.  Anisotropic kappa, along the axes, is no other case. */
-#include "solver/methods/correction.h"
-#include "solver/methods/particles.h"
+#include "solver/particles/correction.h"
+#include "solver/particles/particles.h"
 
 static int check(const struct problem *p, const struct options *o, struct failure *why) {
     (void)o;

@@ -10,8 +10,8 @@
  * A particle all of whose neighbours lie on one line has no flux across it (correction_spans): refused.
  * The choices: differences of T in the gradient too, without which a constant would have one on a cloud; where h
  * differs, a pair has the mean of both. */
-#include "solver/methods/correction.h"
-#include "solver/methods/particles.h"
+#include "solver/particles/correction.h"
+#include "solver/particles/particles.h"
 #include "solver/space/gradient.h"
 #include "solver/space/kernel.h"
 

@@ -2,8 +2,8 @@
  *   q = -kappa <grad T>,   dT/dt = -<div q>.
  * On a lattice the two sweeps are one wider stencil, the first-derivative stencil convolved with itself.  Modes of
  * wavelength 2 dx lie in the null space of the first derivative, and so of this operator.  One material only. */
-#include "solver/methods/particles.h"
-#include "solver/methods/ssph.h"
+#include "solver/particles/particles.h"
+#include "solver/particles/ssph.h"
 #include "solver/space/gradient.h"
 
 static int check(const struct problem *p, const struct options *o, struct failure *why) {

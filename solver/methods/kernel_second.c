@@ -8,8 +8,8 @@
  * negative weight that is large enough makes a mode grow.
  * The choice: T_i is taken off, so that a constant stays constant where the sum of lap W does not vanish.
  * Isotropic conductivity only; a particle must have neighbours on every side (correction_surrounds). */
-#include "solver/methods/correction.h"
-#include "solver/methods/particles.h"
+#include "solver/particles/correction.h"
+#include "solver/particles/particles.h"
 #include "solver/space/kernel.h"
 
 #include <math.h>

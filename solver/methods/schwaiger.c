@@ -9,8 +9,8 @@
  * moments remain: an error that does not fall with h at a given disorder.
  * Heat is not conserved, and weights can be negative: 1 - N . Gamma^-1 s_j changes sign.
  * The choice: Randles & Libersky's gradient for <grad T>; constant kappa outside. */
-#include "solver/methods/correction.h"
-#include "solver/methods/particles.h"
+#include "solver/particles/correction.h"
+#include "solver/particles/particles.h"
 
 static int check(const struct problem *p, const struct options *o, struct failure *why) {
     (void)o;

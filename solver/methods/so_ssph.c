@@ -2,8 +2,8 @@
  *   dT/dt = kappa_x <T_xx> + kappa_y <T_yy>.
  * --order 3 or 4 keeps more terms; 4 is fourth order on a lattice and off it.  One material only: kappa stands
  * outside the derivative. */
-#include "solver/methods/particles.h"
-#include "solver/methods/ssph.h"
+#include "solver/particles/particles.h"
+#include "solver/particles/ssph.h"
 
 static int check(const struct problem *p, const struct options *o, struct failure *why) {
     if (p->materials > 1)

@@ -3,7 +3,7 @@
 
 #include "solver/space/kernel.h"
 #include "solver/space/neighbours.h"
-#include "solver/methods/particles.h"
+#include "solver/particles/particles.h"
 #include "solver/time/stepper.h"
 
 #include <math.h>

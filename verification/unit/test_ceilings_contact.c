@@ -6,13 +6,13 @@
  * changes any T_i where the contact lies between cells.  Q at the contact spreads as Q/((e_1 + e_2) sqrt(pi t))
  * exp(-x^2/(4 kappa t)), e the effusivities: first order in dx.
  *
- * A start whose sum_i l_i T_i is the heat (solver/methods/start.c) has no Q.  Let the heat of a particle, rho_c dx
+ * A start whose sum_i l_i T_i is the heat (solver/particles/start.c) has no Q.  Let the heat of a particle, rho_c dx
  * (T1 - T2), at most be misplaced by dx at most.  Beside the contact, in material 1, it is off by the derivative of
  * what a unit of heat at x' makes, whose integral over both sides is (e_2/e_1 + s_2/s_1)/((e_1 + e_2) sqrt(pi t)),
  * s = sqrt(4 kappa t); likewise in material 2.  The operator itself adds A kappa t T_xxxx dx^2, A = 0.1006 and 42 %
  * for clouds, of T = Tc + (T1 - Tc) erf(|x|/s): the integral of |T_xxxx| is 4.271 (T1 - Tc)/s^3. */
-#include "solver/methods/particles.h"
-#include "solver/methods/start.h"
+#include "solver/particles/particles.h"
+#include "solver/particles/start.h"
 #include "solver/space/csr.h"
 #include "verification/command/arguments.h"
 #include "verification/command/request.h"

@@ -8,7 +8,7 @@
  *
  * A is taken as that of the lattice, by its symbol: off by the jitter J, as a part of what rough r leaves, the odd
  * moments' share of e.  T^(n) is that of t/2; A spreads it to that of t. */
-#include "solver/methods/particles.h"
+#include "solver/particles/particles.h"
 #include "verification/ladder/slope.h"
 #include "verification/unit/stencil_moments.h"
 

@@ -3,8 +3,8 @@
  *
  * Rows are assembled to be counted, up to ASSEMBLED particles.  Past that those of a lattice `finer` times coarser
  * stand in: they have as many entries a particle, and a spectrum finer^2 times smaller. */
-#include "solver/methods/particles.h"
-#include "solver/methods/start.h"
+#include "solver/particles/particles.h"
+#include "solver/particles/start.h"
 #include "solver/outline.h"
 #include "solver/space/sample.h"
 #include "solver/time/chebyshev.h"

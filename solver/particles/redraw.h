@@ -1,5 +1,5 @@
-#ifndef HEATLADDER_SOLVER_METHODS_REDRAW_H
-#define HEATLADDER_SOLVER_METHODS_REDRAW_H
+#ifndef HEATLADDER_SOLVER_PARTICLES_REDRAW_H
+#define HEATLADDER_SOLVER_PARTICLES_REDRAW_H
 
 #include "solver/space/operator.h"
 #include "solver/time/stepper.h"

@@ -2,7 +2,7 @@
  *
  * Matrices are at most 3 x 3: Gauss-Jordan elimination with partial pivoting gives the inverse, and with it the
  * condition number in the 1-norm (Golub & Van Loan, section 3.4).  In units of h every entry is O(1). */
-#include "solver/methods/correction.h"
+#include "solver/particles/correction.h"
 #include "solver/space/kernel.h"
 
 #include <math.h>

@@ -9,8 +9,8 @@
  *
  * l is the stationary distribution of a chain with the rates A_ij: found without any cancellation, for rates >= 0, by
  * elimination from the far end (Grassmann, Taksar, Heyman 1985, Oper. Res. 33:1107). */
-#include "solver/methods/start.h"
-#include "solver/methods/particles.h"
+#include "solver/particles/start.h"
+#include "solver/particles/particles.h"
 #include "solver/space/kernel.h"
 
 #include <math.h>

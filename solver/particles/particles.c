@@ -1,8 +1,8 @@
 /* From a problem and options to a field, for every particle method: layout -> sample -> operator -> stepper -> field.
  */
-#include "solver/methods/particles.h"
-#include "solver/methods/redraw.h"
-#include "solver/methods/start.h"
+#include "solver/particles/particles.h"
+#include "solver/particles/redraw.h"
+#include "solver/particles/start.h"
 #include "solver/time/exact.h"
 #include "solver/time/matched.h"
 #include "solver/space/place.h"

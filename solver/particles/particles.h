@@ -1,5 +1,5 @@
-#ifndef HEATLADDER_SOLVER_METHODS_PARTICLES_H
-#define HEATLADDER_SOLVER_METHODS_PARTICLES_H
+#ifndef HEATLADDER_SOLVER_PARTICLES_PARTICLES_H
+#define HEATLADDER_SOLVER_PARTICLES_PARTICLES_H
 
 #include "solver/space/operator.h"
 #include "solver/time/stepper.h"

@@ -1,5 +1,5 @@
-#ifndef HEATLADDER_SOLVER_METHODS_CORRECTION_H
-#define HEATLADDER_SOLVER_METHODS_CORRECTION_H
+#ifndef HEATLADDER_SOLVER_PARTICLES_CORRECTION_H
+#define HEATLADDER_SOLVER_PARTICLES_CORRECTION_H
 
 /* Kernel-gradient sums of one neighbourhood and the small matrices that correct them, in units of h: with
  * s_j = (x_j - x_i)/h and F_j = -V_j w'(s_j)/(s_j h^d), the gradient of the kernel is V_j grad W = F_j s_j / h, and

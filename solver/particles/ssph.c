@@ -5,7 +5,7 @@
  * For the derivative sum_k t_k u_k the weights are w_j = W_j (z . P_j) with M z = t, since M is symmetric.  Particle
  * volumes are all alike and cancel, and so does the norm of the kernel.  No kernel derivative is needed.
  * In units of h every entry of M is O(1), whatever the spacing. */
-#include "solver/methods/ssph.h"
+#include "solver/particles/ssph.h"
 #include "solver/space/kernel.h"
 
 #include <math.h>
