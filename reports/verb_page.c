@@ -1,7 +1,7 @@
 /* heatladder page: one page of what the other targets have left in a directory. */
 #include "verification/command/verb.h"
 
-#include "reports/page/index.h"
+#include "reports/index/index.h"
 #include "solver/status.h"
 #include "verification/command/request.h"
 

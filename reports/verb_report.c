@@ -2,7 +2,7 @@
  * into any file. */
 #include "verification/command/verb.h"
 
-#include "reports/matched/matched.h"
+#include "reports/matched/matched_figures.h"
 #include "reports/pamplona/pamplona.h"
 #include "reports/song/song.h"
 #include "solver/method.h"
@@ -19,7 +19,7 @@ static const struct {
 } parts[] = {
     {"Song 2018", song_write},
     {"Pamplona 2019", pamplona_write},
-    {"the matched run", matched_write},
+    {"the matched run", matched_figures_write},
 };
 
 static int write_parts(const char *dir, struct failure *why) {

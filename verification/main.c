@@ -1,4 +1,4 @@
-/* heatladder: the command line.  A verb is a row of verbs.def and a file verbs/<name>.c; this file finds it, and
+/* heatladder: the command line.  A verb is a row of verbs.def and a file verbs/verb_<name>.c; this file finds it, and
  * prints its failure. */
 #include "solver/method.h"
 #include "verification/command/arguments.h"

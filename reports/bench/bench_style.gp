@@ -27,7 +27,7 @@ parts(f) = f > 5 ? front ne '' : (members(f) + MOST - 1) / MOST
 per_part(f) = (members(f) + parts(f) - 1) / parts(f)
 panels = sum [f=1:6] parts(f)
 wide = 1240; high = 134 + 500 * ((panels + 2) / 3)
-load 'reports/page/style.gp'
+load 'reports/figure/style.gp'
 unset title
 unset bmargin
 unset label 99

@@ -2,7 +2,7 @@
 if (!exists("data")) data = 'reports/out/league/league.csv'
 name = 'league'
 wide = 1000; high = 600
-load 'reports/page/style.gp'
+load 'reports/figure/style.gp'
 set logscale xy
 set format xy '10^{%T}'
 set rmargin at screen 0.68

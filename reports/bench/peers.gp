@@ -2,7 +2,7 @@
 if (!exists("data")) data = 'reports/out/peers/peers_square-step.csv'
 name = system(sprintf("basename '%s' .csv", data))
 wide = 1100; high = 640
-load 'reports/page/style.gp'
+load 'reports/figure/style.gp'
 set logscale xy
 set format xy '10^{%T}'
 set rmargin at screen 0.65

@@ -1,6 +1,6 @@
 # Error against counted work on square-step: Song's choice, and the matched run.
 name = 'matched_fig1'
-load 'reports/page/style.gp'
+load 'reports/figure/style.gp'
 set logscale xy
 set format xy '10^{%T}'
 set xlabel 'work of all steps  [pairs of particles]'

@@ -1,7 +1,7 @@
 # A, B, the matching step and the stability limit of SO-SSPH in the plane over h/dx, one panel a kernel.
 name = 'matched_fig2'
 wide = 1180; high = 660
-load 'reports/page/style.gp'
+load 'reports/figure/style.gp'
 unset title
 set label 98 heading at screen 0.5, screen 0.97 center noenhanced font size_of(13)
 unset bmargin

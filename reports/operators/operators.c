@@ -11,7 +11,7 @@
 
 #include "solver/method.h"
 #include "solver/space/csr.h"
-#include "reports/page/figure.h"
+#include "reports/figure/figure.h"
 #include "verification/command/arguments.h"
 #include "verification/command/command_run.h"
 #include "verification/ladder/ladder.h"

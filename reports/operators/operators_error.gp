@@ -1,7 +1,7 @@
 # Error against neighbours at one spacing, one panel a cloud: what a wider kernel buys, and where it does not.
 name = 'operators_error'
 wide = 1180; high = 620
-load 'reports/page/style.gp'
+load 'reports/figure/style.gp'
 unset title
 set label 98 heading at screen 0.5, screen 0.965 center noenhanced font size_of(13)
 unset bmargin

@@ -1,7 +1,7 @@
 # Error against spacing, SO-SSPH of order 2 and 4, the cloud drawn anew every N steps.
 name = 'operators_redraw'
 wide = 980; high = 600
-load 'reports/page/style.gp'
+load 'reports/figure/style.gp'
 unset title
 set label 98 heading at screen 0.5, screen 0.965 center noenhanced font size_of(13)
 unset bmargin

@@ -2,11 +2,11 @@
  * of their own. */
 #include "reports/pamplona/pamplona.h"
 
-#include "reports/page/figure.h"
+#include "reports/figure/figure.h"
 
 #include "solver/status.h"
-#include "verification/claims/plate.h"
-#include "verification/claims/published.h"
+#include "reports/pamplona/plate.h"
+#include "reports/figure/published.h"
 
 /* Isotherms at the four times of Table 1; 0.625 is the mean of the walls, and the steady state's on the diagonal; no
  * other level is a wall's own, which would run along it. */
@@ -25,7 +25,7 @@ static int write_isotherms(const char *name, const char *title, const char *word
 }
 
 int pamplona_write(const char *dir, struct failure *why) {
-    if (pamplona_plate_write(dir, why) || pamplona_xi_write(dir, why) ||
+    if (pamplona_table1_write(dir, why) || pamplona_fig7_write(dir, why) ||
         write_isotherms("pamplona_fig5",
                         "Pamplona 2019, Figure 5: isotherms of Brookshaw's SPH and of the exact solution",
                         plate_words[PLATE_SPH], dir, why) ||

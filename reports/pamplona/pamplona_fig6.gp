@@ -1,4 +1,4 @@
 # Pamplona 2019, Figure 6
 name = 'pamplona_fig6'
 method = 'FTCS'
-load 'reports/page/isotherms.gp'
+load 'reports/figure/isotherms.gp'

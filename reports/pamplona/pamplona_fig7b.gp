@@ -1,6 +1,6 @@
 # Pamplona 2019, Figure 7b
 name = 'pamplona_fig7b'
-load 'reports/page/style.gp'
+load 'reports/figure/style.gp'
 set xrange [0.0038:0.0103]
 set yrange [1.2:3.2]
 set xlabel 'h  [m]'

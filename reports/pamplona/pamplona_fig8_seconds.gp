@@ -1,6 +1,6 @@
 # Pamplona 2019, Figure 8, in seconds of this machine: medians, and quartiles
 name = 'pamplona_fig8_seconds'
-load 'reports/page/style.gp'
+load 'reports/figure/style.gp'
 set logscale xy
 set xrange [0.0038:0.0105]
 set xtics (0.004, 0.005, 0.006, 0.007, 0.008, 0.009, 0.010)

@@ -4,8 +4,8 @@
  * Gaussian case; the notes say what was taken. */
 #include "reports/song/song.h"
 
-#include "reports/page/compare.h"
-#include "reports/page/figure.h"
+#include "reports/figure/compare.h"
+#include "reports/figure/figure.h"
 
 #include "solver/method.h"
 

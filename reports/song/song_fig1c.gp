@@ -1,7 +1,7 @@
 # Song 2018, Figure 1c (the paper's text does not name its four times)
 name = 'song_fig1c'
-load 'reports/page/style.gp'
-load 'reports/page/rod.gp'
+load 'reports/figure/style.gp'
+load 'reports/figure/rod.gp'
 plot data index 'exact 0.5' using 1:2 with lines ls 1 title 'exact', \
      data index 'exact 1' using 1:2 with lines ls 1 notitle, \
      data index 'exact 2.5' using 1:2 with lines ls 1 notitle, \

@@ -1,4 +1,4 @@
 # Song 2018, Figure 2a
 name = 'song_fig2a'
-load 'reports/page/style.gp'
-load 'reports/page/convergence.gp'
+load 'reports/figure/style.gp'
+load 'reports/figure/convergence.gp'

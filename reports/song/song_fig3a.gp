@@ -1,6 +1,6 @@
 # Song 2018, Figure 3a
 name = 'song_fig3a'
-load 'reports/page/style.gp'
+load 'reports/figure/style.gp'
 set xlabel 'x  [m]' offset 0,-0.5
 set ylabel 'y  [m]' offset 0,-0.5
 set zlabel 'T  [K]' rotate parallel offset 1

@@ -2,7 +2,7 @@
 name = 'song_fig4'
 wide = 1080
 high = 780
-load 'reports/page/style.gp'
+load 'reports/figure/style.gp'
 unset label 99
 unset bmargin
 unset title

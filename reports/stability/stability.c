@@ -1,7 +1,7 @@
 /* The pages of stability, and what they share. */
 #include "reports/stability/stability.h"
 
-#include "reports/page/figure.h"
+#include "reports/figure/figure.h"
 #include "verification/text/output.h"
 
 static const struct figure_page pages[] = {

@@ -1,7 +1,7 @@
 # A disturbance of 1e-10 K under the published and under the true bound.
 name = 'stability_blowup'
 wide = 940
-load 'reports/page/style.gp'
+load 'reports/figure/style.gp'
 # A run that ends before the one under the true bound was refused there.
 stats data index 'so_ssph published' using 1:2 name 'so' nooutput
 stats data index 'so_ssph true' using 1:2 name 'so_true' nooutput

@@ -1,7 +1,7 @@
 # The checkerboard over time, and the total variation, both over the peak: the heat itself falls.
 name = 'stability_checkerboard'
 wide = 1180; high = 820
-load 'reports/page/style.gp'
+load 'reports/figure/style.gp'
 unset title
 set label 98 heading at screen 0.5, screen 0.975 center noenhanced font size_of(13)
 unset bmargin

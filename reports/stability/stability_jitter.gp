@@ -1,7 +1,7 @@
 # Under jitter: what is refused, what grows, what decays, and the condition number.
 name = 'stability_jitter'
 wide = 980; high = 860
-load 'reports/page/style.gp'
+load 'reports/figure/style.gp'
 unset title
 set label 98 heading at screen 0.5, screen 0.975 center noenhanced font size_of(13)
 unset bmargin

@@ -1,7 +1,7 @@
 # The largest stable step against h/dx: one panel a method and dimension.
 name = 'stability_limits'
 wide = 1180; high = 860
-load 'reports/page/style.gp'
+load 'reports/figure/style.gp'
 unset title
 set label 98 heading at screen 0.5, screen 0.975 center noenhanced font size_of(13)
 unset bmargin

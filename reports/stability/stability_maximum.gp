@@ -1,7 +1,7 @@
 # The lowest weight off the centre, and what runs undershoot.
 name = 'stability_maximum'
 wide = 900; high = 760
-load 'reports/page/style.gp'
+load 'reports/figure/style.gp'
 unset title
 set label 98 heading at screen 0.5, screen 0.97 center noenhanced font size_of(13)
 unset bmargin

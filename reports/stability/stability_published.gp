@@ -4,7 +4,7 @@ name = 'stability_published'
 if (!exists("out")) out = 'reports/out'
 data = sprintf('%s/stability_limits.csv', out)
 wide = 1180; high = 600
-load 'reports/page/style.gp'
+load 'reports/figure/style.gp'
 unset title
 unset bmargin
 kernels = 'cubic quartic wendland'

@@ -1,7 +1,7 @@
 # |G| of the steppers along the real axis.
 name = 'stability_steppers'
 wide = 1000
-load 'reports/page/style.gp'
+load 'reports/figure/style.gp'
 set logscale x
 set xrange [0.5:160]
 set yrange [0:1.5]

@@ -1,7 +1,7 @@
 # |G| over the wave-number square.
 name = 'stability_symbols'
 wide = 900; high = 920
-load 'reports/page/style.gp'
+load 'reports/figure/style.gp'
 unset title
 set label 98 heading at screen 0.5, screen 0.975 center noenhanced font size_of(13)
 unset bmargin

@@ -1,7 +1,7 @@
 /* The peers beside ours: as text, and as the data of a chart. */
 #include "verification/bench/peers.h"
 
-#include "verification/bench/print.h"
+#include "verification/bench/bench_print.h"
 #include "verification/text/table.h"
 #include "verification/text/whole_file.h"
 

@@ -1,7 +1,7 @@
 #ifndef HEATLADDER_VERIFICATION_COMMAND_VERB_H
 #define HEATLADDER_VERIFICATION_COMMAND_VERB_H
 
-/* The verbs of the command line.  A new one is a row of verbs.def and a file verbs/<name>.c. */
+/* The verbs of the command line.  A new one is a row of verbs.def and a file verbs/verb_<name>.c. */
 
 struct failure;
 struct request;

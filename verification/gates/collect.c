@@ -23,11 +23,6 @@ const struct gate gates_table[] = {
 #include "verification/gates/stability.def"
 #include "verification/gates/time.def"
 #include "verification/gates/use.def"
-/* Every claim's verdict is gated without a row. */
-#define CLAIM(id, source, published, measure, argument, expected, why)                                               \
-    {"claim/" id, TIER_FULL, "claim", "claims --only " id, 0.5, 1.5, NAN, "expected of it in claims.def: " #expected},
-#include "verification/claims/claims.def"
-#undef CLAIM
     {0}};
 #undef GATE
 

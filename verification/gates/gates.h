@@ -5,7 +5,7 @@
  * tables *.def.
  */
 
-#include "verification/gates/measures.h"
+#include "verification/measures/measures.h"
 
 #include <stddef.h>
 

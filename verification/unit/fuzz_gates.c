@@ -1,5 +1,5 @@
 /* Any file of gates is rows that could be run, or is refused with a text. */
-#include "verification/battery/gate_file.h"
+#include "verification/gates/gate_file.h"
 
 #include "solver/status.h"
 

@@ -2,7 +2,7 @@
  * it. */
 #include "verification/unit/control_volumes.inc"
 
-#include "verification/battery/battery.h"
+#include "verification/gates/battery.h"
 #include "verification/command/arguments.h"
 #include "verification/foreign/program.h"
 #include "verification/run/run.h"

@@ -1,9 +1,11 @@
 /* Claims: that no verdict can come from anywhere but a measurement, and that none can change unseen. */
-#include "verification/claims/claims.h"
-#include "verification/claims/kit.h"
+#include "reports/ledger/claims.h"
+#include "reports/ledger/kit.h"
+#include "reports/papers.h"
+#include "reports/song/song.h"
 
 #include "solver/method.h"
-#include "verification/claims/write.h"
+#include "reports/ledger/claims_write.h"
 #include "verification/text/output.h"
 
 #include "verification/unit/near.h"
@@ -37,31 +39,31 @@ static void assert_holds_text(const char *text, const char *part) {
 
 static void the_numbers_decide(void **state) {
     (void)state;
-    struct claims_measured m = judge(claims_order_printed_order, "2 " SECOND, CLAIMS_REPRODUCED);
+    struct claims_measured m = judge(ledger_order_printed_order, "2 " SECOND, CLAIMS_REPRODUCED);
     assert_int_equal(m.verdict, CLAIMS_REPRODUCED);
     assert_int_equal(m.count, 1);
     assert_near(m.number[0].value, 2.0283850, 1e-6); /* least squares through the six printed errors, by hand */
-    assert_int_equal(judge(claims_order_printed_order, "1 " SECOND, CLAIMS_CONTRADICTED).verdict,
+    assert_int_equal(judge(ledger_order_printed_order, "1 " SECOND, CLAIMS_CONTRADICTED).verdict,
                      CLAIMS_CONTRADICTED);
-    assert_int_equal(judge(claims_order_printed_order, "2 " FIRST, CLAIMS_REPRODUCED).verdict, CLAIMS_CONTRADICTED);
+    assert_int_equal(judge(ledger_order_printed_order, "2 " FIRST, CLAIMS_REPRODUCED).verdict, CLAIMS_CONTRADICTED);
 }
 
 static void a_condition_is_what_holds_as_published_alone(void **state) {
     (void)state;
     static const char midway[] = "2 | midway: rod-step so_ssph --dx 4/40,4/80,4/160,4/320 | "
                                  "on a particle: rod-step so_ssph --dx 4/44,4/84,4/164,4/324";
-    struct claims_measured m = judge(claims_order_order, midway, CLAIMS_CONDITION);
+    struct claims_measured m = judge(ledger_order_order, midway, CLAIMS_CONDITION);
     assert_int_equal(m.verdict, CLAIMS_CONDITION);
     assert_int_equal(m.count, 2);
     assert_holds_text(m.number[1].name, "on a particle");
     assert_near(m.number[1].value, 1, 0.05);
-    m = judge(claims_order_order, "2 | on a particle: rod-step so_ssph --dx 4/44,4/84,4/164,4/324", CLAIMS_CONDITION);
+    m = judge(ledger_order_order, "2 | on a particle: rod-step so_ssph --dx 4/44,4/84,4/164,4/324", CLAIMS_CONDITION);
     assert_int_equal(m.verdict, CLAIMS_CONTRADICTED);
 }
 
 static void a_verdict_that_changes_is_seen(void **state) {
     (void)state;
-    struct claims_row r = row(claims_order_printed_order, "2 " SECOND, CLAIMS_CONDITION);
+    struct claims_row r = row(ledger_order_printed_order, "2 " SECOND, CLAIMS_CONDITION);
     struct claims_measured m;
     claims_judge(&r, &m);
     assert_int_equal(m.verdict, CLAIMS_REPRODUCED);
@@ -81,12 +83,12 @@ static void what_cannot_be_measured_never_holds(void **state) {
         take *measure;
         const char *argument, *reason;
     } bad[] = {
-        {claims_order_order, "2 | rod-setp so_ssph --dx 1,0.5", "unknown scene 'rod-setp'"},
-        {claims_order_table, "song_table9 | rod-step --h 1.05", "there is no reports/published/song_table9.csv"},
-        {claims_order_table, "song_table1 | rod-step --set L=1.9", "--dx 0.25"},
-        {claims_order_table, "song_table1 | rod-step --h 9", "--h"},
-        {claims_order_printed_order, "2 song_table1 ftcs", "not finite"},
-        {claims_order_printed_order, "", "nothing was measured"}};
+        {ledger_order_order, "2 | rod-setp so_ssph --dx 1,0.5", "unknown scene 'rod-setp'"},
+        {ledger_order_table, "song_table9 | rod-step --h 1.05", "there is no reports/published/song_table9.csv"},
+        {ledger_order_table, "song_table1 | rod-step --set L=1.9", "--dx 0.25"},
+        {ledger_order_table, "song_table1 | rod-step --h 9", "--h"},
+        {ledger_order_printed_order, "2 song_table1 ftcs", "not finite"},
+        {ledger_order_printed_order, "", "nothing was measured"}};
     for (size_t i = 0; i < sizeof bad / sizeof *bad; i++)
         for (int expected = CLAIMS_UNMEASURED; expected <= CLAIMS_UNEXPLAINED; expected++) {
             struct claims_row r = row(bad[i].measure, bad[i].argument, (enum claims_verdict)expected);
@@ -101,11 +103,11 @@ static void what_cannot_be_measured_never_holds(void **state) {
 static void rows_are_whole_and_named_once(void **state) {
     (void)state;
     int n = 0;
-    for (const struct claims_row *r = claims_table; r->id; r++, n++) {
+    for (const struct claims_row *r = papers_claims; r->id; r++, n++) {
         assert_true(strncmp(r->id, "song/", 5) == 0 || strncmp(r->id, "pamplona/", 9) == 0);
         assert_true(*r->source && *r->published && r->measure);
         assert_int_not_equal(r->expected, CLAIMS_UNMEASURED);
-        for (const struct claims_row *other = claims_table; other < r; other++)
+        for (const struct claims_row *other = papers_claims; other < r; other++)
             assert_string_not_equal(other->id, r->id);
     }
     assert_true(n > 60);
@@ -115,21 +117,21 @@ static void rows_hold_when_run(void **state) {
     (void)state;
     struct claims c;
     struct failure why;
-    assert_int_equal(claims_collect("pamplona/eq[29]*", &c, &why), STATUS_OK);
+    assert_int_equal(claims_collect(papers_claims, "pamplona/eq[29]*", &c, &why), STATUS_OK);
     assert_int_equal(c.count, 2);
     claims_run(&c);
     for (int i = 0; i < c.count; i++)
         if (!claims_holds(c.result[i].row, &c.result[i].measured)) fail_msg("%s", c.result[i].measured.reason);
     assert_true(claims_hold(&c));
     claims_free(&c);
-    assert_int_equal(claims_collect("pamplona/eq99", &c, &why), STATUS_INPUT);
+    assert_int_equal(claims_collect(papers_claims, "pamplona/eq99", &c, &why), STATUS_INPUT);
     assert_holds_text(why.text, "no claim matches 'pamplona/eq99'");
     claims_free(&c);
 }
 
 static void every_number_that_a_reader_needs_is_there(void **state) {
     (void)state;
-    struct claims_row r = row(claims_order_printed_order, "2 " SECOND, CLAIMS_REPRODUCED);
+    struct claims_row r = row(ledger_order_printed_order, "2 " SECOND, CLAIMS_REPRODUCED);
     struct claims_result result = {.row = &r, .seconds = 0.25};
     char numbers[80];
     claims_judge(&r, &result.measured);
@@ -141,7 +143,7 @@ static void every_number_that_a_reader_needs_is_there(void **state) {
 
 /* What one claim looks like in a file of each kind. */
 static char *printed(void (*print)(const struct claims *c, FILE *out)) {
-    struct claims_row r = row(claims_order_printed_order, "2 " SECOND, CLAIMS_REPRODUCED);
+    struct claims_row r = row(ledger_order_printed_order, "2 " SECOND, CLAIMS_REPRODUCED);
     r.id = "song/test";
     struct claims_result result = {.row = &r, .seconds = 0.25};
     struct claims c = {1, &result};
@@ -191,7 +193,7 @@ static void tables_keep_quotes_and_bars(void **state) {
 static void files_are_written_or_refused(void **state) {
     (void)state;
     char dir[] = "/tmp/test_claims.XXXXXX", path[64];
-    struct claims_row r = row(claims_order_printed_order, "2 " SECOND, CLAIMS_REPRODUCED);
+    struct claims_row r = row(ledger_order_printed_order, "2 " SECOND, CLAIMS_REPRODUCED);
     struct claims_result result = {.row = &r};
     struct claims c = {1, &result};
     struct failure why;

@@ -1,5 +1,5 @@
 /* Rows of gates as text: what is taken, and where what is not is found. */
-#include "verification/battery/gate_file.h"
+#include "verification/gates/gate_file.h"
 
 #include "solver/status.h"
 

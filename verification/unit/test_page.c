@@ -4,8 +4,8 @@
 #include "verification/page/markdown.h"
 #include "verification/page/page.h"
 
-#include "reports/page/gates_json.h"
-#include "reports/page/index.h"
+#include "reports/index/gates_json.h"
+#include "reports/index/index.h"
 #include "solver/status.h"
 #include "verification/command/arguments.h"
 #include "verification/gates/gates.h"

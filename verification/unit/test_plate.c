@@ -1,8 +1,8 @@
 /* Pamplona's experiments: two programs on the same plate, the closed form of xi, and fits of known laws. */
-#include "verification/claims/plate.h"
-#include "verification/claims/published.h"
-#include "verification/claims/readings.h"
-#include "verification/claims/xi.h"
+#include "reports/pamplona/plate.h"
+#include "reports/figure/published.h"
+#include "reports/pamplona/readings.h"
+#include "reports/pamplona/xi.h"
 
 #include "verification/unit/near.h"
 

@@ -1,6 +1,6 @@
 /* The report: isotherms, and tables as printed. */
-#include "reports/page/isotherm.h"
-#include "verification/claims/published.h"
+#include "reports/figure/isotherm.h"
+#include "reports/figure/published.h"
 
 #include "solver/method.h"
 #include "verification/unit/near.h"

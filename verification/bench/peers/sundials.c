@@ -9,7 +9,7 @@
  * step so that none is tried in vain
  *
  * Jacobian times vector is given, not differenced. */
-#include "verification/bench/peers/rectangle.h"
+#include "verification/bench/peers/peer_rectangle.h"
 #include "verification/bench/peers/sundials_kernels.h"
 
 #include <arkode/arkode_arkstep.h>

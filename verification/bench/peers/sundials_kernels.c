@@ -2,7 +2,7 @@
  * library's own without. */
 #include "verification/bench/peers/sundials_kernels.h"
 
-#include "verification/bench/peers/rectangle.h"
+#include "verification/bench/peers/peer_rectangle.h"
 
 #include <math.h>
 #include <nvector/nvector_serial.h>

@@ -1,0 +1,10 @@
+#ifndef HEATLADDER_REPORTS_INDEX_INDEX_H
+#define HEATLADDER_REPORTS_INDEX_INDEX_H
+
+struct failure;
+
+/* <dir>/index.html: one page of what lies in `dir`, and <dir>/summary.md: its verdict for the summary of a job.  A
+ * part that is not there is named with the command that makes it.  A status of solver/status.h. */
+int index_write(const char *dir, struct failure *why);
+
+#endif

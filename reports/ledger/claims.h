@@ -1,0 +1,81 @@
+#ifndef HEATLADDER_REPORTS_LEDGER_CLAIMS_H
+#define HEATLADDER_REPORTS_LEDGER_CLAIMS_H
+
+/* The ledger: checkable statements of papers, measured.  A statement is a row of its paper's table (song.def,
+ * pamplona.def; papers.h has all); what is measured decides its verdict, which must be the one that the row expects.
+ */
+
+#include <stddef.h>
+
+struct failure;
+
+enum claims_verdict {
+    CLAIMS_UNMEASURED,
+    CLAIMS_REPRODUCED,
+    CLAIMS_CONDITION,
+    CLAIMS_CONTRADICTED,
+    CLAIMS_UNEXPLAINED
+};
+extern const char *const claims_verdict_words[]; /* in the order of the enum, ended by NULL */
+
+enum { CLAIMS_NUMBERS = 12 };
+
+struct claims_number {
+    char name[72];
+    const char *unit; /* "" for none */
+    double value;
+};
+
+struct claims_measured {
+    const char *argument; /* the row's; what a measure has read of it is cut off */
+    enum claims_verdict verdict;
+    int count; /* numbers */
+    struct claims_number number[CLAIMS_NUMBERS];
+    char published[320]; /* where that is a table: its numbers; else "" */
+    char reason[720];    /* how the numbers make the verdict; what the row adds; whether it changed */
+};
+
+struct claims_row {
+    const char *id;
+    const char *source;                         /* paper, and equation, table, figure or section */
+    const char *published;                      /* the statement or the number */
+    void (*measure)(struct claims_measured *m); /* of kit.h */
+    const char *argument;
+    enum claims_verdict expected;
+    const char *why; /* what explains the numbers */
+};
+
+struct claims_result {
+    const struct claims_row *row;
+    struct claims_measured measured;
+    double seconds;
+};
+
+struct claims {
+    int count;
+    struct claims_result *result; /* in the order of the table */
+};
+
+/* The rows of `table`, which a NULL id ends, whose id matches the glob `only` (NULL: all).  STATUS_OK, or
+ * STATUS_INPUT where none matches.  End with claims_free. */
+int claims_collect(const struct claims_row *table, const char *only, struct claims *c, struct failure *why);
+void claims_free(struct claims *c);
+
+/* Measures all of them, in parallel. */
+void claims_run(struct claims *c);
+
+/* One row.  What cannot be measured, or measures what is not finite, is CLAIMS_UNMEASURED with its reason. */
+void claims_judge(const struct claims_row *row, struct claims_measured *m);
+
+/* 1 where the verdict is the one that the row expects. */
+int claims_holds(const struct claims_row *row, const struct claims_measured *m);
+/* 1 where that is so for every row, and there is one. */
+int claims_hold(const struct claims *c);
+
+/* What was published: the row's words, and the numbers of the table that it speaks of. */
+void claims_published(const struct claims_result *r, char *text, size_t size);
+
+/* "name 1.234 unit; name ..." cut to size. */
+void claims_numbers(const struct claims_measured *m, char *text, size_t size);
+
+#endif

@@ -1,0 +1,171 @@
+/* The ledger for people and for programs. */
+#include "reports/ledger/claims_write.h"
+
+#include "solver/status.h"
+#include "verification/text/json.h"
+#include "verification/text/output.h"
+#include "verification/text/paint.h"
+
+#include <string.h>
+
+enum { NUMBERS = 1400, PUBLISHED = 600 }; /* characters for all numbers of a claim, and for what was published */
+
+static const char *verdict_of(const struct claims_result *r) {
+    return claims_verdict_words[r->measured.verdict];
+}
+
+static void count(const struct claims *c, int counts[5], int *changed) {
+    *changed = 0;
+    for (int i = 0; i < 5; i++) counts[i] = 0;
+    for (int i = 0; i < c->count; i++) {
+        counts[c->result[i].measured.verdict]++;
+        *changed += !claims_holds(c->result[i].row, &c->result[i].measured);
+    }
+}
+
+static void put_claim(const struct claims_result *r, FILE *out) {
+    char numbers[NUMBERS], published[PUBLISHED];
+    const char *mark = claims_holds(r->row, &r->measured) ? "pass" : "fail";
+    claims_numbers(&r->measured, numbers, sizeof numbers);
+    fprintf(out, "%s%s%s: %s\n", paint_start(out, mark), r->row->id, paint_end(out, mark), verdict_of(r));
+    claims_published(r, published, sizeof published);
+    fprintf(out, "  published  %s (%s)\n  measured   %s\n  because    %s\n\n", published, r->row->source, numbers,
+            r->measured.reason);
+}
+
+static void put_counts(const struct claims *c, FILE *out) {
+    int counts[5], changed;
+    count(c, counts, &changed);
+    fprintf(out,
+            "%d claims: %d reproduced, %d with a condition, %d contradicted, %d not explained, %d not measured; "
+            "%d verdict%s changed\n",
+            c->count, counts[CLAIMS_REPRODUCED], counts[CLAIMS_CONDITION], counts[CLAIMS_CONTRADICTED],
+            counts[CLAIMS_UNEXPLAINED], counts[CLAIMS_UNMEASURED], changed, changed == 1 ? "" : "s");
+}
+
+void claims_write_text(const struct claims *c, FILE *out) {
+    for (int i = 0; i < c->count; i++) put_claim(&c->result[i], out);
+    put_counts(c, out);
+}
+
+void claims_write_changed(const struct claims *c, FILE *out) {
+    for (int i = 0; i < c->count; i++)
+        if (!claims_holds(c->result[i].row, &c->result[i].measured)) put_claim(&c->result[i], out);
+    put_counts(c, out);
+}
+
+static void claim_json(const struct claims_result *r, struct json *j) {
+    const struct claims_measured *m = &r->measured;
+    char numbers[NUMBERS], published[PUBLISHED];
+    claims_numbers(m, numbers, sizeof numbers);
+    claims_published(r, published, sizeof published);
+    json_object(j, NULL);
+    json_text(j, "id", r->row->id);
+    json_text(j, "source", r->row->source);
+    json_text(j, "published", published);
+    json_text(j, "measured", numbers);
+    json_array(j, "numbers");
+    for (int i = 0; i < m->count; i++) {
+        json_object(j, NULL);
+        json_text(j, "name", m->number[i].name);
+        json_number(j, "value", m->number[i].value);
+        json_text(j, "unit", m->number[i].unit);
+        json_end(j);
+    }
+    json_end(j);
+    json_text(j, "verdict", verdict_of(r));
+    json_text(j, "expected", claims_verdict_words[r->row->expected]);
+    json_text(j, "reason", m->reason);
+    json_number(j, "seconds", r->seconds);
+    json_end(j);
+}
+
+void claims_write_json(const struct claims *c, FILE *out) {
+    struct json j = json_on(out);
+    json_object(&j, NULL);
+    json_array(&j, "claims");
+    for (int i = 0; i < c->count; i++) claim_json(&c->result[i], &j);
+    json_end(&j);
+    json_end(&j);
+}
+
+/* RFC 4180: always quoted, quotes doubled. */
+static void csv_cell(FILE *out, const char *text, char end) {
+    fputc('"', out);
+    for (; *text; text++) {
+        if (*text == '"') fputc('"', out);
+        fputc(*text, out);
+    }
+    fputc('"', out);
+    fputc(end, out);
+}
+
+void claims_write_csv(const struct claims *c, FILE *out) {
+    char numbers[NUMBERS], published[PUBLISHED];
+    fprintf(out, "id,source,published,measured,verdict,expected,reason\n");
+    for (int i = 0; i < c->count; i++) {
+        const struct claims_result *r = &c->result[i];
+        claims_numbers(&r->measured, numbers, sizeof numbers);
+        claims_published(r, published, sizeof published);
+        csv_cell(out, r->row->id, ',');
+        csv_cell(out, r->row->source, ',');
+        csv_cell(out, published, ',');
+        csv_cell(out, numbers, ',');
+        csv_cell(out, verdict_of(r), ',');
+        csv_cell(out, claims_verdict_words[r->row->expected], ',');
+        csv_cell(out, r->measured.reason, '\n');
+    }
+}
+
+/* Within a table a bar ends the cell; <, > and * are Markdown's. */
+static void markdown_cell(FILE *out, const char *text) {
+    fputs("| ", out);
+    for (; *text; text++) {
+        if (strchr("|<>*_", *text)) fputc('\\', out);
+        fputc(*text, out);
+    }
+    fputc(' ', out);
+}
+
+static void markdown_table(const struct claims *c, const char *title, const char *paper, FILE *out) {
+    char numbers[NUMBERS], published[PUBLISHED];
+    fprintf(out, "\n## %s\n\n| claim | source | published | measured | verdict | why |\n|---|---|---|---|---|---|\n",
+            title);
+    for (int i = 0; i < c->count; i++) {
+        const struct claims_result *r = &c->result[i];
+        if (strncmp(r->row->id, paper, strlen(paper)) != 0) continue;
+        claims_numbers(&r->measured, numbers, sizeof numbers);
+        claims_published(r, published, sizeof published);
+        markdown_cell(out, r->row->id);
+        markdown_cell(out, r->row->source);
+        markdown_cell(out, published);
+        markdown_cell(out, numbers);
+        fprintf(out, "| *%s* ", verdict_of(r));
+        markdown_cell(out, r->measured.reason);
+        fprintf(out, "|\n");
+    }
+}
+
+void claims_write_markdown(const struct claims *c, FILE *out) {
+    int counts[5], changed;
+    count(c, counts, &changed);
+    fprintf(
+        out,
+        "# What the papers claim, measured\n\nMade by `heatladder claims DIR`. A statement is *reproduced* where it "
+        "holds as published and in the wider setting that is also looked at, *reproduced with a condition* where "
+        "it holds as published alone or under one reading alone, *not explained* where a number of theirs comes out "
+        "under no reading that was tried, else *contradicted*. Numbers decide, by the rule that stands first under "
+        "why.\n\n%d claims: %d reproduced, %d with a condition, %d contradicted, %d not explained.\n",
+        c->count, counts[CLAIMS_REPRODUCED], counts[CLAIMS_CONDITION], counts[CLAIMS_CONTRADICTED],
+        counts[CLAIMS_UNEXPLAINED]);
+    if (changed) fprintf(out, "\n**%d verdicts differ from those expected.**\n", changed);
+    markdown_table(c, "Song, Xing, Hou, Lu 2018", "song/", out);
+    markdown_table(c, "Pamplona, Silva, Bucar, Vasco 2019", "pamplona/", out);
+}
+
+int claims_write_files(const struct claims *c, const char *dir, struct failure *why) {
+    struct output page[2];
+    claims_write_csv(c, output_open(&page[0], "%s/claims.csv", dir));
+    claims_write_markdown(c, output_open(&page[1], "%s/claims.md", dir));
+    return output_close(page, 2, why);
+}

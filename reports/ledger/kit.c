@@ -1,0 +1,143 @@
+/* What the measures of claims are made of. */
+#include "reports/ledger/kit.h"
+
+#include "verification/command/arguments.h"
+#include "verification/ladder/ladder.h"
+#include "verification/stability/step_limit.h"
+
+#include <ctype.h>
+#include <stdarg.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+void kit_number(struct claims_measured *m, double value, const char *unit, const char *name, ...) {
+    va_list arguments;
+    if (m->count == CLAIMS_NUMBERS) return;
+    struct claims_number *n = &m->number[m->count++];
+    va_start(arguments, name);
+    vsnprintf(n->name, sizeof n->name, name, arguments);
+    va_end(arguments);
+    n->value = value;
+    n->unit = unit;
+}
+
+void kit_decide(struct claims_measured *m, int as_published, int beyond, const char *rule, ...) {
+    va_list arguments;
+    m->verdict = !as_published ? CLAIMS_CONTRADICTED : beyond ? CLAIMS_REPRODUCED : CLAIMS_CONDITION;
+    va_start(arguments, rule);
+    vsnprintf(m->reason, sizeof m->reason, rule, arguments);
+    va_end(arguments);
+}
+
+int kit_fail(struct claims_measured *m, const char *text) {
+    m->verdict = CLAIMS_UNMEASURED;
+    snprintf(m->reason, sizeof m->reason, "%s", text);
+    return 1;
+}
+
+int kit_part(const char **rest, char *part, size_t size) {
+    const char *from = *rest + strspn(*rest, " ");
+    if (*from == '\0') return 0;
+    size_t length = strcspn(from, "|");
+    *rest = from + length + (from[length] == '|');
+    while (length > 0 && isspace((unsigned char)from[length - 1])) length--;
+    snprintf(part, size, "%.*s", (int)length, from);
+    return 1;
+}
+
+int kit_run(struct command_run *run, struct claims_measured *m, const char *command, ...) {
+    va_list arguments;
+    va_start(arguments, command);
+    int status = command_run_list(run, command, arguments);
+    va_end(arguments);
+    if (status && m) kit_fail(m, run->result.failure.text);
+    return status;
+}
+
+int kit_result(struct result *out, struct claims_measured *m, const char *command, ...) {
+    struct command_run run;
+    va_list arguments;
+    va_start(arguments, command);
+    int status = command_run_list(&run, command, arguments);
+    va_end(arguments);
+    if (status && m) kit_fail(m, run.result.failure.text);
+    *out = run.result;
+    command_run_free(&run);
+    return status;
+}
+
+int kit_published(struct published *t, struct claims_measured *m, const char *name) {
+    struct failure why;
+    return published_read(t, name, &why) && kit_fail(m, why.text);
+}
+
+void kit_quote(struct claims_measured *m, const struct published *t, int row) {
+    size_t used = strlen(m->published), size = sizeof m->published;
+    for (int i = 0; i < t->columns && used < size; i++)
+        used += (size_t)snprintf(m->published + used, size - used, "%s%s%s%s", !used || i ? "" : "; ",
+                                 i ? ", " : t->method[row], i ? "" : " ", t->cell[row][i]);
+}
+
+int kit_judge(int *held, struct claims_measured *m, const struct judged *l, double lo, double hi) {
+    char reason[240];
+    enum verdict v = judge_order(l, lo, hi, reason, sizeof reason);
+    *held = v == VERDICT_PASS;
+    return v == VERDICT_INCONCLUSIVE && kit_fail(m, reason);
+}
+
+int kit_order(int *held, double *slope, struct claims_measured *m, const double band[2], const char *command, ...) {
+    char line[400];
+    va_list arguments;
+    struct failure why;
+    struct request r;
+    struct ladder *l = xcalloc(1, sizeof *l);
+    va_start(arguments, command);
+    vsnprintf(line, sizeof line, command, arguments);
+    va_end(arguments);
+    int status = arguments_parse_line(line, &r, &why);
+    if (!status) status = ladder_run(&r.experiment, &r.rungs, l, &why);
+    if (status) kit_fail(m, why.text);
+    *slope = l->slope.value;
+    if (!status && held) {
+        ladder_judge(l, band[0], band[1]);
+        *held = l->verdict == VERDICT_PASS;
+        status = l->verdict == VERDICT_INCONCLUSIVE && kit_fail(m, l->reason);
+    }
+    arguments_free(&r);
+    free(l);
+    return status != 0;
+}
+
+int kit_model(struct model_problem *b, struct claims_measured *m, const char *command, ...) {
+    char line[200];
+    va_list arguments;
+    struct failure why;
+    struct request r;
+    va_start(arguments, command);
+    vsnprintf(line, sizeof line, command, arguments);
+    va_end(arguments);
+    int status = arguments_parse_line(line, &r, &why);
+    if (!status)
+        status = step_limit_setup(r.experiment.method, &r.experiment.options, r.dim, r.ratio, r.stages, b, &why);
+    arguments_free(&r);
+    if (status && m) kit_fail(m, why.text);
+    return status;
+}
+
+int kit_weights(struct kit_cell *cell, const double kappa[2], struct claims_measured *m, const char *command) {
+    struct request r;
+    struct failure why;
+    const struct problem *p = &r.experiment.problem;
+    const struct options *o = &r.experiment.options;
+    double *w[2] = {cell->w[0], cell->w[1]};
+    int status = arguments_parse_line(command, &r, &why);
+    if (!status) status = operator_neighbourhood(p->dim, o->dx, o->h, cell->d, &cell->nb, &why);
+    if (!status) {
+        cell->nb.rho_c = p->material[0].rho_c;
+        memcpy(cell->nb.kappa, kappa, sizeof cell->nb.kappa);
+        status = r.experiment.method->scheme->weights(p, o, &cell->nb, w, &why);
+    }
+    arguments_free(&r);
+    return status && kit_fail(m, why.text);
+}

@@ -1,0 +1,66 @@
+#ifndef HEATLADDER_REPORTS_LEDGER_KIT_H
+#define HEATLADDER_REPORTS_LEDGER_KIT_H
+
+/* Tools of the ledger's measures: numbers, verdicts, runs by command line, model problems, the weights of one
+ * particle. */
+
+#include "solver/space/operator.h"
+#include "verification/stability/model_problem.h"
+#include "reports/ledger/claims.h"
+#include "verification/command/command_run.h"
+#include "verification/ladder/judge.h"
+#include "verification/ladder/slope.h"
+#include "reports/figure/published.h"
+
+/* Adds a number, its unit and its name (printf-like); past CLAIMS_NUMBERS it is dropped. */
+void kit_number(struct claims_measured *m, double value, const char *unit, const char *name, ...)
+    __attribute__((format(printf, 4, 5)));
+
+/* The verdict, from whether the statement holds as published and whether it holds beyond that; and the rule. */
+void kit_decide(struct claims_measured *m, int as_published, int beyond, const char *rule, ...)
+    __attribute__((format(printf, 4, 5)));
+
+/* Leaves *m unmeasured, with the reason; returns 1. */
+int kit_fail(struct claims_measured *m, const char *text);
+
+/* The next part of an argument, parts being set apart by '|', without blanks at its ends.  0 where there is none. */
+int kit_part(const char **rest, char *part, size_t size);
+
+/* command_run_line; with *m not NULL, a failure is *m's.  command_run_free in any case. */
+int kit_run(struct command_run *run, struct claims_measured *m, const char *command, ...)
+    __attribute__((format(printf, 3, 4)));
+
+/* The same, of which the measures alone are kept: nothing to free. */
+int kit_result(struct result *out, struct claims_measured *m, const char *command, ...)
+    __attribute__((format(printf, 3, 4)));
+
+/* reports/published/<name>.csv: 0, or 1 with *m failed. */
+int kit_published(struct published *t, struct claims_measured *m, const char *name);
+
+/* Adds a row of the table to what the ledger says was published. */
+void kit_quote(struct claims_measured *m, const struct published *t, int row);
+
+/* The verdict on an order in [lo, hi], of errors that fall with x: the rule of the gates (judge.h).  *held: whether
+ * it passes.  0, or 1 with *m failed, where rungs cannot tell. */
+int kit_judge(int *held, struct claims_measured *m, const struct judged *l, double lo, double hi);
+
+/* The same, of E1 over "ladder ..."; *slope: the fitted order.  No verdict where held is NULL. */
+int kit_order(int *held, double *slope, struct claims_measured *m, const double band[2], const char *command, ...)
+    __attribute__((format(printf, 5, 6)));
+
+/* The model problem of "limit ..." (model_problem.h), resolved.  0, or the status, with *m, where it is not NULL,
+ * failed. */
+int kit_model(struct model_problem *b, struct claims_measured *m, const char *command, ...)
+    __attribute__((format(printf, 3, 4)));
+
+/* One particle of a lattice, its neighbours within 2 h and the weights that a method gives them. */
+struct kit_cell {
+    struct neighbourhood nb;
+    double d[NEIGHBOURS_MAX][2];
+    double w[2][NEIGHBOURS_MAX];
+};
+
+/* Of the method, dx, h and kernel of a command line.  0, or 1 with *m failed. */
+int kit_weights(struct kit_cell *cell, const double kappa[2], struct claims_measured *m, const char *command);
+
+#endif

@@ -1,0 +1,10 @@
+#ifndef HEATLADDER_REPORTS_MATCHED_MATCHED_FIGURES_H
+#define HEATLADDER_REPORTS_MATCHED_MATCHED_FIGURES_H
+
+struct failure;
+
+/* The matched run (solver/time/matched.h): error against counted work beside Song's choice, and A, B, F and the
+ * stability limit over h/dx. */
+int matched_figures_write(const char *dir, struct failure *why);
+
+#endif

@@ -1,0 +1,13 @@
+/* The statements of all papers. */
+#include "reports/papers.h"
+
+#include "reports/pamplona/pamplona.h"
+#include "reports/song/song.h"
+
+#define CLAIM(id, source, published, measure, argument, expected, why)                                               \
+    {id, source, published, measure, argument, CLAIMS_##expected, why},
+const struct claims_row papers_claims[] = {
+#include "reports/song/song.def"
+#include "reports/pamplona/pamplona.def"
+    {0}};
+#undef CLAIM

@@ -1,0 +1,107 @@
+/* heatladder list: what there is to choose from. */
+#include "verification/command/verb.h"
+
+#include "references/scene.h"
+#include "solver/method.h"
+#include "reports/ledger/claims.h"
+#include "reports/papers.h"
+#include "verification/gates/battery.h"
+#include "verification/gates/gates.h"
+#include "verification/command/request.h"
+#include "verification/text/table.h"
+#include "verification/text/words.h"
+
+#include <math.h>
+#include <stdio.h>
+
+static void list_params(const struct param *p, struct table *t) {
+    for (; p->name; p++) {
+        char words[96] = "";
+        if (p->choice) words_join(p->choice, words, sizeof words);
+        table_add(t, "   ");
+        table_add(t, "%s", p->name);
+        if (p->choice)
+            table_add(t, "%s", p->choice[(int)p->value]);
+        else
+            table_add(t, "%g", p->value);
+        table_add(t, "%s", p->unit);
+        table_add(t, "%s%s%s", p->about, p->choice ? ": " : "", words);
+    }
+}
+
+static void list_scenes(void) {
+    for (const struct scene *const *s = scenes; *s; s++) {
+        struct table t = table_create(5, 5);
+        printf("%s%s: %s\n  %s\n", s == scenes ? "" : "\n", (*s)->name, (*s)->about, (*s)->citation);
+        list_params((*s)->params, &t);
+        table_print(&t, stdout);
+        table_free(&t);
+    }
+}
+
+static void list_methods(void) {
+    for (const struct method *const *m = methods; *m; m++)
+        printf("%s%s: %s\n  options: %s\n", m == methods ? "" : "\n", (*m)->name, (*m)->about, (*m)->accepts);
+}
+
+static void list_words(const char *what, const char *const *words) {
+    char text[200];
+    words_join(words, text, sizeof text);
+    printf("%s: %s (the first is the default)\n", what, text);
+}
+
+static void list_kernels(void) {
+    list_words("kernels", kernel_words);
+}
+
+static void list_steppers(void) {
+    list_words("steppers", stepper_words);
+}
+
+static void list_gates(void) {
+    for (const struct gate *g = gates_table; g->id; g++) {
+        printf("%s: %s in [%g, %g]", g->id, g->measure, g->lo, g->hi);
+        if (!isnan(g->ceiling)) printf(", error at most %g", g->ceiling);
+        printf("\n  heatladder %s\n  %s\n", g->command, g->why);
+    }
+    printf("\nand for every scene, reference/<scene>: its two forms agree within their bounds\n");
+    printf("\nscene and method without a gated ladder:\n");
+    for (int s = 0; scenes[s]; s++)
+        for (int m = 0; methods[m]; m++)
+            if (!gates_has_order(scenes[s]->name, methods[m]->name))
+                printf("  %s %s\n", scenes[s]->name, methods[m]->name);
+}
+
+static void list_battery(void) {
+    for (const struct battery_row *row = battery_table; row->order; row++) {
+        const struct gate *g = &row->gate;
+        printf("%s (order %d): %s in [%g, %g]", g->id, row->order, g->measure, g->lo, g->hi);
+        if (!isnan(g->ceiling)) printf(", error at most %g", g->ceiling);
+        printf("\n  heatladder %s --solver 'CMD'\n  %s\n", g->command, g->why);
+    }
+}
+
+static void list_claims(void) {
+    for (const struct claims_row *row = papers_claims; row->id; row++)
+        printf("%s: %s (%s)\n  expected: %s\n", row->id, row->published, row->source,
+               claims_verdict_words[row->expected]);
+}
+
+static const struct topic {
+    const char *name;
+    void (*list)(void);
+} topics[] = {
+    {"scenes", list_scenes}, {"methods", list_methods}, {"kernels", list_kernels}, {"steppers", list_steppers},
+    {"gates", list_gates},   {"battery", list_battery}, {"claims", list_claims},   {0}};
+
+int verb_list(const struct request *r, struct failure *why) {
+    const char *names[WORDS_MAX] = {0};
+    for (int i = 0; topics[i].name; i++) {
+        names[i] = topics[i].name;
+        if (r->topic && words_index(names, r->topic) < 0) continue;
+        if (!r->topic && i) printf("\n");
+        topics[i].list();
+        if (r->topic) return STATUS_OK;
+    }
+    return r->topic ? words_unknown(names, "topic", r->topic, why) : STATUS_OK;
+}

@@ -1,0 +1,250 @@
+/* A benchmark as text, as JSON, and as the data of its charts. */
+#include "verification/bench/bench_print.h"
+
+#include "references/scene.h"
+#include "solver/options.h"
+#include "verification/bench/bench.h"
+#include "verification/bench/engine.h"
+#include "verification/text/json.h"
+#include "verification/text/table.h"
+#include "verification/text/whole_file.h"
+
+#include <math.h>
+#include <omp.h>
+#include <stdlib.h>
+#include <string.h>
+
+#ifndef BENCH_FLAGS
+#define BENCH_FLAGS "unknown"
+#endif
+
+/* Where a benchmark ran, and by what it was compiled. */
+struct machine {
+    char processor[120]; /* as the system names it; "unknown" where it does not */
+    int cores;           /* that this process may use */
+    int lanes;           /* doubles in the vectors of the lattice's sweeps */
+    const char *compiler, *flags;
+};
+
+static void name_processor(char *name, size_t size) {
+    char *text = whole_file_at("/proc/cpuinfo", NULL), *at = text ? strstr(text, "model name") : NULL;
+    if (at) at = strstr(at, ": ");
+    snprintf(name, size, "%.*s", at ? (int)strcspn(at + 2, "\n") : 7, at ? at + 2 : "unknown");
+    free(text);
+}
+
+static struct machine machine_here(void) {
+    struct machine m = {.cores = omp_get_num_procs(), .flags = BENCH_FLAGS};
+#ifdef __clang__
+    m.compiler = "clang " __VERSION__;
+#else
+    m.compiler = "gcc " __VERSION__;
+#endif
+    struct failure ignored; /* a width that the machine lacks was refused when the command line was read */
+    if (options_lanes_forced(&m.lanes, &ignored) || m.lanes == 0) m.lanes = options_lanes_most();
+    name_processor(m.processor, sizeof m.processor);
+    return m;
+}
+
+void bench_print_machine(FILE *out) {
+    struct machine m = machine_here();
+    fprintf(out,
+            "processor  %s, %d cores, vectors of %d (HEATLADDER_LANES=2, 4 or 8 forces a width)\ncompiler   "
+            "%s\nflags      %s\n",
+            m.processor, m.cores, m.lanes, m.compiler, m.flags);
+}
+
+void bench_print_engine(const struct bench_engine *e, FILE *out) {
+    fprintf(out, "times      median of %d runs after one to warm up\n\n", BENCH_RUNS);
+    struct table t = table_headed(1, "engine|median|spread [%]|aim|verdict");
+    for (int i = 0; i < e->count; i++) {
+        const struct bench_engine_row *r = &e->row[i];
+        table_add(&t, "%s", r->what);
+        table_add(&t, "%.3g%s%s", r->value, *r->unit ? " " : "", r->unit);
+        table_add(&t, "%.0f", 100 * (r->highest - r->lowest) / r->value);
+        if (isnan(r->aim)) {
+            table_add(&t, "%s", "");
+            table_add(&t, "%s", "");
+            continue;
+        }
+        table_add(&t, "%s %g", r->at_most ? "<=" : ">=", r->aim);
+        table_add(&t, "%s", bench_engine_holds(r) ? "held" : "missed");
+    }
+    table_print(&t, out);
+    table_free(&t);
+    fputc('\n', out);
+}
+
+static void print_front(const struct bench_scene *b, FILE *out) {
+    struct table t = table_headed(1, "on a front|along x|E1|seconds|spread [%]|work [pairs]|B/particle|fronts");
+    for (int i = 0; i < b->count; i++) {
+        const struct bench_row *r = &b->row[i];
+        if (!r->front_time && !r->front_work) continue;
+        table_add(&t, "%s", r->candidate->label);
+        table_add(&t, "%d", r->n);
+        table_add(&t, "%.3e", r->result.error.l1);
+        table_add(&t, "%.3g", r->time.median);
+        table_add(&t, "%.0f", 100 * (r->time.highest - r->time.lowest) / r->time.median);
+        table_add(&t, "%.3g", r->work);
+        table_add(&t, "%.3g", (double)r->result.bytes / (double)r->result.particles);
+        table_add(&t, "%s", r->front_time && r->front_work ? "time, work" : r->front_time ? "time" : "work");
+    }
+    table_print(&t, out);
+    table_free(&t);
+}
+
+static void print_growth(const struct bench_scene *b, FILE *out) {
+    struct table t = table_headed(1, "growth with particles|rungs|seconds|work|of the steps");
+    for (int i = 0; i < b->growths; i++) {
+        const struct bench_growth *g = &b->growth[i];
+        table_add(&t, "%s", g->candidate->label);
+        table_add(&t, "%d", g->rungs);
+        table_add(&t, "N^%.2f", g->seconds);
+        table_add(&t, "N^%.2f", g->work);
+        table_add(&t, "N^%.2f", g->expected);
+    }
+    fputc('\n', out);
+    table_print(&t, out);
+    table_free(&t);
+}
+
+static int same_failure(const struct bench_row *a, const struct bench_row *b) {
+    return a->candidate == b->candidate && strcmp(a->result.failure.text, b->result.failure.text) == 0;
+}
+
+void bench_print_scene(const struct bench_scene *b, FILE *out) {
+    fprintf(out, "%s\n", b->scene->name);
+    print_front(b, out);
+    print_growth(b, out);
+    fprintf(out, "same against same: %.3f (slowest: %s), %.3f (fastest: %s)\n", b->slow.ratio,
+            b->slow.label ? b->slow.label : "none ran", b->fast.ratio, b->fast.label ? b->fast.label : "none ran");
+    for (int i = 0; i < b->count; i++) {
+        const struct bench_row *r = &b->row[i];
+        if (!r->result.failure.status) continue;
+        while (i + 1 < b->count && same_failure(&b->row[i + 1], r)) i++;
+        fprintf(out, "%s: %s, %d", bench_outcome(r), r->candidate->label, r->n);
+        if (b->row[i].n > r->n) fprintf(out, " to %d", b->row[i].n);
+        fprintf(out, " along x: %s\n", r->result.failure.text);
+    }
+    fputc('\n', out);
+}
+
+static void write_row(const struct bench_row *r, FILE *out) {
+    fprintf(out, "%d,%zu,%.17g,%.9g,%.9g,%.9g,%.9g,%zu,%lld,\"%s\"\n", r->n, r->result.particles, r->result.error.l1,
+            r->time.median, r->time.lowest, r->time.highest, r->work, r->result.bytes, r->result.updates,
+            r->candidate->label);
+}
+
+/* A plotter takes the last word of the header for the legend, so that no comma may be in it. */
+static void write_header(const struct candidate *c, int first, FILE *out) {
+    fprintf(out, "%s# %s\nn,particles,E1,seconds,lowest,highest,work,bytes,updates,", first ? "" : "\n\n", c->label);
+    for (const char *at = c->label; *at; at++) fputc(*at == ',' ? ';' : *at, out);
+    fputc('\n', out);
+}
+
+static void write_front(const struct bench_scene *b, int by_work, FILE *out) {
+    double below = 0;
+    fprintf(out, "\n\n# front by %s\nn,particles,E1,seconds,lowest,highest,work,bytes,updates,Pareto front\n",
+            by_work ? "work" : "time");
+    for (;;) { /* in the order of cost, which for a front is that of falling error */
+        const struct bench_row *next = NULL;
+        for (int i = 0; i < b->count; i++) {
+            const struct bench_row *r = &b->row[i];
+            if (!(by_work ? r->front_work : r->front_time) || bench_cost(r, by_work) <= below) continue;
+            if (!next || bench_cost(r, by_work) < bench_cost(next, by_work)) next = r;
+        }
+        if (!next) return;
+        below = bench_cost(next, by_work);
+        write_row(next, out);
+    }
+}
+
+void bench_print_data(const struct bench_scene *b, FILE *out) {
+    struct machine m = machine_here();
+    fprintf(out, "# title: %s: error against cost\n# command: heatladder bench --scene %s\n# processor: %s\n",
+            b->scene->name, b->scene->name, m.processor);
+    fprintf(out, "# compiler: %s %s\n# seconds: median of %d; work: pairs\n", m.compiler, m.flags, BENCH_RUNS);
+    const struct candidate *last = NULL;
+    for (int i = 0; i < b->count; i++) {
+        const struct bench_row *r = &b->row[i];
+        if (r->result.failure.status) {
+            fprintf(out, "# %s: %s, %d along x: %s\n", bench_outcome(r), r->candidate->label, r->n,
+                    r->result.failure.text);
+            continue;
+        }
+        if (r->candidate != last) write_header(r->candidate, last == NULL, out);
+        last = r->candidate;
+        write_row(r, out);
+    }
+    write_front(b, 0, out);
+    write_front(b, 1, out);
+    fputc('\n', out);
+}
+
+/* ---- JSON ---- */
+
+void bench_print_machine_json(struct json *j) {
+    struct machine m = machine_here();
+    json_object(j, "machine");
+    json_text(j, "processor", m.processor);
+    json_whole(j, "cores", m.cores);
+    json_whole(j, "lanes", m.lanes);
+    json_text(j, "compiler", m.compiler);
+    json_text(j, "flags", m.flags);
+    json_whole(j, "runs", BENCH_RUNS);
+    json_end(j);
+}
+
+void bench_print_engine_json(const struct bench_engine *e, struct json *j) {
+    json_array(j, "engine");
+    for (int i = 0; i < e->count; i++) {
+        const struct bench_engine_row *r = &e->row[i];
+        json_object(j, NULL);
+        json_text(j, "what", r->what);
+        json_text(j, "unit", r->unit);
+        json_number(j, "median", r->value);
+        json_number(j, "lowest", r->lowest);
+        json_number(j, "highest", r->highest);
+        json_number(j, "aim", r->aim);
+        json_whole(j, "held", bench_engine_holds(r));
+        json_end(j);
+    }
+    json_end(j);
+}
+
+void bench_print_scene_json(const struct bench_scene *b, struct json *j) {
+    json_text(j, "scene", b->scene->name);
+    json_text(j, "same_against_same", b->slow.label);
+    json_number(j, "same_ratio", b->slow.ratio);
+    json_text(j, "same_fast", b->fast.label);
+    json_number(j, "same_fast_ratio", b->fast.ratio);
+    json_array(j, "rows");
+    for (int i = 0; i < b->count; i++) {
+        const struct bench_row *r = &b->row[i];
+        json_object(j, NULL);
+        json_text(j, "candidate", r->candidate->label);
+        json_whole(j, "along_x", r->n);
+        json_text(j, "outcome", bench_outcome(r) ? bench_outcome(r) : "ran");
+        result_json(&r->result, j);
+        json_number(j, "seconds_median", r->time.median);
+        json_number(j, "seconds_lowest", r->time.lowest);
+        json_number(j, "seconds_highest", r->time.highest);
+        json_number(j, "work", r->work);
+        json_whole(j, "front_time", r->front_time);
+        json_whole(j, "front_work", r->front_work);
+        json_end(j);
+    }
+    json_end(j);
+    json_array(j, "growth");
+    for (int i = 0; i < b->growths; i++) {
+        const struct bench_growth *g = &b->growth[i];
+        json_object(j, NULL);
+        json_text(j, "candidate", g->candidate->label);
+        json_whole(j, "rungs", g->rungs);
+        json_number(j, "seconds", g->seconds);
+        json_number(j, "work", g->work);
+        json_number(j, "expected", g->expected);
+        json_end(j);
+    }
+    json_end(j);
+}

@@ -1,0 +1,51 @@
+/* The battery's table, and its cases for a program that runs elsewhere. */
+#include "verification/gates/battery.h"
+
+#include "references/scene.h"
+#include "verification/command/arguments.h"
+#include "verification/foreign/results.h"
+
+#include <stdio.h>
+#include <string.h>
+
+#define BATTERY(order, id, measure, command, lo, hi, ceiling, sees, bounds)                                          \
+    {order, {id, TIER_QUICK, measure, command, lo, hi, ceiling, "sees " sees "; bounds: " bounds}},
+const struct battery_row battery_table[] = {
+#include "verification/gates/battery.def"
+    {0}};
+#undef BATTERY
+
+void battery_add(int order, struct gates *g) {
+    for (const struct battery_row *row = battery_table; row->order; row++)
+        if (row->order == order) gates_add(g, &row->gate);
+}
+
+/* The cases of one row; a ladder in time has a directory a step below that of its spacing. */
+static int write_row(const struct gate *gate, const char *dir, int *written, struct failure *why) {
+    const char *const more[] = {"--solver", "{case} {out}", NULL};
+    struct request r;
+    char setting[PROGRAM_SETTING], rung[60] = "", dt[40];
+    int status = arguments_parse_line_with(gate->command, more, &r, why), n = 0;
+    struct experiment *e = &r.experiment;
+    if (!status && (!e->scene || results_setting(e->scene, &e->problem, r.overridden, setting)))
+        status = refuse(why, STATUS_INPUT, "'%.200s': has no scene, or too many parameters", gate->command);
+    for (int i = 0; !status && i < (r.rungs.dt.count > 1 ? r.rungs.dt.count : 1); i++) {
+        if (r.rungs.dt.count > 1) {
+            e->options.dt = r.rungs.dt.value[i];
+            results_number(e->options.dt, dt);
+            snprintf(rung, sizeof rung, "dt=%s", dt);
+        }
+        status = results_write(&(struct results_place){dir, setting, rung}, e->scene, &e->problem, &e->options,
+                               r.rungs.dx.text, &n, why);
+        *written += n;
+    }
+    arguments_free(&r);
+    return status;
+}
+
+int battery_write(const struct gates *g, const char *dir, int *written, struct failure *why) {
+    *written = 0;
+    for (int i = 0; i < g->declared; i++)
+        if (write_row(&g->result[i].gate, dir, written, why)) return why->status;
+    return STATUS_OK;
+}

@@ -1,0 +1,212 @@
+/* The measures of gates. */
+#include "verification/measures/measures.h"
+
+#include "references/scene.h"
+#include "verification/command/request.h"
+#include "verification/diagnosis/wording.h"
+#include "verification/ladder/consistency.h"
+#include "verification/ladder/judge.h"
+#include "verification/ladder/ladder.h"
+#include "verification/run/run.h"
+#include "verification/text/words.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+
+void measures_fail(struct measured *m, const char *text) {
+    *m = (struct measured){.value = NAN, .ci = {NAN, NAN}, .error = NAN, .verdict = VERDICT_FAIL};
+    snprintf(m->reason, sizeof m->reason, "%.300s", text);
+}
+
+void measures_judge(struct measured *m, double value, double lo, double hi) {
+    m->value = m->ci[0] = m->ci[1] = value;
+    m->verdict = verdict_within(value, lo, hi);
+    const char *where = m->verdict == VERDICT_PASS ? "lies inside"
+                        : isfinite(value)          ? "lies outside"
+                                                   : "is not finite;";
+    snprintf(m->reason, sizeof m->reason, "%.4g %s [%g, %g]", value, where, lo, hi);
+}
+
+static void slope_in(enum ladder_norm norm, int scattered, const struct request *r, double lo, double hi,
+                     struct measured *m) {
+    struct failure why = {0};
+    struct ladder *l = xcalloc(1, sizeof *l);
+    struct ladder_rungs rungs = r->rungs;
+    rungs.expect = (struct numbers){.count = 2, .value = {lo, hi}};
+    rungs.norm = norm;
+    rungs.scattered = scattered;
+    int status = ladder_run(&r->experiment, &rungs, l, &why);
+    measures_fail(m, why.text);
+    if (status == STATUS_SKIPPED) m->verdict = VERDICT_SKIPPED;
+    if (!status) {
+        m->value = l->slope.value;
+        m->ci[0] = l->slope.ci[0];
+        m->ci[1] = l->slope.ci[1];
+        m->verdict = l->verdict;
+        snprintf(m->reason, sizeof m->reason, "%s", l->reason);
+        m->error = ladder_finest_error(l);
+        if (l->diagnosis.named) wording_text(&l->diagnosis, m->diagnosis, sizeof m->diagnosis);
+    }
+    free(l);
+}
+
+#define SLOPE(name, norm)                                                                                            \
+    void measures_##name(const struct request *r, double lo, double hi, struct measured *m) {                        \
+        slope_in(norm, 0, r, lo, hi, m);                                                                             \
+    }
+SLOPE(slope, LADDER_L1)
+SLOPE(slope_l2, LADDER_L2)
+SLOPE(slope_linf, LADDER_LINF)
+SLOPE(slope_interior, LADDER_INTERIOR)
+SLOPE(slope_boundary, LADDER_BOUNDARY)
+#undef SLOPE
+
+/* Errors of space and time can cancel, at a mesh Fourier number of 1/6 for one, and what is left falls by steps that
+ * are not quite what they should be: an error so far below what is allowed tells enough. */
+#define ORDER(name, norm)                                                                                            \
+    void measures_##name(const struct request *r, double lo, double hi, struct measured *m) {                        \
+        static const double SMALL = 1.0 / 40;                                                                        \
+        slope_in(norm, 1, r, lo, hi, m);                                                                             \
+        if (m->verdict == VERDICT_PASS || !(m->error <= SMALL * r->rungs.ceiling)) return;                           \
+        m->verdict = VERDICT_PASS;                                                                                   \
+        snprintf(m->reason, sizeof m->reason, "the error %.4g is below 1/40 of its ceiling %.4g", m->error,          \
+                 r->rungs.ceiling);                                                                                  \
+    }
+ORDER(order, LADDER_L1)
+ORDER(order_linf, LADDER_LINF)
+#undef ORDER
+
+void measures_operator_slope(const struct request *r, double lo, double hi, struct measured *m) {
+    struct numbers dx = r->rungs.dx;
+    struct experiment e = r->experiment;
+    struct failure why = {0};
+    double error[RUNG_MAX];
+    number_sort_falling(dx.value, dx.count);
+    for (int i = 0; i < dx.count; i++) {
+        e.options.dx = dx.value[i];
+        int status = consistency_error(&e, &error[i], &why);
+        measures_fail(m, why.text);
+        if (status) return;
+    }
+    struct slope s = slope_fit(dx.value, error, dx.count);
+    m->value = s.value;
+    m->ci[0] = s.ci[0];
+    m->ci[1] = s.ci[1];
+    m->error = error[dx.count - 1];
+    struct judged judged = {dx.value, error, dx.count, 0};
+    m->verdict = judge_order(&judged, lo, hi, m->reason, sizeof m->reason);
+}
+
+/* One run; 0, or *m failed. */
+static int run(const struct request *r, struct result *result, struct measured *m) {
+    int status = run_experiment(&r->experiment, result, NULL);
+    measures_fail(m, result->failure.text);
+    if (status == STATUS_SKIPPED) m->verdict = VERDICT_SKIPPED;
+    if (!status) m->error = result->error.l1;
+    return status;
+}
+
+/* A number of one run. */
+#define OF_RUN(name, value)                                                                                          \
+    void measures_##name(const struct request *r, double lo, double hi, struct measured *m) {                        \
+        struct result of;                                                                                            \
+        if (!run(r, &of, m)) measures_judge(m, value, lo, hi);                                                       \
+    }
+OF_RUN(error_linf, of.error.linf)
+OF_RUN(overshoot, fmax(of.shape.overshoot, of.shape.undershoot))
+OF_RUN(heat_drift, of.heat_drift)
+OF_RUN(quantity, of.derived_name ? of.derived : NAN)
+OF_RUN(quantity_error, of.derived_name ? of.derived_error : NAN)
+OF_RUN(checkerboard, of.shape.checkerboard)
+#undef OF_RUN
+
+void measures_checkerboard_kept(const struct request *r, double lo, double hi, struct measured *m) {
+    struct request early = *r;
+    struct result first, last;
+    early.experiment.problem.t_end = r->experiment.problem.t_end / 10;
+    if (run(&early, &first, m) || run(r, &last, m)) return;
+    measures_judge(m, last.shape.checkerboard / first.shape.checkerboard, lo, hi);
+}
+
+/* *worst, K: raised to the largest difference of two runs' temperatures; a status, *m failed, where a run is. */
+static int runs_apart(const struct experiment *e, const struct problem of[2], double *worst, struct measured *m) {
+    struct field f[2] = {{0}};
+    struct failure why;
+    int status = method_solve(e->method, &of[0], &e->options, &f[0], &why);
+    if (!status) status = method_solve(e->method, &of[1], &e->options, &f[1], &why);
+    if (status) measures_fail(m, why.text);
+    double apart = status ? NAN : field_farthest(&f[0], f[1].T);
+    if (apart > *worst || isnan(apart)) *worst = apart; /* a NaN stays */
+    for (int k = 0; k < 2; k++) field_free(&f[k]);
+    return status;
+}
+
+void measures_robin_limits(const struct request *r, double lo, double hi, struct measured *m) {
+    static const double b[] = {0, 1e300};
+    static const enum side_kind limit[] = {NEUMANN, DIRICHLET};
+    const struct experiment *e = &r->experiment;
+    double worst = 0;
+    for (int end = 0; end < 2; end++) {
+        struct problem p[2] = {e->problem, e->problem};
+        for (int s = 0; s < 2 * e->problem.dim; s++)
+            if (e->problem.side[s] == ROBIN) p[0].robin[s] = b[end], p[1].side[s] = limit[end];
+        if (runs_apart(e, p, &worst, m)) return;
+    }
+    measures_judge(m, worst, lo, hi);
+}
+
+/* Points that fill the domain evenly and meet no symmetry of it: the additive sequences of the plastic number. */
+static void odd_point(const struct problem *p, int i, double x[2]) {
+    static const double step[2] = {0.7548776662466927, 0.5698402909980532};
+    for (int a = 0; a < 2; a++) {
+        double u = 0.137 + 0.174 * a + step[a] * i;
+        x[a] = p->lo[a] + (p->hi[a] - p->lo[a]) * (u - floor(u));
+    }
+}
+
+/* How far the two forms of a reference are apart, in units of what their bounds allow.  The ceiling is on the bound
+ * at the end time, where runs are judged, relative to the largest temperature: a reference cannot pass by promising
+ * little. */
+void measures_reference(const struct request *r, double lo, double hi, struct measured *m) {
+    enum { POINTS = 32, TIMES = 4 };
+    static const double part[TIMES] = {0.0113, 0.173, 0.619, 1};
+    const struct problem *p = &r->experiment.problem;
+    double worst = 0, where[3] = {0}, bound = 0, size = 0;
+    for (int i = 0; i < POINTS * TIMES && !isnan(worst); i++) {
+        double x[2], t = p->t_end * part[i % TIMES];
+        odd_point(p, i / TIMES, x);
+        struct exact a = r->experiment.scene->exact(p, x, t), b = r->experiment.scene->second(p, x, t);
+        double apart = fabs(a.temperature - b.temperature);
+        double allowed = a.error_bound + b.error_bound;
+        double ratio = !(allowed >= 0 && allowed < INFINITY) ? NAN : apart == 0 ? 0 : apart / allowed;
+        if (t == p->t_end) bound = fmax(bound, a.error_bound);
+        size = fmax(size, fabs(a.temperature));
+        if (ratio <= worst) continue;
+        worst = ratio;
+        where[0] = x[0], where[1] = x[1], where[2] = t;
+    }
+    measures_fail(m, "");
+    measures_judge(m, worst, lo, hi);
+    m->error = bound / size;
+    if (m->verdict == VERDICT_PASS) return;
+    snprintf(m->reason, sizeof m->reason, "the two forms are %.3g of their bounds apart at %g, %g m, %g s", worst,
+             where[0], where[1], where[2]);
+}
+
+#define MEASURE(name, ceiling, about) {#name, about, ceiling, measures_##name},
+const struct measure measures[] = {
+#include "verification/measures/measures.def"
+    {0}};
+#undef MEASURE
+
+const struct measure *measures_find(const char *name, struct measured *m) {
+    const char *names[WORDS_MAX] = {0};
+    struct failure why = {0};
+    for (int i = 0; measures[i].name && i < WORDS_MAX - 1; i++) names[i] = measures[i].name;
+    int i = words_index(names, name);
+    if (i >= 0) return &measures[i];
+    words_unknown(names, "measure", name, &why);
+    measures_fail(m, why.text);
+    return NULL;
+}

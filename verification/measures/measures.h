@@ -1,0 +1,41 @@
+#ifndef HEATLADDER_VERIFICATION_MEASURES_MEASURES_H
+#define HEATLADDER_VERIFICATION_MEASURES_MEASURES_H
+
+/* What a gate can measure, by name.  A new measure is a row of measures.def and a function. */
+
+#include "verification/text/verdict.h"
+
+struct request;
+
+struct measured {
+    double value;
+    double ci[2]; /* 95 % interval of a slope; else the value twice */
+    double error; /* what a ceiling bounds: E1; of a ladder its norm at the finest rung that counts; NaN: none */
+    enum verdict verdict;
+    char reason[320];
+    char diagnosis[200]; /* which usual fault the errors look like; "" where none was looked for */
+};
+
+struct measure {
+    const char *name;
+    const char *about; /* one line, with the unit */
+    int ceiling;       /* 1: to be gated only with a ceiling on the error beside it */
+    /* Fills *m, judged by lo <= value <= hi.  What fails is a verdict, never silent. */
+    void (*take)(const struct request *r, double lo, double hi, struct measured *m);
+};
+
+extern const struct measure measures[]; /* ended by a NULL name */
+
+#define MEASURE(name, ceiling, about)                                                                                \
+    void measures_##name(const struct request *r, double lo, double hi, struct measured *m);
+#include "verification/measures/measures.def"
+#undef MEASURE
+
+/* What most measures end with: a failure with its reason, or the verdict on lo <= value <= hi. */
+void measures_fail(struct measured *m, const char *text);
+void measures_judge(struct measured *m, double value, double lo, double hi);
+
+/* The measure of that name; NULL, and *m failed with the nearest valid name, where there is none. */
+const struct measure *measures_find(const char *name, struct measured *m);
+
+#endif

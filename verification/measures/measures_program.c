@@ -1,0 +1,108 @@
+/* What is asked of another program beside its errors. */
+#include "verification/measures/measures.h"
+
+#include "solver/field.h"
+#include "verification/command/request.h"
+#include "verification/diagnosis/diagnosis.h"
+#include "verification/diagnosis/wording.h"
+#include "verification/ladder/self_difference.h"
+#include "verification/run/run.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+
+/* The status of a run or a ladder as a verdict, with its reason. */
+static void fail(struct measured *m, const struct failure *why) {
+    measures_fail(m, why->text);
+    if (why->status == STATUS_SKIPPED) m->verdict = VERDICT_SKIPPED;
+}
+
+static void skip(struct measured *m, const char *text) {
+    measures_fail(m, text);
+    m->verdict = VERDICT_SKIPPED;
+}
+
+/* A program that takes a time step of its own gives the same at each that is asked for: the row is not for it. */
+void measures_slope_time(const struct request *r, double lo, double hi, struct measured *m) {
+    struct failure why = {0};
+    struct ladder *l = xcalloc(1, sizeof *l);
+    struct ladder_rungs rungs = r->rungs;
+    rungs.expect = (struct numbers){.count = 2, .value = {lo, hi}};
+    int status = ladder_run(&r->experiment, &rungs, l, &why), differ = 0;
+    for (int i = 0; i < l->n; i++) differ += l->error[i] != 0;
+    if (status) {
+        why.status = status;
+        fail(m, &why);
+    } else if (!differ) {
+        skip(m, "the answers are the same for every dt: the program takes a time step of its own");
+    } else {
+        *m = (struct measured){.value = l->slope.value,
+                               .ci = {l->slope.ci[0], l->slope.ci[1]},
+                               .error = ladder_finest_error(l),
+                               .verdict = l->verdict};
+        snprintf(m->reason, sizeof m->reason, "%s", l->reason);
+    }
+    free(l);
+}
+
+static double largest(const struct field *f) {
+    double most = 0;
+    for (size_t i = 0; i < f->n; i++) most = fmax(most, fabs(f->T[i]));
+    return most;
+}
+
+/* Of one run few digits are seen; other faults are followed from a run at twice the spacing. */
+static void diagnose(const struct request *r, const struct field *f, struct measured *m) {
+    const struct experiment *e = &r->experiment;
+    const double dx = e->options.dx;
+    double extent = fmax(e->problem.hi[0] - e->problem.lo[0], e->problem.hi[1] - e->problem.lo[1]);
+    struct ladder_rungs rungs = {.dx = {.count = 2, .value = {2 * dx, dx}}, .diagnose = 1};
+    struct ladder *l = xcalloc(1, sizeof *l);
+    struct failure ignored;
+    if (diagnosis_rounding(f, m->error, extent / dx, &l->diagnosis) ||
+        (e->program.solver && !ladder_run(e, &rungs, l, &ignored) && l->diagnosis.named))
+        wording_text(&l->diagnosis, m->diagnosis, sizeof m->diagnosis);
+    free(l);
+}
+
+void measures_error(const struct request *r, double lo, double hi, struct measured *m) {
+    const struct experiment *e = &r->experiment;
+    struct result result;
+    struct field f = {0};
+    int status = run_experiment(e, &result, &f);
+    if (status) {
+        fail(m, &result.failure);
+    } else {
+        measures_fail(m, "");
+        measures_judge(m, result.error.l1, lo, hi);
+        m->error = result.error.l1;
+        if (program_given(&e->program) && m->verdict == VERDICT_FAIL) diagnose(r, &f, m);
+    }
+    field_free(&f);
+}
+
+void measures_repeat(const struct request *r, double lo, double hi, struct measured *m) {
+    const struct experiment *e = &r->experiment;
+    struct result first, second;
+    struct field a = {0}, b = {0};
+    struct norms_error apart;
+    struct diagnosis d;
+    if (!e->program.solver) {
+        skip(m, "needs --solver: what lies there is one run");
+    } else if (run_experiment(e, &first, &a)) {
+        fail(m, &first.failure);
+    } else if (run_experiment(e, &second, &b)) {
+        fail(m, &second.failure);
+    } else if (!self_difference_fields(&e->problem, &a, &b, &apart)) {
+        skip(m, "the points differ from run to run");
+    } else {
+        measures_fail(m, "");
+        measures_judge(m, apart.linf / largest(&a), lo, hi);
+        m->error = first.error.l1;
+        if (m->verdict == VERDICT_FAIL && diagnosis_repeat(apart.linf, largest(&a), &d))
+            wording_text(&d, m->diagnosis, sizeof m->diagnosis);
+    }
+    field_free(&a);
+    field_free(&b);
+}

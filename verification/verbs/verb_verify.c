@@ -1,0 +1,133 @@
+/* heatladder verify: every gate, each with its reason; or those that another program is asked for. */
+#include "verification/command/verb.h"
+
+#include "references/scene.h"
+#include "solver/method.h"
+#include "verification/text/atomic_file.h"
+#include "verification/gates/battery.h"
+#include "verification/gates/gate_file.h"
+#include "verification/diagnosis/wording.h"
+#include "verification/gates/gates.h"
+#include "verification/text/json.h"
+#include "verification/page/junit.h"
+#include "verification/text/output.h"
+#include "verification/command/request.h"
+#include "verification/foreign/results.h"
+#include "verification/page/page.h"
+#include "verification/page/print.h"
+
+#include <omp.h>
+#include <stdio.h>
+#include <string.h>
+
+enum { ORIGIN = 1100 };
+
+static void gate_json(const struct gate_result *r, struct json *j) {
+    const struct gate *g = &r->gate;
+    const struct measured *m = &r->measured;
+    int at_most = g->lo == 0; /* a bound from above; else a band */
+    json_object(j, NULL);
+    json_text(j, "id", g->id);
+    json_text(j, "measure", g->measure);
+    json_text(j, "command", r->typed);
+    json_number(j, "expected", at_most ? 0 : (g->lo + g->hi) / 2);
+    json_number(j, "tolerance", at_most ? g->hi : (g->hi - g->lo) / 2);
+    json_number(j, "measured", m->value);
+    json_array(j, "interval95");
+    for (int i = 0; i < 2; i++) json_number(j, NULL, m->ci[i]);
+    json_end(j);
+    json_number(j, "error", m->error);
+    json_number(j, "ceiling", g->ceiling);
+    json_text(j, "verdict", verdict_words[m->verdict]);
+    json_text(j, "reason", m->reason);
+    json_text(j, "diagnosis", *m->diagnosis ? m->diagnosis : NULL);
+    json_text(j, "why", g->why);
+    json_number(j, "seconds", r->seconds);
+    json_end(j);
+}
+
+static int write_json(const struct gates *g, const char *path, struct failure *why) {
+    struct output page;
+    struct json j = json_on(output_open(&page, "%s", path));
+    char made[PAGE_ORIGIN], diagnosis[WORDING_ALL];
+    page_origin(made, sizeof made);
+    gates_diagnosis(g, diagnosis, sizeof diagnosis);
+    json_object(&j, NULL);
+    json_text(&j, "made", made);
+    json_whole(&j, "declared", g->declared);
+    json_whole(&j, "executed", g->executed);
+    json_text(&j, "diagnosis", *diagnosis ? diagnosis : NULL);
+    json_array(&j, "gates");
+    for (int i = 0; i < g->declared; i++) gate_json(&g->result[i], &j);
+    json_end(&j);
+    json_end(&j);
+    return output_close(&page, 1, why);
+}
+
+static int ungated(void) {
+    int n = 0;
+    for (int s = 0; scenes[s]; s++)
+        for (int m = 0; methods[m]; m++) n += !gates_has_order(scenes[s]->name, methods[m]->name);
+    return n;
+}
+
+/* The rows: of a file, of the battery where another program answers, or the built-in ones. */
+static int collect(const struct request *r, struct gate_file *file, struct gates *g, char origin[],
+                   struct failure *why) {
+    const struct program *program = &r->experiment.program;
+    if (program->solver && strlen(program->solver) > GATES_SOLVER)
+        return refuse(why, STATUS_INPUT, "--solver: more than %d letters; put them into a script", GATES_SOLVER);
+    if (program->solver && (!strstr(program->solver, "{case}") || !strstr(program->solver, "{out}")))
+        return refuse(why, STATUS_INPUT, "--solver '%.200s': must hold {case} and {out}, which become paths",
+                      program->solver);
+    if (program->results && results_directory_check(program->results, why)) return why->status;
+    if (r->gates_path && r->order)
+        return refuse(why, STATUS_INPUT, "--gates and --order both say which rows: give one of them");
+    if (!program_given(program) && !r->gates_path) return gates_collect(r->only, r->skip, r->quick, g, why);
+    if (program_given(program)) g->program = program;
+    if (r->gates_path && gate_file_open(r->gates_path, file, why)) return why->status;
+    for (int i = 0; i < file->count; i++) gates_add(g, &file->gate[i]);
+    if (!r->gates_path) battery_add(r->order ? r->order : 2, g);
+    g->origin = origin;
+    if (r->gates_path)
+        snprintf(origin, ORIGIN, "--gates '%.1000s'", r->gates_path);
+    else
+        snprintf(origin, ORIGIN, "--order %d", r->order ? r->order : 2);
+    return gates_choose(g, r->only, r->skip, r->quick, why);
+}
+
+static int write_page(const struct gates *g, const struct request *r, struct failure *why) {
+    const char *solver = g->program ? g->program->solver : NULL;
+    char title[200] = "heatladder verify";
+    if (solver) snprintf(title, sizeof title, "heatladder verify: %.120s", solver);
+    return page_gates_write(g, title, r->typed, r->page_path, why);
+}
+
+static int verify(const struct request *r, struct gate_file *file, struct gates *g, struct failure *why) {
+    char origin[ORIGIN];
+    if (atomic_file_check(r->json_path, why) || atomic_file_check(r->junit_path, why)) return why->status;
+    if (atomic_file_check(r->page_path, why)) return why->status;
+    if (collect(r, file, g, origin, why)) return why->status;
+    if (g->program && g->program->solver)
+        fprintf(stderr, "heatladder: the program is run some %d time%s, one after the other\n", gates_runs(g),
+                gates_runs(g) == 1 ? "" : "s");
+    double start = omp_get_wtime();
+    gates_run(g);
+    print_gates(g, r->verbose, omp_get_wtime() - start);
+    if (!r->only && !r->quick && !r->skip && !g->origin && ungated())
+        printf("%d pairs of scene and method have no gated ladder (see: heatladder list gates)\n", ungated());
+    if (r->json_path && write_json(g, r->json_path, why)) return why->status;
+    if (r->junit_path && junit_write(g, r->junit_path, why)) return why->status;
+    if (r->page_path && write_page(g, r, why)) return why->status;
+    return STATUS_OK;
+}
+
+int verb_verify(const struct request *r, struct failure *why) {
+    struct gates gates = {0};
+    struct gate_file file = {0};
+    int status = verify(r, &file, &gates, why);
+    if (!status) status = gates_status(&gates);
+    gates_free(&gates);
+    gate_file_free(&file);
+    return status;
+}
