@@ -1,59 +1,206 @@
-/* cells CASE OUT: finite volumes on a grid of cells, explicit Euler.  All that the case does not tell, `heatladder
-   reference` does, at the centres of the cells and of the faces on the sides; $HEATLADDER is that program. */
+/* cells CASE OUT: finite volumes on a grid of cells, explicit Euler.
+ *
+ *     rho_c dT/dt = source + sum over the faces of a cell of conductance (T_beyond - T)
+ *
+ * The case file gives the grid and the end time.  `heatladder reference` gives all else (start, source, coefficients,
+ * walls) at the centres of the cells and of the faces on the sides.  $HEATLADDER is the path of that program. */
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-enum { MEAN, SOURCE, RHO_C, K, KIND, VALUE, B, COLUMNS = 11 }; /* K to B of x, then of y */
-int main(int argc, char **argv) {
-    char line[5000], ask[4500], oracle[2048] = "", kind[9] = "";
-    double lo[2] = {0}, hi[2] = {0, 1}, t_end = 0, fastest = 0, speed = 0;
-    int dim = 1, n[2] = {1, 1}, m = 0, steps = 0;
-    FILE *f = argc == 3 ? fopen(argv[1], "r") : NULL;
-    if (!f) return fprintf(stderr, "cells CASE OUT\n"), 1;
-    while (fgets(line, sizeof line, f))
-        sscanf(line, "dim = %d", &dim), sscanf(line, "cells = %d, %d", n, n + 1), sscanf(line, "t_end = %lf", &t_end),
-            sscanf(line, "lo = %lf, %lf", lo, lo + 1), sscanf(line, "hi = %lf, %lf", hi, hi + 1),
-            sscanf(line, "oracle = %2047[^\n]", oracle), sscanf(line, "source = %8s", kind);
-    /* Cells 1 to n along each axis, framed by the faces on the sides; a rod is one row, without a frame in y. */
-    int nx = n[0] + 2, all = nx * (dim == 2 ? n[1] + 2 : 1), *in = calloc((size_t)all, sizeof *in);
-    double *T = calloc((size_t)all, sizeof *T), *rate = calloc((size_t)all, sizeof *rate);
-    double h[2] = {(hi[0] - lo[0]) / n[0], (hi[1] - lo[1]) / n[1]}, (*at)[2] = calloc((size_t)all, sizeof *at);
-    double(*p)[COLUMNS] = calloc((size_t)all, sizeof *p), (*g)[5] = calloc((size_t)all, sizeof *g);
-    snprintf(line, sizeof line, "%s.points", argv[2]), f = fopen(line, "w"), fprintf(f, "x,y,dx,dy\n");
-    for (int c = 0; c < all; c++) {
-        int i[] = {c % nx, c / nx}, inside = 1;
-        for (int d = 0; d < dim; inside = inside && i[d] >= 1 && i[d] <= n[d], d++)
-            at[c][d] = i[d] < 1 ? lo[d] : i[d] > n[d] ? hi[d] : lo[d] + (i[d] - 0.5) * h[d];
-        in[m] = c, m += inside, fprintf(f, "%.17g,%.17g,%.17g,%.17g\n", at[c][0], at[c][1], h[0], h[1]);
+
+enum { HELD = 1, FLUX = 2, COOLED = 3 }; /* the kinds of walls in the answers of `reference` */
+
+struct point {
+    double x[2];
+    double T, source, rho_c;
+    struct {
+        double k, kind, value, b; /* conductivity; the wall's kind, its value and its Robin coefficient */
+    } axis[2];
+    double conductance[4]; /* W m^-3 K^-1, to the neighbours at x low, x high, y low, y high */
+    double flux;           /* W m^-3, what walls of given flux add */
+    double rate;           /* W m^-3 */
+};
+
+static int dim = 1, n[2] = {1, 1}, source_changes;
+static double lo[2], hi[2] = {0, 1}, width[2], t_end;
+static char oracle[2048];
+
+/* Cells 1 to n along each axis, framed by the faces on the sides.  A rod is one row without a frame in y. */
+static struct point *point;
+static int points, stride;
+
+static void stop(const char *reason) {
+    fprintf(stderr, "cells: %s\n", reason);
+    exit(1);
+}
+
+static void *need(void *pointer, const char *reason) {
+    if (!pointer) stop(reason);
+    return pointer;
+}
+
+static void read_case(const char *path) {
+    char line[4096], source[16] = "";
+    FILE *f = need(fopen(path, "r"), "the case cannot be opened");
+    while (fgets(line, sizeof line, f)) {
+        sscanf(line, "dim = %d", &dim);
+        sscanf(line, "cells = %d, %d", &n[0], &n[1]);
+        sscanf(line, "lo = %lf, %lf", &lo[0], &lo[1]);
+        sscanf(line, "hi = %lf, %lf", &hi[0], &hi[1]);
+        sscanf(line, "t_end = %lf", &t_end);
+        sscanf(line, "source = %15s", source);
+        sscanf(line, "oracle = %2047[^\n]", oracle);
     }
-    snprintf(ask, sizeof ask, "${HEATLADDER:-heatladder} reference %s --points %s.points --time 0", oracle, argv[2]);
-    sprintf(line, "%s --what initial_heat,source,rho_c,k_x,wall_x%s", ask, dim > 1 ? ",k_y,wall_y" : "");
-    fclose(f), f = popen(line, "r"), fgets(line, sizeof line, f);
-    for (int c = 0, i = -dim; c < all && fgets(line, sizeof line, f); T[c] = p[c][MEAN], c++, i = -dim)
-        for (char *w = strtok(line, ","); w; w = strtok(NULL, ","), i++) if (i >= 0) p[c][i] = atof(w);
-    if (pclose(f)) return fprintf(stderr, "cells: no answer from heatladder reference\n"), 1;
-    /* Conductances of the faces, over the cell's width: half cells in series, and at a side Robin's coefficient. */
-    for (int a = 0, c = in[0]; a < m; c = in[++a], fastest = fmax(fastest, speed), speed = 0)
-        for (int s = 0, next[] = {c - 1, c + 1, c - nx, c + nx}; s < 2 * dim; s++) {
-            int d = s / 2, side = (d ? c / nx : c % nx) == (s % 2 ? n[d] : 1);
-            double *q = p[next[s]] + 4 * d, k = p[c][K + 4 * d], beyond = q[KIND] == 3 ? 1 / q[B] : 0;
-            if (side) T[next[s]] = q[VALUE];
-            g[c][s] = 1 / (h[d] / (2 * k) + (side ? beyond : h[d] / (2 * q[K]))) / h[d];
-            if (side && q[KIND] == 2) g[c][s] = 0, g[c][4] += q[VALUE] / h[d];
-            speed += k / (h[d] * h[d] * p[c][RHO_C]) / 2;
+    fclose(f);
+    source_changes = !strcmp(source, "changing");
+    for (int d = 0; d < 2; d++) width[d] = (hi[d] - lo[d]) / n[d];
+}
+
+static int place(int c, int d) {
+    return d == 0 ? c % stride : dim == 1 ? 1 : c / stride;
+}
+
+static int is_cell(int c) {
+    for (int d = 0; d < dim; d++)
+        if (place(c, d) < 1 || place(c, d) > n[d]) return 0;
+    return 1;
+}
+
+static void make_points(const char *path) {
+    stride = n[0] + 2;
+    points = stride * (dim == 2 ? n[1] + 2 : 1);
+    point = need(calloc((size_t)points, sizeof *point), "out of memory");
+    FILE *f = need(fopen(path, "w"), "the points cannot be written");
+    fprintf(f, "x,y,dx,dy\n");
+    for (int c = 0; c < points; c++) {
+        double *x = point[c].x;
+        for (int d = 0; d < dim; d++) x[d] = fmin(fmax(lo[d] + (place(c, d) - 0.5) * width[d], lo[d]), hi[d]);
+        fprintf(f, "%.17g,%.17g,%.17g,%.17g\n", x[0], x[1], width[0], width[1]);
+    }
+    if (fclose(f)) stop("the points cannot be written");
+}
+
+/* Starts `heatladder reference` at the points; its first line, the header, is read. */
+static FILE *ask(const char *path, const char *times, const char *what) {
+    char command[8192], header[4096];
+    const char *program = getenv("HEATLADDER");
+    snprintf(command, sizeof command, "%s reference %s --points '%s' --time %s --what %s",
+             program ? program : "heatladder", oracle, path, times, what);
+    FILE *answers = need(popen(command, "r"), "heatladder cannot be started");
+    need(fgets(header, sizeof header, answers), "no answer from heatladder reference");
+    return answers;
+}
+
+static double next_number(FILE *answers) {
+    double value;
+    if (fscanf(answers, "%lf%*[,\n]", &value) != 1) stop("an answer of heatladder reference is not a number");
+    return value;
+}
+
+static void ask_scene(const char *path) {
+    char what[80];
+    snprintf(what, sizeof what, "initial_heat,source,rho_c,k_x,wall_x%s", dim == 2 ? ",k_y,wall_y" : "");
+    FILE *answers = ask(path, "0", what);
+    for (struct point *p = point; p < point + points; p++) {
+        for (int d = 0; d < dim; d++) next_number(answers); /* the point */
+        p->T = next_number(answers);
+        p->source = next_number(answers);
+        p->rho_c = next_number(answers);
+        for (int d = 0; d < dim; d++) {
+            p->axis[d].k = next_number(answers);
+            p->axis[d].kind = next_number(answers);
+            p->axis[d].value = next_number(answers);
+            p->axis[d].b = next_number(answers);
         }
-    steps = (int)ceil(t_end * fastest / 0.25); /* a source that changes is told for all of them */
-    snprintf(line, sizeof line, "%s:%.17g:%d --what source | tail -n +2", ask, t_end, steps + 1);
-    for (int step = (f = *kind == 'c' ? popen(line, "r") : NULL, 0); step < steps; step++) {
-        for (int c = 0; f && c < all && fgets(line, sizeof line, f); c++) p[c][SOURCE] = atof(strrchr(line, ',') + 1);
-        for (int a = 0, c = in[0]; a < m; c = in[++a])
-            rate[c] = p[c][SOURCE] + g[c][4] + g[c][0] * (T[c - 1] - T[c]) + g[c][1] * (T[c + 1] - T[c]) +
-                      (dim < 2 ? 0 : g[c][2] * (T[c - nx] - T[c]) + g[c][3] * (T[c + nx] - T[c]));
-        for (int a = 0, c = in[0]; a < m; c = in[++a]) T[c] += t_end / steps * rate[c] / p[c][RHO_C];
     }
-    f = fopen(argv[2], "w"), fprintf(f, "# steps = %d\n%s\n", steps, dim == 2 ? "x,y,T" : "x,T");
-    for (int a = 0, c = in[0]; a < m; c = in[++a])
-        fprintf(f, dim == 2 ? "%.17g,%.17g,%.17g\n" : "%.17g,%.17g\n", at[c][0], dim == 2 ? at[c][1] : T[c], T[c]);
-    return fclose(f) != 0;
+    if (pclose(answers)) stop("heatladder reference failed");
+}
+
+/* The face of cell c towards e: half cells in series, or a half cell and what the wall resists. */
+static void make_face(int c, int face, int e) {
+    int d = face / 2, is_wall = !is_cell(e);
+    struct point *p = &point[c], *beyond = &point[e];
+    double resistance = width[d] / (2 * p->axis[d].k);
+    if (is_wall) beyond->T = beyond->axis[d].value;
+    if (is_wall && beyond->axis[d].kind == FLUX) {
+        p->flux += beyond->axis[d].value / width[d];
+        return;
+    }
+    if (!is_wall) resistance += width[d] / (2 * beyond->axis[d].k);
+    if (is_wall && beyond->axis[d].kind == COOLED) resistance += 1 / beyond->axis[d].b;
+    p->conductance[face] = 1 / (resistance * width[d]);
+}
+
+/* Makes the faces of all cells.  Returns the largest sum of kappa/dx^2 over the axes, s^-1. */
+static double make_faces(void) {
+    double fastest = 0;
+    for (int c = 0; c < points; c++) {
+        double speed = 0;
+        if (!is_cell(c)) continue;
+        for (int d = 0; d < dim; d++) {
+            int step = d == 0 ? 1 : stride;
+            make_face(c, 2 * d, c - step);
+            make_face(c, 2 * d + 1, c + step);
+            speed += point[c].axis[d].k / (width[d] * width[d] * point[c].rho_c);
+        }
+        fastest = fmax(fastest, speed);
+    }
+    return fastest;
+}
+
+static void step_by(double dt) {
+    for (int c = 0; c < points; c++) {
+        struct point *p = &point[c];
+        if (!is_cell(c)) continue;
+        p->rate = p->source + p->flux;
+        for (int face = 0; face < 2 * dim; face++) {
+            int distance = face < 2 ? 1 : stride;
+            int e = face % 2 ? c + distance : c - distance;
+            p->rate += p->conductance[face] * (point[e].T - p->T);
+        }
+    }
+    for (int c = 0; c < points; c++)
+        if (is_cell(c)) point[c].T += dt * point[c].rate / point[c].rho_c;
+}
+
+/* A source that changes in time is asked for at the start of every step. */
+static void run(const char *path, int steps) {
+    char times[64];
+    FILE *sources = NULL;
+    snprintf(times, sizeof times, "0:%.17g:%d", t_end, steps + 1);
+    if (source_changes) sources = ask(path, times, "source");
+    for (int step = 0; step < steps; step++) {
+        for (int c = 0; sources && c < points; c++) {
+            for (int d = -1; d < dim; d++) next_number(sources); /* the time and the point */
+            point[c].source = next_number(sources);
+        }
+        step_by(t_end / steps);
+    }
+    if (sources) pclose(sources);
+}
+
+static void write_answer(const char *path, int steps) {
+    FILE *f = need(fopen(path, "w"), "the answer cannot be written");
+    fprintf(f, "# steps = %d\n%s\n", steps, dim == 2 ? "x,y,T" : "x,T");
+    for (struct point *p = point; p < point + points; p++) {
+        if (!is_cell((int)(p - point))) continue;
+        fprintf(f, "%.17g,", p->x[0]);
+        if (dim == 2) fprintf(f, "%.17g,", p->x[1]);
+        fprintf(f, "%.17g\n", p->T);
+    }
+    if (fclose(f)) stop("the answer cannot be written");
+}
+
+int main(int argc, char **argv) {
+    char path[4096];
+    if (argc != 3) stop("two arguments are needed: CASE OUT");
+    snprintf(path, sizeof path, "%s.points", argv[2]);
+    read_case(argv[1]);
+    make_points(path);
+    ask_scene(path);
+    int steps = (int)ceil(t_end * make_faces() / 0.25);
+    run(path, steps);
+    write_answer(argv[2], steps);
+    return 0;
 }

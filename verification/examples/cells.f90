@@ -1,59 +1,192 @@
-! cells CASE OUT: finite volumes on a grid of cells, explicit Euler.  All that the case does not tell, `heatladder
-! reference` does, at the centres of the cells and of the faces on the sides; $HEATLADDER is that program.
+! cells CASE OUT: finite volumes on a grid of cells, explicit Euler.
+!
+!     rho_c dT/dt = source + sum over the faces of a cell of conductance (T_beyond - T)
+!
+! The case file gives the grid and the end time.  `heatladder reference` gives all else (start, source, coefficients,
+! walls) at the centres of the cells and of the faces on the sides.  $HEATLADDER is the path of that program.
 program cells
-    implicit none; logical :: changing = .false.
-    character(4096) :: line, argument(3) ! case, answer, a question
-    integer :: dim = 1, n(2) = 1, at, status, i, j, d, s, e(2), first, last
-    double precision :: lo(2) = 0, hi(2) = 1, h(2), t_end, speed, fastest = 0, beyond, q(0:3)
-    double precision, allocatable :: p(:, :, :), T(:, :), x(:, :, :), g(:, :, :)
-    call get_command_argument(1, argument(1)); call get_command_argument(2, argument(2))
-    open (10, file=argument(1), status='old', iostat=status); if (status /= 0) error stop 'cells CASE OUT'
-    do while (status >= 0)
-        read (10, '(a)', iostat=status) line
-        at = index(line, ' = ')
-        if (line(:at) == 'dim') read (line(at + 3:), *) dim
-        if (line(:at) == 't_end') read (line(at + 3:), *) t_end
-        if (line(:at) == 'lo') read (line(at + 3:), *) lo(:dim)
-        if (line(:at) == 'hi') read (line(at + 3:), *) hi(:dim)
-        if (line(:at) == 'cells') read (line(at + 3:), *) n(:dim)
-        if (line(:at) == 'oracle') argument(3) = '${HEATLADDER:-heatladder} reference '//line(at + 3:)
-        if (line(:at) == 'source') changing = line(at + 3:) == 'changing'
-    end do
-    ! Cells 1 to n along each axis, framed by the faces on the sides; a rod is one row, without a frame in y.
-    h = (hi - lo)/n; first = 2 - dim; last = n(2) + dim - 1; i = n(1) + 1; j = n(2)
-    allocate (p(3 + 4*dim, 0:i, first:last), x(2, 0:i, first:last), T(0:i, 0:j + 1), g(4, n(1), j))
-    forall (i=0:n(1) + 1, j=first:last) x(:, i, j) = min(max(lo + ([i, j] - 0.5d0)*h, lo), hi)
-    open (11, file=trim(argument(2))//'.points'); write (11, '(a)') 'x,y,dx,dy'
-    write (11, '(3(es25.17e3, ","), es25.17e3)') ((x(:, i, j), h, i=0, n(1) + 1), j=first, last); close (11)
-    argument(3) = trim(argument(3))//' --points "'//trim(argument(2))//'.points" >"'//trim(argument(2))//'.told"'
-    line = ' --time 0 --what initial_heat,source,rho_c,k_x,wall_x'//merge(',k_y,wall_y', '           ', dim == 2)
-    call execute_command_line(trim(argument(3))//line, exitstat=status)
-    if (status /= 0) error stop 'cells: no answer from heatladder reference'
-    open (12, file=trim(argument(2))//'.told'); read (12, '(a)') line
-    read (12, *) ((q(:dim - 1), p(:, i, j), i=0, n(1) + 1), j=first, last)
-    T = 0; T(:, first:last) = p(1, :, :); g = 0; p(1, :, :) = 0 ! from here on what flows in
-    ! Conductances of the faces, over the cell's width: half cells in series, and at a side Robin's coefficient.
-    do j = 1, n(2); do i = 1, n(1); speed = 0
-        do s = 0, 2*dim - 1
-            d = s/2 + 1; e = [i, j]; e(d) = e(d) + 2*mod(s, 2) - 1
-            q = p(4*d:4*d + 3, e(1), e(2)); beyond = h(d)/(2*q(0)) ! k, kind, value, b
-            if (e(d) < 1 .or. e(d) > n(d)) then
-                T(e(1), e(2)) = q(2); beyond = merge(1/max(q(3), tiny(1d0)), 0d0, q(1) == 3)
-                if (q(1) == 2) p(1, i, j) = p(1, i, j) + q(2)/h(d)
-                if (q(1) == 2) beyond = huge(1d0) ! nothing but that flux
-            end if
-            g(s + 1, i, j) = 1/(h(d)/(2*p(4*d, i, j)) + beyond)/h(d)
-            speed = speed + p(4*d, i, j)/h(d)**2/p(3, i, j)/2; fastest = max(fastest, speed)
-    end do; end do; end do
-    at = ceiling(t_end*fastest/0.25d0); i = n(1); j = n(2); close (12)
-    write (line, '(a, es23.17, a, i0, a)') ' --time 0:', t_end, ':', at + 1, ' --what source' ! of all steps
-    if (changing) call execute_command_line(trim(argument(3))//line)
-    open (12, file=trim(argument(2))//'.told'); read (12, '(a)') line; do s = 1, at
-        if (changing) read (12, *) ((q(:dim), p(2, d, status), d=0, i + 1), status=first, last)
-        T(1:i, 1:j) = T(1:i, 1:j) + t_end/at/p(3, 1:i, 1:j)*(p(1, 1:i, 1:j) + p(2, 1:i, 1:j) + &
-            g(1, :, :)*(T(:i - 1, 1:j) - T(1:i, 1:j)) + g(2, :, :)*(T(2:, 1:j) - T(1:i, 1:j)) + &
-            g(3, :, :)*(T(1:i, :j - 1) - T(1:i, 1:j)) + g(4, :, :)*(T(1:i, 2:) - T(1:i, 1:j)))
-    end do
-    open (13, file=argument(2)); write (13, '(a, i0/a)') '# steps = ', at, merge('x y T', 'x T  ', dim == 2)
-    write (13, merge('(3es26.17e3)', '(2es26.17e3)', dim == 2)) ((x(:dim, i, j), T(i, j), i=1, n(1)), j=1, n(2))
+    implicit none
+    integer, parameter :: dp = kind(1d0)
+    integer, parameter :: flux_wall = 2, cooled_wall = 3 ! kinds in the answers of `reference`; 1: held
+    character(4096) :: case_file, answer_file, oracle
+    integer :: dim = 1, n(2) = 1, steps, step, unit
+    integer :: first_row, last_row ! of points along y: a rod is one row without a frame
+    logical :: changing = .false.
+    real(dp) :: lo(2) = 0, hi(2) = 1, width(2), t_end
+    ! Points (0:n(1) + 1, 0:n(2) + 1): cells from 1 to n, framed by the faces on the sides.
+    real(dp), allocatable :: x(:, :, :), T(:, :), source(:, :), rho_c(:, :)
+    real(dp), allocatable :: k(:, :, :), kind_of(:, :, :), value(:, :, :), b(:, :, :) ! first index: the axis
+    ! Of cells: the conductances to x low, x high, y low, y high and what walls of given flux add.
+    real(dp), allocatable :: conductance(:, :, :), flux(:, :)
+
+    if (command_argument_count() /= 2) error stop 'cells: two arguments are needed: CASE OUT'
+    call get_command_argument(1, case_file)
+    call get_command_argument(2, answer_file)
+    call read_case()
+    call make_points()
+    call ask_scene()
+    call make_faces()
+    call run()
+    call write_answer()
+
+contains
+
+    subroutine read_case()
+        character(4096) :: line, key, text
+        integer :: equals, status
+        open (newunit=unit, file=case_file, status='old', action='read', iostat=status)
+        if (status /= 0) error stop 'cells: the case cannot be opened'
+        do
+            read (unit, '(a)', iostat=status) line
+            if (status /= 0) exit
+            equals = index(line, ' = ')
+            key = line(:equals)
+            text = line(equals + 3:)
+            select case (key)
+            case ('dim'); read (text, *) dim
+            case ('cells'); read (text, *) n(:dim)
+            case ('lo'); read (text, *) lo(:dim)
+            case ('hi'); read (text, *) hi(:dim)
+            case ('t_end'); read (text, *) t_end
+            case ('source'); changing = text == 'changing'
+            case ('oracle'); oracle = text
+            end select
+        end do
+        close (unit)
+        width = (hi - lo)/n
+        first_row = 2 - dim
+        last_row = n(2) + dim - 1
+    end subroutine
+
+    subroutine make_points()
+        integer :: i, j
+        allocate (x(2, 0:n(1) + 1, 0:n(2) + 1))
+        do j = 0, n(2) + 1
+            do i = 0, n(1) + 1
+                x(:, i, j) = min(max(lo + ([i, j] - 0.5_dp)*width, lo), hi)
+            end do
+        end do
+        open (newunit=unit, file=trim(answer_file)//'.points')
+        write (unit, '(a)') 'x,y,dx,dy'
+        do j = first_row, last_row
+            do i = 0, n(1) + 1
+                write (unit, '(3(es25.17e3, ","), es25.17e3)') x(:, i, j), width
+            end do
+        end do
+        close (unit)
+    end subroutine
+
+    ! Asks `reference` at the points and opens its answer after the header.
+    subroutine ask(times, what)
+        character(*), intent(in) :: times, what
+        character(4096) :: header
+        integer :: status
+        call execute_command_line('${HEATLADDER:-heatladder} reference '//trim(oracle)//" --points '"// &
+            trim(answer_file)//".points' --time "//times//' --what '//what//" >'"//trim(answer_file)//".reference'", &
+            exitstat=status)
+        if (status /= 0) error stop 'cells: no answer from heatladder reference'
+        open (newunit=unit, file=trim(answer_file)//'.reference', action='read')
+        read (unit, '(a)') header
+    end subroutine
+
+    subroutine ask_scene()
+        integer :: i, j
+        real(dp) :: place(dim), wall(4, dim)
+        allocate (T(0:n(1) + 1, 0:n(2) + 1), source(0:n(1) + 1, 0:n(2) + 1), rho_c(0:n(1) + 1, 0:n(2) + 1))
+        allocate (k(2, 0:n(1) + 1, 0:n(2) + 1), kind_of(2, 0:n(1) + 1, 0:n(2) + 1))
+        allocate (value(2, 0:n(1) + 1, 0:n(2) + 1), b(2, 0:n(1) + 1, 0:n(2) + 1))
+        T = 0
+        if (dim == 1) call ask('0', 'initial_heat,source,rho_c,k_x,wall_x')
+        if (dim == 2) call ask('0', 'initial_heat,source,rho_c,k_x,wall_x,k_y,wall_y')
+        do j = first_row, last_row
+            do i = 0, n(1) + 1
+                read (unit, *) place, T(i, j), source(i, j), rho_c(i, j), wall
+                k(:dim, i, j) = wall(1, :)
+                kind_of(:dim, i, j) = wall(2, :)
+                value(:dim, i, j) = wall(3, :)
+                b(:dim, i, j) = wall(4, :)
+            end do
+        end do
+        close (unit)
+    end subroutine
+
+    ! Half cells in series, or a half cell and what the wall resists.
+    subroutine make_faces()
+        integer :: i, j, d, face, e(2)
+        real(dp) :: resistance
+        allocate (conductance(4, n(1), n(2)), flux(n(1), n(2)))
+        conductance = 0
+        flux = 0
+        do j = 1, n(2)
+            do i = 1, n(1)
+                do face = 1, 2*dim
+                    d = (face + 1)/2
+                    e = [i, j] ! the point beyond the face
+                    e(d) = e(d) + merge(-1, 1, mod(face, 2) == 1)
+                    resistance = width(d)/(2*k(d, i, j))
+                    if (e(d) >= 1 .and. e(d) <= n(d)) then
+                        resistance = resistance + width(d)/(2*k(d, e(1), e(2)))
+                    else
+                        T(e(1), e(2)) = value(d, e(1), e(2))
+                        if (nint(kind_of(d, e(1), e(2))) == flux_wall) then
+                            flux(i, j) = flux(i, j) + value(d, e(1), e(2))/width(d)
+                            cycle
+                        end if
+                        if (nint(kind_of(d, e(1), e(2))) == cooled_wall) resistance = resistance + 1/b(d, e(1), e(2))
+                    end if
+                    conductance(face, i, j) = 1/(resistance*width(d))
+                end do
+            end do
+        end do
+    end subroutine
+
+    ! A source that changes in time is asked for at the start of every step.
+    subroutine run()
+        character(64) :: times
+        integer :: i, j, d
+        real(dp) :: fastest, dt, now, place(dim)
+        fastest = 0
+        do j = 1, n(2)
+            do i = 1, n(1)
+                fastest = max(fastest, sum([(k(d, i, j)/(width(d)**2*rho_c(i, j)), d=1, dim)]))
+            end do
+        end do
+        steps = ceiling(t_end*fastest/0.25_dp)
+        dt = t_end/steps
+        write (times, '(a, es23.17, a, i0)') '0:', t_end, ':', steps + 1
+        if (changing) call ask(trim(times), 'source')
+        do step = 1, steps
+            if (changing) read (unit, *) ((now, place, source(i, j), i=0, n(1) + 1), j=first_row, last_row)
+            call step_by(dt)
+        end do
+        if (changing) close (unit)
+    end subroutine
+
+    subroutine step_by(dt)
+        real(dp), intent(in) :: dt
+        integer :: i, j
+        real(dp) :: rate(n(1), n(2))
+        do j = 1, n(2)
+            do i = 1, n(1)
+                rate(i, j) = source(i, j) + flux(i, j) + &
+                    conductance(1, i, j)*(T(i - 1, j) - T(i, j)) + conductance(2, i, j)*(T(i + 1, j) - T(i, j)) + &
+                    conductance(3, i, j)*(T(i, j - 1) - T(i, j)) + conductance(4, i, j)*(T(i, j + 1) - T(i, j))
+            end do
+        end do
+        T(1:n(1), 1:n(2)) = T(1:n(1), 1:n(2)) + dt*rate/rho_c(1:n(1), 1:n(2))
+    end subroutine
+
+    subroutine write_answer()
+        integer :: i, j
+        open (newunit=unit, file=answer_file)
+        write (unit, '(a, i0)') '# steps = ', steps
+        if (dim == 1) write (unit, '(a)') 'x T'
+        if (dim == 2) write (unit, '(a)') 'x y T'
+        do j = 1, n(2)
+            do i = 1, n(1)
+                write (unit, '(3es26.17e3)') x(:dim, i, j), T(i, j)
+            end do
+        end do
+        close (unit)
+    end subroutine
 end program

@@ -1,59 +1,132 @@
-% octave-cli cells.m CASE OUT: finite volumes on a grid of cells, explicit Euler.  All that the case does not tell,
-% `heatladder reference` does, at the centres of the cells and of the faces on the sides; $HEATLADDER is that program.
-args = argv();
-for row = regexp(fileread(args{1}), '([^\n]+?) = ([^\n]*)', 'tokens')
-    field.(row{1}{1}) = row{1}{2};
-end
-number = @(key) sscanf(strrep(field.(key), ',', ' '), '%f')';
-dim = number('dim'); lo = number('lo'); hi = number('hi'); n = number('cells'); t_end = number('t_end');
-h = (hi - lo) ./ n;
-% Cells 2 to n + 1 along each axis, framed by the faces on the sides; a rod is one column, without a frame in y.
-along = @(d) [lo(d), lo(d) + ((1:n(d)) - 0.5) * h(d), hi(d)];
-if dim == 1
-    points = along(1)'; ny = 1; in_y = 1; header = 'x,dx'; more = ''; answer = 'x,T';
-else
-    [x, y] = ndgrid(along(1), along(2));
-    points = [x(:), y(:)]; ny = n(2) + 2; in_y = 2:n(2) + 1;
-    header = 'x,y,dx,dy'; more = ',k_y,wall_y'; answer = 'x,y,T';
-end
-in_x = 2:n(1) + 1; shape = [n(1) + 2, ny]; f = fopen([args{2} '.points'], 'w');
-fprintf(f, '%s\n', header);
-fprintf(f, [strjoin(repmat({'%.17g'}, 1, 2 * dim), ',') '\n'], [points, repmat(h, rows(points), 1)]');
-fclose(f);
-ask = ['${HEATLADDER:-heatladder} reference ' field.oracle ' --points ''' args{2} '.points'' --time 0'];
-[status, told] = system([ask ' --what initial_heat,source,rho_c,k_x,wall_x' more]);
-if status error('no answer from heatladder reference'); end
-told = sscanf(strrep(regexprep(told, '^[^\n]*\n', ''), ',', ' '), '%f', [5 * dim + 3, Inf])'(:, dim + 1:end);
-p = @(column) reshape(told(:, column), shape);
+% octave-cli cells.m CASE OUT: finite volumes on a grid of cells, explicit Euler.
+%
+%     rho_c dT/dt = source + sum over the faces of a cell of conductance (T_beyond - T)
+%
+% The case file gives the grid and the end time.  `heatladder reference` gives all else (start, source, coefficients,
+% walls) at the centres of the cells and of the faces on the sides.  $HEATLADDER is the path of that program.
+1; % a script, although functions come first
 
-% Conductances of the faces, over the cell's width: half cells in series, and at a side Robin's coefficient.
-T = p(1); source = p(2)(in_x, in_y); flux = 0 * source; rho_c = p(3)(in_x, in_y); g = cell(1, 2 * dim); speed = 0;
-for s = 1:2 * dim
-    d = ceil(s / 2); step = 2 * mod(s + 1, 2) - 1;
-    ix{s} = in_x + step * (d == 1); iy{s} = in_y + step * (d == 2);
-    k = p(4 * d)(in_x, in_y); k_e = p(4 * d)(ix{s}, iy{s}); kind = p(4 * d + 1)(ix{s}, iy{s});
-    value = p(4 * d + 2)(ix{s}, iy{s}); b = p(4 * d + 3)(ix{s}, iy{s});
-    place = {ix{s}' * ones(1, numel(in_y)), ones(n(1), 1) * iy{s}}{d};
-    side = place == 1 | place == n(d) + 2;
-    beyond = h(d) ./ (2 * k_e); beyond(side) = 0; beyond(side & kind == 3) = 1 ./ b(side & kind == 3);
-    g{s} = 1 ./ (h(d) ./ (2 * k) + beyond) / h(d); g{s}(side & kind == 2) = 0;
-    flux(side & kind == 2) += value(side & kind == 2) / h(d);
-    around = T(ix{s}, iy{s}); around(side) = value(side); T(ix{s}, iy{s}) = around;
-    speed = speed + k ./ (h(d) ^ 2 * rho_c) / 2;
-end
-steps = ceil(t_end * max(speed(:)) / 0.25); change = strcmp(field.source, 'changing');
-if change [~, told] = system(sprintf('%s:%.17g:%d --what source | sed "1d; s/.*,//"', ask, t_end, steps + 1)); end
-for step = 1:steps
-    if step * change == 1 told = sscanf(told, '%f', [prod(shape), Inf]); end
-    if change source = reshape(told(:, step), shape)(in_x, in_y); end
-    rate = source + flux;
-    for s = 1:2 * dim
-        rate += g{s} .* (T(ix{s}, iy{s}) - T(in_x, in_y));
+% The `key = value` lines of the case as a structure of strings.
+function field = read_case(path)
+    for pair = regexp(fileread(path), '([^\n]+?) = ([^\n]*)', 'tokens')
+        field.(pair{1}{1}) = pair{1}{2};
     end
-    T(in_x, in_y) += t_end / steps * rate ./ rho_c;
 end
-keep = false(shape); keep(in_x, in_y) = true;
-f = fopen(args{2}, 'w');
-fprintf(f, '# steps = %d\n%s\n', steps, answer);
-fprintf(f, [strjoin(repmat({'%.17g'}, 1, dim + 1), ',') '\n'], [points(keep(:), :), T(keep)]');
-fclose(f);
+
+function values = numbers(text)
+    values = sscanf(strrep(text, ',', ' '), '%f')';
+end
+
+function write_rows(path, header, rows)
+    [f, message] = fopen(path, 'w');
+    if f < 0
+        error('%s: %s', path, message);
+    end
+    fprintf(f, '%s\n', header);
+    fprintf(f, [strjoin(repmat({'%.17g'}, 1, columns(rows)), ',') '\n'], rows');
+    fclose(f);
+end
+
+% A row of numbers for each point (and each time, if there are several), with the point itself.
+function rows = ask(oracle, path, times, what, width)
+    [status, answer] = system(sprintf('${HEATLADDER:-heatladder} reference %s --points ''%s'' --time %s --what %s', ...
+                                      oracle, path, times, what));
+    if status
+        error('no answer from heatladder reference');
+    end
+    answer = regexprep(answer, '^[^\n]*\n', ''); % the header
+    rows = sscanf(strrep(answer, ',', ' '), '%f', [width, Inf])';
+end
+
+args = argv();
+if numel(args) != 2
+    error('two arguments are needed: CASE OUT');
+end
+field = read_case(args{1});
+dim = numbers(field.dim);
+lo = numbers(field.lo);
+hi = numbers(field.hi);
+n = numbers(field.cells);
+t_end = numbers(field.t_end);
+width = (hi - lo) ./ n;
+
+% Cells 2 to n + 1 along each axis, framed by the faces on the sides.  A rod is one column without a frame in y.
+axis_points = @(d) [lo(d), lo(d) + ((1:n(d)) - 0.5) * width(d), hi(d)];
+in_x = 2:n(1) + 1;
+if dim == 1
+    points = axis_points(1)';
+    in_y = 1;
+    shape = [n(1) + 2, 1];
+    write_rows([args{2} '.points'], 'x,dx', [points, repmat(width, rows(points), 1)]);
+    scene = ask(field.oracle, [args{2} '.points'], '0', 'initial_heat,source,rho_c,k_x,wall_x', 8);
+else
+    [x, y] = ndgrid(axis_points(1), axis_points(2));
+    points = [x(:), y(:)];
+    in_y = 2:n(2) + 1;
+    shape = n + 2;
+    write_rows([args{2} '.points'], 'x,y,dx,dy', [points, repmat(width, rows(points), 1)]);
+    scene = ask(field.oracle, [args{2} '.points'], '0', 'initial_heat,source,rho_c,k_x,wall_x,k_y,wall_y', 13);
+end
+column = @(i) reshape(scene(:, dim + i), shape);
+T = column(1);
+source = column(2)(in_x, in_y);
+rho_c = column(3)(in_x, in_y);
+
+% The faces: half cells in series, or a half cell and what the wall resists.
+flux = zeros(size(source));
+speed = zeros(size(source));
+for face = 1:2 * dim
+    d = ceil(face / 2);
+    step = 2 * mod(face + 1, 2) - 1;
+    beyond_x{face} = in_x + step * (d == 1); % where the neighbours are
+    beyond_y{face} = in_y + step * (d == 2);
+    k = column(4 * d)(in_x, in_y);
+    k_beyond = column(4 * d)(beyond_x{face}, beyond_y{face});
+    kind = column(4 * d + 1)(beyond_x{face}, beyond_y{face}); % 1: held, 2: a given flux, 3: cooled
+    value = column(4 * d + 2)(beyond_x{face}, beyond_y{face});
+    b = column(4 * d + 3)(beyond_x{face}, beyond_y{face});
+    is_wall = false(size(source));
+    if d == 1
+        is_wall((step + 1) / 2 * (n(1) - 1) + 1, :) = true;
+    else
+        is_wall(:, (step + 1) / 2 * (n(2) - 1) + 1) = true;
+    end
+    is_flux = is_wall & kind == 2;
+    is_cooled = is_wall & kind == 3;
+
+    beyond = width(d) ./ (2 * k_beyond);
+    beyond(is_wall) = 0;
+    beyond(is_cooled) = 1 ./ b(is_cooled);
+    conductance{face} = 1 ./ (width(d) ./ (2 * k) + beyond) / width(d);
+    conductance{face}(is_flux) = 0;
+    flux(is_flux) += value(is_flux) / width(d);
+
+    around = T(beyond_x{face}, beyond_y{face});
+    around(is_wall) = value(is_wall);
+    T(beyond_x{face}, beyond_y{face}) = around;
+    speed += k ./ (width(d) ^ 2 * rho_c) / 2;
+end
+
+% A source that changes in time is asked for at the start of every step.
+steps = ceil(t_end * max(speed(:)) / 0.25);
+dt = t_end / steps;
+changing = strcmp(field.source, 'changing');
+if changing
+    answers = ask(field.oracle, [args{2} '.points'], sprintf('0:%.17g:%d', t_end, steps + 1), 'source', dim + 2);
+    sources = reshape(answers(:, end), prod(shape), []);
+end
+for step = 1:steps
+    if changing
+        source = reshape(sources(:, step), shape)(in_x, in_y);
+    end
+    rate = source + flux;
+    for face = 1:2 * dim
+        rate += conductance{face} .* (T(beyond_x{face}, beyond_y{face}) - T(in_x, in_y));
+    end
+    T(in_x, in_y) += dt * rate ./ rho_c;
+end
+
+is_cell = false(shape);
+is_cell(in_x, in_y) = true;
+header = {'x,T', 'x,y,T'}{dim};
+write_rows(args{2}, sprintf('# steps = %d\n%s', steps, header), [points(is_cell(:), :), T(is_cell)]);

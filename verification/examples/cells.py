@@ -1,59 +1,107 @@
-"""cells.py CASE OUT: finite volumes on a grid of cells, explicit Euler.  All that the case does not tell, `heatladder
-reference` does, at the centres of the cells and of the faces on the sides; $HEATLADDER is that program."""
+"""cells.py CASE OUT: finite volumes on a grid of cells, explicit Euler.
+
+    rho_c dT/dt = source + sum over the faces of a cell of conductance (T_beyond - T)
+
+The case file gives the grid and the end time.  `heatladder reference` gives all else (start, source, coefficients,
+walls) at the centres of the cells and of the faces on the sides.  $HEATLADDER is the path of that program.
+"""
 import math
 import os
 import subprocess
 import sys
-case = dict(line.rstrip("\n").split(" = ", 1) for line in open(sys.argv[1]))
+
+FLUX, COOLED = 2, 3  # kinds of walls in the answers of `reference`; 1 is a wall of given temperature
+
+
+def read_case(path):
+    """The `key = value` lines of the case as a dictionary of strings."""
+    with open(path) as f:
+        return dict(line.rstrip("\n").split(" = ", 1) for line in f)
+
+
+def numbers(text):
+    return [float(word) for word in text.split(",")]
+
+
+class Reference:
+    """Asks `heatladder reference` about the scene of a case, at points that are written once."""
+
+    def __init__(self, oracle, path, points, width):
+        self.path, self.dim = path, len(width)
+        self.words = [os.environ.get("HEATLADDER", "heatladder"), "reference", *oracle.split(), "--points", path]
+        with open(path, "w") as f:
+            print("x,dx" if self.dim == 1 else "x,y,dx,dy", file=f)
+            for point in points:
+                print(*point, *width, sep=",", file=f)
+
+    def ask(self, times, what):
+        """A list of numbers for each point (and each time, if there are several), without the point itself."""
+        answer = subprocess.run(self.words + ["--time", times, "--what", what],
+                                check=True, stdout=subprocess.PIPE, text=True).stdout
+        return [numbers(line)[self.dim:] for line in answer.splitlines()[1:]]
+
+
+case = read_case(sys.argv[1])
 dim, t_end = int(case["dim"]), float(case["t_end"])
-lo, hi = ([float(v) for v in case[key].split(",")] for key in ("lo", "hi"))
-n = [int(v) for v in case["cells"].split(",")]
-h = [(hi[d] - lo[d]) / n[d] for d in range(dim)]
-# Cells 1 to n along each axis, framed by the faces on the sides; a rod is one row, without a frame in y.
-axes = [[lo[d]] + [lo[d] + (i + 0.5) * h[d] for i in range(n[d])] + [hi[d]] for d in range(dim)]
+lo, hi = numbers(case["lo"]), numbers(case["hi"])
+n = [int(word) for word in case["cells"].split(",")]
+width = [(hi[d] - lo[d]) / n[d] for d in range(dim)]
+
+# Cells 1 to n along each axis, framed by the faces on the sides.  A rod is one row without a frame in y.
+axes = [[lo[d]] + [lo[d] + (i + 0.5) * width[d] for i in range(n[d])] + [hi[d]] for d in range(dim)]
 points = [(x,) for x in axes[0]] if dim == 1 else [(x, y) for y in axes[1] for x in axes[0]]
-nx = n[0] + 2
-inside = [c for c, at in enumerate(points) if all(lo[d] < at[d] < hi[d] for d in range(dim))]
-with open(sys.argv[2] + ".points", "w") as f:
-    print(*("xy"[:dim]), *("dx", "dy")[:dim], sep=",", file=f)
-    for at in points:
-        print(*at, *h, sep=",", file=f)
-def ask(time, what):  # a row of answers for each point
-    words = [os.environ.get("HEATLADDER", "heatladder"), "reference", *case["oracle"].split()]
-    words += ["--points", f.name, "--time", time, "--what", what]
-    told = subprocess.run(words, check=True, stdout=subprocess.PIPE, text=True).stdout.split("\n")[1:-1]
-    return [[float(v) for v in line.split(",")[dim:]] for line in told]
-told = ask("0", "initial_heat,source,rho_c,k_x,wall_x" + (",k_y,wall_y" if dim == 2 else ""))
-# Conductances of the faces, over the cell's width: half cells in series, and at a side Robin's coefficient.
-T = [p[0] for p in told]
-source = [p[1] for p in told]
-cells, fastest = [], 0
-for c in inside:
-    rho_c, flux, faces = told[c][2], 0, []
+stride = [1, n[0] + 2]  # from a point to the next along x and along y
+
+
+def on_side(e, d):
+    return not lo[d] < points[e][d] < hi[d]
+
+
+cells = [c for c in range(len(points)) if not any(on_side(c, d) for d in range(dim))]
+
+reference = Reference(case["oracle"], sys.argv[2] + ".points", points, width)
+scene = reference.ask("0", "initial_heat,source,rho_c,k_x,wall_x" + (",k_y,wall_y" if dim == 2 else ""))
+T = [values[0] for values in scene]
+source = [values[1] for values in scene]
+rho_c = [values[2] for values in scene]
+k = [values[3::4] for values in scene]  # along each axis
+wall = [[values[4 + 4 * d:7 + 4 * d] for d in range(dim)] for values in scene]  # kind, value, b
+
+# The faces of each cell: half cells in series, or a half cell and what the wall resists.
+flux = [0.0] * len(points)
+faces = [[] for point in points]  # of each cell, pairs (point beyond, conductance)
+fastest = 0
+for c in cells:
     for d in range(dim):
-        k = told[c][3 + 4 * d]
-        for e in (c - (1, nx)[d], c + (1, nx)[d]):
-            k_e, kind, value, b = told[e][3 + 4 * d : 7 + 4 * d]
-            side = not lo[d] < points[e][d] < hi[d]
-            T[e] = value if side else T[e]
-            if side and kind == 2:
-                flux += value / h[d]
+        for e in (c - stride[d], c + stride[d]):
+            kind, value, b = wall[e][d]
+            resistance = width[d] / (2 * k[c][d])
+            if on_side(e, d) and kind == FLUX:
+                flux[c] += value / width[d]
+                continue
+            if on_side(e, d):
+                T[e] = value
+                resistance += 1 / b if kind == COOLED else 0
             else:
-                beyond = h[d] / (2 * k_e) if not side else 1 / b if kind == 3 else 0
-                faces.append((e, 1 / (h[d] / (2 * k) + beyond) / h[d] / rho_c))
-    cells.append((c, flux, rho_c, faces))
-    fastest = max(fastest, sum(told[c][3 + 4 * d] / (h[d] ** 2 * rho_c) for d in range(dim)))
+                resistance += width[d] / (2 * k[e][d])
+            faces[c].append((e, 1 / (resistance * width[d])))
+    fastest = max(fastest, sum(k[c][d] / (width[d] ** 2 * rho_c[c]) for d in range(dim)))
+
+# A source that changes in time is asked for at the start of every step.
 steps = math.ceil(t_end * fastest / 0.25)
 dt = t_end / steps
-change = ask(f"0:{t_end}:{steps + 1}", "source") if case["source"] == "changing" else []
+changing = case["source"] == "changing"
+if changing:
+    sources = [values[-1] for values in reference.ask(f"0:{t_end}:{steps + 1}", "source")]
 for step in range(steps):
-    source = [value for time, value in change[step * len(points) : (step + 1) * len(points)]] or source
-    new = [T[c] + dt * ((source[c] + flux) / rho_c + sum([g * (T[e] - T[c]) for e, g in faces]))
-           for c, flux, rho_c, faces in cells]
-    for c, value in zip(inside, new):
-        T[c] = value
+    if changing:
+        source = sources[step * len(points):(step + 1) * len(points)]
+    rate = [source[c] + flux[c] + sum([g * (T[e] - T[c]) for e, g in faces[c]]) for c in cells]
+    for c, r in zip(cells, rate):
+        T[c] += dt * r / rho_c[c]
+
 with open(sys.argv[2], "w") as f:
     print("# steps =", steps, file=f)
-    print(*("xy"[:dim]), "T", sep=",", file=f)
-    for c in inside:
+    print("x,T" if dim == 1 else "x,y,T", file=f)
+    for c in cells:
         print(*points[c], T[c], sep=",", file=f)

@@ -1,59 +1,198 @@
-/* cvode CASE OUT: SUNDIALS' CVODE (BDF, a banded matrix) on finite volumes on a grid of cells.  What the case does
-   not tell, `heatladder reference` does, at the centres of cells and of faces on the sides; $HEATLADDER is that. */
+/* cvode CASE OUT: SUNDIALS' CVODE (BDF, a banded matrix) on finite volumes on a grid of cells.
+ *
+ *     rho_c dT/dt = source + sum over the faces of a cell of conductance (T_beyond - T)
+ *
+ * The case file gives the grid and the end time.  `heatladder reference` gives all else (start, source, coefficients,
+ * walls) at the centres of the cells and of the faces on the sides.  $HEATLADDER is the path of that program. */
 #include <cvode/cvode.h>
 #include <math.h>
 #include <nvector/nvector_serial.h>
+#include <stdio.h>
 #include <stdlib.h>
+#include <string.h>
 #include <sunlinsol/sunlinsol_band.h>
-enum { MEAN, SOURCE, RHO_C, K, KIND, VALUE, B, COLUMNS = 11 }; /* K to B of x, then of y */
-static int dim = 1, n[2] = {1, 1}, nx, all;
-static double t, t_end, lo[2], hi[2] = {0, 1}, h[2], (*p)[COLUMNS], (*g)[2]; /* g: to the next, over the width */
-/* Cells 1 to n along each axis, framed by the faces on the sides; a rod is one row, without a frame in y. */
-static int place(int c, int d) { return d ? c / nx : c % nx; }
-static int is_side(int c, int d) { return d < dim && (place(c, d) == 0 || place(c, d) == n[d] + 1); }
-static int is_in(int c) { return !is_side(c, 0) && !is_side(c, 1); }
-static double at(int c, int d) { return d < dim ? fmin(fmax(lo[d] + (place(c, d) - 0.5) * h[d], lo[d]), hi[d]) : 0; }
-static double half(int c, int d) { /* a resistance: none where T is given, without end where the flux is */
-    double k = p[c][K + 4 * d], kind = p[c][KIND + 4 * d];
-    return !is_side(c, d) ? h[d] / (2 * k) : kind == 1 ? 0 : kind == 3 ? 1 / p[c][B + 4 * d] : INFINITY;
+
+enum { HELD = 1, FLUX = 2, COOLED = 3 }; /* the kinds of walls in the answers of `reference` */
+enum { NOT_APPLICABLE = 77 };
+
+struct point {
+    double x[2];
+    double source, rho_c;
+    struct {
+        double k, kind, value, b; /* conductivity; the wall's kind, its value and its Robin coefficient */
+    } axis[2];
+    double conductance[2]; /* W m^-3 K^-1, to the next point along x and along y */
+};
+
+static int dim = 1, n[2] = {1, 1};
+static double lo[2], hi[2] = {0, 1}, width[2], t_end;
+static char oracle[2048];
+
+/* Cells 1 to n along each axis, framed by the faces on the sides.  A rod is one row without a frame in y. */
+static struct point *point;
+static int points, stride[2] = {1, 0};
+
+static void stop(const char *reason) {
+    fprintf(stderr, "cvode: %s\n", reason);
+    exit(1);
 }
-static int rhs(double now, N_Vector v, N_Vector to, void *user) {
-    double *T = N_VGetArrayPointer(v), *rate = N_VGetArrayPointer(to);
-    for (int c = 0; c < all; c++) rate[c] = is_in(c) ? p[c][SOURCE] / p[c][RHO_C] : 0;
-    for (int c = 0; c < all; c++) for (int d = 0, s = 1; is_in(c) && d < dim; d++, s = nx)
-        rate[c] += (g[c][d] * (T[c + s] - T[c]) + g[c - s][d] * (T[c - s] - T[c])) / p[c][RHO_C];
+
+static void *need(void *pointer, const char *reason) {
+    if (!pointer) stop(reason);
+    return pointer;
+}
+
+static void read_case(const char *path) {
+    char line[4096], source[16] = "";
+    FILE *f = need(fopen(path, "r"), "the case cannot be opened");
+    while (fgets(line, sizeof line, f)) {
+        sscanf(line, "dim = %d", &dim);
+        sscanf(line, "cells = %d, %d", &n[0], &n[1]);
+        sscanf(line, "lo = %lf, %lf", &lo[0], &lo[1]);
+        sscanf(line, "hi = %lf, %lf", &hi[0], &hi[1]);
+        sscanf(line, "t_end = %lf", &t_end);
+        sscanf(line, "source = %15s", source);
+        sscanf(line, "oracle = %2047[^\n]", oracle);
+    }
+    fclose(f);
+    if (!strcmp(source, "changing")) exit(NOT_APPLICABLE); /* the integrator takes times of its own */
+    for (int d = 0; d < 2; d++) width[d] = (hi[d] - lo[d]) / n[d];
+}
+
+static int place(int c, int d) {
+    return d == 0 ? c % stride[1] : dim == 1 ? 1 : c / stride[1];
+}
+
+static int on_wall(int c, int d) {
+    return place(c, d) < 1 || place(c, d) > n[d];
+}
+
+static int is_cell(int c) {
+    return !on_wall(c, 0) && !on_wall(c, 1);
+}
+
+static void make_points(const char *path) {
+    stride[1] = n[0] + 2;
+    points = stride[1] * (dim == 2 ? n[1] + 2 : 1);
+    point = need(calloc((size_t)points, sizeof *point), "out of memory");
+    FILE *f = need(fopen(path, "w"), "the points cannot be written");
+    fprintf(f, "x,y,dx,dy\n");
+    for (int c = 0; c < points; c++) {
+        double *x = point[c].x;
+        for (int d = 0; d < dim; d++) x[d] = fmin(fmax(lo[d] + (place(c, d) - 0.5) * width[d], lo[d]), hi[d]);
+        fprintf(f, "%.17g,%.17g,%.17g,%.17g\n", x[0], x[1], width[0], width[1]);
+    }
+    if (fclose(f)) stop("the points cannot be written");
+}
+
+static double next_number(FILE *answers) {
+    double value;
+    if (fscanf(answers, "%lf%*[,\n]", &value) != 1) stop("an answer of heatladder reference is not a number");
+    return value;
+}
+
+static void ask_scene(const char *path, double *T) {
+    char command[8192], header[4096];
+    const char *program = getenv("HEATLADDER");
+    snprintf(command, sizeof command, "%s reference %s --points '%s' --what initial_heat,source,rho_c,k_x,wall_x%s",
+             program ? program : "heatladder", oracle, path, dim == 2 ? ",k_y,wall_y" : "");
+    FILE *answers = need(popen(command, "r"), "heatladder cannot be started");
+    need(fgets(header, sizeof header, answers), "no answer from heatladder reference");
+    for (int c = 0; c < points; c++) {
+        struct point *p = &point[c];
+        for (int d = 0; d < dim; d++) next_number(answers); /* the point */
+        T[c] = next_number(answers);
+        p->source = next_number(answers);
+        p->rho_c = next_number(answers);
+        for (int d = 0; d < dim; d++) {
+            p->axis[d].k = next_number(answers);
+            p->axis[d].kind = next_number(answers);
+            p->axis[d].value = next_number(answers);
+            p->axis[d].b = next_number(answers);
+        }
+    }
+    if (pclose(answers)) stop("heatladder reference failed");
+}
+
+/* What lies between point c and the face beside it, m^2 K W^-1: half a cell, or what a wall resists. */
+static double resistance(int c, int d) {
+    const struct point *p = &point[c];
+    if (!on_wall(c, d)) return width[d] / (2 * p->axis[d].k);
+    if (p->axis[d].kind == HELD) return 0;
+    if (p->axis[d].kind == COOLED) return 1 / p->axis[d].b;
+    return INFINITY; /* a given flux, whatever the temperatures */
+}
+
+static void apply_wall(int wall, int cell, int d, double *T) {
+    T[wall] = point[wall].axis[d].value;
+    if (point[wall].axis[d].kind == FLUX) point[cell].source += T[wall] / width[d];
+}
+
+static void make_faces(double *T) {
+    for (int c = 0; c < points; c++)
+        for (int d = 0; d < dim; d++) {
+            int next = c + stride[d];
+            if (on_wall(c, !d) || place(c, d) > n[d]) continue; /* no face between these two */
+            point[c].conductance[d] = 1 / ((resistance(c, d) + resistance(next, d)) * width[d]);
+            if (on_wall(c, d)) apply_wall(c, next, d, T);
+            if (on_wall(next, d)) apply_wall(next, c, d, T);
+        }
+}
+
+static int rhs(double now, N_Vector state, N_Vector derivative, void *user) {
+    const double *T = N_VGetArrayPointer(state);
+    double *dT_dt = N_VGetArrayPointer(derivative);
+    (void)now, (void)user;
+    for (int c = 0; c < points; c++) {
+        dT_dt[c] = 0;
+        if (!is_cell(c)) continue;
+        double rate = point[c].source;
+        for (int d = 0; d < dim; d++) {
+            int previous = c - stride[d], next = c + stride[d];
+            rate += point[c].conductance[d] * (T[next] - T[c]) + point[previous].conductance[d] * (T[previous] - T[c]);
+        }
+        dT_dt[c] = rate / point[c].rho_c;
+    }
     return 0;
 }
+
+static void integrate(N_Vector state, SUNContext sun) {
+    double t;
+    int band = dim == 1 ? 1 : stride[1];
+    void *ode = need(CVodeCreate(CV_BDF, sun), "CVodeCreate failed");
+    SUNMatrix jacobian = need(SUNBandMatrix(points, band, band, sun), "SUNBandMatrix failed");
+    SUNLinearSolver solver = need(SUNLinSol_Band(state, jacobian, sun), "SUNLinSol_Band failed");
+    if (CVodeInit(ode, rhs, 0, state)) stop("CVodeInit failed");
+    if (CVodeSStolerances(ode, 1e-8, 1e-10)) stop("CVodeSStolerances failed");
+    if (CVodeSetMaxNumSteps(ode, 1000000)) stop("CVodeSetMaxNumSteps failed");
+    if (CVodeSetLinearSolver(ode, solver, jacobian)) stop("CVodeSetLinearSolver failed");
+    if (CVode(ode, t_end, state, &t, CV_NORMAL)) stop("CVode failed");
+}
+
+static void write_answer(const char *path, const double *T) {
+    FILE *f = need(fopen(path, "w"), "the answer cannot be written");
+    fprintf(f, "%s\n", dim == 2 ? "x,y,T" : "x,T");
+    for (int c = 0; c < points; c++) {
+        if (!is_cell(c)) continue;
+        for (int d = 0; d < dim; d++) fprintf(f, "%.17g,", point[c].x[d]);
+        fprintf(f, "%.17g\n", T[c]);
+    }
+    if (fclose(f)) stop("the answer cannot be written");
+}
+
 int main(int argc, char **argv) {
-    char line[4096], oracle[2048] = "", kind[9] = "", *program = getenv("HEATLADDER");
-    FILE *f = argc == 3 ? fopen(argv[1], "r") : NULL;
-    while (f && fgets(line, sizeof line, f))
-        sscanf(line, "dim = %d", &dim), sscanf(line, "cells = %d, %d", n, n + 1), sscanf(line, "t_end = %lf", &t_end),
-            sscanf(line, "lo = %lf, %lf", lo, lo + 1), sscanf(line, "hi = %lf, %lf", hi, hi + 1),
-            sscanf(line, "oracle = %2047[^\n]", oracle), sscanf(line, "source = %8s", kind);
-    if (*kind == 'c') return 77; /* the times are the integrator's */
-    for (int d = 0; d < 2; d++) h[d] = (hi[d] - lo[d]) / n[d];
-    nx = n[0] + 2, all = nx * (dim == 2 ? n[1] + 2 : 1), p = calloc(all, sizeof *p), g = calloc(all, sizeof *g);
+    char path[4096];
     SUNContext sun;
-    N_Vector v = SUNContext_Create(NULL, &sun) ? NULL : N_VNew_Serial(all, sun);
-    double *T = N_VGetArrayPointer(v);
-    snprintf(line, sizeof line, "%s.points", argv[2]), f = fopen(line, "w"), fprintf(f, "x,y,dx,dy\n");
-    for (int c = 0; c < all; c++) fprintf(f, "%.17g,%.17g,%.17g,%.17g\n", at(c, 0), at(c, 1), h[0], h[1]);
-    fclose(f), snprintf(line, sizeof line, "%s reference %s --points %s.points --what initial_heat,source,rho_c,%s",
-             program ? program : "heatladder", oracle, argv[2], dim == 2 ? "k_x,wall_x,k_y,wall_y" : "k_x,wall_x");
-    f = popen(line, "r"), fgets(line, sizeof line, f);
-    for (int c = 0; c < all; T[c] = p[c][MEAN], c++)
-        for (int i = -dim; i < K + 4 * dim; i++) if (fscanf(f, "%lf,", i < 0 ? &t : &p[c][i]) != 1) return 1;
-    for (int c = 0; c < all; c++) for (int d = 0, e = c + 1; d < dim; d++, e = c + nx)
-        for (int s = 0, q = c, other = e; !is_side(c, !d) && place(c, d) <= n[d] && s < 2; s++, q = e, other = c) {
-            g[c][d] = 1 / (half(c, d) + half(e, d)) / h[d];
-            if (is_side(q, d)) T[q] = p[q][VALUE + 4 * d], p[other][SOURCE] += isinf(half(q, d)) ? T[q] / h[d] : 0;
-        }
-    void *ode = CVodeCreate(CV_BDF, sun), *J = SUNBandMatrix(all, dim < 2 ? 1 : nx, dim < 2 ? 1 : nx, sun);
-    if (CVodeInit(ode, rhs, 0, v) || CVodeSStolerances(ode, 1e-8, 1e-10) || CVodeSetMaxNumSteps(ode, 1000000) ||
-        CVodeSetLinearSolver(ode, SUNLinSol_Band(v, J, sun), J) || CVode(ode, t_end, v, &t, CV_NORMAL)) return 1;
-    f = fopen(argv[2], "w"), fprintf(f, dim == 2 ? "x y T\n" : "x T\n");
-    for (int c = 0; c < all; c++) for (int d = 0; is_in(c) && d <= dim; d++)
-        fprintf(f, d < dim ? "%.17g " : "%.17g\n", d < dim ? at(c, d) : T[c]);
-    return fclose(f) != 0;
+    if (argc != 3) stop("two arguments are needed: CASE OUT");
+    snprintf(path, sizeof path, "%s.points", argv[2]);
+    read_case(argv[1]);
+    make_points(path);
+    if (SUNContext_Create(NULL, &sun)) stop("SUNContext_Create failed");
+    N_Vector state = need(N_VNew_Serial(points, sun), "N_VNew_Serial failed");
+    double *T = N_VGetArrayPointer(state);
+    ask_scene(path, T);
+    make_faces(T);
+    integrate(state, sun);
+    write_answer(argv[2], T);
+    return 0;
 }
