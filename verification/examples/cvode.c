@@ -149,7 +149,8 @@ static int rhs(double now, N_Vector state, N_Vector derivative, void *user) {
         double rate = point[c].source;
         for (int d = 0; d < dim; d++) {
             int previous = c - stride[d], next = c + stride[d];
-            rate += point[c].conductance[d] * (T[next] - T[c]) + point[previous].conductance[d] * (T[previous] - T[c]);
+            rate += point[c].conductance[d] * (T[next] - T[c]);
+            rate += point[previous].conductance[d] * (T[previous] - T[c]);
         }
         dT_dt[c] = rate / point[c].rho_c;
     }
