@@ -5,6 +5,7 @@
 #include "solver/problem.h"
 #include "solver/status.h"
 #include "verification/foreign/coverage.h"
+#include "verification/foreign/holes.h"
 #include "verification/foreign/samples.h"
 #include "verification/foreign/table_file.h"
 #include "verification/foreign/vtk_file.h"
@@ -93,6 +94,7 @@ int field_file_read(const char *path, const char *name, const struct column_map 
     struct samples s;
     if (field_file_samples(path, name, p->dim, c, &s, why)) return why->status;
     int status = coverage_check(&s, p, dx, why);
+    if (!status) status = holes_check(&s, p, dx, why);
     if (!status) status = check_weights(&s, why);
     if (!status) {
         snap_to_walls(&s, p);

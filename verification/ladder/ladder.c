@@ -169,9 +169,25 @@ static int climb_in_time(const struct experiment *e, const struct ladder_rungs *
     return STATUS_OK;
 }
 
+/* No order shows in errors that are rounding; that they are no more is what a code that is exact can show. */
+static void judge_exact(const struct ladder_rungs *rungs, struct ladder *l) {
+    int exact = 0;
+    for (int i = 0; i < l->n; i++) exact += l->window.exact[i];
+    if (l->window.n >= WINDOW_LEAST || !l->window.exact[l->n - 1] || l->failure.status) return;
+    if (rungs->ceiling > 0) l->verdict = VERDICT_PASS;
+    snprintf(l->reason, sizeof l->reason, "%d of %d rungs are at round-off, where no order shows%s", exact, l->n,
+             rungs->ceiling > 0 ? "" : ": --ceiling E judges the error");
+    if (rungs->ceiling > 0 && ladder_finest_error(l) <= rungs->ceiling)
+        snprintf(l->reason + strlen(l->reason), sizeof l->reason - strlen(l->reason),
+                 "; the error %.4g is below its ceiling %.4g", ladder_finest_error(l), rungs->ceiling);
+}
+
 static void judge(const struct ladder_rungs *rungs, struct ladder *l) {
     if (rungs->scattered) l->window.scattered = 1;
-    if (rungs->expect.count) ladder_judge(l, rungs->expect.value[0], rungs->expect.value[1]);
+    if (rungs->expect.count) {
+        ladder_judge(l, rungs->expect.value[0], rungs->expect.value[1]);
+        judge_exact(rungs, l);
+    }
     if (!(rungs->ceiling > 0)) return;
     if (!rungs->expect.count && !l->failure.status) l->verdict = VERDICT_PASS, l->reason[0] = '\0';
     judge_ceiling(ladder_finest_error(l), rungs->ceiling, &l->verdict, l->reason, sizeof l->reason);

@@ -77,7 +77,8 @@ void ladder_fit(struct ladder *l, enum ladder_norm norm);
 /* Sets verdict and reason against a band. */
 void ladder_judge(struct ladder *l, double lo, double hi);
 
-/* The error at the finest rung that counts, in the norm that was fitted; NaN where none counts. */
+/* The error at the finest rung that counts or is exact to rounding, in the norm that was fitted; NaN where none is.
+ */
 double ladder_finest_error(const struct ladder *l);
 
 /* What x is, "dx [m]" of a ladder in space, and x of a rung as it was asked for: where what a program varies in

@@ -43,7 +43,7 @@ static int inside(const struct ladder *l, double *x, double *error) {
 double ladder_finest_error(const struct ladder *l) {
     double error = NAN;
     for (int i = 0; i < l->n; i++)
-        if (l->window.counts[i]) error = l->error[i];
+        if (l->window.counts[i] || l->window.exact[i]) error = l->error[i];
     return error;
 }
 
@@ -85,7 +85,7 @@ void ladder_fit(struct ladder *l, enum ladder_norm norm) {
             .time = l->in_time ? NAN : r->time_error,
             .reference =
                 norm == LADDER_QUANTITY ? r->derived_bound / r->derived_error : r->reference_error / r->error.l1,
-            .rounding = r->rounding / r->error.l1,
+            .rounding = norm == LADDER_QUANTITY ? r->derived_rounding / r->derived_error : r->rounding / r->error.l1,
             /* in time the particles stay where they are */
             .random = (r->options.layout == LAYOUT_JITTER || r->options.layout == LAYOUT_RELAXED) && !l->in_time};
     }

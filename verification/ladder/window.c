@@ -44,6 +44,7 @@ static void leave_out_floors(const struct window_rung *rung, int n, struct windo
         else if (r->time > TIME_SHARE)
             snprintf(why, size, "time-error floor: %.1f %% of the error is the time step's", 100 * r->time);
         w->counts[i] = why[0] == '\0';
+        w->exact[i] = r->rounding > FLOOR_SHARE || r->reference > FLOOR_SHARE;
     }
 }
 

@@ -21,6 +21,7 @@ struct window {
     int n;                       /* rungs that count */
     int scattered;               /* 1: the errors scatter at random from rung to rung */
     int counts[RUNG_MAX];        /* 1 or 0 */
+    int exact[RUNG_MAX];         /* 1: left out since rounding, or the reference, can make up its error */
     char left_out[RUNG_MAX][96]; /* the reason; "" where it counts */
 };
 

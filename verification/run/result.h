@@ -30,6 +30,7 @@ struct result {
     double derived, derived_exact; /* numerical and exact */
     double derived_error;          /* |difference| over |exact|, or itself where that is 0 */
     double derived_bound;          /* what the exact one's own error can make up of it */
+    double derived_rounding;       /* what rounding can make up of it */
     double time_error;      /* the part of error.l1 that the time step makes up; 0 for exact, NaN where unknown */
     double reference_error; /* what the reference's own error can make up of error.l1 */
     double rounding;        /* what rounding can make up of error.l1 */

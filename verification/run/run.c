@@ -40,6 +40,14 @@ static double rounding(const struct experiment *e, const struct field *f, double
     return DBL_EPSILON * (1 + sqrt(applications) + weights);
 }
 
+/* Heat and temperatures round as the field does.  A gradient divides differences of T by dx, a flux is of the size of
+ * k T over the extent: the difference rounds extent/dx as much. */
+static double derived_rounding(const struct experiment *e, const struct field *f, double dx) {
+    const struct problem *p = &e->problem;
+    double extent = fmax(p->hi[0] - p->lo[0], p->dim == 2 ? p->hi[1] - p->lo[1] : 0);
+    return rounding(e, f, dx) * (e->quantity.kind == QUANTITY_FLUX ? extent / dx : 1);
+}
+
 static int measure_derived(const struct experiment *e, const struct field *f, struct result *out) {
     out->derived_name = e->derived;
     if (!e->derived) return STATUS_OK;
@@ -53,6 +61,7 @@ static int measure_derived(const struct experiment *e, const struct field *f, st
     out->derived_exact = exact.value;
     out->derived_error = fabs(out->derived - exact.value) / size;
     out->derived_bound = exact.error_bound / size;
+    out->derived_rounding = derived_rounding(e, f, out->options.dx);
     return status;
 }
 

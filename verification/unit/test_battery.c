@@ -277,6 +277,22 @@ static void every_row_says_what_it_sees(void **state) {
     }
 }
 
+/* A step that is not the one asked for is another error than its order shows. */
+static void every_time_step_divides_its_end(void **state) {
+    (void)state;
+    for (const struct battery_row *row = battery_table; row->order; row++) {
+        const char *const more[] = {"--solver", "{case}{out}", NULL};
+        struct request r;
+        struct failure why;
+        if (arguments_parse_line_with(row->gate.command, more, &r, &why)) fail_msg("%s: %s", row->gate.id, why.text);
+        for (int i = 0; i < r.rungs.dt.count; i++) {
+            double steps = r.experiment.problem.t_end / r.rungs.dt.value[i];
+            if (fabs(steps - nearbyint(steps)) > 1e-9 * steps) fail_msg("%s: %g steps", row->gate.id, steps);
+        }
+        arguments_free(&r);
+    }
+}
+
 static int make(void **state) {
     (void)state;
     return mkdtemp(dir) == NULL;
@@ -302,6 +318,7 @@ int main(int argc, char **argv) {
         cmocka_unit_test(steps_of_its_own_are_not_judged),
         cmocka_unit_test(a_failure_can_be_typed),
         cmocka_unit_test(every_row_says_what_it_sees),
+        cmocka_unit_test(every_time_step_divides_its_end),
     };
     return cmocka_run_group_tests_name("battery", tests, make, clean);
 }

@@ -1,0 +1,124 @@
+/* A point that a program forgot is one of N in a mean, and no error of its own.  Where the others lie on a lattice
+ * its place is known:
+ *
+ *   rows and columns    the distinct x and y are nx and ny, and at least 95 of 100 places of nx ny have a point: what
+ *                       has fewer is no lattice (elements of eight nodes fill three quarters).  A corner, which many
+ *                       codes have no point for, is not missed.
+ *   equal spacing h     one gap of 2 h, 3 h, ... next to two of h, or more than 5/4 h from a wall to the first of
+ *                       three points that are fewer than the cells of the case.  Gaps that grow, or that are wider in
+ * a part of the rod, come several together; two layers may have no point on their interface. */
+#include "verification/foreign/holes.h"
+
+#include "solver/problem.h"
+#include "solver/status.h"
+#include "verification/foreign/samples.h"
+
+#include <gsl/gsl_sort_double.h>
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+enum { MOST = 200000 };             /* points that are looked at: more are sorted for too long */
+static const double SAME = 1e-9;    /* of the extent: a coordinate may be a rounded decimal */
+static const double FULL = 0.95;    /* of the places of a lattice */
+static const double REGULAR = 1e-3; /* of h: likewise, with few digits */
+
+/* The distinct coordinates along an axis, sorted, into x[s->n]; how many. */
+static size_t distinct(const struct samples *s, const struct problem *p, int a, double *x) {
+    double away = SAME * (p->hi[a] - p->lo[a]);
+    size_t n = 0;
+    memcpy(x, s->value[a], s->n * sizeof *x);
+    gsl_sort(x, 1, s->n);
+    for (size_t i = 0; i < s->n; i++)
+        if (n == 0 || x[i] > x[n - 1] + away) x[n++] = x[i];
+    return n;
+}
+
+/* The place of `at` among n of them. */
+static size_t place(const double *x, size_t n, double at, double away) {
+    size_t lo = 0, hi = n - 1;
+    while (lo < hi) {
+        size_t middle = (lo + hi) / 2;
+        if (x[middle] < at - away)
+            lo = middle + 1;
+        else
+            hi = middle;
+    }
+    return lo;
+}
+
+static int is_regular(const double *x, double h) {
+    return fabs(x[1] - x[0] - h) <= REGULAR * h;
+}
+
+static int refuse_gap(const struct samples *s, int a, double at, struct failure *why) {
+    return refuse(why, STATUS_INPUT, "%.150s: a point is missing at %c = %.6g m, between others at equal distances",
+                  s->path, "xy"[a], at);
+}
+
+/* A gap among n coordinates along an axis that are else at equal distances; dx: of the case. */
+static int check_axis(const struct samples *s, const struct problem *p, int a, const double *x, size_t n, double dx,
+                      struct failure *why) {
+    static const double FROM_WALL = 1.25;
+    if (n < 5) return STATUS_OK;
+    double first = x[1] - x[0], last = x[n - 1] - x[n - 2];
+    int few = (double)n < nearbyint((p->hi[a] - p->lo[a]) / dx);
+    if (few && is_regular(x + 1, first) && x[0] - p->lo[a] > FROM_WALL * first)
+        return refuse_gap(s, a, x[0] - first, why);
+    if (few && is_regular(x + n - 3, last) && p->hi[a] - x[n - 1] > FROM_WALL * last)
+        return refuse_gap(s, a, x[n - 1] + last, why);
+    for (size_t i = 0; i + 1 < n; i++) {
+        size_t before = i > 0 ? i - 1 : i + 2, after = i + 2 < n ? i + 1 : i - 2; /* at an end both on one side */
+        double h = x[before + 1] - x[before], gap = x[i + 1] - x[i], times = nearbyint(gap / h);
+        int across = a == 0 && p->materials == 2 && x[i] < p->interface && p->interface < x[i + 1];
+        if (times >= 2 && fabs(gap - times * h) <= REGULAR * h && is_regular(x + after, h) && !across)
+            return refuse_gap(s, a, x[i] + h, why);
+    }
+    return STATUS_OK;
+}
+
+static int on_wall(const struct problem *p, int a, double x) {
+    double away = SAME * (p->hi[a] - p->lo[a]);
+    return fabs(x - p->lo[a]) <= away || fabs(x - p->hi[a]) <= away;
+}
+
+/* A place of nx by ny without a point. */
+static int check_places(const struct samples *s, const struct problem *p, double *const x[2], const size_t n[2],
+                        struct failure *why) {
+    unsigned char *has = xcalloc(n[0] * n[1], 1);
+    size_t missing = 0, first = 0;
+    for (size_t i = 0; i < s->n; i++) {
+        size_t at[2];
+        for (int a = 0; a < 2; a++) at[a] = place(x[a], n[a], s->value[a][i], SAME * (p->hi[a] - p->lo[a]));
+        has[at[1] * n[0] + at[0]] = 1;
+    }
+    for (size_t c = n[0] * n[1]; c-- > 0;) {
+        if (has[c] || (on_wall(p, 0, x[0][c % n[0]]) && on_wall(p, 1, x[1][c / n[0]]))) continue;
+        missing++, first = c;
+    }
+    free(has);
+    if (!missing) return STATUS_OK;
+    return refuse(why, STATUS_INPUT,
+                  "%.150s: %zu point%s missing from %zu columns by %zu rows, at x = %.6g, y = %.6g m%s", s->path,
+                  missing, missing == 1 ? " is" : "s are", n[0], n[1], x[0][first % n[0]], x[1][first / n[0]],
+                  missing == 1 ? "" : " and elsewhere");
+}
+
+int holes_check(const struct samples *s, const struct problem *p, double dx, struct failure *why) {
+    double *x[2] = {NULL, NULL};
+    size_t n[2] = {1, 1};
+    int status = STATUS_OK;
+    if (s->n > MOST) return STATUS_OK;
+    for (int a = 0; a < p->dim; a++) {
+        x[a] = xcalloc(s->n, sizeof *x[a]);
+        n[a] = distinct(s, p, a, x[a]);
+    }
+    if ((double)s->n >= FULL * (double)n[0] * (double)n[1]) {
+        if (p->dim == 2) status = check_places(s, p, x, n, why);
+        for (int a = 0; a < p->dim && !status; a++) status = check_axis(s, p, a, x[a], n[a], dx, why);
+    }
+    free(x[0]);
+    free(x[1]);
+    return status;
+}

@@ -1,0 +1,82 @@
+/* What is right, or cannot be told, is not called wrong: answers that are exact, noisy, or of few digits. */
+#include "verification/unit/made_answers.inc"
+
+#include "verification/battery/battery.h"
+#include "verification/command/arguments.h"
+#include "verification/foreign/program.h"
+#include "verification/ladder/ladder.h"
+
+#include "verification/unit/near.h"
+
+#include <unistd.h>
+
+static const char *self; /* this program */
+
+/* The row of the battery, judged by this program's answer of that kind ("MODE AMOUNT"). */
+static void row(int order, const char *id, const char *made, struct measured *m) {
+    struct program program = {.label = "mine"};
+    char command[300];
+    snprintf(command, sizeof command, "%s --made %s {case} {out}", self, made);
+    program.solver = command;
+    for (const struct battery_row *r = battery_table; r->order; r++) {
+        if (r->order != order || strcmp(r->gate.id, id) != 0) continue;
+        gates_judge(&r->gate, &program, m);
+        return;
+    }
+    fail_msg("no row %s", id);
+}
+
+static void ladder(const char *line, const char *made, struct ladder *l) {
+    struct request r;
+    struct failure why = {0};
+    char command[600];
+    snprintf(command, sizeof command, "%.250s --solver '%s --made %s {case} {out}'", line, self, made);
+    if (arguments_parse_line(command, &r, &why)) fail_msg("%s: %s", command, why.text);
+    if (ladder_run(&r.experiment, &r.rungs, l, &why)) fail_msg("%s: %s", command, why.text);
+    arguments_free(&r);
+}
+
+static void an_exact_code_passes(void **state) {
+    (void)state;
+    static const char *const id[] = {"smooth/gauss",  "walls/insulated", "walls/cooled", "jump/faces",
+                                     "plane/largest", "contact/rod",     "whole/flux",   "whole/heat"};
+    static const int order4[] = {1, 1, 0, 1, 1, 0, 0, 0};
+    struct measured m;
+    for (int i = 0; i < 8; i++)
+        for (int order = 2; order <= (order4[i] ? 4 : 2); order += 2) {
+            row(order, id[i], "exact 1e-15", &m);
+            if (m.verdict != VERDICT_PASS) fail_msg("%s: %s", id[i], m.reason);
+        }
+}
+
+/* As a ladder that is typed: below a ceiling it passes, above one it fails, without one nothing can be told. */
+static void a_rung_at_rounding_stands_below_a_ceiling(void **state) {
+    (void)state;
+    static const char *const line = "ladder rod-cosine mine --dx 1/20,1/40,1/60,1/80 --expect 1.9,2.1";
+    char with[200];
+    struct ladder *l = xcalloc(1, sizeof *l);
+    snprintf(with, sizeof with, "%s --ceiling 1e-14", line);
+    ladder(with, "exact 1e-15", l);
+    assert_int_equal(l->verdict, VERDICT_PASS);
+    assert_non_null(strstr(l->reason, "4 of 4 rungs are at round-off, where no order shows; the error "));
+    assert_near(ladder_finest_error(l), l->rung[3].error.l1, 0);
+    snprintf(with, sizeof with, "%s --ceiling 1e-17", line);
+    ladder(with, "exact 1e-15", l);
+    assert_int_equal(l->verdict, VERDICT_FAIL);
+    ladder(line, "exact 1e-15", l);
+    assert_int_equal(l->verdict, VERDICT_INCONCLUSIVE);
+    snprintf(with, sizeof with, "%s --ceiling 1e-3", line); /* an error that is no rounding has its order */
+    ladder(with, "exact 1e-5", l);
+    assert_int_equal(l->verdict, VERDICT_FAIL);
+    free(l);
+}
+
+int main(int argc, char **argv) {
+    self = argv[0];
+    if (argc == 6 && strcmp(argv[1], "--made") == 0) return made_main(argv, (int)getpid());
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(an_exact_code_passes),
+        cmocka_unit_test(a_rung_at_rounding_stands_below_a_ceiling),
+    };
+    return cmocka_run_group_tests_name("false_alarms", tests, NULL, NULL);
+}
