@@ -1,7 +1,7 @@
 /* What is right, or cannot be told, is not called wrong: answers that are exact, noisy, or of few digits. */
 #include "verification/unit/made_answers.inc"
 
-#include "verification/battery/battery.h"
+#include "verification/gates/battery.h"
 #include "verification/command/arguments.h"
 #include "verification/foreign/program.h"
 #include "verification/ladder/ladder.h"
