@@ -3,7 +3,13 @@
 # Where numbers are written with a comma some awks write theirs so.
 export LC_ALL := C.UTF-8
 
-CC       ?= cc
+# Apple's cc has no OpenMP: there the compiler that has it is looked for, unless CC is given.
+ifneq ($(filter default undefined,$(origin CC)),)
+CC       := cc
+ifeq ($(shell uname),Darwin)
+CC        = $(eval CC := $$(shell scripts/compiler))$(CC)
+endif
+endif
 CFLAGS   ?= -O3 -g
 WARN     := -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wvla -Wmissing-prototypes -Wstrict-prototypes
 ifdef WERROR
@@ -11,20 +17,26 @@ WARN     += -Werror
 endif
 BUILD    ?= build
 PREFIX   ?= /usr/local
+ifneq ($(words $(BUILD)),1)
+$(error BUILD='$(BUILD)': a path without blanks is wanted, as make's targets are)
+endif
+ifneq ($(filter / . .. ./ ../,$(BUILD)),)
+$(error BUILD='$(BUILD)': a folder of its own is wanted, `make clean` removes it)
+endif
 LIBS     := gsl fftw3
 # Asked for when the first recipe needs them, and then once: `make setup test` installs pkg-config on the way.
 PKG_CFLAGS = $(eval PKG_CFLAGS := $$(shell pkg-config --cflags $(LIBS)))$(PKG_CFLAGS)
 PKG_LIBS   = $(eval PKG_LIBS := $$(shell pkg-config --libs $(LIBS)))$(PKG_LIBS)
 CMOCKA     = $(eval CMOCKA := $$(shell pkg-config --cflags --libs cmocka))$(CMOCKA)
-ALL_CFLAGS = -std=c11 -D_XOPEN_SOURCE=700 -ffp-contract=off -fopenmp $(WARN) $(CFLAGS) -I. -I$(BUILD) $(PKG_CFLAGS)
-ALL_LIBS   = $(PKG_LIBS) -fopenmp -lm
+ALL_CFLAGS = -std=c11 -D_XOPEN_SOURCE=700 -ffp-contract=off -fopenmp $(WARN) -I. -I$(BUILD) $(CPPFLAGS) $(CFLAGS) $(PKG_CFLAGS)
+ALL_LIBS   = $(PKG_LIBS) -fopenmp -lm $(LDLIBS)
 ifndef V
 Q := @
 endif
 
 # Results must be the same bits for any number of threads and any width of vectors, and NaN must be seen.
 UNSAFE := $(filter -ffast-math -Ofast -funsafe-math-optimizations -fassociative-math -freciprocal-math \
-  -ffinite-math-only -fno-signed-zeros -ffp-contract=fast% -ffp-contract=on -ffp-model=%,$(CC) $(CFLAGS) $(LDFLAGS))
+  -ffinite-math-only -fno-signed-zeros -ffp-contract=fast% -ffp-contract=on -ffp-model=%,$(if $(filter file,$(origin CC)),,$(CC)) $(CPPFLAGS) $(CFLAGS) $(LDFLAGS))
 ifneq ($(UNSAFE),)
 $(error $(UNSAFE): the order of additions would be left to the compiler, or NaN be assumed away; leave it out)
 endif
@@ -53,21 +65,30 @@ $(BUILD)/heatladder: $(OBJECTS)
 	@echo "  LD    $@"
 	$(Q)$(CC) $(ALL_CFLAGS) $(LDFLAGS) -o $@ $^ $(ALL_LIBS)
 
-# A scene is found by its file: no list to keep.  The list is written anew only where it differs.
-$(BUILD)/scenes.inc: FORCE
-	@mkdir -p $(@D)
-	$(Q)for f in $(SCENES); do b=$${f##*/scene_}; echo "SCENE($${b%.c})"; done > $@.new; \
-	if cmp -s $@.new $@; then rm $@.new; else mv $@.new $@; fi
+# Three files that are made where their text differs from what it should be, which make asks before it begins: where all
+# is built there is nothing to do (`make -q`).
+SPACE := $(subst x,,x x)
+differs = $(if $(filter x$(subst $(SPACE),x,$(strip $(2))),x$(subst $(SPACE),x,$(strip $(shell cat $(1) 2>/dev/null)))),,FORCE)
 
-# The release, and the commit: git's where this is its tree and not one that lies in another's, or the archive's.
+# A scene is found by its file: no list to keep.
+SCENE_LIST := $(patsubst references/scene_%.c,SCENE(%),$(SCENES))
+$(BUILD)/scenes.inc: $(call differs,$(BUILD)/scenes.inc,$(SCENE_LIST))
+	@mkdir -p $(@D)
+	$(Q)printf '%s\n' $(SCENE_LIST:%='%') > $@.new && mv $@.new $@
+
+# The release, and the commit: git's where this is its tree and not one that lies in another's, or the archive's.  Where
+# git does not answer (another user's tree) what was built keeps its own.
 # archive of $Format:%h$
 VERSION := 1.0.0
-$(BUILD)/version.inc: FORCE
+ARCHIVE := $(shell sed -n 's/^\# archive of \([0-9a-f]*\)$$/\1/p' Makefile)
+COMMIT  := $(if $(wildcard .git),$(shell git describe --always --dirty=+ 2>/dev/null),$(ARCHIVE))
+VERSION_LINE := \#define VERSION_TEXT "$(VERSION)$(if $(COMMIT), ($(COMMIT)))"
+ifneq ($(wildcard .git)/$(COMMIT)/$(wildcard $(BUILD)/version.inc),.git//$(BUILD)/version.inc)
+$(BUILD)/version.inc: $(call differs,$(BUILD)/version.inc,$(VERSION_LINE))
+endif
+$(BUILD)/version.inc:
 	@mkdir -p $(@D)
-	$(Q)commit=$$(sed -n 's/^# archive of \([0-9a-f]*\)$$/\1/p' Makefile); \
-	[ ! -e .git ] || commit=$$(git describe --always --dirty=+ 2>/dev/null) || commit=; \
-	printf '#define VERSION_TEXT "%s%s"\n' '$(VERSION)' "$${commit:+ ($$commit)}" > $@.new; \
-	if cmp -s $@.new $@; then rm $@.new; else mv $@.new $@; fi
+	$(Q)printf '%s\n' '$(VERSION_LINE)' > $@.new && mv $@.new $@
 
 # The papers' tables, compiled in.
 PUBLISHED := $(filter-out %/measured.csv,$(sort $(wildcard reports/published/*.csv)))
@@ -76,11 +97,22 @@ $(BUILD)/published.inc: $(PUBLISHED)
 	$(Q)for f in $^; do b=$${f##*/}; echo "PUBLISHED(\"$${b%.csv}\","; \
 	sed 's/[\\"]/\\&/g; s/.*/"&\\n"/' $$f; echo ')'; done >$@.new && mv $@.new $@
 
-# What all is compiled by: other flags, and all is compiled anew.
+# What all is compiled and linked by: other flags or libraries, and all is compiled again.  `make install` alone takes
+# what is built as it is: sudo hands no flags on.
+X86    = $(eval X86 := $$(filter x86_64%,$$(shell $$(CC) -dumpmachine)))$(X86)
+LANES4 = $(if $(X86),-mavx2)
+LANES8 = $(if $(X86),-mavx512f)
+FLAGS  = $(CC) $(ALL_CFLAGS) $(LANES4) $(LANES8) $(LDFLAGS) $(ALL_LIBS)
+GIVEN := $(filter environment command override,$(foreach v,CC CPPFLAGS CFLAGS LDFLAGS LDLIBS WERROR,$(origin $(v))))
+ifneq ($(filter setup,$(MAKECMDGOALS)),) # pkg-config may not be here yet
 $(BUILD)/flags: FORCE
+else ifneq ($(MAKECMDGOALS)/$(GIVEN)/$(wildcard $(BUILD)/flags),install//$(BUILD)/flags)
+$(BUILD)/flags: $(call differs,$(BUILD)/flags,$(FLAGS))
+endif
+$(BUILD)/flags:
 	@mkdir -p $(@D)
-	$(Q)echo '$(subst ','"'"',$(CC) $(WARN) $(CFLAGS) $(LDFLAGS))' > $@.new; \
-	if cmp -s $@.new $@; then rm $@.new; else mv $@.new $@; fi
+	$(Q)pkg-config --exists $(LIBS) || { echo "make: pkg-config does not find $(LIBS): \`make setup\` installs them" >&2; exit 1; }
+	$(Q)echo '$(subst ','"'"',$(FLAGS))' > $@.new; if cmp -s $@.new $@; then rm $@.new; else mv $@.new $@; fi
 
 .PHONY: FORCE
 FORCE:
@@ -91,9 +123,8 @@ $(BUILD)/%.o: %.c $(BUILD)/flags | $(BUILD)/scenes.inc $(BUILD)/version.inc $(BU
 	$(Q)$(CC) $(ALL_CFLAGS) $(DEFINES) -MMD -MP -c -o $@ $<
 
 # One file for each width of vector; the program asks the processor which of them it may call.
-X86 = $(filter x86_64%,$(shell $(CC) -dumpmachine))
-$(BUILD)/solver/sweep/lanes4.o: DEFINES += $(if $(X86),-mavx2)
-$(BUILD)/solver/sweep/lanes8.o: DEFINES += $(if $(X86),-mavx512f)
+$(BUILD)/solver/sweep/lanes4.o: DEFINES += $(LANES4)
+$(BUILD)/solver/sweep/lanes8.o: DEFINES += $(LANES8)
 
 $(BUILD)/unit/%: verification/unit/%.c $(LIBRARY)
 	@mkdir -p $(@D)
@@ -107,21 +138,26 @@ setup: ## Install what the build needs and this machine lacks
 # In `make -j setup test` nothing is compiled before all is there.
 ifneq ($(filter setup,$(MAKECMDGOALS)),)
 EXAMPLES := cells_c cells_f90 cvode
-$(addprefix $(BUILD)/,scenes.inc version.inc published.inc $(EXAMPLES:%=examples/%) peers/ftcs): | setup
+$(addprefix $(BUILD)/,scenes.inc version.inc published.inc flags $(EXAMPLES:%=examples/%) peers/ftcs): | setup
 endif
 
+# Modes are those written here, whatever the umask and the modes of the tree.
+ROOT  = $(DESTDIR)$(PREFIX)
+SHARE = $(ROOT)/share
 .PHONY: install
 install: all ## Install the program under PREFIX (DESTDIR is put before it)
-	install -d '$(DESTDIR)$(PREFIX)/bin'
-	install -m 755 $(BUILD)/heatladder '$(DESTDIR)$(PREFIX)/bin/heatladder'
-	install -d '$(DESTDIR)$(PREFIX)/share/man/man1' '$(DESTDIR)$(PREFIX)/share/bash-completion/completions'
-	$(BUILD)/heatladder man >$(BUILD)/heatladder.1
-	$(BUILD)/heatladder completion >$(BUILD)/heatladder.bash
-	install -m 644 $(BUILD)/heatladder.1 '$(DESTDIR)$(PREFIX)/share/man/man1/heatladder.1'
-	install -m 644 $(BUILD)/heatladder.bash '$(DESTDIR)$(PREFIX)/share/bash-completion/completions/heatladder'
-	if [ -d verification/examples ]; then \
-	install -d '$(DESTDIR)$(PREFIX)/share/heatladder/examples'; \
-	cp verification/examples/* '$(DESTDIR)$(PREFIX)/share/heatladder/examples/'; fi
+	$(Q)umask 022; set -e; echo "  INSTALL  $(ROOT)"; \
+	for d in bin share/man/man1 share/bash-completion/completions share/heatladder/examples; do install -d "$(ROOT)/$$d"; done; \
+	install -m 755 $(BUILD)/heatladder '$(ROOT)/bin/heatladder'; \
+	$(BUILD)/heatladder man >'$(SHARE)/man/man1/heatladder.1'; \
+	$(BUILD)/heatladder completion >'$(SHARE)/bash-completion/completions/heatladder'; \
+	chmod 644 '$(SHARE)/man/man1/heatladder.1' '$(SHARE)/bash-completion/completions/heatladder'; \
+	install -m 644 verification/examples/* '$(SHARE)/heatladder/examples/'
+
+.PHONY: uninstall
+uninstall: ## Remove what install put under PREFIX
+	rm -f '$(ROOT)/bin/heatladder' '$(SHARE)/man/man1/heatladder.1' '$(SHARE)/bash-completion/completions/heatladder'
+	rm -rf '$(SHARE)/heatladder'
 
 # A tarball of the last commit that builds, tests and installs by itself, and Debian's package of it.
 .PHONY: dist
@@ -134,7 +170,8 @@ dist: ## Pack the last commit as build/heatladder-VERSION.tar.gz
 deb: dist ## Build Debian's package from that tarball (needs debhelper)
 	$(Q)scripts/debian-package $(BUILD) $(VERSION)
 
-.PHONY: clean
+.PHONY: clean distclean
+distclean: clean
 clean: ## Remove everything that was built
 	rm -rf $(BUILD) reports/out
 
@@ -164,9 +201,11 @@ $(BUILD)/examples/cells_f90: verification/examples/cells.f90
 
 ##@ Verify
 
-.PHONY: test
+SCRIPT_TESTS := $(addprefix scripts/,check_program check_limits check_memory check_make check_measured check_examples)
+.PHONY: test check
+check: test ## The same as test
 test: $(TESTS) $(BUILD)/heatladder examples ## Run the unit tests, the program as its user meets it, and the examples
-	$(Q)PROGRAM=$(BUILD)/heatladder EXAMPLES=$(BUILD)/examples scripts/run_tests $(TESTS) scripts/check_program scripts/check_measured scripts/check_examples
+	$(Q)PROGRAM=$(BUILD)/heatladder EXAMPLES=$(BUILD)/examples scripts/run_tests $(TESTS) $(SCRIPT_TESTS)
 
 .PHONY: verify
 verify: $(BUILD)/heatladder ## Run every gate, then the papers' claims, then write the report, to reports/out; the first failure's status

@@ -1,5 +1,5 @@
 /* A C library that is out of memory from the FAIL_AT-th allocation on, or with FAIL_ONCE at that one alone (glibc):
- * preloaded by scripts/check_program.  FAIL_COUNT is a file that gets the number of allocations. */
+ * preloaded by scripts/check_memory.  FAIL_COUNT is a file that gets the number of allocations. */
 #include <errno.h>
 #include <stdio.h>
 #include <stdlib.h>

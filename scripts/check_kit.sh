@@ -1,0 +1,44 @@
+# shellcheck shell=sh disable=SC2034
+# For the scripts that try the program as its user meets it, to be sourced: PROGRAM (build/heatladder) as $program, a
+# folder for what they write, gone at the end, and a count of what holds.  What cannot be tried here is skipped by name.
+cd "$(dirname "$0")/.." || exit 1
+name=${0##*/}
+program=${PROGRAM:-build/heatladder}
+case $program in /*) ;; *) program=$PWD/$program ;; esac
+[ -x "$program" ] || { echo "$name: $program is not built" >&2; exit 1; }
+scratch=$(mktemp -d "${TMPDIR:-/tmp}/heatladder-check.XXXXXX") || exit 1
+trap 'chmod -R u+w "$scratch"; rm -rf "$scratch"' EXIT
+trap 'exit 130' INT TERM HUP
+passed=0 failed=0
+
+verdict() { # what holds? (0: yes) what
+    if [ "$1" -eq 0 ]; then passed=$((passed + 1)); else
+        failed=$((failed + 1))
+        echo "$name: $2"
+        head -n 5 "$scratch/log"
+    fi
+}
+
+expect() { # status, pattern of the output (both streams), words of the command line...
+    status=$1 pattern=$2
+    shift 2
+    "$program" "$@" >"$scratch/log" 2>&1
+    got=$?
+    [ "$got" -eq "$status" ] && grep -qe "$pattern" "$scratch/log"
+    verdict $? "'$*': exit status $got, $status is due, with '$pattern'"
+}
+
+has() { # command, what cannot be tried without it
+    command -v "$1" >/dev/null && return
+    skip "$2: $1 is not here"
+    false
+}
+
+skip() { # what, and why
+    echo "$name: skipped: $1"
+}
+
+finish() {
+    echo "$name: $passed passed, $failed failed"
+    [ "$failed" -eq 0 ]
+}
