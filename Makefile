@@ -359,8 +359,10 @@ faults: $(BUILD)/heatladder ## Seed faults in the examples and see which rows of
 CPPCHECK := --quiet --error-exitcode=1 --std=c11 --enable=warning,portability --inline-suppr -I. \
             $(addprefix --suppress=,arrayIndexOutOfBounds arrayIndexThenCheck ctuuninitvar uninitvar)
 
+SHELL_FILES = $(shell grep -lE '^\#!/bin/(ba)?sh' .ci/* $$(find scripts verification/examples -type f))
+
 .PHONY: lint
-lint: $(OBJECTS) ## Check includes, symbols, shared lines, seeded faults, the format and (by cppcheck) common faults
+lint: $(OBJECTS) ## Check includes, symbols, shared lines, seeded faults, the format, scripts and (by cppcheck) common faults
 	$(Q)scripts/check_floors
 	$(Q)scripts/check_includes
 	$(Q)scripts/check_symbols $(BUILD)
@@ -368,9 +370,12 @@ lint: $(OBJECTS) ## Check includes, symbols, shared lines, seeded faults, the fo
 	$(Q)scripts/mutants --check
 	$(Q)scripts/fault-table --check
 	$(Q)case $$(clang-format --version 2>/dev/null) in *" 14."*) clang-format --dry-run --Werror $(C_FILES);; \
-	*) echo "lint: clang-format 14 is not here, the format was not checked";; esac
+	*) scripts/skip "the format: clang-format 14 is not here";; esac
+	$(Q)for f in $(SHELL_FILES); do case $$(sed -n 1p $$f) in *bash) bash -n $$f;; *) sh -n $$f;; esac || exit 1; done
+	$(Q)if command -v shellcheck >/dev/null; then shellcheck -S warning $(SHELL_FILES); \
+	else scripts/skip "the scripts: shellcheck is not here"; fi
 	$(Q)if command -v cppcheck >/dev/null; then cppcheck -j 2 $(CPPCHECK) $(filter-out solver/sweep/lanes%,$(SOURCES)); \
-	else echo "lint: cppcheck is not here, common faults were not looked for"; fi
+	else scripts/skip "common faults: cppcheck is not here"; fi
 
 MUTANTS ?= *
 .PHONY: mutants

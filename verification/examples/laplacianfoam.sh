@@ -17,6 +17,7 @@ awk -F ' = |, ' 'function tell(x, y) { print x "," y "," hx "," hy }
         for (s = 0; s < 2; s++) for (i = 0; i < n; i++) tell(x0 + (i + 0.5) * hx, s ? y1 : y0)
         print n, m, x0, x1, hx, y0, y1, hy, u["dim"], u["t_end"] >"/dev/stderr" }' OFMT=%.17g CONVFMT=%.17g "$1" \
     >"$foam/points" 2>"$foam/shape"
+# shellcheck disable=SC2046 # words
 "${HEATLADDER:-heatladder}" reference $(sed -n 's/^oracle = //p' "$1") --points "$foam/points" \
     --what initial_heat,rho_c,k_x,wall_x$more >"$foam/told"
 cd "$foam"
