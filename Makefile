@@ -212,7 +212,7 @@ verify: $(BUILD)/heatladder ## Run every gate, then the papers' claims, then wri
 	@mkdir -p $(OUT)/claims
 	$(Q)gates=0 claims=0 report=0; \
 	$(BUILD)/heatladder verify --json $(OUT)/gates.json --junit $(OUT)/junit.xml || gates=$$?; \
-	$(BUILD)/heatladder claims $(OUT)/claims || claims=$$?; \
+	$(BUILD)/heatladder report claims $(OUT)/claims || claims=$$?; \
 	$(MAKE) --no-print-directory report || report=$$?; \
 	for status in $$gates $$claims $$report; do [ $$status -eq 0 ] || exit $$status; done
 
@@ -231,7 +231,7 @@ FIGURES := $(addprefix $(OUT)/,$(notdir $(SCRIPTS:.gp=.svg)))
 report: $(OUT)/report.stamp ## Write the papers' tables beside what is measured, and draw their figures, to reports/out
 	$(Q)if command -v gnuplot >/dev/null; then $(MAKE) --no-print-directory figures; \
 	else echo "report: gnuplot is not here (make setup installs it); not drawn: $(notdir $(FIGURES:.svg=))"; fi
-	$(Q)$(BUILD)/heatladder page $(OUT)
+	$(Q)$(BUILD)/heatladder report page $(OUT)
 
 $(OUT)/report.stamp: $(BUILD)/heatladder
 	@mkdir -p $(OUT)
@@ -266,7 +266,7 @@ gallery: report stability operators ## Copy the figures that the README shows to
 .PHONY: claims
 claims: $(BUILD)/heatladder ## Measure what the two papers state; the ledger goes to reports/out/claims
 	@mkdir -p reports/out/claims
-	$(Q)$(BUILD)/heatladder claims reports/out/claims
+	$(Q)$(BUILD)/heatladder report claims reports/out/claims
 
 # Where methods fail: data and figures.
 STABILITY := $(wildcard reports/stability/*.gp)
@@ -274,7 +274,7 @@ STABILITY := $(wildcard reports/stability/*.gp)
 .PHONY: stability
 stability: $(BUILD)/heatladder ## Measure where methods fail and draw it, to reports/out
 	@mkdir -p $(OUT)
-	$(Q)$(BUILD)/heatladder stability $(OUT)
+	$(Q)$(BUILD)/heatladder report stability $(OUT)
 	$(Q)if command -v gnuplot >/dev/null; then for f in $(STABILITY); do \
 	scripts/plot $(OUT) $$f || exit 1; done; \
 	else echo "stability: gnuplot is not here (make setup installs it); figures were not drawn"; fi
@@ -284,7 +284,7 @@ OPERATORS := $(wildcard reports/operators/*.gp)
 .PHONY: operators
 operators: $(BUILD)/heatladder ## Measure the discrete Laplacians side by side on every cloud and draw it, to reports/out
 	@mkdir -p $(OUT)
-	$(Q)$(BUILD)/heatladder operators $(OUT)
+	$(Q)$(BUILD)/heatladder report operators $(OUT)
 	$(Q)if command -v gnuplot >/dev/null; then for f in $(OPERATORS); do \
 	scripts/plot $(OUT) $$f || exit 1; done; \
 	else echo "operators: gnuplot is not here (make setup installs it); the figure was not drawn"; fi

@@ -1,37 +1,85 @@
-/* heatladder report: the papers' tables and figures, measured again.  Progress and times go to standard output, not
- * into any file. */
+/* heatladder report: the studies of reports/, measured again.  Progress and times go to standard output, not into any
+ * file.  A study is a row of the table and a word of verbs.def. */
 #include "verification/command/verb.h"
 
+#include "reports/index/index.h"
+#include "reports/ledger/claims_write.h"
 #include "reports/matched/matched_figures.h"
+#include "reports/operators/operators.h"
 #include "reports/pamplona/pamplona.h"
+#include "reports/papers.h"
 #include "reports/song/song.h"
-#include "solver/method.h"
+#include "reports/stability/stability.h"
+#include "solver/status.h"
 #include "verification/command/request.h"
 #include "verification/text/output.h"
 
 #include <omp.h>
 #include <stdio.h>
+#include <string.h>
 
-/* The parts of the report, in the order that they are made. */
-static const struct {
-    const char *name;
-    int (*write)(const char *dir, struct failure *why);
-} parts[] = {
-    {"Song 2018", song_write},
-    {"Pamplona 2019", pamplona_write},
-    {"the matched run", matched_figures_write},
-};
-
-static int write_parts(const char *dir, struct failure *why) {
-    if (output_directory(dir, "song_table1.csv", why)) return why->status;
-    for (size_t i = 0; i < sizeof parts / sizeof *parts; i++) {
-        double start = omp_get_wtime();
-        if (parts[i].write(dir, why)) return why->status;
-        printf("%s: tables and data of figures in %s (%.2f s)\n", parts[i].name, dir, omp_get_wtime() - start);
-    }
+static int write_page(const char *dir, struct failure *why) {
+    if (index_write(dir, why)) return why->status;
+    printf("page: %s/index.html\n", dir);
     return STATUS_OK;
 }
 
+/* Without a study: the papers' tables and figures, and the matched run. */
+static const struct study {
+    const char *name;
+    int (*write)(const char *dir, struct failure *why);
+    const char
+        *title; /* of what is written without a study too; NULL: written where it is named, and says so itself */
+    const char
+        *first; /* of its files: that it can be written is seen before anything is measured; NULL: seen by it */
+} studies[] = {
+    {"song", song_write, "Song 2018", "song_table1.csv"},
+    {"pamplona", pamplona_write, "Pamplona 2019", "pamplona_table1.csv"},
+    {"matched", matched_figures_write, "the matched run", "matched_fig1.csv"},
+    {"operators", operators_write, NULL, NULL},
+    {"stability", stability_write, NULL, NULL},
+    {"page", write_page, NULL, NULL},
+};
+
+static int write_study(const struct study *s, const char *dir, struct failure *why) {
+    double start = omp_get_wtime();
+    if (s->first && output_directory(dir, s->first, why)) return why->status;
+    if (s->write(dir, why)) return why->status;
+    if (s->title) printf("%s: tables and data of figures in %s (%.2f s)\n", s->title, dir, omp_get_wtime() - start);
+    return STATUS_OK;
+}
+
+static int write_studies(const char *name, const char *dir, struct failure *why) {
+    int written = 0;
+    for (size_t i = 0; i < sizeof studies / sizeof *studies; i++) {
+        const struct study *s = &studies[i];
+        if (name ? strcmp(s->name, name) != 0 : !s->title) continue;
+        if (write_study(s, dir, why)) return why->status;
+        written++;
+    }
+    return written ? STATUS_OK : refuse(why, STATUS_INPUT, "'%s' is a word of verbs.def, but no study", name);
+}
+
+static int measure_claims(const struct request *r, struct claims *c, struct failure *why) {
+    if (r->dir && output_directory(r->dir, "claims.csv", why)) return why->status;
+    if (claims_collect(papers_claims, r->only, c, why)) return why->status;
+    claims_run(c);
+    (r->json ? claims_write_json : r->dir ? claims_write_changed : claims_write_text)(c, stdout);
+    return r->dir ? claims_write_files(c, r->dir, why) : STATUS_OK;
+}
+
+/* The ledger: the statements of the papers, whole on standard output where there is no directory. */
+static int report_claims(const struct request *r, struct failure *why) {
+    struct claims claims = {0};
+    int status = measure_claims(r, &claims, why);
+    if (!status && !claims_hold(&claims)) status = STATUS_GATE;
+    claims_free(&claims);
+    return status;
+}
+
 int verb_report(const struct request *r, struct failure *why) {
-    return write_parts(r->dir ? r->dir : "reports/out", why);
+    if (r->topic && strcmp(r->topic, "claims") == 0) return report_claims(r, why);
+    if (r->only || r->json)
+        return refuse(why, STATUS_INPUT, "--%s has a meaning for report claims alone", r->only ? "only" : "json");
+    return write_studies(r->topic, r->dir ? r->dir : "reports/out", why);
 }

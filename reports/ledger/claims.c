@@ -55,7 +55,7 @@ int claims_collect(const struct claims_row *table, const char *only, struct clai
     for (int i = 0; i < rows; i++)
         if (!only || fnmatch(only, table[i].id, 0) == 0) c->result[c->count++].row = &table[i];
     if (c->count) return STATUS_OK;
-    return refuse(why, STATUS_INPUT, "no claim matches '%.60s' (see: heatladder claims)", only ? only : "*");
+    return refuse(why, STATUS_INPUT, "no claim matches '%.60s' (see: heatladder list claims)", only ? only : "*");
 }
 
 void claims_free(struct claims *c) {

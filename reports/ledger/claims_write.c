@@ -151,7 +151,8 @@ void claims_write_markdown(const struct claims *c, FILE *out) {
     count(c, counts, &changed);
     fprintf(
         out,
-        "# What the papers claim, measured\n\nMade by `heatladder claims DIR`. A statement is *reproduced* where it "
+        "# What the papers claim, measured\n\nMade by `heatladder report claims DIR`. A statement is *reproduced* "
+        "where it "
         "holds as published and in the wider setting that is also looked at, *reproduced with a condition* where "
         "it holds as published alone or under one reading alone, *not explained* where a number of theirs comes out "
         "under no reading that was tried, else *contradicted*. Numbers decide, by the rule that stands first under "

@@ -154,7 +154,7 @@ static void print_spectrum(FILE *out, const struct model_problem *b, const struc
 
 int stability_walls_page(FILE *out, struct failure *why) {
     static const char *const method[] = {"so_ssph", "fo_ssph", "brookshaw"};
-    stability_head(out, "Walls with mirrored ghosts, and without any: one-sided support", "stability DIR");
+    stability_head(out, "Walls with mirrored ghosts, and without any: one-sided support", "report stability DIR");
     stability_block(out, "walls",
                     "method,dim,h/dx,walls,largest real part,largest |imaginary part|,largest |lambda|,limit (dt "
                     "kappa/dx^2)");

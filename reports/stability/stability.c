@@ -12,7 +12,8 @@ static const struct figure_page pages[] = {
 };
 
 void stability_head(FILE *out, const char *title, const char *command) {
-    fprintf(out, "# title: %s\n# made by: heatladder stability DIR\n# command: heatladder %s\n", title, command);
+    fprintf(out, "# title: %s\n# made by: heatladder report stability DIR\n# command: heatladder %s\n", title,
+            command);
 }
 
 void stability_block(FILE *out, const char *name, const char *columns) {

@@ -15,6 +15,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <unistd.h>
 
 enum { LINE_WORDS = 64 };
 
@@ -23,8 +24,13 @@ struct word { /* one option as typed: --name value, or --name=value */
     const char *value; /* NULL for a flag */
 };
 
+/* Studies that were verbs of their own. */
+static const char *const studies[] = {"operators", "stability", "claims", "page", NULL};
+
 static int unknown_verb(const char *name, struct failure *why) {
     const char *names[WORDS_MAX] = {0};
+    if (words_index(studies, name) >= 0)
+        return refuse(why, STATUS_INPUT, "'%s' is a study of report: heatladder report %s DIR", name, name);
     for (int i = 0; verbs[i].name && i < WORDS_MAX - 1; i++) names[i] = verbs[i].name;
     return words_unknown(names, "verb", name, why);
 }
@@ -52,8 +58,26 @@ static int take_method(struct request *r, const char *name, struct failure *why)
     return words_unknown(names, "method", name, why);
 }
 
+/* "[a|b|c] [DIR]": one of these words, then a directory, either of which may be left out. */
+static int take_study(struct request *r, int place, const char *word, struct failure *why) {
+    const char *names[WORDS_MAX] = {0};
+    char text[200], *rest = text;
+    snprintf(text, sizeof text, "%.*s", (int)strcspn(r->verb->positionals + 1, "]"), r->verb->positionals + 1);
+    for (int n = 0; n < WORDS_MAX - 1 && (names[n] = strtok_r(rest, "|", &rest)); n++) continue;
+    int is_path = strchr(word, '/') || access(word, F_OK) == 0;
+    if (place == 1 && r->dir) return words_unknown(names, "study", r->dir, why);
+    if (place == 0 && words_index(names, word) >= 0)
+        r->topic = word;
+    else if (place == 0 && !is_path && words_nearest(names, word))
+        return words_unknown(names, "study", word, why);
+    else
+        r->dir = word;
+    return STATUS_OK;
+}
+
 static int take_positional(struct request *r, int place, const char *word, struct failure *why) {
     const char *wanted = r->verb->positionals;
+    if (place < 2 && strchr(wanted, '|')) return take_study(r, place, word, why);
     if (place == 0 && (words_among(wanted, "SCENE") || words_among(wanted, "[SCENE]")))
         return take_scene(r, word, why);
     if (place == words_among(wanted, "SCENE") && words_among(wanted, "METHOD")) return take_method(r, word, why);

@@ -126,6 +126,8 @@ void manual_completion(FILE *out) {
     for (const struct verb *v = verbs; v->name; v++) {
         fprintf(out, "    %s) words=\"%s%s --help", v->name, strstr(v->positionals, "SCENE") ? "$scenes " : "",
                 words_among(v->positionals, "METHOD") ? "$methods" : "");
+        for (const char *at = v->positionals; strchr(v->positionals, '|') && *at != ']'; at++)
+            fputc(strchr("[|", *at) ? ' ' : *at, out);
         put_options(v, out);
         fprintf(out, "\" ;;\n");
     }

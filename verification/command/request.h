@@ -13,7 +13,7 @@ struct request {
     struct experiment experiment; /* scene and method are NULL where the verb takes none; dx, dt and fourier are the
                                      first of the ladder's lists */
     struct ladder_rungs rungs;
-    const char *topic;       /* list: what to list; NULL for all */
+    const char *topic;       /* list: what to list; report: the study; NULL for all */
     const char *dir;         /* where files go; NULL where none is given */
     double ratio;            /* limit: kappa_y/kappa_x; 0: 1 */
     int dim, stages;         /* limit: 1 or 2; of rkl2, else 0 */

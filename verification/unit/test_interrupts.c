@@ -156,7 +156,7 @@ static void report_is_whole(void **state) {
 
 static void claims_are_whole(void **state) {
     (void)state;
-    const char *line = "claims --only song*";
+    const char *line = "report claims --only song*";
     assert_int_equal(end_of(line, whole), 0);
     assert_int_equal(interrupted(line, OPEN, 1, SIGINT), 0);
     assert_int_equal(interrupted(line, CLOCK, 5, SIGTERM), 0);
@@ -166,7 +166,7 @@ static void claims_are_whole(void **state) {
 
 static void studies_leave_nothing(void **state) {
     (void)state;
-    const char *const lines[] = {"stability", "operators", "bench --scene rod-cosine"};
+    const char *const lines[] = {"report stability", "report operators", "bench --scene rod-cosine"};
     for (int i = 0; i < 3; i++) {
         assert_int_equal(interrupted(lines[i], OPEN, 1, SIGINT), 0);
         assert_int_equal(interrupted(lines[i], CLOCK, 1, SIGTERM), 0);
