@@ -9,11 +9,16 @@
 #include "references/cubature.h"
 #include "references/snapshot.h"
 
+#include "solver/shape.h"
 #include "solver/status.h"
 
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
+
+/* The names of the walls' fluxes, by enum side. */
+static const char *const plane_flux[] = {"flux_x_lo", "flux_x_hi", "flux_y_lo", "flux_y_hi"};
+static const char *const round_flux[] = {"flux_r_lo", "flux_r_hi"};
 
 static int read_place(const char *text, const struct problem *p, struct quantity *q, struct failure *why) {
     const char *at = text + strlen("at:");
@@ -29,21 +34,27 @@ static int read_place(const char *text, const struct problem *p, struct quantity
                           q -> at[a], p -> lo[a], p -> hi[a]);
         at = end + 1;
     }
+    if (p->shape && shape_depth(p, q->at) < 0)
+        return refuse(why, STATUS_INPUT, "quantity '%.60s': (%g, %g) m lies outside of the %s", text, q->at[0],
+                      q->at[1], p->shape->name);
     return STATUS_OK;
 }
 
 int quantity_read(const char *text, const struct problem *p, struct quantity *q, struct failure *why) {
-    static const char *const flux[] = {"flux_x_lo", "flux_x_hi", "flux_y_lo", "flux_y_hi"};
+    const char *const *flux = p->shape ? round_flux : plane_flux;
     *q = (struct quantity){.kind = QUANTITY_HEAT};
     if (strncmp(text, "at:", 3) == 0) return read_place(text, p, q, why);
     if (strcmp(text, "heat") == 0) return STATUS_OK;
     for (int s = 0; s < 2 * p->dim; s++) {
-        if (strcmp(text, flux[s]) != 0) continue;
+        if (!shape_has_wall(p, s) || strcmp(text, flux[s]) != 0) continue;
         *q = (struct quantity){.kind = QUANTITY_FLUX, .side = (enum side)s};
         return STATUS_OK;
     }
-    return refuse(why, STATUS_INPUT, "unknown quantity '%.60s' (valid: flux_x_lo, flux_x_hi, %sheat, at:%s)", text,
-                  p->dim == 2 ? "flux_y_lo, flux_y_hi, " : "", p->dim == 2 ? "X,Y" : "X");
+    char valid[64] = "";
+    for (int s = 0; s < 2 * p->dim; s++)
+        if (shape_has_wall(p, s)) strcat(strcat(valid, flux[s]), ", ");
+    return refuse(why, STATUS_INPUT, "unknown quantity '%.60s' (valid: %sheat, at:%s)", text, valid,
+                  p->dim == 2 ? "X,Y" : "X");
 }
 
 const char *quantity_unit(const struct quantity *q, const struct problem *p) {
@@ -83,6 +94,22 @@ static struct approx flux_density(const void *data, const double along[2]) {
     return (struct approx){s % 2 ? k * e.gradient[a] : -k * e.gradient[a], k * e.gradient_bound[a]};
 }
 
+/* The same at the angle along[0] of a round wall. */
+static struct approx round_flux_density(const void *data, const double along[2]) {
+    const struct field_at *f = data;
+    const struct problem *p = f->now.problem;
+    int s = (int)f->side;
+    double R = p->radius[s], u[2] = {cos(along[0]), sin(along[0])}, x[2] = {R * u[0], R * u[1]},
+           k = p->material[0].k[0];
+    double value = p->wall(p, f->side, x), out = s == X_HI ? 1 : -1;
+    if (p->side[s] == NEUMANN) return (struct approx){value, 0};
+    struct exact e = snapshot_at(&f->now, x);
+    if (p->side[s] == ROBIN)
+        return (struct approx){p->robin[s] * (value - e.temperature), p->robin[s] * e.error_bound};
+    return (struct approx){out * k * (u[0] * e.gradient[0] + u[1] * e.gradient[1]),
+                           k * (e.gradient_bound[0] + e.gradient_bound[1])};
+}
+
 /* Ends, middle, jumps and interface of an axis. */
 static void add_knots(const struct problem *p, int axis, int place, struct cubature_knots *knots) {
     double at[CUBATURE_KNOTS] = {p->lo[axis], p->hi[axis], (p->lo[axis] + p->hi[axis]) / 2};
@@ -106,8 +133,25 @@ static int grades_for(const struct problem *p, double t) {
     return p->dim == 2 && t > 0 ? 1 + (int)fmax(0, ceil(log2(extent / sqrt(4 * kappa * t)) / 2)) : 0;
 }
 
+/* Over a round body, at = (r, theta): r times the density. */
+static struct approx round_heat_density(const void *data, const double at[2]) {
+    struct approx d = heat_density(data, (const double[2]){at[0] * cos(at[1]), at[0] * sin(at[1])});
+    return (struct approx){at[0] * d.value, at[0] * d.error};
+}
+
+static struct quantity_value round_heat(struct field_at *f) {
+    const struct problem *p = f->now.problem;
+    const double *R = p->radius, lo[2] = {R[0], 0}, hi[2] = {R[1], 2 * M_PI};
+    struct cubature_knots knots = {.grades = grades_for(p, f->now.time), .count = {2, 0}};
+    for (int s = 0; s < 2; s++) knots.knot[0][s].at = R[s], knots.knot[0][s].graded = 1;
+    struct approx mean = cubature_mean(round_heat_density, f, 2, lo, hi, &knots);
+    double size = (R[1] - R[0]) * 2 * M_PI;
+    return (struct quantity_value){size * mean.value, size * mean.error, 0};
+}
+
 static struct quantity_value heat(struct field_at *f) {
     const struct problem *p = f->now.problem;
+    if (p->shape) return round_heat(f);
     struct cubature_knots knots = {.count = {0, 0}, .grades = grades_for(p, f->now.time)};
     double volume = 1;
     for (int a = 0; a < p->dim; a++) {
@@ -120,6 +164,13 @@ static struct quantity_value heat(struct field_at *f) {
 
 static struct quantity_value flux(struct field_at *f) {
     const struct problem *p = f->now.problem;
+    if (p->shape) {
+        struct cubature_knots none = {.count = {0, 0}};
+        struct approx mean =
+            cubature_mean(round_flux_density, f, 1, (double[2]){0, 0}, (double[2]){2 * M_PI, 0}, &none);
+        double length = 2 * M_PI * p->radius[f->side];
+        return (struct quantity_value){length * mean.value, length * mean.error, 0};
+    }
     int axis = f->side < Y_LO;
     if (p->dim == 1) {
         struct approx end = flux_density(f, (double[2]){0, 0});

@@ -19,9 +19,10 @@ struct quantity_value {
     int no_value;       /* 1: infinite (the flux through a side whose corner disagrees), or none in a corner */
 };
 
-/* Reads flux_x_lo, flux_x_hi, flux_y_lo or flux_y_hi (the heat that flows into the body through that side: k dT/dn
- * over a rod's end, W m^-2, integrated along a rectangle's side, W per m of depth), heat (rho_c T integrated over the
- * body, J m^-2 or J per m of depth), at:X or at:X,Y (the temperature there, K).  STATUS_OK or STATUS_INPUT. */
+/* Reads flux_x_lo, flux_x_hi, flux_y_lo or flux_y_hi, of a round body flux_r_lo (of its hole) or flux_r_hi (the heat
+ * that flows into the body through that side: k dT/dn over a rod's end, W m^-2, integrated along a rectangle's side,
+ * W per m of depth), heat (rho_c T integrated over the body, J m^-2 or J per m of depth), at:X or at:X,Y (the
+ * temperature there, K).  STATUS_OK or STATUS_INPUT. */
 int quantity_read(const char *text, const struct problem *p, struct quantity *q, struct failure *why);
 
 /* The unit of its value on a rod or a rectangle. */

@@ -1,8 +1,10 @@
 /* The columns of `reference`: one table, a function each. */
 #include "verification/oracle/columns.h"
+#include "verification/oracle/clipped.h"
 
 #include "references/cubature.h"
 #include "references/scene.h"
+#include "solver/shape.h"
 #include "solver/status.h"
 #include "verification/text/words.h"
 
@@ -39,6 +41,8 @@ const char columns_help[] =
     "                      Robin) k dT/dn = b (value - T).  In a corner the side of the lower kind; of two of the "
     "first\n"
     "                      kind that disagree, their mean; of two others, the one across x\n"
+    "  nearest             of the nearest wall: its nearest point and outward normal there (nearest_x, nearest_y,\n"
+    "                      normal_x, normal_y), the distance, and kind, value and b as of wall; nan without walls\n"
     "  wall_x wall_y       the same of the sides across x, or across y, alone: in a corner both are told\n"
     "--points: CSV with the header x (or x,y) and a point a line; other columns are skipped; - is standard input.  "
     "The\n"
@@ -88,6 +92,8 @@ static struct approx initial_at(const void *data, const double x[2]) {
 /* Over the part of the domain from lo to hi. */
 static double mean_start(const struct problem *p, const double lo[2], const double hi[2]) {
     struct cubature_knots knots = {.count = {0, 0}};
+    double part = p->shape ? shape_clipped(p, lo, hi) / ((hi[0] - lo[0]) * (hi[1] - lo[1])) : 1;
+    if (part < 1 - 1e-9 && part > 1e-12) return clipped_mean(p, lo, hi);
     for (int a = 0; a < p->dim; a++) {
         for (int j = 0; j < p->jumps[a]; j++) knots.knot[a][knots.count[a]++].at = p->jump[a][j];
         knots.knot[a][knots.count[a]].at = (p->lo[a] + p->hi[a]) / 2; /* where the data of a scene may have a peak */
@@ -100,8 +106,9 @@ static double mean_start(const struct problem *p, const double lo[2], const doub
 static void cell_of(const struct columns_row *row, double lo[2], double hi[2]) {
     lo[1] = hi[1] = 0;
     for (int a = 0; a < row->p->dim; a++) {
-        lo[a] = fmax(row->x[a] - row->cell[a] / 2, row->p->lo[a]);
-        hi[a] = fmin(row->x[a] + row->cell[a] / 2, row->p->hi[a]);
+        int clip = row->p->side[2 * a] != PERIODIC;
+        lo[a] = fmax(row->x[a] - row->cell[a] / 2, clip ? row->p->lo[a] : -INFINITY);
+        hi[a] = fmin(row->x[a] + row->cell[a] / 2, clip ? row->p->hi[a] : INFINITY);
     }
 }
 
@@ -146,20 +153,46 @@ static void rho_c(const struct columns_row *row, int axis, double *value) {
     *value = row->p->material[material_at(row)].rho_c;
 }
 
+static const int wall_kind[] = {[DIRICHLET] = 1, [NEUMANN] = 2, [ROBIN] = 3};
+
+static void wall_values(const struct problem *p, int s, const double x[2], double *value) {
+    value[0] = wall_kind[p->side[s]];
+    value[1] = p->wall(p, (enum side)s, x);
+    value[2] = p->side[s] == ROBIN ? p->robin[s] : 0;
+}
+
 static void wall_across(const struct columns_row *row, int axis, double *value) {
-    static const int kind[] = {[DIRICHLET] = 1, [NEUMANN] = 2, [ROBIN] = 3};
     const struct problem *p = row->p;
     int upper = row->x[axis] >= p->hi[axis], s = 2 * axis + upper;
     value[0] = value[1] = value[2] = 0;
-    if (!upper && row->x[axis] > p->lo[axis]) return;
-    value[0] = kind[p->side[s]];
-    value[1] = p->wall(p, (enum side)s, row->x);
-    value[2] = p->side[s] == ROBIN ? p->robin[s] : 0;
+    if (p->shape || p->side[s] == PERIODIC || (!upper && row->x[axis] > p->lo[axis])) return;
+    wall_values(p, s, row->x, value);
+}
+
+/* Points on a round wall are there to rounding. */
+static void round_wall(const struct problem *p, const double x[2], double *value) {
+    int s;
+    value[0] = value[1] = value[2] = 0;
+    if (fabs(shape_nearest(p, x, &s).depth) <= 1e-9 * p->radius[1]) wall_values(p, s, x, value);
+}
+
+static void nearest(const struct columns_row *row, int axis, double *value) {
+    (void)axis;
+    int s;
+    struct foot f = shape_nearest(row->p, row->x, &s);
+    const double place[] = {f.x[0], f.x[1], f.normal[0], f.normal[1], f.depth};
+    for (int k = 0; k < 5; k++) value[k] = s < 0 ? NAN : place[k];
+    value[5] = value[6] = value[7] = 0;
+    if (s >= 0) wall_values(row->p, s, f.x, value + 5);
 }
 
 static void wall(const struct columns_row *row, int axis, double *value) {
     double other[3];
     (void)axis;
+    if (row->p->shape) {
+        round_wall(row->p, row->x, value);
+        return;
+    }
     wall_across(row, 0, value);
     if (row->p->dim == 1) return;
     wall_across(row, 1, other);
@@ -183,6 +216,8 @@ static const struct columns_kind kinds[] = {
     {"flux_x", "flux_x", 1, 0, 0, flux, 0, 1},
     {"flux_y", "flux_y", 1, 0, 1, flux, 1, 1},
     {"wall", "wall_kind,wall_value,wall_b", 0, 0, 0, wall, 0, 3},
+    {"nearest", "nearest_x,nearest_y,normal_x,normal_y,distance,nearest_kind,nearest_value,nearest_b", 0, 0, 0,
+     nearest, 0, 8},
     {"wall_x", "wall_x_kind,wall_x_value,wall_x_b", 0, 0, 0, wall_across, 0, 3},
     {"wall_y", "wall_y_kind,wall_y_value,wall_y_b", 0, 0, 1, wall_across, 1, 3},
 };

@@ -1,13 +1,13 @@
 #ifndef HEATLADDER_VERIFICATION_ORACLE_COLUMNS_H
 #define HEATLADDER_VERIFICATION_ORACLE_COLUMNS_H
 
-/* The columns of `reference --points`: quantities of a scene at given points, one value each, three for a wall. */
+/* The columns of `reference --points`: quantities of a scene at given points, one value each, more for a wall. */
 
 struct failure;
 struct exact;
 struct problem;
 
-enum { COLUMNS_MAX = 24, COLUMNS_VALUES = 3 * COLUMNS_MAX };
+enum { COLUMNS_MAX = 24, COLUMNS_VALUES = 8 * COLUMNS_MAX };
 
 struct columns_row; /* what one point is told by */
 

@@ -1,7 +1,7 @@
 /* Points from CSV. */
 #include "verification/oracle/points.h"
 
-#include "solver/problem.h"
+#include "solver/shape.h"
 #include "solver/status.h"
 #include "verification/text/number.h"
 #include "verification/text/whole_file.h"
@@ -103,6 +103,11 @@ static int check_inside(const struct problem *p, int axis, double *x) {
     return 0;
 }
 
+/* A point of a round body, to the same slack. */
+static int is_in_shape(const struct problem *p, const double x[2]) {
+    return !p->shape || shape_depth(p, x) >= -slack * p->radius[1];
+}
+
 static int read_point(struct reader *r, const char *line, struct failure *why) {
     struct points *points = r->points;
     struct points_text cell[COLUMNS] = {{0}};
@@ -125,6 +130,9 @@ static int read_point(struct reader *r, const char *line, struct failure *why) {
                           r->name, r->line, r->place[a] + 1, names[a], cell[a].length < 40 ? cell[a].length : 40,
                           cell[a].start, r->p->lo[a], r->p->hi[a]);
     }
+    if (!is_in_shape(r->p, points->x[points->n]))
+        return refuse(why, STATUS_INPUT, "%.150s, line %ld: %g, %g m lies outside of the %s", r->name, r->line,
+                      points->x[points->n][0], points->x[points->n][1], r->p->shape->name);
     for (int a = 0; a < points->dim && points->cell; a++) {
         int c = r->place[COLUMN_DX + a] >= 0 ? COLUMN_DX + a : COLUMN_DX;
         double *extent = &points->cell[points->n][a];
@@ -184,7 +192,9 @@ int points_one(const struct problem *p, const double x[2], struct points *points
         return refuse(why, STATUS_INPUT, "--at %g,%g: lies outside of %g to %g m, %g to %g m", x[0], x[1], p->lo[0],
                       p->hi[0], p->lo[1], p->hi[1]);
     }
-    return STATUS_OK;
+    if (is_in_shape(p, x)) return STATUS_OK;
+    points_free(points);
+    return refuse(why, STATUS_INPUT, "--at %g,%g: lies outside of the %s", x[0], x[1], p->shape->name);
 }
 
 void points_free(struct points *points) {

@@ -5,6 +5,7 @@
 
 #include "references/scene.h"
 #include "solver/method.h"
+#include "solver/shape.h"
 
 #include "verification/unit/near.h"
 
@@ -29,6 +30,15 @@ static inline const struct scene *odd_find(const char *name, struct problem *p) 
 static inline double odd_random(unsigned long *state) {
     *state = (*state * 1103515245UL + 12345UL) & 0x7fffffffUL;
     return ((double)*state + 0.5) / 0x80000000UL;
+}
+
+/* A random point at least `margin` (m) from every wall. */
+static inline void odd_point(const struct problem *p, double margin, unsigned long *random, double x[2]) {
+    x[0] = x[1] = 0;
+    do
+        for (int a = 0; a < p->dim; a++)
+            x[a] = p->lo[a] + margin + odd_random(random) * (p->hi[a] - p->lo[a] - 2 * margin);
+    while (p->shape && shape_depth(p, x) < margin);
 }
 
 #endif

@@ -44,8 +44,7 @@ static void the_equation_holds(void **state) {
         for (int trial = 0; trial < 200; trial++) {
             double x[2] = {0, 0}, margin = 10 * odd->step;
             double t = odd->earliest + odd_random(&random) * fmax(0, p.t_end - odd->earliest);
-            for (int d = 0; d < p.dim; d++)
-                x[d] = p.lo[d] + margin + odd_random(&random) * (p.hi[d] - p.lo[d] - 2 * margin);
+            odd_point(&p, margin, &random, x);
             if (p.materials == 2 && fabs(x[0] - p.interface) < margin) continue;
             const struct material *m = &p.material[p.materials == 2 && x[0] >= p.interface];
             double storage = m->rho_c * rate(s, &p, x, t), flow = 0, part = fabs(storage);
@@ -74,21 +73,23 @@ static void the_sides_hold(void **state) {
         for (int trial = 0; trial < 100; trial++)
             for (int side = X_LO; side < 2 * p.dim; side++) {
                 double x[2] = {0, 0}, t = (0.01 + odd_random(&random)) * p.t_end;
-                int axis = side / 2, other = 1 - axis;
-                if (p.dim == 2) x[other] = p.lo[other] + odd_random(&random) * (p.hi[other] - p.lo[other]);
-                x[axis] = side % 2 ? p.hi[axis] : p.lo[axis];
-                double want = p.wall(&p, (enum side)side, x);
+                if (!shape_has_wall(&p, side)) continue;
+                if (p.dim == 2) odd_point(&p, 0, &random, x);
+                struct foot f = shape_foot(&p, side, x);
+                double want = p.wall(&p, (enum side)side, x), flux = 0, off = 0;
+                struct exact e = s->exact(&p, f.x, t);
                 if (p.side[side] == DIRICHLET) {
-                    struct exact e = s->exact(&p, x, t);
                     assert_near(e.temperature, want, 1e-13 * odd->scale);
                     assert_true(e.error_bound <= 1e-12 * odd->scale);
                 } else {
-                    struct exact e = s->exact(&p, x, t);
-                    double k = p.material[0].k[axis], flux = (side % 2 ? k : -k) * e.gradient[axis];
+                    for (int a = 0; a < p.dim; a++) {
+                        flux += p.material[0].k[a] * f.normal[a] * e.gradient[a];
+                        off += p.material[0].k[a] * fabs(f.normal[a]) * e.gradient_bound[a];
+                    }
                     if (p.side[side] == ROBIN) want = p.robin[side] * (want - e.temperature);
-                    double off = k * e.gradient_bound[axis] + p.robin[side] * e.error_bound;
+                    off += p.robin[side] * e.error_bound;
                     assert_near(flux, want, off);
-                    assert_true(off < 1e-10 * k * odd->scale / odd->step);
+                    assert_true(off < 1e-10 * p.material[0].k[0] * odd->scale / odd->step);
                 }
             }
     }
@@ -116,7 +117,7 @@ static void the_start_holds(void **state) {
         unsigned long random = 13;
         for (int trial = 0; trial < 300; trial++) {
             double x[2] = {0, 0};
-            for (int d = 0; d < p.dim; d++) x[d] = p.lo[d] + odd_random(&random) * (p.hi[d] - p.lo[d]);
+            odd_point(&p, 0, &random, x);
             assert_near(at(s, &p, x[0], x[1], 0), p.initial(&p, x), 0);
             /* a moment later nothing but what lies at a jump has changed */
             int far = 1;
@@ -175,7 +176,7 @@ static void the_second_form_agrees(void **state) {
         for (int k = 0; k < 5; k++)
             for (int trial = 0; trial < 60; trial++) {
                 double x[2] = {0, 0}, t = times[k] * p.t_end;
-                for (int d = 0; d < p.dim; d++) x[d] = p.lo[d] + odd_random(&random) * (p.hi[d] - p.lo[d]);
+                odd_point(&p, 0, &random, x);
                 struct exact e = s->exact(&p, x, t), f = s->second(&p, x, t);
                 assert_near(e.temperature, f.temperature, e.error_bound + f.error_bound);
                 worst = fmax(worst, fabs(e.temperature - f.temperature));
@@ -194,7 +195,8 @@ static void the_middle_is_known(void **state) {
         struct problem p;
         const struct scene *s = scenes[o];
         odd_setup(s, &p);
-        const double middle[2] = {(p.lo[0] + p.hi[0]) / 2, (p.lo[1] + p.hi[1]) / 2};
+        const double middle[2] = {(p.lo[0] + p.hi[0]) / 2 + (p.radius[0] > 0 ? (p.radius[0] + p.radius[1]) / 2 : 0),
+                                  (p.lo[1] + p.hi[1]) / 2};
         for (double t = 1e-3 * p.t_end; t < 2 * p.t_end; t *= 10) {
             struct exact e = s->exact(&p, middle, t);
             assert_near(e.error_bound, 0, 1e-12 * s->odd.scale);
@@ -216,8 +218,7 @@ static void the_gradient_is_that_of_the_second_form(void **state) {
         for (int trial = 0; trial < 60; trial++) {
             double x[2] = {0, 0}, margin = 10 * odd->step;
             double t = odd->earliest + odd_random(&random) * fmax(0, p.t_end - odd->earliest);
-            for (int d = 0; d < p.dim; d++)
-                x[d] = p.lo[d] + margin + odd_random(&random) * (p.hi[d] - p.lo[d] - 2 * margin);
+            odd_point(&p, margin, &random, x);
             if (p.materials == 2 && fabs(x[0] - p.interface) < margin) continue;
             struct exact e = s->exact(&p, x, t);
             for (int d = 0; d < p.dim; d++) {
@@ -242,7 +243,7 @@ static void declared_symmetry_is_real(void **state) {
         struct problem p;
         const struct scene *s = scenes[o];
         odd_setup(s, &p);
-        for (int d = 0; d < p.dim; d++) {
+        for (int d = 0; d < p.dim && !p.shape; d++) { /* of a round body no half is computed */
             double x[2] = {p.lo[0] + 0.23 * (p.hi[0] - p.lo[0]), p.lo[1] + 0.31 * (p.hi[1] - p.lo[1])},
                    m[2] = {x[0], x[1]};
             m[d] = p.lo[d] + p.hi[d] - x[d];

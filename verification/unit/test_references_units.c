@@ -39,10 +39,8 @@ static void assert_alike(const struct scene *s, struct powers by) {
     unsigned long random = 23;
     for (int trial = 0; trial < 100; trial++) {
         double x[2] = {0, 0}, y[2] = {0, 0}, t = p.t_end * pow(odd_random(&random), 3);
-        for (int d = 0; d < p.dim; d++) {
-            x[d] = p.lo[d] + odd_random(&random) * (p.hi[d] - p.lo[d]);
-            y[d] = ldexp(x[d], by.length);
-        }
+        odd_point(&p, 0, &random, x);
+        for (int d = 0; d < p.dim; d++) y[d] = ldexp(x[d], by.length);
         for (int form = 0; form < 2; form++) {
             struct exact e = (form ? s->second : s->exact)(&p, x, t);
             struct exact f = (form ? s->second : s->exact)(&q, y, ldexp(t, 2 * by.length));

@@ -1,0 +1,9 @@
+#ifndef HEATLADDER_REFERENCES_BESSEL_H
+#define HEATLADDER_REFERENCES_BESSEL_H
+
+#include <complex.h>
+
+/* exp(-z) I_n(z), n = 0 or 1, Re z >= 0, |arg z| < 1.4, to some 1e-15 of exp(-z) I_0(z). */
+double complex bessel_scaled(int n, double complex z);
+
+#endif

@@ -1,0 +1,200 @@
+/* disc-cooling: a disc that starts warm, cooled by the air around it.
+ *
+ *     rho_c dT/dt = k lap T  in r < R,   k dT/dr = b (T_a - T) at r = R,   T(r, 0) = T0
+ *
+ * With B = b R/k, s = sqrt(4 k/rho_c t) and the positive roots lambda_n of lambda J_1 = B J_0 (Carslaw and Jaeger
+ * 1959, section 7.7),
+ *
+ *     series:   T = T_a + (T0 - T_a) sum_n 2 J_1(lambda_n)/(lambda_n (J_0(lambda_n)^2 + J_1(lambda_n)^2))
+ *                                          J_0(lambda_n r/R) exp(-(lambda_n s/(2 R))^2)
+ *     Laplace:  T = T0 + (T_a - T0) inverse of (1/z) b I_0(q r)/(k q I_1(q R) + b I_0(q R)),   q = sqrt(z rho_c/k)
+ *
+ * Root n lies between the roots n - 1 of J_1 (0 for n = 1) and n of J_0.  The series is taken for s >= R/25, where
+ * 110 modes leave exp(-41.5), the transform before that; the second form is the other one of the two, the series with
+ * up to 600 modes. Restrictions: b R/k from 1e-12 to 1e12. */
+#include "references/bessel.h"
+#include "references/params.h"
+#include "references/roots.h"
+#include "references/talbot.h"
+
+#include "solver/method.h"
+#include "solver/shape.h"
+
+#include <float.h>
+#include <math.h>
+#include <stdlib.h>
+
+#include <gsl/gsl_sf_bessel.h>
+
+enum { R, K, RHO_C, T0, T_A, B, T_END };
+
+static const struct param params[] = {
+    {"radius", 1, "m", "radius of the disc", NULL},
+    {"k", 0.01, "W/m/K", "conductivity", NULL},
+    {"rho_c", 1, "J/m^3/K", "heat capacity", NULL},
+    {"T0", 1, "K", "temperature at the start", NULL},
+    {"T_a", 0, "K", "temperature of the air", NULL},
+    {"b", 0.02, "W/m^2/K", "heat transfer coefficient", NULL},
+    {"t_end", 5, "s", "end time", NULL},
+    {NULL, 0, NULL, NULL, NULL},
+};
+
+enum { MODES = 600 };
+static const double early = 0.04, last_exponent = 41.5;
+
+struct shared {
+    int is_series, modes;
+    double lambda[MODES], size[MODES];
+    double complex q[TALBOT_NODES], part[TALBOT_NODES]; /* q R; weight/z b/(k q I_1 + b I_0), scaled by exp(q R) */
+    double error[2];                                    /* K, K m^-1 */
+};
+
+/* Between a root of J_1 and the next of J_0 this goes from -B J_0 to z J_1, whose sign alternates with n. */
+struct condition {
+    double biot;
+    int sign;
+};
+
+static double excess(double z, const void *data) {
+    const struct condition *c = data;
+    return c->sign * (z * gsl_sf_bessel_J1(z) - c->biot * gsl_sf_bessel_J0(z)) / (1 + c->biot);
+}
+
+static double root(int n, double biot) {
+    struct condition c = {biot, n % 2 ? 1 : -1};
+    double lo = n > 1 ? gsl_sf_bessel_zero_J1((unsigned)n - 1) : 0, hi = gsl_sf_bessel_zero_J0((unsigned)n);
+    return roots_increasing(excess, &c, lo, hi);
+}
+
+static void prepare_series(const double *v, double s, struct shared *g) {
+    double scale = fabs(v[T0] - v[T_A]);
+    for (int n = 1; n <= MODES; n++) {
+        double lambda = root(n, v[B] * v[R] / v[K]), exponent = pow(lambda * s / (2 * v[R]), 2);
+        if (exponent > last_exponent) break;
+        double J0 = gsl_sf_bessel_J0(lambda), J1 = gsl_sf_bessel_J1(lambda);
+        double size = 2 * J1 / (lambda * (J0 * J0 + J1 * J1)) * exp(-exponent);
+        g->lambda[g->modes] = lambda;
+        g->size[g->modes++] = (v[T0] - v[T_A]) * size;
+        double rounding = DBL_EPSILON * scale * fabs(size) * (12 + 8 * exponent);
+        g->error[0] += rounding;
+        g->error[1] += rounding * lambda / v[R];
+    }
+    g->error[0] += DBL_EPSILON * (scale + fabs(v[T_A])) + 1e-17 * scale;
+    g->error[1] += 1e-16 * scale / s;
+    if (g->modes == MODES) g->error[0] = g->error[1] = INFINITY;
+}
+
+/* r is rounded by eps R, over which T changes by eps R/s of the whole. */
+static void prepare_transform(const double *v, double s, struct shared *g) {
+    double biot = v[B] * v[R] / v[K], scale = fabs(v[T_A] - v[T0]);
+    for (int j = 0; j < TALBOT_NODES; j++) {
+        double complex z, weight;
+        talbot_node(j, &z, &weight);
+        g->q[j] = csqrt(z) * (2 * v[R] / s);
+        g->part[j] = weight / z * (v[T_A] - v[T0]) * biot /
+                     (g->q[j] * bessel_scaled(1, g->q[j]) + biot * bessel_scaled(0, g->q[j]));
+    }
+    g->error[0] = (2e-13 + 2 * DBL_EPSILON * v[R] / s) * scale + DBL_EPSILON * (fabs(v[T0]) + fabs(v[T_A]));
+    g->error[1] = (1e-12 + 4 * DBL_EPSILON * v[R] / s) * scale * fmin(1 / s, v[B] / v[K]) + 4e-16 * scale / s;
+}
+
+static struct shared *prepare_form(const struct problem *p, double t, int other) {
+    struct shared *g = xcalloc(1, sizeof *g);
+    double s = sqrt(4 * p->param[K] / p->param[RHO_C] * t);
+    g->is_series = (s >= early * p->param[R]) != other;
+    if (t > 0) (g->is_series ? prepare_series : prepare_transform)(p->param, s, g);
+    return g;
+}
+
+static void *prepare(const struct problem *p, double t) {
+    return prepare_form(p, t, 0);
+}
+
+static double sum_series(const double *v, const struct shared *g, double r, double *slope) {
+    double sum = v[T_A];
+    for (int n = 0; n < g->modes; n++) {
+        double z = g->lambda[n] * r / v[R];
+        sum += g->size[n] * gsl_sf_bessel_J0(z);
+        *slope -= g->size[n] * g->lambda[n] / v[R] * gsl_sf_bessel_J1(z);
+    }
+    return sum;
+}
+
+static double sum_transform(const double *v, const struct shared *g, double r, double *slope) {
+    double sum = v[T0];
+    for (int j = 0; j < TALBOT_NODES; j++) {
+        double complex z = g->q[j] * (r / v[R]), rise = g->q[j] * ((v[R] - r) / v[R]),
+                       falling = g->part[j] * cexp(-rise);
+        if (creal(rise) > 60) continue;
+        sum += cimag(falling * bessel_scaled(0, z));
+        *slope += cimag(falling * g->q[j] / v[R] * bessel_scaled(1, z));
+    }
+    return sum;
+}
+
+static struct exact prepared(const struct problem *p, const void *shared, const double x[2], double t) {
+    const struct shared *g = shared;
+    const double *v = p->param;
+    double r = hypot(x[0], x[1]), slope = 0;
+    struct exact e = {.temperature = v[T0], .error_bound = g->error[0], .gradient_bound = {g->error[1], g->error[1]}};
+    if (t == 0) return e;
+    e.temperature = (g->is_series ? sum_series : sum_transform)(v, g, r, &slope);
+    for (int a = 0; a < 2 && r > 0; a++) e.gradient[a] = slope * x[a] / r;
+    return e;
+}
+
+static struct exact exact(const struct problem *p, const double x[2], double t) {
+    void *shared = prepare(p, t);
+    struct exact e = prepared(p, shared, x, t);
+    free(shared);
+    return e;
+}
+
+static struct exact second(const struct problem *p, const double x[2], double t) {
+    struct shared *g = prepare_form(p, t, 1);
+    struct exact e = prepared(p, g, x, t);
+    free(g);
+    return e;
+}
+
+static double initial(const struct problem *p, const double x[2]) {
+    (void)x;
+    return p->param[T0];
+}
+
+static double wall(const struct problem *p, enum side s, const double x[2]) {
+    (void)s, (void)x;
+    return p->param[T_A];
+}
+
+static int setup(struct problem *p, struct failure *why) {
+    static const int positive[] = {R, K, RHO_C, B, T_END, -1};
+    params_keep(p);
+    const double *v = p->param;
+    if (params_all_positive(params, p, positive, why)) return STATUS_INPUT;
+    if (params_finite(params, p, T0, why) || params_finite(params, p, T_A, why)) return STATUS_INPUT;
+    if (params_between(params, p, B, 1e-12 * v[K] / v[R], 1e12 * v[K] / v[R], "b radius/k of 1e-12 to 1e12", why))
+        return STATUS_INPUT;
+    shape_round(p, 0, v[R]);
+    p->t_end = v[T_END];
+    p->materials = 1;
+    p->material[0] = (struct material){{v[K], v[K]}, v[RHO_C]};
+    p->side[X_HI] = ROBIN;
+    p->robin[X_HI] = v[B];
+    p->initial = initial;
+    p->wall = wall;
+    return STATUS_OK;
+}
+
+const struct scene scene_disc_cooling = {
+    .name = "disc-cooling",
+    .about = "a disc that starts warm, cooled by the air around it",
+    .citation = "Carslaw and Jaeger 1959, section 7.7",
+    .params = params,
+    .odd = {{1.3, 0.017, 1.9, 0.97, 0.21, 0.037, 11}, 1, 0.02, 3},
+    .setup = setup,
+    .prepare = prepare,
+    .prepared = prepared,
+    .exact = exact,
+    .second = second,
+};

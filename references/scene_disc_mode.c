@@ -1,0 +1,149 @@
+/* disc-mode: one mode of a disc whose wall is held, insulated or cooled.
+ *
+ *     rho_c dT/dt = k lap T  in r < R,   T(r, theta, 0) = Tm + A J_m(lambda r/R) cos(m theta),
+ *     wall = 1 (Dirichlet): T = Tm,   2 (Neumann): k dT/dr = 0,   3 (Robin): k dT/dr = b (Tm - T)  at r = R
+ *
+ * J_m(lambda r/R) cos(m theta) is an eigenfunction where lambda is a root of J_m, of J_m', or of lambda J_m' + (b
+ * R/k) J_m, and the first positive one is taken (Carslaw and Jaeger 1959, sections 7.6 and 7.7):
+ *
+ *     T = Tm + A J_m(lambda r/R) cos(m theta) exp(-k lambda^2 t/(rho_c R^2))
+ *
+ * With z J_m' = m J_m - z J_(m+1) all three are roots of z J_(m+1) = (m + B) J_m, B = infinity, 0 and b R/k, which
+ * for m
+ * + B > 0 has one between 0 and the first root of J_m; for m = B = 0 it is the first root of J_1.
+ * The second form has J_m from Bessel's integral, by the trapezoidal rule, and its root from that.
+ * Restrictions: A < Tm, so that T > 0 (|J_m| <= 1); mode up to 20; b R/k from 1e-12 to 1e12. */
+#include "references/params.h"
+#include "references/roots.h"
+
+#include "solver/method.h"
+#include "solver/shape.h"
+
+#include <float.h>
+#include <math.h>
+
+#include <gsl/gsl_sf_bessel.h>
+
+enum { R, K, RHO_C, MODE, TM, A, WALL, B, T_END, LAMBDA }; /* LAMBDA: not in the table, setup finds it */
+
+static const struct param params[] = {
+    {"radius", 1, "m", "radius of the disc", NULL},
+    {"k", 0.01, "W/m/K", "conductivity", NULL},
+    {"rho_c", 1, "J/m^3/K", "heat capacity", NULL},
+    {"mode", 2, "", "waves around the disc, a whole number", NULL},
+    {"Tm", 2, "K", "mean temperature, of the wall and of the air", NULL},
+    {"A", 1, "K", "amplitude of the mode at the start, below Tm", NULL},
+    {"wall", 1, "", "kind of the wall: 1 Dirichlet, 2 Neumann, 3 Robin", NULL},
+    {"b", 0.02, "W/m^2/K", "heat transfer coefficient of wall 3", NULL},
+    {"t_end", 1, "s", "end time", NULL},
+    {NULL, 0, NULL, NULL, NULL},
+};
+
+struct condition { /* z J_(m+1) = (m + biot) J_m; of a held wall J_m = 0 */
+    int m, held;
+    double biot;
+    double (*J)(int m, double z);
+};
+
+static double excess(double z, const void *data) {
+    const struct condition *c = data;
+    if (c->held) return -c->J(c->m, z);
+    double weight = c->m + c->biot;
+    return (z * c->J(c->m + 1, z) - weight * c->J(c->m, z)) / (1 + weight);
+}
+
+/* The root is above m, for z^2 > m^2 is where z J_m' can fall; the first root of J_m is below m + 2 m^(1/3) + 2.41.
+ */
+static double first_root(const struct problem *p, double (*J)(int m, double z)) {
+    const double *v = p->param;
+    int m = (int)v[MODE], kind = (int)v[WALL];
+    struct condition c = {m, kind == 1, kind == 3 ? v[B] * v[R] / v[K] : 0, J};
+    if (m == 0 && kind == 2) c = (struct condition){1, 1, 0, J}; /* J_0' = -J_1 */
+    struct condition held = {c.m, 1, 0, J};
+    double most = roots_increasing(excess, &held, c.m + 0.5, c.m + 2 * cbrt(c.m) + 2.41);
+    return c.held ? most : roots_increasing(excess, &c, c.m > 0 ? c.m : 0, most);
+}
+
+/* |J_m'|, |J_m|, |z J_m'| / (m + 1) are at most 1, 1 and 1; GSL's J_m is right to some eps, the phase to m eps. */
+static struct exact exact(const struct problem *p, const double x[2], double t) {
+    const double *v = p->param;
+    int m = (int)v[MODE];
+    double unit = v[LAMBDA] / v[R], z = unit * hypot(x[0], x[1]), theta = atan2(x[1], x[0]);
+    double decay = v[K] * unit * unit / v[RHO_C] * t, amplitude = v[A] * exp(-decay);
+    double J = gsl_sf_bessel_Jn(m, z), above = gsl_sf_bessel_Jn(m + 1, z);
+    double below = m > 0 ? gsl_sf_bessel_Jn(m - 1, z) : -above;
+    double along = unit * (below - above) / 2 * cos(m * theta);               /* d/dr */
+    double across = m > 0 ? -unit * (below + above) / 2 * sin(m * theta) : 0; /* 1/r d/dtheta */
+    double rounding = DBL_EPSILON * amplitude * (8 + 4 * m + 8 * decay);
+    return (struct exact){.temperature = v[TM] + amplitude * J * cos(m * theta),
+                          .error_bound = rounding + DBL_EPSILON * v[TM],
+                          .gradient = {amplitude * (along * cos(theta) - across * sin(theta)),
+                                       amplitude * (along * sin(theta) + across * cos(theta))},
+                          .gradient_bound = {unit * 2 * rounding, unit * 2 * rounding}};
+}
+
+static double initial(const struct problem *p, const double x[2]) {
+    return exact(p, x, 0).temperature;
+}
+
+static double wall(const struct problem *p, enum side s, const double x[2]) {
+    (void)s, (void)x;
+    return p->param[WALL] == 2 ? 0 : p->param[TM];
+}
+
+static double bessel(int m, double z) {
+    return gsl_sf_bessel_Jn(m, z);
+}
+
+static int setup(struct problem *p, struct failure *why) {
+    static const int positive[] = {R, K, RHO_C, TM, A, B, T_END, -1};
+    static const enum side_kind kind[] = {DIRICHLET, NEUMANN, ROBIN};
+    params_keep(p);
+    const double *v = p->param;
+    if (params_all_positive(params, p, positive, why)) return STATUS_INPUT;
+    if (params_whole(params, p, MODE, 0, 20, why) || params_whole(params, p, WALL, 1, 3, why)) return STATUS_INPUT;
+    if (params_between(params, p, A, 0, v[TM], "the temperature stays positive, A < Tm", why)) return STATUS_INPUT;
+    if (params_between(params, p, B, 1e-12 * v[K] / v[R], 1e12 * v[K] / v[R], "b radius/k of 1e-12 to 1e12", why))
+        return STATUS_INPUT;
+    shape_round(p, 0, v[R]);
+    p->t_end = v[T_END];
+    p->materials = 1;
+    p->material[0] = (struct material){{v[K], v[K]}, v[RHO_C]};
+    p->side[X_HI] = kind[(int)v[WALL] - 1];
+    p->robin[X_HI] = v[WALL] == 3 ? v[B] : 0;
+    p->param[LAMBDA] = first_root(p, bessel);
+    p->initial = initial;
+    p->wall = wall;
+    return STATUS_OK;
+}
+
+/* J_m(z) = mean over tau of cos(m tau - z sin tau): N points leave J_(N-m)(z), next to nothing for z + m < N/2. */
+static double bessel_integral(int m, double z) {
+    enum { N = 128 };
+    double sum = 0;
+    for (int k = 0; k < N; k++) {
+        double tau = 2 * M_PI * k / N;
+        sum += cos(m * tau - z * sin(tau));
+    }
+    return sum / N;
+}
+
+static struct exact second(const struct problem *p, const double x[2], double t) {
+    const double *v = p->param;
+    int m = (int)v[MODE];
+    double lambda = first_root(p, bessel_integral), z = lambda * hypot(x[0], x[1]) / v[R];
+    double decay = v[K] * lambda * lambda / (v[RHO_C] * v[R] * v[R]) * t, amplitude = v[A] * exp(-decay);
+    return (struct exact){.temperature = v[TM] + amplitude * bessel_integral(m, z) * cos(m * atan2(x[1], x[0])),
+                          .error_bound = DBL_EPSILON * (amplitude * (16 + 8 * m + 32 * decay) + v[TM])};
+}
+
+const struct scene scene_disc_mode = {
+    .name = "disc-mode",
+    .about = "one mode of a disc whose wall is held, insulated or cooled",
+    .citation = "Carslaw and Jaeger 1959, sections 7.6 and 7.7",
+    .params = params,
+    .setup = setup,
+    .exact = exact,
+    .second = second,
+    .odd = {{1.3, 0.017, 1.9, 3, 2.1, 1.2, 3, 0.031, 1.7}, 1, 0.01, 0.1},
+};

@@ -1,0 +1,119 @@
+/* Shapes of bodies.  A rod or rectangle is the box lo to hi; a round body lies between circles about 0.
+ *
+ * The area of a disc in a box is the integral over x of the length of the line at x inside both,
+ * clamp(s, c, d) - clamp(-s, c, d), s = sqrt(R^2 - x^2): between places where s passes |c| or |d| either term is
+ * constant or an arc, whose integral is (x s + R^2 asin(x/R))/2. */
+#include "solver/shape.h"
+
+#include <math.h>
+#include <string.h>
+
+static double clamp(double x, double lo, double hi) {
+    return x < lo ? lo : x > hi ? hi : x;
+}
+
+static double half_chord(double R, double x) {
+    return sqrt(fmax(0, (R - x) * (R + x)));
+}
+
+/* Integral of half_chord from a to b, |a|, |b| <= R. */
+static double arc(double R, double a, double b) {
+    return (b * half_chord(R, b) - a * half_chord(R, a) + R * R * (asin(b / R) - asin(a / R))) / 2;
+}
+
+/* The integral over x from a to b, where no place of the list above lies between, of clamp(sign s, c, d). */
+static double under(double R, int sign, double a, double b, double c, double d) {
+    double middle = sign * half_chord(R, (a + b) / 2);
+    return middle < c ? (b - a) * c : middle > d ? (b - a) * d : sign * arc(R, a, b);
+}
+
+static double disc_area(double R, const double lo[2], const double hi[2]) {
+    double at[6], area = 0, from = clamp(lo[0], -R, R), to = clamp(hi[0], -R, R);
+    int n = 0;
+    at[n++] = from;
+    for (int k = 0; k < 4; k++) { /* ascending by construction: -far, -near, near, far */
+        double c = fabs(lo[1]), d = fabs(hi[1]), y = (k == 0 || k == 3) == (c < d) ? c : d;
+        at[n++] = clamp(k < 2 ? -half_chord(R, y) : half_chord(R, y), from, to);
+    }
+    at[n++] = to;
+    for (int k = 0; k + 1 < n; k++)
+        if (at[k + 1] > at[k])
+            area += under(R, 1, at[k], at[k + 1], lo[1], hi[1]) - under(R, -1, at[k], at[k + 1], lo[1], hi[1]);
+    return area;
+}
+
+static double round_area(const struct problem *p, const double lo[2], const double hi[2]) {
+    double hole = p->radius[0] > 0 ? disc_area(p->radius[0], lo, hi) : 0;
+    return fmax(0, disc_area(p->radius[1], lo, hi) - hole);
+}
+
+static struct foot round_foot(const struct problem *p, enum side s, const double x[2]) {
+    double R = p->radius[s], r = hypot(x[0], x[1]), u[2] = {r > 0 ? x[0] / r : 1, r > 0 ? x[1] / r : 0};
+    int out = s == X_HI ? 1 : -1;
+    return (struct foot){{R * u[0], R * u[1]}, {out * u[0], out * u[1]}, out * (R - r), out / R};
+}
+
+const struct shape shape_disc = {"disc", round_foot, round_area};
+const struct shape shape_annulus = {"annulus", round_foot, round_area};
+
+void shape_round(struct problem *p, double hole, double radius) {
+    p->dim = 2;
+    p->shape = hole > 0 ? &shape_annulus : &shape_disc;
+    p->radius[0] = hole, p->radius[1] = radius;
+    for (int a = 0; a < 2; a++) p->lo[a] = -radius, p->hi[a] = radius;
+}
+
+int shape_has_wall(const struct problem *p, int s) {
+    if (p->shape) return s == X_HI || (s == X_LO && p->radius[0] > 0);
+    return s < 2 * p->dim && p->side[s] != PERIODIC;
+}
+
+struct foot shape_foot(const struct problem *p, int s, const double x[2]) {
+    if (p->shape) return p->shape->foot(p, (enum side)s, x);
+    int a = s / 2, out = s % 2 ? 1 : -1;
+    struct foot f = {{x[0], x[1]}, {0, 0}, 0, 0};
+    f.x[a] = s % 2 ? p->hi[a] : p->lo[a];
+    f.normal[a] = out;
+    f.depth = out * (f.x[a] - x[a]);
+    return f;
+}
+
+struct foot shape_nearest(const struct problem *p, const double x[2], int *s) {
+    struct foot nearest = {.depth = INFINITY};
+    *s = -1;
+    for (int k = 0; k < 4; k++) {
+        if (!shape_has_wall(p, k)) continue;
+        struct foot f = shape_foot(p, k, x);
+        if (f.depth < nearest.depth) nearest = f, *s = k;
+    }
+    return nearest;
+}
+
+double shape_depth(const struct problem *p, const double x[2]) {
+    int s;
+    return shape_nearest(p, x, &s).depth;
+}
+
+double shape_clipped(const struct problem *p, const double lo[2], const double hi[2]) {
+    if (p->shape) return p->shape->area(p, lo, hi);
+    double volume = 1;
+    for (int a = 0; a < p->dim; a++) volume *= fmax(0, fmin(hi[a], p->hi[a]) - fmax(lo[a], p->lo[a]));
+    return volume;
+}
+
+double shape_volume(const struct problem *p) {
+    return shape_clipped(p, p->lo, p->hi);
+}
+
+int shape_pieces(const struct problem *p, double x, double lo, double hi, double piece[2][2]) {
+    double most = p->shape ? half_chord(p->radius[1], x) : INFINITY;
+    double least = p->shape && fabs(x) < p->radius[0] ? half_chord(p->radius[0], x) : 0;
+    double whole[2][2] = {{-most, least > 0 ? -least : most}, {least, most}};
+    int n = 0;
+    for (int k = 0; k < (least > 0 ? 2 : 1); k++) {
+        piece[n][0] = fmax(whole[k][0], fmax(lo, p->lo[1]));
+        piece[n][1] = fmin(whole[k][1], fmin(hi, p->hi[1]));
+        n += piece[n][1] > piece[n][0];
+    }
+    return n;
+}

@@ -1,0 +1,56 @@
+/* The mean of the start over the part of a cell that lies inside a round body: by lines along y, whose ends follow
+ * the wall.  Their length bends where the wall leaves the cell, and has no slope where the wall runs along y. */
+#include "verification/oracle/clipped.h"
+
+#include "references/cubature.h"
+#include "solver/shape.h"
+
+#include <math.h>
+
+/* The line at x[0] of a cell that a round wall cuts, and its length for the mean. */
+struct line {
+    const struct problem *p;
+    double lo, hi, x; /* m */
+    int length;       /* 1: of that alone */
+};
+
+static struct approx initial_on_line(const void *data, const double y[2]) {
+    const struct line *l = data;
+    return (struct approx){l->p->initial(l->p, (const double[2]){l->x, y[0]}), 0};
+}
+
+static struct approx along_line(const void *data, const double x[2]) {
+    struct line l = *(const struct line *)data;
+    double piece[2][2];
+    struct approx sum = {0, 0};
+    l.x = x[0];
+    for (int k = 0, n = shape_pieces(l.p, x[0], l.lo, l.hi, piece); k < n; k++) {
+        struct cubature_knots none = {.count = {0, 0}};
+        double from[2] = {piece[k][0], 0}, to[2] = {piece[k][1], 0}, length = to[0] - from[0];
+        struct approx mean =
+            l.length ? (struct approx){1, 0} : cubature_mean(initial_on_line, &l, 1, from, to, &none);
+        sum.value += length * mean.value, sum.error += length * mean.error;
+    }
+    return sum;
+}
+
+double clipped_mean(const struct problem *p, const double lo[2], const double hi[2]) {
+    struct cubature_knots knots = {.count = {0, 0}};
+    struct line l = {p, lo[1], hi[1], 0, 0};
+    int n = 0;
+    for (int s = X_LO; s <= X_HI; s++) {
+        double R = p->radius[s],
+               place[] = {-R, R, sqrt(fmax(0, R * R - lo[1] * lo[1])), sqrt(fmax(0, R * R - hi[1] * hi[1]))};
+        if (!shape_has_wall(p, s)) continue;
+        for (int k = 0; k < 6 && n < CUBATURE_KNOTS; k++) {
+            double at = k < 4 ? place[k] : -place[k - 2];
+            if (!(at >= lo[0] && at <= hi[0])) continue;
+            knots.knot[0][n].at = at;
+            knots.knot[0][n++].graded = 1;
+        }
+    }
+    knots.count[0] = n;
+    double sum = cubature_mean(along_line, &l, 1, lo, hi, &knots).value;
+    l.length = 1;
+    return sum / cubature_mean(along_line, &l, 1, lo, hi, &knots).value;
+}
