@@ -3,7 +3,7 @@
 
 #include "references/scene.h"
 #include "solver/options.h"
-#include "solver/problem.h"
+#include "solver/shape.h"
 #include "solver/status.h"
 #include "verification/text/whole_file.h"
 
@@ -17,12 +17,16 @@ const char case_file_help[] =
     "  scene, label, dim        the names on the command line; 1 for a rod, 2 for a rectangle\n"
     "  param_NAME               every parameter of the scene (heatladder list scenes tells what each means)\n"
     "  lo, hi                   the domain, m: along x, and along y\n"
+    "  shape                    disc or annulus, about 0, where the body is not that box; with radius, or r1 and r2, "
+    "m\n"
     "  cells                    extent over dx, rounded: along x, and along y\n"
     "  materials, interface     1; or 2, the second at x >= interface, m\n"
     "  k_x, k_y, rho_c          W/(m K), J/(m^3 K): of each material\n"
     "  side_x_lo, side_x_hi, side_y_lo, side_y_hi\n"
     "                           dirichlet, K; neumann, W/m^2 into the body; robin, W/(m^2 K), K around: one value,\n"
-    "                           or nine evenly along the side\n"
+    "                           or nine evenly along the side; periodic: no wall, with no value\n"
+    "  side_r_hi, side_r_lo     of a round body the same: its outer wall, its hole; nine values are of the angles\n"
+    "                           0, 45, ... 360 degrees\n"
     "  source                   yes where the scene has one, changing where it does so in time, else no\n"
     "  t_end, dx, dt, fourier   s, m; dt or fourier only where given\n"
     "  NAME                     of --vary\n"
@@ -65,23 +69,46 @@ static void write_materials(const struct problem *p, FILE *out) {
     write_pair(out, "rho_c", value, p->materials);
 }
 
-/* One value where the side is held at one, else PLACES of them, evenly from its low to its high end. */
+/* Place i of PLACES on a side: evenly from its low to its high end, or around a round wall. */
+static void place_on_side(const struct problem *p, int s, int i, double x[2]) {
+    double part = (double)i / (PLACES - 1);
+    int along = 1 - s / 2;
+    if (p->shape) {
+        x[0] = p->radius[s] * cos(2 * M_PI * part), x[1] = p->radius[s] * sin(2 * M_PI * part);
+        return;
+    }
+    x[s / 2] = s % 2 ? p->hi[s / 2] : p->lo[s / 2];
+    x[along] = p->lo[along] + (p->hi[along] - p->lo[along]) * part;
+}
+
+/* One value where the side has one, else PLACES of them. */
 static void write_side(const struct problem *p, int s, FILE *out) {
-    static const char *const kind[] = {[DIRICHLET] = "dirichlet", [NEUMANN] = "neumann", [ROBIN] = "robin"};
-    static const char *const name[] = {"side_x_lo", "side_x_hi", "side_y_lo", "side_y_hi"};
-    double value[PLACES];
-    int along = 1 - s / 2, count = 1;
+    static const char *const kind[] = {
+        [DIRICHLET] = "dirichlet", [NEUMANN] = "neumann", [ROBIN] = "robin", [PERIODIC] = "periodic"};
+    static const char *const plane[] = {"side_x_lo", "side_x_hi", "side_y_lo", "side_y_hi"};
+    static const char *const round[] = {"side_r_lo", "side_r_hi"};
+    double value[PLACES], x[2];
+    int count = 1;
+    if (p->shape && !shape_has_wall(p, s)) return;
     for (int i = 0; i < PLACES; i++) {
-        double x[2];
-        x[s / 2] = s % 2 ? p->hi[s / 2] : p->lo[s / 2];
-        x[along] = p->lo[along] + (p->hi[along] - p->lo[along]) * i / (PLACES - 1);
+        place_on_side(p, s, i, x);
         value[i] = p->wall(p, (enum side)s, x);
         if (value[i] != value[0]) count = PLACES;
     }
-    fprintf(out, "%s = %s", name[s], kind[p->side[s]]);
+    if (p->side[s] == PERIODIC) count = 0;
+    fprintf(out, "%s = %s", (p->shape ? round : plane)[s], kind[p->side[s]]);
     if (p->side[s] == ROBIN) fprintf(out, ", %.17g", p->robin[s]);
     for (int i = 0; i < count; i++) fprintf(out, ", %.17g", value[i]);
     fputc('\n', out);
+}
+
+static void write_shape(const struct problem *p, FILE *out) {
+    if (!p->shape) return;
+    fprintf(out, "shape = %s\n", p->shape->name);
+    if (p->radius[0] > 0)
+        fprintf(out, "r1 = %.17g\nr2 = %.17g\n", p->radius[0], p->radius[1]);
+    else
+        fprintf(out, "radius = %.17g\n", p->radius[1]);
 }
 
 void case_file_write(const struct scene *s, const struct problem *p, const struct options *o,
@@ -90,6 +117,7 @@ void case_file_write(const struct scene *s, const struct problem *p, const struc
     write_params(s, p, "param_", " = ", "\n", out);
     write_pair(out, "lo", p->lo, p->dim);
     write_pair(out, "hi", p->hi, p->dim);
+    write_shape(p, out);
     fprintf(out, "cells = %.0f", (p->hi[0] - p->lo[0]) / o->dx);
     if (p->dim == 2) fprintf(out, ", %.0f", (p->hi[1] - p->lo[1]) / o->dx);
     fputc('\n', out);
@@ -120,7 +148,7 @@ int case_file_check(const struct problem *p, double dx, struct failure *why) {
     enum { SEARCH = 100000 };
     double extent = p->hi[0] - p->lo[0], coarse = floor(extent / dx), fine = coarse + 1;
     char near[80] = "";
-    if (divides(p, dx)) return STATUS_OK;
+    if (p->shape || divides(p, dx)) return STATUS_OK; /* a round wall divides no lattice */
     for (int i = 0; i < SEARCH && coarse >= 1 && !divides(p, extent / coarse); i++) coarse--;
     for (int i = 0; i < SEARCH && !divides(p, extent / fine); i++) fine++;
     if (coarse >= 1) snprintf(near, sizeof near, "; %.10g does", extent / coarse);

@@ -14,7 +14,7 @@
  * Boxes of about a point each tell in a second pass which points are the same: closer than 1e-9 of the extent. */
 #include "verification/foreign/coverage.h"
 
-#include "solver/problem.h"
+#include "solver/shape.h"
 #include "solver/status.h"
 #include "verification/foreign/samples.h"
 
@@ -41,6 +41,10 @@ static double cells(const struct problem *p, int a, double dx) {
  * each axis, multiplied.  Cell centres are N, nodes with the walls N + 1, quadrature points more. */
 static size_t fewest_points(const struct problem *p, double dx) {
     double n = 1;
+    if (p->shape) { /* a lattice has a point for each dx^2, but for some along the walls */
+        double walls = 2 * M_PI * (p->radius[0] + p->radius[1]);
+        return (size_t)fmin(fmax(1, shape_volume(p) / (dx * dx) - walls / dx), 1e18);
+    }
     for (int a = 0; a < p->dim; a++) n *= fmax(1, cells(p, a, dx) - 1);
     return (size_t)fmin(n, 1e18);
 }
@@ -58,6 +62,16 @@ static int check_inside(const struct samples *s, const struct problem *p, struct
     return STATUS_OK;
 }
 
+static int check_inside_shape(const struct samples *s, const struct problem *p, struct failure *why) {
+    for (size_t i = 0; i < s->n; i++) {
+        double x[2] = {s->value[COLUMN_X][i], s->value[COLUMN_Y][i]};
+        if (shape_depth(p, x) >= -SLACK * p->radius[1]) continue;
+        return refuse(why, STATUS_INPUT, "%.150s, line %ld: (%.9g, %.9g) m lies outside of the %s", s->path,
+                      s->line[i], x[0], x[1], p->shape->name);
+    }
+    return STATUS_OK;
+}
+
 static size_t box_along(const struct boxes *b, int a, double x) {
     double at = (x - b->p->lo[a]) / extent(b->p, a) * (double)b->count[a];
     return at <= 0 ? 0 : at >= (double)b->count[a] ? b->count[a] - 1 : (size_t)at;
@@ -71,6 +85,18 @@ static size_t box_of(const struct boxes *b, size_t i) {
 
 static size_t all(const struct boxes *b) {
     return b->count[0] * b->count[1];
+}
+
+/* Whether a round body fills the box. */
+static int is_whole(const struct boxes *b, size_t box) {
+    size_t at[2] = {box % b->count[0], box / b->count[0]};
+    double lo[2], hi[2];
+    for (int a = 0; a < 2; a++) {
+        double side = extent(b->p, a) / (double)b->count[a];
+        lo[a] = b->p->lo[a] + side * (double)at[a];
+        hi[a] = lo[a] + side;
+    }
+    return shape_clipped(b->p, lo, hi) >= (1 - SLACK) * (hi[0] - lo[0]) * (hi[1] - lo[1]);
 }
 
 static int refuse_gap(const struct boxes *b, size_t empty, struct failure *why) {
@@ -92,6 +118,7 @@ static int check_gaps(const struct samples *s, const struct problem *p, double d
         b.count[a] = (size_t)fmax(1, floor(extent(p, a) / side * (1 + SLACK)));
     }
     char *seen = xcalloc(all(&b), 1);
+    for (size_t box = 0; box < all(&b) && p->shape; box++) seen[box] = !is_whole(&b, box);
     for (size_t i = 0; i < s->n; i++) seen[box_of(&b, i)] = 1;
     size_t empty = 0;
     while (empty < all(&b) && seen[empty]) empty++;
@@ -155,7 +182,7 @@ static int check_same(const struct samples *s, const struct problem *p, struct f
 
 int coverage_check(const struct samples *s, const struct problem *p, double dx, struct failure *why) {
     size_t fewest = fewest_points(p, dx);
-    if (check_inside(s, p, why)) return STATUS_INPUT;
+    if (check_inside(s, p, why) || (p->shape && check_inside_shape(s, p, why))) return STATUS_INPUT;
     if (s->n < fewest)
         return refuse(why, STATUS_INPUT, "%.150s: %zu point%s where dx = %g m asks for %zu at least", s->path, s->n,
                       s->n == 1 ? "" : "s", dx, fewest);

@@ -2,6 +2,7 @@
 #include "verification/measures/measures.h"
 
 #include "references/scene.h"
+#include "solver/shape.h"
 #include "verification/command/request.h"
 #include "verification/diagnosis/wording.h"
 #include "verification/ladder/consistency.h"
@@ -159,10 +160,13 @@ void measures_robin_limits(const struct request *r, double lo, double hi, struct
 /* Points that fill the domain evenly and meet no symmetry of it: the additive sequences of the plastic number. */
 static void odd_point(const struct problem *p, int i, double x[2]) {
     static const double step[2] = {0.7548776662466927, 0.5698402909980532};
-    for (int a = 0; a < 2; a++) {
-        double u = 0.137 + 0.174 * a + step[a] * i;
-        x[a] = p->lo[a] + (p->hi[a] - p->lo[a]) * (u - floor(u));
-    }
+    do {
+        for (int a = 0; a < 2; a++) {
+            double u = 0.137 + 0.174 * a + step[a] * i;
+            x[a] = p->lo[a] + (p->hi[a] - p->lo[a]) * (u - floor(u));
+        }
+        i += 1000;
+    } while (p->shape && shape_depth(p, x) < 0);
 }
 
 /* How far the two forms of a reference are apart, in units of what their bounds allow.  The ceiling is on the bound

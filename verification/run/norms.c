@@ -3,6 +3,7 @@
 
 #include "references/snapshot.h"
 #include "solver/method.h"
+#include "solver/shape.h"
 #include "verification/run/checkerboard.h"
 
 #include <math.h>
@@ -66,12 +67,6 @@ int norms_check(const struct field *f, const double *exact, struct failure *why)
                   f->time);
 }
 
-static double wall_distance(const struct problem *p, const double x[2]) {
-    double d = INFINITY;
-    for (int a = 0; a < p->dim; a++) d = fmin(d, fmin(x[a] - p->lo[a], p->hi[a] - x[a]));
-    return d;
-}
-
 struct norms_error norms_error(const struct problem *p, const struct field *f, const double *exact,
                                enum norms_part part, double distance) {
     double e1 = 0, e2 = 0, t1 = 0, t2 = 0, x[2];
@@ -82,7 +77,7 @@ struct norms_error norms_error(const struct problem *p, const struct field *f, c
             continue;
         }
         point(f, i, x);
-        int near = part != NORMS_ALL && wall_distance(p, x) < distance;
+        int near = part != NORMS_ALL && shape_depth(p, x) < distance;
         if (part == (near ? NORMS_INTERIOR : NORMS_BOUNDARY)) continue;
         double w = weight(f, i), e = fabs(f->T[i] - exact[i]), T = fabs(exact[i]);
         e1 += w * e;
@@ -102,11 +97,11 @@ struct norms_error norms_error(const struct problem *p, const struct field *f, c
 static void widen(const struct problem *p, const struct field *f, double *lo, double *hi) {
     double x[2];
     for (int s = 0; s < 2 * p->dim; s++) {
-        if (p->side[s] != DIRICHLET) continue;
+        if (!shape_has_wall(p, s) || p->side[s] != DIRICHLET) continue;
         for (size_t i = 0; i < (p->dim == 1 ? 1 : f->n); i++) {
             point(f, i, x);
-            x[s / 2] = s % 2 ? p->hi[s / 2] : p->lo[s / 2];
-            double T = p->wall(p, (enum side)s, x);
+            struct foot foot = shape_foot(p, s, x);
+            double T = p->wall(p, (enum side)s, foot.x);
             *lo = fmin(*lo, T);
             *hi = fmax(*hi, T);
         }
