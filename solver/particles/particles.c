@@ -7,6 +7,7 @@
 #include "solver/time/matched.h"
 #include "solver/space/place.h"
 #include "solver/space/sample.h"
+#include "solver/space/voronoi.h"
 #include "solver/time/stepper.h"
 
 #include <math.h>
@@ -24,7 +25,7 @@ int particles_resolve(const struct problem *p, const struct options *o, const st
                       struct options *resolved, struct failure *why) {
     *resolved = *o;
     int order = o->order > 2 ? o->order : 2;
-    if (o->h == 0) resolved->h = 1.1 * order / 2;
+    if (o->h == 0) resolved->h = s->h ? s->h(p) : 1.1 * order / 2;
     if (o->h < 0 || !isfinite(o->h)) return refuse(why, STATUS_INPUT, "--h %g: must be > 0, in units of dx", o->h);
     if (o->layout == LAYOUT_RELAXED && o->jitter == 0) resolved->jitter = 0.5;
     if (o->grading == 0) resolved->grading = 4;
@@ -105,7 +106,9 @@ static void data_range(const struct problem *p, const struct field *f, double *l
 /* Four sums of what lies in one material: additions that do not wait for each other, in an order that does not
  * change.
  */
-static double heat_content(const struct problem *p, const struct field *f, double cell, double volume) {
+/* rho_c: of each point's cell; NULL where its place tells it. */
+static double heat_content(const struct problem *p, const struct field *f, const double *rho_c, double cell,
+                           double volume) {
     double sum[4] = {0}, all = 0;
     size_t i = 0;
     if (p->materials == 1 && !f->weight) {
@@ -113,7 +116,10 @@ static double heat_content(const struct problem *p, const struct field *f, doubl
             for (size_t k = 0; k < 4; k++) sum[k] += f->T[i + k];
         for (; i < f->n; i++) sum[i % 4] += f->T[i];
     }
-    for (; i < f->n; i++) all += layout_rho_c(p, cell, f->x[i]) * f->T[i] * (f->weight ? f->weight[i] : volume);
+    for (; i < f->n; i++) {
+        double held = rho_c ? rho_c[i] : layout_rho_c(p, cell, f->x[i]);
+        all += held * f->T[i] * (f->weight ? f->weight[i] : volume);
+    }
     return all + p->material[0].rho_c * ((sum[0] + sum[1]) + (sum[2] + sum[3])) * volume;
 }
 
@@ -157,17 +163,26 @@ double particles_reach(const struct options *o, const struct scheme *s, const st
     return s->sweeps * 2.0 * o->h * l->dx[0];
 }
 
+/* Whether the initial data are averaged over the very cells that the scheme has. */
+static int averages_cells(const struct options *o, const struct scheme *s) {
+    return s->cells && o->sampling == SAMPLING_CELL;
+}
+
 static int place_cloud(const struct problem *p, const struct options *o, const struct scheme *s,
                        const struct lattice *l, struct heat_operator *a, struct field *f, struct failure *why) {
     struct cloud c;
     if (layout_cloud(p, o, l, particles_reach(o, s, l), &c, why)) return why->status;
     int status = operator_create_csr(a, p, o, s, &c, l->dx[0], why);
+    if (!status && averages_cells(o, s)) status = voronoi_average(p, &c, o->threads > 1 ? o->threads : 1, f->T, why);
     for (size_t i = 0; i < c.n; i++) {
         f->x[i] = c.x[i];
         if (f->y) f->y[i] = c.y[i];
     }
-    if (c.spacing) f->weight = xcalloc(c.n, sizeof *f->weight);
-    for (size_t i = 0; i < c.n && c.spacing; i++) f->weight[i] = pow(c.spacing[i], p->dim);
+    f->weight = a->volume, a->volume = NULL;
+    if (!f->weight && c.spacing) {
+        f->weight = xcalloc(c.n, sizeof *f->weight);
+        for (size_t i = 0; i < c.n; i++) f->weight[i] = pow(c.spacing[i], p->dim);
+    }
     f->settling = c.settling;
     layout_cloud_free(&c);
     return status;
@@ -214,7 +229,7 @@ int particles_solve(const struct method *m, const struct problem *p, const struc
         }
         if (!rows) sample_lattice(p, o->sampling, &l, f->T);
         if (o->stepper == STEPPER_MATCHED) matched_source(p, o, &a, f->T);
-        for (size_t i = 0; i < f->n && rows; i++) {
+        for (size_t i = 0; i < f->n && rows && !averages_cells(o, s); i++) {
             double x[2] = {f->x[i], f->y ? f->y[i] : 0};
             double width[2] = {1, 1};
             for (int d = 0; d < p->dim; d++) width[d] = place_width(p, o, &l, d, x[d]);
@@ -222,12 +237,12 @@ int particles_solve(const struct method *m, const struct problem *p, const struc
         }
         if (start_is_kept(p, o, s)) status = start_keep_heat(p, o, s, f, why);
         find_range(f, f->range);
-        f->heat[0] = heat_content(p, f, cell, volume);
+        f->heat[0] = heat_content(p, f, a.rho_c, cell, volume);
         f->time = p->t_end;
         double loop = now();
         if (!status) status = integrate(p, o, s, &l, &a, f, why);
         f->step_seconds = now() - loop;
-        f->heat[1] = heat_content(p, f, cell, volume);
+        f->heat[1] = heat_content(p, f, a.rho_c, cell, volume);
     }
     operator_free(&a);
     f->seconds = now() - begin;

@@ -126,10 +126,10 @@ static int count_rows(const struct problem *p, const struct options *o, const st
     return STATUS_OK;
 }
 
-static void hold(const struct problem *p, const struct options *o, const struct heat_operator *a,
-                 const struct march *m, struct outline *out) {
+static void hold(const struct problem *p, const struct options *o, const struct scheme *s,
+                 const struct heat_operator *a, const struct march *m, struct outline *out) {
     size_t constants = a->constant ? (a->weight ? a->state : a->n) * sizeof *a->g : 0, unit = sizeof(double);
-    out->answer = p->dim + 1 + (o->layout == LAYOUT_GRADED); /* whose cells differ in volume */
+    out->answer = p->dim + 1 + (o->layout == LAYOUT_GRADED || (s->cells && out->rows)); /* volumes differ */
     out->on_lattice = particles_on_lattice(p, o, out->rows);
     out->neighbours = (double)a->pairs / (double)a->n;
     outline_hold(out, out->answer > p->dim + 1 ? "places, temperatures and volumes" : "places and temperatures",
@@ -178,7 +178,7 @@ int particles_outline(const struct method *m, const struct problem *p, const str
     if (!status) {
         out->weights = weights_of(p, out->rows);
         particles_count(p, o, s, &l, &a, &march, &out->run);
-        hold(p, o, &a, &march, out);
+        hold(p, o, s, &a, &march, out);
         if (start_is_kept(p, o, s))
             outline_hold(out, "rows once more, for what they keep of the start", 3 * a.bytes, OUTLINE_SET_UP,
                          OUTLINE_SET_UP);

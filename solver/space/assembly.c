@@ -5,8 +5,8 @@
 #include <stdlib.h>
 #include <string.h>
 
-void assembly_create(struct assembly *m, const struct problem *p, const struct options *o, const struct scheme *s,
-                     const struct cloud *c, double spacing) {
+int assembly_create(struct assembly *m, const struct problem *p, const struct options *o, const struct scheme *s,
+                     const struct cloud *c, double spacing, struct failure *why) {
     *m = (struct assembly){.p = p,
                            .o = o,
                            .s = s,
@@ -15,15 +15,53 @@ void assembly_create(struct assembly *m, const struct problem *p, const struct o
                            .support = KERNEL_SUPPORT * o->h * (c->spacing ? c->coarsest : spacing),
                            .volume = s->volume ? s->volume(p, o, o->h * spacing, c->volume) : c->volume,
                            .cell = layout_cell(o, spacing)};
+    if (s->cells) return voronoi_create(&m->mesh, p, c, o->threads > 1 ? o->threads : 1, why);
     neighbours_create(&m->cells, c, m->support);
+    return STATUS_OK;
+}
+
+double assembly_rho_c(const struct assembly *m, size_t i) {
+    const struct problem *p = m->p;
+    if (!m->mesh.volume || p->materials < 2) return layout_rho_c(p, m->cell, m->c->x[i]);
+    double beyond = m->mesh.beyond[i];
+    return (1 - beyond) * p->material[0].rho_c + beyond * p->material[1].rho_c;
 }
 
 void assembly_free(struct assembly *m) {
     neighbours_free(&m->cells);
+    voronoi_free(&m->mesh);
+}
+
+static int neighbourhood_of_cell(const struct assembly *m, size_t i, struct surroundings *out, struct failure *why) {
+    const struct cloud *c = m->c;
+    const struct problem *p = m->p;
+    const struct voronoi *v = &m->mesh;
+    size_t first = v->begin[i], n = v->begin[i + 1] - first;
+    const struct material *material = &p->material[layout_material(p, c->x[i])];
+    if (n > NEIGHBOURS_MAX)
+        return refuse(why, STATUS_NUMERICAL, "particle %zu at (%.6g, %.6g) m has %zu faces, at most %d are held", i,
+                      c->x[i], c->y[i], n, NEIGHBOURS_MAX);
+    for (size_t k = 0; k < n; k++) {
+        uint32_t j = out->near[k] = v->point[first + k];
+        out->d[k][0] = c->x[j] - c->x[i], out->d[k][1] = c->y[j] - c->y[i], out->V[k] = c->x[j];
+    }
+    out->nb = (struct neighbourhood){.dim = c->dim,
+                                     .i = i,
+                                     .x = {c->x[i], c->y[i]},
+                                     .n = n,
+                                     .d = out->d,
+                                     .h = m->h,
+                                     .volume = v->volume[i],
+                                     .rho_c = assembly_rho_c(m, i),
+                                     .kappa = {material->k[0] / material->rho_c, material->k[1] / material->rho_c},
+                                     .face = v->face + first,
+                                     .X = out->V};
+    return STATUS_OK;
 }
 
 int assembly_neighbourhood(const struct assembly *m, size_t i, struct surroundings *out, struct failure *why) {
     const struct cloud *c = m->c;
+    if (m->s->cells) return neighbourhood_of_cell(m, i, out, why);
     size_t n = neighbours_find(&m->cells, i, out->near, NEIGHBOURS_MAX);
     if (n > NEIGHBOURS_MAX)
         return refuse(why, STATUS_NUMERICAL,
@@ -40,7 +78,7 @@ int assembly_neighbourhood(const struct assembly *m, size_t i, struct surroundin
                                      .d = out->d,
                                      .h = m->h,
                                      .volume = m->volume,
-                                     .rho_c = layout_rho_c(p, m->cell, c->x[i]),
+                                     .rho_c = assembly_rho_c(m, i),
                                      .kappa = {material->k[0] / material->rho_c, material->k[1] / material->rho_c}};
     if (!c->spacing) return STATUS_OK;
     double unit = m->volume / c->volume, own = c->spacing[i]; /* unit: what the scheme counts a volume for */
@@ -81,7 +119,7 @@ void assembly_keep_constants(const struct assembly *m, double *g, struct heat_op
     const struct cloud *c = m->c;
     for (size_t i = 0; i < a->n; i++) {
         double x[2] = {c->x[i], c->y[i]};
-        if (p->source) g[i] += p->source(p, x) / layout_rho_c(p, m->cell, x[0]);
+        if (p->source) g[i] += p->source(p, x) / (a->rho_c ? a->rho_c[i] : layout_rho_c(p, m->cell, x[0]));
         a->constant |= g[i] != 0;
     }
     if (a->constant)

@@ -3,6 +3,7 @@
 
 #include "solver/space/neighbours.h"
 #include "solver/space/operator.h"
+#include "solver/space/voronoi.h"
 
 /* What rows and gradients are assembled from, and what a scheme sees of one point of it. */
 
@@ -13,7 +14,8 @@ struct assembly {
     const struct options *o;
     const struct scheme *s;
     const struct cloud *c;
-    struct neighbours cells;
+    struct neighbours cells; /* empty where there is a mesh */
+    struct voronoi mesh;     /* of a scheme with cells */
     double h, support; /* m */
     double volume;     /* m^d */
     double cell;       /* m, as layout_cell */
@@ -31,10 +33,14 @@ struct surroundings {
     double d[NEIGHBOURS_MAX][2], V[NEIGHBOURS_MAX], H[NEIGHBOURS_MAX];
 };
 
-/* spacing, m: what the h of the options counts in. */
-void assembly_create(struct assembly *m, const struct problem *p, const struct options *o, const struct scheme *s,
-                     const struct cloud *c, double spacing);
+/* spacing, m: what the h of the options counts in.  STATUS_NUMERICAL for a cloud without cells, of a scheme that
+ * has them; there is nothing to free then. */
+int assembly_create(struct assembly *m, const struct problem *p, const struct options *o, const struct scheme *s,
+                     const struct cloud *c, double spacing, struct failure *why);
 void assembly_free(struct assembly *m);
+
+/* J m^-3 K^-1, of particle i's cell. */
+double assembly_rho_c(const struct assembly *m, size_t i);
 
 /* The neighbourhood of point i.  STATUS_NUMERICAL where it has more neighbours than are held. */
 int assembly_neighbourhood(const struct assembly *m, size_t i, struct surroundings *out, struct failure *why);

@@ -82,7 +82,7 @@ static void join(struct heat_operator *a, const struct assembly_list part[ASSEMB
     for (size_t b = 0, at = 0; b < ASSEMBLY_BLOCKS; at += part[b++].n)
         for (size_t i = begin[b]; i < begin[b + 1]; i++) a->row[i + 1] += at;
     size_t total = a->pairs = assembly_list_join(part, &a->column, &a->value);
-    a->bytes =
+    a->bytes +=
         total * (sizeof *a->column + sizeof *a->value) + (a->n + 1) * sizeof *a->row + a->n * sizeof *a->diagonal;
 }
 
@@ -104,16 +104,26 @@ static void copy_bands(struct heat_operator *a) {
     a->bytes += entries * sizeof *a->banded;
 }
 
+/* Of a scheme with cells, what they hold of heat. */
+static void keep_cells(struct assembly *m, struct heat_operator *a) {
+    if (m->p->materials == 2) {
+        a->rho_c = xcalloc(a->n, sizeof *a->rho_c);
+        for (size_t i = 0; i < a->n; i++) a->rho_c[i] = assembly_rho_c(m, i);
+        a->bytes += a->n * sizeof *a->rho_c;
+    }
+    a->volume = m->mesh.volume, m->mesh.volume = NULL;
+}
+
 int csr_assemble(struct heat_operator *a, const struct problem *p, const struct options *o, const struct scheme *s,
                  const struct cloud *c, double spacing, struct failure *why) {
     struct assembly m;
     struct assembly_list part[ASSEMBLY_BLOCKS] = {{0, 0, NULL, NULL}};
     size_t begin[ASSEMBLY_BLOCKS + 1];
     int status = STATUS_OK, threads = o->threads > 1 ? o->threads : 1, first_bad = ASSEMBLY_BLOCKS;
+    if (assembly_create(&m, p, o, s, c, spacing, why)) return why->status;
     double *g = xcalloc(a->n, sizeof *g);
     a->row = xcalloc(a->n + 1, sizeof *a->row);
     a->diagonal = xcalloc(a->n, sizeof *a->diagonal);
-    assembly_create(&m, p, o, s, c, spacing);
     for (size_t b = 0; b <= ASSEMBLY_BLOCKS; b++) begin[b] = a->n * b / ASSEMBLY_BLOCKS;
 #pragma omp parallel for schedule(dynamic, 1) num_threads(threads)
     for (int b = 0; b < ASSEMBLY_BLOCKS; b++) {
@@ -124,6 +134,7 @@ int csr_assemble(struct heat_operator *a, const struct problem *p, const struct 
         }
     }
     if (first_bad < ASSEMBLY_BLOCKS) status = why->status;
+    if (!status && s->cells) keep_cells(&m, a);
     assembly_free(&m); /* before the rows stand twice */
     if (!status) {
         join(a, part, begin);

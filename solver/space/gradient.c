@@ -105,10 +105,10 @@ static void count(struct heat_operator *a, const struct gradient *g) {
 int gradient_assemble(struct heat_operator *a, const struct problem *p, const struct options *o,
                       const struct scheme *s, const struct cloud *c, double spacing, struct failure *why) {
     struct assembly m;
-    struct gradient *g = xcalloc(1, sizeof *g);
     struct assembly_list part[ASSEMBLY_BLOCKS] = {{0, 0, NULL, NULL}};
     int threads = o->threads > 1 ? o->threads : 1, first_bad = ASSEMBLY_BLOCKS;
-    assembly_create(&m, p, o, s, c, spacing);
+    if (assembly_create(&m, p, o, s, c, spacing, why)) return why->status;
+    struct gradient *g = xcalloc(1, sizeof *g);
     a->gradient = g, a->state = g->total = c->total;
     g->C = xcalloc(3 * c->total, sizeof *g->C);
     g->kept = xcalloc(c->total + 1, sizeof *g->kept);

@@ -239,6 +239,8 @@ void operator_free(struct heat_operator *a) {
     free(a->value);
     free(a->diagonal);
     free(a->banded);
+    free(a->volume);
+    free(a->rho_c);
     gradient_free(a->gradient);
     free(a->g);
     *a = (struct heat_operator){0};

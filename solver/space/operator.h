@@ -26,6 +26,9 @@ struct neighbourhood { /* what a scheme sees of one particle */
     double kappa[2]; /* m^2 s^-1, at the particle, along each axis */
     const double *V; /* m^d, of each neighbour, likewise; NULL where all are `volume` */
     const double *H; /* m, smoothing length of each neighbour; NULL where all are `h` */
+    /* of schemes with cells, on clouds; NULL elsewhere: */
+    const double *face; /* m^(d-1), between the particle's cell and each neighbour's, in the metric of voronoi.h */
+    const double *X;    /* m, where each neighbour is along x: the same bits for all that it neighbours */
 };
 
 static inline double neighbourhood_volume(const struct neighbourhood *nb, size_t j) {
@@ -43,6 +46,10 @@ struct scheme { /* how a particle method weights neighbours; options are resolve
     int sweeps;
     /* 1: of averages over cells a rod of two materials starts with what start_keep_heat makes of them */
     int keeps_start;
+    /* 1: on clouds the neighbours are those whose Voronoi cells touch the particle's, and volumes are their cells' */
+    int cells;
+    /* h/dx where --h is not given; NULL: 1.1 max(order, 2)/2 */
+    double (*h)(const struct problem *p);
     /* STATUS_OK, or why this method has no answer to such a problem */
     int (*check)(const struct problem *p, const struct options *o, struct failure *why);
     /* m^d: what a particle's volume dV = dx^d counts for, on a lattice of that volume and smoothing length h (m);
@@ -68,6 +75,8 @@ struct heat_operator {
     uint32_t *column; /* row[n] */
     double *value;    /* s^-1, row[n] */
     double *diagonal; /* s^-1, n */
+    double *volume;   /* m^d, n, of the cells, for who sets the operator up; NULL where the scheme has none */
+    double *rho_c;    /* J m^-3 K^-1, n, of the cells; NULL where the scheme has none, and with one material */
     int band;         /* the largest |column - row| of an entry */
     double *banded;   /* A_(i, i + d) once more at banded[(d + band) * n + i], s^-1; NULL where rows are sparse */
     struct gradient *gradient; /* in place of rows: the state holds ghosts, and walls add to dT/dt by way of them */
