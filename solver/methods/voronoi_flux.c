@@ -26,7 +26,7 @@
  * Walls: a particle's mirror image is as far beyond the wall as it is in front, and their face is the cell's part of
  * the wall: fluxes through it are those of mirror ghosts, of second order for any side.
  * Where not: two materials of different k_x/k_y have no common metric. */
-#include "solver/methods/particles.h"
+#include "solver/particles/particles.h"
 #include "solver/space/voronoi.h"
 
 #include <math.h>
