@@ -4,6 +4,7 @@
  * sqrt(k_x k_y).  Between two materials K is that of the resistances in series along the line from i to j, and a cell
  * that the interface cuts has the heat capacity of its parts.
  *
+ * Exact: for linear T, and for x^2 + y^2 in the metric, since sum_j A_ij d_ij = 2 d V_i; not for x^2 - y^2 and x y.
  * Kept: fluxes of a pair are equal and opposite to the bit, so heat is kept to rounding.  A_ij >= 0: the maximum
  * principle holds on every cloud, no mode grows, and all steps below 1/max(sum A K/(d V rho_c)) are stable; rates are
  * real.

@@ -6,7 +6,7 @@
 #include <string.h>
 
 int assembly_create(struct assembly *m, const struct problem *p, const struct options *o, const struct scheme *s,
-                     const struct cloud *c, double spacing, struct failure *why) {
+                    const struct cloud *c, double spacing, struct failure *why) {
     *m = (struct assembly){.p = p,
                            .o = o,
                            .s = s,
@@ -32,37 +32,17 @@ void assembly_free(struct assembly *m) {
     voronoi_free(&m->mesh);
 }
 
-static int neighbourhood_of_cell(const struct assembly *m, size_t i, struct surroundings *out, struct failure *why) {
-    const struct cloud *c = m->c;
-    const struct problem *p = m->p;
-    const struct voronoi *v = &m->mesh;
-    size_t first = v->begin[i], n = v->begin[i + 1] - first;
-    const struct material *material = &p->material[layout_material(p, c->x[i])];
-    if (n > NEIGHBOURS_MAX)
-        return refuse(why, STATUS_NUMERICAL, "particle %zu at (%.6g, %.6g) m has %zu faces, at most %d are held", i,
-                      c->x[i], c->y[i], n, NEIGHBOURS_MAX);
-    for (size_t k = 0; k < n; k++) {
-        uint32_t j = out->near[k] = v->point[first + k];
-        out->d[k][0] = c->x[j] - c->x[i], out->d[k][1] = c->y[j] - c->y[i], out->V[k] = c->x[j];
-    }
-    out->nb = (struct neighbourhood){.dim = c->dim,
-                                     .i = i,
-                                     .x = {c->x[i], c->y[i]},
-                                     .n = n,
-                                     .d = out->d,
-                                     .h = m->h,
-                                     .volume = v->volume[i],
-                                     .rho_c = assembly_rho_c(m, i),
-                                     .kappa = {material->k[0] / material->rho_c, material->k[1] / material->rho_c},
-                                     .face = v->face + first,
-                                     .X = out->V};
-    return STATUS_OK;
+/* The points beyond the faces of cell i. */
+static size_t faces_of_cell(const struct voronoi *v, size_t i, uint32_t *out) {
+    size_t n = v->begin[i + 1] - v->begin[i];
+    if (n <= NEIGHBOURS_MAX) memcpy(out, v->point + v->begin[i], n * sizeof *out);
+    return n;
 }
 
 int assembly_neighbourhood(const struct assembly *m, size_t i, struct surroundings *out, struct failure *why) {
     const struct cloud *c = m->c;
-    if (m->s->cells) return neighbourhood_of_cell(m, i, out, why);
-    size_t n = neighbours_find(&m->cells, i, out->near, NEIGHBOURS_MAX);
+    size_t n = m->s->cells ? faces_of_cell(&m->mesh, i, out->near)
+                           : neighbours_find(&m->cells, i, out->near, NEIGHBOURS_MAX);
     if (n > NEIGHBOURS_MAX)
         return refuse(why, STATUS_NUMERICAL,
                       "particle %zu at (%.6g, %.6g) m has %zu neighbours, at most %d are held; take a smaller --h", i,
@@ -80,6 +60,11 @@ int assembly_neighbourhood(const struct assembly *m, size_t i, struct surroundin
                                      .volume = m->volume,
                                      .rho_c = assembly_rho_c(m, i),
                                      .kappa = {material->k[0] / material->rho_c, material->k[1] / material->rho_c}};
+    if (m->s->cells) {
+        for (size_t k = 0; k < n; k++) out->V[k] = c->x[out->near[k]];
+        out->nb.volume = m->mesh.volume[i], out->nb.face = m->mesh.face + m->mesh.begin[i], out->nb.X = out->V;
+        return STATUS_OK;
+    }
     if (!c->spacing) return STATUS_OK;
     double unit = m->volume / c->volume, own = c->spacing[i]; /* unit: what the scheme counts a volume for */
     for (size_t k = 0; k < n; k++) {

@@ -16,9 +16,9 @@ struct assembly {
     const struct cloud *c;
     struct neighbours cells; /* empty where there is a mesh */
     struct voronoi mesh;     /* of a scheme with cells */
-    double h, support; /* m */
-    double volume;     /* m^d */
-    double cell;       /* m, as layout_cell */
+    double h, support;       /* m */
+    double volume;           /* m^d */
+    double cell;             /* m, as layout_cell */
 };
 
 struct assembly_list { /* what a block's points keep of their neighbours, one point after the other */
@@ -29,14 +29,14 @@ struct assembly_list { /* what a block's points keep of their neighbours, one po
 
 struct surroundings {
     struct neighbourhood nb;
-    uint32_t near[NEIGHBOURS_MAX]; /* the points of its neighbours */
-    double d[NEIGHBOURS_MAX][2], V[NEIGHBOURS_MAX], H[NEIGHBOURS_MAX];
+    uint32_t near[NEIGHBOURS_MAX];                                     /* the points of its neighbours */
+    double d[NEIGHBOURS_MAX][2], V[NEIGHBOURS_MAX], H[NEIGHBOURS_MAX]; /* with cells V has places along x */
 };
 
 /* spacing, m: what the h of the options counts in.  STATUS_NUMERICAL for a cloud without cells, of a scheme that
  * has them; there is nothing to free then. */
 int assembly_create(struct assembly *m, const struct problem *p, const struct options *o, const struct scheme *s,
-                     const struct cloud *c, double spacing, struct failure *why);
+                    const struct cloud *c, double spacing, struct failure *why);
 void assembly_free(struct assembly *m);
 
 /* J m^-3 K^-1, of particle i's cell. */

@@ -331,8 +331,8 @@ static void add_integrals(const struct problem *p, const struct mesh *m, size_t 
 }
 
 /* The same over a cell, in the parts that planes of jumps leave of it, axis by axis; the interface is one. */
-static void integrate_parts(const struct problem *p, const struct mesh *m, size_t i, const struct polygon *q, int axis,
-                            int plane, double sum[2]) {
+static void integrate_parts(const struct problem *p, const struct mesh *m, size_t i, const struct polygon *q,
+                            int axis, int plane, double sum[2]) {
     if (axis == 2 || q->n < 3) {
         if (q->n > 2) add_integrals(p, m, i, q, sum);
         return;

@@ -1,0 +1,233 @@
+/* Voronoi cells on clouds without symmetry, and the operator of their faces: what must hold to rounding, and what is
+ * refused. */
+#include "solver/space/csr.h"
+#include "solver/space/voronoi.h"
+
+#include "verification/unit/near.h"
+#include "verification/unit/odd_problems.h"
+
+#include <gsl/gsl_errno.h>
+#include <stdlib.h>
+#include <string.h>
+
+extern const struct method method_voronoi_flux;
+
+static const struct kind {
+    enum layout_name layout;
+    double jitter;
+} kinds[] = {{LAYOUT_JITTER, 0},    {LAYOUT_JITTER, 0.1},  {LAYOUT_JITTER, 0.3}, {LAYOUT_JITTER, 0.5},
+             {LAYOUT_HEXAGONAL, 0}, {LAYOUT_RELAXED, 0.5}, {LAYOUT_GRADED, 0}};
+enum { KINDS = sizeof kinds / sizeof *kinds };
+
+struct made {
+    struct problem p;
+    struct options o;
+    struct cloud c;
+    double dx;
+};
+
+/* k_x/k_y = 0.7/0.4, or 1; with two materials of one such ratio where `interface` is a number. */
+static void make(struct made *m, const struct kind *kind, int isotropic, double interface) {
+    struct lattice l;
+    struct failure why;
+    m->p = odd_rectangle();
+    m->o = (struct options){.dx = 0.05,
+                            .h = 2,
+                            .seed = 7,
+                            .layout = kind->layout,
+                            .jitter = kind->jitter,
+                            .grading = 2.7,
+                            .sweeps = 2000};
+    if (isotropic) m->p.material[0].k[1] = m->p.material[0].k[0];
+    if (!isnan(interface)) {
+        m->p.materials = 2, m->p.interface = interface;
+        m->p.material[1] = (struct material){{0.07 * m->p.material[0].k[0], 0.07 * m->p.material[0].k[1]}, 0.31};
+    }
+    assert_int_equal(layout_lattice(&m->p, &m->o, 1, &l, &why), STATUS_OK);
+    m->dx = l.dx[0];
+    if (layout_cloud(&m->p, &m->o, &l, 4 * l.dx[0], &m->c, &why)) fail_msg("%s", why.text);
+}
+
+static double face_from(const struct voronoi *v, size_t i, size_t j) {
+    for (size_t k = v->begin[i]; k < v->begin[i + 1]; k++)
+        if (v->point[k] == j) return v->face[k];
+    return 0;
+}
+
+static void cells_fill_the_body(void **state) {
+    (void)state;
+    for (int k = 0; k < 2 * KINDS; k++) {
+        struct made m;
+        struct voronoi v;
+        struct failure why;
+        double sum = 0, beyond = 0, scale[2], wall = 0;
+        make(&m, &kinds[k / 2], k % 2, 0.213);
+        if (voronoi_create(&v, &m.p, &m.c, 2, &why)) fail_msg("%s", why.text);
+        voronoi_metric(&m.p.material[0], 2, scale);
+        for (size_t i = 0; i < v.n; i++) {
+            double out[2] = {0, 0}, square = 0;
+            sum += v.volume[i], beyond += v.volume[i] * v.beyond[i];
+            assert_true(v.volume[i] > 0 && v.beyond[i] >= 0 && v.beyond[i] <= 1);
+            for (size_t q = v.begin[i]; q < v.begin[i + 1]; q++) {
+                size_t j = v.point[q];
+                double d[2] = {(m.c.x[j] - m.c.x[i]) * scale[0], (m.c.y[j] - m.c.y[i]) * scale[1]};
+                double r = hypot(d[0], d[1]);
+                for (int a = 0; a < 2; a++) out[a] += v.face[q] * d[a] / r;
+                square += v.face[q] * r;
+                assert_true(v.face[q] >= 0);
+                if (j < v.n) assert_memory_equal(&v.face[q], &(double){face_from(&v, j, i)}, sizeof(double));
+                if (j >= v.n && v.face[q] > 0) assert_int_equal(m.c.source[j], i);
+                if (j >= v.n && d[0] < 0 && fabs(d[0]) > r / 2) wall += v.face[q] / scale[1];
+            }
+            assert_near(out[0] / m.dx, 0, 2e-10);
+            assert_near(out[1] / m.dx, 0, 2e-10);
+            assert_near(square / (4 * v.volume[i]), 1, 1e-9);
+        }
+        assert_near(sum, 1.5 * 1.2, 1e-12);
+        assert_near(beyond, (1.15 - 0.213) * 1.2, 1e-9);
+        assert_near(wall, 1.2, 1e-9);
+        voronoi_free(&v);
+        layout_cloud_free(&m.c);
+    }
+}
+
+static double gap(const double *a, const double *b, size_t n) {
+    return memcmp(a, b, n * sizeof *a) ? 1 : 0;
+}
+
+static void threads_change_nothing(void **state) {
+    (void)state;
+    struct made m;
+    struct voronoi v[2];
+    struct failure why;
+    make(&m, &kinds[3], 0, NAN);
+    for (int k = 0; k < 2; k++) assert_int_equal(voronoi_create(&v[k], &m.p, &m.c, 1 + 2 * k, &why), STATUS_OK);
+    assert_int_equal(v[0].begin[v[0].n], v[1].begin[v[1].n]);
+    assert_near(gap(v[0].face, v[1].face, v[0].begin[v[0].n]), 0, 0);
+    assert_near(gap(v[0].volume, v[1].volume, v[0].n), 0, 0);
+    for (int k = 0; k < 2; k++) voronoi_free(&v[k]);
+    layout_cloud_free(&m.c);
+}
+
+/* C_i A_ij = C_j A_ji but for the rounding of a quotient, no weight below 0 away from walls, and no row whose weights
+ * do not add up to its diagonal. */
+static void operator_is_symmetric(void **state) {
+    (void)state;
+    for (int k = 0; k < 2 * KINDS; k++) {
+        struct made m;
+        struct heat_operator a;
+        struct failure why;
+        struct row r;
+        make(&m, &kinds[k / 2], k % 2, k % 3 ? 0.213 : NAN);
+        for (size_t g = m.c.n; g < m.c.total; g++) m.c.sign[g] = 1; /* insulated */
+        if (operator_create_csr(&a, &m.p, &m.o, method_voronoi_flux.scheme, &m.c, m.dx, &why))
+            fail_msg("%s", why.text);
+        double *held = xcalloc(a.n * a.n, sizeof *held);
+        csr_row_create(&r, a.n);
+        for (size_t i = 0; i < a.n; i++) {
+            double capacity = a.volume[i] * (a.rho_c ? a.rho_c[i] : m.p.material[0].rho_c), sum = 0;
+            operator_row_take(&a, i, &r);
+            for (size_t q = 0; q < r.n; q++) {
+                held[i * a.n + r.column[q]] = capacity * r.value[r.column[q]];
+                sum += r.value[r.column[q]];
+                if (r.column[q] != i) assert_true(r.value[r.column[q]] > 0);
+            }
+            assert_near(sum / r.value[i], 0, 1e-9);
+        }
+        for (size_t i = 0; i < a.n; i++)
+            for (size_t j = 0; j < i; j++) {
+                double here = held[i * a.n + j], there = held[j * a.n + i];
+                if (here != 0 || there != 0) assert_near(here / there, 1, 4.5e-16);
+            }
+        csr_row_free(&r);
+        free(held);
+        operator_free(&a);
+        layout_cloud_free(&m.c);
+    }
+}
+
+static double linear(const struct problem *p, const double x[2]) {
+    (void)p;
+    return 0.7 + 1.3 * x[0] - 0.4 * x[1] + (x[0] > 0.213 ? 2.5 : 0);
+}
+
+/* The mean of linear data over all cells is that of the body, jump and capacities among them. */
+static void starts_hold_the_heat(void **state) {
+    (void)state;
+    for (int k = 0; k < KINDS; k++) {
+        struct made m;
+        struct voronoi v;
+        struct failure why;
+        make(&m, &kinds[k], 0, 0.213);
+        m.p.initial = linear, m.p.jumps[0] = 1, m.p.jump[0][0] = 0.213;
+        assert_int_equal(voronoi_create(&v, &m.p, &m.c, 1, &why), STATUS_OK);
+        double *T = xcalloc(m.c.n, sizeof *T), sum = 0, c0 = 1.3, c1 = 0.31, low = 0.213 + 0.35, high = 1.15 - 0.213;
+        assert_int_equal(voronoi_average(&m.p, &m.c, 2, T, &why), STATUS_OK);
+        for (size_t i = 0; i < m.c.n; i++) sum += T[i] * v.volume[i] * ((1 - v.beyond[i]) * c0 + v.beyond[i] * c1);
+        double left = c0 * 1.2 * low * (0.7 + 1.3 * (0.213 - 0.35) / 2 - 0.4 * 0.8);
+        double right = c1 * 1.2 * high * (0.7 + 2.5 + 1.3 * (0.213 + 1.15) / 2 - 0.4 * 0.8);
+        assert_near(sum / (left + right), 1, 1e-8);
+        free(T);
+        voronoi_free(&v);
+        layout_cloud_free(&m.c);
+    }
+}
+
+/* ---- Rods, single cells, refusals ---- */
+
+static void rods_have_midpoints(void **state) {
+    (void)state;
+    double d[4][2] = {{0.31, 0}, {-0.17, 0}, {0.11, 0}, {-0.4, 0}}, face[4], volume;
+    assert_int_equal(voronoi_cell(1, 4, d, face, &volume), 0);
+    assert_near(volume, 0.14, 1e-15);
+    for (int j = 0; j < 4; j++) assert_near(face[j], j == 1 || j == 2, 0);
+    assert_int_equal(voronoi_cell(1, 1, d, face, &volume), -1);
+}
+
+static void a_known_cell(void **state) {
+    (void)state;
+    /* a rectangle of 0.3 x 0.5 with one corner cut by the bisector of (0.4, 0.6) */
+    double d[5][2] = {{0.3, 0}, {-0.3, 0}, {0, 0.5}, {0, -0.5}, {0.4, 0.6}}, face[5], volume;
+    assert_int_equal(voronoi_cell(2, 5, d, face, &volume), 0);
+    assert_near(volume, 0.15, 1e-15);
+    assert_near(face[4], 0, 0);
+    d[4][0] = 0.2, d[4][1] = 0.3; /* 0.2 x + 0.3 y = 0.065 cuts x = 0.15 at y = 7/60 and y = 0.25 at x = -0.05 */
+    assert_int_equal(voronoi_cell(2, 5, d, face, &volume), 0);
+    assert_near(volume, 0.15 - 0.2 * (0.25 - 7 / 60.0) / 2, 1e-15);
+    assert_near(face[4], hypot(0.2, 0.25 - 7 / 60.0), 1e-15);
+    assert_near(face[0], 0.25 + 7 / 60.0, 1e-15);
+    assert_int_equal(voronoi_cell(2, 3, d, face, &volume), -1);
+    assert_int_equal(voronoi_cell(2, 0, d, face, &volume), -1);
+}
+
+static void bad_clouds_are_refused(void **state) {
+    (void)state;
+    struct made m;
+    struct voronoi v;
+    struct failure why;
+    make(&m, &kinds[2], 1, NAN);
+    m.c.x[11] = m.c.x[3], m.c.y[11] = m.c.y[3];
+    assert_int_equal(voronoi_create(&v, &m.p, &m.c, 1, &why), STATUS_NUMERICAL);
+    assert_non_null(strstr(why.text, "particle 3 at"));
+    assert_non_null(strstr(why.text, "at the same place"));
+    layout_cloud_free(&m.c);
+    make(&m, &kinds[2], 1, NAN);
+    m.c.total = m.c.n; /* no ghosts: cells at the walls have no end */
+    assert_int_equal(voronoi_create(&v, &m.p, &m.c, 1, &why), STATUS_NUMERICAL);
+    assert_non_null(strstr(why.text, "does not end within"));
+    layout_cloud_free(&m.c);
+    m.p.materials = 2, m.p.material[1] = (struct material){{0.3, 0.9}, 1};
+    assert_int_equal(method_voronoi_flux.scheme->check(&m.p, &m.o, &why), STATUS_NOT_APPLICABLE);
+    assert_non_null(strstr(why.text, "cells have one metric"));
+}
+
+int main(void) {
+    gsl_set_error_handler_off();
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(cells_fill_the_body),    cmocka_unit_test(threads_change_nothing),
+        cmocka_unit_test(operator_is_symmetric),  cmocka_unit_test(starts_hold_the_heat),
+        cmocka_unit_test(rods_have_midpoints),    cmocka_unit_test(a_known_cell),
+        cmocka_unit_test(bad_clouds_are_refused),
+    };
+    return cmocka_run_group_tests_name("voronoi", tests, NULL, NULL);
+}
