@@ -1,8 +1,14 @@
 /* Observed order, Richardson's extrapolation and GCI of three grids h1 < h2 < h3, r21 = h2/h1, r32 = h3/h2
  * (Roache 1994; Celik et al. 2008; ASME V&V 20-2009, 2-4):
  *
- *     p = |ln|e32/e21| + q(p)| / ln r21,   q(p) = ln((r21^p - s)/(r32^p - s)),   s = sign(e32/e21)
+ *     |e32/e21| = g(p),   g(p) = r21^p (r32^p - s)/(r21^p - s),   s = sign(e32/e21)
  *     f_ext = (r21^p f1 - f2) / (r21^p - 1),   GCI = 1.25 |(f1 - f2)/f1| / (r21^p - 1)
+ *
+ * g increases.  With u = p ln r21 and v = p ln r32, p times the derivative of ln g is v/(1 - e^-v) - u/(e^u - 1) for
+ * s = 1, where the first is above 1 and the second below, and v/(1 + e^-v) + u/(e^u + 1) for s = -1.  So there is at
+ * most one order p > 0, and there is one if and only if |e32/e21| is above g(0+), which is ln r32/ln r21 for s = 1
+ * and 1 for s = -1.  From above it is bounded by g > r32^p - 1 for s = 1, g > r32^p/2 for s = -1.  (The papers
+ * iterate p = |ln|e32/e21| - ln((r32^p - s)/(r21^p - s))|/ln r21, which diverges where r32 is some way above r21.)
  *
  * 1.25 is the factor of safety for three grids or more.  Fields on different points are compared where the coarsest
  * of the three has its points: there the finer ones are interpolated by least squares of degree three over the
@@ -26,19 +32,28 @@
 #include <sys/stat.h>
 
 static const double SAFETY = 1.25;
-enum { ITERATIONS = 100, PROBES = 400, WORDS = 65536 };
+enum { HALVINGS = 60, PROBES = 400, WORDS = 65536 };
+
+/* ln g(p) for the logarithms of the two ratios: no power of a ratio overflows. */
+static double log_ratio(double p, double log21, double log32, int oscillates) {
+    double s = oscillates ? -1 : 1, fine = -expm1(-p * log21), coarse = -expm1(-p * log32);
+    if (s < 0) fine = 2 - fine, coarse = 2 - coarse;
+    return p * log32 + log(coarse) - log(fine);
+}
 
 double gci_order(double e21, double e32, double r21, double r32, int *oscillates) {
-    double ratio = e32 / e21, s = ratio < 0 ? -1 : 1, p = 1;
-    *oscillates = ratio < 0;
-    if (!(fabs(ratio) > 0) || !isfinite(ratio)) return NAN;
-    for (int i = 0; i < ITERATIONS; i++) {
-        double q = log((pow(r21, p) - s) / (pow(r32, p) - s)), next = fabs(log(fabs(ratio)) + q) / log(r21);
-        if (!isfinite(next) || next > 50) return NAN;
-        if (fabs(next - p) < 1e-12) break;
-        p = next;
+    double ratio = fabs(e32 / e21), log21 = log(r21), log32 = log(r32);
+    *oscillates = e32 / e21 < 0;
+    if (!isfinite(ratio) || !(ratio > (*oscillates ? 1 : log32 / log21))) return NAN;
+    double lo = 0, hi = log(*oscillates ? 2 * ratio : 1 + ratio) / log32;
+    for (int i = 0; i < HALVINGS; i++) {
+        double p = (lo + hi) / 2;
+        if (log_ratio(p, log21, log32, *oscillates) < log(ratio))
+            lo = p;
+        else
+            hi = p;
     }
-    return fabs(ratio) > 1 || r32 != r21 ? p : NAN;
+    return hi;
 }
 
 /* Differences e[i] between answers i and i + 1, the coarsest first, to orders and index. */
@@ -217,6 +232,9 @@ int gci_read(const char *dir, const struct column_map *c, const struct numbers *
 void gci_json(const struct gci *g, struct json *j) {
     json_array(j, "spacings");
     for (int i = 0; i < g->n; i++) json_number(j, NULL, g->h[i]);
+    json_end(j);
+    json_array(j, "used"); /* by observed_order, extrapolated, relative_change and gci */
+    for (int i = g->n - 3; i < g->n; i++) json_number(j, NULL, g->h[i]);
     json_end(j);
     json_array(j, "quantities");
     for (int k = 0; k < g->rows; k++) {

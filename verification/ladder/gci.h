@@ -14,7 +14,7 @@ enum { GCI_QUANTITIES = 16, GCI_NAME = 48 };
 struct gci_row { /* one quantity */
     char name[GCI_NAME];
     double value[NUMBERS_MAX];  /* at each spacing, the coarsest first; NaN where it is a distance between fields */
-    double order;               /* from the three finest; NaN where they tell none */
+    double order;               /* from the three finest; NaN where they have none */
     double orders[NUMBERS_MAX]; /* of each three successive, n - 2 */
     double extrapolated;        /* Richardson's, from the two finest; NaN for fields */
     double change;              /* of the two finest, relative to the finest */
@@ -30,7 +30,8 @@ struct gci {
 };
 
 /* The observed order of e32 = f3 - f2 and e21 = f2 - f1 on grids that differ by r21 and r32 > 1 (f1 is the finest);
- * *oscillates is 1 where their signs differ.  NaN where the finer change is not the smaller. */
+ * *oscillates is 1 where their signs differ.  NaN where no order above 0 fits, that is, where |e32/e21| is not above
+ * ln r32/ln r21 (1 where the signs differ), or where a change is 0 or no number. */
 double gci_order(double e21, double e32, double r21, double r32, int *oscillates);
 
 /* DIR/H/out.csv and likewise: each a field of points and T, or names and one line of values below.  With `at` of one

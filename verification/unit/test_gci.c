@@ -7,6 +7,7 @@
 
 #include "verification/unit/near.h"
 
+#include <float.h>
 #include <gsl/gsl_errno.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -33,17 +34,83 @@ static int read_sub(const char *sub, const struct numbers *at, struct gci *g, st
     return gci_read(path, &(struct column_map){0}, at, g, why);
 }
 
-/* f = 2.385 + 0.7 h^1.7 on spacings of two different ratios. */
-static void the_order_is_found_for_unequal_ratios(void **state) {
-    (void)state;
-    double h[3] = {0.1, 0.15, 0.3}, f[3];
+/* Errors 0.7 h^p of one sign, or of alternating signs, on 2.385 at h = 0.1, 0.1 r21 and 0.1 r21 r32.  Rounded to
+ * doubles they leave the changes known to 2 eps f each, so ln(e32/e21) to 2 eps f (1/|e21| + 1/|e32|), and the order
+ * to that over (ln g)' = (v/(1 - s e^-v) - s u/(e^u - s))/p, u = p ln r21, v = p ln r32. */
+static void check_order(double p, double r21, double r32, int s) {
+    double f[3], u = p * log(r21), v = p * log(r32), steep = (v / (1 - s * exp(-v)) - s * u / (exp(u) - s)) / p;
     int oscillates;
-    for (int i = 0; i < 3; i++) f[i] = 2.385 + 0.7 * pow(h[i], 1.7);
-    assert_near(gci_order(f[1] - f[0], f[2] - f[1], 1.5, 2, &oscillates), 1.7, 1e-9);
-    assert_int_equal(oscillates, 0);
-    assert_true(isnan(gci_order(0.2, 0.1, 2, 2, &oscillates)));
-    gci_order(0.1, -0.2, 2, 2, &oscillates);
+    for (int l = 0; l < 3; l++)
+        f[l] = 2.385 + (l == 1 ? s : 1) * 0.7 * pow(l == 0 ? 0.1 : l == 1 ? 0.1 * r21 : 0.1 * r21 * r32, p);
+    double e21 = f[1] - f[0], e32 = f[2] - f[1];
+    double known = 2 * DBL_EPSILON * fmax(f[0], f[2]) * (1 / fabs(e21) + 1 / fabs(e32)) / steep;
+    assert_near(gci_order(e21, e32, r21, r32, &oscillates), p, known);
+    assert_int_equal(oscillates, s < 0);
+}
+
+static void the_order_is_found_for_any_ratios(void **state) {
+    (void)state;
+    static const double order[] = {1, 2, 4}, ratio[] = {1.05, 1.1, 1.2, 1.25, 1.5, 2, 3, 4};
+    enum { RATIOS = sizeof ratio / sizeof *ratio };
+    for (int k = 0; k < 3; k++)
+        for (int i = 0; i < RATIOS * RATIOS; i++) {
+            check_order(order[k], ratio[i / RATIOS], ratio[i % RATIOS], 1);
+            check_order(order[k], ratio[i / RATIOS], ratio[i % RATIOS], -1);
+        }
+}
+
+/* Changes as of an order of 0, ln r32/ln r21, and just above; of alternating errors 1. */
+static void there_is_no_order_where_changes_do_not_fall(void **state) {
+    (void)state;
+    int oscillates;
+    double least = log(2) / log(1.3);
+    assert_true(isnan(gci_order(1, least * (1 - 1e-9), 1.3, 2, &oscillates)));
+    assert_true(isnan(gci_order(1, 0.3, 1.3, 2, &oscillates)));
+    assert_in_range(1e12 * gci_order(1, least * (1 + 1e-9), 1.3, 2, &oscillates), 1, 10000);
+    assert_true(isnan(gci_order(1, -0.999, 1.3, 2, &oscillates)));
     assert_int_equal(oscillates, 1);
+    assert_in_range(1e6 * gci_order(1, -1.001, 1.3, 2, &oscillates), 1000, 10000);
+    assert_true(isnan(gci_order(0, 1, 1.3, 2, &oscillates)));
+    assert_true(isnan(gci_order(1, 0, 1.3, 2, &oscillates)));
+    assert_true(isnan(gci_order(1, NAN, 1.3, 2, &oscillates)));
+    assert_true(isfinite(gci_order(1, 1e300, 1.3, 1.01, &oscillates))); /* an order of 69000: no power overflows */
+}
+
+static void json_of(const struct gci *g, char *text, size_t size) {
+    FILE *out = fmemopen(text, size, "w");
+    struct json j = json_on(out);
+    json_object(&j, NULL);
+    gci_json(g, &j);
+    json_end(&j);
+    fclose(out);
+}
+
+/* n = 10, 20, 24, 40 of exact second order: both orders, and the index from the three finest, r = 40/24; the order
+ * from rounded changes as above. */
+static void an_index_from_unequal_ratios(void **state) {
+    (void)state;
+    static const int n[] = {10, 20, 24, 40};
+    struct gci g;
+    struct failure why;
+    for (int i = 0; i < 4; i++) {
+        FILE *out = answer("unequal", 1.0 / n[i]);
+        fprintf(out, "flux\n%.17g\n", 3.25 + 0.9 / n[i] / n[i]);
+        fclose(out);
+    }
+    if (read_sub("unequal", &(struct numbers){0}, &g, &why)) fail_msg("%s", why.text);
+    assert_near(g.row[0].orders[0], 2, 1e-10);
+    assert_near(g.row[0].orders[1], 2, 1e-10);
+    assert_near(g.row[0].order, 2, 1e-10);
+    assert_near(g.row[0].extrapolated, 3.25, 1e-12);
+    assert_near(g.row[0].index, 1.25 * 0.9 / 1600 / (3.25 + 0.9 / 1600), 1e-12);
+    char text[4096], *used;
+    json_of(&g, text, sizeof text);
+    used = strstr(text, "\"used\"");
+    assert_non_null(used);
+    for (int i = 1; i < 4; i++) {
+        used = strpbrk(used, i == 1 ? "[" : ",") + 1;
+        assert_near(strtod(used, NULL), 1.0 / n[i], 0);
+    }
 }
 
 static void a_line_of_quantities(void **state) {
@@ -64,18 +131,11 @@ static void a_line_of_quantities(void **state) {
     assert_near(g.row[0].index, 1.25 * 0.9 * 0.03 / (3.25 + 0.9 * 0.01) / 3, 1e-12);
     assert_near(g.row[1].order, 1, 1e-9);
     assert_near(g.row[1].extrapolated, 5.5, 1e-12);
-    char *text = NULL;
-    size_t size = 0;
-    FILE *out = open_memstream(&text, &size);
-    struct json j = json_on(out);
-    json_object(&j, NULL);
-    gci_json(&g, &j);
-    json_end(&j);
-    fclose(out);
+    char text[4096];
+    json_of(&g, text, sizeof text);
     const char *orders = strstr(text, "\"orders\""); /* of three grids one */
     assert_non_null(orders);
     assert_true(strcspn(orders, "]") < strcspn(orders, ","));
-    free(text);
 }
 
 static double smooth(double x, double y, double h) {
@@ -125,7 +185,9 @@ static void what_is_missing_is_named(void **state) {
 
 int main(void) {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(the_order_is_found_for_unequal_ratios),
+        cmocka_unit_test(the_order_is_found_for_any_ratios),
+        cmocka_unit_test(there_is_no_order_where_changes_do_not_fall),
+        cmocka_unit_test(an_index_from_unequal_ratios),
         cmocka_unit_test(a_line_of_quantities),
         cmocka_unit_test(fields_on_different_points),
         cmocka_unit_test(what_is_missing_is_named),

@@ -83,15 +83,17 @@ static const char gci_note[] = "p: observed order; GCI: grid convergence index o
                                "other, not that they are right.\n";
 
 static void add_quantity(struct table *t, const struct gci *g, const struct gci_row *row) {
-    const char *note = row->oscillates         ? "oscillates: the order means little"
+    const char *note = row->change == 0        ? "the two finest agree: no order"
                        : !isfinite(row->order) ? "changes do not fall: no order"
+                       : row->oscillates       ? "oscillates: the order means little"
                        : row->order < 0.5      ? "hardly converges"
+                       : row->order > 8        ? "above any usual order: too few digits?"
                                                : "";
     table_add(t, "%s", row->name);
     for (int i = g->n - 3; i < g->n; i++) table_number(t, "%.8g", row->value[i], "-");
-    table_add(t, "%.3f", row->order);
+    table_number(t, "%.3f", row->order, "-");
     table_number(t, "%.8g", row->extrapolated, "-");
-    table_add(t, "%.3g", 100 * row->index);
+    table_number(t, "%.3g", 100 * row->index, "-");
     table_add(t, "%s", note);
 }
 
@@ -101,7 +103,11 @@ static void print_gci(const struct gci *g) {
              g->h[g->n - 2], g->h[g->n - 1]);
     struct table t = table_headed(1, header);
     for (int k = 0; k < g->rows; k++) add_quantity(&t, g, &g->row[k]);
-    printf("Richardson's extrapolation from the three finest of %d spacings\n\n", g->n);
+    printf(
+        "Richardson's extrapolation from the three finest of %d spacings, %.6g, %.6g and %.6g (ratios %.4g and %.4g)"
+        "\n\n",
+        g->n, g->h[g->n - 3], g->h[g->n - 2], g->h[g->n - 1], g->h[g->n - 3] / g->h[g->n - 2],
+        g->h[g->n - 2] / g->h[g->n - 1]);
     table_print(&t, stdout);
     table_free(&t);
     printf("\n%s", gci_note);
