@@ -11,7 +11,8 @@
  *   Robin      T_g = f T_source + (1 - f) T_a + O(d^3), f = (k_n - b d)/(k_n + b d): k_n dT/dn = b (T_a - T) midway
  * Sides and source do not change in time, so that the equation gives k_n T_nn = -G - k_t T_tt on a Dirichlet wall
  * and, from its derivative, k_n T_nnn = -G_n - k_t (q/k_n)_tt on a Neumann wall.  Central differences of step d,
- * D^2 f = f(t + d) - 2 f(t) + f(t - d), keep these orders:
+ * D^2 f = f(t + d) - 2 f(t) + f(t - d), keep these orders where their own error, O(d^2 k_t/k_n) of the term, leaves
+ * anything of it; elsewhere the term is left out:
  *   d^2 T_nn = -(d^2 G + k_t D^2 T_wall) / k_n
  *   d^3/3 T_nnn = -(d^2/6 (G_g - G_source) + d/3 k_t D^2 q / k_n) / k_n
  * At a corner, wall data and source are taken where their formulas continue them. */
@@ -19,6 +20,7 @@
 
 #include "solver/space/place.h"
 
+#include <float.h>
 #include <math.h>
 
 static const double PARTICLES_MAX = 4e9; /* rows have columns of 32 bits */
@@ -136,24 +138,60 @@ double layout_cell(const struct options *o, double spacing) {
     return options_is_cloud(o) ? 0 : spacing;
 }
 
-/* k_t D^2 of the side's data along it, at the foot of a ghost that is d beyond: 0 on a rod, and where materials meet
- * along the side. */
-static double curvature(const struct problem *p, int side, const double foot[2], double d) {
+/* A difference, and the sum of its parts without their signs. */
+struct difference {
+    double value, size;
+};
+
+/* k_t D^2 of the side's data along it, with the step d, at a foot: 0 on a rod, and where materials meet along the
+ * side. */
+static struct difference curvature(const struct problem *p, int side, const double foot[2], double d) {
     int along = 1 - side / 2;
     double before[2] = {foot[0], foot[1]}, after[2] = {foot[0], foot[1]};
-    if (p->dim == 1 || (p->materials == 2 && along == 0)) return 0;
+    if (p->dim == 1 || (p->materials == 2 && along == 0)) return (struct difference){0, 0};
     before[along] -= d, after[along] += d;
+    double k = p->material[layout_material(p, foot[0])].k[along];
     double sum = p->wall(p, (enum side)side, before) + p->wall(p, (enum side)side, after);
-    return p->material[layout_material(p, foot[0])].k[along] * (sum - 2 * p->wall(p, (enum side)side, foot));
+    double middle = 2 * p->wall(p, (enum side)side, foot);
+    return (struct difference){k * (sum - middle), k * (fabs(sum) + fabs(middle))};
+}
+
+/* -k_n times the ghost's term of highest order, above, by differences of the step part x d. */
+static struct difference highest(const struct problem *p, int side, const double foot[2], double d, double part) {
+    int axis = side / 2, flux = p->side[side] == NEUMANN;
+    double k = p->material[layout_material(p, foot[0])].k[axis], step = side % 2 ? part * d : -part * d;
+    double factor = (flux ? d / (3 * k) : 1) / (part * part), outer[2] = {foot[0], foot[1]},
+           inner[2] = {foot[0], foot[1]};
+    struct difference sum = curvature(p, side, foot, part * d);
+    sum.value *= factor, sum.size *= factor;
+    if (!p->source) return sum;
+    if (flux) {
+        outer[axis] += step, inner[axis] -= step;
+        double G[2] = {p->source(p, outer), p->source(p, inner)};
+        sum.value += d * d / (6 * part) * (G[0] - G[1]);
+        sum.size += d * d / (6 * part) * (fabs(G[0]) + fabs(G[1]));
+    } else {
+        double G = d * d * p->source(p, foot);
+        sum.value += G, sum.size += fabs(G);
+    }
+    return sum;
+}
+
+/* The same by differences of the step d, or 0 where these are wrong by more than it: their error falls with the
+ * square of the step, so that half the step shows it.  Where k_n is far below k_t nothing but that error, and
+ * rounding, is left of it. */
+static double highest_known(const struct problem *p, int side, const double foot[2], double d) {
+    struct difference whole = highest(p, side, foot, d, 1), half = highest(p, side, foot, d, 0.5);
+    double error = fabs(whole.value - half.value) * 4 / 3, rounding = 4 * DBL_EPSILON * (whole.size + half.size);
+    return fabs(4 * half.value - whole.value) / 3 > error + rounding ? whole.value : 0;
 }
 
 /* One reflection, along `axis`: T_ghost = *sign T_source + the returned offset.  `at` has the other coordinate; l is
  * as for layout_ghost_offset. */
 static double reflect(const struct problem *p, enum walls walls, int axis, int side, double ghost, double source,
                       const double at[2], const struct lattice *l, double *sign) {
-    double foot[2] = {at[0], at[1]}, outer[2] = {at[0], at[1]}, inner[2] = {at[0], at[1]};
+    double foot[2] = {at[0], at[1]};
     foot[axis] = side % 2 ? p->hi[axis] : p->lo[axis];
-    outer[axis] = ghost, inner[axis] = source;
     double value = p->wall(p, (enum side)side, foot), d = fabs(ghost - foot[axis]);
     double k = p->material[layout_material(p, foot[0])].k[axis];
     if (p->side[side] == ROBIN) {
@@ -162,13 +200,12 @@ static double reflect(const struct problem *p, enum walls walls, int axis, int s
         return (1 - *sign) * value;
     }
     if (p->side[side] == NEUMANN) {
-        double steeper = p->source ? d * d / 6 * (p->source(p, outer) - p->source(p, inner)) : 0;
         *sign = 1;
-        return (value * fabs(ghost - source) - steeper - d / 3 * curvature(p, side, foot, d) / k) / k;
+        return (value * fabs(ghost - source) - highest_known(p, side, foot, d)) / k;
     }
     *sign = walls == WALLS_FIXED || d < 1e-9 * (p->hi[axis] - p->lo[axis]) ? 0 : -1;
     if (*sign == 0) return value;
-    return 2 * value - ((p->source ? d * d * p->source(p, foot) : 0) + curvature(p, side, foot, d)) / k;
+    return 2 * value - highest_known(p, side, foot, d) / k;
 }
 
 double layout_ghost_offset(const struct problem *p, enum walls walls, const struct lattice *l, const int side[2],

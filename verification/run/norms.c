@@ -67,29 +67,47 @@ int norms_check(const struct field *f, const double *exact, struct failure *why)
                   f->time);
 }
 
+/* Whether point i belongs to the part; its error and |T| there. */
+static int take_point(const struct problem *p, const struct field *f, const double *exact, enum norms_part part,
+                      double distance, size_t i, double *e, double *T) {
+    double x[2];
+    point(f, i, x);
+    int near = part != NORMS_ALL && shape_depth(p, x) < distance;
+    *e = fabs(f->T[i] - exact[i]), *T = fabs(exact[i]);
+    return part != (near ? NORMS_INTERIOR : NORMS_BOUNDARY);
+}
+
+/* The power of 2 next below x, so that division by it is exact; 1 for 0, infinity and NaN. */
+static double power_below(double x) {
+    return x > 0 && isfinite(x) ? scalbn(1, ilogb(x)) : 1;
+}
+
+/* Squares are of errors and temperatures in units of their largest: none overflows, nor do all vanish. */
 struct norms_error norms_error(const struct problem *p, const struct field *f, const double *exact,
                                enum norms_part part, double distance) {
-    double e1 = 0, e2 = 0, t1 = 0, t2 = 0, x[2];
+    double e1 = 0, e2 = 0, t1 = 0, t2 = 0, e, T, largest = 0;
     struct norms_error norms = {0};
     for (size_t i = 0; i < f->n; i++) {
         if (exact[i] == NORMS_NO_VALUE) {
             norms.left_out++;
             continue;
         }
-        point(f, i, x);
-        int near = part != NORMS_ALL && shape_depth(p, x) < distance;
-        if (part == (near ? NORMS_INTERIOR : NORMS_BOUNDARY)) continue;
-        double w = weight(f, i), e = fabs(f->T[i] - exact[i]), T = fabs(exact[i]);
-        e1 += w * e;
-        e2 += w * e * e;
-        t1 += w * T;
-        t2 += w * T * T;
+        if (!take_point(p, f, exact, part, distance, i, &e, &T)) continue;
+        e1 += weight(f, i) * e;
+        t1 += weight(f, i) * T;
         norms.linf = fmax(norms.linf, e);
+        largest = fmax(largest, T);
         norms.n++;
+    }
+    double unit[2] = {power_below(norms.linf), power_below(largest)};
+    for (size_t i = 0; i < f->n; i++) {
+        if (exact[i] == NORMS_NO_VALUE || !take_point(p, f, exact, part, distance, i, &e, &T)) continue;
+        e2 += weight(f, i) * (e / unit[0]) * (e / unit[0]);
+        t2 += weight(f, i) * (T / unit[1]) * (T / unit[1]);
     }
     if (isnan(e1) || norms.n == 0) norms.linf = NAN; /* fmax skips a NaN */
     norms.l1 = e1 / t1;
-    norms.l2 = sqrt(e2 / t2);
+    norms.l2 = sqrt(e2 / t2) * (unit[0] / unit[1]);
     return norms;
 }
 

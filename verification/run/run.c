@@ -78,7 +78,7 @@ static int measure(const struct experiment *e, const struct field *f, const doub
     out->saving = f->bound > 0 && f->applications > 0 ? f->bound * p->t_end / 2 / (double)f->applications : NAN;
     out->particles = f->n;
     out->error = norms_error(p, f, reference, NORMS_ALL, 0);
-    if (!isfinite(out->error.l1)) /* L2's squares overflow earlier, where the exact solution is next to 0 K */
+    if (!isfinite(out->error.l1))
         return refuse(&out->failure, STATUS_NUMERICAL, "E1 = %g: temperatures of up to %g K off", out->error.l1,
                       out->error.linf);
     double skin = (p->dim == 2 ? fmin(p->hi[0] - p->lo[0], p->hi[1] - p->lo[1]) : p->hi[0] - p->lo[0]) / 10;

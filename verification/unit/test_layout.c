@@ -55,6 +55,66 @@ static void ghosts_continue_the_field(void **state) {
     }
 }
 
+static double smooth(const struct problem *p, const double x[2]) {
+    (void)p;
+    return exp(0.8 * x[0]) * cos(1.1 * x[1] + 0.4);
+}
+
+static double smooth_source(const struct problem *p, const double x[2]) {
+    return (1.21 * p->material[0].k[1] - 0.64 * p->material[0].k[0]) * smooth(p, x);
+}
+
+static double smooth_wall(const struct problem *p, enum side s, const double x[2]) {
+    double flux = p->material[0].k[1] * 1.1 * exp(0.8 * x[0]) * sin(1.1 * x[1] + 0.4);
+    return s == Y_LO ? flux : s == Y_HI ? -flux : smooth(p, x);
+}
+
+/* A ghost without its term of highest order is off by d^3/3 T_nnn at a wall of given flux and by d^2 T_nn at one of
+ * given temperature; the term is only taken where that makes it better, so it is never off by more than twice these,
+ * nor by more than d^2 of them where k is the same along both axes. */
+static void ghosts_hold_for_any_two_conductivities(void **state) {
+    (void)state;
+    static const double ratio[] = {1, 1e-2, 1e-4, 1e-6, 1e-8, 1e-10, 1e-12, 1e-16, 1e-100, 1e-300};
+    for (size_t k = 0; k < sizeof ratio / sizeof *ratio; k++)
+        for (int side = X_LO; side <= Y_HI; side++)
+            for (double d = 0.005; d < 0.2; d *= 2) {
+                struct problem p = odd_rectangle();
+                p.wall = smooth_wall, p.source = smooth_source, p.initial = smooth;
+                p.material[0].k[side / 2] = 0.7 * ratio[k], p.material[0].k[1 - side / 2] = 0.7;
+                int axis = side / 2, beyond[2] = {-1, -1};
+                double ghost[2] = {0.41, 0.83}, source[2] = {0.41, 0.83}, foot[2] = {0.41, 0.83};
+                foot[axis] = side % 2 ? p.hi[axis] : p.lo[axis];
+                ghost[axis] = foot[axis] + (side % 2 ? d : -d), source[axis] = foot[axis] - (side % 2 ? d : -d);
+                beyond[axis] = side;
+                double T = (axis ? 1 : -1) * smooth(&p, source) +
+                           layout_ghost_offset(&p, WALLS_MIRROR, NULL, beyond, ghost, source);
+                double term = axis ? d * d * d / 3 * pow(1.1, 3) * exp(0.8 * 0.41) : d * d * 0.64 * smooth(&p, foot);
+                assert_near(T, smooth(&p, ghost), (ratio[k] < 1 ? 2 : d * d) * term + 1e-14);
+            }
+}
+
+static double even_source(const struct problem *p, const double x[2]) {
+    return 0.7 + cos(9 * (x[1] - p->lo[1]));
+}
+
+static double constant_flux(const struct problem *p, enum side s, const double x[2]) {
+    (void)s, (void)x;
+    return 1.3 * p->material[0].k[1];
+}
+
+/* G_n = 0 and q_tt = 0: T_nnn = 0, and rounding of the source over a k_n of 1e-300 is none. */
+static void rounding_of_a_source_is_no_derivative(void **state) {
+    (void)state;
+    struct problem p = odd_rectangle();
+    p.material[0].k[1] = 1e-300;
+    p.wall = constant_flux, p.source = even_source;
+    const int beyond[2] = {-1, Y_LO};
+    for (double d = 0.005; d < 0.2; d *= 1.1) {
+        const double ghost[2] = {0.41, 0.2 - d}, source[2] = {0.41, 0.2 + d};
+        assert_near(layout_ghost_offset(&p, WALLS_MIRROR, NULL, beyond, ghost, source), 2 * 1.3 * d, 1e-14);
+    }
+}
+
 /* Two sides of given temperature that disagree at their corner: T = -T_source + ... by either order of reflection. */
 static void disagreeing_corners_take_the_mean(void **state) {
     (void)state;
@@ -149,6 +209,8 @@ int main(void) {
     gsl_set_error_handler_off();
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(ghosts_continue_the_field),
+        cmocka_unit_test(ghosts_hold_for_any_two_conductivities),
+        cmocka_unit_test(rounding_of_a_source_is_no_derivative),
         cmocka_unit_test(disagreeing_corners_take_the_mean),
         cmocka_unit_test(fixed_ghosts_hold_the_wall),
         cmocka_unit_test(jitter_is_as_wide_as_asked),

@@ -47,6 +47,24 @@ static void three_norms_by_hand(void **state) {
     field_free(&f);
 }
 
+/* In units of 2^-700 and of 2^900, squares of which are no doubles; and errors alone, of 2^-700. */
+static void norms_have_no_unit(void **state) {
+    (void)state;
+    struct problem p = rod();
+    struct field f = points(&p, 4, 1);
+    const double exact[4] = {1, -2, 3, 0.5}, error[4] = {0.5, 0, -0.25, 1}, small = 0x1p-700;
+    struct norms_error of_one = {0};
+    for (int k = 0; k < 4; k++) {
+        double unit = k == 1 ? small : k == 2 ? 0x1p900 : 1, in[4], part = k == 3 ? small : 1;
+        for (int i = 0; i < 4; i++) in[i] = (k == 3 ? 0 : unit * exact[i]), f.T[i] = in[i] + part * unit * error[i];
+        if (k == 3) in[0] = 1, f.T[0] = 1;
+        struct norms_error e = norms_error(&p, &f, in, NORMS_ALL, 0);
+        if (k == 0) of_one = e;
+        assert_near(e.l2 / (k == 3 ? small * sqrt(0.0625 + 1) : of_one.l2), 1, k == 3 ? 2 * DBL_EPSILON : 0);
+    }
+    field_free(&f);
+}
+
 /* The plate's corners, on nodes: four of twelve points have no value, and no error there is seen. */
 static void points_without_a_value_are_left_out_and_counted(void **state) {
     (void)state;
@@ -239,6 +257,7 @@ int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(a_nan_is_the_farthest),
         cmocka_unit_test(three_norms_by_hand),
+        cmocka_unit_test(norms_have_no_unit),
         cmocka_unit_test(points_without_a_value_are_left_out_and_counted),
         cmocka_unit_test(weights_are_outside_of_the_power),
         cmocka_unit_test(interior_and_boundary_part_the_points),
