@@ -1,12 +1,12 @@
-/* Cell-linked list.  Points are counted into square cells of side `radius`, so that those within the radius of a
- * point lie in its own cell and the ones around it. */
+/* Cell-linked list.  Points are counted into square cells of a side of the radius at least, so that those within
+ * the radius of a point lie in its own cell and the ones around it. */
 #include "solver/space/neighbours.h"
 
 #include <math.h>
 #include <stdlib.h>
 
 static size_t cell_of(const struct neighbours *nb, double x, double y) {
-    size_t i = (size_t)((x - nb->lo[0]) / nb->radius), j = (size_t)((y - nb->lo[1]) / nb->radius);
+    size_t i = (size_t)((x - nb->lo[0]) / nb->cell), j = (size_t)((y - nb->lo[1]) / nb->cell);
     return j * (size_t)nb->cells[0] + i;
 }
 
@@ -16,8 +16,10 @@ void neighbours_create(struct neighbours *nb, const struct cloud *c, double radi
         lo[0] = fmin(lo[0], c->x[i]), hi[0] = fmax(hi[0], c->x[i]);
         lo[1] = fmin(lo[1], c->y[i]), hi[1] = fmax(hi[1], c->y[i]);
     }
-    *nb = (struct neighbours){.cloud = c, .radius = radius, .lo = {lo[0], lo[1]}};
-    for (int a = 0; a < 2; a++) nb->cells[a] = (int)((hi[a] - lo[a]) / radius) + 1;
+    double width = hi[0] - lo[0], height = hi[1] - lo[1], n = (double)c->total;
+    double cell = fmax(sqrt(width * height / n), fmax(width, height) / n); /* makes up to 3 n + 1 cells */
+    *nb = (struct neighbours){.cloud = c, .radius = radius, .cell = fmax(radius, cell), .lo = {lo[0], lo[1]}};
+    for (int a = 0; a < 2; a++) nb->cells[a] = (int)((hi[a] - lo[a]) / nb->cell) + 1;
     size_t cells = (size_t)nb->cells[0] * (size_t)nb->cells[1];
     nb->start = xcalloc(cells + 2, sizeof *nb->start);
     nb->point = xcalloc(c->total, sizeof *nb->point);
@@ -35,7 +37,7 @@ void neighbours_free(struct neighbours *nb) {
 
 int neighbours_runs(const struct neighbours *nb, size_t i, uint32_t begin[3], uint32_t end[3]) {
     const struct cloud *c = nb->cloud;
-    int at[2] = {(int)((c->x[i] - nb->lo[0]) / nb->radius), (int)((c->y[i] - nb->lo[1]) / nb->radius)}, runs = 0;
+    int at[2] = {(int)((c->x[i] - nb->lo[0]) / nb->cell), (int)((c->y[i] - nb->lo[1]) / nb->cell)}, runs = 0;
     int first = at[0] > 0 ? at[0] - 1 : 0, last = at[0] + 1 < nb->cells[0] ? at[0] + 1 : nb->cells[0] - 1;
     for (int j = at[1] > 0 ? at[1] - 1 : 0; j <= at[1] + 1 && j < nb->cells[1]; j++) {
         const uint32_t *row = nb->start + (size_t)j * (size_t)nb->cells[0];

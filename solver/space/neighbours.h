@@ -7,8 +7,9 @@
 
 struct neighbours {
     const struct cloud *cloud; /* borrowed */
-    double radius;             /* m, also the side of a cell */
-    double lo[2];              /* m */
+    double radius;             /* m */
+    double cell;  /* m, the side of a cell: the radius, or more where that makes many more cells than points */
+    double lo[2]; /* m */
     int cells[2];
     uint32_t *start; /* cells + 1: where each cell's points begin in `point` */
     uint32_t *point; /* cloud->total */

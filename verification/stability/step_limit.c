@@ -38,6 +38,8 @@ int step_limit_setup(const struct method *m, const struct options *o, int dim, d
     if (b->step.stepper >= STEPPER_EXACT)
         return refuse(why, STATUS_INPUT, "--stepper %s: limit takes euler, rk2 and rkl2",
                       stepper_words[b->step.stepper]);
+    if (b->step.stepper > STEPPER_EULER && !m->scheme)
+        return refuse(why, STATUS_INPUT, "--stepper %s: %s has euler", stepper_words[b->step.stepper], m->name);
     if (b->step.stepper == STEPPER_RKL2 ? stages < 3 : stages > 0)
         return refuse(why, STATUS_INPUT, "--stepper rkl2 and --stages N (3 or more) need each other");
     return step_limit_model(b, why);

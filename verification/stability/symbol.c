@@ -80,6 +80,11 @@ double complex symbol_at(const struct symbol *s, const double theta[2]) {
     return re + I * im;
 }
 
+/* k modulo n, k possibly far below 0 */
+static int wrapped(int k, int n) {
+    return (k % n + n) % n;
+}
+
 /* lambda at the phases 2 pi k/PHASES: a transform of the stencil, padded with zeros and wrapped around. */
 static fftw_complex *transform(const struct symbol *s, int ny) {
     fftw_complex *z = xcheck(fftw_malloc(sizeof *z * (size_t)(PHASES * ny)), (size_t)(PHASES * ny), sizeof *z);
@@ -90,7 +95,7 @@ static fftw_complex *transform(const struct symbol *s, int ny) {
     memset(z, 0, sizeof *z * (size_t)(PHASES * ny));
     for (int j = -s->reach[1]; j <= s->reach[1]; j++)
         for (int i = -s->reach[0]; i <= s->reach[0]; i++)
-            z[(j + ny) % ny * PHASES + (i + PHASES) % PHASES] += s->w[place(s, i, j)];
+            z[wrapped(j, ny) * PHASES + wrapped(i, PHASES)] += s->w[place(s, i, j)];
     fftw_execute(plan);
 #pragma omp critical(fftw_planner)
     fftw_destroy_plan(plan);

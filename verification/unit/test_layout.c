@@ -94,7 +94,7 @@ static void ghosts_hold_for_any_two_conductivities(void **state) {
 }
 
 static double even_source(const struct problem *p, const double x[2]) {
-    return 0.7 + cos(9 * (x[1] - p->lo[1]));
+    return 0.7 + cos(30 * (x[1] - p->lo[1]));
 }
 
 static double constant_flux(const struct problem *p, enum side s, const double x[2]) {

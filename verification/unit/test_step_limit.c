@@ -206,6 +206,19 @@ static void the_quartic_kernel_breaks_song_34(void **state) {
     assert_true(x.lowest < 0 && x.undershoot > 1e-3);
 }
 
+/* A stencil that reaches past the 128 phases of the transform, twice 139 particles: the worst of 20000 waves. */
+static void wide_stencils_have_limits(void **state) {
+    (void)state;
+    struct model_problem b = probe(&method_fo_ssph, 1, 70);
+    struct symbol s;
+    struct failure why;
+    double radius = 0;
+    assert_int_equal(symbol_create(&s, &b, &why), STATUS_OK);
+    for (int k = 0; k < 20000; k++) radius = fmax(radius, cabs(symbol_at(&s, (double[2]){M_PI * k / 20000, 0})));
+    symbol_free(&s);
+    assert_near(predicted(&b).von_neumann * radius / 2, 1, 1e-4);
+}
+
 /* The moment matrix of a particle without neighbours is singular at any step. */
 static void a_run_that_fails_does_not_grow(void **state) {
     (void)state;
@@ -239,6 +252,7 @@ int main(void) {
         cmocka_unit_test(rkl2_is_a_legendre_polynomial),
         cmocka_unit_test(rows_have_the_symbols_eigenvalues),
         cmocka_unit_test(the_quartic_kernel_breaks_song_34),
+        cmocka_unit_test(wide_stencils_have_limits),
         cmocka_unit_test(a_run_that_fails_does_not_grow),
         cmocka_unit_test(long_runs_keep_their_heat),
     };
