@@ -56,7 +56,9 @@ static void write_points(const struct answer *a, double time, FILE *out) {
                            a->columns.needs_time ? &exact[i % BLOCK] : NULL, value);
         for (int d = 0; d < a->points.dim; d++) {
             if (d) putc(',', out);
-            fwrite(a->points.typed[i][d].start, 1, (size_t)a->points.typed[i][d].length, out);
+            const struct points_text *typed = &a->points.typed[i][d];
+            int length = typed->length ? 0 : number_print(a->points.x[i][d], digits);
+            fwrite(typed->length ? typed->start : digits, 1, (size_t)(typed->length + length), out);
         }
         for (int k = a->times > 1 ? -1 : 0; k < n; k++) {
             size_t length = (size_t)number_print(k < 0 ? time : value[k], digits);

@@ -23,7 +23,8 @@ void answer_times(double from, double to, int count, double *time);
 /* Whether all that the columns need is there: times, cells. */
 int answer_check(const struct answer *a, struct failure *why);
 
-/* CSV: the coordinates as typed, `time` where there are several, the columns with 17 digits. */
+/* CSV: the coordinates as typed, but on a side where they were taken there, `time` where there are several, the
+ * columns with 17 digits. */
 void answer_write(const struct answer *a, FILE *out);
 
 #endif

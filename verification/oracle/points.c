@@ -7,6 +7,7 @@
 #include "verification/text/whole_file.h"
 
 #include <errno.h>
+#include <float.h>
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -94,13 +95,14 @@ static int read_number(const struct reader *r, int column, struct points_text ce
                   r->line, r->place[column] + 1, names[column], cell.length < 40 ? cell.length : 40, cell.start);
 }
 
-/* Takes a coordinate that is off by a rounding, on either hand, to the side: nodes of a mesh are. */
+/* Takes a coordinate that is off by a few digits, on either hand, to the side: nodes of a mesh are.  -1 where it is
+ * outside, 1 where it was moved by more than rounding, so that it has to be shown. */
 static int check_inside(const struct problem *p, int axis, double *x) {
-    double lo = p->lo[axis], hi = p->hi[axis], away = slack * (hi - lo);
+    double lo = p->lo[axis], hi = p->hi[axis], away = slack * (hi - lo), given = *x;
     if (!(*x >= lo - away && *x <= hi + away)) return -1;
     if (fabs(*x - lo) <= away) *x = lo;
     if (fabs(*x - hi) <= away) *x = hi;
-    return 0;
+    return fabs(*x - given) > 4 * DBL_EPSILON * (fabs(lo) + fabs(hi));
 }
 
 /* A point of a round body, to the same slack. */
@@ -125,7 +127,9 @@ static int read_point(struct reader *r, const char *line, struct failure *why) {
         double *x = &points->x[points->n][a];
         points->typed[points->n][a] = cell[a];
         if (read_number(r, a, cell[a], x, why)) return why->status;
-        if (check_inside(r->p, a, x))
+        int inside = check_inside(r->p, a, x);
+        if (inside > 0) points->typed[points->n][a].length = 0;
+        if (inside < 0)
             return refuse(why, STATUS_INPUT, "%.150s, line %ld, column %d (%s): %.*s m lies outside of %g to %g m",
                           r->name, r->line, r->place[a] + 1, names[a], cell[a].length < 40 ? cell[a].length : 40,
                           cell[a].start, r->p->lo[a], r->p->hi[a]);
@@ -185,7 +189,9 @@ int points_one(const struct problem *p, const double x[2], struct points *points
         points->typed[0][a] = (struct points_text){typed, snprintf(typed, 32, "%.17g", x[a])};
     }
     for (int a = 0; a < p->dim; a++) {
-        if (check_inside(p, a, &points->x[0][a]) == 0) continue;
+        int inside = check_inside(p, a, &points->x[0][a]);
+        if (inside > 0) points->typed[0][a].length = 0;
+        if (inside >= 0) continue;
         points_free(points);
         if (p->dim == 1)
             return refuse(why, STATUS_INPUT, "--at %g: lies outside of %g to %g m", x[0], p->lo[0], p->hi[0]);

@@ -17,10 +17,11 @@ struct points_text {
 struct points {
     int dim;
     size_t n;
-    double (*x)[2];                 /* m, n of them, within the domain */
-    double (*cell)[2];              /* m, extents of the cell around each; NULL where no column dx tells */
-    struct points_text (*typed)[2]; /* the coordinates as they were typed */
-    char *text;                     /* owned: all that was read */
+    double (*x)[2];    /* m, n of them, within the domain */
+    double (*cell)[2]; /* m, extents of the cell around each; NULL where no column dx tells */
+    struct points_text (
+        *typed)[2]; /* the coordinates as they were typed; of length 0 where x is another, on a side */
+    char *text;     /* owned: all that was read */
 };
 
 /* Reads all of `in`: a header with the names x (and y for a rectangle), commas between, then a line a point.  Columns

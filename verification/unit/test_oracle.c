@@ -234,6 +234,17 @@ static void answers_are_csv(void **state) {
     }
 }
 
+/* Within 1e-9 of the extent: at the side, and shown there; to rounding: as typed. */
+static void a_point_taken_to_a_side_is_shown_there(void **state) {
+    (void)state;
+    struct problem p;
+    const struct scene *s = odd_find("rod-cosine", &p);
+    struct answer a = {.scene = s, .problem = &p};
+    char *text = answered(&a, "x\n1.2999999995\n1.30\n1.2999\n", "rho_c");
+    assert_string_equal(text, "x,rho_c\n1.3,1\n1.30,1\n1.2999,1\n");
+    free(text);
+}
+
 /* The exact solution is asked for by thousands of points: each gets its own, to the digit. */
 static void many_points_have_their_own_answers(void **state) {
     (void)state;
@@ -263,6 +274,7 @@ int main(void) {
         cmocka_unit_test(a_start_can_keep_the_heat),
         cmocka_unit_test(times_have_both_ends),
         cmocka_unit_test(answers_are_csv),
+        cmocka_unit_test(a_point_taken_to_a_side_is_shown_there),
         cmocka_unit_test(many_points_have_their_own_answers),
     };
     gsl_set_error_handler_off();
