@@ -5,14 +5,22 @@
  *   x      ->  X + r xi                        x^2/2  ->  X^2/2 + r X xi + a xi^2/2
  *   y      ->  y                               x y    ->  (X + r xi) y
  *   y^2/2  ->  y^2/2 + b xi^2/2,   b = (kappa_y - kappa_y')/kappa_x'
- * The weights are the least squares of these five (two on a rod) functions, weighted with the kernel.
+ * The weights are the least squares of these five (two on a rod) functions, weighted with the kernel.  Where r or a
+ * is large the images beyond would rule the sum: an equation is divided by its own size, so that all are of the size
+ * of monomials.  With weights of either sign modes still grow, on a rod from h/dx = 1.5, on clouds in the plane where
+ * diffusivities differ 100 times. Weights >= 0 let none grow: a row's largest value is then at most its neighbours'
+ * (a maximum principle).  On a rod there are such weights wherever a neighbour is on either side; in the plane they
+ * were found in every row up to jitter 0.3. Least squares among these are taken (nonnegative.c), and those of either
+ * sign where there are none.
  *
  * Exact: for all fields that are quadratics on either side and meet these conditions, on any cloud.  The truncation
- * is O(dx) at the interface as elsewhere on a cloud: second order in all, at any contrast. Heat is not conserved:
- * a start that jumps at the contact is of first order but for the averages of start.c.
+ * is O(dx) at the interface as elsewhere on a cloud, at most kappa |T_xxx| support/3 by weights >= 0 whatever the
+ * ratios: second order in all.  Heat is not conserved: a start that jumps at the contact is of first order but for
+ * the averages of start.c.
  * Where no neighbour lies beyond the interface, and for one material, it is so_ssph. Restrictions: no source with two
  * materials (its jump would have to be told); layers thicker than the kernel's support, so that the images beyond a
  * wall are of the wall's own material. */
+#include "solver/particles/nonnegative.h"
 #include "solver/particles/particles.h"
 #include "solver/particles/ssph.h"
 #include "solver/space/kernel.h"
@@ -32,35 +40,54 @@ static int check(const struct problem *p, const struct options *o, struct failur
     return STATUS_OK;
 }
 
-/* The functions of a neighbour at d (m) in units of h, ordered x, y, x^2/2, x y, y^2/2 (x, x^2/2 on a rod). */
-static void functions(const struct problem *p, const struct neighbourhood *nb, const double d[2], double *P) {
+/* The functions of a neighbour at d (m) in units of h, ordered x, y, x^2/2, x y, y^2/2 (x, x^2/2 on a rod).  Returns
+ * how many times larger they are than those monomials, at least 1. */
+static double functions(const struct problem *p, const struct neighbourhood *nb, const double d[2], double *P) {
     int here = layout_material(p, nb->x[0]), there = layout_material(p, nb->x[0] + d[0]);
     const struct material *m = &p->material[here], *other = &p->material[there];
     double x = d[0] / nb->h, y = d[1] / nb->h, X = (p->interface - nb->x[0]) / nb->h;
     if (here == there) X = x; /* nothing beyond */
     double xi = x - X, r = m->k[0] / other->k[0], kappa_x = other->k[0] / other->rho_c;
-    double along = X + r * xi, a = nb->kappa[0] / kappa_x;
+    double along = X + r * xi, a = nb->kappa[0] / kappa_x, b = 0;
     double curved = X * X / 2 + r * X * xi + a * xi * xi / 2;
-    if (nb->dim == 1) {
+    if (nb->dim == 1)
         P[0] = along, P[1] = curved;
-        return;
+    else {
+        b = (nb->kappa[1] - other->k[1] / other->rho_c) / kappa_x;
+        P[0] = along, P[1] = y, P[2] = curved, P[3] = along * y, P[4] = y * y / 2 + b * xi * xi / 2;
     }
-    double b = (nb->kappa[1] - other->k[1] / other->rho_c) / kappa_x;
-    P[0] = along, P[1] = y, P[2] = curved, P[3] = along * y, P[4] = y * y / 2 + b * xi * xi / 2;
+    if (here == there) return 1;
+    return fmax(fmax(1, along / x), fmax(2 * curved, fabs(b) * xi * xi) / (x * x));
+}
+
+/* The weights are least squares, those of neighbours beyond divided by their size; where one is negative, the least
+ * squares among weights that are not, if there are any. */
+static int across(const struct options *o, const struct neighbourhood *nb, double P[][SSPH_TERMS_MAX],
+                  const double *size, const double *target, double *w, struct failure *why) {
+    double W[NEIGHBOURS_MAX], other[NEIGHBOURS_MAX], least = 0;
+    int terms = nb->dim == 1 ? 2 : 5;
+    if (ssph_fit(nb, o->kernel, terms, P, size, target, w, why)) return why->status;
+    for (size_t j = 0; j < nb->n; j++) {
+        least = fmin(least, w[j]);
+        W[j] = kernel_value(o->kernel, nb->dim, hypot(nb->d[j][0], nb->d[j][1]) / nb->h) / (size[j] * size[j]);
+    }
+    if (least < 0 && nonnegative_weights(nb->n, terms, P, W, target, other))
+        for (size_t j = 0; j < nb->n; j++) w[j] = other[j];
+    return STATUS_OK;
 }
 
 static int weights(const struct problem *p, const struct options *o, const struct neighbourhood *nb, double *w[2],
                    struct failure *why) {
-    double target[SSPH_TERMS_MAX] = {0}, P[NEIGHBOURS_MAX][SSPH_TERMS_MAX];
+    double target[SSPH_TERMS_MAX] = {0}, P[NEIGHBOURS_MAX][SSPH_TERMS_MAX], size[NEIGHBOURS_MAX];
     int crossed = 0, second = nb->dim == 1 ? 1 : 2;
     target[second] = nb->kappa[0];
     if (nb->dim == 2) target[4] = nb->kappa[1];
     for (size_t j = 0; j < nb->n && p->materials == 2; j++)
         crossed |= layout_material(p, nb->x[0]) != layout_material(p, nb->x[0] + nb->d[j][0]);
     if (!crossed) return ssph_weights(nb, o->kernel, 2, target, w[0], why);
-    for (size_t j = 0; j < nb->n; j++) functions(p, nb, nb->d[j], P[j]);
+    for (size_t j = 0; j < nb->n; j++) size[j] = functions(p, nb, nb->d[j], P[j]);
     for (int k = 0; k < SSPH_TERMS_MAX; k++) target[k] /= nb->h * nb->h;
-    return ssph_fit(nb, o->kernel, nb->dim == 1 ? 2 : 5, P, target, w[0], why);
+    return across(o, nb, P, size, target, w[0], why);
 }
 
 static const struct scheme scheme = {.sweeps = 1, .keeps_start = 1, .check = check, .weights = weights};

@@ -175,10 +175,11 @@ int ssph_gradient(const struct neighbourhood *nb, enum kernel_name kernel, doubl
 }
 
 int ssph_fit(const struct neighbourhood *nb, enum kernel_name kernel, int terms, double P[][SSPH_TERMS_MAX],
-             const double *target, double *w, struct failure *why) {
+             const double *size, const double *target, double *w, struct failure *why) {
     double matrix[SSPH_TERMS_MAX * SSPH_TERMS_MAX] = {0}, scale[SSPH_TERMS_MAX], z[SSPH_TERMS_MAX];
     for (size_t j = 0; j < nb->n; j++) {
         w[j] = kernel_value(kernel, nb->dim, hypot(nb->d[j][0], nb->d[j][1]) / nb->h);
+        if (size) w[j] /= size[j] * size[j];
         for (int k = 0; k < terms; k++)
             for (int l = 0; l < terms; l++) matrix[k * terms + l] += P[j][k] * P[j][l] * w[j];
     }
