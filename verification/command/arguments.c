@@ -143,10 +143,9 @@ static int check_model(const struct request *r, const struct option *o, struct f
 
 static int take_option(struct request *r, const struct word *w, struct failure *why) {
     const struct option *o = w->option;
-    unsigned long long bit = 1ull << (o - options_table);
-    if (r->given & bit && strcmp(o->key, "set") != 0)
-        return refuse(why, STATUS_INPUT, "--%s is given twice", o->name);
-    r->given |= bit;
+    unsigned char *given = &r->given[o - options_table];
+    if (*given && strcmp(o->key, "set") != 0) return refuse(why, STATUS_INPUT, "--%s is given twice", o->name);
+    *given = 1;
     if (words_among("dt fourier threads t-end set", o->key) && r->verb->positionals[0] == '[' && !r->experiment.scene)
         return refuse(why, STATUS_INPUT, "--%s needs a scene: heatladder case SCENE --dx A,B,C --into DIR", o->name);
     if (strcmp(r->verb->name, "ladder") == 0 && !r->experiment.scene &&
@@ -173,13 +172,14 @@ static int take_results(struct request *r, struct failure *why) {
     struct program *g = &e->program;
     char dir[RESULTS_PATH];
     if (!g->results || !e->scene) return STATUS_OK;
-    if (results_setting(e->scene, &e->problem, r->overridden, g->setting) ||
+    if (results_setting(e->scene, &e->problem, r->overridden, &g->map, g->setting) ||
         !results_has(g->results, e->scene, g->setting))
         g->setting[0] = '\0';
     if (results_of_scene(g->results, e->scene, g->setting, dir))
         return refuse(why, STATUS_INPUT, "--results '%.200s': too long a path", g->results);
     if (!r->rungs.dx.count && results_list(dir, &r->rungs.dx, why)) return why->status;
-    return results_params(g->results, e->scene, g->setting, &r->rungs.dx, r->overridden, &e->problem, why);
+    struct results_known known = {r->overridden, &e->problem, !mapping_is_none(&g->map), &g->map};
+    return results_params(g->results, e->scene, g->setting, &r->rungs.dx, &known, why);
 }
 
 static int apply(struct request *r, const struct word *words, int count, struct failure *why) {

@@ -19,7 +19,7 @@ int checks_required(const struct request *r, struct failure *why) {
     if (strcmp(r->verb->name, "case") == 0 && r->experiment.scene && !r->rungs.dx.count)
         return refuse(why, STATUS_INPUT, "case needs --dx A,B,C,...: the spacings");
     for (const struct option *o = options_table; o->key; o++)
-        if (words_among(r->verb->required, o->key) && !(r->given & 1ull << (o - options_table)))
+        if (words_among(r->verb->required, o->key) && !r->given[o - options_table])
             return refuse(why, STATUS_INPUT, "%s needs --%s %s: %s", r->verb->name, o->name, o->value, o->about);
     return STATUS_OK;
 }
@@ -93,6 +93,14 @@ static int check_program(const struct request *r, struct failure *why) {
         return refuse(why, STATUS_INPUT, "--%s needs --solver 'CMD'", g->keep ? "keep" : "timeout");
     if (r->order && !r->battery && !program_given(g) && words_among(r->verb->options, "order-of"))
         return refuse(why, STATUS_INPUT, "--order needs --solver, --results or --battery: of which code?");
+    if (!mapping_is_none(&g->map) && words_among(r->verb->options, "solver") && !program_given(g))
+        return refuse(why, STATUS_INPUT, "--%s needs --solver or --results: our own methods see the scene as it is",
+                      g->map.axes        ? "map"
+                      : g->map.scale > 0 ? "scale"
+                                         : "offset");
+    if (g->map.axes && g->map.axes != r->experiment.problem.dim)
+        return refuse(why, STATUS_INPUT, "--map: %s has %s", r->experiment.scene->name,
+                      r->experiment.problem.dim == 1 ? "x alone: x or -x" : "x and y, such as y,-x");
     if (*g->vary && !program_given(g)) return refuse(why, STATUS_INPUT, "--vary needs --solver or --results");
     for (int k = 0; k < COLUMN_COUNT && !program_given(g); k++)
         if (g->columns.name[k][0]) return refuse(why, STATUS_INPUT, "--columns needs --solver or --results");

@@ -171,6 +171,14 @@ static int read_columns(struct request *r, const struct option *o, const char *t
     return samples_columns_read(text, &r->experiment.program.columns, why);
 }
 
+static int read_map(struct request *r, const struct option *o, const char *text, struct failure *why) {
+    if (mapping_read(text, &r->experiment.program.map) == 0) return STATUS_OK;
+    return refuse(why, STATUS_INPUT,
+                  "--%s '%.60s': must name each axis of the scene once: x or -x of a rod; x,y or "
+                  "-y,x and the like of a rectangle",
+                  o->name, text);
+}
+
 static int read_vary(struct request *r, const struct option *o, const char *text, struct failure *why) {
     static const char *const taken[] = {"case", "out", "dx", NULL};
     struct program *g = &r->experiment.program;
@@ -206,7 +214,8 @@ static int read_vary(struct request *r, const struct option *o, const char *text
 const struct option options_table[] = {
 #include "verification/command/options.def"
     {0}};
-_Static_assert(sizeof options_table / sizeof *options_table - 1 <= 64, "struct request has a bit for each row");
+_Static_assert(sizeof options_table / sizeof *options_table - 1 <= REQUEST_OPTIONS,
+               "struct request has one for each");
 
 const struct option *option_find(const char *allowed, const char *name) {
     for (const struct option *o = options_table; o->key; o++)

@@ -8,6 +8,8 @@
 
 struct verb; /* verification/command/verb.h */
 
+enum { REQUEST_OPTIONS = 128 }; /* rows that options.def may have */
+
 struct request {
     const struct verb *verb;
     struct experiment experiment; /* scene and method are NULL where the verb takes none; dx, dt and fourier are the
@@ -37,10 +39,10 @@ struct request {
     int json;                                                    /* 1: JSON on standard output instead of text */
     int verbose;                                                 /* 1: every gate, not only the groups */
     int quick;                                                   /* 1: the quick tier of the gates alone */
-    unsigned long long given;                                    /* which rows of the option table were given */
-    unsigned long overridden;                                    /* which parameters of the scene were given */
-    char *typed; /* owned: the command after the program's name, quoted for a shell */
-    char *line;  /* owned: the words of a command that was given as one line; else NULL */
+    unsigned char given[REQUEST_OPTIONS]; /* 1 for each row of the option table that was given */
+    unsigned long overridden;             /* which parameters of the scene were given */
+    char *typed;                          /* owned: the command after the program's name, quoted for a shell */
+    char *line;                           /* owned: the words of a command that was given as one line; else NULL */
 };
 
 #endif

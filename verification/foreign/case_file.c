@@ -1,6 +1,7 @@
 /* What a program is told, and the same read again. */
 #include "verification/foreign/case_file.h"
 
+#include "references/mapping.h"
 #include "references/scene.h"
 #include "solver/options.h"
 #include "solver/shape.h"
@@ -16,11 +17,15 @@ const char case_file_help[] =
     "A case file has one `key = value` a line (SI, several values with commas between):\n"
     "  scene, label, dim        the names on the command line; 1 for a rod, 2 for a rectangle\n"
     "  param_NAME               every parameter of the scene (heatladder list scenes tells what each means)\n"
+    "  map, scale, offset       only where given: the case's axes in terms of the scene's, such as y,-x, and T of "
+    "the\n"
+    "                           case = scale T + offset, K.  All keys but param_NAME are in the axes of the case\n"
     "  lo, hi                   the domain, m: along x, and along y\n"
     "  shape                    disc or annulus, about 0, where the body is not that box; with radius, or r1 and r2, "
     "m\n"
     "  cells                    extent over dx, rounded: along x, and along y\n"
     "  materials, interface     1; or 2, the second at x >= interface, m\n"
+    "  interface_axis           y where the second lies at y >= interface; x is not written\n"
     "  k_x, k_y, rho_c          W/(m K), J/(m^3 K): of each material\n"
     "  side_x_lo, side_x_hi, side_y_lo, side_y_hi\n"
     "                           dirichlet, K; neumann, W/m^2 into the body; robin, W/(m^2 K), K around: one value,\n"
@@ -56,11 +61,13 @@ static void write_params(const struct scene *s, const struct problem *p, const c
     }
 }
 
-static void write_materials(const struct problem *p, FILE *out) {
+static void write_materials(const struct image *image, FILE *out) {
     static const char *const axis[] = {"k_x", "k_y"};
+    const struct problem *p = &image->problem;
     double value[MATERIAL_MAX];
     fprintf(out, "materials = %d\n", p->materials);
     if (p->materials == 2) fprintf(out, "interface = %.17g\n", p->interface);
+    if (p->materials == 2 && image->interface_axis == 1) fprintf(out, "interface_axis = y\n");
     for (int a = 0; a < p->dim; a++) {
         for (int m = 0; m < p->materials; m++) value[m] = p->material[m].k[a];
         write_pair(out, axis[a], value, p->materials);
@@ -111,17 +118,33 @@ static void write_shape(const struct problem *p, FILE *out) {
         fprintf(out, "radius = %.17g\n", p->radius[1]);
 }
 
-void case_file_write(const struct scene *s, const struct problem *p, const struct options *o,
+/* The words of `heatladder reference`, or keys of the case, for what is given. */
+static void write_mapping(const struct mapping *m, const char *before, const char *between, const char *after,
+                          FILE *out) {
+    char words[MAPPING_WORDS];
+    mapping_print(m, words);
+    if (m->axes) fprintf(out, "%smap%s%s%s", before, between, words, after);
+    if (m->scale > 0) fprintf(out, "%sscale%s%.17g%s", before, between, m->scale, after);
+    if (m->offset != 0) fprintf(out, "%soffset%s%.17g%s", before, between, m->offset, after);
+}
+
+void case_file_write(const struct scene *s, const struct problem *of, const struct options *o,
                      const struct case_extra *extra, FILE *out) {
+    static const struct mapping none = {0};
+    const struct mapping *m = extra->map ? extra->map : &none;
+    struct image image;
+    mapping_image(m, of, &image);
+    const struct problem *p = &image.problem;
     fprintf(out, "scene = %s\nlabel = %s\ndim = %d\n", s->name, extra->label, p->dim);
     write_params(s, p, "param_", " = ", "\n", out);
+    write_mapping(m, "", " = ", "\n", out);
     write_pair(out, "lo", p->lo, p->dim);
     write_pair(out, "hi", p->hi, p->dim);
     write_shape(p, out);
     fprintf(out, "cells = %.0f", (p->hi[0] - p->lo[0]) / o->dx);
     if (p->dim == 2) fprintf(out, ", %.0f", (p->hi[1] - p->lo[1]) / o->dx);
     fputc('\n', out);
-    write_materials(p, out);
+    write_materials(&image, out);
     for (int side = 0; side < 2 * p->dim; side++) write_side(p, side, out);
     fprintf(out, "source = %s\nt_end = %.17g\ndx = %.17g\n",
             p->source_change ? "changing"
@@ -133,6 +156,7 @@ void case_file_write(const struct scene *s, const struct problem *p, const struc
     if (extra->name) fprintf(out, "%s = %s\n", extra->name, extra->value);
     fprintf(out, "oracle = %s", s->name);
     write_params(s, p, " --set ", "=", "", out);
+    write_mapping(m, " --", " ", "", out);
     fprintf(out, "\nthreads = %d\n", o->threads > 1 ? o->threads : 1);
 }
 

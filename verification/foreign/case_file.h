@@ -7,6 +7,7 @@
 #include <stdio.h>
 
 struct failure;
+struct mapping;
 struct options;
 struct problem;
 struct scene;
@@ -15,14 +16,15 @@ extern const char case_file_help[]; /* every key, for --help */
 
 struct case_extra { /* what is not of the problem */
     const char *label;
-    const char *name, *value; /* of --vary; NULL for none */
+    const struct mapping *map; /* between the scene and the case; NULL for none */
+    const char *name, *value;  /* of --vary; NULL for none */
 };
 
-/* STATUS_OK; or STATUS_INPUT where dx (m) does not divide each extent of *p into whole cells, to a millionth of their
- * number, with the nearest spacings that do. */
+/* *p: the case's (mapping_image).  STATUS_OK; or STATUS_INPUT where dx (m) does not divide each extent of *p into
+ * whole cells, to a millionth of their number, with the nearest spacings that do. */
 int case_file_check(const struct problem *p, double dx, struct failure *why);
 
-/* Writes what another program must know to solve *p, of the scene *s, at *o. */
+/* Writes what another program must know to solve the image of *p, of the scene *s, at *o. */
 void case_file_write(const struct scene *s, const struct problem *p, const struct options *o,
                      const struct case_extra *extra, FILE *out);
 

@@ -63,6 +63,29 @@ static void append_rung(const struct program *g, char path[RESULTS_PATH]) {
     if (*g->rung) snprintf(path + n, RESULTS_PATH - n, "/%s", g->rung);
 }
 
+/* From the axes and temperatures of the case to those of the scene. */
+static void map_back(const struct mapping *m, struct field *f) {
+    double x[2], at[2];
+    for (size_t i = 0; i < f->n; i++) {
+        x[0] = f->x[i], x[1] = f->dim == 2 ? f->y[i] : 0;
+        mapping_to_scene(m, f->dim, x, at);
+        f->x[i] = at[0];
+        if (f->dim == 2) f->y[i] = at[1];
+        f->T[i] = mapping_temperature_back(m, f->T[i]);
+    }
+    for (int k = 0; k < 2; k++) f->range[k] = mapping_temperature_back(m, f->range[k]);
+}
+
+/* The answer at `path`, which messages call `name`: read and checked as the case has it. */
+static int read_answer(const struct program *g, const char *path, const char *name, const struct problem *p,
+                       double dx, struct field *f, struct failure *why) {
+    struct image image;
+    mapping_image(&g->map, p, &image);
+    if (field_file_read(path, name, &g->columns, &image.problem, dx, f, why)) return why->status;
+    if (!mapping_is_none(&g->map)) map_back(&g->map, f);
+    return STATUS_OK;
+}
+
 /* ---- Now ---- */
 
 struct place {
@@ -111,7 +134,7 @@ static int write_case(const struct program *g, const struct scene *s, const stru
                       const struct options *o, const char *path, struct failure *why) {
     struct output page;
     FILE *out = output_open(&page, "%s", path);
-    case_file_write(s, p, o, &(struct case_extra){g->label, *g->vary ? g->vary : NULL, g->value}, out);
+    case_file_write(s, p, o, &(struct case_extra){g->label, &g->map, *g->vary ? g->vary : NULL, g->value}, out);
     return output_close(&page, 1, why);
 }
 
@@ -159,13 +182,15 @@ static int run_command(const struct program *g, const struct scene *s, const str
 static int solve_at(const struct program *g, const struct scene *s, const struct problem *p, const struct options *o,
                     struct scratch *scratch, struct field *f, struct failure *why) {
     struct place at;
+    struct image image;
     *why = (struct failure){0};
-    if (case_file_check(p, o->dx, why)) return why->status;
+    mapping_image(&g->map, p, &image);
+    if (case_file_check(&image.problem, o->dx, why)) return why->status;
     if (choose_place(g, s, o, scratch, &at, why) || write_case(g, s, p, o, at.input, why)) return why->status;
     double begin = omp_get_wtime();
     int status = run_command(g, s, o, &at, scratch, why);
     double seconds = omp_get_wtime() - begin;
-    if (status || field_file_read(at.output, "{out}", &g->columns, p, o->dx, f, why)) return why->status;
+    if (status || read_answer(g, at.output, "{out}", p, o->dx, f, why)) return why->status;
     f->seconds = seconds;
     return STATUS_OK;
 }
@@ -199,7 +224,7 @@ static int solve_later(const struct program *g, const struct scene *s, const str
         if (access(path, F_OK) == 0) break;
         if (!program_answers[i + 1]) snprintf(path, sizeof path, "%s/%s", dir, program_answers[0]);
     }
-    if (field_file_read(path, path, &g->columns, p, o->dx, f, why)) return why->status;
+    if (read_answer(g, path, path, p, o->dx, f, why)) return why->status;
     f->seconds = f->step_seconds;
     return STATUS_OK;
 }

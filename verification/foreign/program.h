@@ -3,6 +3,7 @@
 
 /* Another program in the place of a method: run now (--solver), or judged by what it left (--results). */
 
+#include "references/mapping.h"
 #include "verification/foreign/samples.h"
 
 struct failure;
@@ -24,6 +25,7 @@ struct program {
     const char *keep;    /* where case, answer and log of each rung stay, likewise; NULL for nowhere */
     double timeout;      /* s; 0 for none */
     struct column_map columns;
+    struct mapping map;            /* between the scene and the case that the program solves */
     char vary[40], value[40];      /* NAME of --vary, and what it is at this rung; "" for none */
     char setting[PROGRAM_SETTING]; /* of results: the parameters' directory below SCENE; "" for SCENE itself */
     char rung[100];                /* the directory of this rung below DX: NAME=VALUE or dt=DT; "" for DX itself */

@@ -48,20 +48,28 @@ int results_directory(const char *dir, double value, char path[RESULTS_PATH]) {
     return 0;
 }
 
-int results_setting(const struct scene *s, const struct problem *p, unsigned long set, char text[PROGRAM_SETTING]) {
-    size_t used = 0;
+static int append(char text[PROGRAM_SETTING], const char *name, const char *value) {
+    size_t used = strlen(text);
+    int more = snprintf(text + used, PROGRAM_SETTING - used, "%s%s=%s", used ? "," : "", name, value);
+    return more < 0 || (size_t)more >= PROGRAM_SETTING - used ? -1 : 0;
+}
+
+int results_setting(const struct scene *s, const struct problem *p, unsigned long set, const struct mapping *map,
+                    char text[PROGRAM_SETTING]) {
+    char value[40];
     text[0] = '\0';
     for (int i = 0; s->params[i].name; i++) {
-        char value[40];
         if (!(set & 1ul << i)) continue;
         results_number(p->param[i], value);
-        const char *typed = s->params[i].choice ? s->params[i].choice[(int)p->param[i]] : value;
-        int more =
-            snprintf(text + used, PROGRAM_SETTING - used, "%s%s=%s", used ? "," : "", s->params[i].name, typed);
-        if (more < 0 || (size_t)more >= PROGRAM_SETTING - used) return -1;
-        used += (size_t)more;
+        if (append(text, s->params[i].name, s->params[i].choice ? s->params[i].choice[(int)p->param[i]] : value))
+            return -1;
     }
-    return 0;
+    mapping_print(map, value);
+    if (map->axes && append(text, "map", value)) return -1;
+    results_number(map->scale, value);
+    if (map->scale > 0 && append(text, "scale", value)) return -1;
+    results_number(map->offset, value);
+    return map->offset != 0 ? append(text, "offset", value) : 0;
 }
 
 int results_of_scene(const char *dir, const struct scene *s, const char *setting, char path[RESULTS_PATH]) {
@@ -115,8 +123,27 @@ static int read_param(const struct param *t, const char *text, double *value) {
     return index < 0 ? -1 : 0;
 }
 
-int results_case_params(const char *path, const char *text, const struct scene *s, unsigned long *set,
-                        struct problem *p, struct failure *why) {
+static int read_mapping(const char *path, const char *text, struct results_known *known, struct failure *why) {
+    char value[80];
+    struct mapping map = {0};
+    int bad = 0;
+    if (case_file_value(text, "map", value, sizeof value) == 0) bad = mapping_read(value, &map);
+    if (!bad && case_file_value(text, "scale", value, sizeof value) == 0)
+        bad = number_read(value, &map.scale) || !(map.scale > 0);
+    if (!bad && case_file_value(text, "offset", value, sizeof value) == 0) bad = number_read(value, &map.offset);
+    if (bad) return refuse(why, STATUS_INPUT, "%.300s: map, scale or offset = %.40s is none", path, value);
+    if (known->mapped && !mapping_same(&map, known->map))
+        return refuse(why, STATUS_INPUT,
+                      "%.300s: map, scale or offset differ in other cases, or from --map, --scale, "
+                      "--offset",
+                      path);
+    known->mapped = 1;
+    *known->map = map;
+    return STATUS_OK;
+}
+
+int results_case_params(const char *path, const char *text, const struct scene *s, struct results_known *known,
+                        struct failure *why) {
     char key[80], value[80], scene[80];
     if (case_file_value(text, "scene", scene, sizeof scene) || strcmp(scene, s->name) != 0)
         return refuse(why, STATUS_INPUT, "%.300s: not a case of %s", path, s->name);
@@ -126,17 +153,17 @@ int results_case_params(const char *path, const char *text, const struct scene *
         if (case_file_value(text, key, value, sizeof value)) continue;
         if (read_param(&s->params[i], value, &read))
             return refuse(why, STATUS_INPUT, "%.300s: %s = %.40s is no value of it", path, key, value);
-        if (*set & 1ul << i && read != p->param[i])
+        if (known->set & 1ul << i && read != known->p->param[i])
             return refuse(why, STATUS_INPUT, "%.300s: %s = %.40s, but %.17g in other cases or by --set", path, key,
-                          value, p->param[i]);
-        p->param[i] = read;
-        *set |= 1ul << i;
+                          value, known->p->param[i]);
+        known->p->param[i] = read;
+        known->set |= 1ul << i;
     }
-    return STATUS_OK;
+    return read_mapping(path, text, known, why);
 }
 
 int results_params(const char *dir, const struct scene *s, const char *setting, const struct numbers *dx,
-                   unsigned long set, struct problem *p, struct failure *why) {
+                   struct results_known *known, struct failure *why) {
     char of_scene[RESULTS_PATH], path[RESULTS_PATH], file[RESULTS_PATH + 8];
     if (results_of_scene(dir, s, setting, of_scene)) return STATUS_OK; /* refused where the answer is read */
     for (int i = 0; i < dx->count; i++) {
@@ -145,7 +172,7 @@ int results_params(const char *dir, const struct scene *s, const char *setting, 
         struct stat is;
         if (stat(file, &is)) continue;
         char *text = case_file_read(file, why);
-        int status = text ? results_case_params(file, text, s, &set, p, why) : STATUS_INPUT;
+        int status = text ? results_case_params(file, text, s, known, why) : STATUS_INPUT;
         free(text);
         if (status) return status;
     }
@@ -164,10 +191,11 @@ static int has_answer(const char *dir) {
     return 0;
 }
 
-static int write_one(const char *dir, const struct scene *s, const struct problem *p, const struct options *o,
-                     struct failure *why) {
+static int write_one(const char *dir, const struct mapping *map, const struct scene *s, const struct problem *p,
+                     const struct options *o, struct failure *why) {
     struct output page;
-    case_file_write(s, p, o, &(struct case_extra){.label = "results"}, output_open(&page, "%s/case", dir));
+    case_file_write(s, p, o, &(struct case_extra){.label = "results", .map = map},
+                    output_open(&page, "%s/case", dir));
     output_end(&page);
     char *old = whole_file_at(page.path, NULL);
     int same = old && page.text && strcmp(old, page.text) == 0, status = STATUS_OK;
@@ -223,7 +251,7 @@ static int write_all(const struct results_place *at, const struct scene *s, cons
         if (make(path, why)) return why->status;
         size_t used = strlen(path);
         if (*at->rung) snprintf(path + used, sizeof path - used, "/%.80s", at->rung);
-        if (make(path, why) || write_one(path, s, p, &with, why)) return why->status;
+        if (make(path, why) || write_one(path, at->map, s, p, &with, why)) return why->status;
         if (!has_line(known, path)) fprintf(list, "%s\n", path);
     }
     return STATUS_OK;

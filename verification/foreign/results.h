@@ -27,14 +27,22 @@ int results_directory_check(const char *dir, struct failure *why);
  * where there are none or more. */
 int results_list(const char *dir, struct numbers *found, struct failure *why);
 
-/* The parameters in the `text` of the case file at `path`, against those in p->param that are set already (bits of
- * *set); new ones are set too. */
-int results_case_params(const char *path, const char *text, const struct scene *s, unsigned long *set,
-                        struct problem *p, struct failure *why);
+struct results_known { /* of the cases that are judged together */
+    unsigned long set; /* bits of the parameters that are set */
+    struct problem *p; /* with them in p->param */
+    int mapped;        /* 1 where *map is known */
+    struct mapping *map;
+};
 
-/* "NAME=VALUE,NAME=VALUE" of the parameters that were set (bits of `set`), in the order of the scene's table; ""
- * where none was.  0, or -1 where that is too long. */
-int results_setting(const struct scene *s, const struct problem *p, unsigned long set, char text[PROGRAM_SETTING]);
+/* The parameters and the mapping in the `text` of the case file at `path`, against those that are known already; new
+ * ones are known then. */
+int results_case_params(const char *path, const char *text, const struct scene *s, struct results_known *known,
+                        struct failure *why);
+
+/* "NAME=VALUE,NAME=VALUE" of the parameters that were set (bits of `set`), in the order of the scene's table, then of
+ * the mapping; "" where none was.  0, or -1 where that is too long. */
+int results_setting(const struct scene *s, const struct problem *p, unsigned long set, const struct mapping *map,
+                    char text[PROGRAM_SETTING]);
 
 /* DIR/SCENE, or DIR/SCENE/SETTING where there is a setting.  0, or -1 where the path is too long. */
 int results_of_scene(const char *dir, const struct scene *s, const char *setting, char path[RESULTS_PATH]);
@@ -42,13 +50,14 @@ int results_of_scene(const char *dir, const struct scene *s, const char *setting
 /* Whether that directory is there. */
 int results_has(const char *dir, const struct scene *s, const char *setting);
 
-/* Takes p->param from the case files of DIR/SCENE, which must all agree, and with the parameters that were set
- * already (bits of `set`).  Directories without a case file are passed over. */
+/* Takes parameters and mapping from the case files of DIR/SCENE, which must all agree, and with what is known
+ * already. Directories without a case file are passed over. */
 int results_params(const char *dir, const struct scene *s, const char *setting, const struct numbers *dx,
-                   unsigned long set, struct problem *p, struct failure *why);
+                   struct results_known *known, struct failure *why);
 
 struct results_place { /* DIR/SCENE/SETTING/DX/RUNG; "" for neither */
     const char *dir, *setting, *rung;
+    const struct mapping *map; /* of the case; NULL for none */
 };
 
 /* Writes the case into that place for each of the numbers in `dx`, as typed, and names these directories in

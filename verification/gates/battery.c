@@ -27,7 +27,7 @@ static int write_row(const struct gate *gate, const char *dir, int *written, str
     char setting[PROGRAM_SETTING], rung[60] = "", dt[40];
     int status = arguments_parse_line_with(gate->command, more, &r, why), n = 0;
     struct experiment *e = &r.experiment;
-    if (!status && (!e->scene || results_setting(e->scene, &e->problem, r.overridden, setting)))
+    if (!status && (!e->scene || results_setting(e->scene, &e->problem, r.overridden, &e->program.map, setting)))
         status = refuse(why, STATUS_INPUT, "'%.200s': has no scene, or too many parameters", gate->command);
     for (int i = 0; !status && i < (r.rungs.dt.count > 1 ? r.rungs.dt.count : 1); i++) {
         if (r.rungs.dt.count > 1) {
@@ -35,8 +35,8 @@ static int write_row(const struct gate *gate, const char *dir, int *written, str
             results_number(e->options.dt, dt);
             snprintf(rung, sizeof rung, "dt=%s", dt);
         }
-        status = results_write(&(struct results_place){dir, setting, rung}, e->scene, &e->problem, &e->options,
-                               r.rungs.dx.text, &n, why);
+        status = results_write(&(struct results_place){dir, setting, rung, &e->program.map}, e->scene, &e->problem,
+                               &e->options, r.rungs.dx.text, &n, why);
         *written += n;
     }
     arguments_free(&r);

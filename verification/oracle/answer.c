@@ -17,7 +17,7 @@ int answer_check(const struct answer *a, struct failure *why) {
         const struct columns_kind *kind = a->columns.kind[i];
         if (kind->needs_time && a->times == 0)
             return refuse(why, STATUS_INPUT, "--what %s needs --time T[,T...]: when, s", kind->name);
-        if (strcmp(kind->name, "source") == 0 && a->problem->source_change && a->times == 0)
+        if (strcmp(kind->name, "source") == 0 && a->image->problem.source_change && a->times == 0)
             return refuse(why, STATUS_INPUT, "--what source changes in time here and needs --time T[,T...]: when, s");
         if (kind->needs_cell && !a->points.cell && !(a->cell > 0))
             return refuse(why, STATUS_INPUT,
@@ -36,14 +36,17 @@ enum { BLOCK = 4096 }; /* points whose exact solution is asked for at once: thos
 static void exact_of(const struct answer *a, const struct snapshot *now, size_t first, size_t n,
                      struct exact e[BLOCK]) {
     static const size_t room = BLOCK;
-    double *x = xcalloc(2 * room, sizeof *x), *y = x + room;
-    for (size_t i = 0; i < n; i++) x[i] = a->points.x[first + i][0], y[i] = a->points.x[first + i][1];
+    double *x = xcalloc(2 * room, sizeof *x), *y = x + room, at[2];
+    for (size_t i = 0; i < n; i++) {
+        mapping_to_scene(&a->image->map, a->points.dim, a->points.x[first + i], at);
+        x[i] = at[0], y[i] = at[1];
+    }
     snapshot_at_points(now, n, x, y, e);
     free(x);
 }
 
 static void write_points(const struct answer *a, double time, FILE *out) {
-    struct snapshot now = snapshot_take(a->scene, a->problem, time);
+    struct snapshot now = snapshot_take(a->scene, a->image->of, time);
     const double same[2] = {a->cell, a->cell};
     struct exact *exact = xcalloc(BLOCK, sizeof *exact);
     double value[COLUMNS_VALUES];
@@ -51,9 +54,8 @@ static void write_points(const struct answer *a, double time, FILE *out) {
     for (size_t i = 0; i < a->points.n; i++) {
         size_t left = a->points.n - i;
         if (a->columns.needs_time && i % BLOCK == 0) exact_of(a, &now, i, left < BLOCK ? left : BLOCK, exact);
-        int n =
-            columns_values(&a->columns, a->problem, time, a->points.x[i], a->points.cell ? a->points.cell[i] : same,
-                           a->columns.needs_time ? &exact[i % BLOCK] : NULL, value);
+        int n = columns_values(&a->columns, a->image, time, a->points.x[i], a->points.cell ? a->points.cell[i] : same,
+                               a->columns.needs_time ? &exact[i % BLOCK] : NULL, value);
         for (int d = 0; d < a->points.dim; d++) {
             if (d) putc(',', out);
             const struct points_text *typed = &a->points.typed[i][d];

@@ -1,6 +1,7 @@
 #ifndef HEATLADDER_VERIFICATION_ORACLE_ANSWER_H
 #define HEATLADDER_VERIFICATION_ORACLE_ANSWER_H
 
+#include "references/mapping.h"
 #include "verification/oracle/columns.h"
 #include "verification/oracle/points.h"
 
@@ -9,7 +10,7 @@ struct scene;
 /* Values of a scene's columns at a set of points. */
 struct answer {
     const struct scene *scene;
-    const struct problem *problem;
+    const struct image *image; /* of the scene's problem: points and columns are in its axes */
     struct points points;
     struct columns columns;
     int times;

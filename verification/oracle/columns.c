@@ -3,6 +3,7 @@
 #include "verification/oracle/clipped.h"
 
 #include "references/cubature.h"
+#include "references/mapping.h"
 #include "references/scene.h"
 #include "solver/shape.h"
 #include "solver/status.h"
@@ -13,7 +14,8 @@
 #include <string.h>
 
 struct columns_row {
-    const struct problem *p;
+    const struct image *image;
+    const struct problem *p; /* the image's */
     const double *x;
     const double *cell;
     double time;        /* s */
@@ -62,21 +64,28 @@ const char columns_help[] =
     "domain.\n";
 
 static int material_at(const struct columns_row *row) {
-    return row->p->materials == 2 && row->x[0] >= row->p->interface;
+    return row->p->materials == 2 && row->x[row->image->interface_axis] >= row->p->interface;
 }
 
 static void temperature(const struct columns_row *row, int axis, double *value) {
     (void)axis;
-    *value = row->exact.no_value ? NAN : row->exact.temperature;
+    *value = row->exact.no_value ? NAN : mapping_temperature(&row->image->map, row->exact.temperature);
 }
 
 static void error_bound(const struct columns_row *row, int axis, double *value) {
     (void)axis;
-    *value = row->exact.no_value ? NAN : row->exact.error_bound;
+    *value = row->exact.no_value ? NAN : mapping_scale(&row->image->map) * row->exact.error_bound;
 }
 
 static void flux(const struct columns_row *row, int axis, double *value) {
-    *value = row->exact.no_value ? NAN : -row->p->material[material_at(row)].k[axis] * row->exact.gradient[axis];
+    const struct mapping *m = &row->image->map;
+    const struct problem *of = row->image->of;
+    double at[2];
+    mapping_to_scene(m, of->dim, row->x, at);
+    int material = of->materials == 2 && at[0] >= of->interface; /* the gradient is of that one, too */
+    int along = mapping_axis(m, axis);
+    double into = mapping_scale(m) * (m->against[axis] ? -1 : 1);
+    *value = row->exact.no_value ? NAN : -into * of->material[material].k[along] * row->exact.gradient[along];
 }
 
 static void initial(const struct columns_row *row, int axis, double *value) {
@@ -123,17 +132,17 @@ static void initial_mean(const struct columns_row *row, int axis, double *value)
 static void initial_heat(const struct columns_row *row, int axis, double *value) {
     (void)axis;
     const struct problem *p = row->p;
-    double lo[2], hi[2], between[2];
+    double lo[2], hi[2], from[2], to[2];
+    int a = row->image->interface_axis;
     cell_of(row, lo, hi);
-    int cut = p->materials == 2 && lo[0] < p->interface && p->interface < hi[0];
+    int cut = p->materials == 2 && lo[a] < p->interface && p->interface < hi[a];
     *value = 0;
     if (cut) {
-        double part[2] = {(p->interface - lo[0]) * p->material[0].rho_c,
-                          (hi[0] - p->interface) * p->material[1].rho_c};
-        between[0] = p->interface, between[1] = hi[1];
-        *value = mean_start(p, lo, between) * part[0];
-        between[1] = lo[1];
-        *value = (*value + mean_start(p, between, hi) * part[1]) / (part[0] + part[1]);
+        double part[2] = {(p->interface - lo[a]) * p->material[0].rho_c,
+                          (hi[a] - p->interface) * p->material[1].rho_c};
+        memcpy(from, lo, sizeof from), memcpy(to, hi, sizeof to);
+        from[a] = to[a] = p->interface;
+        *value = (mean_start(p, lo, to) * part[0] + mean_start(p, from, hi) * part[1]) / (part[0] + part[1]);
     } else {
         *value = mean_start(p, lo, hi);
     }
@@ -250,9 +259,9 @@ void columns_header(const struct columns *c, char *text) {
         used += (size_t)snprintf(text + used, COLUMNS_HEADER - used, ",%s", c->kind[i]->header);
 }
 
-int columns_values(const struct columns *c, const struct problem *p, double time, const double x[2],
+int columns_values(const struct columns *c, const struct image *image, double time, const double x[2],
                    const double cell[2], const struct exact *exact, double *value) {
-    struct columns_row row = {.p = p, .x = x, .cell = cell, .time = time};
+    struct columns_row row = {.image = image, .p = &image->problem, .x = x, .cell = cell, .time = time};
     int n = 0;
     if (exact) row.exact = *exact;
     for (int i = 0; i < c->count; i++) {

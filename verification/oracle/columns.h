@@ -5,7 +5,7 @@
 
 struct failure;
 struct exact;
-struct problem;
+struct image;
 
 enum { COLUMNS_MAX = 24, COLUMNS_VALUES = 8 * COLUMNS_MAX };
 
@@ -36,9 +36,10 @@ int columns_parse(const char *list, int dim, struct columns *c, struct failure *
 enum { COLUMNS_HEADER = 1024 };
 void columns_header(const struct columns *c, char *text);
 
-/* The values at x, m, and `time`, s, in the order of the header; how many.  `cell`: extents of the cell around x, m,
- * or NULL; `exact`: there and then, or NULL where no column needs the time. */
-int columns_values(const struct columns *c, const struct problem *p, double time, const double x[2],
+/* The values at x, m, and `time`, s, in the order of the header; how many.  All is in the axes and temperatures of
+ * the image but `exact`: of the scene there and then, or NULL where no column needs the time.  `cell`: extents of the
+ * cell around x, m, or NULL. */
+int columns_values(const struct columns *c, const struct image *image, double time, const double x[2],
                    const double cell[2], const struct exact *exact, double *value);
 
 #endif

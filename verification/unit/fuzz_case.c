@@ -14,7 +14,8 @@
 int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
     struct failure why = {0};
     struct problem p = {0};
-    unsigned long set = 0;
+    struct mapping map = {0};
+    struct results_known known = {.p = &p, .map = &map};
     int count = 0;
     if (size == 0) return 0;
     while (scenes[count]) count++;
@@ -23,7 +24,7 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
     fuzz_require(text || why.text[0]);
     if (!text) return 0;
     scene_defaults(s, &p);
-    int status = results_case_params("case", text, s, &set, &p, &why);
+    int status = results_case_params("case", text, s, &known, &why);
     free(text);
     fuzz_require(status == STATUS_OK || (status == STATUS_INPUT && why.text[0]));
     if (status) return 0;

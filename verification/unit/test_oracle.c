@@ -37,7 +37,9 @@ static int values(const char *what, const struct scene *s, const struct problem 
     if (columns_parse(what, p->dim, &c, &why)) fail_msg("%s", why.text);
     struct exact e = {0};
     if (c.needs_time) e = s->exact(p, x, t);
-    return columns_values(&c, p, t, x, cell, c.needs_time ? &e : NULL, value);
+    struct image image;
+    mapping_image(&(struct mapping){0}, p, &image);
+    return columns_values(&c, &image, t, x, cell, c.needs_time ? &e : NULL, value);
 }
 
 /* Every material's value in its own column, and the flux from temperatures at two points. */
@@ -182,8 +184,8 @@ static char *answered(struct answer *a, const char *text, const char *what) {
     struct failure why = {0};
     char *page = NULL;
     size_t size = 0;
-    if (columns_parse(what, a->problem->dim, &a->columns, &why)) fail_msg("%s", why.text);
-    if (points_text(text, a->problem, &a->points, &why)) fail_msg("%s", why.text);
+    if (columns_parse(what, a->image->problem.dim, &a->columns, &why)) fail_msg("%s", why.text);
+    if (points_text(text, &a->image->problem, &a->points, &why)) fail_msg("%s", why.text);
     if (answer_check(a, &why)) {
         points_free(&a->points);
         return strdup(why.text);
@@ -220,13 +222,19 @@ static void answers_are_csv(void **state) {
     const struct scene *s = odd_find("rod-cosine", &p);
     struct problem made;
     const struct scene *changing = odd_find("rect-manufactured", &made);
-    struct answer untimed = {.scene = changing, .problem = &made};
+    struct image image, other;
+    mapping_image(&(struct mapping){0}, &made, &other);
+    mapping_image(&(struct mapping){0}, &p, &image);
+    struct answer untimed = {.scene = changing, .image = &other};
     char *refused = answered(&untimed, "x,y\n0.3,0.2\n", "source");
     assert_int_equal(strncmp(refused, "--what source changes in time here", 34), 0);
     free(refused);
     for (size_t i = 0; i < sizeof asked / sizeof *asked; i++) {
-        struct answer a = {
-            .scene = s, .problem = &p, .times = asked[i].times, .time = when + asked[i].from, .cell = asked[i].cell};
+        struct answer a = {.scene = s,
+                           .image = &image,
+                           .times = asked[i].times,
+                           .time = when + asked[i].from,
+                           .cell = asked[i].cell};
         char *text = answered(&a, "note,x\nhot,0.30\n,1.2\n", asked[i].what);
         if (strncmp(text, asked[i].says, strlen(asked[i].says)) != 0)
             fail_msg("\"%s\" is not \"%s\"", text, asked[i].says);
@@ -252,7 +260,9 @@ static void many_points_have_their_own_answers(void **state) {
     const double time = 0.7;
     struct problem p;
     const struct scene *s = odd_find("plate-cooling", &p);
-    struct answer a = {.scene = s, .problem = &p, .times = 1, .time = &time};
+    struct image image;
+    mapping_image(&(struct mapping){0}, &p, &image);
+    struct answer a = {.scene = s, .image = &image, .times = 1, .time = &time};
     char *points = xcalloc(40, N), *at = points + sprintf(points, "x,y\n");
     for (int i = 0; i < N; i++) at += sprintf(at, "%.6f,%.6f\n", p.hi[0] * (i % 97) / 97, p.hi[1] * (i % 89) / 89);
     char *text = answered(&a, points, "temperature"), *line = strchr(text, '\n') + 1;

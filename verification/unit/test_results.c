@@ -26,8 +26,8 @@ static int write_cases(const char *options, char *text, size_t size) {
     int written;
     snprintf(line, sizeof line, "case rod-gauss --into %s %s", dir, options);
     if (arguments_parse_line(line, &r, &why)) fail_msg("%s", why.text);
-    int status = results_write(&(struct results_place){r.into, "", ""}, r.experiment.scene, &r.experiment.problem,
-                               &r.experiment.options, r.rungs.dx.text, &written, &why);
+    int status = results_write(&(struct results_place){r.into, "", "", NULL}, r.experiment.scene,
+                               &r.experiment.problem, &r.experiment.options, r.rungs.dx.text, &written, &why);
     arguments_free(&r);
     snprintf(text, size, "%s", why.text);
     return status;

@@ -26,8 +26,8 @@ int verb_case(const struct request *r, struct failure *why) {
     const struct experiment *e = &r->experiment;
     int written;
     if (r->battery) return battery(r, why);
-    if (results_write(&(struct results_place){r->into, "", ""}, e->scene, &e->problem, &e->options, r->rungs.dx.text,
-                      &written, why))
+    if (results_write(&(struct results_place){r->into, "", "", &e->program.map}, e->scene, &e->problem, &e->options,
+                      r->rungs.dx.text, &written, why))
         return why->status;
     printf("%d cases of %s in %s, named in %s/cases.txt; when %s/%s/DX/out.csv are there:\n"
            "  heatladder ladder %s NAME --results %s\n",

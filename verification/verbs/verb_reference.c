@@ -65,14 +65,21 @@ static void print_text(const struct request *r, const struct forms *f) {
 static void print_forms(const struct request *r) {
     const struct scene *s = r->experiment.scene;
     const struct problem *p = &r->experiment.problem;
-    double t = r->time.value[0];
-    struct forms f = {s->exact(p, r->at.value, t), s->second(p, r->at.value, t),
-                      s->published ? s->published(p, r->at.value, t) : 0};
+    const struct mapping *m = &r->experiment.program.map;
+    double t = r->time.value[0], x[2];
+    mapping_to_scene(m, p->dim, r->at.value, x);
+    struct forms f = {s->exact(p, x, t), s->second(p, x, t), s->published ? s->published(p, x, t) : 0};
+    for (struct exact *e = &f.exact;; e = &f.second) {
+        e->temperature = mapping_temperature(m, e->temperature);
+        e->error_bound *= mapping_scale(m);
+        if (e == &f.second) break;
+    }
+    f.published = mapping_temperature(m, f.published);
     (r->json ? print_json : print_text)(r, &f);
 }
 
-static int read_points(const struct request *r, struct points *points, struct failure *why) {
-    const struct problem *p = &r->experiment.problem;
+/* *p: the case's. */
+static int read_points(const struct request *r, const struct problem *p, struct points *points, struct failure *why) {
     if (!r->points) return points_one(p, r->at.value, points, why);
     if (strcmp(r->points, "-") == 0) return points_read(stdin, "standard input", p, points, why);
     FILE *in = whole_file_open(r->points);
@@ -83,7 +90,7 @@ static int read_points(const struct request *r, struct points *points, struct fa
 }
 
 static double seconds(const struct answer *a) {
-    return (double)a->points.n * a->times * (a->problem->dim > 1 ? forewarn_exact : forewarn_exact / 5);
+    return (double)a->points.n * a->times * (a->points.dim > 1 ? forewarn_exact : forewarn_exact / 5);
 }
 
 /* The times of --time, to be freed. */
@@ -98,9 +105,11 @@ static double *list_times(const struct request *r, int *count) {
 }
 
 int verb_reference(const struct request *r, struct failure *why) {
-    struct answer a = {.scene = r->experiment.scene, .problem = &r->experiment.problem, .cell = r->rungs.dx.value[0]};
-    if (columns_parse(r->what ? r->what : "temperature", a.problem->dim, &a.columns, why)) return why->status;
-    if (read_points(r, &a.points, why)) return why->status;
+    struct image image;
+    struct answer a = {.scene = r->experiment.scene, .image = &image, .cell = r->rungs.dx.value[0]};
+    mapping_image(&r->experiment.program.map, &r->experiment.problem, &image);
+    if (columns_parse(r->what ? r->what : "temperature", image.problem.dim, &a.columns, why)) return why->status;
+    if (read_points(r, &image.problem, &a.points, why)) return why->status;
     double *time = list_times(r, &a.times);
     a.time = time;
     int status = answer_check(&a, why);

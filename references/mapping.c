@@ -1,0 +1,130 @@
+/* Between a scene and its image. */
+#include "references/mapping.h"
+
+#include <stdio.h>
+#include <string.h>
+
+int mapping_is_none(const struct mapping *m) {
+    return m->axes == 0 && m->scale == 0 && m->offset == 0;
+}
+
+int mapping_same(const struct mapping *m, const struct mapping *n) {
+    return m->swap == n->swap && m->against[0] == n->against[0] && m->against[1] == n->against[1] &&
+           mapping_scale(m) == mapping_scale(n) && m->offset == n->offset;
+}
+
+int mapping_read(const char *text, struct mapping *m) {
+    int named[2] = {0, 0}, axis[2] = {0, 1}, n = 0;
+    struct mapping read = *m;
+    for (const char *at = text; n < 2; n++) {
+        read.against[n] = *at == '-';
+        at += *at == '-';
+        if (*at != 'x' && *at != 'y') return -1;
+        axis[n] = *at++ == 'y';
+        named[axis[n]]++;
+        if (*at == '\0') break;
+        if (*at++ != ',') return -1;
+    }
+    if (n == 2 || named[0] != 1 || named[1] != n) return -1;
+    read.axes = n + 1;
+    read.swap = axis[0];
+    *m = read;
+    return 0;
+}
+
+void mapping_print(const struct mapping *m, char *text) {
+    size_t used = 0;
+    text[0] = '\0';
+    for (int a = 0; a < m->axes; a++)
+        used += (size_t)snprintf(text + used, MAPPING_WORDS - used, "%s%s%c", a ? "," : "", m->against[a] ? "-" : "",
+                                 "xy"[mapping_axis(m, a)]);
+}
+
+int mapping_axis(const struct mapping *m, int axis) {
+    return m->swap ? 1 - axis : axis;
+}
+
+enum side mapping_side(const struct mapping *m, enum side s) {
+    int axis = (int)s / 2;
+    return (enum side)(2 * mapping_axis(m, axis) + ((int)s % 2 != m->against[axis]));
+}
+
+/* 0 - x has no zero below zero. */
+void mapping_to_scene(const struct mapping *m, int dim, const double x[2], double to[2]) {
+    to[1] = 0;
+    for (int a = 0; a < dim; a++) to[mapping_axis(m, a)] = m->against[a] ? 0 - x[a] : x[a];
+}
+
+double mapping_scale(const struct mapping *m) {
+    return m->scale > 0 ? m->scale : 1;
+}
+
+double mapping_temperature(const struct mapping *m, double T) {
+    return mapping_scale(m) * T + m->offset;
+}
+
+double mapping_temperature_back(const struct mapping *m, double T) {
+    return (T - m->offset) / mapping_scale(m);
+}
+
+static double initial(const struct problem *p, const double x[2]) {
+    const struct image *i = p->data;
+    double at[2];
+    mapping_to_scene(&i->map, p->dim, x, at);
+    return mapping_temperature(&i->map, i->of->initial(i->of, at));
+}
+
+static double wall(const struct problem *p, enum side s, const double x[2]) {
+    const struct image *i = p->data;
+    double at[2];
+    mapping_to_scene(&i->map, p->dim, x, at);
+    double held = i->of->wall(i->of, p->shape ? s : mapping_side(&i->map, s), at);
+    return p->side[s] == NEUMANN ? mapping_scale(&i->map) * held : mapping_temperature(&i->map, held);
+}
+
+static double source(const struct problem *p, const double x[2]) {
+    const struct image *i = p->data;
+    double at[2];
+    mapping_to_scene(&i->map, p->dim, x, at);
+    return mapping_scale(&i->map) * i->of->source(i->of, at);
+}
+
+static double source_change(const struct problem *p, const double x[2], double t) {
+    const struct image *i = p->data;
+    double at[2];
+    mapping_to_scene(&i->map, p->dim, x, at);
+    return mapping_scale(&i->map) * i->of->source_change(i->of, at, t);
+}
+
+/* Extents, jumps and conductivities of the case's axis a. */
+static void image_axis(struct image *image, int a) {
+    const struct problem *p = image->of;
+    struct problem *of = &image->problem;
+    int from = mapping_axis(&image->map, a), against = image->map.against[a], n = p->jumps[from];
+    of->lo[a] = against ? 0 - p->hi[from] : p->lo[from];
+    of->hi[a] = against ? 0 - p->lo[from] : p->hi[from];
+    of->mirror[a] = p->mirror[from];
+    of->jumps[a] = n;
+    for (int j = 0; j < n; j++) of->jump[a][j] = against ? 0 - p->jump[from][n - 1 - j] : p->jump[from][j];
+    for (int i = 0; i < p->materials; i++) of->material[i].k[a] = p->material[i].k[from];
+    for (int s = 2 * a; s < 2 * a + 2 && !p->shape; s++) { /* a round body keeps its walls */
+        of->side[s] = p->side[mapping_side(&image->map, (enum side)s)];
+        of->robin[s] = p->robin[mapping_side(&image->map, (enum side)s)];
+    }
+}
+
+void mapping_image(const struct mapping *m, const struct problem *p, struct image *image) {
+    *image = (struct image){.problem = *p, .of = p, .map = *m, .interface_axis = mapping_axis(m, 0)};
+    struct problem *of = &image->problem;
+    of->data = image;
+    of->initial = initial;
+    of->wall = wall;
+    if (p->source) of->source = source;
+    if (p->source_change) of->source_change = source_change;
+    for (int a = 0; a < p->dim; a++) image_axis(image, a);
+    if (p->materials == 2 && m->against[image->interface_axis]) {
+        struct material first = of->material[0];
+        of->material[0] = of->material[1], of->material[1] = first;
+        of->interface = 0 - p->interface;
+    }
+}

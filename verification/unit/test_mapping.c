@@ -1,0 +1,165 @@
+/* The image of a scene obeys its own equation, in each of its axes; and the words that say which it is. */
+#include "references/mapping.h"
+#include "verification/foreign/case_file.h"
+#include "verification/oracle/columns.h"
+
+#include "verification/unit/odd_scenes.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+#include <gsl/gsl_errno.h>
+
+static const char *const of_rod[] = {"x", "-x"}, *const of_plane[] = {"x,y", "-x,y", "x,-y", "-x,-y",
+                                                                      "y,x", "-y,x", "y,-x", "-y,-x"};
+
+static void words_are_read_as_they_are_printed(void **state) {
+    (void)state;
+    static const char *const wrong[] = {"", "z", "x,", "x,x", "-y,-y", "y", "--x", "x,y,x", "x y", "-", "x,-"};
+    char text[MAPPING_WORDS];
+    for (int i = 0; i < 10; i++) {
+        struct mapping m = {0};
+        const char *word = i < 2 ? of_rod[i] : of_plane[i - 2];
+        assert_int_equal(mapping_read(word, &m), 0);
+        assert_int_equal(m.axes, i < 2 ? 1 : 2);
+        mapping_print(&m, text);
+        assert_string_equal(text, word);
+    }
+    for (size_t i = 0; i < sizeof wrong / sizeof *wrong; i++) {
+        struct mapping m = {.axes = 2, .swap = 1, .scale = 3};
+        if (mapping_read(wrong[i], &m) == 0) fail_msg("'%s' is taken", wrong[i]);
+        assert_true(m.axes == 2 && m.swap == 1 && m.scale == 3);
+    }
+    struct mapping m = {0};
+    mapping_read("-y,x", &m);
+    double to[2];
+    mapping_to_scene(&m, 2, (double[2]){3, 5}, to); /* x = -(scene's y) = 3, y = (scene's x) = 5 */
+    assert_true(to[0] == 5 && to[1] == -3);
+    assert_int_equal(mapping_side(&m, X_LO), Y_HI);
+    assert_int_equal(mapping_side(&m, Y_HI), X_HI);
+}
+
+struct told {
+    double T, start, source, k[2], rho_c, flux[2], wall[2][3];
+};
+
+/* All that the oracle tells of the image at x. */
+static struct told told_at(const struct scene *s, const struct image *image, const double x[2], double t) {
+    static const char *const what[2] = {"temperature,initial,source,rho_c,k_x,flux_x,wall_x",
+                                        "temperature,initial,source,rho_c,k_x,flux_x,wall_x,k_y,flux_y,wall_y"};
+    struct columns c;
+    struct failure why = {0};
+    double v[COLUMNS_VALUES] = {0}, at[2];
+    if (columns_parse(what[image->problem.dim - 1], image->problem.dim, &c, &why)) fail_msg("%s", why.text);
+    mapping_to_scene(&image->map, image->problem.dim, x, at);
+    struct exact e = s->exact(image->of, at, t);
+    columns_values(&c, image, t, x, NULL, &e, v);
+    struct told told = {v[0], v[1], v[2], {v[4], v[9]}, v[3], {v[5], v[10]}, {{0}, {0}}};
+    memcpy(told.wall, v + 6, sizeof *told.wall);
+    memcpy(told.wall[1], v + 11, sizeof *told.wall);
+    return told;
+}
+
+/* rho_c dT/dt = -div(flux) + G within, by differences over d and over the time that heat takes for them; flux = -k
+ * grad T. */
+static double equation_is_off(const struct scene *s, const struct image *image, const double x[2], double t) {
+    const struct problem *p = &image->problem;
+    double d = s->odd.step / 4, dt = 1e-4 * t, off = 0;
+    struct told here = told_at(s, image, x, t);
+    double rise = (told_at(s, image, x, t + dt).T - told_at(s, image, x, t - dt).T) / (2 * dt), into = here.source;
+    for (int a = 0; a < p->dim; a++) {
+        double lo[2] = {x[0], x[1]}, hi[2] = {x[0], x[1]};
+        lo[a] -= d, hi[a] += d;
+        struct told below = told_at(s, image, lo, t), above = told_at(s, image, hi, t);
+        into -= (above.flux[a] - below.flux[a]) / (2 * d);
+        off = fmax(off, fabs(here.flux[a] + here.k[a] * (above.T - below.T) / (2 * d)) / (here.k[a] / d));
+    }
+    return fmax(off, fabs(here.rho_c * rise - into) / (here.rho_c / t));
+}
+
+/* What the law of side i asks for at x, in units of the temperature. */
+static double side_is_off(const struct scene *s, const struct image *image, int i, const double x[2], double t) {
+    struct told here = told_at(s, image, x, t);
+    int a = i / 2;
+    const double *wall = here.wall[a];
+    double into = i % 2 ? -here.flux[a] : here.flux[a]; /* k dT/dn: what flows in */
+    if (wall[0] == 1) return fabs(here.T - wall[1]);
+    double law = wall[0] == 2 ? wall[1] : wall[2] * (wall[1] - here.T);
+    return fabs(into - law) / (here.k[a] / (image->problem.hi[a] - image->problem.lo[a]));
+}
+
+/* Differences of the second order over a quarter of the scene's own step leave below 1e-2 of its temperatures; a
+ * sign, a swap or a lost scale leaves some tenths. */
+static void an_image_obeys_its_equation(void **state) {
+    (void)state;
+    static const char *const name[] = {"rod-contact", "rod-cooling", "rect-manufactured", "plate-cooling"};
+    for (int n = 0; n < 4; n++)
+        for (int i = 0; i < (n < 2 ? 2 : 8); i++) {
+            struct problem of;
+            struct image image;
+            struct mapping m = {.scale = 1.7, .offset = -2.3};
+            const struct scene *s = odd_find(name[n], &of);
+            mapping_read(n < 2 ? of_rod[i] : of_plane[i], &m);
+            mapping_image(&m, &of, &image);
+            const struct problem *p = &image.problem;
+            double t = of.t_end, bound = 0.02 * s->odd.scale, worst[3] = {0}, x[2] = {0};
+            for (int k = 0; k < 9; k++) {
+                for (int a = 0; a < p->dim; a++)
+                    x[a] = p->lo[a] + (p->hi[a] - p->lo[a]) * (0.13 + 0.091 * (a ? 8 - k : k));
+                int across = image.interface_axis;
+                if (p->materials == 2 && fabs(x[across] - p->interface) < s->odd.step) continue;
+                worst[0] = fmax(worst[0], equation_is_off(s, &image, x, t));
+                struct told start = told_at(s, &image, x, 0);
+                worst[2] = fmax(worst[2], fabs(start.start - start.T));
+                for (int side = 0; side < 2 * p->dim; side++) {
+                    double foot[2] = {x[0], x[1]};
+                    foot[side / 2] = side % 2 ? p->hi[side / 2] : p->lo[side / 2];
+                    worst[1] = fmax(worst[1], side_is_off(s, &image, side, foot, t));
+                }
+            }
+            if (!(worst[0] < bound && worst[1] < bound && worst[2] < bound))
+                fail_msg("%s, %s: equation %.2g, sides %.2g, start %.2g of %.2g", name[n],
+                         n < 2 ? of_rod[i] : of_plane[i], worst[0], worst[1], worst[2], bound);
+        }
+}
+
+/* The interface is across the case's y, and the material of the scene's lower half lies above it there. */
+static void a_case_has_its_own_axes(void **state) {
+    (void)state;
+    struct problem of;
+    struct mapping m = {.scale = 2, .offset = -3};
+    const struct scene *s = odd_find("rect-manufactured", &of);
+    struct options o = {.dx = 0.1};
+    char *text, value[600];
+    size_t size;
+    of.materials = 2, of.interface = 0.3; /* no scene of the plane has two */
+    of.material[1] = (struct material){{7, 11}, 13};
+    mapping_read("y,-x", &m);
+    FILE *out = open_memstream(&text, &size);
+    case_file_write(s, &of, &o, &(struct case_extra){.label = "mine", .map = &m}, out);
+    fclose(out);
+    static const char *const says[][2] = {{"map", "y,-x"},           {"scale", "2"},
+                                          {"offset", "-3"},          {"interface", "-0."},
+                                          {"interface_axis", "y"},   {"k_x", "11, 0.006"},
+                                          {"k_y", "7, 0.02"},        {"rho_c", "13, 1.8"},
+                                          {"lo", "0, -0.9"},         {"hi", "0.59999999999999998, 0"},
+                                          {"cells", "6, 9"},         {"side_x_lo", "neumann"},
+                                          {"side_y_hi", "dirichlet"}};
+    for (size_t i = 0; i < sizeof says / sizeof *says; i++) {
+        if (case_file_value(text, says[i][0], value, sizeof value) || strncmp(value, says[i][1], strlen(says[i][1])))
+            fail_msg("%s = %s, not %s", says[i][0], value, says[i][1]);
+    }
+    if (case_file_value(text, "oracle", value, sizeof value)) fail();
+    assert_non_null(strstr(value, " --map y,-x --scale 2 --offset -3"));
+    free(text);
+}
+
+int main(void) {
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(words_are_read_as_they_are_printed),
+        cmocka_unit_test(an_image_obeys_its_equation),
+        cmocka_unit_test(a_case_has_its_own_axes),
+    };
+    gsl_set_error_handler_off();
+    return cmocka_run_group_tests_name("mapping", tests, NULL, NULL);
+}
