@@ -23,6 +23,7 @@ endif
 ifneq ($(filter / . .. ./ ../,$(BUILD)),)
 $(error BUILD='$(BUILD)': a folder of its own is wanted, `make clean` removes it)
 endif
+PYTHON3  ?= /usr/bin/python3
 LIBS     := gsl fftw3
 # Asked for when the first recipe needs them, and then once: `make setup test` installs pkg-config on the way.
 PKG_CFLAGS = $(eval PKG_CFLAGS := $$(shell pkg-config --cflags $(LIBS)))$(PKG_CFLAGS)
@@ -170,6 +171,28 @@ dist: ## Pack the last commit as build/heatladder-VERSION.tar.gz
 deb: dist ## Build Debian's package from that tarball (needs debhelper)
 	$(Q)scripts/debian-package $(BUILD) $(VERSION)
 
+# What a project needs to verify its code without a compiler: one static binary, alone, in a GitHub Action and in a
+# Python wheel.  The same sources give the same bytes, wherever the tree is.
+STATIC := $(BUILD)/static/heatladder
+
+.PHONY: static
+static: ## Build a static binary that needs no library: build/static/heatladder
+	+$(Q)$(MAKE) --no-print-directory BUILD=$(BUILD)/static CFLAGS='-O3 -ffile-prefix-map=$(CURDIR)=.' LDFLAGS='-static -s' all
+
+.PHONY: action
+action: static ## Pack the static binary as a GitHub Action: build/action
+	@rm -rf $(BUILD)/action && mkdir -p $(BUILD)/action
+	$(Q)cp scripts/action/action.yml scripts/action/verify.sh $(STATIC) LICENSE $(BUILD)/action/
+	@echo "  PACK  $(BUILD)/action"
+
+.PHONY: wheel
+wheel: static ## Pack the static binary and the Python package as a wheel: build/wheel/dist
+	@rm -rf $(BUILD)/wheel && mkdir -p $(BUILD)/wheel
+	$(Q)cp -R scripts/python/. $(BUILD)/wheel/ && mkdir -p $(BUILD)/wheel/heatladder/bin
+	$(Q)cp $(STATIC) $(BUILD)/wheel/heatladder/bin/heatladder
+	$(Q)cd $(BUILD)/wheel && SOURCE_DATE_EPOCH=$${SOURCE_DATE_EPOCH:-946684800} $(PYTHON3) -W ignore setup.py -q bdist_wheel
+	@echo "  PACK  $$(ls $(BUILD)/wheel/dist/*.whl)"
+
 .PHONY: clean distclean
 distclean: clean
 clean: ## Remove everything that was built
@@ -201,7 +224,7 @@ $(BUILD)/examples/cells_f90: verification/examples/cells.f90
 
 ##@ Verify
 
-SCRIPT_TESTS := $(addprefix scripts/,check_program check_limits check_memory check_make check_measured check_examples)
+SCRIPT_TESTS := $(addprefix scripts/,check_program check_limits check_memory check_make check_measured check_examples check_packages)
 .PHONY: test check
 check: test ## The same as test
 test: $(TESTS) $(BUILD)/heatladder examples ## Run the unit tests, the program as its user meets it, and the examples

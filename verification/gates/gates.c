@@ -91,8 +91,8 @@ int gates_status(const struct gates *g) {
     if (g->program && silent && silent + skipped == g->declared) return STATUS_NUMERICAL;
     if (g->declared == 0 || g->executed != g->declared || passed + unclear + skipped < g->declared)
         return STATUS_GATE;
-    if (!passed) unclear = 1;
-    return unclear ? STATUS_INCONCLUSIVE : STATUS_OK;
+    if (g->program && skipped == g->declared) return STATUS_SKIPPED;
+    return unclear || !passed ? STATUS_INCONCLUSIVE : STATUS_OK;
 }
 
 void gates_diagnosis(const struct gates *g, char *text, size_t size) {

@@ -71,8 +71,8 @@ void gates_judge(const struct gate *gate, const struct program *program, struct 
 void gates_command(const struct gate *gate, const struct program *program, char *text, size_t size);
 
 /* STATUS_OK where as many were executed as declared, none failed and one passed at least; STATUS_INCONCLUSIVE where
- * none failed, but some could not tell or all were skipped; STATUS_NUMERICAL where a program answered none that can
- * be judged; else STATUS_GATE. */
+ * none failed, but some did not decide; STATUS_SKIPPED where a program skipped all; STATUS_NUMERICAL where a program
+ * answered none that can be judged; else STATUS_GATE. */
 int gates_status(const struct gates *g);
 
 /* wording_all of those that do not hold. */

@@ -1,0 +1,134 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Tests of the package: $HEATLADDER is the program under test."""
+import math
+import os
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+
+import heatladder
+
+PACKAGE = Path(heatladder.__file__).parents[1]
+
+# An explicit scheme for one material on a rod, and the same with a conductivity 5 % too large.
+SOLVER = '''
+import math
+import heatladder
+
+def solve(case, factor=1.0):
+    if case.dim != 1 or case["materials"] != "1" or case["source"] != "no":
+        raise heatladder.NotApplicable
+    (lo,), (hi,), (n,), (dx,) = case.lo, case.hi, case.cells, case.width
+    x = [lo + (i + 0.5) * dx for i in range(n)]
+    scene = heatladder.reference(case, [lo, *x, hi], "initial_heat,rho_c,k_x,wall_x", width=[dx])
+    T, rho_c, k, kind, value, b = (list(column) for column in scene.values())
+    kappa = factor * k[0] / rho_c[0]
+    coupling, flux = [], []  # of both walls, s^-1 and K s^-1
+    for wall in (0, -1):
+        beyond = 1 / b[wall] if kind[wall] == 3 else 0
+        coupling.append(0 if kind[wall] == 2 else 1 / (dx / (2 * factor * k[0]) + beyond) / dx / rho_c[0])
+        flux.append(value[wall] / dx / rho_c[0] if kind[wall] == 2 else 0)
+    T[0], T[-1] = value[0], value[-1]
+    g = [coupling[0], *[kappa / dx ** 2] * (n - 1), coupling[1]]
+    steps = math.ceil(4 * case.t_end * kappa / dx ** 2)
+    for _ in range(steps):
+        q = [g[i] * (T[i + 1] - T[i]) for i in range(n + 1)]
+        rate = [q[i + 1] - q[i] for i in range(n)]
+        rate[0] += flux[0]
+        rate[-1] += flux[1]
+        T[1:-1] = [t + case.t_end / steps * r for t, r in zip(T[1:-1], rate)]
+    return x, T[1:-1]
+
+def wrong(case):
+    return solve(case, 1.05)
+
+def crashes(case):
+    raise ValueError("nothing here")
+
+if __name__ == "__main__":
+    heatladder.run(solve)
+'''
+
+
+@pytest.fixture
+def mine(tmp_path, monkeypatch):
+    (tmp_path / "mine.py").write_text(SOLVER)
+    monkeypatch.chdir(tmp_path)
+    monkeypatch.syspath_prepend(tmp_path)
+    monkeypatch.setenv("PYTHONPATH", f"{PACKAGE}{os.pathsep}{tmp_path}")
+    sys.modules.pop("mine", None)
+    import mine as module
+    return module
+
+
+def plugin(*words):
+    loaded = [] if (PACKAGE / "bin").exists() else ["-p", "heatladder.pytest_plugin"]
+    return subprocess.run([sys.executable, "-m", "pytest", "-p", "no:cacheprovider", *loaded, *words],
+                          stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True)
+
+
+def test_reference_gives_the_exact_solution():
+    sigma2 = 2.0 ** 2
+    found = heatladder.reference("rod-gauss", [0.0, 1.5], "temperature", time=3)
+    spread = sigma2 + 2 * 0.01 * 3
+    exact = [math.sqrt(sigma2 / spread) * math.exp(-x * x / (2 * spread)) for x in (0.0, 1.5)]
+    assert list(found["temperature"]) == pytest.approx(exact, rel=1e-12)
+
+
+def test_reference_takes_points_of_the_plane_and_means_over_cells():
+    found = heatladder.reference("square-step", [(0.0, 0.0), (1.9, 1.9)], "initial_mean", width=[0.1, 0.1])
+    assert list(found["initial_mean"]) == pytest.approx([10, 0], rel=1e-14)
+
+
+def test_a_refusal_is_an_error_with_the_programs_words():
+    with pytest.raises(heatladder.HeatladderError, match="rod-gaus"):
+        heatladder.reference("rod-gaus", [0.0], "temperature")
+
+
+def test_case_reads_numbers_and_text(tmp_path):
+    path = tmp_path / "case"
+    path.write_text("dim = 2\nlo = 0, 1\nhi = 2, 4\ncells = 4, 3\nt_end = 5\nsource = no\n")
+    case = heatladder.case(path)
+    assert (case.dim, case.width, case.t_end, case["source"]) == (2, [0.5, 1.0], 5.0, "no")
+
+
+def test_verify_holds_a_right_code_in_this_process(mine):
+    verdict = heatladder.verify(mine.solve, "--only", "walls/insulated", quiet=True)
+    assert (verdict.status, [gate["verdict"] for gate in verdict.gates]) == (0, ["pass"])
+
+
+def test_verify_names_the_fault_of_a_wrong_code(mine):
+    verdict = heatladder.verify(mine.wrong, "--only", "walls/insulated", quiet=True)
+    assert verdict.status == 1
+    assert "conductivity" in verdict.gates[0]["diagnosis"]
+
+
+def test_a_code_that_raises_is_a_failure_and_does_not_hang(mine):
+    assert heatladder.verify(mine.crashes, "--only", "walls/insulated", quiet=True).status not in (0, 77)
+
+
+def test_a_program_answers_one_case(mine, tmp_path):
+    heat = heatladder.program()
+    subprocess.run([heat, "case", "rod-cosine", "--dx", "0.1", "--into", "cases"], check=True, stdout=subprocess.DEVNULL)
+    (case,) = Path("cases").rglob("case")
+    subprocess.run([sys.executable, "mine.py", case, "out.csv"], check=True)
+    assert Path("out.csv").read_text().startswith("x,T\n0.05,")
+
+
+def test_pytest_has_a_test_for_each_row(mine):
+    run = plugin("--heatladder", "mine:solve", "--heatladder-options", "--only 'walls/*'")
+    assert run.returncode == 0, run.stdout
+    assert "2 passed" in run.stdout
+
+
+def test_pytest_shows_the_diagnosis_of_a_row_that_fails(mine):
+    run = plugin("--heatladder", "mine:wrong", "--heatladder-options", "--only walls/insulated")
+    assert run.returncode == 1, run.stdout
+    assert "diagnosis: as if the conductivity" in run.stdout
+
+
+def test_pytest_skips_what_the_code_is_not_for(mine):
+    run = plugin("-rs", "--heatladder", "mine:solve", "--heatladder-options", "--only 'contact/*'")
+    assert "3 skipped" in run.stdout, run.stdout
