@@ -360,10 +360,6 @@ bench-peers: $(BUILD)/heatladder $(BUILD)/peers/ftcs ## Chart SUNDIALS, SciPy an
 	scripts/plot $(OUT)/peers reports/bench/peers.gp $$data || exit 1; done; \
 	else echo "bench-peers: gnuplot is not here (make setup installs it); charts were not drawn"; fi
 
-.PHONY: bench-threads
-bench-threads: $(BUILD)/heatladder ## Time one thread and two, with nothing else to do and beside a busy program; a minute or two
-	$(Q)scripts/bench-threads $(BUILD)/heatladder
-
 .PHONY: league
 league: $(BUILD)/heatladder examples ## Run the battery on every example whose code is here, to reports/out/league (see setup-peers)
 	@mkdir -p $(OUT)/league

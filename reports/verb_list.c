@@ -3,6 +3,7 @@
 
 #include "references/scene.h"
 #include "solver/method.h"
+#include "solver/time/stepper.h"
 #include "reports/ledger/claims.h"
 #include "reports/papers.h"
 #include "verification/gates/battery.h"
@@ -55,7 +56,9 @@ static void list_kernels(void) {
 }
 
 static void list_steppers(void) {
-    list_words("steppers", stepper_words);
+    printf("steppers, auto where none is given:\n");
+    for (int i = 1; stepper_words[i]; i++)
+        printf("  %s: %s\n", stepper_words[i], stepper_of((enum stepper_name)i)->about);
 }
 
 static void list_gates(void) {

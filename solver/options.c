@@ -6,14 +6,11 @@
 
 const char *const kernel_words[] = {
     [KERNEL_CUBIC] = "cubic", [KERNEL_QUARTIC] = "quartic", [KERNEL_WENDLAND] = "wendland", NULL};
-const char *const stepper_words[] = {[STEPPER_AUTO] = "auto",
-                                     [STEPPER_EULER] = "euler",
-                                     [STEPPER_RK2] = "rk2",
-                                     [STEPPER_RKL2] = "rkl2",
-                                     [STEPPER_EXACT] = "exact",
-                                     [STEPPER_MATCHED] = "matched",
-                                     [STEPPER_CHEBYSHEV] = "chebyshev",
+#define STEPPER(NAME, name) #name,
+const char *const stepper_words[] = {"auto",
+#include "solver/steppers.def"
                                      NULL};
+#undef STEPPER
 const char *const layout_words[] = {[LAYOUT_LATTICE] = "lattice",
                                     [LAYOUT_NODE] = "node",
                                     [LAYOUT_JITTER] = "jitter",

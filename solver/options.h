@@ -6,14 +6,11 @@
 #include "solver/status.h"
 
 enum kernel_name { KERNEL_CUBIC, KERNEL_QUARTIC, KERNEL_WENDLAND };
-enum stepper {
-    STEPPER_AUTO,
-    STEPPER_EULER,
-    STEPPER_RK2,
-    STEPPER_RKL2,
-    STEPPER_EXACT,
-    STEPPER_MATCHED,
-    STEPPER_CHEBYSHEV
+enum stepper_name {
+    STEPPER_AUTO, /* what fits */
+#define STEPPER(NAME, name) STEPPER_##NAME,
+#include "solver/steppers.def"
+#undef STEPPER
 };
 enum layout_name { LAYOUT_LATTICE, LAYOUT_NODE, LAYOUT_JITTER, LAYOUT_RELAXED, LAYOUT_HEXAGONAL, LAYOUT_GRADED };
 enum sampling { SAMPLING_POINT, SAMPLING_CELL, SAMPLING_SPLINE };
@@ -38,7 +35,7 @@ struct options {
     int order;      /* Taylor order of so_ssph, 2 to 4; 0: not given */
     double xi;      /* --volume tuned: Pamplona's xi, m; 0: their xi = 9 h^(1/3) */
     enum kernel_name kernel;
-    enum stepper stepper;
+    enum stepper_name stepper;
     enum layout_name layout;
     double jitter;  /* particles lie (relaxed: start) uniformly within +-jitter dx of the lattice's */
     double grading; /* LAYOUT_GRADED: width of the last cell over the first's, along each axis; 0: the default, 4 */

@@ -3,7 +3,6 @@
 #include "solver/particles/particles.h"
 #include "solver/particles/redraw.h"
 #include "solver/particles/start.h"
-#include "solver/time/exact.h"
 #include "solver/time/matched.h"
 #include "solver/space/place.h"
 #include "solver/space/sample.h"
@@ -55,16 +54,16 @@ int particles_resolve(const struct problem *p, const struct options *o, const st
 
 int particles_prepare(const struct problem *p, const struct options *o, const struct scheme *s,
                       struct options *resolved, struct lattice *l, int *rows, struct failure *why) {
-    const enum stepper stepper = o->stepper;
+    const struct stepper *stepper = stepper_of(o->stepper);
     if (particles_resolve(p, o, s, resolved, why)) return why->status;
-    double ratio = stepper == STEPPER_MATCHED && p->dim == 2 ? sqrt(p->material[0].k[1] / p->material[0].k[0]) : 1;
+    double ratio = o->stepper == STEPPER_MATCHED && p->dim == 2 ? sqrt(p->material[0].k[1] / p->material[0].k[0]) : 1;
     if (layout_lattice(p, resolved, ratio, l, why)) return why->status;
     *rows = options_is_cloud(o) || p->materials == 2;
-    if (*rows && (stepper == STEPPER_MATCHED || stepper == STEPPER_EXACT))
+    if (!stepper || !stepper->needs) return STATUS_OK;
+    if (*rows)
         return refuse(why, STATUS_NOT_APPLICABLE, "--stepper %s: needs --layout lattice or node and one material",
-                      stepper_words[stepper]);
-    if (stepper == STEPPER_MATCHED) return matched_check(p, o, s, l, why);
-    return stepper == STEPPER_EXACT ? exact_check(l, why) : STATUS_OK;
+                      stepper->name);
+    return stepper->needs(p, o, s, l, why);
 }
 
 /* What source and fluxes can add in the time of the run, K.  A flux q through a side of a body of length L warms it
@@ -195,8 +194,9 @@ static int integrate(const struct problem *p, const struct options *o, const str
     double bound = operator_bound(a);
     if (particles_march(p, o, s, l, a, bound, &m, why)) return why->status;
     particles_count(p, o, s, l, a, &m, f);
-    if (o->stepper == STEPPER_EXACT) {
-        exact_evolve(a, p->t_end, f->T);
+    const struct stepper *stepper = stepper_of(o->stepper);
+    if (stepper->evolve) {
+        stepper->evolve(a, p->t_end, f->T);
         return STATUS_OK;
     }
     f->bound = bound;

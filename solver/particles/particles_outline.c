@@ -7,8 +7,6 @@
 #include "solver/particles/start.h"
 #include "solver/outline.h"
 #include "solver/space/sample.h"
-#include "solver/time/chebyshev.h"
-#include "solver/time/matched.h"
 
 #include <math.h>
 
@@ -26,34 +24,25 @@ static int is_rough(const struct problem *p, const struct lattice *l) {
 
 int particles_march(const struct problem *p, const struct options *o, const struct scheme *s, const struct lattice *l,
                     const struct heat_operator *a, double bound, struct march *m, struct failure *why) {
+    const struct stepper *stepper = stepper_of(o->stepper);
     *m = (struct march){.stepper = o->stepper, .time = p->t_end, .steps = 1, .stages = 1, .bound = bound};
-    if (o->stepper == STEPPER_EXACT) m->steps = m->stages = 0;
-    if (o->stepper == STEPPER_EXACT) return STATUS_OK;
-    if (o->stepper == STEPPER_MATCHED) {
-        struct matched plan;
-        if (matched_plan(p, o, s, a, &plan, why)) return why->status;
-        m->stepper = STEPPER_EULER, m->time = plan.run_time, m->steps = plan.steps, m->alternation = plan.alternation;
-        return STATUS_OK;
-    }
-    /* unasked: half of the stable step, for rkl2 as many steps as put its s^2 to use, for chebyshev one */
+    if (stepper->plan) return stepper->plan(p, o, s, a, m, why);
     double dt = o->dt;
     if (dt == 0 && o->fourier > 0) dt = o->fourier * l->dx[0] * l->dx[0] / problem_diffusivity(p);
-    if (dt == 0 && o->stepper == STEPPER_CHEBYSHEV) dt = p->t_end;
-    if (o->stepper == STEPPER_CHEBYSHEV) dt = fmin(dt, chebyshev_longest(bound));
-    if (dt == 0) dt = o->stepper == STEPPER_RKL2 ? sqrt(p->t_end / bound) : 1 / bound;
+    if (stepper->length) dt = stepper->length(dt, p->t_end, bound);
+    if (dt == 0) dt = 1 / bound;                                        /* half of the stable step */
     const char *name = o->fourier > 0 && o->dt == 0 ? "fourier" : "dt"; /* what was asked for, for messages */
     double asked = o->fourier > 0 && o->dt == 0 ? o->fourier : dt;
     if (!(dt > 0) || !isfinite(dt)) return refuse(why, STATUS_INPUT, "--%s %g: makes steps of %g s", name, asked, dt);
     double steps = ceil(p->t_end / dt - 1e-9);
     if (steps > 1e12) return refuse(why, STATUS_INPUT, "--%s %g: more than 1e12 steps", name, asked);
     m->steps = (long long)fmax(1, steps);
-    if (m->stepper == STEPPER_RK2) m->stages = 2;
-    if (m->stepper == STEPPER_CHEBYSHEV) m->stages = chebyshev_degree(m->time / (double)m->steps, bound);
-    if (m->stepper == STEPPER_RKL2) m->stages = stepper_stages(m->time / (double)m->steps, bound);
-    if (m->stepper == STEPPER_RKL2 && is_rough(p, l)) stepper_start(m->time / (double)m->steps, bound, m->start);
+    dt = m->time / (double)m->steps;
+    m->stages = stepper->count ? stepper->count(dt, bound) : stepper->stages;
+    if (stepper->first && is_rough(p, l)) stepper->first(dt, bound, m->start);
     if (m->stages > STEPPER_STAGES_MAX)
-        return refuse(why, STATUS_INPUT, "--%s %g: a step would take rkl2 more than %d stages; take more steps", name,
-                      asked, STEPPER_STAGES_MAX);
+        return refuse(why, STATUS_INPUT, "--%s %g: a step would take %s more than %d stages; take more steps", name,
+                      asked, stepper->name, STEPPER_STAGES_MAX);
     if ((double)a->pairs * (double)m->steps * m->stages > 9e18)
         return refuse(why, STATUS_INPUT, "--%s %g: more interactions than can be counted, 9e18", name, asked);
     return STATUS_OK;
@@ -149,10 +138,9 @@ static void hold(const struct problem *p, const struct options *o, const struct 
     if (o->stepper == STEPPER_EXACT && p->dim == 1)
         outline_hold(out, "rates of the modes and a transform", a->n * (size_t)(a->reach[0] + 2) * unit,
                      OUTLINE_SET_UP, OUTLINE_SET_UP);
-    if (o->stepper != STEPPER_EXACT)
-        outline_hold(
-            out, stepper_arrays(m->stepper) == 3 ? "three states with their ghosts" : "two states with their ghosts",
-            (size_t)stepper_arrays(m->stepper) * a->state * unit, OUTLINE_STEPS, OUTLINE_STEPS);
+    const int states = m->steps ? stepper_of(m->stepper)->arrays : 0;
+    outline_hold(out, states == 3 ? "three states with their ghosts" : "two states with their ghosts",
+                 (size_t)states * a->state * unit, OUTLINE_STEPS, OUTLINE_STEPS);
 }
 
 static const char *weights_of(const struct problem *p, int rows) {

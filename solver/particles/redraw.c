@@ -11,7 +11,6 @@
 #include "solver/particles/ssph.h"
 #include "solver/space/kernel.h"
 #include "solver/space/neighbours.h"
-#include "solver/time/chebyshev.h"
 
 #include <stdlib.h>
 #include <string.h>
@@ -109,8 +108,8 @@ int redraw_march(const struct problem *p, const struct options *given, const str
         part.steps = m->steps - done < o.redraw ? m->steps - done : o.redraw;
         part.time = dt * (double)part.steps;
         part.bound = operator_bound(a);
-        if (m->stepper == STEPPER_RKL2) part.stages = stepper_stages(dt, part.bound);
-        if (m->stepper == STEPPER_CHEBYSHEV) part.stages = chebyshev_degree(dt, part.bound);
+        const struct stepper *stepper = stepper_of(m->stepper);
+        if (stepper->count) part.stages = stepper->count(dt, part.bound);
         status = stepper_march(a, &part, f->T, &ignored, why);
         done += part.steps;
         if (!status && done < m->steps) status = draw(p, &o, s, l, a, f, why);

@@ -10,7 +10,6 @@
 #include "solver/space/relax.h"
 #include "solver/space/kernel.h"
 #include "solver/space/neighbours.h"
-#include "solver/team.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -90,6 +89,8 @@ static void push(const struct medium *m, const struct sorted *s, size_t i) {
     for (int a = 0; a < 2 && length > most; a++) v[a] *= most / length;
 }
 
+enum { SHARE = 1000 }; /* particles, of some twenty neighbours each, that are worth a thread */
+
 /* What moves all; returns its size, over the spacing. */
 static double sweep(struct medium *m, int threads) {
     struct sorted s;
@@ -141,13 +142,13 @@ int relax_cloud(const struct problem *p, const struct options *o, double spacing
     m.move = xcalloc(2 * c->n, sizeof *m.move);
     memcpy(m.c.x, c->x, c->n * sizeof *c->x);
     memcpy(m.c.y, c->y, c->n * sizeof *c->y);
-    struct team team = team_start(o->threads, 0);
+    size_t worth = c->n / SHARE;
+    int threads = o->threads < 2 || worth < 2 ? 1 : worth < (size_t)o->threads ? (int)worth : o->threads;
     for (s->sweeps = 0;; s->sweeps++) {
-        s->moved = sweep(&m, team_size(&team, s->sweeps > 0));
+        s->moved = sweep(&m, threads);
         if (s->moved <= SETTLED || s->sweeps == o->sweeps) break;
         displace(&m);
     }
-    team_end(&team);
     survey(&m, s);
     memcpy(c->x, m.c.x, c->n * sizeof *c->x);
     memcpy(c->y, m.c.y, c->n * sizeof *c->y);

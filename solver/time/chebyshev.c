@@ -17,6 +17,8 @@
  * half Gaussian of variance h, 0.2 h^(5/4) delta, which is 1e-10 at h = 2^17. */
 #include "solver/time/chebyshev.h"
 
+#include "solver/time/stepper.h"
+
 #include <math.h>
 #include <stdlib.h>
 
@@ -64,3 +66,15 @@ void chebyshev_updates(double dt, double bound, int degree, struct update *u) {
     }
     free(c);
 }
+
+static double length(double asked, double time, double bound) {
+    return fmin(asked > 0 ? asked : time, chebyshev_longest(bound));
+}
+
+const struct stepper stepper_chebyshev = {
+    .name = "chebyshev",
+    .about = "exp(tA) by polynomials, to rounding; where two runs do not agree, more steps",
+    .arrays = 3,
+    .count = chebyshev_degree,
+    .length = length,
+    .updates = chebyshev_updates};

@@ -15,6 +15,8 @@
  * Both are tried as long as the counted work of elimination stays below that of FFTW's transform. */
 #include "solver/time/exact.h"
 
+#include "solver/time/stepper.h"
+
 #include "solver/time/products.h"
 #include "solver/sweep/state.h"
 #include "solver/time/transform.h"
@@ -279,3 +281,22 @@ void exact_evolve(const struct heat_operator *a, double t, double *T) {
     for (int axis = 0; axis < 2; axis++) free(s.versine[axis]);
     transform_free(s.transform);
 }
+
+static int needs(const struct problem *p, const struct options *o, const struct scheme *s, const struct lattice *l,
+                 struct failure *why) {
+    (void)p, (void)o, (void)s;
+    return exact_check(l, why);
+}
+
+static int plan(const struct problem *p, const struct options *o, const struct scheme *s,
+                const struct heat_operator *a, struct march *m, struct failure *why) {
+    (void)p, (void)o, (void)s, (void)a, (void)why;
+    m->steps = m->stages = 0;
+    return STATUS_OK;
+}
+
+const struct stepper stepper_exact = {.name = "exact",
+                                      .about = "exp(tA) in one pair of transforms: one stencil and walls that mirror",
+                                      .needs = needs,
+                                      .plan = plan,
+                                      .evolve = exact_evolve};

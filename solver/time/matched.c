@@ -37,6 +37,7 @@
  */
 #include "solver/time/matched.h"
 #include "solver/space/sample.h"
+#include "solver/time/stepper.h"
 
 #include <gsl/gsl_errno.h>
 #include <gsl/gsl_roots.h>
@@ -261,20 +262,28 @@ static int matching_step(const struct problem *p, const struct options *o, const
     return STATUS_OK;
 }
 
-int matched_plan(const struct problem *p, const struct options *o, const struct scheme *s,
-                 const struct heat_operator *a, struct matched *m, struct failure *why) {
+/* An even count of Euler steps that alternate between dt (1 + alternation) and dt (1 - alternation), and the time
+ * that they run.  With --fourier F that step instead of the one that matches, which shows what the match is worth. */
+static int plan(const struct problem *p, const struct options *o, const struct scheme *s,
+                const struct heat_operator *a, struct march *m, struct failure *why) {
     double F, kappa = p->material[0].k[0] / p->material[0].rho_c, dx2 = a->lattice.dx[0] * a->lattice.dx[0];
     if (o->dt > 0) return refuse(why, STATUS_INPUT, "--stepper matched: sets the step itself; leave out --dt");
     if (matching_step(p, o, s, a, kappa / dx2, &F, why)) return why->status;
-    m->run_time = p->t_end - start_time(p, o, &a->lattice);
-    if (!(m->run_time > 0))
+    m->time = p->t_end - start_time(p, o, &a->lattice);
+    if (!(m->time > 0))
         return refuse(why, STATUS_INPUT, "--t-end %g: the averaged start is already at %g s", p->t_end,
-                      p->t_end - m->run_time);
-    double matching = m->run_time * kappa / (F * dx2); /* steps of F */
+                      p->t_end - m->time);
+    double matching = m->time * kappa / (F * dx2); /* steps of F */
     if (!(matching > 1e-6 && matching < 1e12))
         return refuse(why, STATUS_INPUT,
                       "--stepper matched: steps of F = %g go %.3g times into the run; 1e-6 to 1e12 do", F, matching);
     m->steps = 2 * (long long)ceil(matching / 2 - 1e-9);
     m->alternation = sqrt(fmax(0, (double)m->steps / matching - 1));
+    m->stepper = STEPPER_EULER;
     return STATUS_OK;
 }
+
+const struct stepper stepper_matched = {.name = "matched",
+                                        .about = "the step whose own error cancels that of space",
+                                        .needs = matched_check,
+                                        .plan = plan};

@@ -19,20 +19,11 @@ int matched_symbol(int dim, const struct options *o, const struct scheme *s, str
 /* The h/dx nearest to 1.2 at which the error is isotropic (B = 2 A), to 1e-12.  STATUS_INPUT where there is none. */
 int matched_isotropic(const struct options *o, const struct scheme *s, double *h, struct failure *why);
 
-/* An even count of Euler steps that alternate between dt (1 + alternation) and dt (1 - alternation), and the time
- * that they run, s, for the problem on the lattice of the operator *a, which the scheme made.  With --fourier F that
- * step instead of the one that matches, which shows what the match is worth. */
-struct matched {
-    double run_time, alternation;
-    long long steps;
-};
 /* Refuses starts whose order is not known: see matched.c. */
 int matched_check(const struct problem *p, const struct options *o, const struct scheme *s, const struct lattice *l,
                   struct failure *why);
 /* Adds to *a's g what the source takes to stay in step with the match, and to T (the sampled start, in the particles'
  * order, K) what it has given by the time that the clock starts. */
 void matched_source(const struct problem *p, const struct options *o, struct heat_operator *a, double *T);
-int matched_plan(const struct problem *p, const struct options *o, const struct scheme *s,
-                 const struct heat_operator *a, struct matched *m, struct failure *why);
 
 #endif

@@ -1,5 +1,6 @@
 /* The plan of a run: the method's outline at the stepper and the steps that the run will choose. */
 #include "verification/choose/plan.h"
+#include "solver/time/stepper.h"
 
 #include "verification/run/experiment.h"
 #include "verification/run/symmetry.h"
@@ -35,7 +36,7 @@ static void resolve_steps(struct experiment *e, int first, struct plan *plan) {
     if (o->stepper == STEPPER_AUTO && !given && particles) o->stepper = has_exact(e) ? STEPPER_EXACT : STEPPER_RKL2;
     if (o->stepper == STEPPER_AUTO) o->stepper = STEPPER_EULER;
     int polynomials = o->stepper == STEPPER_CHEBYSHEV;
-    plan->refined = !given && (o->stepper < STEPPER_EXACT || polynomials) && e->problem.t_end > 0;
+    plan->refined = !given && (stepper_of(o->stepper)->order > 0 || polynomials) && e->problem.t_end > 0;
     if (plan->refined && polynomials) o->dt = e->problem.t_end / 2; /* the second of two runs that agree */
     if (!plan->refined || polynomials) return;
     plan->forecast = plan_steps_predict(e, first);

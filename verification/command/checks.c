@@ -1,5 +1,6 @@
 /* What no single option can see: which ones a verb lacks, which contradict or need each other. */
 #include "verification/command/checks.h"
+#include "solver/time/stepper.h"
 
 #include "references/scene.h"
 #include "verification/command/option.h"
@@ -27,10 +28,11 @@ int checks_required(const struct request *r, struct failure *why) {
 /* Options of the model and of the rungs. */
 static int check_options(const struct request *r, struct failure *why) {
     const struct options *o = &r->experiment.options;
+    const struct stepper *stepper = stepper_of(o->stepper);
     if (r->rungs.dt.count && r->rungs.fourier.count)
         return refuse(why, STATUS_INPUT, "--dt and --fourier both set the time step; give one of them");
-    if ((r->rungs.dt.count || r->rungs.fourier.count) && o->stepper == STEPPER_EXACT)
-        return refuse(why, STATUS_INPUT, "--stepper exact: has no time step; leave out --%s",
+    if ((r->rungs.dt.count || r->rungs.fourier.count) && stepper && stepper->evolve)
+        return refuse(why, STATUS_INPUT, "--stepper %s: has no time step; leave out --%s", stepper->name,
                       r->rungs.dt.count ? "dt" : "fourier");
     if (o->jitter > 0 && o->layout != LAYOUT_JITTER && o->layout != LAYOUT_RELAXED)
         return refuse(why, STATUS_INPUT, "--jitter %g: needs --layout jitter or relaxed", o->jitter);
@@ -43,10 +45,10 @@ static int check_options(const struct request *r, struct failure *why) {
     if (r->experiment.time_error > 0 && (r->rungs.dt.count || r->rungs.fourier.count))
         return refuse(why, STATUS_INPUT, "--time-error %g: finds the time step; leave out --dt and --fourier",
                       r->experiment.time_error);
-    if (r->experiment.time_error > 0 && (o->stepper == STEPPER_EXACT || o->stepper >= STEPPER_MATCHED))
+    if (r->experiment.time_error > 0 && stepper && stepper->order == 0)
         return refuse(why, STATUS_INPUT,
                       "--time-error %g: --stepper %s leaves no time step to choose; euler, rk2 and rkl2 do",
-                      r->experiment.time_error, stepper_words[o->stepper]);
+                      r->experiment.time_error, stepper->name);
     if (o->xi > 0 && o->volume != VOLUME_TUNED)
         return refuse(why, STATUS_INPUT, "--xi %g: needs --volume tuned", o->xi);
     if (r->at.count > 2 || (r->at.count && r->experiment.scene && r->at.count != r->experiment.problem.dim))

@@ -14,6 +14,7 @@
  * For --time-error the steps are halved until the error is what is asked for; then the longest step is looked for: a
  * run of fewer steps is measured against T_inf.  Norms are E1's. */
 #include "verification/run/time_step.h"
+#include "solver/time/stepper.h"
 
 #include "references/scene.h"
 #include "verification/foreign/program.h"
@@ -56,7 +57,8 @@ static int try_steps(struct search *s, double steps, struct trial *t, struct fai
 }
 
 int time_step_order(const struct options *o) {
-    return o->stepper == STEPPER_EULER ? 1 : 2;
+    const struct stepper *s = stepper_of(o->stepper);
+    return s && s->order > 0 ? s->order : 2;
 }
 
 double time_step_first(const struct experiment *e) {
@@ -250,10 +252,10 @@ int time_step_solve(struct experiment *e, struct field *f, struct time_step *ste
         o->stepper = STEPPER_RKL2;
     }
     if (o->stepper == STEPPER_AUTO) o->stepper = STEPPER_EULER;
-    if (o->stepper == STEPPER_EXACT) stepping->time_error = 0;
+    if (stepper_of(o->stepper)->evolve) stepping->time_error = 0;
     if (o->stepper == STEPPER_CHEBYSHEV && !given && e->problem.t_end > 0)
         return solve_by_polynomials(e, f, stepping, why);
-    if (given || o->stepper >= STEPPER_EXACT || e->problem.t_end <= 0)
+    if (given || stepper_of(o->stepper)->order == 0 || e->problem.t_end <= 0)
         return symmetry_solve(e->method, &e->problem, o, f, why);
     return solve_searched(e, f, stepping, why);
 }

@@ -2,15 +2,15 @@
 #define HEATLADDER_VERIFICATION_STABILITY_AMPLIFICATION_H
 
 /* What a stepper makes of dT/dt = lambda T in one step: T -> G(dt lambda) T, from closed forms that share nothing
- * with solver/time/stepper.c. */
+ * with its updates. */
 
 #include "solver/method.h"
 
 #include <complex.h>
 
 struct amplification {
-    enum stepper stepper; /* STEPPER_EULER, STEPPER_RK2 or STEPPER_RKL2 */
-    int stages;           /* STEPPER_RKL2 */
+    enum stepper_name stepper; /* one that has an amplification */
+    int stages;                /* where it has them to choose */
 };
 
 /* G(z), z = dt lambda, without a unit. */

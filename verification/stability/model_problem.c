@@ -162,7 +162,7 @@ int model_problem_run(const struct model_problem *b, const struct problem *given
     struct problem p = *given;
     struct options o = b->options;
     struct field f;
-    if (b->step.stepper == STEPPER_RKL2) return march(b, &p, F, steps, largest, why);
+    if (stepper_of(b->step.stepper)->count) return march(b, &p, F, steps, largest, why);
     p.t_end = F * (double)steps;
     o.dt = F;
     if (method_solve(b->method, &p, &o, &f, why)) return why->status;

@@ -13,8 +13,11 @@
  * long as the first, 500 dx^2/kappa, and where a 64th of it still grows no step is stable. */
 #include "verification/stability/step_limit.h"
 
+#include "solver/time/stepper.h"
+
 #include "verification/stability/spectrum.h"
 #include "verification/stability/symbol.h"
+#include "verification/text/words.h"
 
 #include <math.h>
 #include <string.h>
@@ -30,17 +33,25 @@ int step_limit_model(struct model_problem *b, struct failure *why) {
     return model_problem_resolve(b, b->dim == 1 ? LIMIT_ROD : cloud ? LIMIT_SQUARE_JITTER : LIMIT_SQUARE, why);
 }
 
+static int refuse_stepper(const char *name, struct failure *why) {
+    const char *names[WORDS_MAX] = {0};
+    char text[200];
+    for (int i = 1, n = 0; stepper_words[i] && n < WORDS_MAX - 1; i++)
+        if (stepper_of((enum stepper_name)i)->amplification) names[n++] = stepper_words[i];
+    words_join(names, text, sizeof text);
+    return refuse(why, STATUS_INPUT, "--stepper %s: limit takes %s", name, text);
+}
+
 int step_limit_setup(const struct method *m, const struct options *o, int dim, double ratio, int stages,
                      struct model_problem *b, struct failure *why) {
     *b = (struct model_problem){.method = m, .dim = dim, .ratio = ratio, .options = *o, .step = {o->stepper, stages}};
     if (ratio > 0 && dim == 1)
         return refuse(why, STATUS_INPUT, "--ratio %g: a rod has one diffusivity; --dim 2 has two", ratio);
-    if (b->step.stepper >= STEPPER_EXACT)
-        return refuse(why, STATUS_INPUT, "--stepper %s: limit takes euler, rk2 and rkl2",
-                      stepper_words[b->step.stepper]);
-    if (b->step.stepper > STEPPER_EULER && !m->scheme)
-        return refuse(why, STATUS_INPUT, "--stepper %s: %s has euler", stepper_words[b->step.stepper], m->name);
-    if (b->step.stepper == STEPPER_RKL2 ? stages < 3 : stages > 0)
+    const struct stepper *stepper = stepper_of(b->step.stepper);
+    if (stepper && !stepper->amplification) return refuse_stepper(stepper->name, why);
+    if (stepper && stepper != stepper_of(STEPPER_EULER) && !m->scheme)
+        return refuse(why, STATUS_INPUT, "--stepper %s: %s has euler", stepper->name, m->name);
+    if (stepper && stepper->count ? stages < 3 : stages > 0)
         return refuse(why, STATUS_INPUT, "--stepper rkl2 and --stages N (3 or more) need each other");
     return step_limit_model(b, why);
 }

@@ -1,4 +1,5 @@
 /* What a run counts and reports beside its errors, by hand: pairs, stages, applications, the mesh Fourier number. */
+#include "solver/time/rkl2.h"
 #include "solver/time/stepper.h"
 #include "verification/command/arguments.h"
 #include "verification/run/run.h"
@@ -36,7 +37,7 @@ static void the_fourier_number_is_that_of_the_step(void **state) {
 static void stages_are_the_fewest_that_are_stable(void **state) {
     (void)state;
     for (double z = 0.01; z < 1e6; z *= 1.37) {
-        int s = stepper_stages(z / 7.3, 7.3);
+        int s = rkl2_stages(z / 7.3, 7.3);
         assert_true(s >= 3 && s % 2 == 1);
         assert_true(z <= (s * s + s - 2) / 2.0 * (1 + 1e-8));
         if (s > 3) assert_true(z > ((s - 2) * (s - 2) + (s - 2) - 2) / 2.0);
@@ -47,8 +48,8 @@ static void the_bound_of_stages_is_met(void **state) {
     (void)state;
     for (int s = 3; s < 1000; s += 2) {
         double z = (s * s + s - 2) / 2.0;
-        assert_int_equal(stepper_stages(z * (1 - 1e-6), 1), s);
-        assert_int_equal(stepper_stages(z * (1 + 1e-6), 1), s + 2);
+        assert_int_equal(rkl2_stages(z * (1 - 1e-6), 1), s);
+        assert_int_equal(rkl2_stages(z * (1 + 1e-6), 1), s + 2);
     }
 }
 
@@ -58,21 +59,33 @@ static void a_damped_start_takes_what_its_parts_need(void **state) {
     (void)state;
     for (double z = 0.01; z < 1e6; z *= 1.37) {
         int s[2];
-        stepper_start(z / 7.3, 7.3, s);
+        rkl2_start(z / 7.3, 7.3, s);
         assert_true(s[0] >= 2 && z <= 4.0 / 3 * (s[0] * (s[0] + 5) - 6) * (1 + 1e-8));
         if (s[0] > 2) assert_true(z > 4.0 / 3 * ((s[0] - 1) * (s[0] + 4) - 6));
-        assert_int_equal(s[1], stepper_stages(z / 2, 1));
+        assert_int_equal(s[1], rkl2_stages(z / 2, 1));
     }
     struct result r = result_of("run rod-step so_ssph --dx 0.02 --stepper rkl2 --dt 0.5 --domain whole");
     long long first = r.updates / (long long)r.particles - (r.steps - 1) * r.stages;
     int least[2], most[2], s = r.stages;
-    stepper_start(1, ((s - 2) * (s - 1) - 2) / 2.0, least);
-    stepper_start(1, (s * (s + 1) - 2) / 2.0, most);
+    rkl2_start(1, ((s - 2) * (s - 1) - 2) / 2.0, least);
+    rkl2_start(1, (s * (s + 1) - 2) / 2.0, most);
     assert_true(s > 3 && first >= 2 * least[0] + least[1] && first <= 2 * most[0] + most[1]);
+}
+
+/* n particles do 8 n updates between two waits. */
+static void threads_have_work(void **state) {
+    (void)state;
+    const size_t one = STEPPER_SHARE / 8;
+    assert_int_equal(stepper_threads(0, 100 * one), 1);
+    assert_int_equal(stepper_threads(4, 2 * one - 1), 1);
+    assert_int_equal(stepper_threads(4, 2 * one), 2);
+    assert_int_equal(stepper_threads(4, 3 * one), 3);
+    assert_int_equal(stepper_threads(4, 100 * one), 4);
 }
 
 int main(void) {
     const struct CMUnitTest tests[] = {
+        cmocka_unit_test(threads_have_work),
         cmocka_unit_test(pairs_are_neighbours),
         cmocka_unit_test(the_fourier_number_is_that_of_the_step),
         cmocka_unit_test(stages_are_the_fewest_that_are_stable),

@@ -80,7 +80,7 @@ static void axes_can_be_exchanged(void **state) {
     const struct method *const all[] = {&method_so_ssph, &method_fo_ssph, &method_brookshaw, &method_ftcs,
                                         &method_ftcs_flux};
     static const enum sampling samplings[] = {SAMPLING_POINT, SAMPLING_CELL, SAMPLING_SPLINE};
-    static const enum stepper steppers[] = {STEPPER_EULER, STEPPER_EXACT, STEPPER_RKL2};
+    static const enum stepper_name steppers[] = {STEPPER_EULER, STEPPER_EXACT, STEPPER_RKL2};
     for (int m = 0; m < 5; m++)
         for (int sides = 0; sides < 16; sides++)
             for (int layout = 0; layout < 2; layout++)

@@ -101,7 +101,7 @@ static void every_method_is_of_second_order(void **state) {
 /* The modes of the transform are those of the ghosts: no stepper but exact has a time error to hide behind. */
 static void all_steppers_agree_with_the_exact_one(void **state) {
     (void)state;
-    const enum stepper steppers[] = {STEPPER_EULER, STEPPER_RK2, STEPPER_RKL2, STEPPER_CHEBYSHEV};
+    const enum stepper_name steppers[] = {STEPPER_EULER, STEPPER_RK2, STEPPER_RKL2, STEPPER_CHEBYSHEV};
     for (int m = 0; m < PARTICLES; m++)
         for (int dim = 1; dim < 3; dim++) {
             struct problem p = cooled(dim);

@@ -1,5 +1,6 @@
 /* heatladder plan: what a run would store and do, and why. */
 #include "verification/command/verb.h"
+#include "solver/time/stepper.h"
 
 #include "references/scene.h"
 #include "verification/choose/plan.h"
@@ -31,12 +32,9 @@ static void describe_steps(const struct experiment *e, const struct plan *plan, 
     char until[80];
     snprintf(until, sizeof until, "refined until the time error is 1 %%, within %g updates", TIME_STEP_UPDATES_MAX);
     if (e->time_error > 0) snprintf(until, sizeof until, "the longest whose time error is %g", e->time_error);
-    if (plan->options.stepper == STEPPER_EXACT)
-        snprintf(text, size, "exp(tA) in one pair of transforms: one stencil and walls that mirror");
-    else if (plan->options.stepper == STEPPER_MATCHED)
-        snprintf(text, size, "the step whose own error cancels that of space");
-    else if (plan->options.stepper == STEPPER_CHEBYSHEV)
-        snprintf(text, size, "exp(tA) by polynomials, to rounding; where two runs do not agree, more steps");
+    const struct stepper *stepper = stepper_of(plan->options.stepper);
+    if (stepper->order == 0)
+        snprintf(text, size, "%s", stepper->about);
     else if (!plan->refined)
         snprintf(text, size, "as asked");
     else if (f->steps == 0)

@@ -1,0 +1,26 @@
+/* Euler's method: T += dt L(T) (Song eqs. 31, 37).  |G| <= 1 from 0 to -2. */
+#include "solver/time/stepper.h"
+
+static void updates(double dt, double bound, int stages, struct update *u) {
+    (void)bound, (void)stages;
+    u[0] = (struct update){.rate = dt, .self = 1};
+}
+
+static double complex amplification(int stages, double complex z) {
+    (void)stages;
+    return 1 + z;
+}
+
+static double interval(int stages) {
+    (void)stages;
+    return 2;
+}
+
+const struct stepper stepper_euler = {.name = "euler",
+                                      .about = "Euler's method (Song)",
+                                      .order = 1,
+                                      .arrays = 2,
+                                      .stages = 1,
+                                      .updates = updates,
+                                      .amplification = amplification,
+                                      .interval = interval};

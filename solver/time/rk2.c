@@ -1,0 +1,27 @@
+/* The midpoint rule: H = T + dt/2 L(T), T += dt L(H) (Pamplona section 3.3).  |G| <= 1 from 0 to -2. */
+#include "solver/time/stepper.h"
+
+static void updates(double dt, double bound, int stages, struct update *u) {
+    (void)bound, (void)stages;
+    u[0] = (struct update){.rate = dt / 2, .self = 1};
+    u[1] = (struct update){.rate = dt, .old = 1};
+}
+
+static double complex amplification(int stages, double complex z) {
+    (void)stages;
+    return 1 + z + z * z / 2;
+}
+
+static double interval(int stages) {
+    (void)stages;
+    return 2;
+}
+
+const struct stepper stepper_rk2 = {.name = "rk2",
+                                    .about = "the midpoint rule (Pamplona)",
+                                    .order = 2,
+                                    .arrays = 2,
+                                    .stages = 2,
+                                    .updates = updates,
+                                    .amplification = amplification,
+                                    .interval = interval};

@@ -1,0 +1,96 @@
+/* Runge-Kutta-Legendre super-time-stepping with s stages, second order (Meyer, Balsara & Aslam 2014, eqs. 16-18),
+ * stable for dt <= (s^2 + s - 2) / (2 |lambda|_max).
+ *
+ * Its stages are Y_j = (1 - b_j) Y_0 + b_j u_j with u_j = P_j(1 + w dt L) T, P_j Legendre's polynomial,
+ * w = 4 / (s^2 + s - 2) and b_j = (j^2 + j - 2) / (2 j (j + 1)).  For a linear operator the u_j need neither Y_0 nor
+ * L(Y_0), but the recurrence of the polynomials alone (source and walls' values are a part of L, since its
+ * coefficients add up to 1):
+ *        u_j = (2j - 1)/j (u_{j-1} + w dt L(u_{j-1})) - (j - 1)/j u_{j-2},   T becomes (1 - b_s) T + b_s u_s,
+ * two states in place of four in each stage.
+ *
+ * RKL2 multiplies what is stiff by 1 - b_s, a half, a step: what a jump sets in motion takes twenty steps to go,
+ * however small the error of each.  Where there is one, two quarters of the first step are taken by Gegenbauer's
+ * polynomials with parameter 5/2, of first order, which have no such term (as Rannacher starts the method of Crank
+ * and Nicolson by implicit half steps), and its other half by RKL2:
+ *        T becomes C_s(1 + w (dt/4) L) T / C_s(1),   w = 6 / (s (s + 5)),
+ *        u_n = (2n + 3)/(n + 4) (u_{n-1} + w (dt/4) L(u_{n-1})) - (n - 1)/(n + 4) u_{n-2}.
+ * Two steps of error O(dt^2) leave the order at 2: they add (lambda dt)^2 / 64 to RKL2's lambda t (lambda dt)^2 / 18,
+ * of the other sign.  |C_s(x) / C_s(1)| falls as 1 / (1 - x^2) away from x = 1, but is 1 at x = -1, so that x stays
+ * 12 / s^2 away from -1: stable and damping for dt/4 <= (s^2 + 5s - 6) / (3 |lambda|_max).
+ *
+ * Amplification: 1 - b + b P_s(1 + w z), w and b = b_s as above (eqs. 11, 13, 15). */
+#include "solver/time/rkl2.h"
+
+#include "solver/time/stepper.h"
+
+#include <math.h>
+
+int rkl2_stages(double dt, double bound) {
+    double s = ceil((sqrt(9 + 8 * dt * bound) - 1) / 2 - 1e-9);
+    return s < 3                    ? 3
+           : s > STEPPER_STAGES_MAX ? STEPPER_STAGES_MAX + 1
+                                    : (int)s | 1; /* odd: even counts damp the highest modes less */
+}
+
+void rkl2_start(double dt, double bound, int stages[2]) {
+    double s = fmax(2, ceil((sqrt(49 + 3 * dt * bound) - 5) / 2));
+    stages[0] = s > STEPPER_STAGES_MAX ? STEPPER_STAGES_MAX + 1 : (int)s;
+    stages[1] = rkl2_stages(dt / 2, bound);
+}
+
+/* As many steps as put s^2 to use. */
+static double length(double asked, double time, double bound) {
+    return asked > 0 ? asked : sqrt(time / bound);
+}
+
+static void updates(double dt, double bound, int s, struct update *u) {
+    (void)bound;
+    double all = (double)s * s + s, w = 4 / (all - 2), b = (all - 2) / (2 * all);
+    u[0] = (struct update){.rate = w * dt, .self = 1};
+    for (int j = 2; j <= s; j++) {
+        double self = (2.0 * j - 1) / j, part = j == s ? b : 1;
+        struct update *to = &u[j - 1];
+        *to = (struct update){.rate = part * self * w * dt, .self = part * self, .old = part * (1 - self)};
+        if (j == 2) to->start = to->old, to->old = 0; /* u_0 */
+        if (j == s) to->start = 1 - b;
+    }
+}
+
+static void damp(double dt, int s, struct update *u) {
+    double w = 6 / ((double)s * (s + 5.0));
+    for (int j = 1; j <= s; j++) {
+        double self = (2.0 * j + 3) / (j + 4);
+        u[j - 1] = (struct update){.rate = self * w * dt, .self = self, .old = 1 - self};
+    }
+}
+
+static double complex legendre(int s, double complex x) {
+    double complex older = 1, newer = x;
+    for (int j = 2; j <= s; j++) {
+        double complex next = ((2 * j - 1) * x * newer - (j - 1) * older) / j;
+        older = newer, newer = next;
+    }
+    return s == 0 ? 1 : newer;
+}
+
+static double complex amplification(int stages, double complex z) {
+    double s = stages, m = s * s + s - 2, b = m / (2 * s * (s + 1));
+    return 1 - b + b * legendre(stages, 1 + 4 / m * z);
+}
+
+static double interval(int stages) {
+    double s = stages;
+    return (s * s + s - 2) / 2;
+}
+
+const struct stepper stepper_rkl2 = {.name = "rkl2",
+                                     .about = "Runge-Kutta-Legendre: s stages for s^2/4 steps of Euler",
+                                     .order = 2,
+                                     .arrays = 3,
+                                     .count = rkl2_stages,
+                                     .length = length,
+                                     .updates = updates,
+                                     .first = rkl2_start,
+                                     .damp = damp,
+                                     .amplification = amplification,
+                                     .interval = interval};
