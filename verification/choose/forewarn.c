@@ -2,6 +2,7 @@
 #include "verification/choose/forewarn.h"
 
 #include "solver/status.h"
+#include "verification/choose/memory.h"
 #include "verification/choose/plan.h"
 #include "verification/choose/plan_steps.h"
 #include "verification/run/experiment.h"
@@ -38,6 +39,8 @@ double forewarn_seconds(const struct experiment *e) {
 
 int forewarn_run(const char *what, const struct experiment *e, struct failure *why) {
     struct plan plan;
+    if (is_short(e) && e->memory == 0) return STATUS_OK;
+    if (memory_check(e, why)) return why->status;
     int status = is_short(e) ? STATUS_NOT_APPLICABLE : plan_sketch(e, &plan, why);
     if (!status) forewarn(what, seconds_of(&plan));
     return status == STATUS_INPUT ? status : STATUS_OK;

@@ -30,7 +30,7 @@ void forewarn_text(double seconds, char *text, size_t size);
 int forewarn(const char *what, double seconds);
 
 /* Says how long `what`, the run of *e, will take.  STATUS_OK; STATUS_INPUT where its plan is refused, as the run
- * would be once all is set up. */
+ * would be once all is set up, or takes more memory than there is (memory.h). */
 int forewarn_run(const char *what, const struct experiment *e, struct failure *why);
 
 /* The same for one run more, where all are more than twice what was told. */

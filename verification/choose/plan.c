@@ -39,6 +39,8 @@ static void resolve_steps(struct experiment *e, int first, struct plan *plan) {
     plan->refined = !given && (stepper_of(o->stepper)->order > 0 || polynomials) && e->problem.t_end > 0;
     if (plan->refined && polynomials) o->dt = e->problem.t_end / 2; /* the second of two runs that agree */
     if (!plan->refined || polynomials) return;
+    if (first == 0) o->dt = e->problem.t_end;
+    if (first == 0) return;
     plan->forecast = plan_steps_predict(e, first);
     if (plan->forecast.steps > 0) o->dt = e->problem.t_end / plan->forecast.steps;
 }
@@ -83,6 +85,10 @@ static int make(const struct experiment *given, int first, struct plan *plan, st
 
 int plan_make(const struct experiment *e, struct plan *plan, struct failure *why) {
     return make(e, 1, plan, why);
+}
+
+int plan_storage(const struct experiment *e, struct plan *plan, struct failure *why) {
+    return make(e, 0, plan, why);
 }
 
 int plan_sketch(const struct experiment *e, struct plan *plan, struct failure *why) {

@@ -37,4 +37,7 @@ int plan_make(const struct experiment *e, struct plan *plan, struct failure *why
 /* The same for less work than the run: an open time step is predicted from coarser runs alone. */
 int plan_sketch(const struct experiment *e, struct plan *plan, struct failure *why);
 
+/* Its bytes alone, without any other run: an open time step counts as one step. */
+int plan_storage(const struct experiment *e, struct plan *plan, struct failure *why);
+
 #endif

@@ -1,6 +1,7 @@
 /* What will take long is told beforehand, what is short is not: by counted work, the same on every machine. */
 #include "verification/choose/forewarn.h"
 
+#include "verification/choose/memory.h"
 #include "verification/command/arguments.h"
 #include "verification/command/request.h"
 
@@ -56,6 +57,28 @@ static void what_cannot_be_counted_is_refused(void **state) {
     arguments_free(&r);
 }
 
+static void check_memory(const char *line, const char *says) {
+    struct request r;
+    struct failure why = {0};
+    if (arguments_parse_line(line, &r, &why)) fail_msg("%s: %s", line, why.text);
+    assert_int_equal(forewarn_run("it", &r.experiment, &why), says ? STATUS_INPUT : STATUS_OK);
+    if (says && !strstr(why.text, says)) fail_msg("%s: \"%s\" lacks \"%s\"", line, why.text, says);
+    arguments_free(&r);
+}
+
+/* On a lattice bytes go with the particles: 40 a particle of a rod, and 1e5 particles of which n fit; and the spacing
+ * that is named does fit, where the next finer one does not. */
+static void what_memory_does_not_hold_is_refused(void **state) {
+    (void)state;
+    check_memory("run rod-step so_ssph --dx 0.001 --memory 1e-5", "--dx 0.016 fits; --memory GB allows more");
+    check_memory("run rod-step so_ssph --dx 0.016 --memory 1e-5", NULL);
+    check_memory("run rod-step so_ssph --dx 4/252 --memory 1e-5", "takes 1.01e-05 GB, --memory allows 1e-05 GB");
+    check_memory("run square-step so_ssph --dx 4/64 --layout jitter --jitter 0.1 --memory 0.001", "--dx 0.1 fits");
+    check_memory("run rod-step so_ssph --dx 4/252", NULL);
+    check_memory("run square-step so_ssph --dx 4/20000 --layout jitter --jitter 0.2 --memory 24", "GB allows more");
+    assert_true(memory_there() > 1e6);
+}
+
 /* Of Euler steps the operations rise as 1/dx^3 on a rod. */
 static void it_grows_with_the_work(void **state) {
     (void)state;
@@ -92,9 +115,13 @@ static void texts(void **state) {
 int main(void) {
     gsl_set_error_handler_off();
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(minutes_and_years_are_told),          cmocka_unit_test(what_is_short_is_not),
-        cmocka_unit_test(what_cannot_be_counted_is_refused),   cmocka_unit_test(it_grows_with_the_work),
-        cmocka_unit_test(a_search_that_doubles_says_so_again), cmocka_unit_test(texts),
+        cmocka_unit_test(minutes_and_years_are_told),
+        cmocka_unit_test(what_is_short_is_not),
+        cmocka_unit_test(what_cannot_be_counted_is_refused),
+        cmocka_unit_test(what_memory_does_not_hold_is_refused),
+        cmocka_unit_test(it_grows_with_the_work),
+        cmocka_unit_test(a_search_that_doubles_says_so_again),
+        cmocka_unit_test(texts),
     };
     return cmocka_run_group_tests_name("forewarn", tests, NULL, NULL);
 }
