@@ -1,0 +1,49 @@
+/* What a measured error cannot be below: the rounding of a run and of its exact solution. */
+#include "references/scene.h"
+#include "verification/command/arguments.h"
+#include "verification/command/request.h"
+#include "verification/run/run.h"
+
+#include "verification/unit/near.h"
+
+#include <float.h>
+#include <gsl/gsl_errno.h>
+
+/* A start at 1e6 K is rounded to 2 eps of itself at least, late too. */
+static void a_plates_bound_holds_the_rounding_of_its_start(void **state) {
+    (void)state;
+    struct request r;
+    struct failure why;
+    if (arguments_parse_line("run plate so_ssph --dx 0.01 --set T0=1e6 --set T1=1000001 --set T2=1000002 --set "
+                             "T3=1000003 --set T4=1000004",
+                             &r, &why))
+        fail_msg("%s", why.text);
+    for (double t = 0.1; t < 2000; t *= 10) {
+        struct exact e = r.experiment.scene->exact(&r.experiment.problem, (double[2]){0.03, 0.07}, t);
+        assert_true(e.error_bound >= 2 * DBL_EPSILON * 1e6);
+    }
+    arguments_free(&r);
+}
+
+/* Modes of one Robin wall are sums of n values, each rounded: 6.8 eps n. */
+static void sums_of_a_robin_wall_round_with_their_length(void **state) {
+    (void)state;
+    struct request r;
+    struct result result;
+    struct field f;
+    struct failure why;
+    if (arguments_parse_line("run rod-cooling so_ssph --dx 1/400", &r, &why)) fail_msg("%s", why.text);
+    assert_int_equal(run_experiment(&r.experiment, &result, &f), STATUS_OK);
+    assert_true(result.rounding > 6.8 * DBL_EPSILON * (double)f.n);
+    field_free(&f);
+    arguments_free(&r);
+}
+
+int main(void) {
+    gsl_set_error_handler_off();
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(a_plates_bound_holds_the_rounding_of_its_start),
+        cmocka_unit_test(sums_of_a_robin_wall_round_with_their_length),
+    };
+    return cmocka_run_group_tests_name("floors", tests, NULL, NULL);
+}
