@@ -94,12 +94,36 @@ static size_t find_reach(const struct gradient *g, size_t n) {
     return reach;
 }
 
+/* The derivative (C d)_a F of a pair, at point i towards point j. */
+static void derive(const struct gradient *g, size_t i, size_t j, double F, double D[2]) {
+    double dx = g->place[2 * j] - g->place[2 * i], dy = g->place[2 * j + 1] - g->place[2 * i + 1];
+    const double *C = &g->C[3 * i];
+    D[0] = F * (C[0] * dx + C[1] * dy), D[1] = F * (C[1] * dx + C[2] * dy);
+}
+
+/* What the adjoint of the first sweep has of a particle's own flux: sum_j w_ij (q_j + q_i) = sum_j w_ij (q_j - q_i) +
+ * 2 q_i sum_j w_ij. */
+static void add_sums(struct gradient *g, size_t n) {
+    double D[2];
+    g->sum = xcalloc(2 * n, sizeof *g->sum);
+    for (size_t i = 0; i < n; i++) {
+        for (uint32_t k = g->kept[i]; k < g->kept[i + 1]; k++) {
+            derive(g, i, g->other[k], g->F[k], D);
+            for (size_t a = 0; a < 2; a++) g->sum[2 * i + a] += 2 * D[a];
+        }
+        for (uint32_t k = g->lent[i]; k < g->lent[i + 1]; k++) {
+            derive(g, i, g->keeper[k], g->F[g->pair[k]], D);
+            for (size_t a = 0; a < 2; a++) g->sum[2 * i + a] += 2 * D[a];
+        }
+    }
+}
+
 static void count(struct heat_operator *a, const struct gradient *g) {
     size_t ghosts = g->total - a->n, kept = g->kept[g->total], lent = g->lent[g->total];
     a->pairs = 2 * ((size_t)g->kept[a->n] + g->lent[a->n]);
     a->bytes = kept * (sizeof *g->other + sizeof *g->F) + lent * (sizeof *g->keeper + sizeof *g->pair) +
                2 * (g->total + 1) * sizeof *g->kept + g->total * 7 * sizeof(double) +
-               ghosts * (sizeof *g->source + 2 * sizeof(double));
+               (g->sum ? 2 * a->n * sizeof *g->sum : 0) + ghosts * (sizeof *g->source + 2 * sizeof(double));
 }
 
 int gradient_assemble(struct heat_operator *a, const struct problem *p, const struct options *o,
@@ -134,6 +158,7 @@ int gradient_assemble(struct heat_operator *a, const struct problem *p, const st
         for (size_t i = 0; i < g->total; i++) g->kept[i + 1] += g->kept[i];
         lend(g, needed);
         place(&m, g);
+        if (s->adjoint) add_sums(g, a->n);
         g->reach = find_reach(g, a->n);
         count(a, g);
         assembly_keep_constants(&m, xcalloc(a->n, sizeof *a->g), a);
@@ -146,20 +171,13 @@ int gradient_assemble(struct heat_operator *a, const struct problem *p, const st
 
 void gradient_free(struct gradient *g) {
     if (!g) return;
-    free(g->place), free(g->C);
+    free(g->place), free(g->C), free(g->sum);
     free(g->kept), free(g->lent);
     free(g->other), free(g->F);
     free(g->keeper), free(g->pair);
     free(g->source), free(g->factor), free(g->offset);
     free(g->flux);
     free(g);
-}
-
-/* The derivative (C d)_a F of a pair, at point i towards point j. */
-static void derive(const struct gradient *g, size_t i, size_t j, double F, double D[2]) {
-    double dx = g->place[2 * j] - g->place[2 * i], dy = g->place[2 * j + 1] - g->place[2 * i + 1];
-    const double *C = &g->C[3 * i];
-    D[0] = F * (C[0] * dx + C[1] * dy), D[1] = F * (C[1] * dx + C[2] * dy);
 }
 
 /* Adds w T at a point to the row: the point may be a ghost. */
@@ -198,5 +216,6 @@ void gradient_compose(const struct gradient *g, size_t n, size_t i, struct row *
         for (int a = 0; a < 2; a++) D[a] *= g->kappa[a], own[a] -= D[a];
         add_derivative(g, n, g->keeper[k], D, row);
     }
+    for (int a = 0; a < 2 && g->sum; a++) own[a] += g->kappa[a] * g->sum[2 * i + (size_t)a];
     add_derivative(g, n, i, own, row);
 }

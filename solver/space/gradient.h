@@ -9,6 +9,7 @@
 struct gradient {
     size_t total;          /* points: n particles and their ghosts */
     double *place;         /* m, 2 total: x, y */
+    double *sum;           /* m^-1, 2 n: 2 C_i sum_j F_ij d_ij of an adjoint scheme, times q_i more; else NULL */
     double *C;             /* 3 total: xx, xy, yy; zero at ghosts whose derivatives nothing needs */
     uint32_t *kept, *lent; /* total + 1 each: where the pairs that a point keeps begin, and those that others keep */
     uint32_t *other;       /* kept[total]: of each pair that is kept, the other point */

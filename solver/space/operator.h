@@ -44,6 +44,8 @@ struct scheme { /* how a particle method weights neighbours; options are resolve
     /* 1: dT_i/dt = sum_j w[0][j] (T_j - T_i).  2: w[0], w[1] give the two first derivatives, which are applied twice:
      * dT/dt = d/dx(kappa_x dT/dx) + d/dy(kappa_y dT/dy) */
     int sweeps;
+    /* 2 sweeps only.  1: the second takes sum_j w . (q_j + q_i), the adjoint of the first, in place of q_j - q_i */
+    int adjoint;
     /* 1: of averages over cells a rod of two materials starts with what start_keep_heat makes of them */
     int keeps_start;
     /* 1: on clouds the neighbours are those whose Voronoi cells touch the particle's, and volumes are their cells' */

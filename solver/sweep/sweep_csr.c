@@ -137,7 +137,8 @@ static double divergence(const struct gradient *g, size_t i) {
     double sum[3] = {0, 0, 0};
     for (uint32_t k = g->kept[i]; k < g->kept[i + 1]; k++) add_divergence(g, i, g->other[k], g->F[k], sum);
     for (uint32_t k = g->lent[i]; k < g->lent[i + 1]; k++) add_divergence(g, i, g->keeper[k], g->F[g->pair[k]], sum);
-    return C[0] * sum[0] + C[1] * sum[1] + C[2] * sum[2];
+    double all = C[0] * sum[0] + C[1] * sum[1] + C[2] * sum[2];
+    return g->sum ? all + (g->sum[2 * i] * g->flux[2 * i] + g->sum[2 * i + 1] * g->flux[2 * i + 1]) : all;
 }
 
 static void update_particles(const struct heat_operator *a, const struct update *u, const double *x, double *y,

@@ -1,0 +1,169 @@
+/* Positive stencils (Seibold 2008, Comput. Methods Appl. Mech. Engrg. 198:592): of all weights w_j >= 0 that are
+ * exact for quadratics, sum w_j d_j = 0,   sum w_j d_j d_j^T = 2 diag(kappa_x, kappa_y), those with the least sum_j
+ * w_j r_j^2/W_j, a linear programme in each particle.
+ *
+ * A linear programme and not least squares with w >= 0: its solution is a vertex, five neighbours or fewer for the
+ * five conditions (two on a rod), the nearest that do, and where there is none its first phase proves that.  On a
+ * lattice it is the five-point difference: sum w r^2 is given, and the nearest have the largest W. Exact for
+ * quadratics: O(dx) of a random sign at a particle, second order in T on any cloud (as so_ssph). Kept: the maximum
+ * principle, for steps below 1/max sum w; no mode grows, by Gershgorin.  Heat is not kept: w_ij and w_ji differ.
+ * Feasible where each of the eight sectors of 45 degrees about a particle has a neighbour (his theorem 4.2:
+ * sufficient, not necessary), so h/dx is 1.75 where it is not given, which has 36 neighbours: no cloud of jitter up
+ * to 0.5 was seen without a solution.  k_x != k_y asks for neighbours near the axis of the larger: h grows with
+ * sqrt(k ratio). The programme: the simplex method on five rows, with the inverse of the basis (Dantzig's rule;
+ * Bland's after a while, which cannot cycle), in units of h. */
+#include "solver/particles/correction.h"
+#include "solver/particles/particles.h"
+#include "solver/space/kernel.h"
+
+#include <math.h>
+
+enum { ROWS = 5 };
+
+struct programme { /* min cost.w, sum_j column[j] w_j = right, w >= 0; columns past n are artificial, one a row */
+    int rows;
+    size_t n;
+    double column[NEIGHBOURS_MAX + ROWS][ROWS], cost[NEIGHBOURS_MAX + ROWS], right[ROWS];
+    size_t basis[ROWS];
+    double inverse[ROWS][ROWS], value[ROWS]; /* of the basis; of its weights */
+};
+
+static int check(const struct problem *p, const struct options *o, struct failure *why) {
+    (void)o;
+    return correction_check(p, "positive", 0, why);
+}
+
+static double default_h(const struct problem *p) {
+    double ratio = p->dim == 2 ? p->material[0].k[1] / p->material[0].k[0] : 1;
+    return p->dim == 1 ? 1.1 : 1.75 * sqrt(fmax(ratio, 1 / ratio));
+}
+
+static void fill(const struct neighbourhood *nb, enum kernel_name kernel, struct programme *lp) {
+    lp->rows = nb->dim == 2 ? ROWS : 2, lp->n = nb->n;
+    for (size_t j = 0; j < nb->n; j++) {
+        double x = nb->d[j][0] / nb->h, y = nb->d[j][1] / nb->h, r2 = x * x + y * y;
+        double all[ROWS] = {x, x * x, y, y * y, x * y}, W = kernel_value(kernel, nb->dim, sqrt(r2));
+        for (int k = 0; k < lp->rows; k++) lp->column[j][k] = all[k];
+        lp->cost[j] = W > 0 && r2 > 0 ? r2 / W : INFINITY; /* never taken */
+    }
+    double right[ROWS] = {0, 2 * nb->kappa[0], 0, nb->dim == 2 ? 2 * nb->kappa[1] : 0, 0};
+    for (int k = 0; k < lp->rows; k++) {
+        lp->right[k] = lp->value[k] = right[k] / (nb->h * nb->h);
+        lp->basis[k] = nb->n + (size_t)k;
+        for (int l = 0; l < lp->rows; l++) lp->column[nb->n + (size_t)k][l] = lp->inverse[k][l] = k == l;
+    }
+}
+
+/* The cost of a column; in the first phase that of the artificial ones alone. */
+static double cost_of(const struct programme *lp, size_t j, int phase) {
+    return j >= lp->n ? phase == 1 : phase == 1 ? 0 : lp->cost[j];
+}
+
+/* The column that enters: of the least reduced cost, or the first below 0; lp->n where none is. */
+static size_t entering(const struct programme *lp, int phase, int first) {
+    double y[ROWS] = {0}, least = phase == 1 ? -1e-11 : -1e-10;
+    size_t best = lp->n;
+    for (int k = 0; k < lp->rows; k++)
+        for (int l = 0; l < lp->rows; l++) y[l] += cost_of(lp, lp->basis[k], phase) * lp->inverse[k][l];
+    for (size_t j = 0; j < lp->n; j++) {
+        double reduced = cost_of(lp, j, phase), size = reduced;
+        if (!isfinite(lp->cost[j])) continue;
+        for (int l = 0; l < lp->rows; l++) reduced -= y[l] * lp->column[j][l], size += fabs(y[l] * lp->column[j][l]);
+        if (!(reduced < least * size)) continue;
+        best = j, least = reduced / size;
+        if (first) break;
+    }
+    return best;
+}
+
+/* The row that leaves for a column u = B^-1 a_j; -1 where none bounds it.  Artificial ones at 0 leave first. */
+static int leaving(const struct programme *lp, const double *u, int phase) {
+    int best = -1;
+    double least = INFINITY;
+    for (int k = 0; k < lp->rows; k++) {
+        double ratio = u[k] > 1e-9 ? lp->value[k] / u[k] : INFINITY;
+        if (phase == 2 && lp->basis[k] >= lp->n && fabs(u[k]) > 1e-9) ratio = 0;
+        if (ratio < least || (ratio == least && best >= 0 && ratio < INFINITY && lp->basis[k] > lp->basis[best]))
+            best = k, least = ratio;
+    }
+    return best;
+}
+
+static void exchange(struct programme *lp, int row, size_t j, const double *u) {
+    double pivot = 1 / u[row];
+    lp->value[row] *= pivot;
+    for (int l = 0; l < lp->rows; l++) lp->inverse[row][l] *= pivot;
+    for (int k = 0; k < lp->rows; k++) {
+        if (k == row) continue;
+        lp->value[k] -= u[k] * lp->value[row];
+        if (lp->value[k] < 0) lp->value[k] = 0; /* by rounding */
+        for (int l = 0; l < lp->rows; l++) lp->inverse[k][l] -= u[k] * lp->inverse[row][l];
+    }
+    lp->basis[row] = j;
+}
+
+/* Exchanges columns until none lowers the cost. */
+static int minimise(struct programme *lp, int phase) {
+    enum { DANTZIG = 60, MOST = 2000 };
+    for (int step = 0; step < MOST; step++) {
+        double u[ROWS] = {0};
+        size_t j = entering(lp, phase, step > DANTZIG);
+        if (j == lp->n) return 0;
+        for (int k = 0; k < lp->rows; k++)
+            for (int l = 0; l < lp->rows; l++) u[k] += lp->inverse[k][l] * lp->column[j][l];
+        int row = leaving(lp, u, phase);
+        if (row < 0) return -1;
+        exchange(lp, row, j, u);
+    }
+    return -1;
+}
+
+/* What the first phase leaves of the conditions, of their size. */
+static double unmet(const struct programme *lp) {
+    double left = 0, all = 0;
+    for (int k = 0; k < lp->rows; k++) {
+        all += fabs(lp->right[k]);
+        if (lp->basis[k] >= lp->n) left += lp->value[k];
+    }
+    return left / all;
+}
+
+/* The weights of the last basis, solved once more from the conditions themselves. */
+static void take_weights(const struct programme *lp, double *w) {
+    for (size_t j = 0; j < lp->n; j++) w[j] = 0;
+    for (int k = 0; k < lp->rows; k++) {
+        double value = 0;
+        for (int l = 0; l < lp->rows; l++) value += lp->inverse[k][l] * lp->right[l];
+        if (lp->basis[k] < lp->n) w[lp->basis[k]] = fmax(0, value);
+    }
+}
+
+static int weights(const struct problem *p, const struct options *o, const struct neighbourhood *nb, double *w[2],
+                   struct failure *why) {
+    (void)p;
+    struct programme lp;
+    fill(nb, o->kernel, &lp);
+    int stuck = minimise(&lp, 1);
+    if (stuck || unmet(&lp) > 1e-9)
+        return refuse(why, STATUS_NUMERICAL,
+                      "no weights >= 0 are exact for quadratics: particle %zu at (%.6g, %.6g) m has %zu neighbours, "
+                      "and %.2g of the second moments are out of their reach; take a larger --h (a neighbour in each "
+                      "sector of 45 degrees about it is enough) or less --jitter",
+                      nb->i, nb->x[0], nb->x[1], nb->n, unmet(&lp));
+    if (minimise(&lp, 2))
+        return refuse(why, STATUS_NUMERICAL, "particle %zu at (%.6g, %.6g) m: its linear programme does not end",
+                      nb->i, nb->x[0], nb->x[1]);
+    take_weights(&lp, w[0]);
+    return STATUS_OK;
+}
+
+static const struct scheme scheme = {.sweeps = 1, .h = default_h, .check = check, .weights = weights};
+
+const struct method method_positive = {
+    .name = "positive",
+    .about = "weights >= 0 that are exact for quadratics, by linear programmes (Seibold 2008): no mode grows",
+    .accepts = "stepper kernel h layout jitter grading sweeps redraw seed sampling walls",
+    .scheme = &scheme,
+    .solve = particles_solve,
+    .outline = particles_outline,
+};
