@@ -53,9 +53,21 @@ static const struct candidate_operator {
     const char *method, *options;
     int materials; /* how many it knows */
 } operators[] = {
-    {"brookshaw", "", 1}, {"brookshaw_corrected", "", 1},     {"schwaiger", "", 1},       {"fatehi_manzari", "", 1},
-    {"cspm", "", 1},      {"kernel_second", "", 1},           {"flux_divergence", "", 1}, {"fo_ssph", "", 1},
-    {"so_ssph", "", 1},   {"brookshaw", " --mean series", 2}, {"contact_ssph", "", 2},
+    {"brookshaw", "", 1},
+    {"brookshaw_corrected", "", 1},
+    {"schwaiger", "", 1},
+    {"fatehi_manzari", "", 1},
+    {"cspm", "", 1},
+    {"kernel_second", "", 1},
+    {"flux_divergence", "", 1},
+    {"fo_ssph", "", 1},
+    {"so_ssph", "", 1},
+    {"conjugate", "", 1},
+    {"positive", "", 1},
+    {"voronoi_flux", "", 1},
+    {"brookshaw", " --mean series", 2},
+    {"contact_ssph", "", 2},
+    {"voronoi_flux", "", 2},
 };
 
 enum {
@@ -244,6 +256,11 @@ static void write_traits(FILE *csv, FILE *md) {
 
 /* ---- Error against neighbours ---- */
 
+/* Whether --h sets how many neighbours there are. */
+static int has_h(const char *method) {
+    return !method_find(method)->scheme->cells;
+}
+
 static int write_neighbours(FILE *out, struct failure *why) {
     static const double h[] = {0.9, 1.0, 1.1, 1.2, 1.3, 1.5, 1.75, 2};
     static const int drawn[] = {0, 2, 4};
@@ -253,7 +270,7 @@ static int write_neighbours(FILE *out, struct failure *why) {
         "# command: heatladder run rect-manufactured so_ssph --set k_y=0.02 --dx 0.025 --h 1.1 --layout relaxed\n");
     for (int c = 0; c < 3; c++)
         for (int k = 0; k < OPERATORS; k++) {
-            if (operators[k].materials != 1) continue;
+            if (operators[k].materials != 1 || !has_h(operators[k].method)) continue;
             fprintf(out, "\n\n# %s %s\nneighbours,%s,h/dx\n", operators[k].method, clouds[drawn[c]].name,
                     operators[k].method);
             for (size_t i = 0; i < sizeof h / sizeof *h; i++) {

@@ -20,11 +20,11 @@ static const double both[2] = {0.71, 0.43}, same[2] = {0.71, 0.71};
 
 static void linear_fields_stay(void **state) {
     (void)state;
-    static const char *const exact[] = {"schwaiger", "fatehi_manzari", "cspm", "so_ssph"};
+    static const char *const exact[] = {"schwaiger", "fatehi_manzari", "cspm", "so_ssph", "positive"};
     static const char *const not [] = {"brookshaw", "brookshaw_corrected", "kernel_second"};
     double w[2][MANY];
     struct neighbourhood nb = around(2, same);
-    for (int k = 0; k < 4; k++) {
+    for (int k = 0; k < 5; k++) {
         weights_of(exact[k], &nb, w);
         assert_near(moment(w[0], 1, 0), 0, 1e-10);
         assert_near(moment(w[0], 0, 1), 0, 1e-10);
@@ -37,10 +37,10 @@ static void linear_fields_stay(void **state) {
 
 static void quadratics_are_exact(void **state) {
     (void)state;
-    static const char *const exact[] = {"fatehi_manzari", "so_ssph"};
+    static const char *const exact[] = {"fatehi_manzari", "so_ssph", "positive"};
     double w[2][MANY];
     struct neighbourhood nb = around(2, both);
-    for (int k = 0; k < 2; k++) {
+    for (int k = 0; k < 3; k++) {
         weights_of(exact[k], &nb, w);
         assert_near(moment(w[0], 2, 0), 2 * KX, 1e-12);
         assert_near(moment(w[0], 0, 2), 2 * KY, 1e-12);
@@ -60,15 +60,18 @@ static void positive_weights(void **state) {
     struct neighbourhood nb = around(2, same);
     weights_of("brookshaw_corrected", &nb, w);
     for (int j = 0; j < MANY; j++) assert_true(w[0][j] >= 0);
+    nb = around(2, both);
+    weights_of("positive", &nb, w);
+    for (int j = 0; j < MANY; j++) assert_true(w[0][j] >= 0);
 }
 
 /* ---- On lattices, through operator and rows ---- */
 
 static void second_moments_on_the_lattice(void **state) {
     (void)state;
-    static const char *const all[] = {"brookshaw_corrected", "schwaiger",      "fatehi_manzari", "cspm",
-                                      "kernel_second",       "flux_divergence"};
-    for (int m = 0; m < 6; m++)
+    static const char *const all[] = {"brookshaw_corrected", "schwaiger",       "fatehi_manzari", "cspm",
+                                      "kernel_second",       "flux_divergence", "positive",       "conjugate"};
+    for (int m = 0; m < 8; m++)
         for (int k = 0; kernel_words[k]; k++) {
             struct options o = {.dx = 0.05, .h = 1.23, .kernel = (enum kernel_name)k};
             struct problem p = odd_rectangle();
@@ -128,10 +131,10 @@ static void who_conserves_heat(void **state) {
     (void)state;
     static const char *const all[] = {"brookshaw",           "kernel_second", "so_ssph",        "fo_ssph",
                                       "brookshaw_corrected", "schwaiger",     "fatehi_manzari", "cspm",
-                                      "flux_divergence"};
-    for (int m = 0; m < 9; m++) {
+                                      "flux_divergence",     "positive",      "conjugate"};
+    for (int m = 0; m < 11; m++) {
         assert_near(lost(all[m], 0), 0, 1e-13);
-        if (m < 2)
+        if (m < 2 || m == 10)
             assert_near(lost(all[m], 0.31), 0, 1e-13);
         else
             assert_true(lost(all[m], 0.31) > 0.01);
@@ -180,6 +183,8 @@ static void poor_clouds_are_refused(void **state) {
             right[j][0] = -right[j][1], right[j][1] = x;
         }
     }
+    try_few("positive", 5, right, "no weights >= 0");
+    try_few("positive", 4, line, "take a larger --h");
     right[4][0] = -0.011, right[4][1] = 0.018; /* leaves a gap of 160 degrees */
     assert_int_equal(try_weights("kernel_second", 5, right, &why), STATUS_OK);
     try_few("flux_divergence", 0, place, "has 0 neighbours, condition number infinite");
@@ -190,11 +195,11 @@ static void poor_clouds_are_refused(void **state) {
 
 static void what_cannot_be_had_is_refused(void **state) {
     (void)state;
-    static const char *const all[] = {"brookshaw_corrected", "schwaiger", "kernel_second",
-                                      "fatehi_manzari",      "cspm",      "flux_divergence"};
+    static const char *const all[] = {"brookshaw_corrected", "schwaiger", "kernel_second", "fatehi_manzari", "cspm",
+                                      "flux_divergence",     "positive",  "conjugate"};
     struct options o = {.kernel = KERNEL_CUBIC};
     struct failure why;
-    for (int m = 0; m < 6; m++) {
+    for (int m = 0; m < 8; m++) {
         struct problem p = odd_rectangle(); /* k_x and k_y differ */
         assert_int_equal(named(all[m])->scheme->check(&p, &o, &why), m < 3 ? STATUS_NOT_APPLICABLE : STATUS_OK);
         p.materials = 2;
@@ -205,6 +210,7 @@ static void what_cannot_be_had_is_refused(void **state) {
     struct problem p = odd_rod();
     assert_int_equal(named("kernel_second")->scheme->check(&p, &o, &why), STATUS_NOT_APPLICABLE);
     assert_int_equal(named("flux_divergence")->scheme->check(&p, &o, &why), STATUS_NOT_APPLICABLE);
+    assert_int_equal(named("conjugate")->scheme->check(&p, &o, &why), STATUS_NOT_APPLICABLE);
 }
 
 int main(void) {

@@ -11,7 +11,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-extern const struct method method_fo_ssph, method_flux_divergence;
+extern const struct method method_fo_ssph, method_flux_divergence, method_conjugate;
 
 static double no_flux(const struct problem *p, enum side s, const double x[2]) {
     (void)p, (void)s, (void)x;
@@ -165,7 +165,7 @@ static void no_thread_changes_a_bit(void **state) {
 /* What two sweeps make of a state, walls of all kinds among them, and the rows that they stand for. */
 static void two_sweeps_are_their_rows(void **state) {
     (void)state;
-    const struct method *const both_of[] = {&method_flux_divergence, &method_fo_ssph};
+    const struct method *const both_of[] = {&method_flux_divergence, &method_fo_ssph, &method_conjugate};
     struct problem p = odd_rectangle();
     struct options o = {.dx = 0.05, .h = 1.23, .seed = 7, .layout = LAYOUT_JITTER, .jitter = 0.31};
     struct heat_operator a;
@@ -173,7 +173,7 @@ static void two_sweeps_are_their_rows(void **state) {
     p.wall = no_flux;
     p.source = NULL;
     p.side[X_LO] = DIRICHLET, p.side[X_HI] = ROBIN, p.robin[X_HI] = 1.7, p.side[Y_LO] = NEUMANN;
-    for (int m = 0; m < 2; m++) {
+    for (int m = 0; m < 3; m++) {
         assemble(&p, &o, both_of[m], &a);
         double *Y[2] = {xcalloc(a.state, sizeof(double)), xcalloc(a.state, sizeof(double))},
                bound = operator_bound(&a);
