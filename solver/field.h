@@ -29,6 +29,7 @@ struct field { /* owned arrays: field_free */
     long long applications;   /* of the operator, in all steps; 0 for the exact stepper and where unknown */
     double heat[2];           /* J m^(d-3): sum of rho_c T volume at the start and at the end */
     double range[2];          /* K, lowest and highest of the sampled initial data */
+    double data[2];           /* K: what initial data, walls and heat that comes in span; 0, 0 where unknown */
     double bound;             /* s^-1: upper bound of the operator's spectrum; 0 where none is known */
     long long updates;        /* particle updates: particles x operator applications */
     long long interactions;   /* pairs evaluated: updates x neighbours */

@@ -3,6 +3,7 @@
 #include "solver/particles/particles.h"
 #include "solver/particles/redraw.h"
 #include "solver/particles/start.h"
+#include "solver/time/growth.h"
 #include "solver/time/matched.h"
 #include "solver/space/place.h"
 #include "solver/space/sample.h"
@@ -139,6 +140,19 @@ static void find_range(const struct field *f, double range[2]) {
     for (size_t k = 0; k < APART; k++) range[0] = fmin(range[0], lo[k]), range[1] = fmax(range[1], hi[k]);
 }
 
+/* A start is an average of its data: it does not leave their range, whatever made it. */
+static int check_start(const struct field *f, struct failure *why) {
+    double slack = 1e-9 * fmax(fabs(f->range[0]), fabs(f->range[1]));
+    for (size_t i = 0; i < f->n; i++)
+        if (!(f->T[i] >= f->range[0] - slack && f->T[i] <= f->range[1] + slack))
+            return refuse(
+                why, STATUS_NUMERICAL,
+                "the start has %.4g K at particle %zu at %.6g m, its data lie in [%.4g, %.4g] K; take another "
+                "--sampling, --h or layout",
+                f->T[i], i, f->x[i], f->range[0], f->range[1]);
+    return STATUS_OK;
+}
+
 static void place_on_lattice(const struct lattice *l, struct field *f) {
     size_t nx = (size_t)l->n[0], ny = (size_t)l->n[1];
     double x[2];
@@ -201,9 +215,32 @@ static int integrate(const struct problem *p, const struct options *o, const str
     }
     f->bound = bound;
     data_range(p, f, &m.lo, &m.hi);
+    f->data[0] = m.lo, f->data[1] = m.hi;
     m.x = f->x, m.y = f->y;
     if (o->redraw > 0) return redraw_march(p, o, s, l, &m, a, f, why);
     return stepper_march(a, &m, f->T, &f->bytes, why);
+}
+
+int particles_growth(const struct method *m, const struct problem *p, const struct options *given,
+                     const struct field *f, double *rate, struct failure *why) {
+    struct options o, there = *given;
+    struct lattice l;
+    struct cloud c;
+    struct heat_operator a;
+    int rows;
+    *rate = NAN;
+    there.placed = there.layout == LAYOUT_RELAXED ? f : NULL;
+    if (!m->scheme) return STATUS_OK;
+    if (there.stepper == STEPPER_AUTO) there.stepper = STEPPER_RK2;
+    if (particles_prepare(p, &there, m->scheme, &o, &l, &rows, why)) return why->status;
+    if (!rows || o.redraw > 0) return STATUS_OK;
+    if (layout_cloud(p, &o, &l, particles_reach(&o, m->scheme, &l), &c, why)) return why->status;
+    int status = operator_create_csr(&a, p, &o, m->scheme, &c, l.dx[0], why);
+    layout_cloud_free(&c);
+    if (status) return status;
+    *rate = growth_rate(&a, operator_bound(&a), p->t_end);
+    operator_free(&a);
+    return STATUS_OK;
 }
 
 int particles_solve(const struct method *m, const struct problem *p, const struct options *given, struct field *out,
@@ -235,8 +272,9 @@ int particles_solve(const struct method *m, const struct problem *p, const struc
             for (int d = 0; d < p->dim; d++) width[d] = place_width(p, o, &l, d, x[d]);
             f->T[i] = (cell > 0 ? sample_cell : sample_initial)(p, o->sampling, width, x);
         }
-        if (start_is_kept(p, o, s)) status = start_keep_heat(p, o, s, f, why);
         find_range(f, f->range);
+        if (start_is_kept(p, o, s)) status = start_keep_heat(p, o, s, f, why);
+        if (!status) status = check_start(f, why);
         f->heat[0] = heat_content(p, f, a.rho_c, cell, volume);
         f->time = p->t_end;
         double loop = now();

@@ -10,6 +10,12 @@ struct outline;
 int particles_solve(const struct method *m, const struct problem *p, const struct options *o, struct field *f,
                     struct failure *why);
 
+/* The rate of the fastest growing mode of the method's rows, s^-1 (solver/time/growth.h), for a problem that was
+ * solved with these options and gave *f.  NaN where there are no rows: on a lattice of one material, without a
+ * scheme, and for clouds that are drawn again. */
+int particles_growth(const struct method *m, const struct problem *p, const struct options *o, const struct field *f,
+                     double *rate, struct failure *why);
+
 /* `outline` of a method with a scheme.  Rows are assembled for it, those of a coarser lattice where there are more
  * than 2e5 particles. */
 int particles_outline(const struct method *m, const struct problem *p, const struct options *o, struct outline *out,

@@ -17,6 +17,7 @@ struct experiment {
     struct options options;
     double memory;       /* GB that a run may take; 0: what is there */
     double time_error;   /* E1 that the time step may make up; 0: not asked for */
+    int growth;          /* 1: growing modes are looked for */
     const char *derived; /* the quantity that is measured beside the field, as typed; NULL for none */
     struct quantity quantity;
     struct program program; /* that stands in for the method, where it has a command or results */

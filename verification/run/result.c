@@ -13,6 +13,19 @@ int result_accepts(const struct result *r, const char *option) {
     return words_among(r->method->accepts, option);
 }
 
+int result_grows(const struct result *r) {
+    return r->growth * r->t_end > M_LN2;
+}
+
+void result_warn(const struct result *r) {
+    if (!result_grows(r)) return;
+    fprintf(
+        stderr,
+        "heatladder: warning: dx = %g m: a mode grows at %.4g s^-1 at any time step, %.3g times in %.6g s; the error "
+        "may be its own: take less --jitter or another method\n",
+        r->options.dx, r->growth, exp(r->growth * r->t_end), r->t_end);
+}
+
 static void options_json(const struct result *r, struct json *j) {
     const struct options *o = &r->options;
     json_text(j, "kernel", result_accepts(r, "kernel") ? kernel_words[o->kernel] : NULL);
@@ -82,6 +95,7 @@ void result_json(const struct result *r, struct json *j) {
     json_whole(j, "particles", (long long)r->particles);
     errors_json(r, j);
     json_number(j, "time_error", r->time_error);
+    json_number(j, "growth", r->growth);
     json_number(j, "reference_error", r->reference_error);
     shape_json(r, j);
     json_number(j, "seconds", r->seconds);

@@ -31,7 +31,8 @@ struct result {
     double derived_error;          /* |difference| over |exact|, or itself where that is 0 */
     double derived_bound;          /* what the exact one's own error can make up of it */
     double derived_rounding;       /* what rounding can make up of it */
-    double time_error;      /* the part of error.l1 that the time step makes up; 0 for exact, NaN where unknown */
+    double growth;     /* s^-1: of the fastest growing mode, 0 where none grows, NaN where it was not looked for */
+    double time_error; /* the part of error.l1 that the time step makes up; 0 for exact, NaN where unknown */
     double reference_error; /* what the reference's own error can make up of error.l1 */
     double rounding;        /* what rounding can make up of error.l1 */
     double seconds, step_seconds;
@@ -43,6 +44,12 @@ struct result {
 
 /* 1 where the method takes the option, by its key. */
 int result_accepts(const struct result *r, const char *option);
+
+/* 1 where a mode grows by more than twice in the run. */
+int result_grows(const struct result *r);
+
+/* A line on standard error where a mode grows. */
+void result_warn(const struct result *r);
 
 /* The members of the `run --json` contract, into an object that is open. */
 void result_json(const struct result *r, struct json *j);

@@ -2,6 +2,7 @@
 #include "verification/run/run.h"
 
 #include "references/scene.h"
+#include "solver/particles/particles.h"
 #include "verification/run/experiment.h"
 #include "verification/run/derived.h"
 #include "verification/run/time_step.h"
@@ -99,8 +100,12 @@ static int measure(const struct experiment *e, const struct field *f, const doub
 }
 
 struct result run_blank(const struct experiment *e) {
-    return (struct result){
-        .scene = e->scene, .method = e->method, .options = e->options, .t_end = e->problem.t_end, .time_error = NAN};
+    return (struct result){.scene = e->scene,
+                           .method = e->method,
+                           .options = e->options,
+                           .t_end = e->problem.t_end,
+                           .time_error = NAN,
+                           .growth = NAN};
 }
 
 static int solve(const struct experiment *e, struct result *out, struct field *f) {
@@ -117,12 +122,27 @@ static int solve(const struct experiment *e, struct result *out, struct field *f
     return status;
 }
 
+/* The growth of the rows that were used.  A run with a growing mode whose field has left the data's range is none. */
+static int measure_growth(const struct experiment *e, const struct field *f, struct result *out) {
+    if (!e->growth || program_given(&e->program)) return STATUS_OK;
+    if (particles_growth(e->method, &e->problem, &out->options, f, &out->growth, &out->failure))
+        return out->failure.status;
+    double lo = f->data[0], hi = f->data[1], slack = 1e-6 * (hi - lo);
+    if (!result_grows(out) || (out->shape.min >= lo - slack && out->shape.max <= hi + slack)) return STATUS_OK;
+    return refuse(
+        &out->failure, STATUS_UNSTABLE,
+        "unstable: a mode grows at %.4g s^-1 at any step, %.3g times in %.6g s, and the temperatures, %.4g to "
+        "%.4g K, have left the data's range of [%.4g, %.4g] K; take less --jitter or another method",
+        out->growth, exp(out->growth * out->t_end), out->t_end, out->shape.min, out->shape.max, lo, hi);
+}
+
 int run_experiment(const struct experiment *e, struct result *out, struct field *field) {
     struct field f;
     if (solve(e, out, &f)) return out->failure.status;
     double *exact = xcalloc(f.n, sizeof *exact);
     out->reference_error = norms_exact(e->scene, &e->problem, &f, exact);
     int status = measure(e, &f, exact, out);
+    if (!status) status = measure_growth(e, &f, out);
     free(exact);
     if (field && !status)
         *field = f;

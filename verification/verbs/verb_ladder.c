@@ -191,7 +191,10 @@ int verb_ladder(const struct request *r, struct failure *why) {
     struct ladder_rungs rungs = r->rungs;
     rungs.diagnose = r->verbose;
     if (!status) status = forewarn_finest(r, why);
-    if (!status) status = ladder_run(&r->experiment, &rungs, l, why);
+    struct experiment e = r->experiment;
+    e.growth = 1;
+    if (!status) status = ladder_run(&e, &rungs, l, why);
+    for (int i = 0; i < l->n && l->tried; i++) result_warn(&l->rung[i]);
     if (!status_refused(status) || l->tried) {
         (r->json ? print_json : print_text)(l);
         if (!r->json && l->tried) why->text[0] = '\0'; /* it stands in the table */

@@ -79,12 +79,15 @@ static int check(const struct request *r, struct failure *why) {
 int verb_run(const struct request *r, struct failure *why) {
     struct result result;
     struct field field = {0};
+    struct experiment e = r->experiment;
+    e.growth = 1;
     int status = check(r, why);
     if (!status && !program_given(&r->experiment.program)) status = forewarn_run("this run", &r->experiment, why);
     if (!status && r->warm_up) status = run_warm_up(&r->experiment, why);
     if (!status) {
-        status = run_experiment(&r->experiment, &result, &field);
+        status = run_experiment(&e, &result, &field);
         *why = result.failure;
+        if (!status) result_warn(&result);
     }
     if (!status && r->field_path) status = write_field(r, &field, why);
     if (!status && r->json)

@@ -1,0 +1,97 @@
+/* Growing modes: their rate against all eigenvalues, none where none grows, the run that has one; a start within its
+ * data. */
+#include "solver/particles/particles.h"
+#include "solver/time/growth.h"
+#include "verification/command/arguments.h"
+#include "verification/command/request.h"
+#include "verification/run/run.h"
+#include "verification/stability/model_problem.h"
+#include "verification/stability/spectrum.h"
+#include "verification/unit/near.h"
+
+#include <gsl/gsl_errno.h>
+#include <math.h>
+#include <string.h>
+
+extern const struct method method_so_ssph, method_fatehi_manzari, method_fo_ssph;
+
+/* The rate of 14 x 14 particles between cold walls, by powers and by eigenvalues. */
+static void compare(const struct method *method, double jitter, unsigned long seed, int *growing) {
+    struct model_problem b = {.method = method,
+                              .dim = 2,
+                              .n = 14,
+                              .options = {.layout = LAYOUT_JITTER, .jitter = jitter, .seed = seed},
+                              .step = {STEPPER_EULER, 0}};
+    struct failure why = {0};
+    struct heat_operator a;
+    struct spectrum s;
+    assert_int_equal(model_problem_resolve(&b, 14, &why), STATUS_OK);
+    struct problem p = model_problem_setup(&b, MODEL_NOISE, 0);
+    if (model_problem_operator(&b, &p, &a, &why) || spectrum_create(&s, &a, &b.step, &why)) fail_msg("%s", why.text);
+    double time = 100, rate = growth_rate(&a, operator_bound(&a), time);
+    if (s.growth * time > 0.2) { /* clear of the tenth below which none is stated */
+        ++*growing;
+        assert_near(rate, s.growth, 0.1 * s.growth);
+    }
+    if (s.growth * time < 0.05) assert_near(rate, 0, 0);
+    spectrum_free(&s);
+    operator_free(&a);
+}
+
+static void rates_are_those_of_eigenvalues(void **state) {
+    (void)state;
+    int growing = 0;
+    for (unsigned long seed = 1; seed <= 4; seed++) {
+        compare(&method_fatehi_manzari, 0.45, seed, &growing);
+        compare(&method_so_ssph, 0.5, seed, &growing);
+        compare(&method_so_ssph, 0.1, seed, &growing);
+        compare(&method_fo_ssph, 0.3, seed, &growing);
+    }
+    assert_true(growing >= 3);
+}
+
+static int run(const char *line, struct result *result) {
+    struct request r;
+    struct failure why = {0};
+    if (arguments_parse_line(line, &r, &why)) fail_msg("%s", why.text);
+    r.experiment.growth = 1;
+    int status = run_experiment(&r.experiment, result, NULL);
+    arguments_free(&r);
+    return status;
+}
+
+static void a_run_with_a_growing_mode_says_so(void **state) {
+    (void)state;
+    struct result r;
+    assert_int_equal(run("run rect-manufactured so_ssph --layout jitter --jitter 0.1 --seed 1 --dx 0.05", &r),
+                     STATUS_OK);
+    assert_near(r.growth, 0, 0);
+    assert_false(result_grows(&r));
+    assert_int_equal(
+        run("run rect-manufactured fatehi_manzari --layout jitter --jitter 0.4 --seed 0 --dx 0.02 --t-end 0.2", &r),
+        STATUS_OK);
+    assert_true(result_grows(&r));
+    assert_int_equal(run("run rod-gauss so_ssph --dx 0.5", &r), STATUS_OK);
+    assert_true(isnan(r.growth));
+}
+
+static void a_start_stays_within_its_data(void **state) {
+    (void)state;
+    struct result r;
+    assert_int_equal(
+        run("run rod-contact contact_ssph --sampling cell --set k2=10 --set rho_c2=1 --set t_end=4e-4 --dx "
+            "2/80",
+            &r),
+        STATUS_OK);
+    assert_true(r.shape.max <= 1 + 1e-9 && r.shape.min >= -1e-9);
+}
+
+int main(void) {
+    gsl_set_error_handler_off();
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(rates_are_those_of_eigenvalues),
+        cmocka_unit_test(a_run_with_a_growing_mode_says_so),
+        cmocka_unit_test(a_start_stays_within_its_data),
+    };
+    return cmocka_run_group_tests_name("growth", tests, NULL, NULL);
+}
