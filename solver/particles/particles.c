@@ -140,14 +140,15 @@ static void find_range(const struct field *f, double range[2]) {
     for (size_t k = 0; k < APART; k++) range[0] = fmin(range[0], lo[k]), range[1] = fmax(range[1], hi[k]);
 }
 
-/* A start is an average of its data: it does not leave their range, whatever made it. */
+/* A start is an average of its data, and stays in their range; one that keeps the heat of a jump leaves it by a part
+ * of a particle's.  Half of the range is as much as a run may leave it by. */
 static int check_start(const struct field *f, struct failure *why) {
-    double slack = 1e-9 * fmax(fabs(f->range[0]), fabs(f->range[1]));
+    double slack = (f->range[1] - f->range[0]) / 2 + 1e-9 * fmax(fabs(f->range[0]), fabs(f->range[1]));
     for (size_t i = 0; i < f->n; i++)
         if (!(f->T[i] >= f->range[0] - slack && f->T[i] <= f->range[1] + slack))
             return refuse(
                 why, STATUS_NUMERICAL,
-                "the start has %.4g K at particle %zu at %.6g m, its data lie in [%.4g, %.4g] K; take another "
+                "the start has %.4g K at particle %zu at %.6g m, the data lie in [%.4g, %.4g] K; take another "
                 "--sampling, --h or layout",
                 f->T[i], i, f->x[i], f->range[0], f->range[1]);
     return STATUS_OK;

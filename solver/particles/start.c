@@ -94,21 +94,18 @@ int start_keep_heat(const struct problem *p, const struct options *o, const stru
     struct heat_operator a;
     if (jump == 0) return STATUS_OK;
     if (insulate(p, o, s, f, &a, why)) return why->status;
-    double spacing = (p->hi[0] - p->lo[0]) / (double)f->n, support = KERNEL_SUPPORT * o->h * spacing;
-    double *l = xcalloc(f->n, sizeof *l), close = 2 * spacing;
+    double *l = xcalloc(f->n, sizeof *l), support = KERNEL_SUPPORT * o->h * (p->hi[0] - p->lo[0]) / (double)f->n;
     double side[2] = {p->material[0].rho_c * (p->interface - p->lo[0]),
                       p->material[1].rho_c * (p->hi[0] - p->interface)};
     int status = start_kept(&a, side[0] + side[1], l, why);
-    double more = -side[1],
-           near = 0; /* of what the second side holds; l of the side that changes, near the contact */
-    for (size_t i = 0; i < f->n; i++)
+    double more = -side[1], near = 0; /* of what the second side holds; l near the contact */
+    for (size_t i = 0; i < f->n; i++) {
         if (layout_material(p, f->x[i]) == 1) more += l[i];
-    for (size_t i = 0; i < f->n; i++)
-        if (fabs(f->x[i] - p->interface) < close && layout_material(p, f->x[i]) == (more > 0)) near += l[i];
+        if (fabs(f->x[i] - p->interface) < support) near += l[i];
+    }
     for (size_t i = 0; i < f->n && !status; i++) {
-        double x[2] = {f->x[i], 0}, from = fabs(x[0] - p->interface);
-        if (from < support) f->T[i] = p->initial(p, x);
-        if (from < close && layout_material(p, x[0]) == (more > 0)) f->T[i] -= jump * more / near;
+        double x[2] = {f->x[i], 0};
+        if (fabs(x[0] - p->interface) < support) f->T[i] = p->initial(p, x) - jump * more / near;
     }
     free(l);
     operator_free(&a);

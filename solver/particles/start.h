@@ -13,8 +13,8 @@ int start_kept(const struct heat_operator *a, double all, double *l, struct fail
 int start_is_kept(const struct problem *p, const struct options *o, const struct scheme *s);
 
 /* Of a rod of two materials, whose particles are in *f: where the initial data jump at the contact, the temperatures
- * within one support of it become point samples, and on one side, within two spacings, change by the same towards
- * those of the other so that sum_i l_i T_i holds the heat of the jump.  Options resolved. */
+ * within one support of it become point samples, all changed by the same so that sum_i l_i T_i holds the heat of the
+ * jump.  Options resolved. */
 int start_keep_heat(const struct problem *p, const struct options *o, const struct scheme *s, struct field *f,
                     struct failure *why);
 
