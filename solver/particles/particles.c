@@ -228,11 +228,11 @@ int particles_growth(const struct method *m, const struct problem *p, const stru
     struct lattice l;
     struct cloud c;
     struct heat_operator a;
-    int rows;
+    int rows = 0;
     *rate = NAN;
     there.placed = there.layout == LAYOUT_RELAXED ? f : NULL;
     if (!m->scheme) return STATUS_OK;
-    if (there.stepper == STEPPER_AUTO) there.stepper = STEPPER_RK2;
+    there.stepper = STEPPER_RK2; /* the rows are the same */
     if (particles_prepare(p, &there, m->scheme, &o, &l, &rows, why)) return why->status;
     if (!rows || o.redraw > 0) return STATUS_OK;
     if (layout_cloud(p, &o, &l, particles_reach(&o, m->scheme, &l), &c, why)) return why->status;
