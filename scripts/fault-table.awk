@@ -23,7 +23,7 @@ FNR == NR {
 {
     code = $1 SUBSEP $2
     if (!(code in seen)) { seen[code] = 0; codes[++all] = code; fault_of[code] = $1; example_of[code] = $2 }
-    if ($3 == "*") { told[code] = $5 ~ /^as if/ ? $5 : ""; next }
+    if ($3 == "*") { told[code] = $5 == "null" ? "" : $5; next }
     if (!($3 in known)) { known[$3]; row[++rows] = $3 }
     if ($4 == "fail" || $4 == "inconclusive") { caught[$1, $3]++; seen[code]++ }
 }

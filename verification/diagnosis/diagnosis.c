@@ -16,7 +16,7 @@
 
 static const double ALIKE = 0.02;  /* shares that differ by less tell nothing apart */
 static const double STEADY = 0.25; /* relative change of a size from rung to rung that still counts as none */
-enum { POINTS = 20000, FAULTS = 32 };
+enum { POINTS = 20000, FAULTS = 48 };
 
 struct candidate_fault {
     struct fault fault;
@@ -57,7 +57,7 @@ static int list_faults(const struct problem *p, struct fault *list) {
                  {FAULT_SOURCE, 1},      {FAULT_CAPACITY, 1},     {FAULT_INTERFACE, 1}, {FAULT_MEAN, 1},
                  {FAULT_AMPLITUDE, 1},   {FAULT_SOURCE_TIME, 1},  {FAULT_ISOTROPIC, 2}, {FAULT_EXTENT, 3},
                  {FAULT_START_SHIFT, 2}, {FAULT_START_WIDTH, 2},  {FAULT_SAMPLES, 2},   {FAULT_WALL, 5},
-                 {FAULT_CORNER, 4}};
+                 {FAULT_CORNER, 4},      {FAULT_COEFFICIENT, 5},  {FAULT_AXIS, 2},      {FAULT_RHO_C, 2}};
     int n = 0;
     struct faulty ignored;
     for (size_t i = 0; i < sizeof kinds / sizeof *kinds; i++)
@@ -87,7 +87,16 @@ static double displacement(const struct problem *p, int axis, const struct diagn
     return fabs(out) > 1e-6 * r->dx ? out : 0;
 }
 
-/* The unit in which the size of a fault stays from rung to rung, and what is left of its change. */
+static const char DIFFUSIVE[] = "dx^2/kappa"; /* a unit of time */
+
+/* |log| of the change of the size from rung to rung in these units. */
+static double drift(const struct candidate_fault *c, double fine, double coarse) {
+    double ratio = c->coarse.size / coarse / (c->fine.size / fine);
+    return ratio > 0 ? fabs(log(ratio)) : INFINITY;
+}
+
+/* The unit in which the size of a fault stays from rung to rung, and what is left of its change.  A program that does
+ * not say its steps may have steps of a length, or of a part of dx^2/kappa. */
 static void follow(const struct problem *p, struct candidate_fault *c, const struct diagnosis_rung *fine,
                    const struct diagnosis_rung *coarse) {
     int place = c->fault.kind == FAULT_EXTENT || c->fault.kind == FAULT_START_SHIFT ||
@@ -99,8 +108,13 @@ static void follow(const struct problem *p, struct candidate_fault *c, const str
     if (c->fault.kind == FAULT_SAMPLES)
         c->unit[0] = displacement(p, c->fault.axis, fine), c->unit[1] = displacement(p, c->fault.axis, coarse);
     c->name = clock ? "steps" : in_time ? "s" : place ? "cells" : "%";
-    double ratio = c->coarse.size / c->unit[1] / (c->fine.size / c->unit[0]);
-    c->drift = ratio > 0 ? fabs(log(ratio)) : INFINITY;
+    c->drift = drift(c, c->unit[0], c->unit[1]);
+    double diffusive[2] = {pow(fine->dx, 2) / problem_diffusivity(p), pow(coarse->dx, 2) / problem_diffusivity(p)};
+    if (in_time && !clock && drift(c, diffusive[0], diffusive[1]) < c->drift) {
+        memcpy(c->unit, diffusive, sizeof diffusive);
+        c->name = DIFFUSIVE;
+        c->drift = drift(c, c->unit[0], c->unit[1]);
+    }
     int whole = fault_is_whole(c->fault.kind) || c->fault.kind == FAULT_MEAN || c->fault.kind == FAULT_SAMPLES;
     if (whole && !(fabs(c->fine.size / c->unit[0] - 1) <= STEADY)) c->drift = INFINITY;
 }
@@ -128,39 +142,73 @@ static void drop(struct diagnosis_rung *r, struct field *f) {
     field_free(f);
 }
 
+/* Two rungs, the fine one first, and what the responses to faults are held against. */
+struct looked_at {
+    const struct problem *p;
+    const struct response_lattice *l;
+    const struct diagnosis_rung *rung;
+    struct fit_errors errors[2];
+    double *base[2], *response;
+};
+
+/* Both fits of a fault whose response is taken at that size (0: at a small one); 0, or -1 where it cannot be. */
+static int fit_at(const struct looked_at *at, struct fault fault, double size, struct fit fit[2]) {
+    struct response r = {.size = 0};
+    int corner = fault.kind == FAULT_CORNER, failed = 0;
+    if (!corner && size != 0) failed = response_take_at(at->p, at->l, fault, size, &r);
+    if (!corner && size == 0) failed = response_take(at->p, at->l, fault, &r);
+    for (int k = 0; k < 2 && !failed; k++) {
+        const struct field *f = at->rung[k].field;
+        if (corner)
+            failed = response_at_corner(at->p, at->rung[k].dx, fault, f, at->response);
+        else
+            response_at(&r, at->l, f, at->base[k], at->response);
+        if (!failed) fit[k] = fit_fault(&at->errors[k], at->response);
+    }
+    response_free(&r);
+    return failed;
+}
+
+/* The response to a coefficient is no straight line: it is taken once more at the size that was found, until that
+ * stays. */
+static int fit_bent(const struct looked_at *at, struct fault fault, struct fit fit[2]) {
+    enum { ROUNDS = 5 };
+    static const double LARGE = 0.05, LEAST = -0.9, MOST = 3, SAME = 0.01, LIKELY = 0.5;
+    int failed = fit_at(at, fault, 0, fit);
+    double size = 0;
+    for (int round = 0; round < ROUNDS && !failed && fault_bends(fault.kind); round++) {
+        double found = fmin(fmax(fit[0].size, LEAST), MOST);
+        if (!(fit[0].share > LIKELY && fit[0].part > FIT_MOST && fabs(found) > LARGE)) break;
+        if (fabs(found - size) <= SAME * fabs(found)) break;
+        failed = fit_at(at, fault, size = found, fit);
+    }
+    return failed;
+}
+
 static int fit_all(const struct problem *p, const struct diagnosis_rung *rung, struct candidate_fault *c) {
     struct response_lattice l;
     struct fault list[FAULTS];
     int n = 0, faults = list_faults(p, list);
     if (response_lattice_create(p, &l)) return 0;
-    struct fit_errors errors[2] = {fit_errors(p, &l, &rung[0]), fit_errors(p, &l, &rung[1])};
-    double *base[2], *response = xcalloc(rung[0].field->n + rung[1].field->n, sizeof *response);
+    struct looked_at at = {.p = p, .l = &l, .rung = rung};
     for (int k = 0; k < 2; k++) {
         double dx2 = pow(rung[k].dx / l.dx, 2);
-        base[k] = xcalloc(rung[k].field->n, sizeof **base);
-        for (size_t i = 0; i < rung[k].field->n; i++) base[k][i] = errors[k].g[i] / dx2 + rung[k].exact[i];
+        at.errors[k] = fit_errors(p, &l, &rung[k]);
+        at.base[k] = xcalloc(rung[k].field->n, sizeof **at.base);
+        for (size_t i = 0; i < rung[k].field->n; i++) at.base[k][i] = at.errors[k].g[i] / dx2 + rung[k].exact[i];
     }
+    at.response = xcalloc(rung[0].field->n + rung[1].field->n, sizeof *at.response);
     for (int i = 0; i < faults; i++) {
         struct fit fit[2];
-        struct response r = {.size = 0};
-        int corner = list[i].kind == FAULT_CORNER, failed = !corner && response_take(p, &l, list[i], &r);
-        for (int k = 0; k < 2 && !failed; k++) {
-            if (corner)
-                failed = response_at_corner(p, rung[k].dx, list[i], rung[k].field, response);
-            else
-                response_at(&r, &l, rung[k].field, base[k], response);
-            if (!failed) fit[k] = fit_fault(&errors[k], response);
-        }
-        response_free(&r);
-        if (failed) continue;
+        if (fit_bent(&at, list[i], fit) || !fault_can_be(p, list[i].kind, fit[0].size)) continue;
         c[n] = (struct candidate_fault){.fault = list[i], .fine = fit[0], .coarse = fit[1]};
         follow(p, &c[n++], &rung[0], &rung[1]);
     }
     for (int k = 0; k < 2; k++) {
-        free(base[k]);
-        fit_errors_free(&errors[k]);
+        free(at.base[k]);
+        fit_errors_free(&at.errors[k]);
     }
-    free(response);
+    free(at.response);
     response_lattice_free(&l);
     return n;
 }
@@ -169,10 +217,19 @@ static int stays(const struct candidate_fault *c) {
     return c->drift <= log(1 + STEADY) && c->coarse.share >= FIT_SHARE - ALIKE;
 }
 
-/* A clock that is off by the same time at every spacing: T depends on kappa t alone, and a conductivity explains the
- * same, as what is usual. */
-static int is_end(const struct candidate_fault *c) {
-    return c->fault.kind == FAULT_CLOCK && strcmp(c->name, "s") == 0;
+/* What a more usual fault often explains as well: a clock that is off by the same time at every spacing (T depends on
+ * kappa t alone: a conductivity), and a coefficient of some size (one that stands in the place of another). */
+static int is_rare(const struct candidate_fault *c) {
+    int end = c->fault.kind == FAULT_CLOCK && strcmp(c->name, "s") == 0;
+    return end || c->fault.kind == FAULT_AXIS || c->fault.kind == FAULT_RHO_C;
+}
+
+/* 1 where a is to be named rather than b: its size stays better; of those that stay as well it explains more. */
+static int is_better(const struct candidate_fault *a, const struct candidate_fault *b) {
+    static const double AS_WELL = 0.01;
+    if (is_rare(a) != is_rare(b)) return is_rare(b);
+    if (fabs(a->drift - b->drift) > AS_WELL) return a->drift < b->drift;
+    return a->fine.share > b->fine.share;
 }
 
 void diagnosis_find(const struct problem *p, const struct diagnosis_rung *fine, const struct diagnosis_rung *coarse,
@@ -196,11 +253,12 @@ void diagnosis_find(const struct problem *p, const struct diagnosis_rung *fine, 
     }
     for (int i = 0; i < n; i++) {
         if (c[i].fine.part < FIT_MOST || c[i].fine.share < fmax(FIT_SHARE, most - ALIKE) || !stays(&c[i])) continue;
-        if (best < 0 || is_end(&c[best]) || (!is_end(&c[i]) && c[i].drift < c[best].drift)) best = i;
+        if (best < 0 || is_better(&c[i], &c[best])) best = i;
     }
     if (best < 0) {
         snprintf(d->what, sizeof d->what,
-                 "no usual fault: what looks like one has a size that changes with the spacing");
+                 "no usual fault: what looks like one has a size that changes with the spacing%s",
+                 fine->dt > 0 ? "" : "; `# steps = N` in the answer would show whether it is the clock");
         return;
     }
     int percent = c[best].name[0] == '%';
@@ -216,7 +274,8 @@ int diagnosis_repeat(double apart, double largest, struct diagnosis *d) {
     static const double SUMS = 1e-9; /* 1e6 roundings of 1e-16, and a tenfold */
     if (!(apart > SUMS * largest)) return 0;
     *d = (struct diagnosis){.named = 1, .size = apart, .unit = "K", .share = NAN};
-    snprintf(d->what, sizeof d->what, "as if threads raced: two runs of the same are %.2g K apart", apart);
+    snprintf(d->what, sizeof d->what,
+             "answers differ by %.2g K from run to run: random numbers, threads or an unset variable", apart);
     return 1;
 }
 

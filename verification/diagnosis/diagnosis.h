@@ -20,9 +20,9 @@ struct diagnosis {
     int named;
     struct fault fault;
     double size;      /* in `unit` */
-    const char *unit; /* "steps", "s", "%", "cells" or "" */
+    const char *unit; /* "steps", "s", "dx^2/kappa", "%", "cells" or "" */
     double share;     /* of the squared error, 0 to 1, at the finest rung; NAN where it is not by its share */
-    char what[160];   /* "as if the run had stopped 0.98 steps early"; why none is named where none is */
+    char what[240];   /* "as if the run had stopped 0.98 steps early"; why none is named where none is */
 };
 
 /* `mean` of a rung of that code, from its answer at a time so early that T is still that of the start; NAN where that

@@ -43,7 +43,7 @@ static double wall(const struct problem *p, enum side s, const double x[2]) {
     if (f->fault.kind == FAULT_TRANSPOSED) return f->right->wall(f->right, (enum side)(s ^ 2), at);
     double value = f->right->wall(f->right, s, at);
     if (f->right->side[s] == NEUMANN) value /= f->stretch[s / 2];
-    int is_flux = f->right->side[s] == NEUMANN && f->fault.axis == FAULT_ALL_FLUXES;
+    int is_flux = f->right->side[s] == NEUMANN && f->fault.axis == FAULT_ALL_SIDES;
     if (f->fault.kind == FAULT_AMPLITUDE || (f->fault.kind == FAULT_WALL && (f->fault.axis == (int)s || is_flux)))
         value *= 1 + f->size;
     return value;
@@ -99,6 +99,18 @@ static int has_fluxes(const struct problem *p) {
     return fluxes >= 2;
 }
 
+static int is_cooled(const struct problem *p, int s) {
+    return s < 2 * p->dim && p->side[s] == ROBIN && p->robin[s] > 0;
+}
+
+/* That side; or all of them, of several. */
+static int has_coefficient(const struct problem *p, int axis) {
+    int cooled = 0;
+    if (axis != FAULT_ALL_SIDES) return is_cooled(p, axis);
+    for (int s = 0; s < 2 * p->dim; s++) cooled += is_cooled(p, s);
+    return cooled >= 2;
+}
+
 static int has_corner(const struct problem *p, int corner) {
     int held = 0;
     for (int a = 0; a < 2; a++) {
@@ -127,11 +139,17 @@ static int applies(const struct problem *p, struct fault fault) {
         return p->source_change != 0;
     case FAULT_CAPACITY:
         return p->materials == 2 && p->material[0].rho_c != p->material[1].rho_c;
+    case FAULT_AXIS:
+        return p->dim == 2 && fault.axis < 2;
+    case FAULT_RHO_C:
+        return p->materials == 2 && fault.axis < 2;
+    case FAULT_COEFFICIENT:
+        return has_coefficient(p, fault.axis);
     case FAULT_INTERFACE:
     case FAULT_MEAN:
         return p->materials == 2;
     case FAULT_WALL:
-        if (fault.axis == FAULT_ALL_FLUXES) return has_fluxes(p);
+        if (fault.axis == FAULT_ALL_SIDES) return has_fluxes(p);
         return fault.axis < 2 * p->dim && has_wall_value(p, (enum side)fault.axis);
     case FAULT_START_WIDTH:
     case FAULT_SAMPLES:
@@ -194,6 +212,16 @@ int fault_make(const struct problem *p, struct fault fault, double size, struct 
     case FAULT_CAPACITY:
         q->material[1].rho_c = q->material[0].rho_c;
         break;
+    case FAULT_AXIS:
+        for (int m = 0; m < q->materials; m++) q->material[m].k[fault.axis] *= 1 + size;
+        break;
+    case FAULT_RHO_C:
+        q->material[fault.axis].rho_c *= 1 + size;
+        break;
+    case FAULT_COEFFICIENT:
+        for (int s = 0; s < 4; s++)
+            if (s == fault.axis || fault.axis == FAULT_ALL_SIDES) q->robin[s] *= 1 + size;
+        break;
     case FAULT_EXTENT:
         for (int a = 0; a < p->dim; a++)
             if (fault.axis == a || fault.axis == FAULT_BOTH_AXES) stretch(f, a);
@@ -217,6 +245,25 @@ int fault_make(const struct problem *p, struct fault fault, double size, struct 
 
 int fault_is_whole(enum fault_kind kind) {
     return kind == FAULT_SWAP || kind == FAULT_CAPACITY || kind == FAULT_ISOTROPIC || kind == FAULT_TRANSPOSED;
+}
+
+int fault_bends(enum fault_kind kind) {
+    return kind == FAULT_CONDUCTIVITY || kind == FAULT_AXIS || kind == FAULT_RHO_C || kind == FAULT_COEFFICIENT;
+}
+
+int fault_can_be(const struct problem *p, enum fault_kind kind, double size) {
+    static const double SIGN = 0.1; /* how near to -2 a wrong sign is */
+    switch (kind) {
+    case FAULT_WALL:
+    case FAULT_SOURCE:
+        return size > -1.05 || fabs(size + 2) < SIGN;
+    case FAULT_CLOCK:
+        return size > -p->t_end;
+    case FAULT_AMPLITUDE:
+        return size > -1.05;
+    default:
+        return !fault_bends(kind) || size > -1;
+    }
 }
 
 double fault_probe(const struct problem *p, struct fault fault) {

@@ -14,6 +14,9 @@ enum fault_kind {
     FAULT_SOURCE,       /* relative: the source; -1: lost */
     FAULT_SOURCE_TIME,  /* s: the source, which changes, is that of so much later */
     FAULT_CAPACITY,     /* 1: rho c of the second material is the first one's */
+    FAULT_AXIS,         /* relative: k of every material along one axis alone */
+    FAULT_RHO_C,        /* relative: rho c of one of two materials */
+    FAULT_COEFFICIENT,  /* relative: b of a cooled side, or of all */
     FAULT_WALL,         /* relative: what a side holds, temperature or flux; -1: zero */
     FAULT_CORNER,       /* m: for a corner's cell of that size, sides of given temperature there are at zero */
     FAULT_EXTENT,       /* m: both sides across an axis lie so far outside */
@@ -27,11 +30,12 @@ enum fault_kind {
 
 struct fault {
     enum fault_kind kind;
-    int axis; /* 0 or 1; of FAULT_EXTENT also both; of FAULT_WALL the side, or all of given flux; of FAULT_CORNER 2 y
-               * + x, 1 for the upper end */
+    int axis; /* 0 or 1; of FAULT_EXTENT also both; of FAULT_WALL and FAULT_COEFFICIENT the side, or all of
+               * given flux and all that are cooled; of FAULT_RHO_C the material; of FAULT_CORNER 2 y + x, 1 for the
+               * upper end */
 };
 
-enum { FAULT_BOTH_AXES = 2, FAULT_ALL_FLUXES = 4 };
+enum { FAULT_BOTH_AXES = 2, FAULT_ALL_SIDES = 4 };
 
 /* A problem with a fault of one size.  `problem` points to the rest: it is not to be copied apart from it. */
 struct faulty {
@@ -47,6 +51,13 @@ int fault_make(const struct problem *p, struct fault fault, double size, struct 
 
 /* 1 where the response is not proportional to the size: it is there in full (size 1) or not at all. */
 int fault_is_whole(enum fault_kind kind);
+
+/* 1 where the response is proportional to no size but a small one: a coefficient, whose size may be large. */
+int fault_bends(enum fault_kind kind);
+
+/* 1 where a fault of that kind can have that size: nothing conducts less than nothing, no run stops before its start,
+ * a flux or a source of the wrong sign has its own size. */
+int fault_can_be(const struct problem *p, enum fault_kind kind, double size);
 
 /* The size at which the response is taken, small where it is proportional; of lengths a part of the extent. */
 double fault_probe(const struct problem *p, struct fault fault);

@@ -15,13 +15,26 @@ static const char *axis_name(int axis) {
 void wording_fault(struct diagnosis *d) {
     static const char *const sides[] = {"side x_lo holds", "side x_hi holds", "side y_lo holds", "side y_hi holds",
                                         "sides of given flux hold"};
+    static const char *const cooled[] = {" of side x_lo", " of side x_hi", " of side y_lo", " of side y_hi", "s"};
     double size = d->size, apart = fabs(size);
     const char *much = size < 0 ? "small" : "large", *axis = axis_name(d->fault.axis);
     char *to = d->what;
     const size_t room = sizeof d->what;
     switch (d->fault.kind) {
     case FAULT_CLOCK:
-        snprintf(to, room, "as if the run had stopped %.3g %s %s", apart, d->unit, size < 0 ? "early" : "late");
+        snprintf(to, room, "as if the run had stopped %.3g %s %s%s", apart, d->unit, size < 0 ? "early" : "late",
+                 d->unit[0] == 'd' ? ": one step, if steps are of that length" : "");
+        break;
+    case FAULT_AXIS:
+        snprintf(to, room, "as if k_%s were %.3g %% too %s", axis_name(d->fault.axis), apart, much);
+        break;
+    case FAULT_RHO_C:
+        snprintf(to, room, "as if rho c of the %s material were %.3g %% too %s", d->fault.axis ? "second" : "first",
+                 apart, much);
+        break;
+    case FAULT_COEFFICIENT:
+        snprintf(to, room, "as if the heat transfer coefficient%s were %.3g %% too %s", cooled[d->fault.axis], apart,
+                 much);
         break;
     case FAULT_CONDUCTIVITY:
         snprintf(to, room, "as if the conductivity were %.3g %% too %s", apart, much);
@@ -44,8 +57,10 @@ void wording_fault(struct diagnosis *d) {
         break;
     case FAULT_SOURCE:
         snprintf(to, room,
-                 fabs(size + 100) < 5 ? "as if the source were lost" : "as if the source were %.3g %% too %s", apart,
-                 much);
+                 fabs(size + 100) < 5    ? "as if the source were lost"
+                 : fabs(size + 200) < 10 ? "as if the source had the wrong sign"
+                                         : "as if the source were %.3g %% too %s",
+                 apart, much);
         break;
     case FAULT_SOURCE_TIME:
         snprintf(to, room, "as if the source were that of %.3g %s %s", apart, d->unit,
@@ -107,8 +122,17 @@ static double size_of(const char *text) {
     return at < text + letters ? strtod(at, NULL) : 0;
 }
 
-static int same_fault(const char *a, const char *b) {
+/* `text` without " and y": what is wrong along x and y looks in a rod as if along x. */
+static void along_x(const char *text, char out[WORDING_ALL]) {
+    const char *both = strstr(text, "x and y ");
+    int letters = both ? (int)(both - text) + 1 : (int)strlen(text);
+    snprintf(out, WORDING_ALL, "%.*s%s", letters, text, both ? both + 7 : "");
+}
+
+static int same_fault(const char *said, const char *of) {
+    char a[WORDING_ALL], b[WORDING_ALL];
     size_t m, n;
+    along_x(said, a), along_x(of, b);
     const char *x = size_in(a, &m), *y = size_in(b, &n);
     if (x - a != y - b || strncmp(a, b, (size_t)(x - a)) != 0) return 0;
     x += strspn(x, "0123456789.e+-"), y += strspn(y, "0123456789.e+-");
@@ -141,6 +165,18 @@ static int middle(const char *const text[], int count, int best, int votes) {
     return best;
 }
 
+/* 1 where at least half of those that name a fault name that one, and of the same size to 20 %. */
+static int agree(const char *const text[], int count, const char *what) {
+    static const double SAME = 0.2;
+    int named = 0, same = 0;
+    double size = size_of(what);
+    for (int i = 0; i < count; i++) {
+        named += *text[i] != '\0';
+        same += same_fault(text[i], what) && fabs(size_of(text[i]) - size) <= SAME * fabs(size);
+    }
+    return 2 * same >= named;
+}
+
 void wording_all(const char *const text[], int count, char *all, size_t size) {
     int votes, best = most_named(text, count, &votes);
     size_t letters;
@@ -148,5 +184,6 @@ void wording_all(const char *const text[], int count, char *all, size_t size) {
     if (best < 0) return;
     const char *what = text[middle(text, count, best, votes)];
     size_in(what, &letters);
-    snprintf(all, size, "%.*s (%d of %d gates that do not hold)", (int)letters, what, votes, count);
+    snprintf(all, size, "%s%.*s (%d of %d gates that do not hold)", agree(text, count, what) ? "" : "perhaps ",
+             (int)letters, what, votes, count);
 }

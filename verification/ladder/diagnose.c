@@ -15,24 +15,29 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* The coarser rung once more: 1 where a program's answer differs, and that is the diagnosis. */
-static int differs(const struct experiment *e, const struct field *before, double dx, struct diagnosis *d) {
+/* The coarser rung once more: by how much a program's answers differ from run to run. */
+static void repeat(const struct experiment *e, const struct field *before, const struct result *first,
+                   const struct ladder *l, struct doubt_noise *noise) {
     struct experiment again = *e;
     struct result result;
     struct field f = {0};
     struct norms_error apart;
-    double largest = 0;
-    if (!e->program.solver) return 0;
-    again.options.dx = dx;
+    if (!e->program.solver) return;
+    again.options.dx = l->x[l->n - 2];
     again.program.keep = NULL;
-    int differs = run_experiment(&again, &result, &f) == STATUS_OK;
-    for (size_t i = 0; i < f.n; i++) largest = fmax(largest, fabs(f.T[i]));
-    if (differs && self_difference_fields(&e->problem, before, &f, &apart))
-        differs = diagnosis_repeat(apart.linf, largest, d);
-    else
-        differs = 0;
+    if (run_experiment(&again, &result, &f) == STATUS_OK && self_difference_fields(&e->problem, before, &f, &apart)) {
+        int largest = l->norm == LADDER_LINF;
+        noise->apart = apart.linf;
+        noise->finest = largest ? apart.linf : apart.l1 / sqrt(2);
+        noise->share = noise->finest / (largest ? first->error.linf : first->error.l1);
+    }
     field_free(&f);
-    return differs;
+}
+
+static double largest(const struct field *f) {
+    double most = 0;
+    for (size_t i = 0; i < f->n; i++) most = fmax(most, fabs(f->T[i]));
+    return most;
 }
 
 /* Whether the program's numbers are values or means (diagnosis_mean), from its answer at dx and a time so early that
@@ -58,14 +63,16 @@ static double mean_of_start(const struct experiment *e, double dx) {
     return mean;
 }
 
-void diagnose_ladder(const struct experiment *e, const struct field kept[2], struct ladder *l) {
+void diagnose_ladder(const struct experiment *e, const struct field kept[2], struct ladder *l,
+                     struct doubt_noise *noise) {
     struct diagnosis_rung rung[2];
     double *exact[2];
     if (l->n < 2 || kept[0].n == 0 || kept[1].n == 0) {
         snprintf(l->diagnosis.what, sizeof l->diagnosis.what, "none: two rungs with an answer are needed");
         return;
     }
-    if (differs(e, &kept[1], l->x[l->n - 2], &l->diagnosis)) return;
+    repeat(e, &kept[1], &l->rung[l->n - 2], l, noise);
+    if (noise->share > DOUBT_NOISE && diagnosis_repeat(noise->apart, largest(&kept[1]), &l->diagnosis)) return;
     double mean = mean_of_start(e, l->x[l->n - 2]);
     for (int k = 0; k < 2; k++) {
         exact[k] = xcalloc(kept[k].n, sizeof **exact);
@@ -75,5 +82,7 @@ void diagnose_ladder(const struct experiment *e, const struct field kept[2], str
         rung[k] = (struct diagnosis_rung){&kept[k], exact[k], l->x[l->n - 1 - k], dt, mean};
     }
     diagnosis_find(&e->problem, &rung[0], &rung[1], &l->diagnosis);
+    struct diagnosis repeats;
+    if (!l->diagnosis.named && diagnosis_repeat(noise->apart, largest(&kept[1]), &repeats)) l->diagnosis = repeats;
     for (int k = 0; k < 2; k++) free(exact[k]);
 }

@@ -59,10 +59,11 @@ struct ladder {
     struct slope slope;     /* over the window */
     struct failure failure; /* of the first rung that failed numerically */
     enum verdict verdict;
-    char reason[240];
+    char reason[360];
     int diagnosed; /* 1: a ladder in space did not pass, or it was asked: `diagnosis` says what its errors look like
                     */
     struct diagnosis diagnosis;
+    int noisy; /* 1: a program's answers differ from run to run by more than a tenth of their error */
     double seconds;
 };
 

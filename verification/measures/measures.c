@@ -17,7 +17,7 @@
 
 void measures_fail(struct measured *m, const char *text) {
     *m = (struct measured){.value = NAN, .ci = {NAN, NAN}, .error = NAN, .verdict = VERDICT_FAIL};
-    snprintf(m->reason, sizeof m->reason, "%.300s", text);
+    snprintf(m->reason, sizeof m->reason, "%.390s", text);
 }
 
 void measures_judge(struct measured *m, double value, double lo, double hi) {

@@ -12,8 +12,8 @@ struct measured {
     double ci[2]; /* 95 % interval of a slope; else the value twice */
     double error; /* what a ceiling bounds: E1; of a ladder its norm at the finest rung that counts; NaN: none */
     enum verdict verdict;
-    char reason[320];
-    char diagnosis[200]; /* which usual fault the errors look like; "" where none was looked for */
+    char reason[400];
+    char diagnosis[280]; /* which usual fault the errors look like; "" where none was looked for */
 };
 
 struct measure {

@@ -52,7 +52,8 @@ static double largest(const struct field *f) {
     return most;
 }
 
-/* Of one run few digits are seen; other faults are followed from a run at twice the spacing. */
+/* Of one run few digits are seen; other faults are followed from a run at twice the spacing.  Runs that differ leave
+ * the error in doubt. */
 static void diagnose(const struct request *r, const struct field *f, struct measured *m) {
     const struct experiment *e = &r->experiment;
     const double dx = e->options.dx;
@@ -63,6 +64,10 @@ static void diagnose(const struct request *r, const struct field *f, struct meas
     if (diagnosis_rounding(f, m->error, extent / dx, &l->diagnosis) ||
         (e->program.solver && !ladder_run(e, &rungs, l, &ignored) && l->diagnosis.named))
         wording_text(&l->diagnosis, m->diagnosis, sizeof m->diagnosis);
+    if (l->noisy) {
+        snprintf(m->reason, sizeof m->reason, "%s", m->diagnosis);
+        m->verdict = VERDICT_INCONCLUSIVE;
+    }
     free(l);
 }
 
@@ -100,8 +105,11 @@ void measures_repeat(const struct request *r, double lo, double hi, struct measu
         measures_fail(m, "");
         measures_judge(m, apart.linf / largest(&a), lo, hi);
         m->error = first.error.l1;
-        if (m->verdict == VERDICT_FAIL && diagnosis_repeat(apart.linf, largest(&a), &d))
+        if (m->verdict == VERDICT_FAIL && diagnosis_repeat(apart.linf, largest(&a), &d)) {
             wording_text(&d, m->diagnosis, sizeof m->diagnosis);
+            snprintf(m->reason, sizeof m->reason, "%s; where that is meant, --skip this row", m->diagnosis);
+            m->verdict = VERDICT_INCONCLUSIVE;
+        }
     }
     field_free(&a);
     field_free(&b);

@@ -164,7 +164,7 @@ static void what_one_field_cannot_tell_is_named(void **state) {
     (void)state;
     static const char *const code[] = {"race", "single", "conductivity"},
                              *const rows[] = {"whole/repeat", "contact/steady", "smooth/clock"},
-                             *const says[] = {"as if threads raced", "rounded to 7 digits",
+                             *const says[] = {"from run to run", "rounded to 7 digits",
                                               "conductivity were 1 % too large"};
     struct program program = {.label = "mine"};
     struct request r;

@@ -113,7 +113,7 @@ static void faults_are_named_with_their_size(void **state) {
         {"rect-manufactured",
          0.05,
          0.025,
-         {FAULT_WALL, FAULT_ALL_FLUXES},
+         {FAULT_WALL, FAULT_ALL_SIDES},
          -2,
          -200,
          "given flux hold had the wrong sign"},
@@ -124,6 +124,12 @@ static void faults_are_named_with_their_size(void **state) {
         {"plate", 0.005, 0.0025, {FAULT_CORNER, 3}, 1, 100, "lost at a corner, x_hi, y_hi"},
         {CHANGING, 0.025, 0.0125, {FAULT_SOURCE_TIME, 0}, 1, 1, "source were that of"},
         {CHANGING, 0.025, 0.0125, {FAULT_CLOCK, 0}, 0.5, 0.5, "late"},
+        {"rod-cooling", 0.01, 0.005, {FAULT_COEFFICIENT, 1}, 0.02, 2, "coefficient of side x_hi were"},
+        {"rod-cooling", 0.01, 0.005, {FAULT_COEFFICIENT, 1}, -0.5, -50, "coefficient of side x_hi were"},
+        {"square-step", 0.1, 0.05, {FAULT_AXIS, 1}, 0.6, 60, "k_y were"},
+        {"rod-contact", 0.02, 0.01, {FAULT_RHO_C, 1}, 0.5, 50, "rho c of the second material were"},
+        {"rect-manufactured", 0.05, 0.025, {FAULT_SOURCE, 0}, 0.1, 10, "source were"},
+        {"rod-step", 0.05, 0.025, {FAULT_CONDUCTIVITY, 0}, 1.04, 104, "conductivity were 104 %"},
     };
     int wrong = 0;
     for (size_t i = 0; i < sizeof rows / sizeof *rows; i++) {
@@ -175,7 +181,7 @@ static void runs_that_differ_are_named(void **state) {
     (void)state;
     struct diagnosis d;
     assert_int_equal(diagnosis_repeat(1.1e-9, 1, &d), 1);
-    assert_non_null(strstr(d.what, "two runs of the same are 1.1e-09 K apart"));
+    assert_non_null(strstr(d.what, "answers differ by 1.1e-09 K from run to run"));
     assert_int_equal(diagnosis_repeat(0.9e-9, 1, &d), 0);
     assert_int_equal(diagnosis_repeat(1.1e-9, 2, &d), 0);
 }
@@ -282,6 +288,66 @@ static void most_gates_name_one_fault(void **state) {
     assert_string_equal(all, "");
 }
 
+/* A name needs half of those that name anything, with sizes that agree; x, and x and y, are one vote. */
+static void a_name_that_few_give_is_perhaps(void **state) {
+    (void)state;
+    static const char *const said[] = {"as if the run had stopped 1.07 s late (93 % of the error)",
+                                       "as if the run had stopped 1.1 s late (93 % of the error)",
+                                       "as if k_y were k_x (93 % of the error)",
+                                       "as if k_y were 104 % too large (99 % of the error)",
+                                       "as if the conductivity were 3 % too large (91 % of the error)",
+                                       "as if the run had stopped 1.7 s late (93 % of the error)"};
+    static const char *const sides[] = {"as if the sides across x lay 0.49 cells outside (93 % of the error)",
+                                        "as if k_y were k_x (93 % of the error)",
+                                        "as if the sides across x and y lay 0.5 cells outside (93 % of the error)"};
+    char all[WORDING_ALL];
+    wording_all(said, 5, all, sizeof all);
+    assert_string_equal(all, "perhaps as if the run had stopped 1.07 s late (2 of 5 gates that do not hold)");
+    wording_all(said, 4, all, sizeof all);
+    assert_string_equal(all, "as if the run had stopped 1.07 s late (2 of 4 gates that do not hold)");
+    const char *const apart[] = {said[0], said[5], said[2]};
+    wording_all(apart, 3, all, sizeof all); /* two of three, of other sizes */
+    assert_string_equal(all, "perhaps as if the run had stopped 1.07 s late (2 of 3 gates that do not hold)");
+    wording_all(sides, 3, all, sizeof all);
+    assert_string_equal(all, "as if the sides across x lay 0.49 cells outside (2 of 3 gates that do not hold)");
+}
+
+static void sizes_that_cannot_be_are_not(void **state) {
+    (void)state;
+    struct problem p = problem_of("rod-step");
+    static const enum fault_kind bends[] = {FAULT_CONDUCTIVITY, FAULT_AXIS, FAULT_RHO_C, FAULT_COEFFICIENT};
+    for (int i = 0; i < 4; i++) {
+        assert_int_equal(fault_can_be(&p, bends[i], -0.99), 1);
+        assert_int_equal(fault_can_be(&p, bends[i], -1.21), 0);
+        assert_int_equal(fault_can_be(&p, bends[i], 4.93), 1);
+    }
+    assert_int_equal(fault_can_be(&p, FAULT_WALL, -1), 1);    /* lost */
+    assert_int_equal(fault_can_be(&p, FAULT_WALL, -2), 1);    /* of the wrong sign */
+    assert_int_equal(fault_can_be(&p, FAULT_WALL, -5.71), 0); /* 571 % too small */
+    assert_int_equal(fault_can_be(&p, FAULT_SOURCE, -1.89), 0);
+    assert_int_equal(fault_can_be(&p, FAULT_CLOCK, -0.9 * p.t_end), 1);
+    assert_int_equal(fault_can_be(&p, FAULT_CLOCK, -1.1 * p.t_end), 0);
+    assert_int_equal(fault_can_be(&p, FAULT_AMPLITUDE, -1.2), 0);
+    assert_int_equal(fault_can_be(&p, FAULT_EXTENT, -0.1), 1);
+}
+
+/* Of a program that does not say its steps, each a quarter of dx^2/kappa: one too few. */
+static void a_clock_may_follow_the_spacing(void **state) {
+    (void)state;
+    struct problem p = problem_of("rod-gauss");
+    struct rung r[2];
+    struct diagnosis d;
+    for (int k = 0; k < 2; k++) {
+        solve("rod-gauss", &p, (struct fault){FAULT_CLOCK, 0}, -1, k ? 0.3 : 0.15, &r[k]);
+        r[k].at.dt = 0;
+    }
+    diagnosis_find(&p, &r[0].at, &r[1].at, &d);
+    print_message("%s\n", d.what);
+    assert_non_null(strstr(d.what, "dx^2/kappa early: one step, if steps are of that length"));
+    assert_near(d.size, -0.2, 0.04);
+    for (int i = 0; i < 2; i++) field_free(&r[i].field), free(r[i].exact);
+}
+
 static void a_correct_code_has_none(void **state) {
     (void)state;
     static const char *const names[] = {"rod-gauss",   "rod-step", "rod-cosine",       "rod-contact",
@@ -302,7 +368,8 @@ int main(void) {
         cmocka_unit_test(rounded_temperatures_are_named),   cmocka_unit_test(runs_that_differ_are_named),
         cmocka_unit_test(a_conductivity_is_no_end_time),    cmocka_unit_test(a_projection_is_no_fault),
         cmocka_unit_test(a_start_tells_what_numbers_are),   cmocka_unit_test(most_gates_name_one_fault),
-        cmocka_unit_test(a_correct_code_has_none),
+        cmocka_unit_test(a_name_that_few_give_is_perhaps),  cmocka_unit_test(sizes_that_cannot_be_are_not),
+        cmocka_unit_test(a_clock_may_follow_the_spacing),   cmocka_unit_test(a_correct_code_has_none),
     };
     return cmocka_run_group_tests_name("diagnosis", tests, NULL, NULL);
 }

@@ -71,12 +71,53 @@ static void a_rung_at_rounding_stands_below_a_ceiling(void **state) {
     free(l);
 }
 
+static void is_inconclusive(const char *id, const char *made, const char *said) {
+    struct measured m;
+    row(2, id, made, &m);
+    if (m.verdict != VERDICT_INCONCLUSIVE || !strstr(m.reason, said))
+        fail_msg("%s, %s: %s: %s", id, made, verdict_words[m.verdict], m.reason);
+}
+
+/* A cloud whose errors are far below the ceiling: how many rungs decide. */
+static void what_is_missing_is_said_in_numbers(void **state) {
+    (void)state;
+    static const char *const line = "ladder rod-cosine mine --dx 1/20,1/40,1/60,1/80 --expect 1.5,2.9 --ceiling 1";
+    struct ladder *l = xcalloc(1, sizeof *l);
+    ladder(line, "solver 3e-5", l);
+    assert_int_equal(l->verdict, VERDICT_INCONCLUSIVE);
+    print_message("%s\n", l->reason);
+    assert_non_null(strstr(l->reason, "times below its ceiling and falls throughout (slopes "));
+    assert_non_null(strstr(l->reason, "(--rungs "));
+    free(l);
+}
+
+/* Random numbers, digits and a tolerance have reasons of their own; where the error is above its ceiling by more than
+ * they explain, it is wrong. */
+static void what_cannot_be_told_is_inconclusive(void **state) {
+    (void)state;
+    struct measured m;
+    is_inconclusive("walls/insulated", "noise 1e-3", "from run to run");
+    is_inconclusive("walls/insulated", "noise 0.1", "random numbers, threads or an unset variable");
+    is_inconclusive("whole/repeat", "noise 1e-3", "answers differ by 0.00");
+    is_inconclusive("smooth/gauss", "digits 5", "printed digits: 5 in the file make up");
+    is_inconclusive("walls/insulated", "solver 2e-4", "errors do not fall smoothly (slopes");
+    is_inconclusive("smooth/clock", "noise 1e-3", "from run to run");
+    row(2, "walls/insulated", "second 100", &m); /* its order, and an error too large */
+    assert_int_equal(m.verdict, VERDICT_FAIL);
+    row(2, "walls/insulated", "noise 1e-7", &m);
+    assert_int_equal(m.verdict, VERDICT_PASS);
+    row(2, "walls/insulated", "digits 9", &m);
+    assert_int_equal(m.verdict, VERDICT_PASS);
+}
+
 int main(int argc, char **argv) {
     self = argv[0];
     if (argc == 6 && strcmp(argv[1], "--made") == 0) return made_main(argv, (int)getpid());
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(an_exact_code_passes),
         cmocka_unit_test(a_rung_at_rounding_stands_below_a_ceiling),
+        cmocka_unit_test(what_is_missing_is_said_in_numbers),
+        cmocka_unit_test(what_cannot_be_told_is_inconclusive),
     };
     return cmocka_run_group_tests_name("false_alarms", tests, NULL, NULL);
 }

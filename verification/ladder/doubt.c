@@ -1,0 +1,182 @@
+/* What keeps a ladder from showing an order.
+ *
+ * Noise.  Two runs of the same whose E1 is d apart scatter by d/sqrt(2) each.  A tenth of the error moves a local
+ * slope of ratio r by sqrt(2)/10/log r, 0.2 for r = 2: more than a band of +-0.1 holds.  An error that is above its
+ * ceiling by three times its scatter is wrong all the same.
+ *
+ * Digits.  What is rounded to a unit u is off by u/4 on average.  The unit of T is that of its last digit: of
+ * `digits` significant ones (%g, %e), or of as many decimals as any T has (%f), whichever is the coarser.
+ *
+ * Smooth.  C x^p + D x^q, of any C, D, p and q with errors that do not change their sign, has local slopes that rise
+ * or fall throughout.  Slopes that turn by 1/2 and back by 1/2 have more than two terms of that kind: a tolerance,
+ * digits.
+ *
+ * Rungs.  With the scatter s about the line, n rungs at log x = u have the interval +- t(n - 2) s/sqrt(sum (u -
+ * mean)^2) about the slope: the least n by halving whose interval lies in the band. */
+#include "verification/ladder/doubt.h"
+
+#include "verification/ladder/judge.h"
+#include "verification/ladder/ladder.h"
+#include "verification/ladder/window.h"
+
+#include <gsl/gsl_cdf.h>
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+static const double DIGITS = 0.1, TURN = 0.5; /* a share of the error; of a local slope */
+
+/* Significant digits of T, and the power of ten of the last. */
+static int digits_of(double T, int *last) {
+    enum { MOST = 17 };
+    char text[40];
+    for (int digits = 1; digits <= MOST; digits++) {
+        snprintf(text, sizeof text, "%.*e", digits - 1, T);
+        if (digits < MOST && strtod(text, NULL) != T) continue;
+        *last = atoi(strchr(text, 'e') + 1) - digits + 1;
+        return digits;
+    }
+    return MOST;
+}
+
+double doubt_digits(const struct field *f, int *digits) {
+    enum { POINTS = 500 };
+    size_t stride = f->n / POINTS + 1;
+    int decimals = 400, last;
+    double units = 0, sum = 0;
+    *digits = 0;
+    for (size_t i = 0; i < f->n; i += stride) {
+        if (f->T[i] == 0) continue;
+        int n = digits_of(f->T[i], &last);
+        if (n > *digits) *digits = n;
+        if (last < decimals) decimals = last;
+    }
+    for (size_t i = 0; i < f->n; i += stride) {
+        double T = fabs(f->T[i]);
+        if (T > 0) units += pow(10, fmax(floor(log10(T)) + 1 - *digits, decimals));
+        sum += T;
+    }
+    return sum > 0 ? units / 4 / sum : 0;
+}
+
+/* Local slopes of the rungs that count; how many. */
+static int slopes(const struct ladder *l, double *slope) {
+    int n = 0, before = -1;
+    for (int i = 0; i < l->n; i++) {
+        if (!l->window.counts[i]) continue;
+        if (before >= 0) slope[n++] = log(l->error[before] / l->error[i]) / log(l->x[before] / l->x[i]);
+        before = i;
+    }
+    return n;
+}
+
+static int is_smooth(const double *slope, int n) {
+    double least = INFINITY, most = -INFINITY;
+    for (int i = 0; i < n; i++) least = fmin(least, slope[i]), most = fmax(most, slope[i]);
+    if (least < -TURN && most > TURN) return 0;
+    for (int i = 0; i + 2 < n; i++) {
+        double turn = slope[i + 1] - slope[i], back = slope[i + 1] - slope[i + 2];
+        if (turn * back > 0 && fabs(turn) > TURN && fabs(back) > TURN) return 0;
+    }
+    return 1;
+}
+
+/* "2.1, -0.4, 3.0" */
+static void list_slopes(const double *slope, int n, char *text, size_t size) {
+    size_t used = 0;
+    *text = '\0';
+    for (int i = 0; i < n && used + 12 < size; i++)
+        used += (size_t)snprintf(text + used, size - used, "%s%.2f", i ? ", " : "", slope[i]);
+}
+
+/* The least number of rungs, further ones by halving, whose interval would lie in the band; 0 where none would. */
+static int rungs_needed(const struct ladder *l, double lo, double hi) {
+    enum { MOST = 12 };
+    double u[RUNG_MAX], half = (l->slope.ci[1] - l->slope.ci[0]) / 2, mean = 0, square = 0;
+    int n = 0;
+    for (int i = 0; i < l->n; i++)
+        if (l->window.counts[i]) u[n++] = log(l->x[i]);
+    for (int i = 0; i < n; i++) mean += u[i] / n;
+    for (int i = 0; i < n; i++) square += pow(u[i] - mean, 2);
+    double scatter = half / gsl_cdf_tdist_Pinv(0.975, n - 2) * sqrt(square),
+           room = fmin(l->slope.value - lo, hi - l->slope.value);
+    for (int more = n + 1; more <= MOST; more++) {
+        u[more - 1] = u[more - 2] - log(2);
+        mean = square = 0;
+        for (int i = 0; i < more; i++) mean += u[i] / more;
+        for (int i = 0; i < more; i++) square += pow(u[i] - mean, 2);
+        if (gsl_cdf_tdist_Pinv(0.975, more - 2) * scatter / sqrt(square) <= room) return more + l->n - n;
+    }
+    return 0;
+}
+
+/* What is missing where the error is small and falls throughout; 1 where that is so. */
+static int says_what_is_missing(const struct ladder_rungs *rungs, struct ladder *l) {
+    static const double FAR = 0.1;
+    double slope[RUNG_MAX], error = ladder_finest_error(l);
+    int n = slopes(l, slope), positive = 1;
+    char list[80];
+    for (int i = 0; i < n; i++) positive = positive && slope[i] > 0;
+    if (l->slope.n < WINDOW_LEAST || !positive || !(error <= FAR * rungs->ceiling) || !rungs->expect.count) return 0;
+    double lo = rungs->expect.value[0], hi = rungs->expect.value[1];
+    list_slopes(slope, n, list, sizeof list);
+    int needed = rungs_needed(l, lo, hi),
+        used = snprintf(l->reason, sizeof l->reason,
+                        "the error %.2g is %.0f times below its ceiling and falls throughout (slopes %s), but the "
+                        "interval [%.2f, %.2f] of %d rungs reaches past [%g, %g]: ",
+                        error, rungs->ceiling / error, list, l->slope.ci[0], l->slope.ci[1], l->slope.n, lo, hi);
+    if (used < 0 || (size_t)used >= sizeof l->reason) return 1;
+    if (needed)
+        snprintf(l->reason + used, sizeof l->reason - (size_t)used, "with this scatter %d rungs decide (--rungs %d)",
+                 needed, needed);
+    else
+        snprintf(l->reason + used, sizeof l->reason - (size_t)used, "the slope needs less scatter (--seeds 4)");
+    return 1;
+}
+
+static int is_above(const struct ladder_rungs *rungs, double error) {
+    return rungs->ceiling > 0 && !(error <= rungs->ceiling);
+}
+
+/* An error above its ceiling is wrong whatever the order is. */
+static void doubt(const struct ladder_rungs *rungs, double error, struct ladder *l) {
+    l->verdict = VERDICT_INCONCLUSIVE;
+    if (is_above(rungs, error)) judge_ceiling(error, rungs->ceiling, &l->verdict, l->reason, sizeof l->reason);
+}
+
+static void judge_smoothness(const struct ladder_rungs *rungs, struct ladder *l) {
+    double slope[RUNG_MAX];
+    int n = slopes(l, slope);
+    char list[80];
+    if (is_smooth(slope, n) || l->diagnosis.named) return;
+    list_slopes(slope, n, list, sizeof list);
+    snprintf(l->reason, sizeof l->reason,
+             "errors do not fall smoothly (slopes %s): points at random (--seeds), a solver's tolerance, or errors "
+             "that cancel",
+             list);
+    doubt(rungs, ladder_finest_error(l), l);
+}
+
+void doubt_judge(const struct ladder_rungs *rungs, const struct doubt_noise *noise, const struct field *finest,
+                 struct ladder *l) {
+    double error = ladder_finest_error(l);
+    int digits;
+    if (l->failure.status || (l->verdict != VERDICT_FAIL && l->verdict != VERDICT_INCONCLUSIVE)) return;
+    double printed = l->norm == LADDER_QUANTITY ? 0 : doubt_digits(finest, &digits) / l->rung[l->n - 1].error.l1;
+    if (noise->share > DOUBT_NOISE) {
+        snprintf(
+            l->reason, sizeof l->reason,
+            "answers differ by %.2g K from run to run, %.0f %% of the error: random numbers, threads or an unset "
+            "variable; no order shows",
+            noise->apart, 100 * noise->share);
+        doubt(rungs, error - 3 * noise->finest, l);
+    } else if (printed > DIGITS) {
+        snprintf(l->reason, sizeof l->reason,
+                 "printed digits: %d in the file make up %.0f %% of the finest error; more of them show the order",
+                 digits, 100 * fmin(printed, 1));
+        doubt(rungs, error, l);
+    } else if (!(l->verdict == VERDICT_INCONCLUSIVE && says_what_is_missing(rungs, l))) {
+        judge_smoothness(rungs, l);
+    }
+}

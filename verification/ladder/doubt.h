@@ -1,0 +1,30 @@
+#ifndef HEATLADDER_VERIFICATION_LADDER_DOUBT_H
+#define HEATLADDER_VERIFICATION_LADDER_DOUBT_H
+
+/* Errors of a program that show no order, and are not wrong for it: noise, digits, a solver's tolerance, few rungs.
+ */
+
+#include "solver/field.h"
+
+struct ladder;
+struct ladder_rungs;
+
+/* How far two runs of the same are apart at the rung before the finest, in the norm of the ladder. */
+struct doubt_noise {
+    double apart;  /* K, the largest difference; 0 where they are the same or nobody knows */
+    double share;  /* of that rung's error, the scatter of one run */
+    double finest; /* the scatter at the finest rung, in the unit of l->error */
+};
+
+static const double DOUBT_NOISE = 0.1; /* a share above shows no order */
+
+/* The part of E1, relative, that the digits in which T of *f is printed make up on average, and how many they are. */
+double doubt_digits(const struct field *f, int *digits);
+
+/* Where *l did not pass: VERDICT_INCONCLUSIVE with a reason of its own where noise, printed digits, or errors that do
+ * not fall smoothly and look like no fault, may be why; unless even so the error is above its ceiling.  Of a ladder
+ * that is inconclusive far below its ceiling, how many rungs would decide.  finest: its field, at the finest rung. */
+void doubt_judge(const struct ladder_rungs *rungs, const struct doubt_noise *noise, const struct field *finest,
+                 struct ladder *l);
+
+#endif
