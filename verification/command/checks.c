@@ -103,6 +103,9 @@ static int check_program(const struct request *r, struct failure *why) {
     if (g->map.axes && g->map.axes != r->experiment.problem.dim)
         return refuse(why, STATUS_INPUT, "--map: %s has %s", r->experiment.scene->name,
                       r->experiment.problem.dim == 1 ? "x alone: x or -x" : "x and y, such as y,-x");
+    if ((r->more_rungs || r->time_order > 0) && !r->battery && !program_given(g) && !r->gates_path)
+        return refuse(why, STATUS_INPUT, "--%s needs --solver, --results, --gates or --battery: of which code?",
+                      r->more_rungs ? "rungs" : "time-order");
     if (*g->vary && !program_given(g)) return refuse(why, STATUS_INPUT, "--vary needs --solver or --results");
     for (int k = 0; k < COLUMN_COUNT && !program_given(g); k++)
         if (g->columns.name[k][0]) return refuse(why, STATUS_INPUT, "--columns needs --solver or --results");

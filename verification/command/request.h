@@ -30,6 +30,8 @@ struct request {
     const char *only;        /* glob of the names of gates or claims; NULL for all */
     const char *skip;        /* verify: glob of the gates to leave out; NULL for none */
     const char *gates_path;  /* verify: the file of rows; NULL for the built-in ones */
+    int more_rungs;          /* battery: rungs of each ladder in all; 0: as the rows are */
+    double time_order;       /* battery: of the code in time; 0: any of 0.9 or more */
     int order;               /* battery: of the code in space; 0: 2 */
     int battery;             /* case: 1: the cases of the battery */
     const char *bench_scene; /* bench: the one scene; NULL for all */

@@ -169,18 +169,22 @@ static int fit_at(const struct looked_at *at, struct fault fault, double size, s
     return failed;
 }
 
-/* The response to a coefficient is no straight line: it is taken once more at the size that was found, until that
- * stays. */
+/* The response to a coefficient is no straight line: it is taken once more at the size s that was found, which finds
+ * f(s), until the two are one.  The next s is where the line through the last two f meets it: a wall that hardly
+ * resists has f = -(1 + s), which s = f would never leave. */
 static int fit_bent(const struct looked_at *at, struct fault fault, struct fit fit[2]) {
-    enum { ROUNDS = 5 };
-    static const double LARGE = 0.05, LEAST = -0.9, MOST = 3, SAME = 0.01, LIKELY = 0.5;
+    enum { ROUNDS = 6 };
+    static const double LARGE = 0.05, LEAST = -0.9, MOST = 3, SAME = 0.01, LIKELY = 0.5, STEEP = 0.9;
     int failed = fit_at(at, fault, 0, fit);
-    double size = 0;
+    double before[2] = {0, fit[0].size}, s = before[1];
     for (int round = 0; round < ROUNDS && !failed && fault_bends(fault.kind); round++) {
-        double found = fmin(fmax(fit[0].size, LEAST), MOST);
-        if (!(fit[0].share > LIKELY && fit[0].part > FIT_MOST && fabs(found) > LARGE)) break;
-        if (fabs(found - size) <= SAME * fabs(found)) break;
-        failed = fit_at(at, fault, size = found, fit);
+        if (!(fit[0].share > LIKELY && fit[0].part > FIT_MOST && fabs(s) > LARGE)) break;
+        s = fmin(fmax(s, LEAST), MOST);
+        failed = fit_at(at, fault, s, fit);
+        double found = fit[0].size, slope = (found - before[1]) / (s - before[0]);
+        if (failed || fabs(found - s) <= SAME * fabs(found)) break;
+        before[0] = s, before[1] = found;
+        s = slope < STEEP ? (found - slope * s) / (1 - slope) : found;
     }
     return failed;
 }

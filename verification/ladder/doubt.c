@@ -97,6 +97,7 @@ static int rungs_needed(const struct ladder *l, double lo, double hi) {
     int n = 0;
     for (int i = 0; i < l->n; i++)
         if (l->window.counts[i]) u[n++] = log(l->x[i]);
+    if (n < WINDOW_LEAST) return 0;
     for (int i = 0; i < n; i++) mean += u[i] / n;
     for (int i = 0; i < n; i++) square += pow(u[i] - mean, 2);
     double scatter = half / gsl_cdf_tdist_Pinv(0.975, n - 2) * sqrt(square),

@@ -3,6 +3,7 @@
 #include "verification/unit/control_volumes.inc"
 
 #include "verification/gates/battery.h"
+#include "verification/gates/refine.h"
 #include "verification/command/arguments.h"
 #include "verification/foreign/program.h"
 #include "verification/run/run.h"
@@ -293,6 +294,41 @@ static void every_time_step_divides_its_end(void **state) {
     }
 }
 
+static struct gate refined(const char *command, double lo, const char *measure, int rungs, double time_order,
+                           char text[400]) {
+    struct gate gate = {.id = "a/b", .measure = measure, .command = command, .lo = lo, .hi = 2.9, .ceiling = 0.064};
+    struct gates g = {0};
+    gates_add(&g, &gate);
+    refine_gates(&g, rungs, time_order);
+    gate = g.result[0].gate;
+    snprintf(text, 400, "%s", gate.command);
+    gates_free(&g);
+    return gate;
+}
+
+/* Further rungs by halving, and a ceiling that falls as the order does. */
+static void rungs_are_added_by_halving(void **state) {
+    (void)state;
+    char text[400];
+    struct gate g = refined("ladder s mine --dx 0.1,0.05,1/30,0.025 --set a=1", 1.5, "order", 6, 0, text);
+    assert_string_equal(text, "ladder s mine --dx 0.1,0.05,1/30,0.025,0.025/2,0.025/4 --set a=1");
+    assert_near(g.ceiling, 0.064 / 16, 1e-15);
+    g = refined("ladder s mine --dx 0.3/15,0.3/60", 0.5, "order", 3, 0, text);
+    assert_string_equal(text, "ladder s mine --dx 0.3/15,0.3/60,0.3/120");
+    assert_near(g.ceiling, 0.064 / 2, 1e-15);
+    g = refined("ladder s mine --dx 0.05 --dt 1/16,1/32", 0.9, "slope_time", 3, 2, text);
+    assert_string_equal(text, "ladder s mine --dx 0.05 --dt 1/16,1/32,1/64");
+    assert_near(g.ceiling, 0.064 / 2, 1e-15);
+    assert_near(g.lo, 1.8, 1e-15);
+    assert_near(g.hi, 2.5, 1e-15);
+    g = refined("ladder s mine --dx 1,0.5", 1.5, "order", 2, 2, text);
+    assert_string_equal(text, "ladder s mine --dx 1,0.5");
+    assert_near(g.ceiling, 0.064, 0);
+    assert_near(g.lo, 1.5, 0);
+    g = refined("run s mine --dx 0.05", 0, "error", 9, 1, text);
+    assert_string_equal(text, "run s mine --dx 0.05");
+}
+
 static int make(void **state) {
     (void)state;
     return mkdtemp(dir) == NULL;
@@ -319,6 +355,7 @@ int main(int argc, char **argv) {
         cmocka_unit_test(a_failure_can_be_typed),
         cmocka_unit_test(every_row_says_what_it_sees),
         cmocka_unit_test(every_time_step_divides_its_end),
+        cmocka_unit_test(rungs_are_added_by_halving),
     };
     return cmocka_run_group_tests_name("battery", tests, make, clean);
 }

@@ -4,6 +4,7 @@
 #include "references/scene.h"
 #include "solver/status.h"
 #include "verification/gates/battery.h"
+#include "verification/gates/refine.h"
 #include "verification/command/request.h"
 #include "verification/foreign/results.h"
 
@@ -12,12 +13,15 @@
 static int battery(const struct request *r, struct failure *why) {
     struct gates g = {0};
     int written, order = r->order ? r->order : 2;
+    char rungs[40] = "";
+    if (r->more_rungs) snprintf(rungs, sizeof rungs, " --rungs %d", r->more_rungs);
     battery_add(order, &g);
+    refine_gates(&g, r->more_rungs, r->time_order);
     int status = battery_write(&g, r->into, &written, why);
     if (!status)
         printf("%d cases of %d gates in %s, named in %s/cases.txt; when each has its out.csv beside it:\n"
-               "  heatladder verify --order %d --results %s\n",
-               written, g.declared, r->into, r->into, order, r->into);
+               "  heatladder verify --order %d%s --results %s\n",
+               written, g.declared, r->into, r->into, order, rungs, r->into);
     gates_free(&g);
     return status;
 }

@@ -4,6 +4,7 @@
 #include "references/scene.h"
 #include "solver/method.h"
 #include "verification/text/atomic_file.h"
+#include "verification/gates/refine.h"
 #include "verification/gates/battery.h"
 #include "verification/gates/gate_file.h"
 #include "verification/diagnosis/wording.h"
@@ -89,11 +90,13 @@ static int collect(const struct request *r, struct gate_file *file, struct gates
     for (int i = 0; i < file->count; i++) gates_add(g, &file->gate[i]);
     if (!r->gates_path) battery_add(r->order ? r->order : 2, g);
     g->origin = origin;
-    if (r->gates_path)
-        snprintf(origin, ORIGIN, "--gates '%.1000s'", r->gates_path);
-    else
-        snprintf(origin, ORIGIN, "--order %d", r->order ? r->order : 2);
-    return gates_choose(g, r->only, r->skip, r->quick, why);
+    size_t used = r->gates_path ? (size_t)snprintf(origin, ORIGIN, "--gates '%.1000s'", r->gates_path)
+                                : (size_t)snprintf(origin, ORIGIN, "--order %d", r->order ? r->order : 2);
+    if (r->more_rungs) used += (size_t)snprintf(origin + used, ORIGIN - used, " --rungs %d", r->more_rungs);
+    if (r->time_order > 0) snprintf(origin + used, ORIGIN - used, " --time-order %g", r->time_order);
+    if (gates_choose(g, r->only, r->skip, r->quick, why)) return why->status;
+    refine_gates(g, r->more_rungs, r->time_order);
+    return STATUS_OK;
 }
 
 static int write_page(const struct gates *g, const struct request *r, struct failure *why) {
