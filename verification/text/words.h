@@ -7,7 +7,7 @@
 
 struct failure; /* solver/status.h */
 
-enum { WORDS_MAX = 64 }; /* the longest list that a caller may build on its stack, its NULL counted */
+enum { WORDS_MAX = 136 }; /* the longest list that a caller may build on its stack, its NULL counted */
 
 /* The place of `word` in the list, or -1. */
 int words_index(const char *const *words, const char *word);
