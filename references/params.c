@@ -1,7 +1,7 @@
 /* Checks of a scene's parameters: one sentence a refusal, which names the option, the value and what is valid. */
 #include "references/params.h"
 
-#include "solver/method.h"
+#include "solver/status.h"
 
 #include <math.h>
 #include <string.h>

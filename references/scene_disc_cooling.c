@@ -17,7 +17,7 @@
 #include "references/roots.h"
 #include "references/talbot.h"
 
-#include "solver/method.h"
+#include "solver/status.h"
 #include "solver/shape.h"
 
 #include <float.h>

@@ -16,7 +16,7 @@
 #include "references/params.h"
 #include "references/roots.h"
 
-#include "solver/method.h"
+#include "solver/status.h"
 #include "solver/shape.h"
 
 #include <float.h>

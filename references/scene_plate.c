@@ -22,7 +22,7 @@
 #include "references/params.h"
 #include "references/rectangle.h"
 
-#include "solver/method.h"
+#include "solver/status.h"
 
 #include <float.h>
 #include <math.h>

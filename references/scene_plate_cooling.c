@@ -15,7 +15,7 @@
 #include "references/cooled_plate.h"
 #include "references/params.h"
 
-#include "solver/method.h"
+#include "solver/status.h"
 
 #include <float.h>
 #include <math.h>

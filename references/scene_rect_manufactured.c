@@ -29,7 +29,7 @@
 #include "references/params.h"
 #include "references/spectral.h"
 
-#include "solver/method.h"
+#include "solver/status.h"
 
 #include <float.h>
 #include <gsl/gsl_integration.h>

@@ -17,7 +17,7 @@
 #include "references/layers.h"
 #include "references/params.h"
 
-#include "solver/method.h"
+#include "solver/status.h"
 
 #include <float.h>
 #include <math.h>

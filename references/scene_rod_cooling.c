@@ -16,7 +16,7 @@
 #include "references/params.h"
 #include "references/talbot.h"
 
-#include "solver/method.h"
+#include "solver/status.h"
 
 #include <float.h>
 #include <math.h>

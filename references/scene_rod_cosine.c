@@ -13,7 +13,7 @@
 #include "references/params.h"
 #include "references/spectral.h"
 
-#include "solver/method.h"
+#include "solver/status.h"
 
 #include <float.h>
 #include <math.h>

@@ -14,7 +14,7 @@
 #include "references/params.h"
 #include "references/series.h"
 
-#include "solver/method.h"
+#include "solver/status.h"
 
 #include <float.h>
 #include <math.h>

@@ -14,7 +14,7 @@
 #include "references/layers.h"
 #include "references/params.h"
 
-#include "solver/method.h"
+#include "solver/status.h"
 
 #include <stdlib.h>
 

@@ -12,7 +12,7 @@
  * Restrictions: A < Tm, so that T > 0; modes 0 to 32, not both 0. */
 #include "references/params.h"
 
-#include "solver/method.h"
+#include "solver/status.h"
 
 #include <float.h>
 #include <math.h>

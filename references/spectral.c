@@ -10,7 +10,7 @@
  * Restrictions: one material, sides alike on each axis and homogeneous. */
 #include "references/spectral.h"
 
-#include "solver/method.h"
+#include "solver/status.h"
 
 #include <float.h>
 #include <math.h>

@@ -143,9 +143,9 @@ static int check_model(const struct request *r, const struct option *o, struct f
 
 static int take_option(struct request *r, const struct word *w, struct failure *why) {
     const struct option *o = w->option;
-    unsigned char *given = &r->given[o - options_table];
-    if (*given && strcmp(o->key, "set") != 0) return refuse(why, STATUS_INPUT, "--%s is given twice", o->name);
-    *given = 1;
+    if (r->given[o - options_table] && strcmp(o->key, "set") != 0)
+        return refuse(why, STATUS_INPUT, "--%s is given twice", o->name);
+    r->given[o - options_table] = 1;
     if (words_among("dt fourier threads t-end set", o->key) && r->verb->positionals[0] == '[' && !r->experiment.scene)
         return refuse(why, STATUS_INPUT, "--%s needs a scene: heatladder case SCENE --dx A,B,C --into DIR", o->name);
     if (strcmp(r->verb->name, "ladder") == 0 && !r->experiment.scene &&
@@ -214,7 +214,7 @@ static void take_program(struct request *r) {
 
 int arguments_parse(int argc, char *const *argv, struct request *r, struct failure *why) {
     char *line = r->line;
-    *r = (struct request){.line = line};
+    *r = (struct request){.line = line, .given = xcalloc((size_t)options_count, 1)};
     *why = (struct failure){0};
     struct word words[LINE_WORDS];
     int options = 0, positionals = 0;
@@ -293,5 +293,6 @@ void arguments_free(struct request *r) {
     free(r->line);
     free(r->typed);
     free(r->external);
+    free(r->given);
     *r = (struct request){0};
 }

@@ -22,6 +22,7 @@ struct option {
 };
 
 extern const struct option options_table[]; /* ended by a NULL key */
+extern const int options_count;
 
 /* The row of that name among those whose keys `allowed` (blank-separated) holds; NULL where there is none. */
 const struct option *option_find(const char *allowed, const char *name);

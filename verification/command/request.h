@@ -8,7 +8,6 @@
 
 struct verb; /* verification/command/verb.h */
 
-enum { REQUEST_OPTIONS = 128 }; /* rows that options.def may have */
 
 struct request {
     const struct verb *verb;
@@ -41,10 +40,10 @@ struct request {
     int json;                                                    /* 1: JSON on standard output instead of text */
     int verbose;                                                 /* 1: every gate, not only the groups */
     int quick;                                                   /* 1: the quick tier of the gates alone */
-    unsigned char given[REQUEST_OPTIONS]; /* 1 for each row of the option table that was given */
-    unsigned long overridden;             /* which parameters of the scene were given */
-    char *typed;                          /* owned: the command after the program's name, quoted for a shell */
-    char *line;                           /* owned: the words of a command that was given as one line; else NULL */
+    unsigned char *given;     /* owned: for each row of the option table 1 where it was given */
+    unsigned long overridden; /* which parameters of the scene were given */
+    char *typed;              /* owned: the command after the program's name, quoted for a shell */
+    char *line;               /* owned: the words of a command that was given as one line; else NULL */
 };
 
 #endif
