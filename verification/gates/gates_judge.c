@@ -12,11 +12,9 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* The norm of a measure of slopes: "slope", "slope_NORM", "order" or "order_NORM"; -1 for any other measure. */
-static int slope_norm(const char *measure) {
-    if (strcmp(measure, "slope") == 0 || strcmp(measure, "order") == 0) return LADDER_L1;
-    if (strncmp(measure, "order_", 6) == 0) return words_index(ladder_norm_words, measure + 6);
-    return strncmp(measure, "slope_", 6) == 0 ? words_index(ladder_norm_words, measure + 6) : -1;
+/* Whether the measure is what `ladder` itself judges: its command can be typed as it is. */
+static int is_ladder(const char *measure) {
+    return strcmp(measure, "slope") == 0 || strncmp(measure, "order", 5) == 0;
 }
 
 static void judge_refused(struct measured *m, const char *text) {
@@ -71,7 +69,7 @@ void gates_judge(const struct gate *gate, const struct program *program, struct 
         judge_refused(m, "this measure needs an error ceiling beside it");
     } else {
         measure->take(&r, gate->lo, gate->hi, m);
-        if (!isnan(gate->ceiling) && m->verdict != VERDICT_SKIPPED && slope_norm(gate->measure) < 0)
+        if (!isnan(gate->ceiling) && m->verdict != VERDICT_SKIPPED && !is_ladder(gate->measure))
             judge_ceiling(m->error, gate->ceiling, &m->verdict, m->reason, sizeof m->reason);
     }
     arguments_free(&r);
@@ -79,14 +77,14 @@ void gates_judge(const struct gate *gate, const struct program *program, struct 
 
 void gates_command(const struct gate *gate, const struct program *program, char *text, size_t size) {
     struct words w;
-    int norm = slope_norm(gate->measure);
+    int ladder = is_ladder(gate->measure);
     FILE *out = xcheck(fmemopen(text, size, "w"), size, 1);
-    if (norm < 0)
+    if (!ladder)
         fprintf(out, "verify --only '%s'", gate->id);
     else
         fprintf(out, "%s --expect %g,%g", gate->command, gate->lo, gate->hi);
-    if (norm > 0) fprintf(out, " --norm %s", ladder_norm_words[norm]);
-    if (norm >= 0 && !isnan(gate->ceiling)) fprintf(out, " --ceiling %.10g", gate->ceiling);
+    if (strcmp(gate->measure, "order_linf") == 0) fprintf(out, " --norm linf");
+    if (ladder && !isnan(gate->ceiling)) fprintf(out, " --ceiling %.10g", gate->ceiling);
     words_of(gate, program, &w);
     char *more = words_line(w.count, w.word);
     fprintf(out, "%s%s", w.count > 0 ? " " : "", more);

@@ -16,12 +16,10 @@
  * (semidiscrete.h), so that no error of space is in them. */
 
 enum ladder_norm {
-    LADDER_L1, /* E1 */
-    LADDER_L2,
-    LADDER_LINF,
-    LADDER_INTERIOR, /* E1 away from the walls */
-    LADDER_BOUNDARY, /* E1 near the walls */
-    LADDER_QUANTITY  /* the error of --quantity; has no word */
+#define NORM(NAME, word, title, of) LADDER_##NAME,
+#include "verification/ladder/norms.def"
+#undef NORM
+    LADDER_QUANTITY /* the error of --quantity; has no word */
 };
 extern const char *const ladder_norm_words[];  /* in the order of the enum, ended by NULL */
 extern const char *const ladder_norm_titles[]; /* for a reader, in the same order, LADDER_QUANTITY too */

@@ -7,26 +7,24 @@
 #include <math.h>
 #include <stdio.h>
 
-const char *const ladder_norm_words[] = {"l1", "l2", "linf", "interior", "boundary", NULL};
+#define NORM(NAME, word, title, of) word,
+const char *const ladder_norm_words[] = {
+#include "verification/ladder/norms.def"
+    NULL};
+#undef NORM
+#define NORM(NAME, word, title, of) title,
 const char *const ladder_norm_titles[] = {
-    "E1", "L2", "Linf", "E1 of the interior", "E1 near the walls", "the quantity's error"};
+#include "verification/ladder/norms.def"
+    "the quantity's error"};
+#undef NORM
 
 static double in_norm(const struct result *r, enum ladder_norm norm) {
-    if (r->failure.status) return NAN;
-    switch (norm) {
-    case LADDER_L1:
-        return r->error.l1;
-    case LADDER_L2:
-        return r->error.l2;
-    case LADDER_LINF:
-        return r->error.linf;
-    case LADDER_INTERIOR:
-        return r->interior.l1;
-    case LADDER_QUANTITY:
-        return r->derived_error;
-    default:
-        return r->boundary.l1;
-    }
+    const double value[] = {
+#define NORM(NAME, word, title, of) of,
+#include "verification/ladder/norms.def"
+#undef NORM
+        r->derived_error};
+    return r->failure.status ? NAN : value[norm];
 }
 
 /* The points of the window, coarsest first; how many. */

@@ -29,13 +29,11 @@ void measures_judge(struct measured *m, double value, double lo, double hi) {
     snprintf(m->reason, sizeof m->reason, "%.4g %s [%g, %g]", value, where, lo, hi);
 }
 
-static void slope_in(enum ladder_norm norm, int scattered, const struct request *r, double lo, double hi,
-                     struct measured *m) {
+static void take_slope(int scattered, const struct request *r, double lo, double hi, struct measured *m) {
     struct failure why = {0};
     struct ladder *l = xcalloc(1, sizeof *l);
     struct ladder_rungs rungs = r->rungs;
     rungs.expect = (struct numbers){.count = 2, .value = {lo, hi}};
-    rungs.norm = norm;
     rungs.scattered = scattered;
     int status = ladder_run(&r->experiment, &rungs, l, &why);
     measures_fail(m, why.text);
@@ -52,31 +50,27 @@ static void slope_in(enum ladder_norm norm, int scattered, const struct request 
     free(l);
 }
 
-#define SLOPE(name, norm)                                                                                            \
-    void measures_##name(const struct request *r, double lo, double hi, struct measured *m) {                        \
-        slope_in(norm, 0, r, lo, hi, m);                                                                             \
-    }
-SLOPE(slope, LADDER_L1)
-SLOPE(slope_l2, LADDER_L2)
-SLOPE(slope_linf, LADDER_LINF)
-SLOPE(slope_interior, LADDER_INTERIOR)
-SLOPE(slope_boundary, LADDER_BOUNDARY)
-#undef SLOPE
+void measures_slope(const struct request *r, double lo, double hi, struct measured *m) {
+    take_slope(0, r, lo, hi, m);
+}
 
 /* Errors of space and time can cancel, at a mesh Fourier number of 1/6 for one, and what is left falls by steps that
  * are not quite what they should be: an error so far below what is allowed tells enough. */
-#define ORDER(name, norm)                                                                                            \
-    void measures_##name(const struct request *r, double lo, double hi, struct measured *m) {                        \
-        static const double SMALL = 1.0 / 40;                                                                        \
-        slope_in(norm, 1, r, lo, hi, m);                                                                             \
-        if (m->verdict == VERDICT_PASS || !(m->error <= SMALL * r->rungs.ceiling)) return;                           \
-        m->verdict = VERDICT_PASS;                                                                                   \
-        snprintf(m->reason, sizeof m->reason, "the error %.4g is below 1/40 of its ceiling %.4g", m->error,          \
-                 r->rungs.ceiling);                                                                                  \
-    }
-ORDER(order, LADDER_L1)
-ORDER(order_linf, LADDER_LINF)
-#undef ORDER
+void measures_order(const struct request *r, double lo, double hi, struct measured *m) {
+    static const double SMALL = 1.0 / 40;
+    take_slope(1, r, lo, hi, m);
+    if (m->verdict == VERDICT_PASS || !(m->error <= SMALL * r->rungs.ceiling)) return;
+    m->verdict = VERDICT_PASS;
+    snprintf(m->reason, sizeof m->reason, "the error %.4g is below 1/40 of its ceiling %.4g", m->error,
+             r->rungs.ceiling);
+}
+
+/* The battery's rows are turned into runs, which have no norm to choose: they have this measure. */
+void measures_order_linf(const struct request *r, double lo, double hi, struct measured *m) {
+    struct request with = *r;
+    with.rungs.norm = LADDER_LINF;
+    measures_order(&with, lo, hi, m);
+}
 
 void measures_operator_slope(const struct request *r, double lo, double hi, struct measured *m) {
     struct numbers dx = r->rungs.dx;

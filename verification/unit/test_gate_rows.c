@@ -31,9 +31,10 @@ static void a_gate_can_be_typed(void **state) {
     (void)state;
     static const struct gate rows[] = {
         {"a", TIER_QUICK, "slope", "ladder rod-gauss so_ssph --dx 1,0.5,0.25,0.125", 2.01, 2.3, 1, "too high"},
-        {"b", TIER_QUICK, "slope_linf", "ladder plate so_ssph --dx 0.01,0.005,0.0025,0.00125", 1.9, 2.1, 1,
+        {"b", TIER_QUICK, "slope", "ladder plate so_ssph --dx 0.01,0.005,0.0025,0.00125 --norm linf", 1.9, 2.1, 1,
          "a corner"},
-        {"c", TIER_QUICK, "slope_boundary", "ladder rod-step so_ssph --dx 0.2,0.1,0.05,0.025", 1.8, 2.2, 1e-7, "low"},
+        {"c", TIER_QUICK, "slope", "ladder rod-step so_ssph --dx 0.2,0.1,0.05,0.025 --norm boundary", 1.8, 2.2, 1e-7,
+         "low"},
         {"d", TIER_QUICK, "slope", "ladder rod-gauss so_ssph --dx 1,0.5", 1.9, 2.1, 1, "short"}};
     for (int k = 0; k < 4; k++) {
         char command[GATES_COMMAND];

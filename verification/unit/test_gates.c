@@ -52,7 +52,7 @@ static void a_right_order_of_a_wrong_size_fails(void **state) {
 static void an_order_needs_a_ceiling(void **state) {
     (void)state;
     assert_fails(judge("slope", LADDER, 1.9, 2.1, NAN), "needs an error ceiling");
-    assert_fails(judge("slope_linf", LADDER, 1.9, 2.1, 0), "needs an error ceiling");
+    assert_fails(judge("slope", LADDER " --norm linf", 1.9, 2.1, 0), "needs an error ceiling");
 }
 
 static void three_rungs_do_not_pass(void **state) {
