@@ -8,7 +8,6 @@
 
 struct verb; /* verification/command/verb.h */
 
-
 struct request {
     const struct verb *verb;
     struct experiment experiment; /* scene and method are NULL where the verb takes none; dx, dt and fourier are the
