@@ -1,6 +1,7 @@
 /* The statements of all papers. */
 #include "reports/papers.h"
 
+#include "reports/operators/others.h"
 #include "reports/pamplona/pamplona.h"
 #include "reports/song/song.h"
 
@@ -9,5 +10,6 @@
 const struct claims_row papers_claims[] = {
 #include "reports/song/song.def"
 #include "reports/pamplona/pamplona.def"
+#include "reports/operators/others.def"
     {0}};
 #undef CLAIM

@@ -2,6 +2,7 @@
 #include "verification/command/verb.h"
 
 #include "verification/text/json.h"
+#include "verification/stability/customary_step.h"
 #include "verification/stability/step_limit.h"
 #include "verification/command/request.h"
 
@@ -28,6 +29,17 @@ static void print_json(const struct model_problem *b, const struct step_limit *l
     json_number(&j, "beta", l->beta);
     json_number(&j, "radius", l->radius);
     json_number(&j, "growth", l->growth);
+    struct customary_step custom[CUSTOMARY_STEPS];
+    int customs = customary_steps(b, custom);
+    json_array(&j, "customary");
+    for (int k = 0; k < customs; k++) {
+        json_object(&j, NULL);
+        json_text(&j, "source", custom[k].source);
+        json_number(&j, "step", custom[k].F);
+        json_number(&j, "times_stable", custom[k].F / l->von_neumann);
+        json_end(&j);
+    }
+    json_end(&j);
     json_array(&j, "theta");
     for (int a = 0; a < b->dim; a++) json_number(&j, NULL, l->theta[a]);
     json_end(&j);
@@ -64,6 +76,23 @@ static void print_text(const struct model_problem *b, const struct step_limit *l
         printf("  the published bound takes %.3g times as many steps as are needed\n", l->von_neumann / l->published);
 }
 
+/* What codes take, beside what is stable. */
+static void print_customary(const struct model_problem *b, const struct step_limit *l) {
+    struct customary_step custom[CUSTOMARY_STEPS];
+    int customs = customary_steps(b, custom);
+    if (customs > 0) printf("  steps that SPH codes take:\n");
+    for (int k = 0; k < customs; k++) {
+        double times = custom[k].F / l->von_neumann;
+        printf("  %-12.4g %s: ", custom[k].F, custom[k].source);
+        if (l->von_neumann == 0)
+            printf("no step is stable\n");
+        else if (times > 1)
+            printf("blows up, %.3g times the stable one\n", times);
+        else
+            printf("stable, %.3g times as many steps as are needed\n", 1 / times);
+    }
+}
+
 int verb_limit(const struct request *r, struct failure *why) {
     struct step_limit l;
     struct model_problem b;
@@ -71,5 +100,6 @@ int verb_limit(const struct request *r, struct failure *why) {
     if (!status) status = step_limit_predict(&b, &l, why);
     if (!status) status = step_limit_measure(&b, &l.measured, why);
     if (!status) (r->json ? print_json : print_text)(&b, &l);
+    if (!status && !r->json) print_customary(&b, &l);
     return status;
 }

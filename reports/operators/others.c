@@ -1,0 +1,87 @@
+/* What other papers state of steps and growth, measured on model problems. */
+#include "reports/operators/others.h"
+
+#include "reports/ledger/kit.h"
+#include "verification/stability/step_limit.h"
+
+#include <math.h>
+#include <stdio.h>
+
+static const double DEFAULT_H = 1.1; /* over dx, of a method without one */
+
+/* Of the command "limit `command`".  0, or 1 with *m failed. */
+static int find_limit(struct claims_measured *m, const char *command, double *h, struct step_limit *l) {
+    struct model_problem b;
+    struct failure why;
+    if (kit_model(&b, m, "limit %s", command)) return 1;
+    if (step_limit_predict(&b, l, &why)) return kit_fail(m, why.text);
+    *h = b.method->scheme->cells ? DEFAULT_H : b.options.h;
+    return 0;
+}
+
+/* "C SCALE | COMMAND | ... | + COMMAND | ...": dt = C (SCALE h)^2/kappa against the stable step; + what goes beyond
+ * the statement. */
+void others_step(struct claims_measured *m) {
+    char part[160];
+    double C, scale;
+    int held[2] = {1, 1};
+    kit_part(&m->argument, part, sizeof part);
+    if (sscanf(part, "%lf %lf", &C, &scale) != 2) {
+        kit_fail(m, "no coefficient");
+        return;
+    }
+    while (kit_part(&m->argument, part, sizeof part)) {
+        int beyond = part[0] == '+';
+        struct step_limit l;
+        double h = NAN;
+        if (find_limit(m, part + (beyond ? 2 : 0), &h, &l)) return;
+        double times = C * scale * scale * h * h / l.von_neumann;
+        kit_number(m, times, "of the stable step", "%.58s", part + (beyond ? 2 : 0));
+        held[beyond] &= times <= 1;
+    }
+    kit_decide(m, held[0], held[1], "at most the stable step, by von Neumann or eigenvalues");
+}
+
+/* "LO HI | METHOD | METHOD": the stable step of the first over that of the second. */
+void others_larger(struct claims_measured *m) {
+    static const char *const where[] = {" --dim 1 --h 1.1", " --dim 2 --h 1.1", " --dim 2 --h 1.5",
+                                        " --dim 2 --layout jitter --jitter 0.3 --seed 1"};
+    char part[2][40], command[160];
+    double lo, hi, h = NAN;
+    int held[2] = {1, 1};
+    kit_part(&m->argument, part[0], sizeof part[0]);
+    if (sscanf(part[0], "%lf %lf", &lo, &hi) != 2) {
+        kit_fail(m, "no range");
+        return;
+    }
+    for (int k = 0; k < 2; k++) kit_part(&m->argument, part[k], sizeof part[k]);
+    for (int w = 0; w < 4; w++) {
+        struct step_limit l[2];
+        for (int k = 0; k < 2; k++) {
+            snprintf(command, sizeof command, "%s%s", part[k], where[w]);
+            if (find_limit(m, command, &h, &l[k])) return;
+        }
+        double times = l[0].von_neumann / l[1].von_neumann;
+        kit_number(m, times, "times", "larger:%s", where[w]);
+        held[w == 3] &= lo <= times && times <= hi;
+    }
+    kit_decide(m, held[0], held[1], "within the range on lattices; without a condition on a cloud too");
+}
+
+/* "METHOD | OTHER | ...": the first is stable, and of the others none, at kappa_y/kappa_x = 0.1 on a cloud. */
+void others_only(struct claims_measured *m) {
+    char part[40], command[160];
+    int stable = 0, first = 0, count = 0;
+    while (kit_part(&m->argument, part, sizeof part)) {
+        struct step_limit l;
+        double h = NAN;
+        snprintf(command, sizeof command, "%s --dim 2 --ratio 0.1 --layout jitter --jitter 0.5 --seed 3", part);
+        if (find_limit(m, command, &h, &l)) return;
+        kit_number(m, l.grows ? l.growth : 0, "kappa/dx^2", "growth of %s, jitter 0.5, ratio 0.1", part);
+        if (count++ == 0)
+            first = !l.grows;
+        else
+            stable += !l.grows;
+    }
+    kit_decide(m, first && stable == 0, 1, "no mode of the first grows, and one of each other");
+}
