@@ -165,14 +165,16 @@ static int middle(const char *const text[], int count, int best, int votes) {
     return best;
 }
 
-/* 1 where at least half of those that name a fault name that one, and of the same size to 20 %. */
+/* 1 where at least half of those that name a fault name that one, and of the same size to 20 %: but for runs that
+ * differ, by as much as each field makes of it. */
 static int agree(const char *const text[], int count, const char *what) {
     static const double SAME = 0.2;
     int named = 0, same = 0;
+    int noise = strncmp(what, "as if", 5) != 0;
     double size = size_of(what);
     for (int i = 0; i < count; i++) {
         named += *text[i] != '\0';
-        same += same_fault(text[i], what) && fabs(size_of(text[i]) - size) <= SAME * fabs(size);
+        same += same_fault(text[i], what) && (noise || fabs(size_of(text[i]) - size) <= SAME * fabs(size));
     }
     return 2 * same >= named;
 }

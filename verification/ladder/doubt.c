@@ -132,7 +132,7 @@ static int says_what_is_missing(const struct ladder_rungs *rungs, struct ladder 
         snprintf(l->reason + used, sizeof l->reason - (size_t)used, "with this scatter %d rungs decide (--rungs %d)",
                  needed, needed);
     else
-        snprintf(l->reason + used, sizeof l->reason - (size_t)used, "the slope needs less scatter (--seeds 4)");
+        snprintf(l->reason + used, sizeof l->reason - (size_t)used, "no 12 rungs with this scatter decide");
     return 1;
 }
 
@@ -153,7 +153,7 @@ static void judge_smoothness(const struct ladder_rungs *rungs, struct ladder *l)
     if (is_smooth(slope, n) || l->diagnosis.named) return;
     list_slopes(slope, n, list, sizeof list);
     snprintf(l->reason, sizeof l->reason,
-             "errors do not fall smoothly (slopes %s): points at random (--seeds), a solver's tolerance, or errors "
+             "errors do not fall smoothly (slopes %s): points at random, a solver's tolerance, or errors "
              "that cancel",
              list);
     doubt(rungs, ladder_finest_error(l), l);

@@ -309,6 +309,12 @@ static void a_name_that_few_give_is_perhaps(void **state) {
     const char *const apart[] = {said[0], said[5], said[2]};
     wording_all(apart, 3, all, sizeof all); /* two of three, of other sizes */
     assert_string_equal(all, "perhaps as if the run had stopped 1.07 s late (2 of 3 gates that do not hold)");
+    static const char *const noise[] = {"answers differ by 0.2 K from run to run: random numbers",
+                                        "answers differ by 0.01 K from run to run: random numbers",
+                                        "as if k_y were k_x (93 % of the error)"};
+    wording_all(noise, 3, all, sizeof all); /* each field has noise of its own size */
+    assert_string_equal(all,
+                        "answers differ by 0.01 K from run to run: random numbers (2 of 3 gates that do not hold)");
     wording_all(sides, 3, all, sizeof all);
     assert_string_equal(all, "as if the sides across x lay 0.49 cells outside (2 of 3 gates that do not hold)");
 }
