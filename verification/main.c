@@ -6,9 +6,9 @@
 #include "verification/command/stack.h"
 #include "verification/command/verb.h"
 #include "verification/command/version.h"
+#include "verification/text/letter.h"
 
 #include <errno.h>
-#include <ctype.h>
 #include <gsl/gsl_errno.h>
 #ifdef __GLIBC__
 #include <malloc.h>
@@ -38,7 +38,10 @@ static int help(int argc, char *const *argv) {
 /* On one line, whatever the words or files that it quotes hold. */
 static void print_failure(const char *text) {
     fputs("heatladder: ", stderr);
-    for (; *text; text++) fputc(iscntrl((unsigned char)*text) ? '?' : *text, stderr);
+    for (size_t length; *text; text += length ? length : 1) {
+        length = letter_length(text);
+        fwrite(length ? text : "?", 1, length ? length : 1, stderr);
+    }
     fputc('\n', stderr);
 }
 
@@ -86,6 +89,16 @@ static void fftw_failed(int signal) {
     _Exit(STATUS_NUMERICAL);
 }
 
+/* Its constructor does so too, before main and before any constructor of ours: what this list has is called first. */
+static void expect_others(void) {
+    static int expected;
+    if (!expected++) atexit(ended_by_others);
+}
+
+#ifdef __ELF__
+__attribute__((section(".preinit_array"), used)) static void (*const before_libraries)(void) = expect_others;
+#endif
+
 static void take_signals(void) {
     struct sigaction abort = {.sa_handler = fftw_failed, .sa_flags = (int)SA_RESETHAND};
     sigemptyset(&abort.sa_mask);
@@ -126,7 +139,7 @@ static int answer(int argc, char **argv) {
 
 int main(int argc, char **argv) {
     gsl_set_error_handler(gsl_failed);
-    atexit(ended_by_others);
+    expect_others();
     take_signals();
     keep_pages();
     limit_threads();

@@ -7,6 +7,7 @@
 #include "solver/status.h"
 #include "verification/page/html.h"
 #include "verification/page/markdown.h"
+#include "verification/text/letter.h"
 #include "verification/text/output.h"
 #include "verification/text/whole_file.h"
 
@@ -234,6 +235,30 @@ static void write_page(const char *dir, const struct gates_json *g, FILE *out) {
     html_close(out);
 }
 
+/* A cell of Markdown: no bar of its text ends it, and none of its words is a tag. */
+static void put_cell(const char *text, FILE *out) {
+    fputs("| ", out);
+    for (size_t length; *text; text += length ? length : 1) {
+        length = letter_length(text);
+        if (*text == '<')
+            fputs("&lt;", out);
+        else if (*text == '&')
+            fputs("&amp;", out);
+        else if (strchr("|`*_[\\", *text))
+            fprintf(out, "\\%c", *text);
+        else
+            fwrite(length ? text : " ", 1, length ? length : 1, out);
+    }
+    fputc(' ', out);
+}
+
+static void put_row(const struct page_gate *g, FILE *out) {
+    put_cell(g->id, out);
+    put_cell(g->verdict, out);
+    put_cell(g->reason, out);
+    fputs("|\n", out);
+}
+
 static void write_summary(const struct gates_json *g, FILE *out) {
     int good = 0;
     for (int i = 0; i < g->count; i++) good += strcmp(g->gate[i].verdict, "pass") == 0;
@@ -241,8 +266,7 @@ static void write_summary(const struct gates_json *g, FILE *out) {
     if (good == g->count) return;
     fprintf(out, "\n| gate | verdict | reason |\n|---|---|---|\n");
     for (int i = 0; i < g->count; i++)
-        if (strcmp(g->gate[i].verdict, "pass") != 0)
-            fprintf(out, "| %s | %s | %s |\n", g->gate[i].id, g->gate[i].verdict, g->gate[i].reason);
+        if (strcmp(g->gate[i].verdict, "pass") != 0) put_row(&g->gate[i], out);
 }
 
 int index_write(const char *dir, struct failure *why) {

@@ -204,7 +204,7 @@ char *case_file_read(const char *path, struct failure *why) {
     char *text = whole_file_at(path, &size);
     if (text && strlen(text) == size) return text;
     refuse(why, STATUS_INPUT, "%.200s: %s; `heatladder case` writes it", path,
-           text ? "not a case file" : strerror(errno));
+           text ? "not a case file" : whole_file_error());
     free(text);
     return NULL;
 }

@@ -11,7 +11,7 @@
  * s = max(2 dx, min(dx (d ln N + 6)^(1/d), extent / 4)).  With `extent / s` rounded down to a whole number of boxes a
  * gap of two boxes' sides always holds one: at N = 64 that is 5/16 of a rod or 1/8 of a square's side.
  *
- * Boxes of about a point each tell in a second pass which points are the same: closer than 1e-9 of the extent. */
+ * Points are the same where they are within 1e-9 of the extent. */
 #include "verification/foreign/coverage.h"
 
 #include "solver/shape.h"
@@ -127,56 +127,41 @@ static int check_gaps(const struct samples *s, const struct problem *p, double d
 }
 
 struct point {
-    double x, y;
+    double strip, y; /* strip: along x, a whole number of widths of two distances */
     size_t i;
 };
 
-static int by_place(const void *a, const void *b) {
+static int by_strip(const void *a, const void *b) {
     const struct point *p = a, *q = b;
-    return p->x != q->x ? (p->x > q->x) - (p->x < q->x) : (p->y > q->y) - (p->y < q->y);
+    return p->strip != q->strip ? (p->strip > q->strip) - (p->strip < q->strip) : (p->y > q->y) - (p->y < q->y);
 }
 
-/* Two of the n points of a box, sorted by x, that are the same; 0 where there are none. */
-static int same_in_box(const struct samples *s, const struct problem *p, struct point *at, size_t n,
-                       struct failure *why) {
-    double away[2] = {SLACK * extent(p, 0), p->dim == 2 ? SLACK * extent(p, 1) : 1};
-    qsort(at, n, sizeof *at, by_place);
-    for (size_t i = 0; i < n; i++)
-        for (size_t j = i + 1; j < n && at[j].x - at[i].x <= away[0]; j++) {
-            if (!(fabs(at[j].y - at[i].y) <= away[1])) continue;
-            long l = s->line[at[i].i], m = s->line[at[j].i];
-            return refuse(why, STATUS_INPUT,
-                          "%.150s, line %ld: the same point as in line %ld (x = %.9g m%s); one value a "
-                          "point is wanted",
-                          s->path, l > m ? l : m, l > m ? m : l, at[i].x,
-                          p->dim == 1 ? ", for a rod one row of points" : "");
-        }
-    return STATUS_OK;
+static int refuse_same(const struct samples *s, const struct problem *p, size_t i, size_t j, struct failure *why) {
+    long l = s->line[i], m = s->line[j];
+    return refuse(why, STATUS_INPUT,
+                  "%.150s, line %ld: the same point as in line %ld (x = %.9g m%s); one value a "
+                  "point is wanted",
+                  s->path, l > m ? l : m, l > m ? m : l, s->value[COLUMN_X][i],
+                  p->dim == 1 ? ", for a rod one row of points" : "");
 }
 
-/* Points in the order of their boxes: first[b] to first[b + 1]. */
-static struct point *sort_into_boxes(const struct boxes *b, size_t *first) {
-    const struct samples *s = b->s;
-    struct point *at = xcalloc(s->n, sizeof *at);
-    for (size_t i = 0; i < s->n; i++) first[box_of(b, i) + 2]++;
-    for (size_t k = 2; k <= all(b); k++) first[k + 1] += first[k];
-    for (size_t i = 0; i < s->n; i++)
-        at[first[box_of(b, i) + 1]++] =
-            (struct point){s->value[COLUMN_X][i], b->p->dim == 2 ? s->value[COLUMN_Y][i] : 0, i};
-    return at;
-}
-
+/* Two points nearer than a distance in x share a strip two distances wide, of those from 0 or of those from one
+ * distance on; sorted within it by y, they are next to each other. */
 static int check_same(const struct samples *s, const struct problem *p, struct failure *why) {
-    struct boxes b = {s, p, {1, 1}};
-    double each = pow((double)s->n, 1.0 / p->dim);
-    for (int a = 0; a < p->dim; a++) b.count[a] = (size_t)fmax(1, each);
-    size_t *first = xcalloc(all(&b) + 2, sizeof *first);
-    struct point *at = sort_into_boxes(&b, first);
+    double away[2] = {SLACK * extent(p, 0), p->dim == 2 ? SLACK * extent(p, 1) : 1};
+    struct point *at = xcalloc(s->n, sizeof *at);
     int status = STATUS_OK;
-    for (size_t k = 0; k < all(&b) && !status; k++)
-        if (first[k + 1] > first[k] + 1) status = same_in_box(s, p, at + first[k], first[k + 1] - first[k], why);
+    for (int shift = 0; shift < 2 && !status; shift++) {
+        for (size_t i = 0; i < s->n; i++) {
+            double x = (s->value[COLUMN_X][i] - p->lo[0]) / away[0];
+            at[i] = (struct point){floor((x + shift) / 2), p->dim == 2 ? s->value[COLUMN_Y][i] : 0, i};
+        }
+        qsort(at, s->n, sizeof *at, by_strip);
+        for (size_t i = 1; i < s->n && !status; i++)
+            if (at[i].strip == at[i - 1].strip && at[i].y - at[i - 1].y <= away[1])
+                status = refuse_same(s, p, at[i - 1].i, at[i].i, why);
+    }
     free(at);
-    free(first);
     return status;
 }
 

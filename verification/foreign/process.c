@@ -5,6 +5,7 @@
 #include "solver/status.h"
 #include "verification/foreign/scratch.h"
 #include "verification/text/atomic_file.h"
+#include "verification/text/letter.h"
 
 #include <errno.h>
 #include <fcntl.h>
@@ -20,9 +21,10 @@
 extern char **environ;
 
 enum { LINE = 400, GUARD = 8, LIFE = 9, READ = 0, WRITE = 1, SKIPPED = 77 };
-static const double GRACE = 2;  /* s: what a program started may outlive it by */
-static const double MERCY = 1;  /* s from SIGTERM to SIGKILL */
-static const int PATIENCE = 20; /* ms between two looks */
+static const double GRACE = 2;      /* s: what a program started may outlive it by */
+static const double MERCY = 1;      /* s from SIGTERM to SIGKILL */
+static const int PATIENCE = 20;     /* ms between two looks */
+enum { AT_ONCE = 4, AT_END = 512 }; /* blocks of output between two looks; and more than any pipe holds */
 
 enum end { RUNNING, ENDED, LEFT_OTHERS, TIMED_OUT, INTERRUPTED };
 
@@ -113,25 +115,39 @@ static int start(struct running *r) {
     return 0;
 }
 
-static void print_line(struct running *r) {
-    r->line[r->length] = '\0';
+/* The first `length` bytes of the line, which others wrote: only letters reach the terminal. */
+static void print_line(struct running *r, size_t length) {
+    char rest[LINE];
+    size_t more = r->length - length;
+    memcpy(rest, r->line + length, more);
+    r->line[length] = '\0';
+    letter_clean(r->line);
     fprintf(stderr, "%s: %s\n", r->process->label, r->line);
-    if (r->line[strspn(r->line, " \t")]) memcpy(r->last, r->line, r->length + 1);
-    r->length = 0;
+    if (r->line[strspn(r->line, " ")]) memcpy(r->last, r->line, length + 1);
+    memcpy(r->line, rest, r->length = more);
 }
 
-/* Hands on what the program has printed so far; lines longer than a buffer in parts. */
-static void relay(struct running *r) {
-    char text[4096];
-    ssize_t n;
-    while ((n = read(r->output[READ], text, sizeof text)) > 0) {
-        if (r->process->log) fwrite(text, 1, (size_t)n, r->process->log);
-        for (ssize_t i = 0; i < n; i++) {
-            if (text[i] == '\n' || r->length == LINE - 1) print_line(r);
-            if (text[i] == '\n') continue;
-            r->line[r->length++] = (unsigned char)text[i] < ' ' && text[i] != '\t' ? ' ' : text[i];
+static void take_text(struct running *r, const char *text, size_t n) {
+    for (size_t i = 0; i < n; i++) {
+        if (text[i] == '\n') {
+            print_line(r, r->length);
+            continue;
         }
+        if (r->length == LINE - 1) print_line(r, letter_whole(r->line, r->length));
+        r->line[r->length++] = (unsigned char)text[i] < ' ' ? ' ' : text[i];
     }
+}
+
+/* Hands on what the program has printed so far, lines longer than a buffer in parts; at most `most` blocks of it,
+ * since one that prints without end would keep its caller from the clock and from interrupts. */
+static void relay(struct running *r, int most) {
+    char text[4096];
+    ssize_t n = 1;
+    while (most-- > 0 && (n = read(r->output[READ], text, sizeof text)) > 0) {
+        if (r->process->log) fwrite(text, 1, (size_t)n, r->process->log);
+        take_text(r, text, (size_t)n);
+    }
+    if (n > 0) return;
     if (n == 0 || (errno != EAGAIN && errno != EINTR)) {
         close(r->output[READ]);
         r->output[READ] = -1;
@@ -149,7 +165,7 @@ static void look(struct running *r, int most) {
     struct pollfd fd[2] = {{.fd = r->life[READ], .events = POLLIN}, {.fd = r->output[READ], .events = POLLIN}};
     if (r->life[READ] < 0) most = 1; /* all has ended but for the shell's own status */
     if (poll(fd, 2, most) > 0) {
-        if (fd[1].fd >= 0 && fd[1].revents) relay(r);
+        if (fd[1].fd >= 0 && fd[1].revents) relay(r, AT_ONCE);
         if (fd[0].fd >= 0 && fd[0].revents) {
             close(r->life[READ]);
             r->life[READ] = -1;
@@ -210,8 +226,8 @@ int process_run(const struct process *p, struct failure *why) {
     } else {
         enum end end = follow(r);
         if (end != ENDED) terminate(r);
-        if (r->output[READ] >= 0) relay(r);
-        if (r->length) print_line(r);
+        if (r->output[READ] >= 0) relay(r, AT_END);
+        if (r->length) print_line(r, r->length);
         status = judge(r, end, why);
     }
     close_pipes(r);

@@ -115,7 +115,9 @@ static int choose_place(const struct program *g, const struct scene *s, const st
     if (g->keep) {
         char dx[40];
         results_number(o->dx, dx);
-        snprintf(dir, sizeof dir, "%.600s/%s/%s", g->keep, s->name, dx);
+        if (strlen(g->keep) > RESULTS_PATH - 300)
+            return refuse(why, STATUS_INPUT, "--keep '%.100s...': too long a path", g->keep);
+        snprintf(dir, sizeof dir, "%s/%s/%s", g->keep, s->name, dx);
         append_rung(g, dir);
         if (!words_is_plain(dir))
             return refuse(why, STATUS_INPUT, "--keep '%.200s': letters, digits and /._-+=,@%% are wanted in its name",

@@ -12,11 +12,14 @@
 
 #include <dirent.h>
 #include <errno.h>
+#include <fcntl.h>
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <sys/file.h>
 #include <sys/stat.h>
+#include <unistd.h>
 
 void results_number(double value, char text[40]) {
     if (value == floor(value) && fabs(value) < 1e6) { /* 100, where the fewest digits are 1e+02 */
@@ -233,18 +236,27 @@ static const char *next_name(const char *dx, double *value, char name[64]) {
     return dx[length] ? dx + length + 1 : NULL;
 }
 
+static int check_all(const struct results_place *at, const struct scene *s, const struct problem *p, const char *dx,
+                     struct failure *why) {
+    char path[RESULTS_PATH], name[64];
+    double value;
+    if (results_of_scene(at->dir, s, at->setting, path))
+        return refuse(why, STATUS_INPUT, "--into '%.300s': too long a path", at->dir);
+    while (dx) {
+        dx = next_name(dx, &value, name);
+        if (case_file_check(p, value, why)) return why->status;
+    }
+    return STATUS_OK;
+}
+
 static int write_all(const struct results_place *at, const struct scene *s, const struct problem *p,
                      const struct options *o, const char *dx, const char *known, FILE *list, int *written,
                      struct failure *why) {
     char of_scene[RESULTS_PATH], path[RESULTS_PATH], name[64];
     struct options with = *o;
-    if (results_of_scene(at->dir, s, "", path) || results_of_scene(at->dir, s, at->setting, of_scene))
-        return refuse(why, STATUS_INPUT, "--into '%.300s': too long a path", at->dir);
-    for (const char *next = dx; next;) {
-        next = next_name(next, &with.dx, name);
-        if (case_file_check(p, with.dx, why)) return why->status;
-    }
-    if (make(at->dir, why) || make(path, why) || make(of_scene, why)) return STATUS_INPUT;
+    results_of_scene(at->dir, s, "", path);
+    results_of_scene(at->dir, s, at->setting, of_scene);
+    if (make(path, why) || make(of_scene, why)) return STATUS_INPUT;
     for (*written = 0; dx; ++*written) {
         dx = next_name(dx, &with.dx, name);
         snprintf(path, sizeof path, "%.850s/%s", of_scene, name);
@@ -260,11 +272,15 @@ static int write_all(const struct results_place *at, const struct scene *s, cons
 int results_write(const struct results_place *at, const struct scene *s, const struct problem *p,
                   const struct options *o, const char *dx, int *written, struct failure *why) {
     struct output page;
+    if (check_all(at, s, p, dx, why) || make(at->dir, why)) return why->status;
+    int lock = open(at->dir, O_RDONLY | O_CLOEXEC); /* others may write to the same list at the same time */
+    if (lock >= 0) flock(lock, LOCK_EX);
     FILE *list = output_open(&page, "%.1000s/cases.txt", at->dir);
     char *old = whole_file_at(page.path, NULL);
     if (old) fputs(old, list);
     int status = write_all(at, s, p, o, dx, old ? old : "", list, written, why);
     if (!status) status = output_close(&page, 1, why);
+    if (lock >= 0) close(lock);
     output_drop(&page, 1);
     free(old);
     return status;

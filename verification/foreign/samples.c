@@ -12,6 +12,7 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+static const off_t MOST = 2000000000; /* bytes of an answer: some 3e7 points of 17 digits */
 static const char *const names[COLUMN_COUNT] = {"x", "y", "T", "w"};
 
 const char *samples_column_name(const struct column_map *c, int column) {
@@ -96,6 +97,9 @@ FILE *samples_open(const char *path, const char *name, struct failure *why) {
     else if (fstat(file, &is) || !S_ISREG(is.st_mode))
         refuse(why, STATUS_INPUT, "%.200s: a %s; the answer must be a regular file", name,
                S_ISDIR(is.st_mode) ? "directory" : "device or pipe");
+    else if (is.st_size > MOST)
+        refuse(why, STATUS_INPUT, "%.200s: %.3g GB; an answer may have %g GB", name, (double)is.st_size * 1e-9,
+               (double)MOST * 1e-9);
     else if (is.st_size == 0)
         refuse(why, STATUS_INPUT, "%.200s: empty; the answer must be a table of points or a VTK file", name);
     else

@@ -76,11 +76,11 @@ static int none_matches(const struct gates *g, const char *option, const char *g
 }
 
 void gates_add(struct gates *g, const struct gate *gate) {
-    struct gate_result *more = xcalloc((size_t)g->declared + 1, sizeof *more);
-    if (g->declared) memcpy(more, g->result, (size_t)g->declared * sizeof *more);
-    free(g->result);
-    g->result = more;
-    g->result[g->declared++].gate = *gate;
+    size_t used = (size_t)g->declared;
+    if ((used & (used - 1)) == 0) /* 0, 1, 2, 4, 8, ...: there is no more room */
+        g->result = xgrow(g->result, used, used ? 2 * used : 1, sizeof *g->result);
+    g->result[used] = (struct gate_result){.gate = *gate};
+    g->declared++;
 }
 
 static int matches(const char *glob, const struct gate *gate) {

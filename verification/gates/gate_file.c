@@ -4,7 +4,9 @@
 
 #include "solver/status.h"
 #include "verification/foreign/samples.h"
+#include "verification/text/letter.h"
 #include "verification/text/number.h"
+#include "verification/text/whole_file.h"
 
 #include <errno.h>
 #include <math.h>
@@ -12,6 +14,8 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+
+enum { ID_MOST = 200 }; /* bytes: a path with it fits */
 
 struct scanner {
     const char *name;
@@ -84,14 +88,17 @@ static int take_literal(struct scanner *s) {
     const struct scanner open = *s;
     for (s->at++; s->at < s->end && *s->at != '"'; s->at++) {
         char c = *s->at;
+        size_t length = letter_length(s->at); /* the text has a NUL behind it */
+        if (!length && c != '\n') return wrong(s, "a text has a control character, or is not UTF-8");
         if (c == '\\' && s->at + 1 < s->end) {
             c = *++s->at;
             if (!strchr("\\\"'n", c) || !c) return wrong(s, "of escapes \\\\, \\\", \\' and \\n are known");
             if (c == 'n') c = '\n';
-        } else if (c == '\n' || (unsigned char)c < ' ') {
+        } else if (c == '\n') {
             break;
         }
         *s->to++ = c;
+        for (; length > 1; length--) *s->to++ = *++s->at;
     }
     if (s->at < s->end && *s->at == '"') return s->at++, STATUS_OK;
     struct scanner at = open;
@@ -169,16 +176,41 @@ static int take_row(struct scanner *s, struct gate *g) {
     return take_mark(s, ')');
 }
 
-static int check_row(struct scanner *s, const struct gate_file *f, const struct gate *g) {
+/* What --keep keeps of a gate lies in a folder of its name: each part between slashes is one, and none leads
+ * elsewhere. */
+static int check_id(struct scanner *s, const char *id) {
+    if (strlen(id) > ID_MOST) return wrong(s, "the row above, '%.60s...': an id of more than %d bytes", id, ID_MOST);
+    if (strchr(id, '\n')) return wrong(s, "the row above: an id of one line is wanted");
+    for (const char *part = id; part; part = strchr(part, '/'), part += part != NULL) {
+        size_t n = strcspn(part, "/");
+        if (n == 0 || (n <= 2 && strncmp(part, "..", n) == 0))
+            return wrong(s, "the row above, '%.60s': the parts of an id may not be empty, '.' or '..'", id);
+    }
+    return STATUS_OK;
+}
+
+static int check_row(struct scanner *s, const struct gate *g) {
     struct measured m;
     const struct measure *measure = measures_find(g->measure, &m);
     if (!measure) return wrong(s, "the row above, '%.60s': %.150s", g->id, m.reason);
     if (!(g->lo <= g->hi)) return wrong(s, "the row above, '%.60s': %g to %g is no band", g->id, g->lo, g->hi);
     if (measure->ceiling && !(g->ceiling > 0))
         return wrong(s, "the row above, '%.60s': %s needs a ceiling > 0 on the error beside it", g->id, g->measure);
-    for (int i = 0; i < f->count; i++)
-        if (strcmp(f->gate[i].id, g->id) == 0) return wrong(s, "the row above, '%.60s', is there twice", g->id);
-    return STATUS_OK;
+    return check_id(s, g->id);
+}
+
+static int by_id(const void *a, const void *b) {
+    return strcmp(*(const char *const *)a, *(const char *const *)b);
+}
+
+static int check_twice(const struct gate_file *f, const char *name, struct failure *why) {
+    const char **id = xcalloc((size_t)f->count, sizeof *id), *twice = NULL;
+    for (int i = 0; i < f->count; i++) id[i] = f->gate[i].id;
+    qsort(id, (size_t)f->count, sizeof *id, by_id);
+    for (int i = 1; i < f->count && !twice; i++)
+        if (strcmp(id[i - 1], id[i]) == 0) twice = id[i];
+    free(id);
+    return twice ? refuse(why, STATUS_INPUT, "%.150s: the row '%.60s' is there twice", name, twice) : STATUS_OK;
 }
 
 int gate_file_read(const char *text, size_t size, const char *name, struct gate_file *f, struct failure *why) {
@@ -194,18 +226,19 @@ int gate_file_read(const char *text, size_t size, const char *name, struct gate_
             f->gate = more;
         }
         struct gate *g = &f->gate[f->count];
-        if (take_row(&s, g) || check_row(&s, f, g)) return STATUS_INPUT;
+        if (take_row(&s, g) || check_row(&s, g)) return STATUS_INPUT;
         f->count++;
         if (skip_blanks(&s)) return STATUS_INPUT;
     }
-    return f->count ? STATUS_OK : wrong(&s, "no row; expected GATE(\"id\", QUICK, \"measure\", ...)");
+    if (!f->count) return wrong(&s, "no row; expected GATE(\"id\", QUICK, \"measure\", ...)");
+    return check_twice(f, name, why);
 }
 
 int gate_file_open(const char *path, struct gate_file *f, struct failure *why) {
     enum { MOST = 1 << 20 };
     *f = (struct gate_file){0};
-    FILE *in = fopen(path, "r");
-    if (!in) return refuse(why, STATUS_INPUT, "--gates %.200s: %s", path, strerror(errno));
+    FILE *in = whole_file_open(path);
+    if (!in) return refuse(why, STATUS_INPUT, "--gates %.200s: %s", path, whole_file_error());
     char *text = xcalloc(MOST + 1, 1);
     size_t n = fread(text, 1, MOST + 1, in);
     int status = ferror(in) ? refuse(why, STATUS_INPUT, "--gates %.200s: %s", path, strerror(errno))

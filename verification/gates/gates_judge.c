@@ -27,7 +27,7 @@ static void judge_refused(struct measured *m, const char *text) {
 struct words {
     const char *word[9]; /* ended by NULL */
     int count;
-    char keep[400], timeout[40];
+    char keep[2048], timeout[40]; /* longer than --keep may be: refused there, not cut */
 };
 
 static void words_of(const struct gate *gate, const struct program *g, struct words *w) {
@@ -37,7 +37,7 @@ static void words_of(const struct gate *gate, const struct program *g, struct wo
     w->word[n++] = g->solver ? "--solver" : "--results";
     w->word[n++] = g->solver ? g->solver : g->results;
     if (g->keep) {
-        snprintf(w->keep, sizeof w->keep, "%.200s/%.100s", g->keep, gate->id);
+        snprintf(w->keep, sizeof w->keep, "%.1800s/%.240s", g->keep, gate->id);
         w->word[n++] = "--keep", w->word[n++] = w->keep;
     }
     if (g->timeout > 0) {
@@ -77,11 +77,14 @@ void gates_judge(const struct gate *gate, const struct program *program, struct 
 
 void gates_command(const struct gate *gate, const struct program *program, char *text, size_t size) {
     struct words w;
+    char glob[512];
     int ladder = is_ladder(gate->measure);
     FILE *out = xcheck(fmemopen(text, size, "w"), size, 1);
-    if (!ladder)
-        fprintf(out, "verify --only '%s'", gate->id);
-    else
+    if (!ladder) {
+        char *only = words_line(1, (const char *const[]){words_literal(gate->id, glob, sizeof glob)});
+        fprintf(out, "verify --only %s", only);
+        free(only);
+    } else
         fprintf(out, "%s --expect %g,%g", gate->command, gate->lo, gate->hi);
     if (strcmp(gate->measure, "order_linf") == 0) fprintf(out, " --norm linf");
     if (ladder && !isnan(gate->ceiling)) fprintf(out, " --ceiling %.10g", gate->ceiling);

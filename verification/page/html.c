@@ -1,6 +1,7 @@
 /* The frame of a page, its style, and images that are part of it. */
 #include "verification/page/html.h"
 
+#include "verification/text/letter.h"
 #include "verification/text/whole_file.h"
 
 #include <stdarg.h>
@@ -56,8 +57,18 @@ void html_close(FILE *out) {
     fprintf(out, "</main>\n</body>\n</html>\n");
 }
 
+/* What is no letter of UTF-8 becomes U+FFFD, a control character a blank: XML takes neither. */
+static size_t put_letter(FILE *out, const char *text) {
+    size_t length = letter_length(text);
+    if (length)
+        fwrite(text, 1, length, out);
+    else
+        fputs((unsigned char)*text < 0x80 ? " " : "\xEF\xBF\xBD", out);
+    return length ? length : 1;
+}
+
 void html_text(FILE *out, const char *text) {
-    for (; *text; text++) switch (*text) {
+    for (size_t length = 1; *text; text += length, length = 1) switch (*text) {
         case '&':
             fputs("&amp;", out);
             break;
@@ -71,7 +82,7 @@ void html_text(FILE *out, const char *text) {
             fputs("&quot;", out);
             break;
         default:
-            fputc((unsigned char)*text < ' ' ? ' ' : *text, out);
+            length = put_letter(out, text);
         }
 }
 

@@ -115,7 +115,10 @@ static void put_groups(const struct page_gate *gate, int count, FILE *out) {
         for (int k = 0; k < i && first; k++) first = !page_same_group(gate[k].id, gate[i].id);
         if (!first) continue;
         struct tally t = tally_of(gate, count, gate[i].id);
-        fprintf(out, "<li>%.*s %d/%d ", (int)page_group_length(gate[i].id), gate[i].id, t.held, t.judged);
+        char group[240];
+        snprintf(group, sizeof group, "%.*s", (int)page_group_length(gate[i].id), gate[i].id);
+        html_print(out, "<li>%s ", group);
+        fprintf(out, "%d/%d ", t.held, t.judged);
         html_verdict(out, t.judged ? tally_word(t) : "skipped");
         fprintf(out, "\n");
     }

@@ -1,6 +1,8 @@
 /* A streaming JSON writer: what is open is a stack of closing brackets. */
 #include "verification/text/json.h"
 
+#include "verification/text/letter.h"
+
 #include <math.h>
 
 struct json json_on(FILE *out) {
@@ -9,13 +11,15 @@ struct json json_on(FILE *out) {
 
 static void quote(FILE *out, const char *text) {
     fputc('"', out);
-    for (const unsigned char *c = (const unsigned char *)text; *c; c++) {
-        if (*c == '"' || *c == '\\')
-            fprintf(out, "\\%c", *c);
-        else if (*c < 0x20)
-            fprintf(out, "\\u%04x", *c);
+    while (*text) {
+        size_t length = letter_length(text);
+        if (*text == '"' || *text == '\\')
+            fprintf(out, "\\%c", *text);
+        else if (length)
+            fwrite(text, 1, length, out);
         else
-            fputc(*c, out);
+            fprintf(out, "\\u%04x", (unsigned char)*text < 0x80 ? (unsigned char)*text : 0xFFFD);
+        text += length ? length : 1;
     }
     fputc('"', out);
 }

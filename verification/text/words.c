@@ -79,6 +79,16 @@ int words_is_plain(const char *word) {
     return *word && word[strspn(word, plain)] == '\0';
 }
 
+const char *words_literal(const char *word, char *pattern, size_t size) {
+    size_t n = 0;
+    for (; *word && n + 2 < size; word++) {
+        if (strchr("\\*?[", *word)) pattern[n++] = '\\';
+        pattern[n++] = *word;
+    }
+    pattern[n] = '\0';
+    return pattern;
+}
+
 /* '...' holds all but a quote, which becomes '\'' (POSIX, shell command language, 2.2.2). */
 char *words_line(int count, const char *const *words) {
     size_t room = 1;

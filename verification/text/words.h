@@ -21,6 +21,10 @@ int words_is_plain(const char *word);
 /* The words in one line, in quotes where a shell would change them; the caller frees it. */
 char *words_line(int count, const char *const *words);
 
+/* The pattern of fnmatch that matches `word` alone, into `pattern` of twice its bytes at most; cut to size.  Returns
+ * it. */
+const char *words_literal(const char *word, char *pattern, size_t size);
+
 /* Writes "a, b, c", cut to size. */
 void words_join(const char *const *words, char *text, size_t size);
 

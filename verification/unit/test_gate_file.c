@@ -76,7 +76,7 @@ static void what_is_wrong_is_found_with_its_place(void **state) {
         {"GATE(\"a\", QUICK, \"eror\", \"run\", 0, 1, NAN, \"w\")", "unknown measure 'eror'; did you mean 'error'?"},
         {"GATE(\"a\", QUICK, \"error\", \"run\", 2, 1, NAN, \"w\")", "2 to 1 is no band"},
         {"GATE(\"a\", QUICK, \"slope\", \"ladder\", 1, 2, NAN, \"w\")", "slope needs a ceiling > 0"},
-        {ROW("a") ROW("b") ROW("a"), "'a', is there twice"},
+        {ROW("a") ROW("b") ROW("a"), "the row 'a' is there twice"},
         {"GATE(\"a\", QUICK, \"error\", \"run\", 0.0000000000000000000000000000000000000000001, 1, NAN, \"w\")",
          "more than 39 letters"},
     };

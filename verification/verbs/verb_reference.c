@@ -83,7 +83,7 @@ static int read_points(const struct request *r, const struct problem *p, struct 
     if (!r->points) return points_one(p, r->at.value, points, why);
     if (strcmp(r->points, "-") == 0) return points_read(stdin, "standard input", p, points, why);
     FILE *in = whole_file_open(r->points);
-    if (!in) return refuse(why, STATUS_INPUT, "--points %.200s: %s", r->points, strerror(errno));
+    if (!in) return refuse(why, STATUS_INPUT, "--points %.200s: %s", r->points, whole_file_error());
     int status = points_read(in, r->points, p, points, why);
     fclose(in);
     return status;

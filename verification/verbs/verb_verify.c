@@ -12,6 +12,7 @@
 #include "verification/text/json.h"
 #include "verification/page/junit.h"
 #include "verification/text/output.h"
+#include "verification/text/words.h"
 #include "verification/command/request.h"
 #include "verification/foreign/results.h"
 #include "verification/page/page.h"
@@ -19,6 +20,7 @@
 
 #include <omp.h>
 #include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
 
 enum { ORIGIN = 1100 };
@@ -72,6 +74,12 @@ static int ungated(void) {
     return n;
 }
 
+static void say_origin(const char *path, char origin[]) {
+    char *words = words_line(2, (const char *const[]){"--gates", path});
+    snprintf(origin, ORIGIN, "%s", words);
+    free(words);
+}
+
 /* The rows: of a file, of the battery where another program answers, or the built-in ones. */
 static int collect(const struct request *r, struct gate_file *file, struct gates *g, char origin[],
                    struct failure *why) {
@@ -90,8 +98,11 @@ static int collect(const struct request *r, struct gate_file *file, struct gates
     for (int i = 0; i < file->count; i++) gates_add(g, &file->gate[i]);
     if (!r->gates_path) battery_add(r->order ? r->order : 2, g);
     g->origin = origin;
-    size_t used = r->gates_path ? (size_t)snprintf(origin, ORIGIN, "--gates '%.1000s'", r->gates_path)
-                                : (size_t)snprintf(origin, ORIGIN, "--order %d", r->order ? r->order : 2);
+    if (r->gates_path)
+        say_origin(r->gates_path, origin);
+    else
+        snprintf(origin, ORIGIN, "--order %d", r->order ? r->order : 2);
+    size_t used = strlen(origin);
     if (r->more_rungs) used += (size_t)snprintf(origin + used, ORIGIN - used, " --rungs %d", r->more_rungs);
     if (r->time_order > 0) snprintf(origin + used, ORIGIN - used, " --time-order %g", r->time_order);
     if (gates_choose(g, r->only, r->skip, r->quick, why)) return why->status;

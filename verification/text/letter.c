@@ -1,0 +1,38 @@
+/* The ranges of RFC 3629, section 4. */
+#include "verification/text/letter.h"
+
+static int is_more(unsigned char byte) {
+    return (byte & 0xC0) == 0x80;
+}
+
+size_t letter_length(const char *text) {
+    const unsigned char *c = (const unsigned char *)text;
+    if (c[0] < 0x80) return c[0] >= ' ' && c[0] != 0x7F;
+    if (c[0] < 0xC2 || c[0] > 0xF4 || !is_more(c[1])) return 0;
+    if (c[0] < 0xE0) return c[0] == 0xC2 && c[1] < 0xA0 ? 0 : 2; /* C1 */
+    if (!is_more(c[2])) return 0;
+    if (c[0] < 0xF0) {
+        unsigned point = (c[0] & 0x0Fu) << 12 | (c[1] & 0x3Fu) << 6 | (c[2] & 0x3Fu);
+        return point < 0x800 || (point >= 0xD800 && point < 0xE000) || point >= 0xFFFE ? 0 : 3;
+    }
+    if (!is_more(c[3]) || (c[0] == 0xF0 && c[1] < 0x90) || (c[0] == 0xF4 && c[1] >= 0x90)) return 0;
+    return 4;
+}
+
+void letter_clean(char *text) {
+    while (*text) {
+        size_t length = letter_length(text);
+        if (!length) *text = '?';
+        text += length ? length : 1;
+    }
+}
+
+size_t letter_whole(const char *text, size_t length) {
+    for (size_t back = 1; back <= 3 && back <= length; back++) {
+        unsigned char byte = (unsigned char)text[length - back];
+        if (is_more(byte)) continue;
+        size_t wants = byte >= 0xF0 ? 4 : byte >= 0xE0 ? 3 : byte >= 0xC2 ? 2 : 1;
+        return wants > back ? length - back : length;
+    }
+    return length;
+}
