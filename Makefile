@@ -430,6 +430,32 @@ sanitize: ## Run the tests and the quick gates under the address and undefined-b
 	+$(Q)$(MAKE) BUILD=$(BUILD)/sanitize CFLAGS='$(SANITIZE)' all test
 	$(Q)$(BUILD)/sanitize/heatladder verify --quick
 
+# Which lines the tests and the gates run, room by room, by gcov; data of both in one place.
+COVER := $(BUILD)/coverage
+.PHONY: coverage
+coverage: ## Count the lines that tests and gates run, folder by folder, to reports/out/coverage.txt
+	@mkdir -p $(OUT)
+	+$(Q)$(MAKE) -s BUILD=$(COVER) CFLAGS='-O0 --coverage' LDFLAGS=--coverage all test
+	$(Q)mkdir -p $(COVER)/report; for study in song pamplona matched claims page; do \
+	$(COVER)/heatladder report $$study $(COVER)/report >/dev/null || exit 1; done; $(COVER)/heatladder verify >/dev/null
+	$(Q)scripts/coverage $(COVER) > $(OUT)/coverage.new && mv $(OUT)/coverage.new $(OUT)/coverage.txt && cat $(OUT)/coverage.txt
+
+# clang's OpenMP tells the race detector what its threads wait for; libraries without its marks are left out.
+RACE := OMP_NUM_THREADS=4 OMP_TOOL_LIBRARIES=libarcher.so TSAN_OPTIONS='ignore_noninstrumented_modules=1 halt_on_error=1'
+.PHONY: race
+race: ## Run the quick gates on four threads under clang's race detector
+	+$(Q)$(MAKE) -s CC=clang BUILD=$(BUILD)/race CFLAGS='-O1 -g -fsanitize=thread' all
+	$(Q)$(RACE) $(BUILD)/race/heatladder verify --quick
+
+# Hours: tried in parts.
+.PHONY: nightly
+nightly: ## All seeded faults, an hour of each fuzzer, the race detector, 64-bit ARM, fifty mutants by chance; hours
+	+$(Q)$(MAKE) race
+	+$(Q)$(MAKE) fuzz FUZZ_SECONDS=3600
+	$(Q)if command -v qemu-aarch64 >/dev/null; then scripts/cross-arm64 build/arm64 '*'; else scripts/skip "64-bit ARM: qemu-aarch64 is not here"; fi
+	+$(Q)$(MAKE) mutants
+	$(Q)scripts/mutants-random -n 50 -s $$((0x$$(git rev-parse --short=7 HEAD)))
+
 .PHONY: help
 help: ## List the targets
 	@awk -F':.*## ' '/^##@ /{printf "\n%s\n", substr($$0, 5)} /^[a-z-]+:.*## /{printf "  %-16s %s\n", $$1, $$2}' Makefile

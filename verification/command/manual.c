@@ -58,7 +58,7 @@ static void put_verb(const struct verb *v, FILE *out) {
 }
 
 static void put_literally(const char *text, FILE *out) {
-    fprintf(out, ".PP\n.nf\n");
+    fprintf(out, ".nf\n");
     put(text, out);
     fprintf(out, ".fi\n");
 }
@@ -90,6 +90,7 @@ void manual_page(FILE *out) {
     put_names(out);
     fprintf(out, ".SH \"OTHER PROGRAMS\"\n");
     put_literally(program_help, out);
+    fprintf(out, ".PP\n");
     put_literally(case_file_help, out);
     fprintf(out, ".SH \"THE ORACLE\"\n");
     put_literally(columns_help, out);
