@@ -98,6 +98,31 @@ void pamplona_exact_eq7(struct claims_measured *m) {
                "coefficients of the double series within 1e-6: on the paper's square, and on another plate");
 }
 
+/* The transient part at the first time of Table 1 as a sum over m and p alone, away from the points that gave the
+ * coefficients.  Modes beyond 8 have fallen by exp(-33). */
+void pamplona_exact_triple(struct claims_measured *m) {
+    enum { MODES = 8 };
+    struct experiment e;
+    double apart = 0, size = 0, t = plate_time(0), K[MODES][MODES];
+    if (plate(&e, m, "")) return;
+    for (int i = 0; i < MODES; i++)
+        for (int j = 0; j < MODES; j++) K[i][j] = coefficient(&e, exact, i + 1, j + 1);
+    for (int k = 1; k <= 4; k++)
+        for (int l = 1; l <= 4; l++) {
+            double x[2] = {e.problem.hi[0] * (k - 0.3) / 4, e.problem.hi[1] * (l - 0.6) / 4}, sum = 0;
+            for (int i = 0; i < MODES; i++)
+                for (int j = 0; j < MODES; j++)
+                    sum += K[i][j] * sin((i + 1) * M_PI * x[0] / e.problem.hi[0]) *
+                           sin((j + 1) * M_PI * x[1] / e.problem.hi[1]);
+            double transient = exact(&e, x, t) - exact(&e, x, FOREVER);
+            apart = fmax(apart, fabs(sum - transient));
+            size = fmax(size, fabs(transient));
+        }
+    kit_number(m, size, "K", "largest |T_u| of 16 points at %.7g s", t);
+    kit_number(m, apart, "K", "what a double series of 8 by 8 terms misses of it");
+    kit_decide(m, apart > 1e-9 * size, 1, "a double series does not give the solution (to 1e-9)");
+}
+
 /* How far the plate is from its steady state at the time that the paper calls steady. */
 void pamplona_exact_steady(struct claims_measured *m) {
     struct experiment e;
