@@ -146,6 +146,39 @@ static void operator_is_symmetric(void **state) {
     }
 }
 
+/* Away from walls: the temperature of a steady flux along x stays, across the interface too, and so does y with one
+ * material; x^2/k_x + y^2/k_y rises by 4/rho_c. */
+static void rows_are_exact(void **state) {
+    (void)state;
+    for (int k = 0; k < 2 * KINDS; k++) {
+        struct made m;
+        struct heat_operator a;
+        struct failure why;
+        int two = k % 2;
+        make(&m, &kinds[k / 2], 0, two ? 0.213 : NAN);
+        if (operator_create_csr(&a, &m.p, &m.o, method_voronoi_flux.scheme, &m.c, m.dx, &why))
+            fail_msg("%s", why.text);
+        const double *K = m.p.material[0].k, rho_c = m.p.material[0].rho_c;
+        for (size_t i = 0; i < a.n; i++) {
+            double x = m.c.x[i], y = m.c.y[i], sum[3] = {0, 0, 0}, size = fabs(a.diagonal[i]) * 0.05;
+            if (fabs(x - 0.4) > 0.45 || fabs(y - 0.8) > 0.3) continue;
+            for (size_t q = a.row[i]; q < a.row[i + 1]; q++) {
+                size_t j = a.column[q];
+                double w = a.value[q], there = m.c.x[j], dx = there - x, dy = m.c.y[j] - y;
+                double near = x - 0.213, far = there - 0.213; /* of the interface */
+                if (two) dx = (far > 0 ? far / 0.07 : far) - (near > 0 ? near / 0.07 : near);
+                sum[0] += w * dx, sum[1] += w * dy, sum[2] += w * (dx * dx / K[0] + dy * dy / K[1]);
+            }
+            assert_near(sum[0] / size, 0, 1e-8);
+            if (two) continue;
+            assert_near(sum[1] / size, 0, 1e-8);
+            assert_near(sum[2], 4 / rho_c, 1e-7);
+        }
+        operator_free(&a);
+        layout_cloud_free(&m.c);
+    }
+}
+
 static double linear(const struct problem *p, const double x[2]) {
     (void)p;
     return 0.7 + 1.3 * x[0] - 0.4 * x[1] + (x[0] > 0.213 ? 2.5 : 0);
@@ -224,10 +257,10 @@ static void bad_clouds_are_refused(void **state) {
 int main(void) {
     gsl_set_error_handler_off();
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(cells_fill_the_body),    cmocka_unit_test(threads_change_nothing),
-        cmocka_unit_test(operator_is_symmetric),  cmocka_unit_test(starts_hold_the_heat),
-        cmocka_unit_test(rods_have_midpoints),    cmocka_unit_test(a_known_cell),
-        cmocka_unit_test(bad_clouds_are_refused),
+        cmocka_unit_test(cells_fill_the_body),   cmocka_unit_test(threads_change_nothing),
+        cmocka_unit_test(operator_is_symmetric), cmocka_unit_test(rows_are_exact),
+        cmocka_unit_test(starts_hold_the_heat),  cmocka_unit_test(rods_have_midpoints),
+        cmocka_unit_test(a_known_cell),          cmocka_unit_test(bad_clouds_are_refused),
     };
     return cmocka_run_group_tests_name("voronoi", tests, NULL, NULL);
 }
