@@ -34,6 +34,7 @@ const char case_file_help[] =
     "                           0, 45, ... 360 degrees\n"
     "  source                   yes where the scene has one, changing where it does so in time, else no\n"
     "  t_end, dx, dt, fourier   s, m; dt or fourier only where given\n"
+    "  seed                     of --seeds: of a cloud, or of random numbers\n"
     "  NAME                     of --vary\n"
     "  oracle                   words for `heatladder reference`, which tells the rest at any points: what the "
     "scene\n"
@@ -153,6 +154,7 @@ void case_file_write(const struct scene *s, const struct problem *of, const stru
             p->t_end, o->dx);
     if (o->dt > 0) fprintf(out, "dt = %.17g\n", o->dt);
     if (o->fourier > 0) fprintf(out, "fourier = %.17g\n", o->fourier);
+    if (extra->seed > 0) fprintf(out, "seed = %d\n", extra->seed);
     if (extra->name) fprintf(out, "%s = %s\n", extra->name, extra->value);
     fprintf(out, "oracle = %s", s->name);
     write_params(s, p, " --set ", "=", "", out);

@@ -18,6 +18,7 @@ struct case_extra { /* what is not of the problem */
     const char *label;
     const struct mapping *map; /* between the scene and the case; NULL for none */
     const char *name, *value;  /* of --vary; NULL for none */
+    int seed;                  /* of --seeds, from 1; 0 for none */
 };
 
 /* *p: the case's (mapping_image).  STATUS_OK; or STATUS_INPUT where dx (m) does not divide each extent of *p into

@@ -136,7 +136,8 @@ static int write_case(const struct program *g, const struct scene *s, const stru
                       const struct options *o, const char *path, struct failure *why) {
     struct output page;
     FILE *out = output_open(&page, "%s", path);
-    case_file_write(s, p, o, &(struct case_extra){g->label, &g->map, *g->vary ? g->vary : NULL, g->value}, out);
+    case_file_write(s, p, o, &(struct case_extra){g->label, &g->map, *g->vary ? g->vary : NULL, g->value, g->seed},
+                    out);
     return output_close(&page, 1, why);
 }
 

@@ -23,6 +23,7 @@ struct program {
     const char *solver;  /* the command; NULL with `results` */
     const char *results; /* the directory of answers, DIR/SCENE/DX; NULL with `solver` */
     const char *keep;    /* where case, answer and log of each rung stay, likewise; NULL for nowhere */
+    int seeds, seed;     /* draws of each rung, 0 for one; which one it is, from 1, for the case; 0: none */
     double timeout;      /* s; 0 for none */
     struct column_map columns;
     struct mapping map;            /* between the scene and the case that the program solves */

@@ -25,9 +25,10 @@ static void judge_refused(struct measured *m, const char *text) {
 
 /* The words that let another program answer a gate; what they keep lies below a name of the gate's. */
 struct words {
-    const char *word[9]; /* ended by NULL */
+    const char *word[11]; /* ended by NULL */
     int count;
     char keep[2048], timeout[40]; /* longer than --keep may be: refused there, not cut */
+    char seeds[16];
 };
 
 static void words_of(const struct gate *gate, const struct program *g, struct words *w) {
@@ -43,6 +44,10 @@ static void words_of(const struct gate *gate, const struct program *g, struct wo
     if (g->timeout > 0) {
         snprintf(w->timeout, sizeof w->timeout, "%.17g", g->timeout);
         w->word[n++] = "--timeout", w->word[n++] = w->timeout;
+    }
+    if (g->seeds > 1 && strncmp(gate->command, "ladder ", 7) == 0 && !strstr(gate->command, " --dt ")) {
+        snprintf(w->seeds, sizeof w->seeds, "%d", g->seeds);
+        w->word[n++] = "--seeds", w->word[n++] = w->seeds;
     }
     if (g->columns.text) w->word[n++] = "--columns", w->word[n++] = g->columns.text;
     w->count = n;

@@ -117,7 +117,7 @@ enum verdict judge_order(const struct judged *l, double lo, double hi, char *rea
                  l->n == 1 ? " counts" : "s count", WINDOW_LEAST);
         return VERDICT_INCONCLUSIVE;
     }
-    struct slope s = slope_fit(l->x, l->error, l->n);
+    struct slope s = l->slope ? *l->slope : slope_fit(l->x, l->error, l->n);
     int used = snprintf(reason, size, "the interval [%.4f, %.4f] ", s.ci[0], s.ci[1]);
     char *rest = reason + used;
     size_t room = size - (size_t)used;

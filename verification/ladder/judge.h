@@ -7,10 +7,13 @@
 
 #include <stddef.h>
 
+struct slope;
+
 struct judged {
     const double *x, *error; /* of the rungs that count; x falls from the first to the last */
     int n;
-    int scattered; /* 1: the errors scatter at random from rung to rung (window.h) */
+    int scattered;             /* 1: the errors scatter at random from rung to rung (window.h) */
+    const struct slope *slope; /* of all draws, where `error` has their means; NULL: of `error` */
 };
 
 /* The verdict against [lo, hi]; `reason` gets one line, and for VERDICT_INCONCLUSIVE what to do next. */

@@ -1,6 +1,8 @@
 /* The runs of a ladder, one a rung. */
 #include "verification/ladder/ladder.h"
 
+#include "solver/field.h"
+#include "solver/status.h"
 #include "verification/foreign/results.h"
 #include "verification/ladder/diagnose.h"
 #include "verification/ladder/doubt.h"
@@ -10,8 +12,10 @@
 #include "verification/run/run.h"
 #include "verification/run/semidiscrete.h"
 
+#include <math.h>
 #include <omp.h>
 #include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
 
 /* A list that rises is refined as it rises: its inverse falls. */
@@ -194,13 +198,65 @@ static void judge(const struct ladder_rungs *rungs, struct ladder *l) {
     judge_ceiling(ladder_finest_error(l), rungs->ceiling, &l->verdict, l->reason, sizeof l->reason);
 }
 
+/* The errors of a result, one after the other. */
+static double *error_of(struct result *r, int which) {
+    double *const of[] = {&r->error.l1,    &r->error.l2,    &r->error.linf,
+                          &r->interior.l1, &r->boundary.l1, &r->derived_error};
+    return of[which];
+}
+
+/* Each rung once a seed: its errors become the geometric means of theirs. */
+static void climb_draws(const struct experiment *e, const struct ladder_rungs *rungs, struct ladder *l,
+                        struct field kept[2]) {
+    enum { ERRORS = 6 };
+    enum ladder_norm norm = e->derived ? LADDER_QUANTITY : rungs->norm;
+    struct result *sum = xcalloc(RUNG_MAX, sizeof *sum);
+    l->draws = e->program.seeds;
+    for (int k = 0, failed = 0; k < e->program.seeds && !failed; k++) {
+        struct experiment one = *e;
+        struct field other[2] = {{0}, {0}};
+        one.program.seed = k + 1;
+        one.options.seed = e->options.seed + (unsigned long)k;
+        snprintf(one.program.rung, sizeof one.program.rung, "seed=%d", k + 1);
+        if (program_given(&e->program))
+            climb_program(&one, rungs, l, k ? other : kept);
+        else
+            climb(&one, rungs, l, NULL, k ? other : kept);
+        for (int i = 0; i < l->n; i++) {
+            l->draw[k][i] = ladder_error_in(&l->rung[i], norm);
+            failed = failed || l->rung[i].failure.status;
+            for (int n = 0; n < ERRORS; n++)
+                *error_of(&sum[i], n) += log(*error_of(&l->rung[i], n)) / e->program.seeds;
+        }
+        for (int n = 0; n < 2; n++) field_free(&other[n]);
+        if (failed) l->draws = 0;
+    }
+    for (int i = 0; i < l->n && l->draws; i++)
+        for (int n = 0; n < ERRORS; n++) *error_of(&l->rung[i], n) = exp(*error_of(&sum[i], n));
+    free(sum);
+}
+
+/* Draws differ in nothing but a seed: of a program's own, or of a cloud. */
+static int check_seeds(const struct experiment *e, const struct ladder *l, struct failure *why) {
+    int cloud = e->options.layout == LAYOUT_JITTER || e->options.layout == LAYOUT_RELAXED;
+    if (l->in_time || l->vary[0])
+        return refuse(why, STATUS_INPUT, "--seeds: of a ladder in dx, not in a time step or a parameter");
+    if (!e->program.solver && !cloud)
+        return refuse(why, STATUS_INPUT,
+                      "--seeds needs --solver, or --layout jitter or relaxed: nothing else is drawn");
+    return STATUS_OK;
+}
+
 int ladder_run(const struct experiment *e, const struct ladder_rungs *rungs, struct ladder *l, struct failure *why) {
     double start = omp_get_wtime();
     struct field kept[2] = {{0}, {0}};
     *l = (struct ladder){0};
     if (plan(rungs, l, why)) return why->status;
     memcpy(l->vary, e->program.vary, sizeof l->vary);
-    if (program_given(&e->program) && !l->in_time)
+    if (e->program.seeds > 1 && check_seeds(e, l, why)) return why->status;
+    if (e->program.seeds > 1)
+        climb_draws(e, rungs, l, kept);
+    else if (program_given(&e->program) && !l->in_time)
         climb_program(e, rungs, l, kept);
     else if (!l->in_time)
         climb(e, rungs, l, NULL, kept);

@@ -51,8 +51,10 @@ struct ladder {
     double semidiscrete_error;    /* its own error, as in struct semidiscrete */
     double x[RUNG_MAX];
     enum ladder_norm norm;
-    double error[RUNG_MAX]; /* in that norm; NaN where the run failed */
-    double local[RUNG_MAX]; /* n - 1 slopes between neighbours */
+    double error[RUNG_MAX];           /* in that norm; NaN where the run failed */
+    int draws;                        /* of each rung: its errors are their geometric means; 0 for one */
+    double draw[SEEDS_MAX][RUNG_MAX]; /* the errors of each */
+    double local[RUNG_MAX];           /* n - 1 slopes between neighbours */
     struct window window;
     struct slope slope;     /* over the window */
     struct failure failure; /* of the first rung that failed numerically */
@@ -69,6 +71,9 @@ struct ladder {
  * rungs->expect and rungs->ceiling. STATUS_OK, STATUS_INPUT with *why filled where a rung is refused, or
  * STATUS_NUMERICAL where one failed: *l is filled but for a refusal. */
 int ladder_run(const struct experiment *e, const struct ladder_rungs *rungs, struct ladder *l, struct failure *why);
+
+/* Its error in a norm; NaN where the run failed. */
+double ladder_error_in(const struct result *r, enum ladder_norm norm);
 
 /* Chooses the window and fits the slope in another norm. */
 void ladder_fit(struct ladder *l, enum ladder_norm norm);

@@ -18,7 +18,7 @@ const char *const ladder_norm_titles[] = {
     "the quantity's error"};
 #undef NORM
 
-static double in_norm(const struct result *r, enum ladder_norm norm) {
+double ladder_error_in(const struct result *r, enum ladder_norm norm) {
     const double value[] = {
 #define NORM(NAME, word, title, of) of,
 #include "verification/ladder/norms.def"
@@ -69,13 +69,24 @@ void ladder_slope_text(const struct ladder *l, char *text, size_t size) {
                  l->slope.ci[1], l->slope.n, l->n);
 }
 
+/* The slope and its interval from every draw of every rung that counts. */
+static void fit_draws(struct ladder *l) {
+    double x[RUNG_MAX * SEEDS_MAX], error[RUNG_MAX * SEEDS_MAX];
+    int n = 0, rungs = l->slope.n;
+    for (int i = 0; i < l->n; i++)
+        for (int k = 0; k < l->draws && l->window.counts[i]; k++) x[n] = l->x[i], error[n++] = l->draw[k][i];
+    l->window.scattered = 1;
+    l->slope = slope_fit(x, error, n);
+    l->slope.n = rungs;
+}
+
 void ladder_fit(struct ladder *l, enum ladder_norm norm) {
     struct window_rung rung[RUNG_MAX];
     double x[RUNG_MAX], error[RUNG_MAX];
     l->norm = norm;
     for (int i = 0; i < l->n; i++) {
         const struct result *r = &l->rung[i];
-        l->error[i] = in_norm(r, norm);
+        l->error[i] = ladder_error_in(r, norm);
         /* the shares are of E1; another norm of the same field is judged by them too */
         rung[i] = (struct window_rung){
             .x = l->x[i],
@@ -90,6 +101,7 @@ void ladder_fit(struct ladder *l, enum ladder_norm norm) {
     slope_local(l->x, l->error, l->n, l->local);
     window_choose(rung, l->n, &l->window);
     l->slope = slope_fit(x, error, inside(l, x, error));
+    if (l->draws > 1) fit_draws(l);
     l->verdict = isfinite(l->slope.value) && l->slope.n >= WINDOW_LEAST ? VERDICT_MEASURED : VERDICT_INCONCLUSIVE;
     snprintf(l->reason, sizeof l->reason, "%d of %d rungs count%s", l->slope.n, l->n,
              l->slope.n < WINDOW_LEAST ? ", at least four must" : "");
@@ -103,7 +115,7 @@ void ladder_fit(struct ladder *l, enum ladder_norm norm) {
 void ladder_judge(struct ladder *l, double lo, double hi) {
     double x[RUNG_MAX], error[RUNG_MAX];
     if (l->failure.status) return; /* a rung failed, and the ladder with it */
-    struct judged judged = {x, error, inside(l, x, error), l->window.scattered};
+    struct judged judged = {x, error, inside(l, x, error), l->window.scattered, l->draws > 1 ? &l->slope : NULL};
     l->verdict = judge_order(&judged, lo, hi, l->reason, sizeof l->reason);
 }
 

@@ -9,6 +9,7 @@
 #include <gsl/gsl_fit.h>
 #include <math.h>
 
+enum { POINTS = RUNG_MAX * SEEDS_MAX };
 static const double ROUNDED = 1e-6; /* a relative scatter below this is rounding of the numbers typed */
 
 void slope_local(const double *x, const double *error, int n, double *local) {
@@ -17,8 +18,8 @@ void slope_local(const double *x, const double *error, int n, double *local) {
 
 struct slope slope_fit(const double *x, const double *error, int n) {
     struct slope s = {.value = NAN, .ci = {NAN, NAN}, .n = n};
-    double u[RUNG_MAX], v[RUNG_MAX], c0, c1, cov00, cov01, cov11, chi2;
-    if (n < 2 || n > RUNG_MAX) return s;
+    double u[POINTS], v[POINTS], c0, c1, cov00, cov01, cov11, chi2;
+    if (n < 2 || n > POINTS) return s;
     for (int i = 0; i < n; i++) {
         if (!(isfinite(error[i]) && error[i] > 0)) return s;
         u[i] = log(x[i]);

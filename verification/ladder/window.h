@@ -5,7 +5,7 @@
 
 #include "verification/text/number.h"
 
-enum { RUNG_MAX = NUMBERS_MAX };
+enum { RUNG_MAX = NUMBERS_MAX, SEEDS_MAX = 16 };
 enum { WINDOW_LEAST = 4 }; /* rungs that a gate needs: two parameters fitted, two left to see whether they fit */
 
 struct window_rung {

@@ -89,7 +89,7 @@ void measures_operator_slope(const struct request *r, double lo, double hi, stru
     m->ci[0] = s.ci[0];
     m->ci[1] = s.ci[1];
     m->error = error[dx.count - 1];
-    struct judged judged = {dx.value, error, dx.count, 0};
+    struct judged judged = {dx.value, error, dx.count, 0, NULL};
     m->verdict = judge_order(&judged, lo, hi, m->reason, sizeof m->reason);
 }
 

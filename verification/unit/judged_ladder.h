@@ -17,7 +17,7 @@ static inline enum verdict judge(const double *x, const double *error, int n, do
     window_choose(rung, n, &w);
     for (int i = 0; i < n; i++)
         if (w.counts[i]) in[m] = x[i], of[m++] = error[i];
-    struct judged judged = {in, of, m, w.scattered};
+    struct judged judged = {in, of, m, w.scattered, NULL};
     *scattered = w.scattered;
     return judge_order(&judged, lo, hi, reason, 240);
 }

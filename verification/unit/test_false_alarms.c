@@ -91,6 +91,28 @@ static void what_is_missing_is_said_in_numbers(void **state) {
     free(l);
 }
 
+/* One draw a rung scatters by a factor of up to e^0.6; 12 of them show the order. */
+static void draws_are_pooled(void **state) {
+    (void)state;
+    static const char *const line = "ladder rod-cosine mine --dx 1/20,1/40,1/60,1/80 --expect 1.5,2.5 --ceiling 1e-3";
+    char with[200];
+    struct ladder *l = xcalloc(1, sizeof *l);
+    ladder(line, "cloud 0.6", l);
+    assert_int_not_equal(l->verdict, VERDICT_PASS);
+    snprintf(with, sizeof with, "%s --seeds 12", line);
+    ladder(with, "cloud 0.6", l);
+    if (l->verdict != VERDICT_PASS) fail_msg("%s", l->reason);
+    assert_int_equal(l->draws, 12);
+    double mean = 0, x[48], error[48];
+    for (int k = 0; k < 12; k++) mean += log(l->draw[k][3]) / 12;
+    assert_near(l->rung[3].error.l1, exp(mean), 1e-15);
+    assert_true(l->draw[0][3] != l->draw[1][3]);
+    for (int k = 0; k < 48; k++) x[k] = l->x[k / 12], error[k] = l->draw[k % 12][k / 12];
+    struct slope all = slope_fit(x, error, 48);
+    for (int i = 0; i < 2; i++) assert_near(l->slope.ci[i], all.ci[i], 1e-12);
+    free(l);
+}
+
 /* Random numbers, digits and a tolerance have reasons of their own; where the error is above its ceiling by more than
  * they explain, it is wrong. */
 static void what_cannot_be_told_is_inconclusive(void **state) {
@@ -117,6 +139,7 @@ int main(int argc, char **argv) {
         cmocka_unit_test(an_exact_code_passes),
         cmocka_unit_test(a_rung_at_rounding_stands_below_a_ceiling),
         cmocka_unit_test(what_is_missing_is_said_in_numbers),
+        cmocka_unit_test(draws_are_pooled),
         cmocka_unit_test(what_cannot_be_told_is_inconclusive),
     };
     return cmocka_run_group_tests_name("false_alarms", tests, NULL, NULL);

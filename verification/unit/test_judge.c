@@ -167,7 +167,7 @@ static void stand_ins_get_their_verdict(void **state) {
 static void what_does_not_fall_is_named(void **state) {
     (void)state;
     const double x[5] = {16, 8, 4, 2, 1}, error[5] = {70, 30, 16, 17.5, 2};
-    struct judged l = {x, error, 5, 0};
+    struct judged l = {x, error, 5, 0, NULL};
     char reason[240];
     assert_int_equal(judge_order(&l, 0.9, 1.1, reason, sizeof reason), VERDICT_FAIL);
     assert_string_equal(reason, "the error does not fall: 1.6000e+01 at 4, 1.7500e+01 at 2");
@@ -176,7 +176,7 @@ static void what_does_not_fall_is_named(void **state) {
 static void the_fine_slope_by_hand(void **state) {
     (void)state;
     const double x[5] = {16, 8, 4, 2, 1}, error[5] = {7, 3, 16, 4, 2};
-    struct judged l = {x, error, 5, 0};
+    struct judged l = {x, error, 5, 0, NULL};
     assert_near(judge_fine_slope(&l), 1, 1e-14);
     l.scattered = 1; /* of 16, 4, 2: log2 4, 2, 1 at 2, 1, 0: 3/2 */
     assert_near(judge_fine_slope(&l), 1.5, 1e-14);
@@ -191,7 +191,7 @@ static void the_floor_by_hand(void **state) {
         x[i] = 0.32 / pow(2, i);
         error[i] = 2.385 * pow(x[i], 1.5) + 2.385 * pow(0.01, 1.5) * 0.25; /* a fifth of the finest */
     }
-    struct judged l = {x, error, 6, 0};
+    struct judged l = {x, error, 6, 0, NULL};
     assert_near(judge_floor(&l, 1.4, 1.6), 0.2, 1e-9); /* 1.5 is one of the orders tried */
     assert_near(judge_floor(&l, -0.2, 1.6), 0, 0);
     l.scattered = 1;
@@ -209,7 +209,7 @@ static void the_unit_of_x_does_not_matter(void **state) {
         error[i] = pow(x[i], 1.5) * (i < 4 ? 1.3 : 1) + 0.2 * pow(2, -7 * 1.5); /* a sixth of the finest */
     }
     for (int k = 0; k < 3; k++) {
-        struct judged l = {x, error, 8, 0};
+        struct judged l = {x, error, 8, 0, NULL};
         assert_near(judge_floor(&l, 1.4, 1.6), 1.0 / 6, 1e-9);
         for (int i = 0; i < 8; i++) x[i] *= 1e3;
     }

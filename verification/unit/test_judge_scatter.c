@@ -86,7 +86,7 @@ static double fine_inside(int n, double ratio, double s, double part, double q) 
         x[i] = 0.1 / pow(ratio, i);
         error[i] = x[i] * x[i] + part * pow(finest, 2 - q) * pow(x[i], q);
     }
-    struct judged l = {x, error, n, 1};
+    struct judged l = {x, error, n, 1, NULL};
     double slope = judge_fine_slope(&l);
     double off = 2 * s / log(ratio) * sqrt(3.0 / (m * (m + 1.0) * (m + 2)));
     return gsl_cdf_ugaussian_P((2.1 - slope) / off) - gsl_cdf_ugaussian_P((1.9 - slope) / off);

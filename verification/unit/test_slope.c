@@ -131,7 +131,7 @@ static void the_fine_end_tells_the_truth(void **state) {
     rungs(error, N, rung);
     window_choose(rung, N, &w);
     assert_true(w.counts[3] && w.counts[4] && w.counts[5]);
-    struct judged judged = {X + 2, error + 2, 4, 0};
+    struct judged judged = {X + 2, error + 2, 4, 0, NULL};
     assert_int_not_equal(judge_order(&judged, 1.9, 2.1, reason, sizeof reason), VERDICT_PASS);
 }
 
