@@ -4,8 +4,11 @@
 #include <stdlib.h>
 #include <string.h>
 
+#define KERNEL(NAME, name) #name,
 const char *const kernel_words[] = {
-    [KERNEL_CUBIC] = "cubic", [KERNEL_QUARTIC] = "quartic", [KERNEL_WENDLAND] = "wendland", NULL};
+#include "solver/kernels.def"
+    NULL};
+#undef KERNEL
 #define STEPPER(NAME, name) #name,
 const char *const stepper_words[] = {"auto",
 #include "solver/steppers.def"

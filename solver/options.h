@@ -5,7 +5,11 @@
 
 #include "solver/status.h"
 
-enum kernel_name { KERNEL_CUBIC, KERNEL_QUARTIC, KERNEL_WENDLAND };
+enum kernel_name {
+#define KERNEL(NAME, name) KERNEL_##NAME,
+#include "solver/kernels.def"
+#undef KERNEL
+};
 enum stepper_name {
     STEPPER_AUTO, /* what fits */
 #define STEPPER(NAME, name) STEPPER_##NAME,
