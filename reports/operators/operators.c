@@ -304,6 +304,8 @@ int operators_write(const char *dir, struct failure *why) {
         free(all);
         fprintf(csv, "\n\n");
         write_traits(csv, md);
+        fprintf(csv, "\n\n");
+        operators_growth(csv, md);
         status = write_neighbours(error, why);
     }
     if (!status) status = output_close(page, PAGES, why);
