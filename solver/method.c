@@ -23,6 +23,7 @@ const struct method *method_find(const char *name) {
 
 /* What a method has no answer to. */
 static int check_body(const struct method *m, const struct problem *p, struct failure *why) {
+    if (m->scheme) return STATUS_OK;
     if (p->shape)
         return refuse(why, STATUS_NOT_APPLICABLE, "%s: takes rods and rectangles, the scene has a round body",
                       m->name);

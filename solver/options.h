@@ -18,7 +18,8 @@ enum stepper_name {
 };
 enum layout_name { LAYOUT_LATTICE, LAYOUT_NODE, LAYOUT_JITTER, LAYOUT_RELAXED, LAYOUT_HEXAGONAL, LAYOUT_GRADED };
 enum sampling { SAMPLING_POINT, SAMPLING_CELL, SAMPLING_SPLINE };
-enum walls { WALLS_MIRROR, WALLS_FIXED };
+/* Past WALLS_FIXED dummies take what particles/walls.def has; WALLS_FIXED too where walls cut the lattice. */
+enum walls { WALLS_MIRROR, WALLS_FIXED, WALLS_DISTANCE, WALLS_AVERAGE, WALLS_IMAGE, WALLS_FIT };
 enum mean { MEAN_HARMONIC, MEAN_ARITHMETIC, MEAN_SERIES };
 enum domain { DOMAIN_SYMMETRY, DOMAIN_WHOLE };
 enum volume { VOLUME_MOMENT, VOLUME_RAW, VOLUME_TUNED };
@@ -45,7 +46,10 @@ struct options {
     double grading; /* LAYOUT_GRADED: width of the last cell over the first's, along each axis; 0: the default, 4 */
     int sweeps;     /* LAYOUT_RELAXED: the most that may be made; 0: the default, 2000 */
     unsigned long seed;
-    int redraw; /* steps after which the cloud is drawn anew; 0: never */
+    double shift;              /* of the lattice of a rod or rectangle along each axis, in dx, 0 to 1 */
+    int has_origin, has_angle; /* 0: drawn by the seed */
+    double origin[2], angle;   /* of the lattice of a round body: in dx; in degrees */
+    int redraw;                /* steps after which the cloud is drawn anew; 0: never */
     enum sampling sampling;
     enum walls walls;
     enum mean mean;

@@ -67,7 +67,7 @@ static const struct scheme scheme = {.sweeps = 1, .check = check, .weights = wei
 const struct method method_cspm = {
     .name = "cspm",
     .about = "corrective smoothed particle method: Taylor's series order by order (Chen, Beraun & Carney 1999)",
-    .accepts = "stepper kernel h layout jitter grading sweeps redraw seed sampling walls",
+    .accepts = "stepper kernel h layout jitter grading sweeps redraw seed sampling shift angle walls",
     .scheme = &scheme,
     .solve = particles_solve,
     .outline = particles_outline,

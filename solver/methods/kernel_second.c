@@ -57,7 +57,7 @@ static const struct scheme scheme = {.sweeps = 1, .check = check, .volume = volu
 const struct method method_kernel_second = {
     .name = "kernel_second",
     .about = "the kernel's second derivative, sum_j V_j (T_j - T_i) lap W (Takeda et al. 1994)",
-    .accepts = "stepper kernel h layout jitter grading sweeps redraw seed sampling walls volume",
+    .accepts = "stepper kernel h layout jitter grading sweeps redraw seed sampling shift angle walls volume",
     .scheme = &scheme,
     .solve = particles_solve,
     .outline = particles_outline,

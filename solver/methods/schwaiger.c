@@ -39,7 +39,7 @@ static const struct scheme scheme = {.sweeps = 1, .check = check, .weights = wei
 const struct method method_schwaiger = {
     .name = "schwaiger",
     .about = "Schwaiger's pair operator less the corrected gradient, over the trace of its moments (2008)",
-    .accepts = "stepper kernel h layout jitter grading sweeps redraw seed sampling walls",
+    .accepts = "stepper kernel h layout jitter grading sweeps redraw seed sampling shift angle walls",
     .scheme = &scheme,
     .solve = particles_solve,
     .outline = particles_outline,

@@ -28,7 +28,7 @@ static const struct scheme scheme = {.sweeps = 1, .check = check, .weights = wei
 const struct method method_so_ssph = {
     .name = "so_ssph",
     .about = "second-order symmetric SPH: kappa <T_xx> from one Taylor expansion (Song eq. 11)",
-    .accepts = "stepper kernel h order layout jitter grading sweeps redraw seed sampling walls",
+    .accepts = "stepper kernel h order layout jitter grading sweeps redraw seed sampling shift angle walls",
     .scheme = &scheme,
     .solve = particles_solve,
     .outline = particles_outline,

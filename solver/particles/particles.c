@@ -3,6 +3,7 @@
 #include "solver/particles/particles.h"
 #include "solver/particles/redraw.h"
 #include "solver/particles/start.h"
+#include "solver/particles/walls.h"
 #include "solver/time/growth.h"
 #include "solver/time/matched.h"
 #include "solver/space/place.h"
@@ -19,6 +20,34 @@ static double now(void) {
     struct timespec t;
     clock_gettime(CLOCK_MONOTONIC, &t);
     return (double)t.tv_sec + 1e-9 * (double)t.tv_nsec;
+}
+
+/* What a lattice that walls cut does not go with, and a body without walls. */
+static int check_cut(const struct problem *p, const struct options *o, const struct scheme *s, struct failure *why) {
+    if (p->side[X_LO] == PERIODIC && !p->shape && o->layout == LAYOUT_NODE)
+        return refuse(why, STATUS_NOT_APPLICABLE, "--layout node: the scene has no walls to be on; take lattice");
+    if (p->side[X_LO] == PERIODIC && !p->shape && (o->shift > 0 || o->walls != WALLS_MIRROR))
+        return refuse(why, STATUS_NOT_APPLICABLE, "--%s: the scene is periodic and has no walls",
+                      o->shift > 0 ? "shift" : "walls");
+    if (!layout_is_cut(p, o)) return STATUS_OK;
+    if (o->layout != LAYOUT_LATTICE && o->layout != LAYOUT_JITTER && o->layout != LAYOUT_HEXAGONAL)
+        return refuse(why, STATUS_NOT_APPLICABLE,
+                      "--layout %s: is made for walls between particles; take lattice, jitter or hexagonal",
+                      layout_words[o->layout]);
+    if (o->layout == LAYOUT_HEXAGONAL && !p->shape)
+        return refuse(why, STATUS_NOT_APPLICABLE,
+                      "--layout hexagonal: is made for --walls mirror and no --shift here");
+    if (p->materials == 2 || s->sweeps == 2 || o->order > 2 || o->redraw > 0)
+        return refuse(why, STATUS_NOT_APPLICABLE, "walls that cut the lattice: %s",
+                      p->materials == 2 ? "one material only, the scene has two"
+                      : s->sweeps == 2
+                          ? "a derivative that is applied twice needs dummies two kernels deep; take so_ssph"
+                      : o->order > 2 ? "dummies are exact for quadratics; take --order 2"
+                                     : "--redraw needs a layout that they do not cut");
+    if (p->shape && o->sampling != SAMPLING_POINT)
+        return refuse(why, STATUS_NOT_APPLICABLE, "--sampling %s: a round wall cuts cells; take point",
+                      sampling_words[o->sampling]);
+    return walls_check(p, o, why);
 }
 
 int particles_resolve(const struct problem *p, const struct options *o, const struct scheme *s,
@@ -48,6 +77,7 @@ int particles_resolve(const struct problem *p, const struct options *o, const st
         return refuse(why, STATUS_NOT_APPLICABLE,
                       "a source that changes in time: every stepper here takes dT/dt = A T + g with one g; take "
                       "ftcs");
+    if (check_cut(p, resolved, s, why)) return why->status;
     if (s->check(p, resolved, why) || redraw_check(p, resolved, why)) return why->status;
     if (o->h_iso) return matched_isotropic(resolved, s, &resolved->h, why);
     return STATUS_OK;
@@ -59,10 +89,10 @@ int particles_prepare(const struct problem *p, const struct options *o, const st
     if (particles_resolve(p, o, s, resolved, why)) return why->status;
     double ratio = o->stepper == STEPPER_MATCHED && p->dim == 2 ? sqrt(p->material[0].k[1] / p->material[0].k[0]) : 1;
     if (layout_lattice(p, resolved, ratio, l, why)) return why->status;
-    *rows = options_is_cloud(o) || p->materials == 2;
+    *rows = options_is_cloud(o) || p->materials == 2 || p->side[X_LO] == PERIODIC || layout_is_cut(p, o);
     if (!stepper || !stepper->needs) return STATUS_OK;
     if (*rows)
-        return refuse(why, STATUS_NOT_APPLICABLE, "--stepper %s: needs --layout lattice or node and one material",
+        return refuse(why, STATUS_NOT_APPLICABLE, "--stepper %s: needs --layout lattice or node, one material and plane walls between particles or on them",
                       stepper->name);
     return stepper->needs(p, o, s, l, why);
 }
@@ -89,11 +119,11 @@ static void data_range(const struct problem *p, const struct field *f, double *l
     *lo = f->range[0], *hi = f->range[1];
     double flux[4] = {0};
     for (int s = 0; s < 2 * p->dim; s++)
-        for (int k = 0; k <= 8; k++) {
-            double foot[2];
-            foot[s / 2] = s % 2 ? p->hi[s / 2] : p->lo[s / 2];
-            foot[1 - s / 2] = p->lo[1 - s / 2] + k / 8.0 * (p->hi[1 - s / 2] - p->lo[1 - s / 2]);
-            double value = p->wall(p, (enum side)s, foot);
+        for (int k = 0; k <= 8 && shape_has_wall(p, s); k++) {
+            double at[2] = {cos(k * M_PI / 4), sin(k * M_PI / 4)}; /* a direction, of a round wall */
+            for (int a = 0; a < 2 && !p->shape; a++) at[a] = p->lo[a] + k / 8.0 * (p->hi[a] - p->lo[a]);
+            struct foot foot = shape_foot(p, s, at);
+            double value = p->wall(p, (enum side)s, foot.x);
             if (p->side[s] == NEUMANN)
                 flux[s] = fmax(flux[s], fabs(value));
             else
@@ -177,6 +207,14 @@ double particles_reach(const struct options *o, const struct scheme *s, const st
     return s->sweeps * 2.0 * o->h * l->dx[0];
 }
 
+int particles_cloud(const struct problem *p, const struct options *o, const struct scheme *s, const struct lattice *l,
+                    struct cloud *c, struct failure *why) {
+    if (layout_cloud(p, o, l, particles_reach(o, s, l), c, why)) return why->status;
+    int status = walls_fill(p, o, c, l->dx[0], why);
+    if (status) layout_cloud_free(c);
+    return status;
+}
+
 /* Whether the initial data are averaged over the very cells that the scheme has. */
 static int averages_cells(const struct options *o, const struct scheme *s) {
     return s->cells && o->sampling == SAMPLING_CELL;
@@ -185,17 +223,18 @@ static int averages_cells(const struct options *o, const struct scheme *s) {
 static int place_cloud(const struct problem *p, const struct options *o, const struct scheme *s,
                        const struct lattice *l, struct heat_operator *a, struct field *f, struct failure *why) {
     struct cloud c;
-    if (layout_cloud(p, o, l, particles_reach(o, s, l), &c, why)) return why->status;
+    if (particles_cloud(p, o, s, l, &c, why)) return why->status;
     int status = operator_create_csr(a, p, o, s, &c, l->dx[0], why);
+    field_alloc(f, p->dim, c.n);
     if (!status && averages_cells(o, s)) status = voronoi_average(p, &c, o->threads > 1 ? o->threads : 1, f->T, why);
     for (size_t i = 0; i < c.n; i++) {
         f->x[i] = c.x[i];
         if (f->y) f->y[i] = c.y[i];
     }
     f->weight = a->volume, a->volume = NULL;
-    if (!f->weight && c.spacing) {
+    if (!f->weight && (c.spacing || c.cell)) {
         f->weight = xcalloc(c.n, sizeof *f->weight);
-        for (size_t i = 0; i < c.n; i++) f->weight[i] = pow(c.spacing[i], p->dim);
+        for (size_t i = 0; i < c.n; i++) f->weight[i] = c.cell ? c.cell[i] : pow(c.spacing[i], p->dim);
     }
     f->settling = c.settling;
     layout_cloud_free(&c);
@@ -235,13 +274,24 @@ int particles_growth(const struct method *m, const struct problem *p, const stru
     there.stepper = STEPPER_RK2; /* the rows are the same */
     if (particles_prepare(p, &there, m->scheme, &o, &l, &rows, why)) return why->status;
     if (!rows || o.redraw > 0) return STATUS_OK;
-    if (layout_cloud(p, &o, &l, particles_reach(&o, m->scheme, &l), &c, why)) return why->status;
+    if (particles_cloud(p, &o, m->scheme, &l, &c, why)) return why->status;
     int status = operator_create_csr(&a, p, &o, m->scheme, &c, l.dx[0], why);
     layout_cloud_free(&c);
     if (status) return status;
     *rate = growth_rate(&a, operator_bound(&a), p->t_end);
     operator_free(&a);
     return STATUS_OK;
+}
+
+/* The start of a particle off the lattice; on a Dirichlet wall the wall's temperature, which it holds. */
+static double start_at(const struct problem *p, const struct options *o, const struct lattice *l, const double x[2]) {
+    double width[2] = {1, 1}, cell = layout_cell(o, l->dx[0]);
+    int wall;
+    struct foot f = shape_nearest(p, x, &wall);
+    if (layout_is_cut(p, o) && p->side[wall] == DIRICHLET && f.depth <= LAYOUT_ON_WALL * l->dx[0])
+        return p->wall(p, (enum side)wall, f.x);
+    for (int d = 0; d < p->dim; d++) width[d] = place_width(p, o, l, d, x[d]);
+    return (cell > 0 ? sample_cell : sample_initial)(p, o->sampling, width, x);
 }
 
 int particles_solve(const struct method *m, const struct problem *p, const struct options *given, struct field *out,
@@ -256,7 +306,8 @@ int particles_solve(const struct method *m, const struct problem *p, const struc
 
     struct field field, *f = &field;
     struct heat_operator a = {0};
-    field_alloc(f, p->dim, (size_t)l.n[0] * (size_t)l.n[1]);
+    *f = (struct field){0};
+    if (!rows) field_alloc(f, p->dim, (size_t)l.n[0] * (size_t)l.n[1]);
     int status = rows ? place_cloud(p, o, s, &l, &a, f, why) : operator_create_lattice(&a, p, o, s, &l, why);
     if (!status) {
         if (!rows) place_on_lattice(&l, f);
@@ -269,9 +320,7 @@ int particles_solve(const struct method *m, const struct problem *p, const struc
         if (o->stepper == STEPPER_MATCHED) matched_source(p, o, &a, f->T);
         for (size_t i = 0; i < f->n && rows && !averages_cells(o, s); i++) {
             double x[2] = {f->x[i], f->y ? f->y[i] : 0};
-            double width[2] = {1, 1};
-            for (int d = 0; d < p->dim; d++) width[d] = place_width(p, o, &l, d, x[d]);
-            f->T[i] = (cell > 0 ? sample_cell : sample_initial)(p, o->sampling, width, x);
+            f->T[i] = start_at(p, o, &l, x);
         }
         find_range(f, f->range);
         if (start_is_kept(p, o, s)) status = start_keep_heat(p, o, s, f, why);

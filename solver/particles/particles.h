@@ -34,6 +34,10 @@ int particles_prepare(const struct problem *p, const struct options *o, const st
 /* Whether the field has the shape of a lattice. */
 int particles_on_lattice(const struct problem *p, const struct options *o, int rows);
 
+/* The particles and ghosts of the layout, what they hold included. */
+int particles_cloud(const struct problem *p, const struct options *o, const struct scheme *s, const struct lattice *l,
+                    struct cloud *c, struct failure *why);
+
 /* How far from a wall particles have ghosts, m. */
 double particles_reach(const struct options *o, const struct scheme *s, const struct lattice *l);
 

@@ -6,6 +6,7 @@
 #include "solver/particles/particles.h"
 #include "solver/particles/start.h"
 #include "solver/outline.h"
+#include "solver/shape.h"
 #include "solver/space/sample.h"
 
 #include <math.h>
@@ -14,8 +15,23 @@ static const double ASSEMBLED = 2e5, FEWEST = 2000; /* particles: most, and leas
 
 /* ---- Steps, and what they cost ---- */
 
+/* Whether the start misses the temperature of a round Dirichlet wall, by 1e-9 of its size. */
+static int round_is_rough(const struct problem *p) {
+    enum { PLACES = 64 };
+    for (int k = 0; k < 2 * PLACES; k++) {
+        double angle = 2 * M_PI * k / PLACES, direction[2] = {cos(angle), sin(angle)};
+        int s = k % 2;
+        if (!shape_has_wall(p, s) || p->side[s] != DIRICHLET) continue;
+        struct foot f = shape_foot(p, s, direction);
+        double start = p->initial(p, f.x), value = p->wall(p, (enum side)s, f.x);
+        if (fabs(start - value) > 1e-9 * (fabs(start) + fabs(value))) return 1;
+    }
+    return 0;
+}
+
 /* Whether the data have jumps, or a wall whose temperature they do not meet. */
 static int is_rough(const struct problem *p, const struct lattice *l) {
+    if (p->shape) return round_is_rough(p);
     int rough = p->materials > 1 || p->jumps[0] + p->jumps[1] > 0;
     for (int s = 0; s < 2 * p->dim && !rough; s++)
         rough = p->side[s] == DIRICHLET && !sample_meets_wall(p, l, (enum side)s);
@@ -102,7 +118,8 @@ static int count_rows(const struct problem *p, const struct options *o, const st
     struct lattice coarse;
     struct cloud c;
     double finer = coarsening(p, o, l, &coarse), n = (double)l->n[0] * l->n[1];
-    if (layout_cloud(p, o, &coarse, particles_reach(o, s, &coarse), &c, why)) return why->status;
+    if (particles_cloud(p, o, s, &coarse, &c, why)) return why->status;
+    if (layout_is_cut(p, o)) n *= (double)c.n / ((double)coarse.n[0] * coarse.n[1]);
     int status = operator_create_csr(a, p, o, s, &c, coarse.dx[0], why);
     layout_cloud_free(&c);
     if (status) return status;

@@ -1,6 +1,7 @@
 /* Neighbourhoods of a cloud's points, as schemes see them. */
 #include "solver/space/assembly.h"
 #include "solver/space/kernel.h"
+#include "solver/shape.h"
 
 #include <stdlib.h>
 #include <string.h>
@@ -37,6 +38,12 @@ static size_t faces_of_cell(const struct voronoi *v, size_t i, uint32_t *out) {
     size_t n = v->begin[i + 1] - v->begin[i];
     if (n <= NEIGHBOURS_MAX) memcpy(out, v->point + v->begin[i], n * sizeof *out);
     return n;
+}
+
+double assembly_stretch(const struct assembly *m, size_t i, uint32_t j) {
+    static const double most = 1.5;
+    double x[2] = {m->c->x[i], m->c->y[i]}, depth = shape_depth(m->p, x);
+    return depth * (most - 1) > m->c->away[j - m->c->n] ? 1 + m->c->away[j - m->c->n] / depth : most;
 }
 
 int assembly_neighbourhood(const struct assembly *m, size_t i, struct surroundings *out, struct failure *why) {
@@ -105,6 +112,7 @@ void assembly_keep_constants(const struct assembly *m, double *g, struct heat_op
     for (size_t i = 0; i < a->n; i++) {
         double x[2] = {c->x[i], c->y[i]};
         if (p->source) g[i] += p->source(p, x) / (a->rho_c ? a->rho_c[i] : layout_rho_c(p, m->cell, x[0]));
+        if (c->held && c->held[i]) g[i] = 0;
         a->constant |= g[i] != 0;
     }
     if (a->constant)

@@ -46,14 +46,32 @@ static void move_row(struct row *r, size_t i, struct assembly_list *out, double 
     csr_row_clear(r);
 }
 
+/* What the dummy j of a lattice that walls cut is to particle i, with the weight w. */
+static void add_dummy(const struct assembly *m, size_t i, uint32_t j, double w, struct row *r, double *g) {
+    const struct cloud *c = m->c;
+    if (c->away) {
+        double stretch = assembly_stretch(m, i, j);
+        csr_row_add(r, (uint32_t)i, -w * (stretch - 1));
+        *g += w * stretch * c->offset[j];
+        return;
+    }
+    for (size_t k = c->begin[j - c->n]; k < c->begin[j - c->n + 1]; k++) csr_row_add(r, c->from[k], w * c->share[k]);
+    *g += w * c->offset[j];
+}
+
 static int add_row(const struct assembly *m, size_t i, struct surroundings *at, struct row *r, double *diagonal,
                    double *g, struct failure *why) {
     const struct cloud *c = m->c;
     double weight[NEIGHBOURS_MAX], *w[2] = {weight, NULL};
+    if (c->held && c->held[i]) return STATUS_OK;
     if (assembly_neighbourhood(m, i, at, why) || m->s->weights(m->p, m->o, &at->nb, w, why)) return why->status;
     for (size_t k = 0; k < at->nb.n; k++) {
         uint32_t j = at->near[k]; /* may be a ghost */
         *diagonal -= weight[k];
+        if (j >= c->n && c->begin) {
+            add_dummy(m, i, j, weight[k], r, g);
+            continue;
+        }
         csr_row_add(r, c->source[j], weight[k] * (c->factor ? c->factor[j] : c->sign[j]));
         *g += weight[k] * c->offset[j];
     }

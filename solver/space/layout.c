@@ -85,7 +85,7 @@ int layout_lattice(const struct problem *p, const struct options *o, double rati
         double cells, spacing = a ? o->dx * ratio : o->dx;
         if (a && o->layout == LAYOUT_HEXAGONAL)
             spacing = (p->hi[a] - p->lo[a]) / place_rows(p->hi[a] - p->lo[a], o->dx);
-        int divides = count_cells(p, a, spacing, &cells);
+        int divides = count_cells(p, a, spacing, &cells) || p->shape; /* a round wall divides no lattice */
         if (!(cells < CELLS_MAX))
             return refuse(why, STATUS_INPUT, "--dx %g: %g particles along %c, must be below %g", o->dx, cells,
                           "xy"[a], CELLS_MAX);
@@ -192,6 +192,8 @@ static double reflect(const struct problem *p, enum walls walls, int axis, int s
                       const double at[2], const struct lattice *l, double *sign) {
     double foot[2] = {at[0], at[1]};
     foot[axis] = side % 2 ? p->hi[axis] : p->lo[axis];
+    *sign = 1;
+    if (p->side[side] == PERIODIC) return 0;
     double value = p->wall(p, (enum side)side, foot), d = fabs(ghost - foot[axis]);
     double k = p->material[layout_material(p, foot[0])].k[axis];
     if (p->side[side] == ROBIN) {

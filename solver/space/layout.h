@@ -66,6 +66,14 @@ struct cloud {
     double coarsest;   /* m, the largest of these */
     struct settling settling;
     double reach; /* m, ghosts fill the domain's surroundings this far */
+    /* Of a lattice that walls cut anywhere, else NULL: */
+    double *cell;        /* m^d, n: the part of each particle's cell inside the body */
+    unsigned char *held; /* n: 1 for a particle on a Dirichlet wall, which holds the wall's value */
+    /* Points from n on are then dummies, of k = begin[j - n] to begin[j - n + 1] - 1: T_j = sum share[k] T_from[k] +
+     * offset[j].  With `away`, m, their distance from the wall, T_j differs from pair to pair (walls_distance.c). */
+    size_t *begin;
+    uint32_t *from;
+    double *share, *away;
 };
 
 /* The particles of a layout (of a lattice: its own) and every ghost within `reach` of the domain; on graded clouds
@@ -74,5 +82,16 @@ struct cloud {
 int layout_cloud(const struct problem *p, const struct options *o, const struct lattice *l, double reach,
                  struct cloud *c, struct failure *why);
 void layout_cloud_free(struct cloud *c);
+
+/* Whether walls cut the lattice anywhere: its particles are the lattice's points inside the body. */
+#define LAYOUT_ON_WALL 1e-6 /* dx: a point nearer to a wall lies on it */
+int layout_is_cut(const struct problem *p, const struct options *o);
+/* The particles of such a lattice, and as dummies its points within `reach` (m) beyond the walls, which hold nothing
+ * yet. STATUS_INPUT where no point is inside. */
+/* Adds the images of particle i beyond plane walls, up to three, to the cloud, whose arrays have room for them. */
+void layout_mirror(const struct problem *p, const struct options *o, const struct lattice *l, size_t i,
+                   struct cloud *c);
+int layout_cut(const struct problem *p, const struct options *o, const struct lattice *l, double reach,
+               struct cloud *c, struct failure *why);
 
 #endif

@@ -35,8 +35,8 @@ static void place_particles(const struct problem *p, const struct options *o, co
 }
 
 /* The images of particle i beyond the walls, up to three (two sides and the corner between them). */
-static void add_ghosts(const struct problem *p, const struct options *o, const struct lattice *l, size_t i,
-                       struct cloud *c) {
+void layout_mirror(const struct problem *p, const struct options *o, const struct lattice *l, size_t i,
+                   struct cloud *c) {
     double source[2] = {c->x[i], c->y[i]};
     for (int sx = -1; sx < 2; sx++)
         for (int sy = p->dim == 2 ? -1 : 1; sy < 2; sy++) { /* -1: not beyond this axis; else the side's parity */
@@ -46,9 +46,10 @@ static void add_ghosts(const struct problem *p, const struct options *o, const s
             if (side[0] < 0 && side[1] < 0) continue;
             for (int a = 0; a < p->dim; a++) {
                 if (side[a] < 0) continue;
-                double wall = side[a] % 2 ? p->hi[a] : p->lo[a];
+                double wall = side[a] % 2 ? p->hi[a] : p->lo[a], extent = p->hi[a] - p->lo[a];
+                int periodic = p->side[side[a]] == PERIODIC;
                 near = near && fabs(source[a] - wall) < c->reach;
-                ghost[a] = 2 * wall - source[a];
+                ghost[a] = periodic ? source[a] + (side[a] % 2 ? -extent : extent) : 2 * wall - source[a];
                 if (l->sign[side[a]] == LAYOUT_ROBIN)
                     factor *= layout_robin_factor(p, side[a], p->material[layout_material(p, ghost[0])].k[a],
                                                   fabs(source[a] - wall));
@@ -84,6 +85,7 @@ static void take_places(const struct field *from, struct cloud *c) {
 
 int layout_cloud(const struct problem *p, const struct options *o, const struct lattice *l, double reach,
                  struct cloud *c, struct failure *why) {
+    if (layout_is_cut(p, o)) return layout_cut(p, o, l, reach, c, why);
     if (o->layout == LAYOUT_GRADED) reach *= place_coarsest(p, o, l) / l->dx[0];
     if (o->layout == LAYOUT_NODE)
         return refuse(why, STATUS_NOT_APPLICABLE,
@@ -114,7 +116,7 @@ int layout_cloud(const struct problem *p, const struct options *o, const struct 
         layout_cloud_free(c);
         return why->status;
     }
-    for (size_t i = 0; i < n; i++) add_ghosts(p, o, l, i, c);
+    for (size_t i = 0; i < n; i++) layout_mirror(p, o, l, i, c);
     if (o->layout == LAYOUT_GRADED) add_spacings(p, o, l, c);
     return STATUS_OK;
 }
@@ -127,5 +129,11 @@ void layout_cloud_free(struct cloud *c) {
     free(c->offset);
     free(c->factor);
     free(c->spacing);
+    free(c->cell);
+    free(c->held);
+    free(c->begin);
+    free(c->from);
+    free(c->share);
+    free(c->away);
     *c = (struct cloud){0};
 }

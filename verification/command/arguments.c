@@ -182,6 +182,29 @@ static int take_results(struct request *r, struct failure *why) {
     return results_params(g->results, e->scene, g->setting, &r->rungs.dx, &known, why);
 }
 
+static int is_given(const struct request *r, const char *key) {
+    for (const struct option *o = options_table; o->key; o++)
+        if (strcmp(o->key, key) == 0) return (r->given & 1ull << (o - options_table)) != 0;
+    return 0;
+}
+
+/* Where the lattice lies, and the walls that a round body has unless others are named. */
+static int take_lattice(struct request *r, struct failure *why) {
+    struct options *o = &r->experiment.options;
+    int round = r->experiment.scene && r->experiment.problem.shape;
+    o->has_origin = r->origin.count > 0, o->has_angle = is_given(r, "angle");
+    if (o->has_origin && r->origin.count != 2)
+        return refuse(why, STATUS_INPUT, "--origin %.60s: needs X,Y, in dx", r->origin.text);
+    for (int a = 0; a < 2 && o->has_origin; a++) o->origin[a] = r->origin.value[a];
+    if (round && !is_given(r, "walls")) o->walls = WALLS_FIT;
+    if (round && is_given(r, "shift"))
+        return refuse(why, STATUS_INPUT, "--shift: is for plane walls; round bodies take --origin X,Y and --angle A");
+    if (r->experiment.scene && !round && (o->has_origin || o->has_angle))
+        return refuse(why, STATUS_INPUT, "--%s: is for round bodies; plane walls take --shift S",
+                      o->has_origin ? "origin" : "angle");
+    return STATUS_OK;
+}
+
 static int apply(struct request *r, const struct word *words, int count, struct failure *why) {
     for (int i = 0; i < count; i++)
         if (take_option(r, &words[i], why)) return why->status;
@@ -193,6 +216,7 @@ static int apply(struct request *r, const struct word *words, int count, struct 
     r->experiment.options.dx = r->rungs.dx.value[0];
     r->experiment.options.dt = r->rungs.dt.count ? r->rungs.dt.value[0] : 0;
     r->experiment.options.fourier = r->rungs.fourier.count ? r->rungs.fourier.value[0] : 0;
+    if (take_lattice(r, why)) return why->status;
     return checks_together(r, why);
 }
 

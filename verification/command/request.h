@@ -18,6 +18,7 @@ struct request {
     double ratio;            /* limit: kappa_y/kappa_x; 0: 1 */
     int dim, stages;         /* limit: 1 or 2; of rkl2, else 0 */
     struct numbers at;       /* m: x, or x and y */
+    struct numbers origin;   /* dx: of the lattice of a round body */
     struct numbers time;     /* s */
     int times;               /* > 1: so many, evenly from time.value[0] to [1]; 0: those of `time` */
     const char *points;      /* reference: file of points, - for standard input; NULL for `at` */

@@ -1,0 +1,162 @@
+/* Dummies: the table of treatments, the wall at a dummy, and the particles around it. */
+#include "solver/particles/walls.h"
+
+#include "solver/space/kernel.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#define WALLS(name) extern const struct wall_treatment walls_##name;
+#include "solver/particles/walls.def"
+#undef WALLS
+
+#define WALLS(name) &walls_##name,
+static const struct wall_treatment *const table[] = {
+#include "solver/particles/walls.def"
+    NULL};
+#undef WALLS
+
+static const char *const kind_word[] = {"Dirichlet", "Neumann", "Robin", "periodic"};
+static const double WIDEST = 2.2; /* h: as far as a search grows */
+
+static const struct wall_treatment *treatment(const struct options *o) {
+    for (int i = 0; table[i]; i++)
+        if (strcmp(table[i]->name, walls_words[o->walls]) == 0) return table[i];
+    return NULL;
+}
+
+int walls_check(const struct problem *p, const struct options *o, struct failure *why) {
+    const struct wall_treatment *t = treatment(o);
+    if (p->shape && o->walls == WALLS_MIRROR)
+        return refuse(why, STATUS_NOT_APPLICABLE,
+                      "--walls mirror: images of particles need plane walls, the scene has round ones; take fit");
+    for (int s = 0; s < 4 && t; s++)
+        if (shape_has_wall(p, s) && !(t->kinds & 1u << p->side[s]))
+            return refuse(why, STATUS_NOT_APPLICABLE, "--walls %s: has no answer for a %s wall; take %s", t->name,
+                          kind_word[p->side[s]], p->side[s] == NEUMANN && !p->shape ? "fit or average" : "fit");
+    return STATUS_OK;
+}
+
+/* ---- The wall at a dummy ---- */
+
+static void site_add(const struct problem *p, int s, const double x[2], struct wall_site *site) {
+    int n = site->walls++;
+    struct foot f = shape_foot(p, s, x);
+    site->side[n] = (enum side)s;
+    memcpy(site->normal[n], f.normal, sizeof f.normal);
+    site->away[n] = -f.depth;
+    site->value[n] = p->wall(p, (enum side)s, site->foot);
+    site->k[n] = p->material[0].k[f.normal[1] * f.normal[1] > 0.5];
+}
+
+static struct wall_site site_of(const struct problem *p, const double x[2]) {
+    struct wall_site site = {.x = {x[0], x[1]}, .foot = {x[0], x[1]}};
+    if (p->shape) {
+        int s;
+        struct foot f = shape_nearest(p, x, &s);
+        memcpy(site.foot, f.x, sizeof f.x);
+        site_add(p, s, x, &site);
+        return site;
+    }
+    for (int a = 0; a < p->dim; a++) site.foot[a] = fmin(fmax(x[a], p->lo[a]), p->hi[a]);
+    for (int s = 0; s < 2 * p->dim; s++)
+        if (site.walls < 2 && shape_has_wall(p, s) && shape_foot(p, s, x).depth < 0) site_add(p, s, x, &site);
+    return site;
+}
+
+/* ---- The particles around ---- */
+
+static void probe_create(struct walls_fill *w, const struct wall_treatment *t) {
+    const struct cloud *c = w->c;
+    struct cloud *q = w->probe = xcalloc(1, sizeof *q);
+    *q = (struct cloud){.dim = c->dim, .n = c->n, .total = c->total};
+    q->x = xcalloc(q->total, sizeof *q->x);
+    q->y = xcalloc(q->total, sizeof *q->y);
+    memcpy(q->x, c->x, c->n * sizeof *q->x);
+    memcpy(q->y, c->y, c->n * sizeof *q->y);
+    for (size_t j = c->n; j < c->total; j++) {
+        struct wall_site site = site_of(w->p, (const double[2]){c->x[j], c->y[j]});
+        double x[2];
+        t->place(&site, x);
+        q->x[j] = x[0], q->y[j] = x[1];
+    }
+    neighbours_create(&w->cells, q, KERNEL_SUPPORT * WIDEST * w->o->h * w->spacing);
+}
+
+static void probe_free(struct walls_fill *w) {
+    if (!w->probe) return;
+    neighbours_free(&w->cells);
+    layout_cloud_free(w->probe);
+    free(w->probe);
+}
+
+int walls_near(const struct walls_fill *w, size_t d, size_t least,
+               int (*attempt)(const struct walls_fill *w, const struct wall_near *near, void *with,
+                              struct failure *why),
+               void *with, struct failure *why) {
+    const struct cloud *q = w->probe;
+    size_t place = q->n + d;
+    uint32_t *all = xcalloc(NEIGHBOURS_MAX, sizeof *all);
+    struct wall_near *near = xcalloc(1, sizeof *near);
+    size_t found = neighbours_find(&w->cells, place, all, NEIGHBOURS_MAX);
+    if (found > NEIGHBOURS_MAX) found = NEIGHBOURS_MAX;
+    int status = refuse(why, STATUS_NUMERICAL,
+                        "the wall at (%.6g, %.6g) m has fewer than %zu particles within %g h; take a smaller --dx",
+                        q->x[place], q->y[place], least, KERNEL_SUPPORT * WIDEST);
+    for (double grown = 1; grown <= WIDEST && status; grown *= 1.1) {
+        double H = grown * w->o->h * w->spacing, most = KERNEL_SUPPORT * H * (1 - 1e-9);
+        size_t n = 0;
+        for (size_t k = 0; k < found; k++) {
+            uint32_t j = all[k];
+            double dx = q->x[j] - q->x[place], dy = q->y[j] - q->y[place];
+            if (j >= q->n || hypot(dx, dy) >= most) continue;
+            near->d[n][0] = dx, near->d[n][1] = dy;
+            near->from[n++] = j;
+        }
+        near->nb = (struct neighbourhood){
+            .dim = q->dim, .i = place, .x = {q->x[place], q->y[place]}, .n = n, .d = near->d, .h = H};
+        if (n >= least) status = attempt(w, near, with, why);
+    }
+    free(near);
+    free(all);
+    return status;
+}
+
+/* ---- All dummies ---- */
+
+static void keep(struct cloud *c, size_t d, const struct wall_sum *sum, size_t *room) {
+    size_t used = c->begin[d];
+    while (used + sum->n > *room) {
+        size_t more = *room ? 2 * *room : 1024;
+        c->from = xgrow(c->from, *room, more, sizeof *c->from);
+        c->share = xgrow(c->share, *room, more, sizeof *c->share);
+        *room = more;
+    }
+    for (size_t k = 0; k < sum->n; k++) c->from[used + k] = sum->from[k], c->share[used + k] = sum->share[k];
+    c->begin[d + 1] = used + sum->n;
+    c->offset[c->n + d] = sum->offset;
+}
+
+int walls_fill(const struct problem *p, const struct options *o, struct cloud *c, double spacing,
+               struct failure *why) {
+    const struct wall_treatment *t = treatment(o);
+    struct walls_fill w = {.p = p, .o = o, .c = c, .spacing = spacing};
+    size_t dummies = c->total - c->n, room = 0;
+    int status = STATUS_OK;
+    if (!layout_is_cut(p, o) || !t) return STATUS_OK;
+    c->begin = xcalloc(dummies + 1, sizeof *c->begin);
+    if (t->pairs) c->away = xcalloc(dummies, sizeof *c->away);
+    if (t->place) probe_create(&w, t);
+    struct wall_sum *sum = xcalloc(1, sizeof *sum);
+    for (size_t d = 0; d < dummies && !status; d++) {
+        struct wall_site site = site_of(p, (const double[2]){c->x[c->n + d], c->y[c->n + d]});
+        sum->n = 0;
+        status = t->fill(&w, d, &site, sum, why);
+        keep(c, d, sum, &room);
+        if (c->away) c->away[d] = site.away[0];
+    }
+    free(sum);
+    probe_free(&w);
+    return status;
+}

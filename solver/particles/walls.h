@@ -1,0 +1,69 @@
+#ifndef HEATLADDER_SOLVER_PARTICLES_WALLS_H
+#define HEATLADDER_SOLVER_PARTICLES_WALLS_H
+
+/* What the dummies of a lattice hold that walls cut anywhere: linear combinations of particles and a constant. */
+
+#include "solver/particles/ssph.h"
+#include "solver/shape.h"
+#include "solver/space/neighbours.h"
+
+struct wall_site {  /* the wall at a dummy: two walls at the corner of a rectangle */
+    double x[2];    /* m, the dummy */
+    double foot[2]; /* m, the nearest point of the body */
+    int walls;      /* 1 or 2 */
+    enum side side[2];
+    double normal[2][2]; /* outward, of each */
+    double away[2];      /* m, distance of the dummy from each */
+    double value[2];     /* as of problem.wall at the foot */
+    double k[2];         /* W m^-1 K^-1, along each normal */
+};
+
+struct wall_near { /* particles around a place, as a least-squares fit sees them */
+    struct neighbourhood nb;
+    uint32_t from[NEIGHBOURS_MAX];
+    double d[NEIGHBOURS_MAX][2]; /* m */
+};
+
+struct walls_fill { /* what treatments work with */
+    const struct problem *p;
+    const struct options *o;
+    const struct cloud *c;
+    double spacing;      /* m, what the h of the options counts in */
+    struct cloud *probe; /* the particles and after them one place for each dummy: feet, or images */
+    struct neighbours cells;
+};
+
+struct wall_sum { /* T of a dummy */
+    size_t n;
+    uint32_t from[NEIGHBOURS_MAX];
+    double share[NEIGHBOURS_MAX];
+    double offset; /* K */
+};
+
+struct wall_treatment {
+    const char *name;
+    const char *about; /* one line, with its source */
+    unsigned kinds;    /* bits of enum side_kind that it takes */
+    int pairs;         /* 1: T differs from pair to pair (struct cloud, `away`) */
+    /* Where the particles around dummy d are wanted, m; NULL for a treatment that needs none. */
+    void (*place)(const struct wall_site *site, double x[2]);
+    /* STATUS_NUMERICAL where the particles around do not suffice. */
+    int (*fill)(const struct walls_fill *w, size_t d, const struct wall_site *site, struct wall_sum *out,
+                struct failure *why);
+};
+
+/* STATUS_NOT_APPLICABLE where the treatment of the options does not take a wall of *p, naming one that does. */
+int walls_check(const struct problem *p, const struct options *o, struct failure *why);
+
+/* Fills what the dummies of *c hold, by the treatment of the options. */
+int walls_fill(const struct problem *p, const struct options *o, struct cloud *c, double spacing,
+               struct failure *why);
+
+/* The particles around the place of dummy d within 2 H, H = h grown by tenths until there are `least` and `try` takes
+ * them: STATUS_OK from it ends the search, and its last failure is that of the search. */
+int walls_near(const struct walls_fill *w, size_t d, size_t least,
+               int (*attempt)(const struct walls_fill *w, const struct wall_near *near, void *with,
+                              struct failure *why),
+               void *with, struct failure *why);
+
+#endif

@@ -1,0 +1,126 @@
+/* Dummies by a quadratic that obeys the wall: about the nearest point of the body, xi outward and eta along the wall,
+ *   T(xi, eta) = c + c_xi xi + c_eta eta + quadratic terms,
+ * fitted to the particles around by least squares with the kernel as weight, and bound exactly to the wall's
+ * condition there:   Dirichlet  c = T_w,   Neumann  c_xi = q/k,   Robin  c_xi = (b/k) (T_a - c). What is bound leaves
+ * a known part and the functions that remain free; at a corner of two walls both are bound.
+ *
+ * Order.  Dummies are exact for quadratics that obey the wall, so off by O(dx^3), and the operator in a layer one
+ * kernel wide by O(dx).  That layer costs O(dx^3) in T at a held wall and O(dx^2) at the others: second order, in the
+ * largest error too. */
+#include "solver/particles/walls.h"
+
+#include <math.h>
+#include <string.h>
+
+struct bound { /* the quadratic at one wall or corner, lengths in units of h */
+    int dim, held;
+    double axis[2][2]; /* of xi and eta */
+    double c;          /* K, where it is held */
+    int bound[2];      /* whether the slope along the axis is s + r c */
+    double s[2], r[2];
+};
+
+static struct bound bind(const struct problem *p, const struct wall_site *site, double h) {
+    struct bound b = {.dim = p->dim};
+    memcpy(b.axis[0], site->normal[0], sizeof b.axis[0]);
+    b.axis[1][0] = -b.axis[0][1], b.axis[1][1] = b.axis[0][0];
+    if (site->walls == 2) memcpy(b.axis[1], site->normal[1], sizeof b.axis[1]);
+    for (int n = 0; n < site->walls; n++) {
+        enum side side = site->side[n];
+        double ratio = p->robin[side] * h / site->k[n];
+        if (p->side[side] == DIRICHLET) {
+            b.c = b.held ? (b.c + site->value[n]) / 2 : site->value[n];
+            b.held = 1;
+            continue;
+        }
+        b.bound[n] = 1;
+        b.s[n] = p->side[side] == ROBIN ? ratio * site->value[n] : site->value[n] * h / site->k[n];
+        b.r[n] = p->side[side] == ROBIN ? -ratio : 0;
+    }
+    return b;
+}
+
+/* The known part at d (m from the foot), K, and the free functions there; returns how many. */
+static int functions(const struct bound *b, const double d[2], double h, double *known, double *P) {
+    double x[2] = {0, 0}, with_c = 1;
+    int n = 0;
+    for (int a = 0; a < b->dim; a++) x[a] = (d[0] * b->axis[a][0] + d[1] * b->axis[a][1]) / h;
+    *known = b->held ? b->c : 0;
+    for (int a = 0; a < b->dim; a++) {
+        if (b->bound[a])
+            *known += (b->s[a] + (b->held ? b->r[a] * b->c : 0)) * x[a], with_c += b->r[a] * x[a];
+        else
+            P[n++] = x[a];
+    }
+    if (!b->held) P[n++] = with_c / (1 + fabs(b->r[0]) + fabs(b->r[1]));
+    P[n++] = x[0] * x[0] / 2;
+    if (b->dim == 1) return n;
+    P[n++] = x[0] * x[1];
+    P[n++] = x[1] * x[1] / 2;
+    return n;
+}
+
+enum { WALL_DATA = 8 };
+
+struct fit {
+    const struct wall_site *site;
+    struct wall_sum *out;
+};
+
+/* Places on the Dirichlet walls of the site with the temperatures that are known there, as data of the fit: m from
+ * the foot, K.  Returns how many. */
+static size_t wall_data(const struct problem *p, const struct wall_site *site, double h, double d[WALL_DATA][2],
+                        double T[WALL_DATA]) {
+    static const double at[] = {-1, -0.5, 0.5, 1}; /* h along the wall */
+    size_t n = 0;
+    for (int k = 0; k < site->walls && p->dim == 2; k++)
+        for (int i = 0; i < 4 && p->side[site->side[k]] == DIRICHLET; i++) {
+            const double *normal = site->normal[k];
+            double x[2] = {site->foot[0] - at[i] * h * normal[1], site->foot[1] + at[i] * h * normal[0]};
+            struct foot f = shape_foot(p, (int)site->side[k], x);
+            for (int a = 0; a < 2; a++) d[n][a] = f.x[a] - site->foot[a];
+            T[n++] = p->wall(p, site->side[k], f.x);
+        }
+    return n;
+}
+
+static int attempt(const struct walls_fill *w, const struct wall_near *near, void *with, struct failure *why) {
+    const struct fit *f = with;
+    double P[NEIGHBOURS_MAX][SSPH_TERMS_MAX], known[NEIGHBOURS_MAX], target[SSPH_TERMS_MAX], away[2];
+    double d[NEIGHBOURS_MAX][2], given[WALL_DATA], share[NEIGHBOURS_MAX], h = near->nb.h;
+    struct neighbourhood nb = near->nb;
+    struct bound b = bind(w->p, f->site, h);
+    if (nb.n + WALL_DATA > NEIGHBOURS_MAX) return refuse(why, STATUS_NUMERICAL, "too many particles at a wall");
+    memcpy(d, near->d, nb.n * sizeof *d);
+    nb.n += wall_data(w->p, f->site, h, d + nb.n, given);
+    nb.d = d;
+    for (int a = 0; a < 2; a++) away[a] = f->site->x[a] - f->site->foot[a];
+    int terms = functions(&b, away, h, &f->out->offset, target);
+    for (size_t j = 0; j < nb.n; j++) functions(&b, d[j], h, &known[j], P[j]);
+    if (ssph_fit(&nb, w->o->kernel, terms, P, target, share, why)) return why->status;
+    f->out->n = near->nb.n;
+    for (size_t j = 0; j < nb.n; j++) {
+        f->out->offset -= share[j] * known[j];
+        if (j < near->nb.n)
+            f->out->from[j] = near->from[j], f->out->share[j] = share[j];
+        else
+            f->out->offset += share[j] * given[j - near->nb.n];
+    }
+    return STATUS_OK;
+}
+
+static void place(const struct wall_site *site, double x[2]) {
+    x[0] = site->foot[0], x[1] = site->foot[1];
+}
+
+static int fill(const struct walls_fill *w, size_t d, const struct wall_site *site, struct wall_sum *out,
+                struct failure *why) {
+    struct fit f = {site, out};
+    return walls_near(w, d, w->p->dim == 2 ? 8 : 4, attempt, &f, why);
+}
+
+const struct wall_treatment walls_fit = {.name = "fit",
+                                         .about = "dummies by a quadratic that obeys the wall's condition",
+                                         .kinds = 1u << DIRICHLET | 1u << NEUMANN | 1u << ROBIN,
+                                         .place = place,
+                                         .fill = fill};

@@ -1,0 +1,180 @@
+/* Walls that cut the lattice anywhere: what dummies hold, which particles are held, clipped cells; and that a start
+ * which solves the equation stays. */
+#include "solver/particles/particles.h"
+#include "solver/particles/walls.h"
+
+#include "verification/unit/near.h"
+
+#include <gsl/gsl_errno.h>
+
+static const double K = 0.7, B = 1.9;
+
+/* What a treatment has to continue: a + b x + c y + degree 2, of one kind of wall everywhere. */
+static struct field_of {
+    double a, b, c, xx, xy, yy;
+} const quadratic = {1.1, 0.7, -0.4, 0.35, -0.55, 0.85}, linear = {1.1, 0.7, -0.4, 0, 0, 0},
+        flat = {1.1, 0, 0, 0, 0, 0};
+
+static double value(const struct field_of *f, const double x[2]) {
+    return f->a + f->b * x[0] + f->c * x[1] + f->xx * x[0] * x[0] + f->xy * x[0] * x[1] + f->yy * x[1] * x[1];
+}
+
+static double slope(const struct field_of *f, const double x[2], const double n[2]) {
+    return n[0] * (f->b + 2 * f->xx * x[0] + f->xy * x[1]) + n[1] * (f->c + f->xy * x[0] + 2 * f->yy * x[1]);
+}
+
+static double initial(const struct problem *p, const double x[2]) {
+    return value(p->data, x);
+}
+
+static double wall(const struct problem *p, enum side s, const double x[2]) {
+    struct foot f = shape_foot(p, (int)s, x);
+    double T = value(p->data, f.x), q = K * slope(p->data, f.x, f.normal);
+    return p->side[s] == DIRICHLET ? T : p->side[s] == NEUMANN ? q : T + q / B;
+}
+
+static struct problem body(int round, enum side_kind kind, const struct field_of *f) {
+    struct problem p = {.dim = 2, .hi = {1.3, 0.9}, .t_end = 0.01, .materials = 1, .material = {{{K, K}, 1}}};
+    if (round) shape_round(&p, round == 2 ? 0.5 : 0, 1.1);
+    for (int s = 0; s < 4; s++) p.side[s] = kind, p.robin[s] = kind == ROBIN ? B : 0;
+    p.initial = initial, p.wall = wall, p.data = f;
+    return p;
+}
+
+/* The largest error of a dummy within 2.2 dx of a wall, K. */
+static double off(const struct problem *p, enum walls walls, enum layout_name layout) {
+    struct options o = {.dx = 0.1, .h = 1.1, .walls = walls, .layout = layout, .jitter = 0.2, .seed = 3};
+    struct lattice l;
+    struct cloud c;
+    struct failure why = {0};
+    double most = 0;
+    if (!p->shape) o.shift = 0.37;
+    if (layout_lattice(p, &o, 1, &l, &why) || layout_cloud(p, &o, &l, 0.22, &c, &why) ||
+        walls_fill(p, &o, &c, 0.1, &why))
+        fail_msg("%s", why.text);
+    assert_true(c.n > 30 && c.total > c.n);
+    for (size_t j = c.n; j < c.total; j++) {
+        double T = c.offset[j], x[2] = {c.x[j], c.y[j]};
+        for (size_t k = c.begin[j - c.n]; k < c.begin[j - c.n + 1]; k++)
+            T += c.share[k] * value(p->data, (const double[2]){c.x[c.from[k]], c.y[c.from[k]]});
+        most = fmax(most, fabs(T - value(p->data, x)));
+    }
+    layout_cloud_free(&c);
+    return most;
+}
+
+static void fits_continue_quadratics(void **state) {
+    (void)state;
+    for (int round = 0; round < 3; round++)
+        for (int kind = DIRICHLET; kind <= ROBIN; kind++)
+            for (int layout = 0; layout < 2; layout++) {
+                struct problem p = body(round, (enum side_kind)kind, &quadratic);
+                assert_near(off(&p, WALLS_FIT, layout ? LAYOUT_JITTER : LAYOUT_LATTICE), 0, 1e-11);
+            }
+}
+
+/* Across a plane wall; a corner of two walls takes two reflections. */
+static void images_continue_linear_temperatures(void **state) {
+    (void)state;
+    for (int kind = DIRICHLET; kind <= ROBIN; kind++) {
+        struct problem p = body(0, (enum side_kind)kind, &linear);
+        if (kind == ROBIN) continue; /* its factor is that of a slope along the normal alone */
+        assert_near(off(&p, WALLS_IMAGE, LAYOUT_LATTICE), 0, 1e-12);
+        p.data = &quadratic;
+        assert_true(off(&p, WALLS_IMAGE, LAYOUT_LATTICE) > 1e-3);
+    }
+}
+
+static void every_treatment_keeps_a_constant(void **state) {
+    (void)state;
+    static const enum walls all[] = {WALLS_FIXED, WALLS_AVERAGE, WALLS_IMAGE, WALLS_FIT};
+    for (int round = 0; round < 3; round++)
+        for (int t = 0; t < 4; t++)
+            for (int kind = DIRICHLET; kind <= ROBIN; kind++) {
+                struct problem p = body(round, (enum side_kind)kind, &flat);
+                struct options o = {.walls = all[t]};
+                struct failure why;
+                if (walls_check(&p, &o, &why)) continue;
+                assert_near(off(&p, all[t], LAYOUT_LATTICE), 0, 1e-12);
+            }
+}
+
+static void what_a_treatment_does_not_take_is_refused(void **state) {
+    (void)state;
+    struct failure why;
+    struct problem held = body(1, DIRICHLET, &flat), flux = body(1, NEUMANN, &flat), cooled = body(1, ROBIN, &flat);
+    assert_int_equal(walls_check(&held, &(struct options){.walls = WALLS_MIRROR}, &why), STATUS_NOT_APPLICABLE);
+    assert_int_equal(walls_check(&held, &(struct options){.walls = WALLS_DISTANCE}, &why), STATUS_OK);
+    assert_int_equal(walls_check(&flux, &(struct options){.walls = WALLS_DISTANCE}, &why), STATUS_NOT_APPLICABLE);
+    assert_int_equal(walls_check(&flux, &(struct options){.walls = WALLS_FIXED}, &why), STATUS_NOT_APPLICABLE);
+    assert_int_equal(walls_check(&flux, &(struct options){.walls = WALLS_AVERAGE}, &why), STATUS_OK);
+    assert_int_equal(walls_check(&cooled, &(struct options){.walls = WALLS_AVERAGE}, &why), STATUS_NOT_APPLICABLE);
+    assert_int_equal(walls_check(&cooled, &(struct options){.walls = WALLS_FIT}, &why), STATUS_OK);
+}
+
+/* so_ssph is exact for quadratics and dummies continue them: d T/dt = kappa lap T everywhere, held particles apart.
+ */
+static void a_quadratic_rises_evenly(void **state) {
+    (void)state;
+    extern const struct method method_so_ssph, method_fatehi_manzari;
+    const struct method *const all[] = {&method_so_ssph, &method_fatehi_manzari};
+    struct field_of harmonic = quadratic;
+    harmonic.yy = -harmonic.xx;
+    for (int m = 0; m < 2; m++)
+        for (int round = 0; round < 3; round++)
+            for (int kind = DIRICHLET; kind <= ROBIN; kind++) {
+                struct problem p = body(round, (enum side_kind)kind, &harmonic);
+                struct options o = {.dx = 0.1, .walls = WALLS_FIT, .shift = round ? 0 : 0.5, .stepper = STEPPER_RKL2};
+                struct field f;
+                struct failure why;
+                if (method_solve(all[m], &p, &o, &f, &why)) fail_msg("%s", why.text);
+                for (size_t i = 0; i < f.n; i++)
+                    assert_near(f.T[i], value(&harmonic, (const double[2]){f.x[i], f.y[i]}), 1e-10);
+                field_free(&f);
+            }
+}
+
+static void particles_on_a_wall_hold_its_temperature(void **state) {
+    (void)state;
+    struct problem p = body(0, DIRICHLET, &linear);
+    struct options o = {.dx = 0.1, .h = 1.1, .shift = 0.5, .walls = WALLS_FIT};
+    struct lattice l;
+    struct cloud c;
+    struct failure why;
+    size_t held = 0;
+    assert_int_equal(layout_lattice(&p, &o, 1, &l, &why), STATUS_OK);
+    assert_int_equal(layout_cloud(&p, &o, &l, 0.22, &c, &why), STATUS_OK);
+    for (size_t i = 0; i < c.n; i++) held += c.held[i];
+    assert_int_equal(c.n, 14 * 10);
+    assert_int_equal(held, 14 * 10 - 12 * 8);
+    layout_cloud_free(&c);
+}
+
+/* Cells of a lattice anywhere add up to the body. */
+static void clipped_cells_fill_the_body(void **state) {
+    (void)state;
+    for (int round = 1; round < 3; round++) {
+        struct problem p = body(round, DIRICHLET, &flat);
+        double d = 0.173, sum = 0, hole = round == 2 ? 0.25 : 0;
+        for (int j = -10; j < 10; j++)
+            for (int i = -10; i < 10; i++)
+                sum += shape_clipped(&p, (const double[2]){(i + 0.21) * d, (j + 0.67) * d},
+                                     (const double[2]){(i + 1.21) * d, (j + 1.67) * d});
+        assert_near(sum, 3.14159265358979323846 * (1.21 - hole), 1e-13);
+        assert_near(shape_volume(&p), 3.14159265358979323846 * (1.21 - hole), 1e-14);
+    }
+}
+
+int main(void) {
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(fits_continue_quadratics),
+        cmocka_unit_test(images_continue_linear_temperatures),
+        cmocka_unit_test(every_treatment_keeps_a_constant),
+        cmocka_unit_test(what_a_treatment_does_not_take_is_refused),
+        cmocka_unit_test(a_quadratic_rises_evenly),
+        cmocka_unit_test(particles_on_a_wall_hold_its_temperature),
+        cmocka_unit_test(clipped_cells_fill_the_body),
+    };
+    gsl_set_error_handler_off();
+    return cmocka_run_group_tests_name("walls anywhere", tests, NULL, NULL);
+}
