@@ -1,8 +1,11 @@
 /* Dummies by a quadratic that obeys the wall: about the nearest point of the body, xi outward and eta along the wall,
  *   T(xi, eta) = c + c_xi xi + c_eta eta + quadratic terms,
  * fitted to the particles around by least squares with the kernel as weight, and bound exactly to the wall's
- * condition there:   Dirichlet  c = T_w,   Neumann  c_xi = q/k,   Robin  c_xi = (b/k) (T_a - c). What is bound leaves
- * a known part and the functions that remain free; at a corner of two walls both are bound.
+ * condition there:   Dirichlet  c = T_w,   Neumann  c_xi = q/k,   Robin  c_xi = (b/k) (T_a - c).
+ * What is bound leaves a known part and the functions that remain free; at a corner of two walls both are bound.  A
+ * Dirichlet wall's temperatures beside the foot are known as well and join the data: without them a particle next to
+ * the wall stands for the temperature along it, and dummies that follow it let modes grow (3 of 10 clouds of jitter
+ * 0.2).
  *
  * Order.  Dummies are exact for quadratics that obey the wall, so off by O(dx^3), and the operator in a layer one
  * kernel wide by O(dx).  That layer costs O(dx^3) in T at a held wall and O(dx^2) at the others: second order, in the
