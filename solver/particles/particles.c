@@ -37,6 +37,9 @@ static int check_cut(const struct problem *p, const struct options *o, const str
     if (o->layout == LAYOUT_HEXAGONAL && !p->shape)
         return refuse(why, STATUS_NOT_APPLICABLE,
                       "--layout hexagonal: is made for --walls mirror and no --shift here");
+    if (s->cells)
+        return refuse(why, STATUS_NOT_APPLICABLE,
+                      "walls that cut the lattice: cells need images of particles beyond plane walls; take so_ssph");
     if (p->materials == 2 || s->sweeps == 2 || o->order > 2 || o->redraw > 0)
         return refuse(why, STATUS_NOT_APPLICABLE, "walls that cut the lattice: %s",
                       p->materials == 2 ? "one material only, the scene has two"
@@ -92,8 +95,10 @@ int particles_prepare(const struct problem *p, const struct options *o, const st
     *rows = options_is_cloud(o) || p->materials == 2 || p->side[X_LO] == PERIODIC || layout_is_cut(p, o);
     if (!stepper || !stepper->needs) return STATUS_OK;
     if (*rows)
-        return refuse(why, STATUS_NOT_APPLICABLE, "--stepper %s: needs --layout lattice or node, one material and plane walls between particles or on them",
-                      stepper->name);
+        return refuse(
+            why, STATUS_NOT_APPLICABLE,
+            "--stepper %s: needs --layout lattice or node, one material and plane walls between particles or on them",
+            stepper->name);
     return stepper->needs(p, o, s, l, why);
 }
 

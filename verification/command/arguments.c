@@ -184,7 +184,7 @@ static int take_results(struct request *r, struct failure *why) {
 
 static int is_given(const struct request *r, const char *key) {
     for (const struct option *o = options_table; o->key; o++)
-        if (strcmp(o->key, key) == 0) return (r->given & 1ull << (o - options_table)) != 0;
+        if (strcmp(o->key, key) == 0) return r->given[o - options_table];
     return 0;
 }
 
