@@ -101,7 +101,8 @@ int walls_near(const struct walls_fill *w, size_t d, size_t least,
     struct wall_near *near = xcalloc(1, sizeof *near);
     size_t found = neighbours_find(&w->cells, place, all, NEIGHBOURS_MAX);
     if (found > NEIGHBOURS_MAX) found = NEIGHBOURS_MAX;
-    int status = refuse(why, STATUS_NUMERICAL,
+    struct failure last; /* of the tries; a success leaves *why as it is */
+    int status = refuse(&last, STATUS_NUMERICAL,
                         "the wall at (%.6g, %.6g) m has fewer than %zu particles within %g h; take a smaller --dx",
                         q->x[place], q->y[place], least, KERNEL_SUPPORT * WIDEST);
     for (double grown = 1; grown <= WIDEST && status; grown *= 1.1) {
@@ -116,8 +117,9 @@ int walls_near(const struct walls_fill *w, size_t d, size_t least,
         }
         near->nb = (struct neighbourhood){
             .dim = q->dim, .i = place, .x = {q->x[place], q->y[place]}, .n = n, .d = near->d, .h = H};
-        if (n >= least) status = attempt(w, near, with, why);
+        if (n >= least) status = attempt(w, near, with, &last);
     }
+    if (status) *why = last;
     free(near);
     free(all);
     return status;
