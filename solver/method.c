@@ -27,8 +27,6 @@ static int check_body(const struct method *m, const struct problem *p, struct fa
     if (p->shape)
         return refuse(why, STATUS_NOT_APPLICABLE, "%s: takes rods and rectangles, the scene has a round body",
                       m->name);
-    if (p->side[X_LO] == PERIODIC)
-        return refuse(why, STATUS_NOT_APPLICABLE, "%s: takes bodies with walls, the scene is periodic", m->name);
     return STATUS_OK;
 }
 

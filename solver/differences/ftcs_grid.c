@@ -46,7 +46,11 @@ static void edge_make(struct ftcs_grid *g, const struct problem *p, const struct
     int shift = o->layout == LAYOUT_NODE ? (given ? -1 : 1) : 0;
     struct ftcs_edge *e = &g->edge[s];
     e->offset = reserve(g, FTCS_LAYERS * length);
-    for (int m = 0; m < FTCS_LAYERS; m++) {
+    for (int m = 0; m < FTCS_LAYERS && p->side[s] == PERIODIC; m++) {
+        e->mirror[m] = g->n[a] - 1 - m; /* of the far end; offsets stay 0 */
+        e->sign[m] = 1;
+    }
+    for (int m = 0; m < FTCS_LAYERS && p->side[s] != PERIODIC; m++) {
         int held = given && (o->walls == WALLS_FIXED || m + shift < 0);
         double apart = (2 * m + 1 + shift) * g->d[a], x[2];
         e->mirror[m] = m + shift < 0 ? 0 : m + shift;

@@ -96,6 +96,12 @@ static int check_options(const struct ftcs_grid *g, const struct problem *p, con
         return refuse(why, STATUS_INPUT, "--dt %g --fourier %g: give one of them", o->dt, o->fourier);
     if (!(p->t_end >= 0 && isfinite(p->t_end)))
         return refuse(why, STATUS_INPUT, "--t-end %g: must be finite and not negative", p->t_end);
+    if (p->side[X_LO] == PERIODIC && (o->layout == LAYOUT_NODE || o->walls != WALLS_MIRROR))
+        return refuse(why, STATUS_NOT_APPLICABLE, "--%s: the scene is periodic and has no walls",
+                      o->layout == LAYOUT_NODE ? "layout node" : "walls");
+    if (o->walls > WALLS_FIXED)
+        return refuse(why, STATUS_NOT_APPLICABLE, "--walls %s: is for particles; %s has mirror and fixed",
+                      walls_words[o->walls], g->method);
     return check_spacing(p, o->dx, why);
 }
 
