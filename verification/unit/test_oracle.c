@@ -246,8 +246,10 @@ static void answers_are_csv(void **state) {
 static void a_point_taken_to_a_side_is_shown_there(void **state) {
     (void)state;
     struct problem p;
+    struct image image;
     const struct scene *s = odd_find("rod-cosine", &p);
-    struct answer a = {.scene = s, .problem = &p};
+    mapping_image(&(struct mapping){0}, &p, &image);
+    struct answer a = {.scene = s, .image = &image};
     char *text = answered(&a, "x\n1.2999999995\n1.30\n1.2999\n", "rho_c");
     assert_string_equal(text, "x,rho_c\n1.3,1\n1.30,1\n1.2999,1\n");
     free(text);
