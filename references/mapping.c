@@ -55,6 +55,14 @@ void mapping_to_scene(const struct mapping *m, int dim, const double x[2], doubl
     for (int a = 0; a < dim; a++) to[mapping_axis(m, a)] = m->against[a] ? 0 - x[a] : x[a];
 }
 
+void mapping_to_case(const struct mapping *m, int dim, const double x[2], double to[2]) {
+    to[1] = 0;
+    for (int a = 0; a < dim; a++) {
+        double along = x[mapping_axis(m, a)];
+        to[a] = m->against[a] ? 0 - along : along;
+    }
+}
+
 double mapping_scale(const struct mapping *m) {
     return m->scale > 0 ? m->scale : 1;
 }

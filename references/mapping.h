@@ -39,8 +39,9 @@ int mapping_axis(const struct mapping *m, int axis);
 /* The scene's side of the case's. */
 enum side mapping_side(const struct mapping *m, enum side s);
 
-/* The coordinates of the scene at x of the case, m; they may not overlap. */
+/* The coordinates of the scene at x of the case, m, and the other way; they may not overlap. */
 void mapping_to_scene(const struct mapping *m, int dim, const double x[2], double to[2]);
+void mapping_to_case(const struct mapping *m, int dim, const double x[2], double to[2]);
 
 double mapping_scale(const struct mapping *m);
 double mapping_temperature(const struct mapping *m, double T);      /* of the case, from the scene's */

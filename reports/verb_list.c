@@ -80,7 +80,9 @@ static void list_battery(void) {
         const struct gate *g = &row->gate;
         printf("%s (order %d): %s in [%g, %g]", g->id, row->order, g->measure, g->lo, g->hi);
         if (!isnan(g->ceiling)) printf(", error at most %g", g->ceiling);
-        printf("\n  heatladder %s --solver 'CMD'\n  %s\n", g->command, g->why);
+        printf("\n  heatladder %s --solver 'CMD'\n", g->command);
+        if (*row->ranges) printf("  drawn: %s\n", row->ranges);
+        printf("  %s\n", g->why);
     }
 }
 

@@ -238,7 +238,7 @@ static void take_program(struct request *r) {
 
 int arguments_parse(int argc, char *const *argv, struct request *r, struct failure *why) {
     char *line = r->line;
-    *r = (struct request){.line = line, .given = xcalloc((size_t)options_count, 1)};
+    *r = (struct request){.line = line, .draw = 1, .given = xcalloc((size_t)options_count, 1)};
     *why = (struct failure){0};
     struct word words[LINE_WORDS];
     int options = 0, positionals = 0;

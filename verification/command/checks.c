@@ -95,6 +95,12 @@ static int check_program(const struct request *r, struct failure *why) {
         return refuse(why, STATUS_INPUT, "--%s needs --solver 'CMD'", g->keep ? "keep" : "timeout");
     if (r->order && !r->battery && !program_given(g) && words_among(r->verb->options, "order-of"))
         return refuse(why, STATUS_INPUT, "--order needs --solver, --results or --battery: of which code?");
+    for (const struct option *o = options_table; o->key; o++)
+        if (strcmp(o->key, "draw") == 0 && r->given[o - options_table] && !r->battery &&
+            (!program_given(g) || r->gates_path))
+            return refuse(why, STATUS_INPUT,
+                          "--seed draws the battery: it needs --solver, --results or --battery, and "
+                          "no --gates");
     if (!mapping_is_none(&g->map) && words_among(r->verb->options, "solver") && !program_given(g))
         return refuse(why, STATUS_INPUT, "--%s needs --solver or --results: our own methods see the scene as it is",
                       g->map.axes        ? "map"

@@ -107,7 +107,7 @@ static int read_seed(struct request *r, const struct option *o, const char *text
     long value;
     if (number_read_whole(text, 4294967295, &value))
         return refuse(why, STATUS_INPUT, "--%s %.60s: must be a whole number from 0 to 4294967295", o->name, text);
-    r->experiment.options.seed = (unsigned long)value;
+    *(unsigned long *)place(r, o) = (unsigned long)value;
     return STATUS_OK;
 }
 

@@ -32,6 +32,7 @@ struct request {
     int more_rungs;          /* battery: rungs of each ladder in all; 0: as the rows are */
     double time_order;       /* battery: of the code in time; 0: any of 0.9 or more */
     int order;               /* battery: of the code in space; 0: 2 */
+    unsigned long draw;      /* battery: the seed of its draw; 0: as it is written */
     int battery;             /* case: 1: the cases of the battery */
     const char *bench_scene; /* bench: the one scene; NULL for all */
     int peers;               /* bench: 1: the codes of others beside ours */

@@ -76,6 +76,26 @@ static void map_back(const struct mapping *m, struct field *f) {
     for (int k = 0; k < 2; k++) f->range[k] = mapping_temperature_back(m, f->range[k]);
 }
 
+static double *copy_of(const double *value, size_t n) {
+    return value ? memcpy(xcalloc(n, sizeof *value), value, n * sizeof *value) : NULL;
+}
+
+struct field program_as_given(const struct program *g, const struct field *f, double *exact) {
+    const struct mapping *m = &g->map;
+    struct field copy = *f;
+    copy.x = copy_of(f->x, f->n), copy.y = copy_of(f->y, f->n);
+    copy.T = copy_of(f->T, f->n), copy.weight = copy_of(f->weight, f->n);
+    for (size_t i = 0; i < f->n && !mapping_is_none(m); i++) {
+        double x[2] = {f->x[i], f->dim == 2 ? f->y[i] : 0}, at[2];
+        mapping_to_case(m, f->dim, x, at);
+        copy.x[i] = at[0];
+        if (f->dim == 2) copy.y[i] = at[1];
+        copy.T[i] = mapping_temperature(m, f->T[i]);
+        if (exact) exact[i] = mapping_temperature(m, exact[i]);
+    }
+    return copy;
+}
+
 /* The answer at `path`, which messages call `name`: read and checked as the case has it. */
 static int read_answer(const struct program *g, const char *path, const char *name, const struct problem *p,
                        double dx, struct field *f, struct failure *why) {

@@ -35,6 +35,10 @@ struct program {
 /* 1 where there is a program: a command, or its answers. */
 int program_given(const struct program *g);
 
+/* A copy of *f, an answer, in the axes and temperatures of the case: as the program gave it, to rounding.  *exact of
+ * the same points, where not NULL, is mapped in place.  End with field_free. */
+struct field program_as_given(const struct program *g, const struct field *f, double *exact);
+
 /* The answer to *p, of the scene *s, at *o.  STATUS_OK: the caller owns *f, whose `seconds` are those of the whole
  * command, `step_seconds` those that the program says it solved for (all, where it says nothing).  STATUS_SKIPPED:
  * the program says that the case is not for it. */

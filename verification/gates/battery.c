@@ -5,19 +5,45 @@
 #include "verification/command/arguments.h"
 #include "verification/foreign/results.h"
 
+#include <math.h>
 #include <stdio.h>
 #include <string.h>
 
-#define BATTERY(order, id, measure, command, lo, hi, ceiling, sees, bounds)                                          \
-    {order, {id, TIER_QUICK, measure, command, lo, hi, ceiling, "sees " sees "; bounds: " bounds}},
+#define BATTERY(order, id, measure, command, bound, ranges, lo, hi, ceiling, sees, bounds)                           \
+    {order, {id, TIER_QUICK, measure, command, lo, hi, ceiling, "sees " sees "; bounds: " bounds}, bound, ranges},
 const struct battery_row battery_table[] = {
 #include "verification/gates/battery.def"
     {0}};
 #undef BATTERY
 
-void battery_add(int order, struct gates *g) {
-    for (const struct battery_row *row = battery_table; row->order; row++)
-        if (row->order == order) gates_add(g, &row->gate);
+static struct draw draw_of(const struct battery_row *row) {
+    return (struct draw){row->gate.command, row->ranges, row->bound, row->gate.measure};
+}
+
+int battery_add(int order, unsigned long seed, struct gates *g, struct failure *why) {
+    char command[DRAW_COMMAND];
+    for (const struct battery_row *row = battery_table; row->order; row++) {
+        struct draw draw = draw_of(row);
+        if (row->order != order) continue;
+        if (draw_command(&draw, seed, command, why)) return why->status;
+        gates_add(g, &row->gate);
+        if (seed) gates_set_command(g, command);
+    }
+    return STATUS_OK;
+}
+
+static int set_bound(const struct battery_row *row, struct gate *gate, struct failure *why) {
+    struct draw draw = draw_of(row);
+    return draw_bound(&draw, gate->command, isnan(gate->ceiling) ? &gate->hi : &gate->ceiling, why);
+}
+
+int battery_bounds(int order, struct gates *g, struct failure *why) {
+    for (int i = 0; i < g->declared; i++)
+        for (const struct battery_row *row = battery_table; row->order; row++)
+            if (row->order == order && strcmp(row->gate.id, g->result[i].gate.id) == 0 &&
+                set_bound(row, &g->result[i].gate, why))
+                return why->status;
+    return STATUS_OK;
 }
 
 /* The cases of one row; a ladder in time has a directory a step below that of its spacing. */

@@ -3,18 +3,25 @@
 
 /* The battery: gates for a code that nobody here wrote, of order 1, 2 or 4 in space. */
 
+#include "verification/gates/draw.h"
 #include "verification/gates/gates.h"
 
 /* The row for a code of a given order. */
 struct battery_row {
     int order; /* 1, 2 or 4 */
     struct gate gate;
+    enum draw_bound bound;
+    const char *ranges; /* of what a seed draws (draw.h) */
 };
 
 extern const struct battery_row battery_table[]; /* ended by a NULL id */
 
-/* Adds the rows for that order to *g. */
-void battery_add(int order, struct gates *g);
+/* Adds the rows for that order to *g, drawn by the seed (0: as they are written). */
+int battery_add(int order, unsigned long seed, struct gates *g, struct failure *why);
+
+/* Sets the bounds of the rows in *g, all of that order, to those of what was drawn: some need a run of the five-point
+ * difference. */
+int battery_bounds(int order, struct gates *g, struct failure *why);
 
 /* Writes the case of every rung of every row in *g: DIR/SCENE/SETTING/DX/case, and DIR/cases.txt (results.h).
  * *written counts them; what rows share is written once.  STATUS_OK or STATUS_INPUT with *why. */

@@ -119,7 +119,17 @@ int gates_collect(const char *only, const char *skip, int quick, struct gates *g
     return gates_choose(g, only, skip, quick, why);
 }
 
+void gates_set_command(struct gates *g, const char *command) {
+    size_t size = strlen(command) + 1, count = (size_t)g->commands;
+    char *copy = memcpy(xcalloc(size, 1), command, size);
+    g->command = xgrow(g->command, count, count + 1, sizeof *g->command);
+    g->command[g->commands++] = copy;
+    g->result[g->declared - 1].gate.command = copy;
+}
+
 void gates_free(struct gates *g) {
+    for (int i = 0; i < g->commands; i++) free(g->command[i]);
+    free(g->command);
     free(g->result);
     free(g->text);
     *g = (struct gates){0};

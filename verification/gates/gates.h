@@ -37,8 +37,10 @@ struct gate_result {
 struct gates {
     int declared;
     int executed;
-    struct gate_result *result;    /* declared of them, in the order of the table */
-    char *text;                    /* owned: names and commands of the references' gates */
+    struct gate_result *result; /* declared of them, in the order of the table */
+    char *text;                 /* owned: names and commands of the references' gates */
+    char **command;             /* owned: `commands` of them, of rows that were drawn */
+    int commands;
     const struct program *program; /* that answers all of them; NULL: each by its own command */
     const char *origin;            /* words of `verify` without which these rows are not there; NULL for none */
 };
@@ -52,6 +54,8 @@ void gates_free(struct gates *g);
 
 /* One more row, whose texts outlive *g. */
 void gates_add(struct gates *g, const struct gate *gate);
+/* Another command, which is copied, for the last row. */
+void gates_set_command(struct gates *g, const char *command);
 
 /* Leaves those whose id matches `only` and not `skip` (NULL: all, none; * matches / too), of the quick tier alone
  * where asked.  STATUS_OK; or STATUS_INPUT where one of the two matches no row at all, or none is left. */

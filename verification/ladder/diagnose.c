@@ -63,9 +63,13 @@ static double mean_of_start(const struct experiment *e, double dx) {
     return mean;
 }
 
+/* What is looked at: a fault is one of the case that the program was given, in its axes and temperatures.  Where two
+ * materials meet across y no solver of ours can respond: then it is the scene. */
 void diagnose_ladder(const struct experiment *e, const struct field kept[2], struct ladder *l,
                      struct doubt_noise *noise) {
     struct diagnosis_rung rung[2];
+    struct field given[2] = {{0}, {0}};
+    struct image image;
     double *exact[2];
     if (l->n < 2 || kept[0].n == 0 || kept[1].n == 0) {
         snprintf(l->diagnosis.what, sizeof l->diagnosis.what, "none: two rungs with an answer are needed");
@@ -74,15 +78,18 @@ void diagnose_ladder(const struct experiment *e, const struct field kept[2], str
     repeat(e, &kept[1], &l->rung[l->n - 2], l, noise);
     if (noise->share > DOUBT_NOISE && diagnosis_repeat(noise->apart, largest(&kept[1]), &l->diagnosis)) return;
     double mean = mean_of_start(e, l->x[l->n - 2]);
+    mapping_image(&e->program.map, &e->problem, &image);
+    int mapped = e->problem.materials == 1 || image.interface_axis == 0;
     for (int k = 0; k < 2; k++) {
         exact[k] = xcalloc(kept[k].n, sizeof **exact);
         norms_exact(e->scene, &e->problem, &kept[k], exact[k]);
+        if (mapped) given[k] = program_as_given(&e->program, &kept[k], exact[k]);
         double dt = kept[k].dt;
         if (!(dt > 0) && kept[k].steps > 0) dt = kept[k].time / (double)kept[k].steps;
-        rung[k] = (struct diagnosis_rung){&kept[k], exact[k], l->x[l->n - 1 - k], dt, mean};
+        rung[k] = (struct diagnosis_rung){mapped ? &given[k] : &kept[k], exact[k], l->x[l->n - 1 - k], dt, mean};
     }
-    diagnosis_find(&e->problem, &rung[0], &rung[1], &l->diagnosis);
+    diagnosis_find(mapped ? &image.problem : &e->problem, &rung[0], &rung[1], &l->diagnosis);
     struct diagnosis repeats;
     if (!l->diagnosis.named && diagnosis_repeat(noise->apart, largest(&kept[1]), &repeats)) l->diagnosis = repeats;
-    for (int k = 0; k < 2; k++) free(exact[k]);
+    for (int k = 0; k < 2; k++) free(exact[k]), field_free(&given[k]);
 }

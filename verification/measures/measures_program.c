@@ -61,13 +61,15 @@ static void diagnose(const struct request *r, const struct field *f, struct meas
     struct ladder_rungs rungs = {.dx = {.count = 2, .value = {2 * dx, dx}}, .diagnose = 1};
     struct ladder *l = xcalloc(1, sizeof *l);
     struct failure ignored;
-    if (diagnosis_rounding(f, m->error, extent / dx, &l->diagnosis) ||
+    struct field given = program_as_given(&e->program, f, NULL);
+    if (diagnosis_rounding(&given, m->error, extent / dx, &l->diagnosis) ||
         (e->program.solver && !ladder_run(e, &rungs, l, &ignored) && l->diagnosis.named))
         wording_text(&l->diagnosis, m->diagnosis, sizeof m->diagnosis);
     if (l->noisy) {
         snprintf(m->reason, sizeof m->reason, "%s", m->diagnosis);
         m->verdict = VERDICT_INCONCLUSIVE;
     }
+    field_free(&given);
     free(l);
 }
 

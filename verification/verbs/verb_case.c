@@ -15,13 +15,13 @@ static int battery(const struct request *r, struct failure *why) {
     int written, order = r->order ? r->order : 2;
     char rungs[40] = "";
     if (r->more_rungs) snprintf(rungs, sizeof rungs, " --rungs %d", r->more_rungs);
-    battery_add(order, &g);
+    int status = battery_add(order, r->draw, &g, why);
     refine_gates(&g, r->more_rungs, r->time_order);
-    int status = battery_write(&g, r->into, &written, why);
+    if (!status) status = battery_write(&g, r->into, &written, why);
     if (!status)
         printf("%d cases of %d gates in %s, named in %s/cases.txt; when each has its out.csv beside it:\n"
-               "  heatladder verify --order %d%s --results %s\n",
-               written, g.declared, r->into, r->into, order, rungs, r->into);
+               "  heatladder verify --order %d --seed %lu%s --results %s\n",
+               written, g.declared, r->into, r->into, order, r->draw, rungs, r->into);
     gates_free(&g);
     return status;
 }

@@ -96,16 +96,18 @@ static int collect(const struct request *r, struct gate_file *file, struct gates
     if (program_given(program)) g->program = program;
     if (r->gates_path && gate_file_open(r->gates_path, file, why)) return why->status;
     for (int i = 0; i < file->count; i++) gates_add(g, &file->gate[i]);
-    if (!r->gates_path) battery_add(r->order ? r->order : 2, g);
+    int order = r->order ? r->order : 2;
+    if (!r->gates_path && battery_add(order, r->draw, g, why)) return why->status;
     g->origin = origin;
     if (r->gates_path)
         say_origin(r->gates_path, origin);
     else
-        snprintf(origin, ORIGIN, "--order %d", r->order ? r->order : 2);
+        snprintf(origin, ORIGIN, "--order %d --seed %lu", order, r->draw);
     size_t used = strlen(origin);
     if (r->more_rungs) used += (size_t)snprintf(origin + used, ORIGIN - used, " --rungs %d", r->more_rungs);
     if (r->time_order > 0) snprintf(origin + used, ORIGIN - used, " --time-order %g", r->time_order);
     if (gates_choose(g, r->only, r->skip, r->quick, why)) return why->status;
+    if (!r->gates_path && r->draw && battery_bounds(order, g, why)) return why->status;
     refine_gates(g, r->more_rungs, r->time_order);
     return STATUS_OK;
 }

@@ -1,0 +1,147 @@
+/* The battery's draw: the same for a seed, within its ranges, of every image; and bounds that follow it. */
+#include "verification/gates/battery.h"
+
+#include "verification/command/arguments.h"
+
+#include "verification/unit/near.h"
+
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include <gsl/gsl_errno.h>
+
+static struct draw draw_of(const struct battery_row *row) {
+    return (struct draw){row->gate.command, row->ranges, row->bound, row->gate.measure};
+}
+
+/* The request of a row as it is drawn. */
+static void parse(const struct battery_row *row, unsigned long seed, struct request *r) {
+    static const char *const program[] = {"--solver", "{case} {out}", NULL};
+    char command[DRAW_COMMAND];
+    struct draw d = draw_of(row);
+    struct failure why = {0};
+    if (draw_command(&d, seed, command, &why) || arguments_parse_line_with(command, program, r, &why))
+        fail_msg("%s, seed %lu: %s: %s", row->gate.id, seed, command, why.text);
+}
+
+static double param_of(const struct request *r, const char *name) {
+    const struct scene *s = r->experiment.scene;
+    for (int i = 0; s->params[i].name; i++)
+        if (strcmp(s->params[i].name, name) == 0) return r->experiment.problem.param[i];
+    fail_msg("%s has no %s", s->name, name);
+    return NAN;
+}
+
+static void draws_lie_within_their_ranges(void **state) {
+    (void)state;
+    for (const struct battery_row *row = battery_table; row->order; row++)
+        for (unsigned long seed = 1; seed <= 20; seed++) {
+            struct request r, again;
+            parse(row, seed, &r);
+            parse(row, seed, &again);
+            const struct mapping *m = &r.experiment.program.map;
+            assert_true(mapping_same(m, &again.experiment.program.map));
+            assert_int_equal(m->axes, r.experiment.problem.dim);
+            assert_true(m->scale >= 0.5 && m->scale <= 2);
+            char name[32];
+            double lo, hi;
+            int used;
+            for (const char *at = row->ranges; *at; at += strspn(at, " ")) {
+                if (sscanf(at, "%31[A-Za-z0-9_]=%lf:%lf%n", name, &lo, &hi, &used) != 3) {
+                    assert_int_equal(strncmp(at, "cross", 5), 0);
+                    at += 5;
+                    continue;
+                }
+                at += used;
+                double value = strcmp(name, "offset") == 0 ? m->offset / m->scale : param_of(&r, name);
+                double slack = 0.006 * fmax(fabs(lo), fabs(hi)); /* three digits, of either factor */
+                if (!(value >= lo - slack && value <= hi + slack)) fail_msg("%s: %s = %g", row->gate.id, name, value);
+                if (strcmp(name, "offset") != 0) assert_true(value == param_of(&again, name));
+            }
+            arguments_free(&again);
+            arguments_free(&r);
+        }
+}
+
+/* Seeds draw all images, and rows that are crossed see what the others do not: a side that is never low in one is low
+ * in the other, an axis that is y in one is x in the other. */
+static void all_images_are_drawn(void **state) {
+    (void)state;
+    int seen[2][8] = {{0}, {0}};
+    const struct battery_row *source = NULL, *changing = NULL;
+    for (const struct battery_row *row = battery_table; row->order; row++) {
+        if (row->order == 2 && strcmp(row->gate.id, "plane/source") == 0) source = row;
+        if (row->order == 2 && strcmp(row->gate.id, "plane/changing") == 0) changing = row;
+        for (unsigned long seed = 1; seed <= 20; seed++) {
+            struct request r;
+            parse(row, seed, &r);
+            const struct mapping *m = &r.experiment.program.map;
+            seen[m->axes - 1][4 * m->swap + 2 * m->against[1] + m->against[0]]++;
+            arguments_free(&r);
+        }
+    }
+    assert_true(seen[0][0] && seen[0][1]);
+    for (int i = 0; i < 8; i++) assert_true(seen[1][i] > 0);
+    assert_true(source && changing);
+    for (unsigned long seed = 1; seed <= 20; seed++) {
+        struct request r[2];
+        parse(source, seed, &r[0]);
+        parse(changing, seed, &r[1]);
+        const struct mapping *m = &r[0].experiment.program.map, *n = &r[1].experiment.program.map;
+        assert_true(m->swap != n->swap && m->against[0] != n->against[0] && m->against[1] != n->against[1]);
+        arguments_free(&r[0]);
+        arguments_free(&r[1]);
+    }
+}
+
+static void seed_zero_is_as_written(void **state) {
+    (void)state;
+    for (const struct battery_row *row = battery_table; row->order; row++) {
+        char command[DRAW_COMMAND];
+        struct draw d = draw_of(row);
+        struct failure why = {0};
+        assert_int_equal(draw_command(&d, 0, command, &why), STATUS_OK);
+        assert_string_equal(command, row->gate.command);
+    }
+}
+
+/* What a row has as its ceiling is what its bound gives for the command as it is written, to 2 %. */
+static void bounds_are_those_that_are_written(void **state) {
+    (void)state;
+    int wrong = 0, rows = 0;
+    for (const struct battery_row *row = battery_table; row->order; row++) {
+        double bound = NAN, written = isnan(row->gate.ceiling) ? row->gate.hi : row->gate.ceiling;
+        struct draw d = draw_of(row);
+        struct failure why = {0};
+        if (row->bound == AS_WRITTEN) continue;
+        if (draw_bound(&d, row->gate.command, &bound, &why)) fail_msg("%s: %s", row->gate.id, why.text);
+        if (!(fabs(bound / written - 1) < 0.02))
+            wrong++, print_message("%s (order %d): %.5g, not %.5g\n", row->gate.id, row->order, bound, written);
+        rows++;
+    }
+    assert_int_equal(wrong, 0);
+    assert_true(rows >= 25);
+}
+
+static void ranges_that_are_none_are_refused(void **state) {
+    (void)state;
+    static const char *const wrong[] = {"kappa", "kappa=1", "kappa=2:1", "kappa=a:b", "=1:2"};
+    char command[DRAW_COMMAND];
+    for (size_t i = 0; i < sizeof wrong / sizeof *wrong; i++) {
+        struct failure why = {0};
+        struct draw d = {"run rod-step mine --dx 0.05", wrong[i], AS_WRITTEN, "error"};
+        assert_int_equal(draw_command(&d, 1, command, &why), STATUS_INPUT);
+        assert_non_null(strstr(why.text, "NAME=LO:HI is wanted"));
+    }
+}
+
+int main(void) {
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(draws_lie_within_their_ranges),    cmocka_unit_test(all_images_are_drawn),
+        cmocka_unit_test(seed_zero_is_as_written),          cmocka_unit_test(bounds_are_those_that_are_written),
+        cmocka_unit_test(ranges_that_are_none_are_refused),
+    };
+    gsl_set_error_handler_off();
+    return cmocka_run_group_tests_name("draw", tests, NULL, NULL);
+}
