@@ -52,6 +52,8 @@ static const struct part {
     {"Operators", PAGE, "operators.md", NULL, NULL, "make operators"},
     {"Operators", FIGURE, "operators_error.svg", "operators_error.csv",
      "Error against neighbours at equal spacing, operator by operator", "make operators"},
+    {"Operators", FIGURE, "operators_growth.svg", "operators_growth.csv",
+     "Share of jittered clouds on which a mode grows at any time step", "make operators"},
     {"Operators", FIGURE, "operators_redraw.svg", "operators_redraw.csv",
      "Error where the cloud is drawn anew every N steps", "make operators"},
     {"Stability", FIGURE, "stability_limits.svg", "stability_limits.csv",

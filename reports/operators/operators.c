@@ -289,7 +289,7 @@ static int write_neighbours(FILE *out, struct failure *why) {
 }
 
 int operators_write(const char *dir, struct failure *why) {
-    enum { PAGES = 4 };
+    enum { PAGES = 5 };
     struct output page[PAGES] = {{0}};
     double start = omp_get_wtime();
     int status = output_directory(dir, "operators.csv", why);
@@ -305,12 +305,12 @@ int operators_write(const char *dir, struct failure *why) {
         fprintf(csv, "\n\n");
         write_traits(csv, md);
         fprintf(csv, "\n\n");
-        operators_growth(csv, md);
+        operators_growth(csv, md, output_open(&page[4], "%s/operators_growth.csv", dir));
         status = write_neighbours(error, why);
     }
     if (!status) status = output_close(page, PAGES, why);
     output_drop(page, PAGES);
     if (!status)
-        printf("%s/operators.csv, operators.md, data of two figures (%.1f s)\n", dir, omp_get_wtime() - start);
+        printf("%s/operators.csv, operators.md, data of three figures (%.1f s)\n", dir, omp_get_wtime() - start);
     return status;
 }
