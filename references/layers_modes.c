@@ -10,6 +10,11 @@
  * a_1 + a_2 = n pi has one root for each n >= 1, where a node at the contact is no exception (Sturm).  With
  * v = T - start, Green's second identity leaves c_n = -sum_i (wall_i - start) k_i q_i A_i/(w^2 N), N = integral of
  * rho_c phi^2 (Carslaw and Jaeger 1959, section 14.1 and Ozisik 1993, chapter 8).
+ *
+ * Rounding: with r_i = e/e_i and H_i^2 = r_i sin^2(p_i) + cos^2(p_i)/r_i, da_i/dp_i = 1/H_i^2, so that what n pi is
+ * rounded by moves w by the factor n pi/sum_i(p_i/H_i^2) of it, and A of the other layer, proportional to H_i, by
+ * d(ln H_i)/dp_i = (r_i - 1/r_i) sin(p_i) cos(p_i)/H_i^2: up to r_i/2 where layer i swings between a wall and a
+ * contact that hardly moves.
  * Restrictions: constant walls, one temperature at the start. */
 #include "references/layers.h"
 
@@ -69,16 +74,21 @@ static int add_mode(struct layers_modes *m, struct angles *a, int n, double t) {
     }
     A[0] = hypot(sine[1], cosine[1]) * sqrt(a->ratio[0]);
     A[1] = copysign(hypot(sine[0], cosine[0]), sine[0] * sine[1] - cosine[0] * cosine[1]) * sqrt(a->ratio[1]);
-    double norm = 0, size = 0;
+    double norm = 0, size = 0, whole = 0, turn = 0, swing = 0;
     for (int i = 0; i < 2; i++) {
         double width = w->width[i], phase = 2 * q[i] * width;
         norm += w->rho_c[i] * A[i] * A[i] * width / 2 * (1 - sin(phase) / phase);
         size -= (w->wall[i] - w->start[i]) * w->k[i] * q[i] * A[i];
+        whole += fabs((w->wall[i] - w->start[i]) * w->k[i] * q[i] * A[i]);
+        double H2 = sine[i] * sine[i] + cosine[i] * cosine[i];
+        turn += q[i] * width / H2;
+        swing += q[i] * width * fabs((a->ratio[i] - 1 / a->ratio[i]) * sine[i] * cosine[i]) / H2;
     }
-    size *= decay / (frequency * frequency * norm);
+    double per_norm = decay / (frequency * frequency * norm), moved = fmax(1, a->target / turn);
     for (int i = 0; i < 2; i++) {
-        double left = fabs(size * A[i]), rounding = DBL_EPSILON * left * (20 + 8 * exponent + 4 * q[i] * w->width[i]);
-        m->mode[n - 1].size[i] = size * A[i];
+        double rounding = DBL_EPSILON * whole * per_norm * fabs(A[i]) *
+                          (20 + moved * (8 * exponent + 4 * q[i] * w->width[i] + 4 * swing));
+        m->mode[n - 1].size[i] = size * per_norm * A[i];
         m->mode[n - 1].q[i] = q[i];
         m->error[0] += rounding;
         m->error[1] += q[i] * rounding;

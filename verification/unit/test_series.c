@@ -259,6 +259,36 @@ static void layers_have_no_first_side(void **state) {
     }
 }
 
+/* Where e differs 1e4-fold and more, what the frequencies are rounded by counts r-fold; of the last three the other
+ * layer is still at its start, where the sum of modes is 0. */
+static void modes_of_any_contrast_know_their_rounding(void **state) {
+    (void)state;
+    static const struct {
+        struct layers w;
+        double t, x;
+    } trial[] = {
+        {{{0.99999737825985313, 2.6217401468686674e-06},
+          {28178606.143624965, 8.8172876823339544e-05},
+          {1.9063131695087671e-07, 1.3786323128614672e-06},
+          {1, 0},
+          {0, 0}},
+         2.6875696469190628e-15,
+         7.8652204406060016e-07},
+        {{{0.057, 0.943}, {9348, 0.405}, {5090, 0.159}, {1, 0}, {0, 0}}, 5.1e-5, 0.75},
+        {{{0.0566, 0.943}, {8.74e7, 0.164}, {2.59e7, 0.0252}, {1, 0}, {0, 0}}, 2.04e-5, 0.283},
+        {{{0.943, 0.0566}, {0.164, 8.74e7}, {0.0252, 2.59e7}, {0, 1}, {0, 0}}, 2.04e-5, -0.283},
+    };
+    static struct layers_modes m;
+    struct layers_contour c;
+    for (int i = 0; i < 4; i++) {
+        layers_modes(&trial[i].w, trial[i].t, &m);
+        layers_contour(&trial[i].w, trial[i].t, &c);
+        struct curve e = layers_contour_at(&c, trial[i].x), f = layers_modes_at(&m, trial[i].x);
+        assert_near(f.at.value, e.at.value, f.at.error + e.at.error);
+        if (i > 0) assert_near(f.at.value, 0, f.at.error);
+    }
+}
+
 /* No mode is missed, even where both layers resonate and the contact is a node: the n-th has n - 1 nodes, so that the
  * frequencies of layers alike in all but name are n pi/(their times), and of any others lie between. */
 static void no_mode_of_two_layers_is_missed(void **state) {
@@ -299,6 +329,7 @@ int main(void) {
         cmocka_unit_test(layers_begin_at_their_start),
         cmocka_unit_test(layers_have_no_first_side),
         cmocka_unit_test(no_mode_of_two_layers_is_missed),
+        cmocka_unit_test(modes_of_any_contrast_know_their_rounding),
     };
     gsl_set_error_handler_off();
     return cmocka_run_group_tests_name("series", tests, NULL, NULL);
