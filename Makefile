@@ -312,6 +312,16 @@ operators: $(BUILD)/heatladder ## Measure the discrete Laplacians side by side o
 	scripts/plot $(OUT) $$f || exit 1; done; \
 	else echo "operators: gnuplot is not here (make setup installs it); the figure was not drawn"; fi
 
+WALLS := $(wildcard reports/walls/*.gp)
+
+.PHONY: walls
+walls: $(BUILD)/heatladder ## Measure which treatment of walls anywhere keeps which order and draw it, to reports/out
+	@mkdir -p $(OUT)
+	$(Q)$(BUILD)/heatladder report walls $(OUT)
+	$(Q)if command -v gnuplot >/dev/null; then for f in $(WALLS); do \
+	scripts/plot $(OUT) $$f || exit 1; done; \
+	else echo "walls: gnuplot is not here (make setup installs it); figures were not drawn"; fi
+
 ##@ Speed
 
 # A benchmark says by which flags it was compiled.

@@ -56,6 +56,12 @@ static const struct part {
      "Share of jittered clouds on which a mode grows at any time step", "make operators"},
     {"Operators", FIGURE, "operators_redraw.svg", "operators_redraw.csv",
      "Error where the cloud is drawn anew every N steps", "make operators"},
+    {"Walls", PAGE, "walls.md", NULL, NULL, "make walls"},
+    {"Walls", FIGURE, "walls_error.svg", "walls_error.csv", "Error against spacing, by treatment of the wall",
+     "make walls"},
+    {"Walls", FIGURE, "walls_offset.svg", "walls_offset.csv", "Order against the offset of plane walls",
+     "make walls"},
+    {"Walls", FIGURE, "walls_field.svg", "walls_field.csv", "The error on the disc", "make walls"},
     {"Stability", FIGURE, "stability_limits.svg", "stability_limits.csv",
      "Largest stable step against h/dx: published, by von Neumann's analysis, measured", "make stability"},
     {"Stability", FIGURE, "stability_blowup.svg", "stability_blowup.csv", "Runs just below and just above the limit",
@@ -76,7 +82,8 @@ static const struct part {
 };
 enum { PARTS = sizeof parts / sizeof *parts };
 
-static const char *const sections[] = {"Operators", "Stability", "Ledger", "Seeded faults", "Other codes", "Speed"};
+static const char *const sections[] = {"Operators",     "Walls",       "Stability", "Ledger",
+                                       "Seeded faults", "Other codes", "Speed"};
 enum { SECTIONS = sizeof sections / sizeof *sections };
 
 static int missing(const struct part *part, FILE *out) {

@@ -1,0 +1,254 @@
+/* Walls that cut the lattice anywhere: what each treatment keeps, with so_ssph.
+ *
+ * Round walls: eight lattices (origin and angle by seeds 1 to 8) at each spacing, all in one fit of the order.  Steps
+ * and growth by all eigenvalues of the operator at dx = 0.125, the worst of four lattices.  Plane walls: rod-cooling,
+ * held at one end and cooled at the other, and rod-cosine, insulated, at the offsets 0, 0.1, ... 0.9. */
+#include "reports/walls/walls.h"
+
+#include "reports/figure/figure.h"
+#include "solver/method.h"
+#include "solver/particles/particles.h"
+#include "verification/command/arguments.h"
+#include "verification/ladder/slope.h"
+#include "verification/run/run.h"
+#include "verification/stability/spectrum.h"
+#include "verification/text/output.h"
+
+#include <math.h>
+#include <omp.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+static const char *const treatments[] = {"fixed", "distance", "average", "image", "fit"};
+static const struct body {
+    const char *name, *scene;
+    const char *derived[5]; /* order in E1 by treatment; NULL: refused */
+} bodies[] = {
+    {"disc, held", "disc-mode --set wall=1", {"1", "1", "1", "2", "2"}},
+    {"disc, flux", "disc-mode --set wall=2", {NULL, NULL, "1", "1", "2"}},
+    {"disc, cooled", "disc-mode --set wall=3", {NULL, NULL, NULL, "1", "2"}},
+    {"annulus, held and flux", "annulus", {NULL, NULL, "1", "1", "2"}},
+};
+static const double spacings[] = {0.1, 0.07, 0.05, 0.035, 0.025};
+enum { TREATMENTS = 5, BODIES = 4, SPACINGS = 5, SEEDS = 8, RUNS = SPACINGS * SEEDS, SPECTRA = 4 };
+
+struct entry { /* of a treatment at a body */
+    double dx[RUNS], E1[RUNS], largest[RUNS], drift;
+    double limit, growth; /* dx^2/kappa, kappa/dx^2 */
+    struct failure why;
+};
+
+static void take_run(const char *command, double *E1, double *largest, double *drift, struct field *field,
+                     struct failure *why) {
+    struct request r;
+    struct result out = {.failure = {0}};
+    struct failure local = {0};
+    *E1 = *largest = *drift = NAN;
+    int status = arguments_parse_line(command, &r, &local);
+    if (!status) status = run_experiment(&r.experiment, &out, field);
+    if (!status) *E1 = out.error.l1, *largest = out.error.linf, *drift = out.heat_drift;
+    if (status) {
+#pragma omp critical(walls_failure)
+        *why = local.status ? local : out.failure;
+    }
+    arguments_free(&r);
+}
+
+static void take_runs(const char *scene, const char *method, const char *walls, struct entry *e) {
+#pragma omp parallel for schedule(dynamic, 1)
+    for (int k = RUNS - 1; k >= 0; k--) {
+        char command[200];
+        double drift;
+        e->dx[k] = spacings[k / SEEDS];
+        snprintf(command, sizeof command, "run %.*s %s%s --walls %s --seed %d --dx %g", (int)strcspn(scene, " "),
+                 scene, method, scene + strcspn(scene, " "), walls, 1 + k % SEEDS, e->dx[k]);
+        take_run(command, &e->E1[k], &e->largest[k], &drift, NULL, &e->why);
+        if (k / SEEDS == SPACINGS - 1) {
+#pragma omp critical(walls_drift)
+            e->drift = fmax(e->drift, fabs(drift));
+        }
+    }
+}
+
+/* The operator of a request's run, all eigenvalues: the step in dx^2/kappa, the growth in kappa/dx^2. */
+static int take_spectrum(const struct experiment *e, double *limit, double *growth, struct failure *why) {
+    struct options o;
+    struct lattice l;
+    struct cloud c;
+    struct heat_operator a;
+    struct spectrum s;
+    int rows;
+    const struct scheme *scheme = e->method->scheme;
+    double unit = problem_diffusivity(&e->problem) / (e->options.dx * e->options.dx);
+    if (particles_prepare(&e->problem, &e->options, scheme, &o, &l, &rows, why)) return why->status;
+    if (particles_cloud(&e->problem, &o, scheme, &l, &c, why)) return why->status;
+    int status = operator_create_csr(&a, &e->problem, &o, scheme, &c, l.dx[0], why);
+    layout_cloud_free(&c);
+    if (status) return status;
+    status = spectrum_create(&s, &a, &(struct amplification){STEPPER_EULER, 0}, why);
+    operator_free(&a);
+    if (status) return status;
+    *limit = fmin(*limit, s.limit * unit);
+    *growth = fmax(*growth, s.growth > spectrum_rounding(&s) ? s.growth / unit : 0);
+    spectrum_free(&s);
+    return STATUS_OK;
+}
+
+static void take_spectra(const char *scene, const char *walls, struct entry *e) {
+    e->limit = INFINITY, e->growth = 0;
+    for (int seed = 1; seed <= SPECTRA && !e->why.status; seed++) {
+        char command[200];
+        struct request r;
+        snprintf(command, sizeof command, "run %.*s so_ssph%s --walls %s --seed %d --dx 0.125 --stepper euler",
+                 (int)strcspn(scene, " "), scene, scene + strcspn(scene, " "), walls, seed);
+        if (!arguments_parse_line(command, &r, &e->why)) take_spectrum(&r.experiment, &e->limit, &e->growth, &e->why);
+        arguments_free(&r);
+    }
+}
+
+static double mean_of(const double *x) {
+    double sum = 0;
+    for (int k = 0; k < SEEDS; k++) sum += x[RUNS - SEEDS + k] / SEEDS;
+    return sum;
+}
+
+static double most_of(const double *x) {
+    double most = 0;
+    for (int k = 0; k < SEEDS; k++) most = fmax(most, x[RUNS - SEEDS + k]);
+    return most;
+}
+
+static void write_rows(const struct entry *all, FILE *csv, FILE *md) {
+    fprintf(
+        csv,
+        "walls,body,order derived,order,low,high,order of the largest error,low,high,E1,largest error [K],largest "
+        "stable step [dx^2/kappa],growth [kappa/dx^2],heat drift\n");
+    fprintf(
+        md,
+        "# Walls that cut the lattice anywhere\n\nso_ssph, h/dx 1.1, eight lattices of any origin and angle at each "
+        "of dx = 0.1 ... 0.025 m; errors at 0.025, the mean E1 and the largest of all; step and growth by "
+        "eigenvalues at 0.125, the worst of four.\n");
+    for (int b = 0; b < BODIES; b++) {
+        fprintf(
+            md,
+            "\n## %s (%s)\n\n| `--walls` | order derived | order of E1 | order of the largest error | E1 | largest "
+            "error, K | step, dx^2/kappa | growth, kappa/dx^2 | heat drift "
+            "|\n|---|---|---|---|---|---|---|---|---|\n",
+            bodies[b].name, bodies[b].scene);
+        for (int t = 0; t < TREATMENTS; t++) {
+            const struct entry *e = &all[b * TREATMENTS + t];
+            if (!bodies[b].derived[t]) continue;
+            struct slope s = slope_fit(e->dx, e->E1, RUNS), m = slope_fit(e->dx, e->largest, RUNS);
+            fprintf(csv, "%s,%s,%s,%.3f,%.3f,%.3f,%.3f,%.3f,%.3f,%.4e,%.4e,%.4g,%.3g,%.2e\n", treatments[t],
+                    bodies[b].name, bodies[b].derived[t], s.value, s.ci[0], s.ci[1], m.value, m.ci[0], m.ci[1],
+                    mean_of(e->E1), most_of(e->largest), e->limit, e->growth, e->drift);
+            fprintf(md, "| `%s` | %s | %.2f [%.2f, %.2f] | %.2f [%.2f, %.2f] | %.2e | %.2e | %.3f | %.2g | %.1e |\n",
+                    treatments[t], bodies[b].derived[t], s.value, s.ci[0], s.ci[1], m.value, m.ci[0], m.ci[1],
+                    mean_of(e->E1), most_of(e->largest), e->limit, e->growth, e->drift);
+        }
+    }
+}
+
+static void write_errors(const struct entry *all, FILE *out) {
+    figure_head(out, "so_ssph on a disc and on a ring: error against spacing, by treatment of the wall");
+    fprintf(out, "# command: heatladder run disc-mode so_ssph --set wall=1 --walls fit --seed 1 --dx 0.1\n");
+    for (int k = 0; k < BODIES * TREATMENTS; k++) {
+        if (!bodies[k / TREATMENTS].derived[k % TREATMENTS]) continue;
+        fprintf(out, "\n\n# %s %d\ndx,%s\n", treatments[k % TREATMENTS], k / TREATMENTS, treatments[k % TREATMENTS]);
+        for (int i = 0; i < RUNS; i += SEEDS) {
+            double sum = 0;
+            for (int j = i; j < i + SEEDS; j++) sum += all[k].E1[j] / SEEDS;
+            fprintf(out, "%g,%.5e\n", all[k].dx[i], sum);
+        }
+    }
+}
+
+/* ---- Plane walls anywhere ---- */
+
+static int write_offsets(FILE *out, struct failure *why) {
+    static const struct {
+        const char *scene, *walls;
+        double length;
+    } rods[] = {{"rod-cooling", "mirror", 0.3}, {"rod-cooling", "image", 0.3}, {"rod-cooling", "fit", 0.3},
+                {"rod-cosine", "mirror", 1},    {"rod-cosine", "average", 1},  {"rod-cosine", "image", 1},
+                {"rod-cosine", "fit", 1}};
+    figure_head(out, "Plane walls anywhere, so_ssph: order of E1 against the lattice's offset");
+    fprintf(out,
+            "# command: heatladder ladder rod-cooling so_ssph --walls fit --shift 0.3 --dx 0.3/40,0.3/80,0.3/160\n");
+    for (size_t k = 0; k < sizeof rods / sizeof *rods; k++) {
+        fprintf(out, "\n\n# %s %s\noffset,order,low,high,E1\n", rods[k].scene, rods[k].walls);
+        for (int s = 0; s < 10; s++) {
+            double dx[4], E1[4], largest, drift;
+            for (int n = 0; n < 4; n++) {
+                char command[200];
+                dx[n] = rods[k].length / (20 << n);
+                snprintf(command, sizeof command, "run %s so_ssph --walls %s --shift 0.%d --dx %.17g", rods[k].scene,
+                         rods[k].walls, s, dx[n]);
+                take_run(command, &E1[n], &largest, &drift, NULL, why);
+                if (why->status) return why->status;
+            }
+            struct slope fit = slope_fit(dx, E1, 4);
+            fprintf(out, "0.%d,%.4f,%.4f,%.4f,%.4e\n", s, fit.value, fit.ci[0], fit.ci[1], E1[3]);
+        }
+    }
+    return STATUS_OK;
+}
+
+/* ---- The error on the disc ---- */
+
+static int write_field(FILE *out, struct failure *why) {
+    static const char *const drawn[] = {"fixed", "average", "fit"};
+    figure_head(out, "so_ssph on a disc whose wall is held, dx = 0.05 m: |T - T exact|, K, by treatment of the wall");
+    for (int k = 0; k < 3; k++)
+        fprintf(out, "# command: heatladder run disc-mode so_ssph --walls %s --seed 1 --dx 0.05 --field FILE.csv\n",
+                drawn[k]);
+    for (int k = 0; k < 3; k++) {
+        char command[200];
+        struct field f = {0};
+        struct request r;
+        double E1, largest, drift;
+        snprintf(command, sizeof command, "run disc-mode so_ssph --walls %s --seed 1 --dx 0.05", drawn[k]);
+        take_run(command, &E1, &largest, &drift, &f, why);
+        if (why->status || arguments_parse_line(command, &r, why)) return why->status;
+        fprintf(out, "\n\n# %s\nx,y,error\n", drawn[k]);
+        for (size_t i = 0; i < f.n; i++) {
+            const double x[2] = {f.x[i], f.y[i]};
+            double T = r.experiment.scene->exact(&r.experiment.problem, x, f.time).temperature;
+            fprintf(out, "%.5f,%.5f,%.3e\n", x[0], x[1], fmax(1e-7, fabs(f.T[i] - T)));
+        }
+        arguments_free(&r);
+        field_free(&f);
+    }
+    return STATUS_OK;
+}
+
+int walls_write(const char *dir, struct failure *why) {
+    enum { PAGES = 5 };
+    struct output page[PAGES] = {{0}};
+    double start = omp_get_wtime();
+    if (output_directory(dir, "walls.csv", why)) return why->status;
+    FILE *csv = output_open(&page[0], "%s/walls.csv", dir), *md = output_open(&page[1], "%s/walls.md", dir);
+    FILE *error = output_open(&page[2], "%s/walls_error.csv", dir);
+    FILE *offset = output_open(&page[3], "%s/walls_offset.csv", dir),
+         *field = output_open(&page[4], "%s/walls_field.csv", dir);
+    struct entry *all = xcalloc(BODIES * TREATMENTS, sizeof *all);
+    int status = STATUS_OK;
+    for (int k = 0; k < BODIES * TREATMENTS && !status; k++) {
+        if (!bodies[k / TREATMENTS].derived[k % TREATMENTS]) continue;
+        take_runs(bodies[k / TREATMENTS].scene, "so_ssph", treatments[k % TREATMENTS], &all[k]);
+        take_spectra(bodies[k / TREATMENTS].scene, treatments[k % TREATMENTS], &all[k]);
+        if (all[k].why.status) *why = all[k].why, status = why->status;
+    }
+    if (!status) {
+        write_rows(all, csv, md);
+        write_errors(all, error);
+        status = write_offsets(offset, why);
+    }
+    if (!status) status = write_field(field, why);
+    free(all);
+    if (!status) status = output_close(page, PAGES, why);
+    output_drop(page, PAGES);
+    if (!status) printf("%s/walls.csv, walls.md, data of three figures (%.1f s)\n", dir, omp_get_wtime() - start);
+    return status;
+}
