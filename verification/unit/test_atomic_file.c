@@ -4,6 +4,7 @@
 #include "solver/method.h"
 
 #include "verification/unit/near.h"
+#include "verification/unit/scratch_path.h"
 
 #include <dirent.h>
 #include <fcntl.h>
@@ -16,14 +17,14 @@
 #include <unistd.h>
 
 struct place {
-    char directory[64], path[96];
-    char nowhere[96], refusal[160]; /* a file in a directory that is not there, and what is said of it */
+    char directory[UNIT_PATH], path[UNIT_PATH + 32];
+    char nowhere[UNIT_PATH + 32],
+        refusal[UNIT_PATH + 96]; /* a file in a directory that is not there, and what is said of it */
 };
 
 static int set_up(void **state) {
     struct place *p = calloc(1, sizeof *p);
-    strcpy(p->directory, "/tmp/heatladder_test.XXXXXX");
-    if (!mkdtemp(p->directory)) return -1;
+    if (!scratch_directory(p->directory, "heatladder_test")) return -1;
     snprintf(p->path, sizeof p->path, "%s/out.json", p->directory);
     snprintf(p->nowhere, sizeof p->nowhere, "%s/none/out.csv", p->directory);
     snprintf(p->refusal, sizeof p->refusal, "cannot write '%s': No such file or directory", p->nowhere);
@@ -103,7 +104,7 @@ static void what_cannot_be_written_is_refused(void **state) {
 static void of_several_all_or_none(void **state) {
     const struct place *p = *state;
     struct failure why;
-    char other[96], text[32];
+    char other[UNIT_PATH + 32], text[32];
     snprintf(other, sizeof other, "%s/other.csv", p->directory);
     const struct atomic_file both[] = {{p->path, "one", 3}, {other, "two", 3}, {"/dev/null", "x", 1}};
     assert_int_equal(atomic_file_write_all(both, 3, &why), STATUS_OK);
@@ -122,7 +123,7 @@ static void a_link_stays_a_link(void **state) {
     const struct place *p = *state;
     struct failure why;
     struct stat s;
-    char link[96], text[32];
+    char link[UNIT_PATH + 32], text[32];
     snprintf(link, sizeof link, "%s/link", p->directory);
     assert_int_equal(atomic_file_write(p->path, "old", 3, &why), STATUS_OK);
     assert_int_equal(symlink("out.json", link), 0);
@@ -159,7 +160,7 @@ static void interrupts_wait_for_the_writing(void **state) {
     const struct place *p = *state;
     enum { MUCH = 1 << 20 };
     const int interrupts[] = {SIGINT, SIGTERM, SIGHUP};
-    char pipe[96], text[32], *much = calloc(MUCH, 1);
+    char pipe[UNIT_PATH + 32], text[32], *much = calloc(MUCH, 1);
     snprintf(pipe, sizeof pipe, "%s/pipe", p->directory);
     assert_int_equal(mkfifo(pipe, 0600), 0);
     const struct atomic_file files[] = {{p->path, "whole", 5}, {pipe, much, MUCH}};

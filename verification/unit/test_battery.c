@@ -9,12 +9,13 @@
 #include "verification/run/run.h"
 
 #include "verification/unit/near.h"
+#include "verification/unit/scratch_path.h"
 
 #include <fnmatch.h>
 #include <unistd.h>
 
 static const char *self; /* this program */
-static char dir[] = "/tmp/battery-test-XXXXXX";
+static char dir[UNIT_PATH];
 
 /* The rows that match, judged by this program's code (run as PROGRAM --solve ...): how many of the verdict. */
 static int count_drawn(unsigned long seed, int order, const char *code, const char *only, enum verdict verdict,
@@ -211,7 +212,7 @@ static void later_is_as_now(void **state) {
     struct program program = {.label = "mine", .results = dir};
     struct gates g = {.program = &program};
     struct failure why = {0};
-    char path[200], command[400], line[300];
+    char path[UNIT_PATH + 200], command[400], line[300];
     int written, lines = 0;
     if (battery_add(2, 0, &g, &why) || gates_choose(&g, "[sjcw]*", "whole/repeat", 0, &why) ||
         battery_write(&g, dir, &written, &why))
@@ -344,11 +345,11 @@ static void rungs_are_added_by_halving(void **state) {
 
 static int make(void **state) {
     (void)state;
-    return mkdtemp(dir) == NULL;
+    return scratch_directory(dir, "battery-test") == NULL;
 }
 
 static int clean(void **state) {
-    char command[100];
+    char command[UNIT_PATH + 32];
     (void)state;
     snprintf(command, sizeof command, "rm -rf %s", dir);
     return system(command);

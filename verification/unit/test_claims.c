@@ -9,6 +9,7 @@
 #include "verification/text/output.h"
 
 #include "verification/unit/near.h"
+#include "verification/unit/scratch_path.h"
 
 #include <stdio.h>
 #include <stdlib.h>
@@ -192,12 +193,12 @@ static void tables_keep_quotes_and_bars(void **state) {
 
 static void files_are_written_or_refused(void **state) {
     (void)state;
-    char dir[] = "/tmp/test_claims.XXXXXX", path[64];
+    char dir[UNIT_PATH], path[UNIT_PATH + 64];
     struct claims_row r = row(ledger_order_printed_order, "2 " SECOND, CLAIMS_REPRODUCED);
     struct claims_result result = {.row = &r};
     struct claims c = {1, &result};
     struct failure why;
-    assert_non_null(mkdtemp(dir));
+    assert_non_null(scratch_directory(dir, "test_claims"));
     claims_judge(&r, &result.measured);
     assert_int_equal(output_directory(dir, "claims.csv", &why), STATUS_OK);
     assert_int_equal(claims_write_files(&c, dir, &why), STATUS_OK);

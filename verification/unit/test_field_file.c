@@ -8,13 +8,14 @@
 #include "verification/foreign/samples.h"
 
 #include "verification/unit/near.h"
+#include "verification/unit/scratch_path.h"
 
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 #include <unistd.h>
 
-static char path[] = "/tmp/field-file-test-XXXXXX";
+static char path[UNIT_PATH];
 
 static void put(const char *text, size_t size) {
     FILE *out = fopen(path, "w");
@@ -249,7 +250,7 @@ int main(void) {
         cmocka_unit_test(a_point_counts_once),
         cmocka_unit_test(rounded_coordinates_lie_on_the_walls),
     };
-    int file = mkstemp(path);
+    int file = scratch_file(path, "field-file-test");
     if (file < 0 || close(file)) return 1;
     int failed = cmocka_run_group_tests_name("field_file", tests, NULL, NULL);
     unlink(path);

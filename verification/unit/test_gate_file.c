@@ -4,6 +4,7 @@
 #include "solver/status.h"
 
 #include "verification/unit/near.h"
+#include "verification/unit/scratch_path.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -125,8 +126,8 @@ static void a_link_to_rows_is_followed(void **state) {
     (void)state;
     struct gate_file f;
     struct failure why;
-    char here[] = "/tmp/gates-test-XXXXXX", path[64], *rows = realpath("verification/gates/time.def", NULL);
-    assert_non_null(mkdtemp(here));
+    char here[UNIT_PATH], path[UNIT_PATH + 64], *rows = realpath("verification/gates/time.def", NULL);
+    assert_non_null(scratch_directory(here, "gates-test"));
     snprintf(path, sizeof path, "%s/rows", here);
     assert_int_equal(symlink(rows, path), 0);
     int status = gate_file_open(path, &f, &why);

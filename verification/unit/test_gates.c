@@ -10,6 +10,7 @@
 #include "verification/stability/amplification.h"
 
 #include "verification/unit/near.h"
+#include "verification/unit/scratch_path.h"
 
 #include <stdlib.h>
 #include <string.h>
@@ -183,8 +184,8 @@ static void junit_tells_each_verdict(void **state) {
     (void)state;
     struct gates g;
     struct failure why;
-    char path[] = "/tmp/heatladder_junit.XXXXXX", text[20000];
-    close(mkstemp(path));
+    char path[UNIT_PATH], text[20000];
+    close(scratch_file(path, "heatladder_junit"));
     assert_int_equal(gates_collect("reference/rod-*", NULL, 0, &g, &why), STATUS_OK);
     gates_run(&g);
     g.result[0].seconds = 1.25, g.result[1].seconds = 0.5;

@@ -6,6 +6,7 @@
 #include "verification/text/json.h"
 
 #include "verification/unit/near.h"
+#include "verification/unit/scratch_path.h"
 
 #include <float.h>
 #include <gsl/gsl_errno.h>
@@ -14,10 +15,10 @@
 #include <string.h>
 #include <sys/stat.h>
 
-static char dir[] = "/tmp/gci-test-XXXXXX";
+static char dir[UNIT_PATH];
 
 static FILE *answer(const char *sub, double h) {
-    char path[200];
+    char path[UNIT_PATH + 200];
     snprintf(path, sizeof path, "%s/%s", dir, sub);
     mkdir(path, 0777);
     snprintf(path, sizeof path, "%s/%s/%.17g", dir, sub, h);
@@ -29,7 +30,7 @@ static FILE *answer(const char *sub, double h) {
 }
 
 static int read_sub(const char *sub, const struct numbers *at, struct gci *g, struct failure *why) {
-    char path[200];
+    char path[UNIT_PATH + 200];
     snprintf(path, sizeof path, "%s/%s", dir, sub);
     return gci_read(path, &(struct column_map){0}, at, g, why);
 }
@@ -192,9 +193,9 @@ int main(void) {
         cmocka_unit_test(fields_on_different_points),
         cmocka_unit_test(what_is_missing_is_named),
     };
-    char command[80];
+    char command[UNIT_PATH + 32];
     gsl_set_error_handler_off();
-    if (!mkdtemp(dir)) return 1;
+    if (!scratch_directory(dir, "gci-test")) return 1;
     int failed = cmocka_run_group_tests_name("gci", tests, NULL, NULL);
     snprintf(command, sizeof command, "rm -rf %s", dir);
     return system(command) || failed;

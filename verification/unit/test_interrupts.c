@@ -10,6 +10,7 @@
 #include "solver/status.h"
 
 #include "verification/unit/near.h"
+#include "verification/unit/scratch_path.h"
 
 #include <fcntl.h>
 #include <glob.h>
@@ -63,17 +64,17 @@ int rename(const char *from, const char *to) {
 
 /* ---- A verb in a process of its own ---- */
 
-static char whole[] = "/tmp/heatladder-whole-XXXXXX", cut[] = "/tmp/heatladder-cut-XXXXXX",
-            scratch[] = "/tmp/heatladder-tmp-XXXXXX";
+static char whole[UNIT_PATH], cut[UNIT_PATH], scratch[UNIT_PATH];
 
 static int make_directories(void **state) {
     (void)state;
-    return !mkdtemp(whole) || !mkdtemp(cut) || !mkdtemp(scratch);
+    return !scratch_directory(whole, "heatladder-whole") || !scratch_directory(cut, "heatladder-cut") ||
+           !scratch_directory(scratch, "heatladder-tmp");
 }
 
 /* Removes the files of a directory; how many they were. */
 static size_t clear(const char *dir) {
-    char pattern[80];
+    char pattern[UNIT_PATH + 8];
     glob_t found = {0};
     snprintf(pattern, sizeof pattern, "%s/*", dir);
     size_t n = glob(pattern, 0, NULL, &found) ? 0 : found.gl_pathc;
@@ -111,7 +112,7 @@ static int end_of(const char *line, const char *dir) {
 
 /* Each file of `cut` stands in `whole` with the same bytes.  How many there are. */
 static size_t compare(void) {
-    char pattern[80], other[200];
+    char pattern[UNIT_PATH + 32], other[UNIT_PATH + 64];
     glob_t found = {0};
     snprintf(pattern, sizeof pattern, "%s/*", cut);
     size_t n = glob(pattern, 0, NULL, &found) ? 0 : found.gl_pathc;

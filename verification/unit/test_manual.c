@@ -9,6 +9,7 @@
 #include "verification/text/words.h"
 
 #include "verification/unit/near.h"
+#include "verification/unit/scratch_path.h"
 
 #include <stdio.h>
 #include <stdlib.h>
@@ -73,8 +74,8 @@ static void the_help_is_whole(void **state) {
 static void bash_completes(void **state) {
     (void)state;
     if (system("command -v bash >/dev/null 2>&1")) return;
-    char *text = written(manual_completion), path[] = "/tmp/completion-test-XXXXXX", command[400];
-    int file = mkstemp(path);
+    char *text = written(manual_completion), path[UNIT_PATH], command[UNIT_PATH + 400];
+    int file = scratch_file(path, "completion-test");
     assert_true(file >= 0);
     FILE *out = fdopen(file, "w");
     fputs(text, out);

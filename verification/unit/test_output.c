@@ -4,6 +4,7 @@
 #include "solver/status.h"
 #include "verification/command/command_run.h"
 #include "verification/unit/near.h"
+#include "verification/unit/scratch_path.h"
 
 #include <stdlib.h>
 #include <string.h>
@@ -29,10 +30,10 @@ static void assert_text(const char *path, const char *expected) {
 
 static void written_whole(void **state) {
     (void)state;
-    char dir[] = "/tmp/test_output.XXXXXX", path[80];
+    char dir[UNIT_PATH], path[UNIT_PATH + 64];
     struct failure why;
     struct output page;
-    assert_non_null(mkdtemp(dir));
+    assert_non_null(scratch_directory(dir, "test_output"));
     snprintf(path, sizeof path, "%s/%d.csv", dir, 7);
     FILE *out = output_open(&page, "%s/%d.csv", dir, 7);
     fprintf(out, "x,T\n%g,%g\n", 0.31, 2.385);
@@ -49,10 +50,10 @@ static void written_whole(void **state) {
 
 static void both_or_neither(void **state) {
     (void)state;
-    char dir[] = "/tmp/test_output.XXXXXX";
+    char dir[UNIT_PATH];
     struct failure why = {0};
     struct output page[2] = {0};
-    assert_non_null(mkdtemp(dir));
+    assert_non_null(scratch_directory(dir, "test_output"));
     output_open(&page[0], "%s/one", dir);
     output_open(&page[1], "%s/nowhere/two", dir);
     assert_int_equal(output_close(page, 2, &why), STATUS_INPUT);

@@ -12,6 +12,7 @@
 #include "verification/ladder/ladder.h"
 
 #include "verification/unit/near.h"
+#include "verification/unit/scratch_path.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -54,8 +55,8 @@ static void markdown_becomes_html(void **state) {
 
 static void images_are_part_of_the_page(void **state) {
     (void)state;
-    char path[] = "/tmp/heatladder_page.XXXXXX";
-    FILE *image = fdopen(mkstemp(path), "w");
+    char path[UNIT_PATH];
+    FILE *image = fdopen(scratch_file(path, "heatladder_page"), "w");
     fputs("<svg/>!", image);
     fclose(image);
     FILE *out = begin();
@@ -86,8 +87,8 @@ static void charts_hold_their_points(void **state) {
 
 static void gates_are_read_back(void **state) {
     (void)state;
-    char path[] = "/tmp/heatladder_page.XXXXXX";
-    FILE *file = fdopen(mkstemp(path), "w");
+    char path[UNIT_PATH];
+    FILE *file = fdopen(scratch_file(path, "heatladder_page"), "w");
     fputs(
         "{\n\"made\": \"today \\\"here\\\"\",\n\"declared\": 2,\n\"gates\": [\n{ \"id\": \"rod/a\", \"command\": "
         "\"run \\\"x\\\"\", \"expected\": 2,\n"
@@ -165,11 +166,11 @@ static char *whole(const char *path) {
 
 /* The page of a ladder of two rungs. */
 static const char *page_of(const char *line) {
-    char path[] = "/tmp/heatladder_page.XXXXXX";
+    char path[UNIT_PATH];
     struct ladder *l = xcalloc(1, sizeof *l);
     struct request r;
     struct failure why;
-    close(mkstemp(path));
+    close(scratch_file(path, "heatladder_page"));
     assert_int_equal(arguments_parse_line(line, &r, &why), 0);
     assert_int_equal(ladder_run(&r.experiment, &r.rungs, l, &why), 0);
     assert_int_equal(page_ladder_write(l, &r.rungs, r.typed, path, &why), 0);
@@ -203,9 +204,9 @@ static void a_ladder_shows_what_is_judged(void **state) {
 
 /* The page of a directory that has mutants.txt alone. */
 static const char *page_of_listing(const char *listing) {
-    char dir[] = "/tmp/heatladder_page.XXXXXX", path[60];
+    char dir[UNIT_PATH], path[UNIT_PATH + 64];
     struct failure why;
-    assert_non_null(mkdtemp(dir));
+    assert_non_null(scratch_directory(dir, "heatladder_page"));
     snprintf(path, sizeof path, "%s/mutants.txt", dir);
     FILE *out = fopen(path, "w");
     fputs(listing, out);

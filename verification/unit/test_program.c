@@ -10,6 +10,7 @@
 #include "verification/run/run.h"
 
 #include "verification/unit/near.h"
+#include "verification/unit/scratch_path.h"
 
 #include <glob.h>
 #include <signal.h>
@@ -197,8 +198,9 @@ static void the_case_file_tells_all(void **state) {
 static void it_ends_in_time(void **state) {
     (void)state;
 #define RUN(more, command) "run rod-gauss mine --dx 1 --fourier 0.4 " more " --solver '" command "'"
-    refused(RUN("--timeout 0.2", "echo so far; sleep 50 & sleep 50; {case} {out}"), STATUS_NUMERICAL,
-            "not done after 0.2 s (--timeout); it said last: so far");
+    refused(RUN("--timeout 0.2", "sleep 50 & sleep 50; {case} {out}"), STATUS_NUMERICAL,
+            "not done after 0.2 s (--timeout)");
+    refused(RUN("", "echo so far; exit 3; {case} {out}"), STATUS_NUMERICAL, "exit status 3; it said last: so far");
     refused(RUN("", "(sleep 50; " AWK " {case} > {out}) & true"), STATUS_NUMERICAL,
             "ended before what it had started");
 #undef RUN
@@ -206,10 +208,10 @@ static void it_ends_in_time(void **state) {
 
 static void nothing_is_left_behind(void **state) {
     (void)state;
-    char dir[] = "/tmp/external-test-XXXXXX", pattern[64];
+    char dir[UNIT_PATH], pattern[UNIT_PATH + 64];
     struct result result;
     glob_t found;
-    assert_non_null(mkdtemp(dir));
+    assert_non_null(scratch_directory(dir, "external-test"));
     assert_int_equal(setenv("TMPDIR", dir, 1), 0);
     assert_int_equal(run_line("run rod-step mine --dx 0.1 --fourier 0.4" MINE, &result), 0);
     refused("run rod-step mine --dx 0.1 --solver 'echo x > {out}; exit 3; {case}'", STATUS_NUMERICAL, "status 3");
@@ -225,7 +227,7 @@ static void nothing_is_left_behind(void **state) {
 
 /* Waits until the number of directories in `dir` is `wanted`; 0, or -1 after ten seconds. */
 static int wait_for(const char *dir, size_t wanted) {
-    char pattern[64];
+    char pattern[UNIT_PATH + 8];
     snprintf(pattern, sizeof pattern, "%s/*", dir);
     for (int i = 0; i < 1000; i++) {
         glob_t found = {0};
@@ -241,8 +243,8 @@ static int wait_for(const char *dir, size_t wanted) {
 static void signals_leave_nothing(void **state) {
     (void)state;
     static const int signals[] = {SIGINT, SIGTERM, SIGHUP, SIGKILL};
-    char dir[] = "/tmp/program-test-XXXXXX";
-    assert_non_null(mkdtemp(dir));
+    char dir[UNIT_PATH];
+    assert_non_null(scratch_directory(dir, "program-test"));
     for (int i = 0; i < 4; i++) {
         int status;
         pid_t child = fork();

@@ -8,6 +8,7 @@
 #include "verification/ladder/ladder.h"
 
 #include "verification/unit/near.h"
+#include "verification/unit/scratch_path.h"
 
 #include <stdio.h>
 #include <stdlib.h>
@@ -17,7 +18,7 @@
 
 #define AWK "awk -f verification/unit/ftcs.awk"
 
-static char dir[] = "/tmp/results-test-XXXXXX";
+static char dir[UNIT_PATH];
 
 static int write_cases(const char *options, char *text, size_t size) {
     struct request r;
@@ -163,8 +164,8 @@ int main(void) {
         cmocka_unit_test(self_differences_find_the_error_in_time),
         cmocka_unit_test(it_needs_one_grid),
     };
-    char command[80];
-    if (!mkdtemp(dir)) return 1;
+    char command[UNIT_PATH + 32];
+    if (!scratch_directory(dir, "results-test")) return 1;
     int failed = cmocka_run_group_tests_name("results", tests, NULL, NULL);
     snprintf(command, sizeof command, "rm -rf %s", dir);
     return system(command) || failed;
