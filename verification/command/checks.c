@@ -93,6 +93,10 @@ static int check_program(const struct request *r, struct failure *why) {
         return refuse(why, STATUS_INPUT, "--solver runs a program, --results judges what one left: give one of them");
     if (!g->solver && (g->keep || g->timeout > 0))
         return refuse(why, STATUS_INPUT, "--%s needs --solver 'CMD'", g->keep ? "keep" : "timeout");
+    if (!g->solver && (r->jobs || r->resume))
+        return refuse(why, STATUS_INPUT, "--%s needs --solver 'CMD'", r->jobs ? "jobs" : "resume");
+    if (r->resume && g->keep)
+        return refuse(why, STATUS_INPUT, "--resume DIR keeps what it runs there too: leave out --keep");
     if (r->order && !r->battery && !program_given(g) && words_among(r->verb->options, "order-of"))
         return refuse(why, STATUS_INPUT, "--order needs --solver, --results or --battery: of which code?");
     for (const struct option *o = options_table; o->key; o++)

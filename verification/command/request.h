@@ -33,6 +33,8 @@ struct request {
     double time_order;       /* battery: of the code in time; 0: any of 0.9 or more */
     int order;               /* battery: of the code in space; 0: 2 */
     unsigned long draw;      /* battery: the seed of its draw; 0: as it is written */
+    int jobs;                /* verify: cases of a program side by side; 0: 1 */
+    const char *resume;      /* verify: the directory that --keep left; NULL for none */
     int battery;             /* case: 1: the cases of the battery */
     const char *bench_scene; /* bench: the one scene; NULL for all */
     int peers;               /* bench: 1: the codes of others beside ours */

@@ -20,7 +20,7 @@
 
 extern char **environ;
 
-enum { LINE = 400, GUARD = 8, LIFE = 9, READ = 0, WRITE = 1, SKIPPED = 77 };
+enum { LINE = 400, GUARD = 8, LIFE = 9, READ = 0, WRITE = 1, SKIPPED = 77, OVERDUE = 124, SIGNALLED = 128 };
 static const double GRACE = 2;      /* s: what a program started may outlive it by */
 static const double MERCY = 1;      /* s from SIGTERM to SIGKILL */
 static const int PATIENCE = 20;     /* ms between two looks */
@@ -100,10 +100,10 @@ static int start(struct running *r) {
 #pragma omp critical(foreign_spawn)
     {
         if (pipe(r->output) || pipe(r->life)) error = errno;
-        for (int i = 0; i < 2 && !error; i++) {
-            fcntl(r->output[i], F_SETFD, FD_CLOEXEC);
-            fcntl(r->life[i], F_SETFD, FD_CLOEXEC);
-        }
+        for (int i = 0; i < 2 && !error; i++)
+            if ((r->output[i] = scratch_descriptor(r->output[i])) < 0 ||
+                (r->life[i] = scratch_descriptor(r->life[i])) < 0)
+                error = errno;
         if (!error) fcntl(r->output[READ], F_SETFL, O_NONBLOCK);
         if (!error) error = spawn(r);
     }
@@ -217,6 +217,12 @@ static int judge(const struct running *r, enum end end, struct failure *why) {
     return STATUS_OK;
 }
 
+static int code_of(const struct running *r, enum end end) {
+    if (end == INTERRUPTED || end == LEFT_OTHERS) return -1;
+    if (end == TIMED_OUT) return OVERDUE;
+    return WIFSIGNALED(r->status) ? SIGNALLED + WTERMSIG(r->status) : WEXITSTATUS(r->status);
+}
+
 int process_run(const struct process *p, struct failure *why) {
     struct running *r = xcalloc(1, sizeof *r);
     *r = (struct running){.process = p, .output = {-1, -1}, .life = {-1, -1}};
@@ -229,6 +235,7 @@ int process_run(const struct process *p, struct failure *why) {
         if (r->output[READ] >= 0) relay(r, AT_END);
         if (r->length) print_line(r, r->length);
         status = judge(r, end, why);
+        *p->code = code_of(r, end);
     }
     close_pipes(r);
     free(r);

@@ -14,6 +14,7 @@ struct process {
     struct scratch *scratch; /* its TMPDIR; the group ends with it */
     FILE *log;               /* takes what it prints too; NULL for none */
     double timeout;          /* s; 0 for none */
+    int *code; /* gets the exit status as a shell has it, 124 past the timeout; -1 where it was cut off */
 };
 
 /* Returns when the program and all that it started have ended, by themselves or by this call: past the timeout, at an

@@ -9,12 +9,14 @@
 #include "solver/problem.h"
 #include "solver/status.h"
 #include "verification/foreign/case_file.h"
+#include "verification/foreign/case_run.h"
 #include "verification/foreign/field_file.h"
-#include "verification/foreign/process.h"
 #include "verification/foreign/results.h"
+#include "verification/foreign/runs.h"
 #include "verification/foreign/scratch.h"
 #include "verification/text/atomic_file.h"
 #include "verification/text/output.h"
+#include "verification/text/whole_file.h"
 #include "verification/text/words.h"
 
 #include <errno.h>
@@ -23,7 +25,6 @@
 #include <stdlib.h>
 #include <string.h>
 #include <sys/stat.h>
-#include <unistd.h>
 
 const char program_help[] =
     "--solver lets any program stand in for METHOD, which is then just its name in tables:\n"
@@ -46,12 +47,11 @@ const char program_help[] =
     "T=3).  Legacy ASCII VTK and VTU with ascii arrays are read too: their points, and the point data T.  Lines\n"
     "`# seconds = S`, `# steps = N` and `# updates = N` may tell what the solve itself took.\n"
     "\n"
-    "--results DIR judges what is there already: DIR/SCENE/DX/out.csv (or out.vtk, out.vtu, out.dat), beside the "
+    "--results DIR judges what is there already: DIR/SCENE/DX/out.csv (or out.npy, out.vtk, out.vtu, out.dat), "
+    "beside the "
     "case\n"
     "files that `heatladder case SCENE --dx A,B,C --into DIR` writes; DIR/SCENE/NAME=VALUE,.../DX where --set gives\n"
     "these values and that directory is there, as `heatladder case --battery` makes it.\n";
-
-const char *const program_answers[] = {"out.csv", "out.vtk", "out.vtu", "out.dat", NULL};
 
 int program_given(const struct program *g) {
     return g->solver || g->results;
@@ -108,16 +108,6 @@ static int read_answer(const struct program *g, const char *path, const char *na
 
 /* ---- Now ---- */
 
-struct place {
-    char input[RESULTS_PATH + 16], output[RESULTS_PATH + 16], log[RESULTS_PATH + 16];
-};
-
-static void place_in(const char *dir, struct place *at) {
-    snprintf(at->input, sizeof at->input, "%s/case", dir);
-    snprintf(at->output, sizeof at->output, "%s/out.csv", dir);
-    snprintf(at->log, sizeof at->log, "%s/log", dir);
-}
-
 static int make_directories(char *path, struct failure *why) {
     for (char *slash = strchr(path + 1, '/');; slash = strchr(slash + 1, '/')) {
         if (slash) *slash = '\0';
@@ -128,92 +118,107 @@ static int make_directories(char *path, struct failure *why) {
     }
 }
 
-/* Where case and answer lie: the directory of --keep without an older answer, or the scratch. */
-static int choose_place(const struct program *g, const struct scene *s, const struct options *o,
-                        const struct scratch *scratch, struct place *at, struct failure *why) {
-    char dir[RESULTS_PATH];
-    if (g->keep) {
-        char dx[40];
-        results_number(o->dx, dx);
-        if (strlen(g->keep) > RESULTS_PATH - 300)
-            return refuse(why, STATUS_INPUT, "--keep '%.100s...': too long a path", g->keep);
-        snprintf(dir, sizeof dir, "%s/%s/%s", g->keep, s->name, dx);
-        append_rung(g, dir);
-        if (!words_is_plain(dir))
-            return refuse(why, STATUS_INPUT, "--keep '%.200s': letters, digits and /._-+=,@%% are wanted in its name",
-                          g->keep);
-        if (make_directories(dir, why)) return STATUS_INPUT;
-    } else {
-        snprintf(dir, sizeof dir, "%s", scratch->dir);
-    }
-    place_in(dir, at);
-    if (g->keep && unlink(at->output) && errno != ENOENT)
-        return refuse(why, STATUS_INPUT, "--keep: cannot replace '%.300s': %s", at->output, strerror(errno));
-    return STATUS_OK;
+/* DIR/SCENE/SETTING/DX/RUNG below `root`.  0, or -1 where the path is too long. */
+static int place_below(const struct program *g, const char *root, const struct scene *s, const struct options *o,
+                       char dir[RESULTS_PATH]) {
+    char of_scene[RESULTS_PATH];
+    if (results_of_scene(root, s, g->setting, of_scene) || results_directory(of_scene, o->dx, dir)) return -1;
+    append_rung(g, dir);
+    return 0;
 }
 
-static int write_case(const struct program *g, const struct scene *s, const struct problem *p,
-                      const struct options *o, const char *path, struct failure *why) {
-    struct output page;
-    FILE *out = output_open(&page, "%s", path);
+static int kept_place(const struct program *g, const struct scene *s, const struct options *o, char dir[RESULTS_PATH],
+                      struct failure *why) {
+    if (place_below(g, g->keep, s, o, dir))
+        return refuse(why, STATUS_INPUT, "--keep '%.100s...': too long a path", g->keep);
+    if (!words_is_plain(dir))
+        return refuse(why, STATUS_INPUT, "--keep '%.200s': letters, digits and /._-+=,@%% are wanted in its name",
+                      g->keep);
+    return make_directories(dir, why);
+}
+
+/* The text of the case file, to be freed. */
+static void case_text(const struct program *g, const struct scene *s, const struct problem *p,
+                      const struct options *o, char **text) {
+    size_t size;
+    FILE *out = output_stream(text, &size);
     case_file_write(s, p, o, &(struct case_extra){g->label, &g->map, *g->vary ? g->vary : NULL, g->value, g->seed},
                     out);
-    return output_close(&page, 1, why);
-}
-
-/* The command with what is between braces replaced, to be freed; braces of any other word stay. */
-static char *fill_in(const struct program *g, const struct options *o, const struct place *at) {
-    char *text, dx[40];
-    size_t size;
-    results_number(o->dx, dx);
-    const char *name[] = {"case", "out", "dx", *g->vary ? g->vary : NULL},
-               *value[] = {at->input, at->output, dx, g->value};
-    FILE *out = output_stream(&text, &size);
-    for (const char *c = g->solver; *c; c++) {
-        int found = -1;
-        for (int i = 0; *c == '{' && i < 4 && name[i]; i++) {
-            size_t n = strlen(name[i]);
-            if (strncmp(c + 1, name[i], n) == 0 && c[n + 1] == '}') found = i;
-        }
-        if (found < 0) {
-            fputc(*c, out);
-        } else {
-            fputs(value[found], out);
-            c += strlen(name[found]) + 1;
-        }
-    }
     fclose(out);
-    return text;
 }
 
-static int run_command(const struct program *g, const struct scene *s, const struct options *o,
-                       const struct place *at, struct scratch *scratch, struct failure *why) {
+/* After the line of the label, which names the program alone. */
+static const char *after_label(const char *text) {
+    const char *label = strstr(text, "\nlabel = "), *end = label ? strchr(label + 1, '\n') : NULL;
+    return end ? end : text;
+}
+
+/* Whether `dir` has the same case, answered by an earlier call. */
+static int is_resumed(const struct program *g, const char *dir, const char *text) {
+    char path[RESULTS_PATH + 16];
+    snprintf(path, sizeof path, "%s/case", dir);
+    if (!g->runs || !runs_resumed(g->runs) || !case_run_is_over(dir)) return 0;
+    char *old = whole_file_at(path, NULL);
+    int same =
+        old && strcmp(after_label(old), after_label(text)) == 0 && strncmp(old, text, strcspn(text, "\n") + 1) == 0;
+    free(old);
+    return same;
+}
+
+static int run_in(const struct program *g, const struct options *o, const char *dir, const char *text,
+                  const char *label, struct scratch *scratch, int *code, struct failure *why) {
+    char dx[40];
+    struct output page;
+    results_number(o->dx, dx);
+    fputs(text, output_open(&page, "%s/case", dir));
+    if (output_close(&page, 1, why)) return why->status;
+    struct case_run run = {dir, g->solver, dx, *g->vary ? g->vary : NULL, g->value, label, g->timeout};
+    return case_run(&run, scratch, code, why);
+}
+
+static int skipped_before(struct failure *why) {
+    return refuse(why, STATUS_SKIPPED, "not applicable (exit status 77)");
+}
+
+/* Runs the case at its turn, in the directory of --keep or in a scratch; `dir` becomes the one that was taken. */
+static int run_in_turn(const struct program *g, const struct scene *s, const struct options *o, const char *text,
+                       struct scratch *scratch, char dir[RESULTS_PATH], double *seconds, struct failure *why) {
     char dx[40], label[200];
-    char *command = fill_in(g, o, at);
+    int code = -1;
     results_number(o->dx, dx);
     snprintf(label, sizeof label, "%s dx=%s%s%s", s->name, dx, *g->rung ? " " : "", g->rung);
-    struct process process = {.command = command, .label = label, .scratch = scratch, .timeout = g->timeout};
-    if (g->keep && !(process.log = fopen(at->log, "w")))
-        refuse(why, STATUS_INPUT, "--keep: cannot write '%.300s': %s", at->log, strerror(errno));
-    else
-        process_run(&process, why);
-    if (process.log) fclose(process.log);
-    free(command);
+    enum runs_turn turn = RUNS_NOW;
+    if (g->runs) turn = runs_begin(g->runs, g->keep ? dir : NULL, text, g->row ? g->row : label, dx, seconds, why);
+    if (turn == RUNS_BEFORE || turn == RUNS_OVER) return why->status;
+    const char *shared = turn == RUNS_NOW && g->keep ? dir : NULL;
+    if (!shared) snprintf(dir, RESULTS_PATH, "%s", scratch->dir);
+    double begin = omp_get_wtime();
+    if (shared && is_resumed(g, dir, text)) {
+        code = case_run_status(dir);
+        if (code > 0) skipped_before(why);
+    } else {
+        run_in(g, o, dir, text, label, scratch, &code, why);
+    }
+    *seconds = omp_get_wtime() - begin;
+    if (g->runs) runs_end(g->runs, shared, code, *seconds, why);
     return why->status;
 }
 
 static int solve_at(const struct program *g, const struct scene *s, const struct problem *p, const struct options *o,
                     struct scratch *scratch, struct field *f, struct failure *why) {
-    struct place at;
+    char dir[RESULTS_PATH], path[RESULTS_PATH + 16], *text;
     struct image image;
+    double seconds = 0;
     *why = (struct failure){0};
     mapping_image(&g->map, p, &image);
     if (case_file_check(&image.problem, o->dx, why)) return why->status;
-    if (choose_place(g, s, o, scratch, &at, why) || write_case(g, s, p, o, at.input, why)) return why->status;
-    double begin = omp_get_wtime();
-    int status = run_command(g, s, o, &at, scratch, why);
-    double seconds = omp_get_wtime() - begin;
-    if (status || read_answer(g, at.output, "{out}", p, o->dx, f, why)) return why->status;
+    if (g->keep && kept_place(g, s, o, dir, why)) return why->status;
+    case_text(g, s, p, o, &text);
+    int status = run_in_turn(g, s, o, text, scratch, dir, &seconds, why);
+    free(text);
+    if (status) return status;
+    case_run_answer(dir, path, sizeof path);
+    if (read_answer(g, path, "{out}", p, o->dx, f, why)) return why->status;
     f->seconds = seconds;
     return STATUS_OK;
 }
@@ -238,15 +243,14 @@ static int solve_now(const struct program *g, const struct scene *s, const struc
 
 static int solve_later(const struct program *g, const struct scene *s, const struct problem *p,
                        const struct options *o, struct field *f, struct failure *why) {
-    char of_scene[RESULTS_PATH], dir[RESULTS_PATH], path[RESULTS_PATH + 16];
-    if (results_of_scene(g->results, s, g->setting, of_scene) || results_directory(of_scene, o->dx, dir))
+    char dir[RESULTS_PATH], path[RESULTS_PATH + 16];
+    if (place_below(g, g->results, s, o, dir))
         return refuse(why, STATUS_INPUT, "--results '%.200s': too long a path", g->results);
-    append_rung(g, dir);
-    for (int i = 0; program_answers[i]; i++) {
-        snprintf(path, sizeof path, "%s/%s", dir, program_answers[i]);
-        if (access(path, F_OK) == 0) break;
-        if (!program_answers[i + 1]) snprintf(path, sizeof path, "%s/%s", dir, program_answers[0]);
-    }
+    int answered = case_run_answer(dir, path, sizeof path), code = case_run_status(dir);
+    if (code == STATUS_SKIPPED) return skipped_before(why);
+    if (!answered && code > 0)
+        return refuse(why, STATUS_NUMERICAL, "%.300s: the program ended with exit status %d (%.300s/log)", path, code,
+                      dir);
     if (read_answer(g, path, path, p, o->dx, f, why)) return why->status;
     f->seconds = f->step_seconds;
     return STATUS_OK;

@@ -10,13 +10,12 @@ struct failure;
 struct field;
 struct options;
 struct problem;
+struct runs;
 struct scene;
 
 enum { PROGRAM_SETTING = 200 };
 
 extern const char program_help[]; /* how a program is run and what it answers, for --help */
-
-extern const char *const program_answers[]; /* names of files that hold an answer, ended by NULL */
 
 struct program {
     const char *label;
@@ -28,7 +27,9 @@ struct program {
     struct column_map columns;
     struct mapping map;            /* between the scene and the case that the program solves */
     char vary[40], value[40];      /* NAME of --vary, and what it is at this rung; "" for none */
-    char setting[PROGRAM_SETTING]; /* of results: the parameters' directory below SCENE; "" for SCENE itself */
+    char setting[PROGRAM_SETTING]; /* the parameters' directory below SCENE; "" for SCENE itself */
+    struct runs *runs;             /* what runs of the same program share (runs.h); NULL for none */
+    const char *row;               /* which gate asks, to be shown; NULL for none */
     char rung[100];                /* the directory of this rung below DX: NAME=VALUE or dt=DT; "" for DX itself */
 };
 

@@ -5,6 +5,7 @@
 #include "solver/options.h"
 #include "solver/status.h"
 #include "verification/foreign/case_file.h"
+#include "verification/foreign/case_run.h"
 #include "verification/foreign/program.h"
 #include "verification/text/output.h"
 #include "verification/text/whole_file.h"
@@ -187,8 +188,8 @@ int results_params(const char *dir, const struct scene *s, const char *setting, 
 static int has_answer(const char *dir) {
     char path[RESULTS_PATH + 16];
     struct stat is;
-    for (int i = 0; program_answers[i]; i++) {
-        snprintf(path, sizeof path, "%s/%s", dir, program_answers[i]);
+    for (int i = 0; case_run_answers[i]; i++) {
+        snprintf(path, sizeof path, "%s/%s", dir, case_run_answers[i]);
         if (stat(path, &is) == 0) return 1;
     }
     return 0;

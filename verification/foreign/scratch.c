@@ -37,6 +37,13 @@ static int start_guard(struct scratch *s, const int ends[2]) {
     return error;
 }
 
+int scratch_descriptor(int descriptor) {
+    enum { ABOVE = 10 };
+    int raised = fcntl(descriptor, F_DUPFD_CLOEXEC, ABOVE);
+    if (raised >= 0) close(descriptor);
+    return raised;
+}
+
 int scratch_open(struct scratch *s, struct failure *why) {
     const char *parent = getenv("TMPDIR");
     int ends[2] = {-1, -1}, error = 0;
@@ -47,7 +54,8 @@ int scratch_open(struct scratch *s, struct failure *why) {
 #pragma omp critical(foreign_spawn) /* no other program may inherit the pipe's end before it is marked */
     {
         if (pipe(ends)) error = errno;
-        for (int i = 0; i < 2 && !error; i++) fcntl(ends[i], F_SETFD, FD_CLOEXEC);
+        for (int i = 0; i < 2 && !error; i++)
+            if ((ends[i] = scratch_descriptor(ends[i])) < 0) error = errno;
         if (!error) error = start_guard(s, ends);
     }
     if (ends[0] >= 0) close(ends[0]);

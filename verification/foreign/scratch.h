@@ -19,4 +19,8 @@ struct scratch {
 int scratch_open(struct scratch *s, struct failure *why); /* STATUS_OK, or STATUS_INPUT with *why */
 void scratch_close(struct scratch *s);                    /* returns when all is removed */
 
+/* The same open file by a number above those that a program is started with, which dup2 would close; closed where
+ * another program starts.  -1 with errno set. */
+int scratch_descriptor(int descriptor);
+
 #endif

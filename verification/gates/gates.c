@@ -4,6 +4,7 @@
 
 #include "verification/command/arguments.h"
 #include "verification/diagnosis/wording.h"
+#include "verification/foreign/program.h"
 #include "verification/text/progress.h"
 
 #include <math.h>
@@ -54,22 +55,26 @@ static int heaviest_first(const void *a, const void *b) {
     return x->size != y->size ? (x->size < y->size) - (x->size > y->size) : (x->gate > y->gate) - (x->gate < y->gate);
 }
 
+void gates_run_row(struct gates *g, struct gate_result *result, const struct program *program) {
+    double start = omp_get_wtime();
+    gates_command(&result->gate, g->program, result->typed, sizeof result->typed);
+    size_t used = strlen(result->typed);
+    if (g->origin && strncmp(result->typed, "verify", 6) == 0)
+        snprintf(result->typed + used, sizeof result->typed - used, " %s", g->origin);
+    gates_judge(&result->gate, program, &result->measured);
+    result->seconds = omp_get_wtime() - start;
+}
+
 void gates_run(struct gates *g) {
     struct job *job = xcalloc((size_t)g->declared, sizeof *job);
     for (int i = 0; i < g->declared; i++) job[i] = (struct job){i, job_size_of(g->result[i].gate.command)};
     if (!g->program) qsort(job, (size_t)g->declared, sizeof *job, heaviest_first);
     struct progress progress = progress_start("gates", g->declared);
-    int executed = 0;
-#pragma omp parallel for schedule(dynamic, 1) reduction(+ : executed) if (!g->program)
+    int executed = 0, solver = g->program && g->program->solver;
+#pragma omp parallel for schedule(dynamic, 1) reduction(+ : executed) if (!solver)
     for (int i = 0; i < g->declared; i++) {
         struct gate_result *result = &g->result[job[i].gate];
-        double start = omp_get_wtime();
-        gates_command(&result->gate, g->program, result->typed, sizeof result->typed);
-        size_t used = strlen(result->typed);
-        if (g->origin && strncmp(result->typed, "verify", 6) == 0)
-            snprintf(result->typed + used, sizeof result->typed - used, " %s", g->origin);
-        gates_judge(&result->gate, g->program, &result->measured);
-        result->seconds = omp_get_wtime() - start;
+        gates_run_row(g, result, g->program);
         executed += !result->executed;
         result->executed = 1;
         progress_tick(&progress);
@@ -77,6 +82,15 @@ void gates_run(struct gates *g) {
     progress_end(&progress);
     g->executed = executed;
     free(job);
+}
+
+void gates_cut(struct gates *g, int signal) {
+    int judged = 0;
+    for (int i = 0; i < g->declared; i++)
+        if (g->result[i].executed) g->result[judged++] = g->result[i];
+    g->planned = g->declared;
+    g->declared = judged;
+    g->interrupted = signal;
 }
 
 int gates_status(const struct gates *g) {

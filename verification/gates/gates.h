@@ -37,6 +37,7 @@ struct gate_result {
 struct gates {
     int declared;
     int executed;
+    int interrupted, planned;   /* the signal that cut the run off, and the rows of before; else 0 */
     struct gate_result *result; /* declared of them, in the order of the table */
     char *text;                 /* owned: names and commands of the references' gates */
     char **command;             /* owned: `commands` of them, of rows that were drawn */
@@ -61,11 +62,26 @@ void gates_set_command(struct gates *g, const char *command);
  * where asked.  STATUS_OK; or STATUS_INPUT where one of the two matches no row at all, or none is left. */
 int gates_choose(struct gates *g, const char *only, const char *skip, int quick, struct failure *why);
 
-/* About how many runs another program would make of them. */
+/* How many runs another program makes of them where none fails: cases that rows share count once. */
 int gates_runs(const struct gates *g);
 
-/* Runs all: in parallel, the heaviest first; by another program one after the other, as they stand. */
+/* The rungs of one row, 1 of a run. */
+int gates_rungs(const struct gate *gate, const struct program *program);
+
+/* Runs all: in parallel, the heaviest first; those of a command one after the other, without a word. */
 void gates_run(struct gates *g);
+
+/* Runs all by the command of g->program, `jobs` cases side by side, and says of each row how it ended on standard
+ * error.  resume: the directory whose answers are taken, and where others are kept; NULL for none.  An interrupt,
+ * which the caller holds (text/atomic_file.h), leaves the rows that are not judged yet.  STATUS_OK; STATUS_INPUT with
+ * *why where the program is not there. */
+int gates_run_program(struct gates *g, int jobs, const char *resume, struct failure *why);
+
+/* After an interrupt: leaves the rows that were judged. */
+void gates_cut(struct gates *g, int signal);
+
+/* One row, its time and its typed command too. */
+void gates_run_row(struct gates *g, struct gate_result *result, const struct program *program);
 
 /* One row, answered by *program where there is one (NULL: by its own command); never fails silently: what cannot be
  * run is a failed verdict with its reason. */

@@ -3,6 +3,7 @@
 
 #include "verification/command/arguments.h"
 #include "verification/foreign/program.h"
+#include "verification/foreign/results.h"
 #include "verification/ladder/judge.h"
 #include "verification/ladder/ladder.h"
 #include "verification/text/words.h"
@@ -23,12 +24,11 @@ static void judge_refused(struct measured *m, const char *text) {
     snprintf(m->reason, sizeof m->reason, "%.300s", text);
 }
 
-/* The words that let another program answer a gate; what they keep lies below a name of the gate's. */
+/* The words that let another program answer a gate. */
 struct words {
-    const char *word[11]; /* ended by NULL */
+    const char *word[9]; /* ended by NULL */
     int count;
-    char keep[2048], timeout[40]; /* longer than --keep may be: refused there, not cut */
-    char seeds[16];
+    char timeout[40], seeds[16];
 };
 
 static void words_of(const struct gate *gate, const struct program *g, struct words *w) {
@@ -37,10 +37,6 @@ static void words_of(const struct gate *gate, const struct program *g, struct wo
     if (!g) return;
     w->word[n++] = g->solver ? "--solver" : "--results";
     w->word[n++] = g->solver ? g->solver : g->results;
-    if (g->keep) {
-        snprintf(w->keep, sizeof w->keep, "%.1800s/%.240s", g->keep, gate->id);
-        w->word[n++] = "--keep", w->word[n++] = w->keep;
-    }
     if (g->timeout > 0) {
         snprintf(w->timeout, sizeof w->timeout, "%.17g", g->timeout);
         w->word[n++] = "--timeout", w->word[n++] = w->timeout;
@@ -53,12 +49,24 @@ static void words_of(const struct gate *gate, const struct program *g, struct wo
     w->count = n;
 }
 
+/* What all rows of one program share: where cases are kept, each in the directory of its parameters, and their runs.
+ */
+static void share(const struct gate *gate, const struct program *program, struct request *r) {
+    struct experiment *e = &r->experiment;
+    struct program *g = &e->program;
+    g->keep = program->keep;
+    g->runs = program->runs;
+    g->row = gate->id;
+    if (!e->scene || results_setting(e->scene, &e->problem, r->overridden, &g->map, g->setting)) g->setting[0] = '\0';
+}
+
 /* Of a ladder or a run alone: no other verb can be done by another program. */
 static int parse(const struct gate *gate, const struct program *program, struct request *r, struct failure *why) {
     struct words w;
     words_of(gate, program, &w);
     if (arguments_parse_line_with(gate->command, w.word, r, why)) return why->status;
     if (!isnan(gate->ceiling)) r->rungs.ceiling = gate->ceiling;
+    if (program && program->solver) share(gate, program, r);
     return STATUS_OK;
 }
 
@@ -101,22 +109,60 @@ void gates_command(const struct gate *gate, const struct program *program, char 
     text[size - 1] = '\0';
 }
 
-/* Rungs of a ladder, in whatever it climbs; 1 of a run. */
-static int runs_of(const struct gate *gate, const struct program *program) {
+/* ---- How many cases ---- */
+
+enum { CASE_NAME = 400 };
+
+struct cases {
+    char (*name)[CASE_NAME]; /* SCENE/SETTING/DX/STEP/SEED */
+    size_t count;
+};
+
+static void add_case(struct cases *c, const struct request *r, double dx, double climbed, int seed) {
+    const struct experiment *e = &r->experiment;
+    char name[CASE_NAME];
+    snprintf(name, sizeof name, "%.60s/%.199s/%.17g/%.17g/%d", e->scene->name, e->program.setting, dx, climbed, seed);
+    for (size_t i = 0; i < c->count; i++)
+        if (strcmp(c->name[i], name) == 0) return;
+    c->name = xgrow(c->name, c->count, c->count + 1, sizeof *c->name);
+    memcpy(c->name[c->count++], name, sizeof name);
+}
+
+/* Rungs of a ladder, in whatever it climbs, each for every seed; 1 of a run. */
+static int add_cases(const struct gate *gate, const struct program *program, struct cases *cases) {
     struct request r;
     struct failure why;
-    int runs = 1;
-    if (!parse(gate, program, &r, &why)) {
-        const struct numbers *climbs[] = {&r.rungs.dx, &r.rungs.dt, &r.rungs.fourier, &r.rungs.vary};
-        for (int i = 0; i < 4; i++)
-            if (climbs[i]->count > runs) runs = climbs[i]->count;
+    int rungs = 1;
+    if (!parse(gate, program, &r, &why) && r.experiment.scene) {
+        const struct numbers none = {.count = 1}, *dx = &r.rungs.dx, *steps = &none;
+        const struct numbers *climbs[] = {&r.rungs.dt, &r.rungs.fourier, &r.rungs.vary};
+        for (int k = 0; k < 3; k++)
+            if (climbs[k]->count > 0) steps = climbs[k];
+        rungs = dx->count * steps->count;
+        int seeds = r.experiment.program.seeds > 1 ? r.experiment.program.seeds : 1;
+        for (int i = 0; i < rungs * seeds; i++)
+            add_case(cases, &r, dx->value[i / seeds / steps->count], steps->value[i / seeds % steps->count],
+                     i % seeds);
+        rungs *= seeds;
     }
     arguments_free(&r);
-    return runs;
+    return rungs;
+}
+
+int gates_rungs(const struct gate *gate, const struct program *program) {
+    struct cases cases = {0};
+    int rungs = add_cases(gate, program, &cases);
+    free(cases.name);
+    return rungs;
 }
 
 int gates_runs(const struct gates *g) {
-    int runs = 0;
-    for (int i = 0; i < g->declared; i++) runs += runs_of(&g->result[i].gate, g->program);
-    return runs;
+    struct cases cases = {0};
+    int again = 0; /* the same case once more */
+    for (int i = 0; i < g->declared; i++) {
+        add_cases(&g->result[i].gate, g->program, &cases);
+        again += strcmp(g->result[i].gate.measure, "repeat") == 0;
+    }
+    free(cases.name);
+    return (int)cases.count + again;
 }

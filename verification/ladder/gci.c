@@ -17,6 +17,7 @@
 #include "verification/ladder/gci.h"
 
 #include "solver/status.h"
+#include "verification/foreign/case_run.h"
 #include "verification/foreign/field_file.h"
 #include "verification/foreign/program.h"
 #include "verification/foreign/results.h"
@@ -196,8 +197,8 @@ static int find_answer(const char *dir, double h, char path[RESULTS_PATH + 16], 
     char of[RESULTS_PATH];
     struct stat is;
     if (results_directory(dir, h, of)) return refuse(why, STATUS_INPUT, "--results '%.200s': too long a path", dir);
-    for (int i = 0; program_answers[i]; i++) {
-        snprintf(path, RESULTS_PATH + 16, "%s/%s", of, program_answers[i]);
+    for (int i = 0; case_run_answers[i]; i++) {
+        snprintf(path, RESULTS_PATH + 16, "%s/%s", of, case_run_answers[i]);
         if (stat(path, &is) == 0) return STATUS_OK;
     }
     return refuse(why, STATUS_INPUT, "%.300s: no answer; out.csv, out.vtk, out.vtu or out.dat is wanted", of);

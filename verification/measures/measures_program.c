@@ -91,15 +91,17 @@ void measures_error(const struct request *r, double lo, double hi, struct measur
 
 void measures_repeat(const struct request *r, double lo, double hi, struct measured *m) {
     const struct experiment *e = &r->experiment;
+    struct experiment again = *e; /* kept nowhere, so that the answer of the first is not taken for it */
     struct result first, second;
     struct field a = {0}, b = {0};
     struct norms_error apart;
     struct diagnosis d;
+    again.program.keep = NULL;
     if (!e->program.solver) {
         skip(m, "needs --solver: what lies there is one run");
     } else if (run_experiment(e, &first, &a)) {
         fail(m, &first.failure);
-    } else if (run_experiment(e, &second, &b)) {
+    } else if (run_experiment(&again, &second, &b)) {
         fail(m, &second.failure);
     } else if (!self_difference_fields(&e->problem, &a, &b, &apart)) {
         skip(m, "the points differ from run to run");

@@ -1,17 +1,28 @@
-/* Gates as JUnit XML: a test suite of a test case each, failed or in error (inconclusive) with its reason. */
+/* Gates as JUnit XML: a test suite a group, a test case a gate, failed or in error (inconclusive) with its reason. */
 #include "verification/page/junit.h"
 
 #include "solver/status.h"
+#include "verification/diagnosis/wording.h"
 #include "verification/gates/gates.h"
 #include "verification/page/html.h"
+#include "verification/page/page.h"
 #include "verification/text/output.h"
 
 #include <stdio.h>
 
-static void put_case(const struct gate_result *r, FILE *out) {
+/* What is said of all gates: the fault that most of them look like. */
+static void put_properties(const struct gates *g, FILE *out) {
+    char diagnosis[WORDING_ALL];
+    gates_diagnosis(g, diagnosis, sizeof diagnosis);
+    if (!*diagnosis) return;
+    html_print(out, "    <properties>\n      <property name=\"diagnosis\" value=\"%s\"/>\n    </properties>\n",
+               diagnosis);
+}
+
+static void put_case(const struct gate_result *r, const char *group, FILE *out) {
     const enum verdict verdict = r->measured.verdict;
     const char *tag = verdict == VERDICT_FAIL ? "failure" : verdict == VERDICT_SKIPPED ? "skipped" : "error";
-    html_print(out, "    <testcase name=\"%s", r->gate.id);
+    html_print(out, "    <testcase classname=\"heatladder.%s\" name=\"%s", group, r->gate.id);
     fprintf(out, "\" time=\"%.3f\"", r->seconds);
     if (verdict == VERDICT_PASS) {
         fprintf(out, "/>\n");
@@ -22,22 +33,54 @@ static void put_case(const struct gate_result *r, FILE *out) {
                r->gate.why, r->typed, tag);
 }
 
+struct tally {
+    double seconds;
+    int tests, failed, skipped, passed;
+};
+
+static struct tally tally_of(const struct gates *g, const char *group) {
+    struct tally t = {0};
+    for (int i = 0; i < g->declared; i++) {
+        const enum verdict verdict = g->result[i].measured.verdict;
+        if (!page_same_group(g->result[i].gate.id, group)) continue;
+        t.tests++;
+        t.seconds += g->result[i].seconds;
+        t.failed += verdict == VERDICT_FAIL;
+        t.passed += verdict == VERDICT_PASS;
+        t.skipped += verdict == VERDICT_SKIPPED;
+    }
+    return t;
+}
+
+/* A group of gates, the part of their names before the slash. */
+static void put_suite(const struct gates *g, const char *group, FILE *out) {
+    struct tally t = tally_of(g, group);
+    char name[120];
+    snprintf(name, sizeof name, "%.*s", (int)page_group_length(group), group);
+    html_print(out, "  <testsuite name=\"%s\"", name);
+    fprintf(out, " tests=\"%d\" failures=\"%d\" errors=\"%d\" skipped=\"%d\" time=\"%.3f\">\n", t.tests, t.failed,
+            t.tests - t.failed - t.skipped - t.passed, t.skipped, t.seconds);
+    put_properties(g, out);
+    for (int i = 0; i < g->declared; i++)
+        if (page_same_group(g->result[i].gate.id, group)) put_case(&g->result[i], name, out);
+    fprintf(out, "  </testsuite>\n");
+}
+
 int junit_write(const struct gates *g, const char *path, struct failure *why) {
     struct output page;
-    double seconds = 0;
-    int failed = 0, skipped = 0, passed = 0;
-    for (int i = 0; i < g->declared; i++) {
-        seconds += g->result[i].seconds;
-        failed += g->result[i].measured.verdict == VERDICT_FAIL;
-        passed += g->result[i].measured.verdict == VERDICT_PASS;
-        skipped += g->result[i].measured.verdict == VERDICT_SKIPPED;
-    }
     FILE *out = output_open(&page, "%s", path);
     fprintf(out, "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<testsuites>\n");
-    fprintf(out,
-            "  <testsuite name=\"gates\" tests=\"%d\" failures=\"%d\" errors=\"%d\" skipped=\"%d\" time=\"%.3f\">\n",
-            g->declared, failed, g->declared - failed - skipped - passed, skipped, seconds);
-    for (int i = 0; i < g->declared; i++) put_case(&g->result[i], out);
-    fprintf(out, "  </testsuite>\n</testsuites>\n");
+    for (int i = 0; i < g->declared; i++) {
+        int first = 1;
+        for (int k = 0; k < i && first; k++) first = !page_same_group(g->result[k].gate.id, g->result[i].gate.id);
+        if (first) put_suite(g, g->result[i].gate.id, out);
+    }
+    if (g->interrupted)
+        fprintf(out,
+                "  <testsuite name=\"interrupted\" tests=\"1\" failures=\"0\" errors=\"1\" skipped=\"0\">\n"
+                "    <testcase classname=\"heatladder\" name=\"interrupted\">\n      <error message=\"interrupted "
+                "by signal %d: %d of %d rows were judged\"/>\n    </testcase>\n  </testsuite>\n",
+                g->interrupted, g->executed, g->planned);
+    fprintf(out, "</testsuites>\n");
     return output_close(&page, 1, why);
 }

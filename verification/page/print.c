@@ -99,8 +99,11 @@ void print_gates(const struct gates *g, int all, double seconds) {
     char diagnosis[WORDING_ALL];
     gates_diagnosis(g, diagnosis, sizeof diagnosis);
     if (*diagnosis) printf("\ndiagnosis: %s\n", diagnosis);
-    printf("\n%d gates declared, %d executed: %d passed, %d failed, %d inconclusive", g->declared, g->executed,
-           count[VERDICT_PASS], count[VERDICT_FAIL], count[VERDICT_INCONCLUSIVE]);
+    if (g->interrupted)
+        printf("\ninterrupted by signal %d: %d of %d rows were judged\n", g->interrupted, g->executed, g->planned);
+    printf("\n%d gates declared, %d executed: %d passed, %d failed, %d inconclusive",
+           g->interrupted ? g->planned : g->declared, g->executed, count[VERDICT_PASS], count[VERDICT_FAIL],
+           count[VERDICT_INCONCLUSIVE]);
     if (count[VERDICT_SKIPPED]) printf(", %d skipped", count[VERDICT_SKIPPED]);
     printf(" (%.2f s)\n", seconds);
 }

@@ -1,7 +1,8 @@
 #ifndef HEATLADDER_VERIFICATION_TEXT_PROGRESS_H
 #define HEATLADDER_VERIFICATION_TEXT_PROGRESS_H
 
-/* A line on a terminal that shows how far long work has come; nothing in a pipe, nor within another progress. */
+/* How far long work has come, on standard error: on a terminal one line that is written over; in a pipe, and within
+ * another progress, only the lines of progress_print. */
 
 struct progress {
     const char *what;
@@ -13,5 +14,9 @@ struct progress {
 struct progress progress_start(const char *what, int total);
 void progress_tick(struct progress *p); /* from any thread */
 void progress_end(struct progress *p);  /* takes the line away */
+
+/* What is going on now, on a terminal; and a line that stays, anywhere.  printf-like, from any thread. */
+void progress_now(struct progress *p, const char *format, ...) __attribute__((format(printf, 2, 3)));
+void progress_print(struct progress *p, const char *format, ...) __attribute__((format(printf, 2, 3)));
 
 #endif

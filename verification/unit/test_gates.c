@@ -12,6 +12,7 @@
 #include "verification/unit/near.h"
 #include "verification/unit/scratch_path.h"
 
+#include <signal.h>
 #include <stdlib.h>
 #include <string.h>
 #include <unistd.h>
@@ -198,12 +199,40 @@ static void junit_tells_each_verdict(void **state) {
     text[fread(text, 1, sizeof text - 1, in)] = '\0';
     fclose(in);
     unlink(path);
-    assert_non_null(strstr(text, "<testcase name=\"reference/rod-step\""));
+    assert_non_null(strstr(text, "<testcase classname=\"heatladder.reference\" name=\"reference/rod-step\""));
+    assert_non_null(strstr(text, "<property name=\"diagnosis\" value=\"as if 1 &gt; 0"));
+    assert_non_null(strstr(text, "<testsuite name=\"reference\" tests="));
+    assert_null(strstr(text, "interrupted"));
     assert_non_null(strstr(text, "failures=\"0\" errors=\"1\" skipped=\"0\" time=\"1.750\""));
     assert_non_null(strstr(text, " time=\"1.250\""));
     assert_non_null(strstr(text, " time=\"0.500\""));
     assert_non_null(strstr(text, "<error message=\"3 rungs &lt; 4 &amp; more; diagnosis: as if 1 &gt; 0\">"));
     gates_free(&g);
+}
+
+/* A suite a group; what an interrupt cut off is an error, whatever passed before it. */
+static void junit_has_groups_and_interrupts(void **state) {
+    (void)state;
+    struct gate_result result[4] = {{.gate.id = "b/1", .executed = 1},
+                                    {.gate.id = "a/1", .executed = 1},
+                                    {.gate.id = "b/2", .executed = 0},
+                                    {.gate.id = "b/3", .executed = 1}};
+    struct gates g = {.declared = 4, .executed = 3, .result = result};
+    struct failure why;
+    char path[] = "/tmp/heatladder_junit.XXXXXX", text[20000];
+    for (int i = 0; i < 4; i++) result[i].measured.verdict = VERDICT_PASS, result[i].gate.why = "it";
+    gates_cut(&g, SIGTERM);
+    assert_int_equal(g.declared, 3);
+    close(mkstemp(path));
+    assert_int_equal(junit_write(&g, path, &why), STATUS_OK);
+    FILE *in = fopen(path, "r");
+    text[fread(text, 1, sizeof text - 1, in)] = '\0';
+    fclose(in);
+    unlink(path);
+    assert_non_null(strstr(text, "<testsuite name=\"b\" tests=\"2\" failures=\"0\" errors=\"0\""));
+    assert_non_null(strstr(text, "<testsuite name=\"a\" tests=\"1\""));
+    assert_null(strstr(text, "b/2"));
+    assert_non_null(strstr(text, "<error message=\"interrupted by signal 15: 3 of 4 rows were judged\"/>"));
 }
 
 static void those_that_do_not_hold_are_diagnosed(void **state) {
@@ -235,6 +264,7 @@ int main(void) {
         cmocka_unit_test(measures_measure),
         cmocka_unit_test(references_are_held_to_their_bounds),
         cmocka_unit_test(junit_tells_each_verdict),
+        cmocka_unit_test(junit_has_groups_and_interrupts),
         cmocka_unit_test(those_that_do_not_hold_are_diagnosed),
     };
     return cmocka_run_group_tests_name("gates", tests, NULL, NULL);

@@ -271,7 +271,8 @@ static void a_guard_that_is_gone_ends_nobody_else(void **state) {
     (void)state;
     struct failure why = {0};
     struct scratch scratch;
-    struct process process = {.command = "exit 0", .label = "it", .scratch = &scratch};
+    int code;
+    struct process process = {.command = "exit 0", .label = "it", .scratch = &scratch, .code = &code};
     assert_int_equal(scratch_open(&scratch, &why), STATUS_OK);
     kill(scratch.guard, SIGKILL);
     waitpid(scratch.guard, NULL, 0);

@@ -57,8 +57,9 @@ static int write_json(const struct gates *g, const char *path, struct failure *w
     gates_diagnosis(g, diagnosis, sizeof diagnosis);
     json_object(&j, NULL);
     json_text(&j, "made", made);
-    json_whole(&j, "declared", g->declared);
+    json_whole(&j, "declared", g->interrupted ? g->planned : g->declared);
     json_whole(&j, "executed", g->executed);
+    if (g->interrupted) json_whole(&j, "interrupted", g->interrupted);
     json_text(&j, "diagnosis", *diagnosis ? diagnosis : NULL);
     json_array(&j, "gates");
     for (int i = 0; i < g->declared; i++) gate_json(&g->result[i], &j);
@@ -115,8 +116,36 @@ static int collect(const struct request *r, struct gate_file *file, struct gates
 static int write_page(const struct gates *g, const struct request *r, struct failure *why) {
     const char *solver = g->program ? g->program->solver : NULL;
     char title[200] = "heatladder verify";
-    if (solver) snprintf(title, sizeof title, "heatladder verify: %.120s", solver);
+    if (solver)
+        snprintf(title, sizeof title, "heatladder verify: %.120s%s", solver, g->interrupted ? " (interrupted)" : "");
     return page_gates_write(g, title, r->typed, r->page_path, why);
+}
+
+/* What was judged, where it was asked for. */
+static int write_all(const struct gates *g, const struct request *r, double seconds, struct failure *why) {
+    print_gates(g, r->verbose, seconds);
+    if (!r->only && !r->quick && !r->skip && !g->origin && ungated())
+        printf("%d pairs of scene and method have no gated ladder (see: heatladder list gates)\n", ungated());
+    fflush(stdout);
+    if (r->json_path && write_json(g, r->json_path, why)) return why->status;
+    if (r->junit_path && junit_write(g, r->junit_path, why)) return why->status;
+    if (r->page_path && write_page(g, r, why)) return why->status;
+    return STATUS_OK;
+}
+
+/* An interrupt waits until what was judged so far is written; the program dies of it then. */
+static int verify_program(const struct request *r, struct gates *g, struct failure *why) {
+    int runs = gates_runs(g), jobs = r->jobs ? r->jobs : 1;
+    char side[40] = "one after the other";
+    if (jobs > 1) snprintf(side, sizeof side, "%d at a time", jobs);
+    fprintf(stderr, "heatladder: the program is run some %d time%s, %s\n", runs, runs == 1 ? "" : "s", side);
+    double start = omp_get_wtime();
+    atomic_file_hold();
+    int status = gates_run_program(g, jobs, r->resume, why);
+    if (atomic_file_noted()) gates_cut(g, atomic_file_noted());
+    if (!status) status = write_all(g, r, omp_get_wtime() - start, why);
+    atomic_file_release();
+    return status;
 }
 
 static int verify(const struct request *r, struct gate_file *file, struct gates *g, struct failure *why) {
@@ -124,18 +153,10 @@ static int verify(const struct request *r, struct gate_file *file, struct gates 
     if (atomic_file_check(r->json_path, why) || atomic_file_check(r->junit_path, why)) return why->status;
     if (atomic_file_check(r->page_path, why)) return why->status;
     if (collect(r, file, g, origin, why)) return why->status;
-    if (g->program && g->program->solver)
-        fprintf(stderr, "heatladder: the program is run some %d time%s, one after the other\n", gates_runs(g),
-                gates_runs(g) == 1 ? "" : "s");
+    if (g->program && g->program->solver) return verify_program(r, g, why);
     double start = omp_get_wtime();
     gates_run(g);
-    print_gates(g, r->verbose, omp_get_wtime() - start);
-    if (!r->only && !r->quick && !r->skip && !g->origin && ungated())
-        printf("%d pairs of scene and method have no gated ladder (see: heatladder list gates)\n", ungated());
-    if (r->json_path && write_json(g, r->json_path, why)) return why->status;
-    if (r->junit_path && junit_write(g, r->junit_path, why)) return why->status;
-    if (r->page_path && write_page(g, r, why)) return why->status;
-    return STATUS_OK;
+    return write_all(g, r, omp_get_wtime() - start, why);
 }
 
 int verb_verify(const struct request *r, struct failure *why) {

@@ -1,0 +1,141 @@
+/* Runs side by side.  A case is known by its directory; two rows that ask for the same one get the same answer, and
+ * the one that comes later waits without a turn of its own. */
+#include "verification/foreign/runs.h"
+
+#include "solver/status.h"
+#include "verification/text/atomic_file.h"
+#include "verification/text/progress.h"
+
+#include <omp.h>
+#include <pthread.h>
+#include <stdlib.h>
+#include <string.h>
+
+enum { NOT_EXECUTABLE = 126, NOT_FOUND = 127 }; /* exit statuses of a shell */
+
+struct run {
+    char *dir, *text;
+    int over;
+    double seconds;
+    struct failure end;
+};
+
+struct runs {
+    pthread_mutex_t lock;
+    pthread_cond_t changed;
+    int jobs, going, ended, total, resume, absent, answered;
+    double start;
+    struct run *run;
+    size_t count;
+    struct failure absence;
+    struct progress *progress;
+};
+
+struct runs *runs_create(int jobs, int total, int resume, struct progress *progress) {
+    struct runs *r = xcalloc(1, sizeof *r);
+    r->jobs = jobs, r->total = total, r->resume = resume, r->progress = progress;
+    r->start = omp_get_wtime();
+    pthread_mutex_init(&r->lock, NULL);
+    pthread_cond_init(&r->changed, NULL);
+    return r;
+}
+
+void runs_free(struct runs *r) {
+    for (size_t i = 0; r && i < r->count; i++) {
+        free(r->run[i].dir);
+        free(r->run[i].text);
+    }
+    if (r) {
+        pthread_cond_destroy(&r->changed);
+        pthread_mutex_destroy(&r->lock);
+        free(r->run);
+    }
+    free(r);
+}
+
+static char *copy(const char *text) {
+    size_t size = strlen(text) + 1;
+    return memcpy(xcalloc(size, 1), text, size);
+}
+
+static struct run *find(const struct runs *r, const char *dir) {
+    for (size_t i = 0; dir && i < r->count; i++)
+        if (strcmp(r->run[i].dir, dir) == 0) return &r->run[i];
+    return NULL;
+}
+
+static void show(const struct runs *r, const char *row, const char *dx) {
+    double spent = omp_get_wtime() - r->start, left = r->ended ? spent / r->ended * (r->total - r->ended) : 0;
+    if (!r->progress) return;
+    if (r->ended && left > 0)
+        progress_now(r->progress, "%s, dx %s: run %d of %d, some %.0f s left", row, dx, r->ended + r->going, r->total,
+                     left);
+    else
+        progress_now(r->progress, "%s, dx %s: run %d", row, dx, r->ended + r->going);
+}
+
+/* With the lock.  1 where no more is to be run. */
+static int is_over(const struct runs *r, struct failure *why) {
+    if (atomic_file_noted())
+        refuse(why, STATUS_NUMERICAL, "--solver: interrupted by signal %d", atomic_file_noted());
+    else if (r->absent)
+        *why = r->absence;
+    return atomic_file_noted() || r->absent;
+}
+
+/* With the lock; *r->run may move while this waits. */
+static enum runs_turn wait_for_turn(struct runs *r, const char *dir, const char *text, double *seconds,
+                                    struct failure *why) {
+    for (;;) {
+        const struct run *same = find(r, dir);
+        if (same && same->over && strcmp(same->text, text) == 0) {
+            *seconds = same->seconds, *why = same->end;
+            return RUNS_BEFORE;
+        }
+        if (is_over(r, why)) return RUNS_OVER;
+        int apart = same && strcmp(same->text, text) != 0;
+        if (r->going < r->jobs && (!same || apart)) return apart ? RUNS_APART : RUNS_NOW;
+        pthread_cond_wait(&r->changed, &r->lock);
+    }
+}
+
+enum runs_turn runs_begin(struct runs *r, const char *dir, const char *text, const char *row, const char *dx,
+                          double *seconds, struct failure *why) {
+    pthread_mutex_lock(&r->lock);
+    enum runs_turn turn = wait_for_turn(r, dir, text, seconds, why);
+    if (turn == RUNS_NOW && dir) {
+        r->run = xgrow(r->run, r->count, r->count + 1, sizeof *r->run);
+        r->run[r->count++] = (struct run){.dir = copy(dir), .text = copy(text)};
+    }
+    if (turn == RUNS_NOW || turn == RUNS_APART) {
+        r->going++;
+        show(r, row, dx);
+    }
+    pthread_mutex_unlock(&r->lock);
+    return turn;
+}
+
+void runs_end(struct runs *r, const char *dir, int code, double seconds, const struct failure *why) {
+    pthread_mutex_lock(&r->lock);
+    struct run *run = find(r, dir);
+    r->going--;
+    r->ended++;
+    if (run) run->over = 1, run->seconds = seconds, run->end = *why;
+    if (code != NOT_EXECUTABLE && code != NOT_FOUND) {
+        r->answered = 1;
+    } else if (!r->answered && !r->absent) {
+        r->absent = 1;
+        r->absence = *why;
+    }
+    pthread_cond_broadcast(&r->changed);
+    pthread_mutex_unlock(&r->lock);
+}
+
+int runs_resumed(const struct runs *r) {
+    return r->resume;
+}
+
+int runs_absent(const struct runs *r, struct failure *why) {
+    if (r->absent) *why = r->absence;
+    return r->absent;
+}

@@ -1,0 +1,36 @@
+#ifndef HEATLADDER_VERIFICATION_FOREIGN_RUNS_H
+#define HEATLADDER_VERIFICATION_FOREIGN_RUNS_H
+
+/* What the runs of one program share: how many go on at a time, how each case ended, and whether the program is there
+ * at all.  All functions may be called from any thread. */
+
+struct failure;
+struct progress;
+struct runs;
+
+/* At most `jobs` at a time, of some `total` cases.  resume: what lies in a case's directory is taken for its answer.
+ * *progress shows what is run; NULL for nowhere.  End with runs_free. */
+struct runs *runs_create(int jobs, int total, int resume, struct progress *progress);
+void runs_free(struct runs *r);
+
+enum runs_turn {
+    RUNS_NOW,    /* the caller runs the case, then calls runs_end */
+    RUNS_BEFORE, /* it was run: *why and *seconds say how it ended */
+    RUNS_APART,  /* as RUNS_NOW, but in another directory: this one has another case's answer */
+    RUNS_OVER    /* no more is run, for the reason *why */
+};
+
+/* Waits for a turn, and for the end of the same case where it is being run.  `dir` is the directory of the case and
+ * `text` its file; NULL for a run that is shared with none.  `row` and `dx` are shown. */
+enum runs_turn runs_begin(struct runs *r, const char *dir, const char *text, const char *row, const char *dx,
+                          double *seconds, struct failure *why);
+
+/* After RUNS_NOW and RUNS_APART (dir NULL); `code` is the exit status, as a shell has it. */
+void runs_end(struct runs *r, const char *dir, int code, double seconds, const struct failure *why);
+
+int runs_resumed(const struct runs *r); /* 1 where runs_create was asked to */
+
+/* 1 where the first case could not be run at all, with the reason in *why. */
+int runs_absent(const struct runs *r, struct failure *why);
+
+#endif

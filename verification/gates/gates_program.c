@@ -1,0 +1,71 @@
+/* Gates that another program answers.  Rows run side by side, twice as many as cases may: while one is judged, or
+ * waits for a case that another row has begun, the program runs for the next. */
+#include "verification/gates/gates.h"
+
+#include "solver/status.h"
+#include "verification/foreign/program.h"
+#include "verification/foreign/runs.h"
+#include "verification/foreign/scratch.h"
+#include "verification/text/atomic_file.h"
+#include "verification/text/progress.h"
+
+#include <math.h>
+#include <omp.h>
+#include <stdlib.h>
+
+struct job {
+    int gate, rungs;
+};
+
+static int most_rungs_first(const void *a, const void *b) {
+    const struct job *x = a, *y = b;
+    return x->rungs != y->rungs ? y->rungs - x->rungs : x->gate - y->gate;
+}
+
+static void show_row(const struct gates *g, const struct gate_result *r, struct progress *progress) {
+    const struct measured *m = &r->measured;
+    int passed = m->verdict == VERDICT_PASS;
+    progress_print(progress, "%d of %d  %s  %s%s%s  %.1f s", progress->done, g->declared, r->gate.id,
+                   verdict_words[m->verdict], passed ? "" : ": ", passed ? "" : m->reason, r->seconds);
+}
+
+static void run_row(struct gates *g, struct gate_result *result, const struct program *program,
+                    struct progress *progress) {
+    struct failure ignored;
+    if (atomic_file_noted() || runs_absent(program->runs, &ignored)) return;
+    gates_run_row(g, result, program);
+    if (atomic_file_noted() || runs_absent(program->runs, &ignored)) return; /* no verdict: its runs were cut off */
+    result->executed = 1;
+#pragma omp critical(gates_row)
+    {
+        progress->done++;
+        show_row(g, result, progress);
+    }
+}
+
+static void run_rows(struct gates *g, int jobs, const struct program *program, struct progress *progress) {
+    struct job *job = xcalloc((size_t)g->declared, sizeof *job);
+    for (int i = 0; i < g->declared; i++) job[i] = (struct job){i, gates_rungs(&g->result[i].gate, program)};
+    if (jobs > 1) qsort(job, (size_t)g->declared, sizeof *job, most_rungs_first);
+#pragma omp parallel for schedule(dynamic, 1) num_threads(2 * jobs) if (jobs > 1)
+    for (int i = 0; i < g->declared; i++) run_row(g, &g->result[job[i].gate], program, progress);
+    free(job);
+}
+
+int gates_run_program(struct gates *g, int jobs, const char *resume, struct failure *why) {
+    struct program program = *g->program;
+    struct scratch scratch;
+    struct progress progress = progress_start("rows", g->declared);
+    if (resume) program.keep = resume;
+    int kept = program.keep != NULL;
+    if (!kept && scratch_open(&scratch, why)) return why->status;
+    if (!kept) program.keep = scratch.dir;
+    program.runs = runs_create(jobs, gates_runs(g), resume != NULL, &progress);
+    run_rows(g, jobs, &program, &progress);
+    progress_end(&progress);
+    for (int i = 0; i < g->declared; i++) g->executed += g->result[i].executed;
+    int status = runs_absent(program.runs, why) ? STATUS_INPUT : STATUS_OK;
+    runs_free(program.runs);
+    if (!kept) scratch_close(&scratch);
+    return status;
+}
