@@ -283,24 +283,32 @@ static int take_block(const struct mesh *m, size_t begin, size_t end, struct vor
     return status;
 }
 
-/* The face of cell j towards particle i; NULL where it has none. */
-static double *face_towards(const struct voronoi *v, size_t j, size_t i) {
-    for (size_t k = v->begin[j]; k < v->begin[j + 1]; k++)
-        if (v->point[k] == i) return &v->face[k];
+/* The other side of face k of cell i, towards particle j or an image of it: NULL where cell j has none. */
+static double *other_side(const struct voronoi *v, const struct cloud *c, double spacing, size_t i, size_t k) {
+    size_t p = v->point[k], j = c->source[p];
+    for (size_t l = v->begin[j]; l < v->begin[j + 1]; l++) {
+        size_t q = v->point[l];
+        if (p < v->n ? q == i
+                     : q >= v->n && c->source[q] == i && /* of images that at the opposite place */
+                           fabs(c->x[q] - c->x[j] + c->x[p] - c->x[i]) < 1e-9 * spacing &&
+                           fabs(c->y[q] - c->y[j] + c->y[p] - c->y[i]) < 1e-9 * spacing)
+            return &v->face[l];
+    }
     return NULL;
 }
 
-/* One face for both particles of a pair; none towards the image of another particle, beyond the wall. */
-static void agree(struct voronoi *v, double spacing, int threads) {
+/* One face for both particles of a pair, across a periodic side too; none towards the image of another particle
+ * beyond a wall. */
+static void agree(struct voronoi *v, const struct cloud *c, double spacing, int threads) {
 #pragma omp parallel for schedule(static) num_threads(threads)
     for (size_t i = 0; i < v->n; i++)
         for (size_t k = v->begin[i]; k < v->begin[i + 1]; k++) {
-            size_t j = v->point[k];
-            if (j >= v->n) {
+            size_t j = c->source[v->point[k]];
+            if (j == i) { /* its own image: part of a wall */
                 if (v->face[k] < NOTHING * spacing) v->face[k] = 0;
                 continue;
             }
-            double *other = face_towards(v, j, i);
+            double *other = other_side(v, c, spacing, i, k);
             if (other && i > j) continue; /* that is done from j */
             double both = other ? (v->face[k] + *other) / 2 : 0;
             if (both < NOTHING * spacing) both = 0;
@@ -410,7 +418,7 @@ int voronoi_create(struct voronoi *v, const struct problem *p, const struct clou
         size_t faces = assembly_list_join(part, &v->point, &v->face);
         v->bytes = faces * (sizeof *v->point + sizeof *v->face) + (v->n + 1) * sizeof *v->begin +
                    v->n * sizeof(double) * (v->beyond ? 2 : 1);
-        agree(v, m.spacing, threads);
+        agree(v, c, m.spacing, threads);
     }
     assembly_list_free(part);
     if (first_bad == ASSEMBLY_BLOCKS) return STATUS_OK;
