@@ -80,7 +80,7 @@ $(BUILD)/scenes.inc: $(call differs,$(BUILD)/scenes.inc,$(SCENE_LIST))
 # The release, and the commit: git's where this is its tree and not one that lies in another's, or the archive's.  Where
 # git does not answer (another user's tree) what was built keeps its own.
 # archive of $Format:%h$
-VERSION := 1.0.0
+VERSION := 2.0.0
 ARCHIVE := $(shell sed -n 's/^\# archive of \([0-9a-f]*\)$$/\1/p' Makefile)
 COMMIT  := $(if $(wildcard .git),$(shell git describe --always --dirty=+ 2>/dev/null),$(ARCHIVE))
 VERSION_LINE := \#define VERSION_TEXT "$(VERSION)$(if $(COMMIT), ($(COMMIT)))"
