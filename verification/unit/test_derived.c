@@ -56,6 +56,29 @@ static void exact_for_polynomials(void **state) {
     field_free(&f);
 }
 
+/* k = 0.3 and 0.0007 W/m/K at either side of x = 0.4 m, one slope: each wall conducts by what is at it. */
+static void a_wall_of_two_layers_has_the_conductivity_at_it(void **state) {
+    (void)state;
+    struct problem p = {.dim = 1,
+                        .lo = {-1, 0},
+                        .hi = {2, 0},
+                        .materials = 2,
+                        .interface = 0.4,
+                        .material = {{{0.3, 0.3}, 1.9}, {{0.0007, 0.0007}, 0.6}}};
+    struct field f;
+    struct failure why;
+    double low, high;
+    field_alloc(&f, 1, 30);
+    for (int i = 0; i < 30; i++) f.x[i] = -1 + 0.1 * (i + 0.5), f.T[i] = 2.3 - 1.7 * f.x[i];
+    for (int side = X_LO; side <= X_HI; side++)
+        if (derived_value(&(struct quantity){.kind = QUANTITY_FLUX, .side = (enum side)side}, &p, &f, 0.1,
+                          side == X_LO ? &low : &high, &why))
+            fail_msg("%s", why.text);
+    assert_near(low, 0.3 * 1.7, 1e-10);
+    assert_near(high, -0.0007 * 1.7, 1e-12);
+    field_free(&f);
+}
+
 static void climb(const char *line, struct ladder *l, int wanted, const char *because) {
     struct request r;
     struct failure why = {0};
@@ -86,6 +109,7 @@ static void what_has_no_value_is_refused(void **state) {
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(exact_for_polynomials),
+        cmocka_unit_test(a_wall_of_two_layers_has_the_conductivity_at_it),
         cmocka_unit_test(a_ladder_of_its_own),
         cmocka_unit_test(what_has_no_value_is_refused),
     };

@@ -3,6 +3,7 @@
 #include "verification/unit/ftcs_problems.h"
 
 #include <gsl/gsl_errno.h>
+#include <string.h>
 
 /* -dx^2/kappa times the symbol on a mode, along one axis. */
 static double symbol(const struct method *m, double number, double dx, double extent) {
@@ -233,6 +234,21 @@ static void test_source_that_changes_is_that_of_the_old_time(void **state) {
     }
 }
 
+/* A cooled wall has no place on nodes, whichever of the sides it is. */
+static void test_a_cooled_side_is_refused_on_nodes(void **state) {
+    (void)state;
+    for (int dim = 1; dim <= 2; dim++)
+        for (int side = 0; side < 2 * dim; side++) {
+            struct problem p = dim == 2 ? plane(5, 3) : rod(13);
+            struct options o = {.dx = 0.046, .dt = 0.00061, .layout = LAYOUT_NODE};
+            struct failure why = {0};
+            struct field f;
+            p.side[side] = ROBIN, p.robin[side] = 0.31;
+            assert_int_equal(method_solve(&method_ftcs, &p, &o, &f, &why), STATUS_NOT_APPLICABLE);
+            assert_non_null(strstr(why.text, "a Robin wall lies midway between a point and its ghost"));
+        }
+}
+
 static void test_matched_is_fourth_order(void **state) {
     (void)state;
     double matched, plain;
@@ -257,6 +273,7 @@ int main(void) {
         cmocka_unit_test(test_heat_balance),
         cmocka_unit_test(test_matched_starts_late),
         cmocka_unit_test(test_source_that_changes_is_that_of_the_old_time),
+        cmocka_unit_test(test_a_cooled_side_is_refused_on_nodes),
         cmocka_unit_test(test_matched_is_fourth_order),
     };
     return cmocka_run_group_tests_name("ftcs", tests, NULL, NULL);

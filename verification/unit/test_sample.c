@@ -138,6 +138,25 @@ static void walls_continue_the_data(void **state) {
     both(&p, SAMPLING_SPLINE, low[0], low[1], slope(&p, low), 1e-15);
 }
 
+static double met(const struct problem *p, const double x[2]) {
+    double wall = p->wall(p, X_HI, NULL), slope = p->robin[X_HI] * (wall - 1.4) / p->material[1].k[0];
+    return 1.4 + slope * (x[0] - p->hi[0]);
+}
+
+/* Linear data that meet k dT/dn = b (wall - T) go on beyond the wall as they are: k is that of the second material.
+ */
+static void a_cooled_wall_of_two_materials_continues_the_data(void **state) {
+    (void)state;
+    struct problem p = odd_rod();
+    p.materials = 2, p.interface = 0.4;
+    p.material[1] = (struct material){{0.0311, 0.19}, 0.9};
+    p.side[X_HI] = ROBIN, p.robin[X_HI] = 0.27;
+    p.initial = met;
+    const double at[2] = {1.15 - 0.2 * dx[0], 0};
+    both(&p, SAMPLING_CELL, at[0], 0, met(&p, at), 1e-14);
+    both(&p, SAMPLING_SPLINE, at[0], 0, met(&p, at), 1e-14);
+}
+
 /* A parabola between two jumps, cold outside. */
 static double hump(const struct problem *p, const double x[2]) {
     double inside = x[0] >= p->jump[0][0] && x[0] <= p->jump[0][1];
@@ -189,9 +208,13 @@ static void a_lattice_shares_its_nodes(void **state) {
 int main(void) {
     gsl_set_error_handler_off();
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(averages_have_the_splines_moments), cmocka_unit_test(jumps_are_cut),
-        cmocka_unit_test(images_of_jumps_are_cut),           cmocka_unit_test(walls_continue_the_data),
-        cmocka_unit_test(a_lattice_shares_its_nodes),        cmocka_unit_test(walls_that_data_meet_keep_fourth_order),
+        cmocka_unit_test(averages_have_the_splines_moments),
+        cmocka_unit_test(jumps_are_cut),
+        cmocka_unit_test(images_of_jumps_are_cut),
+        cmocka_unit_test(walls_continue_the_data),
+        cmocka_unit_test(a_cooled_wall_of_two_materials_continues_the_data),
+        cmocka_unit_test(a_lattice_shares_its_nodes),
+        cmocka_unit_test(walls_that_data_meet_keep_fourth_order),
         cmocka_unit_test(averages_keep_heat_and_its_place),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
