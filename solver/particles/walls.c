@@ -18,7 +18,7 @@ static const struct wall_treatment *const table[] = {
 #undef WALLS
 
 static const char *const kind_word[] = {"Dirichlet", "Neumann", "Robin", "periodic"};
-static const double WIDEST = 2.2; /* h: as far as a search grows */
+static const double WIDEST = 3; /* h: as far as a search grows */
 
 static const struct wall_treatment *treatment(const struct options *o) {
     for (int i = 0; table[i]; i++)
