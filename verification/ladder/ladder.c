@@ -236,14 +236,17 @@ static void climb_draws(const struct experiment *e, const struct ladder_rungs *r
     free(sum);
 }
 
-/* Draws differ in nothing but a seed: of a program's own, or of a cloud. */
+/* Draws differ in nothing but a seed: of a program's own, of a cloud, or of where a lattice lies under a round body.
+ */
 static int check_seeds(const struct experiment *e, const struct ladder *l, struct failure *why) {
-    int cloud = e->options.layout == LAYOUT_JITTER || e->options.layout == LAYOUT_RELAXED;
+    const struct options *o = &e->options;
+    int cloud = o->layout == LAYOUT_JITTER || o->layout == LAYOUT_RELAXED;
+    int lattice = e->problem.shape && !(o->has_origin && o->has_angle);
     if (l->in_time || l->vary[0])
         return refuse(why, STATUS_INPUT, "--seeds: of a ladder in dx, not in a time step or a parameter");
-    if (!e->program.solver && !cloud)
+    if (!e->program.solver && !cloud && !lattice)
         return refuse(why, STATUS_INPUT,
-                      "--seeds needs --solver, or --layout jitter or relaxed: nothing else is drawn");
+                      "--seeds needs --solver, --layout jitter or relaxed, or a round body: nothing else is drawn");
     return STATUS_OK;
 }
 
