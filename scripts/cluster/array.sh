@@ -1,6 +1,4 @@
 #!/bin/sh
 # One task a case: sbatch --array=1-$(wc -l < cases/cases.txt) array.sh
 #SBATCH --output=cases/slurm-%A_%a.log
-dir=$(sed -n "${SLURM_ARRAY_TASK_ID}p" cases/cases.txt)
-[ ! -f "$dir/out.csv" ] || exit 0                      # answered by an earlier submission
-./mycode "$dir/case" "$dir/out.part" && mv "$dir/out.part" "$dir/out.csv"
+exec heatladder case --run "$(sed -n "${SLURM_ARRAY_TASK_ID}p" cases/cases.txt)" --solver './mycode {case} {out}'

@@ -10,15 +10,31 @@
 #include <math.h>
 #include <string.h>
 
+/* Cases to write, of a scene or of the battery; or one to run. */
+static int check_case(const struct request *r, struct failure *why) {
+    const struct program *g = &r->experiment.program;
+    if (r->run_case) {
+        if (r->experiment.scene || r->battery || r->into)
+            return refuse(why, STATUS_INPUT, "--run DIR runs the case that is there: leave out %s",
+                          r->into      ? "--into"
+                          : r->battery ? "--battery"
+                                       : r->experiment.scene->name);
+        return g->solver ? STATUS_OK : refuse(why, STATUS_INPUT, "--run DIR needs --solver 'CMD'");
+    }
+    if (g->solver) return refuse(why, STATUS_INPUT, "case --solver needs --run DIR: the case to be run");
+    if (r->experiment.scene && r->battery) return refuse(why, STATUS_INPUT, "--battery has scenes of its own");
+    if (!r->experiment.scene && !r->battery)
+        return refuse(why, STATUS_INPUT,
+                      "case needs a scene, or --battery: heatladder case SCENE --dx A,B,C --into DIR");
+    if (r->experiment.scene && !r->rungs.dx.count)
+        return refuse(why, STATUS_INPUT, "case needs --dx A,B,C,...: the spacings");
+    return r->into ? STATUS_OK : refuse(why, STATUS_INPUT, "case needs --into DIR: where the cases go");
+}
+
 int checks_required(const struct request *r, struct failure *why) {
     if (strcmp(r->verb->name, "ladder") == 0 && !r->rungs.dx.count && !r->experiment.program.results)
         return refuse(why, STATUS_INPUT, "ladder needs --dx A,B,C,..., or --results DIR with a directory a spacing");
-    if (strcmp(r->verb->name, "case") == 0 && !r->experiment.scene == !r->battery)
-        return refuse(why, STATUS_INPUT,
-                      "case needs a scene, or --battery: heatladder case SCENE --dx A,B,C --into DIR");
-    if (r->experiment.scene && r->battery) return refuse(why, STATUS_INPUT, "--battery has scenes of its own");
-    if (strcmp(r->verb->name, "case") == 0 && r->experiment.scene && !r->rungs.dx.count)
-        return refuse(why, STATUS_INPUT, "case needs --dx A,B,C,...: the spacings");
+    if (strcmp(r->verb->name, "case") == 0 && check_case(r, why)) return why->status;
     for (const struct option *o = options_table; o->key; o++)
         if (words_among(r->verb->required, o->key) && !r->given[o - options_table])
             return refuse(why, STATUS_INPUT, "%s needs --%s %s: %s", r->verb->name, o->name, o->value, o->about);

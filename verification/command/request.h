@@ -35,6 +35,7 @@ struct request {
     unsigned long draw;      /* battery: the seed of its draw; 0: as it is written */
     int jobs;                /* verify: cases of a program side by side; 0: 1 */
     const char *resume;      /* verify: the directory that --keep left; NULL for none */
+    const char *run_case;    /* case: the directory of the one to run; NULL for none */
     int battery;             /* case: 1: the cases of the battery */
     const char *bench_scene; /* bench: the one scene; NULL for all */
     int peers;               /* bench: 1: the codes of others beside ours */
