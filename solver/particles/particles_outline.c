@@ -2,7 +2,8 @@
  * lattice, its operator and its steps without its states.
  *
  * Rows are assembled to be counted, up to ASSEMBLED particles.  Past that those of a lattice `finer` times coarser
- * stand in: they have as many entries a particle, and a spectrum finer^2 times smaller. */
+ * stand in: they have as many entries a particle, and a spectrum finer^2 times smaller.  Where no coarser one divides
+ * the domain, its cells are about square: to 1/(2 n), n along the shorter side. */
 #include "solver/particles/particles.h"
 #include "solver/particles/start.h"
 #include "solver/outline.h"
@@ -107,6 +108,14 @@ static double coarsening(const struct problem *p, const struct options *o, const
         with.dx = m * o->dx;
         if (n / pow(m, p->dim) <= ASSEMBLED / 4 && !layout_lattice(p, &with, 1, coarse, &ignored)) return m;
     }
+    double m = pow(n / (ASSEMBLED / 4), 1.0 / p->dim), spacing[2] = {1, 1};
+    for (int a = 0; a < p->dim; a++) {
+        double extent = p->hi[a] - p->lo[a];
+        spacing[a] = extent / fmax(1, nearbyint(extent / l->dx[a] / m));
+    }
+    with.dx = spacing[0];
+    double ratio = p->dim == 2 ? spacing[1] / spacing[0] : 1;
+    if (n > ASSEMBLED && !layout_lattice(p, &with, ratio, coarse, &ignored)) return with.dx / o->dx;
     *coarse = *l;
     return 1;
 }

@@ -126,6 +126,32 @@ static void many_rows_are_estimated(void **state) {
     arguments_free(&r);
 }
 
+/* Where a number of cells has no factor (457) or the sides have none in common (670 = 10 x 67 and 469 = 7 x 67), the
+ * plan is that of the next lattice that has: 1/200 of a cell's side is left, and jitter of another draw. */
+static void a_lattice_that_nothing_divides_is_estimated_too(void **state) {
+    (void)state;
+    static const char *const pair[][2] = {
+        {"square-step so_ssph --dx 4/457", "square-step so_ssph --dx 4/456"},
+        {"rect-manufactured so_ssph --dx 0.1/67", "rect-manufactured so_ssph --dx 0.1/66"}};
+    for (int k = 0; k < 2; k++) {
+        struct request r[2];
+        struct plan plan[2];
+        double bytes[2];
+        for (int i = 0; i < 2; i++) {
+            char line[160];
+            snprintf(line, sizeof line, "plan %s --layout jitter --jitter 0.2 --seed 1 --stepper rkl2 --dt 0.01",
+                     pair[k][i]);
+            plan_of(line, &r[i], &plan[i]);
+            bytes[i] = (double)plan[i].part.bytes[OUTLINE_STEPS] / (double)plan[i].particles;
+            assert_true(plan[i].part.stand_in > 1.9 * plan[i].options.dx);
+        }
+        assert_near(plan[0].part.neighbours / plan[1].part.neighbours, 1, 0.01);
+        assert_near(bytes[0] / bytes[1], 1, 0.01);
+        assert_true(abs(plan[0].part.run.stages - plan[1].part.run.stages) <= 2);
+        for (int i = 0; i < 2; i++) arguments_free(&r[i]);
+    }
+}
+
 static void a_method_that_does_not_tell_has_no_plan(void **state) {
     (void)state;
     struct request r;
@@ -196,9 +222,13 @@ static void refusals_are_those_of_the_run(void **state) {
 
 int main(void) {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(runs_do_what_was_planned), cmocka_unit_test(what_is_allocated_was_planned),
-        cmocka_unit_test(many_rows_are_estimated),  cmocka_unit_test(a_method_that_does_not_tell_has_no_plan),
-        cmocka_unit_test(open_steps_are_predicted), cmocka_unit_test(refusals_are_those_of_the_run),
+        cmocka_unit_test(runs_do_what_was_planned),
+        cmocka_unit_test(what_is_allocated_was_planned),
+        cmocka_unit_test(many_rows_are_estimated),
+        cmocka_unit_test(a_lattice_that_nothing_divides_is_estimated_too),
+        cmocka_unit_test(a_method_that_does_not_tell_has_no_plan),
+        cmocka_unit_test(open_steps_are_predicted),
+        cmocka_unit_test(refusals_are_those_of_the_run),
     };
     return cmocka_run_group_tests_name("plan", tests, NULL, NULL);
 }
