@@ -29,7 +29,7 @@ struct cooled_plate *cooled_plate(double W, double H, double h, double hot, doub
  * those of a lattice, row by row. */
 void cooled_plate_at(const struct cooled_plate *c, size_t n, const double *x, const double *y, struct surface *T);
 
-/* The same temperature from the steady sine or cosine series less the transient one, summed anew for each point; s
+/* The same temperature from the steady sine or cosine series less the transient one, summed for each point; s
  * may be INFINITY. */
 struct approx cooled_plate_series(double W, double H, double h, double hot, double start, double s,
                                   const double x[2]);

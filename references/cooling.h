@@ -1,7 +1,7 @@
 #ifndef HEATLADDER_REFERENCES_COOLING_H
 #define HEATLADDER_REFERENCES_COOLING_H
 
-/* A slab [0, L] whose end x = L is cooled, dT/dx = -h T with h = b/k, m^-1; the other is held at zero or insulated.
+/* A slab [0, L] with its end x = L cooled, dT/dx = -h T with h = b/k, m^-1; the other is held at zero or insulated.
  */
 
 /* sin(q x) where the other end is held, cos(q x) where it is insulated. */

@@ -31,7 +31,7 @@ void layers_contour(const struct layers *w, double t, struct layers_contour *c);
 /* T, K, and dT/dx at -width[0] <= x <= width[1]; good to 1e-12 of the largest temperature difference. */
 struct curve layers_contour_at(const struct layers_contour *c, double x);
 
-/* What is left of the start at one time, in eigenfunctions, where both layers start alike. */
+/* What is left of the start at one time, in eigenfunctions, where both layers start at the same temperature. */
 enum { LAYERS_MODES = 2048 };
 struct layers_modes {
     struct layers w;

@@ -16,7 +16,7 @@ struct method {
     const char *about;   /* one line, with its equation */
     const char *accepts; /* the options that have a meaning here, separated by blanks: "stepper kernel h ..." */
     const struct scheme *scheme; /* NULL for a method that is not a particle method */
-    /* As method_solve and method_outline; `outline` is NULL for a method that does not tell. */
+    /* As method_solve and method_outline; `outline` is NULL for a method without one. */
     int (*solve)(const struct method *m, const struct problem *p, const struct options *o, struct field *f,
                  struct failure *why);
     int (*outline)(const struct method *m, const struct problem *p, const struct options *o, struct outline *out,

@@ -49,7 +49,7 @@ struct options {
     double shift;              /* of the lattice of a rod or rectangle along each axis, in dx, 0 to 1 */
     int has_origin, has_angle; /* 0: drawn by the seed */
     double origin[2], angle;   /* of the lattice of a round body: in dx; in degrees */
-    int redraw;                /* steps after which the cloud is drawn anew; 0: never */
+    int redraw;                /* steps between two draws of the cloud; 0: never redrawn */
     enum sampling sampling;
     enum walls walls;
     enum mean mean;

@@ -1,7 +1,7 @@
 #ifndef HEATLADDER_SOLVER_OUTLINE_H
 #define HEATLADDER_SOLVER_OUTLINE_H
 
-/* What a run would store and do, told by its method without doing it. */
+/* What a run would store and do, as its method predicts it without running. */
 
 #include "solver/field.h"
 

@@ -10,7 +10,7 @@ enum {
     STATUS_GATE = 1,           /* measured, and outside of what was asked for */
     STATUS_INPUT = 2,          /* bad usage or input */
     STATUS_NUMERICAL = 3,      /* a singular matrix, a program that failed */
-    STATUS_INCONCLUSIVE = 4,   /* measured, and not enough to tell */
+    STATUS_INCONCLUSIVE = 4,   /* measured, but not enough for a verdict */
     STATUS_NOT_APPLICABLE = 5, /* good input, for which this method has no answer */
     STATUS_UNSTABLE = 6,       /* T grew without bound */
     STATUS_SKIPPED = 77        /* another program says that the case is not for it (as GNU Automake's tests do) */

@@ -13,7 +13,7 @@ struct failure;
 /* Into a stream: a paragraph, an object, a line or a table row a claim. */
 void claims_write_text(const struct claims *c, FILE *out);
 void claims_write_json(const struct claims *c, FILE *out);
-/* As text those alone whose verdict is not the expected one, and the count of all. */
+/* As text the claims with an unexpected verdict, and the count of all. */
 void claims_write_changed(const struct claims *c, FILE *out);
 void claims_write_csv(const struct claims *c, FILE *out);
 void claims_write_markdown(const struct claims *c, FILE *out);

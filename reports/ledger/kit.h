@@ -30,7 +30,7 @@ int kit_part(const char **rest, char *part, size_t size);
 int kit_run(struct command_run *run, struct claims_measured *m, const char *command, ...)
     __attribute__((format(printf, 3, 4)));
 
-/* The same, of which the measures alone are kept: nothing to free. */
+/* The same; only the measures are kept, so that nothing is to be freed. */
 int kit_result(struct result *out, struct claims_measured *m, const char *command, ...)
     __attribute__((format(printf, 3, 4)));
 
@@ -41,7 +41,7 @@ int kit_published(struct published *t, struct claims_measured *m, const char *na
 void kit_quote(struct claims_measured *m, const struct published *t, int row);
 
 /* The verdict on an order in [lo, hi], of errors that fall with x: the rule of the gates (judge.h).  *held: whether
- * it passes.  0, or 1 with *m failed, where rungs cannot tell. */
+ * it passes.  0, or 1 with *m failed, where the rungs do not decide. */
 int kit_judge(int *held, struct claims_measured *m, const struct judged *l, double lo, double hi);
 
 /* The same, of E1 over "ladder ..."; *slope: the fitted order.  No verdict where held is NULL. */

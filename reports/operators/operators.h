@@ -10,7 +10,7 @@ struct failure;
  * against neighbours), operators_growth.csv, operators_redraw.csv.  Progress goes to standard output. */
 int operators_write(const char *dir, struct failure *why);
 
-/* The data of the figure of a cloud that is drawn anew. */
+/* The data of the figure of a redrawn cloud. */
 int operators_redraw(FILE *out, struct failure *why);
 
 /* How often a mode grows on jittered clouds, and at what rate: every kind of cloud to csv, those that grow to md. */

@@ -4,7 +4,7 @@
 #include "solver/space/operator.h"
 #include "solver/time/stepper.h"
 
-/* Takes f->T through the march *m; after each o->redraw steps the cloud is drawn anew, with the next seed, and T
+/* Takes f->T through the march *m; after each o->redraw steps the cloud is redrawn with the next seed, and T is
  * carried over by SSPH of order 2.  *a and the places in *f follow. */
 int redraw_march(const struct problem *p, const struct options *o, const struct scheme *s, const struct lattice *l,
                  const struct march *m, struct heat_operator *a, struct field *f, struct failure *why);

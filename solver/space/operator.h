@@ -61,7 +61,7 @@ struct scheme { /* how a particle method weights neighbours; options are resolve
      * the particle, its neighbour count and the reason */
     int (*weights)(const struct problem *p, const struct options *o, const struct neighbourhood *nb, double *w[2],
                    struct failure *why);
-    /* 2 sweeps only, the same weights taken apart, w[a][j] = F[j] (C d_j)_a: F alike from either particle of a pair,
+    /* 2 sweeps only, the same weights taken apart, w[a][j] = F[j] (C d_j)_a: F symmetric in the pair,
      * C symmetric (xx, xy, yy), F C d^2 in units of 1 */
     int (*pairs)(const struct problem *p, const struct options *o, const struct neighbourhood *nb, double *F,
                  double C[3], struct failure *why);
@@ -112,7 +112,7 @@ void operator_free(struct heat_operator *a);
 int operator_neighbourhood(int dim, double dx, double h, double d[NEIGHBOURS_MAX][2], struct neighbourhood *nb,
                            struct failure *why);
 
-/* The stencil of a scheme on an unbounded lattice of spacing dx (m) along x and y alike and diffusivity kappa
+/* The stencil of a scheme on an unbounded lattice of spacing dx (m) along x and y and diffusivity kappa
  * (m^2 s^-1): *weight is a quadrant as in struct heat_operator, to be freed. */
 int operator_stencil(const struct problem *p, const struct options *o, const struct scheme *s, double dx,
                      const double kappa[2], int *reach, double **weight, struct failure *why);

@@ -3,7 +3,7 @@
 
 #include <stddef.h>
 
-/* Updates 0 .. count - 1 of `units` (rows of a lattice, or of a matrix), of which each reads what the one before has
+/* Updates 0 .. count - 1 of `units` (rows of a lattice, or of a matrix): each reads what the one before has
  * written up to `lag` units away, and may write over what that one has read. */
 struct wavefront {
     void (*advance)(const void *what, int k, ptrdiff_t lo, ptrdiff_t hi); /* update k of the units [lo, hi) */

@@ -27,7 +27,7 @@ struct stepper {
     const char *name, *about; /* as typed; one line */
     int order;                /* of its error in time; 0: it has no step to choose, or no error in time */
     int arrays; /* states: 2, or 3 where an update reads the state at the begin of the step (start, Y0) */
-    int stages; /* updates a step; 0: count tells */
+    int stages; /* updates a step; 0: as count returns */
     int (*count)(double dt, double bound); /* the fewest that a step of dt (s) takes to be stable */
     /* s: the step to take where one of `asked` is asked for (0: none); without this function it is `asked`, or half
      * of what is stable, 1/bound */

@@ -1,7 +1,8 @@
 #ifndef HEATLADDER_VERIFICATION_CHOOSE_CANDIDATE_H
 #define HEATLADDER_VERIFICATION_CHOOSE_CANDIDATE_H
 
-/* Combinations of method and options whose error falls with dx alone, so that a few coarse runs predict the rest. */
+/* Combinations of method and options with an error that falls with dx alone, so that a few coarse runs predict the
+ * rest. */
 
 #include "verification/run/result.h"
 

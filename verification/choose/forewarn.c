@@ -66,7 +66,7 @@ int forewarn(const char *what, double seconds) {
 
 int forewarn_next(struct forewarned *f, const char *what, double seconds) {
     f->all += seconds;
-    if (!(f->all > 2 * f->told) || !forewarn(what, f->all)) return 0;
-    f->told = f->all;
+    if (!(f->all > 2 * f->warned) || !forewarn(what, f->all)) return 0;
+    f->warned = f->all;
     return 1;
 }

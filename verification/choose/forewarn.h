@@ -10,17 +10,17 @@
 struct experiment;
 struct failure;
 
-extern const double forewarn_least; /* s: what takes less is not told */
+extern const double forewarn_least; /* s: a shorter run gets no warning */
 extern const double forewarn_rate;  /* s^-1 */
 extern const double forewarn_exact; /* s: of an exact temperature of the plane, at most; a fifth of it on a rod */
 
-/* Several runs, each known only when the one before is over: seconds of all so far, and as told last. */
+/* Several runs, each known only when the one before is over: seconds of all so far, and of the last warning. */
 struct forewarned {
-    double all, told;
+    double all, warned;
 };
 
 /* Seconds of the run of *e by its plan, the exact temperatures and the search for a time step with it.  0 where the
- * plan tells nothing or would take as long as the run: that is less than forewarn_least then. */
+ * plan gives no estimate or would take as long as the run: that is less than forewarn_least then. */
 double forewarn_seconds(const struct experiment *e);
 
 /* "3 minutes", "2.1 years" */
@@ -33,7 +33,7 @@ int forewarn(const char *what, double seconds);
  * would be once all is set up, or takes more memory than there is (memory.h). */
 int forewarn_run(const char *what, const struct experiment *e, struct failure *why);
 
-/* The same for one run more, where all are more than twice what was told. */
+/* The same for one run more, where all take more than twice the last warning. */
 int forewarn_next(struct forewarned *f, const char *what, double seconds);
 
 #endif

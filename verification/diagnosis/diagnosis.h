@@ -36,7 +36,7 @@ void diagnosis_find(const struct problem *p, const struct diagnosis_rung *fine, 
                     struct diagnosis *d);
 
 /* Two runs of the same that are `apart`, K, of fields as large as `largest`, K, are named where that is more than
- * sums in another order leave: what one field looks like tells nothing then.  1 where it is. */
+ * sums in another order leave: one field shows nothing then.  1 where it is. */
 int diagnosis_repeat(double apart, double largest, struct diagnosis *d);
 
 /* Temperatures that are all rounded to the same few digits, or to 24 bits, and an error (relative, E1) that this

@@ -21,8 +21,8 @@ enum fault_kind {
     FAULT_CORNER,       /* m: for a corner's cell of that size, sides of given temperature there are at zero */
     FAULT_EXTENT,       /* m: both sides across an axis lie so far outside */
     FAULT_START_SHIFT,  /* m: the initial data lie so far along an axis */
-    FAULT_START_WIDTH,  /* m: either jump of the initial data lies so far outwards along an axis */
-    FAULT_SAMPLES, /* 1: either jump lies midway between the points next to it along an axis, as from values there */
+    FAULT_START_WIDTH,  /* m: either jump of the initial data is so far out along an axis */
+    FAULT_SAMPLES,   /* 1: either jump is midway between the points next to it along an axis, as from values there */
     FAULT_INTERFACE, /* m: the interface of two materials */
     FAULT_MEAN,      /* m: the arithmetic mean of two conductivities over a length (a cell) across their contact */
     FAULT_AMPLITUDE  /* relative: all temperatures */

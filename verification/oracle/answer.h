@@ -15,7 +15,7 @@ struct answer {
     struct columns columns;
     int times;
     const double *time; /* s */
-    double cell;        /* m: extent of a cell where the points do not tell; 0 where not given */
+    double cell;        /* m: extent of a cell where the points have none; 0 where not given */
 };
 
 /* `count` >= 2 times evenly from `from` to `to` (s), both ends among them. */

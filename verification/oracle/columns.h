@@ -9,7 +9,7 @@ struct image;
 
 enum { COLUMNS_MAX = 24, COLUMNS_VALUES = 8 * COLUMNS_MAX };
 
-struct columns_row; /* what one point is told by */
+struct columns_row; /* the data of one point */
 
 struct columns_kind {
     const char *name;   /* as in --what */
@@ -17,7 +17,7 @@ struct columns_kind {
     int needs_time, needs_cell;
     int plane; /* 1: a rod has none */
     void (*fill)(const struct columns_row *row, int axis, double *value);
-    int axis;   /* along which it is told, where that matters */
+    int axis;   /* of the derivative or flux, where that matters */
     int values; /* how many it fills */
 };
 

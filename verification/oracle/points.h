@@ -18,7 +18,7 @@ struct points {
     int dim;
     size_t n;
     double (*x)[2];    /* m, n of them, within the domain */
-    double (*cell)[2]; /* m, extents of the cell around each; NULL where no column dx tells */
+    double (*cell)[2]; /* m, extents of the cell around each; NULL without a column dx */
     struct points_text (
         *typed)[2]; /* the coordinates as they were typed; of length 0 where x is another, on a side */
     char *text;     /* owned: all that was read */

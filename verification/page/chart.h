@@ -15,7 +15,7 @@ struct chart_series {
 struct chart {
     const char *title; /* also the text alternative */
     const char *x_label, *y_label;
-    int count; /* series, told apart by marker and dash as well as by colour */
+    int count; /* series; marker and dash differ as well as colour */
     const struct chart_series *series;
     double slope; /* of the reference line through the last point of the first series; NAN for none */
 };

@@ -16,7 +16,7 @@ void html_print(FILE *out, const char *format, ...) __attribute__((format(printf
 /* A cell <th> or <td>; numbers are set right.  */
 void html_cell(FILE *out, const char *tag, const char *text);
 
-/* The word of a verdict with its sign, so that it is told apart without colour: pass, fail, inconclusive, ... */
+/* The word of a verdict with its sign, so that it reads without colour: pass, fail, inconclusive, ... */
 void html_verdict(FILE *out, const char *word);
 
 /* The file at `path` (SVG) as an image within the page; 0, or -1 where it cannot be read. */

@@ -27,7 +27,7 @@ int page_same_group(const char *a, const char *b);
 /* The verdict of all and where it was made (as page_origin), what most failures look like, then what failed in
  * full, then a word a group, then every gate, folded away. */
 void page_put_gates(const struct page_gate *gate, int count, const char *made, FILE *out);
-/* How many of the gates whose command has that scene hold, and they, folded away. */
+/* How many gates of that scene hold, and the gates, folded away. */
 void page_put_scene(const struct page_gate *gate, int count, const char *scene, FILE *out);
 
 /* When, where and by which version something is made: now, here, by this one. */

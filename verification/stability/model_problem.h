@@ -19,7 +19,7 @@ struct model_problem {
 };
 
 enum model_problem_data {
-    MODEL_NOISE,   /* in [-1, 1], by the cell that a particle lies in */
+    MODEL_NOISE,   /* in [-1, 1], by the cell of a particle */
     MODEL_IMPULSE, /* 1 K in the middle cell */
     MODEL_HILL     /* half a wave along each axis, 1 K high, and `disturb` times the noise */
 };

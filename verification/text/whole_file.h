@@ -5,18 +5,18 @@
 
 #include <stdio.h>
 
-/* fopen of a file to be read: NULL, and errno tells why; but ends the program where memory is out, so that a file
+/* fopen of a file to be read: NULL with errno set; but ends the program where memory is out, so that a file
  * that is there is not taken for one that is not.  A named pipe is refused (ENOTSUP), as it may have no writer. */
 FILE *whole_file_open(const char *path);
 
 /* What errno says after a failure of whole_file_open or whole_file_at. */
 const char *whole_file_error(void);
 
-/* What is left of a stream; ferror(in) tells whether it could be read to its end.  Where a NUL is met, no text, what
- * follows in the stream is left: a device may give them without end. */
+/* What is left of a stream; ferror(in) is set where it could not be read to its end.  Where a NUL is met, no text,
+ * what follows in the stream is left: a device may give them without end. */
 char *whole_file_read(FILE *in, size_t *size);
 
-/* NULL, and errno tells why, where the file cannot be opened or read. */
+/* NULL with errno set where the file cannot be opened or read. */
 char *whole_file_at(const char *path, size_t *size);
 
 #endif

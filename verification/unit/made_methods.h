@@ -1,7 +1,7 @@
 #ifndef HEATLADDER_VERIFICATION_UNIT_MADE_METHODS_H
 #define HEATLADDER_VERIFICATION_UNIT_MADE_METHODS_H
 
-/* Methods whose errors are made to measure: the exact solution plus C dx^P + D dt^Q, so that every answer is known.
+/* Methods of known error: the exact solution plus C dx^P + D dt^Q, so that every answer is known.
  */
 
 #include "references/scene.h"
