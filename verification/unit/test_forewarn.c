@@ -72,6 +72,8 @@ static void what_memory_does_not_hold_is_refused(void **state) {
     (void)state;
     check_memory("run rod-step so_ssph --dx 0.001 --memory 1e-5", "--dx 0.016 fits; --memory GB allows more");
     check_memory("run rod-step so_ssph --dx 0.016 --memory 1e-5", NULL);
+    /* 59 cells have no half, and take more than 58: 2.86e-6 GB */
+    check_memory("run rod-step so_ssph --dx 4/120 --memory 2.37e-6", "--dx 0.06896551724 fits");
     check_memory("run rod-step so_ssph --dx 4/252 --memory 1e-5", "takes 1.01e-05 GB, --memory allows 1e-05 GB");
     check_memory("run square-step so_ssph --dx 4/64 --layout jitter --jitter 0.1 --memory 0.001", "--dx 0.1 fits");
     check_memory("run rod-step so_ssph --dx 4/252", NULL);
