@@ -8,8 +8,8 @@
 
 #include "solver/method.h"
 #include "verification/text/progress.h"
+#include "verification/text/words.h"
 
-#include <fnmatch.h>
 #include <math.h>
 #include <omp.h>
 #include <stdio.h>
@@ -53,7 +53,7 @@ int claims_collect(const struct claims_row *table, const char *only, struct clai
     while (table[rows].id) rows++;
     *c = (struct claims){.result = xcalloc((size_t)rows, sizeof *c->result)};
     for (int i = 0; i < rows; i++)
-        if (!only || fnmatch(only, table[i].id, 0) == 0) c->result[c->count++].row = &table[i];
+        if (!only || words_match(only, table[i].id)) c->result[c->count++].row = &table[i];
     if (c->count) return STATUS_OK;
     return refuse(why, STATUS_INPUT, "no claim matches '%.60s' (see: heatladder list claims)", only ? only : "*");
 }

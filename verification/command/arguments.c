@@ -143,7 +143,7 @@ static int check_model(const struct request *r, const struct option *o, struct f
 
 static int take_option(struct request *r, const struct word *w, struct failure *why) {
     const struct option *o = w->option;
-    if (r->given[o - options_table] && strcmp(o->key, "set") != 0)
+    if (r->given[o - options_table] && !words_among("set only skip", o->key))
         return refuse(why, STATUS_INPUT, "--%s is given twice", o->name);
     r->given[o - options_table] = 1;
     if (words_among("dt fourier threads t-end set", o->key) && r->verb->positionals[0] == '[' && !r->experiment.scene)
@@ -317,6 +317,8 @@ void arguments_free(struct request *r) {
     free(r->line);
     free(r->typed);
     free(r->external);
+    free(r->only);
+    free(r->skip);
     free(r->given);
     *r = (struct request){0};
 }

@@ -10,6 +10,7 @@
 
 #include <math.h>
 #include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
 
 /* The smallest number that counts as positive: a bound of the table is inclusive. */
@@ -28,6 +29,17 @@ static int read_flag(struct request *r, const struct option *o, const char *text
 static int read_text(struct request *r, const struct option *o, const char *text, struct failure *why) {
     if (*text == '\0') return refuse(why, STATUS_INPUT, "--%s: empty; valid: %s", o->name, o->value);
     *(const char **)place(r, o) = text;
+    return STATUS_OK;
+}
+
+/* May be given again: the globs are joined. */
+static int read_globs(struct request *r, const struct option *o, const char *text, struct failure *why) {
+    char **globs = place(r, o), *before = *globs;
+    if (*text == '\0') return refuse(why, STATUS_INPUT, "--%s: empty; valid: %s", o->name, o->value);
+    size_t size = strlen(text) + (before ? strlen(before) + 1 : 0) + 1;
+    *globs = xcalloc(size, 1);
+    snprintf(*globs, size, "%s%s%s", before ? before : "", before ? "," : "", text);
+    free(before);
     return STATUS_OK;
 }
 

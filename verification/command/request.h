@@ -26,8 +26,8 @@ struct request {
     double error;            /* choose: E1 to be reached */
     const char *into;        /* case: the directory of cases */
     struct method *external; /* owned: what the method is where a program stands in for it; else NULL */
-    const char *only;        /* glob of the names of gates or claims; NULL for all */
-    const char *skip;        /* verify: glob of the gates to leave out; NULL for none */
+    char *only;              /* owned: globs of names, of gates or claims (words_match); NULL for all */
+    char *skip;              /* owned: verify: globs of the gates to leave out; NULL for none */
     const char *gates_path;  /* verify: the file of rows; NULL for the built-in ones */
     int more_rungs;          /* battery: rungs of each ladder in all; 0: as the rows are */
     double time_order;       /* battery: of the code in time; 0: any of 0.9 or more */

@@ -20,6 +20,16 @@ static struct draw draw_of(const struct battery_row *row) {
     return (struct draw){row->gate.command, row->ranges, row->bound, row->gate.measure};
 }
 
+/* A program's rows in a plane cost it most by far; those of rods see all but what has two axes. */
+static enum gate_tier tier_of(const struct gate *gate) {
+    const char *const more[] = {"--solver", "{case} {out}", NULL};
+    struct request r;
+    struct failure why;
+    int plane = arguments_parse_line_with(gate->command, more, &r, &why) || r.experiment.problem.dim == 2;
+    arguments_free(&r);
+    return plane ? TIER_FULL : TIER_QUICK;
+}
+
 int battery_add(int order, unsigned long seed, struct gates *g, struct failure *why) {
     char command[DRAW_COMMAND];
     for (const struct battery_row *row = battery_table; row->order; row++) {
@@ -28,6 +38,7 @@ int battery_add(int order, unsigned long seed, struct gates *g, struct failure *
         if (draw_command(&draw, seed, command, why)) return why->status;
         gates_add(g, &row->gate);
         if (seed) gates_set_command(g, command);
+        g->result[g->declared - 1].gate.tier = tier_of(&row->gate);
     }
     return STATUS_OK;
 }

@@ -84,22 +84,25 @@ void gates_add(struct gates *g, const struct gate *gate) {
     g->declared++;
 }
 
-static int matches(const char *glob, const struct gate *gate) {
-    return glob && fnmatch(glob, gate->id, 0) == 0;
+/* STATUS_OK where each of the globs matches a row. */
+static int check_globs(const struct gates *g, const char *option, const char *globs, struct failure *why) {
+    char glob[1024];
+    while (globs) {
+        int found = 0;
+        globs = words_glob(globs, glob, sizeof glob);
+        for (int i = 0; i < g->declared; i++) found += fnmatch(glob, g->result[i].gate.id, 0) == 0;
+        if (!found) return none_matches(g, option, glob, why);
+    }
+    return STATUS_OK;
 }
 
 int gates_choose(struct gates *g, const char *only, const char *skip, int quick, struct failure *why) {
-    int found = 0, left_out = 0, kept = 0;
-    for (int i = 0; i < g->declared; i++) {
-        found += matches(only, &g->result[i].gate);
-        left_out += matches(skip, &g->result[i].gate);
-    }
-    if (only && !found) return none_matches(g, "only", only, why);
-    if (skip && !left_out) return none_matches(g, "skip", skip, why);
+    int kept = 0;
+    if (check_globs(g, "only", only, why) || check_globs(g, "skip", skip, why)) return why->status;
     for (int i = 0; i < g->declared; i++) {
         struct gate gate = g->result[i].gate;
-        if ((quick && gate.tier != TIER_QUICK) || (only && !matches(only, &gate)) || matches(skip, &gate)) continue;
-        g->result[kept++].gate = gate;
+        if ((quick && gate.tier != TIER_QUICK) || (only && !words_match(only, gate.id))) continue;
+        if (!words_match(skip, gate.id)) g->result[kept++].gate = gate;
     }
     g->declared = kept;
     if (kept) return STATUS_OK;

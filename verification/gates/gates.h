@@ -58,8 +58,8 @@ void gates_add(struct gates *g, const struct gate *gate);
 /* Another command, which is copied, for the last row. */
 void gates_set_command(struct gates *g, const char *command);
 
-/* Leaves those whose id matches `only` and not `skip` (NULL: all, none; * matches / too), of the quick tier alone
- * where asked.  STATUS_OK; or STATUS_INPUT where one of the two matches no row at all, or none is left. */
+/* Leaves those whose id matches one of the globs `only` and none of `skip` (words_match; NULL: all, none), of the
+ * quick tier alone where asked.  STATUS_OK; or STATUS_INPUT where a glob matches no row at all, or none is left. */
 int gates_choose(struct gates *g, const char *only, const char *skip, int quick, struct failure *why);
 
 /* How many runs another program makes of them where none fails: cases that rows share count once. */

@@ -9,6 +9,7 @@
 
 #include <math.h>
 #include <stdio.h>
+#include <string.h>
 
 enum { ACROSS = 4 }; /* groups in a line */
 
@@ -106,4 +107,28 @@ void print_gates(const struct gates *g, int all, double seconds) {
            count[VERDICT_INCONCLUSIVE]);
     if (count[VERDICT_SKIPPED]) printf(", %d skipped", count[VERDICT_SKIPPED]);
     printf(" (%.2f s)\n", seconds);
+}
+
+/* GitHub's workflow commands: what would end a command or a property is written by its number. */
+static void put_escaped(const char *text, const char *special) {
+    for (; *text; text++)
+        if (strchr(special, *text))
+            fprintf(stderr, "%%%02X", (unsigned)*text);
+        else
+            fputc(*text, stderr);
+}
+
+void print_annotations(const struct gates *g) {
+    for (int i = 0; i < g->declared; i++) {
+        const struct gate_result *r = &g->result[i];
+        const struct measured *m = &r->measured;
+        if (holds(r) || m->verdict == VERDICT_SKIPPED) continue;
+        fprintf(stderr, "::%s title=", m->verdict == VERDICT_FAIL ? "error" : "warning");
+        put_escaped(r->gate.id, "%\r\n:,");
+        fprintf(stderr, "::");
+        put_escaped(m->reason, "%\r\n");
+        if (*m->diagnosis) fprintf(stderr, "; diagnosis: ");
+        put_escaped(m->diagnosis, "%\r\n");
+        fputc('\n', stderr);
+    }
 }

@@ -7,4 +7,8 @@ struct gates;
  * not hold in full, with the command that shows it; then one line that says what held. */
 void print_gates(const struct gates *g, int all, double seconds);
 
+/* Those that do not hold as annotations of GitHub Actions, on standard error: an error a failure, a warning where
+ * none was decided. */
+void print_annotations(const struct gates *g);
+
 #endif

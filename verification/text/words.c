@@ -4,6 +4,7 @@
 
 #include "solver/status.h"
 
+#include <fnmatch.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -82,11 +83,32 @@ int words_is_plain(const char *word) {
 const char *words_literal(const char *word, char *pattern, size_t size) {
     size_t n = 0;
     for (; *word && n + 2 < size; word++) {
-        if (strchr("\\*?[", *word)) pattern[n++] = '\\';
+        if (strchr("\\*?[,", *word)) pattern[n++] = '\\';
         pattern[n++] = *word;
     }
     pattern[n] = '\0';
     return pattern;
+}
+
+const char *words_glob(const char *globs, char *glob, size_t size) {
+    size_t n = 0;
+    for (; *globs && *globs != ','; globs++) {
+        if (n + 1 < size) glob[n++] = *globs;
+        if (*globs != '\\' || !globs[1]) continue;
+        globs++;
+        if (n + 1 < size) glob[n++] = *globs;
+    }
+    glob[n] = '\0';
+    return *globs ? globs + 1 : NULL;
+}
+
+int words_match(const char *globs, const char *name) {
+    char glob[1024];
+    while (globs) {
+        globs = words_glob(globs, glob, sizeof glob);
+        if (fnmatch(glob, name, 0) == 0) return 1;
+    }
+    return 0;
 }
 
 /* '...' holds all but a quote, which becomes '\'' (POSIX, shell command language, 2.2.2). */

@@ -34,4 +34,11 @@ int words_among(const char *blank_separated, const char *word);
 /* Fills *why with "unknown <what> '<word>'; did you mean '<nearest>'? (valid: ...)" and returns STATUS_INPUT. */
 int words_unknown(const char *const *words, const char *what, const char *word, struct failure *why);
 
+/* The first of several globs with commas between, into `glob`; where the next one starts, NULL for none.  A backslash
+ * takes the meaning of the letter after it. */
+const char *words_glob(const char *globs, char *glob, size_t size);
+
+/* Whether one of them matches the name (* matches / too); NULL matches none. */
+int words_match(const char *globs, const char *name);
+
 #endif

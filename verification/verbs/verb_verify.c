@@ -127,6 +127,7 @@ static int write_all(const struct gates *g, const struct request *r, double seco
     if (!r->only && !r->quick && !r->skip && !g->origin && ungated())
         printf("%d pairs of scene and method have no gated ladder (see: heatladder list gates)\n", ungated());
     fflush(stdout);
+    if (getenv("GITHUB_ACTIONS")) print_annotations(g);
     if (r->json_path && write_json(g, r->json_path, why)) return why->status;
     if (r->junit_path && junit_write(g, r->junit_path, why)) return why->status;
     if (r->page_path && write_page(g, r, why)) return why->status;
