@@ -20,7 +20,13 @@ struct run {
     struct failure end;
 };
 
+struct waiter { /* in the order of arrival */
+    const char *dir, *text;
+    struct waiter *next;
+};
+
 struct runs {
+    struct waiter *first;
     pthread_mutex_t lock;
     pthread_cond_t changed;
     int jobs, going, ended, total, resume, absent, answered;
@@ -83,26 +89,42 @@ static int is_over(const struct runs *r, struct failure *why) {
     return atomic_file_noted() || r->absent;
 }
 
+/* Whether the same case is being run: its end is waited for without a turn. */
+static int is_held_up(const struct runs *r, const struct waiter *w) {
+    const struct run *same = find(r, w->dir);
+    return same && strcmp(same->text, w->text) == 0;
+}
+
+/* First come, first served: rows that ask by turns end together, and none is left alone at the end. */
+static int is_next(const struct runs *r, const struct waiter *w) {
+    const struct waiter *first = r->first;
+    while (is_held_up(r, first) && first != w) first = first->next;
+    return first == w && r->going < r->jobs && !is_held_up(r, w);
+}
+
 /* With the lock; *r->run may move while this waits. */
-static enum runs_turn wait_for_turn(struct runs *r, const char *dir, const char *text, double *seconds,
-                                    struct failure *why) {
+static enum runs_turn wait_for_turn(struct runs *r, const struct waiter *w, double *seconds, struct failure *why) {
     for (;;) {
-        const struct run *same = find(r, dir);
-        if (same && same->over && strcmp(same->text, text) == 0) {
+        const struct run *same = find(r, w->dir);
+        if (same && same->over && strcmp(same->text, w->text) == 0) {
             *seconds = same->seconds, *why = same->end;
             return RUNS_BEFORE;
         }
         if (is_over(r, why)) return RUNS_OVER;
-        int apart = same && strcmp(same->text, text) != 0;
-        if (r->going < r->jobs && (!same || apart)) return apart ? RUNS_APART : RUNS_NOW;
+        if (is_next(r, w)) return same ? RUNS_APART : RUNS_NOW;
         pthread_cond_wait(&r->changed, &r->lock);
     }
 }
 
 enum runs_turn runs_begin(struct runs *r, const char *dir, const char *text, const char *row, const char *dx,
                           double *seconds, struct failure *why) {
+    struct waiter me = {.dir = dir, .text = text}, **at;
     pthread_mutex_lock(&r->lock);
-    enum runs_turn turn = wait_for_turn(r, dir, text, seconds, why);
+    for (at = &r->first; *at;) at = &(*at)->next;
+    *at = &me;
+    enum runs_turn turn = wait_for_turn(r, &me, seconds, why);
+    for (at = &r->first; *at != &me;) at = &(*at)->next;
+    *at = me.next;
     if (turn == RUNS_NOW && dir) {
         r->run = xgrow(r->run, r->count, r->count + 1, sizeof *r->run);
         r->run[r->count++] = (struct run){.dir = copy(dir), .text = copy(text)};
@@ -111,6 +133,7 @@ enum runs_turn runs_begin(struct runs *r, const char *dir, const char *text, con
         r->going++;
         show(r, row, dx);
     }
+    pthread_cond_broadcast(&r->changed); /* another may be next now */
     pthread_mutex_unlock(&r->lock);
     return turn;
 }
