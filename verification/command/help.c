@@ -10,12 +10,12 @@
 #include "verification/text/words.h"
 
 const char help_about[] =
-    "heatladder VERB --help tells the options of a verb.\n"
-    "Environment: HEATLADDER_LANES=2, 4 or 8 sets how many doubles the vectors of the hot loops hold\n"
-    "  (without it the widest that the machine has); no width changes a bit of a result.\n"
-    "  A program of --solver finds this one as $HEATLADDER, where that is not set.\n"
-    "Exit status: 0 all held, 1 a gate failed, 2 bad usage or input, 3 a numerical failure, 4 inconclusive,\n"
-    "  77 skipped, since a program said that the case is not for it.\n";
+    "heatladder VERB --help lists the options of a verb; heatladder man has everything.\n"
+    "Environment: HEATLADDER_LANES=2, 4 or 8 sets the vector width of the hot loops, in doubles (default: the\n"
+    "  widest of the machine); results are the same to the bit for every width.  HEATLADDER is the path of this\n"
+    "  program, set for the program of --solver unless you set it.\n"
+    "Exit status: 0 all passed, 1 a gate failed, 2 bad usage or input, 3 numerical failure, 4 inconclusive,\n"
+    "  77 skipped: the program cannot run the case.\n";
 
 void help_program(FILE *out) {
     fprintf(out, "heatladder: verification and benchmarks for solvers of transient heat conduction\n\n");
@@ -38,7 +38,7 @@ void help_verb(const struct verb *v, FILE *out) {
     }
     table_print(&t, out);
     table_free(&t);
-    if (lists) fprintf(out, "\nOf words that are listed the first is the default.\n");
+    if (lists) fprintf(out, "\nThe first of listed words is the default.\n");
     if (words_among(v->options, "solver")) fprintf(out, "\n%s\n%s", program_help, case_file_help);
     if (words_among(v->options, "what")) fprintf(out, "\n%s", columns_help);
 }

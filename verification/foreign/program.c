@@ -27,31 +27,25 @@
 #include <sys/stat.h>
 
 const char program_help[] =
-    "--solver lets any program stand in for METHOD, which is then just its name in tables:\n"
+    "--solver runs your program in place of METHOD; METHOD is then only its name in tables:\n"
     "\n"
     "  heatladder ladder rod-step mine --solver './mine {case} {out}' --dx 0.2,0.1,0.05,0.025 --expect 1.9,2.1\n"
     "\n"
-    "In the command {case} becomes the path of the case file, {out} the path that the program writes, {dx} the "
-    "spacing\n"
-    "and {NAME} what --vary NAME=A,B,C gives.  Its exit status is 0; 77 says that the case is not for it.  What it "
-    "prints\n"
-    "goes to standard error.  All that it starts ends with it, but for what makes a session of its own\n"
-    "(setsid), and what it leaves in TMPDIR is removed.\n"
+    "In the command, {case} becomes the path of the case file, {out} the path of the answer, {dx} the spacing\n"
+    "and {NAME} the value of --vary NAME=A,B,C.  The program exits with 0, or with 77 if it cannot run the case.\n"
+    "Its output goes to standard error.  Child processes are ended too, unless they called setsid; its files in\n"
+    "TMPDIR are removed.\n"
     "\n"
-    "The answer is a table: the line x,T (x,y,T for a rectangle), then a line a point, at points of its own choosing "
-    "that\n"
-    "cover the domain, as many as dx asks for; commas, semicolons or blanks between.  A column w weights the norms, "
-    "else\n"
-    "all points count alike.  --columns 'x=X,y=Y,T=temp,w=volume' says what the columns are called (or their places: "
+    "The answer is a table: the line x,T (x,y,T for a rectangle), then one line for each point, separated by\n"
+    "commas, semicolons or blanks.  The program chooses its points: they cover the domain at a spacing of dx.\n"
+    "A column w holds the weights of the norms; without it all points have the same weight.\n"
+    "--columns 'x=X,y=Y,T=temp,w=volume' gives the names of the columns, or their numbers (T=3).  Legacy ASCII\n"
+    "VTK and VTU with ascii arrays are read too: their points, and the point data T.  The lines `# seconds = S`,\n"
+    "`# steps = N` and `# updates = N` may give the time, steps and updates of the solve alone.\n"
     "\n"
-    "T=3).  Legacy ASCII VTK and VTU with ascii arrays are read too: their points, and the point data T.  Lines\n"
-    "`# seconds = S`, `# steps = N` and `# updates = N` may tell what the solve itself took.\n"
-    "\n"
-    "--results DIR judges what is there already: DIR/SCENE/DX/out.csv (or out.npy, out.vtk, out.vtu, out.dat), "
-    "beside the "
-    "case\n"
-    "files that `heatladder case SCENE --dx A,B,C --into DIR` writes; DIR/SCENE/NAME=VALUE,.../DX where --set gives\n"
-    "these values and that directory is there, as `heatladder case --battery` makes it.\n";
+    "--results DIR judges existing answers: DIR/SCENE/DX/out.csv (or out.npy, out.vtk, out.vtu, out.dat), beside\n"
+    "the case files of `heatladder case SCENE --dx A,B,C --into DIR`.  With --set it first looks for\n"
+    "DIR/SCENE/NAME=VALUE,.../DX, as `heatladder case --battery` writes it.\n";
 
 int program_given(const struct program *g) {
     return g->solver || g->results;
