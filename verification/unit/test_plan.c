@@ -152,6 +152,17 @@ static void a_lattice_that_nothing_divides_is_estimated_too(void **state) {
     }
 }
 
+/* Past OUTLINE_ARRAYS an array has no name of its own, and its bytes count. */
+static void arrays_without_a_name_count(void **state) {
+    (void)state;
+    struct outline out = {0};
+    for (int i = 0; i < OUTLINE_ARRAYS + 2; i++) outline_hold(&out, "one", 7, OUTLINE_STEPS, OUTLINE_STEPS);
+    outline_hold(&out, "none", 0, OUTLINE_STEPS, OUTLINE_STEPS);
+    assert_int_equal(out.count, OUTLINE_ARRAYS);
+    assert_int_equal(out.bytes[OUTLINE_STEPS], 7 * (OUTLINE_ARRAYS + 2));
+    assert_int_equal(out.bytes[OUTLINE_SET_UP], 0);
+}
+
 static void a_method_that_does_not_tell_has_no_plan(void **state) {
     (void)state;
     struct request r;
@@ -226,6 +237,7 @@ int main(void) {
         cmocka_unit_test(what_is_allocated_was_planned),
         cmocka_unit_test(many_rows_are_estimated),
         cmocka_unit_test(a_lattice_that_nothing_divides_is_estimated_too),
+        cmocka_unit_test(arrays_without_a_name_count),
         cmocka_unit_test(a_method_that_does_not_tell_has_no_plan),
         cmocka_unit_test(open_steps_are_predicted),
         cmocka_unit_test(refusals_are_those_of_the_run),
