@@ -1,11 +1,12 @@
 /* Reads the JSON of `verify --json`: the members of each object of the array "gates", in any order, one object after
- * the other.  A reader of that file and of no other JSON. */
+ * the other.  It reads that file and no other JSON. */
 #include "reports/index/gates_json.h"
 
 #include "solver/status.h"
 #include "verification/text/whole_file.h"
 
 #include <math.h>
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -29,6 +30,8 @@ static void set_text(struct page_gate *g, const char *key, const char *value) {
     if (strcmp(key, "why") == 0) g->why = value;
     if (strcmp(key, "command") == 0) g->command = value;
     if (strcmp(key, "diagnosis") == 0) g->diagnosis = value;
+    if (strcmp(key, "norm") == 0) g->rungs.norm = value;
+    if (strcmp(key, "axis") == 0) snprintf(g->rungs.axis, sizeof g->rungs.axis, "%s", value);
 }
 
 static void set_number(struct page_gate *g, const char *key, double value, double *middle, double *half) {
@@ -37,6 +40,29 @@ static void set_number(struct page_gate *g, const char *key, double value, doubl
     if (strcmp(key, "measured") == 0) g->value = value;
     if (strcmp(key, "error") == 0) g->error = value;
     if (strcmp(key, "ceiling") == 0) g->ceiling = value;
+}
+
+/* The numbers from behind a bracket, at most `room`, null as NaN; *count of them.  Where they end, or NULL. */
+static char *take_numbers(char *at, double *value, int room, int *count) {
+    for (*count = 0;;) {
+        at += strspn(at, " \t\r\n,");
+        if (*at == ']') return at + 1;
+        if (!*at || *count == room) return NULL;
+        char *end;
+        double number = strtod(at, &end);
+        value[(*count)++] = end > at ? number : NAN;
+        at += strcspn(at, ",] \n");
+    }
+}
+
+static void set_numbers(struct page_gate *g, const char *key, const double *value, int count) {
+    for (int i = 0; i < count; i++) {
+        if (strcmp(key, "interval95") == 0 && i < 2) g->ci[i] = value[i];
+        if (strcmp(key, "rungs") == 0) g->rungs.x[i] = value[i];
+        if (strcmp(key, "errors") == 0) g->rungs.error[i] = value[i];
+        if (strcmp(key, "counted") == 0) g->rungs.counts[i] = value[i] == 1;
+    }
+    if (strcmp(key, "rungs") == 0) g->rungs.n = count;
 }
 
 /* One object, from behind its brace; returns where it ends, or NULL. */
@@ -49,6 +75,8 @@ static char *take_gate(char *at, struct page_gate *g) {
                             .command = "",
                             .diagnosis = "",
                             .value = NAN,
+                            .ci = {NAN, NAN},
+                            .rungs.norm = "",
                             .error = NAN,
                             .ceiling = NAN};
     for (;;) {
@@ -63,8 +91,10 @@ static char *take_gate(char *at, struct page_gate *g) {
             if (!value) return NULL;
             set_text(g, key, value);
         } else if (*at == '[') {
-            at += strcspn(at, "]");
-            if (!*at++) return NULL;
+            double of[NUMBERS_MAX];
+            int count;
+            if (!(at = take_numbers(at + 1, of, NUMBERS_MAX, &count))) return NULL;
+            set_numbers(g, key, of, count);
         } else {
             char *end;
             double value = strtod(at, &end);
@@ -85,7 +115,7 @@ int gates_json_read(const char *path, struct gates_json *g) {
         gates_json_free(g);
         return -1;
     }
-    g->made = "at a time and place that their file does not tell";
+    g->made = "from an existing file; date and machine not recorded";
     if (origin && origin < at && *(origin += strlen(made)) == '"') g->made = take_string(&origin);
     at += strlen("\"gates\": [");
     size_t room = 0;

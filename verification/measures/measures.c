@@ -29,6 +29,17 @@ void measures_judge(struct measured *m, double value, double lo, double hi) {
     snprintf(m->reason, sizeof m->reason, "%.4g %s [%g, %g]", value, where, lo, hi);
 }
 
+static void keep_rungs(const struct ladder *l, struct rungs *to) {
+    to->n = l->n;
+    to->norm = ladder_norm_titles[l->norm];
+    snprintf(to->axis, sizeof to->axis, "%s%s", l->inverse ? "1 / " : "", ladder_axis(l));
+    for (int i = 0; i < l->n; i++) {
+        to->x[i] = l->x[i];
+        to->error[i] = l->error[i];
+        to->counts[i] = l->window.counts[i];
+    }
+}
+
 static void take_slope(int scattered, const struct request *r, double lo, double hi, struct measured *m) {
     struct failure why = {0};
     struct ladder *l = xcalloc(1, sizeof *l);
@@ -45,6 +56,7 @@ static void take_slope(int scattered, const struct request *r, double lo, double
         m->verdict = l->verdict;
         snprintf(m->reason, sizeof m->reason, "%s", l->reason);
         m->error = ladder_finest_error(l);
+        keep_rungs(l, &m->rungs);
         if (l->diagnosis.named) wording_text(&l->diagnosis, m->diagnosis, sizeof m->diagnosis);
     }
     free(l);

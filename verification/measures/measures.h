@@ -3,9 +3,20 @@
 
 /* What a gate can measure, by name.  A new measure is a row of measures.def and a function. */
 
+#include "verification/text/number.h"
 #include "verification/text/verdict.h"
 
 struct request;
+
+/* The rungs of a ladder, coarsest first, for a chart and a table. */
+struct rungs {
+    int n;            /* 0 where there is no ladder */
+    char axis[60];    /* of x, with its unit: "dx [m]" */
+    const char *norm; /* of the errors: "E1" */
+    double x[NUMBERS_MAX];
+    double error[NUMBERS_MAX]; /* NaN where the run failed */
+    int counts[NUMBERS_MAX];   /* 1 where the rung counts for the slope */
+};
 
 struct measured {
     double value;
@@ -14,6 +25,7 @@ struct measured {
     enum verdict verdict;
     char reason[400];
     char diagnosis[280]; /* which usual fault the errors look like; "" where none was looked for */
+    struct rungs rungs;
 };
 
 struct measure {

@@ -5,10 +5,11 @@
 
 #include <math.h>
 
-enum { WIDTH = 640, HEIGHT = 420, LEFT = 76, RIGHT = 24, TOP = 40, BOTTOM = 56, STYLES = 4 };
+enum { WIDTH = 640, HEIGHT = 420, LEFT = 76, RIGHT = 24, TOP = 16, BOTTOM = 56, ROW = 20 }; /* px; ROW of the key */
+enum { STYLES = CHART_STYLES };
 
-static const char *const colour[STYLES] = {"#0072B2", "#D55E00", "#009E73", "#CC79A7"};
-static const char *const dash[STYLES] = {"none", "7 4", "2 3", "9 3 2 3"};
+static const char *const colour[STYLES] = {"#0072B2", "#D55E00", "#009E73", "#CC79A7", "#E69F00", "#56B4E9"};
+static const char *const dash[STYLES] = {"none", "7 4", "2 3", "9 3 2 3", "4 4", "12 4"};
 
 struct axes {
     double lo[2], hi[2]; /* log10 */
@@ -81,16 +82,22 @@ static void put_marker(FILE *out, int k, double x, double y, int hollow) {
     case 2:
         fprintf(out, "<path d=\"M%.1f %.1fl5 9h-10z\"", x, y - 5.5);
         break;
-    default:
+    case 3:
         fprintf(out, "<path d=\"M%.1f %.1fl5 5.5l-5 5.5l-5 -5.5z\"", x, y - 5.5);
+        break;
+    case 4:
+        fprintf(out, "<path d=\"M%.1f %.1fl5 -9h-10z\"", x, y + 5.5);
+        break;
+    default:
+        fprintf(out, "<path d=\"M%.1f %.1fv9h5v-9z\"", x - 2.5, y - 4.5);
     }
     fprintf(out, " fill=\"%s\" stroke=\"%s\" stroke-width=\"1.4\"/>\n", fill, colour[k]);
 }
 
 static void put_series(FILE *out, const struct axes *a, const struct chart_series *s, int k) {
     int begun = 0;
-    fprintf(out, "<path fill=\"none\" stroke=\"%s\" stroke-width=\"1.6\" stroke-dasharray=\"%s\" d=\"", colour[k],
-            dash[k]);
+    fprintf(out, "<path fill=\"none\" stroke=\"%s\" stroke-width=\"%g\" stroke-dasharray=\"%s\" d=\"", colour[k],
+            k ? 1.4 : 2.6, dash[k]);
     for (int i = 0; i < s->n; i++) {
         if (!drawn(s, i)) continue;
         fprintf(out, "%c%.1f %.1f", begun ? 'L' : 'M', place_x(a, s->x[i]), place_y(a, s->y[i]));
@@ -120,22 +127,23 @@ static void put_slope(FILE *out, const struct axes *a, const struct chart *c) {
 
 void chart_write(const struct chart *c, FILE *out) {
     struct axes a = axes_of(c);
+    int high = HEIGHT + ROW * c->count;
     fprintf(out,
             "<svg viewBox=\"0 0 %d %d\" width=\"%d\" role=\"img\" font-family=\"sans-serif\" font-size=\"13\">\n",
-            WIDTH, HEIGHT, WIDTH);
+            WIDTH, high, WIDTH);
     fprintf(out, "<title>");
     html_text(out, c->title);
     fprintf(out, "</title>\n<rect width=\"100%%\" height=\"100%%\" fill=\"#fff\"/>\n");
     put_ticks(out, &a);
     fprintf(out, "<rect x=\"%d\" y=\"%d\" width=\"%d\" height=\"%d\" fill=\"none\" stroke=\"#333\"/>\n", LEFT, TOP,
             WIDTH - LEFT - RIGHT, HEIGHT - TOP - BOTTOM);
-    put_label(out, WIDTH / 2.0, HEIGHT - 14, "text-anchor=\"middle\"", c->x_label);
-    put_label(out, 0, 0, "text-anchor=\"middle\" transform=\"translate(18 210) rotate(-90)\"", c->y_label);
+    put_label(out, WIDTH / 2.0, HEIGHT - 18, "text-anchor=\"middle\"", c->x_label);
+    put_label(out, 0, 0, "text-anchor=\"middle\" transform=\"translate(18 190) rotate(-90)\"", c->y_label);
     put_slope(out, &a, c);
     for (int k = 0; k < c->count && k < STYLES; k++) {
         put_series(out, &a, &c->series[k], k);
-        put_marker(out, k, LEFT + 14, TOP + 18 + 18 * k, 0);
-        put_label(out, LEFT + 26, TOP + 22 + 18 * k, "", c->series[k].name);
+        put_marker(out, k, LEFT + 8, HEIGHT + ROW * k, 0);
+        put_label(out, LEFT + 22, HEIGHT + ROW * k + 5, "", c->series[k].name);
     }
     fprintf(out, "</svg>\n");
 }

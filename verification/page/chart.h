@@ -5,6 +5,8 @@
 
 /* A chart of error against spacing as inline SVG, both axes logarithmic. */
 
+enum { CHART_STYLES = 6 }; /* series at most */
+
 struct chart_series {
     const char *name;
     int n;
@@ -15,7 +17,7 @@ struct chart_series {
 struct chart {
     const char *title; /* also the text alternative */
     const char *x_label, *y_label;
-    int count; /* series; marker and dash differ as well as colour */
+    int count; /* series, each with a marker and dash of its own; the key is below; the first has the thickest line */
     const struct chart_series *series;
     double slope; /* of the reference line through the last point of the first series; NAN for none */
 };

@@ -3,6 +3,7 @@
 
 #include "solver/status.h"
 #include "verification/diagnosis/wording.h"
+#include "verification/foreign/program.h"
 #include "verification/gates/gates.h"
 #include "verification/ladder/ladder.h"
 #include "verification/page/chart.h"
@@ -30,6 +31,12 @@ static void put_command(const char *command, FILE *out) {
     html_print(out, "<p class=\"faint\">Made by</p>\n<pre><code>heatladder %s</code></pre>\n", command);
 }
 
+static void put_program(const struct program *p, FILE *out) {
+    if (p && p->solver) html_print(out, "<p>Program: <code>%s</code></p>\n", p->solver);
+    if (p && p->results)
+        html_print(out, "<p>Program: the one that wrote the results in <code>%s</code></p>\n", p->results);
+}
+
 int page_gates_write(const struct gates *g, const char *title, const char *command, const char *path,
                      struct failure *why) {
     struct output page;
@@ -48,12 +55,16 @@ int page_gates_write(const struct gates *g, const char *title, const char *comma
                                      .lo = row->lo,
                                      .hi = row->hi,
                                      .value = m->value,
+                                     .ci = {m->ci[0], m->ci[1]},
                                      .error = m->error,
-                                     .ceiling = row->ceiling};
+                                     .ceiling = row->ceiling,
+                                     .rungs = m->rungs};
     }
     char made[PAGE_ORIGIN];
     page_origin(made, sizeof made);
+    put_program(g->program, out);
     page_put_gates(gate, g->declared, made, out);
+    page_put_ladders(gate, g->declared, out);
     put_command(command, out);
     free(gate);
     html_close(out);

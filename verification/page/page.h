@@ -1,6 +1,8 @@
 #ifndef HEATLADDER_VERIFICATION_PAGE_PAGE_H
 #define HEATLADDER_VERIFICATION_PAGE_PAGE_H
 
+#include "verification/measures/measures.h"
+
 #include <stdio.h>
 
 struct failure;
@@ -17,7 +19,9 @@ struct page_gate {
     const char *diagnosis; /* "": none */
     double lo, hi;         /* the band */
     double value;          /* what was measured */
+    double ci[2];          /* its 95 % interval; NAN where there is none */
     double error, ceiling; /* NAN where there is none */
+    struct rungs rungs;    /* its ladder */
 };
 
 /* Characters of the group in an id; 1 where two ids have the same group. */
@@ -29,6 +33,11 @@ int page_same_group(const char *a, const char *b);
 void page_put_gates(const struct page_gate *gate, int count, const char *made, FILE *out);
 /* How many gates of that scene hold, and the gates, folded away. */
 void page_put_scene(const struct page_gate *gate, int count, const char *scene, FILE *out);
+
+/* The ladder of a gate, drawn and as a table; nothing where it has none. */
+void page_put_ladder(const struct page_gate *gate, FILE *out);
+/* Those of all gates that hold, each folded away: page_put_gates draws the others. */
+void page_put_ladders(const struct page_gate *gate, int count, FILE *out);
 
 /* When, where and by which version something is made: now, here, by this one. */
 void page_origin(char *text, size_t size);

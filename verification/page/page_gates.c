@@ -3,6 +3,7 @@
 
 #include "solver/status.h"
 #include "verification/diagnosis/wording.h"
+#include "verification/page/chart.h"
 #include "verification/page/html.h"
 
 #include <math.h>
@@ -78,6 +79,49 @@ void page_put_scene(const struct page_gate *gate, int count, const char *scene, 
     fprintf(out, "</table></div></details>\n");
 }
 
+static void put_rungs(const struct rungs *l, FILE *out) {
+    html_print(out,
+               "<div class=\"scroll\"><table class=\"narrow\">\n<tr><th class=\"n\">%s</th><th class=\"n\">%s</th>"
+               "<th>for the slope</th></tr>\n",
+               l->axis, l->norm);
+    for (int i = 0; i < l->n; i++) {
+        char x[40], error[40];
+        snprintf(x, sizeof x, "%.6g", l->x[i]);
+        snprintf(error, sizeof error, "%.4e", l->error[i]);
+        fprintf(out, "<tr>");
+        html_cell(out, "td", x);
+        html_cell(out, "td", isfinite(l->error[i]) ? error : "-");
+        html_cell(out, "td", l->counts[i] ? "counts" : "left out");
+        fprintf(out, "</tr>\n");
+    }
+    fprintf(out, "</table></div>\n");
+}
+
+void page_put_ladder(const struct page_gate *g, FILE *out) {
+    const struct rungs *l = &g->rungs;
+    int hollow[NUMBERS_MAX];
+    char name[80];
+    if (l->n == 0) return;
+    for (int i = 0; i < l->n; i++) hollow[i] = !l->counts[i];
+    snprintf(name, sizeof name, "%s (hollow: left out of the fit)", l->norm);
+    const struct chart_series series = {name, l->n, l->x, l->error, hollow};
+    fprintf(out, "<figure>\n");
+    chart_write(&(struct chart){g->id, l->axis, l->norm, 1, &series, (g->lo + g->hi) / 2}, out);
+    fprintf(out, "</figure>\n");
+    put_rungs(l, out);
+}
+
+void page_put_ladders(const struct page_gate *gate, int count, FILE *out) {
+    for (int i = 0; i < count; i++) {
+        if (!passed(&gate[i]) || gate[i].rungs.n == 0) continue;
+        char order[80];
+        snprintf(order, sizeof order, "order %.3g, expected %.3g to %.3g", gate[i].value, gate[i].lo, gate[i].hi);
+        html_print(out, "<details><summary>%s: %s</summary>\n", gate[i].id, order);
+        page_put_ladder(&gate[i], out);
+        fprintf(out, "</details>\n");
+    }
+}
+
 static void put_failure(const struct page_gate *g, FILE *out) {
     html_print(out, "<h4>%s: ", g->id);
     html_verdict(out, g->verdict);
@@ -85,6 +129,7 @@ static void put_failure(const struct page_gate *g, FILE *out) {
     if (*g->diagnosis) html_print(out, "<p>Diagnosis: %s.</p>\n", g->diagnosis);
     html_print(out, "<p class=\"faint\">Expected because: %s</p>\n<pre><code>heatladder %s</code></pre>\n", g->why,
                g->command);
+    page_put_ladder(g, out);
 }
 
 /* Gates of one group, or all. */

@@ -8,6 +8,7 @@
 #include "reports/index/index.h"
 #include "solver/status.h"
 #include "verification/command/arguments.h"
+#include "verification/foreign/program.h"
 #include "verification/gates/gates.h"
 #include "verification/ladder/ladder.h"
 
@@ -93,7 +94,9 @@ static void gates_are_read_back(void **state) {
         "{\n\"made\": \"today \\\"here\\\"\",\n\"declared\": 2,\n\"gates\": [\n{ \"id\": \"rod/a\", \"command\": "
         "\"run \\\"x\\\"\", \"expected\": 2,\n"
         "\"tolerance\": 0.125, \"measured\": 2.0625, \"interval95\": [ 1, 2 ], \"error\": 3e-4, \"ceiling\": null,\n"
-        "\"verdict\": \"pass\", \"reason\": \"r\", \"why\": \"w\", \"seconds\": 1 },\n"
+        "\"verdict\": \"pass\", \"reason\": \"r\", \"why\": \"w\", \"axis\": \"dx [m]\", \"norm\": \"L2\",\n"
+        "\"rungs\": [ 0.5, 0.25, 0.125 ], \"errors\": [ 4e-2, null, 3e-4 ], \"counted\": [ 0, 1, 1 ], \"seconds\": 1 "
+        "},\n"
         "{ \"id\": \"b\", \"expected\": 0, \"tolerance\": 7, \"verdict\": \"fail\", \"diagnosis\": \"1 step late\" "
         "}\n]\n}\n",
         file);
@@ -108,9 +111,21 @@ static void gates_are_read_back(void **state) {
     assert_true(isnan(g.gate[0].ceiling) && isnan(g.gate[1].value));
     assert_near(g.gate[1].lo, 0, 0);
     assert_near(g.gate[1].hi, 7, 0);
+    assert_near(g.gate[0].ci[1], 2, 0);
+    const struct rungs *l = &g.gate[0].rungs;
+    assert_true(l->n == 3 && l->x[1] == 0.25 && l->error[2] == 3e-4 && isnan(l->error[1]));
+    assert_true(!l->counts[0] && l->counts[1] && g.gate[1].rungs.n == 0);
     FILE *out = begin();
     page_put_gates(g.gate, g.count, g.made, out);
+    page_put_ladders(g.gate, g.count, out);
     fclose(out);
+    assert_non_null(strstr(text, "<th class=\"n\">dx [m]</th><th class=\"n\">L2</th>"));
+    assert_non_null(strstr(text, "<td class=\"n\">0.5</td><td class=\"n\">4.0000e-02</td><td>left out</td>"));
+    assert_non_null(strstr(text, "<td class=\"n\">0.25</td><td>-</td><td>counts</td>"));
+    assert_non_null(strstr(text, "slope 2</text>"));
+    const char *finest = strstr(strstr(text, "<circle") + 1, "<circle"); /* the rung between them failed */
+    assert_non_null(strstr(strstr(text, "<circle"), "fill=\"#fff\""));
+    assert_true(strstr(finest, "fill=\"#0072B2\"") < strchr(finest, '\n'));
     assert_non_null(strstr(text, "1 of 2 gates hold"));
     assert_non_null(strstr(text, "The gates were run today &quot;here&quot;."));
     assert_non_null(strstr(text, "<h4>b: "));
@@ -202,6 +217,28 @@ static void a_ladder_shows_what_is_judged(void **state) {
     assert_non_null(strstr(page, "<th class=\"n\">quantity</th><th class=\"n\">its error</th>"));
 }
 
+/* The battery's page has a ladder's chart and table, and names the program. */
+static void a_battery_shows_its_ladders(void **state) {
+    (void)state;
+    char path[UNIT_PATH];
+    struct failure why;
+    struct program program = {.solver = "mine {case} <{out}>"};
+    struct gate_result result = {.gate = {.id = "rod/order", .lo = 1.9, .hi = 2.1, .ceiling = NAN, .why = "w"},
+                                 .typed = "verify --only rod/order",
+                                 .executed = 1};
+    result.measured = (struct measured){.value = 1, .error = NAN, .verdict = VERDICT_FAIL, .reason = "r"};
+    result.measured.rungs = (struct rungs){
+        .n = 2, .axis = "dx [m]", .norm = "E1", .x = {0.5, 0.25}, .error = {0.25, 0.125}, .counts = {1, 1}};
+    struct gates g = {.declared = 1, .executed = 1, .result = &result, .program = &program};
+    close(scratch_file(path, "page"));
+    assert_int_equal(page_gates_write(&g, "t", "verify", path, &why), 0);
+    const char *page = whole(path);
+    unlink(path);
+    assert_non_null(strstr(page, "<p>Program: <code>mine {case} &lt;{out}&gt;</code></p>"));
+    assert_non_null(strstr(page, "<circle"));
+    assert_non_null(strstr(page, "<td class=\"n\">0.25</td><td class=\"n\">1.2500e-01</td><td>counts</td>"));
+}
+
 /* The page of a directory that has mutants.txt alone. */
 static const char *page_of_listing(const char *listing) {
     char dir[UNIT_PATH], path[UNIT_PATH + 64];
@@ -251,7 +288,7 @@ int main(void) {
         cmocka_unit_test(charts_hold_their_points),      cmocka_unit_test(gates_are_read_back),
         cmocka_unit_test(the_worst_gate_is_the_verdict), cmocka_unit_test(a_ladder_says_what_made_it),
         cmocka_unit_test(a_ladder_shows_what_is_judged), cmocka_unit_test(a_long_listing_is_folded),
-        cmocka_unit_test(a_page_of_what_there_is),
+        cmocka_unit_test(a_page_of_what_there_is),       cmocka_unit_test(a_battery_shows_its_ladders),
     };
     return cmocka_run_group_tests_name("page", tests, NULL, NULL);
 }

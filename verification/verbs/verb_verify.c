@@ -25,6 +25,20 @@
 
 enum { ORIGIN = 1100 };
 
+static void rungs_json(const struct rungs *l, struct json *j) {
+    json_text(j, "axis", l->axis);
+    json_text(j, "norm", l->norm);
+    json_array(j, "rungs");
+    for (int i = 0; i < l->n; i++) json_number(j, NULL, l->x[i]);
+    json_end(j);
+    json_array(j, "errors");
+    for (int i = 0; i < l->n; i++) json_number(j, NULL, l->error[i]);
+    json_end(j);
+    json_array(j, "counted"); /* for the slope: 1 or 0 */
+    for (int i = 0; i < l->n; i++) json_whole(j, NULL, l->counts[i]);
+    json_end(j);
+}
+
 static void gate_json(const struct gate_result *r, struct json *j) {
     const struct gate *g = &r->gate;
     const struct measured *m = &r->measured;
@@ -45,6 +59,7 @@ static void gate_json(const struct gate_result *r, struct json *j) {
     json_text(j, "reason", m->reason);
     json_text(j, "diagnosis", *m->diagnosis ? m->diagnosis : NULL);
     json_text(j, "why", g->why);
+    if (m->rungs.n) rungs_json(&m->rungs, j);
     json_number(j, "seconds", r->seconds);
     json_end(j);
 }
