@@ -1,8 +1,10 @@
-/* The page that `make report` ends in: the verdict, then scene by scene what was published beside what is measured,
- * then operators, stability, the ledger, seeded faults, other codes, speed.  Nothing is computed here. */
+/* The page that `make report` ends in: the verdict, the order of every ladder, error against time, then the scenes
+ * from the simplest to the hardest, operators, walls, stability, speed, faults, other codes, and the papers.  Nothing
+ * is computed here. */
 #include "reports/index/index.h"
 
 #include "reports/index/gates_json.h"
+#include "reports/index/orders.h"
 #include "references/scene.h"
 #include "solver/status.h"
 #include "verification/page/html.h"
@@ -15,47 +17,33 @@
 #include <string.h>
 #include <unistd.h>
 
-enum { LISTED = 45 };                /* lines of a listing that are not folded away */
-enum { WIDE = 950 };                 /* pixels */
-enum kind { FIGURE, PAGE, LISTING }; /* <file>.svg with its data, <file> of Markdown, <file> as it is */
+enum { LISTED = 45 }; /* lines of a listing that are not folded away */
+enum { WIDE = 950 };  /* pixels */
+/* <file>.svg with its data; <file> of Markdown, open or folded; <file> as it is */
+enum kind { FIGURE, PAGE, FOLDED, LISTING };
+
+static const char song[] = "Song et al. 2018", pamplona[] = "Pamplona et al. 2019";
 
 static const struct part {
-    const char *section; /* of the page; a scene's name for what belongs to it */
+    const char *section; /* of the page */
     enum kind kind;
     const char *file;    /* below the directory */
     const char *data;    /* a figure's data, below the directory */
     const char *text;    /* what it shows */
     const char *command; /* what makes it */
 } parts[] = {
-    {"rod-step", PAGE, "song_table1.md", NULL, NULL, "make report"},
-    {"rod-step", FIGURE, "song_fig1a.svg", "song_fig1a.csv", "Song Figure 1a: temperature on the rod", "make report"},
-    {"rod-step", FIGURE, "song_fig1b.svg", "song_fig1b.csv",
-     "Song Figure 1b: first-order SSPH oscillates at the jump, second-order does not", "make report"},
-    {"rod-step", FIGURE, "song_fig2a.svg", "song_fig2a.csv",
-     "Song Figure 2a: error against spacing, orders 1 and 2 at the jump", "make report"},
-    {"rod-gauss", PAGE, "song_table2.md", NULL, NULL, "make report"},
-    {"rod-gauss", FIGURE, "song_fig2b.svg", "song_fig2b.csv",
-     "Song Figure 2b: error against spacing, order 2 of both on the Gaussian", "make report"},
-    {"square-step", PAGE, "song_table3.md", NULL, NULL, "make report"},
-    {"square-step", FIGURE, "song_fig5.svg", "song_fig5.csv", "Song Figure 5: error against spacing on the square",
+    {"Error against time", FIGURE, "peers/peers_square-step.svg", "peers/peers_square-step.csv",
+     "Error against time on the square: the methods of this suite and other codes", "make setup-peers bench-peers"},
+    {"Error against time", FIGURE, "matched_fig1.svg", "matched_fig1.csv",
+     "Error against counted work on the square: as published, and with matched step, start and smoothing length",
      "make report"},
-    {"square-step", FIGURE, "matched_fig1.svg", "matched_fig1.csv",
-     "Error against work, as published and with matched step, start and smoothing length", "make report"},
-    {"plate", PAGE, "pamplona_table1.md", NULL, NULL, "make report"},
-    {"plate", FIGURE, "pamplona_fig5.svg", "pamplona_fig5.csv",
-     "Pamplona Figure 5: isotherms of SPH and of the exact solution", "make report"},
-    {"plate", FIGURE, "pamplona_fig7a.svg", "pamplona_fig7a.csv",
-     "Pamplona Figure 7a: least mean relative error against h, first order", "make report"},
-    {"plate", FIGURE, "pamplona_fig7b.svg", "pamplona_fig7b.csv", "Pamplona Figure 7b: best xi against h",
-     "make report"},
-    {"plate", FIGURE, "pamplona_fig8.svg", "pamplona_fig8.csv", "Pamplona Figure 8: cost against h", "make report"},
     {"Operators", PAGE, "operators.md", NULL, NULL, "make operators"},
     {"Operators", FIGURE, "operators_error.svg", "operators_error.csv",
-     "Error against neighbours at equal spacing, operator by operator", "make operators"},
+     "Error against neighbours at equal spacing, by operator", "make operators"},
     {"Operators", FIGURE, "operators_growth.svg", "operators_growth.csv",
      "Share of jittered clouds on which a mode grows at any time step", "make operators"},
     {"Operators", FIGURE, "operators_redraw.svg", "operators_redraw.csv",
-     "Error where the cloud is drawn anew every N steps", "make operators"},
+     "Error where the particles are placed again every N steps", "make operators"},
     {"Walls", PAGE, "walls.md", NULL, NULL, "make walls"},
     {"Walls", FIGURE, "walls_error.svg", "walls_error.csv", "Error against spacing, by treatment of the wall",
      "make walls"},
@@ -68,29 +56,62 @@ static const struct part {
      "make stability"},
     {"Stability", FIGURE, "stability_jitter.svg", "stability_jitter.csv", "Spectra of jittered clouds",
      "make stability"},
-    {"Stability", FIGURE, "stability_checkerboard.svg", "stability_checkerboard.csv", "The checkerboard over time",
-     "make stability"},
-    {"Ledger", PAGE, "claims/claims.md", NULL, NULL, "make claims"},
+    {"Stability", FIGURE, "stability_checkerboard.svg", "stability_checkerboard.csv",
+     "Amplitude of the checkerboard against time", "make stability"},
+    {"Speed", LISTING, "bench/bench.txt", NULL, NULL, "make bench"},
     {"Seeded faults", LISTING, "mutants.txt", NULL, NULL, "make mutants"},
     {"Seeded faults", PAGE, "league/faults.md", NULL, NULL, "make faults"},
     {"Other codes", PAGE, "league/league.md", NULL, NULL, "make league"},
-    {"Other codes", FIGURE, "league/league.svg", "league/league.csv", "Error against time, code by code",
-     "make league"},
-    {"Speed", LISTING, "bench/bench.txt", NULL, NULL, "make bench"},
-    {"Speed", FIGURE, "peers/peers_square-step.svg", "peers/peers_square-step.csv",
-     "Error against time on the square: this suite's methods and others", "make setup-peers bench-peers"},
+    {"Other codes", FIGURE, "league/league.svg", "league/league.csv", "Error against time, by code", "make league"},
+    {song, PAGE, "song_table1.md", NULL, NULL, "make report"},
+    {song, FIGURE, "song_fig1a.svg", "song_fig1a.csv", "Figure 1a: temperature on the rod", "make report"},
+    {song, FIGURE, "song_fig1b.svg", "song_fig1b.csv",
+     "Figure 1b: first-order SSPH oscillates at the jump, second-order does not", "make report"},
+    {song, FIGURE, "song_fig2a.svg", "song_fig2a.csv", "Figure 2a: error against spacing, orders 1 and 2 at the jump",
+     "make report"},
+    {song, PAGE, "song_table2.md", NULL, NULL, "make report"},
+    {song, FIGURE, "song_fig2b.svg", "song_fig2b.csv",
+     "Figure 2b: error against spacing on the Gaussian, order 2 of both methods", "make report"},
+    {song, PAGE, "song_table3.md", NULL, NULL, "make report"},
+    {song, FIGURE, "song_fig5.svg", "song_fig5.csv", "Figure 5: error against spacing on the square", "make report"},
+    {pamplona, FIGURE, "pamplona_fig5.svg", "pamplona_fig5.csv",
+     "Figure 5: isotherms of SPH and of the exact solution", "make report"},
+    {pamplona, FIGURE, "pamplona_fig7a.svg", "pamplona_fig7a.csv",
+     "Figure 7a: least mean relative error against h, first order", "make report"},
+    {pamplona, FIGURE, "pamplona_fig7b.svg", "pamplona_fig7b.csv", "Figure 7b: best xi against h", "make report"},
+    {pamplona, FIGURE, "pamplona_fig8.svg", "pamplona_fig8.csv", "Figure 8: cost against h", "make report"},
+    {pamplona, FOLDED, "pamplona_table1.md", NULL, "Table 1: published and measured, not all of it explained",
+     "make report"},
+    {"Statements of the papers", FOLDED, "claims/claims.md", NULL, "Each statement with what is measured",
+     "make claims"},
 };
 enum { PARTS = sizeof parts / sizeof *parts };
 
-static const char *const sections[] = {"Operators",     "Walls",       "Stability", "Ledger",
-                                       "Seeded faults", "Other codes", "Speed"};
+static const char *const sections[] = {"Operators", "Walls",         "Stability",
+                                       "Speed",     "Seeded faults", "Other codes",
+                                       song,        pamplona,        "Statements of the papers"};
 enum { SECTIONS = sizeof sections / sizeof *sections };
 
-static int missing(const struct part *part, FILE *out) {
-    fprintf(out, "<p class=\"faint\">Not here: ");
-    html_text(out, part->file);
-    fprintf(out, "; <code>%s</code> makes it.</p>\n", part->command);
+/* The simplest scenes, in the order to read them; the others follow as they stand. */
+static const char *const simplest[] = {"rod-gauss",   "rod-step",       "rod-cosine",  "rod-cooling",
+                                       "rod-contact", "wall-composite", "square-step", "rect-manufactured",
+                                       "plate",       "plate-cooling",  "disc-mode",   "disc-cooling"};
+enum { SIMPLEST = sizeof simplest / sizeof *simplest, SCENES_ROOM = 200 };
+
+static int is_among(const char *name, const char *const *among, int n) {
+    for (int i = 0; i < n; i++)
+        if (strcmp(among[i], name) == 0) return 1;
     return 0;
+}
+
+/* Every scene once, NULL last. */
+static void order_scenes(const char *name[SCENES_ROOM]) {
+    int n = 0;
+    for (int i = 0; i < SIMPLEST; i++)
+        if (scene_find(simplest[i])) name[n++] = simplest[i];
+    for (const struct scene *const *s = scenes; *s && n < SCENES_ROOM - 1; s++)
+        if (!is_among((*s)->name, simplest, SIMPLEST)) name[n++] = (*s)->name;
+    name[n] = NULL;
 }
 
 /* Several panels: not to be printed two in a row. */
@@ -104,14 +125,12 @@ static int is_wide(const char *path) {
     return width && strtod(width + strlen(" width=\""), NULL) > WIDE;
 }
 
-static int put_figure(const struct part *part, const char *path, FILE *out) {
-    if (access(path, R_OK)) return missing(part, out);
+static void put_figure(const struct part *part, const char *path, FILE *out) {
     fprintf(out, "<figure%s>", is_wide(path) ? " class=\"wide\"" : "");
     html_image(out, path, part->text);
     fprintf(out, "<figcaption>");
     html_text(out, part->text);
     fprintf(out, ". <code>%s</code>, <a href=\"%s\">data</a></figcaption></figure>\n", part->command, part->data);
-    return 1;
 }
 
 /* Lines of the text from `from` up to `to`. */
@@ -158,28 +177,42 @@ static void put_listing(const char *name, char *text, FILE *out) {
     if (last < end) put_lines(last, end, out);
 }
 
-static int put_file(const struct part *part, const char *path, FILE *out) {
+static void put_file(const struct part *part, const char *path, FILE *out) {
     FILE *in = whole_file_open(path);
-    if (!in) return missing(part, out);
-    if (part->kind == PAGE) {
-        markdown_write(out, in, 2);
-    } else {
+    if (!in) return;
+    if (part->kind == FOLDED) html_print(out, "<details><summary>%s</summary>\n", part->text);
+    if (part->kind == LISTING) {
         char *text = whole_file_read(in, NULL);
         put_listing(part->file, text, out);
         free(text);
+    } else {
+        markdown_write(out, in, 2);
     }
     fclose(in);
+    if (part->kind == FOLDED) fprintf(out, "</details>\n");
     fprintf(out, "<p class=\"faint\"><code>%s</code></p>\n", part->command);
-    return 1;
+}
+
+static int is_made(const struct part *part, const char *dir) {
+    char path[1200];
+    snprintf(path, sizeof path, "%s/%s", dir, part->file);
+    return access(path, R_OK) == 0;
 }
 
 static void put_part(const struct part *part, const char *dir, FILE *out) {
     char path[1200];
+    if (!is_made(part, dir)) return;
     snprintf(path, sizeof path, "%s/%s", dir, part->file);
     if (part->kind == FIGURE)
         put_figure(part, path, out);
     else
         put_file(part, path, out);
+}
+
+static int has_parts(const char *section, const char *dir) {
+    for (int i = 0; i < PARTS; i++)
+        if (strcmp(parts[i].section, section) == 0 && is_made(&parts[i], dir)) return 1;
+    return 0;
 }
 
 static void put_parts(const char *section, const char *dir, FILE *out) {
@@ -188,55 +221,84 @@ static void put_parts(const char *section, const char *dir, FILE *out) {
 }
 
 /* As `make bench` draws them for each scene that it has. */
-static void put_precision(const struct scene *s, const char *dir, FILE *out) {
+static void put_precision(const char *scene, const char *dir, FILE *out) {
     static const char *const chart[] = {"convergence", "work"};
     static const char *const across[] = {"particles along x", "counted work"};
     for (int i = 0; i < 2; i++) {
         char file[160], data[160], text[160];
-        snprintf(file, sizeof file, "bench/bench_%s_%s.svg", s->name, chart[i]);
-        snprintf(data, sizeof data, "bench/bench_%s.csv", s->name);
-        snprintf(text, sizeof text, "Error against %s on %s", across[i], s->name);
-        put_part(&(struct part){s->name, FIGURE, file, data, text, "make bench"}, dir, out);
+        snprintf(file, sizeof file, "bench/bench_%s_%s.svg", scene, chart[i]);
+        snprintf(data, sizeof data, "bench/bench_%s.csv", scene);
+        snprintf(text, sizeof text, "Error against %s on %s", across[i], scene);
+        put_part(&(struct part){scene, FIGURE, file, data, text, "make bench"}, dir, out);
     }
 }
 
-static void put_contents(FILE *out) {
+/* One line: each command that makes what is not here, and what that is. */
+static void put_missing(const char *dir, FILE *out) {
+    int commands = 0;
+    for (int i = 0; i < PARTS; i++) {
+        int named = is_made(&parts[i], dir), files = 0;
+        for (int k = 0; k < i && !named; k++)
+            named = !is_made(&parts[k], dir) && strcmp(parts[k].command, parts[i].command) == 0;
+        if (named) continue;
+        const char *lead = commands++ ? ", " : "<p class=\"faint\">Not made yet: ";
+        fprintf(out, "%s<code>%s</code> (", lead, parts[i].command);
+        for (int k = i; k < PARTS; k++)
+            if (!is_made(&parts[k], dir) && strcmp(parts[k].command, parts[i].command) == 0)
+                html_print(out, files++ ? ", %s" : "%s", parts[k].file);
+        fprintf(out, ")");
+    }
+    if (commands) fprintf(out, ".</p>\n");
+}
+
+static void put_contents(const char *const scene[], const char *dir, FILE *out) {
     fprintf(out, "<nav><h2>Contents</h2>\n<ul>\n");
-    for (const struct scene *const *s = scenes; *s; s++)
-        fprintf(out, "<li><a href=\"#%s\">%s</a>\n", (*s)->name, (*s)->name);
-    for (int i = 0; i < SECTIONS; i++) fprintf(out, "<li><a href=\"#part%d\">%s</a>\n", i, sections[i]);
+    for (; *scene; scene++) fprintf(out, "<li><a href=\"#%s\">%s</a>\n", *scene, *scene);
+    for (int i = 0; i < SECTIONS; i++)
+        if (has_parts(sections[i], dir)) fprintf(out, "<li><a href=\"#part%d\">%s</a>\n", i, sections[i]);
     fprintf(out, "</ul></nav>\n");
 }
 
-static void put_scene(const struct scene *s, const struct gates_json *g, const char *dir, FILE *out) {
+static void put_scene(const char *name, const struct gates_json *g, const char *dir, FILE *out) {
+    const struct scene *s = scene_find(name);
     fprintf(out, "<section id=\"%s\">\n<h2>%s</h2>\n<p>", s->name, s->name);
     html_text(out, s->about);
     fprintf(out, ". <span class=\"faint\">");
     html_text(out, s->citation);
     fprintf(out, "</span></p>\n");
-    page_put_scene(g->gate, g->count, s->name, out);
-    put_parts(s->name, dir, out);
-    put_precision(s, dir, out);
+    orders_put_scene(g->gate, g->count, name, out);
+    page_put_scene(g->gate, g->count, name, out);
+    put_precision(name, dir, out);
     fprintf(out, "</section>\n");
 }
 
 static void put_verdict(const struct gates_json *g, FILE *out) {
-    char now[PAGE_ORIGIN];
-    page_origin(now, sizeof now);
     if (g->count > 0)
         page_put_gates(g->gate, g->count, g->made, out);
     else
         fprintf(out, "<p class=\"verdict\">%s</p>\n",
                 "No verdict: the gates were not run. <code>make verify</code> runs them.");
-    html_print(out, "<p class=\"faint\">This page was made %s, of the files that lay there.</p>\n", now);
+}
+
+static void put_origin(FILE *out) {
+    char now[PAGE_ORIGIN];
+    page_origin(now, sizeof now);
+    html_print(out, "<p class=\"faint\">This page was made %s from existing files.</p>\n", now);
 }
 
 static void write_page(const char *dir, const struct gates_json *g, FILE *out) {
+    const char *scene[SCENES_ROOM];
+    order_scenes(scene);
     html_open(out, "heatladder: verification of transient heat conduction");
     put_verdict(g, out);
-    put_contents(out);
-    for (const struct scene *const *s = scenes; *s; s++) put_scene(*s, g, dir, out);
+    orders_put(g->gate, g->count, scene, out);
+    put_parts("Error against time", dir, out);
+    put_missing(dir, out);
+    put_origin(out);
+    put_contents(scene, dir, out);
+    for (int i = 0; scene[i]; i++) put_scene(scene[i], g, dir, out);
     for (int i = 0; i < SECTIONS; i++) {
+        if (!has_parts(sections[i], dir)) continue;
         fprintf(out, "<section id=\"part%d\">\n<h2>%s</h2>\n", i, sections[i]);
         put_parts(sections[i], dir, out);
         fprintf(out, "</section>\n");

@@ -6,6 +6,7 @@
 
 #include "reports/index/gates_json.h"
 #include "reports/index/index.h"
+#include "reports/index/orders.h"
 #include "solver/status.h"
 #include "verification/command/arguments.h"
 #include "verification/foreign/program.h"
@@ -272,14 +273,47 @@ static void a_long_listing_is_folded(void **state) {
                                  "<p class=\"faint\"><code>make mutants</code></p>\n"));
 }
 
+/* Each ladder once, on its band; a curve a method and the second-order particles first. */
+static void ladders_are_drawn_by_scene(void **state) {
+    (void)state;
+    const char *const scene[] = {"rod-gauss", "rod-step", NULL};
+    struct page_gate gate[4] = {{.command = "ladder rod-gauss ftcs --dx 1,2", .id = "a"},
+                                {.command = "ladder rod-gauss so_ssph --dx 1,2", .id = "b"},
+                                {.command = "ladder rod-gauss ftcs --dx 1,4", .id = "c"},
+                                {.command = "run rod-gauss ftcs", .id = "d"}};
+    for (int i = 0; i < 3; i++) {
+        gate[i].verdict = i < 2 ? "pass" : "fail";
+        gate[i].lo = 1.5, gate[i].hi = 2.5, gate[i].value = 2;
+        gate[i].rungs = (struct rungs){
+            .n = 2, .axis = "dx [m]", .norm = "E1", .x = {0.5, 0.25}, .error = {0.25, 0.125}, .counts = {1, 1}};
+    }
+    FILE *out = begin();
+    orders_put(gate, 4, scene, out);
+    fclose(out);
+    int dots = 0;
+    for (const char *at = text; (at = strstr(at, "<circle")); at++) dots++;
+    assert_int_equal(dots, 2);
+    assert_non_null(strstr(text, "a: 2, expected 1.5 to 2.5</title>"));
+    assert_non_null(strstr(text, "stroke=\"#a3200d\""));
+    assert_non_null(strstr(text, "3 ladders."));
+    assert_null(strstr(text, ">rod-step<"));
+    out = begin();
+    orders_put_scene(gate, 4, "rod-gauss", out);
+    fclose(out);
+    assert_true(strstr(text, ">b</text>") < strstr(text, ">a</text>"));
+    assert_null(strstr(text, ">c</text>"));
+}
+
 /* Of a directory with a listing alone: the rest is named with the command that makes it. */
 static void a_page_of_what_there_is(void **state) {
     (void)state;
     const char *page = page_of_listing("first < 2\n  second\n");
     assert_non_null(strstr(page, "No verdict: the gates were not run. <code>make verify</code> runs them."));
     assert_non_null(strstr(page, "<pre><code>first &lt; 2\n  second\n</code></pre>"));
-    assert_non_null(strstr(page, "Not here: claims/claims.md; <code>make claims</code> makes it."));
-    assert_null(strstr(page, "Not here: mutants.txt"));
+    assert_non_null(strstr(page, ", <code>make claims</code> (claims/claims.md)"));
+    assert_null(strstr(page, "<code>make mutants</code> ("));
+    assert_null(strstr(page, "<h2>Walls</h2>"));
+    assert_true(strstr(page, "<h2>rod-gauss</h2>") < strstr(page, "<h2>rod-step</h2>"));
 }
 
 int main(void) {
@@ -289,6 +323,7 @@ int main(void) {
         cmocka_unit_test(the_worst_gate_is_the_verdict), cmocka_unit_test(a_ladder_says_what_made_it),
         cmocka_unit_test(a_ladder_shows_what_is_judged), cmocka_unit_test(a_long_listing_is_folded),
         cmocka_unit_test(a_page_of_what_there_is),       cmocka_unit_test(a_battery_shows_its_ladders),
+        cmocka_unit_test(ladders_are_drawn_by_scene),
     };
     return cmocka_run_group_tests_name("page", tests, NULL, NULL);
 }
