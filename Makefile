@@ -274,15 +274,16 @@ $(OUT)/%.svg $(OUT)/%.png: %.gp $(wildcard reports/figure/*.gp) $(OUT)/report.st
 	$(Q)scripts/plot $(OUT) $<
 
 # The figures that README.md shows.
-GALLERY := song_fig1b song_fig2a song_fig2b pamplona_fig5 stability_limits matched_fig1 operators_error operators_redraw
+GALLERY := song_fig1b song_fig2a song_fig2b pamplona_fig5 stability_limits matched_fig1 operators_error operators_redraw operators_growth walls_error
 
 # Data of some, small and without a clock in them, that scripts/check_readme compares with what is measured.
 GALLERY_DATA := song_fig1b song_fig2a song_fig2b matched_fig1
 
 .PHONY: gallery
-gallery: report stability operators ## Copy the figures that the README shows to reports/gallery
+gallery: report stability operators walls ## Copy the figures that the README shows to reports/gallery
 	@mkdir -p reports/gallery
 	$(Q)cp $(GALLERY:%=$(OUT)/%.svg) $(GALLERY_DATA:%=$(OUT)/%.csv) reports/gallery/
+	$(Q)scripts/record $(BUILD)/heatladder reports/gallery/session.svg
 	$(Q)if [ -f $(OUT)/peers/peers_square-step.svg ]; then cp $(OUT)/peers/peers_square-step.svg reports/gallery/; \
 	else echo "gallery: no chart of peers here (make bench-peers draws it); the old one stays"; fi
 
