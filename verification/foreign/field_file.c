@@ -6,6 +6,7 @@
 #include "solver/status.h"
 #include "verification/foreign/coverage.h"
 #include "verification/foreign/holes.h"
+#include "verification/foreign/npy_file.h"
 #include "verification/foreign/samples.h"
 #include "verification/foreign/table_file.h"
 #include "verification/foreign/vtk_file.h"
@@ -31,7 +32,9 @@ int field_file_samples(const char *path, const char *name, int dim, const struct
     if (!in) return STATUS_INPUT;
     size_t n = fread(start, 1, sizeof start, in);
     rewind(in);
-    int status = (vtk_file_is(start, n) ? read_vtk : table_file_read)(in, c, s, why);
+    int status = (npy_file_is(start, n)   ? npy_file_read
+                  : vtk_file_is(start, n) ? read_vtk
+                                          : table_file_read)(in, c, s, why);
     if (!status && ferror(in)) status = refuse(why, STATUS_INPUT, "%.200s: could not be read to its end", name);
     fclose(in);
     if (status) samples_free(s);

@@ -1,0 +1,142 @@
+/* NumPy's array files, without a text of any number: magic, version, length of the header, a header in Python's
+ * words, then the rows (NEP 1, versions 1.0 to 3.0). */
+#include "verification/foreign/npy_file.h"
+
+#include "solver/status.h"
+#include "verification/foreign/samples.h"
+
+#include <math.h>
+#include <stdint.h>
+#include <stdlib.h>
+#include <string.h>
+
+enum { MAGIC = 6, HEADER = 4096, ROW = 4096 };
+
+struct layout {
+    size_t rows, stride;         /* bytes from row to row */
+    size_t offset[COLUMN_COUNT]; /* of each column in a row */
+    int bytes[COLUMN_COUNT];     /* 8 or 4; 0 for a column that is not there */
+};
+
+int npy_file_is(const char *start, size_t size) {
+    return size >= MAGIC && memcmp(start, "\x93NUMPY", MAGIC) == 0;
+}
+
+static int wrong(const struct samples *s, struct failure *why, const char *what) {
+    return refuse(why, STATUS_INPUT, "%.150s: %s", s->path, what);
+}
+
+static int read_header(FILE *in, char text[HEADER], const struct samples *s, struct failure *why) {
+    unsigned char start[12];
+    if (fread(start, 1, MAGIC + 4, in) != MAGIC + 4) return wrong(s, why, "cut off in its header");
+    size_t length = start[8] + 256u * start[9];
+    if (start[6] > 1) {
+        if (fread(start + 10, 1, 2, in) != 2) return wrong(s, why, "cut off in its header");
+        length += 65536u * start[10] + 16777216u * start[11];
+    }
+    if (length >= HEADER) return wrong(s, why, "a header of more than 4 kB: not an array of points");
+    if (fread(text, 1, length, in) != length) return wrong(s, why, "cut off in its header");
+    text[length] = '\0';
+    return STATUS_OK;
+}
+
+/* Bytes of '<f8' or '<f4' in quotes, 0 for any other type. */
+static int bytes_of(const char *type) {
+    return strncmp(type, "'<f8'", 5) == 0 ? 8 : strncmp(type, "'<f4'", 5) == 0 ? 4 : 0;
+}
+
+/* ('NAME', '<f8'), one after the other. */
+static int read_fields(const char *at, const struct column_map *c, const struct samples *s, struct layout *l,
+                       struct failure *why) {
+    char name[COLUMN_NAME], type[8];
+    int n;
+    while (sscanf(at, " ( '%63[^']' , %7[^,)] ) %n", name, type, &n) == 2) {
+        int bytes = bytes_of(type);
+        if (!bytes) return wrong(s, why, "a field is no number of 8 or 4 bytes ('<f8', '<f4')");
+        for (int k = 0; k < COLUMN_COUNT; k++)
+            if (strcmp(samples_column_name(c, k), name) == 0) l->offset[k] = l->stride, l->bytes[k] = bytes;
+        l->stride += (size_t)bytes;
+        at += n;
+        if (*at == ',') at++;
+    }
+    return at[strspn(at, " ")] == ']' ? STATUS_OK
+                                      : wrong(s, why, "a field is no number of 8 or 4 bytes ('<f8', '<f4')");
+}
+
+static int read_columns(size_t columns, int bytes, const struct samples *s, struct layout *l, struct failure *why) {
+    static const int order[2][3] = {{COLUMN_X, COLUMN_T, COLUMN_W}, {COLUMN_X, COLUMN_Y, COLUMN_T}};
+    size_t least = (size_t)s->dim + 1;
+    if (columns != least && columns != least + 1)
+        return refuse(why, STATUS_INPUT, "%.150s: %zu columns; x%s, T and, where points are weighted, w are wanted",
+                      s->path, columns, s->dim == 2 ? ", y" : "");
+    for (size_t i = 0; i < columns; i++) {
+        int k = i == 3 ? COLUMN_W : order[s->dim - 1][i];
+        l->offset[k] = i * (size_t)bytes, l->bytes[k] = bytes;
+    }
+    l->stride = columns * (size_t)bytes;
+    return STATUS_OK;
+}
+
+static int read_layout(const char *header, const struct column_map *c, const struct samples *s, struct layout *l,
+                       struct failure *why) {
+    const char *descr = strstr(header, "'descr':"), *shape = strstr(header, "'shape':");
+    size_t columns = 0;
+    if (!descr || !shape || !strstr(header, "'fortran_order': False"))
+        return wrong(s, why, "not an array in C's order: numpy.ascontiguousarray makes one");
+    int sizes = sscanf(shape + 8, " ( %zu , %zu", &l->rows, &columns);
+    descr += 8 + strspn(descr + 8, " ");
+    int status = STATUS_OK;
+    if (*descr == '[' && sizes == 1)
+        status = read_fields(descr + 1, c, s, l, why);
+    else if (bytes_of(descr) && sizes == 2)
+        status = read_columns(columns, bytes_of(descr), s, l, why);
+    else
+        status = wrong(s, why, "n rows of two to four columns '<f8' or '<f4' are wanted, or named fields");
+    for (int k = 0; !status && k < COLUMN_COUNT; k++) {
+        int wanted = k == COLUMN_X || k == COLUMN_T || (k == COLUMN_Y && s->dim == 2) || c->name[k][0];
+        if (wanted && !l->bytes[k])
+            status = refuse(why, STATUS_INPUT, "%.150s: no field '%s'", s->path, samples_column_name(c, k));
+    }
+    if (s->dim == 1) l->bytes[COLUMN_Y] = 0;
+    return status;
+}
+
+static double value_at(const char *row, const struct layout *l, int column) {
+    double value;
+    float single;
+    if (l->bytes[column] == 8) {
+        memcpy(&value, row + l->offset[column], sizeof value);
+        return value;
+    }
+    memcpy(&single, row + l->offset[column], sizeof single);
+    return single;
+}
+
+static int read_rows(FILE *in, const struct layout *l, struct samples *s, struct failure *why) {
+    char row[ROW];
+    if (l->stride > ROW) return wrong(s, why, "more than 4 kB a point");
+    for (size_t i = 0; i < l->rows; i++) {
+        if (fread(row, 1, l->stride, in) != l->stride)
+            return refuse(why, STATUS_INPUT, "%.150s: cut off at row %zu of %zu", s->path, i + 1, l->rows);
+        if (s->n == s->room) samples_grow(s);
+        for (int k = 0; k < COLUMN_COUNT; k++) {
+            if (!l->bytes[k]) continue;
+            s->value[k][i] = value_at(row, l, k);
+            if (!isfinite(s->value[k][i]))
+                return refuse(why, STATUS_NUMERICAL, "%.150s, row %zu: %s is not finite", s->path, i + 1,
+                              samples_column_name(&(struct column_map){0}, k));
+        }
+        s->line[i] = (long)i + 1;
+        s->n = i + 1;
+    }
+    if (fgetc(in) != EOF) return wrong(s, why, "goes on after its last row");
+    return s->n ? STATUS_OK : wrong(s, why, "no points");
+}
+
+int npy_file_read(FILE *in, const struct column_map *c, struct samples *s, struct failure *why) {
+    char header[HEADER];
+    struct layout l = {0};
+    if (read_header(in, header, s, why) || read_layout(header, c, s, &l, why)) return why->status;
+    for (int k = 0; k < COLUMN_COUNT; k++) s->has[k] = l.bytes[k] > 0;
+    return read_rows(in, &l, s, why);
+}
