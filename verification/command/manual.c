@@ -27,7 +27,7 @@ static void put(const char *text, FILE *out) {
     }
 }
 
-static void put_option(const struct option *o, FILE *out) {
+static void put_option(const struct option *o, int required, FILE *out) {
     char words[200] = "";
     fprintf(out, ".TP\n\\fB\\-\\-");
     put(o->name, out);
@@ -37,24 +37,16 @@ static void put_option(const struct option *o, FILE *out) {
     put(o->about, out);
     if (o->words) words_join(o->words, words, sizeof words);
     if (*words) fprintf(out, ": "), put(words, out);
-    fputc('\n', out);
+    fprintf(out, "%s\n", required ? " (required)" : "");
 }
 
 static void put_verb(const struct verb *v, FILE *out) {
-    const char *start = "";
     fprintf(out, ".SS \"heatladder %s", v->name);
     fprintf(out, "%s%s\"\n", *v->positionals ? " " : "", v->positionals);
     put(v->about, out);
-    fprintf(out, ".\n");
-    for (const struct option *o = options_table; o->key; o++) {
-        if (!words_among(v->options, o->key)) continue;
-        fprintf(out, *start ? ",\n" : "Options:\n");
-        start = "more";
-        fprintf(out, "\\fB\\-\\-");
-        put(o->name, out);
-        fprintf(out, "\\fR%s", words_among(v->required, o->key) ? " (required)" : "");
-    }
-    fprintf(out, *start ? ".\n" : "");
+    fputc('\n', out);
+    for (const struct option *o = options_table; o->key; o++)
+        if (words_among(v->options, o->key)) put_option(o, words_among(v->required, o->key), out);
 }
 
 static void put_literally(const char *text, FILE *out) {
@@ -76,24 +68,97 @@ static void put_names(FILE *out) {
     }
 }
 
-void manual_page(FILE *out) {
-    fprintf(out, ".TH HEATLADDER 1 \"\" \"heatladder %s\" \"User Commands\"\n", version_text);
-    fprintf(out, ".SH NAME\nheatladder \\- verification and benchmarks for solvers of transient heat conduction\n"
-                 ".SH SYNOPSIS\n.B heatladder\n.I VERB\n[\\fIarguments\\fR] [\\fIoptions\\fR]\n"
-                 ".SH DESCRIPTION\n");
-    put_literally(help_about, out);
-    fprintf(out, ".SH VERBS\n");
-    for (const struct verb *v = verbs; v->name; v++) put_verb(v, out);
-    fprintf(out, ".SH OPTIONS\nEach has a meaning for the verbs that name it above.  "
-                 "Of words that are listed the first is the default.\n");
-    for (const struct option *o = options_table; o->key; o++) put_option(o, out);
-    put_names(out);
+/* Paragraphs with a hanging title, up to a NULL: what is typed or set, and what it does. */
+static void put_paragraphs(const char *const row[][2], FILE *out) {
+    for (int i = 0; row[i][0]; i++) {
+        fprintf(out, ".TP\n\\fB"), put(row[i][0], out), fprintf(out, "\\fR\n");
+        put(row[i][1], out), fputc('\n', out);
+    }
+}
+
+static void put_examples(FILE *out) {
+    static const char *const row[][2] = {
+        {"heatladder verify", "Run every built-in gate."},
+        {"heatladder ladder rod-gauss ftcs --dx 0.2,0.1,0.05,0.025 --expect 1.9,2.1",
+         "Fit the order of finite differences on smooth data; it must be within 1.9 and 2.1."},
+        {"heatladder reference rod-gauss --at 0.3 --time 10", "Evaluate the exact solution at a point."},
+        {"heatladder verify --solver './mine {case} {out}'", "Run the battery on your program."},
+        {"heatladder case --battery --into cases", "Write the cases of the battery, to run them elsewhere."},
+        {"heatladder verify --results cases", "Judge the answers there."},
+        {0}};
+    fprintf(out, ".SH EXAMPLES\n");
+    put_paragraphs(row, out);
+}
+
+static void put_environment(FILE *out) {
+    static const char *const row[][2] = {
+        {"HEATLADDER_LANES",
+         "Vector width of the hot loops in doubles, 2, 4 or 8; default the widest of the machine. "
+         "Results are the same to the bit for every width."},
+        {"HEATLADDER", "Path of this program, set for the program of --solver unless you set it."},
+        {"TMPDIR",
+         "Directory of temporary files; default /tmp. The program of --solver gets a directory of its own."},
+        {"NO_COLOR", "No colours on a terminal."},
+        {"GITHUB_ACTIONS", "If set, verify also prints failing gates as annotations."},
+        {0}};
+    fprintf(out, ".SH ENVIRONMENT\n");
+    put_paragraphs(row, out);
+}
+
+static void put_files(FILE *out) {
+    static const char *const row[][2] = {
+        {"DIR/cases.txt", "Directories of the cases that the verb case wrote, one a line."},
+        {"DIR/SCENE/DX/case", "A case: key = value, one a line."},
+        {"DIR/SCENE/DX/out.csv", "The answer to the case beside it, written by your program."},
+        {"DIR/SCENE/DX/log", "Output of your program, with --keep or --resume."},
+        {"share/heatladder/examples", "Example programs, in the directory of the installation."},
+        {0}};
+    fprintf(out, ".SH FILES\n");
+    put_paragraphs(row, out);
+}
+
+static void put_exit_status(FILE *out) {
+    static const char *const row[][2] = {{"0", "All passed."},
+                                         {"1", "A gate failed."},
+                                         {"2", "Bad usage or input."},
+                                         {"3", "Numerical failure, such as an unstable step."},
+                                         {"4", "Inconclusive: the measurements do not decide."},
+                                         {"77", "Skipped: the program cannot run the case."},
+                                         {0}};
+    fprintf(out, ".SH \"EXIT STATUS\"\n");
+    put_paragraphs(row, out);
+}
+
+static void put_interfaces(FILE *out) {
     fprintf(out, ".SH \"OTHER PROGRAMS\"\n");
     put_literally(program_help, out);
-    fprintf(out, ".PP\n");
+    fprintf(out, ".SH \"CASE FILE\"\n");
     put_literally(case_file_help, out);
-    fprintf(out, ".SH \"THE ORACLE\"\n");
+    fprintf(out, ".SH \"COLUMNS OF REFERENCE\"\n");
     put_literally(columns_help, out);
+}
+
+void manual_page(FILE *out) {
+    fprintf(out, ".TH HEATLADDER 1 2026-11-22 \"heatladder %s\" \"User Commands\"\n", version_text);
+    fprintf(out, ".SH NAME\nheatladder \\- verification and benchmarks for solvers of transient heat conduction\n"
+                 ".SH SYNOPSIS\n.B heatladder\n.I VERB\n[\\fIarguments\\fR] [\\fIoptions\\fR]\n"
+                 ".SH DESCRIPTION\n"
+                 "A scene is a problem of heat conduction with an exact solution.\n"
+                 "A ladder solves a scene at several spacings, its rungs, fits the order at which the error falls,\n"
+                 "and judges it against an expected band.\n"
+                 "A gate is a command with such a band or a ceiling of the error; the battery is the set of gates\n"
+                 "for another program.\n"
+                 ".PP\nThe sections of the verbs list their options.\n"
+                 "The first of listed words is the default.\n"
+                 ".SH VERBS\n");
+    for (const struct verb *v = verbs; v->name; v++) put_verb(v, out);
+    put_names(out);
+    put_interfaces(out);
+    put_examples(out);
+    put_environment(out);
+    put_files(out);
+    put_exit_status(out);
+    fprintf(out, ".SH \"SEE ALSO\"\n.BR gnuplot (1)\n");
 }
 
 /* Blank-separated words for compgen, without what bash would expand. */

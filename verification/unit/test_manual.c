@@ -41,6 +41,9 @@ static void the_page_is_complete(void **state) {
     for (const struct option *o = options_table; o->key; o++) has(page, ".TP\n\\fB\\-\\-", o->name, "\\fR");
     for (int i = 0; scenes[i]; i++) has(page, ".TP\n\\fB", scenes[i]->name, "\\fR");
     for (int i = 0; methods[i]; i++) has(page, ".TP\n\\fB", methods[i]->name, "\\fR");
+    static const char *const sections[] = {"NAME",        "SYNOPSIS", "DESCRIPTION",     "VERBS",       "EXAMPLES",
+                                           "ENVIRONMENT", "FILES",    "\"EXIT STATUS\"", "\"SEE ALSO\""};
+    for (int i = 0; i < 9; i++) has(page, "\n.SH ", sections[i], "\n");
     for (const char *line = page; line; line = strchr(line, '\n')) {
         line += *line == '\n';
         assert_int_not_equal(*line, '\'');
