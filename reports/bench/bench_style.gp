@@ -53,7 +53,7 @@ do for [f=1:6] { do for [part=0:parts(f)-1] {
     set ylabel (panel % 3 == 1 ? along : '') offset 0.5
     set title (f > 5 ? 'what nothing else beats' : part ? TITLE[f].', continued' : TITLE[f]) noenhanced font size_of(11) offset 0, -0.6
     set key at graph 0, graph -0.2 left top Left reverse samplen 1.5 spacing 1.05
-    eval sprintf("set key font '%s'", size_of(8))
+    eval sprintf("set key font '%s'", size_of(8.25))
     plot data index 0:(N-1) using X:Y with lines lc rgb '#d6d6d6' lw 0.8 notitle, \
          for [j=1:n] data index SHOWN[j]-1 using X:Y:LOW:HIGH with @STYLE lc rgb COLOUR[j] lw 0.8 pt 0 notitle, \
          for [j=1:n] data index SHOWN[j]-1 using X:Y with linespoints lc rgb COLOUR[j] lw 1.2 pt POINT[j] ps 0.8 * P \

@@ -9,7 +9,7 @@ set ylabel 'E = Σ|T_e − T_n| / ΣT_e  [-]' offset 0.5
 set offsets graph 0.03, graph 0.03, 0, 0
 set key bottom right
 plot data index 'fo_ssph line measured' using 1:2 with lines lc rgb RED lw 1.0 dt 2 notitle, \
-     data index 'so_ssph line measured' using 1:2 with lines lc rgb BLUE lw 1.0 dt 1 notitle, \
+     data index 'so_ssph line measured' using 1:2 with lines lc rgb BLUE lw 2.2 dt 1 notitle, \
      data index 'fo_ssph measured' using 1:2 with points ls 2 title columnheader(2), \
      data index 'fo_ssph published' using 1:2 with points ls 12 title columnheader(2), \
      data index 'so_ssph measured' using 1:2 with points ls 3 title columnheader(2), \

@@ -3,8 +3,8 @@
 
 struct failure;
 
-/* <dir>/index.html: one page of the files in `dir`, and <dir>/summary.md: its verdict for the summary of a job.  A
- * part that is not there is named with the command that makes it.  A status of solver/status.h. */
+/* <dir>/index.html: one page of the files in `dir`, and <dir>/summary.md: its verdict for the summary of a job.  What
+ * is not there is in one line with the command that makes it.  A status of solver/status.h. */
 int index_write(const char *dir, struct failure *why);
 
 #endif

@@ -144,7 +144,7 @@ void orders_put_scene(const struct page_gate *gate, int count, const char *scene
     }
     snprintf(title, sizeof title, "Error against spacing on %.60s", scene);
     fprintf(out, "<figure>\n");
-    chart_write(&(struct chart){title, "dx [m]", "E1", n, series, (chosen[0]->lo + chosen[0]->hi) / 2}, out);
+    chart_write(&(struct chart){title, "dx [m]", "E1", n, series, page_order(chosen[0]->lo, chosen[0]->hi)}, out);
     html_print(out,
                "<figcaption>%s, one ladder a method. Hollow: left out of the fit. <code>make verify</code>"
                "</figcaption></figure>\n",

@@ -1,4 +1,4 @@
-# Error against spacing, SO-SSPH of order 2 and 4, the cloud drawn anew every N steps.
+# Error against spacing, SO-SSPH of order 2 and 4, the cloud placed again every N steps.
 name = 'operators_redraw'
 wide = 980; high = 600
 load 'reports/figure/style.gp'

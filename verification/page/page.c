@@ -108,7 +108,7 @@ int page_ladder_write(const struct ladder *l, const struct ladder_rungs *asked, 
     result_describe(&l->rung[l->n - 1], title, sizeof title);
     snprintf(name, sizeof name, "%s (hollow: left out of the fit)", ladder_norm_titles[l->norm]);
     snprintf(axis, sizeof axis, "%s%s", l->inverse ? "1 / " : "", ladder_axis(l));
-    double expected = asked->expect.count ? (asked->expect.value[0] + asked->expect.value[1]) / 2 : NAN;
+    double expected = asked->expect.count ? page_order(asked->expect.value[0], asked->expect.value[1]) : NAN;
     html_open(out, title);
     int hollow[RUNG_MAX];
     char slope[240];

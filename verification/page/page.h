@@ -34,6 +34,10 @@ void page_put_gates(const struct page_gate *gate, int count, const char *made, F
 /* How many gates of that scene hold, and the gates, folded away. */
 void page_put_scene(const struct page_gate *gate, int count, const char *scene, FILE *out);
 
+/* The order to draw beside a ladder: the whole number next to the middle of the band where that is in the band, else
+ * the middle. */
+double page_order(double lo, double hi);
+
 /* The ladder of a gate, drawn and as a table; nothing where it has none. */
 void page_put_ladder(const struct page_gate *gate, FILE *out);
 /* Those of all gates that hold, each folded away: page_put_gates draws the others. */

@@ -97,6 +97,11 @@ static void put_rungs(const struct rungs *l, FILE *out) {
     fprintf(out, "</table></div>\n");
 }
 
+double page_order(double lo, double hi) {
+    double middle = (lo + hi) / 2, whole = round(middle);
+    return lo <= whole && whole <= hi ? whole : middle;
+}
+
 void page_put_ladder(const struct page_gate *g, FILE *out) {
     const struct rungs *l = &g->rungs;
     int hollow[NUMBERS_MAX];
@@ -106,7 +111,7 @@ void page_put_ladder(const struct page_gate *g, FILE *out) {
     snprintf(name, sizeof name, "%s (hollow: left out of the fit)", l->norm);
     const struct chart_series series = {name, l->n, l->x, l->error, hollow};
     fprintf(out, "<figure>\n");
-    chart_write(&(struct chart){g->id, l->axis, l->norm, 1, &series, (g->lo + g->hi) / 2}, out);
+    chart_write(&(struct chart){g->id, l->axis, l->norm, 1, &series, page_order(g->lo, g->hi)}, out);
     fprintf(out, "</figure>\n");
     put_rungs(l, out);
 }

@@ -273,6 +273,13 @@ static void a_long_listing_is_folded(void **state) {
                                  "<p class=\"faint\"><code>make mutants</code></p>\n"));
 }
 
+static void the_order_of_a_band_is_whole(void **state) {
+    (void)state;
+    assert_near(page_order(1.5, 2.9), 2, 0);
+    assert_near(page_order(0.9, 1.1), 1, 0);
+    assert_near(page_order(1.6, 1.8), 1.7, 1e-15);
+}
+
 /* Each ladder once, on its band; a curve a method and the second-order particles first. */
 static void ladders_are_drawn_by_scene(void **state) {
     (void)state;
@@ -323,7 +330,7 @@ int main(void) {
         cmocka_unit_test(the_worst_gate_is_the_verdict), cmocka_unit_test(a_ladder_says_what_made_it),
         cmocka_unit_test(a_ladder_shows_what_is_judged), cmocka_unit_test(a_long_listing_is_folded),
         cmocka_unit_test(a_page_of_what_there_is),       cmocka_unit_test(a_battery_shows_its_ladders),
-        cmocka_unit_test(ladders_are_drawn_by_scene),
+        cmocka_unit_test(ladders_are_drawn_by_scene),    cmocka_unit_test(the_order_of_a_band_is_whole),
     };
     return cmocka_run_group_tests_name("page", tests, NULL, NULL);
 }
