@@ -6,7 +6,7 @@ set format xy '10^{%T}'
 set xlabel 'work of all steps  [pairs of particles]'
 set ylabel 'E = Σ|T_e − T_n| / ΣT_e  [-]' offset 0.5
 set offsets graph 0.03, graph 0.03, 0, 0
-set key bottom left
+set key bottom left Left reverse
 # The steps at dx = 0.1 m, as they were taken.
 steps(dx, n) = abs(dx - 0.1) < 1e-9 ? sprintf('dx = %g m, %d steps', dx, n) : ''
 set xrange [*:4e9] # room for them
