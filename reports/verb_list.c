@@ -14,6 +14,7 @@
 
 #include <math.h>
 #include <stdio.h>
+#include <string.h>
 
 static void list_params(const struct param *p, struct table *t) {
     for (; p->name; p++) {
@@ -75,7 +76,21 @@ static void list_gates(void) {
                 printf("  %s %s\n", scenes[s]->name, methods[m]->name);
 }
 
-static void list_battery(void) {
+/* The faults that each row is there for, a line a row. */
+static void list_battery_rows(void) {
+    struct table t = table_headed(3, "row|order|sees");
+    for (const struct battery_row *row = battery_table; row->order; row++) {
+        const char *why = row->gate.why + (strncmp(row->gate.why, "sees ", 5) == 0 ? 5 : 0);
+        table_add(&t, "%s", row->gate.id);
+        table_add(&t, "(order %d)", row->order);
+        table_add(&t, "%.*s", (int)strcspn(why, ":;"), why);
+    }
+    table_print(&t, stdout);
+    table_free(&t);
+    printf("\nheatladder list battery -v: commands, bounds and draws\n");
+}
+
+static void list_battery_details(void) {
     for (const struct battery_row *row = battery_table; row->order; row++) {
         const struct gate *g = &row->gate;
         printf("%s (order %d): %s in [%g, %g]", g->id, row->order, g->measure, g->lo, g->hi);
@@ -95,9 +110,11 @@ static void list_claims(void) {
 static const struct topic {
     const char *name;
     void (*list)(void);
-} topics[] = {
-    {"scenes", list_scenes}, {"methods", list_methods}, {"kernels", list_kernels}, {"steppers", list_steppers},
-    {"gates", list_gates},   {"battery", list_battery}, {"claims", list_claims},   {0}};
+    void (*details)(void); /* with --verbose; NULL: as list */
+} topics[] = {{"scenes", list_scenes, NULL},   {"methods", list_methods, NULL},
+              {"kernels", list_kernels, NULL}, {"steppers", list_steppers, NULL},
+              {"gates", list_gates, NULL},     {"battery", list_battery_rows, list_battery_details},
+              {"claims", list_claims, NULL},   {0}};
 
 int verb_list(const struct request *r, struct failure *why) {
     const char *names[WORDS_MAX] = {0};
@@ -105,7 +122,10 @@ int verb_list(const struct request *r, struct failure *why) {
         names[i] = topics[i].name;
         if (r->topic && words_index(names, r->topic) < 0) continue;
         if (!r->topic && i) printf("\n");
-        topics[i].list();
+        if (r->verbose && topics[i].details)
+            topics[i].details();
+        else
+            topics[i].list();
         if (r->topic) return STATUS_OK;
     }
     return r->topic ? words_unknown(names, "topic", r->topic, why) : STATUS_OK;

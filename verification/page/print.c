@@ -72,16 +72,22 @@ static void print_groups(const struct gates *g) {
     if (column % ACROSS) printf("\n");
 }
 
-static void print_failure(const struct gate_result *r) {
+/* The value against its band, which the reason has rounded, and where the band comes from. */
+static void print_details(const struct gate_result *r) {
     const struct gate *gate = &r->gate;
     const struct measured *m = &r->measured;
-    const char *word = verdict_words[m->verdict];
-    printf("\n%s: %s%s%s: %s\n", gate->id, paint_start(stdout, word), word, paint_end(stdout, word), m->reason);
     if (isfinite(m->value)) printf("  measured %.6g, expected %.6g to %.6g", m->value, gate->lo, gate->hi);
     if (isfinite(m->value) && !isnan(gate->ceiling)) printf("; error %.4e, at most %.4e", m->error, gate->ceiling);
-    printf("%s", isfinite(m->value) ? "\n" : "");
+    printf("%s  expected because: %s\n", isfinite(m->value) ? "\n" : "", gate->why);
+}
+
+static void print_failure(const struct gate_result *r, int all) {
+    const struct measured *m = &r->measured;
+    const char *word = verdict_words[m->verdict];
+    printf("\n%s: %s%s%s: %s\n", r->gate.id, paint_start(stdout, word), word, paint_end(stdout, word), m->reason);
     if (*m->diagnosis) printf("  diagnosis: %s\n", m->diagnosis);
-    printf("  expected because: %s\n  heatladder %s\n", gate->why, r->typed);
+    if (all) print_details(r);
+    printf("  heatladder %s\n", r->typed);
 }
 
 void print_gates(const struct gates *g, int all, double seconds) {
@@ -95,7 +101,7 @@ void print_gates(const struct gates *g, int all, double seconds) {
         if (g->result[i].measured.verdict == VERDICT_SKIPPED)
             printf("\n%s: skipped: %s\n", g->result[i].gate.id, g->result[i].measured.reason);
         else if (!holds(&g->result[i]))
-            print_failure(&g->result[i]);
+            print_failure(&g->result[i], all);
     }
     char diagnosis[WORDING_ALL];
     gates_diagnosis(g, diagnosis, sizeof diagnosis);

@@ -3,8 +3,8 @@
 
 struct gates;
 
-/* The verdicts on standard output: each gate with `all`, else how many of each group hold; then every gate that does
- * not hold in full, with the command that shows it; then one line that says what held. */
+/* The verdicts on standard output: each gate with `all`, else how many of each group hold; then the reason, diagnosis
+ * and command of every gate that does not hold, with `all` its numbers and why too; then one line of counts. */
 void print_gates(const struct gates *g, int all, double seconds);
 
 /* Those that do not hold as annotations of GitHub Actions, on standard error: an error a failure, a warning where
