@@ -62,7 +62,7 @@ static int check_options(const struct ftcs_grid *g, const struct problem *p, con
         if (p->side[s] == ROBIN && (o->layout == LAYOUT_NODE || o->stepper == STEPPER_MATCHED))
             return refuse(
                 why, STATUS_NOT_APPLICABLE,
-                "%s: a Robin wall lies midway between a point and its ghost, which is of second order; take %s",
+                "%s: a Robin wall is midway between a point and its ghost, which is of second order; take %s",
                 o->layout == LAYOUT_NODE ? "--layout node" : "--stepper matched",
                 o->layout == LAYOUT_NODE ? "--layout lattice" : "--stepper euler");
     if (options_is_cloud(o))

@@ -39,8 +39,8 @@ int start_kept(const struct heat_operator *a, double all, double *l, struct fail
         for (size_t j = first; j < k; j++) away += from[j];
         if (!(fabs(away) > 0))
             status = refuse(why, STATUS_NUMERICAL,
-                            "particle %zu has no weights towards those before it: what the rod "
-                            "keeps of its start cannot be told; take a larger --h or less "
+                            "particle %zu has no weights towards those before it: the heat that "
+                            "the rod keeps is not determined; take a larger --h or less "
                             "--jitter",
                             k);
         for (size_t i = first; i < k; i++) {

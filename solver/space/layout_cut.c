@@ -149,5 +149,5 @@ int layout_cut(const struct problem *p, const struct options *o, const struct la
     list_free(&outside);
     if (c->n > 0) return STATUS_OK;
     layout_cloud_free(c);
-    return refuse(why, STATUS_INPUT, "--dx %g: no point of the lattice lies in the body; take a smaller --dx", o->dx);
+    return refuse(why, STATUS_INPUT, "--dx %g: no point of the lattice is in the body; take a smaller --dx", o->dx);
 }

@@ -262,7 +262,7 @@ int exact_check(const struct lattice *l, struct failure *why) {
         if (l->sign[s] == LAYOUT_ROBIN && l->n[s / 2] > TRANSFORM_ROBIN_MOST)
             return refuse(
                 why, STATUS_NOT_APPLICABLE,
-                "--stepper exact: %d particles along an axis with a Robin wall, whose modes take a table of n x n: "
+                "--stepper exact: %d particles along an axis with a Robin wall; its modes need a table of n x n: "
                 "at most %d",
                 l->n[s / 2], TRANSFORM_ROBIN_MOST);
     if ((l->shift[X_LO] > 0 && l->shift[X_HI] > 0 && l->n[0] < 2) ||

@@ -43,10 +43,10 @@ static int check_bounds(const struct march *m, const struct heat_operator *a, co
     value = T[i];
     free(T);
     if (m->x) snprintf(where, sizeof where, " at (%.6g, %.6g) m", m->x[i], m->y ? m->y[i] : 0);
-    const char *reason =
-        stepper_of(m->stepper)->order == 0 ? "a mode grows, or the spectrum is not near the real axis"
-        : dt * m->bound <= 2               ? "dt is too large, or a mode grows at any step (heatladder limit tells)"
-                                           : "dt is too large";
+    const char *reason = stepper_of(m->stepper)->order == 0
+                             ? "a mode grows, or the spectrum is not near the real axis"
+                         : dt * m->bound <= 2 ? "dt is too large, or a mode grows at any step (see: heatladder limit)"
+                                              : "dt is too large";
     return refuse(
         why, STATUS_UNSTABLE,
         "unstable: at step %lld of %lld (t = %.6g s) particle %zu%s has %.4g K, the data lie in [%.4g, %.4g] K; "

@@ -96,8 +96,8 @@ static int unknown_option(const struct verb *v, const char *name, struct failure
         if (words_among(v->options, o->key)) names[n++] = o->name;
     if (strcmp(name, "set") == 0 && words_among(v->options, "ratio"))
         return refuse(why, STATUS_INPUT,
-                      "--set has no meaning for %s: what it tells is in units of dx^2/kappa, and "
-                      "of k_y only the ratio to k_x counts, --ratio R",
+                      "--set has no meaning for %s: its step is in units of dx^2/kappa, and "
+                      "only the ratio of k_y to k_x counts, --ratio R",
                       v->name);
     for (const struct option *o = options_table; o->key; o++)
         if (strcmp(o->name, name) == 0)

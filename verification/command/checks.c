@@ -80,7 +80,7 @@ static int check_options(const struct request *r, struct failure *why) {
         return refuse(why, STATUS_INPUT, "--fine: what %s is to reach in time is known; leave it out",
                       r->experiment.method->name);
     if (r->peers && r->json)
-        return refuse(why, STATUS_INPUT, "--peers tells text, and CSV into DIR: leave out --json");
+        return refuse(why, STATUS_INPUT, "--peers prints text, and writes CSV into DIR: leave out --json");
     const struct numbers *e = &r->rungs.expect;
     if (e->count && !(e->count == 2 && e->value[0] < e->value[1]))
         return refuse(why, STATUS_INPUT, "--expect %.60s: needs LO,HI with LO < HI, such as 1.9,2.1", e->text);
@@ -95,7 +95,7 @@ static int check_reference(const struct request *r, struct failure *why) {
         return refuse(why, STATUS_INPUT, "reference needs --time T[,T...]: when, s; or --what names columns without");
     if (r->json && (r->points || r->what || r->time.count > 1))
         return refuse(why, STATUS_INPUT,
-                      "--json tells the temperature at one point and time (--at, --time); %s is CSV",
+                      "--json prints the temperature at one point and time (--at, --time); %s is CSV",
                       r->points ? "--points"
                       : r->what ? "--what"
                                 : "--time T,T,...");

@@ -55,7 +55,7 @@ static int check_inside(const struct samples *s, const struct problem *p, struct
         for (size_t i = 0; i < s->n; i++) {
             double x = s->value[a][i];
             if (x >= lo && x <= hi) continue;
-            return refuse(why, STATUS_INPUT, "%.150s, line %ld: %c = %.9g m lies outside of %g to %g m", s->path,
+            return refuse(why, STATUS_INPUT, "%.150s, line %ld: %c = %.9g m is outside %g to %g m", s->path,
                           s->line[i], "xy"[a], x, p -> lo[a], p -> hi[a]);
         }
     }
@@ -66,8 +66,8 @@ static int check_inside_shape(const struct samples *s, const struct problem *p, 
     for (size_t i = 0; i < s->n; i++) {
         double x[2] = {s->value[COLUMN_X][i], s->value[COLUMN_Y][i]};
         if (shape_depth(p, x) >= -SLACK * p->radius[1]) continue;
-        return refuse(why, STATUS_INPUT, "%.150s, line %ld: (%.9g, %.9g) m lies outside of the %s", s->path,
-                      s->line[i], x[0], x[1], p->shape->name);
+        return refuse(why, STATUS_INPUT, "%.150s, line %ld: (%.9g, %.9g) m is outside the %s", s->path, s->line[i],
+                      x[0], x[1], p->shape->name);
     }
     return STATUS_OK;
 }

@@ -205,7 +205,7 @@ static int write_one(const char *dir, const struct mapping *map, const struct sc
     int same = old && page.text && strcmp(old, page.text) == 0, status = STATUS_OK;
     if (old && !same && has_answer(dir))
         status = refuse(why, STATUS_INPUT,
-                        "%.300s: an answer to another case lies there; remove it, or take another "
+                        "%.300s: an answer to another case is there; remove it, or take another "
                         "--into",
                         dir);
     if (!same && !status) status = output_close(&page, 1, why);

@@ -98,7 +98,7 @@ void measures_repeat(const struct request *r, double lo, double hi, struct measu
     struct diagnosis d;
     again.program.keep = NULL;
     if (!e->program.solver) {
-        skip(m, "needs --solver: what lies there is one run");
+        skip(m, "needs --solver: --results has one run");
     } else if (run_experiment(e, &first, &a)) {
         fail(m, &first.failure);
     } else if (run_experiment(&again, &second, &b)) {

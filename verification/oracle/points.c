@@ -130,12 +130,12 @@ static int read_point(struct reader *r, const char *line, struct failure *why) {
         int inside = check_inside(r->p, a, x);
         if (inside > 0) points->typed[points->n][a].length = 0;
         if (inside < 0)
-            return refuse(why, STATUS_INPUT, "%.150s, line %ld, column %d (%s): %.*s m lies outside of %g to %g m",
+            return refuse(why, STATUS_INPUT, "%.150s, line %ld, column %d (%s): %.*s m is outside %g to %g m",
                           r->name, r->line, r->place[a] + 1, names[a], cell[a].length < 40 ? cell[a].length : 40,
                           cell[a].start, r->p->lo[a], r->p->hi[a]);
     }
     if (!is_in_shape(r->p, points->x[points->n]))
-        return refuse(why, STATUS_INPUT, "%.150s, line %ld: %g, %g m lies outside of the %s", r->name, r->line,
+        return refuse(why, STATUS_INPUT, "%.150s, line %ld: %g, %g m is outside the %s", r->name, r->line,
                       points->x[points->n][0], points->x[points->n][1], r->p->shape->name);
     for (int a = 0; a < points->dim && points->cell; a++) {
         int c = r->place[COLUMN_DX + a] >= 0 ? COLUMN_DX + a : COLUMN_DX;
@@ -193,14 +193,13 @@ int points_one(const struct problem *p, const double x[2], struct points *points
         if (inside > 0) points->typed[0][a].length = 0;
         if (inside >= 0) continue;
         points_free(points);
-        if (p->dim == 1)
-            return refuse(why, STATUS_INPUT, "--at %g: lies outside of %g to %g m", x[0], p->lo[0], p->hi[0]);
-        return refuse(why, STATUS_INPUT, "--at %g,%g: lies outside of %g to %g m, %g to %g m", x[0], x[1], p->lo[0],
-                      p->hi[0], p->lo[1], p->hi[1]);
+        if (p->dim == 1) return refuse(why, STATUS_INPUT, "--at %g: outside %g to %g m", x[0], p->lo[0], p->hi[0]);
+        return refuse(why, STATUS_INPUT, "--at %g,%g: outside %g to %g m, %g to %g m", x[0], x[1], p->lo[0], p->hi[0],
+                      p->lo[1], p->hi[1]);
     }
     if (is_in_shape(p, x)) return STATUS_OK;
     points_free(points);
-    return refuse(why, STATUS_INPUT, "--at %g,%g: lies outside of the %s", x[0], x[1], p->shape->name);
+    return refuse(why, STATUS_INPUT, "--at %g,%g: outside the %s", x[0], x[1], p->shape->name);
 }
 
 void points_free(struct points *points) {

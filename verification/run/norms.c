@@ -58,8 +58,8 @@ int norms_check(const struct field *f, const double *exact, struct failure *why)
     }
     if (without == f->n)
         return refuse(why, STATUS_INPUT,
-                      "the exact solution has no value at any of the points (%zu, all in corners whose sides "
-                      "disagree): points away from the corners are needed",
+                      "the exact solution has no value at any of the points (%zu, all in corners of two "
+                      "temperatures): points away from the corners are needed",
                       f->n);
     return refuse(why, STATUS_INPUT,
                   "the exact solution is 0 K at all points at t = %g s, and E1 is relative to it: other temperatures "

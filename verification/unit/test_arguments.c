@@ -126,7 +126,7 @@ static const struct refusal {
     {"stability reports/out", "'stability' is a study of report: heatladder report stability DIR"},
     {"report sonng", "unknown study 'sonng'; did you mean 'song'?"},
     {"report here song", "unknown study 'here' (valid: song, "},
-    {"bench --peers --json", "--peers tells text, and CSV into DIR: leave out --json"},
+    {"bench --peers --json", "--peers prints text, and writes CSV into DIR: leave out --json"},
     {"run rod-step ftcs --dx 0.1 --kernel cubic", "--kernel has no meaning for ftcs; it has for "},
     {"run rod-step ftcs --dx 0.1 --order 3", "it has for so_ssph"},
     {"run rod-step so_ssph --dx 0.1 --kernel cubci", "unknown kernel 'cubci'; did you mean 'cubic'?"},

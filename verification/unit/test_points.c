@@ -63,8 +63,8 @@ static void what_is_no_point_is_refused_by_line_and_column(void **state) {
         {"a,x,y\n7,0.1,0.2\n7,0.1,0x1p-3\n", "line 3, column 3 (y): '0x1p-3' is not a finite number"},
         {"x,y\n,0.2\n", "line 2, column 1 (x): '' is not a finite number"},
         {"x,y\nnan,0.2\n", "line 2, column 1 (x): 'nan' is not a finite number"},
-        {"x,y\n0.1,0.2\n1.91,0.2\n", "line 3, column 1 (x): 1.91 m lies outside of -1.9 to 1.9 m"},
-        {"x,y\n0.1,0.2\n0.15,-2\n", "line 3, column 2 (y): -2 m lies outside"},
+        {"x,y\n0.1,0.2\n1.91,0.2\n", "line 3, column 1 (x): 1.91 m is outside -1.9 to 1.9 m"},
+        {"x,y\n0.1,0.2\n0.15,-2\n", "line 3, column 2 (y): -2 m is outside"},
         {"x,y,dx\n0.1,0.2,-0.01\n", "line 2, column 3 (dx): -0.01 m: a cell's extent is 0 or more"},
         {"x,y\n0.1,0.2\n0.1,0.", "line 3: ends without a newline"},
     };

@@ -150,7 +150,7 @@ static void what_is_wrong_is_named(void **state) {
     refused(RUN("exit 7; {case} {out}"), STATUS_NUMERICAL, "exit status 7");
     refused(RUN("/no/such/program {case} {out} 2>/dev/null"), STATUS_INPUT, "could not be run");
     refused(RUN("kill -9 $$; {case} {out}"), STATUS_NUMERICAL, "signal 9");
-    refused(RUN(": {case}; printf \"x,T\\n99,0\\n\" > {out}"), STATUS_INPUT, "x = 99 m lies outside");
+    refused(RUN(": {case}; printf \"x,T\\n99,0\\n\" > {out}"), STATUS_INPUT, "x = 99 m is outside");
     refused(RUN(AWK " {case} | head -n 20 > {out}"), STATUS_INPUT, "17 points where dx = 1 m asks for 29 at least");
     refused(RUN("exit 77; {case} {out}"), STATUS_SKIPPED, "not applicable");
     refused(RUN("ln -s /etc/passwd {out}; : {case}"), STATUS_INPUT, "a link");

@@ -199,7 +199,7 @@ static void words_are_checked(void **state) {
         {"at:", "needs one number"},
         {"at:0.1,0.2", "needs one number"},
         {"at:nan", "needs one number"},
-        {"at:1.4", "x = 1.4 m lies outside of 0 to 1.3 m"},
+        {"at:1.4", "x = 1.4 m is outside 0 to 1.3 m"},
         {"", "unknown quantity"},
     };
     struct problem p;

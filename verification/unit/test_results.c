@@ -97,7 +97,7 @@ static void cases_are_added(void **state) {
     climb(line, &l, 0);
     assert_int_equal(l.n, 6);
     assert_int_equal(write_cases("--dx 1 --set kappa=0.3 --fourier 0.4", text, sizeof text), STATUS_INPUT);
-    assert_non_null(strstr(text, "an answer to another case lies there"));
+    assert_non_null(strstr(text, "an answer to another case is there"));
     struct request r;
     struct failure why;
     snprintf(line, sizeof line, "ladder rod-gauss mine --set kappa=0.3 --results %s", dir);

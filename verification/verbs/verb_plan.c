@@ -31,7 +31,7 @@ static void describe_steps(const struct experiment *e, const struct plan *plan, 
     const struct plan_steps *f = &plan->forecast;
     char until[80];
     snprintf(until, sizeof until, "refined until the time error is 1 %%, within %g updates", TIME_STEP_UPDATES_MAX);
-    if (e->time_error > 0) snprintf(until, sizeof until, "the longest whose time error is %g", e->time_error);
+    if (e->time_error > 0) snprintf(until, sizeof until, "the longest with a time error of %g", e->time_error);
     const struct stepper *stepper = stepper_of(plan->options.stepper);
     if (stepper->order == 0)
         snprintf(text, size, "%s", stepper->about);
@@ -64,7 +64,7 @@ static void print_text(const struct experiment *e, const struct plan *plan) {
         printf("  %-13s the middle of %s: %s\n", d ? "" : "mirror planes", axis[d],
                plan->cut[d] ? "half is computed" : uncut(e, plan, d));
     printf("  %-13s %zu", "particles", plan->particles);
-    if (part->run.n < plan->particles) printf(", of which %zu are computed", part->run.n);
+    if (part->run.n < plan->particles) printf(", %zu of them computed", part->run.n);
     describe_storage(part, text, sizeof text);
     printf("\n  %-13s %s\n", "weights", text);
     if (words_among(e->method->accepts, "h"))

@@ -48,7 +48,7 @@ static void print_text(const struct request *r, const struct forms *f) {
     if (r->experiment.problem.dim == 2) printf(", %g", r->at.value[1]);
     printf(" m, %g s\n", r->time.value[0]);
     if (f->exact.no_value) {
-        printf("  no value: a corner whose sides disagree, %.17g K between them\n", f->exact.temperature);
+        printf("  no value: a corner of two temperatures, %.17g K between them\n", f->exact.temperature);
         return;
     }
     printf("  %-12s %.17g K, within %.1e K\n", "temperature", f->exact.temperature, f->exact.error_bound);
