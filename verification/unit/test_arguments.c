@@ -150,7 +150,7 @@ static const struct refusal {
     {"run rod-step ftcs --dx 0.1 --t-end 1 --set t_end=1", "parameter 't_end' is given twice"},
     {"run plate ftcs --dx 0.01 --set material=stel", "unknown material 'stel'; did you mean 'steel'?"},
     {"run rod-step ftcs --dx 0.1 --only x", "--only has no meaning for run"},
-    {"limit so_ssph --dim 2 --set kappa_y=0.1", "of k_y only the ratio to k_x counts, --ratio R"},
+    {"limit so_ssph --dim 2 --set kappa_y=0.1", "only the ratio of k_y to k_x counts, --ratio R"},
     {"run rod-step ftcs --dx 0.1 --json=yes", "--json takes no value"},
     {"run rod-step ftcs --dx 0.1 --field ''", "--field: empty"},
     {"ladder rod-step ftcs --dx 0.1,0.2 --expect 2", "--expect 2: needs LO,HI"},
