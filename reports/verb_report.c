@@ -10,7 +10,7 @@
 #include "reports/papers.h"
 #include "reports/song/song.h"
 #include "reports/stability/stability.h"
-#include "reports/walls/walls.h"
+#include "reports/walls/walls_study.h"
 #include "solver/status.h"
 #include "verification/command/request.h"
 #include "verification/text/output.h"
@@ -39,7 +39,7 @@ static const struct study {
     {"matched", matched_figures_write, "the matched run", "matched_fig1.csv"},
     {"operators", operators_write, NULL, NULL},
     {"stability", stability_write, NULL, NULL},
-    {"walls", walls_write, NULL, NULL},
+    {"walls", walls_study_write, NULL, NULL},
     {"page", write_page, NULL, NULL},
 };
 

@@ -3,7 +3,7 @@
  * Round walls: eight lattices (origin and angle by seeds 1 to 8) at each spacing, all in one fit of the order.  Steps
  * and growth by all eigenvalues of the operator at dx = 0.125, the worst of four lattices.  Plane walls: rod-cooling,
  * held at one end and cooled at the other, and rod-cosine, insulated, at the offsets 0, 0.1, ... 0.9. */
-#include "reports/walls/walls.h"
+#include "reports/walls/walls_study.h"
 
 #include "reports/figure/figure.h"
 #include "solver/method.h"
@@ -223,7 +223,7 @@ static int write_field(FILE *out, struct failure *why) {
     return STATUS_OK;
 }
 
-int walls_write(const char *dir, struct failure *why) {
+int walls_study_write(const char *dir, struct failure *why) {
     enum { PAGES = 5 };
     struct output page[PAGES] = {{0}};
     double start = omp_get_wtime();

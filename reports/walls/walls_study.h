@@ -1,5 +1,5 @@
-#ifndef HEATLADDER_REPORTS_WALLS_WALLS_H
-#define HEATLADDER_REPORTS_WALLS_WALLS_H
+#ifndef HEATLADDER_REPORTS_WALLS_WALLS_STUDY_H
+#define HEATLADDER_REPORTS_WALLS_WALLS_STUDY_H
 
 struct failure;
 
@@ -7,6 +7,6 @@ struct failure;
  * the largest error, errors, largest stable step, growth, heat kept, by treatment and kind of wall), walls_error.csv
  * (error against spacing), walls_offset.csv (order against the offset of plane walls), walls_field.csv (the error on
  * the disc). Progress goes to standard output. */
-int walls_write(const char *dir, struct failure *why);
+int walls_study_write(const char *dir, struct failure *why);
 
 #endif
