@@ -23,7 +23,7 @@ const struct gate gates_table[] = {
 #include "verification/gates/stability.def"
 #include "verification/gates/time.def"
 #include "verification/gates/use.def"
-#include "verification/gates/walls.def"
+#include "verification/gates/walls_anywhere.def"
     {0}};
 #undef GATE
 
