@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Modified Bessel functions of a complex argument, as Talbot's contour needs them.
  *
  * |z| <= 30: the mean over tau of exp(z (cos tau - 1)) cos(n tau), by the trapezoidal rule, whose terms are at most

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* A plate with one hot side, one insulated and two cooled ones: early form and modes.
  *
  * With cos(p x), p W tan(p W) = h W, and sin(r y), r H cot(r H) = -h H, whose integrals and those of their squares

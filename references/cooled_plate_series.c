@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* A plate with one hot side, one insulated and two cooled ones: the steady state by a series along either axis, less
  * the double series of what is missing.
  *

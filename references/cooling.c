@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Slabs and half lines with a cooled end.
  *
  * Modes: q L = z, whose sine and cosine follow from z cot z = -biot or z tan z = biot, biot = h L, without the

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Adaptive cubature: Gauss-Legendre rules of 6 points on a box and on its halves along each axis.
  *
  * On a box of extent h on which f varies over the length l the rule is off by 1.9e-16 (h/l)^12 of f (remainder term;

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Transient heat conduction through two layers, by numerical inversion of the Laplace transform.
  *
  * In layer i, at the distance d from the contact and with q_i = sqrt(z rho_c_i/k_i), the transform of T is

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Transient heat conduction through two layers, by eigenfunctions.
  *
  *     T = S(x) + sum_n c_n phi_n(x) exp(-w_n^2 t),   phi = A_i sin(q_i d_i),   q_i = w sqrt(rho_c_i/k_i)

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Between a scene and its image. */
 #include "references/mapping.h"
 

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef HEATLADDER_REFERENCES_MAPPING_H
 #define HEATLADDER_REFERENCES_MAPPING_H
 

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Checks of a scene's parameters: one sentence a refusal, which names the option, the value and what is valid. */
 #include "references/params.h"
 

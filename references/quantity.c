@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Derived quantities of the exact solution.
  *
  * Fluxes are those of the side's own law where it gives them, q on a Neumann side and b (T_a - T) on a Robin side,

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Rectangle whose sides are switched on: a closed form of the steady state, less a double sine series.
  *
  * Steady (Pamplona 2019 eq. 2, one side at 1, with the sign that its boundary asks for), sums over odd n, r = n pi/B:

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Rectangle with one side switched on, from quadrature over time of the wall's Green's function.
  *
  * The hot side acts through the kernel of the half line, d/dt erfc(xi/s), on what the two neighbours leave of 1 by

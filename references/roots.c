@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Roots of increasing phase functions by GSL.
  *
  * A slab cooled at one end has modes sin or cos(z x/L) with k z/L cos z = -b sin z or k z/L sin z = b cos z.  Either

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* annulus: a ring held along its inner wall, with a given flux through its outer wall, both varying along the wall.
  *
  *     rho_c dT/dt = k lap T + G  in r1 < r < r2,   T = S at r1,   k dT/dr = k dS/dr at r2,   G = -k lap S,

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* disc-cooling: a disc that starts warm, cooled by the air around it.
  *
  *     rho_c dT/dt = k lap T  in r < R,   k dT/dr = b (T_a - T) at r = R,   T(r, 0) = T0

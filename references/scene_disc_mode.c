@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* disc-mode: one mode of a disc whose wall is held, insulated or cooled.
  *
  *     rho_c dT/dt = k lap T  in r < R,   T(r, theta, 0) = Tm + A J_m(lambda r/R) cos(m theta),

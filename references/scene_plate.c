@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* plate: a rectangular plate, each side held at its own temperature (Pamplona, Silva, Bucar, Vasco 2019, section 6).
  *
  *     dT/dt = alpha (d2T/dx2 + d2T/dy2)  on [0, width] x [0, height],   alpha = k/rho_c        (1)

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* plate-cooling: a plate held hot at one side, insulated at one and cooled by the air at two (NAFEMS T4).
  *
  *     rho_c dT/dt = k (d2T/dx2 + d2T/dy2)  on [0, width] x [0, height],   T = T0 at t = 0

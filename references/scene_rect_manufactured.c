@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* rect-manufactured: a rectangle whose every term is at work: source, anisotropy, temperatures and fluxes that vary.
  *
  *     rho_c dT/dt = k_x d2T/dx2 + k_y d2T/dy2 + G(x, y)  on [0, width] x [0, height]

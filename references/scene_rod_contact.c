@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* rod-contact: two half rods, each at its own temperature, are brought into contact at x = x_c.
  *
  *     rho_c dT/dt = d/dx(k dT/dx),   k, rho_c and T(x, 0) = (k1, rho_c1, T1) for x < x_c, (k2, rho_c2, T2) else

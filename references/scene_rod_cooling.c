@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* rod-cooling: a rod that starts warm, held at one end and cooled at the other by the air around it.
  *
  *     rho_c dT/dt = k d2T/dx2  on [0, L],   T(0, t) = T1,   -k dT/dx = b (T - T_a) at x = L,   T(x, 0) = T0

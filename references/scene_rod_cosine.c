@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* rod-cosine: one mode of an insulated rod.
  *
  *     dT/dt = kappa d2T/dx2  on [0, L],   dT/dx = 0 at both ends,   T(x, 0) = Tm + A cos(q x),   q = mode pi/L

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* rod-gauss: a Gaussian spreads along a rod (Song, Xing, Hou, Lu 2018, section 5.1).
  *
  *     dT/dt = kappa d2T/dx2,   T(x, 0) = M/sqrt(2 pi sigma0^2) exp(-x^2/(2 sigma0^2))        (47)

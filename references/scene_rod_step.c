@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* rod-step: a hot piece in the middle of a rod (Song, Xing, Hou, Lu 2018, section 5.1).
  *
  *     dT/dt = kappa d2T/dx2  on [-L, L],   T(-L, t) = T(L, t) = 0,   T(x, 0) = T0 for |x| <= a, else 0   (42-44)

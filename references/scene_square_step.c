@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* square-step: a hot rectangle in the middle of a square (Song, Xing, Hou, Lu 2018, section 5.2).
  *
  *     dT/dt = kappa_x d2T/dx2 + kappa_y d2T/dy2  on [-L, L]^2,   T = 0 on all four sides,

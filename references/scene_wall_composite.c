@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* wall-composite: a wall of two layers warms up from one side until the heat flux is steady.
  *
  *     rho_c dT/dt = d/dx(k dT/dx)  on [0, L],   (k1, rho_c1) for x < x_c, (k2, rho_c2) for x >= x_c,

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* wave: one oblique wave on a periodic square, which has no walls.
  *
  *     dT/dt = kappa_x d2T/dx2 + kappa_y d2T/dy2  on [0, L]^2, periodic in x and y,

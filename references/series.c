@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Box and Gaussian between two walls at zero, from images and from modes.
  *
  * Images: a wall at zero is the plane of odd symmetry of a medium without walls, so a source between walls at -L and

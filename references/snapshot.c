@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The exact solution at one time. */
 #include "references/snapshot.h"
 

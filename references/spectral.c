@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Exact evolution of arbitrary smooth data by sine and cosine expansion.
  *
  *     f(x, y)    = sum_mn c_mn X_m(x) Y_n(y)

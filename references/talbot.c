@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Talbot's inversion by the midpoint rule with N points on the contour
  *
  *     z(a) = N/t (0.5017 a cot(0.6407 a) - 0.6122 + 0.2645 i a),   -pi < a < pi,

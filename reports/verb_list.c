@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* heatladder list: what there is to choose from. */
 #include "verification/command/verb.h"
 

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* heatladder report: the studies of reports/, measured again.  Progress and times go to standard output, not into any
  * file.  A study is a row of the table and a word of verbs.def. */
 #include "verification/command/verb.h"

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Memory of a field, and how far it is from another. */
 #include "solver/field.h"
 

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The list of methods, and calls of one. */
 #include "solver/method.h"
 

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The words of the options, what they imply, and the width of vectors. */
 #include "solver/options.h"
 

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef HEATLADDER_SOLVER_OUTLINE_H
 #define HEATLADDER_SOLVER_OUTLINE_H
 

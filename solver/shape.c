@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Shapes of bodies.  A rod or rectangle is the box lo to hi; a round body lies between circles about 0.
  *
  * The area of a disc in a box is the integral over x of the length of the line at x inside both,

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Statuses, failures and memory. */
 #include "solver/status.h"
 

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* heatladder: the command line.  A verb is a row of verbs.def and a file verbs/verb_<name>.c; this file finds it, and
  * prints its failure. */
 #include "solver/method.h"

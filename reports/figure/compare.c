@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Runs a published table of errors again, by the paper's protocol and by others. */
 #include "reports/figure/compare.h"
 

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef HEATLADDER_REPORTS_FIGURE_FIGURE_H
 #define HEATLADDER_REPORTS_FIGURE_FIGURE_H
 

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Marching squares: an isotherm crosses an edge of the lattice where the ends lie on either side of the level, at the
  * place that linear interpolation gives.  A crossing belongs to at most two cells, so the crossings form chains that
  * can be followed from edge to edge.  Where all four edges of a cell are crossed its mean decides. */

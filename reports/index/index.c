@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The page that `make report` ends in: the verdict, the order of every ladder, error against time, then the scenes
  * from the simplest to the hardest, operators, walls, stability, speed, faults, other codes, and the papers.  Nothing
  * is computed here. */

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* One line a ladder; one curve a method. */
 #include "reports/index/orders.h"
 
@@ -90,8 +91,8 @@ void orders_put(const struct page_gate *gate, int count, const char *const scene
     if (!all) return;
     struct span s = span_of(gate, count, scene);
     fprintf(out,
-            "<figure>\n<svg viewBox=\"0 0 %d %d\" width=\"%d\" role=\"img\" font-family=\"sans-serif\" "
-            "font-size=\"13\">\n<title>Order reached and order expected, ladder by ladder</title>\n"
+            "<figure>\n<svg viewBox=\"0 0 %d %d\" width=\"%d\" role=\"img\" style=\"font: 13px sans-serif\">\n"
+            "<title>Order reached and order expected, ladder by ladder</title>\n"
             "<rect width=\"100%%\" height=\"100%%\" fill=\"#fff\"/>\n",
             WIDTH, high, WIDTH);
     put_axis(s, high, out);

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Collecting, measuring and gating claims.
  *
  * A statement is *reproduced* where it holds as published and in the wider setting that the row also looks at;

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef HEATLADDER_REPORTS_LEDGER_CLAIMS_H
 #define HEATLADDER_REPORTS_LEDGER_CLAIMS_H
 

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The ledger for people and for programs. */
 #include "reports/ledger/claims_write.h"
 

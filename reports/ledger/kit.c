@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* What the measures of claims are made of. */
 #include "reports/ledger/kit.h"
 

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Orders of accuracy and tables of errors against what is printed, and Song's exact solution. */
 #include "reports/ledger/order.h"
 

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Two figures of the matched run.
  *
  * Error against work, square-step: what Song 2018, section 5.2, runs (point samples, Euler, dt = 0.001 s) beside the

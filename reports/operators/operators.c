@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The discrete Laplacians on the clouds that SPH has, side by side.
  *
  * Orders: a ladder for each operator, cloud and scene.  rod-cosine is smooth and insulated, and says what is kept of

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* How often a mode grows: operators on jittered clouds in the plane, by jitter, kappa_y/kappa_x, h/dx and particles.
  * Cold walls; eight draws of each cloud.  A mode counts where it grows by a tenth in 100 dx^2/kappa_x, at any time
  * step (solver/time/growth.h). */

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Error against spacing where the cloud is drawn anew every N steps: rod-cosine, SO-SSPH of order 2 and 4, F = 0.1.
  */
 #include "reports/operators/operators.h"

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* What other papers state of steps and growth, measured on model problems. */
 #include "reports/operators/others.h"
 

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Pamplona, Silva, Bucar, Vasco 2019 (COB-2019-0748): Figures 5 and 6; Table 1 and Figures 7 and 8 have files
  * of their own. */
 #include "reports/pamplona/pamplona.h"

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Pamplona, Silva, Bucar, Vasco 2019, eqs. 2 to 7, and the steady state: what is printed against the exact solution.
  */
 #include "reports/ledger/kit.h"

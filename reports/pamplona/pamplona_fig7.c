@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Pamplona, Silva, Bucar, Vasco 2019, Figures 7 and 8: the xi with the least mean relative error at the first time of
  * Table 1, and what a run costs (reports/pamplona/xi.h).
  *

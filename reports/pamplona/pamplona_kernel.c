@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Pamplona 2019, eqs. 9, 11, 14 to 17, Fig. 8: the kernel, the particles' mass, steps in time, and what they cost. */
 #include "reports/ledger/kit.h"
 #include "reports/pamplona/pamplona.h"

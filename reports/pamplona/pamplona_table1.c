@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Pamplona, Silva, Bucar, Vasco 2019, Table 1: tables of reports/pamplona/plate.h and readings.h. */
 #include "reports/pamplona/pamplona.h"
 

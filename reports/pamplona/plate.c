@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Pamplona 2019, section 6 and Table 1: errors on the plate.
  *
  * One reading for all rows: the plate as stated, 0.1 m wide, 20 spacings, its walls midway between the outermost

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Table 1 of Pamplona 2019 under other readings, by a program of its own: 20 x 20 points with two layers of ghosts,
  * eq. 13 or 16, steps as in plate.h, against eqs. 2 and 4 with signs corrected and their sums cut off.
  *

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Pamplona 2019, eq. 18 and Figs. 7 and 8: the xi that makes the error least, over h and material, and the cost.
  *
  * A tuned volume only scales the rate of heating, so that the best xi has a closed form (xi.h).  Its slope in log h

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef HEATLADDER_REPORTS_SONG_SONG_H
 #define HEATLADDER_REPORTS_SONG_SONG_H
 

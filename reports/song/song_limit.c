@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Song 2018, section 4.4: the amplification factor of Euler steps and the limits drawn from it.
  *
  * On a lattice the stencils are even (SO) and odd (FO), so that G = 1 + dt S with S real, and |G| <= 1 for all wave

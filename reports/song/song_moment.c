@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Song 2018, eqs. 10 to 26: the moment matrix of evenly spread particles, what the Taylor expansion leaves out, and
  * the truncation errors that follow.  Computed from the kernel alone, apart from the solver's assembly.
  *

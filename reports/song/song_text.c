@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Song 2018: statements of its text that no table or figure shows. */
 #include "reports/ledger/kit.h"
 #include "reports/song/song.h"

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Song 2018, section 5: oscillations and what becomes of them, and the time step. */
 #include "reports/ledger/kit.h"
 #include "reports/song/song.h"

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Limits against h/dx: published, von Neumann, measured, per method, kernel and dimension; and where the maximum
  * principle holds. */
 #include "reports/stability/stability.h"

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Maps: |G| over the wave-number square; under jitter, the worst condition number and the sign of the largest real
  * part; and what walls without ghosts do to the spectrum. */
 #include "reports/stability/stability.h"

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The pages of stability, and what they share. */
 #include "reports/stability/stability.h"
 

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* What runs do over time: the blow-up that a published bound allows, the checkerboard, and the steppers' factors. */
 #include "reports/stability/stability.h"
 

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Walls that cut the lattice anywhere: what each treatment keeps, with so_ssph.
  *
  * Round walls: eight lattices (origin and angle by seeds 1 to 8) at each spacing, all in one fit of the order.  Steps

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Finite differences, forward in time and central in space: the second opinion on every particle method, and by
  * design not one line of it shared with them.
  *

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The arrays of the finite differences (ftcs.c) on the grid of ftcs_plan.c: the start, the source, and the ghosts,
  *
  *   given temperature  T_ghost = 2 T_wall - T_mirror + d^2 T_nn, or T_wall (`fixed`, Pamplona 2019; first order)

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* A rod of two materials for the finite differences.
  *
  *   rho_c_i dT_i/dt = (k_{i+1/2} (T_{i+1} - T_i) - k_{i-1/2} (T_i - T_{i-1})) / d^2

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The hot loops of the finite differences, compiled for each width of vectors. */
 #include "solver/differences/ftcs_loops.h"
 

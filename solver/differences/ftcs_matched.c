@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The matched run of the finite differences.  With a steady source Euler's error is
  *
  *     -(dt/2) T_tt = -(dt/2) (kappa^2 T_xxxx + kappa G_xx/rho_c).

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* What a run of the finite differences would be: refuses what it cannot do, lays out the points and counts the steps.
  */
 #include "solver/differences/ftcs_plan.h"

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* What the finite differences start from: point values, or averages of the initial data,
  *
  *   T_i = int B((x - x_i)/dx) T(x, 0) dx / dx,   B the indicator of the cell, or the cubic B-spline (4 dx wide),

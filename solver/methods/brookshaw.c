@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Brookshaw's operator with Cleary & Monaghan's conductivity (Pamplona eq. 13):
  *   rho_c dT_i/dt = sum_j V k_ij (T_i - T_j) F_ij,   F_ij = (dW/dr) r / (r^2 + eta^2),   eta = 0.1 h,
  * with k_ij = 4 k_i k_j / (k_i + k_j) (harmonic), k_i + k_j (arithmetic), or twice the conductance of the line

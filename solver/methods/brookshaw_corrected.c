@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Brookshaw's operator with the corrected gradient of the kernel (Randles & Libersky 1996, Bonet & Lok 1999): in the
  * notation of correction.h,
  *   dT_i/dt = 2 kappa/h^2 sum_j F_j (s_j . Gamma_i^-1 s_j) / |s_j|^2 (T_j - T_i).

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The conjugate pair of first derivatives (Biriukov & Price 2019, MNRAS 483:4901; the difference and the symmetric
  * gradient of Phantom and GADGET codes):
  *   q_i = -k sum_j V_j (T_j - T_i) grad W_ij,   rho_c dT_i/dt = -sum_j V_j (q_i + q_j) . grad W_ij.

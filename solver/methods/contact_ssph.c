@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SSPH across the contact of two materials: SO-SSPH (Song eqs. 10, 11) whose monomials, beyond a plane interface at
  * X = x_c - x_i, go on as the interface's conditions have them.  With xi = x - X and the ratios r = k_x/k_x' and
  * a = kappa_x/kappa_x' of this side to the other's (dashed), T and k_x T_x continuous, and so T_t,

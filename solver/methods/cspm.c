@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* CSPM (Chen, Beraun & Carney, Int. J. Numer. Meth. Engng 46, 231, 1999): the Taylor series weighted in turn with the
  * kernel's first and second derivatives, each order taken less what the orders before it have.  In the notation of
  * correction.h, with W_mj = V_j (w_xx, w_xy, w_yy)_m at s_j and m, n running over xx, xy, yy,

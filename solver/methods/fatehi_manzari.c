@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Fatehi & Manzari's second derivatives (Comput. Math. Appl. 61, 482, 2011), their fourth scheme: each component of
  * Brookshaw's sum, less the corrected gradient, and a matrix that makes it exact for quadratics.  In the notation of
  * correction.h, with e_j = s_j/|s_j| and m, n running over xx, xy, yy,

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The divergence of the flux (Lucy 1977; Pamplona 2019, eq. 10): the kernel's gradient, twice,
  *   q_i = -kappa sum_j V_j (T_j - T_i) grad W_ij,   dT_i/dt = -sum_j V_j (q_j - q_i) . grad W_ij.
  *

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* FO-SSPH: first derivatives from a Taylor expansion of order 1 (Song eqs. 12, 13), used twice (eqs. 6, 37):
  *   q = -kappa <grad T>,   dT/dt = -<div q>.
  * On a lattice the two sweeps are one wider stencil, the first-derivative stencil convolved with itself.  Modes of

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The kernel's second derivative (Takeda et al. 1994; the "standard" form of Song's introduction):
  *   dT_i/dt = kappa sum_j V_j (T_j - T_i) lap W_ij,   lap W = (w''(s) + (d - 1) w'(s)/s) / h^(d+2).
  *

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Positive stencils (Seibold 2008, Comput. Methods Appl. Mech. Engrg. 198:592): of all weights w_j >= 0 that are
  * exact for quadratics, sum w_j d_j = 0,   sum w_j d_j d_j^T = 2 diag(kappa_x, kappa_y), those with the least sum_j
  * w_j r_j^2/W_j, a linear programme in each particle.

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Schwaiger's operator (Int. J. Numer. Meth. Engng 75, 647, 2008), without its terms for free surfaces, since ghosts
  * complete the support.  Taylor's expansion of Brookshaw's sum, in the notation of correction.h, is
  *   2 sum_j F_j (T_j - T_i) = 2 N . h grad T + Gamma : h^2 grad grad T + ...,   N = sum_j F_j s_j,

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SO-SSPH: the second derivatives directly, from one Taylor expansion of order p >= 2 (Song eqs. 10, 11):
  *   dT/dt = kappa_x <T_xx> + kappa_y <T_yy>.
  * --order 3 or 4 keeps more terms; 4 is fourth order on a lattice and off it.  One material only: kappa stands

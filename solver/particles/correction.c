@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Sums over one neighbourhood, and the small linear systems of corrected operators.
  *
  * Matrices are at most 3 x 3: Gauss-Jordan elimination with partial pivoting gives the inverse, and with it the

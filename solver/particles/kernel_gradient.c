@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Sums over the kernel's gradient: V_i V_j (-dW/dr)/r is the same from either particle of a pair. */
 #include "solver/particles/kernel_gradient.h"
 #include "solver/particles/correction.h"

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Weights of least squares that are not negative.  Of all w >= 0 with sum_j w_j P_j = b, those least in sum_j
  * w_j^2/W_j are w_j = W_j max(0, z . P_j), where z is the minimum of the convex function f(z) = sum_j W_j max(0, z .
  * P_j)^2/2 - b . z,   grad f = sum_j W_j max(0, z . P_j) P_j - b (the dual of the quadratic programme: Boyd &

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* From a problem and options to a field, for every particle method: layout -> sample -> operator -> stepper -> field.
  */
 #include "solver/particles/particles.h"

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The steps of a run of a particle method and what they cost; and what the run would store and do, told from its
  * lattice, its operator and its steps without its states.
  *

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The noise of a code that moves its particles: every so many steps other particles, and T from the old to the new.
  *
  * At a new place x the value c_0 of the quadratic that fits the old particles, ghosts among them, by least squares,

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Symmetric SPH: derivative weights from a symmetric moment matrix, for any Taylor order p (Song eqs. 9-13).
  *
  * With the scaled monomials P_k = (x/h)^a (y/h)^b / (a! b!), 1 <= a + b <= p, and W_k = P_k W:

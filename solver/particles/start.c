@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* What an operator keeps of a start that jumps at the contact of two materials.
  *
  * Rows that are exact for all that the interface makes of quadratics are not symmetric, and keep sum_i l_i T_i with

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Dummies: the table of treatments, the wall at a dummy, and the particles around it. */
 #include "solver/particles/walls.h"
 

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Dummies by a mean (Adami, Hu & Adams 2012, J. Comput. Phys. 231:7057): with <.> the Shepard mean at the dummy,
  *   Dirichlet  T_d = 2 T_w - <T>
  *   Neumann    T_d = <T> + (d_d + <d>) q/k,   d the distances from the wall, q the flux into the body

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Dummies by distance (Morris, Fox & Zhu 1997, J. Comput. Phys. 136:214): of each pair of a particle i and a dummy d
  *   T_d = T_w - (d_d/d_i) (T_i - T_w),   1 + d_d/d_i at most 1.5 as published,
  * d the distances from the wall.  Exact for linear T across the wall while the bound does not bind: it does for most

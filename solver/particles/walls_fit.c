@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Dummies by a quadratic that obeys the wall: about the nearest point of the body, xi outward and eta along the wall,
  *   T(xi, eta) = c + c_xi xi + c_eta eta + quadratic terms,
  * fitted to the particles around by least squares with the kernel as weight, and bound exactly to the wall's

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Dummies that hold the wall's temperature (Pamplona Fig. 3): T_d = T_w.
  *
  * The wall then lies where the dummies are, up to dx away from where it is: first order. */

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Dummies by their mirror points (Marrone et al. 2011, Comput. Methods Appl. Mech. Engrg. 200:1526): with T_m at the
  * mirror point by linear moving least squares and d the distance from the wall,
  *   Dirichlet  T_d = 2 T_w - T_m,   Neumann  T_d = T_m + 2 d q/k,   q the flux into the body

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Neighbourhoods of a cloud's points, as schemes see them. */
 #include "solver/space/assembly.h"
 #include "solver/space/kernel.h"

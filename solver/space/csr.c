@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The operator with a row for each particle: off the lattice, or where the conductivity varies.
  *
  * The scheme gives the row of particle i; a neighbour that is a ghost adds w factor to the column of its source and

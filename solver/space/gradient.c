@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Two sweeps in place of their product.
  *
  * The rows of D kappa D have some 50 entries in the plane, those of D some 15, and both derivatives of a pair are one

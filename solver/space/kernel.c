@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Smoothing kernels.
  *
  * cubic     w = a (2/3 - s^2 + s^3/2) for s < 1, a (2 - s)^3 / 6 for s < 2   (Monaghan & Lattanzio 1985)

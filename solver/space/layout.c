@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Lattices, and what ghosts hold.
  *
  * Cell-centred lattice: x_i = lo + (i + 1/2) dx (Song's tables; the walls lie midway between a particle and its

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef HEATLADDER_SOLVER_SPACE_LAYOUT_H
 #define HEATLADDER_SOLVER_SPACE_LAYOUT_H
 

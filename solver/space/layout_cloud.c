@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Particles off the lattice, and their ghosts: mirror images beyond the walls, which so stay exact.
  *
  * Jitter: each particle of the cell-centred lattice is moved uniformly within +-A dx along each axis.  Hexagonal and

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* A lattice that walls cut anywhere.
  *
  * On a rod or rectangle its points are lo + (i + 1/2 + shift) dx; under a round body it has any origin and angle.

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Cell-linked list.  Points are counted into square cells of a side of the radius at least, so that those within
  * the radius of a point lie in its own cell and the ones around it. */
 #include "solver/space/neighbours.h"

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The operator on a lattice of one material: one stencil for all particles, and walls through ghosts.
  *
  * Every scheme's stencil is even along each axis, so a quadrant of weights holds it.  A scheme of two sweeps (first

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Hexagonal and graded clouds; all others start from the lattice.
  *
  * Hexagonal: rows sqrt(3)/2 dx apart, stretched to fill the height, and moved by dx/4 to either side in turn.  The

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* A settled cloud: particles that repel each other, as codes that move their particles leave them (particle shifting:
  * Xu, Stansby & Laurence 2009; Lind et al. 2012).
  *

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Sampling of the initial data: point, cell or spline (Kreiss, Thomee & Widlund 1970).
  *
  * The average with the B-spline B_m of order m is the integral of T0(x + u dx) B_m(u) over |u| < m/2.  B_m is a

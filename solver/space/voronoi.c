@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Voronoi cells by clipping (Rycroft 2009, Chaos 19:041111): a square about the particle is cut by the bisectors of
  * its neighbours until none is left that is nearer than twice the farthest vertex, beyond which no bisector reaches.
  *

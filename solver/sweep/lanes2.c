@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* sweep_band_2: vectors of 2 doubles, for any machine. */
 #include "solver/sweep/sweep.h"
 

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* sweep_band_4: vectors of 4 doubles, for AVX2. */
 #include "solver/sweep/sweep.h"
 

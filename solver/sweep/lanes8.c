@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* sweep_band_8: vectors of 8 doubles, for AVX-512. */
 #include "solver/sweep/sweep.h"
 

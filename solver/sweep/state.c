@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* States in and out, and their updates by way of the sweep that fits. */
 #include "solver/sweep/state.h"
 #include "solver/sweep/sweep.h"

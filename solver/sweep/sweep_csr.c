@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Updates off the lattice, y = rate (A x + g) + self x + old y + start Y0, with A in compressed rows or as two sweeps
  * of first derivatives, A x + g = div(kappa grad x) + g. */
 #include "solver/space/gradient.h"

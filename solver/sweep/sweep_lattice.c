@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Updates on a lattice of one material, walls through ghosts: several in one sweep over the rows (wavefront.c).  Rods
  * stay on one thread: a step of one is too short to share. */
 #include "solver/sweep/sweep.h"

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Several updates in one sweep.
  *
  * Update k follows update k - 1 at the distance of the lag, a band at a time, so that what does not fit the cache

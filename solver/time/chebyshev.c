@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* exp(dt A) T by Chebyshev's polynomials, for eigenvalues of A on [-bound, 0].
  *
  * With X = 1 + 2 A/bound, whose eigenvalues lie on [-1, 1], and h = dt bound/2,

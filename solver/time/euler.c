@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Euler's method: T += dt L(T) (Song eqs. 31, 37).  |G| <= 1 from 0 to -2. */
 #include "solver/time/stepper.h"
 

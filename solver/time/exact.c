@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The exact solution of the semi-discrete problem dT/dt = A T + g on a lattice.
  *
  * Stencils are even and ghosts mirror, so A is diagonal under the sine or cosine transform that has the walls'

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Growing modes, found by power iteration on a step of RKL2 (stepper.c): its factor G(dt lambda) is at most 1 in size
  * for every mode that does not grow, however long the step, and above 1 for those that grow.  Noise goes through four
  * steps of the length of the run; of a mode that doubles in it, sixteen times its share is left then, and the last

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The matched run: fourth order from a second-order operator and plain Euler, jumps included.
  *
  * On a lattice of spacing dx the operator's symbol is, theta = xi dx,

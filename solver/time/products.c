@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Fields as sums of products: Gaussian elimination with complete pivoting, stopped at rounding.
  *
  * Each step takes the row and the column of the largest residual, X_r = R(., j*), Y_r = R(i*, .) / R(i*, j*), and

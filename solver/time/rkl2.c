@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Runge-Kutta-Legendre super-time-stepping with s stages, second order (Meyer, Balsara & Aslam 2014, eqs. 16-18),
  * stable for dt <= (s^2 + s - 2) / (2 |lambda|_max).
  *

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The march of explicit steppers through dT/dt = L(T) = A T + g: each step is a list of updates, the same in all of
  * them, that the stepper makes. */
 #include "solver/time/stepper.h"

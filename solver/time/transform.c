@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Sine and cosine transforms along the axes of a lattice.
  *
  * Mode k is phi_k(i) = sin or cos(theta_k s_i), odd or even about the low wall, at the distance s_i from it; theta_k

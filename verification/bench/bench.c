@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The benchmark of a scene.  A rung is run once to warm up and to measure its error, then BENCH_RUNS times for its
  * median.  A candidate has its share of the scene's seconds, what is left divided by the candidates that are left; it
  * climbs while the next rung is predicted to fit in.  That takes what the rung before took, times the ratio of their

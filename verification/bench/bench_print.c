@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* A benchmark as text, as JSON, and as the data of its charts. */
 #include "verification/bench/bench_print.h"
 

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Throughput of the engine.  The triad a = b + s c moves 24 bytes an element through memory (McCalpin 1995); an
  * update that reads and writes one double moves 16, so that a sweep out of cache cannot pass triad/16 updates a
  * second unless several steps share a sweep.  A row of the sparse operator moves 12 bytes an entry and some 40 a

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The rows of the peers, run: each size first tuned, then timed, up to nine times where that is short, since a
  * machine is not equally fast from one tenth of a second to the next. */
 #include "verification/bench/peers.h"

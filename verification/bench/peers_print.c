@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The peers beside ours: as text, and as the data of a chart. */
 #include "verification/bench/peers.h"
 

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* What is measured beside one another, as fine as the errors of interest need.  Multiples of 8 leave the jump of
  * square-step midway between points.  The stand-ins lie in bench/peers and are run from the root of the sources. */
 #include "verification/bench/peers.h"

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The candidates of `choose` and `bench`. */
 #include "verification/choose/candidate.h"
 

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Choosing by measured orders and constants: each candidate runs on a few coarse rungs, which predict where it
  * reaches what is wanted (extrapolation.h).  The cheapest is run and its error joins its rungs, until the
  * error is reached.  Where that is impossible, the finest feasible runs give the best error.

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Error and cost of runs, predicted: a line through the last coarse runs in log-log gives the order; the plan of the
  * very run gives its cost.  No candidate has a time step of its own to choose: it follows from dx, or there is no
  * error in time.  (RKL2 in N steps takes 2 sqrt(N h) updates where polynomials take 8.7 sqrt(h), h as in chebyshev.c,

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Seconds by counted work. */
 #include "verification/choose/forewarn.h"
 

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* E1 at the particles alone is blind to what aliases there: a cosine of wave length 2 dx is zero at each of them.
  * Between them the same samples have another value.
  *

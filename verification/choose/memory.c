@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Planned bytes against those of the machine. */
 #include "verification/choose/memory.h"
 

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The plan of a run: the method's outline at the stepper and the steps that the run will choose. */
 #include "verification/choose/plan.h"
 #include "solver/time/stepper.h"

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The number of time steps that a search ends at, extrapolated from two coarse searches.
  *
  * Runs of N steps at spacing dx have the error of space S = C dx^q and the time error K / N^p, p the stepper's order

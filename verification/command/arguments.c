@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Reads a command line against two tables: verbs.def says which options a verb has, options.def how each is read.
  *
  * The scene must be known before its parameters can be set, so the words are walked twice: first the positionals,

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* What no single option can see: which ones a verb lacks, which contradict or need each other. */
 #include "verification/command/checks.h"
 #include "solver/time/stepper.h"

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* A command line, run and kept. */
 #include "verification/command/command_run.h"
 

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Help, made from the tables that the arguments are read by, so that it cannot differ from them. */
 #include "verification/command/help.h"
 

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The tables of verbs and options once more, for man and for bash. */
 #include "verification/command/manual.h"
 

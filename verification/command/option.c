@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The readers of options' values, and their table, options.def.  A value is taken whole or refused; the text of a
  * refusal names the option, the value, and what would be valid. */
 #include "verification/command/option.h"

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The limits of stacks. */
 #include "verification/command/stack.h"
 

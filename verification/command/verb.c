@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The list of verbs, from verbs.def. */
 #include "verification/command/verb.h"
 

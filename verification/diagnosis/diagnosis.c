@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* One field cannot tell faults of like response apart (without a source T depends on kappa t alone): how the size
  * goes with the spacing can.  A clock is wrong by steps, a place by cells, a coefficient by a part of itself. */
 #include "verification/diagnosis/diagnosis.h"

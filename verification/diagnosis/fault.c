@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Faults as changes of a problem.
  *
  * A wall that lies elsewhere stretches the domain by s along an axis: with x = c + s (X - c) the equation in X has

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Least squares of the error field e with the response f of one fault at a time, beside what differences of second
  * order leave at the same spacing: in space g, in time (Euler's, of mesh Fourier number 1) h,
  *

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Responses: the difference of two runs over the size of the fault, carried to the points by splines (GSL: cubic;
  * Steffen's where two materials meet, which does not overshoot there).  Beyond the outermost cell centres the
  * straight line goes on. */

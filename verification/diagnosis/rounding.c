@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Temperatures that were kept, or written, with few digits.
  *
  * An explicit step that changes T by less than half a unit of its last digit, u |T|, changes nothing: the run stalls

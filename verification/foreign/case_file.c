@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* What a program is told, and the same read again. */
 #include "verification/foreign/case_file.h"
 

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The same for `verify`, which runs all cases, and for an engine, which runs each by `case --run`. */
 #include "verification/foreign/case_run.h"
 

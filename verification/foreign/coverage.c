@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The domain is divided into equal boxes, and none may be without a point.  Their side s must let pass each usual
  * arrangement of points at spacing dx, N = extent / dx of them along an axis, and no field with a quarter missing:
  *

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* From a file to a field. */
 #include "verification/foreign/field_file.h"
 

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* A point that a program forgot is one of N in a mean, and no error of its own.  Where the others lie on a lattice
  * its place is known:
  *

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* A program is over when all that inherited a pipe from it has ended: the life line, which nobody writes to.  Waiting
  * for the shell alone would read what a process in the background is still writing. */
 #include "verification/foreign/process.h"

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* --solver CMD: the case goes into a file, the command runs, and its answer comes back from another file.  Both lie
  * in a directory that is gone when the call returns, or in that of --keep.  --results DIR: the answer is there
  * already. */

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Directories of cases and answers. */
 #include "verification/foreign/results.h"
 

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Runs side by side.  A case is known by its directory; two rows that ask for the same one get the same answer, and
  * the one that comes later waits without a turn of its own. */
 #include "verification/foreign/runs.h"

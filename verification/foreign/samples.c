@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* What readers of all formats share: names, arrays, one value, and what counts as a file. */
 #include "verification/foreign/samples.h"
 

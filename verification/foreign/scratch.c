@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* A directory that does not outlive its run, whatever ends either. */
 #include "verification/foreign/scratch.h"
 

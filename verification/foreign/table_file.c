@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Tables of text: which character separates is seen from the header. */
 #include "verification/foreign/table_file.h"
 

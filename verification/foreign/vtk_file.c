@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* VTK File Formats for VTK version 4.2 (Kitware): words between blanks, or XML with arrays of such words.  All that
  * is wanted are arrays of numbers with a name, so both are read as a sequence of words; what is in no wanted array is
  * passed over. */

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The battery's table, and its cases for a program that runs elsewhere. */
 #include "verification/gates/battery.h"
 

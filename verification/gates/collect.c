@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Which gates: rows of the tables, one for each scene's reference; of these what --only, --skip, --quick leave. */
 #include "verification/gates/gates.h"
 

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Rows of gates as text: a scanner of C's blanks, comments, literals, names and numbers, and the one form of a row.
  */
 #include "verification/gates/gate_file.h"

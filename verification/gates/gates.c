@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Running gates.  Every row becomes one result, and a result that nobody filled is inconclusive, which does not pass;
  * that as many were run as declared is checked on top. */
 #include "verification/gates/gates.h"

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* One gate: its command, by another program where there is one, and what its measure says of it. */
 #include "verification/gates/gates.h"
 

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Gates that another program answers.  Rows run side by side, twice as many as cases may: while one is judged, or
  * waits for a case that another row has begun, the program runs for the next. */
 #include "verification/gates/gates.h"

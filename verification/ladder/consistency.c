@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The derivative operators themselves (Song 2018, sections 4.1 and 4.2): a Taylor expansion to order p on a lattice,
  * where odd terms cancel, gives first (p = 1) and second (p = 2) derivatives to second order in dx.  No time, no
  * walls and no initial data are in this error.

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* From the rungs of a ladder to the diagnosis of their errors. */
 #include "verification/ladder/diagnose.h"
 

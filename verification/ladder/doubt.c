@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* What keeps a ladder from showing an order.
  *
  * Noise.  Two runs of the same whose E1 is d apart scatter by d/sqrt(2) each.  A tenth of the error moves a local

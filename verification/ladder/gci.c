@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Observed order, Richardson's extrapolation and GCI of three grids h1 < h2 < h3, r21 = h2/h1, r32 = h3/h2
  * (Roache 1994; Celik et al. 2008; ASME V&V 20-2009, 2-4):
  *

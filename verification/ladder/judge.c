@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The verdict on an order.
  *
  * Four ways in which a straight line through (log x, log error) can mislead, and what is asked beside the fit:

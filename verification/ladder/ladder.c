@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The runs of a ladder, one a rung. */
 #include "verification/ladder/ladder.h"
 

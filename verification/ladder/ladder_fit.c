@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* What the rungs of a ladder say: errors, window, slope, verdict. */
 #include "verification/ladder/ladder.h"
 

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* With T(dt) = T_0 + C dt^p on one grid two successive runs differ by
  *
  *     d_i = |T_i - T_(i+1)| = |C| (dt_i^p - dt_(i+1)^p)

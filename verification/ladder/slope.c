@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Fit of an order.  With m points the slope's standard error s has m - 2 degrees of freedom, and the
  * interval is slope +- t s, t the 97.5 % point of Student's distribution (GSL: gsl_fit_linear scales the covariance
  * by the residuals; gsl_cdf_tdist_Pinv). */

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The window of rungs that count.  Each rule looks at what a rung measured, never at the order that is hoped for.
  *
  *   Round-off floor     more than a tenth of the error can be rounding.  It grows as dx falls: an order would be read

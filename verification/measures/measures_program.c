@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* What is asked of another program beside its errors. */
 #include "verification/measures/measures.h"
 

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Measures of stability: limits, steppers' intervals, maximum principle, refusals, long runs. */
 #include "verification/measures/measures.h"
 

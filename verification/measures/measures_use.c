@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* What users rely on, as gates: that a part stands for the whole, that plans are kept, that an error asked for is met
  * and not by far more than was asked. */
 #include "verification/measures/measures.h"

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The answer of `reference` for a set of points, as CSV. */
 #include "verification/oracle/answer.h"
 

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Points from CSV. */
 #include "verification/oracle/points.h"
 

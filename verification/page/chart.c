@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Logarithmic axes by decades, a marker a series (Okabe and Ito's palette). */
 #include "verification/page/chart.h"
 
@@ -128,9 +129,8 @@ static void put_slope(FILE *out, const struct axes *a, const struct chart *c) {
 void chart_write(const struct chart *c, FILE *out) {
     struct axes a = axes_of(c);
     int high = HEIGHT + ROW * c->count;
-    fprintf(out,
-            "<svg viewBox=\"0 0 %d %d\" width=\"%d\" role=\"img\" font-family=\"sans-serif\" font-size=\"13\">\n",
-            WIDTH, high, WIDTH);
+    fprintf(out, "<svg viewBox=\"0 0 %d %d\" width=\"%d\" role=\"img\" style=\"font: 13px sans-serif\">\n", WIDTH,
+            high, WIDTH);
     fprintf(out, "<title>");
     html_text(out, c->title);
     fprintf(out, "</title>\n<rect width=\"100%%\" height=\"100%%\" fill=\"#fff\"/>\n");

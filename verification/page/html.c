@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The frame of a page, its style, and images that are part of it. */
 #include "verification/page/html.h"
 

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Markdown to HTML, line by line: as much of it as the reports write. */
 #include "verification/page/markdown.h"
 

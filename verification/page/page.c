@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Pages for somebody's own code: a ladder, or a run of gates. */
 #include "verification/page/page.h"
 

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Gates on a page. */
 #include "verification/page/page.h"
 

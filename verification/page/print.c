@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Verdicts for a reader. */
 #include "verification/page/print.h"
 

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The checkerboard in a field, by a sine or cosine transform along each axis.
  *
  * What is looked at:

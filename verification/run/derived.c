@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Fluxes, heat and temperatures of a field on any points. */
 #include "verification/run/derived.h"
 

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Local least squares, in coordinates scaled by the distance of the farthest of the nearest points. */
 #include "verification/run/interpolate.h"
 

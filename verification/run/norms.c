@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Norms of the error (Song 2018, eq. 46), the range of a field, its variation and its heat. */
 #include "verification/run/norms.h"
 

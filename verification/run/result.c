@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* A result as JSON and as a line of text.  An option that has no meaning for the method is null, so that a table does
  * not show a kernel for a finite difference. */
 #include "verification/run/result.h"

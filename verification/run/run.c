@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* One run: scene -> field -> norms. */
 #include "verification/run/run.h"
 

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The reference of a ladder in time: T(t_end) of dT/dt = A T + g, whose A and g are those of the rungs.
  *
  * Where A is diagonal under a transform, the exact stepper has it.  Elsewhere (jitter, two materials, fixed walls) it

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Symmetry: no more is computed than half of a rod or a quarter of a square.
  *
  * Where initial data, coefficients and sides are even about a plane, so is the solution, and no heat crosses the

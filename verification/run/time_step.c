@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The choice of stepper and time step, where the user leaves them open.
  *
  * The exact stepper where the method has it.  Else the time step is refined until its error is shown to be small.

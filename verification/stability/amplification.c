@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Stability intervals, from the amplification factors of the steppers. */
 #include "verification/stability/amplification.h"
 

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Customary steps of conduction in SPH, dt = C h^2/kappa.
  *
  * Morris, Fox & Zhu 1997 (J. Comput. Phys. 136:214): C = 0.125 for a viscosity nu in place of kappa, with a quintic

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Bounded, conserving, monotone: what 10^7 steps leave of a method's promises.
  *
  * Each step rounds every temperature once, by eps/2 of it at most, and the sum over its neighbours by a few eps more

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The maximum principle: on the weights, and on runs.
  *
  * An impulse of 1 K makes a negative weight w_j visible in one step: T_j = dt w_j.  It must also be kept later, by

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Small problems in memory, on which a method shows what it does to one impulse, to noise, to a smooth hill. */
 #include "verification/stability/model_problem.h"
 

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Eigenvalues of rows.  GSL balances, reduces to Hessenberg form and takes QR steps (Golub & Van Loan 7.5): each
  * eigenvalue is that of a matrix within eps n |A| of the one given.  A symmetric operator's eigenvalues are then
  * wrong by no more than that; those of an operator far from normal by more, so that a real part just above zero says

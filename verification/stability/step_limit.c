@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Stability limits of explicit methods.
  *
  * Published.  Song 2018 eq. 34, SO-SSPH:  dt <= 1/|kappa_x eta_i + kappa_y phi_i| with eta_i, phi_i the weights of

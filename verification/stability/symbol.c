@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* von Neumann's analysis by machine: the stencil, its discrete Fourier transform, and the worst wave number.
  *
  * A grid of N = 128 phases along each axis finds the worst one to 2 pi/N; there the limit differs from its extreme by

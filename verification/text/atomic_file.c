@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* rename() replaces a file in one step (POSIX), so a reader sees the old text or the new.  The bytes are all in
  * memory before the file is opened, and interrupts wait for the moment that the writing takes: no partial file is
  * left.  Files that belong together are all written under their other names first, so that what is between the first

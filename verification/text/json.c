@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* A streaming JSON writer: what is open is a stack of closing brackets. */
 #include "verification/text/json.h"
 

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The ranges of RFC 3629, section 4. */
 #include "verification/text/letter.h"
 

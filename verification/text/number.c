@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Strict numbers: the whole text counts, the value is finite; no blanks, no hexadecimal, no trailing unit. */
 #include "verification/text/number.h"
 

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Files in memory, put in place whole.  POSIX has open_memstream for them; glibc's drops what it has no memory for,
  * and neither ferror nor fclose tells.  A stream of our own ends the program there (fopencookie: glibc, musl). */
 #define _GNU_SOURCE

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Colours of verdicts: on a terminal only, and never where NO_COLOR is set (no-color.org). */
 #include "verification/text/paint.h"
 

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Progress on standard error, where a person is looking. */
 #include "verification/text/progress.h"
 

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* A table of text: cells are collected, then printed as wide as the widest of their column. */
 #include "verification/text/table.h"
 

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* A file read in one piece, into room that doubles. */
 #include "verification/text/whole_file.h"
 

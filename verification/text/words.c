@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The nearest valid word, by edit distance: insertions, deletions, substitutions and swaps of two neighbours
  * (Damerau 1964), each counted as one. */
 #include "verification/text/words.h"

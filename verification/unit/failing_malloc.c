@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* A C library that is out of memory from the FAIL_AT-th allocation on, or with FAIL_ONCE at that one alone (glibc):
  * preloaded by scripts/check_memory.  FAIL_COUNT is a file that gets the number of allocations. */
 #include <errno.h>

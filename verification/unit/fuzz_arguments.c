@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Any line is parsed or refused with a text and a status of bad input; nothing else happens. */
 #include "verification/command/arguments.h"
 

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Any case file beside an answer gives a scene's parameters, which make a problem or are refused, or is refused
  * itself. The first byte names the scene. */
 #include "verification/foreign/case_file.h"

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Any file of gates is rows that could be run, or is refused with a text. */
 #include "verification/gates/gate_file.h"
 

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef HEATLADDER_VERIFICATION_UNIT_HEAP_H
 #define HEATLADDER_VERIFICATION_UNIT_HEAP_H
 

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Command lines: what is taken, and the text of every refusal. */
 #include "verification/command/arguments.h"
 

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The battery: correct codes pass it, live and later, and each planted fault is seen by the rows that are there for
  * it. */
 #include "verification/unit/control_volumes.inc"

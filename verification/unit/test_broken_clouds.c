@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Clouds that a method cannot work on: each gives a refusal that names the particle, its neighbours and the condition
  * number, or a measured, finite result; never NaN. */
 #include "solver/method.h" /* before cmocka.h, which makes a macro of `fail` */

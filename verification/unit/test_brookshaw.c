@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Brookshaw's weight of one pair, each factor of it in closed form. */
 #include "solver/method.h"
 

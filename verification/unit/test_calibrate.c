@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Calibration by coarse rungs: luck does not count, neither of the places nor of one rung alone. */
 #include "verification/choose/extrapolation.h"
 

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Candidates of choose and bench: which lattices suit a problem, what a run is counted as, and medians. */
 #include "verification/choose/candidate.h"
 

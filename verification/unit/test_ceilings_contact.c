@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The error that contact_ssph makes of a start that jumps at the contact, as gates/operators.def predicts it.
  *
  * The rows of a lattice with a contact keep no heat next to it: what they keep is sum_i l_i T_i, l A = 0, and l is

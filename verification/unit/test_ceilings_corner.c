@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The errors that plane.def predicts for the plate, whose sides disagree at the corners.
  *
  * At a corner T = T_y + (T_x - T_y) 2/pi atan(y/x), and the error depends on position/dx alone: one discrete problem

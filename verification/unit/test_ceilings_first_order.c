@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The errors of first order that gates/plane.def and gates/materials.def predict: what is blind to (-1)^i at jumps,
  * walls and corners, and the resistance that a mean of two conductivities adds. */
 #include "references/scene.h"

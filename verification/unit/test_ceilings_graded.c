@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The errors that gates/cooling.def predicts for rod-cooling on a graded rod: the operator's error equation, solved.
  *
  * A cell is s wide, s = dx a (1 + (R - 1) x/L)/(R - 1), a = ln R, and e^(a/n) times as wide as the one before: with

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The errors that gates/plane.def predicts for rod-gauss of Taylor order 4 on jittered particles: e_t = A e + r.
  *
  * Weights of order 4 leave r = sum over n > 4 of M_n/n! T^(n), M_n = sum w d^n of each particle's own row.  On a

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The errors that plane.def predicts for matched runs (solver/time/matched.c).  In units of the lattice, theta = xi
  * dx and r = kappa/dx^2 along either axis, an isotropic stencil has the symbol
  *

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The errors that gates/cooling.def predicts for rod-cooling: what discrete modes make of its start.
  *
  * u = T - S, S the steady line, vanishes at x = 0 and has k u_x = -b u at x = L.  Modes sin(q x) with q cot(q L) =

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The errors that gates/manufactured.def predicts, of second and of fourth order: e_t = L e + r on a grid of its own,
  * r what the stencil and the source leave.  Walls are of fourth order, so that they count in the fourth alone: a
  * ghost at the distance d then misses d^4/12 (T_xxxx + k_y/k_x T_yyyy) on an x side, and on a y side, n its normal,

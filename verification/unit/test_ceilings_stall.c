@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The errors at which pair operators stall on rods off the lattice, as gates/operators.def predicts them.
  *
  * A cloud of pairs is a chain of conductors F_ij, with what its links in parallel and in series conduct: k_eff/k =

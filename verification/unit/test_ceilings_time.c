@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The errors that gates/time.def predicts, worked out from the references alone, and what it says of RKL2's steps.
  */
 #include "solver/method.h" /* before cmocka.h, which makes a macro of `fail` */

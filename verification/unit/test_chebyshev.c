@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* exp(dt A) by polynomials: on one eigenvalue at a time, and through the march of one equation. */
 #include "solver/time/chebyshev.h"
 #include "solver/time/stepper.h"

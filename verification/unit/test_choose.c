@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* choose: what it promises it keeps, at parameters that nobody tuned for, twice alike; and it says so where it
  * cannot. */
 #include "verification/choose/choose.h"

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Claims: that no verdict can come from anywhere but a measurement, and that none can change unseen. */
 #include "reports/ledger/claims.h"
 #include "reports/ledger/kit.h"

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Relaxed, hexagonal and graded clouds: where particles are, what they stand for, that threads change nothing, and
  * what is refused. */
 #include "solver/space/place.h"

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The conjugate pair on clouds between insulated walls: symmetric, never above 0, and what it conducts. */
 #include "solver/space/csr.h"
 #include "solver/space/gradient.h"

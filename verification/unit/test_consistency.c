@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The error of derivative weights is made of the neighbours that there are. */
 #include "verification/ladder/consistency.h"
 

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SSPH across a contact: fields that it must have exactly, one material, and what is refused. */
 #include "solver/space/operator.h"
 

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Cooled ends: no root is missed and each is good to the last bit, half lines and modes are what they say, and the
  * scenes have the limits of an insulated and of a held end. */
 #include "references/cooling.h"

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* What a run counts and reports beside its errors, by hand: pairs, stages, applications, the mesh Fourier number. */
 #include "solver/time/rkl2.h"
 #include "solver/time/stepper.h"

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Cubature: polynomials, what is told of narrow places, and where it ends. */
 #include "references/cubature.h"
 

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Derived quantities of numerical fields: exact for polynomials of degree five, and as good as the field beside them.
  */
 #include "verification/run/derived.h"

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Faults planted in a correct code are named, with their size; a correct code has none. */
 #include "verification/diagnosis/diagnosis.h"
 #include "verification/diagnosis/wording.h"

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The battery's draw: the same for a seed, within its ranges, of every image; and bounds that follow it. */
 #include "verification/gates/battery.h"
 

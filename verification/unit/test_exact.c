@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The exact stepper at fine spacings: rates are right to some roundings of themselves, and not of the weights, which
  * are kappa/dx^2. */
 #include "solver/time/exact.h"

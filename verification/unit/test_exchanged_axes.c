@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* With x and y exchanged a method gives the same field, exchanged: for all 16 kinds of sides, every layout, sampling
  * and stepper, on a box whose extents, places and conductivities all differ. */
 #include "solver/method.h"

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* What is right, or cannot be told, is not called wrong: answers that are exact, noisy, or of few digits. */
 #include "verification/unit/made_answers.inc"
 

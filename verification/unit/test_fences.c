@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* No array is read or written past its end.
  *
  * The allocator of this program puts a fence of NaN behind every block, and fills with NaN what malloc gives and free

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* What programs leave as an answer: tables and VTK of many kinds read alike, and what is no answer refused with line,
  * column and what would be right. */
 #include "verification/foreign/field_file.h"

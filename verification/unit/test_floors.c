@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* What a measured error cannot be below: the rounding of a run and of its exact solution. */
 #include "references/scene.h"
 #include "verification/command/arguments.h"

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* What will take long is told beforehand, what is short is not: by counted work, the same on every machine. */
 #include "verification/choose/forewarn.h"
 

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The finite differences against what can be said of them exactly: their symbol, their steady states, their walls,
  * and their order at the matched step. */
 #include "verification/unit/ftcs_problems.h"

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* A run of the finite differences from its start to its end: what is sampled, how many steps there are, what is
  * refused, and how it fails. */
 #include "verification/unit/ftcs_problems.h"

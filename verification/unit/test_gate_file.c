@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Rows of gates as text: what is taken, and where what is not is found. */
 #include "verification/gates/gate_file.h"
 

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Gates as rows: which there are, which are chosen, what can be typed, and that all are run. */
 #include "verification/gates/gates.h"
 

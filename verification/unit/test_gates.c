@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Gates: that none can pass without having been judged. */
 #include "verification/gates/gates.h"
 

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* A ceiling holds only where the error is a number below it, whatever the gate itself has measured. */
 #include "solver/method.h"
 

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Without an exact solution: orders, limits and fields on points that no two grids share. */
 #include "verification/ladder/gci.h"
 

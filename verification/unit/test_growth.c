@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Growing modes: their rate against all eigenvalues, none where none grows, the run that has one; a start within its
  * data. */
 #include "solver/particles/particles.h"

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The error half-way between particles: exact where the temperature is a polynomial, and not blind where the
  * particles are. */
 #include "verification/choose/halfway.h"

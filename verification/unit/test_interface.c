@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* An interface anywhere: the errors that gates/materials.def predicts for rod-contact, and what cut cells hold.
  *
  * T = Tc + (T_i - Tc) erf(s/sqrt(4 kappa_i t)) at the distance s from the contact, q = Q/sqrt(t) the flux there, Q =

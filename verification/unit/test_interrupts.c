@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Interrupts of the verbs that write many files: the program dies of the signal, every file is whole or not there,
  * and nothing is left beside them.  The signal comes at a chosen call of the C library, so that a test is the same
  * each time: when a clock is read amid the runs, when a file is opened that is not in its place yet, when it is put

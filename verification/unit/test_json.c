@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* JSON, character by character. */
 #include "verification/text/json.h"
 

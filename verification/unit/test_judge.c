@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Verdicts on ladders made to measure: what must not pass, and what must. */
 #include "verification/ladder/slope.h"
 

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* How often ladders with scatter pass: honest ones as often as they can, flattening ones no more than they must. */
 #include "verification/ladder/slope.h"
 

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Kernels: normalised in one, two and three dimensions, dw/ds the derivative of w, zero past their support. */
 #include "solver/space/kernel.h"
 

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Ladders of methods whose errors are made to measure. */
 #include "verification/ladder/ladder.h"
 

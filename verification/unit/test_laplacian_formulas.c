@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The discrete Laplacians on a neighbourhood without any symmetry, each against its formula written out step by step,
  * in metres, for the cubic kernel in the plane and a field of odd numbers. */
 #include "solver/space/kernel.h"

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The discrete Laplacians on neighbourhoods without any symmetry: what each must have exactly, which of them conserve
  * heat, and what they refuse. */
 #include "solver/space/csr.h"

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Where particles and ghosts are, and what ghosts hold: on a field that the walls' images continue exactly. */
 #include "solver/method.h"
 

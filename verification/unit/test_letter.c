@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Letters of UTF-8: what is one, and what is none of those that a terminal, a page and XML can take. */
 #include "verification/text/letter.h"
 

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* `limit` with every method, every stepper, and every value of each of its options: a number or a reason, whatever is
  * asked. */
 #include "solver/method.h" /* before cmocka.h, which makes a macro of `fail` */

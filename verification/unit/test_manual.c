@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Help, manual page and completion leave out no verb, option, scene or method, and are well formed. */
 #include "verification/command/manual.h"
 

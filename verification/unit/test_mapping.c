@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The image of a scene obeys its own equation, in each of its axes; and the words that say which it is. */
 #include "references/mapping.h"
 #include "verification/foreign/case_file.h"

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The cell-linked list against all pairs. */
 #include "solver/method.h"
 

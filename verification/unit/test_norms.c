@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Norms, ranges and the checkerboard, on fields whose answers are known by hand. */
 #include "verification/run/norms.h"
 

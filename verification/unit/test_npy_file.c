@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* NumPy's arrays: columns, fields, and what is none. */
 #include "verification/foreign/npy_file.h"
 

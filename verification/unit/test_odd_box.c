@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Methods as a whole, on a box whose extents, places, spacings and conductivities all differ.
  *
  * A linear temperature stays as it is: its second derivatives vanish, first ones are exact, averages are its values,

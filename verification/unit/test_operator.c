@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The discrete operator: derivatives that it must have exactly, its two forms against each other, the exact stepper
  * against small steps, and what no method may do to heat. */
 #include "solver/time/matched.h"

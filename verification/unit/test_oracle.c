@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The oracle: every column against what it stands for, and the table that is written of them. */
 #include "verification/oracle/answer.h"
 

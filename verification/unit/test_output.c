@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Files in memory: there whole, or not at all, and several together. */
 #include "verification/text/output.h"
 

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Pages: what is escaped, what Markdown becomes, what a chart holds, and gates that are read back. */
 #include "verification/page/chart.h"
 #include "verification/page/html.h"

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* From a problem to a field: the step that is asked for, the end that is reached, the heat that is counted, what must
  * stay as it is; and the steppers on one equation. */
 #include "solver/method.h"

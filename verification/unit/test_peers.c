@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* bench --peers: rows whose programs are stand-ins, so that seconds and errors are known beforehand. */
 #include "verification/bench/peers.h"
 

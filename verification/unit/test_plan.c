@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* A plan is checked against what the run then reports, to the last particle, step and byte, and against the heap to 5
  * %. */
 #include "verification/choose/plan.h"

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Pamplona's experiments: two programs on the same plate, the closed form of xi, and fits of known laws. */
 #include "reports/pamplona/plate.h"
 #include "reports/figure/published.h"

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Points as programs write them, and refusals that name line and column. */
 #include "verification/oracle/points.h"
 

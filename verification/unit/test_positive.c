@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The linear programme of positive stencils: its cost against every stencil of five neighbours, and many programmes
  * on clouds that it was not made for. */
 #include "solver/space/kernel.h"

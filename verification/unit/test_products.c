@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Fields as sums of products, and exp(tA) by way of them: what is split is put together again, what is no such sum is
  * not taken for one, and few modes evolve as all modes do. */
 #include "solver/time/products.h"

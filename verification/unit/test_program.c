@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* --solver: an FTCS written in awk stands in for a method, and must be seen as ours is: where it is right, where it
  * is wrong, and where it does not answer. */
 #include "verification/foreign/program.h"

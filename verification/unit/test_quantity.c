@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Derived quantities of the exact solutions: heat kept in balance with the fluxes through the sides and the source,
  * known values, and no value where there is none. */
 #include "references/quantity.h"

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Each exact solution obeys its equation, its sides and its start, and agrees with a second, independent form. */
 #include "verification/unit/odd_scenes.h"
 

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Values at odd and at extreme parameters, from sums, integrals and inversions in 45-digit arithmetic (mpmath 1.3),
  * each from the data of the problem and not from the form that the scene uses.  Arguments are the doubles written
  * here.  The stated bounds hold against them, and are small. */

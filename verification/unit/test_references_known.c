@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Values known to 20 digits from sums of the defining series in 40-digit arithmetic, at odd parameters; swaps of
  * parameters show; the printed forms are what they are. */
 #include "verification/unit/odd_scenes.h"

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Parameters that make no sense are refused with a sentence that names the option and what would be valid. */
 #include "verification/unit/odd_scenes.h"
 

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The answer is that of the problem, not of the units it is told in: powers of 2 change no digit. */
 #include "verification/unit/odd_scenes.h"
 

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Cases written now and judged later, ladders in a parameter of a program, and ladders in time by self-differences.
  */
 #include "verification/foreign/results.h"

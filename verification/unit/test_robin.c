@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Robin walls, k dT/dn = b (T_a - T) (Song 2018, eq. 4), in every method and stepper.
  *
  * The rod: cos(mu s) about T_a, s from an insulated wall, mu L tan(mu L) = b L/k.  The plate: the same along y, and

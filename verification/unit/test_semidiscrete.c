@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* What a ladder in time is measured against where there is no exact stepper, on methods made to measure: T = (1 +
  * part D dt^order) T_exact of the rungs' stepper, (1 + wrong/N^2) T_exact of the polynomials in N steps. */
 #include "verification/ladder/ladder.h"

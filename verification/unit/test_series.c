@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The two forms of each sum agree where both converge, at any time, and their bounds are honest. */
 #include "references/series.h"
 

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Slopes, windows and verdicts, and the ways in which other suites were fooled. */
 #include "verification/ladder/slope.h"
 

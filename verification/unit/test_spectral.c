@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The spectral second opinion, on data whose evolution is known by hand. */
 #include "references/spectral.h"
 

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Stacks that are too small are refused before anything runs in them. */
 #include "verification/command/stack.h"
 

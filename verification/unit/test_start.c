@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* A start that keeps the heat of a jump, and is refused where that takes it out of its data's range. */
 #include "solver/method.h"
 #include "solver/particles/particles.h"

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Limits, symbols and amplification factors against what is known of them in closed form. */
 #include "solver/method.h" /* before cmocka.h, which makes a macro of `fail` */
 #include "verification/stability/long_run.h"

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The hot loops of the lattice against their definition, one particle after the other, and against themselves: what
  * shares a sweep, how wide a vector is and how many threads there are must not change a bit. */
 #include "solver/sweep/sweep.h"

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Half and quarter domains against the whole: the same field to rounding, for the work of the part. */
 #include "verification/run/symmetry.h"
 

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The choice of a time step, on methods whose errors are made to measure. */
 #include "verification/run/run.h"
 #include "verification/run/time_step.h"

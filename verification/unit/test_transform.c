@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Sine and cosine transforms: each mode alone has one coefficient, and all of them together give the data back. */
 #include "solver/time/transform.h"
 

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Two sweeps of first derivatives: pairs that do not depend on threads, updates that are their definition to the bit
  * for any number of them, and the rows that they stand for. */
 #include "solver/space/csr.h"

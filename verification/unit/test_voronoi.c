@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Voronoi cells on clouds without symmetry, and the operator of their faces: what must hold to rounding, and what is
  * refused. */
 #include "solver/space/csr.h"

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Walls of higher order, in every method: a steady cubic stays, corners included; and a matched run with a source is
  * of fourth order. */
 #include "solver/method.h"

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Walls that cut the lattice anywhere: what dummies hold, which particles are held, clipped cells; and that a start
  * which solves the equation stays. */
 #include "solver/particles/particles.h"

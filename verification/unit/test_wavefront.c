@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Several updates in one sweep: each unit has each update once, when what it reads is there and not yet written over.
  */
 #include "solver/sweep/wavefront.h"

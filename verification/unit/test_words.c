@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The nearest valid word. */
 #include "verification/text/words.h"
 

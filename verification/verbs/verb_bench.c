@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* heatladder bench: error against time and against counted work, and the speed of the engine; or, with --peers, error
  * against time beside the codes of others. */
 #include "verification/command/verb.h"

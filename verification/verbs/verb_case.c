@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* heatladder case: the cases of a ladder or of the battery, for a program that runs elsewhere and is judged later. */
 #include "verification/command/verb.h"
 

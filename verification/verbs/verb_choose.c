@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* heatladder choose: the cheapest run that reaches an error, and what it beat. */
 #include "verification/command/verb.h"
 

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* heatladder ladder: runs of falling dx (or dt), and the order at which the error falls. */
 #include "verification/command/verb.h"
 

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* heatladder limit: how large a step may be, as published, by von Neumann's analysis, and by trying. */
 #include "verification/command/verb.h"
 

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* heatladder man: the manual page, on standard output. */
 #include "verification/command/manual.h"
 #include "verification/command/verb.h"

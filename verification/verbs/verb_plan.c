@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* heatladder plan: what a run would store and do, and why. */
 #include "verification/command/verb.h"
 #include "solver/time/stepper.h"

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* heatladder reference: the exact solution at one point and time, with its own error bound; or all that is known of a
  * scene at the points of a file. */
 #include "verification/command/verb.h"

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* heatladder run: one solution, how far it is from the exact one, and what it cost. */
 #include "verification/command/verb.h"
 

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* heatladder verify: every gate, each with its reason; or those that another program is asked for. */
 #include "verification/command/verb.h"
 

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* A peer for --solver: finite differences, forward in time and central in space, at kappa dt/dx^2 = 1/6 (or the next
  * smaller that takes whole steps), tuned by hand.
  *

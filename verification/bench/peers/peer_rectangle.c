@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Reads the case, fills in the start, writes the answer. */
 #include "verification/bench/peers/peer_rectangle.h"
 

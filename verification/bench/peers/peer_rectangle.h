@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The case file of --solver, for stand-ins in C: a rectangle of one material whose sides hold a temperature each, on
  * cell-centred points; and the answer that goes back. */
 #ifndef HEATLADDER_VERIFICATION_BENCH_PEERS_PEER_RECTANGLE_H

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* A peer for --solver: SUNDIALS on the five-point method of lines, on the cell-centred points of a rectangle of one
  * material whose sides hold a temperature each.
  *

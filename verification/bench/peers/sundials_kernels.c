@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Vector kernels for SUNDIALS' serial vectors, compiled with optimisation and with threads: distributions compile the
  * library's own without. */
 #include "verification/bench/peers/sundials_kernels.h"
