@@ -31,10 +31,8 @@ static int try(const char *line) {
     struct request r;
     struct failure why = {0};
     int status = arguments_parse_line(line, &r, &why);
-    if (!status) {
-        status = find_limit(&r, &why);
-        arguments_free(&r);
-    }
+    if (!status) status = find_limit(&r, &why);
+    arguments_free(&r);
     if (status == STATUS_OK) return 1;
     if (status != STATUS_INPUT && status != STATUS_NOT_APPLICABLE && status != STATUS_NUMERICAL)
         fail_msg("%s: status %d", line, status);
