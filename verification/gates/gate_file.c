@@ -182,12 +182,13 @@ static int take_row(struct scanner *s, struct gate *g) {
 static int check_id(struct scanner *s, const char *id) {
     if (strlen(id) > ID_MOST) return wrong(s, "the row above, '%.60s...': an id of more than %d bytes", id, ID_MOST);
     if (strchr(id, '\n')) return wrong(s, "the row above: an id of one line is wanted");
-    for (const char *part = id; part; part = strchr(part, '/'), part += part != NULL) {
+    for (const char *part = id;;) {
         size_t n = strcspn(part, "/");
         if (n == 0 || (n <= 2 && strncmp(part, "..", n) == 0))
             return wrong(s, "the row above, '%.60s': the parts of an id may not be empty, '.' or '..'", id);
+        if (!part[n]) return STATUS_OK;
+        part += n + 1;
     }
-    return STATUS_OK;
 }
 
 static int check_row(struct scanner *s, const struct gate *g) {
