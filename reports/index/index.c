@@ -94,9 +94,10 @@ static const char *const sections[] = {"Operators", "Walls",         "Stability"
 enum { SECTIONS = sizeof sections / sizeof *sections };
 
 /* The simplest scenes, in the order to read them; the others follow as they stand. */
-static const char *const simplest[] = {"rod-gauss",   "rod-step",       "rod-cosine",  "rod-cooling",
-                                       "rod-contact", "wall-composite", "square-step", "rect-manufactured",
-                                       "plate",       "plate-cooling",  "disc-mode",   "disc-cooling"};
+static const char *const simplest[] = {"rod-gauss",         "rod-step",       "rod-cosine",    "rod-cooling",
+                                       "rod-contact",       "wall-composite", "square-step",   "plane-contact",
+                                       "rect-manufactured", "plate",          "plate-cooling", "disc-mode",
+                                       "disc-cooling"};
 enum { SIMPLEST = sizeof simplest / sizeof *simplest, SCENES_ROOM = 200 };
 
 static int is_among(const char *name, const char *const *among, int n) {

@@ -13,7 +13,7 @@
  * run on a rod, of fourth order (with fluxes for smooth data only).  In the plane that would need an isotropic
  * stencil.
  *
- * Restricted to a uniform grid, dx = dy; two materials (ftcs_layers.h) on a rod, direct. */
+ * Restricted to a uniform grid, dx = dy; two materials (ftcs_layers.h), direct. */
 #include "solver/differences/ftcs_grid.h"
 #include "solver/differences/ftcs_loops.h"
 #include "solver/differences/ftcs_plan.h"
@@ -41,7 +41,10 @@ static void step_direct(struct ftcs_grid *g) {
     for (ptrdiff_t j = 0; j < g->n[1]; j++) {
         const double *T = g->T + g->corner + j * g->stride;
         double *next = g->next + g->corner + j * g->stride;
-        if (g->layers[0])
+        if (g->layers[3])
+            g->loops->layers_row(g->n[0], g->dt, g->layers[1], g->layers[2], g->layers[3], T, T - g->stride,
+                                 T + g->stride, next);
+        else if (g->layers[0])
             g->loops->layers(g->n[0], g->dt, g->layers[1], g->layers[2], T, next);
         else if (g->dim == 1)
             g->loops->rod(g->n[0], Fx, T, next);
@@ -75,7 +78,8 @@ static void step_fluxes(struct ftcs_grid *g) {
 /* What 1/2 bounds, and 2 with fluxes: dt sum of kappa/dx^2. */
 static double fourier_sum(const struct ftcs_grid *g) {
     double rate = g->kappa[0] / (g->d[0] * g->d[0]) + g->kappa[1] / (g->d[1] * g->d[1]);
-    for (int i = 0; g->layers[0] && i < g->n[0]; i++) rate = fmax(rate, (g->layers[1][i] + g->layers[2][i]) / 2);
+    for (int i = 0; g->layers[0] && i < g->n[0]; i++)
+        rate = fmax(rate, (g->layers[1][i] + g->layers[2][i]) / 2 + (g->layers[3] ? g->layers[3][i] : 0));
     return g->dt * rate;
 }
 
@@ -181,7 +185,7 @@ static int outline(const struct method *m, const struct problem *p, const struct
     outline_hold(out, "what the source adds in a step", p->source ? nx * ny * unit : 0, OUTLINE_SET_UP,
                  OUTLINE_STEPS);
     outline_hold(out, "what the walls add", 2 * FTCS_LAYERS * (ny + nx * rows) * unit, OUTLINE_SET_UP, OUTLINE_STEPS);
-    outline_hold(out, "what the materials conduct and hold", p->materials == 2 ? 3 * nx * ny * unit : 0,
+    outline_hold(out, "what the materials conduct and hold", p->materials == 2 ? (2 + (size_t)g.dim) * nx * unit : 0,
                  OUTLINE_SET_UP, OUTLINE_STEPS);
     out->run.bytes = out->bytes[OUTLINE_STEPS];
     return STATUS_OK;

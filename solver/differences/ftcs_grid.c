@@ -27,23 +27,30 @@ static double *reserve(struct ftcs_grid *g, ptrdiff_t count) {
     return xcalloc((size_t)count, sizeof(double));
 }
 
-/* k_n times what the curved data of the side and the source add to a ghost at the distance d, K W m^-1 K^-1. */
-static double beyond(const struct problem *p, enum side s, const double foot[2], double d, double k) {
+/* k_n times what the curved data of the side and the source add to a ghost at the distance d, K W m^-1 K^-1; k and
+ * k_along: across the side and along it. */
+static double beyond(const struct problem *p, enum side s, const double foot[2], double d, double k, double k_along) {
     int a = (int)s / 2, b = 1 - a;
     double in[2] = {foot[0], foot[1]}, out[2] = {foot[0], foot[1]}, lo[2] = {foot[0], foot[1]},
            hi[2] = {foot[0], foot[1]};
     double bend = 0, outwards = s % 2 ? d : -d;
     in[a] -= outwards, out[a] += outwards, lo[b] -= d, hi[b] += d;
-    if (p->dim == 2) bend = p->material[0].k[b] * (p->wall(p, s, lo) - 2 * p->wall(p, s, foot) + p->wall(p, s, hi));
+    if (p->dim == 2) bend = k_along * (p->wall(p, s, lo) - 2 * p->wall(p, s, foot) + p->wall(p, s, hi));
     if (p->side[s] == DIRICHLET) return -bend - (p->source ? d * d * p->source(p, foot) : 0);
     return -bend / k * d / 3 - (p->source ? d * d / 6 * (p->source(p, out) - p->source(p, in)) : 0);
+}
+
+/* W m^-1 K^-1 along the axis, in the cell at the place along the side. */
+static double conducts(const struct ftcs_grid *g, const struct problem *p, enum side s, int place, int axis) {
+    if (s == X_LO || s == X_HI) return p->material[s == X_HI ? p->materials - 1 : 0].k[axis];
+    double x = g->origin[0] + place * g->d[0];
+    return axis == 1 ? ftcs_layers_across(p, g->d[0], x) : p->material[p->materials == 2 && x >= p->interface].k[0];
 }
 
 /* Ghost m mirrors unknown m + shift: the wall lies half a spacing outside the first unknown (shift 0), on it (1), or
  * on ghost 0 (-1). */
 static void edge_make(struct ftcs_grid *g, const struct problem *p, const struct options *o, enum side s) {
     int a = (int)s / 2, b = 1 - a, length = g->n[b], given = p->side[s] == DIRICHLET;
-    int last = s == X_HI ? p->materials - 1 : 0;
     int shift = o->layout == LAYOUT_NODE ? (given ? -1 : 1) : 0;
     struct ftcs_edge *e = &g->edge[s];
     e->offset = reserve(g, FTCS_LAYERS * length);
@@ -56,34 +63,37 @@ static void edge_make(struct ftcs_grid *g, const struct problem *p, const struct
         double apart = (2 * m + 1 + shift) * g->d[a], x[2];
         e->mirror[m] = m + shift < 0 ? 0 : m + shift;
         e->sign[m] = held ? 0 : given ? -1 : 1;
-        double k = p->material[last].k[a], taken = 0;
+        double taken = 0;
         if (p->side[s] == ROBIN) {
+            double k = conducts(g, p, s, 0, a);
             taken = 2 / (1 + k / (p->robin[s] * apart / 2)); /* 0 to 2, whatever b is */
             e->sign[m] = 1 - taken;
         }
         for (int i = 0; i < length; i++) {
             x[a] = s % 2 ? p->hi[a] : p->lo[a];
             x[b] = g->origin[b] + i * g->d[b];
-            double value = p->wall(p, s, x);
+            double value = p->wall(p, s, x), k = conducts(g, p, s, i, a);
             if (p->side[s] == ROBIN) {
                 e->offset[m * length + i] = taken * value;
                 continue;
             }
-            e->offset[m * length + i] =
-                held ? value : (given ? 2 * value : value / k * apart) + beyond(p, s, x, apart / 2, k) / k;
+            e->offset[m * length + i] = held ? value
+                                             : (given ? 2 * value : value / k * apart) +
+                                                   beyond(p, s, x, apart / 2, k, conducts(g, p, s, i, b)) / k;
         }
     }
 }
 
 /* Of two materials. */
 static void layers_make(struct ftcs_grid *g, const struct problem *p, const struct options *o) {
-    for (int k = 0; k < 3; k++) g->layers[k] = reserve(g, g->n[0]);
+    for (int k = 0; k < 2 + p->dim; k++) g->layers[k] = reserve(g, g->n[0]);
     for (int i = 0; i < g->n[0]; i++) {
         double x = g->origin[0] + i * g->d[0];
         g->layers[0][i] = ftcs_layers_rho_c(p, g->d[0], x);
         for (int hi = 0; hi < 2; hi++)
             g->layers[1 + hi][i] = ftcs_layers_conductivity(p, o->mean, x, hi ? g->d[0] : -g->d[0]) /
                                    (g->layers[0][i] * g->d[0] * g->d[0]);
+        if (p->dim == 2) g->layers[3][i] = ftcs_layers_across(p, g->d[0], x) / (g->layers[0][i] * g->d[1] * g->d[1]);
     }
 }
 
@@ -96,7 +106,7 @@ static void bound(struct ftcs_grid *g, const struct problem *p, double source) {
             double foot[2] = {g->origin[0] + i * g->d[0], g->origin[1] + i * g->d[1]};
             foot[s / 2] = s % 2 ? p->hi[s / 2] : p->lo[s / 2];
             double value = p->wall(p, (enum side)s, foot), flux = p->side[s] == NEUMANN ? fabs(value) : 0;
-            double k = p->material[s == X_HI ? p->materials - 1 : 0].k[s / 2];
+            double k = conducts(g, p, (enum side)s, i, s / 2);
             more = fmax(more, flux * (extent / k + p->t_end / g->rho_c / extent));
             if (p->side[s] != NEUMANN) lowest = fmin(lowest, value), highest = fmax(highest, value);
         }
@@ -175,7 +185,7 @@ double ftcs_grid_rho_c(const struct ftcs_grid *g, int i) {
 void ftcs_grid_keep_T(struct ftcs_grid *g) {
     g->held = g->size;
     for (int s = 0; s < 4; s++) free(g->edge[s].offset), g->edge[s].offset = NULL;
-    double **spent[] = {&g->next, &g->q, &g->heating, &g->layers[0], &g->layers[1], &g->layers[2]};
+    double **spent[] = {&g->next, &g->q, &g->heating, &g->layers[0], &g->layers[1], &g->layers[2], &g->layers[3]};
     for (size_t k = 0; k < sizeof spent / sizeof *spent; k++) free(*spent[k]), *spent[k] = NULL;
 }
 

@@ -29,8 +29,8 @@ struct ftcs_grid {
     double end_cell[4];     /* by enum side: the part of its cell that the unknown at the side has inside, 1 or 1/2 */
     double kappa[2];        /* m^2 s^-1; 0 along y for a rod */
     double rho_c;           /* J m^-3 K^-1; the least, of two materials */
-    double *layers[3];      /* a rod of two materials, by point: rho_c, J m^-3 K^-1; k / (rho_c d^2), s^-1, of what
-                               lies to its left and right.  Else NULL */
+    double *layers[4];      /* two materials, by column: rho_c, J m^-3 K^-1; k / (rho_c d^2), s^-1, to its left and
+                               right, and along y (NULL for a rod).  Else NULL */
     double dt, start;       /* s: the step; what the clock shows when the run starts */
     double alternation;     /* odd steps take (1 + alternation) dt, even ones (1 - alternation) dt */
     long long steps;

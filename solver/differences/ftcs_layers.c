@@ -1,13 +1,14 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* A rod of two materials for the finite differences.
+/* Two materials for the finite differences, on a rod or in the plane.
  *
  *   rho_c_i dT_i/dt = (k_{i+1/2} (T_{i+1} - T_i) - k_{i-1/2} (T_i - T_{i-1})) / d^2
  *
  * with rho_c averaged over the cell and, for the series mean, k_{i+1/2} = d / (l_1/k_1 + l_2/k_2), l_m the part of
  * the line between the two points in material m (Patankar 1980, section 4.2-3, with the interface anywhere).  Steady
  * profiles are then exact and the cells hold the heat of both materials: second order wherever the interface lies.
- * The harmonic and arithmetic means are those of the two points' conductivities, exact and of first order where the
- * interface lies midway.  A point or face at the interface to rounding is taken to lie on it. */
+ * Along y a cell that the interface cuts conducts with both of its parts side by side: the mean of k_y over its
+ * width. The harmonic and arithmetic means are those of the two points' conductivities, exact and of first order
+ * where the interface lies midway.  A point or face at the interface to rounding is taken to lie on it. */
 #include "solver/differences/ftcs_layers.h"
 
 #include "solver/problem.h"
@@ -35,6 +36,13 @@ double ftcs_layers_rho_c(const struct problem *p, double d, double x) {
     double share[2], middle[2];
     ftcs_layers_parts(p, d, x, share, middle);
     return share[0] * p->material[0].rho_c + (share[1] > 0 ? share[1] * p->material[1].rho_c : 0);
+}
+
+double ftcs_layers_across(const struct problem *p, double d, double x) {
+    double share[2], middle[2];
+    if (p->materials < 2) return p->material[0].k[1];
+    ftcs_layers_parts(p, d, x, share, middle);
+    return share[0] * p->material[0].k[1] + share[1] * p->material[1].k[1];
 }
 
 double ftcs_layers_conductivity(const struct problem *p, enum mean mean, double x, double d) {

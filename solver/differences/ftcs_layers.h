@@ -4,7 +4,7 @@
 
 #include "solver/options.h"
 
-/* A rod of two materials, cut into cells of width d (m) about points x (m). */
+/* Two materials that meet at x = interface, cut into cells of width d (m) about points x (m). */
 
 struct problem;
 
@@ -13,6 +13,9 @@ double ftcs_layers_rho_c(const struct problem *p, double d, double x);
 
 /* W m^-1 K^-1: what conducts between x and x + d, d of either sign. */
 double ftcs_layers_conductivity(const struct problem *p, enum mean mean, double x, double d);
+
+/* W m^-1 K^-1: what the cell about x conducts along y, the average of k_y over its width. */
+double ftcs_layers_across(const struct problem *p, double d, double x);
 
 /* Parts of the cell about x on either side of the interface: their widths over d and their middles, m.  Returns how
  * many there are, 1 or 2. */

@@ -9,6 +9,10 @@ struct ftcs_loops {
     /* two materials: next = T + dt (right (T_(i+1) - T_i) - left (T_i - T_(i-1))) */
     void (*layers)(int n, double dt, const double *restrict left, const double *restrict right,
                    const double *restrict T, double *restrict next);
+    /* a row of a rectangle of two materials: the same + dt across (T_above - 2 T_i + T_below) */
+    void (*layers_row)(int n, double dt, const double *restrict left, const double *restrict right,
+                       const double *restrict across, const double *restrict T, const double *restrict below,
+                       const double *restrict above, double *restrict next);
     /* a row of a rectangle */
     void (*row)(int n, double Fx, double Fy, const double *restrict T, const double *restrict below,
                 const double *restrict above, double *restrict next);

@@ -49,10 +49,15 @@ static int check_spacing(const struct problem *p, double dx, struct failure *why
 
 static int check_options(const struct ftcs_grid *g, const struct problem *p, const struct options *o,
                          struct failure *why) {
-    if (p->materials > 1 && (g->with_fluxes || p->dim == 2))
+    if (p->materials > 1 && g->with_fluxes)
         return refuse(why, STATUS_NOT_APPLICABLE,
-                      "%s: takes one material%s; this scene has %d, which meet at x = %g m", g->method,
-                      g->with_fluxes ? "" : " in the plane", p->materials, p->interface);
+                      "%s: takes one material; this scene has %d, which meet at x = %g m; take ftcs", g->method,
+                      p->materials, p->interface);
+    if (p->materials > 1 && p->dim == 2 && (p->side[Y_LO] == ROBIN || p->side[Y_HI] == ROBIN))
+        return refuse(why, STATUS_NOT_APPLICABLE,
+                      "%s: a Robin wall across both materials is not there; take a particle method, such as "
+                      "contact_ssph",
+                      g->method);
     if (p->materials > 1 && (o->sampling == SAMPLING_SPLINE || o->layout == LAYOUT_NODE))
         return refuse(why, STATUS_NOT_APPLICABLE, "--%s: takes one material; with two: %s",
                       o->layout == LAYOUT_NODE ? "layout node" : "sampling spline",

@@ -125,6 +125,23 @@ static void bounds_are_those_that_are_written(void **state) {
     assert_true(rows >= 25);
 }
 
+/* A contact in the plane is across x in one of two rows and across y in the other. */
+static void both_axes_have_a_contact(void **state) {
+    (void)state;
+    for (unsigned long seed = 1; seed <= 20; seed++) {
+        int swapped = 0, rows = 0;
+        for (const struct battery_row *row = battery_table; row->order; row++) {
+            struct request r;
+            if (strcmp(row->gate.id, "contact/plane") != 0 && strcmp(row->gate.id, "contact/across") != 0) continue;
+            parse(row, seed, &r);
+            swapped += r.experiment.program.map.swap, rows++;
+            arguments_free(&r);
+        }
+        assert_int_equal(rows, 2);
+        assert_int_equal(swapped, 1);
+    }
+}
+
 static void ranges_that_are_none_are_refused(void **state) {
     (void)state;
     static const char *const wrong[] = {"kappa", "kappa=1", "kappa=2:1", "kappa=a:b", "=1:2"};
@@ -141,7 +158,7 @@ int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(draws_lie_within_their_ranges),    cmocka_unit_test(all_images_are_drawn),
         cmocka_unit_test(seed_zero_is_as_written),          cmocka_unit_test(bounds_are_those_that_are_written),
-        cmocka_unit_test(ranges_that_are_none_are_refused),
+        cmocka_unit_test(ranges_that_are_none_are_refused), cmocka_unit_test(both_axes_have_a_contact),
     };
     gsl_set_error_handler_off();
     return cmocka_run_group_tests_name("draw", tests, NULL, NULL);

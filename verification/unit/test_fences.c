@@ -109,6 +109,7 @@ static void fences_hold(void **state) {
         "run rod-cosine ftcs_flux --dx 0.05 --layout node --fourier 0.4",
         "run rod-contact brookshaw --dx 0.02 --mean series --set x_c=0.013",
         "run rod-contact ftcs --dx 0.02 --fourier 0.2",
+        "run plane-contact ftcs --dx 0.05 --mean series --set w1=0.41 --set w2=0.59 --fourier 0.2",
         "run rod-gauss ftcs --dx 0.25 --stepper matched --sampling spline",
         "run rod-cooling so_ssph --dx 0.05",
         "run plate so_ssph --dx 0.01 --stepper rkl2 --dt 0.3",

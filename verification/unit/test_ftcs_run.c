@@ -112,7 +112,9 @@ static void test_refusals(void **state) {
     REFUSED(&method_ftcs, &r, O(.dx = 0.115, .dt = 0.1, .fourier = 0.2), "--dt 0.1", "--fourier 0.2");
     REFUSED(&method_ftcs, &r, O(.dx = 0.115, .dt = 1e-300), "time steps");
     REFUSED(&method_ftcs, &late, O(.dx = 0.115), "--t-end nan");
-    REFUSED(&method_ftcs, &two, O(.dx = 0.046), "ftcs", "2", "material");
+    REFUSED(&method_ftcs_flux, &two, O(.dx = 0.046), "ftcs_flux", "2", "one material", "take ftcs");
+    two.side[Y_HI] = ROBIN;
+    REFUSED(&method_ftcs, &two, O(.dx = 0.046), "ftcs", "Robin", "contact_ssph");
     REFUSED(&method_ftcs, &r, O(.dx = 0.115, .layout = LAYOUT_JITTER), "--layout jitter", "lattice or node");
     REFUSED(&method_ftcs, &r, O(.dx = 0.115, .stepper = STEPPER_RK2), "--stepper rk2", "euler", "matched");
     REFUSED(&method_ftcs_flux, &s, O(.dx = 0.046, .stepper = STEPPER_EXACT), "--stepper exact", "ftcs_flux", "euler");
@@ -174,6 +176,51 @@ static void test_rate_of_two_materials(void **state) {
     assert_near(sum, 0.8 * 200.5 / 201 * 31 / 22, 1e-5); /* six digits are printed */
 }
 
+static double along_y(const struct problem *p, const double x[2]) {
+    return cos(PI * (x[1] - p->lo[1]) / (p->hi[1] - p->lo[1]));
+}
+
+static double insulated(const struct problem *p, enum side s, const double x[2]) {
+    (void)p, (void)s, (void)x;
+    return 0;
+}
+
+/* Two materials in the plane, the interface 0.3 of a cell behind a face.  T = cos(pi y/H) has no flux along x, and a
+ * step of Euler takes (k_y/rho_c) dt (2 sin(pi d/2 H)/d)^2 of it, k_y and rho_c averaged over the cell.  Where both
+ * have the same kappa the step's sum of kappa dt/dx^2 is that of both axes. */
+static void test_two_materials_in_the_plane(void **state) {
+    (void)state;
+    const double d = 0.1, first = 0.3, k[2] = {0.7, 0.09}, rho_c[2] = {1.3, 2.9};
+    struct problem p = {.dim = 2,
+                        .hi = {1, 0.8},
+                        .t_end = 1e-3,
+                        .materials = 2,
+                        .interface = 0.43,
+                        .side = {NEUMANN, NEUMANN, NEUMANN, NEUMANN},
+                        .initial = along_y,
+                        .wall = insulated};
+    struct options o = {.dx = d, .dt = 1e-3};
+    struct failure why = {0};
+    for (int m = 0; m < 2; m++) p.material[m] = (struct material){{k[m], k[m]}, rho_c[m]};
+    struct field f = solved(&method_ftcs, &p, &o);
+    assert_int_equal(f.steps, 1);
+    for (size_t i = 0; i < f.n; i++) {
+        double part = fmin(1, fmax(0, (p.interface - f.x[i]) / d + 0.5)), symbol = 2 * sin(PI * d / 1.6) / d;
+        double kappa = (part * k[0] + (1 - part) * k[1]) / (part * rho_c[0] + (1 - part) * rho_c[1]);
+        if (f.x[i] > 0.4 && f.x[i] < 0.5) assert_near(part, first, 1e-12);
+        assert_near(f.T[i], (1 - kappa * 1e-3 * symbol * symbol) * cos(PI * f.y[i] / 0.8), 1e-14);
+    }
+    field_free(&f);
+    p.material[1] = (struct material){{0.07, 0.07}, 0.13};
+    p.t_end = 200 * 0.4 * d * d / (0.7 / 1.3), o.dt = 0, o.fourier = 0.4, p.interface = 0.4;
+    assert_int_equal(method_solve(&method_ftcs, &p, &o, &f, &why), STATUS_UNSTABLE);
+    const char *text = strstr(why.text, "sum of kappa dt/dx^2 is ");
+    double sum = NAN;
+    assert_non_null(text);
+    assert_int_equal(sscanf(text, "sum of kappa dt/dx^2 is %lf", &sum), 1);
+    assert_near(sum, 0.4 * (31. / 22 + 1), 1e-5); /* along x the rate of test_rate_of_two_materials */
+}
+
 /* The step is whole: t_end / ceil(t_end / dt); a dx that is out by rounding is snapped. */
 static void test_whole_steps(void **state) {
     (void)state;
@@ -207,6 +254,7 @@ int main(void) {
         cmocka_unit_test(test_refusals),
         cmocka_unit_test(test_stability),
         cmocka_unit_test(test_rate_of_two_materials),
+        cmocka_unit_test(test_two_materials_in_the_plane),
         cmocka_unit_test(test_whole_steps),
     };
     return cmocka_run_group_tests_name("ftcs run", tests, NULL, NULL);

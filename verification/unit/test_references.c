@@ -149,8 +149,8 @@ static void the_edge_of_the_start_is_closed(void **state) {
 
 static void flux_is_continuous_at_an_interface(void **state) {
     (void)state;
-    static const char *const with_two[] = {"rod-contact", "wall-composite"};
-    for (int i = 0; i < 2; i++) {
+    static const char *const with_two[] = {"rod-contact", "wall-composite", "plane-contact"};
+    for (int i = 0; i < 3; i++) {
         struct problem p;
         const struct scene *s = odd_find(with_two[i], &p);
         double flux[2], d = 0.002, c = p.interface, t = p.t_end;

@@ -1,0 +1,263 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* plane-contact: the slowest mode of two materials that meet in a rectangle at x = w1.
+ *
+ *     rho_c dT/dt = div(k grad T)  on [0, w1 + w2] x [0, height],   k, rho_c = k1, rho_c1 at x < w1, k2, rho_c2 else
+ *     T = Tm at x = 0 and x = w1 + w2,   dT/dy = 0 at y = 0 and y = height
+ *     T(x, y, 0) = Tm + A phi(x) cos(q y),   q = mode pi/height,   largest phi: 1
+ *
+ * T = Tm + A phi(x) cos(q y) exp(-lambda t), where (k phi')' + (lambda rho_c - k q^2) phi = 0 and phi is 0 at both
+ * walls, phi and k phi' continuous at w1.  With s_i = lambda rho_c_i/k_i - q^2 and C(s, z) = cos(sqrt(s) z), S(s, z)
+ * = sin(sqrt(s) z)/sqrt(s) (cosh, sinh for s < 0) phi is S(s_1, x)/S(s_1, w1) and S(s_2, w1 + w2 - x)/S(s_2, w2)
+ * times its value at w1, and lambda is a root of
+ *
+ *     k1 C(s_1, w1)/S(s_1, w1) + k2 C(s_2, w2)/S(s_2, w2) = 0                     (Carslaw and Jaeger 1959,
+ * section 12.8)
+ *
+ * Both terms fall with lambda.  The first root is between the first lambda at which one of them is 0 and the first at
+ * which one has its pole: s_i = (pi/2 w_i)^2 and (pi/w_i)^2.  There phi is largest in the layer with sqrt(s_i) w_i >
+ * pi/2, and monotone in the other one.
+ * The second form is Ritz's: integrated Legendre polynomials in each layer and the least quotient of int k (phi'^2 +
+ * q^2 phi^2) to int rho_c phi^2.  It knows no condition at the contact.
+ * Rounding: lambda is a quotient of integrals of its coefficients, so that their rounding shows in it no larger; a
+ * part eps of lambda or q^2 moves the phase sqrt(s) z by w (|s| + q^2)/(2 sqrt(s)) eps (`turn`).
+ * Restrictions: A < Tm, so that T > 0; mode up to 20; widths, k and rho_c of the two within a factor of 1e6. */
+#include "references/params.h"
+#include "references/roots.h"
+
+#include "solver/status.h"
+
+#include <float.h>
+#include <math.h>
+#include <stdio.h>
+
+#include <gsl/gsl_eigen.h>
+#include <gsl/gsl_integration.h>
+
+enum { W1, W2, HEIGHT, K1, RHO_C1, K2, RHO_C2, MODE, TM, A, T_END, LAMBDA }; /* LAMBDA: s^-1, of setup's */
+
+static const struct param params[] = {
+    {"w1", 0.4, "m", "width of the first material, x < w1", NULL},
+    {"w2", 0.6, "m", "width of the second material", NULL},
+    {"height", 0.5, "m", "extent along y", NULL},
+    {"k1", 0.02, "W/m/K", "conductivity of the first material", NULL},
+    {"rho_c1", 1, "J/m^3/K", "heat capacity of the first material", NULL},
+    {"k2", 0.002, "W/m/K", "conductivity of the second material", NULL},
+    {"rho_c2", 0.5, "J/m^3/K", "heat capacity of the second material", NULL},
+    {"mode", 1, "", "half waves along y, a whole number", NULL},
+    {"Tm", 2, "K", "mean temperature, of the walls", NULL},
+    {"A", 1, "K", "largest part of the mode at the start, below Tm", NULL},
+    {"t_end", 1, "s", "end time", NULL},
+    {NULL, 0, NULL, NULL, NULL},
+};
+
+/* ---- The mode ---- */
+
+struct layer {
+    double w, k, rho_c;
+    double s; /* m^-2: lambda rho_c/k - q^2 */
+};
+
+struct mode {
+    double q; /* m^-1 */
+    struct layer layer[2];
+};
+
+static struct mode mode_of(const struct problem *p, double lambda) {
+    const double *v = p->param;
+    struct mode m = {v[MODE] * M_PI / v[HEIGHT], {{v[W1], v[K1], v[RHO_C1], 0}, {v[W2], v[K2], v[RHO_C2], 0}}};
+    for (int i = 0; i < 2; i++) m.layer[i].s = lambda * m.layer[i].rho_c / m.layer[i].k - m.q * m.q;
+    return m;
+}
+
+/* S and C at z, 0 <= z <= w; where s < 0 over cosh(sqrt(-s) w), which they have in common. */
+static double sine(const struct layer *l, double z) {
+    double r = sqrt(fabs(l->s));
+    if (r * l->w < 1e-8) return z;
+    return l->s > 0 ? sin(r * z) / r : exp(r * (z - l->w)) * -expm1(-2 * r * z) / (1 + exp(-2 * r * l->w)) / r;
+}
+
+static double cosine(const struct layer *l, double z) {
+    double r = sqrt(fabs(l->s));
+    return l->s > 0 ? cos(r * z) : exp(r * (z - l->w)) * (1 + exp(-2 * r * z)) / (1 + exp(-2 * r * l->w));
+}
+
+/* Minus the sum of both terms, times S_1 S_2/(S_1 + S_2), which leaves its sign where both have their poles. */
+static double mismatch(double lambda, const void *problem) {
+    struct mode m = mode_of(problem, lambda);
+    const struct layer *a = &m.layer[0], *b = &m.layer[1];
+    double Sa = fmax(sine(a, a->w) / a->w, DBL_MIN), Sb = fmax(sine(b, b->w) / b->w, DBL_MIN);
+    return -(a->k / a->w * cosine(a, a->w) * Sb + b->k / b->w * cosine(b, b->w) * Sa) / (Sa + Sb);
+}
+
+/* The least of both layers' lambda at which sqrt(s) w is the part of pi. */
+static double first_at(const struct problem *p, double part) {
+    struct mode m = mode_of(p, 0);
+    double lambda[2];
+    for (int i = 0; i < 2; i++) {
+        double r = part * M_PI / m.layer[i].w;
+        lambda[i] = (m.q * m.q + r * r) * m.layer[i].k / m.layer[i].rho_c;
+    }
+    return fmin(lambda[0], lambda[1]);
+}
+
+/* How far, in phase, a part 2 eps of lambda or of q^2 moves the layer's end, over eps. */
+static double turn(const struct layer *l, double q) {
+    return l->w * (fabs(l->s) + q * q) / (sqrt(fabs(l->s)) + 1 / l->w);
+}
+
+/* ---- The scene ---- */
+
+static struct exact exact(const struct problem *p, const double x[2], double t) {
+    const double *v = p->param;
+    struct mode m = mode_of(p, v[LAMBDA]);
+    int right = x[0] >= v[W1], wide = 0; /* wide: the layer that has the largest phi */
+    for (int i = 0; i < 2; i++)
+        if (m.layer[i].s > 0 && sqrt(m.layer[i].s) * m.layer[i].w >= M_PI / 2 * (1 - 1e-12)) wide = i;
+    const struct layer *l = &m.layer[right], *w = &m.layer[wide];
+    double z = right ? v[W1] + v[W2] - x[0] : x[0];
+    double size = right == wide ? sqrt(w->s) : sqrt(w->s) * sine(w, w->w) / sine(l, l->w);
+    double phi = size * sine(l, z), slope = (right ? -size : size) * cosine(l, z);
+    double decay = v[LAMBDA] * t, amplitude = v[A] * exp(-decay), phase = m.q * x[1];
+    double turns = turn(&m.layer[0], m.q) + turn(&m.layer[1], m.q) + fabs(phase);
+    double rounding = DBL_EPSILON * amplitude * (16 + 8 * turns + 12 * decay);
+    double steepest = fmax(fabs(size) + 1 / l->w, sqrt(fabs(l->s)) + m.q);
+    return (struct exact){.temperature = v[TM] + amplitude * phi * cos(phase),
+                          .error_bound = rounding + DBL_EPSILON * v[TM],
+                          .gradient = {amplitude * slope * cos(phase), -amplitude * phi * m.q * sin(phase)},
+                          .gradient_bound = {2 * steepest * rounding, m.q * rounding}};
+}
+
+static double initial(const struct problem *p, const double x[2]) {
+    return exact(p, x, 0).temperature;
+}
+
+static double wall(const struct problem *p, enum side s, const double x[2]) {
+    (void)x;
+    return s == X_LO || s == X_HI ? p->param[TM] : 0;
+}
+
+static int setup(struct problem *p, struct failure *why) {
+    static const int positive[] = {W1, W2, HEIGHT, K1, RHO_C1, K2, RHO_C2, TM, A, T_END, -1};
+    static const int pair[][2] = {{W1, W2}, {K1, K2}, {RHO_C1, RHO_C2}};
+    params_keep(p);
+    const double *v = p->param;
+    if (params_all_positive(params, p, positive, why)) return STATUS_INPUT;
+    if (params_whole(params, p, MODE, 0, 20, why)) return STATUS_INPUT;
+    if (params_between(params, p, A, 0, v[TM], "the temperature stays positive, A < Tm", why)) return STATUS_INPUT;
+    for (int i = 0; i < 3; i++)
+        if (params_between(params, p, pair[i][1], 1e-6 * v[pair[i][0]], 1e6 * v[pair[i][0]],
+                           "within a factor of 1e6 of the first material's", why))
+            return STATUS_INPUT;
+    p->dim = 2;
+    p->hi[0] = v[W1] + v[W2];
+    p->hi[1] = v[HEIGHT];
+    p->t_end = v[T_END];
+    p->materials = 2;
+    p->interface = v[W1];
+    p->material[0] = (struct material){{v[K1], v[K1]}, v[RHO_C1]};
+    p->material[1] = (struct material){{v[K2], v[K2]}, v[RHO_C2]};
+    p->side[Y_LO] = p->side[Y_HI] = NEUMANN;
+    p->mirror[1] = (int)v[MODE] % 2 == 0;
+    p->param[LAMBDA] = roots_increasing(mismatch, p, first_at(p, 0.5), first_at(p, 1));
+    p->initial = initial;
+    p->wall = wall;
+    return STATUS_OK;
+}
+
+/* ---- The second form ---- */
+
+enum { DEGREE = 20, BUBBLES = DEGREE - 1, RITZ = 2 * BUBBLES + 1, NODES = 32 };
+
+/* At -1 <= xi <= 1 the bubbles (P_j - P_(j-2))/(2j - 1), j = 2 ... DEGREE, and the hat (1 + xi)/2 of the contact,
+ * with their slopes P_(j-1) and 1/2. */
+static void shapes(double xi, double value[BUBBLES + 1], double slope[BUBBLES + 1]) {
+    double P[DEGREE + 1] = {1, xi};
+    for (int j = 2; j <= DEGREE; j++) P[j] = ((2 * j - 1) * xi * P[j - 1] - (j - 1) * P[j - 2]) / j;
+    for (int j = 2; j <= DEGREE; j++) value[j - 2] = (P[j] - P[j - 2]) / (2 * j - 1), slope[j - 2] = P[j - 1];
+    value[BUBBLES] = (1 + xi) / 2, slope[BUBBLES] = 0.5;
+}
+
+/* Unknown j of layer i; the last one, the hat, is that of both. */
+static int unknown(int i, int j) {
+    return j == BUBBLES ? RITZ - 1 : i * BUBBLES + j;
+}
+
+static void add_layer(const struct mode *m, int i, gsl_matrix *stiff, gsl_matrix *mass) {
+    const struct layer *l = &m->layer[i];
+    gsl_integration_glfixed_table *rule = gsl_integration_glfixed_table_alloc(NODES);
+    for (size_t node = 0; node < NODES; node++) {
+        double xi, weight, N[BUBBLES + 1], D[BUBBLES + 1];
+        gsl_integration_glfixed_point(-1, 1, node, &xi, &weight, rule);
+        shapes(xi, N, D);
+        for (int a = 0; a <= BUBBLES; a++)
+            for (int b = 0; b <= BUBBLES; b++) {
+                size_t row = (size_t)unknown(i, a), column = (size_t)unknown(i, b);
+                double NN = weight * l->w / 2 * N[a] * N[b], DD = weight * 2 / l->w * D[a] * D[b];
+                *gsl_matrix_ptr(stiff, row, column) += l->k * (DD + m->q * m->q * NN);
+                *gsl_matrix_ptr(mass, row, column) += l->rho_c * NN;
+            }
+    }
+    gsl_integration_glfixed_table_free(rule);
+}
+
+/* The largest quotient of mass to stiffness, 1/lambda, whose rounding is a part of itself; its vector; what the next
+ * quotient is of it. */
+static double ritz(const struct mode *m, double vector[RITZ], double *next) {
+    gsl_matrix *stiff = gsl_matrix_calloc(RITZ, RITZ), *mass = gsl_matrix_calloc(RITZ, RITZ);
+    gsl_matrix *vectors = gsl_matrix_alloc(RITZ, RITZ);
+    gsl_vector *quotient = gsl_vector_alloc(RITZ);
+    gsl_eigen_gensymmv_workspace *work = gsl_eigen_gensymmv_alloc(RITZ);
+    for (int i = 0; i < 2; i++) add_layer(m, i, stiff, mass);
+    gsl_eigen_gensymmv(mass, stiff, quotient, vectors, work);
+    gsl_eigen_gensymmv_sort(quotient, vectors, GSL_EIGEN_SORT_VAL_DESC);
+    for (size_t j = 0; j < RITZ; j++) vector[j] = gsl_matrix_get(vectors, j, 0);
+    double first = gsl_vector_get(quotient, 0);
+    *next = gsl_vector_get(quotient, 1) / first;
+    gsl_eigen_gensymmv_free(work);
+    gsl_vector_free(quotient);
+    gsl_matrix_free(vectors), gsl_matrix_free(mass), gsl_matrix_free(stiff);
+    return 1 / first;
+}
+
+static double sum_of(const double vector[RITZ], int i, double xi, int slope) {
+    double N[BUBBLES + 1], D[BUBBLES + 1], sum = 0;
+    shapes(xi, N, D);
+    for (int j = 0; j <= BUBBLES; j++) sum += vector[unknown(i, j)] * (slope ? D[j] : N[j]);
+    return sum;
+}
+
+/* phi where its slope is 0, in the layer at whose contact it falls. */
+static double largest(const double vector[RITZ]) {
+    double sign = vector[RITZ - 1] < 0 ? -1 : 1, lo = -1, hi = 1;
+    int i = sign * sum_of(vector, 0, 1, 1) < 0 ? 0 : 1;
+    for (int n = 0; n < 60; n++) {
+        double middle = (lo + hi) / 2;
+        *(sign * sum_of(vector, i, middle, 1) > 0 ? &lo : &hi) = middle;
+    }
+    return sum_of(vector, i, lo, 0);
+}
+
+/* A polynomial of DEGREE leaves less than rounding of phases up to 2 pi. */
+static struct exact second(const struct problem *p, const double x[2], double t) {
+    const double *v = p->param;
+    struct mode m = mode_of(p, 0);
+    double vector[RITZ], next, lambda;
+    if (m.q * fmax(v[W1], v[W2]) > 2 * M_PI) return (struct exact){.temperature = NAN, .error_bound = INFINITY};
+    lambda = ritz(&m, vector, &next);
+    int right = x[0] >= v[W1];
+    double z = right ? v[W1] + v[W2] - x[0] : x[0], decay = lambda * t, amplitude = v[A] * exp(-decay);
+    double phi = sum_of(vector, right, 2 * z / m.layer[right].w - 1, 0) / largest(vector);
+    return (struct exact){.temperature = v[TM] + amplitude * phi * cos(m.q * x[1]),
+                          .error_bound = DBL_EPSILON * (RITZ * amplitude * (8 / (1 - next) + 4 * decay) + v[TM])};
+}
+
+const struct scene scene_plane_contact = {
+    .name = "plane-contact",
+    .about = "the slowest mode of two materials that meet in a rectangle",
+    .citation = "Carslaw and Jaeger 1959, section 12.8",
+    .params = params,
+    .setup = setup,
+    .exact = exact,
+    .second = second,
+    .odd = {{0.37, 0.59, 0.83, 0.019, 1.3, 0.0023, 0.61, 2, 2.1, 1.2, 1.7}, 1, 0.003, 0.1},
+};
