@@ -416,6 +416,11 @@ mutants: ## Seed faults (those named MUTANTS, all), one at a time; a test or a g
 	{ CC='$(CC)' scripts/mutants '$(MUTANTS)' || echo $$? >$(OUT)/mutants.failed; } | tee $(OUT)/mutants.new; \
 	mv $(OUT)/mutants.new $(OUT)/mutants.txt; if [ -f $(OUT)/mutants.failed ]; then rm $(OUT)/mutants.failed; exit 1; fi
 
+TOKENS ?= 50
+.PHONY: mutants-drawn
+mutants-drawn: ## Change single tokens of the sources, drawn by the commit (TOKENS, 50), one at a time, as mutants does
+	$(Q)CC='$(CC)' scripts/mutants -r $(TOKENS)
+
 .PHONY: format
 format: ## Lay out the sources by .clang-format
 	clang-format -i $(C_FILES)
@@ -465,7 +470,7 @@ nightly: ## All seeded faults, an hour of each fuzzer, the race detector, 64-bit
 	+$(Q)$(MAKE) fuzz FUZZ_SECONDS=3600
 	$(Q)if command -v qemu-aarch64 >/dev/null; then scripts/cross-arm64 build/arm64 '*'; else scripts/skip "64-bit ARM: qemu-aarch64 is not here"; fi
 	+$(Q)$(MAKE) mutants
-	$(Q)scripts/mutants-random -n 50 -s $$((0x$$(git rev-parse --short=7 HEAD)))
+	+$(Q)$(MAKE) mutants-drawn
 
 .PHONY: help
 help: ## List the targets

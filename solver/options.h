@@ -34,6 +34,7 @@ struct field;
 
 struct options {
     double dx;      /* m, particle spacing along x (along y too, but for STEPPER_MATCHED with k_x != k_y) */
+    double aspect;  /* dy over dx of the cells that a case asks another program for; 0: 1 */
     double dt;      /* s; 0: not given.  The step used is t_end / ceil(t_end / dt), so that steps are whole. */
     double fourier; /* mesh Fourier number dt max(kappa) / dx^2; 0: not given */
     double h;       /* smoothing length over dx; 0: the default, 1.1 max(order, 2) / 2 */
@@ -68,6 +69,9 @@ int options_lanes_most(void);
 /* *lanes from the environment variable HEATLADDER_LANES; 0 where there is none.  STATUS_INPUT for what is not a width
  * of this machine. */
 int options_lanes_forced(int *lanes, struct failure *why);
+
+/* m, the spacing of a case's cells along the axis, 0 or 1. */
+double options_spacing(const struct options *o, int axis);
 
 /* 1 for layouts that are no lattice: particles have rows of their own */
 int options_is_cloud(const struct options *o);

@@ -173,13 +173,13 @@ static int take_results(struct request *r, struct failure *why) {
     struct program *g = &e->program;
     char dir[RESULTS_PATH];
     if (!g->results || !e->scene) return STATUS_OK;
-    if (results_setting(e->scene, &e->problem, r->overridden, &g->map, g->setting) ||
+    if (results_setting(e->scene, &e->problem, r->overridden, &g->map, e->options.aspect, g->setting) ||
         !results_has(g->results, e->scene, g->setting))
         g->setting[0] = '\0';
     if (results_of_scene(g->results, e->scene, g->setting, dir))
         return refuse(why, STATUS_INPUT, "--results '%.200s': too long a path", g->results);
     if (!r->rungs.dx.count && results_list(dir, &r->rungs.dx, why)) return why->status;
-    struct results_known known = {r->overridden, &e->problem, !mapping_is_none(&g->map), &g->map};
+    struct results_known known = {r->overridden, &e->problem, !mapping_is_none(&g->map), &g->map, &e->options.aspect};
     return results_params(g->results, e->scene, g->setting, &r->rungs.dx, &known, why);
 }
 

@@ -122,11 +122,18 @@ static int check_program(const struct request *r, struct failure *why) {
             return refuse(why, STATUS_INPUT,
                           "--seed draws the battery: it needs --solver, --results or --battery, and "
                           "no --gates");
-    if (!mapping_is_none(&g->map) && words_among(r->verb->options, "solver") && !program_given(g))
+    int judges = words_among(r->verb->options, "solver") && !words_among(r->verb->options, "into");
+    if (!mapping_is_none(&g->map) && judges && !program_given(g))
         return refuse(why, STATUS_INPUT, "--%s needs --solver or --results: our own methods see the scene as it is",
                       g->map.axes        ? "map"
                       : g->map.scale > 0 ? "scale"
                                          : "offset");
+    const struct problem *p = &r->experiment.problem;
+    if (r->experiment.options.aspect > 0 && judges && !program_given(g))
+        return refuse(why, STATUS_INPUT, "--aspect needs --solver or --results: our own methods have dx = dy");
+    if (r->experiment.options.aspect > 0 && (p->dim == 1 || p->shape))
+        return refuse(why, STATUS_INPUT, "--aspect: %s has no rows of cells along y; take a scene on a rectangle",
+                      r->experiment.scene->name);
     if (g->map.axes && g->map.axes != r->experiment.problem.dim)
         return refuse(why, STATUS_INPUT, "--map: %s has %s", r->experiment.scene->name,
                       r->experiment.problem.dim == 1 ? "x alone: x or -x" : "x and y, such as y,-x");

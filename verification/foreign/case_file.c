@@ -22,7 +22,7 @@ const char case_file_help[] =
     "                           the case = scale T + offset, K.  All keys but param_NAME are in axes of the case\n"
     "  lo, hi                   the domain, m: along x, and along y\n"
     "  shape                    of a round body: disc or annulus, about 0; with radius, or r1 and r2, m\n"
-    "  cells                    extent over dx, rounded: along x, and along y\n"
+    "  cells                    extent over dx (along y over dy, if given), rounded: along x, and along y\n"
     "  materials, interface     1; or 2, the second at x >= interface, m\n"
     "  interface_axis           y if the second is at y >= interface; not written for x\n"
     "  k_x, k_y, rho_c          W/(m K), J/(m^3 K): of each material\n"
@@ -33,6 +33,9 @@ const char case_file_help[] =
     "                           angles 0, 45, ... 360 degrees\n"
     "  source                   no; yes, a source constant in time; changing, a source that depends on time\n"
     "  t_end, dx, dt, fourier   s, m, s, 1; dt or fourier only if given\n"
+    "  dy                       m, only if given: the spacing along y where it is not dx.  A program with one "
+    "spacing\n"
+    "                           for both axes ends with exit status 77\n"
     "  seed                     with --seeds: for a cloud, or for random numbers\n"
     "  NAME                     with --vary: the value\n"
     "  oracle                   arguments of `heatladder reference`, which evaluates initial data, source,\n"
@@ -141,7 +144,7 @@ void case_file_write(const struct scene *s, const struct problem *of, const stru
     write_pair(out, "hi", p->hi, p->dim);
     write_shape(p, out);
     fprintf(out, "cells = %.0f", (p->hi[0] - p->lo[0]) / o->dx);
-    if (p->dim == 2) fprintf(out, ", %.0f", (p->hi[1] - p->lo[1]) / o->dx);
+    if (p->dim == 2) fprintf(out, ", %.0f", (p->hi[1] - p->lo[1]) / options_spacing(o, 1));
     fputc('\n', out);
     write_materials(&image, out);
     for (int side = 0; side < 2 * p->dim; side++) write_side(p, side, out);
@@ -150,6 +153,7 @@ void case_file_write(const struct scene *s, const struct problem *of, const stru
             : p->source      ? "yes"
                              : "no",
             p->t_end, o->dx);
+    if (o->aspect > 0) fprintf(out, "dy = %.17g\n", options_spacing(o, 1));
     if (o->dt > 0) fprintf(out, "dt = %.17g\n", o->dt);
     if (o->fourier > 0) fprintf(out, "fourier = %.17g\n", o->fourier);
     if (extra->seed > 0) fprintf(out, "seed = %d\n", extra->seed);
@@ -160,26 +164,35 @@ void case_file_write(const struct scene *s, const struct problem *of, const stru
     fprintf(out, "\nthreads = %d\n", o->threads > 1 ? o->threads : 1);
 }
 
-static int divides(const struct problem *p, double dx) {
+static int divides(const struct problem *p, const double d[2]) {
     for (int a = 0; a < p->dim; a++) {
-        double cells = (p->hi[a] - p->lo[a]) / dx;
+        double cells = (p->hi[a] - p->lo[a]) / d[a];
         if (!(nearbyint(cells) >= 1 && fabs(cells - nearbyint(cells)) <= 1e-6 * cells)) return 0;
     }
     return 1;
 }
 
-int case_file_check(const struct problem *p, double dx, struct failure *why) {
+/* The domain in that many cells along x, and as many along y as --aspect asks for. */
+static int divides_by(const struct problem *p, const struct options *o, double count) {
+    struct options with = *o;
+    with.dx = (p->hi[0] - p->lo[0]) / count;
+    return divides(p, (double[2]){with.dx, options_spacing(&with, 1)});
+}
+
+int case_file_check(const struct problem *p, const struct options *o, struct failure *why) {
     enum { SEARCH = 100000 };
-    double extent = p->hi[0] - p->lo[0], coarse = floor(extent / dx), fine = coarse + 1;
-    char near[80] = "";
-    if (p->shape || divides(p, dx)) return STATUS_OK; /* a round wall divides no lattice */
-    for (int i = 0; i < SEARCH && coarse >= 1 && !divides(p, extent / coarse); i++) coarse--;
-    for (int i = 0; i < SEARCH && !divides(p, extent / fine); i++) fine++;
+    double extent = p->hi[0] - p->lo[0], coarse = floor(extent / o->dx), fine = coarse + 1;
+    char near[80] = "", with[40] = "";
+    if (p->shape || divides_by(p, o, extent / o->dx)) return STATUS_OK; /* a round wall divides no lattice */
+    for (int i = 0; i < SEARCH && coarse >= 1 && !divides_by(p, o, coarse); i++) coarse--;
+    for (int i = 0; i < SEARCH && !divides_by(p, o, fine); i++) fine++;
     if (coarse >= 1) snprintf(near, sizeof near, "; %.10g does", extent / coarse);
     size_t used = strlen(near);
-    if (divides(p, extent / fine))
+    if (divides_by(p, o, fine))
         snprintf(near + used, sizeof near - used, "%s %.10g does", used ? " and" : ";", extent / fine);
-    return refuse(why, STATUS_INPUT, "--dx %.10g: does not divide the domain into whole cells%s", dx, near);
+    if (o->aspect > 0) snprintf(with, sizeof with, " --aspect %g", o->aspect);
+    return refuse(why, STATUS_INPUT, "--dx %.10g%s: does not divide the domain into whole cells%s", o->dx, with,
+                  near);
 }
 
 int case_file_value(const char *text, const char *key, char *value, size_t size) {

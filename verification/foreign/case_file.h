@@ -22,9 +22,9 @@ struct case_extra { /* what is not of the problem */
     int seed;                  /* of --seeds, from 1; 0 for none */
 };
 
-/* *p: the case's (mapping_image).  STATUS_OK; or STATUS_INPUT where dx (m) does not divide each extent of *p into
- * whole cells, to a millionth of their number, with the nearest spacings that do. */
-int case_file_check(const struct problem *p, double dx, struct failure *why);
+/* *p: the case's (mapping_image).  STATUS_OK; or STATUS_INPUT where dx and dy of *o do not divide the extents of *p
+ * into whole cells, to a millionth of their number, with the nearest spacings that do. */
+int case_file_check(const struct problem *p, const struct options *o, struct failure *why);
 
 /* Writes what another program must know to solve the image of *p, of the scene *s, at *o. */
 void case_file_write(const struct scene *s, const struct problem *p, const struct options *o,

@@ -34,19 +34,19 @@ static double extent(const struct problem *p, int a) {
     return p->hi[a] - p->lo[a];
 }
 
-static double cells(const struct problem *p, int a, double dx) {
-    return fmax(1, nearbyint(extent(p, a) / dx));
+static double cells(const struct problem *p, int a, const double d[2]) {
+    return fmax(1, nearbyint(extent(p, a) / d[a]));
 }
 
 /* The fewest points that dx asks for: with N = extent / dx cells along an axis, the N - 1 nodes between the walls of
  * each axis, multiplied.  Cell centres are N, nodes with the walls N + 1, quadrature points more. */
-static size_t fewest_points(const struct problem *p, double dx) {
+static size_t fewest_points(const struct problem *p, const double d[2]) {
     double n = 1;
     if (p->shape) { /* a lattice has a point for each dx^2, but for some along the walls */
         double walls = 2 * M_PI * (p->radius[0] + p->radius[1]);
-        return (size_t)fmin(fmax(1, shape_volume(p) / (dx * dx) - walls / dx), 1e18);
+        return (size_t)fmin(fmax(1, shape_volume(p) / (d[0] * d[0]) - walls / d[0]), 1e18);
     }
-    for (int a = 0; a < p->dim; a++) n *= fmax(1, cells(p, a, dx) - 1);
+    for (int a = 0; a < p->dim; a++) n *= fmax(1, cells(p, a, d) - 1);
     return (size_t)fmin(n, 1e18);
 }
 
@@ -111,11 +111,11 @@ static int refuse_gap(const struct boxes *b, size_t empty, struct failure *why) 
                   where[0], where[1]);
 }
 
-static int check_gaps(const struct samples *s, const struct problem *p, double dx, struct failure *why) {
+static int check_gaps(const struct samples *s, const struct problem *p, const double d[2], struct failure *why) {
     struct boxes b = {s, p, {1, 1}};
     for (int a = 0; a < p->dim; a++) {
-        double g = pow(p->dim * log(cells(p, a, dx)) + 6, 1.0 / p->dim);
-        double side = fmax(2 * dx, fmin(g * dx, extent(p, a) / 4));
+        double g = pow(p->dim * log(cells(p, a, d)) + 6, 1.0 / p->dim);
+        double side = fmax(2 * d[a], fmin(g * d[a], extent(p, a) / 4));
         b.count[a] = (size_t)fmax(1, floor(extent(p, a) / side * (1 + SLACK)));
     }
     char *seen = xcalloc(all(&b), 1);
@@ -166,12 +166,12 @@ static int check_same(const struct samples *s, const struct problem *p, struct f
     return status;
 }
 
-int coverage_check(const struct samples *s, const struct problem *p, double dx, struct failure *why) {
-    size_t fewest = fewest_points(p, dx);
+int coverage_check(const struct samples *s, const struct problem *p, const double d[2], struct failure *why) {
+    size_t fewest = fewest_points(p, d);
     if (check_inside(s, p, why) || (p->shape && check_inside_shape(s, p, why))) return STATUS_INPUT;
     if (s->n < fewest)
         return refuse(why, STATUS_INPUT, "%.150s: %zu point%s where dx = %g m asks for %zu at least", s->path, s->n,
-                      s->n == 1 ? "" : "s", dx, fewest);
-    if (check_gaps(s, p, dx, why)) return STATUS_INPUT;
+                      s->n == 1 ? "" : "s", d[0], fewest);
+    if (check_gaps(s, p, d, why)) return STATUS_INPUT;
     return check_same(s, p, why);
 }

@@ -94,11 +94,11 @@ static void hand_over(struct samples *s, const struct problem *p, struct field *
 }
 
 int field_file_read(const char *path, const char *name, const struct column_map *c, const struct problem *p,
-                    double dx, struct field *f, struct failure *why) {
+                    const double d[2], struct field *f, struct failure *why) {
     struct samples s;
     if (field_file_samples(path, name, p->dim, c, &s, why)) return why->status;
-    int status = coverage_check(&s, p, dx, why);
-    if (!status) status = holes_check(&s, p, dx, why);
+    int status = coverage_check(&s, p, d, why);
+    if (!status) status = holes_check(&s, p, d, why);
     if (!status) status = check_weights(&s, why);
     if (!status) {
         snap_to_walls(&s, p);

@@ -14,9 +14,9 @@ struct samples;
 int field_file_samples(const char *path, const char *name, int dim, const struct column_map *c, struct samples *s,
                        struct failure *why);
 
-/* Checked (coverage.h).  STATUS_OK: the caller owns *f,
+/* Checked (coverage.h) against dx and dy, m.  STATUS_OK: the caller owns *f,
  * whose step_seconds are those that the program says it took, NaN where it says nothing. */
 int field_file_read(const char *path, const char *name, const struct column_map *c, const struct problem *p,
-                    double dx, struct field *f, struct failure *why);
+                    const double d[2], struct field *f, struct failure *why);
 
 #endif

@@ -58,13 +58,13 @@ static int refuse_gap(const struct samples *s, int a, double at, struct failure 
                   s->path, "xy"[a], at);
 }
 
-/* A gap among n coordinates along an axis that are else at equal distances; dx: of the case. */
-static int check_axis(const struct samples *s, const struct problem *p, int a, const double *x, size_t n, double dx,
+/* A gap among n coordinates along an axis that are else at equal distances; d: of the case along it. */
+static int check_axis(const struct samples *s, const struct problem *p, int a, const double *x, size_t n, double d,
                       struct failure *why) {
     static const double FROM_WALL = 1.25;
     if (n < 5) return STATUS_OK;
     double first = x[1] - x[0], last = x[n - 1] - x[n - 2];
-    int few = (double)n < nearbyint((p->hi[a] - p->lo[a]) / dx);
+    int few = (double)n < nearbyint((p->hi[a] - p->lo[a]) / d);
     if (few && is_regular(x + 1, first) && x[0] - p->lo[a] > FROM_WALL * first)
         return refuse_gap(s, a, x[0] - first, why);
     if (few && is_regular(x + n - 3, last) && p->hi[a] - x[n - 1] > FROM_WALL * last)
@@ -106,7 +106,7 @@ static int check_places(const struct samples *s, const struct problem *p, double
                   missing == 1 ? "" : " and elsewhere");
 }
 
-int holes_check(const struct samples *s, const struct problem *p, double dx, struct failure *why) {
+int holes_check(const struct samples *s, const struct problem *p, const double d[2], struct failure *why) {
     double *x[2] = {NULL, NULL};
     size_t n[2] = {1, 1};
     int status = STATUS_OK;
@@ -117,7 +117,7 @@ int holes_check(const struct samples *s, const struct problem *p, double dx, str
     }
     if ((double)s->n >= FULL * (double)n[0] * (double)n[1]) {
         if (p->dim == 2) status = check_places(s, p, x, n, why);
-        for (int a = 0; a < p->dim && !status; a++) status = check_axis(s, p, a, x[a], n[a], dx, why);
+        for (int a = 0; a < p->dim && !status; a++) status = check_axis(s, p, a, x[a], n[a], d[a], why);
     }
     free(x[0]);
     free(x[1]);

@@ -94,10 +94,11 @@ struct field program_as_given(const struct program *g, const struct field *f, do
 
 /* The answer at `path`, which messages call `name`: read and checked as the case has it. */
 static int read_answer(const struct program *g, const char *path, const char *name, const struct problem *p,
-                       double dx, struct field *f, struct failure *why) {
+                       const struct options *o, struct field *f, struct failure *why) {
+    const double d[2] = {o->dx, options_spacing(o, 1)};
     struct image image;
     mapping_image(&g->map, p, &image);
-    if (field_file_read(path, name, &g->columns, &image.problem, dx, f, why)) return why->status;
+    if (field_file_read(path, name, &g->columns, &image.problem, d, f, why)) return why->status;
     if (!mapping_is_none(&g->map)) map_back(&g->map, f);
     return STATUS_OK;
 }
@@ -207,14 +208,14 @@ static int solve_at(const struct program *g, const struct scene *s, const struct
     double seconds = 0;
     *why = (struct failure){0};
     mapping_image(&g->map, p, &image);
-    if (case_file_check(&image.problem, o->dx, why)) return why->status;
+    if (case_file_check(&image.problem, o, why)) return why->status;
     if (g->keep && kept_place(g, s, o, dir, why)) return why->status;
     case_text(g, s, p, o, &text);
     int status = run_in_turn(g, s, o, text, scratch, dir, &seconds, why);
     free(text);
     if (status) return status;
     case_run_answer(dir, path, sizeof path);
-    if (read_answer(g, path, "{out}", p, o->dx, f, why)) return why->status;
+    if (read_answer(g, path, "{out}", p, o, f, why)) return why->status;
     f->seconds = seconds;
     return STATUS_OK;
 }
@@ -247,7 +248,7 @@ static int solve_later(const struct program *g, const struct scene *s, const str
     if (!answered && code > 0)
         return refuse(why, STATUS_NUMERICAL, "%.300s: the program ended with exit status %d (%.300s/log)", path, code,
                       dir);
-    if (read_answer(g, path, path, p, o->dx, f, why)) return why->status;
+    if (read_answer(g, path, path, p, o, f, why)) return why->status;
     f->seconds = f->step_seconds;
     return STATUS_OK;
 }

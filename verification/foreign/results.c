@@ -60,7 +60,7 @@ static int append(char text[PROGRAM_SETTING], const char *name, const char *valu
 }
 
 int results_setting(const struct scene *s, const struct problem *p, unsigned long set, const struct mapping *map,
-                    char text[PROGRAM_SETTING]) {
+                    double aspect, char text[PROGRAM_SETTING]) {
     char value[40];
     text[0] = '\0';
     for (int i = 0; s->params[i].name; i++) {
@@ -69,6 +69,8 @@ int results_setting(const struct scene *s, const struct problem *p, unsigned lon
         if (append(text, s->params[i].name, s->params[i].choice ? s->params[i].choice[(int)p->param[i]] : value))
             return -1;
     }
+    results_number(aspect, value);
+    if (aspect > 0 && append(text, "aspect", value)) return -1;
     mapping_print(map, value);
     if (map->axes && append(text, "map", value)) return -1;
     results_number(map->scale, value);
@@ -147,6 +149,20 @@ static int read_mapping(const char *path, const char *text, struct results_known
     return STATUS_OK;
 }
 
+static int read_aspect(const char *path, const char *text, struct results_known *known, struct failure *why) {
+    char value[80];
+    double dx, dy;
+    if (case_file_value(text, "dy", value, sizeof value)) return STATUS_OK;
+    if (number_read(value, &dy) || !(dy > 0) || case_file_value(text, "dx", value, sizeof value) ||
+        number_read(value, &dx) || !(dx > 0))
+        return refuse(why, STATUS_INPUT, "%.300s: dx and dy must be positive numbers", path);
+    if (*known->aspect > 0 && !(fabs(dy / dx / *known->aspect - 1) < 1e-9))
+        return refuse(why, STATUS_INPUT, "%.300s: dy is %g dx, but %g dx in other cases or by --aspect", path,
+                      dy / dx, *known->aspect);
+    *known->aspect = dy / dx;
+    return STATUS_OK;
+}
+
 int results_case_params(const char *path, const char *text, const struct scene *s, struct results_known *known,
                         struct failure *why) {
     char key[80], value[80], scene[80];
@@ -164,7 +180,8 @@ int results_case_params(const char *path, const char *text, const struct scene *
         known->p->param[i] = read;
         known->set |= 1ul << i;
     }
-    return read_mapping(path, text, known, why);
+    int status = read_mapping(path, text, known, why);
+    return status ? status : read_aspect(path, text, known, why);
 }
 
 int results_params(const char *dir, const struct scene *s, const char *setting, const struct numbers *dx,
@@ -238,15 +255,15 @@ static const char *next_name(const char *dx, double *value, char name[64]) {
     return dx[length] ? dx + length + 1 : NULL;
 }
 
-static int check_all(const struct results_place *at, const struct scene *s, const struct problem *p, const char *dx,
-                     struct failure *why) {
+static int check_all(const struct results_place *at, const struct scene *s, const struct problem *p,
+                     const struct options *o, const char *dx, struct failure *why) {
+    struct options with = *o;
     char path[RESULTS_PATH], name[64];
-    double value;
     if (results_of_scene(at->dir, s, at->setting, path))
         return refuse(why, STATUS_INPUT, "--into '%.300s': too long a path", at->dir);
     while (dx) {
-        dx = next_name(dx, &value, name);
-        if (case_file_check(p, value, why)) return why->status;
+        dx = next_name(dx, &with.dx, name);
+        if (case_file_check(p, &with, why)) return why->status;
     }
     return STATUS_OK;
 }
@@ -274,7 +291,7 @@ static int write_all(const struct results_place *at, const struct scene *s, cons
 int results_write(const struct results_place *at, const struct scene *s, const struct problem *p,
                   const struct options *o, const char *dx, int *written, struct failure *why) {
     struct output page;
-    if (check_all(at, s, p, dx, why) || make(at->dir, why)) return why->status;
+    if (check_all(at, s, p, o, dx, why) || make(at->dir, why)) return why->status;
     int lock = open(at->dir, O_RDONLY | O_CLOEXEC); /* others may write to the same list at the same time */
     if (lock >= 0) flock(lock, LOCK_EX);
     FILE *list = output_open(&page, "%.1000s/cases.txt", at->dir);

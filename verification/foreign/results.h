@@ -33,6 +33,7 @@ struct results_known { /* of the cases that are judged together */
     struct problem *p; /* with them in p->param */
     int mapped;        /* 1 where *map is known */
     struct mapping *map;
+    double *aspect; /* dy over dx, 0: not known */
 };
 
 /* The parameters and the mapping in the `text` of the case file at `path`, against those that are known already; new
@@ -40,10 +41,10 @@ struct results_known { /* of the cases that are judged together */
 int results_case_params(const char *path, const char *text, const struct scene *s, struct results_known *known,
                         struct failure *why);
 
-/* "NAME=VALUE,NAME=VALUE" of the parameters that were set (bits of `set`), in the order of the scene's table, then of
- * the mapping; "" where none was.  0, or -1 where that is too long. */
+/* "NAME=VALUE,NAME=VALUE" of the parameters that were set (bits of `set`), in the order of the scene's table, then
+ * dy over dx (0: not given) and the mapping; "" where none was.  0, or -1 where that is too long. */
 int results_setting(const struct scene *s, const struct problem *p, unsigned long set, const struct mapping *map,
-                    char text[PROGRAM_SETTING]);
+                    double aspect, char text[PROGRAM_SETTING]);
 
 /* DIR/SCENE, or DIR/SCENE/SETTING where there is a setting.  0, or -1 where the path is too long. */
 int results_of_scene(const char *dir, const struct scene *s, const char *setting, char path[RESULTS_PATH]);

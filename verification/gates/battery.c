@@ -65,7 +65,8 @@ static int write_row(const struct gate *gate, const char *dir, int *written, str
     char setting[PROGRAM_SETTING], rung[60] = "", dt[40];
     int status = arguments_parse_line_with(gate->command, more, &r, why), n = 0;
     struct experiment *e = &r.experiment;
-    if (!status && (!e->scene || results_setting(e->scene, &e->problem, r.overridden, &e->program.map, setting)))
+    if (!status && (!e->scene || results_setting(e->scene, &e->problem, r.overridden, &e->program.map,
+                                                 e->options.aspect, setting)))
         status = refuse(why, STATUS_INPUT, "'%.200s': has no scene, or too many parameters", gate->command);
     for (int i = 0; !status && i < (r.rungs.dt.count > 1 ? r.rungs.dt.count : 1); i++) {
         if (r.rungs.dt.count > 1) {

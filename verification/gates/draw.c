@@ -8,6 +8,7 @@
 #include "references/scene.h"
 #include "verification/command/arguments.h"
 #include "verification/run/run.h"
+#include "verification/text/number.h"
 
 #include <gsl/gsl_rng.h>
 #include <math.h>
@@ -120,21 +121,23 @@ static void drop_option(char *words, const char *option) {
     memmove(at, end, strlen(end) + 1);
 }
 
-/* The five-point difference at the finest spacing; it knows of no image, and a jump lies on its faces. */
+/* The five-point difference at the finest spacing, of dx and dy the larger; it knows of no image, and a jump lies on
+ * its faces. */
 static int finest_run(const char *command, struct request *r, struct failure *why) {
+    static const char *const options[] = {" --map ", " --scale ", " --offset ", " --aspect ", " --set a=8/15"};
     char words[DRAW_COMMAND], line[DRAW_COMMAND + 40], finest[40];
-    const char *dx = strstr(command, " --dx ");
+    const char *dx = strstr(command, " --dx "), *oblong = strstr(command, " --aspect ");
+    double spacing, aspect = oblong ? strtod(oblong + strlen(" --aspect "), NULL) : 1;
     snprintf(words, sizeof words, "%.*s", (int)(dx - command), command);
     snprintf(finest, sizeof finest, "%.*s", (int)strcspn(dx + 6, " "), dx + 6);
     const char *last = strrchr(finest, ',');
-    drop_option(words, " --map ");
-    drop_option(words, " --scale ");
-    drop_option(words, " --offset ");
-    drop_option(words, " --set a=8/15");
+    if (number_read(last ? last + 1 : finest, &spacing))
+        return refuse(why, STATUS_INPUT, "'%.200s': --dx is no list of numbers", command);
+    for (size_t i = 0; i < sizeof options / sizeof *options; i++) drop_option(words, options[i]);
     char *mine = strstr(words, " mine");
     int changing = strstr(words, "rise=") != NULL;
-    snprintf(line, sizeof line, "run%.*s ftcs%s --dx %s%s", (int)(mine - strchr(words, ' ')), strchr(words, ' '),
-             mine + 5, last ? last + 1 : finest, changing ? " --fourier 0.01" : "");
+    snprintf(line, sizeof line, "run%.*s ftcs%s --dx %.17g%s", (int)(mine - strchr(words, ' ')), strchr(words, ' '),
+             mine + 5, fmax(aspect, 1) * spacing, changing ? " --fourier 0.01" : "");
     return arguments_parse_line(line, r, why);
 }
 

@@ -58,7 +58,8 @@ static void share(const struct gate *gate, const struct program *program, struct
     g->keep = program->keep;
     g->runs = program->runs;
     g->row = gate->id;
-    if (!e->scene || results_setting(e->scene, &e->problem, r->overridden, &g->map, g->setting)) g->setting[0] = '\0';
+    if (!e->scene || results_setting(e->scene, &e->problem, r->overridden, &g->map, e->options.aspect, g->setting))
+        g->setting[0] = '\0';
 }
 
 /* Of a ladder or a run alone: no other verb can be done by another program. */

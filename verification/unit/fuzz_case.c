@@ -16,7 +16,8 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
     struct failure why = {0};
     struct problem p = {0};
     struct mapping map = {0};
-    struct results_known known = {.p = &p, .map = &map};
+    double aspect = 0;
+    struct results_known known = {.p = &p, .map = &map, .aspect = &aspect};
     int count = 0;
     if (size == 0) return 0;
     while (scenes[count]) count++;

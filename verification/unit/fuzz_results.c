@@ -35,7 +35,8 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
         fuzz_require(scene_find(scene[k])->setup(&p[k], &why) == STATUS_OK);
     }
     if (data[0] & 2) fuzz_require(samples_columns_read(k ? "x=a,y=b,T=c,w=d" : "x=2,T=1", &c, &why) == STATUS_OK);
-    int status = field_file_read(fuzz_put(data + 1, size - 1), "file", &c, &p[k], dx[k], &f, &why);
+    int status =
+        field_file_read(fuzz_put(data + 1, size - 1), "file", &c, &p[k], (double[2]){dx[k], dx[k]}, &f, &why);
     fuzz_require(status == STATUS_OK || ((status == STATUS_INPUT || status == STATUS_NUMERICAL) && why.text[0]));
     if (status) return 0;
     check(&f, k + 1);

@@ -159,6 +159,9 @@ static const struct refusal {
     {"reference rod-step --at 0.1,0.2 --time 1", "--at needs one number for rod-step"},
     {"reference square-step --at 0.1 --time 1", "--at needs X,Y for square-step"},
     {"reference rod-step --at 0.1 --time -1", "--time -1: must be a number >= 0"},
+    {"run rect-manufactured ftcs --dx 0.1 --aspect 2", "--aspect needs --solver or --results"},
+    {"run rod-step mine --dx 0.1 --aspect 2 --solver '{case}{out}'", "--aspect: rod-step has no rows"},
+    {"run disc-mode mine --dx 0.1 --aspect 2 --solver '{case}{out}'", "--aspect: disc-mode has no rows"},
     {"verify --only 'a", "a quote is left open"},
 };
 

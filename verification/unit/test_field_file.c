@@ -157,7 +157,7 @@ static int judge(const struct cloud *c, int skip, struct field *f, struct failur
             fprintf(out, "3.5\n");
         }
     fclose(out);
-    return field_file_read(path, path, &(struct column_map){0}, &c->p, dx, f, why);
+    return field_file_read(path, path, &(struct column_map){0}, &c->p, (double[2]){dx, dx}, f, why);
 }
 
 static struct cloud cloud(const char *scene, int n, double first, double step) {
@@ -214,7 +214,8 @@ static void a_point_counts_once(void **state) {
     struct failure why;
     const char *text = "x,T\n-1.75,1\n-1.25,2\n-0.75,1\n-0.25,2\n0.25,1\n0.25000000001,2\n0.75,1\n1.25,2\n1.75,1\n";
     put(text, strlen(text));
-    assert_int_equal(field_file_read(path, path, &(struct column_map){0}, &c.p, 0.5, &f, &why), STATUS_INPUT);
+    assert_int_equal(field_file_read(path, path, &(struct column_map){0}, &c.p, (double[2]){0.5, 0.5}, &f, &why),
+                     STATUS_INPUT);
     if (!strstr(why.text, "line 7: the same point as in line 6")) fail_msg("%s", why.text);
 }
 
@@ -230,7 +231,8 @@ static void rounded_coordinates_lie_on_the_walls(void **state) {
         for (int i = 0; i <= 10; i++)
             fprintf(out, "%.17g,%.17g,%d,%d\n", 0.0099999999999 * i, 1e-13 + 0.01 * j, i + 20 * j, 1 + i);
     fclose(out);
-    assert_int_equal(field_file_read(path, path, &(struct column_map){0}, &c.p, 0.01, &f, &why), 0);
+    assert_int_equal(field_file_read(path, path, &(struct column_map){0}, &c.p, (double[2]){0.01, 0.01}, &f, &why),
+                     0);
     assert_int_equal(f.n, 121);
     assert_near(f.x[10], 0.1, 0);
     assert_near(f.y[120], 0.1, 0);

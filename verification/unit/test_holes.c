@@ -32,7 +32,7 @@ static int check(const char *scene, size_t n, struct failure *why) {
     scene_defaults(s, &p);
     if (s->setup(&p, why)) fail_msg("%s", why->text);
     points.dim = p.dim;
-    return holes_check(&points, &p, 0.05, why);
+    return holes_check(&points, &p, (double[2]){0.05, 0.05}, why);
 }
 
 /* rod-cosine is 1 m long: 20 cells. */

@@ -111,6 +111,42 @@ static void cases_are_added(void **state) {
     arguments_free(&r);
 }
 
+/* dy is in the case, and read from it again; 20 by 7 cells of 0.05 m by 0.1 m, of which 19 by 6 points are the
+ * fewest. */
+static void a_second_spacing_is_kept(void **state) {
+    (void)state;
+    char line[400], path[400], text[4000] = "";
+    struct request r;
+    struct failure why = {0};
+    int written;
+    snprintf(line, sizeof line, "case rect-manufactured --dx 0.05 --aspect 2 --into %s", dir);
+    if (arguments_parse_line(line, &r, &why)) fail_msg("%s", why.text);
+    const struct experiment *e = &r.experiment;
+    assert_int_equal(results_write(&(struct results_place){r.into, "", "", NULL}, e->scene, &e->problem, &e->options,
+                                   r.rungs.dx.text, &written, &why),
+                     0);
+    arguments_free(&r);
+    snprintf(path, sizeof path, "%s/rect-manufactured/0.05/case", dir);
+    FILE *in = fopen(path, "r");
+    assert_true(in && fread(text, 1, sizeof text - 1, in) > 0);
+    fclose(in);
+    assert_non_null(strstr(text, "\ncells = 20, 7\n"));
+    assert_non_null(strstr(text, "\ndy = 0.1"));
+    snprintf(line, sizeof line, "run rect-manufactured mine --dx 0.05 --results %s", dir);
+    if (arguments_parse_line(line, &r, &why)) fail_msg("%s", why.text);
+    assert_near(r.experiment.options.aspect, 2, 1e-15);
+    arguments_free(&r);
+    snprintf(line, sizeof line, "run rect-manufactured mine --dx 0.05 --aspect 3 --results %s", dir);
+    assert_int_equal(arguments_parse_line(line, &r, &why), STATUS_INPUT);
+    assert_non_null(strstr(why.text, "dy is 2 dx, but 3 dx"));
+    arguments_free(&r);
+    snprintf(line, sizeof line,
+             "ladder rect-manufactured mine --dx 0.05,0.025 --aspect 3 --solver '" AWK " {case} > {out}'");
+    struct ladder l;
+    climb(line, &l, STATUS_INPUT);
+    assert_non_null(strstr(l.rung[0].failure.text, "--aspect 3: does not divide"));
+}
+
 /* The number of cells rises where dx falls; the order is the same. */
 static void a_program_varies_in_what_it_likes(void **state) {
     (void)state;
@@ -161,6 +197,7 @@ int main(void) {
         cmocka_unit_test(later_is_as_now),
         cmocka_unit_test(a_missing_answer_is_a_row),
         cmocka_unit_test(cases_are_added),
+        cmocka_unit_test(a_second_spacing_is_kept),
         cmocka_unit_test(a_program_varies_in_what_it_likes),
         cmocka_unit_test(self_differences_find_the_error_in_time),
         cmocka_unit_test(it_needs_one_grid),
