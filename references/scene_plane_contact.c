@@ -182,8 +182,10 @@ static int unknown(int i, int j) {
     return j == BUBBLES ? RITZ - 1 : i * BUBBLES + j;
 }
 
+/* In units of the first layer: its width, conductivity and heat capacity. */
 static void add_layer(const struct mode *m, int i, gsl_matrix *stiff, gsl_matrix *mass) {
-    const struct layer *l = &m->layer[i];
+    const struct layer *unit = &m->layer[0], *l = &m->layer[i];
+    double w = l->w / unit->w, k = l->k / unit->k, rho_c = l->rho_c / unit->rho_c, q = m->q * unit->w;
     gsl_integration_glfixed_table *rule = gsl_integration_glfixed_table_alloc(NODES);
     for (size_t node = 0; node < NODES; node++) {
         double xi, weight, N[BUBBLES + 1], D[BUBBLES + 1];
@@ -192,9 +194,9 @@ static void add_layer(const struct mode *m, int i, gsl_matrix *stiff, gsl_matrix
         for (int a = 0; a <= BUBBLES; a++)
             for (int b = 0; b <= BUBBLES; b++) {
                 size_t row = (size_t)unknown(i, a), column = (size_t)unknown(i, b);
-                double NN = weight * l->w / 2 * N[a] * N[b], DD = weight * 2 / l->w * D[a] * D[b];
-                *gsl_matrix_ptr(stiff, row, column) += l->k * (DD + m->q * m->q * NN);
-                *gsl_matrix_ptr(mass, row, column) += l->rho_c * NN;
+                double NN = weight * w / 2 * N[a] * N[b], DD = weight * 2 / w * D[a] * D[b];
+                *gsl_matrix_ptr(stiff, row, column) += k * (DD + q * q * NN);
+                *gsl_matrix_ptr(mass, row, column) += rho_c * NN;
             }
     }
     gsl_integration_glfixed_table_free(rule);
@@ -211,12 +213,13 @@ static double ritz(const struct mode *m, double vector[RITZ], double *next) {
     gsl_eigen_gensymmv(mass, stiff, quotient, vectors, work);
     gsl_eigen_gensymmv_sort(quotient, vectors, GSL_EIGEN_SORT_VAL_DESC);
     for (size_t j = 0; j < RITZ; j++) vector[j] = gsl_matrix_get(vectors, j, 0);
+    const struct layer *unit = &m->layer[0];
     double first = gsl_vector_get(quotient, 0);
     *next = gsl_vector_get(quotient, 1) / first;
     gsl_eigen_gensymmv_free(work);
     gsl_vector_free(quotient);
     gsl_matrix_free(vectors), gsl_matrix_free(mass), gsl_matrix_free(stiff);
-    return 1 / first;
+    return unit->k / (unit->rho_c * unit->w * unit->w * first);
 }
 
 static double sum_of(const double vector[RITZ], int i, double xi, int slope) {

@@ -140,8 +140,8 @@ static int check_program(const struct request *r, struct failure *why) {
     if ((r->more_rungs || r->time_order > 0) && !r->battery && !program_given(g) && !r->gates_path)
         return refuse(why, STATUS_INPUT, "--%s needs --solver, --results, --gates or --battery: of which code?",
                       r->more_rungs ? "rungs" : "time-order");
-    if (g->seeds && words_among(r->verb->options, "gates") && !g->solver)
-        return refuse(why, STATUS_INPUT, "--seeds needs --solver: each rung is run so often");
+    if (g->seeds && words_among(r->verb->options, "gates") && !program_given(g))
+        return refuse(why, STATUS_INPUT, "--seeds needs --solver or --results: each rung is run so often");
     if (*g->vary && !program_given(g)) return refuse(why, STATUS_INPUT, "--vary needs --solver or --results");
     for (int k = 0; k < COLUMN_COUNT && !program_given(g); k++)
         if (g->columns.name[k][0]) return refuse(why, STATUS_INPUT, "--columns needs --solver or --results");

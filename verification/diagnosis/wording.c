@@ -17,6 +17,8 @@ void wording_fault(struct diagnosis *d) {
     static const char *const sides[] = {"side x_lo holds", "side x_hi holds", "side y_lo holds", "side y_hi holds",
                                         "sides of given flux hold"};
     static const char *const cooled[] = {" of side x_lo", " of side x_hi", " of side y_lo", " of side y_hi", "s"};
+    static const double ANOTHER =
+        300; /* %, past which a value near 0 or a lost condition is likelier than a factor */
     double size = d->size, apart = fabs(size);
     const char *much = size < 0 ? "small" : "large", *axis = axis_name(d->fault.axis);
     char *to = d->what;
@@ -75,6 +77,8 @@ void wording_fault(struct diagnosis *d) {
             snprintf(to, room, "as if what %s were lost", sides[d->fault.axis]);
         else if (fabs(size + 200) < 10)
             snprintf(to, room, "as if what %s had the wrong sign", sides[d->fault.axis]);
+        else if (size > ANOTHER)
+            snprintf(to, room, "as if what %s were another value", sides[d->fault.axis]);
         else
             snprintf(to, room, "as if what %s were %.3g %% too %s", sides[d->fault.axis], apart, much);
         break;

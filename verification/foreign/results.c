@@ -186,12 +186,13 @@ int results_case_params(const char *path, const char *text, const struct scene *
 
 int results_params(const char *dir, const struct scene *s, const char *setting, const struct numbers *dx,
                    struct results_known *known, struct failure *why) {
-    char of_scene[RESULTS_PATH], path[RESULTS_PATH], file[RESULTS_PATH + 8];
+    char of_scene[RESULTS_PATH], path[RESULTS_PATH], file[RESULTS_PATH + 16];
     if (results_of_scene(dir, s, setting, of_scene)) return STATUS_OK; /* refused where the answer is read */
     for (int i = 0; i < dx->count; i++) {
         if (results_directory(of_scene, dx->value[i], path)) continue;
         snprintf(file, sizeof file, "%s/case", path);
         struct stat is;
+        if (stat(file, &is)) snprintf(file, sizeof file, "%s/seed=1/case", path);
         if (stat(file, &is)) continue;
         char *text = case_file_read(file, why);
         int status = text ? results_case_params(file, text, s, known, why) : STATUS_INPUT;
@@ -213,10 +214,10 @@ static int has_answer(const char *dir) {
     return 0;
 }
 
-static int write_one(const char *dir, const struct mapping *map, const struct scene *s, const struct problem *p,
-                     const struct options *o, struct failure *why) {
+static int write_one(const char *dir, const struct mapping *map, int seed, const struct scene *s,
+                     const struct problem *p, const struct options *o, struct failure *why) {
     struct output page;
-    case_file_write(s, p, o, &(struct case_extra){.label = "results", .map = map},
+    case_file_write(s, p, o, &(struct case_extra){.label = "results", .map = map, .seed = seed},
                     output_open(&page, "%s/case", dir));
     output_end(&page);
     char *old = whole_file_at(page.path, NULL);
@@ -268,6 +269,19 @@ static int check_all(const struct results_place *at, const struct scene *s, cons
     return STATUS_OK;
 }
 
+/* The case of one spacing, in `path`, which has room for a name more; as many as there are draws. */
+static int write_draws(const struct results_place *at, char path[RESULTS_PATH], const struct scene *s,
+                       const struct problem *p, const struct options *o, const char *known, FILE *list, int *written,
+                       struct failure *why) {
+    size_t used = strlen(path);
+    for (int seed = at->seeds > 0; seed <= at->seeds; seed++, ++*written) {
+        if (seed) snprintf(path + used, RESULTS_PATH - used, "/seed=%d", seed);
+        if (make(path, why) || write_one(path, at->map, seed, s, p, o, why)) return why->status;
+        if (!has_line(known, path)) fprintf(list, "%s\n", path);
+    }
+    return STATUS_OK;
+}
+
 static int write_all(const struct results_place *at, const struct scene *s, const struct problem *p,
                      const struct options *o, const char *dx, const char *known, FILE *list, int *written,
                      struct failure *why) {
@@ -276,14 +290,14 @@ static int write_all(const struct results_place *at, const struct scene *s, cons
     results_of_scene(at->dir, s, "", path);
     results_of_scene(at->dir, s, at->setting, of_scene);
     if (make(path, why) || make(of_scene, why)) return STATUS_INPUT;
-    for (*written = 0; dx; ++*written) {
+    *written = 0;
+    while (dx) {
         dx = next_name(dx, &with.dx, name);
         snprintf(path, sizeof path, "%.850s/%s", of_scene, name);
         if (make(path, why)) return why->status;
         size_t used = strlen(path);
         if (*at->rung) snprintf(path + used, sizeof path - used, "/%.80s", at->rung);
-        if (make(path, why) || write_one(path, at->map, s, p, &with, why)) return why->status;
-        if (!has_line(known, path)) fprintf(list, "%s\n", path);
+        if (make(path, why) || write_draws(at, path, s, p, &with, known, list, written, why)) return why->status;
     }
     return STATUS_OK;
 }

@@ -60,6 +60,7 @@ int results_params(const char *dir, const struct scene *s, const char *setting, 
 struct results_place { /* DIR/SCENE/SETTING/DX/RUNG; "" for neither */
     const char *dir, *setting, *rung;
     const struct mapping *map; /* of the case; NULL for none */
+    int seeds;                 /* draws of each case, below it as seed=1 and so on; 0 for one, without a seed */
 };
 
 /* Writes the case into that place for each of the numbers in `dx`, as typed, and names these directories in

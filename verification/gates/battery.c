@@ -58,8 +58,9 @@ int battery_bounds(int order, struct gates *g, struct failure *why) {
     return STATUS_OK;
 }
 
-/* The cases of one row; a ladder in time has a directory a step below that of its spacing. */
-static int write_row(const struct gate *gate, const char *dir, int *written, struct failure *why) {
+/* The cases of one row, a ladder in space `seeds` times; a ladder in time has a directory a step below that of its
+ * spacing. */
+static int write_row(const struct gate *gate, int seeds, const char *dir, int *written, struct failure *why) {
     const char *const more[] = {"--solver", "{case} {out}", NULL};
     struct request r;
     char setting[PROGRAM_SETTING], rung[60] = "", dt[40];
@@ -74,17 +75,18 @@ static int write_row(const struct gate *gate, const char *dir, int *written, str
             results_number(e->options.dt, dt);
             snprintf(rung, sizeof rung, "dt=%s", dt);
         }
-        status = results_write(&(struct results_place){dir, setting, rung, &e->program.map}, e->scene, &e->problem,
-                               &e->options, r.rungs.dx.text, &n, why);
+        const struct results_place at = {dir, setting, rung, &e->program.map,
+                                         gates_is_drawn(gate) && seeds > 1 ? seeds : 0};
+        status = results_write(&at, e->scene, &e->problem, &e->options, r.rungs.dx.text, &n, why);
         *written += n;
     }
     arguments_free(&r);
     return status;
 }
 
-int battery_write(const struct gates *g, const char *dir, int *written, struct failure *why) {
+int battery_write(const struct gates *g, int seeds, const char *dir, int *written, struct failure *why) {
     *written = 0;
     for (int i = 0; i < g->declared; i++)
-        if (write_row(&g->result[i].gate, dir, written, why)) return why->status;
+        if (write_row(&g->result[i].gate, seeds, dir, written, why)) return why->status;
     return STATUS_OK;
 }

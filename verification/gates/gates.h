@@ -84,6 +84,9 @@ void gates_cut(struct gates *g, int signal);
 /* One row, its time and its typed command too. */
 void gates_run_row(struct gates *g, struct gate_result *result, const struct program *program);
 
+/* 1 for a ladder in space, each rung of which --seeds draws several times. */
+int gates_is_drawn(const struct gate *gate);
+
 /* One row, answered by *program where there is one (NULL: by its own command); never fails silently: what cannot be
  * run is a failed verdict with its reason. */
 void gates_judge(const struct gate *gate, const struct program *program, struct measured *m);

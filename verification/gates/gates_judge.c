@@ -32,6 +32,10 @@ struct words {
     char timeout[40], seeds[16];
 };
 
+int gates_is_drawn(const struct gate *gate) {
+    return strncmp(gate->command, "ladder ", 7) == 0 && !strstr(gate->command, " --dt ");
+}
+
 static void words_of(const struct gate *gate, const struct program *g, struct words *w) {
     int n = 0;
     *w = (struct words){0};
@@ -42,7 +46,7 @@ static void words_of(const struct gate *gate, const struct program *g, struct wo
         snprintf(w->timeout, sizeof w->timeout, "%.17g", g->timeout);
         w->word[n++] = "--timeout", w->word[n++] = w->timeout;
     }
-    if (g->seeds > 1 && strncmp(gate->command, "ladder ", 7) == 0 && !strstr(gate->command, " --dt ")) {
+    if (g->seeds > 1 && gates_is_drawn(gate)) {
         snprintf(w->seeds, sizeof w->seeds, "%d", g->seeds);
         w->word[n++] = "--seeds", w->word[n++] = w->seeds;
     }

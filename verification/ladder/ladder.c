@@ -245,9 +245,11 @@ static int check_seeds(const struct experiment *e, const struct ladder *l, struc
     int lattice = e->problem.shape && !(o->has_origin && o->has_angle);
     if (l->in_time || l->vary[0])
         return refuse(why, STATUS_INPUT, "--seeds: of a ladder in dx, not in a time step or a parameter");
-    if (!e->program.solver && !cloud && !lattice)
-        return refuse(why, STATUS_INPUT,
-                      "--seeds needs --solver, --layout jitter or relaxed, or a round body: nothing else is drawn");
+    if (!program_given(&e->program) && !cloud && !lattice)
+        return refuse(
+            why, STATUS_INPUT,
+            "--seeds needs --solver, --results, --layout jitter or relaxed, or a round body: nothing else is "
+            "drawn");
     return STATUS_OK;
 }
 

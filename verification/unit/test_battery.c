@@ -216,7 +216,7 @@ static void later_is_as_now(void **state) {
     char path[UNIT_PATH + 200], command[400], line[300];
     int written, lines = 0;
     if (battery_add(2, 0, &g, &why) || gates_choose(&g, "[sjcw]*", "whole/repeat", 0, &why) ||
-        battery_write(&g, dir, &written, &why))
+        battery_write(&g, 0, dir, &written, &why))
         fail_msg("%s", why.text);
     snprintf(command, sizeof command,
              "while read d; do %s --solve node mean 0.3 none $d/case $d/out.csv || exit 1; done "

@@ -28,7 +28,7 @@ static int write_cases(const char *options, char *text, size_t size) {
     int written;
     snprintf(line, sizeof line, "case rod-gauss --into %s %s", dir, options);
     if (arguments_parse_line(line, &r, &why)) fail_msg("%s", why.text);
-    int status = results_write(&(struct results_place){r.into, "", "", NULL}, r.experiment.scene,
+    int status = results_write(&(struct results_place){r.into, "", "", NULL, 0}, r.experiment.scene,
                                &r.experiment.problem, &r.experiment.options, r.rungs.dx.text, &written, &why);
     arguments_free(&r);
     snprintf(text, size, "%s", why.text);
@@ -122,8 +122,8 @@ static void a_second_spacing_is_kept(void **state) {
     snprintf(line, sizeof line, "case rect-manufactured --dx 0.05 --aspect 2 --into %s", dir);
     if (arguments_parse_line(line, &r, &why)) fail_msg("%s", why.text);
     const struct experiment *e = &r.experiment;
-    assert_int_equal(results_write(&(struct results_place){r.into, "", "", NULL}, e->scene, &e->problem, &e->options,
-                                   r.rungs.dx.text, &written, &why),
+    assert_int_equal(results_write(&(struct results_place){r.into, "", "", NULL, 0}, e->scene, &e->problem,
+                                   &e->options, r.rungs.dx.text, &written, &why),
                      0);
     arguments_free(&r);
     snprintf(path, sizeof path, "%s/rect-manufactured/0.05/case", dir);
@@ -145,6 +145,37 @@ static void a_second_spacing_is_kept(void **state) {
     struct ladder l;
     climb(line, &l, STATUS_INPUT);
     assert_non_null(strstr(l.rung[0].failure.text, "--aspect 3: does not divide"));
+}
+
+/* A program that adds 1e-3 seed K: the errors of a rung are those of both draws, and their parameters are read. */
+static void draws_are_judged_later(void **state) {
+    (void)state;
+    char line[600];
+    struct request r;
+    struct failure why = {0};
+    struct ladder one, both;
+    int written;
+    snprintf(line, sizeof line,
+             "case rod-gauss --set kappa=0.4 --fourier 0.4 --dx 1,0.5,0.25,0.2 --seeds 2 --into %s/drawn", dir);
+    if (arguments_parse_line(line, &r, &why)) fail_msg("%s", why.text);
+    const struct experiment *e = &r.experiment;
+    assert_int_equal(results_write(&(struct results_place){r.into, "", "", NULL, 2}, e->scene, &e->problem,
+                                   &e->options, r.rungs.dx.text, &written, &why),
+                     0);
+    assert_int_equal(written, 8);
+    arguments_free(&r);
+    snprintf(line, sizeof line,
+             "for d in %s/drawn/rod-gauss/*/seed=*; do s=${d##*=}; " AWK
+             " $d/case | awk -F, -v OFS=, -v s=$s '$1 + 0 == $1 { $2 += 1e-3 * s } { print }' > $d/out.csv; done",
+             dir);
+    assert_int_equal(system(line), 0);
+    snprintf(line, sizeof line, "ladder rod-gauss mine --seeds 2 --results %s/drawn", dir);
+    climb(line, &both, 0);
+    assert_int_equal(both.draws, 2);
+    assert_near(both.rung[0].error.l1, sqrt(both.draw[0][0] * both.draw[1][0]), 1e-15);
+    assert_true(both.draw[1][3] > both.draw[0][3] + 0.5e-3);
+    snprintf(line, sizeof line, "ladder rod-gauss mine --results %s/drawn", dir);
+    climb(line, &one, STATUS_INPUT); /* there is no answer without a seed */
 }
 
 /* The number of cells rises where dx falls; the order is the same. */
@@ -198,6 +229,7 @@ int main(void) {
         cmocka_unit_test(a_missing_answer_is_a_row),
         cmocka_unit_test(cases_are_added),
         cmocka_unit_test(a_second_spacing_is_kept),
+        cmocka_unit_test(draws_are_judged_later),
         cmocka_unit_test(a_program_varies_in_what_it_likes),
         cmocka_unit_test(self_differences_find_the_error_in_time),
         cmocka_unit_test(it_needs_one_grid),

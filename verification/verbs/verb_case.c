@@ -20,15 +20,17 @@
 static int battery(const struct request *r, struct failure *why) {
     struct gates g = {0};
     int written, order = r->order ? r->order : 2;
-    char rungs[40] = "";
-    if (r->more_rungs) snprintf(rungs, sizeof rungs, " --rungs %d", r->more_rungs);
+    int seeds = r->experiment.program.seeds, n = 0;
+    char words[80] = "";
+    if (r->more_rungs) n = snprintf(words, sizeof words, " --rungs %d", r->more_rungs);
+    if (seeds) snprintf(words + n, sizeof words - (size_t)n, " --seeds %d", seeds);
     int status = battery_add(order, r->draw, &g, why);
     refine_gates(&g, r->more_rungs, r->time_order);
-    if (!status) status = battery_write(&g, r->into, &written, why);
+    if (!status) status = battery_write(&g, seeds, r->into, &written, why);
     if (!status)
         printf("%d cases of %d gates in %s, named in %s/cases.txt; when each has its out.csv beside it:\n"
                "  heatladder verify --order %d --seed %lu%s --results %s\n",
-               written, g.declared, r->into, r->into, order, r->draw, rungs, r->into);
+               written, g.declared, r->into, r->into, order, r->draw, words, r->into);
     gates_free(&g);
     return status;
 }
@@ -66,11 +68,14 @@ int verb_case(const struct request *r, struct failure *why) {
     int written;
     if (r->run_case) return run_one(r, why);
     if (r->battery) return battery(r, why);
-    if (results_write(&(struct results_place){r->into, "", "", &e->program.map}, e->scene, &e->problem, &e->options,
-                      r->rungs.dx.text, &written, why))
+    int seeds = e->program.seeds;
+    if (results_write(&(struct results_place){r->into, "", "", &e->program.map, seeds}, e->scene, &e->problem,
+                      &e->options, r->rungs.dx.text, &written, why))
         return why->status;
-    printf("%d cases of %s in %s, named in %s/cases.txt; when %s/%s/DX/out.csv are there:\n"
-           "  heatladder ladder %s NAME --results %s\n",
-           written, e->scene->name, r->into, r->into, r->into, e->scene->name, e->scene->name, r->into);
+    printf("%d cases of %s in %s, named in %s/cases.txt; when each has its out.csv beside it:\n"
+           "  heatladder ladder %s NAME",
+           written, e->scene->name, r->into, r->into, e->scene->name);
+    if (seeds) printf(" --seeds %d", seeds);
+    printf(" --results %s\n", r->into);
     return STATUS_OK;
 }
