@@ -2,8 +2,6 @@
 /* The list of methods, and calls of one. */
 #include "solver/method.h"
 
-#include "solver/shape.h"
-
 #include <string.h>
 
 #define METHOD(name) extern const struct method method_##name;
@@ -22,23 +20,12 @@ const struct method *method_find(const char *name) {
     return NULL;
 }
 
-/* What a method has no answer to. */
-static int check_body(const struct method *m, const struct problem *p, struct failure *why) {
-    if (m->scheme) return STATUS_OK;
-    if (p->shape)
-        return refuse(why, STATUS_NOT_APPLICABLE, "%s: takes rods and rectangles, the scene has a round body",
-                      m->name);
-    return STATUS_OK;
-}
-
 int method_solve(const struct method *m, const struct problem *p, const struct options *o, struct field *f,
                  struct failure *why) {
-    if (check_body(m, p, why)) return why->status;
     return m->solve(m, p, o, f, why);
 }
 
 int method_outline(const struct method *m, const struct problem *p, const struct options *o, struct outline *out,
                    struct failure *why) {
-    if (check_body(m, p, why)) return why->status;
     return m->outline(m, p, o, out, why);
 }

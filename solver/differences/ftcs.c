@@ -13,10 +13,12 @@
  * run on a rod, of fourth order (with fluxes for smooth data only).  In the plane that would need an isotropic
  * stencil.
  *
- * Restricted to a uniform grid, dx = dy; two materials (ftcs_layers.h), direct. */
+ * Restricted to a uniform grid, dx = dy; direct, also two materials (ftcs_layers.h) and round bodies (ftcs_polar.h).
+ */
 #include "solver/differences/ftcs_grid.h"
 #include "solver/differences/ftcs_loops.h"
 #include "solver/differences/ftcs_plan.h"
+#include "solver/differences/ftcs_polar.h"
 #include "solver/method.h"
 #include "solver/outline.h"
 #include "solver/problem.h"
@@ -167,8 +169,15 @@ static void count(const struct ftcs_grid *g, const struct options *o, struct fie
     f->work += OUTLINE_SCALAR * OUTLINE_GHOST * ((double)g->size - n) * (double)g->steps;
 }
 
+static int refuse_round(const struct method *m, struct failure *why) {
+    return refuse(why, STATUS_NOT_APPLICABLE, "%s: takes rods and rectangles, the scene has a round body; take ftcs",
+                  m->name);
+}
+
 static int outline(const struct method *m, const struct problem *p, const struct options *o, struct outline *out,
                    struct failure *why) {
+    if (p->shape && m == &method_ftcs_flux) return refuse_round(m, why);
+    if (p->shape) return ftcs_polar_outline(m->name, p, o, out, why);
     struct ftcs_grid g;
     const int with_fluxes = m == &method_ftcs_flux;
     *out = (struct outline){0};
@@ -193,6 +202,8 @@ static int outline(const struct method *m, const struct problem *p, const struct
 
 static int solve(const struct method *m, const struct problem *p, const struct options *o, struct field *f,
                  struct failure *why) {
+    if (p->shape && m == &method_ftcs_flux) return refuse_round(m, why);
+    if (p->shape) return ftcs_polar_solve(m->name, p, o, f, why);
     struct ftcs_grid g;
     double called = seconds_now();
     int status = ftcs_grid_make(&g, m->name, m == &method_ftcs_flux, p, o, why);

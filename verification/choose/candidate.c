@@ -82,9 +82,11 @@ const struct candidate candidates_table[] = {
     CANDIDATE("ftcs_flux at F = 0.2", "ftcs_flux", 0, 0, 1, EULER, .fourier = 0.2),
     {0}};
 
-/* Whether square cells, n of them along x, tile the domain with every jump on a face. */
+/* Whether square cells, n of them along x, tile the domain with every jump on a face; of a round body, whether rings
+ * as wide fill it. */
 static int fits(const struct problem *p, int n, int jumps) {
-    double dx = (p->hi[0] - p->lo[0]) / n;
+    double dx = (p->hi[0] - p->lo[0]) / n, rings = (p->radius[1] - p->radius[0]) / dx;
+    if (p->shape && fabs(rings - nearbyint(rings)) > 1e-9 * rings) return 0;
     for (int a = 0; a < p->dim; a++) {
         double whole = (p->hi[a] - p->lo[a]) / dx;
         if (fabs(whole - nearbyint(whole)) > 1e-9 * whole) return 0;
@@ -131,6 +133,7 @@ struct options candidate_options(const struct candidate *c, const struct experim
     struct options o = c->options;
     o.dx = (e->problem.hi[0] - e->problem.lo[0]) / n;
     o.threads = e->options.threads;
+    if (e->problem.shape && method_find(c->method)->scheme) o.walls = WALLS_FIT;
     if (o.stepper == STEPPER_CHEBYSHEV) o.dt = e->problem.t_end; /* one step leaves no error */
     if (c->steps > 0) o.dt = e->problem.t_end / ceil(10 + c->steps * n);
     return o;

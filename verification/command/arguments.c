@@ -192,12 +192,13 @@ static int is_given(const struct request *r, const char *key) {
 /* Where the lattice lies, and the walls that a round body has unless others are named. */
 static int take_lattice(struct request *r, struct failure *why) {
     struct options *o = &r->experiment.options;
+    const struct method *method = r->experiment.method;
     int round = r->experiment.scene && r->experiment.problem.shape;
     o->has_origin = r->origin.count > 0, o->has_angle = is_given(r, "angle");
     if (o->has_origin && r->origin.count != 2)
         return refuse(why, STATUS_INPUT, "--origin %.60s: needs X,Y, in dx", r->origin.text);
     for (int a = 0; a < 2 && o->has_origin; a++) o->origin[a] = r->origin.value[a];
-    if (round && !is_given(r, "walls")) o->walls = WALLS_FIT;
+    if (round && !is_given(r, "walls") && !(method && !method->scheme)) o->walls = WALLS_FIT;
     if (round && is_given(r, "shift"))
         return refuse(why, STATUS_INPUT, "--shift: is for plane walls; round bodies take --origin X,Y and --angle A");
     if (r->experiment.scene && !round && (o->has_origin || o->has_angle))

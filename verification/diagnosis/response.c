@@ -49,7 +49,7 @@ int response_lattice_create(const struct problem *p, struct response_lattice *l)
     int best = -1, n = 0;
     for (int i = LEAST; i <= MOST; i++)
         if (fit(p, i) > best) best = fit(p, i), n = i;
-    if (best < 0) return -1;
+    if (best < 0 || p->shape) return -1; /* rings are no lattice */
     struct field f;
     *l = (struct response_lattice){.dx = (p->hi[0] - p->lo[0]) / n};
     if (solve(p, l->dx, FOURIER, MEAN_SERIES, &f)) return -1;

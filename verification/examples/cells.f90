@@ -50,7 +50,9 @@ contains
             case ('t_end'); read (text, *) t_end
             case ('source'); changing = text == 'changing'
             case ('oracle'); oracle = text
+            case ('shape'); stop 77 ! boxes alone
             end select
+            if (text == 'periodic') stop 77 ! with walls alone
         end do
         close (unit)
         width = (hi - lo)/n

@@ -10,7 +10,7 @@ import os
 import subprocess
 import sys
 
-FLUX, COOLED = 2, 3  # kinds of walls in the answers of `reference`; 1 is a wall of given temperature
+PERIODIC, FLUX, COOLED = 0, 2, 3  # kinds of sides in the answers of `reference`; 1 is a wall of given temperature
 
 
 def read_case(path):
@@ -42,6 +42,8 @@ class Reference:
 
 
 case = read_case(sys.argv[1])
+if "shape" in case:
+    sys.exit(77)  # a round body, which cells do not fill
 dim, t_end = int(case["dim"]), float(case["t_end"])
 lo, hi = numbers(case["lo"]), numbers(case["hi"])
 n = [int(word) for word in case["cells"].split(",")]
@@ -74,6 +76,8 @@ fastest = 0
 for c in cells:
     for d in range(dim):
         for e in (c - stride[d], c + stride[d]):
+            if on_side(e, d) and wall[e][d][0] == PERIODIC:  # the body goes on at the opposite side
+                e += n[d] * stride[d] if e < c else -n[d] * stride[d]
             kind, value, b = wall[e][d]
             resistance = width[d] / (2 * k[c][d])
             if on_side(e, d) and kind == FLUX:

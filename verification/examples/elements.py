@@ -9,7 +9,7 @@ from mpi4py import MPI
 from petsc4py import PETSc
 logging.disable()  # of what is compiled
 case = dict(line.rstrip("\n").split(" = ", 1) for line in open(sys.argv[1]))
-if case["source"] == "changing":
+if case["source"] == "changing" or "shape" in case or "periodic" in case.values():
     sys.exit(77)
 dim, t_end = int(case["dim"]), float(case["t_end"])
 lo, hi = (np.array([float(v) for v in case[key].split(",")]) for key in ("lo", "hi"))

@@ -6,6 +6,7 @@ set -eu
 foam=$2.foam WM_PROJECT_DIR=${WM_PROJECT_DIR:-/usr/share/openfoam}
 export WM_PROJECT_DIR
 grep -q '^materials = 1$' "$1" && grep -q '^source = no$' "$1" || exit 77
+! grep -q '^shape\|= periodic' "$1" || exit 77
 case $(grep '^dim' "$1") in *1) more= ;; *) more=,k_y,wall_y ;; esac
 mkdir -p "$foam/system" "$foam/constant" "$foam/0"
 awk -F ' = |, ' 'function tell(x, y) { print x "," y "," hx "," hy }

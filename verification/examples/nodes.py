@@ -124,7 +124,10 @@ def solve(body):
 def main():
     if len(sys.argv) != 3:
         sys.exit("nodes.py CASE OUT")
-    body = Body(read_case(sys.argv[1]), sys.argv[2] + ".points")
+    case = read_case(sys.argv[1])
+    if "shape" in case or "periodic" in case.values():
+        sys.exit(77)  # boxes with walls alone
+    body = Body(case, sys.argv[2] + ".points")
     nodes, T, steps = solve(body)
     with open(sys.argv[2], "w") as out:
         print("# steps =", steps, file=out)

@@ -17,7 +17,7 @@ class Conduction(Equation):  # Espanol and Revenga 2003 (anisotropic); Cleary an
         F = (XIJ[0] * DWIJ[0] + XIJ[1] * DWIJ[1]) / (R2IJ + 1e-300)
         d_aT[d_idx] += d_V[d_idx] * k * F * (d_T[d_idx] - s_T[s_idx])
 case = dict(line.rstrip("\n").split(" = ", 1) for line in open(sys.argv[1]))
-if case["source"] == "changing" or "dy" in case: sys.exit(77)
+if case["source"] == "changing" or "dy" in case or "shape" in case or "periodic" in case.values(): sys.exit(77)
 dim, t_end, layers = int(case["dim"]), float(case["t_end"]), 3  # of ghosts: h is 1.2 spacings
 lo, hi = ([float(v) for v in case[key].split(",")] for key in ("lo", "hi"))
 n = [int(v) for v in case["cells"].split(",")]

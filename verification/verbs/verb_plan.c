@@ -60,7 +60,9 @@ static void print_text(const struct experiment *e, const struct plan *plan) {
     enum outline_phase peak = plan_peak(plan);
     printf("%s %s, dx = %g m\n", e->scene->name, e->method->name, o->dx);
     printf("  %-13s %d: %s\n", "dimension", plan->dim,
-           plan->dim == 1 ? "a rod; nothing along y is stored" : "a rectangle");
+           plan->dim == 1     ? "a rod; nothing along y is stored"
+           : e->problem.shape ? "a round body"
+                              : "a rectangle");
     for (int d = 0; d < plan->dim; d++)
         printf("  %-13s the middle of %s: %s\n", d ? "" : "mirror planes", axis[d],
                plan->cut[d] ? "half is computed" : uncut(e, plan, d));

@@ -1,0 +1,364 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* Finite differences in a round body: cells of rings and rays,
+ *
+ *   r_i = r_hole + (i + 1/2) dr,   theta_j = (j + 1/2) dtheta,   dr = dx, dtheta the next below dx / radius
+ *   dT_ij/dt = kappa (r_+ (T_(i+1)j - T_ij) - r_- (T_ij - T_(i-1)j)) / (r_i dr^2)
+ *              + kappa (T_i(j+1) - 2 T_ij + T_i(j-1)) / (r_i dtheta)^2 + G / rho_c,     r_+- = r_i +- dr/2
+ *
+ * so that what leaves a cell enters the next, and r_- = 0 closes the middle of a disc.  A wall lies half a spacing
+ * outside its last ring and conducts 2 k / dr to it, in series with b where it is cooled; a given flux enters as it
+ * is: second order for all three kinds.
+ *
+ * Cells at the middle are dx^2 / (2 radius) wide.  An explicit step would have to shrink with their square, dx^4:
+ * each step is explicit along r and implicit along theta,
+ *
+ *   (1 - a_i delta_theta^2) T_new = T + dt (the part along r + G / rho_c),   a_i = kappa dt / (r_i dtheta)^2
+ *
+ * of first order in dt.  The explicit part is symmetric in the norm of the cells' areas and below 4 kappa / dr^2; the
+ * inverse of the implicit part is at most 1 in it: stable up to kappa dt / dr^2 = 1/2.  On a ring that inverse is
+ * (1 - z)^2 / ((1 - z E)(1 - z / E)), E the shift by one ray and z + 1/z = 2 + 1/a: a sweep around each way.
+ *
+ * Rings are contiguous, so that all loops run along r and none is a recursion. */
+#include "solver/differences/ftcs_polar.h"
+
+#include "solver/method.h"
+#include "solver/outline.h"
+#include "solver/problem.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+#include <time.h>
+
+enum { CHECK_EVERY = 32, RINGS_MIN = 4 };
+
+struct polar {
+    const char *method;
+    int rings, rays;
+    double dr, dtheta, hole; /* m; rad; m, radius of the hole */
+    double dt;               /* s */
+    long long steps;
+    double rho_c, kappa;    /* J m^-3 K^-1; m^2 s^-1 */
+    double *in, *out;       /* s^-1, by ring: to the ring or wall inside and outside */
+    double *z, *scale;      /* by ring: the root above; (1 - z)^2 */
+    double *beside[2];      /* K, by ray: the temperature beyond the hole's wall and the outer wall */
+    double *heating;        /* K s^-1, of each cell: source and given flux */
+    double *T;              /* K, rings x rays, rings fastest */
+    double *row, *sum;      /* K, by ring: of the ray at hand; what the next sweep starts from */
+    double lowest, highest; /* K, of the initial data */
+    double middle, reach;   /* K: a stable solution stays within middle +- reach */
+};
+
+static double seconds_now(void) {
+    struct timespec t;
+    clock_gettime(CLOCK_MONOTONIC, &t);
+    return (double)t.tv_sec + 1e-9 * (double)t.tv_nsec;
+}
+
+/* ---- What is refused, and how the grid lies ---- */
+
+static int check_options(const char *method, const struct problem *p, const struct options *o, struct failure *why) {
+    double width = p->radius[1] - p->radius[0], rings = width / o->dx;
+    if (o->layout != LAYOUT_LATTICE)
+        return refuse(why, STATUS_NOT_APPLICABLE, "--layout %s: %s has rings and rays in a round body; leave it out",
+                      layout_words[o->layout], method);
+    if (o->sampling != SAMPLING_POINT)
+        return refuse(why, STATUS_NOT_APPLICABLE, "--sampling %s: %s takes points in a round body; take point",
+                      sampling_words[o->sampling], method);
+    if (o->walls != WALLS_MIRROR)
+        return refuse(why, STATUS_NOT_APPLICABLE, "--walls %s: is for particles; %s has mirror in a round body",
+                      walls_words[o->walls], method);
+    if (p->materials != 1 || p->material[0].k[0] != p->material[0].k[1])
+        return refuse(why, STATUS_NOT_APPLICABLE, "%s: takes one material with k_x = k_y in a round body", method);
+    if (o->stepper != STEPPER_AUTO && o->stepper != STEPPER_EULER)
+        return refuse(why, STATUS_NOT_APPLICABLE, "--stepper %s: %s has euler, auto in a round body",
+                      stepper_words[o->stepper], method);
+    if (o->dt != 0 && !(o->dt > 0 && isfinite(o->dt)))
+        return refuse(why, STATUS_INPUT, "--dt %g: must be positive and finite", o->dt);
+    if (o->fourier != 0 && !(o->fourier > 0 && isfinite(o->fourier)))
+        return refuse(why, STATUS_INPUT, "--fourier %g: must be positive and finite", o->fourier);
+    if (o->dt != 0 && o->fourier != 0)
+        return refuse(why, STATUS_INPUT, "--dt %g --fourier %g: give one of them", o->dt, o->fourier);
+    if (!(p->t_end >= 0 && isfinite(p->t_end)))
+        return refuse(why, STATUS_INPUT, "--t-end %g: must be finite and not negative", p->t_end);
+    if (!(o->dx > 0 && isfinite(o->dx)))
+        return refuse(why, STATUS_INPUT, "--dx %g: must be positive and finite", o->dx);
+    if (rings * 2 * M_PI * p->radius[1] / o->dx > 1e9)
+        return refuse(why, STATUS_INPUT, "--dx %g: %.3g grid points, at most 1e9", o->dx,
+                      rings * 2 * M_PI * p->radius[1] / o->dx);
+    if (fabs(rings - nearbyint(rings)) > 1e-6 * rings || nearbyint(rings) < RINGS_MIN) {
+        double below = fmax(floor(rings), RINGS_MIN);
+        return refuse(why, STATUS_INPUT,
+                      "--dx %.10g: does not divide the %g m from %s into whole rings, %d or more; nearest: %.10g and "
+                      "%.10g",
+                      o->dx, width, p->radius[0] > 0 ? "wall to wall" : "the middle to the wall", RINGS_MIN,
+                      width / below, width / (below + 1));
+    }
+    return STATUS_OK;
+}
+
+static int plan(struct polar *g, const char *method, const struct problem *p, const struct options *o,
+                struct failure *why) {
+    *g = (struct polar){.method = method};
+    if (check_options(method, p, o, why)) return why->status;
+    const struct material *m = &p->material[0];
+    double width = p->radius[1] - p->radius[0];
+    g->rings = (int)nearbyint(width / o->dx);
+    g->dr = width / g->rings;
+    g->rays = (int)ceil(2 * M_PI * p->radius[1] / g->dr);
+    g->dtheta = 2 * M_PI / g->rays;
+    g->hole = p->radius[0];
+    g->rho_c = m->rho_c;
+    g->kappa = m->k[0] / m->rho_c;
+    double dt = o->dt != 0 ? o->dt : (o->fourier != 0 ? o->fourier : 0.1) * g->dr * g->dr / g->kappa;
+    double count = p->t_end > 0 ? fmax(1, ceil(p->t_end / dt - 1e-9)) : 0;
+    if (!(count <= 1e12)) return refuse(why, STATUS_INPUT, "%s: %g time steps, at most 1e12", method, count);
+    g->steps = (long long)count;
+    g->dt = count > 0 ? p->t_end / count : 0;
+    return STATUS_OK;
+}
+
+static size_t cells(const struct polar *g) {
+    return (size_t)g->rings * (size_t)g->rays;
+}
+
+static double radius(const struct polar *g, int ring) {
+    return g->hole + (ring + 0.5) * g->dr;
+}
+
+static void place(const struct polar *g, int ring, int ray, double x[2]) {
+    double r = radius(g, ring), theta = (ray + 0.5) * g->dtheta;
+    x[0] = r * cos(theta), x[1] = r * sin(theta);
+}
+
+/* m^2 */
+static double area(const struct polar *g, int ring) {
+    return radius(g, ring) * g->dr * g->dtheta;
+}
+
+/* ---- The arrays ---- */
+
+/* W m^-2 K^-1, from the last ring to what lies beyond the wall. */
+static double wall_conducts(const struct polar *g, const struct problem *p, enum side s) {
+    double k = p->material[0].k[0], half = g->dr / 2;
+    if (p->side[s] == NEUMANN) return 0;
+    return p->side[s] == ROBIN ? 1 / (1 / p->robin[s] + half / k) : k / half;
+}
+
+/* What the wall conducts, holds and lets in.  Widens the range of its temperatures, K, and returns what a given flux
+ * can add, K. */
+static double wall_make(struct polar *g, const struct problem *p, enum side s, double *lowest, double *highest) {
+    const int ring = s == X_HI ? g->rings - 1 : 0;
+    double width = g->rings * g->dr, k = p->material[0].k[0], most = 0;
+    double r = s == X_HI ? g->hole + width : g->hole, share = r / (radius(g, ring) * g->dr * g->rho_c);
+    (s == X_HI ? g->out : g->in)[ring] = share * wall_conducts(g, p, s);
+    for (int j = 0; j < g->rays; j++) {
+        double theta = (j + 0.5) * g->dtheta, x[2] = {r * cos(theta), r * sin(theta)}, value = p->wall(p, s, x);
+        if (p->side[s] == NEUMANN) {
+            g->heating[j * g->rings + ring] += share * value;
+            most = fmax(most, fabs(value));
+        } else {
+            g->beside[s == X_HI][j] = value;
+            *lowest = fmin(*lowest, value), *highest = fmax(*highest, value);
+        }
+    }
+    return most * (width / k + p->t_end / (g->rho_c * width));
+}
+
+static void reserve(struct polar *g) {
+    size_t rings = (size_t)g->rings, rays = (size_t)g->rays;
+    double **by_ring[] = {&g->in, &g->out, &g->z, &g->scale, &g->row, &g->sum};
+    for (size_t k = 0; k < sizeof by_ring / sizeof *by_ring; k++) *by_ring[k] = xcalloc(rings, sizeof(double));
+    for (int k = 0; k < 2; k++) g->beside[k] = xcalloc(rays, sizeof(double));
+    g->heating = xcalloc(cells(g), sizeof(double));
+    g->T = xcalloc(cells(g), sizeof(double));
+}
+
+static void polar_free(struct polar *g) {
+    double *all[] = {g->in, g->out, g->z, g->scale, g->row, g->sum, g->beside[0], g->beside[1], g->heating, g->T};
+    for (size_t k = 0; k < sizeof all / sizeof *all; k++) free(all[k]);
+}
+
+/* What the step takes from each ring. */
+static void rings_make(struct polar *g) {
+    for (int i = 0; i < g->rings; i++) {
+        double r = radius(g, i), rate = g->kappa / (r * g->dr * g->dr);
+        double a = g->kappa * g->dt / (r * r * g->dtheta * g->dtheta), root = sqrt(1 + 4 * a);
+        double rest = (1 + root) / (1 + 2 * a + root); /* 1 - z */
+        g->in[i] = i > 0 ? rate * (r - g->dr / 2) : 0;
+        g->out[i] = i < g->rings - 1 ? rate * (r + g->dr / 2) : 0;
+        g->z[i] = 2 * a / (1 + 2 * a + root);
+        g->scale[i] = rest * rest;
+    }
+}
+
+/* Start and source; past its data, and what source and fluxes can add, by half their range, a run is unstable. */
+static void fill(struct polar *g, const struct problem *p) {
+    double source = 0;
+    g->lowest = INFINITY, g->highest = -INFINITY;
+    rings_make(g);
+    for (int j = 0; j < g->rays; j++)
+        for (int i = 0; i < g->rings; i++) {
+            double x[2];
+            place(g, i, j, x);
+            double T = p->initial(p, x), G = p->source ? p->source(p, x) : 0;
+            g->T[j * g->rings + i] = T;
+            g->heating[j * g->rings + i] = G / g->rho_c;
+            g->lowest = fmin(g->lowest, T), g->highest = fmax(g->highest, T);
+            source = fmax(source, fabs(G));
+        }
+    double lowest = g->lowest, highest = g->highest, more = source * p->t_end / g->rho_c;
+    if (g->hole > 0) more += wall_make(g, p, X_LO, &lowest, &highest);
+    more += wall_make(g, p, X_HI, &lowest, &highest);
+    g->middle = (lowest + highest) / 2;
+    g->reach = fmax(highest - lowest + more, 1e-6 * fabs(g->middle));
+}
+
+/* ---- One step ---- */
+
+/* T + dt (the part along r + heating), in place; the sums that a sweep around starts from, into `sum`. */
+static void step_along(struct polar *g) {
+    const int n = g->rings;
+    const double dt = g->dt, *in = g->in, *out = g->out, *z = g->z;
+    double *restrict row = g->row, *restrict sum = g->sum;
+    memset(sum, 0, (size_t)n * sizeof *sum);
+    for (ptrdiff_t j = 0; j < g->rays; j++) {
+        double *T = g->T + j * n;
+        const double *heating = g->heating + j * n;
+        row[0] = T[0] + dt * (out[0] * (T[1] - T[0]) - in[0] * (T[0] - g->beside[0][j]) + heating[0]);
+        for (int i = 1; i < n - 1; i++)
+            row[i] = T[i] + dt * (out[i] * (T[i + 1] - T[i]) - in[i] * (T[i] - T[i - 1]) + heating[i]);
+        row[n - 1] = T[n - 1] + dt * (out[n - 1] * (g->beside[1][j] - T[n - 1]) - in[n - 1] * (T[n - 1] - T[n - 2]) +
+                                      heating[n - 1]);
+        memcpy(T, row, (size_t)n * sizeof *T);
+        for (int i = 0; i < n; i++) sum[i] = row[i] + z[i] * sum[i];
+    }
+}
+
+/* The filter 1 / (1 - z E) around each ring, along the rays or against them; then once more the sums, for the way
+ * back. `sum` of all rays, weighted by powers of z, is the ray before the first, but for 1 / (1 - z^rays). */
+static void sweep_around(struct polar *g, int backwards) {
+    const int n = g->rings;
+    const double *z = g->z;
+    double *restrict before = g->row, *restrict sum = g->sum;
+    for (int i = 0; i < n; i++) {
+        before[i] = g->sum[i] / -expm1(g->rays * log(z[i]));
+        sum[i] = 0;
+    }
+    for (ptrdiff_t k = 0; k < g->rays; k++) {
+        double *restrict T = g->T + (backwards ? g->rays - 1 - k : k) * n;
+        for (int i = 0; i < n; i++) before[i] = T[i] = T[i] + z[i] * before[i];
+    }
+    if (backwards) return;
+    for (ptrdiff_t j = g->rays - 1; j >= 0; j--) {
+        const double *T = g->T + j * n;
+        for (int i = 0; i < n; i++) sum[i] = T[i] + z[i] * sum[i];
+    }
+}
+
+static void step(struct polar *g) {
+    step_along(g);
+    sweep_around(g, 0);
+    sweep_around(g, 1);
+    for (ptrdiff_t j = 0; j < g->rays; j++)
+        for (int i = 0; i < g->rings; i++) g->T[j * g->rings + i] *= g->scale[i];
+}
+
+static int check_stable(const struct polar *g, long long step, struct failure *why) {
+    for (size_t k = 0; k < cells(g); k++) {
+        if (fabs(g->T[k] - g->middle) <= g->reach) continue; /* not of NaN */
+        double x[2];
+        place(g, (int)(k % (size_t)g->rings), (int)(k / (size_t)g->rings), x);
+        return refuse(why, STATUS_UNSTABLE,
+                      "%s: unstable at step %lld of %lld, t = %g s: T = %g K at x = %g m, y = %g m; kappa dt/dr^2 is "
+                      "%g, stable up to 0.5",
+                      g->method, step, g->steps, (double)step * g->dt, g->T[k], x[0], x[1],
+                      g->kappa * g->dt / (g->dr * g->dr));
+    }
+    return STATUS_OK;
+}
+
+/* ---- A run ---- */
+
+static double heat(const struct polar *g) {
+    long double sum = 0;
+    for (int j = 0; j < g->rays; j++)
+        for (int i = 0; i < g->rings; i++) sum += area(g, i) * g->rho_c * g->T[(ptrdiff_t)j * g->rings + i];
+    return (double)sum;
+}
+
+static int run(struct polar *g, struct failure *why) {
+    for (long long k = 1; k <= g->steps; k++) {
+        step(g);
+        if (k % CHECK_EVERY && k != g->steps) continue;
+        int status = check_stable(g, k, why);
+        if (status) return status;
+    }
+    return STATUS_OK;
+}
+
+static size_t held(const struct polar *g) {
+    return (2 * cells(g) + 6 * (size_t)g->rings + 2 * (size_t)g->rays) * sizeof(double);
+}
+
+/* Four neighbours of each cell; along r once a step, around twice each way. */
+static void count(const struct polar *g, struct field *f) {
+    f->dim = 2, f->n = cells(g);
+    f->dt = g->dt, f->steps = g->steps, f->stages = 1;
+    f->updates = g->steps * (long long)f->n;
+    f->interactions = 4 * f->updates;
+    f->bytes = held(g);
+    f->work = OUTLINE_SCALAR * (double)f->n * (OUTLINE_PLACE + OUTLINE_SAMPLE + 2 * OUTLINE_FUNCTION);
+    f->work += 2 * (double)f->interactions;
+}
+
+static void hand_over(struct polar *g, struct field *f) {
+    field_alloc(f, 2, cells(g));
+    f->weight = xcalloc(f->n, sizeof *f->weight);
+    for (size_t k = 0; k < f->n; k++) {
+        int ring = (int)(k % (size_t)g->rings);
+        double x[2];
+        place(g, ring, (int)(k / (size_t)g->rings), x);
+        f->x[k] = x[0], f->y[k] = x[1], f->T[k] = g->T[k], f->weight[k] = area(g, ring);
+    }
+    count(g, f);
+}
+
+int ftcs_polar_outline(const char *method, const struct problem *p, const struct options *o, struct outline *out,
+                       struct failure *why) {
+    struct polar g;
+    *out = (struct outline){0};
+    if (plan(&g, method, p, o, why)) return why->status;
+    count(&g, &out->run);
+    out->weights = "four numbers for each ring";
+    out->answer = 4;
+    out->neighbours = 4;
+    outline_hold(out, "temperatures", cells(&g) * sizeof(double), OUTLINE_SET_UP, OUTLINE_STEPS);
+    outline_hold(out, "what source and walls add in a step", cells(&g) * sizeof(double), OUTLINE_SET_UP,
+                 OUTLINE_STEPS);
+    out->run.bytes = out->bytes[OUTLINE_STEPS];
+    return STATUS_OK;
+}
+
+int ftcs_polar_solve(const char *method, const struct problem *p, const struct options *o, struct field *f,
+                     struct failure *why) {
+    struct polar g;
+    double called = seconds_now();
+    if (plan(&g, method, p, o, why)) return why->status;
+    reserve(&g);
+    fill(&g, p);
+    double before = heat(&g), stepping = seconds_now();
+    int status = run(&g, why);
+    double stepped = seconds_now();
+    if (status == STATUS_OK) {
+        hand_over(&g, f);
+        f->spacing[0] = f->spacing[1] = g.dr;
+        f->time = p->t_end;
+        f->heat[0] = before, f->heat[1] = heat(&g);
+        f->range[0] = g.lowest, f->range[1] = g.highest;
+        f->step_seconds = stepped - stepping;
+        f->seconds = seconds_now() - called;
+    }
+    polar_free(&g);
+    return status;
+}
