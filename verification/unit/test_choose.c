@@ -47,6 +47,8 @@ static void the_error_is_reached(void **state) {
     keeps("reference rect-manufactured --at 0,0 --time 1", 1e-3);
     keeps("reference rect-manufactured --at 0,0 --time 1 --set height=0.37", 1e-4);
     keeps("reference wall-composite --at 0 --time 1 --set x_c=0.37", 1e-5);
+    keeps("reference disc-mode --at 0,0 --time 1", 1e-4); /* rings and rays */
+    keeps("reference annulus --at 1,0 --time 1", 1e-4);
 }
 
 /* By hand: 2000 particles with their nearest neighbours, h = 2 kappa t/dx^2 = 1e4 for the better conductor, and one

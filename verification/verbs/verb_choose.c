@@ -41,8 +41,10 @@ static void print_text(const struct request *r, const struct choose *c) {
         result_describe(p, what, sizeof what);
         printf("%s\n", what);
         print_command(r, p);
-        printf("  %-10s E1 %.4e wanted, %.4e predicted, %.4e measured, %.4e half-way between the particles\n",
-               "error", c->error, c->best.predicted_error, p->error.l1, c->between);
+        printf("  %-10s E1 %.4e wanted, %.4e predicted, %.4e measured", "error", c->error, c->best.predicted_error,
+               p->error.l1);
+        if (!isnan(c->between)) printf(", %.4e half-way between the particles", c->between);
+        putchar('\n');
         printf("  %-10s dx = %g m, %zu particles, %lld steps of %g s\n", "size", p->options.dx, p->particles,
                p->steps, p->dt);
         printf("  %-10s %.3g s, work of %.3g pairs, %d proving run%s\n\n", "cost", p->seconds, p->work, c->proofs,
