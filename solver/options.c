@@ -24,13 +24,9 @@ const char *const layout_words[] = {[LAYOUT_LATTICE] = "lattice",
                                     NULL};
 const char *const sampling_words[] = {
     [SAMPLING_POINT] = "point", [SAMPLING_CELL] = "cell", [SAMPLING_SPLINE] = "spline", NULL};
-const char *const walls_words[] = {[WALLS_MIRROR] = "mirror",
-                                   [WALLS_FIXED] = "fixed",
-                                   [WALLS_DISTANCE] = "distance",
-                                   [WALLS_AVERAGE] = "average",
-                                   [WALLS_IMAGE] = "image",
-                                   [WALLS_FIT] = "fit",
-                                   NULL};
+const char *const walls_words[] = {
+    [WALLS_MIRROR] = "mirror", [WALLS_FIXED] = "fixed", [WALLS_DISTANCE] = "distance",   [WALLS_AVERAGE] = "average",
+    [WALLS_IMAGE] = "image",   [WALLS_FIT] = "fit",     [WALLS_ONE_SIDED] = "one_sided", NULL};
 const char *const mean_words[] = {
     [MEAN_HARMONIC] = "harmonic", [MEAN_ARITHMETIC] = "arithmetic", [MEAN_SERIES] = "series", NULL};
 const char *const domain_words[] = {[DOMAIN_SYMMETRY] = "symmetry", [DOMAIN_WHOLE] = "whole", NULL};

@@ -19,8 +19,9 @@ enum stepper_name {
 };
 enum layout_name { LAYOUT_LATTICE, LAYOUT_NODE, LAYOUT_JITTER, LAYOUT_RELAXED, LAYOUT_HEXAGONAL, LAYOUT_GRADED };
 enum sampling { SAMPLING_POINT, SAMPLING_CELL, SAMPLING_SPLINE };
-/* Past WALLS_FIXED dummies take what particles/walls.def has; WALLS_FIXED too where walls cut the lattice. */
-enum walls { WALLS_MIRROR, WALLS_FIXED, WALLS_DISTANCE, WALLS_AVERAGE, WALLS_IMAGE, WALLS_FIT };
+/* Past WALLS_FIXED dummies take what particles/walls.def has; WALLS_FIXED too where walls cut the lattice.
+ * WALLS_ONE_SIDED has no dummies. */
+enum walls { WALLS_MIRROR, WALLS_FIXED, WALLS_DISTANCE, WALLS_AVERAGE, WALLS_IMAGE, WALLS_FIT, WALLS_ONE_SIDED };
 enum mean { MEAN_HARMONIC, MEAN_ARITHMETIC, MEAN_SERIES };
 enum domain { DOMAIN_SYMMETRY, DOMAIN_WHOLE };
 enum volume { VOLUME_MOMENT, VOLUME_RAW, VOLUME_TUNED };

@@ -5,6 +5,7 @@
  * outside the derivative. */
 #include "solver/particles/particles.h"
 #include "solver/particles/ssph.h"
+#include "solver/particles/walls.h"
 
 static int check(const struct problem *p, const struct options *o, struct failure *why) {
     if (p->materials > 1)
@@ -24,7 +25,7 @@ static int weights(const struct problem *p, const struct options *o, const struc
     return ssph_weights(nb, o->kernel, o->order ? o->order : 2, target, w[0], why);
 }
 
-static const struct scheme scheme = {.sweeps = 1, .check = check, .weights = weights};
+static const struct scheme scheme = {.sweeps = 1, .check = check, .weights = weights, .at_wall = walls_one_sided};
 
 const struct method method_so_ssph = {
     .name = "so_ssph",

@@ -48,6 +48,9 @@ static int check_cut(const struct problem *p, const struct options *o, const str
                           ? "a derivative that is applied twice needs dummies two kernels deep; take so_ssph"
                       : o->order > 2 ? "dummies are exact for quadratics; take --order 2"
                                      : "--redraw needs a layout that they do not cut");
+    if (o->walls == WALLS_ONE_SIDED && !s->at_wall)
+        return refuse(why, STATUS_NOT_APPLICABLE,
+                      "--walls one_sided: needs the least squares of so_ssph; this method has fit");
     if (p->shape && o->sampling != SAMPLING_POINT)
         return refuse(why, STATUS_NOT_APPLICABLE, "--sampling %s: a round wall cuts cells; take point",
                       sampling_words[o->sampling]);

@@ -19,7 +19,6 @@ static const struct wall_treatment *const table[] = {
 #undef WALLS
 
 static const char *const kind_word[] = {"Dirichlet", "Neumann", "Robin", "periodic"};
-static const double WIDEST = 3; /* h: as far as a search grows */
 
 static const struct wall_treatment *treatment(const struct options *o) {
     for (int i = 0; table[i]; i++)
@@ -82,7 +81,7 @@ static void probe_create(struct walls_fill *w, const struct wall_treatment *t) {
         t->place(&site, x);
         q->x[j] = x[0], q->y[j] = x[1];
     }
-    neighbours_create(&w->cells, q, KERNEL_SUPPORT * WIDEST * w->o->h * w->spacing);
+    neighbours_create(&w->cells, q, KERNEL_SUPPORT * WALLS_WIDEST * w->o->h * w->spacing);
 }
 
 static void probe_free(struct walls_fill *w) {
@@ -105,8 +104,8 @@ int walls_near(const struct walls_fill *w, size_t d, size_t least,
     struct failure last; /* of the tries; a success leaves *why as it is */
     int status = refuse(&last, STATUS_NUMERICAL,
                         "the wall at (%.6g, %.6g) m has fewer than %zu particles within %g h; take a smaller --dx",
-                        q->x[place], q->y[place], least, KERNEL_SUPPORT * WIDEST);
-    for (double grown = 1; grown <= WIDEST && status; grown *= 1.1) {
+                        q->x[place], q->y[place], least, KERNEL_SUPPORT * WALLS_WIDEST);
+    for (double grown = 1; grown <= WALLS_WIDEST && status; grown *= 1.1) {
         double H = grown * w->o->h * w->spacing, most = KERNEL_SUPPORT * H * (1 - 1e-9);
         size_t n = 0;
         for (size_t k = 0; k < found; k++) {

@@ -8,6 +8,8 @@
 #include "solver/shape.h"
 #include "solver/space/neighbours.h"
 
+#define WALLS_WIDEST 3.0 /* h: as far as a search grows */
+
 struct wall_site {  /* the wall at a dummy: two walls at the corner of a rectangle */
     double x[2];    /* m, the dummy */
     double foot[2]; /* m, the nearest point of the body */
@@ -59,6 +61,10 @@ int walls_check(const struct problem *p, const struct options *o, struct failure
 /* Fills what the dummies of *c hold, by the treatment of the options. */
 int walls_fill(const struct problem *p, const struct options *o, struct cloud *c, double spacing,
                struct failure *why);
+
+/* The scheme's `at_wall` (operator.h) of SSPH, by its own least squares. */
+int walls_one_sided(const struct problem *p, const struct options *o, const struct neighbourhood *nb, double *w,
+                    double *own, double *g, struct failure *why);
 
 /* The particles around the place of dummy d within 2 H, H = h grown by tenths until there are `least` and `try` takes
  * them: STATUS_OK from it ends the search, and its last failure is that of the search. */

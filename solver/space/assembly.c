@@ -19,6 +19,7 @@ int assembly_create(struct assembly *m, const struct problem *p, const struct op
                            .cell = layout_cell(o, spacing)};
     if (s->cells) return voronoi_create(&m->mesh, p, c, o->threads > 1 ? o->threads : 1, why);
     neighbours_create(&m->cells, c, m->support);
+    if (o->walls == WALLS_ONE_SIDED) neighbours_create(&m->wide, c, 3 * m->support);
     return STATUS_OK;
 }
 
@@ -31,6 +32,7 @@ double assembly_rho_c(const struct assembly *m, size_t i) {
 
 void assembly_free(struct assembly *m) {
     neighbours_free(&m->cells);
+    neighbours_free(&m->wide);
     voronoi_free(&m->mesh);
 }
 
@@ -47,10 +49,15 @@ double assembly_stretch(const struct assembly *m, size_t i, uint32_t j) {
     return depth * (most - 1) > m->c->away[j - m->c->n] ? 1 + m->c->away[j - m->c->n] / depth : most;
 }
 
+int assembly_at_wall(const struct assembly *m, size_t i) {
+    return m->wide.cloud && shape_depth(m->p, (const double[2]){m->c->x[i], m->c->y[i]}) < m->support;
+}
+
 int assembly_neighbourhood(const struct assembly *m, size_t i, struct surroundings *out, struct failure *why) {
     const struct cloud *c = m->c;
-    size_t n = m->s->cells ? faces_of_cell(&m->mesh, i, out->near)
-                           : neighbours_find(&m->cells, i, out->near, NEIGHBOURS_MAX);
+    const struct neighbours *cells = assembly_at_wall(m, i) ? &m->wide : &m->cells;
+    size_t n =
+        m->s->cells ? faces_of_cell(&m->mesh, i, out->near) : neighbours_find(cells, i, out->near, NEIGHBOURS_MAX);
     if (n > NEIGHBOURS_MAX)
         return refuse(why, STATUS_NUMERICAL,
                       "particle %zu at (%.6g, %.6g) m has %zu neighbours, at most %d are held; take a smaller --h", i,

@@ -16,6 +16,7 @@ struct assembly {
     const struct scheme *s;
     const struct cloud *c;
     struct neighbours cells; /* empty where there is a mesh */
+    struct neighbours wide;  /* within 3 h, for --walls one_sided; else empty */
     struct voronoi mesh;     /* of a scheme with cells */
     double h, support;       /* m */
     double volume;           /* m^d */
@@ -49,6 +50,9 @@ double assembly_rho_c(const struct assembly *m, size_t i);
 double assembly_stretch(const struct assembly *m, size_t i, uint32_t j);
 
 int assembly_neighbourhood(const struct assembly *m, size_t i, struct surroundings *out, struct failure *why);
+
+/* Whether --walls one_sided gives particle i its row: within the support of a wall. */
+int assembly_at_wall(const struct assembly *m, size_t i);
 
 void assembly_list_grow(struct assembly_list *l); /* to twice the room */
 

@@ -60,12 +60,23 @@ static void add_dummy(const struct assembly *m, size_t i, uint32_t j, double w, 
     *g += w * c->offset[j];
 }
 
+/* Row i of --walls one_sided. */
+static int add_wall_row(const struct assembly *m, const struct surroundings *at, struct row *r, double *diagonal,
+                        double *g, struct failure *why) {
+    double weight[NEIGHBOURS_MAX];
+    if (m->s->at_wall(m->p, m->o, &at->nb, weight, diagonal, g, why)) return why->status;
+    for (size_t k = 0; k < at->nb.n; k++) csr_row_add(r, at->near[k], weight[k]);
+    return STATUS_OK;
+}
+
 static int add_row(const struct assembly *m, size_t i, struct surroundings *at, struct row *r, double *diagonal,
                    double *g, struct failure *why) {
     const struct cloud *c = m->c;
     double weight[NEIGHBOURS_MAX], *w[2] = {weight, NULL};
     if (c->held && c->held[i]) return STATUS_OK;
-    if (assembly_neighbourhood(m, i, at, why) || m->s->weights(m->p, m->o, &at->nb, w, why)) return why->status;
+    if (assembly_neighbourhood(m, i, at, why)) return why->status;
+    if (assembly_at_wall(m, i)) return add_wall_row(m, at, r, diagonal, g, why);
+    if (m->s->weights(m->p, m->o, &at->nb, w, why)) return why->status;
     for (size_t k = 0; k < at->nb.n; k++) {
         uint32_t j = at->near[k]; /* may be a ghost */
         *diagonal -= weight[k];

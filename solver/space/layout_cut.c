@@ -142,6 +142,7 @@ int layout_cut(const struct problem *p, const struct options *o, const struct la
                 }
     gsl_rng_free(random);
     int mirrors = o->walls == WALLS_MIRROR;
+    if (o->walls == WALLS_ONE_SIDED) outside.n = 0;
     *c = (struct cloud){.dim = p->dim, .n = inside.n, .total = inside.n + outside.n, .reach = reach};
     c->volume = f.d[0] * (p->dim == 2 ? f.d[1] : 1);
     fill(c, &inside, &outside, mirrors ? 4 * c->total : c->total);

@@ -66,6 +66,10 @@ struct scheme { /* how a particle method weights neighbours; options are resolve
      * C symmetric (xx, xy, yy), F C d^2 in units of 1 */
     int (*pairs)(const struct problem *p, const struct options *o, const struct neighbourhood *nb, double *F,
                  double C[3], struct failure *why);
+    /* --walls one_sided: the row of a particle within a kernel of a wall.  nb: the particles within 3 h, itself left
+     * out; dT_i/dt = sum_j w[j] T_j + *own T_i + *g, of which *g is added to.  NULL where the method has none */
+    int (*at_wall)(const struct problem *p, const struct options *o, const struct neighbourhood *nb, double *w,
+                   double *own, double *g, struct failure *why);
 };
 
 struct heat_operator {

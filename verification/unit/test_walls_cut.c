@@ -7,6 +7,7 @@
 #include "verification/unit/near.h"
 
 #include <gsl/gsl_errno.h>
+#include <string.h>
 
 static const double K = 0.7, B = 1.9;
 
@@ -113,19 +114,20 @@ static void what_a_treatment_does_not_take_is_refused(void **state) {
     assert_int_equal(walls_check(&cooled, &(struct options){.walls = WALLS_FIT}, &why), STATUS_OK);
 }
 
-/* so_ssph is exact for quadratics and dummies continue them: d T/dt = kappa lap T everywhere, held particles apart.
- */
+/* so_ssph is exact for quadratics, dummies continue them, and the one-sided fit is exact for them: d T/dt = kappa lap
+ * T everywhere, held particles apart. */
 static void a_quadratic_rises_evenly(void **state) {
     (void)state;
     extern const struct method method_so_ssph, method_fatehi_manzari;
-    const struct method *const all[] = {&method_so_ssph, &method_fatehi_manzari};
+    const struct method *const all[] = {&method_so_ssph, &method_fatehi_manzari, &method_so_ssph};
     struct field_of harmonic = quadratic;
     harmonic.yy = -harmonic.xx;
-    for (int m = 0; m < 2; m++)
+    for (int m = 0; m < 3; m++)
         for (int round = 0; round < 3; round++)
             for (int kind = DIRICHLET; kind <= ROBIN; kind++) {
                 struct problem p = body(round, (enum side_kind)kind, &harmonic);
-                struct options o = {.dx = 0.1, .walls = WALLS_FIT, .shift = round ? 0 : 0.5, .stepper = STEPPER_RKL2};
+                struct options o = {.dx = 0.1, .shift = round ? 0 : 0.5, .stepper = STEPPER_RKL2};
+                o.walls = m == 2 ? WALLS_ONE_SIDED : WALLS_FIT;
                 struct field f;
                 struct failure why;
                 if (method_solve(all[m], &p, &o, &f, &why)) fail_msg("%s", why.text);
@@ -133,6 +135,45 @@ static void a_quadratic_rises_evenly(void **state) {
                     assert_near(f.T[i], value(&harmonic, (const double[2]){f.x[i], f.y[i]}), 1e-10);
                 field_free(&f);
             }
+}
+
+/* One-sided rows: weights of the size of an inner particle's at any distance from a wall, so that no step is lost. */
+static void one_sided_rows_do_not_grow_beside_a_wall(void **state) {
+    (void)state;
+    extern const struct method method_so_ssph;
+    for (int kind = DIRICHLET; kind <= ROBIN; kind++)
+        for (int near = 1; near < 6; near++) {
+            struct problem p = body(0, (enum side_kind)kind, &flat);
+            struct options o = {.dx = 0.1, .h = 1.1, .walls = WALLS_ONE_SIDED};
+            struct lattice l;
+            struct cloud c;
+            struct heat_operator a;
+            struct failure why;
+            o.shift = 0.5 + pow(10, -near);
+            assert_int_equal(layout_lattice(&p, &o, 1, &l, &why), STATUS_OK);
+            assert_int_equal(layout_cloud(&p, &o, &l, 0.22, &c, &why), STATUS_OK);
+            assert_int_equal(c.total, c.n); /* no dummies */
+            assert_int_equal(operator_create_csr(&a, &p, &o, method_so_ssph.scheme, &c, 0.1, &why), STATUS_OK);
+            double most = 0, inner = 4 * K / 0.01; /* the symbol's largest */
+            for (size_t i = 0; i < a.n; i++) most = fmax(most, fabs(a.diagonal[i]));
+            if (!(most < inner)) fail_msg("kind %d, 1e-%d dx from the wall: %g, %g inside", kind, near, most, inner);
+            layout_cloud_free(&c);
+            operator_free(&a);
+        }
+}
+
+static void what_has_no_one_sided_fit_is_refused(void **state) {
+    (void)state;
+    extern const struct method method_fatehi_manzari, method_so_ssph;
+    struct problem p = body(1, DIRICHLET, &flat);
+    struct options o = {.dx = 0.1, .walls = WALLS_ONE_SIDED, .stepper = STEPPER_RKL2};
+    struct field f;
+    struct failure why;
+    assert_int_equal(method_solve(&method_fatehi_manzari, &p, &o, &f, &why), STATUS_NOT_APPLICABLE);
+    assert_non_null(strstr(why.text, "has fit"));
+    o.dx = 0.9; /* few particles in all */
+    assert_int_equal(method_solve(&method_so_ssph, &p, &o, &f, &why), STATUS_NUMERICAL);
+    assert_non_null(strstr(why.text, "at least 15 are needed; take a smaller --dx"));
 }
 
 static void particles_on_a_wall_hold_its_temperature(void **state) {
@@ -173,6 +214,8 @@ int main(void) {
         cmocka_unit_test(every_treatment_keeps_a_constant),
         cmocka_unit_test(what_a_treatment_does_not_take_is_refused),
         cmocka_unit_test(a_quadratic_rises_evenly),
+        cmocka_unit_test(one_sided_rows_do_not_grow_beside_a_wall),
+        cmocka_unit_test(what_has_no_one_sided_fit_is_refused),
         cmocka_unit_test(particles_on_a_wall_hold_its_temperature),
         cmocka_unit_test(clipped_cells_fill_the_body),
     };

@@ -1,0 +1,121 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* A wall without dummies: SSPH's own least squares, one-sided, with the wall's condition as one more equation.
+ *
+ * Near a wall the expansion about particle i keeps its constant as an unknown, as SSPH first had it (Zhang & Batra
+ * 2004, Comput. Mech. 34:137): a quadratic q fitted to the particles around and to particle i itself, weighted with
+ * the kernel, and, at the nearest point of each wall within the support, with ten times the kernel's weight at 0,
+ *   Dirichlet  q = T_w,   Neumann  q_n = g/k,   Robin  (q_n + (b/k) q) = (b/k) T_a,
+ * slopes in units of h.  Then
+ *   dT_i/dt = kappa_x q_xx + kappa_y q_yy + sigma (q(x_i) - T_i),   sigma = 2 (kappa_x + kappa_y)/h^2,
+ * sigma close to the rate of an inner particle's own weight (3.5 kappa/h^2 on a square lattice, 2.3 on a rod).
+ *
+ * Why so.  Bound to T_i and to T_w exactly, a particle at a distance d has weights of size 1/(d h): the largest
+ * stable step falls with d.  With T_i exact and the wall weighted, the wall's equation has no say as d goes to 0, and
+ * one-sided second differences let T_i grow.  Here the weights stay of size 1/h^2 wherever the wall is, and T_i is
+ * drawn to the fit.
+ *
+ * Order.  q is exact for quadratics: q(x_i) - T_i = O(dx^3), and both terms are off by O(dx) in a layer one kernel
+ * wide.  That layer costs O(dx^3) in T at a held wall and O(dx^2) at the others, as with dummies by `fit`: second
+ * order, in the largest error too.  Fifteen particles are asked for, as there. */
+#include "solver/particles/walls.h"
+
+#include "solver/space/kernel.h"
+
+#include <math.h>
+#include <stdlib.h>
+
+static const double WALL_WEIGHT = 10;
+
+/* 1, x, y, x^2/2, x y, y^2/2 at d in units of h (1, x, x^2/2 on a rod); returns how many. */
+static int monomials(int dim, const double d[2], double *P) {
+    P[0] = 1, P[1] = d[0];
+    if (dim == 1) {
+        P[2] = d[0] * d[0] / 2;
+        return 3;
+    }
+    P[2] = d[1], P[3] = d[0] * d[0] / 2, P[4] = d[0] * d[1], P[5] = d[1] * d[1] / 2;
+    return 6;
+}
+
+static void add_slopes(int dim, const double d[2], const double n[2], double *P) {
+    P[1] += n[0];
+    if (dim == 1)
+        P[2] += d[0] * n[0];
+    else
+        P[2] += n[1], P[3] += d[0] * n[0], P[4] += d[0] * n[1] + d[1] * n[0], P[5] += d[1] * n[1];
+}
+
+/* The equation of wall s at its foot: its row and its right-hand side. */
+static double equation(const struct problem *p, int s, const struct foot *f, const double x[2], double h, double *P) {
+    double d[2] = {(f->x[0] - x[0]) / h, (f->x[1] - x[1]) / h};
+    double value = p->wall(p, (enum side)s, f->x), k = p->material[0].k[f->normal[1] * f->normal[1] > 0.5];
+    int terms = monomials(p->dim, d, P);
+    if (p->side[s] == DIRICHLET) return value;
+    double ratio = p->side[s] == ROBIN ? p->robin[s] * h / k : 0, size = 1 / (1 + ratio);
+    for (int t = 0; t < terms; t++) P[t] *= ratio;
+    add_slopes(p->dim, d, f->normal, P);
+    for (int t = 0; t < terms; t++) P[t] *= size;
+    return size * (p->side[s] == ROBIN ? ratio * value : value * h / k);
+}
+
+struct equations { /* of the neighbours, of the particle itself, and of walls */
+    struct neighbourhood nb;
+    double d[NEIGHBOURS_MAX][2], P[NEIGHBOURS_MAX][SSPH_TERMS_MAX], size[NEIGHBOURS_MAX], w[NEIGHBOURS_MAX];
+    size_t from[NEIGHBOURS_MAX]; /* of the neighbours */
+    double given[4];             /* of the walls */
+};
+
+/* Within 2 h of the particle; returns how many are particles. */
+static size_t take_equations(const struct problem *p, const struct neighbourhood *nb, double h, struct equations *e) {
+    size_t n = 0, particles;
+    e->nb = (struct neighbourhood){.dim = nb->dim, .i = nb->i, .x = {nb->x[0], nb->x[1]}, .d = e->d, .h = h};
+    for (size_t j = 0; j <= nb->n && n + 4 < NEIGHBOURS_MAX; j++) {
+        double d[2] = {j < nb->n ? nb->d[j][0] : 0, j < nb->n ? nb->d[j][1] : 0};
+        if (hypot(d[0], d[1]) >= KERNEL_SUPPORT * h * (1 - 1e-9)) continue;
+        e->d[n][0] = d[0], e->d[n][1] = d[1], e->from[n] = j, e->size[n] = 1;
+        monomials(nb->dim, (const double[2]){d[0] / h, d[1] / h}, e->P[n++]);
+    }
+    particles = n;
+    for (int s = 0; s < 4; s++) {
+        if (!shape_has_wall(p, s)) continue;
+        struct foot f = shape_foot(p, s, nb->x);
+        if (!(f.depth < KERNEL_SUPPORT * h)) continue;
+        e->given[n - particles] = equation(p, s, &f, nb->x, h, e->P[n]);
+        e->d[n][0] = e->d[n][1] = 0, e->size[n++] = 1 / sqrt(WALL_WEIGHT);
+    }
+    e->nb.n = n;
+    return particles;
+}
+
+int walls_one_sided(const struct problem *p, const struct options *o, const struct neighbourhood *nb, double *w,
+                    double *own, double *g, struct failure *why) {
+    size_t least = nb->dim == 2 ? 15 : 4, particles = 0;
+    double sigma = 2 * (nb->kappa[0] + (nb->dim == 2 ? nb->kappa[1] : 0)) / (nb->h * nb->h);
+    struct equations *e = xcalloc(1, sizeof *e);
+    int status = STATUS_NUMERICAL;
+    for (double grown = 1; grown <= WALLS_WIDEST && status; grown *= 1.1) {
+        double h = grown * nb->h, target[6] = {sigma}, second = 1 / (h * h);
+        target[nb->dim == 2 ? 3 : 2] = nb->kappa[0] * second;
+        if (nb->dim == 2) target[5] = nb->kappa[1] * second;
+        particles = take_equations(p, nb, h, e);
+        if (particles < least)
+            refuse(why, STATUS_NUMERICAL,
+                   "particle %zu at (%.6g, %.6g) m, beside a wall, has %zu particles within %.3g m, at least %zu are "
+                   "needed; take a smaller --dx",
+                   nb->i, nb->x[0], nb->x[1], particles, KERNEL_SUPPORT * h, least);
+        else
+            status = ssph_fit(&e->nb, o->kernel, nb->dim == 2 ? 6 : 3, e->P, e->size, target, e->w, why);
+    }
+    for (size_t j = 0; j < nb->n; j++) w[j] = 0;
+    *own = -sigma;
+    for (size_t k = 0; k < e->nb.n && !status; k++) {
+        if (k >= particles)
+            *g += e->w[k] * e->given[k - particles];
+        else if (e->from[k] == nb->n)
+            *own += e->w[k];
+        else
+            w[e->from[k]] = e->w[k];
+    }
+    free(e);
+    return status;
+}
