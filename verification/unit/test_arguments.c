@@ -62,6 +62,20 @@ static void quotes_hold_blanks(void **state) {
     arguments_free(&r);
 }
 
+static void a_profile_is_a_choice_of_rows(void **state) {
+    (void)state;
+    struct request r;
+    struct failure why;
+    assert_int_equal(arguments_parse_line("verify --profile particles --solver 'p {case} {out}'", &r, &why),
+                     STATUS_OK);
+    assert_string_equal(r.only, "periodic/*");
+    arguments_free(&r);
+    assert_int_equal(arguments_parse_line("verify --profile all --only a --solver 'p {case} {out}'", &r, &why),
+                     STATUS_OK);
+    assert_string_equal(r.only, "a");
+    arguments_free(&r);
+}
+
 static void a_choice_is_set_by_its_word(void **state) {
     (void)state;
     struct request r;
@@ -98,6 +112,9 @@ static const struct refusal {
     {"run rod-step ftcs more --dx 0.1", "'more' is one word too many for run"},
     {"list scenes methods", "'methods' is one word too many for list"},
     {"run rod-step ftcs", "run needs --dx"},
+    {"verify --profile particles", "--profile: is for the battery"},
+    {"verify --profile particles --only a --solver '{case} {out}'", "--profile and --only both say which rows"},
+    {"verify --profile cells --solver '{case} {out}'", "(valid: all, particles)"},
     {"reference rod-step --at 0.3", "reference needs --time"},
     {"reference rod-step --time 0.3", "reference needs either --at X[,Y] or --points FILE"},
     {"reference rod-step --time 0.3 --at 0.1 --points p.csv", "reference needs either --at X[,Y] or --points FILE"},
@@ -229,10 +246,15 @@ static void the_tables_agree(void **state) {
 
 int main(void) {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(a_run_is_read),        cmocka_unit_test(options_may_come_first),
-        cmocka_unit_test(quotes_hold_blanks),   cmocka_unit_test(a_choice_is_set_by_its_word),
-        cmocka_unit_test(lists_become_ladders), cmocka_unit_test(every_refusal_says_what_is_valid),
-        cmocka_unit_test(the_tables_agree),     cmocka_unit_test(the_width_of_vectors_comes_from_the_environment),
+        cmocka_unit_test(a_run_is_read),
+        cmocka_unit_test(options_may_come_first),
+        cmocka_unit_test(quotes_hold_blanks),
+        cmocka_unit_test(a_profile_is_a_choice_of_rows),
+        cmocka_unit_test(a_choice_is_set_by_its_word),
+        cmocka_unit_test(lists_become_ladders),
+        cmocka_unit_test(every_refusal_says_what_is_valid),
+        cmocka_unit_test(the_tables_agree),
+        cmocka_unit_test(the_width_of_vectors_comes_from_the_environment),
     };
     return cmocka_run_group_tests_name("arguments", tests, NULL, NULL);
 }
