@@ -1,9 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* A wall without dummies: SSPH's own least squares, one-sided, with the wall's condition as one more equation.
  *
- * Near a wall the expansion about particle i keeps its constant as an unknown, as SSPH first had it (Zhang & Batra
- * 2004, Comput. Mech. 34:137): a quadratic q fitted to the particles around and to particle i itself, weighted with
- * the kernel, and, at the nearest point of each wall within the support, with ten times the kernel's weight at 0,
+ * Near a wall the expansion about particle i keeps its constant as an unknown, as modified SPH had it first (Zhang &
+ * Batra 2004, Comput. Mech. 34:137): a quadratic q fitted to the particles around and to particle i itself, weighted
+ * with the kernel, and, at the nearest point of each wall within the support, with ten times what it is at 0,
  *   Dirichlet  q = T_w,   Neumann  q_n = g/k,   Robin  (q_n + (b/k) q) = (b/k) T_a,
  * slopes in units of h.  Then
  *   dT_i/dt = kappa_x q_xx + kappa_y q_yy + sigma (q(x_i) - T_i),   sigma = 2 (kappa_x + kappa_y)/h^2,

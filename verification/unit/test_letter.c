@@ -26,6 +26,7 @@ static void lengths(void **state) {
         {"\xC3"
          "a",
          0},
+        {"\x80", 0},
         {"\x9B", 0},
         {"\xE9", 0},
         {"\xFF", 0},

@@ -29,6 +29,12 @@ static void anything_else_is_refused(void **state) {
         double x;
         if (number_read(bad[i], &x) == 0) fail_msg("'%s' was read as %g", bad[i], x);
     }
+    char digits[65] = ""; /* one more than a number may have */
+    double x;
+    memset(digits, '1', sizeof digits - 1);
+    assert_int_equal(number_read(digits, &x), -1);
+    digits[63] = '\0';
+    assert_int_equal(number_read(digits, &x), 0);
 }
 
 static void lists(void **state) {
