@@ -207,7 +207,7 @@ static int take_lattice(struct request *r, struct failure *why) {
     return STATUS_OK;
 }
 
-const char *const profile_words[] = {"all", "particles", NULL};
+const char *const arguments_profiles[] = {"all", "particles", NULL};
 
 /* A profile is a choice of rows by name. */
 static int take_profile(struct request *r, struct failure *why) {

@@ -3,7 +3,7 @@
 #define HEATLADDER_VERIFICATION_COMMAND_REQUEST_H
 
 enum profile { PROFILE_ALL, PROFILE_PARTICLES };
-extern const char *const profile_words[];
+extern const char *const arguments_profiles[];
 
 /* What one command line asks for.  Filled by arguments.h; data only. */
 
