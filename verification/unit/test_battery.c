@@ -146,7 +146,7 @@ static void ceilings_are_four_times_the_five_point_difference(void **state) {
         arguments_free(&r);
     }
     assert_int_equal(wrong, 0);
-    assert_true(rows >= 12);
+    assert_order(rows, >=, 12);
 }
 
 /* The ceiling of plane/changing: the mean over a cell, dx^2/24 laplace(T) by differences, and four times that. */
@@ -174,7 +174,7 @@ static void the_ceiling_of_a_changing_source(void **state) {
     double left = mean / sum + 4 * result.error.l1;
     print_message("plane/changing: %.5g and 4 times %.5g\n", mean / sum, result.error.l1);
     for (const struct battery_row *row = battery_table; row->order; row++)
-        if (strcmp(row->gate.id, "plane/changing") == 0) assert_true(fabs(row->gate.ceiling / left - 1) < 0.02);
+        if (strcmp(row->gate.id, "plane/changing") == 0) assert_order(fabs(row->gate.ceiling / left - 1), <, 0.02);
     field_free(&f);
     arguments_free(&r);
 }
@@ -208,7 +208,7 @@ static void what_one_field_cannot_tell_is_named(void **state) {
     if (arguments_parse_line(line, &r, &why)) fail_msg("%s: %s", line, why.text);
     r.rungs.diagnose = 1;
     ladder_run(&r.experiment, &r.rungs, l, &why);
-    assert_non_null(strstr(l->diagnosis.what, says[0]));
+    assert_has(l->diagnosis.what, says[0]);
     arguments_free(&r);
     free(l);
 }
@@ -233,7 +233,8 @@ static void later_is_as_now(void **state) {
     FILE *list = fopen(path, "r");
     while (fgets(line, sizeof line, list)) lines++;
     fclose(list);
-    assert_true(lines > 20 && lines < written); /* rows that share a case have it once */
+    assert_order(lines, >, 20);
+    assert_order(lines, <, written); /* rows that share a case have it once */
     gates_run(&g);
     for (int i = 0; i < g.declared; i++)
         if (g.result[i].measured.verdict != VERDICT_PASS)
@@ -271,7 +272,7 @@ static void a_failure_can_be_typed(void **state) {
             continue;
         }
         gates_command(&row->gate, &program, command, sizeof command);
-        assert_non_null(strstr(command, "--solve cell mean 0.25 '\\''arithmetic'\\'' {case}"));
+        assert_has(command, "--solve cell mean 0.25 '\\''arithmetic'\\'' {case}");
         for (char *c; (c = strstr(command, "'\\''"));) memmove(c, c + 4, strlen(c + 4) + 1); /* as a shell reads it */
         if (arguments_parse_line(command, &r, &why)) fail_msg("%s: %s", command, why.text);
         ladder_run(&r.experiment, &r.rungs, l, &why);
@@ -291,7 +292,7 @@ static void every_row_says_what_it_sees(void **state) {
         if (arguments_parse_line_with(row->gate.command, more, &r, &why)) fail_msg("%s: %s", row->gate.id, why.text);
         arguments_free(&r);
         assert_non_null(measures_find(row->gate.measure, &m));
-        assert_true(row->gate.lo < row->gate.hi);
+        assert_order(row->gate.lo, <, row->gate.hi);
         assert_int_equal(strncmp(row->gate.why, "sees ", 5), 0);
         for (const struct battery_row *other = battery_table; other < row; other++)
             if (other->order == row->order && strcmp(other->gate.id, row->gate.id) == 0)

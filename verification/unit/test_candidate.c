@@ -77,7 +77,7 @@ static void a_damped_start_counts_in_the_saving(void **state) {
     for (int i = 0; i < 2; i++) {
         struct result r = run(lines[i]);
         double quarter = (double)r.particles / 4;
-        assert_true((double)r.updates > quarter * (double)r.steps * r.stages);
+        assert_order((double)r.updates, >, quarter * (double)r.steps * r.stages);
         euler[i] = r.saving * (double)r.updates / quarter;
     }
     assert_near(euler[0] / euler[1], 1, 1e-12);
@@ -102,15 +102,16 @@ static void costs_are_predicted(void **state) {
             assert_int_equal(candidate_predict(c, &r.experiment, n, &cost, &why), status);
             if (status) continue;
             assert_near(cost.work, result.work, 0);
-            assert_true(cost.bytes >= (double)result.bytes);
-            assert_true(cost.rounding < result.rounding && cost.rounding > 0);
+            assert_order(cost.bytes, >=, (double)result.bytes);
+            assert_order(cost.rounding, <, result.rounding);
+            assert_order(cost.rounding, >, 0);
             if (c->steps > 0) assert_int_equal(result.steps, 13);
             if (c->options.stepper == STEPPER_CHEBYSHEV) assert_int_equal(result.steps, 1);
             compared++;
         }
         arguments_free(&r);
     }
-    assert_true(compared > 20);
+    assert_order(compared, >, 20);
 }
 
 /* What else a candidate may do once outweighs the one stencil of a lattice. */
@@ -123,7 +124,9 @@ static void searches_and_rows_cost_more_than_a_stencil(void **state) {
                       "--set t_end=1e-9")
                       .work;
     double exact = run("run square-step so_ssph --dx 0.1 --stepper exact --set t_end=1e-9").work;
-    assert_true(searched > 1.2 * once && rows > 5 * once && exact > 2 * once);
+    assert_order(searched, >, 1.2 * once);
+    assert_order(rows, >, 5 * once);
+    assert_order(exact, >, 2 * once);
 }
 
 static void a_median_is_no_mean(void **state) {
@@ -174,12 +177,13 @@ static void what_takes_too_long_is_left_out(void **state) {
         assert_true(outcome == cases[i].outcome || strcmp(outcome, cases[i].outcome) == 0);
         if (outcome) {
             assert_int_equal(b.count, 1);
-            assert_non_null(strstr(b.row[0].result.failure.text, "s that are left"));
+            assert_has(b.row[0].result.failure.text, "s that are left");
             assert_string_equal(b.row[0].result.scene->name, "plate-cooling");
             assert_near(b.seconds, 1, 0);
         } else {
-            assert_true(b.count > 1);
-            assert_true(b.seconds > 1 && b.work > 1e9);
+            assert_order(b.count, >, 1);
+            assert_order(b.seconds, >, 1);
+            assert_order(b.work, >, 1e9);
         }
         arguments_free(&r);
     }
@@ -199,7 +203,8 @@ static void a_proving_run_is_more_than_its_solve(void **state) {
     double n = 2581.0 * 2581;
     assert_near(cost.work / 5.56e10, 1, 0.01);
     assert_near((cost.proof - cost.whole) / n, 2 * 10000, 1);
-    assert_true(cost.proof > 2e11 && cost.proof < 3.3e11);
+    assert_order(cost.proof, >, 2e11);
+    assert_order(cost.proof, <, 3.3e11);
     arguments_free(&r);
 }
 

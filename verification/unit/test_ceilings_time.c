@@ -43,7 +43,7 @@ static void stiff_modes_fall_however_stiff_they_are(void **state) {
             double z = 1.8 + (end - 1.8) * i / 20000;
             most = fmax(most, cabs(amplification_factor(&a, -z)));
         }
-        assert_true(most < (s == 3 ? 0.771 : s < 9 ? 0.73 : 0.7108));
+        assert_order(most, <, (s == 3 ? 0.771 : s < 9 ? 0.73 : 0.7108));
     }
 }
 
@@ -91,7 +91,7 @@ static void ceilings_are_the_predicted_errors(void **state) {
         arguments_free(&r);
         found++;
     }
-    assert_true(found >= 20);
+    assert_order(found, >=, 20);
 }
 
 int main(void) {

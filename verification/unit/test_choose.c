@@ -30,8 +30,9 @@ static void keeps(const char *line, double error) {
     struct choose *c = xcalloc(1, sizeof *c);
     if (choose(line, error, c, &why)) fail_msg("%s: %s", line, why.text);
     assert_true(c->reached && c->proof.error.l1 <= error);
-    assert_true(c->best.predicted_error <= error);
-    assert_true(c->proof.error.l1 > 0.5 * c->best.predicted_error && c->proof.error.l1 < 2 * c->best.predicted_error);
+    assert_order(c->best.predicted_error, <=, error);
+    assert_order(c->proof.error.l1, >, 0.5 * c->best.predicted_error);
+    assert_order(c->proof.error.l1, <, 2 * c->best.predicted_error);
     assert_near(c->proof.work, c->best.predicted_work, 0); /* told by the plan of that very run */
     for (int i = 1; i < c->count; i++) assert_true(!(c->one[i].predicted_work < c->one[0].predicted_work));
     free(c);
@@ -61,7 +62,7 @@ static void a_step_of_polynomials_is_chosen_where_no_transform_is(void **state) 
     assert_int_equal(c->best.candidate->options.stepper, STEPPER_CHEBYSHEV);
     assert_int_equal(c->proofs, 1);
     assert_int_equal(c->proof.steps, 1);
-    assert_true(c->proof.work < 2 * 6.9e6);
+    assert_order(c->proof.work, <, 2 * 6.9e6);
     free(c);
 }
 
@@ -99,12 +100,12 @@ static void domains_without_a_lattice_are_told_of_one(void **state) {
     char line[120];
     snprintf(line, sizeof line, "%s0.07071", plate);
     assert_int_equal(choose(line, 1e-2, c, &why), STATUS_INPUT);
-    assert_non_null(strstr(why.text, "0.1 m by 0.0707100591716 m")); /* 239/338 */
+    assert_has(why.text, "0.1 m by 0.0707100591716 m"); /* 239/338 */
     snprintf(line, sizeof line, "%s0.07", plate);
     assert_int_equal(choose(line, 1e-2, c, &why), STATUS_OK);
     assert_int_equal(choose("reference wall-composite --at 0 --time 1 --set x_c=0.41237", 1e-2, c, &why),
                      STATUS_INPUT);
-    assert_non_null(strstr(why.text, "x = 0.412371134021 m")); /* 40/97 */
+    assert_has(why.text, "x = 0.412371134021 m"); /* 40/97 */
     free(c);
 }
 
@@ -122,13 +123,15 @@ static void out_of_reach_one_sees_how_far_one_comes(void **state) {
     const char *lines[] = {"reference plate --at 0.01,0.01 --time 1", "reference rod-contact --at 0 --time 1"};
     for (int i = 0; i < 2; i++) {
         assert_int_equal(choose_within(lines[i], 1e-12, 1e9, c, &why), STATUS_GATE);
-        assert_non_null(strstr(why.text, "the best was"));
+        assert_has(why.text, "the best was");
         double best = c->proof.error.l1, predicted = c->best.predicted_error;
-        assert_true(best > 0.5 * predicted && best < 2 * predicted);
-        assert_true(whole(&c->proof, i) <= 1e9 && whole(&c->proof, i) > 0.2e9);
+        assert_order(best, >, 0.5 * predicted);
+        assert_order(best, <, 2 * predicted);
+        assert_order(whole(&c->proof, i), <=, 1e9);
+        assert_order(whole(&c->proof, i), >, 0.2e9);
         assert_int_equal(choose_within(lines[i], 1.5 * best, 1e9, c, &why), STATUS_OK);
         assert_int_equal(choose_within(lines[i], 0.4 * best, 1e9, c, &why), STATUS_GATE);
-        assert_true(whole(&c->proof, i) <= 1e9);
+        assert_order(whole(&c->proof, i), <=, 1e9);
     }
     free(c);
 }
@@ -139,8 +142,9 @@ static void rounding_is_predicted(void **state) {
     struct failure why;
     struct choose *c = xcalloc(1, sizeof *c);
     assert_int_equal(choose_within("reference rod-step --at 0 --time 1", 1e-15, 1e9, c, &why), STATUS_GATE);
-    assert_non_null(strstr(why.text, "rounding alone leaves"));
-    assert_true(c->rounding > 1e-14 && c->rounding < 1e-12);
+    assert_has(why.text, "rounding alone leaves");
+    assert_order(c->rounding, >, 1e-14);
+    assert_order(c->rounding, <, 1e-12);
     for (int i = 0; i < c->count; i++) assert_true(c->one[i].predicted_work == INFINITY);
     free(c);
 }

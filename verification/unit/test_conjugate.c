@@ -107,8 +107,8 @@ static void conducts_no_more_than_its_moments_say(void **state) {
             double share = conducted(A, n, wave, exact, &rayleigh, &least);
             print_message("%dD jitter %g: conducts %.4f, at first %.4f, <|Gamma e|^2> %.4f\n", dim, jitter[k], share,
                           rayleigh, gamma);
-            assert_true(least > -1e-13);
-            assert_true(share <= rayleigh * (1 + 1e-9));
+            assert_order(least, >, -1e-13);
+            assert_order(share, <=, rayleigh * (1 + 1e-9));
             assert_near(rayleigh / gamma, 1, 0.05);
             if (k == 0) assert_near(share, 1, 0.03);
             free(A);

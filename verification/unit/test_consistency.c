@@ -25,9 +25,10 @@ static void what_lies_behind_the_last_neighbour_is_not_read(void **state) {
         struct failure why;
         double error;
         if (arguments_parse_line(lines[k], &r, &why)) fail_msg("%s", why.text);
-        assert_true(isnan(spoil()));
+        assert_nan(spoil());
         assert_int_equal(consistency_error(&r.experiment, &error, &why), STATUS_OK);
-        assert_true(error > 0 && error < 0.1); /* of second order: dx^2 b^4 over 12 and more, b = 1.1 m^-1 */
+        assert_order(error, >, 0);
+        assert_order(error, <, 0.1); /* of second order: dx^2 b^4 over 12 and more, b = 1.1 m^-1 */
         arguments_free(&r);
     }
 }

@@ -118,7 +118,7 @@ static void weights_are_not_negative(void **state) {
     assert_int_equal(nonnegative_weights(4, 2, P, W, b, w), 1);
     double sum[2] = {0};
     for (int j = 0; j < 4; j++) {
-        assert_true(w[j] >= 0);
+        assert_order(w[j], >=, 0);
         for (int k = 0; k < 2; k++) sum[k] += w[j] * P[j][k];
     }
     assert_near(sum[0], 0, 1e-14);

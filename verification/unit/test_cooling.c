@@ -41,7 +41,8 @@ static void no_root_is_missed(void **state) {
         for (int insulated = 0; insulated < 2; insulated++)
             for (int n = 1; n <= 60; n++) {
                 double z = roots_cooled(n, insulated, biot), hi = (n - insulated * 0.5) * M_PI, size = hypot(z, biot);
-                assert_true(z >= (hi - M_PI / 2) * (1 - 2 * DBL_EPSILON) && z <= hi * (1 + DBL_EPSILON));
+                assert_order(z, >=, (hi - M_PI / 2) * (1 - 2 * DBL_EPSILON));
+                assert_order(z, <=, hi * (1 + DBL_EPSILON));
                 double residual = insulated ? z * sin(z) - biot * cos(z) : z * cos(z) + biot * sin(z);
                 assert_near(residual / size, 0, 4 * DBL_EPSILON * (z + z / size));
             }
@@ -189,7 +190,7 @@ static void nafems_t4(void **state) {
     assert_int_equal(s->setup(&p, &why), STATUS_OK);
     assert_near(s->exact(&p, x, 2.5e5).temperature, 18.25, 0.005);
     assert_near(s->exact(&p, x, 2.5e5).temperature, s->exact(&p, x, 1e9).temperature, 1e-12);
-    assert_true(s->exact(&p, x, 6000).temperature < 17);
+    assert_order(s->exact(&p, x, 6000).temperature, <, 17);
 }
 
 static struct surface surface_at(const struct cooled_plate *c, const double x[2]) {
@@ -251,7 +252,8 @@ static void the_series_knows_its_limit(void **state) {
         if (isfinite(U.error)) assert_near(U.value, T.at.value, U.error + T.at.error);
         bounded += U.error < 1e-8, unbounded += isinf(U.error);
     }
-    assert_true(bounded >= 5 && unbounded >= 5);
+    assert_order(bounded, >=, 5);
+    assert_order(unbounded, >=, 5);
 }
 
 /* On the hot side the gradient is the limit of that beside it; in the corner it grows without bound, and says so. */

@@ -40,8 +40,8 @@ static void stages_are_the_fewest_that_are_stable(void **state) {
     for (double z = 0.01; z < 1e6; z *= 1.37) {
         int s = rkl2_stages(z / 7.3, 7.3);
         assert_true(s >= 3 && s % 2 == 1);
-        assert_true(z <= (s * s + s - 2) / 2.0 * (1 + 1e-8));
-        if (s > 3) assert_true(z > ((s - 2) * (s - 2) + (s - 2) - 2) / 2.0);
+        assert_order(z, <=, (s * s + s - 2) / 2.0 * (1 + 1e-8));
+        if (s > 3) assert_order(z, >, ((s - 2) * (s - 2) + (s - 2) - 2) / 2.0);
     }
 }
 
@@ -61,8 +61,9 @@ static void a_damped_start_takes_what_its_parts_need(void **state) {
     for (double z = 0.01; z < 1e6; z *= 1.37) {
         int s[2];
         rkl2_start(z / 7.3, 7.3, s);
-        assert_true(s[0] >= 2 && z <= 4.0 / 3 * (s[0] * (s[0] + 5) - 6) * (1 + 1e-8));
-        if (s[0] > 2) assert_true(z > 4.0 / 3 * ((s[0] - 1) * (s[0] + 4) - 6));
+        assert_order(s[0], >=, 2);
+        assert_order(z, <=, 4.0 / 3 * (s[0] * (s[0] + 5) - 6) * (1 + 1e-8));
+        if (s[0] > 2) assert_order(z, >, 4.0 / 3 * ((s[0] - 1) * (s[0] + 4) - 6));
         assert_int_equal(s[1], rkl2_stages(z / 2, 1));
     }
     struct result r = result_of("run rod-step so_ssph --dx 0.02 --stepper rkl2 --dt 0.5 --domain whole");
@@ -70,7 +71,9 @@ static void a_damped_start_takes_what_its_parts_need(void **state) {
     int least[2], most[2], s = r.stages;
     rkl2_start(1, ((s - 2) * (s - 1) - 2) / 2.0, least);
     rkl2_start(1, (s * (s + 1) - 2) / 2.0, most);
-    assert_true(s > 3 && first >= 2 * least[0] + least[1] && first <= 2 * most[0] + most[1]);
+    assert_order(s, >, 3);
+    assert_order(first, >=, 2 * least[0] + least[1]);
+    assert_order(first, <=, 2 * most[0] + most[1]);
 }
 
 /* n particles do 8 n updates between two waits. */

@@ -157,7 +157,7 @@ static void values_for_means_are_named(void **state) {
     }
     diagnosis_find(&p, &r[0].at, &r[1].at, &d);
     print_message("%s\n", d.what);
-    assert_non_null(strstr(d.what, "values at the points"));
+    assert_has(d.what, "values at the points");
     for (int i = 0; i < 2; i++) field_free(&r[i].field), free(r[i].exact);
 }
 
@@ -183,7 +183,7 @@ static void runs_that_differ_are_named(void **state) {
     (void)state;
     struct diagnosis d;
     assert_int_equal(diagnosis_repeat(1.1e-9, 1, &d), 1);
-    assert_non_null(strstr(d.what, "answers differ by 1.1e-09 K from run to run"));
+    assert_has(d.what, "answers differ by 1.1e-09 K from run to run");
     assert_int_equal(diagnosis_repeat(0.9e-9, 1, &d), 0);
     assert_int_equal(diagnosis_repeat(1.1e-9, 2, &d), 0);
 }
@@ -200,7 +200,7 @@ static void a_conductivity_is_no_end_time(void **state) {
     }
     diagnosis_find(&p, &r[0].at, &r[1].at, &d);
     print_message("%s\n", d.what);
-    assert_non_null(strstr(d.what, "as if the conductivity were"));
+    assert_has(d.what, "as if the conductivity were");
     for (int i = 0; i < 2; i++) field_free(&r[i].field), free(r[i].exact);
 }
 
@@ -251,7 +251,7 @@ static void a_start_tells_what_numbers_are(void **state) {
         assert_true(found.named && found.fault.kind == FAULT_CLOCK);
         assert_near(found.size, steps[i], 0.02);
         for (size_t k = 0; k < start.field.n; k++) start.field.T[k] += 0.01 * sin(0.3 * (double)k);
-        assert_true(isnan(diagnosis_mean(&early, &start.at))); /* something else */
+        assert_nan(diagnosis_mean(&early, &start.at)); /* something else */
         field_free(&start.field), free(start.exact);
         for (int k = 0; k < 2; k++) field_free(&r[k].field), free(r[k].exact);
     }
@@ -260,7 +260,7 @@ static void a_start_tells_what_numbers_are(void **state) {
         struct problem made = problem_of(neither[i]);
         struct rung start;
         solve(neither[i], &made, (struct fault){FAULT_CLOCK, 0}, 0, i ? 0.005 : 0.05, &start);
-        assert_true(isnan(diagnosis_mean(&made, &start.at)));
+        assert_nan(diagnosis_mean(&made, &start.at));
         field_free(&start.field), free(start.exact);
     }
 }
@@ -351,7 +351,7 @@ static void a_clock_may_follow_the_spacing(void **state) {
     }
     diagnosis_find(&p, &r[0].at, &r[1].at, &d);
     print_message("%s\n", d.what);
-    assert_non_null(strstr(d.what, "dx^2/kappa early: one step, if steps are of that length"));
+    assert_has(d.what, "dx^2/kappa early: one step, if steps are of that length");
     assert_near(d.size, -0.2, 0.04);
     for (int i = 0; i < 2; i++) field_free(&r[i].field), free(r[i].exact);
 }

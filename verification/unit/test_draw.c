@@ -44,7 +44,8 @@ static void draws_lie_within_their_ranges(void **state) {
             const struct mapping *m = &r.experiment.program.map;
             assert_true(mapping_same(m, &again.experiment.program.map));
             assert_int_equal(m->axes, r.experiment.problem.dim);
-            assert_true(m->scale >= 0.5 && m->scale <= 2);
+            assert_order(m->scale, >=, 0.5);
+            assert_order(m->scale, <=, 2);
             char name[32];
             double lo, hi;
             int used;
@@ -83,7 +84,7 @@ static void all_images_are_drawn(void **state) {
         }
     }
     assert_true(seen[0][0] && seen[0][1]);
-    for (int i = 0; i < 8; i++) assert_true(seen[1][i] > 0);
+    for (int i = 0; i < 8; i++) assert_order(seen[1][i], >, 0);
     assert_true(source && changing);
     for (unsigned long seed = 1; seed <= 20; seed++) {
         struct request r[2];
@@ -122,7 +123,7 @@ static void bounds_are_those_that_are_written(void **state) {
         rows++;
     }
     assert_int_equal(wrong, 0);
-    assert_true(rows >= 25);
+    assert_order(rows, >=, 25);
 }
 
 /* A contact in the plane is across x in one of two rows and across y in the other. */
@@ -150,7 +151,7 @@ static void ranges_that_are_none_are_refused(void **state) {
         struct failure why = {0};
         struct draw d = {"run rod-step mine --dx 0.05", wrong[i], AS_WRITTEN, "error"};
         assert_int_equal(draw_command(&d, 1, command, &why), STATUS_INPUT);
-        assert_non_null(strstr(why.text, "NAME=LO:HI is wanted"));
+        assert_has(why.text, "NAME=LO:HI is wanted");
     }
 }
 

@@ -64,7 +64,7 @@ static void the_order_lasts(void **state) {
     assert_int_equal(command_run_line(&coarse, "run rod-gauss so_ssph --dx 0.02"), STATUS_OK);
     assert_int_equal(command_run_line(&fine, "run rod-gauss so_ssph --dx 0.0005"), STATUS_OK);
     const struct result *f = &fine.result;
-    assert_true(f->rounding < 1e-3 * f->error.l1);
+    assert_order(f->rounding, <, 1e-3 * f->error.l1);
     assert_near(1600 * f->error.l1 / coarse.result.error.l1, 1, 1e-4 + f->rounding / f->error.l1);
     command_run_free(&coarse);
     command_run_free(&fine);

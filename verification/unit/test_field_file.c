@@ -77,7 +77,9 @@ static void weights_and_what_it_took(void **state) {
     assert_near(s.steps, 12, 0);
     samples_free(&s);
     assert_int_equal(read_as("# seconds = inf\n# steps = -3\n# updates = 0x10\nx,T\n1.5,2\n", 1, NULL, &s, &why), 0);
-    assert_true(isnan(s.seconds) && isnan(s.steps) && isnan(s.updates));
+    assert_nan(s.seconds);
+    assert_nan(s.steps);
+    assert_nan(s.updates);
     samples_free(&s);
     assert_int_equal(read_as("x,T,vol\n1.5,2,0.25\n", 1, "w=vol", &s, &why), 0);
     assert_near(s.value[COLUMN_W][0], 0.25, 0);
@@ -135,7 +137,7 @@ static void what_is_no_answer(void **state) {
     struct samples s;
     struct failure why;
     assert_int_equal(field_file_samples(path, path, 1, &(struct column_map){0}, &s, &why), STATUS_INPUT);
-    assert_non_null(strstr(why.text, "line 2: a NUL byte"));
+    assert_has(why.text, "line 2: a NUL byte");
 }
 
 /* The square [-2, 2]^2 of square-step, or the rod of rod-step, with n by n points that the caller moves. */

@@ -21,7 +21,7 @@ static void a_plates_bound_holds_the_rounding_of_its_start(void **state) {
         fail_msg("%s", why.text);
     for (double t = 0.1; t < 2000; t *= 10) {
         struct exact e = r.experiment.scene->exact(&r.experiment.problem, (double[2]){0.03, 0.07}, t);
-        assert_true(e.error_bound >= 2 * DBL_EPSILON * 1e6);
+        assert_order(e.error_bound, >=, 2 * DBL_EPSILON * 1e6);
     }
     arguments_free(&r);
 }
@@ -35,7 +35,7 @@ static void sums_of_a_robin_wall_round_with_their_length(void **state) {
     struct failure why;
     if (arguments_parse_line("run rod-cooling so_ssph --dx 1/400", &r, &why)) fail_msg("%s", why.text);
     assert_int_equal(run_experiment(&r.experiment, &result, &f), STATUS_OK);
-    assert_true(result.rounding > 6.8 * DBL_EPSILON * (double)f.n);
+    assert_order(result.rounding, >, 6.8 * DBL_EPSILON * (double)f.n);
     field_free(&f);
     arguments_free(&r);
 }

@@ -51,7 +51,7 @@ static void what_cannot_be_counted_is_refused(void **state) {
     const char *line = "run wall-composite brookshaw --dx 2.58301e-08 --stepper chebyshev --domain whole";
     assert_int_equal(arguments_parse_line(line, &r, &why), STATUS_OK);
     assert_int_equal(forewarn_run("it", &r.experiment, &why), STATUS_INPUT);
-    assert_non_null(strstr(why.text, "more interactions than can be counted"));
+    assert_has(why.text, "more interactions than can be counted");
     arguments_free(&r);
     assert_int_equal(arguments_parse_line("run rod-step so_ssph --dx 0.05", &r, &why), STATUS_OK);
     assert_int_equal(forewarn_run("it", &r.experiment, &why), STATUS_OK);
@@ -79,7 +79,7 @@ static void what_memory_does_not_hold_is_refused(void **state) {
     check_memory("run square-step so_ssph --dx 4/64 --layout jitter --jitter 0.1 --memory 0.001", "--dx 0.1 fits");
     check_memory("run rod-step so_ssph --dx 4/252", NULL);
     check_memory("run square-step so_ssph --dx 4/20000 --layout jitter --jitter 0.2 --memory 24", "GB allows more");
-    assert_true(memory_there() > 1e6);
+    assert_order(memory_there(), >, 1e6);
 }
 
 /* Of Euler steps the operations rise as 1/dx^3 on a rod. */
@@ -87,7 +87,7 @@ static void it_grows_with_the_work(void **state) {
     (void)state;
     double coarse = seconds_of("run rod-step ftcs --dx 4/4000 --fourier 0.02"),
            fine = seconds_of("run rod-step ftcs --dx 4/8000 --fourier 0.02");
-    assert_true(coarse > 0);
+    assert_order(coarse, >, 0);
     assert_near(fine / coarse, 8, 0.4);
 }
 

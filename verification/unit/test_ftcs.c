@@ -26,10 +26,11 @@ static void decays_as_its_symbol(const struct method *m, struct problem *p, enum
     assert_int_equal(f.steps, 217);
     assert_near(f.dt, dt, 1e-17);
     assert_near(mode_error(p, &f, pow(gain, 217)), 0, 5e-13);
-    assert_true(pow(gain, 217) < 0.95 && pow(gain, 217) > 0.001);
+    assert_order(pow(gain, 217), <, 0.95);
+    assert_order(pow(gain, 217), >, 0.001);
     assert_int_equal(f.updates, 217 * (long long)f.n);
     assert_int_equal(f.interactions, f.updates * p->dim * (m == &method_ftcs ? 2 : 4));
-    assert_true(f.bytes <= 8 * (3 * f.n + 30 * (size_t)(f.shape[0] + f.shape[1])));
+    assert_order(f.bytes, <=, 8 * (3 * f.n + 30 * (size_t)(f.shape[0] + f.shape[1])));
     field_free(&f);
 }
 
@@ -59,7 +60,7 @@ static void test_fluxes_are_blind_to_the_checkerboard(void **state) {
     assert_near(mode_error(&p, &f, 1), 0, 1e-12);
     field_free(&f);
     f = solved(&method_ftcs, &p, &o);
-    assert_true(mode_error(&p, &f, 0) < 1e-3);
+    assert_order(mode_error(&p, &f, 0), <, 1e-3);
     field_free(&f);
 }
 
@@ -87,7 +88,7 @@ static void test_linear_profile_stays(void **state) {
         struct options o = {.dx = 0.046, .fourier = 0.2, .layout = turn & 2 ? LAYOUT_NODE : LAYOUT_LATTICE};
         o.sampling = turn & 1 ? SAMPLING_SPLINE : SAMPLING_CELL; /* both keep a linear profile, walls included */
         struct field f = solved(both[turn >> 2], &p, &o);
-        assert_true(f.steps > 50);
+        assert_order(f.steps, >, 50);
         for (size_t i = 0; i < f.n; i++) assert_near(f.T[i], line(&p, (double[2]){f.x[i], f.y[i]}), 1e-12);
         field_free(&f);
     }
@@ -246,7 +247,7 @@ static void test_a_cooled_side_is_refused_on_nodes(void **state) {
             struct field f;
             p.side[side] = ROBIN, p.robin[side] = 0.31;
             assert_int_equal(method_solve(&method_ftcs, &p, &o, &f, &why), STATUS_NOT_APPLICABLE);
-            assert_non_null(strstr(why.text, "a Robin wall is midway between a point and its ghost"));
+            assert_has(why.text, "a Robin wall is midway between a point and its ghost");
         }
 }
 
@@ -260,7 +261,7 @@ static void test_matched_is_fourth_order(void **state) {
     assert_near(order_between(&method_ftcs, SAMPLING_SPLINE, 0, &matched), 4, 0.07);
     assert_near(order_between(&method_ftcs_flux, SAMPLING_POINT, 0, &matched), 4, 0.02);
     assert_near(order_between(&method_ftcs, SAMPLING_POINT, 0.31, &plain), 2, 0.1);
-    assert_true(plain > 50 * matched);
+    assert_order(plain, >, 50 * matched);
 }
 
 int main(void) {

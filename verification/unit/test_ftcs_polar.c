@@ -131,9 +131,9 @@ static void steps_up_to_a_half(void **state) {
             after += f.weight[i] * pow(f.T[i] - g.T[i], 2);
         }
         if (over)
-            assert_true(after > before / 100);
+            assert_order(after, >, before / 100);
         else
-            assert_true(after < before / 100);
+            assert_order(after, <, before / 100);
         field_free(&f);
         field_free(&g);
     }

@@ -36,7 +36,9 @@ static void a_true_gate_passes(void **state) {
     (void)state;
     struct measured m = judge("slope", LADDER, 1.9, 2.1, 1e-3);
     if (m.verdict != VERDICT_PASS) fail_msg("%s", m.reason);
-    assert_true(m.ci[0] < m.value && m.value < m.ci[1] && m.error > 0);
+    assert_order(m.ci[0], <, m.value);
+    assert_order(m.value, <, m.ci[1]);
+    assert_order(m.error, >, 0);
     m = judge("error", "run rod-gauss ftcs --dx 0.5", 0, 1e-3, NAN);
     if (m.verdict != VERDICT_PASS) fail_msg("%s", m.reason);
 }
@@ -62,7 +64,7 @@ static void three_rungs_do_not_pass(void **state) {
     (void)state;
     struct measured m = judge("slope", "ladder rod-gauss ftcs --dx 0.5,0.25,0.125", 1.9, 2.1, 1e-3);
     assert_int_equal(m.verdict, VERDICT_INCONCLUSIVE);
-    assert_non_null(strstr(m.reason, "at least 4"));
+    assert_has(m.reason, "at least 4");
 }
 
 static void unknown_names_fail(void **state) {
@@ -126,9 +128,11 @@ static double worst_factor(void) {
 static void measures_measure(void **state) {
     (void)state;
     struct measured m = judge("operator_slope", "ladder rod-gauss so_ssph --dx 0.4,0.2,0.1,0.05", 1.9, 2.1, 1);
-    assert_true(m.ci[0] < m.value && m.value < m.ci[1]);
+    assert_order(m.ci[0], <, m.value);
+    assert_order(m.value, <, m.ci[1]);
     m = judge("stepper_factor", "limit so_ssph --dim 1 --stepper rkl2 --stages 9", 0, 1e-12, NAN);
-    assert_true(m.value > 0 && m.value < 1e-12);
+    assert_order(m.value, >, 0);
+    assert_order(m.value, <, 1e-12);
     assert_near(m.value, worst_factor(), 1e-3 * m.value);
     double wave[2];
     const char *const line[] = {"run rod-step ftcs --dx 0.1 --t-end 0.02", "run rod-step ftcs --dx 0.1 --t-end 0.2"};
@@ -142,7 +146,7 @@ static void measures_measure(void **state) {
         arguments_free(&r);
     }
     m = judge("checkerboard_kept", line[1], 0, 1, NAN);
-    assert_true(fabs(wave[1] / wave[0] - 1) > 0.1);
+    assert_order(fabs(wave[1] / wave[0] - 1), >, 0.1);
     assert_near(m.value, wave[1] / wave[0], 1e-12);
 }
 
@@ -200,14 +204,14 @@ static void junit_tells_each_verdict(void **state) {
     text[fread(text, 1, sizeof text - 1, in)] = '\0';
     fclose(in);
     unlink(path);
-    assert_non_null(strstr(text, "<testcase classname=\"heatladder.reference\" name=\"reference/rod-step\""));
-    assert_non_null(strstr(text, "<property name=\"diagnosis\" value=\"as if 1 &gt; 0"));
-    assert_non_null(strstr(text, "<testsuite name=\"reference\" tests="));
-    assert_null(strstr(text, "interrupted"));
-    assert_non_null(strstr(text, "failures=\"0\" errors=\"1\" skipped=\"0\" time=\"1.750\""));
-    assert_non_null(strstr(text, " time=\"1.250\""));
-    assert_non_null(strstr(text, " time=\"0.500\""));
-    assert_non_null(strstr(text, "<error message=\"3 rungs &lt; 4 &amp; more; diagnosis: as if 1 &gt; 0\">"));
+    assert_has(text, "<testcase classname=\"heatladder.reference\" name=\"reference/rod-step\"");
+    assert_has(text, "<property name=\"diagnosis\" value=\"as if 1 &gt; 0");
+    assert_has(text, "<testsuite name=\"reference\" tests=");
+    assert_lacks(text, "interrupted");
+    assert_has(text, "failures=\"0\" errors=\"1\" skipped=\"0\" time=\"1.750\"");
+    assert_has(text, " time=\"1.250\"");
+    assert_has(text, " time=\"0.500\"");
+    assert_has(text, "<error message=\"3 rungs &lt; 4 &amp; more; diagnosis: as if 1 &gt; 0\">");
     gates_free(&g);
 }
 
@@ -230,10 +234,10 @@ static void junit_has_groups_and_interrupts(void **state) {
     text[fread(text, 1, sizeof text - 1, in)] = '\0';
     fclose(in);
     unlink(path);
-    assert_non_null(strstr(text, "<testsuite name=\"b\" tests=\"2\" failures=\"0\" errors=\"0\""));
-    assert_non_null(strstr(text, "<testsuite name=\"a\" tests=\"1\""));
-    assert_null(strstr(text, "b/2"));
-    assert_non_null(strstr(text, "<error message=\"interrupted by signal 15: 3 of 4 rows were judged\"/>"));
+    assert_has(text, "<testsuite name=\"b\" tests=\"2\" failures=\"0\" errors=\"0\"");
+    assert_has(text, "<testsuite name=\"a\" tests=\"1\"");
+    assert_lacks(text, "b/2");
+    assert_has(text, "<error message=\"interrupted by signal 15: 3 of 4 rows were judged\"/>");
 }
 
 static void those_that_do_not_hold_are_diagnosed(void **state) {

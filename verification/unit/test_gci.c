@@ -66,15 +66,15 @@ static void there_is_no_order_where_changes_do_not_fall(void **state) {
     (void)state;
     int oscillates;
     double least = log(2) / log(1.3);
-    assert_true(isnan(gci_order(1, least * (1 - 1e-9), 1.3, 2, &oscillates)));
-    assert_true(isnan(gci_order(1, 0.3, 1.3, 2, &oscillates)));
+    assert_nan(gci_order(1, least * (1 - 1e-9), 1.3, 2, &oscillates));
+    assert_nan(gci_order(1, 0.3, 1.3, 2, &oscillates));
     assert_in_range(1e12 * gci_order(1, least * (1 + 1e-9), 1.3, 2, &oscillates), 1, 10000);
-    assert_true(isnan(gci_order(1, -0.999, 1.3, 2, &oscillates)));
+    assert_nan(gci_order(1, -0.999, 1.3, 2, &oscillates));
     assert_int_equal(oscillates, 1);
     assert_in_range(1e6 * gci_order(1, -1.001, 1.3, 2, &oscillates), 1000, 10000);
-    assert_true(isnan(gci_order(0, 1, 1.3, 2, &oscillates)));
-    assert_true(isnan(gci_order(1, 0, 1.3, 2, &oscillates)));
-    assert_true(isnan(gci_order(1, NAN, 1.3, 2, &oscillates)));
+    assert_nan(gci_order(0, 1, 1.3, 2, &oscillates));
+    assert_nan(gci_order(1, 0, 1.3, 2, &oscillates));
+    assert_nan(gci_order(1, NAN, 1.3, 2, &oscillates));
     assert_true(isfinite(gci_order(1, 1e300, 1.3, 1.01, &oscillates))); /* an order of 69000: no power overflows */
 }
 
@@ -137,7 +137,7 @@ static void a_line_of_quantities(void **state) {
     json_of(&g, text, sizeof text);
     const char *orders = strstr(text, "\"orders\""); /* of three grids one */
     assert_non_null(orders);
-    assert_true(strcspn(orders, "]") < strcspn(orders, ","));
+    assert_order(strcspn(orders, "]"), <, strcspn(orders, ","));
 }
 
 static double smooth(double x, double y, double h) {
@@ -178,11 +178,11 @@ static void what_is_missing_is_named(void **state) {
     fclose(answer("two", 0.5));
     fclose(answer("two", 0.25));
     assert_int_equal(read_sub("two", &(struct numbers){0}, &g, &why), STATUS_INPUT);
-    assert_non_null(strstr(why.text, "2 spacings; without an exact solution three are needed"));
+    assert_has(why.text, "2 spacings; without an exact solution three are needed");
     assert_int_equal(read_sub("none", &(struct numbers){0}, &g, &why), STATUS_INPUT);
     fclose(answer("two", 0.125));
     assert_int_equal(read_sub("two", &(struct numbers){0}, &g, &why), STATUS_INPUT);
-    assert_non_null(strstr(why.text, "empty"));
+    assert_has(why.text, "empty");
 }
 
 int main(void) {

@@ -48,7 +48,7 @@ static void rates_are_those_of_eigenvalues(void **state) {
         compare(&method_so_ssph, 0.1, seed, &growing);
         compare(&method_fo_ssph, 0.3, seed, &growing);
     }
-    assert_true(growing >= 3);
+    assert_order(growing, >=, 3);
 }
 
 static int run(const char *line, struct result *result) {
@@ -73,7 +73,7 @@ static void a_run_with_a_growing_mode_says_so(void **state) {
         STATUS_OK);
     assert_true(result_grows(&r));
     assert_int_equal(run("run rod-gauss so_ssph --dx 0.5", &r), STATUS_OK);
-    assert_true(isnan(r.growth));
+    assert_nan(r.growth);
 }
 
 static void a_start_stays_within_its_data(void **state) {
@@ -84,7 +84,8 @@ static void a_start_stays_within_its_data(void **state) {
             "2/80",
             &r),
         STATUS_OK);
-    assert_true(r.shape.max <= 1.1 && r.shape.min >= -0.1);
+    assert_order(r.shape.max, <=, 1.1);
+    assert_order(r.shape.min, >=, -0.1);
 }
 
 int main(void) {

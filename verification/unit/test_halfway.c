@@ -72,7 +72,7 @@ static void off_a_lattice_nothing_is_known(void **state) {
     struct field f;
     sample(&r.experiment, 20, 1, 0, &f);
     f.shape[0] = f.shape[1] = 0;
-    assert_true(isnan(halfway_error(r.experiment.scene, &r.experiment.problem, &f)));
+    assert_nan(halfway_error(r.experiment.scene, &r.experiment.problem, &f));
     field_free(&f);
     arguments_free(&r);
 }
@@ -92,7 +92,8 @@ static void a_proof_holds_between_the_particles(void **state) {
         if (choose_run(&r.experiment, 1e-5, choose_work_max, c, &why)) fail_msg("%s: %s", lines[k], why.text);
         assert_int_equal(candidate_prove(c->best.candidate, &r.experiment, c->best.wanted, &proof, &between),
                          STATUS_OK);
-        assert_true(between <= 1e-5 && proof.error.l1 <= 1e-5);
+        assert_order(between, <=, 1e-5);
+        assert_order(proof.error.l1, <=, 1e-5);
         assert_near(between, c->between, 0);
         assert_true(k == 2 || proof.particles > 40);
         arguments_free(&r);

@@ -59,7 +59,7 @@ static void a_point_of_a_rod(void **state) {
     assert_int_equal(check("rod-cosine", 20, &why), STATUS_OK);                                /* no lattice */
     for (int i = 0; i < 20; i++) at_x[i] = i < 10 ? 0.025 + 0.025 * i : 0.3 + 0.05 * (i - 10); /* fine, then coarse */
     assert_int_equal(check("rod-cosine", 18, &why), STATUS_INPUT);
-    assert_non_null(strstr(why.text, "x = 0.7"));
+    assert_has(why.text, "x = 0.7");
 }
 
 /* rod-contact from -1 to 1 m, layers that meet at 0 without a point there. */
@@ -81,16 +81,16 @@ static void a_point_of_a_plane(void **state) {
     assert_int_equal(check("rect-manufactured", lattice(first, step, n, -1), &why), STATUS_OK);
     for (int skip = 0; skip < 280; skip += 7) {
         assert_int_equal(check("rect-manufactured", lattice(first, step, n, skip), &why), STATUS_INPUT);
-        assert_non_null(strstr(why.text, "out.csv: 1 point is missing from 20 columns by 14 rows, at x = "));
+        assert_has(why.text, "out.csv: 1 point is missing from 20 columns by 14 rows, at x = ");
     }
     assert_int_equal(check("rect-manufactured", lattice(first, step, n, 7 * 20 + 3), &why), STATUS_INPUT);
-    assert_non_null(strstr(why.text, "at x = 0.175, y = 0.375 m"));
+    assert_has(why.text, "at x = 0.175, y = 0.375 m");
     size_t m = lattice(node, step, nodes, 0);
     assert_int_equal(check("rect-manufactured", m, &why), STATUS_OK); /* a corner */
     assert_int_equal(check("rect-manufactured", m - 2, &why), STATUS_INPUT);
-    assert_non_null(strstr(why.text, "1 point is missing"));
+    assert_has(why.text, "1 point is missing");
     assert_int_equal(check("rect-manufactured", lattice(first, step, rows, -1), &why), STATUS_INPUT);
-    assert_non_null(strstr(why.text, "missing at y = 0.675 m"));
+    assert_has(why.text, "missing at y = 0.675 m");
     m = lattice(node, step, nodes, -1);
     for (size_t i = 0; i < m; i++) at_x[i] += 0.01 * sin((double)i); /* a cloud */
     assert_int_equal(check("rect-manufactured", m - 1, &why), STATUS_OK);

@@ -96,7 +96,7 @@ static int end_of(const char *line, const char *dir) {
     char text[400];
     int status;
     pid_t child = fork();
-    assert_true(child >= 0);
+    assert_order(child, >=, 0);
     if (child == 0) {
         struct request r;
         struct failure why;
@@ -151,7 +151,7 @@ static void report_is_whole(void **state) {
     assert_int_equal(interrupted("report", OPEN, 1, SIGINT), 0);
     assert_int_equal(interrupted("report", CLOCK, 2, SIGTERM), 0);
     size_t files = interrupted("report", OPEN, 2, SIGTERM);
-    assert_true(files > 0);
+    assert_order(files, >, 0);
     assert_int_equal(interrupted("report", RENAME, 1, SIGHUP), files);
     clear(whole);
 }
@@ -186,7 +186,7 @@ static void peers_end_too(void **state) {
         char command[100];
         assert_int_equal(pipe(ends), 0);
         pid_t child = fork();
-        assert_true(child >= 0);
+        assert_order(child, >=, 0);
         if (child == 0) {
             struct failure why;
             signal(signals[i], SIG_DFL);

@@ -182,7 +182,7 @@ static void the_fine_slope_by_hand(void **state) {
     l.scattered = 1; /* of 16, 4, 2: log2 4, 2, 1 at 2, 1, 0: 3/2 */
     assert_near(judge_fine_slope(&l), 1.5, 1e-14);
     l.n = 1, l.scattered = 0;
-    assert_true(isnan(judge_fine_slope(&l)));
+    assert_nan(judge_fine_slope(&l));
 }
 
 static void the_floor_by_hand(void **state) {

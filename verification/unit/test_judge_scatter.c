@@ -72,10 +72,10 @@ static void honest_scatter_passes_as_often_as_it_can(void **state) {
         double fine = 2 * ladder[k].s / log(ladder[k].ratio) * sqrt(3.0 / (m * (m + 1.0) * (m + 2)));
         double lost = 2 * gsl_cdf_ugaussian_Q(0.1 / fine) + 0.05;
         assert_near(c.interval, inside, noise(inside));
-        assert_true(c.pass <= inside + noise(inside));
+        assert_order(c.pass, <=, inside + noise(inside));
         if (!(c.pass >= inside - lost - noise(inside)))
             fail_msg("%d rungs: %.3f pass, %.3f are inside, %.3f may be lost", n, c.pass, inside, lost);
-        assert_true(c.recognised > 0.85);
+        assert_order(c.recognised, >, 0.85);
     }
 }
 

@@ -57,9 +57,9 @@ static void zero_past_the_support(void **state) {
 
 static void quartic_is_negative_near_its_edge(void **state) {
     (void)state;
-    assert_true(kernel_value(KERNEL_QUARTIC, 2, 1.9) < 0);
-    assert_true(kernel_slope(KERNEL_QUARTIC, 2, 1.9) > 0);
-    for (double s = 0.05; s < 2; s += 0.05) assert_true(kernel_value(KERNEL_CUBIC, 2, s) > 0);
+    assert_order(kernel_value(KERNEL_QUARTIC, 2, 1.9), <, 0);
+    assert_order(kernel_slope(KERNEL_QUARTIC, 2, 1.9), >, 0);
+    for (double s = 0.05; s < 2; s += 0.05) assert_order(kernel_value(KERNEL_CUBIC, 2, s), >, 0);
 }
 
 int main(void) {

@@ -162,7 +162,8 @@ static void jitter_is_as_wide_as_asked(void **state) {
             sum[a] += moved;
         }
     for (int a = 0; a < 2; a++) {
-        assert_true(most[a] <= amplitude && most[a] > 0.9 * amplitude);
+        assert_order(most[a], <=, amplitude);
+        assert_order(most[a], >, 0.9 * amplitude);
         assert_near(sum[a] / (double)c.n, 0, 5 * amplitude / sqrt(3 * (double)c.n));
     }
     layout_cloud_free(&c);
@@ -197,13 +198,13 @@ static void spacings_that_do_not_divide_are_refused(void **state) {
     struct lattice l;
     struct failure why;
     assert_int_equal(layout_lattice(&p, &o, 1, &l, &why), STATUS_INPUT);
-    assert_non_null(strstr(why.text, "nearest: 0.06 and 0.075"));
+    assert_has(why.text, "nearest: 0.06 and 0.075");
     o.dx = 0.0745; /* 20.1 of them fit, and 20 cells do divide: only 0.075 is of 20 */
     assert_int_equal(layout_lattice(&p, &o, 1, &l, &why), STATUS_INPUT);
-    assert_non_null(strstr(why.text, "nearest: 0.06 and 0.075"));
+    assert_has(why.text, "nearest: 0.06 and 0.075");
     o.dx = 1e-12;
     assert_int_equal(layout_lattice(&p, &o, 1, &l, &why), STATUS_INPUT);
-    assert_non_null(strstr(why.text, "--dx 1e-12: 1.5e+12 particles along x, must be below 1e+08"));
+    assert_has(why.text, "--dx 1e-12: 1.5e+12 particles along x, must be below 1e+08");
 }
 
 int main(void) {

@@ -32,7 +32,7 @@ static void has(const char *text, const char *before, const char *name, const ch
     size_t n = (size_t)snprintf(wanted, sizeof wanted, "%s", before);
     for (; *name; name++) n += (size_t)snprintf(wanted + n, sizeof wanted - n, *name == '-' ? "\\-" : "%c", *name);
     snprintf(wanted + n, sizeof wanted - n, "%s", after);
-    if (!strstr(text, wanted)) fail_msg("no '%s'", wanted);
+    assert_has(text, wanted);
 }
 
 static void the_page_is_complete(void **state) {
@@ -80,7 +80,7 @@ static void bash_completes(void **state) {
     if (system("command -v bash >/dev/null 2>&1")) return;
     char *text = written(manual_completion), path[UNIT_PATH], command[UNIT_PATH + 400];
     int file = scratch_file(path, "completion-test");
-    assert_true(file >= 0);
+    assert_order(file, >=, 0);
     FILE *out = fdopen(file, "w");
     fputs(text, out);
     fclose(out);

@@ -151,7 +151,7 @@ static void a_case_has_its_own_axes(void **state) {
             fail_msg("%s = %s, not %s", says[i][0], value, says[i][1]);
     }
     if (case_file_value(text, "oracle", value, sizeof value)) fail();
-    assert_non_null(strstr(value, " --map y,-x --scale 2 --offset -3"));
+    assert_has(value, " --map y,-x --scale 2 --offset -3");
     free(text);
 }
 

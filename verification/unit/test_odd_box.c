@@ -36,7 +36,7 @@ static void stays(const struct method *m, int dim, int sides, struct options o) 
     snprintf(what, sizeof what, "%s, %d-D, sides %d, layout %d, sampling %d, order %d", m->name, dim, sides, o.layout,
              o.sampling, o.order);
     if (method_solve(m, &p, &o, &f, &why)) fail_msg("%s: %s", what, why.text);
-    assert_true(f.n > 18);
+    assert_order(f.n, >, 18);
     for (size_t i = 0; i < f.n; i++) {
         const double x[2] = {f.x[i], f.y ? f.y[i] : 0};
         if (!(fabs(f.T[i] - plane(&p, x)) < 1e-12))
@@ -214,7 +214,8 @@ static void walls_are_hot_where_they_are(void **state) {
                 if (method_solve(all[m], &p, &o, &f, &why))
                     fail_msg("%s, side %d, end %d: %s", all[m]->name, hot_side, hot_end, why.text);
                 for (size_t i = 0; i < f.n; i++) most = fmax(most, f.T[i]);
-                assert_true(most > 0.8 && most < 2.385);
+                assert_order(most, >, 0.8);
+                assert_order(most, <, 2.385);
                 field_free(&f);
             }
 }
@@ -239,7 +240,8 @@ static void a_failure_says_where(void **state) {
         for (int a = 0; a < dim; a++) {
             double cells = (x[a] - p.lo[a]) / o.dx - 0.5;
             assert_near(cells, nearbyint(cells), 1e-4);
-            assert_true(p.lo[a] < x[a] && x[a] < p.hi[a]);
+            assert_order(p.lo[a], <, x[a]);
+            assert_order(x[a], <, p.hi[a]);
         }
         assert_near(sum, dt * (0.7 + (dim == 2 ? 0.4 : 0)) / 1.3 / (o.dx * o.dx), 1e-4);
     }

@@ -58,7 +58,7 @@ static void both_or_neither(void **state) {
     output_open(&page[0], "%s/one", dir);
     output_open(&page[1], "%s/nowhere/two", dir);
     assert_int_equal(output_close(page, 2, &why), STATUS_INPUT);
-    assert_non_null(strstr(why.text, "nowhere/two"));
+    assert_has(why.text, "nowhere/two");
     assert_int_equal(rmdir(dir), 0); /* the first one is not there */
 }
 
@@ -71,7 +71,7 @@ static void a_path_too_long_is_refused(void **state) {
     dir[sizeof dir - 1] = '\0';
     output_open(&page, "%s/one", dir);
     assert_int_equal(output_close(&page, 1, &why), STATUS_INPUT);
-    assert_non_null(strstr(why.text, "too long"));
+    assert_has(why.text, "too long");
     assert_int_equal(output_directory(dir, "one", &why), STATUS_INPUT);
     assert_int_equal(output_directory("/nowhere/at/all", "one", &why), STATUS_INPUT);
 }
@@ -83,7 +83,7 @@ static void commands_are_kept(void **state) {
     struct failure why;
     assert_int_equal(command_run_line(&run, "run rod-step so_ssph --dx %s", "0.3"), STATUS_INPUT);
     assert_int_equal(command_run_check(&run, &why), STATUS_INPUT);
-    assert_non_null(strstr(why.text, "heatladder run rod-step so_ssph --dx 0.3: "));
+    assert_has(why.text, "heatladder run rod-step so_ssph --dx 0.3: ");
     command_run_free(&run);
     assert_int_equal(command_run_line(&run, "reference rod-cosine --at 0.31 --time %g", 1.7), STATUS_OK);
     assert_near(run.request.time.value[0], 1.7, 0);

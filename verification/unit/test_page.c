@@ -53,7 +53,7 @@ static void markdown_becomes_html(void **state) {
                         "<tr><td class=\"n\">1.5</td><td>two</td></tr>\n</table></div>\n");
     assert_non_null(
         strstr(markdown("|a|b|c|d|e|f|g|h|i|j|k|\n|---|\n"), "<tr><th class=\"up\">a</th><th class=\"up\">b<"));
-    assert_null(strstr(markdown("|a|b|c|d|e|f|g|h|i|j|\n|---|\n"), "up"));
+    assert_lacks(markdown("|a|b|c|d|e|f|g|h|i|j|\n|---|\n"), "up");
 }
 
 static void images_are_part_of_the_page(void **state) {
@@ -83,9 +83,9 @@ static void charts_hold_their_points(void **state) {
     int circles = 0;
     for (const char *at = text; (at = strstr(at, "<circle")); at++) circles++;
     assert_int_equal(circles, 3); /* two points and the legend's: NaN is left out */
-    assert_non_null(strstr(text, "so &lt;ssph&gt;"));
-    assert_non_null(strstr(text, "slope 2"));
-    assert_null(strstr(text, "nan"));
+    assert_has(text, "so &lt;ssph&gt;");
+    assert_has(text, "slope 2");
+    assert_lacks(text, "nan");
 }
 
 static void gates_are_read_back(void **state) {
@@ -110,7 +110,8 @@ static void gates_are_read_back(void **state) {
     assert_near(g.gate[0].lo, 1.875, 0);
     assert_near(g.gate[0].hi, 2.125, 0);
     assert_near(g.gate[0].error, 3e-4, 0);
-    assert_true(isnan(g.gate[0].ceiling) && isnan(g.gate[1].value));
+    assert_nan(g.gate[0].ceiling);
+    assert_nan(g.gate[1].value);
     assert_near(g.gate[1].lo, 0, 0);
     assert_near(g.gate[1].hi, 7, 0);
     assert_near(g.gate[0].ci[1], 2, 0);
@@ -121,18 +122,18 @@ static void gates_are_read_back(void **state) {
     page_put_gates(g.gate, g.count, g.made, out);
     page_put_ladders(g.gate, g.count, out);
     fclose(out);
-    assert_non_null(strstr(text, "<th class=\"n\">dx [m]</th><th class=\"n\">L2</th>"));
-    assert_non_null(strstr(text, "<td class=\"n\">0.5</td><td class=\"n\">4.0000e-02</td><td>left out</td>"));
-    assert_non_null(strstr(text, "<td class=\"n\">0.25</td><td>-</td><td>counts</td>"));
-    assert_non_null(strstr(text, "slope 2</text>"));
+    assert_has(text, "<th class=\"n\">dx [m]</th><th class=\"n\">L2</th>");
+    assert_has(text, "<td class=\"n\">0.5</td><td class=\"n\">4.0000e-02</td><td>left out</td>");
+    assert_has(text, "<td class=\"n\">0.25</td><td>-</td><td>counts</td>");
+    assert_has(text, "slope 2</text>");
     const char *finest = strstr(strstr(text, "<circle") + 1, "<circle"); /* the rung between them failed */
-    assert_non_null(strstr(strstr(text, "<circle"), "fill=\"#fff\""));
+    assert_has(strstr(text, "<circle"), "fill=\"#fff\"");
     assert_true(strstr(finest, "fill=\"#0072B2\"") < strchr(finest, '\n'));
-    assert_non_null(strstr(text, "1 of 2 gates hold"));
-    assert_non_null(strstr(text, "The gates were run today &quot;here&quot;."));
-    assert_non_null(strstr(text, "<h4>b: "));
-    assert_non_null(strstr(text, "<p>Diagnosis: 1 step late.</p>"));
-    assert_non_null(strstr(text, "<p class=\"verdict\">Diagnosis: 1 step late (1 of 1 gates that do not hold).</p>"));
+    assert_has(text, "1 of 2 gates hold");
+    assert_has(text, "The gates were run today &quot;here&quot;.");
+    assert_has(text, "<h4>b: ");
+    assert_has(text, "<p>Diagnosis: 1 step late.</p>");
+    assert_has(text, "<p class=\"verdict\">Diagnosis: 1 step late (1 of 1 gates that do not hold).</p>");
     gates_json_free(&g);
     file = fopen(path, "w");
     fputs("{\"gates\": [\n{ \"id\": \"rod", file);
@@ -162,14 +163,14 @@ static void the_worst_gate_is_the_verdict(void **state) {
         page_put_gates(gate, n, "now", out);
         fclose(out);
         snprintf(head, sizeof head, "%s</span>%s", word[n - 1], whole[n - 1]);
-        assert_non_null(strstr(text, head));
+        assert_has(text, head);
     }
-    assert_non_null(strstr(text, "<li>inconclusive 0/1 <span class=\"other\">"));
+    assert_has(text, "<li>inconclusive 0/1 <span class=\"other\">");
     FILE *out = begin();
     page_put_gates(gate + 1, 1, "now", out);
     fclose(out);
-    assert_non_null(strstr(text, "inconclusive</span>: 0 of 0 gates hold, 1 skipped"));
-    assert_non_null(strstr(text, "<li>skipped 0/0 <span class=\"other\">? skipped</span>"));
+    assert_has(text, "inconclusive</span>: 0 of 0 gates hold, 1 skipped");
+    assert_has(text, "<li>skipped 0/0 <span class=\"other\">? skipped</span>");
 }
 
 static char *whole(const char *path) {
@@ -200,8 +201,8 @@ static const char *page_of(const char *line) {
 
 static void a_ladder_says_what_made_it(void **state) {
     (void)state;
-    assert_non_null(strstr(page_of("ladder rod-gauss ftcs --dx 1,0.5 --set 'kappa=1.1' --norm l2"),
-                           "<code>heatladder ladder rod-gauss ftcs --dx 1,0.5 --set kappa=1.1 --norm l2<"));
+    assert_has(page_of("ladder rod-gauss ftcs --dx 1,0.5 --set 'kappa=1.1' --norm l2"),
+               "<code>heatladder ladder rod-gauss ftcs --dx 1,0.5 --set kappa=1.1 --norm l2<");
 }
 
 /* Chart and name are of the norm that is judged, and a quantity stands in the table. */
@@ -209,14 +210,14 @@ static void a_ladder_shows_what_is_judged(void **state) {
     (void)state;
     char first[200];
     const char *page = page_of("ladder rod-gauss ftcs --dx 1,0.5"), *point = strstr(page, "<circle");
-    assert_non_null(strstr(page, "E1 (hollow: left out of the fit)</text>"));
+    assert_has(page, "E1 (hollow: left out of the fit)</text>");
     snprintf(first, sizeof first, "%.*s", (int)strcspn(point, ">"), point);
     page = page_of("ladder rod-gauss ftcs --dx 1,0.5 --norm l2");
-    assert_non_null(strstr(page, "L2 (hollow: left out of the fit)</text>"));
+    assert_has(page, "L2 (hollow: left out of the fit)</text>");
     assert_true(strncmp(strstr(page, "<circle"), first, strlen(first)) != 0);
     page = page_of("ladder rod-gauss ftcs --dx 1,0.5 --quantity at:0.31");
-    assert_non_null(strstr(page, "the quantity's error (hollow"));
-    assert_non_null(strstr(page, "<th class=\"n\">quantity</th><th class=\"n\">its error</th>"));
+    assert_has(page, "the quantity's error (hollow");
+    assert_has(page, "<th class=\"n\">quantity</th><th class=\"n\">its error</th>");
 }
 
 /* The battery's page has a ladder's chart and table, and names the program. */
@@ -236,9 +237,9 @@ static void a_battery_shows_its_ladders(void **state) {
     assert_int_equal(page_gates_write(&g, "t", "verify", path, &why), 0);
     const char *page = whole(path);
     unlink(path);
-    assert_non_null(strstr(page, "<p>Program: <code>mine {case} &lt;{out}&gt;</code></p>"));
-    assert_non_null(strstr(page, "<circle"));
-    assert_non_null(strstr(page, "<td class=\"n\">0.25</td><td class=\"n\">1.2500e-01</td><td>counts</td>"));
+    assert_has(page, "<p>Program: <code>mine {case} &lt;{out}&gt;</code></p>");
+    assert_has(page, "<circle");
+    assert_has(page, "<td class=\"n\">0.25</td><td class=\"n\">1.2500e-01</td><td>counts</td>");
 }
 
 /* The page of a directory that has mutants.txt alone. */
@@ -268,10 +269,10 @@ static void a_long_listing_is_folded(void **state) {
     for (int i = 0; i < 60; i++) to += sprintf(to, "row %d\n", i);
     sprintf(to, "\n60 seen\n");
     const char *page = page_of_listing(listing);
-    assert_non_null(strstr(page, "<pre><code>head\n\n</code></pre>\n<details><summary>mutants.txt: 61 lines "
-                                 "more</summary>\n<pre><code>row 0\nrow 1\n"));
-    assert_non_null(strstr(page, "row 59\n\n</code></pre>\n</details>\n<pre><code>60 seen\n</code></pre>\n"
-                                 "<p class=\"faint\"><code>make mutants</code></p>\n"));
+    assert_has(page, "<pre><code>head\n\n</code></pre>\n<details><summary>mutants.txt: 61 lines "
+                     "more</summary>\n<pre><code>row 0\nrow 1\n");
+    assert_has(page, "row 59\n\n</code></pre>\n</details>\n<pre><code>60 seen\n</code></pre>\n"
+                     "<p class=\"faint\"><code>make mutants</code></p>\n");
 }
 
 static void the_order_of_a_band_is_whole(void **state) {
@@ -301,26 +302,26 @@ static void ladders_are_drawn_by_scene(void **state) {
     int dots = 0;
     for (const char *at = text; (at = strstr(at, "<circle")); at++) dots++;
     assert_int_equal(dots, 2);
-    assert_non_null(strstr(text, "a: 2, expected 1.5 to 2.5</title>"));
-    assert_non_null(strstr(text, "stroke=\"#a3200d\""));
-    assert_non_null(strstr(text, "3 ladders."));
-    assert_null(strstr(text, ">rod-step<"));
+    assert_has(text, "a: 2, expected 1.5 to 2.5</title>");
+    assert_has(text, "stroke=\"#a3200d\"");
+    assert_has(text, "3 ladders.");
+    assert_lacks(text, ">rod-step<");
     out = begin();
     orders_put_scene(gate, 4, "rod-gauss", out);
     fclose(out);
     assert_true(strstr(text, ">b</text>") < strstr(text, ">a</text>"));
-    assert_null(strstr(text, ">c</text>"));
+    assert_lacks(text, ">c</text>");
 }
 
 /* Of a directory with a listing alone: the rest is named with the command that makes it. */
 static void a_page_of_what_there_is(void **state) {
     (void)state;
     const char *page = page_of_listing("first < 2\n  second\n");
-    assert_non_null(strstr(page, "No verdict: the gates were not run. <code>make verify</code> runs them."));
-    assert_non_null(strstr(page, "<pre><code>first &lt; 2\n  second\n</code></pre>"));
-    assert_non_null(strstr(page, ", <code>make claims</code> (claims/claims.md)"));
-    assert_null(strstr(page, "<code>make mutants</code> ("));
-    assert_null(strstr(page, "<h2>Walls</h2>"));
+    assert_has(page, "No verdict: the gates were not run. <code>make verify</code> runs them.");
+    assert_has(page, "<pre><code>first &lt; 2\n  second\n</code></pre>");
+    assert_has(page, ", <code>make claims</code> (claims/claims.md)");
+    assert_lacks(page, "<code>make mutants</code> (");
+    assert_lacks(page, "<h2>Walls</h2>");
     assert_true(strstr(page, "<h2>rod-gauss</h2>") < strstr(page, "<h2>rod-step</h2>"));
 }
 

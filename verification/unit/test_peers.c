@@ -61,10 +61,6 @@ static const char *table_of(const struct peers *all, struct output *page) {
     return page->text;
 }
 
-static void has(const char *text, const char *part) {
-    if (!strstr(text, part)) fail_msg("'%s' is not in:\n%s", part, text);
-}
-
 static void rows_are_tuned_timed_and_judged(void **state) {
     const struct told *told = *state;
     static const int repeats[] = {9, 5, 5, 3}; /* of 2, 8, 32, 128 ms */
@@ -82,12 +78,12 @@ static void rows_are_tuned_timed_and_judged(void **state) {
         }
     }
     assert_string_equal(good->order, "pass: 2.00 (1.9 to 2.1)");
-    has(told->runs, "scene,threads,kind,who,n,setting,E1,solve,whole,updates,failure\n"
-                    "rod-cosine,1,peer,good,10,1e-7,0.0100001");
+    assert_has(told->runs, "scene,threads,kind,who,n,setting,E1,solve,whole,updates,failure\n"
+                           "rod-cosine,1,peer,good,10,1e-7,0.0100001");
     assert_int_equal(ours->size[0].with[0].count > 0, 1);
-    has(ours->size[0].setting, "--dt 0.");
-    has(told->runs, "\nrod-cosine,2,peer,good,10,1e-7,0.0100001");
-    has(told->runs, "\nrod-cosine,1,ours,so_ssph rkl2,16,--dt 0.");
+    assert_has(ours->size[0].setting, "--dt 0.");
+    assert_has(told->runs, "\nrod-cosine,2,peer,good,10,1e-7,0.0100001");
+    assert_has(told->runs, "\nrod-cosine,1,ours,so_ssph rkl2,16,--dt 0.");
 }
 
 static void what_does_not_answer_is_told(void **state) {
@@ -97,18 +93,19 @@ static void what_does_not_answer_is_told(void **state) {
     const struct peers_row *absent = told->all.row + 1, *crashing = told->all.row + 2, *partial = told->all.row + 3;
     assert_int_equal(absent->missing, 1);
     assert_ptr_equal(strstr(told->runs, "absent"), NULL);
-    has(text, "\nnot installed (make setup-peers): absent on rod-cosine\n");
+    assert_has(text, "\nnot installed (make setup-peers): absent on rod-cosine\n");
     assert_int_equal(crashing->missing, 0);
     assert_int_equal(crashing->size[1].with[1].count, 0);
-    has(told->runs,
+    assert_has(
+        told->runs,
         "\nrod-cosine,1,peer,crashing,20,1e-3,,,,,--solver: exit status 3; it said last: so; much; for that\n");
-    has(text, "\nfailed: rod-cosine, crashing, n = 10, one thread: --solver: exit status 3");
+    assert_has(text, "\nfailed: rod-cosine, crashing, n = 10, one thread: --solver: exit status 3");
     assert_string_equal(crashing->order, "fail: nan (1.9 to 2.1)");
     assert_int_equal(partial->missing, 0); /* one size is not for it */
     assert_int_equal(partial->size[1].with[0].count, 0);
     assert_int_equal(partial->size[2].with[0].count, 5);
     assert_int_equal(partial->size[2].with[1].count, 0); /* it knows no threads */
-    has(text, "failed: rod-cosine, partial, n = 20, one thread: not applicable (exit status 77)");
+    assert_has(text, "failed: rod-cosine, partial, n = 20, one thread: not applicable (exit status 77)");
     output_drop(&page, 1);
 }
 
@@ -120,10 +117,10 @@ static void charts_have_a_block_a_program(void **state) {
         output_end(&page[many]);
     }
     const char *one = page[0].text, *both = page[1].text;
-    has(one, "# title: rod-cosine: others beside ours, one thread\n# command: make bench-peers\n"
-             "# good\nn,E1 [-],solve [s],good\n10,0.0100001");
-    has(one, "\n\n\n# partial\nn,E1 [-],solve [s],partial\n10,");
-    has(both, "n,E1 [-],solve [s],partial (one thread)\n10,");
+    assert_has(one, "# title: rod-cosine: others beside ours, one thread\n# command: make bench-peers\n"
+                    "# good\nn,E1 [-],solve [s],good\n10,0.0100001");
+    assert_has(one, "\n\n\n# partial\nn,E1 [-],solve [s],partial\n10,");
+    assert_has(both, "n,E1 [-],solve [s],partial (one thread)\n10,");
     assert_ptr_equal(strstr(one, "absent"), NULL);
     output_drop(page, 2);
 }
@@ -167,8 +164,8 @@ static void aims_compare_at_the_same_error(void **state) {
     assert_string_equal(verdict[0], "held");
     assert_near(aim[1], 3, 0);
     assert_string_equal(verdict[1], "missed");
-    has(text, "so_ssph rkl2 at E1 = 5e-05, SUNDIALS fast"); /* past the finest by a factor of 2 */
-    has(text, "~");
+    assert_has(text, "so_ssph rkl2 at E1 = 5e-05, SUNDIALS fast"); /* past the finest by a factor of 2 */
+    assert_has(text, "~");
     output_drop(&page, 1);
 }
 
@@ -177,7 +174,7 @@ static void a_scene_without_rows_is_refused(void **state) {
     struct failure why;
     struct peers all = {.threads = 1};
     assert_int_equal(peers_run(table, "plat", &all, &why), STATUS_INPUT);
-    has(why.text, "did you mean 'plate'? (valid: rod-cosine, plate)");
+    assert_has(why.text, "did you mean 'plate'? (valid: rod-cosine, plate)");
     peers_free(&all);
 }
 

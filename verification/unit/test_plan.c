@@ -83,7 +83,7 @@ static void as_allocated(const char *line, double within) {
     }
     double held = (double)(heap_most - begin);
     arguments_free(&r);
-    assert_true(heap_now <= begin);
+    assert_order(heap_now, <=, begin);
     if (!(held < within * (double)planned && held > (double)planned / within))
         fail_msg("%s: %zu bytes planned, %.0f held: %.3f", line, planned, held, held / (double)planned);
 }
@@ -121,7 +121,7 @@ static void many_rows_are_estimated(void **state) {
     assert_int_equal(run_experiment(&r.experiment, &result, NULL), STATUS_OK);
     assert_int_equal(plan.particles, result.particles);
     assert_int_equal(plan.part.run.steps, result.steps);
-    assert_true(abs(plan.part.run.stages - result.stages) <= 2);
+    assert_order(abs(plan.part.run.stages - result.stages), <=, 2);
     assert_near((double)plan.part.bytes[OUTLINE_STEPS] / (double)result.bytes, 1, 0.02);
     assert_near(plan.part.neighbours / ((double)result.interactions / (double)result.updates), 1, 0.02);
     arguments_free(&r);
@@ -144,11 +144,11 @@ static void a_lattice_that_nothing_divides_is_estimated_too(void **state) {
                      pair[k][i]);
             plan_of(line, &r[i], &plan[i]);
             bytes[i] = (double)plan[i].part.bytes[OUTLINE_STEPS] / (double)plan[i].particles;
-            assert_true(plan[i].part.stand_in > 1.9 * plan[i].options.dx);
+            assert_order(plan[i].part.stand_in, >, 1.9 * plan[i].options.dx);
         }
         assert_near(plan[0].part.neighbours / plan[1].part.neighbours, 1, 0.01);
         assert_near(bytes[0] / bytes[1], 1, 0.01);
-        assert_true(abs(plan[0].part.run.stages - plan[1].part.run.stages) <= 2);
+        assert_order(abs(plan[0].part.run.stages - plan[1].part.run.stages), <=, 2);
         for (int i = 0; i < 2; i++) arguments_free(&r[i]);
     }
 }
@@ -174,7 +174,7 @@ static void a_method_that_does_not_tell_has_no_plan(void **state) {
     assert_int_equal(arguments_parse_line("plan rod-step ftcs --dx 0.1", &r, &why), STATUS_OK);
     r.experiment.method = &silent;
     assert_int_equal(plan_make(&r.experiment, &plan, &why), STATUS_NOT_APPLICABLE);
-    assert_non_null(strstr(why.text, "silent does not tell what it stores and does"));
+    assert_has(why.text, "silent does not tell what it stores and does");
     arguments_free(&r);
 }
 

@@ -72,11 +72,11 @@ static void laws_are_told_apart(void **state) {
     struct xi_line l = xi_growth(h, power, 5, 1);
     assert_near(l.slope, -3.7, 1e-10);
     assert_near(l.off, 0, 1e-10);
-    assert_true(xi_growth(h, power, 5, 0).off > 0.02);
+    assert_order(xi_growth(h, power, 5, 0).off, >, 0.02);
     l = xi_growth(h, exponential, 5, 0);
     assert_near(l.slope, -140, 1e-8);
     assert_near(l.off, 0, 1e-10);
-    assert_true(xi_growth(h, exponential, 5, 1).off > 0.02);
+    assert_order(xi_growth(h, exponential, 5, 1).off, >, 0.02);
 }
 
 /* The search ends at a minimum: neighbours on either side are worse. */
@@ -85,9 +85,9 @@ static void the_best_xi_is_a_minimum(void **state) {
     struct xi_best b = {.n = 13, .material = 2, .beta = 0.08, .t = 19.7};
     xi_find(&b);
     assert_int_equal(b.failure.status, STATUS_OK);
-    assert_true(b.work > 0);
-    assert_true(xi_error(&b, b.xi - 0.004) > b.error);
-    assert_true(xi_error(&b, b.xi + 0.004) > b.error);
+    assert_order(b.work, >, 0);
+    assert_order(xi_error(&b, b.xi - 0.004), >, b.error);
+    assert_order(xi_error(&b, b.xi + 0.004), >, b.error);
 }
 
 int main(void) {

@@ -62,7 +62,7 @@ static void check_programme(double (*d)[2], int n, const double kappa[2]) {
     if (status) return;
     for (int j = 0; j < n; j++) {
         double x = d[j][0], y = d[j][1], all[5] = {x / H, y / H, x * x, y * y, x * y};
-        assert_true(w[0][j] >= 0);
+        assert_order(w[0][j], >=, 0);
         if (w[0][j] > 0) sum += w[0][j] * cost_of(d[j]);
         for (int k = 0; k < 5; k++) moment[k] += w[0][j] * all[k] * (k < 2 ? H * H : 1);
     }

@@ -107,7 +107,7 @@ static void a_wrong_conductivity_is_caught(void **state) {
                    " -v wrong=2 {case} > {out}'";
     gates_judge(&gate, NULL, &m);
     assert_int_equal(m.verdict, VERDICT_FAIL);
-    assert_non_null(strstr(m.reason, "above its ceiling"));
+    assert_has(m.reason, "above its ceiling");
 }
 
 /* A diagnosis is made of the two finest rungs: those above them change nothing. */
@@ -173,7 +173,7 @@ static void the_label_is_free_and_options_of_the_model_are_not(void **state) {
     arguments_free(&r);
     assert_int_equal(arguments_parse_line("run rod-step mine --kernel cubic --dx 0.1 --solver=x", &r, &why),
                      STATUS_INPUT);
-    assert_non_null(strstr(why.text, "--kernel has no meaning for mine"));
+    assert_has(why.text, "--kernel has no meaning for mine");
     arguments_free(&r);
 }
 
@@ -249,7 +249,7 @@ static void signals_leave_nothing(void **state) {
     for (int i = 0; i < 4; i++) {
         int status;
         pid_t child = fork();
-        assert_true(child >= 0);
+        assert_order(child, >=, 0);
         if (child == 0) {
             struct result result;
             signal(signals[i], SIG_DFL);

@@ -66,7 +66,7 @@ static void heat_is_kept(void **state) {
         }
         print_message("%-18s d(heat)/dt = %.6g, in %.6g\n", (*s)->name, rate, in);
         assert_near(rate, in, 1e-7 * size + 3 * error); /* (dt/t)^6 times a constant below 2000 */
-        assert_true(error < 1e-6 * size);
+        assert_order(error, <, 1e-6 * size);
     }
 }
 
@@ -152,7 +152,7 @@ static void known_values(void **state) {
         const struct scene *s = odd_find(known[i].scene, &p);
         struct quantity_value v = of(known[i].quantity, s, &p, known[i].t);
         assert_near(v.value, known[i].value, v.error_bound);
-        assert_true(v.error_bound < 1e-11 * fabs(v.value) + 1e-13 * s->odd.scale);
+        assert_order(v.error_bound, <, 1e-11 * fabs(v.value) + 1e-13 * s->odd.scale);
     }
 }
 
@@ -173,7 +173,7 @@ static void heat_of_a_plate(void **state) {
         double want = p.material[0].rho_c * p.hi[0] * p.hi[1] * (0.9 + (0.11 - 0.9) * mean[0] * mean[1]);
         struct quantity_value v = of("heat", s, &p, t);
         assert_near(v.value, want, v.error_bound + 1e-9 * want * (t < 0.1));
-        assert_true(v.error_bound < 1e-11 * want);
+        assert_order(v.error_bound, <, 1e-11 * want);
     }
 }
 
@@ -219,7 +219,7 @@ static void words_are_checked(void **state) {
     assert_int_equal(quantity_read("at:0.1,0.02", &p, &q, &why), STATUS_OK);
     assert_near(q.at[1], 0.02, 0);
     assert_int_equal(quantity_read("at:0.1", &p, &q, &why), STATUS_INPUT);
-    assert_non_null(strstr(why.text, "needs X,Y, such as at:0.1,0.2"));
+    assert_has(why.text, "needs X,Y, such as at:0.1,0.2");
 }
 
 int main(void) {

@@ -81,7 +81,7 @@ static void the_sides_hold(void **state) {
                 struct exact e = s->exact(&p, f.x, t);
                 if (p.side[side] == DIRICHLET) {
                     assert_near(e.temperature, want, 1e-13 * odd->scale);
-                    assert_true(e.error_bound <= 1e-12 * odd->scale);
+                    assert_order(e.error_bound, <=, 1e-12 * odd->scale);
                 } else {
                     for (int a = 0; a < p.dim; a++) {
                         flux += p.material[0].k[a] * f.normal[a] * e.gradient[a];
@@ -90,7 +90,7 @@ static void the_sides_hold(void **state) {
                     if (p.side[side] == ROBIN) want = p.robin[side] * (want - e.temperature);
                     off += p.robin[side] * e.error_bound;
                     assert_near(flux, want, off);
-                    assert_true(off < 1e-10 * p.material[0].k[0] * odd->scale / odd->step);
+                    assert_order(off, <, 1e-10 * p.material[0].k[0] * odd->scale / odd->step);
                 }
             }
     }
@@ -105,7 +105,7 @@ static void wall_values_take_any_coordinate_along_their_axis(void **state) {
         on[side / 2] = side % 2 ? p.hi[side / 2] : p.lo[side / 2];
         off[side / 2] = on[side / 2] + (side % 2 ? 0.013 : -0.013);
         assert_near(p.wall(&p, (enum side)side, off), p.wall(&p, (enum side)side, on), 0);
-        assert_true(fabs(p.wall(&p, (enum side)side, on)) > 1e-4);
+        assert_order(fabs(p.wall(&p, (enum side)side, on)), >, 1e-4);
     }
 }
 
@@ -161,7 +161,7 @@ static void flux_is_continuous_at_an_interface(void **state) {
         }
         assert_near(flux[0], flux[1], 1e-8 * fabs(flux[0]));
         assert_near(at(s, &p, c - 1e-16, 0, t), at(s, &p, c, 0, t), 1e-14);
-        assert_true(fabs(flux[0]) > 1e-3);
+        assert_order(fabs(flux[0]), >, 1e-3);
     }
 }
 
@@ -230,7 +230,8 @@ static void the_gradient_is_that_of_the_second_form(void **state) {
                 }
                 worst = fmax(worst, fabs(e.gradient[d] - sum / step));
                 largest = fmax(largest, fabs(e.gradient[d]));
-                assert_true(e.gradient_bound[d] >= 0 && e.gradient_bound[d] < 1e-10 * odd->scale / step);
+                assert_order(e.gradient_bound[d], >=, 0);
+                assert_order(e.gradient_bound[d], <, 1e-10 * odd->scale / step);
             }
         }
         print_message("%-18s gradient off by %.1e of the largest\n", s->name, worst / largest);
@@ -252,7 +253,7 @@ static void declared_symmetry_is_real(void **state) {
             if (p.mirror[d])
                 assert_near(difference, 0, 1e-13 * s->odd.scale);
             else
-                assert_true(fabs(difference) > 1e-3);
+                assert_order(fabs(difference), >, 1e-3);
         }
     }
 }

@@ -45,7 +45,7 @@ static void values_hold_within_their_bounds(void **state) {
         if (!(off <= e.error_bound)) print_error("row %zu, %s at t = %g: off %g\n", i, k->scene, k->t, off);
         assert_near(e.temperature, k->T, e.error_bound);
         assert_near(f.temperature, k->T, f.error_bound);
-        assert_true(e.error_bound <= 3e-13 * scale);
+        assert_order(e.error_bound, <=, 3e-13 * scale);
         for (int a = 0; a < p.dim; a++) {
             if (isnan(k->gradient[a])) continue;
             assert_near(e.gradient[a], k->gradient[a], e.gradient_bound[a]);
@@ -63,7 +63,7 @@ static void bounds_of_small_pulses_are_small(void **state) {
         if (strcmp(k->scene, "rod-step") && strcmp(k->scene, "square-step")) continue;
         setup(k, &s, &p);
         double peak = s->exact(&p, (double[2]){0, 0}, k->t).temperature;
-        assert_true(s->exact(&p, k->x, k->t).error_bound <= 3e-14 * peak);
+        assert_order(s->exact(&p, k->x, k->t).error_bound, <=, 3e-14 * peak);
     }
 }
 
@@ -90,7 +90,7 @@ static void any_time_has_its_bound(void **state) {
                 fail_msg("%s, t = %g: %g apart, bounds %g and %g", s->name, t, apart, e.error_bound, f.error_bound);
             bounded++;
         }
-        assert_true(bounded > 0);
+        assert_order(bounded, >, 0);
     }
 }
 

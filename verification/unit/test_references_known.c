@@ -91,26 +91,26 @@ static void swaps_show(void **state) {
     (void)state;
     static const int a_b[][2] = {{1, 2}}, kappas[][2] = {{3, 4}}, both[][2] = {{1, 2}, {3, 4}};
     double square = value("square-step", NULL, 0, 0.51, -0.77);
-    assert_true(fabs(value("square-step", a_b, 1, 0.51, -0.77) - square) > 0.1);
-    assert_true(fabs(value("square-step", kappas, 1, 0.51, -0.77) - square) > 0.01);
+    assert_order(fabs(value("square-step", a_b, 1, 0.51, -0.77) - square), >, 0.1);
+    assert_order(fabs(value("square-step", kappas, 1, 0.51, -0.77) - square), >, 0.01);
     assert_near(value("square-step", both, 2, -0.77, 0.51), square, 1e-14);
 
     static const int T1_T3[][2] = {{2, 4}}, T2_T4[][2] = {{3, 5}}, turn[][2] = {{0, 1}, {2, 5}, {4, 3}};
     double plate = value("plate", NULL, 0, 0.031, 0.017);
-    assert_true(fabs(value("plate", T1_T3, 1, 0.031, 0.017) - plate) > 0.05);
-    assert_true(fabs(value("plate", T2_T4, 1, 0.031, 0.017) - plate) > 0.05);
+    assert_order(fabs(value("plate", T1_T3, 1, 0.031, 0.017) - plate), >, 0.05);
+    assert_order(fabs(value("plate", T2_T4, 1, 0.031, 0.017) - plate), >, 0.05);
     assert_near(value("plate", T1_T3, 1, 0.031, 0.07 - 0.017), plate, 1e-14);
     assert_near(value("plate", T2_T4, 1, 0.13 - 0.031, 0.017), plate, 1e-14);
     assert_near(value("plate", turn, 3, 0.017, 0.031), plate, 1e-14); /* mirrored in the diagonal */
 
     static const int materials[][2] = {{2, 5}, {3, 6}}, sides[][2] = {{2, 5}, {3, 6}, {4, 7}};
     double contact = value("rod-contact", NULL, 0, 0.06, 0);
-    assert_true(fabs(value("rod-contact", materials, 2, 0.06, 0) - contact) > 0.1);
+    assert_order(fabs(value("rod-contact", materials, 2, 0.06, 0) - contact), >, 0.1);
     assert_near(value("rod-contact", sides, 3, 0.2, 0), contact, 1e-15);
 
     static const int k_x_k_y[][2] = {{2, 3}};
     double made = value("rect-manufactured", NULL, 0, 0.31, 0.23);
-    assert_true(fabs(value("rect-manufactured", k_x_k_y, 1, 0.31, 0.23) - made) > 0.01);
+    assert_order(fabs(value("rect-manufactured", k_x_k_y, 1, 0.31, 0.23) - made), >, 0.01);
 }
 
 /* The infinite line misses the solution between walls by what has reached the walls, and by nothing far from them. */
@@ -128,7 +128,8 @@ static void published_lines_leave_the_walls_off(void **state) {
         assert_near(s->published(&p, far, p.t_end), s->exact(&p, far, p.t_end).temperature, 1e-13);
         double miss = s->published(&p, wall, p.t_end) - s->exact(&p, wall, p.t_end).temperature;
         print_message("%-12s as published misses the wall by %.3e K\n", lines[i], miss);
-        assert_true(miss > at_wall[i] && miss < 3 * at_wall[i]);
+        assert_order(miss, >, at_wall[i]);
+        assert_order(miss, <, 3 * at_wall[i]);
     }
 }
 
@@ -147,7 +148,7 @@ static void published_plate_by_side(void **state) {
         if (side == 1) assert_near(soon, 0, 1e-13);
         if (side == 1 || side == 2) assert_near(late, 0, 1e-13);
         if (side == 0 || side == 3) assert_near(late, -2 * s->exact(&p, x, 1e5).temperature, 1e-13);
-        if (side != 1) assert_true(fabs(soon) > 0.01);
+        if (side != 1) assert_order(fabs(soon), >, 0.01);
     }
 }
 

@@ -113,7 +113,7 @@ static void defaults_are_accepted(void **state) {
         scene_defaults(*s, &p);
         assert_int_equal((*s)->setup(&p, &why), STATUS_OK);
         while ((*s)->params[last + 1].name) last++;
-        assert_true(last < PARAM_MAX);
+        assert_order(last, <, PARAM_MAX);
         assert_string_equal((*s)->params[last].name, "t_end");
         assert_near(p.t_end, (*s)->params[last].value, 0);
         assert_true((*s)->about && (*s)->citation && (*s)->exact && (*s)->second && p.initial && p.wall);

@@ -76,7 +76,7 @@ static void a_missing_answer_is_a_row(void **state) {
     climb(line, &l, STATUS_INPUT);
     assert_int_equal(l.n, 5);
     assert_int_equal(l.rung[3].failure.status, STATUS_INPUT);
-    assert_non_null(strstr(l.rung[3].failure.text, "2e-1/out.csv: no such file"));
+    assert_has(l.rung[3].failure.text, "2e-1/out.csv: no such file");
     assert_int_equal(l.rung[4].failure.status, 0);
     assert_int_equal(l.verdict, VERDICT_FAIL);
     run_all();
@@ -98,16 +98,16 @@ static void cases_are_added(void **state) {
     climb(line, &l, 0);
     assert_int_equal(l.n, 6);
     assert_int_equal(write_cases("--dx 1 --set kappa=0.3 --fourier 0.4", text, sizeof text), STATUS_INPUT);
-    assert_non_null(strstr(text, "an answer to another case is there"));
+    assert_has(text, "an answer to another case is there");
     struct request r;
     struct failure why;
     snprintf(line, sizeof line, "ladder rod-gauss mine --set kappa=0.3 --results %s", dir);
     assert_int_equal(arguments_parse_line(line, &r, &why), STATUS_INPUT);
-    assert_non_null(strstr(why.text, "param_kappa = 0.4"));
+    assert_has(why.text, "param_kappa = 0.4");
     arguments_free(&r);
     snprintf(line, sizeof line, "ladder rod-step mine --results %s", dir);
     assert_int_equal(arguments_parse_line(line, &r, &why), STATUS_INPUT);
-    assert_non_null(strstr(why.text, "No such file"));
+    assert_has(why.text, "No such file");
     arguments_free(&r);
 }
 
@@ -130,21 +130,21 @@ static void a_second_spacing_is_kept(void **state) {
     FILE *in = fopen(path, "r");
     assert_true(in && fread(text, 1, sizeof text - 1, in) > 0);
     fclose(in);
-    assert_non_null(strstr(text, "\ncells = 20, 7\n"));
-    assert_non_null(strstr(text, "\ndy = 0.1"));
+    assert_has(text, "\ncells = 20, 7\n");
+    assert_has(text, "\ndy = 0.1");
     snprintf(line, sizeof line, "run rect-manufactured mine --dx 0.05 --results %s", dir);
     if (arguments_parse_line(line, &r, &why)) fail_msg("%s", why.text);
     assert_near(r.experiment.options.aspect, 2, 1e-15);
     arguments_free(&r);
     snprintf(line, sizeof line, "run rect-manufactured mine --dx 0.05 --aspect 3 --results %s", dir);
     assert_int_equal(arguments_parse_line(line, &r, &why), STATUS_INPUT);
-    assert_non_null(strstr(why.text, "dy is 2 dx, but 3 dx"));
+    assert_has(why.text, "dy is 2 dx, but 3 dx");
     arguments_free(&r);
     snprintf(line, sizeof line,
              "ladder rect-manufactured mine --dx 0.05,0.025 --aspect 3 --solver '" AWK " {case} > {out}'");
     struct ladder l;
     climb(line, &l, STATUS_INPUT);
-    assert_non_null(strstr(l.rung[0].failure.text, "--aspect 3: does not divide"));
+    assert_has(l.rung[0].failure.text, "--aspect 3: does not divide");
 }
 
 /* A program that adds 1e-3 seed K: the errors of a rung are those of both draws, and their parameters are read. */
@@ -173,7 +173,7 @@ static void draws_are_judged_later(void **state) {
     climb(line, &both, 0);
     assert_int_equal(both.draws, 2);
     assert_near(both.rung[0].error.l1, sqrt(both.draw[0][0] * both.draw[1][0]), 1e-15);
-    assert_true(both.draw[1][3] > both.draw[0][3] + 0.5e-3);
+    assert_order(both.draw[1][3], >, both.draw[0][3] + 0.5e-3);
     snprintf(line, sizeof line, "ladder rod-gauss mine --results %s/drawn", dir);
     climb(line, &one, STATUS_INPUT); /* there is no answer without a seed */
 }

@@ -63,7 +63,8 @@ static double arch_error(int n) {
 static void walls_that_data_meet_keep_fourth_order(void **state) {
     (void)state;
     double order = log2(arch_error(64) / arch_error(128));
-    assert_true(order > 3.9 && order < 4.1);
+    assert_order(order, >, 3.9);
+    assert_order(order, <, 4.1);
 }
 
 static double parabolas(const struct problem *p, const double x[2]) {

@@ -21,7 +21,7 @@ static void box_forms_agree(void **state) {
                 assert_near(u.at.value, v.at.value, 2e-13);
                 assert_near(u.slope.value, v.slope.value, u.slope.error + v.slope.error);
                 assert_near(u.slope.value, v.slope.value, 2e-13 / fmin(s, a));
-                assert_true(best.error < 1e-14 + 1e-15 * L / s); /* an image lies 2L away */
+                assert_order(best.error, <, 1e-14 + 1e-15 * L / s); /* an image lies 2L away */
             }
 }
 
@@ -38,9 +38,10 @@ static void box_is_exact_at_the_start_and_at_the_walls(void **state) {
 static void box_modes_know_their_limit(void **state) {
     (void)state;
     struct approx u = series_box_modes(0.3, 1.37, 0.41, 1e-6).at, start = series_box_modes(0.3, 1.37, 0.41, 0).at;
-    assert_true(u.error > 1e-6 && u.error <= 1.1);
+    assert_order(u.error, >, 1e-6);
+    assert_order(u.error, <=, 1.1);
     assert_near(u.value, 1, u.error);
-    assert_true(start.error >= 1);
+    assert_order(start.error, >=, 1);
 }
 
 /* What is left out is at most the sum of min(2/(q L), 2 a/L) exp(-(q s/2)^2) over the modes left out, here summed one
@@ -56,7 +57,8 @@ static void box_modes_bound_their_tail(void **state) {
             left += fmin(2 / (q * L), 2 * a / L) * exp(-(q * s / 2) * (q * s / 2));
         }
         double error = series_box_modes(0.3, L, a, s).at.error;
-        assert_true(error >= fmin(1, left) && error <= fmin(1, 4 * left) + 1e-11);
+        assert_order(error, >=, fmin(1, left));
+        assert_order(error, <=, fmin(1, 4 * left) + 1e-11);
     }
 }
 
@@ -70,7 +72,7 @@ static void terms_know_their_limit(void **state) {
     assert_true(isinf(series_gauss_modes(0.3, 1.37, 1e-5).at.error)); /* early, nor do modes */
     struct approx u = series_box_images(0.3, 1.37, 0.41, 1e4).at;
     assert_near(u.value, 0, u.error);
-    assert_true(u.error < 1e-12);
+    assert_order(u.error, <, 1e-12);
 }
 
 static void gauss_forms_agree(void **state) {
@@ -92,7 +94,7 @@ static void gauss_bounds_hold_what_rounding_of_x_does(void **state) {
     for (double z = 1.3; z < 9; z *= 1.4) {
         struct approx u = series_gauss_images(z * 1.37, 40, 1.37).at;
         assert_near(u.value, exp(-z * z / 2), u.error);
-        assert_true(u.error >= z * z * DBL_EPSILON * u.value);
+        assert_order(u.error, >=, z * z * DBL_EPSILON * u.value);
     }
 }
 
@@ -115,7 +117,7 @@ static void steady_strips_are_the_sine_series(void **state) {
                 if (xi * W < 0.12 * B) continue; /* too near for a plain sum */
                 struct approx strips = rectangle_steady(xi * W, W, eta * B, B);
                 assert_near(sine_series(xi * W, W, eta * B, B), strips.value, strips.error + 1e-15);
-                assert_true(strips.error < 1e-13);
+                assert_order(strips.error, <, 1e-13);
             }
 }
 
@@ -159,7 +161,8 @@ static void four_sides_are_a_product_of_boxes(void **state) {
                 assert_near(sum, 1 - u.at.value * v.at.value, error[2] + u.at.error + v.at.error);
                 assert_near(slope[0], -u.slope.value * v.at.value, error[0] + u.slope.error + v.at.error / s);
                 assert_near(slope[1], -u.at.value * v.slope.value, error[1] + v.slope.error + u.at.error / s);
-                assert_true(error[0] < 1e-12 / s + 1e-13 / fmin(y, B - y) && error[2] < 2e-13);
+                assert_order(error[0], <, 1e-12 / s + 1e-13 / fmin(y, B - y));
+                assert_order(error[2], <, 2e-13);
             }
 }
 
@@ -175,7 +178,8 @@ static void long_plates_agree_with_quadrature(void **state) {
             u = one_side(3, 0.31, 7.3, (1 - x) * 0.1, 0.1, s[i]);
             v = rectangle_quadrature(x * 0.1, 0.1, 0.31, 7.3, s[i]);
             assert_near(u.at.value, v.value, u.at.error + v.error);
-            assert_true(u.at.error < 1e-12 && v.error < 1e-11);
+            assert_order(u.at.error, <, 1e-12);
+            assert_order(v.error, <, 1e-11);
         }
 }
 
@@ -287,7 +291,7 @@ static void modes_of_any_contrast_know_their_rounding(void **state) {
         struct curve e = layers_contour_at(&c, trial[i].x), f = layers_modes_at(&m, trial[i].x);
         assert_near(f.at.value, e.at.value, f.at.error + e.at.error);
         if (i > 0) assert_near(f.at.value, 0, f.at.error);
-        if (i > 1) assert_true(f.at.error < 1000 * fabs(f.at.value)); /* nor is the bound idle */
+        if (i > 1) assert_order(f.at.error, <, 1000 * fabs(f.at.value)); /* nor is the bound idle */
     }
 }
 
@@ -300,10 +304,11 @@ static void no_mode_of_two_layers_is_missed(void **state) {
         struct layers w = {{0.4, 0.6}, {1, contrast}, {1.3, contrast * 0.7}, {0, 0}, {1, 0}};
         layers_modes(&w, 1e-3, &m);
         double sum = 0.4 * sqrt(1.3) + 0.6 * sqrt(0.7);
-        assert_true(m.n > 20);
+        assert_order(m.n, >, 20);
         for (int n = 1; n <= m.n; n++) {
             double phase = m.mode[n - 1].q[0] / sqrt(1.3) * sum / 3.14159265358979323846;
-            assert_true(phase > n - 1 && phase < n + 1);
+            assert_order(phase, >, n - 1);
+            assert_order(phase, <, n + 1);
             assert_true(n == 1 || m.mode[n - 1].q[0] > m.mode[n - 2].q[0] * (1 + 1e-9));
             double p1 = m.mode[n - 1].q[0] * 0.4, p2 = m.mode[n - 1].q[1] * 0.6, e1 = sqrt(1.3),
                    e2 = contrast * sqrt(0.7);

@@ -51,7 +51,7 @@ static void finite_differences_have_their_symbols(void **state) {
         assert_near(predicted(&direct).von_neumann, 0.5 / dim, 1e-12);
         assert_near(predicted(&flux).von_neumann, 2.0 / dim, 1e-11);
         assert_near(predicted(&direct).published, 0.25 * dim, 0); /* Pamplona eq. 17 */
-        assert_true(isnan(predicted(&flux).published));
+        assert_nan(predicted(&flux).published);
     }
 }
 
@@ -134,7 +134,8 @@ static void walls_and_nodes_have_limits_of_their_own(void **state) {
                 assert_int_equal(step_limit_model(&b, &why), STATUS_OK);
                 assert_int_equal(step_limit_measure(&b, &measured, &why), STATUS_OK);
                 assert_near(measured * lambda / 2, 1, 0.01);
-                assert_true(2 / lambda >= predicted(&b).von_neumann * (1 - 1e-12)); /* the symbol's, of every wave */
+                assert_order(2 / lambda, >=,
+                             predicted(&b).von_neumann * (1 - 1e-12)); /* the symbol's, of every wave */
             }
 }
 
@@ -164,7 +165,7 @@ static void rkl2_is_a_legendre_polynomial(void **state) {
         struct amplification a = {STEPPER_RKL2, s};
         double beta = amplification_interval(&a), z = 0.371 * beta, b = beta / (s * (s + 1.0));
         assert_near(creal(amplification_factor(&a, -z)), 1 - b + b * gsl_sf_legendre_Pl(s, 1 - 2 * z / beta), 1e-13);
-        assert_true(amplification_reach(&a) > beta);
+        assert_order(amplification_reach(&a), >, beta);
         assert_near(cabs(amplification_factor(&a, -amplification_reach(&a))), 1, 1e-9);
     }
 }
@@ -199,12 +200,13 @@ static void the_quartic_kernel_breaks_song_34(void **state) {
     struct failure why;
     assert_int_equal(step_limit_model(&b, &why), STATUS_OK);
     struct step_limit l = predicted(&b);
-    assert_true(l.published > 1.02 * l.von_neumann);
+    assert_order(l.published, >, 1.02 * l.von_neumann);
     assert_int_equal(step_limit_grows(&b, 0.99 * l.published, 2000, &why), 1);
     assert_int_equal(step_limit_grows(&b, 0.99 * l.von_neumann, 2000, &why), 0);
     struct maximum_principle x;
     assert_int_equal(maximum_principle_find(&b, 1.12, &x, &why), STATUS_OK);
-    assert_true(x.lowest < 0 && x.undershoot > 1e-3);
+    assert_order(x.lowest, <, 0);
+    assert_order(x.undershoot, >, 1e-3);
 }
 
 /* A stencil that reaches past the 128 phases of the transform, twice 139 particles: the worst of 20000 waves. */
@@ -237,7 +239,7 @@ static void long_runs_keep_their_heat(void **state) {
     struct failure why;
     assert_int_equal(long_run_measure(&b, 0.999 * predicted(&b).von_neumann, 100000, &e, &why), STATUS_OK);
     assert_near(e.drift, 0, 100000 * 2.3e-16);
-    assert_true(e.rise <= 1e-15);
+    assert_order(e.rise, <=, 1e-15);
     assert_near(e.largest, e.mean, 1e-12);
 }
 

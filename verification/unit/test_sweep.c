@@ -287,7 +287,7 @@ static void rows_share_a_sweep(void **state) {
     struct made apart;
     make_rows(&apart, odd_rectangle(), o);
     assert_null(apart.a.banded);
-    assert_true(apart.a.n > 10 * (size_t)apart.a.band);
+    assert_order(apart.a.n, >, 10 * (size_t)apart.a.band);
     for (int k = 0; k < UPDATES; k++) state_update(&apart.a, &apart.u[k], 1, apart.Y);
     for (size_t k = 0; k < sizeof threads / sizeof *threads; k++) {
         struct made many;

@@ -29,7 +29,7 @@ static void a_time_error_is_met_and_not_more(void **state) {
         assert_int_equal(run_experiment(&r.experiment, &result, NULL), STATUS_OK);
         double error = D * pow(result.dt, i ? 2 : 1),
                coarser = r.experiment.problem.t_end / ((double)result.steps / 1.05 - 1);
-        assert_true(error <= r.experiment.time_error * (1 + 1e-6));
+        assert_order(error, <=, r.experiment.time_error * (1 + 1e-6));
         assert_true(result.steps <= 2 || D * pow(coarser, i ? 2 : 1) > r.experiment.time_error);
         arguments_free(&r);
     }
@@ -48,7 +48,7 @@ static void a_step_that_is_a_little_too_long_is_not_taken(void **state) {
         steep = 200;
         assert_int_equal(run_experiment(&r.experiment, &result, NULL), STATUS_OK);
         steep = 0;
-        assert_true(result.time_error * result.error.l1 <= r.experiment.time_error * (1 + 1e-12));
+        assert_order(result.time_error * result.error.l1, <=, r.experiment.time_error * (1 + 1e-12));
         arguments_free(&r);
     }
 }
@@ -58,7 +58,7 @@ static void a_time_error_out_of_reach_is_said(void **state) {
     struct request r = request("run rod-gauss ftcs --dx 0.5 --stepper euler --time-error 1e-12", &with_exact);
     struct result result;
     assert_int_equal(run_experiment(&r.experiment, &result, NULL), STATUS_GATE);
-    assert_non_null(strstr(result.failure.text, "--time-error 1e-12"));
+    assert_has(result.failure.text, "--time-error 1e-12");
     arguments_free(&r);
 }
 
@@ -85,7 +85,8 @@ static void a_refused_exact_falls_back(void **state) {
     struct result result;
     assert_int_equal(run_experiment(&r.experiment, &result, NULL), STATUS_OK);
     assert_int_equal(result.options.stepper, STEPPER_RKL2);
-    assert_true(result.time_error > 0 && result.time_error <= 0.01);
+    assert_order(result.time_error, >, 0);
+    assert_order(result.time_error, <=, 0.01);
     arguments_free(&r);
 }
 
@@ -112,7 +113,8 @@ static void the_step_is_refined_until_it_does_not_matter(void **state) {
     double space = C * 0.25, time = D * result.dt;
     assert_near(result.error.l1, space + time, 1e-12);
     assert_near(result.time_error, time / (space + time), 1e-9);
-    assert_true(result.time_error <= 0.01 && result.time_error > 0.005); /* and no finer than needed */
+    assert_order(result.time_error, <=, 0.01);
+    assert_order(result.time_error, >, 0.005); /* and no finer than needed */
     arguments_free(&r);
 }
 
@@ -121,7 +123,7 @@ static void an_unstable_first_step_is_halved(void **state) {
     struct request r = request("run rod-gauss ftcs --dx 0.5", &picky);
     struct result result;
     assert_int_equal(run_experiment(&r.experiment, &result, NULL), STATUS_OK);
-    assert_true(result.time_error <= 0.01);
+    assert_order(result.time_error, <=, 0.01);
     arguments_free(&r);
 }
 
@@ -132,7 +134,7 @@ static void a_given_step_is_taken_as_it_is(void **state) {
     assert_int_equal(run_experiment(&r.experiment, &result, NULL), STATUS_OK);
     assert_int_equal(result.steps, 8); /* 5 s in whole steps of at most 0.7 s */
     assert_near(result.dt, 0.625, 0);
-    assert_true(isnan(result.time_error));
+    assert_nan(result.time_error);
     arguments_free(&r);
 }
 
@@ -149,7 +151,7 @@ static void no_error_is_relative_to_zero(void **state) {
         struct result result;
         assert_int_equal(arguments_parse_line(lines[i], &r, &why), STATUS_OK);
         assert_int_equal(run_experiment(&r.experiment, &result, NULL), STATUS_INPUT);
-        assert_non_null(strstr(result.failure.text, "the exact solution is 0 K at all points"));
+        assert_has(result.failure.text, "the exact solution is 0 K at all points");
         arguments_free(&r);
     }
 }

@@ -64,7 +64,7 @@ static void what_no_temperature_needs_is_zero(void **state) {
     for (size_t i = 0; i < a.n; i++) Y[0][i] = least;
     state_update(&a, &(struct update){.rate = 0, .self = 0.25}, 1, Y);
     for (size_t i = 0; i < a.n; i++) assert_true(Y[0][i] == 0);
-    assert_true(least / 4 > 0);
+    assert_order(least / 4, >, 0);
     free(Y[0]), free(Y[1]);
     operator_free(&a);
 #else
@@ -148,7 +148,7 @@ static void no_thread_changes_a_bit(void **state) {
         struct heat_operator a;
         if (strip) p.hi[0] = p.lo[0] + 15, p.hi[1] = p.lo[1] + 0.08;
         assemble(&p, &o, &method_fo_ssph, &a);
-        assert_true(a.n > 10000);
+        assert_order(a.n, >, 10000);
         assert_int_equal(a.gradient->reach > a.n / 2, strip);
         double *want = updated(&a, 1);
         for (int t = 0; t < 4; t++) {

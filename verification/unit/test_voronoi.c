@@ -68,14 +68,16 @@ static void cells_fill_the_body(void **state) {
         for (size_t i = 0; i < v.n; i++) {
             double out[2] = {0, 0}, square = 0;
             sum += v.volume[i], beyond += v.volume[i] * v.beyond[i];
-            assert_true(v.volume[i] > 0 && v.beyond[i] >= 0 && v.beyond[i] <= 1);
+            assert_order(v.volume[i], >, 0);
+            assert_order(v.beyond[i], >=, 0);
+            assert_order(v.beyond[i], <=, 1);
             for (size_t q = v.begin[i]; q < v.begin[i + 1]; q++) {
                 size_t j = v.point[q];
                 double d[2] = {(m.c.x[j] - m.c.x[i]) * scale[0], (m.c.y[j] - m.c.y[i]) * scale[1]};
                 double r = hypot(d[0], d[1]);
                 for (int a = 0; a < 2; a++) out[a] += v.face[q] * d[a] / r;
                 square += v.face[q] * r;
-                assert_true(v.face[q] >= 0);
+                assert_order(v.face[q], >=, 0);
                 if (j < v.n) assert_memory_equal(&v.face[q], &(double){face_from(&v, j, i)}, sizeof(double));
                 if (j >= v.n && v.face[q] > 0) assert_int_equal(m.c.source[j], i);
                 if (j >= v.n && d[0] < 0 && fabs(d[0]) > r / 2) wall += v.face[q] / scale[1];
@@ -131,7 +133,7 @@ static void operator_is_symmetric(void **state) {
             for (size_t q = 0; q < r.n; q++) {
                 held[i * a.n + r.column[q]] = capacity * r.value[r.column[q]];
                 sum += r.value[r.column[q]];
-                if (r.column[q] != i) assert_true(r.value[r.column[q]] > 0);
+                if (r.column[q] != i) assert_order(r.value[r.column[q]], >, 0);
             }
             assert_near(sum / r.value[i], 0, 1e-9);
         }
@@ -242,17 +244,17 @@ static void bad_clouds_are_refused(void **state) {
     make(&m, &kinds[2], 1, NAN);
     m.c.x[11] = m.c.x[3], m.c.y[11] = m.c.y[3];
     assert_int_equal(voronoi_create(&v, &m.p, &m.c, 1, &why), STATUS_NUMERICAL);
-    assert_non_null(strstr(why.text, "particle 3 at"));
-    assert_non_null(strstr(why.text, "at the same place"));
+    assert_has(why.text, "particle 3 at");
+    assert_has(why.text, "at the same place");
     layout_cloud_free(&m.c);
     make(&m, &kinds[2], 1, NAN);
     m.c.total = m.c.n; /* no ghosts: cells at the walls have no end */
     assert_int_equal(voronoi_create(&v, &m.p, &m.c, 1, &why), STATUS_NUMERICAL);
-    assert_non_null(strstr(why.text, "does not end within"));
+    assert_has(why.text, "does not end within");
     layout_cloud_free(&m.c);
     m.p.materials = 2, m.p.material[1] = (struct material){{0.3, 0.9}, 1};
     assert_int_equal(method_voronoi_flux.scheme->check(&m.p, &m.o, &why), STATUS_NOT_APPLICABLE);
-    assert_non_null(strstr(why.text, "cells have one metric"));
+    assert_has(why.text, "cells have one metric");
 }
 
 int main(void) {

@@ -54,7 +54,8 @@ static double off(const struct problem *p, enum walls walls, enum layout_name la
     if (layout_lattice(p, &o, 1, &l, &why) || layout_cloud(p, &o, &l, 0.22, &c, &why) ||
         walls_fill(p, &o, &c, 0.1, &why))
         fail_msg("%s", why.text);
-    assert_true(c.n > 30 && c.total > c.n);
+    assert_order(c.n, >, 30);
+    assert_order(c.total, >, c.n);
     for (size_t j = c.n; j < c.total; j++) {
         double T = c.offset[j], x[2] = {c.x[j], c.y[j]};
         for (size_t k = c.begin[j - c.n]; k < c.begin[j - c.n + 1]; k++)
@@ -83,7 +84,7 @@ static void images_continue_linear_temperatures(void **state) {
         if (kind == ROBIN) continue; /* its factor is that of a slope along the normal alone */
         assert_near(off(&p, WALLS_IMAGE, LAYOUT_LATTICE), 0, 1e-12);
         p.data = &quadratic;
-        assert_true(off(&p, WALLS_IMAGE, LAYOUT_LATTICE) > 1e-3);
+        assert_order(off(&p, WALLS_IMAGE, LAYOUT_LATTICE), >, 1e-3);
     }
 }
 
