@@ -215,11 +215,33 @@ static void what_does_not_match_is_not_bad_input(void **state) {
     }
 }
 
+static double along_y_hi(const struct problem *p, enum side s, const double x[2]) {
+    (void)p;
+    return s == Y_HI ? x[0] : 0;
+}
+
+/* A first derivative taken twice, on a rectangle that is 0 but for one side: refused there, wherever that is. */
+static void walls_that_vary_are_seen_on_each_side(void **state) {
+    (void)state;
+    struct request r = request("run square-step fo_ssph --dx 0.1 --sampling spline");
+    const struct experiment *e = &r.experiment;
+    struct problem p = e->problem;
+    struct lattice l;
+    struct failure why = {0};
+    assert_int_equal(layout_lattice(&p, &e->options, 1, &l, &why), STATUS_OK);
+    assert_int_equal(matched_check(&p, &e->options, e->method->scheme, &l, &why), STATUS_OK);
+    p.wall = along_y_hi;
+    assert_int_equal(matched_check(&p, &e->options, e->method->scheme, &l, &why), STATUS_NOT_APPLICABLE);
+    assert_non_null(strstr(why.text, "a first derivative taken twice"));
+    arguments_free(&r);
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(errors_of_matched_runs),
         cmocka_unit_test(errors_without_one_part),
         cmocka_unit_test(what_does_not_match_is_not_bad_input),
+        cmocka_unit_test(walls_that_vary_are_seen_on_each_side),
     };
     return cmocka_run_group_tests_name("ceilings_matched", tests, NULL, NULL);
 }

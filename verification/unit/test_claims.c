@@ -2,6 +2,7 @@
 /* Claims: that no verdict can come from anywhere but a measurement, and that none can change unseen. */
 #include "reports/ledger/claims.h"
 #include "reports/ledger/kit.h"
+#include "reports/operators/others.h"
 #include "reports/papers.h"
 #include "reports/song/song.h"
 
@@ -61,6 +62,15 @@ static void a_condition_is_what_holds_as_published_alone(void **state) {
     assert_near(m.number[1].value, 1, 0.05);
     m = judge(ledger_order_order, "2 | on a particle: rod-step so_ssph --dx 4/44,4/84,4/164,4/324", CLAIMS_CONDITION);
     assert_int_equal(m.verdict, CLAIMS_CONTRADICTED);
+}
+
+/* On that cloud a mode of cspm grows; of conjugate, which is symmetric, none does, nor of voronoi_flux, whose weights
+ * are not negative. */
+static void the_only_stable_one_is_alone(void **state) {
+    (void)state;
+    assert_int_equal(judge(others_only, "conjugate | cspm", CLAIMS_REPRODUCED).verdict, CLAIMS_REPRODUCED);
+    assert_int_equal(judge(others_only, "conjugate | voronoi_flux", CLAIMS_REPRODUCED).verdict, CLAIMS_CONTRADICTED);
+    assert_int_equal(judge(others_only, "cspm | cspm", CLAIMS_REPRODUCED).verdict, CLAIMS_CONTRADICTED);
 }
 
 static void a_verdict_that_changes_is_seen(void **state) {
@@ -217,6 +227,7 @@ int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(the_numbers_decide),
         cmocka_unit_test(a_condition_is_what_holds_as_published_alone),
+        cmocka_unit_test(the_only_stable_one_is_alone),
         cmocka_unit_test(a_verdict_that_changes_is_seen),
         cmocka_unit_test(what_cannot_be_measured_never_holds),
         cmocka_unit_test(rows_are_whole_and_named_once),

@@ -57,6 +57,26 @@ static void exact_for_polynomials(void **state) {
     field_free(&f);
 }
 
+/* T = 1 + cos(x) cos(2 y) on [0, 3] x [0, 5], 30 by 50 spacings: 8 by 13 panels of four at most.  Gauss and
+ * Legendre's rule misses h^7 (3!)^4 / (7 (6!)^3) of the sixth derivative, 2^6 at most: 5.2e-8 of a panel of 0.4 m,
+ * 2e-6 of 13 over 3 m.  A polynomial of degree five leaves (2 r)^6/6! within the reach r = 0.35 m of 36
+ * points, 1.6e-4 at most. With one panel along y it would miss by some of T itself. */
+static void heat_of_many_panels(void **state) {
+    (void)state;
+    struct problem p = {.dim = 2, .hi = {3, 5}, .materials = 1, .material = {{{1, 1}, 1.9}}};
+    struct field f;
+    struct failure why;
+    double value;
+    field_alloc(&f, 2, 30 * 50);
+    for (size_t k = 0; k < f.n; k++) {
+        f.x[k] = 0.1 * ((double)(k % 30) + 0.5), f.y[k] = 0.1 * ((double)(k / 30) + 0.5);
+        f.T[k] = 1 + cos(f.x[k]) * cos(2 * f.y[k]);
+    }
+    if (derived_value(&(struct quantity){.kind = QUANTITY_HEAT}, &p, &f, 0.1, &value, &why)) fail_msg("%s", why.text);
+    assert_near(value, 1.9 * (15 + sin(3) * sin(10) / 2), 1.9 * 15 * 1.6e-4);
+    field_free(&f);
+}
+
 /* k = 0.3 and 0.0007 W/m/K at either side of x = 0.4 m, one slope: each wall conducts by what is at it. */
 static void a_wall_of_two_layers_has_the_conductivity_at_it(void **state) {
     (void)state;
@@ -110,6 +130,7 @@ static void what_has_no_value_is_refused(void **state) {
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(exact_for_polynomials),
+        cmocka_unit_test(heat_of_many_panels),
         cmocka_unit_test(a_wall_of_two_layers_has_the_conductivity_at_it),
         cmocka_unit_test(a_ladder_of_its_own),
         cmocka_unit_test(what_has_no_value_is_refused),

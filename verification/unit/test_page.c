@@ -83,6 +83,11 @@ static void charts_hold_their_points(void **state) {
     int circles = 0;
     for (const char *at = text; (at = strstr(at, "<circle")); at++) circles++;
     assert_int_equal(circles, 3); /* two points and the legend's: NaN is left out */
+    /* The drawing is 540 px wide and reaches 0.15 decades beyond 0.1 and 0.4, 348 px high from 1e-3 to 1e-1; its
+     * lower left corner is at (76, 364): 0.4 lies log10(4) + 0.15 = 0.75206 decades of 0.90206 to the right of it,
+     * 0.1 0.15, and 1.6e-2 1.20412 decades of 2 above it. */
+    assert_has(text, "<circle cx=\"526.2\" cy=\"154.5\"");
+    assert_has(text, "<circle cx=\"165.8\" cy=\"364.0\"");
     assert_has(text, "so &lt;ssph&gt;");
     assert_has(text, "slope 2");
     assert_lacks(text, "nan");
