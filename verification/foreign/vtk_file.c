@@ -8,6 +8,7 @@
 #include "verification/foreign/samples.h"
 #include "verification/text/number.h"
 
+#include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -43,6 +44,11 @@ static size_t next_word(struct reader *v, const char **word) {
     while (v->at < v->end && !strchr(" \t\r\n<", *v->at)) v->at++;
     if (v->at == *word && v->at < v->end && *v->at == '<') v->at++;
     return (size_t)(v->at - *word);
+}
+
+/* As a text of its own, cut where it is longer. */
+static void keep(char text[WORD], const char *word, size_t length) {
+    snprintf(text, WORD, "%.*s", (int)fmin((double)length, WORD), word);
 }
 
 static int is_word(const char *word, size_t length, const char *name) {
@@ -94,7 +100,7 @@ static int read_points(struct reader *v, size_t count, struct failure *why) {
 static int word_into(struct reader *v, char text[WORD]) {
     const char *word;
     size_t length = next_word(v, &word);
-    snprintf(text, WORD, "%.*s", (int)(length < WORD ? length : WORD - 1), word);
+    keep(text, word, length);
     return length > 0;
 }
 
@@ -185,7 +191,7 @@ static void attribute(const char *tag, const char *end, const char *name, char t
     for (const char *at = tag; at + length + 2 < end; at++) {
         if (!strchr(" \t\r\n", at[0]) || strncmp(at + 1, name, length) != 0 || at[length + 1] != '=') continue;
         const char *value = at + length + 3, *quote = memchr(value, at[length + 2], (size_t)(end - value));
-        if (quote) snprintf(text, WORD, "%.*s", (int)(quote - value < WORD ? quote - value : WORD - 1), value);
+        if (quote) keep(text, value, (size_t)(quote - value));
         return;
     }
 }
