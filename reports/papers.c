@@ -2,7 +2,7 @@
 /* The statements of all papers. */
 #include "reports/papers.h"
 
-#include "reports/operators/others.h"
+#include "reports/operators/operators.h"
 #include "reports/pamplona/pamplona.h"
 #include "reports/song/song.h"
 

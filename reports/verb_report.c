@@ -4,7 +4,7 @@
 #include "verification/command/verb.h"
 
 #include "reports/index/index.h"
-#include "reports/ledger/claims_write.h"
+#include "reports/ledger/claims.h"
 #include "reports/matched/matched_figures.h"
 #include "reports/operators/operators.h"
 #include "reports/pamplona/pamplona.h"

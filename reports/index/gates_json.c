@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Reads the JSON of `verify --json`: the members of each object of the array "gates", in any order, one object after
  * the other.  It reads that file and no other JSON. */
-#include "reports/index/gates_json.h"
+#include "reports/index/index.h"
 
 #include "solver/status.h"
 #include "verification/text/whole_file.h"

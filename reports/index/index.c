@@ -4,12 +4,10 @@
  * is computed here. */
 #include "reports/index/index.h"
 
-#include "reports/index/gates_json.h"
-#include "reports/index/orders.h"
 #include "references/scene.h"
 #include "solver/status.h"
 #include "verification/page/html.h"
-#include "verification/page/markdown.h"
+#include "verification/page/page.h"
 #include "verification/text/letter.h"
 #include "verification/text/output.h"
 #include "verification/text/whole_file.h"

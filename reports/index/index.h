@@ -2,10 +2,34 @@
 #ifndef HEATLADDER_REPORTS_INDEX_INDEX_H
 #define HEATLADDER_REPORTS_INDEX_INDEX_H
 
+#include "verification/page/page.h"
+
 struct failure;
 
 /* <dir>/index.html: one page of the files in `dir`, and <dir>/summary.md: its verdict for the summary of a job.  What
  * is not there is in one line with the command that makes it.  A status of solver/status.h. */
 int index_write(const char *dir, struct failure *why);
+
+/* Ladders of gates, by scene. */
+
+/* The order that each ladder in space or time reaches, on the band that is expected: a line a gate, grouped by the
+ * scenes as named, NULL last.  Nothing where no gate has a ladder. */
+void orders_put(const struct page_gate *gate, int count, const char *const scene[], FILE *out);
+
+/* The errors of a scene's ladders in space, a curve a method and the second-order particles first. */
+void orders_put_scene(const struct page_gate *gate, int count, const char *scene, FILE *out);
+
+/* The gates that `verify --json` has written, read back. */
+
+struct gates_json {
+    int count;
+    const char *made;       /* when, where and by which version they were run; into `text` */
+    struct page_gate *gate; /* owned; its texts point into `text` */
+    char *text;             /* owned */
+};
+
+/* 0, or -1 where there is no such file or it is none of verify's. */
+int gates_json_read(const char *path, struct gates_json *g);
+void gates_json_free(struct gates_json *g);
 
 #endif

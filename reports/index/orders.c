@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* One line a ladder; one curve a method. */
-#include "reports/index/orders.h"
+#include "reports/index/index.h"
 
 #include "verification/page/chart.h"
 #include "verification/page/html.h"

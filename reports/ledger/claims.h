@@ -6,6 +6,7 @@
  * pamplona.def; papers.h has all); what is measured decides its verdict, which must be the one that the row expects.
  */
 
+#include <stdio.h>
 #include <stddef.h>
 
 struct failure;
@@ -78,5 +79,19 @@ void claims_published(const struct claims_result *r, char *text, size_t size);
 
 /* "name 1.234 unit; name ..." cut to size. */
 void claims_numbers(const struct claims_measured *m, char *text, size_t size);
+
+/* The ledger as text, JSON, CSV and Markdown.  None holds a time or a path, so that equal verdicts give equal files
+ * (but for the one number that is in seconds). */
+
+/* Into a stream: a paragraph, an object, a line or a table row a claim. */
+void claims_write_text(const struct claims *c, FILE *out);
+void claims_write_json(const struct claims *c, FILE *out);
+/* As text the claims with an unexpected verdict, and the count of all. */
+void claims_write_changed(const struct claims *c, FILE *out);
+void claims_write_csv(const struct claims *c, FILE *out);
+void claims_write_markdown(const struct claims *c, FILE *out);
+
+/* claims.csv and claims.md into `dir`: both, whole, or neither. */
+int claims_write_files(const struct claims *c, const char *dir, struct failure *why);
 
 #endif

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The ledger for people and for programs. */
-#include "reports/ledger/claims_write.h"
+#include "reports/ledger/claims.h"
 
 #include "solver/status.h"
 #include "verification/text/json.h"

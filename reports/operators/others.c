@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* What other papers state of steps and growth, measured on model problems. */
-#include "reports/operators/others.h"
+#include "reports/operators/operators.h"
 
 #include "reports/ledger/kit.h"
 #include "verification/stability/step_limit.h"

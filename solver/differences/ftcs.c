@@ -18,7 +18,6 @@
 #include "solver/differences/ftcs_grid.h"
 #include "solver/differences/ftcs_loops.h"
 #include "solver/differences/ftcs_plan.h"
-#include "solver/differences/ftcs_polar.h"
 #include "solver/method.h"
 #include "solver/outline.h"
 #include "solver/problem.h"

@@ -15,7 +15,6 @@
 #include "solver/differences/ftcs_layers.h"
 #include "solver/differences/ftcs_matched.h"
 #include "solver/differences/ftcs_plan.h"
-#include "solver/differences/ftcs_sample.h"
 #include "solver/method.h"
 #include "solver/problem.h"
 

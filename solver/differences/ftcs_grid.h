@@ -2,6 +2,7 @@
 #ifndef HEATLADDER_SOLVER_DIFFERENCES_FTCS_GRID_H
 #define HEATLADDER_SOLVER_DIFFERENCES_FTCS_GRID_H
 
+#include "solver/method.h"
 #include <stddef.h>
 
 /* The grid of the finite differences: its points, its ghosts, what it starts from and how it steps. */
@@ -10,6 +11,8 @@ struct problem;
 struct options;
 struct failure;
 struct ftcs_loops;
+struct field;
+struct outline;
 
 enum { FTCS_LAYERS = 2 }; /* of ghosts: the fluxes reach two points far */
 
@@ -61,5 +64,17 @@ double ftcs_grid_cell(const struct ftcs_grid *g, int i, int j);
 
 /* J m^-3 K^-1, of column i. */
 double ftcs_grid_rho_c(const struct ftcs_grid *g, int i);
+
+/* The initial temperature, K, that the grid point at x stands for: the value there, or its average over the point's
+ * cell or with the cubic B-spline on spacings d (m, along x and y). */
+double ftcs_sample(const struct problem *p, const double x[2], const double d[2], enum sampling how);
+
+/* ftcs in a disc or an annulus, on a grid of rings and rays. */
+
+/* As method_solve and method_outline, of a round body. */
+int ftcs_polar_solve(const char *method, const struct problem *p, const struct options *o, struct field *f,
+                     struct failure *why);
+int ftcs_polar_outline(const char *method, const struct problem *p, const struct options *o, struct outline *out,
+                       struct failure *why);
 
 #endif

@@ -19,7 +19,7 @@
  * (1 - z)^2 / ((1 - z E)(1 - z / E)), E the shift by one ray and z + 1/z = 2 + 1/a: a sweep around each way.
  *
  * Rings are contiguous, so that all loops run along r and none is a recursion. */
-#include "solver/differences/ftcs_polar.h"
+#include "solver/differences/ftcs_grid.h"
 
 #include "solver/method.h"
 #include "solver/outline.h"

@@ -8,7 +8,7 @@
  * of its two parts.  Gauss-Legendre with four points on each piece that is smooth: the rule is cut at the knots of B,
  * at the walls, at the planes where the data jump, at their images in the walls, and at a plane of symmetry, which is
  * a wall where half of the domain is computed. */
-#include "solver/differences/ftcs_sample.h"
+#include "solver/differences/ftcs_grid.h"
 
 #include "solver/differences/ftcs_layers.h"
 #include "solver/problem.h"

@@ -21,7 +21,6 @@
  * Where no neighbour lies beyond the interface, and for one material, it is so_ssph. Restrictions: no source with two
  * materials (its jump would have to be told); layers thicker than the kernel's support, so that the images beyond a
  * wall are of the wall's own material. */
-#include "solver/particles/nonnegative.h"
 #include "solver/particles/particles.h"
 #include "solver/particles/ssph.h"
 #include "solver/space/kernel.h"

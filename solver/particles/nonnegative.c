@@ -5,7 +5,7 @@
  * Vandenberghe 2004, section 5.2).  Where all z . P_j are positive these are the weights of least squares.  f is
  * quadratic in pieces, so that Newton's method with a line search ends after a few steps.  Where b is outside the
  * cone of the P_j there are no such weights, and f has no minimum. */
-#include "solver/particles/nonnegative.h"
+#include "solver/particles/ssph.h"
 
 #include <math.h>
 

@@ -2,7 +2,6 @@
 /* From a problem and options to a field, for every particle method: layout -> sample -> operator -> stepper -> field.
  */
 #include "solver/particles/particles.h"
-#include "solver/particles/redraw.h"
 #include "solver/particles/start.h"
 #include "solver/particles/walls.h"
 #include "solver/time/growth.h"

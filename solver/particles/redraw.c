@@ -7,7 +7,6 @@
  * place to place and draw to draw, and by fourth ones, K dx^4 T_xxxx with one sign.  After t/(N dt) draws these add
  * up to K dx^4 t/(N dt): with dt = F dx^2/kappa second order, of the constant K kappa t/(N F) beside the operator's
  * own; an operator of higher order falls to second.  With dt ~ dx it is third order. */
-#include "solver/particles/redraw.h"
 #include "solver/particles/particles.h"
 #include "solver/particles/ssph.h"
 #include "solver/space/kernel.h"

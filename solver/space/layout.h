@@ -95,4 +95,10 @@ void layout_mirror(const struct problem *p, const struct options *o, const struc
 int layout_cut(const struct problem *p, const struct options *o, const struct lattice *l, double reach,
                struct cloud *c, struct failure *why);
 
+/* Moves the particles of *c (n of them; ghosts are not looked at) apart until they have settled, and fills
+ * c->settling.  spacing, m: V^(1/d).  STATUS_NUMERICAL, with how far it came, where o->sweeps do not suffice.
+ * The same for any number of threads. */
+int relax_cloud(const struct problem *p, const struct options *o, double spacing, struct cloud *c,
+                struct failure *why);
+
 #endif

@@ -6,7 +6,6 @@
 #include "solver/space/layout.h"
 
 #include "solver/space/place.h"
-#include "solver/space/relax.h"
 
 #include <gsl/gsl_rng.h>
 #include <math.h>

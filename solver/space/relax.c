@@ -8,7 +8,7 @@
  * pair (Dehnen & Aly 2012).  No move is longer than 0.1 s.  Settled: the root mean square of a sweep's moves is below
  * SETTLED s.  In the plane grains of a hexagonal lattice are left, with disorder between them, which a longer
  * relaxation moves but does not remove; on a rod even spacing, but for waves that are long. */
-#include "solver/space/relax.h"
+#include "solver/space/layout.h"
 #include "solver/space/kernel.h"
 #include "solver/space/neighbours.h"
 

@@ -3,7 +3,6 @@
 #include "verification/choose/forewarn.h"
 
 #include "solver/status.h"
-#include "verification/choose/memory.h"
 #include "verification/choose/plan.h"
 #include "verification/choose/plan_steps.h"
 #include "verification/run/experiment.h"

@@ -31,10 +31,19 @@ void forewarn_text(double seconds, char *text, size_t size);
 int forewarn(const char *what, double seconds);
 
 /* Says how long `what`, the run of *e, will take.  STATUS_OK; STATUS_INPUT where its plan is refused, as the run
- * would be once all is set up, or takes more memory than there is (memory.h). */
+ * would be once all is set up, or takes more memory than there is. */
 int forewarn_run(const char *what, const struct experiment *e, struct failure *why);
 
 /* The same for one run more, where all take more than twice the last warning. */
 int forewarn_next(struct forewarned *f, const char *what, double seconds);
+
+/* Whether a run fits into the memory that is there. */
+
+/* Bytes that a program may still take: MemAvailable of Linux, else the physical memory; 0 where neither is known. */
+double memory_there(void);
+
+/* STATUS_OK where the plan of *e takes no more than e->memory, or memory_there() where that is 0, or says nothing.
+ * Else STATUS_INPUT, *why naming the finest dx that fits, among those that divide the domain. */
+int memory_check(const struct experiment *e, struct failure *why);
 
 #endif

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Planned bytes against those of the machine. */
-#include "verification/choose/memory.h"
+#include "verification/choose/forewarn.h"
 
 #include "solver/status.h"
 #include "verification/choose/plan.h"

@@ -7,7 +7,6 @@
 #include "verification/command/arguments.h"
 
 #include "references/scene.h"
-#include "verification/command/checks.h"
 #include "verification/command/option.h"
 #include "verification/command/verb.h"
 #include "verification/foreign/results.h"

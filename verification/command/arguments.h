@@ -17,4 +17,12 @@ int arguments_parse_line_with(const char *line, const char *const *more, struct 
 
 void arguments_free(struct request *r);
 
+/* Whether the options of a request go together.  Both: STATUS_OK, or STATUS_INPUT with *why filled. */
+
+/* All that the verb needs is given; before the scene is set up. */
+int checks_required(const struct request *r, struct failure *why);
+
+/* No option contradicts another or lacks one that it needs; once the scene is set up. */
+int checks_together(const struct request *r, struct failure *why);
+
 #endif

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* What no single option can see: which ones a verb lacks, which contradict or need each other. */
-#include "verification/command/checks.h"
+#include "verification/command/arguments.h"
 #include "solver/time/stepper.h"
 
 #include "references/scene.h"

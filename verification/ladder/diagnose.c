@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* From the rungs of a ladder to the diagnosis of their errors. */
-#include "verification/ladder/diagnose.h"
+#include "verification/ladder/doubt.h"
 
 #include "references/scene.h"
 #include "solver/field.h"

@@ -9,6 +9,7 @@
 
 struct ladder;
 struct ladder_rungs;
+struct experiment;
 
 /* How far two runs of the same are apart at the rung before the finest, in the norm of the ladder. */
 struct doubt_noise {
@@ -27,5 +28,11 @@ double doubt_digits(const struct field *f, int *digits);
  * that is inconclusive far below its ceiling, how many rungs would decide.  finest: its field, at the finest rung. */
 void doubt_judge(const struct ladder_rungs *rungs, const struct doubt_noise *noise, const struct field *finest,
                  struct ladder *l);
+
+/* Which usual fault the errors of a ladder in space look like, into l->diagnosis: from the fields of its finest rung
+ * and of the one before, in that order (n = 0 where a rung has none).  *noise: by how much a program's answers differ
+ * from run to run, which is all of the diagnosis where that hides the rest. */
+void diagnose_ladder(const struct experiment *e, const struct field kept[2], struct ladder *l,
+                     struct doubt_noise *noise);
 
 #endif

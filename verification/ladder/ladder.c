@@ -5,7 +5,6 @@
 #include "solver/field.h"
 #include "solver/status.h"
 #include "verification/foreign/results.h"
-#include "verification/ladder/diagnose.h"
 #include "verification/ladder/doubt.h"
 #include "verification/ladder/judge.h"
 #include "verification/ladder/self_difference.h"

@@ -1,6 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Gates as JUnit XML: a test suite a group, a test case a gate, failed or in error (inconclusive) with its reason. */
-#include "verification/page/junit.h"
 
 #include "solver/status.h"
 #include "verification/diagnosis/wording.h"

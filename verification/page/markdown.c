@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Markdown to HTML, line by line: as much of it as the reports write. */
-#include "verification/page/markdown.h"
+#include "verification/page/page.h"
 
 #include "solver/status.h"
 #include "verification/page/html.h"

@@ -54,4 +54,19 @@ int page_gates_write(const struct gates *g, const char *title, const char *comma
 int page_ladder_write(const struct ladder *l, const struct ladder_rungs *asked, const char *command, const char *path,
                       struct failure *why);
 
+/* The verdicts on standard output: each gate with `all`, else how many of each group hold; then the reason, diagnosis
+ * and command of every gate that does not hold, with `all` its numbers and why too; then one line of counts. */
+void print_gates(const struct gates *g, int all, double seconds);
+
+/* Those that do not hold as annotations of GitHub Actions, on standard error: an error a failure, a warning where
+ * none was decided. */
+void print_annotations(const struct gates *g);
+
+/* The verdicts as JUnit XML, reasons included.  STATUS_OK, or STATUS_INPUT with *why filled. */
+int junit_write(const struct gates *g, const char *path, struct failure *why);
+
+/* The Markdown that this project writes: headings, paragraphs, lists, tables, code, `code`, *emphasis*, links.  A
+ * heading of level n becomes one of level n + deeper. */
+void markdown_write(FILE *out, FILE *in, int deeper);
+
 #endif

@@ -1,6 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Verdicts for a reader. */
-#include "verification/page/print.h"
 
 #include "verification/diagnosis/wording.h"
 #include "verification/gates/gates.h"

@@ -10,7 +10,6 @@
  *   - The upper half of the band, 2 to 4 points to a wavelength along some axis, and not its highest mode (-1)^j
  * alone: that one is odd about the middle of an even number of points, so that a symmetric scene never excites it,
  * and its neighbours carry the checkerboard. */
-#include "verification/run/checkerboard.h"
 
 #include "solver/time/transform.h"
 #include "verification/run/norms.h"

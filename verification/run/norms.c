@@ -5,7 +5,6 @@
 #include "references/snapshot.h"
 #include "solver/method.h"
 #include "solver/shape.h"
-#include "verification/run/checkerboard.h"
 
 #include <math.h>
 #include <stdlib.h>

@@ -44,7 +44,7 @@ struct norms_shape {
     double min, max;              /* K, of the field */
     double overshoot, undershoot; /* K, past the initial range and the walls' temperatures; 0 where within */
     double variation;             /* K (K m for a rectangle): sum of |difference| along the axes; NaN off a lattice */
-    double checkerboard;          /* K: see checkerboard.h */
+    double checkerboard;          /* K: see checkerboard_amplitude */
 };
 
 /* exact: T of norms_exact, K. */
@@ -52,5 +52,9 @@ struct norms_shape norms_shape(const struct problem *p, const struct field *f, c
 
 /* (heat at the end - heat at the start) / |heat at the start| */
 double norms_heat_drift(const struct field *f);
+
+/* The largest amplitude, K, among the modes of the error T - exact that have 2 to 4 points to a wavelength along some
+ * axis; a pure mode of amplitude c gives c.  NaN where the field is on no lattice. */
+double checkerboard_amplitude(const struct problem *p, const struct field *f, const double *exact);
 
 #endif

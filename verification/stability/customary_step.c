@@ -9,7 +9,7 @@
  * The least of each, with h of a kernel that ends at 2 h.
  * A method without an h of its own (cells) is given the h/dx of the others' default, as a code that changes its
  * operator alone would. */
-#include "verification/stability/customary_step.h"
+#include "verification/stability/step_limit.h"
 
 #include <string.h>
 

@@ -2,12 +2,11 @@
 /* Claims: that no verdict can come from anywhere but a measurement, and that none can change unseen. */
 #include "reports/ledger/claims.h"
 #include "reports/ledger/kit.h"
-#include "reports/operators/others.h"
+#include "reports/operators/operators.h"
 #include "reports/papers.h"
 #include "reports/song/song.h"
 
 #include "solver/method.h"
-#include "reports/ledger/claims_write.h"
 #include "verification/text/output.h"
 
 #include "verification/unit/near.h"

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* contact_ssph with materials of any ratio: no mode grows, and a row's weights beside the interface are exact and not
  * negative.  Clouds of 40 particles on a rod and 12 x 12 in the plane, k and rho c apart by 1e-4 to 1e4. */
-#include "solver/particles/nonnegative.h"
+#include "solver/particles/ssph.h"
 #include "verification/stability/spectrum.h"
 #include "verification/unit/near.h"
 

@@ -2,7 +2,6 @@
 /* What will take long is told beforehand, what is short is not: by counted work, the same on every machine. */
 #include "verification/choose/forewarn.h"
 
-#include "verification/choose/memory.h"
 #include "verification/command/arguments.h"
 #include "verification/command/request.h"
 

@@ -4,7 +4,7 @@
 
 #include "verification/command/arguments.h"
 #include "verification/diagnosis/wording.h"
-#include "verification/page/junit.h"
+#include "verification/page/page.h"
 #include "verification/run/run.h"
 
 #include "solver/time/stepper.h"

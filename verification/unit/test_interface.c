@@ -11,7 +11,7 @@
  *     e_i = g_i (c_i + A_i (T_i - Tc)/kappa_i (3/2 - s^2/(4 kappa_i t))),  g_i = s/(2 sqrt(pi kappa_i t^3))
  * exp(-s^2/(4 kappa_i t)), c_2 - c_1 = J,   E_1 c_1 + E_2 c_2 = -sqrt(pi) Q (M(rho_c) + (A_2 rho_c_2/k_2 - A_1
  * rho_c_1/k_1)/2). */
-#include "solver/differences/ftcs_sample.h"
+#include "solver/differences/ftcs_grid.h"
 #include "solver/space/sample.h"
 #include "verification/command/arguments.h"
 #include "verification/run/result.h"

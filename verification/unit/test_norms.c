@@ -5,7 +5,6 @@
 #include "references/scene.h"
 #include "solver/method.h"
 #include "solver/problem.h"
-#include "verification/run/checkerboard.h"
 
 #include "verification/unit/near.h"
 

@@ -2,12 +2,9 @@
 /* Pages: what is escaped, what Markdown becomes, what a chart holds, and gates that are read back. */
 #include "verification/page/chart.h"
 #include "verification/page/html.h"
-#include "verification/page/markdown.h"
 #include "verification/page/page.h"
 
-#include "reports/index/gates_json.h"
 #include "reports/index/index.h"
-#include "reports/index/orders.h"
 #include "solver/status.h"
 #include "verification/command/arguments.h"
 #include "verification/foreign/program.h"

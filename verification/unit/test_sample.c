@@ -3,7 +3,7 @@
  * codes for it, that of the particles and that of the finite differences, are held to the same numbers. */
 #include "solver/method.h"
 
-#include "solver/differences/ftcs_sample.h"
+#include "solver/differences/ftcs_grid.h"
 #include "solver/space/sample.h"
 
 #include "verification/unit/odd_problems.h"

@@ -9,7 +9,6 @@
 #include "verification/gates/gates.h"
 #include "verification/ladder/gci.h"
 #include "verification/ladder/ladder.h"
-#include "verification/page/junit.h"
 #include "verification/page/page.h"
 #include "verification/text/atomic_file.h"
 #include "verification/text/paint.h"

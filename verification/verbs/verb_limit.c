@@ -3,7 +3,6 @@
 #include "verification/command/verb.h"
 
 #include "verification/text/json.h"
-#include "verification/stability/customary_step.h"
 #include "verification/stability/step_limit.h"
 #include "verification/command/request.h"
 

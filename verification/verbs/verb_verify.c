@@ -11,13 +11,11 @@
 #include "verification/diagnosis/wording.h"
 #include "verification/gates/gates.h"
 #include "verification/text/json.h"
-#include "verification/page/junit.h"
 #include "verification/text/output.h"
 #include "verification/text/words.h"
 #include "verification/command/request.h"
 #include "verification/foreign/results.h"
 #include "verification/page/page.h"
-#include "verification/page/print.h"
 
 #include <omp.h>
 #include <stdio.h>
