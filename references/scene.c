@@ -2,6 +2,7 @@
 /* The list of scenes.  build/scenes.inc is made from the names of the files scene_<name>.c. */
 #include "references/scene.h"
 
+#include <stdlib.h>
 #include <string.h>
 
 #define SCENE(name) extern const struct scene scene_##name;
@@ -23,4 +24,12 @@ const struct scene *scene_find(const char *name) {
 void scene_defaults(const struct scene *s, struct problem *p) {
     *p = (struct problem){0};
     for (int i = 0; s->params[i].name; i++) p->param[i] = s->params[i].value;
+}
+
+struct exact scene_exact(const struct scene *s, const struct problem *p, const double x[2], double t) {
+    if (!s->prepare) return s->exact(p, x, t);
+    void *shared = s->prepare(p, t);
+    struct exact e = s->prepared(p, shared, x, t);
+    free(shared);
+    return e;
 }

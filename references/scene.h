@@ -51,7 +51,7 @@ struct scene {
     /* The same at the n points (x[i], y[i]), where those of a lattice have more to share; else NULL. */
     void (*at_points)(const struct problem *p, const void *shared, size_t n, const double *x, const double *y,
                       double t, struct exact *e);
-    /* Exact solution of *p at x and time t >= 0 s.  For many points at one time: snapshot.h. */
+    /* Exact solution of *p at x and time t >= 0 s, of a scene that has nothing to share; else NULL (scene_exact). */
     struct exact (*exact)(const struct problem *p, const double x[2], double t);
     /* A second form of the temperature, derived apart, for the reference to be checked against (every scene has one).
      */
@@ -65,5 +65,8 @@ extern const struct scene *const scenes[]; /* ended by NULL, in alphabetical ord
 
 const struct scene *scene_find(const char *name);              /* NULL where there is none */
 void scene_defaults(const struct scene *s, struct problem *p); /* p->param from the table; the rest zero */
+
+/* The exact solution of any scene at x, m, and time t >= 0 s.  For many points at one time: snapshot.h. */
+struct exact scene_exact(const struct scene *s, const struct problem *p, const double x[2], double t);
 
 #endif

@@ -144,13 +144,6 @@ static struct exact prepared(const struct problem *p, const void *shared, const 
     return e;
 }
 
-static struct exact exact(const struct problem *p, const double x[2], double t) {
-    void *shared = prepare(p, t);
-    struct exact e = prepared(p, shared, x, t);
-    free(shared);
-    return e;
-}
-
 static struct exact second(const struct problem *p, const double x[2], double t) {
     struct shared *g = prepare_form(p, t, 1);
     struct exact e = prepared(p, g, x, t);
@@ -196,6 +189,5 @@ const struct scene scene_disc_cooling = {
     .setup = setup,
     .prepare = prepare,
     .prepared = prepared,
-    .exact = exact,
     .second = second,
 };

@@ -124,13 +124,6 @@ static struct exact prepared(const struct problem *p, const void *shared, const 
                           .gradient_bound = {T.slope[0].error, T.slope[1].error}};
 }
 
-static struct exact exact(const struct problem *p, const double x[2], double t) {
-    void *shared = prepare(p, t);
-    struct exact e = prepared(p, shared, x, t);
-    free(shared);
-    return e;
-}
-
 static struct exact second(const struct problem *p, const double x[2], double t) {
     const double *v = p->param, W = v[WIDTH], B = v[HEIGHT], s = width_at(p, t);
     const struct {
@@ -183,7 +176,6 @@ const struct scene scene_plate = {
     .setup = setup,
     .prepare = prepare,
     .prepared = prepared,
-    .exact = exact,
     .second = second,
     .published = published,
     .odd = {{0.13, 0.07, 0.31, 0.57, 0.83, 1.19, 0.11, 1, 23.7}, 1, 0.001, 20},

@@ -110,13 +110,6 @@ static struct exact prepared(const struct problem *p, const void *shared, const 
     return e;
 }
 
-static struct exact exact(const struct problem *p, const double x[2], double t) {
-    void *shared = prepare(p, t);
-    struct exact e = prepared(p, shared, x, t);
-    free(shared);
-    return e;
-}
-
 static struct exact second(const struct problem *p, const double x[2], double t) {
     const double *v = p->param;
     if (t == 0) return (struct exact){.temperature = v[T0]};
@@ -135,6 +128,5 @@ const struct scene scene_plate_cooling = {
     .prepare = prepare,
     .prepared = prepared,
     .at_points = at_points,
-    .exact = exact,
     .second = second,
 };

@@ -137,13 +137,6 @@ static struct exact prepared(const struct problem *p, const void *shared, const 
     return e;
 }
 
-static struct exact exact(const struct problem *p, const double x[2], double t) {
-    void *shared = prepare(p, t);
-    struct exact e = prepared(p, shared, x, t);
-    free(shared);
-    return e;
-}
-
 /* T - T0 has the transform ((T1 - T0) (k q cosh q d + b sinh q d) + (T_a - T0) b sinh q x)/z/(k q cosh q L + b sinh q
  * L), q = sqrt(z rho_c/k). */
 static struct exact second(const struct problem *p, const double x[2], double t) {
@@ -172,6 +165,5 @@ const struct scene scene_rod_cooling = {
     .setup = setup,
     .prepare = prepare,
     .prepared = prepared,
-    .exact = exact,
     .second = second,
 };

@@ -111,19 +111,11 @@ static struct exact prepared(const struct problem *p, const void *shared, const 
                           .gradient_bound = {T.slope.error}};
 }
 
-static struct exact at_once(const struct problem *p, const double x[2], double t, int other) {
-    struct shared *s = share(p, t, other);
+static struct exact second(const struct problem *p, const double x[2], double t) {
+    struct shared *s = share(p, t, 1);
     struct exact e = prepared(p, s, x, t);
     free(s);
     return e;
-}
-
-static struct exact exact(const struct problem *p, const double x[2], double t) {
-    return at_once(p, x, t, 0);
-}
-
-static struct exact second(const struct problem *p, const double x[2], double t) {
-    return at_once(p, x, t, 1);
 }
 
 const struct scene scene_wall_composite = {
@@ -134,7 +126,6 @@ const struct scene scene_wall_composite = {
     .setup = setup,
     .prepare = prepare,
     .prepared = prepared,
-    .exact = exact,
     .second = second,
     .odd = {{1.1, 0.37, 0.9, 1.3, 1.2, 0.013, 0.021, 0.3, 4}, 1, 0.01, 0.5},
 };

@@ -16,7 +16,7 @@ struct snapshot {
 struct snapshot snapshot_take(const struct scene *scene, const struct problem *problem, double time);
 void snapshot_free(struct snapshot *s);
 
-/* As scene->exact at x, m, and the time of the snapshot. */
+/* As scene_exact at x, m, and the time of the snapshot. */
 struct exact snapshot_at(const struct snapshot *s, const double x[2]);
 /* The same at the n points (x[i], y[i]), to e; y is NULL on a rod.  Some thousand at a time share enough. */
 void snapshot_at_points(const struct snapshot *s, size_t n, const double *x, const double *y, struct exact *e);

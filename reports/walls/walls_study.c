@@ -215,7 +215,7 @@ static int write_field(FILE *out, struct failure *why) {
         fprintf(out, "\n\n# %s\nx,y,error\n", drawn[k]);
         for (size_t i = 0; i < f.n; i++) {
             const double x[2] = {f.x[i], f.y[i]};
-            double T = r.experiment.scene->exact(&r.experiment.problem, x, f.time).temperature;
+            double T = scene_exact(r.experiment.scene, &r.experiment.problem, x, f.time).temperature;
             fprintf(out, "%.5f,%.5f,%.3e\n", x[0], x[1], fmax(1e-7, fabs(f.T[i] - T)));
         }
         arguments_free(&r);

@@ -60,7 +60,7 @@ double command_run_error(const struct command_run *run, int decimals, double lat
 }
 
 double command_run_exact(const struct command_run *run, const double x[2], double t) {
-    return run->request.experiment.scene->exact(&run->request.experiment.problem, x, t).temperature;
+    return scene_exact(run->request.experiment.scene, &run->request.experiment.problem, x, t).temperature;
 }
 
 void command_run_free(struct command_run *run) {

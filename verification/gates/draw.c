@@ -152,12 +152,12 @@ static struct sums sums_of(const struct experiment *e, const struct field *f) {
     struct sums sum = {0};
     for (size_t i = 0; i < f->n; i++) {
         double x[2] = {f->x[i], p->dim == 2 ? f->y[i] : 0}, laplace = 0, slopes = 0;
-        struct exact here = e->scene->exact(p, x, p->t_end);
+        struct exact here = scene_exact(e->scene, p, x, p->t_end);
         for (int a = 0; a < p->dim; a++) {
             double lo[2] = {x[0], x[1]}, hi[2] = {x[0], x[1]};
             lo[a] -= d, hi[a] += d;
-            double below = e->scene->exact(p, lo, p->t_end).temperature;
-            double above = e->scene->exact(p, hi, p->t_end).temperature;
+            double below = scene_exact(e->scene, p, lo, p->t_end).temperature;
+            double above = scene_exact(e->scene, p, hi, p->t_end).temperature;
             laplace += (below - 2 * here.temperature + above) / (d * d);
             slopes += fabs(above - below) / (2 * d); /* a cell away along each axis */
         }
@@ -172,7 +172,8 @@ static struct sums sums_of(const struct experiment *e, const struct field *f) {
 static double bend_at_end(const struct experiment *e) {
     const struct problem *p = &e->problem;
     double d = e->options.dx / 8, x[2] = {p->hi[0], 0}, in[2] = {p->hi[0] - d, 0};
-    double end = e->scene->exact(p, x, p->t_end).gradient[0], inside = e->scene->exact(p, in, p->t_end).gradient[0];
+    double end = scene_exact(e->scene, p, x, p->t_end).gradient[0],
+           inside = scene_exact(e->scene, p, in, p->t_end).gradient[0];
     return fabs((end - inside) / d / end);
 }
 

@@ -187,7 +187,7 @@ void measures_reference(const struct request *r, double lo, double hi, struct me
     for (int i = 0; i < POINTS * TIMES && !isnan(worst); i++) {
         double x[2], t = p->t_end * part[i % TIMES];
         odd_point(p, i / TIMES, x);
-        struct exact a = r->experiment.scene->exact(p, x, t), b = r->experiment.scene->second(p, x, t);
+        struct exact a = scene_exact(r->experiment.scene, p, x, t), b = r->experiment.scene->second(p, x, t);
         double apart = fabs(a.temperature - b.temperature);
         double allowed = a.error_bound + b.error_bound;
         double ratio = !(allowed >= 0 && allowed < INFINITY) ? NAN : apart == 0 ? 0 : apart / allowed;

@@ -166,9 +166,9 @@ static void the_ceiling_of_a_changing_source(void **state) {
         static const double step[5][2] = {{0, 0}, {1, 0}, {-1, 0}, {0, 1}, {0, -1}};
         double T[5];
         for (int k = 0; k < 5; k++)
-            T[k] =
-                r.experiment.scene->exact(p, (double[2]){f.x[i] + d * step[k][0], f.y[i] + d * step[k][1]}, p->t_end)
-                    .temperature;
+            T[k] = scene_exact(r.experiment.scene, p, (double[2]){f.x[i] + d * step[k][0], f.y[i] + d * step[k][1]},
+                               p->t_end)
+                       .temperature;
         mean += fabs(T[1] + T[2] + T[3] + T[4] - 4 * T[0]) / (d * d) * dx * dx / 24, sum += T[0];
     }
     double left = mean / sum + 4 * result.error.l1;

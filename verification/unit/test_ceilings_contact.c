@@ -92,7 +92,7 @@ static void make(struct made *m, const char *more) {
     for (size_t i = 0; i < m->a.n; i++) {
         m->rho_c[i] = p->material[layout_material(p, m->c.x[i])].rho_c, m->contact += m->c.x[i] < p->interface;
         double x[2] = {m->c.x[i], 0};
-        m->heat += fabs(m->r.experiment.scene->exact(p, x, p->t_end).temperature) * m->dx;
+        m->heat += fabs(scene_exact(m->r.experiment.scene, p, x, p->t_end).temperature) * m->dx;
     }
 }
 

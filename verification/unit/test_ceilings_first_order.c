@@ -144,7 +144,7 @@ static double of_plate(const char *method) {
             double x[2] = {PLATE * (i + 0.5) / N, PLATE * (j + 0.5) / N};
             sum += fmax(fabs(envelope(x[0], x[1], wall, k, pull, p.t_end)),
                         fabs(envelope(x[1], x[0], turned, k, pull, p.t_end)));
-            heat += scene->exact(&p, x, p.t_end).temperature;
+            heat += scene_exact(scene, &p, x, p.t_end).temperature;
         }
     free(s.w);
     return sum / heat;

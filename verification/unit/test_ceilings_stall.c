@@ -96,8 +96,8 @@ static double late(const char *name, double t, double s) {
     const struct problem *p = &r.experiment.problem;
     for (int i = 0; i < POINTS; i++) {
         double x[2] = {p->lo[0] + (p->hi[0] - p->lo[0]) * (i + 0.5) / POINTS, 0};
-        double T = r.experiment.scene->exact(p, x, t).temperature;
-        sum += fabs(r.experiment.scene->exact(p, x, t * (1 - s)).temperature - T), all += fabs(T);
+        double T = scene_exact(r.experiment.scene, p, x, t).temperature;
+        sum += fabs(scene_exact(r.experiment.scene, p, x, t * (1 - s)).temperature - T), all += fabs(T);
     }
     arguments_free(&r);
     return sum / all;

@@ -68,7 +68,7 @@ static void solve(const char *name, const struct problem *p, struct fault fault,
         for (int a = 0; a < p->dim; a++) x[a] = with.centre[a] + with.stretch[a] * (x[a] - with.centre[a]);
         r->field.x[i] = x[0];
         if (r->field.y) r->field.y[i] = x[1];
-        struct exact e = scene_of(name)->exact(p, x, p->t_end);
+        struct exact e = scene_exact(scene_of(name), p, x, p->t_end);
         r->exact[i] = e.no_value ? NAN : e.temperature;
     }
     r->at = (struct diagnosis_rung){&r->field, r->exact, dx, dt, NAN};
@@ -211,7 +211,7 @@ static void solve_means(struct problem *p, double mean, double steps, double dx,
     solve("rod-gauss", p, (struct fault){FAULT_CLOCK, 0}, steps, dx, r);
     for (size_t i = 0; i < r->field.n; i++) {
         double x = r->field.x[i], T[3];
-        for (int j = 0; j < 3; j++) T[j] = s->exact(p, (double[2]){x + (j - 1) * d, 0}, p->t_end).temperature;
+        for (int j = 0; j < 3; j++) T[j] = scene_exact(s, p, (double[2]){x + (j - 1) * d, 0}, p->t_end).temperature;
         r->field.T[i] += mean * dx * dx / 24 * (T[0] - 2 * T[1] + T[2]) / (d * d);
     }
 }

@@ -20,7 +20,7 @@ static void a_plates_bound_holds_the_rounding_of_its_start(void **state) {
                              &r, &why))
         fail_msg("%s", why.text);
     for (double t = 0.1; t < 2000; t *= 10) {
-        struct exact e = r.experiment.scene->exact(&r.experiment.problem, (double[2]){0.03, 0.07}, t);
+        struct exact e = scene_exact(r.experiment.scene, &r.experiment.problem, (double[2]){0.03, 0.07}, t);
         assert_order(e.error_bound, >=, 2 * DBL_EPSILON * 1e6);
     }
     arguments_free(&r);

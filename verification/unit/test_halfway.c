@@ -31,7 +31,7 @@ static void sample(const struct experiment *e, int nx, int ny, double off, struc
             double x[2] = {p->lo[0] + (i + 0.5) * f->spacing[0], p->lo[1] + (j + 0.5) * f->spacing[1]};
             f->x[j * nx + i] = x[0];
             if (f->y) f->y[j * nx + i] = x[1];
-            f->T[j * nx + i] = (1 + off) * e->scene->exact(p, x, p->t_end).temperature;
+            f->T[j * nx + i] = (1 + off) * scene_exact(e->scene, p, x, p->t_end).temperature;
         }
 }
 

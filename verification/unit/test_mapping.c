@@ -53,7 +53,7 @@ static struct told told_at(const struct scene *s, const struct image *image, con
     double v[COLUMNS_VALUES] = {0}, at[2];
     if (columns_parse(what[image->problem.dim - 1], image->problem.dim, &c, &why)) fail_msg("%s", why.text);
     mapping_to_scene(&image->map, image->problem.dim, x, at);
-    struct exact e = s->exact(image->of, at, t);
+    struct exact e = scene_exact(s, image->of, at, t);
     columns_values(&c, image, t, x, NULL, &e, v);
     struct told told = {v[0], v[1], v[2], {v[4], v[9]}, v[3], {v[5], v[10]}, {{0}, {0}}};
     memcpy(told.wall, v + 6, sizeof *told.wall);

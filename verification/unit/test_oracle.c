@@ -37,7 +37,7 @@ static int values(const char *what, const struct scene *s, const struct problem 
     struct failure why = {0};
     if (columns_parse(what, p->dim, &c, &why)) fail_msg("%s", why.text);
     struct exact e = {0};
-    if (c.needs_time) e = s->exact(p, x, t);
+    if (c.needs_time) e = scene_exact(s, p, x, t);
     struct image image;
     mapping_image(&(struct mapping){0}, p, &image);
     return columns_values(&c, &image, t, x, cell, c.needs_time ? &e : NULL, value);
@@ -52,7 +52,7 @@ static void columns_hold_what_they_say(void **state) {
     const double x[2] = {0.31, 0.23};
     assert_int_equal(
         values("temperature,initial,source,k_x,k_y,rho_c,flux_x,flux_y,error_bound", s, &p, x, NULL, 1.3, v), 9);
-    struct exact e = s->exact(&p, x, 1.3);
+    struct exact e = scene_exact(s, &p, x, 1.3);
     assert_near(v[0], e.temperature, 0);
     assert_near(v[1], p.initial(&p, x), 0);
     assert_near(v[2], problem_source(&p, x, 1.3), 0);
@@ -272,7 +272,7 @@ static void many_points_have_their_own_answers(void **state) {
     for (int i = 0; i < N; i++, line = strchr(line, '\n') + 1) {
         double x[2], T;
         if (sscanf(line, "%lf,%lf,%lf", &x[0], &x[1], &T) != 3) fail_msg("point %d: \"%.40s\"", i, line);
-        if (i % 83 == 0) assert_near(T, s->exact(&p, x, time).temperature, 1e-12);
+        if (i % 83 == 0) assert_near(T, scene_exact(s, &p, x, time).temperature, 1e-12);
     }
     free(text);
     free(points);

@@ -86,7 +86,7 @@ static void features_are_resolved(void **state) {
                 double x[2] = {p.lo[0] + k % (N + 1) * (p.hi[0] - p.lo[0]) / N, 0};
                 if (p.dim == 2) x[1] = p.lo[1] + k / (N + 1) * (p.hi[1] - p.lo[1]) / N;
                 if (shape_depth(&p, x) < 0) continue;
-                struct exact e = (*s)->exact(&p, x, t);
+                struct exact e = scene_exact(*s, &p, x, t);
                 if (e.no_value) continue;
                 most = fmax(most, fabs(e.temperature)), unknown = fmax(unknown, e.error_bound);
             }

@@ -14,7 +14,7 @@ static const double first_difference[] = {0, 4.0 / 5, -1.0 / 5, 4.0 / 105, -1.0 
 static const double forward[] = {-49.0 / 20, 6, -15.0 / 2, 20.0 / 3, -15.0 / 4, 6.0 / 5, -1.0 / 6};
 
 static double at(const struct scene *s, const struct problem *p, double x, double y, double t) {
-    return s->exact(p, (double[2]){x, y}, t).temperature;
+    return scene_exact(s, p, (double[2]){x, y}, t).temperature;
 }
 
 /* d2T/dx2 for axis 0, d2T/dy2 for axis 1 */
@@ -78,7 +78,7 @@ static void the_sides_hold(void **state) {
                 if (p.dim == 2) odd_point(&p, 0, &random, x);
                 struct foot f = shape_foot(&p, side, x);
                 double want = p.wall(&p, (enum side)side, x), flux = 0, off = 0;
-                struct exact e = s->exact(&p, f.x, t);
+                struct exact e = scene_exact(s, &p, f.x, t);
                 if (p.side[side] == DIRICHLET) {
                     assert_near(e.temperature, want, 1e-13 * odd->scale);
                     assert_order(e.error_bound, <=, 1e-12 * odd->scale);
@@ -178,7 +178,7 @@ static void the_second_form_agrees(void **state) {
             for (int trial = 0; trial < 60; trial++) {
                 double x[2] = {0, 0}, t = times[k] * p.t_end;
                 odd_point(&p, 0, &random, x);
-                struct exact e = s->exact(&p, x, t), f = s->second(&p, x, t);
+                struct exact e = scene_exact(s, &p, x, t), f = s->second(&p, x, t);
                 assert_near(e.temperature, f.temperature, e.error_bound + f.error_bound);
                 worst = fmax(worst, fabs(e.temperature - f.temperature));
                 bound = fmax(bound, e.error_bound);
@@ -199,7 +199,7 @@ static void the_middle_is_known(void **state) {
         const double middle[2] = {(p.lo[0] + p.hi[0]) / 2 + (p.radius[0] > 0 ? (p.radius[0] + p.radius[1]) / 2 : 0),
                                   (p.lo[1] + p.hi[1]) / 2};
         for (double t = 1e-3 * p.t_end; t < 2 * p.t_end; t *= 10) {
-            struct exact e = s->exact(&p, middle, t);
+            struct exact e = scene_exact(s, &p, middle, t);
             assert_near(e.error_bound, 0, 1e-12 * s->odd.scale);
             for (int d = 0; d < p.dim; d++) assert_near(e.gradient_bound[d], 0, 1e-10 * s->odd.scale / s->odd.step);
         }
@@ -221,7 +221,7 @@ static void the_gradient_is_that_of_the_second_form(void **state) {
             double t = odd->earliest + odd_random(&random) * fmax(0, p.t_end - odd->earliest);
             odd_point(&p, margin, &random, x);
             if (p.materials == 2 && fabs(x[0] - p.interface) < margin) continue;
-            struct exact e = s->exact(&p, x, t);
+            struct exact e = scene_exact(s, &p, x, t);
             for (int d = 0; d < p.dim; d++) {
                 double sum = 0, step = odd->step;
                 for (int i = -4; i <= 4; i++) {

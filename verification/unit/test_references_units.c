@@ -43,8 +43,9 @@ static void assert_alike(const struct scene *s, struct powers by) {
         odd_point(&p, 0, &random, x);
         for (int d = 0; d < p.dim; d++) y[d] = ldexp(x[d], by.length);
         for (int form = 0; form < 2; form++) {
-            struct exact e = (form ? s->second : s->exact)(&p, x, t);
-            struct exact f = (form ? s->second : s->exact)(&q, y, ldexp(t, 2 * by.length));
+            struct exact e = form ? s->second(&p, x, t) : scene_exact(s, &p, x, t);
+            struct exact f =
+                form ? s->second(&q, y, ldexp(t, 2 * by.length)) : scene_exact(s, &q, y, ldexp(t, 2 * by.length));
             assert_times(f.temperature, e.temperature, by.temperature);
             assert_times(f.error_bound, e.error_bound, by.temperature);
             for (int d = 0; d < p.dim && !form; d++) {

@@ -30,7 +30,7 @@ static int answer(const struct problem *p, const struct options *o, double part,
     for (int i = 0; i < POINTS; i++) {
         double x[2] = {p->lo[0] + (i + 0.5) * (p->hi[0] - p->lo[0]) / POINTS, 0};
         f->x[i] = x[0];
-        f->T[i] = (1 + error) * scene_find("rod-gauss")->exact(p, x, p->t_end).temperature;
+        f->T[i] = (1 + error) * scene_exact(scene_find("rod-gauss"), p, x, p->t_end).temperature;
     }
     return STATUS_OK;
 }

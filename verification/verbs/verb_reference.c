@@ -69,7 +69,7 @@ static void print_forms(const struct request *r) {
     const struct mapping *m = &r->experiment.program.map;
     double t = r->time.value[0], x[2];
     mapping_to_scene(m, p->dim, r->at.value, x);
-    struct forms f = {s->exact(p, x, t), s->second(p, x, t), s->published ? s->published(p, x, t) : 0};
+    struct forms f = {scene_exact(s, p, x, t), s->second(p, x, t), s->published ? s->published(p, x, t) : 0};
     for (struct exact *e = &f.exact;; e = &f.second) {
         e->temperature = mapping_temperature(m, e->temperature);
         e->error_bound *= mapping_scale(m);
