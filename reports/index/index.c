@@ -259,22 +259,22 @@ static void put_contents(const char *const scene[], const char *dir, FILE *out) 
     fprintf(out, "</ul></nav>\n");
 }
 
-static void put_scene(const char *name, const struct gates_json *g, const char *dir, FILE *out) {
+static void put_scene(const char *name, const struct gates *g, const char *dir, FILE *out) {
     const struct scene *s = scene_find(name);
     fprintf(out, "<section id=\"%s\">\n<h2>%s</h2>\n<p>", s->name, s->name);
     html_text(out, s->about);
     fprintf(out, ". <span class=\"faint\">");
     html_text(out, s->citation);
     fprintf(out, "</span></p>\n");
-    orders_put_scene(g->gate, g->count, name, out);
-    page_put_scene(g->gate, g->count, name, out);
+    orders_put_scene(g, name, out);
+    page_put_scene(g, name, out);
     put_precision(name, dir, out);
     fprintf(out, "</section>\n");
 }
 
-static void put_verdict(const struct gates_json *g, FILE *out) {
-    if (g->count > 0)
-        page_put_gates(g->gate, g->count, g->made, out);
+static void put_verdict(const struct gates *g, const char *made, FILE *out) {
+    if (g->declared > 0)
+        page_put_gates(g, made, out);
     else
         fprintf(out, "<p class=\"verdict\">%s</p>\n",
                 "No verdict: the gates were not run. <code>make verify</code> runs them.");
@@ -286,12 +286,12 @@ static void put_origin(FILE *out) {
     html_print(out, "<p class=\"faint\">This page was made %s from existing files.</p>\n", now);
 }
 
-static void write_page(const char *dir, const struct gates_json *g, FILE *out) {
+static void write_page(const char *dir, const struct gates *g, const char *made, FILE *out) {
     const char *scene[SCENES_ROOM];
     order_scenes(scene);
     html_open(out, "heatladder: verification of transient heat conduction");
-    put_verdict(g, out);
-    orders_put(g->gate, g->count, scene, out);
+    put_verdict(g, made, out);
+    orders_put(g, scene, out);
     put_parts("Error against time", dir, out);
     put_missing(dir, out);
     put_origin(out);
@@ -323,31 +323,31 @@ static void put_cell(const char *text, FILE *out) {
     fputc(' ', out);
 }
 
-static void put_row(const struct page_gate *g, FILE *out) {
-    put_cell(g->id, out);
-    put_cell(g->verdict, out);
-    put_cell(g->reason, out);
+static void put_row(const struct gate_result *r, FILE *out) {
+    put_cell(r->gate.id, out);
+    put_cell(verdict_words[r->measured.verdict], out);
+    put_cell(r->measured.reason, out);
     fputs("|\n", out);
 }
 
-static void write_summary(const struct gates_json *g, FILE *out) {
-    int good = 0;
-    for (int i = 0; i < g->count; i++) good += strcmp(g->gate[i].verdict, "pass") == 0;
-    fprintf(out, "## heatladder: %d of %d gates hold\n", good, g->count);
-    if (good == g->count) return;
+static void write_summary(const struct gates *g, FILE *out) {
+    int good = gates_tally(g, NULL).passed;
+    fprintf(out, "## heatladder: %d of %d gates hold\n", good, g->declared);
+    if (good == g->declared) return;
     fprintf(out, "\n| gate | verdict | reason |\n|---|---|---|\n");
-    for (int i = 0; i < g->count; i++)
-        if (strcmp(g->gate[i].verdict, "pass") != 0) put_row(&g->gate[i], out);
+    for (int i = 0; i < g->declared; i++)
+        if (g->result[i].measured.verdict != VERDICT_PASS) put_row(&g->result[i], out);
 }
 
 int index_write(const char *dir, struct failure *why) {
     char path[1200];
+    const char *made;
     struct output page[2];
-    struct gates_json g = {0};
+    struct gates g;
     snprintf(path, sizeof path, "%s/gates.json", dir);
-    gates_json_read(path, &g);
-    write_page(dir, &g, output_open(&page[0], "%s/index.html", dir));
+    gates_json_read(path, &g, &made);
+    write_page(dir, &g, made, output_open(&page[0], "%s/index.html", dir));
     write_summary(&g, output_open(&page[1], "%s/summary.md", dir));
-    gates_json_free(&g);
+    gates_free(&g);
     return output_close(page, 2, why);
 }

@@ -14,22 +14,13 @@ int index_write(const char *dir, struct failure *why);
 
 /* The order that each ladder in space or time reaches, on the band that is expected: a line a gate, grouped by the
  * scenes as named, NULL last.  Nothing where no gate has a ladder. */
-void orders_put(const struct page_gate *gate, int count, const char *const scene[], FILE *out);
+void orders_put(const struct gates *g, const char *const scene[], FILE *out);
 
 /* The errors of a scene's ladders in space, a curve a method and the second-order particles first. */
-void orders_put_scene(const struct page_gate *gate, int count, const char *scene, FILE *out);
+void orders_put_scene(const struct gates *g, const char *scene, FILE *out);
 
-/* The gates that `verify --json` has written, read back. */
-
-struct gates_json {
-    int count;
-    const char *made;       /* when, where and by which version they were run; into `text` */
-    struct page_gate *gate; /* owned; its texts point into `text` */
-    char *text;             /* owned */
-};
-
-/* 0, or -1 where there is no such file or it is none of verify's. */
-int gates_json_read(const char *path, struct gates_json *g);
-void gates_json_free(struct gates_json *g);
+/* The gates that `verify --json` has written, read back; *origin: when, where and by which version they were run.  0,
+ * or -1 where there is no such file or it is none of verify's; gates_free in any case, once *origin is done with. */
+int gates_json_read(const char *path, struct gates *g, const char **origin);
 
 #endif

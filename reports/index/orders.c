@@ -14,18 +14,19 @@ enum { WORD = 80 };
 static const char subject[] = "so_ssph";
 
 /* Scene and method of a gate's ladder; 0 where it has none. */
-static int words_of(const struct page_gate *g, char scene[WORD], char method[WORD]) {
-    return g->rungs.n > 0 && isfinite(g->value) && sscanf(g->command, "ladder %79s %79s", scene, method) == 2;
+static int words_of(const struct gate_result *r, char scene[WORD], char method[WORD]) {
+    return r->measured.rungs.n > 0 && isfinite(r->measured.value) &&
+           sscanf(r->typed, "ladder %79s %79s", scene, method) == 2;
 }
 
-static int is_of(const struct page_gate *g, const char *scene) {
+static int is_of(const struct gate_result *r, const char *scene) {
     char of[WORD], method[WORD];
-    return words_of(g, of, method) && strcmp(of, scene) == 0;
+    return words_of(r, of, method) && strcmp(of, scene) == 0;
 }
 
-static int lines_of(const struct page_gate *gate, int count, const char *scene) {
+static int lines_of(const struct gates *g, const char *scene) {
     int n = 0;
-    for (int i = 0; i < count; i++) n += is_of(&gate[i], scene);
+    for (int i = 0; i < g->declared; i++) n += is_of(&g->result[i], scene);
     return n;
 }
 
@@ -38,13 +39,14 @@ struct span {
     double lo, hi;
 };
 
-static struct span span_of(const struct page_gate *gate, int count, const char *const scene[]) {
+static struct span span_of(const struct gates *g, const char *const scene[]) {
     struct span s = {0, 1};
     for (; *scene; scene++)
-        for (int i = 0; i < count; i++) {
-            if (!is_of(&gate[i], *scene)) continue;
-            s.lo = fmin(s.lo, floor(fmin(gate[i].value, gate[i].lo)));
-            s.hi = fmax(s.hi, ceil(fmax(gate[i].value, gate[i].hi)));
+        for (int i = 0; i < g->declared; i++) {
+            if (!is_of(&g->result[i], *scene)) continue;
+            const struct gate_result *r = &g->result[i];
+            s.lo = fmin(s.lo, floor(fmin(r->measured.value, r->gate.lo)));
+            s.hi = fmax(s.hi, ceil(fmax(r->measured.value, r->gate.hi)));
         }
     return s;
 }
@@ -53,18 +55,19 @@ static double place(struct span s, double order) {
     return LEFT + (order - s.lo) / (s.hi - s.lo) * (WIDTH - LEFT - RIGHT);
 }
 
-static void put_line(const struct page_gate *g, struct span s, double y, FILE *out) {
-    int good = strcmp(g->verdict, "pass") == 0;
+static void put_line(const struct gate_result *r, struct span s, double y, FILE *out) {
+    int good = r->measured.verdict == VERDICT_PASS;
     fprintf(out, "<g><title>");
-    html_text(out, g->id);
-    fprintf(out, ": %.3g, expected %.3g to %.3g</title>", g->value, g->lo, g->hi);
-    fprintf(out, "<path d=\"M%.1f %.1fH%.1f\" stroke=\"#b8b8b8\" stroke-width=\"%d\"/>", place(s, g->lo), y,
-            place(s, g->hi), LINE - 1);
+    html_text(out, r->gate.id);
+    fprintf(out, ": %.3g, expected %.3g to %.3g</title>", r->measured.value, r->gate.lo, r->gate.hi);
+    fprintf(out, "<path d=\"M%.1f %.1fH%.1f\" stroke=\"#b8b8b8\" stroke-width=\"%d\"/>", place(s, r->gate.lo), y,
+            place(s, r->gate.hi), LINE - 1);
     if (good)
-        fprintf(out, "<circle cx=\"%.1f\" cy=\"%.1f\" r=\"2.2\" fill=\"#0072B2\"/></g>\n", place(s, g->value), y);
+        fprintf(out, "<circle cx=\"%.1f\" cy=\"%.1f\" r=\"2.2\" fill=\"#0072B2\"/></g>\n",
+                place(s, r->measured.value), y);
     else
         fprintf(out, "<path d=\"M%.1f %.1fl8 8m0 -8l-8 8\" stroke=\"#a3200d\" stroke-width=\"2\"/></g>\n",
-                place(s, g->value) - 4, y - 4);
+                place(s, r->measured.value) - 4, y - 4);
 }
 
 static void put_axis(struct span s, int high, FILE *out) {
@@ -81,15 +84,15 @@ static void put_axis(struct span s, int high, FILE *out) {
             10, high - 8);
 }
 
-void orders_put(const struct page_gate *gate, int count, const char *const scene[], FILE *out) {
+void orders_put(const struct gates *g, const char *const scene[], FILE *out) {
     int high = TOP + BOTTOM, all = 0;
     for (int k = 0; scene[k]; k++) {
-        int n = lines_of(gate, count, scene[k]);
+        int n = lines_of(g, scene[k]);
         all += n;
         high += n ? height_of(n) : 0;
     }
     if (!all) return;
-    struct span s = span_of(gate, count, scene);
+    struct span s = span_of(g, scene);
     fprintf(out,
             "<figure>\n<svg viewBox=\"0 0 %d %d\" width=\"%d\" role=\"img\" style=\"font: 13px sans-serif\">\n"
             "<title>Order reached and order expected, ladder by ladder</title>\n"
@@ -98,14 +101,14 @@ void orders_put(const struct page_gate *gate, int count, const char *const scene
     put_axis(s, high, out);
     int top = TOP;
     for (int k = 0; scene[k]; k++) {
-        int n = lines_of(gate, count, scene[k]), line = 0;
+        int n = lines_of(g, scene[k]), line = 0;
         if (!n) continue;
         double middle = top + height_of(n) / 2.0, y = middle - (n - 1) * LINE / 2.0;
         fprintf(out, "<text x=\"%d\" y=\"%.1f\" text-anchor=\"end\">", LEFT - 10, middle + 4);
         html_text(out, scene[k]);
         fprintf(out, "</text>\n");
-        for (int i = 0; i < count; i++)
-            if (is_of(&gate[i], scene[k])) put_line(&gate[i], s, y + LINE * line++, out);
+        for (int i = 0; i < g->declared; i++)
+            if (is_of(&g->result[i], scene[k])) put_line(&g->result[i], s, y + LINE * line++, out);
         top += height_of(n);
     }
     fprintf(out,
@@ -115,37 +118,38 @@ void orders_put(const struct page_gate *gate, int count, const char *const scene
 }
 
 /* The first ladder of each method whose errors are E1 over dx, the subject's first; how many. */
-static int choose(const struct page_gate *gate, int count, const char *scene, const struct page_gate *chosen[]) {
+static int choose(const struct gates *g, const char *scene, const struct gate_result *chosen[]) {
     char method[CHART_STYLES][WORD], of[WORD], by[WORD];
     int n = 0;
     for (int others = 0; others < 2; others++)
-        for (int i = 0; i < count && n < CHART_STYLES; i++) {
-            const struct page_gate *g = &gate[i];
-            if (!words_of(g, of, by) || strcmp(of, scene) != 0 || (strcmp(by, subject) != 0) != others) continue;
-            if (strcmp(g->rungs.axis, "dx [m]") != 0 || strcmp(g->rungs.norm, "E1") != 0) continue;
+        for (int i = 0; i < g->declared && n < CHART_STYLES; i++) {
+            const struct gate_result *r = &g->result[i];
+            if (!words_of(r, of, by) || strcmp(of, scene) != 0 || (strcmp(by, subject) != 0) != others) continue;
+            if (strcmp(r->measured.rungs.axis, "dx [m]") != 0 || strcmp(r->measured.rungs.norm, "E1") != 0) continue;
             int seen = 0;
             for (int k = 0; k < n; k++) seen += strcmp(method[k], by) == 0;
             if (seen) continue;
             memcpy(method[n], by, sizeof by);
-            chosen[n++] = g;
+            chosen[n++] = r;
         }
     return n;
 }
 
-void orders_put_scene(const struct page_gate *gate, int count, const char *scene, FILE *out) {
-    const struct page_gate *chosen[CHART_STYLES];
+void orders_put_scene(const struct gates *g, const char *scene, FILE *out) {
+    const struct gate_result *chosen[CHART_STYLES];
     struct chart_series series[CHART_STYLES];
-    int hollow[CHART_STYLES][NUMBERS_MAX], n = choose(gate, count, scene, chosen);
+    int hollow[CHART_STYLES][NUMBERS_MAX], n = choose(g, scene, chosen);
     char title[2 * WORD];
     if (n == 0) return;
     for (int k = 0; k < n; k++) {
-        const struct rungs *l = &chosen[k]->rungs;
+        const struct rungs *l = &chosen[k]->measured.rungs;
         for (int i = 0; i < l->n; i++) hollow[k][i] = !l->counts[i];
-        series[k] = (struct chart_series){chosen[k]->id, l->n, l->x, l->error, hollow[k]};
+        series[k] = (struct chart_series){chosen[k]->gate.id, l->n, l->x, l->error, hollow[k]};
     }
     snprintf(title, sizeof title, "Error against spacing on %.60s", scene);
     fprintf(out, "<figure>\n");
-    chart_write(&(struct chart){title, "dx [m]", "E1", n, series, page_order(chosen[0]->lo, chosen[0]->hi)}, out);
+    chart_write(&(struct chart){title, "dx [m]", "E1", n, series, page_order(chosen[0]->gate.lo, chosen[0]->gate.hi)},
+                out);
     html_print(out,
                "<figcaption>%s, one ladder a method. Hollow: left out of the fit. <code>make verify</code>"
                "</figcaption></figure>\n",

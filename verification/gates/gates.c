@@ -94,20 +94,49 @@ void gates_cut(struct gates *g, int signal) {
     g->interrupted = signal;
 }
 
+size_t gates_group_length(const char *id) {
+    return strcspn(id, "/");
+}
+
+int gates_same_group(const char *a, const char *b) {
+    size_t n = gates_group_length(a);
+    return n == gates_group_length(b) && strncmp(a, b, n) == 0;
+}
+
+int gates_begins_group(const struct gates *g, int i) {
+    for (int k = 0; k < i; k++)
+        if (gates_same_group(g->result[k].gate.id, g->result[i].gate.id)) return 0;
+    return 1;
+}
+
+struct gates_tally gates_tally(const struct gates *g, const char *id) {
+    struct gates_tally t = {0};
+    for (int i = 0; i < g->declared; i++) {
+        const enum verdict verdict = g->result[i].measured.verdict;
+        if (id && !gates_same_group(g->result[i].gate.id, id)) continue;
+        t.judged += verdict != VERDICT_SKIPPED;
+        t.skipped += verdict == VERDICT_SKIPPED;
+        t.passed += verdict == VERDICT_PASS;
+        t.failed += verdict == VERDICT_FAIL;
+        t.seconds += g->result[i].seconds;
+    }
+    t.undecided = t.judged - t.passed - t.failed;
+    return t;
+}
+
 int gates_status(const struct gates *g) {
-    int passed = 0, unclear = 0, skipped = 0, silent = 0;
+    struct gates_tally t = gates_tally(g, NULL);
+    int silent = 0, sound = 0;
     for (int i = 0; i < g->declared; i++) {
         const struct gate_result *r = &g->result[i];
-        silent += r->executed && r->measured.verdict == VERDICT_FAIL && isnan(r->measured.value);
-        passed += r->executed && r->measured.verdict == VERDICT_PASS;
-        unclear += r->executed && r->measured.verdict == VERDICT_INCONCLUSIVE;
-        skipped += r->executed && r->measured.verdict == VERDICT_SKIPPED;
+        const enum verdict verdict = r->measured.verdict;
+        silent += verdict == VERDICT_FAIL && isnan(r->measured.value);
+        sound += r->executed && verdict != VERDICT_FAIL && verdict != VERDICT_MEASURED;
     }
-    if (g->program && silent && silent + skipped == g->declared) return STATUS_NUMERICAL;
-    if (g->declared == 0 || g->executed != g->declared || passed + unclear + skipped < g->declared)
-        return STATUS_GATE;
-    if (g->program && skipped == g->declared) return STATUS_SKIPPED;
-    return unclear || !passed ? STATUS_INCONCLUSIVE : STATUS_OK;
+    if (g->program && silent && silent + t.skipped == g->declared) return STATUS_NUMERICAL;
+    if (g->declared == 0 || g->executed != g->declared || sound < g->declared) return STATUS_GATE;
+    if (g->program && t.skipped == g->declared) return STATUS_SKIPPED;
+    return t.undecided || !t.passed ? STATUS_INCONCLUSIVE : STATUS_OK;
 }
 
 void gates_diagnosis(const struct gates *g, char *text, size_t size) {

@@ -94,6 +94,20 @@ void gates_judge(const struct gate *gate, const struct program *program, struct 
 /* What shows the same verdict when it is typed after the program's name. */
 void gates_command(const struct gate *gate, const struct program *program, char *text, size_t size);
 
+/* Letters of a row's group, its id up to the first slash; 1 where two ids have the same. */
+size_t gates_group_length(const char *id);
+int gates_same_group(const char *a, const char *b);
+/* 1 where no row before the i-th has its group. */
+int gates_begins_group(const struct gates *g, int i);
+
+/* How many there are of each verdict: of the group of `id`, or of all (NULL). */
+struct gates_tally {
+    int judged, passed, failed, undecided; /* judged: all that are not skipped */
+    int skipped;
+    double seconds;
+};
+struct gates_tally gates_tally(const struct gates *g, const char *id);
+
 /* STATUS_OK where as many were executed as declared, none failed and one passed at least; STATUS_INCONCLUSIVE where
  * none failed, but some did not decide; STATUS_SKIPPED where a program skipped all; STATUS_NUMERICAL where a program
  * answered none that can be judged; else STATUS_GATE. */

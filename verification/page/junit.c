@@ -3,7 +3,6 @@
 
 #include "solver/status.h"
 #include "verification/diagnosis/wording.h"
-#include "verification/gates/gates.h"
 #include "verification/page/html.h"
 #include "verification/page/page.h"
 #include "verification/text/output.h"
@@ -33,36 +32,17 @@ static void put_case(const struct gate_result *r, const char *group, FILE *out) 
                r->gate.why, r->typed, tag);
 }
 
-struct tally {
-    double seconds;
-    int tests, failed, skipped, passed;
-};
-
-static struct tally tally_of(const struct gates *g, const char *group) {
-    struct tally t = {0};
-    for (int i = 0; i < g->declared; i++) {
-        const enum verdict verdict = g->result[i].measured.verdict;
-        if (!page_same_group(g->result[i].gate.id, group)) continue;
-        t.tests++;
-        t.seconds += g->result[i].seconds;
-        t.failed += verdict == VERDICT_FAIL;
-        t.passed += verdict == VERDICT_PASS;
-        t.skipped += verdict == VERDICT_SKIPPED;
-    }
-    return t;
-}
-
 /* A group of gates, the part of their names before the slash. */
 static void put_suite(const struct gates *g, const char *group, FILE *out) {
-    struct tally t = tally_of(g, group);
+    struct gates_tally t = gates_tally(g, group);
     char name[120];
-    snprintf(name, sizeof name, "%.*s", (int)page_group_length(group), group);
+    snprintf(name, sizeof name, "%.*s", (int)gates_group_length(group), group);
     html_print(out, "  <testsuite name=\"%s\"", name);
-    fprintf(out, " tests=\"%d\" failures=\"%d\" errors=\"%d\" skipped=\"%d\" time=\"%.3f\">\n", t.tests, t.failed,
-            t.tests - t.failed - t.skipped - t.passed, t.skipped, t.seconds);
+    fprintf(out, " tests=\"%d\" failures=\"%d\" errors=\"%d\" skipped=\"%d\" time=\"%.3f\">\n", t.judged + t.skipped,
+            t.failed, t.undecided, t.skipped, t.seconds);
     put_properties(g, out);
     for (int i = 0; i < g->declared; i++)
-        if (page_same_group(g->result[i].gate.id, group)) put_case(&g->result[i], name, out);
+        if (gates_same_group(g->result[i].gate.id, group)) put_case(&g->result[i], name, out);
     fprintf(out, "  </testsuite>\n");
 }
 
@@ -70,11 +50,8 @@ int junit_write(const struct gates *g, const char *path, struct failure *why) {
     struct output page;
     FILE *out = output_open(&page, "%s", path);
     fprintf(out, "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<testsuites>\n");
-    for (int i = 0; i < g->declared; i++) {
-        int first = 1;
-        for (int k = 0; k < i && first; k++) first = !page_same_group(g->result[k].gate.id, g->result[i].gate.id);
-        if (first) put_suite(g, g->result[i].gate.id, out);
-    }
+    for (int i = 0; i < g->declared; i++)
+        if (gates_begins_group(g, i)) put_suite(g, g->result[i].gate.id, out);
     if (g->interrupted)
         fprintf(out,
                 "  <testsuite name=\"interrupted\" tests=\"1\" failures=\"0\" errors=\"1\" skipped=\"0\">\n"

@@ -5,7 +5,6 @@
 #include "solver/status.h"
 #include "verification/diagnosis/wording.h"
 #include "verification/foreign/program.h"
-#include "verification/gates/gates.h"
 #include "verification/ladder/ladder.h"
 #include "verification/page/chart.h"
 #include "verification/page/html.h"
@@ -13,7 +12,6 @@
 #include "verification/command/version.h"
 
 #include <math.h>
-#include <stdlib.h>
 #include <sys/utsname.h>
 #include <time.h>
 
@@ -43,31 +41,12 @@ int page_gates_write(const struct gates *g, const char *title, const char *comma
     struct output page;
     FILE *out = output_open(&page, "%s", path);
     html_open(out, title);
-    struct page_gate *gate = xcalloc((size_t)g->declared, sizeof *gate);
-    for (int i = 0; i < g->declared; i++) {
-        const struct gate *row = &g->result[i].gate;
-        const struct measured *m = &g->result[i].measured;
-        gate[i] = (struct page_gate){.id = row->id,
-                                     .verdict = verdict_words[m->verdict],
-                                     .reason = m->reason,
-                                     .why = row->why,
-                                     .command = g->result[i].typed,
-                                     .diagnosis = m->diagnosis,
-                                     .lo = row->lo,
-                                     .hi = row->hi,
-                                     .value = m->value,
-                                     .ci = {m->ci[0], m->ci[1]},
-                                     .error = m->error,
-                                     .ceiling = row->ceiling,
-                                     .rungs = m->rungs};
-    }
     char made[PAGE_ORIGIN];
     page_origin(made, sizeof made);
     put_program(g->program, out);
-    page_put_gates(gate, g->declared, made, out);
-    page_put_ladders(gate, g->declared, out);
+    page_put_gates(g, made, out);
+    page_put_ladders(g, out);
     put_command(command, out);
-    free(gate);
     html_close(out);
     return output_close(&page, 1, why);
 }

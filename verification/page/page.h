@@ -2,47 +2,32 @@
 #ifndef HEATLADDER_VERIFICATION_PAGE_PAGE_H
 #define HEATLADDER_VERIFICATION_PAGE_PAGE_H
 
-#include "verification/measures/measures.h"
+#include "verification/gates/gates.h"
 
 #include <stdio.h>
 
 struct failure;
-struct gates;
 struct ladder;
 struct ladder_rungs;
 
-/* Verdicts of gates as HTML; a gate's group is its id up to the first slash. */
+/* Verdicts of gates for readers. */
 
 enum { PAGE_ORIGIN = 400 }; /* letters of when, where and by what */
 
-struct page_gate {
-    const char *id, *verdict, *reason, *why, *command;
-    const char *diagnosis; /* "": none */
-    double lo, hi;         /* the band */
-    double value;          /* what was measured */
-    double ci[2];          /* its 95 % interval; NAN where there is none */
-    double error, ceiling; /* NAN where there is none */
-    struct rungs rungs;    /* its ladder */
-};
-
-/* Characters of the group in an id; 1 where two ids have the same group. */
-size_t page_group_length(const char *id);
-int page_same_group(const char *a, const char *b);
-
 /* The verdict of all and where it was made (as page_origin), what most failures look like, then what failed in
  * full, then a word a group, then every gate, folded away. */
-void page_put_gates(const struct page_gate *gate, int count, const char *made, FILE *out);
+void page_put_gates(const struct gates *g, const char *made, FILE *out);
 /* How many gates of that scene hold, and the gates, folded away. */
-void page_put_scene(const struct page_gate *gate, int count, const char *scene, FILE *out);
+void page_put_scene(const struct gates *g, const char *scene, FILE *out);
 
 /* The order to draw beside a ladder: the whole number next to the middle of the band where that is in the band, else
  * the middle. */
 double page_order(double lo, double hi);
 
 /* The ladder of a gate, drawn and as a table; nothing where it has none. */
-void page_put_ladder(const struct page_gate *gate, FILE *out);
+void page_put_ladder(const struct gate_result *r, FILE *out);
 /* Those of all gates that hold, each folded away: page_put_gates draws the others. */
-void page_put_ladders(const struct page_gate *gate, int count, FILE *out);
+void page_put_ladders(const struct gates *g, FILE *out);
 
 /* When, where and by which version something is made: now, here, by this one. */
 void page_origin(char *text, size_t size);

@@ -2,55 +2,45 @@
 /* Gates on a page. */
 #include "verification/page/page.h"
 
-#include "solver/status.h"
 #include "verification/diagnosis/wording.h"
 #include "verification/page/chart.h"
 #include "verification/page/html.h"
 
 #include <math.h>
-#include <stdlib.h>
 #include <string.h>
 
-size_t page_group_length(const char *id) {
-    return strcspn(id, "/");
-}
-
-int page_same_group(const char *a, const char *b) {
-    size_t n = page_group_length(a);
-    return n == page_group_length(b) && strncmp(a, b, n) == 0;
-}
-
-static int passed(const struct page_gate *g) {
-    return strcmp(g->verdict, "pass") == 0;
+static int passed(const struct gate_result *r) {
+    return r->measured.verdict == VERDICT_PASS;
 }
 
 /* What a program says is not for it is no failure, and counts nowhere. */
-static int skipped(const struct page_gate *g) {
-    return strcmp(g->verdict, "skipped") == 0;
+static int fell(const struct gate_result *r) {
+    return !passed(r) && r->measured.verdict != VERDICT_SKIPPED;
 }
 
-static void put_band(const struct page_gate *g, FILE *out) {
+static void put_band(const struct gate_result *r, FILE *out) {
     char text[160];
-    if (g->lo == 0)
-        snprintf(text, sizeof text, "at most %.4g", g->hi);
+    if (r->gate.lo == 0)
+        snprintf(text, sizeof text, "at most %.4g", r->gate.hi);
     else
-        snprintf(text, sizeof text, "%.4g to %.4g", g->lo, g->hi);
+        snprintf(text, sizeof text, "%.4g to %.4g", r->gate.lo, r->gate.hi);
     html_cell(out, "td", text);
-    snprintf(text, sizeof text, "%.4g", g->value);
+    snprintf(text, sizeof text, "%.4g", r->measured.value);
     html_cell(out, "td", text);
     text[0] = '\0';
-    if (!isnan(g->ceiling)) snprintf(text, sizeof text, "%.3g, at most %.3g", g->error, g->ceiling);
+    if (!isnan(r->gate.ceiling))
+        snprintf(text, sizeof text, "%.3g, at most %.3g", r->measured.error, r->gate.ceiling);
     html_cell(out, "td", text);
 }
 
-static void put_gate(const struct page_gate *g, FILE *out) {
+static void put_gate(const struct gate_result *r, FILE *out) {
     fprintf(out, "<tr>");
-    html_cell(out, "td", g->id);
+    html_cell(out, "td", r->gate.id);
     fprintf(out, "<td>");
-    html_verdict(out, g->verdict);
+    html_verdict(out, verdict_words[r->measured.verdict]);
     fprintf(out, "</td>");
-    put_band(g, out);
-    html_print(out, "<td>%s</td></tr>\n", passed(g) ? g->why : g->reason);
+    put_band(r, out);
+    html_print(out, "<td>%s</td></tr>\n", passed(r) ? r->gate.why : r->measured.reason);
 }
 
 static void put_header(FILE *out) {
@@ -59,24 +49,24 @@ static void put_header(FILE *out) {
 }
 
 /* Whether the scene is a word of the gate's command. */
-static int is_about(const struct page_gate *g, const char *scene) {
+static int is_about(const struct gate_result *r, const char *scene) {
     size_t length = strlen(scene);
-    const char *at = g->command;
-    while ((at = strstr(at, scene)) &&
-           !(at > g->command && at[-1] == ' ' && (at[length] == ' ' || at[length] == '\0')))
+    const char *at = r->typed;
+    while ((at = strstr(at, scene)) && !(at > r->typed && at[-1] == ' ' && (at[length] == ' ' || at[length] == '\0')))
         at += length;
     return at != NULL;
 }
 
-void page_put_scene(const struct page_gate *gate, int count, const char *scene, FILE *out) {
+void page_put_scene(const struct gates *g, const char *scene, FILE *out) {
     int n = 0, good = 0;
-    for (int i = 0; i < count; i++)
-        if (is_about(&gate[i], scene)) n += !skipped(&gate[i]), good += passed(&gate[i]);
+    for (int i = 0; i < g->declared; i++)
+        if (is_about(&g->result[i], scene))
+            n += passed(&g->result[i]) || fell(&g->result[i]), good += passed(&g->result[i]);
     if (n == 0) return;
     fprintf(out, "<details><summary>%d of %d gates hold</summary>\n", good, n);
     put_header(out);
-    for (int i = 0; i < count; i++)
-        if (is_about(&gate[i], scene)) put_gate(&gate[i], out);
+    for (int i = 0; i < g->declared; i++)
+        if (is_about(&g->result[i], scene)) put_gate(&g->result[i], out);
     fprintf(out, "</table></div></details>\n");
 }
 
@@ -103,8 +93,8 @@ double page_order(double lo, double hi) {
     return lo <= whole && whole <= hi ? whole : middle;
 }
 
-void page_put_ladder(const struct page_gate *g, FILE *out) {
-    const struct rungs *l = &g->rungs;
+void page_put_ladder(const struct gate_result *r, FILE *out) {
+    const struct rungs *l = &r->measured.rungs;
     int hollow[NUMBERS_MAX];
     char name[80];
     if (l->n == 0) return;
@@ -112,95 +102,70 @@ void page_put_ladder(const struct page_gate *g, FILE *out) {
     snprintf(name, sizeof name, "%s (hollow: left out of the fit)", l->norm);
     const struct chart_series series = {name, l->n, l->x, l->error, hollow};
     fprintf(out, "<figure>\n");
-    chart_write(&(struct chart){g->id, l->axis, l->norm, 1, &series, page_order(g->lo, g->hi)}, out);
+    chart_write(&(struct chart){r->gate.id, l->axis, l->norm, 1, &series, page_order(r->gate.lo, r->gate.hi)}, out);
     fprintf(out, "</figure>\n");
     put_rungs(l, out);
 }
 
-void page_put_ladders(const struct page_gate *gate, int count, FILE *out) {
-    for (int i = 0; i < count; i++) {
-        if (!passed(&gate[i]) || gate[i].rungs.n == 0) continue;
+void page_put_ladders(const struct gates *g, FILE *out) {
+    for (int i = 0; i < g->declared; i++) {
+        const struct gate_result *r = &g->result[i];
+        if (!passed(r) || r->measured.rungs.n == 0) continue;
         char order[80];
-        snprintf(order, sizeof order, "order %.3g, expected %.3g to %.3g", gate[i].value, gate[i].lo, gate[i].hi);
-        html_print(out, "<details><summary>%s: %s</summary>\n", gate[i].id, order);
-        page_put_ladder(&gate[i], out);
+        snprintf(order, sizeof order, "order %.3g, expected %.3g to %.3g", r->measured.value, r->gate.lo, r->gate.hi);
+        html_print(out, "<details><summary>%s: %s</summary>\n", r->gate.id, order);
+        page_put_ladder(r, out);
         fprintf(out, "</details>\n");
     }
 }
 
-static void put_failure(const struct page_gate *g, FILE *out) {
-    html_print(out, "<h4>%s: ", g->id);
-    html_verdict(out, g->verdict);
-    html_print(out, "</h4>\n<p>%s</p>\n", g->reason);
-    if (*g->diagnosis) html_print(out, "<p>Diagnosis: %s.</p>\n", g->diagnosis);
-    html_print(out, "<p class=\"faint\">Expected because: %s</p>\n<pre><code>heatladder %s</code></pre>\n", g->why,
-               g->command);
-    page_put_ladder(g, out);
-}
-
-/* Gates of one group, or all. */
-struct tally {
-    int held, judged, failed;
-};
-
-static struct tally tally_of(const struct page_gate *gate, int count, const char *group) {
-    struct tally t = {0};
-    for (int i = 0; i < count; i++) {
-        if (skipped(&gate[i]) || (group && !page_same_group(gate[i].id, group))) continue;
-        t.judged++;
-        t.held += passed(&gate[i]);
-        t.failed += !passed(&gate[i]) && strcmp(gate[i].verdict, "inconclusive") != 0;
-    }
-    return t;
+static void put_failure(const struct gate_result *r, FILE *out) {
+    html_print(out, "<h4>%s: ", r->gate.id);
+    html_verdict(out, verdict_words[r->measured.verdict]);
+    html_print(out, "</h4>\n<p>%s</p>\n", r->measured.reason);
+    if (*r->measured.diagnosis) html_print(out, "<p>Diagnosis: %s.</p>\n", r->measured.diagnosis);
+    html_print(out, "<p class=\"faint\">Expected because: %s</p>\n<pre><code>heatladder %s</code></pre>\n",
+               r->gate.why, r->typed);
+    page_put_ladder(r, out);
 }
 
 /* As gates_status: where nothing was judged, nothing is known. */
-static const char *tally_word(struct tally t) {
-    return t.failed ? "fail" : t.held < t.judged || t.judged == 0 ? "inconclusive" : "pass";
+static const char *tally_word(struct gates_tally t) {
+    return t.failed ? "fail" : t.passed < t.judged || t.judged == 0 ? "inconclusive" : "pass";
 }
 
-static void put_groups(const struct page_gate *gate, int count, FILE *out) {
+static void put_groups(const struct gates *g, FILE *out) {
     fprintf(out, "<ul class=\"groups\">\n");
-    for (int i = 0; i < count; i++) {
-        int first = 1;
-        for (int k = 0; k < i && first; k++) first = !page_same_group(gate[k].id, gate[i].id);
-        if (!first) continue;
-        struct tally t = tally_of(gate, count, gate[i].id);
+    for (int i = 0; i < g->declared; i++) {
+        const char *id = g->result[i].gate.id;
+        if (!gates_begins_group(g, i)) continue;
+        struct gates_tally t = gates_tally(g, id);
         char group[240];
-        snprintf(group, sizeof group, "%.*s", (int)page_group_length(gate[i].id), gate[i].id);
+        snprintf(group, sizeof group, "%.*s", (int)gates_group_length(id), id);
         html_print(out, "<li>%s ", group);
-        fprintf(out, "%d/%d ", t.held, t.judged);
+        fprintf(out, "%d/%d ", t.passed, t.judged);
         html_verdict(out, t.judged ? tally_word(t) : "skipped");
         fprintf(out, "\n");
     }
     fprintf(out, "</ul>\n");
 }
 
-static void put_diagnosis(const struct page_gate *gate, int count, FILE *out) {
-    const char **said = xcalloc((size_t)count, sizeof *said);
-    char all[WORDING_ALL];
-    int n = 0;
-    for (int i = 0; i < count; i++)
-        if (!passed(&gate[i]) && !skipped(&gate[i])) said[n++] = gate[i].diagnosis;
-    wording_all(said, n, all, sizeof all);
-    if (*all) html_print(out, "<p class=\"verdict\">Diagnosis: %s.</p>\n", all);
-    free(said);
-}
-
-void page_put_gates(const struct page_gate *gate, int count, const char *made, FILE *out) {
-    struct tally t = tally_of(gate, count, NULL);
+void page_put_gates(const struct gates *g, const char *made, FILE *out) {
+    struct gates_tally t = gates_tally(g, NULL);
+    char diagnosis[WORDING_ALL];
     fprintf(out, "<p class=\"verdict\">");
     html_verdict(out, tally_word(t));
-    fprintf(out, ": %d of %d gates hold", t.held, t.judged);
-    if (t.judged < count) fprintf(out, ", %d skipped", count - t.judged);
+    fprintf(out, ": %d of %d gates hold", t.passed, t.judged);
+    if (t.skipped) fprintf(out, ", %d skipped", t.skipped);
     fprintf(out, "</p>\n");
-    put_diagnosis(gate, count, out);
+    gates_diagnosis(g, diagnosis, sizeof diagnosis);
+    if (*diagnosis) html_print(out, "<p class=\"verdict\">Diagnosis: %s.</p>\n", diagnosis);
     html_print(out, "<p class=\"faint\">The gates were run %s.</p>\n", made);
-    for (int i = 0; i < count; i++)
-        if (!passed(&gate[i]) && !skipped(&gate[i])) put_failure(&gate[i], out);
-    put_groups(gate, count, out);
+    for (int i = 0; i < g->declared; i++)
+        if (fell(&g->result[i])) put_failure(&g->result[i], out);
+    put_groups(g, out);
     fprintf(out, "<details><summary>Every gate</summary>\n");
     put_header(out);
-    for (int i = 0; i < count; i++) put_gate(&gate[i], out);
+    for (int i = 0; i < g->declared; i++) put_gate(&g->result[i], out);
     fprintf(out, "</table></div></details>\n");
 }

@@ -2,7 +2,6 @@
 /* Verdicts for a reader. */
 
 #include "verification/diagnosis/wording.h"
-#include "verification/gates/gates.h"
 #include "verification/page/page.h"
 #include "verification/text/paint.h"
 #include "verification/text/table.h"
@@ -14,11 +13,7 @@
 enum { ACROSS = 4 }; /* groups in a line */
 
 static int holds(const struct gate_result *r) {
-    return r->executed && r->measured.verdict == VERDICT_PASS;
-}
-
-static int counts(const struct gate_result *r) {
-    return !r->executed || r->measured.verdict != VERDICT_SKIPPED;
+    return r->measured.verdict == VERDICT_PASS;
 }
 
 static void print_all(const struct gates *g) {
@@ -49,24 +44,15 @@ static void print_all(const struct gates *g) {
     table_free(&t);
 }
 
-/* 1 where no gate before the i-th has its group. */
-static int is_first(const struct gates *g, int i) {
-    for (int k = 0; k < i; k++)
-        if (page_same_group(g->result[k].gate.id, g->result[i].gate.id)) return 0;
-    return 1;
-}
-
 static void print_groups(const struct gates *g) {
     int column = 0;
     for (int i = 0; i < g->declared; i++) {
         const char *id = g->result[i].gate.id;
-        int of = 0, good = 0;
-        if (!is_first(g, i)) continue;
-        for (int k = i; k < g->declared; k++)
-            if (page_same_group(g->result[k].gate.id, id)) of += counts(&g->result[k]), good += holds(&g->result[k]);
-        const char *word = verdict_words[good == of ? VERDICT_PASS : VERDICT_FAIL];
-        printf("%s%-14.*s %3d/%-3d%s%s", paint_start(stdout, word), (int)page_group_length(id), id, good, of,
-               good == of ? " " : "!", paint_end(stdout, word));
+        if (!gates_begins_group(g, i)) continue;
+        struct gates_tally t = gates_tally(g, id);
+        const char *word = verdict_words[t.passed == t.judged ? VERDICT_PASS : VERDICT_FAIL];
+        printf("%s%-14.*s %3d/%-3d%s%s", paint_start(stdout, word), (int)gates_group_length(id), id, t.passed,
+               t.judged, t.passed == t.judged ? " " : "!", paint_end(stdout, word));
         printf("%s", ++column % ACROSS ? "    " : "\n");
     }
     if (column % ACROSS) printf("\n");
@@ -91,13 +77,12 @@ static void print_failure(const struct gate_result *r, int all) {
 }
 
 void print_gates(const struct gates *g, int all, double seconds) {
-    int count[VERDICT_SKIPPED + 1] = {0};
+    struct gates_tally t = gates_tally(g, NULL);
     if (all)
         print_all(g);
     else
         print_groups(g);
     for (int i = 0; i < g->declared; i++) {
-        count[g->result[i].measured.verdict]++;
         if (g->result[i].measured.verdict == VERDICT_SKIPPED)
             printf("\n%s: skipped: %s\n", g->result[i].gate.id, g->result[i].measured.reason);
         else if (!holds(&g->result[i]))
@@ -109,9 +94,8 @@ void print_gates(const struct gates *g, int all, double seconds) {
     if (g->interrupted)
         printf("\ninterrupted by signal %d: %d of %d rows were judged\n", g->interrupted, g->executed, g->planned);
     printf("\n%d gates declared, %d executed: %d passed, %d failed, %d inconclusive",
-           g->interrupted ? g->planned : g->declared, g->executed, count[VERDICT_PASS], count[VERDICT_FAIL],
-           count[VERDICT_INCONCLUSIVE]);
-    if (count[VERDICT_SKIPPED]) printf(", %d skipped", count[VERDICT_SKIPPED]);
+           g->interrupted ? g->planned : g->declared, g->executed, t.passed, t.failed, t.undecided);
+    if (t.skipped) printf(", %d skipped", t.skipped);
     printf(" (%.2f s)\n", seconds);
 }
 

@@ -105,24 +105,25 @@ static void gates_are_read_back(void **state) {
         "}\n]\n}\n",
         file);
     fclose(file);
-    struct gates_json g;
-    assert_int_equal(gates_json_read(path, &g), 0);
-    assert_int_equal(g.count, 2);
-    assert_string_equal(g.gate[0].command, "run \"x\"");
-    assert_near(g.gate[0].lo, 1.875, 0);
-    assert_near(g.gate[0].hi, 2.125, 0);
-    assert_near(g.gate[0].error, 3e-4, 0);
-    assert_nan(g.gate[0].ceiling);
-    assert_nan(g.gate[1].value);
-    assert_near(g.gate[1].lo, 0, 0);
-    assert_near(g.gate[1].hi, 7, 0);
-    assert_near(g.gate[0].ci[1], 2, 0);
-    const struct rungs *l = &g.gate[0].rungs;
+    struct gates g;
+    const char *made;
+    assert_int_equal(gates_json_read(path, &g, &made), 0);
+    assert_int_equal(g.declared, 2);
+    assert_string_equal(g.result[0].typed, "run \"x\"");
+    assert_near(g.result[0].gate.lo, 1.875, 0);
+    assert_near(g.result[0].gate.hi, 2.125, 0);
+    assert_near(g.result[0].measured.error, 3e-4, 0);
+    assert_nan(g.result[0].gate.ceiling);
+    assert_nan(g.result[1].measured.value);
+    assert_near(g.result[1].gate.lo, 0, 0);
+    assert_near(g.result[1].gate.hi, 7, 0);
+    assert_near(g.result[0].measured.ci[1], 2, 0);
+    const struct rungs *l = &g.result[0].measured.rungs;
     assert_true(l->n == 3 && l->x[1] == 0.25 && l->error[2] == 3e-4 && isnan(l->error[1]));
-    assert_true(!l->counts[0] && l->counts[1] && g.gate[1].rungs.n == 0);
+    assert_true(!l->counts[0] && l->counts[1] && g.result[1].measured.rungs.n == 0);
     FILE *out = begin();
-    page_put_gates(g.gate, g.count, g.made, out);
-    page_put_ladders(g.gate, g.count, out);
+    page_put_gates(&g, made, out);
+    page_put_ladders(&g, out);
     fclose(out);
     assert_has(text, "<th class=\"n\">dx [m]</th><th class=\"n\">L2</th>");
     assert_has(text, "<td class=\"n\">0.5</td><td class=\"n\">4.0000e-02</td><td>left out</td>");
@@ -136,41 +137,39 @@ static void gates_are_read_back(void **state) {
     assert_has(text, "<h4>b: ");
     assert_has(text, "<p>Diagnosis: 1 step late.</p>");
     assert_has(text, "<p class=\"verdict\">Diagnosis: 1 step late (1 of 1 gates that do not hold).</p>");
-    gates_json_free(&g);
+    gates_free(&g);
     file = fopen(path, "w");
     fputs("{\"gates\": [\n{ \"id\": \"rod", file);
     fclose(file);
-    assert_int_equal(gates_json_read(path, &g), -1);
+    assert_int_equal(gates_json_read(path, &g, &made), -1);
     unlink(path);
 }
 
 /* What fails, what is not decided, and what was left to the program. */
 static void the_worst_gate_is_the_verdict(void **state) {
     (void)state;
-    const char *const verdicts[] = {"pass", "skipped", "inconclusive", "fail"};
+    static const enum verdict verdicts[] = {VERDICT_PASS, VERDICT_SKIPPED, VERDICT_INCONCLUSIVE, VERDICT_FAIL};
     const char *const whole[] = {": 1 of 1 gates hold<", ": 1 of 1 gates hold, 1 skipped<",
                                  ": 1 of 2 gates hold, 1 skipped<", ": 1 of 3 gates hold, 1 skipped<"};
     const char *const word[] = {"pass", "pass", "inconclusive", "fail"};
-    struct page_gate gate[4];
+    struct gates g = {.result = xcalloc(4, sizeof *g.result)};
     for (int n = 1; n <= 4; n++) {
         char head[160];
-        gate[n - 1] = (struct page_gate){.id = verdicts[n - 1],
-                                         .verdict = verdicts[n - 1],
-                                         .reason = "r",
-                                         .why = "w",
-                                         .command = "run",
-                                         .diagnosis = "",
-                                         .ceiling = NAN};
+        struct gate_result *r = &g.result[n - 1];
+        r->gate = (struct gate){.id = verdict_words[verdicts[n - 1]], .why = "w", .ceiling = NAN};
+        r->measured = (struct measured){.verdict = verdicts[n - 1], .reason = "r"};
+        g.declared = n;
         FILE *out = begin();
-        page_put_gates(gate, n, "now", out);
+        page_put_gates(&g, "now", out);
         fclose(out);
         snprintf(head, sizeof head, "%s</span>%s", word[n - 1], whole[n - 1]);
         assert_has(text, head);
     }
     assert_has(text, "<li>inconclusive 0/1 <span class=\"other\">");
     FILE *out = begin();
-    page_put_gates(gate + 1, 1, "now", out);
+    page_put_gates(&(struct gates){.declared = 1, .result = g.result + 1}, "now", out);
     fclose(out);
+    gates_free(&g);
     assert_has(text, "inconclusive</span>: 0 of 0 gates hold, 1 skipped");
     assert_has(text, "<li>skipped 0/0 <span class=\"other\">? skipped</span>");
 }
@@ -288,18 +287,21 @@ static void the_order_of_a_band_is_whole(void **state) {
 static void ladders_are_drawn_by_scene(void **state) {
     (void)state;
     const char *const scene[] = {"rod-gauss", "rod-step", NULL};
-    struct page_gate gate[4] = {{.command = "ladder rod-gauss ftcs --dx 1,2", .id = "a"},
-                                {.command = "ladder rod-gauss so_ssph --dx 1,2", .id = "b"},
-                                {.command = "ladder rod-gauss ftcs --dx 1,4", .id = "c"},
-                                {.command = "run rod-gauss ftcs", .id = "d"}};
-    for (int i = 0; i < 3; i++) {
-        gate[i].verdict = i < 2 ? "pass" : "fail";
-        gate[i].lo = 1.5, gate[i].hi = 2.5, gate[i].value = 2;
-        gate[i].rungs = (struct rungs){
-            .n = 2, .axis = "dx [m]", .norm = "E1", .x = {0.5, 0.25}, .error = {0.25, 0.125}, .counts = {1, 1}};
+    static const char *const typed[] = {"ladder rod-gauss ftcs --dx 1,2", "ladder rod-gauss so_ssph --dx 1,2",
+                                        "ladder rod-gauss ftcs --dx 1,4", "run rod-gauss ftcs"};
+    static const char *const ids[] = {"a", "b", "c", "d"};
+    struct gates g = {.declared = 4, .result = xcalloc(4, sizeof *g.result)};
+    for (int i = 0; i < 4; i++) {
+        struct gate_result *r = &g.result[i];
+        snprintf(r->typed, sizeof r->typed, "%s", typed[i]);
+        r->gate = (struct gate){.id = ids[i], .lo = 1.5, .hi = 2.5};
+        r->measured = (struct measured){.verdict = i < 2 ? VERDICT_PASS : VERDICT_FAIL, .value = 2};
+        if (i < 3)
+            r->measured.rungs = (struct rungs){
+                .n = 2, .axis = "dx [m]", .norm = "E1", .x = {0.5, 0.25}, .error = {0.25, 0.125}, .counts = {1, 1}};
     }
     FILE *out = begin();
-    orders_put(gate, 4, scene, out);
+    orders_put(&g, scene, out);
     fclose(out);
     int dots = 0;
     for (const char *at = text; (at = strstr(at, "<circle")); at++) dots++;
@@ -309,8 +311,9 @@ static void ladders_are_drawn_by_scene(void **state) {
     assert_has(text, "3 ladders.");
     assert_lacks(text, ">rod-step<");
     out = begin();
-    orders_put_scene(gate, 4, "rod-gauss", out);
+    orders_put_scene(&g, "rod-gauss", out);
     fclose(out);
+    gates_free(&g);
     assert_true(strstr(text, ">b</text>") < strstr(text, ">a</text>"));
     assert_lacks(text, ">c</text>");
 }
