@@ -15,16 +15,6 @@
 
 #include <math.h>
 
-static int check(const struct problem *p, const struct options *o, struct failure *why) {
-    (void)o;
-    for (int m = 0; m < p->materials && p->dim == 2; m++)
-        if (p->material[m].k[0] != p->material[m].k[1])
-            return refuse(why, STATUS_NOT_APPLICABLE,
-                          "brookshaw: isotropic conductivity only, the scene has k_x = %g and k_y = %g",
-                          p->material[m].k[0], p->material[m].k[1]);
-    return STATUS_OK;
-}
-
 /* -(dW/dr) r / (r^2 + eta^2), m^-(d + 2), of a kernel of smoothing length h at distance r */
 static double pair_weight(enum kernel_name kernel, int dim, double h, double r) {
     double eta = 0.1 * h;
@@ -80,7 +70,13 @@ static int weights(const struct problem *p, const struct options *o, const struc
     return STATUS_OK;
 }
 
-static const struct scheme scheme = {.sweeps = 1, .check = check, .volume = volume, .weights = weights};
+static const struct scheme scheme = {.name = "brookshaw",
+                                     .two_materials = 1,
+                                     .isotropic = 1,
+                                     .tuned = 1,
+                                     .sweeps = 1,
+                                     .volume = volume,
+                                     .weights = weights};
 
 const struct method method_brookshaw = {
     .name = "brookshaw",

@@ -13,11 +13,6 @@
 #include "solver/particles/correction.h"
 #include "solver/particles/particles.h"
 
-static int check(const struct problem *p, const struct options *o, struct failure *why) {
-    (void)o;
-    return correction_check(p, "brookshaw_corrected", 1, why);
-}
-
 static int weights(const struct problem *p, const struct options *o, const struct neighbourhood *nb, double *w[2],
                    struct failure *why) {
     (void)p;
@@ -32,7 +27,7 @@ static int weights(const struct problem *p, const struct options *o, const struc
     return STATUS_OK;
 }
 
-static const struct scheme scheme = {.sweeps = 1, .check = check, .weights = weights};
+static const struct scheme scheme = {.name = "brookshaw_corrected", .isotropic = 1, .sweeps = 1, .weights = weights};
 
 const struct method method_brookshaw_corrected = {
     .name = "brookshaw_corrected",

@@ -11,19 +11,12 @@
  * is one of the fields over which k_e is least; wiggles between particles, which G hardly sees, take it lower), a
  * limit of its own for each kind of cloud. Modes of wavelength 2 dx lie in the null space on the lattice.  The step
  * is some five times that of a direct second derivative: G sees no wave shorter than a few dx. */
-#include "solver/particles/correction.h"
 #include "solver/particles/kernel_gradient.h"
 #include "solver/particles/particles.h"
 
-static int check(const struct problem *p, const struct options *o, struct failure *why) {
-    if (o->volume == VOLUME_TUNED)
-        return refuse(why, STATUS_NOT_APPLICABLE, "--volume tuned: conjugate takes moment and raw");
-    return correction_check(p, "conjugate", 0, why);
-}
-
-static const struct scheme scheme = {.sweeps = 2,
+static const struct scheme scheme = {.name = "conjugate",
+                                     .sweeps = 2,
                                      .adjoint = 1,
-                                     .check = check,
                                      .volume = kernel_gradient_volume,
                                      .weights = kernel_gradient_weights,
                                      .pairs = kernel_gradient_pairs};

@@ -90,7 +90,8 @@ static int weights(const struct problem *p, const struct options *o, const struc
     return across(o, nb, P, size, target, w[0], why);
 }
 
-static const struct scheme scheme = {.sweeps = 1, .keeps_start = 1, .check = check, .weights = weights};
+static const struct scheme scheme = {
+    .name = "contact_ssph", .two_materials = 1, .sweeps = 1, .keeps_start = 1, .check = check, .weights = weights};
 
 const struct method method_contact_ssph = {
     .name = "contact_ssph",

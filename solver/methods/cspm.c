@@ -15,11 +15,6 @@
 
 #include <math.h>
 
-static int check(const struct problem *p, const struct options *o, struct failure *why) {
-    (void)o;
-    return correction_check(p, "cspm", 0, why);
-}
-
 /* V_j (w_xx, w_xy, w_yy) / h^d, of the radial kernel w: w_ab = w'' e_a e_b + (w'/s) (delta_ab - e_a e_b). */
 static void curvatures(const struct neighbourhood *nb, enum kernel_name kernel, const struct correction *c, size_t j,
                        double out[CORRECTION_TERMS]) {
@@ -63,7 +58,7 @@ static int weights(const struct problem *p, const struct options *o, const struc
     return STATUS_OK;
 }
 
-static const struct scheme scheme = {.sweeps = 1, .check = check, .weights = weights};
+static const struct scheme scheme = {.name = "cspm", .sweeps = 1, .weights = weights};
 
 const struct method method_cspm = {
     .name = "cspm",

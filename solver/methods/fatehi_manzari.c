@@ -12,11 +12,6 @@
 #include "solver/particles/correction.h"
 #include "solver/particles/particles.h"
 
-static int check(const struct problem *p, const struct options *o, struct failure *why) {
-    (void)o;
-    return correction_check(p, "fatehi_manzari", 0, why);
-}
-
 /* F_j (e_j e_j)_m */
 static void dyads(const struct correction *c, size_t j, double out[CORRECTION_TERMS]) {
     const double *s = c->s[j];
@@ -54,7 +49,7 @@ static int weights(const struct problem *p, const struct options *o, const struc
     return STATUS_OK;
 }
 
-static const struct scheme scheme = {.sweeps = 1, .check = check, .weights = weights};
+static const struct scheme scheme = {.name = "fatehi_manzari", .sweeps = 1, .weights = weights};
 
 const struct method method_fatehi_manzari = {
     .name = "fatehi_manzari",

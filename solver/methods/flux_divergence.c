@@ -15,14 +15,8 @@
 #include "solver/particles/kernel_gradient.h"
 #include "solver/particles/particles.h"
 
-static int check(const struct problem *p, const struct options *o, struct failure *why) {
-    if (o->volume == VOLUME_TUNED)
-        return refuse(why, STATUS_NOT_APPLICABLE, "--volume tuned: flux_divergence takes moment and raw");
-    return correction_check(p, "flux_divergence", 0, why);
-}
-
-static const struct scheme scheme = {.sweeps = 2,
-                                     .check = check,
+static const struct scheme scheme = {.name = "flux_divergence",
+                                     .sweeps = 2,
                                      .volume = kernel_gradient_volume,
                                      .weights = kernel_gradient_weights,
                                      .pairs = kernel_gradient_pairs};

@@ -7,14 +7,6 @@
 #include "solver/particles/ssph.h"
 #include "solver/space/gradient.h"
 
-static int check(const struct problem *p, const struct options *o, struct failure *why) {
-    (void)o;
-    if (p->materials > 1)
-        return refuse(why, STATUS_NOT_APPLICABLE,
-                      "fo_ssph: one material only, the scene has two; use brookshaw or contact_ssph");
-    return STATUS_OK;
-}
-
 static int pairs(const struct problem *p, const struct options *o, const struct neighbourhood *nb, double *F,
                  double C[3], struct failure *why) {
     (void)p;
@@ -29,7 +21,7 @@ static int weights(const struct problem *p, const struct options *o, const struc
     return STATUS_OK;
 }
 
-static const struct scheme scheme = {.sweeps = 2, .check = check, .weights = weights, .pairs = pairs};
+static const struct scheme scheme = {.name = "fo_ssph", .sweeps = 2, .weights = weights, .pairs = pairs};
 
 const struct method method_fo_ssph = {
     .name = "fo_ssph",

@@ -15,12 +15,6 @@
 
 #include <math.h>
 
-static int check(const struct problem *p, const struct options *o, struct failure *why) {
-    if (o->volume == VOLUME_TUNED)
-        return refuse(why, STATUS_NOT_APPLICABLE, "--volume tuned: kernel_second takes moment and raw");
-    return correction_check(p, "kernel_second", 1, why);
-}
-
 /* lap W, m^-(d + 2), at distance r > 0 */
 static double laplacian(enum kernel_name kernel, int dim, double h, double r) {
     double s = r / h;
@@ -53,7 +47,8 @@ static int weights(const struct problem *p, const struct options *o, const struc
     return correction_surrounds(nb, why);
 }
 
-static const struct scheme scheme = {.sweeps = 1, .check = check, .volume = volume, .weights = weights};
+static const struct scheme scheme = {
+    .name = "kernel_second", .isotropic = 1, .sweeps = 1, .volume = volume, .weights = weights};
 
 const struct method method_kernel_second = {
     .name = "kernel_second",

@@ -13,7 +13,6 @@
  * to 0.5 was seen without a solution.  k_x != k_y asks for neighbours near the axis of the larger: h grows with
  * sqrt(k ratio). The programme: the simplex method on five rows, with the inverse of the basis (Dantzig's rule;
  * Bland's after a while, which cannot cycle), in units of h. */
-#include "solver/particles/correction.h"
 #include "solver/particles/particles.h"
 #include "solver/space/kernel.h"
 
@@ -28,11 +27,6 @@ struct programme { /* min cost.w, sum_j column[j] w_j = right, w >= 0; columns p
     size_t basis[ROWS];
     double inverse[ROWS][ROWS], value[ROWS]; /* of the basis; of its weights */
 };
-
-static int check(const struct problem *p, const struct options *o, struct failure *why) {
-    (void)o;
-    return correction_check(p, "positive", 0, why);
-}
 
 static double default_h(const struct problem *p) {
     double ratio = p->dim == 2 ? p->material[0].k[1] / p->material[0].k[0] : 1;
@@ -158,7 +152,7 @@ static int weights(const struct problem *p, const struct options *o, const struc
     return STATUS_OK;
 }
 
-static const struct scheme scheme = {.sweeps = 1, .h = default_h, .check = check, .weights = weights};
+static const struct scheme scheme = {.name = "positive", .sweeps = 1, .h = default_h, .weights = weights};
 
 const struct method method_positive = {
     .name = "positive",

@@ -8,9 +8,7 @@
 #include "solver/particles/walls.h"
 
 static int check(const struct problem *p, const struct options *o, struct failure *why) {
-    if (p->materials > 1)
-        return refuse(why, STATUS_NOT_APPLICABLE,
-                      "so_ssph: one material only, the scene has two; use brookshaw or contact_ssph");
+    (void)p;
     if (o->order && (o->order < 2 || o->order > SSPH_ORDER_MAX))
         return refuse(why, STATUS_INPUT, "--order %d: so_ssph takes 2 to %d", o->order, SSPH_ORDER_MAX);
     return STATUS_OK;
@@ -25,7 +23,8 @@ static int weights(const struct problem *p, const struct options *o, const struc
     return ssph_weights(nb, o->kernel, o->order ? o->order : 2, target, w[0], why);
 }
 
-static const struct scheme scheme = {.sweeps = 1, .check = check, .weights = weights, .at_wall = walls_one_sided};
+static const struct scheme scheme = {
+    .name = "so_ssph", .sweeps = 1, .check = check, .weights = weights, .at_wall = walls_one_sided};
 
 const struct method method_so_ssph = {
     .name = "so_ssph",

@@ -90,7 +90,13 @@ static int weights(const struct problem *p, const struct options *o, const struc
     return STATUS_OK;
 }
 
-static const struct scheme scheme = {.sweeps = 1, .cells = 1, .h = search, .check = check, .weights = weights};
+static const struct scheme scheme = {.name = "voronoi_flux",
+                                     .two_materials = 1,
+                                     .sweeps = 1,
+                                     .cells = 1,
+                                     .h = search,
+                                     .check = check,
+                                     .weights = weights};
 
 const struct method method_voronoi_flux = {
     .name = "voronoi_flux",

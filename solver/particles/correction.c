@@ -157,14 +157,3 @@ int correction_solve(const struct neighbourhood *nb, const char *what, int terms
     }
     return STATUS_OK;
 }
-
-int correction_check(const struct problem *p, const char *method, int isotropic, struct failure *why) {
-    const double *k = p->material[0].k;
-    if (p->materials > 1)
-        return refuse(why, STATUS_NOT_APPLICABLE,
-                      "%s: one material only, the scene has two; use brookshaw or contact_ssph", method);
-    if (isotropic && p->dim == 2 && k[0] != k[1])
-        return refuse(why, STATUS_NOT_APPLICABLE,
-                      "%s: isotropic conductivity only, the scene has k_x = %g and k_y = %g", method, k[0], k[1]);
-    return STATUS_OK;
-}

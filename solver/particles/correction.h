@@ -49,7 +49,4 @@ int correction_spans(const struct neighbourhood *nb, const double *F, struct fai
  * its neighbour count there. */
 int correction_surrounds(const struct neighbourhood *nb, struct failure *why);
 
-/* The check of schemes that take one material; isotropic: 1 for those whose weights depend on the distance alone. */
-int correction_check(const struct problem *p, const char *method, int isotropic, struct failure *why);
-
 #endif

@@ -84,7 +84,7 @@ int particles_resolve(const struct problem *p, const struct options *o, const st
                       "a source that changes in time: every stepper here takes dT/dt = A T + g with one g; take "
                       "ftcs");
     if (check_cut(p, resolved, s, why)) return why->status;
-    if (s->check(p, resolved, why) || redraw_check(p, resolved, why)) return why->status;
+    if (operator_check(s, p, resolved, why) || redraw_check(p, resolved, why)) return why->status;
     if (o->h_iso) return matched_isotropic(resolved, s, &resolved->h, why);
     return STATUS_OK;
 }

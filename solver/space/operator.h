@@ -41,7 +41,10 @@ static inline double neighbourhood_mean_h(const struct neighbourhood *nb, size_t
     return nb->H ? (nb->h + nb->H[j]) / 2 : nb->h;
 }
 
-struct scheme { /* how a particle method weights neighbours; options are resolved */
+struct scheme {                   /* how a particle method weights neighbours; options are resolved */
+    const char *name;             /* the method's, for messages */
+    int two_materials, isotropic; /* 1: it takes two materials; it takes k_x = k_y alone */
+    int tuned;                    /* 1: it takes --volume tuned */
     /* 1: dT_i/dt = sum_j w[0][j] (T_j - T_i).  2: w[0], w[1] give the two first derivatives, which are applied twice:
      * dT/dt = d/dx(kappa_x dT/dx) + d/dy(kappa_y dT/dy) */
     int sweeps;
@@ -53,7 +56,7 @@ struct scheme { /* how a particle method weights neighbours; options are resolve
     int cells;
     /* h/dx where --h is not given; NULL: 1.1 max(order, 2)/2 */
     double (*h)(const struct problem *p);
-    /* STATUS_OK, or why this method has no answer to such a problem */
+    /* STATUS_OK, or what else this method has no answer to; NULL: nothing.  To be asked by operator_check */
     int (*check)(const struct problem *p, const struct options *o, struct failure *why);
     /* m^d: what a particle's volume dV = dx^d counts for, on a lattice of that volume and smoothing length h (m);
      * NULL where weights do not depend on it */
@@ -111,6 +114,9 @@ int operator_outline_lattice(struct heat_operator *a, const struct problem *p, c
 int operator_create_csr(struct heat_operator *a, const struct problem *p, const struct options *o,
                         const struct scheme *s, const struct cloud *c, double spacing, struct failure *why);
 void operator_free(struct heat_operator *a);
+
+/* STATUS_OK, or why that method has no answer to such a problem with these options, which are resolved. */
+int operator_check(const struct scheme *s, const struct problem *p, const struct options *o, struct failure *why);
 
 /* The neighbours within 2 h of a particle of an unbounded lattice of spacing dx (m) along every axis, h in dx, into
  * d; dim, n, d, h and volume of *nb.  STATUS_INPUT where there are more than d has room for. */

@@ -43,12 +43,7 @@ static int one_back(const struct problem *p, const struct options *o, const stru
     return STATUS_OK;
 }
 
-static int any(const struct problem *p, const struct options *o, struct failure *why) {
-    (void)p, (void)o, (void)why;
-    return STATUS_OK;
-}
-
-static const struct scheme back_scheme = {.sweeps = 1, .keeps_start = 1, .check = any, .weights = one_back};
+static const struct scheme back_scheme = {.two_materials = 1, .sweeps = 1, .keeps_start = 1, .weights = one_back};
 static const struct method back = {.name = "back", .accepts = "", .scheme = &back_scheme, .solve = particles_solve};
 
 static void a_start_outside_of_its_data_is_refused(void **state) {

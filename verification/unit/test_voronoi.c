@@ -253,7 +253,7 @@ static void bad_clouds_are_refused(void **state) {
     assert_has(why.text, "does not end within");
     layout_cloud_free(&m.c);
     m.p.materials = 2, m.p.material[1] = (struct material){{0.3, 0.9}, 1};
-    assert_int_equal(method_voronoi_flux.scheme->check(&m.p, &m.o, &why), STATUS_NOT_APPLICABLE);
+    assert_int_equal(operator_check(method_voronoi_flux.scheme, &m.p, &m.o, &why), STATUS_NOT_APPLICABLE);
     assert_has(why.text, "cells have one metric");
 }
 
