@@ -33,6 +33,12 @@ double field_distance(const struct field *f, const double *T, const double *size
     return apart / whole;
 }
 
+double field_largest(const struct field *f) {
+    double most = 0;
+    for (size_t i = 0; i < f->n; i++) most = fmax(most, fabs(f->T[i]));
+    return most;
+}
+
 double field_farthest(const struct field *f, const double *T) {
     double most = 0;
     for (size_t i = 0; i < f->n; i++) {

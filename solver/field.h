@@ -47,6 +47,8 @@ void field_free(struct field *f);
  * there.  w: f->weight. */
 double field_distance(const struct field *f, const double *T, const double *size);
 
+double field_largest(const struct field *f); /* K: the largest |f->T[i]|, of those that are numbers */
+
 /* K: the largest |f->T[i] - T[i]| at the n points of *f; NaN where one is. */
 double field_farthest(const struct field *f, const double *T);
 

@@ -47,6 +47,18 @@ static int check_spacing(const struct problem *p, double dx, struct failure *why
                   domain, SPACINGS_MIN, near);
 }
 
+int ftcs_plan_check_times(const struct problem *p, const struct options *o, struct failure *why) {
+    if (o->dt != 0 && !(o->dt > 0 && isfinite(o->dt)))
+        return refuse(why, STATUS_INPUT, "--dt %g: must be positive and finite", o->dt);
+    if (o->fourier != 0 && !(o->fourier > 0 && isfinite(o->fourier)))
+        return refuse(why, STATUS_INPUT, "--fourier %g: must be positive and finite", o->fourier);
+    if (o->dt != 0 && o->fourier != 0)
+        return refuse(why, STATUS_INPUT, "--dt %g --fourier %g: give one of them", o->dt, o->fourier);
+    if (!(p->t_end >= 0 && isfinite(p->t_end)))
+        return refuse(why, STATUS_INPUT, "--t-end %g: must be finite and not negative", p->t_end);
+    return STATUS_OK;
+}
+
 static int check_options(const struct ftcs_grid *g, const struct problem *p, const struct options *o,
                          struct failure *why) {
     if (p->materials > 1 && g->with_fluxes)
@@ -94,14 +106,7 @@ static int check_options(const struct ftcs_grid *g, const struct problem *p, con
                       g->method, p->dim == 1 ? ", matched" : "");
     if (o->stepper == STEPPER_MATCHED && (o->dt != 0 || o->fourier != 0))
         return refuse(why, STATUS_INPUT, "--stepper matched: sets the step itself; leave out --dt and --fourier");
-    if (o->dt != 0 && !(o->dt > 0 && isfinite(o->dt)))
-        return refuse(why, STATUS_INPUT, "--dt %g: must be positive and finite", o->dt);
-    if (o->fourier != 0 && !(o->fourier > 0 && isfinite(o->fourier)))
-        return refuse(why, STATUS_INPUT, "--fourier %g: must be positive and finite", o->fourier);
-    if (o->dt != 0 && o->fourier != 0)
-        return refuse(why, STATUS_INPUT, "--dt %g --fourier %g: give one of them", o->dt, o->fourier);
-    if (!(p->t_end >= 0 && isfinite(p->t_end)))
-        return refuse(why, STATUS_INPUT, "--t-end %g: must be finite and not negative", p->t_end);
+    if (ftcs_plan_check_times(p, o, why)) return why->status;
     if (p->side[X_LO] == PERIODIC && (o->layout == LAYOUT_NODE || o->walls != WALLS_MIRROR))
         return refuse(why, STATUS_NOT_APPLICABLE, "--%s: the scene is periodic and has no walls",
                       o->layout == LAYOUT_NODE ? "layout node" : "walls");

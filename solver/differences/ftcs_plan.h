@@ -12,4 +12,7 @@ struct ftcs_grid;
 int ftcs_plan(struct ftcs_grid *g, const char *method, int with_fluxes, const struct problem *p,
               const struct options *o, struct failure *why);
 
+/* Whether step and end time of the options and the problem are what any grid can take. */
+int ftcs_plan_check_times(const struct problem *p, const struct options *o, struct failure *why);
+
 #endif

@@ -20,6 +20,7 @@
  *
  * Rings are contiguous, so that all loops run along r and none is a recursion. */
 #include "solver/differences/ftcs_grid.h"
+#include "solver/differences/ftcs_plan.h"
 
 #include "solver/method.h"
 #include "solver/outline.h"
@@ -73,14 +74,7 @@ static int check_options(const char *method, const struct problem *p, const stru
     if (o->stepper != STEPPER_AUTO && o->stepper != STEPPER_EULER)
         return refuse(why, STATUS_NOT_APPLICABLE, "--stepper %s: %s has euler, auto in a round body",
                       stepper_words[o->stepper], method);
-    if (o->dt != 0 && !(o->dt > 0 && isfinite(o->dt)))
-        return refuse(why, STATUS_INPUT, "--dt %g: must be positive and finite", o->dt);
-    if (o->fourier != 0 && !(o->fourier > 0 && isfinite(o->fourier)))
-        return refuse(why, STATUS_INPUT, "--fourier %g: must be positive and finite", o->fourier);
-    if (o->dt != 0 && o->fourier != 0)
-        return refuse(why, STATUS_INPUT, "--dt %g --fourier %g: give one of them", o->dt, o->fourier);
-    if (!(p->t_end >= 0 && isfinite(p->t_end)))
-        return refuse(why, STATUS_INPUT, "--t-end %g: must be finite and not negative", p->t_end);
+    if (ftcs_plan_check_times(p, o, why)) return why->status;
     if (!(o->dx > 0 && isfinite(o->dx)))
         return refuse(why, STATUS_INPUT, "--dx %g: must be positive and finite", o->dx);
     if (rings * 2 * M_PI * p->radius[1] / o->dx > 1e9)

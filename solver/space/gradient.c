@@ -102,21 +102,28 @@ static void derive(const struct gradient *g, size_t i, size_t j, double F, doubl
     D[0] = F * (C[0] * dx + C[1] * dy), D[1] = F * (C[1] * dx + C[2] * dy);
 }
 
+/* Pairs of point i, the ones that it keeps first; pair k of them: the other point, and its derivative. */
+static uint32_t pairs_of(const struct gradient *g, size_t i) {
+    return g->kept[i + 1] - g->kept[i] + g->lent[i + 1] - g->lent[i];
+}
+
+static size_t derive_pair(const struct gradient *g, size_t i, uint32_t k, double D[2]) {
+    uint32_t kept = g->kept[i + 1] - g->kept[i], own = g->kept[i] + k, other = g->lent[i] + (k - kept);
+    size_t j = k < kept ? g->other[own] : g->keeper[other];
+    derive(g, i, j, g->F[k < kept ? own : g->pair[other]], D);
+    return j;
+}
+
 /* What the adjoint of the first sweep has of a particle's own flux: sum_j w_ij (q_j + q_i) = sum_j w_ij (q_j - q_i) +
  * 2 q_i sum_j w_ij. */
 static void add_sums(struct gradient *g, size_t n) {
     double D[2];
     g->sum = xcalloc(2 * n, sizeof *g->sum);
-    for (size_t i = 0; i < n; i++) {
-        for (uint32_t k = g->kept[i]; k < g->kept[i + 1]; k++) {
-            derive(g, i, g->other[k], g->F[k], D);
+    for (size_t i = 0; i < n; i++)
+        for (uint32_t k = 0; k < pairs_of(g, i); k++) {
+            derive_pair(g, i, k, D);
             for (size_t a = 0; a < 2; a++) g->sum[2 * i + a] += 2 * D[a];
         }
-        for (uint32_t k = g->lent[i]; k < g->lent[i + 1]; k++) {
-            derive(g, i, g->keeper[k], g->F[g->pair[k]], D);
-            for (size_t a = 0; a < 2; a++) g->sum[2 * i + a] += 2 * D[a];
-        }
-    }
 }
 
 static void count(struct heat_operator *a, const struct gradient *g) {
@@ -192,30 +199,20 @@ static void add_entry(const struct gradient *g, size_t n, size_t point, double w
 /* row += v . (D T)_i */
 static void add_derivative(const struct gradient *g, size_t n, size_t i, const double v[2], struct row *row) {
     double D[2], sum = 0;
-    for (uint32_t k = g->kept[i], past = g->kept[i + 1]; k < past; k++) {
-        derive(g, i, g->other[k], g->F[k], D);
+    for (uint32_t k = 0; k < pairs_of(g, i); k++) {
+        size_t j = derive_pair(g, i, k, D);
         double w = v[0] * D[0] + v[1] * D[1];
-        add_entry(g, n, g->other[k], w, row), sum += w;
-    }
-    for (uint32_t k = g->lent[i], past = g->lent[i + 1]; k < past; k++) {
-        derive(g, i, g->keeper[k], g->F[g->pair[k]], D);
-        double w = v[0] * D[0] + v[1] * D[1];
-        add_entry(g, n, g->keeper[k], w, row), sum += w;
+        add_entry(g, n, j, w, row), sum += w;
     }
     add_entry(g, n, i, -sum, row);
 }
 
 void gradient_compose(const struct gradient *g, size_t n, size_t i, struct row *row) {
     double D[2], own[2] = {0, 0};
-    for (uint32_t k = g->kept[i]; k < g->kept[i + 1]; k++) {
-        derive(g, i, g->other[k], g->F[k], D);
+    for (uint32_t k = 0; k < pairs_of(g, i); k++) {
+        size_t j = derive_pair(g, i, k, D);
         for (int a = 0; a < 2; a++) D[a] *= g->kappa[a], own[a] -= D[a];
-        add_derivative(g, n, g->other[k], D, row);
-    }
-    for (uint32_t k = g->lent[i]; k < g->lent[i + 1]; k++) {
-        derive(g, i, g->keeper[k], g->F[g->pair[k]], D);
-        for (int a = 0; a < 2; a++) D[a] *= g->kappa[a], own[a] -= D[a];
-        add_derivative(g, n, g->keeper[k], D, row);
+        add_derivative(g, n, j, D, row);
     }
     for (int a = 0; a < 2 && g->sum; a++) own[a] += g->kappa[a] * g->sum[2 * i + (size_t)a];
     add_derivative(g, n, i, own, row);

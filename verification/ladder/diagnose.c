@@ -35,12 +35,6 @@ static void repeat(const struct experiment *e, const struct field *before, const
     field_free(&f);
 }
 
-static double largest(const struct field *f) {
-    double most = 0;
-    for (size_t i = 0; i < f->n; i++) most = fmax(most, fabs(f->T[i]));
-    return most;
-}
-
 /* Whether the program's numbers are values or means (diagnosis_mean), from its answer at dx and a time so early that
  * one step too many, or none, is a hundredth of what a mean over a cell has more than a value. */
 static double mean_of_start(const struct experiment *e, double dx) {
@@ -77,7 +71,7 @@ void diagnose_ladder(const struct experiment *e, const struct field kept[2], str
         return;
     }
     repeat(e, &kept[1], &l->rung[l->n - 2], l, noise);
-    if (noise->share > DOUBT_NOISE && diagnosis_repeat(noise->apart, largest(&kept[1]), &l->diagnosis)) return;
+    if (noise->share > DOUBT_NOISE && diagnosis_repeat(noise->apart, field_largest(&kept[1]), &l->diagnosis)) return;
     double mean = mean_of_start(e, l->x[l->n - 2]);
     mapping_image(&e->program.map, &e->problem, &image);
     int mapped = e->problem.materials == 1 || image.interface_axis == 0;
@@ -91,6 +85,7 @@ void diagnose_ladder(const struct experiment *e, const struct field kept[2], str
     }
     diagnosis_find(mapped ? &image.problem : &e->problem, &rung[0], &rung[1], &l->diagnosis);
     struct diagnosis repeats;
-    if (!l->diagnosis.named && diagnosis_repeat(noise->apart, largest(&kept[1]), &repeats)) l->diagnosis = repeats;
+    if (!l->diagnosis.named && diagnosis_repeat(noise->apart, field_largest(&kept[1]), &repeats))
+        l->diagnosis = repeats;
     for (int k = 0; k < 2; k++) free(exact[k]), field_free(&given[k]);
 }

@@ -47,12 +47,6 @@ void measures_slope_time(const struct request *r, double lo, double hi, struct m
     free(l);
 }
 
-static double largest(const struct field *f) {
-    double most = 0;
-    for (size_t i = 0; i < f->n; i++) most = fmax(most, fabs(f->T[i]));
-    return most;
-}
-
 /* Of one run few digits are seen; other faults are followed from a run at twice the spacing.  Runs that differ leave
  * the error in doubt. */
 static void diagnose(const struct request *r, const struct field *f, struct measured *m) {
@@ -108,9 +102,9 @@ void measures_repeat(const struct request *r, double lo, double hi, struct measu
         skip(m, "the points differ from run to run");
     } else {
         measures_fail(m, "");
-        measures_judge(m, apart.linf / largest(&a), lo, hi);
+        measures_judge(m, apart.linf / field_largest(&a), lo, hi);
         m->error = first.error.l1;
-        if (m->verdict == VERDICT_FAIL && diagnosis_repeat(apart.linf, largest(&a), &d)) {
+        if (m->verdict == VERDICT_FAIL && diagnosis_repeat(apart.linf, field_largest(&a), &d)) {
             wording_text(&d, m->diagnosis, sizeof m->diagnosis);
             snprintf(m->reason, sizeof m->reason, "%s; where that is meant, --skip this row", m->diagnosis);
             m->verdict = VERDICT_INCONCLUSIVE;
