@@ -93,10 +93,10 @@ $(BUILD)/version.inc:
 
 # The papers' tables, compiled in.
 PUBLISHED := $(filter-out %/measured.csv,$(sort $(wildcard reports/published/*.csv)))
-$(BUILD)/published.inc: $(PUBLISHED)
+$(BUILD)/published.inc: $(PUBLISHED) Makefile
 	@mkdir -p $(@D)
-	$(Q)for f in $^; do b=$${f##*/}; echo "PUBLISHED(\"$${b%.csv}\","; \
-	sed 's/[\\"]/\\&/g; s/.*/"&\\n"/' $$f; echo ')'; done >$@.new && mv $@.new $@
+	$(Q)for f in $(PUBLISHED); do b=$${f##*/}; echo "PUBLISHED(\"$${b%.csv}\","; \
+	sed '/^#/d; s/,/", "/g; s/.*/{"&"},/' $$f; echo ')'; done >$@.new && mv $@.new $@
 
 # What all is compiled and linked by: other flags or libraries, and all is compiled again.  `make install` alone takes
 # what is built as it is: sudo hands no flags on.

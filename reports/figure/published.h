@@ -8,13 +8,13 @@
 
 struct failure;
 
-enum { PUBLISHED_COLUMNS = 8, PUBLISHED_ROWS = 4, PUBLISHED_CELL = 24 };
+enum { PUBLISHED_COLUMNS = 8, PUBLISHED_ROWS = 4 };
 
 struct published {
     int rows, columns; /* without the header and the column of names */
-    char method[PUBLISHED_ROWS][PUBLISHED_CELL];
-    char where[PUBLISHED_COLUMNS][PUBLISHED_CELL];
-    char cell[PUBLISHED_ROWS][PUBLISHED_COLUMNS][PUBLISHED_CELL];
+    const char *method[PUBLISHED_ROWS];
+    const char *where[PUBLISHED_COLUMNS];
+    const char *cell[PUBLISHED_ROWS][PUBLISHED_COLUMNS];
     double value[PUBLISHED_ROWS][PUBLISHED_COLUMNS];
 };
 
