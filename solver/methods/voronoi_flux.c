@@ -30,6 +30,7 @@
  * Where not: two materials of different k_x/k_y have no common metric. */
 #include "solver/particles/particles.h"
 #include "solver/space/voronoi.h"
+#include "solver/space/voronoi_cell.h"
 
 #include <math.h>
 

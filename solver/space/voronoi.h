@@ -30,8 +30,4 @@ void voronoi_free(struct voronoi *v);
 /* T[i], K: the mean of the initial data over each cell, weighted with the heat capacity; c->n of them. */
 int voronoi_average(const struct problem *p, const struct cloud *c, int threads, double *T, struct failure *why);
 
-/* The cell about the origin among n points at d (m, in the metric): face[n], m^(d-1), and *volume, m^d.  Returns 0,
- * or -1 where the points do not close it. */
-int voronoi_cell(int dim, size_t n, double (*d)[2], double *face, double *volume);
-
 #endif

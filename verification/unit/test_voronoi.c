@@ -3,6 +3,7 @@
  * refused. */
 #include "solver/space/csr.h"
 #include "solver/space/voronoi.h"
+#include "solver/space/voronoi_cell.h"
 
 #include "verification/unit/near.h"
 #include "verification/unit/odd_problems.h"
