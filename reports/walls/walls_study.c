@@ -10,8 +10,8 @@
 #include "solver/method.h"
 #include "solver/particles/particles.h"
 #include "verification/command/arguments.h"
+#include "verification/command/command_run.h"
 #include "verification/ladder/slope.h"
-#include "verification/run/run.h"
 #include "verification/stability/spectrum.h"
 #include "verification/text/output.h"
 
@@ -40,35 +40,20 @@ struct entry { /* of a treatment at a body */
     struct failure why;
 };
 
-static void take_run(const char *command, double *E1, double *largest, double *drift, struct field *field,
-                     struct failure *why) {
-    struct request r;
-    struct result out = {.failure = {0}};
-    struct failure local = {0};
-    *E1 = *largest = *drift = NAN;
-    int status = arguments_parse_line(command, &r, &local);
-    if (!status) status = run_experiment(&r.experiment, &out, field);
-    if (!status) *E1 = out.error.l1, *largest = out.error.linf, *drift = out.heat_drift;
-    if (status) {
-#pragma omp critical(walls_failure)
-        *why = local.status ? local : out.failure;
-    }
-    arguments_free(&r);
-}
-
-static void take_runs(const char *scene, const char *method, const char *walls, struct entry *e) {
+static void take_runs(const char *scene, const char *walls, struct entry *e) {
 #pragma omp parallel for schedule(dynamic, 1)
     for (int k = RUNS - 1; k >= 0; k--) {
-        char command[200];
-        double drift;
+        struct command_run run;
         e->dx[k] = spacings[k / SEEDS];
-        snprintf(command, sizeof command, "run %.*s %s%s --walls %s --seed %d --dx %g", (int)strcspn(scene, " "),
-                 scene, method, scene + strcspn(scene, " "), walls, 1 + k % SEEDS, e->dx[k]);
-        take_run(command, &e->E1[k], &e->largest[k], &drift, NULL, &e->why);
+        command_run_line(&run, "run %.*s so_ssph%s --walls %s --seed %d --dx %g", (int)strcspn(scene, " "), scene,
+                         scene + strcspn(scene, " "), walls, 1 + k % SEEDS, e->dx[k]);
+        command_run_note(&run, &e->why);
+        e->E1[k] = run.result.error.l1, e->largest[k] = run.result.error.linf;
         if (k / SEEDS == SPACINGS - 1) {
 #pragma omp critical(walls_drift)
-            e->drift = fmax(e->drift, fabs(drift));
+            e->drift = fmax(e->drift, fabs(run.result.heat_drift));
         }
+        command_run_free(&run);
     }
 }
 
@@ -180,14 +165,16 @@ static int write_offsets(FILE *out, struct failure *why) {
     for (size_t k = 0; k < sizeof rods / sizeof *rods; k++) {
         fprintf(out, "\n\n# %s %s\noffset,order,low,high,E1\n", rods[k].scene, rods[k].walls);
         for (int s = 0; s < 10; s++) {
-            double dx[4], E1[4], largest, drift;
+            double dx[4], E1[4];
             for (int n = 0; n < 4; n++) {
-                char command[200];
+                struct command_run run;
                 dx[n] = rods[k].length / (20 << n);
-                snprintf(command, sizeof command, "run %s so_ssph --walls %s --shift 0.%d --dx %.17g", rods[k].scene,
-                         rods[k].walls, s, dx[n]);
-                take_run(command, &E1[n], &largest, &drift, NULL, why);
-                if (why->status) return why->status;
+                command_run_line(&run, "run %s so_ssph --walls %s --shift 0.%d --dx %.17g", rods[k].scene,
+                                 rods[k].walls, s, dx[n]);
+                E1[n] = run.result.error.l1;
+                int status = command_run_check(&run, why);
+                command_run_free(&run);
+                if (status) return status;
             }
             struct slope fit = slope_fit(dx, E1, 4);
             fprintf(out, "0.%d,%.4f,%.4f,%.4f,%.4e\n", s, fit.value, fit.ci[0], fit.ci[1], E1[3]);
@@ -205,21 +192,18 @@ static int write_field(FILE *out, struct failure *why) {
         fprintf(out, "# command: heatladder run disc-mode so_ssph --walls %s --seed 1 --dx 0.05 --field FILE.csv\n",
                 drawn[k]);
     for (int k = 0; k < 3; k++) {
-        char command[200];
-        struct field f = {0};
-        struct request r;
-        double E1, largest, drift;
-        snprintf(command, sizeof command, "run disc-mode so_ssph --walls %s --seed 1 --dx 0.05", drawn[k]);
-        take_run(command, &E1, &largest, &drift, &f, why);
-        if (why->status || arguments_parse_line(command, &r, why)) return why->status;
+        struct command_run run;
+        command_run_line(&run, "run disc-mode so_ssph --walls %s --seed 1 --dx 0.05", drawn[k]);
+        int status = command_run_check(&run, why);
+        const struct field *f = &run.field;
         fprintf(out, "\n\n# %s\nx,y,error\n", drawn[k]);
-        for (size_t i = 0; i < f.n; i++) {
-            const double x[2] = {f.x[i], f.y[i]};
-            double T = scene_exact(r.experiment.scene, &r.experiment.problem, x, f.time).temperature;
-            fprintf(out, "%.5f,%.5f,%.3e\n", x[0], x[1], fmax(1e-7, fabs(f.T[i] - T)));
+        for (size_t i = 0; i < f->n && !status; i++) {
+            const double x[2] = {f->x[i], f->y[i]};
+            fprintf(out, "%.5f,%.5f,%.3e\n", x[0], x[1],
+                    fmax(1e-7, fabs(f->T[i] - command_run_exact(&run, x, f->time))));
         }
-        arguments_free(&r);
-        field_free(&f);
+        command_run_free(&run);
+        if (status) return status;
     }
     return STATUS_OK;
 }
@@ -237,7 +221,7 @@ int walls_study_write(const char *dir, struct failure *why) {
     int status = STATUS_OK;
     for (int k = 0; k < BODIES * TREATMENTS && !status; k++) {
         if (!bodies[k / TREATMENTS].derived[k % TREATMENTS]) continue;
-        take_runs(bodies[k / TREATMENTS].scene, "so_ssph", treatments[k % TREATMENTS], &all[k]);
+        take_runs(bodies[k / TREATMENTS].scene, treatments[k % TREATMENTS], &all[k]);
         take_spectra(bodies[k / TREATMENTS].scene, treatments[k % TREATMENTS], &all[k]);
         if (all[k].why.status) *why = all[k].why, status = why->status;
     }
