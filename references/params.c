@@ -7,13 +7,6 @@
 #include <math.h>
 #include <string.h>
 
-void params_keep(struct problem *p) {
-    double kept[PARAM_MAX];
-    memcpy(kept, p->param, sizeof kept);
-    *p = (struct problem){0};
-    memcpy(p->param, kept, sizeof kept);
-}
-
 int params_between(const struct param *table, const struct problem *p, int i, double lo, double hi,
                    const char *because, struct failure *why) {
     const char *name = table[i].name, *unit = table[i].unit, *gap = *table[i].unit ? " " : "";
@@ -28,14 +21,19 @@ int params_between(const struct param *table, const struct problem *p, int i, do
                   value, lo, hi, gap, unit, colon, reason);
 }
 
-int params_all_positive(const struct param *table, const struct problem *p, const int *list, struct failure *why) {
-    for (; *list >= 0; list++)
-        if (params_between(table, p, *list, 0, INFINITY, NULL, why)) return STATUS_INPUT;
-    return STATUS_OK;
+static int is_among(const int *list, int i) {
+    while (list && *list >= 0 && *list != i) list++;
+    return list && *list == i;
 }
 
-int params_finite(const struct param *table, const struct problem *p, int i, struct failure *why) {
-    return params_between(table, p, i, -INFINITY, INFINITY, NULL, why);
+int params_start(const struct param *table, struct problem *p, const int *any, struct failure *why) {
+    double kept[PARAM_MAX];
+    memcpy(kept, p->param, sizeof kept);
+    *p = (struct problem){0};
+    memcpy(p->param, kept, sizeof kept);
+    for (int i = 0; table[i].name; i++)
+        if (params_between(table, p, i, is_among(any, i) ? -INFINITY : 0, INFINITY, NULL, why)) return STATUS_INPUT;
+    return STATUS_OK;
 }
 
 int params_whole(const struct param *table, const struct problem *p, int i, int lo, int hi, struct failure *why) {

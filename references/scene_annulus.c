@@ -139,10 +139,9 @@ static double source(const struct problem *p, const double x[2]) {
 }
 
 static int setup(struct problem *p, struct failure *why) {
-    static const int positive[] = {R1, R2, K, RHO_C, TM, A, T_END, -1};
-    params_keep(p);
+    static const int any[] = {B, MODE, PHASE, -1};
     const double *v = p->param;
-    if (params_all_positive(params, p, positive, why)) return STATUS_INPUT;
+    if (params_start(params, p, any, why)) return STATUS_INPUT;
     if (params_between(params, p, R1, 0.1 * v[R2] * (1 - 1e-9), 0.9 * v[R2] * (1 + 1e-9), "r1 of 0.1 r2 to 0.9 r2",
                        why))
         return STATUS_INPUT;

@@ -162,11 +162,9 @@ static double wall(const struct problem *p, enum side s, const double x[2]) {
 }
 
 static int setup(struct problem *p, struct failure *why) {
-    static const int positive[] = {R, K, RHO_C, B, T_END, -1};
-    params_keep(p);
+    static const int any[] = {T0, T_A, -1};
     const double *v = p->param;
-    if (params_all_positive(params, p, positive, why)) return STATUS_INPUT;
-    if (params_finite(params, p, T0, why) || params_finite(params, p, T_A, why)) return STATUS_INPUT;
+    if (params_start(params, p, any, why)) return STATUS_INPUT;
     if (params_between(params, p, B, 1e-12 * v[K] / v[R], 1e12 * v[K] / v[R], "b radius/k of 1e-12 to 1e12", why))
         return STATUS_INPUT;
     shape_round(p, 0, v[R]);

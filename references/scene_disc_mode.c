@@ -97,11 +97,10 @@ static double bessel(int m, double z) {
 }
 
 static int setup(struct problem *p, struct failure *why) {
-    static const int positive[] = {R, K, RHO_C, TM, A, B, T_END, -1};
+    static const int any[] = {MODE, WALL, -1};
     static const enum side_kind kind[] = {DIRICHLET, NEUMANN, ROBIN};
-    params_keep(p);
     const double *v = p->param;
-    if (params_all_positive(params, p, positive, why)) return STATUS_INPUT;
+    if (params_start(params, p, any, why)) return STATUS_INPUT;
     if (params_whole(params, p, MODE, 0, 20, why) || params_whole(params, p, WALL, 1, 3, why)) return STATUS_INPUT;
     if (params_between(params, p, A, 0, v[TM], "the temperature stays positive, A < Tm", why)) return STATUS_INPUT;
     if (params_between(params, p, B, 1e-12 * v[K] / v[R], 1e12 * v[K] / v[R], "b radius/k of 1e-12 to 1e12", why))

@@ -137,11 +137,10 @@ static double wall(const struct problem *p, enum side s, const double x[2]) {
 }
 
 static int setup(struct problem *p, struct failure *why) {
-    static const int positive[] = {W1, W2, HEIGHT, K1, RHO_C1, K2, RHO_C2, TM, A, T_END, -1};
+    static const int any[] = {MODE, -1};
     static const int pair[][2] = {{W1, W2}, {K1, K2}, {RHO_C1, RHO_C2}};
-    params_keep(p);
     const double *v = p->param;
-    if (params_all_positive(params, p, positive, why)) return STATUS_INPUT;
+    if (params_start(params, p, any, why)) return STATUS_INPUT;
     if (params_whole(params, p, MODE, 0, 20, why)) return STATUS_INPUT;
     if (params_between(params, p, A, 0, v[TM], "the temperature stays positive, A < Tm", why)) return STATUS_INPUT;
     for (int i = 0; i < 3; i++)

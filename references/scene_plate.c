@@ -61,11 +61,8 @@ static double wall(const struct problem *p, enum side s, const double x[2]) {
 }
 
 static int setup(struct problem *p, struct failure *why) {
-    static const int positive[] = {WIDTH, HEIGHT, T_END, -1};
-    params_keep(p);
-    if (params_all_positive(params, p, positive, why)) return STATUS_INPUT;
-    for (int i = T1; i <= T0; i++)
-        if (params_finite(params, p, i, why)) return STATUS_INPUT;
+    static const int any[] = {T1, T2, T3, T4, T0, MATERIAL, -1};
+    if (params_start(params, p, any, why)) return STATUS_INPUT;
     double ratio = p->param[HEIGHT] / p->param[WIDTH];
     if (ratio < 1e-3 || ratio > 1e3)
         return refuse(why, STATUS_INPUT,

@@ -107,9 +107,8 @@ static double initial(const struct problem *p, const double x[2]) {
 }
 
 static int setup(struct problem *p, struct failure *why) {
-    static const int positive[] = {WIDTH, HEIGHT, K_X, K_Y, RHO_C, A, T_END, -1};
-    params_keep(p);
-    if (params_all_positive(params, p, positive, why)) return STATUS_INPUT;
+    static const int any[] = {RISE, -1};
+    if (params_start(params, p, any, why)) return STATUS_INPUT;
     if (params_between(params, p, A, 0, nextafter(1, 2), "the temperature stays positive, A <= 1", why))
         return STATUS_INPUT;
     if (!(p->param[RISE] >= 0 && p->param[RISE] < INFINITY))

@@ -53,10 +53,8 @@ static double wall(const struct problem *p, enum side s, const double x[2]) {
 }
 
 static int setup(struct problem *p, struct failure *why) {
-    static const int positive[] = {L, K1, RHO_C1, K2, RHO_C2, T_END, -1};
-    params_keep(p);
-    if (params_all_positive(params, p, positive, why)) return STATUS_INPUT;
-    if (params_finite(params, p, T1, why) || params_finite(params, p, T2, why)) return STATUS_INPUT;
+    static const int any[] = {X_C, T1, T2, -1};
+    if (params_start(params, p, any, why)) return STATUS_INPUT;
     double kappa1 = p->param[K1] / p->param[RHO_C1], kappa2 = p->param[K2] / p->param[RHO_C2];
     double kappa = fmax(kappa1, kappa2);
     int of = kappa2 > kappa1 ? 2 : 1;

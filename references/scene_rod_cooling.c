@@ -59,12 +59,9 @@ static double wall(const struct problem *p, enum side s, const double x[2]) {
 }
 
 static int setup(struct problem *p, struct failure *why) {
-    static const int positive[] = {L, K, RHO_C, T_END, -1};
-    params_keep(p);
-    if (params_all_positive(params, p, positive, why)) return STATUS_INPUT;
-    if (params_finite(params, p, T1, why) || params_finite(params, p, T0, why) || params_finite(params, p, T_A, why))
-        return STATUS_INPUT;
-    if (!(p->param[B] >= 0 && isfinite(p->param[B])))
+    static const int any[] = {T1, T0, B, T_A, -1};
+    if (params_start(params, p, any, why)) return STATUS_INPUT;
+    if (!(p->param[B] >= 0))
         return refuse(why, STATUS_INPUT, "--set b=%g: needs a finite number, 0 W/m^2/K (insulated) or more",
                       p->param[B]);
     p->dim = 1;

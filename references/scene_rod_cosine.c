@@ -52,9 +52,8 @@ static double wall(const struct problem *p, enum side s, const double x[2]) {
 }
 
 static int setup(struct problem *p, struct failure *why) {
-    static const int positive[] = {L, KAPPA, TM, A, T_END, -1};
-    params_keep(p);
-    if (params_all_positive(params, p, positive, why)) return STATUS_INPUT;
+    static const int any[] = {MODE, -1};
+    if (params_start(params, p, any, why)) return STATUS_INPUT;
     if (params_whole(params, p, MODE, 1, 32, why)) return STATUS_INPUT;
     if (params_between(params, p, A, 0, p->param[TM], "the temperature stays positive, A < Tm", why))
         return STATUS_INPUT;

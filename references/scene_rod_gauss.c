@@ -68,9 +68,7 @@ static double wall(const struct problem *p, enum side s, const double x[2]) {
 }
 
 static int setup(struct problem *p, struct failure *why) {
-    static const int positive[] = {L, SIGMA0, KAPPA, T_END, -1};
-    params_keep(p);
-    if (params_all_positive(params, p, positive, why)) return STATUS_INPUT;
+    if (params_start(params, p, NULL, why)) return STATUS_INPUT;
     if (params_between(params, p, SIGMA0, 0, p->param[L], "the Gaussian fits between the walls, sigma0 < L", why))
         return STATUS_INPUT;
     p->dim = 1;

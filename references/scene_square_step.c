@@ -47,9 +47,7 @@ static double wall(const struct problem *p, enum side s, const double x[2]) {
 }
 
 static int setup(struct problem *p, struct failure *why) {
-    static const int positive[] = {L, A, B, KAPPA_X, KAPPA_Y, T0, T_END, -1};
-    params_keep(p);
-    if (params_all_positive(params, p, positive, why)) return STATUS_INPUT;
+    if (params_start(params, p, NULL, why)) return STATUS_INPUT;
     if (params_between(params, p, A, 0, p->param[L], "the rectangle ends before the walls, a < L", why) ||
         params_between(params, p, B, 0, p->param[L], "the rectangle ends before the walls, b < L", why))
         return STATUS_INPUT;

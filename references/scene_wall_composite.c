@@ -45,12 +45,10 @@ static double wall(const struct problem *p, enum side s, const double x[2]) {
 }
 
 static int setup(struct problem *p, struct failure *why) {
-    static const int positive[] = {L, X_C, K1, RHO_C1, K2, RHO_C2, T_END, -1};
-    params_keep(p);
-    if (params_all_positive(params, p, positive, why)) return STATUS_INPUT;
+    static const int any[] = {T1, T2, -1};
+    if (params_start(params, p, any, why)) return STATUS_INPUT;
     if (params_between(params, p, X_C, 0, p->param[L], "the layers meet inside the wall, x_c < L", why))
         return STATUS_INPUT;
-    if (params_finite(params, p, T1, why) || params_finite(params, p, T2, why)) return STATUS_INPUT;
     if (p->param[T1] == p->param[T2])
         return refuse(why, STATUS_INPUT, "--set T1=%g: needs a temperature other than T2=%g, or nothing flows",
                       p->param[T1], p->param[T2]);

@@ -56,10 +56,9 @@ static double wall(const struct problem *p, enum side s, const double x[2]) {
 }
 
 static int setup(struct problem *p, struct failure *why) {
-    static const int positive[] = {L, KAPPA_X, KAPPA_Y, TM, A, T_END, -1};
-    params_keep(p);
+    static const int any[] = {MODE_X, MODE_Y, PHASE, -1};
     const double *v = p->param;
-    if (params_all_positive(params, p, positive, why)) return STATUS_INPUT;
+    if (params_start(params, p, any, why)) return STATUS_INPUT;
     if (params_whole(params, p, MODE_X, 0, 32, why) || params_whole(params, p, MODE_Y, 0, 32, why))
         return STATUS_INPUT;
     if (v[MODE_X] == 0 && params_whole(params, p, MODE_Y, 1, 32, why)) return STATUS_INPUT;
