@@ -39,8 +39,8 @@ static double norm(const double *T, size_t n) {
     return sqrt(sum);
 }
 
-/* T, of norm 1, by a step of dt; returns the logarithm of the factor and leaves T of norm 1. */
-static double step(const struct heat_operator *a, double bound, double dt, double *T) {
+/* T, of norm 1, by a step of dt; 0 where T is no number any more. */
+static int advance(const struct heat_operator *a, double bound, double dt, double *T) {
     struct march m = {.stepper = STEPPER_RKL2,
                       .time = dt,
                       .steps = 1,
@@ -50,10 +50,19 @@ static double step(const struct heat_operator *a, double bound, double dt, doubl
                       .bound = bound};
     struct failure why;
     size_t bytes = 0;
-    if (m.stages > STEPPER_STAGES_MAX || stepper_march(a, &m, T, &bytes, &why)) return NAN;
-    double size = norm(T, a->n);
-    for (size_t i = 0; i < a->n; i++) T[i] /= size;
+    return m.stages <= STEPPER_STAGES_MAX && !stepper_march(a, &m, T, &bytes, &why);
+}
+
+/* T becomes of norm 1; returns the logarithm of what it was. */
+static double normalise(double *T, size_t n) {
+    double size = norm(T, n);
+    for (size_t i = 0; i < n; i++) T[i] /= size;
     return log(size);
+}
+
+/* The same; returns the logarithm of the factor and leaves T of norm 1. */
+static double step(const struct heat_operator *a, double bound, double dt, double *T) {
+    return advance(a, bound, dt, T) ? normalise(T, a->n) : NAN;
 }
 
 /* The rate that the last of some steps shows, of *length s each or shorter.  One whose factor is not a number is
@@ -95,22 +104,77 @@ static double confirm(const struct heat_operator *a, double bound, double time, 
     return rate > least ? rate : 0;
 }
 
+/* Noise of norm 1 and the operator without what walls and sources add. */
+struct trial {
+    struct heat_operator a;
+    struct gradient gradient;
+    double *T; /* owned */
+};
+
+static void trial_create(struct trial *t, const struct heat_operator *a) {
+    *t = (struct trial){.a = *a, .T = xcalloc(a->n, sizeof *t->T)};
+    t->a.g = NULL, t->a.constant = 0;
+    if (a->gradient) {
+        t->gradient = *a->gradient;
+        t->gradient.offset = xcalloc(t->gradient.total - a->n + 1, sizeof *t->gradient.offset);
+        t->a.gradient = &t->gradient;
+    }
+    for (size_t i = 0; i < a->n; i++) t->T[i] = noise(i);
+    normalise(t->T, a->n);
+}
+
+static void trial_free(struct trial *t) {
+    if (t->a.gradient) free(t->gradient.offset);
+    free(t->T);
+}
+
 double growth_rate(const struct heat_operator *a, double bound, double time) {
     if (!(time > 0) || !(bound > 0) || weights_show_none(a)) return 0;
-    struct heat_operator free_of_walls = *a;
-    struct gradient gradient;
-    double *offset = NULL, *T = xcalloc(a->n, sizeof *T);
-    free_of_walls.g = NULL, free_of_walls.constant = 0;
-    if (a->gradient) {
-        gradient = *a->gradient;
-        gradient.offset = offset = xcalloc(gradient.total - a->n + 1, sizeof *offset);
-        free_of_walls.gradient = &gradient;
-    }
-    for (size_t i = 0; i < a->n; i++) T[i] = noise(i);
-    double size = norm(T, a->n);
-    for (size_t i = 0; i < a->n; i++) T[i] /= size;
-    double rate = confirm(&free_of_walls, bound, time, T);
-    free(T);
-    free(offset);
+    struct trial t;
+    trial_create(&t, a);
+    double rate = confirm(&t.a, bound, time, t.T);
+    trial_free(&t);
     return rate;
+}
+
+/* What a step takes from the noise, five times over: of modes that hardly change in a step, next to nothing. */
+static int take_what_decays(struct trial *t, double bound, double dt) {
+    enum { TIMES = 5 };
+    double *kept = xcalloc(t->a.n, sizeof *kept);
+    int ok = 1;
+    for (int k = 0; k < TIMES && ok; k++) {
+        for (size_t i = 0; i < t->a.n; i++) kept[i] = t->T[i];
+        ok = advance(&t->a, bound, dt, t->T);
+        for (size_t i = 0; i < t->a.n; i++) t->T[i] -= kept[i];
+        normalise(t->T, t->a.n);
+    }
+    free(kept);
+    return ok;
+}
+
+/* The logarithm of the factor of what is left of the noise in the end: the mean of the later half of some steps,
+ * which end where a mode of its usual share, 1 / sqrt(n), would be a hundredth of that. */
+static double slowest(struct trial *t, double bound, double dt, double steps) {
+    enum { MOST = 60 };
+    const double gone = -log(100 * sqrt((double)t->a.n));
+    double sum[MOST + 1] = {0};
+    int k = 0;
+    if (!take_what_decays(t, bound, dt)) return INFINITY;
+    while (k < MOST && k < steps && sum[k] > gone) {
+        double grown = step(&t->a, bound, dt, t->T);
+        if (!isfinite(grown)) return INFINITY;
+        sum[k + 1] = sum[k] + grown, k++;
+    }
+    return (sum[k] - sum[k / 2]) / (k - k / 2);
+}
+
+double growth_by_steps(const struct heat_operator *a, double bound, double dt, double steps) {
+    const double least = log(0.8);
+    struct trial t;
+    trial_create(&t, a);
+    double grown = slowest(&t, bound, dt, steps);
+    trial_free(&t);
+    if (grown < least) return 0;
+    double rate = growth_rate(a, bound, dt * steps); /* of the equations themselves, which shorter steps leave */
+    return rate > 0 && rate * dt > grown / 2 ? 0 : exp(grown);
 }

@@ -76,6 +76,47 @@ static void a_run_with_a_growing_mode_says_so(void **state) {
     assert_nan(r.growth);
 }
 
+/* A held wall with fitted dummies: |Im lambda| is some 0.12 of the bound, and RKL2 damps that to nine stages or so.
+ */
+static void many_stages_are_refused_where_they_do_not_damp(void **state) {
+    (void)state;
+    const char *fit = "run disc-mode so_ssph --walls fit --dx 0.05 --seed 1 --layout jitter --jitter 0.2 --t-end 60 "
+                      "--stepper";
+    const struct {
+        const char *steps;
+        int status;
+    } run_of[] = {{"rkl2 --dt 1", STATUS_OK},
+                  {"rkl2 --dt 2", STATUS_UNSTABLE},
+                  {"rkl2 --dt 5", STATUS_UNSTABLE},
+                  {"chebyshev --dt 5", STATUS_OK},
+                  {"rkl2", STATUS_OK}};
+    for (size_t k = 0; k < sizeof run_of / sizeof *run_of; k++) {
+        char line[256];
+        struct result r;
+        snprintf(line, sizeof line, "%s %s", fit, run_of[k].steps);
+        assert_int_equal(run(line, &r), run_of[k].status);
+        if (run_of[k].status)
+            assert_has(r.failure.text, "chebyshev");
+        else
+            assert_order(r.error.linf, <, 1e-6);
+    }
+}
+
+/* Real eigenvalues, or nearly: every mode is damped. */
+static void many_stages_serve_where_eigenvalues_are_real(void **state) {
+    (void)state;
+    struct result r;
+    assert_int_equal(
+        run("run plate voronoi_flux --layout jitter --jitter 0.3 --seed 1 --dx 0.0125 --stepper rkl2 --dt 50 "
+            "--t-end 600",
+            &r),
+        STATUS_OK);
+    assert_int_equal(
+        run("run disc-mode so_ssph --set wall=2 --walls fit --dx 0.05 --seed 1 --stepper rkl2 --dt 20 --t-end 60",
+            &r),
+        STATUS_OK);
+}
+
 static void a_start_stays_within_its_data(void **state) {
     (void)state;
     struct result r;
@@ -93,6 +134,8 @@ int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(rates_are_those_of_eigenvalues),
         cmocka_unit_test(a_run_with_a_growing_mode_says_so),
+        cmocka_unit_test(many_stages_are_refused_where_they_do_not_damp),
+        cmocka_unit_test(many_stages_serve_where_eigenvalues_are_real),
         cmocka_unit_test(a_start_stays_within_its_data),
     };
     return cmocka_run_group_tests_name("growth", tests, NULL, NULL);
