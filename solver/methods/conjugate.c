@@ -24,7 +24,7 @@ static const struct scheme scheme = {.name = "conjugate",
 const struct method method_conjugate = {
     .name = "conjugate",
     .about = "the flux by the kernel's gradient, and its adjoint: keeps heat, never grows (Biriukov & Price 2019)",
-    .accepts = "stepper kernel h layout jitter grading sweeps redraw seed sampling walls volume",
+    .accepts = PARTICLES_OPTIONS " walls volume",
     .scheme = &scheme,
     .solve = particles_solve,
     .outline = particles_outline,

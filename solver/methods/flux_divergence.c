@@ -24,7 +24,7 @@ static const struct scheme scheme = {.name = "flux_divergence",
 const struct method method_flux_divergence = {
     .name = "flux_divergence",
     .about = "the divergence of the flux by the kernel's gradient, twice (Pamplona eq. 10)",
-    .accepts = "stepper kernel h layout jitter grading sweeps redraw seed sampling walls volume",
+    .accepts = PARTICLES_OPTIONS " walls volume",
     .scheme = &scheme,
     .solve = particles_solve,
     .outline = particles_outline,

@@ -26,7 +26,7 @@ static const struct scheme scheme = {.name = "fo_ssph", .sweeps = 2, .weights = 
 const struct method method_fo_ssph = {
     .name = "fo_ssph",
     .about = "first-order symmetric SPH: q = -kappa <grad T>, dT/dt = -<div q> (Song eqs. 13, 37)",
-    .accepts = "stepper kernel h layout jitter grading sweeps redraw seed sampling walls",
+    .accepts = PARTICLES_OPTIONS " walls",
     .scheme = &scheme,
     .solve = particles_solve,
     .outline = particles_outline,
