@@ -137,7 +137,7 @@ int kit_weights(struct kit_cell *cell, const double kappa[2], struct claims_meas
     if (!status) {
         cell->nb.rho_c = p->material[0].rho_c;
         memcpy(cell->nb.kappa, kappa, sizeof cell->nb.kappa);
-        status = r.experiment.method->scheme->weights(p, o, &cell->nb, w, &why);
+        status = operator_weights(r.experiment.method->scheme, p, o, &cell->nb, w, &why);
     }
     arguments_free(&r);
     return status && kit_fail(m, why.text);

@@ -14,12 +14,8 @@
 #include "solver/particles/kernel_gradient.h"
 #include "solver/particles/particles.h"
 
-static const struct scheme scheme = {.name = "conjugate",
-                                     .sweeps = 2,
-                                     .adjoint = 1,
-                                     .volume = kernel_gradient_volume,
-                                     .weights = kernel_gradient_weights,
-                                     .pairs = kernel_gradient_pairs};
+static const struct scheme scheme = {
+    .name = "conjugate", .sweeps = 2, .adjoint = 1, .volume = kernel_gradient_volume, .pairs = kernel_gradient_pairs};
 
 const struct method method_conjugate = {
     .name = "conjugate",

@@ -15,11 +15,8 @@
 #include "solver/particles/kernel_gradient.h"
 #include "solver/particles/particles.h"
 
-static const struct scheme scheme = {.name = "flux_divergence",
-                                     .sweeps = 2,
-                                     .volume = kernel_gradient_volume,
-                                     .weights = kernel_gradient_weights,
-                                     .pairs = kernel_gradient_pairs};
+static const struct scheme scheme = {
+    .name = "flux_divergence", .sweeps = 2, .volume = kernel_gradient_volume, .pairs = kernel_gradient_pairs};
 
 const struct method method_flux_divergence = {
     .name = "flux_divergence",

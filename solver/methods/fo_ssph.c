@@ -5,7 +5,6 @@
  * wavelength 2 dx lie in the null space of the first derivative, and so of this operator.  One material only. */
 #include "solver/particles/particles.h"
 #include "solver/particles/ssph.h"
-#include "solver/space/gradient.h"
 
 static int pairs(const struct problem *p, const struct options *o, const struct neighbourhood *nb, double *F,
                  double C[3], struct failure *why) {
@@ -13,15 +12,7 @@ static int pairs(const struct problem *p, const struct options *o, const struct 
     return ssph_gradient(nb, o->kernel, F, C, why);
 }
 
-static int weights(const struct problem *p, const struct options *o, const struct neighbourhood *nb, double *w[2],
-                   struct failure *why) {
-    double F[NEIGHBOURS_MAX], C[3];
-    if (pairs(p, o, nb, F, C, why)) return why->status;
-    gradient_weights(nb, F, C, w);
-    return STATUS_OK;
-}
-
-static const struct scheme scheme = {.name = "fo_ssph", .sweeps = 2, .weights = weights, .pairs = pairs};
+static const struct scheme scheme = {.name = "fo_ssph", .sweeps = 2, .pairs = pairs};
 
 const struct method method_fo_ssph = {
     .name = "fo_ssph",

@@ -2,7 +2,6 @@
 /* Sums over the kernel's gradient: V_i V_j (-dW/dr)/r is the same from either particle of a pair. */
 #include "solver/particles/kernel_gradient.h"
 #include "solver/particles/correction.h"
-#include "solver/space/gradient.h"
 #include "solver/space/kernel.h"
 
 #include <math.h>
@@ -31,12 +30,4 @@ int kernel_gradient_pairs(const struct problem *p, const struct options *o, cons
     }
     C[0] = C[2] = 1 / nb->volume, C[1] = 0;
     return correction_spans(nb, F, why);
-}
-
-int kernel_gradient_weights(const struct problem *p, const struct options *o, const struct neighbourhood *nb,
-                            double *w[2], struct failure *why) {
-    double F[NEIGHBOURS_MAX], C[3];
-    if (kernel_gradient_pairs(p, o, nb, F, C, why)) return why->status;
-    gradient_weights(nb, F, C, w);
-    return STATUS_OK;
 }

@@ -76,7 +76,7 @@ static int add_row(const struct assembly *m, size_t i, struct surroundings *at, 
     if (c->held && c->held[i]) return STATUS_OK;
     if (assembly_neighbourhood(m, i, at, why)) return why->status;
     if (assembly_at_wall(m, i)) return add_wall_row(m, at, r, diagonal, g, why);
-    if (m->s->weights(m->p, m->o, &at->nb, w, why)) return why->status;
+    if (operator_weights(m->s, m->p, m->o, &at->nb, w, why)) return why->status;
     for (size_t k = 0; k < at->nb.n; k++) {
         uint32_t j = at->near[k]; /* may be a ghost */
         *diagonal -= weight[k];

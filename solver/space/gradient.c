@@ -13,14 +13,6 @@
 #include <stdlib.h>
 #include <string.h>
 
-void gradient_weights(const struct neighbourhood *nb, const double *F, const double C[3], double *w[2]) {
-    for (size_t j = 0; j < nb->n; j++) {
-        const double *d = nb->d[j];
-        w[0][j] = F[j] * (C[0] * d[0] + C[1] * d[1]);
-        if (nb->dim == 2) w[1][j] = F[j] * (C[1] * d[0] + C[2] * d[1]);
-    }
-}
-
 /* Whether point i is a particle, or a ghost within one support of the domain. */
 static int is_needed(const struct assembly *m, size_t i) {
     const struct cloud *c = m->c;

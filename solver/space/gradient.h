@@ -31,7 +31,4 @@ void gradient_free(struct gradient *g);
 /* Adds row i of the operator, D_x kappa_x D_x + D_y kappa_y D_y, to *row; n: particles. */
 void gradient_compose(const struct gradient *g, size_t n, size_t i, struct row *row);
 
-/* The weights of both derivatives, w[a][j] = F_j (C d_j)_a. */
-void gradient_weights(const struct neighbourhood *nb, const double *F, const double C[3], double *w[2]);
-
 #endif

@@ -50,6 +50,19 @@ int operator_check(const struct scheme *s, const struct problem *p, const struct
     return s->check ? s->check(p, o, why) : STATUS_OK;
 }
 
+int operator_weights(const struct scheme *s, const struct problem *p, const struct options *o,
+                     const struct neighbourhood *nb, double *w[2], struct failure *why) {
+    double F[NEIGHBOURS_MAX], C[3];
+    if (s->sweeps == 1) return s->weights(p, o, nb, w, why);
+    if (s->pairs(p, o, nb, F, C, why)) return why->status;
+    for (size_t j = 0; j < nb->n; j++) {
+        const double *d = nb->d[j];
+        w[0][j] = F[j] * (C[0] * d[0] + C[1] * d[1]);
+        if (nb->dim == 2) w[1][j] = F[j] * (C[1] * d[0] + C[2] * d[1]);
+    }
+    return STATUS_OK;
+}
+
 int operator_neighbourhood(int dim, double dx, double h, double d[NEIGHBOURS_MAX][2], struct neighbourhood *nb,
                            struct failure *why) {
     *nb = (struct neighbourhood){.dim = dim, .d = d, .h = h * dx, .volume = dim == 2 ? dx * dx : dx};
@@ -76,7 +89,7 @@ static int lattice_weights(const struct problem *p, const struct options *o, con
     nb.rho_c = p->material[0].rho_c;
     nb.x[0] = (p->lo[0] + p->hi[0]) / 2, nb.x[1] = (p->lo[1] + p->hi[1]) / 2;
     memcpy(nb.kappa, kappa, sizeof nb.kappa);
-    int status = s->weights(p, o, &nb, w, why), r = (int)ceil(KERNEL_SUPPORT * o->h * (1 - 1e-12)) - 1;
+    int status = operator_weights(s, p, o, &nb, w, why), r = (int)ceil(KERNEL_SUPPORT * o->h * (1 - 1e-12)) - 1;
     for (int t = 0; t < s->sweeps && !status; t++) {
         out[t] = square_alloc(r, p->dim == 2 ? r : 0);
         double sum = 0;

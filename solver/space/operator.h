@@ -61,12 +61,12 @@ struct scheme {                   /* how a particle method weights neighbours; o
     /* m^d: what a particle's volume dV = dx^d counts for, on a lattice of that volume and smoothing length h (m);
      * NULL where weights do not depend on it */
     double (*volume)(const struct problem *p, const struct options *o, double h, double dV);
-    /* Fills w[0] (s^-1), or w[0] and on a rectangle w[1] (m^-1) for 2 sweeps, of nb->n each.  STATUS_NUMERICAL names
-     * the particle, its neighbour count and the reason */
+    /* 1 sweep: fills w[0] (s^-1), of nb->n.  STATUS_NUMERICAL names the particle, its neighbour count and the reason
+     */
     int (*weights)(const struct problem *p, const struct options *o, const struct neighbourhood *nb, double *w[2],
                    struct failure *why);
-    /* 2 sweeps only, the same weights taken apart, w[a][j] = F[j] (C d_j)_a: F symmetric in the pair,
-     * C symmetric (xx, xy, yy), F C d^2 in units of 1 */
+    /* 2 sweeps: the weights of both derivatives, w[a][j] = F[j] (C d_j)_a in m^-1: F symmetric in the pair, C
+     * symmetric (xx, xy, yy), F C d^2 in units of 1 */
     int (*pairs)(const struct problem *p, const struct options *o, const struct neighbourhood *nb, double *F,
                  double C[3], struct failure *why);
     /* --walls one_sided: the row of a particle within a kernel of a wall.  nb: the particles within 3 h, itself left
@@ -117,6 +117,10 @@ void operator_free(struct heat_operator *a);
 
 /* STATUS_OK, or why that method has no answer to such a problem with these options, which are resolved. */
 int operator_check(const struct scheme *s, const struct problem *p, const struct options *o, struct failure *why);
+
+/* The weights of a scheme of one or two sweeps: w[0], and for two on a rectangle w[1], of nb->n each. */
+int operator_weights(const struct scheme *s, const struct problem *p, const struct options *o,
+                     const struct neighbourhood *nb, double *w[2], struct failure *why);
 
 /* The neighbours within 2 h of a particle of an unbounded lattice of spacing dx (m) along every axis, h in dx, into
  * d; dim, n, d, h and volume of *nb.  STATUS_INPUT where there are more than d has room for. */

@@ -63,7 +63,7 @@ static int song_bound(const struct model_problem *b, const struct neighbourhood 
     double w[2][NEIGHBOURS_MAX], *out[2] = {w[0], w[1]}, sum[2] = {0, 0}, *least = strictest;
     int sweeps = b->method->scheme->sweeps;
     struct problem p = model_problem_setup(b, MODEL_NOISE, 0);
-    if (b->method->scheme->weights(&p, &b->options, nb, out, why)) return why->status;
+    if (operator_weights(b->method->scheme, &p, &b->options, nb, out, why)) return why->status;
     for (size_t k = 0; k < nb->n; k++)
         for (int a = 0; a < (sweeps == 2 ? b->dim : 1); a++) sum[a] += sweeps == 2 ? fabs(w[a][k]) : w[a][k];
     double squares = sum[0] * sum[0] + model_problem_kappa_y(b) * sum[1] * sum[1];

@@ -46,7 +46,7 @@ static inline void weights_of(const char *name, const struct neighbourhood *nb, 
     struct options o = {.kernel = KERNEL_CUBIC};
     struct failure why = {0};
     double *out[2] = {w[0], w[1]};
-    if (named(name)->scheme->weights(&p, &o, nb, out, &why)) print_error("%s\n", why.text);
+    if (operator_weights(named(name)->scheme, &p, &o, nb, out, &why)) print_error("%s\n", why.text);
     assert_int_equal(why.status, STATUS_OK);
 }
 

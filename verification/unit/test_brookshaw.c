@@ -30,7 +30,7 @@ static double weight(const struct problem *p, struct options o, double x) {
     struct neighbourhood nb = {
         .dim = 2, .x = {x, 0.7}, .n = 1, .d = at, .h = h, .volume = scheme->volume(p, &o, h, dx * dx)};
     nb.rho_c = layout_rho_c(p, 0, x);
-    assert_int_equal(scheme->weights(p, &o, &nb, out, &why), STATUS_OK);
+    assert_int_equal(operator_weights(scheme, p, &o, &nb, out, &why), STATUS_OK);
     return w[0];
 }
 

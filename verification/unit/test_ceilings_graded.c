@@ -37,7 +37,7 @@ static double moment(const char *method, double growth, int power) {
         if (k == 0 || fabs(away) >= 1.1 * (1 + wide)) continue;
         d[nb.n][0] = away, d[nb.n][1] = 0, V[nb.n] = wide, H[nb.n++] = 1.1 * wide;
     }
-    if (r.experiment.method->scheme->weights(&r.experiment.problem, &r.experiment.options, &nb, w, &why))
+    if (operator_weights(r.experiment.method->scheme, &r.experiment.problem, &r.experiment.options, &nb, w, &why))
         fail_msg("%s", why.text);
     for (size_t j = 0; j < nb.n; j++) sum += weight[j] * pow(d[j][0], power);
     arguments_free(&r);

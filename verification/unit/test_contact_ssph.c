@@ -59,7 +59,8 @@ static void piecewise_quadratics_are_exact(void **state) {
                 for (int j = 0; j < 15 && dim == 1; j++) d[j][1] = 0;
                 const struct material *m = &p.material[offset[k] > 0];
                 for (int a = 0; a < 2; a++) nb.kappa[a] = m->k[a] / m->rho_c;
-                if (method_contact_ssph.scheme->weights(&p, &o, &nb, out, &why)) print_error("%s\n", why.text);
+                if (operator_weights(method_contact_ssph.scheme, &p, &o, &nb, out, &why))
+                    print_error("%s\n", why.text);
                 assert_int_equal(why.status, STATUS_OK);
                 for (int j = 0; j < 15; j++) {
                     double at[2] = {nb.x[0] + d[j][0], nb.x[1] + d[j][1]};
@@ -99,7 +100,7 @@ static void poor_contacts_are_refused(void **state) {
     double lone[1][2] = {{0.041, 0.013}}, w[1], *out[2] = {w, NULL};
     struct neighbourhood nb = {
         .dim = 2, .i = 3, .x = {0.39, 0.83}, .n = 1, .d = lone, .h = 0.061, .kappa = {0.5, 0.3}};
-    assert_int_equal(method_contact_ssph.scheme->weights(&p, &o, &nb, out, &why), STATUS_NUMERICAL);
+    assert_int_equal(operator_weights(method_contact_ssph.scheme, &p, &o, &nb, out, &why), STATUS_NUMERICAL);
     assert_has(why.text, "particle 3");
     assert_has(why.text, "has 1 neighbours for 5 unknowns, condition number");
     p.interface = p.hi[0] - 0.11;

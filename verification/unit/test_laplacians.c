@@ -150,7 +150,7 @@ static int try_weights(const char *name, size_t n, double (*d)[2], struct failur
     double w[2][MANY], *out[2] = {w[0], w[1]};
     struct neighbourhood nb = around(2, same);
     nb.n = n, nb.d = d;
-    return named(name)->scheme->weights(&p, &o, &nb, out, why);
+    return operator_weights(named(name)->scheme, &p, &o, &nb, out, why);
 }
 
 static void try_few(const char *name, size_t n, double (*d)[2], const char *says) {

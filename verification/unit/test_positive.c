@@ -57,7 +57,7 @@ static void check_programme(double (*d)[2], int n, const double kappa[2]) {
     struct failure why;
     double w[2][MANY], *out[2] = {w[0], w[1]}, sum = 0, moment[5] = {0}, least = least_cost(d, n, kappa);
     nb.n = (size_t)n, nb.d = d;
-    int status = named("positive")->scheme->weights(&p, &o, &nb, out, &why);
+    int status = operator_weights(named("positive")->scheme, &p, &o, &nb, out, &why);
     assert_int_equal(status, isfinite(least) ? STATUS_OK : STATUS_NUMERICAL);
     if (status) return;
     for (int j = 0; j < n; j++) {
