@@ -208,8 +208,12 @@ static void what_cannot_be_had_is_refused(void **state) {
         assert_int_equal(operator_check(named(all[m])->scheme, &p, &o, &why), STATUS_NOT_APPLICABLE);
         assert_has(why.text, "use brookshaw");
     }
+    struct problem p = odd_rectangle();
+    assert_int_equal(operator_check(named("brookshaw")->scheme, &p, &o, &why), STATUS_NOT_APPLICABLE);
+    assert_has(why.text, "brookshaw: isotropic conductivity only");
     o.volume = VOLUME_TUNED;
-    struct problem p = odd_rod();
+    p = odd_rod();
+    assert_int_equal(operator_check(named("brookshaw")->scheme, &p, &o, &why), STATUS_OK);
     assert_int_equal(operator_check(named("kernel_second")->scheme, &p, &o, &why), STATUS_NOT_APPLICABLE);
     assert_int_equal(operator_check(named("flux_divergence")->scheme, &p, &o, &why), STATUS_NOT_APPLICABLE);
     assert_int_equal(operator_check(named("conjugate")->scheme, &p, &o, &why), STATUS_NOT_APPLICABLE);
