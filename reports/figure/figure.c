@@ -3,7 +3,6 @@
 #include "reports/figure/figure.h"
 
 #include "references/scene.h"
-#include "reports/figure/isotherm.h"
 #include "verification/command/command_run.h"
 #include "verification/text/output.h"
 

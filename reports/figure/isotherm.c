@@ -2,7 +2,7 @@
 /* Marching squares: an isotherm crosses an edge of the lattice where the ends lie on either side of the level, at the
  * place that linear interpolation gives.  A crossing belongs to at most two cells, so the crossings form chains that
  * can be followed from edge to edge.  Where all four edges of a cell are crossed its mean decides. */
-#include "reports/figure/isotherm.h"
+#include "reports/figure/figure.h"
 
 #include "solver/method.h"
 

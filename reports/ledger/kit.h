@@ -64,4 +64,17 @@ struct kit_cell {
 /* Of the method, dx, h and kernel of a command line.  0, or 1 with *m failed. */
 int kit_weights(struct kit_cell *cell, const double kappa[2], struct claims_measured *m, const char *command);
 
+/* Measures of orders of accuracy and of tables of errors; the argument of each is explained beside it. */
+
+void ledger_order_order(struct claims_measured *m);
+void ledger_order_printed_order(struct claims_measured *m);
+void ledger_order_table(struct claims_measured *m);
+void ledger_order_gap(struct claims_measured *m);
+void ledger_order_eq45(struct claims_measured *m);
+void ledger_order_walls(struct claims_measured *m);
+void ledger_order_sensitive(struct claims_measured *m);
+void ledger_order_diverges(struct claims_measured *m);
+void ledger_order_steadier(struct claims_measured *m);
+void ledger_order_better(struct claims_measured *m);
+
 #endif

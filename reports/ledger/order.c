@@ -1,6 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Orders of accuracy and tables of errors against what is printed, and Song's exact solution. */
-#include "reports/ledger/order.h"
 
 #include "reports/ledger/kit.h"
 #include "verification/stability/step_limit.h"

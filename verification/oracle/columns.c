@@ -1,7 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The columns of `reference`: one table, a function each. */
 #include "verification/oracle/columns.h"
-#include "verification/oracle/clipped.h"
 
 #include "references/cubature.h"
 #include "references/mapping.h"

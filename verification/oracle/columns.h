@@ -11,6 +11,7 @@ struct image;
 enum { COLUMNS_MAX = 24, COLUMNS_VALUES = 8 * COLUMNS_MAX };
 
 struct columns_row; /* the data of one point */
+struct problem;
 
 struct columns_kind {
     const char *name;   /* as in --what */
@@ -42,5 +43,8 @@ void columns_header(const struct columns *c, char *text);
  * cell around x, m, or NULL. */
 int columns_values(const struct columns *c, const struct image *image, double time, const double x[2],
                    const double cell[2], const struct exact *exact, double *value);
+
+/* K: the mean of the start over the part of the box from lo to hi (m) inside a round body; that part is not empty. */
+double clipped_mean(const struct problem *p, const double lo[2], const double hi[2]);
 
 #endif

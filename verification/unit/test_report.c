@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The report: isotherms, and tables as printed. */
-#include "reports/figure/isotherm.h"
+#include "reports/figure/figure.h"
 #include "reports/figure/published.h"
 
 #include "solver/method.h"
