@@ -5,9 +5,11 @@
 #include "references/scene.h"
 #include "verification/command/arguments.h"
 #include "verification/foreign/results.h"
+#include "verification/text/whole_file.h"
 
 #include <math.h>
 #include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
 
 #define BATTERY(order, id, measure, command, bound, ranges, lo, hi, ceiling, sees, bounds)                           \
@@ -60,11 +62,11 @@ int battery_bounds(int order, struct gates *g, struct failure *why) {
 
 /* The cases of one row, a ladder in space `seeds` times; a ladder in time has a directory a step below that of its
  * spacing. */
-static int write_row(const struct gate *gate, int seeds, const char *dir, int *written, struct failure *why) {
+static int write_row(const struct gate *gate, int seeds, const char *dir, struct failure *why) {
     const char *const more[] = {"--solver", "{case} {out}", NULL};
     struct request r;
     char setting[PROGRAM_SETTING], rung[60] = "", dt[40];
-    int status = arguments_parse_line_with(gate->command, more, &r, why), n = 0;
+    int status = arguments_parse_line_with(gate->command, more, &r, why), written;
     struct experiment *e = &r.experiment;
     if (!status && (!e->scene || results_setting(e->scene, &e->problem, r.overridden, &e->program.map,
                                                  e->options.aspect, setting)))
@@ -77,16 +79,20 @@ static int write_row(const struct gate *gate, int seeds, const char *dir, int *w
         }
         const struct results_place at = {dir, setting, rung, &e->program.map,
                                          gates_is_drawn(gate) && seeds > 1 ? seeds : 0};
-        status = results_write(&at, e->scene, &e->problem, &e->options, r.rungs.dx.text, &n, why);
-        *written += n;
+        status = results_write(&at, e->scene, &e->problem, &e->options, r.rungs.dx.text, &written, why);
     }
     arguments_free(&r);
     return status;
 }
 
-int battery_write(const struct gates *g, int seeds, const char *dir, int *written, struct failure *why) {
-    *written = 0;
+int battery_write(const struct gates *g, int seeds, const char *dir, int *cases, struct failure *why) {
+    char path[RESULTS_PATH];
     for (int i = 0; i < g->declared; i++)
-        if (write_row(&g->result[i].gate, seeds, dir, written, why)) return why->status;
+        if (write_row(&g->result[i].gate, seeds, dir, why)) return why->status;
+    snprintf(path, sizeof path, "%.1000s/cases.txt", dir);
+    char *list = whole_file_at(path, NULL);
+    *cases = 0;
+    for (const char *line = list; line && (line = strchr(line, '\n')); line++) ++*cases;
+    free(list);
     return STATUS_OK;
 }

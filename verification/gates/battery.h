@@ -25,8 +25,8 @@ int battery_add(int order, unsigned long seed, struct gates *g, struct failure *
 int battery_bounds(int order, struct gates *g, struct failure *why);
 
 /* Writes the case of every rung of every row in *g: DIR/SCENE/SETTING/DX/case, and DIR/cases.txt (results.h).
- * With seeds > 1 each rung of a ladder in space is written as often, as DX/seed=1/case and so on.  *written counts
- * them; what rows share is written once.  STATUS_OK or STATUS_INPUT with *why. */
-int battery_write(const struct gates *g, int seeds, const char *dir, int *written, struct failure *why);
+ * With seeds > 1 each rung of a ladder in space is written as often, as DX/seed=1/case and so on.  What rows share is
+ * written once.  *cases: those that cases.txt names then.  STATUS_OK or STATUS_INPUT with *why. */
+int battery_write(const struct gates *g, int seeds, const char *dir, int *cases, struct failure *why);
 
 #endif

@@ -19,18 +19,18 @@
 
 static int battery(const struct request *r, struct failure *why) {
     struct gates g = {0};
-    int written, order = r->order ? r->order : 2;
+    int cases, order = r->order ? r->order : 2;
     int seeds = r->experiment.program.seeds, n = 0;
     char words[80] = "";
     if (r->more_rungs) n = snprintf(words, sizeof words, " --rungs %d", r->more_rungs);
     if (seeds) snprintf(words + n, sizeof words - (size_t)n, " --seeds %d", seeds);
     int status = battery_add(order, r->draw, &g, why);
     refine_gates(&g, r->more_rungs, r->time_order);
-    if (!status) status = battery_write(&g, seeds, r->into, &written, why);
+    if (!status) status = battery_write(&g, seeds, r->into, &cases, why);
     if (!status)
-        printf("%d cases of %d gates in %s, named in %s/cases.txt; when each has its out.csv beside it:\n"
+        printf("%d gates: %s/cases.txt names %d cases; when each has its out.csv beside it:\n"
                "  heatladder verify --order %d --seed %lu%s --results %s\n",
-               written, g.declared, r->into, r->into, order, r->draw, words, r->into);
+               g.declared, r->into, cases, order, r->draw, words, r->into);
     gates_free(&g);
     return status;
 }
@@ -72,9 +72,9 @@ int verb_case(const struct request *r, struct failure *why) {
     if (results_write(&(struct results_place){r->into, "", "", &e->program.map, seeds}, e->scene, &e->problem,
                       &e->options, r->rungs.dx.text, &written, why))
         return why->status;
-    printf("%d cases of %s in %s, named in %s/cases.txt; when each has its out.csv beside it:\n"
+    printf("%d case%s of %s in %s, named in %s/cases.txt; when each has its out.csv beside it:\n"
            "  heatladder ladder %s NAME",
-           written, e->scene->name, r->into, r->into, e->scene->name);
+           written, written == 1 ? "" : "s", e->scene->name, r->into, r->into, e->scene->name);
     if (seeds) printf(" --seeds %d", seeds);
     printf(" --results %s\n", r->into);
     return STATUS_OK;

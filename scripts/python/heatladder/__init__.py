@@ -22,6 +22,7 @@ except ImportError:
 __version__ = "2.0.0"
 
 NOT_APPLICABLE = 77  # the exit status of a program for a case that is not for it
+LONG = 10000  # points of an answer that is written as .npy
 
 Solve = Callable[["Case"], Tuple[Any, Any]]
 
@@ -122,22 +123,30 @@ def reference(scene: Union[Case, str], points: Any, what: str, time: float = 0,
     return dict(list(zip(lines[0].split(","), _columns(lines[1:])))[dim:])
 
 
+def _write(points: Any, T: Any, out: str) -> None:
+    """Writes an answer: as text, or as NumPy's .npy where it is long."""
+    if len(points) != len(T):
+        raise ValueError(f"solve returned {len(points)} points and {len(T)} temperatures")
+    if numpy and len(T) >= LONG:
+        with open(out, "wb") as f:
+            numpy.save(f, numpy.column_stack([numpy.asarray(points, float), numpy.asarray(T, float)]))
+        return
+    rows = _rows(points)
+    with open(out, "w", encoding="utf-8") as f:
+        print(",".join(["x", "y"][:len(rows[0])] + ["T"]), file=f)
+        for row, value in zip(rows, T):
+            print(*row, float(value), sep=",", file=f)
+
+
 def solve_case(solve: Solve, case_path: str, out: str) -> int:
     """Runs `solve` on a case file and writes its answer; returns the exit status of a program."""
     try:
-        points, T = solve(case(case_path))
-        rows = _rows(points)
-        if len(rows) != len(T):
-            raise ValueError(f"solve returned {len(rows)} points and {len(T)} temperatures")
+        _write(*solve(case(case_path)), out)
     except NotApplicable:
         return NOT_APPLICABLE
     except Exception:
         traceback.print_exc()
         return 1
-    with open(out, "w", encoding="utf-8") as f:
-        print(",".join(["x", "y"][:len(rows[0])] + ["T"]), file=f)
-        for row, value in zip(rows, T):
-            print(*row, float(value), sep=",", file=f)
     return 0
 
 

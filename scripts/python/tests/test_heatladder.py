@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Tests of the package: $HEATLADDER is the program under test."""
+import json
 import math
 import os
 import subprocess
@@ -75,6 +76,33 @@ def test_reference_gives_the_exact_solution():
     spread = sigma2 + 2 * 0.01 * 3
     exact = [math.sqrt(sigma2 / spread) * math.exp(-x * x / (2 * spread)) for x in (0.0, 1.5)]
     assert list(found["temperature"]) == pytest.approx(exact, rel=1e-12)
+
+
+EXACT = """
+import heatladder, numpy
+
+def solve(case):
+    (lo,), (n,), (dx,) = case.lo, case.cells, case.width
+    x = lo + (numpy.arange(n) + 0.5) * dx
+    return x, heatladder.reference(case, x, "temperature", time=case.t_end)["temperature"]
+
+heatladder.run(solve)
+"""
+
+
+@pytest.mark.parametrize("dx, start", [("0.001", b"\x93NUMPY"), ("0.1", b"x,T")])
+def test_long_answers_are_binary_and_judged_alike(dx, start, tmp_path, monkeypatch):
+    pytest.importorskip("numpy")
+    (tmp_path / "exact.py").write_text(EXACT)
+    monkeypatch.setenv("PYTHONPATH", str(PACKAGE))
+    code, where = [sys.executable, str(tmp_path / "exact.py")], tmp_path / "cases"
+    subprocess.run([heatladder.program(), "case", "rod-gauss", "--dx", dx, "--into", str(where)], check=True)
+    place = where / "rod-gauss" / dx
+    subprocess.run([*code, str(place / "case"), str(place / "out.csv")], check=True)
+    assert (place / "out.csv").read_bytes().startswith(start)
+    judged = subprocess.run([heatladder.program(), "run", "rod-gauss", "mine", "--dx", dx, "--json", "--solver",
+                             " ".join([*code, "{case} {out}"])], check=True, stdout=subprocess.PIPE)
+    assert json.loads(judged.stdout)["error_l1"] < 1e-12
 
 
 def test_reference_takes_points_of_the_plane_and_means_over_cells():
