@@ -34,10 +34,8 @@ int answer_check(const struct answer *a, struct failure *why) {
 
 enum { BLOCK = 4096 }; /* points whose exact solution is asked for at once: those of a lattice share */
 
-static void exact_of(const struct answer *a, const struct snapshot *now, size_t first, size_t n,
-                     struct exact e[BLOCK]) {
-    static const size_t room = BLOCK;
-    double *x = xcalloc(2 * room, sizeof *x), *y = x + room, at[2];
+static void exact_of(const struct answer *a, const struct snapshot *now, size_t first, size_t n, struct exact *e) {
+    double *x = xcalloc(2 * n, sizeof *x), *y = x + n, at[2];
     for (size_t i = 0; i < n; i++) {
         mapping_to_scene(&a->image->map, a->points.dim, a->points.x[first + i], at);
         x[i] = at[0], y[i] = at[1];
@@ -46,32 +44,73 @@ static void exact_of(const struct answer *a, const struct snapshot *now, size_t 
     free(x);
 }
 
-static void write_points(const struct answer *a, double time, FILE *out) {
-    struct snapshot now = snapshot_take(a->scene, a->image->of, time);
+static char *put(char *at, const char *text, size_t length) {
+    memcpy(at, text, length);
+    return at + length;
+}
+
+/* The line of point i; returns its end. */
+static char *put_row(const struct answer *a, double time, size_t i, const double *value, int n, char *at) {
+    for (int d = 0; d < a->points.dim; d++) {
+        const struct points_text *typed = &a->points.typed[i][d];
+        if (d) *at++ = ',';
+        at = put(at, typed->start, (size_t)typed->length);
+        if (!typed->length) at += number_print(a->points.x[i][d], at);
+    }
+    for (int k = a->times > 1 ? -1 : 0; k < n; k++) {
+        *at++ = ',';
+        at += number_print(k < 0 ? time : value[k], at);
+    }
+    *at++ = '\n';
+    return at;
+}
+
+/* Letters of the lines of n points at most. */
+static size_t room(const struct answer *a, size_t first, size_t n) {
+    int numbers = a->points.dim + 1;
+    for (int i = 0; i < a->columns.count; i++) numbers += a->columns.kind[i]->values;
+    size_t letters = n * (size_t)numbers * (NUMBER_PRINTED + 1);
+    for (size_t i = first; i < first + n; i++)
+        for (int d = 0; d < a->points.dim; d++) letters += (size_t)a->points.typed[i][d].length;
+    return letters;
+}
+
+struct text {
+    char *start; /* owned */
+    size_t length;
+};
+
+static struct text write_block(const struct answer *a, const struct snapshot *now, size_t block) {
+    size_t first = block * BLOCK, left = a->points.n - first, n = left < BLOCK ? left : BLOCK;
     const double same[2] = {a->cell, a->cell};
-    struct exact *exact = xcalloc(BLOCK, sizeof *exact);
+    struct exact *exact = a->columns.needs_time ? xcalloc(n, sizeof *exact) : NULL;
     double value[COLUMNS_VALUES];
-    char digits[NUMBER_PRINTED];
-    for (size_t i = 0; i < a->points.n; i++) {
-        size_t left = a->points.n - i;
-        if (a->columns.needs_time && i % BLOCK == 0) exact_of(a, &now, i, left < BLOCK ? left : BLOCK, exact);
-        int n = columns_values(&a->columns, a->image, time, a->points.x[i], a->points.cell ? a->points.cell[i] : same,
-                               a->columns.needs_time ? &exact[i % BLOCK] : NULL, value);
-        for (int d = 0; d < a->points.dim; d++) {
-            if (d) putc(',', out);
-            const struct points_text *typed = &a->points.typed[i][d];
-            int length = typed->length ? 0 : number_print(a->points.x[i][d], digits);
-            fwrite(typed->length ? typed->start : digits, 1, (size_t)(typed->length + length), out);
-        }
-        for (int k = a->times > 1 ? -1 : 0; k < n; k++) {
-            size_t length = (size_t)number_print(k < 0 ? time : value[k], digits);
-            putc(',', out);
-            fwrite(digits, 1, length, out);
-        }
-        putc('\n', out);
-        if (ferror(out)) break;
+    char *text = xcalloc(room(a, first, n), 1), *at = text;
+    if (exact) exact_of(a, now, first, n, exact);
+    for (size_t i = 0; i < n; i++) {
+        const double *x = a->points.x[first + i], *cell = a->points.cell ? a->points.cell[first + i] : same;
+        int count = columns_values(&a->columns, a->image, now->time, x, cell, exact ? &exact[i] : NULL, value);
+        at = put_row(a, now->time, first + i, value, count, at);
     }
     free(exact);
+    return (struct text){text, (size_t)(at - text)};
+}
+
+/* Blocks are independent and are written in their order, so that threads change no letter. */
+static void write_points(const struct answer *a, double time, FILE *out) {
+    enum { KEPT = 16 }; /* blocks */
+    struct snapshot now = snapshot_take(a->scene, a->image->of, time);
+    size_t blocks = (a->points.n + BLOCK - 1) / BLOCK;
+    struct text text[KEPT];
+    for (size_t first = 0; first < blocks && !ferror(out); first += KEPT) {
+        int n = (int)(blocks - first < KEPT ? blocks - first : KEPT);
+#pragma omp parallel for schedule(dynamic, 1) if (n > 1)
+        for (int k = 0; k < n; k++) text[k] = write_block(a, &now, first + (size_t)k);
+        for (int k = 0; k < n; k++) {
+            fwrite(text[k].start, 1, text[k].length, out);
+            free(text[k].start);
+        }
+    }
     snapshot_free(&now);
 }
 
