@@ -15,15 +15,21 @@
 
 enum { COLUMN_X, COLUMN_Y, COLUMN_DX, COLUMN_DY, COLUMNS };
 static const char *const names[COLUMNS] = {"x", "y", "dx", "dy"};
+static const size_t few = 1000;   /* points: less than a thread's start costs */
 static const double slack = 1e-9; /* of the extent: a side's coordinate may be a rounded decimal */
+
+struct line {
+    const char *text;
+    long number; /* in the file, from 1 */
+};
 
 struct reader {
     const char *name;
     const struct problem *p;
     struct points *points;
-    size_t room;
-    char *at; /* the start of the next line */
-    long line;
+    char *at;           /* the start of the next line */
+    long line;          /* the number of the last */
+    struct line *lines; /* those of points */
     int place[COLUMNS]; /* among the columns, from 0; -1 where it is not there */
     int width;          /* columns of the header */
 };
@@ -49,13 +55,16 @@ static char *next_line(struct reader *r, struct failure *why) {
     return NULL;
 }
 
+static int is_blank_or_quote(char c) {
+    return c == ' ' || c == '\t' || c == '"' || c == '\'';
+}
+
 /* The cell that starts at *at without its blanks and quotes; *at moves behind its comma, to NULL after the last. */
 static struct points_text next_cell(const char **at) {
-    const char *start = *at, *end = strchr(start, ',');
-    *at = end ? end + 1 : NULL;
-    if (!end) end = start + strlen(start);
-    while (start < end && strchr(" \t\"'", *start)) start++;
-    while (start < end && strchr(" \t\"'", end[-1])) end--;
+    const char *start = *at, *end = start + strcspn(start, ",");
+    *at = *end ? end + 1 : NULL;
+    while (start < end && is_blank_or_quote(*start)) start++;
+    while (start < end && is_blank_or_quote(end[-1])) end--;
     return (struct points_text){start, (int)(end - start)};
 }
 
@@ -80,20 +89,11 @@ static int read_header(struct reader *r, const char *line, struct failure *why) 
     return STATUS_OK;
 }
 
-static void grow(struct reader *r) {
-    struct points *points = r->points;
-    if (points->n < r->room) return;
-    r->room = r->room ? 2 * r->room : 1024;
-    points->x = xgrow(points->x, points->n, r->room, sizeof *points->x);
-    points->typed = xgrow(points->typed, points->n, r->room, sizeof *points->typed);
-    if (r->place[COLUMN_DX] >= 0) points->cell = xgrow(points->cell, points->n, r->room, sizeof *points->cell);
-}
-
-static int read_number(const struct reader *r, int column, struct points_text cell, double *value,
+static int read_number(const struct reader *r, long line, int column, struct points_text cell, double *value,
                        struct failure *why) {
     if (cell.length > 0 && number_read_printed(cell.start, (size_t)cell.length, value) == 0) return STATUS_OK;
-    return refuse(why, STATUS_INPUT, "%.150s, line %ld, column %d (%s): '%.*s' is not a finite number", r->name,
-                  r->line, r->place[column] + 1, names[column], cell.length < 40 ? cell.length : 40, cell.start);
+    return refuse(why, STATUS_INPUT, "%.150s, line %ld, column %d (%s): '%.*s' is not a finite number", r->name, line,
+                  r->place[column] + 1, names[column], cell.length < 40 ? cell.length : 40, cell.start);
 }
 
 /* Takes a coordinate that is off by a few digits, on either hand, to the side: nodes of a mesh are.  -1 where it is
@@ -111,43 +111,72 @@ static int is_in_shape(const struct problem *p, const double x[2]) {
     return !p->shape || shape_depth(p, x) >= -slack * p->radius[1];
 }
 
-static int read_point(struct reader *r, const char *line, struct failure *why) {
+/* Point i, from its line. */
+static int read_point(const struct reader *r, size_t i, struct failure *why) {
     struct points *points = r->points;
     struct points_text cell[COLUMNS] = {{0}};
+    double *x = points->x[i];
+    long line = r->lines[i].number;
     int width = 0;
-    for (const char *at = line; at; width++) {
+    for (const char *at = r->lines[i].text; at; width++) {
         struct points_text next = next_cell(&at);
         for (int c = 0; c < COLUMNS; c++)
             if (r->place[c] == width) cell[c] = next;
     }
     if (width != r->width)
-        return refuse(why, STATUS_INPUT, "%.150s, line %ld: %d column%s where the header has %d", r->name, r->line,
+        return refuse(why, STATUS_INPUT, "%.150s, line %ld: %d column%s where the header has %d", r->name, line,
                       width, width == 1 ? "" : "s", r->width);
-    grow(r);
     for (int a = 0; a < points->dim; a++) {
-        double *x = &points->x[points->n][a];
-        points->typed[points->n][a] = cell[a];
-        if (read_number(r, a, cell[a], x, why)) return why->status;
-        int inside = check_inside(r->p, a, x);
-        if (inside > 0) points->typed[points->n][a].length = 0;
+        points->typed[i][a] = cell[a];
+        if (read_number(r, line, a, cell[a], &x[a], why)) return why->status;
+        int inside = check_inside(r->p, a, &x[a]);
+        if (inside > 0) points->typed[i][a].length = 0;
         if (inside < 0)
             return refuse(why, STATUS_INPUT, "%.150s, line %ld, column %d (%s): %.*s m is outside %g to %g m",
-                          r->name, r->line, r->place[a] + 1, names[a], cell[a].length < 40 ? cell[a].length : 40,
+                          r->name, line, r->place[a] + 1, names[a], cell[a].length < 40 ? cell[a].length : 40,
                           cell[a].start, r->p->lo[a], r->p->hi[a]);
     }
-    if (!is_in_shape(r->p, points->x[points->n]))
-        return refuse(why, STATUS_INPUT, "%.150s, line %ld: %g, %g m is outside the %s", r->name, r->line,
-                      points->x[points->n][0], points->x[points->n][1], r->p->shape->name);
+    if (!is_in_shape(r->p, x))
+        return refuse(why, STATUS_INPUT, "%.150s, line %ld: %g, %g m is outside the %s", r->name, line, x[0], x[1],
+                      r->p->shape->name);
     for (int a = 0; a < points->dim && points->cell; a++) {
         int c = r->place[COLUMN_DX + a] >= 0 ? COLUMN_DX + a : COLUMN_DX;
-        double *extent = &points->cell[points->n][a];
-        if (read_number(r, c, cell[c], extent, why)) return why->status;
+        double *extent = &points->cell[i][a];
+        if (read_number(r, line, c, cell[c], extent, why)) return why->status;
         if (*extent < 0)
             return refuse(why, STATUS_INPUT, "%.150s, line %ld, column %d (%s): %g m: a cell's extent is 0 or more",
-                          r->name, r->line, r->place[c] + 1, names[c], *extent);
+                          r->name, line, r->place[c] + 1, names[c], *extent);
     }
-    points->n++;
     return STATUS_OK;
+}
+
+/* The lines of points, after the header. */
+static int list_lines(struct reader *r, struct failure *why) {
+    size_t room = 0, n = 0;
+    for (const char *text; (text = next_line(r, why)) != NULL; n++) {
+        if (n == room) {
+            room = room ? 2 * room : 1024;
+            r->lines = xgrow(r->lines, n, room, sizeof *r->lines);
+        }
+        r->lines[n] = (struct line){text, r->line};
+    }
+    r->points->n = n;
+    return why->status;
+}
+
+/* The points of all lines; of several that are refused, the first says why. */
+static int read_points(const struct reader *r, struct failure *why) {
+    struct points *points = r->points;
+    size_t n = points->n, bad = n;
+    points->x = xcalloc(n, sizeof *points->x);
+    points->typed = xcalloc(n, sizeof *points->typed);
+    if (r->place[COLUMN_DX] >= 0) points->cell = xcalloc(n, sizeof *points->cell);
+#pragma omp parallel for reduction(min : bad) if (n > few)
+    for (size_t i = 0; i < n; i++) {
+        struct failure ignored;
+        if (i < bad && read_point(r, i, &ignored)) bad = i;
+    }
+    return bad < n ? read_point(r, bad, why) : STATUS_OK;
 }
 
 static int read_lines(struct reader *r, struct failure *why) {
@@ -156,11 +185,9 @@ static int read_lines(struct reader *r, struct failure *why) {
     if (!line)
         return refuse(why, STATUS_INPUT, "%.150s: empty; it starts with the header %s", r->name,
                       r->p->dim == 2 ? "x,y" : "x");
-    if (read_header(r, line, why)) return why->status;
-    while ((line = next_line(r, why)) != NULL)
-        if (read_point(r, line, why)) return why->status;
-    if (!why->status && r->points->n == 0) return refuse(why, STATUS_INPUT, "%.150s: a header and no point", r->name);
-    return why->status;
+    if (read_header(r, line, why) || list_lines(r, why)) return why->status;
+    if (r->points->n == 0) return refuse(why, STATUS_INPUT, "%.150s: a header and no point", r->name);
+    return read_points(r, why);
 }
 
 int points_read(FILE *in, const char *name, const struct problem *p, struct points *points, struct failure *why) {
@@ -174,6 +201,7 @@ int points_read(FILE *in, const char *name, const struct problem *p, struct poin
         refuse(why, STATUS_INPUT, "%.150s: has a NUL byte: this is no text", name);
     else
         read_lines(&r, why);
+    free(r.lines);
     if (why->status) points_free(points);
     return why->status;
 }

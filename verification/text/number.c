@@ -68,9 +68,9 @@ int number_read_printed(const char *text, size_t length, double *value) {
     for (size_t i = 0; i < length; i++) {
         char c = text[i];
         if (n + 3 > sizeof digits) return -1; /* an e, c and the NUL */
-        int exponent = strchr("eEdD", c) != NULL;
-        if (!exponent && !strchr("0123456789+-.", c)) return is_not_finite(text, length) ? 1 : -1;
-        if ((c == '+' || c == '-') && n > 0 && digits[n - 1] != 'e') digits[n++] = 'e';
+        int exponent = c == 'e' || c == 'E' || c == 'd' || c == 'D', sign = c == '+' || c == '-';
+        if (!exponent && !sign && c != '.' && (c < '0' || c > '9')) return is_not_finite(text, length) ? 1 : -1;
+        if (sign && n > 0 && digits[n - 1] != 'e') digits[n++] = 'e';
         digits[n++] = exponent ? 'e' : c;
     }
     digits[n] = '\0';

@@ -92,10 +92,27 @@ static void what_is_no_point_is_refused_by_line_and_column(void **state) {
     fclose(in);
 }
 
+/* Threads read the lines of many points: the first that is refused is named, not the first that a thread met. */
+static void of_many_bad_lines_the_first_is_named(void **state) {
+    (void)state;
+    enum { N = 4000, FIRST = 1999 };
+    struct problem p;
+    struct points points;
+    struct failure why;
+    char *text = malloc(N * 8 + 8), *to = text;
+    odd_find("rod-cosine", &p);
+    to += sprintf(to, "x\n");
+    for (int line = 2; line < N; line++) to += sprintf(to, line < FIRST ? "0.1\n" : "y%d\n", line);
+    assert_int_equal(points_text(text, &p, &points, &why), STATUS_INPUT);
+    assert_has(why.text, "line 1999, column 1 (x): 'y1999' is not a finite number");
+    free(text);
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(points_are_read_as_programs_write_them),
         cmocka_unit_test(many_points_are_all_read),
+        cmocka_unit_test(of_many_bad_lines_the_first_is_named),
         cmocka_unit_test(what_is_no_point_is_refused_by_line_and_column),
     };
     return cmocka_run_group_tests_name("points", tests, NULL, NULL);
