@@ -5,13 +5,15 @@
 #include <stdio.h>
 #include <string.h>
 
+const char *const mapping_planes[] = {"x,y", "x,z", "y,z", NULL};
+
 int mapping_is_none(const struct mapping *m) {
-    return m->axes == 0 && m->scale == 0 && m->offset == 0;
+    return m->axes == 0 && m->scale == 0 && m->offset == 0 && m->plane == 0;
 }
 
 int mapping_same(const struct mapping *m, const struct mapping *n) {
     return m->swap == n->swap && m->against[0] == n->against[0] && m->against[1] == n->against[1] &&
-           mapping_scale(m) == mapping_scale(n) && m->offset == n->offset;
+           mapping_scale(m) == mapping_scale(n) && m->offset == n->offset && m->plane == n->plane;
 }
 
 int mapping_read(const char *text, struct mapping *m) {

@@ -12,7 +12,10 @@
  *
  * Then k goes with its axis, rho_c and Robin's b stay, fluxes and sources are multiplied by scale, temperatures of
  * walls and air are mapped as T is.  Solvers, references and norms see the scene; the case file, the points of the
- * oracle and the answers of programs are in the axes and the temperature of the case. */
+ * oracle and the answers of programs are in the axes and the temperature of the case.
+ *
+ * A program in three dimensions solves a plane as a slab, along the third axis of which nothing changes: x and y of
+ * the case then lie along two of its x, y and z. */
 
 /* All zero: the scene as it is. */
 struct mapping {
@@ -21,7 +24,10 @@ struct mapping {
     int against[2]; /* by axis of the case: 1 where it runs against the scene's */
     double scale;   /* 0 where it is not given: 1 */
     double offset;  /* K */
+    int plane;      /* of mapping_planes: the program's axes along which x and y of the case lie */
 };
+
+extern const char *const mapping_planes[]; /* "x,y", "x,z", "y,z", NULL */
 
 enum { MAPPING_WORDS = 8 };
 

@@ -206,25 +206,12 @@ static int take_lattice(struct request *r, struct failure *why) {
     return STATUS_OK;
 }
 
-const char *const arguments_profiles[] = {"all", "particles", NULL};
-
-/* A profile is a choice of rows by name. */
-static int take_profile(struct request *r, struct failure *why) {
-    if (r->profile == PROFILE_ALL) return STATUS_OK;
-    if (r->only || r->gates_path)
-        return refuse(why, STATUS_INPUT, "--profile and --%s both say which rows: give one of them",
-                      r->only ? "only" : "gates");
-    if (!program_given(&r->experiment.program))
-        return refuse(why, STATUS_INPUT, "--profile: is for the battery; give --solver or --results");
-    const char rows[] = "periodic/*";
-    r->only = memcpy(xcalloc(sizeof rows, 1), rows, sizeof rows);
-    return STATUS_OK;
-}
+const char *const arguments_profiles[] = {"all", "particles", "slabs", NULL};
 
 static int apply(struct request *r, const struct word *words, int count, struct failure *why) {
     for (int i = 0; i < count; i++)
         if (take_option(r, &words[i], why)) return why->status;
-    if (checks_required(r, why) || take_profile(r, why) || take_results(r, why)) return why->status;
+    if (checks_required(r, why) || take_results(r, why)) return why->status;
     if (r->experiment.scene && r->experiment.scene->setup(&r->experiment.problem, why)) return why->status;
     if (r->experiment.derived &&
         quantity_read(r->experiment.derived, &r->experiment.problem, &r->experiment.quantity, why))

@@ -122,10 +122,15 @@ static int check_program(const struct request *r, struct failure *why) {
             return refuse(why, STATUS_INPUT,
                           "--seed draws the battery: it needs --solver, --results or --battery, and "
                           "no --gates");
+    if (r->profile && !r->battery && (!program_given(g) || r->gates_path))
+        return refuse(why, STATUS_INPUT,
+                      "--profile chooses rows of the battery: it needs --solver, --results or --battery, and no "
+                      "--gates");
     int judges = words_among(r->verb->options, "solver") && !words_among(r->verb->options, "into");
     if (!mapping_is_none(&g->map) && judges && !program_given(g))
         return refuse(why, STATUS_INPUT, "--%s needs --solver or --results: our own methods see the scene as it is",
                       g->map.axes        ? "map"
+                      : g->map.plane     ? "axes"
                       : g->map.scale > 0 ? "scale"
                                          : "offset");
     const struct problem *p = &r->experiment.problem;
@@ -133,6 +138,9 @@ static int check_program(const struct request *r, struct failure *why) {
         return refuse(why, STATUS_INPUT, "--aspect needs --solver or --results: our own methods have dx = dy");
     if (r->experiment.options.aspect > 0 && (p->dim == 1 || p->shape))
         return refuse(why, STATUS_INPUT, "--aspect: %s has no rows of cells along y; take a scene on a rectangle",
+                      r->experiment.scene->name);
+    if (g->map.plane && p->dim == 1)
+        return refuse(why, STATUS_INPUT, "--axes: %s is a rod, which lies along x; take a scene in the plane",
                       r->experiment.scene->name);
     if (g->map.axes && g->map.axes != r->experiment.problem.dim)
         return refuse(why, STATUS_INPUT, "--map: %s has %s", r->experiment.scene->name,

@@ -2,8 +2,10 @@
 #ifndef HEATLADDER_VERIFICATION_COMMAND_REQUEST_H
 #define HEATLADDER_VERIFICATION_COMMAND_REQUEST_H
 
-enum profile { PROFILE_ALL, PROFILE_PARTICLES };
-extern const char *const arguments_profiles[];
+/* Codes that can have other rows of the battery: all but slab/..., periodic/... alone for particles without walls,
+ * all of them for codes in three dimensions. */
+enum profile { PROFILE_ALL, PROFILE_PARTICLES, PROFILE_SLABS };
+extern const char *const arguments_profiles[]; /* the words for them, and NULL */
 
 /* What one command line asks for.  Filled by arguments.h; data only. */
 
@@ -32,7 +34,7 @@ struct request {
     struct method *external; /* owned: what the method is where a program stands in for it; else NULL */
     char *only;              /* owned: globs of names, of gates or claims (words_match); NULL for all */
     char *skip;              /* owned: verify: globs of the gates to leave out; NULL for none */
-    enum profile profile;    /* verify: which rows of the battery a code of this kind can have */
+    enum profile profile;    /* which rows of the battery a code of this kind can have */
     const char *gates_path;  /* verify: the file of rows; NULL for the built-in ones */
     int more_rungs;          /* battery: rungs of each ladder in all; 0: as the rows are */
     double time_order;       /* battery: of the code in time; 0: any of 0.9 or more */

@@ -18,6 +18,9 @@ const char case_file_help[] =
     "A case file has one `key = value` a line (SI, several values with commas between):\n"
     "  scene, label, dim        the names on the command line; 1 for a rod, 2 for a rectangle\n"
     "  param_NAME               every parameter of the scene (heatladder list scenes explains each)\n"
+    "  axes                     only if given, for codes in three dimensions: x,z or y,z, the axes of the program\n"
+    "                           along which x and y of the case lie.  Along the third nothing changes: insulated or\n"
+    "                           periodic, of any thickness.  The answer is one layer, in x and y of the case\n"
     "  map, scale, offset       only if given: the axes of the case in terms of the scene, such as y,-x, and T of\n"
     "                           the case = scale T + offset, K.  All keys but param_NAME are in axes of the case\n"
     "  lo, hi                   the domain, m: along x, and along y\n"
@@ -139,6 +142,7 @@ void case_file_write(const struct scene *s, const struct problem *of, const stru
     const struct problem *p = &image.problem;
     fprintf(out, "scene = %s\nlabel = %s\ndim = %d\n", s->name, extra->label, p->dim);
     write_params(s, p, "param_", " = ", "\n", out);
+    if (m->plane) fprintf(out, "axes = %s\n", mapping_planes[m->plane]);
     write_mapping(m, "", " = ", "\n", out);
     write_pair(out, "lo", p->lo, p->dim);
     write_pair(out, "hi", p->hi, p->dim);

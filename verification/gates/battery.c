@@ -19,6 +19,11 @@ const struct battery_row battery_table[] = {
     {0}};
 #undef BATTERY
 
+static int is_in_profile(const char *id, enum profile profile) {
+    if (profile == PROFILE_PARTICLES) return strncmp(id, "periodic/", 9) == 0;
+    return profile == PROFILE_SLABS || strncmp(id, "slab/", 5) != 0;
+}
+
 static struct draw draw_of(const struct battery_row *row) {
     return (struct draw){row->gate.command, row->ranges, row->bound, row->gate.measure};
 }
@@ -33,11 +38,11 @@ static enum gate_tier tier_of(const struct gate *gate) {
     return plane ? TIER_FULL : TIER_QUICK;
 }
 
-int battery_add(int order, unsigned long seed, struct gates *g, struct failure *why) {
+int battery_add(int order, enum profile profile, unsigned long seed, struct gates *g, struct failure *why) {
     char command[DRAW_COMMAND];
     for (const struct battery_row *row = battery_table; row->order; row++) {
         struct draw draw = draw_of(row);
-        if (row->order != order) continue;
+        if (row->order != order || !is_in_profile(row->gate.id, profile)) continue;
         if (draw_command(&draw, seed, command, why)) return why->status;
         gates_add(g, &row->gate);
         if (seed) gates_set_command(g, command);

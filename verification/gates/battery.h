@@ -4,6 +4,7 @@
 
 /* The battery: gates for a code that nobody here wrote, of order 1, 2 or 4 in space. */
 
+#include "verification/command/request.h"
 #include "verification/gates/draw.h"
 #include "verification/gates/gates.h"
 
@@ -17,8 +18,8 @@ struct battery_row {
 
 extern const struct battery_row battery_table[]; /* ended by a NULL id */
 
-/* Adds the rows for that order to *g, drawn by the seed (0: as they are written). */
-int battery_add(int order, unsigned long seed, struct gates *g, struct failure *why);
+/* Adds the rows for that order and profile to *g, drawn by the seed (0: as they are written). */
+int battery_add(int order, enum profile profile, unsigned long seed, struct gates *g, struct failure *why);
 
 /* Sets the bounds of the rows in *g, all of that order, to those of what was drawn: some need a run of the five-point
  * difference. */

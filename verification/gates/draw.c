@@ -124,7 +124,8 @@ static void drop_option(char *words, const char *option) {
 /* The five-point difference at the finest spacing, of dx and dy the larger; it knows of no image, and a jump lies on
  * its faces. */
 static int finest_run(const char *command, struct request *r, struct failure *why) {
-    static const char *const options[] = {" --map ", " --scale ", " --offset ", " --aspect ", " --set a=8/15"};
+    static const char *const options[] = {" --map ",    " --axes ",   " --scale ",
+                                          " --offset ", " --aspect ", " --set a=8/15"};
     char words[DRAW_COMMAND], line[DRAW_COMMAND + 40], finest[40];
     const char *dx = strstr(command, " --dx "), *oblong = strstr(command, " --aspect ");
     double spacing, aspect = oblong ? strtod(oblong + strlen(" --aspect "), NULL) : 1;

@@ -68,11 +68,10 @@ static void a_profile_is_a_choice_of_rows(void **state) {
     struct failure why;
     assert_int_equal(arguments_parse_line("verify --profile particles --solver 'p {case} {out}'", &r, &why),
                      STATUS_OK);
-    assert_string_equal(r.only, "periodic/*");
+    assert_int_equal(r.profile, PROFILE_PARTICLES);
     arguments_free(&r);
-    assert_int_equal(arguments_parse_line("verify --profile all --only a --solver 'p {case} {out}'", &r, &why),
-                     STATUS_OK);
-    assert_string_equal(r.only, "a");
+    assert_int_equal(arguments_parse_line("case --battery --profile slabs --into d", &r, &why), STATUS_OK);
+    assert_int_equal(r.profile, PROFILE_SLABS);
     arguments_free(&r);
 }
 
@@ -112,9 +111,13 @@ static const struct refusal {
     {"run rod-step ftcs more --dx 0.1", "'more' is one word too many for run"},
     {"list scenes methods", "'methods' is one word too many for list"},
     {"run rod-step ftcs", "run needs --dx"},
-    {"verify --profile particles", "--profile: is for the battery"},
-    {"verify --profile particles --only a --solver '{case} {out}'", "--profile and --only both say which rows"},
-    {"verify --profile cells --solver '{case} {out}'", "(valid: all, particles)"},
+    {"verify --profile particles", "--profile chooses rows of the battery: it needs --solver"},
+    {"verify --profile slabs --gates f --solver '{case} {out}'", "--profile chooses rows of the battery"},
+    {"case rod-step --profile slabs --dx 0.1 --into d", "--profile chooses rows of the battery"},
+    {"verify --profile cells --solver '{case} {out}'", "(valid: all, particles, slabs)"},
+    {"run rod-step mine --axes x,z --dx 0.1 --solver '{case} {out}'", "--axes: rod-step is a rod"},
+    {"run plate mine --axes z,x --dx 0.01 --solver '{case} {out}'", "(valid: x,y, x,z, y,z)"},
+    {"run plate ftcs --axes x,z --dx 0.01", "--axes needs --solver or --results"},
     {"reference rod-step --at 0.3", "reference needs --time"},
     {"reference rod-step --time 0.3", "reference needs either --at X[,Y] or --points FILE"},
     {"reference rod-step --time 0.3 --at 0.1 --points p.csv", "reference needs either --at X[,Y] or --points FILE"},

@@ -33,7 +33,8 @@ static int count_drawn(unsigned long seed, int order, const char *code, const ch
     int n = 0;
     snprintf(command, sizeof command, "%s --solve %s {case} {out}", self, code);
     program.solver = command;
-    if (battery_add(order, seed, &g, &why) || gates_choose(&g, only, NULL, 0, &why)) fail_msg("%s", why.text);
+    if (battery_add(order, PROFILE_ALL, seed, &g, &why) || gates_choose(&g, only, NULL, 0, &why))
+        fail_msg("%s", why.text);
     if (seed && battery_bounds(order, &g, &why)) fail_msg("%s", why.text);
     gates_run(&g);
     for (int i = 0; i < g.declared; i++) {
@@ -109,7 +110,8 @@ static void faults_are_seen(void **state) {
     for (size_t i = 0; i < sizeof fault / sizeof *fault; i++) {
         struct gates g = {0};
         struct failure why;
-        if (battery_add(2, 0, &g, &why) || gates_choose(&g, fault[i].rows, NULL, 0, &why)) fail_msg("%s", why.text);
+        if (battery_add(2, PROFILE_ALL, 0, &g, &why) || gates_choose(&g, fault[i].rows, NULL, 0, &why))
+            fail_msg("%s", why.text);
         int seen = g.declared - count(2, fault[i].code, fault[i].rows, VERDICT_PASS, 0);
         if (seen < fault[i].least) missed++, print_message("%s: seen by %d\n", fault[i].code, seen);
         gates_free(&g);
@@ -221,7 +223,7 @@ static void later_is_as_now(void **state) {
     struct failure why = {0};
     char path[UNIT_PATH + 200], command[400], line[300];
     int cases, lines = 0;
-    if (battery_add(2, 0, &g, &why) || gates_choose(&g, "[sjcw]*", "whole/repeat", 0, &why) ||
+    if (battery_add(2, PROFILE_ALL, 0, &g, &why) || gates_choose(&g, "[sjcw]*", "whole/repeat", 0, &why) ||
         battery_write(&g, 0, dir, &cases, &why))
         fail_msg("%s", why.text);
     snprintf(command, sizeof command,
@@ -298,6 +300,28 @@ static void every_row_says_what_it_sees(void **state) {
             if (other->order == row->order && strcmp(other->gate.id, row->gate.id) == 0)
                 fail_msg("%s twice", row->gate.id);
     }
+}
+
+/* Rows that a profile adds or leaves out. */
+static void a_profile_has_rows_of_its_own(void **state) {
+    (void)state;
+    int rows[3], slabs[3] = {0}, periodic[3] = {0};
+    for (int profile = 0; profile < 3; profile++) {
+        struct gates g = {0};
+        struct failure why;
+        if (battery_add(2, (enum profile)profile, 1, &g, &why)) fail_msg("%s", why.text);
+        rows[profile] = g.declared;
+        for (int i = 0; i < g.declared; i++) {
+            slabs[profile] += strncmp(g.result[i].gate.id, "slab/", 5) == 0;
+            periodic[profile] += strncmp(g.result[i].gate.id, "periodic/", 9) == 0;
+        }
+        gates_free(&g);
+    }
+    assert_int_equal(slabs[PROFILE_ALL] + slabs[PROFILE_PARTICLES], 0);
+    assert_int_equal(slabs[PROFILE_SLABS], 3);
+    assert_int_equal(rows[PROFILE_SLABS], rows[PROFILE_ALL] + 3);
+    assert_int_equal(rows[PROFILE_PARTICLES], periodic[PROFILE_ALL]);
+    assert_order(periodic[PROFILE_ALL], >, 0);
 }
 
 /* A step that is not the one asked for is another error than its order shows. */
@@ -377,6 +401,7 @@ int main(int argc, char **argv) {
         cmocka_unit_test(steps_of_its_own_are_not_judged),
         cmocka_unit_test(a_failure_can_be_typed),
         cmocka_unit_test(every_row_says_what_it_sees),
+        cmocka_unit_test(a_profile_has_rows_of_its_own),
         cmocka_unit_test(every_time_step_divides_its_end),
         cmocka_unit_test(rungs_are_added_by_halving),
     };

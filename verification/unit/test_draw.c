@@ -143,6 +143,26 @@ static void both_axes_have_a_contact(void **state) {
     }
 }
 
+/* Each axis of a code in three dimensions has the held walls in one row and those of given flux in another. */
+static void slabs_turn_each_axis_to_both_walls(void **state) {
+    (void)state;
+    for (unsigned long seed = 1; seed <= 20; seed++) {
+        int rows = 0, seen[3][2] = {{0}};
+        for (const struct battery_row *row = battery_table; row->order; row++) {
+            struct request r;
+            if (row->order != 2 || strncmp(row->gate.id, "slab/", 5) != 0) continue;
+            parse(row, seed, &r);
+            const struct mapping *m = &r.experiment.program.map;
+            const char *words = mapping_planes[m->plane];
+            for (int a = 0; a < 2; a++) seen[words[2 * a] - 'x'][mapping_axis(m, a)]++;
+            rows++;
+            arguments_free(&r);
+        }
+        assert_int_equal(rows, 3);
+        for (int axis = 0; axis < 3; axis++) assert_true(seen[axis][0] == 1 && seen[axis][1] == 1);
+    }
+}
+
 static void ranges_that_are_none_are_refused(void **state) {
     (void)state;
     static const char *const wrong[] = {"kappa", "kappa=1", "kappa=2:1", "kappa=a:b", "=1:2"};
@@ -157,9 +177,13 @@ static void ranges_that_are_none_are_refused(void **state) {
 
 int main(void) {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(draws_lie_within_their_ranges),    cmocka_unit_test(all_images_are_drawn),
-        cmocka_unit_test(seed_zero_is_as_written),          cmocka_unit_test(bounds_are_those_that_are_written),
-        cmocka_unit_test(ranges_that_are_none_are_refused), cmocka_unit_test(both_axes_have_a_contact),
+        cmocka_unit_test(draws_lie_within_their_ranges),
+        cmocka_unit_test(all_images_are_drawn),
+        cmocka_unit_test(seed_zero_is_as_written),
+        cmocka_unit_test(bounds_are_those_that_are_written),
+        cmocka_unit_test(ranges_that_are_none_are_refused),
+        cmocka_unit_test(both_axes_have_a_contact),
+        cmocka_unit_test(slabs_turn_each_axis_to_both_walls),
     };
     gsl_set_error_handler_off();
     return cmocka_run_group_tests_name("draw", tests, NULL, NULL);

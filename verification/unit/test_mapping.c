@@ -128,7 +128,7 @@ static void an_image_obeys_its_equation(void **state) {
 static void a_case_has_its_own_axes(void **state) {
     (void)state;
     struct problem of;
-    struct mapping m = {.scale = 2, .offset = -3};
+    struct mapping m = {.scale = 2, .offset = -3, .plane = 1};
     const struct scene *s = odd_find("rect-manufactured", &of);
     struct options o = {.dx = 0.1};
     char *text, value[600];
@@ -139,12 +139,19 @@ static void a_case_has_its_own_axes(void **state) {
     FILE *out = open_memstream(&text, &size);
     case_file_write(s, &of, &o, &(struct case_extra){.label = "mine", .map = &m}, out);
     fclose(out);
-    static const char *const says[][2] = {{"map", "y,-x"},           {"scale", "2"},
-                                          {"offset", "-3"},          {"interface", "-0."},
-                                          {"interface_axis", "y"},   {"k_x", "11, 0.006"},
-                                          {"k_y", "7, 0.02"},        {"rho_c", "13, 1.8"},
-                                          {"lo", "0, -0.9"},         {"hi", "0.59999999999999998, 0"},
-                                          {"cells", "6, 9"},         {"side_x_lo", "neumann"},
+    static const char *const says[][2] = {{"map", "y,-x"},
+                                          {"axes", "x,z"},
+                                          {"scale", "2"},
+                                          {"offset", "-3"},
+                                          {"interface", "-0."},
+                                          {"interface_axis", "y"},
+                                          {"k_x", "11, 0.006"},
+                                          {"k_y", "7, 0.02"},
+                                          {"rho_c", "13, 1.8"},
+                                          {"lo", "0, -0.9"},
+                                          {"hi", "0.59999999999999998, 0"},
+                                          {"cells", "6, 9"},
+                                          {"side_x_lo", "neumann"},
                                           {"side_y_hi", "dirichlet"}};
     for (size_t i = 0; i < sizeof says / sizeof *says; i++) {
         if (case_file_value(text, says[i][0], value, sizeof value) || strncmp(value, says[i][1], strlen(says[i][1])))

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Cases written now and judged later, ladders in a parameter of a program, and ladders in time by self-differences.
  */
+#include "verification/foreign/case_file.h"
 #include "verification/foreign/results.h"
 
 #include "solver/status.h"
@@ -147,6 +148,39 @@ static void a_second_spacing_is_kept(void **state) {
     assert_has(l.rung[0].failure.text, "--aspect 3: does not divide");
 }
 
+/* The axes of a program in three dimensions are in the case and its directory, and read from it again. */
+static void the_plane_of_a_slab_is_kept(void **state) {
+    (void)state;
+    char line[400], path[400], value[PROGRAM_SETTING];
+    struct request r;
+    struct failure why = {0};
+    int written;
+    snprintf(line, sizeof line, "case rect-manufactured --dx 0.05 --axes y,z --into %s/slab", dir);
+    if (arguments_parse_line(line, &r, &why)) fail_msg("%s", why.text);
+    const struct experiment *e = &r.experiment;
+    results_setting(e->scene, &e->problem, 0, &e->program.map, 0, value);
+    assert_string_equal(value, "axes=y,z");
+    assert_int_equal(results_write(&(struct results_place){r.into, "", "", &e->program.map, 0}, e->scene, &e->problem,
+                                   &e->options, r.rungs.dx.text, &written, &why),
+                     0);
+    arguments_free(&r);
+    snprintf(path, sizeof path, "%s/slab/rect-manufactured/0.05/case", dir);
+    char *text = case_file_read(path, &why);
+    assert_int_equal(case_file_value(text, "axes", value, sizeof value), 0);
+    assert_string_equal(value, "y,z");
+    assert_int_equal(case_file_value(text, "oracle", path, sizeof path), 0);
+    assert_null(strstr(path, "axes")); /* the reference is in the plane */
+    free(text);
+    snprintf(line, sizeof line, "run rect-manufactured mine --dx 0.05 --results %s/slab", dir);
+    if (arguments_parse_line(line, &r, &why)) fail_msg("%s", why.text);
+    assert_string_equal(mapping_planes[r.experiment.program.map.plane], "y,z");
+    arguments_free(&r);
+    snprintf(line, sizeof line, "run rect-manufactured mine --dx 0.05 --axes x,z --results %s/slab", dir);
+    assert_int_equal(arguments_parse_line(line, &r, &why), STATUS_INPUT);
+    assert_has(why.text, "map, axes, scale or offset differ in other cases");
+    arguments_free(&r);
+}
+
 /* A program that adds 1e-3 seed K: the errors of a rung are those of both draws, and their parameters are read. */
 static void draws_are_judged_later(void **state) {
     (void)state;
@@ -229,6 +263,7 @@ int main(void) {
         cmocka_unit_test(a_missing_answer_is_a_row),
         cmocka_unit_test(cases_are_added),
         cmocka_unit_test(a_second_spacing_is_kept),
+        cmocka_unit_test(the_plane_of_a_slab_is_kept),
         cmocka_unit_test(draws_are_judged_later),
         cmocka_unit_test(a_program_varies_in_what_it_likes),
         cmocka_unit_test(self_differences_find_the_error_in_time),

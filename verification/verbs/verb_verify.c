@@ -112,13 +112,15 @@ static int collect(const struct request *r, struct gate_file *file, struct gates
     if (r->gates_path && gate_file_open(r->gates_path, file, why)) return why->status;
     for (int i = 0; i < file->count; i++) gates_add(g, &file->gate[i]);
     int order = r->order ? r->order : 2;
-    if (!r->gates_path && battery_add(order, r->draw, g, why)) return why->status;
+    if (!r->gates_path && battery_add(order, r->profile, r->draw, g, why)) return why->status;
     g->origin = origin;
     if (r->gates_path)
         say_origin(r->gates_path, origin);
     else
         snprintf(origin, ORIGIN, "--order %d --seed %lu", order, r->draw);
     size_t used = strlen(origin);
+    if (r->profile)
+        used += (size_t)snprintf(origin + used, ORIGIN - used, " --profile %s", arguments_profiles[r->profile]);
     if (r->more_rungs) used += (size_t)snprintf(origin + used, ORIGIN - used, " --rungs %d", r->more_rungs);
     if (r->time_order > 0) snprintf(origin + used, ORIGIN - used, " --time-order %g", r->time_order);
     if (gates_choose(g, r->only, r->skip, r->quick, why)) return why->status;

@@ -1,0 +1,99 @@
+"""solid.py CASE OUT: finite volumes on a box of cells in three dimensions, explicit Euler.
+
+    rho_c dT/dt = source + sum over the faces of a cell of (heat flux into the cell) / width
+
+A case in the plane is a slab: its x and y lie along two axes of the box, which the case names (`axes = x,z`), and along
+the third nothing changes.  A rod lies along x.  `heatladder reference` gives start, source, coefficients and walls at
+the centres of the cells of one layer and of the faces on its sides.  $HEATLADDER is the path of that program.
+"""
+import os
+import subprocess
+import sys
+
+import numpy as np
+
+LAYERS = 2  # along an axis that the case does not have
+FLUX, COOLED = 2, 3  # kinds of walls in the answers of `reference`; 1 is a wall of given temperature
+
+with open(sys.argv[1]) as f:
+    case = dict(line.rstrip("\n").split(" = ", 1) for line in f)
+if "shape" in case or "periodic" in case.values():
+    sys.exit(77)  # boxes with walls
+
+
+def numbers(key):
+    return np.array([float(word) for word in case[key].split(",")])
+
+
+lo, hi, n, t_end = numbers("lo"), numbers("hi"), numbers("cells").astype(int), float(case["t_end"])
+width = (hi - lo) / n
+plane = ["xyz".index(axis) for axis in case.get("axes", "x,y").split(",")][:len(n)]
+others = [d for d in range(3) if d not in plane]
+box = np.full(3, LAYERS)
+box[plane] = n
+spacing = np.full(3, width[0])
+spacing[plane] = width
+
+# The points of one layer: cells 1 to n along each of its axes, framed by the faces on the sides.
+axes = [np.clip(lo[a] + (np.arange(n[a] + 2) - 0.5) * width[a], lo[a], hi[a]) for a in range(len(n))]
+points = np.stack([x.ravel() for x in np.meshgrid(*axes, indexing="ij")], axis=1)
+file = sys.argv[2] + ".points"
+np.savetxt(file, np.hstack([points, np.tile(width, (len(points), 1))]), "%.17g", ",", comments="",
+           header=",".join(["x", "y"][:len(n)] + ["dx", "dy"][:len(n)]))
+
+
+def ask(times, what):
+    """The named columns, each as an array over the framed box: of the layer, and the same in all layers."""
+    words = [os.environ.get("HEATLADDER", "heatladder"), "reference", *case["oracle"].split(), "--points", file,
+             "--time", times, "--what", what]
+    answer = subprocess.run(words, check=True, stdout=subprocess.PIPE, text=True).stdout.splitlines()
+    columns = np.array([[float(x) for x in line.split(",")] for line in answer[1:]])[:, len(n):].T
+    layers = [np.expand_dims(column.reshape(-1, *(n + 2)), [1 + d for d in others]) for column in columns]
+    return [np.broadcast_to(layer, (len(layer), *(box + 2))) for layer in layers]
+
+
+T, source, rho_c = [column[0].copy() for column in ask("0", "initial_heat,source,rho_c")]
+inside = (slice(1, -1),) * 3
+
+
+def along(d, part):
+    """Those cells, or faces between cells, that `part` selects along axis d."""
+    return tuple(part if e == d else slice(1, -1) for e in range(3))
+
+
+# What a point resists: half a cell inside; on the frame, the wall.  A wall of given flux has its heat in the source.
+conductance = []  # W m^-2 K^-1, of the faces across each axis
+fastest = 0
+for d in range(3):
+    name = "xy"[plane.index(d)] if d in plane else None
+    k, kind, value, b = [column[0] for column in ask("0", f"k_{name or 'x'},wall_{name or 'x'}")]
+    resistance = spacing[d] / (2 * k)
+    for side, cell in (0, 1), (-1, -2):
+        wall = along(d, side)
+        if name is None:
+            resistance[wall] = np.inf
+            continue
+        resistance[wall] = np.select([kind[wall] == FLUX, kind[wall] == COOLED], [np.inf, 1 / np.fmax(b[wall], 1e-300)])
+        T[wall] = value[wall]
+        source[along(d, cell)] += np.where(kind[wall] == FLUX, value[wall] / spacing[d], 0)
+    conductance.append(1 / (resistance[along(d, slice(1, None))] + resistance[along(d, slice(None, -1))]))
+    fastest = fastest + k[inside] / spacing[d] ** 2 / rho_c[inside]
+
+steps = int(np.ceil(t_end * fastest.max() / 0.25))
+changing = case["source"] == "changing"
+if changing:  # asked for at the start of every step
+    fluxes = source - ask("0", "source")[0][0]
+    sources = ask(f"0:{t_end}:{steps + 1}", "source")[-1]
+for step in range(steps):
+    if changing:
+        source = fluxes + sources[step]
+    rate = source[inside].copy()
+    for d in range(3):
+        flux = conductance[d] * np.diff(T[along(d, slice(None))], axis=d)
+        rate += np.diff(flux, axis=d) / spacing[d]
+    T[inside] += t_end / steps * rate / rho_c[inside]
+
+layer = T[inside][tuple(slice(None) if d in plane else 0 for d in range(3))]
+cells = points.reshape(*(n + 2), len(n))[(slice(1, -1),) * len(n)].reshape(-1, len(n))
+np.savetxt(sys.argv[2], np.column_stack([cells, layer.ravel()]), "%.17g", ",", comments="",
+           header=f"# steps = {steps}\n" + ",".join(["x", "y"][:len(n)] + ["T"]))
