@@ -85,6 +85,11 @@ static void charts_hold_their_points(void **state) {
      * 0.1 0.15, and 1.6e-2 1.20412 decades of 2 above it. */
     assert_has(text, "<circle cx=\"526.2\" cy=\"154.5\"");
     assert_has(text, "<circle cx=\"165.8\" cy=\"364.0\"");
+    assert_has(
+        text,
+        "<path d=\"M165.8 16V364\" stroke=\"#ddd\"/>\n<text x=\"165.8\" y=\"382.0\" text-anchor=\"middle\">0.1<");
+    assert_has(text,
+               "<path d=\"M76 364.0H616\" stroke=\"#ddd\"/>\n<text x=\"68.0\" y=\"368.0\" text-anchor=\"end\">1e-3<");
     assert_has(text, "so &lt;ssph&gt;");
     assert_has(text, "slope 2");
     assert_lacks(text, "nan");
@@ -129,6 +134,8 @@ static void gates_are_read_back(void **state) {
     assert_has(text, "<td class=\"n\">0.5</td><td class=\"n\">4.0000e-02</td><td>left out</td>");
     assert_has(text, "<td class=\"n\">0.25</td><td>-</td><td>counts</td>");
     assert_has(text, "slope 2</text>");
+    assert_has(text, "<td>1.875 to 2.125</td><td class=\"n\">2.062</td>");
+    assert_has(text, "<td>at most 7</td>");
     const char *finest = strstr(strstr(text, "<circle") + 1, "<circle"); /* the rung between them failed */
     assert_has(strstr(text, "<circle"), "fill=\"#fff\"");
     assert_true(strstr(finest, "fill=\"#0072B2\"") < strchr(finest, '\n'));
