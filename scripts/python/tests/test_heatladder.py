@@ -3,6 +3,7 @@
 import json
 import math
 import os
+import re
 import subprocess
 import sys
 from pathlib import Path
@@ -160,3 +161,10 @@ def test_pytest_shows_the_diagnosis_of_a_row_that_fails(mine):
 def test_pytest_skips_what_the_code_is_not_for(mine):
     run = plugin("-rs", "--heatladder", "mine:solve", "--heatladder-options", "--only 'contact/*'")
     assert " skipped in " in run.stdout and "passed" not in run.stdout and "failed" not in run.stdout, run.stdout
+
+
+def test_readme_names_what_is_there():
+    text = (PACKAGE / "README.md").read_text()
+    assert f"{heatladder.LONG // 1000} {heatladder.LONG % 1000:03d} points" in text
+    names = set(re.findall(r"heatladder\.([A-Za-z_]+)\(", text) + re.findall(r"raise heatladder\.([A-Za-z]+)", text))
+    assert len(names) >= 5 and all(callable(getattr(heatladder, name)) for name in names)
