@@ -262,31 +262,52 @@ static int has_h(const char *method) {
     return !method_find(method)->scheme->cells;
 }
 
+static const double lengths[] = {0.9, 1.0, 1.1, 1.2, 1.3, 1.5, 1.75, 2};
+static const int drawn[] = {0, 2, 4}; /* of the clouds */
+
+enum { LENGTHS = 8, DRAWN = 3 };
+
+struct neighbours_run {
+    int status;
+    double neighbours, error;
+    struct failure why;
+};
+
+static void take_neighbours(int k, struct neighbours_run *n) {
+    const struct candidate_operator *o = &operators[k / LENGTHS % OPERATORS];
+    struct command_run run;
+    if (o->materials != 1 || !has_h(o->method)) return;
+    command_run_line(&run, "run rect-manufactured %s --set k_y=0.02 --dx 0.025 --h %g%s", o->method,
+                     lengths[k % LENGTHS], clouds[drawn[k / (LENGTHS * OPERATORS)]].options);
+    n->status = command_run_check(&run, &n->why);
+    n->neighbours = (double)run.result.interactions / (double)run.result.updates;
+    n->error = run.result.error.l1;
+    command_run_free(&run);
+}
+
 static int write_neighbours(FILE *out, struct failure *why) {
-    static const double h[] = {0.9, 1.0, 1.1, 1.2, 1.3, 1.5, 1.75, 2};
-    static const int drawn[] = {0, 2, 4};
+    enum { RUNS = DRAWN * OPERATORS * LENGTHS };
+    struct neighbours_run *all = xcalloc(RUNS, sizeof *all);
+    int status = STATUS_OK;
+#pragma omp parallel for schedule(dynamic, 1)
+    for (int k = RUNS - 1; k >= 0; k--) take_neighbours(k, &all[k]);
     figure_head(out, "rect-manufactured, dx = 0.025 m: error against neighbours");
     fprintf(
         out,
         "# command: heatladder run rect-manufactured so_ssph --set k_y=0.02 --dx 0.025 --h 1.1 --layout relaxed\n");
-    for (int c = 0; c < 3; c++)
-        for (int k = 0; k < OPERATORS; k++) {
-            if (operators[k].materials != 1 || !has_h(operators[k].method)) continue;
-            fprintf(out, "\n\n# %s %s\nneighbours,%s,h/dx\n", operators[k].method, clouds[drawn[c]].name,
-                    operators[k].method);
-            for (size_t i = 0; i < sizeof h / sizeof *h; i++) {
-                struct command_run run;
-                command_run_line(&run, "run rect-manufactured %s --set k_y=0.02 --dx 0.025 --h %g%s",
-                                 operators[k].method, h[i], clouds[drawn[c]].options);
-                int status = command_run_check(&run, why);
-                const struct result *r = &run.result;
-                if (!status)
-                    fprintf(out, "%.3f,%.5e,%g\n", (double)r->interactions / (double)r->updates, r->error.l1, h[i]);
-                command_run_free(&run);
-                if (status == STATUS_INPUT) return status; /* what grows, or is singular, is left out */
-            }
-        }
-    return STATUS_OK;
+    for (int k = 0; k < RUNS && !status; k++) {
+        const struct candidate_operator *o = &operators[k / LENGTHS % OPERATORS];
+        if (o->materials != 1 || !has_h(o->method)) continue;
+        if (k % LENGTHS == 0)
+            fprintf(out, "\n\n# %s %s\nneighbours,%s,h/dx\n", o->method,
+                    clouds[drawn[k / (LENGTHS * OPERATORS)]].name, o->method);
+        if (all[k].status == STATUS_INPUT) /* what grows, or is singular, is left out */
+            status = STATUS_INPUT, *why = all[k].why;
+        else if (!all[k].status)
+            fprintf(out, "%.3f,%.5e,%g\n", all[k].neighbours, all[k].error, lengths[k % LENGTHS]);
+    }
+    free(all);
+    return status;
 }
 
 int operators_write(const char *dir, struct failure *why) {

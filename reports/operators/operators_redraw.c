@@ -11,29 +11,43 @@ static const char *const runs =
     "run rod-cosine so_ssph --order %d --layout jitter --jitter 0.2 --seed 1 --stepper rk2 "
     "--fourier 0.1%s --dx 1/%d";
 
-static int write_curve(int order, const char *redraw, const char *name, FILE *out, struct failure *why) {
-    static const int across[] = {20, 40, 80, 160, 320};
-    fprintf(out, "\n\n# order %d, every %s steps\ndx [m],%s\n", order, name, name);
-    for (int i = 0; i < 5; i++) {
-        struct command_run run;
-        command_run_line(&run, runs, order, redraw, across[i]);
-        int status = command_run_check(&run, why);
-        if (!status) fprintf(out, "%.6g,%.5e\n", 1.0 / across[i], run.result.error.l1);
-        command_run_free(&run);
-        if (status) return status;
-    }
-    return STATUS_OK;
+static const char *const redraw[][2] = {
+    {"", "no"}, {" --redraw 64", "64"}, {" --redraw 16", "16"}, {" --redraw 4", "4"}, {" --redraw 1", "1"}};
+static const int across[] = {20, 40, 80, 160, 320};
+
+enum { REDRAWS = 5, RUNGS = 5, ORDERS = 2 };
+enum { RUNS = ORDERS * REDRAWS * RUNGS };
+
+/* The error of run k, by order, redraw and spacing. */
+static int take_error(int k, double *error, struct failure *why) {
+    struct command_run run;
+    command_run_line(&run, runs, 2 + 2 * (k / (REDRAWS * RUNGS)), redraw[k / RUNGS % REDRAWS][0], across[k % RUNGS]);
+    int status = command_run_check(&run, why);
+    *error = run.result.error.l1;
+    command_run_free(&run);
+    return status;
 }
 
 int operators_redraw(FILE *out, struct failure *why) {
-    static const char *const redraw[][2] = {
-        {"", "no"}, {" --redraw 64", "64"}, {" --redraw 16", "16"}, {" --redraw 4", "4"}, {" --redraw 1", "1"}};
-    int status = STATUS_OK;
+    double error[RUNS];
+    struct failure failed[RUNS];
+    int status[RUNS];
+#pragma omp parallel for schedule(dynamic, 1)
+    for (int k = RUNS - 1; k >= 0; k--) status[k] = take_error(k, &error[k], &failed[k]);
+    for (int k = 0; k < RUNS; k++)
+        if (status[k]) {
+            *why = failed[k];
+            return status[k];
+        }
     figure_head(out, "rod-cosine: a cloud that is drawn anew every N steps");
     fprintf(out, "# command: heatladder ");
     fprintf(out, runs, 4, " --redraw 4", 160);
     fprintf(out, "\n");
-    for (int order = 2; order <= 4; order += 2)
-        for (int k = 0; k < 5 && !status; k++) status = write_curve(order, redraw[k][0], redraw[k][1], out, why);
-    return status;
+    for (int k = 0; k < RUNS; k++) {
+        const char *name = redraw[k / RUNGS % REDRAWS][1];
+        if (k % RUNGS == 0)
+            fprintf(out, "\n\n# order %d, every %s steps\ndx [m],%s\n", 2 + 2 * (k / (REDRAWS * RUNGS)), name, name);
+        fprintf(out, "%.6g,%.5e\n", 1.0 / across[k % RUNGS], error[k]);
+    }
+    return STATUS_OK;
 }
