@@ -36,6 +36,25 @@ static void lattices_meet_the_jumps(void **state) {
     assert_int_equal(candidate_member(0.5, 8), 8);
 }
 
+/* A quarter of the disc's diameter is its ring; a hole of 0.3 m in a body of 1 m leaves 7 of 20 parts of 2 m. */
+static void rings_fill_a_round_body(void **state) {
+    (void)state;
+    assert_int_equal(unit_of("disc-mode", NULL, 0), 2);
+    assert_int_equal(unit_of("annulus", "r1", 0.3), 20);
+}
+
+/* Particles meet a round wall by fit; differences have a polar grid. */
+static void particles_meet_round_walls_by_fit(void **state) {
+    (void)state;
+    struct request r;
+    struct failure why;
+    if (arguments_parse_line("reference disc-mode --at 0,0 --time 1", &r, &why)) fail_msg("%s", why.text);
+    for (const struct candidate *c = candidates_table; c->label; c++)
+        assert_int_equal(candidate_options(c, &r.experiment, 8).walls,
+                         strncmp(c->method, "ftcs", 4) == 0 ? WALLS_MIRROR : WALLS_FIT);
+    arguments_free(&r);
+}
+
 static void every_candidate_names_a_method_and_differs(void **state) {
     (void)state;
     for (const struct candidate *c = candidates_table; c->label; c++) {
@@ -211,6 +230,8 @@ static void a_proving_run_is_more_than_its_solve(void **state) {
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(lattices_meet_the_jumps),
+        cmocka_unit_test(rings_fill_a_round_body),
+        cmocka_unit_test(particles_meet_round_walls_by_fit),
         cmocka_unit_test(every_candidate_names_a_method_and_differs),
         cmocka_unit_test(work_is_counted),
         cmocka_unit_test(a_damped_start_counts_in_the_saving),

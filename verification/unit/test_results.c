@@ -181,7 +181,8 @@ static void the_plane_of_a_slab_is_kept(void **state) {
     arguments_free(&r);
 }
 
-/* A program that adds 1e-3 seed K: the errors of a rung are those of both draws, and their parameters are read. */
+/* A program that adds 1e-3 seed K, of the seed that its case says: the errors of a rung are those of both draws, and
+ * their parameters are read. */
 static void draws_are_judged_later(void **state) {
     (void)state;
     char line[600];
@@ -199,11 +200,15 @@ static void draws_are_judged_later(void **state) {
     assert_int_equal(written, 8);
     arguments_free(&r);
     snprintf(line, sizeof line,
-             "for d in %s/drawn/rod-gauss/*/seed=*; do s=${d##*=}; " AWK
+             "for d in %s/drawn/rod-gauss/*/seed=*; do s=$(sed -n 's/^seed = //p' $d/case); " AWK
              " $d/case | awk -F, -v OFS=, -v s=$s '$1 + 0 == $1 { $2 += 1e-3 * s } { print }' > $d/out.csv; done",
              dir);
     assert_int_equal(system(line), 0);
     snprintf(line, sizeof line, "ladder rod-gauss mine --seeds 2 --results %s/drawn", dir);
+    if (arguments_parse_line(line, &r, &why)) fail_msg("%s", why.text);
+    const double *kappa = r.experiment.problem.param;
+    assert_near(kappa[2], 0.4, 0);
+    arguments_free(&r);
     climb(line, &both, 0);
     assert_int_equal(both.draws, 2);
     assert_near(both.rung[0].error.l1, sqrt(both.draw[0][0] * both.draw[1][0]), 1e-15);
