@@ -7,18 +7,18 @@ set label 98 heading at screen 0.5, screen 0.965 center noenhanced font size_of(
 unset bmargin
 set multiplot layout 1,2 margins screen 0.1, 0.98, 0.29, 0.86 spacing screen 0.05, 0.05
 set xrange [-0.05:0.95]
-set yrange [0:2.6]
+set yrange [0:3]
 set xlabel 'offset  [dx]'
 rods = 'rod-cooling rod-cosine'
 titles = '"held and cooled (rod-cooling)" "insulated (rod-cosine)"'
-names = 'mirror average image fit'
-colours = sprintf('%s %s %s %s', GREEN, SKY, BLUE, BLACK)
-shapes = '9 11 5 13'
+names = 'mirror average image fit one_sided'
+colours = sprintf('%s %s %s %s %s', GREEN, SKY, BLUE, BLACK, PURPLE)
+shapes = '9 11 5 13 4'
 do for [b = 1:2] {
     set title word(titles, b) font size_of(11) offset 0,-0.6 noenhanced
     if (b == 1) { set ylabel 'order of E1  [-]' } else { unset ylabel }
     if (b == 2) { set key at screen 0.98, 0.1 bottom right maxrows 1 width 2 } else { unset key }
-    plot for [k = 1:4] (b == 1 && k == 2 ? '/dev/null' : data) \
+    plot for [k = 1:5] (b == 1 && k == 2 ? '/dev/null' : data) \
         index (b == 1 && k == 2 ? 0 : sprintf('%s %s', word(rods, b), word(names, k))) \
         using 1:2 with linespoints lc rgb word(colours, k) pt int(word(shapes, k)) ps 0.9 * P \
         lw (k == 4 ? 2 : 1.2) title word(names, k)
