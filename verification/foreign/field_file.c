@@ -75,14 +75,14 @@ static long long whole(double value) {
 
 /* The arrays change hands. */
 static void hand_over(struct samples *s, const struct problem *p, struct field *f) {
-    double x[2];
-    *f = (struct field){.dim = s->dim, .n = s->n, .range = {HUGE_VAL, -HUGE_VAL}, .heat = {NAN, NAN}};
+    enum { MANY = 20000 }; /* points: more than threads cost to start */
+    double coldest = HUGE_VAL, hottest = -HUGE_VAL;
+#pragma omp parallel for reduction(min : coldest) reduction(max : hottest) if (s->n >= MANY)
     for (size_t i = 0; i < s->n; i++) {
-        x[0] = s->value[COLUMN_X][i];
-        x[1] = s->dim == 2 ? s->value[COLUMN_Y][i] : 0;
-        double start = p->initial(p, x);
-        f->range[0] = fmin(f->range[0], start), f->range[1] = fmax(f->range[1], start);
+        double x[2] = {s->value[COLUMN_X][i], s->dim == 2 ? s->value[COLUMN_Y][i] : 0}, start = p->initial(p, x);
+        coldest = fmin(coldest, start), hottest = fmax(hottest, start);
     }
+    *f = (struct field){.dim = s->dim, .n = s->n, .range = {coldest, hottest}, .heat = {NAN, NAN}};
     f->x = s->value[COLUMN_X], f->y = s->value[COLUMN_Y], f->T = s->value[COLUMN_T], f->weight = s->value[COLUMN_W];
     for (int k = 0; k < COLUMN_COUNT; k++) s->value[k] = NULL;
     f->time = p->t_end;

@@ -18,7 +18,10 @@ static double weight(const struct field *f, size_t i) {
     return f->weight ? f->weight[i] : 1;
 }
 
-enum { CHUNK = 2000 }; /* points at a time */
+enum {
+    CHUNK = 2000, /* points at a time */
+    MANY = 20000  /* points: more than threads cost to start */
+};
 
 /* T and its bound of a chunk from point `first` on. */
 static void exact_chunk(const struct snapshot *now, const struct field *f, size_t first, double *T, double *bound) {
@@ -35,7 +38,6 @@ static void exact_chunk(const struct snapshot *now, const struct field *f, size_
 /* Points by many threads where there are many of them; sums in the order of the points, so that they are the same for
  * any number of threads. */
 double norms_exact(const struct scene *s, const struct problem *p, const struct field *f, double *T) {
-    enum { MANY = 20000 };
     double bound = 0, whole = 0, *bounds = xcalloc(f->n, sizeof *bounds);
     struct snapshot now = snapshot_take(s, p, f->time);
 #pragma omp parallel for schedule(dynamic, 1) if (f->n >= MANY)
@@ -67,14 +69,18 @@ int norms_check(const struct field *f, const double *exact, struct failure *why)
                   f->time);
 }
 
-/* Whether point i belongs to the part; its error and |T| there. */
-static int take_point(const struct problem *p, const struct field *f, const double *exact, enum norms_part part,
-                      double distance, size_t i, double *e, double *T) {
-    double x[2];
-    point(f, i, x);
-    int near = part != NORMS_ALL && shape_depth(p, x) < distance;
-    *e = fabs(f->T[i] - exact[i]), *T = fabs(exact[i]);
-    return part != (near ? NORMS_INTERIOR : NORMS_BOUNDARY);
+/* Which points count: those of the part where the solution has a value. */
+static unsigned char *points_that_count(const struct problem *p, const struct field *f, const double *exact,
+                                        enum norms_part part, double distance) {
+    unsigned char *counts = xcalloc(f->n, 1);
+#pragma omp parallel for if (f->n >= MANY)
+    for (size_t i = 0; i < f->n; i++) {
+        double x[2];
+        point(f, i, x);
+        int near = part != NORMS_ALL && shape_depth(p, x) < distance;
+        counts[i] = exact[i] != NORMS_NO_VALUE && part != (near ? NORMS_INTERIOR : NORMS_BOUNDARY);
+    }
+    return counts;
 }
 
 /* The power of 2 next below x, so that division by it is exact; 1 for 0, infinity and NaN. */
@@ -85,14 +91,13 @@ static double power_below(double x) {
 /* Squares are of errors and temperatures in units of their largest: none overflows, nor do all vanish. */
 struct norms_error norms_error(const struct problem *p, const struct field *f, const double *exact,
                                enum norms_part part, double distance) {
-    double e1 = 0, e2 = 0, t1 = 0, t2 = 0, e, T, largest = 0;
+    double e1 = 0, e2 = 0, t1 = 0, t2 = 0, largest = 0;
     struct norms_error norms = {0};
+    unsigned char *counts = points_that_count(p, f, exact, part, distance);
     for (size_t i = 0; i < f->n; i++) {
-        if (exact[i] == NORMS_NO_VALUE) {
-            norms.left_out++;
-            continue;
-        }
-        if (!take_point(p, f, exact, part, distance, i, &e, &T)) continue;
+        norms.left_out += exact[i] == NORMS_NO_VALUE;
+        if (!counts[i]) continue;
+        double e = fabs(f->T[i] - exact[i]), T = fabs(exact[i]);
         e1 += weight(f, i) * e;
         t1 += weight(f, i) * T;
         norms.linf = fmax(norms.linf, e);
@@ -101,10 +106,12 @@ struct norms_error norms_error(const struct problem *p, const struct field *f, c
     }
     double unit[2] = {power_below(norms.linf), power_below(largest)};
     for (size_t i = 0; i < f->n; i++) {
-        if (exact[i] == NORMS_NO_VALUE || !take_point(p, f, exact, part, distance, i, &e, &T)) continue;
-        e2 += weight(f, i) * (e / unit[0]) * (e / unit[0]);
-        t2 += weight(f, i) * (T / unit[1]) * (T / unit[1]);
+        if (!counts[i]) continue;
+        double e = (f->T[i] - exact[i]) / unit[0], T = exact[i] / unit[1];
+        e2 += weight(f, i) * e * e;
+        t2 += weight(f, i) * T * T;
     }
+    free(counts);
     if (isnan(e1) || norms.n == 0) norms.linf = NAN; /* fmax skips a NaN */
     norms.l1 = e1 / t1;
     norms.l2 = sqrt(e2 / t2) * (unit[0] / unit[1]);
@@ -113,17 +120,21 @@ struct norms_error norms_error(const struct problem *p, const struct field *f, c
 
 /* Widens [lo, hi] by the temperatures of the Dirichlet walls at the foot of every point. */
 static void widen(const struct problem *p, const struct field *f, double *lo, double *hi) {
-    double x[2];
+    double coldest = *lo, hottest = *hi;
     for (int s = 0; s < 2 * p->dim; s++) {
         if (!shape_has_wall(p, s) || p->side[s] != DIRICHLET) continue;
-        for (size_t i = 0; i < (p->dim == 1 ? 1 : f->n); i++) {
+        size_t n = p->dim == 1 ? 1 : f->n;
+#pragma omp parallel for reduction(min : coldest) reduction(max : hottest) if (n >= MANY)
+        for (size_t i = 0; i < n; i++) {
+            double x[2];
             point(f, i, x);
             struct foot foot = shape_foot(p, s, x);
             double T = p->wall(p, (enum side)s, foot.x);
-            *lo = fmin(*lo, T);
-            *hi = fmax(*hi, T);
+            coldest = fmin(coldest, T);
+            hottest = fmax(hottest, T);
         }
     }
+    *lo = coldest, *hi = hottest;
 }
 
 /* On a rod sum |T_{i+1} - T_i|.  On a rectangle the sums along each axis, times the spacing of the other. */
