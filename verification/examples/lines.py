@@ -1,48 +1,78 @@
-"""lines.py CASE OUT: SciPy, finite volumes on a grid of cells, solve_ivp's BDF in time.  All that the case does not
-tell, `heatladder reference` does, at the centres of cells and of faces on the sides; $HEATLADDER is that program."""
+"""lines.py CASE OUT: SciPy, the method of lines: finite volumes on a grid of cells, solve_ivp's BDF in time.
+
+    rho_c dT/dt = L T + source,   L T = sum over the faces of a cell of conductance (T_beyond - T) / width
+
+The case file gives the grid and the end time.  `heatladder reference` gives all else (start, source, coefficients,
+walls) at the centres of the cells and of the faces on the sides.  $HEATLADDER is the path of that program.
+"""
 import os
 import subprocess
 import sys
 
 import numpy as np
-from scipy import sparse
 from scipy.integrate import solve_ivp
+from scipy.sparse import csc_matrix, diags
 
-case = dict(line.rstrip("\n").split(" = ", 1) for line in open(sys.argv[1]))
+FLUX, COOLED = 2, 3  # kinds of walls in the answers of `reference`; 1 is a wall of given temperature
+
+with open(sys.argv[1]) as f:
+    case = dict(line.rstrip("\n").split(" = ", 1) for line in f)
 if case["source"] == "changing" or "shape" in case or "periodic" in case.values():
     sys.exit(77)  # the integrator takes times of its own; boxes with walls alone
-dim, t_end = int(case["dim"]), float(case["t_end"])
-lo, hi = ([float(v) for v in case[key].split(",")] for key in ("lo", "hi"))
-n = [int(v) for v in case["cells"].split(",")]
-h = [(hi[d] - lo[d]) / n[d] for d in range(dim)]
+
+
+def numbers(key):
+    return np.array([float(word) for word in case[key].split(",")])
+
+
+lo, hi, n, t_end = numbers("lo"), numbers("hi"), numbers("cells").astype(int), float(case["t_end"])
+dim, width = len(n), (hi - lo) / n
 
 # Cells 1 to n along each axis, framed by the faces on the sides.
-axes = [np.r_[lo[d], lo[d] + (np.arange(n[d]) + 0.5) * h[d], hi[d]] for d in range(dim)]
-grid = np.meshgrid(*axes, indexing="ij")
-rows = np.column_stack([x.ravel() for x in grid] + [np.full(grid[0].size, width) for width in h])
-np.savetxt(sys.argv[2] + ".points", rows, "%.17g", ",", header="x,y,dx,dy" if dim > 1 else "x,dx", comments="")
-words = [os.environ.get("HEATLADDER", "heatladder"), "reference", *case["oracle"].split(), "--points"]
-words += [sys.argv[2] + ".points", "--what", "initial_heat,source,rho_c,k_x,wall_x" + ",k_y,wall_y" * (dim - 1)]
-told = subprocess.run(words, check=True, stdout=subprocess.PIPE, text=True).stdout.split("\n")[1:-1]
-told = np.array([line.split(",")[dim:] for line in told], float).T.reshape(-1, *grid[0].shape)
-inside = (slice(1, -1),) * dim
-start, source, rho_c = (column[inside] for column in told[:3])
+axes = [np.clip(lo[d] + (np.arange(n[d] + 2) - 0.5) * width[d], lo[d], hi[d]) for d in range(dim)]
+points = np.stack([x.ravel() for x in np.meshgrid(*axes, indexing="ij")], axis=1)
+number = np.arange(len(points)).reshape(n + 2)
+file = sys.argv[2] + ".points"
+np.savetxt(file, np.hstack([points, np.tile(width, (len(points), 1))]), "%.17g", ",", comments="",
+           header=",".join(["x", "y"][:dim] + ["dx", "dy"][:dim]))
 
-# Conductances of the faces, over the cell's width: half cells in series, and at a side Robin's coefficient.
-A = sparse.csr_matrix((start.size, start.size))
+
+def ask(what):
+    """The named columns at time 0, each as an array over the framed grid."""
+    words = [os.environ.get("HEATLADDER", "heatladder"), "reference", *case["oracle"].split(), "--points", file,
+             "--what", what]
+    answer = subprocess.run(words, check=True, stdout=subprocess.PIPE, text=True).stdout.splitlines()
+    columns = np.array([[float(x) for x in line.split(",")] for line in answer[1:]])[:, dim:].T
+    return columns.reshape(-1, *(n + 2))
+
+
+def along(d, part):
+    """Those cells, or points of the frame, that `part` selects along axis d."""
+    return tuple(part if e == d else slice(1, -1) for e in range(dim))
+
+
+# What a point resists: half a cell inside; on the frame, the wall.  A wall of given flux has its heat in the source.
+T, source, rho_c = ask("initial_heat,source,rho_c")
+L = csc_matrix((len(points), len(points)))
 for d in range(dim):
-    k, kind, value, b = told[3 + 4 * d : 7 + 4 * d][(slice(None),) + inside[:d] + (slice(None),) + inside[d + 1 :]]
-    with np.errstate(divide="ignore"):
-        half = np.choose(kind.astype(int), [h[d] / 2 / k, 0 * k, np.inf + 0 * k, 1 / b])
-    lower, upper = (np.moveaxis(half, d, 0)[s] for s in (slice(None, -1), slice(1, None)))
-    g = sparse.diags(np.moveaxis(1 / (lower + upper) / h[d], 0, d).ravel())
-    slope = sparse.diags([1, -1], [0, -1], (n[d] + 1, n[d]))
-    slope = sparse.kron(sparse.kron(sparse.eye(int(np.prod(n[:d]))), slope), sparse.eye(int(np.prod(n[d + 1 :]))))
-    A = A - slope.T @ g @ slope
-    flux = np.moveaxis(np.where(kind == 2, value / h[d], 0), d, 0)
-    source = source + np.moveaxis(flux[:-2] + flux[2:], 0, d)
-    source = source + (slope.T @ g @ np.diff(np.where(kind == 2, 0, -value), axis=d).ravel()).reshape(n)
-A, constant = sparse.csc_matrix(sparse.diags(1 / rho_c.ravel()) @ A), (source / rho_c).ravel()
-T = solve_ivp(lambda t, T: A @ T + constant, (0, t_end), start.ravel(), "BDF", jac=A, rtol=1e-8, atol=1e-10).y[:, -1]
-rows = [x[inside].ravel() for x in grid] + [T]
-np.savetxt(sys.argv[2], np.column_stack(rows), "%.17g", ",", header="x,y,T" if dim > 1 else "x,T", comments="")
+    k, kind, value, b = ask(f"k_{'xy'[d]},wall_{'xy'[d]}")
+    resistance = width[d] / (2 * k)
+    for side, cell in (0, 1), (-1, -2):
+        wall = along(d, side)
+        resistance[wall] = np.select([kind[wall] == FLUX, kind[wall] == COOLED], [np.inf, 1 / np.fmax(b[wall], 1e-300)])
+        T[wall] = value[wall]
+        source[along(d, cell)] += np.where(kind[wall] == FLUX, value[wall] / width[d], 0)
+    below, above = along(d, slice(None, -1)), along(d, slice(1, None))
+    g = (1 / (resistance[below] + resistance[above]) / width[d]).ravel()
+    i, j = number[below].ravel(), number[above].ravel()  # the points on either side of each face
+    L += csc_matrix((np.r_[g, g, -g, -g], (np.r_[i, j, i, j], np.r_[j, i, i, j])), L.shape)
+
+inside = (slice(1, -1),) * dim
+cells, frame = number[inside].ravel(), np.setdiff1d(number, number[inside])
+per_capacity = diags(1 / rho_c[inside].ravel())
+A = csc_matrix(per_capacity @ L[cells][:, cells])
+constant = per_capacity @ (L[cells][:, frame] @ T.ravel()[frame] + source[inside].ravel())
+march = solve_ivp(lambda t, T: A @ T + constant, (0, t_end), T[inside].ravel(), "BDF", jac=A, rtol=1e-8, atol=1e-10)
+
+np.savetxt(sys.argv[2], np.column_stack([points[cells], march.y[:, -1]]), "%.17g", ",", comments="",
+           header=",".join(["x", "y"][:dim] + ["T"]))
