@@ -115,6 +115,24 @@ static void walls_are_told_by_their_kind(void **state) {
     assert_true(v[0] == 1 && v[1] == p.wall(&p, X_HI, (double[2]){p.hi[0], 0}));
 }
 
+/* Of a round wall: from (0.3, 0.4), 0.5 off the middle, its foot lies along (0.6, 0.8); of a plane one by hand. */
+static void the_nearest_wall_is_told(void **state) {
+    (void)state;
+    struct problem p;
+    double v[COLUMNS_VALUES];
+    const struct scene *s = odd_find("disc-cooling", &p);
+    double R = p.radius[1];
+    assert_int_equal(values("nearest", s, &p, (double[2]){0.3, 0.4}, NULL, 1, v), 8);
+    const double round[] = {0.6 * R, 0.8 * R, 0.6, 0.8, R - 0.5, 3};
+    for (int i = 0; i < 6; i++) assert_near(v[i], round[i], 1e-15);
+    assert_near(v[7], p.robin[X_HI], 0);
+    s = odd_find("rect-manufactured", &p); /* 0.9 by 0.6, fluxes across y */
+    values("nearest", s, &p, (double[2]){0.3, 0.5}, NULL, 1, v);
+    const double plane[] = {0.3, 0.6, 0, 1, 0.1, 2};
+    for (int i = 0; i < 6; i++) assert_near(v[i], plane[i], 1e-15);
+    assert_near(v[6], p.wall(&p, Y_HI, (double[2]){0.3, 0.6}), 0);
+}
+
 /* A cell cut by a jump; a Gaussian in wide and narrow cells, and one far narrower than its cell; the plane; a cell
  * that reaches out of the domain is clipped. */
 static void cell_means_are_integrals(void **state) {
@@ -283,6 +301,7 @@ int main(void) {
         cmocka_unit_test(lists_of_columns_are_checked),
         cmocka_unit_test(columns_hold_what_they_say),
         cmocka_unit_test(walls_are_told_by_their_kind),
+        cmocka_unit_test(the_nearest_wall_is_told),
         cmocka_unit_test(cell_means_are_integrals),
         cmocka_unit_test(a_start_can_keep_the_heat),
         cmocka_unit_test(times_have_both_ends),
