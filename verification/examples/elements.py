@@ -1,59 +1,102 @@
-"""elements.py CASE OUT: FEniCSx, linear elements on segments, bilinear ones on rectangles, BDF2 in time.  All that
-the case does not tell, `heatladder reference` does, at the elements' nodes; $HEATLADDER is that program."""
-import logging, os, subprocess, sys
+"""elements.py CASE OUT: FEniCSx, linear elements on segments, bilinear ones on rectangles, BDF2 in time.
+
+    (rho_c dT/dt, v) + (k grad T, grad v) + <b T, v> = (source, v) + <flux or b T_air, v>,   T given on held walls
+
+with ( ) over the body and < > over its walls.  The case file gives the grid and the end time.  `heatladder reference`
+gives all else (start, source, coefficients, walls) at the elements' nodes.  $HEATLADDER is the path of that program.
+"""
+import logging
+import os
+import subprocess
+import sys
+
 import numpy as np
 import ufl
 from dolfinx import fem, mesh
 from dolfinx.fem import petsc
 from mpi4py import MPI
 from petsc4py import PETSc
-logging.disable()  # of what is compiled
-case = dict(line.rstrip("\n").split(" = ", 1) for line in open(sys.argv[1]))
-if case["source"] == "changing" or "shape" in case or "periodic" in case.values():
-    sys.exit(77)
-dim, t_end = int(case["dim"]), float(case["t_end"])
-lo, hi = (np.array([float(v) for v in case[key].split(",")]) for key in ("lo", "hi"))
-n = [int(v) for v in case["cells"].split(",")]
-body = mesh.create_interval(MPI.COMM_SELF, n[0], [lo[0], hi[0]]) if dim == 1 else \
-    mesh.create_rectangle(MPI.COMM_SELF, [lo, hi], n, mesh.CellType.quadrilateral)
 
-def ask(space, points, what):  # a function of the space for each column
-    rows = np.column_stack([points] + [np.full(len(points), width) for width in (hi - lo) / n])
-    np.savetxt(sys.argv[2] + ".points", rows, "%.17g", ",", header="x,y,dx,dy" if dim > 1 else "x,dx", comments="")
-    words = [os.environ.get("HEATLADDER", "heatladder"), "reference", *case["oracle"].split()]
-    words += ["--points", sys.argv[2] + ".points", "--what", what]
-    told = subprocess.run(words, check=True, stdout=subprocess.PIPE, text=True).stdout.split("\n")[1:-1]
-    columns = np.array([line.split(",")[dim:] for line in told], float).T
-    functions = [fem.Function(space) for _ in columns]
-    for function, column in zip(functions, columns):
-        function.x.array[:] = column
+HELD, FLUX = 1, 2  # kinds of walls in the answers of `reference`; 3 is a cooled one
+DIRECT = {"ksp_type": "preonly", "pc_type": "lu"}
+
+logging.disable()  # of what FEniCSx compiles
+with open(sys.argv[1]) as f:
+    case = dict(line.rstrip("\n").split(" = ", 1) for line in f)
+if case["source"] == "changing" or "shape" in case or "periodic" in case.values():
+    sys.exit(77)  # boxes with walls, and a source that stays
+
+
+def numbers(key):
+    return np.array([float(word) for word in case[key].split(",")])
+
+
+lo, hi, n, t_end = numbers("lo"), numbers("hi"), numbers("cells").astype(int), float(case["t_end"])
+dim, width = len(n), (hi - lo) / n
+if dim == 1:
+    body = mesh.create_interval(MPI.COMM_SELF, n[0], [lo[0], hi[0]])
+else:
+    body = mesh.create_rectangle(MPI.COMM_SELF, [lo, hi], n, mesh.CellType.quadrilateral)
+nodes = fem.FunctionSpace(body, ("Lagrange", 1))
+apart = fem.FunctionSpace(body, ("DG", 1))  # each element has nodes of its own, so that coefficients may jump
+element = fem.FunctionSpace(body, ("DG", 0))
+
+
+def places(space):
+    return space.tabulate_dof_coordinates()[:, :dim]
+
+
+def ask(space, points, what):
+    """The named columns at time 0, each as a function of the space whose nodes are at these points."""
+    file = sys.argv[2] + ".points"
+    np.savetxt(file, np.hstack([points, np.tile(width, (len(points), 1))]), "%.17g", ",", comments="",
+               header=",".join(["x", "y"][:dim] + ["dx", "dy"][:dim]))
+    words = [os.environ.get("HEATLADDER", "heatladder"), "reference", *case["oracle"].split(), "--points", file,
+             "--what", what]
+    answer = subprocess.run(words, check=True, stdout=subprocess.PIPE, text=True).stdout.splitlines()
+    functions = []
+    for column in np.array([[float(x) for x in line.split(",")] for line in answer[1:]])[:, dim:].T:
+        functions.append(fem.Function(space))
+        functions[-1].x.array[:] = column
     return functions
 
-V, D, cell = (fem.FunctionSpace(body, space) for space in (("Lagrange", 1), ("DG", 1), ("DG", 0)))
-at, inside, centre = (space.tabulate_dof_coordinates()[:, :dim] for space in (V, D, cell))
-for dofs in D.dofmap.list.array.reshape(len(centre), -1):  # each side of an interface has its own value
-    inside[dofs] += 1e-9 * (inside[dofs].mean(axis=0) - inside[dofs])
-(start,) = ask(cell, centre, "initial_mean")
-source, rho_c, *k = ask(D, inside, "source,rho_c,k_x" + ",k_y" * (dim - 1))
-kind, wall, _, *sides = ask(V, at, "wall,wall_x" + ",wall_y" * (dim - 1))
-speed = sum(k[d].x.array * (n[d] / (hi[d] - lo[d])) ** 2 for d in range(dim)) / rho_c.x.array
-steps = int(np.ceil(8 * t_end * speed.max()))
 
-u, v, normal = ufl.TrialFunction(V), ufl.TestFunction(V), ufl.FacetNormal(body)
-T, known, rate = fem.Function(V), fem.Function(V), fem.Constant(body, PETSc.ScalarType(0))
+# A little inside of its element a node is on that element's side of an interface.
+inner = places(apart)
+for dofs in apart.dofmap.list.array.reshape(n.prod(), -1):
+    inner[dofs] += 1e-9 * (inner[dofs].mean(axis=0) - inner[dofs])
+(start,) = ask(element, places(element), "initial_mean")
+source, rho_c, *k = ask(apart, inner, "source,rho_c,k_x" + (",k_y" if dim == 2 else ""))
+kind, held, _, *sides = ask(nodes, places(nodes), "wall,wall_x" + (",wall_y" if dim == 2 else ""))
+
+T, known = fem.Function(nodes), fem.Function(nodes)  # the unknown; the terms of dT/dt from times before
+rate = fem.Constant(body, PETSc.ScalarType(0))  # 1/s: the coefficient of T in dT/dt
+u, v, normal = ufl.TrialFunction(nodes), ufl.TestFunction(nodes), ufl.FacetNormal(body)
 left = (rho_c * rate * u * v + sum(k[d] * u.dx(d) * v.dx(d) for d in range(dim))) * ufl.dx
 right = (rho_c * known * v + source * v) * ufl.dx
 for d in range(dim):
-    of_side, value, b = sides[3 * d : 3 * d + 3]
-    value.x.array[:] *= np.where(of_side.x.array == 2, 1, b.x.array)
-    left, right = left + b * u * v * normal[d] ** 2 * ufl.ds, right + value * v * normal[d] ** 2 * ufl.ds
-walls = [fem.dirichletbc(wall, np.flatnonzero(kind.x.array == 1).astype(np.int32))]
+    side, value, b = sides[3 * d:3 * d + 3]
+    entering = fem.Function(nodes)  # W/m^2, apart from what the wall's own temperature takes
+    entering.x.array[:] = np.where(side.x.array == FLUX, value.x.array, b.x.array * value.x.array)
+    across = normal[d] ** 2  # 1 on the sides across axis d, else 0
+    left += b * u * v * across * ufl.ds
+    right += entering * v * across * ufl.ds
+walls = [fem.dirichletbc(held, np.flatnonzero(kind.x.array == HELD).astype(np.int32))]
+
+# The start has the heat of each element: a projection.
 petsc.LinearProblem(rho_c * u * v * ufl.dx, rho_c * start * v * ufl.dx, [], T).solve()
-problem = petsc.LinearProblem(left, right, walls, T, {"ksp_type": "preonly", "pc_type": "lu"})
+fastest = (sum(k[d].x.array / width[d] ** 2 for d in range(dim)) / rho_c.x.array).max()
+steps = int(np.ceil(8 * t_end * fastest))
+dt = t_end / steps
+problem = petsc.LinearProblem(left, right, walls, T, DIRECT)
 old = T.x.array.copy()
-for step in range(steps):  # the first is Euler's
-    older, old, rate.value = old, T.x.array.copy(), (1 if step == 0 else 1.5) * steps / t_end
-    known.x.array[:] = (old if step == 0 else 2 * old - older / 2) * steps / t_end
+for step in range(steps):
+    older, old = old, T.x.array.copy()
+    if step == 0:  # Euler's: dT/dt = (T - old) / dt
+        rate.value, known.x.array[:] = 1 / dt, old / dt
+    else:  # dT/dt = (1.5 T - 2 old + 0.5 older) / dt
+        rate.value, known.x.array[:] = 1.5 / dt, (2 * old - older / 2) / dt
     problem.solve()
-header = f"# steps = {steps}\n{'x,y,T' if dim > 1 else 'x,T'}"
-np.savetxt(sys.argv[2], np.c_[at, T.x.array], "%.17g", ",", header=header, comments="")
+
+np.savetxt(sys.argv[2], np.column_stack([places(nodes), T.x.array]), "%.17g", ",", comments="",
+           header=f"# steps = {steps}\n" + ",".join(["x", "y"][:dim] + ["T"]))
