@@ -2,10 +2,10 @@
 
     dT/dt = DT laplacian T
 
-It knows one material and no source.  Where conductivities differ, y is stretched by sqrt(k_x / k_y), which makes them
-one; its unit of time is a step.  The case file gives the grid and the end time.  `heatladder reference` gives all else
-(start, coefficients, walls) at the centres of the cells and of the faces on the sides.  $HEATLADDER is the path of
-that program.
+It knows one material and no source.  Where conductivities differ, y is stretched by sqrt(k_x / k_y), which makes
+them one; its unit of time is a step.  The case file gives the grid and the end time.  `heatladder reference` gives
+all else (start, coefficients, walls) at the centres of the cells and of the faces on the sides.  $HEATLADDER is the
+path of that program.
 """
 import math
 import os

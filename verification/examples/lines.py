@@ -59,7 +59,8 @@ for d in range(dim):
     resistance = width[d] / (2 * k)
     for side, cell in (0, 1), (-1, -2):
         wall = along(d, side)
-        resistance[wall] = np.select([kind[wall] == FLUX, kind[wall] == COOLED], [np.inf, 1 / np.fmax(b[wall], 1e-300)])
+        resistance[wall] = np.select([kind[wall] == FLUX, kind[wall] == COOLED],
+                                     [np.inf, 1 / np.fmax(b[wall], 1e-300)])
         T[wall] = value[wall]
         source[along(d, cell)] += np.where(kind[wall] == FLUX, value[wall] / width[d], 0)
     below, above = along(d, slice(None, -1)), along(d, slice(1, None))

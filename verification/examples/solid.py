@@ -2,8 +2,8 @@
 
     rho_c dT/dt = source + sum over the faces of a cell of (heat flux into the cell) / width
 
-A case in the plane is a slab: its x and y lie along two axes of the box, which the case names (`axes = x,z`), and along
-the third nothing changes.  A rod lies along x.  `heatladder reference` gives start, source, coefficients and walls at
+A case in the plane is a slab: its x and y lie along two axes of the box, which the case names (`axes = x,z`), and
+along the third nothing changes.  A rod lies along x.  `heatladder reference` gives start, source, coefficients and walls at
 the centres of the cells of one layer and of the faces on its sides.  $HEATLADDER is the path of that program.
 """
 import os
@@ -73,7 +73,8 @@ for d in range(3):
         if name is None:
             resistance[wall] = np.inf
             continue
-        resistance[wall] = np.select([kind[wall] == FLUX, kind[wall] == COOLED], [np.inf, 1 / np.fmax(b[wall], 1e-300)])
+        resistance[wall] = np.select([kind[wall] == FLUX, kind[wall] == COOLED],
+                                     [np.inf, 1 / np.fmax(b[wall], 1e-300)])
         T[wall] = value[wall]
         source[along(d, cell)] += np.where(kind[wall] == FLUX, value[wall] / spacing[d], 0)
     conductance.append(1 / (resistance[along(d, slice(1, None))] + resistance[along(d, slice(None, -1))]))
