@@ -34,13 +34,17 @@ int step_limit_model(struct model_problem *b, struct failure *why) {
     return model_problem_resolve(b, b->dim == 1 ? LIMIT_ROD : cloud ? LIMIT_SQUARE_JITTER : LIMIT_SQUARE, why);
 }
 
-static int refuse_stepper(const char *name, struct failure *why) {
+/* A stepper without a largest stable step. */
+static int refuse_stepper(const struct stepper *s, struct failure *why) {
+    const char *reason = s->evolve ? "takes no steps"
+                         : s->plan ? "takes the one step that its error asks for"
+                                   : "is stable at any step, by more updates";
     const char *names[WORDS_MAX] = {0};
     char text[200];
     for (int i = 1, n = 0; stepper_words[i] && n < WORDS_MAX - 1; i++)
         if (stepper_of((enum stepper_name)i)->amplification) names[n++] = stepper_words[i];
     words_join(names, text, sizeof text);
-    return refuse(why, STATUS_INPUT, "--stepper %s: limit takes %s", name, text);
+    return refuse(why, STATUS_INPUT, "--stepper %s: it %s; limit takes %s", s->name, reason, text);
 }
 
 int step_limit_setup(const struct method *m, const struct options *o, int dim, double ratio, int stages,
@@ -49,7 +53,7 @@ int step_limit_setup(const struct method *m, const struct options *o, int dim, d
     if (ratio > 0 && dim == 1)
         return refuse(why, STATUS_INPUT, "--ratio %g: a rod has one diffusivity; --dim 2 has two", ratio);
     const struct stepper *stepper = stepper_of(b->step.stepper);
-    if (stepper && !stepper->amplification) return refuse_stepper(stepper->name, why);
+    if (stepper && !stepper->amplification) return refuse_stepper(stepper, why);
     if (stepper && stepper != stepper_of(STEPPER_EULER) && !m->scheme)
         return refuse(why, STATUS_INPUT, "--stepper %s: %s has euler", stepper->name, m->name);
     if (stepper && stepper->count ? stages < 3 : stages > 0)
