@@ -134,10 +134,21 @@ static void along_x(const char *text, char out[WORDING_ALL]) {
     snprintf(out, WORDING_ALL, "%.*s%s", letters, text, both ? both + 7 : "");
 }
 
+static const char COEFFICIENT[] = "heat transfer coefficient", OF_SIDE[] = " of side x_lo";
+
+/* The coefficient of one side as that of all: a rod has one that is cooled, and a draw may mirror it. */
+static void of_all_sides(const char *text, char out[WORDING_ALL]) {
+    const char *at = strstr(text, COEFFICIENT), *end = at ? at + strlen(COEFFICIENT) : text + strlen(text);
+    int one = strncmp(end, OF_SIDE, strlen(" of side ")) == 0;
+    snprintf(out, WORDING_ALL, "%.*s%s%s", (int)(end - text), text, one ? "s" : "",
+             one ? end + strlen(OF_SIDE) : end);
+}
+
 static int same_fault(const char *said, const char *of) {
-    char a[WORDING_ALL], b[WORDING_ALL];
+    char a[WORDING_ALL], b[WORDING_ALL], general[WORDING_ALL];
     size_t m, n;
-    along_x(said, a), along_x(of, b);
+    along_x(said, general), of_all_sides(general, a);
+    along_x(of, general), of_all_sides(general, b);
     const char *x = size_in(a, &m), *y = size_in(b, &n);
     if (x - a != y - b || strncmp(a, b, (size_t)(x - a)) != 0) return 0;
     x += strspn(x, "0123456789.e+-"), y += strspn(y, "0123456789.e+-");
@@ -170,6 +181,16 @@ static int middle(const char *const text[], int count, int best, int votes) {
     return best;
 }
 
+/* Whether those that name the coefficient name one side. */
+static int one_side(const char *const text[], int count, const char *what) {
+    const char *side = strstr(what, COEFFICIENT);
+    for (int i = 0; side && i < count; i++) {
+        const char *other = strstr(text[i], COEFFICIENT);
+        if (other && strncmp(other, side, strlen(COEFFICIENT) + strlen(OF_SIDE)) != 0) return 0;
+    }
+    return 1;
+}
+
 /* 1 where at least half of those that name a fault name that one, and of the same size to 20 %: but for runs that
  * differ, by as much as each field makes of it. */
 static int agree(const char *const text[], int count, const char *what) {
@@ -189,7 +210,12 @@ void wording_all(const char *const text[], int count, char *all, size_t size) {
     size_t letters;
     *all = '\0';
     if (best < 0) return;
-    const char *what = text[middle(text, count, best, votes)];
+    char what[WORDING_ALL];
+    const char *chosen = text[middle(text, count, best, votes)];
+    if (one_side(text, count, chosen))
+        snprintf(what, sizeof what, "%s", chosen);
+    else
+        of_all_sides(chosen, what);
     size_in(what, &letters);
     snprintf(all, size, "%s%.*s (%d of %d gates that do not hold)", agree(text, count, what) ? "" : "perhaps ",
              (int)letters, what, votes, count);

@@ -290,6 +290,27 @@ static void most_gates_name_one_fault(void **state) {
     assert_string_equal(all, "");
 }
 
+/* A draw may mirror the cooled side of a rod: the coefficient is then at fault on all sides; where all name one side
+ * it is that one. */
+static void coefficients_of_sides_are_one_fault(void **state) {
+    (void)state;
+    static const char *const said[] = {
+        "as if the heat transfer coefficient of side x_lo were 49.9 % too small (100 % of the error)",
+        "as if the heat transfer coefficients were 50.1 % too small (100 % of the error)",
+        "as if the heat transfer coefficient of side x_hi were 50 % too small (100 % of the error)",
+        "as if the heat transfer coefficient of side x_hi were 51 % too small (100 % of the error)"};
+    char all[WORDING_ALL];
+    wording_all(said, 3, all, sizeof all);
+    assert_string_equal(all,
+                        "as if the heat transfer coefficients were 50 % too small (3 of 3 gates that do not hold)");
+    wording_all(said + 1, 2, all, sizeof all); /* of two the smaller */
+    assert_string_equal(all,
+                        "as if the heat transfer coefficients were 50 % too small (2 of 2 gates that do not hold)");
+    wording_all(said + 2, 2, all, sizeof all);
+    assert_string_equal(
+        all, "as if the heat transfer coefficient of side x_hi were 50 % too small (2 of 2 gates that do not hold)");
+}
+
 /* A name needs half of those that name anything, with sizes that agree; x, and x and y, are one vote. */
 static void a_name_that_few_give_is_perhaps(void **state) {
     (void)state;
@@ -372,12 +393,19 @@ static void a_correct_code_has_none(void **state) {
 
 int main(void) {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(faults_are_named_with_their_size), cmocka_unit_test(values_for_means_are_named),
-        cmocka_unit_test(rounded_temperatures_are_named),   cmocka_unit_test(runs_that_differ_are_named),
-        cmocka_unit_test(a_conductivity_is_no_end_time),    cmocka_unit_test(a_projection_is_no_fault),
-        cmocka_unit_test(a_start_tells_what_numbers_are),   cmocka_unit_test(most_gates_name_one_fault),
-        cmocka_unit_test(a_name_that_few_give_is_perhaps),  cmocka_unit_test(sizes_that_cannot_be_are_not),
-        cmocka_unit_test(a_clock_may_follow_the_spacing),   cmocka_unit_test(a_correct_code_has_none),
+        cmocka_unit_test(faults_are_named_with_their_size),
+        cmocka_unit_test(values_for_means_are_named),
+        cmocka_unit_test(rounded_temperatures_are_named),
+        cmocka_unit_test(runs_that_differ_are_named),
+        cmocka_unit_test(a_conductivity_is_no_end_time),
+        cmocka_unit_test(a_projection_is_no_fault),
+        cmocka_unit_test(a_start_tells_what_numbers_are),
+        cmocka_unit_test(most_gates_name_one_fault),
+        cmocka_unit_test(coefficients_of_sides_are_one_fault),
+        cmocka_unit_test(a_name_that_few_give_is_perhaps),
+        cmocka_unit_test(sizes_that_cannot_be_are_not),
+        cmocka_unit_test(a_clock_may_follow_the_spacing),
+        cmocka_unit_test(a_correct_code_has_none),
     };
     return cmocka_run_group_tests_name("diagnosis", tests, NULL, NULL);
 }
