@@ -11,12 +11,12 @@
  *
  * s = max(2 dx, min(dx (d ln N + 6)^(1/d), extent / 4)).  With `extent / s` rounded down to a whole number of boxes a
  * gap of two boxes' sides always holds one: at N = 64 that is 5/16 of a rod or 1/8 of a square's side.
- *
- * Points are the same where they are within 1e-9 of the extent. */
+ */
 #include "verification/foreign/coverage.h"
 
 #include "solver/shape.h"
 #include "solver/status.h"
+#include "verification/foreign/same_points.h"
 #include "verification/foreign/samples.h"
 
 #include <math.h>
@@ -57,7 +57,7 @@ static int check_inside(const struct samples *s, const struct problem *p, struct
             double x = s->value[a][i];
             if (x >= lo && x <= hi) continue;
             return refuse(why, STATUS_INPUT, "%.150s, line %ld: %c = %.9g m is outside %g to %g m", s->path,
-                          s->line[i], "xy"[a], x, p -> lo[a], p -> hi[a]);
+                          samples_line(s, i), "xy"[a], x, p -> lo[a], p -> hi[a]);
         }
     }
     return STATUS_OK;
@@ -67,8 +67,8 @@ static int check_inside_shape(const struct samples *s, const struct problem *p, 
     for (size_t i = 0; i < s->n; i++) {
         double x[2] = {s->value[COLUMN_X][i], s->value[COLUMN_Y][i]};
         if (shape_depth(p, x) >= -SLACK * p->radius[1]) continue;
-        return refuse(why, STATUS_INPUT, "%.150s, line %ld: (%.9g, %.9g) m is outside the %s", s->path, s->line[i],
-                      x[0], x[1], p->shape->name);
+        return refuse(why, STATUS_INPUT, "%.150s, line %ld: (%.9g, %.9g) m is outside the %s", s->path,
+                      samples_line(s, i), x[0], x[1], p->shape->name);
     }
     return STATUS_OK;
 }
@@ -127,54 +127,6 @@ static int check_gaps(const struct samples *s, const struct problem *p, const do
     return empty < all(&b) ? refuse_gap(&b, empty, why) : STATUS_OK;
 }
 
-struct point {
-    double strip, y; /* strip: along x, a whole number of widths of two distances */
-    size_t i;
-};
-
-static int by_strip(const void *a, const void *b) {
-    const struct point *p = a, *q = b;
-    return p->strip != q->strip ? (p->strip > q->strip) - (p->strip < q->strip) : (p->y > q->y) - (p->y < q->y);
-}
-
-/* Most programs write their points row by row, and sorting them again is most of what judging them costs. */
-static void sort_by_strip(struct point *at, size_t n) {
-    for (size_t i = 1; i < n; i++)
-        if (by_strip(&at[i - 1], &at[i]) > 0) {
-            qsort(at, n, sizeof *at, by_strip);
-            return;
-        }
-}
-
-static int refuse_same(const struct samples *s, const struct problem *p, size_t i, size_t j, struct failure *why) {
-    long l = s->line[i], m = s->line[j];
-    return refuse(why, STATUS_INPUT,
-                  "%.150s, line %ld: the same point as in line %ld (x = %.9g m%s); one value a "
-                  "point is wanted",
-                  s->path, l > m ? l : m, l > m ? m : l, s->value[COLUMN_X][i],
-                  p->dim == 1 ? ", for a rod one row of points" : "");
-}
-
-/* Two points nearer than a distance in x share a strip two distances wide, of those from 0 or of those from one
- * distance on; sorted within it by y, they are next to each other. */
-static int check_same(const struct samples *s, const struct problem *p, struct failure *why) {
-    double away[2] = {SLACK * extent(p, 0), p->dim == 2 ? SLACK * extent(p, 1) : 1};
-    struct point *at = xcalloc(s->n, sizeof *at);
-    int status = STATUS_OK;
-    for (int shift = 0; shift < 2 && !status; shift++) {
-        for (size_t i = 0; i < s->n; i++) {
-            double x = (s->value[COLUMN_X][i] - p->lo[0]) / away[0];
-            at[i] = (struct point){floor((x + shift) / 2), p->dim == 2 ? s->value[COLUMN_Y][i] : 0, i};
-        }
-        sort_by_strip(at, s->n);
-        for (size_t i = 1; i < s->n && !status; i++)
-            if (at[i].strip == at[i - 1].strip && at[i].y - at[i - 1].y <= away[1])
-                status = refuse_same(s, p, at[i - 1].i, at[i].i, why);
-    }
-    free(at);
-    return status;
-}
-
 int coverage_check(const struct samples *s, const struct problem *p, const double d[2], struct failure *why) {
     size_t fewest = fewest_points(p, d);
     if (check_inside(s, p, why) || (p->shape && check_inside_shape(s, p, why))) return STATUS_INPUT;
@@ -182,5 +134,5 @@ int coverage_check(const struct samples *s, const struct problem *p, const doubl
         return refuse(why, STATUS_INPUT, "%.150s: %zu point%s where dx = %g m asks for %zu at least", s->path, s->n,
                       s->n == 1 ? "" : "s", d[0], fewest);
     if (check_gaps(s, p, d, why)) return STATUS_INPUT;
-    return check_same(s, p, why);
+    return same_points_check(s, p, why);
 }

@@ -61,7 +61,7 @@ static int check_weights(const struct samples *s, struct failure *why) {
         double w = s->value[COLUMN_W][i];
         if (!(w >= 0))
             return refuse(why, STATUS_INPUT, "%.150s, line %ld: w = %g; a weight must be 0 or more", s->path,
-                          s->line[i], w);
+                          samples_line(s, i), w);
         sum += w;
     }
     if (s->value[COLUMN_W] && !(sum > 0))

@@ -11,7 +11,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { MAGIC = 6, HEADER = 4096, ROW = 4096 };
+enum { MAGIC = 6, HEADER = 4096, BLOCK = 65536 };
 
 struct layout {
     size_t rows, stride;         /* bytes from row to row */
@@ -113,25 +113,44 @@ static double value_at(const char *row, const struct layout *l, int column) {
     return single;
 }
 
-static int read_rows(FILE *in, const struct layout *l, struct samples *s, struct failure *why) {
-    char row[ROW];
-    if (l->stride > ROW) return wrong(s, why, "more than 4 kB a point");
-    for (size_t i = 0; i < l->rows; i++) {
-        if (fread(row, 1, l->stride, in) != l->stride)
-            return refuse(why, STATUS_INPUT, "%.150s: cut off at row %zu of %zu", s->path, i + 1, l->rows);
-        if (s->n == s->room) samples_grow(s);
-        for (int k = 0; k < COLUMN_COUNT; k++) {
-            if (!l->bytes[k]) continue;
-            s->value[k][i] = value_at(row, l, k);
-            if (!isfinite(s->value[k][i]))
-                return refuse(why, STATUS_NUMERICAL, "%.150s, row %zu: %s is not finite", s->path, i + 1,
-                              samples_column_name(&(struct column_map){0}, k));
-        }
-        s->line[i] = (long)i + 1;
-        s->n = i + 1;
+/* Whether what is left of the file is the rows of its header, and room for them. */
+static int make_room(FILE *in, const struct layout *l, struct samples *s, struct failure *why) {
+    long here = ftell(in);
+    if (here < 0 || fseek(in, 0, SEEK_END)) return wrong(s, why, "its size cannot be told");
+    size_t left = (size_t)(ftell(in) - here), rows = left / l->stride;
+    if (fseek(in, here, SEEK_SET)) return wrong(s, why, "cannot be read from its first row on");
+    if (rows < l->rows)
+        return refuse(why, STATUS_INPUT, "%.150s: cut off at row %zu of %zu", s->path, rows + 1, l->rows);
+    if (left > l->rows * l->stride) return wrong(s, why, "goes on after its last row");
+    if (l->rows == 0) return wrong(s, why, "no points");
+    samples_reserve(s, l->rows);
+    return STATUS_OK;
+}
+
+static int put_row(const char *row, const struct layout *l, struct samples *s, struct failure *why) {
+    for (int k = 0; k < COLUMN_COUNT; k++) {
+        if (!l->bytes[k]) continue;
+        double value = s->value[k][s->n] = value_at(row, l, k);
+        if (!isfinite(value))
+            return refuse(why, STATUS_NUMERICAL, "%.150s, row %zu: %s is not finite", s->path, s->n + 1,
+                          samples_column_name(&(struct column_map){0}, k));
     }
-    if (fgetc(in) != EOF) return wrong(s, why, "goes on after its last row");
-    return s->n ? STATUS_OK : wrong(s, why, "no points");
+    s->n++;
+    return STATUS_OK;
+}
+
+static int read_rows(FILE *in, const struct layout *l, struct samples *s, struct failure *why) {
+    if (l->stride > BLOCK) return wrong(s, why, "more than 64 kB a point");
+    if (make_room(in, l, s, why)) return why->status;
+    char *block = xcalloc(BLOCK, 1);
+    int status = STATUS_OK;
+    while (s->n < l->rows && !status) {
+        size_t rows = fread(block, l->stride, BLOCK / l->stride, in);
+        if (rows == 0) status = wrong(s, why, "could not be read to its end");
+        for (size_t i = 0; i < rows && !status; i++) status = put_row(block + i * l->stride, l, s, why);
+    }
+    free(block);
+    return status;
 }
 
 int npy_file_read(FILE *in, const struct column_map *c, struct samples *s, struct failure *why) {

@@ -50,6 +50,16 @@ void samples_free(struct samples *s) {
     *s = (struct samples){0};
 }
 
+void samples_reserve(struct samples *s, size_t room) {
+    for (int k = 0; k < COLUMN_COUNT; k++)
+        if (s->has[k]) s->value[k] = xcalloc(room, sizeof *s->value[k]);
+    s->room = room;
+}
+
+long samples_line(const struct samples *s, size_t i) {
+    return s->line ? s->line[i] : (long)i + 1;
+}
+
 void samples_grow(struct samples *s) {
     size_t room = s->room ? 2 * s->room : 1024;
     for (int k = 0; k < COLUMN_COUNT; k++)

@@ -24,15 +24,17 @@ const char *samples_column_name(const struct column_map *c, int column);
 struct samples {      /* owned arrays: samples_free */
     const char *path; /* what messages call the file */
     int dim;
-    int has[COLUMN_COUNT]; /* 1 for a column that is there; to be set before the first samples_grow */
+    int has[COLUMN_COUNT]; /* 1 for a column that is there; to be set before the first samples_grow or _reserve */
     size_t n, room;
     double *value[COLUMN_COUNT];    /* of n points; NULL for a column that is not there */
-    long *line;                     /* of the file, counted from 1 */
+    long *line;                     /* of the file, counted from 1; NULL where that is the number of the point */
     double seconds, steps, updates; /* what the program says that it took; NaN where it says nothing */
 };
 
 void samples_free(struct samples *s);
-void samples_grow(struct samples *s); /* to twice the room */
+void samples_grow(struct samples *s);                 /* to twice the room */
+void samples_reserve(struct samples *s, size_t room); /* of an empty one whose points are its lines */
+long samples_line(const struct samples *s, size_t i); /* of point i in the file, counted from 1 */
 
 /* The value of one cell into its place, or a refusal that names path, line and column. */
 int samples_put(struct samples *s, int column, const char *text, size_t length, long line, int place,

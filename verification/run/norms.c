@@ -18,10 +18,7 @@ static double weight(const struct field *f, size_t i) {
     return f->weight ? f->weight[i] : 1;
 }
 
-enum {
-    CHUNK = 2000, /* points at a time */
-    MANY = 20000  /* points: more than threads cost to start */
-};
+enum { CHUNK = 2000 }; /* points at a time */
 
 /* T and its bound of a chunk from point `first` on. */
 static void exact_chunk(const struct snapshot *now, const struct field *f, size_t first, double *T, double *bound) {
@@ -40,7 +37,7 @@ static void exact_chunk(const struct snapshot *now, const struct field *f, size_
 double norms_exact(const struct scene *s, const struct problem *p, const struct field *f, double *T) {
     double bound = 0, whole = 0, *bounds = xcalloc(f->n, sizeof *bounds);
     struct snapshot now = snapshot_take(s, p, f->time);
-#pragma omp parallel for schedule(dynamic, 1) if (f->n >= MANY)
+#pragma omp parallel for schedule(dynamic, 1) if (f->n >= NORMS_MANY)
     for (size_t i = 0; i < f->n; i += CHUNK) exact_chunk(&now, f, i, T, bounds);
     snapshot_free(&now);
     for (size_t i = 0; i < f->n; i++) {
@@ -73,7 +70,7 @@ int norms_check(const struct field *f, const double *exact, struct failure *why)
 static unsigned char *points_that_count(const struct problem *p, const struct field *f, const double *exact,
                                         enum norms_part part, double distance) {
     unsigned char *counts = xcalloc(f->n, 1);
-#pragma omp parallel for if (f->n >= MANY)
+#pragma omp parallel for if (f->n >= NORMS_MANY)
     for (size_t i = 0; i < f->n; i++) {
         double x[2];
         point(f, i, x);
@@ -124,7 +121,7 @@ static void widen(const struct problem *p, const struct field *f, double *lo, do
     for (int s = 0; s < 2 * p->dim; s++) {
         if (!shape_has_wall(p, s) || p->side[s] != DIRICHLET) continue;
         size_t n = p->dim == 1 ? 1 : f->n;
-#pragma omp parallel for reduction(min : coldest) reduction(max : hottest) if (n >= MANY)
+#pragma omp parallel for reduction(min : coldest) reduction(max : hottest) if (n >= NORMS_MANY)
         for (size_t i = 0; i < n; i++) {
             double x[2];
             point(f, i, x);
@@ -160,7 +157,7 @@ struct norms_shape norms_shape(const struct problem *p, const struct field *f, c
         sum += f->T[i];
     }
     if (isnan(sum)) shape.min = shape.max = NAN; /* fmin and fmax skip a NaN */
-    widen(p, f, &lo, &hi);
+    if (!(shape.min >= lo && shape.max <= hi)) widen(p, f, &lo, &hi);
     shape.overshoot = shape.max <= hi ? 0 : shape.max - hi;
     shape.undershoot = shape.min >= lo ? 0 : lo - shape.min;
     shape.variation = variation(f);

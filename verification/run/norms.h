@@ -33,6 +33,8 @@ struct norms_error {
     size_t left_out; /* points of the field where the solution has no value */
 };
 
+enum { NORMS_MANY = 20000 }; /* points: more than threads cost to start */
+
 enum norms_part { NORMS_ALL, NORMS_INTERIOR, NORMS_BOUNDARY };
 
 /* Over the points whose distance to the nearest wall is at least (interior) or below (boundary) `distance`, m.

@@ -79,13 +79,13 @@ static int measure(const struct experiment *e, const struct field *f, const doub
     /* Euler is stable for dt <= 2 / bound */
     out->saving = f->bound > 0 && f->applications > 0 ? f->bound * p->t_end / 2 / (double)f->applications : NAN;
     out->particles = f->n;
-    out->error = norms_error(p, f, reference, NORMS_ALL, 0);
+    struct norms_error *parts[] = {&out->error, &out->interior, &out->boundary};
+    double skin = (p->dim == 2 ? fmin(p->hi[0] - p->lo[0], p->hi[1] - p->lo[1]) : p->hi[0] - p->lo[0]) / 10;
+#pragma omp parallel for schedule(dynamic, 1) if (f->n >= NORMS_MANY)
+    for (int k = 0; k < 3; k++) *parts[k] = norms_error(p, f, reference, (enum norms_part)k, skin);
     if (!isfinite(out->error.l1))
         return refuse(&out->failure, STATUS_NUMERICAL, "E1 = %g: temperatures of up to %g K off", out->error.l1,
                       out->error.linf);
-    double skin = (p->dim == 2 ? fmin(p->hi[0] - p->lo[0], p->hi[1] - p->lo[1]) : p->hi[0] - p->lo[0]) / 10;
-    out->interior = norms_error(p, f, reference, NORMS_INTERIOR, skin);
-    out->boundary = norms_error(p, f, reference, NORMS_BOUNDARY, skin);
     if (measure_derived(e, f, out)) return out->failure.status;
     out->shape = norms_shape(p, f, reference);
     out->settling = f->settling;
