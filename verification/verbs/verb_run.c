@@ -15,6 +15,16 @@
 #include <stdio.h>
 
 /* unit: of --quantity */
+/* What is known of it: a program may say nothing but its answer. */
+static void print_cost(const struct result *r) {
+    if (isnan(r->seconds) && r->updates == 0) return;
+    printf("  %-14s", "cost");
+    if (!isnan(r->seconds)) printf(" %.3g s%s", r->seconds, r->updates > 0 ? "," : "");
+    if (r->updates > 0) printf(" %lld updates", r->updates);
+    if (r->interactions > 0) printf(", %lld interactions, %zu bytes", r->interactions, r->bytes);
+    putchar('\n');
+}
+
 static void print_text(const struct result *r, const char *unit) {
     char what[240];
     result_describe(r, what, sizeof what);
@@ -38,8 +48,7 @@ static void print_text(const struct result *r, const char *unit) {
         printf("  %-14s settled in %d sweeps; nearest particles %.3g dx apart, density within %.2g %% (one sigma)\n",
                "cloud", c->sweeps, c->nearest, 100 * c->spread);
     if (isfinite(r->heat_drift)) printf("  %-14s %.2e of the heat at the start\n", "heat drift", r->heat_drift);
-    printf("  %-14s %.3g s, %lld updates, %lld interactions, %zu bytes\n", "cost", r->seconds, r->updates,
-           r->interactions, r->bytes);
+    print_cost(r);
     if (r->search_updates > 0)
         printf("  %-14s %lld updates of other runs, to choose the time step\n", "search", r->search_updates);
 }
