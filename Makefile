@@ -274,7 +274,7 @@ $(OUT)/%.svg $(OUT)/%.png: %.gp $(wildcard reports/figure/*.gp) $(OUT)/report.st
 	$(Q)scripts/plot $(OUT) $<
 
 # The figures that README.md shows.
-GALLERY := song_fig1b song_fig2a song_fig2b pamplona_fig5 stability_limits matched_fig1 operators_error operators_redraw operators_growth walls_error
+GALLERY := song_fig1b song_fig2a song_fig2b pamplona_fig5 stability_limits matched_fig1 operators_error operators_work operators_redraw operators_growth walls_error
 
 # Data of some, small and without a clock in them, that scripts/check_readme compares with what is measured.
 GALLERY_DATA := song_fig1b song_fig2a song_fig2b matched_fig1
@@ -446,12 +446,14 @@ sanitize: ## Run the tests and the quick gates under the address and undefined-b
 	+$(Q)$(MAKE) BUILD=$(BUILD)/sanitize CFLAGS='$(SANITIZE)' all test
 	$(Q)$(BUILD)/sanitize/heatladder verify --quick
 
-# Which lines the tests and the gates run, room by room, by gcov; data of both in one place.
+# Which lines the tests and the gates run, room by room, by gcov; data of both in one place.  gcov allocates memory of
+# its own when a program ends, so that check_memory, which lets each allocation fail in turn, has no meaning there.
 COVER := $(BUILD)/coverage
 .PHONY: coverage
 coverage: ## Count the lines that tests and gates run, folder by folder, to reports/out/coverage.txt
 	@mkdir -p $(OUT)
-	+$(Q)$(MAKE) -s BUILD=$(COVER) CFLAGS='-O0 --coverage' LDFLAGS=--coverage all test
+	+$(Q)$(MAKE) -s BUILD=$(COVER) CFLAGS='-O0 --coverage' LDFLAGS=--coverage \
+	SCRIPT_TESTS='$(filter-out %check_memory,$(SCRIPT_TESTS))' all test
 	$(Q)mkdir -p $(COVER)/report; for study in song pamplona matched claims page; do \
 	$(COVER)/heatladder report $$study $(COVER)/report >/dev/null || exit 1; done; $(COVER)/heatladder verify >/dev/null
 	$(Q)scripts/coverage $(COVER) > $(OUT)/coverage.new && mv $(OUT)/coverage.new $(OUT)/coverage.txt && cat $(OUT)/coverage.txt

@@ -7,6 +7,7 @@
  * rod-contact a start that jumps where two meet.
  * Operators by themselves: n x n particles in the plane with dx = 1 and kappa = 1, insulated for the weights, between
  * cold walls for the eigenvalues; assembly is timed on 316 x 316 particles.
+ * Error against work: the ladders of rect-manufactured, in pairs of neighbours that the steps took.
  * Error against neighbours: rect-manufactured at one spacing, h/dx from 0.9 to 2. */
 #include "reports/operators/operators.h"
 
@@ -160,6 +161,72 @@ static void tabulate_orders(const struct order *all, FILE *md) {
     }
 }
 
+/* ---- Error against work ---- */
+
+static const int worked_on[] = {0, 3, 4}; /* of the clouds */
+enum { WORKED_ON = 3, WORKED = 2 /* of the trials */ };
+
+/* The interactions (pairs of neighbours in all steps and stages) at which E1 falls to `error`, between two rungs on
+ * the straight line of their logarithms; NaN where none is that good, or all are. */
+static double work_at(const struct ladder *l, double error) {
+    for (int i = 1; i < l->n; i++) {
+        const struct result *coarse = &l->rung[i - 1], *fine = &l->rung[i];
+        if (coarse->error.l1 < error || fine->error.l1 > error) continue;
+        double part = log(coarse->error.l1 / error) / log(coarse->error.l1 / fine->error.l1);
+        double ratio = (double)fine->interactions / (double)coarse->interactions;
+        return (double)coarse->interactions * pow(ratio, part);
+    }
+    return NAN;
+}
+
+static const struct order *worked(const struct order *all, int operator, int cloud) {
+    return &all[(operator* CLOUDS + worked_on[cloud]) * TRIALS + WORKED];
+}
+
+static void write_work(const struct order *all, FILE *out) {
+    figure_head(out, "rect-manufactured: error against work");
+    fprintf(out,
+            "# command: heatladder ladder rect-manufactured so_ssph --set k_y=0.02 --layout relaxed --seed 1 --dx "
+            "%s\n",
+            trials[WORKED].dx);
+    for (int k = 0; k < WORKED_ON * OPERATORS; k++) {
+        const struct candidate_operator *o = &operators[k % OPERATORS];
+        const struct order *order = worked(all, k % OPERATORS, k / OPERATORS);
+        if (o->materials != trials[WORKED].materials) continue;
+        fprintf(out, "\n\n# %s %s\ninteractions,%s,dx [m]\n", o->method, clouds[worked_on[k / OPERATORS]].name,
+                o->method);
+        for (int i = 0; i < order->ladder.n && !without_order(order); i++) {
+            const struct result *r = &order->ladder.rung[i];
+            fprintf(out, "%lld,%.5e,%g\n", r->interactions, r->error.l1, r->options.dx);
+        }
+    }
+}
+
+static void tabulate_work(const struct order *all, FILE *md) {
+    static const double error = 1e-3;
+    fprintf(
+        md,
+        "\n## Work for E1 = %g, rect-manufactured\n\nInteractions (pairs of neighbours, in all steps and stages), "
+        "between the rungs of the ladders above; -: not reached.\n\n| operator |",
+        error);
+    for (int c = 0; c < WORKED_ON; c++) fprintf(md, " %s |", clouds[worked_on[c]].name);
+    fprintf(md, "\n|---|");
+    for (int c = 0; c < WORKED_ON; c++) fprintf(md, "---|");
+    for (int k = 0; k < OPERATORS; k++) {
+        if (operators[k].materials != trials[WORKED].materials) continue;
+        fprintf(md, "\n| `%s` |", operators[k].method);
+        for (int c = 0; c < WORKED_ON; c++) {
+            const struct order *order = worked(all, k, c);
+            double work = without_order(order) ? NAN : work_at(&order->ladder, error);
+            if (isnan(work))
+                fprintf(md, " - |");
+            else
+                fprintf(md, " %.2e |", work);
+        }
+    }
+    fprintf(md, "\n");
+}
+
 /* ---- Operators by themselves ---- */
 
 struct trait {
@@ -311,7 +378,7 @@ static int write_neighbours(FILE *out, struct failure *why) {
 }
 
 int operators_write(const char *dir, struct failure *why) {
-    enum { PAGES = 5 };
+    enum { PAGES = 6 };
     struct output page[PAGES] = {{0}};
     double start = omp_get_wtime();
     int status = output_directory(dir, "operators.csv", why);
@@ -323,6 +390,8 @@ int operators_write(const char *dir, struct failure *why) {
         fprintf(md, "# Discrete Laplacians side by side\n\n`grows`: a mode grows at any step.\n");
         write_orders(all, csv);
         tabulate_orders(all, md);
+        tabulate_work(all, md);
+        write_work(all, output_open(&page[5], "%s/operators_work.csv", dir));
         free(all);
         fprintf(csv, "\n\n");
         write_traits(csv, md);
@@ -333,6 +402,6 @@ int operators_write(const char *dir, struct failure *why) {
     if (!status) status = output_close(page, PAGES, why);
     output_drop(page, PAGES);
     if (!status)
-        printf("%s/operators.csv, operators.md, data of three figures (%.1f s)\n", dir, omp_get_wtime() - start);
+        printf("%s/operators.csv, operators.md, data of four figures (%.1f s)\n", dir, omp_get_wtime() - start);
     return status;
 }
