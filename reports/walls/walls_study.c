@@ -38,9 +38,10 @@ static const struct body {
 static const double spacings[] = {0.1, 0.07, 0.05, 0.035, 0.025};
 enum { BODIES = 4, SPACINGS = 5, SEEDS = 8, RUNS = SPACINGS * SEEDS, SPECTRA = 4 };
 
-struct entry { /* of a treatment at a body */
-    double dx[RUNS], E1[RUNS], largest[RUNS], drift;
-    double limit, growth; /* dx^2/kappa, kappa/dx^2 */
+struct entry {                                                   /* of a treatment at a body */
+    double dx[RUNS], E1[RUNS], largest[RUNS], work[RUNS], drift; /* work: interactions */
+    double neighbours;                                           /* in the mean, at the finest spacing */
+    double limit, growth;                                        /* dx^2/kappa, kappa/dx^2 */
     struct failure why;
 };
 
@@ -53,9 +54,13 @@ static void take_runs(const char *scene, const char *walls, struct entry *e) {
                          scene + strcspn(scene, " "), walls, 1 + k % SEEDS, e->dx[k]);
         command_run_note(&run, &e->why);
         e->E1[k] = run.result.error.l1, e->largest[k] = run.result.error.linf;
+        e->work[k] = (double)run.result.interactions;
         if (k / SEEDS == SPACINGS - 1) {
 #pragma omp critical(walls_drift)
-            e->drift = fmax(e->drift, fabs(run.result.heat_drift));
+            {
+                e->drift = fmax(e->drift, fabs(run.result.heat_drift));
+                e->neighbours += (double)run.result.interactions / (double)run.result.updates / SEEDS;
+            }
         }
         command_run_free(&run);
     }
@@ -130,7 +135,7 @@ static void write_rows(const struct entry *all, FILE *csv, FILE *md) {
     fprintf(
         csv,
         "walls,body,order derived,order,low,high,order of the largest error,low,high,E1,largest error [K],largest "
-        "stable step [dx^2/kappa],growth [kappa/dx^2],heat drift\n");
+        "stable step [dx^2/kappa],growth [kappa/dx^2],heat drift,neighbours\n");
     fprintf(
         md,
         "# Walls that cut the lattice anywhere\n\nso_ssph, h/dx 1.1, eight lattices of any origin and angle at each "
@@ -141,37 +146,39 @@ static void write_rows(const struct entry *all, FILE *csv, FILE *md) {
             md,
             "\n## %s (%s)\n\n| `--walls` | order derived | order of E1 | order of the largest error | E1 | largest "
             "error, K | step, dx^2/kappa | growth, kappa/dx^2 | heat drift "
-            "|\n|---|---|---|---|---|---|---|---|---|\n",
+            "| neighbours |\n|---|---|---|---|---|---|---|---|---|---|\n",
             bodies[b].name, bodies[b].scene);
         for (int t = 0; t < TREATMENTS; t++) {
             const struct entry *e = &all[b * TREATMENTS + t];
             if (!bodies[b].derived[t]) {
-                fprintf(csv, "%s,%s,refused,,,,,,,,,,,\n", treatments[t], bodies[b].name);
-                fprintf(md, "| `%s` | refused | | | | | | | |\n", treatments[t]);
+                fprintf(csv, "%s,%s,refused,,,,,,,,,,,,\n", treatments[t], bodies[b].name);
+                fprintf(md, "| `%s` | refused | | | | | | | | |\n", treatments[t]);
                 continue;
             }
             struct slope s = slope_fit(e->dx, e->E1, RUNS), m = slope_fit(e->dx, e->largest, RUNS);
-            fprintf(csv, "%s,%s,%s,%.3f,%.3f,%.3f,%.3f,%.3f,%.3f,%.4e,%.4e,%.4g,%.3g,%.2e\n", treatments[t],
+            fprintf(csv, "%s,%s,%s,%.3f,%.3f,%.3f,%.3f,%.3f,%.3f,%.4e,%.4e,%.4g,%.3g,%.2e,%.3f\n", treatments[t],
                     bodies[b].name, bodies[b].derived[t], s.value, s.ci[0], s.ci[1], m.value, m.ci[0], m.ci[1],
-                    mean_of(e->E1), most_of(e->largest), e->limit, e->growth, e->drift);
-            fprintf(md, "| `%s` | %s | %.2f [%.2f, %.2f] | %.2f [%.2f, %.2f] | %.2e | %.2e | %.3f | %.2g | %.1e |\n",
-                    treatments[t], bodies[b].derived[t], s.value, s.ci[0], s.ci[1], m.value, m.ci[0], m.ci[1],
-                    mean_of(e->E1), most_of(e->largest), e->limit, e->growth, e->drift);
+                    mean_of(e->E1), most_of(e->largest), e->limit, e->growth, e->drift, e->neighbours);
+            fprintf(
+                md,
+                "| `%s` | %s | %.2f [%.2f, %.2f] | %.2f [%.2f, %.2f] | %.2e | %.2e | %.3f | %.2g | %.1e | %.2f |\n",
+                treatments[t], bodies[b].derived[t], s.value, s.ci[0], s.ci[1], m.value, m.ci[0], m.ci[1],
+                mean_of(e->E1), most_of(e->largest), e->limit, e->growth, e->drift, e->neighbours);
         }
     }
 }
 
 static void write_errors(const struct entry *all, FILE *out) {
-    figure_head(out, "so_ssph on a disc and on a ring: error against spacing, by treatment of the wall");
+    figure_head(out, "so_ssph on a disc and on a ring: error against spacing and work, by treatment of the wall");
     fprintf(out, "# command: heatladder run disc-mode so_ssph --set wall=1 --walls fit --seed 1 --dx 0.1\n");
     for (int k = 0; k < BODIES * TREATMENTS; k++) {
         if (!bodies[k / TREATMENTS].derived[k % TREATMENTS]) continue;
-        fprintf(out, "\n\n# %s, %s\ndx,%s\n", treatments[k % TREATMENTS], bodies[k / TREATMENTS].name,
+        fprintf(out, "\n\n# %s, %s\ndx,%s,interactions\n", treatments[k % TREATMENTS], bodies[k / TREATMENTS].name,
                 treatments[k % TREATMENTS]);
         for (int i = 0; i < RUNS; i += SEEDS) {
-            double sum = 0;
-            for (int j = i; j < i + SEEDS; j++) sum += all[k].E1[j] / SEEDS;
-            fprintf(out, "%g,%.5e\n", all[k].dx[i], sum);
+            double sum = 0, work = 0;
+            for (int j = i; j < i + SEEDS; j++) sum += all[k].E1[j] / SEEDS, work += all[k].work[j] / SEEDS;
+            fprintf(out, "%g,%.5e,%.5e\n", all[k].dx[i], sum, work);
         }
     }
 }
@@ -286,6 +293,6 @@ int walls_study_write(const char *dir, struct failure *why) {
     free(all);
     if (!status) status = output_close(page, PAGES, why);
     output_drop(page, PAGES);
-    if (!status) printf("%s/walls.csv, walls.md, data of three figures (%.1f s)\n", dir, omp_get_wtime() - start);
+    if (!status) printf("%s/walls.csv, walls.md, data of four figures (%.1f s)\n", dir, omp_get_wtime() - start);
     return status;
 }
