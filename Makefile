@@ -447,11 +447,13 @@ sanitize: ## Run the tests and the quick gates under the address and undefined-b
 	$(Q)$(BUILD)/sanitize/heatladder verify --quick
 
 # Which lines the tests and the gates run, room by room, by gcov; data of both in one place.  gcov allocates memory of
-# its own when a program ends, so that check_memory, which lets each allocation fail in turn, has no meaning there.
+# its own when a program ends, so that check_memory, which lets each allocation fail in turn, has no meaning there; what
+# it counted of older sources is removed first.
 COVER := $(BUILD)/coverage
 .PHONY: coverage
 coverage: ## Count the lines that tests and gates run, folder by folder, to reports/out/coverage.txt
-	@mkdir -p $(OUT)
+	@mkdir -p $(OUT) $(COVER)
+	$(Q)find $(COVER) -name '*.gcda' -exec rm {} +
 	+$(Q)$(MAKE) -s BUILD=$(COVER) CFLAGS='-O0 --coverage' LDFLAGS=--coverage \
 	SCRIPT_TESTS='$(filter-out %check_memory,$(SCRIPT_TESTS))' all test
 	$(Q)mkdir -p $(COVER)/report; for study in song pamplona matched claims page; do \
