@@ -26,8 +26,11 @@
  * A start that jumps is averaged over the cells themselves (--sampling cell): the heat of both sides is then exact.
  *
  * Walls: a particle's mirror image is as far beyond the wall as it is in front, and their face is the cell's part of
- * the wall: fluxes through it are those of mirror ghosts, of second order for any side.
- * Where not: two materials of different k_x/k_y have no common metric. */
+ * the wall: fluxes through it are those of mirror ghosts, of second order for any side.  A round wall cuts the cells
+ * there; a cell's part of it, an arc, conducts over the depth d of its particle, and flux, heat and the maximum
+ * principle are kept as inside.  The flux to a held wall is that at d/2, wrong by k d/2 T_nn, which leaves d^2/2 T_nn
+ * in T there; to a cooled wall b d^2/2 T_nn, and what a cell holds counts at its particle, not at its middle. Where
+ * not: two materials of different k_x/k_y have no common metric. */
 #include "solver/particles/particles.h"
 #include "solver/space/voronoi.h"
 #include "solver/space/voronoi_cell.h"
@@ -102,7 +105,7 @@ static const struct scheme scheme = {.name = "voronoi_flux",
 const struct method method_voronoi_flux = {
     .name = "voronoi_flux",
     .about = "heat fluxes through the faces of Voronoi cells: keeps heat, second order on clouds",
-    .accepts = "stepper layout jitter grading sweeps seed sampling walls",
+    .accepts = "stepper layout jitter grading sweeps seed sampling angle walls",
     .scheme = &scheme,
     .solve = particles_solve,
     .outline = particles_outline,

@@ -37,9 +37,9 @@ static int check_cut(const struct problem *p, const struct options *o, const str
     if (o->layout == LAYOUT_HEXAGONAL && !p->shape)
         return refuse(why, STATUS_NOT_APPLICABLE,
                       "--layout hexagonal: is made for --walls mirror and no --shift here");
-    if (s->cells)
-        return refuse(why, STATUS_NOT_APPLICABLE,
-                      "walls that cut the lattice: cells need images of particles beyond plane walls; take so_ssph");
+    if (s->cells && (!p->shape || o->walls != WALLS_MIRROR))
+        return refuse(why, STATUS_NOT_APPLICABLE, "--walls %s: cells are cut by round walls, and have --walls mirror",
+                      walls_words[o->walls]);
     if (p->materials == 2 || s->sweeps == 2 || o->order > 2 || o->redraw > 0)
         return refuse(why, STATUS_NOT_APPLICABLE, "walls that cut the lattice: %s",
                       p->materials == 2 ? "one material only, the scene has two"
@@ -53,7 +53,7 @@ static int check_cut(const struct problem *p, const struct options *o, const str
     if (p->shape && o->sampling != SAMPLING_POINT)
         return refuse(why, STATUS_NOT_APPLICABLE, "--sampling %s: a round wall cuts cells; take point",
                       sampling_words[o->sampling]);
-    return walls_check(p, o, why);
+    return s->cells ? STATUS_OK : walls_check(p, o, why);
 }
 
 int particles_resolve(const struct problem *p, const struct options *o, const struct scheme *s,

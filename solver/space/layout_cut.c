@@ -12,10 +12,15 @@
 #include <math.h>
 #include <stdlib.h>
 
+/* dx: a cell conducts to its wall as 1/depth, and the largest stable step of a particle next to one falls with it;
+ * cells of the others take the place of those nearer than this. */
+static const double CLEAR = 0.25;
+
 struct frame {                      /* point (i, j) lies at first + (i d[0], j d[1]) along its axes */
     double first[2], d[2], axis[2]; /* m; m; cosine and sine */
     int from[2], to[2], blocks;     /* points that are looked at; a block's side */
     double moved;                   /* m, of a jitter from end to end */
+    double clear;                   /* m, along a wall that is left free */
     int hexagonal;
 };
 
@@ -28,6 +33,7 @@ static struct frame frame_of(const struct problem *p, const struct options *o, c
     struct frame f = {.d = {l->dx[0], l->dx[1]}, .axis = {1, 0}, .to = {1, 1}};
     f.moved = o->layout == LAYOUT_JITTER ? 2 * o->jitter * l->dx[0] : 0;
     f.hexagonal = o->layout == LAYOUT_HEXAGONAL && p->dim == 2;
+    f.clear = p->shape && o->walls == WALLS_MIRROR ? CLEAR * l->dx[0] : 0;
     if (p->shape) {
         double origin[2] = {gsl_rng_uniform(random), gsl_rng_uniform(random)}, angle = 90 * gsl_rng_uniform(random);
         if (f.hexagonal) f.d[1] = sqrt(0.75) * f.d[0];
@@ -90,6 +96,7 @@ static void sort_point(const struct problem *p, const struct frame *f, const dou
                        double reach, struct list *inside, struct list *outside) {
     int wall;
     double depth = shape_nearest(p, x, &wall).depth, on = LAYOUT_ON_WALL * f->d[0], lo[2], hi[2];
+    if (f->clear > 0 && depth < f->clear) return;
     if (!(depth >= -on)) {
         if (beyond(p, x, depth) < reach) list_add(outside, x, 0, 0);
         return;
@@ -126,6 +133,29 @@ static void mirror(const struct problem *p, const struct options *o, const struc
             layout_mirror(p, o, l, i, c);
 }
 
+/* The same in round walls, for cells: as far beyond the nearest point of a wall as the particle is in front of it. */
+static void mirror_round(const struct problem *p, struct cloud *c) {
+    const double k = p->material[0].k[0];
+    c->factor = xcalloc(4 * c->n, sizeof *c->factor);
+    c->total = c->n;
+    for (size_t i = 0; i < c->n; i++) {
+        const double x[2] = {c->x[i], c->y[i]};
+        c->factor[i] = 1;
+        for (int s = X_LO; s <= X_HI; s++) {
+            if (!shape_has_wall(p, s)) continue;
+            struct foot foot = shape_foot(p, s, x);
+            if (foot.depth > c->reach) continue;
+            double value = p->wall(p, (enum side)s, foot.x);
+            double sign = p->side[s] == DIRICHLET ? -1 : layout_robin_factor(p, s, k, foot.depth);
+            size_t g = c->total++;
+            c->x[g] = x[0] + 2 * foot.depth * foot.normal[0], c->y[g] = x[1] + 2 * foot.depth * foot.normal[1];
+            c->source[g] = (uint32_t)i;
+            c->factor[g] = sign;
+            c->offset[g] = p->side[s] == NEUMANN ? 2 * foot.depth * value / k : (1 - sign) * value;
+        }
+    }
+}
+
 int layout_cut(const struct problem *p, const struct options *o, const struct lattice *l, double reach,
                struct cloud *c, struct failure *why) {
     struct list inside = {0}, outside = {0};
@@ -146,7 +176,10 @@ int layout_cut(const struct problem *p, const struct options *o, const struct la
     *c = (struct cloud){.dim = p->dim, .n = inside.n, .total = inside.n + outside.n, .reach = reach};
     c->volume = f.d[0] * (p->dim == 2 ? f.d[1] : 1);
     fill(c, &inside, &outside, mirrors ? 4 * c->total : c->total);
-    if (mirrors) mirror(p, o, l, c);
+    if (mirrors && p->shape)
+        mirror_round(p, c);
+    else if (mirrors)
+        mirror(p, o, l, c);
     list_free(&inside);
     list_free(&outside);
     if (c->n > 0) return STATUS_OK;

@@ -3,7 +3,8 @@
  *
  * Neighbours are taken from square bins, ring after ring; the distance to the edge of the rings searched says what is
  * complete.  A plane wall needs no cut of its own: a particle's mirror image cuts its cell there, and whatever is
- * nearer to an image of another particle is beyond the wall.
+ * nearer to an image of another particle is beyond the wall.  A round wall is a circle that cuts cells
+ * (voronoi_round.c); a particle's image, as far beyond the wall as it is in front, stands for what is beyond it.
  *
  * Both particles of a pair find their face, and keep the mean of the two: the same bits.  A face below NOTHING
  * spacings is none. */
@@ -11,6 +12,7 @@
 
 #include "solver/space/assembly.h"
 #include "solver/space/voronoi_cell.h"
+#include "solver/space/voronoi_round.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -18,12 +20,15 @@
 static const double NOTHING = 1e-10;
 
 struct mesh { /* what the cells are made from */
+    const struct problem *p;
     const struct cloud *c;
     struct cloud places; /* in the metric; arrays of *c where that is the usual one */
     struct neighbours bins;
     double scale[2], interface; /* m, in the metric; NAN with one material */
     double spacing;             /* m */
     double reach;               /* m, of ghosts beyond the walls */
+    size_t points;              /* whose bisectors cut: no images beyond round walls */
+    uint32_t *image;            /* of each particle beyond the inner and the outer wall of a round body; else NULL */
 };
 
 void voronoi_metric(const struct material *m, int dim, double scale[2]) {
@@ -31,8 +36,18 @@ void voronoi_metric(const struct material *m, int dim, double scale[2]) {
     scale[1] = 1 / scale[0];
 }
 
+static void find_images(struct mesh *m) {
+    const struct cloud *c = m->c;
+    m->points = c->n;
+    m->image = xcalloc(2 * c->n, sizeof *m->image);
+    for (size_t g = c->n; g < c->total; g++)
+        m->image[2 * c->source[g] + (hypot(c->x[g], c->y[g]) > m->p->radius[1])] = (uint32_t)g;
+}
+
 static void mesh_create(struct mesh *m, const struct problem *p, const struct cloud *c) {
-    *m = (struct mesh){.c = c, .places = *c, .spacing = c->dim == 2 ? sqrt(c->volume) : c->volume};
+    *m = (struct mesh){.p = p, .c = c, .places = *c, .points = c->total};
+    m->spacing = c->dim == 2 ? sqrt(c->volume) : c->volume;
+    if (p->shape) find_images(m);
     voronoi_metric(&p->material[0], p->dim, m->scale);
     m->interface = p->materials == 2 ? p->interface * m->scale[0] : NAN;
     m->reach = c->reach * fmin(m->scale[0], m->scale[1]);
@@ -48,6 +63,7 @@ static void mesh_create(struct mesh *m, const struct problem *p, const struct cl
 static void mesh_free(struct mesh *m) {
     neighbours_free(&m->bins);
     if (m->scale[0] != 1) free(m->places.x), free(m->places.y);
+    free(m->image);
 }
 
 /* The points of the bins within `rings` of particle i's; returns how far around it these reach, m. */
@@ -70,7 +86,7 @@ static double gather(const struct mesh *m, size_t i, int rings, struct voronoi_c
         for (uint32_t k = row[first[0]]; k < row[past[0]]; k++) {
             uint32_t point = b->point[k];
             double d[2] = {m->places.x[point] - at[0], m->places.y[point] - at[1]};
-            if (point != i) voronoi_cell_offer(out, d, point);
+            if (point != i && point < m->points) voronoi_cell_offer(out, d, point);
         }
     }
     return around;
@@ -90,17 +106,34 @@ static int bad_cell(const struct mesh *m, size_t i, const struct voronoi_candida
                   i, x, y, m->c->reach);
 }
 
-/* A cell that no point farther away would cut. */
+/* A cell that no point farther away would cut, and, of a round body, what of it is inside. */
 static int find_cell(const struct mesh *m, size_t i, struct voronoi_candidates *c, struct voronoi_polygon *cell,
-                     struct failure *why) {
+                     struct voronoi_round *inside, struct failure *why) {
+    const double at[2] = {m->c->x[i], m->c->y[i]};
+    double farthest;
     for (int rings = 1;; rings++) {
         double around = gather(m, i, rings, c);
         if (voronoi_cell_make(m->c->dim, c, 4 * rings * m->bins.radius, cell)) return bad_cell(m, i, c, why);
-        if (4 * cell->farthest <= around * around && isfinite(cell->farthest)) break;
+        if (m->p->shape) *inside = voronoi_round(cell, at, m->p->radius);
+        farthest = m->p->shape ? inside->farthest : cell->farthest;
+        if (4 * farthest <= around * around && isfinite(farthest)) break;
         if (around == HUGE_VAL) break; /* these were all */
     }
-    int closed = m->c->dim == 1 ? isfinite(cell->farthest) : voronoi_cell_closes(cell);
-    return closed && cell->farthest <= m->reach * m->reach ? STATUS_OK : bad_cell(m, i, c, why);
+    if (m->p->shape) return STATUS_OK; /* the square is wider than the body by then */
+    int closed = m->c->dim == 1 ? isfinite(farthest) : voronoi_cell_closes(cell);
+    return closed && farthest <= m->reach * m->reach ? STATUS_OK : bad_cell(m, i, c, why);
+}
+
+static void add_faces(const struct mesh *m, size_t i, const struct voronoi_polygon *cell,
+                      const struct voronoi_round *inside, struct assembly_list *out) {
+    for (int k = 0; k < cell->n; k++) {
+        int next = k + 1 < cell->n ? k + 1 : 0;
+        double x = cell->x[next] - cell->x[k], y = cell->y[next] - cell->y[k];
+        double face = m->p->shape ? inside->face[k] : sqrt(x * x + y * y);
+        if (cell->edge[k] != VORONOI_NONE) assembly_list_add(out, cell->edge[k], face);
+    }
+    for (int s = 0; s < 2 && m->p->shape; s++)
+        if (m->image[2 * i + (size_t)s]) assembly_list_add(out, m->image[2 * i + (size_t)s], inside->wall[s]);
 }
 
 static double part_beyond(const struct mesh *m, size_t i, const struct voronoi_polygon *cell) {
@@ -115,17 +148,14 @@ static int take_block(const struct mesh *m, size_t begin, size_t end, struct vor
                       struct failure *why) {
     struct voronoi_candidates c = {0};
     struct voronoi_polygon cell;
+    struct voronoi_round inside;
     int status = STATUS_OK;
     for (size_t i = begin; i < end && !status; i++) {
-        status = find_cell(m, i, &c, &cell, why);
+        status = find_cell(m, i, &c, &cell, &inside, why);
         if (status) break;
-        for (int k = 0; k < cell.n; k++) {
-            int next = k + 1 < cell.n ? k + 1 : 0;
-            double x = cell.x[next] - cell.x[k], y = cell.y[next] - cell.y[k];
-            if (cell.edge[k] != VORONOI_NONE) assembly_list_add(out, cell.edge[k], sqrt(x * x + y * y));
-        }
+        add_faces(m, i, &cell, &inside, out);
         v->begin[i + 1] = out->n;
-        v->volume[i] = voronoi_cell_area(&cell);
+        v->volume[i] = m->p->shape ? inside.area : voronoi_cell_area(&cell);
         if (v->beyond) v->beyond[i] = part_beyond(m, i, &cell);
     }
     free(c.at);
@@ -213,10 +243,11 @@ static int average_block(const struct problem *p, const struct mesh *m, size_t b
                          struct failure *why) {
     struct voronoi_candidates c = {0};
     struct voronoi_polygon cell;
+    struct voronoi_round inside;
     int status = STATUS_OK;
     for (size_t i = begin; i < end && !status; i++) {
         double sum[2] = {0, 0};
-        status = find_cell(m, i, &c, &cell, why);
+        status = find_cell(m, i, &c, &cell, &inside, why);
         if (!status) integrate_parts(p, m, i, &cell, 0, 0, sum), T[i] = sum[0] / sum[1];
     }
     free(c.at);

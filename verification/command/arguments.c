@@ -7,6 +7,7 @@
 #include "verification/command/arguments.h"
 
 #include "references/scene.h"
+#include "solver/space/operator.h"
 #include "verification/command/option.h"
 #include "verification/command/verb.h"
 #include "verification/foreign/results.h"
@@ -197,7 +198,8 @@ static int take_lattice(struct request *r, struct failure *why) {
     if (o->has_origin && r->origin.count != 2)
         return refuse(why, STATUS_INPUT, "--origin %.60s: needs X,Y, in dx", r->origin.text);
     for (int a = 0; a < 2 && o->has_origin; a++) o->origin[a] = r->origin.value[a];
-    if (round && !is_given(r, "walls") && !(method && !method->scheme)) o->walls = WALLS_FIT;
+    if (round && !is_given(r, "walls") && !(method && (!method->scheme || method->scheme->cells)))
+        o->walls = WALLS_FIT;
     if (round && is_given(r, "shift"))
         return refuse(why, STATUS_INPUT, "--shift: is for plane walls; round bodies take --origin X,Y and --angle A");
     if (r->experiment.scene && !round && (o->has_origin || o->has_angle))

@@ -4,6 +4,7 @@
 #include "solver/space/csr.h"
 #include "solver/space/voronoi.h"
 #include "solver/space/voronoi_cell.h"
+#include "solver/shape.h"
 
 #include "verification/unit/near.h"
 #include "verification/unit/odd_problems.h"
@@ -92,6 +93,57 @@ static void cells_fill_the_body(void **state) {
         assert_near(wall, 1.2, 1e-9);
         voronoi_free(&v);
         layout_cloud_free(&m.c);
+    }
+}
+
+static double held(const struct problem *p, enum side s, const double x[2]) {
+    (void)p, (void)s, (void)x;
+    return 0;
+}
+
+/* A disc and a ring on three clouds: volumes add up to the body's, walls to its circles; the faces of a cell inside
+ * close, and what is open at a wall is the chord of its arc. */
+static void cells_fill_a_round_body(void **state) {
+    (void)state;
+    for (int k = 0; k < 6; k++) {
+        double hole = k % 2 ? 0.37 : 0, sum = 0, wall[2] = {0, 0}, arcs = 0;
+        struct problem p = {.materials = 1, .material = {{{0.7, 0.7}, 1.3}}, .wall = held};
+        struct options o = {.dx = 0.06, .seed = 3, .layout = kinds[k / 2].layout, .jitter = kinds[k / 2].jitter};
+        struct lattice l;
+        struct cloud c;
+        struct voronoi v;
+        struct failure why;
+        shape_round(&p, hole, 1.1);
+        assert_int_equal(layout_lattice(&p, &o, 1, &l, &why), STATUS_OK);
+        if (layout_cut(&p, &o, &l, 4 * l.dx[0], &c, &why)) fail_msg("%s", why.text);
+        if (voronoi_create(&v, &p, &c, 2, &why)) fail_msg("%s", why.text);
+        for (size_t i = 0; i < v.n; i++) {
+            double out[2] = {0, 0}, chord = 0, size = 0;
+            sum += v.volume[i];
+            assert_order(v.volume[i], >, 0);
+            assert_order(shape_depth(&p, (const double[2]){c.x[i], c.y[i]}), >=, 0.25 * l.dx[0]);
+            for (size_t q = v.begin[i]; q < v.begin[i + 1]; q++) {
+                size_t j = v.point[q];
+                double d[2] = {c.x[j] - c.x[i], c.y[j] - c.y[i]}, r = hypot(d[0], d[1]);
+                assert_order(v.face[q], >=, 0);
+                if (j < v.n) {
+                    assert_memory_equal(&v.face[q], &(double){face_from(&v, j, i)}, sizeof(double));
+                    for (int a = 0; a < 2; a++) out[a] += v.face[q] * d[a] / r;
+                    continue;
+                }
+                int outer = hypot(c.x[j], c.y[j]) > 1.1;
+                double R = outer ? 1.1 : hole;
+                wall[outer] += v.face[q], arcs += v.face[q] > 0;
+                chord += 2 * R * sin(v.face[q] / (2 * R)), size += v.face[q];
+            }
+            assert_near(hypot(out[0], out[1]), chord, 1e-9 * (l.dx[0] + size));
+        }
+        assert_near(sum / (M_PI * (1.1 * 1.1 - hole * hole)), 1, 1e-13);
+        assert_near(wall[1], 2.2 * M_PI, 1e-9);
+        assert_near(wall[0], 2 * M_PI * hole, 1e-9);
+        assert_order(arcs, >, 60);
+        voronoi_free(&v);
+        layout_cloud_free(&c);
     }
 }
 
@@ -261,10 +313,11 @@ static void bad_clouds_are_refused(void **state) {
 int main(void) {
     gsl_set_error_handler_off();
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(cells_fill_the_body),   cmocka_unit_test(threads_change_nothing),
-        cmocka_unit_test(operator_is_symmetric), cmocka_unit_test(rows_are_exact),
-        cmocka_unit_test(starts_hold_the_heat),  cmocka_unit_test(rods_have_midpoints),
-        cmocka_unit_test(a_known_cell),          cmocka_unit_test(bad_clouds_are_refused),
+        cmocka_unit_test(cells_fill_the_body),    cmocka_unit_test(cells_fill_a_round_body),
+        cmocka_unit_test(threads_change_nothing), cmocka_unit_test(operator_is_symmetric),
+        cmocka_unit_test(rows_are_exact),         cmocka_unit_test(starts_hold_the_heat),
+        cmocka_unit_test(rods_have_midpoints),    cmocka_unit_test(a_known_cell),
+        cmocka_unit_test(bad_clouds_are_refused),
     };
     return cmocka_run_group_tests_name("voronoi", tests, NULL, NULL);
 }
