@@ -30,13 +30,14 @@ static int check_cut(const struct problem *p, const struct options *o, const str
         return refuse(why, STATUS_NOT_APPLICABLE, "--%s: the scene is periodic and has no walls",
                       o->shift > 0 ? "shift" : "walls");
     if (!layout_is_cut(p, o)) return STATUS_OK;
-    if (o->layout != LAYOUT_LATTICE && o->layout != LAYOUT_JITTER && o->layout != LAYOUT_HEXAGONAL)
+    int placed = o->layout == LAYOUT_HEXAGONAL || o->layout == LAYOUT_RELAXED; /* by what the walls are */
+    if (o->layout != LAYOUT_LATTICE && o->layout != LAYOUT_JITTER && !placed)
         return refuse(why, STATUS_NOT_APPLICABLE,
                       "--layout %s: is made for walls between particles; take lattice, jitter or hexagonal",
                       layout_words[o->layout]);
-    if (o->layout == LAYOUT_HEXAGONAL && !p->shape)
-        return refuse(why, STATUS_NOT_APPLICABLE,
-                      "--layout hexagonal: is made for --walls mirror and no --shift here");
+    if (placed && !p->shape)
+        return refuse(why, STATUS_NOT_APPLICABLE, "--layout %s: is made for --walls mirror and no --shift here",
+                      layout_words[o->layout]);
     if (s->cells && (!p->shape || o->walls != WALLS_MIRROR))
         return refuse(why, STATUS_NOT_APPLICABLE, "--walls %s: cells are cut by round walls, and have --walls mirror",
                       walls_words[o->walls]);

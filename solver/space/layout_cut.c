@@ -2,7 +2,8 @@
 /* A lattice that walls cut anywhere.
  *
  * On a rod or rectangle its points are lo + (i + 1/2 + shift) dx; under a round body it has any origin and angle.
- * Each point is moved as the layout says (jitter: within +-A dx; hexagonal: rows sqrt(3)/2 dx apart).  Those inside
+ * Each point is moved as the layout says (jitter: within +-A dx; hexagonal: rows sqrt(3)/2 dx apart; relaxed: those
+ * of a round body settle, by relax.c).  Those inside
  * the body, or on its wall to 1e-6 dx, are particles, those beyond it dummies.  A round body about 0 looks the same
  * from the axes of its lattice: cells are clipped there. */
 #include "solver/shape.h"
@@ -12,8 +13,9 @@
 #include <math.h>
 #include <stdlib.h>
 
-/* dx: a cell conducts to its wall as 1/depth, and the largest stable step of a particle next to one falls with it;
- * cells of the others take the place of those nearer than this. */
+/* dx, of particles from round walls that have their images beyond.  A cell conducts to its wall as 1/depth, and the
+ * largest stable step falls with it; and an image next to its particle does not push it back.  What is nearer is left
+ * to the others. */
 static const double CLEAR = 0.25;
 
 struct frame {                      /* point (i, j) lies at first + (i d[0], j d[1]) along its axes */
@@ -31,9 +33,10 @@ int layout_is_cut(const struct problem *p, const struct options *o) {
 static struct frame frame_of(const struct problem *p, const struct options *o, const struct lattice *l, double reach,
                              gsl_rng *random) {
     struct frame f = {.d = {l->dx[0], l->dx[1]}, .axis = {1, 0}, .to = {1, 1}};
-    f.moved = o->layout == LAYOUT_JITTER ? 2 * o->jitter * l->dx[0] : 0;
+    f.moved = o->layout == LAYOUT_JITTER || o->layout == LAYOUT_RELAXED ? 2 * o->jitter * l->dx[0] : 0;
     f.hexagonal = o->layout == LAYOUT_HEXAGONAL && p->dim == 2;
-    f.clear = p->shape && o->walls == WALLS_MIRROR ? CLEAR * l->dx[0] : 0;
+    int images = p->shape && (o->walls == WALLS_MIRROR || o->layout == LAYOUT_RELAXED);
+    f.clear = images ? CLEAR * l->dx[0] : 0;
     if (p->shape) {
         double origin[2] = {gsl_rng_uniform(random), gsl_rng_uniform(random)}, angle = 90 * gsl_rng_uniform(random);
         if (f.hexagonal) f.d[1] = sqrt(0.75) * f.d[0];
@@ -133,27 +136,35 @@ static void mirror(const struct problem *p, const struct options *o, const struc
             layout_mirror(p, o, l, i, c);
 }
 
-/* The same in round walls, for cells: as far beyond the nearest point of a wall as the particle is in front of it. */
-static void mirror_round(const struct problem *p, struct cloud *c) {
+/* The images of all particles in round walls: as far beyond the nearest point of each as the particle is in front. Of
+ * cells they are mirror ghosts, else dummies that hold nothing yet. */
+static void mirror_round(const struct problem *p, int ghosts, struct cloud *c) {
     const double k = p->material[0].k[0];
-    c->factor = xcalloc(4 * c->n, sizeof *c->factor);
     c->total = c->n;
+    if (ghosts) c->factor = xcalloc(4 * c->n, sizeof *c->factor);
     for (size_t i = 0; i < c->n; i++) {
         const double x[2] = {c->x[i], c->y[i]};
-        c->factor[i] = 1;
+        if (ghosts) c->factor[i] = 1;
         for (int s = X_LO; s <= X_HI; s++) {
             if (!shape_has_wall(p, s)) continue;
             struct foot foot = shape_foot(p, s, x);
-            if (foot.depth > c->reach) continue;
+            if (foot.depth >= c->reach) continue;
+            size_t g = c->total++;
+            for (int a = 0; a < 2; a++) (a ? c->y : c->x)[g] = x[a] + 2 * foot.depth * foot.normal[a];
+            if (!ghosts) continue;
             double value = p->wall(p, (enum side)s, foot.x);
             double sign = p->side[s] == DIRICHLET ? -1 : layout_robin_factor(p, s, k, foot.depth);
-            size_t g = c->total++;
-            c->x[g] = x[0] + 2 * foot.depth * foot.normal[0], c->y[g] = x[1] + 2 * foot.depth * foot.normal[1];
             c->source[g] = (uint32_t)i;
             c->factor[g] = sign;
             c->offset[g] = p->side[s] == NEUMANN ? 2 * foot.depth * value / k : (1 - sign) * value;
         }
     }
+}
+
+/* Particles of a round body apart from each other; they have the same volume then. */
+static int settle(const struct problem *p, const struct options *o, struct cloud *c, struct failure *why) {
+    for (size_t i = 0; i < c->n; i++) c->cell[i] = shape_volume(p) / (double)c->n;
+    return relax_cloud(p, o, sqrt(c->volume), c, why);
 }
 
 int layout_cut(const struct problem *p, const struct options *o, const struct lattice *l, double reach,
@@ -171,18 +182,20 @@ int layout_cut(const struct problem *p, const struct options *o, const struct la
                     sort_point(p, &f, at, x, reach, &inside, &outside);
                 }
     gsl_rng_free(random);
-    int mirrors = o->walls == WALLS_MIRROR;
-    if (o->walls == WALLS_ONE_SIDED) outside.n = 0;
+    int mirrors = o->walls == WALLS_MIRROR, settled = o->layout == LAYOUT_RELAXED, status = STATUS_OK;
+    if (o->walls == WALLS_ONE_SIDED || settled) outside.n = 0;
     *c = (struct cloud){.dim = p->dim, .n = inside.n, .total = inside.n + outside.n, .reach = reach};
     c->volume = f.d[0] * (p->dim == 2 ? f.d[1] : 1);
-    fill(c, &inside, &outside, mirrors ? 4 * c->total : c->total);
-    if (mirrors && p->shape)
-        mirror_round(p, c);
+    fill(c, &inside, &outside, mirrors || settled ? 4 * c->total : c->total);
+    if (settled && c->n > 0) status = settle(p, o, c, why);
+    if (p->shape && (mirrors || (settled && o->walls != WALLS_ONE_SIDED)))
+        mirror_round(p, mirrors, c);
     else if (mirrors)
         mirror(p, o, l, c);
     list_free(&inside);
     list_free(&outside);
-    if (c->n > 0) return STATUS_OK;
+    if (c->n > 0 && !status) return STATUS_OK;
     layout_cloud_free(c);
+    if (status) return status;
     return refuse(why, STATUS_INPUT, "--dx %g: no point of the lattice is in the body; take a smaller --dx", o->dx);
 }

@@ -101,14 +101,15 @@ static double held(const struct problem *p, enum side s, const double x[2]) {
     return 0;
 }
 
-/* A disc and a ring on three clouds: volumes add up to the body's, walls to its circles; the faces of a cell inside
+/* A disc and a ring on six clouds: volumes add up to the body's, walls to its circles; the faces of a cell inside
  * close, and what is open at a wall is the chord of its arc. */
 static void cells_fill_a_round_body(void **state) {
     (void)state;
-    for (int k = 0; k < 6; k++) {
+    for (int k = 0; k < 12; k++) {
         double hole = k % 2 ? 0.37 : 0, sum = 0, wall[2] = {0, 0}, arcs = 0;
         struct problem p = {.materials = 1, .material = {{{0.7, 0.7}, 1.3}}, .wall = held};
-        struct options o = {.dx = 0.06, .seed = 3, .layout = kinds[k / 2].layout, .jitter = kinds[k / 2].jitter};
+        struct options o = {
+            .dx = 0.06, .seed = 3, .layout = kinds[k / 2].layout, .jitter = kinds[k / 2].jitter, .sweeps = 2000};
         struct lattice l;
         struct cloud c;
         struct voronoi v;
@@ -121,7 +122,8 @@ static void cells_fill_a_round_body(void **state) {
             double out[2] = {0, 0}, chord = 0, size = 0;
             sum += v.volume[i];
             assert_order(v.volume[i], >, 0);
-            assert_order(shape_depth(&p, (const double[2]){c.x[i], c.y[i]}), >=, 0.25 * l.dx[0]);
+            if (o.layout != LAYOUT_RELAXED)
+                assert_order(shape_depth(&p, (const double[2]){c.x[i], c.y[i]}), >=, 0.25 * l.dx[0]);
             for (size_t q = v.begin[i]; q < v.begin[i + 1]; q++) {
                 size_t j = v.point[q];
                 double d[2] = {c.x[j] - c.x[i], c.y[j] - c.y[i]}, r = hypot(d[0], d[1]);
@@ -143,6 +145,30 @@ static void cells_fill_a_round_body(void **state) {
         assert_near(wall[0], 2 * M_PI * hole, 1e-9);
         assert_order(arcs, >, 60);
         voronoi_free(&v);
+        layout_cloud_free(&c);
+    }
+}
+
+/* Of these clouds one particle in thousands crosses the wall while it settles. */
+static void settled_clouds_stay_inside(void **state) {
+    (void)state;
+    for (unsigned seed = 1; seed <= 8; seed++) {
+        struct problem p = {.materials = 1, .material = {{{0.7, 0.7}, 1.3}}, .wall = held};
+        struct options o = {.dx = 0.1, .seed = seed, .layout = LAYOUT_RELAXED, .jitter = 0.5, .sweeps = 2000};
+        struct lattice l;
+        struct cloud c;
+        struct failure why;
+        double volume = 0;
+        o.walls = WALLS_FIT;
+        shape_round(&p, 0, 1);
+        assert_int_equal(layout_lattice(&p, &o, 1, &l, &why), STATUS_OK);
+        if (layout_cut(&p, &o, &l, 3 * l.dx[0], &c, &why)) fail_msg("%s", why.text);
+        for (size_t i = 0; i < c.n; i++) {
+            assert_order(hypot(c.x[i], c.y[i]), <, 0.98);
+            volume += c.cell[i];
+        }
+        for (size_t j = c.n; j < c.total; j++) assert_order(hypot(c.x[j], c.y[j]), >, 1.02);
+        assert_near(volume, M_PI, 1e-12);
         layout_cloud_free(&c);
     }
 }
@@ -313,10 +339,15 @@ static void bad_clouds_are_refused(void **state) {
 int main(void) {
     gsl_set_error_handler_off();
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(cells_fill_the_body),    cmocka_unit_test(cells_fill_a_round_body),
-        cmocka_unit_test(threads_change_nothing), cmocka_unit_test(operator_is_symmetric),
-        cmocka_unit_test(rows_are_exact),         cmocka_unit_test(starts_hold_the_heat),
-        cmocka_unit_test(rods_have_midpoints),    cmocka_unit_test(a_known_cell),
+        cmocka_unit_test(cells_fill_the_body),
+        cmocka_unit_test(cells_fill_a_round_body),
+        cmocka_unit_test(settled_clouds_stay_inside),
+        cmocka_unit_test(threads_change_nothing),
+        cmocka_unit_test(operator_is_symmetric),
+        cmocka_unit_test(rows_are_exact),
+        cmocka_unit_test(starts_hold_the_heat),
+        cmocka_unit_test(rods_have_midpoints),
+        cmocka_unit_test(a_known_cell),
         cmocka_unit_test(bad_clouds_are_refused),
     };
     return cmocka_run_group_tests_name("voronoi", tests, NULL, NULL);
