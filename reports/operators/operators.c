@@ -5,20 +5,17 @@
  * its heat; square-step starts with jumps, averaged over cells; rect-manufactured has a source, temperatures and
  * fluxes at its walls (isotropic here, which all operators take); wall-composite has two materials of k 1 : 1000,
  * rod-contact a start that jumps where two meet.
- * Operators by themselves: n x n particles in the plane with dx = 1 and kappa = 1, insulated for the weights, between
- * cold walls for the eigenvalues; assembly is timed on 316 x 316 particles.
  * Error against work: the ladders of rect-manufactured, in pairs of neighbours that the steps took.
  * Error against neighbours: rect-manufactured at one spacing, h/dx from 0.9 to 2. */
 #include "reports/operators/operators.h"
 
 #include "solver/method.h"
-#include "solver/space/csr.h"
+#include "solver/space/operator.h"
 #include "reports/figure/figure.h"
+#include "reports/operators/candidates.h"
 #include "verification/command/arguments.h"
 #include "verification/command/command_run.h"
 #include "verification/ladder/ladder.h"
-#include "verification/stability/model_problem.h"
-#include "verification/stability/spectrum.h"
 #include "verification/text/output.h"
 
 #include <math.h>
@@ -27,11 +24,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-static const struct cloud_kind {
-    const char *name, *options;
-    enum layout_name layout;
-    double jitter;
-} clouds[] = {
+const struct cloud_kind operators_clouds[CLOUDS] = {
     {"lattice", "", LAYOUT_JITTER, 0},
     {"hexagonal", " --layout hexagonal", LAYOUT_HEXAGONAL, 0},
     {"jitter 0.1", " --layout jitter --jitter 0.1 --seed 1", LAYOUT_JITTER, 0.1},
@@ -51,10 +44,7 @@ static const struct trial {
     {"rod-contact", " --sampling cell", "1/40,1/80,1/160,1/320", 2},
 };
 
-static const struct candidate_operator {
-    const char *method, *options;
-    int materials; /* how many it knows */
-} operators[] = {
+const struct candidate_operator operators[OPERATORS] = {
     {"brookshaw", "", 1},
     {"brookshaw_corrected", "", 1},
     {"schwaiger", "", 1},
@@ -72,11 +62,7 @@ static const struct candidate_operator {
     {"voronoi_flux", "", 2},
 };
 
-enum {
-    CLOUDS = sizeof clouds / sizeof *clouds,
-    TRIALS = sizeof trials / sizeof *trials,
-    OPERATORS = sizeof operators / sizeof *operators
-};
+enum { TRIALS = sizeof trials / sizeof *trials };
 
 /* ---- Orders ---- */
 
@@ -107,7 +93,7 @@ static struct order *take_orders(void) {
     for (int k = OPERATORS * CLOUDS * TRIALS - 1; k >= 0; k--) {
         const struct candidate_operator *o = &operators[k / (CLOUDS * TRIALS)];
         const struct trial *t = &trials[k % TRIALS];
-        if (o->materials == t->materials) take_order(o, &clouds[k / TRIALS % CLOUDS], t, &all[k]);
+        if (o->materials == t->materials) take_order(o, &operators_clouds[k / TRIALS % CLOUDS], t, &all[k]);
     }
     return all;
 }
@@ -128,7 +114,7 @@ static void write_orders(const struct order *all, FILE *csv) {
         double dx = finest->options.dx, E = without_order(o) ? NAN : finest->error.l1;
         fprintf(csv, "%s%s,%s,%s,%.4f,%.4f,%.4f,%g,%.4e,%.4g,%.2e,%s,heatladder %s\n",
                 operators[k / (CLOUDS * TRIALS)].method, operators[k / (CLOUDS * TRIALS)].options,
-                clouds[k / TRIALS % CLOUDS].name, trials[k % TRIALS].scene, l->slope.value, l->slope.ci[0],
+                operators_clouds[k / TRIALS % CLOUDS].name, trials[k % TRIALS].scene, l->slope.value, l->slope.ci[0],
                 l->slope.ci[1], dx, E, E / (dx * dx), without_order(o) ? NAN : finest->heat_drift,
                 without_order(o) ? without_order(o) : "", o->command);
     }
@@ -141,7 +127,7 @@ static void tabulate_orders(const struct order *all, FILE *md) {
                 "without the "
                 "coarsest.\n\n| operator |",
                 trials[t].scene, trials[t].options, trials[t].dx);
-        for (int c = 0; c < CLOUDS; c++) fprintf(md, " %s |", clouds[c].name);
+        for (int c = 0; c < CLOUDS; c++) fprintf(md, " %s |", operators_clouds[c].name);
         fprintf(md, "\n|---|");
         for (int c = 0; c < CLOUDS; c++) fprintf(md, "---|");
         for (int k = 0; k < OPERATORS; k++) {
@@ -193,8 +179,8 @@ static void write_work(const struct order *all, FILE *out) {
         const struct candidate_operator *o = &operators[k % OPERATORS];
         const struct order *order = worked(all, k % OPERATORS, k / OPERATORS);
         if (o->materials != trials[WORKED].materials) continue;
-        fprintf(out, "\n\n# %s %s\ninteractions,%s,dx [m]\n", o->method, clouds[worked_on[k / OPERATORS]].name,
-                o->method);
+        fprintf(out, "\n\n# %s %s\ninteractions,%s,dx [m]\n", o->method,
+                operators_clouds[worked_on[k / OPERATORS]].name, o->method);
         for (int i = 0; i < order->ladder.n && !without_order(order); i++) {
             const struct result *r = &order->ladder.rung[i];
             fprintf(out, "%lld,%.5e,%g\n", r->interactions, r->error.l1, r->options.dx);
@@ -209,7 +195,7 @@ static void tabulate_work(const struct order *all, FILE *md) {
         "\n## Work for E1 = %g, rect-manufactured\n\nInteractions (pairs of neighbours, in all steps and stages), "
         "between the rungs of the ladders above; -: not reached.\n\n| operator |",
         error);
-    for (int c = 0; c < WORKED_ON; c++) fprintf(md, " %s |", clouds[worked_on[c]].name);
+    for (int c = 0; c < WORKED_ON; c++) fprintf(md, " %s |", operators_clouds[worked_on[c]].name);
     fprintf(md, "\n|---|");
     for (int c = 0; c < WORKED_ON; c++) fprintf(md, "---|");
     for (int k = 0; k < OPERATORS; k++) {
@@ -223,101 +209,6 @@ static void tabulate_work(const struct order *all, FILE *md) {
             else
                 fprintf(md, " %.2e |", work);
         }
-    }
-    fprintf(md, "\n");
-}
-
-/* ---- Operators by themselves ---- */
-
-struct trait {
-    double least;      /* weight, kappa/dx^2 */
-    double limit;      /* dx^2/kappa; 0 where a mode grows at any step */
-    double neighbours; /* of a row */
-    double seconds;    /* of assembly, a particle, one thread */
-    struct failure why;
-};
-
-/* The operator on n x n particles; fills *a. */
-static int assemble(const struct candidate_operator *o, const struct cloud_kind *c, int n, int insulated,
-                    struct heat_operator *a, double *seconds, struct failure *why) {
-    struct model_problem b = {.method = method_find(o->method),
-                              .dim = 2,
-                              .n = n,
-                              .insulated = insulated,
-                              .options = {.layout = c->layout, .jitter = c->jitter, .seed = 1},
-                              .step = {STEPPER_EULER, 0}};
-    struct cloud cloud;
-    if (model_problem_resolve(&b, n, why)) return why->status;
-    struct problem p = model_problem_setup(&b, MODEL_NOISE, 0);
-    if (model_problem_cloud(&b, &p, &cloud, why)) return why->status;
-    double start = omp_get_wtime();
-    int status = operator_create_csr(a, &p, &b.options, b.method->scheme, &cloud, 1, why);
-    *seconds = (omp_get_wtime() - start) / (double)cloud.n;
-    layout_cloud_free(&cloud);
-    return status;
-}
-
-static double least_weight(const struct heat_operator *a) {
-    struct row r;
-    double least = INFINITY;
-    csr_row_create(&r, a->n);
-    for (size_t i = 0; i < a->n; i++) {
-        operator_row_take(a, i, &r);
-        for (size_t k = 0; k < r.n; k++)
-            if (r.column[k] != i) least = fmin(least, r.value[r.column[k]]);
-    }
-    csr_row_free(&r);
-    return least;
-}
-
-static int take_trait(const struct candidate_operator *o, const struct cloud_kind *c, struct trait *t) {
-    enum { SIDE = 14, TIMED = 316 };
-    struct heat_operator a;
-    struct spectrum s;
-    double ignored;
-    int timed = c->layout == LAYOUT_JITTER; /* the others differ in places alone */
-    if (assemble(o, c, SIDE, 1, &a, &ignored, &t->why)) return t->why.status;
-    t->least = least_weight(&a);
-    t->neighbours = (double)a.pairs / (double)a.n;
-    operator_free(&a);
-    if (assemble(o, c, SIDE, 0, &a, &ignored, &t->why)) return t->why.status;
-    int status = spectrum_create(&s, &a, &(struct amplification){STEPPER_EULER, 0}, &t->why);
-    operator_free(&a);
-    if (status) return status;
-    t->limit = s.limit;
-    spectrum_free(&s);
-    t->seconds = NAN;
-    if (!timed) return STATUS_OK;
-    status = assemble(o, c, TIMED, 0, &a, &t->seconds, &t->why);
-    if (!status) t->neighbours = (double)a.pairs / (double)a.n, operator_free(&a);
-    return status;
-}
-
-static void write_traits(FILE *csv, FILE *md) {
-    fprintf(csv, "operator,cloud,least weight [kappa/dx^2],largest stable step [dx^2/kappa],neighbours,assembly "
-                 "[us/particle]\n");
-    fprintf(md,
-            "\n## The operators by themselves, in the plane, h/dx 1.1\n\nLeast weight in kappa/dx^2; largest stable "
-            "step of Euler's method in dx^2/kappa (0: a mode grows at any step); neighbours.\n\n| operator |");
-    for (int c = 0; c < CLOUDS; c++) fprintf(md, " %s |", clouds[c].name);
-    fprintf(md, " assembly, us a particle |\n|---|");
-    for (int c = 0; c <= CLOUDS; c++) fprintf(md, "---|");
-    for (int k = 0; k < OPERATORS; k++) {
-        double seconds = NAN;
-        if (operators[k].materials != 1) continue;
-        fprintf(md, "\n| `%s` |", operators[k].method);
-        for (int c = 0; c < CLOUDS; c++) {
-            struct trait t = {.least = INFINITY};
-            if (take_trait(&operators[k], &clouds[c], &t)) {
-                fprintf(md, " refused |");
-                continue;
-            }
-            fprintf(csv, "%s,%s,%.4g,%.4g,%.2f,%.3g\n", operators[k].method, clouds[c].name, t.least, t.limit,
-                    t.neighbours, 1e6 * t.seconds);
-            fprintf(md, " %.3f, %.3f, %.1f |", t.least, t.limit, t.neighbours);
-            if (clouds[c].jitter == 0.3) seconds = t.seconds;
-        }
-        fprintf(md, " %.2f |", 1e6 * seconds);
     }
     fprintf(md, "\n");
 }
@@ -345,7 +236,7 @@ static void take_neighbours(int k, struct neighbours_run *n) {
     struct command_run run;
     if (o->materials != 1 || !has_h(o->method)) return;
     command_run_line(&run, "run rect-manufactured %s --set k_y=0.02 --dx 0.025 --h %g%s", o->method,
-                     lengths[k % LENGTHS], clouds[drawn[k / (LENGTHS * OPERATORS)]].options);
+                     lengths[k % LENGTHS], operators_clouds[drawn[k / (LENGTHS * OPERATORS)]].options);
     n->status = command_run_check(&run, &n->why);
     n->neighbours = (double)run.result.interactions / (double)run.result.updates;
     n->error = run.result.error.l1;
@@ -367,7 +258,7 @@ static int write_neighbours(FILE *out, struct failure *why) {
         if (o->materials != 1 || !has_h(o->method)) continue;
         if (k % LENGTHS == 0)
             fprintf(out, "\n\n# %s %s\nneighbours,%s,h/dx\n", o->method,
-                    clouds[drawn[k / (LENGTHS * OPERATORS)]].name, o->method);
+                    operators_clouds[drawn[k / (LENGTHS * OPERATORS)]].name, o->method);
         if (all[k].status == STATUS_INPUT) /* what grows, or is singular, is left out */
             status = STATUS_INPUT, *why = all[k].why;
         else if (!all[k].status)
@@ -394,7 +285,7 @@ int operators_write(const char *dir, struct failure *why) {
         write_work(all, output_open(&page[5], "%s/operators_work.csv", dir));
         free(all);
         fprintf(csv, "\n\n");
-        write_traits(csv, md);
+        operators_traits(csv, md);
         fprintf(csv, "\n\n");
         operators_growth(csv, md, output_open(&page[4], "%s/operators_growth.csv", dir));
         status = write_neighbours(error, why);

@@ -15,7 +15,7 @@ clouds = '"lattice" "jitter 0.3" "relaxed"'
 names = 'brookshaw brookshaw_corrected schwaiger fatehi_manzari cspm kernel_second flux_divergence fo_ssph so_ssph conjugate positive voronoi_flux'
 colours = sprintf('%s %s %s %s %s %s %s %s %s %s %s %s', RED, ORANGE, SKY, BLUE, PURPLE, GREY, '#999933', GREEN, BLACK, \
     '#882255', '#44aa99', '#332288')
-shapes = '7 9 11 5 13 8 10 6 4 12 3 15'
+shapes = '7 9 11 5 13 8 10 6 4 12 3 14'
 do for [c = 1:3] {
     set title word(clouds, c).(c == 1 ? ', one exact step' : '') font size_of(11) offset 0,-0.6
     if (c == 1) { set ylabel 'E = Σ|T_e − T_n| / ΣT_e  [-]' offset 0.5 } else { unset ylabel; set format y '' }

@@ -42,7 +42,7 @@ struct entry {                                                   /* of a treatme
     double dx[RUNS], E1[RUNS], largest[RUNS], work[RUNS], drift; /* work: interactions */
     double neighbours;                                           /* in the mean, at the finest spacing */
     double limit, growth;                                        /* dx^2/kappa, kappa/dx^2 */
-    double condition; /* of the worst dummy: the sum of the sizes of its shares */
+    double amplification; /* of the worst dummy: the sum of the sizes of its shares */
     struct failure why;
 };
 
@@ -79,7 +79,7 @@ static double worst_dummy(const struct cloud *c) {
 }
 
 /* The operator of a request's run, all eigenvalues: the step in dx^2/kappa, the growth in kappa/dx^2. */
-static int take_spectrum(const struct experiment *e, double *limit, double *growth, double *condition,
+static int take_spectrum(const struct experiment *e, double *limit, double *growth, double *amplification,
                          struct failure *why) {
     struct options o;
     struct lattice l;
@@ -92,7 +92,7 @@ static int take_spectrum(const struct experiment *e, double *limit, double *grow
     if (particles_prepare(&e->problem, &e->options, scheme, &o, &l, &rows, why)) return why->status;
     if (particles_cloud(&e->problem, &o, scheme, &l, &c, why)) return why->status;
     int status = operator_create_csr(&a, &e->problem, &o, scheme, &c, l.dx[0], why);
-    *condition = fmax(*condition, worst_dummy(&c));
+    *amplification = fmax(*amplification, worst_dummy(&c));
     layout_cloud_free(&c);
     if (status) return status;
     status = spectrum_create(&s, &a, &(struct amplification){STEPPER_EULER, 0}, why);
@@ -104,11 +104,11 @@ static int take_spectrum(const struct experiment *e, double *limit, double *grow
     return STATUS_OK;
 }
 
-/* *limit, *growth and *condition, where those of this run are worse. */
-static int take_step(double *limit, double *growth, double *condition, struct failure *why, const char *command) {
+/* *limit, *growth and *amplification, where those of this run are worse. */
+static int take_step(double *limit, double *growth, double *amplification, struct failure *why, const char *command) {
     struct request r;
     int status = arguments_parse_line(command, &r, why);
-    if (!status) status = take_spectrum(&r.experiment, limit, growth, condition, why);
+    if (!status) status = take_spectrum(&r.experiment, limit, growth, amplification, why);
     arguments_free(&r);
     return status;
 }
@@ -119,7 +119,7 @@ static void take_spectra(const char *scene, const char *walls, struct entry *e) 
         char command[200];
         snprintf(command, sizeof command, "run %.*s so_ssph%s --walls %s --seed %d --dx 0.125 --stepper euler",
                  (int)strcspn(scene, " "), scene, scene + strcspn(scene, " "), walls, seed);
-        take_step(&e->limit, &e->growth, &e->condition, &e->why, command);
+        take_step(&e->limit, &e->growth, &e->amplification, &e->why, command);
     }
 }
 
@@ -149,19 +149,19 @@ static void write_rows(const struct entry *all, FILE *csv, FILE *md) {
     fprintf(
         csv,
         "walls,body,order derived,order,low,high,order of the largest error,low,high,E1,largest error [K],largest "
-        "stable step [dx^2/kappa],growth [kappa/dx^2],heat drift,neighbours,condition\n");
+        "stable step [dx^2/kappa],growth [kappa/dx^2],heat drift,neighbours,amplification\n");
     fprintf(
         md,
         "# Walls that cut the lattice anywhere\n\nso_ssph, h/dx 1.1, eight lattices of any origin and angle at each "
         "of dx = 0.1 ... 0.025 m; errors at 0.025, the mean E1 and the largest of all; step and growth by "
         "eigenvalues at 0.125, the worst of four; "
-        "condition: the sum of |share| of the worst dummy there.\n");
+        "amplification: the sum of |share| of the worst dummy there.\n");
     for (int b = 0; b < BODIES; b++) {
         fprintf(
             md,
             "\n## %s (%s)\n\n| `--walls` | order derived | order of E1 | order of the largest error | E1 | largest "
             "error, K | step, dx^2/kappa | growth, kappa/dx^2 | heat drift "
-            "| neighbours | condition |\n|---|---|---|---|---|---|---|---|---|---|---|\n",
+            "| neighbours | amplification |\n|---|---|---|---|---|---|---|---|---|---|---|\n",
             bodies[b].name, bodies[b].scene);
         for (int t = 0; t < TREATMENTS; t++) {
             const struct entry *e = &all[b * TREATMENTS + t];
@@ -173,12 +173,14 @@ static void write_rows(const struct entry *all, FILE *csv, FILE *md) {
             struct slope s = slope_fit(e->dx, e->E1, RUNS), m = slope_fit(e->dx, e->largest, RUNS);
             fprintf(csv, "%s,%s,%s,%.3f,%.3f,%.3f,%.3f,%.3f,%.3f,%.4e,%.4e,%.4g,%.3g,%.2e,%.3f,%.4g\n", treatments[t],
                     bodies[b].name, bodies[b].derived[t], s.value, s.ci[0], s.ci[1], m.value, m.ci[0], m.ci[1],
-                    mean_of(e->E1), most_of(e->largest), e->limit, e->growth, e->drift, e->neighbours, e->condition);
+                    mean_of(e->E1), most_of(e->largest), e->limit, e->growth, e->drift, e->neighbours,
+                    e->amplification);
             fprintf(md,
                     "| `%s` | %s | %.2f [%.2f, %.2f] | %.2f [%.2f, %.2f] | %.2e | %.2e | %.3f | %.2g | %.1e | %.2f | "
                     "%.3g |\n",
                     treatments[t], bodies[b].derived[t], s.value, s.ci[0], s.ci[1], m.value, m.ci[0], m.ci[1],
-                    mean_of(e->E1), most_of(e->largest), e->limit, e->growth, e->drift, e->neighbours, e->condition);
+                    mean_of(e->E1), most_of(e->largest), e->limit, e->growth, e->drift, e->neighbours,
+                    e->amplification);
         }
     }
 }
@@ -220,7 +222,7 @@ static int write_offsets(FILE *out, FILE *md, struct failure *why) {
                  "--dx 0.3/20,0.3/40,0.3/80,0.3/160\n");
     for (size_t k = 0; k < sizeof rods / sizeof *rods; k++) {
         fprintf(out, "\n\n# %s %s\noffset,order,low,high,E1,step\n", rods[k].scene, rods[k].walls);
-        double order[10], last[10], step[10], mean = 0, growth = 0, condition = 0;
+        double order[10], last[10], step[10], mean = 0, growth = 0, amplification = 0;
         for (int s = 0; s < 10; s++) {
             double dx[4], E1[4];
             for (int n = 0; n < 4; n++) {
@@ -238,7 +240,7 @@ static int write_offsets(FILE *out, FILE *md, struct failure *why) {
             snprintf(command, sizeof command, "run %s so_ssph --walls %s --shift 0.%d --dx %.17g --stepper euler",
                      rods[k].scene, rods[k].walls, s, dx[2]);
             step[s] = INFINITY;
-            if (take_step(&step[s], &growth, &condition, why, command)) return why->status;
+            if (take_step(&step[s], &growth, &amplification, why, command)) return why->status;
             fprintf(out, "0.%d,%.4f,%.4f,%.4f,%.4e,%.4f\n", s, fit.value, fit.ci[0], fit.ci[1], E1[3], step[s]);
             order[s] = fit.value, last[s] = E1[3], mean += E1[3] / 10;
         }

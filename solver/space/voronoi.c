@@ -119,6 +119,8 @@ static int find_cell(const struct mesh *m, size_t i, struct voronoi_candidates *
         if (4 * farthest <= around * around && isfinite(farthest)) break;
         if (around == HUGE_VAL) break; /* these were all */
     }
+    for (size_t s = 0; s < 2 && m->p->shape; s++)
+        if (inside->wall[s] > NOTHING * m->spacing && !m->image[2 * i + s]) return bad_cell(m, i, c, why);
     if (m->p->shape) return STATUS_OK; /* the square is wider than the body by then */
     int closed = m->c->dim == 1 ? isfinite(farthest) : voronoi_cell_closes(cell);
     return closed && farthest <= m->reach * m->reach ? STATUS_OK : bad_cell(m, i, c, why);
@@ -133,7 +135,8 @@ static void add_faces(const struct mesh *m, size_t i, const struct voronoi_polyg
         if (cell->edge[k] != VORONOI_NONE) assembly_list_add(out, cell->edge[k], face);
     }
     for (int s = 0; s < 2 && m->p->shape; s++)
-        if (m->image[2 * i + (size_t)s]) assembly_list_add(out, m->image[2 * i + (size_t)s], inside->wall[s]);
+        if (inside->wall[s] > NOTHING * m->spacing)
+            assembly_list_add(out, m->image[2 * i + (size_t)s], inside->wall[s]);
 }
 
 static double part_beyond(const struct mesh *m, size_t i, const struct voronoi_polygon *cell) {

@@ -52,7 +52,8 @@ static void read_case(const char *path) {
         sscanf(line, "hi = %lf, %lf", &hi[0], &hi[1]);
         sscanf(line, "t_end = %lf", &t_end);
         sscanf(line, "source = %15s", source);
-        if (!strncmp(line, "shape", 5) || strstr(line, "= periodic")) exit(NOT_APPLICABLE); /* boxes with walls */
+        int round = !strncmp(line, "shape", 5), periodic = strstr(line, "= periodic") != NULL;
+        if (round || periodic) exit(NOT_APPLICABLE); /* boxes with walls alone */
         sscanf(line, "oracle = %2047[^\n]", oracle);
     }
     fclose(f);
@@ -61,7 +62,8 @@ static void read_case(const char *path) {
 }
 
 static int place(int c, int d) {
-    return d == 0 ? c % stride : dim == 1 ? 1 : c / stride;
+    if (d == 0) return c % stride;
+    return dim == 2 ? c / stride : 1;
 }
 
 static int is_cell(int c) {
@@ -78,7 +80,10 @@ static void make_points(const char *path) {
     fprintf(f, "x,y,dx,dy\n");
     for (int c = 0; c < points; c++) {
         double *x = point[c].x;
-        for (int d = 0; d < dim; d++) x[d] = fmin(fmax(lo[d] + (place(c, d) - 0.5) * width[d], lo[d]), hi[d]);
+        for (int d = 0; d < dim; d++) {
+            double middle = lo[d] + (place(c, d) - 0.5) * width[d];
+            x[d] = fmin(fmax(middle, lo[d]), hi[d]); /* the frame lies on the sides */
+        }
         fprintf(f, "%.17g,%.17g,%.17g,%.17g\n", x[0], x[1], width[0], width[1]);
     }
     if (fclose(f)) stop("the points cannot be written");

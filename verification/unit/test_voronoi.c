@@ -149,6 +149,23 @@ static void cells_fill_a_round_body(void **state) {
     }
 }
 
+/* Images that reach less far than the cells at a wall leave an arc to nothing. */
+static void walls_without_images_are_refused(void **state) {
+    (void)state;
+    struct problem p = {.materials = 1, .material = {{{0.7, 0.7}, 1.3}}, .wall = held};
+    struct options o = {.dx = 0.06, .seed = 3};
+    struct lattice l;
+    struct cloud c;
+    struct voronoi v;
+    struct failure why;
+    shape_round(&p, 0, 1.1);
+    assert_int_equal(layout_lattice(&p, &o, 1, &l, &why), STATUS_OK);
+    assert_int_equal(layout_cut(&p, &o, &l, 0.5 * l.dx[0], &c, &why), STATUS_OK);
+    assert_int_equal(voronoi_create(&v, &p, &c, 1, &why), STATUS_NUMERICAL);
+    assert_has(why.text, "does not end within 0.0297 m");
+    layout_cloud_free(&c);
+}
+
 /* Of these clouds one particle in thousands crosses the wall while it settles. */
 static void settled_clouds_stay_inside(void **state) {
     (void)state;
@@ -342,6 +359,7 @@ int main(void) {
         cmocka_unit_test(cells_fill_the_body),
         cmocka_unit_test(cells_fill_a_round_body),
         cmocka_unit_test(settled_clouds_stay_inside),
+        cmocka_unit_test(walls_without_images_are_refused),
         cmocka_unit_test(threads_change_nothing),
         cmocka_unit_test(operator_is_symmetric),
         cmocka_unit_test(rows_are_exact),
