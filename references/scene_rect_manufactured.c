@@ -91,14 +91,14 @@ static struct exact exact(const struct problem *p, const double x[2], double t) 
     double lambda = (v[K_X] * q * q + v[K_Y] * r * r) / v[RHO_C], exponent = fmin(lambda * t, 800); /* exp: 0 */
     double amplitude = v[A] * exp(-exponent);
     double rounding = amplitude * (6 + 2 * q * fabs(x[0]) + 2 * r * fabs(x[1]) + 6 * exponent);
-    double slope_x = rate_x / v[WIDTH] * (steady(p, x) - 1), risen = v[RISE] * t;
-    return (struct exact){
-        .temperature = steady(p, x) + amplitude * sin(q * x[0]) * cos(r * x[1]) + risen * shape(p, x, 0),
-        .error_bound = DBL_EPSILON * (8 + rounding + 12 * risen),
-        .gradient = {slope_x + amplitude * q * cos(q * x[0]) * cos(r * x[1]) + risen * shape(p, x, 1) / v[WIDTH],
-                     slope_y(p, x) - amplitude * r * sin(q * x[0]) * sin(r * x[1])},
-        .gradient_bound = {DBL_EPSILON * ((12 + 80 * risen) / v[WIDTH] + q * rounding),
-                           DBL_EPSILON * (16 / v[HEIGHT] + r * rounding)}};
+    double S = steady(p, x), slope_x = rate_x / v[WIDTH] * (S - 1), risen = v[RISE] * t;
+    double shape_T = risen > 0 ? risen * shape(p, x, 0) : 0, shape_x = risen > 0 ? risen * shape(p, x, 1) : 0;
+    return (struct exact){.temperature = S + amplitude * sin(q * x[0]) * cos(r * x[1]) + shape_T,
+                          .error_bound = DBL_EPSILON * (8 + rounding + 12 * risen),
+                          .gradient = {slope_x + amplitude * q * cos(q * x[0]) * cos(r * x[1]) + shape_x / v[WIDTH],
+                                       slope_y(p, x) - amplitude * r * sin(q * x[0]) * sin(r * x[1])},
+                          .gradient_bound = {DBL_EPSILON * ((12 + 80 * risen) / v[WIDTH] + q * rounding),
+                                             DBL_EPSILON * (16 / v[HEIGHT] + r * rounding)}};
 }
 
 static double initial(const struct problem *p, const double x[2]) {

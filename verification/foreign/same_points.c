@@ -55,47 +55,70 @@ static int refuse_same(const struct samples *s, const struct problem *p, size_t 
                   p->dim == 1 ? ", for a rod one row of points" : "");
 }
 
+/* The slots of a table and what is looked up in it.  A slot has the upper half of a box's hash and, in the lower
+ * half, its point, counted from 1; 0 is free. */
 struct table {
-    size_t *point; /* 1 and more; 0 for a free place */
-    size_t size;   /* a power of two */
+    uint64_t *slot;
+    size_t size; /* a power of two */
 };
 
-static size_t first_place(const struct table *t, const int64_t box[2]) {
+struct lookup {
+    uint64_t hash[4]; /* of the boxes where the same point may be; the first is the point's own */
+    int boxes;
+};
+
+enum { AHEAD = 64 }; /* points whose slots are on their way from memory at a time */
+
+static uint64_t hash_of(const int64_t box[2]) {
     uint64_t key = (uint64_t)box[0] * 0x9e3779b97f4a7c15u ^ (uint64_t)box[1] * 0xc2b2ae3d27d4eb4fu;
-    return (size_t)((key ^ key >> 29) * 0xbf58476d1ce4e5b9u >> 20) & (t->size - 1);
+    return (key ^ key >> 29) * 0xbf58476d1ce4e5b9u;
 }
 
-/* The point that is the same as point i, counted from 1, or 0. */
-static size_t same_in_box(const struct table *t, const struct samples *s, const struct problem *p, size_t i,
-                          const int64_t box[2]) {
-    for (size_t at = first_place(t, box); t->point[at]; at = (at + 1) & (t->size - 1))
-        if (are_same(s, p, t->point[at] - 1, i)) return t->point[at];
-    return 0;
+static size_t first_slot(const struct table *t, uint64_t hash) {
+    return (size_t)(hash >> 20) & (t->size - 1);
 }
 
-static size_t same_as(struct table *t, const struct samples *s, const struct problem *p, size_t i) {
+static struct lookup prepare(const struct table *t, const struct samples *s, const struct problem *p, size_t i) {
     int64_t own[2] = {0, 0}, side[2] = {0, 0};
+    struct lookup l = {.boxes = 0};
     for (int a = 0; a < s->dim; a++) {
         double boxes = (s->value[a][i] - p->lo[a]) / (SIDE * away(p, a)), box = floor(boxes);
         own[a] = (int64_t)box, side[a] = (boxes - box >= 1 - 1.0 / SIDE) - (boxes - box <= 1.0 / SIDE);
     }
-    size_t same = 0;
-    for (int k = 0; k < 4 && !same; k++)
-        if ((k % 2 == 0 || side[0]) && (k / 2 == 0 || side[1]))
-            same = same_in_box(t, s, p, i, (int64_t[2]){own[0] + k % 2 * side[0], own[1] + k / 2 * side[1]});
-    size_t at = first_place(t, own);
-    while (t->point[at]) at = (at + 1) & (t->size - 1);
-    t->point[at] = i + 1;
-    return same;
+    for (int k = 0; k < 4; k++)
+        if ((k % 2 == 0 || side[0]) && (k / 2 == 0 || side[1])) {
+            uint64_t hash = hash_of((int64_t[2]){own[0] + k % 2 * side[0], own[1] + k / 2 * side[1]});
+            __builtin_prefetch(&t->slot[first_slot(t, hash)]);
+            l.hash[l.boxes++] = hash;
+        }
+    return l;
+}
+
+/* The point that is the same as point i, counted from 1, or 0; point i is in the table then. */
+static size_t same_as(struct table *t, const struct samples *s, const struct problem *p, size_t i,
+                      const struct lookup *l) {
+    size_t at = 0;
+    for (int k = l->boxes - 1; k >= 0; k--) /* its own box last: `at` is the free slot there */
+        for (at = first_slot(t, l->hash[k]); t->slot[at]; at = (at + 1) & (t->size - 1)) {
+            size_t other = (uint32_t)t->slot[at];
+            if ((t->slot[at] ^ l->hash[k]) >> 32 == 0 && are_same(s, p, other - 1, i)) return other;
+        }
+    t->slot[at] = l->hash[0] >> 32 << 32 | (i + 1);
+    return 0;
 }
 
 int same_points_check(const struct samples *s, const struct problem *p, struct failure *why) {
     struct table t = {.size = 2};
+    struct lookup l[AHEAD];
     size_t same = 0, i = 0;
     if (are_in_order(s, p)) return STATUS_OK;
     while (t.size < 2 * s->n) t.size *= 2;
-    t.point = xcalloc(t.size, sizeof *t.point);
-    while (i < s->n && !(same = same_as(&t, s, p, i))) i++;
-    free(t.point);
+    t.slot = xcalloc(t.size, sizeof *t.slot);
+    for (; i < s->n; i++) {
+        if (i % AHEAD == 0)
+            for (size_t k = i; k < i + AHEAD && k < s->n; k++) l[k - i] = prepare(&t, s, p, k);
+        if ((same = same_as(&t, s, p, i, &l[i % AHEAD]))) break;
+    }
+    free(t.slot);
     return same ? refuse_same(s, p, same - 1, i, why) : STATUS_OK;
 }

@@ -5,7 +5,9 @@
 #include "verification/unit/near.h"
 
 #include <float.h>
+#include <stdint.h>
 #include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
 
 static void decimals_and_fractions(void **state) {
@@ -99,6 +101,30 @@ static void numbers_as_programs_print_them(void **state) {
     }
 }
 
+/* To the last bit as strtod, which is slower: any number of digits, the point anywhere, either sign. */
+static void decimals_round_as_those_of_the_library(void **state) {
+    (void)state;
+    uint64_t draw = 1;
+    for (int i = 0; i < 20000; i++) {
+        char text[40];
+        int length = 0, digits = 1 + i % 19, point = i / 19 % (digits + 1);
+        if (i % 3) text[length++] = "-+"[i % 2];
+        for (int k = 0; k <= digits; k++) {
+            draw = draw * 6364136223846793005u + 1442695040888963407u;
+            text[length++] = (char)(k == point ? '.' : '0' + (draw >> 60) % 10);
+        }
+        text[length] = '\0';
+        double value, wanted = strtod(text, NULL);
+        assert_int_equal(number_read_printed(text, (size_t)length, &value), 0);
+        if (memcmp(&value, &wanted, sizeof value) != 0) fail_msg("%s: %.17g, not %.17g", text, value, wanted);
+    }
+    static const char *const none[] = {".", "-.", "..", ".5.", "1.x", "1./", "1.:", "+"};
+    for (size_t i = 0; i < sizeof none / sizeof *none; i++) {
+        double value;
+        if (number_read_printed(none[i], strlen(none[i]), &value) != -1) fail_msg("'%s' is taken", none[i]);
+    }
+}
+
 /* As printf does, which is slower for whole numbers. */
 static void numbers_are_printed_with_all_their_digits(void **state) {
     (void)state;
@@ -120,6 +146,7 @@ int main(void) {
         cmocka_unit_test(lists),
         cmocka_unit_test(whole_numbers),
         cmocka_unit_test(numbers_as_programs_print_them),
+        cmocka_unit_test(decimals_round_as_those_of_the_library),
         cmocka_unit_test(numbers_are_printed_with_all_their_digits),
     };
     return cmocka_run_group_tests_name("number", tests, NULL, NULL);

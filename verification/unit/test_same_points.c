@@ -11,7 +11,7 @@
 #include <gsl/gsl_rng.h>
 #include <stdio.h>
 
-enum { MOST = 40, DRAWS = 4000 };
+enum { MOST = 200, DRAWS = 4000 };
 static double at_x[MOST], at_y[MOST];
 
 /* 2 m by half a metre: a point is the same within 2 nm along x and half a nanometre along y. */
@@ -63,6 +63,21 @@ static void points_in_no_order(void **state) {
     gsl_rng_free(r);
 }
 
+/* Many points at places of their own but for one of them, which takes the place of any other. */
+static void one_pair_among_many(void **state) {
+    (void)state;
+    for (int k = 0; k < MOST; k++) {
+        for (int i = 0; i < MOST; i++) {
+            int at = 77 * i % 211; /* all apart, in no order */
+            at_x[i] = body.lo[0] + 0.01 * (at % 15), at_y[i] = body.lo[1] + 0.01 * (at / 15.0);
+        }
+        assert_int_equal(compare(2, MOST), 0);
+        int other = (k + 1 + 31 * k % (MOST - 1)) % MOST;
+        at_x[k] = at_x[other], at_y[k] = at_y[other];
+        assert_int_equal(compare(2, MOST), 1);
+    }
+}
+
 /* Rows whose points stray by a tenth of a distance, a few by more; their steps are now and then below one. */
 static void points_in_rows_and_columns(void **state) {
     (void)state;
@@ -92,6 +107,7 @@ static void points_in_rows_and_columns(void **state) {
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(points_in_no_order),
+        cmocka_unit_test(one_pair_among_many),
         cmocka_unit_test(points_in_rows_and_columns),
     };
     return cmocka_run_group_tests_name("same points", tests, NULL, NULL);
