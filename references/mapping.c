@@ -100,11 +100,11 @@ static double source(const struct problem *p, const double x[2]) {
     return mapping_scale(&i->map) * i->of->source(i->of, at);
 }
 
-static double source_change(const struct problem *p, const double x[2], double t) {
+static double source_rate(const struct problem *p, const double x[2]) {
     const struct image *i = p->data;
     double at[2];
     mapping_to_scene(&i->map, p->dim, x, at);
-    return mapping_scale(&i->map) * i->of->source_change(i->of, at, t);
+    return mapping_scale(&i->map) * i->of->source_rate(i->of, at);
 }
 
 /* Extents, jumps and conductivities of the case's axis a. */
@@ -131,7 +131,7 @@ void mapping_image(const struct mapping *m, const struct problem *p, struct imag
     of->initial = initial;
     of->wall = wall;
     if (p->source) of->source = source;
-    if (p->source_change) of->source_change = source_change;
+    if (p->source_rate) of->source_rate = source_rate;
     for (int a = 0; a < p->dim; a++) image_axis(image, a);
     if (p->materials == 2 && m->against[image->interface_axis]) {
         struct material first = of->material[0];

@@ -62,11 +62,6 @@ static double slope_y(const struct problem *p, const double x[2]) {
     return -0.5 * b * exp(rate_x * x[0] / p->param[WIDTH]) * sin(b * x[1] + phase_y);
 }
 
-static double source(const struct problem *p, const double x[2]) {
-    double a = rate_x / p->param[WIDTH], b = rate_y / p->param[HEIGHT];
-    return (b * b * p->param[K_Y] - a * a * p->param[K_X]) * (steady(p, x) - 1);
-}
-
 /* The derivative of R of that order, 0 to 2, times width^order. */
 static double shape(const struct problem *p, const double x[2], int order) {
     double a = M_PI * x[0] / p->param[WIDTH];
@@ -74,9 +69,15 @@ static double shape(const struct problem *p, const double x[2], int order) {
     return order == 0 ? sin(a) - 0.1 * sin(3 * a) : M_PI * M_PI * (0.9 * sin(3 * a) - sin(a));
 }
 
-static double source_change(const struct problem *p, const double x[2], double t) {
+static double source(const struct problem *p, const double x[2]) {
+    const double *v = p->param, a = rate_x / v[WIDTH], b = rate_y / v[HEIGHT];
+    double kept = (b * b * v[K_Y] - a * a * v[K_X]) * (steady(p, x) - 1);
+    return v[RISE] > 0 ? kept + v[RISE] * v[RHO_C] * shape(p, x, 0) : kept;
+}
+
+static double source_rate(const struct problem *p, const double x[2]) {
     const double *v = p->param;
-    return v[RISE] * (v[RHO_C] * shape(p, x, 0) - v[K_X] * t * shape(p, x, 2) / (v[WIDTH] * v[WIDTH]));
+    return -v[RISE] * v[K_X] * shape(p, x, 2) / (v[WIDTH] * v[WIDTH]);
 }
 
 static double wall(const struct problem *p, enum side s, const double x[2]) {
@@ -123,7 +124,7 @@ static int setup(struct problem *p, struct failure *why) {
     p->initial = initial;
     p->wall = wall;
     p->source = source;
-    if (p->param[RISE] > 0) p->source_change = source_change;
+    if (p->param[RISE] > 0) p->source_rate = source_rate;
     return STATUS_OK;
 }
 
@@ -131,13 +132,13 @@ static double transient_start(const struct problem *p, const double x[2]) {
     return initial(p, x) - steady(p, x);
 }
 
-/* G's change over rho_c: what it has at once, and what it gains in time, K s^-2. */
+/* What `rise` adds to G, over rho_c: at once, K s^-1, and in time, K s^-2. */
 static double heated(const struct problem *p, const double x[2]) {
-    return source_change(p, x, 0) / p->param[RHO_C];
+    return p->param[RISE] * shape(p, x, 0);
 }
 
 static double heated_more(const struct problem *p, const double x[2]) {
-    return (source_change(p, x, p->t_end) - source_change(p, x, 0)) / (p->t_end * p->param[RHO_C]);
+    return source_rate(p, x) / p->param[RHO_C];
 }
 
 /* The integral over s from 0 to t of exp((t - s)L) of what G has more at s. */
@@ -166,7 +167,7 @@ static struct exact second(const struct problem *p, const double x[2], double t)
     spectral_free(s);
     e.temperature += steady(p, x);
     e.error_bound += 8 * DBL_EPSILON;
-    if (!p->source_change) return e;
+    if (!p->source_rate) return e;
     struct exact more = duhamel(p, x, t);
     e.temperature += more.temperature;
     e.error_bound += more.error_bound;

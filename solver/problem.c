@@ -12,5 +12,5 @@ double problem_diffusivity(const struct problem *p) {
 }
 
 double problem_source(const struct problem *p, const double x[2], double t) {
-    return (p->source ? p->source(p, x) : 0) + (p->source_change ? p->source_change(p, x, t) : 0);
+    return (p->source ? p->source(p, x) : 0) + (p->source_rate ? t * p->source_rate(p, x) : 0);
 }

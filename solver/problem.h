@@ -4,7 +4,7 @@
 
 /* What is solved:  rho_c dT/dt = d/dx(k_x dT/dx) + d/dy(k_y dT/dy) + G
  * on a rod [lo[0], hi[0]], a rectangle or another shape.  Data only; SI units.  Sides and coefficients do not change
- * in time, nor does the source but for `source_change`, so that dT/dt = A T + g with one A and one g. */
+ * in time, nor does the source but for `source_rate`, so that dT/dt = A T + g with one A and one g. */
 
 enum side { X_LO, X_HI, Y_LO, Y_HI };
 /* PERIODIC, in pairs: no wall, the body goes on at the opposite side. */
@@ -42,11 +42,11 @@ struct problem {
      * ambient temperature T_a, K (Song eq. 4).  x is taken to the wall along the axis of the side; its other
      * coordinate may lie a few spacings outside (ghosts at corners).  On a round wall the direction of x counts. */
     double (*wall)(const struct problem *p, enum side s, const double x[2]);
-    /* W m^-3; NULL where there is none.  x may lie a few spacings outside */
+    /* W m^-3, at t = 0; NULL where there is none.  x may lie a few spacings outside */
     double (*source)(const struct problem *p, const double x[2]);
-    /* W m^-3, what the source has more at the time t, s; NULL where it does not change.  Zero on Dirichlet sides and
-     * without a slope across the others, so that ghosts are those of `source` */
-    double (*source_change)(const struct problem *p, const double x[2], double t);
+    /* W m^-3 s^-1, what the source gains in time, the same at all times; NULL where it gains nothing.  Zero on
+     * Dirichlet sides and without a slope across the others, so that ghosts are those of `source` */
+    double (*source_rate)(const struct problem *p, const double x[2]);
 };
 
 /* The largest diffusivity of all materials and axes, m^2 s^-1. */

@@ -135,12 +135,12 @@ static void hand_over(struct ftcs_grid *g, struct field *f) {
     }
 }
 
-static int run(struct ftcs_grid *g, const struct problem *p, struct failure *why) {
+static int run(struct ftcs_grid *g, struct failure *why) {
     const double mean = g->dt;
     for (long long step = 1; step <= g->steps; step++) {
         g->dt = mean * (step % 2 ? 1 + g->alternation : 1 - g->alternation);
         ftcs_grid_walls(g);
-        if (p->source_change) ftcs_grid_source(g, p, (double)(step - 1) * mean);
+        if (g->warming[0]) ftcs_grid_source(g, (double)(step - 1) * mean);
         if (g->with_fluxes)
             step_fluxes(g);
         else
@@ -190,8 +190,8 @@ static int outline(const struct method *m, const struct problem *p, const struct
     outline_hold(out, "temperatures with their ghosts", g.size * unit, OUTLINE_SET_UP, OUTLINE_STEPS);
     outline_hold(out, with_fluxes ? "fluxes of a few rows" : "temperatures of the next step",
                  (with_fluxes ? nx + 2 + 3 * nx * rows : g.size) * unit, OUTLINE_SET_UP, OUTLINE_STEPS);
-    outline_hold(out, "what the source adds in a step", p->source ? nx * ny * unit : 0, OUTLINE_SET_UP,
-                 OUTLINE_STEPS);
+    size_t sources = p->source_rate ? 3 : p->source != NULL;
+    outline_hold(out, "what the source adds in a step", sources * nx * ny * unit, OUTLINE_SET_UP, OUTLINE_STEPS);
     outline_hold(out, "what the walls add", 2 * FTCS_LAYERS * (ny + nx * rows) * unit, OUTLINE_SET_UP, OUTLINE_STEPS);
     outline_hold(out, "what the materials conduct and hold", p->materials == 2 ? (2 + (size_t)g.dim) * nx * unit : 0,
                  OUTLINE_SET_UP, OUTLINE_STEPS);
@@ -208,7 +208,7 @@ static int solve(const struct method *m, const struct problem *p, const struct o
     int status = ftcs_grid_make(&g, m->name, m == &method_ftcs_flux, p, o, why);
     if (status) return status;
     double before = heat(&g), stepping = seconds_now();
-    status = run(&g, p, why);
+    status = run(&g, why);
     double stepped = seconds_now();
     if (status == STATUS_OK) {
         double after = heat(&g);

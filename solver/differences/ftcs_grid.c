@@ -126,6 +126,7 @@ static void fill(struct ftcs_grid *g, const struct problem *p, const struct opti
     else
         g->next = reserve(g, size);
     if (p->source) g->heating = reserve(g, (ptrdiff_t)nx * ny);
+    for (int k = 0; k < 2 && p->source_rate; k++) g->warming[k] = reserve(g, (ptrdiff_t)nx * ny);
     g->lowest = INFINITY;
     g->highest = -INFINITY;
     for (int j = 0; j < ny; j++)
@@ -136,22 +137,20 @@ static void fill(struct ftcs_grid *g, const struct problem *p, const struct opti
             g->lowest = fmin(g->lowest, T);
             g->highest = fmax(g->highest, T);
             if (!p->source) continue;
-            double G = p->source(p, x), last = p->source_change ? G + p->source_change(p, x, p->t_end) : G;
+            double G = p->source(p, x), rate = p->source_rate ? p->source_rate(p, x) : 0, last = G + p->t_end * rate;
             source = fmax(source, fmax(fabs(G), fabs(last)));
             g->T[g->corner + j * g->stride + i] += g->start * G / ftcs_grid_rho_c(g, i);
             if (o->stepper == STEPPER_MATCHED) G += ftcs_matched_source(g, p, x);
-            g->heating[(ptrdiff_t)j * nx + i] = G / ftcs_grid_rho_c(g, i);
+            ptrdiff_t at = (ptrdiff_t)j * nx + i;
+            g->heating[at] = G / ftcs_grid_rho_c(g, i);
+            if (p->source_rate) g->warming[0][at] = g->heating[at], g->warming[1][at] = rate / ftcs_grid_rho_c(g, i);
         }
     bound(g, p, source);
 }
 
-void ftcs_grid_source(struct ftcs_grid *g, const struct problem *p, double t) {
-    for (int j = 0; j < g->n[1]; j++)
-        for (int i = 0; i < g->n[0]; i++) {
-            double x[2] = {g->origin[0] + i * g->d[0], g->origin[1] + j * g->d[1]};
-            g->heating[(ptrdiff_t)j * g->n[0] + i] =
-                (p->source(p, x) + p->source_change(p, x, t)) / ftcs_grid_rho_c(g, i);
-        }
+void ftcs_grid_source(struct ftcs_grid *g, double t) {
+    ptrdiff_t n = (ptrdiff_t)g->n[0] * g->n[1];
+    for (ptrdiff_t k = 0; k < n; k++) g->heating[k] = g->warming[0][k] + t * g->warming[1][k];
 }
 
 void ftcs_grid_walls(const struct ftcs_grid *g) {
@@ -184,7 +183,8 @@ double ftcs_grid_rho_c(const struct ftcs_grid *g, int i) {
 void ftcs_grid_keep_T(struct ftcs_grid *g) {
     g->held = g->size;
     for (int s = 0; s < 4; s++) free(g->edge[s].offset), g->edge[s].offset = NULL;
-    double **spent[] = {&g->next, &g->q, &g->heating, &g->layers[0], &g->layers[1], &g->layers[2], &g->layers[3]};
+    double **spent[] = {&g->next,      &g->q,         &g->heating,   &g->warming[0], &g->warming[1],
+                        &g->layers[0], &g->layers[1], &g->layers[2], &g->layers[3]};
     for (size_t k = 0; k < sizeof spent / sizeof *spent; k++) free(*spent[k]), *spent[k] = NULL;
 }
 

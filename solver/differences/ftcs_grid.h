@@ -45,6 +45,7 @@ struct ftcs_grid {
     double *T, *next;         /* K; `next` is NULL with fluxes: they step in place */
     double *q;                /* K m s^-1: one row of q_x, then three of q_y; NULL without fluxes */
     double *heating;          /* K s^-1, G / rho_c; NULL where there is no source */
+    double *warming[2];       /* of a source that changes: `heating` at t = 0, and what it gains, K s^-2; else NULL */
 };
 
 /* 0 and *g ready for its first step, to be given to ftcs_grid_free; or STATUS_INPUT, *why filled and nothing held. */
@@ -54,7 +55,7 @@ void ftcs_grid_free(struct ftcs_grid *g);
 void ftcs_grid_keep_T(struct ftcs_grid *g); /* frees all that a finished run needs no more */
 
 /* Sets `heating` to that of the time t, s, of a source that changes. */
-void ftcs_grid_source(struct ftcs_grid *g, const struct problem *p, double t);
+void ftcs_grid_source(struct ftcs_grid *g, double t);
 
 /* Sets the ghosts from the unknowns. */
 void ftcs_grid_walls(const struct ftcs_grid *g);

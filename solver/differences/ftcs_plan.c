@@ -91,7 +91,7 @@ static int check_options(const struct ftcs_grid *g, const struct problem *p, con
                       "--stepper matched: in the plane the error of %s is not isotropic, and no step "
                       "cancels it; valid here: euler, auto",
                       g->method);
-    if (o->stepper == STEPPER_MATCHED && p->source_change)
+    if (o->stepper == STEPPER_MATCHED && p->source_rate)
         return refuse(why, STATUS_NOT_APPLICABLE,
                       "--stepper matched: a source that changes in time has an error of its own in Euler's steps, "
                       "which no step cancels; take --stepper euler");

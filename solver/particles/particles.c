@@ -80,7 +80,7 @@ int particles_resolve(const struct problem *p, const struct options *o, const st
     if (p->materials == 2 && o->sampling == SAMPLING_SPLINE)
         return refuse(why, STATUS_NOT_APPLICABLE,
                       "--sampling spline: four cells of two materials have no common average; take point or cell");
-    if (p->source_change)
+    if (p->source_rate)
         return refuse(why, STATUS_NOT_APPLICABLE,
                       "a source that changes in time: every stepper here takes dT/dt = A T + g with one g; take "
                       "ftcs");

@@ -71,16 +71,16 @@ static double source(const struct problem *p, const double x[2]) {
     const struct faulty *f = faulty_of(p);
     double at[2];
     to_right(f, x, at);
-    double value = f->right->source ? f->right->source(f->right, at) : 0;
+    double value = problem_source(f->right, at, f->fault.kind == FAULT_SOURCE_TIME ? f->size : 0);
     if (f->fault.kind == FAULT_CORNER) value -= lost_at_corner(f, at);
     return f->fault.kind == FAULT_SOURCE || f->fault.kind == FAULT_AMPLITUDE ? (1 + f->size) * value : value;
 }
 
-static double source_change(const struct problem *p, const double x[2], double t) {
+static double source_rate(const struct problem *p, const double x[2]) {
     const struct faulty *f = faulty_of(p);
     double at[2];
     to_right(f, x, at);
-    double value = f->right->source_change(f->right, at, f->fault.kind == FAULT_SOURCE_TIME ? t + f->size : t);
+    double value = f->right->source_rate(f->right, at);
     return f->fault.kind == FAULT_SOURCE || f->fault.kind == FAULT_AMPLITUDE ? (1 + f->size) * value : value;
 }
 
@@ -137,7 +137,7 @@ static int applies(const struct problem *p, struct fault fault) {
     case FAULT_SOURCE:
         return p->source != 0;
     case FAULT_SOURCE_TIME:
-        return p->source_change != 0;
+        return p->source_rate != 0;
     case FAULT_CAPACITY:
         return p->materials == 2 && p->material[0].rho_c != p->material[1].rho_c;
     case FAULT_AXIS:
@@ -192,7 +192,7 @@ int fault_make(const struct problem *p, struct fault fault, double size, struct 
     q->initial = initial;
     q->wall = wall;
     if (p->source || fault.kind == FAULT_CORNER) q->source = source;
-    if (p->source_change) q->source_change = source_change;
+    if (p->source_rate) q->source_rate = source_rate;
     for (int a = 0; a < 2; a++) f->centre[a] = (p->lo[a] + p->hi[a]) / 2, q->mirror[a] = 0;
     switch (fault.kind) {
     case FAULT_CLOCK:

@@ -18,7 +18,7 @@ int answer_check(const struct answer *a, struct failure *why) {
         const struct columns_kind *kind = a->columns.kind[i];
         if (kind->needs_time && a->times == 0)
             return refuse(why, STATUS_INPUT, "--what %s needs --time T[,T...]: when, s", kind->name);
-        if (strcmp(kind->name, "source") == 0 && a->image->problem.source_change && a->times == 0)
+        if (strcmp(kind->name, "source") == 0 && a->image->problem.source_rate && a->times == 0)
             return refuse(why, STATUS_INPUT, "--what source changes in time here and needs --time T[,T...]: when, s");
         if (kind->needs_cell && !a->points.cell && !(a->cell > 0))
             return refuse(why, STATUS_INPUT,

@@ -202,14 +202,13 @@ static void test_matched_starts_late(void **state) {
     }
 }
 
-/* T = level + t mode, mode being one of the differences: what it takes at the time t. */
-static double nothing(const struct problem *p, const double x[2]) {
-    (void)p, (void)x;
-    return 0;
+/* T = level + t mode, mode being one of the differences: what it takes at first, and what more in time. */
+static double rising(const struct problem *p, const double x[2]) {
+    return p->material[0].rho_c * (mode(p, x) - p->param[2]) / p->param[3];
 }
 
-static double rising(const struct problem *p, const double x[2], double t) {
-    return p->material[0].rho_c * (1 + p->param[4] * t) * (mode(p, x) - p->param[2]) / p->param[3];
+static double rising_more(const struct problem *p, const double x[2]) {
+    return p->param[4] * rising(p, x);
 }
 
 static double level_alone(const struct problem *p, const double x[2]) {
@@ -225,7 +224,7 @@ static void test_source_that_changes_is_that_of_the_old_time(void **state) {
         const struct method *m = both[turn >> 1];
         struct problem p = turn & 1 ? plane(5, 3) : rod(13);
         struct options o = {.dx = 0.046, .dt = 0.00061};
-        p.initial = level_alone, p.source = nothing, p.source_change = rising;
+        p.initial = level_alone, p.source = rising, p.source_rate = rising_more;
         p.t_end = 217 * o.dt;
         for (int a = 0; a < p.dim; a++)
             p.param[4] += p.material[0].k[a] / p.material[0].rho_c / (o.dx * o.dx) *
