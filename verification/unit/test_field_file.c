@@ -209,6 +209,24 @@ static void parts_of_the_domain_do_not(void **state) {
         }
 }
 
+/* Twelve by twelve points in four by four boxes, of which one is empty. */
+static void the_gap_is_said(void **state) {
+    (void)state;
+    struct cloud c = cloud("square-step", 12, 0, 0);
+    struct field f;
+    struct failure why;
+    FILE *out = fopen(path, "w");
+    fprintf(out, "x,y,T\n");
+    for (int j = 0; j < 12; j++)
+        for (int i = 0; i < 12; i++)
+            if (i / 3 != 2 || j / 3 != 3) fprintf(out, "%.17g,%.17g,1\n", -2 + (i + 0.5) / 3, -2 + (j + 0.5) / 3);
+    fclose(out);
+    assert_int_equal(
+        field_file_read(path, path, &(struct column_map){0}, &c.p, (double[2]){1 / 3.0, 1 / 3.0}, &f, &why),
+        STATUS_INPUT);
+    assert_has(why.text, "no point in 0 <= x <= 1 m, 1 <= y <= 2 m:");
+}
+
 static void a_point_counts_once(void **state) {
     (void)state;
     struct cloud c = cloud("rod-step", 8, 0, 0);
@@ -257,6 +275,7 @@ int main(void) {
         cmocka_unit_test(what_is_no_answer),
         cmocka_unit_test(the_usual_arrangements_cover),
         cmocka_unit_test(parts_of_the_domain_do_not),
+        cmocka_unit_test(the_gap_is_said),
         cmocka_unit_test(a_point_counts_once),
         cmocka_unit_test(rounded_coordinates_lie_on_the_walls),
     };

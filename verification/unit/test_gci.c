@@ -183,6 +183,13 @@ static void what_is_missing_is_named(void **state) {
     fclose(answer("two", 0.125));
     assert_int_equal(read_sub("two", &(struct numbers){0}, &g, &why), STATUS_INPUT);
     assert_has(why.text, "empty");
+    static const char *const values[] = {"flux,heat\n1,2\n", "flux\n1.5\n", "flux,heat\n1.75,3\n"};
+    for (int i = 0; i < 3; i++) {
+        FILE *out = answer("fewer", 0.5 / (1 << i));
+        fputs(values[i], out);
+        fclose(out);
+    }
+    assert_int_equal(read_sub("fewer", &(struct numbers){0}, &g, &why), STATUS_INPUT);
 }
 
 int main(void) {
