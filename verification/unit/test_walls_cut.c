@@ -208,6 +208,26 @@ static void clipped_cells_fill_the_body(void **state) {
     }
 }
 
+/* A particle whose cell no wall clips has the volume of every particle; rows of hexagons stand nearer. */
+static void whole_cells_have_the_volume_of_a_particle(void **state) {
+    (void)state;
+    static const double volume[] = {0.01, 0.00866025403784438647};
+    for (int k = 0; k < 2; k++) {
+        struct options o = {
+            .dx = 0.1, .layout = k ? LAYOUT_HEXAGONAL : LAYOUT_LATTICE, .walls = WALLS_FIT, .seed = 3};
+        struct problem p = body(1, DIRICHLET, &flat);
+        struct lattice l;
+        struct cloud c;
+        struct failure why = {0};
+        double largest = 0;
+        if (layout_lattice(&p, &o, 1, &l, &why) || layout_cloud(&p, &o, &l, 0.22, &c, &why)) fail_msg("%s", why.text);
+        for (size_t i = 0; i < c.n; i++) largest = fmax(largest, c.cell[i]);
+        assert_near(c.volume, volume[k], 1e-15);
+        assert_near(largest, volume[k], 1e-15);
+        layout_cloud_free(&c);
+    }
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(fits_continue_quadratics),
@@ -219,6 +239,7 @@ int main(void) {
         cmocka_unit_test(what_has_no_one_sided_fit_is_refused),
         cmocka_unit_test(particles_on_a_wall_hold_its_temperature),
         cmocka_unit_test(clipped_cells_fill_the_body),
+        cmocka_unit_test(whole_cells_have_the_volume_of_a_particle),
     };
     gsl_set_error_handler_off();
     return cmocka_run_group_tests_name("walls anywhere", tests, NULL, NULL);
