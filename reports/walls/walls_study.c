@@ -38,11 +38,17 @@ static const struct body {
 static const double spacings[] = {0.1, 0.07, 0.05, 0.035, 0.025};
 enum { BODIES = 4, SPACINGS = 5, SEEDS = 8, RUNS = SPACINGS * SEEDS, SPECTRA = 4 };
 
+struct price {            /* the worst of some runs */
+    double limit, growth; /* dx^2/kappa, kappa/dx^2 */
+    double amplification; /* of a dummy: the sum of the sizes of its shares */
+    double taken;         /* particles that a dummy takes, in the mean */
+    double condition;     /* of a fit's moment matrix */
+};
+
 struct entry {                                                   /* of a treatment at a body */
     double dx[RUNS], E1[RUNS], largest[RUNS], work[RUNS], drift; /* work: interactions */
     double neighbours;                                           /* in the mean, at the finest spacing */
-    double limit, growth;                                        /* dx^2/kappa, kappa/dx^2 */
-    double amplification; /* of the worst dummy: the sum of the sizes of its shares */
+    struct price price;
     struct failure why;
 };
 
@@ -67,20 +73,26 @@ static void take_runs(const char *scene, const char *walls, struct entry *e) {
     }
 }
 
-/* By how much an error of the particles may be larger in a dummy: the sum of |share|, of the worst. */
-static double worst_dummy(const struct cloud *c) {
-    double worst = 0;
-    for (size_t j = 0; c->begin && j < c->total - c->n; j++) {
+/* By how much an error of the particles may be larger in a dummy: the sum of |share|, of the worst; how many
+ * particles it takes, and how well its fit is posed.
+ *
+ * Derived, of `fit`: about a wall's point particles fill half a disc, and h grows until 15 are in it: 16 in the mean
+ * of lattices of any origin and angle.  Moments of the continuous half disc with the cubic kernel, functions scaled
+ * to size 1: condition number (1-norm) 49 with the wall's temperatures (x, y, x^2, xy, y^2 free) and 12 with its flux
+ * (1, y, x^2, xy, y^2).  The worst of 4000 lattices: 52 and 57, `cooled` as `flux`. */
+static void take_dummies(const struct cloud *c, struct price *price) {
+    size_t dummies = c->begin ? c->total - c->n : 0;
+    for (size_t j = 0; j < dummies; j++) {
         double sum = 0;
         for (size_t k = c->begin[j]; k < c->begin[j + 1]; k++) sum += fabs(c->share[k]);
-        worst = fmax(worst, sum);
+        price->amplification = fmax(price->amplification, sum);
     }
-    return worst;
+    if (dummies) price->taken = fmax(price->taken, (double)c->begin[dummies] / (double)dummies);
+    price->condition = fmax(price->condition, c->condition);
 }
 
-/* The operator of a request's run, all eigenvalues: the step in dx^2/kappa, the growth in kappa/dx^2. */
-static int take_spectrum(const struct experiment *e, double *limit, double *growth, double *amplification,
-                         struct failure *why) {
+/* The operator of a request's run, all eigenvalues. */
+static int take_spectrum(const struct experiment *e, struct price *price, struct failure *why) {
     struct options o;
     struct lattice l;
     struct cloud c;
@@ -92,34 +104,34 @@ static int take_spectrum(const struct experiment *e, double *limit, double *grow
     if (particles_prepare(&e->problem, &e->options, scheme, &o, &l, &rows, why)) return why->status;
     if (particles_cloud(&e->problem, &o, scheme, &l, &c, why)) return why->status;
     int status = operator_create_csr(&a, &e->problem, &o, scheme, &c, l.dx[0], why);
-    *amplification = fmax(*amplification, worst_dummy(&c));
+    take_dummies(&c, price);
     layout_cloud_free(&c);
     if (status) return status;
     status = spectrum_create(&s, &a, &(struct amplification){STEPPER_EULER, 0}, why);
     operator_free(&a);
     if (status) return status;
-    *limit = fmin(*limit, s.limit * unit);
-    *growth = fmax(*growth, s.growth > spectrum_rounding(&s) ? s.growth / unit : 0);
+    price->limit = fmin(price->limit, s.limit * unit);
+    price->growth = fmax(price->growth, s.growth > spectrum_rounding(&s) ? s.growth / unit : 0);
     spectrum_free(&s);
     return STATUS_OK;
 }
 
-/* *limit, *growth and *amplification, where those of this run are worse. */
-static int take_step(double *limit, double *growth, double *amplification, struct failure *why, const char *command) {
+/* *price, where that of this run is worse. */
+static int take_price(struct price *price, struct failure *why, const char *command) {
     struct request r;
     int status = arguments_parse_line(command, &r, why);
-    if (!status) status = take_spectrum(&r.experiment, limit, growth, amplification, why);
+    if (!status) status = take_spectrum(&r.experiment, price, why);
     arguments_free(&r);
     return status;
 }
 
 static void take_spectra(const char *scene, const char *walls, struct entry *e) {
-    e->limit = INFINITY, e->growth = 0;
+    e->price.limit = INFINITY;
     for (int seed = 1; seed <= SPECTRA && !e->why.status; seed++) {
         char command[200];
         snprintf(command, sizeof command, "run %.*s so_ssph%s --walls %s --seed %d --dx 0.125 --stepper euler",
                  (int)strcspn(scene, " "), scene, scene + strcspn(scene, " "), walls, seed);
-        take_step(&e->limit, &e->growth, &e->amplification, &e->why, command);
+        take_price(&e->price, &e->why, command);
     }
 }
 
@@ -149,38 +161,41 @@ static void write_rows(const struct entry *all, FILE *csv, FILE *md) {
     fprintf(
         csv,
         "walls,body,order derived,order,low,high,order of the largest error,low,high,E1,largest error [K],largest "
-        "stable step [dx^2/kappa],growth [kappa/dx^2],heat drift,neighbours,amplification\n");
+        "stable step [dx^2/kappa],growth [kappa/dx^2],heat drift,neighbours,amplification,particles of a "
+        "dummy,condition\n");
     fprintf(
         md,
         "# Walls that cut the lattice anywhere\n\nso_ssph, h/dx 1.1, eight lattices of any origin and angle at each "
         "of dx = 0.1 ... 0.025 m; errors at 0.025, the mean E1 and the largest of all; step and growth by "
         "eigenvalues at 0.125, the worst of four; "
-        "amplification: the sum of |share| of the worst dummy there.\n");
+        "amplification: the sum of |share| of the worst dummy there, then the particles that a dummy takes and the "
+        "worst condition number of its fit.\n");
     for (int b = 0; b < BODIES; b++) {
         fprintf(
             md,
             "\n## %s (%s)\n\n| `--walls` | order derived | order of E1 | order of the largest error | E1 | largest "
             "error, K | step, dx^2/kappa | growth, kappa/dx^2 | heat drift "
-            "| neighbours | amplification |\n|---|---|---|---|---|---|---|---|---|---|---|\n",
+            "| neighbours | amplification | particles of a dummy | condition "
+            "|\n|---|---|---|---|---|---|---|---|---|---|---|---|---|\n",
             bodies[b].name, bodies[b].scene);
         for (int t = 0; t < TREATMENTS; t++) {
             const struct entry *e = &all[b * TREATMENTS + t];
             if (!bodies[b].derived[t]) {
                 fprintf(csv, "%s,%s,refused,,,,,,,,,,,,,\n", treatments[t], bodies[b].name);
-                fprintf(md, "| `%s` | refused | | | | | | | | | |\n", treatments[t]);
+                fprintf(md, "| `%s` | refused | | | | | | | | | | | |\n", treatments[t]);
                 continue;
             }
             struct slope s = slope_fit(e->dx, e->E1, RUNS), m = slope_fit(e->dx, e->largest, RUNS);
-            fprintf(csv, "%s,%s,%s,%.3f,%.3f,%.3f,%.3f,%.3f,%.3f,%.4e,%.4e,%.4g,%.3g,%.2e,%.3f,%.4g\n", treatments[t],
-                    bodies[b].name, bodies[b].derived[t], s.value, s.ci[0], s.ci[1], m.value, m.ci[0], m.ci[1],
-                    mean_of(e->E1), most_of(e->largest), e->limit, e->growth, e->drift, e->neighbours,
-                    e->amplification);
+            fprintf(csv, "%s,%s,%s,%.3f,%.3f,%.3f,%.3f,%.3f,%.3f,%.4e,%.4e,%.4g,%.3g,%.2e,%.3f,%.4g,%.3f,%.4g\n",
+                    treatments[t], bodies[b].name, bodies[b].derived[t], s.value, s.ci[0], s.ci[1], m.value, m.ci[0],
+                    m.ci[1], mean_of(e->E1), most_of(e->largest), e->price.limit, e->price.growth, e->drift,
+                    e->neighbours, e->price.amplification, e->price.taken, e->price.condition);
             fprintf(md,
                     "| `%s` | %s | %.2f [%.2f, %.2f] | %.2f [%.2f, %.2f] | %.2e | %.2e | %.3f | %.2g | %.1e | %.2f | "
-                    "%.3g |\n",
+                    "%.3g | %.1f | %.3g |\n",
                     treatments[t], bodies[b].derived[t], s.value, s.ci[0], s.ci[1], m.value, m.ci[0], m.ci[1],
-                    mean_of(e->E1), most_of(e->largest), e->limit, e->growth, e->drift, e->neighbours,
-                    e->amplification);
+                    mean_of(e->E1), most_of(e->largest), e->price.limit, e->price.growth, e->drift, e->neighbours,
+                    e->price.amplification, e->price.taken, e->price.condition);
         }
     }
 }
@@ -222,7 +237,7 @@ static int write_offsets(FILE *out, FILE *md, struct failure *why) {
                  "--dx 0.3/20,0.3/40,0.3/80,0.3/160\n");
     for (size_t k = 0; k < sizeof rods / sizeof *rods; k++) {
         fprintf(out, "\n\n# %s %s\noffset,order,low,high,E1,step\n", rods[k].scene, rods[k].walls);
-        double order[10], last[10], step[10], mean = 0, growth = 0, amplification = 0;
+        double order[10], last[10], step[10], mean = 0, growth = 0;
         for (int s = 0; s < 10; s++) {
             double dx[4], E1[4];
             for (int n = 0; n < 4; n++) {
@@ -239,8 +254,9 @@ static int write_offsets(FILE *out, FILE *md, struct failure *why) {
             char command[200];
             snprintf(command, sizeof command, "run %s so_ssph --walls %s --shift 0.%d --dx %.17g --stepper euler",
                      rods[k].scene, rods[k].walls, s, dx[2]);
-            step[s] = INFINITY;
-            if (take_step(&step[s], &growth, &amplification, why, command)) return why->status;
+            struct price price = {.limit = INFINITY};
+            if (take_price(&price, why, command)) return why->status;
+            step[s] = price.limit, growth = fmax(growth, price.growth);
             fprintf(out, "0.%d,%.4f,%.4f,%.4f,%.4e,%.4f\n", s, fit.value, fit.ci[0], fit.ci[1], E1[3], step[s]);
             order[s] = fit.value, last[s] = E1[3], mean += E1[3] / 10;
         }
@@ -250,6 +266,33 @@ static int write_offsets(FILE *out, FILE *md, struct failure *why) {
         fprintf(md, "| %s | `%s` | %s | %.2f [%.2f, %.2f] | %.2e | %.2e | %.3f to %.3f | %.2g |\n", rods[k].scene,
                 rods[k].walls, rods[k].derived, gsl_stats_median_from_sorted_data(order, 1, 10), order[0], order[9],
                 mean, last[9], step[0], step[9], growth);
+    }
+    return STATUS_OK;
+}
+
+/* In the plane the fastest mode is that of both axes: what a treatment takes from a rod's step it takes from the
+ * plane's, 0.525 dx^2/kappa without walls for the rod's 0.537. */
+static int write_steps(FILE *md, struct failure *why) {
+    static const char *const walls[] = {"mirror", "image", "fit", "one_sided"};
+    fprintf(md, "\n### plate-cooling --dx 1/15\n\nThe largest stable step of ten offsets, both axes alike, by all "
+                "eigenvalues (0.525 without walls), dx^2/kappa; growth, kappa/dx^2; condition of the worst fit.\n\n"
+                "| `--walls` | step, least | step, most | growth | condition |\n|---|---|---|---|---|\n");
+    for (size_t k = 0; k < sizeof walls / sizeof *walls; k++) {
+        double step[10];
+        struct price worst = {.limit = INFINITY};
+        for (int s = 0; s < 10; s++) {
+            char command[200];
+            struct price price = {.limit = INFINITY};
+            snprintf(command, sizeof command,
+                     "run plate-cooling so_ssph --walls %s --shift 0.%d --dx 1/15 --stepper euler", walls[k], s);
+            if (take_price(&price, why, command)) return why->status;
+            step[s] = price.limit;
+            worst.growth = fmax(worst.growth, price.growth);
+            worst.condition = fmax(worst.condition, price.condition);
+        }
+        gsl_sort(step, 1, 10);
+        fprintf(md, "| `%s` | %.3f | %.3f | %.2g | %.3g |\n", walls[k], step[0], step[9], worst.growth,
+                worst.condition);
     }
     return STATUS_OK;
 }
@@ -304,7 +347,7 @@ int walls_study_write(const char *dir, struct failure *why) {
     if (!status) {
         write_rows(all, csv, md);
         write_errors(all, error);
-        status = write_offsets(offset, md, why);
+        status = write_offsets(offset, md, why) || write_steps(md, why) ? why->status : STATUS_OK;
     }
     if (!status) status = write_field(field, why);
     free(all);

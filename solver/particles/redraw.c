@@ -44,7 +44,7 @@ static int interpolate(const struct options *o, const struct cloud *from, const 
     }
     int terms = all->dim == 2 ? TERMS : 3;
     const double target[TERMS] = {1};
-    if (ssph_fit(&nb, o->kernel, terms, P, NULL, target, w, why)) return why->status;
+    if (ssph_fit(&nb, o->kernel, terms, P, NULL, target, w, NULL, why)) return why->status;
     *out = 0;
     for (size_t k = 0; k < nb.n; k++) *out += w[k] * value[k];
     return STATUS_OK;

@@ -40,7 +40,8 @@ struct wall_sum { /* T of a dummy */
     size_t n;
     uint32_t from[NEIGHBOURS_MAX];
     double share[NEIGHBOURS_MAX];
-    double offset; /* K */
+    double offset;    /* K */
+    double condition; /* of the fit's moment matrix; 0 where nothing is fitted */
 };
 
 struct wall_treatment {

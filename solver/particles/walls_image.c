@@ -23,7 +23,7 @@ static int attempt(const struct walls_fill *w, const struct wall_near *near, voi
         out->from[j] = near->from[j];
     }
     out->n = near->nb.n;
-    return ssph_fit(&near->nb, w->o->kernel, w->p->dim + 1, P, NULL, target, out->share, why);
+    return ssph_fit(&near->nb, w->o->kernel, w->p->dim + 1, P, NULL, target, out->share, &out->condition, why);
 }
 
 static int fill(const struct walls_fill *w, size_t d, const struct wall_site *site, struct wall_sum *out,

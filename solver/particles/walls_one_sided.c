@@ -104,7 +104,7 @@ int walls_one_sided(const struct problem *p, const struct options *o, const stru
                    "needed; take a smaller --dx",
                    nb->i, nb->x[0], nb->x[1], particles, KERNEL_SUPPORT * h, least);
         else
-            status = ssph_fit(&e->nb, o->kernel, nb->dim == 2 ? 6 : 3, e->P, e->size, target, e->w, why);
+            status = ssph_fit(&e->nb, o->kernel, nb->dim == 2 ? 6 : 3, e->P, e->size, target, e->w, NULL, why);
     }
     for (size_t j = 0; j < nb->n; j++) w[j] = 0;
     *own = -sigma;

@@ -75,6 +75,7 @@ struct cloud {
     size_t *begin;
     uint32_t *from;
     double *share, *away;
+    double condition; /* of the worst of the fits that gave them; 0 where none did */
 };
 
 /* The particles of a layout (of a lattice: its own) and every ghost within `reach` of the domain; on graded clouds
