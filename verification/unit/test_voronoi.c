@@ -4,6 +4,7 @@
 #include "solver/space/csr.h"
 #include "solver/space/voronoi.h"
 #include "solver/space/voronoi_cell.h"
+#include "solver/space/voronoi_round.h"
 #include "solver/shape.h"
 
 #include "verification/unit/near.h"
@@ -145,6 +146,66 @@ static void cells_fill_a_round_body(void **state) {
         assert_near(wall[0], 2 * M_PI * hole, 1e-9);
         assert_order(arcs, >, 60);
         voronoi_free(&v);
+        layout_cloud_free(&c);
+    }
+}
+
+/* A square whose edges each cross a circle about its middle twice: the outer one, or that of a hole.  The circle goes
+ * beyond an edge by a segment of half the angle acos(0.8/R). */
+static void an_edge_may_cross_a_circle_twice(void **state) {
+    (void)state;
+    for (int hole = 0; hole < 2; hole++) {
+        double R = hole ? 0.9 : 1, half = acos(0.8 / R), segment = R * R * half - 0.8 * R * sin(half);
+        double radius[2] = {hole ? R : 0, hole ? 2.5 : R}, at[2] = {0.3, -0.2}, inside = M_PI * R * R - 4 * segment;
+        struct voronoi_polygon square = {.n = 4};
+        for (int k = 0; k < 4; k++) {
+            square.x[k] = (k == 0 || k == 3 ? -0.8 : 0.8) - at[0];
+            square.y[k] = (k < 2 ? -0.8 : 0.8) - at[1];
+        }
+        struct voronoi_round r = voronoi_round(&square, at, radius);
+        assert_near(r.area, hole ? 2.56 - inside : inside, 1e-14);
+        assert_near(r.wall[!hole], (2 * M_PI - 8 * half) * R, 1e-14);
+        for (int k = 0; k < 4; k++) assert_near(r.face[k], hole ? 1.6 - 2 * R * sin(half) : 2 * R * sin(half), 1e-14);
+    }
+}
+
+/* In a disc and a ring, whatever their walls: no weight below 0, and no row whose weights exceed its diagonal, so
+ * that Euler's step takes every particle to a mean of temperatures that were there (the maximum principle). */
+static void rows_of_a_round_body_take_means(void **state) {
+    (void)state;
+    static const enum side_kind sides[] = {DIRICHLET, NEUMANN, ROBIN};
+    for (int k = 0; k < 6 * 6; k++) {
+        struct problem p = {.materials = 1, .material = {{{0.7, 0.7}, 1.3}}, .wall = held};
+        struct options o = {.dx = 0.08,
+                            .h = 1.1,
+                            .seed = 5,
+                            .layout = kinds[k / 6].layout,
+                            .jitter = kinds[k / 6].jitter,
+                            .sweeps = 2000};
+        struct lattice l;
+        struct cloud c;
+        struct heat_operator a;
+        struct failure why;
+        shape_round(&p, k % 2 ? 0.37 : 0, 1.1);
+        for (int s = 0; s < 4; s++) p.side[s] = sides[k / 2 % 3], p.robin[s] = 1.9;
+        assert_int_equal(layout_lattice(&p, &o, 1, &l, &why), STATUS_OK);
+        if (layout_cut(&p, &o, &l, 4 * l.dx[0], &c, &why)) fail_msg("%s", why.text);
+        if (operator_create_csr(&a, &p, &o, method_voronoi_flux.scheme, &c, l.dx[0], &why)) fail_msg("%s", why.text);
+        double lost = 0;
+        for (size_t i = 0; i < a.n; i++) {
+            double sum = a.diagonal[i];
+            for (size_t q = a.row[i]; q < a.row[i + 1]; q++) {
+                assert_order(a.value[q], >=, 0);
+                sum += a.value[q];
+            }
+            assert_order(sum, <=, -1e-12 * a.diagonal[i]);
+            lost = fmax(lost, -sum / -a.diagonal[i]);
+        }
+        if (sides[k / 2 % 3] == NEUMANN)
+            assert_near(lost, 0, 1e-12);
+        else
+            assert_order(lost, >, 0.05); /* to the wall */
+        operator_free(&a);
         layout_cloud_free(&c);
     }
 }
@@ -359,6 +420,8 @@ int main(void) {
         cmocka_unit_test(cells_fill_the_body),
         cmocka_unit_test(cells_fill_a_round_body),
         cmocka_unit_test(settled_clouds_stay_inside),
+        cmocka_unit_test(an_edge_may_cross_a_circle_twice),
+        cmocka_unit_test(rows_of_a_round_body_take_means),
         cmocka_unit_test(walls_without_images_are_refused),
         cmocka_unit_test(threads_change_nothing),
         cmocka_unit_test(operator_is_symmetric),
