@@ -7,6 +7,9 @@
 
 #include "verification/unit/near.h"
 
+#include <float.h>
+#include <math.h>
+
 static struct result result_of(const char *line) {
     struct request r;
     struct failure why;
@@ -31,6 +34,18 @@ static void the_fourier_number_is_that_of_the_step(void **state) {
     (void)state;
     struct result r = result_of("run rod-cosine so_ssph --dx 0.05 --stepper euler --dt 0.01 --set kappa=0.013");
     assert_near(r.fourier, r.dt * 0.013 / (0.05 * 0.05), 1e-14);
+}
+
+/* What rounding can make up of E1: eps for the data, sqrt(applications) for T that is rounded at random, and
+ * 4 dim kappa t/dx^2 for weights that are wrong alike at every step. */
+static void what_rounding_adds(void **state) {
+    (void)state;
+    struct result euler = result_of("run rod-cosine so_ssph --dx 0.05 --stepper euler --dt 0.01 --set kappa=0.013");
+    assert_near(euler.rounding / DBL_EPSILON, 1 + sqrt((double)euler.steps) + 4 * 0.013 * euler.t_end / (0.05 * 0.05),
+                1e-9);
+    struct result rk2 = result_of("run rect-manufactured so_ssph --dx 0.1 --stepper rk2 --dt 0.02");
+    assert_near(rk2.rounding / DBL_EPSILON,
+                1 + sqrt(2.0 * (double)rk2.steps) + 8 * 0.02 / 1.7 * rk2.t_end / (0.1 * 0.1), 1e-9);
 }
 
 /* RKL2 is stable for dt lambda <= (s^2 + s - 2)/2 (Meyer, Balsara, Aslam 2014, eq. 21, with lambda = 2/dt_expl): the
@@ -92,6 +107,7 @@ int main(void) {
         cmocka_unit_test(threads_have_work),
         cmocka_unit_test(pairs_are_neighbours),
         cmocka_unit_test(the_fourier_number_is_that_of_the_step),
+        cmocka_unit_test(what_rounding_adds),
         cmocka_unit_test(stages_are_the_fewest_that_are_stable),
         cmocka_unit_test(the_bound_of_stages_is_met),
         cmocka_unit_test(a_damped_start_takes_what_its_parts_need),
