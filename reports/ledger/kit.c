@@ -120,7 +120,8 @@ int kit_model(struct model_problem *b, struct claims_measured *m, const char *co
     va_end(arguments);
     int status = arguments_parse_line(line, &r, &why);
     if (!status)
-        status = step_limit_setup(r.experiment.method, &r.experiment.options, r.dim, r.ratio, r.stages, b, &why);
+        status = step_limit_setup(r.experiment.method, &r.experiment.options, r.dim, r.ratio, r.contact, r.stages, b,
+                                  &why);
     arguments_free(&r);
     if (status && m) kit_fail(m, why.text);
     return status;

@@ -22,6 +22,7 @@ struct request {
     const char *topic;       /* list: what to list; report: the study; NULL for all */
     const char *dir;         /* where files go; NULL where none is given */
     double ratio;            /* limit: kappa_y/kappa_x; 0: 1 */
+    double contact;          /* limit: k and rho c of the second material over those of the first; 0: one */
     int dim, stages;         /* limit: 1 or 2; of rkl2, else 0 */
     struct numbers at;       /* m: x, or x and y */
     struct numbers origin;   /* dx: of the lattice of a round body */

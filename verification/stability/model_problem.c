@@ -53,13 +53,19 @@ struct problem model_problem_setup(const struct model_problem *b, enum model_pro
                                                            : hill_at,
                         .wall = zero};
     for (int a = 0; a < b->dim; a++) p.hi[a] = b->n;
+    if (b->contact > 0) {
+        p.materials = 2, p.interface = b->n / 2;
+        p.material[1] = (struct material){{b->contact, b->contact * p.material[0].k[1]}, b->contact};
+    }
     for (int s = 0; s < 4; s++) p.side[s] = b->insulated ? NEUMANN : DIRICHLET;
     return p;
 }
 
 int model_problem_resolve(struct model_problem *b, int least, struct failure *why) {
-    struct problem p = model_problem_setup(b, MODEL_NOISE, 0);
     const struct scheme *s = b->method->scheme;
+    struct model_problem sized = *b;
+    if (b->n == 0) sized.n = least;
+    struct problem p = model_problem_setup(&sized, MODEL_NOISE, 0);
     if (!s && options_is_cloud(&b->options))
         return refuse(why, STATUS_INPUT, "--layout %s: %s needs a grid: lattice or node",
                       layout_words[b->options.layout], b->method->name);
@@ -84,12 +90,16 @@ int model_problem_cloud(const struct model_problem *b, const struct problem *p, 
     return layout_cloud(p, &b->options, &l, b->method->scheme->sweeps * 2.0 * b->options.h, c, why);
 }
 
+int model_problem_has_rows(const struct model_problem *b) {
+    return options_is_cloud(&b->options) || b->contact > 0;
+}
+
 int model_problem_operator(const struct model_problem *b, const struct problem *p, struct heat_operator *a,
                            struct failure *why) {
     const struct scheme *s = b->method->scheme;
     struct lattice l;
     struct cloud c;
-    if (!options_is_cloud(&b->options)) {
+    if (!model_problem_has_rows(b)) {
         if (layout_lattice(p, &b->options, 1, &l, why)) return why->status;
         return operator_create_lattice(a, p, &b->options, s, &l, why);
     }

@@ -15,6 +15,8 @@ struct model_problem {
     int n;                  /* along each axis */
     int insulated;          /* 1: no flux through the walls; 0: they are at 0 K */
     double ratio;           /* kappa_y/kappa_x, to 1; 0: 1 */
+    double contact;         /* k and rho c of the upper half of x over those of the lower, so that kappa is 1 in both;
+                               0: one material */
     struct options options; /* dx = 1; stepper and stages are those of `step` */
     struct amplification step;
 };
@@ -38,7 +40,10 @@ struct problem model_problem_setup(const struct model_problem *b, enum model_pro
 int model_problem_run(const struct model_problem *b, const struct problem *p, double F, long long steps,
                       double *largest, struct failure *why);
 
-/* The operator of a particle method: a lattice's, or the rows of a jittered cloud. */
+/* Whether each particle has a row of its own: on a cloud, and where two materials meet. */
+int model_problem_has_rows(const struct model_problem *b);
+
+/* The operator of a particle method: a lattice's, or those rows. */
 int model_problem_operator(const struct model_problem *b, const struct problem *p, struct heat_operator *a,
                            struct failure *why);
 

@@ -30,8 +30,8 @@ static int is(const struct model_problem *b, const char *name) {
 }
 
 int step_limit_model(struct model_problem *b, struct failure *why) {
-    int cloud = options_is_cloud(&b->options);
-    return model_problem_resolve(b, b->dim == 1 ? LIMIT_ROD : cloud ? LIMIT_SQUARE_JITTER : LIMIT_SQUARE, why);
+    int rows = model_problem_has_rows(b);
+    return model_problem_resolve(b, b->dim == 1 ? LIMIT_ROD : rows ? LIMIT_SQUARE_JITTER : LIMIT_SQUARE, why);
 }
 
 /* A stepper without a largest stable step. */
@@ -47,9 +47,13 @@ static int refuse_stepper(const struct stepper *s, struct failure *why) {
     return refuse(why, STATUS_INPUT, "--stepper %s: it %s; limit takes %s", s->name, reason, text);
 }
 
-int step_limit_setup(const struct method *m, const struct options *o, int dim, double ratio, int stages,
-                     struct model_problem *b, struct failure *why) {
-    *b = (struct model_problem){.method = m, .dim = dim, .ratio = ratio, .options = *o, .step = {o->stepper, stages}};
+int step_limit_setup(const struct method *m, const struct options *o, int dim, double ratio, double contact,
+                     int stages, struct model_problem *b, struct failure *why) {
+    *b = (struct model_problem){
+        .method = m, .dim = dim, .ratio = ratio, .contact = contact, .options = *o, .step = {o->stepper, stages}};
+    if (contact > 0 && !m->scheme)
+        return refuse(why, STATUS_INPUT, "--contact %g: %s has no rows to take eigenvalues of; take contact_ssph",
+                      contact, m->name);
     if (ratio > 0 && dim == 1)
         return refuse(why, STATUS_INPUT, "--ratio %g: a rod has one diffusivity; --dim 2 has two", ratio);
     const struct stepper *stepper = stepper_of(b->step.stepper);
@@ -94,6 +98,7 @@ static int publish(const struct model_problem *b, struct step_limit *l, struct f
     l->published = NAN, l->source = NULL;
     if (b->step.stepper != STEPPER_EULER) return STATUS_OK;   /* the papers' bounds are for Euler's method */
     if (b->options.layout == LAYOUT_GRADED) return STATUS_OK; /* and for one smoothing length */
+    if (b->contact > 0) return STATUS_OK;                     /* and one material */
     if (is(b, "ftcs")) {
         l->published = 0.25 * b->dim, l->source = "Pamplona 2019, eq. 17 with gamma = 1/4";
     } else if (is(b, "so_ssph") && b->options.order <= 2) {
@@ -136,7 +141,7 @@ static int from_spectrum(const struct model_problem *b, struct step_limit *l, st
 int step_limit_predict(const struct model_problem *b, struct step_limit *l, struct failure *why) {
     *l = (struct step_limit){.published = NAN, .measured = NAN};
     if (publish(b, l, why)) return why->status;
-    if (options_is_cloud(&b->options) ? from_spectrum(b, l, why) : from_symbol(b, l, why)) return why->status;
+    if (model_problem_has_rows(b) ? from_spectrum(b, l, why) : from_symbol(b, l, why)) return why->status;
     double h = b->options.h;
     l->beta = b->method->scheme ? l->von_neumann / (h * h) : NAN;
     return STATUS_OK;

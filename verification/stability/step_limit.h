@@ -33,8 +33,8 @@ enum { LIMIT_ROD = 48, LIMIT_SQUARE = 24, LIMIT_SQUARE_JITTER = 14, LIMIT_STEPS 
 
 /* Resolves *b on so many particles that limits are looked for on; and the model problem of a command `limit`. */
 int step_limit_model(struct model_problem *b, struct failure *why);
-int step_limit_setup(const struct method *m, const struct options *o, int dim, double ratio, int stages,
-                     struct model_problem *b, struct failure *why);
+int step_limit_setup(const struct method *m, const struct options *o, int dim, double ratio, double contact,
+                     int stages, struct model_problem *b, struct failure *why);
 
 /* The steps that SPH codes take for conduction, dt = C h^2/kappa, whatever their operator. */
 

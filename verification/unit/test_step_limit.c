@@ -84,7 +84,7 @@ static void grids_have_no_jitter_and_nodes_have_limits(void **state) {
     assert_int_equal(step_limit_model(&b, &why), STATUS_OK);
     assert_near(predicted(&b).von_neumann, 2, 1e-11);
     const struct options o = {.stepper = STEPPER_EULER};
-    assert_int_equal(step_limit_setup(&method_so_ssph, &o, 1, 0.5, 0, &b, &why), STATUS_INPUT);
+    assert_int_equal(step_limit_setup(&method_so_ssph, &o, 1, 0.5, 0, 0, &b, &why), STATUS_INPUT);
 }
 
 /* The largest eigenvalue of n cells whose stencil has w[1], w[2] at one and two cells.  Odd reflection keeps
@@ -243,6 +243,34 @@ static void long_runs_keep_their_heat(void **state) {
     assert_near(e.largest, e.mean, 1e-12);
 }
 
+/* Two materials of one diffusivity.  Between neighbours on a rod with k in series, rows beside the contact differ
+ * from the others by d = +-(r - 1)/(r + 1), and their coupling is t = 2 sqrt(r)/(1 + r): a mode faster than all
+ * others would need (1 - d)(1 + d) < t^2, but d^2 + t^2 = 1 at every ratio r.  So the step is that of one material,
+ * 1/2, and in the plane, where axes add up, 1/4. */
+static void a_contact_of_neighbours_leaves_the_step(void **state) {
+    (void)state;
+    for (int dim = 1; dim <= 2; dim++)
+        for (double r = 0.1; r > 1e-5; r *= 0.1) {
+            struct options o = {.order = 2};
+            struct model_problem b;
+            struct step_limit l;
+            struct failure why = {0};
+            double measured;
+            if (step_limit_setup(method_find("voronoi_flux"), &o, dim, 0, r, 0, &b, &why)) fail_msg("%s", why.text);
+            assert_int_equal(step_limit_predict(&b, &l, &why), STATUS_OK);
+            assert_near(l.von_neumann, 0.5 / dim, 1e-9);
+            assert_int_equal(step_limit_measure(&b, &measured, &why), STATUS_OK);
+            assert_near(measured / l.von_neumann, 1, 0.01);
+        }
+    struct options o = {.order = 2};
+    struct model_problem b;
+    struct failure why;
+    assert_int_equal(step_limit_setup(&method_ftcs, &o, 1, 0, 0.1, 0, &b, &why), STATUS_INPUT);
+    assert_has(why.text, "--contact 0.1: ftcs has no rows");
+    assert_int_equal(step_limit_setup(&method_so_ssph, &o, 1, 0, 0.1, 0, &b, &why), STATUS_NOT_APPLICABLE);
+    assert_has(why.text, "one material only");
+}
+
 int main(void) {
     gsl_set_error_handler_off();
     const struct CMUnitTest tests[] = {
@@ -258,6 +286,7 @@ int main(void) {
         cmocka_unit_test(wide_stencils_have_limits),
         cmocka_unit_test(a_run_that_fails_does_not_grow),
         cmocka_unit_test(long_runs_keep_their_heat),
+        cmocka_unit_test(a_contact_of_neighbours_leaves_the_step),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

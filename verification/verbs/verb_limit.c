@@ -21,6 +21,7 @@ static void print_json(const struct model_problem *b, const struct step_limit *l
     json_whole(&j, "seed", (long long)b->options.seed);
     json_text(&j, "walls", walls_words[b->options.walls]);
     json_number(&j, "ratio", b->dim == 2 ? model_problem_kappa_y(b) : NAN);
+    json_number(&j, "contact", b->contact > 0 ? b->contact : NAN);
     json_text(&j, "stepper", stepper_words[b->step.stepper]);
     json_number(&j, "published", l->published);
     json_text(&j, "source", l->source);
@@ -47,12 +48,13 @@ static void print_json(const struct model_problem *b, const struct step_limit *l
 }
 
 static void print_text(const struct model_problem *b, const struct step_limit *l) {
-    int cloud = options_is_cloud(&b->options);
+    int rows = model_problem_has_rows(b);
     printf("%s in %dD", b->method->name, b->dim);
     if (b->method->scheme) printf(", %s kernel, h/dx = %g", kernel_words[b->options.kernel], b->options.h);
     if (b->options.layout != LAYOUT_LATTICE) printf(", %s", layout_words[b->options.layout]);
     if (b->options.jitter > 0) printf(" %g, seed %lu", b->options.jitter, b->options.seed);
     if (b->dim == 2 && model_problem_kappa_y(b) < 1) printf(", kappa_y/kappa_x %g", model_problem_kappa_y(b));
+    if (b->contact > 0) printf(", two materials 1 : %g", b->contact);
     if (b->options.walls != WALLS_MIRROR) printf(", walls %s", walls_words[b->options.walls]);
     printf(", %s: dt kappa/dx^2 up to\n", stepper_words[b->step.stepper]);
     if (l->source)
@@ -60,7 +62,7 @@ static void print_text(const struct model_problem *b, const struct step_limit *l
     else
         printf("  %-12s no number\n", "published");
     printf("  %-12s %.6g", "von Neumann", l->von_neumann);
-    if (cloud)
+    if (rows)
         printf(" (the eigenvalues of %zu particles)\n", l->particles);
     else
         printf(" (worst wave number %.4g, %.4g rad a particle)\n", fabs(l->theta[0]), fabs(l->theta[1]));
@@ -96,7 +98,8 @@ static void print_customary(const struct model_problem *b, const struct step_lim
 int verb_limit(const struct request *r, struct failure *why) {
     struct step_limit l;
     struct model_problem b;
-    int status = step_limit_setup(r->experiment.method, &r->experiment.options, r->dim, r->ratio, r->stages, &b, why);
+    int status = step_limit_setup(r->experiment.method, &r->experiment.options, r->dim, r->ratio, r->contact,
+                                  r->stages, &b, why);
     if (!status) status = step_limit_predict(&b, &l, why);
     if (!status) status = step_limit_measure(&b, &l.measured, why);
     if (!status) (r->json ? print_json : print_text)(&b, &l);
