@@ -201,7 +201,7 @@ static void write_rows(const struct entry *all, FILE *csv, FILE *md) {
 }
 
 static void write_errors(const struct entry *all, FILE *out) {
-    figure_head(out, "so_ssph on a disc and on a ring: error against spacing and work, by treatment of the wall");
+    figure_head(out, "so_ssph, walls that cut the lattice: error against spacing and work, by treatment of the wall");
     fprintf(out, "# command: heatladder run disc-mode so_ssph --set wall=1 --walls fit --seed 1 --dx 0.1\n");
     for (int k = 0; k < BODIES * TREATMENTS; k++) {
         if (!bodies[k / TREATMENTS].derived[k % TREATMENTS]) continue;
@@ -217,7 +217,8 @@ static void write_errors(const struct entry *all, FILE *out) {
 
 /* ---- Plane walls anywhere ---- */
 
-static int write_offsets(FILE *out, FILE *md, struct failure *why) {
+/* Of rod-cooling the errors by spacing and work as well, to `error`: the mean of the offsets. */
+static int write_offsets(FILE *out, FILE *md, FILE *error, struct failure *why) {
     static const struct {
         const char *scene, *walls, *derived; /* order in E1 */
         double length;
@@ -237,15 +238,16 @@ static int write_offsets(FILE *out, FILE *md, struct failure *why) {
                  "--dx 0.3/20,0.3/40,0.3/80,0.3/160\n");
     for (size_t k = 0; k < sizeof rods / sizeof *rods; k++) {
         fprintf(out, "\n\n# %s %s\noffset,order,low,high,E1,step\n", rods[k].scene, rods[k].walls);
-        double order[10], last[10], step[10], mean = 0, growth = 0;
+        double order[10], last[10], step[10], mean[4] = {0}, work[4] = {0}, dx[4], growth = 0;
         for (int s = 0; s < 10; s++) {
-            double dx[4], E1[4];
+            double E1[4];
             for (int n = 0; n < 4; n++) {
                 struct command_run run;
                 dx[n] = rods[k].length / (20 << n);
                 command_run_line(&run, "run %s so_ssph --walls %s --shift 0.%d --dx %.17g", rods[k].scene,
                                  rods[k].walls, s, dx[n]);
                 E1[n] = run.result.error.l1;
+                mean[n] += E1[n] / 10, work[n] += (double)run.result.interactions / 10;
                 int status = command_run_check(&run, why);
                 command_run_free(&run);
                 if (status) return status;
@@ -258,14 +260,17 @@ static int write_offsets(FILE *out, FILE *md, struct failure *why) {
             if (take_price(&price, why, command)) return why->status;
             step[s] = price.limit, growth = fmax(growth, price.growth);
             fprintf(out, "0.%d,%.4f,%.4f,%.4f,%.4e,%.4f\n", s, fit.value, fit.ci[0], fit.ci[1], E1[3], step[s]);
-            order[s] = fit.value, last[s] = E1[3], mean += E1[3] / 10;
+            order[s] = fit.value, last[s] = E1[3];
         }
         gsl_sort(order, 1, 10);
         gsl_sort(last, 1, 10);
         gsl_sort(step, 1, 10);
         fprintf(md, "| %s | `%s` | %s | %.2f [%.2f, %.2f] | %.2e | %.2e | %.3f to %.3f | %.2g |\n", rods[k].scene,
                 rods[k].walls, rods[k].derived, gsl_stats_median_from_sorted_data(order, 1, 10), order[0], order[9],
-                mean, last[9], step[0], step[9], growth);
+                mean[3], last[9], step[0], step[9], growth);
+        if (strcmp(rods[k].scene, "rod-cooling")) continue;
+        fprintf(error, "\n\n# %s, rod-cooling\ndx,%s,interactions\n", rods[k].walls, rods[k].walls);
+        for (int n = 0; n < 4; n++) fprintf(error, "%g,%.5e,%.5e\n", dx[n], mean[n], work[n]);
     }
     return STATUS_OK;
 }
@@ -347,7 +352,7 @@ int walls_study_write(const char *dir, struct failure *why) {
     if (!status) {
         write_rows(all, csv, md);
         write_errors(all, error);
-        status = write_offsets(offset, md, why) || write_steps(md, why) ? why->status : STATUS_OK;
+        status = write_offsets(offset, md, error, why) || write_steps(md, why) ? why->status : STATUS_OK;
     }
     if (!status) status = write_field(field, why);
     free(all);
