@@ -169,7 +169,7 @@ static void write_rows(const struct entry *all, FILE *csv, FILE *md) {
         "of dx = 0.1 ... 0.025 m; errors at 0.025, the mean E1 and the largest of all; step and growth by "
         "eigenvalues at 0.125, the worst of four; "
         "amplification: the sum of |share| of the worst dummy there, then the particles that a dummy takes and the "
-        "worst condition number of its fit.\n");
+        "worst condition number of its fit (0: no dummy, or none is fitted).\n");
     for (int b = 0; b < BODIES; b++) {
         fprintf(
             md,
