@@ -23,6 +23,7 @@
 #include <stdlib.h>
 
 static const double SLACK = 1e-9; /* of the extent: a coordinate may be a rounded decimal */
+enum { MANY = 20000 };            /* points: more than threads cost to start */
 
 struct boxes {
     const struct samples *s;
@@ -50,27 +51,36 @@ static size_t fewest_points(const struct problem *p, const double d[2]) {
     return (size_t)fmin(n, 1e18);
 }
 
+/* The first point outside lo to hi along an axis, or n. */
+static size_t first_beyond(const double *x, size_t n, double lo, double hi) {
+    size_t first = n;
+#pragma omp parallel for reduction(min : first) if (n >= MANY)
+    for (size_t i = 0; i < n; i++)
+        if (!(x[i] >= lo && x[i] <= hi)) first = i < first ? i : first;
+    return first;
+}
+
 static int check_inside(const struct samples *s, const struct problem *p, struct failure *why) {
     for (int a = 0; a < p->dim; a++) {
-        double away = SLACK * extent(p, a), lo = p->lo[a] - away, hi = p->hi[a] + away;
-        for (size_t i = 0; i < s->n; i++) {
-            double x = s->value[a][i];
-            if (x >= lo && x <= hi) continue;
+        double away = SLACK * extent(p, a), lo = p->lo[a], hi = p->hi[a];
+        const double *x = s->value[a];
+        size_t first = first_beyond(x, s->n, lo - away, hi + away);
+        if (first < s->n)
             return refuse(why, STATUS_INPUT, "%.150s, line %ld: %c = %.9g m is outside %g to %g m", s->path,
-                          samples_line(s, i), "xy"[a], x, p -> lo[a], p -> hi[a]);
-        }
+                          samples_line(s, first), "xy"[a], x[first], lo, hi);
     }
     return STATUS_OK;
 }
 
 static int check_inside_shape(const struct samples *s, const struct problem *p, struct failure *why) {
-    for (size_t i = 0; i < s->n; i++) {
-        double x[2] = {s->value[COLUMN_X][i], s->value[COLUMN_Y][i]};
-        if (shape_depth(p, x) >= -SLACK * p->radius[1]) continue;
-        return refuse(why, STATUS_INPUT, "%.150s, line %ld: (%.9g, %.9g) m is outside the %s", s->path,
-                      samples_line(s, i), x[0], x[1], p->shape->name);
-    }
-    return STATUS_OK;
+    const double *x = s->value[COLUMN_X], *y = s->value[COLUMN_Y];
+    size_t first = s->n;
+#pragma omp parallel for reduction(min : first) if (s->n >= MANY)
+    for (size_t i = 0; i < s->n; i++)
+        if (!(shape_depth(p, (double[2]){x[i], y[i]}) >= -SLACK * p->radius[1])) first = i < first ? i : first;
+    if (first == s->n) return STATUS_OK;
+    return refuse(why, STATUS_INPUT, "%.150s, line %ld: (%.9g, %.9g) m is outside the %s", s->path,
+                  samples_line(s, first), x[first], y[first], p->shape->name);
 }
 
 static size_t box_along(const struct boxes *b, int a, double x) {
@@ -120,7 +130,12 @@ static int check_gaps(const struct samples *s, const struct problem *p, const do
     }
     char *seen = xcalloc(all(&b), 1);
     for (size_t box = 0; box < all(&b) && p->shape; box++) seen[box] = !is_whole(&b, box);
-    for (size_t i = 0; i < s->n; i++) seen[box_of(&b, i)] = 1;
+#pragma omp parallel for if (s->n >= MANY)
+    for (size_t i = 0; i < s->n; i++) {
+        char *box = &seen[box_of(&b, i)];
+#pragma omp atomic write
+        *box = 1;
+    }
     size_t empty = 0;
     while (empty < all(&b) && seen[empty]) empty++;
     free(seen);

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Points in any order are put into a table of boxes, SIDE distances wide, by a hash of the box's place.  A point is
- * looked for in its own box and, where it is nearer than a distance to the next one, in that.  No box has more than
- * (SIDE + 1)^2 points: of one more, two would be the same. */
+ * looked for in its own box and, where it is nearer than a distance to the next one (one in 16), in that.  No box has
+ * more than (SIDE + 1)^2 points: of one more, two would be the same. */
 #include "verification/foreign/same_points.h"
 
 #include "solver/problem.h"
@@ -12,7 +12,7 @@
 #include <stdint.h>
 #include <stdlib.h>
 
-enum { SIDE = 16 };
+enum { SIDE = 64 };
 static const double NEAR = 1e-9; /* of the extent: a coordinate may be a rounded decimal */
 
 static double away(const struct problem *p, int a) {
@@ -56,11 +56,13 @@ static int refuse_same(const struct samples *s, const struct problem *p, size_t 
 }
 
 /* The slots of a table and what is looked up in it.  A slot has the upper half of a box's hash and, in the lower
- * half, its point, counted from 1; 0 is free. */
+ * half, its point, counted from 0, or FREE. */
 struct table {
     uint64_t *slot;
     size_t size; /* a power of two */
 };
+
+#define FREE UINT64_MAX
 
 struct lookup {
     uint64_t hash[4]; /* of the boxes where the same point may be; the first is the point's own */
@@ -94,17 +96,17 @@ static struct lookup prepare(const struct table *t, const struct samples *s, con
     return l;
 }
 
-/* The point that is the same as point i, counted from 1, or 0; point i is in the table then. */
+/* The point that is the same as point i, or i; point i is in the table then. */
 static size_t same_as(struct table *t, const struct samples *s, const struct problem *p, size_t i,
                       const struct lookup *l) {
     size_t at = 0;
     for (int k = l->boxes - 1; k >= 0; k--) /* its own box last: `at` is the free slot there */
-        for (at = first_slot(t, l->hash[k]); t->slot[at]; at = (at + 1) & (t->size - 1)) {
+        for (at = first_slot(t, l->hash[k]); t->slot[at] != FREE; at = (at + 1) & (t->size - 1)) {
             size_t other = (uint32_t)t->slot[at];
-            if ((t->slot[at] ^ l->hash[k]) >> 32 == 0 && are_same(s, p, other - 1, i)) return other;
+            if ((t->slot[at] ^ l->hash[k]) >> 32 == 0 && are_same(s, p, other, i)) return other;
         }
-    t->slot[at] = l->hash[0] >> 32 << 32 | (i + 1);
-    return 0;
+    t->slot[at] = l->hash[0] >> 32 << 32 | i;
+    return i;
 }
 
 int same_points_check(const struct samples *s, const struct problem *p, struct failure *why) {
@@ -114,11 +116,12 @@ int same_points_check(const struct samples *s, const struct problem *p, struct f
     if (are_in_order(s, p)) return STATUS_OK;
     while (t.size < 2 * s->n) t.size *= 2;
     t.slot = xcalloc(t.size, sizeof *t.slot);
+    for (size_t k = 0; k < t.size; k++) t.slot[k] = FREE; /* in order, so that each page is asked for once */
     for (; i < s->n; i++) {
         if (i % AHEAD == 0)
             for (size_t k = i; k < i + AHEAD && k < s->n; k++) l[k - i] = prepare(&t, s, p, k);
-        if ((same = same_as(&t, s, p, i, &l[i % AHEAD]))) break;
+        if ((same = same_as(&t, s, p, i, &l[i % AHEAD])) != i) break;
     }
     free(t.slot);
-    return same ? refuse_same(s, p, same - 1, i, why) : STATUS_OK;
+    return i < s->n ? refuse_same(s, p, same, i, why) : STATUS_OK;
 }

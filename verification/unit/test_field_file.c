@@ -227,6 +227,36 @@ static void the_gap_is_said(void **state) {
     assert_has(why.text, "no point in 0 <= x <= 1 m, 1 <= y <= 2 m:");
 }
 
+/* 160 x 160 points, enough for threads, of which two are outside: the first of them is named.  In the square it
+ * is the first along x, as axes are looked at in turn; in the disc those in its corners. */
+static void of_many_points_the_first_is_named(void **state) {
+    (void)state;
+    static const struct {
+        const char *scene;
+        int first[2];
+        const char *says;
+    } cases[] = {{"square-step", {25000, 9000}, "line 9002: x = -7 m is outside -2 to 2 m"},
+                 {"square-step", {9000, 25000}, "line 9002: x = -7 m is outside"},
+                 {"disc-mode", {-1, -1}, "line 2: (-"}};
+    for (size_t k = 0; k < sizeof cases / sizeof *cases; k++) {
+        struct cloud c = cloud(cases[k].scene, 160, 0, 0);
+        double dx = (c.p.hi[0] - c.p.lo[0]) / 160;
+        struct field f;
+        struct failure why;
+        FILE *out = fopen(path, "w");
+        fprintf(out, "x,y,T\n");
+        for (int i = 0; i < 160 * 160; i++) {
+            int is_out = i == cases[k].first[0] || i == cases[k].first[1];
+            fprintf(out, "%.17g,%.17g,1\n", is_out ? -7 : c.p.lo[0] + dx * (i % 160 + 0.5),
+                    c.p.lo[1] + dx * (i / 160 + 0.5));
+        }
+        fclose(out);
+        assert_int_equal(field_file_read(path, path, &(struct column_map){0}, &c.p, (double[2]){dx, dx}, &f, &why),
+                         STATUS_INPUT);
+        assert_has(why.text, cases[k].says);
+    }
+}
+
 static void a_point_counts_once(void **state) {
     (void)state;
     struct cloud c = cloud("rod-step", 8, 0, 0);
@@ -276,6 +306,7 @@ int main(void) {
         cmocka_unit_test(the_usual_arrangements_cover),
         cmocka_unit_test(parts_of_the_domain_do_not),
         cmocka_unit_test(the_gap_is_said),
+        cmocka_unit_test(of_many_points_the_first_is_named),
         cmocka_unit_test(a_point_counts_once),
         cmocka_unit_test(rounded_coordinates_lie_on_the_walls),
     };

@@ -41,10 +41,10 @@ static int compare(int dim, int n) {
     return 1;
 }
 
-/* Places in distances: in boxes of 16, at and beside their sides.  No two are just one distance apart. */
+/* Places in distances: in boxes of 64, at and beside their sides.  No two are just one distance apart. */
 static double place(gsl_rng *r, int a) {
-    static const double within[] = {0, 0.37, 0.81, 1.23, 7.5, 15.2, 15.66};
-    return body.lo[a] + nearest[a] * (16.0 * (double)gsl_rng_uniform_int(r, 4) + within[gsl_rng_uniform_int(r, 7)]);
+    static const double within[] = {0, 0.37, 0.81, 1.23, 7.5, 63.2, 63.66};
+    return body.lo[a] + nearest[a] * (64.0 * (double)gsl_rng_uniform_int(r, 4) + within[gsl_rng_uniform_int(r, 7)]);
 }
 
 static void points_in_no_order(void **state) {
