@@ -64,8 +64,8 @@ int walls_fill(const struct problem *p, const struct options *o, struct cloud *c
                struct failure *why);
 
 /* The scheme's `at_wall` (operator.h) of SSPH, by its own least squares. */
-int walls_one_sided(const struct problem *p, const struct options *o, const struct neighbourhood *nb, double *w,
-                    double *own, double *g, struct failure *why);
+int walls_one_sided(const struct problem *p, const struct options *o, const struct neighbourhood *nb,
+                    struct wall_row *out, struct failure *why);
 
 /* The particles around the place of dummy d within 2 H, H = h grown by tenths until there are `least` and `try` takes
  * them: STATUS_OK from it ends the search, and its last failure is that of the search. */

@@ -7,6 +7,7 @@
 #include "solver/space/csr.h"
 #include "solver/space/assembly.h"
 
+#include <math.h>
 #include <stdlib.h>
 
 void csr_row_create(struct row *r, size_t n) {
@@ -61,25 +62,32 @@ static void add_dummy(const struct assembly *m, size_t i, uint32_t j, double w, 
 }
 
 /* Row i of --walls one_sided. */
-static int add_wall_row(const struct assembly *m, const struct surroundings *at, struct row *r, double *diagonal,
-                        double *g, struct failure *why) {
-    double weight[NEIGHBOURS_MAX];
-    if (m->s->at_wall(m->p, m->o, &at->nb, weight, diagonal, g, why)) return why->status;
-    for (size_t k = 0; k < at->nb.n; k++) csr_row_add(r, at->near[k], weight[k]);
+static int add_wall_row(const struct assembly *m, struct heat_operator *a, size_t i, const struct surroundings *at,
+                        struct row *r, double *g, struct failure *why) {
+    struct wall_row row;
+    if (m->s->at_wall(m->p, m->o, &at->nb, &row, why)) return why->status;
+    for (size_t k = 0; k < at->nb.n; k++) csr_row_add(r, at->near[k], row.w[k]);
+    a->diagonal[i] = row.own;
+    *g += row.g;
+#pragma omp critical(fits)
+    {
+        a->fits.rows++, a->fits.particles += row.particles;
+        a->fits.condition = fmax(a->fits.condition, row.condition);
+    }
     return STATUS_OK;
 }
 
-static int add_row(const struct assembly *m, size_t i, struct surroundings *at, struct row *r, double *diagonal,
-                   double *g, struct failure *why) {
+static int add_row(const struct assembly *m, struct heat_operator *a, size_t i, struct surroundings *at,
+                   struct row *r, double *g, struct failure *why) {
     const struct cloud *c = m->c;
     double weight[NEIGHBOURS_MAX], *w[2] = {weight, NULL};
     if (c->held && c->held[i]) return STATUS_OK;
     if (assembly_neighbourhood(m, i, at, why)) return why->status;
-    if (assembly_at_wall(m, i)) return add_wall_row(m, at, r, diagonal, g, why);
+    if (assembly_at_wall(m, i)) return add_wall_row(m, a, i, at, r, g, why);
     if (operator_weights(m->s, m->p, m->o, &at->nb, w, why)) return why->status;
     for (size_t k = 0; k < at->nb.n; k++) {
         uint32_t j = at->near[k]; /* may be a ghost */
-        *diagonal -= weight[k];
+        a->diagonal[i] -= weight[k];
         if (j >= c->n && c->begin) {
             add_dummy(m, i, j, weight[k], r, g);
             continue;
@@ -98,7 +106,7 @@ static int assemble_block(const struct assembly *m, struct heat_operator *a, dou
     int status = STATUS_OK;
     csr_row_create(&r, m->c->n);
     for (size_t i = begin; i < end && !status; i++) {
-        status = add_row(m, i, at, &r, &a->diagonal[i], &g[i], why);
+        status = add_row(m, a, i, at, &r, &g[i], why);
         move_row(&r, i, out, &a->diagonal[i]);
         a->row[i + 1] = out->n;
     }

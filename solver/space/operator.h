@@ -41,6 +41,13 @@ static inline double neighbourhood_mean_h(const struct neighbourhood *nb, size_t
     return nb->H ? (nb->h + nb->H[j]) / 2 : nb->h;
 }
 
+struct wall_row {             /* dT_i/dt = sum_j w[j] T_j + own T_i + g */
+    double w[NEIGHBOURS_MAX]; /* s^-1, of the neighbours */
+    double own, g;            /* s^-1, K s^-1 */
+    size_t particles;         /* that the fit takes */
+    double condition;         /* of its moment matrix */
+};
+
 struct scheme {                   /* how a particle method weights neighbours; options are resolved */
     const char *name;             /* the method's, for messages */
     int two_materials, isotropic; /* 1: it takes two materials; it takes k_x = k_y alone */
@@ -70,9 +77,9 @@ struct scheme {                   /* how a particle method weights neighbours; o
     int (*pairs)(const struct problem *p, const struct options *o, const struct neighbourhood *nb, double *F,
                  double C[3], struct failure *why);
     /* --walls one_sided: the row of a particle within a kernel of a wall.  nb: the particles within 3 h, itself left
-     * out; dT_i/dt = sum_j w[j] T_j + *own T_i + *g, of which *g is added to.  NULL where the method has none */
-    int (*at_wall)(const struct problem *p, const struct options *o, const struct neighbourhood *nb, double *w,
-                   double *own, double *g, struct failure *why);
+     * out.  NULL where the method has none */
+    int (*at_wall)(const struct problem *p, const struct options *o, const struct neighbourhood *nb,
+                   struct wall_row *out, struct failure *why);
 };
 
 struct heat_operator {
@@ -95,6 +102,10 @@ struct heat_operator {
     size_t state;              /* doubles in a state: n, and ghosts on a lattice or with a gradient */
     size_t pairs;              /* neighbours of all particles together, in both sweeps where there are two */
     size_t bytes;              /* of the arrays above */
+    struct {
+        size_t rows, particles; /* fitted, and of all these fits together */
+        double condition;       /* of the worst */
+    } fits;                     /* of --walls one_sided */
     int threads;
     int lanes; /* as of the options */
 };
