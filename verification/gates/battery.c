@@ -56,13 +56,20 @@ static int set_bound(const struct battery_row *row, struct gate *gate, struct fa
     return draw_bound(&draw, gate->command, isnan(gate->ceiling) ? &gate->hi : &gate->ceiling, why);
 }
 
+/* A run each, by many threads; of failures the first row's is told. */
 int battery_bounds(int order, struct gates *g, struct failure *why) {
+    int first = g->declared;
+#pragma omp parallel for schedule(dynamic, 1)
     for (int i = 0; i < g->declared; i++)
-        for (const struct battery_row *row = battery_table; row->order; row++)
-            if (row->order == order && strcmp(row->gate.id, g->result[i].gate.id) == 0 &&
-                set_bound(row, &g->result[i].gate, why))
-                return why->status;
-    return STATUS_OK;
+        for (const struct battery_row *row = battery_table; row->order; row++) {
+            struct failure own;
+            if (strcmp(row->gate.id, g->result[i].gate.id) != 0 || row->order != order ||
+                !set_bound(row, &g->result[i].gate, &own))
+                continue;
+#pragma omp critical(battery_bounds)
+            if (i < first) first = i, *why = own;
+        }
+    return first < g->declared ? why->status : STATUS_OK;
 }
 
 /* The cases of one row, a ladder in space `seeds` times; a ladder in time has a directory a step below that of its
