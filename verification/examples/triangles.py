@@ -1,27 +1,20 @@
-"""triangles.py CASE OUT: SciPy, linear elements on triangles in a round body, the trapezoidal rule in time.
+"""triangles.py CASE OUT | verify [options]: SciPy, linear elements on triangles in a round body, the trapezoidal rule.
 
     (M / dt + K / 2) T_new = (M / dt - K / 2) T + F
 
 with the matrices M of rho_c, K of conductivity and cooled walls, and F of source, given fluxes and the air.  Nodes
-lie on rings a spacing apart, also on the walls.  `heatladder reference` tells start, source, coefficients and walls
-at the nodes; $HEATLADDER is that program.  Boxes are left to other examples.
+lie on rings a spacing apart, also on the walls.  The heatladder package (make wheel, or PYTHONPATH=scripts/python)
+makes a program of `solve`, and tells start, source, coefficients and walls at the nodes.  Boxes are left to other
+examples.
 """
-import os
-import subprocess
-import sys
-
 import numpy as np
 from scipy.sparse import coo_matrix, diags
 from scipy.sparse.linalg import splu
 from scipy.spatial import Delaunay
 
+import heatladder
+
 HELD, FLUX, COOLED = 1, 2, 3  # kinds of walls in the answers of `reference`; 0: no wall
-
-
-def read_case(path):
-    """The `key = value` lines of the case as a dictionary of strings."""
-    with open(path) as f:
-        return dict(line.rstrip("\n").split(" = ", 1) for line in f)
 
 
 def make_mesh(hole, radius, dx):
@@ -39,15 +32,6 @@ def make_mesh(hole, radius, dx):
     area = np.cross(np.stack([x[:, 1] - x[:, 0], y[:, 1] - y[:, 0]], 1),
                     np.stack([x[:, 2] - x[:, 0], y[:, 2] - y[:, 0]], 1)) / 2
     return nodes, triangles[(middle > hole) & (abs(area) > 1e-6 * dx * dx)]
-
-
-def ask(case, out, nodes, what):
-    """A column for each number that `reference` answers at the nodes."""
-    np.savetxt(out + ".points", nodes, "%.17g", ",", header="x,y", comments="")
-    words = [os.environ.get("HEATLADDER", "heatladder"), "reference", *case["oracle"].split()]
-    words += ["--points", out + ".points", "--what", what]
-    answer = subprocess.run(words, check=True, stdout=subprocess.PIPE, text=True).stdout
-    return np.array([line.split(",")[2:] for line in answer.splitlines()[1:]], float).T
 
 
 def assemble(nodes, triangles, rho_c, k, source, kind, value, b):
@@ -76,17 +60,18 @@ def assemble(nodes, triangles, rho_c, k, source, kind, value, b):
     return M, K + diags(loss), F
 
 
-def main(case_file, out):
-    case = read_case(case_file)
+def solve(case):
+    """Nodes (n x 2) and T at the end time (n)."""
     if "shape" not in case:
-        sys.exit(77)
+        raise heatladder.NotApplicable
     hole, radius = float(case.get("r1", 0)), float(case.get("r2", case.get("radius", 1)))
-    dx, t_end = float(case["dx"]), float(case["t_end"])
+    dx = float(case["dx"])
     nodes, triangles = make_mesh(hole, radius, dx)
-    T, source, rho_c, k, kind, value, b = ask(case, out, nodes, "initial,source,rho_c,k_x,wall")
-    M, K, F = assemble(nodes, triangles, rho_c, k, source, kind, value, b)
-    steps = int(np.ceil(t_end * (k / rho_c).max() / dx**2)) + 4
-    dt = t_end / steps
+    at = heatladder.reference(case, nodes, "initial,source,rho_c,k_x,wall")
+    T, rho_c, k, kind, value = at["initial"], at["rho_c"], at["k_x"], at["wall_kind"], at["wall_value"]
+    M, K, F = assemble(nodes, triangles, rho_c, k, at["source"], kind, value, at["wall_b"])
+    steps = int(np.ceil(case.t_end * (k / rho_c).max() / dx**2)) + 4
+    dt = case.t_end / steps
     free = kind != HELD
     T[~free] = value[~free]
     new, old = (M / dt + K / 2).tocsc(), (M / dt - K / 2).tocsr()
@@ -94,9 +79,8 @@ def main(case_file, out):
     constant = (F - (new - old) @ np.where(free, 0, T))[free]  # held nodes do not change
     for _ in range(steps):
         T[free] = solver.solve((old[free][:, free] @ T[free]) + constant)
-    with open(out, "w") as f:
-        print("# steps =", steps, file=f)
-        np.savetxt(f, np.column_stack([nodes, T]), "%.17g", ",", header="x,y,T", comments="")
+    return nodes, T
 
 
-main(*sys.argv[1:])
+if __name__ == "__main__":
+    heatladder.run(solve)
