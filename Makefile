@@ -360,11 +360,18 @@ $(BUILD)/peers/sundials: $(addprefix verification/bench/peers/,sundials.c sundia
 	@echo "  PEER  $@"
 	$(Q)$(PEER) -o $@ $(filter %.c,$^) $(SUNDIALS:%=-lsundials_%) -lm
 
+$(BUILD)/peers/voro: verification/bench/peers/voro_peer.cc
+	@mkdir -p $(@D)
+	@echo "  PEER  $@"
+	$(Q)$(CXX) -O3 -march=native -o $@ $< -lvoro++
+
 .PHONY: bench-peers
-bench-peers: $(BUILD)/heatladder $(BUILD)/peers/ftcs ## Chart SUNDIALS, SciPy and PySPH beside ours, to reports/out/peers (see setup-peers)
+bench-peers: $(BUILD)/heatladder $(BUILD)/peers/ftcs ## Chart SUNDIALS, SciPy and PySPH beside ours, time Voro++ too, to reports/out/peers (see setup-peers)
 	@mkdir -p $(OUT)/peers
 	$(Q)if echo '#include <cvode/cvode.h>' | $(CC) -E -x c - >/dev/null 2>&1; then \
 	$(MAKE) -s --no-print-directory $(BUILD)/peers/sundials; fi
+	$(Q)if echo '#include <voro++/voro++.hh>' | $(CXX) -x c++ -E - >/dev/null 2>&1; then \
+	$(MAKE) -s --no-print-directory $(BUILD)/peers/voro; fi
 	$(Q)PEERS=$(BUILD)/peers PYTHON=$${PYTHON:-$$(command -v /usr/bin/python3 || echo python3)} GOMP_SPINCOUNT=10000 \
 	$(BUILD)/heatladder bench --peers $(OUT)/peers
 	$(Q)if command -v gnuplot >/dev/null; then for data in $(OUT)/peers/peers_*.csv; do \

@@ -6,6 +6,7 @@
 #include "references/scene.h"
 #include "verification/bench/bench.h"
 #include "verification/bench/engine.h"
+#include "verification/bench/mesh_peers.h"
 #include "verification/bench/peers.h"
 #include "verification/bench/bench_print.h"
 #include "verification/text/json.h"
@@ -18,6 +19,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+enum { MESH = 448 };             /* particles along either axis, whose Voronoi cells are timed beside others' */
 static const double SECONDS = 4; /* of a scene: of a minute ten scenes leave a third to the engine and the charts */
 
 /* The files of one run, kept until all can be put in their places. */
@@ -99,6 +101,7 @@ static int bench_peers(const struct request *r, struct files *files, struct fail
     all.runs = output_open(&files->file[files->count++], "%s/runs.csv", dir);
     if (!status) status = peers_run(peers_table, r->bench_scene, &all, why);
     if (!status) peers_print(&all, out);
+    if (!status && !r->bench_scene) status = mesh_peers_run(mesh_peers_table, MESH, out, why);
     if (!status && r->dir) write_charts(r, &all, files);
     output_end(table);
     if (!status) fputs(table->text, stdout);
