@@ -1,9 +1,10 @@
-"""elements.py CASE OUT: FEniCSx, linear elements on segments, bilinear ones on rectangles, BDF2 in time.
+"""elements.py CASE OUT: FEniCSx, linear elements on segments and triangles, bilinear ones on rectangles, BDF2 in time.
 
     (rho_c dT/dt, v) + (k grad T, grad v) + <b T, v> = (source, v) + <flux or b T_air, v>,   T given on held walls
 
 with ( ) over the body and < > over its walls.  The case file gives the grid and the end time.  `heatladder reference`
 gives all else (start, source, coefficients, walls) at the elements' nodes.  $HEATLADDER is the path of that program.
+Round bodies have the triangles of triangles.py.
 """
 import logging
 import os
@@ -23,8 +24,9 @@ DIRECT = {"ksp_type": "preonly", "pc_type": "lu"}
 logging.disable()  # of what FEniCSx compiles
 with open(sys.argv[1]) as f:
     case = dict(line.rstrip("\n").split(" = ", 1) for line in f)
-if case["source"] == "changing" or "shape" in case or "periodic" in case.values():
-    sys.exit(77)  # boxes with walls, and a source that stays
+if case["source"] == "changing" or "periodic" in case.values():
+    sys.exit(77)  # bodies with walls, and a source that stays
+is_round = "shape" in case
 
 
 def numbers(key):
@@ -33,7 +35,12 @@ def numbers(key):
 
 lo, hi, n, t_end = numbers("lo"), numbers("hi"), numbers("cells").astype(int), float(case["t_end"])
 dim, width = len(n), (hi - lo) / n
-if dim == 1:
+if is_round:
+    from triangles import make_mesh
+
+    points, triangles = make_mesh(float(case.get("r1", 0)), float(case.get("r2", case.get("radius", 1))), width[0])
+    body = mesh.create_mesh(MPI.COMM_SELF, triangles, points, ufl.Mesh(ufl.VectorElement("Lagrange", "triangle", 1)))
+elif dim == 1:
     body = mesh.create_interval(MPI.COMM_SELF, n[0], [lo[0], hi[0]])
 else:
     body = mesh.create_rectangle(MPI.COMM_SELF, [lo, hi], n, mesh.CellType.quadrilateral)
@@ -63,27 +70,31 @@ def ask(space, points, what):
 
 # A little inside of its element a node is on that element's side of an interface.
 inner = places(apart)
-for dofs in apart.dofmap.list.array.reshape(n.prod(), -1):
+for dofs in apart.dofmap.list.array.reshape(element.dofmap.index_map.size_local, -1):
     inner[dofs] += 1e-9 * (inner[dofs].mean(axis=0) - inner[dofs])
-(start,) = ask(element, places(element), "initial_mean")
+begin = nodes if is_round else element  # where data jump, means over elements keep the heat
+(start,) = ask(begin, places(begin), "initial" if is_round else "initial_mean")
 source, rho_c, *k = ask(apart, inner, "source,rho_c,k_x" + (",k_y" if dim == 2 else ""))
-kind, held, _, *sides = ask(nodes, places(nodes), "wall,wall_x" + (",wall_y" if dim == 2 else ""))
+sides = "" if is_round else ",wall_x" if dim == 1 else ",wall_x,wall_y"
+kind, held, own, *sides = ask(nodes, places(nodes), "wall" + sides)
 
 T, known = fem.Function(nodes), fem.Function(nodes)  # the unknown; the terms of dT/dt from times before
 rate = fem.Constant(body, PETSc.ScalarType(0))  # 1/s: the coefficient of T in dT/dt
 u, v, normal = ufl.TrialFunction(nodes), ufl.TestFunction(nodes), ufl.FacetNormal(body)
 left = (rho_c * rate * u * v + sum(k[d] * u.dx(d) * v.dx(d) for d in range(dim))) * ufl.dx
 right = (rho_c * known * v + source * v) * ufl.dx
-for d in range(dim):
+across = [normal[d] ** 2 for d in range(dim)]  # 1 on the sides across axis d, else 0
+if is_round:
+    sides, across = [kind, held, own], [1]
+for d in range(len(across)):
     side, value, b = sides[3 * d:3 * d + 3]
     entering = fem.Function(nodes)  # W/m^2, apart from what the wall's own temperature takes
     entering.x.array[:] = np.where(side.x.array == FLUX, value.x.array, b.x.array * value.x.array)
-    across = normal[d] ** 2  # 1 on the sides across axis d, else 0
-    left += b * u * v * across * ufl.ds
-    right += entering * v * across * ufl.ds
+    left += b * u * v * across[d] * ufl.ds
+    right += entering * v * across[d] * ufl.ds
 walls = [fem.dirichletbc(held, np.flatnonzero(kind.x.array == HELD).astype(np.int32))]
 
-# The start has the heat of each element: a projection.
+# The start has the heat of `start`: a projection.
 petsc.LinearProblem(rho_c * u * v * ufl.dx, rho_c * start * v * ufl.dx, [], T).solve()
 fastest = (sum(k[d].x.array / width[d] ** 2 for d in range(dim)) / rho_c.x.array).max()
 steps = int(np.ceil(8 * t_end * fastest))
