@@ -7,6 +7,8 @@
 #include "verification/page/page.h"
 #include "verification/run/run.h"
 
+#include "solver/field.h"
+#include "solver/method.h"
 #include "solver/time/stepper.h"
 #include "verification/stability/amplification.h"
 
@@ -150,6 +152,36 @@ static void measures_measure(void **state) {
     assert_near(m.value, wave[1] / wave[0], 1e-12);
 }
 
+/* One value, which is off at walls that are cooled with b = 0, or with b = 1e300. */
+static double off[2];
+
+static int solve_off(const struct method *m, const struct problem *p, const struct options *o, struct field *f,
+                     struct failure *why) {
+    (void)m, (void)o, (void)why;
+    field_alloc(f, 1, 1);
+    f->T[0] = 3 + (p->side[X_HI] == ROBIN ? off[p->robin[X_HI] > 1] : 0);
+    return STATUS_OK;
+}
+
+static double limits_of(double insulated, double held) {
+    static const struct method method = {.name = "off", .solve = solve_off};
+    struct request r = {.experiment = {.method = &method, .problem = {.dim = 1, .side = {DIRICHLET, ROBIN}}}};
+    struct measured m;
+    off[0] = insulated, off[1] = held;
+    measures_find("robin_limits", &m)->take(&r, 0, 1e-9, &m);
+    assert_int_equal(m.verdict, insulated == 0 && held == 0 ? VERDICT_PASS : VERDICT_FAIL);
+    return m.value;
+}
+
+static void cooled_walls_are_held_to_both_limits(void **state) {
+    (void)state;
+    assert_near(limits_of(0, 0), 0, 0);
+    assert_near(limits_of(0.25, 0), 0.25, 0);
+    assert_near(limits_of(0, -0.5), 0.5, 0);
+    assert_near(limits_of(0.75, 0.5), 0.75, 0);
+    assert_nan(limits_of(NAN, 0.5)); /* a later run does not take it away */
+}
+
 /* A reference whose forms disagree, whose bound is large, or whose bound is not a number. */
 static double gap, bound;
 
@@ -267,6 +299,7 @@ int main(void) {
         cmocka_unit_test(derivatives_are_of_particle_methods),
         cmocka_unit_test(a_gate_without_a_ceiling_says_none),
         cmocka_unit_test(measures_measure),
+        cmocka_unit_test(cooled_walls_are_held_to_both_limits),
         cmocka_unit_test(references_are_held_to_their_bounds),
         cmocka_unit_test(junit_tells_each_verdict),
         cmocka_unit_test(junit_has_groups_and_interrupts),
