@@ -14,6 +14,7 @@
 
 enum { PATH_SIZE = 1100, SKIPPED = 77 };
 
+/* out.vtu is refused by what stands in it: a user who has it reads why. */
 const char *const case_run_answers[] = {"out.csv", "out.npy", "out.vtk", "out.vtu", "out.dat", NULL};
 
 /* What may stand in the place of {out}: NumPy's save() adds the ending itself. */

@@ -25,6 +25,15 @@ static int read_vtk(FILE *in, const struct column_map *c, struct samples *s, str
     return status;
 }
 
+/* The codes that write VTU write it in binary unless asked (verification/README.md). */
+static int refuse_xml(FILE *in, const struct column_map *c, struct samples *s, struct failure *why) {
+    (void)in, (void)c;
+    return refuse(why, STATUS_INPUT,
+                  "%.200s: a VTU file is not read, since most programs write its numbers in binary: "
+                  "write legacy ASCII VTK, CSV or .npy",
+                  s->path);
+}
+
 int field_file_samples(const char *path, const char *name, int dim, const struct column_map *c, struct samples *s,
                        struct failure *why) {
     char start[64];
@@ -33,9 +42,10 @@ int field_file_samples(const char *path, const char *name, int dim, const struct
     if (!in) return STATUS_INPUT;
     size_t n = fread(start, 1, sizeof start, in);
     rewind(in);
-    int status = (npy_file_is(start, n)   ? npy_file_read
-                  : vtk_file_is(start, n) ? read_vtk
-                                          : table_file_read)(in, c, s, why);
+    int status = (npy_file_is(start, n)       ? npy_file_read
+                  : vtk_file_is(start, n)     ? read_vtk
+                  : vtk_file_is_xml(start, n) ? refuse_xml
+                                              : table_file_read)(in, c, s, why);
     if (!status && ferror(in)) status = refuse(why, STATUS_INPUT, "%.200s: could not be read to its end", name);
     fclose(in);
     if (status) samples_free(s);

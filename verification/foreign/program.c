@@ -41,11 +41,11 @@ const char program_help[] =
     "commas, semicolons or blanks.  The program chooses its points: they cover the domain at a spacing of dx.\n"
     "A column w holds the weights of the norms; without it all points have the same weight.\n"
     "--columns 'x=X,y=Y,T=temp,w=volume' gives the names of the columns, or their numbers (T=3).  Legacy ASCII\n"
-    "VTK and VTU with ascii arrays are read too: their points, and the point data T; and NumPy's .npy: these\n"
-    "columns, or named fields.  The lines `# seconds = S`, `# steps = N` and `# updates = N` of a table may give\n"
-    "the time, steps and updates of the solve alone.\n"
+    "VTK is read too: its points, and the point data T; and NumPy's .npy: these columns, or named fields.  VTU\n"
+    "is not.  The lines `# seconds = S`, `# steps = N` and `# updates = N` of a table may give the time, steps\n"
+    "and updates of the solve alone.\n"
     "\n"
-    "--results DIR judges existing answers: DIR/SCENE/DX/out.csv (or out.npy, out.vtk, out.vtu, out.dat), beside\n"
+    "--results DIR judges existing answers: DIR/SCENE/DX/out.csv (or out.npy, out.vtk, out.dat), beside\n"
     "the case files of `heatladder case SCENE --dx A,B,C --into DIR`.  With --set it first looks for\n"
     "DIR/SCENE/NAME=VALUE,.../DX, as `heatladder case --battery` writes it.\n";
 

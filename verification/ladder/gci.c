@@ -202,7 +202,7 @@ static int find_answer(const char *dir, double h, char path[RESULTS_PATH + 16], 
         snprintf(path, RESULTS_PATH + 16, "%s/%s", of, case_run_answers[i]);
         if (stat(path, &is) == 0) return STATUS_OK;
     }
-    return refuse(why, STATUS_INPUT, "%.300s: no answer; out.csv, out.vtk, out.vtu or out.dat is wanted", of);
+    return refuse(why, STATUS_INPUT, "%.300s: no answer; out.csv, out.npy, out.vtk or out.dat is wanted", of);
 }
 
 int gci_read(const char *dir, const struct column_map *c, const struct numbers *at, struct gci *g,
