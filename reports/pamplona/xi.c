@@ -59,8 +59,8 @@ double xi_error(struct xi_best *b, double xi) {
                      xi_materials[b->material], b->t);
     if (!command_run_check(&run, &b->failure)) {
         plate_measure(&run, &e);
-        b->work = run.result.interactions;
-        b->seconds = run.result.seconds;
+        b->work = run.result.cost.interactions;
+        b->seconds = run.result.cost.seconds;
     }
     command_run_free(&run);
     return e.average[PLATE_MEAN_RELATIVE];

@@ -87,7 +87,7 @@ static void print_front(const struct bench_scene *b, FILE *out) {
         table_add(&t, "%.3g", r->time.median);
         table_add(&t, "%.0f", 100 * (r->time.highest - r->time.lowest) / r->time.median);
         table_add(&t, "%.3g", r->work);
-        table_add(&t, "%.3g", (double)r->result.bytes / (double)r->result.particles);
+        table_add(&t, "%.3g", (double)r->result.cost.bytes / (double)r->result.particles);
         table_add(&t, "%s", r->front_time && r->front_work ? "time, work" : r->front_time ? "time" : "work");
     }
     table_print(&t, out);
@@ -132,7 +132,7 @@ void bench_print_scene(const struct bench_scene *b, FILE *out) {
 
 static void write_row(const struct bench_row *r, FILE *out) {
     fprintf(out, "%d,%zu,%.17g,%.9g,%.9g,%.9g,%.9g,%zu,%lld,\"%s\"\n", r->n, r->result.particles, r->result.error.l1,
-            r->time.median, r->time.lowest, r->time.highest, r->work, r->result.bytes, r->result.updates,
+            r->time.median, r->time.lowest, r->time.highest, r->work, r->result.cost.bytes, r->result.cost.updates,
             r->candidate->label);
 }
 

@@ -96,9 +96,9 @@ static void hand_over(struct samples *s, const struct problem *p, struct field *
     f->x = s->value[COLUMN_X], f->y = s->value[COLUMN_Y], f->T = s->value[COLUMN_T], f->weight = s->value[COLUMN_W];
     for (int k = 0; k < COLUMN_COUNT; k++) s->value[k] = NULL;
     f->time = p->t_end;
-    f->step_seconds = s->seconds;
+    f->cost.step_seconds = s->seconds;
     f->steps = whole(s->steps);
-    f->updates = whole(s->updates);
+    f->cost.updates = whole(s->updates);
     f->dt = f->steps > 0 ? p->t_end / (double)f->steps : 0;
     f->stages = f->steps > 0;
 }

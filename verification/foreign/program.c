@@ -216,7 +216,7 @@ static int solve_at(const struct program *g, const struct scene *s, const struct
     if (status) return status;
     case_run_answer(dir, path, sizeof path);
     if (read_answer(g, path, "{out}", p, o, f, why)) return why->status;
-    f->seconds = seconds;
+    f->cost.seconds = seconds;
     return STATUS_OK;
 }
 
@@ -249,13 +249,13 @@ static int solve_later(const struct program *g, const struct scene *s, const str
         return refuse(why, STATUS_NUMERICAL, "%.300s: the program ended with exit status %d (%.300s/log)", path, code,
                       dir);
     if (read_answer(g, path, path, p, o, f, why)) return why->status;
-    f->seconds = f->step_seconds;
+    f->cost.seconds = f->cost.step_seconds;
     return STATUS_OK;
 }
 
 int program_solve(const struct program *g, const struct scene *s, const struct problem *p, const struct options *o,
                   struct field *f, struct failure *why) {
     int status = (g->results ? solve_later : solve_now)(g, s, p, o, f, why);
-    if (!status && isnan(f->step_seconds)) f->step_seconds = f->seconds;
+    if (!status && isnan(f->cost.step_seconds)) f->cost.step_seconds = f->cost.seconds;
     return status;
 }

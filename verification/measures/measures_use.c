@@ -24,7 +24,7 @@ void measures_symmetry(const struct request *r, double lo, double hi, struct mea
     if (!status) status = symmetry_solve(e->method, &e->problem, &whole, &b, &why);
     measures_fail(m, why.text);
     if (!status) {
-        measures_judge(m, (double)b.updates / (double)a.updates, lo, hi);
+        measures_judge(m, (double)b.cost.updates / (double)a.cost.updates, lo, hi);
         m->error = a.n == b.n ? field_farthest(&a, b.T) : NAN;
     }
     field_free(&a);
@@ -43,8 +43,8 @@ void measures_plan(const struct request *r, double lo, double hi, struct measure
     measures_fail(m, result.failure.text);
     if (status) return;
     const struct field *run = &plan.part.run;
-    measures_judge(m, (double)run->updates / (double)result.updates, lo, hi);
-    m->error = fabs((double)plan.part.bytes[OUTLINE_STEPS] - (double)result.bytes) +
+    measures_judge(m, (double)run->cost.updates / (double)result.cost.updates, lo, hi);
+    m->error = fabs((double)plan.part.bytes[OUTLINE_STEPS] - (double)result.cost.bytes) +
                fabs((double)(run->steps - result.steps)) + fabs((double)plan.particles - (double)result.particles);
 }
 

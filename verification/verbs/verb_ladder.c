@@ -33,7 +33,7 @@ static void add_rung(struct table *t, const struct ladder *l, int i) {
     else
         table_number(t, "%.3f", l->local[i - 1], "-");
     table_number(t, "%.2g", 100 * r->time_error, " ");
-    table_number(t, "%.2g", r->seconds, "-");
+    table_number(t, "%.2g", r->cost.seconds, "-");
     table_add(t, "%s", failed ? r->failure.text : l->window.left_out[i]);
 }
 
