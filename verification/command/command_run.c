@@ -19,7 +19,7 @@ int command_run_list(struct command_run *run, const char *format, va_list argume
     if (length < 0 || (size_t)length >= sizeof run->command)
         return refuse(why, STATUS_INPUT, "the command '%.60s...' is too long", run->command);
     int status = arguments_parse_line(run->command, r, why);
-    if (status || strcmp(r->verb->name, "run") != 0) return status;
+    if (status || r->verb->act != verb_run) return status;
     return run_experiment(&r->experiment, &run->result, &run->field);
 }
 
