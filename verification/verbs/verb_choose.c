@@ -54,14 +54,11 @@ static void print_text(const struct request *r, const struct choose *c) {
     for (int i = 0; i < c->count; i++) {
         const struct extrapolation *o = &c->one[i];
         if (!isfinite(o->predicted_work)) continue;
-        table_add(&t, "%s", o->candidate->label);
-        table_add(&t, "%d", o->wanted);
+        table_add(&t, "%s|%d", o->candidate->label, o->wanted);
         table_number(&t, "%.2f", o->order > 0 ? o->order : NAN, "-");
-        table_add(&t, "%.3e", o->predicted_error);
-        table_add(&t, "%.3g", o->predicted_work);
+        table_add(&t, "%.3e|%.3g", o->predicted_error, o->predicted_work);
     }
-    table_print(&t, stdout);
-    table_free(&t);
+    table_end(&t, stdout);
     for (int i = 0; i < c->count; i++)
         if (*c->one[i].reason) printf("left out: %s: %s\n", c->one[i].candidate->label, c->one[i].reason);
 }
