@@ -62,10 +62,8 @@ int page_ladder_write(const struct ladder *l, const struct ladder_rungs *asked, 
     snprintf(axis, sizeof axis, "%s%s", l->inverse ? "1 / " : "", ladder_axis(l));
     double expected = asked->expect.count ? page_order(asked->expect.value[0], asked->expect.value[1]) : NAN;
     html_open(out, title);
-    int hollow[RUNG_MAX];
     char slope[240];
-    for (int i = 0; i < l->n; i++) hollow[i] = !l->window.counts[i];
-    struct chart_series series = {name, l->n, l->x, l->error, hollow};
+    struct chart_series series = {name, l->n, l->x, l->error, l->window.counts};
     struct chart chart = {title, axis, ladder_norm_titles[l->norm], 1, &series, expected};
     fprintf(out, "<p class=\"verdict\">");
     html_verdict(out, verdict_words[l->verdict]);

@@ -89,12 +89,10 @@ double page_order(double lo, double hi) {
 
 void page_put_ladder(const struct gate_result *r, FILE *out) {
     const struct rungs *l = &r->measured.rungs;
-    int hollow[NUMBERS_MAX];
     char name[80];
     if (l->n == 0) return;
-    for (int i = 0; i < l->n; i++) hollow[i] = !l->counts[i];
     snprintf(name, sizeof name, "%s (hollow: left out of the fit)", l->norm);
-    const struct chart_series series = {name, l->n, l->x, l->error, hollow};
+    const struct chart_series series = {name, l->n, l->x, l->error, l->counts};
     fprintf(out, "<figure>\n");
     chart_write(&(struct chart){r->gate.id, l->axis, l->norm, 1, &series, page_order(r->gate.lo, r->gate.hi)}, out);
     fprintf(out, "</figure>\n");
