@@ -249,8 +249,8 @@ static int write_offsets(FILE *out, FILE *md, FILE *error, struct failure *why) 
             for (int n = 0; n < 4; n++) {
                 struct command_run run;
                 dx[n] = rods[k].length / (20 << n);
-                command_run_line(&run, "run %s so_ssph --walls %s --shift 0.%d --dx %.17g", rods[k].scene,
-                                 rods[k].walls, s, dx[n]);
+                command_run_line(&run, "run %s so_ssph --walls %s --shift 0.%d --dx %g/%d", rods[k].scene,
+                                 rods[k].walls, s, rods[k].length, 20 << n);
                 E1[n] = run.result.error.l1;
                 mean[n] += E1[n] / 10, work[n] += (double)run.result.cost.interactions / 10;
                 int status = command_run_check(&run, why);
@@ -259,8 +259,8 @@ static int write_offsets(FILE *out, FILE *md, FILE *error, struct failure *why) 
             }
             struct slope fit = slope_fit(dx, E1, 4);
             char command[200];
-            snprintf(command, sizeof command, "run %s so_ssph --walls %s --shift 0.%d --dx %.17g --stepper euler",
-                     rods[k].scene, rods[k].walls, s, dx[2]);
+            snprintf(command, sizeof command, "run %s so_ssph --walls %s --shift 0.%d --dx %g/80 --stepper euler",
+                     rods[k].scene, rods[k].walls, s, rods[k].length);
             struct price price = {.limit = INFINITY};
             if (take_price(&price, why, command)) return why->status;
             step[s] = price.limit, growth = fmax(growth, price.growth);
