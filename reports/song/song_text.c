@@ -3,17 +3,13 @@
 #include "reports/ledger/kit.h"
 #include "reports/song/song.h"
 
-#include "verification/stability/step_limit.h"
-
 #include <math.h>
 
 /* Euler's largest step by von Neumann, in dx^2/kappa, square lattice, h = 1.1 dx.  0, or 1 with *m failed. */
 static int largest_step(const char *method, double *step, struct claims_measured *m) {
-    struct failure why;
     struct model_problem b;
     struct step_limit limit;
-    if (kit_model(&b, m, "limit %s --dim 2 --h 1.1", method)) return 1;
-    if (step_limit_predict(&b, &limit, &why)) return kit_fail(m, why.text);
+    if (kit_model(&b, &limit, m, "limit %s --dim 2 --h 1.1", method)) return 1;
     *step = limit.von_neumann;
     return 0;
 }
