@@ -14,7 +14,6 @@
 #include <math.h>
 #include <stdio.h>
 
-/* unit: of --quantity */
 /* What is known of it: a program may say nothing but its answer. */
 static void print_cost(const struct result *r) {
     if (isnan(r->cost.seconds) && r->cost.updates == 0) return;
@@ -25,6 +24,7 @@ static void print_cost(const struct result *r) {
     putchar('\n');
 }
 
+/* unit: of --quantity */
 static void print_text(const struct result *r, const char *unit) {
     char what[240];
     result_describe(r, what, sizeof what);
