@@ -5,34 +5,19 @@
 #include "solver/field.h"
 #include "solver/problem.h"
 #include "solver/status.h"
-#include "verification/foreign/coverage.h"
-#include "verification/foreign/holes.h"
-#include "verification/foreign/npy_file.h"
+#include "verification/foreign/points_checks.h"
+#include "verification/foreign/formats.h"
 #include "verification/foreign/samples.h"
-#include "verification/foreign/table_file.h"
-#include "verification/foreign/vtk_file.h"
-#include "verification/text/whole_file.h"
 
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
-static int read_vtk(FILE *in, const struct column_map *c, struct samples *s, struct failure *why) {
-    size_t size;
-    char *text = whole_file_read(in, &size);
-    int status = vtk_file_read(text, size, c, s, why);
-    free(text);
-    return status;
-}
-
-/* The codes that write VTU write it in binary unless asked (verification/README.md). */
-static int refuse_xml(FILE *in, const struct column_map *c, struct samples *s, struct failure *why) {
-    (void)in, (void)c;
-    return refuse(why, STATUS_INPUT,
-                  "%.200s: a VTU file is not read, since most programs write its numbers in binary: "
-                  "write legacy ASCII VTK, CSV or .npy",
-                  s->path);
-}
+static const struct {
+    int (*is)(const char *start, size_t size);
+    int (*read)(FILE *in, const struct column_map *c, struct samples *s, struct failure *why);
+} formats[] = {{npy_file_is, npy_file_read}, {vtk_file_is, vtk_file_read}, {vtk_file_is_xml, vtk_file_refuse_xml}};
+enum { FORMATS = sizeof formats / sizeof *formats };
 
 int field_file_samples(const char *path, const char *name, int dim, const struct column_map *c, struct samples *s,
                        struct failure *why) {
@@ -42,10 +27,9 @@ int field_file_samples(const char *path, const char *name, int dim, const struct
     if (!in) return STATUS_INPUT;
     size_t n = fread(start, 1, sizeof start, in);
     rewind(in);
-    int status = (npy_file_is(start, n)       ? npy_file_read
-                  : vtk_file_is(start, n)     ? read_vtk
-                  : vtk_file_is_xml(start, n) ? refuse_xml
-                                              : table_file_read)(in, c, s, why);
+    int format = 0;
+    while (format < FORMATS && !formats[format].is(start, n)) format++;
+    int status = (format < FORMATS ? formats[format].read : table_file_read)(in, c, s, why);
     if (!status && ferror(in)) status = refuse(why, STATUS_INPUT, "%.200s: could not be read to its end", name);
     fclose(in);
     if (status) samples_free(s);

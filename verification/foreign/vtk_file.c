@@ -1,11 +1,12 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* VTK File Formats for VTK version 4.2 (Kitware), the legacy form: words between blanks.  All that is wanted are
  * arrays of numbers with a name; what is in no wanted array is passed over. */
-#include "verification/foreign/vtk_file.h"
+#include "verification/foreign/formats.h"
 
 #include "solver/status.h"
 #include "verification/foreign/samples.h"
 #include "verification/text/number.h"
+#include "verification/text/whole_file.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -189,7 +190,8 @@ static int check_counts(const struct reader *v, struct failure *why) {
     return STATUS_OK;
 }
 
-int vtk_file_read(const char *text, size_t size, const struct column_map *c, struct samples *s, struct failure *why) {
+static int read_text(const char *text, size_t size, const struct column_map *c, struct samples *s,
+                     struct failure *why) {
     struct reader *v = xcalloc(1, sizeof *v);
     *v = (struct reader){.at = text, .end = text + size, .line = 1, .wanted = c, .s = s};
     int status = STATUS_OK;
@@ -205,4 +207,21 @@ int vtk_file_read(const char *text, size_t size, const struct column_map *c, str
     if (!status) s->n = v->seen[COLUMN_X];
     free(v);
     return status;
+}
+
+int vtk_file_read(FILE *in, const struct column_map *c, struct samples *s, struct failure *why) {
+    size_t size;
+    char *text = whole_file_read(in, &size);
+    int status = read_text(text, size, c, s, why);
+    free(text);
+    return status;
+}
+
+/* The codes that write VTU write it in binary unless asked (verification/README.md). */
+int vtk_file_refuse_xml(FILE *in, const struct column_map *c, struct samples *s, struct failure *why) {
+    (void)in, (void)c;
+    return refuse(why, STATUS_INPUT,
+                  "%.200s: a VTU file is not read, since most programs write its numbers in binary: "
+                  "write legacy ASCII VTK, CSV or .npy",
+                  s->path);
 }
