@@ -55,7 +55,7 @@ double ladder_asked(const struct ladder *l, int rung) {
     return l->inverse ? 1 / l->x[rung] : l->x[rung];
 }
 
-static void add_rung(struct table *t, const struct ladder *l, int i) {
+static void add_rung(struct table *t, const struct ladder *l, int timed, int i) {
     const struct result *r = &l->rung[i];
     int failed = r->failure.status != STATUS_OK;
     table_add(t, "%.6g|%zu|%lld", ladder_asked(l, i), r->particles, r->steps);
@@ -67,16 +67,16 @@ static void add_rung(struct table *t, const struct ladder *l, int i) {
     else
         table_number(t, "%.3f", l->local[i - 1], "-");
     table_number(t, "%.2g", 100 * r->time_error, " ");
-    table_number(t, "%.2g", r->cost.seconds, "-");
+    if (timed) table_number(t, "%.2g", r->cost.seconds, "-");
     table_add(t, "%s", failed ? r->failure.text : l->window.left_out[i]);
 }
 
-struct table ladder_table(const struct ladder *l) {
+struct table ladder_table(const struct ladder *l, int timed) {
     char header[160];
-    snprintf(header, sizeof header, "%s|particles|steps|E1|%s|slope|time [%%]|seconds|left out", ladder_axis(l),
-             l->norm == LADDER_QUANTITY ? "quantity|its error" : "L2|Linf [K]");
+    snprintf(header, sizeof header, "%s|particles|steps|E1|%s|slope|time [%%]|%sleft out", ladder_axis(l),
+             l->norm == LADDER_QUANTITY ? "quantity|its error" : "L2|Linf [K]", timed ? "seconds|" : "");
     struct table t = table_headed(0, header);
-    for (int i = 0; i < l->n; i++) add_rung(&t, l, i);
+    for (int i = 0; i < l->n; i++) add_rung(&t, l, timed, i);
     return t;
 }
 

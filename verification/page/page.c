@@ -79,7 +79,7 @@ int page_ladder_write(const struct ladder *l, const struct ladder_rungs *asked, 
     fprintf(out, "<figure>\n");
     chart_write(&chart, out);
     fprintf(out, "</figure>\n");
-    struct table rungs = ladder_table(l);
+    struct table rungs = ladder_table(l, 0);
     html_table(out, &rungs, 0);
     put_command(command, out);
     html_close(out);

@@ -21,7 +21,7 @@
 
 static void print_text(const struct ladder *l) {
     char what[240];
-    struct table t = ladder_table(l);
+    struct table t = ladder_table(l, 1);
     const char *verdict = verdict_words[l->verdict];
     result_describe(&l->rung[l->n - 1], what, sizeof what);
     printf("%s\n", what);
