@@ -159,8 +159,8 @@ static double work_at(const struct ladder *l, double error) {
         const struct result *coarse = &l->rung[i - 1], *fine = &l->rung[i];
         if (coarse->error.l1 < error || fine->error.l1 > error) continue;
         double part = log(coarse->error.l1 / error) / log(coarse->error.l1 / fine->error.l1);
-        double ratio = (double)fine->interactions / (double)coarse->interactions;
-        return (double)coarse->interactions * pow(ratio, part);
+        double ratio = (double)fine->cost.interactions / (double)coarse->cost.interactions;
+        return (double)coarse->cost.interactions * pow(ratio, part);
     }
     return NAN;
 }
@@ -183,7 +183,7 @@ static void write_work(const struct order *all, FILE *out) {
                 operators_clouds[worked_on[k / OPERATORS]].name, o->method);
         for (int i = 0; i < order->ladder.n && !without_order(order); i++) {
             const struct result *r = &order->ladder.rung[i];
-            fprintf(out, "%lld,%.5e,%g\n", r->interactions, r->error.l1, r->options.dx);
+            fprintf(out, "%lld,%.5e,%g\n", r->cost.interactions, r->error.l1, r->options.dx);
         }
     }
 }
@@ -238,7 +238,7 @@ static void take_neighbours(int k, struct neighbours_run *n) {
     command_run_line(&run, "run rect-manufactured %s --set k_y=0.02 --dx 0.025 --h %g%s", o->method,
                      lengths[k % LENGTHS], operators_clouds[drawn[k / (LENGTHS * OPERATORS)]].options);
     n->status = command_run_check(&run, &n->why);
-    n->neighbours = (double)run.result.interactions / (double)run.result.updates;
+    n->neighbours = (double)run.result.cost.interactions / (double)run.result.cost.updates;
     n->error = run.result.error.l1;
     command_run_free(&run);
 }

@@ -3,7 +3,6 @@
 #include "reports/operators/operators.h"
 
 #include "reports/ledger/kit.h"
-#include "verification/stability/step_limit.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -13,9 +12,7 @@ static const double DEFAULT_H = 1.1; /* over dx, of a method without one */
 /* Of the command "limit `command`".  0, or 1 with *m failed. */
 static int find_limit(struct claims_measured *m, const char *command, double *h, struct step_limit *l) {
     struct model_problem b;
-    struct failure why;
-    if (kit_model(&b, m, "limit %s", command)) return 1;
-    if (step_limit_predict(&b, l, &why)) return kit_fail(m, why.text);
+    if (kit_model(&b, l, m, "limit %s", command)) return 1;
     *h = b.method->scheme->cells ? DEFAULT_H : b.options.h;
     return 0;
 }

@@ -61,12 +61,12 @@ static void take_runs(const char *scene, const char *walls, struct entry *e) {
                          scene + strcspn(scene, " "), walls, 1 + k % SEEDS, e->dx[k]);
         command_run_note(&run, &e->why);
         e->E1[k] = run.result.error.l1, e->largest[k] = run.result.error.linf;
-        e->work[k] = (double)run.result.interactions;
+        e->work[k] = (double)run.result.cost.interactions;
         if (k / SEEDS == SPACINGS - 1) {
 #pragma omp critical(walls_drift)
             {
                 e->drift = fmax(e->drift, fabs(run.result.heat_drift));
-                e->neighbours += (double)run.result.interactions / (double)run.result.updates / SEEDS;
+                e->neighbours += (double)run.result.cost.interactions / (double)run.result.cost.updates / SEEDS;
             }
         }
         command_run_free(&run);
@@ -249,18 +249,18 @@ static int write_offsets(FILE *out, FILE *md, FILE *error, struct failure *why) 
             for (int n = 0; n < 4; n++) {
                 struct command_run run;
                 dx[n] = rods[k].length / (20 << n);
-                command_run_line(&run, "run %s so_ssph --walls %s --shift 0.%d --dx %.17g", rods[k].scene,
-                                 rods[k].walls, s, dx[n]);
+                command_run_line(&run, "run %s so_ssph --walls %s --shift 0.%d --dx %g/%d", rods[k].scene,
+                                 rods[k].walls, s, rods[k].length, 20 << n);
                 E1[n] = run.result.error.l1;
-                mean[n] += E1[n] / 10, work[n] += (double)run.result.interactions / 10;
+                mean[n] += E1[n] / 10, work[n] += (double)run.result.cost.interactions / 10;
                 int status = command_run_check(&run, why);
                 command_run_free(&run);
                 if (status) return status;
             }
             struct slope fit = slope_fit(dx, E1, 4);
             char command[200];
-            snprintf(command, sizeof command, "run %s so_ssph --walls %s --shift 0.%d --dx %.17g --stepper euler",
-                     rods[k].scene, rods[k].walls, s, dx[2]);
+            snprintf(command, sizeof command, "run %s so_ssph --walls %s --shift 0.%d --dx %g/80 --stepper euler",
+                     rods[k].scene, rods[k].walls, s, rods[k].length);
             struct price price = {.limit = INFINITY};
             if (take_price(&price, why, command)) return why->status;
             step[s] = price.limit, growth = fmax(growth, price.growth);

@@ -266,7 +266,7 @@ static int check_damping(const struct options *o, const struct heat_operator *a,
 
 static int integrate(const struct problem *p, const struct options *o, const struct scheme *s,
                      const struct lattice *l, struct heat_operator *a, struct field *f, struct failure *why) {
-    f->bytes = a->n * (size_t)(p->dim + 1 + (f->weight != NULL)) * sizeof *f->T + a->bytes;
+    f->cost.bytes = a->n * (size_t)(p->dim + 1 + (f->weight != NULL)) * sizeof *f->T + a->bytes;
     struct march m;
     double bound = operator_bound(a);
     if (particles_march(p, o, s, l, a, bound, &m, why)) return why->status;
@@ -282,7 +282,7 @@ static int integrate(const struct problem *p, const struct options *o, const str
     m.x = f->x, m.y = f->y;
     if (check_damping(o, a, &m, why)) return why->status;
     if (o->redraw > 0) return redraw_march(p, o, s, l, &m, a, f, why);
-    return stepper_march(a, &m, f->T, &f->bytes, why);
+    return stepper_march(a, &m, f->T, &f->cost.bytes, why);
 }
 
 int particles_growth(const struct method *m, const struct problem *p, const struct options *given,
@@ -353,11 +353,11 @@ int particles_solve(const struct method *m, const struct problem *p, const struc
         f->time = p->t_end;
         double loop = now();
         if (!status) status = integrate(p, o, s, &l, &a, f, why);
-        f->step_seconds = now() - loop;
+        f->cost.step_seconds = now() - loop;
         f->heat[1] = heat_content(p, f, a.rho_c, cell, volume);
     }
     operator_free(&a);
-    f->seconds = now() - begin;
+    f->cost.seconds = now() - begin;
     if (status)
         field_free(f);
     else

@@ -65,7 +65,7 @@ static struct bench_time update_lanes(const char *command, int lanes) {
         struct field f;
         status = method_solve(r.experiment.method, &r.experiment.problem, &r.experiment.options, &f, &why);
         if (status) break;
-        if (k >= 0) seconds[k] = f.step_seconds / (double)f.updates;
+        if (k >= 0) seconds[k] = f.cost.step_seconds / (double)f.cost.updates;
         field_free(&f);
     }
     arguments_free(&r);

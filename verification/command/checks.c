@@ -33,9 +33,10 @@ static int check_case(const struct request *r, struct failure *why) {
 }
 
 int checks_required(const struct request *r, struct failure *why) {
-    if (strcmp(r->verb->name, "ladder") == 0 && !r->rungs.dx.count && !r->experiment.program.results)
-        return refuse(why, STATUS_INPUT, "ladder needs --dx A,B,C,..., or --results DIR with a directory a spacing");
-    if (strcmp(r->verb->name, "case") == 0 && check_case(r, why)) return why->status;
+    if (words_among(r->verb->options, "vary") && !r->rungs.dx.count && !r->experiment.program.results)
+        return refuse(why, STATUS_INPUT, "%s needs --dx A,B,C,..., or --results DIR with a directory a spacing",
+                      r->verb->name);
+    if (words_among(r->verb->options, "run-case") && check_case(r, why)) return why->status;
     for (const struct option *o = options_table; o->key; o++)
         if (words_among(r->verb->required, o->key) && !r->given[o - options_table])
             return refuse(why, STATUS_INPUT, "%s needs --%s %s: %s", r->verb->name, o->name, o->value, o->about);

@@ -33,12 +33,11 @@ void help_verb(const struct verb *v, FILE *out) {
         char words[80] = "";
         if (!words_among(v->options, o->key)) continue;
         if (o->words) words_join(o->words, words, sizeof words), lists = 1;
-        table_add(&t, "  --%s %s", o->name, o->value ? o->value : "");
+        table_add(&t, "  --%s %s", o->name, o->value ? o->value : ""); /* may have a bar in it */
         table_add(&t, "%s%s%s%s", o->about, *words ? ": " : "", words,
                   words_among(v->required, o->key) ? " (required)" : "");
     }
-    table_print(&t, out);
-    table_free(&t);
+    table_end(&t, out);
     if (lists) fprintf(out, "\nThe first of listed words is the default.\n");
     if (words_among(v->options, "solver")) fprintf(out, "\n%s\n%s", program_help, case_file_help);
     if (words_among(v->options, "what")) fprintf(out, "\n%s", columns_help);
