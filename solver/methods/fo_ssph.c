@@ -19,7 +19,7 @@ static const struct scheme scheme = {.name = "fo_ssph", .sweeps = 2, .pairs = pa
 const struct method method_fo_ssph = {
     .name = "fo_ssph",
     .about = "first-order symmetric SPH: q = -kappa <grad T>, dT/dt = -<div q> (Song eqs. 13, 37)",
-    .accepts = PARTICLES_OPTIONS " shift angle walls",
+    .accepts = PARTICLES_OPTIONS PARTICLES_WALLS,
     .scheme = &scheme,
     .solve = particles_solve,
     .outline = particles_outline,
