@@ -67,6 +67,21 @@ void measures_slope(const struct request *r, double lo, double hi, struct measur
     take_slope(0, r, lo, hi, m);
 }
 
+/* --shift 0, 0.1, ... 0.9, each a ladder. */
+void measures_slope_offsets(const struct request *r, double lo, double hi, struct measured *m) {
+    enum { OFFSETS = 10 };
+    struct request with = *r;
+    for (int s = 0; s < OFFSETS; s++) {
+        struct measured one = {0};
+        with.experiment.options.shift = (double)s / OFFSETS;
+        take_slope(0, &with, lo, hi, &one);
+        if (s == 0 || one.verdict != VERDICT_PASS || one.error > m->error) *m = one;
+        if (m->verdict == VERDICT_PASS) continue;
+        snprintf(m->reason, sizeof m->reason, "offset %g dx: %.370s", with.experiment.options.shift, one.reason);
+        return;
+    }
+}
+
 /* Errors of space and time can cancel, at a mesh Fourier number of 1/6 for one, and what is left falls by steps that
  * are not quite what they should be: an error so far below what is allowed tells enough. */
 void measures_order(const struct request *r, double lo, double hi, struct measured *m) {
