@@ -94,7 +94,8 @@ static double conducted(double *A, size_t n, const double *v, double exact, doub
  * is <|Gamma e|^2> times as fast as it should; on a lattice as fast but for O(dx^2). */
 static void conducts_no_more_than_its_moments_say(void **state) {
     (void)state;
-    static const double jitter[] = {0, 0.1, 0.3, 0.5};
+    static const double jitter[] = {0, 0.1, 0.3, 0.5},
+                        said[] = {0.98, 0.92, 0.76, 0.64}; /* in the plane, as README */
     for (int dim = 1; dim <= 2; dim++)
         for (int k = 0; k < 4; k++) {
             size_t n;
@@ -111,6 +112,7 @@ static void conducts_no_more_than_its_moments_say(void **state) {
             assert_order(share, <=, rayleigh * (1 + 1e-9));
             assert_near(rayleigh / gamma, 1, 0.05);
             if (k == 0) assert_near(share, 1, 0.03);
+            if (dim == 2) assert_near(share, said[k], 0.005);
             free(A);
         }
 }
