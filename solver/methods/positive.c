@@ -157,7 +157,7 @@ static const struct scheme scheme = {.name = "positive", .sweeps = 1, .h = defau
 const struct method method_positive = {
     .name = "positive",
     .about = "weights >= 0 that are exact for quadratics, by linear programmes (Seibold 2008): no mode grows",
-    .accepts = PARTICLES_OPTIONS " walls",
+    .accepts = PARTICLES_OPTIONS PARTICLES_WALLS,
     .scheme = &scheme,
     .solve = particles_solve,
     .outline = particles_outline,

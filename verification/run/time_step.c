@@ -31,7 +31,7 @@ static const double SHARE = 0.01, MARGIN = 0.8; /* aims at 0.8 % so that a sligh
 /* Of the first run, over the dimension: stable for every method (rkl2 is so at any). */
 static const double FOURIER = 0.2;
 static const double FLOOR = 1e-12; /* of E1: what rounding leaves; no time error below it is looked for */
-enum { HALVINGS = 8, ROUNDS = 5 };
+enum { HALVINGS = 8, LATER_HALVINGS = 2, ROUNDS = 5 }; /* later: another number of rkl2's stages may do */
 
 struct trial {
     struct field field;
@@ -69,12 +69,10 @@ double time_step_first(const struct experiment *e) {
     return fmax(1, ceil(steps));
 }
 
-/* The first run; the time step is halved while it is unstable. */
-static int first(struct search *s, struct failure *why) {
-    double steps = time_step_first(s->e);
-    int status = try_steps(s, steps, &s->coarse, why);
-    for (int i = 0; i < HALVINGS && status == STATUS_UNSTABLE; i++)
-        status = try_steps(s, steps *= 2, &s->coarse, why);
+/* A run of that many steps; the time step is halved, so often at most, while it is unstable. */
+static int try_stable(struct search *s, double steps, int halvings, struct trial *t, struct failure *why) {
+    int status = try_steps(s, steps, t, why);
+    for (int i = 0; i < halvings && status == STATUS_UNSTABLE; i++) status = try_steps(s, steps *= 2, t, why);
     return status;
 }
 
@@ -131,7 +129,7 @@ static int replace(struct search *s, double steps, struct failure *why) {
     field_free(&s->coarse.field);
     s->coarse = s->fine;
     s->fine = (struct trial){0};
-    return try_steps(s, steps, &s->fine, why);
+    return try_stable(s, steps, LATER_HALVINGS, &s->fine, why);
 }
 
 /* Refines until the time error is small; *time_error is its share. */
@@ -193,12 +191,12 @@ size_t time_step_bytes(const struct experiment *e, size_t n, size_t answer) {
 static int solve_searched(const struct experiment *e, struct field *f, struct time_step *stepping,
                           struct failure *why) {
     struct search s = {.e = e, .order = time_step_order(&e->options)};
-    int status = first(&s, why);
+    int status = try_stable(&s, time_step_first(e), HALVINGS, &s.coarse, why);
     if (status) return status;
     s.exact = xcalloc(s.coarse.field.n, sizeof *s.exact);
     norms_exact(e->scene, &e->problem, &s.coarse.field, s.exact);
     status = norms_check(&s.coarse.field, s.exact, why);
-    if (!status) status = try_steps(&s, 2 * s.coarse.steps, &s.fine, why);
+    if (!status) status = try_stable(&s, 2 * s.coarse.steps, LATER_HALVINGS, &s.fine, why);
     if (!status) status = (e->time_error > 0 ? reach : refine)(&s, &stepping->time_error, why);
     free(s.exact);
     field_free(&s.coarse.field);
