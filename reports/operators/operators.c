@@ -295,7 +295,7 @@ static void choose_by_orders(const struct order *all, const struct trait *traits
         c->step[0] = traits[k * CLOUDS + OPERATORS_LATTICE].limit;
         c->step[1] = traits[k * CLOUDS + OPERATORS_JITTER_03].limit;
         for (int cloud = 0; cloud < WORKED_ON; cloud++) {
-            const struct order *o = worked(all, k, cloud);
+            const struct order *o = &of[worked_on[cloud] * TRIALS + judged[operators[k].materials]];
             c->pairs[cloud] = !o->tried || without_order(o) ? NAN : work_at(&o->ladder, ENOUGH);
         }
     }
