@@ -81,7 +81,7 @@ static void list_gates(void) {
 static void list_battery_rows(void) {
     struct table t = table_headed(3, "row|order|sees");
     for (const struct battery_row *row = battery_table; row->order; row++) {
-        const char *why = row->gate.why + (strncmp(row->gate.why, "sees ", 5) == 0 ? 5 : 0);
+        const char *why = row->gate.why + (strncmp(row->gate.why, "detects ", 8) == 0 ? 8 : 0);
         table_add(&t, "%s", row->gate.id);
         table_add(&t, "(order %d)", row->order);
         table_add(&t, "%.*s", (int)strcspn(why, ":;"), why);

@@ -31,6 +31,8 @@ static const struct part {
      "Error against counted work on the square: as published, and with matched step, start and smoothing length",
      "make report"},
     {"Operators", PAGE, "operators.md", NULL, NULL, "make operators"},
+    {"Operators", FIGURE, "operators_work.svg", "operators_work.csv",
+     "Error against work on three clouds, by operator", "make operators"},
     {"Operators", FIGURE, "operators_error.svg", "operators_error.csv",
      "Error against neighbours at equal spacing, by operator", "make operators"},
     {"Operators", FIGURE, "operators_growth.svg", "operators_growth.csv",
@@ -39,6 +41,8 @@ static const struct part {
      "Error where the particles are placed again every N steps", "make operators"},
     {"Walls", PAGE, "walls.md", NULL, NULL, "make walls"},
     {"Walls", FIGURE, "walls_error.svg", "walls_error.csv", "Error against spacing, by treatment of the wall",
+     "make walls"},
+    {"Walls", FIGURE, "walls_work.svg", "walls_error.csv", "Error against work, by treatment of the wall",
      "make walls"},
     {"Walls", FIGURE, "walls_offset.svg", "walls_offset.csv", "Order against the offset of plane walls",
      "make walls"},
@@ -204,20 +208,16 @@ void parts_put_precision(const char *scene, const char *dir, FILE *out) {
     }
 }
 
-/* One line: each command that makes what is not here, and what that is. */
+/* One line: each command that makes what is not here, once. */
 void parts_put_missing(const char *dir, FILE *out) {
     int commands = 0;
     for (int i = 0; i < PARTS; i++) {
-        int named = is_made(&parts[i], dir), files = 0;
+        int named = is_made(&parts[i], dir);
         for (int k = 0; k < i && !named; k++)
             named = !is_made(&parts[k], dir) && strcmp(parts[k].command, parts[i].command) == 0;
         if (named) continue;
         const char *lead = commands++ ? ", " : "<p class=\"faint\">Not made yet: ";
-        fprintf(out, "%s<code>%s</code> (", lead, parts[i].command);
-        for (int k = i; k < PARTS; k++)
-            if (!is_made(&parts[k], dir) && strcmp(parts[k].command, parts[i].command) == 0)
-                html_print(out, files++ ? ", %s" : "%s", parts[k].file);
-        fprintf(out, ")");
+        fprintf(out, "%s<code>%s</code>", lead, parts[i].command);
     }
     if (commands) fprintf(out, ".</p>\n");
 }

@@ -2,6 +2,7 @@
 /* The frame of a page, its style, and images that are part of it. */
 #include "verification/page/html.h"
 
+#include "solver/status.h"
 #include "verification/text/letter.h"
 #include "verification/text/whole_file.h"
 
@@ -28,9 +29,11 @@ static const char style[] =
     "6rem;border:1px "
     "solid "
     "var(--line)}\n"
-    "code{overflow-wrap:anywhere}figure{margin:1.2rem 0;break-inside:avoid}\n"
+    "code{overflow-wrap:anywhere}pre span{display:inline-block;max-width:100%}figure{margin:1.2rem "
+    "0;break-inside:avoid}\n"
     "figure{overflow-x:auto}figure img,figure svg{height:auto;background:#fff;border:1px solid var(--line)}\n"
-    "figure svg text{fill:#1b1b1b}table.narrow{min-width:0}figcaption{position:sticky;left:0}\n"
+    "figure svg{max-width:100%}figure svg "
+    "text{fill:#1b1b1b}td.n:first-child{min-width:0}table.narrow{min-width:0}figcaption{position:sticky;left:0}\n"
     "figcaption,.faint{color:var(--faint);font-size:.86rem}\n"
     ".pass{color:var(--pass)}.fail{color:var(--fail);font-weight:bold}.other{color:var(--other);font-weight:bold}\n"
     ".verdict{font-size:1.25rem}nav ul{columns:2 14rem;padding-left:1.2rem}\n"
@@ -99,6 +102,19 @@ void html_print(FILE *out, const char *format, ...) {
     }
     va_end(arguments);
     fputs(format, out);
+}
+
+void html_command(FILE *out, const char *command) {
+    fprintf(out, "<pre><code><span>heatladder</span> ");
+    for (size_t n; *command; command += n) {
+        n = strcspn(command, " ");
+        char *word = xcalloc(n + 1, 1);
+        memcpy(word, command, n);
+        html_print(out, "<span>%s</span>", word);
+        free(word);
+        if (command[n]) fputc(' ', out), n++;
+    }
+    fprintf(out, "</code></pre>\n");
 }
 
 static int is_number(const char *text) {
