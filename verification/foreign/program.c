@@ -28,7 +28,7 @@
 #include <sys/stat.h>
 
 const char program_help[] =
-    "--solver runs your program in place of METHOD; METHOD is then only its name in tables:\n"
+    "--solver runs your program.  METHOD of a ladder is then only its name in tables:\n"
     "\n"
     "  heatladder ladder rod-step mine --solver './mine {case} {out}' --dx 0.2,0.1,0.05,0.025 --expect 1.9,2.1\n"
     "\n"
@@ -41,8 +41,8 @@ const char program_help[] =
     "commas, semicolons or blanks.  The program chooses its points: they cover the domain at a spacing of dx.\n"
     "A column w holds the weights of the norms; without it all points have the same weight.\n"
     "--columns 'x=X,y=Y,T=temp,w=volume' gives the names of the columns, or their numbers (T=3).  Legacy ASCII\n"
-    "VTK and VTU with ascii arrays are read too: their points, and the point data T; and NumPy's .npy: these\n"
-    "columns, or named fields.  The lines `# seconds = S`, `# steps = N` and `# updates = N` of a table may give\n"
+    "VTK and VTU with ascii arrays are read too (their points, and the point data T), and NumPy's .npy (these\n"
+    "columns, or named fields).  The lines `# seconds = S`, `# steps = N` and `# updates = N` of a table may give\n"
     "the time, steps and updates of the solve alone.\n"
     "\n"
     "--results DIR judges existing answers: DIR/SCENE/DX/out.csv (or out.npy, out.vtk, out.vtu, out.dat), beside\n"
