@@ -79,11 +79,11 @@ static void list_gates(void) {
 
 /* The faults that each row is there for, a line a row. */
 static void list_battery_rows(void) {
-    struct table t = table_headed(3, "row|order|sees");
+    struct table t = table_headed(3, "row|order|detects");
     for (const struct battery_row *row = battery_table; row->order; row++) {
         const char *why = row->gate.why + (strncmp(row->gate.why, "detects ", 8) == 0 ? 8 : 0);
         table_add(&t, "%s", row->gate.id);
-        table_add(&t, "(order %d)", row->order);
+        table_add(&t, "%d", row->order);
         table_add(&t, "%.*s", (int)strcspn(why, ":;"), why);
     }
     table_print(&t, stdout);

@@ -224,7 +224,7 @@ static int solve_now(const struct program *g, const struct scene *s, const struc
                      struct field *f, struct failure *why) {
     struct scratch scratch;
     if (!strstr(g->solver, "{case}") || !strstr(g->solver, "{out}"))
-        return refuse(why, STATUS_INPUT, "--solver '%.200s': must hold {case} and {out}, which become paths",
+        return refuse(why, STATUS_INPUT, "--solver '%.200s': must contain {case} and {out}, which become paths",
                       g->solver);
     atomic_file_hold();
     int status = scratch_open(&scratch, why);
