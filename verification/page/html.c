@@ -37,7 +37,8 @@ static const char style[] =
     "figcaption,.faint{color:var(--faint);font-size:.86rem}\n"
     ".pass{color:var(--pass)}.fail{color:var(--fail);font-weight:bold}.other{color:var(--other);font-weight:bold}\n"
     ".verdict{font-size:1.25rem}nav ul{columns:2 14rem;padding-left:1.2rem}\n"
-    ".groups{columns:4 11rem;list-style:none;padding:0;font-size:.9rem}\n"
+    ".groups{columns:4 10.8rem;column-gap:.5rem;list-style:none;padding:0;font-size:.86rem}.groups "
+    "li{white-space:nowrap}\n"
     "@media screen and (max-width:44rem){.wide,.scroll{overflow:auto}.scroll{max-height:80vh}\n"
     "table:has(th:nth-child(6)){min-width:64rem}table:has(tr:first-child>th.up){min-width:0}}\n"
     "@media print{@page{margin:12mm}html{font-size:9pt}body{font-size:1rem;line-height:1.35;background:#fff;"
@@ -50,7 +51,7 @@ static const char style[] =
     "figure{display:inline-block;width:49%;margin:.3rem 0;padding:0 .2rem;vertical-align:top}\n"
     "figure{overflow:visible}figure img,figure svg{max-width:100%}figure "
     "img{max-height:10cm}figure.wide{display:block;width:auto}.wide img{max-height:20cm}\n"
-    "section+section{break-before:page}}\n";
+    "section>p{break-after:avoid}figure svg{max-height:17cm}}\n";
 
 void html_open(FILE *out, const char *title) {
     fprintf(out,

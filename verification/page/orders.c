@@ -13,7 +13,7 @@
 #include <string.h>
 
 /* px.  WIDTH leaves the text 11 px or more on a screen of 400. */
-enum { WIDTH = 460, LEFT = 146, RIGHT = 16, TOP = 10, BOTTOM = 44, LINE = 4, GAP = 14 };
+enum { WIDTH = 460, LEFT = 146, RIGHT = 16, TOP = 10, BOTTOM = 44, LINE = 3, GAP = 14 };
 enum { NAMED = 60 }; /* ladders that have a line of their own, with its name */
 enum { WORD = 80 };
 static const char subject[] = "so_ssph";
@@ -69,10 +69,10 @@ static void put_line(const struct gate_result *r, struct span s, double y, int a
     html_text(out, r->gate.id);
     fprintf(out, ": %.3g, expected %.3g to %.3g</title>", r->measured.value, r->gate.lo, r->gate.hi);
     fprintf(out, "<path d=\"M%.1f %.1fH%.1f\" stroke=\"#b8b8b8\" stroke-width=\"%d\"/>", place(s, r->gate.lo), y,
-            place(s, r->gate.hi), alone ? 2 * LINE : LINE - 1);
+            place(s, r->gate.hi), alone ? 8 : LINE - 1);
     if (good)
         fprintf(out, "<circle cx=\"%.1f\" cy=\"%.1f\" r=\"%.1f\" fill=\"#0072B2\"/></g>\n",
-                place(s, r->measured.value), y, alone ? 4.0 : 2.2);
+                place(s, r->measured.value), y, alone ? 4.0 : 1.9);
     else
         fprintf(out, "<path d=\"M%.1f %.1fl8 8m0 -8l-8 8\" stroke=\"#a3200d\" stroke-width=\"2\"/></g>\n",
                 place(s, r->measured.value) - 4, y - 4);
@@ -162,6 +162,7 @@ void orders_put_scene(const struct gates *g, const char *scene, FILE *out) {
     struct chart_series series[CHART_STYLES];
     int hollow[CHART_STYLES][NUMBERS_MAX], n = choose(g, scene, chosen);
     char title[2 * WORD];
+    if (n == 0 && g->declared > 0) fprintf(out, "<p class=\"faint\">No gate has a ladder in space here.</p>\n");
     if (n == 0) return;
     for (int k = 0; k < n; k++) {
         const struct rungs *l = &chosen[k]->measured.rungs;
