@@ -29,7 +29,7 @@ static int dim = 1, n[2] = {1, 1};
 static double lo[2], hi[2] = {0, 1}, width[2], t_end;
 static char oracle[2048];
 
-/* The points: cells 1 to n along each axis, in a frame of the centres of the faces on the sides (drawn in cells.c). */
+/* The points: cells 1 to n along each axis, in a frame of the centres of the faces on the sides (see cells.c). */
 static struct point *point;
 static int points, stride[2] = {1, 0};
 
