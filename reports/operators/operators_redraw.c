@@ -39,7 +39,7 @@ int operators_redraw(FILE *out, struct failure *why) {
             *why = failed[k];
             return status[k];
         }
-    figure_head(out, "rod-cosine: a cloud redrawn every N steps");
+    figure_head(out, "rod-cosine: a cloud that is drawn anew every N steps");
     fprintf(out, "# command: heatladder ");
     fprintf(out, runs, 4, " --redraw 4", 160);
     fprintf(out, "\n");

@@ -1,4 +1,4 @@
-# Error against work, one panel a cloud; the operator to take on clouds in the thickest line.
+# Error against work, one panel a cloud: how much an operator asks for what it gives.
 name = 'operators_work'
 wide = 1180; high = 620
 load 'reports/figure/style.gp'
@@ -21,7 +21,7 @@ do for [c = 1:3] {
     if (c == 1) { set ylabel 'E = Σ|T_e − T_n| / ΣT_e  [-]' offset 0.5 } else { unset ylabel; set format y '' }
     if (c == 3) { set key at screen 0.985, 0.075 bottom right maxrows 3 width 2 } else { unset key }
     plot for [k = 1:12] data index sprintf('%s %s', word(names, k), word(clouds, c)) using 1:2 with linespoints \
-        lc rgb word(colours, k) pt int(word(shapes, k)) ps 0.8 * P lw (k == 12 ? 2.4 : 1.2) title word(names, k)
+        lc rgb word(colours, k) pt int(word(shapes, k)) ps 0.8 * P lw 1.2 title word(names, k)
     unset label 98; unset label 99
 }
 unset multiplot
