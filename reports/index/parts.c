@@ -32,7 +32,7 @@ static const struct part {
      "make report"},
     {"Operators", PAGE, "operators.md", NULL, NULL, "make operators"},
     {"Operators", FIGURE, "operators_work.svg", "operators_work.csv",
-     "Error against work on three clouds, by operator", "make operators"},
+     "Error against pairs of neighbours on three clouds, by operator", "make operators"},
     {"Operators", FIGURE, "operators_error.svg", "operators_error.csv",
      "Error against neighbours at equal spacing, by operator", "make operators"},
     {"Operators", FIGURE, "operators_growth.svg", "operators_growth.csv",
