@@ -143,8 +143,9 @@ void chart_write(const struct chart *c, FILE *out) {
     put_label(out, WIDTH / 2.0, HEIGHT - 18, "text-anchor=\"middle\"", c->x_label);
     put_label(out, 0, 0, "text-anchor=\"middle\" transform=\"translate(18 160) rotate(-90)\"", c->y_label);
     put_slope(out, &a, c);
-    for (int k = 0; k < c->count && k < STYLES; k++) {
-        put_series(out, &a, &c->series[k], k);
+    int shown = c->count < STYLES ? c->count : STYLES;
+    for (int k = shown - 1; k >= 0; k--) put_series(out, &a, &c->series[k], k); /* the first is on top */
+    for (int k = 0; k < shown; k++) {
         put_marker(out, k, LEFT + 8, HEIGHT + ROW * k, 0);
         put_label(out, LEFT + 22, HEIGHT + ROW * k + 5, "", c->series[k].name);
     }
