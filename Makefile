@@ -51,7 +51,8 @@ endif
 SOURCES := $(filter-out verification/unit/% verification/examples/%, \
   $(wildcard $(foreach d,solver references verification reports,$(d)/*.c $(d)/*/*.c)))
 OBJECTS := $(SOURCES:%.c=$(BUILD)/%.o)
-LIBRARY := $(filter-out $(BUILD)/verification/main.o,$(OBJECTS))
+PARTS   := $(filter-out $(BUILD)/verification/main.o,$(OBJECTS))
+LIBRARY := $(BUILD)/libheatladder.a
 SCENES  := $(sort $(wildcard references/scene_*.c))
 C_FILES := $(filter-out verification/examples/%,$(wildcard $(foreach d,solver references verification reports,\
   $(foreach e,[ch] inc,$(d)/*.$(e) $(d)/*/*.$(e)))))
@@ -126,6 +127,11 @@ $(BUILD)/%.o: %.c $(BUILD)/flags | $(BUILD)/scenes.inc $(BUILD)/version.inc $(BU
 # One file for each width of vector; the program asks the processor which of them it may call.
 $(BUILD)/solver/sweep/lanes4.o: DEFINES += $(LANES4)
 $(BUILD)/solver/sweep/lanes8.o: DEFINES += $(LANES8)
+
+# What tests are linked with: of an archive the linker reads what a test needs, and not all.
+$(LIBRARY): $(PARTS)
+	@rm -f $@
+	$(Q)$(AR) qcs $@ $^
 
 $(BUILD)/unit/%: verification/unit/%.c $(LIBRARY)
 	@mkdir -p $(@D)
@@ -439,18 +445,20 @@ FUZZ := -O1 -g -fsanitize=fuzzer-no-link,address,undefined -fno-sanitize-recover
 .PHONY: fuzz
 fuzz: ## Look for input that breaks a reader: FUZZ_SECONDS each (20), by clang's libFuzzer
 	+$(Q)$(MAKE) -s CC=clang BUILD=$(BUILD)/fuzz CFLAGS='$(FUZZ)' $(FUZZERS:%=$(BUILD)/fuzz/unit/fuzz_%)
-	$(Q)for f in $(FUZZERS); do mkdir -p $(BUILD)/fuzz/found/$$f; \
-	$(BUILD)/fuzz/unit/fuzz_$$f -max_total_time=$(FUZZ_SECONDS) -max_len=4096 -print_final_stats=1 \
-	-artifact_prefix=$(BUILD)/fuzz/$$f- $(BUILD)/fuzz/found/$$f verification/unit/corpus/$$f \
-	2>$(BUILD)/fuzz/$$f.log || { tail -30 $(BUILD)/fuzz/$$f.log; exit 1; }; \
-	echo "fuzz: $$f: $$(sed -n 's/^stat::number_of_executed_units: *//p' $(BUILD)/fuzz/$$f.log) inputs, none breaks it"; done
+	$(Q)printf '%s\n' $(FUZZERS) | xargs -P $$(getconf _NPROCESSORS_ONLN) -I {} sh -c 'mkdir -p $(BUILD)/fuzz/found/{}; \
+	$(BUILD)/fuzz/unit/fuzz_{} -max_total_time=$(FUZZ_SECONDS) -max_len=4096 -print_final_stats=1 \
+	-artifact_prefix=$(BUILD)/fuzz/{}- $(BUILD)/fuzz/found/{} verification/unit/corpus/{} \
+	2>$(BUILD)/fuzz/{}.log || { tail -30 $(BUILD)/fuzz/{}.log; exit 1; }; \
+	echo "fuzz: {}: $$(sed -n "s/^stat::number_of_executed_units: *//p" $(BUILD)/fuzz/{}.log) inputs, none breaks it"'
 
 $(BUILD)/unit/fuzz_%: DEFINES += -fsanitize=fuzzer
 
+# Examples, packages and builds are not sanitized: other programs do their work.
 SANITIZE := -O1 -g -fsanitize=address,undefined -fno-sanitize-recover=all -fno-omit-frame-pointer
 .PHONY: sanitize
 sanitize: ## Run the tests and the quick gates under the address and undefined-behaviour sanitizers
-	+$(Q)$(MAKE) BUILD=$(BUILD)/sanitize CFLAGS='$(SANITIZE)' all test
+	+$(Q)$(MAKE) BUILD=$(BUILD)/sanitize CFLAGS='$(SANITIZE)' \
+	SCRIPT_TESTS='$(filter-out %check_examples %check_packages %check_make,$(SCRIPT_TESTS))' all test
 	$(Q)$(BUILD)/sanitize/heatladder verify --quick
 
 # Which lines the tests and the gates run, room by room, by gcov; data of both in one place.  gcov allocates memory of

@@ -111,10 +111,12 @@ static struct approx round_flux_density(const void *data, const double along[2])
                            k * (e.gradient_bound[0] + e.gradient_bound[1])};
 }
 
-/* Ends, middle, jumps and interface of an axis. */
+/* Ends, jumps and interface of an axis, and the middle of a rod, where its pulse is: no start in the plane has one.
+ */
 static void add_knots(const struct problem *p, int axis, int place, struct cubature_knots *knots) {
-    double at[CUBATURE_KNOTS] = {p->lo[axis], p->hi[axis], (p->lo[axis] + p->hi[axis]) / 2};
-    int n = 3;
+    double at[CUBATURE_KNOTS] = {p->lo[axis], p->hi[axis]};
+    int n = 2;
+    if (p->dim == 1) at[n++] = (p->lo[axis] + p->hi[axis]) / 2;
     for (int j = 0; j < p->jumps[axis]; j++) at[n++] = p->jump[axis][j];
     if (axis == 0 && p->materials == 2) at[n++] = p->interface;
     for (int i = 0; i < n; i++) {

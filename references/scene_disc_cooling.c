@@ -67,13 +67,20 @@ static double root(int n, double biot) {
     return roots_increasing(excess, &c, lo, hi);
 }
 
+/* 2 J_1/(lambda (J_0^2 + J_1^2)), by lambda J_1 = B J_0 without the one of the two that is near its root: what is
+ * left of it there would be rounding, in each of the modes.  The first root is none of J_1. */
+static double mode_size(int n, double lambda, double biot) {
+    double J0 = gsl_sf_bessel_J0(lambda), J1 = gsl_sf_bessel_J1(lambda), both = lambda * lambda + biot * biot;
+    if (biot >= lambda) return 2 * biot / lambda * biot / (J1 * both);
+    return n == 1 ? 2 * J1 / (lambda * (J0 * J0 + J1 * J1)) : 2 * biot / (J0 * both);
+}
+
 static void prepare_series(const double *v, double s, struct shared *g) {
     double scale = fabs(v[T0] - v[T_A]);
     for (int n = 1; n <= MODES; n++) {
         double lambda = root(n, v[B] * v[R] / v[K]), exponent = pow(lambda * s / (2 * v[R]), 2);
         if (exponent > last_exponent) break;
-        double J0 = gsl_sf_bessel_J0(lambda), J1 = gsl_sf_bessel_J1(lambda);
-        double size = 2 * J1 / (lambda * (J0 * J0 + J1 * J1)) * exp(-exponent);
+        double size = mode_size(n, lambda, v[B] * v[R] / v[K]) * exp(-exponent);
         g->lambda[g->modes] = lambda;
         g->size[g->modes++] = (v[T0] - v[T_A]) * size;
         double rounding = DBL_EPSILON * scale * fabs(size) * (12 + 8 * exponent);

@@ -21,14 +21,12 @@ static void list_params(const struct param *p, struct table *t) {
     for (; p->name; p++) {
         char words[96] = "";
         if (p->choice) words_join(p->choice, words, sizeof words);
-        table_add(t, "   ");
-        table_add(t, "%s", p->name);
+        table_add(t, "   |%s", p->name);
         if (p->choice)
             table_add(t, "%s", p->choice[(int)p->value]);
         else
             table_add(t, "%g", p->value);
-        table_add(t, "%s", p->unit);
-        table_add(t, "%s%s%s", p->about, p->choice ? ": " : "", words);
+        table_add(t, "%s|%s%s%s", p->unit, p->about, p->choice ? ": " : "", words);
     }
 }
 
@@ -37,8 +35,7 @@ static void list_scenes(void) {
         struct table t = table_create(5, 5);
         printf("%s%s: %s\n  %s\n", s == scenes ? "" : "\n", (*s)->name, (*s)->about, (*s)->citation);
         list_params((*s)->params, &t);
-        table_print(&t, stdout);
-        table_free(&t);
+        table_end(&t, stdout);
     }
 }
 
@@ -82,12 +79,9 @@ static void list_battery_rows(void) {
     struct table t = table_headed(3, "row|order|detects");
     for (const struct battery_row *row = battery_table; row->order; row++) {
         const char *why = row->gate.why + (strncmp(row->gate.why, "detects ", 8) == 0 ? 8 : 0);
-        table_add(&t, "%s", row->gate.id);
-        table_add(&t, "%d", row->order);
-        table_add(&t, "%.*s", (int)strcspn(why, ":;"), why);
+        table_add(&t, "%s|%d|%.*s", row->gate.id, row->order, (int)strcspn(why, ":;"), why);
     }
-    table_print(&t, stdout);
-    table_free(&t);
+    table_end(&t, stdout);
     printf("\nheatladder list battery -v: commands, bounds and draws\n");
 }
 

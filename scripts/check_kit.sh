@@ -1,21 +1,23 @@
 # shellcheck shell=sh disable=SC2034
-# For the scripts that try the program as its user meets it, to be sourced: PROGRAM (build/heatladder) as $program, a
-# folder for what they write, gone at the end, and a count of what holds.  What cannot be tried here is skipped by name.
+# For the scripts that count what holds, to be sourced: PROGRAM (build/heatladder) as $program, but where that is empty
+# since they try no program; a folder for what they write, gone at the end; $show, head or tail of the log of what does
+# not hold.  What cannot be tried here is skipped by name.
 cd "$(dirname "$0")/.." || exit 1
 name=${0##*/}
-program=${PROGRAM:-build/heatladder}
-case $program in /*) ;; *) program=$PWD/$program ;; esac
-[ -x "$program" ] || { echo "$name: $program is not built" >&2; exit 1; }
+program=${program-${PROGRAM:-build/heatladder}} show=${show:-head}
+case $program in '' | /*) ;; *) program=$PWD/$program ;; esac
+[ -z "$program" ] || [ -x "$program" ] || { echo "$name: $program is not built" >&2; exit 1; }
 scratch=$(mktemp -d "${TMPDIR:-/tmp}/heatladder-check.XXXXXX") || exit 1
 trap 'chmod -R u+w "$scratch"; rm -rf "$scratch"' EXIT
 trap 'exit 130' INT TERM HUP
+: >"$scratch/log"
 passed=0 failed=0
 
 verdict() { # what holds? (0: yes) what
     if [ "$1" -eq 0 ]; then passed=$((passed + 1)); else
         failed=$((failed + 1))
         echo "$name: $2"
-        head -n 5 "$scratch/log"
+        "$show" -n 5 "$scratch/log"
     fi
 }
 

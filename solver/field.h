@@ -13,6 +13,15 @@ struct settling { /* of a relaxed cloud, in units of the spacing */
     double spread;  /* standard deviation of the density over its mean */
 };
 
+struct cost {               /* of a run */
+    long long updates;      /* particle updates: particles x operator applications */
+    long long interactions; /* pairs evaluated: updates x neighbours */
+    double work;            /* all that is done, counted (solver/outline.h); 0 where unknown */
+    size_t bytes;           /* held while time runs, places and temperatures among them */
+    double seconds;         /* wall time of the whole call */
+    double step_seconds;    /* wall time of the time loop alone */
+};
+
 struct field { /* owned arrays: field_free */
     int dim;
     size_t n;
@@ -32,12 +41,7 @@ struct field { /* owned arrays: field_free */
     double range[2];          /* K, lowest and highest of the sampled initial data */
     double data[2];           /* K: what initial data, walls and heat that comes in span; 0, 0 where unknown */
     double bound;             /* s^-1: upper bound of the operator's spectrum; 0 where none is known */
-    long long updates;        /* particle updates: particles x operator applications */
-    long long interactions;   /* pairs evaluated: updates x neighbours */
-    double work;              /* all that is done, counted (solver/outline.h); 0 where unknown */
-    size_t bytes;             /* held while time runs, places and temperatures among them */
-    double seconds;           /* wall time of the whole call */
-    double step_seconds;      /* wall time of the time loop alone */
+    struct cost cost;
 };
 
 void field_alloc(struct field *f, int dim, size_t n); /* zeroes *f, allocates x, T, and y for dim 2 */

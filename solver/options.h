@@ -55,6 +55,7 @@ struct options {
     int redraw;                /* steps between two draws of the cloud; 0: never redrawn */
     enum sampling sampling;
     enum walls walls;
+    double ratio_most; /* WALLS_DISTANCE: the most that 1 + d_d/d_i may be; 0: 1.5, as published */
     enum mean mean;
     enum volume volume;
     enum domain domain; /* of a scene with mirror planes: the part that has to be computed, or all */

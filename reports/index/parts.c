@@ -36,7 +36,7 @@ static const struct part {
     {"Operators", FIGURE, "operators_error.svg", "operators_error.csv",
      "Error against neighbours at equal spacing, by operator", "make operators"},
     {"Operators", FIGURE, "operators_growth.svg", "operators_growth.csv",
-     "Share of jittered clouds on which a mode grows at any time step", "make operators"},
+     "Share of jittered clouds on which a mode grows at any time step, and how far it goes", "make operators"},
     {"Operators", FIGURE, "operators_redraw.svg", "operators_redraw.csv",
      "Error where the particles are placed again every N steps", "make operators"},
     {"Walls", PAGE, "walls.md", NULL, NULL, "make walls"},

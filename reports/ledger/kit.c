@@ -4,7 +4,6 @@
 
 #include "verification/command/arguments.h"
 #include "verification/ladder/ladder.h"
-#include "verification/stability/step_limit.h"
 
 #include <ctype.h>
 #include <stdarg.h>
@@ -110,7 +109,7 @@ int kit_order(int *held, double *slope, struct claims_measured *m, const double 
     return status != 0;
 }
 
-int kit_model(struct model_problem *b, struct claims_measured *m, const char *command, ...) {
+int kit_model(struct model_problem *b, struct step_limit *l, struct claims_measured *m, const char *command, ...) {
     char line[200];
     va_list arguments;
     struct failure why;
@@ -122,6 +121,7 @@ int kit_model(struct model_problem *b, struct claims_measured *m, const char *co
     if (!status)
         status = step_limit_setup(r.experiment.method, &r.experiment.options, r.dim, r.ratio, r.contact, r.stages, b,
                                   &why);
+    if (!status && l) status = step_limit_predict(b, l, &why);
     arguments_free(&r);
     if (status && m) kit_fail(m, why.text);
     return status;

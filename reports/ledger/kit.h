@@ -6,7 +6,7 @@
  * particle. */
 
 #include "solver/space/operator.h"
-#include "verification/stability/model_problem.h"
+#include "verification/stability/step_limit.h"
 #include "reports/ledger/claims.h"
 #include "verification/command/command_run.h"
 #include "verification/ladder/judge.h"
@@ -49,10 +49,10 @@ int kit_judge(int *held, struct claims_measured *m, const struct judged *l, doub
 int kit_order(int *held, double *slope, struct claims_measured *m, const double band[2], const char *command, ...)
     __attribute__((format(printf, 5, 6)));
 
-/* The model problem of "limit ..." (model_problem.h), resolved.  0, or the status, with *m, where it is not NULL,
- * failed. */
-int kit_model(struct model_problem *b, struct claims_measured *m, const char *command, ...)
-    __attribute__((format(printf, 3, 4)));
+/* The model problem of "limit ..." (model_problem.h), resolved, and its limits into *l where that is not NULL.  0, or
+ * the status, with *m, where it is not NULL, failed. */
+int kit_model(struct model_problem *b, struct step_limit *l, struct claims_measured *m, const char *command, ...)
+    __attribute__((format(printf, 4, 5)));
 
 /* One particle of a lattice, its neighbours within 2 h and the weights that a method gives them. */
 struct kit_cell {

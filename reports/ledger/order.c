@@ -2,7 +2,6 @@
 /* Orders of accuracy and tables of errors against what is printed, and Song's exact solution. */
 
 #include "reports/ledger/kit.h"
-#include "verification/stability/step_limit.h"
 
 #include "references/series.h"
 
@@ -188,7 +187,6 @@ static int shake(const char *method, struct shaken *out, struct claims_measured 
     struct result coarse, fine;
     struct model_problem b;
     struct step_limit limit;
-    struct failure why;
     *out = (struct shaken){{NAN, NAN}, {NAN, NAN}, NAN};
     for (int off = 0; off < 2; off++) {
         if (kit_result(&coarse, m, SMOOTH, method, 0.05, off ? SHAKEN : "") ||
@@ -198,8 +196,7 @@ static int shake(const char *method, struct shaken *out, struct claims_measured 
         kit_number(m, out->error[off], "", "E1 of %s, %s", method, off ? "0.1 dx off" : "lattice");
         kit_number(m, out->order[off], "", "its order");
     }
-    if (kit_model(&b, m, "limit %s --dim 2 --layout jitter --jitter 0.3 --seed 1", method)) return 1;
-    if (step_limit_predict(&b, &limit, &why)) return kit_fail(m, why.text);
+    if (kit_model(&b, &limit, m, "limit %s --dim 2 --layout jitter --jitter 0.3 --seed 1", method)) return 1;
     out->growth = limit.grows ? limit.growth : 0;
     kit_number(m, out->growth, "kappa/dx^2", "growth 0.3 dx off");
     return 0;
@@ -255,13 +252,8 @@ void ledger_order_better(struct claims_measured *m) {
         char method[40];
         struct model_problem b;
         struct step_limit limit;
-        struct failure why;
         kit_part(&m->argument, method, sizeof method);
-        if (shake(method, &of[k], m) || kit_model(&b, m, "limit %s --dim 2", method)) return;
-        if (step_limit_predict(&b, &limit, &why)) {
-            kit_fail(m, why.text);
-            return;
-        }
+        if (shake(method, &of[k], m) || kit_model(&b, &limit, m, "limit %s --dim 2", method)) return;
         step[k] = limit.von_neumann;
         kit_number(m, step[k], "dx^2/kappa", "largest step on the lattice");
     }

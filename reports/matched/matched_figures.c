@@ -36,7 +36,7 @@ static int write_curve(const struct curve *c, FILE *out, struct failure *why) {
         int status = command_run_check(&run, why);
         const struct result *r = &run.result;
         if (!status)
-            fprintf(out, "%lld,%.6e,%g,%lld\n", r->interactions, r->error.l1, run.request.experiment.options.dx,
+            fprintf(out, "%lld,%.6e,%g,%lld\n", r->cost.interactions, r->error.l1, run.request.experiment.options.dx,
                     r->steps);
         command_run_free(&run);
         if (status) return status;

@@ -151,6 +151,7 @@ static void tabulate_orders(const struct order *all, FILE *md) {
 
 static const int worked_on[] = {0, 3, 4}; /* of the clouds */
 enum { WORKED_ON = 3, WORKED = 2 /* of the trials */ };
+static const double ENOUGH = 1e-3; /* error to be reached */
 
 /* The interactions (pairs of neighbours in all steps and stages) at which E1 falls to `error`, between two rungs on
  * the straight line of their logarithms; NaN where none is that good, or all are. */
@@ -159,8 +160,8 @@ static double work_at(const struct ladder *l, double error) {
         const struct result *coarse = &l->rung[i - 1], *fine = &l->rung[i];
         if (coarse->error.l1 < error || fine->error.l1 > error) continue;
         double part = log(coarse->error.l1 / error) / log(coarse->error.l1 / fine->error.l1);
-        double ratio = (double)fine->interactions / (double)coarse->interactions;
-        return (double)coarse->interactions * pow(ratio, part);
+        double ratio = (double)fine->cost.interactions / (double)coarse->cost.interactions;
+        return (double)coarse->cost.interactions * pow(ratio, part);
     }
     return NAN;
 }
@@ -183,18 +184,17 @@ static void write_work(const struct order *all, FILE *out) {
                 operators_clouds[worked_on[k / OPERATORS]].name, o->method);
         for (int i = 0; i < order->ladder.n && !without_order(order); i++) {
             const struct result *r = &order->ladder.rung[i];
-            fprintf(out, "%lld,%.5e,%g\n", r->interactions, r->error.l1, r->options.dx);
+            fprintf(out, "%lld,%.5e,%g\n", r->cost.interactions, r->error.l1, r->options.dx);
         }
     }
 }
 
 static void tabulate_work(const struct order *all, FILE *md) {
-    static const double error = 1e-3;
     fprintf(
         md,
         "\n## Work for E1 = %g, rect-manufactured\n\nInteractions (pairs of neighbours, in all steps and stages), "
         "between the rungs of the ladders above; -: not reached.\n\n| operator |",
-        error);
+        ENOUGH);
     for (int c = 0; c < WORKED_ON; c++) fprintf(md, " %s |", operators_clouds[worked_on[c]].name);
     fprintf(md, "\n|---|");
     for (int c = 0; c < WORKED_ON; c++) fprintf(md, "---|");
@@ -203,7 +203,7 @@ static void tabulate_work(const struct order *all, FILE *md) {
         fprintf(md, "\n| `%s` |", operators[k].method);
         for (int c = 0; c < WORKED_ON; c++) {
             const struct order *order = worked(all, k, c);
-            double work = without_order(order) ? NAN : work_at(&order->ladder, error);
+            double work = without_order(order) ? NAN : work_at(&order->ladder, ENOUGH);
             if (isnan(work))
                 fprintf(md, " - |");
             else
@@ -238,7 +238,7 @@ static void take_neighbours(int k, struct neighbours_run *n) {
     command_run_line(&run, "run rect-manufactured %s --set k_y=0.02 --dx 0.025 --h %g%s", o->method,
                      lengths[k % LENGTHS], operators_clouds[drawn[k / (LENGTHS * OPERATORS)]].options);
     n->status = command_run_check(&run, &n->why);
-    n->neighbours = (double)run.result.interactions / (double)run.result.updates;
+    n->neighbours = (double)run.result.cost.interactions / (double)run.result.cost.updates;
     n->error = run.result.error.l1;
     command_run_free(&run);
 }
@@ -268,9 +268,43 @@ static int write_neighbours(FILE *out, struct failure *why) {
     return status;
 }
 
+/* ---- What one chooses by ---- */
+
+static double finest_error(const struct order *o) {
+    return o->ladder.rung[o->ladder.n - 1].error.l1;
+}
+
+static void choose_by_orders(const struct order *all, const struct trait *traits, struct choice choice[OPERATORS]) {
+    static const int judged[] = {0, WORKED, 3}; /* trials, by the number of materials */
+    for (int k = 0; k < OPERATORS; k++) {
+        struct choice *c = &choice[k];
+        const struct order *of = &all[k * CLOUDS * TRIALS];
+        c->order[0] = INFINITY, c->order[1] = -INFINITY;
+        for (int cloud = 0; cloud < CLOUDS; cloud++) {
+            const struct order *o = &of[cloud * TRIALS + judged[operators[k].materials]], *kept = &of[cloud * TRIALS];
+            if (without_order(o))
+                c->failed++;
+            else {
+                c->order[0] = fmin(c->order[0], o->ladder.slope.value);
+                c->order[1] = fmax(c->order[1], o->ladder.slope.value);
+                c->worst = fmax(c->worst, finest_error(o) / finest_error(&of[judged[operators[k].materials]]));
+            }
+            if (kept->tried && !without_order(kept))
+                c->drift = fmax(c->drift, fabs(kept->ladder.rung[kept->ladder.n - 1].heat_drift));
+        }
+        c->step[0] = traits[k * CLOUDS + OPERATORS_LATTICE].limit;
+        c->step[1] = traits[k * CLOUDS + OPERATORS_JITTER_03].limit;
+        for (int cloud = 0; cloud < WORKED_ON; cloud++) {
+            const struct order *o = worked(all, k, cloud);
+            c->pairs[cloud] = !o->tried || without_order(o) ? NAN : work_at(&o->ladder, ENOUGH);
+        }
+    }
+}
+
 int operators_write(const char *dir, struct failure *why) {
-    enum { PAGES = 6 };
+    enum { PAGES = 7 };
     struct output page[PAGES] = {{0}};
+    struct choice choice[OPERATORS] = {{0}};
     double start = omp_get_wtime();
     int status = output_directory(dir, "operators.csv", why);
     FILE *csv = output_open(&page[0], "%s/operators.csv", dir), *md = output_open(&page[1], "%s/operators.md", dir);
@@ -278,21 +312,26 @@ int operators_write(const char *dir, struct failure *why) {
     if (!status) status = operators_redraw(output_open(&page[3], "%s/operators_redraw.csv", dir), why);
     if (!status) {
         struct order *all = take_orders();
+        struct trait *traits = operators_take_traits();
+        struct growth_cell *growth = operators_take_growth(choice);
+        choose_by_orders(all, traits, choice);
         fprintf(md, "# Discrete Laplacians side by side\n\n`grows`: a mode grows at any step.\n");
+        operators_choice(choice, output_open(&page[6], "%s/operators_choice.csv", dir), md);
         write_orders(all, csv);
         tabulate_orders(all, md);
         tabulate_work(all, md);
         write_work(all, output_open(&page[5], "%s/operators_work.csv", dir));
+        fprintf(csv, "\n\n");
+        operators_traits(traits, csv, md);
+        fprintf(csv, "\n\n");
+        operators_growth(growth, csv, md, output_open(&page[4], "%s/operators_growth.csv", dir));
         free(all);
-        fprintf(csv, "\n\n");
-        operators_traits(csv, md);
-        fprintf(csv, "\n\n");
-        operators_growth(csv, md, output_open(&page[4], "%s/operators_growth.csv", dir));
+        free(traits);
+        free(growth);
         status = write_neighbours(error, why);
     }
     if (!status) status = output_close(page, PAGES, why);
     output_drop(page, PAGES);
-    if (!status)
-        printf("%s/operators.csv, operators.md, data of four figures (%.1f s)\n", dir, omp_get_wtime() - start);
+    if (!status) printf("%s/operators.md, tables and data of four figures (%.1f s)\n", dir, omp_get_wtime() - start);
     return status;
 }

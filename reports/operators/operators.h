@@ -8,15 +8,13 @@ struct failure;
 struct claims_measured;
 
 /* The discrete Laplacians side by side into `dir`: operators.csv and .md (orders on every cloud and scene; least
- * weight, largest stable step, neighbours, time of assembly; how often a mode grows), operators_error.csv (error
- * against neighbours), operators_growth.csv, operators_redraw.csv.  Progress goes to standard output. */
+ * weight, largest stable step, neighbours, time of assembly; how often a mode grows), operators_choice.csv (what to
+ * choose by), operators_error.csv (error against neighbours), operators_work.csv, operators_growth.csv,
+ * operators_redraw.csv.  Progress goes to standard output. */
 int operators_write(const char *dir, struct failure *why);
 
 /* The data of the figure of a redrawn cloud. */
 int operators_redraw(FILE *out, struct failure *why);
-
-/* How often a mode grows on jittered clouds, and at what rate: every kind of cloud to csv, those that grow to md. */
-void operators_growth(FILE *csv, FILE *md, FILE *figure);
 
 /* The measures, as the rows of others.def name them (a measure reads m->argument; claims.h). */
 #define CLAIM(id, source, published, measure, argument, expected, why) void measure(struct claims_measured *m);

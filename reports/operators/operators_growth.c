@@ -5,12 +5,14 @@
 #include "reports/operators/operators.h"
 
 #include "reports/figure/figure.h"
+#include "reports/operators/candidates.h"
 #include "solver/method.h"
 #include "solver/time/growth.h"
 #include "verification/stability/model_problem.h"
 
 #include <math.h>
 #include <stdlib.h>
+#include <string.h>
 
 static const double TIME = 100; /* dx^2/kappa_x */
 
@@ -106,21 +108,25 @@ static int tabulate_row(const struct growth_cell *first, const struct model_prob
     return growing;
 }
 
-/* The share of clouds at the first h/dx and the most particles, a block for each operator and ratio. */
+/* All clouds, a block for each operator: jitters side by side, in groups of h/dx, ratio and particles.  How far a
+ * mode goes in the time is its rate times that. */
 static void draw_growth(const struct growth_cell *all, FILE *figure) {
     figure_head(figure, "Share of eight jittered clouds with a mode that grows at any time step");
     fprintf(figure, "# command: heatladder limit fatehi_manzari --dim 2 --layout jitter --jitter 0.4 --ratio 0.1\n");
-    for (int name = 0; name < NAMES; name++)
-        for (int ratio = 0; ratio < RATIOS; ratio++) {
-            fprintf(figure, "\n\n# %s ratio %g\njitter,%s,largest rate [kappa_x/dx^2],draws\n", names[name],
-                    ratios[ratio], names[name]);
+    for (int name = 0; name < NAMES; name++) {
+        fprintf(figure, "\n\n# %s on clouds\nplace,%s,rate x %g dx^2/kappa_x,draws\n", names[name], names[name],
+                TIME);
+        for (int group = 0; group < SIDES * RATIOS * LENGTHS; group++)
             for (int j = 0; j < JITTERS; j++) {
-                int cell = (((name * SIDES + SIDES - 1) * JITTERS + j) * RATIOS + ratio) * LENGTHS, drawn;
+                int side = group / (RATIOS * LENGTHS), kind = group % (RATIOS * LENGTHS), drawn;
                 double most;
-                int growing = count_growing(&all[cell], &drawn, &most);
-                if (drawn) fprintf(figure, "%g,%.4g,%.3g,%d\n", jitters[j], (double)growing / drawn, most, drawn);
+                int growing = count_growing(&all[((name * SIDES + side) * JITTERS + j) * RATIOS * LENGTHS + kind],
+                                            &drawn, &most);
+                if (drawn)
+                    fprintf(figure, "%d,%.4g,%.3g,%d\n", group * (JITTERS + 1) + j + 1, (double)growing / drawn,
+                            most * TIME, drawn);
             }
-        }
+    }
 }
 
 static void tabulate_growth(const struct growth_cell *all, FILE *md) {
@@ -149,10 +155,26 @@ static void tabulate_growth(const struct growth_cell *all, FILE *md) {
     fprintf(md, "\n");
 }
 
-void operators_growth(FILE *csv, FILE *md, FILE *figure) {
+/* Counts into the rows of `choice` whose operator it is. */
+static void count_all(const struct growth_cell *all, struct choice choice[OPERATORS]) {
+    for (int k = 0; k < CELLS; k++) {
+        double most;
+        int drawn, growing = count_growing(&all[k], &drawn, &most);
+        const char *name = names[k / (CELLS / NAMES)];
+        for (int o = 0; o < OPERATORS; o++)
+            if (operators[o].materials == 1 && strcmp(operators[o].method, name) == 0)
+                choice[o].growing += growing, choice[o].draws += drawn;
+    }
+}
+
+struct growth_cell *operators_take_growth(struct choice choice[OPERATORS]) {
     struct growth_cell *all = take_growth();
+    count_all(all, choice);
+    return all;
+}
+
+void operators_growth(const struct growth_cell *all, FILE *csv, FILE *md, FILE *figure) {
     list_growth(all, csv);
     tabulate_growth(all, md);
     draw_growth(all, figure);
-    free(all);
 }

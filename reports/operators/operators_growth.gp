@@ -1,32 +1,38 @@
-# Share of clouds on which a mode grows, against jitter: one panel a conductivity ratio; 900 particles.
+# A box a kind of cloud: as high as the share of eight draws on which a mode grows, in the colour of how far it goes.
 name = 'operators_growth'
-wide = 1180; high = 520
+wide = 1180; high = 640
 load 'reports/figure/style.gp'
 unset title
 set label 98 heading at screen 0.5, screen 0.965 center noenhanced font size_of(13)
 unset bmargin
-set multiplot layout 1,3 margins screen 0.07, 0.985, 0.36, 0.88 spacing screen 0.03, 0.05
-set yrange [-0.05:1.05]
-set xrange [0.05:0.55]
-set xtics 0.1, 0.1
-set xlabel 'jitter  [dx]'
-ratios = '1 0.25 0.1'
-names = 'so_ssph fatehi_manzari cspm schwaiger kernel_second fo_ssph brookshaw conjugate positive voronoi_flux'
-colours = sprintf('%s %s %s %s %s %s %s %s %s %s', BLACK, BLUE, PURPLE, SKY, GREY, GREEN, RED, '#882255', \
-    '#44aa99', ORANGE)
-shapes = '4 5 13 11 8 6 7 12 3 9'
-isotropic = 'schwaiger kernel_second brookshaw'
-do for [c = 1:3] {
-    set title sprintf('κ_y/κ_x = %s', word(ratios, c)) font size_of(11) offset 0,-0.6
-    if (c == 1) { set ylabel 'share of clouds' offset 0.5 } else { unset ylabel; set format y '' }
-    if (c == 1) { set key at screen 0.985, 0.03 bottom right maxrows 3 width 2 } else { unset key }
-    drawn = ''
-    do for [k = 1:10] {
-        if (c == 1 || strstrt(isotropic, word(names, k)) == 0) { drawn = drawn.sprintf(' %d', k) }
-    }
-    plot for [i = 1:words(drawn)] data index sprintf('%s ratio %s', word(names, int(word(drawn, i))), \
-        word(ratios, c)) using 1:2 with linespoints lc rgb word(colours, int(word(drawn, i))) \
-        pt int(word(shapes, int(word(drawn, i)))) ps 0.8 * P lw 1.2 title word(names, int(word(drawn, i)))
-    unset label 98; unset label 99
+set margins at screen 0.15, at screen 0.9, at screen 0.2, at screen 0.83
+names = 'voronoi_flux positive conjugate brookshaw brookshaw_corrected schwaiger so_ssph fatehi_manzari fo_ssph flux_divergence kernel_second cspm'
+set ytics () nomirror scale 0 noenhanced
+do for [k = 1:12] { set ytics add (word(names, k) 13 - k) }
+set xtics () nomirror scale 0
+do for [group = 0:11] {
+    set xtics add ('.1' 6 * group + 1, '.3' 6 * group + 3, '.5' 6 * group + 5)
+    set label sprintf('h/dx %s', group % 2 ? '1.5' : '1.1') at first 6 * group + 3, graph 1.02 center font size_of(9)
+    if (group) { set arrow from first 6 * group, graph 0 to first 6 * group, graph 1 nohead lc rgb GREY lw 0.5 * (group % 6 ? 1 : 4) }
 }
-unset multiplot
+ratios = '1 1/4 1/10'
+do for [pair = 0:5] {
+    set label sprintf('κ_y/κ_x = %s', word(ratios, pair % 3 + 1)) at first 12 * pair + 6, graph 1.065 center font size_of(9)
+}
+set label '196 particles' at first 18, graph 1.115 center font size_of(10)
+set label '900 particles' at first 54, graph 1.115 center font size_of(10)
+set xrange [0:72]
+set yrange [0.4:12.6]
+unset grid
+set xlabel 'jitter  [dx]; white: refused, for k_y is not k_x' noenhanced
+set cbrange [0.1:1e4]
+set logscale cb
+set format cb '10^{%T}'
+set cblabel 'rate times 100 dx^2/κ_x  [-]' offset 0.5
+set palette defined (0 '#f6d6a8', 1 '#e69f00', 2 '#d55e00', 3 '#7a1f00')
+unset key
+set style fill solid 1 noborder
+plot for [k = 1:12] data index word(names, k).' on clouds' using 1:(13 - k):($1 - 0.45):($1 + 0.45):(13 - k - 0.4):(13 - k + 0.4) \
+    with boxxyerror lc rgb '#eef0f2', \
+    for [k = 1:12] data index word(names, k).' on clouds' using 1:(13 - k):($1 - 0.45):($1 + 0.45):(13 - k - 0.4):(13 - k - 0.4 + 0.8 * $2):3 \
+    with boxxyerror lc palette

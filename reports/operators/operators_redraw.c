@@ -13,9 +13,9 @@ static const char *const runs =
 
 static const char *const redraw[][2] = {
     {"", "no"}, {" --redraw 64", "64"}, {" --redraw 16", "16"}, {" --redraw 4", "4"}, {" --redraw 1", "1"}};
-static const int across[] = {20, 40, 80, 160, 320};
+static const int across[] = {20, 40, 80, 160};
 
-enum { REDRAWS = 5, RUNGS = 5, ORDERS = 2 };
+enum { REDRAWS = 5, RUNGS = 4, ORDERS = 2 };
 enum { RUNS = ORDERS * REDRAWS * RUNGS };
 
 /* The error of run k, by order, redraw and spacing. */
@@ -39,7 +39,7 @@ int operators_redraw(FILE *out, struct failure *why) {
             *why = failed[k];
             return status[k];
         }
-    figure_head(out, "rod-cosine: a cloud that is drawn anew every N steps");
+    figure_head(out, "rod-cosine: a cloud that is drawn again every N steps");
     fprintf(out, "# command: heatladder ");
     fprintf(out, runs, 4, " --redraw 4", 160);
     fprintf(out, "\n");

@@ -3,19 +3,17 @@
 #include "reports/operators/operators.h"
 
 #include "reports/ledger/kit.h"
-#include "verification/stability/step_limit.h"
 
 #include <math.h>
 #include <stdio.h>
+#include <stdlib.h>
 
 static const double DEFAULT_H = 1.1; /* over dx, of a method without one */
 
 /* Of the command "limit `command`".  0, or 1 with *m failed. */
 static int find_limit(struct claims_measured *m, const char *command, double *h, struct step_limit *l) {
     struct model_problem b;
-    struct failure why;
-    if (kit_model(&b, m, "limit %s", command)) return 1;
-    if (step_limit_predict(&b, l, &why)) return kit_fail(m, why.text);
+    if (kit_model(&b, l, m, "limit %s", command)) return 1;
     *h = b.method->scheme->cells ? DEFAULT_H : b.options.h;
     return 0;
 }
@@ -37,8 +35,11 @@ void others_step(struct claims_measured *m) {
         double h = NAN;
         if (find_limit(m, part + (beyond ? 2 : 0), &h, &l)) return;
         double times = C * scale * scale * h * h / l.von_neumann;
-        kit_number(m, times, "of the stable step", "%.58s", part + (beyond ? 2 : 0));
-        held[beyond] &= times <= 1;
+        if (l.grows)
+            kit_number(m, l.growth, "kappa/dx^2", "growth at any step, %.44s", part + (beyond ? 2 : 0));
+        else
+            kit_number(m, times, "of the stable step", "%.58s", part + (beyond ? 2 : 0));
+        held[beyond] &= !l.grows && times <= 1;
     }
     kit_decide(m, held[0], held[1], "at most the stable step, by von Neumann or eigenvalues");
 }
@@ -85,4 +86,71 @@ void others_only(struct claims_measured *m) {
             stable += !l.grows;
     }
     kit_decide(m, first && stable == 0, 1, "no mode of the first grows, and one of each other");
+}
+
+/* "< LADDER | > LADDER | + < LADDER": the order is below 1, or in [1.8, 2.2]; + what the statement does not except.
+ */
+void others_orders(struct claims_measured *m) {
+    char part[160];
+    int held[2] = {1, 1};
+    while (kit_part(&m->argument, part, sizeof part)) {
+        const char *words = part[0] == '+' ? part + 2 : part;
+        char method[24];
+        double slope, jitter;
+        if (sscanf(words + 2, "%23[a-z_], jitter %lf", method, &jitter) != 2) {
+            kit_fail(m, "no method or no jitter");
+            return;
+        }
+        if (kit_order(NULL, &slope, m, NULL,
+                      "ladder rod-cosine %s --layout jitter --jitter %g --seed 1 --dx 1/20,1/40,1/80,1/160,1/320",
+                      method, jitter))
+            return;
+        kit_number(m, slope, "", "order of %s", words + 2);
+        held[part[0] == '+'] &= words[0] == '<' ? slope < 1 : 1.8 <= slope && slope <= 2.2;
+    }
+    kit_decide(m, held[0], held[1],
+               "an order below 1 of those that are said not to converge, 1.8 to 2.2 of the other");
+}
+
+/* E1 of rect-manufactured; INFINITY where a mode grows. */
+static int error_of(double *error, struct claims_measured *m, const char *method, const char *cloud) {
+    struct command_run run;
+    struct failure why;
+    command_run_line(&run, "run rect-manufactured %s --set k_y=0.02%s", method, cloud);
+    int status = command_run_check(&run, &why);
+    *error = status == STATUS_UNSTABLE ? INFINITY : run.result.error.l1;
+    command_run_free(&run);
+    return status && status != STATUS_UNSTABLE ? kit_fail(m, why.text) : 0;
+}
+
+/* "TIMES | METHOD | OTHER | ...": the least error of the others over that of the first, on fine clouds in disorder
+ * and, beyond that, on a coarse one and the lattice. */
+void others_better(struct claims_measured *m) {
+    static const char *const names[] = {"jitter 0.1, dx 1/50", "jitter 0.3, dx 1/50", "jitter 0.1, dx 1/30",
+                                        "lattice, dx 1/30"};
+    static const char *const clouds[] = {" --layout jitter --jitter 0.1 --seed 1 --dx 1/50",
+                                         " --layout jitter --jitter 0.3 --seed 1 --dx 1/50",
+                                         " --layout jitter --jitter 0.1 --seed 1 --dx 1/30", " --dx 1/30"};
+    char part[40], first[40];
+    double own[4], best[4] = {INFINITY, INFINITY, INFINITY, INFINITY}, times = 0;
+    int held[2] = {1, 1}, count = 0;
+    while (kit_part(&m->argument, part, sizeof part)) {
+        if (count == 0) times = atof(part);
+        if (count == 1) snprintf(first, sizeof first, "%s", part);
+        for (int c = 0; c < 4 && count > 0; c++) {
+            double error;
+            if (error_of(&error, m, part, clouds[c])) return;
+            if (count == 1)
+                own[c] = error;
+            else
+                best[c] = fmin(best[c], error);
+        }
+        count++;
+    }
+    for (int c = 0; c < 4 && count > 2; c++) {
+        kit_number(m, best[c] / own[c], "times", "E1 over that of %s, %s", first, names[c]);
+        held[c > 1] &= best[c] / own[c] >= times;
+    }
+    kit_decide(m, held[0], held[1], "at least %g on fine clouds in disorder; without a condition elsewhere too",
+               times);
 }

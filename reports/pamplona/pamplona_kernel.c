@@ -163,7 +163,7 @@ void pamplona_kernel_cheaper(struct claims_measured *m) {
     for (int k = 0; k < PLATE_METHODS; k++) {
         struct result run;
         if (kit_result(&run, m, "run plate %s --t-end %s", plate_words[k], t.where[PLATE_TIMES - 1])) return;
-        each[k] = (double)run.interactions / (double)run.steps;
+        each[k] = (double)run.cost.interactions / (double)run.steps;
     }
     double seconds = t.value[0][PLATE_TIMES] / t.value[1][PLATE_TIMES], pairs = each[PLATE_SPH] / each[PLATE_FTCS];
     kit_number(m, seconds, "", "printed seconds of SPH over those of FTCS");

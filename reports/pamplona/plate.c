@@ -184,9 +184,9 @@ void pamplona_plate_deficiency(struct claims_measured *m) {
     if (measure(&fixed, m, fixed_words, t) || measure(&mirror, m, mirror_words, t) ||
         measure(&grid, m, plate_words[PLATE_FTCS], t))
         return;
-    double inside = 0, updates = (double)fixed.result.updates;
+    double inside = 0, updates = (double)fixed.result.cost.updates;
     for (int k = 0; k < 49; k++) inside += k != 24 && hypot(k % 7 - 3, k / 7 - 3) < 2 * 1.2;
-    double missing = inside - (double)fixed.result.interactions / updates;
+    double missing = inside - (double)fixed.result.cost.interactions / updates;
     kit_number(m, missing, "", "neighbours missing, of %g", inside);
     kit_number(m, fixed.ring_mean, "K", "mean error of the outermost ring, fixed ghosts");
     kit_number(m, grid.ring_mean, "K", "finite differences, fixed ghosts");

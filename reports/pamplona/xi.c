@@ -52,15 +52,20 @@ double xi_error(struct xi_best *b, double xi) {
     struct command_run run;
     struct plate_errors e = {.average = {NAN}};
     double h = xi_h(b->n);
-    command_run_line(&run,
-                     "run plate brookshaw --kernel quartic --h 1.2 --volume tuned --xi %.17g --walls %s --dx %.17g "
-                     "--stepper rk2 --dt %.17g --set material=%s --t-end %.17g",
-                     xi, b->walls ? b->walls : "fixed", 0.1 / b->n, b->beta * h * h / xi_diffusivity(b->material),
-                     xi_materials[b->material], b->t);
+    if (!command_run_read(&run,
+                          "run plate brookshaw --kernel quartic --h 1.2 --volume tuned --walls %s --dx 0.1/%d "
+                          "--stepper rk2 --set material=%s",
+                          b->walls ? b->walls : "fixed", b->n, xi_materials[b->material])) {
+        struct experiment *r = &run.request.experiment;
+        r->options.xi = xi;
+        r->options.dt = b->beta * h * h / xi_diffusivity(b->material);
+        r->problem.t_end = b->t;
+        command_run_solve(&run);
+    }
     if (!command_run_check(&run, &b->failure)) {
         plate_measure(&run, &e);
-        b->work = run.result.interactions;
-        b->seconds = run.result.seconds;
+        b->work = run.result.cost.interactions;
+        b->seconds = run.result.cost.seconds;
     }
     command_run_free(&run);
     return e.average[PLATE_MEAN_RELATIVE];
@@ -241,8 +246,8 @@ void pamplona_xi_same_order(struct claims_measured *m) {
         for (int k = 0; k < 2; k++) {
             struct command_run run;
             struct plate_errors e;
-            int bad = kit_run(&run, m, "run plate ftcs --walls %s --dx %.17g --fourier 0.0576 --t-end %.17g",
-                              walls[i], 0.1 / n[k], plate_time(0));
+            int bad = kit_run(&run, m, "run plate ftcs --walls %s --dx 0.1/%d --fourier 0.0576 --t-end %g", walls[i],
+                              n[k], plate_time(0));
             if (!bad) plate_measure(&run, &e);
             command_run_free(&run);
             if (bad || isnan(sph)) return;

@@ -9,7 +9,6 @@
 #include "reports/ledger/kit.h"
 #include "reports/song/song.h"
 
-#include "verification/stability/step_limit.h"
 #include "verification/stability/symbol.h"
 
 #include <complex.h>
@@ -25,15 +24,12 @@ struct step_limits {
 /* Of h/dx and kappa_y/kappa_x.  0, or the status, with *m, where it is not NULL, failed. */
 static int limits_at(int dim, const char *method, const char *kernel, double h, double ratio, struct step_limits *l,
                      struct claims_measured *m) {
-    struct failure why;
     struct model_problem b;
     struct step_limit limit;
     char unequal[40] = "";
     if (ratio < 1) snprintf(unequal, sizeof unequal, " --ratio %.10g", ratio);
-    int status = kit_model(&b, m, "limit %s --dim %d --kernel %s --h %.10g%s", method, dim, kernel, h, unequal);
-    if (status) return status;
-    status = step_limit_predict(&b, &limit, &why);
-    if (status && m) kit_fail(m, why.text);
+    int status =
+        kit_model(&b, &limit, m, "limit %s --dim %d --kernel %s --h %.10g%s", method, dim, kernel, h, unequal);
     if (!status) *l = (struct step_limits){0.1 * 0.1 / 0.01 * limit.published, 0.1 * 0.1 / 0.01 * limit.von_neumann};
     return status;
 }
@@ -153,7 +149,7 @@ void song_limit_unequal_weights(struct claims_measured *m) {
         struct symbol s;
         struct result run;
         struct failure why;
-        if (kit_model(&b, m, "limit so_ssph --dim 2 --h 1.1 --ratio %g", ratio[i])) return;
+        if (kit_model(&b, NULL, m, "limit so_ssph --dim 2 --h 1.1 --ratio %g", ratio[i])) return;
         if (symbol_create(&s, &b, &why)) {
             kit_fail(m, why.text);
             return;

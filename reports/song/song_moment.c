@@ -178,7 +178,7 @@ static double of_linear(const char *method, struct claims_measured *m) {
     struct row r;
     struct failure why;
     double most = 0;
-    if (kit_model(&b, m, "limit %s --dim 2 --layout jitter --jitter 0.2 --seed 3", method)) return NAN;
+    if (kit_model(&b, NULL, m, "limit %s --dim 2 --layout jitter --jitter 0.2 --seed 3", method)) return NAN;
     struct problem p = model_problem_setup(&b, MODEL_NOISE, 0);
     if (model_problem_cloud(&b, &p, &c, &why)) return kit_fail(m, why.text), NAN;
     if (operator_create_csr(&a, &p, &b.options, b.method->scheme, &c, 1, &why)) {

@@ -3,17 +3,13 @@
 #include "reports/ledger/kit.h"
 #include "reports/song/song.h"
 
-#include "verification/stability/step_limit.h"
-
 #include <math.h>
 
 /* Euler's largest step by von Neumann, in dx^2/kappa, square lattice, h = 1.1 dx.  0, or 1 with *m failed. */
 static int largest_step(const char *method, double *step, struct claims_measured *m) {
-    struct failure why;
     struct model_problem b;
     struct step_limit limit;
-    if (kit_model(&b, m, "limit %s --dim 2 --h 1.1", method)) return 1;
-    if (step_limit_predict(&b, &limit, &why)) return kit_fail(m, why.text);
+    if (kit_model(&b, &limit, m, "limit %s --dim 2 --h 1.1", method)) return 1;
     *step = limit.von_neumann;
     return 0;
 }
@@ -29,11 +25,11 @@ void song_text_resources(struct claims_measured *m) {
                        method))
             return;
         kit_number(m, step[i], "dx^2/kappa", "largest step of %s", method);
-        kit_number(m, (double)run[i].interactions / (double)run[i].updates, "",
+        kit_number(m, (double)run[i].cost.interactions / (double)run[i].cost.updates, "",
                    "its interactions a particle and step");
         kit_number(m, run[i].error.l1, "", "its E1 on rect-manufactured");
     }
-    double work = ((double)run[0].interactions / step[0]) / ((double)run[1].interactions / step[1]);
+    double work = ((double)run[0].cost.interactions / step[0]) / ((double)run[1].cost.interactions / step[1]);
     kit_number(m, work, "", "interactions for the same time, the first over the second");
     kit_decide(m, work < 1, run[0].error.l1 <= run[1].error.l1,
                "fewer interactions for the same time with the same particles; and no larger error");

@@ -188,7 +188,7 @@ void song_wave_null_space(struct claims_measured *m) {
         struct model_problem b;
         struct symbol s;
         struct failure why;
-        if (kit_model(&b, m, "limit %s --dim 1 --h 1.05", method)) return;
+        if (kit_model(&b, NULL, m, "limit %s --dim 1 --h 1.05", method)) return;
         if (symbol_create(&s, &b, &why)) {
             kit_fail(m, why.text);
             return;

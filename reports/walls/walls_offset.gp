@@ -14,14 +14,14 @@ titles = '"held and cooled (rod-cooling)" "insulated (rod-cosine)"'
 names = 'mirror average image fit one_sided'
 colours = sprintf('%s %s %s %s %s', GREEN, SKY, BLUE, BLACK, PURPLE)
 shapes = '9 11 5 13 4'
+place(w) = sum [k = 1:5] (word(names, k) eq w ? k : 0)
 do for [b = 1:2] {
     set title word(titles, b) font size_of(11) offset 0,-0.6 noenhanced
     if (b == 1) { set ylabel 'order of E1  [-]' } else { unset ylabel }
     if (b == 2) { set key at screen 0.98, 0.1 bottom right maxrows 1 width 2 } else { unset key }
-    plot for [k = 1:5] (b == 1 && k == 2 ? '/dev/null' : data) \
-        index (b == 1 && k == 2 ? 0 : sprintf('%s %s', word(rods, b), word(names, k))) \
-        using 1:2 with linespoints lc rgb word(colours, k) pt int(word(shapes, k)) ps 0.9 * P \
-        lw (k == 4 ? 2 : 1.2) title word(names, k)
+    plot for [w in (b == 1 ? 'mirror image fit one_sided' : names)] data index word(rods, b).' '.w \
+        using 1:2 with linespoints lc rgb word(colours, place(w)) pt int(word(shapes, place(w))) ps 0.9 * P \
+        lw (w eq 'fit' ? 2 : 1.2) title w
     unset label 98; unset label 99
 }
 unset multiplot

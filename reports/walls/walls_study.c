@@ -61,12 +61,12 @@ static void take_runs(const char *scene, const char *walls, struct entry *e) {
                          scene + strcspn(scene, " "), walls, 1 + k % SEEDS, e->dx[k]);
         command_run_note(&run, &e->why);
         e->E1[k] = run.result.error.l1, e->largest[k] = run.result.error.linf;
-        e->work[k] = (double)run.result.interactions;
+        e->work[k] = (double)run.result.cost.interactions;
         if (k / SEEDS == SPACINGS - 1) {
 #pragma omp critical(walls_drift)
             {
                 e->drift = fmax(e->drift, fabs(run.result.heat_drift));
-                e->neighbours += (double)run.result.interactions / (double)run.result.updates / SEEDS;
+                e->neighbours += (double)run.result.cost.interactions / (double)run.result.cost.updates / SEEDS;
             }
         }
         command_run_free(&run);
@@ -206,7 +206,7 @@ static void write_rows(const struct entry *all, FILE *csv, FILE *md) {
 }
 
 static void write_errors(const struct entry *all, FILE *out) {
-    figure_head(out, "so_ssph, walls that cut the lattice: error against spacing and work, by treatment of the wall");
+    figure_head(out, "so_ssph, walls that cut the lattice: error by treatment of the wall");
     fprintf(out, "# command: heatladder run disc-mode so_ssph --set wall=1 --walls fit --seed 1 --dx 0.1\n");
     for (int k = 0; k < BODIES * TREATMENTS; k++) {
         if (!bodies[k / TREATMENTS].derived[k % TREATMENTS]) continue;
@@ -218,6 +218,35 @@ static void write_errors(const struct entry *all, FILE *out) {
             fprintf(out, "%g,%.5e,%.5e\n", all[k].dx[i], sum, work);
         }
     }
+}
+
+/* ---- The bound of `distance` ---- */
+
+/* Half of a particle's own weight, 1.45 kappa/dx^2, is beyond a wall that it is next to, and counts R times. */
+static int write_ratios(const struct entry *published, FILE *md, struct failure *why) {
+    static const double ratios[] = {1.5, 3, 10, 100};
+    fprintf(md,
+            "\n### --walls distance --ratio-most R (%s)\n\nThe step derived is 2/(1.45 (1 + R)) dx^2/kappa, and "
+            "0.525 at most.\n\n"
+            "| R | order of E1 | order of the largest error | E1 | largest error, K | step | step derived |\n"
+            "|---|---|---|---|---|---|---|\n",
+            bodies[0].scene);
+    for (size_t k = 0; k < sizeof ratios / sizeof *ratios; k++) {
+        struct entry *own = xcalloc(1, sizeof *own);
+        const struct entry *e = k ? own : published;
+        char walls[60];
+        snprintf(walls, sizeof walls, "distance --ratio-most %g", ratios[k]);
+        if (k) take_runs(bodies[0].scene, walls, own);
+        if (k) take_spectra(bodies[0].scene, walls, own);
+        struct slope s = slope_fit(e->dx, e->E1, RUNS), m = slope_fit(e->dx, e->largest, RUNS);
+        fprintf(md, "| %g | %.2f [%.2f, %.2f] | %.2f [%.2f, %.2f] | %.2e | %.2e | %.4f | %.4f |\n", ratios[k],
+                s.value, s.ci[0], s.ci[1], m.value, m.ci[0], m.ci[1], mean_of(e->E1), most_of(e->largest),
+                e->price.limit, fmin(0.525, 2 / (1.45 * (1 + ratios[k]))));
+        *why = own->why;
+        free(own);
+        if (why->status) return why->status;
+    }
+    return STATUS_OK;
 }
 
 /* ---- Plane walls anywhere ---- */
@@ -249,18 +278,18 @@ static int write_offsets(FILE *out, FILE *md, FILE *error, struct failure *why) 
             for (int n = 0; n < 4; n++) {
                 struct command_run run;
                 dx[n] = rods[k].length / (20 << n);
-                command_run_line(&run, "run %s so_ssph --walls %s --shift 0.%d --dx %.17g", rods[k].scene,
-                                 rods[k].walls, s, dx[n]);
+                command_run_line(&run, "run %s so_ssph --walls %s --shift 0.%d --dx %g/%d", rods[k].scene,
+                                 rods[k].walls, s, rods[k].length, 20 << n);
                 E1[n] = run.result.error.l1;
-                mean[n] += E1[n] / 10, work[n] += (double)run.result.interactions / 10;
+                mean[n] += E1[n] / 10, work[n] += (double)run.result.cost.interactions / 10;
                 int status = command_run_check(&run, why);
                 command_run_free(&run);
                 if (status) return status;
             }
             struct slope fit = slope_fit(dx, E1, 4);
             char command[200];
-            snprintf(command, sizeof command, "run %s so_ssph --walls %s --shift 0.%d --dx %.17g --stepper euler",
-                     rods[k].scene, rods[k].walls, s, dx[2]);
+            snprintf(command, sizeof command, "run %s so_ssph --walls %s --shift 0.%d --dx %g/80 --stepper euler",
+                     rods[k].scene, rods[k].walls, s, rods[k].length);
             struct price price = {.limit = INFINITY};
             if (take_price(&price, why, command)) return why->status;
             step[s] = price.limit, growth = fmax(growth, price.growth);
@@ -378,7 +407,9 @@ int walls_study_write(const char *dir, struct failure *why) {
     if (!status) {
         write_rows(all, csv, md);
         write_errors(all, error);
-        status = write_offsets(offset, md, error, why) || write_steps(md, why) ? why->status : STATUS_OK;
+        status = write_ratios(&all[2], md, why) || write_offsets(offset, md, error, why) || write_steps(md, why)
+                     ? why->status
+                     : STATUS_OK;
     }
     if (!status) status = write_field(field, why);
     free(all);

@@ -124,7 +124,7 @@ static void hand_over(struct ftcs_grid *g, struct field *f) {
     size_t held = g->held * sizeof *g->T;
     ftcs_grid_keep_T(g);
     field_alloc(f, g->dim, (size_t)n);
-    f->bytes = held;
+    f->cost.bytes = held;
     if (!has_whole_cells(g)) f->weight = xcalloc((size_t)n, sizeof *f->weight);
     for (ptrdiff_t k = 0; k < n; k++) {
         int i = (int)(k % nx), j = (int)(k / nx);
@@ -161,11 +161,11 @@ static void count(const struct ftcs_grid *g, const struct options *o, struct fie
     const int pieces = o->sampling == SAMPLING_SPLINE ? 4 : 1, nodes = o->sampling == SAMPLING_POINT ? 1 : 4 * pieces;
     f->dim = g->dim, f->n = (size_t)n;
     f->dt = g->dt, f->steps = g->steps, f->stages = 1;
-    f->updates = g->steps * g->n[0] * g->n[1];
-    f->interactions = f->updates * (g->with_fluxes ? 4 : 2) * g->dim;
-    f->work = OUTLINE_SCALAR * n * (OUTLINE_PLACE + OUTLINE_SAMPLE * pow(nodes, g->dim));
-    f->work += (double)f->interactions + 2 * (double)f->updates;
-    f->work += OUTLINE_SCALAR * OUTLINE_GHOST * ((double)g->size - n) * (double)g->steps;
+    f->cost.updates = g->steps * g->n[0] * g->n[1];
+    f->cost.interactions = f->cost.updates * (g->with_fluxes ? 4 : 2) * g->dim;
+    f->cost.work = OUTLINE_SCALAR * n * (OUTLINE_PLACE + OUTLINE_SAMPLE * pow(nodes, g->dim));
+    f->cost.work += (double)f->cost.interactions + 2 * (double)f->cost.updates;
+    f->cost.work += OUTLINE_SCALAR * OUTLINE_GHOST * ((double)g->size - n) * (double)g->steps;
 }
 
 static int refuse_round(const struct method *m, struct failure *why) {
@@ -195,7 +195,7 @@ static int outline(const struct method *m, const struct problem *p, const struct
     outline_hold(out, "what the walls add", 2 * FTCS_LAYERS * (ny + nx * rows) * unit, OUTLINE_SET_UP, OUTLINE_STEPS);
     outline_hold(out, "what the materials conduct and hold", p->materials == 2 ? (2 + (size_t)g.dim) * nx * unit : 0,
                  OUTLINE_SET_UP, OUTLINE_STEPS);
-    out->run.bytes = out->bytes[OUTLINE_STEPS];
+    out->run.cost.bytes = out->bytes[OUTLINE_STEPS];
     return STATUS_OK;
 }
 
@@ -223,8 +223,8 @@ static int solve(const struct method *m, const struct problem *p, const struct o
         f->heat[1] = after;
         f->range[0] = g.lowest;
         f->range[1] = g.highest;
-        f->step_seconds = stepped - stepping;
-        f->seconds = seconds_now() - called;
+        f->cost.step_seconds = stepped - stepping;
+        f->cost.seconds = seconds_now() - called;
     }
     ftcs_grid_free(&g);
     return status;

@@ -299,11 +299,11 @@ static size_t held(const struct polar *g) {
 static void count(const struct polar *g, struct field *f) {
     f->dim = 2, f->n = cells(g);
     f->dt = g->dt, f->steps = g->steps, f->stages = 1;
-    f->updates = g->steps * (long long)f->n;
-    f->interactions = 4 * f->updates;
-    f->bytes = held(g);
-    f->work = OUTLINE_SCALAR * (double)f->n * (OUTLINE_PLACE + OUTLINE_SAMPLE + 2 * OUTLINE_FUNCTION);
-    f->work += 2 * (double)f->interactions;
+    f->cost.updates = g->steps * (long long)f->n;
+    f->cost.interactions = 4 * f->cost.updates;
+    f->cost.bytes = held(g);
+    f->cost.work = OUTLINE_SCALAR * (double)f->n * (OUTLINE_PLACE + OUTLINE_SAMPLE + 2 * OUTLINE_FUNCTION);
+    f->cost.work += 2 * (double)f->cost.interactions;
 }
 
 static void hand_over(struct polar *g, struct field *f) {
@@ -330,7 +330,7 @@ int ftcs_polar_outline(const char *method, const struct problem *p, const struct
     outline_hold(out, "temperatures", cells(&g) * sizeof(double), OUTLINE_SET_UP, OUTLINE_STEPS);
     outline_hold(out, "what source and walls add in a step", cells(&g) * sizeof(double), OUTLINE_SET_UP,
                  OUTLINE_STEPS);
-    out->run.bytes = out->bytes[OUTLINE_STEPS];
+    out->run.cost.bytes = out->bytes[OUTLINE_STEPS];
     return STATUS_OK;
 }
 
@@ -350,8 +350,8 @@ int ftcs_polar_solve(const char *method, const struct problem *p, const struct o
         f->time = p->t_end;
         f->heat[0] = before, f->heat[1] = heat(&g);
         f->range[0] = g.lowest, f->range[1] = g.highest;
-        f->step_seconds = stepped - stepping;
-        f->seconds = seconds_now() - called;
+        f->cost.step_seconds = stepped - stepping;
+        f->cost.seconds = seconds_now() - called;
     }
     polar_free(&g);
     return status;

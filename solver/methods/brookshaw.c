@@ -81,7 +81,7 @@ static const struct scheme scheme = {.name = "brookshaw",
 const struct method method_brookshaw = {
     .name = "brookshaw",
     .about = "Brookshaw's pair operator with Cleary & Monaghan's conductivity (Pamplona eq. 13)",
-    .accepts = PARTICLES_OPTIONS " shift angle walls mean volume xi",
+    .accepts = PARTICLES_OPTIONS PARTICLES_WALLS " mean volume xi",
     .scheme = &scheme,
     .solve = particles_solve,
     .outline = particles_outline,

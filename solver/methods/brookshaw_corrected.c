@@ -32,7 +32,7 @@ static const struct scheme scheme = {.name = "brookshaw_corrected", .isotropic =
 const struct method method_brookshaw_corrected = {
     .name = "brookshaw_corrected",
     .about = "Brookshaw's pair operator with the corrected gradient of the kernel (Randles & Libersky 1996)",
-    .accepts = PARTICLES_OPTIONS " shift angle walls",
+    .accepts = PARTICLES_OPTIONS PARTICLES_WALLS,
     .scheme = &scheme,
     .solve = particles_solve,
     .outline = particles_outline,

@@ -63,7 +63,7 @@ static const struct scheme scheme = {.name = "cspm", .sweeps = 1, .weights = wei
 const struct method method_cspm = {
     .name = "cspm",
     .about = "corrective smoothed particle method: Taylor's series order by order (Chen, Beraun & Carney 1999)",
-    .accepts = PARTICLES_OPTIONS " shift angle walls",
+    .accepts = PARTICLES_OPTIONS PARTICLES_WALLS,
     .scheme = &scheme,
     .solve = particles_solve,
     .outline = particles_outline,

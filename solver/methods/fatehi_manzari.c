@@ -54,7 +54,7 @@ static const struct scheme scheme = {.name = "fatehi_manzari", .sweeps = 1, .wei
 const struct method method_fatehi_manzari = {
     .name = "fatehi_manzari",
     .about = "Fatehi & Manzari's second derivatives, exact for quadratics on any cloud (2011)",
-    .accepts = PARTICLES_OPTIONS " shift angle walls",
+    .accepts = PARTICLES_OPTIONS PARTICLES_WALLS,
     .scheme = &scheme,
     .solve = particles_solve,
     .outline = particles_outline,

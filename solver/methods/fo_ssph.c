@@ -2,7 +2,9 @@
 /* FO-SSPH: first derivatives from a Taylor expansion of order 1 (Song eqs. 12, 13), used twice (eqs. 6, 37):
  *   q = -kappa <grad T>,   dT/dt = -<div q>.
  * On a lattice the two sweeps are one wider stencil, the first-derivative stencil convolved with itself.  Modes of
- * wavelength 2 dx lie in the null space of the first derivative, and so of this operator.  One material only. */
+ * wavelength 2 dx lie in the null space of the first derivative, and so of this operator.  One material only.
+ * Walls that cut the lattice: dummies two kernels deep, of which those by `fit` keep the second order and let no mode
+ * grow. */
 #include "solver/particles/particles.h"
 #include "solver/particles/ssph.h"
 
@@ -17,7 +19,7 @@ static const struct scheme scheme = {.name = "fo_ssph", .sweeps = 2, .pairs = pa
 const struct method method_fo_ssph = {
     .name = "fo_ssph",
     .about = "first-order symmetric SPH: q = -kappa <grad T>, dT/dt = -<div q> (Song eqs. 13, 37)",
-    .accepts = PARTICLES_OPTIONS " walls",
+    .accepts = PARTICLES_OPTIONS PARTICLES_WALLS,
     .scheme = &scheme,
     .solve = particles_solve,
     .outline = particles_outline,

@@ -35,7 +35,7 @@ static const struct scheme scheme = {.name = "schwaiger", .isotropic = 1, .sweep
 const struct method method_schwaiger = {
     .name = "schwaiger",
     .about = "Schwaiger's pair operator less the corrected gradient, over the trace of its moments (2008)",
-    .accepts = PARTICLES_OPTIONS " shift angle walls",
+    .accepts = PARTICLES_OPTIONS PARTICLES_WALLS,
     .scheme = &scheme,
     .solve = particles_solve,
     .outline = particles_outline,

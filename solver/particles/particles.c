@@ -22,6 +22,23 @@ static double now(void) {
     return (double)t.tv_sec + 1e-9 * (double)t.tv_nsec;
 }
 
+/* Of a derivative that is applied twice.  Modes grow in the plane with `mirror`, whose images are off the lattice,
+ * and with `image` (in 8 of 12 lattices in a disc whose wall is held). */
+static int check_cut_twice(const struct problem *p, const struct options *o, const struct scheme *s,
+                           struct failure *why) {
+    const char *walls = walls_words[o->walls];
+    if (s->adjoint)
+        return refuse(why, STATUS_NOT_APPLICABLE,
+                      "walls that cut the lattice: dummies have no part in an adjoint; take so_ssph");
+    if (o->walls == WALLS_DISTANCE)
+        return refuse(why, STATUS_NOT_APPLICABLE,
+                      "--walls %s: what differs from pair to pair has no derivative; take fit", walls);
+    if (p->dim == 2 && (o->walls == WALLS_MIRROR || o->walls == WALLS_IMAGE))
+        return refuse(why, STATUS_NOT_APPLICABLE,
+                      "--walls %s: modes grow where a derivative is applied twice; take fit", walls);
+    return STATUS_OK;
+}
+
 /* What a lattice that walls cut does not go with, and a body without walls. */
 static int check_cut(const struct problem *p, const struct options *o, const struct scheme *s, struct failure *why) {
     if (p->side[X_LO] == PERIODIC && !p->shape && o->layout == LAYOUT_NODE)
@@ -41,13 +58,12 @@ static int check_cut(const struct problem *p, const struct options *o, const str
     if (s->cells && (!p->shape || o->walls != WALLS_MIRROR))
         return refuse(why, STATUS_NOT_APPLICABLE, "--walls %s: cells are cut by round walls, and have --walls mirror",
                       walls_words[o->walls]);
-    if (p->materials == 2 || s->sweeps == 2 || o->order > 2 || o->redraw > 0)
+    if (p->materials == 2 || o->order > 2 || o->redraw > 0)
         return refuse(why, STATUS_NOT_APPLICABLE, "walls that cut the lattice: %s",
                       p->materials == 2 ? "one material only, the scene has two"
-                      : s->sweeps == 2
-                          ? "a derivative that is applied twice needs dummies two kernels deep; take so_ssph"
-                      : o->order > 2 ? "dummies are exact for quadratics; take --order 2"
-                                     : "--redraw needs a layout that they do not cut");
+                      : o->order > 2    ? "dummies are exact for quadratics; take --order 2"
+                                        : "--redraw needs a layout that they do not cut");
+    if (s->sweeps == 2 && check_cut_twice(p, o, s, why)) return why->status;
     if (o->walls == WALLS_ONE_SIDED && !s->at_wall)
         return refuse(why, STATUS_NOT_APPLICABLE,
                       "--walls one_sided: needs the least squares of so_ssph; this method has fit");
@@ -266,7 +282,7 @@ static int check_damping(const struct options *o, const struct heat_operator *a,
 
 static int integrate(const struct problem *p, const struct options *o, const struct scheme *s,
                      const struct lattice *l, struct heat_operator *a, struct field *f, struct failure *why) {
-    f->bytes = a->n * (size_t)(p->dim + 1 + (f->weight != NULL)) * sizeof *f->T + a->bytes;
+    f->cost.bytes = a->n * (size_t)(p->dim + 1 + (f->weight != NULL)) * sizeof *f->T + a->bytes;
     struct march m;
     double bound = operator_bound(a);
     if (particles_march(p, o, s, l, a, bound, &m, why)) return why->status;
@@ -282,7 +298,7 @@ static int integrate(const struct problem *p, const struct options *o, const str
     m.x = f->x, m.y = f->y;
     if (check_damping(o, a, &m, why)) return why->status;
     if (o->redraw > 0) return redraw_march(p, o, s, l, &m, a, f, why);
-    return stepper_march(a, &m, f->T, &f->bytes, why);
+    return stepper_march(a, &m, f->T, &f->cost.bytes, why);
 }
 
 int particles_growth(const struct method *m, const struct problem *p, const struct options *given,
@@ -353,11 +369,11 @@ int particles_solve(const struct method *m, const struct problem *p, const struc
         f->time = p->t_end;
         double loop = now();
         if (!status) status = integrate(p, o, s, &l, &a, f, why);
-        f->step_seconds = now() - loop;
+        f->cost.step_seconds = now() - loop;
         f->heat[1] = heat_content(p, f, a.rho_c, cell, volume);
     }
     operator_free(&a);
-    f->seconds = now() - begin;
+    f->cost.seconds = now() - begin;
     if (status)
         field_free(f);
     else

@@ -89,12 +89,12 @@ void particles_count(const struct problem *p, const struct options *o, const str
     f->dim = l->dim, f->n = a->n, f->h = o->h;
     f->steps = m->steps, f->stages = m->stages, f->dt = m->steps ? m->time / (double)m->steps : 0;
     f->applications = m->steps ? applications : 0;
-    f->updates = (long long)a->n * applications;
-    f->interactions = (long long)a->pairs * applications;
-    f->work = set_up_work(o, l, a, start_is_kept(p, o, s));
+    f->cost.updates = (long long)a->n * applications;
+    f->cost.interactions = (long long)a->pairs * applications;
+    f->cost.work = set_up_work(o, l, a, start_is_kept(p, o, s));
     if (m->steps == 0) return;
-    f->work += (double)f->interactions + 2 * (double)f->updates; /* each update loads and stores */
-    f->work += OUTLINE_SCALAR * OUTLINE_GHOST * (double)(a->state - a->n) * (double)applications;
+    f->cost.work += (double)f->cost.interactions + 2 * (double)f->cost.updates; /* each update loads and stores */
+    f->cost.work += OUTLINE_SCALAR * OUTLINE_GHOST * (double)(a->state - a->n) * (double)applications;
 }
 
 /* ---- Without the run ---- */
@@ -197,7 +197,7 @@ int particles_outline(const struct method *m, const struct problem *p, const str
         if (start_is_kept(p, o, s))
             outline_hold(out, "rows once more, for what they keep of the start", 3 * a.bytes, OUTLINE_SET_UP,
                          OUTLINE_SET_UP);
-        out->run.bytes = out->bytes[OUTLINE_STEPS];
+        out->run.cost.bytes = out->bytes[OUTLINE_STEPS];
     }
     operator_free(&a);
     return status;

@@ -2,8 +2,10 @@
 /* The operator with a row for each particle: off the lattice, or where the conductivity varies.
  *
  * The scheme gives the row of particle i; a neighbour that is a ghost adds w factor to the column of its source and
- * w offset to g_i.  Rows are kept in blocks of particles, each filled by one thread, and joined in order: the result
- * is the same for any number of threads. */
+ * w offset to g_i.  A scheme of two sweeps has D_x kappa_x D_x + D_y kappa_y D_y multiplied out, with D at i and at
+ * its neighbours, dummies among them: where walls cut the lattice, a ghost holds a sum over particles.  Rows are kept
+ * in blocks of particles, each filled by one thread, and joined in order: the result is the same for any number of
+ * threads. */
 #include "solver/space/csr.h"
 #include "solver/space/assembly.h"
 
@@ -77,23 +79,57 @@ static int add_wall_row(const struct assembly *m, struct heat_operator *a, size_
     return STATUS_OK;
 }
 
-static int add_row(const struct assembly *m, struct heat_operator *a, size_t i, struct surroundings *at,
+/* What point j, which may be a ghost or a dummy, is to particle i, with the weight w. */
+static void add_point(const struct assembly *m, size_t i, uint32_t j, double w, struct row *r, double *g) {
+    const struct cloud *c = m->c;
+    if (j >= c->n && c->begin) {
+        add_dummy(m, i, j, w, r, g);
+        return;
+    }
+    csr_row_add(r, c->source[j], w * (c->factor ? c->factor[j] : c->sign[j]));
+    *g += c->offset[j] * w;
+}
+
+/* flux . D T at point j, `of` its surroundings. */
+static int add_derivative(const struct assembly *m, size_t i, uint32_t j, const double flux[2],
+                          struct surroundings *of, struct row *r, double *g, struct failure *why) {
+    double weight[2][NEIGHBOURS_MAX], *w[2] = {weight[0], weight[1]}, own = 0;
+    if (assembly_neighbourhood(m, j, of, why) || operator_weights(m->s, m->p, m->o, &of->nb, w, why))
+        return why->status;
+    for (size_t k = 0; k < of->nb.n; k++) {
+        double sum = flux[0] * w[0][k] + (m->p->dim == 2 ? flux[1] * w[1][k] : 0);
+        own -= sum;
+        add_point(m, i, of->near[k], sum, r, g);
+    }
+    add_point(m, i, j, own, r, g);
+    return STATUS_OK;
+}
+
+/* sum_j w_ij . (q_j - q_i), of an adjoint scheme q_j + q_i, q = kappa D T. */
+static int add_composed_row(const struct assembly *m, size_t i, struct surroundings at[2], struct row *r, double *g,
+                            struct failure *why) {
+    double weight[2][NEIGHBOURS_MAX], *w[2] = {weight[0], weight[1]}, flux[2], own[2] = {0, 0};
+    const double *kappa = at[0].nb.kappa;
+    if (operator_weights(m->s, m->p, m->o, &at[0].nb, w, why)) return why->status;
+    for (size_t k = 0; k < at[0].nb.n; k++) {
+        for (int a = 0; a < 2; a++) flux[a] = a < m->p->dim ? kappa[a] * w[a][k] : 0, own[a] -= flux[a];
+        if (add_derivative(m, i, at[0].near[k], flux, &at[1], r, g, why)) return why->status;
+    }
+    return add_derivative(m, i, (uint32_t)i, own, &at[1], r, g, why);
+}
+
+static int add_row(const struct assembly *m, struct heat_operator *a, size_t i, struct surroundings at[2],
                    struct row *r, double *g, struct failure *why) {
     const struct cloud *c = m->c;
     double weight[NEIGHBOURS_MAX], *w[2] = {weight, NULL};
     if (c->held && c->held[i]) return STATUS_OK;
     if (assembly_neighbourhood(m, i, at, why)) return why->status;
     if (assembly_at_wall(m, i)) return add_wall_row(m, a, i, at, r, g, why);
+    if (m->s->sweeps == 2) return add_composed_row(m, i, at, r, g, why);
     if (operator_weights(m->s, m->p, m->o, &at->nb, w, why)) return why->status;
     for (size_t k = 0; k < at->nb.n; k++) {
-        uint32_t j = at->near[k]; /* may be a ghost */
         a->diagonal[i] -= weight[k];
-        if (j >= c->n && c->begin) {
-            add_dummy(m, i, j, weight[k], r, g);
-            continue;
-        }
-        csr_row_add(r, c->source[j], weight[k] * (c->factor ? c->factor[j] : c->sign[j]));
-        *g += weight[k] * c->offset[j];
+        add_point(m, i, at->near[k], weight[k], r, g);
     }
     return STATUS_OK;
 }
@@ -102,7 +138,7 @@ static int add_row(const struct assembly *m, struct heat_operator *a, size_t i, 
 static int assemble_block(const struct assembly *m, struct heat_operator *a, double *g, size_t begin, size_t end,
                           struct assembly_list *out, struct failure *why) {
     struct row r;
-    struct surroundings *at = xcalloc(1, sizeof *at);
+    struct surroundings *at = xcalloc(2, sizeof *at);
     int status = STATUS_OK;
     csr_row_create(&r, m->c->n);
     for (size_t i = begin; i < end && !status; i++) {

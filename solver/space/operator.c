@@ -255,7 +255,8 @@ int operator_create_lattice(struct heat_operator *a, const struct problem *p, co
 int operator_create_csr(struct heat_operator *a, const struct problem *p, const struct options *o,
                         const struct scheme *s, const struct cloud *c, double spacing, struct failure *why) {
     *a = (struct heat_operator){.n = c->n, .state = c->n, .threads = o->threads, .lanes = o->lanes};
-    int status = (s->sweeps == 2 ? gradient_assemble : csr_assemble)(a, p, o, s, c, spacing, why);
+    int in_sweeps = s->sweeps == 2 && !layout_is_cut(p, o);
+    int status = (in_sweeps ? gradient_assemble : csr_assemble)(a, p, o, s, c, spacing, why);
     if (status) operator_free(a);
     return status;
 }

@@ -81,7 +81,7 @@ void bench_climb(const struct candidate *c, const struct experiment *e, int unit
             continue;
         }
         rungs++;
-        row->work = row->result.work;
+        row->work = row->result.cost.work;
         row->time = time_runs(c, e, n);
         double took = omp_get_wtime() - start;
         b->seconds += took, b->work += work;

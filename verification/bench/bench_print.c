@@ -60,19 +60,14 @@ void bench_print_engine(const struct bench_engine *e, FILE *out) {
     struct table t = table_headed(1, "engine|median|spread [%]|aim|verdict");
     for (int i = 0; i < e->count; i++) {
         const struct bench_engine_row *r = &e->row[i];
-        table_add(&t, "%s", r->what);
-        table_add(&t, "%.3g%s%s", r->value, *r->unit ? " " : "", r->unit);
-        table_add(&t, "%.0f", 100 * (r->highest - r->lowest) / r->value);
-        if (isnan(r->aim)) {
-            table_add(&t, "%s", "");
-            table_add(&t, "%s", "");
-            continue;
-        }
-        table_add(&t, "%s %g", r->at_most ? "<=" : ">=", r->aim);
-        table_add(&t, "%s", bench_engine_holds(r) ? "held" : "missed");
+        table_add(&t, "%s|%.3g%s%s|%.0f", r->what, r->value, *r->unit ? " " : "", r->unit,
+                  100 * (r->highest - r->lowest) / r->value);
+        if (isnan(r->aim))
+            table_add(&t, "|");
+        else
+            table_add(&t, "%s %g|%s", r->at_most ? "<=" : ">=", r->aim, bench_engine_holds(r) ? "held" : "missed");
     }
-    table_print(&t, out);
-    table_free(&t);
+    table_end(&t, out);
     fputc('\n', out);
 }
 
@@ -81,32 +76,24 @@ static void print_front(const struct bench_scene *b, FILE *out) {
     for (int i = 0; i < b->count; i++) {
         const struct bench_row *r = &b->row[i];
         if (!r->front_time && !r->front_work) continue;
-        table_add(&t, "%s", r->candidate->label);
-        table_add(&t, "%d", r->n);
-        table_add(&t, "%.3e", r->result.error.l1);
-        table_add(&t, "%.3g", r->time.median);
-        table_add(&t, "%.0f", 100 * (r->time.highest - r->time.lowest) / r->time.median);
-        table_add(&t, "%.3g", r->work);
-        table_add(&t, "%.3g", (double)r->result.bytes / (double)r->result.particles);
-        table_add(&t, "%s", r->front_time && r->front_work ? "time, work" : r->front_time ? "time" : "work");
+        table_add(&t, "%s|%d|%.3e|%.3g|%.0f|%.3g|%.3g|%s", r->candidate->label, r->n, r->result.error.l1,
+                  r->time.median, 100 * (r->time.highest - r->time.lowest) / r->time.median, r->work,
+                  (double)r->result.cost.bytes / (double)r->result.particles,
+                  r->front_time && r->front_work ? "time, work"
+                  : r->front_time                ? "time"
+                                                 : "work");
     }
-    table_print(&t, out);
-    table_free(&t);
+    table_end(&t, out);
 }
 
 static void print_growth(const struct bench_scene *b, FILE *out) {
     struct table t = table_headed(1, "growth with particles|rungs|seconds|work|of the steps");
     for (int i = 0; i < b->growths; i++) {
         const struct bench_growth *g = &b->growth[i];
-        table_add(&t, "%s", g->candidate->label);
-        table_add(&t, "%d", g->rungs);
-        table_add(&t, "N^%.2f", g->seconds);
-        table_add(&t, "N^%.2f", g->work);
-        table_add(&t, "N^%.2f", g->expected);
+        table_add(&t, "%s|%d|N^%.2f|N^%.2f|N^%.2f", g->candidate->label, g->rungs, g->seconds, g->work, g->expected);
     }
     fputc('\n', out);
-    table_print(&t, out);
-    table_free(&t);
+    table_end(&t, out);
 }
 
 static int same_failure(const struct bench_row *a, const struct bench_row *b) {
@@ -132,7 +119,7 @@ void bench_print_scene(const struct bench_scene *b, FILE *out) {
 
 static void write_row(const struct bench_row *r, FILE *out) {
     fprintf(out, "%d,%zu,%.17g,%.9g,%.9g,%.9g,%.9g,%zu,%lld,\"%s\"\n", r->n, r->result.particles, r->result.error.l1,
-            r->time.median, r->time.lowest, r->time.highest, r->work, r->result.bytes, r->result.updates,
+            r->time.median, r->time.lowest, r->time.highest, r->work, r->result.cost.bytes, r->result.cost.updates,
             r->candidate->label);
 }
 

@@ -87,9 +87,7 @@ enum { PEERS_MOST = 8 };
 
 static void print_row(struct table *t, const char *who, struct bench_time theirs, const struct bench_time *ours) {
     struct bench_time ratio = ours ? bench_ratio(theirs, *ours) : theirs;
-    table_add(t, "%s", who);
-    table_add(t, "%.3g", theirs.median);
-    table_add(t, "%.3g to %.3g", theirs.lowest, theirs.highest);
+    table_add(t, "%s|%.3g|%.3g to %.3g", who, theirs.median, theirs.lowest, theirs.highest);
     if (ours)
         table_add(t, "%.3g (%.3g to %.3g)", ratio.median, ratio.lowest, ratio.highest);
     else
@@ -106,8 +104,7 @@ static void print(const struct mesh_peer *table, int n, double seconds[][BENCH_R
     print_row(&t, "voronoi_flux", ours, NULL);
     for (int k = 0; table[k].who; k++)
         if (!missing[k]) print_row(&t, table[k].who, bench_summary(seconds[k + 1], BENCH_RUNS), &ours);
-    table_print(&t, out);
-    table_free(&t);
+    table_end(&t, out);
     for (int k = 0; table[k].who; k++)
         if (missing[k]) fprintf(out, "not installed (make setup-peers): %s\n", table[k].who);
     fputc('\n', out);

@@ -86,12 +86,12 @@ static int record(const struct peers *all, struct peers_row *row, struct peers_s
         return status;
     }
     /* A peer tells what its solve took, rates are those of the time loop; ours are a call, and all of it counts. */
-    double solve = p->kind == PEERS_THEIRS || p->kind == PEERS_RATE ? r.step_seconds : r.seconds;
-    fprintf(all->runs, "%.17g,%.9g,%.9g,%lld,\n", r.error.l1, solve, r.seconds, r.updates);
+    double solve = p->kind == PEERS_THEIRS || p->kind == PEERS_RATE ? r.cost.step_seconds : r.cost.seconds;
+    fprintf(all->runs, "%.17g,%.9g,%.9g,%lld,\n", r.error.l1, solve, r.cost.seconds, r.cost.updates);
     if (runs->count == 0) {
         runs->error = r.error.l1;
-        runs->updates = (double)r.updates;
-        runs->start_up = r.seconds - solve - fmax(solve, WARM);
+        runs->updates = (double)r.cost.updates;
+        runs->start_up = r.cost.seconds - solve - fmax(solve, WARM);
     }
     seconds[runs->count++] = solve;
     return STATUS_OK;

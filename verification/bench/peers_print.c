@@ -82,8 +82,7 @@ static void print_scene(const struct peers *all, const char *scene, FILE *out) {
     struct table t = table_headed(1, header);
     for (const struct peers_row *row = NULL; (row = next(all, row, scene, ""));) {
         if (row->peer->kind == PEERS_RATE) continue;
-        table_add(&t, "%s", row->peer->who);
-        table_add(&t, "%s", row->order);
+        table_add(&t, "%s|%s", row->peer->who, row->order);
         for (int i = 0; i < ERRORS; i++) add_seconds(&t, reach(row, 0, error_at[i]));
         for (int i = 0; i < ERRORS; i++)
             if (row->peer->serial || all->threads == 1)
@@ -95,8 +94,7 @@ static void print_scene(const struct peers *all, const char *scene, FILE *out) {
         else
             table_add(&t, " ");
     }
-    table_print(&t, out);
-    table_free(&t);
+    table_end(&t, out);
     fputc('\n', out);
 }
 
@@ -184,8 +182,7 @@ static void print_aims(const struct peers *all, FILE *out) {
         table_add(&t, "an update of %s, PySPH", row->peer->who);
         add_aim(&t, update(theirs), update(row), (struct reach){0}, (struct aim){20, 0});
     }
-    table_print(&t, out);
-    table_free(&t);
+    table_end(&t, out);
     fputc('\n', out);
 }
 

@@ -180,7 +180,7 @@ int candidate_predict(const struct candidate *c, const struct experiment *e, int
     int status = plan_make(&with, &plan, why);
     if (status) return status;
     const struct field *run = &plan.part.run;
-    cost->work = run->work;
+    cost->work = run->cost.work;
     double exact = forewarn_exact * forewarn_rate * (double)plan.particles;
     cost->whole = plan_work(&plan) + exact;
     cost->proof = cost->whole + plan.dim * exact;

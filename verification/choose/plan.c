@@ -18,7 +18,7 @@ enum outline_phase plan_peak(const struct plan *plan) {
 
 double plan_work(const struct plan *plan) {
     const double ROW = 9; /* extra of a CSR entry, read from memory */
-    return plan->part.run.work + (plan->part.rows ? ROW * (double)plan->part.run.interactions : 0);
+    return plan->part.run.cost.work + (plan->part.rows ? ROW * (double)plan->part.run.cost.interactions : 0);
 }
 
 static int has_exact(const struct experiment *e) {

@@ -149,11 +149,9 @@ static int take_option(struct request *r, const struct word *w, struct failure *
     if (r->given[o - options_table] && !words_among("set only skip", o->key))
         return refuse(why, STATUS_INPUT, "--%s is given twice", o->name);
     r->given[o - options_table] = 1;
-    if (words_among("dt fourier threads t-end set", o->key) && r->verb->positionals[0] == '[' && !r->experiment.scene)
-        return refuse(why, STATUS_INPUT, "--%s needs a scene: heatladder case SCENE --dx A,B,C --into DIR", o->name);
-    if (strcmp(r->verb->name, "ladder") == 0 && !r->experiment.scene &&
-        !words_among("results columns at expect json", o->key))
-        return refuse(why, STATUS_INPUT, "--%s needs a scene: heatladder ladder SCENE NAME --results DIR", o->name);
+    const struct verb *v = r->verb;
+    if (v->sceneless && !r->experiment.scene && !words_among(v->sceneless, o->key))
+        return refuse(why, STATUS_INPUT, "--%s needs a SCENE (see: heatladder %s --help)", o->name, v->name);
     if (check_model(r, o, why)) return why->status;
     return o->read(r, o, w->value, why);
 }
@@ -236,6 +234,14 @@ static int has_option(int argc, char *const *argv, const char *name) {
     return 0;
 }
 
+/* Whether the option is there for which a SCENE may be left out. */
+static int needs_no_scene(const struct verb *v, int argc, char *const *argv) {
+    char option[32];
+    if (!v->sceneless) return 0;
+    snprintf(option, sizeof option, "%.*s", (int)strcspn(v->sceneless, " "), v->sceneless);
+    return has_option(argc, argv, option);
+}
+
 /* Any METHOD word will do where a program stands in: it is a label then, which accepts no option of the model. */
 static void take_program(struct request *r) {
     r->external = xcalloc(1, sizeof *r->external);
@@ -268,8 +274,8 @@ int arguments_parse(int argc, char *const *argv, struct request *r, struct failu
             return why->status;
         }
     }
-    int no_scene = positionals == 0 && strcmp(r->verb->name, "ladder") == 0 && has_option(argc, argv, "results");
-    if (!no_scene && check_positionals(r, why)) return why->status;
+    int sceneless = positionals == 0 && needs_no_scene(r->verb, argc, argv);
+    if (!sceneless && check_positionals(r, why)) return why->status;
     return apply(r, words, options, why);
 }
 

@@ -33,9 +33,10 @@ static int check_case(const struct request *r, struct failure *why) {
 }
 
 int checks_required(const struct request *r, struct failure *why) {
-    if (strcmp(r->verb->name, "ladder") == 0 && !r->rungs.dx.count && !r->experiment.program.results)
-        return refuse(why, STATUS_INPUT, "ladder needs --dx A,B,C,..., or --results DIR with a directory a spacing");
-    if (strcmp(r->verb->name, "case") == 0 && check_case(r, why)) return why->status;
+    if (words_among(r->verb->options, "vary") && !r->rungs.dx.count && !r->experiment.program.results)
+        return refuse(why, STATUS_INPUT, "%s needs --dx A,B,C,..., or --results DIR with a directory a spacing",
+                      r->verb->name);
+    if (words_among(r->verb->options, "run-case") && check_case(r, why)) return why->status;
     for (const struct option *o = options_table; o->key; o++)
         if (words_among(r->verb->required, o->key) && !r->given[o - options_table])
             return refuse(why, STATUS_INPUT, "%s needs --%s %s: %s", r->verb->name, o->name, o->value, o->about);
@@ -66,6 +67,8 @@ static int check_options(const struct request *r, struct failure *why) {
         return refuse(why, STATUS_INPUT,
                       "--time-error %g: --stepper %s leaves no time step to choose; euler, rk2 and rkl2 do",
                       r->experiment.time_error, stepper->name);
+    if (o->ratio_most > 0 && o->walls != WALLS_DISTANCE)
+        return refuse(why, STATUS_INPUT, "--ratio-most %g: needs --walls distance", o->ratio_most);
     if (o->xi > 0 && o->volume != VOLUME_TUNED)
         return refuse(why, STATUS_INPUT, "--xi %g: needs --volume tuned", o->xi);
     if (r->at.count > 2 || (r->at.count && r->experiment.scene && r->at.count != r->experiment.problem.dim))

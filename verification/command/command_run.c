@@ -11,16 +11,30 @@
 #include <stdio.h>
 #include <string.h>
 
-int command_run_list(struct command_run *run, const char *format, va_list arguments) {
+static int read_list(struct command_run *run, const char *format, va_list arguments) {
     *run = (struct command_run){0};
     struct failure *why = &run->result.failure;
-    struct request *r = &run->request;
     int length = vsnprintf(run->command, sizeof run->command, format, arguments);
     if (length < 0 || (size_t)length >= sizeof run->command)
         return refuse(why, STATUS_INPUT, "the command '%.60s...' is too long", run->command);
-    int status = arguments_parse_line(run->command, r, why);
-    if (status || strcmp(r->verb->name, "run") != 0) return status;
-    return run_experiment(&r->experiment, &run->result, &run->field);
+    return arguments_parse_line(run->command, &run->request, why);
+}
+
+int command_run_list(struct command_run *run, const char *format, va_list arguments) {
+    int status = read_list(run, format, arguments);
+    return status || run->request.verb->act != verb_run ? status : command_run_solve(run);
+}
+
+int command_run_read(struct command_run *run, const char *format, ...) {
+    va_list arguments;
+    va_start(arguments, format);
+    int status = read_list(run, format, arguments);
+    va_end(arguments);
+    return status;
+}
+
+int command_run_solve(struct command_run *run) {
+    return run_experiment(&run->request.experiment, &run->result, &run->field);
 }
 
 int command_run_line(struct command_run *run, const char *format, ...) {

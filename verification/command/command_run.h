@@ -23,6 +23,10 @@ int command_run_line(struct command_run *run, const char *format, ...) __attribu
 int command_run_list(struct command_run *run, const char *format, va_list arguments)
     __attribute__((format(printf, 2, 0)));
 
+/* The two halves of that: between them numbers can be set in run->request.experiment that no user would type. */
+int command_run_read(struct command_run *run, const char *format, ...) __attribute__((format(printf, 2, 3)));
+int command_run_solve(struct command_run *run);
+
 /* The failure, if any, with the command that it is of. */
 int command_run_check(const struct command_run *run, struct failure *why);
 

@@ -76,79 +76,67 @@ static void put_literally(const char *text, FILE *out) {
     fprintf(out, ".fi\n");
 }
 
+/* A paragraph's hanging title: what is typed or set. */
+static void put_title(const char *text, FILE *out) {
+    fprintf(out, ".TP\n\\fB"), put(text, out), fprintf(out, "\\fR\n");
+}
+
 static void put_names(FILE *out) {
     fprintf(out, ".SH SCENES\n");
     for (int i = 0; scenes[i]; i++) {
-        fprintf(out, ".TP\n\\fB"), put(scenes[i]->name, out), fprintf(out, "\\fR\n");
+        put_title(scenes[i]->name, out);
         put(scenes[i]->about, out), fprintf(out, ".\n"), put(scenes[i]->citation, out), fprintf(out, "\n");
     }
     fprintf(out, ".SH METHODS\n");
     for (int i = 0; methods[i]; i++) {
-        fprintf(out, ".TP\n\\fB"), put(methods[i]->name, out), fprintf(out, "\\fR\n");
+        put_title(methods[i]->name, out);
         put(methods[i]->about, out), fprintf(out, "\n");
     }
 }
 
-/* Paragraphs with a hanging title, up to a NULL: what is typed or set, and what it does. */
-static void put_paragraphs(const char *const row[][2], FILE *out) {
+/* Titles, up to a NULL, and what each does. */
+static void put_section(const char *name, const char *const row[][2], FILE *out) {
+    fprintf(out, ".SH %s\n", name);
     for (int i = 0; row[i][0]; i++) {
-        fprintf(out, ".TP\n\\fB"), put(row[i][0], out), fprintf(out, "\\fR\n");
+        put_title(row[i][0], out);
         put(row[i][1], out), fputc('\n', out);
     }
 }
 
-static void put_examples(FILE *out) {
-    static const char *const row[][2] = {
-        {"heatladder verify", "Run every built-in gate."},
-        {"heatladder ladder rod-gauss ftcs --dx 0.2,0.1,0.05,0.025 --expect 1.9,2.1",
-         "Fit the order of finite differences on smooth data; it must be within 1.9 and 2.1."},
-        {"heatladder reference rod-gauss --at 0.3 --time 10", "Evaluate the exact solution at a point."},
-        {"heatladder verify --solver './mine {case} {out}'", "Run the battery on your program."},
-        {"heatladder case --battery --into cases", "Write the cases of the battery, to run them elsewhere."},
-        {"heatladder verify --results cases", "Judge the answers there."},
-        {0}};
-    fprintf(out, ".SH EXAMPLES\n");
-    put_paragraphs(row, out);
-}
+static const char *const examples[][2] = {
+    {"heatladder verify", "Run every built-in gate."},
+    {"heatladder ladder rod-gauss ftcs --dx 0.2,0.1,0.05,0.025 --expect 1.9,2.1",
+     "Fit the order of finite differences on smooth data; it must be within 1.9 and 2.1."},
+    {"heatladder reference rod-gauss --at 0.3 --time 10", "Evaluate the exact solution at a point."},
+    {"heatladder verify --solver './mine {case} {out}'", "Run the battery on your program."},
+    {"heatladder case --battery --into cases", "Write the cases of the battery, to run them elsewhere."},
+    {"heatladder verify --results cases", "Judge the answers there."},
+    {0}};
 
-static void put_environment(FILE *out) {
-    static const char *const row[][2] = {
-        {"HEATLADDER_LANES",
-         "Vector width of the hot loops in doubles, 2, 4 or 8; default the widest of the machine. "
-         "Results are the same to the bit for every width."},
-        {"HEATLADDER", "Path of this program, set for the program of --solver unless you set it."},
-        {"TMPDIR",
-         "Directory of temporary files; default /tmp. The program of --solver gets a directory of its own."},
-        {"NO_COLOR", "No colours on a terminal."},
-        {"GITHUB_ACTIONS", "If set, verify also prints failing gates as annotations."},
-        {0}};
-    fprintf(out, ".SH ENVIRONMENT\n");
-    put_paragraphs(row, out);
-}
+static const char *const environment[][2] = {
+    {"HEATLADDER_LANES", "Vector width of the hot loops in doubles, 2, 4 or 8; default the widest of the machine. "
+                         "Results are the same to the bit for every width."},
+    {"HEATLADDER", "Path of this program, set for the program of --solver unless you set it."},
+    {"TMPDIR", "Directory of temporary files; default /tmp. The program of --solver gets a directory of its own."},
+    {"NO_COLOR", "No colours on a terminal."},
+    {"GITHUB_ACTIONS", "If set, verify also prints failing gates as annotations."},
+    {0}};
 
-static void put_files(FILE *out) {
-    static const char *const row[][2] = {
-        {"DIR/cases.txt", "Directories of the cases that the verb case wrote, one a line."},
-        {"DIR/SCENE/DX/case", "A case: key = value, one a line."},
-        {"DIR/SCENE/DX/out.csv", "The answer to the case beside it, written by your program."},
-        {"DIR/SCENE/DX/log", "Output of your program, with --keep or --resume."},
-        {"share/heatladder/examples", "Example programs, in the directory of the installation."},
-        {0}};
-    fprintf(out, ".SH FILES\n");
-    put_paragraphs(row, out);
-}
+static const char *const files[][2] = {
+    {"DIR/cases.txt", "Directories of the cases that the verb case wrote, one a line."},
+    {"DIR/SCENE/DX/case", "A case: key = value, one a line."},
+    {"DIR/SCENE/DX/out.csv", "The answer to the case beside it, written by your program."},
+    {"DIR/SCENE/DX/log", "Output of your program, with --keep or --resume."},
+    {"share/heatladder/examples", "Example programs, in the directory of the installation."},
+    {0}};
 
-static void put_exit_status(FILE *out) {
-    static const char *const row[][2] = {{"0", "All passed."},
-                                         {"1", "A gate failed."},
-                                         {"2", "Bad usage or input."},
-                                         {"3", "Numerical failure, such as an unstable step."},
-                                         {"4", "Inconclusive: the measurements do not decide."},
-                                         {"77", "Skipped: the program cannot run the case."},
-                                         {0}};
-    fprintf(out, ".SH \"EXIT STATUS\"\n");
-    put_paragraphs(row, out);
-}
+static const char *const exit_status[][2] = {{"0", "All passed."},
+                                             {"1", "A gate failed."},
+                                             {"2", "Bad usage or input."},
+                                             {"3", "Numerical failure, such as an unstable step."},
+                                             {"4", "Inconclusive: the measurements do not decide."},
+                                             {"77", "Skipped: the program cannot run the case."},
+                                             {0}};
 
 static void put_interfaces(FILE *out) {
     fprintf(out, ".SH \"OTHER PROGRAMS\"\n");
@@ -174,10 +162,10 @@ void manual_page(FILE *out) {
     for (const struct verb *v = verbs; v->name; v++) put_verb(v, out);
     put_names(out);
     put_interfaces(out);
-    put_examples(out);
-    put_environment(out);
-    put_files(out);
-    put_exit_status(out);
+    put_section("EXAMPLES", examples, out);
+    put_section("ENVIRONMENT", environment, out);
+    put_section("FILES", files, out);
+    put_section("\"EXIT STATUS\"", exit_status, out);
     fprintf(out, ".SH \"SEE ALSO\"\n.BR gnuplot (1)\n");
 }
 

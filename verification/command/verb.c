@@ -5,7 +5,8 @@
 #include <stddef.h>
 #include <string.h>
 
-#define VERB(name, positionals, required, options, about) {#name, positionals, required, options, about, verb_##name},
+#define VERB(name, positionals, required, options, sceneless, about)                                                 \
+    {#name, positionals, required, options, sceneless, about, verb_##name},
 const struct verb verbs[] = {
 #include "verification/command/verbs.def"
     {0}};

@@ -12,6 +12,7 @@ struct verb {
     const char *positionals; /* blank-separated: SCENE, METHOD; [TOPIC] may be left out */
     const char *required;    /* options that must be given: keys of option.h, blank-separated */
     const char *options;     /* all that may be given */
+    const char *sceneless;   /* those that may be given without a SCENE, where it may be left out; else NULL */
     const char *about;       /* one line */
     /* A status of solver/status.h; *why, empty when called, says why where there is something to say. */
     int (*act)(const struct request *r, struct failure *why);
@@ -21,7 +22,7 @@ extern const struct verb verbs[]; /* ended by a NULL name */
 
 const struct verb *verb_find(const char *name); /* NULL where there is none */
 
-#define VERB(name, positionals, required, options, about)                                                            \
+#define VERB(name, positionals, required, options, sceneless, about)                                                 \
     int verb_##name(const struct request *r, struct failure *why);
 #include "verification/command/verbs.def"
 #undef VERB

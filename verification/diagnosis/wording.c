@@ -9,100 +9,75 @@
 #include <stdlib.h>
 #include <string.h>
 
-static const char *axis_name(int axis) {
-    return axis == 0 ? "x" : axis == 1 ? "y" : "x and y";
+static const char *const axes[] = {"x", "y", "x and y"};
+static const char *const materials[] = {"first", "second"};
+static const char *const sides[] = {"side x_lo holds", "side x_hi holds", "side y_lo holds", "side y_hi holds",
+                                    "sides of given flux hold"};
+static const char *const cooled[] = {" of side x_lo", " of side x_hi", " of side y_lo", " of side y_hi", "s"};
+static const char *const corners[] = {"x_lo, y_lo", "x_hi, y_lo", "x_lo, y_hi", "x_hi, y_hi"};
+
+/* What comes after "as if".  {size}: without its sign, in {unit} or as the text says; {way}: `below` of a size below
+ * 0, else `above`, where none is given "small" and "large"; {name}: that of the fault's axis, {other} that of the
+ * other axis. */
+static const struct {
+    const char *text;
+    const char *const *names;
+    const char *below, *above;
+} wordings[] = {
+    [FAULT_CLOCK] = {"the run had stopped {size} {unit} {way}", NULL, "early", "late"},
+    [FAULT_CONDUCTIVITY] = {"the conductivity were {size} % too {way}", NULL, NULL, NULL},
+    [FAULT_SWAP] = {"k_x and k_y were in each other's place", NULL, NULL, NULL},
+    [FAULT_ISOTROPIC] = {"k_{name} were k_{other}", axes, NULL, NULL},
+    [FAULT_TRANSPOSED] = {"x and y were swapped", NULL, NULL, NULL},
+    [FAULT_SOURCE] = {"the source were {size} % too {way}", NULL, NULL, NULL},
+    [FAULT_SOURCE_TIME] = {"the source were that of {size} {unit} {way}", NULL, "earlier", "later"},
+    [FAULT_CAPACITY] = {"rho c of the second material were that of the first", NULL, NULL, NULL},
+    [FAULT_AXIS] = {"k_{name} were {size} % too {way}", axes, NULL, NULL},
+    [FAULT_RHO_C] = {"rho c of the {name} material were {size} % too {way}", materials, NULL, NULL},
+    [FAULT_COEFFICIENT] = {"the heat transfer coefficient{name} were {size} % too {way}", cooled, NULL, NULL},
+    [FAULT_WALL] = {"what {name} were {size} % too {way}", sides, NULL, NULL},
+    [FAULT_CORNER] = {"{size} % of what sides hold were lost at a corner, {name}", corners, NULL, NULL},
+    [FAULT_EXTENT] = {"the sides across {name} lay {size} cells {way}", axes, "inside", "outside"},
+    [FAULT_START_SHIFT] = {"the initial data lay {size} cells too far {way} along {name}", axes, "down", "up"},
+    [FAULT_START_WIDTH] = {"the jumps of the initial data lay {size} cells {way} along {name}", axes, "inwards",
+                           "outwards"},
+    [FAULT_SAMPLES] = {"the initial data were values at the points, where means over cells are due", NULL, NULL,
+                       NULL},
+    [FAULT_INTERFACE] = {"the interface lay {size} cells too far {way}", NULL, "down", "up"},
+    [FAULT_MEAN] = {"the arithmetic mean of two conductivities stood for the harmonic one", NULL, NULL, NULL},
+    [FAULT_AMPLITUDE] = {"all temperatures were {size} % too {way}", NULL, NULL, NULL},
+};
+
+/* That of the table, but for the sizes that mean something else. */
+static const char *text_of(const struct diagnosis *d) {
+    static const double ANOTHER =
+        300; /* %, past which a value near 0 or a lost condition is likelier than a factor */
+    int is_wall = d->fault.kind == FAULT_WALL, is_source = d->fault.kind == FAULT_SOURCE;
+    if (d->fault.kind == FAULT_CLOCK && d->unit[0] == 'd')
+        return "the run had stopped {size} {unit} {way}: one step, if steps are of that length";
+    if ((is_wall || is_source) && fabs(d->size + 100) < 5)
+        return is_wall ? "what {name} were lost" : "the source were lost";
+    if ((is_wall || is_source) && fabs(d->size + 200) < 10)
+        return is_wall ? "what {name} had the wrong sign" : "the source had the wrong sign";
+    if (is_wall && d->size > ANOTHER) return "what {name} were another value";
+    return wordings[d->fault.kind].text;
 }
 
 void wording_fault(struct diagnosis *d) {
-    static const char *const sides[] = {"side x_lo holds", "side x_hi holds", "side y_lo holds", "side y_hi holds",
-                                        "sides of given flux hold"};
-    static const char *const cooled[] = {" of side x_lo", " of side x_hi", " of side y_lo", " of side y_hi", "s"};
-    static const double ANOTHER =
-        300; /* %, past which a value near 0 or a lost condition is likelier than a factor */
-    double size = d->size, apart = fabs(size);
-    const char *much = size < 0 ? "small" : "large", *axis = axis_name(d->fault.axis);
-    char *to = d->what;
-    const size_t room = sizeof d->what;
-    switch (d->fault.kind) {
-    case FAULT_CLOCK:
-        snprintf(to, room, "as if the run had stopped %.3g %s %s%s", apart, d->unit, size < 0 ? "early" : "late",
-                 d->unit[0] == 'd' ? ": one step, if steps are of that length" : "");
-        break;
-    case FAULT_AXIS:
-        snprintf(to, room, "as if k_%s were %.3g %% too %s", axis_name(d->fault.axis), apart, much);
-        break;
-    case FAULT_RHO_C:
-        snprintf(to, room, "as if rho c of the %s material were %.3g %% too %s", d->fault.axis ? "second" : "first",
-                 apart, much);
-        break;
-    case FAULT_COEFFICIENT:
-        snprintf(to, room, "as if the heat transfer coefficient%s were %.3g %% too %s", cooled[d->fault.axis], apart,
-                 much);
-        break;
-    case FAULT_CONDUCTIVITY:
-        snprintf(to, room, "as if the conductivity were %.3g %% too %s", apart, much);
-        break;
-    case FAULT_SWAP:
-        snprintf(to, room, "as if k_x and k_y were in each other's place");
-        break;
-    case FAULT_ISOTROPIC:
-        snprintf(to, room, "as if k_%s were k_%s", axis_name(d->fault.axis), axis_name(1 - d->fault.axis));
-        break;
-    case FAULT_TRANSPOSED:
-        snprintf(to, room, "as if x and y were swapped");
-        break;
-    case FAULT_CORNER:
-        snprintf(to, room, "as if %.3g %% of what sides hold were lost at a corner, %s, %s", apart,
-                 d->fault.axis & 1 ? "x_hi" : "x_lo", d->fault.axis & 2 ? "y_hi" : "y_lo");
-        break;
-    case FAULT_MEAN:
-        snprintf(to, room, "as if the arithmetic mean of two conductivities stood for the harmonic one");
-        break;
-    case FAULT_SOURCE:
-        snprintf(to, room,
-                 fabs(size + 100) < 5    ? "as if the source were lost"
-                 : fabs(size + 200) < 10 ? "as if the source had the wrong sign"
-                                         : "as if the source were %.3g %% too %s",
-                 apart, much);
-        break;
-    case FAULT_SOURCE_TIME:
-        snprintf(to, room, "as if the source were that of %.3g %s %s", apart, d->unit,
-                 size < 0 ? "earlier" : "later");
-        break;
-    case FAULT_CAPACITY:
-        snprintf(to, room, "as if rho c of the second material were that of the first");
-        break;
-    case FAULT_WALL:
-        if (fabs(size + 100) < 5)
-            snprintf(to, room, "as if what %s were lost", sides[d->fault.axis]);
-        else if (fabs(size + 200) < 10)
-            snprintf(to, room, "as if what %s had the wrong sign", sides[d->fault.axis]);
-        else if (size > ANOTHER)
-            snprintf(to, room, "as if what %s were another value", sides[d->fault.axis]);
-        else
-            snprintf(to, room, "as if what %s were %.3g %% too %s", sides[d->fault.axis], apart, much);
-        break;
-    case FAULT_EXTENT:
-        snprintf(to, room, "as if the sides across %s lay %.3g cells %s", axis, apart,
-                 size < 0 ? "inside" : "outside");
-        break;
-    case FAULT_START_SHIFT:
-        snprintf(to, room, "as if the initial data lay %.3g cells too far %s along %s", apart,
-                 size < 0 ? "down" : "up", axis);
-        break;
-    case FAULT_START_WIDTH:
-        snprintf(to, room, "as if the jumps of the initial data lay %.3g cells %s along %s", apart,
-                 size < 0 ? "inwards" : "outwards", axis);
-        break;
-    case FAULT_SAMPLES:
-        snprintf(to, room, "as if the initial data were values at the points, where means over cells are due");
-        break;
-    case FAULT_INTERFACE:
-        snprintf(to, room, "as if the interface lay %.3g cells too far %s", apart, size < 0 ? "down" : "up");
-        break;
-    case FAULT_AMPLITUDE:
-        snprintf(to, room, "as if all temperatures were %.3g %% too %s", apart, much);
-        break;
+    const char *const *names = wordings[d->fault.kind].names;
+    const char *below = wordings[d->fault.kind].below, *above = wordings[d->fault.kind].above;
+    size_t used = (size_t)snprintf(d->what, sizeof d->what, "as if ");
+    for (const char *at = text_of(d); *at && used < sizeof d->what; at++) {
+        char size[24], letter[2] = {*at, '\0'};
+        const char *part = letter;
+        snprintf(size, sizeof size, "%.3g", fabs(d->size));
+        if (strncmp(at, "{size}", 6) == 0) part = size;
+        if (strncmp(at, "{unit}", 6) == 0) part = d->unit;
+        if (strncmp(at, "{name}", 6) == 0) part = names[d->fault.axis];
+        if (strncmp(at, "{other}", 7) == 0) part = names[1 - d->fault.axis];
+        if (strncmp(at, "{way}", 5) == 0) part = d->size < 0 ? (below ? below : "small") : above ? above : "large";
+        used += (size_t)snprintf(d->what + used, sizeof d->what - used, "%s", part);
+        if (*at == '{') at += strcspn(at, "}");
     }
 }
 

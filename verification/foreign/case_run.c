@@ -14,7 +14,8 @@
 
 enum { PATH_SIZE = 1100, SKIPPED = 77 };
 
-const char *const case_run_answers[] = {"out.csv", "out.npy", "out.vtk", "out.vtu", "out.dat", NULL};
+/* out.vtu is refused by what stands in it: a user who has it reads why. */
+static const char *const answers[] = {"out.csv", "out.npy", "out.vtk", "out.vtu", "out.dat", NULL};
 
 /* What may stand in the place of {out}: NumPy's save() adds the ending itself. */
 static const char *const parts[][2] = {{"out.part", "out.csv"}, {"out.part.npy", "out.npy"}};
@@ -34,11 +35,11 @@ int case_run_status(const char *dir) {
 }
 
 int case_run_answer(const char *dir, char *path, unsigned long size) {
-    for (int i = 0; case_run_answers[i]; i++) {
-        snprintf(path, size, "%s/%s", dir, case_run_answers[i]);
+    for (int i = 0; answers[i]; i++) {
+        snprintf(path, size, "%s/%s", dir, answers[i]);
         if (access(path, F_OK) == 0) return 1;
     }
-    snprintf(path, size, "%s/%s", dir, case_run_answers[0]);
+    snprintf(path, size, "%s/%s", dir, answers[0]);
     return 0;
 }
 
@@ -74,8 +75,8 @@ static char *fill_in(const struct case_run *c, const char *input, const char *ou
 /* What an earlier run left would be taken for the answer of this one. */
 static int remove_old(const char *dir, struct failure *why) {
     char path[PATH_SIZE];
-    for (int i = 0; case_run_answers[i]; i++)
-        if (unlink(path_in(dir, case_run_answers[i], path)) && errno != ENOENT)
+    for (int i = 0; answers[i]; i++)
+        if (unlink(path_in(dir, answers[i], path)) && errno != ENOENT)
             return refuse(why, STATUS_INPUT, "cannot replace '%.300s': %s", path, strerror(errno));
     for (int i = 0; i < 2; i++) unlink(path_in(dir, parts[i][0], path));
     if (unlink(path_in(dir, "status", path)) && errno != ENOENT)

@@ -12,11 +12,10 @@
  * s = max(2 dx, min(dx (d ln N + 6)^(1/d), extent / 4)).  With `extent / s` rounded down to a whole number of boxes a
  * gap of two boxes' sides always holds one: at N = 64 that is 5/16 of a rod or 1/8 of a square's side.
  */
-#include "verification/foreign/coverage.h"
+#include "verification/foreign/points_checks.h"
 
 #include "solver/shape.h"
 #include "solver/status.h"
-#include "verification/foreign/same_points.h"
 #include "verification/foreign/samples.h"
 
 #include <math.h>

@@ -5,25 +5,19 @@
 #include "solver/field.h"
 #include "solver/problem.h"
 #include "solver/status.h"
-#include "verification/foreign/coverage.h"
-#include "verification/foreign/holes.h"
-#include "verification/foreign/npy_file.h"
+#include "verification/foreign/points_checks.h"
+#include "verification/foreign/formats.h"
 #include "verification/foreign/samples.h"
-#include "verification/foreign/table_file.h"
-#include "verification/foreign/vtk_file.h"
-#include "verification/text/whole_file.h"
 
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
-static int read_vtk(FILE *in, const struct column_map *c, struct samples *s, struct failure *why) {
-    size_t size;
-    char *text = whole_file_read(in, &size);
-    int status = vtk_file_read(text, size, c, s, why);
-    free(text);
-    return status;
-}
+static const struct {
+    int (*is)(const char *start, size_t size);
+    int (*read)(FILE *in, const struct column_map *c, struct samples *s, struct failure *why);
+} formats[] = {{npy_file_is, npy_file_read}, {vtk_file_is, vtk_file_read}, {vtk_file_is_xml, vtk_file_refuse_xml}};
+enum { FORMATS = sizeof formats / sizeof *formats };
 
 int field_file_samples(const char *path, const char *name, int dim, const struct column_map *c, struct samples *s,
                        struct failure *why) {
@@ -33,9 +27,9 @@ int field_file_samples(const char *path, const char *name, int dim, const struct
     if (!in) return STATUS_INPUT;
     size_t n = fread(start, 1, sizeof start, in);
     rewind(in);
-    int status = (npy_file_is(start, n)   ? npy_file_read
-                  : vtk_file_is(start, n) ? read_vtk
-                                          : table_file_read)(in, c, s, why);
+    int format = 0;
+    while (format < FORMATS && !formats[format].is(start, n)) format++;
+    int status = (format < FORMATS ? formats[format].read : table_file_read)(in, c, s, why);
     if (!status && ferror(in)) status = refuse(why, STATUS_INPUT, "%.200s: could not be read to its end", name);
     fclose(in);
     if (status) samples_free(s);
@@ -86,9 +80,9 @@ static void hand_over(struct samples *s, const struct problem *p, struct field *
     f->x = s->value[COLUMN_X], f->y = s->value[COLUMN_Y], f->T = s->value[COLUMN_T], f->weight = s->value[COLUMN_W];
     for (int k = 0; k < COLUMN_COUNT; k++) s->value[k] = NULL;
     f->time = p->t_end;
-    f->step_seconds = s->seconds;
+    f->cost.step_seconds = s->seconds;
     f->steps = whole(s->steps);
-    f->updates = whole(s->updates);
+    f->cost.updates = whole(s->updates);
     f->dt = f->steps > 0 ? p->t_end / (double)f->steps : 0;
     f->stages = f->steps > 0;
 }

@@ -8,7 +8,7 @@
  *   equal spacing h     one gap of 2 h, 3 h, ... next to two of h, or more than 5/4 h from a wall to the first of
  *                       three points that are fewer than the cells of the case.  Gaps that grow, or that are wider in
  * a part of the rod, come several together; two layers may have no point on their interface. */
-#include "verification/foreign/holes.h"
+#include "verification/foreign/points_checks.h"
 
 #include "solver/problem.h"
 #include "solver/status.h"

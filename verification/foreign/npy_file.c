@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* NumPy's array files, without a text of any number: magic, version, length of the header, a header in Python's
  * words, then the rows (NEP 1, versions 1.0 to 3.0). */
-#include "verification/foreign/npy_file.h"
+#include "verification/foreign/formats.h"
 
 #include "solver/status.h"
 #include "verification/foreign/samples.h"

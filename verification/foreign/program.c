@@ -41,11 +41,11 @@ const char program_help[] =
     "commas, semicolons or blanks.  The program chooses its points: they cover the domain at a spacing of dx.\n"
     "A column w holds the weights of the norms; without it all points have the same weight.\n"
     "--columns 'x=X,y=Y,T=temp,w=volume' gives the names of the columns, or their numbers (T=3).  Legacy ASCII\n"
-    "VTK and VTU with ascii arrays are read too (their points, and the point data T), and NumPy's .npy (these\n"
-    "columns, or named fields).  The lines `# seconds = S`, `# steps = N` and `# updates = N` of a table may give\n"
-    "the time, steps and updates of the solve alone.\n"
+    "VTK is read too (its points, and the point data T), and NumPy's .npy (these columns, or named fields).  VTU\n"
+    "is not.  The lines `# seconds = S`, `# steps = N` and `# updates = N` of a table may give the time, steps\n"
+    "and updates of the solve alone.\n"
     "\n"
-    "--results DIR judges existing answers: DIR/SCENE/DX/out.csv (or out.npy, out.vtk, out.vtu, out.dat), beside\n"
+    "--results DIR judges existing answers: DIR/SCENE/DX/out.csv (or out.npy, out.vtk, out.dat), beside\n"
     "the case files of `heatladder case SCENE --dx A,B,C --into DIR`.  With --set it first looks for\n"
     "DIR/SCENE/NAME=VALUE,.../DX, as `heatladder case --battery` writes it.\n";
 
@@ -216,7 +216,7 @@ static int solve_at(const struct program *g, const struct scene *s, const struct
     if (status) return status;
     case_run_answer(dir, path, sizeof path);
     if (read_answer(g, path, "{out}", p, o, f, why)) return why->status;
-    f->seconds = seconds;
+    f->cost.seconds = seconds;
     return STATUS_OK;
 }
 
@@ -249,13 +249,13 @@ static int solve_later(const struct program *g, const struct scene *s, const str
         return refuse(why, STATUS_NUMERICAL, "%.300s: the program ended with exit status %d (%.300s/log)", path, code,
                       dir);
     if (read_answer(g, path, path, p, o, f, why)) return why->status;
-    f->seconds = f->step_seconds;
+    f->cost.seconds = f->cost.step_seconds;
     return STATUS_OK;
 }
 
 int program_solve(const struct program *g, const struct scene *s, const struct problem *p, const struct options *o,
                   struct field *f, struct failure *why) {
     int status = (g->results ? solve_later : solve_now)(g, s, p, o, f, why);
-    if (!status && isnan(f->step_seconds)) f->step_seconds = f->seconds;
+    if (!status && isnan(f->cost.step_seconds)) f->cost.step_seconds = f->cost.seconds;
     return status;
 }

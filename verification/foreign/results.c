@@ -207,25 +207,15 @@ int results_params(const char *dir, const struct scene *s, const char *setting, 
 
 /* ---- Writing ---- */
 
-static int has_answer(const char *dir) {
-    char path[RESULTS_PATH + 16];
-    struct stat is;
-    for (int i = 0; case_run_answers[i]; i++) {
-        snprintf(path, sizeof path, "%s/%s", dir, case_run_answers[i]);
-        if (stat(path, &is) == 0) return 1;
-    }
-    return 0;
-}
-
 static int write_one(const char *dir, const struct mapping *map, int seed, const struct scene *s,
                      const struct problem *p, const struct options *o, struct failure *why) {
     struct output page;
     case_file_write(s, p, o, &(struct case_extra){.label = "results", .map = map, .seed = seed},
                     output_open(&page, "%s/case", dir));
     output_end(&page);
-    char *old = whole_file_at(page.path, NULL);
+    char *old = whole_file_at(page.path, NULL), answer[RESULTS_PATH + 16];
     int same = old && page.text && strcmp(old, page.text) == 0, status = STATUS_OK;
-    if (old && !same && has_answer(dir))
+    if (old && !same && case_run_answer(dir, answer, sizeof answer))
         status = refuse(why, STATUS_INPUT,
                         "%.300s: an answer to another case is there; remove it, or take another "
                         "--into",

@@ -2,7 +2,7 @@
 /* Points in any order are put into a table of boxes, SIDE distances wide, by a hash of the box's place.  A point is
  * looked for in its own box and, where it is nearer than a distance to the next one (one in 16), in that.  No box has
  * more than (SIDE + 1)^2 points: of one more, two would be the same. */
-#include "verification/foreign/same_points.h"
+#include "verification/foreign/points_checks.h"
 
 #include "solver/problem.h"
 #include "solver/status.h"

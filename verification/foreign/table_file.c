@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Tables of text: which character separates is seen from the header. */
-#include "verification/foreign/table_file.h"
+#include "verification/foreign/formats.h"
 
 #include "solver/status.h"
 #include "verification/foreign/samples.h"

@@ -1,12 +1,12 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* VTK File Formats for VTK version 4.2 (Kitware): words between blanks, or XML with arrays of such words.  All that
- * is wanted are arrays of numbers with a name, so both are read as a sequence of words; what is in no wanted array is
- * passed over. */
-#include "verification/foreign/vtk_file.h"
+/* VTK File Formats for VTK version 4.2 (Kitware), the legacy form: words between blanks.  All that is wanted are
+ * arrays of numbers with a name; what is in no wanted array is passed over. */
+#include "verification/foreign/formats.h"
 
 #include "solver/status.h"
 #include "verification/foreign/samples.h"
 #include "verification/text/number.h"
+#include "verification/text/whole_file.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -28,7 +28,10 @@ struct reader {
 static const char legacy[] = "# vtk DataFile";
 
 int vtk_file_is(const char *text, size_t size) {
-    if (size >= sizeof legacy && memcmp(text, legacy, sizeof legacy - 1) == 0) return 1;
+    return size >= sizeof legacy && memcmp(text, legacy, sizeof legacy - 1) == 0;
+}
+
+int vtk_file_is_xml(const char *text, size_t size) {
     while (size > 0 && *text && strchr(" \t\r\n\xEF\xBB\xBF", *text)) text++, size--;
     return size > 8 && (memcmp(text, "<?xml", 5) == 0 || memcmp(text, "<VTKFile", 8) == 0);
 }
@@ -37,18 +40,12 @@ static int wrong(const struct reader *v, struct failure *why, const char *what) 
     return refuse(why, STATUS_INPUT, "%.150s, line %ld: %s", v->s->path, v->line, what);
 }
 
-/* The next word between blanks and tags, uncut; its length, 0 at the end. */
+/* The next word between blanks, uncut; its length, 0 at the end. */
 static size_t next_word(struct reader *v, const char **word) {
     while (v->at < v->end && strchr(" \t\r\n", *v->at)) v->line += *v->at++ == '\n';
     *word = v->at;
-    while (v->at < v->end && !strchr(" \t\r\n<", *v->at)) v->at++;
-    if (v->at == *word && v->at < v->end && *v->at == '<') v->at++;
+    while (v->at < v->end && !strchr(" \t\r\n", *v->at)) v->at++;
     return (size_t)(v->at - *word);
-}
-
-/* As a text of its own, cut where it is longer. */
-static void keep(char text[WORD], const char *word, size_t length) {
-    snprintf(text, WORD, "%.*s", (int)fmin((double)length, WORD), word);
 }
 
 static int is_word(const char *word, size_t length, const char *name) {
@@ -90,17 +87,11 @@ static int column_of(struct reader *v, const char *name) {
     return -1;
 }
 
-static int read_points(struct reader *v, size_t count, struct failure *why) {
-    return read_tuples(v, count, 3, COLUMN_X, v->s->dim, why);
-}
-
-/* ---- Legacy ---- */
-
-/* The next word as a text of its own. */
+/* The next word as a text of its own, cut where it is longer. */
 static int word_into(struct reader *v, char text[WORD]) {
     const char *word;
     size_t length = next_word(v, &word);
-    keep(text, word, length);
+    snprintf(text, WORD, "%.*s", (int)fmin((double)length, WORD), word);
     return length > 0;
 }
 
@@ -135,7 +126,7 @@ static int read_scalars(struct reader *v, size_t points, struct failure *why) {
 /* FIELD name arrays, then of each: name components tuples type, values */
 static int read_field(struct reader *v, struct failure *why) {
     char name[WORD], type[WORD];
-    size_t arrays, width, count;
+    size_t arrays = 0, width = 0, count = 0;
     if (!word_into(v, name) || count_into(v, &arrays, why)) return wrong(v, why, "FIELD needs a name and a count");
     for (size_t i = 0; i < arrays; i++) {
         if (!word_into(v, name)) return wrong(v, why, "the file ends within FIELD: it looks cut off");
@@ -152,7 +143,7 @@ static int skip_line(struct reader *v) {
     return v->at < v->end;
 }
 
-static int read_legacy(struct reader *v, struct failure *why) {
+static int read_all(struct reader *v, struct failure *why) {
     const char *word;
     size_t length, points = 0;
     int of_points = 0;
@@ -166,7 +157,9 @@ static int read_legacy(struct reader *v, struct failure *why) {
     while ((length = next_word(v, &word)) > 0) {
         int status = STATUS_OK;
         if (is_word(word, length, "POINTS")) {
-            status = count_into(v, &points, why) || !word_into(v, form) ? STATUS_INPUT : read_points(v, points, why);
+            status = count_into(v, &points, why) || !word_into(v, form)
+                         ? STATUS_INPUT
+                         : read_tuples(v, points, 3, COLUMN_X, v->s->dim, why);
         } else if (is_word(word, length, "POINT_DATA")) {
             of_points = 1;
             status = count_into(v, &points, why);
@@ -178,71 +171,6 @@ static int read_legacy(struct reader *v, struct failure *why) {
             status = read_field(v, why);
         }
         if (status) return why->status;
-    }
-    return STATUS_OK;
-}
-
-/* ---- XML ---- */
-
-/* The value of an attribute of the tag that starts at `tag`; "" where it has none. */
-static void attribute(const char *tag, const char *end, const char *name, char text[WORD]) {
-    size_t length = strlen(name);
-    text[0] = '\0';
-    for (const char *at = tag; at + length + 2 < end; at++) {
-        if (!strchr(" \t\r\n", at[0]) || strncmp(at + 1, name, length) != 0 || at[length + 1] != '=') continue;
-        const char *value = at + length + 3, *quote = memchr(value, at[length + 2], (size_t)(end - value));
-        if (quote) keep(text, value, (size_t)(quote - value));
-        return;
-    }
-}
-
-/* Numbers up to the next tag, of a row of `width`. */
-static int read_numbers(struct reader *v, int width, int first, int kept, struct failure *why) {
-    for (int a = 0; v->at < v->end && *v->at != '<'; a = (a + 1) % width) {
-        const char *word;
-        size_t length = next_word(v, &word);
-        if (length == 0 || *word == '<') {
-            v->at = word;
-            return STATUS_OK;
-        }
-        if (a < kept && put(v, first + a, word, length, why)) return why->status;
-    }
-    return STATUS_OK;
-}
-
-static int read_array(struct reader *v, const char *tag, const char *end, int in_points, struct failure *why) {
-    char name[WORD], form[WORD], width[WORD];
-    long components = 1;
-    attribute(tag, end, "Name", name);
-    attribute(tag, end, "format", form);
-    attribute(tag, end, "NumberOfComponents", width);
-    if (*width && (number_read_whole(width, 99, &components) || components < 1))
-        return wrong(v, why, "NumberOfComponents is no whole number");
-    int column = in_points ? COLUMN_X : components == 1 ? column_of(v, name) : -1;
-    if (column < 0) return STATUS_OK;
-    if (strcmp(form, "ascii") != 0)
-        return wrong(v, why, "format=\"ascii\" is wanted here: binary and appended arrays are not read");
-    return read_numbers(v, (int)components, column, in_points ? v->s->dim : 1, why);
-}
-
-static int tag_is(const char *tag, const char *end, const char *name) {
-    size_t length = strlen(name);
-    return (size_t)(end - tag) > length && strncmp(tag, name, length) == 0 && strchr(" \t\r\n/>", tag[length]);
-}
-
-static int read_xml(struct reader *v, struct failure *why) {
-    int in_points = 0, in_data = 0;
-    while (v->at < v->end) {
-        v->line += *v->at == '\n';
-        if (*v->at++ != '<') continue;
-        const char *tag = v->at, *end = memchr(tag, '>', (size_t)(v->end - tag));
-        if (!end) return wrong(v, why, "the file ends within a tag: it looks cut off");
-        for (; v->at <= end; v->at++) v->line += *v->at == '\n';
-        if (tag_is(tag, end + 1, "Points") || tag_is(tag, end + 1, "/Points")) in_points = *tag != '/';
-        if (tag_is(tag, end + 1, "PointData") || tag_is(tag, end + 1, "/PointData")) in_data = *tag != '/';
-        if (tag_is(tag, end + 1, "CellData")) v->cell_data = 1;
-        if ((in_points || in_data) && tag_is(tag, end + 1, "DataArray"))
-            if (read_array(v, tag, end, in_points, why)) return why->status;
     }
     return STATUS_OK;
 }
@@ -262,7 +190,8 @@ static int check_counts(const struct reader *v, struct failure *why) {
     return STATUS_OK;
 }
 
-int vtk_file_read(const char *text, size_t size, const struct column_map *c, struct samples *s, struct failure *why) {
+static int read_text(const char *text, size_t size, const struct column_map *c, struct samples *s,
+                     struct failure *why) {
     struct reader *v = xcalloc(1, sizeof *v);
     *v = (struct reader){.at = text, .end = text + size, .line = 1, .wanted = c, .s = s};
     int status = STATUS_OK;
@@ -270,13 +199,29 @@ int vtk_file_read(const char *text, size_t size, const struct column_map *c, str
     s->has[COLUMN_Y] = s->dim == 2;
     s->has[COLUMN_W] = c->name[COLUMN_W][0] != '\0';
     if (strlen(text) != size) status = refuse(why, STATUS_INPUT, "%.200s: holds a NUL byte: not ascii", s->path);
-    int is_legacy = !status && memcmp(text, legacy, sizeof legacy - 1) == 0;
-    if (is_legacy && text[size - 1] != '\n')
+    if (!status && text[size - 1] != '\n')
         status = refuse(why, STATUS_INPUT,
                         "%.200s: ends without a newline: the file looks cut off; end the last line too", s->path);
-    if (!status) status = (is_legacy ? read_legacy : read_xml)(v, why);
+    if (!status) status = read_all(v, why);
     if (!status) status = check_counts(v, why);
     if (!status) s->n = v->seen[COLUMN_X];
     free(v);
     return status;
+}
+
+int vtk_file_read(FILE *in, const struct column_map *c, struct samples *s, struct failure *why) {
+    size_t size;
+    char *text = whole_file_read(in, &size);
+    int status = read_text(text, size, c, s, why);
+    free(text);
+    return status;
+}
+
+/* The codes that write VTU write it in binary unless asked (verification/README.md). */
+int vtk_file_refuse_xml(FILE *in, const struct column_map *c, struct samples *s, struct failure *why) {
+    (void)in, (void)c;
+    return refuse(why, STATUS_INPUT,
+                  "%.200s: a VTU file is not read, since most programs write its numbers in binary: "
+                  "write legacy ASCII VTK, CSV or .npy",
+                  s->path);
 }

@@ -43,20 +43,18 @@ static struct mapping draw_map(unsigned long seed, const char *scene, int dim, i
     return m;
 }
 
-/* Removes " --set NAME=..." where it is there. */
-static void drop_set(char *words, const char *name, size_t length) {
-    char set[60];
-    snprintf(set, sizeof set, " --set %.*s=", (int)length, name);
-    char *at = strstr(words, set);
+/* Removes an option, " --scale " or " --set NAME=", and the word after it, where they are there. */
+static void drop_option(char *words, const char *option) {
+    char *at = strstr(words, option);
     if (!at) return;
-    char *end = at + strlen(set) + strcspn(at + strlen(set), " ");
+    char *end = at + strlen(option) + strcspn(at + strlen(option), " ");
     memmove(at, end, strlen(end) + 1);
 }
 
 /* The words that the ranges ask for, at the end of *words; *offset in K of the scene. */
 static int draw_ranges(const char *ranges, gsl_rng *r, char *words, double *offset, struct failure *why) {
     for (const char *at = ranges; *at; at += strspn(at, " ")) {
-        char name[32];
+        char name[32], set[48];
         double lo, hi;
         int used = 0;
         if (strncmp(at, "cross", 5) == 0) {
@@ -71,7 +69,8 @@ static int draw_ranges(const char *ranges, gsl_rng *r, char *words, double *offs
             *offset = value;
             continue;
         }
-        drop_set(words, name, strlen(name));
+        snprintf(set, sizeof set, " --set %s=", name);
+        drop_option(words, set);
         size_t n = strlen(words);
         snprintf(words + n, DRAW_COMMAND - n, " --set %s=%.3g", name, value);
     }
@@ -112,14 +111,6 @@ int draw_command(const struct draw *d, unsigned long seed, char command[DRAW_COM
 }
 
 /* ---- Its bound ---- */
-
-/* The words up to `from` and those after the one that follows it, without both. */
-static void drop_option(char *words, const char *option) {
-    char *at = strstr(words, option);
-    if (!at) return;
-    char *end = at + strlen(option) + strcspn(at + strlen(option), " ");
-    memmove(at, end, strlen(end) + 1);
-}
 
 /* The five-point difference at the finest spacing, of dx and dy the larger; it knows of no image, and a jump lies on
  * its faces. */

@@ -91,24 +91,27 @@ static void list_slopes(const double *slope, int n, char *text, size_t size) {
         used += (size_t)snprintf(text + used, size - used, "%s%.2f", i ? ", " : "", slope[i]);
 }
 
+/* sum (u - mean)^2 */
+static double spread(const double *u, int n) {
+    double mean = 0, square = 0;
+    for (int i = 0; i < n; i++) mean += u[i] / n;
+    for (int i = 0; i < n; i++) square += pow(u[i] - mean, 2);
+    return square;
+}
+
 /* The least number of rungs, further ones by halving, whose interval would lie in the band; 0 where none would. */
 static int rungs_needed(const struct ladder *l, double lo, double hi) {
     enum { MOST = 12 };
-    double u[RUNG_MAX], half = (l->slope.ci[1] - l->slope.ci[0]) / 2, mean = 0, square = 0;
+    double u[RUNG_MAX], half = (l->slope.ci[1] - l->slope.ci[0]) / 2;
     int n = 0;
     for (int i = 0; i < l->n; i++)
         if (l->window.counts[i]) u[n++] = log(l->x[i]);
     if (n < WINDOW_LEAST) return 0;
-    for (int i = 0; i < n; i++) mean += u[i] / n;
-    for (int i = 0; i < n; i++) square += pow(u[i] - mean, 2);
-    double scatter = half / gsl_cdf_tdist_Pinv(0.975, n - 2) * sqrt(square),
+    double scatter = half / gsl_cdf_tdist_Pinv(0.975, n - 2) * sqrt(spread(u, n)),
            room = fmin(l->slope.value - lo, hi - l->slope.value);
     for (int more = n + 1; more <= MOST; more++) {
         u[more - 1] = u[more - 2] - log(2);
-        mean = square = 0;
-        for (int i = 0; i < more; i++) mean += u[i] / more;
-        for (int i = 0; i < more; i++) square += pow(u[i] - mean, 2);
-        if (gsl_cdf_tdist_Pinv(0.975, more - 2) * scatter / sqrt(square) <= room) return more + l->n - n;
+        if (gsl_cdf_tdist_Pinv(0.975, more - 2) * scatter / sqrt(spread(u, more)) <= room) return more + l->n - n;
     }
     return 0;
 }

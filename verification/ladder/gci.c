@@ -31,7 +31,6 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include <sys/stat.h>
 
 static const double SAFETY = 1.25;
 enum { HALVINGS = 60, PROBES = 400, WORDS = 65536 };
@@ -196,13 +195,9 @@ static int read_fields(char (*path)[RESULTS_PATH + 16], const struct column_map 
 
 static int find_answer(const char *dir, double h, char path[RESULTS_PATH + 16], struct failure *why) {
     char of[RESULTS_PATH];
-    struct stat is;
     if (results_directory(dir, h, of)) return refuse(why, STATUS_INPUT, "--results '%.200s': too long a path", dir);
-    for (int i = 0; case_run_answers[i]; i++) {
-        snprintf(path, RESULTS_PATH + 16, "%s/%s", of, case_run_answers[i]);
-        if (stat(path, &is) == 0) return STATUS_OK;
-    }
-    return refuse(why, STATUS_INPUT, "%.300s: no answer; out.csv, out.vtk, out.vtu or out.dat is wanted", of);
+    if (case_run_answer(of, path, RESULTS_PATH + 16)) return STATUS_OK;
+    return refuse(why, STATUS_INPUT, "%.300s: no answer; out.csv, out.npy, out.vtk or out.dat is wanted", of);
 }
 
 int gci_read(const char *dir, const struct column_map *c, const struct numbers *at, struct gci *g,

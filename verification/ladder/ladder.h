@@ -91,6 +91,9 @@ double ladder_finest_error(const struct ladder *l);
 const char *ladder_axis(const struct ladder *l);
 double ladder_asked(const struct ladder *l, int rung);
 
+/* A row a rung; `timed`: with its seconds, which are others in each run.  The caller ends it. */
+struct table ladder_table(const struct ladder *l, int timed);
+
 /* The slope, its interval and of how many rungs, in a line; of fewer than three rungs, why there is no interval. */
 void ladder_slope_text(const struct ladder *l, char *text, size_t size);
 

@@ -4,6 +4,7 @@
 
 #include "verification/ladder/judge.h"
 #include "verification/text/json.h"
+#include "verification/text/table.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -52,6 +53,31 @@ const char *ladder_axis(const struct ladder *l) {
 
 double ladder_asked(const struct ladder *l, int rung) {
     return l->inverse ? 1 / l->x[rung] : l->x[rung];
+}
+
+static void add_rung(struct table *t, const struct ladder *l, int timed, int i) {
+    const struct result *r = &l->rung[i];
+    int failed = r->failure.status != STATUS_OK;
+    table_add(t, "%.6g|%zu|%lld", ladder_asked(l, i), r->particles, r->steps);
+    table_number(t, "%.4e", failed ? NAN : r->error.l1, "-");
+    table_number(t, "%.4e", failed ? NAN : r->derived_name ? r->derived : r->error.l2, "-");
+    table_number(t, "%.4e", failed ? NAN : r->derived_name ? r->derived_error : r->error.linf, "-");
+    if (i == 0)
+        table_add(t, " ");
+    else
+        table_number(t, "%.3f", l->local[i - 1], "-");
+    table_number(t, "%.2g", 100 * r->time_error, " ");
+    if (timed) table_number(t, "%.2g", r->cost.seconds, "-");
+    table_add(t, "%s", failed ? r->failure.text : l->window.left_out[i]);
+}
+
+struct table ladder_table(const struct ladder *l, int timed) {
+    char header[160];
+    snprintf(header, sizeof header, "%s|particles|steps|E1|%s|slope|time [%%]|%sleft out", ladder_axis(l),
+             l->norm == LADDER_QUANTITY ? "quantity|its error" : "L2|Linf [K]", timed ? "seconds|" : "");
+    struct table t = table_headed(0, header);
+    for (int i = 0; i < l->n; i++) add_rung(&t, l, timed, i);
+    return t;
 }
 
 void ladder_slope_text(const struct ladder *l, char *text, size_t size) {

@@ -60,8 +60,9 @@ static struct norms_error distance(const struct place *coarse, const struct plac
     return (struct norms_error){.l1 = d1 / t1, .l2 = sqrt(d2 / t2), .linf = linf, .n = n};
 }
 
-static void measure(const struct place *coarse, const struct place *fine, size_t n, struct result *r) {
-    r->error = distance(coarse, fine, n);
+/* The error of a run is how far it is from another: it has no parts, and no exact solution's own error in it. */
+static void take_error(struct result *r, struct norms_error apart) {
+    r->error = apart;
     r->interior = r->boundary = (struct norms_error){.l1 = NAN, .l2 = NAN, .linf = NAN};
     r->reference_error = 0;
 }
@@ -100,7 +101,7 @@ static int compare(const struct experiment *e, struct place **before, size_t *n,
                         "a ladder in time needs all runs on one grid: at %g s the points are not those of %g s",
                         dt[0], dt[-1]);
     else if (i > 0)
-        measure(*before, at, f->n, &l->rung[i - 1]);
+        take_error(&l->rung[i - 1], distance(*before, at, f->n));
     free(*before);
     *before = at;
     *n = f->n;
@@ -126,17 +127,17 @@ int self_difference_climb_to(const struct experiment *rung, const struct experim
     if (status) *why = result.failure;
     for (int i = 0; i < l->n && !status; i++) {
         struct field f = {0};
+        struct norms_error apart = {.l1 = NAN};
         status = run_experiment(&rung[i], &l->rung[i], &f);
         dt[i] = l->rung[i].dt > 0 ? l->rung[i].dt : l->x[i];
         if (status)
             *why = l->rung[i].failure;
-        else if (!self_difference_fields(&rung[i].problem, &f, &last, &l->rung[i].error))
+        else if (!self_difference_fields(&rung[i].problem, &f, &last, &apart))
             status =
                 refuse(why, STATUS_INPUT,
                        "a ladder in time needs all runs on one grid: at %g s the points are not those of --fine %g",
                        l->x[i], l->fine);
-        l->rung[i].interior = l->rung[i].boundary = (struct norms_error){.l1 = NAN, .l2 = NAN, .linf = NAN};
-        l->rung[i].reference_error = 0;
+        take_error(&l->rung[i], apart);
         field_free(&f);
     }
     field_free(&last);

@@ -16,9 +16,10 @@
 #include <stdio.h>
 #include <stdlib.h>
 
-void measures_fail(struct measured *m, const char *text) {
-    *m = (struct measured){.value = NAN, .ci = {NAN, NAN}, .error = NAN, .verdict = VERDICT_FAIL};
-    snprintf(m->reason, sizeof m->reason, "%.390s", text);
+void measures_fail(struct measured *m, const struct failure *why) {
+    *m = (struct measured){.value = NAN, .ci = {NAN, NAN}, .error = NAN};
+    m->verdict = why->status == STATUS_SKIPPED ? VERDICT_SKIPPED : VERDICT_FAIL;
+    snprintf(m->reason, sizeof m->reason, "%.390s", why->text);
 }
 
 void measures_judge(struct measured *m, double value, double lo, double hi) {
@@ -51,8 +52,7 @@ static void take_slope(int scattered, const struct request *r, double lo, double
     rungs.expect = (struct numbers){.count = 2, .value = {lo, hi}};
     rungs.scattered = scattered;
     int status = ladder_run(&r->experiment, &rungs, l, &why);
-    measures_fail(m, why.text);
-    if (status == STATUS_SKIPPED) m->verdict = VERDICT_SKIPPED;
+    measures_fail(m, &why);
     if (!status) {
         m->value = l->slope.value;
         m->ci[0] = l->slope.ci[0];
@@ -68,6 +68,21 @@ static void take_slope(int scattered, const struct request *r, double lo, double
 
 void measures_slope(const struct request *r, double lo, double hi, struct measured *m) {
     take_slope(0, r, lo, hi, m);
+}
+
+/* --shift 0, 0.1, ... 0.9, each a ladder. */
+void measures_slope_offsets(const struct request *r, double lo, double hi, struct measured *m) {
+    enum { OFFSETS = 10 };
+    struct request with = *r;
+    for (int s = 0; s < OFFSETS; s++) {
+        struct measured one = {0};
+        with.experiment.options.shift = (double)s / OFFSETS;
+        take_slope(0, &with, lo, hi, &one);
+        if (s == 0 || one.verdict != VERDICT_PASS || one.error > m->error) *m = one;
+        if (m->verdict == VERDICT_PASS) continue;
+        snprintf(m->reason, sizeof m->reason, "offset %g dx: %.370s", with.experiment.options.shift, one.reason);
+        return;
+    }
 }
 
 /* Errors of space and time can cancel, at a mesh Fourier number of 1/6 for one, and what is left falls by steps that
@@ -97,7 +112,7 @@ void measures_operator_slope(const struct request *r, double lo, double hi, stru
     for (int i = 0; i < dx.count; i++) {
         e.options.dx = dx.value[i];
         int status = consistency_error(&e, &error[i], &why);
-        measures_fail(m, why.text);
+        measures_fail(m, &why);
         if (status) return;
     }
     struct slope s = slope_fit(dx.value, error, dx.count);
@@ -109,12 +124,10 @@ void measures_operator_slope(const struct request *r, double lo, double hi, stru
     m->verdict = judge_order(&judged, lo, hi, m->reason, sizeof m->reason);
 }
 
-/* One run; 0, or *m failed. */
-static int run(const struct request *r, struct result *result, struct measured *m) {
-    int status = run_experiment(&r->experiment, result, NULL);
-    measures_fail(m, result->failure.text);
-    if (status == STATUS_SKIPPED) m->verdict = VERDICT_SKIPPED;
-    if (!status) m->error = result->error.l1;
+int measures_run(const struct experiment *e, struct result *r, struct field *f, struct measured *m) {
+    int status = run_experiment(e, r, f);
+    measures_fail(m, &r->failure);
+    if (!status) m->error = r->error.l1;
     return status;
 }
 
@@ -122,7 +135,7 @@ static int run(const struct request *r, struct result *result, struct measured *
 #define OF_RUN(name, value)                                                                                          \
     void measures_##name(const struct request *r, double lo, double hi, struct measured *m) {                        \
         struct result of;                                                                                            \
-        if (!run(r, &of, m)) measures_judge(m, value, lo, hi);                                                       \
+        if (!measures_run(&r->experiment, &of, NULL, m)) measures_judge(m, value, lo, hi);                           \
     }
 OF_RUN(error_linf, of.error.linf)
 OF_RUN(overshoot, fmax(of.shape.overshoot, of.shape.undershoot))
@@ -133,10 +146,10 @@ OF_RUN(checkerboard, of.shape.checkerboard)
 #undef OF_RUN
 
 void measures_checkerboard_kept(const struct request *r, double lo, double hi, struct measured *m) {
-    struct request early = *r;
+    struct experiment early = r->experiment;
     struct result first, last;
-    early.experiment.problem.t_end = r->experiment.problem.t_end / 10;
-    if (run(&early, &first, m) || run(r, &last, m)) return;
+    early.problem.t_end /= 10;
+    if (measures_run(&early, &first, NULL, m) || measures_run(&r->experiment, &last, NULL, m)) return;
     measures_judge(m, last.shape.checkerboard / first.shape.checkerboard, lo, hi);
 }
 
@@ -146,7 +159,7 @@ static int runs_apart(const struct experiment *e, const struct problem of[2], do
     struct failure why;
     int status = method_solve(e->method, &of[0], &e->options, &f[0], &why);
     if (!status) status = method_solve(e->method, &of[1], &e->options, &f[1], &why);
-    if (status) measures_fail(m, why.text);
+    if (status) measures_fail(m, &why);
     double apart = status ? NAN : field_farthest(&f[0], f[1].T);
     if (apart > *worst || isnan(apart)) *worst = apart; /* a NaN stays */
     for (int k = 0; k < 2; k++) field_free(&f[k]);
@@ -200,7 +213,7 @@ void measures_reference(const struct request *r, double lo, double hi, struct me
         worst = ratio;
         where[0] = x[0], where[1] = x[1], where[2] = t;
     }
-    measures_fail(m, "");
+    measures_fail(m, &(struct failure){0});
     measures_judge(m, worst, lo, hi);
     m->error = bound / size;
     if (m->verdict == VERDICT_PASS) return;
@@ -221,6 +234,6 @@ const struct measure *measures_find(const char *name, struct measured *m) {
     int i = words_index(names, name);
     if (i >= 0) return &measures[i];
     words_unknown(names, "measure", name, &why);
-    measures_fail(m, why.text);
+    measures_fail(m, &why);
     return NULL;
 }

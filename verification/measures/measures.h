@@ -7,7 +7,11 @@
 #include "verification/text/number.h"
 #include "verification/text/verdict.h"
 
+struct experiment;
+struct failure;
+struct field;
 struct request;
+struct result;
 
 /* The rungs of a ladder, coarsest first, for a chart and a table. */
 struct rungs {
@@ -44,9 +48,13 @@ extern const struct measure measures[]; /* ended by a NULL name */
 #include "verification/measures/measures.def"
 #undef MEASURE
 
-/* What most measures end with: a failure with its reason, or the verdict on lo <= value <= hi. */
-void measures_fail(struct measured *m, const char *text);
+/* What most measures end with: a failure with its reason (skipped where the program skips the case), or the verdict
+ * on lo <= value <= hi. */
+void measures_fail(struct measured *m, const struct failure *why);
 void measures_judge(struct measured *m, double value, double lo, double hi);
+
+/* One run, its field into *f where that is not NULL; its status, *m failed where that is not 0, else with its E1. */
+int measures_run(const struct experiment *e, struct result *r, struct field *f, struct measured *m);
 
 /* The measure of that name; NULL, and *m failed with the nearest valid name, where there is none. */
 const struct measure *measures_find(const char *name, struct measured *m);

@@ -13,15 +13,10 @@
 #include <stdio.h>
 #include <stdlib.h>
 
-/* The status of a run or a ladder as a verdict, with its reason. */
-static void fail(struct measured *m, const struct failure *why) {
-    measures_fail(m, why->text);
-    if (why->status == STATUS_SKIPPED) m->verdict = VERDICT_SKIPPED;
-}
-
 static void skip(struct measured *m, const char *text) {
-    measures_fail(m, text);
-    m->verdict = VERDICT_SKIPPED;
+    struct failure why;
+    refuse(&why, STATUS_SKIPPED, "%s", text);
+    measures_fail(m, &why);
 }
 
 /* A program that takes a time step of its own gives the same at each that is asked for: the row is not for it. */
@@ -33,8 +28,7 @@ void measures_slope_time(const struct request *r, double lo, double hi, struct m
     int status = ladder_run(&r->experiment, &rungs, l, &why), differ = 0;
     for (int i = 0; i < l->n; i++) differ += l->error[i] != 0;
     if (status) {
-        why.status = status;
-        fail(m, &why);
+        measures_fail(m, &why);
     } else if (!differ) {
         skip(m, "the answers are the same for every dt: the program takes a time step of its own");
     } else {
@@ -72,13 +66,8 @@ void measures_error(const struct request *r, double lo, double hi, struct measur
     const struct experiment *e = &r->experiment;
     struct result result;
     struct field f = {0};
-    int status = run_experiment(e, &result, &f);
-    if (status) {
-        fail(m, &result.failure);
-    } else {
-        measures_fail(m, "");
+    if (!measures_run(e, &result, &f, m)) {
         measures_judge(m, result.error.l1, lo, hi);
-        m->error = result.error.l1;
         if (program_given(&e->program) && m->verdict == VERDICT_FAIL) diagnose(r, &f, m);
     }
     field_free(&f);
@@ -94,14 +83,11 @@ void measures_repeat(const struct request *r, double lo, double hi, struct measu
     again.program.keep = NULL;
     if (!e->program.solver) {
         skip(m, "needs --solver: --results has one run");
-    } else if (run_experiment(e, &first, &a)) {
-        fail(m, &first.failure);
-    } else if (run_experiment(&again, &second, &b)) {
-        fail(m, &second.failure);
+    } else if (measures_run(e, &first, &a, m) || measures_run(&again, &second, &b, m)) {
+        /* it says why */
     } else if (!self_difference_fields(&e->problem, &a, &b, &apart)) {
         skip(m, "the points differ from run to run");
     } else {
-        measures_fail(m, "");
         measures_judge(m, apart.linf / field_largest(&a), lo, hi);
         m->error = first.error.l1;
         if (m->verdict == VERDICT_FAIL && diagnosis_repeat(apart.linf, field_largest(&a), &d)) {

@@ -34,7 +34,7 @@ static int find(const struct request *r, struct model_problem *b, struct step_li
                                   r->stages, b, &why);
     if (!status && l) status = step_limit_predict(b, l, &why);
     if (!status && l && measured) status = step_limit_measure(b, &l->measured, &why);
-    measures_fail(m, why.text);
+    measures_fail(m, &why);
     return status;
 }
 
@@ -150,7 +150,7 @@ void measures_endurance(const struct request *r, double lo, double hi, struct me
     struct failure why = {0};
     if (find(r, &b, &l, 0, m)) return;
     int status = long_run_measure(&b, 0.999 * l.von_neumann, steps, &e, &why);
-    measures_fail(m, why.text);
+    measures_fail(m, &why);
     if (status) return;
     measures_judge(m, fabs(e.drift) / ((double)steps * DBL_EPSILON), lo, hi);
     append(m, " (drift %.3g, max T %.15g K, which rose by at most %.3g K)", e.drift, e.largest, e.rise);

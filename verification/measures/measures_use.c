@@ -22,9 +22,9 @@ void measures_symmetry(const struct request *r, double lo, double hi, struct mea
     whole.domain = DOMAIN_WHOLE;
     int status = symmetry_solve(e->method, &e->problem, &e->options, &a, &why);
     if (!status) status = symmetry_solve(e->method, &e->problem, &whole, &b, &why);
-    measures_fail(m, why.text);
+    measures_fail(m, &why);
     if (!status) {
-        measures_judge(m, (double)b.updates / (double)a.updates, lo, hi);
+        measures_judge(m, (double)b.cost.updates / (double)a.cost.updates, lo, hi);
         m->error = a.n == b.n ? field_farthest(&a, b.T) : NAN;
     }
     field_free(&a);
@@ -37,14 +37,12 @@ void measures_plan(const struct request *r, double lo, double hi, struct measure
     struct result result;
     struct failure why = {0};
     int status = plan_make(&r->experiment, &plan, &why);
-    measures_fail(m, why.text);
+    measures_fail(m, &why);
     if (status) return;
-    status = run_experiment(&r->experiment, &result, NULL);
-    measures_fail(m, result.failure.text);
-    if (status) return;
+    if (measures_run(&r->experiment, &result, NULL, m)) return;
     const struct field *run = &plan.part.run;
-    measures_judge(m, (double)run->updates / (double)result.updates, lo, hi);
-    m->error = fabs((double)plan.part.bytes[OUTLINE_STEPS] - (double)result.bytes) +
+    measures_judge(m, (double)run->cost.updates / (double)result.cost.updates, lo, hi);
+    m->error = fabs((double)plan.part.bytes[OUTLINE_STEPS] - (double)result.cost.bytes) +
                fabs((double)(run->steps - result.steps)) + fabs((double)plan.particles - (double)result.particles);
 }
 
@@ -54,11 +52,9 @@ void measures_time_error(const struct request *r, double lo, double hi, struct m
     struct field reference;
     exact.time_error = 0;
     exact.options.stepper = STEPPER_EXACT;
-    int status = run_experiment(&exact, &result, &reference);
-    measures_fail(m, result.failure.text);
-    if (status) return;
-    status = run_against(&r->experiment, reference.T, 0, &result);
-    measures_fail(m, result.failure.text);
+    if (measures_run(&exact, &result, &reference, m)) return;
+    int status = run_against(&r->experiment, reference.T, 0, &result);
+    measures_fail(m, &result.failure);
     if (!status) measures_judge(m, result.error.l1 / r->experiment.time_error, lo, hi);
     field_free(&reference);
 }
@@ -67,7 +63,7 @@ void measures_choose(const struct request *r, double lo, double hi, struct measu
     struct choose *c = xcalloc(1, sizeof *c);
     struct failure why = {0};
     int status = choose_run(&r->experiment, r->error, choose_work_max, c, &why);
-    measures_fail(m, why.text);
+    measures_fail(m, &why);
     if (!status) measures_judge(m, fmax(c->proof.error.l1, c->between) / r->error, lo, hi);
     free(c);
 }

@@ -109,7 +109,7 @@ static void put_series(FILE *out, const struct axes *a, const struct chart_serie
     }
     fprintf(out, "\"/>\n");
     for (int i = 0; i < s->n; i++)
-        if (drawn(s, i)) put_marker(out, k, place_x(a, s->x[i]), place_y(a, s->y[i]), s->hollow && s->hollow[i]);
+        if (drawn(s, i)) put_marker(out, k, place_x(a, s->x[i]), place_y(a, s->y[i]), s->counts && !s->counts[i]);
 }
 
 /* A line of the slope that is expected, a factor of three below the first series' finest point. */

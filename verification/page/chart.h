@@ -12,7 +12,7 @@ struct chart_series {
     const char *name;
     int n;
     const double *x, *y; /* n each; points that are not positive are left out */
-    const int *hollow;   /* n, or NULL: 1 for a point that does not count */
+    const int *counts;   /* n, or NULL for all: 0 for a point that is drawn hollow */
 };
 
 struct chart {

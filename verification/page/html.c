@@ -4,6 +4,7 @@
 
 #include "solver/status.h"
 #include "verification/text/letter.h"
+#include "verification/text/table.h"
 #include "verification/text/whole_file.h"
 
 #include <stdarg.h>
@@ -124,9 +125,24 @@ static int is_number(const char *text) {
     return end != text && strspn(end, " %") == strlen(end);
 }
 
-void html_cell(FILE *out, const char *tag, const char *text) {
-    fprintf(out, "<%s%s>", tag, is_number(text) ? " class=\"n\"" : "");
-    html_print(out, "%s</%s>", text, tag);
+void html_cell(FILE *out, const char *text) {
+    fputs(is_number(text) ? "<td class=\"n\">" : "<td>", out);
+    html_print(out, "%s</td>", text);
+}
+
+void html_table(FILE *out, struct table *t, int narrow) {
+    int columns = t->columns, last = t->cells - columns;
+    fprintf(out, "<div class=\"scroll\"><table%s>\n<tr>", narrow ? " class=\"narrow\"" : "");
+    for (int i = 0; i < columns; i++) {
+        fputs(is_number(t->cell[last + i]) ? "<th class=\"n\">" : "<th>", out);
+        html_print(out, "%s</th>", t->cell[i]);
+    }
+    for (int i = columns; i < t->cells; i++) {
+        fputs(i % columns ? "" : "</tr>\n<tr>", out);
+        html_cell(out, t->cell[i]);
+    }
+    fputs("</tr>\n</table></div>\n", out);
+    table_free(t);
 }
 
 void html_verdict(FILE *out, const char *word) {

@@ -6,6 +6,8 @@
 
 #include <stdio.h>
 
+struct table;
+
 void html_open(FILE *out, const char *title); /* up to the open <main> */
 void html_close(FILE *out);
 
@@ -14,8 +16,10 @@ void html_text(FILE *out, const char *text);
 /* As printf with no conversion but %s, each of them by html_text. */
 void html_print(FILE *out, const char *format, ...) __attribute__((format(printf, 2, 3)));
 
-/* A cell <th> or <td>; numbers are set right.  */
-void html_cell(FILE *out, const char *tag, const char *text);
+/* A cell <td>; numbers are set right.  */
+void html_cell(FILE *out, const char *text);
+/* The table, freed; a header is set as the last cell of its column.  narrow: no wider than its cells. */
+void html_table(FILE *out, struct table *t, int narrow);
 
 /* The word of a verdict with its sign, so that it reads without colour: pass, fail, inconclusive, ... */
 void html_verdict(FILE *out, const char *word);

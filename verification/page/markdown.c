@@ -24,7 +24,7 @@ static void put_inline(FILE *out, const char *text) {
     while (*text) {
         const char *close = NULL, *tag = NULL;
         int marks = 1;
-        if (*text == '\\' && text[1] && strchr("_|*`", text[1])) {
+        if (*text == '\\' && text[1] && strchr("_|*`<>", text[1])) {
             put_until(out, text + 1, text + 2);
             text += 2;
             continue;

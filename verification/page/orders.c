@@ -160,14 +160,13 @@ static int choose(const struct gates *g, const char *scene, const struct gate_re
 void orders_put_scene(const struct gates *g, const char *scene, FILE *out) {
     const struct gate_result *chosen[CHART_STYLES];
     struct chart_series series[CHART_STYLES];
-    int hollow[CHART_STYLES][NUMBERS_MAX], n = choose(g, scene, chosen);
+    int n = choose(g, scene, chosen);
     char title[2 * WORD];
     if (n == 0 && g->declared > 0) fprintf(out, "<p class=\"faint\">No gate has a ladder in space here.</p>\n");
     if (n == 0) return;
     for (int k = 0; k < n; k++) {
         const struct rungs *l = &chosen[k]->measured.rungs;
-        for (int i = 0; i < l->n; i++) hollow[k][i] = !l->counts[i];
-        series[k] = (struct chart_series){chosen[k]->gate.id, l->n, l->x, l->error, hollow[k]};
+        series[k] = (struct chart_series){chosen[k]->gate.id, l->n, l->x, l->error, l->counts};
     }
     snprintf(title, sizeof title, "Error against spacing on %.60s", scene);
     fprintf(out, "<figure>\n");

@@ -9,6 +9,7 @@
 #include "verification/page/chart.h"
 #include "verification/page/html.h"
 #include "verification/text/output.h"
+#include "verification/text/table.h"
 #include "verification/command/version.h"
 
 #include <math.h>
@@ -53,35 +54,6 @@ int page_gates_write(const struct gates *g, const char *title, const char *comma
     return output_close(&page, 1, why);
 }
 
-static void put_number(FILE *out, const char *format, double value) {
-    char text[40];
-    snprintf(text, sizeof text, format, value);
-    html_cell(out, "td", isfinite(value) ? text : "-");
-}
-
-static void put_rungs(const struct ladder *l, FILE *out) {
-    int quantity = l->norm == LADDER_QUANTITY;
-    html_print(out,
-               "<div class=\"scroll\"><table>\n<tr><th class=\"n\">%s</th><th class=\"n\">points</th>"
-               "<th class=\"n\">E1</th><th class=\"n\">%s</th><th class=\"n\">%s</th>"
-               "<th class=\"n\">slope</th><th>left out</th></tr>\n",
-               ladder_axis(l), quantity ? "quantity" : "L2", quantity ? "its error" : "L-infinity [K]");
-    for (int i = 0; i < l->n; i++) {
-        const struct result *r = &l->rung[i];
-        int failed = r->failure.status != STATUS_OK;
-        fprintf(out, "<tr>");
-        put_number(out, "%.6g", ladder_asked(l, i));
-        put_number(out, "%.0f", (double)r->particles);
-        put_number(out, "%.4e", failed ? NAN : r->error.l1);
-        put_number(out, "%.4e", failed ? NAN : quantity ? r->derived : r->error.l2);
-        put_number(out, "%.4e", failed ? NAN : quantity ? r->derived_error : r->error.linf);
-        put_number(out, "%.3f", i ? l->local[i - 1] : NAN);
-        html_cell(out, "td", failed ? r->failure.text : l->window.left_out[i]);
-        fprintf(out, "</tr>\n");
-    }
-    fprintf(out, "</table></div>\n");
-}
-
 int page_ladder_write(const struct ladder *l, const struct ladder_rungs *asked, const char *command, const char *path,
                       struct failure *why) {
     struct output page;
@@ -92,10 +64,8 @@ int page_ladder_write(const struct ladder *l, const struct ladder_rungs *asked, 
     snprintf(axis, sizeof axis, "%s%s", l->inverse ? "1 / " : "", ladder_axis(l));
     double expected = asked->expect.count ? page_order(asked->expect.value[0], asked->expect.value[1]) : NAN;
     html_open(out, title);
-    int hollow[RUNG_MAX];
     char slope[240];
-    for (int i = 0; i < l->n; i++) hollow[i] = !l->window.counts[i];
-    struct chart_series series = {name, l->n, l->x, l->error, hollow};
+    struct chart_series series = {name, l->n, l->x, l->error, l->window.counts};
     struct chart chart = {title, axis, ladder_norm_titles[l->norm], 1, &series, expected};
     fprintf(out, "<p class=\"verdict\">");
     html_verdict(out, verdict_words[l->verdict]);
@@ -111,7 +81,8 @@ int page_ladder_write(const struct ladder *l, const struct ladder_rungs *asked, 
     fprintf(out, "<figure>\n");
     chart_write(&chart, out);
     fprintf(out, "</figure>\n");
-    put_rungs(l, out);
+    struct table rungs = ladder_table(l, 0);
+    html_table(out, &rungs, 0);
     put_command(command, out);
     html_close(out);
     return output_close(&page, 1, why);

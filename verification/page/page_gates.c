@@ -5,6 +5,7 @@
 #include "verification/diagnosis/wording.h"
 #include "verification/page/chart.h"
 #include "verification/page/html.h"
+#include "verification/text/table.h"
 
 #include <math.h>
 #include <string.h>
@@ -24,18 +25,18 @@ static void put_band(const struct gate_result *r, FILE *out) {
         snprintf(text, sizeof text, "at most %.4g", r->gate.hi);
     else
         snprintf(text, sizeof text, "%.4g to %.4g", r->gate.lo, r->gate.hi);
-    html_cell(out, "td", text);
+    html_cell(out, text);
     snprintf(text, sizeof text, "%.4g", r->measured.value);
-    html_cell(out, "td", text);
+    html_cell(out, text);
     text[0] = '\0';
     if (!isnan(r->gate.ceiling))
         snprintf(text, sizeof text, "%.3g, at most %.3g", r->measured.error, r->gate.ceiling);
-    html_cell(out, "td", text);
+    html_cell(out, text);
 }
 
 static void put_gate(const struct gate_result *r, FILE *out) {
     fprintf(out, "<tr>");
-    html_cell(out, "td", r->gate.id);
+    html_cell(out, r->gate.id);
     fprintf(out, "<td>");
     html_verdict(out, verdict_words[r->measured.verdict]);
     fprintf(out, "</td>");
@@ -71,21 +72,14 @@ void page_put_scene(const struct gates *g, const char *scene, FILE *out) {
 }
 
 static void put_rungs(const struct rungs *l, FILE *out) {
-    html_print(out,
-               "<div class=\"scroll\"><table class=\"narrow\">\n<tr><th class=\"n\">%s</th><th class=\"n\">%s</th>"
-               "<th>for the slope</th></tr>\n",
-               l->axis, l->norm);
+    struct table t = table_create(3, 0);
+    table_add(&t, "%s|%s|for the slope", l->axis, l->norm);
     for (int i = 0; i < l->n; i++) {
-        char x[40], error[40];
-        snprintf(x, sizeof x, "%.6g", l->x[i]);
-        snprintf(error, sizeof error, "%.4e", l->error[i]);
-        fprintf(out, "<tr>");
-        html_cell(out, "td", x);
-        html_cell(out, "td", isfinite(l->error[i]) ? error : "-");
-        html_cell(out, "td", l->counts[i] ? "counts" : "left out");
-        fprintf(out, "</tr>\n");
+        table_add(&t, "%.6g", l->x[i]);
+        table_number(&t, "%.4e", l->error[i], "-");
+        table_add(&t, l->counts[i] ? "counts" : "left out");
     }
-    fprintf(out, "</table></div>\n");
+    html_table(out, &t, 1);
 }
 
 double page_order(double lo, double hi) {
@@ -95,12 +89,10 @@ double page_order(double lo, double hi) {
 
 void page_put_ladder(const struct gate_result *r, FILE *out) {
     const struct rungs *l = &r->measured.rungs;
-    int hollow[NUMBERS_MAX];
     char name[80];
     if (l->n == 0) return;
-    for (int i = 0; i < l->n; i++) hollow[i] = !l->counts[i];
     snprintf(name, sizeof name, "%s (hollow: left out of the fit)", l->norm);
-    const struct chart_series series = {name, l->n, l->x, l->error, hollow};
+    const struct chart_series series = {name, l->n, l->x, l->error, l->counts};
     fprintf(out, "<figure>\n");
     chart_write(&(struct chart){r->gate.id, l->axis, l->norm, 1, &series, page_order(r->gate.lo, r->gate.hi)}, out);
     fprintf(out, "</figure>\n");

@@ -23,7 +23,7 @@ static void print_all(const struct gates *g) {
         const struct measured *m = &g->result[i].measured;
         struct measured ignored;
         const struct measure *measure = measures_find(gate->measure, &ignored);
-        table_add(&t, "%s", gate->id);
+        table_add(&t, "%s", gate->id); /* may have a bar in it */
         table_add(&t, "%s", verdict_words[m->verdict]);
         if (gate->lo == 0)
             table_add(&t, "<= %.4g", gate->hi);
@@ -37,11 +37,9 @@ static void print_all(const struct gates *g) {
             table_add(&t, " ");
         else
             table_add(&t, "%.2e <= %.2e", m->error, gate->ceiling);
-        table_add(&t, "%.2f", g->result[i].seconds);
-        table_add(&t, "%s", measure ? measure->about : gate->measure);
+        table_add(&t, "%.2f|%s", g->result[i].seconds, measure ? measure->about : gate->measure);
     }
-    table_print(&t, stdout);
-    table_free(&t);
+    table_end(&t, stdout);
 }
 
 static void print_groups(const struct gates *g) {

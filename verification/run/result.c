@@ -99,13 +99,13 @@ void result_json(const struct result *r, struct json *j) {
     json_number(j, "growth", r->growth);
     json_number(j, "reference_error", r->reference_error);
     shape_json(r, j);
-    json_number(j, "seconds", r->seconds);
-    json_number(j, "step_seconds", r->step_seconds);
-    json_whole(j, "updates", r->updates);
+    json_number(j, "seconds", r->cost.seconds);
+    json_number(j, "step_seconds", r->cost.step_seconds);
+    json_whole(j, "updates", r->cost.updates);
     json_whole(j, "search_updates", r->search_updates);
-    json_whole(j, "interactions", r->interactions);
-    json_number(j, "work", r->work);
-    json_whole(j, "bytes", (long long)r->bytes);
+    json_whole(j, "interactions", r->cost.interactions);
+    json_number(j, "work", r->cost.work);
+    json_whole(j, "bytes", (long long)r->cost.bytes);
 }
 
 void result_describe(const struct result *r, char *text, size_t size) {

@@ -36,11 +36,8 @@ struct result {
     double time_error; /* the part of error.l1 that the time step makes up; 0 for exact, NaN where unknown */
     double reference_error; /* what the reference's own error can make up of error.l1 */
     double rounding;        /* what rounding can make up of error.l1 */
-    double seconds, step_seconds;
-    long long updates, interactions;
+    struct cost cost;
     long long search_updates; /* of the runs that the choice of the time step took beside this one */
-    double work;              /* all that is done, counted (solver/outline.h) */
-    size_t bytes;
 };
 
 /* 1 where the method takes the option, by its key. */

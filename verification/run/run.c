@@ -91,12 +91,7 @@ static int measure(const struct experiment *e, const struct field *f, const doub
     out->settling = f->settling;
     out->heat_drift = norms_heat_drift(f);
     out->rounding = rounding(e, f, dx);
-    out->seconds = f->seconds;
-    out->step_seconds = f->step_seconds;
-    out->updates = f->updates;
-    out->work = f->work;
-    out->interactions = f->interactions;
-    out->bytes = f->bytes;
+    out->cost = f->cost;
     return STATUS_OK;
 }
 

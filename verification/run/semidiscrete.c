@@ -37,7 +37,7 @@ int semidiscrete_polynomials(const struct experiment *e, struct semidiscrete *s,
     do {
         if ((status = march(e, 2 * s->field.steps, &s->field, &finer, why))) break;
         s->error = field_distance(&finer, s->field.T, finer.T);
-        s->updates += s->field.updates;
+        s->updates += s->field.cost.updates;
         field_free(&s->field);
         s->field = finer, s->steps = finer.steps;
     } while (s->error > AGREE && s->steps < STEPS_MAX);

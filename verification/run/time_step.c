@@ -53,7 +53,7 @@ static int try_steps(struct search *s, double steps, struct trial *t, struct fai
     if (s->coarse.field.x) with.placed = &s->coarse.field;
     t->steps = steps;
     int status = symmetry_solve(s->e->method, &s->e->problem, &with, &t->field, why);
-    if (!status) s->updates += t->field.updates;
+    if (!status) s->updates += t->field.cost.updates;
     return status;
 }
 
@@ -207,8 +207,8 @@ static int solve_searched(const struct experiment *e, struct field *f, struct ti
         return status;
     }
     *f = s.fine.field;
-    f->bytes += time_step_bytes(e, f->n, f->n * sizeof *f->T * (size_t)(f->dim + 1 + (f->weight != NULL)));
-    stepping->updates = s.updates - f->updates;
+    f->cost.bytes += time_step_bytes(e, f->n, f->n * sizeof *f->T * (size_t)(f->dim + 1 + (f->weight != NULL)));
+    stepping->updates = s.updates - f->cost.updates;
     return STATUS_OK;
 }
 
@@ -232,7 +232,7 @@ static int solve_by_polynomials(const struct experiment *e, struct field *f, str
     *f = s.field;
     stepping->time_error = s.error / norms_error(&e->problem, f, exact, NORMS_ALL, 0).l1;
     stepping->updates = s.updates;
-    f->bytes += time_step_bytes(e, f->n, f->n * sizeof *f->T * (size_t)(f->dim + 1 + (f->weight != NULL)));
+    f->cost.bytes += time_step_bytes(e, f->n, f->n * sizeof *f->T * (size_t)(f->dim + 1 + (f->weight != NULL)));
     free(exact);
     return STATUS_OK;
 }

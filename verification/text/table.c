@@ -14,26 +14,35 @@ struct table table_create(int columns, int left) {
     return (struct table){.columns = columns, .left = left};
 }
 
-struct table table_headed(int left, const char *header) {
-    struct table t = table_create(1, left);
-    for (const char *at = header; *at; at++) t.columns += *at == '|';
-    for (const char *at = header;; at++) {
-        int length = (int)strcspn(at, "|");
-        table_add(&t, "%.*s", length, at);
-        at += length;
-        if (!*at) return t;
+/* The parts of the text between bars; the last of so many has all that is left. */
+static void add_cells(struct table *t, const char *text, int count) {
+    for (; count > 0; count--) {
+        size_t length = count > 1 ? strcspn(text, "|") : strlen(text);
+        if (t->cells == t->room) {
+            t->room = t->room ? 2 * t->room : 8 * t->columns;
+            t->cell = xgrow(t->cell, (size_t)t->cells, (size_t)t->room, sizeof *t->cell);
+        }
+        snprintf(t->cell[t->cells++], TABLE_CELL, "%.*s", (int)length, text);
+        text += length + (text[length] == '|');
     }
 }
 
+struct table table_headed(int left, const char *header) {
+    struct table t = table_create(1, left);
+    for (const char *at = header; *at; at++) t.columns += *at == '|';
+    add_cells(&t, header, t.columns);
+    return t;
+}
+
 void table_add(struct table *t, const char *format, ...) {
-    if (t->cells == t->room) {
-        t->room = t->room ? 2 * t->room : 8 * t->columns;
-        t->cell = xgrow(t->cell, (size_t)t->cells, (size_t)t->room, sizeof *t->cell);
-    }
+    char text[TABLE_COLUMNS * TABLE_CELL];
+    int count = 1;
+    for (const char *at = format; *at; at++) count += *at == '|';
     va_list arguments;
     va_start(arguments, format);
-    vsnprintf(t->cell[t->cells++], TABLE_CELL, format, arguments);
+    vsnprintf(text, sizeof text, format, arguments);
     va_end(arguments);
+    add_cells(t, text, count);
 }
 
 void table_number(struct table *t, const char *format, double value, const char *none) {
@@ -50,7 +59,7 @@ static int ends_in_words(const struct table *t) {
     return 0;
 }
 
-void table_print(const struct table *t, FILE *out) {
+void table_end(struct table *t, FILE *out) {
     int width[TABLE_COLUMNS] = {0}, words = ends_in_words(t);
     for (int i = 0; i < t->cells; i++) {
         int w = (int)strlen(t->cell[i]), c = i % t->columns;
@@ -64,6 +73,7 @@ void table_print(const struct table *t, FILE *out) {
         fprintf(out, "%s%s%*s%s%s", c ? "  " : "", paint_start(out, text), w, text, paint_end(out, text),
                 last ? "\n" : "");
     }
+    table_free(t);
 }
 
 void table_free(struct table *t) {

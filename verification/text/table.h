@@ -16,15 +16,16 @@ struct table {
     char (*cell)[TABLE_CELL];
 };
 
-/* Without a row yet; end with table_free. */
+/* Without a row yet; end with table_end. */
 struct table table_create(int columns, int left);
 /* With a first row: "one|two|three". */
 struct table table_headed(int left, const char *header);
+/* One cell, or several: "%s|%d|%.3g".  The last takes all that is left, bars too. */
 void table_add(struct table *t, const char *format, ...) __attribute__((format(printf, 2, 3)));
 /* The value, or `none` where it is not finite. */
 void table_number(struct table *t, const char *format, double value, const char *none)
     __attribute__((format(printf, 2, 0)));
-void table_print(const struct table *t, FILE *out);
+void table_end(struct table *t, FILE *out); /* prints and frees it */
 void table_free(struct table *t);
 
 #endif

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Any file is read as a field of finite numbers that covers the domain, or refused with a text: tables, VTK and VTU,
+/* Any file is read as a field of finite numbers that covers the domain, or refused with a text: tables and VTK,
  * for a rod (first byte even) or a rectangle, with or without a map of columns (second bit). */
 #include "verification/foreign/field_file.h"
 

@@ -80,10 +80,10 @@ static void work_is_counted(void **state) {
     (void)state;
     struct result ftcs = run("run rod-step ftcs --dx 4/32 --dt 0.125");
     struct result cell = run("run rod-step ftcs --dx 4/32 --dt 0.125 --sampling cell");
-    assert_near(ftcs.work, 40 * (16 * (2 + 2) + 16 * 4) + 8 * 16 * (20 + 36), 1e-9);
-    assert_near(cell.work - ftcs.work, 8 * 16 * 36 * 3, 1e-9);
+    assert_near(ftcs.cost.work, 40 * (16 * (2 + 2) + 16 * 4) + 8 * 16 * (20 + 36), 1e-9);
+    assert_near(cell.cost.work - ftcs.cost.work, 8 * 16 * 36 * 3, 1e-9);
     struct result twice = run("run rod-step ftcs --dx 4/32 --dt 0.0625");
-    assert_near(twice.work - ftcs.work, 40 * (16 * (2 + 2) + 16 * 4), 1e-9);
+    assert_near(twice.cost.work - ftcs.cost.work, 40 * (16 * (2 + 2) + 16 * 4), 1e-9);
 }
 
 /* What rkl2 saves is counted over all its updates, those of a damped first step among them: twice the updates, half
@@ -96,8 +96,8 @@ static void a_damped_start_counts_in_the_saving(void **state) {
     for (int i = 0; i < 2; i++) {
         struct result r = run(lines[i]);
         double quarter = (double)r.particles / 4;
-        assert_order((double)r.updates, >, quarter * (double)r.steps * r.stages);
-        euler[i] = r.saving * (double)r.updates / quarter;
+        assert_order((double)r.cost.updates, >, quarter * (double)r.steps * r.stages);
+        euler[i] = r.saving * (double)r.cost.updates / quarter;
     }
     assert_near(euler[0] / euler[1], 1, 1e-12);
 }
@@ -120,8 +120,8 @@ static void costs_are_predicted(void **state) {
             int status = candidate_run(c, &r.experiment, n, &result);
             assert_int_equal(candidate_predict(c, &r.experiment, n, &cost, &why), status);
             if (status) continue;
-            assert_near(cost.work, result.work, 0);
-            assert_order(cost.bytes, >=, (double)result.bytes);
+            assert_near(cost.work, result.cost.work, 0);
+            assert_order(cost.bytes, >=, (double)result.cost.bytes);
             assert_order(cost.rounding, <, result.rounding);
             assert_order(cost.rounding, >, 0);
             if (c->steps > 0) assert_int_equal(result.steps, 13);
@@ -136,13 +136,13 @@ static void costs_are_predicted(void **state) {
 /* What else a candidate may do once outweighs the one stencil of a lattice. */
 static void searches_and_rows_cost_more_than_a_stencil(void **state) {
     (void)state;
-    double once = run("run square-step so_ssph --dx 0.1 --fourier 1e9 --stepper euler --set t_end=1e-9").work;
+    double once = run("run square-step so_ssph --dx 0.1 --fourier 1e9 --stepper euler --set t_end=1e-9").cost.work;
     double searched =
-        run("run square-step so_ssph --dx 0.1 --h iso --fourier 1e9 --stepper euler --set t_end=1e-9").work;
+        run("run square-step so_ssph --dx 0.1 --h iso --fourier 1e9 --stepper euler --set t_end=1e-9").cost.work;
     double rows = run("run square-step so_ssph --dx 0.1 --layout jitter --jitter 0 --fourier 1e9 --stepper euler "
                       "--set t_end=1e-9")
-                      .work;
-    double exact = run("run square-step so_ssph --dx 0.1 --stepper exact --set t_end=1e-9").work;
+                      .cost.work;
+    double exact = run("run square-step so_ssph --dx 0.1 --stepper exact --set t_end=1e-9").cost.work;
     assert_order(searched, >, 1.2 * once);
     assert_order(rows, >, 5 * once);
     assert_order(exact, >, 2 * once);

@@ -33,7 +33,7 @@ static void keeps(const char *line, double error) {
     assert_order(c->best.predicted_error, <=, error);
     assert_order(c->proof.error.l1, >, 0.5 * c->best.predicted_error);
     assert_order(c->proof.error.l1, <, 2 * c->best.predicted_error);
-    assert_near(c->proof.work, c->best.predicted_work, 0); /* told by the plan of that very run */
+    assert_near(c->proof.cost.work, c->best.predicted_work, 0); /* told by the plan of that very run */
     for (int i = 1; i < c->count; i++) assert_true(!(c->one[i].predicted_work < c->one[0].predicted_work));
     free(c);
 }
@@ -62,7 +62,7 @@ static void a_step_of_polynomials_is_chosen_where_no_transform_is(void **state) 
     assert_int_equal(c->best.candidate->options.stepper, STEPPER_CHEBYSHEV);
     assert_int_equal(c->proofs, 1);
     assert_int_equal(c->proof.steps, 1);
-    assert_order(c->proof.work, <, 2 * 6.9e6);
+    assert_order(c->proof.cost.work, <, 2 * 6.9e6);
     free(c);
 }
 
@@ -111,7 +111,7 @@ static void domains_without_a_lattice_are_told_of_one(void **state) {
 
 /* As candidate_predict counts it: rows at ten times their pairs, and the exact temperature of each particle. */
 static double whole(const struct result *r, int rows) {
-    return r->work + 1e4 * (double)r->particles + (rows ? 9 * (double)r->interactions : 0);
+    return r->cost.work + 1e4 * (double)r->particles + (rows ? 9 * (double)r->cost.interactions : 0);
 }
 
 /* No run may take more than 1e9 pairs.  What was the best then is within reach, and work was left for nothing finer.

@@ -68,6 +68,16 @@ static void a_condition_is_what_holds_as_published_alone(void **state) {
 static void the_only_stable_one_is_alone(void **state) {
     (void)state;
     assert_int_equal(judge(others_only, "conjugate | cspm", CLAIMS_REPRODUCED).verdict, CLAIMS_REPRODUCED);
+    assert_int_equal(
+        judge(others_orders, "> brookshaw, jitter 0 | + > brookshaw, jitter 0.3", CLAIMS_CONDITION).verdict,
+        CLAIMS_CONDITION);
+    assert_int_equal(judge(others_orders, "< so_ssph, jitter 0.3", CLAIMS_REPRODUCED).verdict, CLAIMS_CONTRADICTED);
+    assert_int_equal(judge(others_better, "10 | so_ssph | positive", CLAIMS_REPRODUCED).verdict, CLAIMS_CONTRADICTED);
+    assert_int_equal(judge(others_better, "1.2 | positive | so_ssph", CLAIMS_REPRODUCED).verdict, CLAIMS_REPRODUCED);
+    assert_int_equal(
+        judge(others_step, "0.2 1 | kernel_second --dim 2 --layout jitter --jitter 0.3 --seed 1", CLAIMS_CONTRADICTED)
+            .verdict,
+        CLAIMS_CONTRADICTED);
     assert_int_equal(judge(others_only, "conjugate | voronoi_flux", CLAIMS_REPRODUCED).verdict, CLAIMS_CONTRADICTED);
     assert_int_equal(judge(others_only, "cspm | cspm", CLAIMS_REPRODUCED).verdict, CLAIMS_CONTRADICTED);
 }

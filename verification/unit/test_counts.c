@@ -24,9 +24,9 @@ static struct result result_of(const char *line) {
 static void pairs_are_neighbours(void **state) {
     (void)state;
     struct result rod = result_of("run rod-cosine so_ssph --dx 0.05 --stepper euler --fourier 0.2");
-    assert_near((double)rod.interactions / (double)rod.updates, 4, 0);
+    assert_near((double)rod.cost.interactions / (double)rod.cost.updates, 4, 0);
     struct result plane = result_of("run plate brookshaw --dx 0.01 --stepper euler --fourier 0.1");
-    assert_near((double)plane.interactions / (double)plane.updates, 12, 0);
+    assert_near((double)plane.cost.interactions / (double)plane.cost.updates, 12, 0);
 }
 
 /* kappa = 0.013 m^2/s */
@@ -82,7 +82,7 @@ static void a_damped_start_takes_what_its_parts_need(void **state) {
         assert_int_equal(s[1], rkl2_stages(z / 2, 1));
     }
     struct result r = result_of("run rod-step so_ssph --dx 0.02 --stepper rkl2 --dt 0.5 --domain whole");
-    long long first = r.updates / (long long)r.particles - (r.steps - 1) * r.stages;
+    long long first = r.cost.updates / (long long)r.particles - (r.steps - 1) * r.stages;
     int least[2], most[2], s = r.stages;
     rkl2_start(1, ((s - 2) * (s - 1) - 2) / 2.0, least);
     rkl2_start(1, (s * (s + 1) - 2) / 2.0, most);

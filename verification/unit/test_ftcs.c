@@ -28,9 +28,9 @@ static void decays_as_its_symbol(const struct method *m, struct problem *p, enum
     assert_near(mode_error(p, &f, pow(gain, 217)), 0, 5e-13);
     assert_order(pow(gain, 217), <, 0.95);
     assert_order(pow(gain, 217), >, 0.001);
-    assert_int_equal(f.updates, 217 * (long long)f.n);
-    assert_int_equal(f.interactions, f.updates * p->dim * (m == &method_ftcs ? 2 : 4));
-    assert_order(f.bytes, <=, 8 * (3 * f.n + 30 * (size_t)(f.shape[0] + f.shape[1])));
+    assert_int_equal(f.cost.updates, 217 * (long long)f.n);
+    assert_int_equal(f.cost.interactions, f.cost.updates * p->dim * (m == &method_ftcs ? 2 : 4));
+    assert_order(f.cost.bytes, <=, 8 * (3 * f.n + 30 * (size_t)(f.shape[0] + f.shape[1])));
     field_free(&f);
 }
 

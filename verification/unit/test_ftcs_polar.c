@@ -183,9 +183,9 @@ static void the_outline_says_what_is_held(void **state) {
     assert_int_equal(method_solve(&method_ftcs, &p, &o, &f, &why), 0);
     assert_int_equal(out.run.n, f.n);
     assert_int_equal(out.run.steps, f.steps);
-    assert_int_equal(out.run.updates, f.updates);
-    assert_near(out.run.work, f.work, 0);
-    assert_near((double)out.bytes[OUTLINE_STEPS] / (double)f.bytes, 1, 0.1);
+    assert_int_equal(out.run.cost.updates, f.cost.updates);
+    assert_near(out.run.cost.work, f.cost.work, 0);
+    assert_near((double)out.bytes[OUTLINE_STEPS] / (double)f.cost.bytes, 1, 0.1);
     field_free(&f);
 }
 

@@ -99,6 +99,19 @@ static void derivatives_are_of_particle_methods(void **state) {
                      VERDICT_PASS);
 }
 
+/* Linear images are of second order where the wall lies midway, and there alone; a fit is at every offset, and its
+ * largest error is not at the first. */
+static void every_offset_has_to_pass(void **state) {
+    (void)state;
+    const char *image = "ladder rod-cooling so_ssph --walls image --dx 0.3/20,0.3/40,0.3/80,0.3/160";
+    const char *fit = "ladder rod-cooling so_ssph --walls fit --dx 0.3/20,0.3/40,0.3/80,0.3/160";
+    assert_int_equal(judge("slope", image, 1.8, 2.3, 1).verdict, VERDICT_PASS);
+    assert_fails(judge("slope_offsets", image, 1.8, 2.3, 1), "offset 0.1 dx: ");
+    struct measured one = judge("slope", fit, 1.8, 2.2, 1), all = judge("slope_offsets", fit, 1.8, 2.2, 1);
+    assert_int_equal(all.verdict, VERDICT_PASS);
+    assert_order(all.error, >, 1.2 * one.error);
+}
+
 static void a_gate_without_a_ceiling_says_none(void **state) {
     (void)state;
     const struct gate gate = {"test", TIER_QUICK, "slope", LADDER, 1.9, 2.1, NAN, "a test"};
@@ -297,6 +310,7 @@ int main(void) {
         cmocka_unit_test(what_is_unstable_fails_with_its_reason),
         cmocka_unit_test(what_is_not_finite_fails),
         cmocka_unit_test(derivatives_are_of_particle_methods),
+        cmocka_unit_test(every_offset_has_to_pass),
         cmocka_unit_test(a_gate_without_a_ceiling_says_none),
         cmocka_unit_test(measures_measure),
         cmocka_unit_test(cooled_walls_are_held_to_both_limits),

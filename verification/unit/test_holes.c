@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* A lattice that lacks a point is refused with the place; what is no lattice, or one with another pattern, is not. */
-#include "verification/foreign/holes.h"
+#include "verification/foreign/points_checks.h"
 
 #include "references/scene.h"
 #include "solver/problem.h"

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* NumPy's arrays: columns, fields, and what is none. */
-#include "verification/foreign/npy_file.h"
+#include "verification/foreign/formats.h"
 
 #include "verification/foreign/samples.h"
 

@@ -26,16 +26,16 @@ static void as_planned(const char *line) {
     if (run_experiment(&r.experiment, &result, NULL)) fail_msg("%s: %s", line, result.failure.text);
     const struct field *part = &plan.part.run;
     size_t bytes = plan.part.bytes[OUTLINE_STEPS];
-    if (plan.particles != result.particles || part->steps != result.steps || bytes != result.bytes ||
-        part->updates != result.updates || part->interactions != result.interactions ||
+    if (plan.particles != result.particles || part->steps != result.steps || bytes != result.cost.bytes ||
+        part->cost.updates != result.cost.updates || part->cost.interactions != result.cost.interactions ||
         plan.options.stepper != result.options.stepper)
         fail_msg("%s: planned %zu particles, %lld steps, %lld updates, %zu bytes; the run has %zu, %lld, %lld, %zu",
-                 line, plan.particles, part->steps, part->updates, bytes, result.particles, result.steps,
-                 result.updates, result.bytes);
+                 line, plan.particles, part->steps, part->cost.updates, bytes, result.particles, result.steps,
+                 result.cost.updates, result.cost.bytes);
     assert_near(part->dt, result.dt, 1e-15 * result.dt);
-    assert_near(part->work, result.work, 0);
+    assert_near(part->cost.work, result.cost.work, 0);
     if (result.options.stepper != STEPPER_RKL2) /* whose first step may be two of other stages */
-        assert_int_equal(part->updates, (long long)part->n * (part->steps ? part->steps * part->stages : 1));
+        assert_int_equal(part->cost.updates, (long long)part->n * (part->steps ? part->steps * part->stages : 1));
     arguments_free(&r);
 }
 
@@ -123,8 +123,8 @@ static void many_rows_are_estimated(void **state) {
     assert_int_equal(plan.particles, result.particles);
     assert_int_equal(plan.part.run.steps, result.steps);
     assert_order(abs(plan.part.run.stages - result.stages), <=, 2);
-    assert_near((double)plan.part.bytes[OUTLINE_STEPS] / (double)result.bytes, 1, 0.02);
-    assert_near(plan.part.neighbours / ((double)result.interactions / (double)result.updates), 1, 0.02);
+    assert_near((double)plan.part.bytes[OUTLINE_STEPS] / (double)result.cost.bytes, 1, 0.02);
+    assert_near(plan.part.neighbours / ((double)result.cost.interactions / (double)result.cost.updates), 1, 0.02);
     arguments_free(&r);
 }
 

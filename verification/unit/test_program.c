@@ -51,7 +51,7 @@ static void agrees_with_our_own(void **state) {
     assert_int_equal(mine.steps, ours.steps);
     assert_near(mine.error.l1, ours.error.l1, 1e-13);
     assert_near(mine.error.linf, ours.error.linf, 1e-12);
-    assert_near(mine.step_seconds, 0.25, 0); /* as the program says */
+    assert_near(mine.cost.step_seconds, 0.25, 0); /* as the program says */
 }
 
 static void its_order_is_judged(void **state) {

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Two points at one place, among points in rows, in columns and in no order: found wherever all pairs have some. */
-#include "verification/foreign/same_points.h"
+#include "verification/foreign/points_checks.h"
 
 #include "solver/problem.h"
 #include "solver/status.h"

@@ -32,8 +32,8 @@ static void as_the_whole(const char *line, int saving) {
         assert_near(part.T[i], whole.T[i], 2e-13);
     }
     assert_near(part.heat[1] / whole.heat[1], 1, 1e-13);
-    assert_int_equal(part.updates * saving, whole.updates);
-    assert_true(saving == 1 || part.bytes < whole.bytes);
+    assert_int_equal(part.cost.updates * saving, whole.cost.updates);
+    assert_true(saving == 1 || part.cost.bytes < whole.cost.bytes);
     field_free(&part);
     field_free(&whole);
 }

@@ -195,13 +195,47 @@ static void two_sweeps_are_their_rows(void **state) {
     }
 }
 
+/* Multiplied out, as where walls cut the lattice: the same rows, and the same that walls add. */
+static void rows_multiplied_out_are_the_same(void **state) {
+    (void)state;
+    struct problem p = odd_rectangle();
+    struct options o = {.dx = 0.05, .h = 1.23, .seed = 7, .layout = LAYOUT_JITTER, .jitter = 0.31};
+    struct lattice l;
+    struct cloud c;
+    struct heat_operator a, b = {0};
+    struct failure why;
+    struct row r;
+    assert_int_equal(layout_lattice(&p, &o, 1, &l, &why), STATUS_OK);
+    assert_int_equal(layout_cloud(&p, &o, &l, 4 * o.h * l.dx[0], &c, &why), STATUS_OK);
+    assert_int_equal(operator_create_csr(&a, &p, &o, method_fo_ssph.scheme, &c, l.dx[0], &why), STATUS_OK);
+    b.n = b.state = c.n;
+    assert_int_equal(csr_assemble(&b, &p, &o, method_fo_ssph.scheme, &c, l.dx[0], &why), STATUS_OK);
+    assert_non_null(a.gradient);
+    assert_null(b.gradient);
+    double *Y[2] = {xcalloc(a.state, sizeof(double)), xcalloc(a.state, sizeof(double))}, bound = operator_bound(&a);
+    double *x = xcalloc(a.n, sizeof *x);
+    for (size_t i = 0; i < a.n; i++) Y[0][i] = x[i] = sin(0.37 * (double)(i * i % 101));
+    state_update(&a, &(struct update){.rate = 1}, 1, Y);
+    csr_row_create(&r, b.n);
+    for (size_t i = 0; i < b.n; i++) {
+        double sum = b.g ? b.g[i] : 0;
+        operator_row_take(&b, i, &r);
+        for (size_t k = 0; k < r.n; k++) sum += r.value[r.column[k]] * x[r.column[k]];
+        assert_near(Y[0][i], sum, 1e-13 * bound);
+    }
+    csr_row_free(&r);
+    free(Y[0]), free(Y[1]), free(x);
+    layout_cloud_free(&c);
+    operator_free(&a);
+    operator_free(&b);
+}
+
 int main(void) {
     gsl_set_error_handler_off();
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(threads_change_no_pair),
-        cmocka_unit_test(what_no_temperature_needs_is_zero),
-        cmocka_unit_test(no_thread_changes_a_bit),
-        cmocka_unit_test(two_sweeps_are_their_rows),
+        cmocka_unit_test(threads_change_no_pair),           cmocka_unit_test(what_no_temperature_needs_is_zero),
+        cmocka_unit_test(no_thread_changes_a_bit),          cmocka_unit_test(two_sweeps_are_their_rows),
+        cmocka_unit_test(rows_multiplied_out_are_the_same),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

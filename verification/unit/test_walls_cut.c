@@ -102,6 +102,30 @@ static void every_treatment_keeps_a_constant(void **state) {
             }
 }
 
+/* What a pair extrapolates is linear, and so exact across a rod, where the ratio of distances has no bound. */
+static void a_bound_on_the_ratio_of_distances_is_felt(void **state) {
+    (void)state;
+    extern const struct method method_so_ssph;
+    static const double most[] = {1e9, 30, 0, 1.5}; /* 0: 1.5 */
+    double off[4] = {0};
+    struct problem p = body(0, DIRICHLET, &linear);
+    p.dim = 1;
+    for (int k = 0; k < 4; k++) {
+        struct options o = {.dx = 0.1, .shift = 0.37, .walls = WALLS_DISTANCE, .stepper = STEPPER_RKL2};
+        struct field f;
+        struct failure why;
+        o.ratio_most = most[k];
+        if (method_solve(&method_so_ssph, &p, &o, &f, &why)) fail_msg("%s", why.text);
+        for (size_t i = 0; i < f.n; i++)
+            off[k] = fmax(off[k], fabs(f.T[i] - value(&linear, (const double[2]){f.x[i], 0})));
+        field_free(&f);
+    }
+    assert_near(off[0], 0, 1e-11);
+    assert_near(off[1], 0, 1e-11); /* the largest is 1 + 2.17/0.13 */
+    assert_order(off[2], >, 1e-3);
+    assert_true(off[2] == off[3]);
+}
+
 static void what_a_treatment_does_not_take_is_refused(void **state) {
     (void)state;
     struct failure why;
@@ -116,14 +140,16 @@ static void what_a_treatment_does_not_take_is_refused(void **state) {
 }
 
 /* so_ssph is exact for quadratics, dummies continue them, and the one-sided fit is exact for them: d T/dt = kappa lap
- * T everywhere, held particles apart. */
+ * T everywhere, held particles apart.  First derivatives are exact for quadratics on the lattice that the dummies go
+ * on with, two kernels deep. */
 static void a_quadratic_rises_evenly(void **state) {
     (void)state;
-    extern const struct method method_so_ssph, method_fatehi_manzari;
-    const struct method *const all[] = {&method_so_ssph, &method_fatehi_manzari, &method_so_ssph};
+    extern const struct method method_so_ssph, method_fatehi_manzari, method_fo_ssph, method_flux_divergence;
+    const struct method *const all[] = {&method_so_ssph, &method_fatehi_manzari, &method_so_ssph, &method_fo_ssph,
+                                        &method_flux_divergence};
     struct field_of harmonic = quadratic;
     harmonic.yy = -harmonic.xx;
-    for (int m = 0; m < 3; m++)
+    for (int m = 0; m < 5; m++)
         for (int round = 0; round < 3; round++)
             for (int kind = DIRICHLET; kind <= ROBIN; kind++) {
                 struct problem p = body(round, (enum side_kind)kind, &harmonic);
@@ -175,6 +201,30 @@ static void what_has_no_one_sided_fit_is_refused(void **state) {
     o.dx = 0.9; /* few particles in all */
     assert_int_equal(method_solve(&method_so_ssph, &p, &o, &f, &why), STATUS_NUMERICAL);
     assert_non_null(strstr(why.text, "at least 15 are needed; take a smaller --dx"));
+}
+
+/* Modes grow there: in 8 of 12 lattices with `image`, on rectangles with `mirror`.  A rod takes both. */
+static void what_grows_with_two_sweeps_is_refused(void **state) {
+    (void)state;
+    extern const struct method method_fo_ssph, method_conjugate;
+    static const enum walls grow[] = {WALLS_MIRROR, WALLS_IMAGE, WALLS_DISTANCE};
+    struct problem p = body(0, DIRICHLET, &flat);
+    struct field f;
+    struct failure why;
+    for (int t = 0; t < 3; t++) {
+        struct options o = {.dx = 0.1, .walls = grow[t], .shift = 0.3, .stepper = STEPPER_RKL2};
+        assert_int_equal(method_solve(&method_fo_ssph, &p, &o, &f, &why), STATUS_NOT_APPLICABLE);
+        assert_non_null(strstr(why.text, "take fit"));
+    }
+    struct options o = {.dx = 0.1, .walls = WALLS_FIT, .stepper = STEPPER_RKL2};
+    assert_int_equal(method_solve(&method_conjugate, &p, &o, &f, &why), STATUS_NOT_APPLICABLE);
+    p.dim = 1, o.shift = 0.3;
+    for (int t = 0; t < 2; t++) {
+        o.walls = grow[t];
+        assert_int_equal(method_solve(&method_fo_ssph, &p, &o, &f, &why), STATUS_OK);
+        for (size_t i = 0; i < f.n; i++) assert_near(f.T[i], flat.a, 1e-13);
+        field_free(&f);
+    }
 }
 
 static void particles_on_a_wall_hold_its_temperature(void **state) {
@@ -233,10 +283,12 @@ int main(void) {
         cmocka_unit_test(fits_continue_quadratics),
         cmocka_unit_test(images_continue_linear_temperatures),
         cmocka_unit_test(every_treatment_keeps_a_constant),
+        cmocka_unit_test(a_bound_on_the_ratio_of_distances_is_felt),
         cmocka_unit_test(what_a_treatment_does_not_take_is_refused),
         cmocka_unit_test(a_quadratic_rises_evenly),
         cmocka_unit_test(one_sided_rows_do_not_grow_beside_a_wall),
         cmocka_unit_test(what_has_no_one_sided_fit_is_refused),
+        cmocka_unit_test(what_grows_with_two_sweeps_is_refused),
         cmocka_unit_test(particles_on_a_wall_hold_its_temperature),
         cmocka_unit_test(clipped_cells_fill_the_body),
         cmocka_unit_test(whole_cells_have_the_volume_of_a_particle),

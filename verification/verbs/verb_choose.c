@@ -47,21 +47,18 @@ static void print_text(const struct request *r, const struct choose *c) {
         putchar('\n');
         printf("  %-10s dx = %g m, %zu particles, %lld steps of %g s\n", "size", p->options.dx, p->particles,
                p->steps, p->dt);
-        printf("  %-10s %.3g s, work of %.3g pairs, %d proving run%s\n\n", "cost", p->seconds, p->work, c->proofs,
-               c->proofs == 1 ? "" : "s");
+        printf("  %-10s %.3g s, work of %.3g pairs, %d proving run%s\n\n", "cost", p->cost.seconds, p->cost.work,
+               c->proofs, c->proofs == 1 ? "" : "s");
     }
     struct table t = table_headed(1, "candidate|particles along x|order|E1 predicted|work [pairs]");
     for (int i = 0; i < c->count; i++) {
         const struct extrapolation *o = &c->one[i];
         if (!isfinite(o->predicted_work)) continue;
-        table_add(&t, "%s", o->candidate->label);
-        table_add(&t, "%d", o->wanted);
+        table_add(&t, "%s|%d", o->candidate->label, o->wanted);
         table_number(&t, "%.2f", o->order > 0 ? o->order : NAN, "-");
-        table_add(&t, "%.3e", o->predicted_error);
-        table_add(&t, "%.3g", o->predicted_work);
+        table_add(&t, "%.3e|%.3g", o->predicted_error, o->predicted_work);
     }
-    table_print(&t, stdout);
-    table_free(&t);
+    table_end(&t, stdout);
     for (int i = 0; i < c->count; i++)
         if (*c->one[i].reason) printf("left out: %s: %s\n", c->one[i].candidate->label, c->one[i].reason);
 }
@@ -102,8 +99,8 @@ static void print_json(const struct request *r, const struct choose *c) {
         json_number(&j, "measured_error", p->error.l1);
         json_number(&j, "error_between", c->between);
         json_number(&j, "predicted_work", c->best.predicted_work);
-        json_number(&j, "measured_work", p->work);
-        json_number(&j, "seconds", p->seconds);
+        json_number(&j, "measured_work", p->cost.work);
+        json_number(&j, "seconds", p->cost.seconds);
         json_whole(&j, "proving_runs", c->proofs);
     }
     json_array(&j, "runners_up");

@@ -19,29 +19,9 @@
 #include <stdio.h>
 #include <stdlib.h>
 
-static void add_rung(struct table *t, const struct ladder *l, int i) {
-    const struct result *r = &l->rung[i];
-    int failed = r->failure.status != STATUS_OK;
-    table_add(t, "%.6g", ladder_asked(l, i));
-    table_add(t, "%zu", r->particles);
-    table_add(t, "%lld", r->steps);
-    table_number(t, "%.4e", failed ? NAN : r->error.l1, "-");
-    table_number(t, "%.4e", failed ? NAN : r->derived_name ? r->derived : r->error.l2, "-");
-    table_number(t, "%.4e", failed ? NAN : r->derived_name ? r->derived_error : r->error.linf, "-");
-    if (i == 0)
-        table_add(t, " ");
-    else
-        table_number(t, "%.3f", l->local[i - 1], "-");
-    table_number(t, "%.2g", 100 * r->time_error, " ");
-    table_number(t, "%.2g", r->seconds, "-");
-    table_add(t, "%s", failed ? r->failure.text : l->window.left_out[i]);
-}
-
 static void print_text(const struct ladder *l) {
-    char header[160], what[240];
-    snprintf(header, sizeof header, "%s|particles|steps|E1|%s|slope|time [%%]|seconds|left out", ladder_axis(l),
-             l->norm == LADDER_QUANTITY ? "quantity|its error" : "L2|Linf [K]");
-    struct table t = table_headed(0, header);
+    char what[240];
+    struct table t = ladder_table(l, 1);
     const char *verdict = verdict_words[l->verdict];
     result_describe(&l->rung[l->n - 1], what, sizeof what);
     printf("%s\n", what);
@@ -56,9 +36,7 @@ static void print_text(const struct ladder *l) {
                l->semidiscrete_steps, l->semidiscrete_error);
     if (l->rung[0].derived_name) printf("the exact quantity is %.12g\n", l->rung[0].derived_exact);
     printf("\n");
-    for (int i = 0; i < l->n; i++) add_rung(&t, l, i);
-    table_print(&t, stdout);
-    table_free(&t);
+    table_end(&t, stdout);
     ladder_slope_text(l, what, sizeof what);
     printf("\n%s\n", what);
     printf("%s%s%s: %s (%.2g s)\n", paint_start(stdout, verdict), verdict, paint_end(stdout, verdict), l->reason,
@@ -108,8 +86,7 @@ static void print_gci(const struct gci *g) {
         "\n\n",
         g->n, g->h[g->n - 3], g->h[g->n - 2], g->h[g->n - 1], g->h[g->n - 3] / g->h[g->n - 2],
         g->h[g->n - 2] / g->h[g->n - 1]);
-    table_print(&t, stdout);
-    table_free(&t);
+    table_end(&t, stdout);
     printf("\n%s", gci_note);
 }
 

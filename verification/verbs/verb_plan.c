@@ -79,8 +79,8 @@ static void print_text(const struct experiment *e, const struct plan *plan) {
     if (part->run.steps)
         printf(", %lld of %.6g s, %d stage%s", part->run.steps, part->run.dt, part->run.stages,
                part->run.stages == 1 ? "" : "s");
-    printf("\n  %-13s %lld updates, %lld interactions%s\n", "work", part->run.updates, part->run.interactions,
-           plan->refined ? ", and the runs of the search" : "");
+    printf("\n  %-13s %lld updates, %lld interactions%s\n", "work", part->run.cost.updates,
+           part->run.cost.interactions, plan->refined ? ", and the runs of the search" : "");
     printf("  %-13s %zu bytes while time runs, %.4g for each particle that is computed; at most %zu (%s)\n", "memory",
            part->bytes[OUTLINE_STEPS], (double)part->bytes[OUTLINE_STEPS] / (double)part->run.n, part->bytes[peak],
            plan_phases[peak]);
@@ -115,8 +115,8 @@ static void print_json(const struct experiment *e, const struct plan *plan, stru
     json_whole(j, "steps", part->run.steps);
     json_whole(j, "stages", part->run.stages);
     json_whole(j, "steps_refined", plan->refined);
-    json_whole(j, "updates", part->run.updates);
-    json_whole(j, "interactions", part->run.interactions);
+    json_whole(j, "updates", part->run.cost.updates);
+    json_whole(j, "interactions", part->run.cost.interactions);
     json_whole(j, "bytes", (long long)part->bytes[OUTLINE_STEPS]);
     json_number(j, "bytes_per_particle", (double)part->bytes[OUTLINE_STEPS] / (double)part->run.n);
     json_whole(j, "bytes_peak", (long long)part->bytes[plan_peak(plan)]);

@@ -14,17 +14,17 @@
 #include <math.h>
 #include <stdio.h>
 
-/* unit: of --quantity */
 /* What is known of it: a program may say nothing but its answer. */
 static void print_cost(const struct result *r) {
-    if (isnan(r->seconds) && r->updates == 0) return;
+    if (isnan(r->cost.seconds) && r->cost.updates == 0) return;
     printf("  %-14s", "cost");
-    if (!isnan(r->seconds)) printf(" %.3g s%s", r->seconds, r->updates > 0 ? "," : "");
-    if (r->updates > 0) printf(" %lld updates", r->updates);
-    if (r->interactions > 0) printf(", %lld interactions, %zu bytes", r->interactions, r->bytes);
+    if (!isnan(r->cost.seconds)) printf(" %.3g s%s", r->cost.seconds, r->cost.updates > 0 ? "," : "");
+    if (r->cost.updates > 0) printf(" %lld updates", r->cost.updates);
+    if (r->cost.interactions > 0) printf(", %lld interactions, %zu bytes", r->cost.interactions, r->cost.bytes);
     putchar('\n');
 }
 
+/* unit: of --quantity */
 static void print_text(const struct result *r, const char *unit) {
     char what[240];
     result_describe(r, what, sizeof what);

@@ -1,0 +1,33 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#ifndef HEATLADDER_VERIFICATION_FOREIGN_FORMATS_H
+#define HEATLADDER_VERIFICATION_FOREIGN_FORMATS_H
+
+/* The formats of an answer: whether a file that starts so is of one, and its points into *s, whose path and dim are
+ * set.  A reader's status is STATUS_OK, or *why says what is wrong and where. */
+
+#include <stddef.h>
+#include <stdio.h>
+
+struct column_map;
+struct failure;
+struct samples;
+
+/* NumPy's .npy, little-endian numbers of 8 or 4 bytes: an array of n rows and the columns x, T (x, y, T for a
+ * rectangle) and w where there is one more; or a structured one, whose fields go by their names. */
+int npy_file_is(const char *start, size_t size);
+int npy_file_read(FILE *in, const struct column_map *c, struct samples *s, struct failure *why);
+
+/* Legacy ASCII VTK: points and the point data T (and w where it is wanted).  Cell data are refused: they have no
+ * points.  So is VTU, VTK of XML. */
+int vtk_file_is(const char *start, size_t size);
+int vtk_file_read(FILE *in, const struct column_map *c, struct samples *s, struct failure *why);
+int vtk_file_is_xml(const char *start, size_t size);
+int vtk_file_refuse_xml(FILE *in, const struct column_map *c, struct samples *s, struct failure *why);
+
+/* Any other file is a table of points: a header of names, then a line a point; commas, semicolons or blanks between,
+ * quotes around what may hold them, `#` before a comment (`# seconds = S` and likewise steps and updates say what the
+ * run took; a comment of names above the first point is a header too).  Columns that nothing is wanted of are
+ * skipped. */
+int table_file_read(FILE *in, const struct column_map *c, struct samples *s, struct failure *why);
+
+#endif
