@@ -15,7 +15,7 @@
  * oracle and the answers of programs are in the axes and the temperature of the case.
  *
  * A program in three dimensions solves a plane as a slab, along the third axis of which nothing changes: x and y of
- * the case then lie along two of its x, y and z. */
+ * the case are then along two of its x, y and z. */
 
 /* All zero: the scene as it is. */
 struct mapping {
@@ -24,7 +24,7 @@ struct mapping {
     int against[2]; /* by axis of the case: 1 where it runs against the scene's */
     double scale;   /* 0 where it is not given: 1 */
     double offset;  /* K */
-    int plane;      /* of mapping_planes: the program's axes along which x and y of the case lie */
+    int plane;      /* of mapping_planes: the program's axes that x and y of the case are along */
 };
 
 extern const char *const mapping_planes[]; /* "x,y", "x,z", "y,z", NULL */

@@ -10,8 +10,8 @@
 struct spectral;
 
 /* Expands f on the domain of *p, with the sides and material[0] of *p, in n[0] x n[1] modes (n[1] is ignored for a
- * rod).  Sides of an axis must be alike (both DIRICHLET or both NEUMANN), and are taken as zero.  f must be smooth
- * and obey the sides for the error to be small.  NULL where the sides differ or there are two materials. */
+ * rod).  Sides of an axis must be of one kind (both DIRICHLET or both NEUMANN), and are taken as zero.  f must be
+ * smooth and obey the sides for the error to be small.  NULL where the sides differ or there are two materials. */
 struct spectral *spectral_alloc(const struct problem *p, const int n[2],
                                 double (*f)(const struct problem *p, const double x[2]));
 void spectral_free(struct spectral *s);

@@ -76,10 +76,10 @@ static void list_gates(void) {
 
 /* The faults that each row is there for, a line a row. */
 static void list_battery_rows(void) {
-    struct table t = table_headed(3, "row|order|sees");
+    struct table t = table_headed(3, "row|order|detects");
     for (const struct battery_row *row = battery_table; row->order; row++) {
-        const char *why = row->gate.why + (strncmp(row->gate.why, "sees ", 5) == 0 ? 5 : 0);
-        table_add(&t, "%s|(order %d)|%.*s", row->gate.id, row->order, (int)strcspn(why, ":;"), why);
+        const char *why = row->gate.why + (strncmp(row->gate.why, "detects ", 8) == 0 ? 8 : 0);
+        table_add(&t, "%s|%d|%.*s", row->gate.id, row->order, (int)strcspn(why, ":;"), why);
     }
     table_end(&t, stdout);
     printf("\nheatladder list battery -v: commands, bounds and draws\n");

@@ -76,7 +76,7 @@ static void write_page(const char *dir, const struct gates *g, const char *made,
     order_scenes(scene);
     html_open(out, "heatladder: verification of transient heat conduction");
     put_verdict(g, made, out);
-    orders_put(g, scene, out);
+    orders_put(g, scene, "make verify", out);
     parts_put("Error against time", dir, out);
     parts_put_missing(dir, out);
     put_origin(out);

@@ -10,15 +10,6 @@ struct failure;
  * is not there is in one line with the command that makes it.  A status of solver/status.h. */
 int index_write(const char *dir, struct failure *why);
 
-/* Ladders of gates, by scene. */
-
-/* The order that each ladder in space or time reaches, on the band that is expected: a line a gate, grouped by the
- * scenes as named, NULL last.  Nothing where no gate has a ladder. */
-void orders_put(const struct gates *g, const char *const scene[], FILE *out);
-
-/* The errors of a scene's ladders in space, a curve a method and the second-order particles first. */
-void orders_put_scene(const struct gates *g, const char *scene, FILE *out);
-
 /* The files of the reports in `dir`, by section, NULL last; 1 where one of a section is there. */
 extern const char *const parts_sections[];
 int parts_has(const char *section, const char *dir);

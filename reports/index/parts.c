@@ -42,6 +42,8 @@ static const struct part {
     {"Walls", PAGE, "walls.md", NULL, NULL, "make walls"},
     {"Walls", FIGURE, "walls_error.svg", "walls_error.csv", "Error against spacing, by treatment of the wall",
      "make walls"},
+    {"Walls", FIGURE, "walls_work.svg", "walls_error.csv", "Error against work, by treatment of the wall",
+     "make walls"},
     {"Walls", FIGURE, "walls_offset.svg", "walls_offset.csv", "Order against the offset of plane walls",
      "make walls"},
     {"Walls", FIGURE, "walls_field.svg", "walls_field.csv", "The error on the disc", "make walls"},
@@ -206,20 +208,16 @@ void parts_put_precision(const char *scene, const char *dir, FILE *out) {
     }
 }
 
-/* One line: each command that makes what is not here, and what that is. */
+/* One line: each command that makes what is not here, once. */
 void parts_put_missing(const char *dir, FILE *out) {
     int commands = 0;
     for (int i = 0; i < PARTS; i++) {
-        int named = is_made(&parts[i], dir), files = 0;
+        int named = is_made(&parts[i], dir);
         for (int k = 0; k < i && !named; k++)
             named = !is_made(&parts[k], dir) && strcmp(parts[k].command, parts[i].command) == 0;
         if (named) continue;
         const char *lead = commands++ ? ", " : "<p class=\"faint\">Not made yet: ";
-        fprintf(out, "%s<code>%s</code> (", lead, parts[i].command);
-        for (int k = i; k < PARTS; k++)
-            if (!is_made(&parts[k], dir) && strcmp(parts[k].command, parts[i].command) == 0)
-                html_print(out, files++ ? ", %s" : "%s", parts[k].file);
-        fprintf(out, ")");
+        fprintf(out, "%s<code>%s</code>", lead, parts[i].command);
     }
     if (commands) fprintf(out, ".</p>\n");
 }

@@ -9,9 +9,8 @@ set offsets graph 0.03, graph 0.03, 0, 0
 set key bottom left Left reverse
 # The steps at dx = 0.1 m, as they were taken.
 steps(dx, n) = abs(dx - 0.1) < 1e-9 ? sprintf('dx = %g m, %d steps', dx, n) : ''
-set xrange [*:4e9] # room for them
 plot data index 'as published' using 1:2 with linespoints lc rgb RED pt 7 lw 1.2 dt 2 title 'SO-SSPH as published', \
      data index 'matched, without the start' using 1:2 with linespoints lc rgb GREY pt 9 lw 1.2 dt 3 title 'matched step, clock started at 0', \
      data index 'matched' using 1:2 with linespoints lc rgb BLUE pt 5 lw 2.4 title 'matched run', \
-     for [block in '"as published" matched'] data index block using 1:2:(steps($3, $4)) with labels left offset 1,0.6 \
-     font size_of(10) notitle
+     data index 'as published' using 1:2:(steps($3, $4)) with labels right offset -1,-0.4 font size_of(10) notitle, \
+     data index 'matched' using 1:2:(steps($3, $4)) with labels left offset 1,0.6 font size_of(10) notitle

@@ -7,15 +7,15 @@ set label 98 heading at screen 0.5, screen 0.97 center noenhanced font size_of(1
 unset bmargin
 set multiplot layout 1,3 margins screen 0.06, 0.985, 0.36, 0.88 spacing screen 0.05, 0.05
 set xrange [0.8:2]
-set yrange [0:1.2]
+set yrange [0:2]
 set xtics 0.2
 set xlabel 'h/dx  [-]'
 kernels = 'cubic quartic wendland'
 set label 1 "The operator answers a wave exp(i ξ·x) by  −κ|ξ|^2 + κ dx^2 [A (ξ_x^4 + ξ_y^4) + B ξ_x^2 ξ_y^2] + O(dx^4)." \
     at screen 0.06, screen 0.245 enhanced font size_of(11)
-set label 2 "B = 2 A: that error is A |ξ|^4, alike in all directions.  F = κ dt/dx^2: an Euler step adds −F κ dx^2 |ξ|^4/2," \
+set label 2 "B = 2 A: that error is A |ξ|^4, the same in all directions.  F = κ dt/dx^2: an Euler step adds −F κ dx^2 |ξ|^4/2," \
     at screen 0.06, screen 0.20 enhanced font size_of(11)
-set label 3 "so that F = 2 A at an isotropic h/dx leaves O(dx^4).  It must lie below the largest stable F." \
+set label 3 "so that F = 2 A at an isotropic h/dx leaves O(dx^4).  It must be below the largest stable F." \
     at screen 0.06, screen 0.155 enhanced font size_of(11)
 do for [k = 1:3] {
     set title word(kernels, k).' kernel' font size_of(11) offset 0,-0.6

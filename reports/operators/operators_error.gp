@@ -9,7 +9,7 @@ set multiplot layout 1,3 margins screen 0.07, 0.985, 0.33, 0.88 spacing screen 0
 set logscale y
 set format y '10^{%T}'
 set yrange [5e-5:0.3]
-set xrange [5:60]
+set xrange [0:*]
 set xlabel 'neighbours of a particle  [-]'
 clouds = '"lattice" "jitter 0.1" "relaxed"'
 names = 'brookshaw brookshaw_corrected schwaiger fatehi_manzari cspm kernel_second flux_divergence fo_ssph so_ssph conjugate positive'

@@ -1,6 +1,6 @@
 # A disturbance of 1e-10 K under the published and under the true bound.
 name = 'stability_blowup'
-wide = 940
+wide = 940; high = 600
 load 'reports/figure/style.gp'
 # A run that ends before the one under the true bound was refused there.
 stats data index 'so_ssph published' using 1:2 name 'so' nooutput
@@ -9,12 +9,13 @@ stats data index 'ftcs published' using 1:2 name 'ftcs' nooutput
 stats data index 'ftcs true' using 1:2 name 'ftcs_true' nooutput
 set logscale xy
 set xrange [1:1000]
-set yrange [1e-12:1e7]
+set yrange [5e-13:1e1]
 set ytics 1e2
 set format y '10^{%T}'
 set xlabel 'step  [-]'
 set ylabel 'distance of the disturbed run  [K]'
-set key top left Left reverse noenhanced
+set bmargin at screen 175.0 / high
+set key at screen 0.5, screen 0.165 center top maxrows 2 horizontal Left reverse noenhanced width 1
 refused = 'refused from here on'
 if (so_max_x < so_true_max_x) set label 1 refused at so_max_x, so_max_y right offset -1,0 noenhanced font size_of(9.5)
 if (ftcs_max_x < ftcs_true_max_x) set label 2 refused at ftcs_max_x, ftcs_max_y left offset 1,0 noenhanced font size_of(9.5)

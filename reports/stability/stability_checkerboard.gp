@@ -7,7 +7,7 @@ set label 98 heading at screen 0.5, screen 0.975 center noenhanced font size_of(
 unset bmargin
 set multiplot layout 2,3 margins screen 0.07, 0.985, 0.165, 0.915 spacing screen 0.045, 0.075
 set logscale x
-set xrange [0.01:501]
+set xrange [0.01:*]
 set format x '10^{%T}'
 methods = 'fo_ssph ftcs_flux so_ssph ftcs'
 titles = "'FO-SSPH' 'FTCS with fluxes' 'SO-SSPH' 'FTCS'"
@@ -27,7 +27,7 @@ do for [row = 1:2] {
             if (p == 1) { set key at graph 0.99, graph 0.78 top right noenhanced } else { unset key }
         } else {
             unset logscale y
-            set yrange [1.88:2.52]
+            set yrange [1.88:2.62]
             set ytics 0.1
             set format y '%g'
             set ylabel (p == 1 ? 'total variation / peak  [-]' : '') offset 0

@@ -9,7 +9,7 @@ set multiplot layout 1,4 margins screen 0.08, 0.985, 0.29, 0.86 spacing screen 0
 set logscale xy
 set format y '10^{%T}'
 set xrange [0.02:0.125]
-set yrange [3e-6:2e-2]
+set yrange [3e-6:5e-3]
 set xtics (0.025, 0.05, 0.1)
 set xlabel 'dx  [m]'
 bodies = '"disc held" "disc flux" "disc cooled" "annulus held and flux"'

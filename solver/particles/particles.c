@@ -83,9 +83,9 @@ int particles_resolve(const struct problem *p, const struct options *o, const st
     if (o->grading == 0) resolved->grading = 4;
     if (o->sweeps == 0) resolved->sweeps = 2000;
     if (o->layout == LAYOUT_GRADED && !(resolved->grading >= 1 && resolved->grading <= 4))
-        return refuse(why, STATUS_INPUT, "--grading %g: must lie in 1 to 4", o->grading);
+        return refuse(why, STATUS_INPUT, "--grading %g: must be 1 to 4", o->grading);
     if (options_is_cloud(o) && !(o->jitter >= 0 && o->jitter <= 0.5))
-        return refuse(why, STATUS_INPUT, "--jitter %g: must lie in 0 to 0.5, in units of dx", o->jitter);
+        return refuse(why, STATUS_INPUT, "--jitter %g: must be 0 to 0.5, in units of dx", o->jitter);
     for (int side = 0; side < 2 * p->dim; side++)
         if (p->side[side] == ROBIN && (o->stepper == STEPPER_MATCHED || order > 2))
             return refuse(
@@ -203,7 +203,7 @@ static int check_start(const struct field *f, struct failure *why) {
         if (!(f->T[i] >= f->range[0] - slack && f->T[i] <= f->range[1] + slack))
             return refuse(
                 why, STATUS_NUMERICAL,
-                "the start has %.4g K at particle %zu at %.6g m, the data lie in [%.4g, %.4g] K; take another "
+                "the start has %.4g K at particle %zu at %.6g m, the data are in [%.4g, %.4g] K; take another "
                 "--sampling, --h or layout",
                 f->T[i], i, f->x[i], f->range[0], f->range[1]);
     return STATUS_OK;

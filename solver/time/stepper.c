@@ -50,7 +50,7 @@ static int check_bounds(const struct march *m, const struct heat_operator *a, co
                                               : "dt is too large";
     return refuse(
         why, STATUS_UNSTABLE,
-        "unstable: at step %lld of %lld (t = %.6g s) particle %zu%s has %.4g K, the data lie in [%.4g, %.4g] K; "
+        "unstable: at step %lld of %lld (t = %.6g s) particle %zu%s has %.4g K, the data are in [%.4g, %.4g] K; "
         "dt = %.6g s: %s",
         step, m->steps, dt * (double)step, i, where, value, m->lo, m->hi, dt, reason);
 }

@@ -104,7 +104,9 @@ static int unknown_option(const struct verb *v, const char *name, struct failure
         if (strcmp(o->name, name) == 0)
             return refuse(why, STATUS_INPUT, "--%s has no meaning for %s (see: heatladder %s --help)", name, v->name,
                           v->name);
-    return words_unknown(names, "option", name, why);
+    const char *nearest = words_nearest(names, name);
+    return refuse(why, STATUS_INPUT, "unknown option --%.60s%s%s%s (see: heatladder %s --help)", name,
+                  nearest ? "; did you mean --" : "", nearest ? nearest : "", nearest ? "?" : "", v->name);
 }
 
 /* Reads argv[*at], and argv[*at + 1] where the option's value is a word of its own; moves *at to the last one read.

@@ -6,9 +6,12 @@
 #include "verification/foreign/program.h"
 #include "verification/command/option.h"
 #include "verification/oracle/columns.h"
-#include "verification/text/table.h"
 #include "verification/command/verb.h"
 #include "verification/text/words.h"
+
+#include <string.h>
+
+enum { WIDE = 100 }; /* letters of a line */
 
 const char help_about[] =
     "heatladder VERB --help lists the options of a verb; heatladder man has everything.\n"
@@ -18,26 +21,46 @@ const char help_about[] =
     "Exit status: 0 all passed, 1 a gate failed, 2 bad usage or input, 3 numerical failure, 4 inconclusive,\n"
     "  77 skipped: the program cannot run the case.\n";
 
+/* A word or two, then a text in lines of at most `WIDE` letters that begin below each other. */
+static void put_entry(FILE *out, const char *lead, int indent, const char *text) {
+    int column = fprintf(out, "%-*s", indent, lead);
+    while (*text) {
+        int length = (int)strcspn(text, " ");
+        if (column > indent && column + 1 + length > WIDE) column = fprintf(out, "\n%*s", indent, "") - 1;
+        column += fprintf(out, "%s%.*s", column > indent ? " " : "", length, text);
+        text += length + (text[length] == ' ');
+    }
+    fputc('\n', out);
+}
+
 void help_program(FILE *out) {
     fprintf(out, "heatladder: verification and benchmarks for solvers of transient heat conduction\n\n");
-    for (const struct verb *v = verbs; v->name; v++) fprintf(out, "  heatladder %-10s %s\n", v->name, v->about);
+    for (const struct verb *v = verbs; v->name; v++) {
+        char lead[40];
+        snprintf(lead, sizeof lead, "  heatladder %s ", v->name);
+        put_entry(out, lead, 24, v->about);
+    }
     fprintf(out, "\n%s", help_about);
 }
 
 void help_verb(const struct verb *v, FILE *out) {
-    struct table t = table_create(2, 2);
-    int lists = 0;
-    fprintf(out, "heatladder %s%s%s [options]: %s\n\n", v->name, *v->positionals ? " " : "", v->positionals,
-            v->about);
+    int lists = 0, indent = 0;
+    fprintf(out, "heatladder %s%s%s [options]\n\n", v->name, *v->positionals ? " " : "", v->positionals);
+    put_entry(out, "  ", 2, v->about);
+    fputc('\n', out);
     for (const struct option *o = options_table; o->key; o++) {
-        char words[80] = "";
+        int width = 7 + (int)strlen(o->name) + (o->value ? (int)strlen(o->value) : 0);
+        if (words_among(v->options, o->key) && width > indent) indent = width;
+    }
+    for (const struct option *o = options_table; o->key; o++) {
+        char words[200] = "", lead[80], text[600];
         if (!words_among(v->options, o->key)) continue;
         if (o->words) words_join(o->words, words, sizeof words), lists = 1;
-        table_add(&t, "  --%s %s", o->name, o->value ? o->value : ""); /* may have a bar in it */
-        table_add(&t, "%s%s%s%s", o->about, *words ? ": " : "", words,
-                  words_among(v->required, o->key) ? " (required)" : "");
+        snprintf(lead, sizeof lead, "  --%s %s", o->name, o->value ? o->value : "");
+        snprintf(text, sizeof text, "%s%s%s%s", o->about, *words ? ": " : "", words,
+                 words_among(v->required, o->key) ? " (required)" : "");
+        put_entry(out, lead, indent, text);
     }
-    table_end(&t, out);
     if (lists) fprintf(out, "\nThe first of listed words is the default.\n");
     if (words_among(v->options, "solver")) fprintf(out, "\n%s\n%s", program_help, case_file_help);
     if (words_among(v->options, "what")) fprintf(out, "\n%s", columns_help);

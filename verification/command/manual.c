@@ -13,11 +13,24 @@
 #include "verification/command/version.h"
 #include "verification/text/words.h"
 
+#include <ctype.h>
+#include <limits.h>
 #include <string.h>
 
-/* Text for roff: its escapes, and a dash that is no hyphen.  No line may start with a dot or a quote. */
-static void put(const char *text, FILE *out) {
+enum { FOLD = 70 }; /* letters of a line of the source */
+
+/* Text for roff: its escapes, and a dash that is no hyphen.  No line may start with a dot or a quote; lines of text
+ * that is filled end at a blank before `most` letters. */
+static void put_folded(const char *text, int most, FILE *out) {
+    int column = 0;
     for (int start = 1; *text; start = *text++ == '\n') {
+        int next = column + 1 + (int)strcspn(text + 1, " ");
+        column = *text == '\n' ? 0 : column + 1;
+        if (*text == ' ' && next > most && !strchr(".'", text[1])) {
+            fputc('\n', out);
+            column = 0;
+            continue;
+        }
         if (start && (*text == '.' || *text == '\'')) fputs("\\&", out);
         if (*text == '\\')
             fputs("\\e", out);
@@ -28,22 +41,29 @@ static void put(const char *text, FILE *out) {
     }
 }
 
+static void put(const char *text, FILE *out) {
+    put_folded(text, FOLD, out);
+}
+
 static void put_option(const struct option *o, int required, FILE *out) {
-    char words[200] = "";
+    char words[200] = "", text[600];
     fprintf(out, ".TP\n\\fB\\-\\-");
     put(o->name, out);
     fprintf(out, "\\fR");
     if (o->value) fprintf(out, " \\fI"), put(o->value, out), fprintf(out, "\\fR");
     fputc('\n', out);
-    put(o->about, out);
     if (o->words) words_join(o->words, words, sizeof words);
-    if (*words) fprintf(out, ": "), put(words, out);
-    fprintf(out, "%s\n", required ? " (required)" : "");
+    snprintf(text, sizeof text, "%s%s%s%s", o->about, *words ? ": " : "", words, required ? " (required)" : "");
+    put(text, out);
+    fputc('\n', out);
 }
 
 static void put_verb(const struct verb *v, FILE *out) {
-    fprintf(out, ".SS \"heatladder %s", v->name);
-    fprintf(out, "%s%s\"\n", *v->positionals ? " " : "", v->positionals);
+    fprintf(out, ".SH ");
+    for (const char *at = v->name; *at; at++) fputc(toupper((unsigned char)*at), out);
+    fprintf(out, "\n.B heatladder %s\n", v->name);
+    if (*v->positionals) fprintf(out, ".I %s\n", v->positionals);
+    fprintf(out, "[\\fIoptions\\fR]\n.PP\n");
     put(v->about, out);
     fputc('\n', out);
     for (const struct option *o = options_table; o->key; o++)
@@ -52,7 +72,7 @@ static void put_verb(const struct verb *v, FILE *out) {
 
 static void put_literally(const char *text, FILE *out) {
     fprintf(out, ".nf\n");
-    put(text, out);
+    put_folded(text, INT_MAX, out);
     fprintf(out, ".fi\n");
 }
 
@@ -129,17 +149,16 @@ static void put_interfaces(FILE *out) {
 
 void manual_page(FILE *out) {
     fprintf(out, ".TH HEATLADDER 1 2026-11-22 \"heatladder %s\" \"User Commands\"\n", version_text);
-    fprintf(out, ".SH NAME\nheatladder \\- verification and benchmarks for solvers of transient heat conduction\n"
+    fprintf(out, ".SH NAME\nheatladder \\- verify and benchmark solvers of transient heat conduction\n"
                  ".SH SYNOPSIS\n.B heatladder\n.I VERB\n[\\fIarguments\\fR] [\\fIoptions\\fR]\n"
                  ".SH DESCRIPTION\n"
                  "A scene is a problem of heat conduction with an exact solution.\n"
-                 "A ladder solves a scene at several spacings, its rungs, fits the order at which the error falls,\n"
-                 "and judges it against an expected band.\n"
-                 "A gate is a command with such a band or a ceiling of the error; the battery is the set of gates\n"
-                 "for another program.\n"
-                 ".PP\nThe sections of the verbs list their options.\n"
-                 "The first of listed words is the default.\n"
-                 ".SH VERBS\n");
+                 "A ladder solves a scene at several spacings, its rungs, and fits the order\n"
+                 "at which the error falls.\n"
+                 "A gate is a ladder with an expected band of that order and a ceiling of\n"
+                 "the error; the battery is a set of gates for any program.\n"
+                 ".PP\nA section for each verb lists its options.\n"
+                 "The first of listed words is the default.\n");
     for (const struct verb *v = verbs; v->name; v++) put_verb(v, out);
     put_names(out);
     put_interfaces(out);

@@ -27,7 +27,7 @@ function read_case(path,    line, equals, found) {
     for (d = 1; d <= dim; d++) width[d] = (hi[d] - lo[d]) / n[d]
 }
 
-# Cells 1 to n along each axis, framed by the faces on the sides.  A rod is one row without a frame in y.
+# The points: cells 1 to n along each axis, in a frame of the centres of the faces on the sides (drawn in cells.c).
 function place(c, d) {
     return d == 1 ? c % stride[2] : dim == 1 ? 1 : int(c / stride[2])
 }

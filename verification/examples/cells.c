@@ -4,7 +4,18 @@
  *     rho_c dT/dt = source + sum over the faces of a cell of conductance (T_beyond - T)
  *
  * The case file gives the grid and the end time.  `heatladder reference` gives all else (start, source, coefficients,
- * walls) at the centres of the cells and of the faces on the sides.  $HEATLADDER is the path of that program. */
+ * walls) at the points below.  $HEATLADDER is the path of that program.
+ *
+ * The points are the centres of the cells (o) and, in a frame around them, the centres of the faces on the sides (x).
+ * A rectangle of 3 by 2 cells has four rows of five points; a rod of 3 cells has one row:
+ *
+ *     x x x x x
+ *     x o o o x        x o o o x
+ *     x o o o x
+ *     x x x x x
+ *
+ * They are numbered row by row.  The number of points in a row is `stride`: the neighbours of point c are c - 1 and
+ * c + 1 along x, c - stride and c + stride along y. */
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -28,8 +39,7 @@ static int dim = 1, n[2] = {1, 1}, source_changes;
 static double lo[2], hi[2] = {0, 1}, width[2], t_end;
 static char oracle[2048];
 
-/* Cells 1 to n along each axis, framed by the faces on the sides.  A rod is one row without a frame in y. */
-static struct point *point;
+static struct point *point; /* cells and frame */
 static int points, stride;
 
 static void stop(const char *reason) {
@@ -42,6 +52,7 @@ static void *need(void *pointer, const char *reason) {
     return pointer;
 }
 
+/* A line fits one of the formats at most, and changes nothing for the others. */
 static void read_case(const char *path) {
     char line[4096], source[16] = "";
     FILE *f = need(fopen(path, "r"), "the case cannot be opened");
@@ -52,15 +63,17 @@ static void read_case(const char *path) {
         sscanf(line, "hi = %lf, %lf", &hi[0], &hi[1]);
         sscanf(line, "t_end = %lf", &t_end);
         sscanf(line, "source = %15s", source);
-        int round = !strncmp(line, "shape", 5), periodic = strstr(line, "= periodic") != NULL;
-        if (round || periodic) exit(NOT_APPLICABLE); /* boxes with walls alone */
         sscanf(line, "oracle = %2047[^\n]", oracle);
+        /* This code has rods and rectangles with walls: neither round bodies nor periodic ones. */
+        if (strncmp(line, "shape", 5) == 0) exit(NOT_APPLICABLE);
+        if (strstr(line, "= periodic")) exit(NOT_APPLICABLE);
     }
     fclose(f);
-    source_changes = !strcmp(source, "changing");
+    source_changes = strcmp(source, "changing") == 0;
     for (int d = 0; d < 2; d++) width[d] = (hi[d] - lo[d]) / n[d];
 }
 
+/* Where point c stands along axis d: 1 to n for cells, 0 and n + 1 for the frame.  A rod has one row, 1. */
 static int place(int c, int d) {
     if (d == 0) return c % stride;
     return dim == 2 ? c / stride : 1;
@@ -72,6 +85,7 @@ static int is_cell(int c) {
     return 1;
 }
 
+/* Makes the points, and writes them into the file that `reference` reads. */
 static void make_points(const char *path) {
     stride = n[0] + 2;
     points = stride * (dim == 2 ? n[1] + 2 : 1);
@@ -82,30 +96,33 @@ static void make_points(const char *path) {
         double *x = point[c].x;
         for (int d = 0; d < dim; d++) {
             double middle = lo[d] + (place(c, d) - 0.5) * width[d];
-            x[d] = fmin(fmax(middle, lo[d]), hi[d]); /* the frame lies on the sides */
+            x[d] = fmin(fmax(middle, lo[d]), hi[d]); /* the frame is on the sides */
         }
         fprintf(f, "%.17g,%.17g,%.17g,%.17g\n", x[0], x[1], width[0], width[1]);
     }
     if (fclose(f)) stop("the points cannot be written");
 }
 
-/* Starts `heatladder reference` at the points; its first line, the header, is read. */
+/* Starts `heatladder reference` at the points of the file.  Returns its answers, behind the line of headers. */
 static FILE *ask(const char *path, const char *times, const char *what) {
     char command[8192], header[4096];
     const char *program = getenv("HEATLADDER");
-    snprintf(command, sizeof command, "%s reference %s --points '%s' --time %s --what %s",
-             program ? program : "heatladder", oracle, path, times, what);
+    int length = snprintf(command, sizeof command, "%s reference %s --points '%s' --time %s --what %s",
+                          program ? program : "heatladder", oracle, path, times, what);
+    if (length >= (int)sizeof command) stop("the paths are too long");
     FILE *answers = need(popen(command, "r"), "heatladder cannot be started");
     need(fgets(header, sizeof header, answers), "no answer from heatladder reference");
     return answers;
 }
 
+/* Numbers are separated by commas, and by the end of a line. */
 static double next_number(FILE *answers) {
     double value;
     if (fscanf(answers, "%lf%*[,\n]", &value) != 1) stop("an answer of heatladder reference is not a number");
     return value;
 }
 
+/* One line a point: its coordinates, then the columns in the order in which they are asked for; a wall is three. */
 static void ask_scene(const char *path) {
     char what[80];
     snprintf(what, sizeof what, "initial_heat,source,rho_c,k_x,wall_x%s", dim == 2 ? ",k_y,wall_y" : "");
@@ -125,7 +142,8 @@ static void ask_scene(const char *path) {
     if (pclose(answers)) stop("heatladder reference failed");
 }
 
-/* The face of cell c towards e: half cells in series, or a half cell and what the wall resists. */
+/* The face of cell c towards point e.  Resistances add up: those of two half cells, or of a half cell and the wall
+ * (none if it is held, 1/b if it is cooled).  Through a wall of given flux no conductance is needed. */
 static void make_face(int c, int face, int e) {
     int d = face / 2, is_wall = !is_cell(e);
     struct point *p = &point[c], *beyond = &point[e];
@@ -157,6 +175,7 @@ static double make_faces(void) {
     return fastest;
 }
 
+/* One step of Euler's method: all rates first, then all temperatures. */
 static void step_by(double dt) {
     for (int c = 0; c < points; c++) {
         struct point *p = &point[c];
@@ -164,7 +183,7 @@ static void step_by(double dt) {
         p->rate = p->source + p->flux;
         for (int face = 0; face < 2 * dim; face++) {
             int distance = face < 2 ? 1 : stride;
-            int e = face % 2 ? c + distance : c - distance;
+            int e = face % 2 == 1 ? c + distance : c - distance;
             p->rate += p->conductance[face] * (point[e].T - p->T);
         }
     }
@@ -172,7 +191,8 @@ static void step_by(double dt) {
         if (is_cell(c)) point[c].T += dt * point[c].rate / point[c].rho_c;
 }
 
-/* A source that changes in time is asked for at the start of every step. */
+/* A source that changes in time is asked for at the start of every step, all times at once: a block of lines a time.
+ * The block of the end time is left unread. */
 static void run(const char *path, int steps) {
     char times[64];
     FILE *sources = NULL;
@@ -207,7 +227,7 @@ int main(int argc, char **argv) {
     read_case(argv[1]);
     make_points(path);
     ask_scene(path);
-    int steps = (int)ceil(t_end * make_faces() / 0.25);
+    int steps = (int)ceil(t_end * make_faces() / 0.25); /* half of what is stable */
     run(path, steps);
     write_answer(argv[2], steps);
     return 0;

@@ -13,7 +13,7 @@ program cells
     integer :: first_row, last_row ! of points along y: a rod is one row without a frame
     logical :: changing = .false.
     real(dp) :: lo(2) = 0, hi(2) = 1, width(2), t_end
-    ! Points (0:n(1) + 1, 0:n(2) + 1): cells from 1 to n, framed by the faces on the sides.
+    ! Points (0:n(1) + 1, 0:n(2) + 1): cells from 1 to n, in a frame of the centres of the faces on the sides.
     real(dp), allocatable :: x(:, :, :), T(:, :), source(:, :), rho_c(:, :)
     real(dp), allocatable :: k(:, :, :), kind_of(:, :, :), value(:, :, :), b(:, :, :) ! first index: the axis
     ! Of cells: the conductances to x low, x high, y low, y high and what walls of given flux add.

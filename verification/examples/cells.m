@@ -53,7 +53,7 @@ n = numbers(field.cells);
 t_end = numbers(field.t_end);
 width = (hi - lo) ./ n;
 
-% Cells 2 to n + 1 along each axis, framed by the faces on the sides.  A rod is one column without a frame in y.
+% The points: cells 2 to n + 1 along each axis, in a frame of the centres of the faces on the sides (see cells.c).
 axis_points = @(d) [lo(d), lo(d) + ((1:n(d)) - 0.5) * width(d), hi(d)];
 in_x = 2:n(1) + 1;
 if dim == 1

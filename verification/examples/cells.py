@@ -49,7 +49,7 @@ lo, hi = numbers(case["lo"]), numbers(case["hi"])
 n = [int(word) for word in case["cells"].split(",")]
 width = [(hi[d] - lo[d]) / n[d] for d in range(dim)]
 
-# Cells 1 to n along each axis, framed by the faces on the sides.  A rod is one row without a frame in y.
+# The points: cells 1 to n along each axis, in a frame of the centres of the faces on the sides (drawn in cells.c).
 axes = [[lo[d]] + [lo[d] + (i + 0.5) * width[d] for i in range(n[d])] + [hi[d]] for d in range(dim)]
 points = [(x,) for x in axes[0]] if dim == 1 else [(x, y) for y in axes[1] for x in axes[0]]
 stride = [1, n[0] + 2]  # from a point to the next along x and along y

@@ -29,7 +29,7 @@ static int dim = 1, n[2] = {1, 1};
 static double lo[2], hi[2] = {0, 1}, width[2], t_end;
 static char oracle[2048];
 
-/* Cells 1 to n along each axis, framed by the faces on the sides.  A rod is one row without a frame in y. */
+/* The points: cells 1 to n along each axis, in a frame of the centres of the faces on the sides (see cells.c). */
 static struct point *point;
 static int points, stride[2] = {1, 0};
 
@@ -85,7 +85,7 @@ static void make_points(const char *path) {
         double *x = point[c].x;
         for (int d = 0; d < dim; d++) {
             double middle = lo[d] + (place(c, d) - 0.5) * width[d];
-            x[d] = fmin(fmax(middle, lo[d]), hi[d]); /* the frame lies on the sides */
+            x[d] = fmin(fmax(middle, lo[d]), hi[d]); /* the frame is on the sides */
         }
         fprintf(f, "%.17g,%.17g,%.17g,%.17g\n", x[0], x[1], width[0], width[1]);
     }
@@ -121,7 +121,7 @@ static void ask_scene(const char *path, double *T) {
     if (pclose(answers)) stop("heatladder reference failed");
 }
 
-/* What lies between point c and the face beside it, m^2 K W^-1: half a cell, or what a wall resists. */
+/* What is between point c and the face beside it, m^2 K W^-1: half a cell, or what a wall resists. */
 static double resistance(int c, int d) {
     const struct point *p = &point[c];
     if (!on_wall(c, d)) return width[d] / (2 * p->axis[d].k);

@@ -57,9 +57,9 @@ with open(file, "w") as out:
 words = [os.environ.get("HEATLADDER", "heatladder"), "reference", *case["oracle"].split(), "--points", file,
          "--what", "initial_heat,rho_c,k_x,wall_x" + (",k_y,wall_y" if dim == 2 else "")]
 answer = subprocess.run(words, check=True, stdout=subprocess.PIPE, text=True).stdout.splitlines()
-told = [numbers(line)[dim:] for line in answer[1:]]
-start = [values[0] for values in told[:len(cells)]]
-rho_c, k = told[0][1], told[0][2::4]
+scene = [numbers(line)[dim:] for line in answer[1:]]
+start = [values[0] for values in scene[:len(cells)]]
+rho_c, k = scene[0][1], scene[0][2::4]
 stretch = math.sqrt(k[0] / k[1]) if dim == 2 else 1.0
 
 steps = int(8 * t_end * sum(k[d] / h[d] ** 2 for d in range(dim)) / rho_c) + 1
@@ -85,7 +85,7 @@ patches = []
 first = len(cells)
 for side, points in faces.items():
     column = 3 + 4 * "xy".index(side[0])
-    patches.append(patch(side, [values[column:column + 3] for values in told[first:first + len(points)]]))
+    patches.append(patch(side, [values[column:column + 3] for values in scene[first:first + len(points)]]))
     first += len(points)
 write("0/T", "volScalarField", "dimensions [0 0 0 1 0 0 0];", "internalField " + scalars(start),
       "boundaryField { defaultFaces { type empty; }", *patches, "}")

@@ -28,7 +28,7 @@ def numbers(key):
 lo, hi, n, t_end = numbers("lo"), numbers("hi"), numbers("cells").astype(int), float(case["t_end"])
 dim, width = len(n), (hi - lo) / n
 
-# Cells 1 to n along each axis, framed by the faces on the sides.
+# The points: cells 1 to n along each axis, in a frame of the centres of the faces on the sides (drawn in cells.c).
 axes = [np.clip(lo[d] + (np.arange(n[d] + 2) - 0.5) * width[d], lo[d], hi[d]) for d in range(dim)]
 points = np.stack([x.ravel() for x in np.meshgrid(*axes, indexing="ij")], axis=1)
 number = np.arange(len(points)).reshape(n + 2)

@@ -50,14 +50,14 @@ def numbers(key):
 lo, hi, n, t_end = numbers("lo"), numbers("hi"), numbers("cells").astype(int), float(case["t_end"])
 dim, width = len(n), (hi - lo) / n
 
-# Asked for are the centres of the cells, framed by those of the faces on the sides.
+# The points to ask for: the centres of the cells, in a frame of those of the faces on the sides.
 axes = [np.clip(lo[d] + (np.arange(n[d] + 2) - 0.5) * width[d], lo[d], hi[d]) for d in range(dim)]
 points = np.stack([x.ravel() for x in np.meshgrid(*axes, indexing="ij")], axis=1)
 file = sys.argv[2] + ".points"
 np.savetxt(file, np.hstack([points, np.tile(width, (len(points), 1))]), "%.17g", ",", comments="",
            header=",".join(["x", "y"][:dim] + ["dx", "dy"][:dim]))
 
-# Particles, `LAYERS` of ghosts beyond each side among them; a ghost takes what the foot of its side is told.
+# Particles, `LAYERS` of ghosts beyond each side among them; a ghost takes the columns of the foot of its side.
 index = [np.arange(-LAYERS, n[d] + LAYERS) for d in range(dim)]
 foot = np.ix_(*[np.clip(index[d] + 1, 0, n[d] + 1) for d in range(dim)])
 inside = (slice(LAYERS, -LAYERS),) * dim

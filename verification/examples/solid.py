@@ -2,9 +2,9 @@
 
     rho_c dT/dt = source + sum over the faces of a cell of (heat flux into the cell) / width
 
-A case in the plane is a slab: its x and y lie along two axes of the box, which the case names (`axes = x,z`), and
-along the third nothing changes.  A rod lies along x.  `heatladder reference` gives start, source, coefficients and walls at
-the centres of the cells of one layer and of the faces on its sides.  $HEATLADDER is the path of that program.
+A case in the plane is a slab: its x and y are along two axes of the box, which the case names (`axes = x,z`), and
+along the third nothing changes.  A rod is along x.  `heatladder reference` gives start, source, coefficients and
+walls at the centres of the cells of one layer and of the faces on its sides.  $HEATLADDER is the path of that program.
 """
 import os
 import subprocess

@@ -3,8 +3,8 @@
     (M / dt + K / 2) T_new = (M / dt - K / 2) T + F
 
 with the matrices M of rho_c, K of conductivity and cooled walls, and F of source, given fluxes and the air.  Nodes
-lie on rings a spacing apart, also on the walls.  The heatladder package (make wheel, or PYTHONPATH=scripts/python)
-makes a program of `solve`, and tells start, source, coefficients and walls at the nodes.  Boxes are left to other
+are on rings a spacing apart, also on the walls.  The heatladder package (make wheel, or PYTHONPATH=scripts/python)
+makes a program of `solve`, and gives start, source, coefficients and walls at the nodes.  Boxes are left to other
 examples.
 """
 import numpy as np
@@ -18,7 +18,7 @@ HELD, FLUX, COOLED = 1, 2, 3  # kinds of walls in the answers of `reference`; 0:
 
 
 def make_mesh(hole, radius, dx):
-    """Nodes (n x 2) and triangles (m x 3) between the radii; no triangle lies in the hole."""
+    """Nodes (n x 2) and triangles (m x 3) between the radii; no triangle is in the hole."""
     rings = max(4, round((radius - hole) / dx))
     nodes = []
     for r in np.linspace(hole, radius, rings + 1):
@@ -51,7 +51,7 @@ def assemble(nodes, triangles, rho_c, k, source, kind, value, b):
     np.add.at(F, triangles, load)
     sides = np.sort(np.concatenate([triangles[:, [0, 1]], triangles[:, [1, 2]], triangles[:, [2, 0]]]), axis=1)
     edges, count = np.unique(sides, axis=0, return_counts=True)
-    edges = edges[count == 1]  # those of one triangle lie on a wall
+    edges = edges[count == 1]  # those of one triangle are on a wall
     length = np.hypot(*(nodes[edges[:, 0]] - nodes[edges[:, 1]]).T)
     loss = np.zeros(n)
     for end in edges.T:

@@ -19,7 +19,7 @@ const char case_file_help[] =
     "  scene, label, dim        the names on the command line; 1 for a rod, 2 for a rectangle\n"
     "  param_NAME               every parameter of the scene (heatladder list scenes explains each)\n"
     "  axes                     only if given, for codes in three dimensions: x,z or y,z, the axes of the program\n"
-    "                           along which x and y of the case lie.  Along the third nothing changes: insulated or\n"
+    "                           that x and y of the case are along.  Along the third nothing changes: insulated or\n"
     "                           periodic, of any thickness.  The answer is one layer, in x and y of the case\n"
     "  map, scale, offset       only if given: the axes of the case in terms of the scene, such as y,-x, and T of\n"
     "                           the case = scale T + offset, K.  All keys but param_NAME are in axes of the case\n"

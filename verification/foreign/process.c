@@ -207,8 +207,8 @@ static int judge(const struct running *r, enum end end, struct failure *why) {
     if (status == SKIPPED)
         return refuse(why, STATUS_SKIPPED, "not applicable (exit status 77)%s%.160s", says, r->last);
     if (status == 126 || status == 127)
-        return refuse(why, STATUS_INPUT, "--solver '%.160s': could not be run (exit status %d)%s%.160s",
-                      r->process->command, status, says, r->last);
+        return refuse(why, STATUS_INPUT, "--solver: the program could not be run (exit status %d)%s%.160s", status,
+                      says, r->last);
     if (status) return refuse(why, STATUS_NUMERICAL, "--solver: exit status %d%s%.160s", status, says, r->last);
     if (end == LEFT_OTHERS)
         return refuse(

@@ -28,7 +28,7 @@
 #include <sys/stat.h>
 
 const char program_help[] =
-    "--solver runs your program in place of METHOD; METHOD is then only its name in tables:\n"
+    "--solver runs your program.  METHOD of a ladder is then only its name in tables:\n"
     "\n"
     "  heatladder ladder rod-step mine --solver './mine {case} {out}' --dx 0.2,0.1,0.05,0.025 --expect 1.9,2.1\n"
     "\n"
@@ -41,7 +41,7 @@ const char program_help[] =
     "commas, semicolons or blanks.  The program chooses its points: they cover the domain at a spacing of dx.\n"
     "A column w holds the weights of the norms; without it all points have the same weight.\n"
     "--columns 'x=X,y=Y,T=temp,w=volume' gives the names of the columns, or their numbers (T=3).  Legacy ASCII\n"
-    "VTK is read too: its points, and the point data T; and NumPy's .npy: these columns, or named fields.  VTU\n"
+    "VTK is read too (its points, and the point data T), and NumPy's .npy (these columns, or named fields).  VTU\n"
     "is not.  The lines `# seconds = S`, `# steps = N` and `# updates = N` of a table may give the time, steps\n"
     "and updates of the solve alone.\n"
     "\n"
@@ -224,7 +224,7 @@ static int solve_now(const struct program *g, const struct scene *s, const struc
                      struct field *f, struct failure *why) {
     struct scratch scratch;
     if (!strstr(g->solver, "{case}") || !strstr(g->solver, "{out}"))
-        return refuse(why, STATUS_INPUT, "--solver '%.200s': must hold {case} and {out}, which become paths",
+        return refuse(why, STATUS_INPUT, "--solver '%.200s': must contain {case} and {out}, which become paths",
                       g->solver);
     atomic_file_hold();
     int status = scratch_open(&scratch, why);

@@ -9,7 +9,7 @@ struct failure;
 struct progress;
 struct runs;
 
-/* At most `jobs` at a time, of some `total` cases.  resume: what lies in a case's directory is taken for its answer.
+/* At most `jobs` at a time, of some `total` cases.  resume: an answer in a case's directory is taken.
  * *progress shows what is run; NULL for nowhere.  End with runs_free. */
 struct runs *runs_create(int jobs, int total, int resume, struct progress *progress);
 void runs_free(struct runs *r);

@@ -13,7 +13,7 @@
 #include <string.h>
 
 #define BATTERY(order, id, measure, command, bound, ranges, lo, hi, ceiling, sees, bounds)                           \
-    {order, {id, TIER_QUICK, measure, command, lo, hi, ceiling, "sees " sees "; bounds: " bounds}, bound, ranges},
+    {order, {id, TIER_QUICK, measure, command, lo, hi, ceiling, "detects " sees "; bounds: " bounds}, bound, ranges},
 const struct battery_row battery_table[] = {
 #include "verification/gates/battery.def"
     {0}};

@@ -20,7 +20,7 @@ struct gate {
     enum gate_tier tier;
     const char *measure; /* a row of measures.def */
     const char *command; /* as a user would type it after the program's name */
-    double lo, hi;       /* what the measure must lie in */
+    double lo, hi;       /* the band of the measure */
     double ceiling;      /* of the error beside it; NAN for none */
     const char *why;     /* where the bounds come from */
 };
@@ -84,7 +84,7 @@ void gates_cut(struct gates *g, int signal);
 /* One row, its time and its typed command too. */
 void gates_run_row(struct gates *g, struct gate_result *result, const struct program *program);
 
-/* 1 for a ladder in space, each rung of which --seeds draws several times. */
+/* 1 for a ladder in space: --seeds draws each of its rungs several times. */
 int gates_is_drawn(const struct gate *gate);
 
 /* One row, answered by *program where there is one (NULL: by its own command); never fails silently: what cannot be

@@ -128,7 +128,7 @@ enum verdict judge_order(const struct judged *l, double lo, double hi, char *rea
         return VERDICT_FAIL;
     }
     if (s.ci[1] < lo || s.ci[0] > hi) {
-        snprintf(rest, room, "lies outside [%g, %g]", lo, hi);
+        snprintf(rest, room, "is outside [%g, %g]", lo, hi);
         return VERDICT_FAIL;
     }
     if (span < SPAN_LEAST * ROUNDED) {
@@ -140,7 +140,7 @@ enum verdict judge_order(const struct judged *l, double lo, double hi, char *rea
         snprintf(rest, room, "reaches past [%g, %g]: more or finer rungs narrow it", lo, hi);
         return VERDICT_INCONCLUSIVE;
     }
-    snprintf(rest, room, "lies inside [%g, %g]", lo, hi);
+    snprintf(rest, room, "is inside [%g, %g]", lo, hi);
     return judge_fine_end(l, lo, hi, reason, size);
 }
 

@@ -25,10 +25,13 @@ void measures_fail(struct measured *m, const struct failure *why) {
 void measures_judge(struct measured *m, double value, double lo, double hi) {
     m->value = m->ci[0] = m->ci[1] = value;
     m->verdict = verdict_within(value, lo, hi);
-    const char *where = m->verdict == VERDICT_PASS ? "lies inside"
-                        : isfinite(value)          ? "lies outside"
-                                                   : "is not finite;";
-    snprintf(m->reason, sizeof m->reason, "%.4g %s [%g, %g]", value, where, lo, hi);
+    int pass = m->verdict == VERDICT_PASS;
+    if (!isfinite(value))
+        snprintf(m->reason, sizeof m->reason, "%.4g is not finite; expected %.4g to %.4g", value, lo, hi);
+    else if (lo == 0 && value >= 0)
+        snprintf(m->reason, sizeof m->reason, "%.4g is %s %.4g", value, pass ? "at most" : "above", hi);
+    else
+        snprintf(m->reason, sizeof m->reason, "%.4g is %s [%g, %g]", value, pass ? "inside" : "outside", lo, hi);
 }
 
 static void keep_rungs(const struct ladder *l, struct rungs *to) {

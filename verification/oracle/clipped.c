@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The mean of the start over the part of a cell that lies inside a round body: by lines along y, whose ends follow
+/* The mean of the start over the part of a cell that is inside a round body: by lines along y, whose ends follow
  * the wall.  Their length bends where the wall leaves the cell, and has no slope where the wall runs along y. */
 #include "verification/oracle/columns.h"
 

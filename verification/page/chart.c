@@ -6,7 +6,8 @@
 
 #include <math.h>
 
-enum { WIDTH = 640, HEIGHT = 420, LEFT = 76, RIGHT = 24, TOP = 16, BOTTOM = 56, ROW = 20 }; /* px; ROW of the key */
+/* px; ROW of the key.  WIDTH leaves the text 11 px or more on a screen of 400. */
+enum { WIDTH = 460, HEIGHT = 360, LEFT = 66, RIGHT = 20, TOP = 16, BOTTOM = 56, ROW = 22 };
 enum { STYLES = CHART_STYLES };
 
 static const char *const colour[STYLES] = {"#0072B2", "#D55E00", "#009E73", "#CC79A7", "#E69F00", "#56B4E9"};
@@ -54,11 +55,13 @@ static void put_label(FILE *out, double x, double y, const char *how, const char
 static void put_ticks(FILE *out, const struct axes *a) {
     static const double step[] = {1, 2, 5};
     char text[32];
+    int crowded = a->hi[0] - a->lo[0] > 2.3; /* decades: only powers of ten have a label */
     for (int e = (int)floor(a->lo[0]); e <= (int)ceil(a->hi[0]); e++)
         for (int k = 0; k < 3; k++) {
             double value = step[k] * pow(10, e), x = place_x(a, value);
             if (x < LEFT - 0.5 || x > WIDTH - RIGHT + 0.5) continue;
             fprintf(out, "<path d=\"M%.1f %dV%d\" stroke=\"#ddd\"/>\n", x, TOP, HEIGHT - BOTTOM);
+            if (k && crowded) continue;
             snprintf(text, sizeof text, "%g", value);
             put_label(out, x, HEIGHT - BOTTOM + 18, "text-anchor=\"middle\"", text);
         }
@@ -129,7 +132,7 @@ static void put_slope(FILE *out, const struct axes *a, const struct chart *c) {
 void chart_write(const struct chart *c, FILE *out) {
     struct axes a = axes_of(c);
     int high = HEIGHT + ROW * c->count;
-    fprintf(out, "<svg viewBox=\"0 0 %d %d\" width=\"%d\" role=\"img\" style=\"font: 13px sans-serif\">\n", WIDTH,
+    fprintf(out, "<svg viewBox=\"0 0 %d %d\" width=\"%d\" role=\"img\" style=\"font: 14px sans-serif\">\n", WIDTH,
             high, WIDTH);
     fprintf(out, "<title>");
     html_text(out, c->title);
@@ -138,10 +141,11 @@ void chart_write(const struct chart *c, FILE *out) {
     fprintf(out, "<rect x=\"%d\" y=\"%d\" width=\"%d\" height=\"%d\" fill=\"none\" stroke=\"#333\"/>\n", LEFT, TOP,
             WIDTH - LEFT - RIGHT, HEIGHT - TOP - BOTTOM);
     put_label(out, WIDTH / 2.0, HEIGHT - 18, "text-anchor=\"middle\"", c->x_label);
-    put_label(out, 0, 0, "text-anchor=\"middle\" transform=\"translate(18 190) rotate(-90)\"", c->y_label);
+    put_label(out, 0, 0, "text-anchor=\"middle\" transform=\"translate(18 160) rotate(-90)\"", c->y_label);
     put_slope(out, &a, c);
-    for (int k = 0; k < c->count && k < STYLES; k++) {
-        put_series(out, &a, &c->series[k], k);
+    int shown = c->count < STYLES ? c->count : STYLES;
+    for (int k = shown - 1; k >= 0; k--) put_series(out, &a, &c->series[k], k); /* the first is on top */
+    for (int k = 0; k < shown; k++) {
         put_marker(out, k, LEFT + 8, HEIGHT + ROW * k, 0);
         put_label(out, LEFT + 22, HEIGHT + ROW * k + 5, "", c->series[k].name);
     }

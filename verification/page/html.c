@@ -2,6 +2,7 @@
 /* The frame of a page, its style, and images that are part of it. */
 #include "verification/page/html.h"
 
+#include "solver/status.h"
 #include "verification/text/letter.h"
 #include "verification/text/table.h"
 #include "verification/text/whole_file.h"
@@ -29,13 +30,16 @@ static const char style[] =
     "6rem;border:1px "
     "solid "
     "var(--line)}\n"
-    "code{overflow-wrap:anywhere}figure{margin:1.2rem 0;break-inside:avoid}\n"
+    "code{overflow-wrap:anywhere}pre span{display:inline-block;max-width:100%}figure{margin:1.2rem "
+    "0;break-inside:avoid}\n"
     "figure{overflow-x:auto}figure img,figure svg{height:auto;background:#fff;border:1px solid var(--line)}\n"
-    "figure svg text{fill:#1b1b1b}table.narrow{min-width:0}figcaption{position:sticky;left:0}\n"
+    "figure svg{max-width:100%}figure svg "
+    "text{fill:#1b1b1b}td.n:first-child{min-width:0}table.narrow{min-width:0}figcaption{position:sticky;left:0}\n"
     "figcaption,.faint{color:var(--faint);font-size:.86rem}\n"
     ".pass{color:var(--pass)}.fail{color:var(--fail);font-weight:bold}.other{color:var(--other);font-weight:bold}\n"
     ".verdict{font-size:1.25rem}nav ul{columns:2 14rem;padding-left:1.2rem}\n"
-    ".groups{columns:4 11rem;list-style:none;padding:0;font-size:.9rem}\n"
+    ".groups{columns:4 10.8rem;column-gap:.5rem;list-style:none;padding:0;font-size:.86rem}.groups "
+    "li{white-space:nowrap}\n"
     "@media screen and (max-width:44rem){.wide,.scroll{overflow:auto}.scroll{max-height:80vh}\n"
     "table:has(th:nth-child(6)){min-width:64rem}table:has(tr:first-child>th.up){min-width:0}}\n"
     "@media print{@page{margin:12mm}html{font-size:9pt}body{font-size:1rem;line-height:1.35;background:#fff;"
@@ -48,7 +52,7 @@ static const char style[] =
     "figure{display:inline-block;width:49%;margin:.3rem 0;padding:0 .2rem;vertical-align:top}\n"
     "figure{overflow:visible}figure img,figure svg{max-width:100%}figure "
     "img{max-height:10cm}figure.wide{display:block;width:auto}.wide img{max-height:20cm}\n"
-    "section+section{break-before:page}}\n";
+    "section>p{break-after:avoid}figure svg{max-height:17cm}}\n";
 
 void html_open(FILE *out, const char *title) {
     fprintf(out,
@@ -100,6 +104,19 @@ void html_print(FILE *out, const char *format, ...) {
     }
     va_end(arguments);
     fputs(format, out);
+}
+
+void html_command(FILE *out, const char *command) {
+    fprintf(out, "<pre><code><span>heatladder</span> ");
+    for (size_t n; *command; command += n) {
+        n = strcspn(command, " ");
+        char *word = xcalloc(n + 1, 1);
+        memcpy(word, command, n);
+        html_print(out, "<span>%s</span>", word);
+        free(word);
+        if (command[n]) fputc(' ', out), n++;
+    }
+    fprintf(out, "</code></pre>\n");
 }
 
 static int is_number(const char *text) {

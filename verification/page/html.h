@@ -24,6 +24,9 @@ void html_table(FILE *out, struct table *t, int narrow);
 /* The word of a verdict with its sign, so that it reads without colour: pass, fail, inconclusive, ... */
 void html_verdict(FILE *out, const char *word);
 
+/* A command, which is typed after the program's name, in a box: its lines break at blanks, not at hyphens. */
+void html_command(FILE *out, const char *command);
+
 /* The file at `path` (SVG) as an image within the page; 0, or -1 where it cannot be read. */
 int html_image(FILE *out, const char *path, const char *alternative);
 

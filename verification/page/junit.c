@@ -27,9 +27,9 @@ static void put_case(const struct gate_result *r, const char *group, FILE *out) 
         fprintf(out, "/>\n");
         return;
     }
-    html_print(out, ">\n      <%s message=\"%s%s%s\">expected because: %s\nheatladder %s</%s>\n    </testcase>\n",
-               tag, r->measured.reason, *r->measured.diagnosis ? "; diagnosis: " : "", r->measured.diagnosis,
-               r->gate.why, r->typed, tag);
+    html_print(out, ">\n      <%s message=\"%s%s%s\">why: %s\nheatladder %s</%s>\n    </testcase>\n", tag,
+               r->measured.reason, *r->measured.diagnosis ? "; diagnosis: " : "", r->measured.diagnosis, r->gate.why,
+               r->typed, tag);
 }
 
 /* A group of gates, the part of their names before the slash. */

@@ -28,7 +28,8 @@ void page_origin(char *text, size_t size) {
 }
 
 static void put_command(const char *command, FILE *out) {
-    html_print(out, "<p class=\"faint\">Made by</p>\n<pre><code>heatladder %s</code></pre>\n", command);
+    fprintf(out, "<p class=\"faint\">Made by</p>\n");
+    html_command(out, command);
 }
 
 static void put_program(const struct program *p, FILE *out) {
@@ -46,6 +47,7 @@ int page_gates_write(const struct gates *g, const char *title, const char *comma
     page_origin(made, sizeof made);
     put_program(g->program, out);
     page_put_gates(g, made, out);
+    orders_put_all(g, out);
     page_put_ladders(g, out);
     put_command(command, out);
     html_close(out);

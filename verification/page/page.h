@@ -29,6 +29,14 @@ void page_put_ladder(const struct gate_result *r, FILE *out);
 /* Those of all gates that hold, each folded away: page_put_gates draws the others. */
 void page_put_ladders(const struct gates *g, FILE *out);
 
+/* The order that each ladder reaches, on the band that is expected: a line a gate, grouped by the names of scenes or
+ * of gates, NULL last, and the command that makes it (NULL: none).  Nothing where no gate has a ladder. */
+void orders_put(const struct gates *g, const char *const name[], const char *command, FILE *out);
+/* The same for all ladders: by their own names where they are few, else by scene. */
+void orders_put_all(const struct gates *g, FILE *out);
+/* The errors of a scene's ladders in space, a curve a method and the second-order particles first. */
+void orders_put_scene(const struct gates *g, const char *scene, FILE *out);
+
 /* When, where and by which version something is made: now, here, by this one. */
 void page_origin(char *text, size_t size);
 

@@ -116,8 +116,8 @@ static void put_failure(const struct gate_result *r, FILE *out) {
     html_verdict(out, verdict_words[r->measured.verdict]);
     html_print(out, "</h4>\n<p>%s</p>\n", r->measured.reason);
     if (*r->measured.diagnosis) html_print(out, "<p>Diagnosis: %s.</p>\n", r->measured.diagnosis);
-    html_print(out, "<p class=\"faint\">Expected because: %s</p>\n<pre><code>heatladder %s</code></pre>\n",
-               r->gate.why, r->typed);
+    html_print(out, "<p class=\"faint\">Why: %s</p>\n", r->gate.why);
+    html_command(out, r->typed);
     page_put_ladder(r, out);
 }
 
@@ -135,7 +135,7 @@ static void put_groups(const struct gates *g, FILE *out) {
         char group[240];
         snprintf(group, sizeof group, "%.*s", (int)gates_group_length(id), id);
         html_print(out, "<li>%s ", group);
-        fprintf(out, "%d/%d ", t.passed, t.judged);
+        if (t.judged) fprintf(out, "%d/%d ", t.passed, t.judged);
         html_verdict(out, t.judged ? tally_word(t) : "skipped");
         fprintf(out, "\n");
     }

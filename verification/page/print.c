@@ -49,8 +49,12 @@ static void print_groups(const struct gates *g) {
         if (!gates_begins_group(g, i)) continue;
         struct gates_tally t = gates_tally(g, id);
         const char *word = verdict_words[t.passed == t.judged ? VERDICT_PASS : VERDICT_FAIL];
-        printf("%s%-14.*s %3d/%-3d%s%s", paint_start(stdout, word), (int)gates_group_length(id), id, t.passed,
-               t.judged, t.passed == t.judged ? " " : "!", paint_end(stdout, word));
+        printf("%s%-14.*s ", paint_start(stdout, word), (int)gates_group_length(id), id);
+        if (t.judged)
+            printf("%3d/%-3d%s", t.passed, t.judged, t.passed == t.judged ? " " : "!");
+        else
+            printf("skipped ");
+        printf("%s", paint_end(stdout, word));
         printf("%s", ++column % ACROSS ? "    " : "\n");
     }
     if (column % ACROSS) printf("\n");
@@ -62,7 +66,7 @@ static void print_details(const struct gate_result *r) {
     const struct measured *m = &r->measured;
     if (isfinite(m->value)) printf("  measured %.6g, expected %.6g to %.6g", m->value, gate->lo, gate->hi);
     if (isfinite(m->value) && !isnan(gate->ceiling)) printf("; error %.4e, at most %.4e", m->error, gate->ceiling);
-    printf("%s  expected because: %s\n", isfinite(m->value) ? "\n" : "", gate->why);
+    printf("%s  why: %s\n", isfinite(m->value) ? "\n" : "", gate->why);
 }
 
 static void print_failure(const struct gate_result *r, int all) {
@@ -74,6 +78,22 @@ static void print_failure(const struct gate_result *r, int all) {
     printf("  heatladder %s\n", r->typed);
 }
 
+static int is_skipped(const struct gate_result *r) {
+    return r->measured.verdict == VERDICT_SKIPPED;
+}
+
+/* One line for all that are skipped for the reason of the gate i, where i is the first of them. */
+static void print_skipped(const struct gates *g, int i) {
+    const char *reason = g->result[i].measured.reason;
+    for (int k = 0; k < i; k++)
+        if (is_skipped(&g->result[k]) && strcmp(g->result[k].measured.reason, reason) == 0) return;
+    printf("\n%s", g->result[i].gate.id);
+    for (int k = i + 1; k < g->declared; k++)
+        if (is_skipped(&g->result[k]) && strcmp(g->result[k].measured.reason, reason) == 0)
+            printf(", %s", g->result[k].gate.id);
+    printf(": skipped: %s\n", reason);
+}
+
 void print_gates(const struct gates *g, int all, double seconds) {
     struct gates_tally t = gates_tally(g, NULL);
     if (all)
@@ -81,8 +101,8 @@ void print_gates(const struct gates *g, int all, double seconds) {
     else
         print_groups(g);
     for (int i = 0; i < g->declared; i++) {
-        if (g->result[i].measured.verdict == VERDICT_SKIPPED)
-            printf("\n%s: skipped: %s\n", g->result[i].gate.id, g->result[i].measured.reason);
+        if (is_skipped(&g->result[i]))
+            print_skipped(g, i);
         else if (!holds(&g->result[i]))
             print_failure(&g->result[i], all);
     }

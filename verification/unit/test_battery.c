@@ -131,7 +131,8 @@ static void ceilings_are_four_times_the_five_point_difference(void **state) {
         struct request r;
         struct failure why;
         struct result result;
-        if (!strstr(g->why, "bounds: 4 times the five-point difference") || strncmp(g->command, "ladder", 6) != 0)
+        if (!strstr(g->why, "bounds: 4 times the error of the five-point difference") ||
+            strncmp(g->command, "ladder", 6) != 0)
             continue;
         snprintf(line, sizeof line, "run%.300s", g->command + 6);
         at = strstr(line, " mine ");
@@ -296,7 +297,7 @@ static void every_row_says_what_it_sees(void **state) {
         arguments_free(&r);
         assert_non_null(measures_find(row->gate.measure, &m));
         assert_order(row->gate.lo, <, row->gate.hi);
-        assert_int_equal(strncmp(row->gate.why, "sees ", 5), 0);
+        assert_int_equal(strncmp(row->gate.why, "detects ", 8), 0);
         for (const struct battery_row *other = battery_table; other < row; other++)
             if (other->order == row->order && strcmp(other->gate.id, row->gate.id) == 0)
                 fail_msg("%s twice", row->gate.id);

@@ -37,7 +37,7 @@ static struct coverage count(int n, double ratio, double s, double part, double 
     return c;
 }
 
-/* The interval of a fit alone lies inside the band in a share of cases that the scatter fixes: with the slope's error
+/* The interval of a fit alone is inside the band in a share of cases that the scatter fixes: with the slope's error
  * d ~ N(0, s^2/S) and the interval's half width t sqrt(s^2 X/(m-2)/S), X of chi squared, both independent.
  * Quadrature over X, by midpoints of equal probability. */
 static double share_inside(int n, double ratio, double s) {

@@ -43,11 +43,11 @@ static void has(const char *text, const char *before, const char *name, const ch
 static void the_page_is_complete(void **state) {
     (void)state;
     char *page = written(manual_page);
-    for (const struct verb *v = verbs; v->name; v++) has(page, ".SS \"heatladder ", v->name, "");
+    for (const struct verb *v = verbs; v->name; v++) has(page, "\n.B heatladder ", v->name, "\n");
     for (const struct option *o = options_table; o->key; o++) has(page, ".TP\n\\fB\\-\\-", o->name, "\\fR");
     for (int i = 0; scenes[i]; i++) has(page, ".TP\n\\fB", scenes[i]->name, "\\fR");
     for (int i = 0; methods[i]; i++) has(page, ".TP\n\\fB", methods[i]->name, "\\fR");
-    static const char *const sections[] = {"NAME",        "SYNOPSIS", "DESCRIPTION",     "VERBS",       "EXAMPLES",
+    static const char *const sections[] = {"NAME",        "SYNOPSIS", "DESCRIPTION",     "LADDER",      "EXAMPLES",
                                            "ENVIRONMENT", "FILES",    "\"EXIT STATUS\"", "\"SEE ALSO\""};
     for (int i = 0; i < 9; i++) has(page, "\n.SH ", sections[i], "\n");
     for (const char *line = page; line; line = strchr(line, '\n')) {
@@ -58,15 +58,45 @@ static void the_page_is_complete(void **state) {
     free(page);
 }
 
+/* Where lines break is no part of what they say: line ends and indents become one blank. */
+static void unfold(char *text) {
+    char *to = text;
+    for (const char *from = text; *from; from++) {
+        int blank = *from == '\n' || *from == ' ';
+        if (blank && to > text && to[-1] == ' ') continue;
+        *to++ = blank ? ' ' : *from;
+    }
+    *to = '\0';
+}
+
 /* The part of the page on a verb, up to the next heading. */
 static const char *part_of(const char *page, const struct verb *v) {
     static char part[40000];
     char heading[80];
-    snprintf(heading, sizeof heading, "\n.SS \"heatladder %s", v->name);
+    snprintf(heading, sizeof heading, "\n.B heatladder %s\n", v->name);
     const char *from = strstr(page, heading);
     assert_non_null(from);
     snprintf(part, sizeof part, "%.*s", (int)(strstr(from + 1, "\n.S") + 1 - from), from);
+    unfold(part);
     return part;
+}
+
+/* An option fills at most the width of a window. */
+static void lines_are_short(void **state) {
+    (void)state;
+    for (const struct verb *v = verbs; v->name; v++) {
+        char *text = NULL;
+        size_t size;
+        FILE *out = open_memstream(&text, &size);
+        assert_non_null(out);
+        help_verb(v, out);
+        fclose(out);
+        for (const char *line = text, *end; (end = strchr(line, '\n')); line = end + 1) {
+            if (strncmp(line, "The first of", 12) == 0 || strncmp(line, "LIST is", 7) == 0) break; /* by hand */
+            if (end - line > 100) fail_msg("%s: %.*s", v->name, (int)(end - line), line);
+        }
+        free(text);
+    }
 }
 
 /* Each option of each verb with all that help and manual page say of it: the words that it takes, and whether it must
@@ -80,15 +110,16 @@ static void the_help_is_whole(void **state) {
         assert_non_null(out);
         help_verb(v, out);
         fclose(out);
+        unfold(text);
         char *page = written(manual_page);
         const char *part = part_of(page, v);
         for (const struct option *o = options_table; o->key; o++) {
             if (!words_among(v->options, o->key)) continue;
             if (o->words) words_join(o->words, words, sizeof words);
-            snprintf(wanted, sizeof wanted, "%s%s%s%s\n", o->about, o->words ? ": " : "", o->words ? words : "",
+            snprintf(wanted, sizeof wanted, "%s%s%s%s ", o->about, o->words ? ": " : "", o->words ? words : "",
                      words_among(v->required, o->key) ? " (required)" : "");
             if (!strstr(text, wanted)) fail_msg("%s --%s: '%s' is cut", v->name, o->name, wanted);
-            has(part, "\n", wanted, "");
+            has(part, " ", wanted, "");
         }
         free(page);
         free(text);
@@ -124,6 +155,7 @@ int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(the_page_is_complete),
         cmocka_unit_test(the_help_is_whole),
+        cmocka_unit_test(lines_are_short),
         cmocka_unit_test(bash_completes),
     };
     return cmocka_run_group_tests_name("manual", tests, NULL, NULL);

@@ -156,7 +156,7 @@ static void what_is_wrong_is_named(void **state) {
     refused(RUN("exit 77; {case} {out}"), STATUS_SKIPPED, "not applicable");
     refused(RUN("ln -s /etc/passwd {out}; : {case}"), STATUS_INPUT, "a link");
     refused(RUN("mkdir {out}; : {case}"), STATUS_INPUT, "a directory");
-    refused(RUN("true {case}"), STATUS_INPUT, "must hold {case} and {out}");
+    refused(RUN("true {case}"), STATUS_INPUT, "must contain {case} and {out}");
 #undef RUN
 }
 

@@ -40,8 +40,11 @@ static void print_text(const struct result *r, const char *unit) {
         printf("  %-14s %.6g %s (exact: %.6g), relative error %.4e\n", r->derived_name, r->derived, unit,
                r->derived_exact, r->derived_error);
     if (r->time_error > 0) printf("  %-14s %.2g %% of E1\n", "time error", 100 * r->time_error);
-    printf("  %-14s %.6g to %.6g K, past the initial range by %.2e above, %.2e below\n", "temperature", r->shape.min,
-           r->shape.max, r->shape.overshoot, r->shape.undershoot);
+    printf("  %-14s %.6g to %.6g K, ", "temperature", r->shape.min, r->shape.max);
+    if (r->shape.overshoot == 0 && r->shape.undershoot == 0)
+        printf("within the range of start and walls\n");
+    else
+        printf("%.2e above and %.2e below the range of start and walls\n", r->shape.overshoot, r->shape.undershoot);
     if (!isnan(r->shape.checkerboard)) printf("  %-14s %.2e K\n", "checkerboard", r->shape.checkerboard);
     const struct settling *c = &r->settling;
     if (c->sweeps > 0)

@@ -102,7 +102,7 @@ static int collect(const struct request *r, struct gate_file *file, struct gates
     if (program->solver && strlen(program->solver) > GATES_SOLVER)
         return refuse(why, STATUS_INPUT, "--solver: more than %d letters; put them into a script", GATES_SOLVER);
     if (program->solver && (!strstr(program->solver, "{case}") || !strstr(program->solver, "{out}")))
-        return refuse(why, STATUS_INPUT, "--solver '%.200s': must hold {case} and {out}, which become paths",
+        return refuse(why, STATUS_INPUT, "--solver '%.200s': must contain {case} and {out}, which become paths",
                       program->solver);
     if (program->results && results_directory_check(program->results, why)) return why->status;
     if (r->gates_path && r->order)

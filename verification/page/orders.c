@@ -1,15 +1,20 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* One line a ladder; one curve a method. */
-#include "reports/index/index.h"
+#include "verification/page/page.h"
 
+#include "references/scene.h"
+#include "solver/status.h"
 #include "verification/page/chart.h"
 #include "verification/page/html.h"
 
 #include <math.h>
 #include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
 
-enum { WIDTH = 640, LEFT = 150, RIGHT = 20, TOP = 10, BOTTOM = 64, LINE = 4, GAP = 14 }; /* px */
+/* px.  WIDTH leaves the text 11 px or more on a screen of 400. */
+enum { WIDTH = 460, LEFT = 146, RIGHT = 16, TOP = 10, BOTTOM = 44, LINE = 3, GAP = 14 };
+enum { NAMED = 60 }; /* ladders that have a line of their own, with its name */
 enum { WORD = 80 };
 static const char subject[] = "so_ssph";
 
@@ -19,9 +24,11 @@ static int words_of(const struct gate_result *r, char scene[WORD], char method[W
            sscanf(r->typed, "ladder %79s %79s", scene, method) == 2;
 }
 
-static int is_of(const struct gate_result *r, const char *scene) {
+/* Whether a ladder goes with that name, of a scene or its own. */
+static int is_of(const struct gate_result *r, const char *name) {
     char of[WORD], method[WORD];
-    return words_of(r, of, method) && strcmp(of, scene) == 0;
+    if (strcmp(r->gate.id, name) == 0) return r->measured.rungs.n > 0 && isfinite(r->measured.value);
+    return words_of(r, of, method) && strcmp(of, name) == 0;
 }
 
 static int lines_of(const struct gates *g, const char *scene) {
@@ -55,16 +62,17 @@ static double place(struct span s, double order) {
     return LEFT + (order - s.lo) / (s.hi - s.lo) * (WIDTH - LEFT - RIGHT);
 }
 
-static void put_line(const struct gate_result *r, struct span s, double y, FILE *out) {
+/* A ladder with a line of its own is drawn larger. */
+static void put_line(const struct gate_result *r, struct span s, double y, int alone, FILE *out) {
     int good = r->measured.verdict == VERDICT_PASS;
     fprintf(out, "<g><title>");
     html_text(out, r->gate.id);
     fprintf(out, ": %.3g, expected %.3g to %.3g</title>", r->measured.value, r->gate.lo, r->gate.hi);
     fprintf(out, "<path d=\"M%.1f %.1fH%.1f\" stroke=\"#b8b8b8\" stroke-width=\"%d\"/>", place(s, r->gate.lo), y,
-            place(s, r->gate.hi), LINE - 1);
+            place(s, r->gate.hi), alone ? 8 : LINE - 1);
     if (good)
-        fprintf(out, "<circle cx=\"%.1f\" cy=\"%.1f\" r=\"2.2\" fill=\"#0072B2\"/></g>\n",
-                place(s, r->measured.value), y);
+        fprintf(out, "<circle cx=\"%.1f\" cy=\"%.1f\" r=\"%.1f\" fill=\"#0072B2\"/></g>\n",
+                place(s, r->measured.value), y, alone ? 4.0 : 1.9);
     else
         fprintf(out, "<path d=\"M%.1f %.1fl8 8m0 -8l-8 8\" stroke=\"#a3200d\" stroke-width=\"2\"/></g>\n",
                 place(s, r->measured.value) - 4, y - 4);
@@ -77,14 +85,10 @@ static void put_axis(struct span s, int high, FILE *out) {
         fprintf(out, "<text x=\"%.1f\" y=\"%d\" text-anchor=\"middle\">%d</text>\n", x, high - BOTTOM + 18, order);
     }
     fprintf(out, "<text x=\"%d\" y=\"%d\" text-anchor=\"middle\">order</text>\n", (LEFT + WIDTH - RIGHT) / 2,
-            high - BOTTOM + 36);
-    fprintf(out,
-            "<text x=\"%d\" y=\"%d\">Grey: the order expected. Dot: the order reached. Red cross: the gate does not "
-            "hold.</text>\n",
-            10, high - 8);
+            high - 8);
 }
 
-void orders_put(const struct gates *g, const char *const scene[], FILE *out) {
+void orders_put(const struct gates *g, const char *const scene[], const char *command, FILE *out) {
     int high = TOP + BOTTOM, all = 0;
     for (int k = 0; scene[k]; k++) {
         int n = lines_of(g, scene[k]);
@@ -94,7 +98,7 @@ void orders_put(const struct gates *g, const char *const scene[], FILE *out) {
     if (!all) return;
     struct span s = span_of(g, scene);
     fprintf(out,
-            "<figure>\n<svg viewBox=\"0 0 %d %d\" width=\"%d\" role=\"img\" style=\"font: 13px sans-serif\">\n"
+            "<figure>\n<svg viewBox=\"0 0 %d %d\" width=\"%d\" role=\"img\" style=\"font: 14px sans-serif\">\n"
             "<title>Order reached and order expected, ladder by ladder</title>\n"
             "<rect width=\"100%%\" height=\"100%%\" fill=\"#fff\"/>\n",
             WIDTH, high, WIDTH);
@@ -108,13 +112,31 @@ void orders_put(const struct gates *g, const char *const scene[], FILE *out) {
         html_text(out, scene[k]);
         fprintf(out, "</text>\n");
         for (int i = 0; i < g->declared; i++)
-            if (is_of(&g->result[i], scene[k])) put_line(&g->result[i], s, y + LINE * line++, out);
+            if (is_of(&g->result[i], scene[k])) put_line(&g->result[i], s, y + LINE * line++, n == 1, out);
         top += height_of(n);
     }
-    fprintf(out,
-            "</svg>\n<figcaption>Order reached against order expected: %d ladders. <code>make verify</code>"
-            "</figcaption></figure>\n",
-            all);
+    fprintf(
+        out,
+        "</svg>\n<figcaption>Order reached (dot) and order expected (grey) of %d ladders. A red cross: the gate does "
+        "not hold.",
+        all);
+    if (command) html_print(out, " <code>%s</code>", command);
+    fprintf(out, "</figcaption></figure>\n");
+}
+
+void orders_put_all(const struct gates *g, FILE *out) {
+    int ladders = 0, n = 0, known = 0;
+    while (scenes[known]) known++;
+    for (int i = 0; i < g->declared; i++) ladders += g->result[i].measured.rungs.n > 0;
+    const char **name = xcalloc((size_t)(ladders + known + 1), sizeof *name);
+    if (ladders <= NAMED)
+        for (int i = 0; i < g->declared; i++) {
+            if (g->result[i].measured.rungs.n > 0) name[n++] = g->result[i].gate.id;
+        }
+    else
+        for (; n < known; n++) name[n] = scenes[n]->name;
+    orders_put(g, name, NULL, out);
+    free(name);
 }
 
 /* The first ladder of each method whose errors are E1 over dx, the subject's first; how many. */
@@ -140,6 +162,7 @@ void orders_put_scene(const struct gates *g, const char *scene, FILE *out) {
     struct chart_series series[CHART_STYLES];
     int n = choose(g, scene, chosen);
     char title[2 * WORD];
+    if (n == 0 && g->declared > 0) fprintf(out, "<p class=\"faint\">No gate has a ladder in space here.</p>\n");
     if (n == 0) return;
     for (int k = 0; k < n; k++) {
         const struct rungs *l = &chosen[k]->measured.rungs;
