@@ -31,8 +31,8 @@ static int read_place(const char *text, const struct problem *p, struct quantity
             return refuse(why, STATUS_INPUT, "quantity '%.60s': at: needs %s, such as %s", text,
                           p->dim == 2 ? "X,Y" : "one number", p->dim == 2 ? "at:0.1,0.2" : "at:0.1");
         if (q->at[a] < p->lo[a] || q->at[a] > p->hi[a])
-            return refuse(why, STATUS_INPUT, "quantity '%.60s': %c = %g m is outside %g to %g m", text, "xy"[a],
-                          q -> at[a], p -> lo[a], p -> hi[a]);
+            return refuse(why, STATUS_INPUT, "quantity '%.60s': %c = %g m is outside %g to %g m", text, a ? 'y' : 'x',
+                          q->at[a], p->lo[a], p->hi[a]);
         at = end + 1;
     }
     if (p->shape && shape_depth(p, q->at) < 0)

@@ -166,8 +166,8 @@ static double work_at(const struct ladder *l, double error) {
     return NAN;
 }
 
-static const struct order *worked(const struct order *all, int operator, int cloud) {
-    return &all[(operator* CLOUDS + worked_on[cloud]) * TRIALS + WORKED];
+static const struct order *worked(const struct order *all, int row, int cloud) {
+    return &all[(row * CLOUDS + worked_on[cloud]) * TRIALS + WORKED];
 }
 
 static void write_work(const struct order *all, FILE *out) {

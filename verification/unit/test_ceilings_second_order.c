@@ -21,7 +21,7 @@ struct sides {
 
 /* e(TIME) from e(0) in place. */
 static void diffuse(double e[NY][NX], const double kappa[2], double r[NY][NX], const struct sides *at) {
-    static double new[NY][NX];
+    static double next[NY][NX];
     double hx = 1.0 / NX, hy = HEIGHT / NY, dt = 0.2 / (kappa[0] / hx / hx + kappa[1] / hy / hy);
     int steps = (int)ceil(TIME / dt);
     dt = TIME / steps;
@@ -33,10 +33,10 @@ static void diffuse(double e[NY][NX], const double kappa[2], double r[NY][NX], c
                     side[hi] = i == (hi ? NX - 1 : 0) ? 2 * at->x[hi][j] - c : e[j][i + 2 * hi - 1];
                     side[2 + hi] = j == (hi ? NY - 1 : 0) ? c + at->y[hi][i] * hy : e[j + 2 * hi - 1][i];
                 }
-                new[j][i] = c + dt *(kappa[0] * (side[0] + side[1] - 2 * c) / hx / hx +
-                                     kappa[1] * (side[2] + side[3] - 2 * c) / hy / hy + r[j][i]);
+                next[j][i] = c + dt * (kappa[0] * (side[0] + side[1] - 2 * c) / hx / hx +
+                                       kappa[1] * (side[2] + side[3] - 2 * c) / hy / hy + r[j][i]);
             }
-        memcpy(e, new, sizeof new);
+        memcpy(e, next, sizeof next);
     }
 }
 

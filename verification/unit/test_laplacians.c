@@ -22,7 +22,7 @@ static const double both[2] = {0.71, 0.43}, same[2] = {0.71, 0.71};
 static void linear_fields_stay(void **state) {
     (void)state;
     static const char *const exact[] = {"schwaiger", "fatehi_manzari", "cspm", "so_ssph", "positive"};
-    static const char *const not [] = {"brookshaw", "brookshaw_corrected", "kernel_second"};
+    static const char *const others[] = {"brookshaw", "brookshaw_corrected", "kernel_second"};
     double w[2][MANY];
     struct neighbourhood nb = around(2, same);
     for (int k = 0; k < 5; k++) {
@@ -31,7 +31,7 @@ static void linear_fields_stay(void **state) {
         assert_near(moment(w[0], 0, 1), 0, 1e-10);
     }
     for (int k = 0; k < 3; k++) {
-        weights_of(not [k], &nb, w);
+        weights_of(others[k], &nb, w);
         assert_order(fabs(moment(w[0], 1, 0)), >, 0.1);
     }
 }
