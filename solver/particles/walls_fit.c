@@ -8,7 +8,7 @@
  * Fifteen particles are asked for: with eight, few for five unknowns, their shares are large, and the largest stable
  * step at a held wall is 0.14 dx^2/kappa, not the 0.5 that it is without walls.  A particle next to the wall may then
  * stand for the temperature along it, and dummies that follow it let modes grow where the wall's own are left out (4
- * of 20 clouds of jitter 0.2; none of 100 with fifteen).
+ * of 20 clouds of jitter 0.2; none of 79 with fifteen).
  *
  * Order.  Dummies are exact for quadratics that obey the wall, so off by O(dx^3), and the operator in a layer one
  * kernel wide by O(dx).  That layer costs O(dx^3) in T at a held wall and O(dx^2) at the others: second order, in the
