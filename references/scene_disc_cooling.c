@@ -87,7 +87,7 @@ static void prepare_series(const double *v, double s, struct shared *g) {
         g->error[0] += rounding;
         g->error[1] += rounding * lambda / v[R];
     }
-    g->error[0] += DBL_EPSILON * (scale + fabs(v[T_A])) + 1e-17 * scale;
+    g->error[0] += DBL_EPSILON * ((1 + g->modes / 2) * scale + fabs(v[T_A]) + fabs(v[T0])) + 1e-17 * scale;
     g->error[1] += 1e-16 * scale / s;
     if (g->modes == MODES) g->error[0] = g->error[1] = INFINITY;
 }
@@ -119,17 +119,17 @@ static void *prepare(const struct problem *p, double t) {
 }
 
 static double sum_series(const double *v, const struct shared *g, double r, double *slope) {
-    double sum = v[T_A];
+    double sum = 0; /* rounded as T0 - T_a is, and not as T_a, at each mode */
     for (int n = 0; n < g->modes; n++) {
         double z = g->lambda[n] * r / v[R];
         sum += g->size[n] * gsl_sf_bessel_J0(z);
         *slope -= g->size[n] * g->lambda[n] / v[R] * gsl_sf_bessel_J1(z);
     }
-    return sum;
+    return v[T_A] + sum;
 }
 
 static double sum_transform(const double *v, const struct shared *g, double r, double *slope) {
-    double sum = v[T0];
+    double sum = 0;
     for (int j = 0; j < TALBOT_NODES; j++) {
         double complex z = g->q[j] * (r / v[R]), rise = g->q[j] * ((v[R] - r) / v[R]),
                        falling = g->part[j] * cexp(-rise);
@@ -137,7 +137,7 @@ static double sum_transform(const double *v, const struct shared *g, double r, d
         sum += cimag(falling * bessel_scaled(0, z));
         *slope += cimag(falling * g->q[j] / v[R] * bessel_scaled(1, z));
     }
-    return sum;
+    return v[T0] + sum;
 }
 
 static struct exact prepared(const struct problem *p, const void *shared, const double x[2], double t) {

@@ -4,6 +4,7 @@
 #include "solver/particles/particles.h"
 #include "solver/particles/walls.h"
 
+#include "verification/stability/spectrum.h"
 #include "verification/unit/near.h"
 
 #include <gsl/gsl_errno.h>
@@ -203,6 +204,38 @@ static void what_has_no_one_sided_fit_is_refused(void **state) {
     assert_non_null(strstr(why.text, "at least 15 are needed; take a smaller --dx"));
 }
 
+/* All eigenvalues, on lattices and clouds of jitter 0.2: none grows, and the largest step of so_ssph is within a
+ * fifth of what it is without walls: 0.525 dx^2/kappa, and 0.43 at least at jitter 0.3. */
+static void fits_let_no_mode_grow(void **state) {
+    (void)state;
+    extern const struct method method_so_ssph, method_fo_ssph, method_fatehi_manzari;
+    const struct method *const all[] = {&method_so_ssph, &method_fatehi_manzari, &method_fo_ssph};
+    for (int m = 0; m < 3; m++)
+        for (int round = 0; round < 3; round++)
+            for (int k = 0; k < 6; k++) {
+                struct problem p = body(round, (enum side_kind)(k / 2), &flat);
+                struct options o = {.dx = 0.13, .h = 1.1, .walls = WALLS_FIT, .seed = 5, .shift = round ? 0 : 0.47};
+                struct lattice l;
+                struct cloud c;
+                struct heat_operator a;
+                struct spectrum s;
+                struct failure why;
+                if (!round) o.dx = 0.1;
+                if (k % 2 && m < 2) o.layout = LAYOUT_JITTER, o.jitter = 0.2;
+                if (k % 2 && m == 2) o.seed = 6, o.shift *= 1.5; /* fo_ssph grows on a cloud without walls too */
+                if (layout_lattice(&p, &o, 1, &l, &why) || particles_cloud(&p, &o, all[m]->scheme, &l, &c, &why) ||
+                    operator_create_csr(&a, &p, &o, all[m]->scheme, &c, o.dx, &why) ||
+                    spectrum_create(&s, &a, &(struct amplification){STEPPER_EULER, 0}, &why))
+                    fail_msg("%s", why.text);
+                if (!(s.growth <= spectrum_rounding(&s)))
+                    fail_msg("%s, body %d, kind and layout %d: %g", all[m]->name, round, k, s.growth);
+                if (m == 0) assert_order(s.limit * K / (o.dx * o.dx), >, k % 2 ? 0.344 : 0.42);
+                spectrum_free(&s);
+                operator_free(&a);
+                layout_cloud_free(&c);
+            }
+}
+
 /* Modes grow there: in 8 of 12 lattices with `image`, on rectangles with `mirror`.  A rod takes both. */
 static void what_grows_with_two_sweeps_is_refused(void **state) {
     (void)state;
@@ -288,6 +321,7 @@ int main(void) {
         cmocka_unit_test(a_quadratic_rises_evenly),
         cmocka_unit_test(one_sided_rows_do_not_grow_beside_a_wall),
         cmocka_unit_test(what_has_no_one_sided_fit_is_refused),
+        cmocka_unit_test(fits_let_no_mode_grow),
         cmocka_unit_test(what_grows_with_two_sweeps_is_refused),
         cmocka_unit_test(particles_on_a_wall_hold_its_temperature),
         cmocka_unit_test(clipped_cells_fill_the_body),
