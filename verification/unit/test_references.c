@@ -1,5 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Each exact solution obeys its equation, its sides and its start, and agrees with a second, independent form. */
+#include "references/snapshot.h"
+
 #include "verification/unit/odd_scenes.h"
 
 #include <stdlib.h>
@@ -258,6 +260,33 @@ static void declared_symmetry_is_real(void **state) {
     }
 }
 
+/* Row by row, column by column and along the diagonal: the bits of one point at a time. */
+static void many_points_are_each_of_them(void **state) {
+    enum { N = 7, ORDERS = 3 };
+    (void)state;
+    for (int o = 0; scenes[o]; o++) {
+        struct problem p;
+        odd_setup(scenes[o], &p);
+        double at[2][ORDERS * N * N], t = 0.7 * p.t_end;
+        struct exact e[ORDERS * N * N];
+        for (int k = 0; k < ORDERS * N * N; k++) {
+            int i = k % N, j = k / N % N, order = k / (N * N);
+            double part[2] = {order == 1 ? j : i, order == 0 ? j : order == 1 ? i : (i + j) % N};
+            for (int a = 0; a < 2; a++) at[a][k] = p.lo[a] + (part[a] + 0.5) / N * (p.hi[a] - p.lo[a]);
+        }
+        struct snapshot now = snapshot_take(scenes[o], &p, t);
+        snapshot_at_points(&now, ORDERS * N * N, at[0], p.dim == 2 ? at[1] : NULL, e);
+        for (int k = 0; k < ORDERS * N * N; k++) {
+            struct exact one = snapshot_at(&now, (double[2]){at[0][k], p.dim == 2 ? at[1][k] : 0});
+            if (memcmp(&e[k].temperature, &one.temperature, sizeof one.temperature) != 0 ||
+                memcmp(&e[k].error_bound, &one.error_bound, sizeof one.error_bound) != 0)
+                fail_msg("%s at (%g, %g): %.17g, and alone %.17g", scenes[o]->name, at[0][k], at[1][k],
+                         e[k].temperature, one.temperature);
+        }
+        snapshot_free(&now);
+    }
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(the_equation_holds),
@@ -270,6 +299,7 @@ int main(void) {
         cmocka_unit_test(the_middle_is_known),
         cmocka_unit_test(the_gradient_is_that_of_the_second_form),
         cmocka_unit_test(declared_symmetry_is_real),
+        cmocka_unit_test(many_points_are_each_of_them),
     };
     gsl_set_error_handler_off();
     return cmocka_run_group_tests_name("references", tests, NULL, NULL);
