@@ -38,7 +38,7 @@ static const char style[] =
     "figcaption,.faint{color:var(--faint);font-size:.86rem}\n"
     ".pass{color:var(--pass)}.fail{color:var(--fail);font-weight:bold}.other{color:var(--other);font-weight:bold}\n"
     ".verdict{font-size:1.25rem}nav ul{columns:2 14rem;padding-left:1.2rem}\n"
-    ".groups{columns:4 10.8rem;column-gap:.5rem;list-style:none;padding:0;font-size:.86rem}.groups "
+    ".groups{columns:4 11.2rem;column-gap:.5rem;list-style:none;padding:0;font-size:.8rem}.groups "
     "li{white-space:nowrap}\n"
     "@media screen and (max-width:44rem){.wide,.scroll{overflow:auto}.scroll{max-height:80vh}\n"
     "table:has(th:nth-child(6)){min-width:64rem}table:has(tr:first-child>th.up){min-width:0}}\n"
