@@ -5,7 +5,7 @@ load 'reports/figure/style.gp'
 unset title
 set label 98 heading at screen 0.5, screen 0.965 center noenhanced font size_of(13)
 unset bmargin
-set margins at screen 0.15, at screen 0.9, at screen 0.2, at screen 0.83
+set margins at screen 0.15, at screen 0.88, at screen 0.2, at screen 0.83
 names = 'voronoi_flux positive conjugate brookshaw brookshaw_corrected schwaiger so_ssph fatehi_manzari fo_ssph flux_divergence kernel_second cspm'
 set ytics () nomirror scale 0 noenhanced
 do for [k = 1:12] { set ytics add (word(names, k) 13 - k) }
@@ -24,11 +24,11 @@ set label '900 particles' at first 54, graph 1.115 center font size_of(10)
 set xrange [0:72]
 set yrange [0.4:12.6]
 unset grid
-set xlabel 'jitter  [dx]; white: refused, for k_y is not k_x' noenhanced
+set xlabel 'jitter  [dx]; height: share of draws; white: refused, for k_y is not k_x' noenhanced
 set cbrange [0.1:1e4]
 set logscale cb
 set format cb '10^{%T}'
-set cblabel 'rate times 100 dx^2/κ_x  [-]' offset 0.5
+set cblabel 'rate times 100 dx^2/κ_x  [-]' offset 1
 set palette defined (0 '#f6d6a8', 1 '#e69f00', 2 '#d55e00', 3 '#7a1f00')
 unset key
 set style fill solid 1 noborder
