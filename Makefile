@@ -332,7 +332,7 @@ walls: $(BUILD)/heatladder ## Measure which treatment of walls anywhere keeps wh
 ##@ Speed
 
 # A benchmark says by which flags it was compiled.
-$(BUILD)/verification/bench/print.o: DEFINES = -DBENCH_FLAGS='"-std=c11 -ffp-contract=off -fopenmp $(CFLAGS)"'
+$(BUILD)/verification/bench/bench_print.o: DEFINES = -DBENCH_FLAGS='"-std=c11 -ffp-contract=off -fopenmp $(CFLAGS)"'
 
 BENCH := $(OUT)/bench
 

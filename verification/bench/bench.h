@@ -22,7 +22,7 @@ struct bench_row {
     int front_time, front_work; /* 1: no other row has a smaller error for less */
 };
 
-struct bench_growth { /* of one candidate over its last three rungs, as a power of the number of particles */
+struct bench_growth { /* of one candidate over its rungs, three or more, as a power of the number of particles */
     const struct candidate *candidate;
     int rungs;
     double seconds, work, expected;
