@@ -487,7 +487,9 @@ race: ## Run the quick gates on four threads under clang's race detector
 
 # Hours: tried in parts.
 .PHONY: nightly
-nightly: ## All seeded faults, an hour of each fuzzer, the race detector, 64-bit ARM, fifty mutants by chance; hours
+nightly: ## All seeded faults, an hour of each fuzzer, no optimization, the race detector, ARM, fifty mutants by chance; hours
+	+$(Q)$(MAKE) -s BUILD=$(BUILD)/O0 CFLAGS='-O0 -g' all
+	$(Q)$(BUILD)/O0/heatladder verify && PROGRAM=$(BUILD)/O0/heatladder scripts/check_measured
 	+$(Q)$(MAKE) race
 	+$(Q)$(MAKE) fuzz FUZZ_SECONDS=3600
 	$(Q)if command -v qemu-aarch64 >/dev/null; then scripts/cross-arm64 build/arm64 '*'; else scripts/skip "64-bit ARM: qemu-aarch64 is not here"; fi
