@@ -96,11 +96,23 @@ static void a_point_of_a_plane(void **state) {
     assert_int_equal(check("rect-manufactured", m - 1, &why), STATUS_OK);
 }
 
+/* square-step is 4 m by 4 m: coordinates that differ by less than 1e-9 of that are one column's. */
+static void digits_that_were_cut(void **state) {
+    (void)state;
+    struct failure why;
+    const int n[2] = {20, 20};
+    const double first[2] = {-1.9, -1.9}, step[2] = {0.2, 0.2};
+    size_t m = lattice(first, step, n, -1);
+    for (size_t i = 0; i < m; i++) at_x[i] += 1.5e-9 * sin((double)i), at_y[i] += 1.5e-9 * cos(3. * (double)i);
+    if (check("square-step", m, &why)) fail_msg("%s", why.text);
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(a_point_of_a_rod),
         cmocka_unit_test(an_interface_has_no_point_of_its_own),
         cmocka_unit_test(a_point_of_a_plane),
+        cmocka_unit_test(digits_that_were_cut),
     };
     return cmocka_run_group_tests_name("holes", tests, NULL, NULL);
 }
