@@ -159,13 +159,8 @@ void ladder_json(const struct ladder *l, struct json *j) {
     json_end(j);
     json_text(j, "against", l->in_time ? "dt" : *l->vary ? l->vary : "dx");
     json_number(j, "slope", l->slope.value);
-    json_array(j, "slope_ci95");
-    for (int i = 0; i < 2; i++) json_number(j, NULL, l->slope.ci[i]);
-    json_end(j);
-    json_array(j, "local_slopes");
-    for (int i = 0; i + 1 < l->n; i++) json_number(j, NULL, l->local[i]);
-    json_end(j);
-    json_text(j, "verdict", verdict_words[l->verdict]);
-    json_text(j, "reason", l->reason);
+    json_numbers(j, "slope_ci95", l->slope.ci, 2);
+    json_numbers(j, "local_slopes", l->local, l->n - 1);
+    json_add(j, "verdict %s|reason %s", verdict_words[l->verdict], l->reason);
     diagnosis_json(&l->diagnosis, j);
 }
