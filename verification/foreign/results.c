@@ -54,9 +54,7 @@ int results_directory(const char *dir, double value, char path[RESULTS_PATH]) {
 }
 
 static int append(char text[PROGRAM_SETTING], const char *name, const char *value) {
-    size_t used = strlen(text);
-    int more = snprintf(text + used, PROGRAM_SETTING - used, "%s%s=%s", used ? "," : "", name, value);
-    return more < 0 || (size_t)more >= PROGRAM_SETTING - used ? -1 : 0;
+    return words_add(text, PROGRAM_SETTING, "%s%s=%s", *text ? "," : "", name, value);
 }
 
 int results_setting(const struct scene *s, const struct problem *p, unsigned long set, const struct mapping *map,
@@ -288,8 +286,7 @@ static int write_all(const struct results_place *at, const struct scene *s, cons
         dx = next_name(dx, &with.dx, name);
         snprintf(path, sizeof path, "%.850s/%s", of_scene, name);
         if (make(path, why)) return why->status;
-        size_t used = strlen(path);
-        if (*at->rung) snprintf(path + used, sizeof path - used, "/%.80s", at->rung);
+        if (*at->rung) words_add(path, sizeof path, "/%.80s", at->rung);
         if (make(path, why) || write_draws(at, path, s, p, &with, known, list, written, why)) return why->status;
     }
     return STATUS_OK;

@@ -6,6 +6,7 @@
 #include "verification/command/arguments.h"
 #include "verification/foreign/results.h"
 #include "verification/text/whole_file.h"
+#include "verification/text/words.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -49,6 +50,11 @@ int battery_add(int order, enum profile profile, unsigned long seed, struct gate
         g->result[g->declared - 1].gate.tier = tier_of(&row->gate);
     }
     return STATUS_OK;
+}
+
+void battery_words(const struct request *r, char *text, size_t size) {
+    if (r->profile) words_add(text, size, " --profile %s", arguments_profiles[r->profile]);
+    if (r->more_rungs) words_add(text, size, " --rungs %d", r->more_rungs);
 }
 
 static int set_bound(const struct battery_row *row, struct gate *gate, struct failure *why) {

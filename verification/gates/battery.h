@@ -21,6 +21,9 @@ extern const struct battery_row battery_table[]; /* ended by a NULL id */
 /* Adds the rows for that order and profile to *g, drawn by the seed (0: as they are written). */
 int battery_add(int order, enum profile profile, unsigned long seed, struct gates *g, struct failure *why);
 
+/* Appends the words of `verify` that choose among these rows, as *r has them: " --profile P --rungs N". */
+void battery_words(const struct request *r, char *text, size_t size);
+
 /* Sets the bounds of the rows in *g, all of that order, to those of what was drawn: some need a run of the five-point
  * difference. */
 int battery_bounds(int order, struct gates *g, struct failure *why);

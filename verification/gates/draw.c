@@ -9,6 +9,7 @@
 #include "verification/command/arguments.h"
 #include "verification/run/run.h"
 #include "verification/text/number.h"
+#include "verification/text/words.h"
 
 #include <gsl/gsl_rng.h>
 #include <math.h>
@@ -71,8 +72,7 @@ static int draw_ranges(const char *ranges, gsl_rng *r, char *words, double *offs
         }
         snprintf(set, sizeof set, " --set %s=", name);
         drop_option(words, set);
-        size_t n = strlen(words);
-        snprintf(words + n, DRAW_COMMAND - n, " --set %s=%.3g", name, value);
+        words_add(words, DRAW_COMMAND, " --set %s=%.3g", name, value);
     }
     return STATUS_OK;
 }
@@ -104,9 +104,8 @@ int draw_command(const struct draw *d, unsigned long seed, char command[DRAW_COM
     mapping_print(&m, map);
     scale = exp2(scale);
     snprintf(command, DRAW_COMMAND, "%.900s --map %s --scale %.3g", words, map, scale);
-    size_t n = strlen(command);
-    if (offset != 0) n += (size_t)snprintf(command + n, DRAW_COMMAND - n, " --offset %.3g", scale * offset);
-    snprintf(command + n, DRAW_COMMAND - n, "%s", rest);
+    if (offset != 0) words_add(command, DRAW_COMMAND, " --offset %.3g", scale * offset);
+    words_add(command, DRAW_COMMAND, "%s", rest);
     return status;
 }
 

@@ -19,6 +19,7 @@
 #include "verification/ladder/judge.h"
 #include "verification/ladder/ladder.h"
 #include "verification/ladder/window.h"
+#include "verification/text/words.h"
 
 #include <gsl/gsl_cdf.h>
 #include <math.h>
@@ -85,10 +86,8 @@ static int is_smooth(const double *slope, int n) {
 
 /* "2.1, -0.4, 3.0" */
 static void list_slopes(const double *slope, int n, char *text, size_t size) {
-    size_t used = 0;
     *text = '\0';
-    for (int i = 0; i < n && used + 12 < size; i++)
-        used += (size_t)snprintf(text + used, size - used, "%s%.2f", i ? ", " : "", slope[i]);
+    for (int i = 0; i < n && strlen(text) + 12 < size; i++) words_add(text, size, "%s%.2f", i ? ", " : "", slope[i]);
 }
 
 /* sum (u - mean)^2 */
@@ -126,17 +125,15 @@ static int says_what_is_missing(const struct ladder_rungs *rungs, struct ladder 
     if (l->slope.n < WINDOW_LEAST || !positive || !(error <= FAR * rungs->ceiling) || !rungs->expect.count) return 0;
     double lo = rungs->expect.value[0], hi = rungs->expect.value[1];
     list_slopes(slope, n, list, sizeof list);
-    int needed = rungs_needed(l, lo, hi),
-        used = snprintf(l->reason, sizeof l->reason,
-                        "the error %.2g is %.0f times below its ceiling and falls throughout (slopes %s), but the "
-                        "interval [%.2f, %.2f] of %d rungs reaches past [%g, %g]: ",
-                        error, rungs->ceiling / error, list, l->slope.ci[0], l->slope.ci[1], l->slope.n, lo, hi);
-    if (used < 0 || (size_t)used >= sizeof l->reason) return 1;
+    int needed = rungs_needed(l, lo, hi);
+    snprintf(l->reason, sizeof l->reason,
+             "the error %.2g is %.0f times below its ceiling and falls throughout (slopes %s), but the interval "
+             "[%.2f, %.2f] of %d rungs reaches past [%g, %g]: ",
+             error, rungs->ceiling / error, list, l->slope.ci[0], l->slope.ci[1], l->slope.n, lo, hi);
     if (needed)
-        snprintf(l->reason + used, sizeof l->reason - (size_t)used, "with this scatter %d rungs decide (--rungs %d)",
-                 needed, needed);
+        words_add(l->reason, sizeof l->reason, "with this scatter %d rungs decide (--rungs %d)", needed, needed);
     else
-        snprintf(l->reason + used, sizeof l->reason - (size_t)used, "no 12 rungs with this scatter decide");
+        words_add(l->reason, sizeof l->reason, "no 12 rungs with this scatter decide");
     return 1;
 }
 

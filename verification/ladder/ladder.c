@@ -11,6 +11,7 @@
 #include "verification/text/progress.h"
 #include "verification/run/run.h"
 #include "verification/run/semidiscrete.h"
+#include "verification/text/words.h"
 
 #include <math.h>
 #include <omp.h>
@@ -183,8 +184,8 @@ static void judge_exact(const struct ladder_rungs *rungs, struct ladder *l) {
     snprintf(l->reason, sizeof l->reason, "%d of %d rungs are at round-off, where no order shows%s", exact, l->n,
              rungs->ceiling > 0 ? "" : ": --ceiling E judges the error");
     if (rungs->ceiling > 0 && ladder_finest_error(l) <= rungs->ceiling)
-        snprintf(l->reason + strlen(l->reason), sizeof l->reason - strlen(l->reason),
-                 "; the error %.4g is below its ceiling %.4g", ladder_finest_error(l), rungs->ceiling);
+        words_add(l->reason, sizeof l->reason, "; the error %.4g is below its ceiling %.4g", ladder_finest_error(l),
+                  rungs->ceiling);
 }
 
 static void judge(const struct ladder_rungs *rungs, struct ladder *l) {

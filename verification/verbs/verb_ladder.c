@@ -14,6 +14,7 @@
 #include "verification/text/paint.h"
 #include "verification/command/request.h"
 #include "verification/text/table.h"
+#include "verification/text/words.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -118,10 +119,10 @@ static int is_judged(const struct request *r) {
 /* --expect and --ceiling as they were given. */
 static void print_asked(const struct request *r, char *text, size_t size) {
     const struct numbers *e = &r->rungs.expect;
-    int n = e->count ? snprintf(text, size, "--expect %g,%g", e->value[0], e->value[1]) : 0;
-    if (r->rungs.ceiling > 0)
-        n += snprintf(text + n, size - (size_t)n, "%s--ceiling %g", n ? " " : "", r->rungs.ceiling);
-    if (!n) snprintf(text, size, "its runs should end");
+    *text = '\0';
+    if (e->count) snprintf(text, size, "--expect %g,%g", e->value[0], e->value[1]);
+    if (r->rungs.ceiling > 0) words_add(text, size, "%s--ceiling %g", *text ? " " : "", r->rungs.ceiling);
+    if (!*text) snprintf(text, size, "its runs should end");
 }
 
 /* One test case, which passes where the exit status is to be 0: also a ladder that ran and that nothing judges. */

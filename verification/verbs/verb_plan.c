@@ -14,9 +14,8 @@
 #include <stdio.h>
 
 static void describe_storage(const struct outline *part, char *text, size_t size) {
-    int used = snprintf(text, size, "%s", part->weights);
-    if (part->stand_in > 0)
-        snprintf(text + used, size - (size_t)used, "; estimated from those at dx = %g m", part->stand_in);
+    snprintf(text, size, "%s", part->weights);
+    if (part->stand_in > 0) words_add(text, size, "; estimated from those at dx = %g m", part->stand_in);
 }
 
 /* Why a mirror plane is not made use of. */

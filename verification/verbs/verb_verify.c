@@ -107,11 +107,8 @@ static int collect(const struct request *r, struct gate_file *file, struct gates
         say_origin(r->gates_path, origin);
     else
         snprintf(origin, ORIGIN, "--order %d --seed %lu", order, r->draw);
-    size_t used = strlen(origin);
-    if (r->profile)
-        used += (size_t)snprintf(origin + used, ORIGIN - used, " --profile %s", arguments_profiles[r->profile]);
-    if (r->more_rungs) used += (size_t)snprintf(origin + used, ORIGIN - used, " --rungs %d", r->more_rungs);
-    if (r->time_order > 0) snprintf(origin + used, ORIGIN - used, " --time-order %g", r->time_order);
+    battery_words(r, origin, ORIGIN);
+    if (r->time_order > 0) words_add(origin, ORIGIN, " --time-order %g", r->time_order);
     if (gates_choose(g, r->only, r->skip, r->quick, why)) return why->status;
     if (!r->gates_path && r->draw && battery_bounds(order, g, why)) return why->status;
     refine_gates(g, r->more_rungs, r->time_order);
