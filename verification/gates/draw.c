@@ -77,7 +77,7 @@ static int draw_ranges(const char *ranges, gsl_rng *r, char *words, double *offs
     return STATUS_OK;
 }
 
-static int dimension(const char *command, struct failure *why) {
+int draw_dimension(const char *command, struct failure *why) {
     const char *const program[] = {"--solver", "{case}{out}", NULL};
     struct request r;
     int dim = arguments_parse_line_with(command, program, &r, why) ? 0 : r.experiment.problem.dim;
@@ -91,7 +91,7 @@ int draw_command(const struct draw *d, unsigned long seed, char command[DRAW_COM
     double offset = 0;
     snprintf(command, DRAW_COMMAND, "%s", d->command);
     if (seed == 0) return STATUS_OK;
-    int dim = dimension(d->command, why);
+    int dim = draw_dimension(d->command, why);
     if (!dim || !rest || sscanf(d->command, "%*s %39s", scene) != 1)
         return refuse(why, STATUS_INPUT, "'%.200s': cannot be drawn", d->command);
     snprintf(words, sizeof words, "%.*s", (int)(rest - d->command), d->command);

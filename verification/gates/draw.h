@@ -28,6 +28,9 @@ struct draw {
 
 enum { DRAW_COMMAND = 1024 };
 
+/* Of the scene that the command of another program is about: 1 or 2; 0 with *why where it cannot be read. */
+int draw_dimension(const char *command, struct failure *why);
+
 /* The command with its drawn words; rows of the same scene and ranges draw the same.  Seed 0: as it is written. */
 int draw_command(const struct draw *d, unsigned long seed, char command[DRAW_COMMAND], struct failure *why);
 

@@ -42,7 +42,8 @@ static int digits_of(double T, int *last) {
     return MOST;
 }
 
-double doubt_digits(const struct field *f, int *digits) {
+/* The part of E1, relative, that the digits in which T of *f is printed make up on average, and how many they are. */
+static double digits_share(const struct field *f, int *digits) {
     enum { POINTS = 500 };
     size_t stride = f->n / POINTS + 1;
     int decimals = 400, last;
@@ -64,13 +65,10 @@ double doubt_digits(const struct field *f, int *digits) {
 
 /* Local slopes of the rungs that count; how many. */
 static int slopes(const struct ladder *l, double *slope) {
-    int n = 0, before = -1;
-    for (int i = 0; i < l->n; i++) {
-        if (!l->window.counts[i]) continue;
-        if (before >= 0) slope[n++] = log(l->error[before] / l->error[i]) / log(l->x[before] / l->x[i]);
-        before = i;
-    }
-    return n;
+    double x[RUNG_MAX], error[RUNG_MAX];
+    int n = ladder_counted(l, x, error);
+    slope_local(x, error, n, slope);
+    return n > 0 ? n - 1 : 0;
 }
 
 static int is_smooth(const double *slope, int n) {
@@ -101,11 +99,10 @@ static double spread(const double *u, int n) {
 /* The least number of rungs, further ones by halving, whose interval would lie in the band; 0 where none would. */
 static int rungs_needed(const struct ladder *l, double lo, double hi) {
     enum { MOST = 12 };
-    double u[RUNG_MAX], half = (l->slope.ci[1] - l->slope.ci[0]) / 2;
-    int n = 0;
-    for (int i = 0; i < l->n; i++)
-        if (l->window.counts[i]) u[n++] = log(l->x[i]);
+    double u[RUNG_MAX], error[RUNG_MAX], half = (l->slope.ci[1] - l->slope.ci[0]) / 2;
+    int n = ladder_counted(l, u, error);
     if (n < WINDOW_LEAST) return 0;
+    for (int i = 0; i < n; i++) u[i] = log(u[i]);
     double scatter = half / gsl_cdf_tdist_Pinv(0.975, n - 2) * sqrt(spread(u, n)),
            room = fmin(l->slope.value - lo, hi - l->slope.value);
     for (int more = n + 1; more <= MOST; more++) {
@@ -137,14 +134,11 @@ static int says_what_is_missing(const struct ladder_rungs *rungs, struct ladder 
     return 1;
 }
 
-static int is_above(const struct ladder_rungs *rungs, double error) {
-    return rungs->ceiling > 0 && !(error <= rungs->ceiling);
-}
-
 /* An error above its ceiling is wrong whatever the order is. */
 static void doubt(const struct ladder_rungs *rungs, double error, struct ladder *l) {
     l->verdict = VERDICT_INCONCLUSIVE;
-    if (is_above(rungs, error)) judge_ceiling(error, rungs->ceiling, &l->verdict, l->reason, sizeof l->reason);
+    if (rungs->ceiling > 0 && !(error <= rungs->ceiling))
+        judge_ceiling(error, rungs->ceiling, &l->verdict, l->reason, sizeof l->reason);
 }
 
 static void judge_smoothness(const struct ladder_rungs *rungs, struct ladder *l) {
@@ -165,7 +159,7 @@ void doubt_judge(const struct ladder_rungs *rungs, const struct doubt_noise *noi
     double error = ladder_finest_error(l);
     int digits;
     if (l->failure.status || (l->verdict != VERDICT_FAIL && l->verdict != VERDICT_INCONCLUSIVE)) return;
-    double printed = l->norm == LADDER_QUANTITY ? 0 : doubt_digits(finest, &digits) / l->rung[l->n - 1].error.l1;
+    double printed = l->norm == LADDER_QUANTITY ? 0 : digits_share(finest, &digits) / l->rung[l->n - 1].error.l1;
     if (noise->share > DOUBT_NOISE) {
         snprintf(
             l->reason, sizeof l->reason,

@@ -148,8 +148,7 @@ static int climb_without_reference(const struct experiment *e, const struct ladd
     char value[40];
     results_number(rungs->fine, value);
     snprintf(fine.program.rung, sizeof fine.program.rung, "dt=%s", value);
-    int status =
-        rungs->fine > 0 ? self_difference_climb_to(rung, &fine, l, why) : self_difference_climb(rung, l, why);
+    int status = self_difference_climb(rung, rungs->fine > 0 ? &fine : NULL, l, why);
     l->tried = program_given(&e->program) && status && l->rung[0].failure.status;
     return status_refused(status) && !l->tried ? status : STATUS_OK;
 }

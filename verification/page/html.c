@@ -77,22 +77,13 @@ static size_t put_letter(FILE *out, const char *text) {
 }
 
 void html_text(FILE *out, const char *text) {
-    for (size_t length = 1; *text; text += length, length = 1) switch (*text) {
-        case '&':
-            fputs("&amp;", out);
-            break;
-        case '<':
-            fputs("&lt;", out);
-            break;
-        case '>':
-            fputs("&gt;", out);
-            break;
-        case '"':
-            fputs("&quot;", out);
-            break;
-        default:
-            length = put_letter(out, text);
-        }
+    static const char special[] = "&<>\"";
+    static const char *const name[] = {"&amp;", "&lt;", "&gt;", "&quot;"};
+    while (*text) {
+        const char *at = strchr(special, *text);
+        if (at) fputs(name[at - special], out);
+        text += at ? 1 : put_letter(out, text);
+    }
 }
 
 void html_print(FILE *out, const char *format, ...) {
