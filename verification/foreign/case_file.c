@@ -10,7 +10,6 @@
 #include "verification/text/whole_file.h"
 #include "verification/text/words.h"
 
-#include <errno.h>
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>

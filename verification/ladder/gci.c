@@ -20,7 +20,6 @@
 #include "solver/status.h"
 #include "verification/foreign/case_run.h"
 #include "verification/foreign/field_file.h"
-#include "verification/foreign/program.h"
 #include "verification/foreign/results.h"
 #include "verification/foreign/samples.h"
 #include "verification/run/interpolate.h"

@@ -8,7 +8,6 @@
 #include <fnmatch.h>
 #include <stdarg.h>
 #include <stdio.h>
-#include <stdlib.h>
 #include <string.h>
 
 enum { LENGTH_MAX = 63 }; /* letters beyond these are not compared */

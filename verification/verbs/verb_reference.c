@@ -13,7 +13,6 @@
 #include "solver/method.h"
 #include "solver/status.h"
 
-#include <errno.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
