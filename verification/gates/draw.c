@@ -2,7 +2,7 @@
 /* Drawn rows: GSL's mt19937, seeded by the seed and by what is drawn, so that a row's draw does not depend on the
  * rows before it.  Numbers are drawn evenly (the scale: its logarithm) and rounded to three digits: what is typed is
  * what is run. */
-#include "verification/gates/draw.h"
+#include "verification/gates/battery.h"
 
 #include "references/mapping.h"
 #include "references/scene.h"

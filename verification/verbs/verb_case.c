@@ -5,7 +5,6 @@
 #include "references/scene.h"
 #include "solver/status.h"
 #include "verification/gates/battery.h"
-#include "verification/gates/refine.h"
 #include "verification/command/request.h"
 #include "verification/foreign/case_file.h"
 #include "verification/foreign/case_run.h"

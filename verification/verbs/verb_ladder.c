@@ -11,9 +11,9 @@
 #include "verification/ladder/ladder.h"
 #include "verification/page/page.h"
 #include "verification/text/atomic_file.h"
-#include "verification/text/paint.h"
 #include "verification/command/request.h"
 #include "verification/text/table.h"
+#include "verification/text/verdict.h"
 #include "verification/text/words.h"
 
 #include <math.h>

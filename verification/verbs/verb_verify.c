@@ -5,7 +5,6 @@
 #include "references/scene.h"
 #include "solver/method.h"
 #include "verification/text/atomic_file.h"
-#include "verification/gates/refine.h"
 #include "verification/gates/battery.h"
 #include "verification/gates/gate_file.h"
 #include "verification/diagnosis/wording.h"
