@@ -114,8 +114,7 @@ int results_list(const char *dir, struct numbers *found, struct failure *why) {
                       NUMBERS_MAX, dir);
     if (!found->count)
         return refuse(why, STATUS_INPUT,
-                      "--results: no directory in '%.300s' is called by its spacing, as `heatladder "
-                      "case` makes them",
+                      "--results: no directory in '%.300s' is called by its spacing, as `heatladder case` makes them",
                       dir);
     return STATUS_OK;
 }
@@ -215,9 +214,7 @@ static int write_one(const char *dir, const struct mapping *map, int seed, const
     int same = old && page.text && strcmp(old, page.text) == 0, status = STATUS_OK;
     if (old && !same && case_run_answer(dir, answer, sizeof answer))
         status = refuse(why, STATUS_INPUT,
-                        "%.300s: an answer to another case is there; remove it, or take another "
-                        "--into",
-                        dir);
+                        "%.300s: an answer to another case is there; remove it, or take another --into", dir);
     if (!same && !status) status = output_close(&page, 1, why);
     output_drop(&page, 1);
     free(old);

@@ -148,8 +148,7 @@ static void judge_smoothness(const struct ladder_rungs *rungs, struct ladder *l)
     if (is_smooth(slope, n) || l->diagnosis.named) return;
     list_slopes(slope, n, list, sizeof list);
     snprintf(l->reason, sizeof l->reason,
-             "errors do not fall smoothly (slopes %s): points at random, a solver's tolerance, or errors "
-             "that cancel",
+             "errors do not fall smoothly (slopes %s): points at random, a solver's tolerance, or errors that cancel",
              list);
     doubt(rungs, ladder_finest_error(l), l);
 }
@@ -161,11 +160,10 @@ void doubt_judge(const struct ladder_rungs *rungs, const struct doubt_noise *noi
     if (l->failure.status || (l->verdict != VERDICT_FAIL && l->verdict != VERDICT_INCONCLUSIVE)) return;
     double printed = l->norm == LADDER_QUANTITY ? 0 : digits_share(finest, &digits) / l->rung[l->n - 1].error.l1;
     if (noise->share > DOUBT_NOISE) {
-        snprintf(
-            l->reason, sizeof l->reason,
-            "answers differ by %.2g K from run to run, %.0f %% of the error: random numbers, threads or an unset "
-            "variable; no order shows",
-            noise->apart, 100 * noise->share);
+        snprintf(l->reason, sizeof l->reason,
+                 "answers differ by %.2g K from run to run, %.0f %% of the error: random numbers, threads or an "
+                 "unset variable; no order shows",
+                 noise->apart, 100 * noise->share);
         doubt(rungs, error - 3 * noise->finest, l);
     } else if (printed > DIGITS) {
         snprintf(l->reason, sizeof l->reason,

@@ -247,8 +247,7 @@ static int check_seeds(const struct experiment *e, const struct ladder *l, struc
     if (!program_given(&e->program) && !cloud && !lattice)
         return refuse(
             why, STATUS_INPUT,
-            "--seeds needs --solver, --results, --layout jitter or relaxed, or a round body: nothing else is "
-            "drawn");
+            "--seeds needs --solver, --results, --layout jitter or relaxed, or a round body: nothing else is drawn");
     return STATUS_OK;
 }
 

@@ -20,11 +20,10 @@ int result_grows(const struct result *r) {
 
 void result_warn(const struct result *r) {
     if (!result_grows(r)) return;
-    fprintf(
-        stderr,
-        "heatladder: warning: dx = %g m: a mode grows at %.4g s^-1 at any time step, %.3g times in %.6g s; the error "
-        "may be its own: take less --jitter or another method\n",
-        r->options.dx, r->growth, exp(r->growth * r->t_end), r->t_end);
+    fprintf(stderr,
+            "heatladder: warning: dx = %g m: a mode grows at %.4g s^-1 at any time step, %.3g times in %.6g s; the "
+            "error may be its own: take less --jitter or another method\n",
+            r->options.dx, r->growth, exp(r->growth * r->t_end), r->t_end);
 }
 
 static void options_json(const struct result *r, struct json *j) {

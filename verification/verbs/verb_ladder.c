@@ -82,11 +82,10 @@ static void print_gci(const struct gci *g) {
              g->h[g->n - 2], g->h[g->n - 1]);
     struct table t = table_headed(1, header);
     for (int k = 0; k < g->rows; k++) add_quantity(&t, g, &g->row[k]);
-    printf(
-        "Richardson's extrapolation from the three finest of %d spacings, %.6g, %.6g and %.6g (ratios %.4g and %.4g)"
-        "\n\n",
-        g->n, g->h[g->n - 3], g->h[g->n - 2], g->h[g->n - 1], g->h[g->n - 3] / g->h[g->n - 2],
-        g->h[g->n - 2] / g->h[g->n - 1]);
+    printf("Richardson's extrapolation from the three finest of %d spacings, %.6g, %.6g and %.6g (ratios %.4g and "
+           "%.4g)\n\n",
+           g->n, g->h[g->n - 3], g->h[g->n - 2], g->h[g->n - 1], g->h[g->n - 3] / g->h[g->n - 2],
+           g->h[g->n - 2] / g->h[g->n - 1]);
     table_end(&t, stdout);
     printf("\n%s", gci_note);
 }
