@@ -6,7 +6,6 @@
 #include "verification/command/help.h"
 #include "verification/command/stack.h"
 #include "verification/command/verb.h"
-#include "verification/command/version.h"
 #include "verification/text/letter.h"
 
 #include <errno.h>

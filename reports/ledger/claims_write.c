@@ -5,7 +5,7 @@
 #include "solver/status.h"
 #include "verification/text/json.h"
 #include "verification/text/output.h"
-#include "verification/text/paint.h"
+#include "verification/text/verdict.h"
 
 #include <string.h>
 

@@ -13,7 +13,6 @@
 #include <gsl/gsl_sort_double.h>
 #include <math.h>
 #include <omp.h>
-#include <stdlib.h>
 #include <string.h>
 
 static const int COARSEST[3] = {0, 32, 16}, FINEST[3] = {0, 4096, 640}; /* particles along x, by dimension */

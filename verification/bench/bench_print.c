@@ -174,12 +174,8 @@ void bench_print_data(const struct bench_scene *b, FILE *out) {
 void bench_print_machine_json(struct json *j) {
     struct machine m = machine_here();
     json_object(j, "machine");
-    json_text(j, "processor", m.processor);
-    json_whole(j, "cores", m.cores);
-    json_whole(j, "lanes", m.lanes);
-    json_text(j, "compiler", m.compiler);
-    json_text(j, "flags", m.flags);
-    json_whole(j, "runs", BENCH_RUNS);
+    json_add(j, "processor %s|cores %d|lanes %d", m.processor, m.cores, m.lanes);
+    json_add(j, "compiler %s|flags %s|runs %d", m.compiler, m.flags, BENCH_RUNS);
     json_end(j);
 }
 
@@ -188,38 +184,27 @@ void bench_print_engine_json(const struct bench_engine *e, struct json *j) {
     for (int i = 0; i < e->count; i++) {
         const struct bench_engine_row *r = &e->row[i];
         json_object(j, NULL);
-        json_text(j, "what", r->what);
-        json_text(j, "unit", r->unit);
-        json_number(j, "median", r->value);
-        json_number(j, "lowest", r->lowest);
-        json_number(j, "highest", r->highest);
-        json_number(j, "aim", r->aim);
-        json_whole(j, "held", bench_engine_holds(r));
+        json_add(j, "what %s|unit %s|median %g|lowest %g|highest %g", r->what, r->unit, r->value, r->lowest,
+                 r->highest);
+        json_add(j, "aim %g|held %d", r->aim, bench_engine_holds(r));
         json_end(j);
     }
     json_end(j);
 }
 
 void bench_print_scene_json(const struct bench_scene *b, struct json *j) {
-    json_text(j, "scene", b->scene->name);
-    json_text(j, "same_against_same", b->slow.label);
-    json_number(j, "same_ratio", b->slow.ratio);
-    json_text(j, "same_fast", b->fast.label);
-    json_number(j, "same_fast_ratio", b->fast.ratio);
+    json_add(j, "scene %s|same_against_same %s|same_ratio %g|same_fast %s|same_fast_ratio %g", b->scene->name,
+             b->slow.label, b->slow.ratio, b->fast.label, b->fast.ratio);
     json_array(j, "rows");
     for (int i = 0; i < b->count; i++) {
         const struct bench_row *r = &b->row[i];
         json_object(j, NULL);
-        json_text(j, "candidate", r->candidate->label);
-        json_whole(j, "along_x", r->n);
+        json_add(j, "candidate %s|along_x %d", r->candidate->label, r->n);
         json_text(j, "outcome", bench_outcome(r) ? bench_outcome(r) : "ran");
         result_json(&r->result, j);
-        json_number(j, "seconds_median", r->time.median);
-        json_number(j, "seconds_lowest", r->time.lowest);
-        json_number(j, "seconds_highest", r->time.highest);
-        json_number(j, "work", r->work);
-        json_whole(j, "front_time", r->front_time);
-        json_whole(j, "front_work", r->front_work);
+        json_add(j, "seconds_median %g|seconds_lowest %g|seconds_highest %g", r->time.median, r->time.lowest,
+                 r->time.highest);
+        json_add(j, "work %g|front_time %d|front_work %d", r->work, r->front_time, r->front_work);
         json_end(j);
     }
     json_end(j);
@@ -227,11 +212,8 @@ void bench_print_scene_json(const struct bench_scene *b, struct json *j) {
     for (int i = 0; i < b->growths; i++) {
         const struct bench_growth *g = &b->growth[i];
         json_object(j, NULL);
-        json_text(j, "candidate", g->candidate->label);
-        json_whole(j, "rungs", g->rungs);
-        json_number(j, "seconds", g->seconds);
-        json_number(j, "work", g->work);
-        json_number(j, "expected", g->expected);
+        json_add(j, "candidate %s|rungs %d|seconds %g|work %g|expected %g", g->candidate->label, g->rungs, g->seconds,
+                 g->work, g->expected);
         json_end(j);
     }
     json_end(j);

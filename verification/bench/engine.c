@@ -19,19 +19,20 @@
 
 enum { TRIAD = 1 << 23 }; /* doubles of each array: 64 MiB */
 
-static void add(struct bench_engine *e, const char *what, const char *unit, struct bench_time t, double factor,
-                int inverse) {
-    double a = factor / t.median, lo = factor / t.highest, hi = factor / t.lowest;
-    if (!inverse) a = factor * t.median, lo = factor * t.lowest, hi = factor * t.highest;
-    e->row[e->count++] = (struct bench_engine_row){what, unit, a, lo, hi, NAN, 0};
-}
-
-static void add_ratio(struct bench_engine *e, const char *what, struct bench_time t, double aim, int at_most) {
-    e->row[e->count++] = (struct bench_engine_row){what, "", t.median, t.lowest, t.highest, aim, at_most};
+static void add(struct bench_engine *e, const char *what, const char *unit, struct bench_time t, double aim,
+                int at_most) {
+    struct bench_engine_row *row = &e->row[e->count++];
+    *row = (struct bench_engine_row){"", unit, t.median, t.lowest, t.highest, aim, at_most};
+    snprintf(row->what, sizeof row->what, "%s", what);
 }
 
 static struct bench_time constant(double value) {
     return (struct bench_time){value, value, value};
+}
+
+/* So many a second, of a row that takes t, s, each. */
+static void add_rate(struct bench_engine *e, const char *what, const char *unit, double count, struct bench_time t) {
+    add(e, what, unit, bench_ratio(constant(count), t), NAN, 0);
 }
 
 /* Seconds of one triad. */
@@ -54,7 +55,7 @@ static struct bench_time triad(void) {
 
 /* Seconds of one update of one particle in the time loop of the command, with vectors of `lanes` doubles (0: as the
  * command line has it). */
-static struct bench_time update_lanes(const char *command, int lanes) {
+static struct bench_time update(const char *command, int lanes) {
     struct request r;
     struct failure why;
     struct bench_time none = {NAN, NAN, NAN};
@@ -72,57 +73,51 @@ static struct bench_time update_lanes(const char *command, int lanes) {
     return status ? none : bench_summary(seconds, BENCH_RUNS);
 }
 
-static struct bench_time update(const char *command) {
-    return update_lanes(command, 0);
-}
-
 /* 1000 applications each: steps of Euler's, and steps of 7 stages. */
 #define FTCS_160 "run square-step ftcs --dx 4/160 --fourier 0.2 --t-end 12.5"
 #define EULER_160 "run square-step so_ssph --stepper euler --dx 4/160 --fourier 0.2 --t-end 12.5"
 #define RKL2_160 "run square-step so_ssph --stepper rkl2 --dx 4/160 --dt 0.25 --t-end 35.5"
 
+static void add_width(struct bench_engine *e, const char *what, int lanes, struct bench_time t, double aim) {
+    char text[96];
+    snprintf(text, sizeof text, "%s, vectors of %d", what, lanes);
+    if (isnan(aim))
+        add_rate(e, text, "updates/s", 1, t);
+    else
+        add(e, text, "", t, aim, 0);
+}
+
 /* Every width of vector that the machine has.  Rows take two doubles at a time on every machine. */
 static void each_width(struct bench_engine *e) {
-    static const char *const ftcs[] = {"ftcs, 160 x 160, vectors of 2", "ftcs, 160 x 160, vectors of 4",
-                                       "ftcs, 160 x 160, vectors of 8"};
-    static const char *const euler[] = {"so_ssph euler, 160 x 160, vectors of 2",
-                                        "so_ssph euler, 160 x 160, vectors of 4",
-                                        "so_ssph euler, 160 x 160, vectors of 8"};
-    static const char *const rkl2[] = {"so_ssph rkl2, 160 x 160, vectors of 2",
-                                       "so_ssph rkl2, 160 x 160, vectors of 4",
-                                       "so_ssph rkl2, 160 x 160, vectors of 8"};
-    static const char *const over[] = {"stages of rkl2 over steps of euler, a second, vectors of 2",
-                                       "stages of rkl2 over steps of euler, a second, vectors of 4",
-                                       "stages of rkl2 over steps of euler, a second, vectors of 8"};
-    for (int k = 0, lanes = 2; lanes <= options_lanes_most(); k++, lanes *= 2) {
-        struct bench_time step = update_lanes(EULER_160, lanes), stage = update_lanes(RKL2_160, lanes);
-        add(e, ftcs[k], "updates/s", update_lanes(FTCS_160, lanes), 1, 1);
-        add(e, euler[k], "updates/s", step, 1, 1);
-        add(e, rkl2[k], "updates/s", stage, 1, 1);
-        add_ratio(e, over[k], bench_ratio(step, stage), 0.85, 0);
+    for (int lanes = 2; lanes <= options_lanes_most(); lanes *= 2) {
+        struct bench_time step = update(EULER_160, lanes), stage = update(RKL2_160, lanes);
+        add_width(e, "ftcs, 160 x 160", lanes, update(FTCS_160, lanes), NAN);
+        add_width(e, "so_ssph euler, 160 x 160", lanes, step, NAN);
+        add_width(e, "so_ssph rkl2, 160 x 160", lanes, stage, NAN);
+        add_width(e, "stages of rkl2 over steps of euler, a second", lanes, bench_ratio(step, stage), 0.85);
     }
 }
 
 static void in_cache(struct bench_engine *e) {
-    struct bench_time ftcs = update(FTCS_160);
-    struct bench_time so = update(EULER_160);
-    struct bench_time rkl2 = update(RKL2_160);
-    struct bench_time walls = update("run plate so_ssph --stepper euler --dx 0.1/160 --fourier 0.2 --t-end 5");
-    add(e, "ftcs, 160 x 160", "updates/s", ftcs, 1, 1);
-    add(e, "so_ssph euler, 160 x 160", "updates/s", so, 1, 1);
-    add(e, "so_ssph rkl2, 160 x 160", "updates/s", rkl2, 1, 1);
-    add(e, "so_ssph euler, 160 x 160, walls that hold temperatures", "updates/s", walls, 1, 1);
-    add_ratio(e, "so_ssph over ftcs, updates a second, 160 x 160", bench_ratio(ftcs, so), 0.5, 0);
-    add_ratio(e, "a step of so_ssph in steps of ftcs, 160 x 160", bench_ratio(so, ftcs), 3, 1);
+    struct bench_time ftcs = update(FTCS_160, 0), so = update(EULER_160, 0), rkl2 = update(RKL2_160, 0);
+    struct bench_time walls = update("run plate so_ssph --stepper euler --dx 0.1/160 --fourier 0.2 --t-end 5", 0);
+    add_rate(e, "ftcs, 160 x 160", "updates/s", 1, ftcs);
+    add_rate(e, "so_ssph euler, 160 x 160", "updates/s", 1, so);
+    add_rate(e, "so_ssph rkl2, 160 x 160", "updates/s", 1, rkl2);
+    add_rate(e, "so_ssph euler, 160 x 160, walls that hold temperatures", "updates/s", 1, walls);
+    add(e, "so_ssph over ftcs, updates a second, 160 x 160", "", bench_ratio(ftcs, so), 0.5, 0);
+    add(e, "a step of so_ssph in steps of ftcs, 160 x 160", "", bench_ratio(so, ftcs), 3, 1);
 }
 
+#define OUT_OF_CACHE " --dx 4/2560 --fourier 0.2 --t-end 0.0031"
+
 static void out_of_cache(struct bench_engine *e, double bandwidth) {
-    struct bench_time ftcs = update("run square-step ftcs --dx 4/2560 --fourier 0.2 --t-end 0.0031");
-    struct bench_time so = update("run square-step so_ssph --stepper euler --dx 4/2560 --fourier 0.2 --t-end 0.0031");
-    add(e, "ftcs, 2560 x 2560", "updates/s", ftcs, 1, 1);
-    add(e, "so_ssph euler, 2560 x 2560", "updates/s", so, 1, 1);
-    add_ratio(e, "so_ssph over triad/16 B, 2560 x 2560", bench_ratio(constant(16 / bandwidth), so), 0.7, 0);
-    add_ratio(e, "ftcs over triad/16 B, 2560 x 2560", bench_ratio(constant(16 / bandwidth), ftcs), NAN, 0);
+    struct bench_time ftcs = update("run square-step ftcs" OUT_OF_CACHE, 0);
+    struct bench_time so = update("run square-step so_ssph --stepper euler" OUT_OF_CACHE, 0);
+    add_rate(e, "ftcs, 2560 x 2560", "updates/s", 1, ftcs);
+    add_rate(e, "so_ssph euler, 2560 x 2560", "updates/s", 1, so);
+    add(e, "so_ssph over triad/16 B, 2560 x 2560", "", bench_ratio(constant(16 / bandwidth), so), 0.7, 0);
+    add(e, "ftcs over triad/16 B, 2560 x 2560", "", bench_ratio(constant(16 / bandwidth), ftcs), NAN, 0);
 }
 
 static double protocol_once(void) {
@@ -147,9 +142,7 @@ static double protocol_once(void) {
 static void protocol(struct bench_engine *e) {
     double seconds[BENCH_RUNS];
     for (int k = 0; k < BENCH_RUNS; k++) seconds[k] = protocol_once();
-    add(e, "Song's whole protocol of the rod, two threads", "s", bench_summary(seconds, BENCH_RUNS), 1, 0);
-    e->row[e->count - 1].aim = 2;
-    e->row[e->count - 1].at_most = 1;
+    add(e, "Song's whole protocol of the rod, two threads", "s", bench_summary(seconds, BENCH_RUNS), 2, 1);
 }
 
 /* Seconds of one update of a, eight at a time as a march hands them over. */
@@ -196,12 +189,11 @@ static void cloud(struct bench_engine *e, double bandwidth) {
     if (set_up("run square-step so_ssph --layout jitter --jitter 0.2 --dx 4/1000 --h 1.1", &a, &seconds)) return;
     struct bench_time t = apply(&a);
     double bytes = 12 * (double)a.row[a.n] + 40 * (double)a.n;
-    add(e, "assembly of 10^6 jittered particles", "s", constant(seconds), 1, 0);
-    e->row[e->count - 1].aim = 10, e->row[e->count - 1].at_most = 1;
-    add_ratio(e, "bytes a particle of its rows", constant((double)a.bytes / (double)a.n), 1200, 1);
-    add(e, "its updates", "updates/s", t, (double)a.n, 1);
-    add_ratio(e, "time of its update over that of its traffic at the triad's bandwidth",
-              bench_ratio(t, constant(bytes / bandwidth)), 1.5, 1);
+    add(e, "assembly of 10^6 jittered particles", "s", constant(seconds), 10, 1);
+    add(e, "bytes a particle of its rows", "", constant((double)a.bytes / (double)a.n), 1200, 1);
+    add_rate(e, "its updates", "updates/s", (double)a.n, t);
+    add(e, "time of its update over that of its traffic at the triad's bandwidth", "",
+        bench_ratio(t, constant(bytes / bandwidth)), 1.5, 1);
     operator_free(&a);
 }
 
@@ -217,8 +209,8 @@ static void set_up_beside(struct bench_engine *e, const char *command, const cha
     }
     struct bench_time own = constant(seconds[1]), others = bench_summary((double[]){seconds[0], seconds[2]}, 2);
     others.median = (seconds[0] + seconds[2]) / 2;
-    add(e, what, "s", own, 1, 0);
-    add_ratio(e, over, bench_ratio(own, others), 2, 1);
+    add(e, what, "s", own, NAN, 0);
+    add(e, over, "", bench_ratio(own, others), 2, 1);
 }
 
 /* Dummies fill a band 2.2 dx wide: on a disc of radius 1 there are 2 pi 2.2/dx of them, 0.8 % of the particles.  The
@@ -246,7 +238,7 @@ void bench_engine_run(struct bench_engine *e) {
     *e = (struct bench_engine){0};
     struct bench_time t = triad();
     double bandwidth = 24.0 * TRIAD / t.lowest; /* as STREAM reports it: the best of its runs */
-    add(e, "triad, one thread", "bytes/s", t, 24.0 * TRIAD, 1);
+    add_rate(e, "triad, one thread", "bytes/s", 24.0 * TRIAD, t);
     struct progress progress = progress_start("parts of the engine", 7);
     progress_tick(&progress);
     in_cache(e);
@@ -263,6 +255,6 @@ void bench_engine_run(struct bench_engine *e) {
     cells(e);
     progress_end(&progress);
     t = triad();
-    add_ratio(e, "the best triad at the end, over that at the start", constant(24.0 * TRIAD / t.lowest / bandwidth),
-              NAN, 0);
+    add(e, "the best triad at the end, over that at the start", "", constant(24.0 * TRIAD / t.lowest / bandwidth),
+        NAN, 0);
 }

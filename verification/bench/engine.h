@@ -7,7 +7,8 @@
 enum { BENCH_ENGINE_MOST = 32 };
 
 struct bench_engine_row {
-    const char *what, *unit;
+    char what[96];
+    const char *unit;
     double value, lowest, highest; /* median and extremes */
     double aim;                    /* NaN for none */
     int at_most;                   /* 1: value <= aim is wanted; 0: value >= aim */

@@ -114,9 +114,9 @@ static void time_size(const struct peers *all, struct peers_row *row, struct pee
 static void judge(struct peers_row *row) {
     const struct peer *p = row->peer;
     char options[200];
-    size_t used = (size_t)snprintf(options, sizeof options, " --expect %g,%g --dx ", p->gate[0], p->gate[1]);
+    snprintf(options, sizeof options, " --expect %g,%g --dx ", p->gate[0], p->gate[1]);
     for (int i = 0; i < row->sizes; i++)
-        used += (size_t)snprintf(options + used, sizeof options - used, "%s%s/%d", i ? "," : "", p->side, p->n[i]);
+        words_add(options, sizeof options, "%s%s/%d", i ? "," : "", p->side, p->n[i]);
     struct ladder *l = xcalloc(1, sizeof *l);
     struct request r;
     struct failure why;

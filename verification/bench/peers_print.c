@@ -170,9 +170,8 @@ static struct reach update(const struct peers_row *row) {
 }
 
 static void print_aims(const struct peers *all, FILE *out) {
-    struct table t =
-        table_headed(1, "aims on square-step if not said, one thread|times faster|lowest to highest|aim|verdict|"
-                        "without symmetry|aim|verdict|ours [s]|theirs [s]");
+    struct table t = table_headed(1, "aims on square-step if not said, one thread|times faster|lowest to "
+                                     "highest|aim|verdict|without symmetry|aim|verdict|ours [s]|theirs [s]");
     const struct peers_row *theirs = next(all, NULL, "square-step", "PySPH Brookshaw cubic kernel"), *row = NULL;
     for (int i = 0; i < ERRORS; i++) aim_error(all, &t, "so_ssph rkl2", "SUNDIALS", error_at[i], (struct aim){10, 3});
     aim_error(all, &t, "so_ssph matched", "", error_at[ERRORS - 1], (struct aim){100, 0});
@@ -203,21 +202,19 @@ static void print_failures(const struct peers *all, FILE *out) {
     if (!failed) fprintf(out, "No run failed.\n");
 }
 
-static const char notes[] =
-    "\norder: the suite's verdict on its slope.  -: not reached; ~: beyond the finest size; as one: it knows no "
-    "threads "
-    "or is\n"
-    "the slower of two.  start-up: at the first size, with writing and reading the answer; ours has none.  unfolded: "
-    "ours\n"
-    "without symmetry, as the others always.  Times are medians of up to nine solves, each after 0.1 s of the same, "
-    "with the\n"
-    "loosest tolerance whose error is within 5 % of the tightest's.  An update is that of the time loop; PySPH's has "
-    "the\n"
-    "search for neighbours in it, once, 2 % of it.  SUNDIALS as packaged is compiled without optimisation: the "
-    "stand-in\n"
-    "brings its own vector kernels and right-hand side, compiled at -O3 -march=native.  PySPH keeps h/dx = 1.1 and "
-    "the\n"
-    "volume dx^2, and its fixed ghosts make a wall first order.\n";
+static const char notes[] = "\norder: the suite's verdict on its slope.  -: not reached; ~: beyond the finest size; "
+                            "as one: it knows no threads or is\n"
+                            "the slower of two.  start-up: at the first size, with writing and reading the answer; "
+                            "ours has none.  unfolded: ours\n"
+                            "without symmetry, as the others always.  Times are medians of up to nine solves, each "
+                            "after 0.1 s of the same, with the\n"
+                            "loosest tolerance whose error is within 5 % of the tightest's.  An update is that of "
+                            "the time loop; PySPH's has the\n"
+                            "search for neighbours in it, once, 2 % of it.  SUNDIALS as packaged is compiled without "
+                            "optimisation: the stand-in\n"
+                            "brings its own vector kernels and right-hand side, compiled at -O3 -march=native.  "
+                            "PySPH keeps h/dx = 1.1 and the\n"
+                            "volume dx^2, and its fixed ghosts make a wall first order.\n";
 
 static void print_versions(FILE *out) {
     FILE *in = popen(peers_versions, "r");

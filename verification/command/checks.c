@@ -123,8 +123,7 @@ static int check_program(const struct request *r, struct failure *why) {
         if (strcmp(o->key, "draw") == 0 && r->given[o - options_table] && !r->battery &&
             (!program_given(g) || r->gates_path))
             return refuse(why, STATUS_INPUT,
-                          "--seed draws the battery: it needs --solver, --results or --battery, and "
-                          "no --gates");
+                          "--seed draws the battery: it needs --solver, --results or --battery, and no --gates");
     if (r->profile && !r->battery && (!program_given(g) || r->gates_path))
         return refuse(why, STATUS_INPUT,
                       "--profile chooses rows of the battery: it needs --solver, --results or --battery, and no "

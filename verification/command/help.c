@@ -9,9 +9,13 @@
 #include "verification/command/verb.h"
 #include "verification/text/words.h"
 
+#include "version.inc"
+
 #include <string.h>
 
 enum { WIDE = 100 }; /* letters of a line */
+
+const char version_text[] = VERSION_TEXT;
 
 const char help_about[] =
     "heatladder VERB --help lists the options of a verb; heatladder man has everything.\n"

@@ -10,7 +10,6 @@
 #include "verification/foreign/case_file.h"
 #include "verification/foreign/program.h"
 #include "verification/oracle/columns.h"
-#include "verification/command/version.h"
 #include "verification/text/words.h"
 
 #include <ctype.h>

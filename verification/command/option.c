@@ -200,8 +200,7 @@ static int read_vary(struct request *r, const struct option *o, const char *text
     snprintf(g->vary, sizeof g->vary, "%.*s", (int)(length < sizeof g->vary ? length : 0), text);
     if (!*g->vary || text[length] != '=' || words_index(taken, g->vary) >= 0)
         return refuse(why, STATUS_INPUT,
-                      "--%s '%.60s': must be NAME=A,B,C,..., NAME of letters, digits and _, and not "
-                      "case, out or dx",
+                      "--%s '%.60s': must be NAME=A,B,C,..., NAME of letters, digits and _, and not case, out or dx",
                       o->name, text);
     list->count = number_read_list(text + length + 1, list->value, NUMBERS_MAX);
     for (int i = 0; i < list->count; i++)

@@ -290,9 +290,6 @@ void diagnosis_json(const struct diagnosis *d, struct json *j) {
         return;
     }
     json_object(j, "diagnosis");
-    json_text(j, "what", d->what);
-    json_number(j, "size", d->size);
-    json_text(j, "unit", d->unit);
-    json_number(j, "share", d->share);
+    json_add(j, "what %s|size %g|unit %s|share %g", d->what, d->size, d->unit, d->share);
     json_end(j);
 }

@@ -3,6 +3,7 @@
 #include "verification/diagnosis/wording.h"
 
 #include "verification/diagnosis/diagnosis.h"
+#include "verification/text/words.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -66,17 +67,17 @@ static const char *text_of(const struct diagnosis *d) {
 void wording_fault(struct diagnosis *d) {
     const char *const *names = wordings[d->fault.kind].names;
     const char *below = wordings[d->fault.kind].below, *above = wordings[d->fault.kind].above;
-    size_t used = (size_t)snprintf(d->what, sizeof d->what, "as if ");
-    for (const char *at = text_of(d); *at && used < sizeof d->what; at++) {
-        char size[24], letter[2] = {*at, '\0'};
-        const char *part = letter;
-        snprintf(size, sizeof size, "%.3g", fabs(d->size));
+    char size[24];
+    snprintf(size, sizeof size, "%.3g", fabs(d->size));
+    snprintf(d->what, sizeof d->what, "as if ");
+    for (const char *at = text_of(d); *at; at++) {
+        const char *part = (const char[]){*at, '\0'};
         if (strncmp(at, "{size}", 6) == 0) part = size;
         if (strncmp(at, "{unit}", 6) == 0) part = d->unit;
         if (strncmp(at, "{name}", 6) == 0) part = names[d->fault.axis];
         if (strncmp(at, "{other}", 7) == 0) part = names[1 - d->fault.axis];
         if (strncmp(at, "{way}", 5) == 0) part = d->size < 0 ? (below ? below : "small") : above ? above : "large";
-        used += (size_t)snprintf(d->what + used, sizeof d->what - used, "%s", part);
+        words_add(d->what, sizeof d->what, "%s", part);
         if (*at == '{') at += strcspn(at, "}");
     }
 }

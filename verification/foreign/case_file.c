@@ -8,8 +8,8 @@
 #include "solver/shape.h"
 #include "solver/status.h"
 #include "verification/text/whole_file.h"
+#include "verification/text/words.h"
 
-#include <errno.h>
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -191,9 +191,7 @@ int case_file_check(const struct problem *p, const struct options *o, struct fai
     for (int i = 0; i < SEARCH && coarse >= 1 && !divides_by(p, o, coarse); i++) coarse--;
     for (int i = 0; i < SEARCH && !divides_by(p, o, fine); i++) fine++;
     if (coarse >= 1) snprintf(near, sizeof near, "; %.10g does", extent / coarse);
-    size_t used = strlen(near);
-    if (divides_by(p, o, fine))
-        snprintf(near + used, sizeof near - used, "%s %.10g does", used ? " and" : ";", extent / fine);
+    if (divides_by(p, o, fine)) words_add(near, sizeof near, "%s %.10g does", *near ? " and" : ";", extent / fine);
     if (o->aspect > 0) snprintf(with, sizeof with, " --aspect %g", o->aspect);
     return refuse(why, STATUS_INPUT, "--dx %.10g%s: does not divide the domain into whole cells%s", o->dx, with,
                   near);

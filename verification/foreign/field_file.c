@@ -10,7 +10,6 @@
 #include "verification/foreign/samples.h"
 
 #include <math.h>
-#include <stdlib.h>
 #include <string.h>
 
 static const struct {

@@ -16,7 +16,6 @@
 
 #include <gsl/gsl_sort_double.h>
 #include <math.h>
-#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 

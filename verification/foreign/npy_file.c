@@ -7,7 +7,6 @@
 #include "verification/foreign/samples.h"
 
 #include <math.h>
-#include <stdint.h>
 #include <stdlib.h>
 #include <string.h>
 

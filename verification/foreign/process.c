@@ -211,10 +211,9 @@ static int judge(const struct running *r, enum end end, struct failure *why) {
                       says, r->last);
     if (status) return refuse(why, STATUS_NUMERICAL, "--solver: exit status %d%s%.160s", status, says, r->last);
     if (end == LEFT_OTHERS)
-        return refuse(
-            why, STATUS_NUMERICAL,
-            "--solver: ended before what it had started, so that its answer may be unfinished (end the command "
-            "with `wait`)");
+        return refuse(why, STATUS_NUMERICAL,
+                      "--solver: ended before what it had started, so that its answer may be unfinished (end the "
+                      "command with `wait`)");
     return STATUS_OK;
 }
 

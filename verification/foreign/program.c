@@ -53,12 +53,6 @@ int program_given(const struct program *g) {
     return g->solver || g->results;
 }
 
-/* Below DIR/SCENE/DX: what else differs from rung to rung. */
-static void append_rung(const struct program *g, char path[RESULTS_PATH]) {
-    size_t n = strlen(path);
-    if (*g->rung) snprintf(path + n, RESULTS_PATH - n, "/%s", g->rung);
-}
-
 /* From the axes and temperatures of the case to those of the scene. */
 static void map_back(const struct mapping *m, struct field *f) {
     double x[2], at[2];
@@ -120,7 +114,7 @@ static int place_below(const struct program *g, const char *root, const struct s
                        char dir[RESULTS_PATH]) {
     char of_scene[RESULTS_PATH];
     if (results_of_scene(root, s, g->setting, of_scene) || results_directory(of_scene, o->dx, dir)) return -1;
-    append_rung(g, dir);
+    if (*g->rung) words_add(dir, RESULTS_PATH, "/%s", g->rung);
     return 0;
 }
 

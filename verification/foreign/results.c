@@ -54,9 +54,7 @@ int results_directory(const char *dir, double value, char path[RESULTS_PATH]) {
 }
 
 static int append(char text[PROGRAM_SETTING], const char *name, const char *value) {
-    size_t used = strlen(text);
-    int more = snprintf(text + used, PROGRAM_SETTING - used, "%s%s=%s", used ? "," : "", name, value);
-    return more < 0 || (size_t)more >= PROGRAM_SETTING - used ? -1 : 0;
+    return words_add(text, PROGRAM_SETTING, "%s%s=%s", *text ? "," : "", name, value);
 }
 
 int results_setting(const struct scene *s, const struct problem *p, unsigned long set, const struct mapping *map,
@@ -116,8 +114,7 @@ int results_list(const char *dir, struct numbers *found, struct failure *why) {
                       NUMBERS_MAX, dir);
     if (!found->count)
         return refuse(why, STATUS_INPUT,
-                      "--results: no directory in '%.300s' is called by its spacing, as `heatladder "
-                      "case` makes them",
+                      "--results: no directory in '%.300s' is called by its spacing, as `heatladder case` makes them",
                       dir);
     return STATUS_OK;
 }
@@ -217,9 +214,7 @@ static int write_one(const char *dir, const struct mapping *map, int seed, const
     int same = old && page.text && strcmp(old, page.text) == 0, status = STATUS_OK;
     if (old && !same && case_run_answer(dir, answer, sizeof answer))
         status = refuse(why, STATUS_INPUT,
-                        "%.300s: an answer to another case is there; remove it, or take another "
-                        "--into",
-                        dir);
+                        "%.300s: an answer to another case is there; remove it, or take another --into", dir);
     if (!same && !status) status = output_close(&page, 1, why);
     output_drop(&page, 1);
     free(old);
@@ -288,8 +283,7 @@ static int write_all(const struct results_place *at, const struct scene *s, cons
         dx = next_name(dx, &with.dx, name);
         snprintf(path, sizeof path, "%.850s/%s", of_scene, name);
         if (make(path, why)) return why->status;
-        size_t used = strlen(path);
-        if (*at->rung) snprintf(path + used, sizeof path - used, "/%.80s", at->rung);
+        if (*at->rung) words_add(path, sizeof path, "/%.80s", at->rung);
         if (make(path, why) || write_draws(at, path, s, p, &with, known, list, written, why)) return why->status;
     }
     return STATUS_OK;

@@ -49,8 +49,7 @@ static int are_same(const struct samples *s, const struct problem *p, size_t i, 
 
 static int refuse_same(const struct samples *s, const struct problem *p, size_t i, size_t j, struct failure *why) {
     return refuse(why, STATUS_INPUT,
-                  "%.150s, line %ld: the same point as in line %ld (x = %.9g m%s); one value a "
-                  "point is wanted",
+                  "%.150s, line %ld: the same point as in line %ld (x = %.9g m%s); one value a point is wanted",
                   s->path, samples_line(s, j), samples_line(s, i), s->value[COLUMN_X][i],
                   p->dim == 1 ? ", for a rod one row of points" : "");
 }

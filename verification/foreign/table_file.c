@@ -151,11 +151,10 @@ static int refuse_header(const struct reader *t, struct failure *why) {
     char header[3 * COLUMN_NAME + 8], quoted[48];
     wanted_header(t, header, sizeof header);
     samples_quote(t->text, strlen(t->text), quoted);
-    return refuse(
-        why, STATUS_INPUT,
-        "%.120s, line %ld: '%s' should be the header %s, or --columns name the columns (x=NAME,T=NAME; a number "
-        "for the place)",
-        t->s->path, t->line, quoted, header);
+    return refuse(why, STATUS_INPUT,
+                  "%.120s, line %ld: '%s' should be the header %s, or --columns name the columns (x=NAME,T=NAME; a "
+                  "number for the place)",
+                  t->s->path, t->line, quoted, header);
 }
 
 /* Where x, y, T and w are.  w may be missing where nobody named it. */

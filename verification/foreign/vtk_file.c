@@ -7,6 +7,7 @@
 #include "verification/foreign/samples.h"
 #include "verification/text/number.h"
 #include "verification/text/whole_file.h"
+#include "verification/text/words.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -82,8 +83,7 @@ static int read_tuples(struct reader *v, size_t count, int width, int first, int
 static int column_of(struct reader *v, const char *name) {
     for (int k = COLUMN_T; k < COLUMN_COUNT; k++)
         if (v->s->has[k] && strcmp(samples_column_name(v->wanted, k), name) == 0) return k;
-    size_t used = strlen(v->array);
-    snprintf(v->array + used, sizeof v->array - used, "%s%.60s", used ? ", " : "", name);
+    words_add(v->array, sizeof v->array, "%s%.60s", *v->array ? ", " : "", name);
     return -1;
 }
 

@@ -6,6 +6,7 @@
 #include "verification/command/arguments.h"
 #include "verification/foreign/results.h"
 #include "verification/text/whole_file.h"
+#include "verification/text/words.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -30,12 +31,8 @@ static struct draw draw_of(const struct battery_row *row) {
 
 /* A program's rows in a plane cost it most by far; those of rods see all but what has two axes. */
 static enum gate_tier tier_of(const struct gate *gate) {
-    const char *const more[] = {"--solver", "{case} {out}", NULL};
-    struct request r;
-    struct failure why;
-    int plane = arguments_parse_line_with(gate->command, more, &r, &why) || r.experiment.problem.dim == 2;
-    arguments_free(&r);
-    return plane ? TIER_FULL : TIER_QUICK;
+    struct failure ignored;
+    return draw_dimension(gate->command, &ignored) == 1 ? TIER_QUICK : TIER_FULL;
 }
 
 int battery_add(int order, enum profile profile, unsigned long seed, struct gates *g, struct failure *why) {
@@ -49,6 +46,11 @@ int battery_add(int order, enum profile profile, unsigned long seed, struct gate
         g->result[g->declared - 1].gate.tier = tier_of(&row->gate);
     }
     return STATUS_OK;
+}
+
+void battery_words(const struct request *r, char *text, size_t size) {
+    if (r->profile) words_add(text, size, " --profile %s", arguments_profiles[r->profile]);
+    if (r->more_rungs) words_add(text, size, " --rungs %d", r->more_rungs);
 }
 
 static int set_bound(const struct battery_row *row, struct gate *gate, struct failure *why) {

@@ -2,13 +2,14 @@
 /* Drawn rows: GSL's mt19937, seeded by the seed and by what is drawn, so that a row's draw does not depend on the
  * rows before it.  Numbers are drawn evenly (the scale: its logarithm) and rounded to three digits: what is typed is
  * what is run. */
-#include "verification/gates/draw.h"
+#include "verification/gates/battery.h"
 
 #include "references/mapping.h"
 #include "references/scene.h"
 #include "verification/command/arguments.h"
 #include "verification/run/run.h"
 #include "verification/text/number.h"
+#include "verification/text/words.h"
 
 #include <gsl/gsl_rng.h>
 #include <math.h>
@@ -71,13 +72,12 @@ static int draw_ranges(const char *ranges, gsl_rng *r, char *words, double *offs
         }
         snprintf(set, sizeof set, " --set %s=", name);
         drop_option(words, set);
-        size_t n = strlen(words);
-        snprintf(words + n, DRAW_COMMAND - n, " --set %s=%.3g", name, value);
+        words_add(words, DRAW_COMMAND, " --set %s=%.3g", name, value);
     }
     return STATUS_OK;
 }
 
-static int dimension(const char *command, struct failure *why) {
+int draw_dimension(const char *command, struct failure *why) {
     const char *const program[] = {"--solver", "{case}{out}", NULL};
     struct request r;
     int dim = arguments_parse_line_with(command, program, &r, why) ? 0 : r.experiment.problem.dim;
@@ -91,7 +91,7 @@ int draw_command(const struct draw *d, unsigned long seed, char command[DRAW_COM
     double offset = 0;
     snprintf(command, DRAW_COMMAND, "%s", d->command);
     if (seed == 0) return STATUS_OK;
-    int dim = dimension(d->command, why);
+    int dim = draw_dimension(d->command, why);
     if (!dim || !rest || sscanf(d->command, "%*s %39s", scene) != 1)
         return refuse(why, STATUS_INPUT, "'%.200s': cannot be drawn", d->command);
     snprintf(words, sizeof words, "%.*s", (int)(rest - d->command), d->command);
@@ -104,9 +104,8 @@ int draw_command(const struct draw *d, unsigned long seed, char command[DRAW_COM
     mapping_print(&m, map);
     scale = exp2(scale);
     snprintf(command, DRAW_COMMAND, "%.900s --map %s --scale %.3g", words, map, scale);
-    size_t n = strlen(command);
-    if (offset != 0) n += (size_t)snprintf(command + n, DRAW_COMMAND - n, " --offset %.3g", scale * offset);
-    snprintf(command + n, DRAW_COMMAND - n, "%s", rest);
+    if (offset != 0) words_add(command, DRAW_COMMAND, " --offset %.3g", scale * offset);
+    words_add(command, DRAW_COMMAND, "%s", rest);
     return status;
 }
 

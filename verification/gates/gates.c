@@ -7,10 +7,10 @@
 #include "verification/diagnosis/wording.h"
 #include "verification/foreign/program.h"
 #include "verification/text/progress.h"
+#include "verification/text/words.h"
 
 #include <math.h>
 #include <omp.h>
-#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -59,9 +59,8 @@ static int heaviest_first(const void *a, const void *b) {
 void gates_run_row(struct gates *g, struct gate_result *result, const struct program *program) {
     double start = omp_get_wtime();
     gates_command(&result->gate, g->program, result->typed, sizeof result->typed);
-    size_t used = strlen(result->typed);
     if (g->origin && strncmp(result->typed, "verify", 6) == 0)
-        snprintf(result->typed + used, sizeof result->typed - used, " %s", g->origin);
+        words_add(result->typed, sizeof result->typed, " %s", g->origin);
     gates_judge(&result->gate, program, &result->measured);
     result->seconds = omp_get_wtime() - start;
 }

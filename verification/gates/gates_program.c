@@ -10,8 +10,6 @@
 #include "verification/text/atomic_file.h"
 #include "verification/text/progress.h"
 
-#include <math.h>
-#include <omp.h>
 #include <stdlib.h>
 
 struct job {

@@ -1,14 +1,13 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* A ceiling is of the error at the finest spacing.  One that is k halvings finer leaves 2^-kP of it, P the order that
  * the row is for: bands begin half an order below it, 0.1 for the order in time (battery.def). */
-#include "verification/gates/refine.h"
+#include "verification/gates/gates.h"
 
 #include "solver/status.h"
 #include "verification/text/number.h"
 
 #include <math.h>
 #include <stdio.h>
-#include <stdlib.h>
 #include <string.h>
 
 /* The list of numbers after that option in a command; NULL where there are fewer than two. */

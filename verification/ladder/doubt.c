@@ -19,6 +19,7 @@
 #include "verification/ladder/judge.h"
 #include "verification/ladder/ladder.h"
 #include "verification/ladder/window.h"
+#include "verification/text/words.h"
 
 #include <gsl/gsl_cdf.h>
 #include <math.h>
@@ -41,7 +42,8 @@ static int digits_of(double T, int *last) {
     return MOST;
 }
 
-double doubt_digits(const struct field *f, int *digits) {
+/* The part of E1, relative, that the digits in which T of *f is printed make up on average, and how many they are. */
+static double digits_share(const struct field *f, int *digits) {
     enum { POINTS = 500 };
     size_t stride = f->n / POINTS + 1;
     int decimals = 400, last;
@@ -63,13 +65,10 @@ double doubt_digits(const struct field *f, int *digits) {
 
 /* Local slopes of the rungs that count; how many. */
 static int slopes(const struct ladder *l, double *slope) {
-    int n = 0, before = -1;
-    for (int i = 0; i < l->n; i++) {
-        if (!l->window.counts[i]) continue;
-        if (before >= 0) slope[n++] = log(l->error[before] / l->error[i]) / log(l->x[before] / l->x[i]);
-        before = i;
-    }
-    return n;
+    double x[RUNG_MAX], error[RUNG_MAX];
+    int n = ladder_counted(l, x, error);
+    slope_local(x, error, n, slope);
+    return n > 0 ? n - 1 : 0;
 }
 
 static int is_smooth(const double *slope, int n) {
@@ -85,10 +84,8 @@ static int is_smooth(const double *slope, int n) {
 
 /* "2.1, -0.4, 3.0" */
 static void list_slopes(const double *slope, int n, char *text, size_t size) {
-    size_t used = 0;
     *text = '\0';
-    for (int i = 0; i < n && used + 12 < size; i++)
-        used += (size_t)snprintf(text + used, size - used, "%s%.2f", i ? ", " : "", slope[i]);
+    for (int i = 0; i < n && strlen(text) + 12 < size; i++) words_add(text, size, "%s%.2f", i ? ", " : "", slope[i]);
 }
 
 /* sum (u - mean)^2 */
@@ -102,11 +99,10 @@ static double spread(const double *u, int n) {
 /* The least number of rungs, further ones by halving, whose interval would lie in the band; 0 where none would. */
 static int rungs_needed(const struct ladder *l, double lo, double hi) {
     enum { MOST = 12 };
-    double u[RUNG_MAX], half = (l->slope.ci[1] - l->slope.ci[0]) / 2;
-    int n = 0;
-    for (int i = 0; i < l->n; i++)
-        if (l->window.counts[i]) u[n++] = log(l->x[i]);
+    double u[RUNG_MAX], error[RUNG_MAX], half = (l->slope.ci[1] - l->slope.ci[0]) / 2;
+    int n = ladder_counted(l, u, error);
     if (n < WINDOW_LEAST) return 0;
+    for (int i = 0; i < n; i++) u[i] = log(u[i]);
     double scatter = half / gsl_cdf_tdist_Pinv(0.975, n - 2) * sqrt(spread(u, n)),
            room = fmin(l->slope.value - lo, hi - l->slope.value);
     for (int more = n + 1; more <= MOST; more++) {
@@ -126,28 +122,23 @@ static int says_what_is_missing(const struct ladder_rungs *rungs, struct ladder 
     if (l->slope.n < WINDOW_LEAST || !positive || !(error <= FAR * rungs->ceiling) || !rungs->expect.count) return 0;
     double lo = rungs->expect.value[0], hi = rungs->expect.value[1];
     list_slopes(slope, n, list, sizeof list);
-    int needed = rungs_needed(l, lo, hi),
-        used = snprintf(l->reason, sizeof l->reason,
-                        "the error %.2g is %.0f times below its ceiling and falls throughout (slopes %s), but the "
-                        "interval [%.2f, %.2f] of %d rungs reaches past [%g, %g]: ",
-                        error, rungs->ceiling / error, list, l->slope.ci[0], l->slope.ci[1], l->slope.n, lo, hi);
-    if (used < 0 || (size_t)used >= sizeof l->reason) return 1;
+    int needed = rungs_needed(l, lo, hi);
+    snprintf(l->reason, sizeof l->reason,
+             "the error %.2g is %.0f times below its ceiling and falls throughout (slopes %s), but the interval "
+             "[%.2f, %.2f] of %d rungs reaches past [%g, %g]: ",
+             error, rungs->ceiling / error, list, l->slope.ci[0], l->slope.ci[1], l->slope.n, lo, hi);
     if (needed)
-        snprintf(l->reason + used, sizeof l->reason - (size_t)used, "with this scatter %d rungs decide (--rungs %d)",
-                 needed, needed);
+        words_add(l->reason, sizeof l->reason, "with this scatter %d rungs decide (--rungs %d)", needed, needed);
     else
-        snprintf(l->reason + used, sizeof l->reason - (size_t)used, "no 12 rungs with this scatter decide");
+        words_add(l->reason, sizeof l->reason, "no 12 rungs with this scatter decide");
     return 1;
-}
-
-static int is_above(const struct ladder_rungs *rungs, double error) {
-    return rungs->ceiling > 0 && !(error <= rungs->ceiling);
 }
 
 /* An error above its ceiling is wrong whatever the order is. */
 static void doubt(const struct ladder_rungs *rungs, double error, struct ladder *l) {
     l->verdict = VERDICT_INCONCLUSIVE;
-    if (is_above(rungs, error)) judge_ceiling(error, rungs->ceiling, &l->verdict, l->reason, sizeof l->reason);
+    if (rungs->ceiling > 0 && !(error <= rungs->ceiling))
+        judge_ceiling(error, rungs->ceiling, &l->verdict, l->reason, sizeof l->reason);
 }
 
 static void judge_smoothness(const struct ladder_rungs *rungs, struct ladder *l) {
@@ -157,8 +148,7 @@ static void judge_smoothness(const struct ladder_rungs *rungs, struct ladder *l)
     if (is_smooth(slope, n) || l->diagnosis.named) return;
     list_slopes(slope, n, list, sizeof list);
     snprintf(l->reason, sizeof l->reason,
-             "errors do not fall smoothly (slopes %s): points at random, a solver's tolerance, or errors "
-             "that cancel",
+             "errors do not fall smoothly (slopes %s): points at random, a solver's tolerance, or errors that cancel",
              list);
     doubt(rungs, ladder_finest_error(l), l);
 }
@@ -168,13 +158,12 @@ void doubt_judge(const struct ladder_rungs *rungs, const struct doubt_noise *noi
     double error = ladder_finest_error(l);
     int digits;
     if (l->failure.status || (l->verdict != VERDICT_FAIL && l->verdict != VERDICT_INCONCLUSIVE)) return;
-    double printed = l->norm == LADDER_QUANTITY ? 0 : doubt_digits(finest, &digits) / l->rung[l->n - 1].error.l1;
+    double printed = l->norm == LADDER_QUANTITY ? 0 : digits_share(finest, &digits) / l->rung[l->n - 1].error.l1;
     if (noise->share > DOUBT_NOISE) {
-        snprintf(
-            l->reason, sizeof l->reason,
-            "answers differ by %.2g K from run to run, %.0f %% of the error: random numbers, threads or an unset "
-            "variable; no order shows",
-            noise->apart, 100 * noise->share);
+        snprintf(l->reason, sizeof l->reason,
+                 "answers differ by %.2g K from run to run, %.0f %% of the error: random numbers, threads or an "
+                 "unset variable; no order shows",
+                 noise->apart, 100 * noise->share);
         doubt(rungs, error - 3 * noise->finest, l);
     } else if (printed > DIGITS) {
         snprintf(l->reason, sizeof l->reason,

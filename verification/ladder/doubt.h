@@ -20,9 +20,6 @@ struct doubt_noise {
 
 static const double DOUBT_NOISE = 0.1; /* a share above shows no order */
 
-/* The part of E1, relative, that the digits in which T of *f is printed make up on average, and how many they are. */
-double doubt_digits(const struct field *f, int *digits);
-
 /* Where *l did not pass: VERDICT_INCONCLUSIVE with a reason of its own where noise, printed digits, or errors that do
  * not fall smoothly and look like no fault, may be why; unless even so the error is above its ceiling.  Of a ladder
  * that is inconclusive far below its ceiling, how many rungs would decide.  finest: its field, at the finest rung. */

@@ -20,7 +20,6 @@
 #include "solver/status.h"
 #include "verification/foreign/case_run.h"
 #include "verification/foreign/field_file.h"
-#include "verification/foreign/program.h"
 #include "verification/foreign/results.h"
 #include "verification/foreign/samples.h"
 #include "verification/run/interpolate.h"
@@ -227,28 +226,18 @@ int gci_read(const char *dir, const struct column_map *c, const struct numbers *
 }
 
 void gci_json(const struct gci *g, struct json *j) {
-    json_array(j, "spacings");
-    for (int i = 0; i < g->n; i++) json_number(j, NULL, g->h[i]);
-    json_end(j);
-    json_array(j, "used"); /* by observed_order, extrapolated, relative_change and gci */
-    for (int i = g->n - 3; i < g->n; i++) json_number(j, NULL, g->h[i]);
-    json_end(j);
+    json_numbers(j, "spacings", g->h, g->n);
+    json_numbers(j, "used", g->h + g->n - 3, 3); /* by observed_order, extrapolated, relative_change and gci */
     json_array(j, "quantities");
     for (int k = 0; k < g->rows; k++) {
         const struct gci_row *row = &g->row[k];
         json_object(j, NULL);
         json_text(j, "quantity", row->name);
-        json_array(j, "values");
-        for (int i = 0; i < g->n; i++) json_number(j, NULL, row->value[i]);
-        json_end(j);
+        json_numbers(j, "values", row->value, g->n);
         json_number(j, "observed_order", row->order);
-        json_array(j, "orders");
-        for (int i = 0; i + 2 < g->n; i++) json_number(j, NULL, row->orders[i]);
-        json_end(j);
-        json_number(j, "extrapolated", row->extrapolated);
-        json_number(j, "relative_change", row->change);
-        json_number(j, "gci", row->index);
-        json_whole(j, "oscillates", row->oscillates);
+        json_numbers(j, "orders", row->orders, g->n - 2);
+        json_add(j, "extrapolated %g|relative_change %g|gci %g|oscillates %d", row->extrapolated, row->change,
+                 row->index, row->oscillates);
         json_end(j);
     }
     json_end(j);

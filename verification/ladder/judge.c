@@ -25,6 +25,7 @@
 
 #include "verification/ladder/slope.h"
 #include "verification/ladder/window.h"
+#include "verification/text/words.h"
 
 #include <gsl/gsl_cdf.h>
 #include <math.h>
@@ -100,12 +101,10 @@ double judge_floor(const struct judged *l, double lo, double hi) {
 
 static enum verdict judge_fine_end(const struct judged *l, double lo, double hi, char *reason, size_t size) {
     double fine = judge_fine_slope(l), share = judge_floor(l, lo, hi);
-    size_t used = strlen(reason);
     if (!(lo <= fine && fine <= hi))
-        snprintf(reason + used, size - used, ", but the %d finest rungs have the slope %.4f", fine_rungs(l), fine);
+        words_add(reason, size, ", but the %d finest rungs have the slope %.4f", fine_rungs(l), fine);
     else if (share > FLOOR_MOST)
-        snprintf(reason + used, size - used, ", but %.0f %% of the finest error do not fall (C x^p + floor)",
-                 100 * share);
+        words_add(reason, size, ", but %.0f %% of the finest error do not fall (C x^p + floor)", 100 * share);
     else
         return VERDICT_PASS;
     return VERDICT_FAIL;
@@ -145,16 +144,15 @@ enum verdict judge_order(const struct judged *l, double lo, double hi, char *rea
 }
 
 void judge_ceiling(double error, double ceiling, enum verdict *verdict, char *reason, size_t size) {
-    size_t used = strlen(reason);
-    const char *apart = used ? "; " : "";
-    if (error <= ceiling && used) return;
+    const char *apart = *reason ? "; " : "";
+    if (error <= ceiling && *reason) return;
     if (error <= ceiling) {
         snprintf(reason, size, "the error %.4g is below its ceiling %.4g", error, ceiling);
         return;
     }
     *verdict = VERDICT_FAIL;
     if (isfinite(error))
-        snprintf(reason + used, size - used, "%sthe error %.4g is above its ceiling %.4g", apart, error, ceiling);
+        words_add(reason, size, "%sthe error %.4g is above its ceiling %.4g", apart, error, ceiling);
     else
-        snprintf(reason + used, size - used, "%sno error to hold against the ceiling %.4g", apart, ceiling);
+        words_add(reason, size, "%sno error to hold against the ceiling %.4g", apart, ceiling);
 }

@@ -11,6 +11,7 @@
 #include "verification/text/progress.h"
 #include "verification/run/run.h"
 #include "verification/run/semidiscrete.h"
+#include "verification/text/words.h"
 
 #include <math.h>
 #include <omp.h>
@@ -147,8 +148,7 @@ static int climb_without_reference(const struct experiment *e, const struct ladd
     char value[40];
     results_number(rungs->fine, value);
     snprintf(fine.program.rung, sizeof fine.program.rung, "dt=%s", value);
-    int status =
-        rungs->fine > 0 ? self_difference_climb_to(rung, &fine, l, why) : self_difference_climb(rung, l, why);
+    int status = self_difference_climb(rung, rungs->fine > 0 ? &fine : NULL, l, why);
     l->tried = program_given(&e->program) && status && l->rung[0].failure.status;
     return status_refused(status) && !l->tried ? status : STATUS_OK;
 }
@@ -183,8 +183,8 @@ static void judge_exact(const struct ladder_rungs *rungs, struct ladder *l) {
     snprintf(l->reason, sizeof l->reason, "%d of %d rungs are at round-off, where no order shows%s", exact, l->n,
              rungs->ceiling > 0 ? "" : ": --ceiling E judges the error");
     if (rungs->ceiling > 0 && ladder_finest_error(l) <= rungs->ceiling)
-        snprintf(l->reason + strlen(l->reason), sizeof l->reason - strlen(l->reason),
-                 "; the error %.4g is below its ceiling %.4g", ladder_finest_error(l), rungs->ceiling);
+        words_add(l->reason, sizeof l->reason, "; the error %.4g is below its ceiling %.4g", ladder_finest_error(l),
+                  rungs->ceiling);
 }
 
 static void judge(const struct ladder_rungs *rungs, struct ladder *l) {
@@ -247,8 +247,7 @@ static int check_seeds(const struct experiment *e, const struct ladder *l, struc
     if (!program_given(&e->program) && !cloud && !lattice)
         return refuse(
             why, STATUS_INPUT,
-            "--seeds needs --solver, --results, --layout jitter or relaxed, or a round body: nothing else is "
-            "drawn");
+            "--seeds needs --solver, --results, --layout jitter or relaxed, or a round body: nothing else is drawn");
     return STATUS_OK;
 }
 

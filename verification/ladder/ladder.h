@@ -79,6 +79,9 @@ double ladder_error_in(const struct result *r, enum ladder_norm norm);
 /* Chooses the window and fits the slope in another norm. */
 void ladder_fit(struct ladder *l, enum ladder_norm norm);
 
+/* The rungs that count, coarsest first, into x and error of RUNG_MAX each; how many. */
+int ladder_counted(const struct ladder *l, double *x, double *error);
+
 /* Sets verdict and reason against a band. */
 void ladder_judge(struct ladder *l, double lo, double hi);
 

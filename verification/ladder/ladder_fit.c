@@ -29,8 +29,7 @@ double ladder_error_in(const struct result *r, enum ladder_norm norm) {
     return r->failure.status ? NAN : value[norm];
 }
 
-/* The points of the window, coarsest first; how many. */
-static int inside(const struct ladder *l, double *x, double *error) {
+int ladder_counted(const struct ladder *l, double *x, double *error) {
     int m = 0;
     for (int i = 0; i < l->n; i++) {
         if (!l->window.counts[i]) continue;
@@ -127,7 +126,7 @@ void ladder_fit(struct ladder *l, enum ladder_norm norm) {
     }
     slope_local(l->x, l->error, l->n, l->local);
     window_choose(rung, l->n, &l->window);
-    l->slope = slope_fit(x, error, inside(l, x, error));
+    l->slope = slope_fit(x, error, ladder_counted(l, x, error));
     if (l->draws > 1) fit_draws(l);
     l->verdict = isfinite(l->slope.value) && l->slope.n >= WINDOW_LEAST ? VERDICT_MEASURED : VERDICT_INCONCLUSIVE;
     snprintf(l->reason, sizeof l->reason, "%d of %d rungs count%s", l->slope.n, l->n,
@@ -142,7 +141,8 @@ void ladder_fit(struct ladder *l, enum ladder_norm norm) {
 void ladder_judge(struct ladder *l, double lo, double hi) {
     double x[RUNG_MAX], error[RUNG_MAX];
     if (l->failure.status) return; /* a rung failed, and the ladder with it */
-    struct judged judged = {x, error, inside(l, x, error), l->window.scattered, l->draws > 1 ? &l->slope : NULL};
+    struct judged judged = {x, error, ladder_counted(l, x, error), l->window.scattered,
+                            l->draws > 1 ? &l->slope : NULL};
     l->verdict = judge_order(&judged, lo, hi, l->reason, sizeof l->reason);
 }
 
@@ -159,13 +159,8 @@ void ladder_json(const struct ladder *l, struct json *j) {
     json_end(j);
     json_text(j, "against", l->in_time ? "dt" : *l->vary ? l->vary : "dx");
     json_number(j, "slope", l->slope.value);
-    json_array(j, "slope_ci95");
-    for (int i = 0; i < 2; i++) json_number(j, NULL, l->slope.ci[i]);
-    json_end(j);
-    json_array(j, "local_slopes");
-    for (int i = 0; i + 1 < l->n; i++) json_number(j, NULL, l->local[i]);
-    json_end(j);
-    json_text(j, "verdict", verdict_words[l->verdict]);
-    json_text(j, "reason", l->reason);
+    json_numbers(j, "slope_ci95", l->slope.ci, 2);
+    json_numbers(j, "local_slopes", l->local, l->n - 1);
+    json_add(j, "verdict %s|reason %s", verdict_words[l->verdict], l->reason);
     diagnosis_json(&l->diagnosis, j);
 }

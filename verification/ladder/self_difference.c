@@ -90,24 +90,6 @@ static void extrapolate(struct ladder *l, const double *dt) {
     }
 }
 
-/* Rung i beside the one before. */
-static int compare(const struct experiment *e, struct place **before, size_t *n, const struct field *f, int i,
-                   struct ladder *l, struct failure *why) {
-    struct place *at = sorted(f);
-    const double *dt = &l->x[i];
-    int status = STATUS_OK;
-    if (i > 0 && (*n != f->n || !on_one_grid(&e->problem, *before, at, f->n)))
-        status = refuse(why, STATUS_INPUT,
-                        "a ladder in time needs all runs on one grid: at %g s the points are not those of %g s",
-                        dt[0], dt[-1]);
-    else if (i > 0)
-        take_error(&l->rung[i - 1], distance(*before, at, f->n));
-    free(*before);
-    *before = at;
-    *n = f->n;
-    return status;
-}
-
 int self_difference_fields(const struct problem *p, const struct field *a, const struct field *b,
                            struct norms_error *apart) {
     struct place *at = sorted(a), *of = sorted(b);
@@ -118,52 +100,47 @@ int self_difference_fields(const struct problem *p, const struct field *a, const
     return same;
 }
 
-int self_difference_climb_to(const struct experiment *rung, const struct experiment *fine, struct ladder *l,
-                             struct failure *why) {
-    double dt[RUNG_MAX];
-    struct field last = {0};
-    struct result result;
-    int status = run_experiment(fine, &result, &last);
-    if (status) *why = result.failure;
-    for (int i = 0; i < l->n && !status; i++) {
-        struct field f = {0};
-        struct norms_error apart = {.l1 = NAN};
-        status = run_experiment(&rung[i], &l->rung[i], &f);
-        dt[i] = l->rung[i].dt > 0 ? l->rung[i].dt : l->x[i];
-        if (status)
-            *why = l->rung[i].failure;
-        else if (!self_difference_fields(&rung[i].problem, &f, &last, &apart))
-            status =
-                refuse(why, STATUS_INPUT,
-                       "a ladder in time needs all runs on one grid: at %g s the points are not those of --fine %g",
-                       l->x[i], l->fine);
-        take_error(&l->rung[i], apart);
-        field_free(&f);
-    }
-    field_free(&last);
-    if (status) return status;
-    l->self_differences = 1;
-    l->fine = result.dt > 0 ? result.dt : l->fine;
-    extrapolate(l, dt);
-    return STATUS_OK;
-}
-
-int self_difference_climb(const struct experiment *rung, struct ladder *l, struct failure *why) {
-    struct place *before = NULL;
-    double dt[RUNG_MAX];
-    size_t n = 0;
+/* Runs the rungs: each beside *to, or where that is NULL each but the first beside the one before, whose error it is.
+ */
+static int climb(const struct experiment *rung, const struct field *to, struct ladder *l, double *dt,
+                 struct failure *why) {
+    struct field before = {0};
     int status = STATUS_OK;
     for (int i = 0; i < l->n && !status; i++) {
         struct field f = {0};
+        struct norms_error apart;
+        int of = to ? i : i - 1;
         status = run_experiment(&rung[i], &l->rung[i], &f);
         if (status) *why = l->rung[i].failure;
         dt[i] = l->rung[i].dt > 0 ? l->rung[i].dt : l->x[i];
-        if (!status) status = compare(&rung[i], &before, &n, &f, i, l, why);
-        field_free(&f);
+        if (!status && of >= 0) {
+            if (self_difference_fields(&rung[i].problem, to ? &f : &before, to ? to : &f, &apart))
+                take_error(&l->rung[of], apart);
+            else
+                status =
+                    refuse(why, STATUS_INPUT,
+                           "a ladder in time needs all runs on one grid: at %g s the points are not those of %s%g%s",
+                           l->x[i], to ? "--fine " : "", to ? l->fine : l->x[of], to ? "" : " s");
+        }
+        field_free(&before);
+        before = f;
     }
-    free(before);
+    field_free(&before);
+    return status;
+}
+
+int self_difference_climb(const struct experiment *rung, const struct experiment *fine, struct ladder *l,
+                          struct failure *why) {
+    double dt[RUNG_MAX];
+    struct field last = {0};
+    struct result result = {.dt = 0};
+    int status = fine ? run_experiment(fine, &result, &last) : STATUS_OK;
+    if (status) *why = result.failure;
+    if (!status) status = climb(rung, fine ? &last : NULL, l, dt, why);
+    field_free(&last);
     if (status) return status;
-    l->n--;
+    if (!fine) l->n--;
+    if (result.dt > 0) l->fine = result.dt;
     l->self_differences = 1;
     extrapolate(l, dt);
     return STATUS_OK;

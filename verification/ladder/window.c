@@ -27,7 +27,6 @@
 #include <gsl/gsl_statistics_double.h>
 #include <math.h>
 #include <stdio.h>
-#include <stdlib.h>
 
 static const double FLOOR_SHARE = 0.1, TIME_SHARE = 0.01, SLOPE_SPREAD = 0.1, ROUGH = 0.25;
 

@@ -7,7 +7,6 @@
 #include "verification/diagnosis/diagnosis.h"
 #include "verification/diagnosis/wording.h"
 #include "verification/ladder/self_difference.h"
-#include "verification/run/run.h"
 
 #include <math.h>
 #include <stdio.h>

@@ -8,22 +8,12 @@
 #include "verification/stability/maximum_principle.h"
 #include "verification/command/request.h"
 #include "verification/run/run.h"
+#include "verification/text/words.h"
 
 #include <float.h>
 #include <math.h>
-#include <stdarg.h>
 #include <stdio.h>
 #include <string.h>
-
-static void append(struct measured *m, const char *format, ...) __attribute__((format(printf, 2, 3)));
-
-static void append(struct measured *m, const char *format, ...) {
-    size_t used = strlen(m->reason);
-    va_list arguments;
-    va_start(arguments, format);
-    vsnprintf(m->reason + used, sizeof m->reason - used, format, arguments);
-    va_end(arguments);
-}
 
 /* The model problem, the limit that theory gives where l is not NULL, and the one that runs show where `measured`. 0,
  * or *m failed. */
@@ -55,7 +45,7 @@ void measures_limit_agree(const struct request *r, double lo, double hi, struct 
         if (isnan(apart)) break;
     }
     measures_judge(m, worst, lo, hi);
-    append(m, " (h/dx %.4g: measured %.5g, von Neumann %.5g)", at[0], at[1], at[2]);
+    words_add(m->reason, sizeof m->reason, " (h/dx %.4g: measured %.5g, von Neumann %.5g)", at[0], at[1], at[2]);
 }
 
 void measures_limit_published(const struct request *r, double lo, double hi, struct measured *m) {
@@ -66,10 +56,11 @@ void measures_limit_published(const struct request *r, double lo, double hi, str
     if (find(r, &b, &l, 0, m)) return;
     int grows = step_limit_grows(&b, 0.99 * l.published, STEPS, &why);
     measures_judge(m, l.published / l.von_neumann, lo, hi);
-    append(m, " (published %.5g, von Neumann %.5g)", l.published, l.von_neumann);
+    words_add(m->reason, sizeof m->reason, " (published %.5g, von Neumann %.5g)", l.published, l.von_neumann);
     if (grows == (l.published * 0.99 > l.von_neumann)) return;
     m->verdict = VERDICT_FAIL;
-    append(m, grows ? "; yet a run at %.5g grew" : "; yet a run at %.5g decayed", 0.99 * l.published);
+    words_add(m->reason, sizeof m->reason, grows ? "; yet a run at %.5g grew" : "; yet a run at %.5g decayed",
+              0.99 * l.published);
 }
 
 void measures_limit_interval(const struct request *r, double lo, double hi, struct measured *m) {
@@ -77,8 +68,8 @@ void measures_limit_interval(const struct request *r, double lo, double hi, stru
     struct step_limit l;
     if (find(r, &b, &l, 1, m)) return;
     measures_judge(m, l.measured * l.radius / amplification_interval(&b.step), lo, hi);
-    append(m, " (measured %.5g of 1/|lambda|, theory %.5g; |G| = 1 at %.5g)", l.measured * l.radius,
-           amplification_interval(&b.step), amplification_reach(&b.step));
+    words_add(m->reason, sizeof m->reason, " (measured %.5g of 1/|lambda|, theory %.5g; |G| = 1 at %.5g)",
+              l.measured * l.radius, amplification_interval(&b.step), amplification_reach(&b.step));
 }
 
 /* One step of the stepper on the one equation dT/dt = -T. */
@@ -128,8 +119,8 @@ void measures_maximum_principle(const struct request *r, double lo, double hi, s
         if (weights != runs) apart++, where = maximum_principle_h(k);
     }
     measures_judge(m, apart, lo, hi);
-    append(m, " (kept at %.0f values of h/dx, %.0f refused)", kept, refused);
-    if (apart > 0) append(m, "; they disagree at h/dx = %.4g", where);
+    words_add(m->reason, sizeof m->reason, " (kept at %.0f values of h/dx, %.0f refused)", kept, refused);
+    if (apart > 0) words_add(m->reason, sizeof m->reason, "; they disagree at h/dx = %.4g", where);
 }
 
 void measures_refusal(const struct request *r, double lo, double hi, struct measured *m) {
@@ -153,7 +144,8 @@ void measures_endurance(const struct request *r, double lo, double hi, struct me
     measures_fail(m, &why);
     if (status) return;
     measures_judge(m, fabs(e.drift) / ((double)steps * DBL_EPSILON), lo, hi);
-    append(m, " (drift %.3g, max T %.15g K, which rose by at most %.3g K)", e.drift, e.largest, e.rise);
+    words_add(m->reason, sizeof m->reason, " (drift %.3g, max T %.15g K, which rose by at most %.3g K)", e.drift,
+              e.largest, e.rise);
     /* the last digit of a constant rod may flicker, by the rounding of one step */
     if (!(e.rise <= 8 * DBL_EPSILON && e.largest <= 2)) m->verdict = VERDICT_FAIL;
 }

@@ -10,7 +10,6 @@
 #include "verification/run/run.h"
 
 #include <math.h>
-#include <stdio.h>
 #include <stdlib.h>
 
 /* The error beside it: how far the two fields are apart, K. */

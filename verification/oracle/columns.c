@@ -247,9 +247,8 @@ int columns_parse(const char *list, int dim, struct columns *c, struct failure *
 }
 
 void columns_header(const struct columns *c, char *text) {
-    size_t used = 0;
-    for (int i = 0; i < c->count; i++)
-        used += (size_t)snprintf(text + used, COLUMNS_HEADER - used, ",%s", c->kind[i]->header);
+    *text = '\0';
+    for (int i = 0; i < c->count; i++) words_add(text, COLUMNS_HEADER, ",%s", c->kind[i]->header);
 }
 
 int columns_values(const struct columns *c, const struct image *image, double time, const double x[2],

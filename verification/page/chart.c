@@ -75,27 +75,17 @@ static void put_ticks(FILE *out, const struct axes *a) {
 }
 
 static void put_marker(FILE *out, int k, double x, double y, int hollow) {
-    const char *fill = hollow ? "#fff" : colour[k];
-    switch (k) {
-    case 0:
-        fprintf(out, "<circle cx=\"%.1f\" cy=\"%.1f\" r=\"4.5\"", x, y);
-        break;
-    case 1:
-        fprintf(out, "<rect x=\"%.1f\" y=\"%.1f\" width=\"8.4\" height=\"8.4\"", x - 4.2, y - 4.2);
-        break;
-    case 2:
-        fprintf(out, "<path d=\"M%.1f %.1fl5 9h-10z\"", x, y - 5.5);
-        break;
-    case 3:
-        fprintf(out, "<path d=\"M%.1f %.1fl5 5.5l-5 5.5l-5 -5.5z\"", x, y - 5.5);
-        break;
-    case 4:
-        fprintf(out, "<path d=\"M%.1f %.1fl5 -9h-10z\"", x, y + 5.5);
-        break;
-    default:
-        fprintf(out, "<path d=\"M%.1f %.1fv9h5v-9z\"", x - 2.5, y - 4.5);
-    }
-    fprintf(out, " fill=\"%s\" stroke=\"%s\" stroke-width=\"1.4\"/>\n", fill, colour[k]);
+    static const struct {
+        const char *shape;
+        double dx, dy; /* px: where it begins, beside its point */
+    } marker[STYLES] = {{"<circle cx=\"%.1f\" cy=\"%.1f\" r=\"4.5\"", 0, 0},
+                        {"<rect x=\"%.1f\" y=\"%.1f\" width=\"8.4\" height=\"8.4\"", -4.2, -4.2},
+                        {"<path d=\"M%.1f %.1fl5 9h-10z\"", 0, -5.5},
+                        {"<path d=\"M%.1f %.1fl5 5.5l-5 5.5l-5 -5.5z\"", 0, -5.5},
+                        {"<path d=\"M%.1f %.1fl5 -9h-10z\"", 0, 5.5},
+                        {"<path d=\"M%.1f %.1fv9h5v-9z\"", -2.5, -4.5}};
+    fprintf(out, marker[k].shape, x + marker[k].dx, y + marker[k].dy);
+    fprintf(out, " fill=\"%s\" stroke=\"%s\" stroke-width=\"1.4\"/>\n", hollow ? "#fff" : colour[k], colour[k]);
 }
 
 static void put_series(FILE *out, const struct axes *a, const struct chart_series *s, int k) {

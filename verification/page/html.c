@@ -27,9 +27,7 @@ static const char style[] =
     "td.n,th.n{text-align:right;font-variant-numeric:tabular-nums;white-space:nowrap}\n"
     "code,pre{font:.84rem/1.4 "
     "ui-monospace,monospace}pre{overflow:auto;white-space:pre-wrap;overflow-wrap:anywhere;max-height:36rem;padding:."
-    "6rem;border:1px "
-    "solid "
-    "var(--line)}\n"
+    "6rem;border:1px solid var(--line)}\n"
     "code{overflow-wrap:anywhere}pre span{display:inline-block;max-width:100%}figure{margin:1.2rem "
     "0;break-inside:avoid}\n"
     "figure{overflow-x:auto}figure img,figure svg{height:auto;background:#fff;border:1px solid var(--line)}\n"
@@ -77,22 +75,13 @@ static size_t put_letter(FILE *out, const char *text) {
 }
 
 void html_text(FILE *out, const char *text) {
-    for (size_t length = 1; *text; text += length, length = 1) switch (*text) {
-        case '&':
-            fputs("&amp;", out);
-            break;
-        case '<':
-            fputs("&lt;", out);
-            break;
-        case '>':
-            fputs("&gt;", out);
-            break;
-        case '"':
-            fputs("&quot;", out);
-            break;
-        default:
-            length = put_letter(out, text);
-        }
+    static const char special[] = "&<>\"";
+    static const char *const name[] = {"&amp;", "&lt;", "&gt;", "&quot;"};
+    while (*text) {
+        const char *at = strchr(special, *text);
+        if (at) fputs(name[at - special], out);
+        text += at ? 1 : put_letter(out, text);
+    }
 }
 
 void html_print(FILE *out, const char *format, ...) {

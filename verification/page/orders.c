@@ -115,11 +115,10 @@ void orders_put(const struct gates *g, const char *const scene[], const char *co
             if (is_of(&g->result[i], scene[k])) put_line(&g->result[i], s, y + LINE * line++, n == 1, out);
         top += height_of(n);
     }
-    fprintf(
-        out,
-        "</svg>\n<figcaption>Order reached (dot) and order expected (grey) of %d ladders. A red cross: the gate does "
-        "not hold.",
-        all);
+    fprintf(out,
+            "</svg>\n<figcaption>Order reached (dot) and order expected (grey) of %d ladders. A red cross: the gate "
+            "does not hold.",
+            all);
     if (command) html_print(out, " <code>%s</code>", command);
     fprintf(out, "</figcaption></figure>\n");
 }

@@ -3,6 +3,7 @@
 #include "verification/page/page.h"
 
 #include "solver/status.h"
+#include "verification/command/help.h"
 #include "verification/diagnosis/wording.h"
 #include "verification/foreign/program.h"
 #include "verification/ladder/ladder.h"
@@ -10,7 +11,6 @@
 #include "verification/page/html.h"
 #include "verification/text/output.h"
 #include "verification/text/table.h"
-#include "verification/command/version.h"
 
 #include <math.h>
 #include <sys/utsname.h>

@@ -3,8 +3,8 @@
 
 #include "verification/diagnosis/wording.h"
 #include "verification/page/page.h"
-#include "verification/text/paint.h"
 #include "verification/text/table.h"
+#include "verification/text/verdict.h"
 
 #include <math.h>
 #include <stdio.h>

@@ -20,11 +20,10 @@ int result_grows(const struct result *r) {
 
 void result_warn(const struct result *r) {
     if (!result_grows(r)) return;
-    fprintf(
-        stderr,
-        "heatladder: warning: dx = %g m: a mode grows at %.4g s^-1 at any time step, %.3g times in %.6g s; the error "
-        "may be its own: take less --jitter or another method\n",
-        r->options.dx, r->growth, exp(r->growth * r->t_end), r->t_end);
+    fprintf(stderr,
+            "heatladder: warning: dx = %g m: a mode grows at %.4g s^-1 at any time step, %.3g times in %.6g s; the "
+            "error may be its own: take less --jitter or another method\n",
+            r->options.dx, r->growth, exp(r->growth * r->t_end), r->t_end);
 }
 
 static void options_json(const struct result *r, struct json *j) {
@@ -45,41 +44,30 @@ static void options_json(const struct result *r, struct json *j) {
 }
 
 static void errors_json(const struct result *r, struct json *j) {
-    json_number(j, "error_l1", r->error.l1);
-    json_number(j, "error_l1_interior", r->interior.l1);
-    json_number(j, "error_l1_boundary", r->boundary.l1);
-    json_number(j, "error_l2", r->error.l2);
-    json_number(j, "error_linf", r->error.linf);
+    json_add(j, "error_l1 %g|error_l1_interior %g|error_l1_boundary %g|error_l2 %g|error_linf %g", r->error.l1,
+             r->interior.l1, r->boundary.l1, r->error.l2, r->error.linf);
     json_whole(j, "left_out_points", (long long)r->error.left_out);
     if (r->derived_name) {
-        json_text(j, "quantity_name", r->derived_name);
-        json_number(j, "quantity", r->derived);
-        json_number(j, "quantity_exact", r->derived_exact);
-        json_number(j, "quantity_error", r->derived_error);
+        json_add(j, "quantity_name %s|quantity %g|quantity_exact %g|quantity_error %g", r->derived_name, r->derived,
+                 r->derived_exact, r->derived_error);
     }
 }
 
 static void shape_json(const struct result *r, struct json *j) {
-    json_number(j, "min", r->shape.min);
-    json_number(j, "max", r->shape.max);
-    json_number(j, "overshoot", r->shape.overshoot);
-    json_number(j, "undershoot", r->shape.undershoot);
-    json_number(j, "variation", r->shape.variation);
+    json_add(j, "min %g|max %g|overshoot %g|undershoot %g|variation %g", r->shape.min, r->shape.max,
+             r->shape.overshoot, r->shape.undershoot, r->shape.variation);
     json_number(j, "checkerboard", r->shape.checkerboard);
     if (r->settling.sweeps > 0) {
         json_object(j, "settling");
-        json_whole(j, "sweeps", r->settling.sweeps);
-        json_number(j, "moved", r->settling.moved);
-        json_number(j, "nearest", r->settling.nearest);
-        json_number(j, "spread", r->settling.spread);
+        json_add(j, "sweeps %d|moved %g|nearest %g|spread %g", r->settling.sweeps, r->settling.moved,
+                 r->settling.nearest, r->settling.spread);
         json_end(j);
     }
     json_number(j, "heat_drift", r->heat_drift);
 }
 
 void result_json(const struct result *r, struct json *j) {
-    json_text(j, "scene", r->scene->name);
-    json_text(j, "method", r->method->name);
+    json_add(j, "scene %s|method %s", r->scene->name, r->method->name);
     options_json(r, j);
     json_number(j, "dx", r->options.dx);
     json_text(j, "failure", r->failure.status ? r->failure.text : NULL);
@@ -87,25 +75,15 @@ void result_json(const struct result *r, struct json *j) {
         json_number(j, "error_l1", NAN);
         return;
     }
-    json_number(j, "dt", r->dt);
-    json_number(j, "fourier", r->fourier);
-    json_whole(j, "steps", r->steps);
-    json_whole(j, "stages", r->stages);
+    json_add(j, "dt %g|fourier %g|steps %lld|stages %d", r->dt, r->fourier, r->steps, r->stages);
     json_number(j, "saving_over_euler", r->options.stepper == STEPPER_RKL2 ? r->saving : NAN);
-    json_number(j, "t_end", r->t_end);
-    json_whole(j, "particles", (long long)r->particles);
+    json_add(j, "t_end %g|particles %zu", r->t_end, r->particles);
     errors_json(r, j);
-    json_number(j, "time_error", r->time_error);
-    json_number(j, "growth", r->growth);
-    json_number(j, "reference_error", r->reference_error);
+    json_add(j, "time_error %g|growth %g|reference_error %g", r->time_error, r->growth, r->reference_error);
     shape_json(r, j);
-    json_number(j, "seconds", r->cost.seconds);
-    json_number(j, "step_seconds", r->cost.step_seconds);
-    json_whole(j, "updates", r->cost.updates);
-    json_whole(j, "search_updates", r->search_updates);
-    json_whole(j, "interactions", r->cost.interactions);
-    json_number(j, "work", r->cost.work);
-    json_whole(j, "bytes", (long long)r->cost.bytes);
+    json_add(j, "seconds %g|step_seconds %g|updates %lld|search_updates %lld|interactions %lld", r->cost.seconds,
+             r->cost.step_seconds, r->cost.updates, r->search_updates, r->cost.interactions);
+    json_add(j, "work %g|bytes %zu", r->cost.work, r->cost.bytes);
 }
 
 void result_describe(const struct result *r, char *text, size_t size) {

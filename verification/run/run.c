@@ -125,11 +125,10 @@ static int measure_growth(const struct experiment *e, const struct field *f, str
         return out->failure.status;
     double lo = f->data[0], hi = f->data[1], slack = 1e-6 * (hi - lo);
     if (!result_grows(out) || (out->shape.min >= lo - slack && out->shape.max <= hi + slack)) return STATUS_OK;
-    return refuse(
-        &out->failure, STATUS_UNSTABLE,
-        "unstable: a mode grows at %.4g s^-1 at any step, %.3g times in %.6g s, and the temperatures, %.4g to "
-        "%.4g K, have left the data's range of [%.4g, %.4g] K; take less --jitter or another method",
-        out->growth, exp(out->growth * out->t_end), out->t_end, out->shape.min, out->shape.max, lo, hi);
+    return refuse(&out->failure, STATUS_UNSTABLE,
+                  "unstable: a mode grows at %.4g s^-1 at any step, %.3g times in %.6g s, and the temperatures, %.4g "
+                  "to %.4g K, have left the data's range of [%.4g, %.4g] K; take less --jitter or another method",
+                  out->growth, exp(out->growth * out->t_end), out->t_end, out->shape.min, out->shape.max, lo, hi);
 }
 
 int run_experiment(const struct experiment *e, struct result *out, struct field *field) {

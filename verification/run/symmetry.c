@@ -8,7 +8,6 @@
 #include "verification/run/symmetry.h"
 
 #include <math.h>
-#include <stdlib.h>
 #include <string.h>
 
 static double reduced_wall(const struct problem *p, enum side s, const double x[2]) {

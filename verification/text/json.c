@@ -5,6 +5,8 @@
 #include "verification/text/letter.h"
 
 #include <math.h>
+#include <stdarg.h>
+#include <string.h>
 
 struct json json_on(FILE *out) {
     return (struct json){.out = out};
@@ -81,4 +83,29 @@ void json_text(struct json *j, const char *key, const char *value) {
         quote(j->out, value);
     else
         fputs("null", j->out);
+}
+
+void json_numbers(struct json *j, const char *key, const double *values, int count) {
+    json_array(j, key);
+    for (int i = 0; i < count; i++) json_number(j, NULL, values[i]);
+    json_end(j);
+}
+
+void json_add(struct json *j, const char *members, ...) {
+    char key[64];
+    va_list values;
+    va_start(values, members);
+    for (const char *at = members, *kind; (kind = strchr(at, '%')); at = kind + strcspn(kind, "|")) {
+        at += *at == '|';
+        snprintf(key, sizeof key, "%.*s", (int)(kind - at) - 1, at);
+        if (kind[1] == 's')
+            json_text(j, key, va_arg(values, const char *));
+        else if (kind[1] == 'g')
+            json_number(j, key, va_arg(values, double));
+        else if (kind[1] == 'd')
+            json_whole(j, key, va_arg(values, int));
+        else
+            json_whole(j, key, kind[1] == 'z' ? (long long)va_arg(values, size_t) : va_arg(values, long long));
+    }
+    va_end(values);
 }

@@ -28,4 +28,10 @@ void json_number(struct json *j, const char *key, double value);
 void json_whole(struct json *j, const char *key, long long value);
 void json_text(struct json *j, const char *key, const char *value); /* NULL becomes null */
 
+/* An array of `count` numbers. */
+void json_numbers(struct json *j, const char *key, const double *values, int count);
+
+/* Several members: "scene %s|dx %g|steps %lld".  %s is a text, %g a number with all its digits; %d, %lld, %zu. */
+void json_add(struct json *j, const char *members, ...) __attribute__((format(printf, 2, 3)));
+
 #endif

@@ -3,7 +3,7 @@
 #include "verification/text/table.h"
 
 #include "solver/status.h"
-#include "verification/text/paint.h"
+#include "verification/text/verdict.h"
 
 #include <math.h>
 #include <stdarg.h>

@@ -1,12 +1,32 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* What a judgement can be. */
+/* What a judgement can be, and its colours: on a terminal only, and never where NO_COLOR is set (no-color.org). */
 #include "verification/text/verdict.h"
 
+#include "verification/text/words.h"
+
 #include <math.h>
-#include <stddef.h>
+#include <stdlib.h>
+#include <unistd.h>
 
 const char *const verdict_words[] = {"inconclusive", "fail", "pass", "measured", "skipped", NULL};
 
 enum verdict verdict_within(double x, double lo, double hi) {
     return isfinite(x) && lo <= x && x <= hi ? VERDICT_PASS : VERDICT_FAIL;
+}
+
+static const char *const colours[] = {"\033[33m", "\033[31m", "\033[32m", "\033[36m"}; /* by enum verdict */
+
+static int place(FILE *out, const char *word) {
+    const char *never = getenv("NO_COLOR");
+    if ((never && *never) || !isatty(fileno(out))) return -1;
+    return words_index(verdict_words, word);
+}
+
+const char *paint_start(FILE *out, const char *word) {
+    int i = place(out, word);
+    return i < 0 ? "" : colours[i];
+}
+
+const char *paint_end(FILE *out, const char *word) {
+    return place(out, word) < 0 ? "" : "\033[0m";
 }

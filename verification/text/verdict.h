@@ -2,6 +2,8 @@
 #ifndef HEATLADDER_VERIFICATION_TEXT_VERDICT_H
 #define HEATLADDER_VERIFICATION_TEXT_VERDICT_H
 
+#include <stdio.h>
+
 enum verdict {
     VERDICT_INCONCLUSIVE, /* zero, so that what nobody judged does not pass */
     VERDICT_FAIL,
@@ -14,5 +16,9 @@ extern const char *const verdict_words[]; /* in the order of the enum, ended by 
 
 /* Pass where x is finite and lo <= x <= hi, else fail: NaN fails. */
 enum verdict verdict_within(double x, double lo, double hi);
+
+/* The escape sequence that colours a verdict's word, "" for any other word, off a terminal, and with NO_COLOR. */
+const char *paint_start(FILE *out, const char *word);
+const char *paint_end(FILE *out, const char *word);
 
 #endif

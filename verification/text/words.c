@@ -6,8 +6,8 @@
 #include "solver/status.h"
 
 #include <fnmatch.h>
+#include <stdarg.h>
 #include <stdio.h>
-#include <stdlib.h>
 #include <string.h>
 
 enum { LENGTH_MAX = 63 }; /* letters beyond these are not compared */
@@ -49,11 +49,18 @@ const char *words_nearest(const char *const *words, const char *word) {
     return nearest;
 }
 
+int words_add(char *text, size_t size, const char *format, ...) {
+    size_t used = strlen(text);
+    va_list arguments;
+    va_start(arguments, format);
+    int more = vsnprintf(text + used, size - used, format, arguments);
+    va_end(arguments);
+    return more < 0 || (size_t)more >= size - used ? -1 : 0;
+}
+
 void words_join(const char *const *words, char *text, size_t size) {
-    size_t used = 0;
     text[0] = '\0';
-    for (int i = 0; words[i] && used < size; i++)
-        used += (size_t)snprintf(text + used, size - used, "%s%s", i ? ", " : "", words[i]);
+    for (int i = 0; words[i]; i++) words_add(text, size, "%s%s", i ? ", " : "", words[i]);
 }
 
 int words_among(const char *blank_separated, const char *word) {

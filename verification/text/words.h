@@ -26,6 +26,9 @@ char *words_line(int count, const char *const *words);
  * it. */
 const char *words_literal(const char *word, char *pattern, size_t size);
 
+/* Appends to a text as printf does, cut to size: 0, or -1 where it is cut. */
+int words_add(char *text, size_t size, const char *format, ...) __attribute__((format(printf, 3, 4)));
+
 /* Writes "a, b, c", cut to size. */
 void words_join(const char *const *words, char *text, size_t size);
 

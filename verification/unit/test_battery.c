@@ -4,7 +4,6 @@
 #include "verification/unit/control_volumes.inc"
 
 #include "verification/gates/battery.h"
-#include "verification/gates/refine.h"
 #include "verification/command/arguments.h"
 #include "verification/foreign/program.h"
 #include "verification/run/run.h"

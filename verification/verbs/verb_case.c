@@ -5,7 +5,6 @@
 #include "references/scene.h"
 #include "solver/status.h"
 #include "verification/gates/battery.h"
-#include "verification/gates/refine.h"
 #include "verification/command/request.h"
 #include "verification/foreign/case_file.h"
 #include "verification/foreign/case_run.h"
@@ -20,11 +19,10 @@
 static int battery(const struct request *r, struct failure *why) {
     struct gates g = {0};
     int cases, order = r->order ? r->order : 2;
-    int seeds = r->experiment.program.seeds, n = 0;
+    int seeds = r->experiment.program.seeds;
     char words[100] = "";
-    if (r->profile) n = snprintf(words, sizeof words, " --profile %s", arguments_profiles[r->profile]);
-    if (r->more_rungs) n += snprintf(words + n, sizeof words - (size_t)n, " --rungs %d", r->more_rungs);
-    if (seeds) snprintf(words + n, sizeof words - (size_t)n, " --seeds %d", seeds);
+    battery_words(r, words, sizeof words);
+    if (seeds) words_add(words, sizeof words, " --seeds %d", seeds);
     int status = battery_add(order, r->profile, r->draw, &g, why);
     refine_gates(&g, r->more_rungs, r->time_order);
     if (!status) status = battery_write(&g, seeds, r->into, &cases, why);

@@ -66,9 +66,8 @@ static void print_text(const struct request *r, const struct choose *c) {
 static void one_json(const struct request *r, const struct extrapolation *o, struct json *j) {
     int can = isfinite(o->predicted_work);
     struct options with = candidate_options(o->candidate, &r->experiment, o->wanted);
-    json_text(j, "candidate", o->candidate->label);
-    json_text(j, "method", o->candidate->method);
-    json_text(j, "stepper", stepper_words[with.stepper]);
+    json_add(j, "candidate %s|method %s|stepper %s", o->candidate->label, o->candidate->method,
+             stepper_words[with.stepper]);
     json_number(j, "dx", can ? with.dx : NAN);
     json_number(j, "order", o->order > 0 ? o->order : NAN);
     json_number(j, "predicted_error", can ? o->predicted_error : NAN);
@@ -80,28 +79,18 @@ static void print_json(const struct request *r, const struct choose *c) {
     struct json j = json_on(stdout);
     const struct result *p = &c->proof;
     json_object(&j, NULL);
-    json_text(&j, "scene", r->experiment.scene->name);
-    json_number(&j, "error", c->error);
-    json_whole(&j, "reached", c->reached);
+    json_add(&j, "scene %s|error %g|reached %d", r->experiment.scene->name, c->error, c->reached);
     if (c->best.candidate) {
         const struct options *o = &p->options;
-        json_text(&j, "method", p->method->name);
-        json_number(&j, "dx", o->dx);
-        json_number(&j, "dt", p->dt);
-        json_whole(&j, "steps", p->steps);
-        json_text(&j, "stepper", stepper_words[o->stepper]);
+        json_add(&j, "method %s|dx %g|dt %g|steps %lld|stepper %s", p->method->name, o->dx, p->dt, p->steps,
+                 stepper_words[o->stepper]);
         json_text(&j, "kernel", result_accepts(p, "kernel") ? kernel_words[o->kernel] : NULL);
         json_number(&j, "h", o->h > 0 ? o->h : NAN);
         json_number(&j, "order", o->order ? (double)o->order : NAN);
-        json_text(&j, "sampling", sampling_words[o->sampling]);
-        json_whole(&j, "particles", (long long)p->particles);
-        json_number(&j, "predicted_error", c->best.predicted_error);
-        json_number(&j, "measured_error", p->error.l1);
-        json_number(&j, "error_between", c->between);
-        json_number(&j, "predicted_work", c->best.predicted_work);
-        json_number(&j, "measured_work", p->cost.work);
-        json_number(&j, "seconds", p->cost.seconds);
-        json_whole(&j, "proving_runs", c->proofs);
+        json_add(&j, "sampling %s|particles %zu|predicted_error %g|measured_error %g|error_between %g",
+                 sampling_words[o->sampling], p->particles, c->best.predicted_error, p->error.l1, c->between);
+        json_add(&j, "predicted_work %g|measured_work %g|seconds %g|proving_runs %d", c->best.predicted_work,
+                 p->cost.work, p->cost.seconds, c->proofs);
     }
     json_array(&j, "runners_up");
     for (int i = 0; i < c->count; i++) {

@@ -11,9 +11,10 @@
 #include "verification/ladder/ladder.h"
 #include "verification/page/page.h"
 #include "verification/text/atomic_file.h"
-#include "verification/text/paint.h"
 #include "verification/command/request.h"
 #include "verification/text/table.h"
+#include "verification/text/verdict.h"
+#include "verification/text/words.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -81,11 +82,10 @@ static void print_gci(const struct gci *g) {
              g->h[g->n - 2], g->h[g->n - 1]);
     struct table t = table_headed(1, header);
     for (int k = 0; k < g->rows; k++) add_quantity(&t, g, &g->row[k]);
-    printf(
-        "Richardson's extrapolation from the three finest of %d spacings, %.6g, %.6g and %.6g (ratios %.4g and %.4g)"
-        "\n\n",
-        g->n, g->h[g->n - 3], g->h[g->n - 2], g->h[g->n - 1], g->h[g->n - 3] / g->h[g->n - 2],
-        g->h[g->n - 2] / g->h[g->n - 1]);
+    printf("Richardson's extrapolation from the three finest of %d spacings, %.6g, %.6g and %.6g (ratios %.4g and "
+           "%.4g)\n\n",
+           g->n, g->h[g->n - 3], g->h[g->n - 2], g->h[g->n - 1], g->h[g->n - 3] / g->h[g->n - 2],
+           g->h[g->n - 2] / g->h[g->n - 1]);
     table_end(&t, stdout);
     printf("\n%s", gci_note);
 }
@@ -118,10 +118,10 @@ static int is_judged(const struct request *r) {
 /* --expect and --ceiling as they were given. */
 static void print_asked(const struct request *r, char *text, size_t size) {
     const struct numbers *e = &r->rungs.expect;
-    int n = e->count ? snprintf(text, size, "--expect %g,%g", e->value[0], e->value[1]) : 0;
-    if (r->rungs.ceiling > 0)
-        n += snprintf(text + n, size - (size_t)n, "%s--ceiling %g", n ? " " : "", r->rungs.ceiling);
-    if (!n) snprintf(text, size, "its runs should end");
+    *text = '\0';
+    if (e->count) snprintf(text, size, "--expect %g,%g", e->value[0], e->value[1]);
+    if (r->rungs.ceiling > 0) words_add(text, size, "%s--ceiling %g", *text ? " " : "", r->rungs.ceiling);
+    if (!*text) snprintf(text, size, "its runs should end");
 }
 
 /* One test case, which passes where the exit status is to be 0: also a ladder that ran and that nothing judges. */

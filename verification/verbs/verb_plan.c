@@ -14,9 +14,8 @@
 #include <stdio.h>
 
 static void describe_storage(const struct outline *part, char *text, size_t size) {
-    int used = snprintf(text, size, "%s", part->weights);
-    if (part->stand_in > 0)
-        snprintf(text + used, size - (size_t)used, "; estimated from those at dx = %g m", part->stand_in);
+    snprintf(text, size, "%s", part->weights);
+    if (part->stand_in > 0) words_add(text, size, "; estimated from those at dx = %g m", part->stand_in);
 }
 
 /* Why a mirror plane is not made use of. */
@@ -93,40 +92,30 @@ static void print_json(const struct experiment *e, const struct plan *plan, stru
     const struct options *o = &plan->options;
     const struct outline *part = &plan->part;
     char text[240];
-    json_text(j, "scene", e->scene->name);
-    json_text(j, "method", e->method->name);
-    json_number(j, "dx", o->dx);
-    json_whole(j, "dimension", plan->dim);
+    json_add(j, "scene %s|method %s|dx %g|dimension %d", e->scene->name, e->method->name, o->dx, plan->dim);
     json_array(j, "mirror_planes");
     for (int d = 0; d < plan->dim; d++)
         if (plan->cut[d]) json_text(j, NULL, d ? "y" : "x");
     json_end(j);
-    json_whole(j, "particles", (long long)plan->particles);
-    json_whole(j, "particles_computed", (long long)part->run.n);
+    json_add(j, "particles %zu|particles_computed %zu", plan->particles, part->run.n);
     json_text(j, "weights", part->rows ? "rows" : "stencil");
     describe_storage(part, text, sizeof text);
-    json_text(j, "weights_why", text);
-    json_number(j, "neighbours", part->neighbours);
+    json_add(j, "weights_why %s|neighbours %g", text, part->neighbours);
     json_number(j, "h", words_among(e->method->accepts, "h") ? o->h : NAN);
     json_text(j, "stepper", stepper_words[o->stepper]);
     describe_steps(e, plan, text, sizeof text);
-    json_text(j, "stepper_why", text);
-    json_number(j, "dt", part->run.dt);
-    json_whole(j, "steps", part->run.steps);
-    json_whole(j, "stages", part->run.stages);
-    json_whole(j, "steps_refined", plan->refined);
-    json_whole(j, "updates", part->run.cost.updates);
-    json_whole(j, "interactions", part->run.cost.interactions);
-    json_whole(j, "bytes", (long long)part->bytes[OUTLINE_STEPS]);
-    json_number(j, "bytes_per_particle", (double)part->bytes[OUTLINE_STEPS] / (double)part->run.n);
-    json_whole(j, "bytes_peak", (long long)part->bytes[plan_peak(plan)]);
-    json_text(j, "peak", plan_phases[plan_peak(plan)]);
+    json_add(j, "stepper_why %s|dt %g|steps %lld|stages %d|steps_refined %d", text, part->run.dt, part->run.steps,
+             part->run.stages, plan->refined);
+    json_add(j, "updates %lld|interactions %lld|bytes %zu", part->run.cost.updates, part->run.cost.interactions,
+             part->bytes[OUTLINE_STEPS]);
+    json_add(j, "bytes_per_particle %g|bytes_peak %zu|peak %s",
+             (double)part->bytes[OUTLINE_STEPS] / (double)part->run.n, part->bytes[plan_peak(plan)],
+             plan_phases[plan_peak(plan)]);
     json_array(j, "arrays");
     for (int i = 0; i < part->count; i++) {
         json_object(j, NULL);
-        json_text(j, "what", part->array[i].what);
-        json_whole(j, "bytes", (long long)part->array[i].bytes);
-        json_text(j, "held", held(&part->array[i], text, sizeof text));
+        json_add(j, "what %s|bytes %zu|held %s", part->array[i].what, part->array[i].bytes,
+                 held(&part->array[i], text, sizeof text));
         json_end(j);
     }
     json_end(j);

@@ -13,7 +13,6 @@
 #include "solver/method.h"
 #include "solver/status.h"
 
-#include <errno.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -28,9 +27,7 @@ static void print_json(const struct request *r, const struct forms *f) {
     struct json j = json_on(stdout);
     json_object(&j, NULL);
     json_text(&j, "scene", r->experiment.scene->name);
-    json_array(&j, "at");
-    for (int a = 0; a < r->experiment.problem.dim; a++) json_number(&j, NULL, r->at.value[a]);
-    json_end(&j);
+    json_numbers(&j, "at", r->at.value, r->experiment.problem.dim);
     json_number(&j, "time", r->time.value[0]);
     json_number(&j, "temperature", f->exact.no_value ? NAN : f->exact.temperature);
     json_number(&j, "error_bound", f->exact.no_value ? NAN : f->exact.error_bound);

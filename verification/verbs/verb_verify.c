@@ -5,7 +5,6 @@
 #include "references/scene.h"
 #include "solver/method.h"
 #include "verification/text/atomic_file.h"
-#include "verification/gates/refine.h"
 #include "verification/gates/battery.h"
 #include "verification/gates/gate_file.h"
 #include "verification/diagnosis/wording.h"
@@ -25,14 +24,9 @@
 enum { ORIGIN = 1100 };
 
 static void rungs_json(const struct rungs *l, struct json *j) {
-    json_text(j, "axis", l->axis);
-    json_text(j, "norm", l->norm);
-    json_array(j, "rungs");
-    for (int i = 0; i < l->n; i++) json_number(j, NULL, l->x[i]);
-    json_end(j);
-    json_array(j, "errors");
-    for (int i = 0; i < l->n; i++) json_number(j, NULL, l->error[i]);
-    json_end(j);
+    json_add(j, "axis %s|norm %s", l->axis, l->norm);
+    json_numbers(j, "rungs", l->x, l->n);
+    json_numbers(j, "errors", l->error, l->n);
     json_array(j, "counted"); /* for the slope: 1 or 0 */
     for (int i = 0; i < l->n; i++) json_whole(j, NULL, l->counts[i]);
     json_end(j);
@@ -43,19 +37,13 @@ static void gate_json(const struct gate_result *r, struct json *j) {
     const struct measured *m = &r->measured;
     int at_most = g->lo == 0; /* a bound from above; else a band */
     json_object(j, NULL);
-    json_text(j, "id", g->id);
-    json_text(j, "measure", g->measure);
-    json_text(j, "command", r->typed);
+    json_add(j, "id %s|measure %s|command %s", g->id, g->measure, r->typed);
     json_number(j, "expected", at_most ? 0 : (g->lo + g->hi) / 2);
     json_number(j, "tolerance", at_most ? g->hi : (g->hi - g->lo) / 2);
     json_number(j, "measured", m->value);
-    json_array(j, "interval95");
-    for (int i = 0; i < 2; i++) json_number(j, NULL, m->ci[i]);
-    json_end(j);
-    json_number(j, "error", m->error);
-    json_number(j, "ceiling", g->ceiling);
-    json_text(j, "verdict", verdict_words[m->verdict]);
-    json_text(j, "reason", m->reason);
+    json_numbers(j, "interval95", m->ci, 2);
+    json_add(j, "error %g|ceiling %g|verdict %s|reason %s", m->error, g->ceiling, verdict_words[m->verdict],
+             m->reason);
     json_text(j, "diagnosis", *m->diagnosis ? m->diagnosis : NULL);
     json_text(j, "why", g->why);
     if (m->rungs.n) rungs_json(&m->rungs, j);
@@ -118,11 +106,8 @@ static int collect(const struct request *r, struct gate_file *file, struct gates
         say_origin(r->gates_path, origin);
     else
         snprintf(origin, ORIGIN, "--order %d --seed %lu", order, r->draw);
-    size_t used = strlen(origin);
-    if (r->profile)
-        used += (size_t)snprintf(origin + used, ORIGIN - used, " --profile %s", arguments_profiles[r->profile]);
-    if (r->more_rungs) used += (size_t)snprintf(origin + used, ORIGIN - used, " --rungs %d", r->more_rungs);
-    if (r->time_order > 0) snprintf(origin + used, ORIGIN - used, " --time-order %g", r->time_order);
+    battery_words(r, origin, ORIGIN);
+    if (r->time_order > 0) words_add(origin, ORIGIN, " --time-order %g", r->time_order);
     if (gates_choose(g, r->only, r->skip, r->quick, why)) return why->status;
     if (!r->gates_path && r->draw && battery_bounds(order, g, why)) return why->status;
     refine_gates(g, r->more_rungs, r->time_order);
