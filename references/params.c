@@ -31,9 +31,15 @@ int params_start(const struct param *table, struct problem *p, const int *any, s
     memcpy(kept, p->param, sizeof kept);
     *p = (struct problem){0};
     memcpy(p->param, kept, sizeof kept);
-    for (int i = 0; table[i].name; i++)
+    for (int i = 0; table[i].name; i++) {
         if (params_between(table, p, i, is_among(any, i) ? -INFINITY : 0, INFINITY, NULL, why)) return STATUS_INPUT;
+        p->t_end = p->param[i]; /* the last */
+    }
     return STATUS_OK;
+}
+
+void params_material(struct problem *p, double k_x, double k_y, double rho_c) {
+    p->material[p->materials++] = (struct material){{k_x, k_y}, rho_c};
 }
 
 int params_whole(const struct param *table, const struct problem *p, int i, int lo, int hi, struct failure *why) {

@@ -8,8 +8,11 @@
  * be valid. */
 
 /* A setup starts from here: zeroes all of *p but its parameters, of which each must be finite, and > 0 but for those
- * of the list `any`, ended by -1 (NULL: none). */
+ * of the list `any`, ended by -1 (NULL: none); the last of the table is the end time. */
 int params_start(const struct param *table, struct problem *p, const int *any, struct failure *why);
+
+/* The next material of *p: W m^-1 K^-1 along x and y, J m^-3 K^-1. */
+void params_material(struct problem *p, double k_x, double k_y, double rho_c);
 
 /* lo < param[i] < hi; an infinite bound is none.  `because` says where the bound comes from, or is NULL. */
 int params_between(const struct param *table, const struct problem *p, int i, double lo, double hi,

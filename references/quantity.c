@@ -81,34 +81,23 @@ static struct approx heat_density(const void *data, const double x[2]) {
     return (struct approx){rho_c * e.temperature, rho_c * e.error_bound};
 }
 
-/* k dT/dn at a point of the side f->side; along[0] is its coordinate along the side. */
+/* k dT/dn at a point of the side f->side; along[0] is its coordinate along the side, of a round wall its angle. */
 static struct approx flux_density(const void *data, const double along[2]) {
     const struct field_at *f = data;
     const struct problem *p = f->now.problem;
-    int s = (int)f->side, a = s / 2;
-    double x[2] = {along[0], p->dim == 2 ? along[0] : 0};
-    x[a] = s % 2 ? p->hi[a] : p->lo[a];
+    int s = (int)f->side, a = p->shape ? 0 : s / 2;
+    double x[2] = {along[0], p->dim == 2 ? along[0] : 0}, u[2] = {cos(along[0]), sin(along[0])};
+    if (p->shape)
+        x[0] = p->radius[s] * u[0], x[1] = p->radius[s] * u[1];
+    else
+        x[a] = s % 2 ? p->hi[a] : p->lo[a];
     double wall = p->wall(p, f->side, x), k = material_at(p, x)->k[a], b = p->robin[s];
     if (p->side[s] == NEUMANN) return (struct approx){wall, 0};
     struct exact e = snapshot_at(&f->now, x);
     if (p->side[s] == ROBIN) return (struct approx){b * (wall - e.temperature), b * e.error_bound};
-    return (struct approx){s % 2 ? k * e.gradient[a] : -k * e.gradient[a], k * e.gradient_bound[a]};
-}
-
-/* The same at the angle along[0] of a round wall. */
-static struct approx round_flux_density(const void *data, const double along[2]) {
-    const struct field_at *f = data;
-    const struct problem *p = f->now.problem;
-    int s = (int)f->side;
-    double R = p->radius[s], u[2] = {cos(along[0]), sin(along[0])}, x[2] = {R * u[0], R * u[1]},
-           k = p->material[0].k[0];
-    double value = p->wall(p, f->side, x), out = s == X_HI ? 1 : -1;
-    if (p->side[s] == NEUMANN) return (struct approx){value, 0};
-    struct exact e = snapshot_at(&f->now, x);
-    if (p->side[s] == ROBIN)
-        return (struct approx){p->robin[s] * (value - e.temperature), p->robin[s] * e.error_bound};
-    return (struct approx){out * k * (u[0] * e.gradient[0] + u[1] * e.gradient[1]),
-                           k * (e.gradient_bound[0] + e.gradient_bound[1])};
+    double slope = p->shape ? u[0] * e.gradient[0] + u[1] * e.gradient[1] : e.gradient[a];
+    double bound = p->shape ? e.gradient_bound[0] + e.gradient_bound[1] : e.gradient_bound[a];
+    return (struct approx){s % 2 ? k * slope : -k * slope, k * bound};
 }
 
 /* Ends, jumps and interface of an axis, and the middle of a rod, where its pulse is: no start in the plane has one.
@@ -142,38 +131,33 @@ static struct approx round_heat_density(const void *data, const double at[2]) {
     return (struct approx){at[0] * d.value, at[0] * d.error};
 }
 
-static struct quantity_value round_heat(struct field_at *f) {
-    const struct problem *p = f->now.problem;
-    const double *R = p->radius, lo[2] = {R[0], 0}, hi[2] = {R[1], 2 * M_PI};
-    struct cubature_knots knots = {.grades = grades_for(p, f->now.time), .count = {2, 0}};
-    for (int s = 0; s < 2; s++) knots.knot[0][s].at = R[s], knots.knot[0][s].graded = 1;
-    struct approx mean = cubature_mean(round_heat_density, f, 2, lo, hi, &knots);
-    double size = (R[1] - R[0]) * 2 * M_PI;
+/* The integral over [lo, hi], whose measure is `size`. */
+static struct quantity_value integral(struct approx (*density)(const void *f, const double at[2]),
+                                      const struct field_at *f, int dim, const double *lo, const double *hi,
+                                      double size, const struct cubature_knots *knots) {
+    struct approx mean = cubature_mean(density, f, dim, lo, hi, knots);
     return (struct quantity_value){size * mean.value, size * mean.error, 0};
 }
 
 static struct quantity_value heat(struct field_at *f) {
     const struct problem *p = f->now.problem;
-    if (p->shape) return round_heat(f);
-    struct cubature_knots knots = {.count = {0, 0}, .grades = grades_for(p, f->now.time)};
+    const double *R = p->radius, around[2] = {R[0], 0}, upto[2] = {R[1], 2 * M_PI};
+    struct cubature_knots knots = {.count = {p->shape ? 2 : 0, 0}, .grades = grades_for(p, f->now.time)};
     double volume = 1;
+    for (int s = 0; s < knots.count[0]; s++) knots.knot[0][s].at = R[s], knots.knot[0][s].graded = 1;
+    if (p->shape) return integral(round_heat_density, f, 2, around, upto, (R[1] - R[0]) * 2 * M_PI, &knots);
     for (int a = 0; a < p->dim; a++) {
         volume *= p->hi[a] - p->lo[a];
         add_knots(p, a, a, &knots);
     }
-    struct approx mean = cubature_mean(heat_density, f, p->dim, p->lo, p->hi, &knots);
-    return (struct quantity_value){volume * mean.value, volume * mean.error, 0};
+    return integral(heat_density, f, p->dim, p->lo, p->hi, volume, &knots);
 }
 
 static struct quantity_value flux(struct field_at *f) {
     const struct problem *p = f->now.problem;
-    if (p->shape) {
-        struct cubature_knots none = {.count = {0, 0}};
-        struct approx mean =
-            cubature_mean(round_flux_density, f, 1, (double[2]){0, 0}, (double[2]){2 * M_PI, 0}, &none);
-        double length = 2 * M_PI * p->radius[f->side];
-        return (struct quantity_value){length * mean.value, length * mean.error, 0};
-    }
+    struct cubature_knots knots = {.count = {0, 0}};
+    double lo[2] = {0, 0}, hi[2] = {2 * M_PI, 0};
+    if (p->shape) return integral(flux_density, f, 1, lo, hi, 2 * M_PI * p->radius[f->side], &knots);
     int axis = f->side < Y_LO;
     if (p->dim == 1) {
         struct approx end = flux_density(f, (double[2]){0, 0});
@@ -185,12 +169,9 @@ static struct quantity_value flux(struct field_at *f) {
         corner[axis] = end ? p->hi[axis] : p->lo[axis];
         if (snapshot_at(&f->now, corner).no_value) return (struct quantity_value){NAN, NAN, 1};
     }
-    struct cubature_knots knots = {.count = {0, 0}};
-    double lo[2] = {p->lo[axis], 0}, hi[2] = {p->hi[axis], 0};
+    lo[0] = p->lo[axis], hi[0] = p->hi[axis];
     add_knots(p, axis, 0, &knots);
-    struct approx mean = cubature_mean(flux_density, f, 1, lo, hi, &knots);
-    double length = hi[0] - lo[0];
-    return (struct quantity_value){length * mean.value, length * mean.error, 0};
+    return integral(flux_density, f, 1, lo, hi, hi[0] - lo[0], &knots);
 }
 
 struct quantity_value quantity_exact(const struct quantity *q, const struct scene *s, const struct problem *p,

@@ -40,7 +40,7 @@ struct scene {
     const char *name;
     const char *about;          /* one line */
     const char *citation;       /* source and equation */
-    const struct param *params; /* ended by a NULL name; at most PARAM_MAX */
+    const struct param *params; /* the last is the end time; ended by a NULL name; at most PARAM_MAX */
     /* From p->param (every value set, finite) to the whole of *p.  0, or STATUS_INPUT with *why filled, naming
      * `--set NAME=VALUE` and what would be valid. */
     int (*setup)(struct problem *p, struct failure *why);

@@ -153,9 +153,7 @@ static int setup(struct problem *p, struct failure *why) {
     double most = (v[TM] - fabs(v[B])) / fabs(cross((int)v[MODE], v[LAMBDA], v[R1], v[R2]).value);
     if (params_between(params, p, A, 0, most, "the temperature stays positive", why)) return STATUS_INPUT;
     shape_round(p, v[R1], v[R2]);
-    p->t_end = v[T_END];
-    p->materials = 1;
-    p->material[0] = (struct material){{v[K], v[K]}, v[RHO_C]};
+    params_material(p, v[K], v[K], v[RHO_C]);
     p->side[X_LO] = DIRICHLET;
     p->side[X_HI] = NEUMANN;
     p->initial = initial;

@@ -106,9 +106,7 @@ static int setup(struct problem *p, struct failure *why) {
     if (params_between(params, p, B, 1e-12 * v[K] / v[R], 1e12 * v[K] / v[R], "b radius/k of 1e-12 to 1e12", why))
         return STATUS_INPUT;
     shape_round(p, 0, v[R]);
-    p->t_end = v[T_END];
-    p->materials = 1;
-    p->material[0] = (struct material){{v[K], v[K]}, v[RHO_C]};
+    params_material(p, v[K], v[K], v[RHO_C]);
     p->side[X_HI] = kind[(int)v[WALL] - 1];
     p->robin[X_HI] = v[WALL] == 3 ? v[B] : 0;
     p->param[LAMBDA] = first_root(p, bessel);

@@ -150,11 +150,9 @@ static int setup(struct problem *p, struct failure *why) {
     p->dim = 2;
     p->hi[0] = v[W1] + v[W2];
     p->hi[1] = v[HEIGHT];
-    p->t_end = v[T_END];
-    p->materials = 2;
     p->interface = v[W1];
-    p->material[0] = (struct material){{v[K1], v[K1]}, v[RHO_C1]};
-    p->material[1] = (struct material){{v[K2], v[K2]}, v[RHO_C2]};
+    params_material(p, v[K1], v[K1], v[RHO_C1]);
+    params_material(p, v[K2], v[K2], v[RHO_C2]);
     p->side[Y_LO] = p->side[Y_HI] = NEUMANN;
     p->mirror[1] = (int)v[MODE] % 2 == 0;
     p->param[LAMBDA] = roots_increasing(mismatch, p, first_at(p, 0.5), first_at(p, 1));

@@ -74,10 +74,8 @@ static int setup(struct problem *p, struct failure *why) {
     p->dim = 2;
     p->hi[0] = p->param[WIDTH];
     p->hi[1] = p->param[HEIGHT];
-    p->t_end = p->param[T_END];
-    p->materials = 1;
     double k = property[(int)which].k;
-    p->material[0] = (struct material){{k, k}, property[(int)which].rho * property[(int)which].c};
+    params_material(p, k, k, property[(int)which].rho * property[(int)which].c);
     p->mirror[0] = p->param[T2] == p->param[T4];
     p->mirror[1] = p->param[T1] == p->param[T3];
     p->initial = initial;

@@ -60,9 +60,7 @@ static int setup(struct problem *p, struct failure *why) {
     p->dim = 2;
     p->hi[0] = p->param[WIDTH];
     p->hi[1] = p->param[HEIGHT];
-    p->t_end = p->param[T_END];
-    p->materials = 1;
-    p->material[0] = (struct material){{p->param[K], p->param[K]}, p->param[RHO_C]};
+    params_material(p, p->param[K], p->param[K], p->param[RHO_C]);
     p->side[X_LO] = NEUMANN;
     p->side[X_HI] = p->side[Y_HI] = ROBIN;
     p->robin[X_HI] = p->robin[Y_HI] = p->param[B];

@@ -117,9 +117,7 @@ static int setup(struct problem *p, struct failure *why) {
     p->dim = 2;
     p->hi[0] = p->param[WIDTH];
     p->hi[1] = p->param[HEIGHT];
-    p->t_end = p->param[T_END];
-    p->materials = 1;
-    p->material[0] = (struct material){{p->param[K_X], p->param[K_Y]}, p->param[RHO_C]};
+    params_material(p, p->param[K_X], p->param[K_Y], p->param[RHO_C]);
     p->side[Y_LO] = p->side[Y_HI] = NEUMANN;
     p->initial = initial;
     p->wall = wall;

@@ -70,11 +70,9 @@ static int setup(struct problem *p, struct failure *why) {
     p->dim = 1;
     p->lo[0] = -p->param[L];
     p->hi[0] = p->param[L];
-    p->t_end = p->param[T_END];
-    p->materials = 2;
     p->interface = p->param[X_C];
-    p->material[0] = (struct material){{p->param[K1], p->param[K1]}, p->param[RHO_C1]};
-    p->material[1] = (struct material){{p->param[K2], p->param[K2]}, p->param[RHO_C2]};
+    params_material(p, p->param[K1], p->param[K1], p->param[RHO_C1]);
+    params_material(p, p->param[K2], p->param[K2], p->param[RHO_C2]);
     p->jumps[0] = 1;
     p->jump[0][0] = p->param[X_C];
     p->initial = initial;

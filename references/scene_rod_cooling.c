@@ -66,9 +66,7 @@ static int setup(struct problem *p, struct failure *why) {
                       p->param[B]);
     p->dim = 1;
     p->hi[0] = p->param[L];
-    p->t_end = p->param[T_END];
-    p->materials = 1;
-    p->material[0] = (struct material){{p->param[K], p->param[K]}, p->param[RHO_C]};
+    params_material(p, p->param[K], p->param[K], p->param[RHO_C]);
     p->side[X_HI] = ROBIN;
     p->robin[X_HI] = p->param[B];
     p->initial = initial;

@@ -46,11 +46,6 @@ static double initial(const struct problem *p, const double x[2]) {
     return exact(p, x, 0).temperature;
 }
 
-static double wall(const struct problem *p, enum side s, const double x[2]) {
-    (void)p, (void)s, (void)x;
-    return 0; /* no flux */
-}
-
 static int setup(struct problem *p, struct failure *why) {
     static const int any[] = {MODE, -1};
     if (params_start(params, p, any, why)) return STATUS_INPUT;
@@ -59,13 +54,11 @@ static int setup(struct problem *p, struct failure *why) {
         return STATUS_INPUT;
     p->dim = 1;
     p->hi[0] = p->param[L];
-    p->t_end = p->param[T_END];
-    p->materials = 1;
-    p->material[0] = (struct material){{p->param[KAPPA], p->param[KAPPA]}, 1};
+    params_material(p, p->param[KAPPA], p->param[KAPPA], 1);
     for (int s = X_LO; s <= Y_HI; s++) p->side[s] = NEUMANN;
     p->mirror[0] = (int)p->param[MODE] % 2 == 0;
     p->initial = initial;
-    p->wall = wall;
+    p->wall = problem_zero_wall; /* no flux */
     return STATUS_OK;
 }
 

@@ -62,11 +62,6 @@ static double initial(const struct problem *p, const double x[2]) {
     return exact(p, x, 0).temperature;
 }
 
-static double wall(const struct problem *p, enum side s, const double x[2]) {
-    (void)p, (void)s, (void)x;
-    return 0;
-}
-
 static int setup(struct problem *p, struct failure *why) {
     if (params_start(params, p, NULL, why)) return STATUS_INPUT;
     if (params_between(params, p, SIGMA0, 0, p->param[L], "the Gaussian fits between the walls, sigma0 < L", why))
@@ -74,12 +69,10 @@ static int setup(struct problem *p, struct failure *why) {
     p->dim = 1;
     p->lo[0] = -p->param[L];
     p->hi[0] = p->param[L];
-    p->t_end = p->param[T_END];
-    p->materials = 1;
-    p->material[0] = (struct material){{p->param[KAPPA], p->param[KAPPA]}, 1};
+    params_material(p, p->param[KAPPA], p->param[KAPPA], 1);
     p->mirror[0] = 1;
     p->initial = initial;
-    p->wall = wall;
+    p->wall = problem_zero_wall;
     return STATUS_OK;
 }
 

@@ -40,11 +40,6 @@ static double initial(const struct problem *p, const double x[2]) {
     return series_in_box(x[0], p->param[A]) ? p->param[T0] : 0;
 }
 
-static double wall(const struct problem *p, enum side s, const double x[2]) {
-    (void)p, (void)s, (void)x;
-    return 0;
-}
-
 static int setup(struct problem *p, struct failure *why) {
     if (params_start(params, p, NULL, why)) return STATUS_INPUT;
     if (params_between(params, p, A, 0, p->param[L], "the hot piece ends before the walls, a < L", why))
@@ -52,15 +47,13 @@ static int setup(struct problem *p, struct failure *why) {
     p->dim = 1;
     p->lo[0] = -p->param[L];
     p->hi[0] = p->param[L];
-    p->t_end = p->param[T_END];
-    p->materials = 1;
-    p->material[0] = (struct material){{p->param[KAPPA], p->param[KAPPA]}, 1};
+    params_material(p, p->param[KAPPA], p->param[KAPPA], 1);
     p->jumps[0] = 2;
     p->jump[0][0] = -p->param[A];
     p->jump[0][1] = p->param[A];
     p->mirror[0] = 1;
     p->initial = initial;
-    p->wall = wall;
+    p->wall = problem_zero_wall;
     return STATUS_OK;
 }
 

@@ -41,11 +41,6 @@ static double initial(const struct problem *p, const double x[2]) {
     return series_in_box(x[0], p->param[A]) && series_in_box(x[1], p->param[B]) ? p->param[T0] : 0;
 }
 
-static double wall(const struct problem *p, enum side s, const double x[2]) {
-    (void)p, (void)s, (void)x;
-    return 0;
-}
-
 static int setup(struct problem *p, struct failure *why) {
     if (params_start(params, p, NULL, why)) return STATUS_INPUT;
     if (params_between(params, p, A, 0, p->param[L], "the rectangle ends before the walls, a < L", why) ||
@@ -61,11 +56,9 @@ static int setup(struct problem *p, struct failure *why) {
         p->jump[d][1] = half;
         p->mirror[d] = 1;
     }
-    p->t_end = p->param[T_END];
-    p->materials = 1;
-    p->material[0] = (struct material){{p->param[KAPPA_X], p->param[KAPPA_Y]}, 1};
+    params_material(p, p->param[KAPPA_X], p->param[KAPPA_Y], 1);
     p->initial = initial;
-    p->wall = wall;
+    p->wall = problem_zero_wall;
     return STATUS_OK;
 }
 

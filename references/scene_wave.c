@@ -50,11 +50,6 @@ static double initial(const struct problem *p, const double x[2]) {
     return exact(p, x, 0).temperature;
 }
 
-static double wall(const struct problem *p, enum side s, const double x[2]) {
-    (void)p, (void)s, (void)x;
-    return 0; /* there is none */
-}
-
 static int setup(struct problem *p, struct failure *why) {
     static const int any[] = {MODE_X, MODE_Y, PHASE, -1};
     const double *v = p->param;
@@ -66,12 +61,10 @@ static int setup(struct problem *p, struct failure *why) {
     if (params_between(params, p, A, 0, v[TM], "the temperature stays positive, A < Tm", why)) return STATUS_INPUT;
     p->dim = 2;
     p->hi[0] = p->hi[1] = v[L];
-    p->t_end = v[T_END];
-    p->materials = 1;
-    p->material[0] = (struct material){{v[KAPPA_X], v[KAPPA_Y]}, 1};
+    params_material(p, v[KAPPA_X], v[KAPPA_Y], 1);
     for (int s = X_LO; s <= Y_HI; s++) p->side[s] = PERIODIC;
     p->initial = initial;
-    p->wall = wall;
+    p->wall = problem_zero_wall; /* there is none */
     return STATUS_OK;
 }
 

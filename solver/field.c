@@ -1,11 +1,18 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Memory of a field, and how far it is from another. */
+/* Memory and clock of a field, and how far it is from another. */
 #include "solver/field.h"
 
 #include "solver/status.h"
 
 #include <math.h>
 #include <stdlib.h>
+#include <time.h>
+
+double field_clock(void) {
+    struct timespec t;
+    clock_gettime(CLOCK_MONOTONIC, &t);
+    return (double)t.tv_sec + 1e-9 * (double)t.tv_nsec;
+}
 
 void field_alloc(struct field *f, int dim, size_t n) {
     *f = (struct field){.dim = dim, .n = n};

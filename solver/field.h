@@ -44,6 +44,8 @@ struct field { /* owned arrays: field_free */
     struct cost cost;
 };
 
+double field_clock(void); /* s, of a clock that never goes back: what the times of a cost are differences of */
+
 void field_alloc(struct field *f, int dim, size_t n); /* zeroes *f, allocates x, T, and y for dim 2 */
 void field_free(struct field *f);
 

@@ -11,6 +11,11 @@ double problem_diffusivity(const struct problem *p) {
     return kappa;
 }
 
+double problem_zero_wall(const struct problem *p, enum side s, const double x[2]) {
+    (void)p, (void)s, (void)x;
+    return 0;
+}
+
 double problem_source(const struct problem *p, const double x[2], double t) {
     return (p->source ? p->source(p, x) : 0) + (p->source_rate ? t * p->source_rate(p, x) : 0);
 }

@@ -52,6 +52,9 @@ struct problem {
 /* The largest diffusivity of all materials and axes, m^2 s^-1. */
 double problem_diffusivity(const struct problem *p);
 
+/* A `wall` of 0 everywhere. */
+double problem_zero_wall(const struct problem *p, enum side s, const double x[2]);
+
 /* The whole source at x and the time t, W m^-3; 0 where there is none. */
 double problem_source(const struct problem *p, const double x[2], double t);
 

@@ -47,11 +47,9 @@ static int differences(FILE *out, struct failure *why) {
     for (int i = 0; i < 4; i++) {
         struct model_problem b = stability_model(method[i % 2], 1 + i / 2, KERNEL_CUBIC, 0);
         struct step_limit l;
-        char name[40];
         if (step_limit_model(&b, why) || step_limit_predict(&b, &l, why) || step_limit_measure(&b, &l.measured, why))
             return why->status;
-        snprintf(name, sizeof name, "%s %dD", method[i % 2], b.dim);
-        stability_block(out, name, "published,von_neumann,measured");
+        stability_block(out, "published,von_neumann,measured", "%s %dD", method[i % 2], b.dim);
         fprintf(out, "%.6g,%.6g,%.6g\n", l.published, l.von_neumann, l.measured);
     }
     return STATUS_OK;
@@ -61,9 +59,7 @@ static int differences(FILE *out, struct failure *why) {
 static int unequal(FILE *out, struct failure *why) {
     enum { STEPS = 40 };
     for (int k = 0; k < KERNELS; k++) {
-        char name[40];
-        snprintf(name, sizeof name, "unequal %s", kernel_words[k]);
-        stability_block(out, name, "kappa_y/kappa_x,published,von_neumann");
+        stability_block(out, "kappa_y/kappa_x,published,von_neumann", "unequal %s", kernel_words[k]);
         for (int i = 0; i <= STEPS; i++) {
             struct model_problem b = stability_model("so_ssph", 2, (enum kernel_name)k, 1.1);
             struct step_limit l;
@@ -82,10 +78,10 @@ int stability_limits_page(FILE *out, struct failure *why) {
 #pragma omp parallel for schedule(dynamic, 1)
     for (int i = 0; i < CASES; i++) find(CASES - 1 - i, &point[CASES - 1 - i]); /* the widest stencils first */
     for (int i = 0; i < CASES; i++) {
-        char name[60];
-        snprintf(name, sizeof name, "%s %s %dD", names[i / (RATIOS * KERNELS) % METHODS],
-                 kernel_words[i / RATIOS % KERNELS], 1 + i / (RATIOS * KERNELS * METHODS));
-        if (i % RATIOS == 0) stability_block(out, name, "h/dx,published,von_neumann,measured,beta,growth");
+        if (i % RATIOS == 0)
+            stability_block(out, "h/dx,published,von_neumann,measured,beta,growth", "%s %s %dD",
+                            names[i / (RATIOS * KERNELS) % METHODS], kernel_words[i / RATIOS % KERNELS],
+                            1 + i / (RATIOS * KERNELS * METHODS));
         print(out, &point[i], ratio_of(i % RATIOS));
     }
     free(point);
@@ -97,10 +93,8 @@ int stability_maximum_page(FILE *out, struct failure *why) {
     stability_head(out, "Where SO-SSPH keeps the range of its initial data: weights, and runs on an impulse",
                    "verify --only 'maximum/*'");
     for (int i = 0; i < DIMS * KERNELS; i++) {
-        char name[40];
         struct model_problem b = stability_model("so_ssph", 1 + i / KERNELS, (enum kernel_name)(i % KERNELS), 0);
-        snprintf(name, sizeof name, "%s %dD", kernel_words[i % KERNELS], b.dim);
-        stability_block(out, name, "h/dx,lowest_weight/|w0|,undershoot_K");
+        stability_block(out, "h/dx,lowest_weight/|w0|,undershoot_K", "%s %dD", kernel_words[i % KERNELS], b.dim);
         for (int k = 0; k < MAXIMUM_COUNT; k++) {
             struct maximum_principle x;
             struct failure refused;

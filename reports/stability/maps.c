@@ -36,7 +36,7 @@ static int write_map(FILE *out, const struct map *m, struct failure *why) {
     double F = m->share < 0 ? -m->share * l.published : m->share * l.von_neumann;
     char columns[80];
     snprintf(columns, sizeof columns, "theta_x/pi,theta_y/pi,|G| at F = %.4g", F);
-    stability_block(out, m->name, columns);
+    stability_block(out, columns, "%s", m->name);
     for (int j = 0; j <= CELLS; j++) {
         for (int i = 0; i <= CELLS; i++) {
             double part[2] = {2.0 * i / CELLS - 1, 2.0 * j / CELLS - 1};
@@ -116,8 +116,9 @@ int stability_jitter_page(FILE *out, struct failure *why) {
     for (int i = 0; i < CASES; i++) cell[CASES - 1 - i] = worst_of_seeds(CASES - 1 - i);
     for (int i = 0; i < CASES; i++) {
         if (i % (RATIOS * JITTERS) == 0)
-            stability_block(out, jittered[i / (RATIOS * JITTERS)],
-                            "h/dx,jitter,log10(condition),growth_kappa/dx^2,sign (1 grows, -1 decays, nan refused)");
+            stability_block(out,
+                            "h/dx,jitter,log10(condition),growth_kappa/dx^2,sign (1 grows, -1 decays, nan refused)",
+                            "%s", jittered[i / (RATIOS * JITTERS)]);
         double sign = isnan(cell[i].growth) ? NAN : cell[i].growth > 0 ? 1 : -1;
         fprintf(out, "%.4g,%.4g,%.4g,%.4g,%.0f\n", 0.7 + 0.05 * (i % RATIOS), 0.05 * (i / RATIOS % JITTERS),
                 log10(cell[i].condition), cell[i].growth, sign);
@@ -156,9 +157,10 @@ static void print_spectrum(FILE *out, const struct model_problem *b, const struc
 int stability_walls_page(FILE *out, struct failure *why) {
     static const char *const method[] = {"so_ssph", "fo_ssph", "brookshaw"};
     stability_head(out, "Walls with mirrored ghosts, and without any: one-sided support", "report stability DIR");
-    stability_block(out, "walls",
+    stability_block(out,
                     "method,dim,h/dx,walls,largest real part,largest |imaginary part|,largest |lambda|,limit (dt "
-                    "kappa/dx^2)");
+                    "kappa/dx^2)",
+                    "walls");
     for (int i = 0; i < 24; i++) {
         struct model_problem b = stability_model(method[i % 3], 1 + i / 3 % 2, KERNEL_CUBIC, i / 6 % 2 ? 1.6 : 1.1);
         struct spectrum s;

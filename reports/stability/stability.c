@@ -5,6 +5,8 @@
 #include "reports/figure/figure.h"
 #include "verification/text/output.h"
 
+#include <stdarg.h>
+
 static const struct figure_page pages[] = {
     {"stability_limits", stability_limits_page},     {"stability_symbols", stability_symbols_page},
     {"stability_jitter", stability_jitter_page},     {"stability_walls", stability_walls_page},
@@ -17,8 +19,13 @@ void stability_head(FILE *out, const char *title, const char *command) {
             command);
 }
 
-void stability_block(FILE *out, const char *name, const char *columns) {
-    fprintf(out, "\n\n# %s\n%s\n", name, columns);
+void stability_block(FILE *out, const char *columns, const char *name, ...) {
+    va_list arguments;
+    va_start(arguments, name);
+    fprintf(out, "\n\n# ");
+    vfprintf(out, name, arguments);
+    fprintf(out, "\n%s\n", columns);
+    va_end(arguments);
 }
 
 struct model_problem stability_model(const char *method, int dim, enum kernel_name kernel, double h) {

@@ -14,7 +14,8 @@ int stability_write(const char *dir, struct failure *why);
 
 /* The head of a page: its title and one command that gives a number of it. */
 void stability_head(FILE *out, const char *title, const char *command);
-void stability_block(FILE *out, const char *name, const char *columns);
+/* The head of a block: its columns, and its name (printf-like). */
+void stability_block(FILE *out, const char *columns, const char *name, ...) __attribute__((format(printf, 3, 4)));
 
 /* The model problem of a method by its name, with a kernel and an h/dx (h = 0: the default), defaults not yet
  * resolved. */

@@ -34,13 +34,11 @@ static double apart(const struct model_problem *b, double F, long long steps) {
 static int follow(FILE *out, const char *name, struct model_problem b, int stride, struct failure *why) {
     enum { POINTS = 100 };
     struct step_limit l;
-    char block[80];
     if (step_limit_model(&b, why) || step_limit_predict(&b, &l, why)) return why->status;
     const double F[2] = {0.99 * l.published, 0.99 * l.von_neumann};
     for (int k = 0; k < 2; k++) {
         double distance[POINTS];
-        snprintf(block, sizeof block, "%s %s", name, k ? "true" : "published");
-        stability_block(out, block, "step,distance_K,F");
+        stability_block(out, "step,distance_K,F", "%s %s", name, k ? "true" : "published");
 #pragma omp parallel for schedule(dynamic, 1)
         for (int i = 0; i < POINTS; i++) distance[i] = apart(&b, F[k], (long long)stride * (i + 1));
         for (int i = 0; i < POINTS && !isnan(distance[i]); i++)
@@ -71,14 +69,13 @@ int stability_checkerboard_page(FILE *out, struct failure *why) {
                    "run rod-step fo_ssph --dx 4/80 --t-end 5");
     for (int i = 0; i < METHODS * PLACES; i++) {
         struct command_run *run = xcalloc(TIMES, sizeof *run);
-        char name[60];
         int method = i / PLACES, status = STATUS_OK;
 #pragma omp parallel for schedule(dynamic, 1)
         for (int k = TIMES - 1; k >= 0; k--)
             command_run_line(&run[k], "run rod-step %s --dx %s --t-end %.6g%s", names[method], places[i % PLACES].dx,
                              pow(10, -2 + 4.7 * k / (TIMES - 1)), method >= 2 ? " --fourier 0.2" : "");
-        snprintf(name, sizeof name, "%s %s", names[method], places[i % PLACES].name);
-        stability_block(out, name, "t_s,checkerboard/peak,total_variation/peak,peak_K");
+        stability_block(out, "t_s,checkerboard/peak,total_variation/peak,peak_K", "%s %s", names[method],
+                        places[i % PLACES].name);
         for (int k = 0; k < TIMES; k++) {
             const struct norms_shape *s = &run[k].result.shape;
             if (!status) status = command_run_check(&run[k], why);
@@ -106,7 +103,7 @@ int stability_steppers_page(FILE *out, struct failure *why) {
             snprintf(name, sizeof name, "%s %d", stepper_words[a->stepper], a->stages);
         else
             snprintf(name, sizeof name, "%s", stepper_words[a->stepper]);
-        stability_block(out, name, "-dt lambda,|G|,G");
+        stability_block(out, "-dt lambda,|G|,G", "%s", name);
         for (int k = 0; k <= POINTS; k++) {
             double z = 1.25 * amplification_interval(a) * k / POINTS, G = creal(amplification_factor(a, -z));
             fprintf(out, "%.6g,%.6g,%.6g\n", z, fabs(G), G);
@@ -116,9 +113,7 @@ int stability_steppers_page(FILE *out, struct failure *why) {
         b.step = *a;
         if (step_limit_model(&b, why) || step_limit_predict(&b, &l, why) || step_limit_measure(&b, &l.measured, why))
             return why->status;
-        char measured[80];
-        snprintf(measured, sizeof measured, "measured %s", name);
-        stability_block(out, measured, "interval measured,of theory,|G| = 1 at");
+        stability_block(out, "interval measured,of theory,|G| = 1 at", "measured %s", name);
         fprintf(out, "%.6g,%.6g,%.6g\n", l.measured * l.radius, amplification_interval(a), amplification_reach(a));
     }
     return STATUS_OK;

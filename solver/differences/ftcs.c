@@ -25,15 +25,8 @@
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
-#include <time.h>
 
 enum { CHECK_EVERY = 32 };
-
-static double seconds_now(void) {
-    struct timespec t;
-    clock_gettime(CLOCK_MONOTONIC, &t);
-    return (double)t.tv_sec + 1e-9 * (double)t.tv_nsec;
-}
 
 /* ---- One step ---- */
 
@@ -204,12 +197,12 @@ static int solve(const struct method *m, const struct problem *p, const struct o
     if (p->shape && m == &method_ftcs_flux) return refuse_round(m, why);
     if (p->shape) return ftcs_polar_solve(m->name, p, o, f, why);
     struct ftcs_grid g;
-    double called = seconds_now();
+    double called = field_clock();
     int status = ftcs_grid_make(&g, m->name, m == &method_ftcs_flux, p, o, why);
     if (status) return status;
-    double before = heat(&g), stepping = seconds_now();
+    double before = heat(&g), stepping = field_clock();
     status = run(&g, why);
-    double stepped = seconds_now();
+    double stepped = field_clock();
     if (status == STATUS_OK) {
         double after = heat(&g);
         hand_over(&g, f);
@@ -224,7 +217,7 @@ static int solve(const struct method *m, const struct problem *p, const struct o
         f->range[0] = g.lowest;
         f->range[1] = g.highest;
         f->cost.step_seconds = stepped - stepping;
-        f->cost.seconds = seconds_now() - called;
+        f->cost.seconds = field_clock() - called;
     }
     ftcs_grid_free(&g);
     return status;

@@ -29,7 +29,6 @@
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
-#include <time.h>
 
 enum { CHECK_EVERY = 32, RINGS_MIN = 4 };
 
@@ -49,12 +48,6 @@ struct polar {
     double lowest, highest; /* K, of the initial data */
     double middle, reach;   /* K: a stable solution stays within middle +- reach */
 };
-
-static double seconds_now(void) {
-    struct timespec t;
-    clock_gettime(CLOCK_MONOTONIC, &t);
-    return (double)t.tv_sec + 1e-9 * (double)t.tv_nsec;
-}
 
 /* ---- What is refused, and how the grid lies ---- */
 
@@ -337,13 +330,13 @@ int ftcs_polar_outline(const char *method, const struct problem *p, const struct
 int ftcs_polar_solve(const char *method, const struct problem *p, const struct options *o, struct field *f,
                      struct failure *why) {
     struct polar g;
-    double called = seconds_now();
+    double called = field_clock();
     if (plan(&g, method, p, o, why)) return why->status;
     reserve(&g);
     fill(&g, p);
-    double before = heat(&g), stepping = seconds_now();
+    double before = heat(&g), stepping = field_clock();
     int status = run(&g, why);
-    double stepped = seconds_now();
+    double stepped = field_clock();
     if (status == STATUS_OK) {
         hand_over(&g, f);
         f->spacing[0] = f->spacing[1] = g.dr;
@@ -351,7 +344,7 @@ int ftcs_polar_solve(const char *method, const struct problem *p, const struct o
         f->heat[0] = before, f->heat[1] = heat(&g);
         f->range[0] = g.lowest, f->range[1] = g.highest;
         f->cost.step_seconds = stepped - stepping;
-        f->cost.seconds = seconds_now() - called;
+        f->cost.seconds = field_clock() - called;
     }
     polar_free(&g);
     return status;

@@ -14,13 +14,6 @@
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
-#include <time.h>
-
-static double now(void) {
-    struct timespec t;
-    clock_gettime(CLOCK_MONOTONIC, &t);
-    return (double)t.tv_sec + 1e-9 * (double)t.tv_nsec;
-}
 
 /* Of a derivative that is applied twice.  Modes grow in the plane with `mirror`, whose images are off the lattice,
  * and with `image` (in 8 of 12 lattices in a disc whose wall is held). */
@@ -158,10 +151,8 @@ static void data_range(const struct problem *p, const struct field *f, double *l
     *lo -= add, *hi += add;
 }
 
-/* Four sums of what lies in one material: additions that do not wait for each other, in an order that does not
- * change.
- */
-/* rho_c: of each point's cell; NULL where its place tells it. */
+/* rho_c: of each point's cell; NULL where its place says it.  Four sums of what lies in one material: additions that
+ * do not wait for each other, in an order that does not change. */
 static double heat_content(const struct problem *p, const struct field *f, const double *rho_c, double cell,
                            double volume) {
     double sum[4] = {0}, all = 0;
@@ -336,7 +327,7 @@ static double start_at(const struct problem *p, const struct options *o, const s
 
 int particles_solve(const struct method *m, const struct problem *p, const struct options *given, struct field *out,
                     struct failure *why) {
-    double begin = now();
+    double begin = field_clock();
     const struct scheme *s = m->scheme;
     struct options resolved, *o = &resolved;
     struct lattice l;
@@ -367,13 +358,13 @@ int particles_solve(const struct method *m, const struct problem *p, const struc
         if (!status) status = check_start(f, why);
         f->heat[0] = heat_content(p, f, a.rho_c, cell, volume);
         f->time = p->t_end;
-        double loop = now();
+        double loop = field_clock();
         if (!status) status = integrate(p, o, s, &l, &a, f, why);
-        f->cost.step_seconds = now() - loop;
+        f->cost.step_seconds = field_clock() - loop;
         f->heat[1] = heat_content(p, f, a.rho_c, cell, volume);
     }
     operator_free(&a);
-    f->cost.seconds = now() - begin;
+    f->cost.seconds = field_clock() - begin;
     if (status)
         field_free(f);
     else

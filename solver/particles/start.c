@@ -61,11 +61,6 @@ int start_kept(const struct heat_operator *a, double all, double *l, struct fail
     return status;
 }
 
-static double nothing(const struct problem *p, enum side s, const double x[2]) {
-    (void)p, (void)s, (void)x;
-    return 0;
-}
-
 /* The same particles between insulated ends. */
 static int insulate(const struct problem *p, const struct options *o, const struct scheme *s, const struct field *f,
                     struct heat_operator *a, struct failure *why) {
@@ -73,7 +68,7 @@ static int insulate(const struct problem *p, const struct options *o, const stru
     struct options there = *o;
     struct lattice l;
     struct cloud c;
-    q.source = NULL, q.wall = nothing;
+    q.source = NULL, q.wall = problem_zero_wall;
     q.side[X_LO] = q.side[X_HI] = NEUMANN;
     there.placed = f;
     if (layout_lattice(&q, &there, 1, &l, why)) return why->status;

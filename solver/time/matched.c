@@ -45,11 +45,6 @@
 #include <math.h>
 #include <stdlib.h>
 
-static double no_wall(const struct problem *p, enum side s, const double x[2]) {
-    (void)p, (void)s, (void)x;
-    return 0;
-}
-
 /* From a quadrant of weights whose unit is kappa / dx^2. */
 static struct symbol_error symbol_of(const int reach[2], const double *w, double unit) {
     struct symbol_error e = {0, 0};
@@ -64,7 +59,8 @@ static struct symbol_error symbol_of(const int reach[2], const double *w, double
 
 int matched_symbol(int dim, const struct options *o, const struct scheme *s, struct symbol_error *e,
                    struct failure *why) {
-    struct problem unit = {.dim = dim, .hi = {1, 1}, .materials = 1, .material = {{{1, 1}, 1}}, .wall = no_wall};
+    struct problem unit = {
+        .dim = dim, .hi = {1, 1}, .materials = 1, .material = {{{1, 1}, 1}}, .wall = problem_zero_wall};
     double kappa[2] = {1, 1}, *w;
     int reach[2];
     if (operator_stencil(&unit, o, s, 1, kappa, reach, &w, why)) return why->status;
