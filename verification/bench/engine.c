@@ -55,13 +55,14 @@ static struct bench_time triad(void) {
 
 /* Seconds of one update of one particle in the time loop of the command, with vectors of `lanes` doubles (0: as the
  * command line has it). */
-static struct bench_time update(const char *command, int lanes) {
+static struct bench_time update(const struct bench_engine *e, const char *command, int lanes) {
     struct request r;
     struct failure why;
     struct bench_time none = {NAN, NAN, NAN};
     double seconds[BENCH_RUNS];
     int status = arguments_parse_line(command, &r, &why);
     if (lanes) r.experiment.options.lanes = lanes;
+    r.experiment.options.dx *= e->coarser;
     for (int k = -1; k < BENCH_RUNS && !status; k++) {
         struct field f;
         status = method_solve(r.experiment.method, &r.experiment.problem, &r.experiment.options, &f, &why);
@@ -90,8 +91,8 @@ static void add_width(struct bench_engine *e, const char *what, int lanes, struc
 /* Every width of vector that the machine has.  Rows take two doubles at a time on every machine. */
 static void each_width(struct bench_engine *e) {
     for (int lanes = 2; lanes <= options_lanes_most(); lanes *= 2) {
-        struct bench_time step = update(EULER_160, lanes), stage = update(RKL2_160, lanes);
-        add_width(e, "ftcs, 160 x 160", lanes, update(FTCS_160, lanes), NAN);
+        struct bench_time step = update(e, EULER_160, lanes), stage = update(e, RKL2_160, lanes);
+        add_width(e, "ftcs, 160 x 160", lanes, update(e, FTCS_160, lanes), NAN);
         add_width(e, "so_ssph euler, 160 x 160", lanes, step, NAN);
         add_width(e, "so_ssph rkl2, 160 x 160", lanes, stage, NAN);
         add_width(e, "stages of rkl2 over steps of euler, a second", lanes, bench_ratio(step, stage), 0.85);
@@ -99,8 +100,8 @@ static void each_width(struct bench_engine *e) {
 }
 
 static void in_cache(struct bench_engine *e) {
-    struct bench_time ftcs = update(FTCS_160, 0), so = update(EULER_160, 0), rkl2 = update(RKL2_160, 0);
-    struct bench_time walls = update("run plate so_ssph --stepper euler --dx 0.1/160 --fourier 0.2 --t-end 5", 0);
+    struct bench_time ftcs = update(e, FTCS_160, 0), so = update(e, EULER_160, 0), rkl2 = update(e, RKL2_160, 0);
+    struct bench_time walls = update(e, "run plate so_ssph --stepper euler --dx 0.1/160 --fourier 0.2 --t-end 5", 0);
     add_rate(e, "ftcs, 160 x 160", "updates/s", 1, ftcs);
     add_rate(e, "so_ssph euler, 160 x 160", "updates/s", 1, so);
     add_rate(e, "so_ssph rkl2, 160 x 160", "updates/s", 1, rkl2);
@@ -112,8 +113,8 @@ static void in_cache(struct bench_engine *e) {
 #define OUT_OF_CACHE " --dx 4/2560 --fourier 0.2 --t-end 0.0031"
 
 static void out_of_cache(struct bench_engine *e, double bandwidth) {
-    struct bench_time ftcs = update("run square-step ftcs" OUT_OF_CACHE, 0);
-    struct bench_time so = update("run square-step so_ssph --stepper euler" OUT_OF_CACHE, 0);
+    struct bench_time ftcs = update(e, "run square-step ftcs" OUT_OF_CACHE, 0);
+    struct bench_time so = update(e, "run square-step so_ssph --stepper euler" OUT_OF_CACHE, 0);
     add_rate(e, "ftcs, 2560 x 2560", "updates/s", 1, ftcs);
     add_rate(e, "so_ssph euler, 2560 x 2560", "updates/s", 1, so);
     add(e, "so_ssph over triad/16 B, 2560 x 2560", "", bench_ratio(constant(16 / bandwidth), so), 0.7, 0);
@@ -163,7 +164,7 @@ static struct bench_time apply(const struct heat_operator *a) {
 }
 
 /* The rows of a run, and the seconds that they take: particles, what dummies hold, and all weights. */
-static int set_up(const char *command, struct heat_operator *a, double *seconds) {
+static int set_up(const struct bench_engine *engine, const char *command, struct heat_operator *a, double *seconds) {
     struct request r;
     struct failure why;
     struct options o;
@@ -172,6 +173,7 @@ static int set_up(const char *command, struct heat_operator *a, double *seconds)
     int rows, status = arguments_parse_line(command, &r, &why);
     const struct experiment *e = &r.experiment;
     double start = omp_get_wtime();
+    r.experiment.options.dx *= engine->coarser;
     if (!status) status = particles_prepare(&e->problem, &e->options, e->method->scheme, &o, &l, &rows, &why);
     if (!status) status = particles_cloud(&e->problem, &o, e->method->scheme, &l, &c, &why);
     if (!status) {
@@ -186,7 +188,7 @@ static int set_up(const char *command, struct heat_operator *a, double *seconds)
 static void cloud(struct bench_engine *e, double bandwidth) {
     struct heat_operator a;
     double seconds;
-    if (set_up("run square-step so_ssph --layout jitter --jitter 0.2 --dx 4/1000 --h 1.1", &a, &seconds)) return;
+    if (set_up(e, "run square-step so_ssph --layout jitter --jitter 0.2 --dx 4/1000 --h 1.1", &a, &seconds)) return;
     struct bench_time t = apply(&a);
     double bytes = 12 * (double)a.row[a.n] + 40 * (double)a.n;
     add(e, "assembly of 10^6 jittered particles", "s", constant(seconds), 10, 1);
@@ -204,7 +206,7 @@ static void set_up_beside(struct bench_engine *e, const char *command, const cha
     double seconds[3] = {NAN, NAN, NAN};
     for (int k = 0; k < 3; k++) {
         struct heat_operator a;
-        if (set_up(turn[k], &a, &seconds[k])) break;
+        if (set_up(e, turn[k], &a, &seconds[k])) break;
         operator_free(&a);
     }
     struct bench_time own = constant(seconds[1]), others = bench_summary((double[]){seconds[0], seconds[2]}, 2);
@@ -218,7 +220,7 @@ static void set_up_beside(struct bench_engine *e, const char *command, const cha
 static void round_walls(struct bench_engine *e) {
     set_up_beside(
         e, "run disc-mode so_ssph --walls fit --seed 1 --dx 0.00177245", "set-up of 10^6 particles in a disc",
-        "run plate-cooling so_ssph --walls fit --shift 0.3 --dx 0.2/258", "that over the set-up in a rectangle");
+        "run plate-cooling so_ssph --walls fit --shift 0.3 --dx 0.2/260", "that over the set-up in a rectangle");
 }
 
 /* A cell is clipped by some 20 bisectors, a row of so_ssph sums 15 outer products of 5 terms and factors a matrix. */
@@ -234,8 +236,8 @@ int bench_engine_holds(const struct bench_engine_row *row) {
     return row->at_most ? row->value <= row->aim : row->value >= row->aim;
 }
 
-void bench_engine_run(struct bench_engine *e) {
-    *e = (struct bench_engine){0};
+void bench_engine_run(struct bench_engine *e, double coarser) {
+    *e = (struct bench_engine){.coarser = coarser};
     struct bench_time t = triad();
     double bandwidth = 24.0 * TRIAD / t.lowest; /* as STREAM reports it: the best of its runs */
     add_rate(e, "triad, one thread", "bytes/s", 24.0 * TRIAD, t);

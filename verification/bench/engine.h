@@ -15,12 +15,14 @@ struct bench_engine_row {
 };
 
 struct bench_engine {
+    double coarser; /* of all spacings, over what the rows say */
     int count;
     struct bench_engine_row row[BENCH_ENGINE_MOST];
 };
 
-/* Fills *e, one measurement after the other; half a minute or so. */
-void bench_engine_run(struct bench_engine *e);
+/* Fills *e, one measurement after the other, at spacings that are so many times coarser than its rows say: 1 is the
+ * benchmark, of half a minute or so. */
+void bench_engine_run(struct bench_engine *e, double coarser);
 
 /* 1 where the row has no aim or holds it. */
 int bench_engine_holds(const struct bench_engine_row *row);

@@ -54,7 +54,7 @@ static int bench_one(const struct request *given, const struct scene *s, struct 
 
 static void measure_engine(const struct request *r, struct json *j) {
     struct bench_engine e;
-    bench_engine_run(&e);
+    bench_engine_run(&e, 1);
     bench_print_machine_json(j);
     bench_print_engine_json(&e, j);
     if (r->json) return;

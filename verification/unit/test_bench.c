@@ -221,6 +221,22 @@ static void a_front_is_what_nothing_beats(void **state) {
     arguments_free(&r);
 }
 
+/* Ten times coarser than the benchmark, so that it is soon over: each row is a number, between its extremes. */
+static void the_engine_fills_its_rows(void **state) {
+    (void)state;
+    static struct bench_engine e;
+    bench_engine_run(&e, 10);
+    assert_order(e.count, >=, 24);
+    for (const struct bench_engine_row *r = e.row; r < e.row + e.count; r++) {
+        if (!(isfinite(r->value) && r->value > 0)) fail_msg("%s: %g", r->what, r->value);
+        assert_order(r->lowest, <=, r->value);
+        assert_order(r->value, <=, r->highest);
+        for (const struct bench_engine_row *other = e.row; other < r; other++)
+            assert_string_not_equal(r->what, other->what);
+    }
+    assert_string_equal(e.row[0].what, "triad, one thread");
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(a_scene_is_its_fronts_its_growth_and_what_did_not_run),
@@ -229,6 +245,7 @@ int main(void) {
         cmocka_unit_test(json_has_every_row),
         cmocka_unit_test(the_machine_has_its_flags),
         cmocka_unit_test(a_front_is_what_nothing_beats),
+        cmocka_unit_test(the_engine_fills_its_rows),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
