@@ -467,15 +467,15 @@ sanitize: ## Run the tests and the quick gates under the address and undefined-b
 # they are named in gcov.log, not on the standard error of others, and begun anew.
 COVER := $(BUILD)/coverage
 .PHONY: coverage
-coverage: ## Count the lines that tests and gates run, folder by folder, to reports/out/coverage.txt
+coverage: ## Count the lines that tests, gates and figures run, folder by folder, to reports/out/coverage.txt
 	@mkdir -p $(OUT) $(COVER)
 	$(Q)find $(COVER) \( -name '*.gcda' -o -name gcov.log \) -exec rm {} +
-	+$(Q)GCOV_ERROR_FILE='$(abspath $(COVER))/gcov.log' $(MAKE) -s BUILD=$(COVER) CFLAGS='-O0 --coverage' LDFLAGS=--coverage \
+	+$(Q)GCOV_ERROR_FILE='$(abspath $(COVER))/gcov.log' $(MAKE) -s BUILD=$(COVER) CFLAGS='-O1 --coverage' LDFLAGS=--coverage \
 	SCRIPT_TESTS='$(filter-out %check_memory,$(SCRIPT_TESTS))' all test
 	$(Q)sed -n 's/^libgcov profiling error:\(.*[.]gcda\):.*/\1/p' $(COVER)/gcov.log 2>/dev/null | \
 	while read -r broken; do rm -f "$$broken"; done
-	$(Q)mkdir -p $(COVER)/report; for study in song pamplona matched claims page; do \
-	$(COVER)/heatladder report $$study $(COVER)/report >/dev/null || exit 1; done; $(COVER)/heatladder verify >/dev/null
+	$(Q)$(COVER)/heatladder verify >/dev/null && PROGRAM=$(COVER)/heatladder scripts/check_figures && mkdir -p $(COVER)/report && \
+	$(COVER)/heatladder report page $(COVER)/report >/dev/null
 	$(Q)scripts/coverage $(COVER) > $(OUT)/coverage.new && mv $(OUT)/coverage.new $(OUT)/coverage.txt && cat $(OUT)/coverage.txt
 
 # clang's OpenMP tells the race detector what its threads wait for; libraries without its marks are left out.

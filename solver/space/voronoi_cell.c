@@ -120,7 +120,8 @@ int voronoi_cell_make(int dim, struct voronoi_candidates *c, double half, struct
 
 int voronoi_cell(int dim, size_t n, double (*d)[2], double *face, double *volume) {
     struct voronoi_candidates c = {0};
-    struct voronoi_polygon cell;
+    struct voronoi_polygon cell; /* without corners where there is no cell */
+    cell.n = 0;
     double farthest = 0; /* m^2 */
     for (size_t j = 0; j < n; j++) {
         voronoi_cell_offer(&c, d[j], (uint32_t)j);
