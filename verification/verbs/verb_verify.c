@@ -140,7 +140,10 @@ static int verify_program(const struct request *r, struct gates *g, struct failu
     int runs = gates_runs(g), jobs = r->jobs ? r->jobs : 1;
     char side[40] = "one after the other";
     if (jobs > 1) snprintf(side, sizeof side, "%d at a time", jobs);
-    fprintf(stderr, "heatladder: the program is run some %d time%s, %s\n", runs, runs == 1 ? "" : "s", side);
+    if (runs == 1)
+        fprintf(stderr, "heatladder: the program is run once\n");
+    else
+        fprintf(stderr, "heatladder: the program is run some %d times, %s\n", runs, side);
     double start = omp_get_wtime();
     atomic_file_hold();
     int status = gates_run_program(g, jobs, r->resume, why);
