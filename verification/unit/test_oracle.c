@@ -2,6 +2,8 @@
 /* The oracle: every column against what it stands for, and the table that is written of them. */
 #include "verification/oracle/answer.h"
 
+#include "solver/shape.h"
+
 #include "verification/unit/odd_scenes.h"
 #include "verification/unit/points_text.h"
 
@@ -296,6 +298,69 @@ static void many_points_have_their_own_answers(void **state) {
     free(points);
 }
 
+/* The start's mean over what a cell has of a round body, by midpoints of a grid: the wall cuts 4 N of its N^2
+ * squares, each of which is wholly in or out, at random: within some (4 N)^0.5/N^2 of the field's range in the cell.
+ */
+static void cells_that_a_round_wall_cuts_have_a_mean(void **state) {
+    (void)state;
+    enum { N = 600 };
+    static const struct {
+        const char *scene;
+        double x[2], half;
+    } cell[] = {
+        {"disc-mode", {0.95, 0.05}, 0.05},  {"disc-mode", {0.65, 0.75}, 0.05}, {"disc-mode", {-0.72, -0.68}, 0.05},
+        {"disc-mode", {0.05, -0.99}, 0.05}, {"disc-mode", {-0.4, 0.7}, 0.35},  {"annulus", {-0.25, 0.3}, 0.05},
+        {"annulus", {0.72, -0.68}, 0.05},   {"annulus", {0.03, 0.42}, 0.05},   {"annulus", {0.75, 0}, 0.36}};
+    for (size_t c = 0; c < sizeof cell / sizeof *cell; c++) {
+        struct problem p;
+        struct failure why;
+        const struct scene *s = scene_find(cell[c].scene);
+        double v[COLUMNS_VALUES], h = cell[c].half, sum = 0, lo = INFINITY, hi = -INFINITY;
+        int count = 0;
+        scene_defaults(s, &p);
+        if (s->setup(&p, &why)) fail_msg("%s", why.text);
+        values("initial_mean", s, &p, cell[c].x, (const double[2]){2 * h, 2 * h}, 0, v);
+        for (int i = 0; i < N * N; i++) {
+            double x[2] = {cell[c].x[0] + h * (2 * (i % N + 0.5) / N - 1),
+                           cell[c].x[1] + h * (2 * (i / N + 0.5) / N - 1)};
+            double r = hypot(x[0], x[1]), T;
+            if (r < p.radius[0] || r > p.radius[1]) continue;
+            T = p.initial(&p, x);
+            sum += T, count++;
+            lo = fmin(lo, T), hi = fmax(hi, T);
+        }
+        assert_order(count, <, N * N); /* the wall cuts the cell */
+        assert_near(v[0], sum / count, 4 * sqrt(4. * N) / count * (hi - lo));
+    }
+}
+
+/* A mean is that of the parts of the cell, weighted by what the body has of each, to rounding: ends of the wall in
+ * the cell, where its slope has none, cost no digits. */
+static void means_of_parts_are_the_mean_of_the_whole(void **state) {
+    (void)state;
+    enum { PARTS = 5 };
+    struct problem p;
+    struct failure why;
+    double v[COLUMNS_VALUES], size = 0.9 / PARTS;
+    const double cell[][2] = {{0.97, 0.2}, {-0.97, -0.2}, {0.2, -0.97}};
+    const struct scene *s = scene_find("disc-mode");
+    scene_defaults(s, &p);
+    if (s->setup(&p, &why)) fail_msg("%s", why.text);
+    for (int c = 0; c < 3; c++) {
+        double sum = 0, area = 0;
+        for (int i = 0; i < PARTS * PARTS; i++) {
+            double at[2] = {cell[c][0] + (i % PARTS - 2) * size, cell[c][1] + (i / PARTS - 2) * size};
+            double lo[2] = {at[0] - size / 2, at[1] - size / 2}, hi[2] = {at[0] + size / 2, at[1] + size / 2};
+            double part = shape_clipped(&p, lo, hi);
+            if (part < 1e-12) continue;
+            values("initial_mean", s, &p, at, (const double[2]){size, size}, 0, v);
+            sum += part * v[0], area += part;
+        }
+        values("initial_mean", s, &p, cell[c], (const double[2]){0.9, 0.9}, 0, v);
+        assert_near(v[0], sum / area, 1e-12);
+    }
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(lists_of_columns_are_checked),
@@ -308,6 +373,8 @@ int main(void) {
         cmocka_unit_test(answers_are_csv),
         cmocka_unit_test(a_point_taken_to_a_side_is_shown_there),
         cmocka_unit_test(many_points_have_their_own_answers),
+        cmocka_unit_test(cells_that_a_round_wall_cuts_have_a_mean),
+        cmocka_unit_test(means_of_parts_are_the_mean_of_the_whole),
     };
     gsl_set_error_handler_off();
     return cmocka_run_group_tests_name("oracle", tests, NULL, NULL);
