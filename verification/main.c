@@ -137,6 +137,8 @@ static void keep_pages(void) {
 /* What --solver runs finds this program by $HEATLADDER, where nobody set that; one that PATH has needs no telling. */
 static void tell_programs(const char *typed) {
     char *path = strchr(typed, '/') ? realpath(typed, NULL) : NULL;
+    const char *set = getenv("HEATLADDER");
+    if (set && !*set) unsetenv("HEATLADDER"); /* empty is as good as unset */
     if (path && setenv("HEATLADDER", path, 0)) xcheck(NULL, 1, strlen(path));
     free(path);
 }
