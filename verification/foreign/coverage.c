@@ -10,8 +10,7 @@
  *   a quarter of an axis missing       must be seen: s <= extent / 4
  *
  * s = max(2 dx, min(dx (d ln N + 6)^(1/d), extent / 4)).  With `extent / s` rounded down to a whole number of boxes a
- * gap of two boxes' sides always holds one: at N = 64 that is 5/16 of a rod or 1/8 of a square's side.
- */
+ * gap of two boxes' sides always holds one: at N = 64 that is 5/16 of a rod or 1/8 of a square's side. */
 #include "verification/foreign/points_checks.h"
 
 #include "solver/shape.h"

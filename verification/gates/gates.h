@@ -3,8 +3,7 @@
 #define HEATLADDER_VERIFICATION_GATES_GATES_H
 
 /* Gates: statements that must hold, each with its bounds and the reason for them.  A new one is a row of one of the
- * tables *.def.
- */
+ * tables *.def. */
 
 #include "verification/measures/measures.h"
 
