@@ -10,13 +10,13 @@
 
 #include <errno.h>
 #include <fcntl.h>
+#include <omp.h>
 #include <poll.h>
 #include <signal.h>
 #include <spawn.h>
 #include <stdlib.h>
 #include <string.h>
 #include <sys/wait.h>
-#include <time.h>
 #include <unistd.h>
 
 extern char **environ;
@@ -39,12 +39,6 @@ struct running {
     size_t length;
     char last[LINE]; /* the last line that says something */
 };
-
-static double now(void) {
-    struct timespec t;
-    clock_gettime(CLOCK_MONOTONIC, &t);
-    return (double)t.tv_sec + 1e-9 * (double)t.tv_nsec;
-}
 
 /* The environment with TMPDIR set; the block and its first string are the caller's. */
 static char **environment(const char *dir) {
@@ -112,7 +106,7 @@ static int start(struct running *r) {
     close(r->output[WRITE]);
     close(r->life[WRITE]);
     r->output[WRITE] = r->life[WRITE] = -1;
-    r->start = now();
+    r->start = omp_get_wtime();
     return 0;
 }
 
@@ -158,7 +152,7 @@ static void relay(struct running *r, int most) {
 static void reap(struct running *r) {
     if (r->reaped || waitpid(r->child, &r->status, WNOHANG) != r->child) return;
     r->reaped = 1;
-    r->end = now();
+    r->end = omp_get_wtime();
 }
 
 /* Waits for output or the end of the life line, at most `most` ms. */
@@ -180,15 +174,15 @@ static enum end follow(struct running *r) {
         look(r, PATIENCE);
         if (r->reaped && r->life[READ] < 0) return ENDED;
         if (atomic_file_noted()) return INTERRUPTED;
-        if (r->reaped && now() > r->end + GRACE) return LEFT_OTHERS;
-        if (r->process->timeout > 0 && now() > r->start + r->process->timeout) return TIMED_OUT;
+        if (r->reaped && omp_get_wtime() > r->end + GRACE) return LEFT_OTHERS;
+        if (r->process->timeout > 0 && omp_get_wtime() > r->start + r->process->timeout) return TIMED_OUT;
     }
 }
 
 static void terminate(struct running *r) {
-    double deadline = now() + MERCY;
+    double deadline = omp_get_wtime() + MERCY;
     kill(-r->child, SIGTERM);
-    while (!(r->reaped && r->life[READ] < 0) && now() < deadline) look(r, PATIENCE);
+    while (!(r->reaped && r->life[READ] < 0) && omp_get_wtime() < deadline) look(r, PATIENCE);
     kill(-r->child, SIGKILL);
     while (!r->reaped) look(r, PATIENCE);
 }

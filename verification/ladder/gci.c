@@ -128,8 +128,7 @@ static int read_field(const char *path, const struct column_map *c, struct sampl
     if (field_file_samples(path, path, 2, c, s, &first) == STATUS_OK) {
         double lo = INFINITY, hi = -INFINITY;
         for (size_t k = 0; k < s->n; k++) lo = fmin(lo, s->value[COLUMN_Y][k]), hi = fmax(hi, s->value[COLUMN_Y][k]);
-        if (hi > lo) return STATUS_OK;
-        s->dim = 1;
+        if (!(hi > lo)) s->dim = 1;
         return STATUS_OK;
     }
     return field_file_samples(path, path, 1, c, s, why);

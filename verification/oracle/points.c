@@ -216,8 +216,6 @@ int points_one(const struct problem *p, const double x[2], struct points *points
         char *typed = points->text + 32 * a;
         points->x[0][a] = x[a];
         points->typed[0][a] = (struct points_text){typed, snprintf(typed, 32, "%.17g", x[a])};
-    }
-    for (int a = 0; a < p->dim; a++) {
         int inside = check_inside(p, a, &points->x[0][a]);
         if (inside > 0) points->typed[0][a].length = 0;
         if (inside >= 0) continue;
