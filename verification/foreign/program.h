@@ -7,10 +7,8 @@
 #include "references/mapping.h"
 #include "verification/foreign/samples.h"
 
-struct failure;
 struct field;
 struct options;
-struct problem;
 struct runs;
 struct scene;
 

@@ -9,7 +9,6 @@
 
 #include <stddef.h>
 
-struct failure;
 struct program;
 
 enum gate_tier { TIER_QUICK, TIER_FULL }; /* quick: in every run; full: left out by --quick */
