@@ -9,14 +9,12 @@
 #include <math.h>
 #include <string.h>
 
-static const struct faulty *faulty_of(const struct problem *p) {
-    return p->data;
-}
-
-/* Where X of the faulty problem lies in the coordinates that its data are given in. */
-static void to_right(const struct faulty *f, const double x[2], double right[2]) {
+/* The fault of *p; right: where X of the faulty problem lies in the coordinates that its data are given in. */
+static const struct faulty *faulty_at(const struct problem *p, const double x[2], double right[2]) {
+    const struct faulty *f = p->data;
     int turned = f->fault.kind == FAULT_TRANSPOSED;
     for (int a = 0; a < 2; a++) right[a ^ turned] = f->centre[a] + f->stretch[a] * (x[a] - f->centre[a]);
+    return f;
 }
 
 /* Away from the nearer of the jumps along an axis, so that what lies between two of them is wider by the size. */
@@ -27,9 +25,8 @@ static double narrowed(const struct problem *p, int axis, double x, double size)
 }
 
 static double initial(const struct problem *p, const double x[2]) {
-    const struct faulty *f = faulty_of(p);
     double at[2];
-    to_right(f, x, at);
+    const struct faulty *f = faulty_at(p, x, at);
     if (f->fault.kind == FAULT_START_SHIFT) at[f->fault.axis] -= f->size;
     if (f->fault.kind == FAULT_START_WIDTH || f->fault.kind == FAULT_SAMPLES)
         at[f->fault.axis] = narrowed(f->right, f->fault.axis, at[f->fault.axis], f->size);
@@ -38,9 +35,8 @@ static double initial(const struct problem *p, const double x[2]) {
 }
 
 static double wall(const struct problem *p, enum side s, const double x[2]) {
-    const struct faulty *f = faulty_of(p);
     double at[2];
-    to_right(f, x, at);
+    const struct faulty *f = faulty_at(p, x, at);
     if (f->fault.kind == FAULT_TRANSPOSED) return f->right->wall(f->right, (enum side)(s ^ 2), at);
     double value = f->right->wall(f->right, s, at);
     if (f->right->side[s] == NEUMANN) value /= f->stretch[s / 2];
@@ -68,18 +64,16 @@ static double lost_at_corner(const struct faulty *f, const double x[2]) {
 }
 
 static double source(const struct problem *p, const double x[2]) {
-    const struct faulty *f = faulty_of(p);
     double at[2];
-    to_right(f, x, at);
+    const struct faulty *f = faulty_at(p, x, at);
     double value = problem_source(f->right, at, f->fault.kind == FAULT_SOURCE_TIME ? f->size : 0);
     if (f->fault.kind == FAULT_CORNER) value -= lost_at_corner(f, at);
     return f->fault.kind == FAULT_SOURCE || f->fault.kind == FAULT_AMPLITUDE ? (1 + f->size) * value : value;
 }
 
 static double source_rate(const struct problem *p, const double x[2]) {
-    const struct faulty *f = faulty_of(p);
     double at[2];
-    to_right(f, x, at);
+    const struct faulty *f = faulty_at(p, x, at);
     double value = f->right->source_rate(f->right, at);
     return f->fault.kind == FAULT_SOURCE || f->fault.kind == FAULT_AMPLITUDE ? (1 + f->size) * value : value;
 }

@@ -108,6 +108,14 @@ int gates_begins_group(const struct gates *g, int i) {
     return 1;
 }
 
+int gates_holds(const struct gate_result *r) {
+    return r->measured.verdict == VERDICT_PASS;
+}
+
+int gates_fails(const struct gate_result *r) {
+    return !gates_holds(r) && r->measured.verdict != VERDICT_SKIPPED;
+}
+
 struct gates_tally gates_tally(const struct gates *g, const char *id) {
     struct gates_tally t = {0};
     for (int i = 0; i < g->declared; i++) {
