@@ -6,6 +6,7 @@
 #include "verification/page/chart.h"
 #include "verification/page/html.h"
 #include "verification/text/table.h"
+#include "verification/text/words.h"
 
 #include <math.h>
 #include <string.h>
@@ -40,25 +41,16 @@ static void put_header(FILE *out) {
                  "<th class=\"n\">measured</th><th>error</th><th>why</th></tr>\n");
 }
 
-/* Whether the scene is a word of the gate's command. */
-static int is_about(const struct gate_result *r, const char *scene) {
-    size_t length = strlen(scene);
-    const char *at = r->typed;
-    while ((at = strstr(at, scene)) && !(at > r->typed && at[-1] == ' ' && (at[length] == ' ' || at[length] == '\0')))
-        at += length;
-    return at != NULL;
-}
-
 void page_put_scene(const struct gates *g, const char *scene, FILE *out) {
     int n = 0, good = 0;
     for (int i = 0; i < g->declared; i++)
-        if (is_about(&g->result[i], scene))
+        if (words_among(g->result[i].typed, scene))
             n += gates_holds(&g->result[i]) || gates_fails(&g->result[i]), good += gates_holds(&g->result[i]);
     if (n == 0) return;
     fprintf(out, "<details><summary>%d of %d gates hold</summary>\n", good, n);
     put_header(out);
     for (int i = 0; i < g->declared; i++)
-        if (is_about(&g->result[i], scene)) put_gate(&g->result[i], out);
+        if (words_among(g->result[i].typed, scene)) put_gate(&g->result[i], out);
     fprintf(out, "</table></div></details>\n");
 }
 

@@ -77,12 +77,6 @@ static int ungated(void) {
     return n;
 }
 
-static void say_origin(const char *path, char origin[]) {
-    char *words = words_line(2, (const char *const[]){"--gates", path});
-    snprintf(origin, ORIGIN, "%s", words);
-    free(words);
-}
-
 /* The rows: of a file, of the battery where another program answers, or the built-in ones. */
 static int collect(const struct request *r, struct gate_file *file, struct gates *g, char origin[],
                    struct failure *why) {
@@ -102,10 +96,12 @@ static int collect(const struct request *r, struct gate_file *file, struct gates
     int order = r->order ? r->order : 2;
     if (!r->gates_path && battery_add(order, r->profile, r->draw, g, why)) return why->status;
     g->origin = origin;
-    if (r->gates_path)
-        say_origin(r->gates_path, origin);
-    else
-        snprintf(origin, ORIGIN, "--order %d --seed %lu", order, r->draw);
+    snprintf(origin, ORIGIN, "--order %d --seed %lu", order, r->draw);
+    if (r->gates_path) {
+        char *words = words_line(2, (const char *const[]){"--gates", r->gates_path});
+        snprintf(origin, ORIGIN, "%s", words);
+        free(words);
+    }
     battery_words(r, origin, ORIGIN);
     if (r->time_order > 0) words_add(origin, ORIGIN, " --time-order %g", r->time_order);
     if (gates_choose(g, r->only, r->skip, r->quick, why)) return why->status;
