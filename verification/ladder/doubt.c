@@ -19,6 +19,7 @@
 #include "verification/ladder/judge.h"
 #include "verification/ladder/ladder.h"
 #include "verification/ladder/window.h"
+#include "verification/text/number.h"
 #include "verification/text/words.h"
 
 #include <gsl/gsl_cdf.h>
@@ -29,31 +30,19 @@
 
 static const double DIGITS = 0.1, TURN = 0.5; /* a share of the error; of a local slope */
 
-/* Significant digits of T, and the power of ten of the last. */
-static int digits_of(double T, int *last) {
-    enum { MOST = 17 };
-    char text[40];
-    for (int digits = 1; digits <= MOST; digits++) {
-        snprintf(text, sizeof text, "%.*e", digits - 1, T);
-        if (digits < MOST && strtod(text, NULL) != T) continue;
-        *last = atoi(strchr(text, 'e') + 1) - digits + 1;
-        return digits;
-    }
-    return MOST;
-}
-
 /* The part of E1, relative, that the digits in which T of *f is printed make up on average, and how many they are. */
 static double digits_share(const struct field *f, int *digits) {
     enum { POINTS = 500 };
     size_t stride = f->n / POINTS + 1;
-    int decimals = 400, last;
+    int decimals = 400;
+    char text[NUMBER_PRINTED];
     double units = 0, sum = 0;
     *digits = 0;
     for (size_t i = 0; i < f->n; i += stride) {
         if (f->T[i] == 0) continue;
-        int n = digits_of(f->T[i], &last);
+        int n = number_digits(f->T[i], 0, 17, text), last = atoi(strchr(text, 'e') + 1) - n + 1;
         if (n > *digits) *digits = n;
-        if (last < decimals) decimals = last;
+        if (last < decimals) decimals = last; /* the power of ten of the last digit */
     }
     for (size_t i = 0; i < f->n; i += stride) {
         double T = fabs(f->T[i]);

@@ -111,7 +111,6 @@ static int is_in_shape(const struct problem *p, const double x[2]) {
     return !p->shape || shape_depth(p, x) >= -slack * p->radius[1];
 }
 
-/* Point i, from its line. */
 static int read_point(const struct reader *r, size_t i, struct failure *why) {
     struct points *points = r->points;
     struct points_text cell[COLUMNS] = {{0}};
@@ -150,7 +149,6 @@ static int read_point(const struct reader *r, size_t i, struct failure *why) {
     return STATUS_OK;
 }
 
-/* The lines of points, after the header. */
 static int list_lines(struct reader *r, struct failure *why) {
     size_t room = 0, n = 0;
     for (const char *text; (text = next_line(r, why)) != NULL; n++) {

@@ -120,6 +120,14 @@ int number_print(double value, char text[NUMBER_PRINTED]) {
     return length;
 }
 
+int number_digits(double value, double off, int most, char text[NUMBER_PRINTED]) {
+    for (int digits = 1; digits <= most; digits++) {
+        snprintf(text, NUMBER_PRINTED, "%.*e", digits - 1, value);
+        if (fabs(strtod(text, NULL) - value) <= off * fabs(value)) return digits;
+    }
+    return most + 1;
+}
+
 static int falling(const void *a, const void *b) {
     double x = *(const double *)a, y = *(const double *)b;
     return (x < y) - (x > y);

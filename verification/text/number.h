@@ -31,6 +31,10 @@ int number_read_whole(const char *text, long max, long *value);
 enum { NUMBER_PRINTED = 32 };
 int number_print(double value, char text[NUMBER_PRINTED]);
 
+/* The fewest significant digits that read back as `value`, off by no more than that part of it: `most` + 1 where so
+ * many do not; `text` has the last that were tried, as %e. */
+int number_digits(double value, double off, int most, char text[NUMBER_PRINTED]);
+
 /* Reads `length` bytes as a decimal the way programs print it: 1.5, 1.5e-3, 1.5D-3, or 1.2345-110 (Fortran, where the
  * exponent takes three digits).  0; 1 for nan or inf in any case, *value then being NaN; -1 for anything else. */
 int number_read_printed(const char *text, size_t length, double *value);

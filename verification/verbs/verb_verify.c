@@ -57,7 +57,6 @@ static int write_json(const struct gates *g, const char *path, struct failure *w
     char made[PAGE_ORIGIN], diagnosis[WORDING_ALL];
     page_origin(made, sizeof made);
     gates_diagnosis(g, diagnosis, sizeof diagnosis);
-    json_object(&j, NULL);
     json_text(&j, "made", made);
     json_whole(&j, "declared", g->interrupted ? g->planned : g->declared);
     json_whole(&j, "executed", g->executed);
