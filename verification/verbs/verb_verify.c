@@ -82,9 +82,7 @@ static int collect(const struct request *r, struct gate_file *file, struct gates
     const struct program *program = &r->experiment.program;
     if (program->solver && strlen(program->solver) > GATES_SOLVER)
         return refuse(why, STATUS_INPUT, "--solver: more than %d letters; put them into a script", GATES_SOLVER);
-    if (program->solver && (!strstr(program->solver, "{case}") || !strstr(program->solver, "{out}")))
-        return refuse(why, STATUS_INPUT, "--solver '%.200s': must contain {case} and {out}, which become paths",
-                      program->solver);
+    if (program_check(program, why)) return why->status;
     if (program->results && results_directory_check(program->results, why)) return why->status;
     if (r->gates_path && r->order)
         return refuse(why, STATUS_INPUT, "--gates and --order both say which rows: give one of them");
