@@ -40,25 +40,12 @@ struct running {
     char last[LINE]; /* the last line that says something */
 };
 
-/* The environment with TMPDIR set; the block and its first string are the caller's. */
-static char **environment(const char *dir) {
-    size_t n = 0, kept = 1, size = strlen(dir) + sizeof "TMPDIR=";
-    while (environ[n]) n++;
-    char **block = xcalloc(n + 2, sizeof *block);
-    block[0] = xcalloc(size, 1);
-    snprintf(block[0], size, "TMPDIR=%s", dir);
-    for (size_t i = 0; i < n; i++)
-        if (strncmp(environ[i], "TMPDIR=", 7) != 0) block[kept++] = environ[i];
-    return block;
-}
-
 /* The shell tells the guard its process group before the command begins: were it told by this program, killed in
- * between, the command would stay.  $0 is the command. */
-static const char told[] = "echo $$ >&8; exec /bin/sh -c \"$0\" 8>&-";
+ * between, the command would stay.  $0 is the command, $1 its TMPDIR. */
+static const char told[] = "export TMPDIR=\"$1\"; echo $$ >&8; exec /bin/sh -c \"$0\" 8>&-";
 
 static int spawn(struct running *r) {
-    char *argv[] = {"sh", "-c", (char *)told, (char *)r->process->command, NULL},
-         **env = environment(r->process->scratch->dir);
+    char *argv[] = {"sh", "-c", (char *)told, (char *)r->process->command, r->process->scratch->dir, NULL};
     posix_spawn_file_actions_t files;
     posix_spawnattr_t how;
     sigset_t ignored; /* by this program, and not by that one */
@@ -73,11 +60,9 @@ static int spawn(struct running *r) {
     if (!error) error = posix_spawn_file_actions_adddup2(&files, r->output[WRITE], STDERR_FILENO);
     if (!error) error = posix_spawn_file_actions_adddup2(&files, r->process->scratch->pipe, GUARD);
     if (!error) error = posix_spawn_file_actions_adddup2(&files, r->life[WRITE], LIFE);
-    if (!error) error = posix_spawn(&r->child, "/bin/sh", &files, &how, argv, env);
+    if (!error) error = posix_spawn(&r->child, "/bin/sh", &files, &how, argv, environ);
     posix_spawn_file_actions_destroy(&files);
     posix_spawnattr_destroy(&how);
-    free(env[0]);
-    free(env);
     return error;
 }
 

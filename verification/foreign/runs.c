@@ -59,8 +59,7 @@ void runs_free(struct runs *r) {
 }
 
 static char *copy(const char *text) {
-    size_t size = strlen(text) + 1;
-    return memcpy(xcalloc(size, 1), text, size);
+    return xcheck(strdup(text), strlen(text) + 1, 1);
 }
 
 static struct run *find(const struct runs *r, const char *dir) {

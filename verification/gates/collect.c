@@ -118,9 +118,9 @@ int gates_collect(const char *only, const char *skip, int quick, struct gates *g
 }
 
 const char *gates_keep(struct gates *g, const char *text) {
-    size_t size = strlen(text) + 1, count = (size_t)g->texts;
+    size_t count = (size_t)g->texts;
     g->kept = xgrow(g->kept, count, count + 1, sizeof *g->kept);
-    return g->kept[g->texts++] = memcpy(xcalloc(size, 1), text, size);
+    return g->kept[g->texts++] = xcheck(strdup(text), strlen(text) + 1, 1);
 }
 
 void gates_free(struct gates *g) {

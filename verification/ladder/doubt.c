@@ -23,6 +23,7 @@
 #include "verification/text/words.h"
 
 #include <gsl/gsl_cdf.h>
+#include <gsl/gsl_statistics_double.h>
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -77,14 +78,6 @@ static void list_slopes(const double *slope, int n, char *text, size_t size) {
     for (int i = 0; i < n && strlen(text) + 12 < size; i++) words_add(text, size, "%s%.2f", i ? ", " : "", slope[i]);
 }
 
-/* sum (u - mean)^2 */
-static double spread(const double *u, int n) {
-    double mean = 0, square = 0;
-    for (int i = 0; i < n; i++) mean += u[i] / n;
-    for (int i = 0; i < n; i++) square += pow(u[i] - mean, 2);
-    return square;
-}
-
 /* The least number of rungs, further ones by halving, whose interval would lie in the band; 0 where none would. */
 static int rungs_needed(const struct ladder *l, double lo, double hi) {
     enum { MOST = 12 };
@@ -92,11 +85,12 @@ static int rungs_needed(const struct ladder *l, double lo, double hi) {
     int n = ladder_counted(l, u, error);
     if (n < WINDOW_LEAST) return 0;
     for (int i = 0; i < n; i++) u[i] = log(u[i]);
-    double scatter = half / gsl_cdf_tdist_Pinv(0.975, n - 2) * sqrt(spread(u, n)),
+    double scatter = half / gsl_cdf_tdist_Pinv(0.975, n - 2) * sqrt(gsl_stats_tss(u, 1, (size_t)n)),
            room = fmin(l->slope.value - lo, hi - l->slope.value);
     for (int more = n + 1; more <= MOST; more++) {
         u[more - 1] = u[more - 2] - log(2);
-        if (gsl_cdf_tdist_Pinv(0.975, more - 2) * scatter / sqrt(spread(u, more)) <= room) return more + l->n - n;
+        if (gsl_cdf_tdist_Pinv(0.975, more - 2) * scatter / sqrt(gsl_stats_tss(u, 1, (size_t)more)) <= room)
+            return more + l->n - n;
     }
     return 0;
 }

@@ -149,9 +149,7 @@ static int write_special(const struct atomic_file *f, struct failure *why) {
 
 static char *real_path(const char *path) {
     char *real = realpath(path, NULL); /* so that a link stays a link */
-    if (real || errno == ENOMEM) return xcheck(real, PATH_LENGTH, 1);
-    real = xcalloc(strlen(path) + 1, 1);
-    return strcpy(real, path);
+    return xcheck(real || errno == ENOMEM ? real : strdup(path), PATH_LENGTH, 1);
 }
 
 static int write_all(const struct atomic_file *files, int count, char **real, struct failure *why) {

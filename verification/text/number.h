@@ -21,7 +21,7 @@ int number_read(const char *text, double *value);
  * are more than max. */
 int number_read_list(const char *text, double *values, int max);
 
-/* Sorts `count` values in place, the largest first. */
+/* Sorts `count` values, NUMBERS_MAX at most, in place, the largest first. */
 void number_sort_falling(double *values, int count);
 
 /* Reads the whole of `text` as a whole number in [0, max].  0 or -1. */
