@@ -83,7 +83,6 @@ static void claim_json(const struct claims_result *r, struct json *j) {
 
 void claims_write_json(const struct claims *c, FILE *out) {
     struct json j = json_on(out);
-    json_object(&j, NULL);
     json_array(&j, "claims");
     for (int i = 0; i < c->count; i++) claim_json(&c->result[i], &j);
     json_end(&j);

@@ -75,7 +75,7 @@ void bench_climb(const struct candidate *c, const struct experiment *e, int unit
             leave_out(c, e, work, work * rate, left, row);
             return;
         }
-        if (candidate_run(c, e, n, &row->result)) {
+        if (candidate_prove(c, e, n, &row->result, NULL)) {
             if (++failures == FAILURES) return;
             continue;
         }

@@ -9,8 +9,6 @@
 
 #include <stdio.h>
 
-struct failure;
-
 enum { PEERS_SIZES = 8, PEERS_SETTING = 60, PEERS_FAILURE = 200 };
 
 enum peers_kind { PEERS_THEIRS, PEERS_OURS, PEERS_WHOLE, PEERS_RATE };

@@ -23,12 +23,6 @@ static const struct peers_row *next(const struct peers *all, const struct peers_
     return NULL;
 }
 
-static void each_scene(const struct peers *all, FILE *out,
-                       void (*print)(const struct peers *all, const char *scene, FILE *out)) {
-    for (const struct peers_row *row = all->row; row->peer; row++)
-        if (row == all->row || strcmp(row->peer->scene, row[-1].peer->scene)) print(all, row->peer->scene, out);
-}
-
 struct reach {              /* of an error, or of a size */
     struct bench_time time; /* s; a median of 0: not reached */
     int beyond;             /* 1: past the finest size */
@@ -228,7 +222,8 @@ void peers_print(const struct peers *all, FILE *out) {
     bench_print_machine(out);
     print_versions(out);
     fprintf(out, "times with all threads mean little unless the machine was theirs\n\n");
-    each_scene(all, out, print_scene);
+    for (const struct peers_row *row = all->row; row->peer; row++)
+        if (row == all->row || strcmp(row->peer->scene, row[-1].peer->scene)) print_scene(all, row->peer->scene, out);
     print_aims(all, out);
     print_failures(all, out);
     fputs(notes, out);

@@ -11,12 +11,9 @@
 #define PYTHON(name)                                                                                                 \
     "p=${PYTHON:-python3}; command -v $p >/dev/null || exit 77; $p verification/bench/peers/" name " {case} {out}"
 /* of the gates of square-step and plate, those of differences and of Brookshaw's Laplacian */
-#define SECOND                                                                                                       \
-    { 1.9, 2.1 }
-#define CORNERS                                                                                                      \
-    { 1.75, 2.0 }
-#define CORNERS_SPH                                                                                                  \
-    { 1.85, 2.05 }
+#define SECOND .gate = {1.9, 2.1}
+#define CORNERS .gate = {1.75, 2.0}
+#define CORNERS_SPH .gate = {1.85, 2.05}
 #define FTCS .who = "FTCS at F = 1/6", .command = BUILT("ftcs")
 #define CVODE .who = "SUNDIALS CVODE BDF-Krylov", .command = BUILT("sundials") " bdf", .settings = BDF_TOLERANCES
 #define DIRK .who = "SUNDIALS ARKODE DIRK-Krylov", .command = BUILT("sundials") " dirk", .settings = DIRK_TOLERANCES
@@ -48,16 +45,16 @@ const struct peer peers_table[] = {
     {SQUARE, OURS("matched", MATCHED), .n = {16, 24, 28, 34, 40, 64}},
     {SQUARE, OURS("exact", EXACT), .n = {64, 128, 256, 576, 1024}},
     {SQUARE, OURS("rkl2", RKL2), TIME_ERRORS, .n = {64, 128, 256, 576}},
-    {SQUARE, FTCS, .gate = SECOND, .n = {32, 64, 128, 256, 384}},
-    {SQUARE, CVODE, .gate = SECOND, .n = {64, 128, 256, 512}},
-    {SQUARE, DIRK, .gate = SECOND, .n = {32, 64, 128, 256}},
-    {SQUARE, ERK, .gate = SECOND, .n = {32, 64, 128, 256}},
-    {SQUARE, DST, .gate = SECOND, .n = {64, 128, 256, 576, 1024}},
-    {SQUARE, DSTK, .gate = SECOND, .n = {64, 128, 256, 384}},
-    {SQUARE, SCIPY_BDF, .gate = SECOND, .n = {32, 48, 64, 96}},
-    {SQUARE, EXPM, .gate = SECOND, .n = {32, 64, 128, 256}},
-    {SQUARE, CUBIC, .gate = SECOND, .n = {24, 40, 80, 128}},
-    {SQUARE, QUINTIC, .gate = SECOND, .n = {24, 40, 80, 128}},
+    {SQUARE, FTCS, SECOND, .n = {32, 64, 128, 256, 384}},
+    {SQUARE, CVODE, SECOND, .n = {64, 128, 256, 512}},
+    {SQUARE, DIRK, SECOND, .n = {32, 64, 128, 256}},
+    {SQUARE, ERK, SECOND, .n = {32, 64, 128, 256}},
+    {SQUARE, DST, SECOND, .n = {64, 128, 256, 576, 1024}},
+    {SQUARE, DSTK, SECOND, .n = {64, 128, 256, 384}},
+    {SQUARE, SCIPY_BDF, SECOND, .n = {32, 48, 64, 96}},
+    {SQUARE, EXPM, SECOND, .n = {32, 64, 128, 256}},
+    {SQUARE, CUBIC, SECOND, .n = {24, 40, 80, 128}},
+    {SQUARE, QUINTIC, SECOND, .n = {24, 40, 80, 128}},
     {SQUARE, WHOLE("matched", MATCHED), .n = {16, 24, 28, 34, 40, 64}},
     {SQUARE, WHOLE("exact", EXACT), .n = {64, 128, 256, 576, 1024}},
     {SQUARE, WHOLE("rkl2", RKL2), TIME_ERRORS, .n = {64, 128, 256, 576}},
@@ -66,14 +63,14 @@ const struct peer peers_table[] = {
     {PLATE, OURS("matched", MATCHED), .n = {16, 32, 64, 128}},
     {PLATE, OURS("exact", EXACT), .n = {32, 64, 128, 160, 256, 512, 1024}},
     {PLATE, OURS("rkl2", RKL2), TIME_ERRORS, .n = {32, 64, 128, 160}},
-    {PLATE, FTCS, .gate = CORNERS, .n = {32, 64, 128, 160}},
-    {PLATE, CVODE, .gate = CORNERS, .n = {32, 64, 128, 160}},
-    {PLATE, DIRK, .gate = CORNERS, .n = {16, 32, 64, 128}},
-    {PLATE, ERK, .gate = CORNERS, .n = {16, 32, 64, 128}},
-    {PLATE, DST, .gate = CORNERS, .n = {32, 64, 128, 160, 256, 512, 1024}},
-    {PLATE, SCIPY_BDF, .gate = CORNERS, .n = {16, 24, 32, 48}},
-    {PLATE, EXPM, .gate = CORNERS, .n = {16, 32, 64, 96}},
-    {PLATE, CUBIC, .gate = CORNERS_SPH, .n = {16, 24, 32, 48}},
+    {PLATE, FTCS, CORNERS, .n = {32, 64, 128, 160}},
+    {PLATE, CVODE, CORNERS, .n = {32, 64, 128, 160}},
+    {PLATE, DIRK, CORNERS, .n = {16, 32, 64, 128}},
+    {PLATE, ERK, CORNERS, .n = {16, 32, 64, 128}},
+    {PLATE, DST, CORNERS, .n = {32, 64, 128, 160, 256, 512, 1024}},
+    {PLATE, SCIPY_BDF, CORNERS, .n = {16, 24, 32, 48}},
+    {PLATE, EXPM, CORNERS, .n = {16, 32, 64, 96}},
+    {PLATE, CUBIC, CORNERS_SPH, .n = {16, 24, 32, 48}},
     {.scene = NULL},
 };
 

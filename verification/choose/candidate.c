@@ -146,10 +146,6 @@ static struct experiment experiment_of(const struct candidate *c, const struct e
     return with;
 }
 
-int candidate_run(const struct candidate *c, const struct experiment *e, int n, struct result *out) {
-    return candidate_prove(c, e, n, out, NULL);
-}
-
 int candidate_prove(const struct candidate *c, const struct experiment *e, int n, struct result *out,
                     double *between) {
     struct experiment with = experiment_of(c, e, n);

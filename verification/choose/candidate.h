@@ -39,10 +39,8 @@ int candidate_member(double least, int unit);
 int candidate_solve(const struct candidate *c, const struct experiment *e, int n, struct field *f,
                     struct failure *why);
 
-/* Runs and measures it; as run_experiment. */
-int candidate_run(const struct candidate *c, const struct experiment *e, int n, struct result *out);
-
-/* The same, with *between the error half-way between the particles (halfway.h). */
+/* Runs and measures it, as run_experiment; *between, where not NULL: the error half-way between the particles
+ * (halfway.h). */
 int candidate_prove(const struct candidate *c, const struct experiment *e, int n, struct result *out,
                     double *between);
 

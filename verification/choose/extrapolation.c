@@ -152,7 +152,7 @@ int extrapolation_scout(struct extrapolation *c, const struct extrapolation_goal
     int n = candidate_member((double)c->wanted / FAR, goal->unit);
     struct result result;
     if (c->wanted <= 2 * FAR * last->n || n <= last->n) return 0;
-    if (candidate_run(c->candidate, goal->experiment, n, &result)) return 0;
+    if (candidate_prove(c->candidate, goal->experiment, n, &result, NULL)) return 0;
     add_rung(c, n, result.error.l1);
     predict(c, goal);
     return 1;

@@ -8,8 +8,6 @@
 #include "solver/outline.h"
 #include "verification/choose/plan_steps.h"
 
-struct experiment;
-
 struct plan {
     struct options options; /* stepper and h as they will be used */
     int dim;

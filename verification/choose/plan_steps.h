@@ -5,7 +5,6 @@
 #include "solver/method.h"
 
 struct experiment;
-struct problem;
 
 struct plan_steps {
     double steps; /* 0: none, no coarser run is possible or the steps are out of reach */

@@ -43,7 +43,6 @@ int checks_required(const struct request *r, struct failure *why) {
     return STATUS_OK;
 }
 
-/* Options of the model and of the rungs. */
 static int check_options(const struct request *r, struct failure *why) {
     const struct options *o = &r->experiment.options;
     const struct stepper *stepper = stepper_of(o->stepper);

@@ -156,8 +156,7 @@ struct looked_at {
 static int fit_at(const struct looked_at *at, struct fault fault, double size, struct fit fit[2]) {
     struct response r = {.size = 0};
     int corner = fault.kind == FAULT_CORNER, failed = 0;
-    if (!corner && size != 0) failed = response_take_at(at->p, at->l, fault, size, &r);
-    if (!corner && size == 0) failed = response_take(at->p, at->l, fault, &r);
+    if (!corner) failed = response_take(at->p, at->l, fault, size, &r);
     for (int k = 0; k < 2 && !failed; k++) {
         const struct field *f = at->rung[k].field;
         if (corner)

@@ -9,14 +9,12 @@
 #include <math.h>
 #include <string.h>
 
-static const struct faulty *faulty_of(const struct problem *p) {
-    return p->data;
-}
-
-/* Where X of the faulty problem lies in the coordinates that its data are given in. */
-static void to_right(const struct faulty *f, const double x[2], double right[2]) {
+/* The fault of *p; right: where X of the faulty problem lies in the coordinates that its data are given in. */
+static const struct faulty *faulty_at(const struct problem *p, const double x[2], double right[2]) {
+    const struct faulty *f = p->data;
     int turned = f->fault.kind == FAULT_TRANSPOSED;
     for (int a = 0; a < 2; a++) right[a ^ turned] = f->centre[a] + f->stretch[a] * (x[a] - f->centre[a]);
+    return f;
 }
 
 /* Away from the nearer of the jumps along an axis, so that what lies between two of them is wider by the size. */
@@ -27,9 +25,8 @@ static double narrowed(const struct problem *p, int axis, double x, double size)
 }
 
 static double initial(const struct problem *p, const double x[2]) {
-    const struct faulty *f = faulty_of(p);
     double at[2];
-    to_right(f, x, at);
+    const struct faulty *f = faulty_at(p, x, at);
     if (f->fault.kind == FAULT_START_SHIFT) at[f->fault.axis] -= f->size;
     if (f->fault.kind == FAULT_START_WIDTH || f->fault.kind == FAULT_SAMPLES)
         at[f->fault.axis] = narrowed(f->right, f->fault.axis, at[f->fault.axis], f->size);
@@ -38,9 +35,8 @@ static double initial(const struct problem *p, const double x[2]) {
 }
 
 static double wall(const struct problem *p, enum side s, const double x[2]) {
-    const struct faulty *f = faulty_of(p);
     double at[2];
-    to_right(f, x, at);
+    const struct faulty *f = faulty_at(p, x, at);
     if (f->fault.kind == FAULT_TRANSPOSED) return f->right->wall(f->right, (enum side)(s ^ 2), at);
     double value = f->right->wall(f->right, s, at);
     if (f->right->side[s] == NEUMANN) value /= f->stretch[s / 2];
@@ -68,18 +64,16 @@ static double lost_at_corner(const struct faulty *f, const double x[2]) {
 }
 
 static double source(const struct problem *p, const double x[2]) {
-    const struct faulty *f = faulty_of(p);
     double at[2];
-    to_right(f, x, at);
+    const struct faulty *f = faulty_at(p, x, at);
     double value = problem_source(f->right, at, f->fault.kind == FAULT_SOURCE_TIME ? f->size : 0);
     if (f->fault.kind == FAULT_CORNER) value -= lost_at_corner(f, at);
     return f->fault.kind == FAULT_SOURCE || f->fault.kind == FAULT_AMPLITUDE ? (1 + f->size) * value : value;
 }
 
 static double source_rate(const struct problem *p, const double x[2]) {
-    const struct faulty *f = faulty_of(p);
     double at[2];
-    to_right(f, x, at);
+    const struct faulty *f = faulty_at(p, x, at);
     double value = f->right->source_rate(f->right, at);
     return f->fault.kind == FAULT_SOURCE || f->fault.kind == FAULT_AMPLITUDE ? (1 + f->size) * value : value;
 }
@@ -121,47 +115,25 @@ static int has_corner(const struct problem *p, int corner) {
     return held;
 }
 
-static int is_square(const struct problem *p) {
-    return p->dim == 2 && p->lo[0] == p->lo[1] && p->hi[0] == p->hi[1];
-}
-
 static int applies(const struct problem *p, struct fault fault) {
-    switch (fault.kind) {
-    case FAULT_SWAP:
-    case FAULT_ISOTROPIC:
+    const enum fault_kind kind = fault.kind;
+    const int axis = fault.axis;
+    if (kind == FAULT_SWAP || kind == FAULT_ISOTROPIC)
         return p->dim == 2 && p->material[0].k[0] != p->material[0].k[1];
-    case FAULT_TRANSPOSED:
-        return is_square(p);
-    case FAULT_CORNER:
-        return p->dim == 2 && has_corner(p, fault.axis);
-    case FAULT_SOURCE:
-        return p->source != 0;
-    case FAULT_SOURCE_TIME:
-        return p->source_rate != 0;
-    case FAULT_CAPACITY:
-        return p->materials == 2 && p->material[0].rho_c != p->material[1].rho_c;
-    case FAULT_AXIS:
-        return p->dim == 2 && fault.axis < 2;
-    case FAULT_RHO_C:
-        return p->materials == 2 && fault.axis < 2;
-    case FAULT_COEFFICIENT:
-        return has_coefficient(p, fault.axis);
-    case FAULT_INTERFACE:
-    case FAULT_MEAN:
-        return p->materials == 2;
-    case FAULT_WALL:
-        if (fault.axis == FAULT_ALL_SIDES) return has_fluxes(p);
-        return fault.axis < 2 * p->dim && has_wall_value(p, (enum side)fault.axis);
-    case FAULT_START_WIDTH:
-    case FAULT_SAMPLES:
-        return fault.axis < p->dim && p->jumps[fault.axis] >= 2;
-    case FAULT_EXTENT:
-        return fault.axis < p->dim || (fault.axis == FAULT_BOTH_AXES && p->dim == 2);
-    case FAULT_START_SHIFT:
-        return fault.axis < p->dim;
-    default:
-        return fault.axis == 0;
-    }
+    if (kind == FAULT_TRANSPOSED) return p->dim == 2 && p->lo[0] == p->lo[1] && p->hi[0] == p->hi[1];
+    if (kind == FAULT_CORNER) return p->dim == 2 && has_corner(p, axis);
+    if (kind == FAULT_SOURCE) return p->source != 0;
+    if (kind == FAULT_SOURCE_TIME) return p->source_rate != 0;
+    if (kind == FAULT_CAPACITY) return p->materials == 2 && p->material[0].rho_c != p->material[1].rho_c;
+    if (kind == FAULT_AXIS) return p->dim == 2 && axis < 2;
+    if (kind == FAULT_RHO_C) return p->materials == 2 && axis < 2;
+    if (kind == FAULT_COEFFICIENT) return has_coefficient(p, axis);
+    if (kind == FAULT_INTERFACE || kind == FAULT_MEAN) return p->materials == 2;
+    if (kind == FAULT_WALL && axis == FAULT_ALL_SIDES) return has_fluxes(p);
+    if (kind == FAULT_WALL) return axis < 2 * p->dim && has_wall_value(p, (enum side)axis);
+    if (kind == FAULT_START_WIDTH || kind == FAULT_SAMPLES) return axis < p->dim && p->jumps[axis] >= 2;
+    if (kind == FAULT_EXTENT) return axis < p->dim || (axis == FAULT_BOTH_AXES && p->dim == 2);
+    return axis < (kind == FAULT_START_SHIFT ? p->dim : 1);
 }
 
 static void turn(struct problem *q, const struct problem *p) {
@@ -184,6 +156,36 @@ static void stretch(struct faulty *f, int axis) {
     if (axis == 0) p->interface = f->centre[0] + (p->interface - f->centre[0]) / s;
 }
 
+/* What the fault makes of the coefficients of *f, which are those of *p yet. */
+static void change_coefficients(const struct problem *p, struct faulty *f) {
+    struct problem *q = &f->problem;
+    const enum fault_kind kind = f->fault.kind;
+    const int axis = f->fault.axis;
+    if (kind == FAULT_SWAP) q->material[0].k[0] = p->material[0].k[1], q->material[0].k[1] = p->material[0].k[0];
+    if (kind == FAULT_ISOTROPIC) q->material[0].k[axis] = p->material[0].k[1 - axis];
+    if (kind == FAULT_CAPACITY) q->material[1].rho_c = q->material[0].rho_c;
+    if (kind == FAULT_RHO_C) q->material[axis].rho_c *= 1 + f->size;
+    for (int m = 0; m < q->materials; m++)
+        for (int a = 0; a < 2; a++)
+            if (kind == FAULT_CONDUCTIVITY || (kind == FAULT_AXIS && a == axis)) q->material[m].k[a] *= 1 + f->size;
+    for (int s = 0; s < 4; s++)
+        if (kind == FAULT_COEFFICIENT && (s == axis || axis == FAULT_ALL_SIDES)) q->robin[s] *= 1 + f->size;
+}
+
+/* Where the sides, the interface and the jumps lie. */
+static void change_places(const struct problem *p, struct faulty *f) {
+    struct problem *q = &f->problem;
+    const enum fault_kind kind = f->fault.kind;
+    const int axis = f->fault.axis;
+    if (kind == FAULT_TRANSPOSED) turn(q, p);
+    if (kind == FAULT_INTERFACE) q->interface += f->size;
+    for (int a = 0; a < p->dim; a++)
+        if (kind == FAULT_EXTENT && (axis == a || axis == FAULT_BOTH_AXES)) stretch(f, a);
+    int width = kind == FAULT_START_WIDTH || kind == FAULT_SAMPLES;
+    for (int k = 0; (width || kind == FAULT_START_SHIFT) && k < q->jumps[axis]; k++)
+        q->jump[axis][k] += width && 2 * k < q->jumps[axis] ? -f->size : f->size;
+}
+
 int fault_make(const struct problem *p, struct fault fault, double size, struct faulty *f) {
     if (!applies(p, fault)) return 0;
     *f = (struct faulty){.problem = *p, .right = p, .fault = fault, .size = size, .stretch = {1, 1}};
@@ -193,54 +195,10 @@ int fault_make(const struct problem *p, struct fault fault, double size, struct 
     q->wall = wall;
     if (p->source || fault.kind == FAULT_CORNER) q->source = source;
     if (p->source_rate) q->source_rate = source_rate;
+    if (fault.kind == FAULT_CLOCK) q->t_end += size;
     for (int a = 0; a < 2; a++) f->centre[a] = (p->lo[a] + p->hi[a]) / 2, q->mirror[a] = 0;
-    switch (fault.kind) {
-    case FAULT_CLOCK:
-        q->t_end += size;
-        break;
-    case FAULT_CONDUCTIVITY:
-        for (int m = 0; m < q->materials; m++) q->material[m].k[0] *= 1 + size, q->material[m].k[1] *= 1 + size;
-        break;
-    case FAULT_SWAP:
-        q->material[0] = (struct material){{p->material[0].k[1], p->material[0].k[0]}, p->material[0].rho_c};
-        break;
-    case FAULT_ISOTROPIC:
-        q->material[0].k[fault.axis] = p->material[0].k[1 - fault.axis];
-        break;
-    case FAULT_TRANSPOSED:
-        turn(q, p);
-        break;
-    case FAULT_CAPACITY:
-        q->material[1].rho_c = q->material[0].rho_c;
-        break;
-    case FAULT_AXIS:
-        for (int m = 0; m < q->materials; m++) q->material[m].k[fault.axis] *= 1 + size;
-        break;
-    case FAULT_RHO_C:
-        q->material[fault.axis].rho_c *= 1 + size;
-        break;
-    case FAULT_COEFFICIENT:
-        for (int s = 0; s < 4; s++)
-            if (s == fault.axis || fault.axis == FAULT_ALL_SIDES) q->robin[s] *= 1 + size;
-        break;
-    case FAULT_EXTENT:
-        for (int a = 0; a < p->dim; a++)
-            if (fault.axis == a || fault.axis == FAULT_BOTH_AXES) stretch(f, a);
-        break;
-    case FAULT_INTERFACE:
-        q->interface += size;
-        break;
-    case FAULT_START_SHIFT:
-        for (int k = 0; k < q->jumps[fault.axis]; k++) q->jump[fault.axis][k] += size;
-        break;
-    case FAULT_START_WIDTH:
-    case FAULT_SAMPLES:
-        for (int k = 0; k < q->jumps[fault.axis]; k++)
-            q->jump[fault.axis][k] += 2 * k < q->jumps[fault.axis] ? -size : size;
-        break;
-    default:
-        break;
-    }
+    change_coefficients(p, f);
+    change_places(p, f);
     return 1;
 }
 
@@ -254,36 +212,19 @@ int fault_bends(enum fault_kind kind) {
 
 int fault_can_be(const struct problem *p, enum fault_kind kind, double size) {
     static const double SIGN = 0.1; /* how near to -2 a wrong sign is */
-    switch (kind) {
-    case FAULT_WALL:
-    case FAULT_SOURCE:
-        return size > -1.05 || fabs(size + 2) < SIGN;
-    case FAULT_CLOCK:
-        return size > -p->t_end;
-    case FAULT_AMPLITUDE:
-        return size > -1.05;
-    default:
-        return !fault_bends(kind) || size > -1;
-    }
+    if (kind == FAULT_WALL || kind == FAULT_SOURCE) return size > -1.05 || fabs(size + 2) < SIGN;
+    if (kind == FAULT_CLOCK) return size > -p->t_end;
+    if (kind == FAULT_AMPLITUDE) return size > -1.05;
+    return !fault_bends(kind) || size > -1;
 }
 
 double fault_probe(const struct problem *p, struct fault fault) {
-    switch (fault.kind) {
-    case FAULT_CLOCK:
-    case FAULT_SOURCE_TIME:
-        return 0.01 * p->t_end;
-    case FAULT_EXTENT:
-        return (p->hi[fault.axis % 2] - p->lo[fault.axis % 2]) / 200;
-    case FAULT_START_SHIFT:
-    case FAULT_START_WIDTH:
-    case FAULT_SAMPLES:
-        return (p->hi[fault.axis] - p->lo[fault.axis]) / 200;
-    case FAULT_INTERFACE:
-        return (p->hi[0] - p->lo[0]) / 200;
-    case FAULT_SOURCE:
-    case FAULT_WALL:
-        return 1; /* the equation is linear in them */
-    default:
-        return fault_is_whole(fault.kind) ? 1 : 0.01;
-    }
+    const enum fault_kind kind = fault.kind;
+    const int axis = kind == FAULT_INTERFACE ? 0 : fault.axis % 2;
+    int is_place = kind == FAULT_EXTENT || kind == FAULT_START_SHIFT || kind == FAULT_START_WIDTH ||
+                   kind == FAULT_SAMPLES || kind == FAULT_INTERFACE;
+    if (kind == FAULT_CLOCK || kind == FAULT_SOURCE_TIME) return 0.01 * p->t_end;
+    if (is_place) return (p->hi[axis] - p->lo[axis]) / 200;
+    if (kind == FAULT_SOURCE || kind == FAULT_WALL) return 1; /* the equation is linear in them */
+    return fault_is_whole(kind) ? 1 : 0.01;
 }

@@ -69,7 +69,7 @@ struct fit_errors fit_errors(const struct problem *p, const struct response_latt
     struct response clock;
     if (p->materials == 1) {
         response_laplacian(p, l, f, s.m);
-    } else if (!response_take(p, l, (struct fault){FAULT_CLOCK, 0}, &clock)) {
+    } else if (!response_take(p, l, (struct fault){FAULT_CLOCK, 0}, 0, &clock)) {
         response_at(&clock, l, f, s.g, s.m);
         response_free(&clock);
     }

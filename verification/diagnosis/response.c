@@ -154,15 +154,11 @@ void response_laplacian(const struct problem *p, const struct response_lattice *
     free(D);
 }
 
-int response_take(const struct problem *p, const struct response_lattice *l, struct fault fault, struct response *r) {
-    /* What happens in one cell is tried in one. */
-    return response_take_at(p, l, fault, fault.kind == FAULT_MEAN ? l->dx : fault_probe(p, fault), r);
-}
-
-int response_take_at(const struct problem *p, const struct response_lattice *l, struct fault fault, double size,
-                     struct response *r) {
+int response_take(const struct problem *p, const struct response_lattice *l, struct fault fault, double size,
+                  struct response *r) {
     enum mean mean = fault.kind == FAULT_MEAN ? MEAN_ARITHMETIC : MEAN_SERIES;
-    r->size = size;
+    double small = fault.kind == FAULT_MEAN ? l->dx : fault_probe(p, fault); /* what is in one cell is tried in one */
+    r->size = size != 0 ? size : small;
     return fault_make(p, fault, r->size, &r->with) && !solve(&r->with.problem, l->dx, FOURIER, mean, &r->T) ? 0 : -1;
 }
 

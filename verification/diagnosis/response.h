@@ -36,12 +36,9 @@ struct response {
     struct field T; /* K, on the lattice; owned */
 };
 
-/* 0; -1 where *p cannot have it, and nothing is to be freed. */
-int response_take(const struct problem *p, const struct response_lattice *l, struct fault fault, struct response *r);
-
-/* The same at a size of the fault. */
-int response_take_at(const struct problem *p, const struct response_lattice *l, struct fault fault, double size,
-                     struct response *r);
+/* At a size of the fault, 0: a small one.  0; -1 where *p cannot have it, and nothing is to be freed. */
+int response_take(const struct problem *p, const struct response_lattice *l, struct fault fault, double size,
+                  struct response *r);
 void response_free(struct response *r);
 
 /* dT/dsize at the points of *f, K per unit of the fault's size (of one that is there in full or not: the whole

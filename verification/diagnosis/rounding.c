@@ -7,32 +7,23 @@
 #include "verification/diagnosis/diagnosis.h"
 
 #include "solver/field.h"
+#include "verification/text/number.h"
 
 #include <float.h>
 #include <math.h>
 #include <stdio.h>
-#include <stdlib.h>
 
-/* To a few roundings: a temperature of the scene that was mapped back (references/mapping.h) has them. */
-static int is_close(double T, double to) {
-    return fabs(T - to) <= 16 * DBL_EPSILON * fabs(T);
-}
-
-/* Decimal digits that tell T, up to `most`; more than that where they do not. */
-static int digits_of(double T, int most) {
-    for (int digits = 1; digits <= most; digits++) {
-        char text[40];
-        snprintf(text, sizeof text, "%.*e", digits - 1, T);
-        if (is_close(T, strtod(text, NULL))) return digits;
-    }
-    return most + 1;
-}
+/* A few roundings: a temperature of the scene that was mapped back (references/mapping.h) has them. */
+static const double CLOSE = 16 * DBL_EPSILON;
 
 int diagnosis_rounding(const struct field *f, double error, double cells, struct diagnosis *d) {
     enum { MOST = 9, LEAST = 10 }; /* digits; values that are not round by chance */
     int digits = 0, full = 0;
+    char text[NUMBER_PRINTED];
     for (size_t i = 0; i < f->n && digits <= MOST; i++) {
-        int of = is_close(f->T[i], (float)f->T[i]) ? FLT_DIG + 1 : digits_of(f->T[i], MOST);
+        double T = f->T[i];
+        int single = fabs(T - (float)T) <= CLOSE * fabs(T);
+        int of = single ? FLT_DIG + 1 : number_digits(T, CLOSE, MOST, text);
         full += of >= FLT_DIG;
         digits = of > digits ? of : digits;
     }

@@ -96,8 +96,11 @@ static int keep_status(const char *dir, int code, struct failure *why) {
     return output_close(&page, 1, why);
 }
 
-static int run_in(const struct case_run *c, struct scratch *scratch, int *code, struct failure *why) {
+int case_run(const struct case_run *c, struct scratch *scratch, int *code, struct failure *why) {
     char input[PATH_SIZE], output[PATH_SIZE], log[PATH_SIZE];
+    *code = -1;
+    *why = (struct failure){0};
+    if (remove_old(c->dir, why)) return why->status;
     char *command = fill_in(c, path_in(c->dir, "case", input), path_in(c->dir, parts[0][0], output));
     struct process process = {
         .command = command, .label = c->label, .scratch = scratch, .timeout = c->timeout, .code = code};
@@ -111,10 +114,4 @@ static int run_in(const struct case_run *c, struct scratch *scratch, int *code, 
     if (*code == 0) put_in_place(c->dir);
     if (*code >= 0 && keep_status(c->dir, *code, &unwritten)) *why = unwritten;
     return why->status;
-}
-
-int case_run(const struct case_run *c, struct scratch *scratch, int *code, struct failure *why) {
-    *code = -1;
-    *why = (struct failure){0};
-    return remove_old(c->dir, why) ? why->status : run_in(c, scratch, code, why);
 }

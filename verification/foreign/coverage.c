@@ -10,13 +10,13 @@
  *   a quarter of an axis missing       must be seen: s <= extent / 4
  *
  * s = max(2 dx, min(dx (d ln N + 6)^(1/d), extent / 4)).  With `extent / s` rounded down to a whole number of boxes a
- * gap of two boxes' sides always holds one: at N = 64 that is 5/16 of a rod or 1/8 of a square's side.
- */
+ * gap of two boxes' sides always holds one: at N = 64 that is 5/16 of a rod or 1/8 of a square's side. */
 #include "verification/foreign/points_checks.h"
 
 #include "solver/shape.h"
 #include "solver/status.h"
 #include "verification/foreign/samples.h"
+#include "verification/text/words.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -97,27 +97,30 @@ static size_t all(const struct boxes *b) {
     return b->count[0] * b->count[1];
 }
 
-/* Whether a round body fills the box. */
-static int is_whole(const struct boxes *b, size_t box) {
+static void bounds_of(const struct boxes *b, size_t box, double lo[2], double hi[2]) {
     size_t at[2] = {box % b->count[0], box / b->count[0]};
-    double lo[2], hi[2];
     for (int a = 0; a < 2; a++) {
         double side = extent(b->p, a) / (double)b->count[a];
         lo[a] = b->p->lo[a] + side * (double)at[a];
         hi[a] = lo[a] + side;
     }
+}
+
+/* Whether a round body fills the box. */
+static int is_whole(const struct boxes *b, size_t box) {
+    double lo[2], hi[2];
+    bounds_of(b, box, lo, hi);
     return shape_clipped(b->p, lo, hi) >= (1 - SLACK) * (hi[0] - lo[0]) * (hi[1] - lo[1]);
 }
 
 static int refuse_gap(const struct boxes *b, size_t empty, struct failure *why) {
-    char where[2][64] = {"", ""};
-    for (int a = 0; a < b->p->dim; a++) {
-        size_t box = a == 0 ? empty % b->count[0] : empty / b->count[0];
-        double side = extent(b->p, a) / (double)b->count[a], lo = b->p->lo[a] + side * (double)box;
-        snprintf(where[a], sizeof where[a], "%s%.4g <= %c <= %.4g m", a ? ", " : "", lo, "xy"[a], lo + side);
-    }
-    return refuse(why, STATUS_INPUT, "%.150s: no point in %s%s: the field must cover the whole domain", b->s->path,
-                  where[0], where[1]);
+    char where[128] = "";
+    double lo[2], hi[2];
+    bounds_of(b, empty, lo, hi);
+    for (int a = 0; a < b->p->dim; a++)
+        words_add(where, sizeof where, "%s%.4g <= %c <= %.4g m", a ? ", " : "", lo[a], "xy"[a], hi[a]);
+    return refuse(why, STATUS_INPUT, "%.150s: no point in %s: the field must cover the whole domain", b->s->path,
+                  where);
 }
 
 static int check_gaps(const struct samples *s, const struct problem *p, const double d[2], struct failure *why) {

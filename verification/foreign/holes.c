@@ -14,6 +14,7 @@
 #include "solver/status.h"
 #include "verification/foreign/samples.h"
 
+#include <gsl/gsl_interp.h>
 #include <gsl/gsl_sort_double.h>
 #include <math.h>
 #include <stdlib.h>
@@ -33,19 +34,6 @@ static size_t distinct(const struct samples *s, const struct problem *p, int a, 
     for (size_t i = 0; i < s->n; i++)
         if (n == 0 || x[i] > x[n - 1] + away) x[n++] = x[i];
     return n;
-}
-
-/* The place of `at` among n of them. */
-static size_t place(const double *x, size_t n, double at, double away) {
-    size_t lo = 0, hi = n - 1;
-    while (lo < hi) {
-        size_t middle = (lo + hi) / 2;
-        if (x[middle] < at - away)
-            lo = middle + 1;
-        else
-            hi = middle;
-    }
-    return lo;
 }
 
 static int is_regular(const double *x, double h) {
@@ -90,7 +78,7 @@ static int check_places(const struct samples *s, const struct problem *p, double
     size_t missing = 0, first = 0;
     for (size_t i = 0; i < s->n; i++) {
         size_t at[2];
-        for (int a = 0; a < 2; a++) at[a] = place(x[a], n[a], s->value[a][i], SAME * (p->hi[a] - p->lo[a]));
+        for (int a = 0; a < 2; a++) at[a] = gsl_interp_bsearch(x[a], s->value[a][i], 0, n[a]);
         has[at[1] * n[0] + at[0]] = 1;
     }
     for (size_t c = n[0] * n[1]; c-- > 0;) {

@@ -27,13 +27,10 @@ static int wrong(const struct samples *s, struct failure *why, const char *what)
 }
 
 static int read_header(FILE *in, char text[HEADER], const struct samples *s, struct failure *why) {
-    unsigned char start[12];
-    if (fread(start, 1, MAGIC + 4, in) != MAGIC + 4) return wrong(s, why, "cut off in its header");
-    size_t length = start[8] + 256u * start[9];
-    if (start[6] > 1) {
-        if (fread(start + 10, 1, 2, in) != 2) return wrong(s, why, "cut off in its header");
-        length += 65536u * start[10] + 16777216u * start[11];
-    }
+    unsigned char start[MAGIC + 6] = {0}; /* versions above 1 have four bytes of length */
+    if (fread(start, 1, MAGIC + 4, in) != MAGIC + 4 || (start[6] > 1 && fread(start + MAGIC + 4, 1, 2, in) != 2))
+        return wrong(s, why, "cut off in its header");
+    size_t length = start[8] + 256u * start[9] + 65536u * start[10] + 16777216u * start[11];
     if (length >= HEADER) return wrong(s, why, "a header of more than 4 kB: not an array of points");
     if (fread(text, 1, length, in) != length) return wrong(s, why, "cut off in its header");
     text[length] = '\0';
@@ -49,10 +46,8 @@ static int bytes_of(const char *type) {
 static int read_fields(const char *at, const struct column_map *c, const struct samples *s, struct layout *l,
                        struct failure *why) {
     char name[COLUMN_NAME], type[8];
-    int n;
-    while (sscanf(at, " ( '%63[^']' , %7[^,)] ) %n", name, type, &n) == 2) {
-        int bytes = bytes_of(type);
-        if (!bytes) return wrong(s, why, "a field is no number of 8 or 4 bytes ('<f8', '<f4')");
+    int n, bytes;
+    while (sscanf(at, " ( '%63[^']' , %7[^,)] ) %n", name, type, &n) == 2 && (bytes = bytes_of(type)) > 0) {
         for (int k = 0; k < COLUMN_COUNT; k++)
             if (strcmp(samples_column_name(c, k), name) == 0) l->offset[k] = l->stride, l->bytes[k] = bytes;
         l->stride += (size_t)bytes;

@@ -10,13 +10,13 @@
 
 #include <errno.h>
 #include <fcntl.h>
+#include <omp.h>
 #include <poll.h>
 #include <signal.h>
 #include <spawn.h>
 #include <stdlib.h>
 #include <string.h>
 #include <sys/wait.h>
-#include <time.h>
 #include <unistd.h>
 
 extern char **environ;
@@ -40,31 +40,12 @@ struct running {
     char last[LINE]; /* the last line that says something */
 };
 
-static double now(void) {
-    struct timespec t;
-    clock_gettime(CLOCK_MONOTONIC, &t);
-    return (double)t.tv_sec + 1e-9 * (double)t.tv_nsec;
-}
-
-/* The environment with TMPDIR set; the block and its first string are the caller's. */
-static char **environment(const char *dir) {
-    size_t n = 0, kept = 1, size = strlen(dir) + sizeof "TMPDIR=";
-    while (environ[n]) n++;
-    char **block = xcalloc(n + 2, sizeof *block);
-    block[0] = xcalloc(size, 1);
-    snprintf(block[0], size, "TMPDIR=%s", dir);
-    for (size_t i = 0; i < n; i++)
-        if (strncmp(environ[i], "TMPDIR=", 7) != 0) block[kept++] = environ[i];
-    return block;
-}
-
 /* The shell tells the guard its process group before the command begins: were it told by this program, killed in
- * between, the command would stay.  $0 is the command. */
-static const char told[] = "echo $$ >&8; exec /bin/sh -c \"$0\" 8>&-";
+ * between, the command would stay.  $0 is the command, $1 its TMPDIR. */
+static const char told[] = "export TMPDIR=\"$1\"; echo $$ >&8; exec /bin/sh -c \"$0\" 8>&-";
 
 static int spawn(struct running *r) {
-    char *argv[] = {"sh", "-c", (char *)told, (char *)r->process->command, NULL},
-         **env = environment(r->process->scratch->dir);
+    char *argv[] = {"sh", "-c", (char *)told, (char *)r->process->command, r->process->scratch->dir, NULL};
     posix_spawn_file_actions_t files;
     posix_spawnattr_t how;
     sigset_t ignored; /* by this program, and not by that one */
@@ -79,11 +60,9 @@ static int spawn(struct running *r) {
     if (!error) error = posix_spawn_file_actions_adddup2(&files, r->output[WRITE], STDERR_FILENO);
     if (!error) error = posix_spawn_file_actions_adddup2(&files, r->process->scratch->pipe, GUARD);
     if (!error) error = posix_spawn_file_actions_adddup2(&files, r->life[WRITE], LIFE);
-    if (!error) error = posix_spawn(&r->child, "/bin/sh", &files, &how, argv, env);
+    if (!error) error = posix_spawn(&r->child, "/bin/sh", &files, &how, argv, environ);
     posix_spawn_file_actions_destroy(&files);
     posix_spawnattr_destroy(&how);
-    free(env[0]);
-    free(env);
     return error;
 }
 
@@ -112,7 +91,7 @@ static int start(struct running *r) {
     close(r->output[WRITE]);
     close(r->life[WRITE]);
     r->output[WRITE] = r->life[WRITE] = -1;
-    r->start = now();
+    r->start = omp_get_wtime();
     return 0;
 }
 
@@ -158,7 +137,7 @@ static void relay(struct running *r, int most) {
 static void reap(struct running *r) {
     if (r->reaped || waitpid(r->child, &r->status, WNOHANG) != r->child) return;
     r->reaped = 1;
-    r->end = now();
+    r->end = omp_get_wtime();
 }
 
 /* Waits for output or the end of the life line, at most `most` ms. */
@@ -180,15 +159,15 @@ static enum end follow(struct running *r) {
         look(r, PATIENCE);
         if (r->reaped && r->life[READ] < 0) return ENDED;
         if (atomic_file_noted()) return INTERRUPTED;
-        if (r->reaped && now() > r->end + GRACE) return LEFT_OTHERS;
-        if (r->process->timeout > 0 && now() > r->start + r->process->timeout) return TIMED_OUT;
+        if (r->reaped && omp_get_wtime() > r->end + GRACE) return LEFT_OTHERS;
+        if (r->process->timeout > 0 && omp_get_wtime() > r->start + r->process->timeout) return TIMED_OUT;
     }
 }
 
 static void terminate(struct running *r) {
-    double deadline = now() + MERCY;
+    double deadline = omp_get_wtime() + MERCY;
     kill(-r->child, SIGTERM);
-    while (!(r->reaped && r->life[READ] < 0) && now() < deadline) look(r, PATIENCE);
+    while (!(r->reaped && r->life[READ] < 0) && omp_get_wtime() < deadline) look(r, PATIENCE);
     kill(-r->child, SIGKILL);
     while (!r->reaped) look(r, PATIENCE);
 }

@@ -214,12 +214,16 @@ static int solve_at(const struct program *g, const struct scene *s, const struct
     return STATUS_OK;
 }
 
+int program_check(const struct program *g, struct failure *why) {
+    if (!g->solver || (strstr(g->solver, "{case}") && strstr(g->solver, "{out}"))) return STATUS_OK;
+    return refuse(why, STATUS_INPUT, "--solver '%.200s': must contain {case} and {out}, which become paths",
+                  g->solver);
+}
+
 static int solve_now(const struct program *g, const struct scene *s, const struct problem *p, const struct options *o,
                      struct field *f, struct failure *why) {
     struct scratch scratch;
-    if (!strstr(g->solver, "{case}") || !strstr(g->solver, "{out}"))
-        return refuse(why, STATUS_INPUT, "--solver '%.200s': must contain {case} and {out}, which become paths",
-                      g->solver);
+    if (program_check(g, why)) return why->status;
     atomic_file_hold();
     int status = scratch_open(&scratch, why);
     if (!status) {

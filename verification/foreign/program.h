@@ -7,10 +7,8 @@
 #include "references/mapping.h"
 #include "verification/foreign/samples.h"
 
-struct failure;
 struct field;
 struct options;
-struct problem;
 struct runs;
 struct scene;
 
@@ -36,6 +34,9 @@ struct program {
 
 /* 1 where there is a program: a command, or its answers. */
 int program_given(const struct program *g);
+
+/* STATUS_OK where the command, if there is one, has the places of its two files; else STATUS_INPUT. */
+int program_check(const struct program *g, struct failure *why);
 
 /* A copy of *f, an answer, in the axes and temperatures of the case: as the program gave it, to rounding.  *exact of
  * the same points, where not NULL, is mapped in place.  End with field_free. */

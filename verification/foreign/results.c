@@ -28,10 +28,7 @@ void results_number(double value, char text[40]) {
         snprintf(text, 40, "%.0f", value);
         return;
     }
-    for (int digits = 1; digits <= 17; digits++) {
-        snprintf(text, 40, "%.*g", digits, value);
-        if (strtod(text, NULL) == value) return;
-    }
+    snprintf(text, 40, "%.*g", number_digits(value, 0, 17, text), value);
 }
 
 static int is_directory(const char *path) {
@@ -221,7 +218,6 @@ static int write_one(const char *dir, const struct mapping *map, int seed, const
     return status;
 }
 
-/* Whether `list` has the line `line`. */
 static int has_line(const char *list, const char *line) {
     size_t length = strlen(line);
     for (const char *at = list; (at = strstr(at, line)); at += length)

@@ -8,10 +8,6 @@
 #include "verification/foreign/program.h"
 #include "verification/text/number.h"
 
-struct failure;
-struct options;
-struct scene;
-
 enum { RESULTS_PATH = 1024 };
 
 /* The fewest digits that read back as `value`; of a whole number below 1e6 all of them. */

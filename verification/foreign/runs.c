@@ -48,21 +48,18 @@ struct runs *runs_create(int jobs, int total, int resume, struct progress *progr
 }
 
 void runs_free(struct runs *r) {
-    for (size_t i = 0; r && i < r->count; i++) {
+    for (size_t i = 0; i < r->count; i++) {
         free(r->run[i].dir);
         free(r->run[i].text);
     }
-    if (r) {
-        pthread_cond_destroy(&r->changed);
-        pthread_mutex_destroy(&r->lock);
-        free(r->run);
-    }
+    pthread_cond_destroy(&r->changed);
+    pthread_mutex_destroy(&r->lock);
+    free(r->run);
     free(r);
 }
 
 static char *copy(const char *text) {
-    size_t size = strlen(text) + 1;
-    return memcpy(xcalloc(size, 1), text, size);
+    return xcheck(strdup(text), strlen(text) + 1, 1);
 }
 
 static struct run *find(const struct runs *r, const char *dir) {

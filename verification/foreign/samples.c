@@ -68,6 +68,10 @@ void samples_grow(struct samples *s) {
     s->room = room;
 }
 
+int samples_is(const char *text, size_t length, const char *word) {
+    return length == strlen(word) && memcmp(text, word, length) == 0;
+}
+
 const char *samples_quote(const char *text, size_t length, char quoted[48]) {
     size_t n = 0;
     for (; n < length && n < 40; n++) quoted[n] = text[n] >= ' ' && text[n] <= '~' ? text[n] : '?';

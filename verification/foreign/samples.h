@@ -40,6 +40,9 @@ long samples_line(const struct samples *s, size_t i); /* of point i in the file,
 int samples_put(struct samples *s, int column, const char *text, size_t length, long line, int place,
                 struct failure *why);
 
+/* Whether the text of that length is the word. */
+int samples_is(const char *text, size_t length, const char *word);
+
 /* A text for a message: printable, at most 40 letters, what is cut marked. */
 const char *samples_quote(const char *text, size_t length, char quoted[48]);
 

@@ -92,9 +92,7 @@ static const char *split_cell(const char *at, char separator, struct cell *cell)
         const char *end = strchr(at + 1, *at);
         if (end) {
             *cell = (struct cell){at + 1, (size_t)(end - at - 1)};
-            at = end + 1;
-            at += strspn(at, " \t");
-            return at;
+            return end + 1 + strspn(end + 1, " \t");
         }
     }
     size_t length = separator == ' ' ? strcspn(at, " \t") : strcspn(at, separator == ',' ? "," : ";");
@@ -126,30 +124,22 @@ static int all_numbers(const struct reader *t) {
     return 1;
 }
 
-static int is_cell(const struct cell *c, const char *name) {
-    return strlen(name) == c->length && memcmp(c->text, name, c->length) == 0;
-}
-
 /* The place of a column by its name, or by its number; -1, or -2 for a name that is there twice. */
 static int find(const struct reader *t, const char *name) {
     int found = -1;
     long number;
     for (int i = 0; i < t->cells; i++)
-        if (is_cell(&t->cell[i], name)) found = found == -1 ? i : -2;
+        if (samples_is(t->cell[i].text, t->cell[i].length, name)) found = found == -1 ? i : -2;
     if (found == -1 && number_read_whole(name, t->cells, &number) == 0 && number > 0) found = (int)number - 1;
     return found;
 }
 
-static void wanted_header(const struct reader *t, char *text, size_t size) {
-    const struct column_map *c = t->wanted;
-    snprintf(text, size, "%s,%s%s%s", samples_column_name(c, COLUMN_X),
-             t->s->dim == 2 ? samples_column_name(c, COLUMN_Y) : "", t->s->dim == 2 ? "," : "",
-             samples_column_name(c, COLUMN_T));
-}
-
 static int refuse_header(const struct reader *t, struct failure *why) {
     char header[3 * COLUMN_NAME + 8], quoted[48];
-    wanted_header(t, header, sizeof header);
+    const struct column_map *c = t->wanted;
+    int plane = t->s->dim == 2;
+    snprintf(header, sizeof header, "%s,%s%s%s", samples_column_name(c, COLUMN_X),
+             plane ? samples_column_name(c, COLUMN_Y) : "", plane ? "," : "", samples_column_name(c, COLUMN_T));
     samples_quote(t->text, strlen(t->text), quoted);
     return refuse(why, STATUS_INPUT,
                   "%.120s, line %ld: '%s' should be the header %s, or --columns name the columns (x=NAME,T=NAME; a "

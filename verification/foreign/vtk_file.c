@@ -49,10 +49,6 @@ static size_t next_word(struct reader *v, const char **word) {
     return (size_t)(v->at - *word);
 }
 
-static int is_word(const char *word, size_t length, const char *name) {
-    return length == strlen(name) && memcmp(word, name, length) == 0;
-}
-
 /* Value number i of a column; points have as many as their arrays. */
 static int put(struct reader *v, int column, const char *word, size_t length, struct failure *why) {
     struct samples *s = v->s;
@@ -138,36 +134,31 @@ static int read_field(struct reader *v, struct failure *why) {
     return STATUS_OK;
 }
 
-static int skip_line(struct reader *v) {
-    while (v->at < v->end && *v->at != '\n') v->at++;
-    return v->at < v->end;
-}
-
 static int read_all(struct reader *v, struct failure *why) {
     const char *word;
     size_t length, points = 0;
     int of_points = 0;
     char form[WORD];
     for (int i = 0; i < 2; i++) { /* the version and the title */
-        skip_line(v);
+        while (v->at < v->end && *v->at != '\n') v->at++;
         if (v->at < v->end) v->at++, v->line++;
     }
     if (!word_into(v, form) || strcmp(form, "ASCII") != 0)
         return wrong(v, why, "ASCII is wanted here: binary VTK is not read");
     while ((length = next_word(v, &word)) > 0) {
         int status = STATUS_OK;
-        if (is_word(word, length, "POINTS")) {
+        if (samples_is(word, length, "POINTS")) {
             status = count_into(v, &points, why) || !word_into(v, form)
                          ? STATUS_INPUT
                          : read_tuples(v, points, 3, COLUMN_X, v->s->dim, why);
-        } else if (is_word(word, length, "POINT_DATA")) {
+        } else if (samples_is(word, length, "POINT_DATA")) {
             of_points = 1;
             status = count_into(v, &points, why);
-        } else if (is_word(word, length, "CELL_DATA")) {
+        } else if (samples_is(word, length, "CELL_DATA")) {
             v->cell_data = 1, of_points = 0;
-        } else if (of_points && is_word(word, length, "SCALARS")) {
+        } else if (of_points && samples_is(word, length, "SCALARS")) {
             status = read_scalars(v, points, why);
-        } else if (of_points && is_word(word, length, "FIELD")) {
+        } else if (of_points && samples_is(word, length, "FIELD")) {
             status = read_field(v, why);
         }
         if (status) return why->status;

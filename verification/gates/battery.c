@@ -42,8 +42,9 @@ int battery_add(int order, enum profile profile, unsigned long seed, struct gate
         if (row->order != order || !is_in_profile(row->gate.id, profile)) continue;
         if (draw_command(&draw, seed, command, why)) return why->status;
         gates_add(g, &row->gate);
-        if (seed) gates_set_command(g, command);
-        g->result[g->declared - 1].gate.tier = tier_of(&row->gate);
+        struct gate *gate = &g->result[g->declared - 1].gate;
+        if (seed) gate->command = gates_keep(g, command);
+        gate->tier = tier_of(&row->gate);
     }
     return STATUS_OK;
 }

@@ -31,20 +31,19 @@ const struct gate gates_table[] = {
 enum { TEXT = 160 }; /* of the name and of the command of a reference's gate */
 
 /* Every scene's reference is gated without a row: its two forms agree within their bounds, which are small. */
-static struct gate reference_gate(const struct scene *s, char *text) {
+static void add_reference(struct gates *g, const struct scene *s) {
     struct problem p;
     struct failure why;
-    char *id = text, *command = text + TEXT;
+    char id[TEXT], command[TEXT];
     scene_defaults(s, &p);
-    snprintf(id, TEXT, "reference/%s", s->name);
+    snprintf(id, sizeof id, "reference/%s", s->name);
     if (s->setup(&p, &why)) p.dim = 1; /* its command then fails with that text */
     double x = p.lo[0] + 0.137 * (p.hi[0] - p.lo[0]), y = p.lo[1] + 0.311 * (p.hi[1] - p.lo[1]);
-    int n = snprintf(command, TEXT, "reference %s --at %.3g", s->name, x);
-    if (p.dim == 2) n += snprintf(command + n, (size_t)(TEXT - n), ",%.3g", y);
-    snprintf(command + n, (size_t)(TEXT - n), " --time %.3g", p.t_end);
-    return (struct gate){
-        id, TIER_QUICK, "reference", command,
-        0,  1,          1e-12,       "two forms derived apart differ by no more than the sum of their bounds"};
+    snprintf(command, sizeof command, "reference %s --at %.3g", s->name, x);
+    if (p.dim == 2) words_add(command, sizeof command, ",%.3g", y);
+    words_add(command, sizeof command, " --time %.3g", p.t_end);
+    gates_add(g, &(struct gate){gates_keep(g, id), TIER_QUICK, "reference", gates_keep(g, command), 0, 1, 1e-12,
+                                "two forms derived apart differ by no more than the sum of their bounds"});
 }
 
 /* The nearest name into `hint`; of a pattern the nearest group, the part of a name before its slash. */
@@ -112,28 +111,21 @@ int gates_choose(struct gates *g, const char *only, const char *skip, int quick,
 }
 
 int gates_collect(const char *only, const char *skip, int quick, struct gates *g, struct failure *why) {
-    int rows = 0, references = 0;
-    while (gates_table[rows].id) rows++;
-    while (scenes[references]) references++;
-    *g = (struct gates){.declared = rows + references,
-                        .result = xcalloc((size_t)(rows + references), sizeof *g->result),
-                        .text = xcalloc((size_t)references, 2 * TEXT)};
-    for (int i = 0; i < rows; i++) g->result[i].gate = gates_table[i];
-    for (int s = 0; s < references; s++) g->result[rows + s].gate = reference_gate(scenes[s], g->text + 2 * TEXT * s);
+    *g = (struct gates){0};
+    for (const struct gate *row = gates_table; row->id; row++) gates_add(g, row);
+    for (int i = 0; scenes[i]; i++) add_reference(g, scenes[i]);
     return gates_choose(g, only, skip, quick, why);
 }
 
-void gates_set_command(struct gates *g, const char *command) {
-    size_t size = strlen(command) + 1, count = (size_t)g->commands;
-    char *copy = memcpy(xcalloc(size, 1), command, size);
-    g->command = xgrow(g->command, count, count + 1, sizeof *g->command);
-    g->command[g->commands++] = copy;
-    g->result[g->declared - 1].gate.command = copy;
+const char *gates_keep(struct gates *g, const char *text) {
+    size_t count = (size_t)g->texts;
+    g->kept = xgrow(g->kept, count, count + 1, sizeof *g->kept);
+    return g->kept[g->texts++] = xcheck(strdup(text), strlen(text) + 1, 1);
 }
 
 void gates_free(struct gates *g) {
-    for (int i = 0; i < g->commands; i++) free(g->command[i]);
-    free(g->command);
+    for (int i = 0; i < g->texts; i++) free(g->kept[i]);
+    free(g->kept);
     free(g->result);
     free(g->text);
     *g = (struct gates){0};

@@ -221,12 +221,8 @@ int gate_file_read(const char *text, size_t size, const char *name, struct gate_
     int room = 0;
     if (skip_blanks(&s)) return STATUS_INPUT;
     while (s.at < s.end) {
-        if (f->count == room) {
-            struct gate *more = xcalloc((size_t)(room = 2 * room + 16), sizeof *more);
-            if (f->count) memcpy(more, f->gate, (size_t)f->count * sizeof *more);
-            free(f->gate);
-            f->gate = more;
-        }
+        if (f->count == room)
+            f->gate = xgrow(f->gate, (size_t)f->count, (size_t)(room = 2 * room + 16), sizeof *f->gate);
         struct gate *g = &f->gate[f->count];
         if (take_row(&s, g) || check_row(&s, g)) return STATUS_INPUT;
         f->count++;

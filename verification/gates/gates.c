@@ -9,6 +9,7 @@
 #include "verification/text/progress.h"
 #include "verification/text/words.h"
 
+#include <gsl/gsl_sort_double.h>
 #include <math.h>
 #include <omp.h>
 #include <stdlib.h>
@@ -46,16 +47,6 @@ static double job_size_of(const char *command) {
     return isfinite(work) ? work : 0;
 }
 
-struct job {
-    int gate;
-    double size;
-};
-
-static int heaviest_first(const void *a, const void *b) {
-    const struct job *x = a, *y = b;
-    return x->size != y->size ? (x->size < y->size) - (x->size > y->size) : (x->gate > y->gate) - (x->gate < y->gate);
-}
-
 void gates_run_row(struct gates *g, struct gate_result *result, const struct program *program) {
     double start = omp_get_wtime();
     gates_command(&result->gate, g->program, result->typed, sizeof result->typed);
@@ -66,14 +57,15 @@ void gates_run_row(struct gates *g, struct gate_result *result, const struct pro
 }
 
 void gates_run(struct gates *g) {
-    struct job *job = xcalloc((size_t)g->declared, sizeof *job);
-    for (int i = 0; i < g->declared; i++) job[i] = (struct job){i, job_size_of(g->result[i].gate.command)};
-    if (!g->program) qsort(job, (size_t)g->declared, sizeof *job, heaviest_first);
+    size_t *order = xcalloc((size_t)g->declared, sizeof *order);
+    double *light = xcalloc((size_t)g->declared, sizeof *light);
+    for (int i = 0; i < g->declared; i++) order[i] = (size_t)i, light[i] = -job_size_of(g->result[i].gate.command);
+    if (!g->program) gsl_sort_index(order, light, 1, (size_t)g->declared);
     struct progress progress = progress_start("gates", g->declared);
     int executed = 0, solver = g->program && g->program->solver;
 #pragma omp parallel for schedule(dynamic, 1) reduction(+ : executed) if (!solver)
     for (int i = 0; i < g->declared; i++) {
-        struct gate_result *result = &g->result[job[i].gate];
+        struct gate_result *result = &g->result[order[i]];
         gates_run_row(g, result, g->program);
         executed += !result->executed;
         result->executed = 1;
@@ -81,7 +73,8 @@ void gates_run(struct gates *g) {
     }
     progress_end(&progress);
     g->executed = executed;
-    free(job);
+    free(light);
+    free(order);
 }
 
 void gates_cut(struct gates *g, int signal) {
@@ -106,6 +99,14 @@ int gates_begins_group(const struct gates *g, int i) {
     for (int k = 0; k < i; k++)
         if (gates_same_group(g->result[k].gate.id, g->result[i].gate.id)) return 0;
     return 1;
+}
+
+int gates_holds(const struct gate_result *r) {
+    return r->measured.verdict == VERDICT_PASS;
+}
+
+int gates_fails(const struct gate_result *r) {
+    return !gates_holds(r) && r->measured.verdict != VERDICT_SKIPPED;
 }
 
 struct gates_tally gates_tally(const struct gates *g, const char *id) {

@@ -3,14 +3,12 @@
 #define HEATLADDER_VERIFICATION_GATES_GATES_H
 
 /* Gates: statements that must hold, each with its bounds and the reason for them.  A new one is a row of one of the
- * tables *.def.
- */
+ * tables *.def. */
 
 #include "verification/measures/measures.h"
 
 #include <stddef.h>
 
-struct failure;
 struct program;
 
 enum gate_tier { TIER_QUICK, TIER_FULL }; /* quick: in every run; full: left out by --quick */
@@ -40,9 +38,9 @@ struct gates {
     int executed;
     int interrupted, planned;   /* the signal that cut the run off, and the rows of before; else 0 */
     struct gate_result *result; /* declared of them, in the order of the table */
-    char *text;                 /* owned: names and commands of the references' gates */
-    char **command;             /* owned: `commands` of them, of rows that were drawn */
-    int commands;
+    char *text;                 /* owned: of a file that the rows were read from; NULL for none */
+    char **kept;                /* owned: `texts` of them, of gates_keep */
+    int texts;
     const struct program *program; /* that answers all of them; NULL: each by its own command */
     const char *origin;            /* words of `verify` without which these rows are not there; NULL for none */
 };
@@ -56,8 +54,8 @@ void gates_free(struct gates *g);
 
 /* One more row, whose texts outlive *g. */
 void gates_add(struct gates *g, const struct gate *gate);
-/* Another command, which is copied, for the last row. */
-void gates_set_command(struct gates *g, const char *command);
+/* A copy of a row's text, which goes with *g. */
+const char *gates_keep(struct gates *g, const char *text);
 
 /* Leaves those whose id matches one of the globs `only` and none of `skip` (words_match; NULL: all, none), of the
  * quick tier alone where asked.  STATUS_OK; or STATUS_INPUT where a glob matches no row at all, or none is left. */
@@ -100,6 +98,10 @@ int gates_same_group(const char *a, const char *b);
 /* 1 where no row before the i-th has its group. */
 int gates_begins_group(const struct gates *g, int i);
 
+/* 1 where it passed; where it did not, and was not skipped: what a program says is not for it counts nowhere. */
+int gates_holds(const struct gate_result *r);
+int gates_fails(const struct gate_result *r);
+
 /* How many there are of each verdict: of the group of `id`, or of all (NULL). */
 struct gates_tally {
     int judged, passed, failed, undecided; /* judged: all that are not skipped */
@@ -121,8 +123,7 @@ int gates_has_order(const char *scene, const char *method);
 
 /* The rows of a battery with more rungs, or for a code of a given order in time.  rungs: in all, for rows of fewer,
  * the further ones by halving; their ceilings fall with the order that the band is for.  time_order: rows of measure
- * slope_time get the band [P - 0.2, P + 0.5].  0 for either: as the rows are.  The gates' new texts are owned by *g,
- * whose `text` is not in use. */
+ * slope_time get the band [P - 0.2, P + 0.5].  0 for either: as the rows are. */
 void refine_gates(struct gates *g, int rungs, double time_order);
 
 #endif

@@ -10,16 +10,8 @@
 #include "verification/text/atomic_file.h"
 #include "verification/text/progress.h"
 
+#include <gsl/gsl_sort_double.h>
 #include <stdlib.h>
-
-struct job {
-    int gate, rungs;
-};
-
-static int most_rungs_first(const void *a, const void *b) {
-    const struct job *x = a, *y = b;
-    return x->rungs != y->rungs ? y->rungs - x->rungs : x->gate - y->gate;
-}
 
 static void show_row(const struct gates *g, const struct gate_result *r, struct progress *progress) {
     const struct measured *m = &r->measured;
@@ -43,12 +35,14 @@ static void run_row(struct gates *g, struct gate_result *result, const struct pr
 }
 
 static void run_rows(struct gates *g, int jobs, const struct program *program, struct progress *progress) {
-    struct job *job = xcalloc((size_t)g->declared, sizeof *job);
-    for (int i = 0; i < g->declared; i++) job[i] = (struct job){i, gates_rungs(&g->result[i].gate, program)};
-    if (jobs > 1) qsort(job, (size_t)g->declared, sizeof *job, most_rungs_first);
+    size_t *order = xcalloc((size_t)g->declared, sizeof *order);
+    double *few = xcalloc((size_t)g->declared, sizeof *few);
+    for (int i = 0; i < g->declared; i++) order[i] = (size_t)i, few[i] = -gates_rungs(&g->result[i].gate, program);
+    if (jobs > 1) gsl_sort_index(order, few, 1, (size_t)g->declared); /* most rungs first */
 #pragma omp parallel for schedule(dynamic, 1) num_threads(2 * jobs) if (jobs > 1)
-    for (int i = 0; i < g->declared; i++) run_row(g, &g->result[job[i].gate], program, progress);
-    free(job);
+    for (int i = 0; i < g->declared; i++) run_row(g, &g->result[order[i]], program, progress);
+    free(few);
+    free(order);
 }
 
 int gates_run_program(struct gates *g, int jobs, const char *resume, struct failure *why) {

@@ -52,12 +52,11 @@ static int add_rungs(const char *command, int rungs, char *text, size_t size) {
 
 void refine_gates(struct gates *g, int rungs, double time_order) {
     static const double BELOW = 0.2, ABOVE = 0.5;
-    g->text = xcalloc((size_t)g->declared, GATES_COMMAND);
+    char text[GATES_COMMAND];
     for (int i = 0; i < g->declared; i++) {
         struct gate *gate = &g->result[i].gate;
-        char *text = g->text + (size_t)i * GATES_COMMAND;
-        int finer = rungs > 0 ? add_rungs(gate->command, rungs, text, GATES_COMMAND) : 0;
-        if (finer) gate->command = text, gate->ceiling *= pow(2, -finer * nearbyint(gate->lo + 0.5));
+        int finer = rungs > 0 ? add_rungs(gate->command, rungs, text, sizeof text) : 0;
+        if (finer) gate->command = gates_keep(g, text), gate->ceiling *= pow(2, -finer * nearbyint(gate->lo + 0.5));
         if (time_order > 0 && strcmp(gate->measure, "slope_time") == 0)
             gate->lo = time_order - BELOW, gate->hi = time_order + ABOVE;
     }

@@ -19,7 +19,6 @@ static double smooth(const double x[2]) {
     return exp(A[0] * x[0] + A[1] * x[1]) * sin(B[0] * x[0] + B[1] * x[1] + PHASE);
 }
 
-/* First and second derivative along axis a. */
 static void derivatives(const double x[2], int a, double *first, double *second) {
     double u = smooth(x), v = exp(A[0] * x[0] + A[1] * x[1]) * cos(B[0] * x[0] + B[1] * x[1] + PHASE);
     *first = A[a] * u + B[a] * v;

@@ -19,9 +19,11 @@
 #include "verification/ladder/judge.h"
 #include "verification/ladder/ladder.h"
 #include "verification/ladder/window.h"
+#include "verification/text/number.h"
 #include "verification/text/words.h"
 
 #include <gsl/gsl_cdf.h>
+#include <gsl/gsl_statistics_double.h>
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -29,31 +31,19 @@
 
 static const double DIGITS = 0.1, TURN = 0.5; /* a share of the error; of a local slope */
 
-/* Significant digits of T, and the power of ten of the last. */
-static int digits_of(double T, int *last) {
-    enum { MOST = 17 };
-    char text[40];
-    for (int digits = 1; digits <= MOST; digits++) {
-        snprintf(text, sizeof text, "%.*e", digits - 1, T);
-        if (digits < MOST && strtod(text, NULL) != T) continue;
-        *last = atoi(strchr(text, 'e') + 1) - digits + 1;
-        return digits;
-    }
-    return MOST;
-}
-
 /* The part of E1, relative, that the digits in which T of *f is printed make up on average, and how many they are. */
 static double digits_share(const struct field *f, int *digits) {
     enum { POINTS = 500 };
     size_t stride = f->n / POINTS + 1;
-    int decimals = 400, last;
+    int decimals = 400;
+    char text[NUMBER_PRINTED];
     double units = 0, sum = 0;
     *digits = 0;
     for (size_t i = 0; i < f->n; i += stride) {
         if (f->T[i] == 0) continue;
-        int n = digits_of(f->T[i], &last);
+        int n = number_digits(f->T[i], 0, 17, text), last = atoi(strchr(text, 'e') + 1) - n + 1;
         if (n > *digits) *digits = n;
-        if (last < decimals) decimals = last;
+        if (last < decimals) decimals = last; /* the power of ten of the last digit */
     }
     for (size_t i = 0; i < f->n; i += stride) {
         double T = fabs(f->T[i]);
@@ -88,14 +78,6 @@ static void list_slopes(const double *slope, int n, char *text, size_t size) {
     for (int i = 0; i < n && strlen(text) + 12 < size; i++) words_add(text, size, "%s%.2f", i ? ", " : "", slope[i]);
 }
 
-/* sum (u - mean)^2 */
-static double spread(const double *u, int n) {
-    double mean = 0, square = 0;
-    for (int i = 0; i < n; i++) mean += u[i] / n;
-    for (int i = 0; i < n; i++) square += pow(u[i] - mean, 2);
-    return square;
-}
-
 /* The least number of rungs, further ones by halving, whose interval would lie in the band; 0 where none would. */
 static int rungs_needed(const struct ladder *l, double lo, double hi) {
     enum { MOST = 12 };
@@ -103,11 +85,12 @@ static int rungs_needed(const struct ladder *l, double lo, double hi) {
     int n = ladder_counted(l, u, error);
     if (n < WINDOW_LEAST) return 0;
     for (int i = 0; i < n; i++) u[i] = log(u[i]);
-    double scatter = half / gsl_cdf_tdist_Pinv(0.975, n - 2) * sqrt(spread(u, n)),
+    double scatter = half / gsl_cdf_tdist_Pinv(0.975, n - 2) * sqrt(gsl_stats_tss(u, 1, (size_t)n)),
            room = fmin(l->slope.value - lo, hi - l->slope.value);
     for (int more = n + 1; more <= MOST; more++) {
         u[more - 1] = u[more - 2] - log(2);
-        if (gsl_cdf_tdist_Pinv(0.975, more - 2) * scatter / sqrt(spread(u, more)) <= room) return more + l->n - n;
+        if (gsl_cdf_tdist_Pinv(0.975, more - 2) * scatter / sqrt(gsl_stats_tss(u, 1, (size_t)more)) <= room)
+            return more + l->n - n;
     }
     return 0;
 }

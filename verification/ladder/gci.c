@@ -26,6 +26,7 @@
 #include "verification/text/json.h"
 #include "verification/text/whole_file.h"
 
+#include <gsl/gsl_statistics_double.h>
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -126,10 +127,9 @@ static int read_values(const char *path, int i, struct gci *g) {
 static int read_field(const char *path, const struct column_map *c, struct samples *s, struct failure *why) {
     struct failure first;
     if (field_file_samples(path, path, 2, c, s, &first) == STATUS_OK) {
-        double lo = INFINITY, hi = -INFINITY;
-        for (size_t k = 0; k < s->n; k++) lo = fmin(lo, s->value[COLUMN_Y][k]), hi = fmax(hi, s->value[COLUMN_Y][k]);
-        if (hi > lo) return STATUS_OK;
-        s->dim = 1;
+        double lo, hi;
+        gsl_stats_minmax(&lo, &hi, s->value[COLUMN_Y], 1, s->n);
+        if (!(hi > lo)) s->dim = 1;
         return STATUS_OK;
     }
     return field_file_samples(path, path, 1, c, s, why);

@@ -80,6 +80,12 @@ static struct field *keep(struct field kept[2], int before_finest) {
     return before_finest < 2 ? &kept[before_finest] : NULL;
 }
 
+static struct result not_run(const struct experiment *rung) {
+    struct result r = run_blank(rung);
+    refuse(&r.failure, STATUS_NUMERICAL, "not run, since a coarser one failed");
+    return r;
+}
+
 /* One after the other, the coarsest first, and none after one that failed: another program is timed alone, and what
  * it does wrong shows where it costs least.  Of answers that are there already each is looked at. */
 static void climb_program(const struct experiment *e, const struct ladder_rungs *rungs, struct ladder *l,
@@ -88,13 +94,10 @@ static void climb_program(const struct experiment *e, const struct ladder_rungs 
     l->tried = 1;
     for (int i = 0; i < l->n; i++) {
         struct experiment rung = rung_of(e, rungs, l, i);
-        struct result *r = &l->rung[i];
-        if (failed && e->program.solver) {
-            *r = run_blank(&rung);
-            refuse(&r->failure, STATUS_NUMERICAL, "not run, since a coarser one failed");
-        } else {
-            failed = run_experiment(&rung, r, keep(kept, l->n - 1 - i)) || failed;
-        }
+        if (failed && e->program.solver)
+            l->rung[i] = not_run(&rung);
+        else
+            failed = run_experiment(&rung, &l->rung[i], keep(kept, l->n - 1 - i)) || failed;
     }
 }
 
@@ -141,8 +144,7 @@ static int climb_without_reference(const struct experiment *e, const struct ladd
                       e->method->name, WINDOW_LEAST + 1);
     for (int i = 0; i < l->n; i++) {
         rung[i] = rung_of(e, rungs, l, i);
-        l->rung[i] = run_blank(&rung[i]);
-        refuse(&l->rung[i].failure, STATUS_NUMERICAL, "not run, since a coarser one failed");
+        l->rung[i] = not_run(&rung[i]);
     }
     fine.options.dt = l->fine = rungs->fine;
     char value[40];

@@ -23,7 +23,6 @@
 
 #include "verification/ladder/slope.h"
 
-#include <gsl/gsl_sort_double.h>
 #include <gsl/gsl_statistics_double.h>
 #include <math.h>
 #include <stdio.h>
@@ -48,13 +47,6 @@ static void leave_out_floors(const struct window_rung *rung, int n, struct windo
     }
 }
 
-static double median(const double *values, int n) {
-    double sorted[RUNG_MAX];
-    for (int i = 0; i < n; i++) sorted[i] = values[i];
-    gsl_sort(sorted, 1, (size_t)n);
-    return gsl_stats_median_from_sorted_data(sorted, 1, (size_t)n);
-}
-
 /* Looks at the rungs that count; returns 1 where it left the coarsest of them out. */
 static int leave_out_coarsest(const struct window_rung *rung, int n, struct window *w) {
     double x[RUNG_MAX], error[RUNG_MAX], local[RUNG_MAX];
@@ -69,7 +61,7 @@ static int leave_out_coarsest(const struct window_rung *rung, int n, struct wind
     if (slope_roughness(x, error, m) > ROUGH) w->scattered = 1;
     if (w->scattered) return 0;
     slope_local(x, error, m, local);
-    double finer = median(local + 1, m - 2);
+    double finer = gsl_stats_median(local + 1, 1, (size_t)(m - 2)); /* which moves them */
     if (!(fabs(local[0] - finer) > SLOPE_SPREAD)) return 0;
     w->counts[coarsest] = 0;
     snprintf(w->left_out[coarsest], sizeof w->left_out[coarsest],

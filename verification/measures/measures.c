@@ -45,21 +45,26 @@ static void keep_rungs(const struct ladder *l, struct rungs *to) {
     }
 }
 
-static void take_slope(int scattered, const struct request *r, double lo, double hi, struct measured *m) {
+int measures_ladder(const struct request *r, int scattered, double lo, double hi, struct ladder *l,
+                    struct measured *m) {
     struct failure why = {0};
-    struct ladder *l = xcalloc(1, sizeof *l);
     struct ladder_rungs rungs = r->rungs;
     rungs.expect = (struct numbers){.count = 2, .value = {lo, hi}};
     rungs.scattered = scattered;
     int status = ladder_run(&r->experiment, &rungs, l, &why);
     measures_fail(m, &why);
-    if (!status) {
-        m->value = l->slope.value;
-        m->ci[0] = l->slope.ci[0];
-        m->ci[1] = l->slope.ci[1];
-        m->verdict = l->verdict;
-        snprintf(m->reason, sizeof m->reason, "%s", l->reason);
-        m->error = ladder_finest_error(l);
+    if (status) return status;
+    *m = (struct measured){.value = l->slope.value,
+                           .ci = {l->slope.ci[0], l->slope.ci[1]},
+                           .error = ladder_finest_error(l),
+                           .verdict = l->verdict};
+    snprintf(m->reason, sizeof m->reason, "%s", l->reason);
+    return STATUS_OK;
+}
+
+static void take_slope(int scattered, const struct request *r, double lo, double hi, struct measured *m) {
+    struct ladder *l = xcalloc(1, sizeof *l);
+    if (!measures_ladder(r, scattered, lo, hi, l, m)) {
         keep_rungs(l, &m->rungs);
         if (l->diagnosis.named) wording_text(&l->diagnosis, m->diagnosis, sizeof m->diagnosis);
     }

@@ -10,6 +10,7 @@
 struct experiment;
 struct failure;
 struct field;
+struct ladder;
 struct request;
 struct result;
 
@@ -52,6 +53,11 @@ extern const struct measure measures[]; /* ended by a NULL name */
  * on lo <= value <= hi. */
 void measures_fail(struct measured *m, const struct failure *why);
 void measures_judge(struct measured *m, double value, double lo, double hi);
+
+/* A ladder of the request, judged by its band, into *l; its status, *m failed where that is not 0, else with its
+ * slope, verdict and finest error. */
+int measures_ladder(const struct request *r, int scattered, double lo, double hi, struct ladder *l,
+                    struct measured *m);
 
 /* One run, its field into *f where that is not NULL; its status, *m failed where that is not 0, else with its E1. */
 int measures_run(const struct experiment *e, struct result *r, struct field *f, struct measured *m);

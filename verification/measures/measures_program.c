@@ -20,23 +20,11 @@ static void skip(struct measured *m, const char *text) {
 
 /* A program that takes a time step of its own gives the same at each that is asked for: the row is not for it. */
 void measures_slope_time(const struct request *r, double lo, double hi, struct measured *m) {
-    struct failure why = {0};
     struct ladder *l = xcalloc(1, sizeof *l);
-    struct ladder_rungs rungs = r->rungs;
-    rungs.expect = (struct numbers){.count = 2, .value = {lo, hi}};
-    int status = ladder_run(&r->experiment, &rungs, l, &why), differ = 0;
+    int status = measures_ladder(r, 0, lo, hi, l, m), differ = 0;
     for (int i = 0; i < l->n; i++) differ += l->error[i] != 0;
-    if (status) {
-        measures_fail(m, &why);
-    } else if (!differ) {
+    if (!status && !differ)
         skip(m, "the answers are the same for every dt: the program takes a time step of its own");
-    } else {
-        *m = (struct measured){.value = l->slope.value,
-                               .ci = {l->slope.ci[0], l->slope.ci[1]},
-                               .error = ladder_finest_error(l),
-                               .verdict = l->verdict};
-        snprintf(m->reason, sizeof m->reason, "%s", l->reason);
-    }
     free(l);
 }
 

@@ -19,6 +19,7 @@ struct columns_row {
     const double *x;
     const double *cell;
     double time;        /* s */
+    int axis;           /* of the column, where that matters */
     struct exact exact; /* where a column needs the time */
 };
 
@@ -60,29 +61,26 @@ static int material_at(const struct columns_row *row) {
     return row->p->materials == 2 && row->x[row->image->interface_axis] >= row->p->interface;
 }
 
-static void temperature(const struct columns_row *row, int axis, double *value) {
-    (void)axis;
+static void temperature(const struct columns_row *row, double *value) {
     *value = row->exact.no_value ? NAN : mapping_temperature(&row->image->map, row->exact.temperature);
 }
 
-static void error_bound(const struct columns_row *row, int axis, double *value) {
-    (void)axis;
+static void error_bound(const struct columns_row *row, double *value) {
     *value = row->exact.no_value ? NAN : mapping_scale(&row->image->map) * row->exact.error_bound;
 }
 
-static void flux(const struct columns_row *row, int axis, double *value) {
+static void flux(const struct columns_row *row, double *value) {
     const struct mapping *m = &row->image->map;
     const struct problem *of = row->image->of;
     double at[2];
     mapping_to_scene(m, of->dim, row->x, at);
     int material = of->materials == 2 && at[0] >= of->interface; /* the gradient is of that one, too */
-    int along = mapping_axis(m, axis);
-    double into = mapping_scale(m) * (m->against[axis] ? -1 : 1);
+    int along = mapping_axis(m, row->axis);
+    double into = mapping_scale(m) * (m->against[row->axis] ? -1 : 1);
     *value = row->exact.no_value ? NAN : -into * of->material[material].k[along] * row->exact.gradient[along];
 }
 
-static void initial(const struct columns_row *row, int axis, double *value) {
-    (void)axis;
+static void initial(const struct columns_row *row, double *value) {
     *value = row->p->initial(row->p, row->x);
 }
 
@@ -114,16 +112,14 @@ static void cell_of(const struct columns_row *row, double lo[2], double hi[2]) {
     }
 }
 
-static void initial_mean(const struct columns_row *row, int axis, double *value) {
-    (void)axis;
+static void initial_mean(const struct columns_row *row, double *value) {
     double lo[2], hi[2];
     cell_of(row, lo, hi);
     *value = mean_start(row->p, lo, hi);
 }
 
 /* What either material has of the cell, weighted with its rho c. */
-static void initial_heat(const struct columns_row *row, int axis, double *value) {
-    (void)axis;
+static void initial_heat(const struct columns_row *row, double *value) {
     const struct problem *p = row->p;
     double lo[2], hi[2], from[2], to[2];
     int a = row->image->interface_axis;
@@ -141,17 +137,15 @@ static void initial_heat(const struct columns_row *row, int axis, double *value)
     }
 }
 
-static void source(const struct columns_row *row, int axis, double *value) {
-    (void)axis;
+static void source(const struct columns_row *row, double *value) {
     *value = problem_source(row->p, row->x, row->time);
 }
 
-static void conductivity(const struct columns_row *row, int axis, double *value) {
-    *value = row->p->material[material_at(row)].k[axis];
+static void conductivity(const struct columns_row *row, double *value) {
+    *value = row->p->material[material_at(row)].k[row->axis];
 }
 
-static void rho_c(const struct columns_row *row, int axis, double *value) {
-    (void)axis;
+static void rho_c(const struct columns_row *row, double *value) {
     *value = row->p->material[material_at(row)].rho_c;
 }
 
@@ -163,12 +157,16 @@ static void wall_values(const struct problem *p, int s, const double x[2], doubl
     value[2] = p->side[s] == ROBIN ? p->robin[s] : 0;
 }
 
-static void wall_across(const struct columns_row *row, int axis, double *value) {
+static void wall_at(const struct columns_row *row, int axis, double *value) {
     const struct problem *p = row->p;
     int upper = row->x[axis] >= p->hi[axis], s = 2 * axis + upper;
     value[0] = value[1] = value[2] = 0;
     if (p->shape || p->side[s] == PERIODIC || (!upper && row->x[axis] > p->lo[axis])) return;
     wall_values(p, s, row->x, value);
+}
+
+static void wall_across(const struct columns_row *row, double *value) {
+    wall_at(row, row->axis, value);
 }
 
 /* Points on a round wall are there to rounding. */
@@ -178,8 +176,7 @@ static void round_wall(const struct problem *p, const double x[2], double *value
     if (fabs(shape_nearest(p, x, &s).depth) <= 1e-9 * p->radius[1]) wall_values(p, s, x, value);
 }
 
-static void nearest(const struct columns_row *row, int axis, double *value) {
-    (void)axis;
+static void nearest(const struct columns_row *row, double *value) {
     int s;
     struct foot f = shape_nearest(row->p, row->x, &s);
     const double place[] = {f.x[0], f.x[1], f.normal[0], f.normal[1], f.depth};
@@ -188,16 +185,15 @@ static void nearest(const struct columns_row *row, int axis, double *value) {
     if (s >= 0) wall_values(row->p, s, f.x, value + 5);
 }
 
-static void wall(const struct columns_row *row, int axis, double *value) {
+static void wall(const struct columns_row *row, double *value) {
     double other[3];
-    (void)axis;
     if (row->p->shape) {
         round_wall(row->p, row->x, value);
         return;
     }
-    wall_across(row, 0, value);
+    wall_at(row, 0, value);
     if (row->p->dim == 1) return;
-    wall_across(row, 1, other);
+    wall_at(row, 1, other);
     if (other[0] == 0) return;
     if (value[0] == 1 && other[0] == 1)
         value[1] = (value[1] + other[1]) / 2;
@@ -257,7 +253,8 @@ int columns_values(const struct columns *c, const struct image *image, double ti
     int n = 0;
     if (exact) row.exact = *exact;
     for (int i = 0; i < c->count; i++) {
-        c->kind[i]->fill(&row, c->kind[i]->axis, value + n);
+        row.axis = c->kind[i]->axis;
+        c->kind[i]->fill(&row, value + n);
         n += c->kind[i]->values;
     }
     return n;

@@ -18,7 +18,7 @@ struct columns_kind {
     const char *header; /* of the columns that it fills */
     int needs_time, needs_cell;
     int plane; /* 1: a rod has none */
-    void (*fill)(const struct columns_row *row, int axis, double *value);
+    void (*fill)(const struct columns_row *row, double *value);
     int axis;   /* of the derivative or flux, where that matters */
     int values; /* how many it fills */
 };

@@ -111,7 +111,6 @@ static int is_in_shape(const struct problem *p, const double x[2]) {
     return !p->shape || shape_depth(p, x) >= -slack * p->radius[1];
 }
 
-/* Point i, from its line. */
 static int read_point(const struct reader *r, size_t i, struct failure *why) {
     struct points *points = r->points;
     struct points_text cell[COLUMNS] = {{0}};
@@ -150,7 +149,6 @@ static int read_point(const struct reader *r, size_t i, struct failure *why) {
     return STATUS_OK;
 }
 
-/* The lines of points, after the header. */
 static int list_lines(struct reader *r, struct failure *why) {
     size_t room = 0, n = 0;
     for (const char *text; (text = next_line(r, why)) != NULL; n++) {
@@ -216,8 +214,6 @@ int points_one(const struct problem *p, const double x[2], struct points *points
         char *typed = points->text + 32 * a;
         points->x[0][a] = x[a];
         points->typed[0][a] = (struct points_text){typed, snprintf(typed, 32, "%.17g", x[a])};
-    }
-    for (int a = 0; a < p->dim; a++) {
         int inside = check_inside(p, a, &points->x[0][a]);
         if (inside > 0) points->typed[0][a].length = 0;
         if (inside >= 0) continue;

@@ -45,7 +45,14 @@ static double place_y(const struct axes *a, double y) {
     return HEIGHT - BOTTOM - (log10(y) - a->lo[1]) / (a->hi[1] - a->lo[1]) * (HEIGHT - TOP - BOTTOM);
 }
 
-static void put_label(FILE *out, double x, double y, const char *how, const char *text) {
+void chart_open(FILE *out, const char *title, int width, int height) {
+    fprintf(out, "<svg viewBox=\"0 0 %d %d\" width=\"%d\" role=\"img\" style=\"font: 14px sans-serif\">\n", width,
+            height, width);
+    html_print(out, "<title>%s</title>\n", title);
+    fprintf(out, "<rect width=\"100%%\" height=\"100%%\" fill=\"#fff\"/>\n");
+}
+
+void chart_label(FILE *out, double x, double y, const char *how, const char *text) {
     fprintf(out, "<text x=\"%.1f\" y=\"%.1f\" %s>", x, y, how);
     html_text(out, text);
     fprintf(out, "</text>\n");
@@ -63,14 +70,14 @@ static void put_ticks(FILE *out, const struct axes *a) {
             fprintf(out, "<path d=\"M%.1f %dV%d\" stroke=\"#ddd\"/>\n", x, TOP, HEIGHT - BOTTOM);
             if (k && crowded) continue;
             snprintf(text, sizeof text, "%g", value);
-            put_label(out, x, HEIGHT - BOTTOM + 18, "text-anchor=\"middle\"", text);
+            chart_label(out, x, HEIGHT - BOTTOM + 18, "text-anchor=\"middle\"", text);
         }
     int every = (int)ceil((a->hi[1] - a->lo[1]) / 8);
     for (int e = (int)a->lo[1]; e <= (int)a->hi[1]; e += every) {
         double y = place_y(a, pow(10, e));
         fprintf(out, "<path d=\"M%d %.1fH%d\" stroke=\"#ddd\"/>\n", LEFT, y, WIDTH - RIGHT);
         snprintf(text, sizeof text, "1e%d", e);
-        put_label(out, LEFT - 8, y + 4, "text-anchor=\"end\"", text);
+        chart_label(out, LEFT - 8, y + 4, "text-anchor=\"end\"", text);
     }
 }
 
@@ -116,28 +123,23 @@ static void put_slope(FILE *out, const struct axes *a, const struct chart *c) {
     fprintf(out, "<path fill=\"none\" stroke=\"#555\" d=\"M%.1f %.1fL%.1f %.1f\"/>\n", place_x(a, x0), place_y(a, y0),
             place_x(a, x1), place_y(a, y1));
     snprintf(text, sizeof text, "slope %g", c->slope);
-    put_label(out, place_x(a, sqrt(x0 * x1)) + 8, place_y(a, sqrt(y0 * y1)) + 14, "fill=\"#555\"", text);
+    chart_label(out, place_x(a, sqrt(x0 * x1)) + 8, place_y(a, sqrt(y0 * y1)) + 14, "fill=\"#555\"", text);
 }
 
 void chart_write(const struct chart *c, FILE *out) {
     struct axes a = axes_of(c);
-    int high = HEIGHT + ROW * c->count;
-    fprintf(out, "<svg viewBox=\"0 0 %d %d\" width=\"%d\" role=\"img\" style=\"font: 14px sans-serif\">\n", WIDTH,
-            high, WIDTH);
-    fprintf(out, "<title>");
-    html_text(out, c->title);
-    fprintf(out, "</title>\n<rect width=\"100%%\" height=\"100%%\" fill=\"#fff\"/>\n");
+    chart_open(out, c->title, WIDTH, HEIGHT + ROW * c->count);
     put_ticks(out, &a);
     fprintf(out, "<rect x=\"%d\" y=\"%d\" width=\"%d\" height=\"%d\" fill=\"none\" stroke=\"#333\"/>\n", LEFT, TOP,
             WIDTH - LEFT - RIGHT, HEIGHT - TOP - BOTTOM);
-    put_label(out, WIDTH / 2.0, HEIGHT - 18, "text-anchor=\"middle\"", c->x_label);
-    put_label(out, 0, 0, "text-anchor=\"middle\" transform=\"translate(18 160) rotate(-90)\"", c->y_label);
+    chart_label(out, WIDTH / 2.0, HEIGHT - 18, "text-anchor=\"middle\"", c->x_label);
+    chart_label(out, 0, 0, "text-anchor=\"middle\" transform=\"translate(18 160) rotate(-90)\"", c->y_label);
     put_slope(out, &a, c);
     int shown = c->count < STYLES ? c->count : STYLES;
     for (int k = shown - 1; k >= 0; k--) put_series(out, &a, &c->series[k], k); /* the first is on top */
     for (int k = 0; k < shown; k++) {
         put_marker(out, k, LEFT + 8, HEIGHT + ROW * k, 0);
-        put_label(out, LEFT + 22, HEIGHT + ROW * k + 5, "", c->series[k].name);
+        chart_label(out, LEFT + 22, HEIGHT + ROW * k + 5, "", c->series[k].name);
     }
     fprintf(out, "</svg>\n");
 }

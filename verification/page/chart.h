@@ -23,6 +23,10 @@ struct chart {
     double slope; /* of the reference line through the last point of the first series; NAN for none */
 };
 
+/* An open <svg> element of that size, px, on white; and a text in it, `how` its other attributes. */
+void chart_open(FILE *out, const char *title, int width, int height);
+void chart_label(FILE *out, double x, double y, const char *how, const char *text);
+
 /* One <svg> element, coordinates in px. */
 void chart_write(const struct chart *c, FILE *out);
 

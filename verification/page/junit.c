@@ -32,7 +32,6 @@ static void put_case(const struct gate_result *r, const char *group, FILE *out) 
                r->typed, tag);
 }
 
-/* A group of gates, the part of their names before the slash. */
 static void put_suite(const struct gates *g, const char *group, FILE *out) {
     struct gates_tally t = gates_tally(g, group);
     char name[120];

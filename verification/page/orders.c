@@ -97,11 +97,8 @@ void orders_put(const struct gates *g, const char *const scene[], const char *co
     }
     if (!all) return;
     struct span s = span_of(g, scene);
-    fprintf(out,
-            "<figure>\n<svg viewBox=\"0 0 %d %d\" width=\"%d\" role=\"img\" style=\"font: 14px sans-serif\">\n"
-            "<title>Order reached and order expected, ladder by ladder</title>\n"
-            "<rect width=\"100%%\" height=\"100%%\" fill=\"#fff\"/>\n",
-            WIDTH, high, WIDTH);
+    fprintf(out, "<figure>\n");
+    chart_open(out, "Order reached and order expected, ladder by ladder", WIDTH, high);
     put_axis(s, high, out);
     int top = TOP;
     for (int k = 0; scene[k]; k++) {

@@ -6,7 +6,6 @@
 
 #include <stdio.h>
 
-struct failure;
 struct ladder;
 struct ladder_rungs;
 

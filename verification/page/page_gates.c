@@ -6,18 +6,10 @@
 #include "verification/page/chart.h"
 #include "verification/page/html.h"
 #include "verification/text/table.h"
+#include "verification/text/words.h"
 
 #include <math.h>
 #include <string.h>
-
-static int passed(const struct gate_result *r) {
-    return r->measured.verdict == VERDICT_PASS;
-}
-
-/* What a program says is not for it is no failure, and counts nowhere. */
-static int fell(const struct gate_result *r) {
-    return !passed(r) && r->measured.verdict != VERDICT_SKIPPED;
-}
 
 static void put_band(const struct gate_result *r, FILE *out) {
     char text[160];
@@ -41,7 +33,7 @@ static void put_gate(const struct gate_result *r, FILE *out) {
     html_verdict(out, verdict_words[r->measured.verdict]);
     fprintf(out, "</td>");
     put_band(r, out);
-    html_print(out, "<td>%s</td></tr>\n", passed(r) ? r->gate.why : r->measured.reason);
+    html_print(out, "<td>%s</td></tr>\n", gates_holds(r) ? r->gate.why : r->measured.reason);
 }
 
 static void put_header(FILE *out) {
@@ -49,25 +41,16 @@ static void put_header(FILE *out) {
                  "<th class=\"n\">measured</th><th>error</th><th>why</th></tr>\n");
 }
 
-/* Whether the scene is a word of the gate's command. */
-static int is_about(const struct gate_result *r, const char *scene) {
-    size_t length = strlen(scene);
-    const char *at = r->typed;
-    while ((at = strstr(at, scene)) && !(at > r->typed && at[-1] == ' ' && (at[length] == ' ' || at[length] == '\0')))
-        at += length;
-    return at != NULL;
-}
-
 void page_put_scene(const struct gates *g, const char *scene, FILE *out) {
     int n = 0, good = 0;
     for (int i = 0; i < g->declared; i++)
-        if (is_about(&g->result[i], scene))
-            n += passed(&g->result[i]) || fell(&g->result[i]), good += passed(&g->result[i]);
+        if (words_among(g->result[i].typed, scene))
+            n += gates_holds(&g->result[i]) || gates_fails(&g->result[i]), good += gates_holds(&g->result[i]);
     if (n == 0) return;
     fprintf(out, "<details><summary>%d of %d gates hold</summary>\n", good, n);
     put_header(out);
     for (int i = 0; i < g->declared; i++)
-        if (is_about(&g->result[i], scene)) put_gate(&g->result[i], out);
+        if (words_among(g->result[i].typed, scene)) put_gate(&g->result[i], out);
     fprintf(out, "</table></div></details>\n");
 }
 
@@ -102,7 +85,7 @@ void page_put_ladder(const struct gate_result *r, FILE *out) {
 void page_put_ladders(const struct gates *g, FILE *out) {
     for (int i = 0; i < g->declared; i++) {
         const struct gate_result *r = &g->result[i];
-        if (!passed(r) || r->measured.rungs.n == 0) continue;
+        if (!gates_holds(r) || r->measured.rungs.n == 0) continue;
         char order[80];
         snprintf(order, sizeof order, "order %.3g, expected %.3g to %.3g", r->measured.value, r->gate.lo, r->gate.hi);
         html_print(out, "<details><summary>%s: %s</summary>\n", r->gate.id, order);
@@ -154,7 +137,7 @@ void page_put_gates(const struct gates *g, const char *made, FILE *out) {
     if (*diagnosis) html_print(out, "<p class=\"verdict\">Diagnosis: %s.</p>\n", diagnosis);
     html_print(out, "<p class=\"faint\">The gates were run %s.</p>\n", made);
     for (int i = 0; i < g->declared; i++)
-        if (fell(&g->result[i])) put_failure(&g->result[i], out);
+        if (gates_fails(&g->result[i])) put_failure(&g->result[i], out);
     put_groups(g, out);
     fprintf(out, "<details><summary>Every gate</summary>\n");
     put_header(out);

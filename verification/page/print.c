@@ -12,10 +12,6 @@
 
 enum { ACROSS = 4 }; /* groups in a line */
 
-static int holds(const struct gate_result *r) {
-    return r->measured.verdict == VERDICT_PASS;
-}
-
 static void print_all(const struct gates *g) {
     struct table t = table_headed(2, "gate|verdict|expected|measured|error|seconds|what");
     for (int i = 0; i < g->declared; i++) {
@@ -101,10 +97,8 @@ void print_gates(const struct gates *g, int all, double seconds) {
     else
         print_groups(g);
     for (int i = 0; i < g->declared; i++) {
-        if (is_skipped(&g->result[i]))
-            print_skipped(g, i);
-        else if (!holds(&g->result[i]))
-            print_failure(&g->result[i], all);
+        if (is_skipped(&g->result[i])) print_skipped(g, i);
+        if (gates_fails(&g->result[i])) print_failure(&g->result[i], all);
     }
     char diagnosis[WORDING_ALL];
     gates_diagnosis(g, diagnosis, sizeof diagnosis);
@@ -130,7 +124,7 @@ void print_annotations(const struct gates *g) {
     for (int i = 0; i < g->declared; i++) {
         const struct gate_result *r = &g->result[i];
         const struct measured *m = &r->measured;
-        if (holds(r) || m->verdict == VERDICT_SKIPPED) continue;
+        if (!gates_fails(r)) continue;
         fprintf(stderr, "::%s title=", m->verdict == VERDICT_FAIL ? "error" : "warning");
         put_escaped(r->gate.id, "%\r\n:,");
         fprintf(stderr, "::");

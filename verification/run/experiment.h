@@ -9,8 +9,6 @@
 #include "references/quantity.h"
 #include "verification/foreign/program.h"
 
-struct scene; /* references/scene.h */
-
 struct experiment {
     const struct scene *scene;
     const struct method *method;

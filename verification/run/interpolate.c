@@ -5,6 +5,7 @@
 #include "solver/status.h"
 
 #include <gsl/gsl_multifit.h>
+#include <gsl/gsl_statistics_double.h>
 #include <math.h>
 #include <stdlib.h>
 
@@ -32,8 +33,8 @@ struct interpolate interpolate_begin(const char *name, int dim, size_t n, const 
     f.count[0] = f.count[1] = 1;
     for (int a = 0; a < dim; a++) {
         const double *at = a ? y : x;
-        double lo = INFINITY, hi = -INFINITY;
-        for (size_t i = 0; i < n; i++) lo = fmin(lo, at[i]), hi = fmax(hi, at[i]);
+        double lo, hi;
+        gsl_stats_minmax(&lo, &hi, at, 1, n);
         f.lo[a] = lo;
         f.side[a] = hi > lo ? (hi - lo) / each : 1;
         f.count[a] = (size_t)each;

@@ -21,8 +21,7 @@ struct scene;
 double norms_exact(const struct scene *s, const struct problem *p, const struct field *f, double *T);
 
 /* STATUS_INPUT where the exact solution is zero or without a value at every point of *f: no error is relative to
- * that.
- */
+ * that. */
 int norms_check(const struct field *f, const double *exact, struct failure *why);
 
 struct norms_error {

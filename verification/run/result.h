@@ -8,7 +8,6 @@
 #include "verification/run/norms.h"
 
 struct json;
-struct scene;
 
 struct result {
     const struct scene *scene;

@@ -4,9 +4,7 @@
 
 #include "verification/run/result.h"
 
-struct problem;
 struct experiment;
-struct failure;
 
 /* The result of an experiment that has not run: what was asked for, no failure, time_error NaN. */
 struct result run_blank(const struct experiment *e);

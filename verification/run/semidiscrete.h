@@ -15,9 +15,8 @@ struct semidiscrete {
     double error;       /* of field: sum w|difference| / sum w|T| of it and of half as many steps; 0 where exact */
 };
 
-/* The exact stepper's field, or where there is none that of polynomials.
- * STATUS_OK; STATUS_NOT_APPLICABLE for what is no particle method; STATUS_UNSTABLE where the equations themselves
- * are. */
+/* The exact stepper's field, or where there is none that of polynomials.  STATUS_OK; STATUS_NOT_APPLICABLE for
+ * what is no particle method; STATUS_UNSTABLE where the equations themselves are. */
 int semidiscrete_solve(const struct experiment *e, struct semidiscrete *s, struct failure *why);
 
 /* By polynomials wherever the method can step. */

@@ -113,6 +113,13 @@ static int put(int file, const char *bytes, size_t size) {
     return 0;
 }
 
+static int remove_part(const char *name) {
+    int error = errno;
+    unlink(name);
+    errno = error;
+    return -1;
+}
+
 /* Writes the part beside `path`, to be renamed; nobody may read it who could not read what was there.  0, or -1 with
  * errno set and nothing left behind. */
 static int prepare(const char *path, const char *bytes, size_t size) {
@@ -123,11 +130,7 @@ static int prepare(const char *path, const char *bytes, size_t size) {
     if (file < 0) return -1;
     int bad = put(file, bytes, size);
     bad = close(file) || bad;
-    if (!bad) return 0;
-    int error = errno;
-    unlink(name);
-    errno = error;
-    return -1;
+    return bad ? remove_part(name) : 0;
 }
 
 /* Renames the part, or removes it. */
@@ -135,10 +138,7 @@ static int put_in_place(const char *path, int keep) {
     char name[PATH_LENGTH];
     if (beside(path, name)) return -1;
     if (keep && rename(name, path) == 0) return 0;
-    int error = errno;
-    unlink(name);
-    errno = error;
-    return -1;
+    return remove_part(name);
 }
 
 static int write_special(const struct atomic_file *f, struct failure *why) {
@@ -149,9 +149,7 @@ static int write_special(const struct atomic_file *f, struct failure *why) {
 
 static char *real_path(const char *path) {
     char *real = realpath(path, NULL); /* so that a link stays a link */
-    if (real || errno == ENOMEM) return xcheck(real, PATH_LENGTH, 1);
-    real = xcalloc(strlen(path) + 1, 1);
-    return strcpy(real, path);
+    return xcheck(real || errno == ENOMEM ? real : strdup(path), PATH_LENGTH, 1);
 }
 
 static int write_all(const struct atomic_file *files, int count, char **real, struct failure *why) {
@@ -182,8 +180,4 @@ int atomic_file_write_all(const struct atomic_file *files, int count, struct fai
     for (int i = 0; i < count; i++) free(real[i]);
     free(real);
     return status;
-}
-
-int atomic_file_write(const char *path, const char *bytes, size_t size, struct failure *why) {
-    return atomic_file_write_all(&(struct atomic_file){path, bytes, size}, 1, why);
 }

@@ -12,18 +12,16 @@ struct failure;
  * path is fine.  Creates nothing, changes nothing. */
 int atomic_file_check(const char *path, struct failure *why);
 
-/* Puts `size` bytes at `path`.  STATUS_OK or STATUS_INPUT; on a failure, or when interrupted, what was there before
- * stays whole.  Interrupts (SIGINT, SIGTERM, SIGHUP) wait until the file is in its place; no two threads may write at
- * once.  What is no regular file (/dev/null, a pipe), or lies in a directory that may not be written, is written to
- * as it is: it may be left in part. */
-int atomic_file_write(const char *path, const char *bytes, size_t size, struct failure *why);
-
 struct atomic_file {
     const char *path, *bytes;
     size_t size;
 };
 
-/* The same for several that belong together: all are written in full before the first of them takes its place. */
+/* Puts the bytes of each of them at its path; where there are several, all are written in full before the first takes
+ * its place.  STATUS_OK or STATUS_INPUT; on a failure, or when interrupted, what was there before stays whole.
+ * Interrupts (SIGINT, SIGTERM, SIGHUP) wait until the files are in their places; no two threads may write at once.
+ * What is no regular file (/dev/null, a pipe), or lies in a directory that may not be written, is written to as it
+ * is: it may be left in part. */
 int atomic_file_write_all(const struct atomic_file *files, int count, struct failure *why);
 
 /* From hold to release SIGINT, SIGTERM and SIGHUP are noted, and raised by the outermost release.  Calls nest, and

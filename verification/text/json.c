@@ -8,10 +8,6 @@
 #include <stdarg.h>
 #include <string.h>
 
-struct json json_on(FILE *out) {
-    return (struct json){.out = out};
-}
-
 static void quote(FILE *out, const char *text) {
     fputc('"', out);
     while (*text) {
@@ -51,6 +47,12 @@ static void open(struct json *j, const char *key, const char *brackets) {
 
 void json_object(struct json *j, const char *key) {
     open(j, key, "{}");
+}
+
+struct json json_on(FILE *out) {
+    struct json j = {.out = out};
+    json_object(&j, NULL);
+    return j;
 }
 
 void json_array(struct json *j, const char *key) {

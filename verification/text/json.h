@@ -16,7 +16,7 @@ struct json {
     char closing[JSON_DEPTH];
 };
 
-/* Nothing is written before the first value; out stays the caller's. */
+/* With the outermost object open, to be ended by json_end; out stays the caller's. */
 struct json json_on(FILE *out);
 
 void json_object(struct json *j, const char *key); /* ends with json_end */

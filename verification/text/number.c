@@ -4,6 +4,7 @@
 
 #include <errno.h>
 #include <float.h>
+#include <gsl/gsl_sort_double.h>
 #include <math.h>
 #include <stdint.h>
 #include <stdio.h>
@@ -120,11 +121,16 @@ int number_print(double value, char text[NUMBER_PRINTED]) {
     return length;
 }
 
-static int falling(const void *a, const void *b) {
-    double x = *(const double *)a, y = *(const double *)b;
-    return (x < y) - (x > y);
+int number_digits(double value, double off, int most, char text[NUMBER_PRINTED]) {
+    for (int digits = 1; digits <= most; digits++) {
+        snprintf(text, NUMBER_PRINTED, "%.*e", digits - 1, value);
+        if (fabs(strtod(text, NULL) - value) <= off * fabs(value)) return digits;
+    }
+    return most + 1;
 }
 
 void number_sort_falling(double *values, int count) {
-    qsort(values, (size_t)count, sizeof *values, falling);
+    double typed[NUMBERS_MAX];
+    memcpy(typed, values, (size_t)count * sizeof *values);
+    gsl_sort_largest(values, (size_t)count, typed, 1, (size_t)count);
 }

@@ -21,7 +21,7 @@ int number_read(const char *text, double *value);
  * are more than max. */
 int number_read_list(const char *text, double *values, int max);
 
-/* Sorts `count` values in place, the largest first. */
+/* Sorts `count` values, NUMBERS_MAX at most, in place, the largest first. */
 void number_sort_falling(double *values, int count);
 
 /* Reads the whole of `text` as a whole number in [0, max].  0 or -1. */
@@ -30,6 +30,10 @@ int number_read_whole(const char *text, long max, long *value);
 /* Writes `value` as printf's %.17g does, whole numbers without it; the length. */
 enum { NUMBER_PRINTED = 32 };
 int number_print(double value, char text[NUMBER_PRINTED]);
+
+/* The fewest significant digits that read back as `value`, off by no more than that part of it: `most` + 1 where so
+ * many do not; `text` has the last that were tried, as %e. */
+int number_digits(double value, double off, int most, char text[NUMBER_PRINTED]);
 
 /* Reads `length` bytes as a decimal the way programs print it: 1.5, 1.5e-3, 1.5D-3, or 1.2345-110 (Fortran, where the
  * exponent takes three digits).  0; 1 for nan or inf in any case, *value then being NaN; -1 for anything else. */

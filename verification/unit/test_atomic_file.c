@@ -23,6 +23,10 @@ struct place {
         refusal[UNIT_PATH + 96]; /* a file in a directory that is not there, and what is said of it */
 };
 
+static int atomic_file_write(const char *path, const char *bytes, size_t size, struct failure *why) {
+    return atomic_file_write_all(&(struct atomic_file){path, bytes, size}, 1, why);
+}
+
 static int set_up(void **state) {
     struct place *p = calloc(1, sizeof *p);
     if (!scratch_directory(p->directory, "heatladder_test")) return -1;

@@ -148,7 +148,6 @@ static void json_has_every_row(void **state) {
     size_t size = 0;
     FILE *out = open_memstream(&text, &size);
     struct json j = json_on(out);
-    json_object(&j, NULL);
     bench_print_machine_json(&j);
     bench_print_engine_json(&throughput, &j);
     bench_print_scene_json(made(), &j);

@@ -81,7 +81,6 @@ static void there_is_no_order_where_changes_do_not_fall(void **state) {
 static void json_of(const struct gci *g, char *text, size_t size) {
     FILE *out = fmemopen(text, size, "w");
     struct json j = json_on(out);
-    json_object(&j, NULL);
     gci_json(g, &j);
     json_end(&j);
     fclose(out);

@@ -13,7 +13,6 @@ static void everything_once(void **state) {
     size_t size = 0;
     FILE *out = open_memstream(&text, &size);
     struct json j = json_on(out);
-    json_object(&j, NULL);
     json_number(&j, "third", 1.0 / 3);
     json_number(&j, "nan", NAN);
     json_number(&j, "inf", -INFINITY);
@@ -44,9 +43,9 @@ static void numbers_read_back_to_the_same_bits(void **state) {
         size_t size = 0;
         FILE *out = open_memstream(&text, &size);
         struct json j = json_on(out);
-        json_number(&j, NULL, values[i]);
+        json_number(&j, "v", values[i]);
         fclose(out);
-        double back = strtod(text, NULL);
+        double back = strtod(strchr(text, ':') + 1, NULL);
         assert_memory_equal(&back, &values[i], sizeof back);
         free(text);
     }

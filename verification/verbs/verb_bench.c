@@ -70,7 +70,6 @@ static int bench_scenes(const struct request *r, FILE *out, struct files *files,
     int status = STATUS_OK;
     for (int i = 0; scenes[i] && i < WORDS_MAX - 1; i++) names[i] = scenes[i]->name;
     if (r->bench_scene && !only) return words_unknown(names, "scene", r->bench_scene, why);
-    json_object(&j, NULL);
     measure_engine(r, &j);
     json_array(&j, "scenes");
     for (int i = 0; scenes[i] && !status; i++)

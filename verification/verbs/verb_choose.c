@@ -78,7 +78,6 @@ static void one_json(const struct request *r, const struct extrapolation *o, str
 static void print_json(const struct request *r, const struct choose *c) {
     struct json j = json_on(stdout);
     const struct result *p = &c->proof;
-    json_object(&j, NULL);
     json_add(&j, "scene %s|error %g|reached %d", r->experiment.scene->name, c->error, c->reached);
     if (c->best.candidate) {
         const struct options *o = &p->options;

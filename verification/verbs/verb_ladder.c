@@ -49,7 +49,6 @@ static void print_text(const struct ladder *l) {
 
 static void print_json(const struct ladder *l) {
     struct json j = json_on(stdout);
-    json_object(&j, NULL);
     ladder_json(l, &j);
     json_end(&j);
 }
@@ -97,7 +96,6 @@ static int without_scene(const struct request *r, struct failure *why) {
     int status = gci_read(r->experiment.program.results, &r->experiment.program.columns, &r->at, g, why);
     if (!status && r->json) {
         struct json j = json_on(stdout);
-        json_object(&j, NULL);
         gci_json(g, &j);
         json_end(&j);
     } else if (!status) {
@@ -115,7 +113,6 @@ static int is_judged(const struct request *r) {
     return r->rungs.expect.count || r->rungs.ceiling > 0;
 }
 
-/* --expect and --ceiling as they were given. */
 static void print_asked(const struct request *r, char *text, size_t size) {
     const struct numbers *e = &r->rungs.expect;
     *text = '\0';

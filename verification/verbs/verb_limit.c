@@ -11,7 +11,6 @@
 
 static void print_json(const struct model_problem *b, const struct step_limit *l) {
     struct json j = json_on(stdout);
-    json_object(&j, NULL);
     json_add(&j, "method %s|dim %d", b->method->name, b->dim);
     json_text(&j, "kernel", b->method->scheme ? kernel_words[b->options.kernel] : NULL);
     json_number(&j, "h", b->method->scheme ? b->options.h : NAN);

@@ -128,7 +128,6 @@ int verb_plan(const struct request *r, struct failure *why) {
     if (plan_make(&r->experiment, &plan, why)) return why->status;
     if (r->json) {
         struct json j = json_on(stdout);
-        json_object(&j, NULL);
         print_json(&r->experiment, &plan, &j);
         json_end(&j);
     } else {

@@ -25,7 +25,6 @@ struct forms {
 
 static void print_json(const struct request *r, const struct forms *f) {
     struct json j = json_on(stdout);
-    json_object(&j, NULL);
     json_text(&j, "scene", r->experiment.scene->name);
     json_numbers(&j, "at", r->at.value, r->experiment.problem.dim);
     json_number(&j, "time", r->time.value[0]);

@@ -58,7 +58,6 @@ static void print_text(const struct result *r, const char *unit) {
 
 static void print_json(const struct result *r, double between) {
     struct json j = json_on(stdout);
-    json_object(&j, NULL);
     result_json(r, &j);
     json_number(&j, "error_between", between);
     json_end(&j);

@@ -57,7 +57,6 @@ static int write_json(const struct gates *g, const char *path, struct failure *w
     char made[PAGE_ORIGIN], diagnosis[WORDING_ALL];
     page_origin(made, sizeof made);
     gates_diagnosis(g, diagnosis, sizeof diagnosis);
-    json_object(&j, NULL);
     json_text(&j, "made", made);
     json_whole(&j, "declared", g->interrupted ? g->planned : g->declared);
     json_whole(&j, "executed", g->executed);
@@ -77,21 +76,13 @@ static int ungated(void) {
     return n;
 }
 
-static void say_origin(const char *path, char origin[]) {
-    char *words = words_line(2, (const char *const[]){"--gates", path});
-    snprintf(origin, ORIGIN, "%s", words);
-    free(words);
-}
-
 /* The rows: of a file, of the battery where another program answers, or the built-in ones. */
 static int collect(const struct request *r, struct gate_file *file, struct gates *g, char origin[],
                    struct failure *why) {
     const struct program *program = &r->experiment.program;
     if (program->solver && strlen(program->solver) > GATES_SOLVER)
         return refuse(why, STATUS_INPUT, "--solver: more than %d letters; put them into a script", GATES_SOLVER);
-    if (program->solver && (!strstr(program->solver, "{case}") || !strstr(program->solver, "{out}")))
-        return refuse(why, STATUS_INPUT, "--solver '%.200s': must contain {case} and {out}, which become paths",
-                      program->solver);
+    if (program_check(program, why)) return why->status;
     if (program->results && results_directory_check(program->results, why)) return why->status;
     if (r->gates_path && r->order)
         return refuse(why, STATUS_INPUT, "--gates and --order both say which rows: give one of them");
@@ -102,10 +93,12 @@ static int collect(const struct request *r, struct gate_file *file, struct gates
     int order = r->order ? r->order : 2;
     if (!r->gates_path && battery_add(order, r->profile, r->draw, g, why)) return why->status;
     g->origin = origin;
-    if (r->gates_path)
-        say_origin(r->gates_path, origin);
-    else
-        snprintf(origin, ORIGIN, "--order %d --seed %lu", order, r->draw);
+    snprintf(origin, ORIGIN, "--order %d --seed %lu", order, r->draw);
+    if (r->gates_path) {
+        char *words = words_line(2, (const char *const[]){"--gates", r->gates_path});
+        snprintf(origin, ORIGIN, "%s", words);
+        free(words);
+    }
     battery_words(r, origin, ORIGIN);
     if (r->time_order > 0) words_add(origin, ORIGIN, " --time-order %g", r->time_order);
     if (gates_choose(g, r->only, r->skip, r->quick, why)) return why->status;

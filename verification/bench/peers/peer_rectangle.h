@@ -28,9 +28,6 @@ void rectangle_start(const struct rectangle *p, double *T);
 
 void rectangle_write(const struct rectangle *p, const double *T, const char *path, double seconds, long steps);
 
-/* s, from some moment on. */
-double rectangle_now(void);
-
 /* Says `text` and ends the program. */
 void rectangle_die(const char *text);
 

@@ -136,15 +136,15 @@ int main(int argc, char **argv) {
     if (SUNContext_Create(NULL, &context)) rectangle_die("no context");
     N_Vector y = N_VNew_Serial((sunindextype)p.n[0] * p.n[1], context);
     sundials_kernels(y);
-    double *T = N_VGetArrayPointer(y), start = rectangle_now(), begin, seconds, scale = p.T0 == 0 ? 1 : p.T0;
+    double *T = N_VGetArrayPointer(y), start = omp_get_wtime(), begin, seconds, scale = p.T0 == 0 ? 1 : p.T0;
     long steps = 0;
     do {
-        begin = rectangle_now();
+        begin = omp_get_wtime();
         rectangle_start(&p, T);
         steps = *argv[3] == 'b'   ? solve_bdf(&p, y, tolerance, tolerance * scale, context)
                 : *argv[3] == 'd' ? solve_dirk(&p, y, tolerance, tolerance * scale, context)
                                   : solve_erk(&p, y, tolerance, tolerance * scale, context);
-        seconds = rectangle_now() - begin;
+        seconds = omp_get_wtime() - begin;
     } while (begin - start < RECTANGLE_WARM);
     rectangle_write(&p, T, argv[2], seconds, steps);
     N_VDestroy(y);

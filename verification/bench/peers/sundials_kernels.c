@@ -34,30 +34,18 @@ static void constant(realtype c, N_Vector z) {
     EACH(n, r[i] = c)
 }
 
-#define OF_ONE(name, value)                                                                                          \
-    static void name(N_Vector x, N_Vector z) {                                                                       \
+#define OF_ONE(name, parameters, value)                                                                              \
+    static void name parameters {                                                                                    \
         const double *p = ARRAY(x);                                                                                  \
         double *r = ARRAY(z);                                                                                        \
         size_t n = LENGTH(x);                                                                                        \
         EACH(n, r[i] = value)                                                                                        \
     }
 
-OF_ONE(magnitude, fabs(p[i]))
-OF_ONE(inverse, 1 / p[i])
-
-static void scale(realtype c, N_Vector x, N_Vector z) {
-    const double *p = ARRAY(x);
-    double *r = ARRAY(z);
-    size_t n = LENGTH(x);
-    EACH(n, r[i] = c * p[i])
-}
-
-static void add_constant(N_Vector x, realtype b, N_Vector z) {
-    const double *p = ARRAY(x);
-    double *r = ARRAY(z);
-    size_t n = LENGTH(x);
-    EACH(n, r[i] = p[i] + b)
-}
+OF_ONE(magnitude, (N_Vector x, N_Vector z), fabs(p[i]))
+OF_ONE(inverse, (N_Vector x, N_Vector z), 1 / p[i])
+OF_ONE(scale, (realtype c, N_Vector x, N_Vector z), c *p[i])
+OF_ONE(add_constant, (N_Vector x, realtype b, N_Vector z), p[i] + b)
 
 #define OF_TWO(name, value)                                                                                          \
     static void name(N_Vector x, N_Vector y, N_Vector z) {                                                           \
