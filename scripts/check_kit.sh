@@ -21,6 +21,18 @@ verdict() { # what holds? (0: yes) what
     fi
 }
 
+holds() { # what, words of a command that ends well where it does
+    what=$1
+    shift
+    "$@"
+    verdict $? "$what"
+}
+
+empty() { # what is wrong, the names that it is of
+    [ -z "$2" ]
+    verdict $? "$1:$2"
+}
+
 gives() { # status, pattern of the output (both streams), what holds, words of a command...
     due=$1 pattern=$2 what=$3
     shift 3
