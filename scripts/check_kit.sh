@@ -48,6 +48,13 @@ expect() { # status, pattern of the output, words of the program's command line.
     gives "$due" "$pattern" "'$*'" "$program" "$@"
 }
 
+stand_in() { # path, or a name in $scratch/bin; the lines of a script that it is to be
+    case $1 in */*) path=$1 ;; *) path=$scratch/bin/$1 ;; esac
+    rm -f "$path"
+    printf '#!/bin/sh\n%s\n' "$2" >"$path"
+    chmod +x "$path"
+}
+
 limited() { # option of ulimit, its value, words of a command...
     (ulimit "$1" "$2" && shift 2 && exec "$@")
 }
