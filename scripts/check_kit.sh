@@ -21,13 +21,42 @@ verdict() { # what holds? (0: yes) what
     fi
 }
 
-expect() { # status, pattern of the output (both streams), words of the command line...
-    status=$1 pattern=$2
-    shift 2
-    "$program" "$@" >"$scratch/log" 2>&1
+holds() { # what, words of a command that ends well where it does
+    what=$1
+    shift
+    "$@"
+    verdict $? "$what"
+}
+
+empty() { # what is wrong, the names that it is of
+    [ -z "$2" ]
+    verdict $? "$1:$2"
+}
+
+gives() { # status, pattern of the output (both streams), what holds, words of a command...
+    due=$1 pattern=$2 what=$3
+    shift 3
+    "$@" >"$scratch/log" 2>&1
     got=$?
-    [ "$got" -eq "$status" ] && grep -qe "$pattern" "$scratch/log"
-    verdict $? "'$*': exit status $got, $status is due, with '$pattern'"
+    [ "$got" -eq "$due" ] && grep -qe "$pattern" "$scratch/log"
+    verdict $? "$what: exit status $got, $due is due, with '$pattern'"
+}
+
+expect() { # status, pattern of the output, words of the program's command line...
+    due=$1 pattern=$2
+    shift 2
+    gives "$due" "$pattern" "'$*'" "$program" "$@"
+}
+
+stand_in() { # path, or a name in $scratch/bin; the lines of a script that it is to be
+    case $1 in */*) path=$1 ;; *) path=$scratch/bin/$1 ;; esac
+    rm -f "$path"
+    printf '#!/bin/sh\n%s\n' "$2" >"$path"
+    chmod +x "$path"
+}
+
+limited() { # option of ulimit, its value, words of a command...
+    (ulimit "$1" "$2" && shift 2 && exec "$@")
 }
 
 has() { # command, what cannot be tried without it
