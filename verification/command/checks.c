@@ -141,7 +141,7 @@ static int check_program(const struct request *r, struct failure *why) {
         return refuse(why, STATUS_INPUT, "--aspect: %s has no rows of cells along y; take a scene on a rectangle",
                       r->experiment.scene->name);
     if (g->map.plane && p->dim == 1)
-        return refuse(why, STATUS_INPUT, "--axes: %s is a rod, which lies along x; take a scene in the plane",
+        return refuse(why, STATUS_INPUT, "--axes: %s is a rod along x; take a scene in the plane",
                       r->experiment.scene->name);
     if (g->map.axes && g->map.axes != r->experiment.problem.dim)
         return refuse(why, STATUS_INPUT, "--map: %s has %s", r->experiment.scene->name,

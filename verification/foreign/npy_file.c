@@ -110,7 +110,7 @@ static double value_at(const char *row, const struct layout *l, int column) {
 /* Whether what is left of the file is the rows of its header, and room for them. */
 static int make_room(FILE *in, const struct layout *l, struct samples *s, struct failure *why) {
     long here = ftell(in);
-    if (here < 0 || fseek(in, 0, SEEK_END)) return wrong(s, why, "its size cannot be told");
+    if (here < 0 || fseek(in, 0, SEEK_END)) return wrong(s, why, "its size cannot be found");
     size_t left = (size_t)(ftell(in) - here), rows = left / l->stride;
     if (fseek(in, here, SEEK_SET)) return wrong(s, why, "cannot be read from its first row on");
     if (rows < l->rows)
