@@ -29,7 +29,7 @@ static int is_among(const int *list, int i) {
 int params_start(const struct param *table, struct problem *p, const int *any, struct failure *why) {
     double kept[PARAM_MAX];
     memcpy(kept, p->param, sizeof kept);
-    *p = (struct problem){0};
+    *p = (struct problem){.initial = problem_start, .wall = problem_held};
     memcpy(p->param, kept, sizeof kept);
     for (int i = 0; table[i].name; i++) {
         if (params_between(table, p, i, is_among(any, i) ? -INFINITY : 0, INFINITY, NULL, why)) return STATUS_INPUT;

@@ -8,7 +8,8 @@
  * be valid. */
 
 /* A setup starts from here: zeroes all of *p but its parameters, of which each must be finite, and > 0 but for those
- * of the list `any`, ended by -1 (NULL: none); the last of the table is the end time. */
+ * of the list `any`, ended by -1 (NULL: none); the last of the table is the end time.  Start and walls are
+ * problem_start and problem_held, of 0, until the setup has others. */
 int params_start(const struct param *table, struct problem *p, const int *any, struct failure *why);
 
 /* The next material of *p: W m^-1 K^-1 along x and y, J m^-3 K^-1. */

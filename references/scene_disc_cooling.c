@@ -158,16 +158,6 @@ static struct exact second(const struct problem *p, const double x[2], double t)
     return e;
 }
 
-static double initial(const struct problem *p, const double x[2]) {
-    (void)x;
-    return p->param[T0];
-}
-
-static double wall(const struct problem *p, enum side s, const double x[2]) {
-    (void)s, (void)x;
-    return p->param[T_A];
-}
-
 static int setup(struct problem *p, struct failure *why) {
     static const int any[] = {T0, T_A, -1};
     const double *v = p->param;
@@ -178,8 +168,8 @@ static int setup(struct problem *p, struct failure *why) {
     params_material(p, v[K], v[K], v[RHO_C]);
     p->side[X_HI] = ROBIN;
     p->robin[X_HI] = v[B];
-    p->initial = initial;
-    p->wall = wall;
+    p->start = v[T0];
+    p->held[X_HI] = v[T_A];
     return STATUS_OK;
 }
 

@@ -87,11 +87,6 @@ static double initial(const struct problem *p, const double x[2]) {
     return exact(p, x, 0).temperature;
 }
 
-static double wall(const struct problem *p, enum side s, const double x[2]) {
-    (void)s, (void)x;
-    return p->param[WALL] == 2 ? 0 : p->param[TM];
-}
-
 static double bessel(int m, double z) {
     return gsl_sf_bessel_Jn(m, z);
 }
@@ -111,7 +106,7 @@ static int setup(struct problem *p, struct failure *why) {
     p->robin[X_HI] = v[WALL] == 3 ? v[B] : 0;
     p->param[LAMBDA] = first_root(p, bessel);
     p->initial = initial;
-    p->wall = wall;
+    p->held[X_HI] = v[WALL] == 2 ? 0 : v[TM];
     return STATUS_OK;
 }
 

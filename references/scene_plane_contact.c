@@ -131,11 +131,6 @@ static double initial(const struct problem *p, const double x[2]) {
     return exact(p, x, 0).temperature;
 }
 
-static double wall(const struct problem *p, enum side s, const double x[2]) {
-    (void)x;
-    return s == X_LO || s == X_HI ? p->param[TM] : 0;
-}
-
 static int setup(struct problem *p, struct failure *why) {
     static const int any[] = {MODE, -1};
     static const int pair[][2] = {{W1, W2}, {K1, K2}, {RHO_C1, RHO_C2}};
@@ -157,7 +152,7 @@ static int setup(struct problem *p, struct failure *why) {
     p->mirror[1] = (int)v[MODE] % 2 == 0;
     p->param[LAMBDA] = roots_increasing(mismatch, p, first_at(p, 0.5), first_at(p, 1));
     p->initial = initial;
-    p->wall = wall;
+    p->held[X_LO] = p->held[X_HI] = v[TM];
     return STATUS_OK;
 }
 

@@ -49,19 +49,8 @@ static const struct param params[] = {
     {NULL, 0, NULL, NULL, NULL},
 };
 
-static double initial(const struct problem *p, const double x[2]) {
-    (void)x;
-    return p->param[T0];
-}
-
-static double wall(const struct problem *p, enum side s, const double x[2]) {
-    static const int of_side[] = {[X_LO] = T4, [X_HI] = T2, [Y_LO] = T1, [Y_HI] = T3};
-    (void)x;
-    return p->param[of_side[s]];
-}
-
 static int setup(struct problem *p, struct failure *why) {
-    static const int any[] = {T1, T2, T3, T4, T0, MATERIAL, -1};
+    static const int any[] = {T1, T2, T3, T4, T0, MATERIAL, -1}, of_side[] = {[X_LO] = T4, T2, T1, T3};
     if (params_start(params, p, any, why)) return STATUS_INPUT;
     double ratio = p->param[HEIGHT] / p->param[WIDTH];
     if (ratio < 1e-3 || ratio > 1e3)
@@ -78,8 +67,8 @@ static int setup(struct problem *p, struct failure *why) {
     params_material(p, k, k, property[(int)which].rho * property[(int)which].c);
     p->mirror[0] = p->param[T2] == p->param[T4];
     p->mirror[1] = p->param[T1] == p->param[T3];
-    p->initial = initial;
-    p->wall = wall;
+    p->start = p->param[T0];
+    for (int s = X_LO; s <= Y_HI; s++) p->held[s] = p->param[of_side[s]];
     return STATUS_OK;
 }
 

@@ -37,16 +37,6 @@ static const struct param params[] = {
     {NULL, 0, NULL, NULL, NULL},
 };
 
-static double initial(const struct problem *p, const double x[2]) {
-    (void)x;
-    return p->param[T0];
-}
-
-static double wall(const struct problem *p, enum side s, const double x[2]) {
-    (void)x;
-    return s == X_LO ? 0 : p->param[s == Y_LO ? T1 : T_A];
-}
-
 static int setup(struct problem *p, struct failure *why) {
     static const int any[] = {T1, T0, B, T_A, -1};
     if (params_start(params, p, any, why)) return STATUS_INPUT;
@@ -64,8 +54,9 @@ static int setup(struct problem *p, struct failure *why) {
     p->side[X_LO] = NEUMANN;
     p->side[X_HI] = p->side[Y_HI] = ROBIN;
     p->robin[X_HI] = p->robin[Y_HI] = p->param[B];
-    p->initial = initial;
-    p->wall = wall;
+    p->start = p->param[T0];
+    p->held[Y_LO] = p->param[T1];
+    p->held[X_HI] = p->held[Y_HI] = p->param[T_A];
     return STATUS_OK;
 }
 

@@ -47,11 +47,6 @@ static double initial(const struct problem *p, const double x[2]) {
     return p->param[right_of_contact(p, x[0]) ? T2 : T1];
 }
 
-static double wall(const struct problem *p, enum side s, const double x[2]) {
-    (void)x;
-    return p->param[s == X_LO ? T1 : T2];
-}
-
 static int setup(struct problem *p, struct failure *why) {
     static const int any[] = {X_C, T1, T2, -1};
     if (params_start(params, p, any, why)) return STATUS_INPUT;
@@ -76,7 +71,8 @@ static int setup(struct problem *p, struct failure *why) {
     p->jumps[0] = 1;
     p->jump[0][0] = p->param[X_C];
     p->initial = initial;
-    p->wall = wall;
+    p->held[X_LO] = p->param[T1];
+    p->held[X_HI] = p->param[T2];
     return STATUS_OK;
 }
 

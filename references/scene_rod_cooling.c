@@ -48,16 +48,6 @@ struct shared {
     double error[2]; /* K, K/m */
 };
 
-static double initial(const struct problem *p, const double x[2]) {
-    (void)x;
-    return p->param[T0];
-}
-
-static double wall(const struct problem *p, enum side s, const double x[2]) {
-    (void)x;
-    return p->param[s == X_LO ? T1 : T_A];
-}
-
 static int setup(struct problem *p, struct failure *why) {
     static const int any[] = {T1, T0, B, T_A, -1};
     if (params_start(params, p, any, why)) return STATUS_INPUT;
@@ -69,8 +59,9 @@ static int setup(struct problem *p, struct failure *why) {
     params_material(p, p->param[K], p->param[K], p->param[RHO_C]);
     p->side[X_HI] = ROBIN;
     p->robin[X_HI] = p->param[B];
-    p->initial = initial;
-    p->wall = wall;
+    p->start = p->param[T0];
+    p->held[X_LO] = p->param[T1];
+    p->held[X_HI] = p->param[T_A];
     return STATUS_OK;
 }
 

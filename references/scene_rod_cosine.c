@@ -58,7 +58,6 @@ static int setup(struct problem *p, struct failure *why) {
     for (int s = X_LO; s <= Y_HI; s++) p->side[s] = NEUMANN;
     p->mirror[0] = (int)p->param[MODE] % 2 == 0;
     p->initial = initial;
-    p->wall = problem_zero_wall; /* no flux */
     return STATUS_OK;
 }
 

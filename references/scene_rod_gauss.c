@@ -72,7 +72,6 @@ static int setup(struct problem *p, struct failure *why) {
     params_material(p, p->param[KAPPA], p->param[KAPPA], 1);
     p->mirror[0] = 1;
     p->initial = initial;
-    p->wall = problem_zero_wall;
     return STATUS_OK;
 }
 

@@ -53,7 +53,6 @@ static int setup(struct problem *p, struct failure *why) {
     p->jump[0][1] = p->param[A];
     p->mirror[0] = 1;
     p->initial = initial;
-    p->wall = problem_zero_wall;
     return STATUS_OK;
 }
 

@@ -58,7 +58,6 @@ static int setup(struct problem *p, struct failure *why) {
     }
     params_material(p, p->param[KAPPA_X], p->param[KAPPA_Y], 1);
     p->initial = initial;
-    p->wall = problem_zero_wall;
     return STATUS_OK;
 }
 

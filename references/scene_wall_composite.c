@@ -34,16 +34,6 @@ static const struct param params[] = {
     {NULL, 0, NULL, NULL, NULL},
 };
 
-static double initial(const struct problem *p, const double x[2]) {
-    (void)x;
-    return p->param[T2];
-}
-
-static double wall(const struct problem *p, enum side s, const double x[2]) {
-    (void)x;
-    return p->param[s == X_LO ? T1 : T2];
-}
-
 static int setup(struct problem *p, struct failure *why) {
     static const int any[] = {T1, T2, -1};
     if (params_start(params, p, any, why)) return STATUS_INPUT;
@@ -57,8 +47,8 @@ static int setup(struct problem *p, struct failure *why) {
     p->interface = p->param[X_C];
     params_material(p, p->param[K1], p->param[K1], p->param[RHO_C1]);
     params_material(p, p->param[K2], p->param[K2], p->param[RHO_C2]);
-    p->initial = initial;
-    p->wall = wall;
+    p->start = p->held[X_HI] = p->param[T2];
+    p->held[X_LO] = p->param[T1];
     return STATUS_OK;
 }
 
@@ -99,7 +89,7 @@ static void *prepare(const struct problem *p, double t) {
 static struct exact prepared(const struct problem *p, const void *shared, const double x[2], double t) {
     const struct shared *s = shared;
     double from = x[0] - p->param[X_C];
-    if (t == 0) return (struct exact){.temperature = initial(p, x)};
+    if (t == 0) return (struct exact){.temperature = p->start};
     struct curve T = s->by_modes ? layers_modes_at(&s->modes, from) : layers_contour_at(&s->contour, from);
     return (struct exact){.temperature = T.at.value,
                           .error_bound = T.at.error,

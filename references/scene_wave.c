@@ -64,7 +64,6 @@ static int setup(struct problem *p, struct failure *why) {
     params_material(p, v[KAPPA_X], v[KAPPA_Y], 1);
     for (int s = X_LO; s <= Y_HI; s++) p->side[s] = PERIODIC;
     p->initial = initial;
-    p->wall = problem_zero_wall; /* there is none */
     return STATUS_OK;
 }
 

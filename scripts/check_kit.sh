@@ -48,6 +48,13 @@ expect() { # status, pattern of the output, words of the program's command line.
     gives "$due" "$pattern" "'$*'" "$program" "$@"
 }
 
+# For awk: the unit of the last digit that is printed.
+LAST='function last(text,    e, mantissa) {
+    e = index(text, "e") ? substr(text, index(text, "e") + 1) : 0
+    mantissa = index(text, "e") ? substr(text, 1, index(text, "e") - 1) : text
+    return 10 ^ (e - (index(mantissa, ".") ? length(mantissa) - index(mantissa, ".") : 0))
+}'
+
 stand_in() { # path, or a name in $scratch/bin; the lines of a script that it is to be
     case $1 in */*) path=$1 ;; *) path=$scratch/bin/$1 ;; esac
     rm -f "$path"

@@ -11,9 +11,14 @@ double problem_diffusivity(const struct problem *p) {
     return kappa;
 }
 
-double problem_zero_wall(const struct problem *p, enum side s, const double x[2]) {
-    (void)p, (void)s, (void)x;
-    return 0;
+double problem_start(const struct problem *p, const double x[2]) {
+    (void)x;
+    return p->start;
+}
+
+double problem_held(const struct problem *p, enum side s, const double x[2]) {
+    (void)x;
+    return p->held[s];
 }
 
 double problem_source(const struct problem *p, const double x[2], double t) {

@@ -29,6 +29,8 @@ struct problem {
     struct material material[MATERIAL_MAX]; /* */
     enum side_kind side[4];                 /* indexed by enum side; round: X_LO the hole, X_HI the outer wall */
     double robin[4];                        /* W m^-2 K^-1, >= 0, of a ROBIN side: b of k dT/dn = b (T_a - T) */
+    double start;                           /* K, everywhere, where `initial` is problem_start */
+    double held[4];                         /* by side, where `wall` is problem_held */
     int jumps[2];                           /* how many planes x = const, y = const the initial data jump across */
     double jump[2][JUMP_MAX];               /* m, ascending */
     int mirror[2];                          /* 1 where the whole problem is even about the middle of that axis */
@@ -52,8 +54,9 @@ struct problem {
 /* The largest diffusivity of all materials and axes, m^2 s^-1. */
 double problem_diffusivity(const struct problem *p);
 
-/* A `wall` of 0 everywhere. */
-double problem_zero_wall(const struct problem *p, enum side s, const double x[2]);
+/* An `initial` and a `wall` that are the same at each x: p->start, and p->held[s]. */
+double problem_start(const struct problem *p, const double x[2]);
+double problem_held(const struct problem *p, enum side s, const double x[2]);
 
 /* The whole source at x and the time t, W m^-3; 0 where there is none. */
 double problem_source(const struct problem *p, const double x[2], double t);

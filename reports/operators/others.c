@@ -25,10 +25,7 @@ void others_step(struct claims_measured *m) {
     double C, scale;
     int held[2] = {1, 1};
     kit_part(&m->argument, part, sizeof part);
-    if (sscanf(part, "%lf %lf", &C, &scale) != 2) {
-        kit_fail(m, "no coefficient");
-        return;
-    }
+    if (sscanf(part, "%lf %lf", &C, &scale) != 2 && kit_fail(m, "no coefficient")) return;
     while (kit_part(&m->argument, part, sizeof part)) {
         int beyond = part[0] == '+';
         struct step_limit l;
@@ -52,10 +49,7 @@ void others_larger(struct claims_measured *m) {
     double lo, hi, h = NAN;
     int held[2] = {1, 1};
     kit_part(&m->argument, part[0], sizeof part[0]);
-    if (sscanf(part[0], "%lf %lf", &lo, &hi) != 2) {
-        kit_fail(m, "no range");
-        return;
-    }
+    if (sscanf(part[0], "%lf %lf", &lo, &hi) != 2 && kit_fail(m, "no range")) return;
     for (int k = 0; k < 2; k++) kit_part(&m->argument, part[k], sizeof part[k]);
     for (int w = 0; w < 4; w++) {
         struct step_limit l[2];
@@ -97,10 +91,8 @@ void others_orders(struct claims_measured *m) {
         const char *words = part[0] == '+' ? part + 2 : part;
         char method[24];
         double slope, jitter;
-        if (sscanf(words + 2, "%23[a-z_], jitter %lf", method, &jitter) != 2) {
-            kit_fail(m, "no method or no jitter");
+        if (sscanf(words + 2, "%23[a-z_], jitter %lf", method, &jitter) != 2 && kit_fail(m, "no method or no jitter"))
             return;
-        }
         if (kit_order(NULL, &slope, m, NULL,
                       "ladder rod-cosine %s --layout jitter --jitter %g --seed 1 --dx 1/20,1/40,1/80,1/160,1/320",
                       method, jitter))

@@ -150,10 +150,7 @@ void song_limit_unequal_weights(struct claims_measured *m) {
         struct result run;
         struct failure why;
         if (kit_model(&b, NULL, m, "limit so_ssph --dim 2 --h 1.1 --ratio %g", ratio[i])) return;
-        if (symbol_create(&s, &b, &why)) {
-            kit_fail(m, why.text);
-            return;
-        }
+        if (symbol_create(&s, &b, &why) && kit_fail(m, why.text)) return;
         double least = symbol_lowest(&s);
         symbol_free(&s);
         if (kit_result(&run, m, "%s --set kappa_y=%g", square_line, 0.01 * ratio[i])) return;

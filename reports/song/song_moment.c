@@ -157,10 +157,7 @@ void song_moment_truncation(struct claims_measured *m) {
             status = consistency_error(&r.experiment, &error[i], &why);
         }
         arguments_free(&r);
-        if (status) {
-            kit_fail(m, why.text);
-            return;
-        }
+        if (status && kit_fail(m, why.text)) return;
         int holds;
         struct judged rungs = {.x = dx, .error = error, .n = 5};
         kit_number(m, slope_fit(dx, error, 5).value, "", "order of the truncation error, %dD", dim);

@@ -189,10 +189,7 @@ void song_wave_null_space(struct claims_measured *m) {
         struct symbol s;
         struct failure why;
         if (kit_model(&b, NULL, m, "limit %s --dim 1 --h 1.05", method)) return;
-        if (symbol_create(&s, &b, &why)) {
-            kit_fail(m, why.text);
-            return;
-        }
+        if (symbol_create(&s, &b, &why) && kit_fail(m, why.text)) return;
         double rate = creal(symbol_at(&s, theta));
         symbol_free(&s);
         kit_number(m, rate, "kappa/dx^2", "rate of (-1)^j, %s", method);

@@ -68,7 +68,7 @@ static int insulate(const struct problem *p, const struct options *o, const stru
     struct options there = *o;
     struct lattice l;
     struct cloud c;
-    q.source = NULL, q.wall = problem_zero_wall;
+    q.source = NULL, q.wall = problem_held, q.held[X_LO] = q.held[X_HI] = 0;
     q.side[X_LO] = q.side[X_HI] = NEUMANN;
     there.placed = f;
     if (layout_lattice(&q, &there, 1, &l, why)) return why->status;

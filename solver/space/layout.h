@@ -90,11 +90,11 @@ void layout_cloud_free(struct cloud *c);
 int layout_is_cut(const struct problem *p, const struct options *o);
 /* The particles of such a lattice, and as dummies its points within `reach` (m) beyond the walls, which hold nothing
  * yet. STATUS_INPUT where no point is inside. */
+int layout_cut(const struct problem *p, const struct options *o, const struct lattice *l, double reach,
+               struct cloud *c, struct failure *why);
 /* Adds the images of particle i beyond plane walls, up to three, to the cloud, whose arrays have room for them. */
 void layout_mirror(const struct problem *p, const struct options *o, const struct lattice *l, size_t i,
                    struct cloud *c);
-int layout_cut(const struct problem *p, const struct options *o, const struct lattice *l, double reach,
-               struct cloud *c, struct failure *why);
 
 /* Moves the particles of *c (n of them; ghosts are not looked at) apart until they have settled, and fills
  * c->settling.  spacing, m: V^(1/d).  STATUS_NUMERICAL, with how far it came, where o->sweeps do not suffice.

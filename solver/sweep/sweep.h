@@ -15,20 +15,14 @@ int sweep_is_plain(const struct heat_operator *a, const struct update *u);
 
 /* The update *u of rows row <= j < end from the state x, with its ghosts, to y, in vectors of 2, 4 or 8 doubles,
  * which may reach beyond the last column.  support: the largest i i + j j of an offset with a weight. */
-void sweep_band_2(const struct heat_operator *a, int support, const struct update *u, const double *x, double *y,
-                  ptrdiff_t row, ptrdiff_t end);
-void sweep_band_4(const struct heat_operator *a, int support, const struct update *u, const double *x, double *y,
-                  ptrdiff_t row, ptrdiff_t end);
-void sweep_band_8(const struct heat_operator *a, int support, const struct update *u, const double *x, double *y,
-                  ptrdiff_t row, ptrdiff_t end);
+typedef void sweep_band(const struct heat_operator *a, int support, const struct update *u, const double *x,
+                        double *y, ptrdiff_t row, ptrdiff_t end);
+sweep_band sweep_band_2, sweep_band_4, sweep_band_8;
 
 /* The same for particles begin <= i < end of a rod, with bands of rows: where these reach beyond its ends they are 0,
  * and x is not read there. */
-void sweep_bands_2(const struct heat_operator *a, const struct update *u, const double *x, double *y, ptrdiff_t begin,
-                   ptrdiff_t end);
-void sweep_bands_4(const struct heat_operator *a, const struct update *u, const double *x, double *y, ptrdiff_t begin,
-                   ptrdiff_t end);
-void sweep_bands_8(const struct heat_operator *a, const struct update *u, const double *x, double *y, ptrdiff_t begin,
-                   ptrdiff_t end);
+typedef void sweep_bands(const struct heat_operator *a, const struct update *u, const double *x, double *y,
+                         ptrdiff_t begin, ptrdiff_t end);
+sweep_bands sweep_bands_2, sweep_bands_4, sweep_bands_8;
 
 #endif

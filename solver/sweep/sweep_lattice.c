@@ -11,10 +11,7 @@ enum {
     TOGETHER = 8 /* updates a sweep */
 };
 
-typedef void (*band_update)(const struct heat_operator *a, int support, const struct update *u, const double *x,
-                            double *y, ptrdiff_t row, ptrdiff_t end);
-
-static band_update band_of(int lanes) {
+static sweep_band *band_of(int lanes) {
     if (lanes == 0) lanes = options_lanes_most();
     return lanes == 8 ? sweep_band_8 : lanes == 4 ? sweep_band_4 : sweep_band_2;
 }
@@ -85,7 +82,7 @@ struct sweep {
     const struct heat_operator *a;
     const struct update *u;
     int count, support;
-    band_update band;
+    sweep_band *band;
     double *const *Y;
 };
 

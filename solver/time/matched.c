@@ -59,8 +59,7 @@ static struct symbol_error symbol_of(const int reach[2], const double *w, double
 
 int matched_symbol(int dim, const struct options *o, const struct scheme *s, struct symbol_error *e,
                    struct failure *why) {
-    struct problem unit = {
-        .dim = dim, .hi = {1, 1}, .materials = 1, .material = {{{1, 1}, 1}}, .wall = problem_zero_wall};
+    struct problem unit = {.dim = dim, .hi = {1, 1}, .materials = 1, .material = {{{1, 1}, 1}}, .wall = problem_held};
     double kappa[2] = {1, 1}, *w;
     int reach[2];
     if (operator_stencil(&unit, o, s, 1, kappa, reach, &w, why)) return why->status;
