@@ -10,11 +10,6 @@
 
 #include <stdio.h>
 
-const double forewarn_least = 10;
-
-const double forewarn_rate = 5e9;
-const double forewarn_exact = 2e-6; /* a plate's at the start: 53 x 53 modes, value and slope */
-
 /* What is surely short: a search takes some 50 times the updates of its first run (a jump's, by Euler steps). */
 static const double SHORT_UPDATES = 2e6, SHORT_PARTICLES = 1e5;
 
