@@ -4,7 +4,6 @@
 
 #include "solver/status.h"
 #include "verification/choose/plan.h"
-#include "verification/choose/plan_steps.h"
 #include "verification/run/experiment.h"
 #include "verification/run/time_step.h"
 

@@ -5,8 +5,16 @@
 /* Predicted storage and work of a run: the outline of its method for the part that is computed, and what symmetry,
  * the search for a time step and the measured errors add. */
 
+#include "solver/method.h"
 #include "solver/outline.h"
-#include "verification/choose/plan_steps.h"
+
+struct experiment;
+
+struct plan_steps {
+    double steps; /* 0: none, no coarser run is possible or the steps are out of reach */
+    int runs;     /* that it rests on: the run itself, where it is small, or two coarser ones */
+    double dx[2]; /* m, theirs */
+};
 
 struct plan {
     struct options options; /* stepper and h as they will be used */
@@ -38,5 +46,12 @@ int plan_sketch(const struct experiment *e, struct plan *plan, struct failure *w
 
 /* Its bytes alone, without any other run: an open time step counts as one step. */
 int plan_storage(const struct experiment *e, struct plan *plan, struct failure *why);
+
+/* How many steps verification/run/time_step.h will choose for a run whose time step *e leaves open: 1 for `first`, or
+ * 2 where the run itself is not to be made. */
+struct plan_steps plan_steps_predict(const struct experiment *e, int first);
+
+/* Particles of spacing dx, m, that fill the domain; not rounded. */
+double plan_steps_particles(const struct problem *p, double dx);
 
 #endif
