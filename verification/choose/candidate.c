@@ -169,7 +169,7 @@ int candidate_predict(const struct candidate *c, const struct experiment *e, int
                       struct failure *why) {
     struct experiment with = experiment_of(c, e, n);
     struct plan plan;
-    int status = plan_make(&with, &plan, why);
+    int status = plan_make(&with, PLAN_RUN, &plan, why);
     if (status) return status;
     const struct field *run = &plan.part.run;
     cost->work = run->cost.work;

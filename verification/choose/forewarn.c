@@ -28,14 +28,14 @@ static double seconds_of(const struct plan *plan) {
 double forewarn_seconds(const struct experiment *e) {
     struct plan plan;
     struct failure ignored;
-    return is_short(e) || plan_sketch(e, &plan, &ignored) ? 0 : seconds_of(&plan);
+    return is_short(e) || plan_make(e, PLAN_SKETCH, &plan, &ignored) ? 0 : seconds_of(&plan);
 }
 
 int forewarn_run(const char *what, const struct experiment *e, struct failure *why) {
     struct plan plan;
     if (is_short(e) && e->memory == 0) return STATUS_OK;
     if (memory_check(e, why)) return why->status;
-    int status = is_short(e) ? STATUS_NOT_APPLICABLE : plan_sketch(e, &plan, why);
+    int status = is_short(e) ? STATUS_NOT_APPLICABLE : plan_make(e, PLAN_SKETCH, &plan, why);
     if (!status) forewarn(what, seconds_of(&plan));
     return status == STATUS_INPUT ? status : STATUS_OK;
 }
