@@ -149,7 +149,7 @@ static int answer(int argc, char **argv) {
         return STATUS_INPUT;
     }
     if (strcmp(argv[1], "--version") == 0)
-        return flush(printf("heatladder %s\n", version_text) < 0 ? STATUS_INPUT : STATUS_OK);
+        return flush(printf("heatladder %s\n", help_version) < 0 ? STATUS_INPUT : STATUS_OK);
     return flush(wants_help(argc, argv) ? help(argc, argv) : act(argc, argv));
 }
 

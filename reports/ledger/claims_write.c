@@ -28,7 +28,7 @@ static void put_claim(const struct claims_result *r, FILE *out) {
     char numbers[NUMBERS], published[PUBLISHED];
     const char *mark = claims_holds(r->row, &r->measured) ? "pass" : "fail";
     claims_numbers(&r->measured, numbers, sizeof numbers);
-    fprintf(out, "%s%s%s: %s\n", paint_start(out, mark), r->row->id, paint_end(out, mark), verdict_of(r));
+    fprintf(out, "%s%s%s: %s\n", verdict_colour(out, mark), r->row->id, verdict_colour_end(out, mark), verdict_of(r));
     claims_published(r, published, sizeof published);
     fprintf(out, "  published  %s (%s)\n  measured   %s\n  because    %s\n\n", published, r->row->source, numbers,
             r->measured.reason);

@@ -83,10 +83,8 @@ static void print_scene(const struct peers *all, const char *scene, FILE *out) {
                 table_add(&t, "as one");
             else
                 add_seconds(&t, reach(row, 1, error_at[i]));
-        if (row->peer->kind == PEERS_THEIRS && row->size[0].with[0].count)
-            table_add(&t, "%.2g", fmax(row->size[0].with[0].start_up, 0.001));
-        else
-            table_add(&t, " ");
+        int starts = row->peer->kind == PEERS_THEIRS && row->size[0].with[0].count;
+        table_number(&t, "%.2g", starts ? fmax(row->size[0].with[0].start_up, 0.001) : NAN, " ");
     }
     table_end(&t, out);
     fputc('\n', out);

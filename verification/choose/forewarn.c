@@ -4,16 +4,10 @@
 
 #include "solver/status.h"
 #include "verification/choose/plan.h"
-#include "verification/choose/plan_steps.h"
 #include "verification/run/experiment.h"
 #include "verification/run/time_step.h"
 
 #include <stdio.h>
-
-const double forewarn_least = 10;
-
-const double forewarn_rate = 5e9;
-const double forewarn_exact = 2e-6; /* a plate's at the start: 53 x 53 modes, value and slope */
 
 /* What is surely short: a search takes some 50 times the updates of its first run (a jump's, by Euler steps). */
 static const double SHORT_UPDATES = 2e6, SHORT_PARTICLES = 1e5;
@@ -34,14 +28,14 @@ static double seconds_of(const struct plan *plan) {
 double forewarn_seconds(const struct experiment *e) {
     struct plan plan;
     struct failure ignored;
-    return is_short(e) || plan_sketch(e, &plan, &ignored) ? 0 : seconds_of(&plan);
+    return is_short(e) || plan_make(e, PLAN_SKETCH, &plan, &ignored) ? 0 : seconds_of(&plan);
 }
 
 int forewarn_run(const char *what, const struct experiment *e, struct failure *why) {
     struct plan plan;
     if (is_short(e) && e->memory == 0) return STATUS_OK;
     if (memory_check(e, why)) return why->status;
-    int status = is_short(e) ? STATUS_NOT_APPLICABLE : plan_sketch(e, &plan, why);
+    int status = is_short(e) ? STATUS_NOT_APPLICABLE : plan_make(e, PLAN_SKETCH, &plan, why);
     if (!status) forewarn(what, seconds_of(&plan));
     return status == STATUS_INPUT ? status : STATUS_OK;
 }

@@ -11,9 +11,10 @@
 struct experiment;
 struct failure;
 
-extern const double forewarn_least; /* s: a shorter run gets no warning */
-extern const double forewarn_rate;  /* s^-1 */
-extern const double forewarn_exact; /* s: of an exact temperature of the plane, at most; a fifth of it on a rod */
+static const double forewarn_least = 10;   /* s: a shorter run gets no warning */
+static const double forewarn_rate = 5e9;   /* s^-1 */
+static const double forewarn_exact = 2e-6; /* s: of an exact temperature of the plane, at most (a plate's at the
+                                              start: 53 x 53 modes, value and slope); a fifth of it on a rod */
 
 /* Several runs, each known only when the one before is over: seconds of all so far, and of the last warning. */
 struct forewarned {

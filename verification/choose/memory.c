@@ -43,7 +43,7 @@ static double finest(const struct experiment *e, double bytes, double most) {
         coarser.options.dx = extent / n;
         if (fabs(across - nearbyint(across)) > 1e-9 * across) continue;
         plans++;
-        if (plan_storage(&coarser, &plan, &ignored)) continue;
+        if (plan_make(&coarser, PLAN_STORAGE, &plan, &ignored)) continue;
         if (bytes_of(&plan) <= most) return coarser.options.dx;
     }
     return NAN;
@@ -52,7 +52,7 @@ static double finest(const struct experiment *e, double bytes, double most) {
 int memory_check(const struct experiment *e, struct failure *why) {
     struct plan plan;
     struct failure ignored;
-    if (plan_storage(e, &plan, &ignored)) return STATUS_OK;
+    if (plan_make(e, PLAN_STORAGE, &plan, &ignored)) return STATUS_OK;
     double most = e->memory > 0 ? GB * e->memory : memory_there(), bytes = bytes_of(&plan);
     if (most == 0 || bytes <= most) return STATUS_OK;
     double dx = finest(e, bytes, most);

@@ -30,7 +30,7 @@ static int has_exact(const struct experiment *e) {
 }
 
 /* What e->options leaves open, as time_step_solve resolves it. */
-static void resolve_steps(struct experiment *e, int first, struct plan *plan) {
+static void resolve_steps(struct experiment *e, enum plan_search search, struct plan *plan) {
     struct options *o = &e->options;
     int given = o->dt > 0 || o->fourier > 0, particles = e->method->scheme != NULL;
     if (o->stepper == STEPPER_AUTO && e->time_error > 0 && particles) o->stepper = STEPPER_RKL2;
@@ -40,9 +40,9 @@ static void resolve_steps(struct experiment *e, int first, struct plan *plan) {
     plan->refined = !given && (stepper_of(o->stepper)->order > 0 || polynomials) && e->problem.t_end > 0;
     if (plan->refined && polynomials) o->dt = e->problem.t_end / 2; /* the second of two runs that agree */
     if (!plan->refined || polynomials) return;
-    if (first == 0) o->dt = e->problem.t_end;
-    if (first == 0) return;
-    plan->forecast = plan_steps_predict(e, first);
+    if (search == PLAN_STORAGE) o->dt = e->problem.t_end;
+    if (search == PLAN_STORAGE) return;
+    plan->forecast = plan_steps_predict(e, search == PLAN_RUN ? 1 : 2);
     if (plan->forecast.steps > 0) o->dt = e->problem.t_end / plan->forecast.steps;
 }
 
@@ -61,7 +61,7 @@ static void hold_whole(const struct experiment *e, struct plan *plan) {
         outline_hold(part, "the error and its transform", 2 * n * unit, OUTLINE_ERRORS, OUTLINE_ERRORS);
 }
 
-static int make(const struct experiment *given, int first, struct plan *plan, struct failure *why) {
+int plan_make(const struct experiment *given, enum plan_search search, struct plan *plan, struct failure *why) {
     struct experiment whole = *given, part;
     const struct method *m = given->method;
     int cut[2], status = STATUS_NOT_APPLICABLE;
@@ -69,7 +69,7 @@ static int make(const struct experiment *given, int first, struct plan *plan, st
     if (!m->outline)
         return refuse(why, status, "%s does not tell what it stores and does (no outline in its struct method)",
                       m->name);
-    resolve_steps(&whole, first, plan);
+    resolve_steps(&whole, search, plan);
     part = whole;
     if (symmetry_reduce(&whole.problem, &whole.options, &part.problem, cut)) {
         status = method_outline(m, &part.problem, &part.options, &plan->part, why);
@@ -82,16 +82,4 @@ static int make(const struct experiment *given, int first, struct plan *plan, st
     plan->particles = plan->part.run.n * (size_t)((plan->cut[0] ? 2 : 1) * (plan->cut[1] ? 2 : 1));
     hold_whole(&whole, plan);
     return STATUS_OK;
-}
-
-int plan_make(const struct experiment *e, struct plan *plan, struct failure *why) {
-    return make(e, 1, plan, why);
-}
-
-int plan_storage(const struct experiment *e, struct plan *plan, struct failure *why) {
-    return make(e, 0, plan, why);
-}
-
-int plan_sketch(const struct experiment *e, struct plan *plan, struct failure *why) {
-    return make(e, 2, plan, why);
 }

@@ -5,8 +5,23 @@
 /* Predicted storage and work of a run: the outline of its method for the part that is computed, and what symmetry,
  * the search for a time step and the measured errors add. */
 
+#include "solver/method.h"
 #include "solver/outline.h"
-#include "verification/choose/plan_steps.h"
+
+struct experiment;
+
+/* What is done to predict an open time step. */
+enum plan_search {
+    PLAN_STORAGE, /* nothing, for the bytes alone: it counts as one step */
+    PLAN_RUN,     /* the run itself, where it is small, or coarser ones */
+    PLAN_SKETCH   /* coarser runs alone: less work than the run */
+};
+
+struct plan_steps {
+    double steps; /* 0: none, no coarser run is possible or the steps are out of reach */
+    int runs;     /* that it rests on: the run itself, where it is small, or two coarser ones */
+    double dx[2]; /* m, theirs */
+};
 
 struct plan {
     struct options options; /* stepper and h as they will be used */
@@ -31,12 +46,13 @@ double plan_work(const struct plan *plan);
  * Bytes are good to 5 %, but for rows while they are assembled (a factor of 1.5) and for what FFTW holds, which is
  * left out: on a rod up to 0.6 of the plan, and 0.2 MB of a program's life. A status of solver/status.h: what the run
  * refuses, and STATUS_NOT_APPLICABLE for a method that has no outline. */
-int plan_make(const struct experiment *e, struct plan *plan, struct failure *why);
+int plan_make(const struct experiment *e, enum plan_search search, struct plan *plan, struct failure *why);
 
-/* The same for less work than the run: an open time step is predicted from coarser runs alone. */
-int plan_sketch(const struct experiment *e, struct plan *plan, struct failure *why);
+/* How many steps verification/run/time_step.h will choose for a run whose time step *e leaves open: 1 for `first`, or
+ * 2 where the run itself is not to be made. */
+struct plan_steps plan_steps_predict(const struct experiment *e, int first);
 
-/* Its bytes alone, without any other run: an open time step counts as one step. */
-int plan_storage(const struct experiment *e, struct plan *plan, struct failure *why);
+/* Particles of spacing dx, m, that fill the domain; not rounded. */
+double plan_steps_particles(const struct problem *p, double dx);
 
 #endif

@@ -4,7 +4,7 @@
  * Runs of N steps at spacing dx have the error of space S = C dx^q and the time error K / N^p, p the stepper's order
  * and K a property of what is solved, which dx hardly changes.  Both are carried on along the line through the two
  * runs, in log S and log K over log dx. */
-#include "verification/choose/plan_steps.h"
+#include "verification/choose/plan.h"
 
 #include "verification/run/experiment.h"
 #include "verification/run/run.h"

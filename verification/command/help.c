@@ -15,7 +15,7 @@
 
 enum { WIDE = 100 }; /* letters of a line */
 
-const char version_text[] = VERSION_TEXT;
+const char help_version[] = VERSION_TEXT;
 
 const char help_about[] =
     "heatladder VERB --help lists the options of a verb; heatladder man has everything.\n"

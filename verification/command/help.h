@@ -7,7 +7,7 @@
 struct verb;
 
 /* "1.0.0 (commit)": the release, and in a checkout the commit, with + where files differ from it. */
-extern const char version_text[];
+extern const char help_version[];
 
 extern const char help_about[]; /* environment and exit statuses */
 

@@ -147,7 +147,7 @@ static void put_interfaces(FILE *out) {
 }
 
 void manual_page(FILE *out) {
-    fprintf(out, ".TH HEATLADDER 1 2026-11-22 \"heatladder %s\" \"User Commands\"\n", version_text);
+    fprintf(out, ".TH HEATLADDER 1 2026-11-22 \"heatladder %s\" \"User Commands\"\n", help_version);
     fprintf(out, ".SH NAME\nheatladder \\- verify and benchmark solvers of transient heat conduction\n"
                  ".SH SYNOPSIS\n.B heatladder\n.I VERB\n[\\fIarguments\\fR] [\\fIoptions\\fR]\n"
                  ".SH DESCRIPTION\n"

@@ -27,10 +27,6 @@
 
 enum { ROUNDS = 20000 };
 
-static double clamp(double x, double most) {
-    return fmax(-most, fmin(most, x));
-}
-
 /* Minimum over size, b, c and d, one after the other until they stay: four numbers, three of them bounded. */
 struct fit fit_fault(const struct fit_errors *s, const double *f) {
     enum { N = 5 };
@@ -46,11 +42,9 @@ struct fit fit_fault(const struct fit_errors *s, const double *f) {
     int numbers = s->is_mean && a[1][4] * a[1][4] < FIT_SHARE * a[1][1] * a[4][4] ? N : N - 1;
     for (int round = 0; round < ROUNDS; round++)
         for (int k = 1; k < numbers; k++) {
-            double rest = 0;
+            double rest = 0, most = k == 1 ? INFINITY : k == 3 ? 0.5 : FIT_MOST;
             for (int l = 0; l < N; l++) rest -= l == k ? 0 : a[k][l] * x[l];
-            x[k] = a[k][k] > 0 ? rest / a[k][k] : 0;
-            if (k == 2 || k == 3) x[k] = clamp(x[k], k == 2 ? FIT_MOST : 0.5);
-            if (k == 4) x[k] = clamp(x[k], FIT_MOST);
+            x[k] = a[k][k] > 0 ? fmax(-most, fmin(most, rest / a[k][k])) : 0;
         }
     double left = 0, natural = a[2][2] + 0.4 * a[2][3] + 0.04 * a[3][3] + 2.25 * a[4][4];
     for (int k = 0; k < N; k++)

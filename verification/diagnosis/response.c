@@ -74,17 +74,13 @@ void response_lattice_free(struct response_lattice *l) {
     *l = (struct response_lattice){0};
 }
 
-static double clamp(double x, double lo, double hi) {
-    return x < lo ? lo : x > hi ? hi : x;
-}
-
 static void along_rod(const gsl_interp_type *type, const double *x, const double *D, size_t n, const struct field *f,
                       double *out) {
     gsl_spline *spline = gsl_spline_alloc(type, n);
     gsl_interp_accel *near = gsl_interp_accel_alloc();
     gsl_spline_init(spline, x, D, n);
     for (size_t i = 0; i < f->n; i++) {
-        double at = clamp(f->x[i], x[0], x[n - 1]);
+        double at = fmin(fmax(f->x[i], x[0]), x[n - 1]);
         out[i] = gsl_spline_eval(spline, at, near);
         if (at != f->x[i]) out[i] += (f->x[i] - at) * gsl_spline_eval_deriv(spline, at, near);
     }
@@ -97,7 +93,7 @@ static void in_plane(double *const x[2], const double *D, const int n[2], const 
     gsl_interp_accel *near[2] = {gsl_interp_accel_alloc(), gsl_interp_accel_alloc()};
     gsl_spline2d_init(spline, x[0], x[1], D, (size_t)n[0], (size_t)n[1]);
     for (size_t i = 0; i < f->n; i++) {
-        double at[2] = {clamp(f->x[i], x[0][0], x[0][n[0] - 1]), clamp(f->y[i], x[1][0], x[1][n[1] - 1])};
+        double at[2] = {fmin(fmax(f->x[i], x[0][0]), x[0][n[0] - 1]), fmin(fmax(f->y[i], x[1][0]), x[1][n[1] - 1])};
         out[i] = gsl_spline2d_eval(spline, at[0], at[1], near[0], near[1]);
         if (at[0] != f->x[i])
             out[i] += (f->x[i] - at[0]) * gsl_spline2d_eval_deriv_x(spline, at[0], at[1], near[0], near[1]);

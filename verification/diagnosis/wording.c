@@ -26,13 +26,13 @@ static const struct {
     const char *below, *above;
 } wordings[] = {
     [FAULT_CLOCK] = {"the run had stopped {size} {unit} {way}", NULL, "early", "late"},
-    [FAULT_CONDUCTIVITY] = {"the conductivity were {size} % too {way}", NULL, NULL, NULL},
-    [FAULT_SWAP] = {"k_x and k_y were in each other's place", NULL, NULL, NULL},
+    [FAULT_CONDUCTIVITY] = {.text = "the conductivity were {size} % too {way}"},
+    [FAULT_SWAP] = {.text = "k_x and k_y were in each other's place"},
     [FAULT_ISOTROPIC] = {"k_{name} were k_{other}", axes, NULL, NULL},
-    [FAULT_TRANSPOSED] = {"x and y were swapped", NULL, NULL, NULL},
-    [FAULT_SOURCE] = {"the source were {size} % too {way}", NULL, NULL, NULL},
+    [FAULT_TRANSPOSED] = {.text = "x and y were swapped"},
+    [FAULT_SOURCE] = {.text = "the source were {size} % too {way}"},
     [FAULT_SOURCE_TIME] = {"the source were that of {size} {unit} {way}", NULL, "earlier", "later"},
-    [FAULT_CAPACITY] = {"rho c of the second material were that of the first", NULL, NULL, NULL},
+    [FAULT_CAPACITY] = {.text = "rho c of the second material were that of the first"},
     [FAULT_AXIS] = {"k_{name} were {size} % too {way}", axes, NULL, NULL},
     [FAULT_RHO_C] = {"rho c of the {name} material were {size} % too {way}", materials, NULL, NULL},
     [FAULT_COEFFICIENT] = {"the heat transfer coefficient{name} were {size} % too {way}", cooled, NULL, NULL},
@@ -42,11 +42,10 @@ static const struct {
     [FAULT_START_SHIFT] = {"the initial data lay {size} cells too far {way} along {name}", axes, "down", "up"},
     [FAULT_START_WIDTH] = {"the jumps of the initial data lay {size} cells {way} along {name}", axes, "inwards",
                            "outwards"},
-    [FAULT_SAMPLES] = {"the initial data were values at the points, where means over cells are due", NULL, NULL,
-                       NULL},
+    [FAULT_SAMPLES] = {.text = "the initial data were values at the points, where means over cells are due"},
     [FAULT_INTERFACE] = {"the interface lay {size} cells too far {way}", NULL, "down", "up"},
-    [FAULT_MEAN] = {"the arithmetic mean of two conductivities stood for the harmonic one", NULL, NULL, NULL},
-    [FAULT_AMPLITUDE] = {"all temperatures were {size} % too {way}", NULL, NULL, NULL},
+    [FAULT_MEAN] = {.text = "the arithmetic mean of two conductivities stood for the harmonic one"},
+    [FAULT_AMPLITUDE] = {.text = "all temperatures were {size} % too {way}"},
 };
 
 /* That of the table, but for the sizes that mean something else. */

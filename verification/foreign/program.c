@@ -53,17 +53,17 @@ int program_given(const struct program *g) {
     return g->solver || g->results;
 }
 
-/* From the axes and temperatures of the case to those of the scene. */
-static void map_back(const struct mapping *m, struct field *f) {
-    double x[2], at[2];
+/* Points and temperatures to other axes and units: by mapping_to_scene and mapping_temperature_back, or back. */
+static void map_points(const struct mapping *m, struct field *f,
+                       void (*place)(const struct mapping *m, int dim, const double from[2], double to[2]),
+                       double (*temperature)(const struct mapping *m, double T)) {
     for (size_t i = 0; i < f->n; i++) {
-        x[0] = f->x[i], x[1] = f->dim == 2 ? f->y[i] : 0;
-        mapping_to_scene(m, f->dim, x, at);
+        double x[2] = {f->x[i], f->dim == 2 ? f->y[i] : 0}, at[2];
+        place(m, f->dim, x, at);
         f->x[i] = at[0];
         if (f->dim == 2) f->y[i] = at[1];
-        f->T[i] = mapping_temperature_back(m, f->T[i]);
+        f->T[i] = temperature(m, f->T[i]);
     }
-    for (int k = 0; k < 2; k++) f->range[k] = mapping_temperature_back(m, f->range[k]);
 }
 
 static double *copy_of(const double *value, size_t n) {
@@ -75,14 +75,9 @@ struct field program_as_given(const struct program *g, const struct field *f, do
     struct field copy = *f;
     copy.x = copy_of(f->x, f->n), copy.y = copy_of(f->y, f->n);
     copy.T = copy_of(f->T, f->n), copy.weight = copy_of(f->weight, f->n);
-    for (size_t i = 0; i < f->n && !mapping_is_none(m); i++) {
-        double x[2] = {f->x[i], f->dim == 2 ? f->y[i] : 0}, at[2];
-        mapping_to_case(m, f->dim, x, at);
-        copy.x[i] = at[0];
-        if (f->dim == 2) copy.y[i] = at[1];
-        copy.T[i] = mapping_temperature(m, f->T[i]);
-        if (exact) exact[i] = mapping_temperature(m, exact[i]);
-    }
+    if (mapping_is_none(m)) return copy;
+    map_points(m, &copy, mapping_to_case, mapping_temperature);
+    for (size_t i = 0; i < f->n && exact; i++) exact[i] = mapping_temperature(m, exact[i]);
     return copy;
 }
 
@@ -93,7 +88,9 @@ static int read_answer(const struct program *g, const char *path, const char *na
     struct image image;
     mapping_image(&g->map, p, &image);
     if (field_file_read(path, name, &g->columns, &image.problem, d, f, why)) return why->status;
-    if (!mapping_is_none(&g->map)) map_back(&g->map, f);
+    if (mapping_is_none(&g->map)) return STATUS_OK;
+    map_points(&g->map, f, mapping_to_scene, mapping_temperature_back);
+    for (int k = 0; k < 2; k++) f->range[k] = mapping_temperature_back(&g->map, f->range[k]);
     return STATUS_OK;
 }
 

@@ -87,10 +87,11 @@ static int rungs_needed(const struct ladder *l, double lo, double hi) {
     for (int i = 0; i < n; i++) u[i] = log(u[i]);
     double scatter = half / gsl_cdf_tdist_Pinv(0.975, n - 2) * sqrt(gsl_stats_tss(u, 1, (size_t)n)),
            room = fmin(l->slope.value - lo, hi - l->slope.value);
-    for (int more = n + 1; more <= MOST; more++) {
-        u[more - 1] = u[more - 2] - log(2);
-        if (gsl_cdf_tdist_Pinv(0.975, more - 2) * scatter / sqrt(gsl_stats_tss(u, 1, (size_t)more)) <= room)
-            return more + l->n - n;
+    double last = u[n - 1];
+    for (int i = n; i < MOST; i++) {
+        u[i] = last -= log(2);
+        if (gsl_cdf_tdist_Pinv(0.975, i - 1) * scatter / sqrt(gsl_stats_tss(u, 1, (size_t)i + 1)) <= room)
+            return i + 1 + l->n - n;
     }
     return 0;
 }

@@ -100,8 +100,7 @@ int self_difference_fields(const struct problem *p, const struct field *a, const
     return same;
 }
 
-/* Runs the rungs: each beside *to, or where that is NULL each but the first beside the one before, whose error it is.
- */
+/* Runs the rungs: each beside *to; where that is NULL all but the first beside the one before, whose error it is. */
 static int climb(const struct experiment *rung, const struct field *to, struct ladder *l, double *dt,
                  struct failure *why) {
     struct field before = {0};

@@ -15,6 +15,7 @@
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
+#include <string.h>
 
 void measures_fail(struct measured *m, const struct failure *why) {
     *m = (struct measured){.value = NAN, .ci = {NAN, NAN}, .error = NAN};
@@ -38,11 +39,9 @@ static void keep_rungs(const struct ladder *l, struct rungs *to) {
     to->n = l->n;
     to->norm = ladder_norm_titles[l->norm];
     snprintf(to->axis, sizeof to->axis, "%s%s", l->inverse ? "1 / " : "", ladder_axis(l));
-    for (int i = 0; i < l->n; i++) {
-        to->x[i] = l->x[i];
-        to->error[i] = l->error[i];
-        to->counts[i] = l->window.counts[i];
-    }
+    memcpy(to->x, l->x, sizeof to->x);
+    memcpy(to->error, l->error, sizeof to->error);
+    memcpy(to->counts, l->window.counts, sizeof to->counts);
 }
 
 int measures_ladder(const struct request *r, int scattered, double lo, double hi, struct ladder *l,

@@ -35,7 +35,7 @@ void measures_plan(const struct request *r, double lo, double hi, struct measure
     struct plan plan;
     struct result result;
     struct failure why = {0};
-    int status = plan_make(&r->experiment, &plan, &why);
+    int status = plan_make(&r->experiment, PLAN_RUN, &plan, &why);
     measures_fail(m, &why);
     if (status) return;
     if (measures_run(&r->experiment, &result, NULL, m)) return;

@@ -74,14 +74,18 @@ static size_t put_letter(FILE *out, const char *text) {
     return length ? length : 1;
 }
 
-void html_text(FILE *out, const char *text) {
+void html_bytes(FILE *out, const char *text, size_t size) {
     static const char special[] = "&<>\"";
     static const char *const name[] = {"&amp;", "&lt;", "&gt;", "&quot;"};
-    while (*text) {
+    for (const char *end = text + size; text < end && *text;) {
         const char *at = strchr(special, *text);
         if (at) fputs(name[at - special], out);
         text += at ? 1 : put_letter(out, text);
     }
+}
+
+void html_text(FILE *out, const char *text) {
+    html_bytes(out, text, strlen(text));
 }
 
 void html_print(FILE *out, const char *format, ...) {
@@ -99,10 +103,9 @@ void html_command(FILE *out, const char *command) {
     fprintf(out, "<pre><code><span>heatladder</span> ");
     for (size_t n; *command; command += n) {
         n = strcspn(command, " ");
-        char *word = xcalloc(n + 1, 1);
-        memcpy(word, command, n);
-        html_print(out, "<span>%s</span>", word);
-        free(word);
+        fprintf(out, "<span>");
+        html_bytes(out, command, n);
+        fprintf(out, "</span>");
         if (command[n]) fputc(' ', out), n++;
     }
     fprintf(out, "</code></pre>\n");

@@ -11,7 +11,8 @@ struct table;
 void html_open(FILE *out, const char *title); /* up to the open <main> */
 void html_close(FILE *out);
 
-/* The characters of HTML and XML escaped, control characters as blanks. */
+/* The characters of HTML and XML escaped, control characters as blanks; of the first `size` bytes, or of all. */
+void html_bytes(FILE *out, const char *text, size_t size);
 void html_text(FILE *out, const char *text);
 /* As printf with no conversion but %s, each of them by html_text. */
 void html_print(FILE *out, const char *format, ...) __attribute__((format(printf, 2, 3)));

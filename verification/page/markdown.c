@@ -11,21 +11,13 @@
 enum { UPRIGHT = 10 }; /* columns, beyond which headers stand upright */
 enum block { NONE, PARAGRAPH, LIST, TABLE, CODE };
 
-static void put_until(FILE *out, const char *from, const char *to) {
-    char text[1024];
-    size_t n = (size_t)(to - from) < sizeof text ? (size_t)(to - from) : sizeof text - 1;
-    memcpy(text, from, n);
-    text[n] = '\0';
-    html_text(out, text);
-}
-
 /* `code`, **strong**, *emphasis* (a word, so that 2 * 3 stays a product), [text](address). */
 static void put_inline(FILE *out, const char *text) {
     while (*text) {
         const char *close = NULL, *tag = NULL;
-        int marks = 1;
+        size_t marks = 1;
         if (*text == '\\' && text[1] && strchr("_|*`<>", text[1])) {
-            put_until(out, text + 1, text + 2);
+            html_bytes(out, text + 1, 1);
             text += 2;
             continue;
         }
@@ -34,7 +26,7 @@ static void put_inline(FILE *out, const char *text) {
         if (strncmp(text, "**", 2) == 0 && (close = strstr(text + 2, "**"))) tag = "strong", marks = 2;
         if (tag) {
             fprintf(out, "<%s>", tag);
-            put_until(out, text + marks, close);
+            html_bytes(out, text + marks, (size_t)(close - text) - marks);
             fprintf(out, "</%s>", tag);
             text = close + marks;
             continue;
@@ -42,15 +34,16 @@ static void put_inline(FILE *out, const char *text) {
         const char *middle = *text == '[' ? strstr(text, "](") : NULL, *end = middle ? strchr(middle, ')') : NULL;
         if (end) {
             fprintf(out, "<a href=\"");
-            put_until(out, middle + 2, end);
+            html_bytes(out, middle + 2, (size_t)(end - middle) - 2);
             fprintf(out, "\">");
-            put_until(out, text + 1, middle);
+            html_bytes(out, text + 1, (size_t)(middle - text) - 1);
             fprintf(out, "</a>");
             text = end + 1;
             continue;
         }
-        put_until(out, text, text + 1);
-        text++;
+        size_t plain = 1 + strcspn(text + 1, "\\`*[");
+        html_bytes(out, text, plain);
+        text += plain;
     }
 }
 

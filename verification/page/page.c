@@ -24,7 +24,7 @@ void page_origin(char *text, size_t size) {
     if (gmtime_r(&now, &parts)) strftime(when, sizeof when, "%Y-%m-%d %H:%M UTC", &parts);
     if (uname(&machine) == 0)
         snprintf(where, sizeof where, "%.60s %.60s, %.60s", machine.sysname, machine.release, machine.machine);
-    snprintf(text, size, "%s on %s by heatladder %s", when, where, version_text);
+    snprintf(text, size, "%s on %s by heatladder %s", when, where, help_version);
 }
 
 static void put_command(const char *command, FILE *out) {

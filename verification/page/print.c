@@ -45,12 +45,12 @@ static void print_groups(const struct gates *g) {
         if (!gates_begins_group(g, i)) continue;
         struct gates_tally t = gates_tally(g, id);
         const char *word = verdict_words[t.passed == t.judged ? VERDICT_PASS : VERDICT_FAIL];
-        printf("%s%-14.*s ", paint_start(stdout, word), (int)gates_group_length(id), id);
+        printf("%s%-14.*s ", verdict_colour(stdout, word), (int)gates_group_length(id), id);
         if (t.judged)
             printf("%3d/%-3d%s", t.passed, t.judged, t.passed == t.judged ? " " : "!");
         else
             printf("skipped ");
-        printf("%s", paint_end(stdout, word));
+        printf("%s", verdict_colour_end(stdout, word));
         printf("%s", ++column % ACROSS ? "    " : "\n");
     }
     if (column % ACROSS) printf("\n");
@@ -68,7 +68,8 @@ static void print_details(const struct gate_result *r) {
 static void print_failure(const struct gate_result *r, int all) {
     const struct measured *m = &r->measured;
     const char *word = verdict_words[m->verdict];
-    printf("\n%s: %s%s%s: %s\n", r->gate.id, paint_start(stdout, word), word, paint_end(stdout, word), m->reason);
+    printf("\n%s: %s%s%s: %s\n", r->gate.id, verdict_colour(stdout, word), word, verdict_colour_end(stdout, word),
+           m->reason);
     if (*m->diagnosis) printf("  diagnosis: %s\n", m->diagnosis);
     if (all) print_details(r);
     printf("  heatladder %s\n", r->typed);

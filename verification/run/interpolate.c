@@ -54,17 +54,12 @@ void interpolate_end(struct interpolate *f) {
     *f = (struct interpolate){0};
 }
 
-static double distance2(const struct interpolate *f, const double x[2], size_t i) {
-    double dx = f->x[i] - x[0], dy = f->dim == 2 ? f->y[i] - x[1] : 0;
-    return dx * dx + dy * dy;
-}
-
 /* Puts the points of a box among the nearest `most`, nearest first; how many there are now. */
 static size_t take_box(const struct interpolate *f, const double x[2], size_t box, struct near *list, size_t n,
                        size_t most) {
     for (size_t k = f->first[box]; k < f->first[box + 1]; k++) {
         size_t i = f->point[k];
-        double d2 = distance2(f, x, i);
+        double dx = f->x[i] - x[0], dy = f->dim == 2 ? f->y[i] - x[1] : 0, d2 = dx * dx + dy * dy;
         if (f->x[i] < f->from || f->x[i] > f->to || (n == most && !(d2 < list[n - 1].d2))) continue;
         size_t at = n < most ? n++ : n - 1;
         for (; at > 0 && d2 < list[at - 1].d2; at--) list[at] = list[at - 1];
@@ -101,21 +96,19 @@ static void monomials(int dim, double u, double v, gsl_matrix *A, size_t row) {
 static int fit(const struct interpolate *f, const double x[2], const struct near *list, size_t n, double *T,
                double gradient[2]) {
     size_t terms = f->dim == 2 ? TERMS : ROD, rank;
-    double scale = sqrt(list[n - 1].d2), chi2;
+    double scale = sqrt(list[n - 1].d2), chi2, value[MOST], coefficient[TERMS];
     gsl_matrix *A = gsl_matrix_alloc(n, terms), *cov = gsl_matrix_alloc(terms, terms);
-    gsl_vector *b = gsl_vector_alloc(n), *c = gsl_vector_alloc(terms);
+    gsl_vector_view b = gsl_vector_view_array(value, n), c = gsl_vector_view_array(coefficient, terms);
     gsl_multifit_linear_workspace *w = gsl_multifit_linear_alloc(n, terms);
     for (size_t k = 0; k < n; k++) {
         size_t i = list[k].i;
         monomials(f->dim, (f->x[i] - x[0]) / scale, f->dim == 2 ? (f->y[i] - x[1]) / scale : 0, A, k);
-        gsl_vector_set(b, k, f->T[i]);
+        value[k] = f->T[i];
     }
-    int bad = gsl_multifit_linear_tsvd(A, b, 1e-9, c, cov, &chi2, &rank, w) || rank < terms;
-    *T = gsl_vector_get(c, 0);
-    for (int a = 0; gradient && a < f->dim; a++) gradient[a] = gsl_vector_get(c, 1 + (size_t)a) / scale;
+    int bad = gsl_multifit_linear_tsvd(A, &b.vector, 1e-9, &c.vector, cov, &chi2, &rank, w) || rank < terms;
+    *T = coefficient[0];
+    for (int a = 0; gradient && a < f->dim; a++) gradient[a] = coefficient[1 + a] / scale;
     gsl_multifit_linear_free(w);
-    gsl_vector_free(c);
-    gsl_vector_free(b);
     gsl_matrix_free(cov);
     gsl_matrix_free(A);
     return bad;

@@ -48,17 +48,12 @@ int spectrum_create(struct spectrum *s, const struct heat_operator *a, const str
         return refuse(why, STATUS_INPUT, "%zu particles: all eigenvalues are found of at most %d with rows", a->n,
                       SPECTRUM_MAX);
     gsl_matrix *m = dense(a);
-    gsl_vector_complex *value = gsl_vector_complex_alloc(a->n);
+    s->lambda = xcalloc(a->n, sizeof *s->lambda); /* two doubles each, as GSL has them (C11, 6.2.5) */
+    gsl_vector_complex_view value = gsl_vector_complex_view_array((double *)s->lambda, a->n);
     gsl_eigen_nonsymm_workspace *work = gsl_eigen_nonsymm_alloc(a->n);
     gsl_eigen_nonsymm_params(0, 1, work);
-    int status = gsl_eigen_nonsymm(m, value, work);
-    s->lambda = xcalloc(a->n, sizeof *s->lambda);
-    for (size_t i = 0; i < a->n; i++) {
-        gsl_complex z = gsl_vector_complex_get(value, i);
-        s->lambda[i] = GSL_REAL(z) + I * GSL_IMAG(z);
-    }
+    int status = gsl_eigen_nonsymm(m, &value.vector, work);
     gsl_eigen_nonsymm_free(work);
-    gsl_vector_complex_free(value);
     gsl_matrix_free(m);
     if (!status) summarise(s, step);
     if (status || !isfinite(s->radius)) {

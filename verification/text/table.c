@@ -70,7 +70,7 @@ void table_end(struct table *t, FILE *out) {
         const char *text = t->cell[i];
         int w = c < t->left ? -width[c] : width[c];
         if (last && (*text == '\0' || words || c < t->left)) w = 0; /* no blanks at the end */
-        fprintf(out, "%s%s%*s%s%s", c ? "  " : "", paint_start(out, text), w, text, paint_end(out, text),
+        fprintf(out, "%s%s%*s%s%s", c ? "  " : "", verdict_colour(out, text), w, text, verdict_colour_end(out, text),
                 last ? "\n" : "");
     }
     table_free(t);

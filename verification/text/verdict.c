@@ -22,11 +22,11 @@ static int place(FILE *out, const char *word) {
     return words_index(verdict_words, word);
 }
 
-const char *paint_start(FILE *out, const char *word) {
+const char *verdict_colour(FILE *out, const char *word) {
     int i = place(out, word);
     return i < 0 ? "" : colours[i];
 }
 
-const char *paint_end(FILE *out, const char *word) {
+const char *verdict_colour_end(FILE *out, const char *word) {
     return place(out, word) < 0 ? "" : "\033[0m";
 }

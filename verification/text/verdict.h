@@ -18,7 +18,7 @@ extern const char *const verdict_words[]; /* in the order of the enum, ended by 
 enum verdict verdict_within(double x, double lo, double hi);
 
 /* The escape sequence that colours a verdict's word, "" for any other word, off a terminal, and with NO_COLOR. */
-const char *paint_start(FILE *out, const char *word);
-const char *paint_end(FILE *out, const char *word);
+const char *verdict_colour(FILE *out, const char *word);
+const char *verdict_colour_end(FILE *out, const char *word);
 
 #endif

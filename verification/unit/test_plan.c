@@ -15,7 +15,7 @@
 static void plan_of(const char *line, struct request *r, struct plan *plan) {
     struct failure why;
     if (arguments_parse_line(line, r, &why)) fail_msg("%s: %s", line, why.text);
-    if (plan_make(&r->experiment, plan, &why)) fail_msg("%s: %s", line, why.text);
+    if (plan_make(&r->experiment, PLAN_RUN, plan, &why)) fail_msg("%s: %s", line, why.text);
 }
 
 static void as_planned(const char *line) {
@@ -174,7 +174,7 @@ static void a_method_that_does_not_tell_has_no_plan(void **state) {
     silent.name = "silent", silent.outline = NULL;
     assert_int_equal(arguments_parse_line("plan rod-step ftcs --dx 0.1", &r, &why), STATUS_OK);
     r.experiment.method = &silent;
-    assert_int_equal(plan_make(&r.experiment, &plan, &why), STATUS_NOT_APPLICABLE);
+    assert_int_equal(plan_make(&r.experiment, PLAN_RUN, &plan, &why), STATUS_NOT_APPLICABLE);
     assert_has(why.text, "silent does not tell what it stores and does");
     arguments_free(&r);
 }
@@ -225,7 +225,7 @@ static void refusals_are_those_of_the_run(void **state) {
     for (size_t i = 0; i < sizeof lines / sizeof *lines; i++) {
         struct result result;
         if (arguments_parse_line(lines[i], &r, &why)) fail_msg("%s: %s", lines[i], why.text);
-        int status = plan_make(&r.experiment, &plan, &why);
+        int status = plan_make(&r.experiment, PLAN_RUN, &plan, &why);
         if (!status_refused(status) || run_experiment(&r.experiment, &result, NULL) != status)
             fail_msg("%s: %d", lines[i], status);
         assert_string_equal(why.text, result.failure.text);

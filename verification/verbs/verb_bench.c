@@ -32,24 +32,20 @@ struct files {
 static int bench_one(const struct request *given, const struct scene *s, struct json *j, struct files *files,
                      struct failure *why) {
     struct experiment e = given->experiment;
-    struct bench_scene *b = xcalloc(1, sizeof *b);
     e.scene = s;
     scene_defaults(s, &e.problem);
-    int status = s->setup(&e.problem, why);
-    if (!status) bench_run(&e, SECONDS, b);
-    if (!status) {
-        json_object(j, NULL);
-        bench_print_scene_json(b, j);
-        json_end(j);
-    }
-    if (!status && !given->json) {
-        bench_print_scene(b, stdout);
-        fflush(stdout);
-    }
-    if (!status && given->dir)
+    if (s->setup(&e.problem, why)) return why->status;
+    struct bench_scene *b = xcalloc(1, sizeof *b);
+    bench_run(&e, SECONDS, b);
+    json_object(j, NULL);
+    bench_print_scene_json(b, j);
+    json_end(j);
+    if (!given->json) bench_print_scene(b, stdout);
+    fflush(stdout);
+    if (given->dir)
         bench_print_data(b, output_open(&files->file[files->count++], "%s/bench_%s.csv", given->dir, s->name));
     free(b);
-    return status;
+    return STATUS_OK;
 }
 
 static void measure_engine(const struct request *r, struct json *j) {

@@ -40,8 +40,8 @@ static void print_text(const struct ladder *l) {
     table_end(&t, stdout);
     ladder_slope_text(l, what, sizeof what);
     printf("\n%s\n", what);
-    printf("%s%s%s: %s (%.2g s)\n", paint_start(stdout, verdict), verdict, paint_end(stdout, verdict), l->reason,
-           l->seconds);
+    printf("%s%s%s: %s (%.2g s)\n", verdict_colour(stdout, verdict), verdict, verdict_colour_end(stdout, verdict),
+           l->reason, l->seconds);
     if (!l->diagnosed) return;
     wording_text(&l->diagnosis, what, sizeof what);
     printf("diagnosis: %s\n", what);

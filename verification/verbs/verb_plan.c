@@ -125,7 +125,7 @@ int verb_plan(const struct request *r, struct failure *why) {
     struct plan plan;
     if (r->rungs.dx.count > 1 || r->rungs.dt.count > 1 || r->rungs.fourier.count > 1)
         return refuse(why, STATUS_INPUT, "plan takes one --dx, and one --dt or --fourier");
-    if (plan_make(&r->experiment, &plan, why)) return why->status;
+    if (plan_make(&r->experiment, PLAN_RUN, &plan, why)) return why->status;
     if (r->json) {
         struct json j = json_on(stdout);
         print_json(&r->experiment, &plan, &j);
