@@ -44,6 +44,8 @@ static void markdown_becomes_html(void **state) {
     assert_string_equal(markdown("    x && y\n"), "<pre><code>x &amp;&amp; y\n</code></pre>\n");
     assert_string_equal(markdown("`a*b` and *much*, 2 * 3, so\\_ssph\n"),
                         "<p><code>a*b</code> and <em>much</em>, 2 * 3, so_ssph\n</p>\n");
+    assert_string_equal(markdown("**bold**, **a*b** and ** 2\n"),
+                        "<p><strong>bold</strong>, <strong>a*b</strong> and ** 2\n</p>\n");
     assert_string_equal(markdown("\\|G\\| \\<= 1, \\*not\\*\n"), "<p>|G| &lt;= 1, *not*\n</p>\n");
     assert_string_equal(markdown("- see [there](a.md)\n"), "<ul>\n<li>see <a href=\"a.md\">there</a></ul>\n");
     assert_string_equal(markdown("| a | \\|b\\| |\n|---|---:|\n| 1.5 | two |\n"),
