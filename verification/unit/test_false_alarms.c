@@ -9,6 +9,8 @@
 
 #include "verification/unit/near.h"
 
+#include <gsl/gsl_cdf.h>
+
 #include <unistd.h>
 
 static const char *self; /* this program */
@@ -80,15 +82,35 @@ static void is_inconclusive(const char *id, const char *made, const char *said) 
 }
 
 /* A cloud whose errors are far below the ceiling: how many rungs decide. */
+/* Half the interval of a slope over the ladder's rungs and more by halving, `count` in all: scatter is that of the
+ * ladder's own interval. */
+static double half_interval(const struct ladder *l, int count) {
+    double u[20], mean = 0, square[2] = {0, 0}, half = (l->slope.ci[1] - l->slope.ci[0]) / 2;
+    for (int i = 0; i < count; i++) u[i] = i < l->n ? log(l->x[i]) : u[i - 1] - log(2);
+    for (int k = 0; k < 2; k++) {
+        int n = k ? count : l->n;
+        mean = 0;
+        for (int i = 0; i < n; i++) mean += u[i] / n;
+        for (int i = 0; i < n; i++) square[k] += (u[i] - mean) * (u[i] - mean);
+    }
+    return half * gsl_cdf_tdist_Pinv(0.975, count - 2) / gsl_cdf_tdist_Pinv(0.975, l->n - 2) *
+           sqrt(square[0] / square[1]);
+}
+
 static void what_is_missing_is_said_in_numbers(void **state) {
     (void)state;
     static const char *const line = "ladder rod-cosine mine --dx 1/20,1/40,1/60,1/80 --expect 1.5,2.9 --ceiling 1";
     struct ladder *l = xcalloc(1, sizeof *l);
-    ladder(line, "solver 3e-5", l);
+    ladder(line, "solver 5e-5", l);
     assert_int_equal(l->verdict, VERDICT_INCONCLUSIVE);
     print_message("%s\n", l->reason);
     assert_has(l->reason, "times below its ceiling and falls throughout (slopes ");
     assert_has(l->reason, "(--rungs ");
+    int rungs = atoi(strstr(l->reason, "(--rungs ") + 9);
+    double room = fmin(l->slope.value - 1.5, 2.9 - l->slope.value);
+    assert_order(rungs, >, l->n + 1); /* so that the spacing of further rungs counts */
+    assert_order(half_interval(l, rungs), <=, room);
+    assert_order(half_interval(l, rungs - 1), >, room);
     free(l);
 }
 
