@@ -58,6 +58,7 @@ static void a_cut_leaves_whole_letters(void **state) {
     static const size_t whole[] = {0, 1, 1, 3, 3, 3, 6, 6, 6, 6, 10};
     for (size_t n = 0; n < sizeof text; n++) assert_int_equal(letter_whole(text, n), whole[n]);
     assert_int_equal(letter_whole("\xA9\xA9\xA9\xA9\xA9", 5), 5);
+    assert_int_equal(letter_whole("a\xC2", 2), 1); /* the first byte of U+0080 to U+00BF */
 }
 
 int main(void) {
