@@ -28,7 +28,8 @@ struct point {
     double x[2];
     double T, source, rho_c;
     struct {
-        double k, kind, value, b; /* conductivity; the wall's kind, its value and its Robin coefficient */
+        double k;              /* conductivity */
+        double kind, value, b; /* of a wall; b is its Robin coefficient */
     } axis[2];
     double conductance[4]; /* W m^-3 K^-1, to the neighbours at x low, x high, y low, y high */
     double flux;           /* W m^-3, what walls of given flux add */
@@ -191,6 +192,14 @@ static void step_by(double dt) {
         if (is_cell(c)) point[c].T += dt * point[c].rate / point[c].rho_c;
 }
 
+/* One block: a line a point, with the time and the point before its source. */
+static void read_sources(FILE *sources) {
+    for (int c = 0; c < points; c++) {
+        for (int d = 0; d < 1 + dim; d++) next_number(sources);
+        point[c].source = next_number(sources);
+    }
+}
+
 /* A source that changes in time is asked for at the start of every step, all times at once: a block of lines a time.
  * The block of the end time is left unread. */
 static void run(const char *path, int steps) {
@@ -199,10 +208,7 @@ static void run(const char *path, int steps) {
     snprintf(times, sizeof times, "0:%.17g:%d", t_end, steps + 1);
     if (source_changes) sources = ask(path, times, "source");
     for (int step = 0; step < steps; step++) {
-        for (int c = 0; sources && c < points; c++) {
-            for (int d = -1; d < dim; d++) next_number(sources); /* the time and the point */
-            point[c].source = next_number(sources);
-        }
+        if (sources) read_sources(sources);
         step_by(t_end / steps);
     }
     if (sources) pclose(sources);

@@ -20,7 +20,8 @@ struct point {
     double x[2];
     double source, rho_c;
     struct {
-        double k, kind, value, b; /* conductivity; the wall's kind, its value and its Robin coefficient */
+        double k;              /* conductivity */
+        double kind, value, b; /* of a wall; b is its Robin coefficient */
     } axis[2];
     double conductance[2]; /* W m^-3 K^-1, to the next point along x and along y */
 };
@@ -53,12 +54,13 @@ static void read_case(const char *path) {
         sscanf(line, "hi = %lf, %lf", &hi[0], &hi[1]);
         sscanf(line, "t_end = %lf", &t_end);
         sscanf(line, "source = %15s", source);
-        int round = !strncmp(line, "shape", 5), periodic = strstr(line, "= periodic") != NULL;
-        if (round || periodic) exit(NOT_APPLICABLE); /* boxes with walls alone */
         sscanf(line, "oracle = %2047[^\n]", oracle);
+        /* This code has rods and rectangles with walls: neither round bodies nor periodic ones. */
+        if (strncmp(line, "shape", 5) == 0) exit(NOT_APPLICABLE);
+        if (strstr(line, "= periodic")) exit(NOT_APPLICABLE);
     }
     fclose(f);
-    if (!strcmp(source, "changing")) exit(NOT_APPLICABLE); /* the integrator takes times of its own */
+    if (strcmp(source, "changing") == 0) exit(NOT_APPLICABLE); /* the integrator takes times of its own */
     for (int d = 0; d < 2; d++) width[d] = (hi[d] - lo[d]) / n[d];
 }
 

@@ -56,19 +56,27 @@ static const struct bench_scene *made(void) {
     return &b;
 }
 
-/* What `print` writes of it; freed by the caller. */
-static char *printed(void (*print)(const struct bench_scene *b, FILE *out)) {
+/* What `print` writes; freed by the caller. */
+static char *printed(void (*print)(FILE *out)) {
     char *text = NULL;
     size_t size = 0;
     FILE *out = open_memstream(&text, &size);
-    print(made(), out);
+    print(out);
     fclose(out);
     return text;
 }
 
+static void scene_text(FILE *out) {
+    bench_print_scene(made(), out);
+}
+
+static void scene_data(FILE *out) {
+    bench_print_data(made(), out);
+}
+
 static void a_scene_is_its_fronts_its_growth_and_what_did_not_run(void **state) {
     (void)state;
-    char *text = printed(bench_print_scene);
+    char *text = printed(scene_text);
     assert_string_equal(
         text,
         "rod-cosine\n"
@@ -89,7 +97,7 @@ static void a_scene_is_its_fronts_its_growth_and_what_did_not_run(void **state) 
 /* After the lines on the machine. */
 static void charts_have_a_block_a_candidate_and_the_two_fronts(void **state) {
     (void)state;
-    char *text = printed(bench_print_data), *blocks = strstr(text, "# seconds: ");
+    char *text = printed(scene_data), *blocks = strstr(text, "# seconds: ");
     assert_has(text, "# title: rod-cosine: error against cost\n# command: heatladder bench --scene rod-cosine\n"
                      "# processor: ");
     assert_has(text, "# compiler: ");
@@ -127,13 +135,13 @@ static const struct bench_engine throughput = {.count = 3,
                                                        {"so_ssph over ftcs", "", 0.4, 0.3, 0.5, 0.5, 0},
                                                        {"a step in steps of ftcs", "", 2.5, 2.4, 2.6, 3, 1}}};
 
+static void engine_text(FILE *out) {
+    bench_print_engine(&throughput, out);
+}
+
 static void throughputs_stand_beside_their_aims(void **state) {
     (void)state;
-    char *text = NULL;
-    size_t size = 0;
-    FILE *out = open_memstream(&text, &size);
-    bench_print_engine(&throughput, out);
-    fclose(out);
+    char *text = printed(engine_text);
     assert_string_equal(text, "times      median of 5 runs after one to warm up\n\n"
                               "engine                              median  spread [%]     aim  verdict\n"
                               "ftcs, 160 x 160          9.5e+08 updates/s          11          \n"
@@ -142,17 +150,17 @@ static void throughputs_stand_beside_their_aims(void **state) {
     free(text);
 }
 
-static void json_has_every_row(void **state) {
-    (void)state;
-    char *text = NULL;
-    size_t size = 0;
-    FILE *out = open_memstream(&text, &size);
+static void json(FILE *out) {
     struct json j = json_on(out);
     bench_print_machine_json(&j);
     bench_print_engine_json(&throughput, &j);
     bench_print_scene_json(made(), &j);
     json_end(&j);
-    fclose(out);
+}
+
+static void json_has_every_row(void **state) {
+    (void)state;
+    char *text = printed(json);
     assert_has(text, "\"lanes\": ");
     assert_has(text,
                "\"what\": \"so_ssph over ftcs\",\n      \"unit\": \"\",\n      \"median\": 0.40000000000000002,\n"
@@ -174,11 +182,7 @@ static void json_has_every_row(void **state) {
 
 static void the_machine_has_its_flags(void **state) {
     (void)state;
-    char *text = NULL;
-    size_t size = 0;
-    FILE *out = open_memstream(&text, &size);
-    bench_print_machine(out);
-    fclose(out);
+    char *text = printed(bench_print_machine);
     assert_has(text, "processor  ");
     assert_has(text, " cores, vectors of ");
     assert_has(text, "\nflags      -std=c11 -ffp-contract=off -fopenmp ");
