@@ -390,21 +390,32 @@ static void a_correct_code_has_none(void **state) {
     assert_int_equal(named, 0);
 }
 
+/* What is tried along y has y's extent; y's walls, and no other, keep k dT/dn = b (value - T) in a stretched body. */
+static void a_fault_along_y_is_of_y(void **state) {
+    (void)state;
+    struct problem p = problem_of("plate-cooling"), rod = problem_of("rod-step");
+    struct faulty with;
+    struct fault along_y = {.kind = FAULT_EXTENT, .axis = 1};
+    assert_near(fault_probe(&p, along_y), (p.hi[1] - p.lo[1]) / 200, 1e-15);
+    assert_true(fault_make(&p, along_y, 0.05, &with));
+    double s = 1 + 2 * 0.05 / (p.hi[1] - p.lo[1]);
+    for (int side = X_LO; side <= X_HI; side++) assert_near(with.problem.robin[side], p.robin[side], 0);
+    for (int side = Y_LO; side <= Y_HI; side++) assert_near(with.problem.robin[side], p.robin[side] / s, 1e-12);
+    struct fault swap = {.kind = FAULT_SWAP}, isotropic = {.kind = FAULT_ISOTROPIC};
+    assert_false(fault_make(&rod, swap, 1, &with)); /* a rod has one conductivity, and so has the plate */
+    assert_false(fault_make(&p, swap, 1, &with));
+    assert_false(fault_make(&p, isotropic, 1, &with));
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(faults_are_named_with_their_size),
-        cmocka_unit_test(values_for_means_are_named),
-        cmocka_unit_test(rounded_temperatures_are_named),
-        cmocka_unit_test(runs_that_differ_are_named),
-        cmocka_unit_test(a_conductivity_is_no_end_time),
-        cmocka_unit_test(a_projection_is_no_fault),
-        cmocka_unit_test(a_start_tells_what_numbers_are),
-        cmocka_unit_test(most_gates_name_one_fault),
-        cmocka_unit_test(coefficients_of_sides_are_one_fault),
-        cmocka_unit_test(a_name_that_few_give_is_perhaps),
-        cmocka_unit_test(sizes_that_cannot_be_are_not),
-        cmocka_unit_test(a_clock_may_follow_the_spacing),
-        cmocka_unit_test(a_correct_code_has_none),
+        cmocka_unit_test(faults_are_named_with_their_size), cmocka_unit_test(a_fault_along_y_is_of_y),
+        cmocka_unit_test(values_for_means_are_named),       cmocka_unit_test(rounded_temperatures_are_named),
+        cmocka_unit_test(runs_that_differ_are_named),       cmocka_unit_test(a_conductivity_is_no_end_time),
+        cmocka_unit_test(a_projection_is_no_fault),         cmocka_unit_test(a_start_tells_what_numbers_are),
+        cmocka_unit_test(most_gates_name_one_fault),        cmocka_unit_test(coefficients_of_sides_are_one_fault),
+        cmocka_unit_test(a_name_that_few_give_is_perhaps),  cmocka_unit_test(sizes_that_cannot_be_are_not),
+        cmocka_unit_test(a_clock_may_follow_the_spacing),   cmocka_unit_test(a_correct_code_has_none),
     };
     return cmocka_run_group_tests_name("diagnosis", tests, NULL, NULL);
 }

@@ -41,12 +41,22 @@ static void an_error_that_is_not_a_number_fails(void **state) {
     assert_int_equal(m.verdict, VERDICT_FAIL);
 }
 
+/* At order 4 the hot piece leaves nothing above 10 K, and some 1e-4 K below 0. */
+static void what_is_below_the_data_counts_as_overshoot(void **state) {
+    (void)state;
+    struct measured m = judge("run rod-step so_ssph --dx 0.1 --order 4", 1);
+    assert_order(m.value, >, 1e-5);
+    assert_order(m.value, <, 1e-3);
+    assert_int_equal(m.verdict, VERDICT_FAIL);
+}
+
 int main(void) {
     gsl_set_error_handler_off();
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(an_error_below_it_passes),
         cmocka_unit_test(an_error_above_it_fails),
         cmocka_unit_test(an_error_that_is_not_a_number_fails),
+        cmocka_unit_test(what_is_below_the_data_counts_as_overshoot),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

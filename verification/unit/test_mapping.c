@@ -124,6 +124,21 @@ static void an_image_obeys_its_equation(void **state) {
         }
 }
 
+/* A jump at c lies at -c where the axis runs against the scene's. */
+static void jumps_run_against_the_axis_too(void **state) {
+    (void)state;
+    struct problem of;
+    struct image image;
+    struct mapping m = {.scale = 1};
+    odd_find("rod-contact", &of);
+    of.jumps[0] = 2, of.jump[0][0] = -0.3, of.jump[0][1] = 0.1;
+    mapping_read("-x", &m);
+    mapping_image(&m, &of, &image);
+    assert_int_equal(image.problem.jumps[0], 2);
+    assert_near(image.problem.jump[0][0], -0.1, 0);
+    assert_near(image.problem.jump[0][1], 0.3, 0);
+}
+
 /* The interface is across the case's y, and the material of the scene's lower half lies above it there. */
 static void a_case_has_its_own_axes(void **state) {
     (void)state;
@@ -166,6 +181,7 @@ int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(words_are_read_as_they_are_printed),
         cmocka_unit_test(an_image_obeys_its_equation),
+        cmocka_unit_test(jumps_run_against_the_axis_too),
         cmocka_unit_test(a_case_has_its_own_axes),
     };
     gsl_set_error_handler_off();

@@ -99,6 +99,8 @@ static void units_of_the_last_digit(void **state) {
     assert_near(published_units("0.3381", 0.33698), -11, 0);
     assert_near(published_units("5.0103e-5", 4.9183e-5), -920, 0);
     assert_near(published_units("2.7827", 2.785), 23, 0);
+    assert_near(published_units("27", 31), 4, 0);
+    assert_near(published_units("3e-2", 0.05), 2, 0);
 }
 
 static void tables_as_printed(void **state) {
