@@ -2,21 +2,18 @@
 /* Walls that cut the lattice anywhere: what each treatment keeps, with so_ssph.
  *
  * Round walls: eight lattices (origin and angle by seeds 1 to 8) at each spacing, all in one fit of the order.  Steps
- * and growth by all eigenvalues of the operator at dx = 0.125, the worst of four lattices.  Plane walls: rod-cooling,
- * held at one end and cooled at the other, and rod-cosine, insulated, at the offsets 0, 0.1, ... 0.9. */
+ * and growth by all eigenvalues of the operator at dx = 0.125, the worst of four lattices.  Plane
+ * walls are in walls_planes.c. */
 #include "reports/walls/walls_study.h"
 
 #include "reports/figure/figure.h"
+#include "reports/walls/walls_planes.h"
+#include "reports/walls/walls_price.h"
 #include "solver/method.h"
-#include "solver/particles/particles.h"
-#include "verification/command/arguments.h"
 #include "verification/command/command_run.h"
 #include "verification/ladder/slope.h"
-#include "verification/stability/spectrum.h"
 #include "verification/text/output.h"
 
-#include <gsl/gsl_sort.h>
-#include <gsl/gsl_statistics_double.h>
 #include <math.h>
 #include <omp.h>
 #include <stdio.h>
@@ -38,17 +35,10 @@ static const struct body {
 static const double spacings[] = {0.1, 0.07, 0.05, 0.035, 0.025};
 enum { BODIES = 4, SPACINGS = 5, SEEDS = 8, RUNS = SPACINGS * SEEDS, SPECTRA = 4 };
 
-struct price {            /* the worst of some runs */
-    double limit, growth; /* dx^2/kappa, kappa/dx^2 */
-    double amplification; /* of a dummy: the sum of the sizes of its shares */
-    double taken;         /* particles that a fit takes, in the mean */
-    double condition;     /* of a fit's moment matrix */
-};
-
 struct entry {                                                   /* of a treatment at a body */
     double dx[RUNS], E1[RUNS], largest[RUNS], work[RUNS], drift; /* work: interactions */
     double neighbours;                                           /* in the mean, at the finest spacing */
-    struct price price;
+    struct walls_price price;
     struct failure why;
 };
 
@@ -73,70 +63,13 @@ static void take_runs(const char *scene, const char *walls, struct entry *e) {
     }
 }
 
-/* By how much an error of the particles may be larger in a dummy: the sum of |share|, of the worst; how many
- * particles it takes, and how well its fit is posed.
- *
- * Derived, of `fit`: about a wall's point particles fill half a disc, and h grows until 15 are in it: 16 in the mean
- * of lattices of any origin and angle.  Moments of the continuous half disc with the cubic kernel, functions scaled
- * to size 1: condition number (1-norm) 49 with the wall's temperatures (x, y, x^2, xy, y^2 free) and 12 with its flux
- * (1, y, x^2, xy, y^2).  The worst of 4000 lattices: 52 and 57, `cooled` as `flux`.
- * Of `one_sided`, in axes that are not the wall's: 6000 lattices of any angle, 0 to 2.2 dx from a plane wall of any
- * direction, take 17.5 particles, and the worst condition numbers are 780 held, 675 flux and 687 cooled.  In the axes
- * of the wall they would be 250, 57 and 94. */
-static void take_dummies(const struct cloud *c, struct price *price) {
-    size_t dummies = c->begin ? c->total - c->n : 0;
-    for (size_t j = 0; j < dummies; j++) {
-        double sum = 0;
-        for (size_t k = c->begin[j]; k < c->begin[j + 1]; k++) sum += fabs(c->share[k]);
-        price->amplification = fmax(price->amplification, sum);
-    }
-    if (dummies) price->taken = fmax(price->taken, (double)c->begin[dummies] / (double)dummies);
-    price->condition = fmax(price->condition, c->condition);
-}
-
-/* The operator of a request's run, all eigenvalues. */
-static int take_spectrum(const struct experiment *e, struct price *price, struct failure *why) {
-    struct options o;
-    struct lattice l;
-    struct cloud c;
-    struct heat_operator a;
-    struct spectrum s;
-    int rows;
-    const struct scheme *scheme = e->method->scheme;
-    double unit = problem_diffusivity(&e->problem) / (e->options.dx * e->options.dx);
-    if (particles_prepare(&e->problem, &e->options, scheme, &o, &l, &rows, why)) return why->status;
-    if (particles_cloud(&e->problem, &o, scheme, &l, &c, why)) return why->status;
-    int status = operator_create_csr(&a, &e->problem, &o, scheme, &c, l.dx[0], why);
-    take_dummies(&c, price);
-    layout_cloud_free(&c);
-    if (status) return status;
-    status = spectrum_create(&s, &a, &(struct amplification){STEPPER_EULER, 0}, why);
-    if (a.fits.rows) price->taken = fmax(price->taken, (double)a.fits.particles / (double)a.fits.rows);
-    price->condition = fmax(price->condition, a.fits.condition);
-    operator_free(&a);
-    if (status) return status;
-    price->limit = fmin(price->limit, s.limit * unit);
-    price->growth = fmax(price->growth, s.growth > spectrum_rounding(&s) ? s.growth / unit : 0);
-    spectrum_free(&s);
-    return STATUS_OK;
-}
-
-/* *price, where that of this run is worse. */
-static int take_price(struct price *price, struct failure *why, const char *command) {
-    struct request r;
-    int status = arguments_parse_line(command, &r, why);
-    if (!status) status = take_spectrum(&r.experiment, price, why);
-    arguments_free(&r);
-    return status;
-}
-
 static void take_spectra(const char *scene, const char *walls, struct entry *e) {
     e->price.limit = INFINITY;
     for (int seed = 1; seed <= SPECTRA && !e->why.status; seed++) {
         char command[200];
         snprintf(command, sizeof command, "run %.*s so_ssph%s --walls %s --seed %d --dx 0.125 --stepper euler",
                  (int)strcspn(scene, " "), scene, scene + strcspn(scene, " "), walls, seed);
-        take_price(&e->price, &e->why, command);
+        walls_price_take(&e->price, &e->why, command);
     }
 }
 
@@ -249,114 +182,6 @@ static int write_ratios(const struct entry *published, FILE *md, struct failure 
     return STATUS_OK;
 }
 
-/* ---- Plane walls anywhere ---- */
-
-/* Of rod-cooling the errors by spacing and work as well, to `error`: the mean of the offsets. */
-static int write_offsets(FILE *out, FILE *md, FILE *error, struct failure *why) {
-    static const struct {
-        const char *scene, *walls, *derived; /* order in E1 */
-        double length;
-    } rods[] = {{"rod-cooling", "mirror", "2", 0.3}, {"rod-cooling", "image", "1", 0.3},
-                {"rod-cooling", "fit", "2", 0.3},    {"rod-cooling", "one_sided", "2", 0.3},
-                {"rod-cosine", "mirror", "2", 1},    {"rod-cosine", "average", "1", 1},
-                {"rod-cosine", "image", "1", 1},     {"rod-cosine", "fit", "2", 1},
-                {"rod-cosine", "one_sided", "2", 1}};
-    fprintf(md,
-            "\n## Plane walls\n\nOffsets 0, 0.1, ... 0.9 of the lattice, dx = L/20 ... L/160: order of E1, the "
-            "median and the range of ten; at L/160 the mean E1 and the largest of ten; at L/80 the largest stable "
-            "step, the least and the most of ten, by all eigenvalues (0.537 without walls), and the growth.\n\n"
-            "| scene | `--walls` | order derived | order of E1 | E1, mean | E1, largest | step, dx^2/kappa | "
-            "growth, kappa/dx^2 |\n|---|---|---|---|---|---|---|---|\n");
-    figure_head(out, "Plane walls anywhere, so_ssph: order of E1 against the lattice's offset");
-    fprintf(out, "# command: heatladder ladder rod-cooling so_ssph --walls fit --shift 0.3 "
-                 "--dx 0.3/20,0.3/40,0.3/80,0.3/160\n");
-    for (size_t k = 0; k < sizeof rods / sizeof *rods; k++) {
-        fprintf(out, "\n\n# %s %s\noffset,order,low,high,E1,step\n", rods[k].scene, rods[k].walls);
-        double order[10], last[10], step[10], mean[4] = {0}, work[4] = {0}, dx[4], growth = 0;
-        for (int s = 0; s < 10; s++) {
-            double E1[4];
-            for (int n = 0; n < 4; n++) {
-                struct command_run run;
-                dx[n] = rods[k].length / (20 << n);
-                command_run_line(&run, "run %s so_ssph --walls %s --shift 0.%d --dx %g/%d", rods[k].scene,
-                                 rods[k].walls, s, rods[k].length, 20 << n);
-                E1[n] = run.result.error.l1;
-                mean[n] += E1[n] / 10, work[n] += (double)run.result.cost.interactions / 10;
-                int status = command_run_check(&run, why);
-                command_run_free(&run);
-                if (status) return status;
-            }
-            struct slope fit = slope_fit(dx, E1, 4);
-            char command[200];
-            snprintf(command, sizeof command, "run %s so_ssph --walls %s --shift 0.%d --dx %g/80 --stepper euler",
-                     rods[k].scene, rods[k].walls, s, rods[k].length);
-            struct price price = {.limit = INFINITY};
-            if (take_price(&price, why, command)) return why->status;
-            step[s] = price.limit, growth = fmax(growth, price.growth);
-            fprintf(out, "0.%d,%.4f,%.4f,%.4f,%.4e,%.4f\n", s, fit.value, fit.ci[0], fit.ci[1], E1[3], step[s]);
-            order[s] = fit.value, last[s] = E1[3];
-        }
-        gsl_sort(order, 1, 10);
-        gsl_sort(last, 1, 10);
-        gsl_sort(step, 1, 10);
-        fprintf(md, "| %s | `%s` | %s | %.2f [%.2f, %.2f] | %.2e | %.2e | %.3f to %.3f | %.2g |\n", rods[k].scene,
-                rods[k].walls, rods[k].derived, gsl_stats_median_from_sorted_data(order, 1, 10), order[0], order[9],
-                mean[3], last[9], step[0], step[9], growth);
-        if (strcmp(rods[k].scene, "rod-cooling")) continue;
-        fprintf(error, "\n\n# %s, rod-cooling\ndx,%s,interactions\n", rods[k].walls, rods[k].walls);
-        for (int n = 0; n < 4; n++) fprintf(error, "%g,%.5e,%.5e\n", dx[n], mean[n], work[n]);
-    }
-    return STATUS_OK;
-}
-
-/* By trying: a run 2 % below that step must stay, and one 2 % above it must leave the range of the data.  There the
- * fastest mode is multiplied by -1.04 a step, which makes 1e34 of 1 in these 2000 steps. */
-static int try_step(const char *command, double step, struct failure *why) {
-    static const double times[] = {0.98, 1.02};
-    static const int due[] = {STATUS_OK, STATUS_UNSTABLE};
-    int as_due = 1;
-    for (int k = 0; k < 2 && as_due; k++) {
-        struct command_run run;
-        int status = command_run_line(&run, "%s --t-end 3e5 --fourier %.6f", command, times[k] * step);
-        as_due = status == due[k];
-        if (!as_due)
-            refuse(why, STATUS_NUMERICAL, "heatladder %.150s: status %d, not %d", run.command, status, due[k]);
-        command_run_free(&run);
-    }
-    return as_due ? STATUS_OK : why->status;
-}
-
-/* In the plane the fastest mode is that of both axes: what a treatment takes from a rod's step it takes from the
- * plane's, 0.525 dx^2/kappa without walls for the rod's 0.537. */
-static int write_steps(FILE *md, struct failure *why) {
-    static const char *const walls[] = {"mirror", "image", "fit", "one_sided"};
-    fprintf(md,
-            "\n### plate-cooling --dx 1/15\n\nThe largest stable step of ten offsets, both axes alike, by all "
-            "eigenvalues (0.525 without walls), dx^2/kappa; at the least, runs of 2000 steps 2 %% below and above "
-            "it stay and grow.  Growth, kappa/dx^2; condition of the worst fit.\n\n"
-            "| `--walls` | step, least | step, most | growth | condition |\n|---|---|---|---|---|\n");
-    for (size_t k = 0; k < sizeof walls / sizeof *walls; k++) {
-        double step[10];
-        char command[200], slowest[200] = "";
-        struct price worst = {.limit = INFINITY};
-        for (int s = 0; s < 10; s++) {
-            struct price price = {.limit = INFINITY};
-            snprintf(command, sizeof command,
-                     "run plate-cooling so_ssph --walls %s --shift 0.%d --dx 1/15 --stepper euler", walls[k], s);
-            if (take_price(&price, why, command)) return why->status;
-            step[s] = price.limit;
-            if (price.limit < worst.limit) worst.limit = price.limit, strcpy(slowest, command);
-            worst.growth = fmax(worst.growth, price.growth);
-            worst.condition = fmax(worst.condition, price.condition);
-        }
-        if (try_step(slowest, worst.limit, why)) return why->status;
-        gsl_sort(step, 1, 10);
-        fprintf(md, "| `%s` | %.3f | %.3f | %.2g | %.3g |\n", walls[k], step[0], step[9], worst.growth,
-                worst.condition);
-    }
-    return STATUS_OK;
-}
-
 /* ---- The error on the disc ---- */
 
 static int write_field(FILE *out, struct failure *why) {
@@ -407,7 +232,8 @@ int walls_study_write(const char *dir, struct failure *why) {
     if (!status) {
         write_rows(all, csv, md);
         write_errors(all, error);
-        status = write_ratios(&all[2], md, why) || write_offsets(offset, md, error, why) || write_steps(md, why)
+        status = write_ratios(&all[2], md, why) || walls_planes_offsets(offset, md, error, why) ||
+                         walls_planes_steps(md, why)
                      ? why->status
                      : STATUS_OK;
     }
