@@ -79,7 +79,7 @@ int operator_neighbourhood(int dim, double dx, double h, double d[NEIGHBOURS_MAX
     return STATUS_OK;
 }
 
-/* Weights of the scheme on the lattice around the origin, one square for each of its outputs. */
+/* Weights of the scheme on the lattice around the origin, one square for each of its outputs; 0 at the origin. */
 static int lattice_weights(const struct problem *p, const struct options *o, const struct scheme *s, double dx,
                            const double kappa[2], struct square out[2], struct failure *why) {
     double d[NEIGHBOURS_MAX][2], weight[2][NEIGHBOURS_MAX], *w[2] = {weight[0], weight[1]};
@@ -92,12 +92,8 @@ static int lattice_weights(const struct problem *p, const struct options *o, con
     int status = operator_weights(s, p, o, &nb, w, why), r = (int)ceil(KERNEL_SUPPORT * o->h * (1 - 1e-12)) - 1;
     for (int t = 0; t < s->sweeps && !status; t++) {
         out[t] = square_alloc(r, p->dim == 2 ? r : 0);
-        double sum = 0;
-        for (size_t k = 0; k < nb.n; k++) {
+        for (size_t k = 0; k < nb.n; k++)
             *square_at(&out[t], (int)lround(d[k][0] / dx), (int)lround(d[k][1] / dx)) = w[t][k];
-            sum += w[t][k];
-        }
-        *square_at(&out[t], 0, 0) = -sum;
     }
     return status;
 }
@@ -109,10 +105,7 @@ int operator_stencil(const struct problem *p, const struct options *o, const str
     whole = part[0];
     if (s->sweeps == 2) {
         whole = square_alloc(2 * part[0].r[0], 2 * part[0].r[1]);
-        for (int a = 0; a < p->dim; a++) {
-            *square_at(&part[a], 0, 0) = 0; /* odd by symmetry: what is there is rounding */
-            add_convolution(&whole, &part[a], kappa[a]);
-        }
+        for (int a = 0; a < p->dim; a++) add_convolution(&whole, &part[a], kappa[a]);
         free(part[0].w);
         free(part[1].w);
     }
