@@ -288,6 +288,13 @@ static void a_point_taken_to_a_side_is_shown_there(void **state) {
     char *text = answered(&a, "x\n1.2999999995\n1.30\n1.2999\n", "rho_c");
     assert_string_equal(text, "x,rho_c\n1.3,1\n1.30,1\n1.2999,1\n");
     free(text);
+    struct problem plane; /* about 0, 1.9 m each way; the last digit of 1.9000000000000004 is rounding */
+    struct image of_plane;
+    a.scene = odd_find("square-step", &plane), a.image = &of_plane;
+    mapping_image(&(struct mapping){0}, &plane, &of_plane);
+    text = answered(&a, "x,y\n1.9000000000000004,-1.90000000000001\n-1.90,1.9000000000000004\n", "rho_c");
+    assert_string_equal(text, "x,y,rho_c\n1.9000000000000004,-1.8999999999999999,1\n-1.90,1.9000000000000004,1\n");
+    free(text);
 }
 
 /* The exact solution is asked for by thousands of points: each gets its own, to the digit. */
