@@ -89,8 +89,9 @@ static struct approx initial_at(const void *data, const double x[2]) {
     return (struct approx){p->initial(p, x), 0};
 }
 
-/* Over the part of the domain from lo to hi. */
-static double mean_start(const struct problem *p, const double lo[2], const double hi[2]) {
+/* Over the part of the domain from lo to hi.  Across an interface the start may bend. */
+static double mean_start(const struct image *image, const double lo[2], const double hi[2]) {
+    const struct problem *p = &image->problem;
     struct cubature_knots knots = {.count = {0, 0}};
     double part = p->shape ? shape_clipped(p, lo, hi) / ((hi[0] - lo[0]) * (hi[1] - lo[1])) : 1;
     if (part < 1 - 1e-9 && part > 1e-12) return clipped_mean(p, lo, hi);
@@ -98,6 +99,7 @@ static double mean_start(const struct problem *p, const double lo[2], const doub
         for (int j = 0; j < p->jumps[a]; j++) knots.knot[a][knots.count[a]++].at = p->jump[a][j];
         knots.knot[a][knots.count[a]].at = (p->lo[a] + p->hi[a]) / 2; /* where the data of a scene may have a peak */
         knots.knot[a][knots.count[a]++].graded = 1;
+        if (p->materials == 2 && a == image->interface_axis) knots.knot[a][knots.count[a]++].at = p->interface;
     }
     return cubature_mean(initial_at, p, p->dim, lo, hi, &knots).value;
 }
@@ -115,14 +117,15 @@ static void cell_of(const struct columns_row *row, double lo[2], double hi[2]) {
 static void initial_mean(const struct columns_row *row, double *value) {
     double lo[2], hi[2];
     cell_of(row, lo, hi);
-    *value = mean_start(row->p, lo, hi);
+    *value = mean_start(row->image, lo, hi);
 }
 
 /* What either material has of the cell, weighted with its rho c. */
 static void initial_heat(const struct columns_row *row, double *value) {
     const struct problem *p = row->p;
+    const struct image *image = row->image;
     double lo[2], hi[2], from[2], to[2];
-    int a = row->image->interface_axis;
+    int a = image->interface_axis;
     cell_of(row, lo, hi);
     int cut = p->materials == 2 && lo[a] < p->interface && p->interface < hi[a];
     *value = 0;
@@ -131,9 +134,9 @@ static void initial_heat(const struct columns_row *row, double *value) {
                           (hi[a] - p->interface) * p->material[1].rho_c};
         memcpy(from, lo, sizeof from), memcpy(to, hi, sizeof to);
         from[a] = to[a] = p->interface;
-        *value = (mean_start(p, lo, to) * part[0] + mean_start(p, from, hi) * part[1]) / (part[0] + part[1]);
+        *value = (mean_start(image, lo, to) * part[0] + mean_start(image, from, hi) * part[1]) / (part[0] + part[1]);
     } else {
-        *value = mean_start(p, lo, hi);
+        *value = mean_start(image, lo, hi);
     }
 }
 

@@ -201,6 +201,20 @@ static void a_start_can_keep_the_heat(void **state) {
     }
 }
 
+/* Where a start bends at an interface its mean over a cell is that of both parts, to rounding. */
+static void an_interface_parts_a_cell(void **state) {
+    (void)state;
+    struct problem p;
+    double v[2];
+    const struct scene *s = odd_find("plane-contact", &p);
+    const double cell[2] = {0.3, 0.2}, lo = p.interface - 0.2, hi = p.interface + 0.1, x[2] = {(lo + hi) / 2, 0.31};
+    values("initial_mean", s, &p, (double[2]){lo + 0.1, x[1]}, (double[2]){0.2, 0.2}, 1, &v[0]);
+    values("initial_mean", s, &p, (double[2]){hi - 0.05, x[1]}, (double[2]){0.1, 0.2}, 1, &v[1]);
+    double want = (2 * v[0] + v[1]) / 3;
+    values("initial_mean", s, &p, x, cell, 1, v);
+    assert_near(v[0], want, 8e-15);
+}
+
 static char *answered(struct answer *a, const char *text, const char *what) {
     struct failure why = {0};
     char *page = NULL;
@@ -273,6 +287,13 @@ static void a_point_taken_to_a_side_is_shown_there(void **state) {
     struct answer a = {.scene = s, .image = &image};
     char *text = answered(&a, "x\n1.2999999995\n1.30\n1.2999\n", "rho_c");
     assert_string_equal(text, "x,rho_c\n1.3,1\n1.30,1\n1.2999,1\n");
+    free(text);
+    struct problem plane; /* about 0, 1.9 m each way; the last digit of 1.9000000000000004 is rounding */
+    struct image of_plane;
+    a.scene = odd_find("square-step", &plane), a.image = &of_plane;
+    mapping_image(&(struct mapping){0}, &plane, &of_plane);
+    text = answered(&a, "x,y\n1.9000000000000004,-1.90000000000001\n-1.90,1.9000000000000004\n", "rho_c");
+    assert_string_equal(text, "x,y,rho_c\n1.9000000000000004,-1.8999999999999999,1\n-1.90,1.9000000000000004,1\n");
     free(text);
 }
 
@@ -369,6 +390,7 @@ int main(void) {
         cmocka_unit_test(the_nearest_wall_is_told),
         cmocka_unit_test(cell_means_are_integrals),
         cmocka_unit_test(a_start_can_keep_the_heat),
+        cmocka_unit_test(an_interface_parts_a_cell),
         cmocka_unit_test(times_have_both_ends),
         cmocka_unit_test(answers_are_csv),
         cmocka_unit_test(a_point_taken_to_a_side_is_shown_there),

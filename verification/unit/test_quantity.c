@@ -191,6 +191,24 @@ static void what_is_infinite_has_no_value(void **state) {
     assert_int_equal(of("heat", s, &p, 20).no_value, 0);
 }
 
+/* One side is at another temperature than the rest: in its own corners, which are those of its neighbours too, the
+ * flux is infinite; only the side across from it has none of them. */
+static void a_flux_between_corners_that_agree_has_a_value(void **state) {
+    (void)state;
+    static const char *const flux[] = {"flux_x_lo", "flux_x_hi", "flux_y_lo", "flux_y_hi"};
+    static const int T[] = {5, 3, 2, 4}; /* parameters, by side */
+    for (int k = 0; k < 8; k++) {
+        struct problem p;
+        struct scene plate = *scene_find("plate");
+        int hot = k % 4;
+        plate.odd.param[0] = k < 4 ? 0.13 : 0.05; /* wider and less wide than high */
+        for (int i = 0; i < 4; i++) plate.odd.param[T[i]] = i == hot ? 1.3 : 0.7;
+        odd_setup(&plate, &p);
+        for (int i = 0; i < 4; i++)
+            assert_int_equal(of(flux[i], &plate, &p, 20).no_value, i != (hot ^ 1)); /* hot ^ 1: across */
+    }
+}
+
 static void words_are_checked(void **state) {
     (void)state;
     static const struct {
@@ -231,6 +249,7 @@ int main(void) {
         cmocka_unit_test(the_start_is_summed_piece_by_piece),
         cmocka_unit_test(heat_of_a_plate),
         cmocka_unit_test(what_is_infinite_has_no_value),
+        cmocka_unit_test(a_flux_between_corners_that_agree_has_a_value),
         cmocka_unit_test(words_are_checked),
     };
     gsl_set_error_handler_off();
