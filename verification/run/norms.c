@@ -115,11 +115,11 @@ struct norms_error norms_error(const struct problem *p, const struct field *f, c
     return norms;
 }
 
-/* Widens [lo, hi] by the temperatures of the Dirichlet walls at the foot of every point. */
+/* Widens [lo, hi] by the temperatures of held walls, and of the air beyond cooled ones, at the foot of each point. */
 static void widen(const struct problem *p, const struct field *f, double *lo, double *hi) {
     double coldest = *lo, hottest = *hi;
     for (int s = 0; s < 2 * p->dim; s++) {
-        if (!shape_has_wall(p, s) || p->side[s] != DIRICHLET) continue;
+        if (!shape_has_wall(p, s) || (p->side[s] != DIRICHLET && p->side[s] != ROBIN)) continue;
         size_t n = p->dim == 1 ? 1 : f->n;
 #pragma omp parallel for reduction(min : coldest) reduction(max : hottest) if (n >= NORMS_MANY)
         for (size_t i = 0; i < n; i++) {

@@ -43,7 +43,7 @@ struct norms_error norms_error(const struct problem *p, const struct field *f, c
 
 struct norms_shape {
     double min, max;              /* K, of the field */
-    double overshoot, undershoot; /* K, past the initial range and the walls' temperatures; 0 where within */
+    double overshoot, undershoot; /* K, past the range of start, held walls and air beyond cooled ones; 0 within */
     double variation;             /* K (K m for a rectangle): sum of |difference| along the axes; NaN off a lattice */
     double checkerboard;          /* K: see checkerboard_amplitude */
 };

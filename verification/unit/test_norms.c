@@ -175,6 +175,10 @@ static void overshoot_counts_the_walls(void **state) {
     s = norms_shape(&p, &f, exact);
     assert_near(s.overshoot, 0.6, 1e-15);
     assert_near(s.undershoot, 0.31, 1e-15);
+    p.side[X_HI] = ROBIN; /* the air at 3.5 */
+    s = norms_shape(&p, &f, exact);
+    assert_near(s.overshoot, 0.1, 1e-15);
+    assert_near(s.undershoot, 0.31, 1e-15);
     field_free(&f);
 }
 
