@@ -179,6 +179,7 @@ static const struct refusal {
     {"ladder rod-step ftcs --dx 0.1,0.2 --expect 2.1,1.9", "--expect 2.1,1.9: needs LO,HI with LO < HI"},
     {"reference rod-step --at 0.1,0.2 --time 1", "--at needs one number for rod-step"},
     {"reference square-step --at 0.1 --time 1", "--at needs X,Y for square-step"},
+    {"ladder --results q --at 1,2,3", "--at needs X or X,Y for a point"},
     {"reference rod-step --at 0.1 --time -1", "--time -1: must be a number >= 0"},
     {"run rect-manufactured ftcs --dx 0.1 --aspect 2", "--aspect needs --solver or --results"},
     {"run rod-step mine --dx 0.1 --aspect 2 --solver '{case}{out}'", "--aspect: rod-step has no rows"},
