@@ -596,12 +596,15 @@ static void the_gates_of_a_scene(void **state) {
         r->gate = (struct gate){.id = ids[i], .hi = 1, .ceiling = i ? NAN : 0.01, .why = "w"};
         r->measured = (struct measured){.verdict = verdicts[i], .reason = "r", .value = 0.25, .error = 0.005};
     }
+    g.result[1].gate.ceiling = 0.02; /* of what was not run there is no value */
+    g.result[1].measured.value = g.result[1].measured.error = NAN;
     FILE *out = begin();
     page_put_scene(&g, "rod-gauss", out);
     fclose(out);
     assert_has(text, "<details><summary>1 of 2 gates hold</summary>");
     assert_true(strstr(text, "<td>a</td>") && strstr(text, "<td>b</td>") && strstr(text, "<td>c</td>"));
     assert_has(text, "<td class=\"n\">0.25</td><td>0.005, at most 0.01</td><td>w</td></tr>");
+    assert_has(text, "<td>-</td><td>-, at most 0.02</td><td>r</td></tr>");
     assert_has(text, "<td class=\"n\">0.25</td><td></td><td>r</td></tr>");
     assert_lacks(text, "<td>d</td>");
     out = begin();
