@@ -145,6 +145,8 @@ static const struct refusal {
     {"run rod-step ftcs --dx 0.1 --dt 1 --fourier 0.1", "--dt and --fourier both set the time step"},
     {"run rod-step so_ssph --dx 0.1 --dt 1 --stepper exact", "--stepper exact: has no time step; leave out --dt"},
     {"stability reports/out", "'stability' is a study of report: heatladder report stability DIR"},
+    {"operators", "'operators' is a study of report: heatladder report operators DIR"},
+    {"page out", "'page' is a study of report: heatladder report page DIR"},
     {"report sonng", "unknown study 'sonng'; did you mean 'song'?"},
     {"report here song", "unknown study 'here' (valid: song, "},
     {"bench --peers --json", "--peers prints text, and writes CSV into DIR: leave out --json"},

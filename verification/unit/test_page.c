@@ -67,6 +67,7 @@ static void marks_that_are_none_stay(void **state) {
         snprintf(wanted, sizeof wanted, "<p>%s\n</p>\n", plain[i]);
         assert_string_equal(markdown(plain[i]), wanted);
     }
+    assert_string_equal(markdown("****x"), "<p><strong></strong>x\n</p>\n");
     assert_string_equal(markdown("``, *a*b**c** [x](y)z"),
                         "<p><code></code>, <em>a</em>b<strong>c</strong> <a href=\"y\">x</a>z\n</p>\n");
 }
