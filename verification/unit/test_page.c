@@ -274,7 +274,7 @@ static void six_series_are_drawn(void **state) {
     (void)state;
     const double x[] = {1}, y[] = {1};
     struct chart_series series[7];
-    for (int k = 0; k < 7; k++) series[k] = (struct chart_series){"abcdefg" + k, 1, x, y, NULL};
+    for (int k = 0; k < 7; k++) series[k] = (struct chart_series){&"abcdefg"[k], 1, x, y, NULL};
     const char *page = drawing(&(struct chart){"t", "dx", "E1", 7, series, NAN});
     assert_has(page, ">fg</text>");
     assert_lacks(page, ">g</text>");
