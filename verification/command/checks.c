@@ -72,7 +72,9 @@ static int check_options(const struct request *r, struct failure *why) {
         return refuse(why, STATUS_INPUT, "--xi %g: needs --volume tuned", o->xi);
     if (r->at.count > 2 || (r->at.count && r->experiment.scene && r->at.count != r->experiment.problem.dim))
         return refuse(why, STATUS_INPUT, "--at needs %s for %s",
-                      r->experiment.problem.dim == 2 ? "X,Y" : "one number",
+                      !r->experiment.scene             ? "X or X,Y"
+                      : r->experiment.problem.dim == 2 ? "X,Y"
+                                                       : "one number",
                       r->experiment.scene ? r->experiment.scene->name : "a point");
     double least = INFINITY;
     for (int i = 0; i < r->rungs.dt.count; i++) least = fmin(least, r->rungs.dt.value[i]);

@@ -18,10 +18,12 @@ static void put_band(const struct gate_result *r, FILE *out) {
     else
         snprintf(text, sizeof text, "%.4g to %.4g", r->gate.lo, r->gate.hi);
     html_cell(out, text);
-    snprintf(text, sizeof text, "%.4g", r->measured.value);
+    snprintf(text, sizeof text, isnan(r->measured.value) ? "-" : "%.4g", r->measured.value);
     html_cell(out, text);
     text[0] = '\0';
-    if (!isnan(r->gate.ceiling))
+    if (!isnan(r->gate.ceiling) && isnan(r->measured.error))
+        snprintf(text, sizeof text, "-, at most %.3g", r->gate.ceiling);
+    else if (!isnan(r->gate.ceiling))
         snprintf(text, sizeof text, "%.3g, at most %.3g", r->measured.error, r->gate.ceiling);
     html_cell(out, text);
 }

@@ -28,9 +28,11 @@ static void print_all(const struct gates *g) {
         if (m->ci[0] < m->ci[1])
             table_add(&t, "%.4f (%.4f to %.4f)", m->value, m->ci[0], m->ci[1]);
         else
-            table_add(&t, "%.4g", m->value);
+            table_add(&t, isnan(m->value) ? "-" : "%.4g", m->value);
         if (isnan(gate->ceiling))
             table_add(&t, " ");
+        else if (isnan(m->error))
+            table_add(&t, "- <= %.2e", gate->ceiling);
         else
             table_add(&t, "%.2e <= %.2e", m->error, gate->ceiling);
         table_add(&t, "%.2f|%s", g->result[i].seconds, measure ? measure->about : gate->measure);

@@ -145,6 +145,8 @@ static const struct refusal {
     {"run rod-step ftcs --dx 0.1 --dt 1 --fourier 0.1", "--dt and --fourier both set the time step"},
     {"run rod-step so_ssph --dx 0.1 --dt 1 --stepper exact", "--stepper exact: has no time step; leave out --dt"},
     {"stability reports/out", "'stability' is a study of report: heatladder report stability DIR"},
+    {"operators", "'operators' is a study of report: heatladder report operators DIR"},
+    {"page out", "'page' is a study of report: heatladder report page DIR"},
     {"report sonng", "unknown study 'sonng'; did you mean 'song'?"},
     {"report here song", "unknown study 'here' (valid: song, "},
     {"bench --peers --json", "--peers prints text, and writes CSV into DIR: leave out --json"},
@@ -179,11 +181,124 @@ static const struct refusal {
     {"ladder rod-step ftcs --dx 0.1,0.2 --expect 2.1,1.9", "--expect 2.1,1.9: needs LO,HI with LO < HI"},
     {"reference rod-step --at 0.1,0.2 --time 1", "--at needs one number for rod-step"},
     {"reference square-step --at 0.1 --time 1", "--at needs X,Y for square-step"},
+    {"ladder --results q --at 1,2,3", "--at needs X or X,Y for a point"},
     {"reference rod-step --at 0.1 --time -1", "--time -1: must be a number >= 0"},
     {"run rect-manufactured ftcs --dx 0.1 --aspect 2", "--aspect needs --solver or --results"},
     {"run rod-step mine --dx 0.1 --aspect 2 --solver '{case}{out}'", "--aspect: rod-step has no rows"},
     {"run disc-mode mine --dx 0.1 --aspect 2 --solver '{case}{out}'", "--aspect: disc-mode has no rows"},
     {"verify --only 'a", "a quote is left open"},
+    {"verify --set kappa=1", "--set has no meaning for verify (see: heatladder verify --help)"},
+    {"run rod-step ftcs --xyzzyplugh 1", "unknown option --xyzzyplugh (see: heatladder run --help)"},
+    {"run rod-step ftcs -v --dx 0.1", "'-v' is one word too many for run (wanted: run SCENE METHOD)"},
+    {"run rod-step --dx 0.1 --solver '{case}{out}'", "run needs a METHOD"},
+    {"ladder --results q --dx 0.1", "--dx needs a SCENE (see: heatladder ladder --help)"},
+    {"ladder --results=q --dx 0.1", "--dx needs a SCENE"},
+    {"case --battery --dt 0.1 --into d", "--dt needs a SCENE"},
+    {"run rod-step so_ssph --dx 0.1 --angle 10", "--angle: is for round bodies; plane walls take --shift S"},
+    {"run rod-step so_ssph --dx 0.1 --origin 0,0", "--origin: is for round bodies; plane walls take --shift S"},
+    {"run disc-mode so_ssph --dx 0.1 --origin 0,0,0", "--origin 0,0,0: needs X,Y, in dx"},
+    {"report ./sonng other", "unknown study './sonng'; did you mean 'song'?"},
+    {"report song a b", "'b' is one word too many for report"},
+    {"case rod-step --run d --solver '{case}{out}'", "leave out rod-step"},
+    {"case --battery --run d --solver '{case}{out}'", "leave out --battery"},
+    {"case --battery --into e --run d --solver '{case}{out}'", "leave out --into"},
+    {"case --run d", "--run DIR needs --solver 'CMD'"},
+    {"case rod-step --dx 0.1 --into d --solver '{case}{out}'", "case --solver needs --run DIR"},
+    {"case rod-step --battery --dx 0.1 --into d", "--battery has scenes of its own"},
+    {"case --into d", "case needs a scene, or --battery"},
+    {"case rod-step --into d", "case needs --dx A,B,C"},
+    {"case rod-step --dx 0.1", "case needs --into DIR"},
+    {"case --battery", "case needs --into DIR"},
+    {"run rod-step so_ssph --dx 0.1 --fourier 1 --stepper exact", "has no time step; leave out --fourier"},
+    {"run rod-step so_ssph --dx 0.1 --layout graded --jitter 0.1", "--jitter 0.1: needs --layout jitter or relaxed"},
+    {"run rod-step so_ssph --dx 0.1 --layout jitter --grading 3", "--grading 3: needs --layout graded"},
+    {"run square-step so_ssph --dx 0.1 --layout jitter --sweeps 5", "--sweeps 5: needs --layout relaxed"},
+    {"run rod-step so_ssph --dx 0.1 --time-error 1e-3 --fourier 0.1", "leave out --dt and --fourier"},
+    {"run rod-step so_ssph --dx 0.1 --walls fit --ratio-most 2", "--ratio-most 2: needs --walls distance"},
+    {"run rod-step brookshaw --dx 0.1 --xi 0.1", "--xi 0.1: needs --volume tuned"},
+    {"ladder rod-gauss ftcs --dx 1 --dt 0.2 --fine 0.1", "--fine 0.1: needs --dt A,B,C, and to be below"},
+    {"ladder rod-step ftcs --dx 0.1,0.2 --expect 2,2", "--expect 2,2: needs LO,HI with LO < HI"},
+    {"ladder rod-step ftcs --dx 0.1,0.2 --expect 1,2,3", "--expect 1,2,3: needs LO,HI with LO < HI"},
+    {"reference rod-step --at 0.1 --time 1 --what k_x --json", "(--at, --time); --what is CSV"},
+    {"reference rod-step --time 1 --at x", "--at 'x': must be 1 to 32 numbers with commas between, such as -0.3,0.7"},
+    {"ladder rod-step ftcs --dx 1,2,3,4,5,6,7,8,9,1,2,3,4,5,6,7,8,9,1,2,3,4,5,6,7,8,9,1,2,3,4,5,6",
+     "must be 1 to 32 numbers with commas between"},
+    {"run rod-step ftcs --dx x", "must be 1 to 32 numbers with commas between, such as 0.1,0.05,4/160"},
+    {"reference rod-step --time 0:-1:5 --at 0.1", "numbers with commas between, or FROM:TO:COUNT"},
+    {"reference rod-step --time 0:1:10000001 --at 0.1", "with a COUNT from 2 to 10000000"},
+    {"run rod-step ftcs --dx 0.1 --timeout 3", "--timeout needs --solver 'CMD'"},
+    {"run rod-step ftcs --dx 0.1 --keep k", "--keep needs --solver 'CMD'"},
+    {"verify --jobs 2", "--jobs needs --solver 'CMD'"},
+    {"verify --resume d", "--resume needs --solver 'CMD'"},
+    {"verify --solver '{case}{out}' --resume d --keep e", "leave out --keep"},
+    {"verify --seed 3", "--seed draws the battery"},
+    {"verify --gates f --seed 3 --solver '{case}{out}'", "--seed draws the battery"},
+    {"run plate ftcs --dx 0.01 --map y,x", "--map needs --solver or --results"},
+    {"run plate ftcs --dx 0.01 --scale 2", "--scale needs --solver or --results"},
+    {"run plate ftcs --dx 0.01 --offset 5", "--offset needs --solver or --results"},
+    {"case rod-step --dx 0.1 --into d --offset x", "--offset x: must be a finite number"},
+    {"case rod-step --dx 0.1 --into d --aspect 2", "--aspect: rod-step has no rows of cells along y"},
+    {"case rod-step --dx 0.1 --into d --axes x,z", "--axes: rod-step is a rod along x"},
+    {"reference rod-step --at 0.1 --time 1 --map y,x", "--map: rod-step has x alone: x or -x"},
+    {"reference plate --at 0.01,0.01 --time 1 --map=-x", "--map: plate has x and y, such as y,-x"},
+    {"reference plate --at 0.01,0.01 --time 1 --map z,x", "--map 'z,x': must name each axis of the scene once"},
+    {"verify --rungs 5", "--rungs needs --solver, --results, --gates or --battery"},
+    {"verify --time-order 2", "--time-order needs --solver, --results, --gates or --battery"},
+    {"verify --gates f --seeds 3", "--seeds needs --solver or --results"},
+    {"verify --solver '{case}{out}' --order 0", "--order 0: must be 1, 2 or 4"},
+    {"verify --solver '{case}{out}' --order 5", "--order 5: must be 1, 2 or 4"},
+    {"run rod-step ftcs --dx 0.1 --columns x=X", "--columns needs --solver or --results"},
+    {"run rod-step ftcs --dx 0.1 --columns w=W", "--columns needs --solver or --results"},
+    {"ladder rod-step ftcs --dx 0.1 --vary n=1,2", "--vary needs --solver or --results"},
+    {"ladder rod-step mine --dx 0.1 --solver '{case}{out}' --vary dx=1,2", "and not case, out or dx"},
+    {"ladder rod-step mine --dx 0.1 --solver '{case}{out}' --vary n", "--vary 'n': must be NAME=A,B,C,..., NAME of"},
+    {"ladder rod-step mine --dx 0.1 --solver '{case}{out}' --vary n=1,0", "with 1 to 32 numbers > 0"},
+    {"ladder rod-step mine --dx 0.1 --solver '{case}{out}' --vary n=1,", "with 1 to 32 numbers > 0"},
+};
+
+/* A text to its end. */
+static const struct refusal whole_refusals[] = {
+    {"run rod-step ftcs --dx 0.1 --set kappa=x", "--set kappa=x: must be a finite number, in m^2/s"},
+    {"run rod-cosine ftcs --dx 0.1 --set mode=x", "--set mode=x: must be a finite number"},
+    {"reference rod-step --at 0.1,0.2 --time 1", "--at needs one number for rod-step"},
+    {"verify --seed 4294967296 --solver '{case}{out}'",
+     "--seed 4294967296: must be a whole number from 0 to 4294967295"},
+};
+
+/* What lies at the edge of what an option takes, or needs one of several others. */
+static const char *const taken[] = {
+    "run square-step so_ssph --dx 0.1 --layout relaxed --jitter 0.5",
+    "run square-step so_ssph --dx 0.1 --layout relaxed --sweeps 1",
+    "run square-step so_ssph --dx 0.1 --layout jitter --jitter 0 --seed 4294967295",
+    "run square-step so_ssph --dx 0.1 --layout graded --grading 4",
+    "run square-step so_ssph --dx 0.1 --layout graded --grading 1",
+    "run rod-step so_ssph --dx 0.1 --layout jitter --jitter 0.2 --redraw 5 --fourier 0.1",
+    "run rod-step so_ssph --dx 0.1 --order 2 --shift 0 --time-error 1e-12",
+    "run rod-step so_ssph --dx 0.1 --order 4 --shift 0.999999",
+    "run rod-step so_ssph --dx 0.1 --walls distance --ratio-most 1",
+    "run rod-step brookshaw --dx 0.1 --volume tuned --xi 0.1",
+    "run disc-mode so_ssph --dx 0.1 --origin 0,0 --angle -360",
+    "run disc-mode so_ssph --dx 0.1 --angle 360",
+    "ladder rod-gauss ftcs --dx 1 --dt 0.2,0.1 --fine 0.09",
+    "ladder rod-step ftcs --expect -2,-1 --dx 1,2,3,4,5,6,7,8,9,1,2,3,4,5,6,7,8,9,1,2,3,4,5,6,7,8,9,1,2,3,4,5",
+    "ladder rod-step mine --dx 0.1,0.2 --solver '{case}{out}' --seeds 2",
+    "ladder rod-step mine --dx 0.1 --solver '{case}{out}' --vary n_2=1,1e-300",
+    "limit contact_ssph --dim 2 --contact 1 --ratio 1 --stepper rkl2 --stages 3",
+    "limit contact_ssph --dim 1 --stepper rkl2 --stages 99",
+    "choose rod-step --error 1",
+    "reference rod-step --at 0.1 --time 0:0:2",
+    "reference rod-step --at 0.1 --time 0:1.5:10000000",
+    "reference plate --at 0.01,0.01 --time 0 --json",
+    "case --battery --order 1 --seed 3 --rungs 4 --seeds 16 --into d",
+    "case --battery --order 4 --rungs 12 --into d",
+    "case rect-manufactured --dx 0.1 --aspect 2 --axes x,z --map y,-x --scale 2 --offset -5 --into d",
+    "verify --gates f --rungs 5 --time-order 6",
+    "verify --gates f --time-order 0.5",
+    "verify --solver '{case}{out}' --order 2 --seed 3 --jobs 1 --timeout 1 --keep k",
+    "verify --solver '{case}{out}' --jobs 1024 --resume k",
+    "bench --json",
+    "bench --peers here",
+    "report ./sonng",
 };
 
 static void every_refusal_says_what_is_valid(void **state) {
@@ -197,6 +312,93 @@ static void every_refusal_says_what_is_valid(void **state) {
                      refusals[i].part);
         assert_int_equal(why.status, STATUS_INPUT);
         assert_null(strchr(why.text, '\n'));
+        arguments_free(&r);
+    }
+}
+
+static void a_refusal_ends_where_it_should(void **state) {
+    (void)state;
+    for (size_t i = 0; i < sizeof whole_refusals / sizeof *whole_refusals; i++) {
+        struct request r;
+        struct failure why = {0};
+        assert_int_equal(arguments_parse_line(whole_refusals[i].line, &r, &why), STATUS_INPUT);
+        assert_string_equal(why.text, whole_refusals[i].part);
+        arguments_free(&r);
+    }
+}
+
+static void what_is_valid_is_taken(void **state) {
+    (void)state;
+    for (size_t i = 0; i < sizeof taken / sizeof *taken; i++) {
+        struct request r;
+        struct failure why = {0};
+        if (arguments_parse_line(taken[i], &r, &why)) fail_msg("heatladder %s: \"%s\"", taken[i], why.text);
+        arguments_free(&r);
+    }
+}
+
+/* 64 options and 128 words fit. */
+static void a_line_has_room_for_so_much(void **state) {
+    (void)state;
+    struct request r;
+    struct failure why;
+    char line[2000], *to = line + sprintf(line, "verify");
+    for (int i = 0; i < 64; i++) to += sprintf(to, " --only=%d", i);
+    assert_int_equal(arguments_parse_line(line, &r, &why), STATUS_OK);
+    assert_true(strncmp(r.only, "0,1,2,", 6) == 0 && strcmp(r.only + strlen(r.only) - 6, ",62,63") == 0);
+    arguments_free(&r);
+    strcpy(to, " --only=64");
+    assert_int_equal(arguments_parse_line(line, &r, &why), STATUS_INPUT);
+    assert_string_equal(why.text, "more than 64 options");
+    arguments_free(&r);
+    to = line + sprintf(line, "list");
+    for (int i = 1; i < 128; i++) to += sprintf(to, " \tw");
+    assert_int_equal(arguments_parse_line(line, &r, &why), STATUS_INPUT);
+    assert_has(why.text, "'w' is one word too many for list");
+    arguments_free(&r);
+    strcpy(to, " w");
+    assert_int_equal(arguments_parse_line(line, &r, &why), STATUS_INPUT);
+    assert_has(why.text, "too many words");
+    arguments_free(&r);
+}
+
+/* Words that are put after those of the line, until there are too many. */
+static void more_words_follow_a_line(void **state) {
+    (void)state;
+    struct request r;
+    struct failure why;
+    const char *more[129] = {"--only", "it's a, \"b\"", "--quick"};
+    assert_int_equal(arguments_parse_line_with("verify --skip 'c d'", more, &r, &why), STATUS_OK);
+    assert_string_equal(r.only, "it's a, \"b\"");
+    assert_string_equal(r.skip, "c d");
+    assert_int_equal(r.quick, 1);
+    arguments_free(&r);
+    for (int i = 0; i < 127; i++) more[i] = "w";
+    assert_int_equal(arguments_parse_line_with("list", more, &r, &why), STATUS_INPUT);
+    assert_has(why.text, "'w' is one word too many for list");
+    arguments_free(&r);
+    more[127] = "w";
+    assert_int_equal(arguments_parse_line_with("list", more, &r, &why), STATUS_INPUT);
+    assert_string_equal(why.text, "'list': too many words");
+    arguments_free(&r);
+}
+
+/* Round bodies have walls that fit, but for methods of cells, a grid's and another program's. */
+static void round_walls_fit(void **state) {
+    (void)state;
+    static const struct {
+        const char *line;
+        enum walls walls;
+    } row[] = {{"run disc-mode so_ssph --dx 0.1", WALLS_FIT},
+               {"run disc-mode so_ssph --dx 0.1 --walls image", WALLS_IMAGE},
+               {"run disc-mode ftcs --dx 0.1", WALLS_MIRROR},
+               {"run disc-mode voronoi_flux --dx 0.1", WALLS_MIRROR},
+               {"run rod-step so_ssph --dx 0.1", WALLS_MIRROR}};
+    for (size_t i = 0; i < sizeof row / sizeof *row; i++) {
+        struct request r;
+        struct failure why;
+        assert_int_equal(arguments_parse_line(row[i].line, &r, &why), STATUS_OK);
+        assert_int_equal(r.experiment.options.walls, row[i].walls);
         arguments_free(&r);
     }
 }
@@ -257,6 +459,11 @@ int main(void) {
         cmocka_unit_test(a_choice_is_set_by_its_word),
         cmocka_unit_test(lists_become_ladders),
         cmocka_unit_test(every_refusal_says_what_is_valid),
+        cmocka_unit_test(a_refusal_ends_where_it_should),
+        cmocka_unit_test(what_is_valid_is_taken),
+        cmocka_unit_test(a_line_has_room_for_so_much),
+        cmocka_unit_test(more_words_follow_a_line),
+        cmocka_unit_test(round_walls_fit),
         cmocka_unit_test(the_tables_agree),
         cmocka_unit_test(the_width_of_vectors_comes_from_the_environment),
     };

@@ -39,6 +39,26 @@ static void lengths(void **state) {
         {"\xF0\x80\x80\x80", 0},
         {"\xF4\x90\x80\x80", 0}, /* past U+10FFFF */
         {"\xF0\x9F\x94", 0},
+        /* The first and the last letters of each range */
+        {"\x1F", 0},
+        {"\x7E", 1},
+        {"\xC2\x9F", 0},
+        {"\xC3\x80", 2},
+        {"\xDF\xBF", 2},
+        {"\xE0\x9F\xBF", 0},
+        {"\xE0\xA0\x80", 3},
+        {"\xED\x9F\xBF", 3},
+        {"\xED\xBF\xBF", 0},
+        {"\xEE\x80\x80", 3},
+        {"\xEF\xBF\xBF", 0},
+        {"\xF0\x8F\xBF\xBF", 0},
+        {"\xF0\x90\x80\x80", 4},
+        {"\xF1\x80\x80\x80", 4},
+        {"\xF3\xBF\xBF\xBF", 4},
+        {"\xF4\x8F\xBF\xBF", 4},
+        {"\xF5\x80\x80\x80", 0},
+        {"\xE2\x9Cz", 0},
+        {"\xF0\x9F\x94z", 0},
     };
     for (size_t i = 0; i < sizeof row / sizeof *row; i++)
         if (letter_length(row[i].text) != row[i].length)
@@ -58,6 +78,13 @@ static void a_cut_leaves_whole_letters(void **state) {
     static const size_t whole[] = {0, 1, 1, 3, 3, 3, 6, 6, 6, 6, 10};
     for (size_t n = 0; n < sizeof text; n++) assert_int_equal(letter_whole(text, n), whole[n]);
     assert_int_equal(letter_whole("\xA9\xA9\xA9\xA9\xA9", 5), 5);
+    assert_int_equal(letter_whole("\xF0\x9F\x94", 3), 0);
+    assert_int_equal(letter_whole("a\xE0", 2), 1);
+    assert_int_equal(letter_whole("a\xDF\xBF", 3), 3);
+    assert_int_equal(letter_whole("a\xE0\xA0", 3), 1);
+    assert_int_equal(letter_whole("a\xEF\xBF\xBD", 4), 4);
+    assert_int_equal(letter_whole("a\xF0\x90", 3), 1);
+    assert_int_equal(letter_whole("a\xC1", 2), 2); /* begins nothing */
     assert_int_equal(letter_whole("a\xC2", 2), 1); /* the first byte of U+0080 to U+00BF */
 }
 

@@ -81,6 +81,17 @@ static void numbers_as_programs_print_them(void **state) {
         {"nan", 1, 0},
         {"-Inf", 1, 0},
         {"NaN(0x1)", 1, 0},
+        {"-nan(1)", 1, 0},
+        {"+nan()", 1, 0},
+        {"+INFINITY", 1, 0},
+        {"infinity", 1, 0},
+        {"+nan", 1, 0},
+        {"nan(", -1, 0},
+        {"--inf", -1, 0},
+        {"1E2", 0, 100},
+        {"1d-2", 0, 0.01},
+        {"12", 0, 12},
+        {"-12345678901234567", 0, -12345678901234567.0},
         {"1e999", 1, 0},
         {"", -1, 0},
         {"0x1p3", -1, 0},
@@ -139,6 +150,29 @@ static void numbers_are_printed_with_all_their_digits(void **state) {
     }
 }
 
+/* 1/3 within a part in 100 is 3.3e-1 and a hundredth of it, 0.0033, away; 1/8 has three digits. */
+static void the_fewest_digits_that_say_a_number(void **state) {
+    (void)state;
+    char text[NUMBER_PRINTED];
+    assert_int_equal(number_digits(0.125, 0, 9, text), 3);
+    assert_string_equal(text, "1.25e-01");
+    assert_int_equal(number_digits(-0.125, 0.041, 9, text), 2);
+    assert_string_equal(text, "-1.2e-01");
+    assert_int_equal(number_digits(-0.125, 0.039, 9, text), 3);
+    assert_int_equal(number_digits(1.0 / 3, 0.0101, 9, text), 2);
+    assert_int_equal(number_digits(1.0 / 3, 1e-9, 3, text), 4);
+    assert_string_equal(text, "3.33e-01");
+    assert_int_equal(number_digits(2, 0, 1, text), 1);
+}
+
+static void sorted_from_the_largest(void **state) {
+    (void)state;
+    double x[] = {0.2, -1, 7, 0.2, 3};
+    number_sort_falling(x, 4);
+    const double sorted[] = {7, 0.2, 0.2, -1, 3};
+    for (int i = 0; i < 5; i++) assert_near(x[i], sorted[i], 0);
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(decimals_and_fractions),
@@ -147,6 +181,8 @@ int main(void) {
         cmocka_unit_test(whole_numbers),
         cmocka_unit_test(numbers_as_programs_print_them),
         cmocka_unit_test(decimals_round_as_those_of_the_library),
+        cmocka_unit_test(the_fewest_digits_that_say_a_number),
+        cmocka_unit_test(sorted_from_the_largest),
         cmocka_unit_test(numbers_are_printed_with_all_their_digits),
     };
     return cmocka_run_group_tests_name("number", tests, NULL, NULL);

@@ -2,6 +2,7 @@
 /* Files in memory: there whole, or not at all, and several together. */
 #include "verification/text/output.h"
 
+#include "references/scene.h"
 #include "solver/status.h"
 #include "verification/command/command_run.h"
 #include "verification/unit/near.h"
@@ -98,6 +99,89 @@ static void commands_are_kept(void **state) {
     command_run_free(&run);
 }
 
+/* Longer than any buffer on the way. */
+static void a_long_text_is_kept_whole(void **state) {
+    (void)state;
+    enum { LINES = 40000 };
+    char *text;
+    size_t size;
+    FILE *out = output_stream(&text, &size);
+    for (int i = 0; i < LINES; i++) fprintf(out, "%07d\n", i);
+    fclose(out);
+    assert_int_equal(size, 8 * LINES);
+    assert_int_equal(text[size], 0);
+    for (int i = 0; i < LINES; i++) assert_int_equal(strtol(text + 8 * i, NULL, 10), i);
+    free(text);
+}
+
+static void a_directory_is_made_once(void **state) {
+    (void)state;
+    char dir[UNIT_PATH], path[UNIT_PATH + 16], deeper[UNIT_PATH + 32], wanted[UNIT_PATH + 96];
+    struct failure why = {0};
+    assert_non_null(scratch_directory(dir, "test_output"));
+    snprintf(path, sizeof path, "%s/made", dir);
+    assert_int_equal(output_directory(path, "one", &why), STATUS_OK);
+    assert_int_equal(output_directory(path, "one", &why), STATUS_OK);
+    assert_int_equal(access(path, W_OK), 0);
+    snprintf(deeper, sizeof deeper, "%s/none/of/it", dir);
+    assert_int_equal(output_directory(deeper, "one", &why), STATUS_INPUT);
+    snprintf(wanted, sizeof wanted, "cannot make the directory '%s': No such file or directory", deeper);
+    assert_string_equal(why.text, wanted);
+    assert_int_equal(rmdir(path), 0);
+    FILE *file = fopen(path, "w");
+    fclose(file);
+    assert_int_equal(output_directory(path, "one", &why), STATUS_INPUT);
+    snprintf(wanted, sizeof wanted, "cannot write '%s/one': Not a directory", path);
+    assert_string_equal(why.text, wanted);
+    unlink(path);
+    assert_int_equal(rmdir(dir), 0);
+}
+
+/* The part of the exact temperature by which a run is off: weighted where cells differ, against a solution at another
+ * time, or rounded as tables are, in which the published series stands where there is one. */
+static void an_error_is_a_part_of_the_exact_temperature(void **state) {
+    (void)state;
+    static const char *const lines[] = {"run rod-cosine so_ssph --dx 0.1 --layout graded --set L=1.3 --dt 0.1",
+                                        "run wave ftcs --dx 0.1 --fourier 0.1", "run rod-step ftcs --dx 0.5 --dt 1"};
+    for (int i = 0; i < 3; i++) {
+        struct command_run run;
+        assert_int_equal(command_run_line(&run, "%s", lines[i]), STATUS_OK);
+        const struct experiment *e = &run.request.experiment;
+        const struct field *f = &run.field;
+        double apart[3] = {0}, whole[3] = {0};
+        for (size_t k = 0; k < f->n; k++) {
+            double x[] = {f->x[k], i == 1 ? f->y[k] : 0}, weight = i == 0 ? f->weight[k] : 1;
+            for (int how = 0; how < 3; how++) {
+                double t = f->time + (how == 1 ? 0.25 : 0), T = command_run_exact(&run, x, t);
+                if (i == 2) T = e->scene->published(&e->problem, x, t);
+                if (how == 2) T = rint(100 * T) / 100;
+                apart[how] += weight * fabs(f->T[k] - T);
+                whole[how] += weight * fabs(T);
+            }
+        }
+        assert_near(command_run_error(&run, 0, 0), apart[0] / whole[0], 1e-12);
+        assert_near(command_run_error(&run, 0, 0.25), apart[1] / whole[1], 1e-12);
+        assert_near(command_run_error(&run, 2, 0), apart[2] / whole[2], 1e-12);
+        assert_order(fabs(apart[0] / whole[0] - apart[2] / whole[2]), >, 1e-6);
+        command_run_free(&run);
+    }
+}
+
+static void a_command_that_ended_well_has_no_failure(void **state) {
+    (void)state;
+    struct command_run run;
+    struct failure why = {.status = STATUS_GATE, .text = "before"};
+    assert_int_equal(command_run_read(&run, "run rod-step ftcs --dx %g", 0.1), STATUS_OK);
+    assert_int_equal(command_run_check(&run, &why), STATUS_OK);
+    assert_int_equal(command_run_note(&run, &why), STATUS_OK);
+    assert_string_equal(why.text, "before");
+    command_run_free(&run);
+    assert_int_equal(command_run_read(&run, "run rod-step"), STATUS_INPUT);
+    assert_int_equal(command_run_note(&run, &why), STATUS_INPUT);
+    assert_has(why.text, "heatladder run rod-step: run needs a METHOD");
+    command_run_free(&run);
+}
+
 /* In a process with room for 64 MB: 256 MB of lines.  glibc's open_memstream drops what it has no room for, and tells
  * nobody. */
 static void write_much(void) {
@@ -131,6 +215,10 @@ int main(void) {
         cmocka_unit_test(without_memory_nothing_is_written),
         cmocka_unit_test(a_path_too_long_is_refused),
         cmocka_unit_test(commands_are_kept),
+        cmocka_unit_test(a_long_text_is_kept_whole),
+        cmocka_unit_test(a_directory_is_made_once),
+        cmocka_unit_test(an_error_is_a_part_of_the_exact_temperature),
+        cmocka_unit_test(a_command_that_ended_well_has_no_failure),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -35,10 +35,23 @@ static void small_stacks_are_refused(void **state) {
     assert_int_equal(stack_check(&why), STATUS_OK);
     assert_int_equal(getrlimit(RLIMIT_STACK, &limit), 0);
     small = limit;
+    setenv("OMP_STACKSIZE", "0", 1);
+    assert_int_equal(stack_check(&why), STATUS_INPUT);
+    assert_string_equal(why.text, "OMP_STACKSIZE=0 is too small; at least 256K, or unset");
+    setenv("OMP_STACKSIZE", "-1", 1); /* OpenMP passes over what is no size */
+    assert_int_equal(stack_check(&why), STATUS_OK);
+    setenv("GOMP_STACKSIZE", "255", 1);
+    assert_int_equal(stack_check(&why), STATUS_INPUT);
+    assert_string_equal(why.text, "GOMP_STACKSIZE=255 is too small; at least 256K, or unset");
+    unsetenv("GOMP_STACKSIZE");
+    unsetenv("OMP_STACKSIZE");
+    small.rlim_cur = 256 * 1024;
+    assert_int_equal(setrlimit(RLIMIT_STACK, &small), 0);
+    assert_int_equal(stack_check(&why), STATUS_OK);
     small.rlim_cur = 100 * 1024;
     assert_int_equal(setrlimit(RLIMIT_STACK, &small), 0);
     assert_int_equal(stack_check(&why), STATUS_INPUT);
-    assert_has(why.text, "100 kB");
+    assert_string_equal(why.text, "a stack of 100 kB is too small; at least 256 kB: ulimit -s 256");
     assert_int_equal(setrlimit(RLIMIT_STACK, &limit), 0);
 }
 

@@ -1,0 +1,138 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* What a terminal gets and a pipe does not: colours of verdicts, and how far long work has come. */
+#include "verification/text/progress.h"
+#include "verification/text/table.h"
+#include "verification/text/verdict.h"
+
+#include "verification/unit/near.h"
+
+#include <fcntl.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <termios.h>
+#include <unistd.h>
+
+/* A terminal of our own: what is written to `there` is read from `here`. */
+struct terminal {
+    int here, there;
+};
+
+static int open_terminal(void **state) {
+    static struct terminal t;
+    struct termios as_it_is;
+    t.here = posix_openpt(O_RDWR | O_NOCTTY);
+    if (t.here < 0 || grantpt(t.here) || unlockpt(t.here)) return -1;
+    t.there = open(ptsname(t.here), O_RDWR | O_NOCTTY);
+    if (t.there < 0 || tcgetattr(t.there, &as_it_is)) return -1;
+    as_it_is.c_oflag &= (tcflag_t)~OPOST; /* no carriage return before a line feed */
+    *state = &t;
+    unsetenv("NO_COLOR");
+    return tcsetattr(t.there, TCSANOW, &as_it_is);
+}
+
+static int close_terminal(void **state) {
+    const struct terminal *t = *state;
+    close(t->here);
+    close(t->there);
+    return 0;
+}
+
+static const char *arrived(const struct terminal *t) {
+    static char text[4000];
+    ssize_t n = read(t->here, text, sizeof text - 1);
+    text[n > 0 ? n : 0] = '\0';
+    return text;
+}
+
+/* Each verdict, on a terminal alone, and not where NO_COLOR has a value. */
+static void verdicts_have_colours(void **state) {
+    const struct terminal *t = *state;
+    FILE *out = fdopen(dup(t->there), "w"), *file = tmpfile();
+    static const char *const colour[] = {"\033[33m", "\033[31m", "\033[32m", "\033[36m", "\033[36m"};
+    for (int i = 0; verdict_words[i]; i++) {
+        assert_string_equal(verdict_colour(out, verdict_words[i]), colour[i]);
+        assert_string_equal(verdict_colour_end(out, verdict_words[i]), "\033[0m");
+        assert_string_equal(verdict_colour(file, verdict_words[i]), "");
+        assert_string_equal(verdict_colour_end(file, verdict_words[i]), "");
+    }
+    assert_string_equal(verdict_colour(out, "rod"), "");
+    assert_string_equal(verdict_colour_end(out, "rod"), "");
+    setenv("NO_COLOR", "", 1);
+    assert_string_equal(verdict_colour(out, "fail"), "\033[31m");
+    setenv("NO_COLOR", "0", 1);
+    assert_string_equal(verdict_colour(out, "fail"), "");
+    assert_string_equal(verdict_colour_end(out, "fail"), "");
+    unsetenv("NO_COLOR");
+    fclose(out);
+    fclose(file);
+}
+
+/* Colours have no width. */
+static void a_table_of_verdicts_is_aligned(void **state) {
+    const struct terminal *t = *state;
+    FILE *out = fdopen(dup(t->there), "w");
+    struct table rows = table_headed(1, "gate|verdict|x");
+    table_add(&rows, "a|skipped|1");
+    table_add(&rows, "long|fail|20");
+    table_end(&rows, out);
+    fclose(out);
+    assert_string_equal(arrived(t), "gate  verdict   x\na     \033[36mskipped\033[0m   1\n"
+                                    "long  \033[31m   fail\033[0m  20\n");
+}
+
+/* The line is written over, then taken away; lines that stay take it away first. */
+static void progress_is_one_line(void **state) {
+    const struct terminal *t = *state;
+    char wanted[400], longer[100];
+    int stderr_was = dup(STDERR_FILENO);
+    dup2(t->there, STDERR_FILENO);
+    struct progress p = progress_start("gates", 3);
+    const int shown = p.shown;
+    progress_tick(&p);
+    progress_tick(&p);
+    progress_print(&p, "gate %d", 7);
+    memset(longer, 'w', sizeof longer - 1);
+    longer[sizeof longer - 1] = '\0';
+    progress_now(&p, "%s", longer);
+    progress_now(&p, "run %d", 2);
+    progress_end(&p);
+    dup2(stderr_was, STDERR_FILENO);
+    close(stderr_was);
+    assert_int_equal(shown, 1);
+    assert_int_equal(p.done, 2);
+    snprintf(wanted, sizeof wanted, "\r1 of 3 gates \r2 of 3 gates \r%79s\rgate 7\n\r%.79s\r\r%-79s\r\r%79s\r", "",
+             longer, "run 2", "");
+    assert_string_equal(arrived(t), wanted);
+}
+
+/* Off a terminal only what stays is printed. */
+static void a_file_gets_the_lines_that_stay(void **state) {
+    (void)state;
+    char text[80] = "";
+    FILE *file = tmpfile();
+    int stderr_was = dup(STDERR_FILENO);
+    dup2(fileno(file), STDERR_FILENO);
+    struct progress p = progress_start("gates", 3);
+    progress_tick(&p);
+    progress_now(&p, "run %d", 2);
+    progress_print(&p, "gate %d", 7);
+    progress_end(&p);
+    dup2(stderr_was, STDERR_FILENO);
+    close(stderr_was);
+    rewind(file);
+    text[fread(text, 1, sizeof text - 1, file)] = '\0';
+    fclose(file);
+    assert_int_equal(p.shown, 0);
+    assert_string_equal(text, "gate 7\n");
+}
+
+int main(void) {
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(verdicts_have_colours),
+        cmocka_unit_test(a_table_of_verdicts_is_aligned),
+        cmocka_unit_test(progress_is_one_line),
+        cmocka_unit_test(a_file_gets_the_lines_that_stay),
+    };
+    return cmocka_run_group_tests_name("terminal", tests, open_terminal, close_terminal);
+}
