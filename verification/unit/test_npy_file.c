@@ -38,6 +38,7 @@ static void columns_are_read(void **state) {
     assert_int_equal(
         read_bytes("{'descr': '<f8', 'fortran_order': False, 'shape': (3, 2), }\n", rod, sizeof rod, 1, NULL), 0);
     assert_int_equal(s.n, 3);
+    assert_int_equal(samples_line(&s, 2), 3); /* a row is a line */
     assert_true(s.value[COLUMN_X][2] == 0.3 && s.value[COLUMN_T][1] == 4 && !s.value[COLUMN_W]);
     samples_free(&s);
     assert_int_equal(
