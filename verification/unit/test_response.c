@@ -3,7 +3,9 @@
  * so that the run on the lattice is known as well as the solution. */
 #include "verification/diagnosis/response.h"
 
+#include "references/scene.h"
 #include "solver/problem.h"
+#include "solver/status.h"
 #include "verification/diagnosis/diagnosis.h"
 #include "verification/diagnosis/fit.h"
 
@@ -189,12 +191,43 @@ static void errors_are_seen_at_the_spacing_of_the_rung(void **state) {
     response_lattice_free(&l);
 }
 
+/* Of 64 to 128 cells the fewest that have faces on most jumps, and on an interface. */
+static void faces_lie_on_jumps_and_interfaces(void **state) {
+    (void)state;
+    static const struct {
+        const char *scene, *param[2];
+        double value[2];
+        int cells;
+    } rows[] = {
+        {"rod-step", {"a"}, {0.5}, 64},                    /* 3/8 n and 5/8 n of 4 m */
+        {"rod-step", {"a"}, {8.0 / 15}, 90},               /* 11/30 n */
+        {"wall-composite", {"x_c"}, {0.4}, 65},            /* 2/5 n */
+        {"rod-contact", {"x_c", "t_end"}, {0.3, 0.5}, 80}, /* 13/20 n */
+        {"square-step", {"a", "b"}, {0.6, 0.75}, 80},      /* 7/20 n and 5/16 n */
+    };
+    for (size_t i = 0; i < sizeof rows / sizeof *rows; i++) {
+        const struct scene *s = scene_find(rows[i].scene);
+        struct problem p;
+        struct failure why;
+        struct response_lattice l;
+        scene_defaults(s, &p);
+        for (int k = 0; s->params[k].name; k++)
+            for (int j = 0; j < 2 && rows[i].param[j]; j++)
+                if (strcmp(s->params[k].name, rows[i].param[j]) == 0) p.param[k] = rows[i].value[j];
+        if (s->setup(&p, &why)) fail_msg("%s", why.text);
+        assert_int_equal(response_lattice_create(&p, &l), 0);
+        if (l.n[0] != rows[i].cells) fail_msg("%s, row %zu: %d cells", rows[i].scene, i, l.n[0]);
+        response_lattice_free(&l);
+    }
+}
+
 int main(void) {
     gsl_set_error_handler_off();
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(the_lattice_has_the_run_of_the_mode),
         cmocka_unit_test(beyond_the_outermost_centres_a_line_goes_on),
         cmocka_unit_test(a_response_is_per_unit_of_the_size),
+        cmocka_unit_test(faces_lie_on_jumps_and_interfaces),
         cmocka_unit_test(errors_are_seen_at_the_spacing_of_the_rung),
     };
     return cmocka_run_group_tests_name("response", tests, NULL, NULL);
