@@ -23,7 +23,8 @@ int diagnosis_rounding(const struct field *f, double error, double cells, struct
     for (size_t i = 0; i < f->n && digits <= MOST; i++) {
         double T = f->T[i];
         int single = fabs(T - (float)T) <= CLOSE * fabs(T);
-        int of = single ? FLT_DIG + 1 : number_digits(T, CLOSE, MOST, text);
+        int of = number_digits(T, CLOSE, MOST, text);
+        if (single && of > FLT_DIG + 1) of = FLT_DIG + 1;
         full += of >= FLT_DIG;
         digits = of > digits ? of : digits;
     }

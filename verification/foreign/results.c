@@ -242,13 +242,16 @@ static const char *next_name(const char *dx, double *value, char name[64]) {
 
 static int check_all(const struct results_place *at, const struct scene *s, const struct problem *p,
                      const struct options *o, const char *dx, struct failure *why) {
+    static const struct mapping none = {0};
     struct options with = *o;
+    struct image image;
     char path[RESULTS_PATH], name[64];
+    mapping_image(at->map ? at->map : &none, p, &image); /* dx and dy are along the axes of the case */
     if (results_of_scene(at->dir, s, at->setting, path))
         return refuse(why, STATUS_INPUT, "--into '%.300s': too long a path", at->dir);
     while (dx) {
         dx = next_name(dx, &with.dx, name);
-        if (case_file_check(p, &with, why)) return why->status;
+        if (case_file_check(&image.problem, &with, why)) return why->status;
     }
     return STATUS_OK;
 }

@@ -9,6 +9,7 @@
 #include "verification/unit/near.h"
 
 #include <math.h>
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -131,6 +132,9 @@ static void faults_are_named_with_their_size(void **state) {
         {"rod-contact", 0.02, 0.01, {FAULT_RHO_C, 1}, 0.5, 50, "rho c of the second material were"},
         {"rect-manufactured", 0.05, 0.025, {FAULT_SOURCE, 0}, 0.1, 10, "source were"},
         {"rod-step", 0.05, 0.025, {FAULT_CONDUCTIVITY, 0}, 1.04, 104, "conductivity were 104 %"},
+        {"wall-composite", 0.02, 0.01, {FAULT_EXTENT, 0}, 0.5, 0.5, "sides across x lay"},
+        {"wall-composite", 0.02, 0.01, {FAULT_INTERFACE, 0}, -0.5, -0.5, "too far down"},
+        {"rod-contact", 0.02, 0.01, {FAULT_RHO_C, 0}, 0.1, 10, "rho c of the first material were"},
     };
     int wrong = 0;
     for (size_t i = 0; i < sizeof rows / sizeof *rows; i++) {
@@ -176,6 +180,23 @@ static void rounded_temperatures_are_named(void **state) {
     assert_int_equal(diagnosis_rounding(&f, 1e-7, 40, &d), 0); /* one with all its digits */
     for (int i = 0; i < 40; i++) T[i] = 1 + i / 40.0;
     assert_int_equal(diagnosis_rounding(&f, 1e-7, 40, &d), 0); /* round by themselves */
+    for (int i = 0; i < 40; i++) T[i] = i % 4 ? nearbyint(1e5 * (1.1 + sqrt(i) / 70)) / 1e5 : i / 8.0;
+    assert_int_equal(diagnosis_rounding(&f, 1e-4, 40, &d), 1);
+    assert_near(d.size, 6, 0); /* 0 and 0.5 among them need no more */
+}
+
+/* Some ten values that are not round by chance; an error up to N^2 times half a unit of the last digit of 1 K. */
+static void few_rounded_temperatures_show_nothing(void **state) {
+    (void)state;
+    double T[10];
+    struct field f = {.dim = 1, .n = 10, .T = T};
+    struct diagnosis d;
+    for (int i = 0; i < 10; i++) T[i] = nearbyint(1e6 * (1.1 + sqrt(i + 2) / 70)) / 1e6;
+    assert_int_equal(diagnosis_rounding(&f, 7.9e-4, 40, &d), 1);
+    assert_near(d.size, 7, 0);
+    assert_int_equal(diagnosis_rounding(&f, 8.1e-4, 40, &d), 0);
+    f.n = 9;
+    assert_int_equal(diagnosis_rounding(&f, 1e-4, 40, &d), 0);
 }
 
 static void runs_that_differ_are_named(void **state) {
@@ -262,6 +283,113 @@ static void a_start_tells_what_numbers_are(void **state) {
         assert_nan(diagnosis_mean(&made, &start.at));
         field_free(&start.field), free(start.exact);
     }
+}
+
+/* A wave in the plane, of two wave lengths: means over its cells, with a millionth of their error as noise; values,
+ * likewise. */
+static void a_start_in_the_plane_has_both_curvatures(void **state) {
+    (void)state;
+    struct problem p = problem_of("wave");
+    enum { SIDE = 20 };
+    const double dx = (p.hi[0] - p.lo[0]) / SIDE, d = 1e-3;
+    struct field f;
+    double exact[SIDE * SIDE];
+    field_alloc(&f, 2, SIDE * SIDE);
+    for (int mean = 0; mean < 2; mean++) {
+        for (int i = 0; i < SIDE * SIDE; i++) {
+            double x = p.lo[0] + (i % SIDE + 0.5) * dx, y = p.lo[1] + (i / SIDE + 0.5) * dx, around = 0;
+            for (int k = 0; k < 4; k++)
+                around += p.initial(&p, (double[2]){x + (k / 2 ? 0 : k ? d : -d), y + (k / 2 ? k == 3 ? d : -d : 0)});
+            f.x[i] = x, f.y[i] = y;
+            exact[i] = p.initial(&p, (double[2]){x, y});
+            f.T[i] = exact[i] + mean * dx * dx / 24 * (around - 4 * exact[i]) / (d * d) + 1e-9 * (i % 7 - 3);
+        }
+        assert_near(diagnosis_mean(&p, &(struct diagnosis_rung){&f, exact, dx, 0, NAN}), mean, 2e-3);
+    }
+    field_free(&f);
+}
+
+/* By `fine` and `coarse` units at dx and 2 dx, m, of a program that says steps of `says` times their length. */
+static struct diagnosis find_in(const char *name, double dx, struct fault fault, double fine, double coarse,
+                                double says) {
+    struct problem p = problem_of(name);
+    struct rung r[2];
+    struct diagnosis d;
+    for (int k = 0; k < 2; k++) {
+        solve(name, &p, fault, k ? coarse : fine, k ? 2 * dx : dx, &r[k]);
+        r[k].at.dt *= says;
+    }
+    diagnosis_find(&p, &r[0].at, &r[1].at, &d);
+    print_message("%s\n", d.what);
+    for (int i = 0; i < 2; i++) field_free(&r[i].field), free(r[i].exact);
+    return d;
+}
+
+/* All temperatures off, by 2 % and by 3 %, or the end by 4 steps and by 2, which are 8 of the finer ones. */
+static void a_size_that_does_not_stay_is_no_fault(void **state) {
+    (void)state;
+    const struct fault amplitude = {FAULT_AMPLITUDE, 0}, clock = {FAULT_CLOCK, 0};
+    struct diagnosis d = find_in("rod-step", 0.025, amplitude, 0.02, 0.024, 1);
+    assert_int_equal(d.named, 1);
+    d = find_in("rod-step", 0.025, amplitude, 0.02, 0.03, 1);
+    assert_int_equal(d.named, 0);
+    assert_string_equal(d.what, "no usual fault: what looks like one has a size that changes with the spacing");
+    d = find_in("rod-gauss", 0.15, clock, 4, 2, 0);
+    assert_int_equal(d.named, 0);
+    assert_string_equal(d.what, "no usual fault: what looks like one has a size that changes with the spacing; "
+                                "`# steps = N` in the answer would show whether it is the clock");
+}
+
+/* Off by 1 % of their largest, up and down from point to point: of this nothing but noise is to be seen. */
+static void what_is_no_fault_is_named_by_none(void **state) {
+    (void)state;
+    struct problem p = problem_of("rod-step");
+    struct rung r[2];
+    struct diagnosis d;
+    int percent = -1;
+    for (int k = 0; k < 2; k++) {
+        solve("rod-step", &p, (struct fault){FAULT_AMPLITUDE, 0}, 0.01, k ? 0.05 : 0.025, &r[k]);
+        for (size_t i = 0; i < r[k].field.n; i++) r[k].field.T[i] += i % 2 ? 0.03 : -0.03;
+    }
+    diagnosis_find(&p, &r[0].at, &r[1].at, &d);
+    assert_int_equal(d.named, 0);
+    print_message("%s\n", d.what);
+    assert_int_equal(sscanf(d.what, "no usual fault explains more than %d %% of the error", &percent), 1);
+    double sum[2] = {0, 0.03 * 0.03 * (double)r[0].field.n};
+    for (size_t i = 0; i < r[0].field.n; i++) sum[0] += 1e-4 * r[0].exact[i] * r[0].exact[i];
+    assert_near(percent, 100 * sum[0] / (sum[0] + sum[1]), 5);
+    for (int i = 0; i < 2; i++) field_free(&r[i].field), free(r[i].exact);
+}
+
+/* What lies behind the points in memory is none of them; of many points some are looked at. */
+static void points_are_those_of_the_answer(void **state) {
+    (void)state;
+    enum { MANY = 41000 };
+    struct problem p = problem_of("rod-step");
+    struct rung r[2];
+    struct diagnosis d;
+    double *x = xcalloc(MANY, sizeof *x), *T = xcalloc(MANY, sizeof *T), *exact = xcalloc(MANY, sizeof *exact);
+    double *weight = xcalloc(MANY, sizeof *weight);
+    solve("rod-step", &p, (struct fault){FAULT_AMPLITUDE, 0}, 0.013, 0.05, &r[1]);
+    r[0] = r[1];
+    for (int k = 0; k < 2; k++) {
+        size_t n = k ? 40999 : 400; /* of which every third is looked at */
+        for (size_t i = 0; i < MANY; i++) {
+            x[i] = p.lo[0] + (p.hi[0] - p.lo[0]) * ((double)i + 0.5) / (double)n;
+            int wrong = i >= n || (k && i % 3);
+            exact[i] = i < n ? scene_exact(scene_of("rod-step"), &p, (double[2]){x[i], 0}, p.t_end).temperature : 3;
+            T[i] = wrong ? 100 : 1.013 * exact[i];
+            weight[i] = 1;
+        }
+        struct field many = {.dim = 1, .n = n, .x = x, .T = T, .weight = weight};
+        struct diagnosis_rung fine = {&many, exact, 0.025, r[1].at.dt, NAN};
+        diagnosis_find(&p, &fine, &r[1].at, &d);
+        print_message("%s\n", d.what);
+        assert_has(d.what, "all temperatures were 1.3 % too large");
+        assert_order(d.share, >, 0.9999);
+    }
+    free(x), free(T), free(exact), free(weight);
+    field_free(&r[1].field), free(r[1].exact);
 }
 
 /* The fault that most gates name, its middle size; "" for a gate that names none. */
@@ -401,21 +529,150 @@ static void a_fault_along_y_is_of_y(void **state) {
     double s = 1 + 2 * 0.05 / (p.hi[1] - p.lo[1]);
     for (int side = X_LO; side <= X_HI; side++) assert_near(with.problem.robin[side], p.robin[side], 0);
     for (int side = Y_LO; side <= Y_HI; side++) assert_near(with.problem.robin[side], p.robin[side] / s, 1e-12);
+    struct fault all = {FAULT_COEFFICIENT, FAULT_ALL_SIDES};
+    assert_true(fault_make(&p, all, 0.1, &with));
+    for (int side = 0; side < 4; side++) assert_near(with.problem.robin[side], 1.1 * p.robin[side], 1e-12);
     struct fault swap = {.kind = FAULT_SWAP}, isotropic = {.kind = FAULT_ISOTROPIC};
     assert_false(fault_make(&rod, swap, 1, &with)); /* a rod has one conductivity, and so has the plate */
     assert_false(fault_make(&p, swap, 1, &with));
     assert_false(fault_make(&p, isotropic, 1, &with));
 }
 
+/* A rod has no y, a body of one material no second, an oblong cannot be transposed, and what is not there is not
+ * wrong. */
+static void a_body_has_the_faults_of_its_parts(void **state) {
+    (void)state;
+    static const struct {
+        const char *scene;
+        struct fault fault;
+        int can;
+    } rows[] = {
+        {"square-step", {FAULT_TRANSPOSED, 0}, 1},
+        {"rect-manufactured", {FAULT_TRANSPOSED, 0}, 0},
+        {"rod-step", {FAULT_TRANSPOSED, 0}, 0},
+        {"rect-manufactured", {FAULT_SWAP, 0}, 1},
+        {"rect-manufactured", {FAULT_ISOTROPIC, 1}, 1},
+        {"rod-step", {FAULT_ISOTROPIC, 0}, 0},
+        {"rect-manufactured", {FAULT_SOURCE, 0}, 1},
+        {"rect-manufactured", {FAULT_SOURCE_TIME, 0}, 0},
+        {CHANGING, {FAULT_SOURCE_TIME, 0}, 1},
+        {"square-step", {FAULT_SOURCE, 0}, 0},
+        {"rod-contact", {FAULT_CAPACITY, 0}, 1},
+        {"rod-step", {FAULT_CAPACITY, 0}, 0},
+        {"rod-contact", {FAULT_RHO_C, 1}, 1},
+        {"rod-contact", {FAULT_RHO_C, 2}, 0},
+        {"rod-step", {FAULT_RHO_C, 0}, 0},
+        {"rod-contact", {FAULT_AXIS, 0}, 0},
+        {"plate", {FAULT_AXIS, 1}, 1},
+        {"plate", {FAULT_AXIS, 2}, 0},
+        {"rod-contact", {FAULT_INTERFACE, 0}, 1},
+        {"rod-contact", {FAULT_MEAN, 0}, 1},
+        {"rod-step", {FAULT_INTERFACE, 0}, 0},
+        {"rod-step", {FAULT_MEAN, 0}, 0},
+        {"rod-cooling", {FAULT_COEFFICIENT, X_HI}, 1},
+        {"rod-cooling", {FAULT_COEFFICIENT, X_LO}, 0},
+        {"rod-cooling", {FAULT_COEFFICIENT, Y_LO}, 0},
+        {"rod-cooling", {FAULT_COEFFICIENT, FAULT_ALL_SIDES}, 0},
+        {"plate-cooling", {FAULT_COEFFICIENT, FAULT_ALL_SIDES}, 1},
+        {"rect-manufactured", {FAULT_WALL, Y_HI}, 1},
+        {"rect-manufactured", {FAULT_WALL, FAULT_ALL_SIDES}, 1},
+        {"plate", {FAULT_WALL, FAULT_ALL_SIDES}, 0},
+        {"rod-cosine", {FAULT_WALL, X_LO}, 0},
+        {"rod-contact", {FAULT_WALL, X_HI}, 0}, /* of 0 K */
+        {"rod-contact", {FAULT_WALL, Y_LO}, 0},
+        {"rod-step", {FAULT_START_WIDTH, 0}, 1},
+        {"rod-step", {FAULT_START_WIDTH, 1}, 0},
+        {"rod-contact", {FAULT_START_WIDTH, 0}, 0}, /* one jump */
+        {"square-step", {FAULT_SAMPLES, 1}, 1},
+        {"rod-gauss", {FAULT_SAMPLES, 0}, 0},
+        {"rod-gauss", {FAULT_START_SHIFT, 0}, 1},
+        {"rod-gauss", {FAULT_START_SHIFT, 1}, 0},
+        {"square-step", {FAULT_START_SHIFT, 1}, 1},
+        {"rod-gauss", {FAULT_EXTENT, 1}, 0},
+        {"rod-gauss", {FAULT_EXTENT, FAULT_BOTH_AXES}, 0},
+        {"plate", {FAULT_EXTENT, FAULT_BOTH_AXES}, 1},
+        {"plate", {FAULT_EXTENT, 3}, 0},
+        {"plate", {FAULT_CORNER, 2}, 1},
+        {"square-step", {FAULT_CORNER, 0}, 0}, /* held at 0 */
+        {"rod-contact", {FAULT_CORNER, 0}, 0},
+        {"plate", {FAULT_CLOCK, 1}, 0},
+    };
+    for (size_t i = 0; i < sizeof rows / sizeof *rows; i++) {
+        struct problem p = problem_of(rows[i].scene);
+        struct faulty with;
+        if (fault_make(&p, rows[i].fault, 0.01, &with) != rows[i].can)
+            fail_msg("%s: fault %d of %d", rows[i].scene, rows[i].fault.kind, rows[i].fault.axis);
+    }
+}
+
+/* What flows in across y is that of a body so much higher; what is held at x has its place along y. */
+static void a_higher_body_has_its_own_walls(void **state) {
+    (void)state;
+    struct problem p = problem_of("rect-manufactured");
+    struct faulty with;
+    const double size = 0.03, s = 1 + 2 * size / (p.hi[1] - p.lo[1]), middle = (p.lo[1] + p.hi[1]) / 2;
+    assert_true(fault_make(&p, (struct fault){FAULT_EXTENT, 1}, size, &with));
+    for (int k = 0; k < 4; k++) {
+        double x[2] = {p.hi[0] * (0.1 + 0.23 * k), p.hi[1] * (0.2 + 0.19 * k)};
+        double right[2] = {x[0], middle + s * (x[1] - middle)};
+        enum side side = (enum side)k;
+        double held = p.wall(&p, side, right);
+        assert_near(with.problem.wall(&with.problem, side, x), side < Y_LO ? held : held / s, 1e-14);
+        assert_near(with.problem.initial(&with.problem, x), p.initial(&p, right), 1e-14);
+        assert_near(problem_source(&with.problem, x, 0), problem_source(&p, right, 0), 1e-14);
+    }
+    assert_near(with.problem.material[0].k[0], p.material[0].k[0], 0);
+    assert_near(with.problem.material[0].k[1], p.material[0].k[1] / (s * s), 1e-15);
+}
+
+/* The start of square-step, hot for |y| <= b = 0.75 m: each jump further out, or both further up. */
+static void a_start_is_moved_along_y(void **state) {
+    (void)state;
+    struct problem p = problem_of("square-step");
+    const enum fault_kind kinds[] = {FAULT_START_WIDTH, FAULT_START_SHIFT};
+    const double b = p.jump[1][1], size = 0.05;
+    assert_near(b, 0.75, 0);
+    for (int k = 0; k < 2; k++) {
+        struct faulty with;
+        assert_true(fault_make(&p, (struct fault){kinds[k], 1}, size, &with));
+        const struct problem *q = &with.problem;
+        double low = k ? -b + size : -b - size;
+        assert_near(q->jump[1][0], low, 1e-15);
+        assert_near(q->jump[1][1], b + size, 1e-15);
+        for (int i = 0; i < 2; i++) assert_near(q->jump[0][i], p.jump[0][i], 0);
+        double hot = p.initial(&p, (double[2]){0.1, 0.1});
+        assert_near(q->initial(q, (double[2]){0.1, b + 0.9 * size}), hot, 0);
+        assert_near(q->initial(q, (double[2]){0.1, b + 1.1 * size}), 0, 0);
+        assert_near(q->initial(q, (double[2]){0.1, low + 0.1 * size}), hot, 0);
+        assert_near(q->initial(q, (double[2]){0.1, low - 0.1 * size}), 0, 0);
+        assert_near(q->initial(q, (double[2]){p.jump[0][1] + 0.1 * size, 0.1}), 0, 0);
+    }
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(faults_are_named_with_their_size), cmocka_unit_test(a_fault_along_y_is_of_y),
-        cmocka_unit_test(values_for_means_are_named),       cmocka_unit_test(rounded_temperatures_are_named),
-        cmocka_unit_test(runs_that_differ_are_named),       cmocka_unit_test(a_conductivity_is_no_end_time),
-        cmocka_unit_test(a_projection_is_no_fault),         cmocka_unit_test(a_start_tells_what_numbers_are),
-        cmocka_unit_test(most_gates_name_one_fault),        cmocka_unit_test(coefficients_of_sides_are_one_fault),
-        cmocka_unit_test(a_name_that_few_give_is_perhaps),  cmocka_unit_test(sizes_that_cannot_be_are_not),
-        cmocka_unit_test(a_clock_may_follow_the_spacing),   cmocka_unit_test(a_correct_code_has_none),
+        cmocka_unit_test(faults_are_named_with_their_size),
+        cmocka_unit_test(a_fault_along_y_is_of_y),
+        cmocka_unit_test(a_body_has_the_faults_of_its_parts),
+        cmocka_unit_test(a_higher_body_has_its_own_walls),
+        cmocka_unit_test(a_start_is_moved_along_y),
+        cmocka_unit_test(values_for_means_are_named),
+        cmocka_unit_test(rounded_temperatures_are_named),
+        cmocka_unit_test(runs_that_differ_are_named),
+        cmocka_unit_test(few_rounded_temperatures_show_nothing),
+        cmocka_unit_test(a_start_in_the_plane_has_both_curvatures),
+        cmocka_unit_test(a_size_that_does_not_stay_is_no_fault),
+        cmocka_unit_test(what_is_no_fault_is_named_by_none),
+        cmocka_unit_test(points_are_those_of_the_answer),
+        cmocka_unit_test(a_conductivity_is_no_end_time),
+        cmocka_unit_test(a_projection_is_no_fault),
+        cmocka_unit_test(a_start_tells_what_numbers_are),
+        cmocka_unit_test(most_gates_name_one_fault),
+        cmocka_unit_test(coefficients_of_sides_are_one_fault),
+        cmocka_unit_test(a_name_that_few_give_is_perhaps),
+        cmocka_unit_test(sizes_that_cannot_be_are_not),
+        cmocka_unit_test(a_clock_may_follow_the_spacing),
+        cmocka_unit_test(a_correct_code_has_none),
     };
     return cmocka_run_group_tests_name("diagnosis", tests, NULL, NULL);
 }

@@ -64,6 +64,8 @@ static void tables_of_all_kinds(void **state) {
     reads("# made by hand\n# x T\n-2.5 3.5-12\n1.25 0.7+1\n", 1, NULL);
     reads("\"Points:0\",\"Points:1\",\"a, b\",'T [K]'\n-2.5,9,1,3.5e-12\n1.25,9,2,7\n", 1, "x=Points:0,T=T [K]");
     reads("-2.5 8 3.5e-12\n1.25 8 7\n", 1, "x=1,T=3");
+    reads("# made by hand, today\n-2.5 8 3.5e-12\n1.25 8 7\n", 1, "x=1,T=3");
+    reads("# x;T;w\n-2.5 3.5e-12 8\n1.25 7 8\n", 1, NULL);
     reads("x,z,temp,y\n-2.5,4,3.5e-12,0.75\n1.25,4,7,0.5\n", 2, "T=temp");
 }
 
@@ -97,6 +99,60 @@ static void vtk_of_several_kinds(void **state) {
           "0\nPOINT_DATA 2\n"
           "FIELD attributes 2\nU 3 2 float\n1 2 3 4 5 6\ntemp 1 2 float\n3.5e-12 7\n",
           1, "T=temp");
+}
+
+#define HEAD "# vtk DataFile Version 3.0\nt\nASCII\n"
+#define TWO "POINTS 2 float\n-2.5 0.75 0 1.25 0.5 0\n"
+
+/* Weights, arrays of vectors, of components that are said, and of cells and points in any order. */
+static void vtk_with_more_in_it(void **state) {
+    (void)state;
+    static const char *const text[] = {
+        HEAD TWO "CELL_DATA 1\nSCALARS T float 1\nLOOKUP_TABLE default\n9\nPOINT_DATA 2\nSCALARS v float 2\n"
+                 "LOOKUP_TABLE default\n1 2 3 4\nSCALARS T float 1\nLOOKUP_TABLE default\n3.5e-12 7\n"
+                 "SCALARS w float\nLOOKUP_TABLE default\n0.25 0.75\n",
+        HEAD "POINT_DATA 2\nFIELD f 3\nT 2 2 float\n9 9 9 9\nw 1 2 float\n0.25 0.75\nT 1 2 float\n3.5e-12\n7\n" TWO};
+    for (int k = 0; k < 2; k++) {
+        struct samples s;
+        struct failure why;
+        reads(text[k], 2, NULL);
+        if (read_as(text[k], 2, "w=w", &s, &why)) fail_msg("%s", why.text);
+        assert_near(s.value[COLUMN_W][0], 0.25, 0);
+        assert_near(s.value[COLUMN_W][1], 0.75, 0);
+        samples_free(&s);
+    }
+}
+
+static void vtk_that_is_none(void **state) {
+    (void)state;
+    static const struct {
+        const char *text, *says;
+    } bad[] = {
+        {HEAD "POINTS two float\n", "line 4: a count is missing or is no whole number"},
+        {HEAD "POINTS\n", "line 5: a count is missing"},
+        {HEAD TWO "POINT_DATA 2\nSCALARS T\n", "line 8: SCALARS needs a name and a type"},
+        {HEAD TWO "POINT_DATA 2\nSCALARS T float\n", "line 8: SCALARS without values"},
+        {HEAD TWO "POINT_DATA 2\nSCALARS T float\n\nb\n", "line 9: a count is missing"},
+        {HEAD TWO "POINT_DATA 2\nFIELD f\n", "line 8: FIELD needs a name and a count"},
+        {HEAD TWO "POINT_DATA 2\nFIELD f 2\nT 1 2 float 1 2\n", "line 9: the file ends within FIELD"},
+        {HEAD TWO "POINT_DATA 2\nFIELD f 1\nT 1 b float 1 2\n", "line 8: a count is missing"},
+        {HEAD TWO "POINT_DATA 2\nFIELD f 1\nT 1 2 float 1\n", "line 9: the file ends within an array"},
+        {HEAD TWO "POINT_DATA 2\nSCALARS T float\nLOOKUP_TABLE t\n1\nwarm\n",
+         "line 10, column 1: T = 'warm' is not a decimal number"},
+        {HEAD TWO "POINT_DATA 3\nSCALARS T float\nLOOKUP_TABLE t\n1 2 3\n", "3 values of T at 2 points"},
+        {HEAD TWO "POINT_DATA 1\nSCALARS T float\nLOOKUP_TABLE t\n1\n", "1 values of T at 2 points"},
+        {HEAD "POINT_DATA 1\nSCALARS T float\nLOOKUP_TABLE t\n1\n", "no POINTS"},
+        {HEAD TWO, "no point data 'T' (there are: none); --columns T=NAME names them"},
+        {HEAD TWO "POINT_DATA 2\nSCALARS a float\nLOOKUP_TABLE t\n1 2\nFIELD f 1\nb 1 2 float\n1 2\n",
+         "no point data 'T' (there are: a, b)"},
+    };
+    for (size_t i = 0; i < sizeof bad / sizeof *bad; i++) refuses(bad[i].text, 1, NULL, bad[i].says);
+    put(HEAD "T\0\n", sizeof HEAD + 2);
+    struct samples s;
+    struct failure why;
+    assert_int_equal(field_file_samples(path, path, 1, &(struct column_map){0}, &s, &why), STATUS_INPUT);
+    assert_has(why.text, "holds a NUL byte: not ascii");
+    refuses("# vtk DataFile", 1, NULL, "ends without a newline");
 }
 
 static void what_is_no_answer(void **state) {
@@ -267,7 +323,7 @@ static void a_point_counts_once(void **state) {
     }
 }
 
-/* 0.1 m is a wall of the plate, and so is 0.0999999999999 m. */
+/* 0.1 m is a wall of the plate, and so is 0.0999999999999 m, wherever the plate lies. */
 static void rounded_coordinates_lie_on_the_walls(void **state) {
     (void)state;
     struct cloud c = cloud("plate", 11, 0, 1);
@@ -288,6 +344,30 @@ static void rounded_coordinates_lie_on_the_walls(void **state) {
     assert_near(f.T[21], 30, 0);
     assert_near(f.weight[21], 11, 0);
     field_free(&f);
+    c.p.lo[0] -= 0.1, c.p.hi[0] -= 0.1;
+    out = fopen(path, "w");
+    fprintf(out, "x,y,T\n");
+    for (int j = 0; j <= 10; j++)
+        for (int i = 0; i <= 10; i++) fprintf(out, "%.17g,%.17g,1\n", -1e-13 - 0.01 * (10 - i), 0.01 * j);
+    fclose(out);
+    assert_int_equal(field_file_read(path, path, &(struct column_map){0}, &c.p, (double[2]){0.01, 0.01}, &f, &why),
+                     0);
+    assert_near(f.x[0], -0.1, 0);
+    assert_near(f.x[10], 0, 0);
+    field_free(&f);
+}
+
+/* A rod of two cells, which the one node between its walls stands for. */
+static void one_point_covers_two_cells(void **state) {
+    (void)state;
+    struct cloud c = cloud("rod-step", 2, 1, 1);
+    struct field f;
+    struct failure why;
+    put("x,T\n0,3\n", 8);
+    if (field_file_read(path, path, &(struct column_map){0}, &c.p, (double[2]){2, 2}, &f, &why))
+        fail_msg("%s", why.text);
+    assert_int_equal(f.n, 1);
+    field_free(&f);
 }
 
 int main(void) {
@@ -295,6 +375,8 @@ int main(void) {
         cmocka_unit_test(tables_of_all_kinds),
         cmocka_unit_test(weights_and_what_it_took),
         cmocka_unit_test(vtk_of_several_kinds),
+        cmocka_unit_test(vtk_with_more_in_it),
+        cmocka_unit_test(vtk_that_is_none),
         cmocka_unit_test(what_is_no_answer),
         cmocka_unit_test(the_usual_arrangements_cover),
         cmocka_unit_test(parts_of_the_domain_do_not),
@@ -302,6 +384,7 @@ int main(void) {
         cmocka_unit_test(of_many_points_the_first_is_named),
         cmocka_unit_test(a_point_counts_once),
         cmocka_unit_test(rounded_coordinates_lie_on_the_walls),
+        cmocka_unit_test(one_point_covers_two_cells),
     };
     int file = scratch_file(path, "field-file-test");
     if (file < 0 || close(file)) return 1;

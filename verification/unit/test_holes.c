@@ -62,6 +62,19 @@ static void a_point_of_a_rod(void **state) {
     assert_has(why.text, "x = 0.7");
 }
 
+/* Of five points that are left of six the distances show it, of four that are left of five they do not. */
+static void of_few_points_none_is_missed(void **state) {
+    (void)state;
+    struct failure why;
+    const double first[2] = {0.1, 0}, step[2] = {0.15, 0};
+    for (int skip = 1; skip < 5; skip++) {
+        assert_int_equal(check("rod-cosine", lattice(first, step, (int[2]){6, 1}, skip), &why), STATUS_INPUT);
+        assert_near(strtod(strstr(why.text, "x = ") + 4, NULL), 0.1 + 0.15 * skip, 1e-6);
+        if (skip < 4)
+            assert_int_equal(check("rod-cosine", lattice(first, step, (int[2]){5, 1}, skip), &why), STATUS_OK);
+    }
+}
+
 /* rod-contact from -1 to 1 m, layers that meet at 0 without a point there. */
 static void an_interface_has_no_point_of_its_own(void **state) {
     (void)state;
@@ -110,6 +123,7 @@ static void digits_that_were_cut(void **state) {
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(a_point_of_a_rod),
+        cmocka_unit_test(of_few_points_none_is_missed),
         cmocka_unit_test(an_interface_has_no_point_of_its_own),
         cmocka_unit_test(a_point_of_a_plane),
         cmocka_unit_test(digits_that_were_cut),

@@ -148,6 +148,27 @@ static void a_second_spacing_is_kept(void **state) {
     assert_has(l.rung[0].failure.text, "--aspect 3: does not divide");
 }
 
+/* 1 m by 0.7 m with the axes exchanged: cells of 0.1 m by 0.07 m divide the scene and not the case, 0.07 m by 0.1 m
+ * the other way round. */
+static void spacings_are_along_the_axes_of_the_case(void **state) {
+    (void)state;
+    static const char *const spacing[] = {"0.1 --aspect 0.7", "0.07 --aspect 1/0.7"};
+    for (int k = 0; k < 2; k++) {
+        char line[400];
+        struct request r;
+        struct failure why = {0};
+        int written;
+        snprintf(line, sizeof line, "case rect-manufactured --dx %s --map y,-x --into %s/turned", spacing[k], dir);
+        if (arguments_parse_line(line, &r, &why)) fail_msg("%s", why.text);
+        const struct experiment *e = &r.experiment;
+        assert_int_equal(results_write(&(struct results_place){r.into, "", "", &e->program.map, 0}, e->scene,
+                                       &e->problem, &e->options, r.rungs.dx.text, &written, &why),
+                         k == 0 ? STATUS_INPUT : 0);
+        if (k == 0) assert_has(why.text, "--dx 0.1 --aspect 0.7: does not divide the domain");
+        arguments_free(&r);
+    }
+}
+
 /* The axes of a program in three dimensions are in the case and its directory, and read from it again. */
 static void the_plane_of_a_slab_is_kept(void **state) {
     (void)state;
@@ -268,6 +289,7 @@ int main(void) {
         cmocka_unit_test(a_missing_answer_is_a_row),
         cmocka_unit_test(cases_are_added),
         cmocka_unit_test(a_second_spacing_is_kept),
+        cmocka_unit_test(spacings_are_along_the_axes_of_the_case),
         cmocka_unit_test(the_plane_of_a_slab_is_kept),
         cmocka_unit_test(draws_are_judged_later),
         cmocka_unit_test(a_program_varies_in_what_it_likes),

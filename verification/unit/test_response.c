@@ -1,0 +1,234 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* Responses and what differences leave, on bodies whose solution is one cosine: Euler's steps multiply it by G each,
+ * so that the run on the lattice is known as well as the solution. */
+#include "verification/diagnosis/response.h"
+
+#include "references/scene.h"
+#include "solver/problem.h"
+#include "solver/status.h"
+#include "verification/diagnosis/diagnosis.h"
+#include "verification/diagnosis/fit.h"
+
+#include "verification/unit/near.h"
+
+#include <gsl/gsl_errno.h>
+#include <stdlib.h>
+#include <string.h>
+
+enum { N = 40 };
+static const double KAPPA[2] = {0.35, 0.2}, LO[2] = {0.2, -0.6}, WIDE[2] = {1.3, 0.91};
+
+static double q_of(int a) {
+    return (a ? 1 : 2) * M_PI / WIDE[a];
+}
+
+static double mode(int dim, const double x[2]) {
+    return cos(q_of(0) * (x[0] - LO[0])) * (dim == 2 ? cos(q_of(1) * (x[1] - LO[1])) : 1);
+}
+
+static double start(const struct problem *p, const double x[2]) {
+    return 3 * mode(p->dim, x);
+}
+
+/* Insulated; of rho c = 2. */
+static struct problem body(int dim) {
+    struct problem p = {.dim = dim,
+                        .t_end = 0.1,
+                        .materials = 1,
+                        .side = {NEUMANN, NEUMANN, NEUMANN, NEUMANN},
+                        .initial = start,
+                        .wall = problem_held};
+    p.material[0] = (struct material){{2 * KAPPA[0], 2 * KAPPA[1]}, 2};
+    for (int a = 0; a < dim; a++) p.lo[a] = LO[a], p.hi[a] = LO[a] + WIDE[a];
+    return p;
+}
+
+static double rate(int dim) { /* T falls as exp(-rate t) */
+    return KAPPA[0] * q_of(0) * q_of(0) + (dim == 2 ? KAPPA[1] * q_of(1) * q_of(1) : 0);
+}
+
+/* What the steps of that mesh Fourier number make of the mode. */
+static double fall(int dim, double dx, double fourier, double t) {
+    double steps = ceil(t * KAPPA[0] / (fourier * dx * dx)), dt = t / steps, G = 1;
+    for (int a = 0; a < dim; a++) G -= 4 * dt * KAPPA[a] * pow(sin(q_of(a) * dx / 2) / dx, 2);
+    return pow(G, steps);
+}
+
+/* Points in the middle part, where splines know nothing of the ends. */
+static void points(int dim, struct field *f) {
+    field_alloc(f, dim, N);
+    for (int i = 0; i < N; i++) {
+        f->x[i] = LO[0] + WIDE[0] * (0.31 + 0.0097 * i);
+        if (dim == 2) f->y[i] = LO[1] + WIDE[1] * (0.69 - 0.0083 * i);
+    }
+}
+
+static double mode_at(const struct field *f, int i) {
+    return mode(f->dim, (double[2]){f->x[i], f->y ? f->y[i] : 0});
+}
+
+static void the_lattice_has_the_run_of_the_mode(void **state) {
+    (void)state;
+    for (int dim = 1; dim <= 2; dim++) {
+        struct problem p = body(dim);
+        struct response_lattice l;
+        struct field f;
+        double base[N], longer[N], laplace[N];
+        assert_int_equal(response_lattice_create(&p, &l), 0);
+        assert_int_equal(l.n[0], dim == 2 ? 70 : 64); /* 7 rows for 10 columns */
+        assert_int_equal(l.n[1], dim == 2 ? 49 : 1);
+        assert_near(l.dx, WIDE[0] / l.n[0], 1e-15);
+        points(dim, &f);
+        response_base(&p, &l, &f, base, longer);
+        response_laplacian(&p, &l, &f, laplace);
+        double T = 3 * fall(dim, l.dx, 0.05, p.t_end), late = 3 * fall(dim, l.dx, 0.15, p.t_end), minus = 0;
+        for (int a = 0; a < dim; a++) minus += pow(2 * sin(q_of(a) * l.dx / 2) / l.dx, 2);
+        for (int i = 0; i < N; i++) {
+            assert_near(base[i], T * mode_at(&f, i), 3e-6);
+            assert_near(longer[i], (late - T) / 0.1 * mode_at(&f, i), 3e-6);
+            assert_near(laplace[i], -minus * T * mode_at(&f, i), 3e-6 * minus);
+        }
+        field_free(&f);
+        response_lattice_free(&l);
+    }
+}
+
+/* Half a cell from a side to the next centre: the line goes on, with the curvature of the cell further in. */
+static void beyond_the_outermost_centres_a_line_goes_on(void **state) {
+    (void)state;
+    for (int dim = 1; dim <= 2; dim++)
+        for (int side = 0; side < 2 * dim; side++) {
+            struct problem p = body(dim);
+            struct response_lattice l;
+            struct field f;
+            double base[3], longer[3], laplace[3], minus = 0;
+            int a = side / 2;
+            assert_int_equal(response_lattice_create(&p, &l), 0);
+            field_alloc(&f, dim, 3);
+            for (int i = 0; i < 3; i++) {
+                double x[2] = {LO[0] + 20.5 * l.dx, LO[1] + 20.5 * l.dx};
+                x[a] = side % 2 ? p.hi[a] - i * l.dx / 4 : p.lo[a] + i * l.dx / 4;
+                f.x[i] = x[0];
+                if (dim == 2) f.y[i] = x[1];
+            }
+            response_base(&p, &l, &f, base, longer);
+            response_laplacian(&p, &l, &f, laplace);
+            double T = 3 * fall(dim, l.dx, 0.05, p.t_end) * mode_at(&f, 2);
+            assert_near(base[2], T, 1e-12); /* a centre */
+            assert_near(base[1] - base[0], base[2] - base[1], 1e-12);
+            assert_order(fabs(base[2] - base[0]), >, 1e-6);
+            for (int b = 0; b < dim; b++) {
+                double curved = pow(2 * sin(q_of(b) * l.dx / 2) / l.dx, 2);
+                minus += b == a ? curved * cos(1.5 * q_of(a) * l.dx) / cos(0.5 * q_of(a) * l.dx) : curved;
+            }
+            assert_near(laplace[2], -minus * T, 1e-8);
+            field_free(&f);
+            response_lattice_free(&l);
+        }
+}
+
+static void a_response_is_per_unit_of_the_size(void **state) {
+    (void)state;
+    struct problem p = body(1);
+    struct response_lattice l;
+    struct field f;
+    double base[N], longer[N], out[N];
+    static const double sizes[] = {0, 0.3};
+    assert_int_equal(response_lattice_create(&p, &l), 0);
+    points(1, &f);
+    response_base(&p, &l, &f, base, longer);
+    for (int k = 0; k < 2; k++) { /* all temperatures: linear */
+        struct response r;
+        assert_int_equal(response_take(&p, &l, (struct fault){FAULT_AMPLITUDE, 0}, sizes[k], &r), 0);
+        assert_near(r.size, k ? 0.3 : 0.01, 1e-15);
+        response_at(&r, &l, &f, base, out);
+        for (int i = 0; i < N; i++) assert_near(out[i], base[i], 1e-9);
+        response_free(&r);
+    }
+    struct response r;
+    double s = 0.01 * p.t_end;
+    assert_int_equal(response_take(&p, &l, (struct fault){FAULT_CLOCK, 0}, 0, &r), 0);
+    assert_near(r.size, s, 1e-15);
+    response_at(&r, &l, &f, base, out);
+    double slope = 3 * (fall(1, l.dx, 0.05, p.t_end + s) - fall(1, l.dx, 0.05, p.t_end)) / s;
+    for (int i = 0; i < N; i++) assert_near(out[i], slope * mode_at(&f, i), 1e-4);
+    response_free(&r);
+    field_free(&f);
+    response_lattice_free(&l);
+}
+
+/* A code whose answer is the solution, 1 % too large: its errors at dx, and what differences leave there. */
+static void errors_are_seen_at_the_spacing_of_the_rung(void **state) {
+    (void)state;
+    static const double means[] = {NAN, -2};
+    struct problem p = body(1);
+    struct response_lattice l;
+    struct field f;
+    double exact[N], dx = 0.05;
+    assert_int_equal(response_lattice_create(&p, &l), 0);
+    points(1, &f);
+    double T = 3 * exp(-rate(1) * p.t_end), lattice = 3 * fall(1, l.dx, 0.05, p.t_end);
+    double late = 3 * fall(1, l.dx, 0.15, p.t_end), q = q_of(0), curved = pow(2 * sin(q * l.dx / 2) / l.dx, 2);
+    for (int i = 0; i < N; i++) exact[i] = T * mode_at(&f, i), f.T[i] = 1.01 * exact[i];
+    for (int k = 0; k < 2; k++) {
+        struct fit_errors s = fit_errors(&p, &l, &(struct diagnosis_rung){&f, exact, dx, 0, means[k]});
+        int left = 0;
+        assert_int_equal(s.is_mean, 1);
+        for (int i = 0; i < N; i++) {
+            double c = mode_at(&f, i), mean = -curved * lattice * c * dx * dx / 24;
+            assert_near(s.g[i], pow(dx / l.dx, 2) * (lattice - T) * c, 3e-5);
+            assert_near(s.h[i], pow(dx / l.dx, 2) * (late - lattice) / 0.1 * c, 3e-5);
+            assert_near(s.m[i], k ? 0 : mean, 1e-6);
+            if (!isnan(s.e[i])) assert_near(s.e[i], 0.01 * T * c - (k ? -2 * mean : 0), 3e-6);
+            for (int j = 0; j < N && isnan(s.e[i]); j++) /* where differences leave most: here where T is largest */
+                if (!isnan(s.e[j])) assert_order(fabs(s.g[i]), >, fabs(s.g[j]));
+            left += isnan(s.e[i]);
+        }
+        assert_int_equal(left, N / 20);
+        fit_errors_free(&s);
+    }
+    field_free(&f);
+    response_lattice_free(&l);
+}
+
+/* Of 64 to 128 cells the fewest that have faces on most jumps, and on an interface. */
+static void faces_lie_on_jumps_and_interfaces(void **state) {
+    (void)state;
+    static const struct {
+        const char *scene, *param[2];
+        double value[2];
+        int cells;
+    } rows[] = {
+        {"rod-step", {"a"}, {0.5}, 64},                    /* 3/8 n and 5/8 n of 4 m */
+        {"rod-step", {"a"}, {8.0 / 15}, 90},               /* 11/30 n */
+        {"wall-composite", {"x_c"}, {0.4}, 65},            /* 2/5 n */
+        {"rod-contact", {"x_c", "t_end"}, {0.3, 0.5}, 80}, /* 13/20 n */
+        {"square-step", {"a", "b"}, {0.6, 0.75}, 80},      /* 7/20 n and 5/16 n */
+    };
+    for (size_t i = 0; i < sizeof rows / sizeof *rows; i++) {
+        const struct scene *s = scene_find(rows[i].scene);
+        struct problem p;
+        struct failure why;
+        struct response_lattice l;
+        scene_defaults(s, &p);
+        for (int k = 0; s->params[k].name; k++)
+            for (int j = 0; j < 2 && rows[i].param[j]; j++)
+                if (strcmp(s->params[k].name, rows[i].param[j]) == 0) p.param[k] = rows[i].value[j];
+        if (s->setup(&p, &why)) fail_msg("%s", why.text);
+        assert_int_equal(response_lattice_create(&p, &l), 0);
+        if (l.n[0] != rows[i].cells) fail_msg("%s, row %zu: %d cells", rows[i].scene, i, l.n[0]);
+        response_lattice_free(&l);
+    }
+}
+
+int main(void) {
+    gsl_set_error_handler_off();
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(the_lattice_has_the_run_of_the_mode),
+        cmocka_unit_test(beyond_the_outermost_centres_a_line_goes_on),
+        cmocka_unit_test(a_response_is_per_unit_of_the_size),
+        cmocka_unit_test(faces_lie_on_jumps_and_interfaces),
+        cmocka_unit_test(errors_are_seen_at_the_spacing_of_the_rung),
+    };
+    return cmocka_run_group_tests_name("response", tests, NULL, NULL);
+}
