@@ -176,7 +176,8 @@ static int outline(const struct method *m, const struct problem *p, const struct
     if (ftcs_plan(&g, m->name, with_fluxes, p, o, why)) return why->status;
     size_t nx = (size_t)g.n[0], ny = (size_t)g.n[1], rows = g.dim == 2 ? 1 : 0, unit = sizeof(double);
     count(&g, o, &out->run);
-    out->weights = "one stencil for all points: a grid of one material";
+    out->weights = p->materials == 2 ? "a stencil for each place along x: a grid of two materials"
+                                     : "one stencil for all points: a grid of one material";
     out->answer = g.dim + 1 + !has_whole_cells(&g);
     out->on_lattice = 1;
     out->neighbours = (with_fluxes ? 4 : 2) * g.dim;

@@ -165,6 +165,19 @@ static void arrays_without_a_name_count(void **state) {
     assert_int_equal(out.bytes[OUTLINE_SET_UP], 0);
 }
 
+static void a_grid_of_two_materials_says_so(void **state) {
+    (void)state;
+    const char *const line[] = {"run rod-gauss ftcs --dx 0.25 --dt 0.1", "run rod-contact ftcs --dx 0.1 --dt 0.1",
+                                "run plane-contact ftcs --dx 0.1 --dt 0.1"};
+    for (size_t k = 0; k < sizeof line / sizeof *line; k++) {
+        struct request r;
+        struct plan plan;
+        plan_of(line[k], &r, &plan);
+        assert_has(plan.part.weights, k ? "two materials" : "one material");
+        arguments_free(&r);
+    }
+}
+
 static void a_method_that_does_not_tell_has_no_plan(void **state) {
     (void)state;
     struct request r;
@@ -240,6 +253,7 @@ int main(void) {
         cmocka_unit_test(many_rows_are_estimated),
         cmocka_unit_test(a_lattice_that_nothing_divides_is_estimated_too),
         cmocka_unit_test(arrays_without_a_name_count),
+        cmocka_unit_test(a_grid_of_two_materials_says_so),
         cmocka_unit_test(a_method_that_does_not_tell_has_no_plan),
         cmocka_unit_test(open_steps_are_predicted),
         cmocka_unit_test(refusals_are_those_of_the_run),

@@ -409,9 +409,10 @@ static void bad_clouds_are_refused(void **state) {
     assert_int_equal(voronoi_create(&v, &m.p, &m.c, 1, &why), STATUS_NUMERICAL);
     assert_has(why.text, "does not end within");
     layout_cloud_free(&m.c);
-    m.p.materials = 2, m.p.material[1] = (struct material){{0.3, 0.9}, 1};
+    m.p.materials = 2, m.p.material[0].k[0] = 0.8, m.p.material[0].k[1] = 0.4;
+    m.p.material[1] = (struct material){{0.3, 0.9}, 1};
     assert_int_equal(operator_check(method_voronoi_flux.scheme, &m.p, &m.o, &why), STATUS_NOT_APPLICABLE);
-    assert_has(why.text, "cells have one metric");
+    assert_has(why.text, "k_y/k_x is 0.5 in one material and 3 in the other, and cells have one metric");
 }
 
 int main(void) {
