@@ -105,6 +105,9 @@ static void short_ladders_are_inconclusive(void **state) {
     struct ladder *l = xcalloc(1, sizeof *l);
     climb("ladder rod-gauss ftcs --dx 1,0.5,0.25 --expect 1.9,2.1", &with_exact, STATUS_OK, l, &why);
     assert_int_equal(l->verdict, VERDICT_INCONCLUSIVE);
+    climb("ladder rod-gauss ftcs --dx 1,0.5,0.25 --expect 1.9,2.1 --ceiling 1", &with_exact, STATUS_OK, l, &why);
+    assert_int_equal(l->verdict, VERDICT_INCONCLUSIVE); /* a ceiling does not make up for the rung */
+    assert_has(l->reason, "3 rungs count, at least 4 must");
     climb("ladder rod-gauss ftcs --dx 1,0.5,0.25", &with_exact, STATUS_OK, l, &why);
     assert_int_equal(l->verdict, VERDICT_INCONCLUSIVE);
     climb("ladder rod-gauss ftcs --dx 1", &with_exact, STATUS_INPUT, l, &why);
