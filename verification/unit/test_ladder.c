@@ -154,6 +154,12 @@ static void floors_are_shares_of_the_error_that_is_fitted(void **state) {
     assert_true(l->window.counts[0] && l->window.counts[1]);
     assert_string_equal(l->window.left_out[2], "reference floor: up to 50 % is the reference's own error");
     assert_string_equal(l->window.left_out[3], "round-off floor: up to 25 % of the error is rounding");
+    l->rung[0].time_error = 0.034; /* which is all of the error of a ladder in time */
+    ladder_fit(l, LADDER_L1);
+    assert_string_equal(l->window.left_out[0], "time-error floor: 3.4 % of the error is the time step's");
+    l->in_time = 1;
+    ladder_fit(l, LADDER_L1);
+    assert_true(l->window.counts[0]);
     free(l);
 }
 

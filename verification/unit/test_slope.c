@@ -107,6 +107,15 @@ static void coarse_rungs_are_left_out_until_four_remain(void **state) {
     assert_true(w.counts[2] && w.counts[3] && w.counts[4] && w.counts[5]);
 }
 
+/* Logarithms 0, 0, s, 0, 0 about no slope: third differences 3 s and -3 s over sqrt(20), and 0.8 s^2 over three
+ * degrees of freedom.  Of four rungs there is one third difference, which says nothing. */
+static void five_rungs_have_a_roughness(void **state) {
+    (void)state;
+    const double x[5] = {1, 0.5, 0.25, 0.125, 0.0625}, error[5] = {1, 1, exp(0.1), 1, 1};
+    assert_near(slope_roughness(x, error, 5), (9.0 / 20) / (0.8 / 3), 1e-12);
+    assert_near(slope_roughness(x, error, 4), 0, 0);
+}
+
 /* A bound of the whole error and more is no share of it. */
 static void rounding_past_the_error_is_all_of_it(void **state) {
     (void)state;
@@ -179,6 +188,7 @@ int main(void) {
         cmocka_unit_test(a_clean_ladder_counts_whole),
         cmocka_unit_test(floors_are_left_out_with_their_reason),
         cmocka_unit_test(coarse_rungs_are_left_out_until_four_remain),
+        cmocka_unit_test(five_rungs_have_a_roughness),
         cmocka_unit_test(rounding_past_the_error_is_all_of_it),
         cmocka_unit_test(the_median_of_an_even_number),
         cmocka_unit_test(the_fine_end_tells_the_truth),
