@@ -102,23 +102,38 @@ int candidate_unit(const struct problem *p) {
     return 0;
 }
 
-/* The fraction nearest to `part` whose denominator is at most CANDIDATE_UNIT_MAX. */
-static double nearest_part(double part) {
-    double best = INFINITY;
+/* The fraction of n parts that is nearest to `part`. */
+static double part_of(double part, int n) {
+    return fmax(1, nearbyint(part * n)) / n;
+}
+
+/* How many cells along x, up to CANDIDATE_UNIT_MAX, have faces nearest to both parts of the width. */
+static int nearest_cells(double part, double other) {
+    double least = INFINITY;
+    int best = 1;
     for (int n = 1; n <= CANDIDATE_UNIT_MAX; n++) {
-        double at = fmax(1, nearbyint(part * n)) / n;
-        if (fabs(at - part) < fabs(best - part)) best = at;
+        double apart = fabs(part_of(part, n) - part) + fabs(part_of(other, n) - other);
+        if (apart < least) least = apart, best = n;
     }
     return best;
 }
 
 void candidate_fitting(const struct problem *p, char *text, size_t size) {
-    double width = p->hi[0] - p->lo[0], height = p->hi[1] - p->lo[1];
-    if (p->dim == 2)
-        snprintf(text, size, "%g m by %.12g m, and not %g m", width, width * nearest_part(height / width), height);
+    double lo = p->lo[0], width = p->hi[0] - lo, height = p->hi[1] - p->lo[1];
+    double tall = p->dim == 2 ? height / width : 1, layer = p->materials == 2 ? (p->interface - lo) / width : 1,
+           ring = p->shape ? (p->radius[1] - p->radius[0]) / width : 1;
+    int n = nearest_cells(p->shape ? ring : tall, layer);
+    double fits_tall = width * part_of(tall, n), fits_layer = lo + width * part_of(layer, n);
+    if (p->shape)
+        snprintf(text, size, "a hole of radius %.12g m, and not %g m", p->radius[1] - width * part_of(ring, n),
+                 p->radius[0]);
+    else if (p->dim == 1)
+        snprintf(text, size, "the interface at x = %.12g m, and not at %g m", fits_layer, p->interface);
+    else if (p->materials == 1)
+        snprintf(text, size, "%g m by %.12g m, and not %g m", width, fits_tall, height);
     else
-        snprintf(text, size, "the interface at x = %.12g m, and not at %g m",
-                 p->lo[0] + width * nearest_part((p->interface - p->lo[0]) / width), p->interface);
+        snprintf(text, size, "%g m by %.12g m with the interface at x = %.12g m, and not %g m with it at %g m", width,
+                 fits_tall, fits_layer, height, p->interface);
 }
 
 int candidate_member(double least, int unit) {

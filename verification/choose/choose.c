@@ -146,7 +146,7 @@ int choose_run(const struct experiment *e, double error, double work_max, struct
     *c = (struct choose){.error = error};
     struct extrapolation_goal goal = {e, error, work_max, candidate_unit(&e->problem)};
     if (!goal.unit) {
-        char fitting[120];
+        char fitting[160];
         candidate_fitting(&e->problem, fitting, sizeof fitting);
         return refuse(why, STATUS_INPUT, "no lattice of up to %d square cells along x fits this domain; one fits %s",
                       CANDIDATE_UNIT_MAX, fitting);

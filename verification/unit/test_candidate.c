@@ -9,6 +9,7 @@
 
 #include "verification/unit/near.h"
 
+#include <float.h>
 #include <string.h>
 
 static int unit_of(const char *name, const char *param, double value) {
@@ -148,6 +149,47 @@ static void searches_and_rows_cost_more_than_a_stencil(void **state) {
     assert_order(exact, >, 2 * once);
 }
 
+/* A quarter eps a root of roundings: two transforms of 2 n along each axis have 2 log2(2 n) levels, an Euler step
+ * one. */
+static void rounding_goes_with_the_root_of_its_steps(void **state) {
+    (void)state;
+    const struct {
+        const char *label, *line;
+        int n;
+        double roundings;
+    } row[] = {{"so_ssph exact, h/dx 0.9", "choose rod-gauss --error 1", 48, 2 * log2(2 * 48)},
+               {"so_ssph exact, h/dx 0.9", "choose rect-manufactured --error 1", 20, 2 * log2(40) + 2 * log2(28)},
+               {"ftcs at F = 1/6", "choose rod-step --error 1", 24, 11}}; /* 5 s of 1/100 m^2/s at 1/6 m: 10.8 */
+    for (int i = 0; i < 3; i++) {
+        struct request r;
+        struct candidate_cost cost;
+        struct failure why;
+        const struct candidate *c = candidates_table;
+        while (strcmp(c->label, row[i].label) != 0) c++;
+        assert_int_equal(arguments_parse_line(row[i].line, &r, &why), STATUS_OK);
+        assert_int_equal(candidate_predict(c, &r.experiment, row[i].n, &cost, &why), STATUS_OK);
+        assert_near(cost.rounding / (DBL_EPSILON / 4 * sqrt(row[i].roundings)), 1, 1e-12);
+        arguments_free(&r);
+    }
+}
+
+/* What choose takes, on a rod and in the plane, and what bench alone takes. */
+static void choose_takes_what_is_not_for_bench_alone(void **state) {
+    (void)state;
+    int rod = 0, plane = 0, bench = 0;
+    for (const struct candidate *c = candidates_table; c->label; c++) {
+        assert_true(c->dim >= 0 && c->dim <= 2);
+        assert_true(c->steps == 0 || c->options.stepper == STEPPER_RKL2);
+        assert_true(c->dim != 2 || c->options.h_iso == 1);
+        bench += c->bench_only != 0;
+        rod += !c->bench_only && c->dim != 2;
+        plane += !c->bench_only && c->dim != 1;
+    }
+    assert_int_equal(rod, 23);
+    assert_int_equal(plane, 17);
+    assert_int_equal(bench, 14);
+}
+
 static void a_median_is_no_mean(void **state) {
     (void)state;
     double seconds[5] = {3, 100, 1, 2, 2.5};
@@ -239,6 +281,8 @@ int main(void) {
         cmocka_unit_test(what_takes_too_long_is_left_out),
         cmocka_unit_test(searches_and_rows_cost_more_than_a_stencil),
         cmocka_unit_test(a_proving_run_is_more_than_its_solve),
+        cmocka_unit_test(rounding_goes_with_the_root_of_its_steps),
+        cmocka_unit_test(choose_takes_what_is_not_for_bench_alone),
         cmocka_unit_test(a_median_is_no_mean),
         cmocka_unit_test(a_ratio_is_as_wide_as_both),
         cmocka_unit_test(a_refusal_is_no_failure),

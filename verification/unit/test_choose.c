@@ -106,6 +106,34 @@ static void domains_without_a_lattice_are_told_of_one(void **state) {
     assert_int_equal(choose("reference wall-composite --at 0 --time 1 --set x_c=0.41237", 1e-2, c, &why),
                      STATUS_INPUT);
     assert_has(why.text, "x = 0.412371134021 m"); /* 40/97 */
+    assert_int_equal(choose("reference rod-contact --at 0 --time 0.5 --t-end 0.5 --set x_c=0.41237", 1e-2, c, &why),
+                     STATUS_INPUT);
+    assert_has(why.text, "x = 0.412371134021 m, and not at 0.41237 m"); /* of -1 to 1: 137/194 */
+    free(c);
+}
+
+/* The one that is told of has a lattice: a ring of 338/985 of the diameter, and sides and layers of one fraction. */
+static void the_domain_that_is_told_of_fits(void **state) {
+    (void)state;
+    struct failure why;
+    struct choose *c = xcalloc(1, sizeof *c);
+    static const char *const told[][2] = {
+        {"reference annulus --at 1,0 --time 1 --set r1=0.313713",
+         "reference annulus --at 1,0 --time 1 --set r1=0.313705583756"},
+        {"reference plane-contact --at 0.1,0.1 --time 1 --set w1=0.41237",
+         "reference plane-contact --at 0.1,0.1 --time 1 --set w1=0.412370672098 --set w2=0.599999327902 "
+         "--set height=0.499999439919"}};
+    assert_int_equal(choose(told[0][0], 1e-2, c, &why), STATUS_INPUT);
+    assert_has(why.text, "one fits a hole of radius 0.313705583756 m, and not 0.313713 m");
+    assert_int_equal(choose(told[1][0], 1e-2, c, &why), STATUS_INPUT);
+    assert_has(why.text, "one fits 1.01237 m by 0.499999439919 m with the interface at x = 0.412370672098 m, and not "
+                         "0.5 m with it at 0.41237 m");
+    for (int i = 0; i < 2; i++) {
+        struct request r;
+        if (arguments_parse_line(told[i][1], &r, &why)) fail_msg("%s: %s", told[i][1], why.text);
+        assert_order(candidate_unit(&r.experiment.problem), >, 0);
+        arguments_free(&r);
+    }
     free(c);
 }
 
@@ -123,7 +151,10 @@ static void out_of_reach_one_sees_how_far_one_comes(void **state) {
     const char *lines[] = {"reference plate --at 0.01,0.01 --time 1", "reference rod-contact --at 0 --time 1"};
     for (int i = 0; i < 2; i++) {
         assert_int_equal(choose_within(lines[i], 1e-12, 1e9, c, &why), STATUS_GATE);
-        assert_has(why.text, "the best was");
+        char said[200];
+        snprintf(said, sizeof said, "; the best was %.3g, by %s with %d particles along x",
+                 fmax(c->proof.error.l1, c->between), c->best.candidate->label, c->best.wanted);
+        assert_has(why.text, said);
         double best = c->proof.error.l1, predicted = c->best.predicted_error;
         assert_order(best, >, 0.5 * predicted);
         assert_order(best, <, 2 * predicted);
@@ -145,7 +176,14 @@ static void rounding_is_predicted(void **state) {
     assert_has(why.text, "rounding alone leaves");
     assert_order(c->rounding, >, 1e-14);
     assert_order(c->rounding, <, 1e-12);
-    for (int i = 0; i < c->count; i++) assert_true(c->one[i].predicted_work == INFINITY);
+    double least = INFINITY, most = 0;
+    for (int i = 0; i < c->count; i++) {
+        assert_true(c->one[i].predicted_work == INFINITY);
+        if (c->one[i].rounding > 0) least = fmin(least, c->one[i].rounding);
+        most = fmax(most, c->one[i].rounding);
+    }
+    assert_near(c->rounding, least, 0);
+    assert_order(most, >, least);
     free(c);
 }
 
@@ -156,6 +194,7 @@ int main(void) {
         cmocka_unit_test(the_choice_repeats),
         cmocka_unit_test(setting_up_decides_where_runs_are_short),
         cmocka_unit_test(domains_without_a_lattice_are_told_of_one),
+        cmocka_unit_test(the_domain_that_is_told_of_fits),
         cmocka_unit_test(a_step_of_polynomials_is_chosen_where_no_transform_is),
         cmocka_unit_test(out_of_reach_one_sees_how_far_one_comes),
         cmocka_unit_test(rounding_is_predicted),

@@ -2,6 +2,7 @@
 /* What will take long is told beforehand, what is short is not: by counted work, the same on every machine. */
 #include "verification/choose/forewarn.h"
 
+#include "verification/choose/plan.h"
 #include "verification/command/arguments.h"
 #include "verification/command/request.h"
 
@@ -41,6 +42,25 @@ static void what_is_short_is_not(void **state) {
                                         "run rod-cosine fo_ssph --dx 1/6400 --layout node"};
     for (size_t i = 0; i < sizeof lines / sizeof *lines; i++)
         if (!(seconds_of(lines[i]) < forewarn_least)) fail_msg("%s: %g s", lines[i], seconds_of(lines[i]));
+}
+
+/* The work of the plan and an exact temperature a particle; where a time step is searched, half as much work again.
+ */
+static void seconds_are_those_of_the_plan(void **state) {
+    (void)state;
+    static const char *const lines[] = {"run rod-cosine ftcs_flux --dx 0.01 --fourier 0.2 --t-end 1e6",
+                                        "run rod-cosine ftcs_flux --dx 0.01 --t-end 1e6"};
+    for (int i = 0; i < 2; i++) {
+        struct request r;
+        struct plan plan;
+        struct failure why;
+        if (arguments_parse_line(lines[i], &r, &why)) fail_msg("%s: %s", lines[i], why.text);
+        assert_int_equal(plan_make(&r.experiment, PLAN_SKETCH, &plan, &why), STATUS_OK);
+        assert_int_equal(plan.refined, i);
+        double want = (i ? 1.5 : 1) * plan_work(&plan) / 5e9 + 2e-6 * 100;
+        assert_near(forewarn_seconds(&r.experiment) / want, 1, 1e-12);
+        arguments_free(&r);
+    }
 }
 
 /* Before anything is set up: 39 million rows. */
@@ -121,13 +141,10 @@ static void texts(void **state) {
 int main(void) {
     gsl_set_error_handler_off();
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(minutes_and_years_are_told),
-        cmocka_unit_test(what_is_short_is_not),
-        cmocka_unit_test(what_cannot_be_counted_is_refused),
-        cmocka_unit_test(what_memory_does_not_hold_is_refused),
-        cmocka_unit_test(it_grows_with_the_work),
-        cmocka_unit_test(a_search_that_doubles_says_so_again),
-        cmocka_unit_test(texts),
+        cmocka_unit_test(minutes_and_years_are_told),           cmocka_unit_test(what_is_short_is_not),
+        cmocka_unit_test(seconds_are_those_of_the_plan),        cmocka_unit_test(what_cannot_be_counted_is_refused),
+        cmocka_unit_test(what_memory_does_not_hold_is_refused), cmocka_unit_test(it_grows_with_the_work),
+        cmocka_unit_test(a_search_that_doubles_says_so_again),  cmocka_unit_test(texts),
     };
     return cmocka_run_group_tests_name("forewarn", tests, NULL, NULL);
 }

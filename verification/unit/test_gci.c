@@ -170,6 +170,43 @@ static void fields_on_different_points(void **state) {
     }
 }
 
+/* A name longer than is kept is the same name in every file. */
+static void a_long_name_is_cut(void **state) {
+    (void)state;
+    static const char *const name = "heat_through_the_wall_between_the_boiler_and_the_room_beside_it";
+    struct gci g;
+    struct failure why;
+    for (int i = 0; i < 3; i++) {
+        FILE *out = answer("long", 0.4 / (1 << i));
+        fprintf(out, "%s\n%.17g\n", name, 3.25 + 0.9 / (1 << 2 * i));
+        fclose(out);
+    }
+    if (read_sub("long", &(struct numbers){0}, &g, &why)) fail_msg("%s", why.text);
+    assert_int_equal(g.rows, 1);
+    assert_int_equal(strncmp(g.row[0].name, name, GCI_NAME - 1), 0);
+    assert_near(g.row[0].order, 2, 1e-9);
+}
+
+/* Points of a plane that lie on one row are those of a rod. */
+static void a_row_of_the_plane_is_a_rod(void **state) {
+    (void)state;
+    struct gci g;
+    struct failure why;
+    for (int n = 10; n <= 40; n *= 2) {
+        FILE *out = answer("row", 4.0 / n);
+        fputs("x,y,T\n", out);
+        for (int i = 0; i < n; i++) {
+            double h = 4.0 / n, x = -2 + h * (i + 0.5);
+            fprintf(out, "%.17g,0.3,%.17g\n", x, smooth(x, 0.3, h));
+        }
+        fclose(out);
+    }
+    if (read_sub("row", &(struct numbers){.count = 1, .value = {0.213}}, &g, &why)) fail_msg("%s", why.text);
+    assert_string_equal(g.row[1].name, "T at 0.213");
+    assert_near(g.row[1].order, 2, 0.01);
+    assert_near(g.row[1].extrapolated, smooth(0.213, 0.3, 0), 1e-4);
+}
+
 static void what_is_missing_is_named(void **state) {
     (void)state;
     struct gci g;
@@ -198,6 +235,8 @@ int main(void) {
         cmocka_unit_test(an_index_from_unequal_ratios),
         cmocka_unit_test(a_line_of_quantities),
         cmocka_unit_test(fields_on_different_points),
+        cmocka_unit_test(a_long_name_is_cut),
+        cmocka_unit_test(a_row_of_the_plane_is_a_rod),
         cmocka_unit_test(what_is_missing_is_named),
     };
     char command[UNIT_PATH + 32];

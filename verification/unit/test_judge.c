@@ -141,6 +141,8 @@ static const struct stand_in cases[] = {
     {"up and down", 0.4, 2, 6, zigzag, 1.9, 2.1, VERDICT_INCONCLUSIVE, "reaches past"},
     {"a span of 3.4 alone", 0.4, 1.5, 4, power, 1.9, 2.1, VERDICT_INCONCLUSIVE, "span a factor of 3.38"},
     {"three rungs", 0.4, 2, 3, power, 1.9, 2.1, VERDICT_INCONCLUSIVE, "3 rungs count"},
+    {"two rungs", 0.4, 2, 2, power, 1.9, 2.1, VERDICT_INCONCLUSIVE, "2 rungs count, at least 4 must"},
+    {"one rung", 0.4, 2, 1, power, 1.9, 2.1, VERDICT_INCONCLUSIVE, "1 rung counts, at least 4 must"},
     {"no rungs", 0.4, 2, 0, power, 1.9, 2.1, VERDICT_INCONCLUSIVE, "0 rungs count"},
     {"not finite", 0.4, 2, 6, not_finite, 1.9, 2.1, VERDICT_FAIL, "not finite"},
     {"no band", 0.4, 2, 6, power, NAN, 2.1, VERDICT_FAIL, "not finite"},

@@ -105,6 +105,9 @@ static void short_ladders_are_inconclusive(void **state) {
     struct ladder *l = xcalloc(1, sizeof *l);
     climb("ladder rod-gauss ftcs --dx 1,0.5,0.25 --expect 1.9,2.1", &with_exact, STATUS_OK, l, &why);
     assert_int_equal(l->verdict, VERDICT_INCONCLUSIVE);
+    climb("ladder rod-gauss ftcs --dx 1,0.5,0.25 --expect 1.9,2.1 --ceiling 1", &with_exact, STATUS_OK, l, &why);
+    assert_int_equal(l->verdict, VERDICT_INCONCLUSIVE); /* a ceiling does not make up for the rung */
+    assert_has(l->reason, "3 rungs count, at least 4 must");
     climb("ladder rod-gauss ftcs --dx 1,0.5,0.25", &with_exact, STATUS_OK, l, &why);
     assert_int_equal(l->verdict, VERDICT_INCONCLUSIVE);
     climb("ladder rod-gauss ftcs --dx 1", &with_exact, STATUS_INPUT, l, &why);
@@ -129,6 +132,50 @@ static void two_rungs_have_no_interval_to_print(void **state) {
     ladder_slope_text(l, text, sizeof text);
     assert_has(text, "slope of E1 of the interior: 2.0");
     assert_lacks(text, "nan");
+    free(l);
+}
+
+/* Bounds of a quantity are shares of its own error, those of a field of E1. */
+static void floors_are_shares_of_the_error_that_is_fitted(void **state) {
+    (void)state;
+    struct ladder *l = xcalloc(1, sizeof *l);
+    l->n = 4;
+    for (int i = 0; i < 4; i++) {
+        l->x[i] = 1 / pow(2, i);
+        l->rung[i] = (struct result){.error.l1 = 0.004, .derived_error = 0.001, .time_error = NAN};
+    }
+    l->rung[0].derived_bound = 2e-4, l->rung[1].derived_rounding = 3e-4, l->rung[2].reference_error = 2e-3;
+    l->rung[3].rounding = 1e-3;
+    ladder_fit(l, LADDER_QUANTITY);
+    assert_string_equal(l->window.left_out[0], "reference floor: up to 20 % is the reference's own error");
+    assert_string_equal(l->window.left_out[1], "round-off floor: up to 30 % of the error is rounding");
+    assert_true(l->window.counts[2] && l->window.counts[3]);
+    ladder_fit(l, LADDER_L1);
+    assert_true(l->window.counts[0] && l->window.counts[1]);
+    assert_string_equal(l->window.left_out[2], "reference floor: up to 50 % is the reference's own error");
+    assert_string_equal(l->window.left_out[3], "round-off floor: up to 25 % of the error is rounding");
+    l->rung[0].time_error = 0.034; /* which is all of the error of a ladder in time */
+    ladder_fit(l, LADDER_L1);
+    assert_string_equal(l->window.left_out[0], "time-error floor: 3.4 % of the error is the time step's");
+    l->in_time = 1;
+    ladder_fit(l, LADDER_L1);
+    assert_true(l->window.counts[0]);
+    free(l);
+}
+
+/* Of three rungs two count, of which one has an error; one that is left out has one too. */
+static void rungs_that_count_and_have_an_error_are_counted(void **state) {
+    (void)state;
+    struct ladder *l = xcalloc(1, sizeof *l);
+    char text[160];
+    l->n = 3, l->slope.value = NAN;
+    l->window.counts[0] = l->window.counts[1] = 1;
+    l->error[0] = NAN, l->error[1] = 1e-3, l->error[2] = 2e-3;
+    ladder_slope_text(l, text, sizeof text);
+    assert_string_equal(text, "slope of E1: - (of 3 rungs 1 count and have an error, a slope needs two)");
+    l->error[1] = 0;
+    ladder_slope_text(l, text, sizeof text);
+    assert_has(text, "of 3 rungs 0 count");
     free(l);
 }
 
@@ -173,6 +220,8 @@ int main(void) {
         cmocka_unit_test(a_ladder_in_time),
         cmocka_unit_test(short_ladders_are_inconclusive),
         cmocka_unit_test(two_rungs_have_no_interval_to_print),
+        cmocka_unit_test(floors_are_shares_of_the_error_that_is_fitted),
+        cmocka_unit_test(rungs_that_count_and_have_an_error_are_counted),
         cmocka_unit_test(a_ceiling_bounds_the_finest_rung),
         cmocka_unit_test(a_failed_rung_fails_the_ladder),
     };

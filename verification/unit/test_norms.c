@@ -182,6 +182,40 @@ static void overshoot_counts_the_walls(void **state) {
     field_free(&f);
 }
 
+/* Rows of 1 4, 2 2 and 7 -2 K: 3 + 0 + 9 along x, over 0.2 m; 1 + 5 and 2 + 4 along y, over 0.7 m.  With 0 in place
+ * of 4 it is 1 + 0 + 9 and 1 + 5, 2 + 4. */
+static void variation_in_the_plane_is_over_the_other_spacing(void **state) {
+    (void)state;
+    struct problem p = {.dim = 2, .lo = {0, -1}, .hi = {1.4, -0.4}, .wall = wall_of_side};
+    struct field f = points(&p, 2, 3);
+    const double exact[6] = {0}, T[6] = {1, 4, 2, 2, 7, -2};
+    for (int i = 0; i < 6; i++) f.T[i] = T[i];
+    assert_near(norms_shape(&p, &f, exact).variation, 12 * 0.2 + 12 * 0.7, 1e-14);
+    f.T[1] = 0;
+    assert_near(norms_shape(&p, &f, exact).variation, 10 * 0.2 + 12 * 0.7, 1e-14);
+    field_free(&f);
+}
+
+static double wall_along_x(const struct problem *p, enum side s, const double x[2]) {
+    (void)p;
+    return s == Y_HI ? 2 + x[0] : 1;
+}
+
+/* A wall of 2 K and 1 K/m along it, held: 3.05 K at the foot of the last point. */
+static void overshoot_counts_the_warmest_place_of_a_wall(void **state) {
+    (void)state;
+    struct problem p = {.dim = 2, .hi = {1.4, 0.6}, .wall = wall_along_x};
+    struct field f = points(&p, 2, 3);
+    const double exact[6] = {0};
+    for (int i = 0; i < 6; i++) f.T[i] = 1.5;
+    f.T[1] = 3.25, f.T[2] = 0.75;
+    f.range[0] = 1, f.range[1] = 2;
+    struct norms_shape s = norms_shape(&p, &f, exact);
+    assert_near(s.overshoot, 0.2, 1e-14);
+    assert_near(s.undershoot, 0.25, 1e-14);
+    field_free(&f);
+}
+
 static void heat_drifts_relative_to_its_size(void **state) {
     (void)state;
     struct field f = {.heat = {-2, -1.5}};
@@ -193,7 +227,7 @@ static void heat_drifts_relative_to_its_size(void **state) {
 static void a_pure_mode_has_its_amplitude(void **state) {
     (void)state;
     const double pi = M_PI;
-    for (int n = 7; n <= 8; n++)
+    for (int n = 2; n <= 8; n++)
         for (int sides = 0; sides < 4; sides++)
             for (int k = 0; k < n; k++) {
                 struct problem p = rod();
@@ -273,6 +307,8 @@ int main(void) {
         cmocka_unit_test(interior_and_boundary_part_the_points),
         cmocka_unit_test(a_nan_spoils_every_norm),
         cmocka_unit_test(overshoot_counts_the_walls),
+        cmocka_unit_test(overshoot_counts_the_warmest_place_of_a_wall),
+        cmocka_unit_test(variation_in_the_plane_is_over_the_other_spacing),
         cmocka_unit_test(heat_drifts_relative_to_its_size),
         cmocka_unit_test(a_pure_mode_has_its_amplitude),
         cmocka_unit_test(a_mode_of_the_plane_has_its_amplitude),

@@ -107,6 +107,28 @@ static void coarse_rungs_are_left_out_until_four_remain(void **state) {
     assert_true(w.counts[2] && w.counts[3] && w.counts[4] && w.counts[5]);
 }
 
+/* Logarithms 0, 0, s, 0, 0 about no slope: third differences 3 s and -3 s over sqrt(20), and 0.8 s^2 over three
+ * degrees of freedom.  Of four rungs there is one third difference, which says nothing. */
+static void five_rungs_have_a_roughness(void **state) {
+    (void)state;
+    const double x[5] = {1, 0.5, 0.25, 0.125, 0.0625}, error[5] = {1, 1, exp(0.1), 1, 1};
+    assert_near(slope_roughness(x, error, 5), (9.0 / 20) / (0.8 / 3), 1e-12);
+    assert_near(slope_roughness(x, error, 4), 0, 0);
+}
+
+/* A bound of the whole error and more is no share of it. */
+static void rounding_past_the_error_is_all_of_it(void **state) {
+    (void)state;
+    static const double share[4] = {0.997, 1, 1.5, 2.5};
+    struct window_rung rung[4];
+    struct window w;
+    for (int i = 0; i < 4; i++) rung[i] = (struct window_rung){.x = 1.0 / (1 + i), .error = 1, .rounding = share[i]};
+    window_choose(rung, 4, &w);
+    assert_string_equal(w.left_out[0], "round-off floor: up to 100 % of the error is rounding");
+    for (int i = 1; i < 4; i++)
+        assert_string_equal(w.left_out[i], "round-off floor: all of the error may be rounding");
+}
+
 /* Of an even number of finer local slopes the median is the mean of the middle two: of 2.00, 2.04, 2.12, 2.16 it
  * is 2.08, from which 1.99 is less than 0.1 off and 1.97 is more. */
 static void the_median_of_an_even_number(void **state) {
@@ -166,6 +188,8 @@ int main(void) {
         cmocka_unit_test(a_clean_ladder_counts_whole),
         cmocka_unit_test(floors_are_left_out_with_their_reason),
         cmocka_unit_test(coarse_rungs_are_left_out_until_four_remain),
+        cmocka_unit_test(five_rungs_have_a_roughness),
+        cmocka_unit_test(rounding_past_the_error_is_all_of_it),
         cmocka_unit_test(the_median_of_an_even_number),
         cmocka_unit_test(the_fine_end_tells_the_truth),
         cmocka_unit_test(what_is_not_finite_is_not_left_out),
