@@ -173,7 +173,8 @@ static void rounding_goes_with_the_root_of_its_steps(void **state) {
     }
 }
 
-/* What choose takes, on a rod and in the plane, and what bench alone takes. */
+/* What choose takes, on a rod and in the plane, and what bench alone takes: a flag of one row among forty may well be
+ * wrong.  A new row changes a number here. */
 static void choose_takes_what_is_not_for_bench_alone(void **state) {
     (void)state;
     int rod = 0, plane = 0, bench = 0;
