@@ -289,6 +289,55 @@ static void a_long_listing_is_folded(void **state) {
                      "<p class=\"faint\"><code>make mutants</code></p>\n");
 }
 
+/* `rows` lines and a blank one. */
+static char *paragraph(char *to, char letter, int rows) {
+    for (int i = 0; i < rows; i++) to += sprintf(to, "%c%d\n", letter, i);
+    return to + sprintf(to, "\n");
+}
+
+/* What fits into 45 lines is never folded, a last line never, two last lines always. */
+static void a_listing_is_folded_at_its_paragraphs(void **state) {
+    (void)state;
+    char listing[800];
+    sprintf(paragraph(paragraph(listing, 'a', 44), 'b', 3), "c0\nc1\n");
+    const char *page = page_of_listing(listing);
+    assert_has(
+        page, "a43\n\n</code></pre>\n<details><summary>mutants.txt: 6 lines more</summary>\n<pre><code>b0\nb1\nb2\n\n"
+              "c0\nc1\n</code></pre>\n</details>\n<p class=\"faint\">");
+    sprintf(paragraph(listing, 'a', 44), "last\n");
+    page = page_of_listing(listing);
+    assert_has(page, "a43\n\n</code></pre>\n<pre><code>last\n</code></pre>\n<p class=\"faint\">");
+    sprintf(paragraph(listing, 'a', 45), "last\n");
+    page = page_of_listing(listing);
+    assert_has(page,
+               "<h2>Seeded faults</h2>\n<details><summary>mutants.txt: 46 lines more</summary>\n<pre><code>a0\n");
+    assert_has(page, "a44\n\n</code></pre>\n</details>\n<pre><code>last\n</code></pre>\n<p class=\"faint\">");
+    page = page_of_listing("a\n\nb\n\nno end");
+    assert_has(page, "<h2>Seeded faults</h2>\n<pre><code>a\n\nb\n\nno end</code></pre>\n<p class=\"faint\">");
+}
+
+/* Files of older versions do not say when they were made; what stands behind the gates is not theirs. */
+static void gates_without_a_date(void **state) {
+    (void)state;
+    static const char *const text[] = {"{\"gates\": [\n{ \"id\": \"a\" }]}",
+                                       "{\"made\": null,\n\"gates\": [\n{ \"id\": \"a\" }]}",
+                                       "{\"gates\": [\n{ \"id\": \"a\" }],\n\"made\": \"today\"}"};
+    for (int i = 0; i < 3; i++) {
+        char path[UNIT_PATH];
+        struct gates g;
+        const char *made;
+        FILE *file = fdopen(scratch_file(path, "heatladder_page"), "w");
+        fputs(text[i], file);
+        fclose(file);
+        assert_int_equal(gates_json_read(path, &g, &made), 0);
+        unlink(path);
+        assert_int_equal(g.declared, 1);
+        assert_string_equal(made, "from an existing file; date and machine not recorded");
+        assert_true(isnan(g.result[0].measured.error) && isnan(g.result[0].gate.hi));
+        gates_free(&g);
+    }
+}
+
 static void the_order_of_a_band_is_whole(void **state) {
     (void)state;
     assert_near(page_order(1.5, 2.9), 2, 0);
@@ -373,12 +422,20 @@ static void a_page_of_what_there_is(void **state) {
 
 int main(void) {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(markdown_becomes_html),         cmocka_unit_test(images_are_part_of_the_page),
-        cmocka_unit_test(charts_hold_their_points),      cmocka_unit_test(gates_are_read_back),
-        cmocka_unit_test(the_worst_gate_is_the_verdict), cmocka_unit_test(a_ladder_says_what_made_it),
-        cmocka_unit_test(a_ladder_shows_what_is_judged), cmocka_unit_test(a_long_listing_is_folded),
-        cmocka_unit_test(a_page_of_what_there_is),       cmocka_unit_test(a_battery_shows_its_ladders),
-        cmocka_unit_test(ladders_are_drawn_by_scene),    cmocka_unit_test(ladders_have_names),
+        cmocka_unit_test(markdown_becomes_html),
+        cmocka_unit_test(images_are_part_of_the_page),
+        cmocka_unit_test(charts_hold_their_points),
+        cmocka_unit_test(gates_are_read_back),
+        cmocka_unit_test(the_worst_gate_is_the_verdict),
+        cmocka_unit_test(a_ladder_says_what_made_it),
+        cmocka_unit_test(a_ladder_shows_what_is_judged),
+        cmocka_unit_test(a_long_listing_is_folded),
+        cmocka_unit_test(a_listing_is_folded_at_its_paragraphs),
+        cmocka_unit_test(gates_without_a_date),
+        cmocka_unit_test(a_page_of_what_there_is),
+        cmocka_unit_test(a_battery_shows_its_ladders),
+        cmocka_unit_test(ladders_are_drawn_by_scene),
+        cmocka_unit_test(ladders_have_names),
         cmocka_unit_test(the_order_of_a_band_is_whole),
     };
     return cmocka_run_group_tests_name("page", tests, NULL, NULL);
