@@ -109,7 +109,8 @@ static void gates_are_read_back(void **state) {
         "\"verdict\": \"pass\", \"reason\": \"r\", \"why\": \"w\", \"axis\": \"dx [m]\", \"norm\": \"L2\",\n"
         "\"rungs\": [ 0.5, 0.25, 0.125 ], \"errors\": [ 4e-2, null, 3e-4 ], \"counted\": [ 0, 1, 1 ], \"seconds\": 1 "
         "},\n"
-        "{ \"id\": \"b\", \"expected\": 0, \"tolerance\": 7, \"verdict\": \"fail\", \"diagnosis\": \"1 step late\" "
+        "{ \"id\": \"b\", \"expected\": 0, \"tolerance\": 7, \"ceiling\": 0.5, \"verdict\": \"fail\", \"diagnosis\": "
+        "\"1 step late\" "
         "}\n]\n}\n",
         file);
     fclose(file);
@@ -118,6 +119,13 @@ static void gates_are_read_back(void **state) {
     assert_int_equal(gates_json_read(path, &g, &made), 0);
     assert_int_equal(g.declared, 2);
     assert_string_equal(g.result[0].typed, "run \"x\"");
+    assert_string_equal(g.result[0].gate.id, "rod/a");
+    assert_string_equal(g.result[0].gate.why, "w");
+    assert_string_equal(g.result[0].measured.reason, "r");
+    assert_string_equal(g.result[0].measured.diagnosis, "");
+    assert_string_equal(g.result[1].measured.diagnosis, "1 step late");
+    assert_near(g.result[0].measured.value, 2.0625, 0);
+    assert_near(g.result[1].gate.ceiling, 0.5, 0);
     assert_near(g.result[0].gate.lo, 1.875, 0);
     assert_near(g.result[0].gate.hi, 2.125, 0);
     assert_near(g.result[0].measured.error, 3e-4, 0);
