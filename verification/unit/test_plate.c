@@ -98,6 +98,7 @@ static void the_best_xi_is_a_minimum(void **state) {
     assert_order(b.work, >, 0);
     assert_order(xi_error(&b, b.xi - 0.004), >, b.error);
     assert_order(xi_error(&b, b.xi + 0.004), >, b.error);
+    assert_order(xi_error(&b, b.xi), >, b.error); /* the least that was met, here not in the middle */
 }
 
 int main(void) {
