@@ -13,8 +13,6 @@
 #include "reports/pamplona/xi.h"
 #include "verification/text/output.h"
 
-#include <gsl/gsl_sort_double.h>
-#include <gsl/gsl_statistics_double.h>
 #include <math.h>
 #include <stdlib.h>
 
@@ -198,10 +196,7 @@ static int time_runs(struct results *s, struct failure *why) {
             }
             seconds[k] = again.seconds;
         }
-        gsl_sort(seconds, 1, REPEATS);
-        for (int q = 0; q < 3; q++)
-            s->seconds[i / MATERIALS][i % MATERIALS].quartile[q] =
-                gsl_stats_quantile_from_sorted_data(seconds, 1, REPEATS, 0.25 * (q + 1));
+        xi_quartiles(seconds, REPEATS, s->seconds[i / MATERIALS][i % MATERIALS].quartile);
     }
     return STATUS_OK;
 }

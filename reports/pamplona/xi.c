@@ -12,6 +12,8 @@
 #include "reports/pamplona/plate.h"
 
 #include <gsl/gsl_fit.h>
+#include <gsl/gsl_sort_double.h>
+#include <gsl/gsl_statistics_double.h>
 #include <math.h>
 #include <stdlib.h>
 
@@ -99,6 +101,11 @@ struct xi_line xi_growth(const double *h, const double *work, int n, int power) 
     l.off = pow(10, sqrt(left / n)) - 1;
     free(u);
     return l;
+}
+
+void xi_quartiles(double *of, int n, double quartile[3]) {
+    gsl_sort(of, 1, (size_t)n);
+    for (int q = 0; q < 3; q++) quartile[q] = gsl_stats_quantile_from_sorted_data(of, 1, (size_t)n, 0.25 * (q + 1));
 }
 
 struct xi_best xi_as_stated(int n, int material) {

@@ -49,4 +49,7 @@ struct xi_line {
 };
 struct xi_line xi_growth(const double *h, const double *work, int n, int power);
 
+/* The lower quartile, the median and the upper quartile of n numbers, which it sorts. */
+void xi_quartiles(double *of, int n, double quartile[3]);
+
 #endif

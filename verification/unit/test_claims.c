@@ -12,6 +12,7 @@
 #include "verification/unit/near.h"
 #include "verification/unit/scratch_path.h"
 
+#include <omp.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -140,7 +141,10 @@ static void rows_hold_when_run(void **state) {
     struct failure why;
     assert_int_equal(claims_collect(papers_claims, "pamplona/eq[29]*", &c, &why), STATUS_OK);
     assert_int_equal(c.count, 2);
+    double start = omp_get_wtime();
     claims_run(&c);
+    double most = omp_get_wtime() - start; /* what each of them took at most */
+    for (int i = 0; i < c.count; i++) assert_true(c.result[i].seconds > 0 && c.result[i].seconds <= most);
     for (int i = 0; i < c.count; i++)
         if (!claims_holds(c.result[i].row, &c.result[i].measured)) fail_msg("%s", c.result[i].measured.reason);
     assert_true(claims_hold(&c));
@@ -211,6 +215,61 @@ static void tables_keep_quotes_and_bars(void **state) {
     free(text);
 }
 
+/* One of each verdict; `changed` of them were expected to be another, from the last on. */
+static char *printed_verdicts(int changed, void (*print)(const struct claims *c, FILE *out)) {
+    struct claims_row r[6];
+    struct claims_result result[6];
+    char *text = NULL;
+    size_t size = 0;
+    for (int i = 0; i < 6; i++) {
+        enum claims_verdict v = (enum claims_verdict)(i < 5 ? i : CLAIMS_CONDITION);
+        int as_expected = i > 0 && i < 7 - changed;
+        r[i] = row(NULL, "", as_expected ? v : v == CLAIMS_REPRODUCED ? CLAIMS_CONDITION : CLAIMS_REPRODUCED);
+        r[i].id = i % 2 ? "song/odd" : "pamplona/even";
+        result[i] = (struct claims_result){.row = &r[i], .seconds = 0.25};
+        struct claims_measured *m = &result[i].measured;
+        *m = (struct claims_measured){.verdict = v, .count = 2, .number = {{"first", "K", -1.25}, {"next", "", 3}}};
+        snprintf(m->reason, sizeof m->reason, "reason %d", i);
+        snprintf(m->published, sizeof m->published, "%s", i == 5 ? "0.5, 0.25" : "");
+    }
+    FILE *out = open_memstream(&text, &size);
+    print(&(struct claims){6, result}, out);
+    fclose(out);
+    return text;
+}
+
+static void verdicts_are_counted(void **state) {
+    (void)state;
+    static const char counts[] = "6 claims: 1 reproduced, 2 with a condition, 1 contradicted, 1 not explained";
+    char due[200];
+    for (int changed = 1; changed <= 2; changed++) { /* one was not measured, which is none expected */
+        char *text = printed_verdicts(changed, claims_write_text);
+        snprintf(due, sizeof due, "%s, 1 not measured; %d verdict%s changed\n", counts, changed,
+                 changed == 1 ? "" : "s");
+        assert_has(text, due);
+        assert_has(text, "song/odd: reproduced\n  published  |G| <= 1, always (a test, \"eq. 1\")\n"
+                         "  measured   first -1.25 K; next 3\n  because    reason 1\n\n");
+        assert_has(text, "  published  |G| <= 1, always: 0.5, 0.25 (a test, \"eq. 1\")\n");
+        free(text);
+        text = printed_verdicts(changed, claims_write_changed);
+        assert_has(text, "pamplona/even: not measured\n");
+        assert_lacks(text, "reason 1\n");
+        assert_int_equal(strstr(text, "reason 5\n") != NULL, changed == 2);
+        free(text);
+        text = printed_verdicts(changed, claims_write_markdown);
+        snprintf(due, sizeof due, "%s.\n\n**%d verdicts differ from those expected.**\n\n## Song", counts, changed);
+        assert_has(text, due);
+        assert_has(text, "|---|---|---|---|---|---|\n| song/odd | a test");
+        assert_has(text, "|---|---|---|---|---|---|\n| pamplona/even | a test");
+        assert_has(text, "| *not measured* | reason 0 |\n| pamplona/even |");
+        free(text);
+        text = printed_verdicts(changed, claims_write_json);
+        assert_has(text, "\"name\": \"first\",\n          \"value\": -1.25,\n          \"unit\": \"K\"\n");
+        assert_has(text, "\"seconds\": 0.25");
+        free(text);
+    }
+}
+
 static void files_are_written_or_refused(void **state) {
     (void)state;
     char dir[UNIT_PATH], path[UNIT_PATH + 64];
@@ -244,6 +303,7 @@ int main(void) {
         cmocka_unit_test(every_number_that_a_reader_needs_is_there),
         cmocka_unit_test(json_has_the_fields_of_the_contract),
         cmocka_unit_test(tables_keep_quotes_and_bars),
+        cmocka_unit_test(verdicts_are_counted),
         cmocka_unit_test(files_are_written_or_refused),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

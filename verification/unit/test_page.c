@@ -300,7 +300,8 @@ static void gates_are_read_back(void **state) {
         "\"verdict\": \"pass\", \"reason\": \"r\", \"why\": \"w\", \"axis\": \"dx [m]\", \"norm\": \"L2\",\n"
         "\"rungs\": [ 0.5, 0.25, 0.125 ], \"errors\": [ 4e-2, null, 3e-4 ], \"counted\": [ 0, 1, 1 ], \"seconds\": 1 "
         "},\n"
-        "{ \"id\": \"b\", \"expected\": 0, \"tolerance\": 7, \"verdict\": \"fail\", \"diagnosis\": \"1 step late\" "
+        "{ \"id\": \"b\", \"expected\": 0, \"tolerance\": 7, \"ceiling\": 0.5, \"verdict\": \"fail\", \"diagnosis\": "
+        "\"1 step late\" "
         "}\n]\n}\n",
         file);
     fclose(file);
@@ -309,6 +310,13 @@ static void gates_are_read_back(void **state) {
     assert_int_equal(gates_json_read(path, &g, &made), 0);
     assert_int_equal(g.declared, 2);
     assert_string_equal(g.result[0].typed, "run \"x\"");
+    assert_string_equal(g.result[0].gate.id, "rod/a");
+    assert_string_equal(g.result[0].gate.why, "w");
+    assert_string_equal(g.result[0].measured.reason, "r");
+    assert_string_equal(g.result[0].measured.diagnosis, "");
+    assert_string_equal(g.result[1].measured.diagnosis, "1 step late");
+    assert_near(g.result[0].measured.value, 2.0625, 0);
+    assert_near(g.result[1].gate.ceiling, 0.5, 0);
     assert_near(g.result[0].gate.lo, 1.875, 0);
     assert_near(g.result[0].gate.hi, 2.125, 0);
     assert_near(g.result[0].measured.error, 3e-4, 0);
@@ -478,6 +486,55 @@ static void a_long_listing_is_folded(void **state) {
                      "more</summary>\n<pre><code>row 0\nrow 1\n");
     assert_has(page, "row 59\n\n</code></pre>\n</details>\n<pre><code>60 seen\n</code></pre>\n"
                      "<p class=\"faint\"><code>make mutants</code></p>\n");
+}
+
+/* `rows` lines and a blank one. */
+static char *paragraph(char *to, char letter, int rows) {
+    for (int i = 0; i < rows; i++) to += sprintf(to, "%c%d\n", letter, i);
+    return to + sprintf(to, "\n");
+}
+
+/* What fits into 45 lines is never folded, a last line never, two last lines always. */
+static void a_listing_is_folded_at_its_paragraphs(void **state) {
+    (void)state;
+    char listing[800];
+    sprintf(paragraph(paragraph(listing, 'a', 44), 'b', 3), "c0\nc1\n");
+    const char *page = page_of_listing(listing);
+    assert_has(
+        page, "a43\n\n</code></pre>\n<details><summary>mutants.txt: 6 lines more</summary>\n<pre><code>b0\nb1\nb2\n\n"
+              "c0\nc1\n</code></pre>\n</details>\n<p class=\"faint\">");
+    sprintf(paragraph(listing, 'a', 44), "last\n");
+    page = page_of_listing(listing);
+    assert_has(page, "a43\n\n</code></pre>\n<pre><code>last\n</code></pre>\n<p class=\"faint\">");
+    sprintf(paragraph(listing, 'a', 45), "last\n");
+    page = page_of_listing(listing);
+    assert_has(page,
+               "<h2>Seeded faults</h2>\n<details><summary>mutants.txt: 46 lines more</summary>\n<pre><code>a0\n");
+    assert_has(page, "a44\n\n</code></pre>\n</details>\n<pre><code>last\n</code></pre>\n<p class=\"faint\">");
+    page = page_of_listing("a\n\nb\n\nno end");
+    assert_has(page, "<h2>Seeded faults</h2>\n<pre><code>a\n\nb\n\nno end</code></pre>\n<p class=\"faint\">");
+}
+
+/* Files of older versions do not say when they were made; what stands behind the gates is not theirs. */
+static void gates_without_a_date(void **state) {
+    (void)state;
+    static const char *const text[] = {"{\"gates\": [\n{ \"id\": \"a\" }]}",
+                                       "{\"made\": null,\n\"gates\": [\n{ \"id\": \"a\" }]}",
+                                       "{\"gates\": [\n{ \"id\": \"a\" }],\n\"made\": \"today\"}"};
+    for (int i = 0; i < 3; i++) {
+        char path[UNIT_PATH];
+        struct gates g;
+        const char *made;
+        FILE *file = fdopen(scratch_file(path, "heatladder_page"), "w");
+        fputs(text[i], file);
+        fclose(file);
+        assert_int_equal(gates_json_read(path, &g, &made), 0);
+        unlink(path);
+        assert_int_equal(g.declared, 1);
+        assert_string_equal(made, "from an existing file; date and machine not recorded");
+        assert_true(isnan(g.result[0].measured.error) && isnan(g.result[0].gate.hi));
+        gates_free(&g);
+    }
 }
 
 static void the_order_of_a_band_is_whole(void **state) {
@@ -665,6 +722,8 @@ int main(void) {
         cmocka_unit_test(a_ladder_says_what_made_it),
         cmocka_unit_test(a_ladder_shows_what_is_judged),
         cmocka_unit_test(a_long_listing_is_folded),
+        cmocka_unit_test(a_listing_is_folded_at_its_paragraphs),
+        cmocka_unit_test(gates_without_a_date),
         cmocka_unit_test(a_page_of_what_there_is),
         cmocka_unit_test(a_battery_shows_its_ladders),
         cmocka_unit_test(ladders_are_drawn_by_scene),

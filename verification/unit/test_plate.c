@@ -79,6 +79,16 @@ static void laws_are_told_apart(void **state) {
     assert_order(xi_growth(h, exponential, 5, 1).off, >, 0.02);
 }
 
+/* Half of the numbers lie between the quartiles: of 1, 3, ... 17 those from 5 to 13, about 9. */
+static void quartiles_of_any_order(void **state) {
+    (void)state;
+    double of[9] = {13, 1, 7, 17, 5, 3, 15, 9, 11}, quartile[3];
+    xi_quartiles(of, 9, quartile);
+    assert_near(quartile[0], 5, 0);
+    assert_near(quartile[1], 9, 0);
+    assert_near(quartile[2], 13, 0);
+}
+
 /* The search ends at a minimum: neighbours on either side are worse. */
 static void the_best_xi_is_a_minimum(void **state) {
     (void)state;
@@ -88,6 +98,7 @@ static void the_best_xi_is_a_minimum(void **state) {
     assert_order(b.work, >, 0);
     assert_order(xi_error(&b, b.xi - 0.004), >, b.error);
     assert_order(xi_error(&b, b.xi + 0.004), >, b.error);
+    assert_order(xi_error(&b, b.xi), >, b.error); /* the least that was met, here not in the middle */
 }
 
 int main(void) {
@@ -96,6 +107,7 @@ int main(void) {
         cmocka_unit_test(two_programs_agree),
         cmocka_unit_test(the_closed_form_is_the_moments),
         cmocka_unit_test(laws_are_told_apart),
+        cmocka_unit_test(quartiles_of_any_order),
         cmocka_unit_test(the_best_xi_is_a_minimum),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

@@ -71,6 +71,31 @@ static void a_saddle_is_two_lines(void **state) {
     assert_int_equal(lines_at(&g, saddle, -0.07, 2e-3, middle, &points), 2);
 }
 
+/* Where the line from the lower side of a cell ends, in x: 1, at the right side, or 0, at the left. */
+static double other_end(double (*T)[4]) {
+    char *text = NULL;
+    size_t size = 0;
+    double x[2], y[2], middle[2];
+    struct isotherm_grid cell = {{2, 2}, {0, 0}, {1, 1}, *T};
+    FILE *out = open_memstream(&text, &size);
+    assert_int_equal(isotherm_trace(&cell, 0, 0.5, out, middle), 2);
+    fclose(out);
+    assert_int_equal(sscanf(text, "%lf,%lf,0 %lf,%lf,0", &x[0], &y[0], &x[1], &y[1]), 4);
+    free(text);
+    assert_near(y[0], 0, 0);
+    return x[1];
+}
+
+/* Two opposite corners above the level and two below: the pair that has the sign of the mean is joined. */
+static void the_mean_decides_a_cell(void **state) {
+    (void)state;
+    double T[4][4] = {{1, -1.2, -0.2, 1}, {1, -1.2, -1, 0.2}, {-1, 1.2, 0.2, -1}, {-0.2, 1.2, 1, -1}};
+    assert_near(other_end(&T[0]), 1, 0); /* at (0, 0), (1, 0), (0, 1), (1, 1); the mean is above: (1, 0) is cut off */
+    assert_near(other_end(&T[1]), 0, 0);
+    assert_near(other_end(&T[2]), 1, 0);
+    assert_near(other_end(&T[3]), 0, 0);
+}
+
 static void the_middle_is_halfway(void **state) {
     (void)state;
     double store[NX * NY], middle[2];
@@ -124,9 +149,13 @@ static void tables_as_printed(void **state) {
 
 int main(void) {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(a_closed_isotherm_is_one_line), cmocka_unit_test(a_saddle_is_two_lines),
-        cmocka_unit_test(the_middle_is_halfway),         cmocka_unit_test(refining_keeps_the_values),
-        cmocka_unit_test(units_of_the_last_digit),       cmocka_unit_test(tables_as_printed),
+        cmocka_unit_test(a_closed_isotherm_is_one_line),
+        cmocka_unit_test(a_saddle_is_two_lines),
+        cmocka_unit_test(the_mean_decides_a_cell),
+        cmocka_unit_test(the_middle_is_halfway),
+        cmocka_unit_test(refining_keeps_the_values),
+        cmocka_unit_test(units_of_the_last_digit),
+        cmocka_unit_test(tables_as_printed),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
