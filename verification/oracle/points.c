@@ -218,13 +218,13 @@ int points_one(const struct problem *p, const double x[2], struct points *points
         if (inside > 0) points->typed[0][a].length = 0;
         if (inside >= 0) continue;
         points_free(points);
-        if (p->dim == 1) return refuse(why, STATUS_INPUT, "--at %g: outside %g to %g m", x[0], p->lo[0], p->hi[0]);
-        return refuse(why, STATUS_INPUT, "--at %g,%g: outside %g to %g m, %g to %g m", x[0], x[1], p->lo[0], p->hi[0],
-                      p->lo[1], p->hi[1]);
+        if (p->dim == 1) return refuse(why, STATUS_INPUT, "--at %.12g: outside %g to %g m", x[0], p->lo[0], p->hi[0]);
+        return refuse(why, STATUS_INPUT, "--at %.12g,%.12g: outside %g to %g m, %g to %g m", x[0], x[1], p->lo[0],
+                      p->hi[0], p->lo[1], p->hi[1]);
     }
     if (is_in_shape(p, x)) return STATUS_OK;
     points_free(points);
-    return refuse(why, STATUS_INPUT, "--at %g,%g: outside the %s", x[0], x[1], p->shape->name);
+    return refuse(why, STATUS_INPUT, "--at %.12g,%.12g: outside the %s", x[0], x[1], p->shape->name);
 }
 
 void points_free(struct points *points) {

@@ -18,8 +18,8 @@ static void put_band(const struct gate_result *r, FILE *out) {
     else
         snprintf(text, sizeof text, "%.4g to %.4g", r->gate.lo, r->gate.hi);
     html_cell(out, text);
-    snprintf(text, sizeof text, isnan(r->measured.value) ? "-" : "%.4g", r->measured.value);
-    html_cell(out, text);
+    snprintf(text, sizeof text, "%.4g", r->measured.value);
+    html_cell(out, isnan(r->measured.value) ? "-" : text);
     text[0] = '\0';
     if (!isnan(r->gate.ceiling) && isnan(r->measured.error))
         snprintf(text, sizeof text, "-, at most %.3g", r->gate.ceiling);

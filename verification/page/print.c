@@ -27,8 +27,10 @@ static void print_all(const struct gates *g) {
             table_add(&t, "%.4g to %.4g", gate->lo, gate->hi);
         if (m->ci[0] < m->ci[1])
             table_add(&t, "%.4f (%.4f to %.4f)", m->value, m->ci[0], m->ci[1]);
+        else if (isnan(m->value))
+            table_add(&t, "-");
         else
-            table_add(&t, isnan(m->value) ? "-" : "%.4g", m->value);
+            table_add(&t, "%.4g", m->value);
         if (isnan(gate->ceiling))
             table_add(&t, " ");
         else if (isnan(m->error))
