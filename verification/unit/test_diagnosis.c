@@ -122,6 +122,8 @@ static void faults_are_named_with_their_size(void **state) {
         {"square-step", 0.1, 0.05, {FAULT_TRANSPOSED, 0}, 1, 100, "x and y were swapped"},
         {"rod-contact", 0.02, 0.01, {FAULT_MEAN, 0}, 1, 1, "arithmetic mean"},
         {"rect-manufactured", 0.05, 0.025, {FAULT_CORNER, 0}, 1, 100, "lost at a corner, x_lo, y_lo"},
+        {"plate", 0.005, 0.0025, {FAULT_CORNER, 1}, 1, 100, "lost at a corner, x_hi, y_lo"},
+        {"plate", 0.005, 0.0025, {FAULT_CORNER, 2}, 1, 100, "lost at a corner, x_lo, y_hi"},
         {"plate", 0.005, 0.0025, {FAULT_CORNER, 3}, 1, 100, "lost at a corner, x_hi, y_hi"},
         {CHANGING, 0.025, 0.0125, {FAULT_SOURCE_TIME, 0}, 1, 1, "source were that of"},
         {CHANGING, 0.025, 0.0125, {FAULT_CLOCK, 0}, 0.5, 0.5, "late"},

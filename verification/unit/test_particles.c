@@ -118,6 +118,30 @@ static void matched_refuses_a_jump_at_every_wall(void **state) {
     }
 }
 
+/* One wall whose temperature varies along it, or on the way through the body alone. */
+static double along_it(const struct problem *p, enum side s, const double x[2]) {
+    return p->side[s] == DIRICHLET ? x[1 - s / 2] : 0;
+}
+
+static double through_it(const struct problem *p, enum side s, const double x[2]) {
+    return p->side[s] == DIRICHLET ? x[s / 2] : 0;
+}
+
+static void first_derivatives_are_not_matched_where_a_wall_varies(void **state) {
+    (void)state;
+    for (int k = 0; k < 8; k++) {
+        struct problem p = odd_rectangle();
+        struct options o = {.dx = 0.05, .h = 1.23, .stepper = STEPPER_MATCHED, .sampling = SAMPLING_SPLINE};
+        struct field f;
+        struct failure why = {0};
+        p.source = NULL, p.wall = k < 4 ? along_it : through_it, p.material[0].k[1] = p.material[0].k[0];
+        for (int s = 0; s < 4; s++) p.side[s] = s == k % 4 ? DIRICHLET : NEUMANN;
+        int status = method_solve(&method_fo_ssph, &p, &o, &f, &why);
+        assert_int_equal(strstr(why.text, "a first derivative taken twice") != NULL, k < 4);
+        if (!status) field_free(&f);
+    }
+}
+
 static void planes_stay_on_any_cloud(void **state) {
     (void)state;
     const struct method *const of_planes[] = {&method_so_ssph, &method_fo_ssph};
@@ -199,6 +223,7 @@ int main(void) {
         cmocka_unit_test(a_heated_rod_is_not_unstable),
         cmocka_unit_test(heat_counts_each_material),
         cmocka_unit_test(matched_refuses_a_jump_at_every_wall),
+        cmocka_unit_test(first_derivatives_are_not_matched_where_a_wall_varies),
         cmocka_unit_test(planes_stay_on_any_cloud),
         cmocka_unit_test(one_equation),
         cmocka_unit_test(what_is_not_a_number_is_unstable),

@@ -165,6 +165,7 @@ static void an_edge_may_cross_a_circle_twice(void **state) {
         struct voronoi_round r = voronoi_round(&square, at, radius);
         assert_near(r.area, hole ? 2.56 - inside : inside, 1e-14);
         assert_near(r.wall[!hole], (2 * M_PI - 8 * half) * R, 1e-14);
+        assert_near(r.farthest, hole ? 2.21 : 1.85, 1e-14); /* to (-0.8, 0.8), or to (-0.8, 0.6) */
         for (int k = 0; k < 4; k++) assert_near(r.face[k], hole ? 1.6 - 2 * R * sin(half) : 2 * R * sin(half), 1e-14);
     }
 }
