@@ -14,8 +14,10 @@ enum verdict verdict_within(double x, double lo, double hi) {
     return isfinite(x) && lo <= x && x <= hi ? VERDICT_PASS : VERDICT_FAIL;
 }
 
-static const char *const colours[] = {"\033[33m", "\033[31m", "\033[32m", "\033[36m",
-                                      "\033[36m"}; /* by enum verdict */
+static const char *const colours[] = {
+    [VERDICT_INCONCLUSIVE] = "\033[33m", [VERDICT_FAIL] = "\033[31m",    [VERDICT_PASS] = "\033[32m",
+    [VERDICT_MEASURED] = "\033[36m",     [VERDICT_SKIPPED] = "\033[36m",
+};
 
 static int place(FILE *out, const char *word) {
     const char *never = getenv("NO_COLOR");
