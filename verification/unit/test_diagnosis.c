@@ -651,6 +651,24 @@ static void a_start_is_moved_along_y(void **state) {
     }
 }
 
+static double warm_middle(const struct problem *p, enum side s, const double x[2]) {
+    double along = (x[1 - s / 2] - p->lo[1 - s / 2]) / (p->hi[1 - s / 2] - p->lo[1 - s / 2]);
+    return along > 0.4 && along < 0.6;
+}
+
+/* A side that is warm in its middle alone, at the coordinate along it. */
+static void a_side_may_be_warm_in_part(void **state) {
+    (void)state;
+    struct problem p = problem_of("plate");
+    struct faulty with;
+    p.wall = warm_middle;
+    p.lo[0] += 10, p.hi[0] += 10;
+    for (int s = 0; s < 4; s++) {
+        p.side[s] = NEUMANN;
+        assert_true(fault_make(&p, (struct fault){FAULT_WALL, s}, 0.01, &with));
+    }
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(faults_are_named_with_their_size),
@@ -658,6 +676,7 @@ int main(void) {
         cmocka_unit_test(a_body_has_the_faults_of_its_parts),
         cmocka_unit_test(a_higher_body_has_its_own_walls),
         cmocka_unit_test(a_start_is_moved_along_y),
+        cmocka_unit_test(a_side_may_be_warm_in_part),
         cmocka_unit_test(values_for_means_are_named),
         cmocka_unit_test(rounded_temperatures_are_named),
         cmocka_unit_test(runs_that_differ_are_named),

@@ -28,6 +28,11 @@ static double arch(const struct problem *p, const double x[2]) {
     return 4 * x[0] * (1 - x[0]);
 }
 
+static double still(const struct problem *p, const double x[2]) {
+    (void)p, (void)x;
+    return 0;
+}
+
 static double cold(const struct problem *p, enum side s, const double x[2]) {
     (void)p, (void)s, (void)x;
     return 0;
@@ -207,6 +212,21 @@ static void a_lattice_shares_its_nodes(void **state) {
     }
 }
 
+static double warm_patch(const struct problem *p, enum side s, const double x[2]) {
+    (void)p, (void)s;
+    return x[1] > 0.7 && x[1] < 0.9;
+}
+
+/* A wall meets the data where it does so beside each particle. */
+static void data_meet_a_wall_along_all_of_it(void **state) {
+    (void)state;
+    struct problem p = {.dim = 2, .hi = {1, 1}, .initial = still, .wall = warm_patch};
+    struct lattice l = {.dim = 2, .n = {10, 10}, .dx = {0.1, 0.1}, .first = {0.05, 0.05}};
+    assert_int_equal(sample_meets_wall(&p, &l, X_HI), 0);
+    l.n[1] = 7; /* below the patch */
+    assert_int_equal(sample_meets_wall(&p, &l, X_HI), 1);
+}
+
 int main(void) {
     gsl_set_error_handler_off();
     const struct CMUnitTest tests[] = {
@@ -218,6 +238,7 @@ int main(void) {
         cmocka_unit_test(a_lattice_shares_its_nodes),
         cmocka_unit_test(walls_that_data_meet_keep_fourth_order),
         cmocka_unit_test(averages_keep_heat_and_its_place),
+        cmocka_unit_test(data_meet_a_wall_along_all_of_it),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

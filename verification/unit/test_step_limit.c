@@ -271,6 +271,39 @@ static void a_contact_of_neighbours_leaves_the_step(void **state) {
     assert_has(why.text, "one material only");
 }
 
+/* Weights of no symmetry, as beside a wall or in a cloud: the sum over all of them. */
+static void a_symbol_is_the_sum_of_its_waves(void **state) {
+    (void)state;
+    double w[3 * 5];
+    for (int k = 0; k < 15; k++) w[k] = fmod(0.37 + 0.61803 * k, 1) - 0.4;
+    const struct symbol s = {2, {2, 1}, w};
+    const double theta[2] = {0.83, -1.7};
+    double complex want = 0;
+    for (int j = -1; j <= 1; j++)
+        for (int i = -2; i <= 2; i++) want += symbol_weight(&s, i, j) * cexp(I * (i * theta[0] + j * theta[1]));
+    double complex got = symbol_at(&s, theta);
+    assert_near(creal(got), creal(want), 1e-14);
+    assert_near(cimag(got), cimag(want), 1e-14);
+}
+
+static double first_alone(const struct problem *p, const double x[2]) {
+    (void)p;
+    return x[0] < 1 && x[1] < 1;
+}
+
+/* The stages of such a step are given, not chosen by a run: it is marched from the same data, each particle's. */
+static void a_step_of_given_stages_starts_from_all_particles(void **state) {
+    (void)state;
+    struct model_problem b = {.method = &method_so_ssph, .dim = 2, .options = {.h = 1.2}, .step = {STEPPER_RKL2, 3}};
+    struct failure why;
+    double largest;
+    assert_int_equal(step_limit_model(&b, &why), STATUS_OK);
+    struct problem p = model_problem_setup(&b, MODEL_NOISE, 0);
+    p.initial = first_alone;
+    assert_int_equal(model_problem_run(&b, &p, 1e-9, 1, &largest, &why), STATUS_OK);
+    assert_near(largest, 1, 1e-7);
+}
+
 int main(void) {
     gsl_set_error_handler_off();
     const struct CMUnitTest tests[] = {
@@ -287,6 +320,8 @@ int main(void) {
         cmocka_unit_test(a_run_that_fails_does_not_grow),
         cmocka_unit_test(long_runs_keep_their_heat),
         cmocka_unit_test(a_contact_of_neighbours_leaves_the_step),
+        cmocka_unit_test(a_symbol_is_the_sum_of_its_waves),
+        cmocka_unit_test(a_step_of_given_stages_starts_from_all_particles),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
