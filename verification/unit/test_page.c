@@ -518,7 +518,7 @@ static void a_listing_is_folded_at_its_paragraphs(void **state) {
 /* Files of older versions do not say when they were made; what stands behind the gates is not theirs. */
 static void gates_without_a_date(void **state) {
     (void)state;
-    static const char *const text[] = {"{\"gates\": [\n{ \"id\": \"a\" }]}",
+    static const char *const json[] = {"{\"gates\": [\n{ \"id\": \"a\" }]}",
                                        "{\"made\": null,\n\"gates\": [\n{ \"id\": \"a\" }]}",
                                        "{\"gates\": [\n{ \"id\": \"a\" }],\n\"made\": \"today\"}"};
     for (int i = 0; i < 3; i++) {
@@ -526,7 +526,7 @@ static void gates_without_a_date(void **state) {
         struct gates g;
         const char *made;
         FILE *file = fdopen(scratch_file(path, "heatladder_page"), "w");
-        fputs(text[i], file);
+        fputs(json[i], file);
         fclose(file);
         assert_int_equal(gates_json_read(path, &g, &made), 0);
         unlink(path);
