@@ -7,18 +7,34 @@
 #include <math.h>
 #include <string.h>
 
-int params_between(const struct param *table, const struct problem *p, int i, double lo, double hi,
+/* "from" lo to hi with both, or "between" them */
+static int outside(const struct param *table, const struct problem *p, int i, double lo, double hi, int with_both,
                    const char *because, struct failure *why) {
     const char *name = table[i].name, *unit = table[i].unit, *gap = *table[i].unit ? " " : "";
     const char *colon = because ? ": " : "", *reason = because ? because : "";
     double value = p->param[i];
-    if (isfinite(value) && lo < value && value < hi) return STATUS_OK;
     if (isinf(lo) && isinf(hi)) return refuse(why, STATUS_INPUT, "--set %s=%g: needs a finite number", name, value);
     if (isinf(hi))
         return refuse(why, STATUS_INPUT, "--set %s=%g: needs a finite number greater than %g%s%s%s%s", name, value,
                       lo, gap, unit, colon, reason);
+    if (with_both)
+        return refuse(why, STATUS_INPUT, "--set %s=%g: needs a number from %g to %g%s%s%s%s", name, value, lo, hi,
+                      gap, unit, colon, reason);
     return refuse(why, STATUS_INPUT, "--set %s=%g: needs a number between %g and %g%s%s, both excluded%s%s", name,
                   value, lo, hi, gap, unit, colon, reason);
+}
+
+int params_between(const struct param *table, const struct problem *p, int i, double lo, double hi,
+                   const char *because, struct failure *why) {
+    double value = p->param[i];
+    return isfinite(value) && lo < value && value < hi ? STATUS_OK : outside(table, p, i, lo, hi, 0, because, why);
+}
+
+int params_within(const struct param *table, const struct problem *p, int i, double lo, double hi,
+                  const char *because, struct failure *why) {
+    const double rounding = 1e-9 * hi;
+    int within = p->param[i] >= lo - rounding && p->param[i] <= hi + rounding;
+    return within ? STATUS_OK : outside(table, p, i, lo, hi, 1, because, why);
 }
 
 static int is_among(const int *list, int i) {

@@ -19,6 +19,10 @@ void params_material(struct problem *p, double k_x, double k_y, double rho_c);
 int params_between(const struct param *table, const struct problem *p, int i, double lo, double hi,
                    const char *because, struct failure *why);
 
+/* lo <= param[i] <= hi, but for a rounding of 1e-9 hi; both are finite, hi > 0. */
+int params_within(const struct param *table, const struct problem *p, int i, double lo, double hi,
+                  const char *because, struct failure *why);
+
 /* param[i] a whole number, lo <= param[i] <= hi */
 int params_whole(const struct param *table, const struct problem *p, int i, int lo, int hi, struct failure *why);
 

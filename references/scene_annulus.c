@@ -142,9 +142,7 @@ static int setup(struct problem *p, struct failure *why) {
     static const int any[] = {B, MODE, PHASE, -1};
     const double *v = p->param;
     if (params_start(params, p, any, why)) return STATUS_INPUT;
-    if (params_between(params, p, R1, 0.1 * v[R2] * (1 - 1e-9), 0.9 * v[R2] * (1 + 1e-9), "r1 of 0.1 r2 to 0.9 r2",
-                       why))
-        return STATUS_INPUT;
+    if (params_within(params, p, R1, 0.1 * v[R2], 0.9 * v[R2], "r1 of 0.1 r2 to 0.9 r2", why)) return STATUS_INPUT;
     if (params_whole(params, p, MODE, 0, 12, why) || params_between(params, p, PHASE, -100, 100, NULL, why))
         return STATUS_INPUT;
     if (params_between(params, p, B, -v[TM], v[TM], "the temperature stays positive, |B| < Tm", why))

@@ -110,8 +110,7 @@ static double initial(const struct problem *p, const double x[2]) {
 static int setup(struct problem *p, struct failure *why) {
     static const int any[] = {RISE, -1};
     if (params_start(params, p, any, why)) return STATUS_INPUT;
-    if (params_between(params, p, A, 0, nextafter(1, 2), "the temperature stays positive, A <= 1", why))
-        return STATUS_INPUT;
+    if (params_within(params, p, A, 0, 1, "the temperature stays positive, 0 < A <= 1", why)) return STATUS_INPUT;
     if (!(p->param[RISE] >= 0 && p->param[RISE] < INFINITY))
         return refuse(why, STATUS_INPUT, "--set rise=%g: needs a number of 0 K/s or more", p->param[RISE]);
     p->dim = 2;

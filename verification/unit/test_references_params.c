@@ -48,7 +48,7 @@ static const struct refusal {
     {"rod-cosine", "mode", 2.5, "whole number from 1 to 32"},
     {"rod-cosine", "mode", 0, "whole number from 1 to 32"},
     {"rod-cosine", "A", 1.5, "A < Tm"},
-    {"rect-manufactured", "A", 1.5, "A <= 1"},
+    {"rect-manufactured", "A", 1.5, "from 0 to 1 K: the temperature stays positive, 0 < A <= 1"},
     {"rect-manufactured", "rise", -0.1, "0 K/s or more"},
     {"rect-manufactured", "k_y", NAN, "greater than 0 W/m/K"},
 };
