@@ -19,6 +19,11 @@ static int is_ladder(const char *measure) {
     return strcmp(measure, "slope") == 0 || strncmp(measure, "order", 5) == 0;
 }
 
+/* Ladders are judged with the ceiling by themselves. */
+static int has_ladders(const char *measure) {
+    return is_ladder(measure) || strncmp(measure, "slope_", 6) == 0;
+}
+
 static void judge_refused(struct measured *m, const char *text) {
     m->verdict = VERDICT_FAIL;
     m->value = m->ci[0] = m->ci[1] = m->error = NAN;
@@ -88,7 +93,7 @@ void gates_judge(const struct gate *gate, const struct program *program, struct 
         judge_refused(m, "this measure needs an error ceiling beside it");
     } else {
         measure->take(&r, gate->lo, gate->hi, m);
-        if (!isnan(gate->ceiling) && m->verdict != VERDICT_SKIPPED && !is_ladder(gate->measure))
+        if (!isnan(gate->ceiling) && m->verdict != VERDICT_SKIPPED && !has_ladders(gate->measure))
             judge_ceiling(m->error, gate->ceiling, &m->verdict, m->reason, sizeof m->reason);
     }
     arguments_free(&r);

@@ -6,7 +6,8 @@
  * ceiling by three times its scatter is wrong all the same.
  *
  * Digits.  What is rounded to a unit u is off by u/4 on average.  The unit of T is that of its last digit: of
- * `digits` significant ones (%g, %e), or of as many decimals as any T has (%f), whichever is the coarser.
+ * `digits` significant ones (%g, %e), or of as many decimals as any T has (%f), whichever is the coarser.  A program
+ * prints T of the case; mapped to the scene and back, that is off by roundings of the largest T or of the offset.
  *
  * Smooth.  C x^p + D x^q, of any C, D, p and q with errors that do not change their sign, has local slopes that rise
  * or fall throughout.  Slopes that turn by 1/2 and back by 1/2 have more than two terms of that kind: a tolerance,
@@ -16,12 +17,14 @@
  * mean)^2) about the slope: the least n by halving whose interval lies in the band. */
 #include "verification/ladder/doubt.h"
 
+#include "references/mapping.h"
 #include "verification/ladder/judge.h"
 #include "verification/ladder/ladder.h"
 #include "verification/ladder/window.h"
 #include "verification/text/number.h"
 #include "verification/text/words.h"
 
+#include <float.h>
 #include <gsl/gsl_cdf.h>
 #include <gsl/gsl_statistics_double.h>
 #include <math.h>
@@ -31,24 +34,25 @@
 
 static const double DIGITS = 0.1, TURN = 0.5; /* a share of the error; of a local slope */
 
-/* The part of E1, relative, that the digits in which T of *f is printed make up on average, and how many they are. */
-static double digits_share(const struct field *f, int *digits) {
+double doubt_digits(const struct field *f, const struct mapping *map, int *digits) {
     enum { POINTS = 500 };
     size_t stride = f->n / POINTS + 1;
     int decimals = 400;
     char text[NUMBER_PRINTED];
-    double units = 0, sum = 0;
+    double units = 0, sum = 0, scale = mapping_scale(map);
+    double off = mapping_is_none(map) ? 0 : 4 * DBL_EPSILON * (scale * field_largest(f) + fabs(map->offset));
     *digits = 0;
     for (size_t i = 0; i < f->n; i += stride) {
-        if (f->T[i] == 0) continue;
-        int n = number_digits(f->T[i], 0, 17, text), last = atoi(strchr(text, 'e') + 1) - n + 1;
+        double T = mapping_temperature(map, f->T[i]);
+        if (fabs(T) <= off) continue;
+        int n = number_digits(T, off / fabs(T), 17, text), last = atoi(strchr(text, 'e') + 1) - n + 1;
         if (n > *digits) *digits = n;
         if (last < decimals) decimals = last; /* the power of ten of the last digit */
     }
     for (size_t i = 0; i < f->n; i += stride) {
-        double T = fabs(f->T[i]);
-        if (T > 0) units += pow(10, fmax(floor(log10(T)) + 1 - *digits, decimals));
-        sum += T;
+        double T = fabs(mapping_temperature(map, f->T[i]));
+        if (T > off) units += pow(10, fmax(floor(log10(T)) + 1 - *digits, decimals));
+        sum += scale * fabs(f->T[i]);
     }
     return sum > 0 ? units / 4 / sum : 0;
 }
@@ -138,11 +142,11 @@ static void judge_smoothness(const struct ladder_rungs *rungs, struct ladder *l)
 }
 
 void doubt_judge(const struct ladder_rungs *rungs, const struct doubt_noise *noise, const struct field *finest,
-                 struct ladder *l) {
+                 const struct mapping *map, struct ladder *l) {
     double error = ladder_finest_error(l);
     int digits;
     if (l->failure.status || (l->verdict != VERDICT_FAIL && l->verdict != VERDICT_INCONCLUSIVE)) return;
-    double printed = l->norm == LADDER_QUANTITY ? 0 : digits_share(finest, &digits) / l->rung[l->n - 1].error.l1;
+    double printed = l->norm == LADDER_QUANTITY ? 0 : doubt_digits(finest, map, &digits) / l->rung[l->n - 1].error.l1;
     if (noise->share > DOUBT_NOISE) {
         snprintf(l->reason, sizeof l->reason,
                  "answers differ by %.2g K from run to run, %.0f %% of the error: random numbers, threads or an "

@@ -10,6 +10,7 @@
 struct ladder;
 struct ladder_rungs;
 struct experiment;
+struct mapping;
 
 /* How far two runs of the same are apart at the rung before the finest, in the norm of the ladder. */
 struct doubt_noise {
@@ -22,9 +23,14 @@ static const double DOUBT_NOISE = 0.1; /* a share above shows no order */
 
 /* Where *l did not pass: VERDICT_INCONCLUSIVE with a reason of its own where noise, printed digits, or errors that do
  * not fall smoothly and look like no fault, may be why; unless even so the error is above its ceiling.  Of a ladder
- * that is inconclusive far below its ceiling, how many rungs would decide.  finest: its field, at the finest rung. */
+ * that is inconclusive far below its ceiling, how many rungs would decide.  finest: its field, at the finest rung, of
+ * the scene; map: from there to the case, whose temperatures the program printed. */
 void doubt_judge(const struct ladder_rungs *rungs, const struct doubt_noise *noise, const struct field *finest,
-                 struct ladder *l);
+                 const struct mapping *map, struct ladder *l);
+
+/* E1, relative, of the digits in which a program printed T, on average (at most twice that), and how many they are.
+ * *f is of the scene, *map from there to the case. */
+double doubt_digits(const struct field *f, const struct mapping *map, int *digits);
 
 /* Which usual fault the errors of a ladder in space look like, into l->diagnosis: from the fields of its finest rung
  * and of the one before, in that order (n = 0 where a rung has none).  *noise: by how much a program's answers differ

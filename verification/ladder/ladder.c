@@ -278,7 +278,8 @@ int ladder_run(const struct experiment *e, const struct ladder_rungs *rungs, str
         struct doubt_noise noise = {0};
         if (l->diagnosed) diagnose_ladder(e, kept, l, &noise);
         l->noisy = noise.share > DOUBT_NOISE;
-        if (judged && l->diagnosed && program_given(&e->program)) doubt_judge(rungs, &noise, &kept[0], l);
+        if (judged && l->diagnosed && program_given(&e->program))
+            doubt_judge(rungs, &noise, &kept[0], &e->program.map, l);
         l->seconds = omp_get_wtime() - start;
     }
     for (int k = 0; k < 2; k++) field_free(&kept[k]);

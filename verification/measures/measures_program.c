@@ -6,6 +6,7 @@
 #include "verification/command/request.h"
 #include "verification/diagnosis/diagnosis.h"
 #include "verification/diagnosis/wording.h"
+#include "verification/ladder/doubt.h"
 #include "verification/ladder/self_difference.h"
 
 #include <math.h>
@@ -18,6 +19,44 @@ static void skip(struct measured *m, const char *text) {
     measures_fail(m, &why);
 }
 
+/* Two runs of the same: 1 where they are comparable, with what differs, relative, and their largest |T|, K.  The
+ * second is kept nowhere, so that the answer of the first is not taken for it. */
+static int run_twice(const struct experiment *e, struct result *first, struct norms_error *apart, double *largest,
+                     struct measured *m) {
+    struct experiment again = *e;
+    struct result second;
+    struct field a = {0}, b = {0};
+    int comparable = 0;
+    again.program.keep = NULL;
+    if (!e->program.solver) {
+        skip(m, "needs --solver: --results has one run");
+    } else if (!measures_run(e, first, &a, m) && !measures_run(&again, &second, &b, m)) {
+        comparable = self_difference_fields(&e->problem, &a, &b, apart);
+        if (!comparable) skip(m, "the points differ from run to run");
+        *largest = field_largest(&a);
+    }
+    field_free(&a);
+    field_free(&b);
+    return comparable;
+}
+
+/* Answers that differ from run to run do so at each time step; errors are differences of two. */
+static void doubt_time(const struct request *r, const struct ladder *l, struct measured *m) {
+    struct experiment e = r->experiment;
+    struct measured tried = *m;
+    struct norms_error apart;
+    struct result first;
+    struct diagnosis d;
+    double largest, error = ladder_finest_error(l), ceiling = r->rungs.ceiling;
+    e.options.dt = l->x[l->n - 1];
+    if (!e.program.solver || !run_twice(&e, &first, &apart, &largest, &tried)) return;
+    if (!(apart.l1 > DOUBT_NOISE * error) || !diagnosis_repeat(apart.linf, largest, &d)) return;
+    if (ceiling > 0 && error - 3 * apart.l1 > ceiling) return;
+    wording_text(&d, m->diagnosis, sizeof m->diagnosis);
+    snprintf(m->reason, sizeof m->reason, "%s", m->diagnosis);
+    m->verdict = VERDICT_INCONCLUSIVE;
+}
+
 /* A program that takes a time step of its own gives the same at each that is asked for: the row is not for it. */
 void measures_slope_time(const struct request *r, double lo, double hi, struct measured *m) {
     struct ladder *l = xcalloc(1, sizeof *l);
@@ -25,12 +64,14 @@ void measures_slope_time(const struct request *r, double lo, double hi, struct m
     for (int i = 0; i < l->n; i++) differ += l->error[i] != 0;
     if (!status && !differ)
         skip(m, "the answers are the same for every dt: the program takes a time step of its own");
+    else if (m->verdict != VERDICT_PASS && !l->failure.status)
+        doubt_time(r, l, m);
     free(l);
 }
 
 /* Of one run few digits are seen; other faults are followed from a run at twice the spacing.  Runs that differ leave
- * the error in doubt. */
-static void diagnose(const struct request *r, const struct field *f, struct measured *m) {
+ * the error in doubt, and so do digits that may be all that is above `hi`. */
+static void diagnose(const struct request *r, const struct field *f, double hi, struct measured *m) {
     const struct experiment *e = &r->experiment;
     const double dx = e->options.dx;
     double extent = fmax(e->problem.hi[0] - e->problem.lo[0], e->problem.hi[1] - e->problem.lo[1]);
@@ -38,11 +79,18 @@ static void diagnose(const struct request *r, const struct field *f, struct meas
     struct ladder *l = xcalloc(1, sizeof *l);
     struct failure ignored;
     struct field given = program_as_given(&e->program, f, NULL);
+    int digits;
+    double printed = doubt_digits(f, &e->program.map, &digits);
     if (diagnosis_rounding(&given, m->error, extent / dx, &l->diagnosis) ||
         (e->program.solver && !ladder_run(e, &rungs, l, &ignored) && l->diagnosis.named))
         wording_text(&l->diagnosis, m->diagnosis, sizeof m->diagnosis);
     if (l->noisy) {
         snprintf(m->reason, sizeof m->reason, "%s", m->diagnosis);
+        m->verdict = VERDICT_INCONCLUSIVE;
+    } else if (!l->diagnosis.named && m->error - 2 * printed <= hi) {
+        snprintf(m->reason, sizeof m->reason,
+                 "printed digits: %d in the file make up %.0f %% of the error; more of them show what is left",
+                 digits, 100 * fmin(printed / m->error, 1));
         m->verdict = VERDICT_INCONCLUSIVE;
     }
     field_free(&given);
@@ -55,34 +103,22 @@ void measures_error(const struct request *r, double lo, double hi, struct measur
     struct field f = {0};
     if (!measures_run(e, &result, &f, m)) {
         measures_judge(m, result.error.l1, lo, hi);
-        if (program_given(&e->program) && m->verdict == VERDICT_FAIL) diagnose(r, &f, m);
+        if (program_given(&e->program) && m->verdict == VERDICT_FAIL) diagnose(r, &f, hi, m);
     }
     field_free(&f);
 }
 
 void measures_repeat(const struct request *r, double lo, double hi, struct measured *m) {
-    const struct experiment *e = &r->experiment;
-    struct experiment again = *e; /* kept nowhere, so that the answer of the first is not taken for it */
-    struct result first, second;
-    struct field a = {0}, b = {0};
     struct norms_error apart;
+    struct result first;
     struct diagnosis d;
-    again.program.keep = NULL;
-    if (!e->program.solver) {
-        skip(m, "needs --solver: --results has one run");
-    } else if (measures_run(e, &first, &a, m) || measures_run(&again, &second, &b, m)) {
-        /* it says why */
-    } else if (!self_difference_fields(&e->problem, &a, &b, &apart)) {
-        skip(m, "the points differ from run to run");
-    } else {
-        measures_judge(m, apart.linf / field_largest(&a), lo, hi);
-        m->error = first.error.l1;
-        if (m->verdict == VERDICT_FAIL && diagnosis_repeat(apart.linf, field_largest(&a), &d)) {
-            wording_text(&d, m->diagnosis, sizeof m->diagnosis);
-            snprintf(m->reason, sizeof m->reason, "%s; where that is meant, --skip this row", m->diagnosis);
-            m->verdict = VERDICT_INCONCLUSIVE;
-        }
+    double largest;
+    if (!run_twice(&r->experiment, &first, &apart, &largest, m)) return;
+    measures_judge(m, apart.linf / largest, lo, hi);
+    m->error = first.error.l1;
+    if (m->verdict == VERDICT_FAIL && diagnosis_repeat(apart.linf, largest, &d)) {
+        wording_text(&d, m->diagnosis, sizeof m->diagnosis);
+        snprintf(m->reason, sizeof m->reason, "%s; where that is meant, --skip this row", m->diagnosis);
+        m->verdict = VERDICT_INCONCLUSIVE;
     }
-    field_free(&a);
-    field_free(&b);
 }

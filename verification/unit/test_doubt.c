@@ -2,6 +2,7 @@
 /* What keeps a ladder from showing an order: each reason with its numbers, and none where there is none. */
 #include "verification/ladder/doubt.h"
 
+#include "references/mapping.h"
 #include "verification/ladder/ladder.h"
 
 #include "verification/unit/near.h"
@@ -32,6 +33,7 @@ static struct ladder *ladder(const double *slope, int n, double finest, int out)
 
 static const double steady[3] = {2, 2, 2}, many_digits[2] = {1.0123456789012345, 2.0123456789012345};
 static double plain[2];
+static const struct mapping as_it_is;
 
 static struct field field_of(double *T, size_t n) {
     return (struct field){.n = n, .T = T};
@@ -41,7 +43,7 @@ static void judge(struct ladder *l, double lo, double hi, double ceiling, const 
     struct ladder_rungs rungs = {.expect = {.count = 2, .value = {lo, hi}}, .ceiling = ceiling};
     for (int i = 0; i < 2; i++) plain[i] = many_digits[i];
     struct field f = field_of(plain, 2);
-    doubt_judge(&rungs, noise, &f, l);
+    doubt_judge(&rungs, noise, &f, &as_it_is, l);
 }
 
 static void answers_that_differ_are_said_in_numbers(void **state) {
@@ -94,12 +96,36 @@ static void printed_digits_are_said_in_numbers(void **state) {
         struct ladder *l = ladder(steady, 4, share[row[i].decimals] / row[i].of, 0);
         struct field f = field_of(row[i].decimals ? decimals : significant, row[i].decimals ? 3 : 4);
         l->verdict = VERDICT_FAIL;
-        doubt_judge(&rungs, &none, &f, l);
+        doubt_judge(&rungs, &none, &f, &as_it_is, l);
         assert_has(l->reason, row[i].said);
         assert_int_equal(l->verdict, i < 4 ? VERDICT_INCONCLUSIVE : VERDICT_FAIL);
         l->norm = LADDER_QUANTITY; /* whose digits are not those of the field */
         snprintf(l->reason, sizeof l->reason, "kept");
-        doubt_judge(&rungs, &none, &f, l);
+        doubt_judge(&rungs, &none, &f, &as_it_is, l);
+        assert_string_equal(l->reason, "kept");
+        free(l);
+    }
+}
+
+/* Of a case in other temperatures: 1.234, -0.0377 and 3.107 of the file are scaled by 1.02 and moved by -0.533. */
+static void digits_are_those_of_the_file(void **state) {
+    (void)state;
+    static const struct mapping maps[] = {
+        {.axes = 1, .scale = 1.02, .offset = -0.533}, {.axes = 1, .scale = 0.542}, {.axes = 1, .offset = 3.107}};
+    const struct ladder_rungs rungs = {.ceiling = 1};
+    const struct doubt_noise none = {0};
+    for (int k = 0; k < 3; k++) {
+        double T[] = {1.234, -0.0377, 3.107}, sum = 0;
+        for (int i = 0; i < 3; i++) sum += fabs(T[i] = mapping_temperature_back(&maps[k], T[i]));
+        double share = (1e-3 + 1e-4 + 1e-3) / 4 / mapping_scale(&maps[k]) / sum;
+        if (maps[k].offset > 3) share = (2e-3 + 1e-4) / 4 / sum;
+        struct ladder *l = ladder(steady, 4, share / 0.21, 0);
+        struct field f = field_of(T, 3);
+        doubt_judge(&rungs, &none, &f, &maps[k], l);
+        assert_has(l->reason, "printed digits: 4 in the file make up 21 % of the finest error");
+        T[1] = sqrt(2); /* all digits */
+        snprintf(l->reason, sizeof l->reason, "kept");
+        doubt_judge(&rungs, &none, &f, &maps[k], l);
         assert_string_equal(l->reason, "kept");
         free(l);
     }
@@ -173,6 +199,7 @@ int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(answers_that_differ_are_said_in_numbers),
         cmocka_unit_test(printed_digits_are_said_in_numbers),
+        cmocka_unit_test(digits_are_those_of_the_file),
         cmocka_unit_test(slopes_that_turn_are_not_smooth),
         cmocka_unit_test(the_rungs_that_are_missing_are_counted),
     };
