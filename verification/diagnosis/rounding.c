@@ -13,17 +13,18 @@
 #include <math.h>
 #include <stdio.h>
 
-/* A few roundings: a temperature of the scene that was mapped back (references/mapping.h) has them. */
+/* A few roundings of the largest: a temperature of the scene that was mapped back (references/mapping.h) has them. */
 static const double CLOSE = 16 * DBL_EPSILON;
 
 int diagnosis_rounding(const struct field *f, double error, double cells, struct diagnosis *d) {
     enum { MOST = 9, LEAST = 10 }; /* digits; values that are not round by chance */
     int digits = 0, full = 0;
+    const double off = CLOSE * field_largest(f);
     char text[NUMBER_PRINTED];
     for (size_t i = 0; i < f->n && digits <= MOST; i++) {
         double T = f->T[i];
-        int single = fabs(T - (float)T) <= CLOSE * fabs(T);
-        int of = number_digits(T, CLOSE, MOST, text);
+        int single = fabs(T - (float)T) <= off;
+        int of = number_digits(T, T == 0 ? 0 : off / fabs(T), MOST, text);
         if (single && of > FLT_DIG + 1) of = FLT_DIG + 1;
         full += of >= FLT_DIG;
         digits = of > digits ? of : digits;

@@ -201,6 +201,21 @@ static void few_rounded_temperatures_show_nothing(void **state) {
     assert_int_equal(diagnosis_rounding(&f, 1e-4, 40, &d), 0);
 }
 
+/* Of a case whose temperatures were moved: one that is near 0 has the roundings of the others. */
+static void rounded_temperatures_are_named_in_any_scale(void **state) {
+    (void)state;
+    double T[20];
+    struct field f = {.dim = 1, .n = 20, .T = T};
+    struct diagnosis d;
+    for (int i = 0; i < 20; i++) T[i] = nearbyint(1e6 * (1.1 + sqrt(i + 2) / 70)) / 1e6;
+    for (int i = 0; i < 10; i++) T[i] -= 1;
+    T[0] = 0.001234 + 3e-15;
+    assert_int_equal(diagnosis_rounding(&f, 1e-4, 40, &d), 1);
+    assert_near(d.size, 7, 0);
+    T[0] = 0.001234 + 3e-14;
+    assert_int_equal(diagnosis_rounding(&f, 1e-4, 40, &d), 0);
+}
+
 static void runs_that_differ_are_named(void **state) {
     (void)state;
     struct diagnosis d;
@@ -679,6 +694,7 @@ int main(void) {
         cmocka_unit_test(a_side_may_be_warm_in_part),
         cmocka_unit_test(values_for_means_are_named),
         cmocka_unit_test(rounded_temperatures_are_named),
+        cmocka_unit_test(rounded_temperatures_are_named_in_any_scale),
         cmocka_unit_test(runs_that_differ_are_named),
         cmocka_unit_test(few_rounded_temperatures_show_nothing),
         cmocka_unit_test(a_start_in_the_plane_has_both_curvatures),
