@@ -94,10 +94,36 @@ static void any_time_has_its_bound(void **state) {
     }
 }
 
+/* Bounds are sums of roundings, far above most errors that they cover: what they are, at the odd parameters, after
+ * parts and multiples of the end time, at a part of each extent.  Another form, or another bound, changes them. */
+static void bounds_are_kept(void **state) {
+    (void)state;
+    static const struct {
+        const char *scene;
+        double part[2], time, bound[4]; /* of T, of its gradient along x and y, of the second form */
+    } kept[] = {
+#include "verification/unit/known_bounds.inc"
+    };
+    for (size_t i = 0; i < sizeof kept / sizeof *kept; i++) {
+        struct problem p;
+        const struct scene *s = odd_find(kept[i].scene, &p);
+        double x[2], t = kept[i].time * p.t_end;
+        for (int a = 0; a < 2; a++) x[a] = p.lo[a] + kept[i].part[a] * (p.hi[a] - p.lo[a]);
+        double r = p.radius[0] + kept[i].part[0] * (p.radius[1] - p.radius[0]);
+        if (p.shape) x[0] = 0.8 * r, x[1] = 0.6 * r;
+        struct exact e = scene_exact(s, &p, x, t), f = s->second(&p, x, t);
+        const double bound[] = {e.error_bound, e.gradient_bound[0], e.gradient_bound[1], f.error_bound};
+        for (int k = 0; k < 4; k++)
+            if (bound[k] != kept[i].bound[k] && !(fabs(bound[k] / kept[i].bound[k] - 1) < 1e-3))
+                fail_msg("%s, row %zu: bound %d is %.5g, was %.5g", s->name, i, k, bound[k], kept[i].bound[k]);
+    }
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(values_hold_within_their_bounds),
         cmocka_unit_test(any_time_has_its_bound),
+        cmocka_unit_test(bounds_are_kept),
         cmocka_unit_test(bounds_of_small_pulses_are_small),
     };
     gsl_set_error_handler_off();
