@@ -79,15 +79,14 @@ static void diagnose(const struct request *r, const struct field *f, double hi, 
     struct ladder *l = xcalloc(1, sizeof *l);
     struct failure ignored;
     struct field given = program_as_given(&e->program, f, NULL);
-    int digits;
+    int digits, rounded = diagnosis_rounding(&given, m->error, extent / dx, &l->diagnosis);
     double printed = doubt_digits(f, &e->program.map, &digits);
-    if (diagnosis_rounding(&given, m->error, extent / dx, &l->diagnosis) ||
-        (e->program.solver && !ladder_run(e, &rungs, l, &ignored) && l->diagnosis.named))
+    if (rounded || (e->program.solver && !ladder_run(e, &rungs, l, &ignored) && l->diagnosis.named))
         wording_text(&l->diagnosis, m->diagnosis, sizeof m->diagnosis);
     if (l->noisy) {
         snprintf(m->reason, sizeof m->reason, "%s", m->diagnosis);
         m->verdict = VERDICT_INCONCLUSIVE;
-    } else if (!l->diagnosis.named && m->error - 2 * printed <= hi) {
+    } else if ((rounded || !l->diagnosis.named) && m->error - 2 * printed <= hi) {
         snprintf(m->reason, sizeof m->reason,
                  "printed digits: %d in the file make up %.0f %% of the error; more of them show what is left",
                  digits, 100 * fmin(printed / m->error, 1));

@@ -109,7 +109,14 @@ static void every_offset_has_to_pass(void **state) {
     assert_fails(judge("slope_offsets", image, 1.8, 2.3, 1), "offset 0.1 dx: ");
     struct measured one = judge("slope", fit, 1.8, 2.2, 1), all = judge("slope_offsets", fit, 1.8, 2.2, 1);
     assert_int_equal(all.verdict, VERDICT_PASS);
-    assert_order(all.error, >, 1.2 * one.error);
+    double most = 0;
+    for (int s = 0; s < 10; s++) {
+        char line[120];
+        snprintf(line, sizeof line, "%s --shift 0.%d", fit, s);
+        most = fmax(most, judge("slope", line, 1.8, 2.2, 1).error);
+    }
+    assert_near(all.error, most, 0);
+    assert_order(most, >, 1.2 * one.error);
 }
 
 static void a_gate_without_a_ceiling_says_none(void **state) {
