@@ -376,6 +376,8 @@ static void rods_have_midpoints(void **state) {
     assert_near(volume, 0.14, 1e-15);
     for (int j = 0; j < 4; j++) assert_near(face[j], j == 1 || j == 2, 0);
     assert_int_equal(voronoi_cell(1, 1, d, face, &volume), -1);
+    d[2][0] = 0; /* at the particle's own place */
+    assert_int_equal(voronoi_cell(1, 4, d, face, &volume), -1);
 }
 
 static void a_known_cell(void **state) {
