@@ -212,6 +212,29 @@ static void a_lattice_shares_its_nodes(void **state) {
     }
 }
 
+static double held_near(const struct problem *p, enum side s, const double x[2]) {
+    (void)s, (void)x;
+    return p->param[1];
+}
+
+static double even(const struct problem *p, const double x[2]) {
+    (void)x;
+    return p->param[0];
+}
+
+/* To 1e-9 of the temperatures, whatever these are. */
+static void rounding_is_no_jump(void **state) {
+    (void)state;
+    struct problem p = {.dim = 1, .hi = {1, 0}, .initial = even, .wall = held_near};
+    struct lattice l = {.dim = 1, .n = {10, 1}, .dx = {0.1, 1}, .first = {0.05, 0}};
+    for (double T = 1e-6; T < 1e7; T *= 1e3) {
+        p.param[0] = T, p.param[1] = T * (1 + 1e-9);
+        assert_int_equal(sample_meets_wall(&p, &l, X_LO), 1);
+        p.param[1] = T * (1 + 3e-9);
+        assert_int_equal(sample_meets_wall(&p, &l, X_LO), 0);
+    }
+}
+
 static double warm_patch(const struct problem *p, enum side s, const double x[2]) {
     (void)p, (void)s;
     return x[1] > 0.7 && x[1] < 0.9;
@@ -227,6 +250,32 @@ static void data_meet_a_wall_along_all_of_it(void **state) {
     assert_int_equal(sample_meets_wall(&p, &l, X_HI), 1);
 }
 
+static double given(const struct problem *p, enum side s, const double x[2]) {
+    (void)p, (void)x;
+    return s == X_LO ? 1 : s == Y_HI ? -7 : 0;
+}
+
+/* What a stable run of the finite differences stays within: the data, and what a flux of 7 W/m^2 into 2 m of 5 W/m/K
+ * and 3 J/m^3/K makes of a steady state, and adds in 4 s. */
+static void fluxes_widen_the_range(void **state) {
+    (void)state;
+    struct problem p = {.dim = 2,
+                        .hi = {1, 2},
+                        .t_end = 4,
+                        .materials = 1,
+                        .material = {{{5, 5}, 3}},
+                        .side = {DIRICHLET, NEUMANN, NEUMANN, NEUMANN},
+                        .initial = still,
+                        .wall = given};
+    struct options o = {.dx = 0.1, .fourier = 0.2, .stepper = STEPPER_EULER};
+    struct ftcs_grid g;
+    struct failure why;
+    if (ftcs_grid_make(&g, "ftcs", 0, &p, &o, &why)) fail_msg("%s", why.text);
+    assert_near(g.middle, 0.5, 1e-15);
+    assert_near(g.reach, 1 + 7 * (2 / 5.0 + 4 / 3.0 / 2), 1e-14);
+    ftcs_grid_free(&g);
+}
+
 int main(void) {
     gsl_set_error_handler_off();
     const struct CMUnitTest tests[] = {
@@ -239,6 +288,8 @@ int main(void) {
         cmocka_unit_test(walls_that_data_meet_keep_fourth_order),
         cmocka_unit_test(averages_keep_heat_and_its_place),
         cmocka_unit_test(data_meet_a_wall_along_all_of_it),
+        cmocka_unit_test(rounding_is_no_jump),
+        cmocka_unit_test(fluxes_widen_the_range),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
