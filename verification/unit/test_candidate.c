@@ -10,6 +10,7 @@
 #include "verification/unit/near.h"
 
 #include <float.h>
+#include <stdio.h>
 #include <string.h>
 
 static int unit_of(const char *name, const char *param, double value) {
@@ -42,6 +43,27 @@ static void rings_fill_a_round_body(void **state) {
     (void)state;
     assert_int_equal(unit_of("disc-mode", NULL, 0), 2);
     assert_int_equal(unit_of("annulus", "r1", 0.3), 20);
+}
+
+/* Of 0.1 m by 0.0731234 m: 1024 parts of the width are looked at, 730 of 998 of them are the nearest height. */
+static void what_would_fit_is_told(void **state) {
+    (void)state;
+    const struct scene *s = scene_find("plate");
+    struct problem p;
+    struct failure why;
+    char text[200];
+    double height, apart = 1;
+    int best = 0, tall = 0;
+    scene_defaults(s, &p);
+    for (int i = 0; s->params[i].name; i++)
+        if (strcmp(s->params[i].name, "height") == 0) p.param[i] = 0.0731234567;
+    assert_int_equal(s->setup(&p, &why), STATUS_OK);
+    for (int n = 1; n <= 1024; n++)
+        if (fabs(round(0.731234567 * n) / n - 0.731234567) < apart)
+            best = n, tall = (int)round(0.731234567 * n), apart = fabs((double)tall / n - 0.731234567);
+    candidate_fitting(&p, text, sizeof text);
+    assert_int_equal(sscanf(text, "0.1 m by %lf m, and not 0.0731235 m", &height), 1);
+    assert_near(height, 0.1 * tall / best, 1e-12);
 }
 
 /* Particles meet a round wall by fit; differences have a polar grid. */
@@ -274,6 +296,7 @@ int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(lattices_meet_the_jumps),
         cmocka_unit_test(rings_fill_a_round_body),
+        cmocka_unit_test(what_would_fit_is_told),
         cmocka_unit_test(particles_meet_round_walls_by_fit),
         cmocka_unit_test(every_candidate_names_a_method_and_differs),
         cmocka_unit_test(work_is_counted),

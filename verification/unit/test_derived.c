@@ -77,6 +77,27 @@ static void heat_of_many_panels(void **state) {
     field_free(&f);
 }
 
+/* T = x sin(4 y) on [0, 1] x [-2, 2.5], 20 by 90 spacings: the integral of -sin(4 y) flows in through x = 0, by 23
+ * panels of 0.2 m at most, which miss 2e-8.  The slope of a polynomial of degree five leaves (4 r)^5/5! within the
+ * reach r = 0.175 m of 36 points, 1.4e-3 at most, of 4.5 m.  Three panels would miss 4^6 h^7 (3!)^4/(7 (6!)^3) each,
+ * 0.1. */
+static void a_flux_of_many_panels(void **state) {
+    (void)state;
+    struct problem p = {.dim = 2, .lo = {0, -2}, .hi = {1, 2.5}, .materials = 1, .material = {{{1, 1}, 1}}};
+    struct field f;
+    struct failure why;
+    double value;
+    field_alloc(&f, 2, 20 * 90);
+    for (size_t k = 0; k < f.n; k++) {
+        f.x[k] = 0.05 * ((double)(k % 20) + 0.5), f.y[k] = -2 + 0.05 * ((double)(k / 20) + 0.5);
+        f.T[k] = f.x[k] * sin(4 * f.y[k]);
+    }
+    struct quantity through = {.kind = QUANTITY_FLUX, .side = X_LO};
+    if (derived_value(&through, &p, &f, 0.05, &value, &why)) fail_msg("%s", why.text);
+    assert_near(value, (cos(10) - cos(-8)) / 4, 4.5 * 1.4e-3);
+    field_free(&f);
+}
+
 /* k = 0.3 and 0.0007 W/m/K at either side of x = 0.4 m, one slope: each wall conducts by what is at it. */
 static void a_wall_of_two_layers_has_the_conductivity_at_it(void **state) {
     (void)state;
@@ -129,11 +150,9 @@ static void what_has_no_value_is_refused(void **state) {
 
 int main(void) {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(exact_for_polynomials),
-        cmocka_unit_test(heat_of_many_panels),
-        cmocka_unit_test(a_wall_of_two_layers_has_the_conductivity_at_it),
-        cmocka_unit_test(a_ladder_of_its_own),
-        cmocka_unit_test(what_has_no_value_is_refused),
+        cmocka_unit_test(exact_for_polynomials), cmocka_unit_test(heat_of_many_panels),
+        cmocka_unit_test(a_flux_of_many_panels), cmocka_unit_test(a_wall_of_two_layers_has_the_conductivity_at_it),
+        cmocka_unit_test(a_ladder_of_its_own),   cmocka_unit_test(what_has_no_value_is_refused),
     };
     gsl_set_error_handler_off();
     return cmocka_run_group_tests_name("derived", tests, NULL, NULL);

@@ -555,6 +555,35 @@ static void a_fault_along_y_is_of_y(void **state) {
     assert_false(fault_make(&p, isotropic, 1, &with));
 }
 
+/* What is tried across both is of x's extent; of all sides, a part. */
+static void a_fault_of_both_axes_has_one_probe(void **state) {
+    (void)state;
+    struct problem p = problem_of("rect-manufactured");
+    assert_near(fault_probe(&p, (struct fault){FAULT_EXTENT, FAULT_BOTH_AXES}), (p.hi[0] - p.lo[0]) / 200, 1e-15);
+    assert_near(fault_probe(&p, (struct fault){FAULT_COEFFICIENT, FAULT_ALL_SIDES}), 0.01, 0);
+}
+
+/* The plate's sides are of four temperatures: a transposed code has each beside the other axis, and one that loses a
+ * corner loses 2 k T/dx^2 of the two sides that meet there. */
+static void each_side_has_its_own_fault(void **state) {
+    (void)state;
+    struct problem p = problem_of("plate");
+    const double dx = 0.01, side = p.hi[0], k = p.material[0].k[0], along[2] = {0.3 * side, 0.8 * side};
+    struct faulty with;
+    double T[4];
+    for (int s = 0; s < 4; s++) T[s] = p.wall(&p, (enum side)s, along);
+    assert_true(fault_make(&p, (struct fault){FAULT_TRANSPOSED, 0}, 1, &with));
+    for (int s = 0; s < 4; s++)
+        assert_near(with.problem.wall(&with.problem, (enum side)s, along), T[s ^ 2], 1e-15 * fabs(T[s ^ 2]));
+    for (int corner = 0; corner < 4; corner++) {
+        int right = corner & 1, upper = corner >> 1;
+        double x[2] = {right ? side - dx / 2 : dx / 2, upper ? side - dx / 2 : dx / 2};
+        double lost = 2 * k * (T[X_LO + right] + T[Y_LO + upper]) / (dx * dx);
+        assert_true(fault_make(&p, (struct fault){FAULT_CORNER, corner}, dx, &with));
+        assert_near(problem_source(&with.problem, x, 0), -lost, 1e-12 * lost);
+    }
+}
+
 /* A rod has no y, a body of one material no second, an oblong cannot be transposed, and what is not there is not
  * wrong. */
 static void a_body_has_the_faults_of_its_parts(void **state) {
@@ -689,6 +718,8 @@ int main(void) {
         cmocka_unit_test(faults_are_named_with_their_size),
         cmocka_unit_test(a_fault_along_y_is_of_y),
         cmocka_unit_test(a_body_has_the_faults_of_its_parts),
+        cmocka_unit_test(a_fault_of_both_axes_has_one_probe),
+        cmocka_unit_test(each_side_has_its_own_fault),
         cmocka_unit_test(a_higher_body_has_its_own_walls),
         cmocka_unit_test(a_start_is_moved_along_y),
         cmocka_unit_test(a_side_may_be_warm_in_part),
