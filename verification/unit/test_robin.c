@@ -164,6 +164,46 @@ static void limits_are_neumann_and_dirichlet(void **state) {
                 }
 }
 
+static double ambient_but_no_flux(const struct problem *p, enum side s, const double x[2]) {
+    return p->side[s] == NEUMANN ? 0 : ambient(p, s, x);
+}
+
+static double hot(const struct problem *p, const double x[2]) {
+    (void)p, (void)x;
+    return HEIGHT;
+}
+
+/* One side of a square is cooled, another by turns: seen from it the temperatures are the same. */
+static void each_side_is_cooled_alike(void **state) {
+    (void)state;
+    enum { N = 12 };
+    double kept[N];
+    for (int s = 3; s >= 0; s--) {
+        struct problem p = {.dim = 2,
+                            .hi = {1, 1},
+                            .t_end = 0.1,
+                            .materials = 1,
+                            .material = {{{1, 1}, 1}},
+                            .initial = hot,
+                            .wall = ambient_but_no_flux};
+        for (int side = 0; side < 4; side++) p.side[side] = side == (s ^ 1) ? DIRICHLET : NEUMANN;
+        p.side[s] = ROBIN, p.robin[s] = 0.7;
+        struct options o = {.dx = 1.0 / N, .stepper = STEPPER_EXACT};
+        struct field f = solved(all[0], &p, &o);
+        assert_int_equal(f.n, N * N);
+        for (int i = 0; i < N; i++) {
+            int from = s % 2 ? N - 1 - i : i;
+            double T = f.T[s < Y_LO ? from : from * N];
+            if (s == 3)
+                kept[i] = T;
+            else
+                assert_near(T, kept[i], 1e-13);
+        }
+        field_free(&f);
+    }
+    assert_order(fabs(kept[0] - kept[N - 1]), >, 0.1);
+}
+
 /* What the body has lost has gone through its wall: rho_c int (T - T_0) = -int b (T - T_a) dt. */
 static void heat_leaves_through_the_wall(void **state) {
     (void)state;
@@ -219,9 +259,13 @@ static void what_has_no_answer_is_refused(void **state) {
 int main(void) {
     gsl_set_error_handler_off();
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(every_method_is_of_second_order), cmocka_unit_test(all_steppers_agree_with_the_exact_one),
-        cmocka_unit_test(clouds_are_of_second_order),      cmocka_unit_test(limits_are_neumann_and_dirichlet),
-        cmocka_unit_test(heat_leaves_through_the_wall),    cmocka_unit_test(modes_are_orthogonal),
+        cmocka_unit_test(every_method_is_of_second_order),
+        cmocka_unit_test(all_steppers_agree_with_the_exact_one),
+        cmocka_unit_test(clouds_are_of_second_order),
+        cmocka_unit_test(limits_are_neumann_and_dirichlet),
+        cmocka_unit_test(each_side_is_cooled_alike),
+        cmocka_unit_test(heat_leaves_through_the_wall),
+        cmocka_unit_test(modes_are_orthogonal),
         cmocka_unit_test(what_has_no_answer_is_refused),
     };
     return cmocka_run_group_tests_name("robin", tests, NULL, NULL);
