@@ -323,6 +323,10 @@ static void a_start_in_the_plane_has_both_curvatures(void **state) {
         }
         assert_near(diagnosis_mean(&p, &(struct diagnosis_rung){&f, exact, dx, 0, NAN}), mean, 2e-3);
     }
+    struct problem jumps = p, contact = p; /* where means tell nothing */
+    jumps.jumps[1] = 1, contact.materials = 2;
+    assert_nan(diagnosis_mean(&jumps, &(struct diagnosis_rung){&f, exact, dx, 0, NAN}));
+    assert_nan(diagnosis_mean(&contact, &(struct diagnosis_rung){&f, exact, dx, 0, NAN}));
     field_free(&f);
 }
 

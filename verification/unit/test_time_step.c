@@ -38,6 +38,19 @@ static void a_time_error_is_met_and_not_more(void **state) {
 
 /* Where the time error grows faster than its order, the first step tried is too long, by as much as half of the error
  * asked for: what is taken has that error all the same, by the search's own account. */
+/* 4e-3 and less of one step of second order, of 1e-3 that is asked for. */
+static void steps_are_forecast_from_what_one_adds(void **state) {
+    (void)state;
+    static const struct {
+        double adds, steps;
+    } row[] = {{0.9e-3, 1}, {1.1e-3, 2}, {3.9e-3, 2}, {4.1e-3, 3}, {1e-9, 1}};
+    struct command_run run;
+    command_run_line(&run, "run rod-gauss so_ssph --dx 0.5 --stepper rkl2 --time-error 1e-3");
+    for (int i = 0; i < 5; i++)
+        assert_near(time_step_forecast(&run.request.experiment, 60, row[i].adds, 1e-4), row[i].steps, 0);
+    command_run_free(&run);
+}
+
 static void a_step_that_is_a_little_too_long_is_not_taken(void **state) {
     (void)state;
     static const char *const asked[] = {"1e-3", "2e-3", "3e-3", "5e-3", "8e-3"};
@@ -172,6 +185,7 @@ int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(the_exact_stepper_where_there_is_one),
         cmocka_unit_test(a_time_error_is_met_and_not_more),
+        cmocka_unit_test(steps_are_forecast_from_what_one_adds),
         cmocka_unit_test(a_step_that_is_a_little_too_long_is_not_taken),
         cmocka_unit_test(a_time_error_out_of_reach_is_said),
         cmocka_unit_test(no_error_is_relative_to_zero),
