@@ -323,9 +323,12 @@ static void a_start_in_the_plane_has_both_curvatures(void **state) {
         }
         assert_near(diagnosis_mean(&p, &(struct diagnosis_rung){&f, exact, dx, 0, NAN}), mean, 2e-3);
     }
-    struct problem jumps = p, contact = p; /* where means tell nothing */
-    jumps.jumps[1] = 1, contact.materials = 2;
-    assert_nan(diagnosis_mean(&jumps, &(struct diagnosis_rung){&f, exact, dx, 0, NAN}));
+    struct problem jumps[2] = {p, p}, contact = p; /* where means tell nothing */
+    for (int a = 0; a < 2; a++) {
+        jumps[a].jumps[a] = 1;
+        assert_nan(diagnosis_mean(&jumps[a], &(struct diagnosis_rung){&f, exact, dx, 0, NAN}));
+    }
+    contact.materials = 2;
     assert_nan(diagnosis_mean(&contact, &(struct diagnosis_rung){&f, exact, dx, 0, NAN}));
     field_free(&f);
 }

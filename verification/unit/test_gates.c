@@ -59,7 +59,12 @@ static void a_right_order_of_a_wrong_size_fails(void **state) {
 static void an_order_needs_a_ceiling(void **state) {
     (void)state;
     assert_fails(judge("slope", LADDER, 1.9, 2.1, NAN), "needs an error ceiling");
-    assert_fails(judge("slope", LADDER " --norm linf", 1.9, 2.1, 0), "needs an error ceiling");
+    struct measured none = judge("slope", LADDER " --norm linf", 1.9, 2.1, 0);
+    assert_fails(none, "needs an error ceiling");
+    assert_nan(none.value);
+    assert_nan(none.ci[0]);
+    assert_nan(none.ci[1]);
+    assert_nan(none.error);
 }
 
 static void three_rungs_do_not_pass(void **state) {

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The discrete Laplacians on a neighbourhood without any symmetry, each against its formula written out step by step,
  * in metres, for the cubic kernel in the plane and a field of odd numbers. */
+#include "solver/particles/ssph.h"
 #include "solver/space/kernel.h"
 
 #include "verification/unit/odd_problems.h"
@@ -8,6 +9,7 @@
 #include "verification/unit/odd_neighbourhood.h"
 
 #include <gsl/gsl_errno.h>
+#include <gsl/gsl_linalg.h>
 
 static const double both[2] = {0.71, 0.43}, same[2] = {0.71, 0.71};
 
@@ -163,12 +165,50 @@ static void second_derivatives_of_kernels(void **state) {
             }
 }
 
+/* |M|_1 |M^-1|_1 of the moments of x^a y^b/(a! b!), in units of h. */
+static void conditions_are_those_of_the_whole_matrix(void **state) {
+    (void)state;
+    static const int factorial[] = {1, 1, 2, 6, 24};
+    struct neighbourhood nb = around(2, same);
+    for (int order = 1; order <= 4; order++) {
+        size_t terms = (size_t)(order * (order + 3) / 2);
+        gsl_matrix *M = gsl_matrix_calloc(terms, terms), *inverse = gsl_matrix_alloc(terms, terms);
+        gsl_permutation *p = gsl_permutation_alloc(terms);
+        double norm[2] = {0, 0};
+        int sign;
+        for (int j = 0; j < MANY; j++) {
+            double P[SSPH_TERMS_MAX], x = place[j][0] / H, y = place[j][1] / H;
+            size_t n = 0;
+            for (int degree = 1; degree <= order; degree++)
+                for (int b = 0; b <= degree; b++)
+                    P[n++] = pow(x, degree - b) * pow(y, b) / factorial[degree - b] / factorial[b];
+            for (size_t k = 0; k < terms; k++)
+                for (size_t l = 0; l < terms; l++)
+                    *gsl_matrix_ptr(M, k, l) += P[k] * P[l] * kernel_value(KERNEL_CUBIC, 2, hypot(x, y));
+        }
+        for (int i = 0; i < 2; i++) {
+            for (size_t l = 0; l < terms; l++) {
+                double sum = 0;
+                for (size_t k = 0; k < terms; k++) sum += fabs(gsl_matrix_get(i ? inverse : M, k, l));
+                norm[i] = fmax(norm[i], sum);
+            }
+            if (i == 0) gsl_linalg_LU_decomp(M, p, &sign), gsl_linalg_LU_invert(M, p, inverse);
+        }
+        if (order < 4) /* 15 neighbours hold 14 unknowns badly */
+            assert_near(ssph_condition(&nb, KERNEL_CUBIC, order) / (norm[0] * norm[1]), 1, 1e-8);
+        gsl_permutation_free(p);
+        gsl_matrix_free(inverse);
+        gsl_matrix_free(M);
+    }
+}
+
 int main(void) {
     gsl_set_error_handler_off();
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(as_the_formulas_say),
         cmocka_unit_test(fluxes_by_the_kernels_gradient),
         cmocka_unit_test(second_derivatives_of_kernels),
+        cmocka_unit_test(conditions_are_those_of_the_whole_matrix),
     };
     return cmocka_run_group_tests_name("laplacian_formulas", tests, NULL, NULL);
 }

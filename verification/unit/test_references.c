@@ -241,6 +241,27 @@ static void the_gradient_is_that_of_the_second_form(void **state) {
     }
 }
 
+/* A disc without waves around it: nothing changes along a circle. */
+static void rings_without_waves_have_radial_gradients(void **state) {
+    (void)state;
+    const struct scene *s = scene_find("disc-mode");
+    const double x[2] = {0.31, -0.47}, r = hypot(x[0], x[1]), d = 1e-4;
+    struct problem p;
+    struct failure why;
+    scene_defaults(s, &p);
+    for (int i = 0; s->params[i].name; i++)
+        if (strcmp(s->params[i].name, "mode") == 0) p.param[i] = 0;
+    assert_int_equal(s->setup(&p, &why), STATUS_OK);
+    struct exact e = scene_exact(s, &p, x, 1);
+    double slope = 0;
+    for (int side = -1; side <= 1; side += 2) {
+        double at[2] = {x[0] * (1 + side * d), x[1] * (1 + side * d)};
+        slope += side * scene_exact(s, &p, at, 1).temperature / (2 * d * r);
+    }
+    assert_order(fabs(slope), >, 0.1);
+    for (int a = 0; a < 2; a++) assert_near(e.gradient[a], slope * x[a] / r, 1e-6 * fabs(slope));
+}
+
 static void declared_symmetry_is_real(void **state) {
     (void)state;
     for (int o = 0; scenes[o]; o++) {
@@ -298,6 +319,7 @@ int main(void) {
         cmocka_unit_test(the_second_form_agrees),
         cmocka_unit_test(the_middle_is_known),
         cmocka_unit_test(the_gradient_is_that_of_the_second_form),
+        cmocka_unit_test(rings_without_waves_have_radial_gradients),
         cmocka_unit_test(declared_symmetry_is_real),
         cmocka_unit_test(many_points_are_each_of_them),
     };

@@ -311,8 +311,21 @@ static void whole_cells_have_the_volume_of_a_particle(void **state) {
     }
 }
 
+/* From the centre every place of a round wall is the nearest: one of them is taken. */
+static void a_centre_has_a_foot(void **state) {
+    (void)state;
+    struct problem p = {.dim = 2};
+    shape_round(&p, 0, 1.3);
+    struct foot f = shape_foot(&p, X_HI, (double[2]){0, 0});
+    assert_near(hypot(f.x[0], f.x[1]), 1.3, 1e-15);
+    assert_near(f.normal[0] * 1.3, f.x[0], 1e-15);
+    assert_near(f.normal[1] * 1.3, f.x[1], 1e-15);
+    assert_near(f.depth, 1.3, 1e-15);
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {
+        cmocka_unit_test(a_centre_has_a_foot),
         cmocka_unit_test(fits_continue_quadratics),
         cmocka_unit_test(images_continue_linear_temperatures),
         cmocka_unit_test(every_treatment_keeps_a_constant),
