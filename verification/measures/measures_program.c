@@ -49,6 +49,7 @@ static void doubt_time(const struct request *r, const struct ladder *l, struct m
     struct diagnosis d;
     double largest, error = ladder_finest_error(l), ceiling = r->rungs.ceiling;
     e.options.dt = l->x[l->n - 1];
+    e.program.keep = NULL;
     if (!e.program.solver || !run_twice(&e, &first, &apart, &largest, &tried)) return;
     if (!(apart.l1 > DOUBT_NOISE * error) || !diagnosis_repeat(apart.linf, largest, &d)) return;
     if (ceiling > 0 && error - 3 * apart.l1 > ceiling) return;
