@@ -80,7 +80,7 @@ static void heat_of_many_panels(void **state) {
 /* T = x sin(4 y) on [0, 1] x [-2, 2.5], 20 by 90 spacings: the integral of -sin(4 y) flows in through x = 0, by 23
  * panels of 0.2 m at most, which miss 2e-8.  The slope of a polynomial of degree five leaves (4 r)^5/5! within the
  * reach r = 0.175 m of 36 points, 1.4e-3 at most, of 4.5 m.  Three panels would miss 4^6 h^7 (3!)^4/(7 (6!)^3) each,
- * 0.1. */
+ * 0.03. */
 static void a_flux_of_many_panels(void **state) {
     (void)state;
     struct problem p = {.dim = 2, .lo = {0, -2}, .hi = {1, 2.5}, .materials = 1, .material = {{{1, 1}, 1}}};

@@ -187,13 +187,18 @@ static void rounded_temperatures_are_named(void **state) {
     assert_near(d.size, 6, 0); /* 0 and 0.5 among them need no more */
 }
 
+/* Seven digits, none round by chance. */
+static void fill_rounded(double *T, int n) {
+    for (int i = 0; i < n; i++) T[i] = nearbyint(1e6 * (1.1 + sqrt(i + 2) / 70)) / 1e6;
+}
+
 /* Some ten values that are not round by chance; an error up to N^2 times half a unit of the last digit of 1 K. */
 static void few_rounded_temperatures_show_nothing(void **state) {
     (void)state;
     double T[10];
     struct field f = {.dim = 1, .n = 10, .T = T};
     struct diagnosis d;
-    for (int i = 0; i < 10; i++) T[i] = nearbyint(1e6 * (1.1 + sqrt(i + 2) / 70)) / 1e6;
+    fill_rounded(T, 10);
     assert_int_equal(diagnosis_rounding(&f, 7.9e-4, 40, &d), 1);
     assert_near(d.size, 7, 0);
     assert_int_equal(diagnosis_rounding(&f, 8.1e-4, 40, &d), 0);
@@ -207,7 +212,7 @@ static void rounded_temperatures_are_named_in_any_scale(void **state) {
     double T[20];
     struct field f = {.dim = 1, .n = 20, .T = T};
     struct diagnosis d;
-    for (int i = 0; i < 20; i++) T[i] = nearbyint(1e6 * (1.1 + sqrt(i + 2) / 70)) / 1e6;
+    fill_rounded(T, 20);
     for (int i = 0; i < 10; i++) T[i] -= 1;
     T[0] = 0.001234 + 3e-15;
     assert_int_equal(diagnosis_rounding(&f, 1e-4, 40, &d), 1);

@@ -241,7 +241,8 @@ static void the_gradient_is_that_of_the_second_form(void **state) {
     }
 }
 
-/* A disc without waves around it: nothing changes along a circle. */
+/* A disc without waves around it: nothing changes along a circle.  Differences over 2 d r miss (d r)^2/6 of the third
+ * derivative, some 10/R^2 of the first: 2e-8. */
 static void rings_without_waves_have_radial_gradients(void **state) {
     (void)state;
     const struct scene *s = scene_find("disc-mode");
