@@ -238,6 +238,21 @@ static void shared_points_are_as_alone(void **state) {
     }
 }
 
+/* Later the start is a product of two sums of modes, and a slope takes one of each along an axis: 4 epsilon of it at
+ * least, beyond what a start without modes has. */
+static void the_modes_of_a_start_widen_its_bounds(void **state) {
+    (void)state;
+    const double start = 37, h = 14.4;
+    struct cooled_plate *c = cooled_plate(0.6, 1, h, 0, start, 0.4);
+    const double *wave = c->mode, *size = c->mode + c->m + c->n;
+    double slope = 0;
+    assert_order(c->m, >, 0);
+    for (int k = 0; k < c->m + c->n; k++) slope += wave[k] * fabs(size[k]);
+    assert_order(c->error[0], >, 60 * DBL_EPSILON * start);
+    assert_order(c->error[1], >, DBL_EPSILON * start * (100 * (1 / c->early + h) + 4 * slope));
+    free(c);
+}
+
 /* Early the double series would take modes without number: it says that it has no bound, and at once.  As long as it
  * has one, it holds. */
 static void the_series_knows_its_limit(void **state) {
@@ -288,6 +303,7 @@ int main(void) {
         cmocka_unit_test(nafems_t4),
         cmocka_unit_test(early_gradients_are_differences),
         cmocka_unit_test(shared_points_are_as_alone),
+        cmocka_unit_test(the_modes_of_a_start_widen_its_bounds),
         cmocka_unit_test(the_series_knows_its_limit),
         cmocka_unit_test(the_hot_side_has_a_gradient),
     };

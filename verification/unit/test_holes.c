@@ -75,14 +75,18 @@ static void of_few_points_none_is_missed(void **state) {
     }
 }
 
-/* rod-contact from -1 to 1 m, layers that meet at 0 without a point there. */
+/* rod-contact from -1 to 1 m, layers that meet at 0 without a point there; at each end one is missed. */
 static void an_interface_has_no_point_of_its_own(void **state) {
     (void)state;
     struct failure why;
-    const int n[2] = {41, 1};
-    const double first[2] = {-1, 0}, step[2] = {0.05, 0};
+    const int n[2] = {41, 1}, cells[2] = {40, 1};
+    const double first[2] = {-1, 0}, step[2] = {0.05, 0}, centre[2] = {-0.975, 0};
     assert_int_equal(check("rod-contact", lattice(first, step, n, 20), &why), STATUS_OK);
     assert_int_equal(check("rod-contact", lattice(first, step, n, 19), &why), STATUS_INPUT);
+    for (int end = 0; end < 2; end++) {
+        assert_int_equal(check("rod-contact", lattice(centre, step, cells, end ? 39 : 0), &why), STATUS_INPUT);
+        assert_has(why.text, end ? "x = 0.975 m" : "x = -0.975 m");
+    }
 }
 
 /* rect-manufactured is 1 m by 0.7 m. */
