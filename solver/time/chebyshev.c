@@ -41,15 +41,12 @@ int chebyshev_degree(double dt, double bound) {
     return (int)k;
 }
 
-/* c_0 .. c_degree from above, where the recurrence of I_k is stable, scaled by their sum (Miller). */
+/* c_0 .. c_degree from above, where the recurrence of I_k is stable (Miller), in units of the last: steps take ratios
+ * of them. */
 static void expand(double h, int degree, double *c) {
-    double sum = 0;
     c[degree + 1] = 0, c[degree] = 1;
     for (int k = degree; k > 0; k--) c[k - 1] = c[k + 1] + 2 * k / h * c[k];
-    for (int k = degree; k > 0; k--) sum += 2 * c[k];
-    sum += c[0];
-    for (int k = 1; k <= degree; k++) c[k] *= 2 / sum;
-    c[0] /= sum;
+    c[0] /= 2;
 }
 
 void chebyshev_updates(double dt, double bound, int degree, struct update *u) {

@@ -105,7 +105,8 @@ static void test_refusals(void **state) {
     REFUSED(&method_ftcs, &r, O(.dx = NAN), "--dx nan");
     REFUSED(&method_ftcs, &r, O(.dx = INFINITY), "--dx inf");
     REFUSED(&method_ftcs, &r, O(.dx = -0.1), "--dx -0.1");
-    REFUSED(&method_ftcs, &s, O(.dx = 1e-9), "--dx 1e-09", "grid points");
+    REFUSED(&method_ftcs, &r, O(.dx = 1e-9), "--dx 1e-09: 2.3e+09 grid points, at most 1e+09");
+    REFUSED(&method_ftcs, &s, O(.dx = 1e-9), "--dx 1e-09: 3.17e+18 grid points, at most 1e+09");
     REFUSED(&method_ftcs, &r, O(.dx = 0.115, .dt = -0.25), "--dt -0.25");
     REFUSED(&method_ftcs, &r, O(.dx = 0.115, .dt = NAN), "--dt nan");
     REFUSED(&method_ftcs, &r, O(.dx = 0.115, .fourier = -0.2), "--fourier -0.2");
