@@ -63,6 +63,7 @@ static void tables_of_all_kinds(void **state) {
     reads("  x \t T\n  -2.5   3.5D-12\n\n   1.25 .7d+01  \n", 1, NULL);
     reads("# made by hand\n# x T\n-2.5 3.5-12\n1.25 0.7+1\n", 1, NULL);
     reads("\"Points:0\",\"Points:1\",\"a, b\",'T [K]'\n-2.5,9,1,3.5e-12\n1.25,9,2,7\n", 1, "x=Points:0,T=T [K]");
+    reads("\"\",\"x\",\"T\"\n\"1\",-2.5,3.5e-12\n\"2\",1.25,7\n", 1, NULL); /* R's row names have none */
     reads("-2.5 8 3.5e-12\n1.25 8 7\n", 1, "x=1,T=3");
     reads("# made by hand, today\n-2.5 8 3.5e-12\n1.25 8 7\n", 1, "x=1,T=3");
     reads("# x;T;w\n-2.5 3.5e-12 8\n1.25 7 8\n", 1, NULL);
