@@ -183,6 +183,18 @@ static void long_plates_agree_with_quadrature(void **state) {
         }
 }
 
+/* Of a thin plate that is steady and far from its ends 1 - x/W is left, as long as no more than 10000 images on
+ * either side of a point count: beyond them there is no bound. */
+static void the_quadrature_knows_its_images(void **state) {
+    (void)state;
+    const double W = 1e-3, images[] = {9900, 10100};
+    for (int i = 0; i < 2; i++) {
+        struct approx T = rectangle_quadrature(0.3 * W, W, 5, 10, 2 * images[i] * W / SERIES_REACH);
+        assert_true(isinf(T.error) == i);
+        if (i == 0) assert_near(T.value, 0.7, T.error);
+    }
+}
+
 static void rectangle_slopes_are_differences(void **state) {
     (void)state;
     static const double s[] = {0.011, 0.07, 0.9, INFINITY};
@@ -331,6 +343,7 @@ int main(void) {
         cmocka_unit_test(four_hot_sides_make_a_hot_plate),
         cmocka_unit_test(four_sides_are_a_product_of_boxes),
         cmocka_unit_test(long_plates_agree_with_quadrature),
+        cmocka_unit_test(the_quadrature_knows_its_images),
         cmocka_unit_test(rectangle_slopes_are_differences),
         cmocka_unit_test(two_equal_layers_are_one_wall),
         cmocka_unit_test(layers_begin_at_their_start),
