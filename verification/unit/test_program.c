@@ -13,6 +13,7 @@
 #include "verification/unit/near.h"
 #include "verification/unit/scratch_path.h"
 
+#include <fcntl.h>
 #include <glob.h>
 #include <signal.h>
 #include <stdio.h>
@@ -204,6 +205,13 @@ static void it_ends_in_time(void **state) {
     refused(RUN("", "echo so far; exit 3; {case} {out}"), STATUS_NUMERICAL, "exit status 3; it said last: so far");
     refused(RUN("", "(sleep 50; " AWK " {case} > {out}) & true"), STATUS_NUMERICAL,
             "ended before what it had started");
+    int shown = dup(STDERR_FILENO), nowhere = open("/dev/null", O_WRONLY);
+    assert_true(shown >= 0 && dup2(nowhere, STDERR_FILENO) >= 0);
+    refused(RUN("--timeout 60", "printf \"%090000d\\n\" 1; echo so far; exit 3; {case} {out}"), STATUS_NUMERICAL,
+            "exit status 3; it said last: so far"); /* more than a pipe holds, 64 KiB */
+    dup2(shown, STDERR_FILENO);
+    close(shown);
+    close(nowhere);
 #undef RUN
 }
 

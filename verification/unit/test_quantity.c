@@ -177,6 +177,23 @@ static void heat_of_a_plate(void **state) {
     }
 }
 
+/* While it is early each of a box's walls takes 2 (kappa t/pi)^1/2 of its width, but for exp(-100). */
+static void heat_of_a_plate_while_it_is_early(void **state) {
+    (void)state;
+    struct problem p;
+    const struct scene *s = odd_find("plate", &p);
+    for (int i = 2; i <= 5; i++) p.param[i] = 0.9;
+    double kappa = p.material[0].k[0] / p.material[0].rho_c;
+    double first = pow(fmin(p.hi[0], p.hi[1]), 2) / (400 * kappa), size = p.material[0].rho_c * p.hi[0] * p.hi[1];
+    for (double t = first; t > 1e-12 * first; t /= 7) {
+        double taken = 4 * sqrt(kappa * t / 3.14159265358979323846);
+        double want = size * (0.9 + (0.11 - 0.9) * (1 - taken / p.hi[0]) * (1 - taken / p.hi[1]));
+        struct quantity_value v = of("heat", s, &p, t);
+        assert_near(v.value, want, v.error_bound + 8 * DBL_EPSILON * size);
+        assert_order(v.error_bound, <, 1e-11 * want);
+    }
+}
+
 static void what_is_infinite_has_no_value(void **state) {
     (void)state;
     static const char *const flux[] = {"flux_x_lo", "flux_x_hi", "flux_y_lo", "flux_y_hi"};
@@ -248,6 +265,7 @@ int main(void) {
         cmocka_unit_test(a_narrow_pulse_is_found),
         cmocka_unit_test(the_start_is_summed_piece_by_piece),
         cmocka_unit_test(heat_of_a_plate),
+        cmocka_unit_test(heat_of_a_plate_while_it_is_early),
         cmocka_unit_test(what_is_infinite_has_no_value),
         cmocka_unit_test(a_flux_between_corners_that_agree_has_a_value),
         cmocka_unit_test(words_are_checked),
