@@ -452,6 +452,17 @@ static void the_tables_agree(void **state) {
     }
 }
 
+/* Of a command line nothing follows the last word. */
+static void the_last_option_needs_a_value_too(void **state) {
+    (void)state;
+    char *argv[] = {"run", "rod-step", "ftcs", "--dx", NULL};
+    struct request r = {0};
+    struct failure why;
+    assert_int_equal(arguments_parse(4, argv, &r, &why), STATUS_INPUT);
+    assert_string_equal(why.text, "--dx needs a value: --dx DX[,DX...]");
+    arguments_free(&r);
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(a_run_is_read),
@@ -461,6 +472,7 @@ int main(void) {
         cmocka_unit_test(a_choice_is_set_by_its_word),
         cmocka_unit_test(lists_become_ladders),
         cmocka_unit_test(every_refusal_says_what_is_valid),
+        cmocka_unit_test(the_last_option_needs_a_value_too),
         cmocka_unit_test(a_refusal_ends_where_it_should),
         cmocka_unit_test(what_is_valid_is_taken),
         cmocka_unit_test(a_line_has_room_for_so_much),
