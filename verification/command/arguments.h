@@ -6,7 +6,8 @@
 
 #include "verification/command/request.h"
 
-/* argv[0] is the verb; *r is all zeros before.  0, or STATUS_INPUT with *why filled; either way the caller calls arguments_free. */
+/* argv[0] is the verb; *r is all zeros before.  0, or STATUS_INPUT with *why filled; either way the caller calls
+ * arguments_free. */
 int arguments_parse(int argc, char *const *argv, struct request *r, struct failure *why);
 
 /* The same from one line, as a user would type it after the name of the program; '...' and "..." hold blanks. */
