@@ -32,6 +32,7 @@ static inline const struct method *named(const char *name) {
 static inline struct neighbourhood around(int dim, const double kappa[2]) {
     return (struct neighbourhood){.dim = dim,
                                   .i = 3,
+                                  .x = {0.7, -0.3},
                                   .n = MANY,
                                   .d = place,
                                   .h = H,

@@ -121,7 +121,8 @@ static void a_line_of_quantities(void **state) {
     struct failure why;
     for (int i = 0; i < 3; i++) {
         FILE *out = answer("values", h[i]);
-        fprintf(out, "flux,heat\n%.17g,%.17g\n", 3.25 + 0.9 * h[i] * h[i], 5.5 - 0.3 * h[i]);
+        fprintf(out, i == 1 ? " \"flux\", \"heat\"\n %.17g, %.17g\n" : "flux,heat\n%.17g,%.17g\n",
+                3.25 + 0.9 * h[i] * h[i], 5.5 - 0.3 * h[i]);
         fclose(out);
     }
     if (read_sub("values", &(struct numbers){0}, &g, &why)) fail_msg("%s", why.text);

@@ -156,7 +156,7 @@ static int try_weights(const char *name, size_t n, double (*d)[2], struct failur
 static void try_few(const char *name, size_t n, double (*d)[2], const char *says) {
     struct failure why = {0};
     assert_int_equal(try_weights(name, n, d, &why), STATUS_NUMERICAL);
-    assert_has(why.text, "particle 3 at");
+    assert_has(why.text, "particle 3 at (0.7, -0.3) m");
     assert_has(why.text, says);
 }
 

@@ -242,6 +242,19 @@ static void two_equal_layers_are_one_wall(void **state) {
     }
 }
 
+/* From behind the bounds are the same, whichever layer is the slower one. */
+static void layers_have_bounds_from_either_side(void **state) {
+    (void)state;
+    struct layers_contour c, d;
+    const struct layers w = {{0.37, 0.73}, {0.9, 2.1}, {130, 0.4}, {0.2, 31}, {1.7, 5}};
+    const struct layers back = {{0.73, 0.37}, {2.1, 0.9}, {0.4, 130}, {31, 0.2}, {5, 1.7}};
+    for (double t = 1e-6; t < 1e3; t *= 10) {
+        layers_contour(&w, t, &c);
+        layers_contour(&back, t, &d);
+        for (int k = 0; k < 2; k++) assert_near(c.error[k], d.error[k], 4 * DBL_EPSILON * c.error[k]);
+    }
+}
+
 /* Of any time that can be written down. */
 static void layers_begin_at_their_start(void **state) {
     (void)state;
@@ -347,6 +360,7 @@ int main(void) {
         cmocka_unit_test(rectangle_slopes_are_differences),
         cmocka_unit_test(two_equal_layers_are_one_wall),
         cmocka_unit_test(layers_begin_at_their_start),
+        cmocka_unit_test(layers_have_bounds_from_either_side),
         cmocka_unit_test(layers_have_no_first_side),
         cmocka_unit_test(no_mode_of_two_layers_is_missed),
         cmocka_unit_test(modes_of_any_contrast_know_their_rounding),
