@@ -36,6 +36,8 @@ static void words_are_read_as_they_are_printed(void **state) {
     double to[2];
     mapping_to_scene(&m, 2, (double[2]){3, 5}, to); /* x = -(scene's y) = 3, y = (scene's x) = 5 */
     assert_true(to[0] == 5 && to[1] == -3);
+    mapping_to_case(&m, 2, (double[2]){to[0], to[1]}, to);
+    assert_true(to[0] == 3 && to[1] == 5);
     assert_int_equal(mapping_side(&m, X_LO), Y_HI);
     assert_int_equal(mapping_side(&m, Y_HI), X_HI);
 }
