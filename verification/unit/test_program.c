@@ -196,6 +196,25 @@ static void the_case_file_tells_all(void **state) {
 #undef CASE
 }
 
+/* Points of the scene, temperatures and exact ones, in the axes and the scale of a case whose x is y of the scene
+ * against its direction. */
+static void a_field_is_handed_back_as_it_came(void **state) {
+    (void)state;
+    struct program g = {0};
+    double x[] = {3, -2}, y[] = {5, 0.5}, T[] = {1, 4}, exact[] = {1.5, 4.5};
+    struct field f = {.dim = 2, .n = 2, .x = x, .y = y, .T = T};
+    assert_int_equal(mapping_read("-y,x", &g.map), 0);
+    g.map.scale = 2, g.map.offset = -7;
+    struct field given = program_as_given(&g, &f, exact);
+    for (int i = 0; i < 2; i++) {
+        assert_near(given.x[i], -y[i], 0);
+        assert_near(given.y[i], x[i], 0);
+        assert_near(given.T[i], 2 * T[i] - 7, 0);
+        assert_near(exact[i], 2 * (i ? 4.5 : 1.5) - 7, 0);
+    }
+    field_free(&given);
+}
+
 /* All that a program starts ends with it, what it leaves is removed, and interrupts are heard at once. */
 static void it_ends_in_time(void **state) {
     (void)state;
@@ -301,6 +320,7 @@ int main(void) {
         cmocka_unit_test(what_is_wrong_is_named),
         cmocka_unit_test(the_label_is_free_and_options_of_the_model_are_not),
         cmocka_unit_test(the_case_file_tells_all),
+        cmocka_unit_test(a_field_is_handed_back_as_it_came),
         cmocka_unit_test(it_ends_in_time),
         cmocka_unit_test(nothing_is_left_behind),
         cmocka_unit_test(signals_leave_nothing),
