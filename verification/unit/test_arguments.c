@@ -407,7 +407,7 @@ static void round_walls_fit(void **state) {
 
 static void the_width_of_vectors_comes_from_the_environment(void **state) {
     (void)state;
-    static const char *const wrong[] = {"3", "0", "16", "4x", " 4", "-2", "wide"};
+    static const char *const wrong[] = {"1", "3", "0", "16", "4x", " 4", "-2", "wide"};
     struct request r;
     struct failure why;
     char word[12];
