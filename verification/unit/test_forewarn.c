@@ -9,6 +9,7 @@
 #include "verification/unit/near.h"
 
 #include <gsl/gsl_errno.h>
+#include <stdio.h>
 #include <string.h>
 #include <unistd.h>
 
@@ -42,6 +43,36 @@ static void what_is_short_is_not(void **state) {
                                         "run rod-cosine fo_ssph --dx 1/6400 --layout node"};
     for (size_t i = 0; i < sizeof lines / sizeof *lines; i++)
         if (!(seconds_of(lines[i]) < forewarn_least)) fail_msg("%s: %g s", lines[i], seconds_of(lines[i]));
+}
+
+/* What forewarn_run writes of the command; `text` holds 200 letters. */
+static void words_of(const char *line, char *text) {
+    struct request r;
+    struct failure why;
+    FILE *file = tmpfile();
+    int shown = dup(STDERR_FILENO);
+    assert_true(file && shown >= 0);
+    if (arguments_parse_line(line, &r, &why)) fail_msg("%s: %s", line, why.text);
+    dup2(fileno(file), STDERR_FILENO);
+    int status = forewarn_run("this run", &r.experiment, &why);
+    dup2(shown, STDERR_FILENO);
+    close(shown);
+    arguments_free(&r);
+    assert_int_equal(status, STATUS_OK);
+    rewind(file);
+    text[fread(text, 1, 199, file)] = '\0';
+    fclose(file);
+}
+
+static void a_run_is_told_once_and_in_words(void **state) {
+    (void)state;
+    char text[200];
+    words_of("run rod-step ftcs --dx 0.01 --set kappa=1e6", text);
+    assert_has(text, "heatladder: this run will take some ");
+    assert_has(text, " of one processor, by the operations it counts\n");
+    assert_ptr_equal(strchr(text, '\n'), text + strlen(text) - 1);
+    words_of("run square-step ftcs --dx 0.02", text);
+    assert_string_equal(text, "");
 }
 
 /* The work of the plan and an exact temperature a particle; where a time step is searched, half as much work again.
@@ -141,10 +172,15 @@ static void texts(void **state) {
 int main(void) {
     gsl_set_error_handler_off();
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(minutes_and_years_are_told),           cmocka_unit_test(what_is_short_is_not),
-        cmocka_unit_test(seconds_are_those_of_the_plan),        cmocka_unit_test(what_cannot_be_counted_is_refused),
-        cmocka_unit_test(what_memory_does_not_hold_is_refused), cmocka_unit_test(it_grows_with_the_work),
-        cmocka_unit_test(a_search_that_doubles_says_so_again),  cmocka_unit_test(texts),
+        cmocka_unit_test(minutes_and_years_are_told),
+        cmocka_unit_test(what_is_short_is_not),
+        cmocka_unit_test(a_run_is_told_once_and_in_words),
+        cmocka_unit_test(seconds_are_those_of_the_plan),
+        cmocka_unit_test(what_cannot_be_counted_is_refused),
+        cmocka_unit_test(what_memory_does_not_hold_is_refused),
+        cmocka_unit_test(it_grows_with_the_work),
+        cmocka_unit_test(a_search_that_doubles_says_so_again),
+        cmocka_unit_test(texts),
     };
     return cmocka_run_group_tests_name("forewarn", tests, NULL, NULL);
 }
