@@ -1,0 +1,61 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* What is read between points comes from the nearest of them: as if the others were not there. */
+#include "verification/run/interpolate.h"
+
+#include "solver/status.h"
+
+#include "verification/unit/near.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+enum { ALONG = 40, ACROSS = 40, N = ALONG * ACROSS, NEAREST = 60 };
+
+static double centre[2];
+
+struct place {
+    double x, y, T;
+};
+
+static int nearer(const void *a, const void *b) {
+    const struct place *p = a, *q = b;
+    double d = hypot(p->x - centre[0], p->y - centre[1]), e = hypot(q->x - centre[0], q->y - centre[1]);
+    return (d > e) - (d < e);
+}
+
+/* Value and slopes at the centre, out[0] to out[2], of the first n places. */
+static void look(const struct place *p, size_t n, double out[3]) {
+    double x[N], y[N], T[N];
+    struct failure why;
+    for (size_t i = 0; i < n; i++) x[i] = p[i].x, y[i] = p[i].y, T[i] = p[i].T;
+    struct interpolate f = interpolate_begin("places", 2, n, x, y, T);
+    if (interpolate_at(&f, centre, &out[0], &out[1], &why)) fail_msg("%s", why.text);
+    interpolate_end(&f);
+}
+
+/* Boxes as long as eight of their widths along x, then along y; the field is none that a polynomial would give. */
+static void a_long_box_has_near_points_beside_it(void **state) {
+    (void)state;
+    static const double at[][2] = {{1.3, 0.31}, {0.04, 0.47}, {2.2, 0.02}, {3.97, 0.26}};
+    static struct place p[N];
+    for (int turned = 0; turned < 2; turned++)
+        for (int k = 0; k < 4; k++) {
+            double all[3], few[3];
+            for (int i = 0; i < N; i++) {
+                double shift = 0.3 * sin(7.0 * i), x = 4 * (i % ALONG + 0.5 + shift) / ALONG,
+                       y = 0.5 * (i / ALONG + 0.5 - shift) / ACROSS;
+                p[i] = (struct place){turned ? y : x, turned ? x : y, exp(x) * sin(9 * y) + cos(40 * x * y)};
+            }
+            centre[0] = at[k][turned], centre[1] = at[k][1 - turned];
+            look(p, N, all);
+            qsort(p, N, sizeof *p, nearer);
+            look(p, NEAREST, few);
+            for (int c = 0; c < 3; c++) assert_near(all[c], few[c], 1e-9 * (1 + fabs(few[c])));
+        }
+}
+
+int main(void) {
+    const struct CMUnitTest tests[] = {cmocka_unit_test(a_long_box_has_near_points_beside_it)};
+    return cmocka_run_group_tests_name("interpolate", tests, NULL, NULL);
+}
