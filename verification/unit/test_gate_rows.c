@@ -108,15 +108,17 @@ static void what_skip_leaves_out_is_there(void **state) {
 
 static void runs_of_another_program_are_counted(void **state) {
     (void)state;
-    static const struct program program = {.solver = "true"};
     static const struct gate rows[] = {
         {.id = "a", .measure = "slope", .command = "ladder rod-gauss x --dx 1,0.5,0.25"},
-        {.id = "b", .measure = "slope", .command = "ladder rod-gauss x --dx 1 --dt 4,2"},
+        {.id = "b", .measure = "slope", .command = "ladder rod-gauss x --dx 1 --fourier 0.4,0.2"},
         {.id = "c", .measure = "drift", .command = "run rod-gauss x --dx 1"}};
-    struct gates g = {.program = &program};
-    for (int i = 0; i < 3; i++) gates_add(&g, &rows[i]);
-    assert_int_equal(gates_runs(&g), 3 + 2); /* the last is a rung of the first */
-    gates_free(&g);
+    for (int seeds = 1; seeds <= 2; seeds++) {
+        const struct program program = {.solver = "true", .seeds = seeds};
+        struct gates g = {.program = &program};
+        for (int i = 0; i < 3; i++) gates_add(&g, &rows[i]);
+        assert_int_equal(gates_runs(&g), seeds * (3 + 2)); /* the last is a rung of the first */
+        gates_free(&g);
+    }
 }
 
 static void declared_must_be_executed(void **state) {
