@@ -41,8 +41,8 @@ int chebyshev_degree(double dt, double bound) {
     return (int)k;
 }
 
-/* c_0 .. c_degree from above, where the recurrence of I_k is stable (Miller), in units of the last: steps take ratios
- * of them. */
+/* c_0 .. c_degree from above, where the recurrence of I_k is stable (Miller), in units of the last, some 1e23 at
+ * most: steps take ratios of them. */
 static void expand(double h, int degree, double *c) {
     c[degree + 1] = 0, c[degree] = 1;
     for (int k = degree; k > 0; k--) c[k - 1] = c[k + 1] + 2 * k / h * c[k];

@@ -156,12 +156,18 @@ static void known_values(void **state) {
     }
 }
 
-/* Sides alike: what is missing is a product of two boxes, whose means are sums over modes. */
+/* All its sides hold 0.9 K. */
+static const struct scene *plate_of_sides_alike(struct problem *p) {
+    const struct scene *s = odd_find("plate", p);
+    for (int i = 2; i <= 5; i++) p->param[i] = 0.9;
+    return s;
+}
+
+/* What is missing is a product of two boxes, whose means are sums over modes. */
 static void heat_of_a_plate(void **state) {
     (void)state;
     struct problem p;
-    const struct scene *s = odd_find("plate", &p);
-    for (int i = 2; i <= 5; i++) p.param[i] = 0.9;
+    const struct scene *s = plate_of_sides_alike(&p);
     double kappa = p.material[0].k[0] / p.material[0].rho_c;
     for (double t = 0.02; t < 200; t *= 49) {
         double mean[2] = {0, 0};
@@ -177,12 +183,12 @@ static void heat_of_a_plate(void **state) {
     }
 }
 
-/* While it is early each of a box's walls takes 2 (kappa t/pi)^1/2 of its width, but for exp(-100). */
+/* While it is early each of a box's walls takes 2 (kappa t/pi)^1/2 of its width, but for exp(-100).  What is wanted
+ * is rounded some eight times, of at most `size` each. */
 static void heat_of_a_plate_while_it_is_early(void **state) {
     (void)state;
     struct problem p;
-    const struct scene *s = odd_find("plate", &p);
-    for (int i = 2; i <= 5; i++) p.param[i] = 0.9;
+    const struct scene *s = plate_of_sides_alike(&p);
     double kappa = p.material[0].k[0] / p.material[0].rho_c;
     double first = pow(fmin(p.hi[0], p.hi[1]), 2) / (400 * kappa), size = p.material[0].rho_c * p.hi[0] * p.hi[1];
     for (double t = first; t > 1e-12 * first; t /= 7) {

@@ -29,38 +29,39 @@ static void numbers_are_set_right_and_names_left(void **state) {
                "plate     0.0125   none\n");
 }
 
-/* Sentences of the last column begin below each other, and no blanks follow them; its header does not count as one.
- */
-static void sentences_at_the_end_are_set_left(void **state) {
+/* Sentences of the last column begin below each other, and no blanks follow them; its header does not count as one,
+ * and those of another column change nothing. */
+static void sentences_are_set_left_at_the_end_alone(void **state) {
     (void)state;
-    struct table t = table_headed(1, "row|in words");
-    table_add(&t, "a|too far");
-    table_add(&t, "bb|too late by one");
-    expect(&t, "row  in words\n"
-               "a    too far\n"
-               "bb   too late by one\n");
-    t = table_headed(1, "row|in words");
-    table_add(&t, "a|1");
-    expect(&t, "row  in words\n"
-               "a           1\n");
-}
-
-/* Those of another column change nothing. */
-static void sentences_before_the_end_are_set_right(void **state) {
-    (void)state;
-    struct table t = table_headed(1, "row|why|n");
-    table_add(&t, "a|too far|1");
-    table_add(&t, "b|late|20");
-    expect(&t, "row      why   n\n"
-               "a    too far   1\n"
-               "b       late  20\n");
+    static const struct {
+        const char *header, *cell[6], *printed;
+    } tables[] = {
+        {"row|in words",
+         {"a", "too far", "bb", "too late by one"},
+         "row  in words\n"
+         "a    too far\n"
+         "bb   too late by one\n"},
+        {"row|in words",
+         {"a", "1"},
+         "row  in words\n"
+         "a           1\n"},
+        {"row|why|n",
+         {"a", "too far", "1", "b", "late", "20"},
+         "row      why   n\n"
+         "a    too far   1\n"
+         "b       late  20\n"},
+    };
+    for (size_t i = 0; i < sizeof tables / sizeof *tables; i++) {
+        struct table t = table_headed(1, tables[i].header);
+        for (int k = 0; k < 6 && tables[i].cell[k]; k++) table_add(&t, "%s", tables[i].cell[k]);
+        expect(&t, tables[i].printed);
+    }
 }
 
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(numbers_are_set_right_and_names_left),
-        cmocka_unit_test(sentences_at_the_end_are_set_left),
-        cmocka_unit_test(sentences_before_the_end_are_set_right),
+        cmocka_unit_test(sentences_are_set_left_at_the_end_alone),
     };
     return cmocka_run_group_tests_name("table", tests, NULL, NULL);
 }
