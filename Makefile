@@ -230,7 +230,7 @@ $(BUILD)/examples/cells_f90: verification/examples/cells.f90
 
 ##@ Verify
 
-SCRIPT_TESTS := $(addprefix scripts/,check_program check_runs check_input check_limits check_memory check_make check_measured check_sessions check_examples check_packages)
+SCRIPT_TESTS := $(addprefix scripts/,check_program check_runs check_input check_limits check_memory check_make check_measured check_sessions check_numbers check_examples check_packages)
 .PHONY: test check
 check: test ## The same as test
 test: $(TESTS) $(BUILD)/heatladder examples ## Run the unit tests, the program as its user meets it, and the examples
