@@ -29,15 +29,3 @@ without_seconds() {
             print text
         }'
 }
-
-run_sessions() { # each command of stdin, a line `$ COMMAND`, and what it prints
-    while IFS= read -r line; do
-        printf '%s\n' "$line"
-        (
-            cd "$1" || exit 1
-            sh -c "${line#$ }" </dev/null 2>&1
-            status=$?
-            [ $status -eq 0 ] || echo "[exit status $status]"
-        ) | without_seconds
-    done
-}
