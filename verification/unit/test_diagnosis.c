@@ -246,6 +246,24 @@ static void a_conductivity_is_no_end_time(void **state) {
     for (int i = 0; i < 2; i++) field_free(&r[i].field), free(r[i].exact);
 }
 
+/* The coarse rung does not say its steps: what is late is told in seconds. */
+static void steps_of_one_rung_are_no_unit(void **state) {
+    (void)state;
+    struct problem p = problem_of("rod-cooling");
+    struct rung r[2];
+    struct diagnosis d;
+    for (int k = 0; k < 2; k++) {
+        double dx = k ? 0.02 : 0.01, kappa = p.material[0].k[0] / p.material[0].rho_c;
+        double dt = p.t_end / ceil(p.t_end * kappa / (0.2 * dx * dx));
+        solve("rod-cooling", &p, (struct fault){FAULT_CLOCK, 0}, 0.03 * p.t_end / dt, dx, &r[k]);
+        if (k) r[k].at.dt = 0;
+    }
+    diagnosis_find(&p, &r[0].at, &r[1].at, &d);
+    print_message("%s\n", d.what);
+    assert_has(d.what, " s late");
+    for (int i = 0; i < 2; i++) field_free(&r[i].field), free(r[i].exact);
+}
+
 /* rod-gauss by a code whose numbers differ from values by `mean` dx^2/24 T_xx, with that fault of a clock. */
 static void solve_means(struct problem *p, double mean, double steps, double dx, struct rung *r) {
     const struct scene *s = scene_of("rod-gauss");
@@ -745,6 +763,7 @@ int main(void) {
         cmocka_unit_test(what_is_no_fault_is_named_by_none),
         cmocka_unit_test(points_are_those_of_the_answer),
         cmocka_unit_test(a_conductivity_is_no_end_time),
+        cmocka_unit_test(steps_of_one_rung_are_no_unit),
         cmocka_unit_test(a_projection_is_no_fault),
         cmocka_unit_test(a_start_tells_what_numbers_are),
         cmocka_unit_test(most_gates_name_one_fault),

@@ -574,10 +574,12 @@ static void ladders_are_drawn_by_scene(void **state) {
     assert_has(text, "stroke=\"#a3200d\"");
     assert_has(text, "3 ladders.");
     assert_lacks(text, ">rod-step<");
+    g.result[0].gate.hi = 1.8; /* not of the first ladder that is drawn, which is b's */
     out = begin();
     orders_put_scene(&g, "rod-gauss", out);
     fclose(out);
     gates_free(&g);
+    assert_has(text, "slope 2<");
     assert_true(strstr(text, ">b</text>") < strstr(text, ">a</text>"));
     assert_lacks(text, ">c</text>");
 }
