@@ -576,6 +576,10 @@ static void a_fault_along_y_is_of_y(void **state) {
     double s = 1 + 2 * 0.05 / (p.hi[1] - p.lo[1]);
     for (int side = X_LO; side <= X_HI; side++) assert_near(with.problem.robin[side], p.robin[side], 0);
     for (int side = Y_LO; side <= Y_HI; side++) assert_near(with.problem.robin[side], p.robin[side] / s, 1e-12);
+    struct problem cooled = p;
+    cooled.robin[Y_LO] = 3;
+    assert_true(fault_make(&cooled, (struct fault){.kind = FAULT_EXTENT, .axis = 0}, 0.05, &with));
+    assert_near(with.problem.robin[Y_LO], 3, 0);
     struct fault all = {FAULT_COEFFICIENT, FAULT_ALL_SIDES};
     assert_true(fault_make(&p, all, 0.1, &with));
     for (int side = 0; side < 4; side++) assert_near(with.problem.robin[side], 1.1 * p.robin[side], 1e-12);

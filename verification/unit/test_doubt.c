@@ -195,6 +195,17 @@ static void the_rungs_that_are_missing_are_counted(void **state) {
     }
 }
 
+/* Where the error rises once, more rungs are not what is missing. */
+static void an_error_that_rises_does_not_fall_throughout(void **state) {
+    (void)state;
+    static const double slope[4] = {2.4, 2.4, -0.2, 2.4};
+    const struct doubt_noise none = {0};
+    struct ladder *l = ladder(slope, 5, 2e-4, 0);
+    judge(l, 1.75, 2.3, 0.01, &none);
+    assert_lacks(l->reason, "falls throughout");
+    free(l);
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(answers_that_differ_are_said_in_numbers),
@@ -202,6 +213,7 @@ int main(void) {
         cmocka_unit_test(digits_are_those_of_the_file),
         cmocka_unit_test(slopes_that_turn_are_not_smooth),
         cmocka_unit_test(the_rungs_that_are_missing_are_counted),
+        cmocka_unit_test(an_error_that_rises_does_not_fall_throughout),
     };
     return cmocka_run_group_tests_name("doubt", tests, NULL, NULL);
 }
