@@ -93,7 +93,7 @@ $(BUILD)/version.inc:
 	$(Q)printf '%s\n' '$(VERSION_LINE)' > $@.new && mv $@.new $@
 
 # The papers' tables, compiled in.
-PUBLISHED := $(filter-out %/measured.csv,$(sort $(wildcard reports/published/*.csv)))
+PUBLISHED := $(sort $(wildcard reports/published/*.csv))
 $(BUILD)/published.inc: $(PUBLISHED) Makefile
 	@mkdir -p $(@D)
 	$(Q)for f in $(PUBLISHED); do b=$${f##*/}; echo "PUBLISHED(\"$${b%.csv}\","; \
@@ -230,7 +230,7 @@ $(BUILD)/examples/cells_f90: verification/examples/cells.f90
 
 ##@ Verify
 
-SCRIPT_TESTS := $(addprefix scripts/,check_program check_runs check_input check_limits check_memory check_make check_measured check_sessions check_numbers check_examples check_packages)
+SCRIPT_TESTS := $(addprefix scripts/,check_program check_runs check_input check_limits check_memory check_make check_examples check_packages)
 .PHONY: test check
 check: test ## The same as test
 test: $(TESTS) $(BUILD)/heatladder examples ## Run the unit tests, the program as its user meets it, and the examples
@@ -429,11 +429,6 @@ mutants: ## Seed faults (those named MUTANTS, all), one at a time; a test or a g
 	{ CC='$(CC)' scripts/mutants '$(MUTANTS)' || echo $$? >$(OUT)/mutants.failed; } | tee $(OUT)/mutants.new; \
 	mv $(OUT)/mutants.new $(OUT)/mutants.txt; if [ -f $(OUT)/mutants.failed ]; then rm $(OUT)/mutants.failed; exit 1; fi
 
-TOKENS ?= 50
-.PHONY: mutants-drawn
-mutants-drawn: ## Change single tokens of the sources, drawn by the commit (TOKENS, 50), one at a time, as mutants does
-	$(Q)CC='$(CC)' scripts/mutants -r $(TOKENS)
-
 .PHONY: format
 format: ## Lay out the sources by .clang-format
 	clang-format -i $(C_FILES)
@@ -474,7 +469,7 @@ coverage: ## Count the lines that tests, gates and figures run, folder by folder
 	SCRIPT_TESTS='$(filter-out %check_memory,$(SCRIPT_TESTS))' all test
 	$(Q)sed -n 's/^libgcov profiling error:\(.*[.]gcda\):.*/\1/p' $(COVER)/gcov.log 2>/dev/null | \
 	while read -r broken; do rm -f "$$broken"; done
-	$(Q)$(COVER)/heatladder verify >/dev/null && PROGRAM=$(COVER)/heatladder scripts/check_figures && mkdir -p $(COVER)/report && \
+	$(Q)$(COVER)/heatladder verify >/dev/null && mkdir -p $(COVER)/report && \
 	$(COVER)/heatladder report page $(COVER)/report >/dev/null
 	$(Q)scripts/coverage $(COVER) > $(OUT)/coverage.new && mv $(OUT)/coverage.new $(OUT)/coverage.txt && cat $(OUT)/coverage.txt
 
@@ -487,14 +482,13 @@ race: ## Run the quick gates on four threads under clang's race detector
 
 # Hours: tried in parts.
 .PHONY: nightly
-nightly: ## All seeded faults, an hour of each fuzzer, no optimization, the race detector, ARM, fifty mutants by chance; hours
+nightly: ## All seeded faults, an hour of each fuzzer, no optimization, the race detector, ARM; hours
 	+$(Q)$(MAKE) -s BUILD=$(BUILD)/O0 CFLAGS='-O0 -g' all
-	$(Q)$(BUILD)/O0/heatladder verify && PROGRAM=$(BUILD)/O0/heatladder scripts/check_measured
+	$(Q)$(BUILD)/O0/heatladder verify
 	+$(Q)$(MAKE) race
 	+$(Q)$(MAKE) fuzz FUZZ_SECONDS=3600
 	$(Q)if command -v qemu-aarch64 >/dev/null; then scripts/cross-arm64 build/arm64 '*'; else scripts/skip "64-bit ARM: qemu-aarch64 is not here"; fi
 	+$(Q)$(MAKE) mutants
-	+$(Q)$(MAKE) mutants-drawn
 
 .PHONY: help
 help: ## List the targets
