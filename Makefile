@@ -280,7 +280,7 @@ $(OUT)/%.svg $(OUT)/%.png: %.gp $(wildcard reports/figure/*.gp) $(OUT)/report.st
 	$(Q)scripts/plot $(OUT) $<
 
 # The figures that README.md shows.
-GALLERY := song_fig1b song_fig2a song_fig2b pamplona_fig5 stability_limits matched_fig1 operators_error operators_work operators_redraw operators_growth walls_error walls_work
+GALLERY := song_fig1b song_fig2a song_fig2b pamplona_fig5 stability_limits matched_fig1 operators_error operators_work operators_growth walls_error walls_work
 
 # Data of some, small and without a clock in them, that scripts/check_readme compares with what is measured.
 GALLERY_DATA := song_fig1b song_fig2a song_fig2b matched_fig1

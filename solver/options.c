@@ -15,13 +15,9 @@ const char *const stepper_words[] = {"auto",
 #include "solver/steppers.def"
                                      NULL};
 #undef STEPPER
-const char *const layout_words[] = {[LAYOUT_LATTICE] = "lattice",
-                                    [LAYOUT_NODE] = "node",
-                                    [LAYOUT_JITTER] = "jitter",
-                                    [LAYOUT_RELAXED] = "relaxed",
-                                    [LAYOUT_HEXAGONAL] = "hexagonal",
-                                    [LAYOUT_GRADED] = "graded",
-                                    NULL};
+const char *const layout_words[] = {
+    [LAYOUT_LATTICE] = "lattice", [LAYOUT_NODE] = "node",           [LAYOUT_JITTER] = "jitter",
+    [LAYOUT_RELAXED] = "relaxed", [LAYOUT_HEXAGONAL] = "hexagonal", NULL};
 const char *const sampling_words[] = {
     [SAMPLING_POINT] = "point", [SAMPLING_CELL] = "cell", [SAMPLING_SPLINE] = "spline", NULL};
 const char *const walls_words[] = {

@@ -17,7 +17,7 @@ enum stepper_name {
 #include "solver/steppers.def"
 #undef STEPPER
 };
-enum layout_name { LAYOUT_LATTICE, LAYOUT_NODE, LAYOUT_JITTER, LAYOUT_RELAXED, LAYOUT_HEXAGONAL, LAYOUT_GRADED };
+enum layout_name { LAYOUT_LATTICE, LAYOUT_NODE, LAYOUT_JITTER, LAYOUT_RELAXED, LAYOUT_HEXAGONAL };
 enum sampling { SAMPLING_POINT, SAMPLING_CELL, SAMPLING_SPLINE };
 /* Past WALLS_FIXED dummies take what particles/walls.def has; WALLS_FIXED too where walls cut the lattice.
  * WALLS_ONE_SIDED has no dummies. */
@@ -45,14 +45,12 @@ struct options {
     enum kernel_name kernel;
     enum stepper_name stepper;
     enum layout_name layout;
-    double jitter;  /* particles lie (relaxed: start) uniformly within +-jitter dx of the lattice's */
-    double grading; /* LAYOUT_GRADED: width of the last cell over the first's, along each axis; 0: the default, 4 */
-    int sweeps;     /* LAYOUT_RELAXED: the most that may be made; 0: the default, 2000 */
+    double jitter; /* particles lie (relaxed: start) uniformly within +-jitter dx of the lattice's */
+    int sweeps;    /* LAYOUT_RELAXED: the most that may be made; 0: the default, 2000 */
     unsigned long seed;
     double shift;              /* of the lattice of a rod or rectangle along each axis, in dx, 0 to 1 */
     int has_origin, has_angle; /* 0: drawn by the seed */
     double origin[2], angle;   /* of the lattice of a round body: in dx; in degrees */
-    int redraw;                /* steps between two draws of the cloud; 0: never redrawn */
     enum sampling sampling;
     enum walls walls;
     double ratio_most; /* WALLS_DISTANCE: the most that 1 + d_d/d_i may be; 0: 1.5, as published */

@@ -37,8 +37,6 @@ static const struct part {
      "Error against neighbours at equal spacing, by operator", "make operators"},
     {"Operators", FIGURE, "operators_growth.svg", "operators_growth.csv",
      "Share of jittered clouds on which a mode grows at any time step, and how far it goes", "make operators"},
-    {"Operators", FIGURE, "operators_redraw.svg", "operators_redraw.csv",
-     "Error where the particles are placed again every N steps", "make operators"},
     {"Walls", PAGE, "walls.md", NULL, NULL, "make walls"},
     {"Walls", FIGURE, "walls_error.svg", "walls_error.csv", "Error against spacing, by treatment of the wall",
      "make walls"},

@@ -19,7 +19,7 @@ struct candidate_operator {
     int materials; /* how many it knows */
 };
 
-enum { CLOUDS = 6, OPERATORS = 15 };
+enum { CLOUDS = 5, OPERATORS = 15 };
 extern const struct cloud_kind operators_clouds[CLOUDS];
 extern const struct candidate_operator operators[OPERATORS];
 

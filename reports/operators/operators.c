@@ -30,7 +30,6 @@ const struct cloud_kind operators_clouds[CLOUDS] = {
     {"jitter 0.1", " --layout jitter --jitter 0.1 --seed 1", LAYOUT_JITTER, 0.1},
     {"jitter 0.3", " --layout jitter --jitter 0.3 --seed 1", LAYOUT_JITTER, 0.3},
     {"relaxed", " --layout relaxed --seed 1", LAYOUT_RELAXED, 0.5},
-    {"graded", " --layout graded", LAYOUT_GRADED, 0},
 };
 
 static const struct trial {
@@ -76,11 +75,8 @@ struct order {
 static void take_order(const struct candidate_operator *o, const struct cloud_kind *c, const struct trial *t,
                        struct order *out) {
     struct request r;
-    /* graded cells are up to 1.85 dx wide, and the ghosts of two sweeps 4 h beyond the walls: past the opposite
-     * one at the coarsest rung */
-    const char *dx = c->layout == LAYOUT_GRADED ? strchr(t->dx, ',') + 1 : t->dx;
     snprintf(out->command, sizeof out->command, "ladder %s %s%s%s%s --dx %s", t->scene, o->method, o->options,
-             c->options, t->options, dx);
+             c->options, t->options, t->dx);
     out->tried = 1;
     if (!arguments_parse_line(out->command, &r, &out->why))
         ladder_run(&r.experiment, &r.rungs, &out->ladder, &out->why);
@@ -123,9 +119,8 @@ static void write_orders(const struct order *all, FILE *csv) {
 static void tabulate_orders(const struct order *all, FILE *md) {
     for (int t = 0; t < TRIALS; t++) {
         fprintf(md,
-                "\n## %s%s --dx %s\n\nOrder of E1 with its 95 %% interval, and E1 at the finest rung; graded clouds "
-                "without the "
-                "coarsest.\n\n| operator |",
+                "\n## %s%s --dx %s\n\nOrder of E1 with its 95 %% interval, and E1 at the finest rung."
+                "\n\n| operator |",
                 trials[t].scene, trials[t].options, trials[t].dx);
         for (int c = 0; c < CLOUDS; c++) fprintf(md, " %s |", operators_clouds[c].name);
         fprintf(md, "\n|---|");
@@ -302,21 +297,20 @@ static void choose_by_orders(const struct order *all, const struct trait *traits
 }
 
 int operators_write(const char *dir, struct failure *why) {
-    enum { PAGES = 7 };
+    enum { PAGES = 6 };
     struct output page[PAGES] = {{0}};
     struct choice choice[OPERATORS] = {{0}};
     double start = omp_get_wtime();
     int status = output_directory(dir, "operators.csv", why);
     FILE *csv = output_open(&page[0], "%s/operators.csv", dir), *md = output_open(&page[1], "%s/operators.md", dir);
     FILE *error = output_open(&page[2], "%s/operators_error.csv", dir);
-    if (!status) status = operators_redraw(output_open(&page[3], "%s/operators_redraw.csv", dir), why);
     if (!status) {
         struct order *all = take_orders();
         struct trait *traits = operators_take_traits();
         struct growth_cell *growth = operators_take_growth(choice);
         choose_by_orders(all, traits, choice);
         fprintf(md, "# Discrete Laplacians side by side\n\n`grows`: a mode grows at any step.\n");
-        operators_choice(choice, output_open(&page[6], "%s/operators_choice.csv", dir), md);
+        operators_choice(choice, output_open(&page[3], "%s/operators_choice.csv", dir), md);
         write_orders(all, csv);
         tabulate_orders(all, md);
         tabulate_work(all, md);
@@ -332,6 +326,6 @@ int operators_write(const char *dir, struct failure *why) {
     }
     if (!status) status = output_close(page, PAGES, why);
     output_drop(page, PAGES);
-    if (!status) printf("%s/operators.md, tables and data of four figures (%.1f s)\n", dir, omp_get_wtime() - start);
+    if (!status) printf("%s/operators.md, tables and data of three figures (%.1f s)\n", dir, omp_get_wtime() - start);
     return status;
 }

@@ -2,19 +2,14 @@
 #ifndef HEATLADDER_REPORTS_OPERATORS_OPERATORS_H
 #define HEATLADDER_REPORTS_OPERATORS_OPERATORS_H
 
-#include <stdio.h>
-
 struct failure;
 struct claims_measured;
 
 /* The discrete Laplacians side by side into `dir`: operators.csv and .md (orders on every cloud and scene; least
  * weight, largest stable step, neighbours, time of assembly; how often a mode grows), operators_choice.csv (what to
- * choose by), operators_error.csv (error against neighbours), operators_work.csv, operators_growth.csv,
- * operators_redraw.csv.  Progress goes to standard output. */
+ * choose by), operators_error.csv (error against neighbours), operators_work.csv, operators_growth.csv.
+ * Progress goes to standard output. */
 int operators_write(const char *dir, struct failure *why);
-
-/* The data of the figure of a redrawn cloud. */
-int operators_redraw(FILE *out, struct failure *why);
 
 /* The measures, as the rows of others.def name them (a measure reads m->argument; claims.h). */
 #define CLAIM(id, source, published, measure, argument, expected, why) void measure(struct claims_measured *m);

@@ -54,7 +54,7 @@ void operators_choice(const struct choice choice[OPERATORS], FILE *csv, FILE *md
     fprintf(
         md,
         "\n## Which to take\n\nHeat: the largest drift on a cloud (rod-cosine). Order: least and largest on the "
-        "six clouds (rect-manufactured). Worst: the largest E1 of a cloud over that of the lattice. Growing: draws "
+        "five clouds (rect-manufactured). Worst: the largest E1 of a cloud over that of the lattice. Growing: draws "
         "of jittered clouds (jitter 0.1 to 0.5, kappa_y/kappa_x 1 to 0.1, h/dx 1.1 and 1.5, 196 and 900 "
         "particles) with a mode that grows. Step: the largest stable one, dx^2/kappa, on the lattice and at "
         "jitter 0.3 (0: none). Work: pairs of neighbours, in all steps, for E1 = 0.001; -: not reached.\n\n"
@@ -75,5 +75,5 @@ void operators_choice(const struct choice choice[OPERATORS], FILE *csv, FILE *md
         }
     fprintf(md, "\nWalls of any kind: walls.md (make walls).\n");
     fprintf(md, "\n![Error against work](operators_work.svg)\n\n![Growing modes](operators_growth.svg)\n\n![Error "
-                "against neighbours](operators_error.svg)\n\n![A cloud that is drawn again](operators_redraw.svg)\n");
+                "against neighbours](operators_error.svg)\n");
 }

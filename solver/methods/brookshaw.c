@@ -63,9 +63,9 @@ static int weights(const struct problem *p, const struct options *o, const struc
                       "particle %zu at (%.6g, %.6g) m has 0 neighbours: no heat reaches it; take a larger --h", nb->i,
                       nb->x[0], nb->x[1]);
     for (size_t j = 0; j < nb->n; j++) {
-        double F = pair_weight(o->kernel, nb->dim, neighbourhood_mean_h(nb, j), hypot(nb->d[j][0], nb->d[j][1]));
+        double F = pair_weight(o->kernel, nb->dim, nb->h, hypot(nb->d[j][0], nb->d[j][1]));
         double k = pair_conductivity(p, o->mean, nb->x[0], nb->d[j][0]);
-        w[0][j] = neighbourhood_volume(nb, j) * k * F / nb->rho_c;
+        w[0][j] = nb->volume * k * F / nb->rho_c;
     }
     return STATUS_OK;
 }

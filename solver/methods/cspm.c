@@ -20,7 +20,7 @@ static void curvatures(const struct neighbourhood *nb, enum kernel_name kernel, 
                        double out[CORRECTION_TERMS]) {
     const double *s = c->s[j];
     double unit = nb->dim == 2 ? nb->h * nb->h : nb->h, r2 = s[0] * s[0] + s[1] * s[1], r = sqrt(r2);
-    double along = neighbourhood_volume(nb, j) / unit * kernel_curvature(kernel, nb->dim, r), across = -c->F[j];
+    double along = nb->volume / unit * kernel_curvature(kernel, nb->dim, r), across = -c->F[j];
     out[0] = out[1] = out[2] = 0;
     if (r2 == 0) return;
     out[0] = (along * s[0] * s[0] + across * s[1] * s[1]) / r2;

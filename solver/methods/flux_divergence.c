@@ -9,8 +9,7 @@
  * conserved on a lattice only.  Modes of wavelength 2 dx lie in the null space, as with fo_ssph, whose moment matrix
  * is what this one lacks.
  * A particle all of whose neighbours lie on one line has no flux across it (correction_spans): refused.
- * The choices: differences of T in the gradient too, without which a constant would have one on a cloud; where h
- * differs, a pair has the mean of both. */
+ * The choice: differences of T in the gradient too, without which a constant would have one on a cloud. */
 #include "solver/particles/correction.h"
 #include "solver/particles/kernel_gradient.h"
 #include "solver/particles/particles.h"

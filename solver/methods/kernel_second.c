@@ -4,7 +4,7 @@
  *
  * Exact: for constants; with --volume moment for x^2 and y^2 on the lattice, sum_j w_j x_j^2 = 2 kappa, and, as the
  * stencil is even, for all quadratics there.  On a cloud neither for linear T: errors are O(disorder |grad T| / h).
- * Pair fluxes are equal and opposite (on graded clouds with the mean of both h), so heat is conserved on any cloud.
+ * Pair fluxes are equal and opposite, so heat is conserved on any cloud.
  * lap W changes sign: near neighbours, s < 0.89 of the cubic kernel in the plane, have negative weights, and a
  * negative weight that is large enough makes a mode grow.
  * The choice: T_i is taken off, so that a constant stays constant where the sum of lap W does not vanish.
@@ -41,8 +41,7 @@ static int weights(const struct problem *p, const struct options *o, const struc
                           "particle %zu at (%.6g, %.6g) m has another of its %zu neighbours at the same place: the "
                           "kernel's second derivative makes no sense there",
                           nb->i, nb->x[0], nb->x[1], nb->n);
-        w[0][j] = nb->kappa[0] * neighbourhood_volume(nb, j) *
-                  laplacian(o->kernel, nb->dim, neighbourhood_mean_h(nb, j), r);
+        w[0][j] = nb->kappa[0] * nb->volume * laplacian(o->kernel, nb->dim, nb->h, r);
     }
     return correction_surrounds(nb, why);
 }

@@ -14,7 +14,7 @@
  * the mass lumped into V_i.  Elements are of second order in T.  Lumping moves a cell's heat from its centroid to its
  * particle: int (x - x_i) dV = sum_j A_ij d_ij/3 ((x_j - x_i)/2 + t_ij), t_ij from the middle of the line to that of
  * the face.  The first part is opposite for the two of a pair and telescopes; the second is O(dx^3) a cell: on smooth
- * clouds (lattice, graded) O(dx^4), else of no sign.  N = dx^-2 cells of independent errors O(dx^3) make
+ * clouds (a lattice) O(dx^4), else of no sign.  N = dx^-2 cells of independent errors O(dx^3) make
  * sqrt(N) dx^3 = dx^2 in T: second order on every cloud for smooth T, in the largest error but for a logarithm; on a
  * rod, where t is zero, always.  A single Laplacian is wrong by O(1) at a particle: consistency of the rows is not
  * what the order comes from.
@@ -105,7 +105,7 @@ static const struct scheme scheme = {.name = "voronoi_flux",
 const struct method method_voronoi_flux = {
     .name = "voronoi_flux",
     .about = "heat fluxes through the faces of Voronoi cells: keeps heat, second order on clouds",
-    .accepts = "stepper layout jitter grading sweeps seed sampling angle walls",
+    .accepts = "stepper layout jitter sweeps seed sampling angle walls",
     .scheme = &scheme,
     .solve = particles_solve,
     .outline = particles_outline,

@@ -72,7 +72,7 @@ int correction_create(const struct neighbourhood *nb, enum kernel_name kernel, s
         s[0] = nb->d[j][0] / nb->h, s[1] = nb->d[j][1] / nb->h;
         double r = sqrt(s[0] * s[0] + s[1] * s[1]);
         /* a particle at the same place says nothing of a derivative */
-        c->F[j] = r > 0 ? -neighbourhood_volume(nb, j) / unit * kernel_slope(kernel, nb->dim, r) / r : 0;
+        c->F[j] = r > 0 ? -nb->volume / unit * kernel_slope(kernel, nb->dim, r) / r : 0;
         for (int a = 0; a < nb->dim; a++)
             for (int b = 0; b < nb->dim; b++) G[a][b] += c->F[j] * s[a] * s[b];
     }

@@ -25,8 +25,8 @@ int kernel_gradient_pairs(const struct problem *p, const struct options *o, cons
                           double C[3], struct failure *why) {
     (void)p;
     for (size_t j = 0; j < nb->n; j++) {
-        double r = hypot(nb->d[j][0], nb->d[j][1]), both = nb->volume * neighbourhood_volume(nb, j);
-        F[j] = r > 0 ? both * slope_over_distance(o->kernel, nb->dim, neighbourhood_mean_h(nb, j), r) : 0;
+        double r = hypot(nb->d[j][0], nb->d[j][1]), both = nb->volume * nb->volume;
+        F[j] = r > 0 ? both * slope_over_distance(o->kernel, nb->dim, nb->h, r) : 0;
     }
     C[0] = C[2] = 1 / nb->volume, C[1] = 0;
     return correction_spans(nb, F, why);

@@ -6,7 +6,6 @@
 #include "solver/particles/walls.h"
 #include "solver/time/growth.h"
 #include "solver/time/matched.h"
-#include "solver/space/place.h"
 #include "solver/space/sample.h"
 #include "solver/space/voronoi.h"
 #include "solver/time/stepper.h"
@@ -51,11 +50,10 @@ static int check_cut(const struct problem *p, const struct options *o, const str
     if (s->cells && (!p->shape || o->walls != WALLS_MIRROR))
         return refuse(why, STATUS_NOT_APPLICABLE, "--walls %s: cells are cut by round walls, and have --walls mirror",
                       walls_words[o->walls]);
-    if (p->materials == 2 || o->order > 2 || o->redraw > 0)
+    if (p->materials == 2 || o->order > 2)
         return refuse(why, STATUS_NOT_APPLICABLE, "walls that cut the lattice: %s",
                       p->materials == 2 ? "one material only, the scene has two"
-                      : o->order > 2    ? "dummies are exact for quadratics; take --order 2"
-                                        : "--redraw needs a layout that they do not cut");
+                                        : "dummies are exact for quadratics; take --order 2");
     if (s->sweeps == 2 && check_cut_twice(p, o, s, why)) return why->status;
     if (o->walls == WALLS_ONE_SIDED && !s->at_wall)
         return refuse(why, STATUS_NOT_APPLICABLE,
@@ -73,10 +71,7 @@ int particles_resolve(const struct problem *p, const struct options *o, const st
     if (o->h == 0) resolved->h = s->h ? s->h(p) : 1.1 * order / 2;
     if (o->h < 0 || !isfinite(o->h)) return refuse(why, STATUS_INPUT, "--h %g: must be > 0, in units of dx", o->h);
     if (o->layout == LAYOUT_RELAXED && o->jitter == 0) resolved->jitter = 0.5;
-    if (o->grading == 0) resolved->grading = 4;
     if (o->sweeps == 0) resolved->sweeps = 2000;
-    if (o->layout == LAYOUT_GRADED && !(resolved->grading >= 1 && resolved->grading <= 4))
-        return refuse(why, STATUS_INPUT, "--grading %g: must be 1 to 4", o->grading);
     if (options_is_cloud(o) && !(o->jitter >= 0 && o->jitter <= 0.5))
         return refuse(why, STATUS_INPUT, "--jitter %g: must be 0 to 0.5, in units of dx", o->jitter);
     for (int side = 0; side < 2 * p->dim; side++)
@@ -94,7 +89,7 @@ int particles_resolve(const struct problem *p, const struct options *o, const st
                       "a source that changes in time: every stepper here takes dT/dt = A T + g with one g; take "
                       "ftcs");
     if (check_cut(p, resolved, s, why)) return why->status;
-    if (operator_check(s, p, resolved, why) || redraw_check(p, resolved, why)) return why->status;
+    if (operator_check(s, p, resolved, why)) return why->status;
     if (o->h_iso) return matched_isotropic(resolved, s, &resolved->h, why);
     return STATUS_OK;
 }
@@ -248,10 +243,7 @@ static int place_cloud(const struct problem *p, const struct options *o, const s
         if (f->y) f->y[i] = c.y[i];
     }
     f->weight = a->volume, a->volume = NULL;
-    if (!f->weight && (c.spacing || c.cell)) {
-        f->weight = xcalloc(c.n, sizeof *f->weight);
-        for (size_t i = 0; i < c.n; i++) f->weight[i] = c.cell ? c.cell[i] : pow(c.spacing[i], p->dim);
-    }
+    if (!f->weight) f->weight = c.cell, c.cell = NULL;
     f->settling = c.settling;
     layout_cloud_free(&c);
     return status;
@@ -288,7 +280,6 @@ static int integrate(const struct problem *p, const struct options *o, const str
     f->data[0] = m.lo, f->data[1] = m.hi;
     m.x = f->x, m.y = f->y;
     if (check_damping(o, a, &m, why)) return why->status;
-    if (o->redraw > 0) return redraw_march(p, o, s, l, &m, a, f, why);
     return stepper_march(a, &m, f->T, &f->cost.bytes, why);
 }
 
@@ -304,7 +295,7 @@ int particles_growth(const struct method *m, const struct problem *p, const stru
     if (!m->scheme) return STATUS_OK;
     there.stepper = STEPPER_RK2; /* the rows are the same */
     if (particles_prepare(p, &there, m->scheme, &o, &l, &rows, why)) return why->status;
-    if (!rows || o.redraw > 0) return STATUS_OK;
+    if (!rows) return STATUS_OK;
     if (particles_cloud(p, &o, m->scheme, &l, &c, why)) return why->status;
     int status = operator_create_csr(&a, p, &o, m->scheme, &c, l.dx[0], why);
     layout_cloud_free(&c);
@@ -316,13 +307,12 @@ int particles_growth(const struct method *m, const struct problem *p, const stru
 
 /* The start of a particle off the lattice; on a Dirichlet wall the wall's temperature, which it holds. */
 static double start_at(const struct problem *p, const struct options *o, const struct lattice *l, const double x[2]) {
-    double width[2] = {1, 1}, cell = layout_cell(o, l->dx[0]);
+    double cell = layout_cell(o, l->dx[0]);
     int wall;
     struct foot f = shape_nearest(p, x, &wall);
     if (layout_is_cut(p, o) && p->side[wall] == DIRICHLET && f.depth <= LAYOUT_ON_WALL * l->dx[0])
         return p->wall(p, (enum side)wall, f.x);
-    for (int d = 0; d < p->dim; d++) width[d] = place_width(p, o, l, d, x[d]);
-    return (cell > 0 ? sample_cell : sample_initial)(p, o->sampling, width, x);
+    return (cell > 0 ? sample_cell : sample_initial)(p, o->sampling, l->dx, x);
 }
 
 int particles_solve(const struct method *m, const struct problem *p, const struct options *given, struct field *out,

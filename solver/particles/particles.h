@@ -8,7 +8,7 @@
 struct outline;
 
 /* The options that a method with a scheme accepts, but for walls, and what is its own. */
-#define PARTICLES_OPTIONS "stepper kernel h layout jitter grading sweeps redraw seed sampling"
+#define PARTICLES_OPTIONS "stepper kernel h layout jitter sweeps seed sampling"
 #define PARTICLES_WALLS " shift angle walls ratio-most"
 
 /* `solve` of a method with a scheme: layout, sampling, operator, stepper, field. */
@@ -16,8 +16,8 @@ int particles_solve(const struct method *m, const struct problem *p, const struc
                     struct failure *why);
 
 /* The rate of the fastest growing mode of the method's rows, s^-1 (solver/time/growth.h), for a problem that was
- * solved with these options and gave *f.  NaN where there are no rows: on a lattice of one material, without a
- * scheme, and for clouds that are drawn again. */
+ * solved with these options and gave *f.  NaN where there are no rows: on a lattice of one material, and without a
+ * scheme. */
 int particles_growth(const struct method *m, const struct problem *p, const struct options *o, const struct field *f,
                      double *rate, struct failure *why);
 
@@ -54,13 +54,5 @@ int particles_march(const struct problem *p, const struct options *o, const stru
 /* Points, h, steps, updates, interactions and work of that march, into *f. */
 void particles_count(const struct problem *p, const struct options *o, const struct scheme *s,
                      const struct lattice *l, const struct heat_operator *a, const struct march *m, struct field *f);
-
-/* Takes f->T through the march *m; after each o->redraw steps the cloud is redrawn with the next seed, and T is
- * carried over by SSPH of order 2.  *a and the places in *f follow. */
-int redraw_march(const struct problem *p, const struct options *o, const struct scheme *s, const struct lattice *l,
-                 const struct march *m, struct heat_operator *a, struct field *f, struct failure *why);
-
-/* STATUS_NOT_APPLICABLE where there is nothing to draw, or an interface that the interpolation does not know of. */
-int redraw_check(const struct problem *p, const struct options *o, struct failure *why);
 
 #endif

@@ -145,7 +145,7 @@ static int count_rows(const struct problem *p, const struct options *o, const st
 static void hold(const struct problem *p, const struct options *o, const struct scheme *s,
                  const struct heat_operator *a, const struct march *m, struct outline *out) {
     size_t constants = a->constant ? (a->weight ? a->state : a->n) * sizeof *a->g : 0, unit = sizeof(double);
-    out->answer = p->dim + 1 + (o->layout == LAYOUT_GRADED || (s->cells && out->rows)); /* volumes differ */
+    out->answer = p->dim + 1 + (s->cells && out->rows); /* volumes differ */
     out->on_lattice = particles_on_lattice(p, o, out->rows);
     out->neighbours = (double)a->pairs / (double)a->n;
     outline_hold(out, out->answer > p->dim + 1 ? "places, temperatures and volumes" : "places and temperatures",

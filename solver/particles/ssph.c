@@ -163,8 +163,8 @@ int ssph_gradient(const struct neighbourhood *nb, enum kernel_name kernel, doubl
     int dim = nb->dim;
     double matrix[4] = {0}, z[2][2] = {{1, 0}, {0, 1}}, unit = 1 / (nb->h * nb->h);
     for (size_t j = 0; j < nb->n; j++) {
-        double s[2] = {nb->d[j][0] / nb->h, nb->d[j][1] / nb->h}, h = neighbourhood_mean_h(nb, j) / nb->h;
-        F[j] = kernel_value(kernel, dim, sqrt(s[0] * s[0] + s[1] * s[1]) / h);
+        double s[2] = {nb->d[j][0] / nb->h, nb->d[j][1] / nb->h};
+        F[j] = kernel_value(kernel, dim, sqrt(s[0] * s[0] + s[1] * s[1]));
         for (int k = 0; k < dim; k++)
             for (int l = 0; l < dim; l++) matrix[k * dim + l] += s[k] * s[l] * F[j];
     }

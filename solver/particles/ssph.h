@@ -17,7 +17,7 @@ int ssph_weights(const struct neighbourhood *nb, enum kernel_name kernel, int or
                  struct failure *why);
 
 /* The first derivatives by that expansion to order 1, apart (struct scheme): F_j = W_j and C = (sum_j W_j d_j
- * d_j)^-1, m^-2.  A pair has the mean of both smoothing lengths, so that its W is that of either particle. */
+ * d_j)^-1, m^-2. */
 int ssph_gradient(const struct neighbourhood *nb, enum kernel_name kernel, double *F, double C[3],
                   struct failure *why);
 

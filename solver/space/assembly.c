@@ -14,7 +14,7 @@ int assembly_create(struct assembly *m, const struct problem *p, const struct op
                            .s = s,
                            .c = c,
                            .h = o->h * spacing,
-                           .support = KERNEL_SUPPORT * o->h * (c->spacing ? c->coarsest : spacing),
+                           .support = KERNEL_SUPPORT * o->h * spacing,
                            .volume = s->volume ? s->volume(p, o, o->h * spacing, c->volume) : c->volume,
                            .cell = layout_cell(o, spacing)};
     if (s->cells) return voronoi_create(&m->mesh, p, c, o->threads > 1 ? o->threads : 1, why);
@@ -76,18 +76,9 @@ int assembly_neighbourhood(const struct assembly *m, size_t i, struct surroundin
                                      .rho_c = assembly_rho_c(m, i),
                                      .kappa = {material->k[0] / material->rho_c, material->k[1] / material->rho_c}};
     if (m->s->cells) {
-        for (size_t k = 0; k < n; k++) out->V[k] = c->x[out->near[k]];
-        out->nb.volume = m->mesh.volume[i], out->nb.face = m->mesh.face + m->mesh.begin[i], out->nb.X = out->V;
-        return STATUS_OK;
+        for (size_t k = 0; k < n; k++) out->X[k] = c->x[out->near[k]];
+        out->nb.volume = m->mesh.volume[i], out->nb.face = m->mesh.face + m->mesh.begin[i], out->nb.X = out->X;
     }
-    if (!c->spacing) return STATUS_OK;
-    double unit = m->volume / c->volume, own = c->spacing[i]; /* unit: what the scheme counts a volume for */
-    for (size_t k = 0; k < n; k++) {
-        double s = c->spacing[out->near[k]];
-        out->V[k] = unit * (c->dim == 2 ? s * s : s), out->H[k] = m->o->h * s;
-    }
-    out->nb.V = out->V, out->nb.H = out->H, out->nb.h = m->o->h * own;
-    out->nb.volume = unit * (c->dim == 2 ? own * own : own);
     return STATUS_OK;
 }
 

@@ -31,8 +31,8 @@ struct assembly_list { /* what a block's points keep of their neighbours, one po
 
 struct surroundings {
     struct neighbourhood nb;
-    uint32_t near[NEIGHBOURS_MAX];                                     /* the points of its neighbours */
-    double d[NEIGHBOURS_MAX][2], V[NEIGHBOURS_MAX], H[NEIGHBOURS_MAX]; /* with cells V has places along x */
+    uint32_t near[NEIGHBOURS_MAX]; /* the points of its neighbours */
+    double d[NEIGHBOURS_MAX][2], X[NEIGHBOURS_MAX];
 };
 
 /* spacing, m: what the h of the options counts in.  STATUS_NUMERICAL for a cloud without cells, of a scheme that

@@ -19,8 +19,6 @@
  * At a corner, wall data and source are taken where their formulas continue them. */
 #include "solver/space/layout.h"
 
-#include "solver/space/place.h"
-
 #include <float.h>
 #include <math.h>
 
@@ -75,6 +73,10 @@ static double robin_sum(double robin, int k) {
     return sum;
 }
 
+double layout_hexagonal_rows(double height, double dx) {
+    return fmax(1, round(height / (dx * sqrt(0.75))));
+}
+
 int layout_lattice(const struct problem *p, const struct options *o, double ratio, struct lattice *l,
                    struct failure *why) {
     *l = (struct lattice){.dim = p->dim, .n = {1, 1}, .dx = {1, 1}};
@@ -85,7 +87,7 @@ int layout_lattice(const struct problem *p, const struct options *o, double rati
     for (int a = 0; a < p->dim; a++) {
         double cells, spacing = a ? o->dx * ratio : o->dx;
         if (a && o->layout == LAYOUT_HEXAGONAL)
-            spacing = (p->hi[a] - p->lo[a]) / place_rows(p->hi[a] - p->lo[a], o->dx);
+            spacing = (p->hi[a] - p->lo[a]) / layout_hexagonal_rows(p->hi[a] - p->lo[a], o->dx);
         int divides = count_cells(p, a, spacing, &cells) || p->shape; /* a round wall divides no lattice */
         if (!(cells < CELLS_MAX))
             return refuse(why, STATUS_INPUT, "--dx %g: %g particles along %c, must be below %g", o->dx, cells,

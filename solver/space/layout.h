@@ -27,6 +27,9 @@ enum { LAYOUT_ROBIN = 2 };
 int layout_lattice(const struct problem *p, const struct options *o, double ratio, struct lattice *l,
                    struct failure *why);
 
+/* Rows along y of a hexagonal cloud of spacing dx (m) in a height (m). */
+double layout_hexagonal_rows(double height, double dx);
+
 /* Position of unknown (i, j), which may lie outside; m. */
 void layout_position(const struct lattice *l, int i, int j, double x[2]);
 
@@ -63,8 +66,6 @@ struct cloud {
     double *factor;    /* total: what a Robin wall makes of the sign; NULL where there is none */
     double *offset;    /* K, total */
     double volume;     /* m^d, of every particle; their mean where they differ */
-    double *spacing;   /* m, total: V^(1/d), with which h goes; NULL where all are equal */
-    double coarsest;   /* m, the largest of these */
     struct settling settling;
     double reach; /* m, ghosts fill the domain's surroundings this far */
     /* Of a lattice that walls cut anywhere, else NULL: */
@@ -78,9 +79,8 @@ struct cloud {
     double condition; /* of the worst of the fits that gave them; 0 where none did */
 };
 
-/* The particles of a layout (of a lattice: its own) and every ghost within `reach` of the domain; on graded clouds
- * `reach` is in units of l->dx[0] and grows with the coarsest.  STATUS_INPUT where the domain is narrower than
- * `reach`, STATUS_NUMERICAL where a relaxation does not settle. */
+/* The particles of a layout (of a lattice: its own) and every ghost within `reach` (m) of the domain.
+ * STATUS_INPUT where the domain is narrower than `reach`, STATUS_NUMERICAL where a relaxation does not settle. */
 int layout_cloud(const struct problem *p, const struct options *o, const struct lattice *l, double reach,
                  struct cloud *c, struct failure *why);
 void layout_cloud_free(struct cloud *c);

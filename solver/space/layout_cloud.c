@@ -1,11 +1,11 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Particles off the lattice, and their ghosts: mirror images beyond the walls, which so stay exact.
  *
- * Jitter: each particle of the cell-centred lattice is moved uniformly within +-A dx along each axis.  Hexagonal and
- * graded clouds start as place.c has them, relaxed ones are settled by relax.c. */
+ * Jitter: each particle of the cell-centred lattice is moved uniformly within +-A dx along each axis.  Relaxed: these
+ * settle by relax.c.  Hexagonal: rows sqrt(3)/2 dx apart, stretched to fill the height, and moved by dx/4 to either
+ * side in turn.  The mirror line of a hexagonal lattice runs through particles: along the walls, which mirror between
+ * them, one row of pairs is dx/2 and 3/2 dx apart.  On a rod it is the lattice. */
 #include "solver/space/layout.h"
-
-#include "solver/space/place.h"
 
 #include <gsl/gsl_rng.h>
 #include <math.h>
@@ -13,8 +13,7 @@
 #include <string.h>
 
 /* Particles in the order of square cells of side `reach`: neighbours in space are neighbours in memory. */
-static void place_particles(const struct problem *p, const struct options *o, const struct lattice *l, double reach,
-                            struct cloud *c) {
+static void place_particles(const struct options *o, const struct lattice *l, double reach, struct cloud *c) {
     int block[2] = {(int)fmax(1, floor(reach / l->dx[0])), l->dim == 2 ? (int)fmax(1, floor(reach / l->dx[1])) : 1};
     gsl_rng *random = gsl_rng_alloc(gsl_rng_mt19937);
     gsl_rng_set(random, o->seed);
@@ -25,7 +24,8 @@ static void place_particles(const struct problem *p, const struct options *o, co
             for (int j = j0; j < j0 + block[1] && j < l->n[1]; j++)
                 for (int i = i0; i < i0 + block[0] && i < l->n[0]; i++, k++) {
                     double x[2];
-                    place_position(p, o, l, i, j, x);
+                    layout_position(l, i, j, x);
+                    if (o->layout == LAYOUT_HEXAGONAL && l->dim == 2) x[0] += (j % 2 ? 0.25 : -0.25) * l->dx[0];
                     c->x[k] = x[0] + amplitude * l->dx[0] * (gsl_rng_uniform(random) - 0.5);
                     c->y[k] = l->dim == 2 ? x[1] + amplitude * l->dx[1] * (gsl_rng_uniform(random) - 0.5) : 0;
                     c->source[k] = (uint32_t)k;
@@ -67,16 +67,6 @@ void layout_mirror(const struct problem *p, const struct options *o, const struc
         }
 }
 
-/* Of particles and ghosts, which have their sources'. */
-static void add_spacings(const struct problem *p, const struct options *o, const struct lattice *l, struct cloud *c) {
-    c->spacing = xcalloc(c->total, sizeof *c->spacing);
-    c->coarsest = place_coarsest(p, o, l);
-    for (size_t i = 0; i < c->total; i++) {
-        double x[2] = {c->x[c->source[i]], c->y[c->source[i]]};
-        c->spacing[i] = place_spacing(p, o, l, x);
-    }
-}
-
 static void take_places(const struct field *from, struct cloud *c) {
     memcpy(c->x, from->x, c->n * sizeof *c->x);
     if (from->y) memcpy(c->y, from->y, c->n * sizeof *c->y);
@@ -86,7 +76,6 @@ static void take_places(const struct field *from, struct cloud *c) {
 int layout_cloud(const struct problem *p, const struct options *o, const struct lattice *l, double reach,
                  struct cloud *c, struct failure *why) {
     if (layout_is_cut(p, o)) return layout_cut(p, o, l, reach, c, why);
-    if (o->layout == LAYOUT_GRADED) reach *= place_coarsest(p, o, l) / l->dx[0];
     if (o->layout == LAYOUT_NODE)
         return refuse(why, STATUS_NOT_APPLICABLE,
                       "--layout node: two materials give each particle a row of its own, which needs another layout");
@@ -99,7 +88,6 @@ int layout_cloud(const struct problem *p, const struct options *o, const struct 
     size_t n = (size_t)l->n[0] * (size_t)l->n[1], width[2];
     for (int a = 0; a < 2; a++) width[a] = a < p->dim ? (size_t)(2 * ceil(reach / l->dx[a]) + 3) : 0;
     size_t most = n + width[0] * (size_t)l->n[1] + width[1] * (size_t)l->n[0] + width[0] * width[1];
-    if (o->layout == LAYOUT_GRADED) most = 9 * n;
     *c = (struct cloud){.dim = p->dim, .n = n, .total = n, .reach = reach, .volume = l->dx[0] * l->dx[1]};
     c->x = xcalloc(most, sizeof *c->x);
     c->y = xcalloc(most, sizeof *c->y);
@@ -109,15 +97,14 @@ int layout_cloud(const struct problem *p, const struct options *o, const struct 
     for (int s = 0; s < 2 * p->dim; s++)
         if (p->side[s] == ROBIN && !c->factor) c->factor = xcalloc(most, sizeof *c->factor);
     for (size_t i = 0; c->factor && i < n; i++) c->factor[i] = 1;
-    place_particles(p, o, l, reach, c);
-    if (o->layout == LAYOUT_RELAXED && o->placed && o->redraw == 0)
+    place_particles(o, l, reach, c);
+    if (o->layout == LAYOUT_RELAXED && o->placed)
         take_places(o->placed, c);
     else if (o->layout == LAYOUT_RELAXED && relax_cloud(p, o, p->dim == 2 ? sqrt(c->volume) : c->volume, c, why)) {
         layout_cloud_free(c);
         return why->status;
     }
     for (size_t i = 0; i < n; i++) layout_mirror(p, o, l, i, c);
-    if (o->layout == LAYOUT_GRADED) add_spacings(p, o, l, c);
     return STATUS_OK;
 }
 
@@ -128,7 +115,6 @@ void layout_cloud_free(struct cloud *c) {
     free(c->sign);
     free(c->offset);
     free(c->factor);
-    free(c->spacing);
     free(c->cell);
     free(c->held);
     free(c->begin);

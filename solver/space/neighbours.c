@@ -58,8 +58,7 @@ size_t neighbours_find(const struct neighbours *nb, size_t i, uint32_t *out, siz
         for (uint32_t k = begin[r]; k < end[r]; k++) {
             uint32_t j = nb->point[k];
             double dx = c->x[j] - c->x[i], dy = c->y[j] - c->y[i];
-            double part = c->spacing ? (c->spacing[i] + c->spacing[j]) / (2 * c->coarsest) : 1;
-            if (j == i || dx * dx + dy * dy >= radius2 * part * part) continue;
+            if (j == i || dx * dx + dy * dy >= radius2) continue;
             if (found < most) out[found] = j;
             found++;
         }

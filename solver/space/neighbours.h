@@ -24,8 +24,7 @@ void neighbours_free(struct neighbours *nb);
  * count returned, at most 3. */
 int neighbours_runs(const struct neighbours *nb, size_t i, uint32_t begin[3], uint32_t end[3]);
 
-/* Indices of the points nearer than the radius (with cloud->spacing: than that of the mean of both spacings, the
- * coarsest having the radius) to point i, i itself left out, into out[most].  Returns how many there
+/* Indices of the points nearer than the radius to point i, i itself left out, into out[most].  Returns how many there
  * are, which may be more than `most`. */
 size_t neighbours_find(const struct neighbours *nb, size_t i, uint32_t *out, size_t most);
 

@@ -25,21 +25,10 @@ struct neighbourhood { /* what a scheme sees of one particle */
     double volume;   /* m^d, of the particle, as the scheme's `volume` has it */
     double rho_c;    /* J m^-3 K^-1, of its cell */
     double kappa[2]; /* m^2 s^-1, at the particle, along each axis */
-    const double *V; /* m^d, of each neighbour, likewise; NULL where all are `volume` */
-    const double *H; /* m, smoothing length of each neighbour; NULL where all are `h` */
     /* of schemes with cells, on clouds; NULL elsewhere: */
     const double *face; /* m^(d-1), between the particle's cell and each neighbour's, in the metric of voronoi.h */
     const double *X;    /* m, where each neighbour is along x: the same bits for all that it neighbours */
 };
-
-static inline double neighbourhood_volume(const struct neighbourhood *nb, size_t j) {
-    return nb->V ? nb->V[j] : nb->volume;
-}
-
-/* For pairs whose fluxes are equal and opposite. */
-static inline double neighbourhood_mean_h(const struct neighbourhood *nb, size_t j) {
-    return nb->H ? (nb->h + nb->H[j]) / 2 : nb->h;
-}
 
 struct wall_row {             /* dT_i/dt = sum_j w[j] T_j + own T_i + g */
     double w[NEIGHBOURS_MAX]; /* s^-1, of the neighbours */

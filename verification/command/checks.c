@@ -53,12 +53,8 @@ static int check_options(const struct request *r, struct failure *why) {
                       r->rungs.dt.count ? "dt" : "fourier");
     if (o->jitter > 0 && o->layout != LAYOUT_JITTER && o->layout != LAYOUT_RELAXED)
         return refuse(why, STATUS_INPUT, "--jitter %g: needs --layout jitter or relaxed", o->jitter);
-    if (o->grading > 0 && o->layout != LAYOUT_GRADED)
-        return refuse(why, STATUS_INPUT, "--grading %g: needs --layout graded", o->grading);
     if (o->sweeps > 0 && o->layout != LAYOUT_RELAXED)
         return refuse(why, STATUS_INPUT, "--sweeps %d: needs --layout relaxed", o->sweeps);
-    if (o->redraw > 0 && !r->rungs.dt.count && !r->rungs.fourier.count)
-        return refuse(why, STATUS_INPUT, "--redraw %d: steps are counted, which needs --dt or --fourier", o->redraw);
     if (r->experiment.time_error > 0 && (r->rungs.dt.count || r->rungs.fourier.count))
         return refuse(why, STATUS_INPUT, "--time-error %g: finds the time step; leave out --dt and --fourier",
                       r->experiment.time_error);

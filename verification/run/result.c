@@ -34,7 +34,6 @@ static void options_json(const struct result *r, struct json *j) {
     json_text(j, "stepper", result_accepts(r, "stepper") ? stepper_words[o->stepper] : NULL);
     json_text(j, "layout", result_accepts(r, "layout") ? layout_words[o->layout] : NULL);
     json_number(j, "jitter", o->layout == LAYOUT_JITTER ? o->jitter : 0);
-    json_number(j, "grading", o->layout == LAYOUT_GRADED ? o->grading : NAN);
     json_whole(j, "seed", (long long)o->seed);
     json_text(j, "sampling", result_accepts(r, "sampling") ? sampling_words[o->sampling] : NULL);
     json_text(j, "walls", result_accepts(r, "walls") ? walls_words[o->walls] : NULL);

@@ -96,9 +96,8 @@ static int song(const struct model_problem *given, double *published, struct fai
 
 static int publish(const struct model_problem *b, struct step_limit *l, struct failure *why) {
     l->published = NAN, l->source = NULL;
-    if (b->step.stepper != STEPPER_EULER) return STATUS_OK;   /* the papers' bounds are for Euler's method */
-    if (b->options.layout == LAYOUT_GRADED) return STATUS_OK; /* and for one smoothing length */
-    if (b->contact > 0) return STATUS_OK;                     /* and one material */
+    if (b->step.stepper != STEPPER_EULER) return STATUS_OK; /* the papers' bounds are for Euler's method */
+    if (b->contact > 0) return STATUS_OK;                   /* and one material */
     if (is(b, "ftcs")) {
         l->published = 0.25 * b->dim, l->source = "Pamplona 2019, eq. 17 with gamma = 1/4";
     } else if (is(b, "so_ssph") && b->options.order <= 2) {

@@ -45,8 +45,8 @@ struct customary_step {
 
 enum { CUSTOMARY_STEPS = 3 };
 
-/* Those that are said of the method of a resolved *b, into out; returns how many: 0 for grids, for steppers other
- * than Euler's, for graded clouds. */
+/* Those that are said of the method of a resolved *b, into out; returns how many: 0 for grids and for steppers other
+ * than Euler's. */
 int customary_steps(const struct model_problem *b, struct customary_step out[CUSTOMARY_STEPS]);
 
 #endif

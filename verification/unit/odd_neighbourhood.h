@@ -11,7 +11,7 @@
 #include <string.h>
 
 enum { MANY = 15 };
-static const double H = 0.061, KX = 0.71, KY = 0.43;
+static const double H = 0.061, VOLUME = 0.0017, KX = 0.71, KY = 0.43;
 
 /* Neighbours with no symmetry, 0.02 to 0.12 m away, and their temperatures less that of the particle. */
 static double place[MANY][2] = {{0.041, 0.013},  {-0.052, 0.007}, {0.003, 0.049},  {-0.011, -0.055},
@@ -20,8 +20,6 @@ static double place[MANY][2] = {{0.041, 0.013},  {-0.052, 0.007}, {0.003, 0.049}
                                 {0.022, -0.029}, {0.097, -0.011}, {-0.027, 0.023}};
 static const double field[MANY] = {1.31, -0.72, 0.41,  2.17, -1.13, 0.93, 0.29, -2.31,
                                    0.57, 1.91,  -0.37, 0.83, -1.47, 1.03, 0.67};
-static const double volume[MANY] = {0.0023, 0.0029, 0.0019, 0.0031, 0.0027, 0.0021, 0.0025, 0.0033,
-                                    0.0022, 0.0026, 0.0030, 0.0024, 0.0028, 0.0020, 0.0032};
 
 static inline const struct method *named(const char *name) {
     for (int i = 0; methods[i]; i++)
@@ -36,8 +34,7 @@ static inline struct neighbourhood around(int dim, const double kappa[2]) {
                                   .n = MANY,
                                   .d = place,
                                   .h = H,
-                                  .volume = 0.0017,
-                                  .V = volume,
+                                  .volume = VOLUME,
                                   .rho_c = 1.3,
                                   .kappa = {kappa[0], kappa[1]}};
 }

@@ -1,7 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Relaxed, hexagonal and graded clouds: where particles are, what they stand for, that threads change nothing, and
- * what is refused. */
-#include "solver/space/place.h"
+/* Relaxed and hexagonal clouds: places of particles and ghosts, heat, the same for any threads. */
+#include "solver/space/layout.h"
 
 #include "verification/unit/odd_problems.h"
 #include "verification/unit/near.h"
@@ -10,11 +9,10 @@
 #include <stdlib.h>
 #include <string.h>
 
-extern const struct method method_so_ssph, method_contact_ssph, method_brookshaw, method_kernel_second;
+extern const struct method method_so_ssph, method_brookshaw, method_kernel_second;
 
 static struct options options_of(enum layout_name layout) {
-    return (struct options){
-        .dx = 0.05, .h = 1.23, .seed = 7, .layout = layout, .jitter = 0.5, .grading = 2.7, .sweeps = 2000};
+    return (struct options){.dx = 0.05, .h = 1.23, .seed = 7, .layout = layout, .jitter = 0.5, .sweeps = 2000};
 }
 
 static void make(const struct problem *p, const struct options *o, struct cloud *c) {
@@ -54,42 +52,14 @@ static void six_neighbours(void **state) {
     layout_cloud_free(&c);
 }
 
-/* Widths grow by one factor from cell to cell, fill the domain and have the ratio asked for, along both axes. */
-static void graded_cells(void **state) {
+static void ghosts_are_mirror_images(void **state) {
     (void)state;
     struct problem p = odd_rectangle();
-    struct options o = options_of(LAYOUT_GRADED);
-    struct lattice l;
-    struct failure why;
-    assert_int_equal(layout_lattice(&p, &o, 1, &l, &why), STATUS_OK);
-    for (int a = 0; a < 2; a++) {
-        double sum = 0, first = 0, last = 0, before = 0;
-        for (int k = 0; k < l.n[a]; k++) {
-            double x[2];
-            place_position(&p, &o, &l, a ? 3 : k, a ? k : 5, x);
-            double width = place_width(&p, &o, &l, a, x[a]);
-            assert_near(x[a], p.lo[a] + sum + width / 2, 1e-13);
-            if (k > 0) assert_near(width / before, pow(2.7, 1.0 / l.n[a]), 1e-12);
-            sum += width, before = width;
-            *(k ? &last : &first) = width;
-        }
-        assert_near(sum, p.hi[a] - p.lo[a], 1e-13);
-        assert_near(last / first, pow(2.7, 1 - 1.0 / l.n[a]), 1e-12);
-    }
-}
-
-static void ghosts_take_after_their_sources(void **state) {
-    (void)state;
-    struct problem p = odd_rectangle();
-    struct options o = options_of(LAYOUT_GRADED);
+    struct options o = options_of(LAYOUT_JITTER);
     struct cloud c;
-    double sum = 0;
     make(&p, &o, &c);
-    for (size_t i = 0; i < c.n; i++) sum += c.spacing[i] * c.spacing[i];
-    assert_near(sum, 1.5 * 1.2, 1e-12);
     assert_order(c.total, >, c.n);
     for (size_t i = c.n; i < c.total; i++) {
-        assert_near(c.spacing[i], c.spacing[c.source[i]], 0);
         for (int a = 0; a < 2; a++) {
             double at = a ? c.y[i] : c.x[i], from = a ? c.y[c.source[i]] : c.x[c.source[i]];
             double off = fmin(fabs(at - from), fmin(fabs(at + from - 2 * p.lo[a]), fabs(at + from - 2 * p.hi[a])));
@@ -163,7 +133,7 @@ static double affine_wall(const struct problem *p, enum side s, const double x[2
 
 static void affine_fields_stay_on_any_cloud(void **state) {
     (void)state;
-    for (int layout = LAYOUT_JITTER; layout <= LAYOUT_GRADED; layout++) {
+    for (int layout = LAYOUT_JITTER; layout <= LAYOUT_HEXAGONAL; layout++) {
         struct problem p = odd_rectangle();
         struct options o = options_of((enum layout_name)layout);
         struct failure why = {0};
@@ -180,47 +150,6 @@ static void affine_fields_stay_on_any_cloud(void **state) {
     }
 }
 
-/* Interpolation is exact for it too: so it stays where the cloud is drawn anew. */
-static void affine_fields_stay_where_clouds_are_drawn_anew(void **state) {
-    (void)state;
-    for (int order = 2; order <= 3; order++) {
-        struct problem p = odd_rectangle();
-        struct options o = options_of(LAYOUT_JITTER);
-        struct failure why = {0};
-        struct field f, once;
-        p.initial = affine, p.wall = affine_wall, p.t_end = 0.003;
-        o.jitter = 0.31, o.redraw = 3, o.fourier = 0.05, o.stepper = STEPPER_RK2, o.order = order, o.h = 1.7;
-        if (method_solve(&method_so_ssph, &p, &o, &f, &why)) print_error("%s\n", why.text);
-        assert_int_equal(why.status, STATUS_OK);
-        assert_order(f.steps, >, 3);
-        o.redraw = 0;
-        assert_int_equal(method_solve(&method_so_ssph, &p, &o, &once, &why), STATUS_OK);
-        assert_true(memcmp(f.x, once.x, f.n * sizeof *f.x) != 0);
-        for (size_t i = 0; i < f.n; i++) {
-            double x[2] = {f.x[i], f.y[i]};
-            assert_near(f.T[i], affine(&p, x), 1e-11);
-        }
-        field_free(&f);
-        field_free(&once);
-    }
-}
-
-static void what_cannot_be_drawn_anew(void **state) {
-    (void)state;
-    struct problem p = odd_rectangle();
-    struct options o = options_of(LAYOUT_GRADED);
-    struct field f;
-    struct failure why;
-    o.redraw = 3, o.fourier = 0.05;
-    assert_int_equal(method_solve(&method_so_ssph, &p, &o, &f, &why), STATUS_NOT_APPLICABLE);
-    assert_has(why.text, "--redraw 3");
-    o.layout = LAYOUT_JITTER;
-    p.materials = 2, p.interface = 0.4;
-    p.material[1] = p.material[0];
-    assert_int_equal(method_solve(&method_contact_ssph, &p, &o, &f, &why), STATUS_NOT_APPLICABLE);
-    assert_has(why.text, "one material");
-}
-
 static double no_flux(const struct problem *p, enum side s, const double x[2]) {
     (void)p, (void)s, (void)x;
     return 0;
@@ -230,7 +159,7 @@ static void pair_fluxes_keep_heat_on_every_cloud(void **state) {
     (void)state;
     const struct method *pair[2] = {&method_brookshaw, &method_kernel_second};
     for (int m = 0; m < 2; m++)
-        for (int layout = LAYOUT_RELAXED; layout <= LAYOUT_GRADED; layout++) {
+        for (int layout = LAYOUT_RELAXED; layout <= LAYOUT_HEXAGONAL; layout++) {
             struct problem p = odd_rectangle();
             struct options o = options_of((enum layout_name)layout);
             struct failure why = {0};
@@ -274,14 +203,11 @@ int main(void) {
     gsl_set_error_handler_off();
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(six_neighbours),
-        cmocka_unit_test(graded_cells),
-        cmocka_unit_test(ghosts_take_after_their_sources),
+        cmocka_unit_test(ghosts_are_mirror_images),
         cmocka_unit_test(settled_clouds),
         cmocka_unit_test(settled_particles_are_taken_as_they_lie),
         cmocka_unit_test(unsettled_clouds_say_how_far_they_came),
         cmocka_unit_test(affine_fields_stay_on_any_cloud),
-        cmocka_unit_test(affine_fields_stay_where_clouds_are_drawn_anew),
-        cmocka_unit_test(what_cannot_be_drawn_anew),
         cmocka_unit_test(pair_fluxes_keep_heat_on_every_cloud),
     };
     return cmocka_run_group_tests_name("clouds", tests, NULL, NULL);

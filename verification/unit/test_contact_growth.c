@@ -43,7 +43,6 @@ static int grows(const struct cloud_case *c) {
                         .layout = c->layout,
                         .jitter = c->jitter,
                         .sweeps = 2000,
-                        .grading = 4,
                         .seed = c->seed,
                         .stepper = STEPPER_EULER};
     struct lattice l;
@@ -74,8 +73,7 @@ enum { RATIOS = sizeof ratio / sizeof *ratio };
 static const struct {
     enum layout_name layout;
     double jitter;
-} clouds[] = {
-    {LAYOUT_JITTER, 0}, {LAYOUT_JITTER, 0.1}, {LAYOUT_JITTER, 0.3}, {LAYOUT_RELAXED, 0.5}, {LAYOUT_GRADED, 0}};
+} clouds[] = {{LAYOUT_JITTER, 0}, {LAYOUT_JITTER, 0.1}, {LAYOUT_JITTER, 0.3}, {LAYOUT_RELAXED, 0.5}};
 enum { CLOUDS = sizeof clouds / sizeof *clouds };
 
 /* `seeds` draws of each cloud, with the interface at other places of its cell (on a particle too). */

@@ -27,7 +27,7 @@ static double bend(double r) { /* d2W/dr2, m^-4 */
 static void gradient(const double *f, double g[2]) {
     double m[3] = {0, 0, 0}, b[2] = {0, 0};
     for (int j = 0; j < MANY; j++) {
-        double x = place[j][0], y = place[j][1], c = -volume[j] * slope(hypot(x, y)) / hypot(x, y);
+        double x = place[j][0], y = place[j][1], c = -VOLUME * slope(hypot(x, y)) / hypot(x, y);
         m[0] += c * x * x, m[1] += c * x * y, m[2] += c * y * y;
         b[0] += c * x * f[j], b[1] += c * y * f[j];
     }
@@ -44,7 +44,7 @@ static double schwaiger(const double *f) {
     double g[2], sum = 0, m[3] = {0, 0, 0};
     gradient(f, g);
     for (int j = 0; j < MANY; j++) {
-        double x = place[j][0], y = place[j][1], c = -volume[j] * slope(hypot(x, y)) / hypot(x, y);
+        double x = place[j][0], y = place[j][1], c = -VOLUME * slope(hypot(x, y)) / hypot(x, y);
         sum += 2 * c * beyond(f, g, j);
         m[0] += c * x * x, m[1] += c * x * y, m[2] += c * y * y;
     }
@@ -59,7 +59,7 @@ static void fatehi_components(const double *f, double S[3]) {
     S[0] = S[1] = S[2] = 0;
     for (int j = 0; j < MANY; j++) {
         double x = place[j][0], y = place[j][1], r = hypot(x, y);
-        double c = -volume[j] * slope(r) / r * beyond(f, g, j);
+        double c = -VOLUME * slope(r) / r * beyond(f, g, j);
         S[0] += c * x * x / (r * r), S[1] += c * x * y / (r * r), S[2] += c * y * y / (r * r);
     }
 }
@@ -69,7 +69,7 @@ static void cspm_sums(const double *f, const double g[2], double S[3]) {
     S[0] = S[1] = S[2] = 0;
     for (int j = 0; j < MANY; j++) {
         double x = place[j][0], y = place[j][1], r = hypot(x, y), w1 = slope(r), w2 = bend(r);
-        double rest = volume[j] * (g ? beyond(f, g, j) : f[j]);
+        double rest = VOLUME * (g ? beyond(f, g, j) : f[j]);
         S[0] += rest * (w2 * x * x / (r * r) + w1 * y * y / (r * r * r));
         S[1] += rest * (w2 - w1 / r) * x * y / (r * r);
         S[2] += rest * (w2 * y * y / (r * r) + w1 * x * x / (r * r * r));
@@ -128,15 +128,15 @@ static void as_the_formulas_say(void **state) {
     assert_near(applied("cspm", both) / solved(field, cspm_components, cspm_matrix), 1, 1e-11);
     double pairs = 0, corrected = 0, m[3] = {0, 0, 0};
     for (int j = 0; j < MANY; j++) {
-        double x = place[j][0], y = place[j][1], r = hypot(x, y), c = -volume[j] * slope(r) / r;
-        pairs += KX * volume[j] * field[j] * (bend(r) + slope(r) / r);
+        double x = place[j][0], y = place[j][1], r = hypot(x, y), c = -VOLUME * slope(r) / r;
+        pairs += KX * VOLUME * field[j] * (bend(r) + slope(r) / r);
         m[0] += c * x * x, m[1] += c * x * y, m[2] += c * y * y;
     }
     assert_near(applied("kernel_second", same) / pairs, 1, 1e-12);
     for (int j = 0; j < MANY; j++) {
         double x = place[j][0], y = place[j][1], r = hypot(x, y), det = m[0] * m[2] - m[1] * m[1];
         double form = (m[2] * x * x - 2 * m[1] * x * y + m[0] * y * y) / det;
-        corrected -= 2 * KX * volume[j] * slope(r) / (r * r * r) * form * field[j];
+        corrected -= 2 * KX * VOLUME * slope(r) / (r * r * r) * form * field[j];
     }
     assert_near(applied("brookshaw_corrected", same) / corrected, 1, 1e-12);
 }
@@ -148,7 +148,7 @@ static void fluxes_by_the_kernels_gradient(void **state) {
     weights_of("flux_divergence", &nb, w);
     for (int j = 0; j < MANY; j++) {
         double r = hypot(place[j][0], place[j][1]);
-        for (int a = 0; a < 2; a++) assert_near(w[a][j], -volume[j] * slope(r) * place[j][a] / r, 1e-12 / H);
+        for (int a = 0; a < 2; a++) assert_near(w[a][j], -VOLUME * slope(r) * place[j][a] / r, 1e-12 / H);
     }
 }
 

@@ -32,7 +32,7 @@ static void linear_fields_stay(void **state) {
     }
     for (int k = 0; k < 3; k++) {
         weights_of(others[k], &nb, w);
-        assert_order(fabs(moment(w[0], 1, 0)), >, 0.1);
+        assert_order(fabs(moment(w[0], 1, 0)), >, 0.01);
     }
 }
 

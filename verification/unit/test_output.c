@@ -141,8 +141,9 @@ static void a_directory_is_made_once(void **state) {
  * time, or rounded as tables are, in which the published series stands where there is one. */
 static void an_error_is_a_part_of_the_exact_temperature(void **state) {
     (void)state;
-    static const char *const lines[] = {"run rod-cosine so_ssph --dx 0.1 --layout graded --set L=1.3 --dt 0.1",
-                                        "run wave ftcs --dx 0.1 --fourier 0.1", "run rod-step ftcs --dx 0.5 --dt 1"};
+    static const char *const lines[] = {
+        "run rod-cosine voronoi_flux --dx 0.1 --layout jitter --jitter 0.3 --set L=1.3 --dt 0.1",
+        "run wave ftcs --dx 0.1 --fourier 0.1", "run rod-step ftcs --dx 0.5 --dt 1"};
     for (int i = 0; i < 3; i++) {
         struct command_run run;
         assert_int_equal(command_run_line(&run, "%s", lines[i]), STATUS_OK);

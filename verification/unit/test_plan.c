@@ -65,8 +65,6 @@ static void runs_do_what_was_planned(void **state) {
     as_planned("run plate so_ssph --dx 0.01 --walls fixed");
     as_planned("run plate brookshaw --dx 0.01 --time-error 1e-4");
     as_planned("run rod-cosine ftcs --dx 0.05 --layout node");
-    as_planned("run plate fo_ssph --dx 0.1/18 --set t_end=2 --stepper euler --layout graded --grading 1.75");
-    as_planned("run plate so_ssph --dx 0.1/18 --stepper rkl2 --dt 2 --layout graded --grading 1.75");
 }
 
 /* The most that is on the heap during the run.  What is left out is O(1), or O(n) of an n x n lattice, and the

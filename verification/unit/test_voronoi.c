@@ -19,8 +19,8 @@ extern const struct method method_voronoi_flux;
 static const struct kind {
     enum layout_name layout;
     double jitter;
-} kinds[] = {{LAYOUT_JITTER, 0},    {LAYOUT_JITTER, 0.1},  {LAYOUT_JITTER, 0.3}, {LAYOUT_JITTER, 0.5},
-             {LAYOUT_HEXAGONAL, 0}, {LAYOUT_RELAXED, 0.5}, {LAYOUT_GRADED, 0}};
+} kinds[] = {{LAYOUT_JITTER, 0},   {LAYOUT_JITTER, 0.1},  {LAYOUT_JITTER, 0.3},
+             {LAYOUT_JITTER, 0.5}, {LAYOUT_HEXAGONAL, 0}, {LAYOUT_RELAXED, 0.5}};
 enum { KINDS = sizeof kinds / sizeof *kinds };
 
 struct made {
@@ -35,13 +35,8 @@ static void make(struct made *m, const struct kind *kind, int isotropic, double 
     struct lattice l;
     struct failure why;
     m->p = odd_rectangle();
-    m->o = (struct options){.dx = 0.05,
-                            .h = 2,
-                            .seed = 7,
-                            .layout = kind->layout,
-                            .jitter = kind->jitter,
-                            .grading = 2.7,
-                            .sweeps = 2000};
+    m->o = (struct options){
+        .dx = 0.05, .h = 2, .seed = 7, .layout = kind->layout, .jitter = kind->jitter, .sweeps = 2000};
     if (isotropic) m->p.material[0].k[1] = m->p.material[0].k[0];
     if (!isnan(interface)) {
         m->p.materials = 2, m->p.interface = interface;
