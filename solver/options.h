@@ -19,7 +19,7 @@ enum stepper_name {
 };
 enum layout_name { LAYOUT_LATTICE, LAYOUT_NODE, LAYOUT_JITTER, LAYOUT_RELAXED, LAYOUT_HEXAGONAL };
 enum sampling { SAMPLING_POINT, SAMPLING_CELL, SAMPLING_SPLINE };
-/* Past WALLS_FIXED dummies take what particles/walls.def has; WALLS_FIXED too where walls cut the lattice.
+/* Past WALLS_FIXED dummies hold what particles/walls.c gives them; with WALLS_FIXED too where walls cut the lattice.
  * WALLS_ONE_SIDED has no dummies. */
 enum walls { WALLS_MIRROR, WALLS_FIXED, WALLS_DISTANCE, WALLS_AVERAGE, WALLS_IMAGE, WALLS_FIT, WALLS_ONE_SIDED };
 enum mean { MEAN_HARMONIC, MEAN_ARITHMETIC, MEAN_SERIES };
@@ -53,7 +53,6 @@ struct options {
     double origin[2], angle;   /* of the lattice of a round body: in dx; in degrees */
     enum sampling sampling;
     enum walls walls;
-    double ratio_most; /* WALLS_DISTANCE: the most that 1 + d_d/d_i may be; 0: 1.5, as published */
     enum mean mean;
     enum volume volume;
     enum domain domain; /* of a scene with mirror planes: the part that has to be computed, or all */

@@ -153,35 +153,6 @@ static void write_errors(const struct entry *all, FILE *out) {
     }
 }
 
-/* ---- The bound of `distance` ---- */
-
-/* Half of a particle's own weight, 1.45 kappa/dx^2, is beyond a wall that it is next to, and counts R times. */
-static int write_ratios(const struct entry *published, FILE *md, struct failure *why) {
-    static const double ratios[] = {1.5, 3, 10, 100};
-    fprintf(md,
-            "\n### --walls distance --ratio-most R (%s)\n\nThe step derived is 2/(1.45 (1 + R)) dx^2/kappa, and "
-            "0.525 at most.\n\n"
-            "| R | order of E1 | order of the largest error | E1 | largest error, K | step | step derived |\n"
-            "|---|---|---|---|---|---|---|\n",
-            bodies[0].scene);
-    for (size_t k = 0; k < sizeof ratios / sizeof *ratios; k++) {
-        struct entry *own = xcalloc(1, sizeof *own);
-        const struct entry *e = k ? own : published;
-        char walls[60];
-        snprintf(walls, sizeof walls, "distance --ratio-most %g", ratios[k]);
-        if (k) take_runs(bodies[0].scene, walls, own);
-        if (k) take_spectra(bodies[0].scene, walls, own);
-        struct slope s = slope_fit(e->dx, e->E1, RUNS), m = slope_fit(e->dx, e->largest, RUNS);
-        fprintf(md, "| %g | %.2f [%.2f, %.2f] | %.2f [%.2f, %.2f] | %.2e | %.2e | %.4f | %.4f |\n", ratios[k],
-                s.value, s.ci[0], s.ci[1], m.value, m.ci[0], m.ci[1], mean_of(e->E1), most_of(e->largest),
-                e->price.limit, fmin(0.525, 2 / (1.45 * (1 + ratios[k]))));
-        *why = own->why;
-        free(own);
-        if (why->status) return why->status;
-    }
-    return STATUS_OK;
-}
-
 /* ---- The error on the disc ---- */
 
 static int write_field(FILE *out, struct failure *why) {
@@ -232,10 +203,7 @@ int walls_study_write(const char *dir, struct failure *why) {
     if (!status) {
         write_rows(all, csv, md);
         write_errors(all, error);
-        status = write_ratios(&all[2], md, why) || walls_planes_offsets(offset, md, error, why) ||
-                         walls_planes_steps(md, why)
-                     ? why->status
-                     : STATUS_OK;
+        status = walls_planes_offsets(offset, md, error, why) || walls_planes_steps(md, why) ? why->status : STATUS_OK;
     }
     if (!status) status = write_field(field, why);
     free(all);

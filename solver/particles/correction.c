@@ -8,7 +8,6 @@
 
 #include <math.h>
 #include <stdio.h>
-#include <stdlib.h>
 #include <string.h>
 
 static double one_norm(int n, double A[CORRECTION_TERMS][CORRECTION_TERMS]) {
@@ -92,42 +91,6 @@ int correction_spans(const struct neighbourhood *nb, const double *F, struct fai
     double condition = invert(nb->dim, G, inverse);
     if (condition <= CORRECTION_CONDITION_MAX) return STATUS_OK;
     return singular(nb, "matrix of the kernel's gradients", condition, why);
-}
-
-static int compare(const void *a, const void *b) {
-    double x = *(const double *)a, y = *(const double *)b;
-    return (x > y) - (x < y);
-}
-
-/* The widest angle without a neighbour; one at the same place counts for none. */
-static double widest_gap(const struct neighbourhood *nb) {
-    double angle[NEIGHBOURS_MAX], widest = 0;
-    size_t n = 0;
-    for (size_t j = 0; j < nb->n; j++)
-        if (nb->d[j][0] != 0 || nb->d[j][1] != 0) angle[n++] = atan2(nb->d[j][1], nb->d[j][0]);
-    if (n == 0) return 2 * M_PI;
-    qsort(angle, n, sizeof *angle, compare);
-    for (size_t k = 0; k + 1 < n; k++) widest = fmax(widest, angle[k + 1] - angle[k]);
-    return fmax(widest, angle[0] + 2 * M_PI - angle[n - 1]);
-}
-
-int correction_surrounds(const struct neighbourhood *nb, struct failure *why) {
-    int side[4] = {0}; /* the quarter around each half axis: one in each leaves less than half of the plane */
-    for (size_t j = 0; j < nb->n; j++) {
-        double x = nb->d[j][0], y = nb->d[j][1];
-        if (x > fabs(y)) side[0] = 1;
-        if (-x > fabs(y)) side[1] = 1;
-        if (y > fabs(x)) side[2] = 1;
-        if (-y > fabs(x)) side[3] = 1;
-    }
-    if (side[0] && side[1] && (nb->dim == 1 || (side[2] && side[3]))) return STATUS_OK;
-    double rounding = 1e-9;
-    if (nb->dim == 2 && widest_gap(nb) < M_PI - rounding) return STATUS_OK;
-    return refuse(
-        why, STATUS_NUMERICAL,
-        "particle %zu at (%.6g, %.6g) m has %zu neighbours, none in one half of the %s: a linear temperature "
-        "could not stay; take a larger --h or less --jitter",
-        nb->i, nb->x[0], nb->x[1], nb->n, nb->dim == 2 ? "plane" : "rod");
 }
 
 void correction_apply(const struct correction *c, size_t j, double out[2]) {

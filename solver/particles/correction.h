@@ -43,10 +43,4 @@ int correction_solve(const struct neighbourhood *nb, const char *what, int terms
  * m^-2): STATUS_NUMERICAL as correction_create where along some direction there is none. */
 int correction_spans(const struct neighbourhood *nb, const double *F, struct failure *why);
 
-/* For weights that depend on the distance alone: where one half of the plane (of the rod) is without neighbours, all
- * a.d_j >= 0 along some a, linear T does not stay but for weights that change sign and happen to cancel (Seibold
- * 2008, Comput. Methods Appl. Mech. Engrg. 198:592, of positive stencils).  STATUS_NUMERICAL names the particle and
- * its neighbour count there. */
-int correction_surrounds(const struct neighbourhood *nb, struct failure *why);
-
 #endif

@@ -9,7 +9,7 @@ struct outline;
 
 /* The options that a method with a scheme accepts, but for walls, and what is its own. */
 #define PARTICLES_OPTIONS "stepper kernel h layout jitter sweeps seed sampling"
-#define PARTICLES_WALLS " shift angle walls ratio-most"
+#define PARTICLES_WALLS " shift angle walls"
 
 /* `solve` of a method with a scheme: layout, sampling, operator, stepper, field. */
 int particles_solve(const struct method *m, const struct problem *p, const struct options *o, struct field *f,

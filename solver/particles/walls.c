@@ -8,22 +8,14 @@
 #include <stdlib.h>
 #include <string.h>
 
-#define WALLS(name) extern const struct wall_treatment walls_##name;
-#include "solver/particles/walls.def"
-#undef WALLS
-
-#define WALLS(name) &walls_##name,
-static const struct wall_treatment *const table[] = {
-#include "solver/particles/walls.def"
-    NULL};
-#undef WALLS
-
 static const char *const kind_word[] = {"Dirichlet", "Neumann", "Robin", "periodic"};
 
+/* NULL for walls without dummies of this kind. */
 static const struct wall_treatment *treatment(const struct options *o) {
-    for (int i = 0; table[i]; i++)
-        if (strcmp(table[i]->name, walls_words[o->walls]) == 0) return table[i];
-    return NULL;
+    static const struct wall_treatment *const all[] = {
+        [WALLS_FIXED] = &walls_fixed, [WALLS_DISTANCE] = &walls_distance, [WALLS_AVERAGE] = &walls_average,
+        [WALLS_IMAGE] = &walls_image, [WALLS_FIT] = &walls_fit,           [WALLS_ONE_SIDED] = NULL};
+    return all[o->walls];
 }
 
 int walls_check(const struct problem *p, const struct options *o, struct failure *why) {
@@ -33,8 +25,9 @@ int walls_check(const struct problem *p, const struct options *o, struct failure
                       "--walls mirror: images of particles need plane walls, the scene has round ones; take fit");
     for (int s = 0; s < 4 && t; s++)
         if (shape_has_wall(p, s) && !(t->kinds & 1u << p->side[s]))
-            return refuse(why, STATUS_NOT_APPLICABLE, "--walls %s: has no answer for a %s wall; take %s", t->name,
-                          kind_word[p->side[s]], p->side[s] == NEUMANN && !p->shape ? "fit or average" : "fit");
+            return refuse(why, STATUS_NOT_APPLICABLE, "--walls %s: has no answer for a %s wall; take %s",
+                          walls_words[o->walls], kind_word[p->side[s]],
+                          p->side[s] == NEUMANN && !p->shape ? "fit or average" : "fit");
     return STATUS_OK;
 }
 

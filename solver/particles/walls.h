@@ -45,16 +45,16 @@ struct wall_sum { /* T of a dummy */
 };
 
 struct wall_treatment {
-    const char *name;
-    const char *about; /* one line, with its source */
-    unsigned kinds;    /* bits of enum side_kind that it takes */
-    int pairs;         /* 1: T differs from pair to pair (struct cloud, `away`) */
+    unsigned kinds; /* bits of enum side_kind that it takes */
+    int pairs;      /* 1: T differs from pair to pair (struct cloud, `away`) */
     /* Where the particles around dummy d are wanted, m; NULL for a treatment that needs none. */
     void (*place)(const struct wall_site *site, double x[2]);
     /* STATUS_NUMERICAL where the particles around do not suffice. */
     int (*fill)(const struct walls_fill *w, size_t d, const struct wall_site *site, struct wall_sum *out,
                 struct failure *why);
 };
+
+extern const struct wall_treatment walls_fixed, walls_distance, walls_average, walls_image, walls_fit;
 
 /* STATUS_NOT_APPLICABLE where the treatment of the options does not take a wall of *p, naming one that does. */
 int walls_check(const struct problem *p, const struct options *o, struct failure *why);

@@ -125,8 +125,5 @@ static int fill(const struct walls_fill *w, size_t d, const struct wall_site *si
     return walls_near(w, d, w->p->dim == 2 ? 15 : 4, attempt, &f, why);
 }
 
-const struct wall_treatment walls_fit = {.name = "fit",
-                                         .about = "dummies by a quadratic that obeys the wall's condition",
-                                         .kinds = 1u << DIRICHLET | 1u << NEUMANN | 1u << ROBIN,
-                                         .place = place,
-                                         .fill = fill};
+const struct wall_treatment walls_fit = {
+    .kinds = 1u << DIRICHLET | 1u << NEUMANN | 1u << ROBIN, .place = place, .fill = fill};

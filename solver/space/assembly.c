@@ -45,7 +45,7 @@ static size_t faces_of_cell(const struct voronoi *v, size_t i, uint32_t *out) {
 
 double assembly_stretch(const struct assembly *m, size_t i, uint32_t j) {
     double x[2] = {m->c->x[i], m->c->y[i]}, depth = shape_depth(m->p, x);
-    double most = m->o->ratio_most > 0 ? m->o->ratio_most : 1.5; /* as published */
+    const double most = 1.5; /* as published */
     return depth * (most - 1) > m->c->away[j - m->c->n] ? 1 + m->c->away[j - m->c->n] / depth : most;
 }
 

@@ -45,7 +45,7 @@ void assembly_free(struct assembly *m);
 double assembly_rho_c(const struct assembly *m, size_t i);
 
 /* Dummies that Morris, Fox & Zhu extrapolate for each pair (1997): T_j = T_w + (1 - stretch) (T_i - T_w), stretch = 1
- * + d_j/d_i by the distances from the wall, at most that of the options. */
+ * + d_j/d_i by the distances from the wall, at most 1.5. */
 double assembly_stretch(const struct assembly *m, size_t i, uint32_t j);
 
 /* The neighbourhood of point i.  STATUS_NUMERICAL where it has more neighbours than are held. */

@@ -72,7 +72,7 @@ struct cloud {
     double *cell;        /* m^d, n: the part of each particle's cell inside the body */
     unsigned char *held; /* n: 1 for a particle on a Dirichlet wall, which holds the wall's value */
     /* Points from n on are then dummies, of k = begin[j - n] to begin[j - n + 1] - 1: T_j = sum share[k] T_from[k] +
-     * offset[j].  With `away`, m, their distance from the wall, T_j differs from pair to pair (walls_distance.c). */
+     * offset[j].  With `away`, m, their distance from the wall, T_j differs from pair to pair (--walls distance). */
     size_t *begin;
     uint32_t *from;
     double *share, *away;

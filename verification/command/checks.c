@@ -62,8 +62,6 @@ static int check_options(const struct request *r, struct failure *why) {
         return refuse(why, STATUS_INPUT,
                       "--time-error %g: --stepper %s leaves no time step to choose; euler, rk2 and rkl2 do",
                       r->experiment.time_error, stepper->name);
-    if (o->ratio_most > 0 && o->walls != WALLS_DISTANCE)
-        return refuse(why, STATUS_INPUT, "--ratio-most %g: needs --walls distance", o->ratio_most);
     if (o->xi > 0 && o->volume != VOLUME_TUNED)
         return refuse(why, STATUS_INPUT, "--xi %g: needs --volume tuned", o->xi);
     if (r->at.count > 2 || (r->at.count && r->experiment.scene && r->at.count != r->experiment.problem.dim))

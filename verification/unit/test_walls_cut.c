@@ -103,30 +103,6 @@ static void every_treatment_keeps_a_constant(void **state) {
             }
 }
 
-/* What a pair extrapolates is linear, and so exact across a rod, where the ratio of distances has no bound. */
-static void a_bound_on_the_ratio_of_distances_is_felt(void **state) {
-    (void)state;
-    extern const struct method method_so_ssph;
-    static const double most[] = {1e9, 30, 0, 1.5}; /* 0: 1.5 */
-    double off[4] = {0};
-    struct problem p = body(0, DIRICHLET, &linear);
-    p.dim = 1;
-    for (int k = 0; k < 4; k++) {
-        struct options o = {.dx = 0.1, .shift = 0.37, .walls = WALLS_DISTANCE, .stepper = STEPPER_RKL2};
-        struct field f;
-        struct failure why;
-        o.ratio_most = most[k];
-        if (method_solve(&method_so_ssph, &p, &o, &f, &why)) fail_msg("%s", why.text);
-        for (size_t i = 0; i < f.n; i++)
-            off[k] = fmax(off[k], fabs(f.T[i] - value(&linear, (const double[2]){f.x[i], 0})));
-        field_free(&f);
-    }
-    assert_near(off[0], 0, 1e-11);
-    assert_near(off[1], 0, 1e-11); /* the largest is 1 + 2.17/0.13 */
-    assert_order(off[2], >, 1e-3);
-    assert_true(off[2] == off[3]);
-}
-
 static void what_a_treatment_does_not_take_is_refused(void **state) {
     (void)state;
     struct failure why;
@@ -329,7 +305,6 @@ int main(void) {
         cmocka_unit_test(fits_continue_quadratics),
         cmocka_unit_test(images_continue_linear_temperatures),
         cmocka_unit_test(every_treatment_keeps_a_constant),
-        cmocka_unit_test(a_bound_on_the_ratio_of_distances_is_felt),
         cmocka_unit_test(what_a_treatment_does_not_take_is_refused),
         cmocka_unit_test(a_quadratic_rises_evenly),
         cmocka_unit_test(one_sided_rows_do_not_grow_beside_a_wall),
