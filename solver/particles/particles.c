@@ -2,6 +2,7 @@
 /* From a problem and options to a field, for every particle method: layout -> sample -> operator -> stepper -> field.
  */
 #include "solver/particles/particles.h"
+#include "solver/particles/compatibility.h"
 #include "solver/particles/start.h"
 #include "solver/particles/walls.h"
 #include "solver/time/growth.h"
@@ -14,56 +15,6 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* Of a derivative that is applied twice.  Modes grow in the plane with `mirror`, whose images are off the lattice,
- * and with `image` (in 8 of 12 lattices in a disc whose wall is held). */
-static int check_cut_twice(const struct problem *p, const struct options *o, const struct scheme *s,
-                           struct failure *why) {
-    const char *walls = walls_words[o->walls];
-    if (s->adjoint)
-        return refuse(why, STATUS_NOT_APPLICABLE,
-                      "walls that cut the lattice: dummies have no part in an adjoint; take so_ssph");
-    if (o->walls == WALLS_DISTANCE)
-        return refuse(why, STATUS_NOT_APPLICABLE,
-                      "--walls %s: what differs from pair to pair has no derivative; take fit", walls);
-    if (p->dim == 2 && (o->walls == WALLS_MIRROR || o->walls == WALLS_IMAGE))
-        return refuse(why, STATUS_NOT_APPLICABLE,
-                      "--walls %s: modes grow where a derivative is applied twice; take fit", walls);
-    return STATUS_OK;
-}
-
-/* What a lattice that walls cut does not go with, and a body without walls. */
-static int check_cut(const struct problem *p, const struct options *o, const struct scheme *s, struct failure *why) {
-    if (p->side[X_LO] == PERIODIC && !p->shape && o->layout == LAYOUT_NODE)
-        return refuse(why, STATUS_NOT_APPLICABLE, "--layout node: the scene has no walls to be on; take lattice");
-    if (p->side[X_LO] == PERIODIC && !p->shape && (o->shift > 0 || o->walls != WALLS_MIRROR))
-        return refuse(why, STATUS_NOT_APPLICABLE, "--%s: the scene is periodic and has no walls",
-                      o->shift > 0 ? "shift" : "walls");
-    if (!layout_is_cut(p, o)) return STATUS_OK;
-    int placed = o->layout == LAYOUT_HEXAGONAL || o->layout == LAYOUT_RELAXED; /* by what the walls are */
-    if (o->layout != LAYOUT_LATTICE && o->layout != LAYOUT_JITTER && !placed)
-        return refuse(why, STATUS_NOT_APPLICABLE,
-                      "--layout %s: is made for walls between particles; take lattice, jitter or hexagonal",
-                      layout_words[o->layout]);
-    if (placed && !p->shape)
-        return refuse(why, STATUS_NOT_APPLICABLE, "--layout %s: is made for --walls mirror and no --shift here",
-                      layout_words[o->layout]);
-    if (s->cells && (!p->shape || o->walls != WALLS_MIRROR))
-        return refuse(why, STATUS_NOT_APPLICABLE, "--walls %s: cells are cut by round walls, and have --walls mirror",
-                      walls_words[o->walls]);
-    if (p->materials == 2 || o->order > 2)
-        return refuse(why, STATUS_NOT_APPLICABLE, "walls that cut the lattice: %s",
-                      p->materials == 2 ? "one material only, the scene has two"
-                                        : "dummies are exact for quadratics; take --order 2");
-    if (s->sweeps == 2 && check_cut_twice(p, o, s, why)) return why->status;
-    if (o->walls == WALLS_ONE_SIDED && !s->at_wall)
-        return refuse(why, STATUS_NOT_APPLICABLE,
-                      "--walls one_sided: needs the least squares of so_ssph; this method has fit");
-    if (p->shape && o->sampling != SAMPLING_POINT)
-        return refuse(why, STATUS_NOT_APPLICABLE, "--sampling %s: a round wall cuts cells; take point",
-                      sampling_words[o->sampling]);
-    return s->cells ? STATUS_OK : walls_check(p, o, why);
-}
-
 int particles_resolve(const struct problem *p, const struct options *o, const struct scheme *s,
                       struct options *resolved, struct failure *why) {
     *resolved = *o;
@@ -74,24 +25,13 @@ int particles_resolve(const struct problem *p, const struct options *o, const st
     if (o->sweeps == 0) resolved->sweeps = 2000;
     if (options_is_cloud(o) && !(o->jitter >= 0 && o->jitter <= 0.5))
         return refuse(why, STATUS_INPUT, "--jitter %g: must be 0 to 0.5, in units of dx", o->jitter);
-    for (int side = 0; side < 2 * p->dim; side++)
-        if (p->side[side] == ROBIN && (o->stepper == STEPPER_MATCHED || order > 2))
-            return refuse(
-                why, STATUS_NOT_APPLICABLE,
-                "%s: a Robin wall's temperature moves, and its second derivative with it: the ghosts there are of "
-                "second order; take %s",
-                order > 2 ? "--order 3 and 4" : "--stepper matched", order > 2 ? "--order 2" : "another stepper");
-    if (p->materials == 2 && o->sampling == SAMPLING_SPLINE)
-        return refuse(why, STATUS_NOT_APPLICABLE,
-                      "--sampling spline: four cells of two materials have no common average; take point or cell");
-    if (p->source_rate)
-        return refuse(why, STATUS_NOT_APPLICABLE,
-                      "a source that changes in time: every stepper here takes dT/dt = A T + g with one g; take "
-                      "ftcs");
-    if (check_cut(p, resolved, s, why)) return why->status;
-    if (operator_check(s, p, resolved, why)) return why->status;
+    if (compatibility_check(p, resolved, s, why)) return why->status;
     if (o->h_iso) return matched_isotropic(resolved, s, &resolved->h, why);
     return STATUS_OK;
+}
+
+int particles_rows(const struct problem *p, const struct options *o) {
+    return options_is_cloud(o) || p->materials == 2 || p->side[X_LO] == PERIODIC || layout_is_cut(p, o);
 }
 
 int particles_prepare(const struct problem *p, const struct options *o, const struct scheme *s,
@@ -100,13 +40,8 @@ int particles_prepare(const struct problem *p, const struct options *o, const st
     if (particles_resolve(p, o, s, resolved, why)) return why->status;
     double ratio = o->stepper == STEPPER_MATCHED && p->dim == 2 ? sqrt(p->material[0].k[1] / p->material[0].k[0]) : 1;
     if (layout_lattice(p, resolved, ratio, l, why)) return why->status;
-    *rows = options_is_cloud(o) || p->materials == 2 || p->side[X_LO] == PERIODIC || layout_is_cut(p, o);
+    *rows = particles_rows(p, o);
     if (!stepper || !stepper->needs) return STATUS_OK;
-    if (*rows)
-        return refuse(
-            why, STATUS_NOT_APPLICABLE,
-            "--stepper %s: needs --layout lattice or node, one material and plane walls between particles or on them",
-            stepper->name);
     return stepper->needs(p, o, s, l, why);
 }
 

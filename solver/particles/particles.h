@@ -36,6 +36,10 @@ int particles_resolve(const struct problem *p, const struct options *o, const st
 int particles_prepare(const struct problem *p, const struct options *o, const struct scheme *s,
                       struct options *resolved, struct lattice *l, int *rows, struct failure *why);
 
+/* Whether each particle gets a row of its own: off the lattice, for two materials, without walls, and where walls cut
+ * the lattice. */
+int particles_rows(const struct problem *p, const struct options *o);
+
 /* Whether the field has the shape of a lattice. */
 int particles_on_lattice(const struct problem *p, const struct options *o, int rows);
 

@@ -8,27 +8,17 @@
 #include <stdlib.h>
 #include <string.h>
 
-static const char *const kind_word[] = {"Dirichlet", "Neumann", "Robin", "periodic"};
-
 /* NULL for walls without dummies of this kind. */
-static const struct wall_treatment *treatment(const struct options *o) {
+static const struct wall_treatment *treatment(enum walls walls) {
     static const struct wall_treatment *const all[] = {
         [WALLS_FIXED] = &walls_fixed, [WALLS_DISTANCE] = &walls_distance, [WALLS_AVERAGE] = &walls_average,
         [WALLS_IMAGE] = &walls_image, [WALLS_FIT] = &walls_fit,           [WALLS_ONE_SIDED] = NULL};
-    return all[o->walls];
+    return all[walls];
 }
 
-int walls_check(const struct problem *p, const struct options *o, struct failure *why) {
-    const struct wall_treatment *t = treatment(o);
-    if (p->shape && o->walls == WALLS_MIRROR)
-        return refuse(why, STATUS_NOT_APPLICABLE,
-                      "--walls mirror: images of particles need plane walls, the scene has round ones; take fit");
-    for (int s = 0; s < 4 && t; s++)
-        if (shape_has_wall(p, s) && !(t->kinds & 1u << p->side[s]))
-            return refuse(why, STATUS_NOT_APPLICABLE, "--walls %s: has no answer for a %s wall; take %s",
-                          walls_words[o->walls], kind_word[p->side[s]],
-                          p->side[s] == NEUMANN && !p->shape ? "fit or average" : "fit");
-    return STATUS_OK;
+unsigned walls_kinds(enum walls walls) {
+    const struct wall_treatment *t = treatment(walls);
+    return t ? t->kinds : 1u << DIRICHLET | 1u << NEUMANN | 1u << ROBIN;
 }
 
 /* ---- The wall at a dummy ---- */
@@ -135,7 +125,7 @@ static void keep(struct cloud *c, size_t d, const struct wall_sum *sum, size_t *
 
 int walls_fill(const struct problem *p, const struct options *o, struct cloud *c, double spacing,
                struct failure *why) {
-    const struct wall_treatment *t = treatment(o);
+    const struct wall_treatment *t = treatment(o->walls);
     struct walls_fill w = {.p = p, .o = o, .c = c, .spacing = spacing};
     size_t dummies = c->total - c->n, room = 0;
     int status = STATUS_OK;

@@ -56,8 +56,8 @@ struct wall_treatment {
 
 extern const struct wall_treatment walls_fixed, walls_distance, walls_average, walls_image, walls_fit;
 
-/* STATUS_NOT_APPLICABLE where the treatment of the options does not take a wall of *p, naming one that does. */
-int walls_check(const struct problem *p, const struct options *o, struct failure *why);
+/* Bits of enum side_kind: the kinds of walls that these can be. */
+unsigned walls_kinds(enum walls walls);
 
 /* Fills what the dummies of *c hold, by the treatment of the options. */
 int walls_fill(const struct problem *p, const struct options *o, struct cloud *c, double spacing,

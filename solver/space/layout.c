@@ -106,9 +106,6 @@ int layout_lattice(const struct problem *p, const struct options *o, double rati
             l->shift[s] = !node ? 0 : dirichlet ? -1 : 1;
             l->sign[s] = p->side[s] == ROBIN ? LAYOUT_ROBIN : !dirichlet ? 1 : o->walls == WALLS_FIXED ? 0 : -1;
             l->robin[s] = layout_robin_factor(p, s, p->material[layout_material(p, foot)].k[a], l->dx[a] / 2);
-            if (node && p->side[s] == ROBIN)
-                return refuse(why, STATUS_NOT_APPLICABLE,
-                              "--layout node: a Robin wall is midway between a particle and its ghost; take lattice");
         }
     }
     if (particles > PARTICLES_MAX)

@@ -76,9 +76,6 @@ static void take_places(const struct field *from, struct cloud *c) {
 int layout_cloud(const struct problem *p, const struct options *o, const struct lattice *l, double reach,
                  struct cloud *c, struct failure *why) {
     if (layout_is_cut(p, o)) return layout_cut(p, o, l, reach, c, why);
-    if (o->layout == LAYOUT_NODE)
-        return refuse(why, STATUS_NOT_APPLICABLE,
-                      "--layout node: two materials give each particle a row of its own, which needs another layout");
     for (int a = 0; a < p->dim; a++)
         if (reach > p->hi[a] - p->lo[a])
             return refuse(why, STATUS_INPUT,

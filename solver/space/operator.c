@@ -36,20 +36,6 @@ static void add_convolution(struct square *to, const struct square *a, double fa
                     *square_at(to, i + k, j + l) += factor * *square_at(a, i, j) * *square_at(a, k, l);
 }
 
-int operator_check(const struct scheme *s, const struct problem *p, const struct options *o, struct failure *why) {
-    if (o->volume == VOLUME_TUNED && s->volume && !s->tuned)
-        return refuse(why, STATUS_NOT_APPLICABLE, "--volume tuned: %s takes moment and raw", s->name);
-    if (p->materials > 1 && !s->two_materials)
-        return refuse(why, STATUS_NOT_APPLICABLE,
-                      "%s: one material only, the scene has two; use brookshaw or contact_ssph", s->name);
-    for (int m = 0; m < p->materials && s->isotropic && p->dim == 2; m++)
-        if (p->material[m].k[0] != p->material[m].k[1])
-            return refuse(why, STATUS_NOT_APPLICABLE,
-                          "%s: isotropic conductivity only, the scene has k_x = %g and k_y = %g", s->name,
-                          p->material[m].k[0], p->material[m].k[1]);
-    return s->check ? s->check(p, o, why) : STATUS_OK;
-}
-
 int operator_weights(const struct scheme *s, const struct problem *p, const struct options *o,
                      const struct neighbourhood *nb, double *w[2], struct failure *why) {
     double F[NEIGHBOURS_MAX], C[3];

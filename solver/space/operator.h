@@ -52,7 +52,7 @@ struct scheme {                   /* how a particle method weights neighbours; o
     int cells;
     /* h/dx where --h is not given; NULL: 1.1 max(order, 2)/2 */
     double (*h)(const struct problem *p);
-    /* STATUS_OK, or what else this method has no answer to; NULL: nothing.  To be asked by operator_check */
+    /* STATUS_OK, or what else this method has no answer to; NULL: nothing.  Asked by compatibility_check */
     int (*check)(const struct problem *p, const struct options *o, struct failure *why);
     /* m^d: what a particle's volume dV = dx^d counts for, on a lattice of that volume and smoothing length h (m);
      * NULL where weights do not depend on it */
@@ -114,9 +114,6 @@ int operator_outline_lattice(struct heat_operator *a, const struct problem *p, c
 int operator_create_csr(struct heat_operator *a, const struct problem *p, const struct options *o,
                         const struct scheme *s, const struct cloud *c, double spacing, struct failure *why);
 void operator_free(struct heat_operator *a);
-
-/* STATUS_OK, or why that method has no answer to such a problem with these options, which are resolved. */
-int operator_check(const struct scheme *s, const struct problem *p, const struct options *o, struct failure *why);
 
 /* The weights of a scheme of one or two sweeps: w[0], and for two on a rectangle w[1], of nb->n each. */
 int operator_weights(const struct scheme *s, const struct problem *p, const struct options *o,

@@ -16,8 +16,6 @@
  * and sources of dT/dt = L(T) = A T + g come in as they do in a step of Euler, and every state stays in the range of
  * the data's modes.  A rounding error delta at k comes out as (k + 1) s_k delta or less: added at random, with c_k a
  * half Gaussian of variance h, 0.2 h^(5/4) delta, which is 1e-10 at h = 2^17. */
-#include "solver/time/chebyshev.h"
-
 #include "solver/time/stepper.h"
 
 #include <math.h>
@@ -27,15 +25,11 @@ static const double H_MAX = 131072;       /* 2^17 */
 static const double H_MIN = 1e-6;         /* a shorter step is one in a wider interval */
 static const double REST = 37.4299477502; /* 54 log 2: half of a rounding error */
 
-double chebyshev_longest(double bound) {
-    return 2 * H_MAX / bound;
-}
-
 static double half(double dt, double bound) {
     return fmax(H_MIN, dt * bound / 2);
 }
 
-int chebyshev_degree(double dt, double bound) {
+static int degree(double dt, double bound) {
     double h = half(dt, bound), k = fmax(2, floor(sqrt(2 * REST * h))); /* of a Gaussian, whose tail is smaller */
     while (h * (hypot(1, k / h) - 1) - k * asinh(k / h) > -REST) k++;
     return (int)k;
@@ -49,7 +43,9 @@ static void expand(double h, int degree, double *c) {
     c[0] /= 2;
 }
 
-void chebyshev_updates(double dt, double bound, int degree, struct update *u) {
+/* Of a step from T the first update writes y from x = T, the second reads T as Y0 alone and each of the others x, y
+ * and Y0 = T. */
+static void updates(double dt, double bound, int degree, struct update *u) {
     double h = half(dt, bound), *c = xcalloc((size_t)degree + 2, sizeof *c), s[3] = {0}; /* s_k, s_(k+1), s_(k+2) */
     expand(h, degree, c);
     s[1] = c[degree];
@@ -65,14 +61,15 @@ void chebyshev_updates(double dt, double bound, int degree, struct update *u) {
     free(c);
 }
 
+/* Rounding then leaves 1e-10 of the data. */
 static double length(double asked, double time, double bound) {
-    return fmin(asked > 0 ? asked : time, chebyshev_longest(bound));
+    return fmin(asked > 0 ? asked : time, 2 * H_MAX / bound);
 }
 
 const struct stepper stepper_chebyshev = {
     .name = "chebyshev",
     .about = "exp(tA) by polynomials, to rounding; where two runs do not agree, more steps",
     .arrays = 3,
-    .count = chebyshev_degree,
+    .count = degree,
     .length = length,
-    .updates = chebyshev_updates};
+    .updates = updates};

@@ -14,8 +14,6 @@
  *     product too (for the Laplacian itself it is one), so that what is left is again a sum of a few products,
  *     transformed back as lines.
  * Both are tried as long as the counted work of elimination stays below that of FFTW's transform. */
-#include "solver/time/exact.h"
-
 #include "solver/time/stepper.h"
 
 #include "solver/time/products.h"
@@ -256,23 +254,8 @@ static void evolve_all(const struct modes *s, const struct products *start, doub
     free(g);
 }
 
-int exact_check(const struct lattice *l, struct failure *why) {
-    for (int s = 0; s < 2 * l->dim; s++)
-        if (l->sign[s] == 0) return refuse(why, STATUS_NOT_APPLICABLE, "--stepper exact: needs --walls mirror");
-    for (int s = 0; s < 2 * l->dim; s++)
-        if (l->sign[s] == LAYOUT_ROBIN && l->n[s / 2] > TRANSFORM_ROBIN_MOST)
-            return refuse(
-                why, STATUS_NOT_APPLICABLE,
-                "--stepper exact: %d particles along an axis with a Robin wall; its modes need a table of n x n: "
-                "at most %d",
-                l->n[s / 2], TRANSFORM_ROBIN_MOST);
-    if ((l->shift[X_LO] > 0 && l->shift[X_HI] > 0 && l->n[0] < 2) ||
-        (l->dim == 2 && l->shift[Y_LO] > 0 && l->shift[Y_HI] > 0 && l->n[1] < 2))
-        return refuse(why, STATUS_NOT_APPLICABLE, "--stepper exact: needs two particles along an insulated axis");
-    return STATUS_OK;
-}
-
-void exact_evolve(const struct heat_operator *a, double t, double *T) {
+/* T, in the particles' order, from 0 to t (s). */
+static void evolve(const struct heat_operator *a, double t, double *T) {
     struct modes s = {.a = a, .l = &a->lattice, .t = t, .transform = transform_create(&a->lattice)};
     struct products start;
     for (int axis = 0; axis < 2; axis++) s.versine[axis] = versines(a, axis);
@@ -286,7 +269,17 @@ void exact_evolve(const struct heat_operator *a, double t, double *T) {
 static int needs(const struct problem *p, const struct options *o, const struct scheme *s, const struct lattice *l,
                  struct failure *why) {
     (void)p, (void)o, (void)s;
-    return exact_check(l, why);
+    for (int side = 0; side < 2 * l->dim; side++)
+        if (l->sign[side] == LAYOUT_ROBIN && l->n[side / 2] > TRANSFORM_ROBIN_MOST)
+            return refuse(
+                why, STATUS_NOT_APPLICABLE,
+                "--stepper exact: %d particles along an axis with a Robin wall; its modes need a table of n x n: "
+                "at most %d",
+                l->n[side / 2], TRANSFORM_ROBIN_MOST);
+    if ((l->shift[X_LO] > 0 && l->shift[X_HI] > 0 && l->n[0] < 2) ||
+        (l->dim == 2 && l->shift[Y_LO] > 0 && l->shift[Y_HI] > 0 && l->n[1] < 2))
+        return refuse(why, STATUS_NOT_APPLICABLE, "--stepper exact: needs two particles along an insulated axis");
+    return STATUS_OK;
 }
 
 static int plan(const struct problem *p, const struct options *o, const struct scheme *s,
@@ -300,4 +293,4 @@ const struct stepper stepper_exact = {.name = "exact",
                                       .about = "exp(tA) in one pair of transforms: one stencil and walls that mirror",
                                       .needs = needs,
                                       .plan = plan,
-                                      .evolve = exact_evolve};
+                                      .evolve = evolve};

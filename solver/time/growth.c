@@ -7,7 +7,6 @@
  */
 #include "solver/time/growth.h"
 #include "solver/space/gradient.h"
-#include "solver/time/rkl2.h"
 #include "solver/time/stepper.h"
 
 #include <math.h>
@@ -44,7 +43,7 @@ static int advance(const struct heat_operator *a, double bound, double dt, doubl
     struct march m = {.stepper = STEPPER_RKL2,
                       .time = dt,
                       .steps = 1,
-                      .stages = rkl2_stages(dt, bound),
+                      .stages = stepper_of(STEPPER_RKL2)->count(dt, bound),
                       .lo = -HUGE_VAL,
                       .hi = HUGE_VAL,
                       .bound = bound};

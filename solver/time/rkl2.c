@@ -20,23 +20,22 @@
  * 12 / s^2 away from -1: stable and damping for dt/4 <= (s^2 + 5s - 6) / (3 |lambda|_max).
  *
  * Amplification: 1 - b + b P_s(1 + w z), w and b = b_s as above (eqs. 11, 13, 15). */
-#include "solver/time/rkl2.h"
-
 #include "solver/time/stepper.h"
 
 #include <math.h>
 
-int rkl2_stages(double dt, double bound) {
+/* Odd; more than STEPPER_STAGES_MAX where so many do not do. */
+static int count(double dt, double bound) {
     double s = ceil((sqrt(9 + 8 * dt * bound) - 1) / 2 - 1e-9);
     return s < 3                    ? 3
            : s > STEPPER_STAGES_MAX ? STEPPER_STAGES_MAX + 1
                                     : (int)s | 1; /* odd: even counts damp the highest modes less */
 }
 
-void rkl2_start(double dt, double bound, int stages[2]) {
+static void first(double dt, double bound, int stages[2]) {
     double s = fmax(2, ceil((sqrt(49 + 3 * dt * bound) - 5) / 2));
     stages[0] = s > STEPPER_STAGES_MAX ? STEPPER_STAGES_MAX + 1 : (int)s;
-    stages[1] = rkl2_stages(dt / 2, bound);
+    stages[1] = count(dt / 2, bound);
 }
 
 /* As many steps as put s^2 to use. */
@@ -88,10 +87,10 @@ const struct stepper stepper_rkl2 = {.name = "rkl2",
                                      .about = "Runge-Kutta-Legendre: s stages for s^2/4 steps of Euler",
                                      .order = 2,
                                      .arrays = 3,
-                                     .count = rkl2_stages,
+                                     .count = count,
                                      .length = length,
                                      .updates = updates,
-                                     .first = rkl2_start,
+                                     .first = first,
                                      .damp = damp,
                                      .amplification = amplification,
                                      .interval = interval};

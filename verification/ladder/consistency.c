@@ -7,7 +7,7 @@
  * D u = a u + b v and D v = a v - b u, v = exp(a.x) cos(b.x + c). */
 #include "verification/ladder/consistency.h"
 
-#include "solver/space/operator.h"
+#include "solver/particles/compatibility.h"
 #include "verification/run/experiment.h"
 
 #include <math.h>
@@ -65,7 +65,7 @@ int consistency_error(const struct experiment *e, double *error, struct failure 
     if (scheme->volume) nb.volume = scheme->volume(p, o, nb.h, nb.volume);
     nb.rho_c = p->material[0].rho_c;
     for (int a = 0; a < p->dim; a++) nb.kappa[a] = p->material[0].k[a] / p->material[0].rho_c;
-    if (operator_check(scheme, p, o, why) || operator_weights(scheme, p, o, &nb, w, why)) return why->status;
+    if (compatibility_check(p, o, scheme, why) || operator_weights(scheme, p, o, &nb, w, why)) return why->status;
     *error = 0;
     for (int i = 0; i < POINTS; i++) {
         double x[2] = {-1 + 0.137 * i, p->dim == 2 ? 0.9 - 0.119 * i : 0};

@@ -1,6 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* exp(dt A) by polynomials: on one eigenvalue at a time, and through the march of one equation. */
-#include "solver/time/chebyshev.h"
 #include "solver/time/stepper.h"
 
 #include "verification/unit/near.h"
@@ -11,11 +10,11 @@
 
 /* T of dT/dt = heat - rate T after a step from T0. */
 static double step(double dt, double bound, double rate, double heat, double T0) {
-    int degree = chebyshev_degree(dt, bound);
+    int degree = stepper_of(STEPPER_CHEBYSHEV)->count(dt, bound);
     struct update *u = calloc((size_t)degree, sizeof *u);
     double before = NAN, T = T0;
     assert_non_null(u);
-    chebyshev_updates(dt, bound, degree, u);
+    stepper_of(STEPPER_CHEBYSHEV)->updates(dt, bound, degree, u);
     assert_near(u[0].start, 0, 0);
     assert_near(u[0].old + u[1].old, 0, 0);
     for (int k = 0; k < degree; k++) {
@@ -49,14 +48,14 @@ static void an_eigenvalue_gets_its_exponential(void **state) {
 static void the_degree_is_enough_and_not_much_more(void **state) {
     (void)state;
     for (double h = 2.5; h < 131072; h *= 3.1) {
-        int degree = chebyshev_degree(2 * h / 7.3, 7.3);
+        int degree = stepper_of(STEPPER_CHEBYSHEV)->count(2 * h / 7.3, 7.3);
         double rest = 0, more = 0;
         for (int k = degree + 1; k < 5 * degree / 4; k++) rest += 2 * gsl_sf_bessel_In_scaled(k, h);
         for (int k = 7 * degree / 8; k < 5 * degree / 4; k++) more += 2 * gsl_sf_bessel_In_scaled(k, h);
         assert_order(rest, <, ldexp(1, -53));
         assert_order(more, >, ldexp(1, -53));
     }
-    assert_near(chebyshev_longest(7.3) * 7.3, 262144, 1e-9);
+    assert_near(stepper_of(STEPPER_CHEBYSHEV)->length(0, 1e9, 7.3) * 7.3, 262144, 1e-9);
 }
 
 static int march(double rate, double time, long long steps, double *T) {
@@ -65,7 +64,7 @@ static int march(double rate, double time, long long steps, double *T) {
     struct heat_operator a = {.n = 1, .state = 1, .row = row, .diagonal = diagonal};
     struct march m = {.stepper = STEPPER_CHEBYSHEV, .time = time, .steps = steps, .hi = 2, .bound = 1.7};
     struct failure why;
-    m.stages = chebyshev_degree(time / (double)steps, m.bound);
+    m.stages = stepper_of(STEPPER_CHEBYSHEV)->count(time / (double)steps, m.bound);
     return stepper_march(&a, &m, T, &bytes, &why);
 }
 

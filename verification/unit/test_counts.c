@@ -1,6 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* What a run counts and reports beside its errors, by hand: pairs, stages, applications, the mesh Fourier number. */
-#include "solver/time/rkl2.h"
 #include "solver/time/stepper.h"
 #include "verification/command/arguments.h"
 #include "verification/run/run.h"
@@ -53,7 +52,7 @@ static void what_rounding_adds(void **state) {
 static void stages_are_the_fewest_that_are_stable(void **state) {
     (void)state;
     for (double z = 0.01; z < 1e6; z *= 1.37) {
-        int s = rkl2_stages(z / 7.3, 7.3);
+        int s = stepper_of(STEPPER_RKL2)->count(z / 7.3, 7.3);
         assert_true(s >= 3 && s % 2 == 1);
         assert_order(z, <=, (s * s + s - 2) / 2.0 * (1 + 1e-8));
         if (s > 3) assert_order(z, >, ((s - 2) * (s - 2) + (s - 2) - 2) / 2.0);
@@ -64,8 +63,8 @@ static void the_bound_of_stages_is_met(void **state) {
     (void)state;
     for (int s = 3; s < 1000; s += 2) {
         double z = (s * s + s - 2) / 2.0;
-        assert_int_equal(rkl2_stages(z * (1 - 1e-6), 1), s);
-        assert_int_equal(rkl2_stages(z * (1 + 1e-6), 1), s + 2);
+        assert_int_equal(stepper_of(STEPPER_RKL2)->count(z * (1 - 1e-6), 1), s);
+        assert_int_equal(stepper_of(STEPPER_RKL2)->count(z * (1 + 1e-6), 1), s + 2);
     }
 }
 
@@ -75,17 +74,17 @@ static void a_damped_start_takes_what_its_parts_need(void **state) {
     (void)state;
     for (double z = 0.01; z < 1e6; z *= 1.37) {
         int s[2];
-        rkl2_start(z / 7.3, 7.3, s);
+        stepper_of(STEPPER_RKL2)->first(z / 7.3, 7.3, s);
         assert_order(s[0], >=, 2);
         assert_order(z, <=, 4.0 / 3 * (s[0] * (s[0] + 5) - 6) * (1 + 1e-8));
         if (s[0] > 2) assert_order(z, >, 4.0 / 3 * ((s[0] - 1) * (s[0] + 4) - 6));
-        assert_int_equal(s[1], rkl2_stages(z / 2, 1));
+        assert_int_equal(s[1], stepper_of(STEPPER_RKL2)->count(z / 2, 1));
     }
     struct result r = result_of("run rod-step so_ssph --dx 0.02 --stepper rkl2 --dt 0.5 --domain whole");
     long long first = r.cost.updates / (long long)r.particles - (r.steps - 1) * r.stages;
     int least[2], most[2], s = r.stages;
-    rkl2_start(1, ((s - 2) * (s - 1) - 2) / 2.0, least);
-    rkl2_start(1, (s * (s + 1) - 2) / 2.0, most);
+    stepper_of(STEPPER_RKL2)->first(1, ((s - 2) * (s - 1) - 2) / 2.0, least);
+    stepper_of(STEPPER_RKL2)->first(1, (s * (s + 1) - 2) / 2.0, most);
     assert_order(s, >, 3);
     assert_order(first, >=, 2 * least[0] + least[1]);
     assert_order(first, <=, 2 * most[0] + most[1]);

@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The exact stepper at fine spacings: rates are right to some roundings of themselves, and not of the weights, which
  * are kappa/dx^2. */
-#include "solver/time/exact.h"
 
+#include "solver/time/stepper.h"
 #include "solver/space/operator.h"
 #include "solver/time/transform.h"
 #include "verification/command/command_run.h"
@@ -45,7 +45,7 @@ static void slow_modes_keep_their_rates(void **state) {
         double *T = xcalloc(a.n, sizeof *T), worst = 0, e = exp(-1);
         for (size_t i = 0; i < a.n; i++)
             T[i] = cos(angle[0] * ((int)i % l.n[0] + 0.5)) * cos(angle[1] * ((int)i / l.n[0] + 0.5));
-        exact_evolve(&a, (double)(-1 / rate(&a, angle[0], angle[1])), T);
+        stepper_of(STEPPER_EXACT)->evolve(&a, (double)(-1 / rate(&a, angle[0], angle[1])), T);
         for (size_t i = 0; i < a.n; i++) {
             double start = cos(angle[0] * ((int)i % l.n[0] + 0.5)) * cos(angle[1] * ((int)i / l.n[0] + 0.5));
             worst = fmax(worst, fabs(T[i] - e * start));

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The discrete Laplacians on neighbourhoods without any symmetry: what each must have exactly, which of them conserve
  * heat, and what they refuse. */
+#include "solver/particles/compatibility.h"
 #include "solver/space/csr.h"
 
 #include "verification/unit/odd_problems.h"
@@ -202,21 +203,21 @@ static void what_cannot_be_had_is_refused(void **state) {
     struct failure why;
     for (int m = 0; m < 8; m++) {
         struct problem p = odd_rectangle(); /* k_x and k_y differ */
-        assert_int_equal(operator_check(named(all[m])->scheme, &p, &o, &why),
+        assert_int_equal(compatibility_check(&p, &o, named(all[m])->scheme, &why),
                          m < 3 ? STATUS_NOT_APPLICABLE : STATUS_OK);
         p.materials = 2;
-        assert_int_equal(operator_check(named(all[m])->scheme, &p, &o, &why), STATUS_NOT_APPLICABLE);
-        assert_has(why.text, "use brookshaw");
+        assert_int_equal(compatibility_check(&p, &o, named(all[m])->scheme, &why), STATUS_NOT_APPLICABLE);
+        assert_has(why.text, "take brookshaw");
     }
     struct problem p = odd_rectangle();
-    assert_int_equal(operator_check(named("brookshaw")->scheme, &p, &o, &why), STATUS_NOT_APPLICABLE);
+    assert_int_equal(compatibility_check(&p, &o, named("brookshaw")->scheme, &why), STATUS_NOT_APPLICABLE);
     assert_has(why.text, "brookshaw: isotropic conductivity only");
     o.volume = VOLUME_TUNED;
     p = odd_rod();
-    assert_int_equal(operator_check(named("brookshaw")->scheme, &p, &o, &why), STATUS_OK);
-    assert_int_equal(operator_check(named("kernel_second")->scheme, &p, &o, &why), STATUS_NOT_APPLICABLE);
-    assert_int_equal(operator_check(named("flux_divergence")->scheme, &p, &o, &why), STATUS_NOT_APPLICABLE);
-    assert_int_equal(operator_check(named("conjugate")->scheme, &p, &o, &why), STATUS_NOT_APPLICABLE);
+    assert_int_equal(compatibility_check(&p, &o, named("brookshaw")->scheme, &why), STATUS_OK);
+    assert_int_equal(compatibility_check(&p, &o, named("kernel_second")->scheme, &why), STATUS_NOT_APPLICABLE);
+    assert_int_equal(compatibility_check(&p, &o, named("flux_divergence")->scheme, &why), STATUS_NOT_APPLICABLE);
+    assert_int_equal(compatibility_check(&p, &o, named("conjugate")->scheme, &why), STATUS_NOT_APPLICABLE);
 }
 
 int main(void) {

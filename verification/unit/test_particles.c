@@ -3,7 +3,6 @@
  * stay as it is; and the steppers on one equation. */
 #include "solver/method.h"
 
-#include "solver/time/rkl2.h"
 #include "solver/time/stepper.h"
 
 #include "verification/unit/odd_problems.h"
@@ -198,7 +197,7 @@ static void what_is_not_a_number_is_unstable(void **state) {
 static void stages_are_the_fewest(void **state) {
     (void)state;
     for (double z = 0.37; z < 400; z *= 1.31) {
-        int s = rkl2_stages(z / 7.1, 7.1);
+        int s = stepper_of(STEPPER_RKL2)->count(z / 7.1, 7.1);
         assert_true(s % 2 == 1 && s >= 3 && (s * s + s - 2) / 2.0 >= z);
         int fewer = s - 2;
         assert_true(fewer < 3 || (fewer * fewer + fewer - 2) / 2.0 < z);
@@ -213,7 +212,7 @@ static void stages_may_be_many(void **state) {
     assert_int_equal(march(STEPPER_RKL2, 60001, 0, 0.7, 2, &more), STATUS_OK);
     assert_near(more, many, 1e-8);
     assert_near(more / 1.3, exp(-0.7), 2 * 0.35 * 0.35 * 0.35 / 18);
-    assert_int_equal(rkl2_stages(1e12, 1e12), STEPPER_STAGES_MAX + 1);
+    assert_int_equal(stepper_of(STEPPER_RKL2)->count(1e12, 1e12), STEPPER_STAGES_MAX + 1);
 }
 
 int main(void) {

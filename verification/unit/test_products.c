@@ -1,9 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Fields as sums of products, and exp(tA) by way of them: what is split is put together again, what is no such sum is
  * not taken for one, and few modes evolve as all modes do. */
+#include "solver/time/stepper.h"
 #include "solver/time/products.h"
-
-#include "solver/time/exact.h"
 
 #include "verification/unit/near.h"
 #include "verification/unit/odd_problems.h"
@@ -158,9 +157,9 @@ static void few_modes_evolve_as_all_do(void **state) {
             double *one = field_of(l.n, product), *both = field_of(l.n, product), *rest = field_of(l.n, no_product);
             for (size_t i = 0; i < a.n; i++) both[i] += rest[i];
             double t = p.t_end * times[sides % 3];
-            exact_evolve(&a, t, one);
-            exact_evolve(&a, t, both);
-            exact_evolve(&a, t, rest);
+            stepper_of(STEPPER_EXACT)->evolve(&a, t, one);
+            stepper_of(STEPPER_EXACT)->evolve(&a, t, both);
+            stepper_of(STEPPER_EXACT)->evolve(&a, t, rest);
             /* |T| < 2 to begin with; transforms of 75 x 60 round to some ten eps */
             for (size_t i = 0; i < a.n; i++) assert_near(both[i] - rest[i], one[i], 2e-14);
             free(one);
@@ -197,9 +196,9 @@ static void a_faint_wave_evolves(void **state) {
     a.g = NULL;
     double *one = field_of(l.n, first_wave), *both = field_of(l.n, first_wave), *faint = field_of(l.n, third_wave);
     for (size_t i = 0; i < a.n; i++) both[i] += 1e-9 * faint[i];
-    exact_evolve(&a, p.t_end, one);
-    exact_evolve(&a, p.t_end, both);
-    exact_evolve(&a, p.t_end, faint);
+    stepper_of(STEPPER_EXACT)->evolve(&a, p.t_end, one);
+    stepper_of(STEPPER_EXACT)->evolve(&a, p.t_end, both);
+    stepper_of(STEPPER_EXACT)->evolve(&a, p.t_end, faint);
     /* of 1 K to begin with; transforms of 75 x 60 round to some ten eps */
     for (size_t i = 0; i < a.n; i++) assert_near(both[i] - one[i], 1e-9 * faint[i], 2e-14);
     assert_order(fabs(faint[ACROSS / 2]), >, 0.5); /* exp(-0.37) */

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Voronoi cells on clouds without symmetry, and the operator of their faces: what must hold to rounding, and what is
  * refused. */
+#include "solver/particles/compatibility.h"
 #include "solver/space/csr.h"
 #include "solver/space/voronoi.h"
 #include "solver/space/voronoi_cell.h"
@@ -409,7 +410,7 @@ static void bad_clouds_are_refused(void **state) {
     layout_cloud_free(&m.c);
     m.p.materials = 2, m.p.material[0].k[0] = 0.8, m.p.material[0].k[1] = 0.4;
     m.p.material[1] = (struct material){{0.3, 0.9}, 1};
-    assert_int_equal(operator_check(method_voronoi_flux.scheme, &m.p, &m.o, &why), STATUS_NOT_APPLICABLE);
+    assert_int_equal(compatibility_check(&m.p, &m.o, method_voronoi_flux.scheme, &why), STATUS_NOT_APPLICABLE);
     assert_has(why.text, "k_y/k_x is 0.5 in one material and 3 in the other, and cells have one metric");
 }
 

@@ -1,0 +1,133 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* Which options go together, as one table: a condition, the option that it refuses, the reason, the remedy. */
+#include "solver/particles/compatibility.h"
+
+#include "solver/particles/particles.h"
+#include "solver/particles/walls.h"
+#include "solver/time/stepper.h"
+
+#include <stdio.h>
+
+enum subject { LAYOUT, WALLS, SHIFT, SAMPLING, ORDER, VOLUME, STEPPER, METHOD };
+
+struct rule {
+    int refuses;
+    enum subject subject;
+    const char *reason, *take;
+};
+
+static void name_subject(enum subject subject, const struct options *o, const struct scheme *s, char text[80]) {
+    switch (subject) {
+    case LAYOUT:
+        snprintf(text, 80, "--layout %s", layout_words[o->layout]);
+        break;
+    case WALLS:
+        snprintf(text, 80, "--walls %s", walls_words[o->walls]);
+        break;
+    case SHIFT:
+        snprintf(text, 80, "--shift %g", o->shift);
+        break;
+    case SAMPLING:
+        snprintf(text, 80, "--sampling %s", sampling_words[o->sampling]);
+        break;
+    case ORDER:
+        snprintf(text, 80, "--order %d", o->order);
+        break;
+    case VOLUME:
+        snprintf(text, 80, "--volume %s", volume_words[o->volume]);
+        break;
+    case STEPPER:
+        snprintf(text, 80, "--stepper %s", stepper_words[o->stepper]);
+        break;
+    case METHOD:
+        snprintf(text, 80, "%s", s->name);
+        break;
+    }
+}
+
+static int has_wall(const struct problem *p, enum side_kind kind) {
+    for (int side = 0; side < 4; side++)
+        if (shape_has_wall(p, side) && p->side[side] == kind) return 1;
+    return 0;
+}
+
+/* A kind of wall of the problem that the dummies of the options do not take; PERIODIC where there is none. */
+static enum side_kind kind_without_dummies(const struct problem *p, enum walls walls) {
+    for (int side = 0; side < 4; side++)
+        if (shape_has_wall(p, side) && !(walls_kinds(walls) & 1u << p->side[side])) return p->side[side];
+    return PERIODIC;
+}
+
+/* The first material with k_x != k_y; NULL where there is none. */
+static const struct material *anisotropic(const struct problem *p) {
+    for (int m = 0; m < p->materials && p->dim == 2; m++)
+        if (p->material[m].k[0] != p->material[m].k[1]) return &p->material[m];
+    return NULL;
+}
+
+int compatibility_check(const struct problem *p, const struct options *o, const struct scheme *s,
+                        struct failure *why) {
+    static const char *const kind_words[] = {"Dirichlet", "Neumann", "Robin", "periodic"};
+    const struct stepper *stepper = stepper_of(o->stepper);
+    const int round = p->shape != NULL, periodic = !round && p->side[X_LO] == PERIODIC, two = p->materials == 2;
+    const int cut = layout_is_cut(p, o), twice = cut && s->sweeps == 2, robin = has_wall(p, ROBIN);
+    const int node = o->layout == LAYOUT_NODE, settled = o->layout == LAYOUT_RELAXED;
+    const int mirror = o->walls == WALLS_MIRROR, matched = o->stepper == STEPPER_MATCHED;
+    const enum side_kind kind = kind_without_dummies(p, o->walls);
+    const struct material *unequal = anisotropic(p), *m = unequal ? unequal : &p->material[0];
+    char axes[100], wall[60];
+    snprintf(axes, sizeof axes, "isotropic conductivity only, the scene has k_x = %g and k_y = %g", m->k[0], m->k[1]);
+    snprintf(wall, sizeof wall, "has no answer for a %s wall", kind_words[kind]);
+
+    const struct rule rules[] = {
+        /* materials and data */
+        {o->volume == VOLUME_TUNED && s->volume && !s->tuned, VOLUME, "only brookshaw is tuned", "moment or raw"},
+        {two && !s->two_materials, METHOD, "one material only, the scene has two", "brookshaw or contact_ssph"},
+        {s->isotropic && unequal, METHOD, axes, two ? "contact_ssph" : "so_ssph"},
+        {two && o->sampling == SAMPLING_SPLINE, SAMPLING, "four cells of two materials have no common average",
+         "point or cell"},
+        {p->source_rate != NULL, METHOD,
+         "a source that changes in time: every stepper here takes dT/dt = A T + g with one g", "ftcs"},
+        /* layouts */
+        {node && periodic, LAYOUT, "the scene has no walls to be on", "lattice"},
+        {node && robin, LAYOUT, "a Robin wall is midway between a particle and its ghost", "lattice"},
+        {node && two, LAYOUT, "two materials give each particle a row of its own", "lattice"},
+        {node && cut, LAYOUT, "is made for walls between particles", "lattice, jitter or hexagonal"},
+        {cut && !round && (settled || o->layout == LAYOUT_HEXAGONAL), LAYOUT,
+         "is made for --walls mirror and no --shift here", "lattice or jitter"},
+        /* walls */
+        {periodic && o->shift > 0, SHIFT, "the scene is periodic and has no walls", "0"},
+        {periodic && !mirror, WALLS, "the scene is periodic and has no walls", "mirror"},
+        {cut && s->cells && !(round && mirror), WALLS, "cells are cut by round walls alone",
+         "--walls mirror without --shift"},
+        {cut && two, METHOD, "walls that cut the lattice: one material only, the scene has two",
+         "--walls mirror without --shift"},
+        {cut && o->order > 2, ORDER, "walls that cut the lattice have dummies exact for quadratics", "2"},
+        {robin && o->order > 2, ORDER, "a Robin wall's temperature moves, and its ghosts are of second order", "2"},
+        {twice && s->adjoint, METHOD, "walls that cut the lattice: dummies have no part in an adjoint", "so_ssph"},
+        {twice && o->walls == WALLS_DISTANCE, WALLS, "a dummy that differs from pair to pair has no derivative",
+         "fit"},
+        /* with mirror images are off the lattice; with image 8 of 12 lattices in a disc had growing modes */
+        {twice && p->dim == 2 && (mirror || o->walls == WALLS_IMAGE), WALLS,
+         "modes grow where a derivative is applied twice", "fit"},
+        {o->walls == WALLS_ONE_SIDED && !s->at_wall, WALLS, "needs the least squares of so_ssph", "fit"},
+        {round && o->sampling != SAMPLING_POINT, SAMPLING, "a round wall cuts cells", "point"},
+        {round && mirror && !s->cells, WALLS, "images of particles need plane walls, the scene has round ones",
+         "fit"},
+        {cut && kind != PERIODIC, WALLS, wall, "fit"},
+        /* steppers */
+        {stepper && stepper->needs && particles_rows(p, o), STEPPER, "one stencil has to do for all particles",
+         "--layout lattice or node, one material and plane walls between particles or on them"},
+        {matched && robin, STEPPER, "a Robin wall's temperature moves, and its ghosts are of second order",
+         "another stepper"},
+        {o->stepper == STEPPER_EXACT && o->walls == WALLS_FIXED && has_wall(p, DIRICHLET), STEPPER,
+         "a transform needs walls that mirror", "--walls mirror"},
+    };
+    for (size_t k = 0; k < sizeof rules / sizeof *rules; k++) {
+        char subject[80];
+        if (!rules[k].refuses) continue;
+        name_subject(rules[k].subject, o, s, subject);
+        return refuse(why, STATUS_NOT_APPLICABLE, "%s: %s; take %s", subject, rules[k].reason, rules[k].take);
+    }
+    return s->check ? s->check(p, o, why) : STATUS_OK;
+}

@@ -1,0 +1,64 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* Options that do not go together are refused: one command for each row of the tables of the particles and of the
+ * finite differences. */
+#include "verification/command/command_run.h"
+#include "verification/unit/near.h"
+
+#include <gsl/gsl_errno.h>
+#include <string.h>
+
+static const struct row {
+    const char *command, *text;
+} rows[] = {
+    /* materials and data */
+    {"rod-cosine kernel_second --dx 0.1 --volume tuned",
+     "--volume tuned: only brookshaw is tuned; take moment or raw"},
+    {"rod-contact so_ssph --dx 0.1", "so_ssph: one material only, the scene has two; take brookshaw or contact_ssph"},
+    {"rect-manufactured brookshaw --dx 0.1", "k_x = 0.02 and k_y = 0.005; take so_ssph"},
+    {"rod-contact contact_ssph --dx 0.1 --sampling spline", "--sampling spline: four cells of two materials"},
+    {"rect-manufactured so_ssph --dx 0.1 --set rise=2", "a source that changes in time"},
+    /* layouts */
+    {"wave so_ssph --dx 0.1 --layout node", "--layout node: the scene has no walls to be on; take lattice"},
+    {"rod-cooling so_ssph --dx 0.03 --layout node", "--layout node: a Robin wall is midway"},
+    {"rod-contact contact_ssph --dx 0.1 --layout node", "--layout node: two materials give each particle a row"},
+    {"rod-cosine so_ssph --dx 0.1 --layout node --shift 0.3", "--layout node: is made for walls between particles"},
+    {"rod-cosine so_ssph --dx 0.1 --layout hexagonal --shift 0.3", "--layout hexagonal: is made for --walls mirror"},
+    /* walls */
+    {"wave so_ssph --dx 0.1 --shift 0.3", "--shift 0.3: the scene is periodic and has no walls; take 0"},
+    {"wave so_ssph --dx 0.1 --walls fit", "--walls fit: the scene is periodic and has no walls; take mirror"},
+    {"rod-cosine voronoi_flux --dx 0.1 --walls fit", "--walls fit: cells are cut by round walls alone"},
+    {"rod-contact contact_ssph --dx 0.1 --walls fit", "walls that cut the lattice: one material only"},
+    {"rod-cosine so_ssph --dx 0.1 --walls fit --order 3", "--order 3: walls that cut the lattice have dummies exact"},
+    {"rod-cooling so_ssph --dx 0.03 --order 4", "--order 4: a Robin wall's temperature moves"},
+    {"rod-cosine conjugate --dx 0.1 --walls fit",
+     "conjugate: walls that cut the lattice: dummies have no part in an"},
+    {"rod-step fo_ssph --dx 0.1 --walls distance", "--walls distance: a dummy that differs from pair to pair"},
+    {"square-step fo_ssph --dx 0.1 --walls image", "--walls image: modes grow where a derivative is applied twice"},
+    {"square-step fo_ssph --dx 0.1 --shift 0.2", "--walls mirror: modes grow where a derivative is applied twice"},
+    {"disc-mode fatehi_manzari --dx 0.1 --walls one_sided", "--walls one_sided: needs the least squares of so_ssph"},
+    {"disc-mode so_ssph --dx 0.1 --sampling cell", "--sampling cell: a round wall cuts cells; take point"},
+    {"disc-mode so_ssph --dx 0.1 --walls mirror", "--walls mirror: images of particles need plane walls"},
+    {"annulus so_ssph --dx 0.1 --walls fixed", "--walls fixed: has no answer for a Neumann wall; take fit"},
+    /* steppers */
+    {"rod-step so_ssph --dx 0.1 --stepper exact --layout jitter", "--stepper exact: one stencil has to do"},
+    {"rod-cooling so_ssph --dx 0.03 --stepper matched", "--stepper matched: a Robin wall's temperature moves"},
+    {"rod-step so_ssph --dx 0.1 --stepper exact --walls fixed",
+     "--stepper exact: a transform needs walls that mirror"},
+};
+
+static void what_does_not_go_together_is_refused(void **state) {
+    (void)state;
+    for (size_t k = 0; k < sizeof rows / sizeof *rows; k++) {
+        struct command_run run;
+        int status = command_run_line(&run, "run %s", rows[k].command);
+        if (status != STATUS_NOT_APPLICABLE || !strstr(run.result.failure.text, rows[k].text))
+            fail_msg("%s: status %d, %s", rows[k].command, status, run.result.failure.text);
+        command_run_free(&run);
+    }
+}
+
+int main(void) {
+    gsl_set_error_handler_off();
+    const struct CMUnitTest tests[] = {cmocka_unit_test(what_does_not_go_together_is_refused)};
+    return cmocka_run_group_tests_name("compatibility", tests, NULL, NULL);
+}
