@@ -203,7 +203,8 @@ int walls_study_write(const char *dir, struct failure *why) {
     if (!status) {
         write_rows(all, csv, md);
         write_errors(all, error);
-        status = walls_planes_offsets(offset, md, error, why) || walls_planes_steps(md, why) ? why->status : STATUS_OK;
+        status =
+            walls_planes_offsets(offset, md, error, why) || walls_planes_steps(md, why) ? why->status : STATUS_OK;
     }
     if (!status) status = write_field(field, why);
     free(all);
