@@ -16,7 +16,7 @@ struct settling { /* of a relaxed cloud, in units of the spacing */
 struct cost {               /* of a run */
     long long updates;      /* particle updates: particles x operator applications */
     long long interactions; /* pairs evaluated: updates x neighbours */
-    double work;            /* all that is done, counted (solver/outline.h); 0 where unknown */
+    double work;            /* all that is done, counted (solver/work.h); 0 where unknown */
     size_t bytes;           /* held while time runs, places and temperatures among them */
     double seconds;         /* wall time of the whole call */
     double step_seconds;    /* wall time of the time loop alone */

@@ -24,8 +24,3 @@ int method_solve(const struct method *m, const struct problem *p, const struct o
                  struct failure *why) {
     return m->solve(m, p, o, f, why);
 }
-
-int method_outline(const struct method *m, const struct problem *p, const struct options *o, struct outline *out,
-                   struct failure *why) {
-    return m->outline(m, p, o, out, why);
-}

@@ -2,13 +2,12 @@
 #ifndef HEATLADDER_SOLVER_METHOD_H
 #define HEATLADDER_SOLVER_METHOD_H
 
-/* A method: its name, options, solver, and an outline of its storage and work. */
+/* A method: its name, options and solver. */
 
 #include "solver/field.h"
 #include "solver/options.h"
 #include "solver/status.h"
 
-struct outline; /* outline.h */
 struct problem;
 struct scheme; /* space/operator.h: how a particle method weights its neighbours */
 
@@ -17,20 +16,14 @@ struct method {
     const char *about;   /* one line, with its equation */
     const char *accepts; /* the options that have a meaning here, separated by blanks: "stepper kernel h ..." */
     const struct scheme *scheme; /* NULL for a method that is not a particle method */
-    /* As method_solve and method_outline; `outline` is NULL for a method without one. */
+    /* As method_solve. */
     int (*solve)(const struct method *m, const struct problem *p, const struct options *o, struct field *f,
                  struct failure *why);
-    int (*outline)(const struct method *m, const struct problem *p, const struct options *o, struct outline *out,
-                   struct failure *why);
 };
 
 /* 0 and a filled *f (its arrays owned by the caller), or a status with *why filled and *f untouched. */
 int method_solve(const struct method *m, const struct problem *p, const struct options *o, struct field *f,
                  struct failure *why);
-
-/* What method_solve would store and do, for a stepper other than STEPPER_AUTO; refuses what it does. */
-int method_outline(const struct method *m, const struct problem *p, const struct options *o, struct outline *out,
-                   struct failure *why);
 
 extern const struct method *const methods[]; /* ended by NULL */
 

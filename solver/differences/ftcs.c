@@ -19,7 +19,7 @@
 #include "solver/differences/ftcs_loops.h"
 #include "solver/differences/ftcs_plan.h"
 #include "solver/method.h"
-#include "solver/outline.h"
+#include "solver/work.h"
 #include "solver/problem.h"
 
 #include <math.h>
@@ -156,41 +156,14 @@ static void count(const struct ftcs_grid *g, const struct options *o, struct fie
     f->dt = g->dt, f->steps = g->steps, f->stages = 1;
     f->cost.updates = g->steps * g->n[0] * g->n[1];
     f->cost.interactions = f->cost.updates * (g->with_fluxes ? 4 : 2) * g->dim;
-    f->cost.work = OUTLINE_SCALAR * n * (OUTLINE_PLACE + OUTLINE_SAMPLE * pow(nodes, g->dim));
+    f->cost.work = WORK_SCALAR * n * (WORK_PLACE + WORK_SAMPLE * pow(nodes, g->dim));
     f->cost.work += (double)f->cost.interactions + 2 * (double)f->cost.updates;
-    f->cost.work += OUTLINE_SCALAR * OUTLINE_GHOST * ((double)g->size - n) * (double)g->steps;
+    f->cost.work += WORK_SCALAR * WORK_GHOST * ((double)g->size - n) * (double)g->steps;
 }
 
 static int refuse_round(const struct method *m, struct failure *why) {
     return refuse(why, STATUS_NOT_APPLICABLE, "%s: takes rods and rectangles, the scene has a round body; take ftcs",
                   m->name);
-}
-
-static int outline(const struct method *m, const struct problem *p, const struct options *o, struct outline *out,
-                   struct failure *why) {
-    if (p->shape && m == &method_ftcs_flux) return refuse_round(m, why);
-    if (p->shape) return ftcs_polar_outline(m->name, p, o, out, why);
-    struct ftcs_grid g;
-    const int with_fluxes = m == &method_ftcs_flux;
-    *out = (struct outline){0};
-    if (ftcs_plan(&g, m->name, with_fluxes, p, o, why)) return why->status;
-    size_t nx = (size_t)g.n[0], ny = (size_t)g.n[1], rows = g.dim == 2 ? 1 : 0, unit = sizeof(double);
-    count(&g, o, &out->run);
-    out->weights = p->materials == 2 ? "a stencil for each place along x: a grid of two materials"
-                                     : "one stencil for all points: a grid of one material";
-    out->answer = g.dim + 1 + !has_whole_cells(&g);
-    out->on_lattice = 1;
-    out->neighbours = (with_fluxes ? 4 : 2) * g.dim;
-    outline_hold(out, "temperatures with their ghosts", g.size * unit, OUTLINE_SET_UP, OUTLINE_STEPS);
-    outline_hold(out, with_fluxes ? "fluxes of a few rows" : "temperatures of the next step",
-                 (with_fluxes ? nx + 2 + 3 * nx * rows : g.size) * unit, OUTLINE_SET_UP, OUTLINE_STEPS);
-    size_t sources = p->source_rate ? 3 : p->source != NULL;
-    outline_hold(out, "what the source adds in a step", sources * nx * ny * unit, OUTLINE_SET_UP, OUTLINE_STEPS);
-    outline_hold(out, "what the walls add", 2 * FTCS_LAYERS * (ny + nx * rows) * unit, OUTLINE_SET_UP, OUTLINE_STEPS);
-    outline_hold(out, "what the materials conduct and hold", p->materials == 2 ? (2 + (size_t)g.dim) * nx * unit : 0,
-                 OUTLINE_SET_UP, OUTLINE_STEPS);
-    out->run.cost.bytes = out->bytes[OUTLINE_STEPS];
-    return STATUS_OK;
 }
 
 static int solve(const struct method *m, const struct problem *p, const struct options *o, struct field *f,
@@ -229,7 +202,6 @@ const struct method method_ftcs = {
     .about = "finite differences, (T[i+1] - 2 T[i] + T[i-1])/dx^2, Euler: Song eq. 5, Pamplona eq. 16",
     .accepts = "stepper layout sampling walls mean",
     .solve = solve,
-    .outline = outline,
 };
 
 const struct method method_ftcs_flux = {
@@ -237,5 +209,4 @@ const struct method method_ftcs_flux = {
     .about = "finite differences through the heat fluxes, (q[i+1] - q[i-1])/(2 dx), Euler: Song eq. 6",
     .accepts = "stepper layout sampling walls",
     .solve = solve,
-    .outline = outline,
 };

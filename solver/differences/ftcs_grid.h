@@ -12,7 +12,6 @@ struct options;
 struct failure;
 struct ftcs_loops;
 struct field;
-struct outline;
 
 enum { FTCS_LAYERS = 2 }; /* of ghosts: the fluxes reach two points far */
 
@@ -72,10 +71,8 @@ double ftcs_sample(const struct problem *p, const double x[2], const double d[2]
 
 /* ftcs in a disc or an annulus, on a grid of rings and rays. */
 
-/* As method_solve and method_outline, of a round body. */
+/* As method_solve, of a round body. */
 int ftcs_polar_solve(const char *method, const struct problem *p, const struct options *o, struct field *f,
                      struct failure *why);
-int ftcs_polar_outline(const char *method, const struct problem *p, const struct options *o, struct outline *out,
-                       struct failure *why);
 
 #endif

@@ -23,7 +23,7 @@
 #include "solver/differences/ftcs_plan.h"
 
 #include "solver/method.h"
-#include "solver/outline.h"
+#include "solver/work.h"
 #include "solver/problem.h"
 
 #include <math.h>
@@ -295,7 +295,7 @@ static void count(const struct polar *g, struct field *f) {
     f->cost.updates = g->steps * (long long)f->n;
     f->cost.interactions = 4 * f->cost.updates;
     f->cost.bytes = held(g);
-    f->cost.work = OUTLINE_SCALAR * (double)f->n * (OUTLINE_PLACE + OUTLINE_SAMPLE + 2 * OUTLINE_FUNCTION);
+    f->cost.work = WORK_SCALAR * (double)f->n * (WORK_PLACE + WORK_SAMPLE + 2 * WORK_FUNCTION);
     f->cost.work += 2 * (double)f->cost.interactions;
 }
 
@@ -309,22 +309,6 @@ static void hand_over(struct polar *g, struct field *f) {
         f->x[k] = x[0], f->y[k] = x[1], f->T[k] = g->T[k], f->weight[k] = area(g, ring);
     }
     count(g, f);
-}
-
-int ftcs_polar_outline(const char *method, const struct problem *p, const struct options *o, struct outline *out,
-                       struct failure *why) {
-    struct polar g;
-    *out = (struct outline){0};
-    if (plan(&g, method, p, o, why)) return why->status;
-    count(&g, &out->run);
-    out->weights = "four numbers for each ring";
-    out->answer = 4;
-    out->neighbours = 4;
-    outline_hold(out, "temperatures", cells(&g) * sizeof(double), OUTLINE_SET_UP, OUTLINE_STEPS);
-    outline_hold(out, "what source and walls add in a step", cells(&g) * sizeof(double), OUTLINE_SET_UP,
-                 OUTLINE_STEPS);
-    out->run.cost.bytes = out->bytes[OUTLINE_STEPS];
-    return STATUS_OK;
 }
 
 int ftcs_polar_solve(const char *method, const struct problem *p, const struct options *o, struct field *f,

@@ -84,5 +84,4 @@ const struct method method_brookshaw = {
     .accepts = PARTICLES_OPTIONS PARTICLES_WALLS " mean volume xi",
     .scheme = &scheme,
     .solve = particles_solve,
-    .outline = particles_outline,
 };

@@ -99,5 +99,4 @@ const struct method method_contact_ssph = {
     .accepts = PARTICLES_OPTIONS PARTICLES_WALLS,
     .scheme = &scheme,
     .solve = particles_solve,
-    .outline = particles_outline,
 };

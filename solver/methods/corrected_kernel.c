@@ -57,7 +57,6 @@ const struct method method_brookshaw_corrected = {
     .accepts = PARTICLES_OPTIONS PARTICLES_WALLS,
     .scheme = &brookshaw,
     .solve = particles_solve,
-    .outline = particles_outline,
 };
 
 /* ---- schwaiger ---- */
@@ -88,7 +87,6 @@ const struct method method_schwaiger = {
     .accepts = PARTICLES_OPTIONS PARTICLES_WALLS,
     .scheme = &schwaiger,
     .solve = particles_solve,
-    .outline = particles_outline,
 };
 
 /* ---- cspm ---- */
@@ -144,5 +142,4 @@ const struct method method_cspm = {
     .accepts = PARTICLES_OPTIONS PARTICLES_WALLS,
     .scheme = &cspm,
     .solve = particles_solve,
-    .outline = particles_outline,
 };

@@ -57,5 +57,4 @@ const struct method method_fatehi_manzari = {
     .accepts = PARTICLES_OPTIONS PARTICLES_WALLS,
     .scheme = &scheme,
     .solve = particles_solve,
-    .outline = particles_outline,
 };

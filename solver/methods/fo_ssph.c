@@ -22,5 +22,4 @@ const struct method method_fo_ssph = {
     .accepts = PARTICLES_OPTIONS PARTICLES_WALLS,
     .scheme = &scheme,
     .solve = particles_solve,
-    .outline = particles_outline,
 };

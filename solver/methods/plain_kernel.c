@@ -119,7 +119,6 @@ const struct method method_kernel_second = {
     .accepts = PARTICLES_OPTIONS PARTICLES_WALLS " volume",
     .scheme = &second,
     .solve = particles_solve,
-    .outline = particles_outline,
 };
 
 /* ---- flux_divergence, conjugate ---- */
@@ -160,7 +159,6 @@ const struct method method_flux_divergence = {
     .accepts = PARTICLES_OPTIONS PARTICLES_WALLS " volume",
     .scheme = &divergence,
     .solve = particles_solve,
-    .outline = particles_outline,
 };
 
 static const struct scheme conjugate = {
@@ -172,5 +170,4 @@ const struct method method_conjugate = {
     .accepts = PARTICLES_OPTIONS " walls volume",
     .scheme = &conjugate,
     .solve = particles_solve,
-    .outline = particles_outline,
 };

@@ -160,5 +160,4 @@ const struct method method_positive = {
     .accepts = PARTICLES_OPTIONS PARTICLES_WALLS,
     .scheme = &scheme,
     .solve = particles_solve,
-    .outline = particles_outline,
 };

@@ -32,5 +32,4 @@ const struct method method_so_ssph = {
     .accepts = PARTICLES_OPTIONS PARTICLES_WALLS " order",
     .scheme = &scheme,
     .solve = particles_solve,
-    .outline = particles_outline,
 };

@@ -108,5 +108,4 @@ const struct method method_voronoi_flux = {
     .accepts = "stepper layout jitter sweeps seed sampling angle walls",
     .scheme = &scheme,
     .solve = particles_solve,
-    .outline = particles_outline,
 };

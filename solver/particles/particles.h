@@ -5,8 +5,6 @@
 #include "solver/space/operator.h"
 #include "solver/time/stepper.h"
 
-struct outline;
-
 /* The options that a method with a scheme accepts, but for walls, and what is its own. */
 #define PARTICLES_OPTIONS "stepper kernel h layout jitter sweeps seed sampling"
 #define PARTICLES_WALLS " shift angle walls"
@@ -20,11 +18,6 @@ int particles_solve(const struct method *m, const struct problem *p, const struc
  * scheme. */
 int particles_growth(const struct method *m, const struct problem *p, const struct options *o, const struct field *f,
                      double *rate, struct failure *why);
-
-/* `outline` of a method with a scheme.  Rows are assembled for it, those of a coarser lattice where there are more
- * than 2e5 particles. */
-int particles_outline(const struct method *m, const struct problem *p, const struct options *o, struct outline *out,
-                      struct failure *why);
 
 /* ---- The parts of both ---- */
 

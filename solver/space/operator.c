@@ -190,8 +190,8 @@ static ptrdiff_t stride_of(int n, int reach) {
     return stride;
 }
 
-static int outline(struct heat_operator *a, const struct problem *p, const struct options *o, const struct scheme *s,
-                   struct failure *why) {
+static int take_stencil(struct heat_operator *a, const struct problem *p, const struct options *o,
+                        const struct scheme *s, struct failure *why) {
     const struct lattice *l = &a->lattice;
     double stretch = l->dim == 2 ? l->dx[0] / l->dx[1] : 1; /* as if the lattice were square */
     double kappa[2] = {p->material[0].k[0] / p->material[0].rho_c,
@@ -212,18 +212,15 @@ static int outline(struct heat_operator *a, const struct problem *p, const struc
     return STATUS_OK;
 }
 
-int operator_outline_lattice(struct heat_operator *a, const struct problem *p, const struct options *o,
-                             const struct scheme *s, const struct lattice *l, struct failure *why) {
-    *a = (struct heat_operator){
-        .n = (size_t)l->n[0] * (size_t)l->n[1], .lattice = *l, .threads = o->threads, .lanes = o->lanes};
-    int status = outline(a, p, o, s, why);
-    if (status) operator_free(a);
-    return status;
-}
-
 int operator_create_lattice(struct heat_operator *a, const struct problem *p, const struct options *o,
                             const struct scheme *s, const struct lattice *l, struct failure *why) {
-    if (operator_outline_lattice(a, p, o, s, l, why)) return why->status;
+    *a = (struct heat_operator){
+        .n = (size_t)l->n[0] * (size_t)l->n[1], .lattice = *l, .threads = o->threads, .lanes = o->lanes};
+    int status = take_stencil(a, p, o, s, why);
+    if (status) {
+        operator_free(a);
+        return status;
+    }
     if (a->constant) {
         a->g = xcalloc(a->state, sizeof *a->g);
         add_constants(a, p, o, a->g);

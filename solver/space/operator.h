@@ -107,9 +107,6 @@ static inline ptrdiff_t operator_row(const struct heat_operator *a, ptrdiff_t j)
 /* On a lattice of one material. */
 int operator_create_lattice(struct heat_operator *a, const struct problem *p, const struct options *o,
                             const struct scheme *s, const struct lattice *l, struct failure *why);
-/* The same without g, whose bytes are counted: nothing as large as a state is allocated. */
-int operator_outline_lattice(struct heat_operator *a, const struct problem *p, const struct options *o,
-                             const struct scheme *s, const struct lattice *l, struct failure *why);
 /* For particles anywhere; spacing (m) is what the h of the options counts in. */
 int operator_create_csr(struct heat_operator *a, const struct problem *p, const struct options *o,
                         const struct scheme *s, const struct cloud *c, double spacing, struct failure *why);

@@ -1,9 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The benchmark of a scene.  A rung is run once to warm up and to measure its error, then BENCH_RUNS times for its
  * median.  A candidate has its share of the scene's seconds, what is left divided by the candidates that are left; it
- * climbs while the next rung is predicted to fit in.  That takes what the rung before took, times the ratio of their
- * counted work; the first one's is that of all rungs of the scene so far.  So the whole ends in time on any machine,
- * but for what a prediction is off.  A rung that fails or is left out is kept with its reason. */
+ * climbs while the next rung is predicted to fit in: the rung before, times the expected growth.  The coarsest rung
+ * runs in any case, but for many steps of a given length.  A rung that fails or is left out is kept with its reason.
+ */
 #include "verification/bench/bench.h"
 
 #include "verification/text/progress.h"
@@ -43,48 +43,58 @@ static struct bench_time time_runs(const struct candidate *c, const struct exper
     return bench_summary(seconds, BENCH_RUNS);
 }
 
-/* Pairs of a rung with its exact temperatures; 0 where they cannot be predicted: such a rung is tried. */
-static double predict_work(const struct candidate *c, const struct experiment *e, int n) {
-    struct candidate_cost cost;
-    struct failure why;
-    return candidate_predict(c, e, n, &cost, &why) ? 0 : cost.whole;
+/* Explicit steps that shrink with dx^2 make N^(1 + 2/d); n steps of sqrt(n) stages N^(1 + 3/(2d)); one step of n
+ * updates by polynomials N^(1 + 1/d); transforms N. */
+static double expected_growth(const struct candidate *c, int dim) {
+    if (c->options.stepper == STEPPER_EXACT || c->options.dt > 0) return 1;
+    if (c->options.stepper == STEPPER_CHEBYSHEV) return 1 + 1.0 / dim;
+    if (c->options.stepper == STEPPER_RKL2) return 1 + 1.5 / dim;
+    return 1 + 2.0 / dim;
 }
 
-static void leave_out(const struct candidate *c, const struct experiment *e, double work, double seconds, double left,
+/* Of the coarsest rung, all runs: 1 ns an update where the step is given, else nothing is predicted. */
+static double coarsest_seconds(const struct candidate *c, const struct experiment *e, int n) {
+    const double UPDATE = 1e-9;
+    if (c->options.dt == 0) return 0;
+    return (BENCH_RUNS + 1) * UPDATE * pow(n, e->problem.dim) * e->problem.t_end / c->options.dt;
+}
+
+static void leave_out(const struct candidate *c, const struct experiment *e, double seconds, double left,
                       struct bench_row *row) {
     struct result *out = &row->result;
     *out = (struct result){.scene = e->scene, .method = method_find(c->method), .t_end = e->problem.t_end};
     out->options = candidate_options(c, e, row->n);
-    refuse(&out->failure, STATUS_NOT_APPLICABLE, "%.2g pairs, %d times %.2g s predicted of %.2g s that are left",
-           work, BENCH_RUNS + 1, seconds / (BENCH_RUNS + 1), left);
+    refuse(&out->failure, STATUS_NOT_APPLICABLE, "%d times %.2g s predicted, %.2g s are left", BENCH_RUNS + 1,
+           seconds / (BENCH_RUNS + 1), left);
     row->left_out = 1;
 }
 
 void bench_climb(const struct candidate *c, const struct experiment *e, int unit, double seconds,
                  struct bench_scene *b) {
+    const int dim = e->problem.dim;
     int failures = 0, rungs = 0, before = 0;
-    double rate = b->work > 0 ? b->seconds / b->work : 0, begin = omp_get_wtime();
-    for (double at = COARSEST[e->problem.dim]; at <= FINEST[e->problem.dim] && rungs < BENCH_RUNGS; at *= 2) {
+    double begin = omp_get_wtime(), took = 0;
+    for (double at = COARSEST[dim]; at <= FINEST[dim] && rungs < BENCH_RUNGS; at *= 2) {
         int n = candidate_member(at, unit);
         if (n == before || b->count == BENCH_ROWS) continue;
+        double predicted =
+            before ? took * pow((double)n / before, dim * expected_growth(c, dim)) : coarsest_seconds(c, e, n);
         before = n;
         struct bench_row *row = &b->row[b->count++];
         *row = (struct bench_row){.candidate = c, .n = n};
-        double start = omp_get_wtime(), left = seconds - (start - begin), work = predict_work(c, e, n);
-        if (work * rate > left) {
-            leave_out(c, e, work, work * rate, left, row);
+        double start = omp_get_wtime(), left = seconds - (start - begin);
+        if (predicted > 0 && predicted > left) {
+            leave_out(c, e, predicted, left, row);
             return;
         }
-        if (candidate_prove(c, e, n, &row->result, NULL)) {
+        if (candidate_run(c, e, n, &row->result)) {
             if (++failures == FAILURES) return;
             continue;
         }
         rungs++;
         row->work = row->result.cost.work;
         row->time = time_runs(c, e, n);
-        double took = omp_get_wtime() - start;
-        b->seconds += took, b->work += work;
-        if (work > 0) rate = took / work;
+        took = omp_get_wtime() - start;
     }
 }
 
@@ -109,15 +119,6 @@ static int on_front(const struct bench_scene *b, const struct bench_row *row, in
         if (e <= error && w <= cost && (e < error || w < cost)) return 0;
     }
     return 1;
-}
-
-/* Explicit steps that shrink with dx^2 make N^(1 + 2/d); n steps of sqrt(n) stages N^(1 + 3/(2d)); one step of n
- * updates by polynomials N^(1 + 1/d); transforms N. */
-static double expected_growth(const struct candidate *c, int dim) {
-    if (c->options.stepper == STEPPER_EXACT || c->options.dt > 0) return 1;
-    if (c->options.stepper == STEPPER_CHEBYSHEV) return 1 + 1.0 / dim;
-    if (c->options.stepper == STEPPER_RKL2) return 1 + 1.5 / dim;
-    return 1 + 2.0 / dim;
 }
 
 static void fit_growth(const struct candidate *c, int dim, struct bench_scene *b) {

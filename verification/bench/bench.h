@@ -4,7 +4,7 @@
 
 /* Error against cost: every candidate on a ladder of one scene, each rung timed several times. */
 
-#include "verification/choose/candidate.h"
+#include "verification/bench/candidate.h"
 
 enum { BENCH_RUNS = 5, BENCH_RUNGS = 6, BENCH_ROWS = 300 };
 
@@ -18,7 +18,7 @@ struct bench_row {
     struct result result; /* its failure says why there is no more than that */
     int left_out;         /* 1: not run, since it is predicted to take longer than may be spent */
     struct bench_time time;
-    double work;                /* of the run, in the unit of solver/outline.h */
+    double work;                /* of the run, in the unit of solver/work.h */
     int front_time, front_work; /* 1: no other row has a smaller error for less */
 };
 
@@ -39,7 +39,6 @@ struct bench_scene {
     struct bench_row row[BENCH_ROWS]; /* by candidate, coarsest first */
     struct bench_growth growth[BENCH_ROWS / BENCH_RUNGS];
     struct bench_same slow, fast; /* of the row that takes longest, and of the one that takes least */
-    double seconds, work;         /* s and pairs of all rungs */
 };
 
 /* The counted work, or the median of the seconds. */

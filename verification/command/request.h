@@ -30,7 +30,6 @@ struct request {
     int times;               /* > 1: so many, evenly from time.value[0] to [1]; 0: those of `time` */
     const char *points;      /* reference: file of points, - for standard input; NULL for `at` */
     const char *what;        /* reference: the columns asked for; NULL for the temperature */
-    double error;            /* choose: E1 to be reached */
     const char *into;        /* case: the directory of cases */
     struct method *external; /* owned: what the method is where a program stands in for it; else NULL */
     char *only;              /* owned: globs of names, of gates or claims (words_match); NULL for all */

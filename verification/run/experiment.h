@@ -2,7 +2,7 @@
 #ifndef HEATLADDER_VERIFICATION_RUN_EXPERIMENT_H
 #define HEATLADDER_VERIFICATION_RUN_EXPERIMENT_H
 
-/* One experiment: what is solved, by whom, and how.  Data only; a run, a ladder, a plan and a gate are given one. */
+/* One experiment: what is solved, by whom, and how.  Data only; a run, a ladder and a gate are given one. */
 
 #include "solver/method.h"
 #include "solver/problem.h"

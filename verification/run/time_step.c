@@ -57,12 +57,12 @@ static int try_steps(struct search *s, double steps, struct trial *t, struct fai
     return status;
 }
 
-int time_step_order(const struct options *o) {
+static int order_of(const struct options *o) {
     const struct stepper *s = stepper_of(o->stepper);
     return s && s->order > 0 ? s->order : 2;
 }
 
-double time_step_first(const struct experiment *e) {
+static double first_steps(const struct experiment *e) {
     const struct options *o = &e->options;
     double steps = e->problem.t_end * problem_diffusivity(&e->problem) / (FOURIER / e->problem.dim * o->dx * o->dx);
     if (o->stepper == STEPPER_RKL2) steps = e->time_error > 0 ? 2 : sqrt(steps) / 2; /* some ten stages a step */
@@ -182,7 +182,10 @@ static int reach(struct search *s, double *time_error, struct failure *why) {
     return STATUS_OK;
 }
 
-size_t time_step_bytes(const struct experiment *e, size_t n, size_t answer) {
+/* Bytes held beside a run while its time step is searched for, of n points and `answer` bytes a run: the exact
+ * temperatures and the run before; by polynomials the run before alone; for --time-error two runs and the
+ * temperatures without time error too. */
+static size_t search_bytes(const struct experiment *e, size_t n, size_t answer) {
     size_t array = n * sizeof(double);
     if (e->options.stepper == STEPPER_CHEBYSHEV) return answer;
     return e->time_error > 0 ? 2 * array + 2 * answer : array + answer;
@@ -190,8 +193,8 @@ size_t time_step_bytes(const struct experiment *e, size_t n, size_t answer) {
 
 static int solve_searched(const struct experiment *e, struct field *f, struct time_step *stepping,
                           struct failure *why) {
-    struct search s = {.e = e, .order = time_step_order(&e->options)};
-    int status = try_stable(&s, time_step_first(e), HALVINGS, &s.coarse, why);
+    struct search s = {.e = e, .order = order_of(&e->options)};
+    int status = try_stable(&s, first_steps(e), HALVINGS, &s.coarse, why);
     if (status) return status;
     s.exact = xcalloc(s.coarse.field.n, sizeof *s.exact);
     norms_exact(e->scene, &e->problem, &s.coarse.field, s.exact);
@@ -205,19 +208,9 @@ static int solve_searched(const struct experiment *e, struct field *f, struct ti
         return status;
     }
     *f = s.fine.field;
-    f->cost.bytes += time_step_bytes(e, f->n, f->n * sizeof *f->T * (size_t)(f->dim + 1 + (f->weight != NULL)));
+    f->cost.bytes += search_bytes(e, f->n, f->n * sizeof *f->T * (size_t)(f->dim + 1 + (f->weight != NULL)));
     stepping->updates = s.updates - f->cost.updates;
     return STATUS_OK;
-}
-
-double time_step_forecast(const struct experiment *e, double particles, double time, double space) {
-    int order = time_step_order(&e->options);
-    if (e->time_error > 0) {
-        double steps = fmax(1, ceil(pow(time / e->time_error, 1.0 / order)));
-        return within_reach(steps, particles, order) ? steps : 0;
-    }
-    double steps = 2 * time_step_first(e), at = time / pow(steps, order);
-    return next_steps(steps, (struct estimate){at, space + at, space}, particles, order);
 }
 
 static int solve_by_polynomials(const struct experiment *e, struct field *f, struct time_step *stepping,
@@ -230,7 +223,7 @@ static int solve_by_polynomials(const struct experiment *e, struct field *f, str
     *f = s.field;
     stepping->time_error = s.error / norms_error(&e->problem, f, exact, NORMS_ALL, 0).l1;
     stepping->updates = s.updates;
-    f->cost.bytes += time_step_bytes(e, f->n, f->n * sizeof *f->T * (size_t)(f->dim + 1 + (f->weight != NULL)));
+    f->cost.bytes += search_bytes(e, f->n, f->n * sizeof *f->T * (size_t)(f->dim + 1 + (f->weight != NULL)));
     free(exact);
     return STATUS_OK;
 }

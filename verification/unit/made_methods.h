@@ -77,12 +77,12 @@ static inline int solve_wrong_input(const struct method *m, const struct problem
 }
 
 static const struct scheme scheme;
-static const struct method wrong_input = {"wrong_input", "", "stepper", &scheme, solve_wrong_input, NULL};
-static const struct method euler = {"euler_only", "", "stepper", NULL, solve_euler, NULL};
-static const struct method no_exact = {"no_exact", "", "stepper", &scheme, solve_euler, NULL};
-static const struct method with_exact = {"with_exact", "", "stepper", &scheme, solve_any, NULL};
-static const struct method picky = {"picky", "", "stepper", NULL, solve_picky, NULL};
-static const struct method broken = {"broken", "", "stepper", NULL, solve_broken, NULL};
+static const struct method wrong_input = {"wrong_input", "", "stepper", &scheme, solve_wrong_input};
+static const struct method euler = {"euler_only", "", "stepper", NULL, solve_euler};
+static const struct method no_exact = {"no_exact", "", "stepper", &scheme, solve_euler};
+static const struct method with_exact = {"with_exact", "", "stepper", &scheme, solve_any};
+static const struct method picky = {"picky", "", "stepper", NULL, solve_picky};
+static const struct method broken = {"broken", "", "stepper", NULL, solve_broken};
 
 static inline struct request request(const char *line, const struct method *m) {
     struct request r;

@@ -280,7 +280,6 @@ static const char *const taken[] = {
     "ladder rod-step mine --dx 0.1 --solver '{case}{out}' --vary n_2=1,1e-300",
     "limit contact_ssph --dim 2 --contact 1 --ratio 1 --stepper rkl2 --stages 3",
     "limit contact_ssph --dim 1 --stepper rkl2 --stages 99",
-    "choose rod-step --error 1",
     "reference rod-step --at 0.1 --time 0:0:2",
     "reference rod-step --at 0.1 --time 0:1.5:10000000",
     "reference plate --at 0.01,0.01 --time 0 --json",

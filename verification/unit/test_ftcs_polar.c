@@ -2,7 +2,6 @@
 /* The finite differences in round bodies against what can be said of them exactly. */
 #include "solver/field.h"
 #include "solver/method.h"
-#include "solver/outline.h"
 #include "solver/problem.h"
 #include "solver/shape.h"
 #include "verification/unit/near.h"
@@ -157,12 +156,10 @@ static void what_it_cannot_do_is_refused(void **state) {
     wrong[3].stepper = STEPPER_RK2, wrong[4].dx = 0.14, wrong[5].dx = -1, wrong[6].dt = wrong[6].fourier = 0.1;
     struct problem p = body(0, DIRICHLET);
     struct field f;
-    struct outline out;
     for (size_t i = 0; i < sizeof wrong / sizeof *wrong; i++) {
         struct failure why = {0};
         assert_true(method_solve(&method_ftcs, &p, &wrong[i], &f, &why));
         if (!strstr(why.text, says[i])) fail_msg("%s", why.text);
-        assert_true(method_outline(&method_ftcs, &p, &wrong[i], &out, &why));
     }
     struct failure why = {0};
     assert_int_equal(method_solve(&method_ftcs_flux, &p, &right, &f, &why), STATUS_NOT_APPLICABLE);
@@ -172,27 +169,9 @@ static void what_it_cannot_do_is_refused(void **state) {
     if (!strstr(why.text, "k_x = k_y")) fail_msg("%s", why.text);
 }
 
-static void the_outline_says_what_is_held(void **state) {
-    (void)state;
-    struct problem p = body(0.4, ROBIN);
-    struct options o = {.dx = 0.02};
-    struct outline out;
-    struct failure why = {0};
-    assert_int_equal(method_outline(&method_ftcs, &p, &o, &out, &why), 0);
-    struct field f;
-    assert_int_equal(method_solve(&method_ftcs, &p, &o, &f, &why), 0);
-    assert_int_equal(out.run.n, f.n);
-    assert_int_equal(out.run.steps, f.steps);
-    assert_int_equal(out.run.cost.updates, f.cost.updates);
-    assert_near(out.run.cost.work, f.cost.work, 0);
-    assert_near((double)out.bytes[OUTLINE_STEPS] / (double)f.cost.bytes, 1, 0.1);
-    field_free(&f);
-}
-
 int main(void) {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(steady_states_stay),           cmocka_unit_test(areas_and_heat),
-        cmocka_unit_test(a_flux_enters_once),           cmocka_unit_test(steps_up_to_a_half),
-        cmocka_unit_test(what_it_cannot_do_is_refused), cmocka_unit_test(the_outline_says_what_is_held)};
+    const struct CMUnitTest tests[] = {cmocka_unit_test(steady_states_stay), cmocka_unit_test(areas_and_heat),
+                                       cmocka_unit_test(a_flux_enters_once), cmocka_unit_test(steps_up_to_a_half),
+                                       cmocka_unit_test(what_it_cannot_do_is_refused)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

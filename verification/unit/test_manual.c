@@ -137,7 +137,7 @@ static void bash_completes(void **state) {
     fputs(text, out);
     fclose(out);
     free(text);
-    static const char *const row[][2] = {{"heatladder cho", "choose"},
+    static const char *const row[][2] = {{"heatladder comp", "completion"},
                                          {"heatladder ladder rod-g", "rod-gauss"},
                                          {"heatladder run rod-gauss so_ssph --kernel wend", "wendland"},
                                          {"heatladder verify --qui", "--quick"}};

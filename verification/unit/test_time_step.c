@@ -38,19 +38,6 @@ static void a_time_error_is_met_and_not_more(void **state) {
 
 /* Where the time error grows faster than its order, the first step tried is too long, by as much as half of the error
  * asked for: what is taken has that error all the same, by the search's own account. */
-/* 4e-3 and less of one step of second order, of 1e-3 that is asked for. */
-static void steps_are_forecast_from_what_one_adds(void **state) {
-    (void)state;
-    static const struct {
-        double adds, steps;
-    } row[] = {{0.9e-3, 1}, {1.1e-3, 2}, {3.9e-3, 2}, {4.1e-3, 3}, {1e-9, 1}};
-    struct command_run run;
-    command_run_line(&run, "run rod-gauss so_ssph --dx 0.5 --stepper rkl2 --time-error 1e-3");
-    for (int i = 0; i < 5; i++)
-        assert_near(time_step_forecast(&run.request.experiment, 60, row[i].adds, 1e-4), row[i].steps, 0);
-    command_run_free(&run);
-}
-
 static void a_step_that_is_a_little_too_long_is_not_taken(void **state) {
     (void)state;
     static const char *const asked[] = {"1e-3", "2e-3", "3e-3", "5e-3", "8e-3"};
@@ -101,20 +88,6 @@ static void a_refused_exact_falls_back(void **state) {
     assert_int_equal(result.options.stepper, STEPPER_RKL2);
     assert_order(result.time_error, >, 0);
     assert_order(result.time_error, <=, 0.01);
-    arguments_free(&r);
-}
-
-/* 5 s of 10 m^2/s at dx = 0.5 m are 1000 steps of F = 0.2, whose largest rate is 4 F = 0.8 a step; the fewest stages
- * s of RKL2 have (s^2 + s - 2)/2 >= dt lambda: ten of them. */
-static void a_search_begins_with_some_ten_stages(void **state) {
-    (void)state;
-    struct request r = request("run rod-gauss ftcs --dx 0.5 --t-end 5 --set kappa=10 --stepper euler", &with_exact);
-    assert_near(time_step_first(&r.experiment), 1000, 0);
-    r.experiment.options.stepper = STEPPER_RKL2;
-    double part = 0.8 * 1000 / time_step_first(&r.experiment);
-    int stages = 1;
-    while (stages * (stages + 1) - 2 < 2 * part) stages++;
-    assert_int_equal(stages, 10);
     arguments_free(&r);
 }
 
@@ -185,14 +158,12 @@ int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(the_exact_stepper_where_there_is_one),
         cmocka_unit_test(a_time_error_is_met_and_not_more),
-        cmocka_unit_test(steps_are_forecast_from_what_one_adds),
         cmocka_unit_test(a_step_that_is_a_little_too_long_is_not_taken),
         cmocka_unit_test(a_time_error_out_of_reach_is_said),
         cmocka_unit_test(no_error_is_relative_to_zero),
         cmocka_unit_test(a_refused_exact_falls_back),
         cmocka_unit_test(wrong_input_is_not_tried_again),
         cmocka_unit_test(every_status_has_an_exit_status),
-        cmocka_unit_test(a_search_begins_with_some_ten_stages),
         cmocka_unit_test(the_step_is_refined_until_it_does_not_matter),
         cmocka_unit_test(an_unstable_first_step_is_halved),
         cmocka_unit_test(an_unstable_second_step_is_halved),

@@ -4,12 +4,12 @@
 
 #include "verification/text/json.h"
 #include "references/scene.h"
-#include "verification/choose/forewarn.h"
 #include "verification/diagnosis/wording.h"
 #include "verification/gates/gates.h"
 #include "verification/ladder/gci.h"
 #include "verification/ladder/ladder.h"
 #include "verification/page/page.h"
+#include "verification/run/memory.h"
 #include "verification/text/atomic_file.h"
 #include "verification/command/request.h"
 #include "verification/text/table.h"
@@ -146,15 +146,12 @@ static int write_files(const struct request *r, const struct ladder *l, int stat
     return unwritten.status;
 }
 
-/* Of the finest rung, which takes most; refused where it is to be. */
-static int forewarn_finest(const struct request *r, struct failure *why) {
+/* The finest rung takes most memory. */
+static int check_finest(const struct request *r, struct failure *why) {
     struct experiment finest = r->experiment;
     if (program_given(&finest.program)) return STATUS_OK;
     for (int i = 0; i < r->rungs.dx.count; i++) finest.options.dx = fmin(finest.options.dx, r->rungs.dx.value[i]);
-    for (int i = 0; i < r->rungs.dt.count; i++) finest.options.dt = fmin(finest.options.dt, r->rungs.dt.value[i]);
-    for (int i = 0; i < r->rungs.fourier.count; i++)
-        finest.options.fourier = fmin(finest.options.fourier, r->rungs.fourier.value[i]);
-    return forewarn_run("the finest rung", &finest, why);
+    return memory_check(&finest, why);
 }
 
 int verb_ladder(const struct request *r, struct failure *why) {
@@ -164,7 +161,7 @@ int verb_ladder(const struct request *r, struct failure *why) {
     if (!status) status = atomic_file_check(r->junit_path, why);
     struct ladder_rungs rungs = r->rungs;
     rungs.diagnose = r->verbose;
-    if (!status) status = forewarn_finest(r, why);
+    if (!status) status = check_finest(r, why);
     struct experiment e = r->experiment;
     e.growth = 1;
     if (!status) status = ladder_run(&e, &rungs, l, why);

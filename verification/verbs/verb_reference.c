@@ -4,7 +4,6 @@
 #include "verification/command/verb.h"
 
 #include "references/scene.h"
-#include "verification/choose/forewarn.h"
 #include "verification/command/request.h"
 #include "verification/oracle/answer.h"
 #include "verification/text/json.h"
@@ -86,10 +85,6 @@ static int read_points(const struct request *r, const struct problem *p, struct 
     return status;
 }
 
-static double seconds(const struct answer *a) {
-    return (double)a->points.n * a->times * (a->points.dim > 1 ? forewarn_exact : forewarn_exact / 5);
-}
-
 /* The times of --time, to be freed. */
 static double *list_times(const struct request *r, int *count) {
     *count = r->times ? r->times : r->time.count;
@@ -110,7 +105,6 @@ int verb_reference(const struct request *r, struct failure *why) {
     double *time = list_times(r, &a.times);
     a.time = time;
     int status = answer_check(&a, why);
-    if (!status && a.columns.needs_time) forewarn("the answer", seconds(&a));
     if (!status && (r->points || r->what || r->time.count > 1))
         answer_write(&a, stdout);
     else if (!status)

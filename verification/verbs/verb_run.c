@@ -6,9 +6,8 @@
 #include "verification/text/atomic_file.h"
 #include "verification/text/json.h"
 #include "verification/text/output.h"
-#include "verification/choose/forewarn.h"
-#include "verification/choose/halfway.h"
 #include "verification/command/request.h"
+#include "verification/run/memory.h"
 #include "verification/run/run.h"
 
 #include <math.h>
@@ -56,10 +55,9 @@ static void print_text(const struct result *r, const char *unit) {
         printf("  %-14s %lld updates of other runs, to choose the time step\n", "search", r->search_updates);
 }
 
-static void print_json(const struct result *r, double between) {
+static void print_json(const struct result *r) {
     struct json j = json_on(stdout);
     result_json(r, &j);
-    json_number(&j, "error_between", between);
     json_end(&j);
 }
 
@@ -94,7 +92,7 @@ int verb_run(const struct request *r, struct failure *why) {
     struct experiment e = r->experiment;
     e.growth = 1;
     int status = check(r, why);
-    if (!status && !program_given(&r->experiment.program)) status = forewarn_run("this run", &r->experiment, why);
+    if (!status && !program_given(&r->experiment.program)) status = memory_check(&r->experiment, why);
     if (!status && r->warm_up) status = run_warm_up(&r->experiment, why);
     if (!status) {
         status = run_experiment(&e, &result, &field);
@@ -103,7 +101,7 @@ int verb_run(const struct request *r, struct failure *why) {
     }
     if (!status && r->field_path) status = write_field(r, &field, why);
     if (!status && r->json)
-        print_json(&result, halfway_error(r->experiment.scene, &r->experiment.problem, &field));
+        print_json(&result);
     else if (!status)
         print_text(&result, quantity_unit(&r->experiment.quantity, &r->experiment.problem));
     field_free(&field);

@@ -1,0 +1,66 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* The memory of a run, by its particles and their neighbours, against that of the machine. */
+#include "verification/run/memory.h"
+
+#include "solver/particles/particles.h"
+#include "solver/status.h"
+#include "verification/run/experiment.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <unistd.h>
+
+static const double GB = 1e9;
+
+double memory_there(void) {
+    double kibibytes = 0;
+    char line[128];
+    FILE *in = fopen("/proc/meminfo", "r");
+    while (in && kibibytes == 0 && fgets(line, sizeof line, in))
+        if (sscanf(line, "MemAvailable: %lf", &kibibytes) != 1) kibibytes = 0;
+    if (in) fclose(in);
+    if (kibibytes > 0) return 1024 * kibibytes;
+    double pages = (double)sysconf(_SC_PHYS_PAGES), page = (double)sysconf(_SC_PAGESIZE);
+    return pages > 0 && page > 0 ? pages * page : 0;
+}
+
+/* A particle has its place, temperature and exact temperature, and three doubles more: states, or the error and its
+ * transform.  A neighbour within 2 h takes a weight and a column in the rows, and as much again twice while the rows
+ * are assembled; on a rod the rows are stored in bands too. */
+double memory_estimate(const struct experiment *e) {
+    const double ENTRY[3] = {0, 60, 40};
+    const struct problem *p = &e->problem;
+    double particles = 1, bytes = 8 * (p->dim + 4);
+    struct options resolved;
+    struct lattice l;
+    struct failure ignored;
+    int rows = 0;
+    for (int a = 0; a < p->dim; a++) particles *= (p->hi[a] - p->lo[a]) / e->options.dx;
+    if (e->method->scheme && particles_prepare(p, &e->options, e->method->scheme, &resolved, &l, &rows, &ignored))
+        return 0;
+    if (rows) bytes += ENTRY[p->dim] * (p->dim == 1 ? 4 * resolved.h : 4 * M_PI * resolved.h * resolved.h);
+    return particles * bytes;
+}
+
+/* The finest spacing above the one of *e that divides the domain and fits; NaN where none is found. */
+static double finest(const struct experiment *e, double bytes, double most) {
+    enum { TRIES = 1000 };
+    const struct problem *p = &e->problem;
+    const double *lo = p->lo, *hi = p->hi;
+    double n = floor((hi[0] - lo[0]) / e->options.dx * pow(most / bytes, 1.0 / p->dim));
+    for (int tries = 0; tries < TRIES && n >= 1; tries++, n--) {
+        double across = (hi[p->dim - 1] - lo[p->dim - 1]) / (hi[0] - lo[0]) * n;
+        if (fabs(across - nearbyint(across)) <= 1e-9 * across) return (hi[0] - lo[0]) / n;
+    }
+    return NAN;
+}
+
+int memory_check(const struct experiment *e, struct failure *why) {
+    double most = e->memory > 0 ? GB * e->memory : memory_there(), bytes = memory_estimate(e);
+    if (most == 0 || !(bytes > most)) return STATUS_OK;
+    double dx = finest(e, bytes, most);
+    char fits[64] = "";
+    if (isfinite(dx)) snprintf(fits, sizeof fits, "; --dx %.10g fits", dx);
+    return refuse(why, STATUS_INPUT, "--dx %.10g: takes %.3g GB, %s %.3g GB%s; --memory GB allows more",
+                  e->options.dx, bytes / GB, e->memory > 0 ? "--memory allows" : "free are", most / GB, fits);
+}

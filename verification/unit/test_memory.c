@@ -1,0 +1,67 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* The estimated memory of a run, and its refusal above the limit. */
+#include "verification/run/memory.h"
+
+#include "verification/command/arguments.h"
+#include "verification/command/request.h"
+#include "verification/run/run.h"
+
+#include "verification/unit/near.h"
+
+#include <string.h>
+#include <unistd.h>
+
+static void check(const char *line, const char *says) {
+    struct request r;
+    struct failure why = {0};
+    if (arguments_parse_line(line, &r, &why)) fail_msg("%s: %s", line, why.text);
+    assert_int_equal(memory_check(&r.experiment, &why), says ? STATUS_INPUT : STATUS_OK);
+    if (says && !strstr(why.text, says)) fail_msg("%s: \"%s\" lacks \"%s\"", line, why.text, says);
+    arguments_free(&r);
+}
+
+/* A rod's particle takes 40 bytes, one of the plane 48: 1e-5 GB hold 250 and 208. */
+static void the_finest_spacing_that_fits_is_named(void **state) {
+    (void)state;
+    check("run rod-step so_ssph --dx 0.001 --memory 1e-5",
+          "takes 0.00016 GB, --memory allows 1e-05 GB; --dx 0.016 fits");
+    check("run rod-step so_ssph --dx 0.016 --memory 1e-5", NULL);
+    check("run square-step so_ssph --dx 0.1 --memory 1e-5", "--dx 0.2857142857 fits");
+    check("run square-step so_ssph --dx 0.2857142857 --memory 1e-5", NULL);
+    check("run square-step so_ssph --dx 4/20000 --layout jitter --jitter 0.2 --memory 24", "GB allows more");
+}
+
+/* Rows are held once while time runs, and nearly three times while they are assembled. */
+static void rows_count_with_their_neighbours(void **state) {
+    (void)state;
+    static const char *const lines[] = {"run square-step so_ssph --dx 0.1 --layout jitter --jitter 0.2",
+                                        "run square-step so_ssph --dx 0.1 --layout jitter --jitter 0.2 --h 1.5",
+                                        "run rod-contact brookshaw --dx 0.002"};
+    for (int i = 0; i < 3; i++) {
+        struct request r;
+        struct result result;
+        struct failure why;
+        if (arguments_parse_line(lines[i], &r, &why)) fail_msg("%s: %s", lines[i], why.text);
+        assert_int_equal(run_experiment(&r.experiment, &result, NULL), STATUS_OK);
+        double times = memory_estimate(&r.experiment) / (double)result.cost.bytes;
+        assert_order(times, >, 1.3);
+        assert_order(times, <, 3);
+        arguments_free(&r);
+    }
+}
+
+static void free_memory_is_less_than_the_machine_has(void **state) {
+    (void)state;
+    double all = (double)sysconf(_SC_PHYS_PAGES) * (double)sysconf(_SC_PAGESIZE);
+    assert_order(memory_there(), >, 1e6);
+    assert_order(memory_there(), <=, all);
+}
+
+int main(void) {
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(the_finest_spacing_that_fits_is_named),
+        cmocka_unit_test(rows_count_with_their_neighbours),
+        cmocka_unit_test(free_memory_is_less_than_the_machine_has),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
