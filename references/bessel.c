@@ -1,10 +1,13 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Modified Bessel functions of a complex argument, as Talbot's contour needs them.
+/* Scaled modified Bessel functions of a complex argument on Talbot's contour.
  *
- * |z| <= 30: the mean over tau of exp(z (cos tau - 1)) cos(n tau), by the trapezoidal rule, whose terms are at most
- * 1; N points leave exp(-z) I_(N-n)(z).  Above: Hankel's series, both of its parts (Abramowitz and Stegun 1964, 9.7.1
- * and 9.2.5), exp(-z) I_n = (S(-1/z) + i^(1 + 2n) exp(-2 z) S(1/z))/sqrt(2 pi z) for Im z >= 0, whose least term is
- * below exp(-2 |z|). */
+ * For |z| <= 30: the mean over tau of exp(z (cos tau - 1)) cos(n tau) by the trapezoidal rule.  Its terms are at
+ * most 1; N points give the aliasing error exp(-z) I_(N-n)(z).  For |z| > 30: both parts of Hankel's series
+ * (Abramowitz and Stegun 1964, 9.7.1 and 9.2.5).  For Im z >= 0
+ *
+ *     exp(-z) I_n = (S(-1/z) + i^(1 + 2n) exp(-2 z) S(1/z))/sqrt(2 pi z)
+ *
+ * and the smallest term of S is below exp(-2 |z|). */
 #include "references/bessel.h"
 
 #include <math.h>

@@ -1,32 +1,35 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* A plate with one hot side, one insulated and two cooled ones: early form and modes.
+/* A plate with one hot, one insulated and two cooled sides: early-time form and modes.
  *
- * With cos(p x), p W tan(p W) = h W, and sin(r y), r H cot(r H) = -h H, whose integrals and those of their squares
- * are I_m, N_m and J_n, M_n, what is left of a start at 1 is a product of two slabs (early: of half lines),
+ * The modes are cos(p x) with p W tan(p W) = h W and sin(r y) with r H cot(r H) = -h H.  Their integrals are I_m and
+ * J_n, the integrals of their squares N_m and M_n.  The initial data at 1 decay as a product of two slabs (at early
+ * times, of two half lines),
  *
- *     X(x, t) Y(y, t),  X = sum_m I_m/N_m cos(p x) exp(-kappa p^2 t),  Y = sum_n J_n/M_n sin(r y) exp(-kappa r^2 t),
+ *     X(x, t) Y(y, t),  X = sum_m I_m/N_m cos(p x) exp(-kappa p^2 t),  Y = sum_n J_n/M_n sin(r y) exp(-kappa r^2 t).
  *
- * and with u = d/dt of the half line y > 0 that is heated to 1, the response to the hot side is
+ * With u = d/dt of the half line y > 0 heated to 1 at y = 0, the response to the hot side is
  *
  *     F(t) = int_0^t u(y, t') X(x, t') dt'                                                              (Duhamel)
- *     F(t) = F(inf) - sum_mn C_mn cos(p x) sin(r y) exp(-kappa (p^2 + r^2) t),  C = r I_m/(N_m M_n (p^2 + r^2)),
+ *     F(t) = F(inf) - sum_mn C_mn cos(p x) sin(r y) exp(-kappa (p^2 + r^2) t),  C = r I_m/(N_m M_n (p^2 + r^2)).
  *
- * the coefficients by Green's second identity from the hot side alone.  Neither is cheap everywhere: the integral
- * needs half lines, and sum and F(inf) crawl near the corner (W, 0).  Their difference does: with an early time t0,
+ * Green's second identity gives C from the hot side alone.  Neither form is efficient everywhere: the integral needs
+ * half lines, while the sum and F(inf) converge slowly near the corner (W, 0).  The difference from an early time t0
+ * converges fast:
  *
  *     F(t) = F(t0) + sum_mn C_mn cos(p x) sin(r y) (exp(-kappa (p^2 + r^2) t0) - exp(-kappa (p^2 + r^2) t)).
  *
- * sqrt(4 kappa t0) = s0 = 0.16 of the shorter extent, so that ends do not feel each other (erfc(1/0.16) = 1e-18);
- * modes count whose exponent kappa (p^2 + r^2) t0 is below 41.5, within a quarter of an ellipse of 4.1 W/s0 by 4.1
- * H/s0.  With z = y/sqrt(4 kappa t') and d = W - x,
+ * The choice s0 = sqrt(4 kappa t0) = 0.16 of the shorter extent makes the influence of one end on the other
+ * negligible (erfc(1/0.16) = 1e-18).  Significant modes have kappa (p^2 + r^2) t0 < 41.5, a quarter ellipse of 4.1
+ * W/s0 by 4.1 H/s0.  With z = y/sqrt(4 kappa t') and d = W - x,
  *
  *     F(t0) = erfc(y/s0) - 2/sqrt(pi) int_{y/s0}^inf exp(-z^2) (1 - X(d, s = y/z)) dz,
  *
- * X of cooling_half: nothing is left to integrate where s is 6.1 times below d or y.  By panels of log s of length 1
- * from s0 down, with 16 Gauss points: the integrand is analytic within pi/4 of the axis, so that the error is 3.4^-32
- * = 1e-17.  The panels lie alike for all points, so that each term is a product of what x and what y gives: points of
- * a lattice share these, and with them each column's sums over m.  Restrictions: isotropic; both cooled sides alike.
- */
+ * where X is cooling_half.  The integrand is negligible for s < d/6.1 and for s < y/6.1.  The quadrature uses panels
+ * of length 1 in log s from s0 down, with 16 Gauss points each.  The integrand is analytic within pi/4 of the axis,
+ * so the error is 3.4^-32 = 1e-17.  All points use the same panels, so each term is the product of a factor of x and
+ * a factor of y.  Points of a lattice share these factors and the sums over m of each column.
+ *
+ * Restrictions: isotropic; the same h on both cooled sides. */
 #include "references/cooled_plate.h"
 
 #include "references/cooling.h"
@@ -41,19 +44,19 @@
 #include <gsl/gsl_integration.h>
 
 static const double last_exponent = 41.5, reach = 6.1;
-enum { NODES = COOLED_PLATE_NODES, KEPT = 8 /* panels that points share; nearer the corner each has its own */ };
+enum { NODES = COOLED_PLATE_NODES, KEPT = 8 /* panels that points share; the rest are computed per point */ };
 
 static int modes_of(double L, double s) {
     return (int)(2 + L / s * 2 * sqrt(last_exponent) / M_PI);
 }
 
-/* ---- What all points share ---- */
+/* ---- Terms that all points share ---- */
 
-/* One axis: wave numbers, and what is left of a start at 1. */
+/* One axis: wave numbers, and the amplitudes of the initial data at 1. */
 static void fill_axis(const struct cooling_mode *mode, int count, double late, double *q, double *left,
                       double error[2], double *steepest) {
     for (int k = 0; k < count; k++) {
-        double exponent = fmin(late * mode[k].q * mode[k].q, 800); /* exp: 0 */
+        double exponent = fmin(late * mode[k].q * mode[k].q, 800); /* exp(-800) = 0 */
         double shape = mode[k].integral / mode[k].norm * exp(-exponent);
         double rounding = DBL_EPSILON * fabs(shape) * (6 + 8 * exponent + 3 * k);
         q[k] = mode[k].q;
@@ -64,7 +67,7 @@ static void fill_axis(const struct cooling_mode *mode, int count, double late, d
     }
 }
 
-/* What the hot side has given since s0, and the bounds of all. */
+/* Amplitudes of the response to the hot side since s0, and the error bounds. */
 static void fill_modes(struct cooled_plate *c) {
     double *p = c->mode, *r = p + c->m, *given = r + c->n + c->m + c->n, c0 = pow(c->early / 2, 2);
     double late = pow(c->s / 2, 2), error[2][2] = {{0}}, steepest[2] = {0};
@@ -106,14 +109,14 @@ struct cooled_plate *cooled_plate(double W, double H, double h, double hot, doub
     return c;
 }
 
-/* ---- What x gives, and what y gives ---- */
+/* ---- Factors of x and factors of y ---- */
 
-/* A factor of every term: `node` of the integral, `mode` and `slope` of the sums. */
+/* One factor of every term: `node` for the integral, `mode` and `slope` for the sums. */
 struct factor {
     double at;                 /* m */
-    double start, start_slope; /* the slab at s, from 1 */
+    double start, start_slope; /* solution of the slab at s, initially at 1, and its slope */
     double early, edge;        /* X(d, s0); erfc(y/s0) and its slope */
-    int panels, done;          /* panels that it asks for, nodes that are filled in */
+    int panels, done;          /* panels required, and nodes evaluated */
     double (*node)[3], *mode, *slope;
 };
 
@@ -126,20 +129,20 @@ static int panels_of(const struct cooled_plate *c, double distance) {
     return length < 0 ? 0 : length < 700 ? (int)ceil(length) : 700;
 }
 
-/* 1 - X, and the slope of X by x and its change by s. */
+/* 1 - X, dX/dx and dX/ds. */
 static void x_node(const struct cooled_plate *c, double x, int k, double node[3]) {
     struct cooling_half X = cooling_half(c->W - x, c->h, width_of(c, k));
     node[0] = 1 - X.T, node[1] = -X.slope, node[2] = X.change;
 }
 
-/* Weights of 1 - X and of the others: with z, and without. */
+/* Quadrature weights: with the factor z for 1 - X and dX/dx, without it for dX/ds. */
 static void y_node(const struct cooled_plate *c, double y, int k, double node[3]) {
     double z = y / width_of(c, k);
     node[1] = 2 / sqrt(M_PI) * c->weight[k % NODES] * exp(-z * z);
     node[0] = z * node[1];
 }
 
-/* Modes along y that count beside p: those beyond are 0. */
+/* Number of significant modes along y for the wave number p along x. */
 static int rows_of(const struct cooled_plate *c, double p) {
     double left = 4 * last_exponent / (c->early * c->early) - p * p;
     int most = 2 + (left > 0 ? (int)(c->H / M_PI * sqrt(left)) : 0);
@@ -194,9 +197,9 @@ static void fill_y(const struct cooled_plate *c, double y, struct factor *f) {
     f->panels = panels_of(c, y);
 }
 
-/* ---- Their products ---- */
+/* ---- Products ---- */
 
-/* F at s0.  On y = 0 its slope grows as the log of the distance to the corner, where nothing is left to integrate. */
+/* F at s0.  On y = 0 its slope grows as the logarithm of the distance to the corner and is infinite there. */
 static void add_heated(const struct cooled_plate *c, struct factor *X, struct factor *Y, struct surface *T) {
     double F = Y->early, slope[2] = {0, Y->edge * X->early}, own[2][3];
     int panels = X->panels < Y->panels ? X->panels : Y->panels, corner = X->at >= c->W && Y->at <= 0;
@@ -230,7 +233,7 @@ static struct surface join(const struct cooled_plate *c, struct factor *X, struc
     return T;
 }
 
-/* How far apart the points of a lattice's column lie, rows one after the other; 1 for other points. */
+/* Number of points in each row if the points form a lattice in row order, else 1. */
 static size_t line_of(size_t n, const double *x, const double *y) {
     for (size_t k = 1; k < n; k++)
         if (x[k] == x[0] && y[k] != y[0]) return k;

@@ -1,11 +1,12 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* A plate with one hot side, one insulated and two cooled ones: the steady state by a series along either axis, less
- * the double series of what is missing.
+/* A plate with one hot, one insulated and two cooled sides: the steady state by a series along one axis, minus the
+ * double series of the transient.
  *
  *     along x:  F = sum_m I_m/N_m cos(p x) (p cosh(p (H - y)) + h sinh(p (H - y)))/(p cosh(p H) + h sinh(p H))
  *     along y:  F = 1 - h y/(1 + h H) - sum_n h/(r M_n) sin(r y) cosh(r x)/(r sinh(r W) + h cosh(r W))
  *
- * in the names of cooled_plate.c; they fall as exp(-p y) and exp(-r (W - x)), and the faster is taken. */
+ * The notation is that of cooled_plate.c.  The terms decay as exp(-p y) and exp(-r (W - x)); the series that decays
+ * faster is used. */
 #include "references/cooled_plate.h"
 
 #include "references/cooling.h"
@@ -16,7 +17,7 @@
 #include <math.h>
 #include <stdlib.h>
 
-enum { MOST = 20000, MODES = 2000 /* along either axis */ };
+enum { MOST = 20000, MODES = 2000 /* along each axis */ };
 static const double last_exponent = 41.5;
 
 static void steady_along_x(double W, double H, double h, const double x[2], struct approx *F) {
@@ -31,7 +32,7 @@ static void steady_along_x(double W, double H, double h, const double x[2], stru
         F->error += DBL_EPSILON * fabs(term) * (8 + 4 * m + 4 * p * x[1]);
         if (p * x[1] > last_exponent) return;
     }
-    F->error += 2 * MOST * fabs(term); /* the sizes fall as 1/m^2 */
+    F->error += 2 * MOST * fabs(term); /* the terms decay as 1/m^2 */
 }
 
 static void steady_along_y(double W, double H, double h, const double x[2], struct approx *F) {
@@ -55,7 +56,7 @@ struct approx cooled_plate_series(double W, double H, double h, double hot, doub
     T.value = hot * F.value;
     T.error += fabs(hot) * F.error;
     double needed = s < INFINITY ? fmax(W, H) / s * 2 * sqrt(last_exponent) / M_PI : 0;
-    if (needed > MODES) T.error = INFINITY; /* modes that count are left out */
+    if (needed > MODES) T.error = INFINITY; /* some significant modes are missing */
     int most = needed == 0 || needed > MODES ? 0 : (int)(2 + W / s * 2 * sqrt(last_exponent) / M_PI);
     struct cooling_mode *along = xcalloc((size_t)most, sizeof *along);
     for (int m = 0; m < most; m++) along[m] = cooling_mode(m + 1, 1, W, h);

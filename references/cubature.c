@@ -1,12 +1,14 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Adaptive cubature: Gauss-Legendre rules of 6 points on a box and on its halves along each axis.
+/* Adaptive cubature: Gauss-Legendre rules of 6 points per axis on a box and on its halves along each axis.
  *
- * On a box of extent h on which f varies over the length l the rule is off by 1.9e-16 (h/l)^12 of f (remainder term;
- * Abramowitz and Stegun 1964, 25.4.30), on its halves by 4096 times less.  Where the two differ by 1e-14 of f at
- * most, that of the halves is taken and the difference stated as its error: 4096 times too much, but for a box on
- * which the errors of its parts happen to cancel.  Elsewhere the halves are boxes, until they are too small to count.
- * A feature that is narrow beside the box falls between the points; the caller names where such may be, and boxes are
- * graded towards these places by factors of four. */
+ * On a box of extent h, for f that varies over the length l, the error of the rule is 1.9e-16 (h/l)^12 of f
+ * (remainder term; Abramowitz and Stegun 1964, 25.4.30); on the halves it is 4096 times smaller.  If the two results
+ * differ by at most 1e-14 of f, the result of the halves is accepted and the difference is its error estimate.  This
+ * estimate is 4096 times too large unless the errors of the parts cancel.  Otherwise the halves become boxes
+ * themselves, until they are too small to matter.
+ *
+ * The rule misses features that are narrow compared with the box.  The caller lists the places of such features, and
+ * boxes are graded towards them by factors of four. */
 #include "references/cubature.h"
 
 #include <float.h>
@@ -15,7 +17,7 @@
 enum { GRADES_1D = 20, GRADES_2D = 12, BREAKS = 2 + CUBATURE_KNOTS * (2 * GRADES_1D + 1) };
 
 enum { POINTS = 6 };
-/* On (-1, 1): the positive nodes and their weights. */
+/* Positive nodes and weights of the rule on (-1, 1). */
 static const double node[] = {0.2386191860831969, 0.6612093864662645, 0.9324695142031521},
                     weight[] = {0.4679139345726910, 0.3607615730481386, 0.1713244923791704};
 
@@ -23,8 +25,8 @@ struct integrand {
     struct approx (*f)(const void *data, const double x[2]);
     const void *data;
     int dim;
-    double whole; /* the measure of all */
-    double size;  /* largest |f| met */
+    double whole; /* length or area of the domain */
+    double size;  /* largest |f| sampled */
     double error;
 };
 
@@ -46,7 +48,7 @@ static struct approx rule(struct integrand *g, const double lo[2], const double 
     return sum;
 }
 
-/* Part k of a box that is halved along each axis. */
+/* Part k of a box, halved along each axis. */
 static void part(const struct integrand *g, const double lo[2], const double hi[2], int k, double from[2],
                  double to[2]) {
     for (int a = 0; a < 2; a++) {
@@ -57,7 +59,7 @@ static void part(const struct integrand *g, const double lo[2], const double hi[
     }
 }
 
-/* The mean over a box times its share of the whole; `once` is its rule. */
+/* Mean over a box times its fraction of the domain; `once` is the rule on the whole box. */
 static double box(struct integrand *g, const double lo[2], const double hi[2], struct approx once) {
     const int parts = 1 << g->dim;
     double share = (hi[0] - lo[0]) * (g->dim == 2 ? hi[1] - lo[1] : 1) / g->whole, from[2], to[2], sum = 0;
@@ -69,7 +71,7 @@ static double box(struct integrand *g, const double lo[2], const double hi[2], s
     }
     double apart = fabs(mean.value - once.value), middle = (lo[0] + hi[0]) / 2;
     int small = !(middle > lo[0] && middle < hi[0]) || share * apart <= 1e-17 * g->size;
-    if (!(apart > 1e-14 * g->size) || apart <= 2 * mean.error || small) { /* a NaN ends it too */
+    if (!(apart > 1e-14 * g->size) || apart <= 2 * mean.error || small) { /* true for a NaN as well */
         g->error += share * (mean.error + apart);
         return share * mean.value;
     }
@@ -80,7 +82,7 @@ static double box(struct integrand *g, const double lo[2], const double hi[2], s
     return sum;
 }
 
-/* Puts x into the ascending list of n breaks between its first and last; how many there are then. */
+/* Inserts x into the ascending list of n breaks if it is inside their range; returns the new count. */
 static int insert(double *list, int n, double x) {
     int at = n - 1;
     if (!(x > list[0] && x < list[n - 1])) return n;

@@ -1,16 +1,20 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Transient heat conduction through two layers, by numerical inversion of the Laplace transform.
+/* Transient heat conduction through two layers by numerical inversion of the Laplace transform.
  *
  * In layer i, at the distance d from the contact and with q_i = sqrt(z rho_c_i/k_i), the transform of T is
  *
  *     T^ = start_i/z + (wall_i - start_i)/z sinh(q_i d)/sinh(q_i w_i)
  *                    + (theta - start_i/z) sinh(q_i (w_i - d))/sinh(q_i w_i)
  *
- * and theta(z), the contact's, follows from equal fluxes, sum_i k_i dT^/dd = 0 at d = 0.  No contact temperature,
- * error function or eigenvalue enters (Carslaw and Jaeger 1959, chapter 12).  The inversion is Talbot's (talbot.h).
- * The slope's transform is q_i times the other's, |q_i| < 6/sqrt(kappa_i t) where exp(z t) counts; late it is that of
- * the steady flux, which through the thinner layer alone would be k_i scale/w_i.
- * Restrictions: constant walls, each layer at one temperature at the start. */
+ * The transform theta(z) of the contact temperature follows from continuity of the flux: sum_i k_i dT^/dd = 0 at
+ * d = 0.  The form uses no contact temperature, error function or eigenvalue (Carslaw and Jaeger 1959, chapter 12).
+ * The inversion is Talbot's (talbot.h).
+ *
+ * The transform of the slope is q_i times that of T, with |q_i| < 6/sqrt(kappa_i t) wherever exp(z t) is
+ * significant.  At late times it tends to that of the steady flux, which is at most k_i scale/w_i of the thinner
+ * layer.
+ *
+ * Restrictions: constant wall temperatures, uniform initial temperature in each layer. */
 #include "references/layers.h"
 
 #include <math.h>
@@ -24,11 +28,13 @@ void layers_contour(const struct layers *w, double t, struct layers_contour *c) 
             q[i] = csqrt(z) * (sqrt(w->rho_c[i] / w->k[i]) / sqrt(t));
             e[i] = cexp(-q[i] * w->width[i]);
             given[i] = talbot_one_less(q[i] * w->width[i], e[i]);
-            double complex g = w->k[i] * q[i] / given[i]; /* k q coth(q w) and k q/sinh(q w) are g times .. */
+            /* k q coth(q w) = g (1 + e^2) and k q/sinh(q w) = 2 g e */
+            double complex g = w->k[i] * q[i] / given[i];
             conductance += g * (1 + e[i] * e[i]);
             flux += g * ((1 + e[i] * e[i]) * (w->start[i] - w->start[0]) + 2 * e[i] * (w->wall[i] - w->start[i]));
         }
-        double complex theta = w->start[0] + flux / conductance; /* z times the transform of the contact's */
+        /* z times the transform of the contact temperature */
+        double complex theta = w->start[0] + flux / conductance;
         for (int i = 0; i < 2; i++) {
             double complex scale = weight / z / given[i];
             c->node[i][j].q = q[i];
@@ -44,7 +50,7 @@ void layers_contour(const struct layers *w, double t, struct layers_contour *c) 
     c->error[1] = 2e-13 * scale * (6 / sqrt(kappa * t) + steep);
 }
 
-/* sinh(q d)/sinh(q w) = (exp(-q (w - d)) - exp(-q (w + d)))/(1 - exp(-2 q w)): no overflow. */
+/* sinh(q d)/sinh(q w) = (exp(-q (w - d)) - exp(-q (w + d)))/(1 - exp(-2 q w)) does not overflow. */
 struct curve layers_contour_at(const struct layers_contour *c, double x) {
     int i = x >= 0;
     double d = fabs(x), width = c->w.width[i], sum = 0, slope = 0;

@@ -1,22 +1,24 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Transient heat conduction through two layers, by eigenfunctions.
+/* Transient heat conduction through two layers by eigenfunctions.
  *
  *     T = S(x) + sum_n c_n phi_n(x) exp(-w_n^2 t),   phi = A_i sin(q_i d_i),   q_i = w sqrt(rho_c_i/k_i)
  *
- * d_i the distance to the wall of layer i, of width w_i.  Temperature and flux are continuous at the contact:
+ * S is the steady state, d_i the distance to the wall of layer i, w_i its width.  Temperature and flux are
+ * continuous at the contact:
  *
  *     A_1 sin(p_1) = A_2 sin(p_2),   e_1 A_1 cos(p_1) = -e_2 A_2 cos(p_2),   p_i = q_i w_i,  e_i = sqrt(k_i rho_c_i)
  *
- * The angle a_i whose tangent is (e/e_i) tan(p_i) and that equals p_i at the multiples of pi/2 increases with w, so
- * a_1 + a_2 = n pi has one root for each n >= 1, where a node at the contact is no exception (Sturm).  With
- * v = T - start, Green's second identity leaves c_n = -sum_i (wall_i - start) k_i q_i A_i/(w^2 N), N = integral of
- * rho_c phi^2 (Carslaw and Jaeger 1959, section 14.1 and Ozisik 1993, chapter 8).
+ * Define the angle a_i by tan(a_i) = (e/e_i) tan(p_i) and a_i = p_i at the multiples of pi/2.  It increases with w,
+ * so a_1 + a_2 = n pi has exactly one root for each n >= 1, including modes with a node at the contact (Sturm).
+ * With v = T - start, Green's second identity gives c_n = -sum_i (wall_i - start) k_i q_i A_i/(w^2 N), where N is
+ * the integral of rho_c phi^2 (Carslaw and Jaeger 1959, section 14.1; Ozisik 1993, chapter 8).
  *
- * Rounding: with r_i = e/e_i and H_i^2 = r_i sin^2(p_i) + cos^2(p_i)/r_i, da_i/dp_i = 1/H_i^2, so that what n pi is
- * rounded by moves w by the factor n pi/sum_i(p_i/H_i^2) of it, and A of the other layer, proportional to H_i, by
- * d(ln H_i)/dp_i = (r_i - 1/r_i) sin(p_i) cos(p_i)/H_i^2: up to r_i/2 where layer i swings between a wall and a
- * contact that hardly moves.
- * Restrictions: constant walls, one temperature at the start. */
+ * Rounding: let r_i = e/e_i and H_i^2 = r_i sin^2(p_i) + cos^2(p_i)/r_i, so that da_i/dp_i = 1/H_i^2.  The rounding
+ * of n pi changes w by a relative error n pi/sum_i(p_i/H_i^2) times larger.  It changes A of the other layer, which
+ * is proportional to H_i, by d(ln H_i)/dp_i = (r_i - 1/r_i) sin(p_i) cos(p_i)/H_i^2, up to r_i/2 if layer i
+ * oscillates between a wall and an almost stationary contact.
+ *
+ * Restrictions: constant wall temperatures, uniform initial temperature. */
 #include "references/layers.h"
 
 #include "references/roots.h"
@@ -60,7 +62,7 @@ double layers_modes_needed(const struct layers *w, double t) {
     return 2 + (a.time[0] + a.time[1]) * sqrt(last_exponent / t) / M_PI;
 }
 
-/* Mode n of time t into m->mode[n - 1]; 0 where it has decayed. */
+/* Stores mode n at time t in m->mode[n - 1].  Returns 0 if the mode has decayed. */
 static int add_mode(struct layers_modes *m, struct angles *a, int n, double t) {
     const struct layers *w = &m->w;
     a->target = n * M_PI;
@@ -106,7 +108,7 @@ void layers_modes(const struct layers *w, double t, struct layers_modes *m) {
     m->error[0] = 4 * DBL_EPSILON * (fabs(w->wall[0]) + fabs(w->wall[1])) + 1e-17 * scale;
     m->error[1] = 16 * DBL_EPSILON * steep;
     while (m->n < LAYERS_MODES && add_mode(m, &a, m->n + 1, t)) m->n++;
-    if (m->n == LAYERS_MODES) m->error[0] = m->error[1] = INFINITY; /* modes that count are left out */
+    if (m->n == LAYERS_MODES) m->error[0] = m->error[1] = INFINITY; /* some significant modes are missing */
 }
 
 struct curve layers_modes_at(const struct layers_modes *m, double x) {

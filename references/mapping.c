@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Between a scene and its image. */
+/* Transformations between a scene and its image. */
 #include "references/mapping.h"
 
 #include <stdio.h>
@@ -52,7 +52,7 @@ enum side mapping_side(const struct mapping *m, enum side s) {
     return (enum side)(2 * mapping_axis(m, axis) + ((int)s % 2 != m->against[axis]));
 }
 
-/* 0 - x has no zero below zero. */
+/* 0 - x avoids a negative zero. */
 void mapping_to_scene(const struct mapping *m, int dim, const double x[2], double to[2]) {
     to[1] = 0;
     for (int a = 0; a < dim; a++) to[mapping_axis(m, a)] = m->against[a] ? 0 - x[a] : x[a];
@@ -107,7 +107,7 @@ static double source_rate(const struct problem *p, const double x[2]) {
     return mapping_scale(&i->map) * i->of->source_rate(i->of, at);
 }
 
-/* Extents, jumps and conductivities of the case's axis a. */
+/* Extents, jumps and conductivities along axis a of the case. */
 static void image_axis(struct image *image, int a) {
     const struct problem *p = image->of;
     struct problem *of = &image->problem;
@@ -118,7 +118,7 @@ static void image_axis(struct image *image, int a) {
     of->jumps[a] = n;
     for (int j = 0; j < n; j++) of->jump[a][j] = against ? 0 - p->jump[from][n - 1 - j] : p->jump[from][j];
     for (int i = 0; i < p->materials; i++) of->material[i].k[a] = p->material[i].k[from];
-    for (int s = 2 * a; s < 2 * a + 2 && !p->shape; s++) { /* a round body keeps its walls */
+    for (int s = 2 * a; s < 2 * a + 2 && !p->shape; s++) { /* the walls of a round body do not depend on the axes */
         of->side[s] = p->side[mapping_side(&image->map, (enum side)s)];
         of->robin[s] = p->robin[mapping_side(&image->map, (enum side)s)];
     }

@@ -4,65 +4,66 @@
 
 #include "solver/problem.h"
 
-/* A scene in other axes and another scale of temperature: its image, the case.
+/* Maps a scene to a case with other axes and another temperature scale.
  *
- * The equation has no preferred axis and is linear, so that what solves a scene solves its image too:
+ * The equation has no preferred axis and is linear, so a method that solves a scene also solves its image:
  *
- *     an axis of the case is one of the scene's, along it or against it;  T_case = scale T + offset,  scale > 0
+ *     each axis of the case is an axis of the scene, in the same or the opposite direction;
+ *     T_case = scale T + offset,  scale > 0
  *
- * Then k goes with its axis, rho_c and Robin's b stay, fluxes and sources are multiplied by scale, temperatures of
- * walls and air are mapped as T is.  Solvers, references and norms see the scene; the case file, the points of the
- * oracle and the answers of programs are in the axes and the temperature of the case.
+ * Each k follows its axis. rho_c and Robin's b do not change.  Fluxes and sources are multiplied by scale; wall and
+ * air temperatures are mapped like T.  Solvers, references and norms use the scene.  The case file, the points of
+ * the oracle and the output of external programs use the axes and the temperature of the case.
  *
- * A program in three dimensions solves a plane as a slab, along the third axis of which nothing changes: x and y of
- * the case are then along two of its x, y and z. */
+ * A three-dimensional program solves a plane scene as a slab that is uniform along a third axis.  The x and y of the
+ * case are then two of its x, y and z. */
 
-/* All zero: the scene as it is. */
+/* All zero: the identity. */
 struct mapping {
-    int axes;       /* of --map: 1 or 2; 0 where it is not given */
-    int swap;       /* 1: the case's x is the scene's y */
-    int against[2]; /* by axis of the case: 1 where it runs against the scene's */
-    double scale;   /* 0 where it is not given: 1 */
+    int axes;       /* number of axes given to --map, 1 or 2; 0: no map */
+    int swap;       /* 1: x of the case is y of the scene */
+    int against[2]; /* by axis of the case: 1 if it runs opposite to the scene's axis */
+    double scale;   /* 0: not given, equivalent to 1 */
     double offset;  /* K */
-    int plane;      /* of mapping_planes: the program's axes that x and y of the case are along */
+    int plane;      /* index into mapping_planes: the program's axes for x and y of the case */
 };
 
 extern const char *const mapping_planes[]; /* "x,y", "x,z", "y,z", NULL */
 
 enum { MAPPING_WORDS = 8 };
 
-/* 1 where nothing is given. */
+/* 1 if no map is given. */
 int mapping_is_none(const struct mapping *m);
 int mapping_same(const struct mapping *m, const struct mapping *n);
 
-/* The axes from "x", "-x", or one of each axis such as "y,-x": the case's x and y in terms of the scene's.  0, or -1
- * for anything else. */
+/* Reads the axes from "x", "-x", or one word for each axis such as "y,-x": x and y of the case in terms of the
+ * scene.  Returns 0, or -1 if the text is invalid. */
 int mapping_read(const char *text, struct mapping *m);
-/* The same words, "" where none are given; into text of MAPPING_WORDS letters. */
+/* Writes the same words, "" if no axes are given, to text[MAPPING_WORDS]. */
 void mapping_print(const struct mapping *m, char *text);
 
-/* The scene's axis of the case's, and the other way: it is the same. */
+/* The scene's axis for an axis of the case.  The index map is its own inverse. */
 int mapping_axis(const struct mapping *m, int axis);
-/* The scene's side of the case's. */
+/* The scene's side for a side of the case. */
 enum side mapping_side(const struct mapping *m, enum side s);
 
-/* The coordinates of the scene at x of the case, m, and the other way; they may not overlap. */
+/* Coordinates of the scene from those of the case (m), and back; x and to must not overlap. */
 void mapping_to_scene(const struct mapping *m, int dim, const double x[2], double to[2]);
 void mapping_to_case(const struct mapping *m, int dim, const double x[2], double to[2]);
 
 double mapping_scale(const struct mapping *m);
-double mapping_temperature(const struct mapping *m, double T);      /* of the case, from the scene's */
-double mapping_temperature_back(const struct mapping *m, double T); /* of the scene, from the case's */
+double mapping_temperature(const struct mapping *m, double T);      /* scene to case */
+double mapping_temperature_back(const struct mapping *m, double T); /* case to scene */
 
 struct image {
-    struct problem problem;   /* the case: data and functions in its axes and temperatures */
-    const struct problem *of; /* the scene's */
+    struct problem problem;   /* the case: data and functions in its own axes and temperature scale */
+    const struct problem *of; /* the scene */
     struct mapping map;
-    int interface_axis; /* of the case: two materials meet across it, in the order in which they lie along it */
+    int interface_axis; /* axis of the case that crosses the interface of two materials */
 };
 
-/* Makes *image that of *p; neither may move while it is used.  Solvers take one of two materials only where
- * interface_axis is 0. */
+/* Fills *image with the image of *p.  Neither may move while the image is in use.  Solvers accept an image with two
+ * materials only if interface_axis is 0. */
 void mapping_image(const struct mapping *m, const struct problem *p, struct image *image);
 
 #endif

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Checks of a scene's parameters: one sentence a refusal, which names the option, the value and what is valid. */
+/* Checks of a scene's parameters.  Each refusal is one sentence with the option, its value and the valid range. */
 #include "references/params.h"
 
 #include "solver/status.h"
@@ -7,7 +7,7 @@
 #include <math.h>
 #include <string.h>
 
-/* "from" lo to hi with both, or "between" them */
+/* with_both: "from" lo to hi, bounds included; else "between" them. */
 static int outside(const struct param *table, const struct problem *p, int i, double lo, double hi, int with_both,
                    const char *because, struct failure *why) {
     const char *name = table[i].name, *unit = table[i].unit, *gap = *table[i].unit ? " " : "";
@@ -49,7 +49,7 @@ int params_start(const struct param *table, struct problem *p, const int *any, s
     memcpy(p->param, kept, sizeof kept);
     for (int i = 0; table[i].name; i++) {
         if (params_between(table, p, i, is_among(any, i) ? -INFINITY : 0, INFINITY, NULL, why)) return STATUS_INPUT;
-        p->t_end = p->param[i]; /* the last */
+        p->t_end = p->param[i]; /* the last one is the end time */
     }
     return STATUS_OK;
 }

@@ -1,10 +1,10 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Derived quantities of the exact solution.
  *
- * Fluxes are those of the side's own law where it gives them, q on a Neumann side and b (T_a - T) on a Robin side,
- * and k dT/dn on a Dirichlet side.  There the flux density of a plate grows as 1/distance towards a corner whose
- * other side is held at another temperature, and its integral has no value.  Integrals are by cubature.h, graded
- * towards ends, jumps and interface down to the diffusion length. */
+ * The flux density follows from the boundary condition: q on a Neumann side, b (T_a - T) on a Robin side, k dT/dn on
+ * a Dirichlet side.  On a Dirichlet side of a plate it grows as 1/distance towards a corner with a side at another
+ * temperature, and its integral diverges.  The quadrature (cubature.h) is graded towards ends, jumps and interface
+ * down to the diffusion length. */
 #include "references/quantity.h"
 
 #include "references/cubature.h"
@@ -17,7 +17,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* The names of the walls' fluxes, by enum side. */
+/* Names of the wall fluxes, indexed by enum side. */
 static const char *const plane_flux[] = {"flux_x_lo", "flux_x_hi", "flux_y_lo", "flux_y_hi"};
 static const char *const round_flux[] = {"flux_r_lo", "flux_r_hi"};
 
@@ -64,7 +64,7 @@ const char *quantity_unit(const struct quantity *q, const struct problem *p) {
     return p->dim == 1 ? "W/m^2" : "W/m";
 }
 
-/* What the integrands need. */
+/* Data of the integrands. */
 struct field_at {
     struct snapshot now;
     enum side side;
@@ -81,7 +81,7 @@ static struct approx heat_density(const void *data, const double x[2]) {
     return (struct approx){rho_c * e.temperature, rho_c * e.error_bound};
 }
 
-/* k dT/dn at a point of the side f->side; along[0] is its coordinate along the side, of a round wall its angle. */
+/* k dT/dn on the side f->side. along[0] is the coordinate along the side; on a round wall it is the angle. */
 static struct approx flux_density(const void *data, const double along[2]) {
     const struct field_at *f = data;
     const struct problem *p = f->now.problem;
@@ -100,8 +100,8 @@ static struct approx flux_density(const void *data, const double along[2]) {
     return (struct approx){s % 2 ? k * slope : -k * slope, k * bound};
 }
 
-/* Ends, jumps and interface of an axis, and the middle of a rod, where its pulse is: no start in the plane has one.
- */
+/* Knots of an axis: ends, jumps, interface, and on a rod the middle, the place of its pulse.  Initial data in the
+ * plane have no pulse. */
 static void add_knots(const struct problem *p, int axis, int place, struct cubature_knots *knots) {
     double at[CUBATURE_KNOTS] = {p->lo[axis], p->hi[axis]};
     int n = 2;
@@ -115,7 +115,7 @@ static void add_knots(const struct problem *p, int axis, int place, struct cubat
     knots->count[place] = n;
 }
 
-/* In two dimensions no feature is narrower than the diffusion length, at any t > 0. */
+/* In two dimensions no feature is narrower than the diffusion length at t > 0. */
 static int grades_for(const struct problem *p, double t) {
     double kappa = INFINITY, extent = 0;
     for (int a = 0; a < p->dim; a++) {
@@ -125,13 +125,13 @@ static int grades_for(const struct problem *p, double t) {
     return p->dim == 2 && t > 0 ? 1 + (int)fmax(0, ceil(log2(extent / sqrt(4 * kappa * t)) / 2)) : 0;
 }
 
-/* Over a round body, at = (r, theta): r times the density. */
+/* Integrand over a round body, at = (r, theta): r times the density. */
 static struct approx round_heat_density(const void *data, const double at[2]) {
     struct approx d = heat_density(data, (const double[2]){at[0] * cos(at[1]), at[0] * sin(at[1])});
     return (struct approx){at[0] * d.value, at[0] * d.error};
 }
 
-/* The integral over [lo, hi], whose measure is `size`. */
+/* Integral over [lo, hi]; `size` is its length or area. */
 static struct quantity_value integral(struct approx (*density)(const void *f, const double at[2]),
                                       const struct field_at *f, int dim, const double *lo, const double *hi,
                                       double size, const struct cubature_knots *knots) {

@@ -1,31 +1,34 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Rectangle whose sides are switched on: a closed form of the steady state, less a double sine series.
+/* Rectangle with a step change of its side temperatures: closed form of the steady state minus a double sine series.
  *
- * Steady (Pamplona 2019 eq. 2, one side at 1, with the sign that its boundary asks for), sums over odd n, r = n pi/B:
+ * Steady state for one side at 1 (Pamplona 2019 eq. 2, with the sign required by the boundary condition).  The sum
+ * is over odd n, with r = n pi/B:
  *
  *     H = sum_n 4/(n pi) sin(r eta) sinh(r (W - xi))/sinh(r W)
  *
- * falls off as exp(-r xi), so it crawls near the hot side.  The terms exp(-r xi) - exp(-r (2W - xi)) of the ratio sum
- * up to semi-infinite strips (Carslaw and Jaeger 1959, chapter 5), and what is left falls as exp(-2 r W) everywhere:
+ * It decays as exp(-r xi) and converges slowly near the hot side.  The terms exp(-r xi) - exp(-r (2W - xi)) of the
+ * ratio sum to semi-infinite strips (Carslaw and Jaeger 1959, chapter 5); the remainder decays as exp(-2 r W)
+ * everywhere:
  *
  *     H = A(xi) - A(2W - xi) + sum_n 4/(n pi) sin(r eta) (exp(-r xi) - exp(-r (2W - xi)))/(exp(2 r W) - 1)
  *     A(u) = 2/pi atan(sin(pi eta/B)/sinh(pi u/B))
  *
- * For W < B, with the straight line 1 - xi/W that the middle of the side has, and sums over all m, q = m pi/W,
+ * For W < B the solution is the straight line 1 - xi/W minus the effect of both neighbours.  The sums are over all
+ * m, with q = m pi/W:
  *
  *     H = 1 - xi/W - E(eta) - E(B - eta),   E = sum_m 2/(m pi) sin(q xi) sinh(q (B - eta))/sinh(q B)
  *       = D(eta) - D(2B - eta) + sum_m 2/(m pi) sin(q xi) (exp(-q eta) - exp(-q (2B - eta)))/(exp(2 q B) - 1)
  *     D(u) = 2/pi arg(1/(1 - exp(pi (i xi - u)/W)))
  *
- * Transient: what is still missing from H obeys zero walls and is a double sine series.  Its coefficients follow from
- * the hot side alone: for a mode sin(q xi) sin(r eta), Green's second identity leaves its slope there,
+ * Transient: H - T vanishes on all sides and is a double sine series.  For the mode sin(q xi) sin(r eta), Green's
+ * second identity gives the coefficient from the slope of the mode on the hot side:
  *
  *     H - T = sum_m sum_n 8 q/(n pi W (q^2 + r^2)) sin(q xi) sin(r eta) exp(-(q^2 + r^2) s^2/4),   q = m pi/W
  *
- * Cut: the end of an axis is felt no further than 6.3 s (erfc(6.3) = 5e-19), nor than 14 times the other extent
- * (exp(-14 pi) = 8e-20).  What lies beyond that reach of both ends is alike, and is left out: the cut rectangle is no
- * longer than 12.6 s or 28 of its widths, so that at any time and any shape no more than 53 modes of an axis have
- * (q s/2)^2 < 41.5, and the strips' exponentials stay finite.
+ * Cut: the influence of an end reaches at most 6.3 s (erfc(6.3) = 5e-19) and at most 14 times the other extent
+ * (exp(-14 pi) = 8e-20).  Between these reaches the solution is uniform along the axis; this part is cut out.  The
+ * cut rectangle is at most 12.6 s or 28 of its widths long.  At any time and for any shape at most 53 modes of an
+ * axis then have (q s/2)^2 < 41.5, and the exponentials of the strips stay finite.
  *
  * Restrictions: isotropic. */
 #include "references/rectangle.h"
@@ -35,7 +38,7 @@
 
 static const double last_exponent = 41.5; /* exp(-41.5) = 9.5e-19 */
 
-/* Place along an axis: distances to both ends, and the angle pi near/length with its sine and cosine. */
+/* Position along an axis: distances to both ends; sine and cosine of the angle pi x/length. */
 struct place {
     double lo, hi, length, sine, cosine; /* cosine > 0 in the lower half */
 };
@@ -47,10 +50,10 @@ static struct place place(double lo, double hi, double length) {
 
 /* Value and slopes along xi and eta. */
 struct sum {
-    double value, along, across, size; /* size: of the slopes' parts */
+    double value, along, across, size; /* size: sum of the magnitudes of the slopes' terms */
 };
 
-/* A(u) of the comment on top, its slope by u in `along`. */
+/* A(u) of the derivation; `along` is dA/du. */
 static struct sum strip(double u, const struct place *eta) {
     double grown = expm1(M_PI * u / eta->length), sinh_u = (grown + grown / (grown + 1)) / 2,
            cosh_u = hypot(1, sinh_u);
@@ -60,11 +63,11 @@ static struct sum strip(double u, const struct place *eta) {
     return A;
 }
 
-/* D(u), its slope by u in `along`, by xi in `across`. */
+/* D(u) of the derivation; `along` is dD/du, `across` is dD/dxi. */
 static struct sum wedge(double u, const struct place *xi) {
     double shrunk = expm1(-M_PI * u / xi->length), e = 1 + shrunk, half = xi->sine * xi->sine / (1 + xi->cosine);
-    if (xi->cosine < 0) half = 1 - xi->cosine;                  /* 1 - cos */
-    double real = -shrunk + e * half, imaginary = e * xi->sine; /* of 1 - zeta, but for a sign */
+    if (xi->cosine < 0) half = 1 - xi->cosine;                  /* 1 - cos(angle) */
+    double real = -shrunk + e * half, imaginary = e * xi->sine; /* of 1 - zeta, up to the sign */
     double den = (real * real + imaginary * imaginary) * xi->length / 2;
     struct sum D = {2 / M_PI * atan2(imaginary, real), -imaginary / den, -e * (half + shrunk) / den, 0};
     D.size = fabs(D.along) + fabs(D.across);
@@ -78,8 +81,8 @@ static void add(struct sum *to, double factor, double turn, struct sum part) {
     to->size += fabs(factor) * part.size;
 }
 
-/* first - last image of a strip or wedge at the distance `near` from where it starts, and the rest of the sum over
- * n = 1, step + 1, ... of c/n sin(n angle) (exp(-n pi u/b) - exp(-n pi (2 w - u)/b))/(exp(2 pi n w/b) - 1). */
+/* Strip or wedge at the distance `near`, minus its last image, plus the remaining sum over n = 1, step + 1, ... of
+ * c/n sin(n angle) (exp(-n pi u/b) - exp(-n pi (2 w - u)/b))/(exp(2 pi n w/b) - 1). */
 static struct sum images(struct sum (*image)(double, const struct place *), double near, double far, double w,
                          const struct place *b, int step) {
     struct sum H = image(near, b);
@@ -103,7 +106,7 @@ static struct sum images(struct sum (*image)(double, const struct place *), doub
     return H;
 }
 
-/* The steady response to the side from which xi->lo is measured. */
+/* Steady response to the side at xi->lo = 0. */
 static struct sum steady(const struct place *xi, const struct place *eta) {
     double W = xi->length, B = eta->length;
     if (W >= B) return images(strip, xi->lo, xi->hi, W, eta, 2);
@@ -123,7 +126,7 @@ struct approx rectangle_steady(double xi, double W, double eta, double B) {
     return (struct approx){steady(&along, &across).value, 24 * DBL_EPSILON};
 }
 
-/* The row n of modes: coefficients while they count. */
+/* Significant coefficients of row n. */
 static void prepare_row(struct rectangle *r, int n, double c) {
     const double *g = r->side, W = r->cut[0], H = r->cut[1], ky = n * M_PI / H;
     for (int m = 1; m <= RECTANGLE_MODES; m++) {
@@ -134,7 +137,7 @@ static void prepare_row(struct rectangle *r, int n, double c) {
         size *= exp(-c * rate) / rate;
         r->mode[n - 1][m - 1] = size;
         r->count[n - 1] = m;
-        /* the exponent is rounded, and the phases up to m pi/2 and n pi/2, by tables made by steps */
+        /* rounding of the exponent, and of the phases up to m pi/2 and n pi/2 in the recurrence of table() */
         double rounding = DBL_EPSILON * fabs(size) * (8 + 8 * c * rate + 5 * (m + n));
         r->error[0] += rounding;
         r->error[1] += kx * rounding;
@@ -176,7 +179,7 @@ static struct place place_in(const struct rectangle *r, int axis, double x) {
     return place(lo, hi, cut);
 }
 
-/* sin and cos of m angle, m = 1 to n. */
+/* sin(m angle) and cos(m angle), m = 1 to n. */
 static void table(const struct place *p, int n, double *sine, double *cosine) {
     double s = 0, c = 1;
     for (int m = 0; m < n; m++) {

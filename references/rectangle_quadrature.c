@@ -1,16 +1,17 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Rectangle with one side switched on, from quadrature over time of the wall's Green's function.
+/* Rectangle with a step change on one side, by quadrature over time of the wall's Green's function.
  *
- * The hot side acts through the kernel of the half line, d/dt erfc(xi/s), on what the two neighbours leave of 1 by
- * then, a unit box that cools; images across xi = W of alternating sign make the far side cold.  With
- * z = xi/sqrt(4 kappa tau)
+ * The kernel of the half line, d/dt erfc(xi/s), carries the hot side into the rectangle.  It acts on a unit box
+ * along eta that cools through the two neighbouring sides.  Images across xi = W with alternating sign hold the far
+ * side at zero.  With z = xi/sqrt(4 kappa tau)
  *
  *     T = sum over images of +-2/sqrt(pi) int_{xi/s}^inf exp(-z^2) box(eta, xi/z) dz
  *
- * Late, images count up to a distance of 14 B: one at u gives at most what it does once steady, 2/pi
- * atan(sin(pi eta/B)/sinh(pi u/B)) < 4/pi exp(-pi u/B), 1e-19 there (Carslaw and Jaeger 1959, chapter 5).
+ * At late times images up to the distance 14 B are significant.  The contribution of an image at the distance u is
+ * below its steady value, 2/pi atan(sin(pi eta/B)/sinh(pi u/B)) < 4/pi exp(-pi u/B), which is 1e-19 at 14 B (Carslaw
+ * and Jaeger 1959, chapter 5).
  *
- * Shares no form with rectangle.c. */
+ * This form shares no formula with rectangle.c. */
 #include "references/rectangle.h"
 
 #include <float.h>
@@ -25,8 +26,8 @@ struct kernel {
     double distance, eta, B; /* m */
 };
 
-/* exp(-z^2) times the unit box across, after the time at which z = distance/s; per log z, since the box falls where
- * z = distance/eta, however small that is */
+/* exp(-z^2) times the unit box along eta at the time given by z = distance/s.  The variable is log z because the box
+ * decays near z = distance/eta, at any scale of eta. */
 static double integrand(double log_z, void *data) {
     const struct kernel *k = data;
     double z = exp(log_z);
@@ -34,7 +35,7 @@ static double integrand(double log_z, void *data) {
     return 2 / sqrt(M_PI) * z * exp(-z * z) * across.at.value;
 }
 
-/* The hot side seen from one image of the point: int over time of (wall kernel of the half line) x (box across). */
+/* Contribution of one image: integral over time of (wall kernel of the half line) x (box along eta). */
 static struct approx image(double distance, double eta, double B, double s, gsl_integration_workspace *w) {
     struct kernel k = {distance, eta, B};
     gsl_function f = {integrand, &k};
@@ -58,7 +59,7 @@ struct approx rectangle_quadrature(double xi, double W, double eta, double B, do
     struct approx T = {0, 1e-17};
     double most = fmin(SERIES_REACH * s, 14 * B);
     if (s == 0) return (struct approx){0, 0};
-    if (most > 2 * IMAGES_MAX * W) return (struct approx){0, INFINITY}; /* more count than are summed */
+    if (most > 2 * IMAGES_MAX * W) return (struct approx){0, INFINITY}; /* more significant images than IMAGES_MAX */
     gsl_integration_workspace *w = gsl_integration_workspace_alloc(1000);
     for (int k = 0; xi + 2 * k * W < most; k++) {
         struct approx near = image(xi + 2 * k * W, eta, B, s, w), far = image(2 * (k + 1) * W - xi, eta, B, s, w);

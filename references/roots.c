@@ -1,12 +1,12 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Roots of increasing phase functions by GSL.
  *
- * A slab cooled at one end has modes sin or cos(z x/L) with k z/L cos z = -b sin z or k z/L sin z = b cos z.  Either
- * is, with biot = b L/k and atan2 from 0 to pi/2,
+ * A slab cooled at one end has the modes sin(z x/L) with k z/L cos z = -b sin z, or cos(z x/L) with k z/L sin z = b
+ * cos z.  With biot = b L/k and atan2 from 0 to pi/2 these conditions are
  *
- *     z + atan2(z, biot) = n pi   or   z - atan2(biot, z) = (n - 1) pi,
+ *     z + atan2(z, biot) = n pi   or   z - atan2(biot, z) = (n - 1) pi.
  *
- * whose left sides increase without bound: one root for each n >= 1, at biot = 0 and infinity as well
+ * The left sides increase without bound, so there is one root for each n >= 1, also at biot = 0 and infinity
  * (Carslaw and Jaeger 1959, section 3.9 and appendix IV). */
 #include "references/roots.h"
 
@@ -47,7 +47,7 @@ struct cooled {
     double biot;
 };
 
-/* The large parts first: their difference is exact. */
+/* The difference of the two large terms is exact; it is taken first. */
 static double phase(double z, const void *data) {
     const struct cooled *c = data;
     return c->insulated ? z - (c->n - 1) * M_PI - atan2(c->biot, z) : z - c->n * M_PI + atan2(z, c->biot);

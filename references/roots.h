@@ -2,15 +2,15 @@
 #ifndef HEATLADDER_REFERENCES_ROOTS_H
 #define HEATLADDER_REFERENCES_ROOTS_H
 
-/* Roots of transcendental equations written as increasing phases, one root for each multiple of pi, so that none is
- * missed. */
+/* Roots of transcendental equations.  Each equation is written as an increasing phase with one root for each
+ * multiple of pi, so no root is missed. */
 
-/* The root of an increasing f with f(lo) <= 0 <= f(hi), to a unit or two in the last place, by Brent's method (GSL).
+/* Root of an increasing f with f(lo) <= 0 <= f(hi) by Brent's method (GSL), to one or two units in the last place.
  */
 double roots_increasing(double (*f)(double z, const void *data), const void *data, double lo, double hi);
 
-/* n-th root, n >= 1, of z cot z = -biot (`insulated` 0: the other end is held) or z tan z = biot (1: it is
- * insulated), biot from 0 to INFINITY:  z + atan2(z, biot) = n pi, or (n - 1/2) pi. */
+/* Root n >= 1 of z cot z = -biot (`insulated` 0: the other end is held at zero) or z tan z = biot (`insulated` 1),
+ * for 0 <= biot <= INFINITY:  z + atan2(z, biot) = n pi, or (n - 1/2) pi. */
 double roots_cooled(int n, int insulated, double biot);
 
 #endif

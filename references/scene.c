@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The list of scenes.  build/scenes.inc is made from the names of the files scene_<name>.c. */
+/* The list of scenes. make writes build/scenes.inc from the names of the files scene_<name>.c. */
 #include "references/scene.h"
 
 #include <stdlib.h>

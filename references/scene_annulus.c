@@ -1,19 +1,21 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* annulus: a ring held along its inner wall, with a given flux through its outer wall, both varying along the wall.
+/* annulus: a ring with a Dirichlet condition on its inner wall and a given flux on its outer wall, both of them
+ * functions of the angle.
  *
  *     rho_c dT/dt = k lap T + G  in r1 < r < r2,   T = S at r1,   k dT/dr = k dS/dr at r2,   G = -k lap S,
  *     T(r, theta, 0) = S + A C_m(lambda r) cos(m theta),   S = Tm + B (r/r2)^3 cos(2 theta + phase),
  *     C_m(lambda r) = J_m(lambda r) Y_m(lambda r1) - Y_m(lambda r) J_m(lambda r1),   dC_m/dr = 0 at r2
  *
- * C_m(lambda r) cos(m theta) is an eigenfunction (Carslaw and Jaeger 1959, section 7.10; the first positive lambda):
+ * For the first positive lambda, C_m(lambda r) cos(m theta) is an eigenfunction (Carslaw and Jaeger 1959, section
+ * 7.10):
  *
  *     T = S + A C_m(lambda r) cos(m theta) exp(-k lambda^2 t/rho_c),   lap S = 5 B r/r2^3 cos(2 theta + phase)
  *
- * In u = ln(r/r1), C'' = (m^2 - lambda^2 r^2) C with C = 0 and C' = -2/pi at u = 0 (the Wronskian of J and Y).  C' is
- * negative up to u where lambda r2 <= m, so that the search for lambda starts there.  The second form marches this
- * equation by its Taylor series and has its lambda from that.
- * Restrictions: r1/r2 from 0.1 to 0.9; mode up to 12; B and A |C_m(lambda r2)| add up to less than Tm, so that T > 0.
- */
+ * In u = ln(r/r1), C'' = (m^2 - lambda^2 r^2) C with C = 0 and C' = -2/pi at u = 0 (the Wronskian of J and Y).  C'
+ * is negative up to u if lambda r2 <= m, so the search for lambda starts at m/r2.  The second form integrates this
+ * equation by its Taylor series and takes its own lambda from the result.
+ *
+ * Restrictions: 0.1 <= r1/r2 <= 0.9; mode <= 12; the sum of B and A |C_m(lambda r2)| is below Tm, so that T > 0. */
 #include "references/params.h"
 #include "references/roots.h"
 
@@ -25,17 +27,17 @@
 
 #include <gsl/gsl_sf_bessel.h>
 
-enum { R1, R2, K, RHO_C, TM, B, A, MODE, PHASE, T_END, LAMBDA }; /* LAMBDA, m^-1: not in the table, setup finds it */
+enum { R1, R2, K, RHO_C, TM, B, A, MODE, PHASE, T_END, LAMBDA }; /* LAMBDA: m^-1, computed by setup */
 
 static const struct param params[] = {
-    {"r1", 0.4, "m", "radius of the inner wall, which is held", NULL},
-    {"r2", 1, "m", "radius of the outer wall, whose flux is given", NULL},
+    {"r1", 0.4, "m", "radius of the inner wall (Dirichlet)", NULL},
+    {"r2", 1, "m", "radius of the outer wall (Neumann)", NULL},
     {"k", 0.01, "W/m/K", "conductivity", NULL},
     {"rho_c", 1.7, "J/m^3/K", "heat capacity", NULL},
     {"Tm", 2, "K", "mean temperature", NULL},
     {"B", 0.5, "K", "amplitude of the steady part at the outer wall", NULL},
-    {"A", 0.7, "K", "amplitude of the mode at the start, of C_m", NULL},
-    {"mode", 3, "", "waves of the mode around the ring, a whole number", NULL},
+    {"A", 0.7, "K", "initial amplitude of the mode, factor of C_m", NULL},
+    {"mode", 3, "", "number of waves around the ring, an integer", NULL},
     {"phase", 0.3, "", "phase of the steady part, rad", NULL},
     {"t_end", 2, "s", "end time", NULL},
     {NULL, 0, NULL, NULL, NULL},
@@ -43,7 +45,7 @@ static const struct param params[] = {
 
 struct cross {
     double value, slope; /* C, dC/du */
-    double size[2];      /* of the terms that they are differences of */
+    double size[2];      /* sum of the magnitudes of the terms, for rounding */
 };
 
 /* z f' = m f - z f_(m+1) for f = J, Y */
@@ -55,7 +57,7 @@ static struct cross cross(int m, double lambda, double r1, double r) {
         J * Y1 - Y * J1, dJ * Y1 - dY * J1, {fabs(J * Y1) + fabs(Y * J1), fabs(dJ * Y1) + fabs(dY * J1)}};
 }
 
-/* The same by steps of u within which m u and lambda r u change by 1 at most: 1/24! is left. */
+/* The same in steps of u over which m u and lambda r u change by at most 1; the truncation error is 1/24!. */
 static struct cross march(int m, double lambda, double r1, double r) {
     enum { ORDER = 24 };
     double end = log(r / r1), c[ORDER + 2] = {0, -2 / M_PI}, size = 0;
@@ -89,7 +91,7 @@ static double slope_at_outer(double lambda, const void *data) {
     return c->C(c->m, lambda, c->r1, c->r2).slope;
 }
 
-/* Roots are some pi/(r2 - r1) apart: half steps of one meet the first. */
+/* Roots are about pi/(r2 - r1) apart; steps of half a radian find the first one. */
 static double first_root(const struct problem *p, struct cross (*C)(int m, double lambda, double r1, double r)) {
     const double *v = p->param;
     struct condition c = {(int)v[MODE], v[R1], v[R2], C};
@@ -176,8 +178,8 @@ static struct exact second(const struct problem *p, const double x[2], double t)
 
 const struct scene scene_annulus = {
     .name = "annulus",
-    .about = "a ring held along its concave wall, with a flux through the other, both varying along the wall",
-    .citation = "Carslaw and Jaeger 1959, section 7.10, with a steady part by a source",
+    .about = "a ring with a varying temperature on its concave wall and a varying flux on its convex wall",
+    .citation = "Carslaw and Jaeger 1959, section 7.10, with a steady part from a source",
     .params = params,
     .setup = setup,
     .exact = exact,

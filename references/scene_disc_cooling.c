@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* disc-cooling: a disc that starts warm, cooled by the air around it.
+/* disc-cooling: an initially warm disc cooled by the surrounding air.
  *
  *     rho_c dT/dt = k lap T  in r < R,   k dT/dr = b (T_a - T) at r = R,   T(r, 0) = T0
  *
@@ -10,9 +10,11 @@
  *                                          J_0(lambda_n r/R) exp(-(lambda_n s/(2 R))^2)
  *     Laplace:  T = T0 + (T_a - T0) inverse of (1/z) b I_0(q r)/(k q I_1(q R) + b I_0(q R)),   q = sqrt(z rho_c/k)
  *
- * Root n lies between the roots n - 1 of J_1 (0 for n = 1) and n of J_0.  The series is taken for s >= R/25, where
- * 110 modes leave exp(-41.5), the transform before that; the second form is the other one of the two, the series with
- * up to 600 modes. Restrictions: b R/k from 1e-12 to 1e12. */
+ * Root n is between root n - 1 of J_1 (0 for n = 1) and root n of J_0.  The series is used for s >= R/25, where 110
+ * modes leave a truncation error of exp(-41.5), and the transform at earlier times.  The second form is the other
+ * one of the two, with up to 600 modes in the series.
+ *
+ * Restrictions: 1e-12 <= b R/k <= 1e12. */
 #include "references/bessel.h"
 #include "references/params.h"
 #include "references/roots.h"
@@ -33,7 +35,7 @@ static const struct param params[] = {
     {"radius", 1, "m", "radius of the disc", NULL},
     {"k", 0.01, "W/m/K", "conductivity", NULL},
     {"rho_c", 1, "J/m^3/K", "heat capacity", NULL},
-    {"T0", 1, "K", "temperature at the start", NULL},
+    {"T0", 1, "K", "initial temperature", NULL},
     {"T_a", 0, "K", "temperature of the air", NULL},
     {"b", 0.02, "W/m^2/K", "heat transfer coefficient", NULL},
     {"t_end", 5, "s", "end time", NULL},
@@ -50,7 +52,7 @@ struct shared {
     double error[2];                                    /* K, K m^-1 */
 };
 
-/* Between a root of J_1 and the next of J_0 this goes from -B J_0 to z J_1, whose sign alternates with n. */
+/* Increases from -B J_0 at a root of J_1 to z J_1 at the next root of J_0; their sign alternates with n. */
 struct condition {
     double biot;
     int sign;
@@ -67,8 +69,8 @@ static double root(int n, double biot) {
     return roots_increasing(excess, &c, lo, hi);
 }
 
-/* 2 J_1/(lambda (J_0^2 + J_1^2)), by lambda J_1 = B J_0 without the one of the two that is near its root: what is
- * left of it there would be rounding, in each of the modes.  The first root is none of J_1. */
+/* 2 J_1/(lambda (J_0^2 + J_1^2)).  The condition lambda J_1 = B J_0 eliminates J_0 or J_1, whichever is near its
+ * root and would be mostly round-off.  The first root is not near one of J_1. */
 static double mode_size(int n, double lambda, double biot) {
     double J0 = gsl_sf_bessel_J0(lambda), J1 = gsl_sf_bessel_J1(lambda), both = lambda * lambda + biot * biot;
     if (biot >= lambda) return 2 * biot / lambda * biot / (J1 * both);
@@ -92,7 +94,7 @@ static void prepare_series(const double *v, double s, struct shared *g) {
     if (g->modes == MODES) g->error[0] = g->error[1] = INFINITY;
 }
 
-/* r is rounded by eps R, over which T changes by eps R/s of the whole. */
+/* Rounding of r by eps R changes T by eps R/s of the temperature difference. */
 static void prepare_transform(const double *v, double s, struct shared *g) {
     double biot = v[B] * v[R] / v[K], scale = fabs(v[T_A] - v[T0]);
     for (int j = 0; j < TALBOT_NODES; j++) {
@@ -119,7 +121,7 @@ static void *prepare(const struct problem *p, double t) {
 }
 
 static double sum_series(const double *v, const struct shared *g, double r, double *slope) {
-    double sum = 0; /* rounded as T0 - T_a is, and not as T_a, at each mode */
+    double sum = 0; /* summed without T_a, so that each mode is rounded relative to T0 - T_a */
     for (int n = 0; n < g->modes; n++) {
         double z = g->lambda[n] * r / v[R];
         sum += g->size[n] * gsl_sf_bessel_J0(z);
@@ -175,7 +177,7 @@ static int setup(struct problem *p, struct failure *why) {
 
 const struct scene scene_disc_cooling = {
     .name = "disc-cooling",
-    .about = "a disc that starts warm, cooled by the air around it",
+    .about = "an initially warm disc cooled by the surrounding air",
     .citation = "Carslaw and Jaeger 1959, section 7.7",
     .params = params,
     .odd = {{1.3, 0.017, 1.9, 0.97, 0.21, 0.037, 11}, 1, 0.02, 3},

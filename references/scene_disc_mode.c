@@ -1,19 +1,20 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* disc-mode: one mode of a disc whose wall is held, insulated or cooled.
+/* disc-mode: one mode of a disc with a Dirichlet, Neumann or Robin wall.
  *
  *     rho_c dT/dt = k lap T  in r < R,   T(r, theta, 0) = Tm + A J_m(lambda r/R) cos(m theta),
  *     wall = 1 (Dirichlet): T = Tm,   2 (Neumann): k dT/dr = 0,   3 (Robin): k dT/dr = b (Tm - T)  at r = R
  *
- * J_m(lambda r/R) cos(m theta) is an eigenfunction where lambda is a root of J_m, of J_m', or of lambda J_m' + (b
- * R/k) J_m, and the first positive one is taken (Carslaw and Jaeger 1959, sections 7.6 and 7.7):
+ * J_m(lambda r/R) cos(m theta) is an eigenfunction if lambda is a root of J_m, of J_m', or of lambda J_m' + (b R/k)
+ * J_m (Carslaw and Jaeger 1959, sections 7.6 and 7.7).  The scene uses the first positive root:
  *
  *     T = Tm + A J_m(lambda r/R) cos(m theta) exp(-k lambda^2 t/(rho_c R^2))
  *
- * With z J_m' = m J_m - z J_(m+1) all three are roots of z J_(m+1) = (m + B) J_m, B = infinity, 0 and b R/k, which
- * for m
- * + B > 0 has one between 0 and the first root of J_m; for m = B = 0 it is the first root of J_1.
- * The second form has J_m from Bessel's integral, by the trapezoidal rule, and its root from that.
- * Restrictions: A < Tm, so that T > 0 (|J_m| <= 1); mode up to 20; b R/k from 1e-12 to 1e12. */
+ * Since z J_m' = m J_m - z J_(m+1), all three conditions have the form z J_(m+1) = (m + B) J_m with B = infinity, 0
+ * and b R/k.  It has one root between 0 and the first root of J_m if m + B > 0; for m = B = 0 it is the first root
+ * of J_1.  The second form evaluates J_m by Bessel's integral with the trapezoidal rule and computes its own root
+ * from it.
+ *
+ * Restrictions: A < Tm, so that T > 0 (|J_m| <= 1); mode <= 20; 1e-12 <= b R/k <= 1e12. */
 #include "references/params.h"
 #include "references/roots.h"
 
@@ -25,22 +26,22 @@
 
 #include <gsl/gsl_sf_bessel.h>
 
-enum { R, K, RHO_C, MODE, TM, A, WALL, B, T_END, LAMBDA }; /* LAMBDA: not in the table, setup finds it */
+enum { R, K, RHO_C, MODE, TM, A, WALL, B, T_END, LAMBDA }; /* LAMBDA: computed by setup */
 
 static const struct param params[] = {
     {"radius", 1, "m", "radius of the disc", NULL},
     {"k", 0.01, "W/m/K", "conductivity", NULL},
     {"rho_c", 1, "J/m^3/K", "heat capacity", NULL},
-    {"mode", 2, "", "waves around the disc, a whole number", NULL},
-    {"Tm", 2, "K", "mean temperature, of the wall and of the air", NULL},
-    {"A", 1, "K", "amplitude of the mode at the start, below Tm", NULL},
-    {"wall", 1, "", "kind of the wall: 1 Dirichlet, 2 Neumann, 3 Robin", NULL},
-    {"b", 0.02, "W/m^2/K", "heat transfer coefficient of wall 3", NULL},
+    {"mode", 2, "", "number of waves around the disc, an integer", NULL},
+    {"Tm", 2, "K", "mean temperature, also that of the wall or the air", NULL},
+    {"A", 1, "K", "initial amplitude of the mode, below Tm", NULL},
+    {"wall", 1, "", "boundary condition: 1 Dirichlet, 2 Neumann, 3 Robin", NULL},
+    {"b", 0.02, "W/m^2/K", "heat transfer coefficient for wall=3", NULL},
     {"t_end", 1, "s", "end time", NULL},
     {NULL, 0, NULL, NULL, NULL},
 };
 
-struct condition { /* z J_(m+1) = (m + biot) J_m; of a held wall J_m = 0 */
+struct condition { /* z J_(m+1) = (m + biot) J_m; J_m = 0 for a Dirichlet wall */
     int m, held;
     double biot;
     double (*J)(int m, double z);
@@ -53,7 +54,7 @@ static double excess(double z, const void *data) {
     return (z * c->J(c->m + 1, z) - weight * c->J(c->m, z)) / (1 + weight);
 }
 
-/* The root is above m, for z^2 > m^2 is where z J_m' can fall; the first root of J_m is below m + 2 m^(1/3) + 2.41.
+/* z J_m' can decrease only for z > m, so the root is above m.  The first root of J_m is below m + 2 m^(1/3) + 2.41.
  */
 static double first_root(const struct problem *p, double (*J)(int m, double z)) {
     const double *v = p->param;
@@ -65,7 +66,7 @@ static double first_root(const struct problem *p, double (*J)(int m, double z)) 
     return c.held ? most : roots_increasing(excess, &c, c.m > 0 ? c.m : 0, most);
 }
 
-/* |J_m'|, |J_m|, |z J_m'| / (m + 1) are at most 1, 1 and 1; GSL's J_m is right to some eps, the phase to m eps. */
+/* |J_m|, |J_m'| and |z J_m'|/(m + 1) are at most 1.  Errors: a few eps in J_m (GSL), m eps in the phase. */
 static struct exact exact(const struct problem *p, const double x[2], double t) {
     const double *v = p->param;
     int m = (int)v[MODE];
@@ -110,7 +111,7 @@ static int setup(struct problem *p, struct failure *why) {
     return STATUS_OK;
 }
 
-/* J_m(z) = mean over tau of cos(m tau - z sin tau): N points leave J_(N-m)(z), next to nothing for z + m < N/2. */
+/* J_m(z) = mean over tau of cos(m tau - z sin tau).  N points alias J_(N-m)(z), negligible for z + m < N/2. */
 static double bessel_integral(int m, double z) {
     enum { N = 128 };
     double sum = 0;
@@ -132,7 +133,7 @@ static struct exact second(const struct problem *p, const double x[2], double t)
 
 const struct scene scene_disc_mode = {
     .name = "disc-mode",
-    .about = "one mode of a disc whose wall is held, insulated or cooled",
+    .about = "one mode of a disc with a Dirichlet, insulated or cooled wall",
     .citation = "Carslaw and Jaeger 1959, sections 7.6 and 7.7",
     .params = params,
     .setup = setup,

@@ -1,26 +1,29 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* plane-contact: the slowest mode of two materials that meet in a rectangle at x = w1.
+/* plane-contact: the slowest mode of a rectangle of two materials in contact at x = w1.
  *
  *     rho_c dT/dt = div(k grad T)  on [0, w1 + w2] x [0, height],   k, rho_c = k1, rho_c1 at x < w1, k2, rho_c2 else
  *     T = Tm at x = 0 and x = w1 + w2,   dT/dy = 0 at y = 0 and y = height
- *     T(x, y, 0) = Tm + A phi(x) cos(q y),   q = mode pi/height,   largest phi: 1
+ *     T(x, y, 0) = Tm + A phi(x) cos(q y),   q = mode pi/height,   max phi = 1
  *
- * T = Tm + A phi(x) cos(q y) exp(-lambda t), where (k phi')' + (lambda rho_c - k q^2) phi = 0 and phi is 0 at both
- * walls, phi and k phi' continuous at w1.  With s_i = lambda rho_c_i/k_i - q^2 and C(s, z) = cos(sqrt(s) z), S(s, z)
- * = sin(sqrt(s) z)/sqrt(s) (cosh, sinh for s < 0) phi is S(s_1, x)/S(s_1, w1) and S(s_2, w1 + w2 - x)/S(s_2, w2)
- * times its value at w1, and lambda is a root of
+ * The solution is T = Tm + A phi(x) cos(q y) exp(-lambda t).  Here (k phi')' + (lambda rho_c - k q^2) phi = 0,
+ * phi = 0 at both walls, and phi and k phi' are continuous at w1.  With s_i = lambda rho_c_i/k_i - q^2,
+ * C(s, z) = cos(sqrt(s) z) and S(s, z) = sin(sqrt(s) z)/sqrt(s) (cosh and sinh for s < 0), phi is its value at w1
+ * times S(s_1, x)/S(s_1, w1) or S(s_2, w1 + w2 - x)/S(s_2, w2), and lambda is a root of
  *
- *     k1 C(s_1, w1)/S(s_1, w1) + k2 C(s_2, w2)/S(s_2, w2) = 0                     (Carslaw and Jaeger 1959,
- * section 12.8)
+ *     k1 C(s_1, w1)/S(s_1, w1) + k2 C(s_2, w2)/S(s_2, w2) = 0      (Carslaw and Jaeger 1959, section 12.8)
  *
- * Both terms fall with lambda.  The first root is between the first lambda at which one of them is 0 and the first at
- * which one has its pole: s_i = (pi/2 w_i)^2 and (pi/w_i)^2.  There phi is largest in the layer with sqrt(s_i) w_i >
- * pi/2, and monotone in the other one.
- * The second form is Ritz's: integrated Legendre polynomials in each layer and the least quotient of int k (phi'^2 +
- * q^2 phi^2) to int rho_c phi^2.  It knows no condition at the contact.
- * Rounding: lambda is a quotient of integrals of its coefficients, so that their rounding shows in it no larger; a
- * part eps of lambda or q^2 moves the phase sqrt(s) z by w (|s| + q^2)/(2 sqrt(s)) eps (`turn`).
- * Restrictions: A < Tm, so that T > 0; mode up to 20; widths, k and rho_c of the two within a factor of 1e6. */
+ * Both terms decrease with lambda.  The first root is between the first zero and the first pole of either term,
+ * s_i = (pi/2 w_i)^2 and (pi/w_i)^2.  There phi has its maximum in the layer with sqrt(s_i) w_i > pi/2 and is
+ * monotone in the other.
+ *
+ * The second form is a Ritz approximation: integrated Legendre polynomials in each layer minimise the quotient of
+ * int k (phi'^2 + q^2 phi^2) and int rho_c phi^2.  It imposes no condition at the contact.
+ *
+ * Rounding: lambda is a quotient of integrals of the coefficients, so its relative error is that of the
+ * coefficients.  A relative change eps of lambda or q^2 moves the phase sqrt(s) z by w (|s| + q^2)/(2 sqrt(s)) eps
+ * (`turn`).
+ *
+ * Restrictions: A < Tm, so that T > 0; mode <= 20; widths, k and rho_c of the materials within a factor of 1e6. */
 #include "references/params.h"
 #include "references/roots.h"
 
@@ -33,7 +36,7 @@
 #include <gsl/gsl_eigen.h>
 #include <gsl/gsl_integration.h>
 
-enum { W1, W2, HEIGHT, K1, RHO_C1, K2, RHO_C2, MODE, TM, A, T_END, LAMBDA }; /* LAMBDA: s^-1, of setup's */
+enum { W1, W2, HEIGHT, K1, RHO_C1, K2, RHO_C2, MODE, TM, A, T_END, LAMBDA }; /* LAMBDA: s^-1, computed by setup */
 
 static const struct param params[] = {
     {"w1", 0.4, "m", "width of the first material, x < w1", NULL},
@@ -43,9 +46,9 @@ static const struct param params[] = {
     {"rho_c1", 1, "J/m^3/K", "heat capacity of the first material", NULL},
     {"k2", 0.002, "W/m/K", "conductivity of the second material", NULL},
     {"rho_c2", 0.5, "J/m^3/K", "heat capacity of the second material", NULL},
-    {"mode", 1, "", "half waves along y, a whole number", NULL},
-    {"Tm", 2, "K", "mean temperature, of the walls", NULL},
-    {"A", 1, "K", "largest part of the mode at the start, below Tm", NULL},
+    {"mode", 1, "", "number of half waves along y, an integer", NULL},
+    {"Tm", 2, "K", "mean temperature, also that of the walls", NULL},
+    {"A", 1, "K", "initial maximum of the mode, below Tm", NULL},
     {"t_end", 1, "s", "end time", NULL},
     {NULL, 0, NULL, NULL, NULL},
 };
@@ -69,7 +72,7 @@ static struct mode mode_of(const struct problem *p, double lambda) {
     return m;
 }
 
-/* S and C at z, 0 <= z <= w; where s < 0 over cosh(sqrt(-s) w), which they have in common. */
+/* S and C at 0 <= z <= w.  For s < 0 both are divided by their common factor cosh(sqrt(-s) w). */
 static double sine(const struct layer *l, double z) {
     double r = sqrt(fabs(l->s));
     if (r * l->w < 1e-8) return z;
@@ -81,7 +84,7 @@ static double cosine(const struct layer *l, double z) {
     return l->s > 0 ? cos(r * z) : exp(r * (z - l->w)) * (1 + exp(-2 * r * z)) / (1 + exp(-2 * r * l->w));
 }
 
-/* Minus the sum of both terms, times S_1 S_2/(S_1 + S_2), which leaves its sign where both have their poles. */
+/* The negative sum of both terms times S_1 S_2/(S_1 + S_2).  The factor removes the poles and keeps the sign. */
 static double mismatch(double lambda, const void *problem) {
     struct mode m = mode_of(problem, lambda);
     const struct layer *a = &m.layer[0], *b = &m.layer[1];
@@ -89,7 +92,7 @@ static double mismatch(double lambda, const void *problem) {
     return -(a->k / a->w * cosine(a, a->w) * Sb + b->k / b->w * cosine(b, b->w) * Sa) / (Sa + Sb);
 }
 
-/* The least of both layers' lambda at which sqrt(s) w is the part of pi. */
+/* Smallest lambda at which sqrt(s) w = part pi in one of the layers. */
 static double first_at(const struct problem *p, double part) {
     struct mode m = mode_of(p, 0);
     double lambda[2];
@@ -100,7 +103,7 @@ static double first_at(const struct problem *p, double part) {
     return fmin(lambda[0], lambda[1]);
 }
 
-/* How far, in phase, a part 2 eps of lambda or of q^2 moves the layer's end, over eps. */
+/* Phase shift at the end of the layer, in units of eps, for a relative change 2 eps of lambda or q^2. */
 static double turn(const struct layer *l, double q) {
     return l->w * (fabs(l->s) + q * q) / (sqrt(fabs(l->s)) + 1 / l->w);
 }
@@ -110,7 +113,7 @@ static double turn(const struct layer *l, double q) {
 static struct exact exact(const struct problem *p, const double x[2], double t) {
     const double *v = p->param;
     struct mode m = mode_of(p, v[LAMBDA]);
-    int right = x[0] >= v[W1], wide = 0; /* wide: the layer that has the largest phi */
+    int right = x[0] >= v[W1], wide = 0; /* wide: the layer with the maximum of phi */
     for (int i = 0; i < 2; i++)
         if (m.layer[i].s > 0 && sqrt(m.layer[i].s) * m.layer[i].w >= M_PI / 2 * (1 - 1e-12)) wide = i;
     const struct layer *l = &m.layer[right], *w = &m.layer[wide];
@@ -140,7 +143,7 @@ static int setup(struct problem *p, struct failure *why) {
     if (params_between(params, p, A, 0, v[TM], "the temperature stays positive, A < Tm", why)) return STATUS_INPUT;
     for (int i = 0; i < 3; i++)
         if (params_between(params, p, pair[i][1], 1e-6 * v[pair[i][0]], 1e6 * v[pair[i][0]],
-                           "within a factor of 1e6 of the first material's", why))
+                           "within a factor of 1e6 of the first material", why))
             return STATUS_INPUT;
     p->dim = 2;
     p->hi[0] = v[W1] + v[W2];
@@ -160,8 +163,8 @@ static int setup(struct problem *p, struct failure *why) {
 
 enum { DEGREE = 20, BUBBLES = DEGREE - 1, RITZ = 2 * BUBBLES + 1, NODES = 32 };
 
-/* At -1 <= xi <= 1 the bubbles (P_j - P_(j-2))/(2j - 1), j = 2 ... DEGREE, and the hat (1 + xi)/2 of the contact,
- * with their slopes P_(j-1) and 1/2. */
+/* Shape functions at -1 <= xi <= 1: bubbles (P_j - P_(j-2))/(2j - 1), 2 <= j <= DEGREE, with slopes P_(j-1), and the
+ * hat (1 + xi)/2 of the contact, with slope 1/2. */
 static void shapes(double xi, double value[BUBBLES + 1], double slope[BUBBLES + 1]) {
     double P[DEGREE + 1] = {1, xi};
     for (int j = 2; j <= DEGREE; j++) P[j] = ((2 * j - 1) * xi * P[j - 1] - (j - 1) * P[j - 2]) / j;
@@ -169,12 +172,12 @@ static void shapes(double xi, double value[BUBBLES + 1], double slope[BUBBLES + 
     value[BUBBLES] = (1 + xi) / 2, slope[BUBBLES] = 0.5;
 }
 
-/* Unknown j of layer i; the last one, the hat, is that of both. */
+/* Index of shape function j of layer i; the hat is the last unknown, shared by both layers. */
 static int unknown(int i, int j) {
     return j == BUBBLES ? RITZ - 1 : i * BUBBLES + j;
 }
 
-/* In units of the first layer: its width, conductivity and heat capacity. */
+/* Element matrices in units of the first layer: its width, conductivity and heat capacity. */
 static void add_layer(const struct mode *m, int i, gsl_matrix *stiff, gsl_matrix *mass) {
     const struct layer *unit = &m->layer[0], *l = &m->layer[i];
     double w = l->w / unit->w, k = l->k / unit->k, rho_c = l->rho_c / unit->rho_c, q = m->q * unit->w;
@@ -194,8 +197,8 @@ static void add_layer(const struct mode *m, int i, gsl_matrix *stiff, gsl_matrix
     gsl_integration_glfixed_table_free(rule);
 }
 
-/* The largest quotient of mass to stiffness, 1/lambda, whose rounding is a part of itself; its vector; what the next
- * quotient is of it. */
+/* Returns lambda and its vector from the largest quotient of mass to stiffness, 1/lambda, whose relative rounding
+ * error is of order eps. *next is the second largest quotient relative to it. */
 static double ritz(const struct mode *m, double vector[RITZ], double *next) {
     gsl_matrix *stiff = gsl_matrix_calloc(RITZ, RITZ), *mass = gsl_matrix_calloc(RITZ, RITZ);
     gsl_matrix *vectors = gsl_matrix_alloc(RITZ, RITZ);
@@ -221,7 +224,7 @@ static double sum_of(const double vector[RITZ], int i, double xi, int slope) {
     return sum;
 }
 
-/* phi where its slope is 0, in the layer at whose contact it falls. */
+/* Maximum of phi: its slope vanishes in the layer in which phi decreases towards the contact. */
 static double largest(const double vector[RITZ]) {
     double sign = vector[RITZ - 1] < 0 ? -1 : 1, lo = -1, hi = 1;
     int i = sign * sum_of(vector, 0, 1, 1) < 0 ? 0 : 1;
@@ -232,7 +235,7 @@ static double largest(const double vector[RITZ]) {
     return sum_of(vector, i, lo, 0);
 }
 
-/* A polynomial of DEGREE leaves less than rounding of phases up to 2 pi. */
+/* At this DEGREE the truncation error is below round-off for phases up to 2 pi. */
 static struct exact second(const struct problem *p, const double x[2], double t) {
     const double *v = p->param;
     struct mode m = mode_of(p, 0);
@@ -248,7 +251,7 @@ static struct exact second(const struct problem *p, const double x[2], double t)
 
 const struct scene scene_plane_contact = {
     .name = "plane-contact",
-    .about = "the slowest mode of two materials that meet in a rectangle",
+    .about = "the slowest mode of a rectangle of two materials in contact",
     .citation = "Carslaw and Jaeger 1959, section 12.8",
     .params = params,
     .setup = setup,

@@ -1,24 +1,26 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* plate: a rectangular plate, each side held at its own temperature (Pamplona, Silva, Bucar, Vasco 2019, section 6).
+/* plate: a rectangular plate with a Dirichlet condition on each side (Pamplona, Silva, Bucar, Vasco 2019, section
+ * 6).
  *
  *     dT/dt = alpha (d2T/dx2 + d2T/dy2)  on [0, width] x [0, height],   alpha = k/rho_c        (1)
  *     T = T1 at y = 0, T2 at x = width, T3 at y = height, T4 at x = 0,   T = T0 at t = 0
  *
- * The problem is linear: T = T0 + sum_i (T_i - T0) H_i, H_i the response to side i alone going from 0 to 1
- * (rectangle.c: strips for the steady part, a double sine series for the rest).  The second form integrates the
- * walls' Green's function over time.  Both are good to
- * 1e-13 of max|T_i - T0|.
+ * The problem is linear: T = T0 + sum_i (T_i - T0) H_i, where H_i is the response to a step from 0 to 1 on side i
+ * (rectangle.c: strips for the steady part, a double sine series for the transient).  The second form integrates the
+ * walls' Green's function over time.  The error of either form is 1e-13 of max|T_i - T0|.
  *
- * As printed, the paper's solution is another one (`published`, with T0 = 0 as there; a = width, b = height):
- *   eq. 2: sinh(n pi (y - b)/a) is -sinh(n pi b/a) at y = 0, so that side takes -T1; likewise x = 0 takes -T4.
- *   eq. 7: projecting eq. 2 gives C_pn = a p T3 (-1)^p/(a^2 p^2 + b^2 n^2), D_mn = -b m T4/(a^2 n^2 + b^2 m^2);
- *          printed are b p T3 (-1)^m and -a m T4 above the same.  A_pn and B_mn are right (A_pn for the right side
- *          T1, not for the printed one).
- *   eq. 5: the sum over n has two terms, n = m from A and C, n = p from B and D, by eq. 6.
+ * The solution printed in the paper differs from this one (`published`, with T0 = 0 as in the paper; a = width,
+ * b = height):
+ *   eq. 2: sinh(n pi (y - b)/a) is -sinh(n pi b/a) at y = 0, so the temperature of that side is -T1, and -T4 at x =
+ * 0. eq. 7: projection of eq. 2 gives C_pn = a p T3 (-1)^p/(a^2 p^2 + b^2 n^2), D_mn = -b m T4/(a^2 n^2 + b^2 m^2);
+ *          the paper prints b p T3 (-1)^m and -a m T4 over the same denominators. A_pn and B_mn are right (A_pn for
+ * the side at T1, not for the printed sign). eq. 5: the sum over n has two terms, n = m from A and C, n = p from B
+ * and D, by eq. 6.
  *
- * Corners: where two sides of different temperature meet, the limit of T depends on the direction (it is the mean of
- * the two along the bisector).  At a corner itself there is no value; `exact` returns that mean, marked so.
- * On a side, T is T0 at t = 0 and the side's temperature later.
+ * Corners: between two sides at different temperatures the limit of T depends on the direction; along the bisector
+ * it is their mean.  The corner itself has no value, so `exact` returns the mean and sets no_value.  On a side, T is
+ * T0 at t = 0 and the temperature of the side later.
+ *
  * Restrictions: one isotropic material. */
 #include "references/params.h"
 #include "references/rectangle.h"
@@ -33,7 +35,7 @@ enum { WIDTH, HEIGHT, T1, T2, T3, T4, T0, MATERIAL, T_END };
 
 static const char *const materials[] = {"steel", "titanium", "vanadium", NULL};
 static const struct {
-    double rho, c, k; /* kg/m^3, J/kg/K, W/m/K; Pamplona 2019 section 6, after Bergman et al. */
+    double rho, c, k; /* kg/m^3, J/kg/K, W/m/K; Pamplona 2019 section 6, from Bergman et al. */
 } property[] = {{7854, 434, 60.5}, {4500, 522, 21.9}, {6100, 489, 30.7}};
 
 static const struct param params[] = {
@@ -43,8 +45,8 @@ static const struct param params[] = {
     {"T2", 0.50, "K", "temperature of the side x = width", NULL},
     {"T3", 0.75, "K", "temperature of the side y = height", NULL},
     {"T4", 1.00, "K", "temperature of the side x = 0", NULL},
-    {"T0", 0, "K", "temperature of the plate at the start", NULL},
-    {"material", 0, "", "what the plate is made of", materials},
+    {"T0", 0, "K", "initial temperature of the plate", NULL},
+    {"material", 0, "", "material of the plate", materials},
     {"t_end", 28.8894, "s", "end time; the paper also shows 57.9411, 86.9928 and 115.8822", NULL},
     {NULL, 0, NULL, NULL, NULL},
 };
@@ -76,7 +78,7 @@ static double width_at(const struct problem *p, double t) {
     return sqrt(4 * p->material[0].k[0] / p->material[0].rho_c * t);
 }
 
-/* Whether x is a corner, and then its value: the mean of both sides. */
+/* Returns 1 if x is a corner, and sets *e to the mean of both sides. */
 static int corner(const struct problem *p, const double x[2], struct exact *e) {
     const double *v = p->param;
     int at_x = x[0] <= 0 || x[0] >= v[WIDTH], at_y = x[1] <= 0 || x[1] >= v[HEIGHT];
@@ -127,16 +129,16 @@ static struct exact second(const struct problem *p, const double x[2], double t)
     return e;
 }
 
-/* K_mp of eqs. 5-7, every sign and letter as printed. */
+/* K_mp of eqs. 5-7 exactly as printed. */
 static double published_coefficient(const double *v, int m, int p) {
     double a = v[WIDTH], b = v[HEIGHT], sign = m % 2 ? -1 : 1, K = 0;
-    double nm = a * a * p * p + b * b * m * m; /* both denominators, at n = m and at n = p */
+    double nm = a * a * p * p + b * b * m * m; /* both denominators, for n = m and for n = p */
     if (m % 2) K += 16 / (m * M_PI * M_PI) * a / 2 * (-a * p * v[T1] + b * p * v[T3] * sign) / nm;
     if (p % 2) K += 16 / (p * M_PI * M_PI) * b / 2 * (b * m * v[T2] * sign - a * m * v[T4]) / nm;
     return K;
 }
 
-/* Eqs. 2-7 as printed.  The series of eq. 2 are summed in closed form; that of eq. 4 as far as exp lets it. */
+/* Eqs. 2-7 as printed.  The series of eq. 2 are summed in closed form, that of eq. 4 down to exponents of -40. */
 static double published(const struct problem *p, const double x[2], double t) {
     enum { MODES = 400 };
     const double *v = p->param, a = v[WIDTH], b = v[HEIGHT], c = pow(width_at(p, t) / 2, 2);
@@ -154,7 +156,7 @@ static double published(const struct problem *p, const double x[2], double t) {
 
 const struct scene scene_plate = {
     .name = "plate",
-    .about = "a plate with four sides at different temperatures: corners where the walls disagree",
+    .about = "a plate with four sides at different temperatures: discontinuous at the corners",
     .citation = "Pamplona, Silva, Bucar, Vasco 2019, section 6, eqs. 1-7 (signs corrected)",
     .params = params,
     .setup = setup,

@@ -1,18 +1,20 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* plate-cooling: a plate held hot at one side, insulated at one and cooled by the air at two (NAFEMS T4).
+/* plate-cooling: a plate with one hot, one insulated and two cooled sides (NAFEMS T4).
  *
  *     rho_c dT/dt = k (d2T/dx2 + d2T/dy2)  on [0, width] x [0, height],   T = T0 at t = 0
  *     T = T1 at y = 0,   dT/dx = 0 at x = 0,   -k dT/dn = b (T - T_a) at x = width and y = height
  *
- * The benchmark is the steady state at the defaults: 18.25 K above 0 at (0.6, 0.2) m (The Standard NAFEMS Benchmarks,
- * 1990, test T4; Cameron, Casey, Simpson 1986).  It names no heat capacity and no start; these are ours, steel and
- * the air's temperature.  At the defaults the slowest mode decays in 5000 s; the plate is steady to round-off after
- * 210000 s (--t-end 2.5e5).
+ * The benchmark is the steady state at the default parameters: 18.25 K above 0 at (0.6, 0.2) m (The Standard NAFEMS
+ * Benchmarks, 1990, test T4; Cameron, Casey, Simpson 1986).  It specifies no heat capacity and no initial data; this
+ * scene uses steel and the temperature of the air.  At the defaults the slowest mode decays in 5000 s, and the plate
+ * is steady to round-off after 210000 s (--t-end 2.5e5).
  *
- * The solution is a response to the hot side and what is left of the start (cooled_plate.c: early half lines and
- * modes); the second form is a steady series along x or y less the double series of what is missing
- * (cooled_plate_series.c). The temperature has a value everywhere; its gradient has none at (width, 0), where it
- * grows as a logarithm. Restrictions: isotropic; b >= 0; extents within a factor of 10 of each other. */
+ * The solution is the response to the hot side plus the decay of the initial data (cooled_plate.c: early half lines
+ * and modes).  The second form is a steady series along x or y minus the double series of the transient
+ * (cooled_plate_series.c).  The temperature is continuous at t > 0; its gradient has a logarithmic singularity at
+ * (width, 0).
+ *
+ * Restrictions: isotropic; b >= 0; extents within a factor of 10 of each other. */
 #include "references/cooled_plate.h"
 #include "references/params.h"
 
@@ -30,8 +32,8 @@ static const struct param params[] = {
     {"k", 52, "W/m/K", "conductivity", NULL},
     {"rho_c", 3.6e6, "J/m^3/K", "heat capacity", NULL},
     {"T1", 100, "K", "temperature of the side y = 0", NULL},
-    {"T0", 0, "K", "temperature at the start", NULL},
-    {"b", 750, "W/m^2/K", "heat transfer coefficient of the sides x = width and y = height, from 0 on", NULL},
+    {"T0", 0, "K", "initial temperature", NULL},
+    {"b", 750, "W/m^2/K", "heat transfer coefficient of the sides x = width and y = height, 0 or more", NULL},
     {"T_a", 0, "K", "temperature of the air", NULL},
     {"t_end", 6000, "s", "end time", NULL},
     {NULL, 0, NULL, NULL, NULL},
@@ -106,8 +108,8 @@ static struct exact second(const struct problem *p, const double x[2], double t)
 
 const struct scene scene_plate_cooling = {
     .name = "plate-cooling",
-    .about = "a plate held hot at one side, insulated at one, cooled by the air at two: NAFEMS T4 and its transient",
-    .citation = "NAFEMS benchmark T4 (Cameron, Casey, Simpson 1986); the transient by Duhamel's integral and modes",
+    .about = "a plate with one hot, one insulated and two air-cooled sides: NAFEMS T4 and its transient",
+    .citation = "NAFEMS benchmark T4 (Cameron, Casey, Simpson 1986); transient from Duhamel's integral and modes",
     .params = params,
     .odd = {{0.53, 0.91, 41, 2.9e6, 83, 29, 630, 7, 5000}, 80, 0.008, 2500},
     .setup = setup,

@@ -1,9 +1,10 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* rect-manufactured: a rectangle whose every term is at work: source, anisotropy, temperatures and fluxes that vary.
+/* rect-manufactured: a rectangle in which every term of the equation is active: source, anisotropy, varying wall
+ * temperatures and fluxes.
  *
  *     rho_c dT/dt = k_x d2T/dx2 + k_y d2T/dy2 + G(x, y)  on [0, width] x [0, height]
  *
- * Made backwards from a chosen solution (method of manufactured solutions, Roache 2002):
+ * Source and walls follow from a chosen solution (method of manufactured solutions, Roache 2002):
  *
  *     T(x, y, t) = S(x, y) + Z(x, y) exp(-lambda t)
  *     S = 1 + 1/2 exp(0.8 x/width) cos(1.1 y/height + 0.4)                            K
@@ -11,21 +12,23 @@
  *     lambda = (k_x (2 pi/width)^2 + k_y (pi/height)^2)/rho_c
  *     G = -(k_x S_xx + k_y S_yy) = ((1.1/height)^2 k_y - (0.8/width)^2 k_x)(S - 1)     W m^-3
  *
- * Z is an eigenfunction that vanishes at x = 0 and x = width and has no slope at y = 0 and y = height, so the data of
- * the sides are those of S and steady: T = S on the x sides, the flux k_y dS/dn on the y sides.  S is no polynomial,
- * so no operator is exact for it by accident.  At the defaults Z falls to 0.35 of its start.  At the walls S and Z
- * agree with the data from the start, corners included: the solution is smooth everywhere.
+ * The eigenfunction Z vanishes on the x sides and has zero slope on the y sides, so the boundary data are those of S
+ * and steady: T = S on the x sides, the flux k_y dS/dn on the y sides.  S is not a polynomial, so no operator is
+ * exact for it by accident.  At the defaults Z decays to 0.35 of its initial amplitude.  Initial and boundary data
+ * are compatible, corners included: the solution is smooth everywhere.
  *
- * With `rise` r > 0 the source changes in time, and T has one more part,
+ * With `rise` r > 0 the source depends on time, and T has the additional part
  *
  *     r t R(x),  R = sin(pi x/width) - 1/10 sin(3 pi x/width) >= 0
- *     G has r (rho_c R - k_x t R_xx) more
+ *     G has the additional terms r (rho_c R - k_x t R_xx)
  *
- * which is linear in t, so that a step of the first order errs there only by the time at which it takes G.  R is no
- * eigenfunction: what G at another time leaves, r (R - exp(tL) R), differs in shape from dT/dt = r R, which another
- * end time leaves.
- * The second form evolves T(0) - S through FFTW, and knows of neither Z nor lambda; what G adds at each time it
- * evolves likewise (Duhamel's integral, by Gauss's rule).
+ * This part is linear in t, so the error of a first-order time step in it comes only from the time at which G is
+ * evaluated.  R is not an eigenfunction.  A shifted evaluation of G therefore leaves an error r (R - exp(tL) R),
+ * which differs in shape from dT/dt = r R, the error of a shifted end time.
+ *
+ * The second form evolves T(0) - S by FFTW, without Z or lambda, and the additional part of G by Duhamel's integral
+ * with Gauss quadrature.
+ *
  * Restrictions: |A| <= 1 and r >= 0, so that T > 0. */
 #include "references/params.h"
 #include "references/spectral.h"
@@ -39,18 +42,18 @@
 enum { WIDTH, HEIGHT, K_X, K_Y, RHO_C, A, RISE, T_END };
 
 static const struct param params[] = {
-    {"width", 1.0, "m", "extent along x, between two walls of given temperature", NULL},
-    {"height", 0.7, "m", "extent along y, between two walls of given flux", NULL},
+    {"width", 1.0, "m", "extent along x, between two Dirichlet walls", NULL},
+    {"height", 0.7, "m", "extent along y, between two Neumann walls", NULL},
     {"k_x", 0.02, "W/m/K", "conductivity along x", NULL},
     {"k_y", 0.005, "W/m/K", "conductivity along y", NULL},
     {"rho_c", 1.7, "J/m^3/K", "heat capacity", NULL},
-    {"A", 0.8, "K", "amplitude of the part that decays, up to 1", NULL},
-    {"rise", 0, "K/s", "rate of a part that rises evenly; above 0 the source changes in time", NULL},
+    {"A", 0.8, "K", "amplitude of the decaying part, up to 1", NULL},
+    {"rise", 0, "K/s", "rate of a part linear in time; if positive, the source depends on time", NULL},
     {"t_end", 2, "s", "end time", NULL},
     {NULL, 0, NULL, NULL, NULL},
 };
 
-static const double rate_x = 0.8, rate_y = 1.1, phase_y = 0.4; /* of S */
+static const double rate_x = 0.8, rate_y = 1.1, phase_y = 0.4; /* constants of S */
 
 static double steady(const struct problem *p, const double x[2]) {
     return 1 + 0.5 * exp(rate_x * x[0] / p->param[WIDTH]) * cos(rate_y * x[1] / p->param[HEIGHT] + phase_y);
@@ -62,7 +65,7 @@ static double slope_y(const struct problem *p, const double x[2]) {
     return -0.5 * b * exp(rate_x * x[0] / p->param[WIDTH]) * sin(b * x[1] + phase_y);
 }
 
-/* The derivative of R of that order, 0 to 2, times width^order. */
+/* Derivative of R of that order, 0 to 2, times width^order. */
 static double shape(const struct problem *p, const double x[2], int order) {
     double a = M_PI * x[0] / p->param[WIDTH];
     if (order == 1) return M_PI * (cos(a) - 0.3 * cos(3 * a));
@@ -89,7 +92,8 @@ static double wall(const struct problem *p, enum side s, const double x[2]) {
 
 static struct exact exact(const struct problem *p, const double x[2], double t) {
     const double *v = p->param, q = 2 * M_PI / v[WIDTH], r = M_PI / v[HEIGHT];
-    double lambda = (v[K_X] * q * q + v[K_Y] * r * r) / v[RHO_C], exponent = fmin(lambda * t, 800); /* exp: 0 */
+    double lambda = (v[K_X] * q * q + v[K_Y] * r * r) / v[RHO_C],
+           exponent = fmin(lambda * t, 800); /* exp(-800) = 0 */
     double amplitude = v[A] * exp(-exponent);
     double rounding = amplitude * (6 + 2 * q * fabs(x[0]) + 2 * r * fabs(x[1]) + 6 * exponent);
     double S = steady(p, x), slope_x = rate_x / v[WIDTH] * (S - 1), risen = v[RISE] * t;
@@ -129,7 +133,7 @@ static double transient_start(const struct problem *p, const double x[2]) {
     return initial(p, x) - steady(p, x);
 }
 
-/* What `rise` adds to G, over rho_c: at once, K s^-1, and in time, K s^-2. */
+/* Additional part of G for `rise`, divided by rho_c: the constant term (K s^-1) and the factor of t (K s^-2). */
 static double heated(const struct problem *p, const double x[2]) {
     return p->param[RISE] * shape(p, x, 0);
 }
@@ -138,7 +142,7 @@ static double heated_more(const struct problem *p, const double x[2]) {
     return source_rate(p, x) / p->param[RHO_C];
 }
 
-/* The integral over s from 0 to t of exp((t - s)L) of what G has more at s. */
+/* Integral over s from 0 to t of exp((t - s)L) times the additional part of G at s. */
 static struct exact duhamel(const struct problem *p, const double x[2], double t) {
     enum { NODES = 24 };
     static const int n[2] = {16, 12};
@@ -173,7 +177,7 @@ static struct exact second(const struct problem *p, const double x[2], double t)
 
 const struct scene scene_rect_manufactured = {
     .name = "rect-manufactured",
-    .about = "a rectangle with a source, conductivities that differ, two walls of temperature, two of flux: smooth",
+    .about = "an anisotropic rectangle with a source, two Dirichlet and two Neumann walls: smooth",
     .citation = "manufactured; method: Roache 2002, J. Fluids Eng. 124:4",
     .params = params,
     .setup = setup,

@@ -1,19 +1,20 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* rod-contact: two half rods, each at its own temperature, are brought into contact at x = x_c.
+/* rod-contact: two half rods at different temperatures are brought into contact at x = x_c.
  *
  *     rho_c dT/dt = d/dx(k dT/dx),   k, rho_c and T(x, 0) = (k1, rho_c1, T1) for x < x_c, (k2, rho_c2, T2) else
  *
- * With T and k dT/dx continuous at x = x_c, the contact jumps at once to the temperature at which both half rods
- * carry the same flux e_i (T_i - Tc)/sqrt(pi t), e = sqrt(k rho_c) the effusivity, and stays there:
+ * T and k dT/dx are continuous at x = x_c.  The contact therefore jumps at once to the temperature Tc at which both
+ * half rods carry the same flux e_i (T_i - Tc)/sqrt(pi t), with the effusivity e = sqrt(k rho_c), and stays there:
  *
  *     T = Tc + (T_i - Tc) erf(|x - x_c|/sqrt(4 kappa_i t)),   Tc = (e1 T1 + e2 T2)/(e1 + e2),   kappa = k/rho_c
  *
- * (Carslaw and Jaeger 1959, section 2.15).  Walls at -L and L hold T1 and T2.  The line without walls misses these by
- * |T_i - Tc| erfc(L_i/s_i), L_i = L +- x_c, s_i = sqrt(4 kappa_i t), and the error inside is no larger (maximum
- * principle), so it is part of the error bound; at the defaults 1.5e-23 K.
+ * (Carslaw and Jaeger 1959, section 2.15).  The walls at -L and L are held at T1 and T2.  The solution on the
+ * infinite line misses these values by |T_i - Tc| erfc(L_i/s_i), with L_i = L +- x_c and s_i = sqrt(4 kappa_i t).
+ * By the maximum principle the error inside is no larger; it is part of the error bound, 1.5e-23 K at the defaults.
  *
- * At the defaults Tc = 0.8635 K, with diffusivities 0.005 and 0.002 m^2/s.
- * The second form solves the rod with its walls through the Laplace transform and knows of no contact temperature.
+ * At the defaults Tc = 0.8635 K, and the diffusivities are 0.005 and 0.002 m^2/s.  The second form solves the rod
+ * with its walls by the Laplace transform and uses no contact temperature.
+ *
  * Restrictions: L - |x_c| > 5 s_i at t_end. */
 #include "references/layers.h"
 #include "references/params.h"
@@ -28,19 +29,19 @@ enum { L, X_C, K1, RHO_C1, T1, K2, RHO_C2, T2, T_END };
 
 static const struct param params[] = {
     {"L", 1, "m", "half the length of the rod, walls at -L and L", NULL},
-    {"x_c", 0, "m", "where the half rods meet", NULL},
+    {"x_c", 0, "m", "position of the contact", NULL},
     {"k1", 0.01, "W/m/K", "conductivity at x < x_c", NULL},
     {"rho_c1", 2, "J/m^3/K", "heat capacity at x < x_c", NULL},
-    {"T1", 1, "K", "temperature at x < x_c at the start, and of the wall there", NULL},
+    {"T1", 1, "K", "initial temperature at x < x_c, also that of the wall x = -L", NULL},
     {"k2", 0.001, "W/m/K", "conductivity at x > x_c", NULL},
     {"rho_c2", 0.5, "J/m^3/K", "heat capacity at x > x_c", NULL},
-    {"T2", 0, "K", "temperature at x > x_c at the start, and of the wall there", NULL},
+    {"T2", 0, "K", "initial temperature at x > x_c, also that of the wall x = L", NULL},
     {"t_end", 1, "s", "end time", NULL},
     {NULL, 0, NULL, NULL, NULL},
 };
 
 static int right_of_contact(const struct problem *p, double x) {
-    return x >= p->param[X_C] - 1e-12 * p->param[L]; /* x_c to round-off belongs to the right half */
+    return x >= p->param[X_C] - 1e-12 * p->param[L]; /* points within round-off of x_c belong to the right half */
 }
 
 static double initial(const struct problem *p, const double x[2]) {
@@ -53,12 +54,12 @@ static int setup(struct problem *p, struct failure *why) {
     double kappa1 = p->param[K1] / p->param[RHO_C1], kappa2 = p->param[K2] / p->param[RHO_C2];
     double kappa = fmax(kappa1, kappa2);
     int of = kappa2 > kappa1 ? 2 : 1;
-    if (params_between(params, p, X_C, -p->param[L], p->param[L], "the half rods meet between the walls", why))
+    if (params_between(params, p, X_C, -p->param[L], p->param[L], "the contact is between the walls", why))
         return STATUS_INPUT;
     double nearest = p->param[L] - fabs(p->param[X_C]), latest = nearest * nearest / (100 * kappa);
     char because[160];
     snprintf(because, sizeof because,
-             "later the walls are felt, which the solution leaves out; D^2/(100 kappa) with D = L - |x_c| = %g m and "
+             "the solution neglects the walls, which later matter; D^2/(100 kappa) with D = L - |x_c| = %g m and "
              "k%d/rho_c%d = %g m^2/s",
              nearest, of, of, kappa);
     if (params_between(params, p, T_END, 0, latest, because, why)) return STATUS_INPUT;
@@ -106,7 +107,7 @@ static struct exact second(const struct problem *p, const double x[2], double t)
 
 const struct scene scene_rod_contact = {
     .name = "rod-contact",
-    .about = "two half rods of different materials meet: a jump of the data and of the conductivity",
+    .about = "two half rods of different materials in contact: a jump in the data and in the conductivity",
     .citation = "Carslaw and Jaeger 1959, section 2.15",
     .params = params,
     .setup = setup,

@@ -1,18 +1,20 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* rod-cooling: a rod that starts warm, held at one end and cooled at the other by the air around it.
+/* rod-cooling: an initially warm rod, held at one end and cooled by air at the other.
  *
  *     rho_c dT/dt = k d2T/dx2  on [0, L],   T(0, t) = T1,   -k dT/dx = b (T - T_a) at x = L,   T(x, 0) = T0
  *
- * The cooled end is Song 2018 eq. 4, with the air at T_a.  With h = b/k, s = sqrt(4 k/rho_c t), u = T - T1:
+ * The condition at x = L is Song 2018 eq. 4 with the air at T_a.  With h = b/k, s = sqrt(4 k/rho_c t), u = T - T1:
  *
  *     late:   u = (T_a - T1) h x/(1 + h L) + sum_n c_n sin(q_n x) exp(-(q_n s/2)^2),   q_n L cot(q_n L) = -h L
  *             c_n = ((T0 - T1) (1 - cos(q_n L)) + (T_a - T1) cos(q_n L))/(q_n N_n),   N_n = integral of sin(q_n x)^2
  *     early:  T = T0 + (T1 - T0) erfc(x/s) + (T_a - T0) (erfc(d/s) - exp(h d + (h s/2)^2) erfc(d/s + h s/2)),
  *             d = L - x
  *
- * (Carslaw and Jaeger 1959, sections 3.9 to 3.11 and 2.7).  Early: s <= 0.159 L, when either end does not feel the
- * other: erfc(L/s) < 7e-19.  At b = 0 the end is insulated; for b to infinity it is held at T_a. The second form
- * inverts the Laplace transform, and knows of neither roots nor error functions. Restrictions: b >= 0. */
+ * (Carslaw and Jaeger 1959, sections 3.9 to 3.11 and 2.7).  The early form holds for s <= 0.159 L, when the ends do
+ * not yet interact: erfc(L/s) < 7e-19.  At b = 0 the end is insulated; as b tends to infinity its temperature tends
+ * to T_a.  The second form inverts the Laplace transform, without roots or error functions.
+ *
+ * Restrictions: b >= 0. */
 #include "references/cooling.h"
 #include "references/params.h"
 #include "references/talbot.h"
@@ -30,20 +32,20 @@ static const struct param params[] = {
     {"k", 52, "W/m/K", "conductivity", NULL},
     {"rho_c", 3.6e6, "J/m^3/K", "heat capacity", NULL},
     {"T1", 20, "K", "temperature of the end x = 0", NULL},
-    {"T0", 100, "K", "temperature at the start", NULL},
-    {"b", 750, "W/m^2/K", "heat transfer coefficient of the end x = L, from 0 on", NULL},
+    {"T0", 100, "K", "initial temperature", NULL},
+    {"b", 750, "W/m^2/K", "heat transfer coefficient of the end x = L, 0 or more", NULL},
     {"T_a", 5, "K", "temperature of the air at x = L", NULL},
     {"t_end", 600, "s", "end time", NULL},
     {NULL, 0, NULL, NULL, NULL},
 };
 
-enum { MODES = 48 }; /* 4.1 L/s and one more count, and s > 0.159 L */
+enum { MODES = 48 }; /* 4.1 L/s + 1 modes are significant, with s > 0.159 L */
 static const double early = 0.159, last_exponent = 41.5;
 
 struct shared {
     double h, s; /* m^-1, m */
     int is_early;
-    int modes; /* that are left: none once it is steady */
+    int modes; /* significant modes; 0 in the steady state */
     double q[MODES], size[MODES];
     double error[2]; /* K, K/m */
 };
@@ -123,8 +125,8 @@ static struct exact prepared(const struct problem *p, const void *shared, const 
     return e;
 }
 
-/* T - T0 has the transform ((T1 - T0) (k q cosh q d + b sinh q d) + (T_a - T0) b sinh q x)/z/(k q cosh q L + b sinh q
- * L), q = sqrt(z rho_c/k). */
+/* The transform of T - T0 is ((T1 - T0) (k q cosh q d + b sinh q d) + (T_a - T0) b sinh q x)/z/(k q cosh q L + b
+ * sinh q L), q = sqrt(z rho_c/k). */
 static struct exact second(const struct problem *p, const double x[2], double t) {
     const double *v = p->param;
     double d = v[L] - x[0], sum = 0;
@@ -144,7 +146,7 @@ static struct exact second(const struct problem *p, const double x[2], double t)
 
 const struct scene scene_rod_cooling = {
     .name = "rod-cooling",
-    .about = "a rod that starts warm, held at one end and cooled by the air at the other",
+    .about = "an initially warm rod, held at one end and cooled by air at the other",
     .citation = "Carslaw and Jaeger 1959, sections 2.7 and 3.9 to 3.11; the cooled end is Song 2018 eq. 4",
     .params = params,
     .odd = {{0.37, 41, 2.9e6, 31, 97, 630, 7, 450}, 90, 0.004, 200},

@@ -3,14 +3,15 @@
  *
  *     dT/dt = kappa d2T/dx2  on [0, L],   dT/dx = 0 at both ends,   T(x, 0) = Tm + A cos(q x),   q = mode pi/L
  *
- * cos(q x) is an eigenfunction of the operator with insulated ends, of eigenvalue -kappa q^2, so
+ * With insulated ends cos(q x) is an eigenfunction of the operator, with the eigenvalue -kappa q^2, so
  *
  *     T(x, t) = Tm + A cos(q x) exp(-kappa q^2 t)
  *
- * (Carslaw and Jaeger 1959, chapter 3).  The mean Tm keeps sum T off zero and stays for ever: the heat content
- * is conserved, which a wall that leaks shows at once.  At the defaults the mode falls to 0.32 of its start.
- * The second form expands the initial data through FFTW and knows of no eigenfunction.
- * Restrictions: |A| < Tm, so that T > 0; mode up to 32. */
+ * (Carslaw and Jaeger 1959, chapter 3).  The mean Tm keeps the heat content away from zero.  The exact heat content
+ * is constant, so a wall that leaks heat shows as a drift.  At the defaults the mode decays to 0.32 of its initial
+ * amplitude.  The second form expands the initial data by FFTW, without the eigenfunction.
+ *
+ * Restrictions: |A| < Tm, so that T > 0; mode <= 32. */
 #include "references/params.h"
 #include "references/spectral.h"
 
@@ -24,14 +25,14 @@ enum { L, KAPPA, MODE, TM, A, T_END };
 static const struct param params[] = {
     {"L", 1, "m", "length of the rod, ends at 0 and L", NULL},
     {"kappa", 0.013, "m^2/s", "diffusivity", NULL},
-    {"mode", 3, "", "half waves along the rod, a whole number", NULL},
+    {"mode", 3, "", "number of half waves along the rod, an integer", NULL},
     {"Tm", 1, "K", "mean temperature", NULL},
-    {"A", 0.7, "K", "amplitude of the wave at the start, below Tm", NULL},
+    {"A", 0.7, "K", "initial amplitude of the wave, below Tm", NULL},
     {"t_end", 1, "s", "end time", NULL},
     {NULL, 0, NULL, NULL, NULL},
 };
 
-/* The rate is rounded by 4 eps of itself, the phase by 2 eps. */
+/* Rounding: 4 eps relative in the rate, 2 eps relative in the phase. */
 static struct exact exact(const struct problem *p, const double x[2], double t) {
     double q = p->param[MODE] * M_PI / p->param[L], rate = p->param[KAPPA] * q * q;
     double amplitude = p->param[A] * exp(-rate * t), wave = amplitude * cos(q * x[0]);

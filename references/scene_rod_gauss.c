@@ -4,14 +4,15 @@
  *     dT/dt = kappa d2T/dx2,   T(x, 0) = M/sqrt(2 pi sigma0^2) exp(-x^2/(2 sigma0^2))        (47)
  *     g(x, t) = sigma0/sigma exp(-x^2/(2 sigma^2)),   sigma^2 = sigma0^2 + 2 kappa t          (48)
  *
- * with M = sqrt(2 pi sigma0^2), an amplitude of 1 K.  Eq. 48 is the solution on the infinite line.  A run needs
- * walls, so this scene has them at -L and L, held at zero, and starts from data that vanish there too:
+ * Here M = sqrt(2 pi sigma0^2), an amplitude of 1 K.  Eq. 48 is the solution on the infinite line.  A run needs
+ * walls, so this scene has Dirichlet walls at -L and L, held at zero, with initial data that vanish there:
  *
  *     T(x, t) = sum_k (-1)^k g(x - 2kL, t)
  *             = sum_n sqrt(2 pi) sigma0/L exp(-q^2 sigma^2/2) cos(q x),   q = (n + 1/2) pi/L
  *
- * at t = 0 as well.  At the defaults this differs from eqs. 47-48 most at the walls, where they do not vanish: by
- * exp(-L^2/(2 sigma0^2)) = 6.1e-13 K at the start and 1.2e-12 K at t_end, and it is exact with exact walls.
+ * for all t >= 0.  Eqs. 47-48 do not vanish at the walls.  The difference is largest there: exp(-L^2/(2
+ * sigma0^2)) = 6.1e-13 K initially and 1.2e-12 K at t_end, at the default parameters.
+ *
  * Restrictions: sigma0 < L, so that a peak remains between the walls. */
 #include "references/params.h"
 #include "references/series.h"
@@ -25,7 +26,7 @@ enum { L, SIGMA0, KAPPA, T_END };
 
 static const struct param params[] = {
     {"L", 15, "m", "half length of the rod, walls at -L and L", NULL},
-    {"sigma0", 2, "m", "standard deviation of the Gaussian at the start, below L", NULL},
+    {"sigma0", 2, "m", "initial standard deviation of the Gaussian, below L", NULL},
     {"kappa", 0.01, "m^2/s", "diffusivity", NULL},
     {"t_end", 5, "s", "end time", NULL},
     {NULL, 0, NULL, NULL, NULL},
@@ -36,7 +37,7 @@ static double sigma_at(const struct problem *p, double t) {
 }
 
 static struct exact scaled(const struct problem *p, double sigma, struct curve g) {
-    double peak = p->param[SIGMA0] / sigma, rounding = 3 * DBL_EPSILON; /* of peak */
+    double peak = p->param[SIGMA0] / sigma, rounding = 3 * DBL_EPSILON; /* relative to peak */
     return (struct exact){.temperature = peak * g.at.value,
                           .error_bound = peak * (g.at.error + rounding * fabs(g.at.value)),
                           .gradient = {peak * g.slope.value},

@@ -3,15 +3,17 @@
  *
  *     dT/dt = kappa d2T/dx2  on [-L, L],   T(-L, t) = T(L, t) = 0,   T(x, 0) = T0 for |x| <= a, else 0   (42-44)
  *
- * On the infinite line the box spreads as U(x, t) = T0/2 (erf((a+x)/s) + erf((a-x)/s)), s = sqrt(4 kappa t).  That is
- * what eq. 45 prints as exact (with kappa_y in its second term, where one dimension has kappa_x alone).  It does not
- * vanish at the walls: at the defaults it misses the solution between walls by T0/2 erfc((L-a)/s) = 1.0e-5 K there.
- * Images of alternating sign at 2kL make it exact:
+ * On the infinite line the box spreads as U(x, t) = T0/2 (erf((a+x)/s) + erf((a-x)/s)), s = sqrt(4 kappa t).  Eq. 45
+ * prints this as the exact solution (with kappa_y in its second term, although one dimension has kappa_x only).  U
+ * does not vanish at the walls; at the defaults it exceeds the solution between walls by T0/2 erfc((L-a)/s) = 1.0e-5
+ * K there.  Images of alternating sign at 2kL make it exact:
  *
  *     T(x, t) = sum_k (-1)^k U(x - 2kL, t)
  *             = sum_n 2 T0 sin(q a)/(q L) cos(q x) exp(-q^2 kappa t),   q = (n + 1/2) pi/L
  *
- * The first is used while s <= L, the second later; each checks the other.  Errors are of the order of round-off.
+ * The images are used for s <= L, the modes later; each form checks the other.  Errors are of the order of
+ * round-off.
+ *
  * Restrictions: a < L.  At t = 0 the edges |x| = a belong to the box (eq. 43). */
 #include "references/params.h"
 #include "references/series.h"
@@ -27,7 +29,7 @@ static const struct param params[] = {
     {"L", 2, "m", "half length of the rod, walls at -L and L", NULL},
     {"a", 0.5, "m", "half width of the hot piece, below L", NULL},
     {"kappa", 0.01, "m^2/s", "diffusivity", NULL},
-    {"T0", 10, "K", "temperature of the hot piece above the walls'", NULL},
+    {"T0", 10, "K", "initial temperature of the hot piece above that of the walls", NULL},
     {"t_end", 5, "s", "end time", NULL},
     {NULL, 0, NULL, NULL, NULL},
 };

@@ -4,14 +4,15 @@
  *     dT/dt = kappa_x d2T/dx2 + kappa_y d2T/dy2  on [-L, L]^2,   T = 0 on all four sides,
  *     T(x, y, 0) = T0 for |x| <= a and |y| <= b, else 0                                       (49, 50)
  *
- * Data, walls and operator separate, so the solution is a product of two rods (rod-step) of unit data,
+ * Data, walls and operator are separable, so the solution is a product of two rods (rod-step) with unit data,
  *
- *     T(x, y, t) = T0 X(x, t) Y(y, t),   X of (a, kappa_x), Y of (b, kappa_y),
+ *     T(x, y, t) = T0 X(x, t) Y(y, t),   X for (a, kappa_x), Y for (b, kappa_y),
  *
- * each the sum of images or of modes between walls.  Eq. 51 prints the product of the two infinite-line boxes, which
- * leaves the walls off; at the defaults it misses by 9.3e-6 K at the middle of a wall.
- * Errors are of the order of round-off at any time.  Restrictions: a, b < L.  At t = 0 the edges belong to the box.
- */
+ * each a sum of images or of modes between walls.  Eq. 51 prints the product of the two boxes on the infinite line
+ * and neglects the walls; at the defaults its error is 9.3e-6 K at the middle of a wall.  Errors of this form are of
+ * the order of round-off at any time.
+ *
+ * Restrictions: a, b < L.  At t = 0 the edges belong to the box. */
 #include "references/params.h"
 #include "references/series.h"
 
@@ -28,7 +29,7 @@ static const struct param params[] = {
     {"b", 0.5, "m", "half width of the hot rectangle along y, below L", NULL},
     {"kappa_x", 0.01, "m^2/s", "diffusivity along x", NULL},
     {"kappa_y", 0.01, "m^2/s", "diffusivity along y", NULL},
-    {"T0", 10, "K", "temperature of the hot rectangle above the walls'", NULL},
+    {"T0", 10, "K", "initial temperature of the hot rectangle above that of the walls", NULL},
     {"t_end", 5, "s", "end time", NULL},
     {NULL, 0, NULL, NULL, NULL},
 };
@@ -82,7 +83,7 @@ static struct exact exact(const struct problem *p, const double x[2], double t) 
     return product(p, rod(p, 0, x[0], t), rod(p, 1, x[1], t));
 }
 
-/* Points of a grid come in rows or in columns: a coordinate that is that of the point before has its rod. */
+/* Grid points come in rows or columns: a coordinate equal to that of the previous point reuses its rod. */
 static void at_points(const struct problem *p, const void *shared, size_t n, const double *x, const double *y,
                       double t, struct exact *e) {
     struct curve u = {{0, 0}, {0, 0}}, v = u;

@@ -1,15 +1,15 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* wall-composite: a wall of two layers warms up from one side until the heat flux is steady.
+/* wall-composite: a wall of two layers is heated from one side until the heat flux is steady.
  *
  *     rho_c dT/dt = d/dx(k dT/dx)  on [0, L],   (k1, rho_c1) for x < x_c, (k2, rho_c2) for x >= x_c,
  *     T(0, t) = T1,   T(L, t) = T2,   T(x, 0) = T2
  *
- * Steady, the same flux q crosses both layers, whose resistances add up: q = (T1 - T2)/(x_c/k1 + (L - x_c)/k2), and T
- * is linear in either (Carslaw and Jaeger 1959, section 3.2).  Before that there are the modes that have not decayed
- * (layers_modes.c), or, while these are many, the Laplace transform (layers.c); each checks the other.
+ * In the steady state the same flux q crosses both layers in series, q = (T1 - T2)/(x_c/k1 + (L - x_c)/k2), and T is
+ * linear in each layer (Carslaw and Jaeger 1959, section 3.2).  Transient modes are added (layers_modes.c); while
+ * they are too many, the Laplace transform is used (layers.c).  Each form checks the other.
  *
  * End time: at the defaults the slowest mode decays at 15.4 s^-1 (nearly kappa1 (pi/(2 x_c))^2, an insulated first
- * layer, since k2 << k1), and exp(-15.4 t_end) = 1.9e-17 at t_end = 2.5 s: steady to round-off.
+ * layer, since k2 << k1).  At t_end = 2.5 s exp(-15.4 t_end) = 1.9e-17, so the wall is steady to round-off.
  *
  * Restrictions: 0 < x_c < L; T1 != T2. */
 #include "references/layers.h"
@@ -23,13 +23,13 @@ enum { L, X_C, K1, RHO_C1, T1, K2, RHO_C2, T2, T_END };
 
 static const struct param params[] = {
     {"L", 1, "m", "thickness of the wall", NULL},
-    {"x_c", 0.4, "m", "where the layers meet, between 0 and L", NULL},
+    {"x_c", 0.4, "m", "position of the contact, between 0 and L", NULL},
     {"k1", 1, "W/m/K", "conductivity at x < x_c", NULL},
     {"rho_c1", 1, "J/m^3/K", "heat capacity at x < x_c", NULL},
     {"T1", 1, "K", "temperature at x = 0", NULL},
     {"k2", 0.001, "W/m/K", "conductivity at x > x_c", NULL},
     {"rho_c2", 0.001, "J/m^3/K", "heat capacity at x > x_c", NULL},
-    {"T2", 0, "K", "temperature at x = L, and everywhere at the start", NULL},
+    {"T2", 0, "K", "temperature at x = L, also the initial temperature", NULL},
     {"t_end", 2.5, "s", "end time", NULL},
     {NULL, 0, NULL, NULL, NULL},
 };
@@ -37,10 +37,11 @@ static const struct param params[] = {
 static int setup(struct problem *p, struct failure *why) {
     static const int any[] = {T1, T2, -1};
     if (params_start(params, p, any, why)) return STATUS_INPUT;
-    if (params_between(params, p, X_C, 0, p->param[L], "the layers meet inside the wall, x_c < L", why))
+    if (params_between(params, p, X_C, 0, p->param[L], "the contact is inside the wall, x_c < L", why))
         return STATUS_INPUT;
     if (p->param[T1] == p->param[T2])
-        return refuse(why, STATUS_INPUT, "--set T1=%g: needs a temperature other than T2=%g, or nothing flows",
+        return refuse(why, STATUS_INPUT,
+                      "--set T1=%g: needs a temperature other than T2=%g; with equal ones no heat flows",
                       p->param[T1], p->param[T2]);
     p->dim = 1;
     p->hi[0] = p->param[L];
@@ -61,7 +62,7 @@ static struct layers layers_of(const struct problem *p) {
                            .start = {v[T2], v[T2]}};
 }
 
-/* By the modes where there are few, else by the contour. */
+/* Modes if there are few, else the contour. */
 struct shared {
     int by_modes;
     struct layers_contour contour;
@@ -106,7 +107,7 @@ static struct exact second(const struct problem *p, const double x[2], double t)
 
 const struct scene scene_wall_composite = {
     .name = "wall-composite",
-    .about = "a wall of two layers, run until it is steady: conductivities a factor of 1000 apart",
+    .about = "a wall of two layers, run to the steady state: a conductivity ratio of 1000",
     .citation = "Carslaw and Jaeger 1959, section 3.2",
     .params = params,
     .setup = setup,

@@ -4,12 +4,13 @@
  *     dT/dt = kappa_x d2T/dx2 + kappa_y d2T/dy2  on [0, L]^2, periodic in x and y,
  *     T(x, y, 0) = Tm + A cos(q_x x + q_y y + phase),   q_x = 2 pi mode_x/L,   q_y = 2 pi mode_y/L
  *
- * The wave is an eigenfunction of the operator, of eigenvalue -(kappa_x q_x^2 + kappa_y q_y^2):
+ * The wave is an eigenfunction of the operator with the eigenvalue -(kappa_x q_x^2 + kappa_y q_y^2):
  *
  *     T = Tm + A cos(q_x x + q_y y + phase) exp(-(kappa_x q_x^2 + kappa_y q_y^2) t)
  *
- * (Carslaw and Jaeger 1959, section 2.2).  The second form spreads the start over the plane with the Gaussian of the
- * free space, by the trapezoidal rule, and knows of no eigenfunction.
+ * (Carslaw and Jaeger 1959, section 2.2).  The second form convolves the initial data with the free-space Gaussian
+ * by the trapezoidal rule, without the eigenfunction.
+ *
  * Restrictions: A < Tm, so that T > 0; modes 0 to 32, not both 0. */
 #include "references/params.h"
 
@@ -24,11 +25,11 @@ static const struct param params[] = {
     {"L", 1, "m", "period along x and y", NULL},
     {"kappa_x", 0.01, "m^2/s", "diffusivity along x", NULL},
     {"kappa_y", 0.01, "m^2/s", "diffusivity along y", NULL},
-    {"mode_x", 1, "", "waves along x, a whole number", NULL},
-    {"mode_y", 2, "", "waves along y, a whole number", NULL},
+    {"mode_x", 1, "", "number of waves along x, an integer", NULL},
+    {"mode_y", 2, "", "number of waves along y, an integer", NULL},
     {"phase", 0.3, "", "phase of the wave at the origin, rad", NULL},
     {"Tm", 1, "K", "mean temperature", NULL},
-    {"A", 0.7, "K", "amplitude of the wave at the start, below Tm", NULL},
+    {"A", 0.7, "K", "initial amplitude of the wave, below Tm", NULL},
     {"t_end", 1, "s", "end time", NULL},
     {NULL, 0, NULL, NULL, NULL},
 };
@@ -67,11 +68,11 @@ static int setup(struct problem *p, struct failure *why) {
     return STATUS_OK;
 }
 
-/* The mean of the start at (x + s_x u, y + s_y v), s = sqrt(4 kappa t), with the weight exp(-u^2 - v^2)/pi.  A step
- * du leaves exp(-(pi/du - q s/2)^2) of the wave. */
+/* Weighted mean of the initial data at (x + s_x u, y + s_y v), s = sqrt(4 kappa t), with the weight
+ * exp(-u^2 - v^2)/pi.  The quadrature error of a step du is exp(-(pi/du - q s/2)^2) of the wave. */
 static struct exact second(const struct problem *p, const double x[2], double t) {
     enum { POINTS = 64 };
-    static const double reach = 6.2, most = 19; /* of u, and of q s */
+    static const double reach = 6.2, most = 19; /* limits of u and of q s */
     const double *v = p->param;
     double s[2] = {sqrt(4 * v[KAPPA_X] * t), sqrt(4 * v[KAPPA_Y] * t)}, du = 2 * reach / POINTS, sum = 0;
     double q[2] = {2 * M_PI * v[MODE_X] / v[L], 2 * M_PI * v[MODE_Y] / v[L]}, turns = fabs(v[PHASE]);

@@ -1,13 +1,15 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Box and Gaussian between two walls at zero, from images and from modes.
+/* Box and Gaussian between two Dirichlet walls at zero, by images and by modes.
  *
- * Images: a wall at zero is the plane of odd symmetry of a medium without walls, so a source between walls at -L and
- * L has images at 2kL of sign (-1)^k:  u(x) = sum_k (-1)^k U(x - 2kL).  Few are needed while s = sqrt(4 kappa t) < L.
- * Modes: data even about x = 0 expand in cos(q x), q = (n + 1/2) pi/L, which vanish at the walls, and each decays as
- * exp(-q^2 kappa t) = exp(-(q s/2)^2).  Few are needed once s > L.  The two are linked by Poisson's summation formula
- * (Carslaw and Jaeger 1959, chapters 3 and 10), and share no term.
+ * Images: a wall at zero is a plane of odd symmetry of a medium without walls, so a source between walls at -L and L
+ * has images at 2kL with sign (-1)^k:  u(x) = sum_k (-1)^k U(x - 2kL).  Few images are significant for
+ * s = sqrt(4 kappa t) < L.
  *
- * Restrictions: one material, both walls Dirichlet zero, data even about the middle. */
+ * Modes: data even about x = 0 expand in cos(q x), q = (n + 1/2) pi/L, which vanish at the walls.  Each mode decays
+ * as exp(-q^2 kappa t) = exp(-(q s/2)^2).  Few modes are significant for s > L.  Poisson's summation formula links
+ * the two forms (Carslaw and Jaeger 1959, chapters 3 and 10); they share no term.
+ *
+ * Restrictions: one material, both walls at zero, data even about the middle. */
 #include "references/series.h"
 
 #include <float.h>
@@ -16,16 +18,15 @@
 #include <gsl/gsl_errno.h>
 
 enum { MODES_MAX = 20000, IMAGES_MAX = 100000 };
-static const double negligible = 1e-18;                              /* of a unit amplitude */
-static const struct curve no_bound = {{0, INFINITY}, {0, INFINITY}}; /* where more terms count than are summed */
+static const double negligible = 1e-18;                              /* relative to a unit amplitude */
+static const struct curve no_bound = {{0, INFINITY}, {0, INFINITY}}; /* for sums that would need more terms */
 
 double series_box_line(double x, double a, double s) {
     if (s == 0) return series_in_box(x, a);
     return (erf((a + x) / s) + erf((a - x) / s)) / 2;
 }
 
-/* How many images on either side lie within `reach` of x, up to IMAGES_MAX; `half` is half the width of the source.
- */
+/* Number of images on either side within `reach` of x, up to IMAGES_MAX; `half` is the half width of the source. */
 static int images_within(double x, double L, double half, double reach) {
     double k = ceil((reach + fabs(x) + half) / (2 * L)) - 1;
     return k > 0 ? (int)fmin(k, IMAGES_MAX) : 0;
@@ -33,9 +34,11 @@ static int images_within(double x, double L, double half, double reach) {
 
 /* (erf(z + h) - erf(z - h))/2 for h <= 1/4 without cancellation: the Taylor series of erf about z in Hermite
  * polynomials (Abramowitz and Stegun 1964, 7.1.19),
+ *
  *     2/sqrt(pi) exp(-z^2) sum over even n of h^(n+1)/(n+1)! H_n(z),   H_(n+1) = 2 z H_n - 2 n H_(n-1).
- * At z = SERIES_REACH the terms fall as 3.1^n/(n+1)!: n to 30 leave 1e-20 of the sum, which has no term of another
- * sign above exp(2 h^2) - 1 of it. */
+ *
+ * At z = SERIES_REACH the terms decay as 3.1^n/(n+1)!; the terms n > 30 are 1e-20 of the sum.  Terms of opposite
+ * sign are at most exp(2 h^2) - 1 of the sum. */
 static double pulse(double z, double h) {
     double before = 0, g = 1, factorial = 1, sum = 1; /* g = h^n H_n */
     for (int n = 0; n < 30; n++) {
@@ -48,9 +51,9 @@ static double pulse(double z, double h) {
     return 2 / sqrt(M_PI) * h * exp(-z * z) * sum;
 }
 
-/* One image at the distance d >= 0 of its centre, unsigned; `lost` is what d may be off by, in units of eps.  The
- * arguments v = (d -+ a)/s are off by eps (2 |v| + lost/s), and erfc changes by 2/sqrt(pi) exp(-v^2) of that; erfc
- * itself is good to 5 units in the last place (glibc). */
+/* One image, unsigned, at the distance d >= 0 from its centre; the error of d is `lost` in units of eps.  The
+ * arguments v = (d -+ a)/s have the error eps (2 |v| + lost/s), which changes erfc by a factor 2/sqrt(pi) exp(-v^2)
+ * of it.  The error of erfc itself is 5 units in the last place (glibc). */
 static struct curve box_image(double d, double a, double s, double lost) {
     double in = (d - a) / s, out = (d + a) / s, edge = exp(-in * in) / sqrt(M_PI);
     struct curve u;
@@ -91,7 +94,7 @@ struct curve series_box_images(double x, double L, double a, double s) {
     return sum;
 }
 
-/* The exponent E = (q s/2)^2 is rounded by 6 eps of itself, the phases q a and q x by 2 eps of themselves. */
+/* Rounding: 6 eps relative in the exponent E = (q s/2)^2, 2 eps relative in the phases q a and q x. */
 struct curve series_box_modes(double x, double L, double a, double s) {
     struct curve sum = {{0, 0}, {0, 0}};
     double tail = 0, steep = 0, small = fmin(1, 2 * a / L); /* |2 sin(q a)/(q L)| <= 2 a/L */
@@ -102,7 +105,7 @@ struct curve series_box_modes(double x, double L, double a, double s) {
         sum.slope.value -= amplitude * q * sin(q * x);
         sum.at.error += DBL_EPSILON * (rounding + 2 * fabs(amplitude) * q * fabs(x));
         sum.slope.error += DBL_EPSILON * q * (rounding + fabs(amplitude) * (2 + 2 * q * fabs(x)));
-        double ratio = exp(-q * M_PI / L * s * s / 2); /* of each later mode to the one before, at most */
+        double ratio = exp(-q * M_PI / L * s * s / 2); /* bound on the ratio of consecutive later modes */
         tail = fmin(1, fmin(2 / (q * L), small) * decay * ratio / (1 - ratio));
         steep = fmin(2 / L, q * small) * decay * ratio / (1 - ratio) * (1 + 1 / ((n + 0.5) * (1 - ratio)));
         if (tail <= negligible * small && steep * L <= 10 * negligible * small) break;
@@ -120,9 +123,10 @@ struct curve series_box_other(double x, double L, double a, double s) {
     return s <= L ? series_box_modes(x, L, a, s) : series_box_images(x, L, a, s);
 }
 
-/* z = (x - 2kL)/sigma, sigma rounded too, is off by eps (2 |z| + |2kL|/sigma), and exp(-z^2/2) by z times that. */
+/* The error of z = (x - 2kL)/sigma, with rounded sigma, is eps (2 |z| + |2kL|/sigma); exp(-z^2/2) changes by z times
+ * that. */
 struct curve series_gauss_images(double x, double L, double sigma) {
-    const double reach = 9.3 * sigma; /* exp(-9.3^2/2) = 1.7e-19, and 9.3 times that */
+    const double reach = 9.3 * sigma; /* exp(-9.3^2/2) = 1.7e-19; the slope has the further factor 9.3 */
     int K = images_within(x, L, 0, reach);
     struct curve sum = {{0, 2 * negligible}, {0, 4 * negligible / sigma}};
     if (K == IMAGES_MAX) return no_bound;
@@ -137,8 +141,8 @@ struct curve series_gauss_images(double x, double L, double sigma) {
     return sum;
 }
 
-/* The coefficient of mode q is (1/L) times the integral of exp(-x^2/(2 sigma^2)) cos(q x) over the whole line, since
- * the images of the source and the antiperiod 2L of the mode change sign together. */
+/* The coefficient of mode q is 1/L times the integral of exp(-x^2/(2 sigma^2)) cos(q x) over the whole line: images
+ * of the source and the antiperiod 2L of the mode change sign together. */
 struct curve series_gauss_modes(double x, double L, double sigma) {
     double amplitude = sqrt(2 * M_PI) * sigma / L;
     struct curve sum = {{0, 2 * negligible}, {0, 40 * negligible / L}};

@@ -4,12 +4,12 @@
 
 #include <math.h>
 
-/* Sums that the references share.  Each form exists twice, from images and from modes, so that one can check the
- * other; each states its error.  A width s = sqrt(4 kappa t), m, stands for the time. */
+/* Sums that several references share.  Each sum has two forms, image sources and eigenmodes, which check each other;
+ * each form returns its error bound.  The diffusion width s = sqrt(4 kappa t), m, represents the time. */
 
 struct approx {
     double value;
-    double error; /* bound: truncation and rounding, those of the arguments' own arithmetic included */
+    double error; /* bound on truncation and round-off, including the rounding of the arguments */
 };
 
 struct curve {
@@ -17,22 +17,22 @@ struct curve {
     struct approx slope; /* d/dx, m^-1 */
 };
 
-/* Images further away than SERIES_REACH s contribute less than erfc(SERIES_REACH) = 6.4e-18. */
+/* Images beyond the distance SERIES_REACH s contribute less than erfc(SERIES_REACH) = 6.4e-18. */
 #define SERIES_REACH 6.1
 
-/* Unit box |x| <= a after a time of width s, between walls at -L and L that are held at zero.  Any s >= 0; at s = 0
- * the box itself, closed, where points on its edge to round-off (1e-12 a) count as inside, and no slope.  Where a is
- * small against s the box is a pulse of the area 2 a, and value and error are of the order a/s. */
+/* Initial unit box |x| <= a after the diffusion width s >= 0, between Dirichlet walls at -L and L held at zero.  At
+ * s = 0 the result is the closed box: points within round-off (1e-12 a) of its edge are inside, and the slope is 0.
+ * If a is small against s, the box is a pulse of area 2 a; value and error scale as a/s. */
 struct curve series_box_images(double x, double L, double a, double s);
 struct curve series_box_modes(double x, double L, double a, double s);
-struct curve series_box(double x, double L, double a, double s);       /* the better of the two here */
-struct curve series_box_other(double x, double L, double a, double s); /* the other one */
+struct curve series_box(double x, double L, double a, double s);       /* the more accurate form at this s */
+struct curve series_box_other(double x, double L, double a, double s); /* the other form */
 
 static inline int series_in_box(double x, double a) { /* 1 or 0 */
     return fabs(x) <= a * (1 + 1e-12);
 }
 
-/* The box on the infinite line: (erf((a+x)/s) + erf((a-x)/s))/2 (Song 2018 eq. 45). */
+/* The same box on the infinite line: (erf((a+x)/s) + erf((a-x)/s))/2 (Song 2018 eq. 45). */
 double series_box_line(double x, double a, double s);
 
 /* sum_k (-1)^k exp(-(x-2kL)^2 / (2 sigma^2)): a Gaussian that vanishes at -L and L. */

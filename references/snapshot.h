@@ -4,7 +4,7 @@
 
 #include "references/scene.h"
 
-/* The exact solution at one time, for many points: what they share is worked out once. */
+/* The exact solution at one time for many points; shared terms are evaluated once. */
 struct snapshot {
     const struct scene *scene;
     const struct problem *problem;
@@ -12,13 +12,13 @@ struct snapshot {
     void *shared;
 };
 
-/* *scene and *problem must outlive it; end with snapshot_free. */
+/* *scene and *problem must outlive the snapshot; release it with snapshot_free. */
 struct snapshot snapshot_take(const struct scene *scene, const struct problem *problem, double time);
 void snapshot_free(struct snapshot *s);
 
-/* As scene_exact at x, m, and the time of the snapshot. */
+/* scene_exact at x (m) and the time of the snapshot. */
 struct exact snapshot_at(const struct snapshot *s, const double x[2]);
-/* The same at the n points (x[i], y[i]), to e; y is NULL on a rod.  Some thousand at a time share enough. */
+/* The same at the n points (x[i], y[i]); y is NULL on a rod.  Batches of a few thousand points are efficient. */
 void snapshot_at_points(const struct snapshot *s, size_t n, const double *x, const double *y, struct exact *e);
 
 #endif

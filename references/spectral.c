@@ -4,11 +4,12 @@
  *     f(x, y)    = sum_mn c_mn X_m(x) Y_n(y)
  *     T(x, y, t) = sum_mn c_mn X_m(x) Y_n(y) exp(-(kappa_x q_m^2 + kappa_y r_n^2) t)
  *
- * X_m = sin(q_m (x - lo)), q_m = m pi/(hi - lo), m >= 1, between sides at zero; cos, m >= 0, between insulated sides.
- * The c_mn come from samples at the cell centres through FFTW's RODFT10 or REDFT10 (DST-II, DCT-II; Frigo and Johnson
- * 2005), whose rows are those sines and cosines exactly; what modes past the n-th hold is folded back onto the lower
- * ones, so the error is bounded by the size of the coefficients near the end.
- * Restrictions: one material, sides alike on each axis and homogeneous. */
+ * X_m = sin(q_m (x - lo)), q_m = m pi/(hi - lo), m >= 1, between Dirichlet sides at zero; X_m = cos, m >= 0, between
+ * insulated sides.  FFTW's RODFT10 or REDFT10 (DST-II, DCT-II; Frigo and Johnson 2005) computes the c_mn from
+ * samples at the cell centres; its rows are exactly these sines and cosines.  Modes beyond the last one alias onto
+ * lower ones, so the size of the highest coefficients bounds the error.
+ *
+ * Restrictions: one material; homogeneous sides of the same kind on each axis. */
 #include "references/spectral.h"
 
 #include "solver/status.h"
@@ -27,7 +28,7 @@ struct spectral {
     double *c;              /* K, n[0] x n[1], x fastest */
 };
 
-static int order(const struct spectral *s, int d, int m) { /* of the m-th mode along axis d */
+static int order(const struct spectral *s, int d, int m) { /* wave number of mode m along axis d, in half waves */
     return s->kind[d] == DIRICHLET ? m + 1 : m;
 }
 
@@ -46,8 +47,8 @@ static void transform(struct spectral *s) {
     fftw_destroy_plan(plan);
 }
 
-/* FFTW's transforms are not normalised: each axis gives n times the amplitude, twice that for the modes at the end
- * that alternate (DST) or are constant (DCT). */
+/* FFTW's transforms are not normalised.  Along each axis they give n times the amplitude, and twice that for the
+ * last mode of the DST, which alternates, and the first of the DCT, which is constant. */
 static double share(const struct spectral *s, int d, int m) {
     int doubled = s->kind[d] == DIRICHLET ? m == s->n[d] - 1 : m == 0;
     return 1.0 / (doubled ? 2 * s->n[d] : s->n[d]);
@@ -86,7 +87,7 @@ void spectral_free(struct spectral *s) {
     free(s);
 }
 
-/* Value at x of mode m of axis d after t; its phase is rounded, which *error takes up. */
+/* Value at x of mode m of axis d after the time t; *error is the rounding error of its phase. */
 static double mode(const struct spectral *s, int d, int m, double x, double t, double *error) {
     double q = order(s, d, m) * M_PI / s->width[d], phase = q * (x - s->lo[d]);
     double decay = exp(-s->kappa[d] * q * q * t);
@@ -110,6 +111,7 @@ struct exact spectral_at(const struct spectral *s, const double x[2], double t) 
     }
     free(X);
     free(dX);
-    /* the transform rounds each coefficient by a few eps of the largest; the modes still alive add these up */
+    /* The transform rounds each coefficient by a few eps of the largest; the bound adds this for the remaining
+     * modes. */
     return (struct exact){.temperature = sum, .error_bound = tail + rounding + 16 * DBL_EPSILON * largest};
 }

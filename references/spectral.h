@@ -4,19 +4,20 @@
 
 #include "references/scene.h"
 
-/* Data on a rod or rectangle with homogeneous sides, expanded once by FFTW and evolved exactly to any time.  Knows
- * nothing of closed forms, which makes it the second opinion on them. */
+/* Data on a rod or rectangle with homogeneous boundary conditions, expanded once by FFTW and evolved exactly to any
+ * time.  It uses no closed form and serves as an independent second form. */
 
 struct spectral;
 
-/* Expands f on the domain of *p, with the sides and material[0] of *p, in n[0] x n[1] modes (n[1] is ignored for a
- * rod).  Sides of an axis must be of one kind (both DIRICHLET or both NEUMANN), and are taken as zero.  f must be
- * smooth and obey the sides for the error to be small.  NULL where the sides differ or there are two materials. */
+/* Expands f on the domain of *p, with its boundary conditions and material[0], in n[0] x n[1] modes (n[1] is ignored
+ * for a rod).  Both sides of an axis must be DIRICHLET or both NEUMANN; their values are taken as zero.  The error
+ * is small if f is smooth and obeys these conditions.  Returns NULL if the sides of an axis differ or there are two
+ * materials. */
 struct spectral *spectral_alloc(const struct problem *p, const int n[2],
                                 double (*f)(const struct problem *p, const double x[2]));
 void spectral_free(struct spectral *s);
 
-/* T at x, K, after t >= 0 s.  The error bound is what the last modes of either axis still hold, added up. */
+/* T at x, K, at t >= 0 s.  The error bound is the sum of the coefficients of the highest modes of each axis. */
 struct exact spectral_at(const struct spectral *s, const double x[2], double t);
 
 #endif

@@ -1,10 +1,10 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Talbot's inversion by the midpoint rule with N points on the contour
  *
- *     z(a) = N/t (0.5017 a cot(0.6407 a) - 0.6122 + 0.2645 i a),   -pi < a < pi,
+ *     z(a) = N/t (0.5017 a cot(0.6407 a) - 0.6122 + 0.2645 i a),   -pi < a < pi.
  *
- * whose error falls as 3.89^-N (Trefethen, Weideman, Schmelzer 2006, BIT 46:653); N = 24 balances it with rounding.
- * Of conjugate nodes one is taken. */
+ * The error decreases as 3.89^-N (Trefethen, Weideman, Schmelzer 2006, BIT 46:653); at N = 24 it equals round-off.
+ * Only one node of each conjugate pair is evaluated. */
 #include "references/talbot.h"
 
 #include <math.h>
