@@ -6,13 +6,6 @@
 
 #include <stddef.h>
 
-struct settling { /* of a relaxed cloud, in units of the spacing */
-    int sweeps;
-    double moved;   /* root mean square of the last sweep's moves */
-    double nearest; /* least distance of two particles */
-    double spread;  /* standard deviation of the density over its mean */
-};
-
 struct cost {               /* of a run */
     long long updates;      /* particle updates: particles x operator applications */
     long long interactions; /* pairs evaluated: updates x neighbours */
@@ -30,7 +23,6 @@ struct field { /* owned arrays: field_free */
     double *x, *y;     /* m, n each; y is NULL for a rod */
     double *T;         /* K, n */
     double *weight;    /* m^d, n: the volume that each point stands for in a norm; NULL where all are equal */
-    struct settling settling; /* sweeps 0 where nothing was relaxed */
     double time;              /* s, the time that T belongs to (t_end) */
     double h;                 /* smoothing length over dx, as used; 0 for a method without one */
     double dt;                /* s, 0 for the exact stepper */

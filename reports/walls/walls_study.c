@@ -99,41 +99,38 @@ static void write_rows(const struct entry *all, FILE *csv, FILE *md) {
     fprintf(
         csv,
         "walls,body,order derived,order,low,high,order of the largest error,low,high,E1,largest error [K],largest "
-        "stable step [dx^2/kappa],growth [kappa/dx^2],heat drift,neighbours,amplification,particles of a "
-        "fit,condition\n");
+        "stable step [dx^2/kappa],growth [kappa/dx^2],heat drift,neighbours,amplification\n");
     fprintf(
         md,
         "# Walls that cut the lattice anywhere\n\nso_ssph, h/dx 1.1, eight lattices of any origin and angle at each "
         "of dx = 0.1 ... 0.025 m; errors at 0.025, the mean E1 and the largest of all; step and growth by "
         "eigenvalues at 0.125, the worst of four; "
-        "amplification: the sum of |share| of the worst dummy there, then the particles that a fit takes and its "
-        "worst condition number (0: nothing is fitted).\n");
+        "amplification: the sum of |share| of the worst dummy there.\n");
     for (int b = 0; b < BODIES; b++) {
         fprintf(
             md,
             "\n## %s (%s)\n\n| `--walls` | order derived | order of E1 | order of the largest error | E1 | largest "
             "error, K | step, dx^2/kappa | growth, kappa/dx^2 | heat drift "
-            "| neighbours | amplification | particles of a fit | condition "
-            "|\n|---|---|---|---|---|---|---|---|---|---|---|---|---|\n",
+            "| neighbours | amplification |\n|---|---|---|---|---|---|---|---|---|---|---|\n",
             bodies[b].name, bodies[b].scene);
         for (int t = 0; t < TREATMENTS; t++) {
             const struct entry *e = &all[b * TREATMENTS + t];
             if (!bodies[b].derived[t]) {
-                fprintf(csv, "%s,%s,refused,,,,,,,,,,,,,\n", treatments[t], bodies[b].name);
-                fprintf(md, "| `%s` | refused | | | | | | | | | | | |\n", treatments[t]);
+                fprintf(csv, "%s,%s,refused,,,,,,,,,,,\n", treatments[t], bodies[b].name);
+                fprintf(md, "| `%s` | refused | | | | | | | | | |\n", treatments[t]);
                 continue;
             }
             struct slope s = slope_fit(e->dx, e->E1, RUNS), m = slope_fit(e->dx, e->largest, RUNS);
-            fprintf(csv, "%s,%s,%s,%.3f,%.3f,%.3f,%.3f,%.3f,%.3f,%.4e,%.4e,%.4g,%.3g,%.2e,%.3f,%.4g,%.3f,%.4g\n",
-                    treatments[t], bodies[b].name, bodies[b].derived[t], s.value, s.ci[0], s.ci[1], m.value, m.ci[0],
-                    m.ci[1], mean_of(e->E1), most_of(e->largest), e->price.limit, e->price.growth, e->drift,
-                    e->neighbours, e->price.amplification, e->price.taken, e->price.condition);
+            fprintf(csv, "%s,%s,%s,%.3f,%.3f,%.3f,%.3f,%.3f,%.3f,%.4e,%.4e,%.4g,%.3g,%.2e,%.3f,%.4g\n", treatments[t],
+                    bodies[b].name, bodies[b].derived[t], s.value, s.ci[0], s.ci[1], m.value, m.ci[0], m.ci[1],
+                    mean_of(e->E1), most_of(e->largest), e->price.limit, e->price.growth, e->drift, e->neighbours,
+                    e->price.amplification);
             fprintf(md,
                     "| `%s` | %s | %.2f [%.2f, %.2f] | %.2f [%.2f, %.2f] | %.2e | %.2e | %.3f | %.2g | %.1e | %.2f | "
-                    "%.3g | %.1f | %.3g |\n",
+                    "%.3g |\n",
                     treatments[t], bodies[b].derived[t], s.value, s.ci[0], s.ci[1], m.value, m.ci[0], m.ci[1],
                     mean_of(e->E1), most_of(e->largest), e->price.limit, e->price.growth, e->drift, e->neighbours,
-                    e->price.amplification, e->price.taken, e->price.condition);
+                    e->price.amplification);
         }
     }
 }

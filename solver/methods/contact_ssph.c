@@ -66,7 +66,7 @@ static int across(const struct options *o, const struct neighbourhood *nb, doubl
                   const double *size, const double *target, double *w, struct failure *why) {
     double W[NEIGHBOURS_MAX], other[NEIGHBOURS_MAX], least = 0;
     int terms = nb->dim == 1 ? 2 : 5;
-    if (ssph_fit(nb, o->kernel, terms, P, size, target, w, NULL, why)) return why->status;
+    if (ssph_fit(nb, o->kernel, terms, P, size, target, w, why)) return why->status;
     for (size_t j = 0; j < nb->n; j++) {
         least = fmin(least, w[j]);
         W[j] = kernel_value(o->kernel, nb->dim, hypot(nb->d[j][0], nb->d[j][1]) / nb->h) / (size[j] * size[j]);

@@ -172,14 +172,13 @@ static int place_cloud(const struct problem *p, const struct options *o, const s
     if (particles_cloud(p, o, s, l, &c, why)) return why->status;
     int status = operator_create_csr(a, p, o, s, &c, l->dx[0], why);
     field_alloc(f, p->dim, c.n);
-    if (!status && averages_cells(o, s)) status = voronoi_average(p, &c, o->threads > 1 ? o->threads : 1, f->T, why);
+    if (!status && averages_cells(o, s)) status = voronoi_average(p, &c, o->threads, f->T, why);
     for (size_t i = 0; i < c.n; i++) {
         f->x[i] = c.x[i];
         if (f->y) f->y[i] = c.y[i];
     }
     f->weight = a->volume, a->volume = NULL;
     if (!f->weight) f->weight = c.cell, c.cell = NULL;
-    f->settling = c.settling;
     layout_cloud_free(&c);
     return status;
 }

@@ -176,7 +176,7 @@ int ssph_gradient(const struct neighbourhood *nb, enum kernel_name kernel, doubl
 }
 
 int ssph_fit(const struct neighbourhood *nb, enum kernel_name kernel, int terms, double P[][SSPH_TERMS_MAX],
-             const double *size, const double *target, double *w, double *condition, struct failure *why) {
+             const double *size, const double *target, double *w, struct failure *why) {
     double matrix[SSPH_TERMS_MAX * SSPH_TERMS_MAX] = {0}, scale[SSPH_TERMS_MAX], z[SSPH_TERMS_MAX];
     for (size_t j = 0; j < nb->n; j++) {
         w[j] = kernel_value(kernel, nb->dim, hypot(nb->d[j][0], nb->d[j][1]) / nb->h);
@@ -188,7 +188,6 @@ int ssph_fit(const struct neighbourhood *nb, enum kernel_name kernel, int terms,
     for (int k = 0; k < terms; k++)
         for (int l = 0; l < terms; l++) matrix[k * terms + l] *= scale[k] * scale[l];
     double number = factor(terms, matrix);
-    if (condition) *condition = number;
     if (!(number <= SSPH_CONDITION_MAX)) return singular(nb, terms, number, w, why);
     for (int k = 0; k < terms; k++) z[k] = target[k] * scale[k];
     solve(terms, matrix, z);

@@ -23,9 +23,9 @@ int ssph_gradient(const struct neighbourhood *nb, enum kernel_name kernel, doubl
 
 /* The same least squares with any functions: P[j][k], k < terms, of each neighbour, its equation weighted
  * with the kernel and divided by size[j] (NULL: 1).  Weights w of sum_k target[k] c_k, where sum_k c_k P[j][k]
- * approximates f_j - f_i. Columns are scaled before the condition number is taken; NULL where it is not wanted. */
+ * approximates f_j - f_i.  Columns are scaled before the condition number is taken. */
 int ssph_fit(const struct neighbourhood *nb, enum kernel_name kernel, int terms, double P[][SSPH_TERMS_MAX],
-             const double *size, const double *target, double *w, double *condition, struct failure *why);
+             const double *size, const double *target, double *w, struct failure *why);
 
 /* The condition number of the moment matrix of ssph_weights; infinite where it has no Cholesky factor. */
 double ssph_condition(const struct neighbourhood *nb, enum kernel_name kernel, int order);

@@ -136,10 +136,9 @@ int walls_fill(const struct problem *p, const struct options *o, struct cloud *c
     struct wall_sum *sum = xcalloc(1, sizeof *sum);
     for (size_t d = 0; d < dummies && !status; d++) {
         struct wall_site site = site_of(p, (const double[2]){c->x[c->n + d], c->y[c->n + d]});
-        sum->n = 0, sum->condition = 0;
+        sum->n = 0;
         status = t->fill(&w, d, &site, sum, why);
         keep(c, d, sum, &room);
-        c->condition = fmax(c->condition, sum->condition);
         if (c->away) c->away[d] = site.away[0];
     }
     free(sum);

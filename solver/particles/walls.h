@@ -40,8 +40,7 @@ struct wall_sum { /* T of a dummy */
     size_t n;
     uint32_t from[NEIGHBOURS_MAX];
     double share[NEIGHBOURS_MAX];
-    double offset;    /* K */
-    double condition; /* of the fit's moment matrix; 0 where nothing is fitted */
+    double offset; /* K */
 };
 
 struct wall_treatment {

@@ -103,7 +103,7 @@ static int attempt(const struct walls_fill *w, const struct wall_near *near, voi
     for (int a = 0; a < 2; a++) away[a] = f->site->x[a] - f->site->foot[a];
     int terms = functions(&b, away, h, &f->out->offset, target);
     for (size_t j = 0; j < nb.n; j++) functions(&b, d[j], h, &known[j], P[j]);
-    if (ssph_fit(&nb, w->o->kernel, terms, P, NULL, target, share, &f->out->condition, why)) return why->status;
+    if (ssph_fit(&nb, w->o->kernel, terms, P, NULL, target, share, why)) return why->status;
     f->out->n = near->nb.n;
     for (size_t j = 0; j < nb.n; j++) {
         f->out->offset -= share[j] * known[j];

@@ -95,7 +95,7 @@ static size_t take_equations(const struct problem *p, const struct neighbourhood
 
 int walls_one_sided(const struct problem *p, const struct options *o, const struct neighbourhood *nb,
                     struct wall_row *out, struct failure *why) {
-    size_t least = nb->dim == 2 ? 15 : 4;
+    size_t least = nb->dim == 2 ? 15 : 4, particles = 0;
     double sigma = 2 * (nb->kappa[0] + (nb->dim == 2 ? nb->kappa[1] : 0)) / (nb->h * nb->h);
     struct equations *e = xcalloc(1, sizeof *e);
     int status = STATUS_NUMERICAL;
@@ -104,19 +104,18 @@ int walls_one_sided(const struct problem *p, const struct options *o, const stru
         double h = grown * nb->h, target[6] = {sigma}, second = 1 / (h * h);
         target[nb->dim == 2 ? 3 : 2] = nb->kappa[0] * second;
         if (nb->dim == 2) target[5] = nb->kappa[1] * second;
-        out->particles = take_equations(p, nb, h, e);
-        if (out->particles < least)
+        particles = take_equations(p, nb, h, e);
+        if (particles < least)
             refuse(why, STATUS_NUMERICAL,
                    "particle %zu at (%.6g, %.6g) m, beside a wall, has %zu particles within %.3g m, at least %zu are "
                    "needed; take a smaller --dx",
-                   nb->i, nb->x[0], nb->x[1], out->particles, KERNEL_SUPPORT * h, least);
+                   nb->i, nb->x[0], nb->x[1], particles, KERNEL_SUPPORT * h, least);
         else
-            status =
-                ssph_fit(&e->nb, o->kernel, nb->dim == 2 ? 6 : 3, e->P, e->size, target, e->w, &out->condition, why);
+            status = ssph_fit(&e->nb, o->kernel, nb->dim == 2 ? 6 : 3, e->P, e->size, target, e->w, why);
     }
     for (size_t k = 0; k < e->nb.n && !status; k++) {
-        if (k >= out->particles)
-            out->g += e->w[k] * e->given[k - out->particles];
+        if (k >= particles)
+            out->g += e->w[k] * e->given[k - particles];
         else if (e->from[k] == nb->n)
             out->own += e->w[k];
         else

@@ -97,7 +97,7 @@ static int interpolate(const struct walls_fill *w, const struct wall_near *near,
         out->from[j] = near->from[j];
     }
     out->n = near->nb.n;
-    return ssph_fit(&near->nb, w->o->kernel, w->p->dim + 1, P, NULL, target, out->share, &out->condition, why);
+    return ssph_fit(&near->nb, w->o->kernel, w->p->dim + 1, P, NULL, target, out->share, why);
 }
 
 static int fill_image(const struct walls_fill *w, size_t d, const struct wall_site *site, struct wall_sum *out,

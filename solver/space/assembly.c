@@ -7,6 +7,22 @@
 #include <stdlib.h>
 #include <string.h>
 
+int assembly_in_blocks(size_t n, int threads,
+                       int (*work)(void *context, int b, size_t begin, size_t end, struct failure *why),
+                       void *context, struct failure *why) {
+    int first = ASSEMBLY_BLOCKS;
+#pragma omp parallel for schedule(dynamic, 1) num_threads(threads > 1 ? threads : 1)
+    for (int b = 0; b < ASSEMBLY_BLOCKS; b++) {
+        struct failure own;
+        size_t begin = n * (size_t)b / ASSEMBLY_BLOCKS, end = n * (size_t)(b + 1) / ASSEMBLY_BLOCKS;
+        if (work(context, b, begin, end, &own)) {
+#pragma omp critical(assembly_failure)
+            if (b < first) first = b, *why = own;
+        }
+    }
+    return first < ASSEMBLY_BLOCKS ? why->status : STATUS_OK;
+}
+
 int assembly_create(struct assembly *m, const struct problem *p, const struct options *o, const struct scheme *s,
                     const struct cloud *c, double spacing, struct failure *why) {
     *m = (struct assembly){.p = p,
@@ -17,7 +33,7 @@ int assembly_create(struct assembly *m, const struct problem *p, const struct op
                            .support = KERNEL_SUPPORT * o->h * spacing,
                            .volume = s->volume ? s->volume(p, o, o->h * spacing, c->volume) : c->volume,
                            .cell = layout_cell(o, spacing)};
-    if (s->cells) return voronoi_create(&m->mesh, p, c, o->threads > 1 ? o->threads : 1, why);
+    if (s->cells) return voronoi_create(&m->mesh, p, c, o->threads, why);
     neighbours_create(&m->cells, c, m->support);
     if (o->walls == WALLS_ONE_SIDED) neighbours_create(&m->wide, c, 3 * m->support);
     return STATUS_OK;
@@ -88,8 +104,10 @@ void assembly_list_grow(struct assembly_list *l) {
     l->value = xcheck(realloc(l->value, l->room * sizeof *l->value), l->room, sizeof *l->value);
 }
 
-size_t assembly_list_join(const struct assembly_list part[ASSEMBLY_BLOCKS], uint32_t **point, double **value) {
+size_t assembly_list_join(const struct assembly_list part[ASSEMBLY_BLOCKS], size_t n, size_t *begin, uint32_t **point,
+                          double **value) {
     size_t total = 0;
+    for (size_t i = 0; i < n; i++) begin[i + 1] += begin[i];
     for (int b = 0; b < ASSEMBLY_BLOCKS; b++) total += part[b].n;
     *point = xcalloc(total, sizeof **point);
     *value = xcalloc(total, sizeof **value);

@@ -10,6 +10,12 @@
 
 enum { ASSEMBLY_BLOCKS = 64 }; /* of points, each filled by one thread: the same for any number of threads */
 
+/* Calls work(context, b, begin, end, why) for each block b of n points, on so many threads.  The failure of the first
+ * block that has one. */
+int assembly_in_blocks(size_t n, int threads,
+                       int (*work)(void *context, int b, size_t begin, size_t end, struct failure *why),
+                       void *context, struct failure *why);
+
 struct assembly {
     const struct problem *p;
     const struct options *o;
@@ -63,8 +69,10 @@ static inline void assembly_list_add(struct assembly_list *l, uint32_t point, do
     l->value[l->n++] = value;
 }
 
-/* The entries of all blocks, in their order, into arrays that the caller owns; returns how many. */
-size_t assembly_list_join(const struct assembly_list part[ASSEMBLY_BLOCKS], uint32_t **point, double **value);
+/* The entries of all blocks, in their order, into arrays that the caller owns; returns how many.  begin[i + 1], i <
+ * n, goes from the number of entries of point i to where they end. */
+size_t assembly_list_join(const struct assembly_list part[ASSEMBLY_BLOCKS], size_t n, size_t *begin, uint32_t **point,
+                          double **value);
 void assembly_list_free(struct assembly_list part[ASSEMBLY_BLOCKS]);
 
 /* g (n of the cloud's particles) += the source's part, K s^-1; it becomes *a's where any of it is not zero. */

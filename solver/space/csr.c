@@ -71,11 +71,6 @@ static int add_wall_row(const struct assembly *m, struct heat_operator *a, size_
     for (size_t k = 0; k < at->nb.n; k++) csr_row_add(r, at->near[k], row.w[k]);
     a->diagonal[i] = row.own;
     *g += row.g;
-#pragma omp critical(fits)
-    {
-        a->fits.rows++, a->fits.particles += row.particles;
-        a->fits.condition = fmax(a->fits.condition, row.condition);
-    }
     return STATUS_OK;
 }
 
@@ -86,7 +81,7 @@ static void add_point(const struct assembly *m, size_t i, uint32_t j, double w, 
         add_dummy(m, i, j, w, r, g);
         return;
     }
-    csr_row_add(r, c->source[j], w * (c->factor ? c->factor[j] : c->sign[j]));
+    csr_row_add(r, c->source[j], w * c->factor[j]);
     *g += c->offset[j] * w;
 }
 
@@ -134,30 +129,31 @@ static int add_row(const struct assembly *m, struct heat_operator *a, size_t i, 
     return STATUS_OK;
 }
 
-/* The rows of one block of particles. */
-static int assemble_block(const struct assembly *m, struct heat_operator *a, double *g, size_t begin, size_t end,
-                          struct assembly_list *out, struct failure *why) {
+struct rows {
+    const struct assembly *m;
+    struct heat_operator *a;
+    double *g;
+    struct assembly_list part[ASSEMBLY_BLOCKS];
+};
+
+static int take_rows(void *context, int b, size_t begin, size_t end, struct failure *why) {
+    struct rows *all = context;
+    const struct assembly *m = all->m;
+    struct heat_operator *a = all->a;
+    struct assembly_list *list = &all->part[b];
     struct row r;
     struct surroundings *at = xcalloc(2, sizeof *at);
     int status = STATUS_OK;
     csr_row_create(&r, m->c->n);
     for (size_t i = begin; i < end && !status; i++) {
-        status = add_row(m, a, i, at, &r, &g[i], why);
-        move_row(&r, i, out, &a->diagonal[i]);
-        a->row[i + 1] = out->n;
+        size_t before = list->n;
+        status = add_row(m, a, i, at, &r, &all->g[i], why);
+        move_row(&r, i, list, &a->diagonal[i]);
+        a->row[i + 1] = list->n - before;
     }
     csr_row_free(&r);
     free(at);
     return status;
-}
-
-static void join(struct heat_operator *a, const struct assembly_list part[ASSEMBLY_BLOCKS],
-                 const size_t begin[ASSEMBLY_BLOCKS + 1]) {
-    for (size_t b = 0, at = 0; b < ASSEMBLY_BLOCKS; at += part[b++].n)
-        for (size_t i = begin[b]; i < begin[b + 1]; i++) a->row[i + 1] += at;
-    size_t total = a->pairs = assembly_list_join(part, &a->column, &a->value);
-    a->bytes +=
-        total * (sizeof *a->column + sizeof *a->value) + (a->n + 1) * sizeof *a->row + a->n * sizeof *a->diagonal;
 }
 
 /* How far A's rows reach; its bands once more, where they have no more than twice the entries of its rows. */
@@ -191,32 +187,22 @@ static void keep_cells(struct assembly *m, struct heat_operator *a) {
 int csr_assemble(struct heat_operator *a, const struct problem *p, const struct options *o, const struct scheme *s,
                  const struct cloud *c, double spacing, struct failure *why) {
     struct assembly m;
-    struct assembly_list part[ASSEMBLY_BLOCKS] = {{0, 0, NULL, NULL}};
-    size_t begin[ASSEMBLY_BLOCKS + 1];
-    int status = STATUS_OK, threads = o->threads > 1 ? o->threads : 1, first_bad = ASSEMBLY_BLOCKS;
     if (assembly_create(&m, p, o, s, c, spacing, why)) return why->status;
-    double *g = xcalloc(a->n, sizeof *g);
+    struct rows all = {.m = &m, .a = a, .g = xcalloc(a->n, sizeof *all.g)};
     a->row = xcalloc(a->n + 1, sizeof *a->row);
     a->diagonal = xcalloc(a->n, sizeof *a->diagonal);
-    for (size_t b = 0; b <= ASSEMBLY_BLOCKS; b++) begin[b] = a->n * b / ASSEMBLY_BLOCKS;
-#pragma omp parallel for schedule(dynamic, 1) num_threads(threads)
-    for (int b = 0; b < ASSEMBLY_BLOCKS; b++) {
-        struct failure local;
-        if (assemble_block(&m, a, g, begin[b], begin[b + 1], &part[b], &local)) {
-#pragma omp critical(rows_failure)
-            if (b < first_bad) first_bad = b, *why = local;
-        }
-    }
-    if (first_bad < ASSEMBLY_BLOCKS) status = why->status;
+    int status = assembly_in_blocks(a->n, o->threads, take_rows, &all, why);
     if (!status && s->cells) keep_cells(&m, a);
     assembly_free(&m); /* before the rows stand twice */
     if (!status) {
-        join(a, part, begin);
+        a->pairs = assembly_list_join(all.part, a->n, a->row, &a->column, &a->value);
+        a->bytes += a->pairs * (sizeof *a->column + sizeof *a->value) + (a->n + 1) * sizeof *a->row +
+                    a->n * sizeof *a->diagonal;
         copy_bands(a);
-        assembly_keep_constants(&m, g, a);
+        assembly_keep_constants(&m, all.g, a);
     } else {
-        free(g);
+        free(all.g);
     }
-    assembly_list_free(part);
+    assembly_list_free(all.part);
     return status;
 }

@@ -24,20 +24,28 @@ static int is_needed(const struct assembly *m, size_t i) {
     return outside < m->support;
 }
 
-/* The pairs of one block of points; kept[i + 1] counts those of i. */
-static int take_block(const struct assembly *m, const unsigned char *needed, size_t begin, size_t end,
-                      struct gradient *g, struct assembly_list *list, struct failure *why) {
+struct pairs {
+    const struct assembly *m;
+    const unsigned char *needed;
+    struct gradient *g;
+    struct assembly_list part[ASSEMBLY_BLOCKS];
+    size_t *begin;
+};
+
+static int take_pairs(void *context, int b, size_t begin, size_t end, struct failure *why) {
+    struct pairs *all = context;
+    const struct assembly *m = all->m;
     struct surroundings *at = xcalloc(1, sizeof *at);
     double F[NEIGHBOURS_MAX];
     int status = STATUS_OK;
     for (size_t i = begin; i < end && !status; i++) {
-        if (!needed[i]) continue;
+        if (!all->needed[i]) continue;
         status = assembly_neighbourhood(m, i, at, why);
-        if (!status) status = m->s->pairs(m->p, m->o, &at->nb, F, &g->C[3 * i], why);
-        size_t before = list->n;
+        if (!status) status = m->s->pairs(m->p, m->o, &at->nb, F, &all->g->C[3 * i], why);
+        size_t before = all->part[b].n;
         for (size_t k = 0; k < at->nb.n && !status; k++)
-            if (!needed[at->near[k]] || i < at->near[k]) assembly_list_add(list, at->near[k], F[k]);
-        g->kept[i + 1] = (uint32_t)(list->n - before);
+            if (!all->needed[at->near[k]] || i < at->near[k]) assembly_list_add(&all->part[b], at->near[k], F[k]);
+        all->begin[i + 1] = all->part[b].n - before;
     }
     free(at);
     return status;
@@ -71,8 +79,8 @@ static void place(const struct assembly *m, struct gradient *g) {
     g->factor = xcalloc(ghosts, sizeof *g->factor);
     g->offset = xcalloc(ghosts, sizeof *g->offset);
     for (size_t k = 0; k < ghosts; k++) {
-        g->source[k] = c->source[c->n + k], g->offset[k] = c->offset[c->n + k];
-        g->factor[k] = c->factor ? c->factor[c->n + k] : c->sign[c->n + k];
+        g->source[k] = c->source[c->n + k];
+        g->factor[k] = c->factor[c->n + k], g->offset[k] = c->offset[c->n + k];
     }
     g->flux = xcalloc(2 * c->total, sizeof *g->flux);
     for (int d = 0; d < c->dim; d++) g->kappa[d] = material->k[d] / material->rho_c;
@@ -129,8 +137,6 @@ static void count(struct heat_operator *a, const struct gradient *g) {
 int gradient_assemble(struct heat_operator *a, const struct problem *p, const struct options *o,
                       const struct scheme *s, const struct cloud *c, double spacing, struct failure *why) {
     struct assembly m;
-    struct assembly_list part[ASSEMBLY_BLOCKS] = {{0, 0, NULL, NULL}};
-    int threads = o->threads > 1 ? o->threads : 1, first_bad = ASSEMBLY_BLOCKS;
     if (assembly_create(&m, p, o, s, c, spacing, why)) return why->status;
     struct gradient *g = xcalloc(1, sizeof *g);
     a->gradient = g, a->state = g->total = c->total;
@@ -139,23 +145,16 @@ int gradient_assemble(struct heat_operator *a, const struct problem *p, const st
     g->lent = xcalloc(c->total + 1, sizeof *g->lent);
     unsigned char *needed = xcalloc(c->total, 1);
     for (size_t i = 0; i < c->total; i++) needed[i] = (unsigned char)is_needed(&m, i);
-#pragma omp parallel for schedule(dynamic, 1) num_threads(threads)
-    for (int b = 0; b < ASSEMBLY_BLOCKS; b++) {
-        struct failure local;
-        size_t begin = c->total * (size_t)b / ASSEMBLY_BLOCKS, end = c->total * (size_t)(b + 1) / ASSEMBLY_BLOCKS;
-        if (take_block(&m, needed, begin, end, g, &part[b], &local)) {
-#pragma omp critical(gradient_failure)
-            if (b < first_bad) first_bad = b, *why = local;
-        }
-    }
-    int status = first_bad < ASSEMBLY_BLOCKS ? why->status : STATUS_OK;
-    size_t pairs = 0;
-    for (int b = 0; b < ASSEMBLY_BLOCKS; b++) pairs += part[b].n;
-    if (!status && pairs > UINT32_MAX)
-        status = refuse(why, STATUS_INPUT, "%zu pairs of particles: two sweeps take at most %u", pairs, UINT32_MAX);
+    struct pairs all = {.m = &m, .needed = needed, .g = g, .begin = xcalloc(c->total + 1, sizeof *all.begin)};
+    int status = assembly_in_blocks(c->total, o->threads, take_pairs, &all, why);
     if (!status) {
-        assembly_list_join(part, &g->other, &g->F);
-        for (size_t i = 0; i < g->total; i++) g->kept[i + 1] += g->kept[i];
+        size_t pairs = assembly_list_join(all.part, c->total, all.begin, &g->other, &g->F);
+        if (pairs > UINT32_MAX)
+            status =
+                refuse(why, STATUS_INPUT, "%zu pairs of particles: two sweeps take at most %u", pairs, UINT32_MAX);
+    }
+    if (!status) {
+        for (size_t i = 0; i < g->total; i++) g->kept[i + 1] = (uint32_t)all.begin[i + 1];
         lend(g, needed);
         place(&m, g);
         if (s->adjoint) add_sums(g, a->n);
@@ -163,7 +162,8 @@ int gradient_assemble(struct heat_operator *a, const struct problem *p, const st
         count(a, g);
         assembly_keep_constants(&m, xcalloc(a->n, sizeof *a->g), a);
     }
-    assembly_list_free(part);
+    assembly_list_free(all.part);
+    free(all.begin);
     free(needed);
     assembly_free(&m);
     return status;

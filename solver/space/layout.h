@@ -7,7 +7,7 @@
 
 #include <stdint.h>
 
-/* Where the particles are, and what their ghosts beyond the walls hold: T_ghost = sign T_source + offset. */
+/* Where the particles are, and what their ghosts beyond the walls hold: T_ghost = factor T_source + offset. */
 
 struct lattice {
     int dim;
@@ -59,15 +59,13 @@ double layout_ghost_offset(const struct problem *p, enum walls walls, const stru
 /* Particles off the lattice, in the order of cells of side `reach`, followed by their ghosts. */
 struct cloud {
     int dim;
-    size_t n, total;   /* particles; particles and ghosts */
-    double *x, *y;     /* m, total each; y is all zero for a rod */
-    uint32_t *source;  /* total; of particle i: i */
-    signed char *sign; /* total */
-    double *factor;    /* total: what a Robin wall makes of the sign; NULL where there is none */
-    double *offset;    /* K, total */
-    double volume;     /* m^d, of every particle; their mean where they differ */
-    struct settling settling;
-    double reach; /* m, ghosts fill the domain's surroundings this far */
+    size_t n, total;  /* particles; particles and ghosts */
+    double *x, *y;    /* m, total each; y is all zero for a rod */
+    uint32_t *source; /* total; of particle i: i */
+    double *factor;   /* total */
+    double *offset;   /* K, total */
+    double volume;    /* m^d, of every particle; their mean where they differ */
+    double reach;     /* m, ghosts fill the domain's surroundings this far */
     /* Of a lattice that walls cut anywhere, else NULL: */
     double *cell;        /* m^d, n: the part of each particle's cell inside the body */
     unsigned char *held; /* n: 1 for a particle on a Dirichlet wall, which holds the wall's value */
@@ -76,7 +74,6 @@ struct cloud {
     size_t *begin;
     uint32_t *from;
     double *share, *away;
-    double condition; /* of the worst of the fits that gave them; 0 where none did */
 };
 
 /* The particles of a layout (of a lattice: its own) and every ghost within `reach` (m) of the domain.
@@ -96,8 +93,8 @@ int layout_cut(const struct problem *p, const struct options *o, const struct la
 void layout_mirror(const struct problem *p, const struct options *o, const struct lattice *l, size_t i,
                    struct cloud *c);
 
-/* Moves the particles of *c (n of them; ghosts are not looked at) apart until they have settled, and fills
- * c->settling.  spacing, m: V^(1/d).  STATUS_NUMERICAL, with how far it came, where o->sweeps do not suffice.
+/* Moves the particles of *c (n of them; ghosts are not looked at) apart until they have settled.
+ * spacing, m: V^(1/d).  STATUS_NUMERICAL, with how far it came, where o->sweeps do not suffice.
  * The same for any number of threads. */
 int relax_cloud(const struct problem *p, const struct options *o, double spacing, struct cloud *c,
                 struct failure *why);

@@ -29,7 +29,7 @@ static void place_particles(const struct options *o, const struct lattice *l, do
                     c->x[k] = x[0] + amplitude * l->dx[0] * (gsl_rng_uniform(random) - 0.5);
                     c->y[k] = l->dim == 2 ? x[1] + amplitude * l->dx[1] * (gsl_rng_uniform(random) - 0.5) : 0;
                     c->source[k] = (uint32_t)k;
-                    c->sign[k] = 1;
+                    c->factor[k] = 1;
                 }
     gsl_rng_free(random);
 }
@@ -40,7 +40,7 @@ void layout_mirror(const struct problem *p, const struct options *o, const struc
     double source[2] = {c->x[i], c->y[i]};
     for (int sx = -1; sx < 2; sx++)
         for (int sy = p->dim == 2 ? -1 : 1; sy < 2; sy++) { /* -1: not beyond this axis; else the side's parity */
-            int side[2] = {sx, p->dim == 2 && sy >= 0 ? 2 + sy : -1}, sign = 1, near = 1;
+            int side[2] = {sx, p->dim == 2 && sy >= 0 ? 2 + sy : -1}, near = 1;
             double factor = 1;
             double ghost[2] = {source[0], source[1]};
             if (side[0] < 0 && side[1] < 0) continue;
@@ -54,15 +54,14 @@ void layout_mirror(const struct problem *p, const struct options *o, const struc
                     factor *= layout_robin_factor(p, side[a], p->material[layout_material(p, ghost[0])].k[a],
                                                   fabs(source[a] - wall));
                 else
-                    sign *= l->sign[side[a]];
+                    factor *= l->sign[side[a]];
             }
             if (!near) continue;
             size_t k = c->total++;
             c->x[k] = ghost[0];
             c->y[k] = ghost[1];
             c->source[k] = (uint32_t)i;
-            c->sign[k] = (signed char)sign;
-            if (c->factor) c->factor[k] = factor * sign;
+            c->factor[k] = factor;
             c->offset[k] = layout_ghost_offset(p, o->walls, NULL, side, ghost, source);
         }
 }
@@ -70,7 +69,6 @@ void layout_mirror(const struct problem *p, const struct options *o, const struc
 static void take_places(const struct field *from, struct cloud *c) {
     memcpy(c->x, from->x, c->n * sizeof *c->x);
     if (from->y) memcpy(c->y, from->y, c->n * sizeof *c->y);
-    c->settling = from->settling;
 }
 
 int layout_cloud(const struct problem *p, const struct options *o, const struct lattice *l, double reach,
@@ -89,11 +87,8 @@ int layout_cloud(const struct problem *p, const struct options *o, const struct 
     c->x = xcalloc(most, sizeof *c->x);
     c->y = xcalloc(most, sizeof *c->y);
     c->source = xcalloc(most, sizeof *c->source);
-    c->sign = xcalloc(most, sizeof *c->sign);
+    c->factor = xcalloc(most, sizeof *c->factor);
     c->offset = xcalloc(most, sizeof *c->offset);
-    for (int s = 0; s < 2 * p->dim; s++)
-        if (p->side[s] == ROBIN && !c->factor) c->factor = xcalloc(most, sizeof *c->factor);
-    for (size_t i = 0; c->factor && i < n; i++) c->factor[i] = 1;
     place_particles(o, l, reach, c);
     if (o->layout == LAYOUT_RELAXED && o->placed)
         take_places(o->placed, c);
@@ -109,7 +104,6 @@ void layout_cloud_free(struct cloud *c) {
     free(c->x);
     free(c->y);
     free(c->source);
-    free(c->sign);
     free(c->offset);
     free(c->factor);
     free(c->cell);

@@ -112,7 +112,7 @@ static void fill(struct cloud *c, const struct list *inside, const struct list *
     c->x = xcalloc(room, sizeof *c->x);
     c->y = xcalloc(room, sizeof *c->y);
     c->source = xcalloc(room, sizeof *c->source);
-    c->sign = xcalloc(room, sizeof *c->sign);
+    c->factor = xcalloc(room, sizeof *c->factor);
     c->offset = xcalloc(room, sizeof *c->offset);
     c->cell = xcalloc(c->n, sizeof *c->cell);
     c->held = xcalloc(c->n, 1);
@@ -120,16 +120,13 @@ static void fill(struct cloud *c, const struct list *inside, const struct list *
         const double *x = i < c->n ? inside->x + 2 * i : outside->x + 2 * (i - c->n);
         c->x[i] = x[0], c->y[i] = x[1];
         c->source[i] = i < c->n ? (uint32_t)i : 0;
-        c->sign[i] = i < c->n;
+        c->factor[i] = i < c->n;
     }
     for (size_t i = 0; i < c->n; i++) c->cell[i] = inside->cell[i], c->held[i] = inside->held[i];
 }
 
 /* Images of the particles in plane walls take the place of dummies; a particle on a wall is its own image. */
 static void mirror(const struct problem *p, const struct options *o, const struct lattice *l, struct cloud *c) {
-    for (int s = 0; s < 2 * p->dim; s++)
-        if (p->side[s] == ROBIN && !c->factor) c->factor = xcalloc(4 * c->n, sizeof *c->factor);
-    for (size_t i = 0; c->factor && i < c->n; i++) c->factor[i] = 1;
     c->total = c->n;
     for (size_t i = 0; i < c->n; i++)
         if (shape_depth(p, (const double[2]){c->x[i], c->y[i]}) > LAYOUT_ON_WALL * l->dx[0])
@@ -141,10 +138,8 @@ static void mirror(const struct problem *p, const struct options *o, const struc
 static void mirror_round(const struct problem *p, int ghosts, struct cloud *c) {
     const double k = p->material[0].k[0];
     c->total = c->n;
-    if (ghosts) c->factor = xcalloc(4 * c->n, sizeof *c->factor);
     for (size_t i = 0; i < c->n; i++) {
         const double x[2] = {c->x[i], c->y[i]};
-        if (ghosts) c->factor[i] = 1;
         for (int s = X_LO; s <= X_HI; s++) {
             if (!shape_has_wall(p, s)) continue;
             struct foot foot = shape_foot(p, s, x);

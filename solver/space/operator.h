@@ -33,8 +33,6 @@ struct neighbourhood { /* what a scheme sees of one particle */
 struct wall_row {             /* dT_i/dt = sum_j w[j] T_j + own T_i + g */
     double w[NEIGHBOURS_MAX]; /* s^-1, of the neighbours */
     double own, g;            /* s^-1, K s^-1 */
-    size_t particles;         /* that the fit takes */
-    double condition;         /* of its moment matrix */
 };
 
 struct scheme {                   /* how a particle method weights neighbours; options are resolved */
@@ -91,10 +89,6 @@ struct heat_operator {
     size_t state;              /* doubles in a state: n, and ghosts on a lattice or with a gradient */
     size_t pairs;              /* neighbours of all particles together, in both sweeps where there are two */
     size_t bytes;              /* of the arrays above */
-    struct {
-        size_t rows, particles; /* fitted, and of all these fits together */
-        double condition;       /* of the worst */
-    } fits;                     /* of --walls one_sided */
     int threads;
     int lanes; /* as of the options */
 };

@@ -122,29 +122,6 @@ static double sweep(struct medium *m, int threads) {
     return sqrt(moved / (double)m->c.n) / m->spacing;
 }
 
-/* Into *to, how close particles lie and how evenly. */
-static void survey(struct medium *m, struct settling *to) {
-    const struct cloud *c = &m->c;
-    double *density = xcalloc(c->n, sizeof *density), mean = 0, square = 0, nearest = HUGE_VAL;
-    struct sorted s;
-    sort_cells(m, &s);
-    for (size_t i = 0; i < c->n; i++) {
-        uint32_t begin[3], end[3];
-        int runs = neighbours_runs(&s.cells, i, begin, end);
-        for (int r = 0; r < runs; r++)
-            for (uint32_t k = begin[r]; k < end[r]; k++) {
-                double distance = hypot(c->x[i] - s.at[2 * k], c->y[i] - s.at[2 * k + 1]);
-                density[i] += kernel_value(KERNEL_WENDLAND, c->dim, distance / (REACH * m->spacing));
-                if (s.cells.point[k] != i) nearest = fmin(nearest, distance);
-            }
-        mean += density[i] / (double)c->n;
-    }
-    for (size_t i = 0; i < c->n; i++) square += (density[i] / mean - 1) * (density[i] / mean - 1) / (double)c->n;
-    to->spread = sqrt(square), to->nearest = nearest / m->spacing;
-    free_cells(&s);
-    free(density);
-}
-
 /* A particle that crossed a round wall: an image right beside it does not push it back, so that it begins anew a
  * quarter of a spacing inside. */
 static void bring_back(struct medium *m, size_t i) {
@@ -166,7 +143,6 @@ static void displace(struct medium *m) {
 int relax_cloud(const struct problem *p, const struct options *o, double spacing, struct cloud *c,
                 struct failure *why) {
     struct medium m = {.p = p, .spacing = spacing, .c = {.dim = c->dim, .n = c->n}};
-    struct settling *s = &c->settling;
     m.c.x = xcalloc(4 * c->n, sizeof *m.c.x);
     m.c.y = xcalloc(4 * c->n, sizeof *m.c.y);
     m.move = xcalloc(2 * c->n, sizeof *m.move);
@@ -174,21 +150,21 @@ int relax_cloud(const struct problem *p, const struct options *o, double spacing
     memcpy(m.c.y, c->y, c->n * sizeof *c->y);
     size_t worth = c->n / SHARE;
     int threads = o->threads < 2 || worth < 2 ? 1 : worth < (size_t)o->threads ? (int)worth : o->threads;
-    for (s->sweeps = 0;; s->sweeps++) {
-        s->moved = sweep(&m, threads);
-        if (s->moved <= SETTLED || s->sweeps == o->sweeps) break;
+    int sweeps = 0;
+    double moved = sweep(&m, threads);
+    for (; moved > SETTLED && sweeps < o->sweeps; sweeps++) {
         displace(&m);
+        moved = sweep(&m, threads);
     }
-    survey(&m, s);
     memcpy(c->x, m.c.x, c->n * sizeof *c->x);
     memcpy(c->y, m.c.y, c->n * sizeof *c->y);
     free(m.c.x);
     free(m.c.y);
     free(m.move);
-    if (s->moved <= SETTLED) return STATUS_OK;
+    if (moved <= SETTLED) return STATUS_OK;
     return refuse(
         why, STATUS_NUMERICAL,
-        "--layout relaxed: not settled after %d sweeps (--sweeps): a move is %.2g dx (root mean square), of at most "
-        "%.2g; the nearest particles are %.3g dx apart, the density spreads by %.2g %%",
-        s->sweeps, s->moved, SETTLED, s->nearest, 100 * s->spread);
+        "--layout relaxed: not settled after %d sweeps: a move is %.2g dx (root mean square), at most %.2g; "
+        "take more --sweeps",
+        sweeps, moved, SETTLED);
 }

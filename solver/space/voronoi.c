@@ -147,19 +147,28 @@ static double part_beyond(const struct mesh *m, size_t i, const struct voronoi_p
     return part < 1e-9 ? 0 : part > 1 - 1e-9 ? 1 : part;
 }
 
-static int take_block(const struct mesh *m, size_t begin, size_t end, struct voronoi *v, struct assembly_list *out,
-                      struct failure *why) {
+struct work { /* cells, or means of the initial data over them */
+    const struct mesh *m;
+    struct voronoi *v;
+    struct assembly_list part[ASSEMBLY_BLOCKS];
+    double *T; /* K */
+};
+
+static int take_cells(void *context, int b, size_t begin, size_t end, struct failure *why) {
+    struct work *w = context;
+    struct voronoi *v = w->v;
     struct voronoi_candidates c = {0};
     struct voronoi_polygon cell;
     struct voronoi_round inside;
     int status = STATUS_OK;
     for (size_t i = begin; i < end && !status; i++) {
-        status = find_cell(m, i, &c, &cell, &inside, why);
+        size_t before = w->part[b].n;
+        status = find_cell(w->m, i, &c, &cell, &inside, why);
         if (status) break;
-        add_faces(m, i, &cell, &inside, out);
-        v->begin[i + 1] = out->n;
-        v->volume[i] = m->p->shape ? inside.area : voronoi_cell_area(&cell);
-        if (v->beyond) v->beyond[i] = part_beyond(m, i, &cell);
+        add_faces(w->m, i, &cell, &inside, &w->part[b]);
+        v->begin[i + 1] = w->part[b].n - before;
+        v->volume[i] = w->m->p->shape ? inside.area : voronoi_cell_area(&cell);
+        if (v->beyond) v->beyond[i] = part_beyond(w->m, i, &cell);
     }
     free(c.at);
     return status;
@@ -242,16 +251,17 @@ static void integrate_parts(const struct problem *p, const struct mesh *m, size_
     }
 }
 
-static int average_block(const struct problem *p, const struct mesh *m, size_t begin, size_t end, double *T,
-                         struct failure *why) {
+static int take_means(void *context, int b, size_t begin, size_t end, struct failure *why) {
+    struct work *w = context;
     struct voronoi_candidates c = {0};
     struct voronoi_polygon cell;
     struct voronoi_round inside;
     int status = STATUS_OK;
+    (void)b;
     for (size_t i = begin; i < end && !status; i++) {
         double sum[2] = {0, 0};
-        status = find_cell(m, i, &c, &cell, &inside, why);
-        if (!status) integrate_parts(p, m, i, &cell, 0, 0, sum), T[i] = sum[0] / sum[1];
+        status = find_cell(w->m, i, &c, &cell, &inside, why);
+        if (!status) integrate_parts(w->m->p, w->m, i, &cell, 0, 0, sum), w->T[i] = sum[0] / sum[1];
     }
     free(c.at);
     return status;
@@ -259,54 +269,33 @@ static int average_block(const struct problem *p, const struct mesh *m, size_t b
 
 int voronoi_average(const struct problem *p, const struct cloud *c, int threads, double *T, struct failure *why) {
     struct mesh m;
-    int first_bad = ASSEMBLY_BLOCKS;
     mesh_create(&m, p, c);
-#pragma omp parallel for schedule(dynamic, 1) num_threads(threads)
-    for (int b = 0; b < ASSEMBLY_BLOCKS; b++) {
-        struct failure local;
-        size_t begin = c->n * (size_t)b / ASSEMBLY_BLOCKS, end = c->n * (size_t)(b + 1) / ASSEMBLY_BLOCKS;
-        if (average_block(p, &m, begin, end, T, &local)) {
-#pragma omp critical(average_failure)
-            if (b < first_bad) first_bad = b, *why = local;
-        }
-    }
+    int status = assembly_in_blocks(c->n, threads, take_means, &(struct work){.m = &m, .T = T}, why);
     mesh_free(&m);
-    return first_bad < ASSEMBLY_BLOCKS ? why->status : STATUS_OK;
+    return status;
 }
 
 int voronoi_create(struct voronoi *v, const struct problem *p, const struct cloud *c, int threads,
                    struct failure *why) {
     struct mesh m;
-    struct assembly_list part[ASSEMBLY_BLOCKS] = {{0, 0, NULL, NULL}};
-    size_t begin[ASSEMBLY_BLOCKS + 1];
-    int first_bad = ASSEMBLY_BLOCKS;
     *v = (struct voronoi){.n = c->n};
     v->begin = xcalloc(c->n + 1, sizeof *v->begin);
     v->volume = xcalloc(c->n, sizeof *v->volume);
     v->beyond = p->materials == 2 ? xcalloc(c->n, sizeof *v->beyond) : NULL;
     mesh_create(&m, p, c);
-    for (size_t b = 0; b <= ASSEMBLY_BLOCKS; b++) begin[b] = c->n * b / ASSEMBLY_BLOCKS;
-#pragma omp parallel for schedule(dynamic, 1) num_threads(threads)
-    for (int b = 0; b < ASSEMBLY_BLOCKS; b++) {
-        struct failure local;
-        if (take_block(&m, begin[b], begin[b + 1], v, &part[b], &local)) {
-#pragma omp critical(voronoi_failure)
-            if (b < first_bad) first_bad = b, *why = local;
-        }
-    }
+    struct work all = {.m = &m, .v = v};
+    int status = assembly_in_blocks(c->n, threads, take_cells, &all, why);
     mesh_free(&m);
-    if (first_bad == ASSEMBLY_BLOCKS) {
-        for (size_t b = 0, at = 0; b < ASSEMBLY_BLOCKS; at += part[b++].n)
-            for (size_t i = begin[b]; i < begin[b + 1]; i++) v->begin[i + 1] += at;
-        size_t faces = assembly_list_join(part, &v->point, &v->face);
+    if (!status) {
+        size_t faces = assembly_list_join(all.part, v->n, v->begin, &v->point, &v->face);
         v->bytes = faces * (sizeof *v->point + sizeof *v->face) + (v->n + 1) * sizeof *v->begin +
                    v->n * sizeof(double) * (v->beyond ? 2 : 1);
-        agree(v, c, m.spacing, threads);
+        agree(v, c, m.spacing, threads > 1 ? threads : 1);
+    } else {
+        voronoi_free(v);
     }
-    assembly_list_free(part);
-    if (first_bad == ASSEMBLY_BLOCKS) return STATUS_OK;
-    voronoi_free(v);
-    return why->status;
+    assembly_list_free(all.part);
+    return status;
 }
 
 void voronoi_free(struct voronoi *v) {

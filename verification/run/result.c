@@ -56,12 +56,6 @@ static void shape_json(const struct result *r, struct json *j) {
     json_add(j, "min %g|max %g|overshoot %g|undershoot %g|variation %g", r->shape.min, r->shape.max,
              r->shape.overshoot, r->shape.undershoot, r->shape.variation);
     json_number(j, "checkerboard", r->shape.checkerboard);
-    if (r->settling.sweeps > 0) {
-        json_object(j, "settling");
-        json_add(j, "sweeps %d|moved %g|nearest %g|spread %g", r->settling.sweeps, r->settling.moved,
-                 r->settling.nearest, r->settling.spread);
-        json_end(j);
-    }
     json_number(j, "heat_drift", r->heat_drift);
 }
 

@@ -24,7 +24,6 @@ struct result {
     struct norms_error error;
     struct norms_error interior, boundary; /* a tenth of the least extent or more from the nearest wall, and nearer */
     struct norms_shape shape;
-    struct settling settling; /* of a relaxed cloud */
     double heat_drift;
     const char *derived_name;      /* the quantity of struct experiment; NULL for none */
     double derived, derived_exact; /* numerical and exact */

@@ -88,7 +88,6 @@ static int measure(const struct experiment *e, const struct field *f, const doub
                       out->error.linf);
     if (measure_derived(e, f, out)) return out->failure.status;
     out->shape = norms_shape(p, f, reference);
-    out->settling = f->settling;
     out->heat_drift = norms_heat_drift(f);
     out->rounding = rounding(e, f, dx);
     out->cost = f->cost;

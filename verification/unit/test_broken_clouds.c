@@ -20,18 +20,18 @@ struct made {
     struct cloud c;
     double x[MOST], y[MOST], offset[MOST];
     uint32_t source[MOST];
-    signed char sign[MOST];
+    double factor[MOST];
 };
 
 static void place(struct made *m, double x, double y) {
     size_t i = m->c.n++;
-    m->x[i] = x, m->y[i] = y, m->source[i] = (uint32_t)i, m->sign[i] = 1;
+    m->x[i] = x, m->y[i] = y, m->source[i] = (uint32_t)i, m->factor[i] = 1;
     m->c.total = m->c.n;
 }
 
 static void empty(struct made *m) {
     *m = (struct made){.c = {.dim = 2, .volume = 1, .reach = 8}};
-    m->c.x = m->x, m->c.y = m->y, m->c.offset = m->offset, m->c.source = m->source, m->c.sign = m->sign;
+    m->c.x = m->x, m->c.y = m->y, m->c.offset = m->offset, m->c.source = m->source, m->c.factor = m->factor;
 }
 
 /* The particles of a square lattice but those that `left_out` says. */

@@ -84,12 +84,8 @@ static void settled_clouds(void **state) {
     struct cloud c, d, raw;
     make(&p, &o, &c);
     make(&p, &start, &raw);
-    assert_order(c.settling.sweeps, >, 5);
-    assert_order(c.settling.moved, <=, 3e-3);
-    assert_near(c.settling.nearest, nearest(&c) / 0.05, 1e-12);
     assert_order(nearest(&c), >, 0.75 * 0.05); /* grains of hexagons, 1.07 dx apart, and their borders */
     assert_order(nearest(&raw), <, 0.4 * 0.05);
-    assert_order(c.settling.spread, <, 0.01);
     for (size_t i = 0; i < c.n; i++) {
         assert_order(c.x[i], >, p.lo[0]);
         assert_order(c.x[i], <, p.hi[0]);
@@ -118,7 +114,7 @@ static void unsettled_clouds_say_how_far_they_came(void **state) {
     o.sweeps = 3;
     assert_int_equal(method_solve(&method_so_ssph, &p, &o, &f, &why), STATUS_NUMERICAL);
     assert_has(why.text, "not settled after 3 sweeps");
-    assert_has(why.text, "nearest particles are 0.");
+    assert_has(why.text, "take more --sweeps");
 }
 
 /* A step of an affine field that the walls keep: nothing may change, whatever the cloud. */
@@ -192,7 +188,6 @@ static void settled_particles_are_taken_as_they_lie(void **state) {
     assert_memory_equal(taken.x, again.x, taken.n * sizeof *taken.x);
     assert_memory_equal(taken.y, again.y, taken.n * sizeof *taken.y);
     assert_memory_equal(taken.T, again.T, taken.n * sizeof *taken.T);
-    assert_int_equal(taken.settling.sweeps, again.settling.sweeps);
     assert_true(taken.T[17] != before.T[17]);
     field_free(&before);
     field_free(&again);

@@ -276,7 +276,7 @@ static void operator_is_symmetric(void **state) {
         struct failure why;
         struct row r;
         make(&m, &kinds[k / 2], k % 2, k % 3 ? 0.213 : NAN);
-        for (size_t g = m.c.n; g < m.c.total; g++) m.c.sign[g] = 1; /* insulated */
+        for (size_t g = m.c.n; g < m.c.total; g++) m.c.factor[g] = 1; /* insulated */
         if (operator_create_csr(&a, &m.p, &m.o, method_voronoi_flux.scheme, &m.c, m.dx, &why))
             fail_msg("%s", why.text);
         double *held = xcalloc(a.n * a.n, sizeof *held);

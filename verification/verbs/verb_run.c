@@ -45,10 +45,6 @@ static void print_text(const struct result *r, const char *unit) {
     else
         printf("%.2e above and %.2e below the range of start and walls\n", r->shape.overshoot, r->shape.undershoot);
     if (!isnan(r->shape.checkerboard)) printf("  %-14s %.2e K\n", "checkerboard", r->shape.checkerboard);
-    const struct settling *c = &r->settling;
-    if (c->sweeps > 0)
-        printf("  %-14s settled in %d sweeps; nearest particles %.3g dx apart, density within %.2g %% (one sigma)\n",
-               "cloud", c->sweeps, c->nearest, 100 * c->spread);
     if (isfinite(r->heat_drift)) printf("  %-14s %.2e of the heat at the start\n", "heat drift", r->heat_drift);
     print_cost(r);
     if (r->search_updates > 0)
