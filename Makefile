@@ -48,7 +48,7 @@ MAKEFLAGS += -j$(shell getconf _NPROCESSORS_ONLN 2>/dev/null || echo 1)
 endif
 
 # Sources are found where they lie: one folder deep, tests apart.
-SOURCES := $(filter-out verification/unit/% verification/examples/%, \
+SOURCES := $(filter-out verification/unit/% verification/examples/% reports/bench/%, \
   $(wildcard $(foreach d,solver references verification reports,$(d)/*.c $(d)/*/*.c)))
 OBJECTS := $(SOURCES:%.c=$(BUILD)/%.o)
 PARTS   := $(filter-out $(BUILD)/verification/main.o,$(OBJECTS))
@@ -145,7 +145,7 @@ setup: ## Install what the build needs and this machine lacks
 # In `make -j setup test` nothing is compiled before all is there.
 ifneq ($(filter setup,$(MAKECMDGOALS)),)
 EXAMPLES := cells_c cells_f90 cvode
-$(addprefix $(BUILD)/,scenes.inc version.inc published.inc flags $(EXAMPLES:%=examples/%) peers/ftcs): | setup
+$(addprefix $(BUILD)/,scenes.inc version.inc published.inc flags $(EXAMPLES:%=examples/%)): | setup
 endif
 
 # Modes are those written here, whatever the umask and the modes of the tree.
@@ -213,7 +213,7 @@ examples: $(addprefix $(BUILD)/examples/,cells_c $(if $(shell command -v gfortra
 else # which of them can be built shows when all is there
 examples: setup-peers
 	+$(Q)$(MAKE) --no-print-directory examples
-bench-peers faults: | setup-peers
+league faults: | setup-peers
 endif
 
 $(BUILD)/examples/cells_c: verification/examples/cells.c
@@ -290,8 +290,8 @@ gallery: report stability operators walls ## Copy the figures that the README sh
 	@mkdir -p reports/gallery
 	$(Q)cp $(GALLERY:%=$(OUT)/%.svg) $(GALLERY_DATA:%=$(OUT)/%.csv) reports/gallery/
 	$(Q)scripts/record $(BUILD)/heatladder reports/gallery/session.svg
-	$(Q)if [ -f $(OUT)/peers/peers_square-step.svg ]; then cp $(OUT)/peers/peers_square-step.svg reports/gallery/; \
-	else echo "gallery: no chart of peers here (make bench-peers draws it); the old one stays"; fi
+	$(Q)if [ -f $(OUT)/league/league.svg ]; then cp $(OUT)/league/league.svg reports/gallery/; \
+	else echo "gallery: no chart of other codes here (make league draws it); the old one stays"; fi
 
 .PHONY: claims
 claims: $(BUILD)/heatladder ## Measure what the two papers state; the ledger goes to reports/out/claims
@@ -348,46 +348,27 @@ bench: $(BUILD)/heatladder ## Chart error against time and counted work, and mea
 	else echo "bench: gnuplot is not here (make setup installs it); charts were not drawn"; fi
 
 .PHONY: setup-peers
-setup-peers: ## Install the codes of others that bench-peers and league run, where the system's packages have them
+setup-peers: ## Install the codes of others that league runs, where the system's packages have them
 	$(Q)scripts/setup-peers
 
-# The peers alone are compiled for this machine, as their users would: ours picks its vectors when it runs, and they would
-# be left with the oldest.  Where the packaged SUNDIALS is not optimised, it gets kernels that are.
-PEER := $(CC) -std=c11 -D_XOPEN_SOURCE=700 -O3 -march=native -fopenmp $(WARN) -I.
-SUNDIALS := cvode arkode nvecserial sunlinsolpcg
+# The programs of other codes are compiled for this machine, as their users would.
+PEERS = $(addprefix $(BUILD)/peers/,$(if $(CVODE),cvode_square) $(if $(VORO),voro_cells))
+VORO  = $(wildcard /usr/include/voro++/voro++.hh /usr/local/include/voro++/voro++.hh)
+FAST := -O3 -march=native -ffast-math -fopenmp-simd
 
-$(BUILD)/peers/ftcs: $(addprefix verification/bench/peers/,ftcs_peer.c peer_rectangle.c peer_rectangle.h)
+$(BUILD)/peers/cvode_square: reports/bench/cvode_square.c
 	@mkdir -p $(@D)
-	@echo "  PEER  $@"
-	$(Q)$(PEER) -o $@ $(filter %.c,$^) -lm
+	$(Q)$(CC) $(FAST) -o $@ $< $(addprefix -lsundials_,cvode nvecserial sunlinsolpcg) -lm
 
-$(BUILD)/peers/sundials: $(addprefix verification/bench/peers/,sundials.c sundials_kernels.c peer_rectangle.c sundials_kernels.h peer_rectangle.h)
+$(BUILD)/peers/voro_cells: reports/bench/voro_cells.cc
 	@mkdir -p $(@D)
-	@echo "  PEER  $@"
-	$(Q)$(PEER) -o $@ $(filter %.c,$^) $(SUNDIALS:%=-lsundials_%) -lm
-
-$(BUILD)/peers/voro: verification/bench/peers/voro_peer.cc
-	@mkdir -p $(@D)
-	@echo "  PEER  $@"
-	$(Q)$(CXX) -O3 -march=native -o $@ $< -lvoro++
-
-.PHONY: bench-peers
-bench-peers: $(BUILD)/heatladder $(BUILD)/peers/ftcs ## Chart SUNDIALS, SciPy and PySPH beside ours, time Voro++ too, to reports/out/peers (see setup-peers)
-	@mkdir -p $(OUT)/peers
-	$(Q)if echo '#include <cvode/cvode.h>' | $(CC) -E -x c - >/dev/null 2>&1; then \
-	$(MAKE) -s --no-print-directory $(BUILD)/peers/sundials; fi
-	$(Q)if echo '#include <voro++/voro++.hh>' | $(CXX) -x c++ -E - >/dev/null 2>&1; then \
-	$(MAKE) -s --no-print-directory $(BUILD)/peers/voro; fi
-	$(Q)PEERS=$(BUILD)/peers PYTHON=$${PYTHON:-$$(command -v /usr/bin/python3 || echo python3)} GOMP_SPINCOUNT=10000 \
-	$(BUILD)/heatladder bench --peers $(OUT)/peers
-	$(Q)if command -v gnuplot >/dev/null; then for data in $(OUT)/peers/peers_*.csv; do \
-	scripts/plot $(OUT)/peers reports/bench/peers.gp $$data || exit 1; done; \
-	else echo "bench-peers: gnuplot is not here (make setup installs it); charts were not drawn"; fi
+	$(Q)$(CXX) $(FAST) -o $@ $< -lvoro++
 
 .PHONY: league
-league: $(BUILD)/heatladder examples ## Run the battery on every example whose code is here, to reports/out/league (see setup-peers)
+league: $(BUILD)/heatladder examples ## Run other codes (make setup-peers): the battery, and error against time beside ours
 	@mkdir -p $(OUT)/league
-	$(Q)scripts/league $(BUILD)/heatladder $(BUILD)/examples $(OUT)/league
+	+$(Q)$(MAKE) -s --no-print-directory $(PEERS)
+	$(Q)scripts/league $(BUILD)/heatladder $(BUILD) $(OUT)/league
 	$(Q)if command -v gnuplot >/dev/null; then scripts/plot $(OUT)/league reports/bench/league.gp $(OUT)/league/league.csv; \
 	else echo "league: gnuplot is not here (make setup installs it); the chart was not drawn"; fi
 

@@ -25,8 +25,8 @@ static const struct part {
     const char *text;    /* what it shows */
     const char *command; /* what makes it */
 } parts[] = {
-    {"Error against time", FIGURE, "peers/peers_square-step.svg", "peers/peers_square-step.csv",
-     "Error against time on the square: the methods of this suite and other codes", "make setup-peers bench-peers"},
+    {"Error against time", FIGURE, "league/league.svg", "league/league.csv",
+     "Error against time on the square: the methods of this suite and other codes", "make setup-peers league"},
     {"Error against time", FIGURE, "matched_fig1.svg", "matched_fig1.csv",
      "Error against counted work on the square: as published, and with matched step, start and smoothing length",
      "make report"},

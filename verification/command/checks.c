@@ -78,8 +78,6 @@ static int check_options(const struct request *r, struct failure *why) {
     if (r->rungs.fine > 0 && r->experiment.method && r->experiment.method->scheme)
         return refuse(why, STATUS_INPUT, "--fine: what %s is to reach in time is known; leave it out",
                       r->experiment.method->name);
-    if (r->peers && r->json)
-        return refuse(why, STATUS_INPUT, "--peers prints text, and writes CSV into DIR: leave out --json");
     const struct numbers *e = &r->rungs.expect;
     if (e->count && !(e->count == 2 && e->value[0] < e->value[1]))
         return refuse(why, STATUS_INPUT, "--expect %.60s: needs LO,HI with LO < HI, such as 1.9,2.1", e->text);

@@ -45,7 +45,6 @@ struct request {
     const char *run_case;    /* case: the directory of the one to run; NULL for none */
     int battery;             /* case: 1: the cases of the battery */
     const char *bench_scene; /* bench: the one scene; NULL for all */
-    int peers;               /* bench: 1: the codes of others beside ours */
     const char *field_path, *json_path, *junit_path, *page_path; /* NULL where not asked for */
     int warm_up;                                                 /* 1: what is timed comes after 0.1 s of the same */
     int json;                                                    /* 1: JSON on standard output instead of text */

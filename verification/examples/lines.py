@@ -8,6 +8,7 @@ walls) at the centres of the cells and of the faces on the sides.  $HEATLADDER i
 import os
 import subprocess
 import sys
+import time
 
 import numpy as np
 from scipy.integrate import solve_ivp
@@ -73,7 +74,10 @@ cells, frame = number[inside].ravel(), np.setdiff1d(number, number[inside])
 per_capacity = diags(1 / rho_c[inside].ravel())
 A = csc_matrix(per_capacity @ L[cells][:, cells])
 constant = per_capacity @ (L[cells][:, frame] @ T.ravel()[frame] + source[inside].ravel())
+begin = time.perf_counter()
 march = solve_ivp(lambda t, T: A @ T + constant, (0, t_end), T[inside].ravel(), "BDF", jac=A, rtol=1e-8, atol=1e-10)
 
-np.savetxt(sys.argv[2], np.column_stack([points[cells], march.y[:, -1]]), "%.17g", ",", comments="",
-           header=",".join(["x", "y"][:dim] + ["T"]))
+seconds = time.perf_counter() - begin
+
+header = f"# seconds = {seconds:.9g}\n" + ",".join(["x", "y"][:dim] + ["T"])
+np.savetxt(sys.argv[2], np.column_stack([points[cells], march.y[:, -1]]), "%.17g", ",", header=header, comments="")

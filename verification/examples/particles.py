@@ -10,6 +10,7 @@ program.
 import os
 import subprocess
 import sys
+import time
 
 import numpy as np
 from pysph.base.kernels import CubicSpline
@@ -109,6 +110,7 @@ evaluation.set_nnps(LinkedListNNPS(dim, [body], radius_scale=2, fixed_h=True, ca
 
 fastest = (sum(k[d] / width[d] ** 2 for d in range(dim)) / rho_c).max()
 steps = int(np.ceil(t_end * fastest / 0.25))
+begin = time.perf_counter()
 for step in range(steps):
     for d, ghost, image, a, s in ghosts:
         np.moveaxis(T, d, 0)[ghost] = a + s * np.moveaxis(T, d, 0)[image]
@@ -116,5 +118,8 @@ for step in range(steps):
     evaluation.compute(0.0, t_end / steps)
     T = T + t_end / steps * (source + body.rate.reshape(T.shape)) / rho_c
 
+seconds = time.perf_counter() - begin
+
 answer = [column.reshape(T.shape)[inside].ravel() for column in x + [T]]
-np.savetxt(sys.argv[2], np.column_stack(answer), "%.17g", ",", comments="", header=",".join(["x", "y"][:dim] + ["T"]))
+header = f"# seconds = {seconds:.9g}\n" + ",".join(["x", "y"][:dim] + ["T"])
+np.savetxt(sys.argv[2], np.column_stack(answer), "%.17g", ",", header=header, comments="")

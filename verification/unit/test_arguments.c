@@ -149,7 +149,6 @@ static const struct refusal {
     {"page out", "'page' is a study of report: heatladder report page DIR"},
     {"report sonng", "unknown study 'sonng'; did you mean 'song'?"},
     {"report here song", "unknown study 'here' (valid: song, "},
-    {"bench --peers --json", "--peers prints text, and writes CSV into DIR: leave out --json"},
     {"run rod-step ftcs --dx 0.1 --kernel cubic", "--kernel has no meaning for ftcs; it has for "},
     {"run rod-step ftcs --dx 0.1 --order 3", "it has for so_ssph"},
     {"run rod-step so_ssph --dx 0.1 --kernel cubci", "unknown kernel 'cubci'; did you mean 'cubic'?"},
@@ -291,7 +290,6 @@ static const char *const taken[] = {
     "verify --solver '{case}{out}' --order 2 --seed 3 --jobs 1 --timeout 1 --keep k",
     "verify --solver '{case}{out}' --jobs 1024 --resume k",
     "bench --json",
-    "bench --peers here",
     "report ./sonng",
 };
 

@@ -3,7 +3,6 @@
  * and nothing is left beside them.  The signal comes at a chosen call of the C library, so that a test is the same
  * each time: when a clock is read amid the runs, when a file is opened that is not in its place yet, when it is put
  * there. */
-#include "verification/bench/peers.h"
 #include "verification/command/arguments.h"
 #include "verification/command/verb.h"
 #include "verification/text/whole_file.h"
@@ -16,7 +15,6 @@
 #include <fcntl.h>
 #include <glob.h>
 #include <omp.h>
-#include <poll.h>
 #include <signal.h>
 #include <stdarg.h>
 #include <stdatomic.h>
@@ -175,45 +173,11 @@ static void studies_leave_nothing(void **state) {
     }
 }
 
-/* ---- Programs of others ---- */
-
-/* Every process below `child` holds the writing end of a pipe: its reader sees the end when all of them are gone. */
-static void peers_end_too(void **state) {
-    (void)state;
-    static const int signals[] = {SIGINT, SIGTERM};
-    for (int i = 0; i < 2; i++) {
-        int ends[2], status;
-        char command[100];
-        assert_int_equal(pipe(ends), 0);
-        pid_t child = fork();
-        assert_order(child, >=, 0);
-        if (child == 0) {
-            struct failure why;
-            signal(signals[i], SIG_DFL);
-            setenv("TMPDIR", scratch, 1);
-            snprintf(command, sizeof command, "kill -%d %ld; sleep 100; : {case} {out}", signals[i], (long)getpid());
-            struct peer table[] = {{.scene = "rod-cosine", .side = "1", .who = "slow", .command = command, .n = {10}},
-                                   {.scene = NULL}};
-            struct peers all = {.threads = 1, .runs = fopen("/dev/null", "w")};
-            _exit(peers_run(table, NULL, &all, &why));
-        }
-        close(ends[1]);
-        assert_int_equal(waitpid(child, &status, 0), child);
-        assert_true(WIFSIGNALED(status));
-        assert_int_equal(WTERMSIG(status), signals[i]);
-        struct pollfd reader = {.fd = ends[0], .events = POLLIN};
-        assert_int_equal(poll(&reader, 1, 20000), 1); /* ms: a failure's patience; all are gone by now */
-        close(ends[0]);
-        assert_int_equal(clear(scratch), 0);
-    }
-}
-
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(report_is_whole),
         cmocka_unit_test(claims_are_whole),
         cmocka_unit_test(studies_leave_nothing),
-        cmocka_unit_test(peers_end_too),
     };
     return cmocka_run_group_tests_name("interrupts", tests, make_directories, remove_directories);
 }
