@@ -25,13 +25,36 @@ struct word { /* one option as typed: --name value, or --name=value */
     const char *value; /* NULL for a flag */
 };
 
-/* Studies that were verbs of their own. */
-static const char *const studies[] = {"operators", "stability", "claims", "page", NULL};
+/* Words of earlier releases, and their replacements. */
+static const struct {
+    const char *word, *instead;
+} removed[] = {
+    {"operators", "heatladder report operators DIR"},
+    {"stability", "heatladder report stability DIR"},
+    {"claims", "heatladder report claims DIR"},
+    {"page", "heatladder report page DIR"},
+    {"choose", "heatladder bench, which charts error against time"},
+    {"plan", "heatladder run, which refuses a run that needs more memory than is free"},
+    {"--run", "a batch engine on DIR/cases.txt, then heatladder verify --results DIR"},
+    {"--resume", "--keep DIR, then heatladder verify --results DIR"},
+    {"--peers", "make league"},
+    {"--time-error", "--fourier F; heatladder ladder --fourier A,B,C fits the order in time"},
+    {"--redraw", "--layout jitter or relaxed"},
+};
+
+/* Refuses a removed word; STATUS_OK for any other. */
+static int check_removed(const char *dashes, const char *name, struct failure *why) {
+    char word[40];
+    snprintf(word, sizeof word, "%s%.30s", dashes, name);
+    for (size_t i = 0; i < sizeof removed / sizeof *removed; i++)
+        if (strcmp(word, removed[i].word) == 0)
+            return refuse(why, STATUS_INPUT, "%s is removed; use %s", word, removed[i].instead);
+    return STATUS_OK;
+}
 
 static int unknown_verb(const char *name, struct failure *why) {
     const char *names[WORDS_MAX] = {0};
-    if (words_index(studies, name) >= 0)
-        return refuse(why, STATUS_INPUT, "'%s' is a study of report: heatladder report %s DIR", name, name);
+    if (check_removed("", name, why)) return why->status;
     for (int i = 0; verbs[i].name && i < WORDS_MAX - 1; i++) names[i] = verbs[i].name;
     return words_unknown(names, "verb", name, why);
 }
@@ -104,6 +127,7 @@ static int unknown_option(const struct verb *v, const char *name, struct failure
         if (strcmp(o->name, name) == 0)
             return refuse(why, STATUS_INPUT, "--%s has no meaning for %s (see: heatladder %s --help)", name, v->name,
                           v->name);
+    if (check_removed("--", name, why)) return why->status;
     const char *nearest = words_nearest(names, name);
     return refuse(why, STATUS_INPUT, "unknown option --%.60s%s%s%s (see: heatladder %s --help)", name,
                   nearest ? "; did you mean --" : "", nearest ? nearest : "", nearest ? "?" : "", v->name);

@@ -11,18 +11,8 @@
 #include <math.h>
 #include <string.h>
 
-/* Cases to write, of a scene or of the battery; or one to run. */
+/* Cases of a scene or of the battery. */
 static int check_case(const struct request *r, struct failure *why) {
-    const struct program *g = &r->experiment.program;
-    if (r->run_case) {
-        if (r->experiment.scene || r->battery || r->into)
-            return refuse(why, STATUS_INPUT, "--run DIR runs the case that is there: leave out %s",
-                          r->into      ? "--into"
-                          : r->battery ? "--battery"
-                                       : r->experiment.scene->name);
-        return g->solver ? STATUS_OK : refuse(why, STATUS_INPUT, "--run DIR needs --solver 'CMD'");
-    }
-    if (g->solver) return refuse(why, STATUS_INPUT, "case --solver needs --run DIR: the case to be run");
     if (r->experiment.scene && r->battery) return refuse(why, STATUS_INPUT, "--battery has scenes of its own");
     if (!r->experiment.scene && !r->battery)
         return refuse(why, STATUS_INPUT,
@@ -36,7 +26,7 @@ int checks_required(const struct request *r, struct failure *why) {
     if (words_among(r->verb->options, "vary") && !r->rungs.dx.count && !r->experiment.program.results)
         return refuse(why, STATUS_INPUT, "%s needs --dx A,B,C,..., or --results DIR with a directory a spacing",
                       r->verb->name);
-    if (words_among(r->verb->options, "run-case") && check_case(r, why)) return why->status;
+    if (words_among(r->verb->options, "into") && check_case(r, why)) return why->status;
     for (const struct option *o = options_table; o->key; o++)
         if (words_among(r->verb->required, o->key) && !r->given[o - options_table])
             return refuse(why, STATUS_INPUT, "%s needs --%s %s: %s", r->verb->name, o->name, o->value, o->about);
@@ -55,13 +45,6 @@ static int check_options(const struct request *r, struct failure *why) {
         return refuse(why, STATUS_INPUT, "--jitter %g: needs --layout jitter or relaxed", o->jitter);
     if (o->sweeps > 0 && o->layout != LAYOUT_RELAXED)
         return refuse(why, STATUS_INPUT, "--sweeps %d: needs --layout relaxed", o->sweeps);
-    if (r->experiment.time_error > 0 && (r->rungs.dt.count || r->rungs.fourier.count))
-        return refuse(why, STATUS_INPUT, "--time-error %g: finds the time step; leave out --dt and --fourier",
-                      r->experiment.time_error);
-    if (r->experiment.time_error > 0 && stepper && stepper->order == 0)
-        return refuse(why, STATUS_INPUT,
-                      "--time-error %g: --stepper %s leaves no time step to choose; euler, rk2 and rkl2 do",
-                      r->experiment.time_error, stepper->name);
     if (o->xi > 0 && o->volume != VOLUME_TUNED)
         return refuse(why, STATUS_INPUT, "--xi %g: needs --volume tuned", o->xi);
     if (r->at.count > 2 || (r->at.count && r->experiment.scene && r->at.count != r->experiment.problem.dim))
@@ -106,10 +89,7 @@ static int check_program(const struct request *r, struct failure *why) {
         return refuse(why, STATUS_INPUT, "--solver runs a program, --results judges what one left: give one of them");
     if (!g->solver && (g->keep || g->timeout > 0))
         return refuse(why, STATUS_INPUT, "--%s needs --solver 'CMD'", g->keep ? "keep" : "timeout");
-    if (!g->solver && (r->jobs || r->resume))
-        return refuse(why, STATUS_INPUT, "--%s needs --solver 'CMD'", r->jobs ? "jobs" : "resume");
-    if (r->resume && g->keep)
-        return refuse(why, STATUS_INPUT, "--resume DIR keeps what it runs there too: leave out --keep");
+    if (!g->solver && r->jobs) return refuse(why, STATUS_INPUT, "--jobs needs --solver 'CMD'");
     if (r->order && !r->battery && !program_given(g) && words_among(r->verb->options, "order-of"))
         return refuse(why, STATUS_INPUT, "--order needs --solver, --results or --battery: of which code?");
     for (const struct option *o = options_table; o->key; o++)

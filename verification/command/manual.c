@@ -125,7 +125,7 @@ static const char *const files[][2] = {
     {"DIR/cases.txt", "Directories of the cases that the verb case wrote, one a line."},
     {"DIR/SCENE/DX/case", "A case: key = value, one a line."},
     {"DIR/SCENE/DX/out.csv", "The answer to the case beside it, written by your program."},
-    {"DIR/SCENE/DX/log", "Output of your program, with --keep or --resume."},
+    {"DIR/SCENE/DX/log", "Output of your program, with --keep."},
     {"share/heatladder/examples", "Example programs, in the directory of the installation."},
     {0}};
 

@@ -41,8 +41,6 @@ struct request {
     int order;               /* battery: of the code in space; 0: 2 */
     unsigned long draw;      /* battery: the seed of its draw; 0: as it is written */
     int jobs;                /* verify: cases of a program side by side; 0: 1 */
-    const char *resume;      /* verify: the directory that --keep left; NULL for none */
-    const char *run_case;    /* case: the directory of the one to run; NULL for none */
     int battery;             /* case: 1: the cases of the battery */
     const char *bench_scene; /* bench: the one scene; NULL for all */
     const char *field_path, *json_path, *junit_path, *page_path; /* NULL where not asked for */

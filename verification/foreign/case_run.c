@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The same for `verify`, which runs all cases, and for an engine, which runs each by `case --run`. */
+/* One case: old answers removed, the command filled in, run, and its exit status kept. */
 #include "verification/foreign/case_run.h"
 
 #include "solver/status.h"
@@ -12,10 +12,9 @@
 #include <string.h>
 #include <unistd.h>
 
-enum { PATH_SIZE = 1100, SKIPPED = 77 };
+enum { PATH_SIZE = 1100 };
 
-/* out.vtu is refused by what stands in it: a user who has it reads why. */
-static const char *const answers[] = {"out.csv", "out.npy", "out.vtk", "out.vtu", "out.dat", NULL};
+static const char *const answers[] = {"out.csv", "out.npy", "out.dat", NULL};
 
 /* What may stand in the place of {out}: NumPy's save() adds the ending itself. */
 static const char *const parts[][2] = {{"out.part", "out.csv"}, {"out.part.npy", "out.npy"}};
@@ -41,12 +40,6 @@ int case_run_answer(const char *dir, char *path, unsigned long size) {
     }
     snprintf(path, size, "%s/%s", dir, answers[0]);
     return 0;
-}
-
-int case_run_is_over(const char *dir) {
-    char path[PATH_SIZE];
-    int status = case_run_status(dir);
-    return status == SKIPPED || (status <= 0 && case_run_answer(dir, path, sizeof path));
 }
 
 /* The command with what is between braces replaced, to be freed; braces of any other word stay. */

@@ -30,11 +30,8 @@ int case_run(const struct case_run *c, struct scratch *scratch, int *code, struc
 /* The exit status that `dir` has; -1 for none. */
 int case_run_status(const char *dir);
 
-/* 1 where `dir` has an answer (out.csv, out.npy, out.vtk, out.dat), whose path then stands in `path` of `size`
+/* 1 where `dir` has an answer (out.csv, out.npy, out.dat), whose path then stands in `path` of `size`
  * letters; else the path of the first of them. */
 int case_run_answer(const char *dir, char *path, unsigned long size);
-
-/* 1 where the case in `dir` needs no run: it has an answer, or the program has said that it is not for it. */
-int case_run_is_over(const char *dir);
 
 #endif

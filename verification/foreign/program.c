@@ -17,7 +17,6 @@
 #include "verification/foreign/scratch.h"
 #include "verification/text/atomic_file.h"
 #include "verification/text/output.h"
-#include "verification/text/whole_file.h"
 #include "verification/text/words.h"
 
 #include <errno.h>
@@ -40,12 +39,11 @@ const char program_help[] =
     "The answer is a table: the line x,T (x,y,T for a rectangle), then one line for each point, separated by\n"
     "commas, semicolons or blanks.  The program chooses its points: they cover the domain at a spacing of dx.\n"
     "A column w holds the weights of the norms; without it all points have the same weight.\n"
-    "--columns 'x=X,y=Y,T=temp,w=volume' gives the names of the columns, or their numbers (T=3).  Legacy ASCII\n"
-    "VTK is read too (its points, and the point data T), and NumPy's .npy (these columns, or named fields).  VTU\n"
-    "is not.  The lines `# seconds = S`, `# steps = N` and `# updates = N` of a table may give the time, steps\n"
-    "and updates of the solve alone.\n"
+    "--columns 'x=X,y=Y,T=temp,w=volume' gives the names of the columns, or their numbers (T=3).  NumPy's .npy\n"
+    "is read too (these columns, or named fields).  The lines `# seconds = S`, `# steps = N` and `# updates = N`\n"
+    "of a table may give the time, steps and updates of the solve alone.\n"
     "\n"
-    "--results DIR judges existing answers: DIR/SCENE/DX/out.csv (or out.npy, out.vtk, out.dat), beside\n"
+    "--results DIR judges existing answers: DIR/SCENE/DX/out.csv (or out.npy, out.dat), beside\n"
     "the case files of `heatladder case SCENE --dx A,B,C --into DIR`.  With --set it first looks for\n"
     "DIR/SCENE/NAME=VALUE,.../DX, as `heatladder case --battery` writes it.\n";
 
@@ -135,24 +133,6 @@ static void case_text(const struct program *g, const struct scene *s, const stru
     fclose(out);
 }
 
-/* After the line of the label, which names the program alone. */
-static const char *after_label(const char *text) {
-    const char *label = strstr(text, "\nlabel = "), *end = label ? strchr(label + 1, '\n') : NULL;
-    return end ? end : text;
-}
-
-/* Whether `dir` has the same case, answered by an earlier call. */
-static int is_resumed(const struct program *g, const char *dir, const char *text) {
-    char path[RESULTS_PATH + 16];
-    snprintf(path, sizeof path, "%s/case", dir);
-    if (!g->runs || !runs_resumed(g->runs) || !case_run_is_over(dir)) return 0;
-    char *old = whole_file_at(path, NULL);
-    int same =
-        old && strcmp(after_label(old), after_label(text)) == 0 && strncmp(old, text, strcspn(text, "\n") + 1) == 0;
-    free(old);
-    return same;
-}
-
 static int run_in(const struct program *g, const struct options *o, const char *dir, const char *text,
                   const char *label, struct scratch *scratch, int *code, struct failure *why) {
     char dx[40];
@@ -162,10 +142,6 @@ static int run_in(const struct program *g, const struct options *o, const char *
     if (output_close(&page, 1, why)) return why->status;
     struct case_run run = {dir, g->solver, dx, *g->vary ? g->vary : NULL, g->value, label, g->timeout};
     return case_run(&run, scratch, code, why);
-}
-
-static int skipped_before(struct failure *why) {
-    return refuse(why, STATUS_SKIPPED, "not applicable (exit status 77)");
 }
 
 /* Runs the case at its turn, in the directory of --keep or in a scratch; `dir` becomes the one that was taken. */
@@ -181,12 +157,7 @@ static int run_in_turn(const struct program *g, const struct scene *s, const str
     const char *shared = turn == RUNS_NOW && g->keep ? dir : NULL;
     if (!shared) snprintf(dir, RESULTS_PATH, "%s", scratch->dir);
     double begin = omp_get_wtime();
-    if (shared && is_resumed(g, dir, text)) {
-        code = case_run_status(dir);
-        if (code > 0) skipped_before(why);
-    } else {
-        run_in(g, o, dir, text, label, scratch, &code, why);
-    }
+    run_in(g, o, dir, text, label, scratch, &code, why);
     *seconds = omp_get_wtime() - begin;
     if (g->runs) runs_end(g->runs, shared, code, *seconds, why);
     return why->status;
@@ -239,7 +210,7 @@ static int solve_later(const struct program *g, const struct scene *s, const str
     if (place_below(g, g->results, s, o, dir))
         return refuse(why, STATUS_INPUT, "--results '%.200s': too long a path", g->results);
     int answered = case_run_answer(dir, path, sizeof path), code = case_run_status(dir);
-    if (code == STATUS_SKIPPED) return skipped_before(why);
+    if (code == STATUS_SKIPPED) return refuse(why, STATUS_SKIPPED, "not applicable (exit status 77)");
     if (!answered && code > 0)
         return refuse(why, STATUS_NUMERICAL, "%.300s: the program ended with exit status %d (%.300s/log)", path, code,
                       dir);

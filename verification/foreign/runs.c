@@ -30,7 +30,7 @@ struct runs {
     struct waiter *first;
     pthread_mutex_t lock;
     pthread_cond_t changed;
-    int jobs, going, ended, total, resume, absent, answered;
+    int jobs, going, ended, total, absent, answered;
     double start;
     struct run *run;
     size_t count;
@@ -38,9 +38,9 @@ struct runs {
     struct progress *progress;
 };
 
-struct runs *runs_create(int jobs, int total, int resume, struct progress *progress) {
+struct runs *runs_create(int jobs, int total, struct progress *progress) {
     struct runs *r = xcalloc(1, sizeof *r);
-    r->jobs = jobs, r->total = total, r->resume = resume, r->progress = progress;
+    r->jobs = jobs, r->total = total, r->progress = progress;
     r->start = omp_get_wtime();
     pthread_mutex_init(&r->lock, NULL);
     pthread_cond_init(&r->changed, NULL);
@@ -150,10 +150,6 @@ void runs_end(struct runs *r, const char *dir, int code, double seconds, const s
     }
     pthread_cond_broadcast(&r->changed);
     pthread_mutex_unlock(&r->lock);
-}
-
-int runs_resumed(const struct runs *r) {
-    return r->resume;
 }
 
 int runs_absent(const struct runs *r, struct failure *why) {

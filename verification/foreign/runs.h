@@ -9,9 +9,9 @@ struct failure;
 struct progress;
 struct runs;
 
-/* At most `jobs` at a time, of some `total` cases.  resume: an answer in a case's directory is taken.
- * *progress shows what is run; NULL for nowhere.  End with runs_free. */
-struct runs *runs_create(int jobs, int total, int resume, struct progress *progress);
+/* At most `jobs` at a time, of some `total` cases.  *progress shows what is run; NULL for nowhere.  End with
+ * runs_free. */
+struct runs *runs_create(int jobs, int total, struct progress *progress);
 void runs_free(struct runs *r);
 
 enum runs_turn {
@@ -28,8 +28,6 @@ enum runs_turn runs_begin(struct runs *r, const char *dir, const char *text, con
 
 /* After RUNS_NOW and RUNS_APART (dir NULL); `code` is the exit status, as a shell has it. */
 void runs_end(struct runs *r, const char *dir, int code, double seconds, const struct failure *why);
-
-int runs_resumed(const struct runs *r); /* 1 where runs_create was asked to */
 
 /* 1 where the first case could not be run at all, with the reason in *why. */
 int runs_absent(const struct runs *r, struct failure *why);

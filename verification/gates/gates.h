@@ -71,10 +71,9 @@ int gates_rungs(const struct gate *gate, const struct program *program);
 void gates_run(struct gates *g);
 
 /* Runs all by the command of g->program, `jobs` cases side by side, and says of each row how it ended on standard
- * error.  resume: the directory whose answers are taken, and where others are kept; NULL for none.  An interrupt,
- * which the caller holds (text/atomic_file.h), leaves the rows that are not judged yet.  STATUS_OK; STATUS_INPUT with
- * *why where the program is not there. */
-int gates_run_program(struct gates *g, int jobs, const char *resume, struct failure *why);
+ * error.  An interrupt, which the caller holds (text/atomic_file.h), leaves the rows that are not judged yet.
+ * STATUS_OK; STATUS_INPUT with *why where the program is not there. */
+int gates_run_program(struct gates *g, int jobs, struct failure *why);
 
 /* After an interrupt: leaves the rows that were judged. */
 void gates_cut(struct gates *g, int signal);

@@ -45,15 +45,14 @@ static void run_rows(struct gates *g, int jobs, const struct program *program, s
     free(order);
 }
 
-int gates_run_program(struct gates *g, int jobs, const char *resume, struct failure *why) {
+int gates_run_program(struct gates *g, int jobs, struct failure *why) {
     struct program program = *g->program;
     struct scratch scratch;
     struct progress progress = progress_start("rows", g->declared);
-    if (resume) program.keep = resume;
     int kept = program.keep != NULL;
     if (!kept && scratch_open(&scratch, why)) return why->status;
     if (!kept) program.keep = scratch.dir;
-    program.runs = runs_create(jobs, gates_runs(g), resume != NULL, &progress);
+    program.runs = runs_create(jobs, gates_runs(g), &progress);
     run_rows(g, jobs, &program, &progress);
     progress_end(&progress);
     for (int i = 0; i < g->declared; i++) g->executed += g->result[i].executed;

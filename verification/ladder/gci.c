@@ -196,7 +196,7 @@ static int find_answer(const char *dir, double h, char path[RESULTS_PATH + 16], 
     char of[RESULTS_PATH];
     if (results_directory(dir, h, of)) return refuse(why, STATUS_INPUT, "--results '%.200s': too long a path", dir);
     if (case_run_answer(of, path, RESULTS_PATH + 16)) return STATUS_OK;
-    return refuse(why, STATUS_INPUT, "%.300s: no answer; out.csv, out.npy, out.vtk or out.dat is wanted", of);
+    return refuse(why, STATUS_INPUT, "%.300s: no answer; out.csv, out.npy or out.dat is wanted", of);
 }
 
 int gci_read(const char *dir, const struct column_map *c, const struct numbers *at, struct gci *g,

@@ -1,14 +1,11 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* What users rely on, as gates: that a part stands for the whole, that the time error asked for is met and not by
- * far more than was asked. */
+/* The part of a symmetric problem gives the field of the whole. */
 #include "verification/measures/measures.h"
 
 #include "verification/run/symmetry.h"
 #include "verification/command/request.h"
-#include "verification/run/run.h"
 
 #include <math.h>
-#include <stdlib.h>
 
 /* The error beside it: how far the two fields are apart, K. */
 void measures_symmetry(const struct request *r, double lo, double hi, struct measured *m) {
@@ -26,17 +23,4 @@ void measures_symmetry(const struct request *r, double lo, double hi, struct mea
     }
     field_free(&a);
     field_free(&b);
-}
-
-void measures_time_error(const struct request *r, double lo, double hi, struct measured *m) {
-    struct experiment exact = r->experiment;
-    struct result result;
-    struct field reference;
-    exact.time_error = 0;
-    exact.options.stepper = STEPPER_EXACT;
-    if (measures_run(&exact, &result, &reference, m)) return;
-    int status = run_against(&r->experiment, reference.T, 0, &result);
-    measures_fail(m, &result.failure);
-    if (!status) measures_judge(m, result.error.l1 / r->experiment.time_error, lo, hi);
-    field_free(&reference);
 }

@@ -15,7 +15,6 @@ struct experiment {
     struct problem problem; /* set up from the scene and its parameters */
     struct options options;
     double memory;       /* GB that a run may take; 0: what is there */
-    double time_error;   /* E1 that the time step may make up; 0: not asked for */
     int growth;          /* 1: growing modes are looked for */
     const char *derived; /* the quantity that is measured beside the field, as typed; NULL for none */
     struct quantity quantity;

@@ -11,9 +11,7 @@
  * which it is 1 % of the error of T_inf, and the run at that N is measured against the one before.
  *
  * Polynomials in time (semidiscrete.c) need no such search: two runs that agree show how small their error is.
- *
- * For --time-error the steps are halved until the error is what is asked for; then the longest step is looked for: a
- * run of fewer steps is measured against T_inf.  Norms are E1's. */
+ * Norms are E1's. */
 #include "verification/run/time_step.h"
 #include "solver/time/stepper.h"
 
@@ -65,7 +63,7 @@ static int order_of(const struct options *o) {
 static double first_steps(const struct experiment *e) {
     const struct options *o = &e->options;
     double steps = e->problem.t_end * problem_diffusivity(&e->problem) / (FOURIER / e->problem.dim * o->dx * o->dx);
-    if (o->stepper == STEPPER_RKL2) steps = e->time_error > 0 ? 2 : sqrt(steps) / 2; /* some ten stages a step */
+    if (o->stepper == STEPPER_RKL2) steps = sqrt(steps) / 2; /* some ten stages a step */
     return fmax(1, ceil(steps));
 }
 
@@ -82,15 +80,11 @@ struct estimate {
     double time, whole, space;
 };
 
-static int within_reach(double steps, double particles, int order) {
-    return steps * particles * order <= TIME_STEP_UPDATES_MAX;
-}
-
 /* The number of steps after `steps`, which gave the estimate; the same where its time error is small enough. */
 static double next_steps(double steps, struct estimate e, double particles, int order) {
     if (e.time <= SHARE * e.whole || e.time <= FLOOR) return steps;
     double more = ceil(steps * fmax(1.1, pow(e.time / (MARGIN * SHARE * e.space), 1.0 / order)));
-    return within_reach(more, particles, order) ? more : steps;
+    return more * particles * order <= TIME_STEP_UPDATES_MAX ? more : steps;
 }
 
 static double size_of(const struct search *s, const struct trial *t) { /* e */
@@ -145,50 +139,11 @@ static int refine(struct search *s, double *time_error, struct failure *why) {
     return status;
 }
 
-/* Replaces the finer run, whose time error is `time`, by one of fewer steps where e->time_error allows it. */
-static void coarsen(struct search *s, double time, double *time_error) {
-    double asked = s->e->time_error, *limit = find_limit(s);
-    double most = s->fine.steps, steps = most * pow(time / asked, 1.0 / s->order);
-    struct failure ignored;
-    *time_error = time / whole_error(s, &s->fine.field);
-    for (double more = 1; more * steps < 0.98 * most; more *= 1.05) {
-        struct trial t = {0};
-        if (try_steps(s, ceil(more * steps), &t, &ignored)) continue; /* unstable */
-        double error = field_distance(&t.field, limit, s->exact);
-        if (error <= asked) {
-            *time_error = error / whole_error(s, &t.field);
-            field_free(&s->fine.field);
-            s->fine = t;
-            break;
-        }
-        field_free(&t.field);
-    }
-    free(limit);
-}
-
-/* Halves the step until the time error is what is asked for. */
-static int reach(struct search *s, double *time_error, struct failure *why) {
-    double asked = s->e->time_error, time = compare(s).time;
-    while (!(time <= asked)) {
-        if (!within_reach(2 * s->fine.steps, (double)s->fine.field.n, s->order))
-            return refuse(why, STATUS_GATE,
-                          "--time-error %g: %g after %.0f steps, and twice as many are past %g updates", asked, time,
-                          s->fine.steps, TIME_STEP_UPDATES_MAX);
-        int status = replace(s, 2 * s->fine.steps, why);
-        if (status) return status;
-        time = compare(s).time;
-    }
-    coarsen(s, time, time_error);
-    return STATUS_OK;
-}
-
-/* Bytes held beside a run while its time step is searched for, of n points and `answer` bytes a run: the exact
- * temperatures and the run before; by polynomials the run before alone; for --time-error two runs and the
- * temperatures without time error too. */
-static size_t search_bytes(const struct experiment *e, size_t n, size_t answer) {
-    size_t array = n * sizeof(double);
-    if (e->options.stepper == STEPPER_CHEBYSHEV) return answer;
-    return e->time_error > 0 ? 2 * array + 2 * answer : array + answer;
+/* Bytes held beside a run while its time step is searched for: the run before, and the exact temperatures unless
+ * polynomials take the steps. */
+static size_t search_bytes(const struct experiment *e, const struct field *f) {
+    size_t array = f->n * sizeof *f->T, answer = array * (size_t)(f->dim + 1 + (f->weight != NULL));
+    return e->options.stepper == STEPPER_CHEBYSHEV ? answer : array + answer;
 }
 
 static int solve_searched(const struct experiment *e, struct field *f, struct time_step *stepping,
@@ -200,7 +155,7 @@ static int solve_searched(const struct experiment *e, struct field *f, struct ti
     norms_exact(e->scene, &e->problem, &s.coarse.field, s.exact);
     status = norms_check(&s.coarse.field, s.exact, why);
     if (!status) status = try_stable(&s, 2 * s.coarse.steps, LATER_HALVINGS, &s.fine, why);
-    if (!status) status = (e->time_error > 0 ? reach : refine)(&s, &stepping->time_error, why);
+    if (!status) status = refine(&s, &stepping->time_error, why);
     free(s.exact);
     field_free(&s.coarse.field);
     if (status) {
@@ -208,7 +163,7 @@ static int solve_searched(const struct experiment *e, struct field *f, struct ti
         return status;
     }
     *f = s.fine.field;
-    f->cost.bytes += search_bytes(e, f->n, f->n * sizeof *f->T * (size_t)(f->dim + 1 + (f->weight != NULL)));
+    f->cost.bytes += search_bytes(e, f);
     stepping->updates = s.updates - f->cost.updates;
     return STATUS_OK;
 }
@@ -223,7 +178,7 @@ static int solve_by_polynomials(const struct experiment *e, struct field *f, str
     *f = s.field;
     stepping->time_error = s.error / norms_error(&e->problem, f, exact, NORMS_ALL, 0).l1;
     stepping->updates = s.updates;
-    f->cost.bytes += search_bytes(e, f->n, f->n * sizeof *f->T * (size_t)(f->dim + 1 + (f->weight != NULL)));
+    f->cost.bytes += search_bytes(e, f);
     free(exact);
     return STATUS_OK;
 }
@@ -234,7 +189,6 @@ int time_step_solve(struct experiment *e, struct field *f, struct time_step *ste
     *stepping = (struct time_step){NAN, 0};
     if (program_given(&e->program)) /* its time step is its own */
         return program_solve(&e->program, e->scene, &e->problem, &e->options, f, why);
-    if (o->stepper == STEPPER_AUTO && e->time_error > 0 && particles) o->stepper = STEPPER_RKL2;
     if (o->stepper == STEPPER_AUTO && !given && particles) {
         o->stepper = STEPPER_EXACT;
         int status = symmetry_solve(e->method, &e->problem, o, f, why);

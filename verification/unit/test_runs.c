@@ -19,7 +19,7 @@ static enum runs_turn begin(struct runs *r, const char *dir, const char *text, d
 
 static void a_case_is_answered_once(void **state) {
     (void)state;
-    struct runs *r = runs_create(1, 4, 0, NULL);
+    struct runs *r = runs_create(1, 4, NULL);
     struct failure why, bad;
     double seconds = 0;
     refuse(&bad, STATUS_NUMERICAL, "exit status 9");
@@ -42,7 +42,7 @@ static void a_program_that_answered_is_there(void **state) {
     (void)state;
     for (int code = 126; code <= 127; code++)
         for (int answered = 0; answered < 2; answered++) {
-            struct runs *r = runs_create(1, 4, 0, NULL);
+            struct runs *r = runs_create(1, 4, NULL);
             struct failure why, none = {0}, bad;
             double seconds;
             refuse(&bad, STATUS_INPUT, "could not be run");
@@ -69,7 +69,7 @@ static void shown(FILE *to, long from, char text[400]) {
 static void a_terminal_shows_what_is_left(void **state) {
     (void)state;
     struct progress progress = {.shown = 1};
-    struct runs *r = runs_create(2, 11, 0, &progress);
+    struct runs *r = runs_create(2, 11, &progress);
     struct failure why;
     struct timespec from, to;
     char first[400], second[400];

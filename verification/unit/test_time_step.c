@@ -18,51 +18,6 @@ static void the_exact_stepper_where_there_is_one(void **state) {
     arguments_free(&r);
 }
 
-/* The longest step whose error is what is asked for: D dt^Q, to the 5 % that the search goes by and a whole step. */
-static void a_time_error_is_met_and_not_more(void **state) {
-    (void)state;
-    static const char *const lines[] = {"run rod-gauss ftcs --dx 0.5 --stepper euler --time-error 1e-3",
-                                        "run rod-gauss ftcs --dx 0.5 --stepper rkl2 --time-error 1e-3",
-                                        "run rod-gauss ftcs --dx 0.5 --stepper rkl2 --time-error 0.2"};
-    for (int i = 0; i < 3; i++) {
-        struct request r = request(lines[i], &with_exact);
-        struct result result;
-        assert_int_equal(run_experiment(&r.experiment, &result, NULL), STATUS_OK);
-        double error = D * pow(result.dt, i ? 2 : 1),
-               coarser = r.experiment.problem.t_end / ((double)result.steps / 1.05 - 1);
-        assert_order(error, <=, r.experiment.time_error * (1 + 1e-6));
-        assert_true(result.steps <= 2 || D * pow(coarser, i ? 2 : 1) > r.experiment.time_error);
-        arguments_free(&r);
-    }
-}
-
-/* Where the time error grows faster than its order, the first step tried is too long, by as much as half of the error
- * asked for: what is taken has that error all the same, by the search's own account. */
-static void a_step_that_is_a_little_too_long_is_not_taken(void **state) {
-    (void)state;
-    static const char *const asked[] = {"1e-3", "2e-3", "3e-3", "5e-3", "8e-3"};
-    for (int i = 0; i < 5; i++) {
-        char line[100];
-        snprintf(line, sizeof line, "run rod-gauss ftcs --dx 0.5 --stepper rkl2 --time-error %s", asked[i]);
-        struct request r = request(line, &with_exact);
-        struct result result;
-        steep = 200;
-        assert_int_equal(run_experiment(&r.experiment, &result, NULL), STATUS_OK);
-        steep = 0;
-        assert_order(result.time_error * result.error.l1, <=, r.experiment.time_error * (1 + 1e-12));
-        arguments_free(&r);
-    }
-}
-
-static void a_time_error_out_of_reach_is_said(void **state) {
-    (void)state;
-    struct request r = request("run rod-gauss ftcs --dx 0.5 --stepper euler --time-error 1e-12", &with_exact);
-    struct result result;
-    assert_int_equal(run_experiment(&r.experiment, &result, NULL), STATUS_GATE);
-    assert_has(result.failure.text, "--time-error 1e-12");
-    arguments_free(&r);
-}
-
 /* Another stepper is for what the exact one has no answer to, not for input that is wrong. */
 static void wrong_input_is_not_tried_again(void **state) {
     (void)state;
@@ -139,10 +94,9 @@ static void a_given_step_is_taken_as_it_is(void **state) {
 /* Data of zero, and data whose last trace has decayed past the least double. */
 static void no_error_is_relative_to_zero(void **state) {
     (void)state;
-    static const char *const lines[] = {
-        "run rod-contact brookshaw --dx 0.1 --set T1=0 --stepper euler --dt 0.1",
-        "run plate so_ssph --dx 0.01 --set T1=0 --set T2=0 --set T3=0 --set T4=0 --time-error 1e-3",
-        "run rod-step so_ssph --dx 0.1 --set t_end=1e7"};
+    static const char *const lines[] = {"run rod-contact brookshaw --dx 0.1 --set T1=0 --stepper euler --dt 0.1",
+                                        "run plate so_ssph --dx 0.01 --set T1=0 --set T2=0 --set T3=0 --set T4=0",
+                                        "run rod-step so_ssph --dx 0.1 --set t_end=1e7"};
     for (int i = 0; i < 3; i++) {
         struct request r;
         struct failure why;
@@ -157,9 +111,6 @@ static void no_error_is_relative_to_zero(void **state) {
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(the_exact_stepper_where_there_is_one),
-        cmocka_unit_test(a_time_error_is_met_and_not_more),
-        cmocka_unit_test(a_step_that_is_a_little_too_long_is_not_taken),
-        cmocka_unit_test(a_time_error_out_of_reach_is_said),
         cmocka_unit_test(no_error_is_relative_to_zero),
         cmocka_unit_test(a_refused_exact_falls_back),
         cmocka_unit_test(wrong_input_is_not_tried_again),

@@ -6,15 +6,10 @@
 #include "solver/status.h"
 #include "verification/gates/battery.h"
 #include "verification/command/request.h"
-#include "verification/foreign/case_file.h"
-#include "verification/foreign/case_run.h"
 #include "verification/foreign/results.h"
-#include "verification/foreign/scratch.h"
-#include "verification/text/atomic_file.h"
 #include "verification/text/words.h"
 
 #include <stdio.h>
-#include <stdlib.h>
 
 static int battery(const struct request *r, struct failure *why) {
     struct gates g = {0};
@@ -34,38 +29,9 @@ static int battery(const struct request *r, struct failure *why) {
     return status;
 }
 
-/* As `verify` would run it.  A case that is not for the program is no failure. */
-static int run_one(const struct request *r, struct failure *why) {
-    const struct program *g = &r->experiment.program;
-    struct case_run run = {.dir = r->run_case, .solver = g->solver, .label = r->run_case, .timeout = g->timeout};
-    struct scratch scratch;
-    char path[RESULTS_PATH], dx[40];
-    int code;
-    if (snprintf(path, sizeof path, "%s/case", r->run_case) > RESULTS_PATH - 40 || !words_is_plain(path))
-        return refuse(why, STATUS_INPUT, "--run '%.200s': at most %d of letters, digits and /._-+=,@%% are wanted",
-                      r->run_case, RESULTS_PATH - 40);
-    char *text = case_file_read(path, why);
-    if (!text) return why->status;
-    int bad = case_file_value(text, "dx", dx, sizeof dx);
-    free(text);
-    if (bad) return refuse(why, STATUS_INPUT, "%.300s: has no dx: not a case", path);
-    if (case_run_is_over(r->run_case)) return printf("%s: has its answer\n", r->run_case) < 0;
-    run.dx = dx;
-    atomic_file_hold();
-    int status = scratch_open(&scratch, why);
-    if (!status) {
-        status = case_run(&run, &scratch, &code, why);
-        scratch_close(&scratch);
-    }
-    atomic_file_release();
-    if (status != STATUS_SKIPPED) return status;
-    return printf("%s: skipped: %s\n", r->run_case, why->text) < 0;
-}
-
 int verb_case(const struct request *r, struct failure *why) {
     const struct experiment *e = &r->experiment;
     int written;
-    if (r->run_case) return run_one(r, why);
     if (r->battery) return battery(r, why);
     int seeds = e->program.seeds;
     if (results_write(&(struct results_place){r->into, "", "", &e->program.map, seeds}, e->scene, &e->problem,

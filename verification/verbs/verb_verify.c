@@ -139,7 +139,7 @@ static int verify_program(const struct request *r, struct gates *g, struct failu
         fprintf(stderr, "heatladder: the program is run some %d times, %s\n", runs, side);
     double start = omp_get_wtime();
     atomic_file_hold();
-    int status = gates_run_program(g, jobs, r->resume, why);
+    int status = gates_run_program(g, jobs, why);
     if (atomic_file_noted()) gates_cut(g, atomic_file_noted());
     if (!status) status = write_all(g, r, omp_get_wtime() - start, why);
     atomic_file_release();
