@@ -6,7 +6,7 @@
 #include "solver/space/operator.h"
 #include "solver/space/voronoi.h"
 
-/* What rows and gradients are assembled from, and what a scheme sees of one point of it. */
+/* What rows are assembled from, and what a scheme sees of one point of it. */
 
 enum { ASSEMBLY_BLOCKS = 64 }; /* of points, each filled by one thread: the same for any number of threads */
 

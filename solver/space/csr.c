@@ -104,10 +104,10 @@ static int add_derivative(const struct assembly *m, size_t i, uint32_t j, const 
 static int add_composed_row(const struct assembly *m, size_t i, struct surroundings at[2], struct row *r, double *g,
                             struct failure *why) {
     double weight[2][NEIGHBOURS_MAX], *w[2] = {weight[0], weight[1]}, flux[2], own[2] = {0, 0};
-    const double *kappa = at[0].nb.kappa;
+    const double *kappa = at[0].nb.kappa, sign = m->s->adjoint ? 1 : -1;
     if (operator_weights(m->s, m->p, m->o, &at[0].nb, w, why)) return why->status;
     for (size_t k = 0; k < at[0].nb.n; k++) {
-        for (int a = 0; a < 2; a++) flux[a] = a < m->p->dim ? kappa[a] * w[a][k] : 0, own[a] -= flux[a];
+        for (int a = 0; a < 2; a++) flux[a] = a < m->p->dim ? kappa[a] * w[a][k] : 0, own[a] += sign * flux[a];
         if (add_derivative(m, i, at[0].near[k], flux, &at[1], r, g, why)) return why->status;
     }
     return add_derivative(m, i, (uint32_t)i, own, &at[1], r, g, why);

@@ -7,7 +7,7 @@
  */
 #include "solver/space/operator.h"
 #include "solver/space/kernel.h"
-#include "solver/space/gradient.h"
+#include "solver/space/csr.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -231,8 +231,7 @@ int operator_create_lattice(struct heat_operator *a, const struct problem *p, co
 int operator_create_csr(struct heat_operator *a, const struct problem *p, const struct options *o,
                         const struct scheme *s, const struct cloud *c, double spacing, struct failure *why) {
     *a = (struct heat_operator){.n = c->n, .state = c->n, .threads = o->threads, .lanes = o->lanes};
-    int in_sweeps = s->sweeps == 2 && !layout_is_cut(p, o);
-    int status = (in_sweeps ? gradient_assemble : csr_assemble)(a, p, o, s, c, spacing, why);
+    int status = csr_assemble(a, p, o, s, c, spacing, why);
     if (status) operator_free(a);
     return status;
 }
@@ -246,40 +245,14 @@ void operator_free(struct heat_operator *a) {
     free(a->banded);
     free(a->volume);
     free(a->rho_c);
-    gradient_free(a->gradient);
     free(a->g);
     *a = (struct heat_operator){0};
 }
 
 void operator_row_take(const struct heat_operator *a, size_t i, struct row *r) {
     csr_row_clear(r);
-    if (a->gradient) {
-        gradient_compose(a->gradient, a->n, i, r);
-        return;
-    }
     csr_row_add(r, (uint32_t)i, a->diagonal[i]);
     for (size_t k = a->row[i]; k < a->row[i + 1]; k++) csr_row_add(r, a->column[k], a->value[k]);
-}
-
-/* The largest sum of |A_ij| over a row; rows are composed and forgotten, by blocks. */
-static double largest_composed_row(const struct heat_operator *a) {
-    enum { BLOCKS = 64 };
-    double most = 0;
-#pragma omp parallel for schedule(dynamic, 1) num_threads(a->threads > 1 ? a->threads : 1) reduction(max : most)
-    for (int b = 0; b < BLOCKS; b++) {
-        size_t begin = a->n * (size_t)b / BLOCKS, end = a->n * (size_t)(b + 1) / BLOCKS;
-        struct row r;
-        if (begin == end) continue;
-        csr_row_create(&r, a->n);
-        for (size_t i = begin; i < end; i++) {
-            double sum = 0;
-            operator_row_take(a, i, &r);
-            for (size_t k = 0; k < r.n; k++) sum += fabs(r.value[r.column[k]]);
-            most = fmax(most, sum);
-        }
-        csr_row_free(&r);
-    }
-    return most;
 }
 
 double operator_bound(const struct heat_operator *a) {
@@ -290,7 +263,6 @@ double operator_bound(const struct heat_operator *a) {
                 most += fabs(a->weight[j * (a->reach[0] + 1) + i]) * (i ? 2 : 1) * (j ? 2 : 1);
         return most;
     }
-    if (a->gradient) return largest_composed_row(a);
     for (size_t i = 0; i < a->n; i++) {
         double sum = fabs(a->diagonal[i]);
         for (size_t k = a->row[i]; k < a->row[i + 1]; k++) sum += fabs(a->value[k]);

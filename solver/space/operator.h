@@ -7,8 +7,7 @@
 #include <stddef.h>
 #include <stdint.h>
 
-/* The discrete operator of dT/dt = A T + g: one shared stencil on a lattice of one material; elsewhere rows (CSR), or
- * of a scheme of two sweeps its first derivatives. */
+/* The discrete operator of dT/dt = A T + g: one shared stencil on a lattice of one material; elsewhere rows (CSR). */
 
 enum {
     NEIGHBOURS_MAX = 1024,
@@ -83,12 +82,11 @@ struct heat_operator {
     double *rho_c;    /* J m^-3 K^-1, n, of the cells; NULL where the scheme has none, and with one material */
     int band;         /* the largest |column - row| of an entry */
     double *banded;   /* A_(i, i + d) once more at banded[(d + band) * n + i], s^-1; NULL where rows are sparse */
-    struct gradient *gradient; /* in place of rows: the state holds ghosts, and walls add to dT/dt by way of them */
-    int constant;              /* 1: walls or a source add to dT/dt, and there is a g */
-    double *g;                 /* K s^-1, what they add, in the shape of a state; NULL where it is zero */
-    size_t state;              /* doubles in a state: n, and ghosts on a lattice or with a gradient */
-    size_t pairs;              /* neighbours of all particles together, in both sweeps where there are two */
-    size_t bytes;              /* of the arrays above */
+    int constant;     /* 1: walls or a source add to dT/dt, and there is a g */
+    double *g;        /* K s^-1, what they add, in the shape of a state; NULL where it is zero */
+    size_t state;     /* doubles in a state: n, and ghosts on a lattice */
+    size_t pairs;     /* neighbours of all particles together, in rows of two sweeps those of neighbours too */
+    size_t bytes;     /* of the arrays above */
     int threads;
     int lanes; /* as of the options */
 };

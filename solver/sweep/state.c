@@ -36,8 +36,6 @@ size_t state_find_outside(const struct heat_operator *a, const double *state, do
 void state_update(const struct heat_operator *a, const struct update *u, int count, double *Y[2]) {
     if (a->weight)
         sweep_lattice(a, u, count, Y);
-    else if (a->gradient)
-        sweep_gradient(a, u, count, Y);
     else
         sweep_csr(a, u, count, Y);
     if (count % 2) {

@@ -8,7 +8,6 @@
 
 void sweep_lattice(const struct heat_operator *a, const struct update *u, int count, double *const Y[2]);
 void sweep_csr(const struct heat_operator *a, const struct update *u, int count, double *const Y[2]);
-void sweep_gradient(const struct heat_operator *a, const struct update *u, int count, double *const Y[2]);
 
 /* 1 for an Euler step without source or walls' values. */
 int sweep_is_plain(const struct heat_operator *a, const struct update *u);

@@ -6,7 +6,6 @@
  * of an operator far from normal is over; where it is above e they are shorter, so that the factor is exp(dt lambda).
  */
 #include "solver/time/growth.h"
-#include "solver/space/gradient.h"
 #include "solver/time/stepper.h"
 
 #include <math.h>
@@ -106,24 +105,17 @@ static double confirm(const struct heat_operator *a, double bound, double time, 
 /* Noise of norm 1 and the operator without what walls and sources add. */
 struct trial {
     struct heat_operator a;
-    struct gradient gradient;
     double *T; /* owned */
 };
 
 static void trial_create(struct trial *t, const struct heat_operator *a) {
     *t = (struct trial){.a = *a, .T = xcalloc(a->n, sizeof *t->T)};
     t->a.g = NULL, t->a.constant = 0;
-    if (a->gradient) {
-        t->gradient = *a->gradient;
-        t->gradient.offset = xcalloc(t->gradient.total - a->n + 1, sizeof *t->gradient.offset);
-        t->a.gradient = &t->gradient;
-    }
     for (size_t i = 0; i < a->n; i++) t->T[i] = noise(i);
     normalise(t->T, a->n);
 }
 
 static void trial_free(struct trial *t) {
-    if (t->a.gradient) free(t->gradient.offset);
     free(t->T);
 }
 

@@ -1,241 +1,128 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Two sweeps of first derivatives: pairs that do not depend on threads, updates that are their definition to the bit
- * for any number of them, and the rows that they stand for. */
+/* Rows of two sweeps against their definition: the derivatives of all points, then the divergence of the flux; and
+ * the conjugate pair, symmetric and never growing. */
+#include "solver/space/assembly.h"
 #include "solver/space/csr.h"
-#include "solver/space/gradient.h"
-#include "solver/sweep/state.h"
 
 #include "verification/unit/odd_problems.h"
 #include "verification/unit/near.h"
 
+#include <gsl/gsl_eigen.h>
 #include <gsl/gsl_errno.h>
 #include <stdlib.h>
-#include <string.h>
 
 extern const struct method method_fo_ssph, method_flux_divergence, method_conjugate;
+
+static const struct options jittered = {.dx = 0.075, .h = 1.23, .seed = 7, .layout = LAYOUT_JITTER, .jitter = 0.31};
+
+static void assemble(const struct problem *p, const struct options *o, const struct scheme *s, struct cloud *c,
+                     struct heat_operator *a) {
+    struct lattice l;
+    struct failure why;
+    if (layout_lattice(p, o, 1, &l, &why) || layout_cloud(p, o, &l, 4 * o->h * l.dx[0], c, &why) ||
+        operator_create_csr(a, p, o, s, c, l.dx[0], &why))
+        fail_msg("%s", why.text);
+}
+
+/* sum_j w_a (f_j - sign f_i) over the neighbours of point i. */
+static void differ(const struct assembly *m, size_t i, const double *f[2], double sign, double out[2]) {
+    struct surroundings *at = xcalloc(1, sizeof *at);
+    double weight[2][NEIGHBOURS_MAX], *w[2] = {weight[0], weight[1]};
+    struct failure why;
+    if (assembly_neighbourhood(m, i, at, &why) || operator_weights(m->s, m->p, m->o, &at->nb, w, &why))
+        fail_msg("%s", why.text);
+    for (int a = 0; a < 2; a++) {
+        out[a] = 0;
+        for (size_t k = 0; k < at->nb.n; k++) out[a] += w[a][k] * (f[a][at->near[k]] - sign * f[a][i]);
+    }
+    free(at);
+}
+
+static void rows_are_two_sweeps(void **state) {
+    (void)state;
+    const struct method *const all[] = {&method_fo_ssph, &method_flux_divergence, &method_conjugate};
+    struct problem p = odd_rectangle();
+    p.side[X_HI] = ROBIN, p.robin[X_HI] = 1.7;
+    for (int k = 0; k < 3; k++) {
+        const struct scheme *s = all[k]->scheme;
+        struct cloud c;
+        struct heat_operator a;
+        struct assembly m;
+        struct failure why;
+        struct row r;
+        assemble(&p, &jittered, s, &c, &a);
+        assert_int_equal(assembly_create(&m, &p, &jittered, s, &c, jittered.dx, &why), STATUS_OK);
+        double *T = xcalloc(c.total, sizeof *T), *q[2], d[2], bound = operator_bound(&a);
+        for (size_t i = 0; i < c.n; i++) T[i] = sin(0.37 * (double)(i * i % 101));
+        for (size_t i = c.n; i < c.total; i++) T[i] = c.factor[i] * T[c.source[i]] + c.offset[i];
+        for (int axis = 0; axis < 2; axis++) q[axis] = xcalloc(c.total, sizeof *q[axis]);
+        for (size_t i = 0; i < c.total; i++) {
+            double beyond = fmax(fmax(p.lo[0] - c.x[i], c.x[i] - p.hi[0]), fmax(p.lo[1] - c.y[i], c.y[i] - p.hi[1]));
+            if (beyond > 2 * jittered.h * jittered.dx) continue; /* no particle needs it */
+            differ(&m, i, (const double *[2]){T, T}, 1, d);
+            for (int axis = 0; axis < 2; axis++) q[axis][i] = p.material[0].k[axis] / p.material[0].rho_c * d[axis];
+        }
+        csr_row_create(&r, a.n);
+        for (size_t i = 0; i < a.n; i++) {
+            double sum = a.g ? a.g[i] : 0;
+            operator_row_take(&a, i, &r);
+            for (size_t j = 0; j < r.n; j++) sum += r.value[r.column[j]] * T[r.column[j]];
+            differ(&m, i, (const double *[2]){q[0], q[1]}, s->adjoint ? -1 : 1, d);
+            assert_near(sum, d[0] + d[1], 1e-13 * bound);
+        }
+        csr_row_free(&r);
+        free(T), free(q[0]), free(q[1]);
+        assembly_free(&m);
+        operator_free(&a);
+        layout_cloud_free(&c);
+    }
+}
 
 static double no_flux(const struct problem *p, enum side s, const double x[2]) {
     (void)p, (void)s, (void)x;
     return 0;
 }
 
-/* *a on a cloud of its own; ended by operator_free. */
-static void assemble(const struct problem *p, const struct options *o, const struct method *m,
-                     struct heat_operator *a) {
-    struct lattice l;
-    struct cloud c;
-    struct failure why;
-    assert_int_equal(layout_lattice(p, o, 1, &l, &why), STATUS_OK);
-    assert_int_equal(layout_cloud(p, o, &l, 4 * o->h * l.dx[0], &c, &why), STATUS_OK);
-    assert_int_equal(operator_create_csr(a, p, o, m->scheme, &c, l.dx[0], &why), STATUS_OK);
-    layout_cloud_free(&c);
-}
-
-/* Two sweeps, by one thread and by three. */
-static void threads_change_no_pair(void **state) {
+/* Between insulated walls A is symmetric to rounding, with no eigenvalue above 0. */
+static void the_conjugate_pair_is_symmetric_and_never_grows(void **state) {
     (void)state;
-    struct problem p = odd_rectangle();
-    struct options o = {.dx = 0.05, .h = 1.23, .seed = 7, .layout = LAYOUT_JITTER, .jitter = 0.31};
-    struct heat_operator a, b;
-    assemble(&p, &o, &method_flux_divergence, &a);
-    o.threads = 3;
-    assemble(&p, &o, &method_flux_divergence, &b);
-    const struct gradient *of[2] = {a.gradient, b.gradient};
-    size_t points = of[0]->total;
-    assert_memory_equal(of[0]->kept, of[1]->kept, (points + 1) * sizeof *of[0]->kept);
-    assert_memory_equal(of[0]->other, of[1]->other, of[0]->kept[points] * sizeof *of[0]->other);
-    assert_memory_equal(of[0]->F, of[1]->F, of[0]->kept[points] * sizeof *of[0]->F);
-    assert_memory_equal(of[0]->C, of[1]->C, 3 * points * sizeof *of[0]->C);
-    assert_memory_equal(of[0]->pair, of[1]->pair, of[0]->lent[points] * sizeof *of[0]->pair);
-    operator_free(&a);
-    operator_free(&b);
-}
-
-/* A quarter of the least number that is held in full is zero, in a sweep alone. */
-static void what_no_temperature_needs_is_zero(void **state) {
-    (void)state;
-#ifdef __SSE2__
-    struct problem p = odd_rectangle();
-    struct options o = {.dx = 0.05, .h = 1.23, .seed = 7, .layout = LAYOUT_JITTER, .jitter = 0.31};
-    struct heat_operator a;
-    assemble(&p, &o, &method_flux_divergence, &a);
-    double *Y[2] = {xcalloc(a.state, sizeof(double)), xcalloc(a.state, sizeof(double))};
-    volatile double least = 2.3e-308;
-    for (size_t i = 0; i < a.n; i++) Y[0][i] = least;
-    state_update(&a, &(struct update){.rate = 0, .self = 0.25}, 1, Y);
-    for (size_t i = 0; i < a.n; i++) assert_true(Y[0][i] == 0);
-    assert_order(least / 4, >, 0);
-    free(Y[0]), free(Y[1]);
-    operator_free(&a);
-#else
-    skip();
-#endif
-}
-
-/* ---- The definition: fluxes of all points, then what flows in; sums in the order of the pairs ---- */
-
-/* From point i to the other point of its pair number k, kept ones first: which, d in m, and F. */
-static size_t pair_of(const struct gradient *g, size_t i, uint32_t k, double d[2], double *F) {
-    uint32_t kept = g->kept[i + 1] - g->kept[i], at = k < kept ? g->kept[i] + k : g->lent[i] + k - kept;
-    size_t j = k < kept ? g->other[at] : g->keeper[at];
-    *F = g->F[k < kept ? at : g->pair[at]];
-    for (size_t axis = 0; axis < 2; axis++) d[axis] = g->place[2 * j + axis] - g->place[2 * i + axis];
-    return j;
-}
-
-static uint32_t pairs_of(const struct gradient *g, size_t i) {
-    return g->kept[i + 1] - g->kept[i] + g->lent[i + 1] - g->lent[i];
-}
-
-static void define(const struct heat_operator *a, const struct update *u, double *x, double *y) {
-    const struct gradient *g = a->gradient;
-    double *q = xcalloc(2 * g->total, sizeof *q), d[2], F;
-    for (size_t k = 0; k < g->total - a->n; k++) x[a->n + k] = g->factor[k] * x[g->source[k]] + g->offset[k];
-    for (size_t i = 0; i < g->total; i++) {
-        double sum[2] = {0, 0}, *C = &g->C[3 * i];
-        for (uint32_t k = 0; k < pairs_of(g, i); k++) {
-            size_t j = pair_of(g, i, k, d, &F);
-            double slope = F * (x[j] - x[i]);
-            sum[0] += slope * d[0], sum[1] += slope * d[1];
-        }
-        q[2 * i] = g->kappa[0] * (C[0] * sum[0] + C[1] * sum[1]);
-        q[2 * i + 1] = g->kappa[1] * (C[1] * sum[0] + C[2] * sum[1]);
-    }
-    for (size_t i = 0; i < a->n; i++) {
-        double sum[3] = {0, 0, 0}, *C = &g->C[3 * i];
-        for (uint32_t k = 0; k < pairs_of(g, i); k++) {
-            size_t j = pair_of(g, i, k, d, &F);
-            double qx = q[2 * j] - q[2 * i], qy = q[2 * j + 1] - q[2 * i + 1];
-            double Fx = F * d[0], Fy = F * d[1];
-            sum[0] += Fx * qx, sum[1] += Fy * qx + Fx * qy, sum[2] += Fy * qy;
-        }
-        double rate = C[0] * sum[0] + C[1] * sum[1] + C[2] * sum[2];
-        if (a->g) rate += a->g[i];
-        y[i] = u->rate * rate + u->self * x[i] + u->old * y[i];
-        if (u->Y0) y[i] += u->start * u->Y0[i];
-    }
-    free(q);
-}
-
-enum { UPDATES = 4 };
-
-/* The state after UPDATES of a, by definition or as it is done; n of the particles, to be freed. */
-static double *updated(const struct heat_operator *a, int defined) {
-    double *Y[2] = {xcalloc(a->state, sizeof(double)), xcalloc(a->state, sizeof(double))};
-    double *start = xcalloc(a->n, sizeof *start), rate = 0.1 / operator_bound(a);
-    struct update u[UPDATES];
-    for (int k = 0; k < UPDATES; k++)
-        u[k] = (struct update){rate * (1 + 0.1 * k), 0.83, -0.21, 0.17 + 0.01 * k, k % 2 ? start : NULL};
-    for (size_t i = 0; i < a->n; i++) {
-        Y[0][i] = sin(0.37 * (double)(i * i % 101)), Y[1][i] = cos(0.53 * (double)(i * i % 89));
-        start[i] = sin(0.71 * (double)(i * i % 97));
-    }
-    if (defined)
-        for (int k = 0; k < UPDATES; k++) define(a, &u[k], Y[k % 2], Y[1 - k % 2]);
-    else
-        state_update(a, u, UPDATES, Y);
-    free(Y[1]), free(start);
-    return Y[0];
-}
-
-/* A plane, and a strip where pairs reach further than a thread's share of it. */
-static void no_thread_changes_a_bit(void **state) {
-    (void)state;
-    static const int threads[] = {1, 2, 3, 16};
-    for (int strip = 0; strip < 2; strip++) {
+    static const double jitter[] = {0, 0.1, 0.5};
+    for (int k = 0; k < 3; k++) {
         struct problem p = odd_rectangle();
-        struct options o = {.dx = 0.01, .h = 1.23, .seed = 7, .layout = LAYOUT_JITTER, .jitter = 0.2};
+        struct options o = jittered;
+        struct cloud c;
         struct heat_operator a;
-        if (strip) p.hi[0] = p.lo[0] + 15, p.hi[1] = p.lo[1] + 0.08;
-        assemble(&p, &o, &method_fo_ssph, &a);
-        assert_order(a.n, >, 10000);
-        assert_int_equal(a.gradient->reach > a.n / 2, strip);
-        double *want = updated(&a, 1);
-        for (int t = 0; t < 4; t++) {
-            a.threads = threads[t];
-            memset(a.gradient->flux, -1, 2 * a.gradient->total * sizeof(double)); /* NaN: none is older than a step */
-            double *got = updated(&a, 0);
-            assert_memory_equal(got, want, a.n * sizeof *got);
-            free(got);
-        }
-        free(want);
-        operator_free(&a);
-    }
-}
-
-/* What two sweeps make of a state, walls of all kinds among them, and the rows that they stand for. */
-static void two_sweeps_are_their_rows(void **state) {
-    (void)state;
-    const struct method *const both_of[] = {&method_flux_divergence, &method_fo_ssph, &method_conjugate};
-    struct problem p = odd_rectangle();
-    struct options o = {.dx = 0.05, .h = 1.23, .seed = 7, .layout = LAYOUT_JITTER, .jitter = 0.31};
-    struct heat_operator a;
-    struct row r;
-    p.wall = no_flux;
-    p.source = NULL;
-    p.side[X_LO] = DIRICHLET, p.side[X_HI] = ROBIN, p.robin[X_HI] = 1.7, p.side[Y_LO] = NEUMANN;
-    for (int m = 0; m < 3; m++) {
-        assemble(&p, &o, both_of[m], &a);
-        double *Y[2] = {xcalloc(a.state, sizeof(double)), xcalloc(a.state, sizeof(double))},
-               bound = operator_bound(&a);
-        double *x = xcalloc(a.n, sizeof *x);
-        for (size_t i = 0; i < a.n; i++) Y[0][i] = x[i] = sin(0.37 * (double)(i * i % 101));
-        state_update(&a, &(struct update){.rate = 1}, 1, Y);
+        struct row r;
+        o.dx = 0.15, o.jitter = jitter[k];
+        for (int s = 0; s < 4; s++) p.side[s] = NEUMANN;
+        p.wall = no_flux, p.hi[0] = p.lo[0] + 1.5;
+        assemble(&p, &o, method_conjugate.scheme, &c, &a);
+        double *A = xcalloc(a.n * a.n, sizeof *A), bound = operator_bound(&a), *lambda = xcalloc(a.n, sizeof *lambda);
         csr_row_create(&r, a.n);
         for (size_t i = 0; i < a.n; i++) {
-            double sum = 0;
             operator_row_take(&a, i, &r);
-            for (size_t k = 0; k < r.n; k++) sum += r.value[r.column[k]] * x[r.column[k]];
-            assert_near(Y[0][i], sum, 1e-13 * bound);
+            for (size_t j = 0; j < r.n; j++) A[i * a.n + r.column[j]] = r.value[r.column[j]] / bound;
         }
         csr_row_free(&r);
-        for (int k = 0; k < 2; k++) free(Y[k]);
-        free(x);
+        for (size_t i = 0; i < a.n; i++)
+            for (size_t j = 0; j < i; j++) assert_near(A[i * a.n + j], A[j * a.n + i], 1e-14);
+        gsl_matrix_view M = gsl_matrix_view_array(A, a.n, a.n);
+        gsl_vector_view values = gsl_vector_view_array(lambda, a.n);
+        gsl_eigen_symm_workspace *work = gsl_eigen_symm_alloc(a.n);
+        gsl_eigen_symm(&M.matrix, &values.vector, work);
+        gsl_eigen_symm_free(work);
+        for (size_t i = 0; i < a.n; i++) assert_order(lambda[i], <, 1e-13);
+        free(A), free(lambda);
         operator_free(&a);
+        layout_cloud_free(&c);
     }
-}
-
-/* Multiplied out, as where walls cut the lattice: the same rows, and the same that walls add. */
-static void rows_multiplied_out_are_the_same(void **state) {
-    (void)state;
-    struct problem p = odd_rectangle();
-    struct options o = {.dx = 0.05, .h = 1.23, .seed = 7, .layout = LAYOUT_JITTER, .jitter = 0.31};
-    struct lattice l;
-    struct cloud c;
-    struct heat_operator a, b = {0};
-    struct failure why;
-    struct row r;
-    assert_int_equal(layout_lattice(&p, &o, 1, &l, &why), STATUS_OK);
-    assert_int_equal(layout_cloud(&p, &o, &l, 4 * o.h * l.dx[0], &c, &why), STATUS_OK);
-    assert_int_equal(operator_create_csr(&a, &p, &o, method_fo_ssph.scheme, &c, l.dx[0], &why), STATUS_OK);
-    b.n = b.state = c.n;
-    assert_int_equal(csr_assemble(&b, &p, &o, method_fo_ssph.scheme, &c, l.dx[0], &why), STATUS_OK);
-    assert_non_null(a.gradient);
-    assert_null(b.gradient);
-    double *Y[2] = {xcalloc(a.state, sizeof(double)), xcalloc(a.state, sizeof(double))}, bound = operator_bound(&a);
-    double *x = xcalloc(a.n, sizeof *x);
-    for (size_t i = 0; i < a.n; i++) Y[0][i] = x[i] = sin(0.37 * (double)(i * i % 101));
-    state_update(&a, &(struct update){.rate = 1}, 1, Y);
-    csr_row_create(&r, b.n);
-    for (size_t i = 0; i < b.n; i++) {
-        double sum = b.g ? b.g[i] : 0;
-        operator_row_take(&b, i, &r);
-        for (size_t k = 0; k < r.n; k++) sum += r.value[r.column[k]] * x[r.column[k]];
-        assert_near(Y[0][i], sum, 1e-13 * bound);
-    }
-    csr_row_free(&r);
-    free(Y[0]), free(Y[1]), free(x);
-    layout_cloud_free(&c);
-    operator_free(&a);
-    operator_free(&b);
 }
 
 int main(void) {
     gsl_set_error_handler_off();
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(threads_change_no_pair),           cmocka_unit_test(what_no_temperature_needs_is_zero),
-        cmocka_unit_test(no_thread_changes_a_bit),          cmocka_unit_test(two_sweeps_are_their_rows),
-        cmocka_unit_test(rows_multiplied_out_are_the_same),
+        cmocka_unit_test(rows_are_two_sweeps),
+        cmocka_unit_test(the_conjugate_pair_is_symmetric_and_never_grows),
     };
-    return cmocka_run_group_tests(tests, NULL, NULL);
+    return cmocka_run_group_tests_name("two_sweeps", tests, NULL, NULL);
 }
