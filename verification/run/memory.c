@@ -25,8 +25,8 @@ double memory_there(void) {
 }
 
 /* A particle has its place, temperature and exact temperature, and three doubles more: states, or the error and its
- * transform.  A neighbour within 2 h takes a weight and a column in the rows, and as much again twice while the rows
- * are assembled; on a rod the rows are stored in bands too. */
+ * transform.  A neighbour within 2 h (4 h in two sweeps) takes a weight and a column in the rows, and as much again
+ * twice while the rows are assembled; on a rod the rows are stored in bands too. */
 double memory_estimate(const struct experiment *e) {
     const double ENTRY[3] = {0, 60, 40};
     const struct problem *p = &e->problem;
@@ -38,7 +38,8 @@ double memory_estimate(const struct experiment *e) {
     for (int a = 0; a < p->dim; a++) particles *= (p->hi[a] - p->lo[a]) / e->options.dx;
     if (e->method->scheme && particles_prepare(p, &e->options, e->method->scheme, &resolved, &l, &rows, &ignored))
         return 0;
-    if (rows) bytes += ENTRY[p->dim] * (p->dim == 1 ? 4 * resolved.h : 4 * M_PI * resolved.h * resolved.h);
+    double reach = rows ? e->method->scheme->sweeps * resolved.h : 0; /* half of that of a row, in dx */
+    bytes += ENTRY[p->dim] * (p->dim == 1 ? 4 * reach : 4 * M_PI * reach * reach);
     return particles * bytes;
 }
 

@@ -62,10 +62,10 @@ static int solve_growing(const struct method *m, const struct problem *p, const 
 }
 
 static const struct scheme scheme;
-static const struct method real = {"real", "", "stepper", &scheme, solve_real, NULL};
-static const struct method off = {"off", "", "stepper", &scheme, solve_off, NULL};
-static const struct method wrong = {"wrong", "", "stepper", &scheme, solve_wrong, NULL};
-static const struct method growing = {"growing", "", "stepper", &scheme, solve_growing, NULL};
+static const struct method real = {"real", "", "stepper", &scheme, solve_real};
+static const struct method off = {"off", "", "stepper", &scheme, solve_off};
+static const struct method wrong = {"wrong", "", "stepper", &scheme, solve_wrong};
+static const struct method growing = {"growing", "", "stepper", &scheme, solve_growing};
 
 static void climb(const char *options, const struct method *m, int status, struct ladder *l, struct failure *why) {
     struct request r;
