@@ -48,11 +48,12 @@ MAKEFLAGS += -j$(shell getconf _NPROCESSORS_ONLN 2>/dev/null || echo 1)
 endif
 
 # Sources are found where they lie: one folder deep, tests apart.
-SOURCES := $(filter-out verification/unit/% verification/examples/% reports/bench/%, \
+SOURCES := $(filter-out verification/unit/% verification/examples/% references/library/% reports/bench/%, \
   $(wildcard $(foreach d,solver references verification reports,$(d)/*.c $(d)/*/*.c)))
 OBJECTS := $(SOURCES:%.c=$(BUILD)/%.o)
 PARTS   := $(filter-out $(BUILD)/verification/main.o,$(OBJECTS))
-LIBRARY := $(BUILD)/libheatladder.a
+LIBRARY := $(BUILD)/parts.a
+SHARED  := $(addprefix $(BUILD)/libheatladder,.a .so)
 SCENES  := $(sort $(wildcard references/scene_*.c))
 C_FILES := $(filter-out verification/examples/%,$(wildcard $(foreach d,solver references verification reports,\
   $(foreach e,[ch] inc,$(d)/*.$(e) $(d)/*/*.$(e)))))
@@ -61,7 +62,7 @@ TESTS   := $(patsubst verification/unit/%.c,$(BUILD)/unit/%,$(wildcard verificat
 ##@ Build and install
 
 .PHONY: all
-all: $(BUILD)/heatladder ## Build the program
+all: $(BUILD)/heatladder $(SHARED) ## Build the program and the library
 
 $(BUILD)/heatladder: $(OBJECTS)
 	@echo "  LD    $@"
@@ -81,7 +82,7 @@ $(BUILD)/scenes.inc: $(call differs,$(BUILD)/scenes.inc,$(SCENE_LIST))
 # The release, and the commit: git's where this is its tree and not one that lies in another's, or the archive's.  Where
 # git does not answer (another user's tree) what was built keeps its own.
 # archive of $Format:%h$
-VERSION := 2.0.0
+VERSION := 3.0.0
 ARCHIVE := $(shell sed -n 's/^\# archive of \([0-9a-f]*\)$$/\1/p' Makefile)
 COMMIT  := $(if $(wildcard .git),$(shell git describe --always --dirty=+ 2>/dev/null),$(ARCHIVE))
 VERSION_LINE := \#define VERSION_TEXT "$(VERSION)$(if $(COMMIT), ($(COMMIT)))"
@@ -125,10 +126,33 @@ $(BUILD)/%.o: %.c $(BUILD)/flags | $(BUILD)/scenes.inc $(BUILD)/version.inc $(BU
 	$(Q)$(CC) $(ALL_CFLAGS) $(DEFINES) -MMD -MP -c -o $@ $<
 
 # One file for each width of vector; the program asks the processor which of them it may call.
-$(BUILD)/solver/sweep/lanes4.o: DEFINES += $(LANES4)
-$(BUILD)/solver/sweep/lanes8.o: DEFINES += $(LANES8)
+$(BUILD)/solver/sweep/lanes4.o $(BUILD)/library/solver/sweep/lanes4.o: DEFINES += $(LANES4)
+$(BUILD)/solver/sweep/lanes8.o $(BUILD)/library/solver/sweep/lanes8.o: DEFINES += $(LANES8)
 
-# What tests are linked with: of an archive the linker reads what a test needs, and not all.
+# The library: solvers and references on one thread, with memory that returns to the caller where it runs out
+# (references/library/guard.c).  Symbols other than hl_... are hidden in the .so and local in the .a.
+LIB_SOURCES := $(filter-out solver/out_of_memory.c,$(filter solver/% references/%,$(SOURCES))) $(wildcard references/library/*.c)
+LIB_OBJECTS := $(LIB_SOURCES:%.c=$(BUILD)/library/%.o)
+LIB_CFLAGS   = $(filter-out -fopenmp,$(ALL_CFLAGS)) -Wno-unknown-pragmas -Wno-unused-parameter -fPIC -fvisibility=hidden $(foreach f,calloc realloc free,-D$f=guard_$f)
+LIB_LIBS     = $(PKG_LIBS)
+SONAME       = libheatladder.so.$(firstword $(subst ., ,$(VERSION)))
+OBJCOPY     ?= objcopy
+
+$(BUILD)/library/%.o: %.c $(BUILD)/flags | $(BUILD)/scenes.inc $(BUILD)/version.inc
+	@mkdir -p $(@D)
+	@echo "  CC    $< (library)"
+	$(Q)$(CC) $(LIB_CFLAGS) $(DEFINES) -MMD -MP -c -o $@ $<
+
+$(BUILD)/libheatladder.so: $(LIB_OBJECTS)
+	$(Q)$(CC) $(LDFLAGS) $(CFLAGS) -shared $(if $(filter Darwin,$(shell uname)),,-Wl,-soname,$(SONAME)) -o $@ $^ $(LIB_LIBS) -lm -pthread $(LDLIBS)
+	$(Q)ln -sf $(@F) $(@D)/$(SONAME)
+
+$(BUILD)/libheatladder.a: $(LIB_OBJECTS)
+	@rm -f $@
+	$(Q)$(CC) -r -nostdlib -o $(BUILD)/library/heatladder.o $^ && { $(OBJCOPY) --localize-hidden $(BUILD)/library/heatladder.o 2>/dev/null || :; }
+	$(Q)$(AR) qcs $@ $(BUILD)/library/heatladder.o
+
+# Tests are linked with an archive, so that each takes the parts it needs.
 $(LIBRARY): $(PARTS)
 	@rm -f $@
 	$(Q)$(AR) qcs $@ $^
@@ -136,7 +160,9 @@ $(LIBRARY): $(PARTS)
 $(BUILD)/unit/%: verification/unit/%.c $(LIBRARY)
 	@mkdir -p $(@D)
 	@echo "  TEST  $@"
-	$(Q)$(CC) $(ALL_CFLAGS) -MMD -MP -MF $@.d -MT $@ $(LDFLAGS) -o $@ $< $(LIBRARY) $(CMOCKA) $(ALL_LIBS) $(DEFINES)
+	$(Q)$(CC) $(ALL_CFLAGS) -MMD -MP -MF $@.d -MT $@ $(LDFLAGS) -o $@ $< $(filter %.a %.so,$^) $(CMOCKA) $(ALL_LIBS) $(DEFINES)
+
+$(BUILD)/unit/test_library: $(BUILD)/libheatladder.a
 
 .PHONY: setup
 setup: ## Install what the build needs and this machine lacks
@@ -151,19 +177,30 @@ endif
 # Modes are those written here, whatever the umask and the modes of the tree.
 ROOT  = $(DESTDIR)$(PREFIX)
 SHARE = $(ROOT)/share
+LIBDIR = $(ROOT)/lib
 .PHONY: install
-install: all ## Install the program under PREFIX (DESTDIR is put before it)
+install: all ## Install the program and the library under PREFIX (DESTDIR is put before it)
 	$(Q)umask 022; set -e; echo "  INSTALL  $(ROOT)"; \
 	for d in bin share/man/man1 share/bash-completion/completions share/heatladder/examples; do install -d "$(ROOT)/$$d"; done; \
 	install -m 755 $(BUILD)/heatladder '$(ROOT)/bin/heatladder'; \
 	$(BUILD)/heatladder man >'$(SHARE)/man/man1/heatladder.1'; \
 	$(BUILD)/heatladder completion >'$(SHARE)/bash-completion/completions/heatladder'; \
 	chmod 644 '$(SHARE)/man/man1/heatladder.1' '$(SHARE)/bash-completion/completions/heatladder'; \
-	install -m 644 verification/examples/* '$(SHARE)/heatladder/examples/'
+	install -m 644 verification/examples/* '$(SHARE)/heatladder/examples/'; \
+	install -d '$(ROOT)/include' '$(LIBDIR)/pkgconfig'; \
+	install -m 644 references/library/heatladder.h '$(ROOT)/include/'; \
+	install -m 644 $(BUILD)/libheatladder.a '$(LIBDIR)/'; \
+	install -m 755 $(BUILD)/libheatladder.so '$(LIBDIR)/$(SONAME)'; \
+	ln -sf $(SONAME) '$(LIBDIR)/libheatladder.so'; \
+	printf '%s\n' 'prefix=$(PREFIX)' 'Name: heatladder' 'Description: exact solutions and solvers of transient heat conduction' \
+	'Version: $(VERSION)' 'Requires.private: $(LIBS)' 'Cflags: -I$${prefix}/include' 'Libs: -L$${prefix}/lib -lheatladder' \
+	'Libs.private: -lm -pthread' >'$(LIBDIR)/pkgconfig/heatladder.pc'; \
+	chmod 644 '$(LIBDIR)/pkgconfig/heatladder.pc'
 
 .PHONY: uninstall
 uninstall: ## Remove what install put under PREFIX
 	rm -f '$(ROOT)/bin/heatladder' '$(SHARE)/man/man1/heatladder.1' '$(SHARE)/bash-completion/completions/heatladder'
+	rm -f '$(ROOT)/include/heatladder.h' '$(LIBDIR)/pkgconfig/heatladder.pc' $(patsubst %,'$(LIBDIR)/%',libheatladder.a libheatladder.so $(SONAME))
 	rm -rf '$(SHARE)/heatladder'
 
 # A tarball of the last commit that builds, tests and installs by itself, and Debian's package of it.
@@ -183,7 +220,7 @@ STATIC := $(BUILD)/static/heatladder
 
 .PHONY: static
 static: ## Build a static binary that needs no library: build/static/heatladder
-	+$(Q)$(MAKE) --no-print-directory BUILD=$(BUILD)/static CFLAGS='-O3 -ffile-prefix-map=$(CURDIR)=.' LDFLAGS='-static -s' all
+	+$(Q)$(MAKE) --no-print-directory BUILD=$(BUILD)/static CFLAGS='-O3 -ffile-prefix-map=$(CURDIR)=.' LDFLAGS='-static -s' $(STATIC)
 
 .PHONY: action
 action: static ## Pack the static binary as a GitHub Action: build/action
@@ -475,4 +512,4 @@ nightly: ## All seeded faults, an hour of each fuzzer, no optimization, the race
 help: ## List the targets
 	@awk -F':.*## ' '/^##@ /{printf "\n%s\n", substr($$0, 5)} /^[a-z-]+:.*## /{printf "  %-16s %s\n", $$1, $$2}' Makefile
 
--include $(OBJECTS:.o=.d) $(TESTS:=.d)
+-include $(OBJECTS:.o=.d) $(LIB_OBJECTS:.o=.d) $(TESTS:=.d)

@@ -2,8 +2,7 @@
 /* The words of the options, what they imply, and the width of vectors. */
 #include "solver/options.h"
 
-#include <stdlib.h>
-#include <string.h>
+#include <stddef.h>
 
 #define KERNEL(NAME, name) #name,
 const char *const kernel_words[] = {
@@ -34,20 +33,6 @@ int options_lanes_most(void) {
     if (__builtin_cpu_supports("avx2")) return 4;
 #endif
     return 2;
-}
-
-int options_lanes_forced(int *lanes, struct failure *why) {
-    const char *word = getenv("HEATLADDER_LANES");
-    int most = options_lanes_most();
-    *lanes = 0;
-    if (!word || !*word) return STATUS_OK;
-    for (int width = 2; width <= most; width *= 2)
-        if (strlen(word) == 1 && *word == '0' + width) *lanes = width;
-    if (*lanes) return STATUS_OK;
-    return refuse(why, STATUS_INPUT, "HEATLADDER_LANES=%.60s: this machine has vectors of %s", word,
-                  most == 8   ? "2, 4 or 8"
-                  : most == 4 ? "2 or 4"
-                              : "2");
 }
 
 double options_spacing(const struct options *o, int axis) {

@@ -65,9 +65,6 @@ struct options {
 
 /* Doubles in the widest vector of this machine: 2, 4 or 8.  No width changes a bit of a result. */
 int options_lanes_most(void);
-/* *lanes from the environment variable HEATLADDER_LANES; 0 where there is none.  STATUS_INPUT for what is not a width
- * of this machine. */
-int options_lanes_forced(int *lanes, struct failure *why);
 
 /* m, the spacing of a case's cells along the axis, 0 or 1. */
 double options_spacing(const struct options *o, int axis);

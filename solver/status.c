@@ -24,12 +24,6 @@ int refuse(struct failure *f, int status, const char *format, ...) {
     return status;
 }
 
-void *xcheck(void *block, size_t count, size_t size) {
-    if (block) return block;
-    fprintf(stderr, "heatladder: out of memory (%zu x %zu bytes)\n", count, size);
-    _Exit(STATUS_NUMERICAL); /* of any thread, while others run */
-}
-
 void *xcalloc(size_t count, size_t size) {
     return xcheck(calloc(count ? count : 1, size), count, size);
 }

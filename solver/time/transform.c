@@ -124,12 +124,13 @@ static fftw_plan plan_line(int n, fftw_r2r_kind kind) {
 }
 
 /* Not from two threads at once: FFTW's planner has one state for all, and so has this table. */
+static struct {
+    int count, n[KEPT];
+    fftw_r2r_kind kind[KEPT];
+    fftw_plan plan[KEPT];
+} kept;
+
 static fftw_plan find_plan(int n, fftw_r2r_kind kind, int *is_kept) {
-    static struct {
-        int count, n[KEPT];
-        fftw_r2r_kind kind[KEPT];
-        fftw_plan plan[KEPT];
-    } kept;
     int i = 0;
     while (i < kept.count && (kept.n[i] != n || kept.kind[i] != kind)) i++;
     *is_kept = i < KEPT;
@@ -137,6 +138,10 @@ static fftw_plan find_plan(int n, fftw_r2r_kind kind, int *is_kept) {
     fftw_plan plan = plan_line(n, kind);
     if (*is_kept) kept.n[i] = n, kept.kind[i] = kind, kept.plan[i] = plan, kept.count++;
     return plan;
+}
+
+void transform_forget(void) {
+    while (kept.count > 0) fftw_destroy_plan(kept.plan[--kept.count]);
 }
 
 static struct axis prepare(const struct lattice *l, int axis) {

@@ -15,6 +15,9 @@ struct transform;
 struct transform *transform_create(const struct lattice *l);
 void transform_free(struct transform *t);
 
+/* Releases the plans that are kept from one transform to the next; no transform may be in use. */
+void transform_forget(void);
+
 /* T (n[0] x n[1], x fastest) becomes its coefficients, or coefficients become T.  Forth and back multiplies by
  * transform_scale. */
 void transform_forward(const struct transform *t, double *T);

@@ -6,6 +6,7 @@
 #include "solver/options.h"
 #include "verification/bench/bench.h"
 #include "verification/bench/engine.h"
+#include "verification/run/lanes.h"
 #include "verification/text/json.h"
 #include "verification/text/table.h"
 #include "verification/text/whole_file.h"
@@ -42,7 +43,7 @@ static struct machine machine_here(void) {
     m.compiler = "gcc " __VERSION__;
 #endif
     struct failure ignored; /* a width that the machine lacks was refused when the command line was read */
-    if (options_lanes_forced(&m.lanes, &ignored) || m.lanes == 0) m.lanes = options_lanes_most();
+    if (lanes_forced(&m.lanes, &ignored) || m.lanes == 0) m.lanes = options_lanes_most();
     name_processor(m.processor, sizeof m.processor);
     return m;
 }

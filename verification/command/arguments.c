@@ -11,6 +11,7 @@
 #include "verification/command/option.h"
 #include "verification/command/verb.h"
 #include "verification/foreign/results.h"
+#include "verification/run/lanes.h"
 #include "verification/text/words.h"
 
 #include <stdio.h>
@@ -279,7 +280,7 @@ int arguments_parse(int argc, char *const *argv, struct request *r, struct failu
     *why = (struct failure){0};
     struct word words[LINE_WORDS];
     int options = 0, positionals = 0;
-    if (options_lanes_forced(&r->experiment.options.lanes, why)) return why->status;
+    if (lanes_forced(&r->experiment.options.lanes, why)) return why->status;
     if (argc < 1) return refuse(why, STATUS_INPUT, "a verb is missing (see: heatladder --help)");
     r->typed = words_line(argc, (const char *const *)argv);
     r->verb = verb_find(argv[0]);

@@ -19,7 +19,7 @@ try:
 except ImportError:
     numpy = None  # type: ignore[assignment]
 
-__version__ = "2.0.0"
+__version__ = "3.0.0"
 
 NOT_APPLICABLE = 77  # the exit status of a program for a case that is not for it
 LONG = 10000  # points of an answer that is written as .npy

@@ -1,0 +1,11 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#ifndef HEATLADDER_VERIFICATION_RUN_LANES_H
+#define HEATLADDER_VERIFICATION_RUN_LANES_H
+
+struct failure;
+
+/* *lanes from the environment variable HEATLADDER_LANES; 0 where it is not set.  STATUS_INPUT where this machine does
+ * not have that width. */
+int lanes_forced(int *lanes, struct failure *why);
+
+#endif
