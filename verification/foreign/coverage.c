@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The domain is divided into equal boxes, and none may be without a point.  Their side s must let pass each usual
- * arrangement of points at spacing dx, N = extent / dx of them along an axis, and no field with a quarter missing:
+/* The domain is divided into equal boxes, and each must have a point.  Their side s lets pass the usual arrangements
+ * of points at spacing dx, N = extent / dx of them along an axis, but no field with a quarter missing:
  *
  *   nodes, cell centres, quadrature    the widest gap is dx, from the wall to the first inner node dx: s >= dx
  *   jitter of up to dx/2 each way      the widest gap is below 2 dx: s >= 2 dx
@@ -11,7 +11,7 @@
  *
  * s = max(2 dx, min(dx (d ln N + 6)^(1/d), extent / 4)).  With `extent / s` rounded down to a whole number of boxes a
  * gap of two boxes' sides always holds one: at N = 64 that is 5/16 of a rod or 1/8 of a square's side. */
-#include "verification/foreign/points_checks.h"
+#include "verification/foreign/coverage.h"
 
 #include "solver/shape.h"
 #include "solver/status.h"
@@ -144,6 +144,56 @@ static int check_gaps(const struct samples *s, const struct problem *p, const do
     return empty < all(&b) ? refuse_gap(&b, empty, why) : STATUS_OK;
 }
 
+/* ---- Each point once ---- */
+
+struct place {
+    double x[2];
+    size_t i; /* of the sample */
+};
+
+static int by_x(const void *a, const void *b) {
+    const struct place *p = a, *q = b;
+    return p->x[0] != q->x[0] ? (p->x[0] > q->x[0]) - (p->x[0] < q->x[0]) : (p->i > q->i) - (p->i < q->i);
+}
+
+static int by_y(const void *a, const void *b) {
+    const struct place *p = a, *q = b;
+    return p->x[1] != q->x[1] ? (p->x[1] > q->x[1]) - (p->x[1] < q->x[1]) : by_x(a, b);
+}
+
+/* A pair of the same points among n of a column, in *first < *second; 0 where there is none. */
+static int find_pair(struct place *at, size_t n, const double away[2], size_t *first, size_t *second) {
+    qsort(at, n, sizeof *at, by_y);
+    for (size_t i = 0; i < n; i++)
+        for (size_t j = i + 1; j < n && at[j].x[1] - at[i].x[1] <= away[1]; j++) {
+            if (!(fabs(at[j].x[0] - at[i].x[0]) <= away[0])) continue;
+            *first = at[i].i < at[j].i ? at[i].i : at[j].i;
+            *second = at[i].i < at[j].i ? at[j].i : at[i].i;
+            return 1;
+        }
+    return 0;
+}
+
+/* Sorted along x, the points fall into columns with gaps wider than the tolerance between them. */
+int coverage_check_once(const struct samples *s, const struct problem *p, struct failure *why) {
+    const double away[2] = {SLACK * extent(p, 0), p->dim == 2 ? SLACK * extent(p, 1) : 0};
+    struct place *at = xcalloc(s->n, sizeof *at);
+    size_t first, second, end;
+    int found = 0;
+    for (size_t i = 0; i < s->n; i++)
+        at[i] = (struct place){{s->value[COLUMN_X][i], p->dim == 2 ? s->value[COLUMN_Y][i] : 0}, i};
+    qsort(at, s->n, sizeof *at, by_x);
+    for (size_t start = 0; start < s->n && !found; start = end) {
+        for (end = start + 1; end < s->n && at[end].x[0] - at[end - 1].x[0] <= away[0]; end++) continue;
+        found = find_pair(at + start, end - start, away, &first, &second);
+    }
+    free(at);
+    if (!found) return STATUS_OK;
+    return refuse(why, STATUS_INPUT, "%.150s, line %ld: the same point as in line %ld (x = %.9g m%s)", s->path,
+                  samples_line(s, second), samples_line(s, first), s->value[COLUMN_X][first],
+                  p->dim == 1 ? "; a rod has one row of points" : "");
+}
+
 int coverage_check(const struct samples *s, const struct problem *p, const double d[2], struct failure *why) {
     size_t fewest = fewest_points(p, d);
     if (check_inside(s, p, why) || (p->shape && check_inside_shape(s, p, why))) return STATUS_INPUT;
@@ -151,5 +201,5 @@ int coverage_check(const struct samples *s, const struct problem *p, const doubl
         return refuse(why, STATUS_INPUT, "%.150s: %zu point%s where dx = %g m asks for %zu at least", s->path, s->n,
                       s->n == 1 ? "" : "s", d[0], fewest);
     if (check_gaps(s, p, d, why)) return STATUS_INPUT;
-    return same_points_check(s, p, why);
+    return coverage_check_once(s, p, why);
 }

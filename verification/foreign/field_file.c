@@ -5,18 +5,12 @@
 #include "solver/field.h"
 #include "solver/problem.h"
 #include "solver/status.h"
-#include "verification/foreign/points_checks.h"
+#include "verification/foreign/coverage.h"
 #include "verification/foreign/formats.h"
 #include "verification/foreign/samples.h"
 
 #include <math.h>
 #include <string.h>
-
-static const struct {
-    int (*is)(const char *start, size_t size);
-    int (*read)(FILE *in, const struct column_map *c, struct samples *s, struct failure *why);
-} formats[] = {{npy_file_is, npy_file_read}, {vtk_file_is, vtk_file_read}, {vtk_file_is_xml, vtk_file_refuse_xml}};
-enum { FORMATS = sizeof formats / sizeof *formats };
 
 int field_file_samples(const char *path, const char *name, int dim, const struct column_map *c, struct samples *s,
                        struct failure *why) {
@@ -26,9 +20,7 @@ int field_file_samples(const char *path, const char *name, int dim, const struct
     if (!in) return STATUS_INPUT;
     size_t n = fread(start, 1, sizeof start, in);
     rewind(in);
-    int format = 0;
-    while (format < FORMATS && !formats[format].is(start, n)) format++;
-    int status = (format < FORMATS ? formats[format].read : table_file_read)(in, c, s, why);
+    int status = (npy_file_is(start, n) ? npy_file_read : table_file_read)(in, c, s, why);
     if (!status && ferror(in)) status = refuse(why, STATUS_INPUT, "%.200s: could not be read to its end", name);
     fclose(in);
     if (status) samples_free(s);
@@ -91,7 +83,7 @@ int field_file_read(const char *path, const char *name, const struct column_map 
     struct samples s;
     if (field_file_samples(path, name, p->dim, c, &s, why)) return why->status;
     int status = coverage_check(&s, p, d, why);
-    if (!status) status = holes_check(&s, p, d, why);
+    if (!status) status = missing_points_check(&s, p, d, why);
     if (!status) status = check_weights(&s, why);
     if (!status) {
         snap_to_walls(&s, p);

@@ -2,7 +2,7 @@
 #ifndef HEATLADDER_VERIFICATION_FOREIGN_FIELD_FILE_H
 #define HEATLADDER_VERIFICATION_FOREIGN_FIELD_FILE_H
 
-/* The answer of another program: a field of *p at t_end, from a table, legacy ASCII VTK or NumPy's .npy. */
+/* The answer of another program: a field of *p at t_end, from a table or NumPy's .npy. */
 
 struct column_map;
 struct failure;

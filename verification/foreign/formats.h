@@ -17,13 +17,6 @@ struct samples;
 int npy_file_is(const char *start, size_t size);
 int npy_file_read(FILE *in, const struct column_map *c, struct samples *s, struct failure *why);
 
-/* Legacy ASCII VTK: points and the point data T (and w where it is wanted).  Cell data are refused: they have no
- * points.  So is VTU, VTK of XML. */
-int vtk_file_is(const char *start, size_t size);
-int vtk_file_read(FILE *in, const struct column_map *c, struct samples *s, struct failure *why);
-int vtk_file_is_xml(const char *start, size_t size);
-int vtk_file_refuse_xml(FILE *in, const struct column_map *c, struct samples *s, struct failure *why);
-
 /* Any other file is a table of points: a header of names, then a line a point; commas, semicolons or blanks between,
  * quotes around what may hold them, `#` before a comment (`# seconds = S` and likewise steps and updates say what the
  * run took; a comment of names above the first point is a header too).  Columns that nothing is wanted of are

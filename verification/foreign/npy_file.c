@@ -1,10 +1,11 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* NumPy's array files, without a text of any number: magic, version, length of the header, a header in Python's
- * words, then the rows (NEP 1, versions 1.0 to 3.0). */
+/* NumPy's array files: magic, version, length of the header, a header in Python's syntax, then the rows in binary
+ * (NEP 1, versions 1.0 to 3.0). */
 #include "verification/foreign/formats.h"
 
 #include "solver/status.h"
 #include "verification/foreign/samples.h"
+#include "verification/text/number.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -42,31 +43,42 @@ static int bytes_of(const char *type) {
     return strncmp(type, "'<f8'", 5) == 0 ? 8 : strncmp(type, "'<f4'", 5) == 0 ? 4 : 0;
 }
 
-/* ('NAME', '<f8'), one after the other. */
+/* ('NAME', '<f8'), one after the other, up to the closing bracket. */
 static int read_fields(const char *at, const struct column_map *c, const struct samples *s, struct layout *l,
                        struct failure *why) {
     char name[COLUMN_NAME], type[8];
-    int n, bytes;
-    while (sscanf(at, " ( '%63[^']' , %7[^,)] ) %n", name, type, &n) == 2 && (bytes = bytes_of(type)) > 0) {
+    for (at += strspn(at, " "); *at != ']'; at += strspn(at, ", ")) {
+        int n = 0, two = sscanf(at, "( '%63[^']' , %7[^,)] )%n", name, type, &n) == 2,
+            bytes = two ? bytes_of(type) : 0;
+        if (n == 0 || bytes == 0) return wrong(s, why, "a field is not one number of 8 or 4 bytes ('<f8', '<f4')");
         for (int k = 0; k < COLUMN_COUNT; k++)
             if (strcmp(samples_column_name(c, k), name) == 0) l->offset[k] = l->stride, l->bytes[k] = bytes;
         l->stride += (size_t)bytes;
         at += n;
-        if (*at == ',') at++;
     }
-    return at[strspn(at, " ")] == ']' ? STATUS_OK
-                                      : wrong(s, why, "a field is no number of 8 or 4 bytes ('<f8', '<f4')");
+    return STATUS_OK;
 }
 
-static int read_columns(size_t columns, int bytes, const struct samples *s, struct layout *l, struct failure *why) {
-    static const int order[2][3] = {{COLUMN_X, COLUMN_T, COLUMN_W}, {COLUMN_X, COLUMN_Y, COLUMN_T}};
-    size_t least = (size_t)s->dim + 1;
-    if (columns != least && columns != least + 1)
-        return refuse(why, STATUS_INPUT, "%.150s: %zu columns; x%s, T and, where points are weighted, w are wanted",
-                      s->path, columns, s->dim == 2 ? ", y" : "");
-    for (size_t i = 0; i < columns; i++) {
-        int k = i == 3 ? COLUMN_W : order[s->dim - 1][i];
-        l->offset[k] = i * (size_t)bytes, l->bytes[k] = bytes;
+/* x, y, T and w stand in this order, or where --columns puts them.  Three columns of a rod may be x, T, w or x, y, T.
+ */
+static int read_columns(size_t columns, int bytes, const struct column_map *c, const struct samples *s,
+                        struct layout *l, struct failure *why) {
+    size_t least = (size_t)s->dim + 1, next = 0;
+    if (!c->text && columns == 3 && s->dim == 1)
+        return wrong(s, why, "3 columns for a rod: x, T, w or x, y, T? --columns x=1,T=2,w=3 names their places");
+    if (!c->text && columns != least && columns != least + 1)
+        return refuse(why, STATUS_INPUT, "%.150s: %zu columns; it needs x%s, T and, for weighted points, w", s->path,
+                      columns, s->dim == 2 ? ", y" : "");
+    for (int k = 0; k < COLUMN_COUNT; k++) {
+        long place = 0;
+        if (k == COLUMN_Y && s->dim == 1) continue;
+        if (!c->name[k][0])
+            place = k == COLUMN_W && c->text ? 0 : (long)++next;
+        else if (number_read_whole(c->name[k], (long)columns, &place))
+            return refuse(why, STATUS_INPUT, "%.120s: no field '%s': an array of %zu columns has places, 1 to %zu",
+                          s->path, c->name[k], columns, columns);
+        if (place < 1 || (size_t)place > columns) continue;
+        l->offset[k] = (size_t)(place - 1) * (size_t)bytes, l->bytes[k] = bytes;
     }
     l->stride = columns * (size_t)bytes;
     return STATUS_OK;
@@ -84,9 +96,9 @@ static int read_layout(const char *header, const struct column_map *c, const str
     if (*descr == '[' && sizes == 1)
         status = read_fields(descr + 1, c, s, l, why);
     else if (bytes_of(descr) && sizes == 2)
-        status = read_columns(columns, bytes_of(descr), s, l, why);
+        status = read_columns(columns, bytes_of(descr), c, s, l, why);
     else
-        status = wrong(s, why, "n rows of two to four columns '<f8' or '<f4' are wanted, or named fields");
+        status = wrong(s, why, "not n rows of two or more columns '<f8' or '<f4', nor of named fields");
     for (int k = 0; !status && k < COLUMN_COUNT; k++) {
         int wanted = k == COLUMN_X || k == COLUMN_T || (k == COLUMN_Y && s->dim == 2) || c->name[k][0];
         if (wanted && !l->bytes[k])

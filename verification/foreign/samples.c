@@ -116,7 +116,7 @@ FILE *samples_open(const char *path, const char *name, struct failure *why) {
         refuse(why, STATUS_INPUT, "%.200s: %.3g GB; an answer may have %g GB", name, (double)is.st_size * 1e-9,
                (double)MOST * 1e-9);
     else if (is.st_size == 0)
-        refuse(why, STATUS_INPUT, "%.200s: empty; the answer must be a table of points or a VTK file", name);
+        refuse(why, STATUS_INPUT, "%.200s: empty; the answer must be a table of points", name);
     else
         return xcheck(fdopen(file, "r"), 1, BUFSIZ);
     if (file >= 0) close(file);

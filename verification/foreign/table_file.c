@@ -6,6 +6,7 @@
 #include "verification/foreign/samples.h"
 #include "verification/text/atomic_file.h"
 #include "verification/text/number.h"
+#include "verification/text/words.h"
 
 #include <stdlib.h>
 #include <string.h>
@@ -27,7 +28,7 @@ struct reader {
     char separator; /* a comma, a semicolon, or a blank for any run of blanks */
     struct cell cell[CELLS];
     int cells;
-    char comment[400];       /* the last one */
+    char comments[4000];     /* above the first point, each ended by a newline */
     int place[COLUMN_COUNT]; /* of each column among the cells; -1 where it is not there */
     int width;               /* cells of a line */
 };
@@ -52,7 +53,7 @@ static void take_comment(struct reader *t) {
     take_said(text, "seconds", &t->s->seconds);
     take_said(text, "steps", &t->s->steps);
     take_said(text, "updates", &t->s->updates);
-    snprintf(t->comment, sizeof t->comment, "%s", text);
+    if (t->s->n == 0) words_add(t->comments, sizeof t->comments, "%s\n", text);
 }
 
 /* The next line that says something: 1, 0 at the end, or -1 with *why. */
@@ -66,6 +67,8 @@ static int next_line(struct reader *t, struct failure *why) {
         if (t->text[t->length - 1] != '\n')
             return wrong(t, why, "ends without a newline: the file looks cut off; end the last line too"), -1;
         t->length = strcspn(t->text, "\r\n");
+        if (t->text[t->length] == '\r' && t->text[t->length + 1] != '\n')
+            return wrong(t, why, "a carriage return within the line: end each line with a newline"), -1;
         t->text[t->length] = '\0';
         if (t->line == 1 && strncmp(t->text, "\xEF\xBB\xBF", 3) == 0) {
             t->length -= 3;
@@ -163,19 +166,30 @@ static int locate(struct reader *t, struct failure *why) {
     return STATUS_OK;
 }
 
-/* The header: the first line, or the comment above it; without one the columns go by their numbers.  1 where the line
+/* Whether the text names x, y and T, as many columns as a point has; t->cell is then split from it. */
+static int is_header(struct reader *t, const char *text, int columns) {
+    struct failure ignored;
+    t->separator = separator_of(text);
+    if (split(t, text, &ignored) || t->cells != columns) return 0;
+    for (int k = COLUMN_X; k <= COLUMN_T; k++)
+        if ((k != COLUMN_Y || t->s->dim == 2) && find(t, samples_column_name(t->wanted, k)) < 0) return 0;
+    return 1;
+}
+
+/* The header: the first line, or a comment above it; without one the columns go by their numbers.  1 where the line
  * is a point already. */
 static int read_header(struct reader *t, struct failure *why) {
-    t->separator = separator_of(t->text);
+    char separator = t->separator = separator_of(t->text);
     if (split(t, t->text, why)) return -1;
-    int point = all_numbers(t), cells = t->cells;
-    if (point && *t->comment) {
-        char separator = t->separator;
-        t->separator = separator_of(t->comment);
-        if (split(t, t->comment, why)) return -1;
-        t->separator = separator;
-        if (t->cells != cells && split(t, t->text, why)) return -1;
+    int point = all_numbers(t), columns = t->cells;
+    char *end, *comment = t->comments;
+    for (; point && (end = strchr(comment, '\n')); comment = end + 1) {
+        *end = '\0';
+        if (is_header(t, comment, columns)) break;
     }
+    int found = point && end;
+    t->separator = separator;
+    if (!found && split(t, t->text, why)) return -1;
     if (locate(t, why)) return -1;
     return point;
 }

@@ -58,6 +58,7 @@ static int is_not_finite(const char *text, size_t length) {
     static const char *const words[] = {"nan", "inf", "infinity", NULL};
     size_t sign = length > 0 && (*text == '+' || *text == '-');
     if (length >= sign + 5 && strncasecmp(text + sign, "nan(", 4) == 0) return 1; /* nan(0x8000000000000) */
+    if (length >= sign + 5 && strncmp(text + sign, "1.#", 3) == 0) return 1;      /* -1.#IND, 1.#INF00, 1.#QNAN */
     for (int i = 0; words[i]; i++)
         if (strlen(words[i]) == length - sign && strncasecmp(text + sign, words[i], length - sign) == 0) return 1;
     return 0;

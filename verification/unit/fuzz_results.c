@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Any file is read as a field of finite numbers that covers the domain, or refused with a text: tables and VTK,
- * for a rod (first byte even) or a rectangle, with or without a map of columns (second bit). */
+/* Any file is read as a field of finite numbers that covers the domain, or refused with a reason: for a rod (first
+ * byte even) or a rectangle, with or without a map of columns (second bit). */
 #include "verification/foreign/field_file.h"
 
 #include "references/scene.h"

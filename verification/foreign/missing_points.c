@@ -1,14 +1,13 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* A point that a program forgot is one of N in a mean, and no error of its own.  Where the others lie on a lattice
- * its place is known:
+/* A missing point barely changes a mean.  Where the others lie on a lattice its place is known:
  *
- *   rows and columns    the distinct x and y are nx and ny, and at least 95 of 100 places of nx ny have a point: what
- *                       has fewer is no lattice (elements of eight nodes fill three quarters).  A corner, which many
- *                       codes have no point for, is not missed.
- *   equal spacing h     one gap of 2 h, 3 h, ... next to two of h, or more than 5/4 h from a wall to the first of
- *                       three points that are fewer than the cells of the case.  Gaps that grow, or that are wider in
- * a part of the rod, come several together; two layers may have no point on their interface. */
-#include "verification/foreign/points_checks.h"
+ *   rows and columns    the distinct x and y are nx and ny, and at least 95 of 100 places of nx ny have a point.
+ *                       Fewer are no lattice: elements of eight nodes fill three quarters.  A corner may be missing,
+ *                       as in many codes.
+ *   equal spacing h     one gap of 2 h, 3 h, ... beside two of h; or more than 5/4 h from a wall to the first of
+ *                       three points where the case has more cells than points.  Graded spacings have several wide
+ *                       gaps side by side.  Two layers may have no point on their interface. */
+#include "verification/foreign/coverage.h"
 
 #include "solver/problem.h"
 #include "solver/status.h"
@@ -20,10 +19,10 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { MOST = 200000 };             /* points that are looked at: more are sorted for too long */
+enum { MOST = 200000 };             /* points; sorting more takes too long */
 static const double SAME = 1e-9;    /* of the extent: a coordinate may be a rounded decimal */
 static const double FULL = 0.95;    /* of the places of a lattice */
-static const double REGULAR = 1e-3; /* of h: likewise, with few digits */
+static const double REGULAR = 1e-3; /* of h: printed with few digits */
 
 /* The distinct coordinates along an axis, sorted, into x[s->n]; how many. */
 static size_t distinct(const struct samples *s, const struct problem *p, int a, double *x) {
@@ -93,7 +92,7 @@ static int check_places(const struct samples *s, const struct problem *p, double
                   missing == 1 ? "" : " and elsewhere");
 }
 
-int holes_check(const struct samples *s, const struct problem *p, const double d[2], struct failure *why) {
+int missing_points_check(const struct samples *s, const struct problem *p, const double d[2], struct failure *why) {
     double *x[2] = {NULL, NULL};
     size_t n[2] = {1, 1};
     int status = STATUS_OK;
