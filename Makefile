@@ -277,7 +277,7 @@ test: $(TESTS) $(BUILD)/heatladder examples ## Run the unit tests, the program a
 verify: $(BUILD)/heatladder ## Run every gate, then the papers' claims, then write the report, to reports/out; the first failure's status
 	@mkdir -p $(OUT)/claims
 	$(Q)gates=0 claims=0 report=0; \
-	$(BUILD)/heatladder verify --json $(OUT)/gates.json --junit $(OUT)/junit.xml || gates=$$?; \
+	$(BUILD)/heatladder verify --json $(OUT)/gates.json --junit $(OUT)/junit.xml --page $(OUT)/gates.html || gates=$$?; \
 	$(BUILD)/heatladder report claims $(OUT)/claims || claims=$$?; \
 	$(MAKE) --no-print-directory report || report=$$?; \
 	for status in $$gates $$claims $$report; do [ $$status -eq 0 ] || exit $$status; done
@@ -288,13 +288,13 @@ verify-quick: $(BUILD)/heatladder ## Run the quick tier of the gates
 
 ##@ Tables and figures
 
-# The tables and the data of the figures are there without gnuplot; the stamp says from when they are.
+# Tables and the data of figures need no gnuplot; the stamp is as old as they are.
 OUT     := reports/out
 SCRIPTS := $(wildcard reports/*/*_fig*.gp)
-FIGURES := $(addprefix $(OUT)/,$(notdir $(SCRIPTS:.gp=.svg)))
+FIGURES := $(addprefix $(OUT)/,$(notdir $(SCRIPTS:.gp=.svg)) $(if $(wildcard $(OUT)/gates.csv),gates.svg))
 
 .PHONY: report
-report: $(OUT)/report.stamp ## Write the papers' tables beside what is measured, and draw their figures, to reports/out
+report: $(OUT)/report.stamp ## Write the papers' tables beside the measured ones, draw their figures, and join all in reports/out/index.html
 	$(Q)if command -v gnuplot >/dev/null; then $(MAKE) --no-print-directory figures; \
 	else echo "report: gnuplot is not here (make setup installs it); not drawn: $(notdir $(FIGURES:.svg=))"; fi
 	$(Q)$(BUILD)/heatladder report page $(OUT)
@@ -308,63 +308,42 @@ $(OUT)/report.stamp: $(BUILD)/heatladder
 figures: $(FIGURES)
 	@:
 
-# scripts/plot puts whole figures in their places: those from before stay where make is interrupted.
-.PRECIOUS: $(FIGURES) $(FIGURES:.svg=.png)
+# scripts/plot replaces whole figures: an interrupted make keeps the old ones.
+.PRECIOUS: $(FIGURES)
 
-vpath %.gp $(sort $(dir $(SCRIPTS)))
-$(OUT)/%.svg $(OUT)/%.png: %.gp $(wildcard reports/figure/*.gp) $(OUT)/report.stamp
+vpath %.gp $(sort $(dir $(SCRIPTS))) reports/index
+$(OUT)/%.svg: %.gp $(wildcard reports/figure/*.gp) $(OUT)/report.stamp
 	@echo "  PLOT  $(@:.svg=)"
 	$(Q)scripts/plot $(OUT) $<
+$(OUT)/gates.svg: $(OUT)/gates.csv
 
-# The figures that README.md shows.
+# Studies, each with its data and figures.
+.PHONY: stability operators walls
+stability: ## Measure where methods fail and draw it, to reports/out
+operators: ## Measure the discrete Laplacians side by side on every cloud and draw it, to reports/out
+walls: ## Measure which treatment of walls keeps which order and draw it, to reports/out
+stability operators walls: $(BUILD)/heatladder
+	@mkdir -p $(OUT)
+	$(Q)$(BUILD)/heatladder report $@ $(OUT)
+	$(Q)if command -v gnuplot >/dev/null; then for f in $(wildcard reports/$@/*.gp); do \
+	scripts/plot $(OUT) $$f || exit 1; done; \
+	else echo "$@: gnuplot is not here (make setup installs it); figures were not drawn"; fi
+
+# The figures that README.md and reports/README.md show.
 GALLERY := song_fig1b song_fig2a song_fig2b pamplona_fig5 stability_limits matched_fig1 operators_error operators_work operators_growth walls_error walls_work
-
-# Data of some, small and without a clock in them, that scripts/check_readme compares with what is measured.
-GALLERY_DATA := song_fig1b song_fig2a song_fig2b matched_fig1
 
 .PHONY: gallery
 gallery: report stability operators walls ## Copy the figures that the README shows to reports/gallery
 	@mkdir -p reports/gallery
-	$(Q)cp $(GALLERY:%=$(OUT)/%.svg) $(GALLERY_DATA:%=$(OUT)/%.csv) reports/gallery/
+	$(Q)cp $(GALLERY:%=$(OUT)/%.svg) reports/gallery/
 	$(Q)scripts/record $(BUILD)/heatladder reports/gallery/session.svg
 	$(Q)if [ -f $(OUT)/league/league.svg ]; then cp $(OUT)/league/league.svg reports/gallery/; \
 	else echo "gallery: no chart of other codes here (make league draws it); the old one stays"; fi
 
 .PHONY: claims
-claims: $(BUILD)/heatladder ## Measure what the two papers state; the ledger goes to reports/out/claims
-	@mkdir -p reports/out/claims
-	$(Q)$(BUILD)/heatladder report claims reports/out/claims
-
-# Where methods fail: data and figures.
-STABILITY := $(wildcard reports/stability/*.gp)
-
-.PHONY: stability
-stability: $(BUILD)/heatladder ## Measure where methods fail and draw it, to reports/out
-	@mkdir -p $(OUT)
-	$(Q)$(BUILD)/heatladder report stability $(OUT)
-	$(Q)if command -v gnuplot >/dev/null; then for f in $(STABILITY); do \
-	scripts/plot $(OUT) $$f || exit 1; done; \
-	else echo "stability: gnuplot is not here (make setup installs it); figures were not drawn"; fi
-
-OPERATORS := $(wildcard reports/operators/*.gp)
-
-.PHONY: operators
-operators: $(BUILD)/heatladder ## Measure the discrete Laplacians side by side on every cloud and draw it, to reports/out
-	@mkdir -p $(OUT)
-	$(Q)$(BUILD)/heatladder report operators $(OUT)
-	$(Q)if command -v gnuplot >/dev/null; then for f in $(OPERATORS); do \
-	scripts/plot $(OUT) $$f || exit 1; done; \
-	else echo "operators: gnuplot is not here (make setup installs it); the figure was not drawn"; fi
-
-WALLS := $(wildcard reports/walls/*.gp)
-
-.PHONY: walls
-walls: $(BUILD)/heatladder ## Measure which treatment of walls anywhere keeps which order and draw it, to reports/out
-	@mkdir -p $(OUT)
-	$(Q)$(BUILD)/heatladder report walls $(OUT)
-	$(Q)if command -v gnuplot >/dev/null; then for f in $(WALLS); do \
-	scripts/plot $(OUT) $$f || exit 1; done; \
-	else echo "walls: gnuplot is not here (make setup installs it); figures were not drawn"; fi
+claims: $(BUILD)/heatladder ## Measure the statements of papers; the ledger goes to reports/out/claims
+	@mkdir -p $(OUT)/claims
+	$(Q)$(BUILD)/heatladder report claims $(OUT)/claims
 
 ##@ Speed
 

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The frame of a page, its style, and images that are part of it. */
+/* The frame of a page, its style, tables and images. */
 #include "verification/page/html.h"
 
 #include "solver/status.h"
@@ -15,42 +15,24 @@ static const char style[] =
     ":root{--ink:#1b1b1b;--paper:#fff;--faint:#666;--line:#d6d6d6;--pass:#005a3c;--fail:#a3200d;--other:#6b4a00}\n"
     "@media(prefers-color-scheme:dark){:root{--ink:#e6e6e6;--paper:#151515;--faint:#a5a5a5;--line:#3d3d3d;"
     "--pass:#5fd0a5;--fail:#ff8f7a;--other:#e7b85c}}\n"
-    "*{box-sizing:border-box}html{color-scheme:light dark}\n"
+    "*{box-sizing:border-box}html{color-scheme:light dark}a{color:inherit}\n"
     "body{margin:0;background:var(--paper);color:var(--ink);font:16px/1.5 system-ui,sans-serif}\n"
     "main{max-width:70rem;margin:0 auto;padding:1rem}\n"
     "h1{font-size:1.7rem;line-height:1.2}h2{margin-top:2.5rem;border-bottom:1px solid var(--line)}\n"
-    "h1,h2,h3,h4{break-after:avoid}a{color:inherit}\n"
     ".scroll{overflow:auto;max-height:36rem}table{border-collapse:collapse;font-size:.86rem;margin:.7rem 0}\n"
     "th,td{padding:.2rem .6rem;border-bottom:1px solid var(--line);text-align:left;vertical-align:top}\n"
-    "th{position:sticky;top:0;background:var(--paper)}td:first-child{min-width:9rem}td code{overflow-wrap:normal}\n"
-    "th.up{writing-mode:vertical-rl;vertical-align:bottom;padding:.3rem .1rem}\n"
+    "th{position:sticky;top:0;background:var(--paper)}td:first-child{min-width:9rem}\n"
     "td.n,th.n{text-align:right;font-variant-numeric:tabular-nums;white-space:nowrap}\n"
-    "code,pre{font:.84rem/1.4 "
-    "ui-monospace,monospace}pre{overflow:auto;white-space:pre-wrap;overflow-wrap:anywhere;max-height:36rem;padding:."
-    "6rem;border:1px solid var(--line)}\n"
-    "code{overflow-wrap:anywhere}pre span{display:inline-block;max-width:100%}figure{margin:1.2rem "
-    "0;break-inside:avoid}\n"
-    "figure{overflow-x:auto}figure img,figure svg{height:auto;background:#fff;border:1px solid var(--line)}\n"
-    "figure svg{max-width:100%}figure svg "
-    "text{fill:#1b1b1b}td.n:first-child{min-width:0}table.narrow{min-width:0}figcaption{position:sticky;left:0}\n"
-    "figcaption,.faint{color:var(--faint);font-size:.86rem}\n"
+    "code,pre{font:.84rem/1.4 ui-monospace,monospace}code{overflow-wrap:anywhere}\n"
+    "pre{overflow:auto;white-space:pre-wrap;max-height:36rem;padding:.6rem;border:1px solid var(--line)}\n"
+    "pre span{display:inline-block;max-width:100%}\n"
+    "figure{margin:1.2rem 0;overflow-x:auto}figure img{background:#fff;border:1px solid var(--line)}\n"
+    "figcaption{position:sticky;left:0}figcaption,.faint{color:var(--faint);font-size:.86rem}\n"
     ".pass{color:var(--pass)}.fail{color:var(--fail);font-weight:bold}.other{color:var(--other);font-weight:bold}\n"
-    ".verdict{font-size:1.25rem}nav ul{columns:2 14rem;padding-left:1.2rem}\n"
-    ".groups{columns:4 11.2rem;column-gap:.5rem;list-style:none;padding:0;font-size:.8rem}.groups "
-    "li{white-space:nowrap}\n"
-    "@media screen and (max-width:44rem){.wide,.scroll{overflow:auto}.scroll{max-height:80vh}\n"
-    "table:has(th:nth-child(6)){min-width:64rem}table:has(tr:first-child>th.up){min-width:0}}\n"
-    "@media print{@page{margin:12mm}html{font-size:9pt}body{font-size:1rem;line-height:1.35;background:#fff;"
-    "color:#000}\n"
-    "main{padding:0}nav{display:none}h2{margin-top:1rem}.scroll{overflow:visible;max-height:none}\n"
-    "pre{white-space:pre-wrap;max-height:none;font-size:6.5pt}table{font-size:7pt;line-height:1.25}code{font-size:."
-    "9em}\n"
-    "td,th{position:static;white-space:normal;overflow-wrap:break-word;min-width:0}th,td{padding:.1rem .3rem}\n"
-    "td:first-child{min-width:4rem}th.up{font-size:6pt}tr{break-inside:avoid}\n"
-    "figure{display:inline-block;width:49%;margin:.3rem 0;padding:0 .2rem;vertical-align:top}\n"
-    "figure{overflow:visible}figure img,figure svg{max-width:100%}figure "
-    "img{max-height:10cm}figure.wide{display:block;width:auto}.wide img{max-height:20cm}\n"
-    "section>p{break-after:avoid}figure svg{max-height:17cm}}\n";
+    ".verdict{font-size:1.25rem}nav ul,.groups{columns:4 12rem;padding-left:1.2rem}\n"
+    "@media print{@page{margin:12mm}body{font-size:9pt;background:#fff;color:#000}main{padding:0}nav{display:none}\n"
+    ".scroll,pre{overflow:visible;max-height:none}table{font-size:7pt}td,th{position:static}tr{break-inside:avoid}\n"
+    "figure{overflow:visible;break-inside:avoid}figure img{max-width:100%;height:auto}}\n";
 
 void html_open(FILE *out, const char *title) {
     fprintf(out,
@@ -64,13 +46,13 @@ void html_close(FILE *out) {
     fprintf(out, "</main>\n</body>\n</html>\n");
 }
 
-/* What is no letter of UTF-8 becomes U+FFFD, a control character a blank: XML takes neither. */
+/* XML allows neither invalid UTF-8, which becomes U+FFFD, nor other control characters than newlines, which become blanks. */
 static size_t put_letter(FILE *out, const char *text) {
     size_t length = letter_length(text);
     if (length)
         fwrite(text, 1, length, out);
     else
-        fputs((unsigned char)*text < 0x80 ? " " : "\xEF\xBF\xBD", out);
+        fputs(*text == '\n' ? "\n" : (unsigned char)*text < 0x80 ? " " : "\xEF\xBF\xBD", out);
     return length ? length : 1;
 }
 
@@ -122,18 +104,14 @@ void html_cell(FILE *out, const char *text) {
     html_print(out, "%s</td>", text);
 }
 
-void html_table(FILE *out, struct table *t, int narrow) {
-    int columns = t->columns, last = t->cells - columns;
-    fprintf(out, "<div class=\"scroll\"><table%s>\n<tr>", narrow ? " class=\"narrow\"" : "");
-    for (int i = 0; i < columns; i++) {
-        fputs(is_number(t->cell[last + i]) ? "<th class=\"n\">" : "<th>", out);
-        html_print(out, "%s</th>", t->cell[i]);
-    }
-    for (int i = columns; i < t->cells; i++) {
-        fputs(i % columns ? "" : "</tr>\n<tr>", out);
+void html_table(FILE *out, struct table *t) {
+    fprintf(out, "<div class=\"scroll\"><table>\n<tr>");
+    for (int i = 0; i < t->columns; i++) html_print(out, "<th>%s</th>", t->cell[i]);
+    for (int i = t->columns; i < t->cells; i++) {
+        fputs(i % t->columns ? "" : "</tr>\n<tr>", out);
         html_cell(out, t->cell[i]);
     }
-    fputs("</tr>\n</table></div>\n", out);
+    fprintf(out, "</tr>\n</table></div>\n");
     table_free(t);
 }
 
@@ -166,4 +144,13 @@ int html_image(FILE *out, const char *path, const char *alternative) {
     fprintf(out, "\">");
     fclose(in);
     return 0;
+}
+
+int html_include(FILE *out, const char *path) {
+    static const char begin[] = "</h1>\n", end[] = "</main>\n";
+    char *text = whole_file_at(path, NULL), *from = text ? strstr(text, begin) : NULL;
+    char *to = from ? strstr(from, end) : NULL;
+    if (to) fwrite(from + strlen(begin), 1, (size_t)(to - from) - strlen(begin), out);
+    free(text);
+    return to ? 0 : -1;
 }

@@ -8,27 +8,30 @@
 
 struct table;
 
-void html_open(FILE *out, const char *title); /* up to the open <main> */
+void html_open(FILE *out, const char *title); /* up to <main> and <h1> */
 void html_close(FILE *out);
 
-/* The characters of HTML and XML escaped, control characters as blanks; of the first `size` bytes, or of all. */
+/* Escapes the characters of HTML and XML in the first `size` bytes, or in all; control characters become blanks. */
 void html_bytes(FILE *out, const char *text, size_t size);
 void html_text(FILE *out, const char *text);
-/* As printf with no conversion but %s, each of them by html_text. */
+/* printf with the conversion %s alone, each text escaped. */
 void html_print(FILE *out, const char *format, ...) __attribute__((format(printf, 2, 3)));
 
-/* A cell <td>; numbers are set right.  */
+/* A cell <td>; numbers are right-aligned. */
 void html_cell(FILE *out, const char *text);
-/* The table, freed; a header is set as the last cell of its column.  narrow: no wider than its cells. */
-void html_table(FILE *out, struct table *t, int narrow);
+/* Writes the table and frees it. */
+void html_table(FILE *out, struct table *t);
 
-/* The word of a verdict with its sign, so that it reads without colour: pass, fail, inconclusive, ... */
+/* The word of a verdict (pass, fail, inconclusive ...) and a sign, readable without colour. */
 void html_verdict(FILE *out, const char *word);
 
-/* A command, which is typed after the program's name, in a box: its lines break at blanks, not at hyphens. */
+/* A command without the program's name, in a box; its lines break at blanks, not at hyphens. */
 void html_command(FILE *out, const char *command);
 
-/* The file at `path` (SVG) as an image within the page; 0, or -1 where it cannot be read. */
+/* Embeds the SVG file at `path` as an image; 0, or -1 where it cannot be read. */
 int html_image(FILE *out, const char *path, const char *alternative);
+
+/* Copies the body of a page of html_open at `path`, without its title; 0, or -1 where there is none. */
+int html_include(FILE *out, const char *path);
 
 #endif

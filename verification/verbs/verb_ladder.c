@@ -139,7 +139,7 @@ static int write_junit(const struct request *r, const struct ladder *l, int stat
 /* What is asked for beside the table; a failure to write counts where nothing else failed. */
 static int write_files(const struct request *r, const struct ladder *l, int status, struct failure *why) {
     struct failure unwritten = {0};
-    if (r->page_path) page_ladder_write(l, &r->rungs, r->typed, r->page_path, &unwritten);
+    if (r->page_path) page_ladder_write(l, r->typed, r->page_path, &unwritten);
     if (r->junit_path && !unwritten.status) write_junit(r, l, status, &unwritten);
     if (status || !unwritten.status) return status;
     *why = unwritten;
