@@ -67,7 +67,7 @@ static struct sum strip(double u, const struct place *eta) {
 static struct sum wedge(double u, const struct place *xi) {
     double shrunk = expm1(-M_PI * u / xi->length), e = 1 + shrunk, half = xi->sine * xi->sine / (1 + xi->cosine);
     if (xi->cosine < 0) half = 1 - xi->cosine;                  /* 1 - cos(angle) */
-    double real = -shrunk + e * half, imaginary = e * xi->sine; /* of 1 - zeta, up to the sign */
+    double real = -shrunk + e * half, imaginary = e * xi->sine; /* parts of 1 - zeta, up to the sign */
     double den = (real * real + imaginary * imaginary) * xi->length / 2;
     struct sum D = {2 / M_PI * atan2(imaginary, real), -imaginary / den, -e * (half + shrunk) / den, 0};
     D.size = fabs(D.along) + fabs(D.across);
