@@ -1,20 +1,20 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Finite differences, forward in time and central in space: the second opinion on every particle method, and by
- * design not one line of it shared with them.
+/* Finite differences, forward in time and central in space: an independent check of every particle method.  By
+ * design the two share not one line of code.
  *
  *   direct       dT_i/dt = kappa_x (T_{i+1} - 2 T_i + T_{i-1}) / dx^2 + the same along y + G / rho_c
  *                (Song 2018, eq. 5; Pamplona 2019, eq. 16)
  *   with fluxes  q_i = -kappa_x (T_{i+1} - T_{i-1}) / (2 dx),  dT_i/dt = -(q_{i+1} - q_{i-1}) / (2 dx) + ...
- *                (Song 2018, eq. 6 and Fig. 1d); this is the stencil (T_{i+2} - 2 T_i + T_{i-2}) / (4 dx^2), which
- *                is blind to the checkerboard mode
+ *                (Song 2018, eq. 6 and Fig. 1d); the stencil (T_{i+2} - 2 T_i + T_{i-2}) / (4 dx^2), which is blind
+ * to the checkerboard mode
  *
- * Symbols along one axis: -(4/dx^2) sin^2(xi dx/2) and -(1/dx^2) sin^2(xi dx), both -xi^2 + A dx^2 xi^4 + O(dx^4),
- * with A = 1/12 and 1/3.  Euler's own error, -(dt/2) kappa^2 xi^4, cancels A where kappa dt/dx^2 = 2A: the matched
- * run on a rod, of fourth order (with fluxes for smooth data only).  In the plane that would need an isotropic
- * stencil.
+ * The symbols along one axis are -(4/dx^2) sin^2(xi dx/2) and -(1/dx^2) sin^2(xi dx), both -xi^2 + A dx^2
+ * xi^4 + O(dx^4), with A = 1/12 and 1/3.  Euler's error, -(dt/2) kappa^2 xi^4, cancels A at kappa dt/dx^2 = 2A: the
+ * matched run on a rod, of fourth order (with fluxes for smooth data only).  In the plane this would need an
+ * isotropic stencil.
  *
- * Restricted to a uniform grid, dx = dy; direct, also two materials (ftcs_layers.h) and round bodies (ftcs_polar.h).
- */
+ * Restrictions: uniform grid, dx = dy.  The direct form also treats two materials (ftcs_layers.h) and round bodies
+ * (ftcs_polar.h). */
 #include "solver/differences/ftcs_grid.h"
 #include "solver/differences/ftcs_loops.h"
 #include "solver/differences/ftcs_plan.h"
@@ -51,7 +51,7 @@ static void step_direct(struct ftcs_grid *g) {
     g->next = old;
 }
 
-/* In place: q_y of rows j - 1, j and j + 1 is held, and that of row j + 1 is taken before T of row j changes. */
+/* In place: q_y of rows j - 1, j and j + 1 is stored, that of row j + 1 computed before T of row j changes. */
 static void step_fluxes(struct ftcs_grid *g) {
     const struct ftcs_loops *loops = g->loops;
     int nx = g->n[0];
@@ -69,7 +69,7 @@ static void step_fluxes(struct ftcs_grid *g) {
     }
 }
 
-/* What 1/2 bounds, and 2 with fluxes: dt sum of kappa/dx^2. */
+/* dt sum of kappa/dx^2; stable up to 1/2, with fluxes up to 2. */
 static double fourier_sum(const struct ftcs_grid *g) {
     double rate = g->kappa[0] / (g->d[0] * g->d[0]) + g->kappa[1] / (g->d[1] * g->d[1]);
     for (int i = 0; g->layers[0] && i < g->n[0]; i++)
@@ -77,7 +77,7 @@ static double fourier_sum(const struct ftcs_grid *g) {
     return g->dt * rate;
 }
 
-/* The first point that has left the reach: NaN has too. */
+/* Refuses at the first point outside the reach; a NaN is outside. */
 static int check_stable(const struct ftcs_grid *g, long long step, struct failure *why) {
     for (int j = 0; j < g->n[1]; j++) {
         const double *row = g->T + g->corner + j * g->stride;
@@ -111,7 +111,7 @@ static int has_whole_cells(const struct ftcs_grid *g) {
     return g->end_cell[X_LO] * g->end_cell[X_HI] * g->end_cell[Y_LO] * g->end_cell[Y_HI] == 1;
 }
 
-/* Everything but T goes before the field comes, which keeps the peak low. */
+/* Frees everything except T before the field is allocated, which keeps peak memory low. */
 static void hand_over(struct ftcs_grid *g, struct field *f) {
     ptrdiff_t nx = g->n[0], n = nx * g->n[1];
     size_t held = g->held * sizeof *g->T;
@@ -147,8 +147,8 @@ static int run(struct ftcs_grid *g, struct failure *why) {
     return STATUS_OK;
 }
 
-/* Points and steps, and what they cost: fluxes take two neighbours for q and two for its slope, averages four nodes
- * of each piece of a spline along each axis. */
+/* Counts points, steps and their cost.  Fluxes need two neighbours for q and two for its slope; averages need four
+ * quadrature nodes per piece of the spline along each axis. */
 static void count(const struct ftcs_grid *g, const struct options *o, struct field *f) {
     const double n = (double)g->n[0] * g->n[1];
     const int pieces = o->sampling == SAMPLING_SPLINE ? 4 : 1, nodes = o->sampling == SAMPLING_POINT ? 1 : 4 * pieces;
@@ -162,7 +162,7 @@ static void count(const struct ftcs_grid *g, const struct options *o, struct fie
 }
 
 static int refuse_round(const struct method *m, struct failure *why) {
-    return refuse(why, STATUS_NOT_APPLICABLE, "%s: takes rods and rectangles, the scene has a round body; take ftcs",
+    return refuse(why, STATUS_NOT_APPLICABLE, "%s: needs a rod or a rectangle, this scene has a round body; use ftcs",
                   m->name);
 }
 

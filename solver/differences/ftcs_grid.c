@@ -1,15 +1,14 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The arrays of the finite differences (ftcs.c) on the grid of ftcs_plan.c: the start, the source, and the ghosts,
+/* The arrays of the finite differences (ftcs.c) on the grid of ftcs_plan.c: initial data, source and ghosts,
  *
- *   given temperature  T_ghost = 2 T_wall - T_mirror + d^2 T_nn, or T_wall (`fixed`, Pamplona 2019; first order)
- *   given flux         T_ghost = T_mirror + 2 d (k dT/dn) / k + d^3/3 T_nnn
- *   cooled, Robin      T_ghost = T_mirror + 2 d b (T_a - T_mirror) / (k + b d): k dT/dn = b (T_a - T) midway
- *                      (second order)
+ *   Dirichlet  T_ghost = 2 T_wall - T_mirror + d^2 T_nn, or T_wall (`fixed`, Pamplona 2019; first order)
+ *   Neumann    T_ghost = T_mirror + 2 d (k dT/dn) / k + d^3/3 T_nnn
+ *   Robin      T_ghost = T_mirror + 2 d b (T_a - T_mirror) / (k + b d): k dT/dn = b (T_a - T) midway (second order)
  *
- * at the distance d from the wall.  What the wall holds is steady, so there the equation says k_n T_nn + k_t T_tt + G
- * = 0, and its normal derivative k_n T_nnn + k_t T_ntt + G_n = 0: T_tt, T_ntt and G_n follow from the data of the
- * side and from the source by central differences over d, which leaves errors of d^4 and d^5.  Each ghost is a
- * multiple of one unknown plus a constant, so that a step fills them without asking what kind a side is. */
+ * at the distance d from the wall.  The boundary data are steady, so on the wall k_n T_nn + k_t T_tt + G = 0, with
+ * the normal derivative k_n T_nnn + k_t T_ntt + G_n = 0.  T_tt, T_ntt and G_n follow from the boundary data and the
+ * source by central differences over d, with errors of d^4 and d^5.  Each ghost is a multiple of one unknown plus a
+ * constant, so the steps need no cases for the kind of a side. */
 #include "solver/differences/ftcs_grid.h"
 
 #include "solver/differences/ftcs_layers.h"
@@ -26,8 +25,8 @@ static double *reserve(struct ftcs_grid *g, ptrdiff_t count) {
     return xcalloc((size_t)count, sizeof(double));
 }
 
-/* k_n times what the curved data of the side and the source add to a ghost at the distance d, K W m^-1 K^-1; k and
- * k_along: across the side and along it. */
+/* Correction of a ghost at the distance d for varying boundary data and the source, times k_n, K W m^-1 K^-1. k and
+ * k_along are the conductivities across and along the side. */
 static double beyond(const struct problem *p, enum side s, const double foot[2], double d, double k, double k_along) {
     int a = (int)s / 2, b = 1 - a;
     double in[2] = {foot[0], foot[1]}, out[2] = {foot[0], foot[1]}, lo[2] = {foot[0], foot[1]},
@@ -39,14 +38,14 @@ static double beyond(const struct problem *p, enum side s, const double foot[2],
     return -bend / k * d / 3 - (p->source ? d * d / 6 * (p->source(p, out) - p->source(p, in)) : 0);
 }
 
-/* W m^-1 K^-1 along the axis, in the cell at the place along the side. */
+/* Conductivity, W m^-1 K^-1, along the axis in the cell at this place of the side. */
 static double conducts(const struct ftcs_grid *g, const struct problem *p, enum side s, int place, int axis) {
     if (s == X_LO || s == X_HI) return p->material[s == X_HI ? p->materials - 1 : 0].k[axis];
     double x = g->origin[0] + place * g->d[0];
     return axis == 1 ? ftcs_layers_across(p, g->d[0], x) : p->material[p->materials == 2 && x >= p->interface].k[0];
 }
 
-/* Ghost m mirrors unknown m + shift: the wall lies half a spacing outside the first unknown (shift 0), on it (1), or
+/* Ghost m mirrors unknown m + shift.  The wall is half a spacing outside the first unknown (shift 0), on it (1), or
  * on ghost 0 (-1). */
 static void edge_make(struct ftcs_grid *g, const struct problem *p, const struct options *o, enum side s) {
     int a = (int)s / 2, b = 1 - a, length = g->n[b], given = p->side[s] == DIRICHLET;
@@ -54,7 +53,7 @@ static void edge_make(struct ftcs_grid *g, const struct problem *p, const struct
     struct ftcs_edge *e = &g->edge[s];
     e->offset = reserve(g, FTCS_LAYERS * length);
     for (int m = 0; m < FTCS_LAYERS && p->side[s] == PERIODIC; m++) {
-        e->mirror[m] = g->n[a] - 1 - m; /* of the far end; offsets stay 0 */
+        e->mirror[m] = g->n[a] - 1 - m; /* at the opposite end; offsets stay 0 */
         e->sign[m] = 1;
     }
     for (int m = 0; m < FTCS_LAYERS && p->side[s] != PERIODIC; m++) {
@@ -65,7 +64,7 @@ static void edge_make(struct ftcs_grid *g, const struct problem *p, const struct
         double taken = 0;
         if (p->side[s] == ROBIN) {
             double k = conducts(g, p, s, 0, a);
-            taken = 2 / (1 + k / (p->robin[s] * apart / 2)); /* 0 to 2, whatever b is */
+            taken = 2 / (1 + k / (p->robin[s] * apart / 2)); /* 0 to 2 for any b */
             e->sign[m] = 1 - taken;
         }
         for (int i = 0; i < length; i++) {
@@ -83,7 +82,7 @@ static void edge_make(struct ftcs_grid *g, const struct problem *p, const struct
     }
 }
 
-/* Of two materials. */
+/* Coefficients for two materials. */
 static void layers_make(struct ftcs_grid *g, const struct problem *p, const struct options *o) {
     for (int k = 0; k < 2 + p->dim; k++) g->layers[k] = reserve(g, g->n[0]);
     for (int i = 0; i < g->n[0]; i++) {
@@ -96,7 +95,7 @@ static void layers_make(struct ftcs_grid *g, const struct problem *p, const stru
     }
 }
 
-/* Past its data, and what source and fluxes can add, by half their range, a run is unstable. */
+/* Range of a stable run: that of the data and the possible effect of source and fluxes, widened by half of itself. */
 static void bound(struct ftcs_grid *g, const struct problem *p, double source) {
     double lowest = g->lowest, highest = g->highest, more = source * p->t_end / g->rho_c;
     for (int s = 0; s < 2 * p->dim; s++) {

@@ -1,21 +1,21 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Two materials for the finite differences, on a rod or in the plane.
+/* Finite differences for two materials, on a rod or in the plane.
  *
  *   rho_c_i dT_i/dt = (k_{i+1/2} (T_{i+1} - T_i) - k_{i-1/2} (T_i - T_{i-1})) / d^2
  *
- * with rho_c averaged over the cell and, for the series mean, k_{i+1/2} = d / (l_1/k_1 + l_2/k_2), l_m the part of
- * the line between the two points in material m (Patankar 1980, section 4.2-3, with the interface anywhere).  Steady
- * profiles are then exact and the cells hold the heat of both materials: second order wherever the interface lies.
- * Along y a cell that the interface cuts conducts with both of its parts side by side: the mean of k_y over its
- * width. The harmonic and arithmetic means are those of the two points' conductivities, exact and of first order
- * where the interface lies midway.  A point or face at the interface to rounding is taken to lie on it. */
+ * rho_c is the average over the cell.  The series mean is k_{i+1/2} = d / (l_1/k_1 + l_2/k_2), l_m the length of the
+ * line between the two points in material m (Patankar 1980, section 4.2-3, for any interface position).  Steady
+ * profiles are then exact and the cells have the heat of both materials: second order for any interface position.
+ * Along y the two parts of a cell that the interface cuts conduct in parallel, with the mean of k_y over its width.
+ * The harmonic and arithmetic means use the conductivities at the two points; they are exact, respectively first
+ * order, if the interface is midway.  A point or face within round-off of the interface is on it. */
 #include "solver/differences/ftcs_layers.h"
 
 #include "solver/problem.h"
 
 #include <math.h>
 
-/* How far x lies beyond the interface, in units of d, cleared of rounding. */
+/* Distance of x beyond the interface in units of d, with round-off removed. */
 static double depth(const struct problem *p, double d, double x) {
     double apart = (x - p->interface) / fabs(d), edge = nearbyint(2 * apart) / 2;
     return fabs(apart - edge) < 1e-9 ? edge : apart;
@@ -49,7 +49,7 @@ double ftcs_layers_conductivity(const struct problem *p, enum mean mean, double 
     if (p->materials < 2) return p->material[0].k[0];
     double here = depth(p, d, x), there = here + (d > 0 ? 1 : -1);
     double ka = p->material[here >= 0].k[0], kb = p->material[there >= 0].k[0];
-    double beyond = fmin(1, fmax(0, fmax(here, there))); /* part of the line */
+    double beyond = fmin(1, fmax(0, fmax(here, there))); /* fraction of the line */
     if (mean == MEAN_HARMONIC) return 2 * ka * kb / (ka + kb);
     if (mean == MEAN_ARITHMETIC) return 0.5 * (ka + kb);
     return 1 / ((1 - beyond) / p->material[0].k[0] + beyond / p->material[1].k[0]);

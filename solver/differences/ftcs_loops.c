@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The hot loops of the finite differences, compiled for each width of vectors. */
+/* The hot loops of the finite differences, compiled for each vector width. */
 #include "solver/differences/ftcs_loops.h"
 
 #include "solver/options.h"

@@ -2,7 +2,8 @@
 #ifndef HEATLADDER_SOLVER_DIFFERENCES_FTCS_LOOPS_H
 #define HEATLADDER_SOLVER_DIFFERENCES_FTCS_LOOPS_H
 
-/* The loops over a row of n points, which T, next and the others begin at; T is read one point beyond either end. */
+/* Loops over a row of n points.  All pointers are to the first point of the row; T is read one point beyond either
+ * end. */
 struct ftcs_loops {
     /* next = T + Fx (T_(i+1) - 2 T_i + T_(i-1)) */
     void (*rod)(int n, double Fx, const double *restrict T, double *restrict next);
@@ -16,16 +17,16 @@ struct ftcs_loops {
     /* a row of a rectangle */
     void (*row)(int n, double Fx, double Fy, const double *restrict T, const double *restrict below,
                 const double *restrict above, double *restrict next);
-    /* to = (or, with `add`, to +=) factor (ahead - behind) */
+    /* to = (with `add`: to +=) factor (ahead - behind) */
     void (*difference)(int n, double factor, const double *restrict ahead, const double *restrict behind, int add,
                        double *restrict to);
     /* T += dt heating */
     void (*accumulate)(int n, double dt, const double *restrict heating, double *restrict T);
-    /* how many are not within middle +- reach */
+    /* number of points outside middle +- reach */
     int (*outside)(int n, double middle, double reach, const double *T);
 };
 
-/* The loops that take 2, 4 or 8 doubles at once; 0: as many as the machine can. */
+/* Loops for vectors of 2, 4 or 8 doubles; 0: the widest that the machine supports. */
 const struct ftcs_loops *ftcs_loops_of(int lanes);
 
 #endif

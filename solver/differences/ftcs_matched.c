@@ -3,8 +3,8 @@
  *
  *     -(dt/2) T_tt = -(dt/2) (kappa^2 T_xxxx + kappa G_xx/rho_c).
  *
- * At kappa dt/dx^2 = 2A its first part cancels the error of space, A kappa dx^2 T_xxxx.  The source becomes
- * G + A dx^2 G_xx, which cancels the second part, and the error of space once steady. */
+ * At kappa dt/dx^2 = 2A its first part cancels the spatial error A kappa dx^2 T_xxxx.  The source G + A dx^2 G_xx
+ * cancels the second part, and the spatial error of the steady state. */
 #include "solver/differences/ftcs_matched.h"
 
 #include "solver/problem.h"
@@ -28,7 +28,7 @@ int ftcs_matched_points(const struct ftcs_grid *g, const struct problem *p, int 
         double cells = (jump[k] - g->origin[0]) / g->d[0] + 0.5;
         if (fabs(cells - nearbyint(cells)) > 1e-6)
             return refuse(why, STATUS_NOT_APPLICABLE,
-                          "--stepper matched: the start jumps at x = %g m, not midway between two points; take "
+                          "--stepper matched: the initial data jump at x = %g m, not midway between two points; use "
                           "--sampling spline",
                           jump[k]);
     }
@@ -40,7 +40,7 @@ int ftcs_matched_points(const struct ftcs_grid *g, const struct problem *p, int 
     }
     if (jumps && slopes)
         return refuse(why, STATUS_NOT_APPLICABLE,
-                      "--stepper matched: the start jumps and varies between its jumps; take --sampling spline");
+                      "--stepper matched: the initial data jump and vary between the jumps; use --sampling spline");
     *m = jumps ? -1 : 0;
     return STATUS_OK;
 }

@@ -1,6 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* What a run of the finite differences would be: refuses what it cannot do, lays out the points and counts the steps.
- */
+/* Plan of a finite-difference run: refuses invalid options, places the points and counts the steps. */
 #include "solver/differences/ftcs_plan.h"
 
 #include "solver/differences/ftcs_grid.h"
@@ -14,7 +13,7 @@
 
 enum { SPACINGS_MIN = 4 };
 
-/* Whether dx goes into every extent a whole number of times, to a millionth of that number. */
+/* 1 if every extent is a whole number of spacings dx, to a relative tolerance of 1e-6. */
 static int divides(const struct problem *p, double dx) {
     for (int a = 0; a < p->dim; a++) {
         double count = (p->hi[a] - p->lo[a]) / dx;
@@ -63,11 +62,11 @@ static int check_options(const struct ftcs_grid *g, const struct problem *p, con
                          struct failure *why) {
     if (p->materials > 1 && g->with_fluxes)
         return refuse(why, STATUS_NOT_APPLICABLE,
-                      "%s: takes one material; this scene has %d, which meet at x = %g m; take ftcs", g->method,
+                      "%s: takes one material; this scene has %d, in contact at x = %g m; use ftcs", g->method,
                       p->materials, p->interface);
     if (p->materials > 1 && p->dim == 2 && (p->side[Y_LO] == ROBIN || p->side[Y_HI] == ROBIN))
         return refuse(why, STATUS_NOT_APPLICABLE,
-                      "%s: a Robin wall across both materials is not there; take a particle method, such as "
+                      "%s: has no Robin wall across both materials; use a particle method, such as "
                       "contact_ssph",
                       g->method);
     if (p->materials > 1 && (o->sampling == SAMPLING_SPLINE || o->layout == LAYOUT_NODE))
@@ -78,11 +77,10 @@ static int check_options(const struct ftcs_grid *g, const struct problem *p, con
         return refuse(why, STATUS_NOT_APPLICABLE, "--stepper matched: takes one material; valid here: euler, auto");
     for (int s = 0; s < 2 * p->dim; s++)
         if (p->side[s] == ROBIN && (o->layout == LAYOUT_NODE || o->stepper == STEPPER_MATCHED))
-            return refuse(
-                why, STATUS_NOT_APPLICABLE,
-                "%s: a Robin wall is midway between a point and its ghost, which is of second order; take %s",
-                o->layout == LAYOUT_NODE ? "--layout node" : "--stepper matched",
-                o->layout == LAYOUT_NODE ? "--layout lattice" : "--stepper euler");
+            return refuse(why, STATUS_NOT_APPLICABLE,
+                          "%s: a Robin wall must be midway between a point and its ghost for second order; use %s",
+                          o->layout == LAYOUT_NODE ? "--layout node" : "--stepper matched",
+                          o->layout == LAYOUT_NODE ? "--layout lattice" : "--stepper euler");
     if (options_is_cloud(o))
         return refuse(why, STATUS_NOT_APPLICABLE, "--layout %s: %s needs a grid: lattice or node",
                       layout_words[o->layout], g->method);
@@ -93,19 +91,19 @@ static int check_options(const struct ftcs_grid *g, const struct problem *p, con
                       g->method);
     if (o->stepper == STEPPER_MATCHED && p->source_rate)
         return refuse(why, STATUS_NOT_APPLICABLE,
-                      "--stepper matched: a source that changes in time has an error of its own in Euler's steps, "
-                      "which no step cancels; take --stepper euler");
+                      "--stepper matched: a source that depends on time has its own error in Euler's steps, "
+                      "which no step cancels; use --stepper euler");
     if (o->stepper == STEPPER_MATCHED && g->with_fluxes && p->source)
         return refuse(
             why, STATUS_NOT_APPLICABLE,
-            "--stepper matched: %s does not see (-1)^i, which a source feeds at the walls at third order; take "
+            "--stepper matched: %s annihilates (-1)^i, which a source excites at the walls at third order; use "
             "ftcs",
             g->method);
     if (o->stepper != STEPPER_AUTO && o->stepper != STEPPER_EULER && o->stepper != STEPPER_MATCHED)
         return refuse(why, STATUS_NOT_APPLICABLE, "--stepper %s: %s has euler, auto%s", stepper_words[o->stepper],
                       g->method, p->dim == 1 ? ", matched" : "");
     if (o->stepper == STEPPER_MATCHED && (o->dt != 0 || o->fourier != 0))
-        return refuse(why, STATUS_INPUT, "--stepper matched: sets the step itself; leave out --dt and --fourier");
+        return refuse(why, STATUS_INPUT, "--stepper matched: sets its own step; omit --dt and --fourier");
     if (ftcs_plan_check_times(p, o, why)) return why->status;
     if (p->side[X_LO] == PERIODIC && (o->layout == LAYOUT_NODE || o->walls != WALLS_MIRROR))
         return refuse(why, STATUS_NOT_APPLICABLE, "--%s: the scene is periodic and has no walls",
@@ -116,7 +114,7 @@ static int check_options(const struct ftcs_grid *g, const struct problem *p, con
     return check_spacing(p, o->dx, why);
 }
 
-/* The unknowns.  On the node of a wall T is unknown where the flux is given, and given where T is. */
+/* Places the unknowns.  A node on a wall is an unknown on a Neumann side and is given on a Dirichlet side. */
 static void lay_grid(struct ftcs_grid *g, const struct problem *p, const struct options *o) {
     int node = o->layout == LAYOUT_NODE;
     g->n[1] = 1;
@@ -142,18 +140,18 @@ static void lay_grid(struct ftcs_grid *g, const struct problem *p, const struct 
 static int plan_steps(struct ftcs_grid *g, const struct problem *p, const struct options *o, struct failure *why) {
     double square = g->d[0] * g->d[0], kappa = fmax(g->kappa[0], g->kappa[1]), span = p->t_end, count;
     if (o->stepper == STEPPER_MATCHED) {
-        /* Averaging with a B-spline of order m acts like m dx^2/(24 kappa) of diffusion; point samples of a jump
-         * midway between two points are cell averages of data that is steeper by one such order. */
+        /* Averaging with a B-spline of order m is equivalent to diffusion for the time m dx^2/(24 kappa).  Point
+         * samples of a jump midway between two points are cell averages of data that are steeper by one order. */
         int m = o->sampling == SAMPLING_SPLINE ? 4 : o->sampling == SAMPLING_CELL ? 1 : 0;
         if (o->sampling == SAMPLING_POINT && ftcs_matched_points(g, p, &m, why)) return why->status;
         g->start = m * square / (24 * kappa);
         span -= g->start;
         if (!(span > 0))
             return refuse(why, STATUS_INPUT,
-                          "--stepper matched: starts at %g s, past the end at %g s; take --dx below %g", g->start,
+                          "--stepper matched: starts at %g s, after the end at %g s; use --dx below %g", g->start,
                           p->t_end, g->d[0] * sqrt(p->t_end / g->start));
-        /* A whole number of steps seldom fits.  What cancels the error of space is the sum of dt^2: pairs of a longer
-         * and a shorter step have it right at any even count past the ideal one. */
+        /* The matching step rarely fits a whole number of times.  The spatial error is cancelled by the sum of dt^2:
+         * pairs of a longer and a shorter step reach it with any even count above the ideal one. */
         double ideal = span * kappa / square / (g->with_fluxes ? 2. / 3 : 1. / 6);
         count = 2 * ceil(ideal / 2 - 1e-9);
         g->alternation = sqrt(fmax(0, count / ideal - 1));
@@ -163,8 +161,8 @@ static int plan_steps(struct ftcs_grid *g, const struct problem *p, const struct
     }
     if (!(count <= 1e12)) return refuse(why, STATUS_INPUT, "%s: %g time steps, at most 1e12", g->method, count);
     if (count * 8 * g->n[0] * g->n[1] > 9e18)
-        return refuse(why, STATUS_INPUT, "%s: %g time steps of %g points, more than can be counted", g->method, count,
-                      1.0 * g->n[0] * g->n[1]);
+        return refuse(why, STATUS_INPUT, "%s: %g time steps of %g points, above the limit of 9e18 updates", g->method,
+                      count, 1.0 * g->n[0] * g->n[1]);
     g->steps = (long long)count;
     g->dt = count > 0 ? span / count : 0;
     return STATUS_OK;

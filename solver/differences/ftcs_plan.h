@@ -7,12 +7,12 @@ struct options;
 struct failure;
 struct ftcs_grid;
 
-/* Fills *g but for its arrays: points, steps and sizes.  Holds nothing.  STATUS_OK, STATUS_INPUT or
- * STATUS_NOT_APPLICABLE with *why filled. */
+/* Fills *g except its arrays: points, steps and sizes.  Allocates nothing.  Returns STATUS_OK, or STATUS_INPUT or
+ * STATUS_NOT_APPLICABLE with *why. */
 int ftcs_plan(struct ftcs_grid *g, const char *method, int with_fluxes, const struct problem *p,
               const struct options *o, struct failure *why);
 
-/* Whether step and end time of the options and the problem are what any grid can take. */
+/* Checks time step and end time for any grid. */
 int ftcs_plan_check_times(const struct problem *p, const struct options *o, struct failure *why);
 
 #endif

@@ -1,24 +1,25 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Finite differences in a round body: cells of rings and rays,
+/* Finite differences in a round body: cells on rings and rays,
  *
- *   r_i = r_hole + (i + 1/2) dr,   theta_j = (j + 1/2) dtheta,   dr = dx, dtheta the next below dx / radius
+ *   r_i = r_hole + (i + 1/2) dr,   theta_j = (j + 1/2) dtheta,   dr = dx, dtheta = 2 pi/ceil(2 pi radius/dx)
  *   dT_ij/dt = kappa (r_+ (T_(i+1)j - T_ij) - r_- (T_ij - T_(i-1)j)) / (r_i dr^2)
  *              + kappa (T_i(j+1) - 2 T_ij + T_i(j-1)) / (r_i dtheta)^2 + G / rho_c,     r_+- = r_i +- dr/2
  *
- * so that what leaves a cell enters the next, and r_- = 0 closes the middle of a disc.  A wall lies half a spacing
- * outside its last ring and conducts 2 k / dr to it, in series with b where it is cooled; a given flux enters as it
- * is: second order for all three kinds.
+ * The scheme is conservative, and r_- = 0 closes the centre of a disc.  A wall is half a spacing outside its last
+ * ring and conducts 2 k / dr to it, in series with b if it is cooled; a given flux enters directly.  All three
+ * boundary conditions are second order.
  *
- * Cells at the middle are dx^2 / (2 radius) wide.  An explicit step would have to shrink with their square, dx^4:
- * each step is explicit along r and implicit along theta,
+ * Cells at the centre are dx^2 / (2 radius) wide.  The stable step of an explicit method would scale with their
+ * square, dx^4, so each step is explicit along r and implicit along theta,
  *
  *   (1 - a_i delta_theta^2) T_new = T + dt (the part along r + G / rho_c),   a_i = kappa dt / (r_i dtheta)^2
  *
- * of first order in dt.  The explicit part is symmetric in the norm of the cells' areas and below 4 kappa / dr^2; the
- * inverse of the implicit part is at most 1 in it: stable up to kappa dt / dr^2 = 1/2.  On a ring that inverse is
- * (1 - z)^2 / ((1 - z E)(1 - z / E)), E the shift by one ray and z + 1/z = 2 + 1/a: a sweep around each way.
+ * and first order in dt.  In the norm weighted by the areas of the cells the explicit part is symmetric and below 4
+ * kappa / dr^2, and the inverse of the implicit part is at most 1: stable up to kappa dt / dr^2 = 1/2.  On a ring
+ * the inverse is (1 - z)^2 / ((1 - z E)(1 - z / E)), where E is the shift by one ray and z + 1/z = 2 + 1/a: one
+ * sweep around the ring in each direction.
  *
- * Rings are contiguous, so that all loops run along r and none is a recursion. */
+ * The values along r are contiguous, so all loops run along r and none is a recursion. */
 #include "solver/differences/ftcs_grid.h"
 #include "solver/differences/ftcs_plan.h"
 
@@ -39,25 +40,26 @@ struct polar {
     double dt;               /* s */
     long long steps;
     double rho_c, kappa;    /* J m^-3 K^-1; m^2 s^-1 */
-    double *in, *out;       /* s^-1, by ring: to the ring or wall inside and outside */
-    double *z, *scale;      /* by ring: the root above; (1 - z)^2 */
-    double *beside[2];      /* K, by ray: the temperature beyond the hole's wall and the outer wall */
-    double *heating;        /* K s^-1, of each cell: source and given flux */
+    double *in, *out;       /* s^-1, by ring: conductance to the inner and outer ring or wall */
+    double *z, *scale;      /* by ring: the root z; (1 - z)^2 */
+    double *beside[2];      /* K, by ray: temperature beyond the wall of the hole and beyond the outer wall */
+    double *heating;        /* K s^-1, by cell: source and given flux */
     double *T;              /* K, rings x rays, rings fastest */
-    double *row, *sum;      /* K, by ring: of the ray at hand; what the next sweep starts from */
+    double *row, *sum;      /* K, by ring: values on the current ray; initial values of the next sweep */
     double lowest, highest; /* K, of the initial data */
     double middle, reach;   /* K: a stable solution stays within middle +- reach */
 };
 
-/* ---- What is refused, and how the grid lies ---- */
+/* ---- Refusals and grid ---- */
 
 static int check_options(const char *method, const struct problem *p, const struct options *o, struct failure *why) {
     double width = p->radius[1] - p->radius[0], rings = width / o->dx;
     if (o->layout != LAYOUT_LATTICE)
-        return refuse(why, STATUS_NOT_APPLICABLE, "--layout %s: %s has rings and rays in a round body; leave it out",
-                      layout_words[o->layout], method);
+        return refuse(why, STATUS_NOT_APPLICABLE,
+                      "--layout %s: %s uses rings and rays in a round body; omit --layout", layout_words[o->layout],
+                      method);
     if (o->sampling != SAMPLING_POINT)
-        return refuse(why, STATUS_NOT_APPLICABLE, "--sampling %s: %s takes points in a round body; take point",
+        return refuse(why, STATUS_NOT_APPLICABLE, "--sampling %s: %s samples points in a round body; use point",
                       sampling_words[o->sampling], method);
     if (o->walls != WALLS_MIRROR)
         return refuse(why, STATUS_NOT_APPLICABLE, "--walls %s: is for particles; %s has mirror in a round body",
@@ -125,15 +127,15 @@ static double area(const struct polar *g, int ring) {
 
 /* ---- The arrays ---- */
 
-/* W m^-2 K^-1, from the last ring to what lies beyond the wall. */
+/* W m^-2 K^-1, from the last ring through the wall. */
 static double wall_conducts(const struct polar *g, const struct problem *p, enum side s) {
     double k = p->material[0].k[0], half = g->dr / 2;
     if (p->side[s] == NEUMANN) return 0;
     return p->side[s] == ROBIN ? 1 / (1 / p->robin[s] + half / k) : k / half;
 }
 
-/* What the wall conducts, holds and lets in.  Widens the range of its temperatures, K, and returns what a given flux
- * can add, K. */
+/* Sets conductance, temperature and flux of a wall.  Widens the range of the wall temperatures, K, and returns the
+ * possible effect of a given flux, K. */
 static double wall_make(struct polar *g, const struct problem *p, enum side s, double *lowest, double *highest) {
     const int ring = s == X_HI ? g->rings - 1 : 0;
     double width = g->rings * g->dr, k = p->material[0].k[0], most = 0;
@@ -166,7 +168,7 @@ static void polar_free(struct polar *g) {
     for (size_t k = 0; k < sizeof all / sizeof *all; k++) free(all[k]);
 }
 
-/* What the step takes from each ring. */
+/* Coefficients of each ring. */
 static void rings_make(struct polar *g) {
     for (int i = 0; i < g->rings; i++) {
         double r = radius(g, i), rate = g->kappa / (r * g->dr * g->dr);
@@ -179,7 +181,8 @@ static void rings_make(struct polar *g) {
     }
 }
 
-/* Start and source; past its data, and what source and fluxes can add, by half their range, a run is unstable. */
+/* Initial data and source, and the range of a stable run: that of the data and the possible effect of source
+ * and fluxes, widened by half of it. */
 static void fill(struct polar *g, const struct problem *p) {
     double source = 0;
     g->lowest = INFINITY, g->highest = -INFINITY;
@@ -203,7 +206,7 @@ static void fill(struct polar *g, const struct problem *p) {
 
 /* ---- One step ---- */
 
-/* T + dt (the part along r + heating), in place; the sums that a sweep around starts from, into `sum`. */
+/* T + dt (the part along r + heating), in place; the sums that start the sweep around the ring go to `sum`. */
 static void step_along(struct polar *g) {
     const int n = g->rings;
     const double dt = g->dt, *in = g->in, *out = g->out, *z = g->z;
@@ -222,8 +225,8 @@ static void step_along(struct polar *g) {
     }
 }
 
-/* The filter 1 / (1 - z E) around each ring, along the rays or against them; then once more the sums, for the way
- * back. `sum` of all rays, weighted by powers of z, is the ray before the first, but for 1 / (1 - z^rays). */
+/* The filter 1 / (1 - z E) around each ring, along the rays or backwards; after the first, the sums for the way
+ * back.  `sum` over all rays, weighted by powers of z, is the value before the first ray times 1 - z^rays. */
 static void sweep_around(struct polar *g, int backwards) {
     const int n = g->rings;
     const double *z = g->z;
@@ -253,7 +256,7 @@ static void step(struct polar *g) {
 
 static int check_stable(const struct polar *g, long long step, struct failure *why) {
     for (size_t k = 0; k < cells(g); k++) {
-        if (fabs(g->T[k] - g->middle) <= g->reach) continue; /* not of NaN */
+        if (fabs(g->T[k] - g->middle) <= g->reach) continue; /* false for NaN */
         double x[2];
         place(g, (int)(k % (size_t)g->rings), (int)(k / (size_t)g->rings), x);
         return refuse(why, STATUS_UNSTABLE,
@@ -288,7 +291,7 @@ static size_t held(const struct polar *g) {
     return (2 * cells(g) + 6 * (size_t)g->rings + 2 * (size_t)g->rays) * sizeof(double);
 }
 
-/* Four neighbours of each cell; along r once a step, around twice each way. */
+/* Four neighbours per cell; each step makes one pass along r and two sweeps around. */
 static void count(const struct polar *g, struct field *f) {
     f->dim = 2, f->n = cells(g);
     f->dt = g->dt, f->steps = g->steps, f->stages = 1;

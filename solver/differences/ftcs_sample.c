@@ -1,13 +1,13 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* What the finite differences start from: point values, or averages of the initial data,
+/* Initial data of the finite differences: point values, or averages
  *
  *   T_i = int B((x - x_i)/dx) T(x, 0) dx / dx,   B the indicator of the cell, or the cubic B-spline (4 dx wide),
  *
- * as a tensor product in the plane.  Averages restore second order where a jump lies anywhere (Kreiss, Thomee,
- * Widlund 1970).  A cell of two materials starts at its heat over its heat capacity; its points are then the middles
- * of its two parts.  Gauss-Legendre with four points on each piece that is smooth: the rule is cut at the knots of B,
- * at the walls, at the planes where the data jump, at their images in the walls, and at a plane of symmetry, which is
- * a wall where half of the domain is computed. */
+ * as a tensor product in the plane.  Averages restore second order for a jump at any place (Kreiss, Thomee, Widlund
+ * 1970).  A cell of two materials starts at its heat divided by its heat capacity; the points are then the centres
+ * of its two parts.  The quadrature is Gauss-Legendre with four points on each smooth piece.  It is split at the
+ * knots of B, at the walls, at jumps of the data, at the images of the jumps, and at a plane of symmetry, which is a
+ * wall if half of the domain is computed. */
 #include "solver/differences/ftcs_grid.h"
 
 #include "solver/differences/ftcs_layers.h"
@@ -23,9 +23,9 @@ struct rule {
     double weight[GAUSS * KNOTS];
 };
 
-/* The initial data, continued past a wall so that the wall's condition holds: odd about a given temperature, even but
- * for the slope about a given flux.  Past a corner, whose sides may disagree, the mean over them, so that neither
- * axis comes first. */
+/* The initial data, extended beyond a wall by its boundary condition: odd about a Dirichlet value, even about a
+ * Neumann wall except for its slope.  Beyond a corner between different sides it is the mean over them, independent
+ * of the order of the axes. */
 static double continued(const struct problem *p, const double x[2]) {
     double sum = 0;
     int sides = 0;
@@ -54,7 +54,7 @@ static double bspline(double u) {
     return u < 1 ? 2. / 3 - u * u + u * u * u / 2 : v * v * v / 6;
 }
 
-/* knot[0] < ... < knot[n-1], and those of the cuts that lie between them.  Returns the new n. */
+/* Inserts the cuts between knot[0] and knot[n-1] into the ascending knots; returns the new n. */
 static int cut_in(double *knot, int n, const double *cut, int cuts) {
     for (int c = 0; c < cuts; c++) {
         if (!(cut[c] > knot[0] && cut[c] < knot[n - 1])) continue;
@@ -84,7 +84,7 @@ static void rule_make(struct rule *r, const struct problem *p, int a, double cen
     }
     if (p->mirror[a]) cut[cuts++] = (p->lo[a] + p->hi[a]) / 2;
     for (int c = 0; c < cuts; c++)
-        cut[c] = (cut[c] - centre) / d; /* so that the weights add up to 1 to the last digit */
+        cut[c] = (cut[c] - centre) / d; /* in units of d, so that the weights sum to 1 to the last digit */
     for (int k = 0; k <= pieces; k++) knot[k] = k - 0.5 * pieces;
     int knots = cut_in(knot, pieces + 1, cut, cuts);
 

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Euler's method: T += dt L(T) (Song eqs. 31, 37).  |G| <= 1 from 0 to -2. */
+/* Euler's method: T += dt L(T) (Song eqs. 31, 37). |G| <= 1 on [-2, 0]. */
 #include "solver/time/stepper.h"
 
 static void updates(double dt, double bound, int stages, struct update *u) {

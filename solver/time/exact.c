@@ -1,19 +1,18 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The exact solution of the semi-discrete problem dT/dt = A T + g on a lattice.
+/* Exact solution of the semi-discrete problem dT/dt = A T + g on a lattice.
  *
- * Stencils are even and ghosts mirror, so A is diagonal under the sine or cosine transform that has the walls'
- * parity, and its eigenvalues are the symbol at the transform's wave numbers:
+ * Stencils are even and walls are represented by mirror images, so the sine or cosine transform with the parity of
+ * the walls diagonalises A.  The eigenvalues are the symbol at the wave numbers of the transform:
  *
  *     T^(t) = exp(lambda t) T^(0) + t phi(lambda t) g^,   phi(z) = (exp(z) - 1) / z,
  *     lambda = sum_ij w_ij cos(i theta_x) cos(j theta_y).
  *
- * On a plane the work is less than that of two transforms of all values where
- *   - the data are a sum of R products X(x) Y(y), seen by elimination: their transform is that of 2 R lines;
- *   - few modes survive.  A mode's amplitude is at most 4 max |T|, so that all those with
- *     exp(lambda t) < eps / (4 nx ny) together stay below eps max |T| and are left out.  exp(lambda t) is nearly a
- *     product too (for the Laplacian itself it is one), so that what is left is again a sum of a few products,
- *     transformed back as lines.
- * Both are tried as long as the counted work of elimination stays below that of FFTW's transform. */
+ * In the plane two properties reduce the work below that of two full transforms:
+ *   - If elimination shows that the data are a sum of R products X(x) Y(y), 2 R lines are transformed instead.
+ *   - If few modes survive, only these are evaluated. The amplitude of a mode is at most 4 max |T|, so all modes with
+ *     exp(lambda t) < eps / (4 nx ny) together contribute less than eps max |T| and are dropped. exp(lambda t) is
+ * nearly a product (exactly one for the Laplacian), so the result is again a sum of a few products, transformed back
+ * as lines. Both are tried as long as the operation count of the elimination is below that of FFTW's transform. */
 #include "solver/time/stepper.h"
 
 #include "solver/time/products.h"
@@ -24,7 +23,7 @@
 #include <math.h>
 #include <stdlib.h>
 
-/* Modes that are gone cost no exp; below -1 exp(z) - 1 loses nothing. */
+/* Decayed modes need no exp.  For z < FAR, exp(z) - 1 has no cancellation. */
 static const double GONE = -746, FAR = -1; /* exp(GONE) is zero */
 
 struct modes {
@@ -35,7 +34,7 @@ struct modes {
     double *versine[2]; /* cos(i theta_k) - 1 times the multiplicity of +-i, at [i n + k] */
 };
 
-/* cos x - 1 = -2 sin^2(x/2): to a few roundings of itself however small it is. */
+/* cos x - 1 = -2 sin^2(x/2) has a relative error of a few eps at any x. */
 static double *versines(const struct heat_operator *a, int axis) {
     const struct lattice *l = &a->lattice;
     int r = a->reach[axis], n = l->n[axis];
@@ -50,9 +49,9 @@ static double *versines(const struct heat_operator *a, int axis) {
     return table;
 }
 
-/* lambda of the modes (k, m), k = 0 .. n[0] - 1.  The weights' sum is zero, since what is constant stays so; what
- * rounding left of it, eps kappa/dx^2, would count for as much as the slowest modes: lambda = sum_ij w_ij (cos cos -
- * 1), and cos a cos b - 1 = (cos a - 1) cos b + (cos b - 1). */
+/* Eigenvalues of the modes (k, m), k = 0 .. n[0] - 1.  A constant field is steady, so the exact sum of the weights
+ * is zero.  Its rounding error, eps kappa/dx^2, would be comparable with the slowest eigenvalues.  Therefore
+ * lambda = sum_ij w_ij (cos a cos b - 1), with cos a cos b - 1 = (cos a - 1) cos b + (cos b - 1). */
 static void rates(const struct modes *s, int m, double *restrict lambda) {
     int rx = s->a->reach[0], ry = s->a->reach[1], nx = s->l->n[0], ny = s->l->n[1];
     double across = 0;
@@ -80,11 +79,11 @@ static double phi(double z) {
     return z < FAR ? (decay(z) - 1) / z : fabs(z) > 1e-12 ? expm1(z) / z : 1;
 }
 
-/* ---- Few modes of a start that is a sum of products ---- */
+/* ---- Data that are a sum of products, few surviving modes ---- */
 
-/* As many products as elimination finds in less work than a transform takes: R of them cost (R + 1) (R + 2)
- * operations a value that is searched and 2 R a value that is put together, two at a time; FFTW's lines go one by
- * one. */
+/* Largest number of products for which elimination costs less than a transform.  R products cost (R + 1) (R + 2)
+ * operations for each value searched and 2 R for each value assembled, two values at a time; FFTW processes one line
+ * at a time. */
 static int worthwhile(const struct modes *s, double searched) {
     double flops = transform_flops(s->transform);
     int R = 0;
@@ -106,7 +105,7 @@ static void transform_factors(const struct modes *s, struct products *p,
     }
 }
 
-/* 1 and the transform of F as products, where F is a sum of few; else 0. */
+/* Returns 1 and the transform of F as products if F is a sum of few products; else 0. */
 static int product_transform(const struct modes *s, const double *F, struct products *p) {
     if (s->l->dim < 2 || !products_split(F, s->l->n, 4 * DBL_EPSILON, worthwhile(s, 1), p)) return 0;
     transform_factors(s, p, transform_line_forward);
@@ -119,8 +118,8 @@ static double largest(const double *x, int n) {
     return most;
 }
 
-/* Takes back keep[axis][k] where every mode of the start *p is below rounding of the largest: those of the other
- * parity, in data that are even or odd about the middle. */
+/* Clears keep[axis][k] if every mode of the data *p with this wave number is below round-off of the largest: modes
+ * of the opposite parity, for data even or odd about the middle. */
 static void drop_absent(const struct products *p, int axis, int *keep) {
     int n = p->n[axis], across = p->n[1 - axis];
     double *size = xcalloc((size_t)n, sizeof *size);
@@ -133,12 +132,12 @@ static void drop_absent(const struct products *p, int axis, int *keep) {
     free(size);
 }
 
-/* exp(lambda t) below which a mode is left out. */
+/* Exponent lambda t below which a mode is dropped. */
 static double least_exponent(const struct modes *s) {
     return log(DBL_EPSILON / 4 / s->l->n[0] / s->l->n[1]);
 }
 
-/* The wave numbers along each axis that have a surviving mode: keep[0][k], keep[1][m]; count of each. */
+/* Wave numbers along each axis with at least one surviving mode, keep[0][k] and keep[1][m], and their counts. */
 static void survivors(const struct modes *s, const struct products *p, int *keep[2], int count[2]) {
     int nx = s->l->n[0], ny = s->l->n[1];
     double *lambda = xcalloc((size_t)nx, sizeof *lambda), least = least_exponent(s) / s->t;
@@ -156,10 +155,10 @@ static void survivors(const struct modes *s, const struct products *p, int *keep
     for (int axis = 0; axis < 2; axis++) drop_absent(p, axis, keep[axis]);
     for (int axis = 0; axis < 2; axis++)
         for (int k = 0; k < s->l->n[axis]; k++)
-            if (keep[axis][k]) keep[axis][count[axis]++] = k; /* the list takes the place of the marks */
+            if (keep[axis][k]) keep[axis][count[axis]++] = k; /* the list overwrites the marks */
 }
 
-/* Amplitudes at time t of the modes keep[0] x keep[1] of the start *p. */
+/* Amplitudes at time t of the modes keep[0] x keep[1] of the data *p. */
 static void amplitudes(const struct modes *s, const struct products *p, int *const keep[2], const int count[2],
                        double *C) {
     double *lambda = xcalloc((size_t)s->l->n[0], sizeof *lambda), scale = 1 / transform_scale(s->l);
@@ -177,7 +176,7 @@ static void amplitudes(const struct modes *s, const struct products *p, int *con
     free(lambda);
 }
 
-/* The factors of few modes at their places among all. */
+/* Expands the factors of the kept modes to all modes. */
 static struct products spread(const struct products *few, int *const keep[2], const int n[2]) {
     struct products all = {.rank = few->rank, .n = {n[0], n[1]}};
     for (int axis = 0; axis < 2; axis++) {
@@ -189,7 +188,7 @@ static struct products spread(const struct products *few, int *const keep[2], co
     return all;
 }
 
-/* T at time t, or 0 and nothing done where it is no sum of few products. */
+/* T at time t.  Returns 0 and leaves T unchanged if it is not a sum of few products. */
 static int evolve_few(const struct modes *s, const struct products *start, double *T) {
     int *keep[2], count[2] = {0, 0};
     const int *n = s->l->n;
@@ -214,7 +213,7 @@ static int evolve_few(const struct modes *s, const struct products *start, doubl
 
 /* ---- All modes ---- */
 
-/* *p: the transform of F, or NULL. */
+/* F becomes its coefficients; *p is its transform as products, or NULL. */
 static void coefficients(const struct modes *s, const struct products *p, double *F) {
     if (p)
         products_join(p, F);
@@ -222,7 +221,7 @@ static void coefficients(const struct modes *s, const struct products *p, double
         transform_forward(s->transform, F);
 }
 
-/* T, and g in the shape of T or NULL, hold coefficients. */
+/* Advances the coefficients T by the time t; g are the coefficients of the source, or NULL. */
 static void advance_all(const struct modes *s, double *T, const double *g) {
     int nx = s->l->n[0], ny = s->l->n[1];
     double *lambda = xcalloc((size_t)nx, sizeof *lambda), scale = 1 / transform_scale(s->l);
@@ -254,7 +253,7 @@ static void evolve_all(const struct modes *s, const struct products *start, doub
     free(g);
 }
 
-/* T, in the particles' order, from 0 to t (s). */
+/* Advances T, in the particles' order, from 0 to t (s). */
 static void evolve(const struct heat_operator *a, double t, double *T) {
     struct modes s = {.a = a, .l = &a->lattice, .t = t, .transform = transform_create(&a->lattice)};
     struct products start;
@@ -273,7 +272,7 @@ static int needs(const struct problem *p, const struct options *o, const struct 
         if (l->sign[side] == LAYOUT_ROBIN && l->n[side / 2] > TRANSFORM_ROBIN_MOST)
             return refuse(
                 why, STATUS_NOT_APPLICABLE,
-                "--stepper exact: %d particles along an axis with a Robin wall; its modes need a table of n x n: "
+                "--stepper exact: %d particles along an axis with a Robin wall; its modes need a table of n x n, "
                 "at most %d",
                 l->n[side / 2], TRANSFORM_ROBIN_MOST);
     if ((l->shift[X_LO] > 0 && l->shift[X_HI] > 0 && l->n[0] < 2) ||
@@ -290,7 +289,7 @@ static int plan(const struct problem *p, const struct options *o, const struct s
 }
 
 const struct stepper stepper_exact = {.name = "exact",
-                                      .about = "exp(tA) in one pair of transforms: one stencil and walls that mirror",
+                                      .about = "exp(tA) by one pair of FFTs: one stencil, mirror walls",
                                       .needs = needs,
                                       .plan = plan,
                                       .evolve = evolve};

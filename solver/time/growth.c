@@ -1,10 +1,11 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Growing modes, found by power iteration on a step of RKL2 (stepper.c): its factor G(dt lambda) is at most 1 in size
- * for every mode that does not grow, however long the step, and above 1 for those that grow.  Noise goes through four
- * steps of the length of the run; of a mode that doubles in it, sixteen times its share is left then, and the last
- * step shows its factor.  Where that is above 1.1 steps go on until two show the same, so that the transient growth
- * of an operator far from normal is over; where it is above e they are shorter, so that the factor is exp(dt lambda).
- */
+/* Growing modes by power iteration on a step of RKL2 (stepper.c).  Its factor G(dt lambda) is at most 1 in magnitude
+ * for every mode that does not grow, at any step length, and above 1 for growing modes.
+ *
+ * Noise is advanced by four steps of the length of the run.  The amplitude of a mode that doubles within the run is
+ * then multiplied by sixteen, and the last step gives its factor.  If the factor is above 1.1, steps continue until
+ * two agree, so that the transient growth of a non-normal operator has ended.  If it is above e, shorter steps are
+ * used, for which the factor is exp(dt lambda). */
 #include "solver/time/growth.h"
 #include "solver/time/stepper.h"
 
@@ -12,9 +13,9 @@
 #include <stdint.h>
 #include <stdlib.h>
 
-static const double LEAST = 0.0953; /* log(1.1): what is stated of a mode in the whole time */
+static const double LEAST = 0.0953; /* log(1.1): least growth over the run that is reported */
 
-/* All weights >= 0: by the maximum principle no mode grows. */
+/* With all weights >= 0 the maximum principle excludes growing modes. */
 static int weights_show_none(const struct heat_operator *a) {
     if (!a->value) return 0;
     for (size_t k = 0; k < a->row[a->n]; k++)
@@ -22,7 +23,7 @@ static int weights_show_none(const struct heat_operator *a) {
     return 1;
 }
 
-/* In [-1, 1): splitmix64 (Steele, Lea & Flood 2014). */
+/* Uniform in [-1, 1): splitmix64 (Steele, Lea & Flood 2014). */
 static double noise(size_t i) {
     uint64_t z = ((uint64_t)i + 1) * 0x9e3779b97f4a7c15u;
     z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9u;
@@ -37,7 +38,7 @@ static double norm(const double *T, size_t n) {
     return sqrt(sum);
 }
 
-/* T, of norm 1, by a step of dt; 0 where T is no number any more. */
+/* Advances T, of norm 1, by dt.  Returns 0 if T is no longer finite. */
 static int advance(const struct heat_operator *a, double bound, double dt, double *T) {
     struct march m = {.stepper = STEPPER_RKL2,
                       .time = dt,
@@ -51,20 +52,20 @@ static int advance(const struct heat_operator *a, double bound, double dt, doubl
     return m.stages <= STEPPER_STAGES_MAX && !stepper_march(a, &m, T, &bytes, &why);
 }
 
-/* T becomes of norm 1; returns the logarithm of what it was. */
+/* Scales T to norm 1; returns the logarithm of its previous norm. */
 static double normalise(double *T, size_t n) {
     double size = norm(T, n);
     for (size_t i = 0; i < n; i++) T[i] /= size;
     return log(size);
 }
 
-/* The same; returns the logarithm of the factor and leaves T of norm 1. */
+/* Advances T by dt and scales it to norm 1; returns the logarithm of the growth factor. */
 static double step(const struct heat_operator *a, double bound, double dt, double *T) {
     return advance(a, bound, dt, T) ? normalise(T, a->n) : NAN;
 }
 
-/* The rate that the last of some steps shows, of *length s each or shorter.  One whose factor is not a number is
- * taken again; steps end where the rate is below `least`, s^-1. */
+/* Growth rate from the last of several steps of at most *length s.  A step with a factor that is not finite is
+ * repeated with a shorter dt.  Stops early if the rate is below `least`, s^-1. */
 static double iterate(const struct heat_operator *a, double bound, double least, double *T, double *length) {
     enum { STEPS = 4, MOST = 40, TRIES = 60 };
     double grown = 0, dt = *length, *kept = xcalloc(a->n, sizeof *kept);
@@ -79,7 +80,7 @@ static double iterate(const struct heat_operator *a, double bound, double least,
             shorter = fmax(2, grown / 0.7);
         }
         if (shorter > 1) {
-            dt /= shorter, k = -1, grown = 0; /* the next counts as the first */
+            dt /= shorter, k = -1, grown = 0; /* restarts the count */
             continue;
         }
         if (k >= STEPS - 1 && (grown < least * dt || fabs(grown - before) < 0.02 * grown)) break;
@@ -89,8 +90,8 @@ static double iterate(const struct heat_operator *a, double bound, double least,
     return grown / dt;
 }
 
-/* RKL2's factor is above 1 too for what decays while it swings, if |Im lambda| dt is too large.  The rate of a mode
- * that grows is the same by shorter steps. */
+/* RKL2's factor also exceeds 1 for decaying oscillations with a large |Im lambda| dt.  Only a growing mode keeps its
+ * rate with shorter steps. */
 static double confirm(const struct heat_operator *a, double bound, double time, double *T) {
     double dt = time, least = LEAST / time, rate = iterate(a, bound, least, T, &dt);
     while (rate > least && dt * bound > 1) {
@@ -102,7 +103,7 @@ static double confirm(const struct heat_operator *a, double bound, double time, 
     return rate > least ? rate : 0;
 }
 
-/* Noise of norm 1 and the operator without what walls and sources add. */
+/* Noise of norm 1, and the operator without walls' values and sources. */
 struct trial {
     struct heat_operator a;
     double *T; /* owned */
@@ -128,7 +129,7 @@ double growth_rate(const struct heat_operator *a, double bound, double time) {
     return rate;
 }
 
-/* What a step takes from the noise, five times over: of modes that hardly change in a step, next to nothing. */
+/* Replaces the noise by its change in a step, five times: modes that hardly change in a step are removed. */
 static int take_what_decays(struct trial *t, double bound, double dt) {
     enum { TIMES = 5 };
     double *kept = xcalloc(t->a.n, sizeof *kept);
@@ -143,8 +144,8 @@ static int take_what_decays(struct trial *t, double bound, double dt) {
     return ok;
 }
 
-/* The logarithm of the factor of what is left of the noise in the end: the mean of the later half of some steps,
- * which end where a mode of its usual share, 1 / sqrt(n), would be a hundredth of that. */
+/* Logarithm of the factor of the slowest remaining mode: the mean over the later half of the steps.  The iteration
+ * ends when a mode with the average share of the noise, 1 / sqrt(n), would be a hundredth of the remainder. */
 static double slowest(struct trial *t, double bound, double dt, double steps) {
     enum { MOST = 60 };
     const double gone = -log(100 * sqrt((double)t->a.n));
@@ -166,6 +167,7 @@ double growth_by_steps(const struct heat_operator *a, double bound, double dt, d
     double grown = slowest(&t, bound, dt, steps);
     trial_free(&t);
     if (grown < least) return 0;
-    double rate = growth_rate(a, bound, dt * steps); /* of the equations themselves, which shorter steps leave */
+    /* growth of the equations themselves, which shorter steps do not remove */
+    double rate = growth_rate(a, bound, dt * steps);
     return rate > 0 && rate * dt > grown / 2 ? 0 : exp(grown);
 }

@@ -4,16 +4,16 @@
 
 #include "solver/space/operator.h"
 
-/* The rate of the fastest growing mode of dT/dt = A T, s^-1, to some per cent; 0 where none grows by more than a
- * tenth within `time` (s), or weights show that none can (all >= 0).  bound, s^-1: of the spectrum of A
- * (operator_bound). Walls and sources play no part.  Costs four times the stages that RKL2 needs for one step of
+/* Rate of the fastest growing mode of dT/dt = A T, s^-1, to a few per cent.  Returns 0 if no mode grows by more than
+ * 10 % within `time` (s), or if all weights are >= 0, which excludes growth. bound, s^-1: spectral bound of A
+ * (operator_bound).  Wall values and sources do not enter.  Cost: four times the stages of one RKL2 step of length
  * `time`. */
 double growth_rate(const struct heat_operator *a, double bound, double time);
 
-/* RKL2 multiplies what decays within a step of dt (s) by 0.66 or less where the eigenvalue lambda is real, since
- * P_s <= 0.3 left of its first minimum.  Where it is not, |P_s| > 1, and the factor of s stages is some
- * exp(2 s |Im lambda| / bound) / sqrt(s).  Returns the factor, to some per cent, of the mode that decays least so
- * where that is above 0.8; else 0.  Costs some 25 steps, and never more than `steps` and five. */
+/* For real lambda, RKL2 multiplies modes that decay within a step of dt (s) by at most 0.66, because P_s <= 0.3 to
+ * the left of its first minimum.  For complex lambda |P_s| > 1, and the factor of s stages is about
+ * exp(2 s |Im lambda| / bound) / sqrt(s).  Returns this factor, to a few per cent, for the slowest decaying mode if
+ * it is above 0.8; else 0.  Cost: about 25 steps, and never more than `steps` + 5. */
 double growth_by_steps(const struct heat_operator *a, double bound, double dt, double steps);
 
 #endif

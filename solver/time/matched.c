@@ -1,41 +1,43 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The matched run: fourth order from a second-order operator and plain Euler, jumps included.
+/* The matched run: fourth order from a second-order operator and Euler's method, also for data with jumps.
  *
- * On a lattice of spacing dx the operator's symbol is, theta = xi dx,
+ * On a lattice of spacing dx the symbol of the operator is, with theta = xi dx,
  *   lambda = (kappa / dx^2) (-|theta|^2 + A (theta_x^4 + theta_y^4) + B theta_x^2 theta_y^2 + O(theta^6)),
  *   A = sum_j w_j x_j^4 / (24 kappa dx^2),   B = sum_j w_j x_j^2 y_j^2 / (4 kappa dx^2)      (w in s^-1).
- * Euler's n = t/dt steps multiply a mode by (1 + dt lambda)^n = exp(n (dt lambda - (dt lambda)^2 / 2 + ...)), so that
- * the exponent per time is
+ * Euler's n = t/dt steps multiply a mode by (1 + dt lambda)^n = exp(n (dt lambda - (dt lambda)^2 / 2 + ...)).  The
+ * exponent divided by t is
  *   -kappa |xi|^2 + kappa dx^2 (A (xi_x^4 + xi_y^4) + B xi_x^2 xi_y^2) - (dt/2) kappa^2 |xi|^4 + O(dx^4).
- * Isotropy, B = 2 A, makes the first error A |xi|^4; steps with F = kappa dt / dx^2 = 2 A then cancel it, and what is
- * left is O(dx^4).  A run is seldom a whole number of such steps, and rounding their number would leave a term that
- * jumps from rung to rung.  What has to match is the sum of dt^2: an even number n of steps, at least t / dt(2 A),
- * alternates between d (1 + u) and d (1 - u), d = t / n, with 1 + u^2 = 2 A dx^2 / (kappa d).  Then u^2 < 2 / n, so
- * that u goes to zero with dx.
+ * With isotropy, B = 2 A, the leading error is A |xi|^4.  Steps with F = kappa dt / dx^2 = 2 A cancel it, and the
+ * remaining error is O(dx^4).  A run is rarely a whole number of such steps, and a rounded number would leave an
+ * error that jumps from rung to rung.  The condition is on the sum of dt^2: an even number n of steps, at least t /
+ * dt(2 A), alternates between d (1 + u) and d (1 - u), d = t / n, with 1 + u^2 = 2 A dx^2 / (kappa d).  Then u^2 < 2
+ * / n, so u tends to zero with dx.
  *
- * The start: averaging with a B-spline of order m multiplies a mode by
+ * Initial data: averaging with a B-spline of order m multiplies a mode by
  *   (sin(theta/2) / (theta/2))^m = 1 - m theta^2 / 24 + ... = exp(-kappa xi^2 t_m) up to O(dx^4)
- * with t_m = m dx^2 / (24 kappa), along each axis.  The clock starts there.  Point samples of a jump midway between
- * particles have the spectrum of the jump's times (theta/2) / sin(theta/2), which is m = -1; point samples of smooth
- * data are m = 0.  Points are refused where neither holds: a jump elsewhere (a wall that the data do not meet is
- * one), a jump along one axis alone, data that vary between jumps.  What the filter does not remove is aliased:
- * O(dx^(m+1)), from the zeros of order m at the multiples of 2 pi / dx, so that m = 4 keeps fourth order for a jump
- * anywhere.
+ * with t_m = m dx^2 / (24 kappa), along each axis.  The run therefore starts at t_m.  Point samples of a jump midway
+ * between particles have the spectrum of the jump times (theta/2) / sin(theta/2), equivalent to m = -1.  Point
+ * samples of smooth data have m = 0.  Other point samples are refused: a jump elsewhere (including a wall with a
+ * value that differs from the data), a jump along one axis only, data that vary between jumps.  Aliasing adds an
+ * error O(dx^(m+1)), from the zeros of order m at the multiples of 2 pi / dx, so m = 4 keeps fourth order for a jump
+ * at any place.
  *
- * The source: with L T = -G steady, Euler's error is none and A dx^2 / kappa L^2 T = -A dx^2 / kappa L G is left.
- * While T moves, Euler's (dt/2) T_tt has (dt/2) L G beside (dt/2) L^2 T.  Either way the source has to be G + A dx^2
- * / kappa L G, on the lattice G + A (D_x^2 + D_y^2) G with second differences D^2.
+ * Source: in the steady state L T = -G, Euler's method has no error, and the operator leaves A dx^2 / kappa L^2
+ * T = -A dx^2 / kappa L G.  In a transient Euler's error (dt/2) T_tt contains (dt/2) L G in addition to (dt/2) L^2
+ * T.  In both cases the source must be G + A dx^2 / kappa L G, on the lattice G + A (D_x^2 + D_y^2) G with second
+ * differences D^2.
  *
- * No sixth order, and no other lattice.  With -C (theta_x^6 + theta_y^6) - D (theta_x^4 theta_y^2 + theta_x^2
- * theta_y^4) as the symbol's next term, steps f_i = kappa dt_i / dx^2 of sixth order meet, with T = kappa t / dx^2,
+ * Limits: no sixth order, and no other lattice.  Let the next term of the symbol be -C (theta_x^6 + theta_y^6) - D
+ * (theta_x^4 theta_y^2 + theta_x^2 theta_y^4).  Steps f_i = kappa dt_i / dx^2 of sixth order satisfy, with T = kappa
+ * t / dx^2,
  *   sum f = T,   sum f^2 = 2 A T - m / 1440,   sum f^3 = 3 (A sum f^2 - C T - m / 181440).
- * On a rod two lengths 2 A +- sqrt(2 A^2 - 3 C), in equal shares of the time, do so up to whole counts, and
- * differences (A = 1/12, C = 1/360) were seen to be of order 6.0 on a jump; but only point samples of a jump midway
- * are that exact, walls would need another derivative, and the three lengths that whole counts need scatter from rung
- * to rung. In the plane D = 3 C has to hold where B = 2 A does: |D - 3 C| there is 0.004 to 0.03, for no kernel zero.
- * On a hexagonal lattice theta^4 is isotropic at every h/dx (seven points: A = 1/16, F = 1/8), so that fourth order
- * holds without --h iso, and theta^6 is not; but a rectangle has its walls along the rows of one direction at most.
- */
+ * On a rod two step lengths 2 A +- sqrt(2 A^2 - 3 C) in equal shares of the time satisfy this up to whole counts,
+ * and finite differences (A = 1/12, C = 1/360) showed order 6.0 on a jump.  But only point samples of a jump midway
+ * are that exact, walls would need a further derivative, and the three lengths required by whole counts scatter from
+ * rung to rung.  In the plane D = 3 C must hold together with B = 2 A; |D - 3 C| is 0.004 to 0.03 there, and zero
+ * for no kernel.  On a hexagonal lattice theta^4 is isotropic at every h/dx (seven points: A = 1/16, F = 1/8), so
+ * fourth order holds without --h iso, but theta^6 is not, and the walls of a rectangle follow the rows in at most
+ * one direction. */
 #include "solver/time/matched.h"
 #include "solver/space/sample.h"
 #include "solver/time/stepper.h"
@@ -45,7 +47,7 @@
 #include <math.h>
 #include <stdlib.h>
 
-/* From a quadrant of weights whose unit is kappa / dx^2. */
+/* From a quadrant of weights in units of kappa / dx^2. */
 static struct symbol_error symbol_of(const int reach[2], const double *w, double unit) {
     struct symbol_error e = {0, 0};
     for (int j = 0; j <= reach[1]; j++)
@@ -71,7 +73,7 @@ int matched_symbol(int dim, const struct options *o, const struct scheme *s, str
 struct isotropy {
     struct options o;
     const struct scheme *s;
-    double end[2], value[2]; /* of a bracket: known */
+    double end[2], value[2]; /* known values at the ends of a bracket */
 };
 
 static double anisotropy(double h, void *context) {
@@ -84,7 +86,7 @@ static double anisotropy(double h, void *context) {
     return matched_symbol(2, &c->o, c->s, &e, &ignored) ? NAN : e.B - 2 * e.A;
 }
 
-/* A root in [lo, hi], where the values are at_lo and at_hi, by Brent's method. */
+/* Root in [lo, hi] by Brent's method; at_lo and at_hi are the values at the ends. */
 static double polish(struct isotropy *c, double lo, double hi, double at_lo, double at_hi) {
     gsl_function f = {anisotropy, c};
     c->end[0] = lo, c->end[1] = hi, c->value[0] = at_lo, c->value[1] = at_hi;
@@ -94,18 +96,17 @@ static double polish(struct isotropy *c, double lo, double hi, double at_lo, dou
     for (int k = 0; k < 100; k++) {
         gsl_root_fsolver_iterate(solver);
         before = root, root = gsl_root_fsolver_root(solver);
-        if (gsl_root_test_delta(root, before, 1e-8, 0) == GSL_SUCCESS) break; /* to 1e-12: order 1.6 */
+        if (gsl_root_test_delta(root, before, 1e-8, 0) == GSL_SUCCESS) break; /* 1e-12: the order is 1.6 */
     }
     gsl_root_fsolver_free(solver);
     return root;
 }
 
-/* At order 4 A and B are zero at every h. */
+/* At order 4 A and B vanish at every h. */
 static int check_order(const struct options *o, const char *option, struct failure *why) {
     if (o->order < 4) return STATUS_OK;
-    return refuse(why, STATUS_NOT_APPLICABLE,
-                  "%s: --order %d has no error of second order that it could balance; take --order 2", option,
-                  o->order);
+    return refuse(why, STATUS_NOT_APPLICABLE, "%s: --order %d has no second-order error to cancel; use --order 2",
+                  option, o->order);
 }
 
 int matched_isotropic(const struct options *o, const struct scheme *s, double *h, struct failure *why) {
@@ -113,9 +114,9 @@ int matched_isotropic(const struct options *o, const struct scheme *s, double *h
     struct isotropy c = {.o = *o, .s = s};
     const double middle = 1.2, step = 1.0 / 16, least = 0.75, most = 3;
     double above = anisotropy(middle, &c), below = above, best = NAN;
-    /* Outward from 1.2.  Neighbours enter with weight zero, so that B - 2 A is continuous in h: a change of sign is a
-     * root, and of two in the same step the nearer one counts.  Roots of a kernel lie some 0.3 apart, nowhere less
-     * than 0.1. */
+    /* Search outward from 1.2.  The weight of a new neighbour starts from zero, so B - 2 A is continuous in h and a
+     * change of sign is a root.  If both directions find one in the same step, the closer one is used.  The roots of
+     * a kernel are about 0.3 apart, and at least 0.1. */
     for (int k = 1; isnan(best) && middle + (k - 1) * step < most; k++) {
         double far = middle + k * step, near = middle - k * step, up = anisotropy(far, &c), down = NAN;
         if (near > least) down = anisotropy(near, &c);
@@ -130,8 +131,8 @@ int matched_isotropic(const struct options *o, const struct scheme *s, double *h
     return STATUS_OK;
 }
 
-/* Planes along one axis that the data of a lattice jump across: the problem's own, and walls that they do not meet.
- */
+/* Planes normal to an axis at which the lattice data jump: those of the problem, and walls with other values than
+ * the data. */
 static int find_jumps(const struct problem *p, const struct lattice *l, int axis, double plane[JUMP_MAX + 2]) {
     int n = 0;
     for (int k = 0; k < p->jumps[axis]; k++)
@@ -142,7 +143,7 @@ static int find_jumps(const struct problem *p, const struct lattice *l, int axis
     return n;
 }
 
-/* Whether the data differ between two neighbours with no plane between them. */
+/* 1 if the data differ between two neighbours with no plane between them. */
 static int varies(const struct problem *p, const struct lattice *l, int axis, const double *plane, int planes) {
     for (int j = 0; j < l->n[1] - (axis == 1); j++)
         for (int i = 0; i < l->n[0] - (axis == 0); i++) {
@@ -156,7 +157,7 @@ static int varies(const struct problem *p, const struct lattice *l, int axis, co
     return 0;
 }
 
-/* Whether T_nnnn is not zero on some Dirichlet side: a source, or data that vary along it. */
+/* 1 if T_nnnn is not zero on some Dirichlet side: there is a source, or the wall value varies along the side. */
 static int walls_bend(const struct problem *p, const struct lattice *l) {
     for (int s = 0; s < 2 * l->dim; s++) {
         int axis = s / 2, along = 1 - axis;
@@ -180,8 +181,8 @@ int matched_check(const struct problem *p, const struct options *o, const struct
     if (s->sweeps == 2 && walls_bend(p, l))
         return refuse(
             why, STATUS_NOT_APPLICABLE,
-            "--stepper matched: a first derivative taken twice does not see (-1)^i, which a wall with a source or "
-            "with data that vary feeds at third order; take so_ssph");
+            "--stepper matched: a first derivative applied twice annihilates (-1)^i, which a wall with a source or "
+            "with varying data excites at third order; use so_ssph");
     if (o->sampling != SAMPLING_POINT) return STATUS_OK;
     for (int a = 0; a < p->dim; a++) {
         jumps[a] = find_jumps(p, l, a, plane[a]);
@@ -190,22 +191,22 @@ int matched_check(const struct problem *p, const struct options *o, const struct
             if (fabs(at - floor(at) - 0.5) < 1e-6) continue;
             return refuse(
                 why, STATUS_NOT_APPLICABLE,
-                "--stepper matched: the start jumps at %c = %.6g m, which is not midway between two particles: "
-                "points are then of no known order; take --sampling spline",
+                "--stepper matched: the initial data jump at %c = %.6g m, not midway between two particles, so point "
+                "samples have no known order; use --sampling spline",
                 "xy"[a], plane[a][k]);
         }
         vary |= varies(p, l, a, plane[a], jumps[a]);
     }
     if ((jumps[0] || jumps[1]) && (vary || (p->dim == 2 && !(jumps[0] && jumps[1]))))
-        return refuse(
-            why, STATUS_NOT_APPLICABLE,
-            "--stepper matched: the start jumps %s: points of jumps and of the rest start at different times; "
-            "take --sampling spline",
-            vary ? "and varies between its jumps" : "along one axis alone");
+        return refuse(why, STATUS_NOT_APPLICABLE,
+                      "--stepper matched: the initial data jump %s: point samples of jumps and of smooth data start "
+                      "at different times; "
+                      "use --sampling spline",
+                      vary ? "and vary between the jumps" : "along one axis only");
     return STATUS_OK;
 }
 
-/* For starts that matched_check has let pass. */
+/* Valid for data accepted by matched_check. */
 static double filter_order(const struct problem *p, const struct options *o, const struct lattice *l) {
     double plane[JUMP_MAX + 2];
     if (o->sampling == SAMPLING_CELL) return 1;
@@ -236,7 +237,7 @@ void matched_source(const struct problem *p, const struct options *o, struct hea
         }
 }
 
-/* 2 A, or the step that was asked for instead. */
+/* F = 2 A, or the step given by the user. */
 static int matching_step(const struct problem *p, const struct options *o, const struct scheme *s,
                          const struct heat_operator *a, double unit, double *F, struct failure *why) {
     *F = o->fourier;
@@ -246,11 +247,10 @@ static int matching_step(const struct problem *p, const struct options *o, const
     if (p->dim == 2 && !(fabs(e.B - 2 * e.A) < 1e-9 * fabs(e.A))) {
         double iso;
         if (matched_isotropic(o, s, &iso, why)) return why->status;
-        return refuse(
-            why, STATUS_NOT_APPLICABLE,
-            "--h %.12g: not isotropic (A = %.4g, B = %.4g, B = 2 A is wanted), so that no step matches; take "
-            "--h iso (%.12g)",
-            o->h, e.A, e.B, iso);
+        return refuse(why, STATUS_NOT_APPLICABLE,
+                      "--h %.12g: not isotropic (A = %.4g, B = %.4g; B = 2 A is required), so no step matches; use "
+                      "--h iso (%.12g)",
+                      o->h, e.A, e.B, iso);
     }
     if (!(e.A > 0))
         return refuse(why, STATUS_NOT_APPLICABLE, "--stepper matched: A = %.4g, no positive step matches", e.A);
@@ -258,21 +258,21 @@ static int matching_step(const struct problem *p, const struct options *o, const
     return STATUS_OK;
 }
 
-/* An even count of Euler steps that alternate between dt (1 + alternation) and dt (1 - alternation), and the time
- * that they run.  With --fourier F that step instead of the one that matches, which shows what the match is worth. */
+/* An even number of Euler steps that alternate between dt (1 + alternation) and dt (1 - alternation), and their
+ * total time. --fourier F replaces the matching step, to show the effect of the match. */
 static int plan(const struct problem *p, const struct options *o, const struct scheme *s,
                 const struct heat_operator *a, struct march *m, struct failure *why) {
     double F, kappa = p->material[0].k[0] / p->material[0].rho_c, dx2 = a->lattice.dx[0] * a->lattice.dx[0];
-    if (o->dt > 0) return refuse(why, STATUS_INPUT, "--stepper matched: sets the step itself; leave out --dt");
+    if (o->dt > 0) return refuse(why, STATUS_INPUT, "--stepper matched: sets its own step; omit --dt");
     if (matching_step(p, o, s, a, kappa / dx2, &F, why)) return why->status;
     m->time = p->t_end - start_time(p, o, &a->lattice);
     if (!(m->time > 0))
-        return refuse(why, STATUS_INPUT, "--t-end %g: the averaged start is already at %g s", p->t_end,
+        return refuse(why, STATUS_INPUT, "--t-end %g: the averaged initial data correspond to %g s", p->t_end,
                       p->t_end - m->time);
-    double matching = m->time * kappa / (F * dx2); /* steps of F */
+    double matching = m->time * kappa / (F * dx2); /* number of steps of F */
     if (!(matching > 1e-6 && matching < 1e12))
-        return refuse(why, STATUS_INPUT,
-                      "--stepper matched: steps of F = %g go %.3g times into the run; 1e-6 to 1e12 do", F, matching);
+        return refuse(why, STATUS_INPUT, "--stepper matched: with F = %g the run has %.3g steps; valid: 1e-6 to 1e12",
+                      F, matching);
     m->steps = 2 * (long long)ceil(matching / 2 - 1e-9);
     m->alternation = sqrt(fmax(0, (double)m->steps / matching - 1));
     m->stepper = STEPPER_EULER;
@@ -280,6 +280,6 @@ static int plan(const struct problem *p, const struct options *o, const struct s
 }
 
 const struct stepper stepper_matched = {.name = "matched",
-                                        .about = "the step whose own error cancels that of space",
+                                        .about = "the Euler step that cancels the spatial error: fourth order",
                                         .needs = matched_check,
                                         .plan = plan};

@@ -4,7 +4,7 @@
 
 #include "solver/space/operator.h"
 
-/* The matched run: the time step and the start with which a second-order operator and Euler's method are of fourth
+/* The matched run: the time step and the initial data that make a second-order operator with Euler's method fourth
  * order. */
 
 /* Leading error of a scheme's symbol, kappa (-|theta|^2 + A (theta_x^4 + theta_y^4) + B theta_x^2 theta_y^2) / dx^2.
@@ -13,18 +13,18 @@ struct symbol_error {
     double A, B;
 };
 
-/* Of the scheme at o->h on a square lattice of dimension dim. */
+/* Symbol of the scheme at o->h on a square lattice of dimension dim. */
 int matched_symbol(int dim, const struct options *o, const struct scheme *s, struct symbol_error *e,
                    struct failure *why);
 
-/* The h/dx nearest to 1.2 at which the error is isotropic (B = 2 A), to 1e-12.  STATUS_INPUT where there is none. */
+/* The h/dx closest to 1.2 with an isotropic error (B = 2 A), to 1e-12.  Refuses if there is none. */
 int matched_isotropic(const struct options *o, const struct scheme *s, double *h, struct failure *why);
 
-/* Refuses starts whose order is not known: see matched.c. */
+/* Refuses initial data of unknown order, see matched.c. */
 int matched_check(const struct problem *p, const struct options *o, const struct scheme *s, const struct lattice *l,
                   struct failure *why);
-/* Adds to *a's g what the source takes to stay in step with the match, and to T (the sampled start, in the particles'
- * order, K) what it has given by the time that the clock starts. */
+/* Corrects the source *a's g for the match, and adds to T (the sampled data, in the particles' order, K) the effect
+ * of the source up to the initial time of the run. */
 void matched_source(const struct problem *p, const struct options *o, struct heat_operator *a, double *T);
 
 #endif

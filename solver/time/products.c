@@ -1,10 +1,10 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Fields as sums of products: Gaussian elimination with complete pivoting, stopped at rounding.
+/* Fields as sums of products: Gaussian elimination with complete pivoting, stopped at round-off.
  *
- * Each step takes the row and the column of the largest residual, X_r = R(., j*), Y_r = R(i*, .) / R(i*, j*), and
- * R = F - sum_r X_r Y_r is formed anew, a row at a time, so that F stays as it is and no copy of it is needed.  Every
- * value of F is looked at: what is called a sum of products is one.  A row that repeats the one before it, as most do
- * in walls' values and in steps, has its residuals too, and is passed over. */
+ * Each step uses the row and the column of the largest residual, X_r = R(., j*), Y_r = R(i*, .) / R(i*, j*).  The
+ * residual R = F - sum_r X_r Y_r is recomputed row by row, so F is neither changed nor copied.  Every value of F is
+ * checked.  A row equal to the previous one, which is common in wall values and steps, has the same residuals and is
+ * skipped. */
 #include "solver/time/products.h"
 
 #include "solver/status.h"
@@ -13,9 +13,9 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { APART = 8 }; /* maxima that do not wait for each other */
+enum { APART = 8 }; /* independent maxima, which hide the latency */
 
-/* R(., j) in `row`. */
+/* Residual R(., j) in `row`. */
 static void residual(const struct products *p, const double *F, int j, double *restrict row) {
     size_t nx = (size_t)p->n[0];
     for (size_t i = 0; i < nx; i++) row[i] = F[(size_t)j * nx + i];
@@ -27,7 +27,7 @@ static void residual(const struct products *p, const double *F, int j, double *r
     }
 }
 
-/* max |row|; NaN where a value is not finite. */
+/* max |row|; NaN if a value is not finite. */
 static double largest(const double *restrict row, size_t n) {
     double most[APART] = {0}, zero[APART] = {0}, all = 0, none = 0;
     size_t i = 0;
@@ -42,7 +42,7 @@ static double largest(const double *restrict row, size_t n) {
     return all + none;
 }
 
-/* repeats[j]: 1 where row j is that before it, bit for bit */
+/* repeats[j]: 1 if row j equals the previous row, bit for bit. */
 static char *find_repeats(const double *F, const int n[2]) {
     char *repeats = xcalloc((size_t)n[1], 1);
     size_t nx = (size_t)n[0];
@@ -51,7 +51,7 @@ static char *find_repeats(const double *F, const int n[2]) {
     return repeats;
 }
 
-/* The largest |R|, and its row *at; NaN where a value is not finite. */
+/* Largest |R| and its row *at; NaN if a value is not finite. */
 static double search(const struct products *p, const double *F, const char *repeats, double *row, int *at) {
     double most = -1;
     for (int j = 0; j < p->n[1]; j++) {

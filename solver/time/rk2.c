@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The midpoint rule: H = T + dt/2 L(T), T += dt L(H) (Pamplona section 3.3).  |G| <= 1 from 0 to -2. */
+/* The midpoint rule: H = T + dt/2 L(T), T += dt L(H) (Pamplona section 3.3). |G| <= 1 on [-2, 0]. */
 #include "solver/time/stepper.h"
 
 static void updates(double dt, double bound, int stages, struct update *u) {

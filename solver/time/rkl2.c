@@ -2,29 +2,32 @@
 /* Runge-Kutta-Legendre super-time-stepping with s stages, second order (Meyer, Balsara & Aslam 2014, eqs. 16-18),
  * stable for dt <= (s^2 + s - 2) / (2 |lambda|_max).
  *
- * Its stages are Y_j = (1 - b_j) Y_0 + b_j u_j with u_j = P_j(1 + w dt L) T, P_j Legendre's polynomial,
- * w = 4 / (s^2 + s - 2) and b_j = (j^2 + j - 2) / (2 j (j + 1)).  For a linear operator the u_j need neither Y_0 nor
- * L(Y_0), but the recurrence of the polynomials alone (source and walls' values are a part of L, since its
- * coefficients add up to 1):
- *        u_j = (2j - 1)/j (u_{j-1} + w dt L(u_{j-1})) - (j - 1)/j u_{j-2},   T becomes (1 - b_s) T + b_s u_s,
- * two states in place of four in each stage.
+ * The stages are Y_j = (1 - b_j) Y_0 + b_j u_j with u_j = P_j(1 + w dt L) T, Legendre's polynomial P_j, w = 4 /
+ * (s^2 + s - 2) and b_j = (j^2 + j - 2) / (2 j (j + 1)).  For a linear operator the u_j need neither Y_0 nor L(Y_0),
+ * only the recurrence of the polynomials (source and wall values are part of L because its coefficients sum to 1):
  *
- * RKL2 multiplies what is stiff by 1 - b_s, a half, a step: what a jump sets in motion takes twenty steps to go,
- * however small the error of each.  Where there is one, two quarters of the first step are taken by Gegenbauer's
- * polynomials with parameter 5/2, of first order, which have no such term (as Rannacher starts the method of Crank
- * and Nicolson by implicit half steps), and its other half by RKL2:
- *        T becomes C_s(1 + w (dt/4) L) T / C_s(1),   w = 6 / (s (s + 5)),
- *        u_n = (2n + 3)/(n + 4) (u_{n-1} + w (dt/4) L(u_{n-1})) - (n - 1)/(n + 4) u_{n-2}.
- * Two steps of error O(dt^2) leave the order at 2: they add (lambda dt)^2 / 64 to RKL2's lambda t (lambda dt)^2 / 18,
- * of the other sign.  |C_s(x) / C_s(1)| falls as 1 / (1 - x^2) away from x = 1, but is 1 at x = -1, so that x stays
- * 12 / s^2 away from -1: stable and damping for dt/4 <= (s^2 + 5s - 6) / (3 |lambda|_max).
+ *     u_j = (2j - 1)/j (u_{j-1} + w dt L(u_{j-1})) - (j - 1)/j u_{j-2},   T becomes (1 - b_s) T + b_s u_s.
  *
- * Amplification: 1 - b + b P_s(1 + w z), w and b = b_s as above (eqs. 11, 13, 15). */
+ * Each stage uses two states instead of four.
+ *
+ * RKL2 multiplies stiff modes by only 1 - b_s, one half, per step, so modes excited by a jump need twenty steps to
+ * decay, however small the error of each step.  If the data have a jump, the first half of the first step is
+ * replaced by two quarter steps with Gegenbauer polynomials of parameter 5/2.  These are first order and have no
+ * such term, like the implicit half steps with which Rannacher starts the Crank-Nicolson method:
+ *
+ *     T becomes C_s(1 + w (dt/4) L) T / C_s(1),   w = 6 / (s (s + 5)),
+ *     u_n = (2n + 3)/(n + 4) (u_{n-1} + w (dt/4) L(u_{n-1})) - (n - 1)/(n + 4) u_{n-2}.
+ *
+ * Two steps with an error O(dt^2) keep second order: they add (lambda dt)^2 / 64 to RKL2's lambda t (lambda dt)^2 /
+ * 18, with the opposite sign. |C_s(x) / C_s(1)| decreases as 1 / (1 - x^2) away from x = 1 but is 1 at x = -1, so x
+ * stays 12 / s^2 away from -1: stable and damping for dt/4 <= (s^2 + 5s - 6) / (3 |lambda|_max).
+ *
+ * Amplification factor: 1 - b + b P_s(1 + w z), with w and b = b_s as above (eqs. 11, 13, 15). */
 #include "solver/time/stepper.h"
 
 #include <math.h>
 
-/* Odd; more than STEPPER_STAGES_MAX where so many do not do. */
+/* An odd number of stages; above STEPPER_STAGES_MAX if that many do not suffice. */
 static int count(double dt, double bound) {
     double s = ceil((sqrt(9 + 8 * dt * bound) - 1) / 2 - 1e-9);
     return s < 3                    ? 3
@@ -38,7 +41,7 @@ static void first(double dt, double bound, int stages[2]) {
     stages[1] = count(dt / 2, bound);
 }
 
-/* As many steps as put s^2 to use. */
+/* The step length that makes full use of the s^2 stages. */
 static double length(double asked, double time, double bound) {
     return asked > 0 ? asked : sqrt(time / bound);
 }
@@ -84,7 +87,7 @@ static double interval(int stages) {
 }
 
 const struct stepper stepper_rkl2 = {.name = "rkl2",
-                                     .about = "Runge-Kutta-Legendre: s stages for s^2/4 steps of Euler",
+                                     .about = "Runge-Kutta-Legendre: s stages for s^2/4 Euler steps",
                                      .order = 2,
                                      .arrays = 3,
                                      .count = count,

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The march of explicit steppers through dT/dt = L(T) = A T + g: each step is a list of updates, the same in all of
- * them, that the stepper makes. */
+/* The march of explicit steppers through dT/dt = L(T) = A T + g.  Each step is a list of updates from the stepper,
+ * the same in every step. */
 #include "solver/time/stepper.h"
 
 #include <math.h>
@@ -20,19 +20,19 @@ const struct stepper *stepper_of(enum stepper_name name) {
     return all[name];
 }
 
-enum { TOGETHER = 32 }; /* updates that the operator is handed at once; steps between checks of the bounds */
+enum { TOGETHER = 32 }; /* updates passed to the operator at once; steps between checks of the bounds */
 
 long long stepper_applications(const struct march *m) {
     return m->steps * m->stages + (m->start[0] > 0 ? 2LL * m->start[0] + m->start[1] - m->stages : 0);
 }
 
-/* Eight updates share a sweep (wavefront.h), after which threads wait for each other. */
+/* Threads wait for each other once in a sweep of eight updates (wavefront.h). */
 int stepper_threads(int asked, size_t n) {
     size_t most = 8 * n / STEPPER_SHARE;
     return asked < 2 || most < 2 ? 1 : most < (size_t)asked ? (int)most : asked;
 }
 
-/* Whether the run has left its bounds. */
+/* Refuses if the state has left the bounds of the run. */
 static int check_bounds(const struct march *m, const struct heat_operator *a, const double *state, long long step,
                         struct failure *why) {
     double half = fmax((m->hi - m->lo) / 2, 1e-6 * fmax(fabs(m->lo), fabs(m->hi)));
@@ -55,12 +55,12 @@ static int check_bounds(const struct march *m, const struct heat_operator *a, co
         step, m->steps, dt * (double)step, i, where, value, m->lo, m->hi, dt, reason);
 }
 
-/* Updates that read and write two states: what is in Y[0] on entry and exit. */
+/* Updates that read and write two states; Y[0] is the current state on entry and exit. */
 static void update_in_turn(const struct heat_operator *a, const struct update *u, int count, double *Y[2]) {
     for (int k = 0; k < count; k += TOGETHER) state_update(a, u + k, count - k < TOGETHER ? count - k : TOGETHER, Y);
 }
 
-/* A step whose updates read the state at its begin too: that stays while the others take turns. */
+/* A step whose updates also read the state at its start.  That state is kept while the other two alternate. */
 static void update_from_start(const struct heat_operator *a, struct update *u, int stages, double *Y[3]) {
     double *T = Y[0], *turn[2] = {Y[1], Y[2]};
     state_update(a, u, 1, (double *[2]){T, Y[1]});
@@ -69,7 +69,7 @@ static void update_from_start(const struct heat_operator *a, struct update *u, i
     Y[0] = turn[0], Y[1] = turn[1], Y[2] = T;
 }
 
-/* A first step that damps: two quarters of it, and its other half. */
+/* A damping first step: two quarter steps, then half a step. */
 static void damping_step(const struct heat_operator *a, const struct march *m, double *Y[3]) {
     const struct stepper *s = stepper_of(m->stepper);
     int most = m->start[0] > m->start[1] ? m->start[0] : m->start[1];
@@ -82,7 +82,7 @@ static void damping_step(const struct heat_operator *a, const struct march *m, d
     free(u);
 }
 
-/* The updates of `count` steps, for the caller to free. */
+/* The updates of `count` steps; the caller frees them. */
 static struct update *list_updates(const struct march *m, const struct stepper *s, int stages, int count) {
     double dt = m->time / (double)m->steps;
     struct update *u = xcalloc((size_t)count * (size_t)stages, sizeof *u);

@@ -7,66 +7,67 @@
 
 #include <complex.h>
 
-/* Time stepping of dT/dt = L(T) = A T + g, A with its spectrum on [-bound, 0].  A stepper is a row of steppers.def
- * and one file with its struct stepper. */
+/* Time stepping of dT/dt = L(T) = A T + g with the spectrum of A in [-bound, 0].  A stepper is a row of steppers.def
+ * and a file with its struct stepper. */
 
 struct march {
-    enum stepper_name stepper; /* one that has updates */
-    double time;               /* s, how long */
-    long long steps;           /* 0: no steps, but `evolve` */
-    double alternation;  /* steps alternate between dt (1 + alternation) and dt (1 - alternation); 0 with 3 arrays */
-    int stages;          /* updates a step, where the stepper leaves them open */
-    int start[2];        /* updates of a first step that damps: of each of two quarters of it, and of the half that
-                            follows; 0: a step as all others */
-    const double *x, *y; /* m, positions for messages; NULL where there are none, and y on a rod */
-    double lo, hi;       /* K, what a stable run stays near: see stepper_march */
-    double bound;        /* s^-1, of the spectrum */
+    enum stepper_name stepper; /* a stepper with updates */
+    double time;               /* s, length of the run */
+    long long steps;           /* 0: no steps, `evolve` instead */
+    double alternation; /* steps alternate between dt (1 + alternation) and dt (1 - alternation); must be 0 with 3
+                           arrays */
+    int stages;         /* updates per step if the stepper has no fixed number */
+    int start[2]; /* updates of a damping first step: of each of its two quarter steps, and of the half step that
+                     follows; 0: the first step is like all others */
+    const double *x, *y; /* m, positions for messages; NULL if there are none; y is NULL on a rod */
+    double lo, hi;       /* K, range of a stable run, see stepper_march */
+    double bound;        /* s^-1, spectral bound */
 };
 
-/* What is NULL or 0 does not apply. */
+/* NULL or 0: not applicable. */
 struct stepper {
-    const char *name, *about; /* as typed; one line */
-    int order;                /* of its error in time; 0: it has no step to choose, or no error in time */
-    int arrays; /* states: 2, or 3 where an update reads the state at the begin of the step (start, Y0) */
-    int stages; /* updates a step; 0: as count returns */
-    int (*count)(double dt, double bound); /* the fewest that a step of dt (s) takes to be stable */
-    /* s: the step to take where one of `asked` is asked for (0: none); without this function it is `asked`, or half
-     * of what is stable, 1/bound */
+    const char *name, *about; /* name on the command line; one line of description */
+    int order;                /* order in time; 0: no time step, or no time error */
+    int arrays;               /* states: 2, or 3 if an update reads the state at the start of the step (start, Y0) */
+    int stages;               /* updates per step; 0: returned by count */
+    int (*count)(double dt, double bound); /* smallest number of updates for which a step of dt (s) is stable */
+    /* Step length, s, if the user asks for `asked` (0: none).  If NULL: `asked`, or half of the stable step,
+     * 1/bound. */
     double (*length)(double asked, double time, double bound);
-    /* The updates of a step of dt into u[0] to u[stages - 1], Y0 aside: it is set where start is not 0. */
+    /* Fills u[0] to u[stages - 1] for a step of dt, except Y0, which is set if start is not 0. */
     void (*updates)(double dt, double bound, int stages, struct update *u);
-    /* Where the data are rough: stages of a first step of dt as in struct march, and the updates of its quarters. */
+    /* For rough data: stages of a first step of dt as in struct march, and the updates of its quarters. */
     void (*first)(double dt, double bound, int start[2]);
     void (*damp)(double dt, int stages, struct update *u);
-    /* T -> G(z) T for dT/dt = lambda T, z = dt lambda: a closed form that shares nothing with `updates`; and the
-     * stability interval of theory, |G| <= 1 for -z in [0, it]. */
+    /* Amplification factor G(z) for dT/dt = lambda T, z = dt lambda, in closed form and independent of `updates`;
+     * and the theoretical stability interval, |G| <= 1 for 0 <= -z <= interval. */
     double complex (*amplification)(int stages, double complex z);
     double (*interval)(int stages);
-    /* A lattice of one material, which it can be used on where this gives STATUS_OK. */
+    /* Requires a lattice of one material, and STATUS_OK from this function. */
     int (*needs)(const struct problem *p, const struct options *o, const struct scheme *s, const struct lattice *l,
                  struct failure *why);
-    /* Plans its own march; without this function whole steps of the length above. */
+    /* Plans the march; NULL: whole steps of the length above. */
     int (*plan)(const struct problem *p, const struct options *o, const struct scheme *s,
                 const struct heat_operator *a, struct march *m, struct failure *why);
-    /* T (in the particles' order) after t (s), without steps. */
+    /* Advances T (in the particles' order) by t (s) without steps. */
     void (*evolve)(const struct heat_operator *a, double t, double *T);
 };
 
-const struct stepper *stepper_of(enum stepper_name name); /* NULL of STEPPER_AUTO */
+const struct stepper *stepper_of(enum stepper_name name); /* NULL for STEPPER_AUTO */
 
-enum { STEPPER_STAGES_MAX = 1000000 }; /* s^2 eps, what rounding grows to in a step, stays small */
+enum { STEPPER_STAGES_MAX = 1000000 }; /* keeps the rounding error of a step, s^2 eps, small */
 
-/* Applications of the operator in a march. */
+/* Number of operator applications in a march. */
 long long stepper_applications(const struct march *m);
 
-enum { STEPPER_SHARE = 16384 }; /* updates of particles that are worth a thread, between two waits */
+enum { STEPPER_SHARE = 16384 }; /* updates of particles per thread between two waits that justify a thread */
 
-/* Of the threads asked for those that n particles have STEPPER_SHARE updates each for. */
+/* The number of threads, at most `asked`, for which each has at least STEPPER_SHARE updates of the n particles. */
 int stepper_threads(int asked, size_t n);
 
-/* Takes T (n, in the particles' order) through the march; adds the bytes of its states to *bytes.  STATUS_UNSTABLE
- * with step, time and particle where T leaves [lo, hi] by half of hi - lo, or is not finite: looked at every 32 steps
- * and at the end. */
+/* Advances T (n, in the particles' order) through the march and adds the bytes of its states to *bytes.  Returns
+ * STATUS_UNSTABLE with step, time and particle if T leaves [lo, hi] by half of hi - lo or is not finite; checked
+ * every 32 steps and at the end. */
 int stepper_march(const struct heat_operator *a, const struct march *m, double *T, size_t *bytes,
                   struct failure *why);
 

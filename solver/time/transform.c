@@ -1,24 +1,24 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Sine and cosine transforms along the axes of a lattice.
  *
- * Mode k is phi_k(i) = sin or cos(theta_k s_i), odd or even about the low wall, at the distance s_i from it; theta_k
- * is such that it is odd or even about the high wall too.  Forward: c_k = 2 sum_i w_i phi_k(i) T_i, w_i = 1/2 on an
- * insulated wall, else 1; back: T_i = sum_k m_k c_k phi_k(i), m_k = 1 where phi_k^2 = 1 throughout, else 2.  These
+ * Mode k is phi_k(i) = sin or cos(theta_k s_i), odd or even about the low wall, with the distance s_i from it;
+ * theta_k gives it the parity of the high wall too.  Forward: c_k = 2 sum_i w_i phi_k(i) T_i, w_i = 1/2 on an
+ * insulated wall, else 1.  Backward: T_i = sum_k m_k c_k phi_k(i), m_k = 1 if phi_k^2 = 1 everywhere, else 2.  These
  * are FFTW's r2r transforms ("1d Real-even DFTs", "1d Real-odd DFTs").
  *
- * One plan for one line, carried out line by line: what FFTW plans without measuring for many lines at once is up to
- * four times slower.  Each pass takes rows along one axis to columns, so that two passes are a transform of the
- * plane.  Plans of the first KEPT lengths are kept for the life of the program: to plan a short line takes thirty
- * times as long as to transform it.  No result depends on whether one was kept.
+ * One plan for a single line is applied line by line: FFTW's unmeasured plans for many lines are up to four times
+ * slower.  Each pass writes rows along one axis to columns, so two passes transform the plane.  Plans of the first
+ * KEPT lengths are cached for the life of the program, because planning a short line takes thirty times as long as
+ * its transform.  Results do not depend on the cache.
  *
  * With a Robin wall (ghosts as in layout.h) the modes are, k = 0 .. n - 1,
  *
  *     phi_k(i) = cos(theta_k (i + 1/2) - psi_lo),   n theta_k = k pi + psi_lo + psi_hi,
  *     tan psi = (1 - f) / ((1 + f) tan(theta/2)) at a wall of factor f, since T_-1 = f T_0.
  *
- * As theta_k grows by pi / n, the right side falls from (k + 1) pi at most to k pi at least: one root for each k.
- * These are the eigenvectors of a symmetric matrix, and so orthogonal: a table of n x n of them, of unit length, is
- * its own inverse.  f = -1 and 1 are the sines and cosines above. */
+ * While theta_k grows by pi / n, the right side decreases from at most (k + 1) pi to at least k pi, so there is one
+ * root for each k.  The modes are the eigenvectors of a symmetric matrix and therefore orthogonal: the n x n table
+ * of modes of unit length is its own inverse. f = -1 and 1 give the sines and cosines above. */
 #include "solver/time/transform.h"
 
 #include <fftw3.h>
@@ -28,12 +28,12 @@
 #include <string.h>
 
 enum {
-    LINES = 8, /* transformed before they are written across: a cache line of each column */
+    LINES = 8, /* lines transformed before they are transposed: one cache line of each column */
     KEPT = 64
 };
 
 struct basis {
-    fftw_r2r_kind kind[2]; /* forward, back */
+    fftw_r2r_kind kind[2]; /* forward, backward */
     double first;          /* theta_k = pi (k + first) / (n + more) */
     int more;
 };
@@ -48,13 +48,13 @@ static const struct basis bases[2][2][2] = {
 
 struct axis {
     int n, lines;
-    double *mode;      /* phi_k(i) at [k n + i], of unit length; NULL where FFTW does it */
-    fftw_plan plan[2]; /* forward, back; of one line */
-    int kept[2];       /* 1: not to be destroyed */
+    double *mode;      /* phi_k(i) at [k n + i], of unit length; NULL if FFTW is used */
+    fftw_plan plan[2]; /* forward, backward; for one line */
+    int kept[2];       /* 1: in the cache, not to be destroyed */
 };
 
 struct transform {
-    int dim, is_square; /* is_square: both axes are one */
+    int dim, is_square; /* is_square: both axes share one plan */
     struct axis axis[2];
 };
 
@@ -82,8 +82,8 @@ static double robin_shift(const struct lattice *l, int axis, int k) {
     return (lo + hi) / 2;
 }
 
-/* Whole turns are taken off theta (i + 1/2) = (k pi + shift) (2 i + 1) / (2 n) as whole numbers: it may be thousands.
- */
+/* Whole turns are removed from theta (i + 1/2) = (k pi + shift) (2 i + 1) / (2 n) in integer arithmetic; there may
+ * be thousands. */
 static double *robin_modes(const struct lattice *l, int axis) {
     size_t n = (size_t)l->n[axis];
     double *mode = xcalloc(n * n, sizeof *mode);
@@ -114,7 +114,7 @@ double transform_scale(const struct lattice *l) {
     return scale;
 }
 
-/* The arrays only lend their places: nothing is measured on them. */
+/* FFTW_ESTIMATE does not use the contents of the arrays. */
 static fftw_plan plan_line(int n, fftw_r2r_kind kind) {
     double *from = xcalloc((size_t)n, sizeof *from), *to = xcalloc((size_t)n, sizeof *to);
     fftw_plan plan = fftw_plan_r2r_1d(n, from, to, kind, FFTW_ESTIMATE | FFTW_UNALIGNED | FFTW_PRESERVE_INPUT);
@@ -123,7 +123,7 @@ static fftw_plan plan_line(int n, fftw_r2r_kind kind) {
     return plan;
 }
 
-/* Not from two threads at once: FFTW's planner has one state for all, and so has this table. */
+/* Call from one thread at a time: FFTW's planner and this cache have shared state. */
 static struct {
     int count, n[KEPT];
     fftw_r2r_kind kind[KEPT];
@@ -175,7 +175,7 @@ void transform_free(struct transform *t) {
     free(t);
 }
 
-/* FFTW takes no const, but keeps its input by FFTW_PRESERVE_INPUT. */
+/* FFTW's interface has no const; FFTW_PRESERVE_INPUT keeps the input. */
 static void line(const struct axis *a, int way, const double *from, double *to) {
     size_t n = (size_t)a->n;
     if (a->mode) {
@@ -209,7 +209,7 @@ double transform_flops(const struct transform *t) {
     return all;
 }
 
-/* work: LINES times n. */
+/* work: LINES * n values. */
 static void pass(const struct axis *a, int way, const double *in, double *out, double *work) {
     size_t n = (size_t)a->n, lines = (size_t)a->lines;
     for (size_t j = 0; j < lines; j += LINES) {

@@ -199,7 +199,7 @@ static void what_does_not_match_is_not_bad_input(void **state) {
     } all[] = {
         {"run square-step so_ssph --stepper matched --h 1.1 --dx 0.1", "--h iso", STATUS_NOT_APPLICABLE},
         {"run square-step ftcs --stepper matched --dx 0.1", "isotropic", STATUS_NOT_APPLICABLE},
-        {"run plate so_ssph --stepper matched --h iso --set T1=0 --set T3=0 --dx 0.01", "along one axis alone",
+        {"run plate so_ssph --stepper matched --h iso --set T1=0 --set T3=0 --dx 0.01", "along one axis only",
          STATUS_NOT_APPLICABLE},
         {"run square-step so_ssph --stepper matched --h iso --dx 0.1 --dt 0.1", "--dt", STATUS_INPUT},
         {"run rod-gauss so_ssph --stepper matched --sampling spline --dx 0.5 --t-end 1e-3", "--t-end", STATUS_INPUT},
@@ -232,7 +232,7 @@ static void walls_that_vary_are_seen_on_each_side(void **state) {
     assert_int_equal(matched_check(&p, &e->options, e->method->scheme, &l, &why), STATUS_OK);
     p.wall = along_y_hi;
     assert_int_equal(matched_check(&p, &e->options, e->method->scheme, &l, &why), STATUS_NOT_APPLICABLE);
-    assert_non_null(strstr(why.text, "a first derivative taken twice"));
+    assert_non_null(strstr(why.text, "a first derivative applied twice"));
     arguments_free(&r);
 }
 

@@ -246,7 +246,7 @@ static void test_a_cooled_side_is_refused_on_nodes(void **state) {
             struct field f;
             p.side[side] = ROBIN, p.robin[side] = 0.31;
             assert_int_equal(method_solve(&method_ftcs, &p, &o, &f, &why), STATUS_NOT_APPLICABLE);
-            assert_has(why.text, "a Robin wall is midway between a point and its ghost");
+            assert_has(why.text, "a Robin wall must be midway between a point and its ghost");
         }
 }
 

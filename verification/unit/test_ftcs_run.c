@@ -113,7 +113,7 @@ static void test_refusals(void **state) {
     REFUSED(&method_ftcs, &r, O(.dx = 0.115, .dt = 0.1, .fourier = 0.2), "--dt 0.1", "--fourier 0.2");
     REFUSED(&method_ftcs, &r, O(.dx = 0.115, .dt = 1e-300), "time steps");
     REFUSED(&method_ftcs, &late, O(.dx = 0.115), "--t-end nan");
-    REFUSED(&method_ftcs_flux, &two, O(.dx = 0.046), "ftcs_flux", "2", "one material", "take ftcs");
+    REFUSED(&method_ftcs_flux, &two, O(.dx = 0.046), "ftcs_flux", "2", "one material", "use ftcs");
     two.side[Y_HI] = ROBIN;
     REFUSED(&method_ftcs, &two, O(.dx = 0.046), "ftcs", "Robin", "contact_ssph");
     REFUSED(&method_ftcs, &r, O(.dx = 0.115, .layout = LAYOUT_JITTER), "--layout jitter", "lattice or node");

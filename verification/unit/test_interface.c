@@ -134,7 +134,7 @@ static void what_two_materials_refuse(void **state) {
         {"run rod-contact ftcs --dx 0.1 --sampling spline", "point or cell"},
         {"run rod-contact ftcs --dx 0.1 --layout node", "lattice"},
         {"run rod-contact ftcs --dx 0.1 --stepper matched", "euler, auto"},
-        {"run rod-contact ftcs_flux --dx 0.1", "meet at x = 0 m"}};
+        {"run rod-contact ftcs_flux --dx 0.1", "in contact at x = 0 m"}};
     for (size_t k = 0; k < sizeof lines / sizeof *lines; k++) {
         struct request r;
         struct result out;

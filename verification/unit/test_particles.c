@@ -111,7 +111,7 @@ static void matched_refuses_a_jump_at_every_wall(void **state) {
         char where[40];
         p.initial = warm, p.wall = warmer, p.material[0].k[1] = p.material[0].k[0];
         for (int k = 0; k < 4; k++) p.side[k] = k == s ? DIRICHLET : NEUMANN;
-        snprintf(where, sizeof where, "jumps at %c = %.6g m", "xy"[s / 2], s % 2 ? p.hi[s / 2] : p.lo[s / 2]);
+        snprintf(where, sizeof where, "jump at %c = %.6g m", "xy"[s / 2], s % 2 ? p.hi[s / 2] : p.lo[s / 2]);
         assert_int_equal(method_solve(&method_so_ssph, &p, &o, &f, &why), STATUS_NOT_APPLICABLE);
         if (!strstr(why.text, where)) fail_msg("%s: %s", where, why.text);
     }
@@ -136,7 +136,7 @@ static void first_derivatives_are_not_matched_where_a_wall_varies(void **state) 
         p.source = NULL, p.wall = k < 4 ? along_it : through_it, p.material[0].k[1] = p.material[0].k[0];
         for (int s = 0; s < 4; s++) p.side[s] = s == k % 4 ? DIRICHLET : NEUMANN;
         int status = method_solve(&method_fo_ssph, &p, &o, &f, &why);
-        assert_int_equal(strstr(why.text, "a first derivative taken twice") != NULL, k < 4);
+        assert_int_equal(strstr(why.text, "a first derivative applied twice") != NULL, k < 4);
         if (!status) field_free(&f);
     }
 }

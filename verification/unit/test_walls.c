@@ -119,7 +119,7 @@ static void what_is_blind_to_the_checkerboard_is_refused(void **state) {
         struct field f;
         struct failure why;
         assert_int_equal(method_solve(all[m], &p, &o, &f, &why), STATUS_NOT_APPLICABLE);
-        assert_has(why.text, "does not see (-1)^i");
+        assert_has(why.text, "annihilates (-1)^i");
         p.source = NULL;
         assert_int_equal(method_solve(all[m], &p, &o, &f, &why), STATUS_OK);
         field_free(&f);
@@ -138,7 +138,7 @@ static void points_of_unknown_order_are_refused(void **state) {
     const struct {
         double at, slope;
         const char *says; /* NULL: accepted */
-    } row[] = {{0.4, 0, NULL}, {0.41, 0, "midway"}, {0.4, 0.17, "varies between its jumps"}};
+    } row[] = {{0.4, 0, NULL}, {0.41, 0, "midway"}, {0.4, 0.17, "vary between the jumps"}};
     for (int m = 0; m < 2; m++)
         for (size_t k = 0; k < sizeof row / sizeof *row; k++) {
             struct problem p = odd_rod();
