@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Memory and clock of a field, and how far it is from another. */
+/* Memory, clock and distances of fields. */
 #include "solver/field.h"
 
 #include "solver/status.h"
@@ -50,7 +50,7 @@ double field_farthest(const struct field *f, const double *T) {
     double most = 0;
     for (size_t i = 0; i < f->n; i++) {
         double apart = fabs(f->T[i] - T[i]);
-        if (apart > most || isnan(apart)) most = apart; /* a NaN stays */
+        if (apart > most || isnan(apart)) most = apart; /* a NaN propagates */
     }
     return most;
 }

@@ -2,52 +2,52 @@
 #ifndef HEATLADDER_SOLVER_FIELD_H
 #define HEATLADDER_SOLVER_FIELD_H
 
-/* The solution that a method returns: places, temperatures, counts and times. */
+/* The solution returned by a method: positions, temperatures, counts and times. */
 
 #include <stddef.h>
 
-struct cost {               /* of a run */
+struct cost {               /* cost of a run */
     long long updates;      /* particle updates: particles x operator applications */
     long long interactions; /* pairs evaluated: updates x neighbours */
-    double work;            /* all that is done, counted (solver/work.h); 0 where unknown */
-    size_t bytes;           /* held while time runs, places and temperatures among them */
+    double work;            /* operation count (solver/work.h); 0 if unknown */
+    size_t bytes;           /* memory during the time loop, including positions and temperatures */
     double seconds;         /* wall time of the whole call */
-    double step_seconds;    /* wall time of the time loop alone */
+    double step_seconds;    /* wall time of the time loop */
 };
 
-struct field { /* owned arrays: field_free */
+struct field { /* arrays are owned; release with field_free */
     int dim;
     size_t n;
-    int shape[2];      /* lattice points along x and y (1 for a rod), x fastest; {0, 0} where there is no lattice */
-    double spacing[2]; /* m */
-    double *x, *y;     /* m, n each; y is NULL for a rod */
-    double *T;         /* K, n */
-    double *weight;    /* m^d, n: the volume that each point stands for in a norm; NULL where all are equal */
-    double time;              /* s, the time that T belongs to (t_end) */
-    double h;                 /* smoothing length over dx, as used; 0 for a method without one */
-    double dt;                /* s, 0 for the exact stepper */
-    long long steps;          /* time steps; 0 for the exact stepper */
-    int stages;               /* operator applications a step; a first step may take more */
-    long long applications;   /* of the operator, in all steps; 0 for the exact stepper and where unknown */
-    double heat[2];           /* J m^(d-3): sum of rho_c T volume at the start and at the end */
-    double range[2];          /* K, lowest and highest of the sampled initial data */
-    double data[2];           /* K: what initial data, walls and heat that comes in span; 0, 0 where unknown */
-    double bound;             /* s^-1: upper bound of the operator's spectrum; 0 where none is known */
+    int shape[2];           /* lattice points along x and y (1 for a rod), x fastest; {0, 0} without a lattice */
+    double spacing[2];      /* m */
+    double *x, *y;          /* m, n each; y is NULL for a rod */
+    double *T;              /* K, n */
+    double *weight;         /* m^dim, n: volume weight of each point in norms; NULL if all are equal */
+    double time;            /* s, time of T (t_end) */
+    double h;               /* smoothing length over dx; 0 for methods without one */
+    double dt;              /* s; 0 for the exact stepper */
+    long long steps;        /* time steps; 0 for the exact stepper */
+    int stages;             /* operator applications per step; a first step may need more */
+    long long applications; /* operator applications in all steps; 0 for the exact stepper or if unknown */
+    double heat[2];         /* J m^(dim-3): sum of rho_c T volume, initial and final */
+    double range[2];        /* K, minimum and maximum of the sampled initial data */
+    double data[2];         /* K: range of initial data, walls and incoming heat; 0, 0 if unknown */
+    double bound;           /* s^-1: upper bound of the operator's spectrum; 0 if unknown */
     struct cost cost;
 };
 
-double field_clock(void); /* s, of a clock that never goes back: what the times of a cost are differences of */
+double field_clock(void); /* s, from a monotonic clock */
 
-void field_alloc(struct field *f, int dim, size_t n); /* zeroes *f, allocates x, T, and y for dim 2 */
+void field_alloc(struct field *f, int dim, size_t n); /* zeroes *f; allocates x, T, and y if dim is 2 */
 void field_free(struct field *f);
 
-/* sum w |f->T - T| / sum w |size| at the n points of *f, K, but for those where size is INFINITY: no value is known
- * there.  w: f->weight. */
+/* sum w |f->T - T| / sum w |size| over the n points of *f, K, with w = f->weight.  Points with size INFINITY have no
+ * known value and are skipped. */
 double field_distance(const struct field *f, const double *T, const double *size);
 
-double field_largest(const struct field *f); /* K: the largest |f->T[i]|, of those that are numbers */
+double field_largest(const struct field *f); /* K: largest finite |f->T[i]| */
 
-/* K: the largest |f->T[i] - T[i]| at the n points of *f; NaN where one is. */
+/* K: largest |f->T[i] - T[i]| over the n points of *f; NaN if one of them is. */
 double field_farthest(const struct field *f, const double *T);
 
 #endif

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The list of methods, and calls of one. */
+/* The list of methods. */
 #include "solver/method.h"
 
 #include <string.h>

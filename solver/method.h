@@ -9,24 +9,24 @@
 #include "solver/status.h"
 
 struct problem;
-struct scheme; /* space/operator.h: how a particle method weights its neighbours */
+struct scheme; /* space/operator.h: neighbour weights of a particle method */
 
 struct method {
     const char *name;
-    const char *about;   /* one line, with its equation */
-    const char *accepts; /* the options that have a meaning here, separated by blanks: "stepper kernel h ..." */
-    const struct scheme *scheme; /* NULL for a method that is not a particle method */
-    /* As method_solve. */
+    const char *about;           /* one line with its equation */
+    const char *accepts;         /* valid options, separated by blanks: "stepper kernel h ..." */
+    const struct scheme *scheme; /* NULL if not a particle method */
+    /* See method_solve. */
     int (*solve)(const struct method *m, const struct problem *p, const struct options *o, struct field *f,
                  struct failure *why);
 };
 
-/* 0 and a filled *f (its arrays owned by the caller), or a status with *why filled and *f untouched. */
+/* Returns 0 and fills *f (the caller owns its arrays), or returns a status with *why and leaves *f unchanged. */
 int method_solve(const struct method *m, const struct problem *p, const struct options *o, struct field *f,
                  struct failure *why);
 
 extern const struct method *const methods[]; /* ended by NULL */
 
-const struct method *method_find(const char *name); /* NULL where there is none */
+const struct method *method_find(const char *name); /* NULL if unknown */
 
 #endif

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The words of the options, what they imply, and the width of vectors. */
+/* Names of the option values, derived settings, and the vector width. */
 #include "solver/options.h"
 
 #include <stddef.h>

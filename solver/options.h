@@ -12,21 +12,21 @@ enum kernel_name {
 #undef KERNEL
 };
 enum stepper_name {
-    STEPPER_AUTO, /* what fits */
+    STEPPER_AUTO, /* the default that fits the problem */
 #define STEPPER(NAME, name) STEPPER_##NAME,
 #include "solver/steppers.def"
 #undef STEPPER
 };
 enum layout_name { LAYOUT_LATTICE, LAYOUT_NODE, LAYOUT_JITTER, LAYOUT_RELAXED, LAYOUT_HEXAGONAL };
 enum sampling { SAMPLING_POINT, SAMPLING_CELL, SAMPLING_SPLINE };
-/* Past WALLS_FIXED dummies hold what particles/walls.c gives them; with WALLS_FIXED too where walls cut the lattice.
+/* Beyond WALLS_FIXED, and for WALLS_FIXED on a cut lattice, dummy particles follow particles/walls.c.
  * WALLS_ONE_SIDED has no dummies. */
 enum walls { WALLS_MIRROR, WALLS_FIXED, WALLS_DISTANCE, WALLS_AVERAGE, WALLS_IMAGE, WALLS_FIT, WALLS_ONE_SIDED };
 enum mean { MEAN_HARMONIC, MEAN_ARITHMETIC, MEAN_SERIES };
 enum domain { DOMAIN_SYMMETRY, DOMAIN_WHOLE };
 enum volume { VOLUME_MOMENT, VOLUME_RAW, VOLUME_TUNED };
 
-/* The words of the command line, indexed by the enums, ended by NULL. */
+/* Names on the command line, indexed by the enums, ended by NULL. */
 extern const char *const kernel_words[], *const stepper_words[];
 extern const char *const layout_words[], *const sampling_words[], *const walls_words[], *const domain_words[];
 extern const char *const mean_words[], *const volume_words[];
@@ -34,9 +34,9 @@ extern const char *const mean_words[], *const volume_words[];
 struct field;
 
 struct options {
-    double dx;      /* m, particle spacing along x (along y too, but for STEPPER_MATCHED with k_x != k_y) */
-    double aspect;  /* dy over dx of the cells that a case asks another program for; 0: 1 */
-    double dt;      /* s; 0: not given.  The step used is t_end / ceil(t_end / dt), so that steps are whole. */
+    double dx;      /* m, particle spacing along x (and along y, except for STEPPER_MATCHED with k_x != k_y) */
+    double aspect;  /* dy over dx of the cells in a case for an external program; 0: 1 */
+    double dt;      /* s; 0: not given.  The step used is t_end / ceil(t_end / dt), a whole number of steps. */
     double fourier; /* mesh Fourier number dt max(kappa) / dx^2; 0: not given */
     double h;       /* smoothing length over dx; 0: the default, 1.1 max(order, 2) / 2 */
     int h_iso;      /* 1: --h iso */
@@ -45,31 +45,31 @@ struct options {
     enum kernel_name kernel;
     enum stepper_name stepper;
     enum layout_name layout;
-    double jitter; /* particles lie (relaxed: start) uniformly within +-jitter dx of the lattice's */
-    int sweeps;    /* LAYOUT_RELAXED: the most that may be made; 0: the default, 2000 */
+    double jitter; /* particles are displaced uniformly within +-jitter dx of the lattice (relaxed: initially) */
+    int sweeps;    /* LAYOUT_RELAXED: maximum number of sweeps; 0: the default, 2000 */
     unsigned long seed;
-    double shift;              /* of the lattice of a rod or rectangle along each axis, in dx, 0 to 1 */
-    int has_origin, has_angle; /* 0: drawn by the seed */
+    double shift;              /* shift of the lattice of a rod or rectangle along each axis, in dx, 0 to 1 */
+    int has_origin, has_angle; /* 0: drawn from the seed */
     double origin[2], angle;   /* of the lattice of a round body: in dx; in degrees */
     enum sampling sampling;
     enum walls walls;
     enum mean mean;
     enum volume volume;
-    enum domain domain; /* of a scene with mirror planes: the part that has to be computed, or all */
-    /* borrowed: an answer to the same problem and options but for the time step, whose relaxed particles are taken as
-     * they lie; NULL where there is none */
+    enum domain domain; /* for scenes with mirror planes: compute only the necessary part, or all */
+    /* borrowed: solution of the same problem and options with another time step, whose relaxed particles are reused;
+     * NULL if there is none */
     const struct field *placed;
-    int threads; /* threads that one run may use; 0 or 1: one */
-    int lanes;   /* doubles in a vector of the hot loops, 2, 4 or 8; 0: options_lanes_most() */
+    int threads; /* maximum number of threads of a run; 0 or 1: one */
+    int lanes;   /* doubles per vector in the hot loops, 2, 4 or 8; 0: options_lanes_most() */
 };
 
-/* Doubles in the widest vector of this machine: 2, 4 or 8.  No width changes a bit of a result. */
+/* Doubles in the widest vector of this machine: 2, 4 or 8.  Results are the same for all widths, bit for bit. */
 int options_lanes_most(void);
 
-/* m, the spacing of a case's cells along the axis, 0 or 1. */
+/* m, cell size of a case along axis 0 or 1. */
 double options_spacing(const struct options *o, int axis);
 
-/* 1 for layouts that are no lattice: particles have rows of their own */
+/* 1 for layouts other than a lattice: each particle has its own row of weights. */
 int options_is_cloud(const struct options *o);
 
 #endif

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Out of memory ends the program.  The library returns a status instead (references/library/guard.c). */
+/* Memory exhaustion ends the program.  The library returns a status instead (references/library/guard.c). */
 #include "solver/status.h"
 
 #include <stdio.h>
@@ -8,5 +8,5 @@
 void *xcheck(void *block, size_t count, size_t size) {
     if (block) return block;
     fprintf(stderr, "heatladder: out of memory (%zu x %zu bytes)\n", count, size);
-    _Exit(STATUS_NUMERICAL); /* of any thread, while others run */
+    _Exit(STATUS_NUMERICAL); /* callable from any thread */
 }

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* What follows from a problem alone. */
+/* Quantities that depend on the problem only. */
 #include "solver/problem.h"
 
 #include <math.h>

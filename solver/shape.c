@@ -1,9 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Shapes of bodies.  A rod or rectangle is the box lo to hi; a round body lies between circles about 0.
+/* Shapes of bodies.  A rod or rectangle is the box from lo to hi; a round body is bounded by circles about 0.
  *
- * The area of a disc in a box is the integral over x of the length of the line at x inside both,
- * clamp(s, c, d) - clamp(-s, c, d), s = sqrt(R^2 - x^2): between places where s passes |c| or |d| either term is
- * constant or an arc, whose integral is (x s + R^2 asin(x/R))/2. */
+ * The area of a disc inside a box is the integral over x of the length of the line at x inside both, clamp(s, c, d)
+ * - clamp(-s, c, d), s = sqrt(R^2 - x^2).  Between the positions at which s crosses |c| or |d| each term is either
+ * constant or an arc with the integral (x s + R^2 asin(x/R))/2. */
 #include "solver/shape.h"
 
 #include <math.h>
@@ -22,7 +22,7 @@ static double arc(double R, double a, double b) {
     return (b * half_chord(R, b) - a * half_chord(R, a) + R * R * (asin(b / R) - asin(a / R))) / 2;
 }
 
-/* The integral over x from a to b, where no place of the list above lies between, of clamp(sign s, c, d). */
+/* Integral over x of clamp(sign s, c, d) from a to b, an interval without such a position. */
 static double under(double R, int sign, double a, double b, double c, double d) {
     double middle = sign * half_chord(R, (a + b) / 2);
     return middle < c ? (b - a) * c : middle > d ? (b - a) * d : sign * arc(R, a, b);

@@ -4,43 +4,43 @@
 
 #include "solver/problem.h"
 
-/* The body's shape: inside, distance, nearest point of a wall, outward normal. */
+/* The shape of a body: interior, distance, nearest wall point, outward normal. */
 
-struct foot {         /* of a point and a wall */
-    double x[2];      /* m, the nearest point of the wall */
-    double normal[2]; /* outward, of length 1 */
-    double depth;     /* m, distance of the point from the wall; negative beyond it */
+struct foot {         /* relation of a point to a wall */
+    double x[2];      /* m, nearest point of the wall */
+    double normal[2]; /* outward unit normal */
+    double depth;     /* m, distance of the point from the wall; negative outside */
     double bend;      /* m^-1, div n: 1/r on the outer wall, -1/r on the wall of a hole, 0 on a plane */
 };
 
 struct shape {
-    const char *name; /* of the case file */
+    const char *name; /* name in the case file */
     struct foot (*foot)(const struct problem *p, enum side s, const double x[2]);
-    /* m^2, of the box from lo to hi inside the body */
+    /* m^2, area of the box from lo to hi inside the body */
     double (*area)(const struct problem *p, const double lo[2], const double hi[2]);
 };
 
-extern const struct shape shape_disc, shape_annulus; /* about 0, p->radius */
+extern const struct shape shape_disc, shape_annulus; /* about 0, with p->radius */
 
-/* Makes *p a body between these radii (m; 0: no hole), lo and hi its box. */
+/* Makes *p a round body between these radii (m; 0: no hole); lo and hi become its bounding box. */
 void shape_round(struct problem *p, double hole, double radius);
 
-/* 1 where side s is a wall: a disc has one, periodic sides are none. */
+/* 1 if side s is a wall: a disc has one, periodic sides are no walls. */
 int shape_has_wall(const struct problem *p, int s);
 
-/* The foot of x (m) on wall s, and on the nearest wall, *s; without a wall depth is INFINITY and *s is -1. */
+/* The foot of x (m) on wall s, or on the nearest wall, *s.  Without a wall depth is INFINITY and *s is -1. */
 struct foot shape_foot(const struct problem *p, int s, const double x[2]);
 struct foot shape_nearest(const struct problem *p, const double x[2], int *s);
 
-/* m: the distance from the nearest wall, negative outside of the body. */
+/* m: distance from the nearest wall, negative outside the body. */
 double shape_depth(const struct problem *p, const double x[2]);
 
-/* m^d: of the part of the box from lo to hi (m) inside the body, and of the body. */
+/* m^dim: volume of the box from lo to hi (m) inside the body, and of the body. */
 double shape_clipped(const struct problem *p, const double lo[2], const double hi[2]);
 double shape_volume(const struct problem *p);
 
-/* Where the line x = const meets the body between lo and hi (m): at most two pieces, from piece[k][0] to piece[k][1];
- * returns how many. */
+/* Intersection of the line x = const with the body between lo and hi (m): at most two pieces, from piece[k][0] to
+ * piece[k][1].  Returns their number. */
 int shape_pieces(const struct problem *p, double x, double lo, double hi, double piece[2][2]);
 
 #endif

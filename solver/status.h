@@ -2,43 +2,42 @@
 #ifndef HEATLADDER_SOLVER_STATUS_H
 #define HEATLADDER_SOLVER_STATUS_H
 
-/* How a call ends: its status, the text of a failure, and memory that does not run out quietly. */
+/* Statuses, failure texts, and checked allocation. */
 
 #include <stddef.h>
 
 enum {
     STATUS_OK = 0,
-    STATUS_GATE = 1,           /* measured, and outside of what was asked for */
+    STATUS_GATE = 1,           /* measured, but out of bounds */
     STATUS_INPUT = 2,          /* bad usage or input */
-    STATUS_NUMERICAL = 3,      /* a singular matrix, a program that failed */
-    STATUS_INCONCLUSIVE = 4,   /* measured, but not enough for a verdict */
-    STATUS_NOT_APPLICABLE = 5, /* good input, for which this method has no answer */
-    STATUS_UNSTABLE = 6,       /* T grew without bound */
-    STATUS_SKIPPED = 77        /* another program says that the case is not for it (as GNU Automake's tests do) */
+    STATUS_NUMERICAL = 3,      /* a numerical failure, such as a singular matrix or a failed program */
+    STATUS_INCONCLUSIVE = 4,   /* measured, but insufficient for a verdict */
+    STATUS_NOT_APPLICABLE = 5, /* valid input that this method cannot treat */
+    STATUS_UNSTABLE = 6,       /* T grows without bound */
+    STATUS_SKIPPED = 77        /* an external program declines the case (as in GNU Automake's tests) */
 };
 
-/* The exit status of the program: 0 to 4, or 77; not applicable counts as input, unstable as numerical. */
+/* Exit status of the program: 0 to 4, or 77.  Not applicable maps to input, unstable to numerical. */
 int status_exit(int status);
 
-/* 1 where nothing was tried: STATUS_INPUT and STATUS_NOT_APPLICABLE. */
+/* 1 if nothing was run: STATUS_INPUT and STATUS_NOT_APPLICABLE. */
 int status_refused(int status);
 
 struct failure {
     int status;     /* one of the above */
-    char text[480]; /* one line, without a newline: what, its value, what would be valid; where and when */
+    char text[480]; /* one line without a newline: option, value and valid range; place and time */
 };
 
-/* Fills *f (printf-like) and returns status, so that a function can end with `return refuse(f, STATUS_INPUT, ...)`.
- */
+/* Fills *f (printf-like) and returns status, for `return refuse(f, STATUS_INPUT, ...)`. */
 int refuse(struct failure *f, int status, const char *format, ...) __attribute__((format(printf, 3, 4)));
 
-/* calloc that ends the program where memory is out; count = 0 gives a block that can be freed. */
+/* calloc that ends the program if memory is exhausted; count = 0 returns a block that can be freed. */
 void *xcalloc(size_t count, size_t size);
 
-/* xcalloc with the first `used` elements of `old`, which is freed. */
+/* xcalloc that copies the first `used` elements of `old` and frees it. */
 void *xgrow(void *old, size_t used, size_t count, size_t size);
 
-/* The block; without one (NULL) the program ends as in xcalloc. */
+/* Returns the block; ends the program as xcalloc does if it is NULL. */
 void *xcheck(void *block, size_t count, size_t size);
 
 #endif

@@ -2,14 +2,14 @@
 #ifndef HEATLADDER_SOLVER_SWEEP_FLUSH_H
 #define HEATLADDER_SOLVER_SWEEP_FLUSH_H
 
-/* Between flush_begin and flush_end a number below 2.2e-308 is zero, in the calling thread.  Ahead of a front an
- * explicit step leaves less with every cell, far below any temperature, and processors take a hundred times as long
- * for what they cannot hold in full.  Where a processor has no such mode nothing is done. */
+/* Between flush_begin and flush_end numbers below 2.2e-308 are zero in the calling thread.  Ahead of a heat front an
+ * explicit step produces ever smaller values, far below any temperature, and processors are a hundred times slower
+ * with subnormal numbers.  Without such a mode of the processor these functions do nothing. */
 
 #ifdef __SSE2__
 #include <xmmintrin.h>
 
-enum { FLUSH_ZERO = 0x8000 | 0x0040 }; /* results, operands */
+enum { FLUSH_ZERO = 0x8000 | 0x0040 }; /* flush results, treat operands as zero */
 
 static inline unsigned flush_begin(void) {
     unsigned before = _mm_getcsr();

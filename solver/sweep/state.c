@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* States in and out, and their updates by way of the sweep that fits. */
+/* Conversion between temperatures and states, and dispatch of updates to the sweeps. */
 #include "solver/sweep/state.h"
 #include "solver/sweep/sweep.h"
 

@@ -4,22 +4,22 @@
 
 #include "solver/sweep/state.h"
 
-/* The hot loops of state_update, for its `count` updates of the states Y[0] and Y[1] in turn. */
+/* The hot loops of state_update, for `count` updates alternating between the states Y[0] and Y[1]. */
 
 void sweep_lattice(const struct heat_operator *a, const struct update *u, int count, double *const Y[2]);
 void sweep_csr(const struct heat_operator *a, const struct update *u, int count, double *const Y[2]);
 
-/* 1 for an Euler step without source or walls' values. */
+/* 1 for an Euler step without source or wall values. */
 int sweep_is_plain(const struct heat_operator *a, const struct update *u);
 
-/* The update *u of rows row <= j < end from the state x, with its ghosts, to y, in vectors of 2, 4 or 8 doubles,
- * which may reach beyond the last column.  support: the largest i i + j j of an offset with a weight. */
+/* Update *u of the rows row <= j < end from the state x, with its ghosts, to y, in vectors of 2, 4 or 8 doubles,
+ * which may extend beyond the last column. support: largest i i + j j of an offset with a weight. */
 typedef void sweep_band(const struct heat_operator *a, int support, const struct update *u, const double *x,
                         double *y, ptrdiff_t row, ptrdiff_t end);
 sweep_band sweep_band_2, sweep_band_4, sweep_band_8;
 
-/* The same for particles begin <= i < end of a rod, with bands of rows: where these reach beyond its ends they are 0,
- * and x is not read there. */
+/* The same for particles begin <= i < end of a rod with a banded matrix.  Band entries beyond the ends of the rod
+ * are 0, and x is not read there. */
 typedef void sweep_bands(const struct heat_operator *a, const struct update *u, const double *x, double *y,
                          ptrdiff_t begin, ptrdiff_t end);
 sweep_bands sweep_bands_2, sweep_bands_4, sweep_bands_8;

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Updates off the lattice, y = rate (A x + g) + self x + old y + start Y0, with A in compressed rows, or banded on a
- * rod. */
+/* Updates off the lattice, y = rate (A x + g) + self x + old y + start Y0, with A in compressed sparse rows, or
+ * banded on a rod. */
 #include "solver/sweep/flush.h"
 #include "solver/sweep/sweep.h"
 #include "solver/sweep/wavefront.h"
@@ -9,10 +9,10 @@
 
 #define INLINE static inline __attribute__((always_inline))
 
-/* Two doubles: what every machine of 64 bits has.  No wider ones, since x is not where a vector could load it.  Of
- * 3840 rows of 15 entries (AVX-512) an entry takes 0.32 ns by pairs of single loads, 0.43 by four of them in one
- * vector of four, 0.60 by gathers of four and 0.53 of eight; of 10^6 rows, which come from memory, 1.40, 1.45, 1.36
- * and 1.31. */
+/* Vectors of two doubles, available on every 64-bit machine.  Wider ones do not help, because x is not contiguous.
+ * Time per entry with AVX-512, for 3840 rows of 15 entries: 0.32 ns with pairs of single loads, 0.43 with four
+ * single loads into a vector of four, 0.60 with gathers of four and 0.53 of eight.  For 10^6 rows, from memory:
+ * 1.40, 1.45, 1.36, 1.31. */
 typedef double two __attribute__((vector_size(16)));
 
 INLINE two load(const double *from) {
@@ -21,7 +21,7 @@ INLINE two load(const double *from) {
     return v;
 }
 
-/* Four partial sums a row: additions that do not wait for each other, in an order that does not change. */
+/* Four independent partial sums per row hide the latency; their order is fixed. */
 INLINE double row_times(double diagonal, const double *restrict value, const uint32_t *restrict column,
                         const double *restrict x, size_t i, size_t k, size_t end) {
     two even = {diagonal * x[i], 0}, odd = {0, 0};
@@ -33,10 +33,10 @@ INLINE double row_times(double diagonal, const double *restrict value, const uin
     return (even[0] + even[1]) + (odd[0] + odd[1]);
 }
 
-/* What an update has: x and the sum alone; y too; or source, walls' values or Y0 as well. */
+/* Terms of an update: x and the sum only; also y; also source, wall values or Y0. */
 enum form { PLAIN, RECURRENCE, WHOLE };
 
-/* y_i, of sum = (A x)_i. */
+/* y_i from sum = (A x)_i. */
 INLINE double updated(const double *restrict g, struct update u, enum form form, double sum, const double *x,
                       const double *y, size_t i) {
     if (form == PLAIN) return x[i] + u.rate * sum;
@@ -65,7 +65,7 @@ static void update_rows(const struct heat_operator *a, const struct update *u, c
         update_form(a, *u, WHOLE, x, y, begin, end);
 }
 
-/* ---- Several updates in one sweep over the rows, which are read once for all of them (wavefront.c) ---- */
+/* ---- Several updates per sweep: the rows are read once for all of them (wavefront.c) ---- */
 
 struct sweep {
     const struct heat_operator *a;
@@ -86,7 +86,7 @@ static void advance_bands(const void *what, int k, ptrdiff_t lo, ptrdiff_t hi) {
                   : sweep_bands_2)(s->a, &s->u[k], s->Y[k % 2], s->Y[1 - k % 2], lo, hi);
 }
 
-/* A rod has one thread: a step of one is too short to share. */
+/* Rods use one thread: their steps are too short to share. */
 void sweep_csr(const struct heat_operator *a, const struct update *u, int count, double *const Y[2]) {
     struct sweep s = {a, u, Y};
     struct wavefront w = {advance_rows, &s, (ptrdiff_t)a->n, a->band, 256, 8, a->threads};

@@ -1,14 +1,14 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Updates on a lattice of one material, walls through ghosts: several in one sweep over the rows (wavefront.c).  Rods
- * stay on one thread: a step of one is too short to share. */
+/* Updates on a lattice of one material, with walls through ghosts: several updates per sweep over the rows
+ * (wavefront.c).  Rods use one thread, since their steps are too short to share. */
 #include "solver/sweep/sweep.h"
 #include "solver/sweep/wavefront.h"
 
 #include <string.h>
 
 enum {
-    BAND = 8,    /* rows at a time */
-    TOGETHER = 8 /* updates a sweep */
+    BAND = 8,    /* rows per front */
+    TOGETHER = 8 /* updates per sweep */
 };
 
 static sweep_band *band_of(int lanes) {
@@ -20,7 +20,7 @@ int sweep_is_plain(const struct heat_operator *a, const struct update *u) {
     return !a->g && !u->Y0 && u->self == 1 && u->old == 0;
 }
 
-/* The largest i i + j j of an offset with a weight. */
+/* Largest i i + j j of an offset with a weight. */
 static int support_of(const struct heat_operator *a) {
     int q = 0;
     for (int j = 0; j <= a->reach[1]; j++)
@@ -29,9 +29,9 @@ static int support_of(const struct heat_operator *a) {
     return q;
 }
 
-/* ---- Homogeneous ghosts: sign x source along x, then along y, corners with them ---- */
+/* ---- Homogeneous ghosts: sign x source, first along x, then along y including corners ---- */
 
-/* Beyond the last unknown *at, outwards by `step`. */
+/* Ghosts beyond the last unknown *at, in direction `step`. */
 static void robin_ghosts(double f, ptrdiff_t count, double *at, ptrdiff_t step) {
     for (ptrdiff_t k = 1; k <= count; k++)
         at[k * step] = k == 1 ? f * at[0] : f * (at[(k - 1) * step] + at[(1 - k) * step]) - at[(2 - k) * step];
@@ -86,7 +86,7 @@ struct sweep {
     double *const *Y;
 };
 
-/* Update k of rows [row, end), and the ghosts that the next one needs of them. */
+/* Update k of rows [row, end), and the ghosts of these rows for the next update. */
 static void advance(const void *what, int k, ptrdiff_t row, ptrdiff_t end) {
     const struct sweep *s = what;
     const struct heat_operator *a = s->a;
@@ -96,11 +96,11 @@ static void advance(const void *what, int k, ptrdiff_t row, ptrdiff_t end) {
     if (k + 1 == s->count) return;
     for (ptrdiff_t j = row; j < end; j++) refresh_row(a, y, j);
     if (a->reach[1] == 0) return;
-    if (row <= lowest && lowest < end) refresh_side(a, y, Y_LO); /* these mirror the rows up to `lowest` */
+    if (row <= lowest && lowest < end) refresh_side(a, y, Y_LO); /* mirrors the rows up to `lowest` */
     if (end == ny) refresh_side(a, y, Y_HI);
 }
 
-/* A slab holds the rows that its side mirrors. */
+/* Each slab contains the rows that its side mirrors. */
 void sweep_lattice(const struct heat_operator *a, const struct update *u, int count, double *const Y[2]) {
     struct sweep s = {a, u, count, support_of(a), band_of(a->lanes), Y};
     ptrdiff_t ny = a->lattice.n[1], lag = a->reach[1], slabs = lag > 0 ? ny / (2 * lag) : 1;

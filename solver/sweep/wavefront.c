@@ -1,18 +1,19 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Several updates in one sweep.
+/* Several updates per sweep.
  *
- * Update k follows update k - 1 at the distance of the lag, a band at a time, so that what does not fit the cache
- * goes through it once for all of them.  (Update k + 1 writes over the input of update k, whose readers are then
- * past.) Threads take slabs, which shrink by the lag from update to update; what is left between two slabs is filled
- * in when both are done.  Neither changes a bit of the result.  Threads wait for each other twice a sweep. */
+ * Update k follows update k - 1 at the distance `lag`, one band at a time, so data larger than the cache pass
+ * through it once for all updates. (Update k + 1 overwrites the input of update k, which is no longer needed there.)
+ * Each thread takes a slab, which shrinks by the lag with each update; the seams between slabs are filled in when
+ * both are done.  The result does not depend on threads or bands, bit for bit.  Threads wait for each other twice
+ * per sweep. */
 #include "solver/sweep/wavefront.h"
 
 #include "solver/sweep/flush.h"
 
 #include <omp.h>
 
-/* Updates [first, first + count) of the units [begin, end) as far as they do not depend on units beyond: where others
- * lie there, each update does fewer. */
+/* Updates [first, first + count) of the units [begin, end), without those that depend on units outside: next to
+ * other slabs each update covers fewer units. */
 static void sweep_slab(const struct wavefront *w, int first, int count, ptrdiff_t begin, ptrdiff_t end) {
     ptrdiff_t below = begin > 0 ? w->lag : 0, above = end < w->units ? w->lag : 0;
     for (ptrdiff_t front = begin; front - (count - 1) * w->lag < end; front += w->band)
@@ -24,12 +25,12 @@ static void sweep_slab(const struct wavefront *w, int first, int count, ptrdiff_
         }
 }
 
-/* What two slabs left undone on either side of `at`. */
+/* Completes the updates on either side of `at`, between two slabs. */
 static void sweep_seam(const struct wavefront *w, int first, int count, ptrdiff_t at) {
     for (int k = 1; k < count; k++) w->advance(w->what, first + k, at - k * w->lag, at + k * w->lag);
 }
 
-/* A slab must hold what its updates leave undone at both ends: fewer of them share a sweep where it is short. */
+/* A slab must be longer than the seams at both ends, so short slabs share a sweep among fewer updates. */
 void wavefront_sweep(const struct wavefront *w, int count) {
     ptrdiff_t threads = w->threads < w->units ? w->threads : w->units, together = w->together;
     if (threads > 1 && w->lag > 0 && together > w->units / threads / (2 * w->lag))
