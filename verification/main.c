@@ -6,7 +6,7 @@
 #include "verification/command/help.h"
 #include "verification/command/stack.h"
 #include "verification/command/verb.h"
-#include "verification/text/letter.h"
+#include "verification/text/utf8.h"
 
 #include <errno.h>
 #include <gsl/gsl_errno.h>
@@ -40,7 +40,7 @@ static int help(int argc, char *const *argv) {
 static void print_failure(const char *text) {
     fputs("heatladder: ", stderr);
     for (size_t length; *text; text += length ? length : 1) {
-        length = letter_length(text);
+        length = utf8_length(text);
         fwrite(length ? text : "?", 1, length ? length : 1, stderr);
     }
     fputc('\n', stderr);

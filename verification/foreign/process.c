@@ -6,7 +6,7 @@
 #include "solver/status.h"
 #include "verification/foreign/scratch.h"
 #include "verification/text/atomic_file.h"
-#include "verification/text/letter.h"
+#include "verification/text/utf8.h"
 
 #include <errno.h>
 #include <fcntl.h>
@@ -101,7 +101,7 @@ static void print_line(struct running *r, size_t length) {
     size_t more = r->length - length;
     memcpy(rest, r->line + length, more);
     r->line[length] = '\0';
-    letter_clean(r->line);
+    utf8_clean(r->line);
     fprintf(stderr, "%s: %s\n", r->process->label, r->line);
     if (r->line[strspn(r->line, " ")]) memcpy(r->last, r->line, length + 1);
     memcpy(r->line, rest, r->length = more);
@@ -113,7 +113,7 @@ static void take_text(struct running *r, const char *text, size_t n) {
             print_line(r, r->length);
             continue;
         }
-        if (r->length == LINE - 1) print_line(r, letter_whole(r->line, r->length));
+        if (r->length == LINE - 1) print_line(r, r->length);
         r->line[r->length++] = (unsigned char)text[i] < ' ' ? ' ' : text[i];
     }
 }

@@ -5,7 +5,7 @@
 
 #include "solver/status.h"
 #include "verification/foreign/samples.h"
-#include "verification/text/letter.h"
+#include "verification/text/utf8.h"
 #include "verification/text/number.h"
 #include "verification/text/whole_file.h"
 
@@ -89,7 +89,7 @@ static int take_literal(struct scanner *s) {
     const struct scanner open = *s;
     for (s->at++; s->at < s->end && *s->at != '"'; s->at++) {
         char c = *s->at;
-        size_t length = letter_length(s->at); /* the text has a NUL behind it */
+        size_t length = utf8_length(s->at); /* the text has a NUL behind it */
         if (!length && c != '\n') return wrong(s, "a text has a control character, or is not UTF-8");
         if (c == '\\' && s->at + 1 < s->end) {
             c = *++s->at;

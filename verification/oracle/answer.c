@@ -55,11 +55,11 @@ static char *put_row(const struct answer *a, double time, size_t i, const double
         const struct points_text *typed = &a->points.typed[i][d];
         if (d) *at++ = ',';
         at = put(at, typed->start, (size_t)typed->length);
-        if (!typed->length) at += number_print(a->points.x[i][d], at);
+        if (!typed->length) at += snprintf(at, NUMBER_PRINTED, "%.17g", a->points.x[i][d]);
     }
     for (int k = a->times > 1 ? -1 : 0; k < n; k++) {
         *at++ = ',';
-        at += number_print(k < 0 ? time : value[k], at);
+        at += snprintf(at, NUMBER_PRINTED, "%.17g", k < 0 ? time : value[k]);
     }
     *at++ = '\n';
     return at;

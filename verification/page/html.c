@@ -3,7 +3,7 @@
 #include "verification/page/html.h"
 
 #include "solver/status.h"
-#include "verification/text/letter.h"
+#include "verification/text/utf8.h"
 #include "verification/text/table.h"
 #include "verification/text/whole_file.h"
 
@@ -48,7 +48,7 @@ void html_close(FILE *out) {
 
 /* XML allows neither invalid UTF-8, which becomes U+FFFD, nor other control characters than newlines, which become blanks. */
 static size_t put_letter(FILE *out, const char *text) {
-    size_t length = letter_length(text);
+    size_t length = utf8_length(text);
     if (length)
         fwrite(text, 1, length, out);
     else

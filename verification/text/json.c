@@ -2,7 +2,7 @@
 /* A streaming JSON writer: what is open is a stack of closing brackets. */
 #include "verification/text/json.h"
 
-#include "verification/text/letter.h"
+#include "verification/text/utf8.h"
 
 #include <math.h>
 #include <stdarg.h>
@@ -11,7 +11,7 @@
 static void quote(FILE *out, const char *text) {
     fputc('"', out);
     while (*text) {
-        size_t length = letter_length(text);
+        size_t length = utf8_length(text);
         if (*text == '"' || *text == '\\')
             fprintf(out, "\\%c", *text);
         else if (length)

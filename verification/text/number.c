@@ -3,10 +3,8 @@
 #include "verification/text/number.h"
 
 #include <errno.h>
-#include <float.h>
 #include <gsl/gsl_sort_double.h>
 #include <math.h>
-#include <stdint.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -64,35 +62,11 @@ static int is_not_finite(const char *text, size_t length) {
     return 0;
 }
 
-/* A decimal with a point, at most 15 digits and no exponent: its digits and the power of 10 under them are exact, so
- * that one division rounds as strtod does (Clinger 1990).  -1 where it is not of this kind. */
-static int read_short(const char *text, size_t length, double *value) {
-    static const double power[] = {1,   1e1, 1e2,  1e3,  1e4,  1e5,  1e6,  1e7,
-                                   1e8, 1e9, 1e10, 1e11, 1e12, 1e13, 1e14, 1e15};
-    size_t first = *text == '-' || *text == '+', point = length;
-    uint64_t whole = 0;
-    if (length < first + 2 || length > first + 16 || FLT_EVAL_METHOD != 0) return -1;
-    for (size_t i = first; i < length; i++) {
-        unsigned digit = (unsigned)(unsigned char)text[i] - '0';
-        if (text[i] == '.' && point == length)
-            point = i;
-        else if (digit <= 9)
-            whole = 10 * whole + digit;
-        else
-            return -1;
-    }
-    if (point == length) return -1;
-    double size = (double)whole / power[length - point - 1];
-    *value = *text == '-' ? -size : size;
-    return 0;
-}
-
 int number_read_printed(const char *text, size_t length, double *value) {
     char digits[64], *end;
     size_t n = 0;
     *value = NAN;
     if (length == 0) return -1;
-    if (read_short(text, length, value) == 0) return 0;
     for (size_t i = 0; i < length; i++) {
         char c = text[i];
         if (n + 3 > sizeof digits) return -1; /* an e, c and the NUL */
@@ -107,19 +81,6 @@ int number_read_printed(const char *text, size_t length, double *value) {
     if (!isfinite(read)) return 1;
     *value = read;
     return 0;
-}
-
-int number_print(double value, char text[NUMBER_PRINTED]) {
-    char digits[NUMBER_PRINTED];
-    int n = 0, length = 0;
-    if (!(fabs(value) < 1e15) || value != (double)(long long)value || (value == 0 && signbit(value)))
-        return snprintf(text, NUMBER_PRINTED, "%.17g", value);
-    for (long long left = llabs((long long)value); left > 0 || n == 0; left /= 10)
-        digits[n++] = (char)('0' + left % 10);
-    if (value < 0) text[length++] = '-';
-    while (n > 0) text[length++] = digits[--n];
-    text[length] = '\0';
-    return length;
 }
 
 int number_digits(double value, double off, int most, char text[NUMBER_PRINTED]) {

@@ -27,12 +27,9 @@ void number_sort_falling(double *values, int count);
 /* Reads the whole of `text` as a whole number in [0, max].  0 or -1. */
 int number_read_whole(const char *text, long max, long *value);
 
-/* Writes `value` as printf's %.17g does, whole numbers without it; the length. */
+/* The fewest significant digits that read back as `value` to a relative error `off`; most + 1 where `most` do not.
+ * `text`: the last try, as %e. */
 enum { NUMBER_PRINTED = 32 };
-int number_print(double value, char text[NUMBER_PRINTED]);
-
-/* The fewest significant digits that read back as `value`, off by no more than that part of it: `most` + 1 where so
- * many do not; `text` has the last that were tried, as %e. */
 int number_digits(double value, double off, int most, char text[NUMBER_PRINTED]);
 
 /* Reads `length` bytes as a decimal the way programs print it: 1.5, 1.5e-3, 1.5D-3, or 1.2345-110 (Fortran, where the

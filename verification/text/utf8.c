@@ -1,12 +1,12 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The ranges of RFC 3629, section 4. */
-#include "verification/text/letter.h"
+#include "verification/text/utf8.h"
 
 static int is_more(unsigned char byte) {
     return (byte & 0xC0) == 0x80;
 }
 
-size_t letter_length(const char *text) {
+size_t utf8_length(const char *text) {
     const unsigned char *c = (const unsigned char *)text;
     if (c[0] < 0x80) return c[0] >= ' ' && c[0] != 0x7F;
     if (c[0] < 0xC2 || c[0] > 0xF4 || !is_more(c[1])) return 0;
@@ -20,20 +20,10 @@ size_t letter_length(const char *text) {
     return 4;
 }
 
-void letter_clean(char *text) {
+void utf8_clean(char *text) {
     while (*text) {
-        size_t length = letter_length(text);
+        size_t length = utf8_length(text);
         if (!length) *text = '?';
         text += length ? length : 1;
     }
-}
-
-size_t letter_whole(const char *text, size_t length) {
-    for (size_t back = 1; back <= 3 && back <= length; back++) {
-        unsigned char byte = (unsigned char)text[length - back];
-        if (is_more(byte)) continue;
-        size_t wants = byte >= 0xF0 ? 4 : byte >= 0xE0 ? 3 : byte >= 0xC2 ? 2 : 1;
-        return wants > back ? length - back : length;
-    }
-    return length;
 }

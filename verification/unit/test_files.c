@@ -1,13 +1,15 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Files that are there whole or not at all. */
+/* Files are written whole or not at all, and read whole. */
 #include "verification/text/atomic_file.h"
+#include "verification/text/whole_file.h"
 
-#include "solver/method.h"
+#include "solver/status.h"
 
 #include "verification/unit/near.h"
 #include "verification/unit/scratch_path.h"
 
 #include <dirent.h>
+#include <errno.h>
 #include <fcntl.h>
 #include <signal.h>
 #include <stdio.h>
@@ -60,7 +62,7 @@ static int entries(const char *directory) {
     return n;
 }
 
-static void writes_and_replaces(void **state) {
+static void files_are_written_and_replaced(void **state) {
     const struct place *p = *state;
     struct failure why;
     char text[32];
@@ -71,7 +73,7 @@ static void writes_and_replaces(void **state) {
     assert_int_equal(entries(p->directory), 1);
 }
 
-static void who_may_read_it_stays(void **state) {
+static void permissions_stay(void **state) {
     const struct place *p = *state;
     struct failure why;
     struct stat s;
@@ -82,7 +84,7 @@ static void who_may_read_it_stays(void **state) {
     assert_int_equal(s.st_mode & 0777, 0640);
 }
 
-static void a_check_leaves_what_is_there(void **state) {
+static void checks_leave_files_as_they_are(void **state) {
     const struct place *p = *state;
     struct failure why;
     char text[32];
@@ -95,7 +97,7 @@ static void a_check_leaves_what_is_there(void **state) {
     assert_int_equal(atomic_file_check(NULL, &why), STATUS_OK);
 }
 
-static void what_cannot_be_written_is_refused(void **state) {
+static void unwritable_places_are_refused(void **state) {
     const struct place *p = *state;
     struct failure why = {0};
     assert_int_equal(atomic_file_check(p->nowhere, &why), STATUS_INPUT);
@@ -106,7 +108,7 @@ static void what_cannot_be_written_is_refused(void **state) {
     assert_int_equal(entries(p->directory), 0);
 }
 
-static void of_several_all_or_none(void **state) {
+static void several_files_are_all_written_or_none(void **state) {
     const struct place *p = *state;
     struct failure why;
     char other[UNIT_PATH + 32], text[32];
@@ -124,7 +126,7 @@ static void of_several_all_or_none(void **state) {
     assert_int_equal(entries(p->directory), 1); /* no part is left behind */
 }
 
-static void a_link_stays_a_link(void **state) {
+static void links_stay_links(void **state) {
     const struct place *p = *state;
     struct failure why;
     struct stat s;
@@ -140,7 +142,7 @@ static void a_link_stays_a_link(void **state) {
     assert_string_equal(text, "new");
 }
 
-static void a_device_stays_a_device(void **state) {
+static void devices_stay_devices(void **state) {
     (void)state;
     struct failure why;
     struct stat s;
@@ -193,16 +195,69 @@ static void interrupts_wait_for_the_writing(void **state) {
     free(much);
 }
 
+/* ---- Reading ---- */
+
+/* Its first room is 64 KiB, which doubles. */
+static void files_of_every_length_are_read(void **state) {
+    (void)state;
+    static const size_t lengths[] = {0, 1, 65534, 65535, 65536, 131071, 131072, 1000000};
+    for (size_t i = 0; i < sizeof lengths / sizeof *lengths; i++) {
+        char path[UNIT_PATH], *bytes = malloc(lengths[i] + 1);
+        for (size_t k = 0; k < lengths[i]; k++) bytes[k] = (char)('a' + k % 23);
+        FILE *out = fdopen(scratch_file(path, "whole"), "w");
+        assert_int_equal(fwrite(bytes, 1, lengths[i], out), lengths[i]);
+        fclose(out);
+        size_t size = 7;
+        char *text = whole_file_at(path, &size);
+        unlink(path);
+        assert_non_null(text);
+        assert_int_equal(size, lengths[i]);
+        assert_memory_equal(text, bytes, size);
+        assert_int_equal(text[size], 0);
+        free(text);
+        free(bytes);
+    }
+}
+
+static void a_nul_byte_ends_the_reading(void **state) {
+    (void)state;
+    size_t size;
+    char *text = whole_file_at("/dev/zero", &size);
+    assert_non_null(text);
+    assert_string_equal(text, "");
+    assert_order(size, <=, 1 << 16);
+    free(text);
+}
+
+static void unreadable_files_give_the_reason(void **state) {
+    (void)state;
+    char dir[UNIT_PATH], path[UNIT_PATH + 8];
+    assert_non_null(scratch_directory(dir, "whole"));
+    snprintf(path, sizeof path, "%s/pipe", dir);
+    errno = 0;
+    assert_null(whole_file_at(path, NULL));
+    assert_string_equal(whole_file_error(), "No such file or directory");
+    assert_null(whole_file_at(dir, NULL)); /* opens, but cannot be read */
+    assert_int_equal(mkfifo(path, 0600), 0);
+    assert_null(whole_file_open(path));
+    assert_string_equal(whole_file_error(), "a named pipe, where a file is wanted");
+    unlink(path);
+    rmdir(dir);
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test_setup_teardown(writes_and_replaces, set_up, tear_down),
-        cmocka_unit_test_setup_teardown(who_may_read_it_stays, set_up, tear_down),
-        cmocka_unit_test_setup_teardown(a_check_leaves_what_is_there, set_up, tear_down),
-        cmocka_unit_test_setup_teardown(what_cannot_be_written_is_refused, set_up, tear_down),
-        cmocka_unit_test_setup_teardown(of_several_all_or_none, set_up, tear_down),
-        cmocka_unit_test_setup_teardown(a_link_stays_a_link, set_up, tear_down),
-        cmocka_unit_test(a_device_stays_a_device),
+        cmocka_unit_test_setup_teardown(files_are_written_and_replaced, set_up, tear_down),
+        cmocka_unit_test_setup_teardown(permissions_stay, set_up, tear_down),
+        cmocka_unit_test_setup_teardown(checks_leave_files_as_they_are, set_up, tear_down),
+        cmocka_unit_test_setup_teardown(unwritable_places_are_refused, set_up, tear_down),
+        cmocka_unit_test_setup_teardown(several_files_are_all_written_or_none, set_up, tear_down),
+        cmocka_unit_test_setup_teardown(links_stay_links, set_up, tear_down),
+        cmocka_unit_test(devices_stay_devices),
         cmocka_unit_test_setup_teardown(interrupts_wait_for_the_writing, set_up, tear_down),
+        cmocka_unit_test(files_of_every_length_are_read),
+        cmocka_unit_test(a_nul_byte_ends_the_reading),
+        cmocka_unit_test(unreadable_files_give_the_reason),
     };
-    return cmocka_run_group_tests_name("atomic_file", tests, NULL, NULL);
+    return cmocka_run_group_tests_name("files", tests, NULL, NULL);
 }
