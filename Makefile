@@ -144,7 +144,7 @@ $(BUILD)/library/%.o: %.c $(BUILD)/flags | $(BUILD)/scenes.inc $(BUILD)/version.
 	$(Q)$(CC) $(LIB_CFLAGS) $(DEFINES) -MMD -MP -c -o $@ $<
 
 $(BUILD)/libheatladder.so: $(LIB_OBJECTS)
-	$(Q)$(CC) $(LDFLAGS) $(CFLAGS) -shared $(if $(filter Darwin,$(shell uname)),,-Wl,-soname,$(SONAME)) -o $@ $^ $(LIB_LIBS) -lm -pthread $(LDLIBS)
+	$(Q)$(CC) $(LDFLAGS) $(CFLAGS) -shared $(if $(filter Darwin,$(shell uname)),,-Wl,-soname,$(SONAME) -Wl,--version-script=references/library/heatladder.map) -o $@ $^ $(LIB_LIBS) -lm -pthread $(LDLIBS)
 	$(Q)ln -sf $(@F) $(@D)/$(SONAME)
 
 $(BUILD)/libheatladder.a: $(LIB_OBJECTS)
@@ -228,11 +228,17 @@ action: static ## Pack the static binary as a GitHub Action: build/action
 	$(Q)cp scripts/action/action.yml scripts/action/verify.sh $(STATIC) LICENSE $(BUILD)/action/
 	@echo "  PACK  $(BUILD)/action"
 
+# The library of the wheel carries GSL and FFTW.  Debian compiles cblas_xerbla (wrong arguments) for programs only.
+WHOLE := $(BUILD)/whole/libheatladder.so
+$(WHOLE): $(BUILD)/libheatladder.so
+	+$(Q)$(MAKE) --no-print-directory BUILD=$(BUILD)/whole CFLAGS='-O3 -ffile-prefix-map=$(CURDIR)=.' LDFLAGS=-s \
+	LIB_LIBS='-Wl,--defsym=cblas_xerbla=0 -Wl,-Bstatic $(filter-out -lm,$(PKG_LIBS)) -Wl,-Bdynamic' $@
+
 .PHONY: wheel
-wheel: static ## Pack the static binary and the Python package as a wheel: build/wheel/dist
+wheel: static $(WHOLE) ## Pack the static binary, the library and the Python package as a wheel: build/wheel/dist
 	@rm -rf $(BUILD)/wheel && mkdir -p $(BUILD)/wheel
-	$(Q)cp -R scripts/python/. $(BUILD)/wheel/ && mkdir -p $(BUILD)/wheel/heatladder/bin
-	$(Q)cp $(STATIC) $(BUILD)/wheel/heatladder/bin/heatladder
+	$(Q)cp -R scripts/python/. $(BUILD)/wheel/ && mkdir -p $(addprefix $(BUILD)/wheel/heatladder/,bin lib)
+	$(Q)cp $(STATIC) $(BUILD)/wheel/heatladder/bin/heatladder && cp $(WHOLE) $(BUILD)/wheel/heatladder/lib/
 	$(Q)cd $(BUILD)/wheel && SOURCE_DATE_EPOCH=$${SOURCE_DATE_EPOCH:-946684800} $(PYTHON3) -W ignore setup.py -q bdist_wheel
 	@echo "  PACK  $$(ls $(BUILD)/wheel/dist/*.whl)"
 

@@ -1,4 +1,4 @@
-"""The wheel carries a static program: it is for one machine, for any C library and for any Python 3."""
+"""The wheel carries a static program and a library: it is for one machine and any Python 3."""
 import platform
 
 from setuptools import Distribution, setup
@@ -13,7 +13,8 @@ class WithProgram(Distribution):
 class AnyPython(bdist_wheel):
     def get_tag(self):
         machine = platform.machine()
-        return ("py3", "none", f"manylinux2014_{machine}.musllinux_1_1_{machine}")
+        libc = platform.libc_ver()[1].replace(".", "_") or "2_17"
+        return ("py3", "none", f"manylinux_{libc}_{machine}")
 
 
 setup(distclass=WithProgram, cmdclass={"bdist_wheel": AnyPython})

@@ -14,21 +14,21 @@ from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any, Callable, Dict, List, NoReturn, Optional, Sequence, Tuple, Union
 
+from .library import HeatladderError, exact, solve
+
 try:
     import numpy
 except ImportError:
     numpy = None  # type: ignore[assignment]
 
+__all__ = ["Case", "HeatladderError", "NotApplicable", "Verdict", "case", "exact", "program", "reference", "run", "solve",
+           "solve_case", "verify"]
 __version__ = "3.0.0"
 
 NOT_APPLICABLE = 77  # the exit status of a program for a case that is not for it
 LONG = 10000  # points of an answer that is written as .npy
 
 Solve = Callable[["Case"], Tuple[Any, Any]]
-
-
-class HeatladderError(RuntimeError):
-    """heatladder refused a request; the message is its own."""
 
 
 class NotApplicable(Exception):

@@ -1,0 +1,72 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Tests of the library's binding: $HEATLADDER_LIBRARY is the library under test, $HEATLADDER the program."""
+import math
+import os
+import threading
+
+import pytest
+
+import heatladder
+
+numpy = pytest.importorskip("numpy")
+if not os.environ.get("HEATLADDER_LIBRARY"):
+    pytest.skip("no library is given", allow_module_level=True)
+
+
+def gauss(x, t, kappa):
+    spread = 2.0 ** 2 + 2 * kappa * t
+    return math.sqrt(2.0 ** 2 / spread) * math.exp(-x * x / (2 * spread))
+
+
+def test_exact_gives_temperatures_within_their_bound():
+    x = numpy.linspace(-1.5, 2, 7)
+    T, bound = heatladder.exact("rod-gauss", x, 3, bound=True, kappa=0.02)
+    assert T.shape == bound.shape == (7,) and (0 <= bound).all() and bound.max() < 1e-12
+    assert T == pytest.approx([gauss(at, 3, 0.02) for at in x], abs=1e-12)
+    assert heatladder.exact("rod-gauss", 0.5, 3, kappa=0.02) == pytest.approx(gauss(0.5, 3, 0.02), abs=1e-12)
+
+
+def test_exact_takes_points_of_the_plane_in_any_shape():
+    points = numpy.moveaxis(numpy.mgrid[0.1:1:3j, 0.2:0.8:2j], 0, -1)
+    T = heatladder.exact("square-step", points, 0.3)
+    assert T.shape == (3, 2)
+    one = heatladder.reference("square-step", [list(points[1, 1])], "temperature", time=0.3)["temperature"]
+    assert T[1, 1] == pytest.approx(one[0], abs=1e-12)
+
+
+def test_a_choice_is_a_word():
+    steel = heatladder.exact("plate", [(0.03, 0.04)], 20, material="steel")
+    assert (heatladder.exact("plate", [(0.03, 0.04)], 20, material="vanadium") != steel).all()
+    with pytest.raises(heatladder.HeatladderError, match="steel or titanium or vanadium"):
+        heatladder.exact("plate", [(0.03, 0.04)], 20, material="stell")
+
+
+def test_solve_converges_to_exact():
+    errors = []
+    for dx in (0.05, 0.025):
+        x, T = heatladder.solve("rod-step", "so_ssph", dx, {"kappa": 0.02, "t_end": 5}, h=1.2)
+        errors.append(abs(T - heatladder.exact("rod-step", x, 5, kappa=0.02)).max())
+    assert math.log2(errors[0] / errors[1]) == pytest.approx(2, abs=0.1)
+    points, T = heatladder.solve("plate", "ftcs", 0.01, {"t_end": 3}, stepper="euler")
+    assert points.shape == (100, 2) and T.shape == (100,)
+    with pytest.raises(heatladder.HeatladderError, match="no option 'kernle'"):
+        heatladder.solve("plate", "so_ssph", 0.01, kernle="cubic")
+
+
+@pytest.mark.parametrize("words, match", [(("rod-gaus", 0.0, 1), "rod-gaus"), (("rod-gauss", 1e9, 1), "outside"),
+                                          (("rod-gauss", 0.0, -1), "t = -1")])
+def test_a_refusal_is_an_error_with_the_librarys_words(words, match):
+    with pytest.raises(heatladder.HeatladderError, match=match):
+        heatladder.exact(*words)
+
+
+def test_threads_get_the_same_numbers():
+    x, found = numpy.linspace(0, 1, 2000), {}
+    threads = [threading.Thread(target=lambda k=k: found.update({k: heatladder.exact("rod-step", x, 1 + k)}))
+               for k in range(4)]
+    for thread in threads:
+        thread.start()
+    for thread in threads:
+        thread.join()
+    for k in range(4):
+        assert (found[k] == heatladder.exact("rod-step", x, 1 + k)).all()
