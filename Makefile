@@ -230,7 +230,7 @@ action: static ## Pack the static binary as a GitHub Action: build/action
 
 # The library of the wheel carries GSL and FFTW.  Debian compiles cblas_xerbla (wrong arguments) for programs only.
 WHOLE := $(BUILD)/whole/libheatladder.so
-$(WHOLE): $(BUILD)/libheatladder.so
+$(WHOLE): FORCE
 	+$(Q)$(MAKE) --no-print-directory BUILD=$(BUILD)/whole CFLAGS='-O3 -ffile-prefix-map=$(CURDIR)=.' LDFLAGS=-s \
 	LIB_LIBS='-Wl,--defsym=cblas_xerbla=0 -Wl,-Bstatic $(filter-out -lm,$(PKG_LIBS)) -Wl,-Bdynamic' $@
 
