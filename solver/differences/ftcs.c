@@ -161,15 +161,9 @@ static void count(const struct ftcs_grid *g, const struct options *o, struct fie
     f->cost.work += WORK_SCALAR * WORK_GHOST * ((double)g->size - n) * (double)g->steps;
 }
 
-static int refuse_round(const struct method *m, struct failure *why) {
-    return refuse(why, STATUS_NOT_APPLICABLE, "%s: needs a rod or a rectangle, this scene has a round body; use ftcs",
-                  m->name);
-}
-
 static int solve(const struct method *m, const struct problem *p, const struct options *o, struct field *f,
                  struct failure *why) {
-    if (p->shape && m == &method_ftcs_flux) return refuse_round(m, why);
-    if (p->shape) return ftcs_polar_solve(m->name, p, o, f, why);
+    if (p->shape && m != &method_ftcs_flux) return ftcs_polar_solve(m->name, p, o, f, why);
     struct ftcs_grid g;
     double called = field_clock();
     int status = ftcs_grid_make(&g, m->name, m == &method_ftcs_flux, p, o, why);

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Plan of a finite-difference run: refuses invalid options, places the points and counts the steps. */
+/* Options, points and steps of the finite differences. */
 #include "solver/differences/ftcs_plan.h"
 
 #include "solver/differences/ftcs_grid.h"
@@ -46,7 +46,7 @@ static int check_spacing(const struct problem *p, double dx, struct failure *why
                   domain, SPACINGS_MIN, near);
 }
 
-int ftcs_plan_check_times(const struct problem *p, const struct options *o, struct failure *why) {
+static int check_times(const struct problem *p, const struct options *o, struct failure *why) {
     if (o->dt != 0 && !(o->dt > 0 && isfinite(o->dt)))
         return refuse(why, STATUS_INPUT, "--dt %g: must be positive and finite", o->dt);
     if (o->fourier != 0 && !(o->fourier > 0 && isfinite(o->fourier)))
@@ -58,60 +58,57 @@ int ftcs_plan_check_times(const struct problem *p, const struct options *o, stru
     return STATUS_OK;
 }
 
-static int check_options(const struct ftcs_grid *g, const struct problem *p, const struct options *o,
-                         struct failure *why) {
-    if (p->materials > 1 && g->with_fluxes)
-        return refuse(why, STATUS_NOT_APPLICABLE,
-                      "%s: takes one material; this scene has %d, in contact at x = %g m; use ftcs", g->method,
-                      p->materials, p->interface);
-    if (p->materials > 1 && p->dim == 2 && (p->side[Y_LO] == ROBIN || p->side[Y_HI] == ROBIN))
-        return refuse(why, STATUS_NOT_APPLICABLE,
-                      "%s: has no Robin wall across both materials; use a particle method, such as "
-                      "contact_ssph",
-                      g->method);
-    if (p->materials > 1 && (o->sampling == SAMPLING_SPLINE || o->layout == LAYOUT_NODE))
-        return refuse(why, STATUS_NOT_APPLICABLE, "--%s: takes one material; with two: %s",
-                      o->layout == LAYOUT_NODE ? "layout node" : "sampling spline",
-                      o->layout == LAYOUT_NODE ? "lattice" : "point or cell");
-    if (p->materials > 1 && o->stepper == STEPPER_MATCHED)
-        return refuse(why, STATUS_NOT_APPLICABLE, "--stepper matched: takes one material; valid here: euler, auto");
-    for (int s = 0; s < 2 * p->dim; s++)
-        if (p->side[s] == ROBIN && (o->layout == LAYOUT_NODE || o->stepper == STEPPER_MATCHED))
-            return refuse(why, STATUS_NOT_APPLICABLE,
-                          "%s: a Robin wall must be midway between a point and its ghost for second order; use %s",
-                          o->layout == LAYOUT_NODE ? "--layout node" : "--stepper matched",
-                          o->layout == LAYOUT_NODE ? "--layout lattice" : "--stepper euler");
-    if (options_is_cloud(o))
-        return refuse(why, STATUS_NOT_APPLICABLE, "--layout %s: %s needs a grid: lattice or node",
-                      layout_words[o->layout], g->method);
-    if (o->stepper == STEPPER_MATCHED && p->dim == 2)
-        return refuse(why, STATUS_NOT_APPLICABLE,
-                      "--stepper matched: in the plane the error of %s is not isotropic, and no step "
-                      "cancels it; valid here: euler, auto",
-                      g->method);
-    if (o->stepper == STEPPER_MATCHED && p->source_rate)
-        return refuse(why, STATUS_NOT_APPLICABLE,
-                      "--stepper matched: a source that depends on time has its own error in Euler's steps, "
-                      "which no step cancels; use --stepper euler");
-    if (o->stepper == STEPPER_MATCHED && g->with_fluxes && p->source)
-        return refuse(
-            why, STATUS_NOT_APPLICABLE,
-            "--stepper matched: %s annihilates (-1)^i, which a source excites at the walls at third order; use "
-            "ftcs",
-            g->method);
-    if (o->stepper != STEPPER_AUTO && o->stepper != STEPPER_EULER && o->stepper != STEPPER_MATCHED)
-        return refuse(why, STATUS_NOT_APPLICABLE, "--stepper %s: %s has euler, auto%s", stepper_words[o->stepper],
-                      g->method, p->dim == 1 ? ", matched" : "");
-    if (o->stepper == STEPPER_MATCHED && (o->dt != 0 || o->fourier != 0))
-        return refuse(why, STATUS_INPUT, "--stepper matched: sets its own step; omit --dt and --fourier");
-    if (ftcs_plan_check_times(p, o, why)) return why->status;
-    if (p->side[X_LO] == PERIODIC && (o->layout == LAYOUT_NODE || o->walls != WALLS_MIRROR))
-        return refuse(why, STATUS_NOT_APPLICABLE, "--%s: the scene is periodic and has no walls",
-                      o->layout == LAYOUT_NODE ? "layout node" : "walls");
-    if (o->walls > WALLS_FIXED)
-        return refuse(why, STATUS_NOT_APPLICABLE, "--walls %s: is for particles; %s has mirror and fixed",
-                      walls_words[o->walls], g->method);
-    return check_spacing(p, o->dx, why);
+/* Which options go together, as one table: a condition, the option with its value (none: the method), the reason and
+ * the remedy. */
+int ftcs_plan_check(const char *method, int with_fluxes, const struct problem *p, const struct options *o,
+                    struct failure *why) {
+    const char *layout = layout_words[o->layout], *walls = walls_words[o->walls];
+    const char *sampling = sampling_words[o->sampling], *stepper = stepper_words[o->stepper];
+    const int round = p->shape != NULL, two = p->materials > 1, node = o->layout == LAYOUT_NODE;
+    const int matched = o->stepper == STEPPER_MATCHED, periodic = !round && p->side[X_LO] == PERIODIC;
+    const int steps = matched || o->stepper == STEPPER_AUTO || o->stepper == STEPPER_EULER;
+    int robin = 0, robin_across = !round && p->dim == 2 && (p->side[Y_LO] == ROBIN || p->side[Y_HI] == ROBIN);
+    for (int s = 0; s < 2 * p->dim && !round; s++) robin |= p->side[s] == ROBIN;
+    const struct {
+        int refuses;
+        const char *option, *value, *text;
+    } table[] = {
+        {round && with_fluxes, NULL, NULL, "takes rods and rectangles, the scene has a round body; take ftcs"},
+        {round && o->layout != LAYOUT_LATTICE, "layout", layout, "a round body has rings and rays; leave it out"},
+        {round && o->sampling != SAMPLING_POINT, "sampling", sampling, "rings and rays take points; take point"},
+        {round && o->walls != WALLS_MIRROR, "walls", walls, "is for particles; take mirror"},
+        {round && (two || p->material[0].k[0] != p->material[0].k[1]), NULL, NULL,
+         "takes one material with k_x = k_y in a round body"},
+        {round && (matched || !steps), "stepper", stepper, "a round body has euler and auto; take euler"},
+        {two && with_fluxes, NULL, NULL, "takes one material, the scene has two; take ftcs"},
+        {two && robin_across, NULL, NULL,
+         "no Robin wall across both materials; take a particle method, such as contact_ssph"},
+        {two && o->sampling == SAMPLING_SPLINE, "sampling", sampling, "takes one material; take point or cell"},
+        {two && node, "layout", layout, "takes one material; take lattice"},
+        {two && matched, "stepper", stepper, "takes one material; take euler"},
+        {robin && node, "layout", layout, "a Robin wall is midway between a point and its ghost; take lattice"},
+        {robin && matched, "stepper", stepper, "the ghosts of a Robin wall are of second order; take euler"},
+        {periodic && node, "layout", layout, "the scene is periodic and has no walls; take lattice"},
+        {periodic && o->walls != WALLS_MIRROR, "walls", walls, "the scene is periodic and has no walls; take mirror"},
+        {options_is_cloud(o), "layout", layout, "finite differences need a grid; take lattice or node"},
+        {o->walls > WALLS_FIXED, "walls", walls, "is for particles; take mirror or fixed"},
+        {!steps, "stepper", stepper, "finite differences have euler, auto and, on a rod, matched; take euler"},
+        {matched && p->dim == 2, "stepper", stepper,
+         "in the plane the error is not isotropic, and no step cancels it; take euler"},
+        {matched && p->source_rate, "stepper", stepper,
+         "a source that changes in time has an error of its own in Euler's steps; take euler"},
+        {matched && with_fluxes && p->source, "stepper", stepper,
+         "fluxes do not see (-1)^i, which a source feeds at the walls at third order; take ftcs"},
+    };
+    for (size_t k = 0; k < sizeof table / sizeof *table; k++) {
+        if (table[k].refuses && !table[k].option)
+            return refuse(why, STATUS_NOT_APPLICABLE, "%s: %s", method, table[k].text);
+        if (table[k].refuses)
+            return refuse(why, STATUS_NOT_APPLICABLE, "--%s %s: %s", table[k].option, table[k].value, table[k].text);
+    }
+    if (matched && (o->dt != 0 || o->fourier != 0))
+        return refuse(why, STATUS_INPUT, "--stepper matched: sets the step itself; leave out --dt and --fourier");
+    return check_times(p, o, why);
 }
 
 /* Places the unknowns.  A node on a wall is an unknown on a Neumann side and is given on a Dirichlet side. */
@@ -171,8 +168,7 @@ static int plan_steps(struct ftcs_grid *g, const struct problem *p, const struct
 int ftcs_plan(struct ftcs_grid *g, const char *method, int with_fluxes, const struct problem *p,
               const struct options *o, struct failure *why) {
     *g = (struct ftcs_grid){.method = method, .with_fluxes = with_fluxes, .loops = ftcs_loops_of(o->lanes)};
-    int status = check_options(g, p, o, why);
-    if (status) return status;
+    if (ftcs_plan_check(method, with_fluxes, p, o, why) || check_spacing(p, o->dx, why)) return why->status;
     lay_grid(g, p, o);
     return plan_steps(g, p, o, why);
 }

@@ -12,7 +12,8 @@ struct ftcs_grid;
 int ftcs_plan(struct ftcs_grid *g, const char *method, int with_fluxes, const struct problem *p,
               const struct options *o, struct failure *why);
 
-/* Checks time step and end time for any grid. */
-int ftcs_plan_check_times(const struct problem *p, const struct options *o, struct failure *why);
+/* Whether a grid can take these options: STATUS_OK, STATUS_INPUT or STATUS_NOT_APPLICABLE with *why filled. */
+int ftcs_plan_check(const char *method, int with_fluxes, const struct problem *p, const struct options *o,
+                    struct failure *why);
 
 #endif

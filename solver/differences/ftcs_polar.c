@@ -54,22 +54,7 @@ struct polar {
 
 static int check_options(const char *method, const struct problem *p, const struct options *o, struct failure *why) {
     double width = p->radius[1] - p->radius[0], rings = width / o->dx;
-    if (o->layout != LAYOUT_LATTICE)
-        return refuse(why, STATUS_NOT_APPLICABLE,
-                      "--layout %s: %s uses rings and rays in a round body; omit --layout", layout_words[o->layout],
-                      method);
-    if (o->sampling != SAMPLING_POINT)
-        return refuse(why, STATUS_NOT_APPLICABLE, "--sampling %s: %s samples points in a round body; use point",
-                      sampling_words[o->sampling], method);
-    if (o->walls != WALLS_MIRROR)
-        return refuse(why, STATUS_NOT_APPLICABLE, "--walls %s: is for particles; %s has mirror in a round body",
-                      walls_words[o->walls], method);
-    if (p->materials != 1 || p->material[0].k[0] != p->material[0].k[1])
-        return refuse(why, STATUS_NOT_APPLICABLE, "%s: takes one material with k_x = k_y in a round body", method);
-    if (o->stepper != STEPPER_AUTO && o->stepper != STEPPER_EULER)
-        return refuse(why, STATUS_NOT_APPLICABLE, "--stepper %s: %s has euler, auto in a round body",
-                      stepper_words[o->stepper], method);
-    if (ftcs_plan_check_times(p, o, why)) return why->status;
+    if (ftcs_plan_check(method, 0, p, o, why)) return why->status;
     if (!(o->dx > 0 && isfinite(o->dx)))
         return refuse(why, STATUS_INPUT, "--dx %g: must be positive and finite", o->dx);
     if (rings * 2 * M_PI * p->radius[1] / o->dx > 1e9)
