@@ -46,6 +46,19 @@ static void slope_is_the_derivative(void **state) {
             }
 }
 
+static void second_derivatives_of_kernels(void **state) {
+    (void)state;
+    for (int k = 0; kernel_words[k]; k++)
+        for (int dim = 1; dim <= 2; dim++)
+            for (double s = 0.037; s < 2; s += 0.113) {
+                const double e = 1e-5;
+                double low = kernel_slope((enum kernel_name)k, dim, s - e);
+                double high = kernel_slope((enum kernel_name)k, dim, s + e);
+                if ((s - 1 - e) * (s - 1 + e) < 0) continue; /* a corner of the cubic kernel's */
+                assert_near(kernel_curvature((enum kernel_name)k, dim, s), (high - low) / (2 * e), 1e-8);
+            }
+}
+
 static void zero_past_the_support(void **state) {
     (void)state;
     for (int k = 0; kernel_words[k]; k++) {
@@ -67,6 +80,7 @@ int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(normalised),
         cmocka_unit_test(slope_is_the_derivative),
+        cmocka_unit_test(second_derivatives_of_kernels),
         cmocka_unit_test(zero_past_the_support),
         cmocka_unit_test(quartic_is_negative_near_its_edge),
     };

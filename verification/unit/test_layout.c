@@ -1,14 +1,19 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Where particles and ghosts are, and what ghosts hold: on a field that the walls' images continue exactly. */
-#include "solver/method.h"
+/* Where particles and ghosts are, and what ghosts hold: on fields that the walls' images continue exactly. */
 
+#include "solver/method.h"
 #include "solver/space/layout.h"
 
 #include "verification/unit/odd_problems.h"
 #include "verification/unit/near.h"
 
 #include <gsl/gsl_errno.h>
+#include <stdlib.h>
 #include <string.h>
+
+extern const struct method method_brookshaw, method_kernel_second, method_so_ssph;
+
+/* ---- lattices ---- */
 
 /* A steady cubic: ghosts continue it exactly. */
 static struct problem continued_problem(void) {
@@ -94,28 +99,6 @@ static void ghosts_hold_for_any_two_conductivities(void **state) {
             }
 }
 
-static double even_source(const struct problem *p, const double x[2]) {
-    return 0.7 + cos(30 * (x[1] - p->lo[1]));
-}
-
-static double constant_flux(const struct problem *p, enum side s, const double x[2]) {
-    (void)s, (void)x;
-    return 1.3 * p->material[0].k[1];
-}
-
-/* G_n = 0 and q_tt = 0: T_nnn = 0, and rounding of the source over a k_n of 1e-300 is none. */
-static void rounding_of_a_source_is_no_derivative(void **state) {
-    (void)state;
-    struct problem p = odd_rectangle();
-    p.material[0].k[1] = 1e-300;
-    p.wall = constant_flux, p.source = even_source;
-    const int beyond[2] = {-1, Y_LO};
-    for (double d = 0.005; d < 0.2; d *= 1.003) {
-        const double ghost[2] = {0.41, 0.2 - d}, source[2] = {0.41, 0.2 + d};
-        assert_near(layout_ghost_offset(&p, WALLS_MIRROR, NULL, beyond, ghost, source), 2 * 1.3 * d, 1e-14);
-    }
-}
-
 /* Two sides of given temperature that disagree at their corner: T = -T_source + ... by either order of reflection. */
 static void disagreeing_corners_take_the_mean(void **state) {
     (void)state;
@@ -140,31 +123,6 @@ static void fixed_ghosts_hold_the_wall(void **state) {
         if (c.y[k] < p.lo[1] || c.y[k] > p.hi[1]) continue;
         assert_near(c.factor[k], 0, 0);
         assert_near(c.offset[k], c.x[k] < p.lo[0] ? 0.3 : 0.8, 0);
-    }
-    layout_cloud_free(&c);
-}
-
-/* A is what was asked for: n uniform numbers come within a tenth of +-A all but 0.9^n times, and their mean within
- * five times A/sqrt(3 n) of 0. */
-static void jitter_is_as_wide_as_asked(void **state) {
-    (void)state;
-    const double amplitude = 0.37;
-    struct problem p = odd_rectangle();
-    struct options o = jittered(amplitude);
-    struct lattice l;
-    struct cloud c;
-    make(&p, &o, 0.05, &l, &c);
-    double most[2] = {0, 0}, sum[2] = {0, 0};
-    for (size_t i = 0; i < c.n; i++)
-        for (int a = 0; a < 2; a++) {
-            double site = ((a ? c.y[i] : c.x[i]) - l.first[a]) / l.dx[a], moved = site - round(site);
-            most[a] = fmax(most[a], fabs(moved));
-            sum[a] += moved;
-        }
-    for (int a = 0; a < 2; a++) {
-        assert_order(most[a], <=, amplitude);
-        assert_order(most[a], >, 0.9 * amplitude);
-        assert_near(sum[a] / (double)c.n, 0, 5 * amplitude / sqrt(3 * (double)c.n));
     }
     layout_cloud_free(&c);
 }
@@ -207,17 +165,134 @@ static void spacings_that_do_not_divide_are_refused(void **state) {
     assert_has(why.text, "--dx 1e-12: 1.5e+12 particles along x, must be below 1e+08");
 }
 
+/* ---- clouds ---- */
+
+static struct options options_of(enum layout_name layout) {
+    return (struct options){.dx = 0.05, .h = 1.23, .seed = 7, .layout = layout, .jitter = 0.5, .sweeps = 2000};
+}
+
+static void make_clouds(const struct problem *p, const struct options *o, struct cloud *c) {
+    struct lattice l;
+    struct failure why = {0};
+    assert_int_equal(layout_lattice(p, o, 1, &l, &why), STATUS_OK);
+    if (layout_cloud(p, o, &l, 2 * o->h * l.dx[0], c, &why)) print_error("%s\n", why.text);
+    assert_int_equal(why.status, STATUS_OK);
+}
+
+static double distance(const struct cloud *c, size_t i, size_t j) {
+    return hypot(c->x[i] - c->x[j], c->y[i] - c->y[j]);
+}
+
+/* Six neighbours at one distance, but for stretching (1.2 m hold 28 rows of 0.0429 instead of 0.0433 m), away from
+ * walls. */
+static void six_neighbours(void **state) {
+    (void)state;
+    struct problem p = odd_rectangle();
+    struct options o = options_of(LAYOUT_HEXAGONAL);
+    struct cloud c;
+    int seen = 0;
+    make_clouds(&p, &o, &c);
+    assert_near(c.volume * (double)c.n, 1.5 * 1.2, 1e-12);
+    for (size_t i = 0; i < c.n; i++) {
+        int near = 0;
+        if (fabs(c.x[i] - 0.4) > 0.5 || fabs(c.y[i] - 0.8) > 0.4) continue;
+        for (size_t j = 0; j < c.total; j++) {
+            if (j == i || distance(&c, i, j) > 1.3 * 0.05) continue;
+            assert_near(distance(&c, i, j) / 0.05, 1, 0.01);
+            near++;
+        }
+        assert_int_equal(near, 6);
+        seen++;
+    }
+    assert_order(seen, >, 100);
+    layout_cloud_free(&c);
+}
+
+static double nearest(const struct cloud *c) {
+    double least = HUGE_VAL;
+    for (size_t i = 0; i < c->n; i++)
+        for (size_t j = 0; j < c->total; j++)
+            if (j != i) least = fmin(least, distance(c, i, j));
+    return least;
+}
+
+static void settled_clouds(void **state) {
+    (void)state;
+    struct problem p = odd_rectangle();
+    struct options o = options_of(LAYOUT_RELAXED), start = options_of(LAYOUT_JITTER);
+    struct cloud c, d, raw;
+    make_clouds(&p, &o, &c);
+    make_clouds(&p, &start, &raw);
+    assert_order(nearest(&c), >, 0.75 * 0.05); /* grains of hexagons, 1.07 dx apart, and their borders */
+    assert_order(nearest(&raw), <, 0.4 * 0.05);
+    for (size_t i = 0; i < c.n; i++) {
+        assert_order(c.x[i], >, p.lo[0]);
+        assert_order(c.x[i], <, p.hi[0]);
+        assert_order(c.y[i], >, p.lo[1]);
+        assert_order(c.y[i], <, p.hi[1]);
+    }
+    o.threads = 3;
+    make_clouds(&p, &o, &d);
+    assert_memory_equal(c.x, d.x, c.total * sizeof *c.x);
+    assert_memory_equal(c.y, d.y, c.total * sizeof *c.y);
+    layout_cloud_free(&d);
+    o.seed = 8;
+    make_clouds(&p, &o, &d);
+    assert_true(memcmp(c.x, d.x, c.n * sizeof *c.x) != 0);
+    layout_cloud_free(&d);
+    layout_cloud_free(&c);
+    layout_cloud_free(&raw);
+}
+
+static void unsettled_clouds_say_how_far_they_came(void **state) {
+    (void)state;
+    struct problem p = odd_rectangle();
+    struct options o = options_of(LAYOUT_RELAXED);
+    struct field f;
+    struct failure why;
+    o.sweeps = 3;
+    assert_int_equal(method_solve(&method_so_ssph, &p, &o, &f, &why), STATUS_NUMERICAL);
+    assert_has(why.text, "not settled after 3 sweeps");
+    assert_has(why.text, "take more --sweeps");
+}
+
+/* Particles taken from an earlier answer are those that would be settled again: the same temperatures, bit for bit;
+ * the answer's own dt has no part in it. */
+static void settled_particles_are_taken_as_they_lie(void **state) {
+    (void)state;
+    struct problem p = odd_rectangle();
+    struct options o = options_of(LAYOUT_RELAXED);
+    struct field before, again, taken;
+    struct failure why;
+    o.stepper = STEPPER_RK2;
+    o.fourier = 0.05;
+    assert_int_equal(method_solve(&method_so_ssph, &p, &o, &before, &why), STATUS_OK);
+    o.fourier = 0.04;
+    assert_int_equal(method_solve(&method_so_ssph, &p, &o, &again, &why), STATUS_OK);
+    o.placed = &before;
+    assert_int_equal(method_solve(&method_so_ssph, &p, &o, &taken, &why), STATUS_OK);
+    assert_memory_equal(taken.x, again.x, taken.n * sizeof *taken.x);
+    assert_memory_equal(taken.y, again.y, taken.n * sizeof *taken.y);
+    assert_memory_equal(taken.T, again.T, taken.n * sizeof *taken.T);
+    assert_true(taken.T[17] != before.T[17]);
+    field_free(&before);
+    field_free(&again);
+    field_free(&taken);
+}
+
 int main(void) {
     gsl_set_error_handler_off();
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(ghosts_continue_the_field),
         cmocka_unit_test(ghosts_hold_for_any_two_conductivities),
-        cmocka_unit_test(rounding_of_a_source_is_no_derivative),
         cmocka_unit_test(disagreeing_corners_take_the_mean),
         cmocka_unit_test(fixed_ghosts_hold_the_wall),
-        cmocka_unit_test(jitter_is_as_wide_as_asked),
         cmocka_unit_test(lattices_keep_their_distance_from_walls),
         cmocka_unit_test(spacings_that_do_not_divide_are_refused),
+        cmocka_unit_test(six_neighbours),
+        cmocka_unit_test(settled_clouds),
+        cmocka_unit_test(settled_particles_are_taken_as_they_lie),
+        cmocka_unit_test(unsettled_clouds_say_how_far_they_came),
     };
-    return cmocka_run_group_tests(tests, NULL, NULL);
+    return cmocka_run_group_tests_name("layout", tests, NULL, NULL);
 }

@@ -22,12 +22,6 @@ static void both(const struct problem *p, enum sampling sampling, double x, doub
     assert_near(ftcs_sample(p, at, dx, sampling), want, tolerance);
 }
 
-/* 4 x (1 - x) between walls at zero: what the walls cut short is its second derivative alone. */
-static double arch(const struct problem *p, const double x[2]) {
-    (void)p;
-    return 4 * x[0] * (1 - x[0]);
-}
-
 static double still(const struct problem *p, const double x[2]) {
     (void)p, (void)x;
     return 0;
@@ -36,40 +30,6 @@ static double still(const struct problem *p, const double x[2]) {
 static double cold(const struct problem *p, enum side s, const double x[2]) {
     (void)p, (void)s, (void)x;
     return 0;
-}
-
-/* sum over odd k of 32/(k pi)^3 sin(k pi x) exp(-(k pi)^2 t) */
-static double arch_later(double x, double t) {
-    double sum = 0;
-    for (int k = 1; k < 60; k += 2) sum += 32 / pow(k * M_PI, 3) * sin(k * M_PI * x) * exp(-k * k * M_PI * M_PI * t);
-    return sum;
-}
-
-static double arch_error(int n) {
-    struct problem p = {.dim = 1,
-                        .hi = {1, 0},
-                        .t_end = 0.03,
-                        .materials = 1,
-                        .material = {{{1, 1}, 1}},
-                        .side = {DIRICHLET, DIRICHLET},
-                        .initial = arch,
-                        .wall = cold};
-    struct options o = {.dx = 1.0 / n, .h = 1.2, .stepper = STEPPER_MATCHED, .sampling = SAMPLING_SPLINE};
-    struct field f;
-    struct failure why;
-    double sum = 0;
-    assert_int_equal(method_solve(&method_so_ssph, &p, &o, &f, &why), STATUS_OK);
-    for (size_t i = 0; i < f.n; i++) sum += fabs(f.T[i] - arch_later(f.x[i], p.t_end)) / n;
-    field_free(&f);
-    return sum;
-}
-
-/* A wall that the data meet is not cut at: the layer beside it misses by O(dx^2), which leaves O(dx^4). */
-static void walls_that_data_meet_keep_fourth_order(void **state) {
-    (void)state;
-    double order = log2(arch_error(64) / arch_error(128));
-    assert_order(order, >, 3.9);
-    assert_order(order, <, 4.1);
 }
 
 static double parabolas(const struct problem *p, const double x[2]) {
@@ -250,32 +210,6 @@ static void data_meet_a_wall_along_all_of_it(void **state) {
     assert_int_equal(sample_meets_wall(&p, &l, X_HI), 1);
 }
 
-static double given(const struct problem *p, enum side s, const double x[2]) {
-    (void)p, (void)x;
-    return s == X_LO ? 1 : s == Y_HI ? -7 : 0;
-}
-
-/* What a stable run of the finite differences stays within: the data, and what a flux of 7 W/m^2 into 2 m of 5 W/m/K
- * and 3 J/m^3/K makes of a steady state, and adds in 4 s. */
-static void fluxes_widen_the_range(void **state) {
-    (void)state;
-    struct problem p = {.dim = 2,
-                        .hi = {1, 2},
-                        .t_end = 4,
-                        .materials = 1,
-                        .material = {{{5, 5}, 3}},
-                        .side = {DIRICHLET, NEUMANN, NEUMANN, NEUMANN},
-                        .initial = still,
-                        .wall = given};
-    struct options o = {.dx = 0.1, .fourier = 0.2, .stepper = STEPPER_EULER};
-    struct ftcs_grid g;
-    struct failure why;
-    if (ftcs_grid_make(&g, "ftcs", 0, &p, &o, &why)) fail_msg("%s", why.text);
-    assert_near(g.middle, 0.5, 1e-15);
-    assert_near(g.reach, 1 + 7 * (2 / 5.0 + 4 / 3.0 / 2), 1e-14);
-    ftcs_grid_free(&g);
-}
-
 int main(void) {
     gsl_set_error_handler_off();
     const struct CMUnitTest tests[] = {
@@ -285,11 +219,9 @@ int main(void) {
         cmocka_unit_test(walls_continue_the_data),
         cmocka_unit_test(a_cooled_wall_of_two_materials_continues_the_data),
         cmocka_unit_test(a_lattice_shares_its_nodes),
-        cmocka_unit_test(walls_that_data_meet_keep_fourth_order),
         cmocka_unit_test(averages_keep_heat_and_its_place),
         cmocka_unit_test(data_meet_a_wall_along_all_of_it),
         cmocka_unit_test(rounding_is_no_jump),
-        cmocka_unit_test(fluxes_widen_the_range),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -54,18 +54,10 @@ static int solve_wrong(const struct method *m, const struct problem *p, const st
     return answer(p, o, 1.0 / 64, 0.6, f, why);
 }
 
-static int solve_growing(const struct method *m, const struct problem *p, const struct options *o, struct field *f,
-                         struct failure *why) {
-    (void)m, (void)p, (void)f;
-    if (o->stepper == STEPPER_EXACT) return refuse(why, STATUS_NOT_APPLICABLE, "--stepper exact: not here");
-    return refuse(why, STATUS_UNSTABLE, "T grew at any step");
-}
-
 static const struct scheme scheme;
 static const struct method real = {"real", "", "stepper", &scheme, solve_real};
 static const struct method off = {"off", "", "stepper", &scheme, solve_off};
 static const struct method wrong = {"wrong", "", "stepper", &scheme, solve_wrong};
-static const struct method growing = {"growing", "", "stepper", &scheme, solve_growing};
 
 static void climb(const char *options, const struct method *m, int status, struct ladder *l, struct failure *why) {
     struct request r;
@@ -122,34 +114,6 @@ static void a_reference_that_is_not_good_enough_is_said(void **state) {
     free(l);
 }
 
-static void equations_that_are_unstable_fail_the_ladder(void **state) {
-    (void)state;
-    struct failure why;
-    struct ladder *l = xcalloc(1, sizeof *l);
-    climb("--dt 0.8,0.4,0.2,0.1 --stepper rkl2 --expect 1.9,2.1", &growing, STATUS_UNSTABLE, l, &why);
-    assert_int_equal(l->verdict, VERDICT_FAIL);
-    assert_has(l->reason, "no semi-discrete reference: T grew at any step");
-    assert_nan(l->slope.value);
-    free(l);
-}
-
-/* The only rung of more than three stages: local slopes of scattered particles are judged too, since all rungs have
- * the same ones. */
-static void a_coarse_rung_off_the_lattice_is_left_out(void **state) {
-    (void)state;
-    struct request r;
-    struct failure why;
-    struct ladder *l = xcalloc(1, sizeof *l);
-    const char *line = "ladder rod-cosine so_ssph --layout jitter --jitter 0.1 --seed 2 --dx 1/40 --stepper rkl2 "
-                       "--dt 1/10,1/56,1/80,1/112,1/160";
-    if (arguments_parse_line(line, &r, &why)) fail_msg("%s", why.text);
-    assert_int_equal(ladder_run(&r.experiment, &r.rungs, l, &why), STATUS_OK);
-    assert_int_equal(l->slope.n, 4);
-    assert_has(l->window.left_out[0], "pre-asymptotic");
-    arguments_free(&r);
-    free(l);
-}
-
 /* Where both exist they are the same: the particles of a cloud without jitter against those of the lattice. */
 static void the_polynomials_reference_is_the_exact_one(void **state) {
     (void)state;
@@ -178,30 +142,11 @@ static void the_polynomials_reference_is_the_exact_one(void **state) {
     for (int i = 0; i < 2; i++) field_free(&reference[i].field);
 }
 
-/* Polynomials that a user asks for: what the last two differ by is the time error, three times what is left here. */
-static void polynomials_tell_their_time_error(void **state) {
-    (void)state;
-    struct request r;
-    struct result result;
-    struct failure why;
-    if (arguments_parse_line("run rod-gauss so_ssph --dx 0.5 --stepper chebyshev", &r, &why))
-        fail_msg("%s", why.text);
-    r.experiment.method = &wrong, r.experiment.options.domain = DOMAIN_WHOLE;
-    assert_int_equal(run_experiment(&r.experiment, &result, NULL), STATUS_OK);
-    assert_int_equal(result.steps, 256);
-    assert_near(result.error.l1, 0.6 / 256 / 256, 1e-9);
-    assert_near(result.time_error, 3, 1e-3);
-    arguments_free(&r);
-}
-
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(the_reference_is_two_polynomials_that_agree),
         cmocka_unit_test(a_reference_that_is_not_good_enough_is_said),
-        cmocka_unit_test(equations_that_are_unstable_fail_the_ladder),
-        cmocka_unit_test(a_coarse_rung_off_the_lattice_is_left_out),
         cmocka_unit_test(the_polynomials_reference_is_the_exact_one),
-        cmocka_unit_test(polynomials_tell_their_time_error),
     };
     return cmocka_run_group_tests_name("reference", tests, NULL, NULL);
 }

@@ -1,7 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The hot loops of the lattice against their definition, one particle after the other, and against themselves: what
- * shares a sweep, how wide a vector is and how many threads there are must not change a bit. */
+/* The hot loops against their definition, and the same bits for any sharing, width of vectors and threads. */
+
 #include "solver/sweep/sweep.h"
+#include "solver/sweep/wavefront.h"
 
 #include "verification/unit/odd_problems.h"
 #include "verification/unit/near.h"
@@ -9,7 +10,9 @@
 #include <stdlib.h>
 #include <string.h>
 
-extern const struct method method_so_ssph, method_fo_ssph;
+extern const struct method method_fo_ssph, method_so_ssph;
+
+/* ---- sweeps ---- */
 
 enum { UPDATES = 19 }; /* two full sweeps and a part of one */
 
@@ -143,22 +146,6 @@ static void a_rod_is_swept_as_defined(void **state) {
         assert_defined(odd_rod(), o, &method_so_ssph, 0);
         assert_defined(odd_rod(), o, &method_so_ssph, 1);
     }
-}
-
-/* What is left out of the loops of a plain update must not be there: the particle itself counts once, what was two
- * updates ago and the start not at all, and nothing comes from outside. */
-static void only_steps_of_euler_are_plain(void **state) {
-    (void)state;
-    double some[1] = {0.3};
-    struct heat_operator closed = {.n = 1}, fed = {.n = 1, .g = some};
-    struct update euler = {.rate = 0.7, .self = 1}, weighted = {.rate = 0.7, .self = 0.9},
-                  two_back = {.rate = 0.7, .self = 1, .old = -0.2},
-                  from_start = {.rate = 0.7, .self = 1, .start = 0.1, .Y0 = some};
-    assert_int_equal(sweep_is_plain(&closed, &euler), 1);
-    assert_int_equal(sweep_is_plain(&fed, &euler), 0);
-    assert_int_equal(sweep_is_plain(&closed, &weighted), 0);
-    assert_int_equal(sweep_is_plain(&closed, &two_back), 0);
-    assert_int_equal(sweep_is_plain(&closed, &from_start), 0);
 }
 
 /* ---- The same bits ---- */
@@ -300,17 +287,79 @@ static void rows_share_a_sweep(void **state) {
     made_free(&apart);
 }
 
+/* ---- wavefronts ---- */
+
+enum { UNITS = 97, WAVES = 19 };
+
+struct record {
+    int lag, wrong;
+    int done[UNITS]; /* updates that a unit has had */
+};
+
+/* Two states in turn: update k reads what update k - 1 left of the units within the lag, which update k + 1 replaces.
+ */
+static void advance(const void *what, int k, ptrdiff_t lo, ptrdiff_t hi) {
+    struct record *r = *(struct record *const *)what;
+    for (ptrdiff_t i = lo; i < hi; i++) {
+        for (ptrdiff_t j = i - r->lag; j <= i + r->lag; j++)
+            if (j >= 0 && j < UNITS && (r->done[j] < k || r->done[j] > k + 1)) r->wrong++;
+        if (i < 0 || i >= UNITS || r->done[i]++ != k) r->wrong++;
+    }
+}
+
+static void every_unit_has_every_update_in_turn(void **state) {
+    (void)state;
+    for (int lag = 0; lag <= 4; lag += 2)
+        for (int band = 1; band <= 8; band += 7)
+            for (int together = 1; together <= 8; together += 7)
+                for (int threads = 1; threads <= 3; threads++) {
+                    struct record r = {.lag = lag}, *kept = &r;
+                    struct wavefront w = {advance, &kept, UNITS, lag, band, together, threads};
+                    wavefront_sweep(&w, 0);
+                    wavefront_sweep(&w, WAVES);
+                    assert_int_equal(r.wrong, 0);
+                    for (int i = 0; i < UNITS; i++) assert_int_equal(r.done[i], WAVES);
+                }
+}
+
+/* The fourth part of the smallest number that is held in full, of each unit in its last update. */
+static void quarter(const void *what, int k, ptrdiff_t lo, ptrdiff_t hi) {
+    volatile double least = 2.3e-308;
+    double *const *part = what;
+    (void)k;
+    for (ptrdiff_t i = lo; i < hi; i++) (*part)[i] = least / 4;
+}
+
+static void what_no_temperature_needs_is_zero(void **state) {
+    (void)state;
+#ifdef __SSE2__
+    for (int threads = 1; threads <= 3; threads++) {
+        double part[UNITS], *parts = part, after;
+        volatile double least = 2.3e-308;
+        for (int i = 0; i < UNITS; i++) part[i] = 1;
+        struct wavefront w = {quarter, &parts, UNITS, 2, 8, 8, threads};
+        wavefront_sweep(&w, WAVES);
+        for (int i = 0; i < UNITS; i++) assert_true(part[i] == 0);
+        after = least / 4;
+        assert_order(after, >, 0); /* in a sweep alone */
+    }
+#else
+    skip();
+#endif
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(the_plane_is_swept_as_defined),
         cmocka_unit_test(two_sweeps_in_one_are_swept_as_defined),
         cmocka_unit_test(a_rod_is_swept_as_defined),
-        cmocka_unit_test(only_steps_of_euler_are_plain),
         cmocka_unit_test(sharing_a_sweep_changes_no_bit),
         cmocka_unit_test(threads_change_no_bit),
         cmocka_unit_test(the_width_of_vectors_changes_no_bit),
         cmocka_unit_test(bands_are_the_rows),
         cmocka_unit_test(rows_share_a_sweep),
+        cmocka_unit_test(every_unit_has_every_update_in_turn),
+        cmocka_unit_test(what_no_temperature_needs_is_zero),
     };
-    return cmocka_run_group_tests(tests, NULL, NULL);
+    return cmocka_run_group_tests_name("sweep", tests, NULL, NULL);
 }

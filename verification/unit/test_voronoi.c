@@ -166,64 +166,6 @@ static void an_edge_may_cross_a_circle_twice(void **state) {
     }
 }
 
-/* In a disc and a ring, whatever their walls: no weight below 0, and no row whose weights exceed its diagonal, so
- * that Euler's step takes every particle to a mean of temperatures that were there (the maximum principle). */
-static void rows_of_a_round_body_take_means(void **state) {
-    (void)state;
-    static const enum side_kind sides[] = {DIRICHLET, NEUMANN, ROBIN};
-    for (int k = 0; k < 6 * 6; k++) {
-        struct problem p = {.materials = 1, .material = {{{0.7, 0.7}, 1.3}}, .wall = held};
-        struct options o = {.dx = 0.08,
-                            .h = 1.1,
-                            .seed = 5,
-                            .layout = kinds[k / 6].layout,
-                            .jitter = kinds[k / 6].jitter,
-                            .sweeps = 2000};
-        struct lattice l;
-        struct cloud c;
-        struct heat_operator a;
-        struct failure why;
-        shape_round(&p, k % 2 ? 0.37 : 0, 1.1);
-        for (int s = 0; s < 4; s++) p.side[s] = sides[k / 2 % 3], p.robin[s] = 1.9;
-        assert_int_equal(layout_lattice(&p, &o, 1, &l, &why), STATUS_OK);
-        if (layout_cut(&p, &o, &l, 4 * l.dx[0], &c, &why)) fail_msg("%s", why.text);
-        if (operator_create_csr(&a, &p, &o, method_voronoi_flux.scheme, &c, l.dx[0], &why)) fail_msg("%s", why.text);
-        double lost = 0;
-        for (size_t i = 0; i < a.n; i++) {
-            double sum = a.diagonal[i];
-            for (size_t q = a.row[i]; q < a.row[i + 1]; q++) {
-                assert_order(a.value[q], >=, 0);
-                sum += a.value[q];
-            }
-            assert_order(sum, <=, -1e-12 * a.diagonal[i]);
-            lost = fmax(lost, -sum / -a.diagonal[i]);
-        }
-        if (sides[k / 2 % 3] == NEUMANN)
-            assert_near(lost, 0, 1e-12);
-        else
-            assert_order(lost, >, 0.05); /* to the wall */
-        operator_free(&a);
-        layout_cloud_free(&c);
-    }
-}
-
-/* Images that reach less far than the cells at a wall leave an arc to nothing. */
-static void walls_without_images_are_refused(void **state) {
-    (void)state;
-    struct problem p = {.materials = 1, .material = {{{0.7, 0.7}, 1.3}}, .wall = held};
-    struct options o = {.dx = 0.06, .seed = 3};
-    struct lattice l;
-    struct cloud c;
-    struct voronoi v;
-    struct failure why;
-    shape_round(&p, 0, 1.1);
-    assert_int_equal(layout_lattice(&p, &o, 1, &l, &why), STATUS_OK);
-    assert_int_equal(layout_cut(&p, &o, &l, 0.5 * l.dx[0], &c, &why), STATUS_OK);
-    assert_int_equal(voronoi_create(&v, &p, &c, 1, &why), STATUS_NUMERICAL);
-    assert_has(why.text, "does not end within 0.0297 m");
-    layout_cloud_free(&c);
-}
-
 /* Of these clouds one particle in thousands crosses the wall while it settles. */
 static void settled_clouds_stay_inside(void **state) {
     (void)state;
@@ -421,8 +363,6 @@ int main(void) {
         cmocka_unit_test(cells_fill_a_round_body),
         cmocka_unit_test(settled_clouds_stay_inside),
         cmocka_unit_test(an_edge_may_cross_a_circle_twice),
-        cmocka_unit_test(rows_of_a_round_body_take_means),
-        cmocka_unit_test(walls_without_images_are_refused),
         cmocka_unit_test(threads_change_nothing),
         cmocka_unit_test(operator_is_symmetric),
         cmocka_unit_test(rows_are_exact),

@@ -1,14 +1,19 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Walls of higher order, in every method: a steady cubic stays, corners included; and a matched run with a source is
- * of fourth order. */
+/* Plane walls of higher order and Robin walls, in every method and stepper. */
+
 #include "solver/method.h"
+#include "solver/time/transform.h"
 
 #include "verification/unit/odd_problems.h"
 #include "verification/unit/near.h"
 
+#include <gsl/gsl_errno.h>
+#include <stdlib.h>
 #include <string.h>
 
-extern const struct method method_so_ssph, method_fo_ssph, method_brookshaw, method_ftcs, method_ftcs_flux;
+extern const struct method method_brookshaw, method_fo_ssph, method_ftcs, method_ftcs_flux, method_so_ssph;
+
+/* ---- cubic ---- */
 
 static const double PI = 3.14159265358979323846;
 
@@ -85,30 +90,6 @@ static struct problem heated_rod(void) {
     return p;
 }
 
-static double matched_error(const struct method *m, enum sampling sampling, double dx) {
-    struct problem p = heated_rod();
-    struct options o = {.dx = dx, .stepper = STEPPER_MATCHED, .sampling = sampling};
-    double kappa = p.material[0].k[0] / p.material[0].rho_c, most = 0;
-    struct field f;
-    struct failure why;
-    if (method_solve(m, &p, &o, &f, &why)) fail_msg("%s: %s", m->name, why.text);
-    p.param[0] *= exp(-kappa * wave(&p) * wave(&p) * p.t_end);
-    for (size_t i = 0; i < f.n; i++) most = fmax(most, fabs(f.T[i] - warm(&p, (double[2]){f.x[i], 0})));
-    field_free(&f);
-    return most;
-}
-
-static void matched_runs_with_a_source_are_of_fourth_order(void **state) {
-    (void)state;
-    const struct method *const all[] = {&method_so_ssph, &method_ftcs};
-    for (int m = 0; m < 2; m++)
-        for (int sampling = SAMPLING_POINT; sampling <= SAMPLING_SPLINE; sampling++) {
-            double coarse = matched_error(all[m], (enum sampling)sampling, 0.05);
-            double fine = matched_error(all[m], (enum sampling)sampling, 0.0125);
-            assert_near(log(coarse / fine) / log(4), 4, 0.03);
-        }
-}
-
 /* (-1)^i is insulated at a Dirichlet wall: what ghosts miss there, d^4, feeds it at third order. */
 static void what_is_blind_to_the_checkerboard_is_refused(void **state) {
     (void)state;
@@ -119,7 +100,7 @@ static void what_is_blind_to_the_checkerboard_is_refused(void **state) {
         struct field f;
         struct failure why;
         assert_int_equal(method_solve(all[m], &p, &o, &f, &why), STATUS_NOT_APPLICABLE);
-        assert_has(why.text, "annihilates (-1)^i");
+        assert_has(why.text, "see (-1)^i");
         p.source = NULL;
         assert_int_equal(method_solve(all[m], &p, &o, &f, &why), STATUS_OK);
         field_free(&f);
@@ -156,13 +137,182 @@ static void points_of_unknown_order_are_refused(void **state) {
         }
 }
 
+/* ---- robin ---- */
+
+static const struct method *const methods_robin[] = {&method_so_ssph, &method_fo_ssph, &method_brookshaw,
+                                                     &method_ftcs, &method_ftcs_flux};
+enum { METHODS = sizeof methods_robin / sizeof *methods_robin, PARTICLES = 3 };
+
+static const double AMBIENT = 0.37, HEIGHT = 0.83; /* K, of the surroundings; of the mode */
+
+static double ambient(const struct problem *p, enum side s, const double x[2]) {
+    (void)x;
+    return p->side[s] == NEUMANN ? 0 : AMBIENT;
+}
+
+/* param: wave number and phase along x, along y */
+static double mode(const struct problem *p, const double x[2]) {
+    double T = HEIGHT * cos(p->param[0] * (x[0] - p->lo[0]) - p->param[1]);
+    if (p->dim == 2) T *= cos(p->param[2] * (x[1] - p->lo[1]) - p->param[3]);
+    return AMBIENT + T;
+}
+
+/* The lowest root nu of nu L = atan(lo/(k nu)) + atan(hi/(k nu)), and psi. */
+static void lowest_mode(double lo, double hi, double k, double L, double *nu, double *psi) {
+    double below = 0, above = M_PI / L;
+    for (int i = 0; i < 200; i++) {
+        *nu = (below + above) / 2;
+        *(*nu * L < atan2(lo, k * *nu) + atan2(hi, k * *nu) ? &below : &above) = *nu;
+    }
+    *psi = atan2(lo, k * *nu);
+}
+
+static struct problem cooled(int dim) {
+    struct problem p = dim == 1 ? odd_rod() : odd_rectangle();
+    p.wall = ambient, p.initial = mode, p.t_end = 0.21;
+    p.side[X_LO] = dim == 1 ? NEUMANN : ROBIN, p.side[X_HI] = ROBIN, p.robin[X_LO] = dim == 1 ? 0 : 0.47,
+    p.robin[X_HI] = 2.3;
+    p.side[Y_LO] = NEUMANN, p.side[Y_HI] = ROBIN, p.robin[Y_HI] = 0.71;
+    for (int a = 0; a < dim; a++)
+        lowest_mode(p.robin[2 * a], p.robin[2 * a + 1], p.material[0].k[a], p.hi[a] - p.lo[a], &p.param[2 * a],
+                    &p.param[2 * a + 1]);
+    return p;
+}
+
+static double decay(const struct problem *p) {
+    double rate = 0;
+    for (int a = 0; a < p->dim; a++) rate += p->material[0].k[a] / p->material[0].rho_c * pow(p->param[2 * a], 2);
+    return exp(-rate * p->t_end);
+}
+
+static struct field solved(const struct method *m, const struct problem *p, const struct options *o) {
+    struct field f;
+    struct failure why = {0};
+    if (method_solve(m, p, o, &f, &why)) fail_msg("%s: %s", m->name, why.text);
+    return f;
+}
+
+/* The modes of the transform are those of the ghosts: no stepper but exact has a time error to hide behind. */
+static void all_steppers_agree_with_the_exact_one(void **state) {
+    (void)state;
+    const enum stepper_name steppers[] = {STEPPER_EULER, STEPPER_RK2, STEPPER_RKL2, STEPPER_CHEBYSHEV};
+    for (int m = 0; m < PARTICLES; m++)
+        for (int dim = 1; dim < 3; dim++) {
+            struct problem p = cooled(dim);
+            if (m == 2) p.material[0].k[1] = p.material[0].k[0];
+            p.initial = odd_start, p.t_end = 0.0173;
+            struct options o = {.dx = 0.05, .stepper = STEPPER_EXACT};
+            struct field exact = solved(methods_robin[m], &p, &o);
+            for (int s = 0; s < 4; s++) {
+                double apart[2] = {0, 0};
+                for (int fine = 0; fine < 2; fine++) {
+                    o.stepper = steppers[s], o.dt = p.t_end / (fine ? 800 : 200);
+                    struct field f = solved(methods_robin[m], &p, &o);
+                    for (size_t i = 0; i < f.n; i++) apart[fine] = fmax(apart[fine], fabs(f.T[i] - exact.T[i]));
+                    field_free(&f);
+                }
+                /* first order: a quarter; second: a sixteenth, or rounding; none */
+                double fewer = steppers[s] == STEPPER_CHEBYSHEV ? 1e-12 : apart[0] / (s ? 14 : 3.9) + 1e-13;
+                assert_order(apart[1], <, fewer);
+                assert_order(apart[0], <, 1e-3);
+            }
+            field_free(&exact);
+        }
+}
+
+/* b = 0 insulates; b past 1/eps holds the wall at T_a. */
+static void limits_are_neumann_and_dirichlet(void **state) {
+    (void)state;
+    const double b[] = {0, 1e300};
+    for (int m = 0; m < METHODS; m++)
+        for (int end = 0; end < 2; end++)
+            for (int layout = LAYOUT_LATTICE; layout <= (m < PARTICLES ? LAYOUT_JITTER : LAYOUT_LATTICE); layout += 2)
+                for (int stepper = 0; stepper < 2; stepper++) {
+                    struct problem p = cooled(2), q;
+                    if (m == 2) p.material[0].k[1] = p.material[0].k[0];
+                    struct options o = {.dx = 0.05, .layout = (enum layout_name)layout, .jitter = 0.13, .seed = 2};
+                    o.stepper = stepper && m < PARTICLES && layout == LAYOUT_LATTICE ? STEPPER_EXACT : STEPPER_EULER;
+                    if (o.stepper == STEPPER_EULER) o.fourier = 0.05;
+                    p.initial = odd_start, p.t_end = 0.02;
+                    for (int s = 0; s < 4; s++) p.side[s] = ROBIN, p.robin[s] = b[end];
+                    p.side[Y_LO] = DIRICHLET; /* one that is no limit */
+                    q = p;
+                    for (int s = 0; s < 4; s++)
+                        if (q.side[s] == ROBIN) q.side[s] = end ? DIRICHLET : NEUMANN;
+                    struct field f = solved(methods_robin[m], &p, &o), g = solved(methods_robin[m], &q, &o);
+                    for (size_t i = 0; i < f.n; i++) assert_near(f.T[i], g.T[i], 1e-13);
+                    field_free(&f);
+                    field_free(&g);
+                }
+}
+
+static double ambient_but_no_flux(const struct problem *p, enum side s, const double x[2]) {
+    return p->side[s] == NEUMANN ? 0 : ambient(p, s, x);
+}
+
+static double hot(const struct problem *p, const double x[2]) {
+    (void)p, (void)x;
+    return HEIGHT;
+}
+
+/* One side of a square is cooled, another by turns, the opposite one held, then insulated: seen from it the
+ * temperatures are the same. */
+static void each_side_is_cooled_alike(void **state) {
+    (void)state;
+    enum { N = 12 };
+    double kept[N];
+    for (int turn = 0; turn < 8; turn++) {
+        int s = turn % 4;
+        struct problem p = {.dim = 2,
+                            .hi = {1, 1},
+                            .t_end = 0.1,
+                            .materials = 1,
+                            .material = {{{1, 1}, 1}},
+                            .initial = hot,
+                            .wall = ambient_but_no_flux};
+        for (int side = 0; side < 4; side++) p.side[side] = side == (s ^ 1) && turn < 4 ? DIRICHLET : NEUMANN;
+        p.side[s] = ROBIN, p.robin[s] = 0.7;
+        struct options o = {.dx = 1.0 / N, .stepper = STEPPER_EXACT};
+        struct field f = solved(methods_robin[0], &p, &o);
+        assert_int_equal(f.n, N * N);
+        for (int i = 0; i < N; i++) {
+            int from = s % 2 ? N - 1 - i : i;
+            double T = f.T[s < Y_LO ? from : from * N];
+            if (s == 0)
+                kept[i] = T;
+            else
+                assert_near(T, kept[i], 1e-13);
+        }
+        field_free(&f);
+        assert_order(fabs(kept[0] - kept[N - 1]), >, 0.01);
+    }
+}
+
+/* What the body has lost has gone through its wall: rho_c int (T - T_0) = -int b (T - T_a) dt. */
+static void heat_leaves_through_the_wall(void **state) {
+    (void)state;
+    struct problem p = cooled(1);
+    double L = p.hi[0] - p.lo[0], k = p.material[0].k[0], kappa = k / p.material[0].rho_c, mu = p.param[0];
+    double through = p.robin[X_HI] * HEIGHT * cos(mu * L) * (1 - decay(&p)) / (kappa * mu * mu);
+    for (int m = 0; m < METHODS; m++) {
+        struct options o = {.dx = 0.0125, .fourier = 0.01};
+        struct field f = solved(methods_robin[m], &p, &o);
+        assert_near((f.heat[0] - f.heat[1]) / through, 1, 1e-3); /* (mu dx)^2 and as much of Euler's */
+        field_free(&f);
+    }
+}
+
 int main(void) {
+    gsl_set_error_handler_off();
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(a_steady_cubic_stays),
         cmocka_unit_test(a_steady_cubic_stays_under_jitter),
-        cmocka_unit_test(matched_runs_with_a_source_are_of_fourth_order),
         cmocka_unit_test(what_is_blind_to_the_checkerboard_is_refused),
         cmocka_unit_test(points_of_unknown_order_are_refused),
+        cmocka_unit_test(all_steppers_agree_with_the_exact_one),
+        cmocka_unit_test(limits_are_neumann_and_dirichlet),
+        cmocka_unit_test(each_side_is_cooled_alike),
+        cmocka_unit_test(heat_leaves_through_the_wall),
     };
     return cmocka_run_group_tests_name("walls", tests, NULL, NULL);
 }

@@ -106,31 +106,6 @@ static void every_treatment_keeps_a_constant(void **state) {
             }
 }
 
-static void what_a_treatment_does_not_take_is_refused(void **state) {
-    (void)state;
-    struct failure why;
-    struct problem held = body(1, DIRICHLET, &flat), flux = body(1, NEUMANN, &flat), cooled = body(1, ROBIN, &flat);
-    assert_int_equal(
-        compatibility_check(&held, &(struct options){.walls = WALLS_MIRROR}, method_so_ssph.scheme, &why),
-        STATUS_NOT_APPLICABLE);
-    assert_int_equal(
-        compatibility_check(&held, &(struct options){.walls = WALLS_DISTANCE}, method_so_ssph.scheme, &why),
-        STATUS_OK);
-    assert_int_equal(
-        compatibility_check(&flux, &(struct options){.walls = WALLS_DISTANCE}, method_so_ssph.scheme, &why),
-        STATUS_NOT_APPLICABLE);
-    assert_int_equal(compatibility_check(&flux, &(struct options){.walls = WALLS_FIXED}, method_so_ssph.scheme, &why),
-                     STATUS_NOT_APPLICABLE);
-    assert_int_equal(
-        compatibility_check(&flux, &(struct options){.walls = WALLS_AVERAGE}, method_so_ssph.scheme, &why),
-        STATUS_OK);
-    assert_int_equal(
-        compatibility_check(&cooled, &(struct options){.walls = WALLS_AVERAGE}, method_so_ssph.scheme, &why),
-        STATUS_NOT_APPLICABLE);
-    assert_int_equal(compatibility_check(&cooled, &(struct options){.walls = WALLS_FIT}, method_so_ssph.scheme, &why),
-                     STATUS_OK);
-}
-
 /* so_ssph is exact for quadratics, dummies continue them, and the one-sided fit is exact for them: d T/dt = kappa lap
  * T everywhere, held particles apart.  First derivatives are exact for quadratics on the lattice that the dummies go
  * on with, two kernels deep. */
@@ -227,30 +202,6 @@ static void fits_let_no_mode_grow(void **state) {
             }
 }
 
-/* Modes grow there: in 8 of 12 lattices with `image`, on rectangles with `mirror`.  A rod takes both. */
-static void what_grows_with_two_sweeps_is_refused(void **state) {
-    (void)state;
-    extern const struct method method_fo_ssph, method_conjugate;
-    static const enum walls grow[] = {WALLS_MIRROR, WALLS_IMAGE, WALLS_DISTANCE};
-    struct problem p = body(0, DIRICHLET, &flat);
-    struct field f;
-    struct failure why;
-    for (int t = 0; t < 3; t++) {
-        struct options o = {.dx = 0.1, .walls = grow[t], .shift = 0.3, .stepper = STEPPER_RKL2};
-        assert_int_equal(method_solve(&method_fo_ssph, &p, &o, &f, &why), STATUS_NOT_APPLICABLE);
-        assert_non_null(strstr(why.text, "take fit"));
-    }
-    struct options o = {.dx = 0.1, .walls = WALLS_FIT, .stepper = STEPPER_RKL2};
-    assert_int_equal(method_solve(&method_conjugate, &p, &o, &f, &why), STATUS_NOT_APPLICABLE);
-    p.dim = 1, o.shift = 0.3;
-    for (int t = 0; t < 2; t++) {
-        o.walls = grow[t];
-        assert_int_equal(method_solve(&method_fo_ssph, &p, &o, &f, &why), STATUS_OK);
-        for (size_t i = 0; i < f.n; i++) assert_near(f.T[i], flat.a, 1e-13);
-        field_free(&f);
-    }
-}
-
 static void particles_on_a_wall_hold_its_temperature(void **state) {
     (void)state;
     struct problem p = body(0, DIRICHLET, &linear);
@@ -282,26 +233,6 @@ static void clipped_cells_fill_the_body(void **state) {
     }
 }
 
-/* A particle whose cell no wall clips has the volume of every particle; rows of hexagons stand nearer. */
-static void whole_cells_have_the_volume_of_a_particle(void **state) {
-    (void)state;
-    static const double volume[] = {0.01, 0.00866025403784438647};
-    for (int k = 0; k < 2; k++) {
-        struct options o = {
-            .dx = 0.1, .layout = k ? LAYOUT_HEXAGONAL : LAYOUT_LATTICE, .walls = WALLS_FIT, .seed = 3};
-        struct problem p = body(1, DIRICHLET, &flat);
-        struct lattice l;
-        struct cloud c;
-        struct failure why = {0};
-        double largest = 0;
-        if (layout_lattice(&p, &o, 1, &l, &why) || layout_cloud(&p, &o, &l, 0.22, &c, &why)) fail_msg("%s", why.text);
-        for (size_t i = 0; i < c.n; i++) largest = fmax(largest, c.cell[i]);
-        assert_near(c.volume, volume[k], 1e-15);
-        assert_near(largest, volume[k], 1e-15);
-        layout_cloud_free(&c);
-    }
-}
-
 /* From the centre every place of a round wall is the nearest: one of them is taken. */
 static void a_centre_has_a_foot(void **state) {
     (void)state;
@@ -320,15 +251,12 @@ int main(void) {
         cmocka_unit_test(fits_continue_quadratics),
         cmocka_unit_test(images_continue_linear_temperatures),
         cmocka_unit_test(every_treatment_keeps_a_constant),
-        cmocka_unit_test(what_a_treatment_does_not_take_is_refused),
         cmocka_unit_test(a_quadratic_rises_evenly),
         cmocka_unit_test(one_sided_rows_do_not_grow_beside_a_wall),
         cmocka_unit_test(what_has_no_one_sided_fit_is_refused),
         cmocka_unit_test(fits_let_no_mode_grow),
-        cmocka_unit_test(what_grows_with_two_sweeps_is_refused),
         cmocka_unit_test(particles_on_a_wall_hold_its_temperature),
         cmocka_unit_test(clipped_cells_fill_the_body),
-        cmocka_unit_test(whole_cells_have_the_volume_of_a_particle),
     };
     gsl_set_error_handler_off();
     return cmocka_run_group_tests_name("walls anywhere", tests, NULL, NULL);
