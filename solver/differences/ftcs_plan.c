@@ -73,32 +73,32 @@ int ftcs_plan_check(const char *method, int with_fluxes, const struct problem *p
         int refuses;
         const char *option, *value, *text;
     } table[] = {
-        {round && with_fluxes, NULL, NULL, "takes rods and rectangles, the scene has a round body; take ftcs"},
-        {round && o->layout != LAYOUT_LATTICE, "layout", layout, "a round body has rings and rays; leave it out"},
-        {round && o->sampling != SAMPLING_POINT, "sampling", sampling, "rings and rays take points; take point"},
-        {round && o->walls != WALLS_MIRROR, "walls", walls, "is for particles; take mirror"},
+        {round && with_fluxes, NULL, NULL, "needs a rod or a rectangle, this scene has a round body; use ftcs"},
+        {round && o->layout != LAYOUT_LATTICE, "layout", layout, "a round body has rings and rays; omit it"},
+        {round && o->sampling != SAMPLING_POINT, "sampling", sampling, "rings and rays take points; use point"},
+        {round && o->walls != WALLS_MIRROR, "walls", walls, "is for particles; use mirror"},
         {round && (two || p->material[0].k[0] != p->material[0].k[1]), NULL, NULL,
          "takes one material with k_x = k_y in a round body"},
-        {round && (matched || !steps), "stepper", stepper, "a round body has euler and auto; take euler"},
-        {two && with_fluxes, NULL, NULL, "takes one material, the scene has two; take ftcs"},
+        {round && (matched || !steps), "stepper", stepper, "a round body has euler and auto; use euler"},
+        {two && with_fluxes, NULL, NULL, "takes one material, the scene has two; use ftcs"},
         {two && robin_across, NULL, NULL,
-         "no Robin wall across both materials; take a particle method, such as contact_ssph"},
-        {two && o->sampling == SAMPLING_SPLINE, "sampling", sampling, "takes one material; take point or cell"},
-        {two && node, "layout", layout, "takes one material; take lattice"},
-        {two && matched, "stepper", stepper, "takes one material; take euler"},
-        {robin && node, "layout", layout, "a Robin wall is midway between a point and its ghost; take lattice"},
-        {robin && matched, "stepper", stepper, "the ghosts of a Robin wall are of second order; take euler"},
-        {periodic && node, "layout", layout, "the scene is periodic and has no walls; take lattice"},
-        {periodic && o->walls != WALLS_MIRROR, "walls", walls, "the scene is periodic and has no walls; take mirror"},
-        {options_is_cloud(o), "layout", layout, "finite differences need a grid; take lattice or node"},
-        {o->walls > WALLS_FIXED, "walls", walls, "is for particles; take mirror or fixed"},
-        {!steps, "stepper", stepper, "finite differences have euler, auto and, on a rod, matched; take euler"},
+         "no Robin wall across both materials; use a particle method, such as contact_ssph"},
+        {two && o->sampling == SAMPLING_SPLINE, "sampling", sampling, "takes one material; use point or cell"},
+        {two && node, "layout", layout, "takes one material; use lattice"},
+        {two && matched, "stepper", stepper, "takes one material; use euler"},
+        {robin && node, "layout", layout, "a Robin wall is midway between a point and its ghost; use lattice"},
+        {robin && matched, "stepper", stepper, "the ghosts of a Robin wall are of second order; use euler"},
+        {periodic && node, "layout", layout, "the scene is periodic and has no walls; use lattice"},
+        {periodic && o->walls != WALLS_MIRROR, "walls", walls, "the scene is periodic and has no walls; use mirror"},
+        {options_is_cloud(o), "layout", layout, "finite differences need a grid; use lattice or node"},
+        {o->walls > WALLS_FIXED, "walls", walls, "is for particles; use mirror or fixed"},
+        {!steps, "stepper", stepper, "finite differences have euler, auto and, on a rod, matched; use euler"},
         {matched && p->dim == 2, "stepper", stepper,
-         "in the plane the error is not isotropic, and no step cancels it; take euler"},
+         "in the plane the error is not isotropic, and no step cancels it; use euler"},
         {matched && p->source_rate, "stepper", stepper,
-         "a source that changes in time has an error of its own in Euler's steps; take euler"},
+         "a source that depends on time has its own error in Euler's steps, which no step cancels; use euler"},
         {matched && with_fluxes && p->source, "stepper", stepper,
-         "fluxes do not see (-1)^i, which a source feeds at the walls at third order; take ftcs"},
+         "fluxes annihilate (-1)^i, which a source excites at the walls at third order; use ftcs"},
     };
     for (size_t k = 0; k < sizeof table / sizeof *table; k++) {
         if (table[k].refuses && !table[k].option)
@@ -107,7 +107,7 @@ int ftcs_plan_check(const char *method, int with_fluxes, const struct problem *p
             return refuse(why, STATUS_NOT_APPLICABLE, "--%s %s: %s", table[k].option, table[k].value, table[k].text);
     }
     if (matched && (o->dt != 0 || o->fourier != 0))
-        return refuse(why, STATUS_INPUT, "--stepper matched: sets the step itself; leave out --dt and --fourier");
+        return refuse(why, STATUS_INPUT, "--stepper matched: sets its own step; omit --dt and --fourier");
     return check_times(p, o, why);
 }
 

@@ -13,7 +13,7 @@ enum subject { LAYOUT, WALLS, SHIFT, SAMPLING, ORDER, VOLUME, STEPPER, METHOD };
 struct rule {
     int refuses;
     enum subject subject;
-    const char *reason, *take;
+    const char *reason, *use;
 };
 
 static void name_subject(enum subject subject, const struct options *o, const struct scheme *s, char text[80]) {
@@ -87,7 +87,7 @@ int compatibility_check(const struct problem *p, const struct options *o, const 
         {two && o->sampling == SAMPLING_SPLINE, SAMPLING, "four cells of two materials have no common average",
          "point or cell"},
         {p->source_rate != NULL, METHOD,
-         "a source that changes in time: every stepper here takes dT/dt = A T + g with one g", "ftcs"},
+         "a source that depends on time: the steppers solve dT/dt = A T + g with a constant g", "ftcs"},
         /* layouts */
         {node && periodic, LAYOUT, "the scene has no walls to be on", "lattice"},
         {node && robin, LAYOUT, "a Robin wall is midway between a particle and its ghost", "lattice"},
@@ -127,7 +127,7 @@ int compatibility_check(const struct problem *p, const struct options *o, const 
         char subject[80];
         if (!rules[k].refuses) continue;
         name_subject(rules[k].subject, o, s, subject);
-        return refuse(why, STATUS_NOT_APPLICABLE, "%s: %s; take %s", subject, rules[k].reason, rules[k].take);
+        return refuse(why, STATUS_NOT_APPLICABLE, "%s: %s; use %s", subject, rules[k].reason, rules[k].use);
     }
     return s->check ? s->check(p, o, why) : STATUS_OK;
 }
