@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Neighbourhoods of a cloud's points, as schemes see them. */
+/* Neighbourhoods of the points of a cloud, as input for schemes. */
 #include "solver/space/assembly.h"
 #include "solver/space/kernel.h"
 #include "solver/shape.h"
@@ -52,7 +52,7 @@ void assembly_free(struct assembly *m) {
     voronoi_free(&m->mesh);
 }
 
-/* The points beyond the faces of cell i. */
+/* The points across the faces of cell i. */
 static size_t faces_of_cell(const struct voronoi *v, size_t i, uint32_t *out) {
     size_t n = v->begin[i + 1] - v->begin[i];
     if (n <= NEIGHBOURS_MAX) memcpy(out, v->point + v->begin[i], n * sizeof *out);
@@ -61,7 +61,7 @@ static size_t faces_of_cell(const struct voronoi *v, size_t i, uint32_t *out) {
 
 double assembly_stretch(const struct assembly *m, size_t i, uint32_t j) {
     double x[2] = {m->c->x[i], m->c->y[i]}, depth = shape_depth(m->p, x);
-    const double most = 1.5; /* as published */
+    const double most = 1.5; /* limit of the publication */
     return depth * (most - 1) > m->c->away[j - m->c->n] ? 1 + m->c->away[j - m->c->n] / depth : most;
 }
 
@@ -76,8 +76,8 @@ int assembly_neighbourhood(const struct assembly *m, size_t i, struct surroundin
         m->s->cells ? faces_of_cell(&m->mesh, i, out->near) : neighbours_find(cells, i, out->near, NEIGHBOURS_MAX);
     if (n > NEIGHBOURS_MAX)
         return refuse(why, STATUS_NUMERICAL,
-                      "particle %zu at (%.6g, %.6g) m has %zu neighbours, at most %d are held; take a smaller --h", i,
-                      c->x[i], c->y[i], n, NEIGHBOURS_MAX);
+                      "particle %zu at (%.6g, %.6g) m has %zu neighbours, at most %d are possible; use a smaller --h",
+                      i, c->x[i], c->y[i], n, NEIGHBOURS_MAX);
     for (size_t k = 0; k < n; k++)
         out->d[k][0] = c->x[out->near[k]] - c->x[i], out->d[k][1] = c->y[out->near[k]] - c->y[i];
     const struct problem *p = m->p;

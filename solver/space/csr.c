@@ -1,11 +1,11 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The operator with a row for each particle: off the lattice, or where the conductivity varies.
+/* The operator with one row per particle: off the lattice, or with variable conductivity.
  *
- * The scheme gives the row of particle i; a neighbour that is a ghost adds w factor to the column of its source and
- * w offset to g_i.  A scheme of two sweeps has D_x kappa_x D_x + D_y kappa_y D_y multiplied out, with D at i and at
- * its neighbours, dummies among them: where walls cut the lattice, a ghost holds a sum over particles.  Rows are kept
- * in blocks of particles, each filled by one thread, and joined in order: the result is the same for any number of
- * threads. */
+ * The scheme gives the row of particle i.  A neighbour that is a ghost adds w factor to the column of its source and
+ * w offset to g_i.  A scheme of two sweeps multiplies out D_x kappa_x D_x + D_y kappa_y D_y, with D at i and at its
+ * neighbours, including dummies: on a cut lattice the value of a ghost is a sum over particles.  Rows are collected
+ * in blocks of particles, each filled by one thread, and joined in order, so the result does not depend on the
+ * number of threads. */
 #include "solver/space/csr.h"
 #include "solver/space/assembly.h"
 
@@ -27,7 +27,7 @@ void csr_row_free(struct row *r) {
     free(r->touched);
 }
 
-/* Ascending.  Columns arrive by cells, in runs that ascend: insertion takes a few moves each. */
+/* Ascending order.  Columns arrive in ascending runs, cell by cell, so insertion sort needs few moves. */
 static void sort_columns(uint32_t *column, size_t n) {
     for (size_t k = 1; k < n; k++) {
         uint32_t held = column[k];
@@ -37,7 +37,7 @@ static void sort_columns(uint32_t *column, size_t n) {
     }
 }
 
-/* Moves the row of particle i to the list: off-diagonal columns, ascending. */
+/* Appends the row of particle i to the list, off-diagonal columns in ascending order. */
 static void move_row(struct row *r, size_t i, struct assembly_list *out, double *diagonal) {
     sort_columns(r->column, r->n);
     for (size_t k = 0; k < r->n; k++) {
@@ -50,7 +50,7 @@ static void move_row(struct row *r, size_t i, struct assembly_list *out, double 
     csr_row_clear(r);
 }
 
-/* What the dummy j of a lattice that walls cut is to particle i, with the weight w. */
+/* Adds the dummy j of a cut lattice to the row of particle i, with the weight w. */
 static void add_dummy(const struct assembly *m, size_t i, uint32_t j, double w, struct row *r, double *g) {
     const struct cloud *c = m->c;
     if (c->away) {
@@ -63,7 +63,7 @@ static void add_dummy(const struct assembly *m, size_t i, uint32_t j, double w, 
     *g += w * c->offset[j];
 }
 
-/* Row i of --walls one_sided. */
+/* Row i with --walls one_sided. */
 static int add_wall_row(const struct assembly *m, struct heat_operator *a, size_t i, const struct surroundings *at,
                         struct row *r, double *g, struct failure *why) {
     struct wall_row row;
@@ -74,7 +74,7 @@ static int add_wall_row(const struct assembly *m, struct heat_operator *a, size_
     return STATUS_OK;
 }
 
-/* What point j, which may be a ghost or a dummy, is to particle i, with the weight w. */
+/* Adds point j, a particle, ghost or dummy, to the row of particle i with the weight w. */
 static void add_point(const struct assembly *m, size_t i, uint32_t j, double w, struct row *r, double *g) {
     const struct cloud *c = m->c;
     if (j >= c->n && c->begin) {
@@ -85,7 +85,7 @@ static void add_point(const struct assembly *m, size_t i, uint32_t j, double w, 
     *g += c->offset[j] * w;
 }
 
-/* flux . D T at point j, `of` its surroundings. */
+/* Adds flux .  D T at point j; `of` receives its neighbourhood. */
 static int add_derivative(const struct assembly *m, size_t i, uint32_t j, const double flux[2],
                           struct surroundings *of, struct row *r, double *g, struct failure *why) {
     double weight[2][NEIGHBOURS_MAX], *w[2] = {weight[0], weight[1]}, own = 0;
@@ -100,7 +100,7 @@ static int add_derivative(const struct assembly *m, size_t i, uint32_t j, const 
     return STATUS_OK;
 }
 
-/* sum_j w_ij . (q_j - q_i), of an adjoint scheme q_j + q_i, q = kappa D T. */
+/* Adds sum_j w_ij . (q_j - q_i), or q_j + q_i for an adjoint scheme, with q = kappa D T. */
 static int add_composed_row(const struct assembly *m, size_t i, struct surroundings at[2], struct row *r, double *g,
                             struct failure *why) {
     double weight[2][NEIGHBOURS_MAX], *w[2] = {weight[0], weight[1]}, flux[2], own[2] = {0, 0};
@@ -156,7 +156,7 @@ static int take_rows(void *context, int b, size_t begin, size_t end, struct fail
     return status;
 }
 
-/* How far A's rows reach; its bands once more, where they have no more than twice the entries of its rows. */
+/* Determines the bandwidth of A, and stores its bands if they have at most twice the entries of the rows. */
 static void copy_bands(struct heat_operator *a) {
     ptrdiff_t n = (ptrdiff_t)a->n, band = 0;
     for (ptrdiff_t i = 0; i < n; i++)
@@ -174,7 +174,7 @@ static void copy_bands(struct heat_operator *a) {
     a->bytes += entries * sizeof *a->banded;
 }
 
-/* Of a scheme with cells, what they hold of heat. */
+/* Keeps the volumes and heat capacities of the cells. */
 static void keep_cells(struct assembly *m, struct heat_operator *a) {
     if (m->p->materials == 2) {
         a->rho_c = xcalloc(a->n, sizeof *a->rho_c);
@@ -193,7 +193,7 @@ int csr_assemble(struct heat_operator *a, const struct problem *p, const struct 
     a->diagonal = xcalloc(a->n, sizeof *a->diagonal);
     int status = assembly_in_blocks(a->n, o->threads, take_rows, &all, why);
     if (!status && s->cells) keep_cells(&m, a);
-    assembly_free(&m); /* before the rows stand twice */
+    assembly_free(&m); /* before the rows are copied, to limit peak memory */
     if (!status) {
         a->pairs = assembly_list_join(all.part, a->n, a->row, &a->column, &a->value);
         a->bytes += a->pairs * (sizeof *a->column + sizeof *a->value) + (a->n + 1) * sizeof *a->row +

@@ -1,30 +1,30 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Lattices, and what ghosts hold.
+/* Lattices and ghosts.
  *
- * Cell-centred lattice: x_i = lo + (i + 1/2) dx (Song's tables; the walls lie midway between a particle and its
- * mirror image).  Node lattice: x_i = lo + i dx, where a node on a Dirichlet wall is known and so not a particle, and
- * a node on a Neumann wall is one.
+ * Cell-centred lattice: x_i = lo + (i + 1/2) dx (Song's tables), with walls midway between a particle and its mirror
+ * image.  Node lattice: x_i = lo + i dx.  A node on a Dirichlet wall is known and not a particle; a node on a
+ * Neumann wall is a particle.
  *
- * Ghosts at the distance d beyond a wall, n its outward normal, t along it:
+ * Ghosts at the distance d beyond a wall, with the outward normal n and the tangent t:
  *   fixed      T_g = T_wall (Pamplona Fig. 3, first order)
  *   Dirichlet  T_g = 2 T_wall - T_source + d^2 T_nn + O(d^4)
  *   Neumann    T_g = T_source + 2 d q / k_n + d^3/3 T_nnn + O(d^5)
  *   Robin      T_g = f T_source + (1 - f) T_a + O(d^3), f = (k_n - b d)/(k_n + b d): k_n dT/dn = b (T_a - T) midway
- * Sides and source do not change in time, so that the equation gives k_n T_nn = -G - k_t T_tt on a Dirichlet wall
- * and, from its derivative, k_n T_nnn = -G_n - k_t (q/k_n)_tt on a Neumann wall.  Central differences of step d,
- * D^2 f = f(t + d) - 2 f(t) + f(t - d), keep these orders where their own error, O(d^2 k_t/k_n) of the term, leaves
- * anything of it; elsewhere the term is left out:
+ * Sides and source are steady, so the equation gives k_n T_nn = -G - k_t T_tt on a Dirichlet wall, and its
+ * derivative k_n T_nnn = -G_n - k_t (q/k_n)_tt on a Neumann wall.  Central differences of step d, D^2 f = f(t + d) -
+ * 2 f(t) + f(t - d), keep these orders if their own error, O(d^2 k_t/k_n) of the term, is smaller than the term;
+ * otherwise the term is omitted:
  *   d^2 T_nn = -(d^2 G + k_t D^2 T_wall) / k_n
  *   d^3/3 T_nnn = -(d^2/6 (G_g - G_source) + d/3 k_t D^2 q / k_n) / k_n
- * At a corner, wall data and source are taken where their formulas continue them. */
+ * At a corner the wall data and the source are evaluated at the continuation of the wall. */
 #include "solver/space/layout.h"
 
 #include <float.h>
 #include <math.h>
 
-static const double PARTICLES_MAX = 4e9; /* rows have columns of 32 bits */
+static const double PARTICLES_MAX = 4e9; /* column indices have 32 bits */
 
-/* The nearest spacings, on either side, that divide every extent, dy = ratio dx; NaN where there is none. */
+/* The nearest spacings below and above that divide every extent, with dy = ratio dx; NaN if there is none. */
 static void nearest_spacings(const struct problem *p, double dx, double ratio, double out[2]) {
     double extent = p->hi[0] - p->lo[0], other = p->dim == 2 ? (p->hi[1] - p->lo[1]) / ratio : extent;
     double near = fmax(1, floor(extent / dx));
@@ -39,7 +39,7 @@ static void nearest_spacings(const struct problem *p, double dx, double ratio, d
     }
 }
 
-static const double CELLS_MAX = 1e8; /* along an axis */
+static const double CELLS_MAX = 1e8; /* per axis */
 
 static int count_cells(const struct problem *p, int axis, double spacing, double *cells) {
     *cells = (p->hi[axis] - p->lo[axis]) / spacing;
@@ -53,8 +53,8 @@ static int refuse_spacing(const struct problem *p, const struct options *o, doub
     double near[2];
     nearest_spacings(p, o->dx, ratio, near);
     if (isnan(near[0]))
-        return refuse(why, STATUS_INPUT,
-                      "--dx %g: does not divide the domain, and with dy = %.6g dx none near it does", o->dx, ratio);
+        return refuse(why, STATUS_INPUT, "--dx %g: does not divide the domain; with dy = %.6g dx no close value does",
+                      o->dx, ratio);
     if (isnan(near[1]))
         return refuse(why, STATUS_INPUT, "--dx %g: does not divide the domain; nearest: %.10g", o->dx, near[0]);
     return refuse(why, STATUS_INPUT, "--dx %g: does not divide the domain; nearest: %.10g and %.10g", o->dx, near[0],
@@ -66,7 +66,7 @@ double layout_robin_factor(const struct problem *p, int side, double k, double d
     return ratio > 1 ? (1 / ratio - 1) / (1 / ratio + 1) : (1 - ratio) / (1 + ratio);
 }
 
-/* What ghost k = 1, 2, ... beyond a Robin side makes of a constant temperature. */
+/* Response of ghost k = 1, 2, ... beyond a Robin side to a constant temperature. */
 static double robin_sum(double robin, int k) {
     double sum = robin;
     for (int i = 1; i < k; i++) sum = robin * (sum + 1) - 1;
@@ -88,7 +88,7 @@ int layout_lattice(const struct problem *p, const struct options *o, double rati
         double cells, spacing = a ? o->dx * ratio : o->dx;
         if (a && o->layout == LAYOUT_HEXAGONAL)
             spacing = (p->hi[a] - p->lo[a]) / layout_hexagonal_rows(p->hi[a] - p->lo[a], o->dx);
-        int divides = count_cells(p, a, spacing, &cells) || p->shape; /* a round wall divides no lattice */
+        int divides = count_cells(p, a, spacing, &cells) || p->shape; /* a round body accepts any spacing */
         if (!(cells < CELLS_MAX))
             return refuse(why, STATUS_INPUT, "--dx %g: %g particles along %c, must be below %g", o->dx, cells,
                           "xy"[a], CELLS_MAX);
@@ -137,13 +137,12 @@ double layout_cell(const struct options *o, double spacing) {
     return options_is_cloud(o) ? 0 : spacing;
 }
 
-/* A difference, and the sum of its parts without their signs. */
+/* A difference, and the sum of the magnitudes of its terms. */
 struct difference {
     double value, size;
 };
 
-/* k_t D^2 of the side's data along it, with the step d, at a foot: 0 on a rod, and where materials meet along the
- * side. */
+/* k_t D^2 of the boundary data at a foot, with the step d; 0 on a rod, and if the interface crosses the side. */
 static struct difference curvature(const struct problem *p, int side, const double foot[2], double d) {
     int along = 1 - side / 2;
     double before[2] = {foot[0], foot[1]}, after[2] = {foot[0], foot[1]};
@@ -155,7 +154,7 @@ static struct difference curvature(const struct problem *p, int side, const doub
     return (struct difference){k * (sum - middle), k * (fabs(sum) + fabs(middle))};
 }
 
-/* -k_n times the ghost's term of highest order, above, by differences of the step part x d. */
+/* -k_n times the highest-order term of the ghost, by differences of the step part x d. */
 static struct difference highest(const struct problem *p, int side, const double foot[2], double d, double part) {
     int axis = side / 2, flux = p->side[side] == NEUMANN;
     double k = p->material[layout_material(p, foot[0])].k[axis], step = side % 2 ? part * d : -part * d;
@@ -176,17 +175,16 @@ static struct difference highest(const struct problem *p, int side, const double
     return sum;
 }
 
-/* The same by differences of the step d, or 0 where these are wrong by more than it: their error falls with the
- * square of the step, so that half the step shows it.  Where k_n is far below k_t nothing but that error, and
- * rounding, is left of it. */
+/* The same with the step d, or 0 if its error is larger than the term.  The error decreases with the square of the
+ * step, so half the step gives an estimate.  For k_n far below k_t only this error and round-off remain. */
 static double highest_known(const struct problem *p, int side, const double foot[2], double d) {
     struct difference whole = highest(p, side, foot, d, 1), half = highest(p, side, foot, d, 0.5);
     double error = fabs(whole.value - half.value) * 4 / 3, rounding = 4 * DBL_EPSILON * (whole.size + half.size);
     return fabs(4 * half.value - whole.value) / 3 > error + rounding ? whole.value : 0;
 }
 
-/* One reflection, along `axis`: T_ghost = *sign T_source + the returned offset.  `at` has the other coordinate; l is
- * as for layout_ghost_offset. */
+/* One reflection along `axis`: T_ghost = *sign T_source + the returned offset.  `at` has the other coordinate; l is
+ * that of layout_ghost_offset. */
 static double reflect(const struct problem *p, enum walls walls, int axis, int side, double ghost, double source,
                       const double at[2], const struct lattice *l, double *sign) {
     double foot[2] = {at[0], at[1]};
@@ -213,7 +211,7 @@ double layout_ghost_offset(const struct problem *p, enum walls walls, const stru
                            const double ghost[2], const double source[2]) {
     double offset = 0, sign;
     int orders = 0;
-    for (int outer = 0; outer < 2; outer++) { /* reflect along `outer` last */
+    for (int outer = 0; outer < 2; outer++) { /* the reflection along `outer` is the last one */
         int inner = 1 - outer;
         if (side[outer] < 0) continue;
         double sum = reflect(p, walls, outer, side[outer], ghost[outer], source[outer], ghost, l, &sign);

@@ -7,95 +7,98 @@
 
 #include <stdint.h>
 
-/* Where the particles are, and what their ghosts beyond the walls hold: T_ghost = factor T_source + offset. */
+/* Positions of the particles, and their ghosts beyond the walls: T_ghost = factor T_source + offset. */
 
 struct lattice {
     int dim;
-    int n[2];        /* unknowns along x and y; n[1] = 1 for a rod */
+    int n[2];        /* number of unknowns along x and y; n[1] = 1 for a rod */
     double dx[2];    /* m; dx[1] = 1 for a rod */
     double first[2]; /* m, position of unknown 0 */
     /* Ghosts k = 1, 2, ... beyond side s: */
-    int shift[4];    /* mirror unknown k - 1 + shift[s], counted from that side; below 0 it is the wall itself */
-    int sign[4];     /* -1: odd; 1: even; 0: they hold the wall's value; LAYOUT_ROBIN: as `robin` says */
-    double robin[4]; /* T_-1 = robin T_0 and T_-k-1 = robin (T_-k + T_k) - T_k-1, and offsets */
+    int shift[4];    /* ghost k mirrors unknown k - 1 + shift[s], counted from that side; a negative index is the wall
+                        itself */
+    int sign[4];     /* -1: odd; 1: even; 0: ghosts have the wall's value; LAYOUT_ROBIN: see `robin` */
+    double robin[4]; /* T_-1 = robin T_0 and T_-k-1 = robin (T_-k + T_k) - T_k-1, plus offsets */
 };
 
 enum { LAYOUT_ROBIN = 2 };
 
-/* The lattice of the options dx and layout (the lattice under the jitter for LAYOUT_JITTER).  ratio = dy / dx.
- * STATUS_INPUT where dx does not divide the domain, naming the nearest that do. */
+/* The lattice for the options dx and layout (LAYOUT_JITTER: before the displacement). ratio = dy / dx.  Refuses a dx
+ * that does not divide the domain, and names the nearest that do. */
 int layout_lattice(const struct problem *p, const struct options *o, double ratio, struct lattice *l,
                    struct failure *why);
 
-/* Rows along y of a hexagonal cloud of spacing dx (m) in a height (m). */
+/* Number of rows along y of a hexagonal cloud of spacing dx (m) in a height (m). */
 double layout_hexagonal_rows(double height, double dx);
 
-/* Position of unknown (i, j), which may lie outside; m. */
+/* Position of unknown (i, j), m; the indices may be outside. */
 void layout_position(const struct lattice *l, int i, int j, double x[2]);
 
-/* The material at x (m); at the interface, to rounding, the one beyond it. */
+/* The material at x (m).  A point within round-off of the interface belongs to the second one. */
 int layout_material(const struct problem *p, double x);
 
-/* The part of a cell of this width (m) about x that lies beyond the interface: 0 to 1, and 0 or 1 where the interface
- * misses the cell to rounding, or where the width is 0. */
+/* Fraction of a cell of this width (m) about x beyond the interface, 0 to 1.  It is 0 or 1 if the interface misses
+ * the cell within round-off, or if the width is 0. */
 double layout_beyond(const struct problem *p, double width, double x);
 
-/* J m^-3 K^-1: heat capacity of such a cell, averaged over its parts. */
+/* J m^-3 K^-1: average heat capacity of such a cell. */
 double layout_rho_c(const struct problem *p, double width, double x);
 
-/* m: the width of the particles' cells on a lattice; 0 on clouds, where a particle is of one material. */
+/* m: cell width of the particles on a lattice; 0 on clouds, in which each particle has one material. */
 double layout_cell(const struct options *o, double spacing);
 
-/* (k - b d)/(k + b d), with no overflow where b is huge: what a ghost at the distance d (m) beyond a Robin side takes
- * of its source; 1 for another side. */
+/* (k - b d)/(k + b d) without overflow for large b: factor of the source in a ghost at the distance d (m) beyond a
+ * Robin side; 1 for other sides. */
 double layout_robin_factor(const struct problem *p, int side, double k, double d);
 
-/* What the ghost at `ghost` adds to sign T_source, K, for the source at `source` (m).  side[a] is the side that it
- * lies beyond along axis a, or -1.  At a corner the two orders of reflection differ where the sides disagree: their
- * mean is taken.  l: the lattice that the ghost belongs to; NULL in a cloud. */
+/* Offset of the ghost at `ghost`, K, with T_ghost = sign T_source + offset, for the source at `source` (m). side[a]
+ * is the side beyond which it is along axis a, or -1.  At a corner the result is the mean over both orders of
+ * reflection, which differ if the sides do. l: the lattice of the ghost; NULL in a cloud. */
 double layout_ghost_offset(const struct problem *p, enum walls walls, const struct lattice *l, const int side[2],
                            const double ghost[2], const double source[2]);
 
-/* Particles off the lattice, in the order of cells of side `reach`, followed by their ghosts. */
+/* Particles off the lattice, ordered by cells of side `reach`, followed by their ghosts. */
 struct cloud {
     int dim;
-    size_t n, total;  /* particles; particles and ghosts */
+    size_t n, total;  /* number of particles; of particles and ghosts */
     double *x, *y;    /* m, total each; y is all zero for a rod */
-    uint32_t *source; /* total; of particle i: i */
+    uint32_t *source; /* total; i for particle i */
     double *factor;   /* total */
     double *offset;   /* K, total */
-    double volume;    /* m^d, of every particle; their mean where they differ */
-    double reach;     /* m, ghosts fill the domain's surroundings this far */
-    /* Of a lattice that walls cut anywhere, else NULL: */
-    double *cell;        /* m^d, n: the part of each particle's cell inside the body */
-    unsigned char *held; /* n: 1 for a particle on a Dirichlet wall, which holds the wall's value */
-    /* Points from n on are then dummies, of k = begin[j - n] to begin[j - n + 1] - 1: T_j = sum share[k] T_from[k] +
-     * offset[j].  With `away`, m, their distance from the wall, T_j differs from pair to pair (--walls distance). */
+    double volume;    /* m^dim, volume of each particle; their mean if they differ */
+    double reach;     /* m, distance from the domain up to which there are ghosts */
+    /* For a lattice cut by the walls, else NULL: */
+    double *cell;        /* m^dim, n: volume of each particle's cell inside the body */
+    unsigned char *held; /* n: 1 for a particle on a Dirichlet wall, which keeps the wall's value */
+    /* Points j >= n are then dummies: T_j = sum share[k] T_from[k] + offset[j], k = begin[j - n] to begin[j - n + 1]
+     * - 1.  If `away`, their distance from the wall in m, is set, T_j differs from pair to pair (--walls
+     * distance). */
     size_t *begin;
     uint32_t *from;
     double *share, *away;
 };
 
-/* The particles of a layout (of a lattice: its own) and every ghost within `reach` (m) of the domain.
- * STATUS_INPUT where the domain is narrower than `reach`, STATUS_NUMERICAL where a relaxation does not settle. */
+/* The particles of a layout and every ghost within `reach` (m) of the domain.  Returns STATUS_INPUT if the domain is
+ * narrower than `reach`, STATUS_NUMERICAL if a relaxation does not converge. */
 int layout_cloud(const struct problem *p, const struct options *o, const struct lattice *l, double reach,
                  struct cloud *c, struct failure *why);
 void layout_cloud_free(struct cloud *c);
 
-/* Whether walls cut the lattice anywhere: its particles are the lattice's points inside the body. */
-#define LAYOUT_ON_WALL 1e-6 /* dx: a point nearer to a wall lies on it */
+/* 1 if walls cut the lattice at any position: its particles are then the lattice points inside the body. */
+#define LAYOUT_ON_WALL 1e-6 /* dx: a point closer to a wall is on it */
 int layout_is_cut(const struct problem *p, const struct options *o);
-/* The particles of such a lattice, and as dummies its points within `reach` (m) beyond the walls, which hold nothing
- * yet. STATUS_INPUT where no point is inside. */
+/* The particles of such a lattice.  The lattice points within `reach` (m) beyond the walls become dummies without
+ * values.  Returns STATUS_INPUT if no point is inside. */
 int layout_cut(const struct problem *p, const struct options *o, const struct lattice *l, double reach,
                struct cloud *c, struct failure *why);
-/* Adds the images of particle i beyond plane walls, up to three, to the cloud, whose arrays have room for them. */
+/* Appends the images of particle i beyond plane walls, up to three, to the cloud, whose arrays have room for
+ * them. */
 void layout_mirror(const struct problem *p, const struct options *o, const struct lattice *l, size_t i,
                    struct cloud *c);
 
-/* Moves the particles of *c (n of them; ghosts are not looked at) apart until they have settled.
- * spacing, m: V^(1/d).  STATUS_NUMERICAL, with how far it came, where o->sweeps do not suffice.
- * The same for any number of threads. */
+/* Moves the n particles of *c apart until they settle; ignores ghosts. spacing, m: V^(1/dim).  Returns
+ * STATUS_NUMERICAL with the last displacement if o->sweeps do not suffice.  The result does not depend on the number
+ * of threads. */
 int relax_cloud(const struct problem *p, const struct options *o, double spacing, struct cloud *c,
                 struct failure *why);
 

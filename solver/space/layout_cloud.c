@@ -1,10 +1,12 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Particles off the lattice, and their ghosts: mirror images beyond the walls, which so stay exact.
+/* Particles off the lattice, and their ghosts: mirror images beyond the walls, which keep the boundary conditions
+ * exact.
  *
- * Jitter: each particle of the cell-centred lattice is moved uniformly within +-A dx along each axis.  Relaxed: these
- * settle by relax.c.  Hexagonal: rows sqrt(3)/2 dx apart, stretched to fill the height, and moved by dx/4 to either
- * side in turn.  The mirror line of a hexagonal lattice runs through particles: along the walls, which mirror between
- * them, one row of pairs is dx/2 and 3/2 dx apart.  On a rod it is the lattice. */
+ * Jitter: each particle of the cell-centred lattice is displaced uniformly within +-A dx along each axis.  Relaxed:
+ * these particles settle by relax.c.  Hexagonal: rows sqrt(3)/2 dx apart, stretched to fill the height and displaced
+ * by dx/4 to alternating sides.  A hexagonal lattice has its mirror lines through particles.  The walls mirror
+ * between rows, so one row of pairs along each wall is dx/2 and 3/2 dx apart.  On a rod the hexagonal layout is the
+ * lattice. */
 #include "solver/space/layout.h"
 
 #include <gsl/gsl_rng.h>
@@ -12,7 +14,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* Particles in the order of square cells of side `reach`: neighbours in space are neighbours in memory. */
+/* Orders particles by square cells of side `reach`, so that neighbours in space are neighbours in memory. */
 static void place_particles(const struct options *o, const struct lattice *l, double reach, struct cloud *c) {
     int block[2] = {(int)fmax(1, floor(reach / l->dx[0])), l->dim == 2 ? (int)fmax(1, floor(reach / l->dx[1])) : 1};
     gsl_rng *random = gsl_rng_alloc(gsl_rng_mt19937);
@@ -34,12 +36,12 @@ static void place_particles(const struct options *o, const struct lattice *l, do
     gsl_rng_free(random);
 }
 
-/* The images of particle i beyond the walls, up to three (two sides and the corner between them). */
+/* Appends the images of particle i beyond the walls, up to three (two sides and the corner). */
 void layout_mirror(const struct problem *p, const struct options *o, const struct lattice *l, size_t i,
                    struct cloud *c) {
     double source[2] = {c->x[i], c->y[i]};
     for (int sx = -1; sx < 2; sx++)
-        for (int sy = p->dim == 2 ? -1 : 1; sy < 2; sy++) { /* -1: not beyond this axis; else the side's parity */
+        for (int sy = p->dim == 2 ? -1 : 1; sy < 2; sy++) { /* -1: not beyond this axis; else low or high side */
             int side[2] = {sx, p->dim == 2 && sy >= 0 ? 2 + sy : -1}, near = 1;
             double factor = 1;
             double ghost[2] = {source[0], source[1]};
@@ -77,7 +79,7 @@ int layout_cloud(const struct problem *p, const struct options *o, const struct 
     for (int a = 0; a < p->dim; a++)
         if (reach > p->hi[a] - p->lo[a])
             return refuse(why, STATUS_INPUT,
-                          "--dx %g: the ghosts of a wall reach %g m, past the opposite wall; take a "
+                          "--dx %g: the ghosts of a wall reach %g m, beyond the opposite wall; use a "
                           "smaller --dx or --h",
                           o->dx, reach);
     size_t n = (size_t)l->n[0] * (size_t)l->n[1], width[2];

@@ -1,11 +1,11 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* A lattice that walls cut anywhere.
+/* A lattice cut by the walls at any position.
  *
- * On a rod or rectangle its points are lo + (i + 1/2 + shift) dx; under a round body it has any origin and angle.
- * Each point is moved as the layout says (jitter: within +-A dx; hexagonal: rows sqrt(3)/2 dx apart; relaxed: those
- * of a round body settle, by relax.c).  Those inside
- * the body, or on its wall to 1e-6 dx, are particles, those beyond it dummies.  A round body about 0 looks the same
- * from the axes of its lattice: cells are clipped there. */
+ * On a rod or rectangle its points are lo + (i + 1/2 + shift) dx; for a round body it has any origin and angle.
+ * Each point is displaced according to the layout (jitter: within +-A dx; hexagonal: rows sqrt(3)/2 dx apart;
+ * relaxed: the particles of a round body settle by relax.c).  Points inside the body, or on its wall within 1e-6 dx,
+ * are particles; points outside are dummies.  A round body about 0 is the same in the axes of its lattice, so its
+ * cells are clipped in these axes. */
 #include "solver/shape.h"
 #include "solver/space/layout.h"
 
@@ -13,16 +13,16 @@
 #include <math.h>
 #include <stdlib.h>
 
-/* dx, of particles from round walls that have their images beyond.  A cell conducts to its wall as 1/depth, and the
- * largest stable step falls with it; and an image next to its particle does not push it back.  What is nearer is left
- * to the others. */
+/* Minimum distance, in dx, between particles and round walls with images.  A cell's conductance to its wall is
+ * proportional to 1/depth, and limits the stable step; and an image next to its particle does not push it back.  The
+ * space closer to the wall belongs to the cells of the other particles. */
 static const double CLEAR = 0.25;
 
-struct frame {                      /* point (i, j) lies at first + (i d[0], j d[1]) along its axes */
+struct frame {                      /* point (i, j) is at first + (i d[0], j d[1]) in its own axes */
     double first[2], d[2], axis[2]; /* m; m; cosine and sine */
-    int from[2], to[2], blocks;     /* points that are looked at; a block's side */
-    double moved;                   /* m, of a jitter from end to end */
-    double clear;                   /* m, along a wall that is left free */
+    int from[2], to[2], blocks;     /* range of indices; side of a block */
+    double moved;                   /* m, full width of the jitter */
+    double clear;                   /* m, free strip along a wall */
     int hexagonal;
 };
 
@@ -53,7 +53,7 @@ static struct frame frame_of(const struct problem *p, const struct options *o, c
     return f;
 }
 
-/* Point (i, j): along the axes of the lattice, `at`, and in the plane, x. */
+/* Point (i, j): in the axes of the lattice, `at`, and in the plane, x. */
 static void place(const struct frame *f, int dim, int i, int j, gsl_rng *random, double at[2], double x[2]) {
     at[0] = f->first[0] + i * f->d[0];
     at[1] = dim == 2 ? f->first[1] + j * f->d[1] : 0;
@@ -63,7 +63,7 @@ static void place(const struct frame *f, int dim, int i, int j, gsl_rng *random,
     x[1] = f->axis[1] * at[0] + f->axis[0] * at[1];
 }
 
-struct list { /* of points, x and y in turn, and of particles the cell */
+struct list { /* points, x and y alternating, and the cells of particles */
     size_t n, room;
     double *x, *cell;
     unsigned char *held;
@@ -87,7 +87,7 @@ static void list_free(struct list *l) {
     free(l->held);
 }
 
-/* How far a point is beyond the body, m: past a corner the distance from it. */
+/* Distance of a point from the body, m; beyond a corner that from the corner. */
 static double beyond(const struct problem *p, const double x[2], double depth) {
     double away[2] = {0, 0};
     if (p->shape) return -depth;
@@ -125,7 +125,7 @@ static void fill(struct cloud *c, const struct list *inside, const struct list *
     for (size_t i = 0; i < c->n; i++) c->cell[i] = inside->cell[i], c->held[i] = inside->held[i];
 }
 
-/* Images of the particles in plane walls take the place of dummies; a particle on a wall is its own image. */
+/* Replaces the dummies by images of the particles in plane walls.  A particle on a wall is its own image. */
 static void mirror(const struct problem *p, const struct options *o, const struct lattice *l, struct cloud *c) {
     c->total = c->n;
     for (size_t i = 0; i < c->n; i++)
@@ -133,8 +133,8 @@ static void mirror(const struct problem *p, const struct options *o, const struc
             layout_mirror(p, o, l, i, c);
 }
 
-/* The images of all particles in round walls: as far beyond the nearest point of each as the particle is in front. Of
- * cells they are mirror ghosts, else dummies that hold nothing yet. */
+/* Images of all particles in round walls, at the same distance behind the nearest wall point.  For cells these are
+ * mirror ghosts, otherwise dummies without values. */
 static void mirror_round(const struct problem *p, int ghosts, struct cloud *c) {
     const double k = p->material[0].k[0];
     c->total = c->n;
@@ -156,7 +156,7 @@ static void mirror_round(const struct problem *p, int ghosts, struct cloud *c) {
     }
 }
 
-/* Particles of a round body apart from each other; they have the same volume then. */
+/* Relaxes the particles of a round body; they then have equal volumes. */
 static int settle(const struct problem *p, const struct options *o, struct cloud *c, struct failure *why) {
     for (size_t i = 0; i < c->n; i++) c->cell[i] = shape_volume(p) / (double)c->n;
     return relax_cloud(p, o, sqrt(c->volume), c, why);
@@ -192,5 +192,5 @@ int layout_cut(const struct problem *p, const struct options *o, const struct la
     if (c->n > 0 && !status) return STATUS_OK;
     layout_cloud_free(c);
     if (status) return status;
-    return refuse(why, STATUS_INPUT, "--dx %g: no point of the lattice is in the body; take a smaller --dx", o->dx);
+    return refuse(why, STATUS_INPUT, "--dx %g: no point of the lattice is in the body; use a smaller --dx", o->dx);
 }

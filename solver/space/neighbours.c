@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Cell-linked list.  Points are counted into square cells of a side of the radius at least, so that those within
- * the radius of a point lie in its own cell and the ones around it. */
+/* Cell-linked list.  Points are sorted into square cells at least as wide as the radius, so all neighbours of a
+ * point are in its own cell and the adjacent ones. */
 #include "solver/space/neighbours.h"
 
 #include <math.h>
@@ -18,13 +18,13 @@ void neighbours_create(struct neighbours *nb, const struct cloud *c, double radi
         lo[1] = fmin(lo[1], c->y[i]), hi[1] = fmax(hi[1], c->y[i]);
     }
     double width = hi[0] - lo[0], height = hi[1] - lo[1], n = (double)c->total;
-    double cell = fmax(sqrt(width * height / n), fmax(width, height) / n); /* makes up to 3 n + 1 cells */
+    double cell = fmax(sqrt(width * height / n), fmax(width, height) / n); /* at most 3 n + 1 cells */
     *nb = (struct neighbours){.cloud = c, .radius = radius, .cell = fmax(radius, cell), .lo = {lo[0], lo[1]}};
     for (int a = 0; a < 2; a++) nb->cells[a] = (int)((hi[a] - lo[a]) / nb->cell) + 1;
     size_t cells = (size_t)nb->cells[0] * (size_t)nb->cells[1];
     nb->start = xcalloc(cells + 2, sizeof *nb->start);
     nb->point = xcalloc(c->total, sizeof *nb->point);
-    /* counting sort: start[k + 1] runs from the beginning of cell k to its end while the cell fills */
+    /* counting sort: while cell k fills, start[k + 1] moves from its beginning to its end */
     for (size_t i = 0; i < c->total; i++) nb->start[cell_of(nb, c->x[i], c->y[i]) + 2]++;
     for (size_t k = 2; k < cells + 2; k++) nb->start[k] += nb->start[k - 1];
     for (size_t i = 0; i < c->total; i++) nb->point[nb->start[cell_of(nb, c->x[i], c->y[i]) + 1]++] = (uint32_t)i;
@@ -49,7 +49,8 @@ int neighbours_runs(const struct neighbours *nb, size_t i, uint32_t begin[3], ui
 
 size_t neighbours_find(const struct neighbours *nb, size_t i, uint32_t *out, size_t most) {
     const struct cloud *c = nb->cloud;
-    /* lattice neighbours at exactly the radius must not be in or out by rounding: there the kernel is zero anyway */
+    /* Lattice neighbours at exactly the radius must not depend on round-off; they are excluded, since the kernel is
+     * zero. */
     double radius2 = nb->radius * nb->radius * (1 - 1e-12);
     uint32_t begin[3], end[3];
     int runs = neighbours_runs(nb, i, begin, end);

@@ -1,10 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The operator on a lattice of one material: one stencil for all particles, and walls through ghosts.
+/* The operator on a lattice of one material: one stencil for all particles, with walls through ghosts.
  *
- * Every scheme's stencil is even along each axis, so a quadrant of weights holds it.  A scheme of two sweeps (first
- * derivatives, applied twice) becomes the convolution of its stencils: one sweep of a wider stencil.  The state has a
- * frame of ghosts; A is the homogeneous part (ghost = sign x source) and g what the walls' values and the source add.
- */
+ * Every stencil is even along each axis, so a quadrant of weights represents it.  A scheme of two sweeps (first
+ * derivatives applied twice) becomes one sweep with the convolution of its stencils.  The state has a frame of
+ * ghosts; A is the homogeneous part (ghost = sign x source), and g contains the wall values and the source. */
 #include "solver/space/operator.h"
 #include "solver/space/kernel.h"
 #include "solver/space/csr.h"
@@ -13,7 +12,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* A full square (on a rod: a line) of weights around the centre. */
+/* Weights on a full square around the centre; on a rod a line. */
 struct square {
     int r[2];
     double *w;
@@ -54,18 +53,18 @@ int operator_neighbourhood(int dim, double dx, double h, double d[NEIGHBOURS_MAX
     *nb = (struct neighbourhood){.dim = dim, .d = d, .h = h * dx, .volume = dim == 2 ? dx * dx : dx};
     double reach = ceil(KERNEL_SUPPORT * h * (1 - 1e-12)) - 1, across = 2 * reach + 1;
     if (!((dim == 2 ? across * across : across) <= NEIGHBOURS_MAX))
-        return refuse(why, STATUS_INPUT, "--h %g: more than %d neighbours; take a smaller --h", h, NEIGHBOURS_MAX);
+        return refuse(why, STATUS_INPUT, "--h %g: more than %d neighbours; use a smaller --h", h, NEIGHBOURS_MAX);
     int r = (int)reach, ry = dim == 2 ? r : 0;
     for (int j = -ry; j <= ry; j++)
         for (int i = -r; i <= r; i++) {
-            /* at exactly 2 h the kernel is zero: in or out must not be a matter of rounding */
+            /* Offsets at exactly 2 h must not depend on round-off; they are excluded, since the kernel is zero. */
             if ((i == 0 && j == 0) || i * i + j * j >= 4 * h * h * (1 - 1e-12)) continue;
             d[nb->n][0] = i * dx, d[nb->n++][1] = j * dx;
         }
     return STATUS_OK;
 }
 
-/* Weights of the scheme on the lattice around the origin, one square for each of its outputs; 0 at the origin. */
+/* Weights of the scheme on the lattice around the origin, one square per output; 0 at the origin. */
 static int lattice_weights(const struct problem *p, const struct options *o, const struct scheme *s, double dx,
                            const double kappa[2], struct square out[2], struct failure *why) {
     double d[NEIGHBOURS_MAX][2], weight[2][NEIGHBOURS_MAX], *w[2] = {weight[0], weight[1]};
@@ -104,26 +103,26 @@ int operator_stencil(const struct problem *p, const struct options *o, const str
             (*weight)[j * (rx + 1) + i] = w;
             if (i || j) sum += w * (i ? 2 : 1) * (j ? 2 : 1);
         }
-    (*weight)[0] = -sum; /* a constant temperature stays as it is */
+    (*weight)[0] = -sum; /* a constant temperature is steady */
     reach[0] = rx, reach[1] = ry;
     free(whole.w);
     return STATUS_OK;
 }
 
-/* Ghost at distance k = 1, 2, ... beyond side s: the unknown that it mirrors, or -1 for the wall itself. */
+/* The unknown mirrored by ghost k = 1, 2, ... beyond side s, or -1 for the wall itself. */
 static int ghost_source(const struct lattice *l, int s, int k) {
     int from_side = k - 1 + l->shift[s];
     return from_side < 0 ? -1 : s % 2 ? l->n[s / 2] - 1 - from_side : from_side;
 }
 
-/* Index along an axis, possibly outside: the side that it lies beyond (-1: none) and its source. */
+/* The side beyond which index i is along an axis (-1: none), and its source. */
 static int ghost_side(const struct lattice *l, int axis, int i, int *source) {
     int side = i < 0 ? 2 * axis : i >= l->n[axis] ? 2 * axis + 1 : -1;
     *source = side < 0 ? i : ghost_source(l, side, side % 2 ? i - l->n[axis] + 1 : -i);
     return side;
 }
 
-/* g += w x offset for the particles that have the ghost at (i, j) among their neighbours. */
+/* Adds w x offset of the ghost at (i, j) to g of its neighbours. */
 static void add_ghost(const struct heat_operator *a, int i, int j, double offset, double *g) {
     const struct lattice *l = &a->lattice;
     int rx = a->reach[0], ry = a->reach[1];
@@ -132,7 +131,7 @@ static void add_ghost(const struct heat_operator *a, int i, int j, double offset
             g[operator_row(a, m) + k] += a->weight[abs(m - j) * (rx + 1) + abs(k - i)] * offset;
 }
 
-/* Whether a source or a wall, at the foot of any ghost, adds anything. */
+/* 1 if a source or a wall value, at the foot of any ghost, is not zero. */
 static int has_constants(const struct heat_operator *a, const struct problem *p) {
     const struct lattice *l = &a->lattice;
     double x[2];
@@ -182,7 +181,7 @@ static void count_pairs(struct heat_operator *a) {
     a->pairs = pairs * a->n;
 }
 
-/* Rows that are a multiple of 4096 bytes apart, or nearly, share the same few sets of a cache. */
+/* Rows separated by about a multiple of 4096 bytes would compete for the same cache sets. */
 static ptrdiff_t stride_of(int n, int reach) {
     enum { ALIASED = 256, APART = 24 }; /* doubles */
     ptrdiff_t stride = (n + LANES_MAX - 1) / LANES_MAX * LANES_MAX + 2 * reach;
@@ -193,14 +192,14 @@ static ptrdiff_t stride_of(int n, int reach) {
 static int take_stencil(struct heat_operator *a, const struct problem *p, const struct options *o,
                         const struct scheme *s, struct failure *why) {
     const struct lattice *l = &a->lattice;
-    double stretch = l->dim == 2 ? l->dx[0] / l->dx[1] : 1; /* as if the lattice were square */
+    double stretch = l->dim == 2 ? l->dx[0] / l->dx[1] : 1; /* as on a square lattice */
     double kappa[2] = {p->material[0].k[0] / p->material[0].rho_c,
                        p->material[0].k[1] / p->material[0].rho_c * stretch * stretch};
     if (operator_stencil(p, o, s, l->dx[0], kappa, a->reach, &a->weight, why)) return why->status;
     for (int d = 0; d < l->dim; d++)
         if (l->n[d] < a->reach[d] + 2)
             return refuse(why, STATUS_INPUT,
-                          "--dx %g: %d particles along an axis, the stencil reaches %d; take a smaller "
+                          "--dx %g: %d particles along an axis, the stencil reaches %d; use a smaller "
                           "--dx or --h",
                           o->dx, l->n[d], a->reach[d]);
     a->stride = stride_of(l->n[0], a->reach[0]);

@@ -7,122 +7,124 @@
 #include <stddef.h>
 #include <stdint.h>
 
-/* The discrete operator of dT/dt = A T + g: one shared stencil on a lattice of one material; elsewhere rows (CSR). */
+/* The discrete operator of dT/dt = A T + g: one shared stencil on a lattice of one material, otherwise sparse rows
+ * (CSR). */
 
 enum {
     NEIGHBOURS_MAX = 1024,
     LANES_MAX = 8 /* doubles in the widest vector of any machine */
 };
 
-struct neighbourhood { /* what a scheme sees of one particle */
+struct neighbourhood { /* one particle and its neighbours, input of a scheme */
     int dim;
-    size_t i;        /* the particle, for messages */
-    double x[2];     /* m, where it is */
-    size_t n;        /* neighbours, itself left out */
+    size_t i;        /* index of the particle, for messages */
+    double x[2];     /* m, its position */
+    size_t n;        /* number of neighbours, excluding itself */
     double (*d)[2];  /* m, x_j - x_i */
     double h;        /* m */
-    double volume;   /* m^d, of the particle, as the scheme's `volume` has it */
+    double volume;   /* m^dim, of the particle, from the scheme's `volume` */
     double rho_c;    /* J m^-3 K^-1, of its cell */
     double kappa[2]; /* m^2 s^-1, at the particle, along each axis */
-    /* of schemes with cells, on clouds; NULL elsewhere: */
-    const double *face; /* m^(d-1), between the particle's cell and each neighbour's, in the metric of voronoi.h */
-    const double *X;    /* m, where each neighbour is along x: the same bits for all that it neighbours */
+    /* for schemes with cells on clouds; else NULL: */
+    const double *face; /* m^(dim-1), between the particle's cell and each neighbour's, in the metric of voronoi.h */
+    const double *X;    /* m, x coordinate of each neighbour, the same bits in every neighbourhood */
 };
 
 struct wall_row {             /* dT_i/dt = sum_j w[j] T_j + own T_i + g */
-    double w[NEIGHBOURS_MAX]; /* s^-1, of the neighbours */
+    double w[NEIGHBOURS_MAX]; /* s^-1, for the neighbours */
     double own, g;            /* s^-1, K s^-1 */
 };
 
-struct scheme {                   /* how a particle method weights neighbours; options are resolved */
-    const char *name;             /* the method's, for messages */
-    int two_materials, isotropic; /* 1: it takes two materials; it takes k_x = k_y alone */
-    int tuned;                    /* 1: it takes --volume tuned */
-    /* 1: dT_i/dt = sum_j w[0][j] (T_j - T_i).  2: w[0], w[1] give the two first derivatives, which are applied twice:
-     * dT/dt = d/dx(kappa_x dT/dx) + d/dy(kappa_y dT/dy) */
+struct scheme {                   /* neighbour weights of a particle method; the options are complete */
+    const char *name;             /* name of the method, for messages */
+    int two_materials, isotropic; /* 1: supports two materials; requires k_x = k_y */
+    int tuned;                    /* 1: supports --volume tuned */
+    /* 1: dT_i/dt = sum_j w[0][j] (T_j - T_i). 2: w[0] and w[1] are the weights of the two first derivatives, which
+     * are applied twice: dT/dt = d/dx(kappa_x dT/dx) + d/dy(kappa_y dT/dy). */
     int sweeps;
-    /* 2 sweeps only.  1: the second takes sum_j w . (q_j + q_i), the adjoint of the first, in place of q_j - q_i */
+    /* Two sweeps only. 1: the second sweep is sum_j w . (q_j + q_i), the adjoint of the first, instead of q_j -
+     * q_i. */
     int adjoint;
-    /* 1: of averages over cells a rod of two materials starts with what start_keep_heat makes of them */
+    /* 1: on a rod of two materials start_keep_heat corrects averaged initial data. */
     int keeps_start;
-    /* 1: on clouds the neighbours are those whose Voronoi cells touch the particle's, and volumes are their cells' */
+    /* 1: on clouds the neighbours are those with adjacent Voronoi cells, and volumes are those of the cells. */
     int cells;
-    /* h/dx where --h is not given; NULL: 1.1 max(order, 2)/2 */
+    /* Default h/dx; NULL: 1.1 max(order, 2)/2. */
     double (*h)(const struct problem *p);
-    /* STATUS_OK, or what else this method has no answer to; NULL: nothing.  Asked by compatibility_check */
+    /* Further refusals of the method, called by compatibility_check; NULL: none. */
     int (*check)(const struct problem *p, const struct options *o, struct failure *why);
-    /* m^d: what a particle's volume dV = dx^d counts for, on a lattice of that volume and smoothing length h (m);
-     * NULL where weights do not depend on it */
+    /* m^dim: effective volume of a particle on a lattice of volume dV = dx^dim and smoothing length h (m); NULL if
+     * the weights do not depend on it. */
     double (*volume)(const struct problem *p, const struct options *o, double h, double dV);
-    /* 1 sweep: fills w[0] (s^-1), of nb->n.  STATUS_NUMERICAL names the particle, its neighbour count and the reason
-     */
+    /* One sweep: fills w[0] (s^-1, nb->n values).  STATUS_NUMERICAL names the particle, its neighbour count and the
+     * reason. */
     int (*weights)(const struct problem *p, const struct options *o, const struct neighbourhood *nb, double *w[2],
                    struct failure *why);
-    /* 2 sweeps: the weights of both derivatives, w[a][j] = F[j] (C d_j)_a in m^-1: F symmetric in the pair, C
-     * symmetric (xx, xy, yy), F C d^2 in units of 1 */
+    /* Two sweeps: weights of both derivatives, w[a][j] = F[j] (C d_j)_a in m^-1.  F is symmetric in the pair, C a
+     * symmetric tensor (xx, xy, yy); F C d^2 is dimensionless. */
     int (*pairs)(const struct problem *p, const struct options *o, const struct neighbourhood *nb, double *F,
                  double C[3], struct failure *why);
-    /* --walls one_sided: the row of a particle within a kernel of a wall.  nb: the particles within 3 h, itself left
-     * out.  NULL where the method has none */
+    /* --walls one_sided: the row of a particle within a kernel of a wall. nb: the particles within 3 h, excluding
+     * itself.  NULL if not supported. */
     int (*at_wall)(const struct problem *p, const struct options *o, const struct neighbourhood *nb,
                    struct wall_row *out, struct failure *why);
 };
 
 struct heat_operator {
-    size_t n; /* particles */
+    size_t n; /* number of particles */
     struct lattice lattice;
     int reach[2];     /* stencil radius along each axis, in particles */
-    ptrdiff_t stride; /* doubles from row to row of a state: ghosts and room for whole vectors */
+    ptrdiff_t stride; /* doubles from row to row of a state, with ghosts and padding for whole vectors */
     double *weight;   /* s^-1, quadrant w[j * (reach[0] + 1) + i], the rest by symmetry; NULL off the lattice */
     size_t *row;      /* n + 1 */
     uint32_t *column; /* row[n] */
     double *value;    /* s^-1, row[n] */
     double *diagonal; /* s^-1, n */
-    double *volume;   /* m^d, n, of the cells, for who sets the operator up; NULL where the scheme has none */
-    double *rho_c;    /* J m^-3 K^-1, n, of the cells; NULL where the scheme has none, and with one material */
-    int band;         /* the largest |column - row| of an entry */
-    double *banded;   /* A_(i, i + d) once more at banded[(d + band) * n + i], s^-1; NULL where rows are sparse */
-    int constant;     /* 1: walls or a source add to dT/dt, and there is a g */
-    double *g;        /* K s^-1, what they add, in the shape of a state; NULL where it is zero */
-    size_t state;     /* doubles in a state: n, and ghosts on a lattice */
-    size_t pairs;     /* neighbours of all particles together, in rows of two sweeps those of neighbours too */
-    size_t bytes;     /* of the arrays above */
+    double *volume;   /* m^dim, n, of the cells; the creator of the operator takes it; NULL without cells */
+    double *rho_c;    /* J m^-3 K^-1, n, of the cells; NULL without cells or with one material */
+    int band;         /* maximum |column - row| */
+    double *banded;   /* A_(i, i + d) also at banded[(d + band) * n + i], s^-1; NULL if the rows are sparse */
+    int constant;     /* 1: walls or a source contribute to dT/dt, through g */
+    double *g;        /* K s^-1, their contribution, in the shape of a state; NULL if it is zero */
+    size_t state;     /* doubles in a state: n, plus ghosts on a lattice */
+    size_t pairs; /* sum over particles of the number of neighbours; with two sweeps including those of neighbours */
+    size_t bytes; /* size of the arrays above */
     int threads;
-    int lanes; /* as of the options */
+    int lanes; /* see options.h */
 };
 
-/* Where row j of the particles begins in a state; a cloud has one row. */
+/* Start of row j of the particles in a state; a cloud has one row. */
 static inline ptrdiff_t operator_row(const struct heat_operator *a, ptrdiff_t j) {
     return (j + a->reach[1]) * a->stride + a->reach[0];
 }
 
-/* On a lattice of one material. */
+/* For a lattice of one material. */
 int operator_create_lattice(struct heat_operator *a, const struct problem *p, const struct options *o,
                             const struct scheme *s, const struct lattice *l, struct failure *why);
-/* For particles anywhere; spacing (m) is what the h of the options counts in. */
+/* For particles at any positions; spacing (m) is the unit of the option h. */
 int operator_create_csr(struct heat_operator *a, const struct problem *p, const struct options *o,
                         const struct scheme *s, const struct cloud *c, double spacing, struct failure *why);
 void operator_free(struct heat_operator *a);
 
-/* The weights of a scheme of one or two sweeps: w[0], and for two on a rectangle w[1], of nb->n each. */
+/* The weights of a scheme of one or two sweeps: w[0], and in the plane for two sweeps w[1], nb->n values each. */
 int operator_weights(const struct scheme *s, const struct problem *p, const struct options *o,
                      const struct neighbourhood *nb, double *w[2], struct failure *why);
 
-/* The neighbours within 2 h of a particle of an unbounded lattice of spacing dx (m) along every axis, h in dx, into
- * d; dim, n, d, h and volume of *nb.  STATUS_INPUT where there are more than d has room for. */
+/* The neighbours within 2 h of a particle on an unbounded lattice of spacing dx (m), h in dx, in d; sets dim, n, d,
+ * h and volume of *nb.  Returns STATUS_INPUT if there are more than NEIGHBOURS_MAX. */
 int operator_neighbourhood(int dim, double dx, double h, double d[NEIGHBOURS_MAX][2], struct neighbourhood *nb,
                            struct failure *why);
 
-/* The stencil of a scheme on an unbounded lattice of spacing dx (m) along x and y and diffusivity kappa
- * (m^2 s^-1): *weight is a quadrant as in struct heat_operator, to be freed. */
+/* The stencil of a scheme on an unbounded square lattice of spacing dx (m) with diffusivity kappa (m^2 s^-1).
+ * *weight is a quadrant as in struct heat_operator; the caller frees it. */
 int operator_stencil(const struct problem *p, const struct options *o, const struct scheme *s, double dx,
                      const double kappa[2], int *reach, double **weight, struct failure *why);
 
-struct row; /* csr.h */
-/* Row i of an operator off the lattice, in place of what *r held. */
+struct row;
+/* Replaces *r by row i of an operator off the lattice. */
 void operator_row_take(const struct heat_operator *a, size_t i, struct row *r);
 
-/* An upper bound of |lambda| over the spectrum of A, s^-1 (Gershgorin). */
+/* Upper bound of |lambda| over the spectrum of A, s^-1 (Gershgorin). */
 double operator_bound(const struct heat_operator *a);
 
 #endif

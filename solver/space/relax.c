@@ -1,13 +1,14 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* A settled cloud: particles that repel each other, as codes that move their particles leave them (particle shifting:
- * Xu, Stansby & Laurence 2009; Lind et al. 2012).
+/* A settled cloud: particles repel each other, as in codes that move their particles (particle shifting: Xu, Stansby
+ * & Laurence 2009; Lind et al. 2012).
  *
- * One sweep moves every particle down the gradient of the sum of kernels, mirror images beyond the walls among them,
+ * One sweep moves every particle down the gradient of the sum of kernels, including mirror images beyond the walls,
  *   v_i <- 0.8 v_i - 0.2 s sum_j w'(r_ij/H) e_ij / w(0),   x_i <- x_i + v_i,   e_ij = (x_i - x_j)/r_ij,
- * with Wendland's kernel, H = 1.2 s and s the spacing: its Fourier transform is positive, so that particles do not
- * pair (Dehnen & Aly 2012).  No move is longer than 0.1 s.  Settled: the root mean square of a sweep's moves is below
- * SETTLED s.  In the plane grains of a hexagonal lattice are left, with disorder between them, which a longer
- * relaxation moves but does not remove; on a rod even spacing, but for waves that are long. */
+ * with Wendland's kernel, H = 1.2 s and the spacing s.  The kernel's Fourier transform is positive, which prevents
+ * pairing (Dehnen & Aly 2012).  No displacement exceeds 0.1 s.  The cloud has settled when the root mean square
+ * displacement of a sweep is below SETTLED s.  In the plane the result consists of grains of a hexagonal lattice
+ * with disorder between them, which longer relaxation moves but does not remove; on a rod it is uniform except for
+ * long waves. */
 #include "solver/space/layout.h"
 #include "solver/space/kernel.h"
 #include "solver/space/neighbours.h"
@@ -22,11 +23,11 @@ static const double REACH = 1.2, SETTLED = 3e-3, LONGEST = 0.1, STEP = 0.2, KEPT
 struct medium {
     const struct problem *p;
     double spacing; /* m */
-    struct cloud c; /* particles and their images: positions alone */
+    struct cloud c; /* particles and their images: positions only */
     double *move;   /* m, 2 each */
 };
 
-/* Beyond round walls: as far behind the nearest point of each as the particle is in front. */
+/* Images beyond round walls, at the same distance behind the nearest wall point. */
 static void mirror_round(struct medium *m, double reach) {
     struct cloud *c = &m->c;
     for (size_t i = 0; i < c->n; i++)
@@ -39,7 +40,7 @@ static void mirror_round(struct medium *m, double reach) {
         }
 }
 
-/* The images of all particles within the kernel's support of a wall; room for three each. */
+/* Images of all particles within the kernel's support of a wall; there is room for three each. */
 static void mirror_all(struct medium *m) {
     double reach = KERNEL_SUPPORT * REACH * m->spacing;
     struct cloud *c = &m->c;
@@ -63,7 +64,7 @@ static void mirror_all(struct medium *m) {
         }
 }
 
-/* Positions in the order of the cells, so that those around a point lie side by side. */
+/* Positions in the order of the cells, so that the points around a point are contiguous. */
 struct sorted {
     struct neighbours cells;
     double *at; /* m, 2 each */
@@ -85,8 +86,8 @@ static void free_cells(struct sorted *s) {
     free(s->at);
 }
 
-/* The move of particle i.  With u = max(0, 1 - r/(2 H)), -w'(s) e_ij/w(0) is (x_i - x_j)/H times 5 u^3, or 3 u^2 on a
- * rod.  2 u is u + |u|, without a branch: half of the points that are looked at lie beyond. */
+/* Displacement of particle i.  With u = max(0, 1 - r/(2 H)), -w'(s) e_ij/w(0) is (x_i - x_j)/H times 5 u^3, or 3 u^2
+ * on a rod. u + |u| = 2 u avoids a branch, since half of the points in the cells are beyond the support. */
 static void push(const struct medium *m, const struct sorted *s, size_t i) {
     const double x = m->c.x[i], y = m->c.y[i], H = REACH * m->spacing, half = 1 / (2 * H);
     const int plane = m->c.dim == 2;
@@ -108,9 +109,9 @@ static void push(const struct medium *m, const struct sorted *s, size_t i) {
     for (int a = 0; a < 2 && length > most; a++) v[a] *= most / length;
 }
 
-enum { SHARE = 1000 }; /* particles, of some twenty neighbours each, that are worth a thread */
+enum { SHARE = 1000 }; /* particles per thread, with some twenty neighbours each, that justify a thread */
 
-/* What moves all; returns its size, over the spacing. */
+/* Computes all displacements; returns their root mean square in units of the spacing. */
 static double sweep(struct medium *m, int threads) {
     struct sorted s;
     double moved = 0;
@@ -122,8 +123,8 @@ static double sweep(struct medium *m, int threads) {
     return sqrt(moved / (double)m->c.n) / m->spacing;
 }
 
-/* A particle that crossed a round wall: an image right beside it does not push it back, so that it begins anew a
- * quarter of a spacing inside. */
+/* A particle that has crossed a round wall restarts a quarter of a spacing inside, since an image next to it would
+ * not push it back. */
 static void bring_back(struct medium *m, size_t i) {
     int side;
     struct foot foot = shape_nearest(m->p, (const double[2]){m->c.x[i], m->c.y[i]}, &side);
@@ -164,7 +165,7 @@ int relax_cloud(const struct problem *p, const struct options *o, double spacing
     if (moved <= SETTLED) return STATUS_OK;
     return refuse(
         why, STATUS_NUMERICAL,
-        "--layout relaxed: not settled after %d sweeps: a move is %.2g dx (root mean square), at most %.2g; "
-        "take more --sweeps",
+        "--layout relaxed: not settled after %d sweeps: displacement %.2g dx (root mean square), at most %.2g; "
+        "use more --sweeps",
         sweeps, moved, SETTLED);
 }

@@ -2,15 +2,15 @@
 /* Sampling of the initial data: point, cell or spline (Kreiss, Thomee & Widlund 1970).
  *
  * The average with the B-spline B_m of order m is the integral of T0(x + u dx) B_m(u) over |u| < m/2.  B_m is a
- * polynomial of degree m - 1 between its knots.  Where walls, planes of jumps or their images meet its support, T0 is
- * cut there too, and on each piece Gauss-Legendre with 2 points is exact for degree 3: for constants under a cubic
- * spline.  What that misses of data that vary, the particles around make up: sum_i x_i^k B_m(x - x_i) is a polynomial
- * of degree k < m, so that the sums over particles of T_i and x_i T_i are met exactly for quadratic data, and what is
- * wrong is a quadrupole of O(dx^4).  Elsewhere two points (cell) or three (spline) have the moments of the spline up
- * to the third: the average is then met to O(dx^4), and its variance, which is what the start of a matched run counts
- * on, exactly.
+ * polynomial of degree m - 1 between its knots.  If walls, planes of jumps or their images cut its support, T0 is
+ * split there too, and Gauss-Legendre with 2 points on each piece is exact for degree 3: for constants under a cubic
+ * spline.  For varying data the quadrature errors of adjacent particles cancel: sum_i x_i^k B_m(x - x_i) is a
+ * polynomial of degree k < m, so the sums over particles of T_i and x_i T_i are exact for quadratic data, and the
+ * remaining error is a quadrupole of O(dx^4).  Elsewhere two points (cell) or three (spline) have the moments of the
+ * spline up to the third.  The average then has an error of O(dx^4) and the exact variance, which the matched run
+ * requires.
  *
- * Knots of neighbours on a lattice coincide, and so do the nodes between them: T0 is evaluated once at each pair of a
+ * Adjacent particles on a lattice share knots and the nodes between them.  T0 is evaluated once at each pair of a
  * node along x and a node along y, and its values are summed along x, then along y. */
 #include "solver/space/sample.h"
 
@@ -18,7 +18,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { GAUSS = 2, SMOOTH = 3, PLANES_MAX = 2 + 3 * JUMP_MAX }; /* nodes of a piece; most of a smooth average */
+enum { GAUSS = 2, SMOOTH = 3, PLANES_MAX = 2 + 3 * JUMP_MAX }; /* nodes per piece; nodes of a smooth average */
 
 static const double gauss_node[GAUSS] = {-0.57735026918962576451, 0.57735026918962576451};
 static const double gauss_weight[GAUSS] = {1, 1};
@@ -40,13 +40,13 @@ static double reflected(const struct problem *p, enum side s, double x, double y
     if (p->side[s] == DIRICHLET) return 2 * value - inside;
     if (p->side[s] == ROBIN) {
         double ratio = p->robin[s] * beyond / p->material[layout_material(p, foot[0])].k[a];
-        return inside + 2 / (1 + 1 / ratio) * (value - inside); /* also where the ratio is 0 or overflows */
+        return inside + 2 / (1 + 1 / ratio) * (value - inside); /* also for a ratio of 0 or with overflow */
     }
     return inside + value * 2 * beyond / p->material[layout_material(p, foot[0])].k[a];
 }
 
-/* T0, continued beyond the walls; beyond a corner, where the sides may disagree, the mean of both orders, as ghosts.
- */
+/* T0, extended beyond the walls; beyond a corner, between possibly different sides, the mean of both orders, as for
+ * ghosts. */
 static inline double continued(const struct problem *p, double x, double y) {
     int beyond_x = x < p->lo[0] ? X_LO : x > p->hi[0] ? X_HI : -1;
     int beyond_y = p->dim < 2 ? -1 : y < p->lo[1] ? Y_LO : y > p->hi[1] ? Y_HI : -1;
@@ -57,8 +57,9 @@ static inline double continued(const struct problem *p, double x, double y) {
     return p->initial(p, (const double[2]){x, y});
 }
 
-/* Continued as odd, data that meet a wall are smooth up to a jump of their second derivative: averages miss by
- * O(dx^2) in the layer next to the wall, which cancels that but for a dipole of O(dx^4). */
+/* The odd extension of data that match a wall's value is smooth up to a jump of the second derivative.  Averages
+ * then have an error of O(dx^2) in the layer next to the wall, which cancels this jump except for a dipole of
+ * O(dx^4). */
 int sample_meets_wall(const struct problem *p, const struct lattice *l, enum side s) {
     int axis = (int)s / 2, along = 1 - axis;
     for (int i = 0; i < l->n[along]; i++) {
@@ -66,7 +67,7 @@ int sample_meets_wall(const struct problem *p, const struct lattice *l, enum sid
         foot[axis] = s % 2 ? p->hi[axis] : p->lo[axis];
         foot[along] = l->first[along] + i * l->dx[along];
         double start = p->initial(p, foot), value = p->wall(p, s, foot), size = fabs(start) + fabs(value);
-        for (int part = 1; part < 4; part++) { /* quarters, which say what rounding is */
+        for (int part = 1; part < 4; part++) { /* values at the quarters give the scale for round-off */
             double x[2] = {foot[0], foot[1]};
             x[axis] = p->lo[axis] + part / 4.0 * (p->hi[axis] - p->lo[axis]);
             size = fmax(size, fabs(p->initial(p, x)));
@@ -76,8 +77,8 @@ int sample_meets_wall(const struct problem *p, const struct lattice *l, enum sid
     return 1;
 }
 
-/* Planes along one axis where the continued data may jump: walls of another temperature, the problem's own and their
- * images; returns how many. */
+/* Planes normal to an axis at which the extended data may jump: walls at another temperature, jumps of the problem
+ * and their images.  Returns their number. */
 static int jump_planes(const struct problem *p, const struct lattice *l, int axis, double *plane) {
     int n = 0;
     for (int hi = 0; hi < 2; hi++)
@@ -91,7 +92,7 @@ static int jump_planes(const struct problem *p, const struct lattice *l, int axi
     return n;
 }
 
-/* One axis of a lattice: particles x_i = first + i dx, knots first + (q - m/2) dx; particle i has those of q = i to
+/* One axis of a lattice: particles x_i = first + i dx, knots first + (q - m/2) dx; particle i has the knots q = i to
  * i + m. */
 struct axis {
     int m, n, planes;
@@ -109,19 +110,19 @@ static int is_cut(const struct axis *a, int i) {
     return inside;
 }
 
-/* The average about particle i is the sum over k of weight[begin[i] + k] T0(node[first[i] + k]), begin[i] + k <
- * begin[i + 1]. */
+/* The average about particle i is sum_k weight[begin[i] + k] T0(node[first[i] + k]), begin[i] + k < begin[i + 1]. */
 struct rule {
     size_t nodes;
     double *node, *weight;
     size_t *first, *begin;
 };
 
-/* Nodes between knots q and q + 1, cut at planes; share[k]: what node k counts for apart from the spline. */
+/* Nodes between knots q and q + 1, split at planes. share[k] is the quadrature weight of node k without the
+ * spline. */
 static void add_cell(const struct axis *a, int q, struct rule *r, double *share) {
     double edge[PLANES_MAX + 2] = {knot(a, q), knot(a, q + 1)};
     int edges = 2;
-    for (int k = 0; k < a->planes; k++) { /* insert, ascending */
+    for (int k = 0; k < a->planes; k++) { /* insert in ascending order */
         if (a->plane[k] <= edge[0] || a->plane[k] >= edge[edges - 1]) continue;
         int at = edges++;
         for (; edge[at - 1] > a->plane[k]; at--) edge[at] = edge[at - 1];
@@ -135,9 +136,9 @@ static void add_cell(const struct axis *a, int q, struct rule *r, double *share)
         }
 }
 
-/* Where the data are smooth: few nodes with the moments of the spline up to the third.  The cubic's are the particle
- * and the two beside it, those of the cell lie dx / sqrt(12) to either side.  *next: particles whose nodes are there.
- */
+/* For smooth data: few nodes with the moments of the spline up to the third.  For the cubic spline these are the
+ * particle and its two neighbours, for the cell the points dx / sqrt(12) to either side. *next: first particle
+ * without a node. */
 static void add_smooth(const struct axis *a, int i, struct rule *r, int *next) {
     double *w = r->weight + r->begin[i];
     if (a->m == 1) {
@@ -208,7 +209,7 @@ static void rule_free(struct rule *r) {
     free(r->begin);
 }
 
-/* T[i] for the particles along x, at y; value: x->nodes, to work in */
+/* T[i] for the particles along x, at y; value: work space of x->nodes */
 static void average_row(const struct problem *p, const struct rule *x, int n, double y, double *value, double *T) {
     for (size_t k = 0; k < x->nodes; k++) value[k] = continued(p, x->node[k], y);
     for (int i = 0; i < n; i++) {

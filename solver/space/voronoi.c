@@ -1,13 +1,13 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The Voronoi cells of a cloud, each by clipping (voronoi_cell.c).
  *
- * Neighbours are taken from square bins, ring after ring; the distance to the edge of the rings searched says what is
- * complete.  A plane wall needs no cut of its own: a particle's mirror image cuts its cell there, and whatever is
- * nearer to an image of another particle is beyond the wall.  A round wall is a circle that cuts cells
- * (voronoi_round.c); a particle's image, as far beyond the wall as it is in front, stands for what is beyond it.
+ * Candidates for neighbours come from square bins, ring by ring; the distance to the edge of the searched rings
+ * bounds the complete region.  Plane walls need no cut: the mirror image of a particle cuts its cell there, and all
+ * points closer to the image of another particle are beyond the wall.  A round wall is a circle that cuts cells
+ * (voronoi_round.c), and the image of a particle, at the same distance behind the wall, represents the exterior.
  *
- * Both particles of a pair find their face, and keep the mean of the two: the same bits.  A face below NOTHING
- * spacings is none. */
+ * Both particles of a pair find their common face and store the mean of the two, with the same bits.  Faces below
+ * NOTHING spacings are omitted. */
 #include "solver/space/voronoi.h"
 
 #include "solver/space/assembly.h"
@@ -19,16 +19,16 @@
 
 static const double NOTHING = 1e-10;
 
-struct mesh { /* what the cells are made from */
+struct mesh { /* input of the cells */
     const struct problem *p;
     const struct cloud *c;
-    struct cloud places; /* in the metric; arrays of *c where that is the usual one */
+    struct cloud places; /* in the metric; arrays of *c if the metric is Euclidean */
     struct neighbours bins;
     double scale[2], interface; /* m, in the metric; NAN with one material */
     double spacing;             /* m */
-    double reach;               /* m, of ghosts beyond the walls */
-    size_t points;              /* whose bisectors cut: no images beyond round walls */
-    uint32_t *image;            /* of each particle beyond the inner and the outer wall of a round body; else NULL */
+    double reach;               /* m, reach of the ghosts beyond the walls */
+    size_t points;              /* number of points with bisectors, without the images beyond round walls */
+    uint32_t *image;            /* of each particle, beyond the inner and the outer wall of a round body; else NULL */
 };
 
 void voronoi_metric(const struct material *m, int dim, double scale[2]) {
@@ -66,7 +66,8 @@ static void mesh_free(struct mesh *m) {
     free(m->image);
 }
 
-/* The points of the bins within `rings` of particle i's; returns how far around it these reach, m. */
+/* Collects the points in the bins within `rings` of particle i's; returns the distance up to which they are
+ * complete, m. */
 static double gather(const struct mesh *m, size_t i, int rings, struct voronoi_candidates *out) {
     const struct neighbours *b = &m->bins;
     const double at[2] = {m->places.x[i], m->places.y[i]};
@@ -97,16 +98,17 @@ static int bad_cell(const struct mesh *m, size_t i, const struct voronoi_candida
     for (size_t k = 0; k < c->n; k++)
         if (!(c->at[k].r2 > 0))
             return refuse(why, STATUS_NUMERICAL,
-                          "particle %zu at (%.6g, %.6g) m: another particle is at the same place, and no face "
-                          "between them; take less --jitter",
+                          "particle %zu at (%.6g, %.6g) m: another particle is at the same place, without a face "
+                          "between them; use less --jitter",
                           i, x, y);
-    return refuse(why, STATUS_NUMERICAL,
-                  "particle %zu at (%.6g, %.6g) m: its Voronoi cell does not end within %.3g m of it, as far as "
-                  "ghosts reach beyond the walls; take a layout with fewer holes",
-                  i, x, y, m->c->reach);
+    return refuse(
+        why, STATUS_NUMERICAL,
+        "particle %zu at (%.6g, %.6g) m: its Voronoi cell does not end within %.3g m, the distance to which "
+        "ghosts extend beyond the walls; use a layout with fewer holes",
+        i, x, y, m->c->reach);
 }
 
-/* A cell that no point farther away would cut, and, of a round body, what of it is inside. */
+/* A cell that no farther point can cut, and for a round body its part inside. */
 static int find_cell(const struct mesh *m, size_t i, struct voronoi_candidates *c, struct voronoi_polygon *cell,
                      struct voronoi_round *inside, struct failure *why) {
     const double at[2] = {m->c->x[i], m->c->y[i]};
@@ -117,11 +119,11 @@ static int find_cell(const struct mesh *m, size_t i, struct voronoi_candidates *
         if (m->p->shape) *inside = voronoi_round(cell, at, m->p->radius);
         farthest = m->p->shape ? inside->farthest : cell->farthest;
         if (4 * farthest <= around * around && isfinite(farthest)) break;
-        if (around == HUGE_VAL) break; /* these were all */
+        if (around == HUGE_VAL) break; /* no more points */
     }
     for (size_t s = 0; s < 2 && m->p->shape; s++)
         if (inside->wall[s] > NOTHING * m->spacing && !m->image[2 * i + s]) return bad_cell(m, i, c, why);
-    if (m->p->shape) return STATUS_OK; /* the square is wider than the body by then */
+    if (m->p->shape) return STATUS_OK; /* the square is then wider than the body */
     int closed = m->c->dim == 1 ? isfinite(farthest) : voronoi_cell_closes(cell);
     return closed && farthest <= m->reach * m->reach ? STATUS_OK : bad_cell(m, i, c, why);
 }
@@ -147,7 +149,7 @@ static double part_beyond(const struct mesh *m, size_t i, const struct voronoi_p
     return part < 1e-9 ? 0 : part > 1 - 1e-9 ? 1 : part;
 }
 
-struct work { /* cells, or means of the initial data over them */
+struct work { /* cells, or averages of the initial data over them */
     const struct mesh *m;
     struct voronoi *v;
     struct assembly_list part[ASSEMBLY_BLOCKS];
@@ -174,13 +176,14 @@ static int take_cells(void *context, int b, size_t begin, size_t end, struct fai
     return status;
 }
 
-/* The other side of face k of cell i, towards particle j or an image of it: NULL where cell j has none. */
+/* The face of cell j that corresponds to face k of cell i, towards particle j or its image; NULL if cell j has
+ * none. */
 static double *other_side(const struct voronoi *v, const struct cloud *c, double spacing, size_t i, size_t k) {
     size_t p = v->point[k], j = c->source[p];
     for (size_t l = v->begin[j]; l < v->begin[j + 1]; l++) {
         size_t q = v->point[l];
         if (p < v->n ? q == i
-                     : q >= v->n && c->source[q] == i && /* of images that at the opposite place */
+                     : q >= v->n && c->source[q] == i && /* for images, the one at the opposite position */
                            fabs(c->x[q] - c->x[j] + c->x[p] - c->x[i]) < 1e-9 * spacing &&
                            fabs(c->y[q] - c->y[j] + c->y[p] - c->y[i]) < 1e-9 * spacing)
             return &v->face[l];
@@ -188,19 +191,19 @@ static double *other_side(const struct voronoi *v, const struct cloud *c, double
     return NULL;
 }
 
-/* One face for both particles of a pair, across a periodic side too; none towards the image of another particle
- * beyond a wall. */
+/* Assigns one face to both particles of a pair, also across a periodic side; a face towards the image of another
+ * particle beyond a wall becomes 0. */
 static void agree(struct voronoi *v, const struct cloud *c, double spacing, int threads) {
 #pragma omp parallel for schedule(static) num_threads(threads)
     for (size_t i = 0; i < v->n; i++)
         for (size_t k = v->begin[i]; k < v->begin[i + 1]; k++) {
             size_t j = c->source[v->point[k]];
-            if (j == i) { /* its own image: part of a wall */
+            if (j == i) { /* the particle's own image: part of a wall */
                 if (v->face[k] < NOTHING * spacing) v->face[k] = 0;
                 continue;
             }
             double *other = other_side(v, c, spacing, i, k);
-            if (other && i > j) continue; /* that is done from j */
+            if (other && i > j) continue; /* done from j */
             double both = other ? (v->face[k] + *other) / 2 : 0;
             if (both < NOTHING * spacing) both = 0;
             v->face[k] = both;
@@ -208,10 +211,10 @@ static void agree(struct voronoi *v, const struct cloud *c, double spacing, int 
         }
 }
 
-/* ---- Means of the initial data ---- */
+/* ---- Averages of the initial data ---- */
 
-/* Adds the integrals of rho_c T0 and of rho_c over the part of a cell that no jump cuts: triangles from its first
- * corner, with the rule of three points that is exact for quadratics (Strang & Fix 1973). */
+/* Adds the integrals of rho_c T0 and of rho_c over a part of a cell without jumps: a fan of triangles, with the
+ * three-point rule that is exact for quadratics (Strang & Fix 1973). */
 static void add_integrals(const struct problem *p, const struct mesh *m, size_t i, const struct voronoi_polygon *q,
                           double sum[2]) {
     static const double far = 2.0 / 3, near = 1.0 / 6;
@@ -229,7 +232,7 @@ static void add_integrals(const struct problem *p, const struct mesh *m, size_t 
     }
 }
 
-/* The same over a cell, in the parts that planes of jumps leave of it, axis by axis; the interface is one. */
+/* The same over a whole cell, split at the planes of jumps axis by axis; the interface is one of them. */
 static void integrate_parts(const struct problem *p, const struct mesh *m, size_t i, const struct voronoi_polygon *q,
                             int axis, int plane, double sum[2]) {
     if (axis == 2 || q->n < 3) {

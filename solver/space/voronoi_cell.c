@@ -1,10 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* One Voronoi cell by clipping (Rycroft 2009, Chaos 19:041111): a square about the particle is cut by the bisectors
- * of its neighbours until none is left that is nearer than twice the farthest vertex, beyond which no bisector
- * reaches.
+/* One Voronoi cell by clipping (Rycroft 2009, Chaos 19:041111).  A square about the particle is cut by the bisectors
+ * of its neighbours, up to twice the distance of the farthest vertex; no bisector beyond reaches the cell.
  *
- * A bisector that passes a vertex by less than TOUCH d cuts nothing: four particles on a circle (a lattice, any pair
- * and its images) leave no face of rounding. */
+ * A bisector that passes a vertex at less than TOUCH d does not cut, so that four particles on a circle (a lattice,
+ * or any pair and its images) leave no face of the size of round-off. */
 #include "solver/space/voronoi_cell.h"
 
 #include "solver/status.h"
@@ -71,7 +70,7 @@ void voronoi_cell_offer(struct voronoi_candidates *c, const double d[2], uint32_
     c->at[c->n++] = (struct voronoi_candidate){{d[0], d[1]}, d[0] * d[0] + d[1] * d[1], point};
 }
 
-/* The nearest first, as far as `near` of them. */
+/* Moves the `near` nearest points to the front, in ascending order. */
 static void sort_nearest(struct voronoi_candidates *c, size_t near) {
     for (size_t k = 0; k < near && k < c->n; k++) {
         size_t least = k;
@@ -84,7 +83,7 @@ static void sort_nearest(struct voronoi_candidates *c, size_t near) {
 
 enum { SORTED = 6 };
 
-/* Of a square of half width `half`, what is left within all bisectors; the first ones cut most. */
+/* Cuts a square of half width `half` by all bisectors; the first ones cut most. */
 static int cut_all(struct voronoi_candidates *c, double half, struct voronoi_polygon *cell) {
     sort_nearest(c, SORTED);
     start_square(cell, half);
@@ -97,7 +96,7 @@ static int cut_all(struct voronoi_candidates *c, double half, struct voronoi_pol
     return 0;
 }
 
-/* On a rod: the nearest on either side, as a polygon of height 1. */
+/* On a rod: the nearest point on either side, as a polygon of height 1. */
 static int cut_rod(const struct voronoi_candidates *c, struct voronoi_polygon *cell) {
     double side[2] = {-HUGE_VAL, HUGE_VAL};
     uint32_t point[2] = {VORONOI_NONE, VORONOI_NONE};
@@ -120,7 +119,7 @@ int voronoi_cell_make(int dim, struct voronoi_candidates *c, double half, struct
 
 int voronoi_cell(int dim, size_t n, double (*d)[2], double *face, double *volume) {
     struct voronoi_candidates c = {0};
-    struct voronoi_polygon cell; /* without corners where there is no cell */
+    struct voronoi_polygon cell; /* no corners if there is no cell */
     cell.n = 0;
     double farthest = 0; /* m^2 */
     for (size_t j = 0; j < n; j++) {

@@ -1,10 +1,11 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* A cell cut by a round wall.
  *
- * Each edge is cut where it crosses the circle: its two particles find the same place, so that their face is one. The
- * area inside a circle is an integral along the polygon: of an edge inside, the triangle with the centre; of one
- * outside, the sector of its angle there.  The sectors' angles add up to the part of the circle that is in the cell.
- * So areas add up to the body's and walls to its circles, to rounding, whatever crosses what. */
+ * Each edge is cut at its intersection with the circle; both particles of a pair find the same point, so their face
+ * is the same.  The area inside a circle is an integral along the polygon: for an edge inside, the triangle with the
+ * centre; for one outside, the sector of its angle.  The angles of the sectors sum to the part of the circle inside
+ * the cell.  The areas therefore sum to that of the body and the walls to its circles, to round-off, for any
+ * intersection. */
 #include "solver/space/voronoi_round.h"
 
 #include <math.h>
@@ -17,7 +18,7 @@ static double angle(const double a[2], const double b[2]) {
     return atan2(cross(a, b), a[0] * b[0] + a[1] * b[1]);
 }
 
-/* The part t[0] to t[1] of the edge from a to b that lies within the circle; none: t[0] = t[1]. */
+/* The part t[0] to t[1] of the edge from a to b inside the circle; t[0] = t[1] if there is none. */
 static void within(const double a[2], const double b[2], double R, double t[2]) {
     double e[2] = {b[0] - a[0], b[1] - a[1]}, square = e[0] * e[0] + e[1] * e[1],
            middle = -(a[0] * e[0] + a[1] * e[1]);
@@ -28,7 +29,7 @@ static void within(const double a[2], const double b[2], double R, double t[2]) 
     t[1] = fmin(fmax((middle + sqrt(half)) / square, 0), 1);
 }
 
-/* Adds what the edge from a to b does inside the circle of radius R to the area and to the angle; returns the length
+/* Adds the contribution of the edge from a to b to area and angle of the circle of radius R; returns the length
  * inside. */
 static double add_edge(const double a[2], const double b[2], double R, double t[2], double *area, double *arc) {
     double end[2][2], length = hypot(b[0] - a[0], b[1] - a[1]);

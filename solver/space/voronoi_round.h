@@ -4,12 +4,12 @@
 
 #include "solver/space/voronoi_cell.h"
 
-/* What of a cell lies between two circles about 0. */
+/* The part of a cell between two circles about 0. */
 struct voronoi_round {
-    double face[VORONOI_CORNERS]; /* m, of each edge */
-    double wall[2];               /* m, of the inner and the outer circle inside the cell */
+    double face[VORONOI_CORNERS]; /* m, by edge */
+    double wall[2];               /* m, arc length of the inner and the outer circle inside the cell */
     double area;                  /* m^2 */
-    double farthest;              /* m^2, of an end of a face, from the particle */
+    double farthest;              /* m^2, largest squared distance of an end of a face from the particle */
 };
 
 /* The cell of a particle at `at`; radius[0] may be 0. */

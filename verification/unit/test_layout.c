@@ -253,7 +253,7 @@ static void unsettled_clouds_say_how_far_they_came(void **state) {
     o.sweeps = 3;
     assert_int_equal(method_solve(&method_so_ssph, &p, &o, &f, &why), STATUS_NUMERICAL);
     assert_has(why.text, "not settled after 3 sweeps");
-    assert_has(why.text, "take more --sweeps");
+    assert_has(why.text, "use more --sweeps");
 }
 
 /* Particles taken from an earlier answer are those that would be settled again: the same temperatures, bit for bit;
