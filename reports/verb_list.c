@@ -61,11 +61,16 @@ static void list_steppers(void) {
 }
 
 static void list_gates(void) {
-    for (const struct gate *g = gates_table; g->id; g++) {
+    struct gates all;
+    struct failure why;
+    gates_collect(NULL, "reference/*", 0, &all, &why);
+    for (int i = 0; i < all.declared; i++) {
+        const struct gate *g = &all.result[i].gate;
         printf("%s: %s in [%g, %g]", g->id, g->measure, g->lo, g->hi);
         if (!isnan(g->ceiling)) printf(", error at most %g", g->ceiling);
         printf("\n  heatladder %s\n  %s\n", g->command, g->why);
     }
+    gates_free(&all);
     printf("\nand for every scene, reference/<scene>: its two forms agree within their bounds\n");
     printf("\nscene and method without a gated ladder:\n");
     for (int s = 0; scenes[s]; s++)

@@ -4,6 +4,8 @@
 
 #include "references/scene.h"
 #include "solver/status.h"
+#include "verification/command/arguments.h"
+#include "verification/gates/ceiling.h"
 #include "verification/text/words.h"
 
 #include <fnmatch.h>
@@ -12,21 +14,96 @@
 #include <stdlib.h>
 #include <string.h>
 
-#define GATE(id, tier, measure, command, lo, hi, ceiling, why)                                                       \
-    {id, TIER_##tier, measure, command, lo, hi, ceiling, why},
-const struct gate gates_table[] = {
-#include "verification/gates/rod.def"
-#include "verification/gates/manufactured.def"
-#include "verification/gates/cooling.def"
-#include "verification/gates/materials.def"
-#include "verification/gates/plane.def"
-#include "verification/gates/operators.def"
-#include "verification/gates/stability.def"
-#include "verification/gates/time.def"
-#include "verification/gates/use.def"
-#include "verification/gates/walls_anywhere.def"
-    {0}};
+/* ---- The table ---- */
+
+struct row {
+    const char *id;
+    enum gate_tier tier;
+    const char *measure, *command;
+    int line; /* of gates.def: the row's bounds */
+    const char *why;
+};
+
+#define GATE(id, tier, measure, command, lo, hi, ceiling, why) {id, TIER_##tier, measure, command, __LINE__, why},
+static const struct row rows[] = {
+#include "verification/gates/gates.def"
+};
 #undef GATE
+
+/* The bounds of the row on that line, for the experiment at its finest rung. */
+static void bounds_of(int line, const struct experiment *e, struct gate *g) {
+    const double dx = e->options.dx;
+    switch (line) {
+#define GATE(id, tier, measure, command, low, high, limit, why)                                                      \
+    case __LINE__:                                                                                                   \
+        g->lo = low, g->hi = high, g->ceiling = limit;                                                               \
+        return;
+#include "verification/gates/gates.def"
+#undef GATE
+    default:
+        g->lo = g->hi = g->ceiling = NAN * dx;
+    }
+}
+
+enum { NAME = 240, WORD = 80 };
+
+/* The text with its first {a,b,c} replaced by the k-th word, and that word up to a blank but for an option's name; 0
+ * where there are fewer. */
+static int pick(const char *text, int k, char picked[GATES_COMMAND], char word[WORD]) {
+    const char *open = strchr(text, '{'), *at = open + 1, *close = strchr(open, '}');
+    for (; k > 0; k--) {
+        at += strcspn(at, ",}");
+        if (*at++ == '}') return 0;
+    }
+    int length = (int)strcspn(at, ",}");
+    snprintf(picked, GATES_COMMAND, "%.*s%.*s%s", (int)(open - text), text, length, at, close + 1);
+    int option = *at == '-' ? (int)strcspn(at, " ") + 1 : 0;
+    snprintf(word, WORD, "%.*s", (int)strcspn(at + option, " ,}"), at + option);
+    return 1;
+}
+
+/* The id with the word in place of its first {}, or appended to it. */
+static void name_with(const char *id, const char *word, char name[NAME]) {
+    const char *place = strstr(id, "{}");
+    if (place)
+        snprintf(name, NAME, "%.*s%s%.100s", (int)(place - id), id, word, place + 2);
+    else
+        snprintf(name, NAME, "%.150s/%s", id, word);
+}
+
+/* A gate for each choice of words. */
+static void add_row(struct gates *g, const struct row *row, const char *id, const char *command) {
+    char picked[GATES_COMMAND], word[WORD], name[NAME];
+    if (!strchr(command, '{')) {
+        gates_add(g, &(struct gate){gates_keep(g, id), row->tier, row->measure, gates_keep(g, command), NAN, NAN, NAN,
+                                    row->why});
+        g->result[g->declared - 1].line = row->line;
+        return;
+    }
+    for (int k = 0; pick(command, k, picked, word); k++) {
+        name_with(id, word, name);
+        add_row(g, row, name, picked);
+    }
+}
+
+/* Evaluates the expressions of a row; where its command is refused the gate has no bounds, and fails with the text.
+ */
+static void set_bounds(struct gate_result *result) {
+    struct gate *g = &result->gate;
+    struct request r;
+    struct failure ignored;
+    if (!result->line) return;
+    if (!arguments_parse_line(g->command, &r, &ignored)) {
+        struct options *o = &r.experiment.options;
+        for (int i = 0; i < r.rungs.dx.count; i++) o->dx = fmin(o->dx, r.rungs.dx.value[i]);
+        for (int i = 0; i < r.rungs.dt.count; i++) o->dt = fmin(o->dt, r.rungs.dt.value[i]);
+        for (int i = 0; i < r.rungs.fourier.count; i++) o->fourier = fmin(o->fourier, r.rungs.fourier.value[i]);
+        bounds_of(result->line, &r.experiment, g);
+    }
+    arguments_free(&r);
+}
+
+/* ---- References ---- */
 
 enum { TEXT = 160 }; /* of the name and of the command of a reference's gate */
 
@@ -102,7 +179,7 @@ int gates_choose(struct gates *g, const char *only, const char *skip, int quick,
     for (int i = 0; i < g->declared; i++) {
         struct gate gate = g->result[i].gate;
         if ((quick && gate.tier != TIER_QUICK) || (only && !words_match(only, gate.id))) continue;
-        if (!words_match(skip, gate.id)) g->result[kept++].gate = gate;
+        if (!words_match(skip, gate.id)) g->result[kept++] = g->result[i];
     }
     g->declared = kept;
     if (kept) return STATUS_OK;
@@ -110,11 +187,18 @@ int gates_choose(struct gates *g, const char *only, const char *skip, int quick,
                   skip ? " --skip '" : "", skip ? skip : "", skip ? "'" : "", quick ? " --quick" : "");
 }
 
+static void add_rows(struct gates *g) {
+    for (size_t i = 0; i < sizeof rows / sizeof *rows; i++) add_row(g, &rows[i], rows[i].id, rows[i].command);
+}
+
 int gates_collect(const char *only, const char *skip, int quick, struct gates *g, struct failure *why) {
     *g = (struct gates){0};
-    for (const struct gate *row = gates_table; row->id; row++) gates_add(g, row);
+    add_rows(g);
     for (int i = 0; scenes[i]; i++) add_reference(g, scenes[i]);
-    return gates_choose(g, only, skip, quick, why);
+    int status = gates_choose(g, only, skip, quick, why);
+#pragma omp parallel for schedule(dynamic, 1)
+    for (int i = 0; i < g->declared; i++) set_bounds(&g->result[i]);
+    return status;
 }
 
 const char *gates_keep(struct gates *g, const char *text) {
@@ -133,8 +217,13 @@ void gates_free(struct gates *g) {
 
 int gates_has_order(const char *scene, const char *method) {
     char start[120];
-    int length = snprintf(start, sizeof start, "ladder %s %s ", scene, method);
-    for (const struct gate *gate = gates_table; gate->id; gate++)
-        if (strncmp(gate->measure, "slope", 5) == 0 && strncmp(gate->command, start, (size_t)length) == 0) return 1;
-    return 0;
+    int length = snprintf(start, sizeof start, "ladder %s %s ", scene, method), found = 0;
+    struct gates g = {0};
+    add_rows(&g);
+    for (int i = 0; i < g.declared && !found; i++) {
+        const struct gate *gate = &g.result[i].gate;
+        found = strncmp(gate->measure, "slope", 5) == 0 && strncmp(gate->command, start, (size_t)length) == 0;
+    }
+    gates_free(&g);
+    return found;
 }

@@ -5,7 +5,7 @@
 /* Gates: statements that must hold, each with its bounds and the reason for them.  A new one is a row of one of the
  * tables *.def. */
 
-#include "verification/measures/measures.h"
+#include "verification/gates/measures.h"
 
 #include <stddef.h>
 
@@ -20,13 +20,14 @@ struct gate {
     const char *command; /* as a user would type it after the program's name */
     double lo, hi;       /* the band of the measure */
     double ceiling;      /* of the error beside it; NAN for none */
-    const char *why;     /* where the bounds come from */
+    const char *why;     /* the fault that it sees, and where the bounds come from */
 };
 
 enum { GATES_COMMAND = 4096, GATES_SOLVER = 2000 }; /* letters of a command, and of what runs a program */
 
 struct gate_result {
     struct gate gate;
+    int line;                  /* of gates.def, whose expressions give the bounds; 0: they are numbers */
     char typed[GATES_COMMAND]; /* of gates_command */
     struct measured measured;
     double seconds;
@@ -44,8 +45,6 @@ struct gates {
     const struct program *program; /* that answers all of them; NULL: each by its own command */
     const char *origin;            /* words of `verify` without which these rows are not there; NULL for none */
 };
-
-extern const struct gate gates_table[]; /* ended by a NULL id */
 
 /* The rows of the table, then one for each scene's reference, of these those that gates_choose leaves; its status.
  * End with gates_free. */

@@ -2,6 +2,8 @@
 /* Two materials: contact_ssph is exact for piecewise quadratics, no mode grows at any ratio, and the heat of a start
  * that jumps; an interface anywhere. */
 
+#include "solver/particles/start.h"
+#include "solver/space/csr.h"
 #include "solver/space/operator.h"
 #include "solver/particles/ssph.h"
 #include "verification/stability/spectrum.h"
@@ -19,6 +21,7 @@
 
 #include <gsl/gsl_errno.h>
 #include <math.h>
+#include <stdlib.h>
 #include <string.h>
 
 extern const struct method method_contact_ssph, method_so_ssph;
@@ -298,6 +301,40 @@ static void a_start_within_is_not(void **state) {
     field_free(&f);
 }
 
+/* l A = 0 on a lattice and on a cloud, and sum l = all. */
+static void the_sum_that_it_keeps_is_kept(void **state) {
+    (void)state;
+    for (int cloud = 0; cloud < 2; cloud++) {
+        struct problem p = two_halves();
+        struct options o = cells;
+        struct lattice lattice;
+        struct cloud c;
+        struct heat_operator a;
+        struct row r;
+        struct failure why;
+        o.jitter = 0.3 * cloud, o.seed = 3;
+        p.material[1].k[0] *= 0.1, p.side[X_LO] = p.side[X_HI] = NEUMANN;
+        if (layout_lattice(&p, &o, 1, &lattice, &why) ||
+            layout_cloud(&p, &o, &lattice, 2.2 * lattice.dx[0], &c, &why) ||
+            operator_create_csr(&a, &p, &o, method_contact_ssph.scheme, &c, lattice.dx[0], &why))
+            fail_msg("%s", why.text);
+        double *l = xcalloc(2 * a.n, sizeof *l), *sum = l + a.n, all = 0;
+        assert_int_equal(start_kept(&a, 50, l, &why), STATUS_OK);
+        csr_row_create(&r, a.n);
+        for (size_t i = 0; i < a.n; i++) {
+            operator_row_take(&a, i, &r);
+            for (size_t j = 0; j < a.n; j++) sum[j] += l[i] * r.value[j];
+            all += l[i];
+        }
+        for (size_t j = 0; j < a.n; j++) assert_near(sum[j], 0, 1e-11 * operator_bound(&a) * all / (double)a.n);
+        assert_near(all, 50, 1e-10);
+        csr_row_free(&r);
+        free(l);
+        operator_free(&a);
+        layout_cloud_free(&c);
+    }
+}
+
 /* ---- interface ---- */
 
 static struct result result_of(const char *line) {
@@ -381,6 +418,7 @@ int main(void) {
         cmocka_unit_test(weights_are_not_negative),
         cmocka_unit_test(a_start_outside_of_its_data_is_refused),
         cmocka_unit_test(a_start_within_is_not),
+        cmocka_unit_test(the_sum_that_it_keeps_is_kept),
         cmocka_unit_test(the_same_on_either_side_of_rounding),
         cmocka_unit_test(cut_cells_keep_heat_and_steady_profiles),
         cmocka_unit_test(cut_cells_start_at_their_heat),

@@ -9,22 +9,43 @@
 #include <stdlib.h>
 #include <string.h>
 
+/* Bounds are numbers: a ceiling where the measure needs one, above 0; a band that has an inside. */
 static void the_table_is_sound(void **state) {
     (void)state;
-    for (const struct gate *g = gates_table; g->id; g++) {
+    struct gates all;
+    struct failure why = {0};
+    assert_int_equal(gates_collect(NULL, NULL, 0, &all, &why), STATUS_OK);
+    for (int i = 0; i < all.declared; i++) {
+        const struct gate *g = &all.result[i].gate;
         struct measured m;
-        struct request r;
-        struct failure why = {0};
         const struct measure *measure = measures_find(g->measure, &m);
+        char command[GATES_COMMAND];
         if (!measure) fail_msg("%s: %s", g->id, m.reason);
-        if (arguments_parse_line(g->command, &r, &why)) fail_msg("%s: %s", g->id, why.text);
-        arguments_free(&r);
         if (!(g->lo <= g->hi)) fail_msg("%s: [%g, %g] is no band", g->id, g->lo, g->hi);
         if (measure->ceiling && !(g->ceiling > 0)) fail_msg("%s: no ceiling", g->id);
         if (strlen(g->why) < 10) fail_msg("%s: no reason", g->id);
-        for (const struct gate *other = gates_table; other < g; other++)
-            if (strcmp(other->id, g->id) == 0) fail_msg("%s is there twice", g->id);
+        if (strpbrk(g->id, "{} ") || strpbrk(g->command, "{}")) fail_msg("%s: a word is left", g->id);
+        for (int k = 0; k < i; k++)
+            if (strcmp(all.result[k].gate.id, g->id) == 0) fail_msg("%s is there twice", g->id);
+        gates_command(g, NULL, command, sizeof command);
+        assert_order(strlen(command), <, sizeof command - 1); /* none is cut */
     }
+    gates_free(&all);
+}
+
+/* A gate of each word in braces; bounds are those of its own experiment. */
+static void words_in_braces_make_a_gate_each(void **state) {
+    (void)state;
+    struct gates g;
+    struct failure why;
+    assert_int_equal(gates_collect("lattice/so_ssph,lattice/ftcs,rod-step/*/midway", NULL, 0, &g, &why), STATUS_OK);
+    assert_int_equal(g.declared, 6);
+    assert_string_equal(g.result[0].gate.id, "lattice/so_ssph");
+    assert_string_equal(g.result[1].gate.command, "ladder rod-cosine ftcs --dx 1/20,1/40,1/80,1/160,1/320");
+    assert_near(g.result[0].gate.ceiling / g.result[1].gate.ceiling, 0.10061 * 12, 1e-4);
+    assert_string_equal(g.result[2].gate.id, "rod-step/so_ssph/midway");
+    assert_has(g.result[2].gate.command, "ladder rod-step so_ssph --h 1.05 --dx");
+    gates_free(&g);
 }
 
 /* What is typed gives the same verdict for the same reason, whether it is the interval, the norm or the ceiling. */
@@ -58,10 +79,6 @@ static void a_gate_can_be_typed(void **state) {
     char command[GATES_COMMAND];
     gates_command(&other, NULL, command, sizeof command);
     assert_string_equal(command, "verify --only symmetry/odd");
-    for (const struct gate *g = gates_table; g->id; g++) { /* none is cut */
-        gates_command(g, NULL, command, sizeof command);
-        assert_order(strlen(command), <, sizeof command - 1);
-    }
 }
 
 static void globs_choose(void **state) {
@@ -150,6 +167,7 @@ static void declared_must_be_executed(void **state) {
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(the_table_is_sound),
+        cmocka_unit_test(words_in_braces_make_a_gate_each),
         cmocka_unit_test(a_gate_can_be_typed),
         cmocka_unit_test(globs_choose),
         cmocka_unit_test(what_skip_leaves_out_is_there),

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Measures of stability: limits, steppers' intervals, maximum principle, refusals, long runs. */
-#include "verification/measures/measures.h"
+#include "verification/gates/measures.h"
 
 #include "solver/time/stepper.h"
 #include "verification/stability/long_run.h"

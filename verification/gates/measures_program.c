@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* What is asked of another program beside its errors. */
-#include "verification/measures/measures.h"
+#include "verification/gates/measures.h"
 
 #include "solver/field.h"
 #include "verification/command/request.h"

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The measures of gates. */
-#include "verification/measures/measures.h"
+#include "verification/gates/measures.h"
 
 #include "references/scene.h"
 #include "solver/shape.h"
@@ -10,6 +10,7 @@
 #include "verification/ladder/judge.h"
 #include "verification/ladder/ladder.h"
 #include "verification/run/run.h"
+#include "verification/run/symmetry.h"
 #include "verification/text/words.h"
 
 #include <math.h>
@@ -157,6 +158,24 @@ void measures_checkerboard_kept(const struct request *r, double lo, double hi, s
     measures_judge(m, last.shape.checkerboard / first.shape.checkerboard, lo, hi);
 }
 
+/* The error beside it: how far the two fields are apart, K. */
+void measures_symmetry(const struct request *r, double lo, double hi, struct measured *m) {
+    const struct experiment *e = &r->experiment;
+    struct options whole = e->options;
+    struct field a = {0}, b = {0};
+    struct failure why = {0};
+    whole.domain = DOMAIN_WHOLE;
+    int status = symmetry_solve(e->method, &e->problem, &e->options, &a, &why);
+    if (!status) status = symmetry_solve(e->method, &e->problem, &whole, &b, &why);
+    measures_fail(m, &why);
+    if (!status) {
+        measures_judge(m, (double)b.cost.updates / (double)a.cost.updates, lo, hi);
+        m->error = a.n == b.n ? field_farthest(&a, b.T) : NAN;
+    }
+    field_free(&a);
+    field_free(&b);
+}
+
 /* *worst, K: raised to the largest difference of two runs' temperatures; a status, *m failed, where a run is. */
 static int runs_apart(const struct experiment *e, const struct problem of[2], double *worst, struct measured *m) {
     struct field f[2] = {{0}};
@@ -227,7 +246,7 @@ void measures_reference(const struct request *r, double lo, double hi, struct me
 
 #define MEASURE(name, ceiling, about) {#name, about, ceiling, measures_##name},
 const struct measure measures[] = {
-#include "verification/measures/measures.def"
+#include "verification/gates/measures.def"
     {0}};
 #undef MEASURE
 

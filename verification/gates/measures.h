@@ -46,7 +46,7 @@ extern const struct measure measures[]; /* ended by a NULL name */
 
 #define MEASURE(name, ceiling, about)                                                                                \
     void measures_##name(const struct request *r, double lo, double hi, struct measured *m);
-#include "verification/measures/measures.def"
+#include "verification/gates/measures.def"
 #undef MEASURE
 
 /* What most measures end with: a failure with its reason (skipped where the program skips the case), or the verdict

@@ -1,0 +1,87 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#ifndef HEATLADDER_VERIFICATION_GATES_CEILING_H
+#define HEATLADDER_VERIFICATION_GATES_CEILING_H
+
+/* The errors that theory predicts, for the bounds of gates.def: from the kernel's moments, the spacing and the exact
+ * solution of the scene.  No code of the operators is used.  Each function takes the experiment at its finest rung
+ * and returns E1, unless it says otherwise; NAN where the formula does not apply. */
+
+#include "verification/run/experiment.h"
+
+/* ---- The symbol of a method on a lattice ---- */
+
+/* -(q_x^2 + ratio q_y^2) + dx^2 sum_b fourth[b] q_x^(4-2b) q_y^2b - dx^4 sum_b sixth[b] q_x^(6-2b) q_y^2b, in units
+ * of kappa_x: fourth[b] = sum w x^(4-2b) y^2b/((4-2b)! (2b)!). */
+enum { CEILING_REACH = 4 };
+struct ceiling_symbol {
+    double fourth[3], sixth[4];
+    double row;                     /* sum |w| of a row */
+    double link[CEILING_REACH + 1]; /* w of a neighbour n dx away */
+    double blind;    /* first derivatives applied twice: diffusivity of the envelope of (-1)^i over kappa; else 0 */
+    double ghost[2]; /* over pairs of a row i + 1/2 and a ghost k + 1/2 from the wall: sum w (i + 1/2) (k + 1/2)^4
+                        across x, sum w (k + 1/2)^5 across y over the ratio */
+    double h;        /* h/dx; 0 for finite differences */
+};
+struct ceiling_symbol ceiling_symbol(const struct experiment *e);
+
+/* sum fourth[b] of the method over that of the five-point difference, in the direction where it is largest */
+double ceiling_worst(const struct experiment *e);
+
+/* ---- Errors of space ---- */
+
+/* Second order: dx^2 (kappa t (A T_xxxx ...) + m/24 lap T), m = 0 for smooth data, -1 for a jump midway between point
+ * samples, 1 for cell averages, 4 for cubic splines; of Euler's steps -dt/2 t T_tt beside it. */
+double ceiling_lattice(const struct experiment *e);
+/* The same, the start taken as point samples. */
+double ceiling_points(const struct experiment *e);
+/* The same averaged over all directions of the lattice, for round bodies. */
+double ceiling_round(const struct experiment *e);
+double ceiling_round_largest(const struct experiment *e); /* its largest value, K */
+/* E1 over dx of a held outer wall that is dx off: |dT/dn| in a layer of sqrt(4 kappa t/pi). */
+double ceiling_layer(const struct experiment *e);
+/* Fourth order on rods: the next term of the symbol. */
+double ceiling_fourth(const struct experiment *e);
+/* A matched run (solver/time/matched.c): the sixth derivatives and the fourth ones of the averaged start, in the
+ * direction where they are largest. */
+double ceiling_matched(const struct experiment *e);
+/* rod-step by first derivatives applied twice: samples of a piece that is `off` dx wider at either edge, and the
+ * envelope of (-1)^i, `half` dx of a source at either edge. */
+double ceiling_blind(const struct experiment *e, double off, double half);
+/* 2 A^2 - (r d)^2 (1 + 3 u^2)/3 of a matched run of kappa t/dx^2 = rt. */
+double ceiling_matched_rest(double A, double rt);
+/* rect-manufactured: e_t = L e + r on a grid of its own; r of fourth derivatives, or of sixth ones at order 4 and in
+ * a matched run of k_x = k_y. */
+double ceiling_manufactured(const struct experiment *e);
+/* rod-cooling, and plate-cooling with its hot side as cold as the air: discrete modes.  Fourth moments are `more`
+ * times the lattice's; cloud: 1 where ghosts stand at distances of their own. */
+double ceiling_cooled(const struct experiment *e, double more, int cloud);
+/* 4th moments under jitter of j dx: 1 + 4 j^2 */
+double ceiling_jitter(const struct experiment *e);
+
+/* The exact solution of a parameter that is `by` larger, or of a time that is `part` of it shorter, against the exact
+ * solution. */
+double ceiling_changed(const struct experiment *e, const char *name, double by);
+double ceiling_late(const struct experiment *e, double part);
+
+/* The five-point difference at that spacing; linf: 1 for its largest error, K. */
+double ceiling_five_point(const struct experiment *e, int linf);
+
+/* The resistance that harmonic means add to a contact midway between particles, over dx; E1 on rod-contact of a
+ * resistance R dx; E1 of a rod of pairs in series whose distances are jittered. */
+double ceiling_harmonic(const struct experiment *e);
+double ceiling_contact(const struct experiment *e, double R);
+double ceiling_stall(const struct experiment *e);
+double ceiling_pair(const struct experiment *e, double r); /* a pair's weight, r dx apart, up to a factor */
+
+/* ---- Errors of time ---- */
+
+/* Euler dt/2 t T_tt, the midpoint rule dt^2/6 t T_ttt, RKL2 (1 + 8/(s^2 + s - 2))/18 dt^2 t T_ttt. */
+double ceiling_time(const struct experiment *e);
+/* dx^4/540 t T_ttt/kappa^2: Euler's steps at F = 1/6 cancel the error of the three-point difference. */
+double ceiling_sixth(const struct experiment *e);
+
+/* ---- Words for the rows ---- */
+
+double ceiling_param(const struct experiment *e, const char *name); /* of the scene; NAN where it has none */
+
+#endif

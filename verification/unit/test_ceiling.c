@@ -1,0 +1,220 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* The evaluator of the gates' bounds against closed forms, and its weights against the operators' own. */
+#include "verification/unit/stencil_moments.h"
+
+#include "references/scene.h"
+#include "verification/gates/ceiling.h"
+#include "verification/gates/gates.h"
+#include "verification/stability/amplification.h"
+
+#include <complex.h>
+#include <gsl/gsl_errno.h>
+
+static struct request request;
+
+static const struct experiment *of(const char *line) {
+    struct failure why;
+    arguments_free(&request);
+    if (arguments_parse_line(line, &request, &why)) fail_msg("%s: %s", line, why.text);
+    return &request.experiment;
+}
+
+/* ---- Weights ---- */
+
+static void moments_are_those_of_the_operators(void **state) {
+    (void)state;
+    static const char *const method[] = {"so_ssph",         "fo_ssph",        "brookshaw",    "brookshaw_corrected",
+                                         "schwaiger",       "fatehi_manzari", "cspm",         "kernel_second",
+                                         "flux_divergence", "conjugate",      "contact_ssph", "so_ssph --order 4"};
+    static const char *const kernel[] = {"cubic", "quartic", "wendland"};
+    for (size_t k = 0; k < 3 * sizeof method / sizeof *method; k++)
+        for (int dim = 1; dim <= 2; dim++) {
+            char line[200];
+            struct stencil s;
+            struct failure why;
+            const double one[2] = {1, 1};
+            snprintf(line, sizeof line, "run %s %s --kernel %s --dx 0.1 --h %g%s",
+                     dim == 1 ? "rod-step" : "square-step", method[k / 3], kernel[k % 3],
+                     strstr(method[k / 3], "order") ? 2.17 : 1.13,
+                     dim == 1 ? " --set kappa=1" : " --set kappa_x=1 --set kappa_y=1");
+            const struct experiment *e = of(line);
+            if (operator_stencil(&e->problem, &e->options, e->method->scheme, 1, one, s.reach, &s.w, &why))
+                fail_msg("%s: %s", line, why.text);
+            struct ceiling_symbol symbol = ceiling_symbol(e);
+            assert_near(symbol.fourth[0], stencil_moment(&s, 4, 0, 0) / 24, 1e-12);
+            assert_near(symbol.fourth[1], stencil_moment(&s, 2, 2, 0) / 4, 1e-12);
+            assert_near(symbol.sixth[0], stencil_moment(&s, 6, 0, 0) / 720, 1e-12);
+            assert_near(symbol.sixth[1], stencil_moment(&s, 4, 2, 0) / 48, 1e-12);
+            if (symbol.blind > 0 && dim == 1) assert_near(symbol.blind, stencil_moment(&s, 2, 0, 1) / 2, 1e-12);
+            free(s.w);
+        }
+}
+
+static void moments_of_finite_differences(void **state) {
+    (void)state;
+    assert_near(ceiling_symbol(of("run square-step ftcs --dx 0.1")).fourth[0], 1.0 / 12, 1e-15);
+    assert_near(ceiling_symbol(of("run square-step ftcs --dx 0.1")).fourth[1], 0, 0);
+    assert_near(ceiling_symbol(of("run rod-step voronoi_flux --dx 0.1")).fourth[0], 1.0 / 12, 1e-15);
+    assert_near(ceiling_symbol(of("run rod-step ftcs_flux --dx 0.1")).fourth[0], 1.0 / 3, 1e-15);
+    assert_near(ceiling_symbol(of("run rect-manufactured ftcs --dx 0.1")).fourth[2], 0.25 / 12, 1e-15);
+    assert_near(ceiling_worst(of("run square-step ftcs --dx 0.1")), 1, 1e-12);
+}
+
+static void isotropy_is_found(void **state) {
+    (void)state;
+    struct ceiling_symbol s = ceiling_symbol(of("run square-step so_ssph --stepper matched --h iso --dx 0.1"));
+    assert_near(s.fourth[1], 2 * s.fourth[0], 1e-12);
+    assert_near(s.h, 1.2591264671505324, 1e-12);
+}
+
+/* ---- Errors of one mode, in closed form ---- */
+
+/* rod-cosine at its defaults: E1 of an amplitude that is off by the part `off` of itself. */
+static double of_mode(const struct experiment *e, double off, double *q2) {
+    double q = ceiling_param(e, "mode") * M_PI / ceiling_param(e, "L"), t = e->problem.t_end;
+    *q2 = q * q;
+    return fabs(off) * ceiling_param(e, "A") * exp(-q * q * ceiling_param(e, "kappa") * t) * 2 / M_PI /
+           ceiling_param(e, "Tm");
+}
+
+static void a_mode_on_a_lattice(void **state) {
+    (void)state;
+    const struct experiment *e = of("run rod-cosine so_ssph --dx 0.01");
+    double q2, one = of_mode(e, 1, &q2), A = ceiling_symbol(e).fourth[0], kt;
+    kt = ceiling_param(e, "kappa") * e->problem.t_end;
+    assert_near(ceiling_lattice(e), one * A * 1e-4 * q2 * q2 * kt, 1e-3 * ceiling_lattice(e));
+    e = of("run rod-cosine so_ssph --dx 0.01 --sampling spline");
+    assert_near(ceiling_lattice(e), one * 1e-4 * fabs(A * q2 * q2 * kt - q2 / 6), 1e-3 * ceiling_lattice(e));
+    assert_near(ceiling_points(e), one * A * 1e-4 * q2 * q2 * kt, 1e-3 * ceiling_points(e));
+    e = of("run rod-cosine ftcs --dx 0.01 --fourier 0.3");
+    assert_near(ceiling_lattice(e), one * (0.15 - 1.0 / 12) * 1e-4 * q2 * q2 * kt, 1e-3 * ceiling_lattice(e));
+    e = of("run rod-cosine so_ssph --order 4 --dx 0.01");
+    assert_near(ceiling_fourth(e), one * fabs(ceiling_symbol(e).sixth[0]) * 1e-8 * pow(q2, 3) * kt,
+                1e-3 * ceiling_fourth(e));
+    assert_near(ceiling_sixth(e), one * 1e-8 / 540 * pow(q2, 3) * kt, 1e-3 * ceiling_sixth(e));
+    assert_near(ceiling_late(e, 0.01), one * expm1(0.01 * q2 * kt), 1e-4 * ceiling_late(e, 0.01));
+    assert_near(ceiling_changed(e, "A", 0.1), one * 0.1 / ceiling_param(e, "A"), 1e-6);
+    assert_nan(ceiling_changed(e, "none", 0.1));
+    assert_nan(ceiling_param(e, "none"));
+}
+
+static void a_mode_in_time(void **state) {
+    (void)state;
+    const struct experiment *e = of("run rod-cosine so_ssph --dx 1/20 --stepper euler --dt 1/64");
+    double q2, one = of_mode(e, 1, &q2), kappa = ceiling_param(e, "kappa"), t = request.experiment.problem.t_end;
+    double rate = kappa * q2, dt = 1.0 / 64;
+    assert_near(ceiling_time(e), one * dt / 2 * rate * rate * t, 1e-3 * ceiling_time(e));
+    e = of("run rod-cosine so_ssph --dx 1/20 --stepper rk2 --dt 1/64");
+    assert_near(ceiling_time(e), one * dt * dt / 6 * pow(rate, 3) * t, 1e-3 * ceiling_time(e));
+    e = of("run rod-cosine so_ssph --dx 1/20 --stepper rkl2 --dt 1/64");
+    assert_near(ceiling_time(e), one * dt * dt / 10 * pow(rate, 3) * t, 1e-3 * ceiling_time(e));
+}
+
+static void waves_along_two_axes(void **state) {
+    (void)state;
+    const struct experiment *e = of("run wave so_ssph --dx 0.01 --set mode_x=2 --set mode_y=3");
+    struct ceiling_symbol s = ceiling_symbol(e);
+    double x = pow(4 * M_PI, 2), y = pow(6 * M_PI, 2), kt = 0.01;
+    double error = kt * (s.fourth[0] * x * x + s.fourth[1] * x * y + s.fourth[2] * y * y) * 1e-4;
+    double mean = 0.7 * exp(-kt * (x + y)) * 2 / M_PI;
+    assert_near(ceiling_lattice(e), error * mean, 0.01 * ceiling_lattice(e));
+}
+
+/* A rod held at one end, insulated at the other: sin((n + 1/2) pi x/L); the jump at the held end is midway. */
+static void a_cooled_end_without_air(void **state) {
+    (void)state;
+    const struct experiment *e = of("run rod-cooling so_ssph --set b=0 --dx 0.3/160");
+    const struct problem *p = &e->problem;
+    double A = ceiling_symbol(e).fourth[0], kt = problem_diffusivity(p) * p->t_end, sum = 0, mean = 0;
+    for (int i = 0; i < 1000; i++) {
+        double u[2] = {0, 0}, x = 0.3 * (i + 0.5) / 1000;
+        for (int n = 0; n < 14; n++) {
+            double q = (n + 0.5) * M_PI / 0.3, mode = 80 * 2 / (q * 0.3) * exp(-kt * q * q) * sin(q * x);
+            u[0] += mode, u[1] += mode * (A * q * q * q * q * kt + q * q / 24);
+        }
+        sum += fabs(u[1]), mean += 20 + u[0];
+    }
+    assert_near(ceiling_cooled(e, 1, 0) / pow(0.3 / 160, 2), sum / mean, 2e-3 * sum / mean);
+}
+
+static void a_mode_of_a_disc(void **state) {
+    (void)state;
+    const struct experiment *e = of("run disc-mode ftcs --dx 0.05");
+    const double lambda2 = pow(5.135622301840683, 2); /* J_2 vanishes at the wall */
+    struct problem early = e->problem;
+    double kt = problem_diffusivity(&early) * early.t_end, size = 0, all = 0;
+    for (int i = 0; i < 10000; i++) {
+        double x[2] = {-0.99 + 0.0198 * (i % 100 + 0.5), -0.99 + 0.0198 * (i / 100 + 0.5)};
+        if (hypot(x[0], x[1]) > 1) continue;
+        double T = scene_exact(e->scene, &early, x, early.t_end).temperature;
+        double steady = scene_exact(e->scene, &early, x, 1000 * early.t_end).temperature;
+        size += fabs(T - steady), all += fabs(T);
+    }
+    assert_near(ceiling_round(e), lambda2 * lambda2 * kt / 16 * 0.0025 * size / all, 0.03 * ceiling_round(e));
+}
+
+static void a_resistance_at_a_contact(void **state) {
+    (void)state;
+    const struct experiment *e = of("run rod-contact brookshaw --h 0.9 --dx 0.01");
+    assert_near(ceiling_harmonic(e), 0, 0); /* nearest neighbours alone */
+    assert_near(ceiling_contact(e, 2), 2 * ceiling_contact(e, -1), 1e-15);
+    assert_near(ceiling_contact(e, 368.2), 0.332 * 0.01, 0.001 * 0.01);
+}
+
+/* ---- RKL2 ---- */
+
+/* The coefficients of G = sum c_k z^k by Cauchy's integral, exact for a polynomial of a degree below POINTS. */
+static void the_third_order_term_is_known(void **state) {
+    (void)state;
+    enum { POINTS = 64 };
+    for (int s = 3; s <= 27; s += 2) {
+        struct amplification a = {STEPPER_RKL2, s};
+        double complex c[4] = {0};
+        for (int i = 0; i < POINTS; i++) {
+            double complex z = cexp(2 * M_PI * I * i / POINTS), G = amplification_factor(&a, z);
+            for (int k = 0; k < 4; k++) c[k] += G / cpow(z, k) / POINTS;
+        }
+        for (int k = 0; k < 3; k++) assert_near(creal(c[k]), k < 2 ? 1 : 0.5, 1e-12);
+        assert_near(1. / 6 - creal(c[3]), (1 + 8. / (s * s + s - 2)) / 18, 1e-12);
+    }
+}
+
+static void stiff_modes_fall_however_stiff_they_are(void **state) {
+    (void)state;
+    for (int s = 3; s <= 35; s += 2) {
+        struct amplification a = {STEPPER_RKL2, s};
+        double most = 0, end = amplification_interval(&a);
+        for (int i = 0; i <= 20000; i++)
+            most = fmax(most, cabs(amplification_factor(&a, -(1.8 + (end - 1.8) * i / 20000))));
+        assert_order(most, <, (s == 3 ? 0.771 : s < 9 ? 0.73 : 0.7108));
+    }
+}
+
+/* ---- The table ---- */
+
+static void bounds_follow_the_kernel(void **state) {
+    (void)state;
+    double narrow = ceiling_lattice(of("run rod-cosine so_ssph --h 1.1 --dx 0.01"));
+    double wide = ceiling_lattice(of("run rod-cosine so_ssph --h 1.12 --dx 0.01"));
+    assert_order(wide, >, 1.01 * narrow);
+    assert_near(ceiling_lattice(of("run rod-cosine so_ssph --dx 0.01")), narrow, 0); /* the default */
+}
+
+int main(void) {
+    gsl_set_error_handler_off();
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(moments_are_those_of_the_operators),
+        cmocka_unit_test(moments_of_finite_differences),
+        cmocka_unit_test(isotropy_is_found),
+        cmocka_unit_test(a_mode_on_a_lattice),
+        cmocka_unit_test(a_mode_in_time),
+        cmocka_unit_test(waves_along_two_axes),
+        cmocka_unit_test(a_cooled_end_without_air),
+        cmocka_unit_test(a_mode_of_a_disc),
+        cmocka_unit_test(a_resistance_at_a_contact),
+        cmocka_unit_test(the_third_order_term_is_known),
+        cmocka_unit_test(stiff_modes_fall_however_stiff_they_are),
+        cmocka_unit_test(bounds_follow_the_kernel),
+    };
+    return cmocka_run_group_tests_name("ceiling", tests, NULL, NULL);
+}

@@ -1,0 +1,71 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* Matched runs that are refused. */
+#include "solver/time/matched.h"
+
+#include "verification/command/arguments.h"
+#include "verification/command/request.h"
+#include "verification/unit/near.h"
+
+#include <gsl/gsl_errno.h>
+
+static struct request request(const char *line) {
+    struct request r;
+    struct failure why;
+    if (arguments_parse_line(line, &r, &why)) fail_msg("%s", why.text);
+    return r;
+}
+
+/* Good input that no step matches is not applicable; bad input, or a step given twice, is bad. */
+static void what_does_not_match_is_not_bad_input(void **state) {
+    (void)state;
+    static const struct {
+        const char *line, *word;
+        int status;
+    } all[] = {
+        {"run square-step so_ssph --stepper matched --h 1.1 --dx 0.1", "--h iso", STATUS_NOT_APPLICABLE},
+        {"run square-step ftcs --stepper matched --dx 0.1", "isotropic", STATUS_NOT_APPLICABLE},
+        {"run plate so_ssph --stepper matched --h iso --set T1=0 --set T3=0 --dx 0.01", "along one axis only",
+         STATUS_NOT_APPLICABLE},
+        {"run square-step so_ssph --stepper matched --h iso --dx 0.1 --dt 0.1", "--dt", STATUS_INPUT},
+        {"run rod-gauss so_ssph --stepper matched --sampling spline --dx 0.5 --t-end 1e-3", "--t-end", STATUS_INPUT},
+    };
+    for (size_t i = 0; i < sizeof all / sizeof *all; i++) {
+        struct request r = request(all[i].line);
+        struct experiment *e = &r.experiment;
+        struct field f;
+        struct failure why = {0};
+        assert_int_equal(method_solve(e->method, &e->problem, &e->options, &f, &why), all[i].status);
+        if (!strstr(why.text, all[i].word)) fail_msg("'%s' is not in: %s", all[i].word, why.text);
+        arguments_free(&r);
+    }
+}
+
+static double along_y_hi(const struct problem *p, enum side s, const double x[2]) {
+    (void)p;
+    return s == Y_HI ? x[0] : 0;
+}
+
+/* A first derivative taken twice, on a rectangle that is 0 but for one side: refused there, wherever that is. */
+static void walls_that_vary_are_seen_on_each_side(void **state) {
+    (void)state;
+    struct request r = request("run square-step fo_ssph --dx 0.1 --sampling spline");
+    const struct experiment *e = &r.experiment;
+    struct problem p = e->problem;
+    struct lattice l;
+    struct failure why = {0};
+    assert_int_equal(layout_lattice(&p, &e->options, 1, &l, &why), STATUS_OK);
+    assert_int_equal(matched_check(&p, &e->options, e->method->scheme, &l, &why), STATUS_OK);
+    p.wall = along_y_hi;
+    assert_int_equal(matched_check(&p, &e->options, e->method->scheme, &l, &why), STATUS_NOT_APPLICABLE);
+    assert_non_null(strstr(why.text, "a first derivative applied twice"));
+    arguments_free(&r);
+}
+
+int main(void) {
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(what_does_not_match_is_not_bad_input),
+        cmocka_unit_test(walls_that_vary_are_seen_on_each_side),
+    };
+    gsl_set_error_handler_off();
+    return cmocka_run_group_tests_name("matched", tests, NULL, NULL);
+}
