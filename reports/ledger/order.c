@@ -10,7 +10,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* Half the width of the band around an order: as in gates/rod.def. */
+/* Half the width of the band around an order: as in gates/gates.def. */
 static const double BAND = 0.1;
 
 /* "label: rest" -> rest, the label cut off; the whole where there is none. */

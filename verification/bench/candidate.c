@@ -22,7 +22,7 @@
 #define WENDLAND .kernel = KERNEL_WENDLAND
 #define SERIES .mean = MEAN_SERIES
 #define JITTER .layout = LAYOUT_JITTER, .jitter = 0.2
-/* Left out, since a row that is here has less error for no more work.  On a lattice (gates/operators.def)
+/* Left out, since a row that is here has less error for no more work.  On a lattice (gates/gates.def)
  * brookshaw_corrected and schwaiger have fatehi_manzari's stencil; cspm and kernel_second have 2.15 times its fourth
  * moment over the same neighbours, flux_divergence 4 times over a stencil of twice the reach.  */
 const struct candidate candidates_table[] = {

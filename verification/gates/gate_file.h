@@ -2,7 +2,7 @@
 #ifndef HEATLADDER_VERIFICATION_GATES_GATE_FILE_H
 #define HEATLADDER_VERIFICATION_GATES_GATE_FILE_H
 
-/* Gates that a user keeps beside their own code, in the form of the built-in tables:
+/* Gates that a user keeps beside their own code:
  *
  *     GATE("id", QUICK, "measure", "command", lo, hi, ceiling, "why")
  *

@@ -3,7 +3,7 @@
  *
  * The exact stepper where the method has it.  Else the time step is refined until its error is shown to be small.
  * A run of N steps by a stepper of order p has the time error C e, e = c / N^p, with c = 1 but for rkl2, where it is
- * 1 + 8/(s^2 + s - 2) for s stages (gates/time.def).  Two runs then have
+ * 1 + 8/(s^2 + s - 2) for s stages (unit/test_ceiling.c).  Two runs then have
  *
  *     T_inf = T_2 + (T_2 - T_1) e_2 / (e_1 - e_2)                                                 (Richardson 1911)
  *
