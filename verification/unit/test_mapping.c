@@ -42,23 +42,6 @@ static void words_are_read_as_they_are_printed(void **state) {
     assert_int_equal(mapping_side(&m, Y_HI), X_HI);
 }
 
-/* Of two maps that differ in one thing alone neither is the other, nor is one that has nothing else none. */
-static void each_part_makes_another_map(void **state) {
-    (void)state;
-    const struct mapping whole = {.axes = 2, .swap = 1, .against = {1, 1}, .scale = 2, .offset = 3, .plane = 1};
-    struct mapping other[] = {whole, whole, whole, whole, whole, whole};
-    other[0].swap = 0, other[1].against[0] = 0, other[2].against[1] = 0;
-    other[3].scale = 3, other[4].offset = 2, other[5].plane = 2;
-    for (int i = 0; i < 6; i++) {
-        assert_true(mapping_same(&other[i], &other[i]));
-        assert_false(mapping_same(&whole, &other[i]));
-    }
-    assert_true(mapping_same(&(struct mapping){.scale = 1}, &(struct mapping){0}));
-    const struct mapping alone[] = {{.axes = 1}, {.scale = 2}, {.offset = 3}, {.plane = 1}};
-    for (int i = 0; i < 4; i++) assert_false(mapping_is_none(&alone[i]));
-    assert_true(mapping_is_none(&(struct mapping){0}));
-}
-
 struct told {
     double T, start, source, k[2], rho_c, flux[2], wall[2][3];
 };
@@ -143,21 +126,6 @@ static void an_image_obeys_its_equation(void **state) {
         }
 }
 
-/* A jump at c lies at -c where the axis runs against the scene's. */
-static void jumps_run_against_the_axis_too(void **state) {
-    (void)state;
-    struct problem of;
-    struct image image;
-    struct mapping m = {.scale = 1};
-    odd_find("rod-contact", &of);
-    of.jumps[0] = 2, of.jump[0][0] = -0.3, of.jump[0][1] = 0.1;
-    mapping_read("-x", &m);
-    mapping_image(&m, &of, &image);
-    assert_int_equal(image.problem.jumps[0], 2);
-    assert_near(image.problem.jump[0][0], -0.1, 0);
-    assert_near(image.problem.jump[0][1], 0.3, 0);
-}
-
 /* The interface is across the case's y, and the material of the scene's lower half lies above it there. */
 static void a_case_has_its_own_axes(void **state) {
     (void)state;
@@ -199,9 +167,7 @@ static void a_case_has_its_own_axes(void **state) {
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(words_are_read_as_they_are_printed),
-        cmocka_unit_test(each_part_makes_another_map),
         cmocka_unit_test(an_image_obeys_its_equation),
-        cmocka_unit_test(jumps_run_against_the_axis_too),
         cmocka_unit_test(a_case_has_its_own_axes),
     };
     gsl_set_error_handler_off();

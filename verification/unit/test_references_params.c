@@ -22,35 +22,22 @@ static const struct refusal {
     {"rod-step", "a", 2.5, "between 0 and 2 m"},
     {"rod-step", "a", 2, "a < L"},
     {"rod-step", "kappa", -0.02, "greater than 0 m^2/s"},
-    {"rod-step", "T0", 0, "greater than 0 K"},
-    {"rod-step", "t_end", 0, "greater than 0 s"},
     {"rod-gauss", "sigma0", 15.5, "sigma0 < L"},
-    {"rod-gauss", "sigma0", -1, "greater than 0 m"},
-    {"square-step", "a", 2.1, "a < L"},
     {"square-step", "b", 2.1, "b < L"},
-    {"square-step", "kappa_y", 0, "greater than 0 m^2/s"},
-    {"plate", "width", -0.1, "greater than 0 m"},
     {"plate", "height", 1000, "times the width"},
-    {"plate", "material", 3, "steel, titanium or vanadium"},
     {"plate", "material", 0.5, "steel, titanium or vanadium"},
     {"plate", "T3", INFINITY, "finite"},
     {"plate", "T0", NAN, "finite"},
-    {"rod-contact", "k1", 0, "greater than 0 W/m/K"},
-    {"rod-contact", "T2", INFINITY, "finite"},
-    {"rod-contact", "t_end", 2.5, "between 0 and 2 s"},
     {"rod-contact", "t_end", 2.5, "D = L - |x_c| = 1 m and k1/rho_c1 = 0.005 m^2/s"},
     {"plane-contact", "mode", 21, "whole number from 0 to 20"},
     {"plane-contact", "A", 2.5, "A < Tm"},
     {"plane-contact", "k2", 3e4, "within a factor of 1e6"},
     {"wall-composite", "x_c", 1.4, "between 0 and 1 m"},
     {"wall-composite", "T1", 0, "T2"},
-    {"wall-composite", "rho_c2", -1, "greater than 0 J/m^3/K"},
     {"rod-cosine", "mode", 2.5, "whole number from 1 to 32"},
-    {"rod-cosine", "mode", 0, "whole number from 1 to 32"},
     {"rod-cosine", "A", 1.5, "A < Tm"},
     {"rect-manufactured", "A", 1.5, "from 0 to 1 K: the temperature stays positive, 0 < A <= 1"},
     {"rect-manufactured", "rise", -0.1, "0 K/s or more"},
-    {"rect-manufactured", "k_y", NAN, "greater than 0 W/m/K"},
 };
 
 static void bad_values_are_refused(void **state) {
@@ -104,24 +91,6 @@ static void the_ends_of_a_range_are_in_it(void **state) {
     }
 }
 
-static void defaults_are_accepted(void **state) {
-    (void)state;
-    for (const struct scene *const *s = scenes; *s; s++) {
-        struct problem p;
-        struct failure why = {0};
-        int last = 0;
-        scene_defaults(*s, &p);
-        assert_int_equal((*s)->setup(&p, &why), STATUS_OK);
-        while ((*s)->params[last + 1].name) last++;
-        assert_order(last, <, PARAM_MAX);
-        assert_string_equal((*s)->params[last].name, "t_end");
-        assert_near(p.t_end, (*s)->params[last].value, 0);
-        assert_true((*s)->about && (*s)->citation && ((*s)->exact || (*s)->prepared) && (*s)->second && p.initial &&
-                    p.wall);
-        for (int i = 0; i < last; i++) assert_true((*s)->params[i].unit && (*s)->params[i].about);
-    }
-}
-
 /* A setup leaves nothing of an earlier one behind. */
 static void setup_starts_afresh(void **state) {
     (void)state;
@@ -142,8 +111,9 @@ static void setup_starts_afresh(void **state) {
 
 int main(void) {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(bad_values_are_refused),        cmocka_unit_test(the_faster_half_rod_is_named),
-        cmocka_unit_test(the_ends_of_a_range_are_in_it), cmocka_unit_test(defaults_are_accepted),
+        cmocka_unit_test(bad_values_are_refused),
+        cmocka_unit_test(the_faster_half_rod_is_named),
+        cmocka_unit_test(the_ends_of_a_range_are_in_it),
         cmocka_unit_test(setup_starts_afresh),
     };
     gsl_set_error_handler_off();
