@@ -93,8 +93,10 @@ int compatibility_check(const struct problem *p, const struct options *o, const 
         {node && robin, LAYOUT, "a Robin wall is midway between a particle and its ghost", "lattice"},
         {node && two, LAYOUT, "two materials give each particle a row of its own", "lattice"},
         {node && cut, LAYOUT, "is made for walls between particles", "lattice, jitter or hexagonal"},
-        {cut && !round && (settled || o->layout == LAYOUT_HEXAGONAL), LAYOUT,
-         "is made for --walls mirror and no --shift here", "lattice or jitter"},
+        {cut && settled, LAYOUT, "particles settle between plane walls, with --walls mirror and no --shift",
+         "lattice, jitter or hexagonal"},
+        {cut && !round && o->layout == LAYOUT_HEXAGONAL, LAYOUT, "is made for --walls mirror and no --shift here",
+         "lattice or jitter"},
         /* walls */
         {periodic && o->shift > 0, SHIFT, "the scene is periodic and has no walls", "0"},
         {periodic && !mirror, WALLS, "the scene is periodic and has no walls", "mirror"},

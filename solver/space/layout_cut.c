@@ -1,11 +1,10 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* A lattice cut by the walls at any position.
  *
- * On a rod or rectangle its points are lo + (i + 1/2 + shift) dx; for a round body it has any origin and angle.
- * Each point is displaced according to the layout (jitter: within +-A dx; hexagonal: rows sqrt(3)/2 dx apart;
- * relaxed: the particles of a round body settle by relax.c).  Points inside the body, or on its wall within 1e-6 dx,
- * are particles; points outside are dummies.  A round body about 0 is the same in the axes of its lattice, so its
- * cells are clipped in these axes. */
+ * On a rod or rectangle its points are lo + (i + 1/2 + shift) dx; under a round body it has any origin and angle.
+ * Each point is moved by the layout (jitter: within +-A dx; hexagonal: rows sqrt(3)/2 dx apart).  Points inside the
+ * body, or on its wall to 1e-6 dx, are particles, points beyond it dummies.  A round body about 0 looks the same from
+ * the axes of its lattice: cells are clipped there. */
 #include "solver/shape.h"
 #include "solver/space/layout.h"
 
@@ -13,9 +12,8 @@
 #include <math.h>
 #include <stdlib.h>
 
-/* Minimum distance, in dx, between particles and round walls with images.  A cell's conductance to its wall is
- * proportional to 1/depth, and limits the stable step; and an image next to its particle does not push it back.  The
- * space closer to the wall belongs to the cells of the other particles. */
+/* dx, least distance of a particle from a round wall with its image beyond; nearer points are left out.  A cell
+ * conducts to its wall as 1/depth, and the largest stable step falls with the depth. */
 static const double CLEAR = 0.25;
 
 struct frame {                      /* point (i, j) is at first + (i d[0], j d[1]) in its own axes */
@@ -33,10 +31,9 @@ int layout_is_cut(const struct problem *p, const struct options *o) {
 static struct frame frame_of(const struct problem *p, const struct options *o, const struct lattice *l, double reach,
                              gsl_rng *random) {
     struct frame f = {.d = {l->dx[0], l->dx[1]}, .axis = {1, 0}, .to = {1, 1}};
-    f.moved = o->layout == LAYOUT_JITTER || o->layout == LAYOUT_RELAXED ? 2 * o->jitter * l->dx[0] : 0;
+    f.moved = o->layout == LAYOUT_JITTER ? 2 * o->jitter * l->dx[0] : 0;
     f.hexagonal = o->layout == LAYOUT_HEXAGONAL && p->dim == 2;
-    int images = p->shape && (o->walls == WALLS_MIRROR || o->layout == LAYOUT_RELAXED);
-    f.clear = images ? CLEAR * l->dx[0] : 0;
+    f.clear = p->shape && o->walls == WALLS_MIRROR ? CLEAR * l->dx[0] : 0;
     if (p->shape) {
         double origin[2] = {gsl_rng_uniform(random), gsl_rng_uniform(random)}, angle = 90 * gsl_rng_uniform(random);
         if (f.hexagonal) f.d[1] = sqrt(0.75) * f.d[0];
@@ -133,9 +130,9 @@ static void mirror(const struct problem *p, const struct options *o, const struc
             layout_mirror(p, o, l, i, c);
 }
 
-/* Images of all particles in round walls, at the same distance behind the nearest wall point.  For cells these are
- * mirror ghosts, otherwise dummies without values. */
-static void mirror_round(const struct problem *p, int ghosts, struct cloud *c) {
+/* The images of all particles in round walls: as far beyond the nearest point of each as the particle is in front. Of
+ * cells they are mirror ghosts, else dummies that hold nothing yet. */
+static void mirror_round(const struct problem *p, struct cloud *c) {
     const double k = p->material[0].k[0];
     c->total = c->n;
     for (size_t i = 0; i < c->n; i++) {
@@ -146,7 +143,6 @@ static void mirror_round(const struct problem *p, int ghosts, struct cloud *c) {
             if (foot.depth >= c->reach) continue;
             size_t g = c->total++;
             for (int a = 0; a < 2; a++) (a ? c->y : c->x)[g] = x[a] + 2 * foot.depth * foot.normal[a];
-            if (!ghosts) continue;
             double value = p->wall(p, (enum side)s, foot.x);
             double sign = p->side[s] == DIRICHLET ? -1 : layout_robin_factor(p, s, k, foot.depth);
             c->source[g] = (uint32_t)i;
@@ -154,12 +150,6 @@ static void mirror_round(const struct problem *p, int ghosts, struct cloud *c) {
             c->offset[g] = p->side[s] == NEUMANN ? 2 * foot.depth * value / k : (1 - sign) * value;
         }
     }
-}
-
-/* Relaxes the particles of a round body; they then have equal volumes. */
-static int settle(const struct problem *p, const struct options *o, struct cloud *c, struct failure *why) {
-    for (size_t i = 0; i < c->n; i++) c->cell[i] = shape_volume(p) / (double)c->n;
-    return relax_cloud(p, o, sqrt(c->volume), c, why);
 }
 
 int layout_cut(const struct problem *p, const struct options *o, const struct lattice *l, double reach,
@@ -177,20 +167,18 @@ int layout_cut(const struct problem *p, const struct options *o, const struct la
                     sort_point(p, &f, at, x, reach, &inside, &outside);
                 }
     gsl_rng_free(random);
-    int mirrors = o->walls == WALLS_MIRROR, settled = o->layout == LAYOUT_RELAXED, status = STATUS_OK;
-    if (o->walls == WALLS_ONE_SIDED || settled) outside.n = 0;
+    int mirrors = o->walls == WALLS_MIRROR;
+    if (o->walls == WALLS_ONE_SIDED) outside.n = 0;
     *c = (struct cloud){.dim = p->dim, .n = inside.n, .total = inside.n + outside.n, .reach = reach};
     c->volume = f.d[0] * (p->dim == 2 ? f.d[1] : 1);
-    fill(c, &inside, &outside, mirrors || settled ? 4 * c->total : c->total);
-    if (settled && c->n > 0) status = settle(p, o, c, why);
-    if (p->shape && (mirrors || (settled && o->walls != WALLS_ONE_SIDED)))
-        mirror_round(p, mirrors, c);
+    fill(c, &inside, &outside, mirrors ? 4 * c->total : c->total);
+    if (mirrors && p->shape)
+        mirror_round(p, c);
     else if (mirrors)
         mirror(p, o, l, c);
     list_free(&inside);
     list_free(&outside);
-    if (c->n > 0 && !status) return STATUS_OK;
+    if (c->n > 0) return STATUS_OK;
     layout_cloud_free(c);
-    if (status) return status;
     return refuse(why, STATUS_INPUT, "--dx %g: no point of the lattice is in the body; use a smaller --dx", o->dx);
 }

@@ -12,7 +12,6 @@
 #include "solver/space/layout.h"
 #include "solver/space/kernel.h"
 #include "solver/space/neighbours.h"
-#include "solver/shape.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -27,28 +26,11 @@ struct medium {
     double *move;   /* m, 2 each */
 };
 
-/* Images beyond round walls, at the same distance behind the nearest wall point. */
-static void mirror_round(struct medium *m, double reach) {
-    struct cloud *c = &m->c;
-    for (size_t i = 0; i < c->n; i++)
-        for (int s = X_LO; s <= X_HI; s++) {
-            if (!shape_has_wall(m->p, s)) continue;
-            struct foot foot = shape_foot(m->p, s, (const double[2]){c->x[i], c->y[i]});
-            if (!(foot.depth < reach)) continue;
-            c->x[c->total] = c->x[i] + 2 * foot.depth * foot.normal[0];
-            c->y[c->total++] = c->y[i] + 2 * foot.depth * foot.normal[1];
-        }
-}
-
-/* Images of all particles within the kernel's support of a wall; there is room for three each. */
+/* The images of all particles within the kernel's support of a wall; room for three each. */
 static void mirror_all(struct medium *m) {
     double reach = KERNEL_SUPPORT * REACH * m->spacing;
     struct cloud *c = &m->c;
     c->total = c->n;
-    if (m->p->shape) {
-        mirror_round(m, reach);
-        return;
-    }
     for (size_t i = 0; i < c->n; i++)
         for (int image = 1; image < (c->dim == 2 ? 4 : 2); image++) {
             double x[2] = {c->x[i], c->y[i]};
@@ -123,21 +105,10 @@ static double sweep(struct medium *m, int threads) {
     return sqrt(moved / (double)m->c.n) / m->spacing;
 }
 
-/* A particle that has crossed a round wall restarts a quarter of a spacing inside, since an image next to it would
- * not push it back. */
-static void bring_back(struct medium *m, size_t i) {
-    int side;
-    struct foot foot = shape_nearest(m->p, (const double[2]){m->c.x[i], m->c.y[i]}, &side);
-    if (foot.depth >= 0) return;
-    m->c.x[i] = foot.x[0] - 0.25 * m->spacing * foot.normal[0], m->move[2 * i] = 0;
-    m->c.y[i] = foot.x[1] - 0.25 * m->spacing * foot.normal[1], m->move[2 * i + 1] = 0;
-}
-
 static void displace(struct medium *m) {
     for (size_t i = 0; i < m->c.n; i++) {
         m->c.x[i] += m->move[2 * i];
         if (m->c.dim == 2) m->c.y[i] += m->move[2 * i + 1];
-        if (m->p->shape) bring_back(m, i);
     }
 }
 

@@ -22,6 +22,7 @@ static const struct row {
     {"rod-cooling so_ssph --dx 0.03 --layout node", "--layout node: a Robin wall is midway"},
     {"rod-contact contact_ssph --dx 0.1 --layout node", "--layout node: two materials give each particle a row"},
     {"rod-cosine so_ssph --dx 0.1 --layout node --shift 0.3", "--layout node: is made for walls between particles"},
+    {"disc-mode so_ssph --dx 0.1 --layout relaxed", "--layout relaxed: particles settle between plane walls"},
     {"rod-cosine so_ssph --dx 0.1 --layout hexagonal --shift 0.3", "--layout hexagonal: is made for --walls mirror"},
     /* walls */
     {"wave so_ssph --dx 0.1 --shift 0.3", "--shift 0.3: the scene is periodic and has no walls; use 0"},

@@ -98,11 +98,11 @@ static double held(const struct problem *p, enum side s, const double x[2]) {
     return 0;
 }
 
-/* A disc and a ring on six clouds: volumes add up to the body's, walls to its circles; the faces of a cell inside
+/* A disc and a ring on five clouds: volumes add up to the body's, walls to its circles; the faces of a cell inside
  * close, and what is open at a wall is the chord of its arc. */
 static void cells_fill_a_round_body(void **state) {
     (void)state;
-    for (int k = 0; k < 12; k++) {
+    for (int k = 0; k < 10; k++) {
         double hole = k % 2 ? 0.37 : 0, sum = 0, wall[2] = {0, 0}, arcs = 0;
         struct problem p = {.materials = 1, .material = {{{0.7, 0.7}, 1.3}}, .wall = held};
         struct options o = {
@@ -119,8 +119,7 @@ static void cells_fill_a_round_body(void **state) {
             double out[2] = {0, 0}, chord = 0, size = 0;
             sum += v.volume[i];
             assert_order(v.volume[i], >, 0);
-            if (o.layout != LAYOUT_RELAXED)
-                assert_order(shape_depth(&p, (const double[2]){c.x[i], c.y[i]}), >=, 0.25 * l.dx[0]);
+            assert_order(shape_depth(&p, (const double[2]){c.x[i], c.y[i]}), >=, 0.25 * l.dx[0]);
             for (size_t q = v.begin[i]; q < v.begin[i + 1]; q++) {
                 size_t j = v.point[q];
                 double d[2] = {c.x[j] - c.x[i], c.y[j] - c.y[i]}, r = hypot(d[0], d[1]);
@@ -163,30 +162,6 @@ static void an_edge_may_cross_a_circle_twice(void **state) {
         assert_near(r.wall[!hole], (2 * M_PI - 8 * half) * R, 1e-14);
         assert_near(r.farthest, hole ? 2.21 : 1.85, 1e-14); /* to (-0.8, 0.8), or to (-0.8, 0.6) */
         for (int k = 0; k < 4; k++) assert_near(r.face[k], hole ? 1.6 - 2 * R * sin(half) : 2 * R * sin(half), 1e-14);
-    }
-}
-
-/* Of these clouds one particle in thousands crosses the wall while it settles. */
-static void settled_clouds_stay_inside(void **state) {
-    (void)state;
-    for (unsigned seed = 1; seed <= 8; seed++) {
-        struct problem p = {.materials = 1, .material = {{{0.7, 0.7}, 1.3}}, .wall = held};
-        struct options o = {.dx = 0.1, .seed = seed, .layout = LAYOUT_RELAXED, .jitter = 0.5, .sweeps = 2000};
-        struct lattice l;
-        struct cloud c;
-        struct failure why;
-        double volume = 0;
-        o.walls = WALLS_FIT;
-        shape_round(&p, 0, 1);
-        assert_int_equal(layout_lattice(&p, &o, 1, &l, &why), STATUS_OK);
-        if (layout_cut(&p, &o, &l, 3 * l.dx[0], &c, &why)) fail_msg("%s", why.text);
-        for (size_t i = 0; i < c.n; i++) {
-            assert_order(hypot(c.x[i], c.y[i]), <, 0.98);
-            volume += c.cell[i];
-        }
-        for (size_t j = c.n; j < c.total; j++) assert_order(hypot(c.x[j], c.y[j]), >, 1.02);
-        assert_near(volume, M_PI, 1e-12);
-        layout_cloud_free(&c);
     }
 }
 
@@ -361,7 +336,6 @@ int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(cells_fill_the_body),
         cmocka_unit_test(cells_fill_a_round_body),
-        cmocka_unit_test(settled_clouds_stay_inside),
         cmocka_unit_test(an_edge_may_cross_a_circle_twice),
         cmocka_unit_test(threads_change_nothing),
         cmocka_unit_test(operator_is_symmetric),
