@@ -99,7 +99,7 @@ static void a_lone_particle_is_refused(void **state) {
 static void neighbours_on_one_line(void **state) {
     (void)state;
     struct made m;
-    const double c = 0.6, s = 0.8; /* of the line's direction: not along an axis */
+    const double c = 0.6, s = 0.8; /* the line's direction, along no axis */
     empty(&m);
     for (int i = 0; i < SIDE; i++) place(&m, c * (i + 0.5), s * (i + 0.5));
     struct outcome so = try(&method_so_ssph, &m, 1.6), fo = try(&method_fo_ssph, &m, 1.6),
@@ -158,7 +158,10 @@ static void jitter_is_refused_or_measured(void **state) {
 
 int main(void) {
     gsl_set_error_handler_off();
-    const struct CMUnitTest tests[] = {     cmocka_unit_test(a_lone_particle_is_refused),       cmocka_unit_test(neighbours_on_one_line),          cmocka_unit_test(a_clump_stays_finite),
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(a_lone_particle_is_refused),
+        cmocka_unit_test(neighbours_on_one_line),
+        cmocka_unit_test(a_clump_stays_finite),
         cmocka_unit_test(jitter_is_refused_or_measured),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

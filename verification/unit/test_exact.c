@@ -163,7 +163,7 @@ static void what_is_no_such_sum_is_not_taken_for_one(void **state) {
         }
 }
 
-static double alike(int i, int j) {
+static double same_rows(int i, int j) {
     return cos(0.31 * i + 0.2) + 0 * j;
 }
 
@@ -171,7 +171,7 @@ static double alike(int i, int j) {
 static void a_row_that_repeats_another_but_for_one_value_is_seen(void **state) {
     (void)state;
     const int n[2] = {NX, NY};
-    double *F = field_of(n, alike), *again = xcalloc(NX * NY, sizeof *again);
+    double *F = field_of(n, same_rows), *again = xcalloc(NX * NY, sizeof *again);
     struct products p;
     assert_int_equal(products_split(F, n, 4 * DBL_EPSILON, 1, &p), 1);
     products_free(&p);
@@ -188,7 +188,7 @@ static void a_row_that_repeats_another_but_for_one_value_is_seen(void **state) {
 /* exp(tA) is linear: of a product, by its few modes, it is that of a sum less that of the rest, by all of theirs. */
 static void few_modes_evolve_as_all_do(void **state) {
     (void)state;
-    static const double times[] = {0.27, 1, 13.1}; /* of the problem's: most modes survive, some, and few */
+    static const double times[] = {0.27, 1, 13.1}; /* t_end: most modes survive, some, few */
     for (int sides = 0; sides < 16; sides++)
         for (int node = 0; node < 2; node++) {
             struct problem p = odd_rectangle();
@@ -216,8 +216,6 @@ static void few_modes_evolve_as_all_do(void **state) {
         }
 }
 
-enum { ACROSS = 75 }; /* of a lattice of 0.02 m over 1.5 m */
-
 /* ---- rates ---- */
 
 /* sum_ij w_ij (cos i a cos j b - 1) over all four quadrants, in long double */
@@ -230,7 +228,7 @@ static long double rate(const struct heat_operator *a, long double x, long doubl
 }
 
 /* A mode of a rectangle of 300 x 240, taken until it is 1/e of itself.  Rates to 16 eps, |z| = 1, exp to one: 6 eps;
- * transforms to 3.4 eps a level of the 2-norm, half of the mode's largest value, of which there are two along each
+ * transforms to 3.4 eps a level of the 2-norm, half of the mode's largest value; there are two along each
  * axis with 9 levels, and all of it at one place.  Rates rounded as the weights are would be off by eps sum |w|/rate,
  * some 1e4 eps. */
 static void slow_modes_keep_their_rates(void **state) {

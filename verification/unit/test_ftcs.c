@@ -165,7 +165,7 @@ static void test_heat_balance(void **state) {
 
 /* ---- The matched step ---- */
 
-/* What the sampling has smoothed already is not integrated again; a jump sampled at points is the reverse. */
+/* Smoothing by the sampling shortens the run by its time; a jump sampled at points lengthens it. */
 static void test_matched_starts_late(void **state) {
     (void)state;
     const double m[] = {0, 1, 4, -1, 1, 4}, dx = 0.046;
@@ -230,11 +230,11 @@ static double step(const struct problem *p, const double x[2]) {
 static void test_stability(void **state) {
     (void)state;
     const struct method *const both[] = {&method_ftcs, &method_ftcs_flux};
-    const double limit[] = {0.5, 2}; /* of dt (kappa_x + kappa_y) / dx^2 */
+    const double limit[] = {0.5, 2}; /* dt (kappa_x + kappa_y) / dx^2 */
     for (int m = 0; m < 2; m++) {
         struct problem p = plane(3, 2);
         p.initial = step, p.jumps[0] = 1, p.jump[0][0] = 0.2431, p.jump[1][0] = 0.9017, p.t_end = 60;
-        double share = 0.71 / (0.29 + 0.71); /* of the larger kappa, which --fourier is made with */
+        double share = 0.71 / (0.29 + 0.71); /* --fourier counts in the larger kappa */
         struct options o = {.dx = 0.046, .fourier = 0.995 * limit[m] * share};
         struct field f = solved(both[m], &p, &o);
         for (size_t i = 0; i < f.n; i++) assert_order(fabs(f.T[i]), <, 4);

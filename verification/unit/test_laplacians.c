@@ -59,7 +59,7 @@ static void quadratics_are_exact(void **state) {
         assert_near(moment(w[0], 1, 1), 0, 1e-12);
     }
     nb = around(2, same);
-    weights_of("brookshaw_corrected", &nb, w); /* of the distance's square alone */
+    weights_of("brookshaw_corrected", &nb, w); /* exact for the distance's square alone */
     assert_near(moment(w[0], 2, 0) + moment(w[0], 0, 2), 4 * KX, 1e-12);
     assert_order(fabs(moment(w[0], 2, 0) - moment(w[0], 0, 2)), >, 0.01);
     weights_of("cspm", &nb, w);
@@ -359,7 +359,7 @@ static void means_across_the_interface(void **state) {
     struct problem p = two_halves();
     struct options o = {.dx = pair_dx, .volume = VOLUME_RAW};
     const double x = 0.385, part = (0.4 - x) / pair[0],
-                 unit = pair_dx * pair_dx * F() / 1.3; /* five sevenths lie on the left */
+                 unit = pair_dx * pair_dx * F() / 1.3; /* five sevenths are on the left */
     assert_near(weight(&p, o, x) / unit, 4 * 0.7 * 0.2 / 0.9, 1e-13);
     o.mean = MEAN_ARITHMETIC;
     assert_near(weight(&p, o, x) / unit, 0.9, 1e-13);

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Where particles and ghosts are, and what ghosts hold: on fields that the walls' images continue exactly. */
+/* Places of particles and ghosts, and the ghosts' values on fields that the walls' images continue exactly. */
 
 #include "solver/method.h"
 #include "solver/space/layout.h"

@@ -48,7 +48,7 @@ static void cells_find_what_all_pairs_do(void **state) {
     (void)state;
     as_all_pairs(odd_rectangle(), 0.43, 0.117);
     as_all_pairs(odd_rectangle(), 0.43, 0.0231); /* many cells, most of them empty */
-    as_all_pairs(odd_rectangle(), 0, 0.1);       /* four neighbours lie on the circle: out, by rounding or not */
+    as_all_pairs(odd_rectangle(), 0, 0.1);       /* four neighbours are on the circle: out, by rounding or not */
     as_all_pairs(odd_rod(), 0.29, 0.163);
     struct problem narrow = odd_rectangle(), flat = odd_rectangle();
     narrow.hi[0] = narrow.lo[0] + 0.3, flat.hi[1] = flat.lo[1] + 0.3;

@@ -150,8 +150,7 @@ static void unstable_runs_say_where_and_when(void **state) {
     assert_has(why.text, "particle");
 }
 
-/* The moment matrices solved and the roots found in thirty digits (mpmath). */
-/* Of the 1024 that there is room for: squares of 31 but not 33 points, lines of 1023 but not 1025. */
+/* There is room for 1024: squares of 31 but not 33 points, lines of 1023 but not 1025. */
 static void as_many_neighbours_as_there_is_room_for(void **state) {
     (void)state;
     static double d[NEIGHBOURS_MAX][2];

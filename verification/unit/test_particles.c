@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Methods as a whole on a box of which all numbers differ: linear fields stay, axes exchange, heat counts, steps end
- * on time. */
+/* Methods as a whole on a box without two equal numbers: linear fields stay, axes exchange, heat counts, steps end on
+ * time. */
 
 #include "solver/method.h"
 #include "solver/time/stepper.h"
@@ -110,8 +110,7 @@ static void heat_is_counted(void **state) {
     const struct method *const all[] = {&method_brookshaw, &method_ftcs};
     for (int m = 0; m < 2; m++)
         for (int dim = 1; dim <= 2; dim++)
-            for (int node = 0; node < (m ? 2 : 1);
-                 node++) { /* particles count alike, also where half a cell is theirs */
+            for (int node = 0; node < (m ? 2 : 1); node++) { /* a point with half a cell counts half */
                 struct problem p = dim == 2 ? odd_rectangle() : odd_rod();
                 struct options o = usual;
                 struct field f;

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Averages of initial data in closed form: moments of the B-splines, jumps, and what lies beyond the walls.  Both
+/* Averages of initial data in closed form: moments of the B-splines, jumps, and data beyond the walls.  Both
  * codes for it, that of the particles and that of the finite differences, are held to the same numbers. */
 #include "solver/method.h"
 

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* What a ladder in time is measured against where there is no exact stepper, on methods made to measure: T = (1 +
+/* The reference of a ladder in time without an exact stepper, on methods with given errors: T = (1 +
  * part D dt^order) T_exact of the rungs' stepper, (1 + wrong/N^2) T_exact of the polynomials in N steps. */
 #include "verification/ladder/ladder.h"
 
@@ -71,7 +71,7 @@ static void climb(const char *options, const struct method *m, int status, struc
     arguments_free(&r);
 }
 
-/* Of t_end = 5 s: one step and two agree to 3.75e-10; or, with eigenvalues off the axis, 8 steps are too few and 16
+/* t_end = 5 s: one step and two agree to 3.75e-10; or, with eigenvalues off the axis, 8 steps are too few and 16
  * the first that are done, 16 and 32 are 1.9e-9 apart and
  * 32 and 64 agree to 4.7e-10. */
 static void the_reference_is_two_polynomials_that_agree(void **state) {
@@ -114,7 +114,7 @@ static void a_reference_that_is_not_good_enough_is_said(void **state) {
     free(l);
 }
 
-/* Where both exist they are the same: the particles of a cloud without jitter against those of the lattice. */
+/* Both references are the same: the particles of a cloud without jitter against those of the lattice. */
 static void the_polynomials_reference_is_the_exact_one(void **state) {
     (void)state;
     static const char *const lines[] = {"ladder rod-cosine so_ssph --dx 1/40 --dt 0.1,0.05 --stepper rkl2",

@@ -24,7 +24,7 @@ static double step_polynomials(double dt, double bound, double rate, double heat
     assert_near(u[0].start, 0, 0);
     assert_near(u[0].old + u[1].old, 0, 0);
     for (int k = 0; k < degree; k++) {
-        assert_near(u[k].self + u[k].old + u[k].start, 1, 4e-16 * (1 - u[k].old)); /* what is constant stays so */
+        assert_near(u[k].self + u[k].old + u[k].start, 1, 4e-16 * (1 - u[k].old)); /* a constant stays */
         double old = k < 2 ? 0 : u[k].old * before;
         double next = u[k].rate * (heat - rate * T) + u[k].self * T + old + u[k].start * T0;
         before = T, T = next;
@@ -50,7 +50,7 @@ static void an_eigenvalue_gets_its_exponential(void **state) {
     }
 }
 
-/* What is left out is less than half a rounding error, 2^-53; with an eighth fewer terms it is more. */
+/* The rest of the series is less than half a rounding error, 2^-53; with an eighth fewer terms it is more. */
 static void the_degree_is_enough_and_not_much_more(void **state) {
     (void)state;
     for (double h = 2.5; h < 131072; h *= 3.1) {
@@ -98,7 +98,7 @@ static struct result result_of(const char *line) {
     return result;
 }
 
-/* Within 2.2 dx lie 2 on either side, and in the plane (1, 0), (1, 1), (2, 0) and what is alike. */
+/* Neighbours within 2.2 dx: 2 on either side; in the plane (1, 0), (1, 1), (2, 0) and their images. */
 static void pairs_are_neighbours(void **state) {
     (void)state;
     struct result rod = result_of("run rod-cosine so_ssph --dx 0.05 --stepper euler --fourier 0.2");
@@ -116,7 +116,7 @@ static void the_bound_of_stages_is_met(void **state) {
     }
 }
 
-/* Where the start jumps the first step is two damped quarters, dt lambda <= 4/3 (s^2 + 5 s - 6), and a half.  From
+/* A start that jumps takes as first step two damped quarters, dt lambda <= 4/3 (s^2 + 5 s - 6), and a half.  From
  * the stages of the others dt lambda is known between two bounds. */
 static void a_damped_start_takes_what_its_parts_need(void **state) {
     (void)state;

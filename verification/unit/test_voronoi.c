@@ -239,7 +239,7 @@ static void rows_are_exact(void **state) {
             for (size_t q = a.row[i]; q < a.row[i + 1]; q++) {
                 size_t j = a.column[q];
                 double w = a.value[q], there = m.c.x[j], dx = there - x, dy = m.c.y[j] - y;
-                double near = x - 0.213, far = there - 0.213; /* of the interface */
+                double near = x - 0.213, far = there - 0.213; /* distances from the interface */
                 if (two) dx = (far > 0 ? far / 0.07 : far) - (near > 0 ? near / 0.07 : near);
                 sum[0] += w * dx, sum[1] += w * dy, sum[2] += w * (dx * dx / K[0] + dy * dy / K[1]);
             }

@@ -288,7 +288,7 @@ static void each_side_is_cooled_alike(void **state) {
     }
 }
 
-/* What the body has lost has gone through its wall: rho_c int (T - T_0) = -int b (T - T_a) dt. */
+/* Heat leaves through the wall: rho_c int (T - T_0) = -int b (T - T_a) dt. */
 static void heat_leaves_through_the_wall(void **state) {
     (void)state;
     struct problem p = cooled(1);

@@ -15,7 +15,7 @@ extern const struct method method_so_ssph;
 
 static const double K = 0.7, B = 1.9;
 
-/* What a treatment has to continue: a + b x + c y + degree 2, of one kind of wall everywhere. */
+/* The field that a treatment continues: a + b x + c y + degree 2, with one kind of wall everywhere. */
 static struct field_of {
     double a, b, c, xx, xy, yy;
 } const quadratic = {1.1, 0.7, -0.4, 0.35, -0.55, 0.85}, linear = {1.1, 0.7, -0.4, 0, 0, 0},
