@@ -24,8 +24,8 @@ struct rule {
 };
 
 /* The initial data, extended beyond a wall by its boundary condition: odd about a Dirichlet value, even about a
- * Neumann wall except for its slope.  Beyond a corner between different sides it is the mean over them, independent
- * of the order of the axes. */
+ * Neumann wall except for its slope; periodic sides go on at the opposite side.  Beyond a corner between different
+ * sides it is the mean over them, independent of the order of the axes. */
 static double continued(const struct problem *p, const double x[2]) {
     double sum = 0;
     int sides = 0;
@@ -35,6 +35,10 @@ static double continued(const struct problem *p, const double x[2]) {
         if (outside <= 0) continue;
         double foot[2] = {x[0], x[1]}, image[2] = {x[0], x[1]};
         foot[a] = wall;
+        if (p->side[s] == PERIODIC) {
+            image[a] = x[a] + (s % 2 ? p->lo[a] - p->hi[a] : p->hi[a] - p->lo[a]);
+            return continued(p, image);
+        }
         image[a] = 2 * wall - x[a];
         double value = p->wall(p, (enum side)s, foot), inner = continued(p, image);
         if (p->side[s] == ROBIN) { /* k dT/dn = b (T_a - T), midway */

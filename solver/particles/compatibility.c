@@ -74,7 +74,10 @@ int compatibility_check(const struct problem *p, const struct options *o, const 
     const int node = o->layout == LAYOUT_NODE, settled = o->layout == LAYOUT_RELAXED;
     const int mirror = o->walls == WALLS_MIRROR, matched = o->stepper == STEPPER_MATCHED;
     const enum side_kind kind = kind_without_dummies(p, o->walls);
-    const struct material *unequal = anisotropic(p), *m = unequal ? unequal : &p->material[0];
+    const struct material *unequal = anisotropic(p);
+    /* rows that are all the stencil of a square lattice */
+    const int alike = periodic && o->layout == LAYOUT_LATTICE && !two && !unequal && !p->source;
+    const struct material *m = unequal ? unequal : &p->material[0];
     char axes[100], wall[60];
     snprintf(axes, sizeof axes, "isotropic conductivity only, the scene has k_x = %g and k_y = %g", m->k[0], m->k[1]);
     snprintf(wall, sizeof wall, "has no answer for a %s wall", kind_words[kind]);
@@ -118,7 +121,8 @@ int compatibility_check(const struct problem *p, const struct options *o, const 
          "fit"},
         {cut && kind != PERIODIC, WALLS, wall, "fit"},
         /* steppers */
-        {stepper && stepper->needs && particles_rows(p, o), STEPPER, "one stencil has to do for all particles",
+        {stepper && stepper->needs && particles_rows(p, o) && !(matched && alike), STEPPER,
+         "one stencil has to do for all particles",
          "--layout lattice or node, one material and plane walls between particles or on them"},
         {matched && robin, STEPPER, "a Robin wall's temperature moves, and its ghosts are of second order",
          "another stepper"},

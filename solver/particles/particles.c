@@ -272,7 +272,7 @@ int particles_solve(const struct method *m, const struct problem *p, const struc
             f->spacing[d] = d < p->dim ? l.dx[d] : 0;
         }
         if (!rows) sample_lattice(p, o->sampling, &l, f->T);
-        if (o->stepper == STEPPER_MATCHED) matched_source(p, o, &a, f->T);
+        if (o->stepper == STEPPER_MATCHED && !rows) matched_source(p, o, &a, f->T);
         for (size_t i = 0; i < f->n && rows && !averages_cells(o, s); i++) {
             double x[2] = {f->x[i], f->y ? f->y[i] : 0};
             f->T[i] = start_at(p, o, &l, x);

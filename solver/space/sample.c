@@ -31,9 +31,11 @@ static double b_spline(int m, double u) {
 
 static inline double continued(const struct problem *p, double x, double y);
 
-/* T0 beyond side s: T0(x) = sign T0(image) + offset. */
+/* T0 beyond side s: T0(x) = sign T0(image) + offset, or that of the opposite side where they are periodic. */
 static double reflected(const struct problem *p, enum side s, double x, double y) {
     int a = (int)s / 2;
+    double period = s % 2 ? p->hi[a] - p->lo[a] : p->lo[a] - p->hi[a];
+    if (p->side[s] == PERIODIC) return a ? continued(p, x, y - period) : continued(p, x - period, y);
     double wall = s % 2 ? p->hi[a] : p->lo[a], beyond = fabs((a ? y : x) - wall);
     double foot[2] = {a ? x : wall, a ? wall : y}, value = p->wall(p, s, foot);
     double inside = a ? continued(p, x, 2 * wall - y) : continued(p, 2 * wall - x, y);

@@ -243,7 +243,11 @@ static int matching_step(const struct problem *p, const struct options *o, const
     *F = o->fourier;
     if (o->fourier > 0) return STATUS_OK;
     if (check_order(o, "--stepper matched", why)) return why->status;
-    struct symbol_error e = symbol_of(a->reach, a->weight, unit);
+    struct symbol_error e;
+    if (a->weight)
+        e = symbol_of(a->reach, a->weight, unit);
+    else if (matched_symbol(p->dim, o, s, &e, why)) /* rows of a periodic lattice */
+        return why->status;
     if (p->dim == 2 && !(fabs(e.B - 2 * e.A) < 1e-9 * fabs(e.A))) {
         double iso;
         if (matched_isotropic(o, s, &iso, why)) return why->status;
@@ -262,10 +266,12 @@ static int matching_step(const struct problem *p, const struct options *o, const
  * total time. --fourier F replaces the matching step, to show the effect of the match. */
 static int plan(const struct problem *p, const struct options *o, const struct scheme *s,
                 const struct heat_operator *a, struct march *m, struct failure *why) {
-    double F, kappa = p->material[0].k[0] / p->material[0].rho_c, dx2 = a->lattice.dx[0] * a->lattice.dx[0];
+    struct lattice l = a->lattice;
+    if (!a->weight && layout_lattice(p, o, 1, &l, why)) return why->status;
+    double F, kappa = p->material[0].k[0] / p->material[0].rho_c, dx2 = l.dx[0] * l.dx[0];
     if (o->dt > 0) return refuse(why, STATUS_INPUT, "--stepper matched: sets its own step; omit --dt");
     if (matching_step(p, o, s, a, kappa / dx2, &F, why)) return why->status;
-    m->time = p->t_end - start_time(p, o, &a->lattice);
+    m->time = p->t_end - start_time(p, o, &l);
     if (!(m->time > 0))
         return refuse(why, STATUS_INPUT, "--t-end %g: the averaged initial data correspond to %g s", p->t_end,
                       p->t_end - m->time);

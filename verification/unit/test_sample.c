@@ -210,10 +210,29 @@ static void data_meet_a_wall_along_all_of_it(void **state) {
     assert_int_equal(sample_meets_wall(&p, &l, X_HI), 1);
 }
 
+static double oblique(const struct problem *p, const double x[2]) {
+    return 1 + 0.7 * cos(2 * M_PI * (x[0] / p->hi[0] + 2 * x[1] / p->hi[1]) + 0.3);
+}
+
+/* A wave is an eigenfunction of every average that does not see where the period begins. */
+static void periodic_sides_are_no_walls(void **state) {
+    (void)state;
+    struct problem p = {.dim = 2, .hi = {1.3, 0.9}, .materials = 1, .initial = oblique, .wall = cold};
+    for (int s = 0; s < 4; s++) p.side[s] = PERIODIC;
+    p.material[0] = (struct material){{1, 1}, 1};
+    const double middle[2] = {0.61, 0.47}, edge[][2] = {{0.02, 0.47}, {1.27, 0.41}, {0.6, 0.01}, {1.29, 0.88}};
+    for (int how = SAMPLING_CELL; how <= SAMPLING_SPLINE; how++)
+        for (int i = 0; i < 4; i++) {
+            double share = (sample_initial(&p, (enum sampling)how, dx, middle) - 1) / (oblique(&p, middle) - 1);
+            both(&p, (enum sampling)how, edge[i][0], edge[i][1], 1 + share * (oblique(&p, edge[i]) - 1), 2e-3);
+        }
+}
+
 int main(void) {
     gsl_set_error_handler_off();
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(averages_have_the_splines_moments),
+        cmocka_unit_test(periodic_sides_are_no_walls),
         cmocka_unit_test(jumps_are_cut),
         cmocka_unit_test(images_of_jumps_are_cut),
         cmocka_unit_test(walls_continue_the_data),
