@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* heatladder list: what there is to choose from. */
-#include "verification/command/verb.h"
+#include "verification/cli/verb.h"
 
 #include "references/scene.h"
 #include "solver/method.h"
@@ -9,7 +9,6 @@
 #include "reports/papers.h"
 #include "verification/gates/battery.h"
 #include "verification/gates/gates.h"
-#include "verification/command/request.h"
 #include "verification/text/table.h"
 #include "verification/text/words.h"
 
@@ -116,17 +115,34 @@ static const struct topic {
               {"gates", list_gates, NULL},     {"battery", list_battery_rows, list_battery_details},
               {"claims", list_claims, NULL},   {0}};
 
-int verb_list(const struct request *r, struct failure *why) {
-    const char *names[WORDS_MAX] = {0};
+struct list_options {
+    struct command command;
+    int verbose;
+};
+
+static int act(const void *options, struct failure *why) {
+    const struct list_options *r = options;
+    const char *names[WORDS_MAX] = {0}, *topic = r->command.topic;
     for (int i = 0; topics[i].name; i++) {
         names[i] = topics[i].name;
-        if (r->topic && words_index(names, r->topic) < 0) continue;
-        if (!r->topic && i) printf("\n");
+        if (topic && words_index(names, topic) < 0) continue;
+        if (!topic && i) printf("\n");
         if (r->verbose && topics[i].details)
             topics[i].details();
         else
             topics[i].list();
-        if (r->topic) return STATUS_OK;
+        if (topic) return STATUS_OK;
     }
-    return r->topic ? words_unknown(names, "topic", r->topic, why) : STATUS_OK;
+    return topic ? words_unknown(names, "topic", topic, why) : STATUS_OK;
 }
+
+static const struct option own[] = {{"verbose", NULL, "of the battery: commands, bounds and draws; also -v",
+                                     option_flag, OPTION_PLACE(list_options, verbose)},
+                                    {0}};
+
+static const struct command_syntax syntax = {"list", "[TOPIC]", "", "", NULL};
+
+const struct verb verb_list = {&syntax, own, sizeof(struct list_options),
+                               "list scenes, methods, kernels, steppers, gates, battery and claims, or one TOPIC of "
+                               "these",
+                               act};

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* heatladder report: the studies of reports/, measured again.  Progress and times go to standard output, not into any
- * file.  A study is a row of the table and a word of verbs.def. */
-#include "verification/command/verb.h"
+ * file.  A study is a row of the table and a word of the syntax. */
+#include "verification/cli/verb.h"
 
 #include "reports/index/index.h"
 #include "reports/ledger/claims.h"
@@ -13,7 +13,6 @@
 #include "reports/stability/stability.h"
 #include "reports/walls/walls_study.h"
 #include "solver/status.h"
-#include "verification/command/request.h"
 #include "verification/text/output.h"
 
 #include <omp.h>
@@ -60,19 +59,25 @@ static int write_studies(const char *name, const char *dir, struct failure *why)
         if (write_study(s, dir, why)) return why->status;
         written++;
     }
-    return written ? STATUS_OK : refuse(why, STATUS_INPUT, "'%s' is a word of verbs.def, but no study", name);
+    return written ? STATUS_OK : refuse(why, STATUS_INPUT, "'%s' is a word of the syntax, but no study", name);
 }
 
-static int measure_claims(const struct request *r, struct claims *c, struct failure *why) {
-    if (r->dir && output_directory(r->dir, "claims.csv", why)) return why->status;
+struct report_options {
+    struct command command;
+    char *only; /* owned: globs of claims; NULL: all */
+    int json;
+};
+
+static int measure_claims(const struct report_options *r, struct claims *c, struct failure *why) {
+    if (r->command.dir && output_directory(r->command.dir, "claims.csv", why)) return why->status;
     if (claims_collect(papers_claims, r->only, c, why)) return why->status;
     claims_run(c);
-    (r->json ? claims_write_json : r->dir ? claims_write_changed : claims_write_text)(c, stdout);
-    return r->dir ? claims_write_files(c, r->dir, why) : STATUS_OK;
+    (r->json ? claims_write_json : r->command.dir ? claims_write_changed : claims_write_text)(c, stdout);
+    return r->command.dir ? claims_write_files(c, r->command.dir, why) : STATUS_OK;
 }
 
 /* The ledger: the statements of the papers, whole on standard output where there is no directory. */
-static int report_claims(const struct request *r, struct failure *why) {
+static int report_claims(const struct report_options *r, struct failure *why) {
     struct claims claims = {0};
     int status = measure_claims(r, &claims, why);
     if (!status && !claims_hold(&claims)) status = STATUS_GATE;
@@ -80,9 +85,24 @@ static int report_claims(const struct request *r, struct failure *why) {
     return status;
 }
 
-int verb_report(const struct request *r, struct failure *why) {
-    if (r->topic && strcmp(r->topic, "claims") == 0) return report_claims(r, why);
+static int act(const void *options, struct failure *why) {
+    const struct report_options *r = options;
+    if (r->command.topic && strcmp(r->command.topic, "claims") == 0) return report_claims(r, why);
     if (r->only || r->json)
         return refuse(why, STATUS_INPUT, "--%s has a meaning for report claims alone", r->only ? "only" : "json");
-    return write_studies(r->topic, r->dir ? r->dir : "reports/out", why);
+    return write_studies(r->command.topic, r->command.dir ? r->command.dir : "reports/out", why);
 }
+
+#define PLACE(member) OPTION_PLACE(report_options, member)
+static const struct option own[] = {{"only", "GLOB[,GLOB...]", "claims: only names that match; may be repeated",
+                                     option_globs, PLACE(only), .repeats = 1},
+                                    {"json", NULL, "claims: JSON instead of text", option_flag, PLACE(json)},
+                                    {0}};
+
+static const struct command_syntax syntax = {
+    "report", "[song|pamplona|matched|operators|stability|walls|claims|page] [DIR]", "", "", NULL};
+
+const struct verb verb_report = {
+    &syntax, own, sizeof(struct report_options),
+    "measure a study and write it into DIR; default: tables and figures of the papers; page: one page of all in DIR",
+    act};

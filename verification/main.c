@@ -1,11 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* heatladder: the command line.  A verb is a row of verbs.def and a file verbs/verb_<name>.c; this file finds it, and
- * prints its failure. */
+/* heatladder: the command line.  It finds the verb, and prints its failure. */
 #include "solver/method.h"
-#include "verification/command/arguments.h"
-#include "verification/command/help.h"
-#include "verification/command/stack.h"
-#include "verification/command/verb.h"
+#include "verification/cli/help.h"
+#include "verification/cli/stack.h"
+#include "verification/cli/verb.h"
 #include "verification/text/utf8.h"
 
 #include <errno.h>
@@ -49,25 +47,28 @@ static void print_failure(const char *text) {
 /* Threads of a run that wait give their processor up: on a busy machine those that spin made it 14 times as long.
  * OpenMP's runtime reads how they wait as it is loaded, so that the program begins again; what it runs for others is
  * left as it is. */
-static void wait_passively(const struct request *r, char *const *argv) {
+static void wait_passively(const struct command *c, char *const *argv) {
 #ifdef __linux__
-    if (r->experiment.options.threads < 2 || r->external) return;
+    if (c->experiment.options.threads < 2 || c->external) return;
     if (getenv("OMP_WAIT_POLICY") || getenv("GOMP_SPINCOUNT")) return;
     if (setenv("OMP_WAIT_POLICY", "passive", 1) == 0) execv("/proc/self/exe", argv);
 #else
-    (void)r, (void)argv;
+    (void)c, (void)argv;
 #endif
 }
 
 static int act(int argc, char *const *argv) {
-    struct request request = {0};
-    struct failure why;
+    struct failure why = {0};
+    const struct verb *verb = verb_find(argv[1]);
+    void *options = verb ? xcalloc(1, verb->size) : NULL;
     int status = stack_check(&why);
-    if (!status) status = arguments_parse(argc - 1, argv + 1, &request, &why);
-    if (!status) wait_passively(&request, argv);
-    if (!status) status = request.verb->act(&request, &why);
+    if (!status && !verb) status = verb_unknown(argv[1], &why);
+    if (!status) status = command_parse(verb->syntax, verb->own, argc - 1, argv + 1, options, &why);
+    if (!status) wait_passively(options, argv);
+    if (!status) status = verb->act(options, &why);
     if (status && *why.text) print_failure(why.text);
-    arguments_free(&request);
+    if (verb) command_free(options);
+    free(options);
     return status_exit(status);
 }
 
@@ -122,7 +123,7 @@ static void take_signals(void) {
 
 /* A team's threads are listed on the stack of the one that starts it: 100000 of them are more than it holds. */
 static void limit_threads(void) {
-    if (omp_get_max_threads() > THREADS_MOST) omp_set_num_threads(THREADS_MOST);
+    if (omp_get_max_threads() > COMMAND_THREADS) omp_set_num_threads(COMMAND_THREADS);
 }
 
 /* What a run frees stays with the program: the next run of the same size finds its pages there.  To fetch them anew

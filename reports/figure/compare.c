@@ -4,7 +4,7 @@
 
 #include "references/scene.h"
 #include "reports/figure/figure.h"
-#include "verification/command/command_run.h"
+#include "verification/ladder/command_run.h"
 #include "verification/ladder/slope.h"
 #include "verification/text/output.h"
 #include "reports/figure/published.h"

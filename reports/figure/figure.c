@@ -3,7 +3,7 @@
 #include "reports/figure/figure.h"
 
 #include "references/scene.h"
-#include "verification/command/command_run.h"
+#include "verification/ladder/command_run.h"
 #include "verification/text/output.h"
 
 #include <math.h>
@@ -23,7 +23,7 @@ static void head(FILE *out, const char *name, const char *command, const char *c
 
 static double initial(const struct command_run *run, size_t i) {
     double x[2] = {run->field.x[i], run->field.y ? run->field.y[i] : 0};
-    return run->request.experiment.problem.initial(&run->request.experiment.problem, x);
+    return run->typed.experiment.problem.initial(&run->typed.experiment.problem, x);
 }
 
 static void write_rod(const struct command_run *run, int start, FILE *out) {
@@ -50,7 +50,7 @@ static void write_cut(const struct command_run *run, double at, FILE *out) {
 }
 
 static void write_exact(const struct command_run *run, FILE *out) {
-    const struct request *r = &run->request;
+    const struct command *r = &run->typed;
     const struct problem *p = &r->experiment.problem;
     double x[2] = {0, r->at.count == 2 ? r->at.value[1] : 0};
     for (int i = 0; i <= FINE; i++) {
@@ -84,13 +84,13 @@ static void trace(const struct figure *figure, const struct isotherm_grid *g, co
 
 /* The value beyond the walls at x, from the nearest point inside: a ghost, as the walls' option has it. */
 static double beyond(const struct command_run *run, const double x[2], double inside) {
-    const struct problem *p = &run->request.experiment.problem;
+    const struct problem *p = &run->typed.experiment.problem;
     double sum = 0;
     int sides = 0;
     for (int a = 0; a < 2; a++) {
         if (x[a] > p->lo[a] && x[a] < p->hi[a]) continue;
         double wall = p->wall(p, (enum side)(2 * a + (x[a] >= p->hi[a])), x);
-        sum += run->request.experiment.options.walls == WALLS_FIXED ? wall : 2 * wall - inside;
+        sum += run->typed.experiment.options.walls == WALLS_FIXED ? wall : 2 * wall - inside;
         sides++;
     }
     return sum / sides; /* in a corner the mean of both */
@@ -118,7 +118,7 @@ static struct isotherm_grid with_ghosts(const struct command_run *run) {
  * lattice, which are a wall's own behind it. */
 static void write_isotherms(const struct figure *figure, const struct figure_series *s, const struct command_run *run,
                             FILE *out) {
-    const struct problem *p = &run->request.experiment.problem;
+    const struct problem *p = &run->typed.experiment.problem;
     struct isotherm_grid g = with_ghosts(run), fine = isotherm_refine(&g, REFINE);
     char title[80];
     trace(figure, &fine, s, "computed", 0, out);
@@ -138,7 +138,7 @@ static void write_isotherms(const struct figure *figure, const struct figure_ser
 
 static void write_series(const struct figure *figure, const struct figure_series *s, const struct command_run *run,
                          FILE *out) {
-    int rod = run->request.experiment.problem.dim == 1;
+    int rod = run->typed.experiment.problem.dim == 1;
     if (s->part == FIGURE_ISOTHERMS) {
         write_isotherms(figure, s, run, out);
         return;

@@ -2,7 +2,7 @@
 /* What the measures of claims are made of. */
 #include "reports/ledger/kit.h"
 
-#include "verification/command/arguments.h"
+#include "verification/ladder/command.h"
 #include "verification/ladder/ladder.h"
 
 #include <ctype.h>
@@ -90,12 +90,12 @@ int kit_order(int *held, double *slope, struct claims_measured *m, const double 
     char line[400];
     va_list arguments;
     struct failure why;
-    struct request r;
+    struct command r;
     struct ladder *l = xcalloc(1, sizeof *l);
     va_start(arguments, command);
     vsnprintf(line, sizeof line, command, arguments);
     va_end(arguments);
-    int status = arguments_parse_line(line, &r, &why);
+    int status = command_read(line, &r, &why);
     if (!status) status = ladder_run(&r.experiment, &r.rungs, l, &why);
     if (status) kit_fail(m, why.text);
     *slope = l->slope.value;
@@ -104,7 +104,7 @@ int kit_order(int *held, double *slope, struct claims_measured *m, const double 
         *held = l->verdict == VERDICT_PASS;
         status = l->verdict == VERDICT_INCONCLUSIVE && kit_fail(m, l->reason);
     }
-    arguments_free(&r);
+    command_free(&r);
     free(l);
     return status != 0;
 }
@@ -113,33 +113,33 @@ int kit_model(struct model_problem *b, struct step_limit *l, struct claims_measu
     char line[200];
     va_list arguments;
     struct failure why;
-    struct request r;
+    struct command r;
     va_start(arguments, command);
     vsnprintf(line, sizeof line, command, arguments);
     va_end(arguments);
-    int status = arguments_parse_line(line, &r, &why);
+    int status = command_read(line, &r, &why);
     if (!status)
         status = step_limit_setup(r.experiment.method, &r.experiment.options, r.dim, r.ratio, r.contact, r.stages, b,
                                   &why);
     if (!status && l) status = step_limit_predict(b, l, &why);
-    arguments_free(&r);
+    command_free(&r);
     if (status && m) kit_fail(m, why.text);
     return status;
 }
 
 int kit_weights(struct kit_cell *cell, const double kappa[2], struct claims_measured *m, const char *command) {
-    struct request r;
+    struct command r;
     struct failure why;
     const struct problem *p = &r.experiment.problem;
     const struct options *o = &r.experiment.options;
     double *w[2] = {cell->w[0], cell->w[1]};
-    int status = arguments_parse_line(command, &r, &why);
+    int status = command_read(command, &r, &why);
     if (!status) status = operator_neighbourhood(p->dim, o->dx, o->h, cell->d, &cell->nb, &why);
     if (!status) {
         cell->nb.rho_c = p->material[0].rho_c;
         memcpy(cell->nb.kappa, kappa, sizeof cell->nb.kappa);
         status = operator_weights(r.experiment.method->scheme, p, o, &cell->nb, w, &why);
     }
-    arguments_free(&r);
+    command_free(&r);
     return status && kit_fail(m, why.text);
 }

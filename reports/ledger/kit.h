@@ -8,7 +8,7 @@
 #include "solver/space/operator.h"
 #include "verification/stability/step_limit.h"
 #include "reports/ledger/claims.h"
-#include "verification/command/command_run.h"
+#include "verification/ladder/command_run.h"
 #include "verification/ladder/judge.h"
 #include "verification/ladder/slope.h"
 #include "reports/figure/published.h"

@@ -10,7 +10,7 @@
 #include "solver/time/matched.h"
 #include "verification/stability/step_limit.h"
 #include "reports/figure/figure.h"
-#include "verification/command/command_run.h"
+#include "verification/ladder/command_run.h"
 
 #include <stdio.h>
 #include <string.h>
@@ -36,7 +36,7 @@ static int write_curve(const struct curve *c, FILE *out, struct failure *why) {
         int status = command_run_check(&run, why);
         const struct result *r = &run.result;
         if (!status)
-            fprintf(out, "%lld,%.6e,%g,%lld\n", r->cost.interactions, r->error.l1, run.request.experiment.options.dx,
+            fprintf(out, "%lld,%.6e,%g,%lld\n", r->cost.interactions, r->error.l1, run.typed.experiment.options.dx,
                     r->steps);
         command_run_free(&run);
         if (status) return status;

@@ -13,8 +13,8 @@
 #include "solver/space/operator.h"
 #include "reports/figure/figure.h"
 #include "reports/operators/candidates.h"
-#include "verification/command/arguments.h"
-#include "verification/command/command_run.h"
+#include "verification/ladder/command.h"
+#include "verification/ladder/command_run.h"
 #include "verification/ladder/ladder.h"
 #include "verification/text/output.h"
 
@@ -74,13 +74,13 @@ struct order {
 
 static void take_order(const struct candidate_operator *o, const struct cloud_kind *c, const struct trial *t,
                        struct order *out) {
-    struct request r;
+    struct command r;
     snprintf(out->command, sizeof out->command, "ladder %s %s%s%s%s --dx %s", t->scene, o->method, o->options,
              c->options, t->options, t->dx);
     out->tried = 1;
-    if (!arguments_parse_line(out->command, &r, &out->why))
+    if (!command_read(out->command, &r, &out->why))
         ladder_run(&r.experiment, &r.rungs, &out->ladder, &out->why);
-    arguments_free(&r);
+    command_free(&r);
 }
 
 static struct order *take_orders(void) {

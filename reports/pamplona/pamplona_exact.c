@@ -7,7 +7,7 @@
 #include "references/scene.h"
 #include "reports/pamplona/plate.h"
 #include "reports/pamplona/xi.h"
-#include "verification/command/arguments.h"
+#include "verification/ladder/command.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -18,12 +18,12 @@ static const double FOREVER = 1e6; /* s: nothing transient is left of a plate of
 /* The plate with the settings "NAME=VALUE --set ..."; 0, or *m failed. */
 static int plate(struct experiment *e, struct claims_measured *m, const char *settings) {
     char line[240];
-    struct request r;
+    struct command r;
     struct failure why;
     snprintf(line, sizeof line, "reference plate --at 0.01,0.01 --time 1%s%s", *settings ? " --set " : "", settings);
-    int bad = arguments_parse_line(line, &r, &why) && kit_fail(m, why.text);
+    int bad = command_read(line, &r, &why) && kit_fail(m, why.text);
     *e = r.experiment;
-    arguments_free(&r);
+    command_free(&r);
     return bad;
 }
 

@@ -5,7 +5,7 @@
 /* Pamplona 2019, section 6 and Table 1: the two runs on the plate, and the errors that the paper may mean. */
 
 #include "reports/ledger/claims.h"
-#include "verification/command/command_run.h"
+#include "verification/ladder/command_run.h"
 
 enum { PLATE_SPH, PLATE_FTCS, PLATE_METHODS, PLATE_SIDE = 20, PLATE_TIMES = 4 };
 

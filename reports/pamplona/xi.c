@@ -58,7 +58,7 @@ double xi_error(struct xi_best *b, double xi) {
                           "run plate brookshaw --kernel quartic --h 1.2 --volume tuned --walls %s --dx 0.1/%d "
                           "--stepper rk2 --set material=%s",
                           b->walls ? b->walls : "fixed", b->n, xi_materials[b->material])) {
-        struct experiment *r = &run.request.experiment;
+        struct experiment *r = &run.typed.experiment;
         r->options.xi = xi;
         r->options.dt = b->beta * h * h / xi_diffusivity(b->material);
         r->problem.t_end = b->t;

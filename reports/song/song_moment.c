@@ -10,7 +10,7 @@
 #include "solver/space/csr.h"
 
 #include "solver/space/kernel.h"
-#include "verification/command/arguments.h"
+#include "verification/ladder/command.h"
 #include "verification/ladder/consistency.h"
 
 #include <complex.h>
@@ -148,15 +148,15 @@ void song_moment_truncation(struct claims_measured *m) {
     for (int dim = 1; dim <= 2; dim++) {
         double dx[5], error[5];
         char line[80];
-        struct request r;
+        struct command r;
         struct failure why;
         snprintf(line, sizeof line, "run %s %s --dx 0.1 --h 1.1", scene[dim - 1], m->argument);
-        int status = arguments_parse_line(line, &r, &why);
+        int status = command_read(line, &r, &why);
         for (int i = 0; i < 5 && !status; i++) {
             r.experiment.options.dx = dx[i] = 0.4 / (1 << i);
             status = consistency_error(&r.experiment, &error[i], &why);
         }
-        arguments_free(&r);
+        command_free(&r);
         if (status && kit_fail(m, why.text)) return;
         int holds;
         struct judged rungs = {.x = dx, .error = error, .n = 5};

@@ -119,7 +119,7 @@ void song_wave_infinite_gradient(struct claims_measured *m) {
         struct failure why;
         struct field field = {0};
         int bad = kit_run(&run, m, "run rod-gauss %s --h 1.05 --dx 0.25 --stepper euler --dt 0.5 --t-end 50", method);
-        struct experiment *e = &run.request.experiment;
+        struct experiment *e = &run.typed.experiment;
         e->problem.initial = bump_with_sawtooth;
         if (!bad && method_solve(e->method, &e->problem, &e->options, &field, &why)) bad = kit_fail(m, why.text);
         field_free(&run.field);

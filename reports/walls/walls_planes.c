@@ -6,7 +6,7 @@
 #include "reports/figure/figure.h"
 #include "reports/walls/walls_price.h"
 #include "solver/method.h"
-#include "verification/command/command_run.h"
+#include "verification/ladder/command_run.h"
 #include "verification/ladder/slope.h"
 
 #include <gsl/gsl_sort.h>

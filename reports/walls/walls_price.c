@@ -5,7 +5,7 @@
 
 #include "solver/method.h"
 #include "solver/particles/particles.h"
-#include "verification/command/arguments.h"
+#include "verification/ladder/command.h"
 #include "verification/stability/spectrum.h"
 
 #include <math.h>
@@ -46,9 +46,9 @@ static int take_spectrum(const struct experiment *e, struct walls_price *price, 
 }
 
 int walls_price_take(struct walls_price *price, struct failure *why, const char *command) {
-    struct request r;
-    int status = arguments_parse_line(command, &r, why);
+    struct command r;
+    int status = command_read(command, &r, why);
     if (!status) status = take_spectrum(&r.experiment, price, why);
-    arguments_free(&r);
+    command_free(&r);
     return status;
 }

@@ -10,7 +10,7 @@
 #include "reports/walls/walls_planes.h"
 #include "reports/walls/walls_price.h"
 #include "solver/method.h"
-#include "verification/command/command_run.h"
+#include "verification/ladder/command_run.h"
 #include "verification/ladder/slope.h"
 #include "verification/text/output.h"
 

@@ -8,7 +8,7 @@
 #include "solver/method.h"
 #include "solver/particles/particles.h"
 #include "solver/sweep/state.h"
-#include "verification/command/arguments.h"
+#include "verification/ladder/command.h"
 #include "verification/bench/bench.h"
 #include "verification/text/progress.h"
 
@@ -56,11 +56,11 @@ static struct bench_time triad(void) {
 /* Seconds of one update of one particle in the time loop of the command, with vectors of `lanes` doubles (0: as the
  * command line has it). */
 static struct bench_time update(const struct bench_engine *e, const char *command, int lanes) {
-    struct request r;
+    struct command r;
     struct failure why;
     struct bench_time none = {NAN, NAN, NAN};
     double seconds[BENCH_RUNS];
-    int status = arguments_parse_line(command, &r, &why);
+    int status = command_read(command, &r, &why);
     if (lanes) r.experiment.options.lanes = lanes;
     r.experiment.options.dx *= e->coarser;
     for (int k = -1; k < BENCH_RUNS && !status; k++) {
@@ -70,7 +70,7 @@ static struct bench_time update(const struct bench_engine *e, const char *comman
         if (k >= 0) seconds[k] = f.cost.step_seconds / (double)f.cost.updates;
         field_free(&f);
     }
-    arguments_free(&r);
+    command_free(&r);
     return status ? none : bench_summary(seconds, BENCH_RUNS);
 }
 
@@ -129,13 +129,13 @@ static double protocol_once(void) {
         char line[120];
         snprintf(line, sizeof line, "run rod-step %s --stepper euler --h 1.05 --dt 5e-5 --dx %s",
                  i % 2 ? "so_ssph" : "fo_ssph", dx[i / 2]);
-        struct request r;
+        struct command r;
         struct failure why;
         struct field f = {0};
-        if (!arguments_parse_line(line, &r, &why))
+        if (!command_read(line, &r, &why))
             method_solve(r.experiment.method, &r.experiment.problem, &r.experiment.options, &f, &why);
         field_free(&f);
-        arguments_free(&r);
+        command_free(&r);
     }
     return omp_get_wtime() - start;
 }
@@ -165,12 +165,12 @@ static struct bench_time apply(const struct heat_operator *a) {
 
 /* The rows of a run, and the seconds that they take: particles, what dummies hold, and all weights. */
 static int set_up(const struct bench_engine *engine, const char *command, struct heat_operator *a, double *seconds) {
-    struct request r;
+    struct command r;
     struct failure why;
     struct options o;
     struct lattice l;
     struct cloud c;
-    int rows, status = arguments_parse_line(command, &r, &why);
+    int rows, status = command_read(command, &r, &why);
     const struct experiment *e = &r.experiment;
     double start = omp_get_wtime();
     r.experiment.options.dx *= engine->coarser;
@@ -181,7 +181,7 @@ static int set_up(const struct bench_engine *engine, const char *command, struct
         *seconds = omp_get_wtime() - start;
         layout_cloud_free(&c);
     }
-    arguments_free(&r);
+    command_free(&r);
     return status;
 }
 

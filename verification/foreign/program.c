@@ -47,10 +47,6 @@ const char program_help[] =
     "the case files of `heatladder case SCENE --dx A,B,C --into DIR`.  With --set it first looks for\n"
     "DIR/SCENE/NAME=VALUE,.../DX, as `heatladder case --battery` writes it.\n";
 
-int program_given(const struct program *g) {
-    return g->solver || g->results;
-}
-
 /* Points and temperatures to other axes and units: by mapping_to_scene and mapping_temperature_back, or back. */
 static void map_points(const struct mapping *m, struct field *f,
                        void (*place)(const struct mapping *m, int dim, const double from[2], double to[2]),

@@ -32,9 +32,6 @@ struct program {
     char rung[100];                /* the directory of this rung below DX: NAME=VALUE or dt=DT; "" for DX itself */
 };
 
-/* 1 where there is a program: a command, or its answers. */
-int program_given(const struct program *g);
-
 /* STATUS_OK where the command, if there is one, has the places of its two files; else STATUS_INPUT. */
 int program_check(const struct program *g, struct failure *why);
 

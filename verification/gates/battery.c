@@ -3,7 +3,7 @@
 #include "verification/gates/battery.h"
 
 #include "references/scene.h"
-#include "verification/command/arguments.h"
+#include "verification/ladder/command.h"
 #include "verification/foreign/results.h"
 #include "verification/text/whole_file.h"
 #include "verification/text/words.h"
@@ -19,6 +19,8 @@ const struct battery_row battery_table[] = {
 #include "verification/gates/battery.def"
     {0}};
 #undef BATTERY
+
+const char *const battery_profile_words[] = {"all", "particles", "slabs", NULL};
 
 static int is_in_profile(const char *id, enum profile profile) {
     if (profile == PROFILE_PARTICLES) return strncmp(id, "periodic/", 9) == 0;
@@ -49,9 +51,9 @@ int battery_add(int order, enum profile profile, unsigned long seed, struct gate
     return STATUS_OK;
 }
 
-void battery_words(const struct request *r, char *text, size_t size) {
-    if (r->profile) words_add(text, size, " --profile %s", arguments_profiles[r->profile]);
-    if (r->more_rungs) words_add(text, size, " --rungs %d", r->more_rungs);
+void battery_words(enum profile profile, int rungs, char *text, size_t size) {
+    if (profile) words_add(text, size, " --profile %s", battery_profile_words[profile]);
+    if (rungs) words_add(text, size, " --rungs %d", rungs);
 }
 
 static int set_bound(const struct battery_row *row, struct gate *gate, struct failure *why) {
@@ -79,9 +81,9 @@ int battery_bounds(int order, struct gates *g, struct failure *why) {
  * spacing. */
 static int write_row(const struct gate *gate, int seeds, const char *dir, struct failure *why) {
     const char *const more[] = {"--solver", "{case} {out}", NULL};
-    struct request r;
+    struct command r;
     char setting[PROGRAM_SETTING], rung[60] = "", dt[40];
-    int status = arguments_parse_line_with(gate->command, more, &r, why), written;
+    int status = command_read_with(gate->command, more, &r, why), written;
     struct experiment *e = &r.experiment;
     if (!status && (!e->scene || results_setting(e->scene, &e->problem, r.overridden, &e->program.map,
                                                  e->options.aspect, setting)))
@@ -96,7 +98,7 @@ static int write_row(const struct gate *gate, int seeds, const char *dir, struct
                                          gates_is_drawn(gate) && seeds > 1 ? seeds : 0};
         status = results_write(&at, e->scene, &e->problem, &e->options, r.rungs.dx.text, &written, why);
     }
-    arguments_free(&r);
+    command_free(&r);
     return status;
 }
 

@@ -4,8 +4,12 @@
 
 /* The battery: gates for a code that nobody here wrote, of order 1, 2 or 4 in space. */
 
-#include "verification/command/request.h"
 #include "verification/gates/gates.h"
+
+/* Codes that can have other rows: all but slab/..., periodic/... alone for particles without walls, all for codes in
+ * three dimensions. */
+enum profile { PROFILE_ALL, PROFILE_PARTICLES, PROFILE_SLABS };
+extern const char *const battery_profile_words[]; /* ended by NULL */
 
 /* ---- Draws ---- */
 
@@ -57,8 +61,8 @@ extern const struct battery_row battery_table[]; /* ended by a NULL id */
 /* Adds the rows for that order and profile to *g, drawn by the seed (0: as they are written). */
 int battery_add(int order, enum profile profile, unsigned long seed, struct gates *g, struct failure *why);
 
-/* Appends the words of `verify` that choose among these rows, as *r has them: " --profile P --rungs N". */
-void battery_words(const struct request *r, char *text, size_t size);
+/* Appends the words of `verify` that choose among these rows: " --profile P --rungs N". */
+void battery_words(enum profile profile, int rungs, char *text, size_t size);
 
 /* Sets the bounds of the rows in *g, all of that order, to those of what was drawn: some need a run of the five-point
  * difference. */

@@ -4,7 +4,7 @@
 
 #include "references/scene.h"
 #include "solver/status.h"
-#include "verification/command/arguments.h"
+#include "verification/ladder/command.h"
 #include "verification/gates/ceiling.h"
 #include "verification/text/words.h"
 
@@ -90,17 +90,17 @@ static void add_row(struct gates *g, const struct row *row, const char *id, cons
  */
 static void set_bounds(struct gate_result *result) {
     struct gate *g = &result->gate;
-    struct request r;
+    struct command r;
     struct failure ignored;
     if (!result->line) return;
-    if (!arguments_parse_line(g->command, &r, &ignored)) {
+    if (!command_read(g->command, &r, &ignored)) {
         struct options *o = &r.experiment.options;
         for (int i = 0; i < r.rungs.dx.count; i++) o->dx = fmin(o->dx, r.rungs.dx.value[i]);
         for (int i = 0; i < r.rungs.dt.count; i++) o->dt = fmin(o->dt, r.rungs.dt.value[i]);
         for (int i = 0; i < r.rungs.fourier.count; i++) o->fourier = fmin(o->fourier, r.rungs.fourier.value[i]);
         bounds_of(result->line, &r.experiment, g);
     }
-    arguments_free(&r);
+    command_free(&r);
 }
 
 /* ---- References ---- */

@@ -6,7 +6,7 @@
 
 #include "references/mapping.h"
 #include "references/scene.h"
-#include "verification/command/arguments.h"
+#include "verification/ladder/command.h"
 #include "verification/run/run.h"
 #include "verification/text/number.h"
 #include "verification/text/words.h"
@@ -79,9 +79,9 @@ static int draw_ranges(const char *ranges, gsl_rng *r, char *words, double *offs
 
 int draw_dimension(const char *command, struct failure *why) {
     const char *const program[] = {"--solver", "{case}{out}", NULL};
-    struct request r;
-    int dim = arguments_parse_line_with(command, program, &r, why) ? 0 : r.experiment.problem.dim;
-    arguments_free(&r);
+    struct command r;
+    int dim = command_read_with(command, program, &r, why) ? 0 : r.experiment.problem.dim;
+    command_free(&r);
     return dim;
 }
 
@@ -113,7 +113,7 @@ int draw_command(const struct draw *d, unsigned long seed, char command[DRAW_COM
 
 /* The five-point difference at the finest spacing, of dx and dy the larger; it knows of no image, and a jump lies on
  * its faces. */
-static int finest_run(const char *command, struct request *r, struct failure *why) {
+static int finest_run(const char *command, struct command *r, struct failure *why) {
     static const char *const options[] = {" --map ",    " --axes ",   " --scale ",
                                           " --offset ", " --aspect ", " --set a=8/15"};
     char words[DRAW_COMMAND], line[DRAW_COMMAND + 40], finest[40];
@@ -129,7 +129,7 @@ static int finest_run(const char *command, struct request *r, struct failure *wh
     int changing = strstr(words, "rise=") != NULL;
     snprintf(line, sizeof line, "run%.*s ftcs%s --dx %.17g%s", (int)(mine - strchr(words, ' ')), strchr(words, ' '),
              mine + 5, fmax(aspect, 1) * spacing, changing ? " --fourier 0.01" : "");
-    return arguments_parse_line(line, r, why);
+    return command_read(line, r, why);
 }
 
 /* Sums over the points of a field, by differences of the exact solution. */
@@ -178,7 +178,7 @@ static double bound_of(enum draw_bound bound, const struct experiment *e, const 
 }
 
 int draw_bound(const struct draw *d, const char *command, double *bound, struct failure *why) {
-    struct request r = {0};
+    struct command r = {0};
     struct result result;
     struct field f = {0};
     if (d->bound == AS_WRITTEN) return STATUS_OK;
@@ -189,6 +189,6 @@ int draw_bound(const struct draw *d, const char *command, double *bound, struct 
         *bound = bound_of(d->bound, &r.experiment, &f, five_point);
     }
     field_free(&f);
-    arguments_free(&r);
+    command_free(&r);
     return status;
 }

@@ -3,7 +3,7 @@
  * that as many were run as declared is checked on top. */
 #include "verification/gates/gates.h"
 
-#include "verification/command/arguments.h"
+#include "verification/ladder/command.h"
 #include "verification/diagnosis/wording.h"
 #include "verification/foreign/program.h"
 #include "verification/text/progress.h"
@@ -18,7 +18,7 @@
 /* About how many particle updates a command takes: the sum over rungs of particles x steps; steps = t kappa / (F
  * dx^2), with F as given, or the 1/600 or so at which the time error of Euler's method falls below 1 %, and a few for
  * the exact stepper.  The heaviest starts first; nothing else depends on it. */
-static double steps_at(const struct request *r, double dx) {
+static double steps_at(const struct command *r, double dx) {
     const struct experiment *e = &r->experiment;
     const struct material *m = &e->problem.material[0];
     double diffusion = e->problem.t_end * m->k[0] / m->rho_c / (dx * dx), steps = 0;
@@ -28,7 +28,7 @@ static double steps_at(const struct request *r, double dx) {
     return e->method && e->method->scheme && e->options.stepper != STEPPER_MATCHED ? 20 : 600 * diffusion;
 }
 
-static double job_size(const struct request *r) {
+static double job_size(const struct command *r) {
     const struct problem *p = &r->experiment.problem;
     double work = 0;
     for (int i = 0; i < r->rungs.dx.count; i++) {
@@ -40,10 +40,10 @@ static double job_size(const struct request *r) {
 }
 
 static double job_size_of(const char *command) {
-    struct request r;
+    struct command r;
     struct failure why;
-    double work = arguments_parse_line(command, &r, &why) ? 0 : job_size(&r);
-    arguments_free(&r);
+    double work = command_read(command, &r, &why) ? 0 : job_size(&r);
+    command_free(&r);
     return isfinite(work) ? work : 0;
 }
 

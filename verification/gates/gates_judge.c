@@ -2,7 +2,7 @@
 /* One gate: its command, by another program where there is one, and what its measure says of it. */
 #include "verification/gates/gates.h"
 
-#include "verification/command/arguments.h"
+#include "verification/ladder/command.h"
 #include "verification/foreign/program.h"
 #include "verification/foreign/results.h"
 #include "verification/ladder/judge.h"
@@ -61,7 +61,7 @@ static void words_of(const struct gate *gate, const struct program *g, struct wo
 
 /* What all rows of one program share: where cases are kept, each in the directory of its parameters, and their runs.
  */
-static void share(const struct gate *gate, const struct program *program, struct request *r) {
+static void share(const struct gate *gate, const struct program *program, struct command *r) {
     struct experiment *e = &r->experiment;
     struct program *g = &e->program;
     g->keep = program->keep;
@@ -72,17 +72,17 @@ static void share(const struct gate *gate, const struct program *program, struct
 }
 
 /* Of a ladder or a run alone: no other verb can be done by another program. */
-static int parse(const struct gate *gate, const struct program *program, struct request *r, struct failure *why) {
+static int parse(const struct gate *gate, const struct program *program, struct command *r, struct failure *why) {
     struct words w;
     words_of(gate, program, &w);
-    if (arguments_parse_line_with(gate->command, w.word, r, why)) return why->status;
+    if (command_read_with(gate->command, w.word, r, why)) return why->status;
     if (!isnan(gate->ceiling)) r->rungs.ceiling = gate->ceiling;
     if (program && program->solver) share(gate, program, r);
     return STATUS_OK;
 }
 
 void gates_judge(const struct gate *gate, const struct program *program, struct measured *m) {
-    struct request r;
+    struct command r;
     struct failure why;
     *m = (struct measured){0};
     const struct measure *measure = measures_find(gate->measure, m);
@@ -96,7 +96,7 @@ void gates_judge(const struct gate *gate, const struct program *program, struct 
         if (!isnan(gate->ceiling) && m->verdict != VERDICT_SKIPPED && !has_ladders(gate->measure))
             judge_ceiling(m->error, gate->ceiling, &m->verdict, m->reason, sizeof m->reason);
     }
-    arguments_free(&r);
+    command_free(&r);
 }
 
 void gates_command(const struct gate *gate, const struct program *program, char *text, size_t size) {
@@ -129,7 +129,7 @@ struct cases {
     size_t count;
 };
 
-static void add_case(struct cases *c, const struct request *r, double dx, double climbed, int seed) {
+static void add_case(struct cases *c, const struct command *r, double dx, double climbed, int seed) {
     const struct experiment *e = &r->experiment;
     char name[CASE_NAME];
     snprintf(name, sizeof name, "%.60s/%.199s/%.17g/%.17g/%d", e->scene->name, e->program.setting, dx, climbed, seed);
@@ -141,7 +141,7 @@ static void add_case(struct cases *c, const struct request *r, double dx, double
 
 /* Rungs of a ladder, in whatever it climbs, each for every seed; 1 of a run. */
 static int add_cases(const struct gate *gate, const struct program *program, struct cases *cases) {
-    struct request r;
+    struct command r;
     struct failure why;
     int rungs = 1;
     if (!parse(gate, program, &r, &why) && r.experiment.scene) {
@@ -156,7 +156,7 @@ static int add_cases(const struct gate *gate, const struct program *program, str
                      i % seeds);
         rungs *= seeds;
     }
-    arguments_free(&r);
+    command_free(&r);
     return rungs;
 }
 

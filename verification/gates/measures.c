@@ -4,7 +4,7 @@
 
 #include "references/scene.h"
 #include "solver/shape.h"
-#include "verification/command/request.h"
+#include "verification/ladder/command.h"
 #include "verification/diagnosis/wording.h"
 #include "verification/ladder/consistency.h"
 #include "verification/ladder/judge.h"
@@ -45,7 +45,7 @@ static void keep_rungs(const struct ladder *l, struct rungs *to) {
     memcpy(to->counts, l->window.counts, sizeof to->counts);
 }
 
-int measures_ladder(const struct request *r, int scattered, double lo, double hi, struct ladder *l,
+int measures_ladder(const struct command *r, int scattered, double lo, double hi, struct ladder *l,
                     struct measured *m) {
     struct failure why = {0};
     struct ladder_rungs rungs = r->rungs;
@@ -62,7 +62,7 @@ int measures_ladder(const struct request *r, int scattered, double lo, double hi
     return STATUS_OK;
 }
 
-static void take_slope(int scattered, const struct request *r, double lo, double hi, struct measured *m) {
+static void take_slope(int scattered, const struct command *r, double lo, double hi, struct measured *m) {
     struct ladder *l = xcalloc(1, sizeof *l);
     if (!measures_ladder(r, scattered, lo, hi, l, m)) {
         keep_rungs(l, &m->rungs);
@@ -71,14 +71,14 @@ static void take_slope(int scattered, const struct request *r, double lo, double
     free(l);
 }
 
-void measures_slope(const struct request *r, double lo, double hi, struct measured *m) {
+void measures_slope(const struct command *r, double lo, double hi, struct measured *m) {
     take_slope(0, r, lo, hi, m);
 }
 
 /* --shift 0, 0.1, ... 0.9, each a ladder. */
-void measures_slope_offsets(const struct request *r, double lo, double hi, struct measured *m) {
+void measures_slope_offsets(const struct command *r, double lo, double hi, struct measured *m) {
     enum { OFFSETS = 10 };
-    struct request with = *r;
+    struct command with = *r;
     for (int s = 0; s < OFFSETS; s++) {
         struct measured one = {0};
         with.experiment.options.shift = (double)s / OFFSETS;
@@ -92,7 +92,7 @@ void measures_slope_offsets(const struct request *r, double lo, double hi, struc
 
 /* Errors of space and time can cancel, at a mesh Fourier number of 1/6 for one, and what is left falls by steps that
  * are not quite what they should be: an error so far below what is allowed tells enough. */
-void measures_order(const struct request *r, double lo, double hi, struct measured *m) {
+void measures_order(const struct command *r, double lo, double hi, struct measured *m) {
     static const double SMALL = 1.0 / 40;
     take_slope(1, r, lo, hi, m);
     if (m->verdict == VERDICT_PASS || !(m->error <= SMALL * r->rungs.ceiling)) return;
@@ -102,13 +102,13 @@ void measures_order(const struct request *r, double lo, double hi, struct measur
 }
 
 /* The battery's rows are turned into runs, which have no norm to choose: they have this measure. */
-void measures_order_linf(const struct request *r, double lo, double hi, struct measured *m) {
-    struct request with = *r;
+void measures_order_linf(const struct command *r, double lo, double hi, struct measured *m) {
+    struct command with = *r;
     with.rungs.norm = LADDER_LINF;
     measures_order(&with, lo, hi, m);
 }
 
-void measures_operator_slope(const struct request *r, double lo, double hi, struct measured *m) {
+void measures_operator_slope(const struct command *r, double lo, double hi, struct measured *m) {
     struct numbers dx = r->rungs.dx;
     struct experiment e = r->experiment;
     struct failure why = {0};
@@ -138,7 +138,7 @@ int measures_run(const struct experiment *e, struct result *r, struct field *f, 
 
 /* A number of one run. */
 #define OF_RUN(name, value)                                                                                          \
-    void measures_##name(const struct request *r, double lo, double hi, struct measured *m) {                        \
+    void measures_##name(const struct command *r, double lo, double hi, struct measured *m) {                        \
         struct result of;                                                                                            \
         if (!measures_run(&r->experiment, &of, NULL, m)) measures_judge(m, value, lo, hi);                           \
     }
@@ -150,7 +150,7 @@ OF_RUN(quantity_error, of.derived_name ? of.derived_error : NAN)
 OF_RUN(checkerboard, of.shape.checkerboard)
 #undef OF_RUN
 
-void measures_checkerboard_kept(const struct request *r, double lo, double hi, struct measured *m) {
+void measures_checkerboard_kept(const struct command *r, double lo, double hi, struct measured *m) {
     struct experiment early = r->experiment;
     struct result first, last;
     early.problem.t_end /= 10;
@@ -159,7 +159,7 @@ void measures_checkerboard_kept(const struct request *r, double lo, double hi, s
 }
 
 /* The error beside it: how far the two fields are apart, K. */
-void measures_symmetry(const struct request *r, double lo, double hi, struct measured *m) {
+void measures_symmetry(const struct command *r, double lo, double hi, struct measured *m) {
     const struct experiment *e = &r->experiment;
     struct options whole = e->options;
     struct field a = {0}, b = {0};
@@ -189,7 +189,7 @@ static int runs_apart(const struct experiment *e, const struct problem of[2], do
     return status;
 }
 
-void measures_robin_limits(const struct request *r, double lo, double hi, struct measured *m) {
+void measures_robin_limits(const struct command *r, double lo, double hi, struct measured *m) {
     static const double b[] = {0, 1e300};
     static const enum side_kind limit[] = {NEUMANN, DIRICHLET};
     const struct experiment *e = &r->experiment;
@@ -218,7 +218,7 @@ static void odd_point(const struct problem *p, int i, double x[2]) {
 /* How far the two forms of a reference are apart, in units of what their bounds allow.  The ceiling is on the bound
  * at the end time, where runs are judged, relative to the largest temperature: a reference cannot pass by promising
  * little. */
-void measures_reference(const struct request *r, double lo, double hi, struct measured *m) {
+void measures_reference(const struct command *r, double lo, double hi, struct measured *m) {
     enum { POINTS = 32, TIMES = 4 };
     static const double part[TIMES] = {0.0113, 0.173, 0.619, 1};
     const struct problem *p = &r->experiment.problem;

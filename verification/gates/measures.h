@@ -11,7 +11,7 @@ struct experiment;
 struct failure;
 struct field;
 struct ladder;
-struct request;
+struct command;
 struct result;
 
 /* The rungs of a ladder, coarsest first, for a chart and a table. */
@@ -39,13 +39,13 @@ struct measure {
     const char *about; /* one line, with the unit */
     int ceiling;       /* 1: to be gated only with a ceiling on the error beside it */
     /* Fills *m, judged by lo <= value <= hi.  What fails is a verdict, never silent. */
-    void (*take)(const struct request *r, double lo, double hi, struct measured *m);
+    void (*take)(const struct command *r, double lo, double hi, struct measured *m);
 };
 
 extern const struct measure measures[]; /* ended by a NULL name */
 
 #define MEASURE(name, ceiling, about)                                                                                \
-    void measures_##name(const struct request *r, double lo, double hi, struct measured *m);
+    void measures_##name(const struct command *r, double lo, double hi, struct measured *m);
 #include "verification/gates/measures.def"
 #undef MEASURE
 
@@ -56,7 +56,7 @@ void measures_judge(struct measured *m, double value, double lo, double hi);
 
 /* A ladder of the request, judged by its band, into *l; its status, *m failed where that is not 0, else with its
  * slope, verdict and finest error. */
-int measures_ladder(const struct request *r, int scattered, double lo, double hi, struct ladder *l,
+int measures_ladder(const struct command *r, int scattered, double lo, double hi, struct ladder *l,
                     struct measured *m);
 
 /* One run, its field into *f where that is not NULL; its status, *m failed where that is not 0, else with its E1. */

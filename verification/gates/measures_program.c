@@ -3,11 +3,12 @@
 #include "verification/gates/measures.h"
 
 #include "solver/field.h"
-#include "verification/command/request.h"
+#include "verification/ladder/command.h"
 #include "verification/diagnosis/diagnosis.h"
 #include "verification/diagnosis/wording.h"
 #include "verification/ladder/doubt.h"
 #include "verification/ladder/self_difference.h"
+#include "verification/run/run.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -41,7 +42,7 @@ static int run_twice(const struct experiment *e, struct result *first, struct no
 }
 
 /* Answers that differ from run to run do so at each time step; errors are differences of two. */
-static void doubt_time(const struct request *r, const struct ladder *l, struct measured *m) {
+static void doubt_time(const struct command *r, const struct ladder *l, struct measured *m) {
     struct experiment e = r->experiment;
     struct measured tried = *m;
     struct norms_error apart;
@@ -59,7 +60,7 @@ static void doubt_time(const struct request *r, const struct ladder *l, struct m
 }
 
 /* A program that takes a time step of its own gives the same at each that is asked for: the row is not for it. */
-void measures_slope_time(const struct request *r, double lo, double hi, struct measured *m) {
+void measures_slope_time(const struct command *r, double lo, double hi, struct measured *m) {
     struct ladder *l = xcalloc(1, sizeof *l);
     int status = measures_ladder(r, 0, lo, hi, l, m), differ = 0;
     for (int i = 0; i < l->n; i++) differ += l->error[i] != 0;
@@ -72,7 +73,7 @@ void measures_slope_time(const struct request *r, double lo, double hi, struct m
 
 /* Of one run few digits are seen; other faults are followed from a run at twice the spacing.  Runs that differ leave
  * the error in doubt, and so do digits that may be all that is above `hi`. */
-static void diagnose(const struct request *r, const struct field *f, double hi, struct measured *m) {
+static void diagnose(const struct command *r, const struct field *f, double hi, struct measured *m) {
     const struct experiment *e = &r->experiment;
     const double dx = e->options.dx;
     double extent = fmax(e->problem.hi[0] - e->problem.lo[0], e->problem.hi[1] - e->problem.lo[1]);
@@ -97,18 +98,18 @@ static void diagnose(const struct request *r, const struct field *f, double hi, 
     free(l);
 }
 
-void measures_error(const struct request *r, double lo, double hi, struct measured *m) {
+void measures_error(const struct command *r, double lo, double hi, struct measured *m) {
     const struct experiment *e = &r->experiment;
     struct result result;
     struct field f = {0};
     if (!measures_run(e, &result, &f, m)) {
         measures_judge(m, result.error.l1, lo, hi);
-        if (program_given(&e->program) && m->verdict == VERDICT_FAIL) diagnose(r, &f, hi, m);
+        if (e->solve == run_program && m->verdict == VERDICT_FAIL) diagnose(r, &f, hi, m);
     }
     field_free(&f);
 }
 
-void measures_repeat(const struct request *r, double lo, double hi, struct measured *m) {
+void measures_repeat(const struct command *r, double lo, double hi, struct measured *m) {
     struct norms_error apart;
     struct result first;
     struct diagnosis d;

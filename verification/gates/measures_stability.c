@@ -6,7 +6,7 @@
 #include "verification/stability/long_run.h"
 #include "verification/stability/step_limit.h"
 #include "verification/stability/maximum_principle.h"
-#include "verification/command/request.h"
+#include "verification/ladder/command.h"
 #include "verification/run/run.h"
 #include "verification/text/words.h"
 
@@ -17,7 +17,7 @@
 
 /* The model problem, the limit that theory gives where l is not NULL, and the one that runs show where `measured`. 0,
  * or *m failed. */
-static int find(const struct request *r, struct model_problem *b, struct step_limit *l, int measured,
+static int find(const struct command *r, struct model_problem *b, struct step_limit *l, int measured,
                 struct measured *m) {
     struct failure why = {0};
     int status = step_limit_setup(r->experiment.method, &r->experiment.options, r->dim, r->ratio, r->contact,
@@ -28,12 +28,12 @@ static int find(const struct request *r, struct model_problem *b, struct step_li
     return status;
 }
 
-void measures_limit_agree(const struct request *r, double lo, double hi, struct measured *m) {
+void measures_limit_agree(const struct command *r, double lo, double hi, struct measured *m) {
     static const double ratio[] = {1.05, 1.5, 2.05};
     double worst = 0, at[3] = {NAN, NAN, NAN};
     int count = r->experiment.options.h > 0 || !r->experiment.method->scheme ? 1 : 3;
     for (int k = 0; k < count; k++) {
-        struct request with = *r;
+        struct command with = *r;
         struct model_problem b;
         struct step_limit l;
         if (count > 1) with.experiment.options.h = ratio[k];
@@ -48,7 +48,7 @@ void measures_limit_agree(const struct request *r, double lo, double hi, struct 
     words_add(m->reason, sizeof m->reason, " (h/dx %.4g: measured %.5g, von Neumann %.5g)", at[0], at[1], at[2]);
 }
 
-void measures_limit_published(const struct request *r, double lo, double hi, struct measured *m) {
+void measures_limit_published(const struct command *r, double lo, double hi, struct measured *m) {
     enum { STEPS = 1000 };
     struct model_problem b;
     struct step_limit l;
@@ -63,7 +63,7 @@ void measures_limit_published(const struct request *r, double lo, double hi, str
               0.99 * l.published);
 }
 
-void measures_limit_interval(const struct request *r, double lo, double hi, struct measured *m) {
+void measures_limit_interval(const struct command *r, double lo, double hi, struct measured *m) {
     struct model_problem b;
     struct step_limit l;
     if (find(r, &b, &l, 1, m)) return;
@@ -83,7 +83,7 @@ static double factor(const struct amplification *step, double dt) {
     return stepper_march(&a, &m, T, &bytes, &why) ? NAN : T[0];
 }
 
-void measures_stepper_factor(const struct request *r, double lo, double hi, struct measured *m) {
+void measures_stepper_factor(const struct command *r, double lo, double hi, struct measured *m) {
     enum { POINTS = 400 };
     struct model_problem b;
     double worst = 0;
@@ -97,13 +97,13 @@ void measures_stepper_factor(const struct request *r, double lo, double hi, stru
     measures_judge(m, worst, lo, hi);
 }
 
-void measures_growth(const struct request *r, double lo, double hi, struct measured *m) {
+void measures_growth(const struct command *r, double lo, double hi, struct measured *m) {
     struct model_problem b;
     struct step_limit l;
     if (!find(r, &b, &l, 0, m)) measures_judge(m, l.growth, lo, hi);
 }
 
-void measures_maximum_principle(const struct request *r, double lo, double hi, struct measured *m) {
+void measures_maximum_principle(const struct command *r, double lo, double hi, struct measured *m) {
     struct model_problem b;
     double where = NAN, kept = 0, refused = 0, apart = 0;
     if (find(r, &b, NULL, 0, m)) return;
@@ -123,7 +123,7 @@ void measures_maximum_principle(const struct request *r, double lo, double hi, s
     if (apart > 0) words_add(m->reason, sizeof m->reason, "; they disagree at h/dx = %.4g", where);
 }
 
-void measures_refusal(const struct request *r, double lo, double hi, struct measured *m) {
+void measures_refusal(const struct command *r, double lo, double hi, struct measured *m) {
     struct result result;
     int status = run_experiment(&r->experiment, &result, NULL);
     const char *text = result.failure.text;
@@ -133,7 +133,7 @@ void measures_refusal(const struct request *r, double lo, double hi, struct meas
     if (!strstr(text, "particle") || !strstr(text, "neighbours")) m->verdict = VERDICT_FAIL;
 }
 
-void measures_endurance(const struct request *r, double lo, double hi, struct measured *m) {
+void measures_endurance(const struct command *r, double lo, double hi, struct measured *m) {
     const long long steps = 10000000;
     struct model_problem b;
     struct step_limit l;

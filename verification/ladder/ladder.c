@@ -91,7 +91,6 @@ static struct result not_run(const struct experiment *rung) {
 static void climb_program(const struct experiment *e, const struct ladder_rungs *rungs, struct ladder *l,
                           struct field kept[2]) {
     int failed = 0;
-    l->tried = 1;
     for (int i = 0; i < l->n; i++) {
         struct experiment rung = rung_of(e, rungs, l, i);
         if (failed && e->program.solver)
@@ -104,6 +103,10 @@ static void climb_program(const struct experiment *e, const struct ladder_rungs 
 /* Against the semi-discrete reference, or the exact solution where there is none. */
 static void climb(const struct experiment *e, const struct ladder_rungs *rungs, struct ladder *l,
                   const struct semidiscrete *reference, struct field kept[2]) {
+    if (l->external) {
+        climb_program(e, rungs, l, kept);
+        return;
+    }
     struct progress progress = progress_start("rungs", l->n);
 #pragma omp parallel for schedule(dynamic, 1)
     for (int i = 0; i < l->n; i++) {
@@ -122,7 +125,7 @@ static void climb(const struct experiment *e, const struct ladder_rungs *rungs, 
 static int collect(struct ladder *l, struct failure *why) {
     for (int i = 0; i < l->n; i++) {
         const struct failure *f = &l->rung[i].failure;
-        if (status_refused(f->status) && !l->tried) {
+        if (status_refused(f->status) && !l->external) {
             *why = *f;
             return f->status;
         }
@@ -151,8 +154,8 @@ static int climb_without_reference(const struct experiment *e, const struct ladd
     results_number(rungs->fine, value);
     snprintf(fine.program.rung, sizeof fine.program.rung, "dt=%s", value);
     int status = self_difference_climb(rung, rungs->fine > 0 ? &fine : NULL, l, why);
-    l->tried = program_given(&e->program) && status && l->rung[0].failure.status;
-    return status_refused(status) && !l->tried ? status : STATUS_OK;
+    int reported = l->external && l->rung[0].failure.status;
+    return status_refused(status) && !reported ? status : STATUS_OK;
 }
 
 /* Each rung measured against the reference; failed where there is none.  STATUS_INPUT with *why where it is refused.
@@ -220,10 +223,7 @@ static void climb_draws(const struct experiment *e, const struct ladder_rungs *r
         one.program.seed = k + 1;
         one.options.seed = e->options.seed + (unsigned long)k;
         snprintf(one.program.rung, sizeof one.program.rung, "seed=%d", k + 1);
-        if (program_given(&e->program))
-            climb_program(&one, rungs, l, k ? other : kept);
-        else
-            climb(&one, rungs, l, NULL, k ? other : kept);
+        climb(&one, rungs, l, NULL, k ? other : kept);
         for (int i = 0; i < l->n; i++) {
             l->draw[k][i] = ladder_error_in(&l->rung[i], norm);
             failed = failed || l->rung[i].failure.status;
@@ -246,7 +246,7 @@ static int check_seeds(const struct experiment *e, const struct ladder *l, struc
     int lattice = e->problem.shape && !(o->has_origin && o->has_angle);
     if (l->in_time || l->vary[0])
         return refuse(why, STATUS_INPUT, "--seeds: of a ladder in dx, not in a time step or a parameter");
-    if (!program_given(&e->program) && !cloud && !lattice)
+    if (!l->external && !cloud && !lattice)
         return refuse(
             why, STATUS_INPUT,
             "--seeds needs --solver, --results, --layout jitter or relaxed, or a round body: nothing else is drawn");
@@ -256,20 +256,18 @@ static int check_seeds(const struct experiment *e, const struct ladder *l, struc
 int ladder_run(const struct experiment *e, const struct ladder_rungs *rungs, struct ladder *l, struct failure *why) {
     double start = omp_get_wtime();
     struct field kept[2] = {{0}, {0}};
-    *l = (struct ladder){0};
+    *l = (struct ladder){.external = e->solve == run_program};
     if (plan(rungs, l, why)) return why->status;
     memcpy(l->vary, e->program.vary, sizeof l->vary);
     if (e->program.seeds > 1 && check_seeds(e, l, why)) return why->status;
     if (e->program.seeds > 1)
         climb_draws(e, rungs, l, kept);
-    else if (program_given(&e->program) && !l->in_time)
-        climb_program(e, rungs, l, kept);
     else if (!l->in_time)
         climb(e, rungs, l, NULL, kept);
     else if (climb_in_time(e, rungs, l, why))
         return why->status;
     int status = collect(l, why);
-    if (!status_refused(status) || l->tried) {
+    if (!status_refused(status) || l->external) {
         ladder_fit(l, e->derived ? LADDER_QUANTITY : rungs->norm);
         judge(rungs, l);
         int judged = rungs->expect.count || rungs->ceiling > 0;
@@ -278,8 +276,7 @@ int ladder_run(const struct experiment *e, const struct ladder_rungs *rungs, str
         struct doubt_noise noise = {0};
         if (l->diagnosed) diagnose_ladder(e, kept, l, &noise);
         l->noisy = noise.share > DOUBT_NOISE;
-        if (judged && l->diagnosed && program_given(&e->program))
-            doubt_judge(rungs, &noise, &kept[0], &e->program.map, l);
+        if (judged && l->diagnosed && l->external) doubt_judge(rungs, &noise, &kept[0], &e->program.map, l);
         l->seconds = omp_get_wtime() - start;
     }
     for (int k = 0; k < 2; k++) field_free(&kept[k]);

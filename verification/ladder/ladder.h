@@ -41,7 +41,7 @@ struct ladder_rungs {
 
 struct ladder {
     int n;                /* rungs, coarsest first */
-    int tried;            /* 1: of another program, whose bad answers are rows of the ladder */
+    int external;         /* 1: by another program; failed and refused rungs are rows of the ladder */
     int in_time;          /* 1: x is dt, s; 0: x is dx, m, or what the program varies in */
     int inverse;          /* 1: x is 1 over what the program varies in, which rises */
     char vary[40];        /* its name; "" for none */

@@ -3,7 +3,7 @@
 #include "verification/page/page.h"
 
 #include "solver/status.h"
-#include "verification/command/help.h"
+#include "version.inc"
 #include "verification/diagnosis/wording.h"
 #include "verification/foreign/program.h"
 #include "verification/ladder/ladder.h"
@@ -24,7 +24,7 @@ void page_origin(char *text, size_t size) {
     if (gmtime_r(&now, &parts)) strftime(when, sizeof when, "%Y-%m-%d %H:%M UTC", &parts);
     if (uname(&machine) == 0)
         snprintf(where, sizeof where, "%.60s %.60s, %.60s", machine.sysname, machine.release, machine.machine);
-    snprintf(text, size, "%s on %s by heatladder %s", when, where, help_version);
+    snprintf(text, size, "%s on %s by heatladder %s", when, where, VERSION_TEXT);
 }
 
 static void put_end(const char *command, FILE *out) {

@@ -2,12 +2,21 @@
 #ifndef HEATLADDER_VERIFICATION_RUN_EXPERIMENT_H
 #define HEATLADDER_VERIFICATION_RUN_EXPERIMENT_H
 
-/* One experiment: what is solved, by whom, and how.  Data only; a run, a ladder and a gate are given one. */
+/* One experiment: a problem, a method and their options. */
 
 #include "solver/method.h"
 #include "solver/problem.h"
 #include "references/quantity.h"
 #include "verification/foreign/program.h"
+
+struct experiment;
+struct failure;
+struct field;
+struct time_step; /* verification/run/time_step.h */
+
+/* Solves e->problem and resolves what *e leaves open.  A status of solver/status.h; on STATUS_OK the caller owns *f.
+ */
+typedef int experiment_solve(struct experiment *e, struct field *f, struct time_step *step, struct failure *why);
 
 struct experiment {
     const struct scene *scene;
@@ -18,7 +27,8 @@ struct experiment {
     int growth;          /* 1: growing modes are looked for */
     const char *derived; /* the quantity that is measured beside the field, as typed; NULL for none */
     struct quantity quantity;
-    struct program program; /* that stands in for the method, where it has a command or results */
+    experiment_solve *solve; /* NULL: time_step_solve, by the method; run_program: by `program` */
+    struct program program;  /* of run_program */
 };
 
 #endif

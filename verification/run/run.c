@@ -13,41 +13,12 @@
 #include <omp.h>
 #include <stdlib.h>
 
-/* What the transforms of the exact stepper can make up of E1.  One of n values, with sines and cosines to an ulp, is
- * off by 3.4 eps log2(n) of its 2-norm at most (Higham 2002, theorem 24.2), as a transform of 2 n by symmetry; there
- * are two along each axis.  Rates are right to some eps of themselves, of which a mode keeps |z| exp(z): less than
- * one level more.  Modes of a Robin wall are plain sums of n.  E1 has the mean below it and not the root of the mean
- * square. */
-static double transform_rounding(const struct problem *p, const struct field *f, double dx) {
-    double levels = 1, sum = 0, square = 0;
-    for (int a = 0; a < p->dim; a++) {
-        double n = (p->hi[a] - p->lo[a]) / dx;
-        int robin = p->side[2 * a] == ROBIN || p->side[2 * a + 1] == ROBIN;
-        levels += robin ? n : log2(2 * n);
-    }
-    for (size_t i = 0; i < f->n; i++) sum += fabs(f->T[i]), square += f->T[i] * f->T[i];
-    return 6.8 * DBL_EPSILON * levels * (sum > 0 ? sqrt((double)f->n * square) / sum : 1);
-}
-
-/* What rounding can make up of E1.  A weight is of size kappa/dx^2 and wrong by eps of that, the same at every step:
- * over the run that adds up to 4 dim eps kappa t/dx^2.  Each step rounds T once more, at random: eps sqrt(steps).
- * How many steps another program took is its own claim: at most (4 dim kappa t/dx^2)^2 of them count, which round as
- * much as the weights do, and are the square of what makes an explicit scheme stable. */
-static double rounding(const struct experiment *e, const struct field *f, double dx) {
-    const struct problem *p = &e->problem;
-    if (f->steps == 0 && !program_given(&e->program)) return DBL_EPSILON + transform_rounding(p, f, dx);
-    double applications = (double)f->steps * (f->stages > 0 ? f->stages : 1);
-    double weights = 4 * p->dim * problem_diffusivity(p) * p->t_end / (dx * dx);
-    if (program_given(&e->program)) applications = fmin(applications, weights * weights);
-    return DBL_EPSILON * (1 + sqrt(applications) + weights);
-}
-
 /* Heat and temperatures round as the field does.  A gradient divides differences of T by dx, a flux is of the size of
  * k T over the extent: the difference rounds extent/dx as much. */
-static double derived_rounding(const struct experiment *e, const struct field *f, double dx) {
+static double derived_rounding(const struct experiment *e, const struct result *r) {
     const struct problem *p = &e->problem;
     double extent = fmax(p->hi[0] - p->lo[0], p->dim == 2 ? p->hi[1] - p->lo[1] : 0);
-    return rounding(e, f, dx) * (e->quantity.kind == QUANTITY_FLUX ? extent / dx : 1);
+    return r->rounding * (e->quantity.kind == QUANTITY_FLUX ? extent / r->options.dx : 1);
 }
 
 static int measure_derived(const struct experiment *e, const struct field *f, struct result *out) {
@@ -63,7 +34,7 @@ static int measure_derived(const struct experiment *e, const struct field *f, st
     out->derived_exact = exact.value;
     out->derived_error = fabs(out->derived - exact.value) / size;
     out->derived_bound = exact.error_bound / size;
-    out->derived_rounding = derived_rounding(e, f, out->options.dx);
+    out->derived_rounding = derived_rounding(e, out);
     return status;
 }
 
@@ -89,7 +60,6 @@ static int measure(const struct experiment *e, const struct field *f, const doub
     if (measure_derived(e, f, out)) return out->failure.status;
     out->shape = norms_shape(p, f, reference);
     out->heat_drift = norms_heat_drift(f);
-    out->rounding = rounding(e, f, dx);
     out->cost = f->cost;
     return STATUS_OK;
 }
@@ -108,9 +78,10 @@ static int solve(const struct experiment *e, struct result *out, struct field *f
     *f = (struct field){0};
     struct experiment used = *e;
     struct time_step stepping;
-    int status = time_step_solve(&used, f, &stepping, &out->failure);
+    int status = (e->solve ? e->solve : time_step_solve)(&used, f, &stepping, &out->failure);
     out->options = used.options;
     out->time_error = stepping.time_error;
+    out->rounding = stepping.rounding;
     out->search_updates = stepping.updates;
     if (!status && f->h > 0) out->options.h = f->h;
     out->failure.status = status;
@@ -119,7 +90,7 @@ static int solve(const struct experiment *e, struct result *out, struct field *f
 
 /* The growth of the rows that were used.  A run with a growing mode whose field has left the data's range is none. */
 static int measure_growth(const struct experiment *e, const struct field *f, struct result *out) {
-    if (!e->growth || program_given(&e->program)) return STATUS_OK;
+    if (!e->growth) return STATUS_OK;
     if (particles_growth(e->method, &e->problem, &out->options, f, &out->growth, &out->failure))
         return out->failure.status;
     double lo = f->data[0], hi = f->data[1], slack = 1e-6 * (hi - lo);
@@ -145,6 +116,16 @@ int run_experiment(const struct experiment *e, struct result *out, struct field 
     return status;
 }
 
+int run_program(struct experiment *e, struct field *f, struct time_step *step, struct failure *why) {
+    double weights = time_step_weights(e);
+    *step = (struct time_step){.time_error = NAN};
+    int status = program_solve(&e->program, e->scene, &e->problem, &e->options, f, why);
+    if (status) return status;
+    double steps = fmin((double)f->steps * (f->stages > 0 ? f->stages : 1), weights * weights);
+    step->rounding = DBL_EPSILON * (1 + sqrt(steps) + weights);
+    return STATUS_OK;
+}
+
 int run_against(const struct experiment *e, const double *reference, double error, struct result *out) {
     struct field f;
     if (solve(e, out, &f)) return out->failure.status;
@@ -161,7 +142,7 @@ int run_warm_up(const struct experiment *e, struct failure *why) {
     do {
         struct experiment again = *e;
         struct field field = {0};
-        status = time_step_solve(&again, &field, &ignored, why);
+        status = (e->solve ? e->solve : time_step_solve)(&again, &field, &ignored, why);
         field_free(&field);
     } while (!status && omp_get_wtime() - start < 0.1);
     return status;

@@ -9,7 +9,7 @@
 #include "solver/field.h"
 #include "solver/method.h"
 #include "solver/space/operator.h"
-#include "verification/command/arguments.h"
+#include "verification/ladder/command.h"
 
 #include "verification/unit/near.h"
 
@@ -83,10 +83,10 @@ static const struct method with_exact = {"with_exact", "", "stepper", &scheme, s
 static const struct method picky = {"picky", "", "stepper", NULL, solve_picky};
 static const struct method broken = {"broken", "", "stepper", NULL, solve_broken};
 
-static inline struct request request(const char *line, const struct method *m) {
-    struct request r;
+static inline struct command request(const char *line, const struct method *m) {
+    struct command r;
     struct failure why;
-    if (arguments_parse_line(line, &r, &why)) fail_msg("%s", why.text);
+    if (command_read(line, &r, &why)) fail_msg("%s", why.text);
     r.experiment.method = m;
     r.experiment.options.domain = DOMAIN_WHOLE; /* these methods know of no lattice, nor of its symmetry */
     return r;

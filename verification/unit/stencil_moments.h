@@ -6,8 +6,7 @@
  * differences down. */
 
 #include "solver/space/operator.h"
-#include "verification/command/arguments.h"
-#include "verification/command/request.h"
+#include "verification/ladder/command.h"
 #include "verification/unit/near.h"
 
 #include <stdio.h>
@@ -21,7 +20,7 @@ struct stencil { /* on spacing 1: weights of a quadrant, the rest by symmetry */
 
 static inline struct stencil stencil_of(const char *method, const double kappa[2]) {
     struct stencil s;
-    struct request r;
+    struct command r;
     struct failure why;
     if (strncmp(method, "ftcs", 4) == 0) {
         int step = strcmp(method, "ftcs") == 0 ? 1 : 2;
@@ -33,11 +32,11 @@ static inline struct stencil stencil_of(const char *method, const double kappa[2
     char line[160]; /* brookshaw takes its conductivity from the problem */
     snprintf(line, sizeof line, "run square-step %s%s --dx 0.1 --set kappa_x=%.17g --set kappa_y=%.17g", method,
              strstr(method, "--h ") ? "" : " --h 1.1", kappa[0], kappa[1]);
-    if (arguments_parse_line(line, &r, &why)) fail_msg("%s", why.text);
+    if (command_read(line, &r, &why)) fail_msg("%s", why.text);
     if (operator_stencil(&r.experiment.problem, &r.experiment.options, r.experiment.method->scheme, 1, kappa, s.reach,
                          &s.w, &why))
         fail_msg("%s", why.text);
-    arguments_free(&r);
+    command_free(&r);
     return s;
 }
 

@@ -4,7 +4,7 @@
 #include "verification/unit/control_volumes.inc"
 
 #include "verification/gates/battery.h"
-#include "verification/command/arguments.h"
+#include "verification/ladder/command.h"
 #include "verification/foreign/program.h"
 #include "verification/run/run.h"
 
@@ -127,7 +127,7 @@ static void ceilings_are_four_times_the_five_point_difference(void **state) {
     for (const struct battery_row *row = battery_table; row->order; row++) {
         const struct gate *g = &row->gate;
         char line[400], finest[40], *at;
-        struct request r;
+        struct command r;
         struct failure why;
         struct result result;
         if (!strstr(g->why, "bounds: 4 times the error of the five-point difference") ||
@@ -140,13 +140,13 @@ static void ceilings_are_four_times_the_five_point_difference(void **state) {
         snprintf(finest, sizeof finest, "%s", strrchr(line, ',') + 1);
         at = strstr(line, "--dx ");
         snprintf(at, 45, "--dx %s", finest);
-        if (arguments_parse_line(line, &r, &why) || run_experiment(&r.experiment, &result, NULL))
+        if (command_read(line, &r, &why) || run_experiment(&r.experiment, &result, NULL))
             fail_msg("%s: %s%s", line, why.text, result.failure.text);
         double left = 4 * (strcmp(g->measure, "order_linf") == 0 ? result.error.linf : result.error.l1);
         if (!(fabs(g->ceiling / left - 1) < 0.02))
             wrong++, print_message("%s: %.5g, not %.5g\n", g->id, left, g->ceiling);
         rows++;
-        arguments_free(&r);
+        command_free(&r);
     }
     assert_int_equal(wrong, 0);
     assert_order(rows, >=, 12);
@@ -158,12 +158,12 @@ static void the_ceiling_of_a_changing_source(void **state) {
     static const char *const line = "run rect-manufactured ftcs --set A=0.05 --set rise=8 --set t_end=0.25 --dx 1/80 "
                                     "--fourier 0.01";
     const double dx = 0.0125, d = 1e-3;
-    struct request r;
+    struct command r;
     struct failure why;
     struct result result;
     struct field f;
     double mean = 0, sum = 0;
-    if (arguments_parse_line(line, &r, &why) || run_experiment(&r.experiment, &result, &f)) fail_msg("%s", line);
+    if (command_read(line, &r, &why) || run_experiment(&r.experiment, &result, &f)) fail_msg("%s", line);
     const struct problem *p = &r.experiment.problem;
     for (size_t i = 0; i < f.n; i++) {
         static const double step[5][2] = {{0, 0}, {1, 0}, {-1, 0}, {0, 1}, {0, -1}};
@@ -179,7 +179,7 @@ static void the_ceiling_of_a_changing_source(void **state) {
     for (const struct battery_row *row = battery_table; row->order; row++)
         if (strcmp(row->gate.id, "plane/changing") == 0) assert_order(fabs(row->gate.ceiling / left - 1), <, 0.02);
     field_free(&f);
-    arguments_free(&r);
+    command_free(&r);
 }
 
 /* Where two runs differ that is the diagnosis, of the row on it and of any ladder that is looked at; few digits are
@@ -192,7 +192,7 @@ static void what_one_field_cannot_tell_is_named(void **state) {
                              *const says[] = {"from run to run", "rounded to 7 digits",
                                               "conductivity were 1 % too large"};
     struct program program = {.label = "mine"};
-    struct request r;
+    struct command r;
     struct failure why = {0};
     struct ladder *l = xcalloc(1, sizeof *l);
     char line[400], command[300];
@@ -208,11 +208,11 @@ static void what_one_field_cannot_tell_is_named(void **state) {
     }
     snprintf(line, sizeof line,
              "ladder rod-gauss mine --dx 1,0.5 --solver '%s --solve cell mean 0.25 race {case} {out}'", self);
-    if (arguments_parse_line(line, &r, &why)) fail_msg("%s: %s", line, why.text);
+    if (command_read(line, &r, &why)) fail_msg("%s: %s", line, why.text);
     r.rungs.diagnose = 1;
     ladder_run(&r.experiment, &r.rungs, l, &why);
     assert_has(l->diagnosis.what, says[0]);
-    arguments_free(&r);
+    command_free(&r);
     free(l);
 }
 
@@ -267,7 +267,7 @@ static void a_failure_can_be_typed(void **state) {
     snprintf(solver, sizeof solver, "%s --solve cell mean 0.25 'arithmetic' {case} {out}", self);
     program.solver = solver;
     for (const struct battery_row *row = battery_table; row->order; row++) {
-        struct request r;
+        struct command r;
         struct failure why = {0};
         struct ladder *l = xcalloc(1, sizeof *l);
         if (row->order != 2 || strcmp(row->gate.id, "contact/wall") != 0) {
@@ -277,10 +277,10 @@ static void a_failure_can_be_typed(void **state) {
         gates_command(&row->gate, &program, command, sizeof command);
         assert_has(command, "--solve cell mean 0.25 '\\''arithmetic'\\'' {case}");
         for (char *c; (c = strstr(command, "'\\''"));) memmove(c, c + 4, strlen(c + 4) + 1); /* as a shell reads it */
-        if (arguments_parse_line(command, &r, &why)) fail_msg("%s: %s", command, why.text);
+        if (command_read(command, &r, &why)) fail_msg("%s: %s", command, why.text);
         ladder_run(&r.experiment, &r.rungs, l, &why);
         assert_int_equal(l->verdict, VERDICT_FAIL);
-        arguments_free(&r);
+        command_free(&r);
         free(l);
     }
 }
@@ -289,11 +289,11 @@ static void every_row_says_what_it_sees(void **state) {
     (void)state;
     for (const struct battery_row *row = battery_table; row->order; row++) {
         const char *const more[] = {"--solver", "{case}{out}", NULL};
-        struct request r;
+        struct command r;
         struct failure why;
         struct measured m;
-        if (arguments_parse_line_with(row->gate.command, more, &r, &why)) fail_msg("%s: %s", row->gate.id, why.text);
-        arguments_free(&r);
+        if (command_read_with(row->gate.command, more, &r, &why)) fail_msg("%s: %s", row->gate.id, why.text);
+        command_free(&r);
         assert_non_null(measures_find(row->gate.measure, &m));
         assert_order(row->gate.lo, <, row->gate.hi);
         assert_int_equal(strncmp(row->gate.why, "detects ", 8), 0);
@@ -330,14 +330,14 @@ static void every_time_step_divides_its_end(void **state) {
     (void)state;
     for (const struct battery_row *row = battery_table; row->order; row++) {
         const char *const more[] = {"--solver", "{case}{out}", NULL};
-        struct request r;
+        struct command r;
         struct failure why;
-        if (arguments_parse_line_with(row->gate.command, more, &r, &why)) fail_msg("%s: %s", row->gate.id, why.text);
+        if (command_read_with(row->gate.command, more, &r, &why)) fail_msg("%s: %s", row->gate.id, why.text);
         for (int i = 0; i < r.rungs.dt.count; i++) {
             double steps = r.experiment.problem.t_end / r.rungs.dt.value[i];
             if (fabs(steps - nearbyint(steps)) > 1e-9 * steps) fail_msg("%s: %g steps", row->gate.id, steps);
         }
-        arguments_free(&r);
+        command_free(&r);
     }
 }
 

@@ -8,7 +8,7 @@
 #include "solver/options.h"
 #include "verification/bench/bench.h"
 #include "verification/bench/engine.h"
-#include "verification/command/arguments.h"
+#include "verification/ladder/command.h"
 #include "verification/text/json.h"
 
 #include "verification/unit/near.h"
@@ -194,9 +194,9 @@ static void the_machine_has_its_flags(void **state) {
 static void a_front_is_what_nothing_beats(void **state) {
     (void)state;
     static struct bench_scene b;
-    struct request r;
+    struct command r;
     struct failure why;
-    if (arguments_parse_line("run rod-cosine ftcs --dx 0.1", &r, &why)) fail_msg("%s", why.text);
+    if (command_read("run rod-cosine ftcs --dx 0.1", &r, &why)) fail_msg("%s", why.text);
     bench_run(&r.experiment, 0.2, &b);
     int fronts = 0, ran = 0;
     for (const struct bench_row *p = b.row; p < b.row + b.count; p++) {
@@ -222,7 +222,7 @@ static void a_front_is_what_nothing_beats(void **state) {
     }
     assert_order(b.slow.ratio, >, 0);
     assert_order(b.fast.ratio, >, 0);
-    arguments_free(&r);
+    command_free(&r);
 }
 
 /* Ten times coarser than the benchmark, so that it is soon over: each row is a number, between its extremes. */

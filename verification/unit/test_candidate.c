@@ -3,7 +3,7 @@
 #include "verification/bench/candidate.h"
 
 #include "references/scene.h"
-#include "verification/command/arguments.h"
+#include "verification/ladder/command.h"
 #include "verification/bench/bench.h"
 #include "verification/run/run.h"
 
@@ -46,13 +46,13 @@ static void rings_fill_a_round_body(void **state) {
 /* Particles meet a round wall by fit; differences have a polar grid. */
 static void particles_meet_round_walls_by_fit(void **state) {
     (void)state;
-    struct request r;
+    struct command r;
     struct failure why;
-    if (arguments_parse_line("reference disc-mode --at 0,0 --time 1", &r, &why)) fail_msg("%s", why.text);
+    if (command_read("reference disc-mode --at 0,0 --time 1", &r, &why)) fail_msg("%s", why.text);
     for (const struct candidate *c = candidates_table; c->label; c++)
         assert_int_equal(candidate_options(c, &r.experiment, 8).walls,
                          strncmp(c->method, "ftcs", 4) == 0 ? WALLS_MIRROR : WALLS_FIT);
-    arguments_free(&r);
+    command_free(&r);
 }
 
 static void every_candidate_names_a_method_and_differs(void **state) {
@@ -65,12 +65,12 @@ static void every_candidate_names_a_method_and_differs(void **state) {
 }
 
 static struct result run(const char *line) {
-    struct request r;
+    struct command r;
     struct result result;
     struct failure why;
-    if (arguments_parse_line(line, &r, &why)) fail_msg("%s: %s", line, why.text);
+    if (command_read(line, &r, &why)) fail_msg("%s: %s", line, why.text);
     if (run_experiment(&r.experiment, &result, NULL)) fail_msg("%s: %s", line, result.failure.text);
-    arguments_free(&r);
+    command_free(&r);
     return result;
 }
 
@@ -138,11 +138,11 @@ static void a_ratio_is_as_wide_as_both(void **state) {
 static void rungs_that_take_too_long_are_left_out(void **state) {
     (void)state;
     static struct bench_scene b;
-    struct request r;
+    struct command r;
     struct failure why;
     const struct candidate *c = candidates_table;
     while (c->dim == 2) c++;
-    if (arguments_parse_line("run rod-cosine ftcs --dx 0.1", &r, &why)) fail_msg("%s", why.text);
+    if (command_read("run rod-cosine ftcs --dx 0.1", &r, &why)) fail_msg("%s", why.text);
     b = (struct bench_scene){.scene = r.experiment.scene};
     bench_climb(c, &r.experiment, 1, 0, &b);
     assert_int_equal(b.count, 2);
@@ -150,14 +150,14 @@ static void rungs_that_take_too_long_are_left_out(void **state) {
     assert_string_equal(bench_outcome(&b.row[1]), "left out");
     assert_has(b.row[1].result.failure.text, "s are left");
     assert_string_equal(b.row[1].result.scene->name, "rod-cosine");
-    arguments_free(&r);
+    command_free(&r);
     while (c->options.dt == 0) c++;
-    if (arguments_parse_line("run plate-cooling so_ssph --dx 0.05 --t-end 20", &r, &why)) fail_msg("%s", why.text);
+    if (command_read("run plate-cooling so_ssph --dx 0.05 --t-end 20", &r, &why)) fail_msg("%s", why.text);
     b = (struct bench_scene){.scene = r.experiment.scene};
     bench_climb(c, &r.experiment, 1, 0.1, &b);
     assert_int_equal(b.count, 1);
     assert_string_equal(bench_outcome(&b.row[0]), "left out");
-    arguments_free(&r);
+    command_free(&r);
 }
 
 static void a_refusal_is_no_failure(void **state) {

@@ -10,12 +10,12 @@
 #include <complex.h>
 #include <gsl/gsl_errno.h>
 
-static struct request request;
+static struct command request;
 
 static const struct experiment *of(const char *line) {
     struct failure why;
-    arguments_free(&request);
-    if (arguments_parse_line(line, &request, &why)) fail_msg("%s: %s", line, why.text);
+    command_free(&request);
+    if (command_read(line, &request, &why)) fail_msg("%s: %s", line, why.text);
     return &request.experiment;
 }
 

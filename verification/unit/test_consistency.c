@@ -3,7 +3,7 @@
 #include "verification/ladder/consistency.h"
 
 #include "solver/space/operator.h"
-#include "verification/command/arguments.h"
+#include "verification/ladder/command.h"
 
 #include "verification/unit/stencil_moments.h"
 
@@ -21,15 +21,15 @@ static void what_lies_behind_the_last_neighbour_is_not_read(void **state) {
     (void)state;
     static const char *const lines[] = {"run rod-gauss so_ssph --dx 0.1", "run square-step fo_ssph --dx 0.1"};
     for (int k = 0; k < 2; k++) {
-        struct request r;
+        struct command r;
         struct failure why;
         double error;
-        if (arguments_parse_line(lines[k], &r, &why)) fail_msg("%s", why.text);
+        if (command_read(lines[k], &r, &why)) fail_msg("%s", why.text);
         assert_nan(spoil());
         assert_int_equal(consistency_error(&r.experiment, &error, &why), STATUS_OK);
         assert_order(error, >, 0);
         assert_order(error, <, 0.1); /* of second order: dx^2 b^4 over 12 and more, b = 1.1 m^-1 */
-        arguments_free(&r);
+        command_free(&r);
     }
 }
 
@@ -38,14 +38,14 @@ static void what_lies_behind_the_last_neighbour_is_not_read(void **state) {
  */
 static void assert_symbol(const char *line, const char *method, const double kappa[2]) {
     const double complex z[2] = {0.3 + 1.1 * I, -0.2 + 0.7 * I};
-    struct request r;
+    struct command r;
     struct failure why;
     double error, off = 0, size = 0, dx;
     double complex S = 0, E = 0;
-    if (arguments_parse_line(line, &r, &why)) fail_msg("%s", why.text);
+    if (command_read(line, &r, &why)) fail_msg("%s", why.text);
     assert_int_equal(consistency_error(&r.experiment, &error, &why), STATUS_OK);
     dx = r.experiment.options.dx;
-    arguments_free(&r);
+    command_free(&r);
     struct stencil s = stencil_of(method, kappa);
     for (int a = 0; a < 2; a++) E += kappa[a] * z[a] * z[a];
     for (int j = -s.reach[1]; j <= s.reach[1]; j++)

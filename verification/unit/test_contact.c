@@ -11,7 +11,7 @@
 #include "solver/particles/particles.h"
 #include "solver/differences/ftcs_grid.h"
 #include "solver/space/sample.h"
-#include "verification/command/arguments.h"
+#include "verification/ladder/command.h"
 #include "verification/run/result.h"
 #include "verification/run/run.h"
 
@@ -338,12 +338,12 @@ static void the_sum_that_it_keeps_is_kept(void **state) {
 /* ---- interface ---- */
 
 static struct result result_of(const char *line) {
-    struct request r;
+    struct command r;
     struct result out;
     struct failure why;
-    if (arguments_parse_line(line, &r, &why)) fail_msg("%s: %s", line, why.text);
+    if (command_read(line, &r, &why)) fail_msg("%s: %s", line, why.text);
     if (run_experiment(&r.experiment, &out, NULL)) fail_msg("%s: %s", line, out.failure.text);
-    arguments_free(&r);
+    command_free(&r);
     return out;
 }
 
@@ -389,9 +389,9 @@ static double sloping(const struct problem *p, const double x[2]) {
 static void cut_cells_start_at_their_heat(void **state) {
     (void)state;
     const char *const line = "run rod-contact ftcs --dx 0.1 --set x_c=0.03 --set T1=0.9 --set T2=0.3";
-    struct request r;
+    struct command r;
     struct failure why;
-    assert_int_equal(arguments_parse_line(line, &r, &why), STATUS_OK);
+    assert_int_equal(command_read(line, &r, &why), STATUS_OK);
     /* the cell from 0 to 0.1: 0.03 m of 2 J/m^3/K at 0.9 K, 0.07 m of 0.5 J/m^3/K at 0.3 K */
     double want = (0.03 * 2 * 0.9 + 0.07 * 0.5 * 0.3) / (0.03 * 2 + 0.07 * 0.5);
     const double x[2] = {0.05, 0}, d[2] = {0.1, 0.1};
@@ -404,7 +404,7 @@ static void cut_cells_start_at_their_heat(void **state) {
         assert_near(ftcs_sample(&r.experiment.problem, x, d, how), want, 1e-14);
         assert_near(sample_cell(&r.experiment.problem, how, d, x), want, 1e-14);
     }
-    arguments_free(&r);
+    command_free(&r);
 }
 
 int main(void) {

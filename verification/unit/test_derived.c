@@ -6,7 +6,7 @@
 #include "references/quantity.h"
 #include "solver/method.h"
 #include "solver/problem.h"
-#include "verification/command/arguments.h"
+#include "verification/ladder/command.h"
 #include "verification/ladder/ladder.h"
 
 #include "verification/unit/near.h"
@@ -122,12 +122,12 @@ static void a_wall_of_two_layers_has_the_conductivity_at_it(void **state) {
 }
 
 static void climb(const char *line, struct ladder *l, int wanted, const char *because) {
-    struct request r;
+    struct command r;
     struct failure why = {0};
-    int status = arguments_parse_line(line, &r, &why);
+    int status = command_read(line, &r, &why);
     if (!status) status = ladder_run(&r.experiment, &r.rungs, l, &why);
     if (status != wanted || !strstr(why.text, because)) fail_msg("%s: %d, %s", line, status, why.text);
-    arguments_free(&r);
+    command_free(&r);
 }
 
 static void a_ladder_of_its_own(void **state) {

@@ -2,7 +2,7 @@
 /* The battery's draw: the same for a seed, within its ranges, of every image; and bounds that follow it. */
 #include "verification/gates/battery.h"
 
-#include "verification/command/arguments.h"
+#include "verification/ladder/command.h"
 
 #include "verification/unit/near.h"
 
@@ -17,16 +17,16 @@ static struct draw draw_of(const struct battery_row *row) {
 }
 
 /* The request of a row as it is drawn. */
-static void parse(const struct battery_row *row, unsigned long seed, struct request *r) {
+static void parse(const struct battery_row *row, unsigned long seed, struct command *r) {
     static const char *const program[] = {"--solver", "{case} {out}", NULL};
     char command[DRAW_COMMAND];
     struct draw d = draw_of(row);
     struct failure why = {0};
-    if (draw_command(&d, seed, command, &why) || arguments_parse_line_with(command, program, r, &why))
+    if (draw_command(&d, seed, command, &why) || command_read_with(command, program, r, &why))
         fail_msg("%s, seed %lu: %s: %s", row->gate.id, seed, command, why.text);
 }
 
-static double param_of(const struct request *r, const char *name) {
+static double param_of(const struct command *r, const char *name) {
     const struct scene *s = r->experiment.scene;
     for (int i = 0; s->params[i].name; i++)
         if (strcmp(s->params[i].name, name) == 0) return r->experiment.problem.param[i];
@@ -38,7 +38,7 @@ static void draws_lie_within_their_ranges(void **state) {
     (void)state;
     for (const struct battery_row *row = battery_table; row->order; row++)
         for (unsigned long seed = 1; seed <= 20; seed++) {
-            struct request r, again;
+            struct command r, again;
             parse(row, seed, &r);
             parse(row, seed, &again);
             const struct mapping *m = &r.experiment.program.map;
@@ -61,8 +61,8 @@ static void draws_lie_within_their_ranges(void **state) {
                 if (!(value >= lo - slack && value <= hi + slack)) fail_msg("%s: %s = %g", row->gate.id, name, value);
                 if (strcmp(name, "offset") != 0) assert_true(value == param_of(&again, name));
             }
-            arguments_free(&again);
-            arguments_free(&r);
+            command_free(&again);
+            command_free(&r);
         }
 }
 
@@ -76,24 +76,24 @@ static void all_images_are_drawn(void **state) {
         if (row->order == 2 && strcmp(row->gate.id, "plane/source") == 0) source = row;
         if (row->order == 2 && strcmp(row->gate.id, "plane/changing") == 0) changing = row;
         for (unsigned long seed = 1; seed <= 20; seed++) {
-            struct request r;
+            struct command r;
             parse(row, seed, &r);
             const struct mapping *m = &r.experiment.program.map;
             seen[m->axes - 1][4 * m->swap + 2 * m->against[1] + m->against[0]]++;
-            arguments_free(&r);
+            command_free(&r);
         }
     }
     assert_true(seen[0][0] && seen[0][1]);
     for (int i = 0; i < 8; i++) assert_order(seen[1][i], >, 0);
     assert_true(source && changing);
     for (unsigned long seed = 1; seed <= 20; seed++) {
-        struct request r[2];
+        struct command r[2];
         parse(source, seed, &r[0]);
         parse(changing, seed, &r[1]);
         const struct mapping *m = &r[0].experiment.program.map, *n = &r[1].experiment.program.map;
         assert_true(m->swap != n->swap && m->against[0] != n->against[0] && m->against[1] != n->against[1]);
-        arguments_free(&r[0]);
-        arguments_free(&r[1]);
+        command_free(&r[0]);
+        command_free(&r[1]);
     }
 }
 
@@ -132,11 +132,11 @@ static void both_axes_have_a_contact(void **state) {
     for (unsigned long seed = 1; seed <= 20; seed++) {
         int swapped = 0, rows = 0;
         for (const struct battery_row *row = battery_table; row->order; row++) {
-            struct request r;
+            struct command r;
             if (strcmp(row->gate.id, "contact/plane") != 0 && strcmp(row->gate.id, "contact/across") != 0) continue;
             parse(row, seed, &r);
             swapped += r.experiment.program.map.swap, rows++;
-            arguments_free(&r);
+            command_free(&r);
         }
         assert_int_equal(rows, 2);
         assert_int_equal(swapped, 1);
@@ -149,14 +149,14 @@ static void slabs_turn_each_axis_to_both_walls(void **state) {
     for (unsigned long seed = 1; seed <= 20; seed++) {
         int rows = 0, seen[3][2] = {{0}};
         for (const struct battery_row *row = battery_table; row->order; row++) {
-            struct request r;
+            struct command r;
             if (row->order != 2 || strncmp(row->gate.id, "slab/", 5) != 0) continue;
             parse(row, seed, &r);
             const struct mapping *m = &r.experiment.program.map;
             const char *words = mapping_planes[m->plane];
             for (int a = 0; a < 2; a++) seen[words[2 * a] - 'x'][mapping_axis(m, a)]++;
             rows++;
-            arguments_free(&r);
+            command_free(&r);
         }
         assert_int_equal(rows, 3);
         for (int axis = 0; axis < 3; axis++) assert_true(seen[axis][0] == 1 && seen[axis][1] == 1);

@@ -3,7 +3,7 @@
 #include "verification/unit/made_answers.inc"
 
 #include "verification/gates/battery.h"
-#include "verification/command/arguments.h"
+#include "verification/ladder/command.h"
 #include "verification/foreign/program.h"
 #include "verification/ladder/ladder.h"
 
@@ -30,13 +30,13 @@ static void row(int order, const char *id, const char *made, struct measured *m)
 }
 
 static void ladder(const char *line, const char *made, struct ladder *l) {
-    struct request r;
+    struct command r;
     struct failure why = {0};
     char command[600];
     snprintf(command, sizeof command, "%.250s --solver '%s --made %s {case} {out}'", line, self, made);
-    if (arguments_parse_line(command, &r, &why)) fail_msg("%s: %s", command, why.text);
+    if (command_read(command, &r, &why)) fail_msg("%s: %s", command, why.text);
     if (ladder_run(&r.experiment, &r.rungs, l, &why)) fail_msg("%s: %s", command, why.text);
-    arguments_free(&r);
+    command_free(&r);
 }
 
 static void an_exact_code_passes(void **state) {

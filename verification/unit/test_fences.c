@@ -4,7 +4,7 @@
  * The allocator of this program puts a fence of NaN behind every block, and fills with NaN what malloc gives and free
  * takes: a write past the end is seen when the block is freed, a read past the end or of what was never written makes
  * the error of the run not a number.  Sanitizers see more, where they are there; this is in every `make test`. */
-#include "verification/command/arguments.h"
+#include "verification/ladder/command.h"
 #include "verification/run/run.h"
 
 #include "verification/unit/near.h"
@@ -88,13 +88,13 @@ int posix_memalign(void **block, size_t alignment, size_t size) {
 #endif
 
 static void stays_inside(const char *line) {
-    struct request r;
+    struct command r;
     struct failure why;
     struct result result;
     int before = broken;
-    if (arguments_parse_line(line, &r, &why)) fail_msg("%s: %s", line, why.text);
+    if (command_read(line, &r, &why)) fail_msg("%s: %s", line, why.text);
     if (run_experiment(&r.experiment, &result, NULL)) fail_msg("%s: %s", line, result.failure.text);
-    arguments_free(&r);
+    command_free(&r);
     if (!(isfinite(result.error.l1) && isfinite(result.error.linf))) fail_msg("%s: E1 %g", line, result.error.l1);
     if (broken > before) fail_msg("%s: %d blocks were written to past their end", line, broken - before);
 }

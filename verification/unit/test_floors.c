@@ -1,8 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* What a measured error cannot be below: the rounding of a run and of its exact solution. */
 #include "references/scene.h"
-#include "verification/command/arguments.h"
-#include "verification/command/request.h"
+#include "verification/ladder/command.h"
 #include "verification/run/run.h"
 
 #include "verification/unit/near.h"
@@ -13,9 +12,9 @@
 /* A start at 1e6 K is rounded to 2 eps of itself at least, late too. */
 static void a_plates_bound_holds_the_rounding_of_its_start(void **state) {
     (void)state;
-    struct request r;
+    struct command r;
     struct failure why;
-    if (arguments_parse_line("run plate so_ssph --dx 0.01 --set T0=1e6 --set T1=1000001 --set T2=1000002 --set "
+    if (command_read("run plate so_ssph --dx 0.01 --set T0=1e6 --set T1=1000001 --set T2=1000002 --set "
                              "T3=1000003 --set T4=1000004",
                              &r, &why))
         fail_msg("%s", why.text);
@@ -23,21 +22,21 @@ static void a_plates_bound_holds_the_rounding_of_its_start(void **state) {
         struct exact e = scene_exact(r.experiment.scene, &r.experiment.problem, (double[2]){0.03, 0.07}, t);
         assert_order(e.error_bound, >=, 2 * DBL_EPSILON * 1e6);
     }
-    arguments_free(&r);
+    command_free(&r);
 }
 
 /* Modes of one Robin wall are sums of n values, each rounded: 6.8 eps n. */
 static void sums_of_a_robin_wall_round_with_their_length(void **state) {
     (void)state;
-    struct request r;
+    struct command r;
     struct result result;
     struct field f;
     struct failure why;
-    if (arguments_parse_line("run rod-cooling so_ssph --dx 1/400", &r, &why)) fail_msg("%s", why.text);
+    if (command_read("run rod-cooling so_ssph --dx 1/400", &r, &why)) fail_msg("%s", why.text);
     assert_int_equal(run_experiment(&r.experiment, &result, &f), STATUS_OK);
     assert_order(result.rounding, >, 6.8 * DBL_EPSILON * (double)f.n);
     field_free(&f);
-    arguments_free(&r);
+    command_free(&r);
 }
 
 int main(void) {

@@ -2,7 +2,7 @@
 /* Gates as rows: which there are, which are chosen, what can be typed, and that all are run. */
 #include "verification/gates/gates.h"
 
-#include "verification/command/arguments.h"
+#include "verification/ladder/command.h"
 
 #include "verification/unit/near.h"
 
@@ -61,17 +61,17 @@ static void a_gate_can_be_typed(void **state) {
     for (int k = 0; k < 4; k++) {
         char command[GATES_COMMAND];
         struct measured m;
-        struct request r;
+        struct command r;
         struct failure why;
         struct ladder *l = xcalloc(1, sizeof *l);
         gates_judge(&rows[k], NULL, &m);
         assert_int_not_equal(m.verdict, VERDICT_PASS);
         gates_command(&rows[k], NULL, command, sizeof command);
-        if (arguments_parse_line(command, &r, &why)) fail_msg("%s: %s", command, why.text);
+        if (command_read(command, &r, &why)) fail_msg("%s: %s", command, why.text);
         assert_int_equal(ladder_run(&r.experiment, &r.rungs, l, &why), STATUS_OK);
         assert_int_equal(l->verdict, m.verdict);
         assert_string_equal(l->reason, m.reason);
-        arguments_free(&r);
+        command_free(&r);
         free(l);
     }
     const struct gate other = {"symmetry/odd", TIER_QUICK, "symmetry", "run plate ftcs --dx 0.005", 2, 2, 1,

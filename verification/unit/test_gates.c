@@ -2,7 +2,7 @@
 /* Gates: that none can pass without having been judged. */
 #include "verification/gates/gates.h"
 
-#include "verification/command/arguments.h"
+#include "verification/ladder/command.h"
 #include "verification/diagnosis/wording.h"
 #include "verification/page/page.h"
 #include "verification/run/run.h"
@@ -164,13 +164,13 @@ static void measures_measure(void **state) {
     double wave[2];
     const char *const line[] = {"run rod-step ftcs --dx 0.1 --t-end 0.02", "run rod-step ftcs --dx 0.1 --t-end 0.2"};
     for (int i = 0; i < 2; i++) {
-        struct request r;
+        struct command r;
         struct failure why;
         struct result result;
-        assert_int_equal(arguments_parse_line(line[i], &r, &why), STATUS_OK);
+        assert_int_equal(command_read(line[i], &r, &why), STATUS_OK);
         assert_int_equal(run_experiment(&r.experiment, &result, NULL), STATUS_OK);
         wave[i] = result.shape.checkerboard;
-        arguments_free(&r);
+        command_free(&r);
     }
     m = judge("checkerboard_kept", line[1], 0, 1, NAN);
     assert_order(fabs(wave[1] / wave[0] - 1), >, 0.1);
@@ -190,7 +190,7 @@ static int solve_off(const struct method *m, const struct problem *p, const stru
 
 static double limits_of(double insulated, double held) {
     static const struct method method = {.name = "off", .solve = solve_off};
-    struct request r = {.experiment = {.method = &method, .problem = {.dim = 1, .side = {DIRICHLET, ROBIN}}}};
+    struct command r = {.experiment = {.method = &method, .problem = {.dim = 1, .side = {DIRICHLET, ROBIN}}}};
     struct measured m;
     off[0] = insulated, off[1] = held;
     measures_find("robin_limits", &m)->take(&r, 0, 1e-9, &m);
@@ -223,7 +223,7 @@ static struct exact two(const struct problem *p, const double x[2], double t) {
 static struct measured reference(double apart, double promise) {
     static const struct param none[] = {{0}};
     struct scene scene = {.name = "test", .params = none, .exact = one, .second = two};
-    struct request r = {.experiment.scene = &scene, .experiment.problem = {.dim = 1, .hi = {1}, .t_end = 1}};
+    struct command r = {.experiment.scene = &scene, .experiment.problem = {.dim = 1, .hi = {1}, .t_end = 1}};
     struct measured m;
     gap = apart, bound = promise;
     measures_find("reference", &m)->take(&r, 0, 1, &m);

@@ -3,8 +3,7 @@
  * data. */
 #include "solver/particles/particles.h"
 #include "solver/time/growth.h"
-#include "verification/command/arguments.h"
-#include "verification/command/request.h"
+#include "verification/ladder/command.h"
 #include "verification/run/run.h"
 #include "verification/stability/model_problem.h"
 #include "verification/stability/spectrum.h"
@@ -52,12 +51,12 @@ static void rates_are_those_of_eigenvalues(void **state) {
 }
 
 static int run(const char *line, struct result *result) {
-    struct request r;
+    struct command r;
     struct failure why = {0};
-    if (arguments_parse_line(line, &r, &why)) fail_msg("%s", why.text);
+    if (command_read(line, &r, &why)) fail_msg("%s", why.text);
     r.experiment.growth = 1;
     int status = run_experiment(&r.experiment, result, NULL);
-    arguments_free(&r);
+    command_free(&r);
     return status;
 }
 

@@ -3,8 +3,8 @@
  * and nothing is left beside them.  The signal comes at a chosen call of the C library, so that a test is the same
  * each time: when a clock is read amid the runs, when a file is opened that is not in its place yet, when it is put
  * there. */
-#include "verification/command/arguments.h"
-#include "verification/command/verb.h"
+#include "verification/ladder/command.h"
+#include "verification/cli/verb.h"
 #include "verification/text/whole_file.h"
 
 #include "solver/status.h"
@@ -96,14 +96,17 @@ static int end_of(const char *line, const char *dir) {
     pid_t child = fork();
     assert_order(child, >=, 0);
     if (child == 0) {
-        struct request r;
+        char *word[20];
         struct failure why;
         setenv("TMPDIR", scratch, 1);
         if (planned.at) signal(planned.signal, SIG_DFL);
         if (!freopen("/dev/null", "w", stdout) || !freopen("/dev/null", "w", stderr)) _exit(99);
         snprintf(text, sizeof text, "%s %s", line, dir);
-        status = arguments_parse_line(text, &r, &why);
-        _exit(status ? 98 : r.verb->act(&r, &why));
+        int n = command_words(text, word, 20);
+        const struct verb *v = verb_find(word[0]);
+        void *options = xcalloc(1, v->size);
+        status = command_parse(v->syntax, v->own, n, word, options, &why);
+        _exit(status ? 98 : v->act(options, &why));
     }
     assert_int_equal(waitpid(child, &status, 0), child);
     return status;

@@ -8,10 +8,10 @@
 #include "verification/unit/near.h"
 
 static void climb(const char *line, const struct method *m, int status, struct ladder *l, struct failure *why) {
-    struct request r = request(line, m);
+    struct command r = request(line, m);
     int got = ladder_run(&r.experiment, &r.rungs, l, why);
     if (got != status) fail_msg("%s: status %d, %s", line, got, why->text);
-    arguments_free(&r);
+    command_free(&r);
 }
 
 static void a_ladder_in_space(void **state) {

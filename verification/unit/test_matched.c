@@ -2,16 +2,15 @@
 /* Matched runs that are refused. */
 #include "solver/time/matched.h"
 
-#include "verification/command/arguments.h"
-#include "verification/command/request.h"
+#include "verification/ladder/command.h"
 #include "verification/unit/near.h"
 
 #include <gsl/gsl_errno.h>
 
-static struct request request(const char *line) {
-    struct request r;
+static struct command request(const char *line) {
+    struct command r;
     struct failure why;
-    if (arguments_parse_line(line, &r, &why)) fail_msg("%s", why.text);
+    if (command_read(line, &r, &why)) fail_msg("%s", why.text);
     return r;
 }
 
@@ -30,13 +29,13 @@ static void what_does_not_match_is_not_bad_input(void **state) {
         {"run rod-gauss so_ssph --stepper matched --sampling spline --dx 0.5 --t-end 1e-3", "--t-end", STATUS_INPUT},
     };
     for (size_t i = 0; i < sizeof all / sizeof *all; i++) {
-        struct request r = request(all[i].line);
+        struct command r = request(all[i].line);
         struct experiment *e = &r.experiment;
         struct field f;
         struct failure why = {0};
         assert_int_equal(method_solve(e->method, &e->problem, &e->options, &f, &why), all[i].status);
         if (!strstr(why.text, all[i].word)) fail_msg("'%s' is not in: %s", all[i].word, why.text);
-        arguments_free(&r);
+        command_free(&r);
     }
 }
 
@@ -48,7 +47,7 @@ static double along_y_hi(const struct problem *p, enum side s, const double x[2]
 /* A first derivative taken twice, on a rectangle that is 0 but for one side: refused there, wherever that is. */
 static void walls_that_vary_are_seen_on_each_side(void **state) {
     (void)state;
-    struct request r = request("run square-step fo_ssph --dx 0.1 --sampling spline");
+    struct command r = request("run square-step fo_ssph --dx 0.1 --sampling spline");
     const struct experiment *e = &r.experiment;
     struct problem p = e->problem;
     struct lattice l;
@@ -58,7 +57,7 @@ static void walls_that_vary_are_seen_on_each_side(void **state) {
     p.wall = along_y_hi;
     assert_int_equal(matched_check(&p, &e->options, e->method->scheme, &l, &why), STATUS_NOT_APPLICABLE);
     assert_non_null(strstr(why.text, "a first derivative applied twice"));
-    arguments_free(&r);
+    command_free(&r);
 }
 
 int main(void) {

@@ -2,8 +2,7 @@
 /* The estimated memory of a run, and its refusal above the limit. */
 #include "verification/run/memory.h"
 
-#include "verification/command/arguments.h"
-#include "verification/command/request.h"
+#include "verification/ladder/command.h"
 #include "verification/run/run.h"
 
 #include "verification/unit/near.h"
@@ -12,12 +11,12 @@
 #include <unistd.h>
 
 static void check(const char *line, const char *says) {
-    struct request r;
+    struct command r;
     struct failure why = {0};
-    if (arguments_parse_line(line, &r, &why)) fail_msg("%s: %s", line, why.text);
+    if (command_read(line, &r, &why)) fail_msg("%s: %s", line, why.text);
     assert_int_equal(memory_check(&r.experiment, &why), says ? STATUS_INPUT : STATUS_OK);
     if (says && !strstr(why.text, says)) fail_msg("%s: \"%s\" lacks \"%s\"", line, why.text, says);
-    arguments_free(&r);
+    command_free(&r);
 }
 
 /* A rod's particle takes 40 bytes, one of the plane 48: 1e-5 GB hold 250 and 208. */
@@ -38,15 +37,15 @@ static void rows_count_with_their_neighbours(void **state) {
                                         "run square-step so_ssph --dx 0.1 --layout jitter --jitter 0.2 --h 1.5",
                                         "run rod-contact brookshaw --dx 0.002"};
     for (int i = 0; i < 3; i++) {
-        struct request r;
+        struct command r;
         struct result result;
         struct failure why;
-        if (arguments_parse_line(lines[i], &r, &why)) fail_msg("%s: %s", lines[i], why.text);
+        if (command_read(lines[i], &r, &why)) fail_msg("%s: %s", lines[i], why.text);
         assert_int_equal(run_experiment(&r.experiment, &result, NULL), STATUS_OK);
         double times = memory_estimate(&r.experiment) / (double)result.cost.bytes;
         assert_order(times, >, 1.3);
         assert_order(times, <, 3);
-        arguments_free(&r);
+        command_free(&r);
     }
 }
 

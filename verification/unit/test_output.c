@@ -4,7 +4,7 @@
 
 #include "references/scene.h"
 #include "solver/status.h"
-#include "verification/command/command_run.h"
+#include "verification/ladder/command_run.h"
 #include "verification/unit/near.h"
 #include "verification/unit/scratch_path.h"
 
@@ -87,7 +87,7 @@ static void commands_are_kept(void **state) {
     assert_has(why.text, "heatladder run rod-step so_ssph --dx 0.3: ");
     command_run_free(&run);
     assert_int_equal(command_run_line(&run, "reference rod-cosine --at 0.31 --time %g", 1.7), STATUS_OK);
-    assert_near(run.request.time.value[0], 1.7, 0);
+    assert_near(run.typed.time.value[0], 1.7, 0);
     assert_null(run.field.T);
     const double kappa = 0.013, mode = 3, pi = M_PI, x[2] = {0.31, 0};
     assert_near(command_run_exact(&run, x, 1.7) - command_run_exact(&run, x, 1e9),
@@ -147,7 +147,7 @@ static void an_error_is_a_part_of_the_exact_temperature(void **state) {
     for (int i = 0; i < 3; i++) {
         struct command_run run;
         assert_int_equal(command_run_line(&run, "%s", lines[i]), STATUS_OK);
-        const struct experiment *e = &run.request.experiment;
+        const struct experiment *e = &run.typed.experiment;
         const struct field *f = &run.field;
         double apart[3] = {0}, whole[3] = {0};
         for (size_t k = 0; k < f->n; k++) {

@@ -6,7 +6,7 @@
 #include "reports/figure/document.h"
 #include "reports/index/index.h"
 #include "solver/status.h"
-#include "verification/command/arguments.h"
+#include "verification/ladder/command.h"
 #include "verification/foreign/program.h"
 #include "verification/ladder/ladder.h"
 #include "verification/text/table.h"
@@ -207,12 +207,12 @@ static void a_scene_has_a_curve_a_method(void **state) {
 
 static const char *ladder_page(const char *line) {
     struct ladder *l = xcalloc(1, sizeof *l);
-    struct request r;
+    struct command r;
     struct failure why;
-    assert_int_equal(arguments_parse_line(line, &r, &why), 0);
+    assert_int_equal(command_read(line, &r, &why), 0);
     assert_int_equal(ladder_run(&r.experiment, &r.rungs, l, &why), 0);
     assert_int_equal(page_ladder_write(l, r.typed, path_of("l.html"), &why), 0);
-    arguments_free(&r);
+    command_free(&r);
     free(l);
     return take("l.html");
 }

@@ -3,7 +3,7 @@
  * is wrong, and where it does not answer. */
 #include "verification/foreign/program.h"
 
-#include "verification/command/arguments.h"
+#include "verification/ladder/command.h"
 #include "verification/foreign/process.h"
 #include "verification/foreign/scratch.h"
 #include "verification/gates/gates.h"
@@ -27,11 +27,11 @@
 #define MINE " --solver '" AWK " {case} > {out}'"
 
 static int run_line(const char *line, struct result *result) {
-    struct request r;
+    struct command r;
     struct failure why;
-    if (arguments_parse_line(line, &r, &why)) fail_msg("%s", why.text);
+    if (command_read(line, &r, &why)) fail_msg("%s", why.text);
     int status = run_experiment(&r.experiment, result, NULL);
-    arguments_free(&r);
+    command_free(&r);
     return status;
 }
 
@@ -81,7 +81,7 @@ static void a_made_up_error_does_not_pass(void **state) {
         {"stall", "1/10,1/20,1/40,1/80,1/160,1/320,1/640,1/1280,1/2560,1/5120", VERDICT_FAIL, "does not fall"}};
     for (int k = 0; k < 4; k++) {
         char line[512];
-        struct request r;
+        struct command r;
         struct failure why;
         struct ladder *l = xcalloc(1, sizeof *l);
         snprintf(line, sizeof line,
@@ -89,12 +89,12 @@ static void a_made_up_error_does_not_pass(void **state) {
                  "{out}' "
                  "--expect 1.9,2.1",
                  made[k].dx, made[k].error);
-        if (arguments_parse_line(line, &r, &why)) fail_msg("%s", why.text);
+        if (command_read(line, &r, &why)) fail_msg("%s", why.text);
         assert_int_equal(ladder_run(&r.experiment, &r.rungs, l, &why), STATUS_OK);
         assert_near(l->rung[0].dt, 0, 0); /* it has told of no steps */
         if (l->verdict != made[k].verdict || !strstr(l->reason, made[k].said))
             fail_msg("%s: %s: %s", made[k].error, verdict_words[l->verdict], l->reason);
-        arguments_free(&r);
+        command_free(&r);
         free(l);
     }
 }
@@ -118,17 +118,17 @@ static void a_diagnosis_is_of_the_two_finest_rungs(void **state) {
     struct diagnosis found[2];
     for (int k = 0; k < 2; k++) {
         char line[300];
-        struct request r;
+        struct command r;
         struct failure why;
         struct ladder *l = xcalloc(1, sizeof *l);
         snprintf(line, sizeof line,
                  "ladder rod-step mine --fourier 0.2 --dx %s --solver '" AWK " -v wrong=1.2 {case} > {out}'", dx[k]);
-        if (arguments_parse_line(line, &r, &why)) fail_msg("%s", why.text);
+        if (command_read(line, &r, &why)) fail_msg("%s", why.text);
         r.rungs.diagnose = 1;
         assert_int_equal(ladder_run(&r.experiment, &r.rungs, l, &why), STATUS_OK);
         assert_int_equal(l->diagnosed, 1);
         found[k] = l->diagnosis;
-        arguments_free(&r);
+        command_free(&r);
         free(l);
     }
     assert_int_equal(found[0].named, 1);
@@ -163,19 +163,19 @@ static void what_is_wrong_is_named(void **state) {
 
 static void the_label_is_free_and_options_of_the_model_are_not(void **state) {
     (void)state;
-    struct request r;
+    struct command r;
     struct failure why;
-    assert_int_equal(arguments_parse_line("run rod-step any.name --dx 0.1 --solver 'x {case} {out}'", &r, &why), 0);
+    assert_int_equal(command_read("run rod-step any.name --dx 0.1 --solver 'x {case} {out}'", &r, &why), 0);
     assert_string_equal(r.experiment.method->name, "any.name");
-    arguments_free(&r);
-    assert_int_equal(arguments_parse_line("run rod-step mine --dx 0.1", &r, &why), STATUS_INPUT);
-    arguments_free(&r);
-    assert_int_equal(arguments_parse_line("run rod-step --dx 0.1 --solver=x", &r, &why), STATUS_INPUT);
-    arguments_free(&r);
-    assert_int_equal(arguments_parse_line("run rod-step mine --kernel cubic --dx 0.1 --solver=x", &r, &why),
+    command_free(&r);
+    assert_int_equal(command_read("run rod-step mine --dx 0.1", &r, &why), STATUS_INPUT);
+    command_free(&r);
+    assert_int_equal(command_read("run rod-step --dx 0.1 --solver=x", &r, &why), STATUS_INPUT);
+    command_free(&r);
+    assert_int_equal(command_read("run rod-step mine --kernel cubic --dx 0.1 --solver=x", &r, &why),
                      STATUS_INPUT);
     assert_has(why.text, "--kernel has no meaning for mine");
-    arguments_free(&r);
+    command_free(&r);
 }
 
 /* Two dimensions, two materials, sides that vary: all of it is in the case file, on which the last line of each

@@ -5,8 +5,8 @@
 #include "verification/foreign/results.h"
 
 #include "solver/status.h"
-#include "verification/command/arguments.h"
-#include "verification/command/verb.h"
+#include "verification/ladder/command.h"
+#include "verification/cli/verb.h"
 #include "verification/ladder/ladder.h"
 
 #include "verification/unit/near.h"
@@ -22,27 +22,34 @@
 
 static char dir[UNIT_PATH];
 
+/* DIR/name */
+static const char *below(const char *name) {
+    static char path[UNIT_PATH + 20];
+    snprintf(path, sizeof path, "%s/%s", dir, name);
+    return path;
+}
+
 static int write_cases(const char *options, char *text, size_t size) {
-    struct request r;
+    struct command r;
     struct failure why = {0};
     char line[400];
     int written;
-    snprintf(line, sizeof line, "case rod-gauss --into %s %s", dir, options);
-    if (arguments_parse_line(line, &r, &why)) fail_msg("%s", why.text);
-    int status = results_write(&(struct results_place){r.into, "", "", NULL, 0}, r.experiment.scene,
+    snprintf(line, sizeof line, "run rod-gauss mine --solver '{case}{out}' %s", options);
+    if (command_read(line, &r, &why)) fail_msg("%s", why.text);
+    int status = results_write(&(struct results_place){dir, "", "", NULL, 0}, r.experiment.scene,
                                &r.experiment.problem, &r.experiment.options, r.rungs.dx.text, &written, &why);
-    arguments_free(&r);
+    command_free(&r);
     snprintf(text, size, "%s", why.text);
     return status;
 }
 
 static void climb(const char *line, struct ladder *l, int wanted) {
-    struct request r;
+    struct command r;
     struct failure why = {0};
-    if (arguments_parse_line(line, &r, &why)) fail_msg("%s", why.text);
+    if (command_read(line, &r, &why)) fail_msg("%s", why.text);
     int status = ladder_run(&r.experiment, &r.rungs, l, &why);
     if (status != wanted) fail_msg("%s: %d, %s", line, status, why.text);
-    arguments_free(&r);
+    command_free(&r);
 }
 
 static void run_all(void) {
@@ -100,16 +107,16 @@ static void cases_are_added(void **state) {
     assert_int_equal(l.n, 6);
     assert_int_equal(write_cases("--dx 1 --set kappa=0.3 --fourier 0.4", text, sizeof text), STATUS_INPUT);
     assert_has(text, "an answer to another case is there");
-    struct request r;
+    struct command r;
     struct failure why;
     snprintf(line, sizeof line, "ladder rod-gauss mine --set kappa=0.3 --results %s", dir);
-    assert_int_equal(arguments_parse_line(line, &r, &why), STATUS_INPUT);
+    assert_int_equal(command_read(line, &r, &why), STATUS_INPUT);
     assert_has(why.text, "param_kappa = 0.4");
-    arguments_free(&r);
+    command_free(&r);
     snprintf(line, sizeof line, "ladder rod-step mine --results %s", dir);
-    assert_int_equal(arguments_parse_line(line, &r, &why), STATUS_INPUT);
+    assert_int_equal(command_read(line, &r, &why), STATUS_INPUT);
     assert_has(why.text, "No such file");
-    arguments_free(&r);
+    command_free(&r);
 }
 
 /* dy is in the case, and read from it again; 20 by 7 cells of 0.05 m by 0.1 m, of which 19 by 6 points are the
@@ -117,16 +124,16 @@ static void cases_are_added(void **state) {
 static void a_second_spacing_is_kept(void **state) {
     (void)state;
     char line[400], path[400], text[4000] = "";
-    struct request r;
+    struct command r;
     struct failure why = {0};
     int written;
-    snprintf(line, sizeof line, "case rect-manufactured --dx 0.05 --aspect 2 --into %s", dir);
-    if (arguments_parse_line(line, &r, &why)) fail_msg("%s", why.text);
+    if (command_read("run rect-manufactured mine --dx 0.05 --aspect 2 --solver '{case}{out}'", &r, &why))
+        fail_msg("%s", why.text);
     const struct experiment *e = &r.experiment;
-    assert_int_equal(results_write(&(struct results_place){r.into, "", "", NULL, 0}, e->scene, &e->problem,
-                                   &e->options, r.rungs.dx.text, &written, &why),
+    assert_int_equal(results_write(&(struct results_place){dir, "", "", NULL, 0}, e->scene, &e->problem, &e->options,
+                                   r.rungs.dx.text, &written, &why),
                      0);
-    arguments_free(&r);
+    command_free(&r);
     snprintf(path, sizeof path, "%s/rect-manufactured/0.05/case", dir);
     FILE *in = fopen(path, "r");
     assert_true(in && fread(text, 1, sizeof text - 1, in) > 0);
@@ -134,13 +141,13 @@ static void a_second_spacing_is_kept(void **state) {
     assert_has(text, "\ncells = 20, 7\n");
     assert_has(text, "\ndy = 0.1");
     snprintf(line, sizeof line, "run rect-manufactured mine --dx 0.05 --results %s", dir);
-    if (arguments_parse_line(line, &r, &why)) fail_msg("%s", why.text);
+    if (command_read(line, &r, &why)) fail_msg("%s", why.text);
     assert_near(r.experiment.options.aspect, 2, 1e-15);
-    arguments_free(&r);
+    command_free(&r);
     snprintf(line, sizeof line, "run rect-manufactured mine --dx 0.05 --aspect 3 --results %s", dir);
-    assert_int_equal(arguments_parse_line(line, &r, &why), STATUS_INPUT);
+    assert_int_equal(command_read(line, &r, &why), STATUS_INPUT);
     assert_has(why.text, "dy is 2 dx, but 3 dx");
-    arguments_free(&r);
+    command_free(&r);
     snprintf(line, sizeof line,
              "ladder rect-manufactured mine --dx 0.05,0.025 --aspect 3 --solver '" AWK " {case} > {out}'");
     struct ladder l;
@@ -155,17 +162,18 @@ static void spacings_are_along_the_axes_of_the_case(void **state) {
     static const char *const spacing[] = {"0.1 --aspect 0.7", "0.07 --aspect 1/0.7"};
     for (int k = 0; k < 2; k++) {
         char line[400];
-        struct request r;
+        struct command r;
         struct failure why = {0};
         int written;
-        snprintf(line, sizeof line, "case rect-manufactured --dx %s --map y,-x --into %s/turned", spacing[k], dir);
-        if (arguments_parse_line(line, &r, &why)) fail_msg("%s", why.text);
+        snprintf(line, sizeof line, "run rect-manufactured mine --dx %s --map y,-x --solver '{case}{out}'",
+                 spacing[k]);
+        if (command_read(line, &r, &why)) fail_msg("%s", why.text);
         const struct experiment *e = &r.experiment;
-        assert_int_equal(results_write(&(struct results_place){r.into, "", "", &e->program.map, 0}, e->scene,
+        assert_int_equal(results_write(&(struct results_place){below("turned"), "", "", &e->program.map, 0}, e->scene,
                                        &e->problem, &e->options, r.rungs.dx.text, &written, &why),
                          k == 0 ? STATUS_INPUT : 0);
         if (k == 0) assert_has(why.text, "--dx 0.1 --aspect 0.7: does not divide the domain");
-        arguments_free(&r);
+        command_free(&r);
     }
 }
 
@@ -173,18 +181,18 @@ static void spacings_are_along_the_axes_of_the_case(void **state) {
 static void the_plane_of_a_slab_is_kept(void **state) {
     (void)state;
     char line[400], path[400], value[PROGRAM_SETTING];
-    struct request r;
+    struct command r;
     struct failure why = {0};
     int written;
-    snprintf(line, sizeof line, "case rect-manufactured --dx 0.05 --axes y,z --into %s/slab", dir);
-    if (arguments_parse_line(line, &r, &why)) fail_msg("%s", why.text);
+    if (command_read("run rect-manufactured mine --dx 0.05 --axes y,z --solver '{case}{out}'", &r, &why))
+        fail_msg("%s", why.text);
     const struct experiment *e = &r.experiment;
     results_setting(e->scene, &e->problem, 0, &e->program.map, 0, value);
     assert_string_equal(value, "axes=y,z");
-    assert_int_equal(results_write(&(struct results_place){r.into, "", "", &e->program.map, 0}, e->scene, &e->problem,
-                                   &e->options, r.rungs.dx.text, &written, &why),
+    assert_int_equal(results_write(&(struct results_place){below("slab"), "", "", &e->program.map, 0}, e->scene,
+                                   &e->problem, &e->options, r.rungs.dx.text, &written, &why),
                      0);
-    arguments_free(&r);
+    command_free(&r);
     snprintf(path, sizeof path, "%s/slab/rect-manufactured/0.05/case", dir);
     char *text = case_file_read(path, &why);
     assert_int_equal(case_file_value(text, "axes", value, sizeof value), 0);
@@ -193,13 +201,13 @@ static void the_plane_of_a_slab_is_kept(void **state) {
     assert_null(strstr(path, "axes")); /* the reference is in the plane */
     free(text);
     snprintf(line, sizeof line, "run rect-manufactured mine --dx 0.05 --results %s/slab", dir);
-    if (arguments_parse_line(line, &r, &why)) fail_msg("%s", why.text);
+    if (command_read(line, &r, &why)) fail_msg("%s", why.text);
     assert_string_equal(mapping_planes[r.experiment.program.map.plane], "y,z");
-    arguments_free(&r);
+    command_free(&r);
     snprintf(line, sizeof line, "run rect-manufactured mine --dx 0.05 --axes x,z --results %s/slab", dir);
-    assert_int_equal(arguments_parse_line(line, &r, &why), STATUS_INPUT);
+    assert_int_equal(command_read(line, &r, &why), STATUS_INPUT);
     assert_has(why.text, "map, axes, scale or offset differ in other cases");
-    arguments_free(&r);
+    command_free(&r);
 }
 
 /* A program that adds 1e-3 seed K, of the seed that its case says: the errors of a rung are those of both draws, and
@@ -207,29 +215,30 @@ static void the_plane_of_a_slab_is_kept(void **state) {
 static void draws_are_judged_later(void **state) {
     (void)state;
     char line[600];
-    struct request r;
+    struct command r;
     struct failure why = {0};
     struct ladder one, both;
     int written;
-    snprintf(line, sizeof line,
-             "case rod-gauss --set kappa=0.4 --fourier 0.4 --dx 1,0.5,0.25,0.2 --seeds 2 --into %s/drawn", dir);
-    if (arguments_parse_line(line, &r, &why)) fail_msg("%s", why.text);
+    if (command_read("ladder rod-gauss mine --set kappa=0.4 --fourier 0.4 --dx 1,0.5,0.25,0.2 --seeds 2 "
+                     "--solver '{case}{out}'",
+                     &r, &why))
+        fail_msg("%s", why.text);
     const struct experiment *e = &r.experiment;
-    assert_int_equal(results_write(&(struct results_place){r.into, "", "", NULL, 2}, e->scene, &e->problem,
+    assert_int_equal(results_write(&(struct results_place){below("drawn"), "", "", NULL, 2}, e->scene, &e->problem,
                                    &e->options, r.rungs.dx.text, &written, &why),
                      0);
     assert_int_equal(written, 8);
-    arguments_free(&r);
+    command_free(&r);
     snprintf(line, sizeof line,
              "for d in %s/drawn/rod-gauss/*/seed=*; do s=$(sed -n 's/^seed = //p' $d/case); " AWK
              " $d/case | awk -F, -v OFS=, -v s=$s '$1 + 0 == $1 { $2 += 1e-3 * s } { print }' > $d/out.csv; done",
              dir);
     assert_int_equal(system(line), 0);
     snprintf(line, sizeof line, "ladder rod-gauss mine --seeds 2 --results %s/drawn", dir);
-    if (arguments_parse_line(line, &r, &why)) fail_msg("%s", why.text);
+    if (command_read(line, &r, &why)) fail_msg("%s", why.text);
     const double *kappa = r.experiment.problem.param;
     assert_near(kappa[2], 0.4, 0);
-    arguments_free(&r);
+    command_free(&r);
     climb(line, &both, 0);
     assert_int_equal(both.draws, 2);
     assert_near(both.rung[0].error.l1, sqrt(both.draw[0][0] * both.draw[1][0]), 1e-15);

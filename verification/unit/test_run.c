@@ -5,20 +5,20 @@
 #include "references/quantity.h"
 #include "solver/field.h"
 #include "solver/problem.h"
-#include "verification/command/arguments.h"
+#include "verification/ladder/command.h"
 
 #include "verification/unit/near.h"
 
 #include <float.h>
 
 static struct result run(const char *line, struct field *f, struct quantity_value *exact) {
-    struct request r;
+    struct command r;
     struct result result;
     struct failure why;
-    if (arguments_parse_line(line, &r, &why)) fail_msg("%s: %s", line, why.text);
+    if (command_read(line, &r, &why)) fail_msg("%s: %s", line, why.text);
     if (run_experiment(&r.experiment, &result, f)) fail_msg("%s: %s", line, result.failure.text);
     if (exact) *exact = quantity_exact(&r.experiment.quantity, r.experiment.scene, &r.experiment.problem, f->time);
-    arguments_free(&r);
+    command_free(&r);
     return result;
 }
 

@@ -5,7 +5,7 @@
 
 #include "references/scene.h"
 #include "solver/space/operator.h"
-#include "verification/command/arguments.h"
+#include "verification/ladder/command.h"
 #include "verification/run/run.h"
 #include "verification/run/semidiscrete.h"
 
@@ -60,15 +60,15 @@ static const struct method off = {"off", "", "stepper", &scheme, solve_off};
 static const struct method wrong = {"wrong", "", "stepper", &scheme, solve_wrong};
 
 static void climb(const char *options, const struct method *m, int status, struct ladder *l, struct failure *why) {
-    struct request r;
+    struct command r;
     char line[160];
     snprintf(line, sizeof line, "ladder rod-gauss ftcs --dx 0.5 %s", options);
-    if (arguments_parse_line(line, &r, why)) fail_msg("%s", why->text);
+    if (command_read(line, &r, why)) fail_msg("%s", why->text);
     r.experiment.method = m;
     r.experiment.options.domain = DOMAIN_WHOLE; /* these methods know of no lattice, nor of its symmetry */
     int got = ladder_run(&r.experiment, &r.rungs, l, why);
     if (got != status) fail_msg("%s: status %d, %s", line, got, why->text);
-    arguments_free(&r);
+    command_free(&r);
 }
 
 /* t_end = 5 s: one step and two agree to 3.75e-10; or, with eigenvalues off the axis, 8 steps are too few and 16
@@ -123,11 +123,11 @@ static void the_polynomials_reference_is_the_exact_one(void **state) {
     struct semidiscrete reference[2];
     struct failure why;
     for (int i = 0; i < 2; i++) {
-        struct request r;
-        if (arguments_parse_line(lines[i], &r, &why)) fail_msg("%s", why.text);
+        struct command r;
+        if (command_read(lines[i], &r, &why)) fail_msg("%s", why.text);
         r.experiment.options.dt = 0.05;
         if (semidiscrete_solve(&r.experiment, &reference[i], &why)) fail_msg("%s", why.text);
-        arguments_free(&r);
+        command_free(&r);
     }
     double most = 0, size = 0;
     for (size_t i = 0; i < reference[1].field.n; i++) {

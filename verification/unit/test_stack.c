@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Stacks that are too small are refused before anything runs in them. */
-#include "verification/command/stack.h"
+#include "verification/cli/stack.h"
 
 #include "solver/status.h"
 

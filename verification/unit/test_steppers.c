@@ -2,7 +2,7 @@
 /* Steppers on one equation: stages, degrees, exponentials, and threads that have work. */
 
 #include "solver/time/stepper.h"
-#include "verification/command/arguments.h"
+#include "verification/ladder/command.h"
 #include "verification/run/run.h"
 
 #include "verification/unit/near.h"
@@ -89,12 +89,12 @@ static void a_march_is_exact_in_any_number_of_steps(void **state) {
 /* ---- stages ---- */
 
 static struct result result_of(const char *line) {
-    struct request r;
+    struct command r;
     struct failure why;
     struct result result;
-    if (arguments_parse_line(line, &r, &why)) fail_msg("%s: %s", line, why.text);
+    if (command_read(line, &r, &why)) fail_msg("%s: %s", line, why.text);
     if (run_experiment(&r.experiment, &result, NULL)) fail_msg("%s: %s", line, result.failure.text);
-    arguments_free(&r);
+    command_free(&r);
     return result;
 }
 

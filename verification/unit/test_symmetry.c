@@ -2,21 +2,20 @@
 /* Half and quarter domains against the whole: the same field to rounding, for the work of the part. */
 #include "verification/run/symmetry.h"
 
-#include "verification/command/arguments.h"
-#include "verification/command/request.h"
+#include "verification/ladder/command.h"
 
 #include "verification/unit/near.h"
 
 #include <gsl/gsl_errno.h>
 
 static void solve(const char *line, enum domain domain, struct field *f) {
-    struct request r;
+    struct command r;
     struct failure why;
-    if (arguments_parse_line(line, &r, &why)) fail_msg("%s: %s", line, why.text);
+    if (command_read(line, &r, &why)) fail_msg("%s: %s", line, why.text);
     r.experiment.options.domain = domain;
     if (symmetry_solve(r.experiment.method, &r.experiment.problem, &r.experiment.options, f, &why))
         fail_msg("%s: %s", line, why.text);
-    arguments_free(&r);
+    command_free(&r);
 }
 
 /* `saving` is how many times less is updated. */

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The choice of a time step, on methods whose errors are made to measure. */
-#include "verification/command/command_run.h"
+#include "verification/ladder/command_run.h"
 #include "verification/run/run.h"
 #include "verification/run/time_step.h"
 
@@ -9,23 +9,23 @@
 
 static void the_exact_stepper_where_there_is_one(void **state) {
     (void)state;
-    struct request r = request("run rod-gauss ftcs --dx 0.5", &with_exact);
+    struct command r = request("run rod-gauss ftcs --dx 0.5", &with_exact);
     struct result result;
     assert_int_equal(run_experiment(&r.experiment, &result, NULL), STATUS_OK);
     assert_int_equal(result.options.stepper, STEPPER_EXACT);
     assert_near(result.time_error, 0, 0);
     assert_near(result.error.l1, C * 0.25, 1e-12);
-    arguments_free(&r);
+    command_free(&r);
 }
 
 /* Another stepper is for what the exact one has no answer to, not for input that is wrong. */
 static void wrong_input_is_not_tried_again(void **state) {
     (void)state;
-    struct request r = request("run rod-gauss ftcs --dx 0.5", &wrong_input);
+    struct command r = request("run rod-gauss ftcs --dx 0.5", &wrong_input);
     struct result result;
     assert_int_equal(run_experiment(&r.experiment, &result, NULL), STATUS_INPUT);
     assert_int_equal(result.options.stepper, STEPPER_EXACT);
-    arguments_free(&r);
+    command_free(&r);
 }
 
 static void every_status_has_an_exit_status(void **state) {
@@ -37,19 +37,19 @@ static void every_status_has_an_exit_status(void **state) {
 
 static void a_refused_exact_falls_back(void **state) {
     (void)state;
-    struct request r = request("run rod-gauss ftcs --dx 0.5", &no_exact);
+    struct command r = request("run rod-gauss ftcs --dx 0.5", &no_exact);
     struct result result;
     assert_int_equal(run_experiment(&r.experiment, &result, NULL), STATUS_OK);
     assert_int_equal(result.options.stepper, STEPPER_RKL2);
     assert_order(result.time_error, >, 0);
     assert_order(result.time_error, <=, 0.01);
-    arguments_free(&r);
+    command_free(&r);
 }
 
 /* The time error that is reported is the one that was put in. */
 static void the_step_is_refined_until_it_does_not_matter(void **state) {
     (void)state;
-    struct request r = request("run rod-gauss ftcs --dx 0.5", &euler);
+    struct command r = request("run rod-gauss ftcs --dx 0.5", &euler);
     struct result result;
     assert_int_equal(run_experiment(&r.experiment, &result, NULL), STATUS_OK);
     double space = C * 0.25, time = D * result.dt;
@@ -57,16 +57,16 @@ static void the_step_is_refined_until_it_does_not_matter(void **state) {
     assert_near(result.time_error, time / (space + time), 1e-9);
     assert_order(result.time_error, <=, 0.01);
     assert_order(result.time_error, >, 0.005); /* and no finer than needed */
-    arguments_free(&r);
+    command_free(&r);
 }
 
 static void an_unstable_first_step_is_halved(void **state) {
     (void)state;
-    struct request r = request("run rod-gauss ftcs --dx 0.5", &picky);
+    struct command r = request("run rod-gauss ftcs --dx 0.5", &picky);
     struct result result;
     assert_int_equal(run_experiment(&r.experiment, &result, NULL), STATUS_OK);
     assert_order(result.time_error, <=, 0.01);
-    arguments_free(&r);
+    command_free(&r);
 }
 
 /* Particles next to a held wall: rkl2's first step of some stages is damped, the next one of fewer is not. */
@@ -82,13 +82,13 @@ static void an_unstable_second_step_is_halved(void **state) {
 
 static void a_given_step_is_taken_as_it_is(void **state) {
     (void)state;
-    struct request r = request("run rod-gauss ftcs --dx 0.5 --dt 0.7", &euler);
+    struct command r = request("run rod-gauss ftcs --dx 0.5 --dt 0.7", &euler);
     struct result result;
     assert_int_equal(run_experiment(&r.experiment, &result, NULL), STATUS_OK);
     assert_int_equal(result.steps, 8); /* 5 s in whole steps of at most 0.7 s */
     assert_near(result.dt, 0.625, 0);
     assert_nan(result.time_error);
-    arguments_free(&r);
+    command_free(&r);
 }
 
 /* Data of zero, and data whose last trace has decayed past the least double. */
@@ -98,13 +98,13 @@ static void no_error_is_relative_to_zero(void **state) {
                                         "run plate so_ssph --dx 0.01 --set T1=0 --set T2=0 --set T3=0 --set T4=0",
                                         "run rod-step so_ssph --dx 0.1 --set t_end=1e7"};
     for (int i = 0; i < 3; i++) {
-        struct request r;
+        struct command r;
         struct failure why;
         struct result result;
-        assert_int_equal(arguments_parse_line(lines[i], &r, &why), STATUS_OK);
+        assert_int_equal(command_read(lines[i], &r, &why), STATUS_OK);
         assert_int_equal(run_experiment(&r.experiment, &result, NULL), STATUS_INPUT);
         assert_has(result.failure.text, "the exact solution is 0 K at all points");
-        arguments_free(&r);
+        command_free(&r);
     }
 }
 

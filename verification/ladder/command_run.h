@@ -1,18 +1,17 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#ifndef HEATLADDER_VERIFICATION_COMMAND_COMMAND_RUN_H
-#define HEATLADDER_VERIFICATION_COMMAND_COMMAND_RUN_H
+#ifndef HEATLADDER_VERIFICATION_LADDER_COMMAND_RUN_H
+#define HEATLADDER_VERIFICATION_LADDER_COMMAND_RUN_H
 
-/* A command line, run and kept: what the claims and the reports are made of, so that each number of theirs can be
- * asked for again by hand. */
+/* A command line, run and kept, for claims and reports: each of their numbers has a command that repeats it. */
 
-#include "verification/command/request.h"
+#include "verification/ladder/command.h"
 #include "verification/run/result.h"
 
 #include <stdarg.h>
 
 struct command_run {
     char command[400]; /* as a user would type it after the program's name */
-    struct request request;
+    struct command typed;
     struct result result; /* its failure: of the command line or of the run */
     struct field field;
 };
@@ -23,7 +22,7 @@ int command_run_line(struct command_run *run, const char *format, ...) __attribu
 int command_run_list(struct command_run *run, const char *format, va_list arguments)
     __attribute__((format(printf, 2, 0)));
 
-/* The two halves of that: between them numbers can be set in run->request.experiment that no user would type. */
+/* The two halves of that: between them numbers can be set in run->typed.experiment that no user would type. */
 int command_run_read(struct command_run *run, const char *format, ...) __attribute__((format(printf, 2, 3)));
 int command_run_solve(struct command_run *run);
 

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* heatladder ladder: runs of falling dx (or dt), and the order at which the error falls. */
-#include "verification/command/verb.h"
+#include "verification/cli/verb.h"
 
 #include "verification/text/json.h"
 #include "references/scene.h"
@@ -11,7 +11,6 @@
 #include "verification/page/page.h"
 #include "verification/run/memory.h"
 #include "verification/text/atomic_file.h"
-#include "verification/command/request.h"
 #include "verification/text/table.h"
 #include "verification/text/verdict.h"
 #include "verification/text/words.h"
@@ -19,6 +18,12 @@
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
+
+struct ladder_options {
+    struct command command;
+    const char *junit_path, *page_path; /* NULL for none */
+    int json;
+};
 
 static void print_text(const struct ladder *l) {
     char what[240];
@@ -90,10 +95,11 @@ static void print_gci(const struct gci *g) {
 }
 
 /* With --expect the order of the first quantity is judged. */
-static int without_scene(const struct request *r, struct failure *why) {
+static int without_scene(const struct ladder_options *r, struct failure *why) {
     struct gci *g = xcalloc(1, sizeof *g);
-    const struct numbers *expect = &r->rungs.expect;
-    int status = gci_read(r->experiment.program.results, &r->experiment.program.columns, &r->at, g, why);
+    const struct numbers *expect = &r->command.rungs.expect;
+    int status = gci_read(r->command.experiment.program.results, &r->command.experiment.program.columns,
+                          &r->command.at, g, why);
     if (!status && r->json) {
         struct json j = json_on(stdout);
         gci_json(g, &j);
@@ -109,26 +115,27 @@ static int without_scene(const struct request *r, struct failure *why) {
     return status;
 }
 
-static int is_judged(const struct request *r) {
-    return r->rungs.expect.count || r->rungs.ceiling > 0;
+static int is_judged(const struct ladder_options *r) {
+    return r->command.rungs.expect.count || r->command.rungs.ceiling > 0;
 }
 
-static void print_asked(const struct request *r, char *text, size_t size) {
-    const struct numbers *e = &r->rungs.expect;
+static void print_asked(const struct ladder_options *r, char *text, size_t size) {
+    const struct numbers *e = &r->command.rungs.expect;
     *text = '\0';
     if (e->count) snprintf(text, size, "--expect %g,%g", e->value[0], e->value[1]);
-    if (r->rungs.ceiling > 0) words_add(text, size, "%s--ceiling %g", *text ? " " : "", r->rungs.ceiling);
+    if (r->command.rungs.ceiling > 0)
+        words_add(text, size, "%s--ceiling %g", *text ? " " : "", r->command.rungs.ceiling);
     if (!*text) snprintf(text, size, "its runs should end");
 }
 
 /* One test case, which passes where the exit status is to be 0: also a ladder that ran and that nothing judges. */
-static int write_junit(const struct request *r, const struct ladder *l, int status, struct failure *why) {
+static int write_junit(const struct ladder_options *r, const struct ladder *l, int status, struct failure *why) {
     char id[120], told[160];
     struct gate_result result = {.seconds = l->seconds, .executed = 1};
-    snprintf(id, sizeof id, "%s/%s", r->experiment.scene->name, r->experiment.method->name);
+    snprintf(id, sizeof id, "%s/%s", r->command.experiment.scene->name, r->command.experiment.method->name);
     print_asked(r, told, sizeof told);
     result.gate = (struct gate){.id = id, .why = told, .command = id};
-    snprintf(result.typed, sizeof result.typed, "%s", r->typed);
+    snprintf(result.typed, sizeof result.typed, "%s", r->command.typed);
     result.measured = (struct measured){.value = l->slope.value, .verdict = l->verdict};
     if (!status && !is_judged(r)) result.measured.verdict = VERDICT_PASS;
     snprintf(result.measured.reason, sizeof result.measured.reason, "%s", l->reason);
@@ -137,9 +144,9 @@ static int write_junit(const struct request *r, const struct ladder *l, int stat
 }
 
 /* What is asked for beside the table; a failure to write counts where nothing else failed. */
-static int write_files(const struct request *r, const struct ladder *l, int status, struct failure *why) {
+static int write_files(const struct ladder_options *r, const struct ladder *l, int status, struct failure *why) {
     struct failure unwritten = {0};
-    if (r->page_path) page_ladder_write(l, r->typed, r->page_path, &unwritten);
+    if (r->page_path) page_ladder_write(l, r->command.typed, r->page_path, &unwritten);
     if (r->junit_path && !unwritten.status) write_junit(r, l, status, &unwritten);
     if (status || !unwritten.status) return status;
     *why = unwritten;
@@ -147,28 +154,26 @@ static int write_files(const struct request *r, const struct ladder *l, int stat
 }
 
 /* The finest rung takes most memory. */
-static int check_finest(const struct request *r, struct failure *why) {
-    struct experiment finest = r->experiment;
-    if (program_given(&finest.program)) return STATUS_OK;
-    for (int i = 0; i < r->rungs.dx.count; i++) finest.options.dx = fmin(finest.options.dx, r->rungs.dx.value[i]);
+static int check_finest(const struct command *c, struct failure *why) {
+    struct experiment finest = c->experiment;
+    for (int i = 0; i < c->rungs.dx.count; i++) finest.options.dx = fmin(finest.options.dx, c->rungs.dx.value[i]);
     return memory_check(&finest, why);
 }
 
-int verb_ladder(const struct request *r, struct failure *why) {
-    if (!r->experiment.scene) return without_scene(r, why);
+static int act(const void *options, struct failure *why) {
+    const struct ladder_options *r = options;
+    if (!r->command.experiment.scene) return without_scene(r, why);
     struct ladder *l = xcalloc(1, sizeof *l);
     int status = atomic_file_check(r->page_path, why);
     if (!status) status = atomic_file_check(r->junit_path, why);
-    struct ladder_rungs rungs = r->rungs;
-    rungs.diagnose = r->verbose;
-    if (!status) status = check_finest(r, why);
-    struct experiment e = r->experiment;
+    if (!status) status = check_finest(&r->command, why);
+    struct experiment e = r->command.experiment;
     e.growth = 1;
-    if (!status) status = ladder_run(&e, &rungs, l, why);
-    for (int i = 0; i < l->n && l->tried; i++) result_warn(&l->rung[i]);
-    if (!status_refused(status) || l->tried) {
+    if (!status) status = ladder_run(&e, &r->command.rungs, l, why);
+    for (int i = 0; i < l->n; i++) result_warn(&l->rung[i]);
+    if (!status_refused(status) || l->external) {
         (r->json ? print_json : print_text)(l);
-        if (!r->json && l->tried) why->text[0] = '\0'; /* it stands in the table */
+        if (!r->json && l->external) why->text[0] = '\0'; /* it stands in the table */
         status = write_files(r, l, status, why);
     }
     if (!status && is_judged(r) && l->verdict != VERDICT_PASS)
@@ -176,3 +181,16 @@ int verb_ladder(const struct request *r, struct failure *why) {
     free(l);
     return status;
 }
+
+#define PLACE(member) OPTION_PLACE(ladder_options, member)
+static const struct option own[] = {
+    {"", .about = "Output:"},
+    {"verbose", NULL, "diagnose the errors also of a ladder that passes; also -v", option_flag,
+     PLACE(command.rungs.diagnose)},
+    {"junit", "FILE", "write the verdict as JUnit XML", option_text, PLACE(junit_path)},
+    {"page", "FILE", "write the verdict and its table as an HTML page", option_text, PLACE(page_path)},
+    {"json", NULL, "JSON instead of text", option_flag, PLACE(json)},
+    {0}};
+
+const struct verb verb_ladder = {&command_syntaxes[COMMAND_LADDER], own, sizeof(struct ladder_options),
+                                 "solve at falling dx (or dt) and fit the order of the error", act};

@@ -1,18 +1,17 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* heatladder verify: every gate, each with its reason; or those that another program is asked for. */
-#include "verification/command/verb.h"
+#include "verification/cli/verb.h"
 
 #include "references/scene.h"
 #include "solver/method.h"
 #include "verification/text/atomic_file.h"
-#include "verification/gates/battery.h"
+#include "verification/cli/battery_options.h"
 #include "verification/gates/gate_file.h"
 #include "verification/diagnosis/wording.h"
 #include "verification/gates/gates.h"
 #include "verification/text/json.h"
 #include "verification/text/output.h"
 #include "verification/text/words.h"
-#include "verification/command/request.h"
 #include "verification/foreign/results.h"
 #include "verification/page/page.h"
 
@@ -22,6 +21,17 @@
 #include <string.h>
 
 enum { ORIGIN = 1100 };
+
+struct verify_options {
+    struct command command;
+    struct battery_options battery;
+    char *only, *skip;      /* owned: globs of gates; NULL: all, none */
+    const char *gates_path; /* file of rows; NULL: the built-in ones */
+    double time_order;      /* of the code; 0: any of 0.9 or more */
+    int jobs;               /* cases of a program at a time; 0: 1 */
+    int quick, verbose;
+    const char *json_path, *junit_path, *page_path; /* NULL for none */
+};
 
 static void rungs_json(const struct rungs *l, struct json *j) {
     json_add(j, "axis %s|norm %s", l->axis, l->norm);
@@ -77,46 +87,45 @@ static int ungated(void) {
 }
 
 /* The rows: of a file, of the battery where another program answers, or the built-in ones. */
-static int collect(const struct request *r, struct gate_file *file, struct gates *g, char origin[],
+static int collect(const struct verify_options *r, struct gate_file *file, struct gates *g, char origin[],
                    struct failure *why) {
-    const struct program *program = &r->experiment.program;
+    const struct program *program = &r->command.experiment.program;
     if (program->solver && strlen(program->solver) > GATES_SOLVER)
         return refuse(why, STATUS_INPUT, "--solver: more than %d letters; put them into a script", GATES_SOLVER);
     if (program_check(program, why)) return why->status;
     if (program->results && results_directory_check(program->results, why)) return why->status;
-    if (r->gates_path && r->order)
-        return refuse(why, STATUS_INPUT, "--gates and --order both say which rows: give one of them");
-    if (!program_given(program) && !r->gates_path) return gates_collect(r->only, r->skip, r->quick, g, why);
-    if (program_given(program)) g->program = program;
+    if (!r->command.external && !r->gates_path) return gates_collect(r->only, r->skip, r->quick, g, why);
+    if (r->command.external) g->program = program;
     if (r->gates_path && gate_file_open(r->gates_path, file, why)) return why->status;
     for (int i = 0; i < file->count; i++) gates_add(g, &file->gate[i]);
-    int order = r->order ? r->order : 2;
-    if (!r->gates_path && battery_add(order, r->profile, r->draw, g, why)) return why->status;
+    int order = battery_order(&r->battery);
+    unsigned long seed = battery_seed(&r->command, &r->battery);
+    if (!r->gates_path && battery_add(order, r->battery.profile, seed, g, why)) return why->status;
     g->origin = origin;
-    snprintf(origin, ORIGIN, "--order %d --seed %lu", order, r->draw);
+    snprintf(origin, ORIGIN, "--order %d --seed %lu", order, seed);
     if (r->gates_path) {
         char *words = words_line(2, (const char *const[]){"--gates", r->gates_path});
         snprintf(origin, ORIGIN, "%s", words);
         free(words);
     }
-    battery_words(r, origin, ORIGIN);
+    battery_words(r->battery.profile, r->battery.rungs, origin, ORIGIN);
     if (r->time_order > 0) words_add(origin, ORIGIN, " --time-order %g", r->time_order);
     if (gates_choose(g, r->only, r->skip, r->quick, why)) return why->status;
-    if (!r->gates_path && r->draw && battery_bounds(order, g, why)) return why->status;
-    refine_gates(g, r->more_rungs, r->time_order);
+    if (!r->gates_path && seed && battery_bounds(order, g, why)) return why->status;
+    refine_gates(g, r->battery.rungs, r->time_order);
     return STATUS_OK;
 }
 
-static int write_page(const struct gates *g, const struct request *r, struct failure *why) {
+static int write_page(const struct gates *g, const struct verify_options *r, struct failure *why) {
     const char *solver = g->program ? g->program->solver : NULL;
     char title[200] = "heatladder verify";
     if (solver)
         snprintf(title, sizeof title, "heatladder verify: %.120s%s", solver, g->interrupted ? " (interrupted)" : "");
-    return page_gates_write(g, title, r->typed, r->page_path, why);
+    return page_gates_write(g, title, r->command.typed, r->page_path, why);
 }
 
 /* What was judged, where it was asked for. */
-static int write_all(const struct gates *g, const struct request *r, double seconds, struct failure *why) {
+static int write_all(const struct gates *g, const struct verify_options *r, double seconds, struct failure *why) {
     print_gates(g, r->verbose, seconds);
     if (!r->only && !r->quick && !r->skip && !g->origin && ungated())
         printf("%d pairs of scene and method have no gated ladder (see: heatladder list gates)\n", ungated());
@@ -129,7 +138,7 @@ static int write_all(const struct gates *g, const struct request *r, double seco
 }
 
 /* An interrupt waits until what was judged so far is written; the program dies of it then. */
-static int verify_program(const struct request *r, struct gates *g, struct failure *why) {
+static int verify_program(const struct verify_options *r, struct gates *g, struct failure *why) {
     int runs = gates_runs(g), jobs = r->jobs ? r->jobs : 1;
     char side[40] = "one after the other";
     if (jobs > 1) snprintf(side, sizeof side, "%d at a time", jobs);
@@ -146,7 +155,7 @@ static int verify_program(const struct request *r, struct gates *g, struct failu
     return status;
 }
 
-static int verify(const struct request *r, struct gate_file *file, struct gates *g, struct failure *why) {
+static int verify(const struct verify_options *r, struct gate_file *file, struct gates *g, struct failure *why) {
     char origin[ORIGIN];
     if (atomic_file_check(r->json_path, why) || atomic_file_check(r->junit_path, why)) return why->status;
     if (atomic_file_check(r->page_path, why)) return why->status;
@@ -157,7 +166,8 @@ static int verify(const struct request *r, struct gate_file *file, struct gates 
     return write_all(g, r, omp_get_wtime() - start, why);
 }
 
-int verb_verify(const struct request *r, struct failure *why) {
+static int act(const void *options, struct failure *why) {
+    const struct verify_options *r = options;
     struct gates gates = {0};
     struct gate_file file = {0};
     int status = verify(r, &file, &gates, why);
@@ -166,3 +176,35 @@ int verb_verify(const struct request *r, struct failure *why) {
     gate_file_free(&file);
     return status;
 }
+
+#define PLACE(member) OPTION_PLACE(verify_options, member)
+static const struct option own[] = {
+    {"time-order", "P", "order of your code in time; its band is P - 0.2 to P + 0.5, by default 0.9 and more",
+     option_number, PLACE(time_order), 0.5, 6, .needs = "solver results gates"},
+    {"seeds", "N", "run each rung N times, with seed = 1 to N in its case, and pool the errors", option_whole,
+     PLACE(command.experiment.program.seeds), 2, SEEDS_MAX, .needs = "solver results"},
+    {"jobs", "N", "cases of --solver to run at a time, default 1; with more, seconds are not comparable",
+     option_whole, PLACE(jobs), 1, 1024, .needs = "solver"},
+    {"", .about = "Rows:"},
+    {"quick", NULL, "only the quick gates; with --solver, only rods", option_flag, PLACE(quick)},
+    {"only", "GLOB[,GLOB...]", "only names that match, such as '*gauss*'; may be repeated", option_globs, PLACE(only),
+     .repeats = 1},
+    {"skip", "GLOB[,GLOB...]", "leave out names that match; may be repeated", option_globs, PLACE(skip),
+     .repeats = 1},
+    BATTERY_OPTIONS(verify_options),
+    {"gates", "FILE",
+     "judge the rows of FILE in place of the built-in gates: "
+     "GATE(\"id\", QUICK, \"measure\", \"command\", lo, hi, ceiling, \"why\")",
+     option_text, PLACE(gates_path)},
+    {"", .about = "Output:"},
+    {"verbose", NULL, "list every gate with its details, diagnose every ladder; also -v", option_flag,
+     PLACE(verbose)},
+    {"page", "FILE", "write the verdict and its table as an HTML page, and the ladders as FILE.csv", option_text, PLACE(page_path)},
+    {"junit", "FILE", "write the verdicts as JUnit XML", option_text, PLACE(junit_path)},
+    {"json", "FILE", "write the verdicts as JSON", option_text, PLACE(json_path)},
+    {0}};
+
+static const struct command_syntax syntax = {"verify", "", "", "solver results keep timeout columns", NULL};
+
+const struct verb verb_verify = {&syntax, own, sizeof(struct verify_options),
+                                 "run every gate; with --solver or --results: run the battery on your program", act};

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* heatladder bench: error against time and against counted work, and the speed of the engine. */
-#include "verification/command/verb.h"
+#include "verification/cli/verb.h"
 
 #include "references/scene.h"
 #include "verification/bench/bench.h"
@@ -8,7 +8,6 @@
 #include "verification/bench/bench_print.h"
 #include "verification/text/json.h"
 #include "verification/text/output.h"
-#include "verification/command/request.h"
 #include "verification/text/words.h"
 
 #include <stdio.h>
@@ -17,6 +16,12 @@
 
 static const double SECONDS = 4; /* of a scene: of a minute ten scenes leave a third to the engine and the charts */
 
+struct bench_options {
+    struct command command;
+    const char *scene; /* the one scene; NULL: all */
+    int json;
+};
+
 /* The files of one run, kept until all can be put in their places. */
 struct files {
     int count;
@@ -24,9 +29,9 @@ struct files {
 };
 
 /* One scene at its defaults: measured, printed and, with a folder, kept for it. */
-static int bench_one(const struct request *given, const struct scene *s, struct json *j, struct files *files,
+static int bench_one(const struct bench_options *given, const struct scene *s, struct json *j, struct files *files,
                      struct failure *why) {
-    struct experiment e = given->experiment;
+    struct experiment e = given->command.experiment;
     e.scene = s;
     scene_defaults(s, &e.problem);
     if (s->setup(&e.problem, why)) return why->status;
@@ -37,13 +42,14 @@ static int bench_one(const struct request *given, const struct scene *s, struct 
     json_end(j);
     if (!given->json) bench_print_scene(b, stdout);
     fflush(stdout);
-    if (given->dir)
-        bench_print_data(b, output_open(&files->file[files->count++], "%s/bench_%s.csv", given->dir, s->name));
+    if (given->command.dir)
+        bench_print_data(b,
+                         output_open(&files->file[files->count++], "%s/bench_%s.csv", given->command.dir, s->name));
     free(b);
     return STATUS_OK;
 }
 
-static void measure_engine(const struct request *r, struct json *j) {
+static void measure_engine(const struct bench_options *r, struct json *j) {
     struct bench_engine e;
     bench_engine_run(&e, 1);
     bench_print_machine_json(j);
@@ -54,13 +60,13 @@ static void measure_engine(const struct request *r, struct json *j) {
     fflush(stdout);
 }
 
-static int bench_scenes(const struct request *r, FILE *out, struct files *files, struct failure *why) {
+static int bench_scenes(const struct bench_options *r, FILE *out, struct files *files, struct failure *why) {
     struct json j = json_on(out);
-    const struct scene *only = r->bench_scene ? scene_find(r->bench_scene) : NULL;
+    const struct scene *only = r->scene ? scene_find(r->scene) : NULL;
     const char *names[WORDS_MAX] = {0};
     int status = STATUS_OK;
     for (int i = 0; scenes[i] && i < WORDS_MAX - 1; i++) names[i] = scenes[i]->name;
-    if (r->bench_scene && !only) return words_unknown(names, "scene", r->bench_scene, why);
+    if (r->scene && !only) return words_unknown(names, "scene", r->scene, why);
     measure_engine(r, &j);
     json_array(&j, "scenes");
     for (int i = 0; scenes[i] && !status; i++)
@@ -70,21 +76,33 @@ static int bench_scenes(const struct request *r, FILE *out, struct files *files,
     return status;
 }
 
-static int bench_all(const struct request *r, struct files *files, struct failure *why) {
+static int bench_all(const struct bench_options *r, struct files *files, struct failure *why) {
     struct output *json = &files->file[files->count++];
-    FILE *out = output_open(json, "%s/bench.json", r->dir ? r->dir : "");
-    int status = r->dir ? output_directory(r->dir, "bench.json", why) : STATUS_OK;
+    FILE *out = output_open(json, "%s/bench.json", r->command.dir ? r->command.dir : "");
+    int status = r->command.dir ? output_directory(r->command.dir, "bench.json", why) : STATUS_OK;
     if (!status) status = bench_scenes(r, out, files, why);
     output_end(json);
     if (!status && r->json) fputs(json->text, stdout);
     return status;
 }
 
-int verb_bench(const struct request *r, struct failure *why) {
+static int act(const void *options, struct failure *why) {
+    const struct bench_options *r = options;
     struct files *files = xcalloc(1, sizeof *files);
     int status = bench_all(r, files, why);
-    if (!status && r->dir) status = output_close(files->file, files->count, why);
+    if (!status && r->command.dir) status = output_close(files->file, files->count, why);
     output_drop(files->file, files->count);
     free(files);
     return status;
 }
+
+#define PLACE(member) OPTION_PLACE(bench_options, member)
+static const struct option own[] = {{"scene", "SCENE", "run only this scene", option_text, PLACE(scene)},
+                                    {"json", NULL, "JSON instead of text", option_flag, PLACE(json)},
+                                    {0}};
+
+static const struct command_syntax syntax = {"bench", "[DIR]", "", "", NULL};
+
+const struct verb verb_bench = {&syntax, own, sizeof(struct bench_options),
+                                "measure error against time and counted work; write the data of the charts into DIR",
+                                act};

@@ -1,13 +1,17 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* heatladder limit: how large a step may be, as published, by von Neumann's analysis, and by trying. */
-#include "verification/command/verb.h"
+#include "verification/cli/verb.h"
 
 #include "verification/text/json.h"
 #include "verification/stability/step_limit.h"
-#include "verification/command/request.h"
 
 #include <math.h>
 #include <stdio.h>
+
+struct limit_options {
+    struct command command;
+    int json;
+};
 
 static void print_json(const struct model_problem *b, const struct step_limit *l) {
     struct json j = json_on(stdout);
@@ -83,14 +87,23 @@ static void print_customary(const struct model_problem *b, const struct step_lim
     }
 }
 
-int verb_limit(const struct request *r, struct failure *why) {
+static int act(const void *options, struct failure *why) {
+    const struct limit_options *r = options;
+    const struct command *c = &r->command;
     struct step_limit l;
     struct model_problem b;
-    int status = step_limit_setup(r->experiment.method, &r->experiment.options, r->dim, r->ratio, r->contact,
-                                  r->stages, &b, why);
+    int status = step_limit_setup(c->experiment.method, &c->experiment.options, c->dim, c->ratio, c->contact,
+                                  c->stages, &b, why);
     if (!status) status = step_limit_predict(&b, &l, why);
     if (!status) status = step_limit_measure(&b, &l.measured, why);
     if (!status) (r->json ? print_json : print_text)(&b, &l);
     if (!status && !r->json) print_customary(&b, &l);
     return status;
 }
+
+static const struct option own[] = {
+    {"json", NULL, "JSON instead of text", option_flag, OPTION_PLACE(limit_options, json)}, {0}};
+
+const struct verb verb_limit = {&command_syntaxes[COMMAND_LIMIT], own, sizeof(struct limit_options),
+                                "find the largest stable step: published, by von Neumann's analysis, and by trial",
+                                act};

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#ifndef HEATLADDER_VERIFICATION_COMMAND_HELP_H
-#define HEATLADDER_VERIFICATION_COMMAND_HELP_H
+#ifndef HEATLADDER_VERIFICATION_CLI_HELP_H
+#define HEATLADDER_VERIFICATION_CLI_HELP_H
 
 #include <stdio.h>
 
@@ -14,5 +14,9 @@ extern const char help_about[]; /* environment and exit statuses */
 /* What --help prints: all verbs, or one with its options. */
 void help_program(FILE *out);
 void help_verb(const struct verb *v, FILE *out);
+
+/* The manual page heatladder(1), in the macros of man(7), and the completion for bash. */
+void manual_page(FILE *out);
+void manual_completion(FILE *out);
 
 #endif

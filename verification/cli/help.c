@@ -1,12 +1,11 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Help, made from the tables that the arguments are read by, so that it cannot differ from them. */
-#include "verification/command/help.h"
+#include "verification/cli/help.h"
 
 #include "verification/foreign/case_file.h"
 #include "verification/foreign/program.h"
-#include "verification/command/option.h"
 #include "verification/oracle/columns.h"
-#include "verification/command/verb.h"
+#include "verification/cli/verb.h"
 #include "verification/text/words.h"
 
 #include "version.inc"
@@ -39,33 +38,35 @@ static void put_entry(FILE *out, const char *lead, int indent, const char *text)
 
 void help_program(FILE *out) {
     fprintf(out, "heatladder: verification and benchmarks for solvers of transient heat conduction\n\n");
-    for (const struct verb *v = verbs; v->name; v++) {
+    for (int i = 0; verbs[i]; i++) {
         char lead[40];
-        snprintf(lead, sizeof lead, "  heatladder %s ", v->name);
-        put_entry(out, lead, 24, v->about);
+        snprintf(lead, sizeof lead, "  heatladder %s ", verbs[i]->syntax->name);
+        put_entry(out, lead, 24, verbs[i]->about);
     }
     fprintf(out, "\n%s", help_about);
 }
 
 void help_verb(const struct verb *v, FILE *out) {
-    int lists = 0, indent = 0;
-    fprintf(out, "heatladder %s%s%s [options]\n\n", v->name, *v->positionals ? " " : "", v->positionals);
+    const struct option *list[VERB_ROWS];
+    const struct command_syntax *s = v->syntax;
+    int lists = 0, indent = 0, n = verb_options(v, list);
+    fprintf(out, "heatladder %s%s%s [options]\n\n", s->name, *s->positionals ? " " : "", s->positionals);
     put_entry(out, "  ", 2, v->about);
     fputc('\n', out);
-    for (const struct option *o = options_table; o->key; o++) {
-        int width = 7 + (int)strlen(o->name) + (o->value ? (int)strlen(o->value) : 0);
-        if (words_among(v->options, o->key) && width > indent) indent = width;
+    for (int i = 0; i < n; i++) {
+        int width = 7 + (int)strlen(list[i]->name) + (list[i]->value ? (int)strlen(list[i]->value) : 0);
+        if (width > indent) indent = width;
     }
-    for (const struct option *o = options_table; o->key; o++) {
+    for (int i = 0; i < n; i++) {
+        const struct option *o = list[i];
         char words[200] = "", lead[80], text[600];
-        if (!words_among(v->options, o->key)) continue;
         if (o->words) words_join(o->words, words, sizeof words), lists = 1;
         snprintf(lead, sizeof lead, "  --%s %s", o->name, o->value ? o->value : "");
         snprintf(text, sizeof text, "%s%s%s%s", o->about, *words ? ": " : "", words,
-                 words_among(v->required, o->key) ? " (required)" : "");
-        put_entry(out, lead, indent, text);
+                 words_among(s->required, o->name) ? " (required)" : "");
+        put_entry(out, *o->name ? lead : "", *o->name ? indent : 0, text);
     }
     if (lists) fprintf(out, "\nThe first of listed words is the default.\n");
-    if (words_among(v->options, "solver")) fprintf(out, "\n%s\n%s", program_help, case_file_help);
-    if (words_among(v->options, "what")) fprintf(out, "\n%s", columns_help);
+    if (command_option(s, v->own, "solver")) fprintf(out, "\n%s\n%s", program_help, case_file_help);
+    if (command_option(s, v->own, "what")) fprintf(out, "\n%s", columns_help);
 }

@@ -1,12 +1,10 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The tables of verbs and options once more, for man and for bash. */
-#include "verification/command/manual.h"
+/* heatladder man and heatladder completion: the tables of verbs and options for man(1) and bash. */
+#include "verification/cli/help.h"
 
 #include "references/scene.h"
 #include "solver/method.h"
-#include "verification/command/help.h"
-#include "verification/command/option.h"
-#include "verification/command/verb.h"
+#include "verification/cli/verb.h"
 #include "verification/foreign/case_file.h"
 #include "verification/foreign/program.h"
 #include "verification/oracle/columns.h"
@@ -58,15 +56,21 @@ static void put_option(const struct option *o, int required, FILE *out) {
 }
 
 static void put_verb(const struct verb *v, FILE *out) {
+    const struct option *list[VERB_ROWS];
+    int n = verb_options(v, list);
     fprintf(out, ".SH ");
-    for (const char *at = v->name; *at; at++) fputc(toupper((unsigned char)*at), out);
-    fprintf(out, "\n.B heatladder %s\n", v->name);
-    if (*v->positionals) fprintf(out, ".I %s\n", v->positionals);
+    for (const char *at = v->syntax->name; *at; at++) fputc(toupper((unsigned char)*at), out);
+    fprintf(out, "\n.B heatladder %s\n", v->syntax->name);
+    if (*v->syntax->positionals) fprintf(out, ".I %s\n", v->syntax->positionals);
     fprintf(out, "[\\fIoptions\\fR]\n.PP\n");
     put(v->about, out);
     fputc('\n', out);
-    for (const struct option *o = options_table; o->key; o++)
-        if (words_among(v->options, o->key)) put_option(o, words_among(v->required, o->key), out);
+    for (int i = 0; i < n; i++) {
+        if (*list[i]->name)
+            put_option(list[i], words_among(v->syntax->required, list[i]->name), out);
+        else
+            fprintf(out, ".PP\n"), put(list[i]->about, out), fputc('\n', out);
+    }
 }
 
 static void put_literally(const char *text, FILE *out) {
@@ -158,7 +162,7 @@ void manual_page(FILE *out) {
                  "the error; the battery is a set of gates for any program.\n"
                  ".PP\nA section for each verb lists its options.\n"
                  "The first of listed words is the default.\n");
-    for (const struct verb *v = verbs; v->name; v++) put_verb(v, out);
+    for (int i = 0; verbs[i]; i++) put_verb(verbs[i], out);
     put_names(out);
     put_interfaces(out);
     put_section("EXAMPLES", examples, out);
@@ -168,14 +172,22 @@ void manual_page(FILE *out) {
     fprintf(out, ".SH \"SEE ALSO\"\n.BR gnuplot (1)\n");
 }
 
-/* Blank-separated words for compgen, without what bash would expand. */
-static void put_options(const struct verb *v, FILE *out) {
-    for (const struct option *o = options_table; o->key; o++)
-        if (words_among(v->options, o->key)) fprintf(out, " --%s", o->name);
+/* Blank-separated words for compgen, without any that bash would expand. */
+static void put_words(const struct verb *v, FILE *out) {
+    const struct option *list[VERB_ROWS];
+    const char *positionals = v->syntax->positionals;
+    int n = verb_options(v, list);
+    fprintf(out, "    %s) words=\"%s%s --help", v->syntax->name, strstr(positionals, "SCENE") ? "$scenes " : "",
+            words_among(positionals, "METHOD") ? "$methods" : "");
+    for (const char *at = positionals; strchr(positionals, '|') && *at != ']'; at++)
+        fputc(strchr("[|", *at) ? ' ' : *at, out);
+    for (int i = 0; i < n; i++)
+        if (*list[i]->name) fprintf(out, " --%s", list[i]->name);
+    fprintf(out, "\" ;;\n");
 }
 
 static void put_values(FILE *out) {
-    for (const struct option *o = options_table; o->key; o++) {
+    for (const struct option *o = command_options; o->name; o++) {
         if (!o->words) continue;
         fprintf(out, "    --%s) words=\"", o->name);
         for (int i = 0; o->words[i]; i++) fprintf(out, " %s", o->words[i]);
@@ -192,19 +204,34 @@ void manual_completion(FILE *out) {
     fprintf(out, "\" methods=\"");
     for (int i = 0; methods[i]; i++) fprintf(out, " %s", methods[i]->name);
     fprintf(out, "\"\n    if [ \"$COMP_CWORD\" = 1 ]; then\n        words=\"--help --version");
-    for (const struct verb *v = verbs; v->name; v++) fprintf(out, " %s", v->name);
+    for (int i = 0; verbs[i]; i++) fprintf(out, " %s", verbs[i]->syntax->name);
     fprintf(out, "\"\n    else\n    case \"${COMP_WORDS[COMP_CWORD-1]}\" in\n");
     put_values(out);
     fprintf(out, "    *) case \"$verb\" in\n");
-    for (const struct verb *v = verbs; v->name; v++) {
-        fprintf(out, "    %s) words=\"%s%s --help", v->name, strstr(v->positionals, "SCENE") ? "$scenes " : "",
-                words_among(v->positionals, "METHOD") ? "$methods" : "");
-        for (const char *at = v->positionals; strchr(v->positionals, '|') && *at != ']'; at++)
-            fputc(strchr("[|", *at) ? ' ' : *at, out);
-        put_options(v, out);
-        fprintf(out, "\" ;;\n");
-    }
+    for (int i = 0; verbs[i]; i++) put_words(verbs[i], out);
     fprintf(out, "    esac ;;\n    esac\n    fi\n"
                  "    mapfile -t COMPREPLY < <(compgen -W \"$words\" -- \"$current\")\n}\n"
                  "complete -o default -F _heatladder heatladder\n");
 }
+
+/* ---- Verbs ---- */
+
+static int print_page(const void *options, struct failure *why) {
+    (void)options, (void)why;
+    manual_page(stdout);
+    return STATUS_OK;
+}
+
+static int print_completion(const void *options, struct failure *why) {
+    (void)options, (void)why;
+    manual_completion(stdout);
+    return STATUS_OK;
+}
+
+static const struct command_syntax man = {"man", "", "", "", NULL}, completion = {"completion", "", "", "", NULL};
+
+const struct verb verb_man = {&man, NULL, sizeof(struct command),
+                              "print this help as a manual page: heatladder man | man -l -", print_page};
+const struct verb verb_completion = {&completion, NULL, sizeof(struct command),
+                                     "print the completion of bash: source <(heatladder completion)",
+                                     print_completion};

@@ -1,10 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* A command line, run and kept. */
-#include "verification/command/command_run.h"
+#include "verification/ladder/command_run.h"
 
 #include "references/scene.h"
-#include "verification/command/arguments.h"
-#include "verification/command/verb.h"
 #include "verification/run/run.h"
 
 #include <math.h>
@@ -17,12 +15,12 @@ static int read_list(struct command_run *run, const char *format, va_list argume
     int length = vsnprintf(run->command, sizeof run->command, format, arguments);
     if (length < 0 || (size_t)length >= sizeof run->command)
         return refuse(why, STATUS_INPUT, "the command '%.60s...' is too long", run->command);
-    return arguments_parse_line(run->command, &run->request, why);
+    return command_read(run->command, &run->typed, why);
 }
 
 int command_run_list(struct command_run *run, const char *format, va_list arguments) {
     int status = read_list(run, format, arguments);
-    return status || run->request.verb->act != verb_run ? status : command_run_solve(run);
+    return status || strcmp(run->typed.syntax->name, "run") != 0 ? status : command_run_solve(run);
 }
 
 int command_run_read(struct command_run *run, const char *format, ...) {
@@ -34,7 +32,7 @@ int command_run_read(struct command_run *run, const char *format, ...) {
 }
 
 int command_run_solve(struct command_run *run) {
-    return run_experiment(&run->request.experiment, &run->result, &run->field);
+    return run_experiment(&run->typed.experiment, &run->result, &run->field);
 }
 
 int command_run_line(struct command_run *run, const char *format, ...) {
@@ -60,7 +58,7 @@ int command_run_note(const struct command_run *run, struct failure *any) {
 }
 
 double command_run_error(const struct command_run *run, int decimals, double late) {
-    const struct experiment *e = &run->request.experiment;
+    const struct experiment *e = &run->typed.experiment;
     const struct field *f = &run->field;
     double apart = 0, whole = 0, unit = pow(10, -decimals), t = f->time + late;
     for (size_t i = 0; i < f->n; i++) {
@@ -74,10 +72,10 @@ double command_run_error(const struct command_run *run, int decimals, double lat
 }
 
 double command_run_exact(const struct command_run *run, const double x[2], double t) {
-    return scene_exact(run->request.experiment.scene, &run->request.experiment.problem, x, t).temperature;
+    return scene_exact(run->typed.experiment.scene, &run->typed.experiment.problem, x, t).temperature;
 }
 
 void command_run_free(struct command_run *run) {
     field_free(&run->field);
-    arguments_free(&run->request);
+    command_free(&run->typed);
 }

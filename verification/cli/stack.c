@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The limits of stacks. */
-#include "verification/command/stack.h"
+#include "verification/cli/stack.h"
 
 #include "solver/status.h"
 

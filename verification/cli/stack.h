@@ -1,11 +1,10 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#ifndef HEATLADDER_VERIFICATION_COMMAND_STACK_H
-#define HEATLADDER_VERIFICATION_COMMAND_STACK_H
+#ifndef HEATLADDER_VERIFICATION_CLI_STACK_H
+#define HEATLADDER_VERIFICATION_CLI_STACK_H
 
 struct failure;
 
-enum { STACK_LEAST = 256 };   /* kB of a thread: twice what the deepest call has been seen to take, 64 to 128 */
-enum { THREADS_MOST = 1024 }; /* of one run, and of a team: 100 kB of that stack */
+enum { STACK_LEAST = 256 }; /* kB of a thread: twice what the deepest call has been seen to take, 64 to 128 */
 
 /* STATUS_OK; or STATUS_INPUT where the limit of the stack (ulimit -s) or of OpenMP's threads (OMP_STACKSIZE,
  * GOMP_STACKSIZE) is below STACK_LEAST: a thread would end without a word. */

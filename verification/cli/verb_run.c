@@ -1,19 +1,32 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* heatladder run: one solution, how far it is from the exact one, and what it cost. */
-#include "verification/command/verb.h"
+#include "verification/cli/verb.h"
 
 #include "references/snapshot.h"
 #include "verification/text/atomic_file.h"
 #include "verification/text/json.h"
 #include "verification/text/output.h"
-#include "verification/command/request.h"
 #include "verification/run/memory.h"
 #include "verification/run/run.h"
 
 #include <math.h>
 #include <stdio.h>
 
-/* What is known of it: a program may say nothing but its answer. */
+struct run_options {
+    struct command command;
+    const char *field_path; /* NULL for none */
+    int warm_up, json;
+};
+
+#define PLACE(member) OPTION_PLACE(run_options, member)
+static const struct option own[] = {
+    {"", .about = "Output:"},
+    {"warm-up", NULL, "solve for 0.1 s before the timed run, not counted", option_flag, PLACE(warm_up)},
+    {"field", "FILE", "write points, temperature and exact temperature as CSV", option_text, PLACE(field_path)},
+    {"json", NULL, "JSON instead of text", option_flag, PLACE(json)},
+    {0}};
+
+/* A program may report no cost. */
 static void print_cost(const struct result *r) {
     if (isnan(r->cost.seconds) && r->cost.updates == 0) return;
     printf("  %-14s", "cost");
@@ -58,11 +71,11 @@ static void print_json(const struct result *r) {
 }
 
 /* x[,y],T,exact in m and K, one line a point. */
-static int write_field(const struct request *r, const struct field *f, struct failure *why) {
+static int write_field(const struct run_options *r, const struct field *f, struct failure *why) {
     struct output page;
     FILE *out = output_open(&page, "%s", r->field_path);
     fprintf(out, "%s,T,exact\n", f->dim == 2 ? "x,y" : "x");
-    struct snapshot exact = snapshot_take(r->experiment.scene, &r->experiment.problem, f->time);
+    struct snapshot exact = snapshot_take(r->command.experiment.scene, &r->command.experiment.problem, f->time);
     for (size_t i = 0; i < f->n; i++) {
         double x[2] = {f->x[i], f->y ? f->y[i] : 0};
         fprintf(out, "%.17g,", x[0]);
@@ -73,23 +86,25 @@ static int write_field(const struct request *r, const struct field *f, struct fa
     return output_close(&page, 1, why);
 }
 
-static int check(const struct request *r, struct failure *why) {
-    if (r->rungs.dx.count > 1 || r->rungs.dt.count > 1 || r->rungs.fourier.count > 1)
+static int check(const struct run_options *r, struct failure *why) {
+    const struct ladder_rungs *l = &r->command.rungs;
+    if (l->dx.count > 1 || l->dt.count > 1 || l->fourier.count > 1)
         return refuse(why, STATUS_INPUT, "run takes one --%s; for several: heatladder ladder",
-                      r->rungs.dx.count > 1   ? "dx"
-                      : r->rungs.dt.count > 1 ? "dt"
-                                              : "fourier");
+                      l->dx.count > 1   ? "dx"
+                      : l->dt.count > 1 ? "dt"
+                                        : "fourier");
+    if (memory_check(&r->command.experiment, why)) return why->status;
     return atomic_file_check(r->field_path, why);
 }
 
-int verb_run(const struct request *r, struct failure *why) {
+static int act(const void *options, struct failure *why) {
+    const struct run_options *r = options;
     struct result result;
     struct field field = {0};
-    struct experiment e = r->experiment;
+    struct experiment e = r->command.experiment;
     e.growth = 1;
     int status = check(r, why);
-    if (!status && !program_given(&r->experiment.program)) status = memory_check(&r->experiment, why);
-    if (!status && r->warm_up) status = run_warm_up(&r->experiment, why);
+    if (!status && r->warm_up) status = run_warm_up(&e, why);
     if (!status) {
         status = run_experiment(&e, &result, &field);
         *why = result.failure;
@@ -99,7 +114,10 @@ int verb_run(const struct request *r, struct failure *why) {
     if (!status && r->json)
         print_json(&result);
     else if (!status)
-        print_text(&result, quantity_unit(&r->experiment.quantity, &r->experiment.problem));
+        print_text(&result, quantity_unit(&e.quantity, &e.problem));
     field_free(&field);
     return status;
 }
+
+const struct verb verb_run = {&command_syntaxes[COMMAND_RUN], own, sizeof(struct run_options),
+                              "solve once and print the error against the exact solution", act};

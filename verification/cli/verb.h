@@ -1,0 +1,34 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#ifndef HEATLADDER_VERIFICATION_CLI_VERB_H
+#define HEATLADDER_VERIFICATION_CLI_VERB_H
+
+/* The verbs of the command line.  A new one is a row of verbs.def and a file with its struct verb. */
+
+#include "verification/ladder/command.h"
+
+struct verb {
+    const struct command_syntax *syntax;
+    const struct option *own; /* options beside those of the syntax; ended by a NULL name; NULL: none */
+    size_t size;              /* of its options, a struct that begins with a struct command */
+    const char *about;        /* one line */
+    /* Does it.  A status of solver/status.h; *why, empty when called, gives the reason where there is one. */
+    int (*act)(const void *options, struct failure *why);
+};
+
+#define VERB(name) extern const struct verb verb_##name;
+#include "verification/cli/verbs.def"
+#undef VERB
+
+extern const struct verb *const verbs[]; /* ended by NULL */
+
+/* The rows of the verb's options into `list`, in the order of the help, with the headings (option.h) of those that
+ * have options; how many. */
+enum { VERB_ROWS = 100 };
+int verb_options(const struct verb *v, const struct option *list[VERB_ROWS]);
+
+const struct verb *verb_find(const char *name); /* NULL where there is none */
+
+/* Refuses the name, which is no verb, with the nearest one or what replaces it. */
+int verb_unknown(const char *name, struct failure *why);
+
+#endif

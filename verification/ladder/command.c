@@ -1,0 +1,470 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* Reads a command line against its syntax and two tables of options.
+ *
+ * The scene must be known before its parameters can be set, so the words are walked twice: first the positionals,
+ * then the options in their order.  A word that is unknown, doubled, empty or without a meaning for the method is
+ * refused, with the valid ones. */
+#include "verification/ladder/command.h"
+
+#include "references/scene.h"
+#include "solver/space/operator.h"
+#include "verification/foreign/results.h"
+#include "verification/run/lanes.h"
+#include "verification/run/run.h"
+#include "verification/text/number.h"
+#include "verification/text/words.h"
+
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <unistd.h>
+
+/* ---- Syntax ---- */
+
+#define MODEL                                                                                                        \
+    " stepper kernel h order layout jitter sweeps seed sampling shift origin angle walls mean volume xi domain "     \
+    "threads t-end set"
+#define PROGRAM " solver results keep timeout columns aspect map axes scale offset"
+const struct command_syntax command_syntaxes[] = {
+    [COMMAND_RUN] = {"run", "SCENE METHOD", "dx", "dx dt fourier memory quantity" MODEL PROGRAM, NULL},
+    [COMMAND_LADDER] = {"ladder", "SCENE METHOD", "",
+                        "dx dt fourier memory quantity vary fine seeds at expect ceiling norm" MODEL PROGRAM,
+                        "results columns at expect json"},
+    [COMMAND_LIMIT] = {"limit", "METHOD", "dim",
+                       "dim stepper stages kernel h order layout jitter sweeps seed volume walls ratio contact",
+                       NULL},
+    [COMMAND_REFERENCE] = {"reference", "SCENE", "", "at time t-end set map scale offset", NULL}};
+#undef MODEL
+#undef PROGRAM
+
+/* ---- Options of an experiment ---- */
+
+/* T,T,... or FROM:TO:COUNT, evenly with both ends. */
+static int read_times(void *options, const struct option *o, const char *text, struct failure *why) {
+    struct command *c = options;
+    enum { MOST = 10000000 };
+    const char *first = strchr(text, ':'), *last = strrchr(text, ':');
+    char word[2][40];
+    long count = 0;
+    c->times = 0;
+    if (!first) return option_numbers(options, o, text, why);
+    int bad = last == first || first - text >= 40 || last - first > 40;
+    for (int k = 0; k < 2 && !bad; k++) {
+        const char *from = k ? first + 1 : text;
+        snprintf(word[k], sizeof word[k], "%.*s", (int)((k ? last : first) - from), from);
+        bad = number_read(word[k], &c->time.value[k]) || c->time.value[k] < o->lo;
+    }
+    if (bad || number_read_whole(last + 1, MOST, &count) || count < 2)
+        return refuse(why, STATUS_INPUT,
+                      "--%s '%.60s': must be numbers with commas between, or FROM:TO:COUNT, such as "
+                      "0:1.5:16, with a COUNT from 2 to %d",
+                      o->name, text, MOST);
+    c->time.count = 2, c->time.text = text, c->times = (int)count;
+    return STATUS_OK;
+}
+
+static int read_h(void *options, const struct option *o, const char *text, struct failure *why) {
+    struct command *c = options;
+    if (strcmp(text, "iso") != 0) {
+        if (option_number(options, o, text, why) == STATUS_OK) return STATUS_OK;
+        return refuse(why, STATUS_INPUT, "--h %.60s: must be a number > 0, or iso", text);
+    }
+    c->experiment.options.h_iso = 1;
+    return STATUS_OK;
+}
+
+static int read_choice(const struct param *p, const char *text, double *value, struct failure *why) {
+    int index = words_index(p->choice, text);
+    if (index < 0) return words_unknown(p->choice, p->name, text, why);
+    *value = index;
+    return STATUS_OK;
+}
+
+static int set_param(struct command *c, const char *name, const char *text, struct failure *why) {
+    const struct param *table = c->experiment.scene->params;
+    const char *names[PARAM_MAX + 1] = {0};
+    char what[64];
+    for (int i = 0; table[i].name; i++) names[i] = table[i].name;
+    int i = words_index(names, name);
+    snprintf(what, sizeof what, "parameter of %s", c->experiment.scene->name);
+    if (i < 0) return words_unknown(names, what, name, why);
+    if (c->overridden & 1ul << i) return refuse(why, STATUS_INPUT, "parameter '%s' is given twice", name);
+    c->overridden |= 1ul << i;
+    if (table[i].choice) return read_choice(&table[i], text, &c->experiment.problem.param[i], why);
+    if (number_read(text, &c->experiment.problem.param[i]) == 0) return STATUS_OK;
+    return refuse(why, STATUS_INPUT, "--set %s=%.60s: must be a finite number%s%s", name, text,
+                  *table[i].unit ? ", in " : "", table[i].unit);
+}
+
+static int read_set(void *options, const struct option *o, const char *text, struct failure *why) {
+    struct command *c = options;
+    char name[64];
+    size_t length = strcspn(text, "=");
+    if (text[length] != '=' || length == 0 || length >= sizeof name)
+        return refuse(why, STATUS_INPUT, "--%s '%.60s': must be NAME=VALUE", o->name, text);
+    memcpy(name, text, length);
+    name[length] = '\0';
+    return set_param(c, name, text + length + 1, why);
+}
+
+static int read_t_end(void *options, const struct option *o, const char *text, struct failure *why) {
+    struct command *c = options;
+    (void)o;
+    return set_param(c, "t_end", text, why);
+}
+
+static int read_columns(void *options, const struct option *o, const char *text, struct failure *why) {
+    struct command *c = options;
+    (void)o;
+    return samples_columns_read(text, &c->experiment.program.columns, why);
+}
+
+static int read_map(void *options, const struct option *o, const char *text, struct failure *why) {
+    struct command *c = options;
+    if (mapping_read(text, &c->experiment.program.map) == 0) return STATUS_OK;
+    return refuse(why, STATUS_INPUT,
+                  "--%s '%.60s': must name each axis of the scene once: x or -x of a rod; x,y or "
+                  "-y,x and the like of a rectangle",
+                  o->name, text);
+}
+
+static int read_vary(void *options, const struct option *o, const char *text, struct failure *why) {
+    struct command *c = options;
+    static const char *const taken[] = {"case", "out", "dx", NULL};
+    struct program *g = &c->experiment.program;
+    struct numbers *list = &c->rungs.vary;
+    size_t length = strspn(text, "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ_0123456789");
+    snprintf(g->vary, sizeof g->vary, "%.*s", (int)(length < sizeof g->vary ? length : 0), text);
+    if (!*g->vary || text[length] != '=' || words_index(taken, g->vary) >= 0)
+        return refuse(why, STATUS_INPUT,
+                      "--%s '%.60s': must be NAME=A,B,C,..., NAME of letters, digits and _, and not case, out or dx",
+                      o->name, text);
+    list->count = number_read_list(text + length + 1, list->value, NUMBERS_MAX);
+    for (int i = 0; i < list->count; i++)
+        if (!(list->value[i] > 0)) list->count = -1;
+    if (list->count > 0) return STATUS_OK;
+    return refuse(why, STATUS_INPUT, "--%s '%.60s': must be NAME=A,B,C,... with 1 to %d numbers > 0", o->name, text,
+                  NUMBERS_MAX);
+}
+
+#define PLACE(member) .place = offsetof(struct command, member)
+const struct option command_options[] = {
+#include "verification/ladder/command.def"
+    {0}};
+#undef PLACE
+
+static const struct option *find(const struct option *table, const char *name) {
+    for (const struct option *o = table; o && o->name; o++)
+        if (*name && strcmp(o->name, name) == 0) return o;
+    return NULL;
+}
+
+const struct option *command_option(const struct command_syntax *syntax, const struct option *own, const char *name) {
+    const struct option *o = find(own, name);
+    return o || !words_among(syntax->options, name) ? o : find(command_options, name);
+}
+
+const char *command_given(const struct command *c, const char *name) {
+    for (int i = 0; i < c->options; i++)
+        if (strcmp(c->given[i].option->name, name) == 0) return c->given[i].value ? c->given[i].value : "";
+    return NULL;
+}
+
+/* ---- Positionals ---- */
+
+static int take_scene(struct command *c, const char *name, struct failure *why) {
+    const char *names[WORDS_MAX] = {0};
+    c->experiment.scene = scene_find(name);
+    if (c->experiment.scene) {
+        scene_defaults(c->experiment.scene, &c->experiment.problem);
+        return STATUS_OK;
+    }
+    for (int i = 0; scenes[i] && i < WORDS_MAX - 1; i++) names[i] = scenes[i]->name;
+    return words_unknown(names, "scene", name, why);
+}
+
+static int take_method(struct command *c, const char *name, struct failure *why) {
+    const char *names[WORDS_MAX] = {0};
+    if (c->external) {
+        c->external->name = c->experiment.program.label = name;
+        return STATUS_OK;
+    }
+    c->experiment.method = method_find(name);
+    if (c->experiment.method) return STATUS_OK;
+    for (int i = 0; methods[i] && i < WORDS_MAX - 1; i++) names[i] = methods[i]->name;
+    return words_unknown(names, "method", name, why);
+}
+
+/* "[a|b|c] [DIR]": one of these words, then a directory; either may be left out. */
+static int take_study(struct command *c, int place, const char *word, struct failure *why) {
+    const char *names[WORDS_MAX] = {0}, *wanted = c->syntax->positionals + 1;
+    char text[200], *rest = text;
+    snprintf(text, sizeof text, "%.*s", (int)strcspn(wanted, "]"), wanted);
+    for (int n = 0; n < WORDS_MAX - 1 && (names[n] = strtok_r(rest, "|", &rest)); n++) continue;
+    int is_path = strchr(word, '/') || access(word, F_OK) == 0;
+    if (place == 1 && c->dir) return words_unknown(names, "study", c->dir, why);
+    if (place == 0 && words_index(names, word) >= 0)
+        c->topic = word;
+    else if (place == 0 && !is_path && words_nearest(names, word))
+        return words_unknown(names, "study", word, why);
+    else
+        c->dir = word;
+    return STATUS_OK;
+}
+
+static int take_positional(struct command *c, int place, const char *word, struct failure *why) {
+    const char *wanted = c->syntax->positionals;
+    if (place < 2 && strchr(wanted, '|')) return take_study(c, place, word, why);
+    if (place == 0 && (words_among(wanted, "SCENE") || words_among(wanted, "[SCENE]")))
+        return take_scene(c, word, why);
+    if (place == words_among(wanted, "SCENE") && words_among(wanted, "METHOD")) return take_method(c, word, why);
+    if (place == 0 && (words_among(wanted, "[TOPIC]") || words_among(wanted, "[DIR]"))) {
+        *(words_among(wanted, "[DIR]") ? &c->dir : &c->topic) = word;
+        return STATUS_OK;
+    }
+    return refuse(why, STATUS_INPUT, "'%.60s' is one word too many for %s (wanted: %s %s)", word, c->syntax->name,
+                  c->syntax->name, wanted);
+}
+
+static int check_positionals(const struct command *c, struct failure *why) {
+    const char *wanted = c->syntax->positionals, *name = c->syntax->name;
+    const char *missing = words_among(wanted, "SCENE") && !c->experiment.scene ? "SCENE"
+                          : words_among(wanted, "METHOD") && (!c->experiment.method || !c->experiment.method->name)
+                              ? "METHOD"
+                              : NULL;
+    if (!missing) return STATUS_OK;
+    return refuse(why, STATUS_INPUT, "%s needs a %s: heatladder %s %s (see: heatladder list)", name, missing, name,
+                  wanted);
+}
+
+/* ---- Options ---- */
+
+/* Options of earlier releases, and their replacements. */
+static const char *const removed[][2] = {
+    {"run", "a batch engine on DIR/cases.txt, then heatladder verify --results DIR"},
+    {"resume", "--keep DIR, then heatladder verify --results DIR"},
+    {"peers", "make league"},
+    {"time-error", "--fourier F; heatladder ladder --fourier A,B,C fits the order in time"},
+    {"redraw", "--layout jitter or relaxed"}};
+
+static int unknown_option(const struct command *c, const char *name, struct failure *why) {
+    const char *names[WORDS_MAX] = {0}, *command = c->syntax->name;
+    int n = 0;
+    if (find(command_options, name))
+        return refuse(why, STATUS_INPUT, "--%s has no meaning for %s (see: heatladder %s --help)", name, command,
+                      command);
+    for (size_t i = 0; i < sizeof removed / sizeof *removed; i++)
+        if (strcmp(removed[i][0], name) == 0)
+            return refuse(why, STATUS_INPUT, "--%s is removed; use %s", name, removed[i][1]);
+    for (const struct option *o = c->own; o && o->name; o++) names[n++] = o->name;
+    for (const struct option *o = command_options; o->name; o++)
+        if (words_among(c->syntax->options, o->name)) names[n++] = o->name;
+    const char *nearest = words_nearest(names, name);
+    return refuse(why, STATUS_INPUT, "unknown option --%.60s%s%s%s (see: heatladder %s --help)", name,
+                  nearest ? "; did you mean --" : "", nearest ? nearest : "", nearest ? "?" : "", command);
+}
+
+/* Notes argv[*at] as given, with argv[*at + 1] where its value is a word of its own; *at: the last one read. */
+static int split_option(struct command *c, int argc, char *const *argv, int *at, struct failure *why) {
+    char name[32];
+    const char *typed = strcmp(argv[*at], "-v") == 0 ? "verbose" : argv[*at] + 2, *equals = strchr(typed, '=');
+    size_t length = equals ? (size_t)(equals - typed) : strlen(typed);
+    snprintf(name, sizeof name, "%.*s", (int)(length < sizeof name ? length : sizeof name - 1), typed);
+    const struct option *o = command_option(c->syntax, c->own, name);
+    if (!o) return unknown_option(c, name, why);
+    if (c->options == COMMAND_WORDS) return refuse(why, STATUS_INPUT, "more than %d options", COMMAND_WORDS);
+    if (!o->repeats && command_given(c, name)) return refuse(why, STATUS_INPUT, "--%s is given twice", name);
+    if (!o->value && equals) return refuse(why, STATUS_INPUT, "--%s takes no value", name);
+    const char *value = equals ? equals + 1 : NULL;
+    if (o->value && !value) {
+        if (*at + 1 == argc || strncmp(argv[*at + 1], "--", 2) == 0)
+            return refuse(why, STATUS_INPUT, "--%s needs a value: --%s %s", name, name, o->value);
+        value = argv[++*at];
+    }
+    c->given[c->options].option = o;
+    c->given[c->options++].value = value;
+    return STATUS_OK;
+}
+
+/* An option of the model must be one that the method accepts; the text names the methods that do. */
+static int check_model(const struct command *c, const struct option *o, struct failure *why) {
+    const struct method *method = c->experiment.method;
+    if (!o->model || !method || words_among(method->accepts, o->name)) return STATUS_OK;
+    const char *names[WORDS_MAX] = {0};
+    char text[240];
+    int n = 0;
+    for (int i = 0; methods[i] && n < WORDS_MAX - 1; i++)
+        if (words_among(methods[i]->accepts, o->name)) names[n++] = methods[i]->name;
+    words_join(names, text, sizeof text);
+    return refuse(why, STATUS_INPUT, "--%s has no meaning for %s%s%s", o->name, method->name,
+                  n ? "; it has for " : "", text);
+}
+
+static int read_options(void *options, struct failure *why) {
+    struct command *c = options;
+    const char *sceneless = c->syntax->sceneless, *name = c->syntax->name;
+    for (int i = 0; i < c->options; i++) {
+        const struct option *o = c->given[i].option;
+        if (sceneless && !c->experiment.scene && !words_among(sceneless, o->name))
+            return refuse(why, STATUS_INPUT, "--%s needs a SCENE (see: heatladder %s --help)", o->name, name);
+        if (check_model(c, o, why) || o->read(options, o, c->given[i].value, why)) return why->status;
+    }
+    char required[100], *rest = required;
+    snprintf(required, sizeof required, "%s", c->syntax->required);
+    for (const char *word; (word = strtok_r(rest, " ", &rest));)
+        if (!command_given(c, word)) {
+            const struct option *o = command_option(c->syntax, c->own, word);
+            return refuse(why, STATUS_INPUT, "%s needs --%s %s: %s", name, word, o->value, o->about);
+        }
+    return STATUS_OK;
+}
+
+/* ---- The experiment ---- */
+
+/* The spacings of existing answers, and the parameters that their cases were written for. */
+static int take_results(struct command *c, struct failure *why) {
+    struct experiment *e = &c->experiment;
+    struct program *g = &e->program;
+    char dir[RESULTS_PATH];
+    if (!g->results || !e->scene) return STATUS_OK;
+    if (results_setting(e->scene, &e->problem, c->overridden, &g->map, e->options.aspect, g->setting) ||
+        !results_has(g->results, e->scene, g->setting))
+        g->setting[0] = '\0';
+    if (results_of_scene(g->results, e->scene, g->setting, dir))
+        return refuse(why, STATUS_INPUT, "--results '%.200s': too long a path", g->results);
+    if (!c->rungs.dx.count && results_list(dir, &c->rungs.dx, why)) return why->status;
+    struct results_known known = {c->overridden, &e->problem, !mapping_is_none(&g->map), &g->map, &e->options.aspect};
+    return results_params(g->results, e->scene, g->setting, &c->rungs.dx, &known, why);
+}
+
+/* The place of the lattice, and the default walls of a round body. */
+static void take_lattice(struct command *c) {
+    struct options *o = &c->experiment.options;
+    const struct method *method = c->experiment.method;
+    int round = c->experiment.scene && c->experiment.problem.shape;
+    o->has_origin = c->origin.count > 0, o->has_angle = command_given(c, "angle") != NULL;
+    for (int a = 0; a < 2 && o->has_origin; a++) o->origin[a] = c->origin.value[a];
+    if (round && !command_given(c, "walls") && !(method && (!method->scheme || method->scheme->cells)))
+        o->walls = WALLS_FIT;
+}
+
+static int apply(struct command *c, struct failure *why) {
+    struct experiment *e = &c->experiment;
+    int ladder = command_option(c->syntax, NULL, "vary") != NULL;
+    if (read_options(c, why)) return why->status;
+    if (ladder && !c->rungs.dx.count && !e->program.results)
+        return refuse(why, STATUS_INPUT, "%s needs --dx A,B,C,..., or --results DIR with a directory a spacing",
+                      c->syntax->name);
+    if (take_results(c, why)) return why->status;
+    if (e->scene && e->scene->setup(&e->problem, why)) return why->status;
+    if (e->derived && quantity_read(e->derived, &e->problem, &e->quantity, why)) return why->status;
+    e->options.dx = c->rungs.dx.value[0];
+    e->options.dt = c->rungs.dt.count ? c->rungs.dt.value[0] : 0;
+    e->options.fourier = c->rungs.fourier.count ? c->rungs.fourier.value[0] : 0;
+    take_lattice(c);
+    return command_check(c, why);
+}
+
+static int has_word(int argc, char *const *argv, const char *name) {
+    size_t length = strlen(name);
+    for (int i = 1; i < argc; i++)
+        if (strncmp(argv[i], "--", 2) == 0 && strncmp(argv[i] + 2, name, length) == 0 &&
+            (argv[i][length + 2] == '\0' || argv[i][length + 2] == '='))
+            return 1;
+    return 0;
+}
+
+/* Whether the option is there that makes a SCENE optional. */
+static int needs_no_scene(const struct command_syntax *syntax, int argc, char *const *argv) {
+    char option[32];
+    if (!syntax->sceneless) return 0;
+    snprintf(option, sizeof option, "%.*s", (int)strcspn(syntax->sceneless, " "), syntax->sceneless);
+    return has_word(argc, argv, option);
+}
+
+/* METHOD is then the program's name, which accepts no option of the model. */
+static void take_program(struct command *c) {
+    c->external = xcalloc(1, sizeof *c->external);
+    *c->external = (struct method){.about = "another program", .accepts = ""};
+    c->experiment.method = c->external;
+    c->experiment.solve = run_program;
+}
+
+int command_parse(const struct command_syntax *syntax, const struct option *own, int argc, char *const *argv,
+                  void *options, struct failure *why) {
+    struct command *c = options;
+    int positionals = 0;
+    c->syntax = syntax, c->own = own;
+    c->typed = words_line(argc, (const char *const *)argv);
+    *why = (struct failure){0};
+    if (lanes_forced(&c->experiment.options.lanes, why)) return why->status;
+    if (words_among(syntax->options, "solver") && (has_word(argc, argv, "solver") || has_word(argc, argv, "results")))
+        take_program(c);
+    for (int i = 1; i < argc; i++) {
+        int verbose = strcmp(argv[i], "-v") == 0 && command_option(syntax, own, "verbose");
+        int option = verbose || strncmp(argv[i], "--", 2) == 0;
+        if (option ? split_option(c, argc, argv, &i, why) : take_positional(c, positionals++, argv[i], why))
+            return why->status;
+    }
+    int sceneless = positionals == 0 && needs_no_scene(syntax, argc, argv);
+    if (!sceneless && check_positionals(c, why)) return why->status;
+    return apply(c, why);
+}
+
+/* ---- One line ---- */
+
+int command_words(char *line, char **words, int max) {
+    int n = 0;
+    char *to = line;
+    for (const char *from = line;;) {
+        from += strspn(from, " \t");
+        if (*from == '\0') return n;
+        if (n == max) return -1;
+        words[n++] = to;
+        char quote = '\0';
+        for (; *from && (quote || !strchr(" \t", *from)); from++) {
+            if (*from == quote)
+                quote = '\0';
+            else if (!quote && (*from == '\'' || *from == '"'))
+                quote = *from;
+            else
+                *to++ = *from;
+        }
+        if (quote) return -1;
+        int last = *from == '\0';
+        *to++ = '\0';
+        if (last) return n;
+        from++;
+    }
+}
+
+int command_read_with(const char *line, const char *const *more, struct command *c, struct failure *why) {
+    char *words[2 * COMMAND_WORDS];
+    size_t size = strlen(line) + 1, room = size;
+    for (const char *const *word = more; *word; word++) room += strlen(*word) + 1;
+    *c = (struct command){.line = xcalloc(room, 1)};
+    memcpy(c->line, line, size);
+    int n = command_words(c->line, words, 2 * COMMAND_WORDS);
+    if (n < 0) return refuse(why, STATUS_INPUT, "'%.200s': too many words, or a quote is left open", line);
+    for (char *to = c->line + size; *more && n < 2 * COMMAND_WORDS; to += strlen(*more++) + 1)
+        words[n++] = strcpy(to, *more);
+    if (*more) return refuse(why, STATUS_INPUT, "'%.200s': too many words", line);
+    for (int i = 0; n && i < COMMAND_COUNT; i++)
+        if (strcmp(command_syntaxes[i].name, words[0]) == 0)
+            return command_parse(&command_syntaxes[i], NULL, n, words, c, why);
+    return refuse(why, STATUS_INPUT, "'%.60s': must be a run, ladder, limit or reference", n ? words[0] : "");
+}
+
+int command_read(const char *line, struct command *c, struct failure *why) {
+    return command_read_with(line, (const char *const[]){NULL}, c, why);
+}
+
+void command_free(void *options) {
+    struct command *c = options;
+    for (const struct option *o = c->own; o && o->name; o++)
+        if (o->read == option_globs) free(*(char **)((char *)options + o->place));
+    free(c->line);
+    free(c->typed);
+    free(c->external);
+    *c = (struct command){0};
+}
