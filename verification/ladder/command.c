@@ -449,10 +449,11 @@ int command_read_with(const char *line, const char *const *more, struct command 
     for (char *to = c->line + size; *more && n < 2 * COMMAND_WORDS; to += strlen(*more++) + 1)
         words[n++] = strcpy(to, *more);
     if (*more) return refuse(why, STATUS_INPUT, "'%.200s': too many words", line);
-    for (int i = 0; n && i < COMMAND_COUNT; i++)
-        if (strcmp(command_syntaxes[i].name, words[0]) == 0)
-            return command_parse(&command_syntaxes[i], NULL, n, words, c, why);
-    return refuse(why, STATUS_INPUT, "'%.60s': must be a run, ladder, limit or reference", n ? words[0] : "");
+    const char *names[COMMAND_COUNT + 1] = {0};
+    for (int i = 0; i < COMMAND_COUNT; i++) names[i] = command_syntaxes[i].name;
+    int found = n ? words_index(names, words[0]) : -1;
+    if (found < 0) return words_unknown(names, "verb", n ? words[0] : "", why);
+    return command_parse(&command_syntaxes[found], NULL, n, words, c, why);
 }
 
 int command_read(const char *line, struct command *c, struct failure *why) {

@@ -252,7 +252,7 @@ static void long_lines_are_refused(void **state) {
     assert_has(why.text, "too many words");
     command_free(&c);
     assert_int_equal(command_read("list", &c, &why), STATUS_INPUT);
-    assert_has(why.text, "'list': must be a run, ladder, limit or reference");
+    assert_has(why.text, "unknown verb 'list' (valid: run, ladder, limit, reference)");
     command_free(&c);
 }
 
