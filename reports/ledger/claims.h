@@ -41,7 +41,7 @@ struct claims_row {
     const char *id;
     const char *source;                         /* paper, and equation, table, figure or section */
     const char *published;                      /* the statement or the number */
-    void (*measure)(struct claims_measured *m); /* of kit.h */
+    void (*measure)(struct claims_measured *m); /* of claim.h */
     const char *argument;
     enum claims_verdict expected;
     const char *why; /* what explains the numbers */

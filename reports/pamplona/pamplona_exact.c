@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Pamplona, Silva, Bucar, Vasco 2019, eqs. 2 to 7, and the steady state: what is printed against the exact solution.
  */
-#include "reports/ledger/kit.h"
+#include "reports/ledger/claim.h"
 #include "reports/pamplona/pamplona.h"
 
 #include "references/scene.h"
@@ -21,7 +21,7 @@ static int plate(struct experiment *e, struct claims_measured *m, const char *se
     struct command r;
     struct failure why;
     snprintf(line, sizeof line, "reference plate --at 0.01,0.01 --time 1%s%s", *settings ? " --set " : "", settings);
-    int bad = command_read(line, &r, &why) && kit_fail(m, why.text);
+    int bad = command_read(line, &r, &why) && claim_fail(m, why.text);
     *e = r.experiment;
     command_free(&r);
     return bad;
@@ -37,10 +37,10 @@ void pamplona_exact_eq2(struct claims_measured *m) {
     if (plate(&e, m, "")) return;
     for (int i = 0; i < 4; i++) {
         double T = e.scene->published(&e.problem, middle[i], FOREVER);
-        kit_number(m, T, "K", "eq. 2 on the side of %s = %.2f K", name[i], wall[i]);
+        claim_number(m, T, "K", "eq. 2 on the side of %s = %.2f K", name[i], wall[i]);
         held &= fabs(T - wall[i]) <= 1e-9;
     }
-    kit_decide(m, held, 1, "each side takes its own temperature (to 1e-9 K)");
+    claim_decide(m, held, 1, "each side takes its own temperature (to 1e-9 K)");
 }
 
 typedef double solution(const struct experiment *e, const double x[2], double t);
@@ -92,11 +92,11 @@ static int compare(const char *side, double height, double *worst, struct claims
 void pamplona_exact_eq7(struct claims_measured *m) {
     double square, other;
     if (compare(m->argument, 0.1, &square, m) || compare(m->argument, 0.07, &other, m)) return;
-    kit_number(m, square, "", "|printed/exact - 1| of the coefficients, square plate");
-    kit_number(m, other, "", "plate of 0.1 m by 0.07 m");
+    claim_number(m, square, "", "|printed/exact - 1| of the coefficients, square plate");
+    claim_number(m, other, "", "plate of 0.1 m by 0.07 m");
     /* the square's late modes are small differences of temperatures of order 1: 1e-6 */
-    kit_decide(m, square <= 1e-6, other <= 1e-6,
-               "coefficients of the double series within 1e-6: on the paper's square, and on another plate");
+    claim_decide(m, square <= 1e-6, other <= 1e-6,
+                 "coefficients of the double series within 1e-6: on the paper's square, and on another plate");
 }
 
 /* The transient part at the first time of Table 1 as a sum over m and p alone, away from the points that gave the
@@ -119,16 +119,16 @@ void pamplona_exact_triple(struct claims_measured *m) {
             apart = fmax(apart, fabs(sum - transient));
             size = fmax(size, fabs(transient));
         }
-    kit_number(m, size, "K", "largest |T_u| of 16 points at %.7g s", t);
-    kit_number(m, apart, "K", "what a double series of 8 by 8 terms misses of it");
-    kit_decide(m, apart > 1e-9 * size, 1, "a double series does not give the solution (to 1e-9)");
+    claim_number(m, size, "K", "largest |T_u| of 16 points at %.7g s", t);
+    claim_number(m, apart, "K", "what a double series of 8 by 8 terms misses of it");
+    claim_decide(m, apart > 1e-9 * size, 1, "a double series does not give the solution (to 1e-9)");
 }
 
 /* How far the plate is from its steady state at the time that the paper calls steady. */
 void pamplona_exact_steady(struct claims_measured *m) {
     struct experiment e;
     struct published t;
-    if (kit_published(&t, m, "pamplona_table1")) return;
+    if (claim_published(&t, m, "pamplona_table1")) return;
     double printed_error = t.value[0][t.columns - 2], end = atof(t.where[t.columns - 2]);
     if (plate(&e, m, "")) return;
     double most = 0, apart = 0, size = 0, a2 = 0.1 * 0.1, pi = M_PI;
@@ -141,13 +141,13 @@ void pamplona_exact_steady(struct claims_measured *m) {
             apart += lacks;
             size += steady;
         }
-    kit_number(m, exp(-2 * pi * pi * alpha * end / a2), "", "left of the slowest mode");
-    kit_number(m, most, "K", "furthest from the steady state");
-    kit_number(m, 100 * apart / size, "%", "on average");
-    kit_decide(m, 100 * apart / size <= printed_error, 10 * 100 * apart / size <= printed_error,
-               "what is missing is below the error that Table 1 prints for that time, %s %%; without "
-               "a condition if below a tenth of it",
-               t.cell[0][t.columns - 2]);
+    claim_number(m, exp(-2 * pi * pi * alpha * end / a2), "", "left of the slowest mode");
+    claim_number(m, most, "K", "furthest from the steady state");
+    claim_number(m, 100 * apart / size, "%", "on average");
+    claim_decide(m, 100 * apart / size <= printed_error, 10 * 100 * apart / size <= printed_error,
+                 "what is missing is below the error that Table 1 prints for that time, %s %%; without "
+                 "a condition if below a tenth of it",
+                 t.cell[0][t.columns - 2]);
 }
 
 /* The isotherm of the mean wall temperature. */
@@ -160,11 +160,11 @@ void pamplona_exact_diagonal(struct claims_measured *m) {
         most = fmax(most, fabs(exact(&e, x, FOREVER) - 0.625));
         then = fmax(then, fabs(exact(&e, x, t) - 0.625));
     }
-    kit_number(m, most, "K", "|T - 0.625 K| on the diagonal, steady");
-    kit_number(m, then, "K", "at %.7g s", t);
-    kit_decide(m, most <= 1e-9, then <= 0.02,
-               "the diagonal has the mean of the four walls when steady (1e-9 K), and nearly so (0.02 K) "
-               "at the time shown");
+    claim_number(m, most, "K", "|T - 0.625 K| on the diagonal, steady");
+    claim_number(m, then, "K", "at %.7g s", t);
+    claim_decide(m, most <= 1e-9, then <= 0.02,
+                 "the diagonal has the mean of the four walls when steady (1e-9 K), and nearly so (0.02 K) "
+                 "at the time shown");
 }
 
 /* "Temperatures near the left and the top drop along the time": the column and the row half a spacing from these
@@ -173,7 +173,7 @@ void pamplona_exact_drop(struct claims_measured *m) {
     struct published t;
     struct experiment e;
     double least = INFINITY, first = 0, last = 0;
-    if (kit_published(&t, m, "pamplona_table1")) return;
+    if (claim_published(&t, m, "pamplona_table1")) return;
     if (plate(&e, m, "")) return;
     for (int side = 0; side < 2; side++)
         for (int i = 0; i < 20; i++) {
@@ -186,10 +186,10 @@ void pamplona_exact_drop(struct claims_measured *m) {
             }
             last += T / 40;
         }
-    kit_number(m, first, "K", "mean beside the left and the top wall at %s s", t.where[0]);
-    kit_number(m, last, "K", "at %s s", t.where[3]);
-    kit_number(m, least, "K", "least change of a point from one time to the next");
-    kit_decide(m, last < first, 1, "their mean is lower at the last time than at the first");
+    claim_number(m, first, "K", "mean beside the left and the top wall at %s s", t.where[0]);
+    claim_number(m, last, "K", "at %s s", t.where[3]);
+    claim_number(m, least, "K", "least change of a point from one time to the next");
+    claim_decide(m, last < first, 1, "their mean is lower at the last time than at the first");
 }
 
 /* The steady state of three materials. */
@@ -209,7 +209,7 @@ void pamplona_exact_steady_material(struct claims_measured *m) {
             then = fmax(then, fabs(exact(&e[k], x, t) - exact(&e[0], x, t)));
         }
     if (bad) return;
-    kit_number(m, apart, "K", "steady states of titanium, vanadium and steel differ by at most");
-    kit_number(m, then, "K", "at %.7g s", t);
-    kit_decide(m, apart <= 1e-12, 1, "equal to rounding (1e-12 K)");
+    claim_number(m, apart, "K", "steady states of titanium, vanadium and steel differ by at most");
+    claim_number(m, then, "K", "at %.7g s", t);
+    claim_decide(m, apart <= 1e-12, 1, "equal to rounding (1e-12 K)");
 }

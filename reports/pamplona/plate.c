@@ -6,7 +6,7 @@
  * and late by (21/20)^2 in time: an error of first order, largest early.  readings.h tries others on Table 1. */
 #include "reports/pamplona/plate.h"
 
-#include "reports/ledger/kit.h"
+#include "reports/ledger/claim.h"
 #include "reports/pamplona/pamplona.h"
 #include "reports/pamplona/readings.h"
 
@@ -78,7 +78,7 @@ void plate_measure(const struct command_run *run, struct plate_errors *e) {
 /* Runs "plate words" to t, s.  0, or *m failed. */
 static int measure(struct plate_errors *e, struct claims_measured *m, const char *words, double t) {
     struct command_run run;
-    int bad = kit_run(&run, m, "run plate %s --t-end %.10g", words, t);
+    int bad = claim_run(&run, m, "run plate %s --t-end %.10g", words, t);
     if (!bad) plate_measure(&run, e);
     command_run_free(&run);
     return bad;
@@ -87,7 +87,7 @@ static int measure(struct plate_errors *e, struct claims_measured *m, const char
 /* Both methods at the four times of Table 1, and the table. */
 static int run_all(struct plate_errors e[PLATE_METHODS][PLATE_TIMES], struct published *t,
                    struct claims_measured *m) {
-    if (kit_published(t, m, "pamplona_table1")) return 1;
+    if (claim_published(t, m, "pamplona_table1")) return 1;
     for (int k = 0; k < PLATE_METHODS * PLATE_TIMES; k++)
         if (measure(&e[k / PLATE_TIMES][k % PLATE_TIMES], m, plate_words[k / PLATE_TIMES],
                     atof(t->where[k % PLATE_TIMES])))
@@ -109,23 +109,23 @@ void pamplona_plate_table1(struct claims_measured *m) {
     double E[PLATE_TIMES], alone = INFINITY;
     if (run_all(e, &t, m)) return;
     int row = published_row(&t, m->argument);
-    kit_quote(m, &t, row);
+    claim_quote(m, &t, row);
     for (int k = 0; k < PLATE_TIMES; k++) {
         E[k] = e[row][k].average[PLATE_MEAN_RELATIVE];
-        kit_number(m, E[k], "%", "at %s s", t.where[k]);
+        claim_number(m, E[k], "%", "at %s s", t.where[k]);
     }
     double off = off_by(E, t.value[row]);
     struct readings *all = readings_try(&t);
     const struct reading *nearest = &all->reading[all->nearest];
-    kit_number(m, off, "", "off by a factor of at most");
-    kit_number(m, all->count * PLATE_DEFINITIONS, "", "other readings tried");
-    kit_number(m, nearest->off[nearest->best], "", "the nearest, %s, is off in both rows by at most",
+    claim_number(m, off, "", "off by a factor of at most");
+    claim_number(m, all->count * PLATE_DEFINITIONS, "", "other readings tried");
+    claim_number(m, nearest->off[nearest->best], "", "the nearest, %s, is off in both rows by at most",
                plate_definitions[nearest->best]);
     for (int i = 0; i < all->count; i++)
         for (int d = 0; d < PLATE_DEFINITIONS; d++)
             alone = fmin(alone, off_by(all->reading[i].error[d][row], t.value[row]));
-    kit_number(m, alone, "", "the nearest to this row alone by at most");
-    kit_decide(m, off <= 1.02, 1,
+    claim_number(m, alone, "", "the nearest to this row alone by at most");
+    claim_decide(m, off <= 1.02, 1,
                "mean of |e|/T on the plate as stated within 2 %% at all times; else not explained, unless one "
                "reading brings both rows within 2 %%");
     if (off > 1.02) m->verdict = nearest->off[nearest->best] <= 1.02 ? CLAIMS_CONDITION : CLAIMS_UNEXPLAINED;
@@ -143,32 +143,32 @@ void pamplona_plate_accuracy(struct claims_measured *m) {
         double E[PLATE_METHODS];
         for (int i = 0; i < PLATE_METHODS; i++) {
             E[i] = e[i][k].average[PLATE_MEAN_RELATIVE];
-            kit_number(m, E[i], "%", "%s at %s s", t.method[i], t.where[k]);
+            claim_number(m, E[i], "%", "%s at %s s", t.method[i], t.where[k]);
             order &= E[i] >= 1 && E[i] < 10;
             falls &= k == 0 || E[i] < e[i][k - 1].average[PLATE_MEAN_RELATIVE];
         }
         similar = fmax(similar, fmax(E[0] / E[1], E[1] / E[0]));
     }
-    kit_number(m, similar, "", "the two differ by a factor of at most");
+    claim_number(m, similar, "", "the two differ by a factor of at most");
     if (m->argument[0] == 'o')
-        kit_decide(m, order, 1, "mean of |e|/T from 1 %% to below 10 %% at all four times, both methods");
+        claim_decide(m, order, 1, "mean of |e|/T from 1 %% to below 10 %% at all four times, both methods");
     else if (m->argument[0] == 'f')
-        kit_decide(m, falls, 1, "mean of |e|/T smaller at each later time, both methods");
+        claim_decide(m, falls, 1, "mean of |e|/T smaller at each later time, both methods");
     else
-        kit_decide(m, similar <= 1.1, 1, "mean of |e|/T of the two within 10 %% at all four times");
+        claim_decide(m, similar <= 1.1, 1, "mean of |e|/T of the two within 10 %% at all four times");
 }
 
 /* Where the error is at the first time, in % of 1 K, the hottest wall. */
 void pamplona_plate_edges(struct claims_measured *m) {
     struct plate_errors e;
     if (measure(&e, m, plate_words[PLATE_SPH], plate_time(0))) return;
-    kit_number(m, 100 * e.left_mean, "% of 1 K", "mean error beside the left wall");
-    kit_number(m, 100 * e.centre_mean, "% of 1 K", "in the middle");
-    kit_number(m, 100 * e.left_max, "% of 1 K", "largest error beside the left wall");
-    kit_number(m, 100 * e.centre_max, "% of 1 K", "in the middle");
+    claim_number(m, 100 * e.left_mean, "% of 1 K", "mean error beside the left wall");
+    claim_number(m, 100 * e.centre_mean, "% of 1 K", "in the middle");
+    claim_number(m, 100 * e.left_max, "% of 1 K", "largest error beside the left wall");
+    claim_number(m, 100 * e.centre_max, "% of 1 K", "in the middle");
     int mean = fabs(100 * e.left_mean - 5) <= 1 && fabs(100 * e.centre_mean - 2) <= 1;
     int most = fabs(100 * e.left_max - 5) <= 1 && fabs(100 * e.centre_max - 2) <= 1;
-    kit_decide(m, mean || most, most,
+    claim_decide(m, mean || most, most,
                "5 %% and 2 %% to within 1 %%: as means or as the largest errors; without a condition as the "
                "largest, which is what the paper calls them");
 }
@@ -187,12 +187,12 @@ void pamplona_plate_deficiency(struct claims_measured *m) {
     double inside = 0, updates = (double)fixed.result.cost.updates;
     for (int k = 0; k < 49; k++) inside += k != 24 && hypot(k % 7 - 3, k / 7 - 3) < 2 * 1.2;
     double missing = inside - (double)fixed.result.cost.interactions / updates;
-    kit_number(m, missing, "", "neighbours missing, of %g", inside);
-    kit_number(m, fixed.ring_mean, "K", "mean error of the outermost ring, fixed ghosts");
-    kit_number(m, grid.ring_mean, "K", "finite differences, fixed ghosts");
-    kit_number(m, mirror.ring_mean, "K", "the same particles, mirror ghosts");
+    claim_number(m, missing, "", "neighbours missing, of %g", inside);
+    claim_number(m, fixed.ring_mean, "K", "mean error of the outermost ring, fixed ghosts");
+    claim_number(m, grid.ring_mean, "K", "finite differences, fixed ghosts");
+    claim_number(m, mirror.ring_mean, "K", "the same particles, mirror ghosts");
     int gone = mirror.ring_mean < 0.2 * fixed.ring_mean;
-    kit_decide(m, missing > 0 || !gone, missing > 0 && !gone,
+    claim_decide(m, missing > 0 || !gone, missing > 0 && !gone,
                "deficiency is the cause if neighbours are missing, or if the error stays (above a fifth) when "
                "the ghosts of the same particles take other temperatures");
 }
@@ -201,11 +201,11 @@ void pamplona_plate_deficiency(struct claims_measured *m) {
 void pamplona_plate_slower(struct claims_measured *m) {
     struct plate_errors e;
     if (measure(&e, m, plate_words[PLATE_SPH], plate_time(0))) return;
-    kit_number(m, e.ring_late, "K", "outermost ring too cold by");
-    kit_number(m, e.centre_late, "K", "middle");
-    kit_number(m, 100 * e.ring_part, "%", "ring, of its own temperature");
-    kit_number(m, 100 * e.centre_part, "%", "middle");
-    kit_decide(m, e.ring_late > 0 && e.ring_late > e.centre_late, e.ring_part > 0 && e.ring_part > e.centre_part,
+    claim_number(m, e.ring_late, "K", "outermost ring too cold by");
+    claim_number(m, e.centre_late, "K", "middle");
+    claim_number(m, 100 * e.ring_part, "%", "ring, of its own temperature");
+    claim_number(m, 100 * e.centre_part, "%", "middle");
+    claim_decide(m, e.ring_late > 0 && e.ring_late > e.centre_late, e.ring_part > 0 && e.ring_part > e.centre_part,
                "the ring is behind, and further than the middle: in K; without a condition also relative to the "
                "local temperature");
 }
@@ -223,11 +223,11 @@ void pamplona_plate_xi_edges(struct claims_measured *m) {
                      "--dx 0.005 --stepper rk2 --dt 0.1",
                      xi[k]);
             if (measure(&e[i][k], m, words, t[i])) return;
-            kit_number(m, e[i][k].ring_mean, "K", "error of the outermost ring at %g s, xi = %g m", t[i], xi[k]);
+            claim_number(m, e[i][k].ring_mean, "K", "error of the outermost ring at %g s, xi = %g m", t[i], xi[k]);
         }
         range[i] = e[i][0].ring_mean / e[i][2].ring_mean - 1;
     }
-    kit_decide(m, range[0] > 0.01, range[1] > 0.01,
+    claim_decide(m, range[0] > 0.01, range[1] > 0.01,
                "a larger xi lowers the error of the ring by more than 1 %%: while the plate warms up; without a "
                "condition once it is steady too");
 }

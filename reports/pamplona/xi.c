@@ -7,7 +7,7 @@
 #include "reports/pamplona/xi.h"
 
 #include "solver/space/kernel.h"
-#include "reports/ledger/kit.h"
+#include "reports/ledger/claim.h"
 #include "reports/pamplona/pamplona.h"
 #include "reports/pamplona/plate.h"
 
@@ -117,15 +117,15 @@ struct xi_best xi_as_stated(int n, int material) {
 /* xi_find; 0, or *m failed. */
 static int find(struct xi_best *b, struct claims_measured *m) {
     xi_find(b);
-    return b->failure.status && kit_fail(m, b->failure.text);
+    return b->failure.status && claim_fail(m, b->failure.text);
 }
 
 /* Eq. 12 as printed, a vector, in place of the factor that eq. 13 multiplies by. */
 void pamplona_xi_eq12(struct claims_measured *m) {
     double printed = lattice_moment(1.2, 1), meant = lattice_moment(1.2, 0);
-    kit_number(m, printed, "", "eq. 13's answer to x^2/2 with x_ij, component along x (1 is exact)");
-    kit_number(m, meant, "", "with r_ij");
-    kit_decide(m, fabs(printed - meant) <= 0.01, 1, "a component of F_ij as printed answers as r_ij does (0.01)");
+    claim_number(m, printed, "", "eq. 13's answer to x^2/2 with x_ij, component along x (1 is exact)");
+    claim_number(m, meant, "", "with r_ij");
+    claim_decide(m, fabs(printed - meant) <= 0.01, 1, "a component of F_ij as printed answers as r_ij does (0.01)");
 }
 
 /* Eq. 13 as it stands, with the volume dx^2: its answer to x^2/2. */
@@ -134,10 +134,10 @@ void pamplona_xi_eq13(struct claims_measured *m) {
     double worst = 0, as_run = fabs(lattice_moment(h[0], 0) - 1);
     for (int i = 0; i < 3; i++) {
         double M = lattice_moment(h[i], 0);
-        kit_number(m, M, "", "answer to x^2/2, where 1 is exact, h/dx = %g", h[i]);
+        claim_number(m, M, "", "answer to x^2/2, where 1 is exact, h/dx = %g", h[i]);
         worst = fmax(worst, fabs(M - 1));
     }
-    kit_decide(m, as_run <= 0.15, worst <= 0.01,
+    claim_decide(m, as_run <= 0.15, worst <= 0.01,
                "within 15 %% as run, since the paper tunes xi for what is left; within 1 %% at every h/dx for no "
                "condition");
 }
@@ -153,12 +153,12 @@ void pamplona_xi_eq18(struct claims_measured *m) {
         if (find(&b, m)) return;
         double h = xi_h(n[i]), c = b.xi / cbrt(h);
         suits &= least <= c && c < most;
-        kit_number(m, c, "m^(2/3)", "best xi/h^(1/3) at h = %.4g m", h);
-        kit_number(m, xi_closed_form(n[i]) / cbrt(h), "m^(2/3)", "of the closed form");
-        kit_number(m, xi_error(&b, xi_eq18(h)) - b.error, "%", "error added by eq. 18");
+        claim_number(m, c, "m^(2/3)", "best xi/h^(1/3) at h = %.4g m", h);
+        claim_number(m, xi_closed_form(n[i]) / cbrt(h), "m^(2/3)", "of the closed form");
+        claim_number(m, xi_error(&b, xi_eq18(h)) - b.error, "%", "error added by eq. 18");
     }
-    kit_number(m, fine, "m^(2/3)", "of the closed form at %g m", h_fine);
-    kit_decide(m, suits, least <= fine && fine < most,
+    claim_number(m, fine, "m^(2/3)", "of the closed form at %g m", h_fine);
+    claim_decide(m, suits, least <= fine && fine < most,
                "best xi/h^(1/3) rounds to 9, the digit that is printed, at each h up to 0.007 m; that of the "
                "closed form below it too, for no condition");
 }
@@ -170,12 +170,12 @@ void pamplona_xi_eq18_rise(struct claims_measured *m) {
     struct xi_best b = xi_as_stated(PLATE_SIDE, 0);
     double rise[3];
     if (find(&b, m)) return;
-    kit_number(m, b.error, "%", "error at the best xi");
+    claim_number(m, b.error, "%", "error at the best xi");
     for (int i = 0; i < 3; i++) {
         rise[i] = xi_error(&b, factor[i] * cbrt(xi_h(b.n))) - b.error;
-        kit_number(m, rise[i], "%", "added by %g h^(1/3)", factor[i]);
+        claim_number(m, rise[i], "%", "added by %g h^(1/3)", factor[i]);
     }
-    kit_decide(m, rise[2] < 3.55 && rise[0] >= 3.45, 1,
+    claim_decide(m, rise[2] < 3.55 && rise[0] >= 3.45, 1,
                "a factor that rounds to 9 adds an error that rounds to 3.5 %% at h = 0.006 m");
 }
 
@@ -191,10 +191,10 @@ void pamplona_xi_xi_materials(struct claims_measured *m) {
             sum += b.xi * b.xi / XI_MATERIALS;
         }
         double spread = sqrt(fmax(0, sum - mean * mean));
-        kit_number(m, spread, "m", "h = %.4f m", xi_h(n[i]));
+        claim_number(m, spread, "m", "h = %.4f m", xi_h(n[i]));
         most = fmax(most, spread);
     }
-    kit_decide(m, most <= 0.0302 + 5e-4, 1,
+    claim_decide(m, most <= 0.0302 + 5e-4, 1,
                "standard deviation of the fitted xi over the three materials at most 0.0302 m, xi being fitted "
                "to 5e-4 m");
 }
@@ -213,10 +213,10 @@ void pamplona_xi_xi_divergence(struct claims_measured *m) {
             hi[i] = fmax(hi[i], error[i]);
         }
     }
-    kit_number(m, hi[0] - lo[0], "%", "errors of the materials differ by");
-    kit_number(m, hi[1] - lo[1], "%", "with an eighth of the step");
-    kit_number(m, hi[2] - lo[2], "%", "at equal alpha t and equal steps");
-    kit_decide(m, hi[1] - lo[1] <= 0.5 * (hi[0] - lo[0]), 1,
+    claim_number(m, hi[0] - lo[0], "%", "errors of the materials differ by");
+    claim_number(m, hi[1] - lo[1], "%", "with an eighth of the step");
+    claim_number(m, hi[2] - lo[2], "%", "at equal alpha t and equal steps");
+    claim_decide(m, hi[1] - lo[1] <= 0.5 * (hi[0] - lo[0]), 1,
                "caused by the step if an eighth of it at least halves the difference");
 }
 
@@ -234,11 +234,11 @@ void pamplona_xi_observed_order(struct claims_measured *m) {
             double p = order_of(k, i ? "mirror" : "fixed", m);
             if (isnan(p)) return;
             order[i] += p / XI_MATERIALS;
-            if (i == 0) kit_number(m, p, "", "order, %s", xi_materials[k]);
+            if (i == 0) claim_number(m, p, "", "order, %s", xi_materials[k]);
         }
-    kit_number(m, order[0], "", "mean");
-    kit_number(m, order[1], "", "mean, mirror walls");
-    kit_decide(m, fabs(order[0] - 1) <= 0.2, fabs(order[1] - 1) <= 0.2 && fabs(order[0] - 1.1253) <= 0.1,
+    claim_number(m, order[0], "", "mean");
+    claim_number(m, order[1], "", "mean, mirror walls");
+    claim_decide(m, fabs(order[0] - 1) <= 0.2, fabs(order[1] - 1) <= 0.2 && fabs(order[0] - 1.1253) <= 0.1,
                "first order +- 0.2 as published; no condition if with exact walls too, and within 0.1 of "
                "1.1253");
 }
@@ -253,7 +253,7 @@ void pamplona_xi_same_order(struct claims_measured *m) {
         for (int k = 0; k < 2; k++) {
             struct command_run run;
             struct plate_errors e;
-            int bad = kit_run(&run, m, "run plate ftcs --walls %s --dx 0.1/%d --fourier 0.0576 --t-end %g", walls[i],
+            int bad = claim_run(&run, m, "run plate ftcs --walls %s --dx 0.1/%d --fourier 0.0576 --t-end %g", walls[i],
                               n[k], plate_time(0));
             if (!bad) plate_measure(&run, &e);
             command_run_free(&run);
@@ -262,16 +262,16 @@ void pamplona_xi_same_order(struct claims_measured *m) {
         }
         p[i] = log(error[0] / error[1]) / log(xi_h(n[0]) / xi_h(n[1]));
     }
-    kit_number(m, sph, "", "order of SPH at its best xi, steel");
-    kit_number(m, p[0], "", "order of FTCS, fixed ghosts");
-    kit_number(m, p[1], "", "with mirror ghosts");
-    kit_decide(m, fabs(p[0] - sph) <= 0.2, 1, "the two orders within 0.2, with fixed ghosts as published");
+    claim_number(m, sph, "", "order of SPH at its best xi, steel");
+    claim_number(m, p[0], "", "order of FTCS, fixed ghosts");
+    claim_number(m, p[1], "", "with mirror ghosts");
+    claim_decide(m, fabs(p[0] - sph) <= 0.2, 1, "the two orders within 0.2, with fixed ghosts as published");
 }
 
 /* Section 6: with xi kept, a smaller h heats faster. */
 void pamplona_xi_xi_direction(struct claims_measured *m) {
     double coarse = 1.643 * pow(13 / 17., 2), fine = 1.643 * pow(24 / 28., 2), M = lattice_moment(1.2, 0);
-    kit_number(m, coarse * M, "", "rate over the true one, xi = 1.643 m, h = %.4f m", xi_h(13));
-    kit_number(m, fine * M, "", "h = %.4f m", xi_h(24));
-    kit_decide(m, fine > coarse, 1, "with xi kept, the particles conduct faster at the smaller h");
+    claim_number(m, coarse * M, "", "rate over the true one, xi = 1.643 m, h = %.4f m", xi_h(13));
+    claim_number(m, fine * M, "", "h = %.4f m", xi_h(24));
+    claim_decide(m, fine > coarse, 1, "with xi kept, the particles conduct faster at the smaller h");
 }

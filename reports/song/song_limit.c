@@ -6,7 +6,7 @@
  *
  *   SO  eq. 34  dt <= 1/|kappa_x eta_i + kappa_y phi_i|, the central weight
  *   FO  eq. 41  dt <= 1/(2 (kappa_x (sum |lambda_j|)^2 + kappa_y (sum |gamma_j|)^2)) */
-#include "reports/ledger/kit.h"
+#include "reports/ledger/claim.h"
 #include "reports/song/song.h"
 
 #include "verification/stability/symbol.h"
@@ -29,7 +29,7 @@ static int limits_at(int dim, const char *method, const char *kernel, double h, 
     char unequal[40] = "";
     if (ratio < 1) snprintf(unequal, sizeof unequal, " --ratio %.10g", ratio);
     int status =
-        kit_model(&b, &limit, m, "limit %s --dim %d --kernel %s --h %.10g%s", method, dim, kernel, h, unequal);
+        claim_model(&b, &limit, m, "limit %s --dim %d --kernel %s --h %.10g%s", method, dim, kernel, h, unequal);
     if (!status) *l = (struct step_limits){0.1 * 0.1 / 0.01 * limit.published, 0.1 * 0.1 / 0.01 * limit.von_neumann};
     return status;
 }
@@ -41,11 +41,11 @@ void song_limit_quoted_limit(struct claims_measured *m) {
     snprintf(method, sizeof method, "%.*s", (int)strcspn(m->argument, " "), m->argument);
     double quoted = atof(m->argument + strlen(method));
     if (limits_at(1, method, "cubic", 1.05, 1, &l, m)) return;
-    kit_number(m, l.published, "s", "by the paper's formula");
-    kit_number(m, l.actual, "s", "|G| <= 1");
-    kit_number(m, quoted / l.published, "", "quoted over formula");
+    claim_number(m, l.published, "s", "by the paper's formula");
+    claim_number(m, l.actual, "s", "|G| <= 1");
+    claim_number(m, quoted / l.published, "", "quoted over formula");
     /* one digit is printed: 10 % */
-    kit_decide(m, quoted <= 1.1 * l.actual, fabs(quoted / l.published - 1) <= 0.1,
+    claim_decide(m, quoted <= 1.1 * l.actual, fabs(quoted / l.published - 1) <= 0.1,
                "the quoted limit is stable to its one digit, and the formula gives it to that digit");
 }
 
@@ -78,12 +78,12 @@ void song_limit_bound(struct claims_measured *m) {
         limits_at(2, m->argument, "cubic", 1.1, 1, &square, m) || scan(m->argument, &worst, m))
         return;
     double as_run = fmax(rod.published / rod.actual, square.published / square.actual);
-    kit_number(m, rod.actual / rod.published, "", "true limit over published, rod as run");
-    kit_number(m, square.actual / square.published, "", "true limit over published, square as run");
-    kit_number(m, 1 / worst.ratio, "", "the same, worst: %s kernel, %dD, h/dx = %.2f", worst.kernel, worst.dim,
+    claim_number(m, rod.actual / rod.published, "", "true limit over published, rod as run");
+    claim_number(m, square.actual / square.published, "", "true limit over published, square as run");
+    claim_number(m, 1 / worst.ratio, "", "the same, worst: %s kernel, %dD, h/dx = %.2f", worst.kernel, worst.dim,
                worst.h);
     /* 0.1 % for the search over wave numbers */
-    kit_decide(m, as_run <= 1.001, worst.ratio <= 1.001,
+    claim_decide(m, as_run <= 1.001, worst.ratio <= 1.001,
                "a step at the published limit has |G| <= 1: in the paper's runs; with any of three kernels, "
                "h/dx 1.02 to 2.02, 1D and 2D");
 }
@@ -91,7 +91,7 @@ void song_limit_bound(struct claims_measured *m) {
 /* The status of 4000 Euler steps of dt, s, at dx = 0.1 m. */
 static int run_steps(const char *words, double dt) {
     struct result run;
-    return kit_result(&run, NULL, "run %s --dx 0.1 --stepper euler --dt %.10g --t-end %.10g", words, dt, 4000 * dt);
+    return claim_result(&run, NULL, "run %s --dx 0.1 --stepper euler --dt %.10g --t-end %.10g", words, dt, 4000 * dt);
 }
 
 /* A run at 99 % of eq. 34 where the scan above finds weights that it does not cover: a rod, quartic kernel. */
@@ -107,12 +107,12 @@ void song_limit_blow_up(struct claims_measured *m) {
     }
     snprintf(words, sizeof words, "rod-step so_ssph --kernel quartic --h %.4g", h);
     for (int i = 0; i < 2; i++) status[i] = run_steps(words, 0.99 * (i ? worst.actual : worst.published));
-    kit_number(m, h, "", "h/dx");
-    kit_number(m, worst.published, "s", "eq. 34");
-    kit_number(m, worst.actual, "s", "|G| <= 1");
-    kit_number(m, status[0] == STATUS_UNSTABLE, "", "runs of 4000 steps at 0.99 of eq. 34 that blow up");
-    kit_number(m, status[1] == STATUS_UNSTABLE, "", "the same at 0.99 of |G| <= 1");
-    kit_decide(m, status[0] == STATUS_OK, status[1] == STATUS_OK, "a run at 0.99 of eq. 34 stays bounded");
+    claim_number(m, h, "", "h/dx");
+    claim_number(m, worst.published, "s", "eq. 34");
+    claim_number(m, worst.actual, "s", "|G| <= 1");
+    claim_number(m, status[0] == STATUS_UNSTABLE, "", "runs of 4000 steps at 0.99 of eq. 34 that blow up");
+    claim_number(m, status[1] == STATUS_UNSTABLE, "", "the same at 0.99 of |G| <= 1");
+    claim_decide(m, status[0] == STATUS_OK, status[1] == STATUS_OK, "a run at 0.99 of eq. 34 stays bounded");
 }
 
 static const char square_line[] = "run square-step so_ssph --dx 0.1 --h 1.1";
@@ -126,16 +126,16 @@ void song_limit_unequal(struct claims_measured *m) {
     for (int i = 0; i < 4; i++) {
         if (limits_at(2, "so_ssph", "cubic", 1.1, ratio[i], &l[i], m)) return;
         double over = l[i].published / l[i].actual;
-        kit_number(m, over, "", "eq. 34 over |G| <= 1, kappa_y/kappa_x = %g", ratio[i]);
+        claim_number(m, over, "", "eq. 34 over |G| <= 1, kappa_y/kappa_x = %g", ratio[i]);
         worst = fmax(worst, over);
     }
     for (int i = 0; i < 2; i++) {
         double dt = 0.99 * (i ? l[2].actual : l[2].published);
         status[i] = run_steps("square-step so_ssph --h 1.1 --set kappa_y=0.001", dt);
-        kit_number(m, dt, "s", "0.99 of %s at 1/10", i ? "|G| <= 1" : "eq. 34");
-        kit_number(m, status[i] == STATUS_UNSTABLE, "", "runs of 4000 such steps that blow up");
+        claim_number(m, dt, "s", "0.99 of %s at 1/10", i ? "|G| <= 1" : "eq. 34");
+        claim_number(m, status[i] == STATUS_UNSTABLE, "", "runs of 4000 such steps that blow up");
     }
-    kit_decide(m, worst <= 1.001 && status[0] == STATUS_OK, status[1] == STATUS_OK,
+    claim_decide(m, worst <= 1.001 && status[0] == STATUS_OK, status[1] == STATUS_OK,
                "a step at eq. 34 has |G| <= 1 (to 0.1 %%), and a run at 0.99 of it stays bounded, for kappa_y "
                "from 1e-9 kappa_x to kappa_x");
 }
@@ -149,25 +149,25 @@ void song_limit_unequal_weights(struct claims_measured *m) {
         struct symbol s;
         struct result run;
         struct failure why;
-        if (kit_model(&b, NULL, m, "limit so_ssph --dim 2 --h 1.1 --ratio %g", ratio[i])) return;
-        if (symbol_create(&s, &b, &why) && kit_fail(m, why.text)) return;
+        if (claim_model(&b, NULL, m, "limit so_ssph --dim 2 --h 1.1 --ratio %g", ratio[i])) return;
+        if (symbol_create(&s, &b, &why) && claim_fail(m, why.text)) return;
         double least = symbol_lowest(&s);
         symbol_free(&s);
-        if (kit_result(&run, m, "%s --set kappa_y=%g", square_line, 0.01 * ratio[i])) return;
-        kit_number(m, 100 * least, "%", "lowest weight, of the centre's, kappa_y/kappa_x = %g", ratio[i]);
-        kit_number(m, run.shape.undershoot, "K", "undershoot below 0 K at 5 s");
+        if (claim_result(&run, m, "%s --set kappa_y=%g", square_line, 0.01 * ratio[i])) return;
+        claim_number(m, 100 * least, "%", "lowest weight, of the centre's, kappa_y/kappa_x = %g", ratio[i]);
+        claim_number(m, run.shape.undershoot, "K", "undershoot below 0 K at 5 s");
         if (i == 0) continue;
         lowest = fmin(lowest, least);
         below = fmax(below, run.shape.undershoot);
     }
-    kit_decide(m, below <= 1e-11, lowest >= 0,
+    claim_decide(m, below <= 1e-11, lowest >= 0,
                "no undershoot (to rounding, 1e-11 K) at kappa_y = kappa_x/10 and /100");
 }
 
 static const double theta[2] = {0.7, 1.9}; /* radians a particle */
 
 /* sum w_j (1 - exp(i nu h_j)) */
-static double complex transfer(const struct kit_cell *cell, const double *w, double dx) {
+static double complex transfer(const struct claim_cell *cell, const double *w, double dx) {
     double complex sum = 0;
     for (size_t j = 0; j < cell->nb.n; j++)
         sum += w[j] * (1 - cexp(I * (theta[0] * cell->d[j][0] + theta[1] * cell->d[j][1]) / dx));
@@ -180,12 +180,12 @@ void song_limit_eq33(struct claims_measured *m) {
     static const double kappas[2][2] = {{0.01, 0.01}, {0.013, 0.004}};
     static const double one[2][2] = {{1, 0}, {0, 1}};
     const double dt = 0.1;
-    struct kit_cell cell, part[2];
+    struct claim_cell cell, part[2];
     double apart[2], web[2], limit[2];
     for (int a = 0; a < 2; a++)
-        if (kit_weights(&part[a], one[a], m, square_line)) return;
+        if (claim_weights(&part[a], one[a], m, square_line)) return;
     for (int i = 0; i < 2; i++) {
-        if (kit_weights(&cell, kappas[i], m, square_line)) return;
+        if (claim_weights(&cell, kappas[i], m, square_line)) return;
         double complex step = 1 - dt * transfer(&cell, cell.w[0], 0.1);
         double complex printed = 1 - dt * (kappas[i][1] * transfer(&part[0], part[0].w[0], 0.1) +
                                            kappas[i][0] * transfer(&part[1], part[1].w[0], 0.1));
@@ -201,27 +201,27 @@ void song_limit_eq33(struct claims_measured *m) {
         web[i] = cabs(step - on_the_web);
     }
     int versions = m->argument[0] == 'v';
-    kit_number(m, apart[0], "", "|G printed - G| for kappa_x = kappa_y");
-    kit_number(m, apart[1], "", "for kappa_x = 0.013, kappa_y = 0.004");
+    claim_number(m, apart[0], "", "|G printed - G| for kappa_x = kappa_y");
+    claim_number(m, apart[1], "", "for kappa_x = 0.013, kappa_y = 0.004");
     if (versions) {
-        kit_number(m, web[1], "", "the same, eq. 33 of the web page");
-        kit_number(m, limit[1], "", "dt of eq. 34 on the web page over the PDF's");
-        kit_decide(m, fabs(web[1] - apart[1]) <= 1e-12 && fabs(limit[1] - 1) <= 1e-12, 1,
+        claim_number(m, web[1], "", "the same, eq. 33 of the web page");
+        claim_number(m, limit[1], "", "dt of eq. 34 on the web page over the PDF's");
+        claim_decide(m, fabs(web[1] - apart[1]) <= 1e-12 && fabs(limit[1] - 1) <= 1e-12, 1,
                    "eqs. 33 and 34 are the same in both (to rounding, 1e-12) where the diffusivities differ");
         return;
     }
-    kit_decide(m, apart[0] <= 1e-12, apart[1] <= 1e-12,
+    claim_decide(m, apart[0] <= 1e-12, apart[1] <= 1e-12,
                "the two agree to rounding (1e-12): for one diffusivity, and for two");
 }
 
 /* G of eqs. 39 and 40 as printed, with a minus sign before the square, against one step of the scheme. */
 void song_limit_eq39(struct claims_measured *m) {
-    struct kit_cell cell;
+    struct claim_cell cell;
     const double kappa[2] = {0.01, 0}, dt = 0.5; /* s, what eq. 41 gives */
-    if (kit_weights(&cell, kappa, m, "run rod-step fo_ssph --dx 0.1 --h 1.05")) return;
+    if (claim_weights(&cell, kappa, m, "run rod-step fo_ssph --dx 0.1 --h 1.05")) return;
     double complex square = cpow(transfer(&cell, cell.w[0], 0.1), 2);
     double complex printed = 1 - kappa[0] * dt * square, step = 1 + kappa[0] * dt * square;
-    kit_number(m, cabs(printed), "", "|G| as printed, dt by eq. 41");
-    kit_number(m, cabs(step), "", "|G| of the step (eq. 38)");
-    kit_decide(m, cabs(printed - step) <= 1e-12, 1, "the two agree to rounding (1e-12)");
+    claim_number(m, cabs(printed), "", "|G| as printed, dt by eq. 41");
+    claim_number(m, cabs(step), "", "|G| of the step (eq. 38)");
+    claim_decide(m, cabs(printed - step) <= 1e-12, 1, "the two agree to rounding (1e-12)");
 }

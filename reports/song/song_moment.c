@@ -5,7 +5,7 @@
  *   M_kl = sum_j P_k P_l W dV,   P = x, y, x^2/2, y^2/2, xy (SO) or x, y (FO)                              (10, 12)
  *   b~_k - b_k = sum_j (f_j - f_i - sum_l P_l u_l) P_k W dV                                                 (22, 25)
  */
-#include "reports/ledger/kit.h"
+#include "reports/ledger/claim.h"
 #include "reports/song/song.h"
 #include "solver/space/csr.h"
 
@@ -84,9 +84,9 @@ static struct moments moments_at(int order, double dx, double scatter) {
 /* Eq. 18, and that M is symmetric. */
 void song_moment_odd_moments(struct claims_measured *m) {
     struct moments even = moments_at(2, 0.1, 0), scattered = moments_at(2, 0.1, 0.2);
-    kit_number(m, even.odd, "", "odd moment over its size, lattice");
-    kit_number(m, scattered.odd, "", "the same, particles scattered by 0.2 dx");
-    kit_decide(m, even.odd <= 1e-14, 1, "odd moments cancel to rounding (1e-14) on a lattice");
+    claim_number(m, even.odd, "", "odd moment over its size, lattice");
+    claim_number(m, scattered.odd, "", "the same, particles scattered by 0.2 dx");
+    claim_decide(m, even.odd <= 1e-14, 1, "odd moments cancel to rounding (1e-14) on a lattice");
 }
 
 void song_moment_symmetric(struct claims_measured *m) {
@@ -99,8 +99,8 @@ void song_moment_symmetric(struct claims_measured *m) {
             least = fmin(least, s.inverse[k][k] * s.M[k][k]);
         }
     }
-    kit_number(m, worst, "", "largest |M_kl - M_lk| over sqrt(M_kk M_ll), lattice and scattered");
-    kit_decide(m, worst <= 1e-15, least > 0, "symmetric to rounding (1e-15), on a lattice and off it");
+    claim_number(m, worst, "", "largest |M_kl - M_lk| over sqrt(M_kk M_ll), lattice and scattered");
+    claim_decide(m, worst <= 1e-15, least > 0, "symmetric to rounding (1e-15), on a lattice and off it");
 }
 
 /* log2 of the ratio at dx = 0.1 and 0.05 */
@@ -124,9 +124,9 @@ void song_moment_scaling(struct claims_measured *m) {
             worst = fmax(worst, fabs(power(a.M[k][l], b.M[k][l]) - claimed));
             worst = fmax(worst, fabs(power(a.inverse[k][l], b.inverse[k][l]) + claimed));
         }
-    kit_number(m, worst, "", "exponents off by at most");
-    kit_number(m, outside, "", "largest entry outside of the blocks, relative");
-    kit_decide(m, worst <= 1e-9 && outside <= 1e-14, 1, "exponents to 1e-9, blocks to rounding (1e-14)");
+    claim_number(m, worst, "", "exponents off by at most");
+    claim_number(m, outside, "", "largest entry outside of the blocks, relative");
+    claim_decide(m, worst <= 1e-9 && outside <= 1e-14, 1, "exponents to 1e-9, blocks to rounding (1e-14)");
 }
 
 /* Eqs. 22, 25: exponents of what the expansion leaves out. */
@@ -135,10 +135,10 @@ void song_moment_left_out(struct claims_measured *m) {
     struct moments a = moments_at(order, 0.02, 0), b = moments_at(order, 0.01, 0);
     for (int k = 0; k < terms; k++) {
         double measured = power(a.left[k], b.left[k]), claimed = k < 2 ? 4 : 6;
-        kit_number(m, measured, "", "exponent of row %d", k + 1);
+        claim_number(m, measured, "", "exponent of row %d", k + 1);
         held &= fabs(measured - claimed) <= 0.1;
     }
-    kit_decide(m, held, 1, "exponents 4 for the first derivatives, 6 for the second, +- 0.1");
+    claim_decide(m, held, 1, "exponents 4 for the first derivatives, 6 for the second, +- 0.1");
 }
 
 /* Eqs. 23, 26: "METHOD", the order of its derivatives of a smooth function in 1D and in 2D. */
@@ -157,14 +157,14 @@ void song_moment_truncation(struct claims_measured *m) {
             status = consistency_error(&r.experiment, &error[i], &why);
         }
         command_free(&r);
-        if (status && kit_fail(m, why.text)) return;
+        if (status && claim_fail(m, why.text)) return;
         int holds;
         struct judged rungs = {.x = dx, .error = error, .n = 5};
-        kit_number(m, slope_fit(dx, error, 5).value, "", "order of the truncation error, %dD", dim);
-        if (kit_judge(&holds, m, &rungs, 1.9, 2.1)) return;
+        claim_number(m, slope_fit(dx, error, 5).value, "", "order of the truncation error, %dD", dim);
+        if (claim_judge(&holds, m, &rungs, 1.9, 2.1)) return;
         held &= holds;
     }
-    kit_decide(m, held, 1, "second order +- 0.1 for a smooth function on a lattice, by the rule of the gates");
+    claim_decide(m, held, 1, "second order +- 0.1 for a smooth function on a lattice, by the rule of the gates");
 }
 
 /* The largest |L x| and |L y| of an operator, in kappa/dx, away from the walls.  NaN where it fails. */
@@ -175,12 +175,12 @@ static double of_linear(const char *method, struct claims_measured *m) {
     struct row r;
     struct failure why;
     double most = 0;
-    if (kit_model(&b, NULL, m, "limit %s --dim 2 --layout jitter --jitter 0.2 --seed 3", method)) return NAN;
+    if (claim_model(&b, NULL, m, "limit %s --dim 2 --layout jitter --jitter 0.2 --seed 3", method)) return NAN;
     struct problem p = model_problem_setup(&b, MODEL_NOISE, 0);
-    if (model_problem_cloud(&b, &p, &c, &why)) return kit_fail(m, why.text), NAN;
+    if (model_problem_cloud(&b, &p, &c, &why)) return claim_fail(m, why.text), NAN;
     if (operator_create_csr(&a, &p, &b.options, b.method->scheme, &c, 1, &why)) {
         layout_cloud_free(&c);
-        return kit_fail(m, why.text), NAN;
+        return claim_fail(m, why.text), NAN;
     }
     double inside = 2 * KERNEL_SUPPORT * b.options.h; /* of two sweeps */
     csr_row_create(&r, a.n);
@@ -197,7 +197,7 @@ static double of_linear(const char *method, struct claims_measured *m) {
     csr_row_free(&r);
     operator_free(&a);
     layout_cloud_free(&c);
-    kit_number(m, most, "kappa/dx", "largest |L x|, %s", method);
+    claim_number(m, most, "kappa/dx", "largest |L x|, %s", method);
     return most;
 }
 
@@ -205,7 +205,7 @@ static double of_linear(const char *method, struct claims_measured *m) {
 void song_moment_completeness(struct claims_measured *m) {
     char part[40];
     int none = 1, last = 1;
-    while (kit_part(&m->argument, part, sizeof part)) {
+    while (claim_part(&m->argument, part, sizeof part)) {
         const char *method = part + (*part == '+');
         double most = of_linear(method, m);
         if (isnan(most)) return;
@@ -214,6 +214,6 @@ void song_moment_completeness(struct claims_measured *m) {
         else
             none &= most >= 0.01;
     }
-    kit_decide(m, none && last, 1,
-               "L x of the first three at least 0.01 kappa/dx somewhere, that of the last 0 to rounding (1e-11)");
+    claim_decide(m, none && last, 1,
+                 "L x of the first three at least 0.01 kappa/dx somewhere, that of the last 0 to rounding (1e-11)");
 }

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Song 2018: statements of its text that no table or figure shows. */
-#include "reports/ledger/kit.h"
+#include "reports/ledger/claim.h"
 #include "reports/song/song.h"
 
 #include <math.h>
@@ -9,7 +9,7 @@
 static int largest_step(const char *method, double *step, struct claims_measured *m) {
     struct model_problem b;
     struct step_limit limit;
-    if (kit_model(&b, &limit, m, "limit %s --dim 2 --h 1.1", method)) return 1;
+    if (claim_model(&b, &limit, m, "limit %s --dim 2 --h 1.1", method)) return 1;
     *step = limit.von_neumann;
     return 0;
 }
@@ -20,18 +20,18 @@ void song_text_resources(struct claims_measured *m) {
     struct result run[2];
     char method[40];
     for (int i = 0; i < 2; i++) {
-        if (!kit_part(&m->argument, method, sizeof method) || largest_step(method, &step[i], m) ||
-            kit_result(&run[i], m, "run rect-manufactured %s --set k_y=0.02 --dx 0.05 --stepper euler --fourier 0.1",
+        if (!claim_part(&m->argument, method, sizeof method) || largest_step(method, &step[i], m) ||
+            claim_result(&run[i], m, "run rect-manufactured %s --set k_y=0.02 --dx 0.05 --stepper euler --fourier 0.1",
                        method))
             return;
-        kit_number(m, step[i], "dx^2/kappa", "largest step of %s", method);
-        kit_number(m, (double)run[i].cost.interactions / (double)run[i].cost.updates, "",
+        claim_number(m, step[i], "dx^2/kappa", "largest step of %s", method);
+        claim_number(m, (double)run[i].cost.interactions / (double)run[i].cost.updates, "",
                    "its interactions a particle and step");
-        kit_number(m, run[i].error.l1, "", "its E1 on rect-manufactured");
+        claim_number(m, run[i].error.l1, "", "its E1 on rect-manufactured");
     }
     double work = ((double)run[0].cost.interactions / step[0]) / ((double)run[1].cost.interactions / step[1]);
-    kit_number(m, work, "", "interactions for the same time, the first over the second");
-    kit_decide(m, work < 1, run[0].error.l1 <= run[1].error.l1,
+    claim_number(m, work, "", "interactions for the same time, the first over the second");
+    claim_decide(m, work < 1, run[0].error.l1 <= run[1].error.l1,
                "fewer interactions for the same time with the same particles; and no larger error");
 }
 
@@ -41,11 +41,11 @@ void song_text_robin(struct claims_measured *m) {
     struct result run;
     double flux[2];
     for (int i = 0; i < 2; i++) {
-        if (kit_result(&run, m, "run rod-cooling so_ssph --dx 0.3/20 --quantity flux_x_hi --t-end %g", time[i]))
+        if (claim_result(&run, m, "run rod-cooling so_ssph --dx 0.3/20 --quantity flux_x_hi --t-end %g", time[i]))
             return;
         flux[i] = run.derived_exact;
-        kit_number(m, flux[i], "W m^-2", "through the cooled end at %g s", time[i]);
+        claim_number(m, flux[i], "W m^-2", "through the cooled end at %g s", time[i]);
     }
-    kit_decide(m, fabs(flux[1] / flux[0] - 1) <= 1e-9, 1,
+    claim_decide(m, fabs(flux[1] / flux[0] - 1) <= 1e-9, 1,
                "the heat through the wall does not depend on its temperature");
 }

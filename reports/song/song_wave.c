@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Song 2018, section 5: oscillations and what becomes of them, and the time step. */
-#include "reports/ledger/kit.h"
+#include "reports/ledger/claim.h"
 #include "reports/song/song.h"
 
 #include "verification/stability/symbol.h"
@@ -27,13 +27,13 @@ static int check_runs(struct claims_measured *m, double (*size)(const struct res
     char part[200];
     int beyond = 0;
     held[0] = held[1] = 1;
-    while (kit_part(&m->argument, part, sizeof part)) {
+    while (claim_part(&m->argument, part, sizeof part)) {
         struct result run;
         char *words = part;
         if (*words == '+') beyond = 1, words++;
-        if (kit_result(&run, m, "run %s", words)) return 1;
+        if (claim_result(&run, m, "run %s", words)) return 1;
         double most = size(&run);
-        kit_number(m, most, unit, "%s", words);
+        claim_number(m, most, unit, "%s", words);
         held[beyond] &= lo <= most && most <= hi;
     }
     return 0;
@@ -43,25 +43,25 @@ static int check_runs(struct claims_measured *m, double (*size)(const struct res
 void song_wave_no_oscillation(struct claims_measured *m) {
     int held[2];
     if (check_runs(m, outside, "K", 0, 1e-11, held)) return;
-    kit_decide(m, held[0], held[1],
-               "no run leaves the initial range of 0 to 10 K (to rounding, 1e-11 K): the first two as "
-               "published, then others");
+    claim_decide(m, held[0], held[1],
+                 "no run leaves the initial range of 0 to 10 K (to rounding, 1e-11 K): the first two as "
+                 "published, then others");
 }
 
 /* Each leaves its initial range, or carries a wave of two points, by 1 % of the jump. */
 void song_wave_oscillation(struct claims_measured *m) {
     int held[2];
     if (check_runs(m, wave, "K", 0.1, INFINITY, held)) return;
-    kit_decide(m, held[0], held[1],
-               "overshoot, or the amplitude of a wave of two to four points, at least 0.1 K of the 10 K jump");
+    claim_decide(m, held[0], held[1],
+                 "overshoot, or the amplitude of a wave of two to four points, at least 0.1 K of the 10 K jump");
 }
 
 /* The same where there must be none. */
 void song_wave_smooth(struct claims_measured *m) {
     int held[2];
     if (check_runs(m, relative_wave, "", 0, 1e-6, held)) return;
-    kit_decide(m, held[0], held[1],
-               "overshoot and waves of two to four points below 1e-6 of the largest temperature");
+    claim_decide(m, held[0], held[1],
+                 "overshoot and waves of two to four points below 1e-6 of the largest temperature");
 }
 
 /* The wave of two points in the error e: the largest |(1, -4, 6, -4, 1) . e|/16, which a pure (-1)^j passes whole. */
@@ -87,21 +87,21 @@ void song_wave_persistence(struct claims_measured *m) {
     for (int k = 0; k < 2; k++)
         for (int i = 0; i < 3; i++) {
             struct command_run run;
-            int bad = kit_run(&run, m, "run rod-step %s --h 1.05 --dx 0.1 --t-end %g", k ? "so_ssph" : m->argument,
-                              time[i]);
+            int bad = claim_run(&run, m, "run rod-step %s --h 1.05 --dx 0.1 --t-end %g", k ? "so_ssph" : m->argument,
+                                time[i]);
             if (!bad) wave[k][i] = sawtooth(&run);
             peak[k][i] = run.result.shape.max;
             command_run_free(&run);
             if (bad) return;
         }
     for (int i = 0; i < 3; i++)
-        kit_number(m, 100 * wave[0][i] / peak[0][i], "% of the peak", "sawtooth at %g s", time[i]);
-    kit_number(m, wave[0][0], "K", "at %g s", time[0]);
-    kit_number(m, wave[0][2], "K", "at %g s", time[2]);
-    kit_number(m, 100 * wave[1][2] / peak[1][2], "% of the peak", "so_ssph at %g s", time[2]);
-    kit_decide(m, wave[0][2] / peak[0][2] >= 0.99 * wave[0][1] / peak[0][1], wave[0][2] >= 0.99 * wave[0][0],
-               "relative to the peak of the heat the sawtooth at 1500 s is that at 500 s (99 %% or more); "
-               "without a condition if that is so in K too");
+        claim_number(m, 100 * wave[0][i] / peak[0][i], "% of the peak", "sawtooth at %g s", time[i]);
+    claim_number(m, wave[0][0], "K", "at %g s", time[0]);
+    claim_number(m, wave[0][2], "K", "at %g s", time[2]);
+    claim_number(m, 100 * wave[1][2] / peak[1][2], "% of the peak", "so_ssph at %g s", time[2]);
+    claim_decide(m, wave[0][2] / peak[0][2] >= 0.99 * wave[0][1] / peak[0][1], wave[0][2] >= 0.99 * wave[0][0],
+                 "relative to the peak of the heat the sawtooth at 1500 s is that at 500 s (99 %% or more); "
+                 "without a condition if that is so in K too");
 }
 
 /* A smooth bump with a sawtooth of 0.3 K on it, made from rod-gauss. */
@@ -114,23 +114,24 @@ static double bump_with_sawtooth(const struct problem *p, const double x[2]) {
 void song_wave_infinite_gradient(struct claims_measured *m) {
     char method[40];
     double left[2] = {NAN, NAN};
-    for (int i = 0; i < 2 && kit_part(&m->argument, method, sizeof method); i++) {
+    for (int i = 0; i < 2 && claim_part(&m->argument, method, sizeof method); i++) {
         struct command_run run;
         struct failure why;
         struct field field = {0};
-        int bad = kit_run(&run, m, "run rod-gauss %s --h 1.05 --dx 0.25 --stepper euler --dt 0.5 --t-end 50", method);
+        int bad =
+            claim_run(&run, m, "run rod-gauss %s --h 1.05 --dx 0.25 --stepper euler --dt 0.5 --t-end 50", method);
         struct experiment *e = &run.typed.experiment;
         e->problem.initial = bump_with_sawtooth;
-        if (!bad && method_solve(e->method, &e->problem, &e->options, &field, &why)) bad = kit_fail(m, why.text);
+        if (!bad && method_solve(e->method, &e->problem, &e->options, &field, &why)) bad = claim_fail(m, why.text);
         field_free(&run.field);
         run.field = field;
         if (!bad) left[i] = sawtooth(&run);
         command_run_free(&run);
         if (bad) return;
-        kit_number(m, left[i], "K", "sawtooth left of 0.3 K at 50 s, %s", method);
+        claim_number(m, left[i], "K", "sawtooth left of 0.3 K at 50 s, %s", method);
     }
-    kit_decide(m, left[0] <= 0.01 * 0.3, 1,
-               "smooth data free FO of its sawtooth (1 %% left), so that only an infinite gradient makes it");
+    claim_decide(m, left[0] <= 0.01 * 0.3, 1,
+                 "smooth data free FO of its sawtooth (1 %% left), so that only an infinite gradient makes it");
 }
 
 /* Area above a temperature, and above half of the peak, from 1 to 5 s: "run's words". */
@@ -139,7 +140,7 @@ void song_wave_expands(struct claims_measured *m) {
     double area[5][3];
     for (int t = 1; t <= 5; t++) {
         struct command_run run;
-        int bad = kit_run(&run, m, "run %s --t-end %d", m->argument, t);
+        int bad = claim_run(&run, m, "run %s --t-end %d", m->argument, t);
         const double level_of[3] = {level[0], level[1], run.result.shape.max / 2}, cell = 0.1 * 0.1;
         for (int k = 0; k < 3; k++) {
             area[t - 1][k] = 0;
@@ -151,10 +152,14 @@ void song_wave_expands(struct claims_measured *m) {
     }
     for (int k = 0; k < 3; k++)
         for (int t = 1; t <= 5; t += 4)
-            kit_number(m, area[t - 1][k], "m^2", "above %s at %d s", k == 2 ? "half the peak" : k ? "5 K" : "1 K", t);
-    kit_decide(m, area[4][0] > area[0][0], area[4][1] > area[0][1],
-               "the area above 1 K is larger at 5 s than at 1 s; without a condition that above 5 K, half of the "
-               "jump, too");
+            claim_number(m, area[t - 1][k], "m^2", "above %s at %d s",
+                         k == 2 ? "half the peak"
+                         : k    ? "5 K"
+                                : "1 K",
+                         t);
+    claim_decide(m, area[4][0] > area[0][0], area[4][1] > area[0][1],
+                 "the area above 1 K is larger at 5 s than at 1 s; without a condition that above 5 K, half of the "
+                 "jump, too");
 }
 
 /* "run's words": E with each kernel over E with the cubic spline; and the order with each. */
@@ -164,19 +169,20 @@ void song_wave_kernels(struct claims_measured *m) {
     int held = 1, holds;
     for (int k = 0; k < 3; k++) {
         struct result run;
-        if (kit_result(&run, m, "run %s --dx 0.05 --kernel %s", m->argument, kernel[k]) ||
-            kit_order(&holds, &slope, m, (double[2]){1.9, 2.1}, "ladder %s --dx 0.25,0.1,0.05,0.02,0.01 --kernel %s",
-                      m->argument, kernel[k]))
+        if (claim_result(&run, m, "run %s --dx 0.05 --kernel %s", m->argument, kernel[k]) ||
+            claim_order(&holds, &slope, m, (double[2]){1.9, 2.1},
+                        "ladder %s --dx 0.25,0.1,0.05,0.02,0.01 --kernel %s", m->argument, kernel[k]))
             return;
         E[k] = run.error.l1;
-        if (k) kit_number(m, E[k] / E[0], "", "E at dx = 0.05 m over the cubic spline's, %s", kernel[k]);
-        kit_number(m, slope, "", "order, %s", kernel[k]);
+        if (k) claim_number(m, E[k] / E[0], "", "E at dx = 0.05 m over the cubic spline's, %s", kernel[k]);
+        claim_number(m, slope, "", "order, %s", kernel[k]);
         held &= holds;
         apart = fmax(apart, fabs(log(E[k] / E[0])));
     }
-    kit_decide(m, held, apart <= log(1.05),
-               "second order +- 0.1 with each of three kernels; without a condition if their errors are within 5 %% "
-               "too");
+    claim_decide(
+        m, held, apart <= log(1.05),
+        "second order +- 0.1 with each of three kernels; without a condition if their errors are within 5 %% "
+        "too");
 }
 
 /* "METHOD | METHOD": the central wave of two points is in the null space. */
@@ -184,39 +190,39 @@ void song_wave_null_space(struct claims_measured *m) {
     const double theta[2] = {M_PI, 0};
     char method[40];
     int held = 1;
-    while (kit_part(&m->argument, method, sizeof method)) {
+    while (claim_part(&m->argument, method, sizeof method)) {
         struct model_problem b;
         struct symbol s;
         struct failure why;
-        if (kit_model(&b, NULL, m, "limit %s --dim 1 --h 1.05", method)) return;
-        if (symbol_create(&s, &b, &why) && kit_fail(m, why.text)) return;
+        if (claim_model(&b, NULL, m, "limit %s --dim 1 --h 1.05", method)) return;
+        if (symbol_create(&s, &b, &why) && claim_fail(m, why.text)) return;
         double rate = creal(symbol_at(&s, theta));
         symbol_free(&s);
-        kit_number(m, rate, "kappa/dx^2", "rate of (-1)^j, %s", method);
+        claim_number(m, rate, "kappa/dx^2", "rate of (-1)^j, %s", method);
         held &= (fabs(rate) <= 1e-12) == (b.method->scheme->sweeps == 2);
     }
-    kit_decide(m, held, 1, "0 to rounding (1e-12) for first derivatives applied twice, and for them alone");
+    claim_decide(m, held, 1, "0 to rounding (1e-12) for first derivatives applied twice, and for them alone");
 }
 
 /* "words | dt": what the published Euler step adds to the error, from the same run without any time error. */
 void song_wave_time_error(struct claims_measured *m) {
     char words[160], dt[32];
     double most = 0;
-    while (kit_part(&m->argument, words, sizeof words) && kit_part(&m->argument, dt, sizeof dt)) {
+    while (claim_part(&m->argument, words, sizeof words) && claim_part(&m->argument, dt, sizeof dt)) {
         struct command_run euler, exact;
-        int bad = kit_run(&euler, m, "run %s --stepper euler --dt %s", words, dt) |
-                  kit_run(&exact, m, "run %s --stepper exact", words);
+        int bad = claim_run(&euler, m, "run %s --stepper euler --dt %s", words, dt) |
+                  claim_run(&exact, m, "run %s --stepper exact", words);
         double share = bad ? 0 : field_distance(&exact.field, euler.field.T, exact.field.T) / exact.result.error.l1;
         command_run_free(&euler);
         command_run_free(&exact);
         if (bad) return;
-        kit_number(m, 100 * share, "% of E", "time error, dt = %s s, %s", dt, words);
+        claim_number(m, 100 * share, "% of E", "time error, dt = %s s, %s", dt, words);
         most = fmax(most, share);
     }
     /* 5 % at the finest of spacings 1:50 moves the slope through them by log(1.05)/log(50) = 0.012 */
-    kit_decide(m, most <= 0.05, most <= 0.01,
-               "the time step makes up at most 5 %% of the error at the finest spacing, which moves the slope by "
-               "0.01; at most 1 %%, which leaves the printed digits alone, for no condition");
+    claim_decide(m, most <= 0.05, most <= 0.01,
+                 "the time step makes up at most 5 %% of the error at the finest spacing, which moves the slope by "
+                 "0.01; at most 1 %%, which leaves the printed digits alone, for no condition");
 }
 
 /* E1 against the exact solution at five times: below what a plot can show. */
@@ -225,13 +231,13 @@ void song_wave_agreement(struct claims_measured *m) {
     int falling = 1;
     for (int t = 1; t <= 5; t++) {
         struct result run;
-        if (kit_result(&run, m, "run %s --t-end %d", m->argument, t)) return;
+        if (claim_result(&run, m, "run %s --t-end %d", m->argument, t)) return;
         falling &= run.shape.max <= last;
         worst = fmax(worst, run.error.linf / 10);
         last = run.shape.max;
-        kit_number(m, last, "K", "peak at %d s", t);
+        claim_number(m, last, "K", "peak at %d s", t);
     }
-    kit_number(m, 100 * worst, "% of T0", "largest error at any of the times");
-    kit_decide(m, worst <= 0.05 && falling, worst <= 0.01,
-               "peaks fall, and no point is off by more than 5 %% of T0 (1 %% for no condition)");
+    claim_number(m, 100 * worst, "% of T0", "largest error at any of the times");
+    claim_decide(m, worst <= 0.05 && falling, worst <= 0.01,
+                 "peaks fall, and no point is off by more than 5 %% of T0 (1 %% for no condition)");
 }

@@ -6,6 +6,7 @@
  * walls are in walls_planes.c. */
 #include "reports/walls/walls_study.h"
 
+#include "reports/figure/document.h"
 #include "reports/figure/figure.h"
 #include "reports/walls/walls_planes.h"
 #include "reports/walls/walls_price.h"
@@ -95,43 +96,38 @@ static double most_of(const double *x) {
     return most;
 }
 
-static void write_rows(const struct entry *all, FILE *csv, FILE *md) {
-    fprintf(
-        csv,
-        "walls,body,order derived,order,low,high,order of the largest error,low,high,E1,largest error [K],largest "
-        "stable step [dx^2/kappa],growth [kappa/dx^2],heat drift,neighbours,amplification\n");
-    fprintf(
-        md,
-        "# Walls that cut the lattice anywhere\n\nso_ssph, h/dx 1.1, eight lattices of any origin and angle at each "
-        "of dx = 0.1 ... 0.025 m; errors at 0.025, the mean E1 and the largest of all; step and growth by "
-        "eigenvalues at 0.125, the worst of four; "
-        "amplification: the sum of |share| of the worst dummy there.\n");
+static void write_row(const char *walls, const char *derived, const struct entry *e, struct document *d) {
+    document_cell(d, "`%s`", walls);
+    if (!derived) {
+        document_cell(d, "refused");
+        for (int i = 0; i < 9; i++) document_cell(d, " ");
+        return;
+    }
+    struct slope s = slope_fit(e->dx, e->E1, RUNS), m = slope_fit(e->dx, e->largest, RUNS);
+    document_cell(d, "%s", derived);
+    document_cell(d, "%.2f", s.value);
+    document_cell(d, "%.2f to %.2f", s.ci[0], s.ci[1]);
+    document_cell(d, "%.2f", m.value);
+    document_cell(d, "%.2e", mean_of(e->E1));
+    document_cell(d, "%.2e", most_of(e->largest));
+    document_cell(d, "%.3f", e->price.limit);
+    document_cell(d, "%.2g, %.1e", e->price.growth, e->drift);
+    document_cell(d, "%.1f", e->neighbours);
+    document_cell(d, "%.1f", e->price.amplification);
+}
+
+static void write_rows(const struct entry *all, struct document *d) {
+    document_text(d,
+                  "`so_ssph`, h/dx 1.1, eight lattices of random origin and angle at each of dx = 0.1 to 0.025 m. "
+                  "Errors at 0.025 m: the mean E1, and the largest error of all. Step and growth by eigenvalues at "
+                  "0.125 m, the worst of four lattices. Amplification: the largest sum of |share| of a dummy.");
     for (int b = 0; b < BODIES; b++) {
-        fprintf(
-            md,
-            "\n## %s (%s)\n\n| `--walls` | order derived | order of E1 | order of the largest error | E1 | largest "
-            "error, K | step, dx^2/kappa | growth, kappa/dx^2 | heat drift "
-            "| neighbours | amplification |\n|---|---|---|---|---|---|---|---|---|---|---|\n",
-            bodies[b].name, bodies[b].scene);
-        for (int t = 0; t < TREATMENTS; t++) {
-            const struct entry *e = &all[b * TREATMENTS + t];
-            if (!bodies[b].derived[t]) {
-                fprintf(csv, "%s,%s,refused,,,,,,,,,,,\n", treatments[t], bodies[b].name);
-                fprintf(md, "| `%s` | refused | | | | | | | | | |\n", treatments[t]);
-                continue;
-            }
-            struct slope s = slope_fit(e->dx, e->E1, RUNS), m = slope_fit(e->dx, e->largest, RUNS);
-            fprintf(csv, "%s,%s,%s,%.3f,%.3f,%.3f,%.3f,%.3f,%.3f,%.4e,%.4e,%.4g,%.3g,%.2e,%.3f,%.4g\n", treatments[t],
-                    bodies[b].name, bodies[b].derived[t], s.value, s.ci[0], s.ci[1], m.value, m.ci[0], m.ci[1],
-                    mean_of(e->E1), most_of(e->largest), e->price.limit, e->price.growth, e->drift, e->neighbours,
-                    e->price.amplification);
-            fprintf(md,
-                    "| `%s` | %s | %.2f [%.2f, %.2f] | %.2f [%.2f, %.2f] | %.2e | %.2e | %.3f | %.2g | %.1e | %.2f | "
-                    "%.3g |\n",
-                    treatments[t], bodies[b].derived[t], s.value, s.ci[0], s.ci[1], m.value, m.ci[0], m.ci[1],
-                    mean_of(e->E1), most_of(e->largest), e->price.limit, e->price.growth, e->drift, e->neighbours,
-                    e->price.amplification);
-        }
+        document_heading(d, "%s (%s)", bodies[b].name, bodies[b].scene);
+        document_table(d,
+                       "--walls|order derived|order of E1|95 % interval|order of the largest error|E1|largest error, "
+                       "K|step, dx^2/kappa|growth, kappa/dx^2; heat drift|neighbours|amplification");
+        for (int t = 0; t < TREATMENTS; t++)
+            write_row(treatments[t], bodies[b].derived[t], &all[b * TREATMENTS + t], d);
     }
 }
 
@@ -175,18 +171,8 @@ static int write_field(FILE *out, struct failure *why) {
     return STATUS_OK;
 }
 
-int walls_study_write(const char *dir, struct failure *why) {
-    enum { PAGES = 5 };
-    struct output page[PAGES] = {{0}};
-    double start = omp_get_wtime();
-    if (output_directory(dir, "walls.csv", why)) return why->status;
-    FILE *csv = output_open(&page[0], "%s/walls.csv", dir), *md = output_open(&page[1], "%s/walls.md", dir);
-    FILE *error = output_open(&page[2], "%s/walls_error.csv", dir);
-    FILE *offset = output_open(&page[3], "%s/walls_offset.csv", dir),
-         *field = output_open(&page[4], "%s/walls_field.csv", dir);
-    struct entry *all = xcalloc(BODIES * TREATMENTS, sizeof *all);
-    int status = STATUS_OK;
-    for (int k = 0; k < BODIES * TREATMENTS && !status; k++) {
+static int take_all(struct entry *all, struct failure *why) {
+    for (int k = 0; k < BODIES * TREATMENTS; k++) {
         const struct body *body = &bodies[k / TREATMENTS];
         const char *walls = treatments[k % TREATMENTS];
         if (body->derived[k % TREATMENTS]) {
@@ -195,18 +181,37 @@ int walls_study_write(const char *dir, struct failure *why) {
         } else {
             take_refusal(body->scene, walls, &all[k].why);
         }
-        if (all[k].why.status) *why = all[k].why, status = why->status;
+        if (!all[k].why.status) continue;
+        *why = all[k].why;
+        return why->status;
     }
+    return STATUS_OK;
+}
+
+int walls_study_write(const char *dir, struct failure *why) {
+    enum { DATA = 3 };
+    struct output data[DATA];
+    struct document d;
+    double start = omp_get_wtime();
+    if (output_directory(dir, "walls.md", why)) return why->status;
+    document_open(&d, dir, "walls", "Walls that cut the lattice anywhere");
+    FILE *error = output_open(&data[0], "%s/walls_error.csv", dir);
+    FILE *offset = output_open(&data[1], "%s/walls_offset.csv", dir);
+    FILE *field = output_open(&data[2], "%s/walls_field.csv", dir);
+    struct entry *all = xcalloc(BODIES * TREATMENTS, sizeof *all);
+    int status = take_all(all, why);
     if (!status) {
-        write_rows(all, csv, md);
+        write_rows(all, &d);
         write_errors(all, error);
-        status =
-            walls_planes_offsets(offset, md, error, why) || walls_planes_steps(md, why) ? why->status : STATUS_OK;
+        status = walls_planes_offsets(offset, &d, error, why);
     }
+    if (!status) status = walls_planes_steps(&d, why);
     if (!status) status = write_field(field, why);
+    if (!status) status = output_close(data, DATA, why);
+    if (!status) status = document_close(&d, why);
+    output_drop(data, DATA);
+    document_drop(&d);
     free(all);
-    if (!status) status = output_close(page, PAGES, why);
-    output_drop(page, PAGES);
-    if (!status) printf("%s/walls.csv, walls.md, data of four figures (%.1f s)\n", dir, omp_get_wtime() - start);
+    if (!status) printf("%s/walls.md, data of four figures (%.1f s)\n", dir, omp_get_wtime() - start);
     return status;
 }

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Claims: that no verdict can come from anywhere but a measurement, and that none can change unseen. */
 #include "reports/ledger/claims.h"
-#include "reports/ledger/kit.h"
+#include "reports/ledger/claim.h"
 #include "reports/operators/operators.h"
 #include "reports/papers.h"
 #include "reports/song/song.h"

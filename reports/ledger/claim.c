@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* What the measures of claims are made of. */
-#include "reports/ledger/kit.h"
+#include "reports/ledger/claim.h"
 
 #include "verification/ladder/command.h"
 #include "verification/ladder/ladder.h"
@@ -11,7 +11,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-void kit_number(struct claims_measured *m, double value, const char *unit, const char *name, ...) {
+void claim_number(struct claims_measured *m, double value, const char *unit, const char *name, ...) {
     va_list arguments;
     if (m->count == CLAIMS_NUMBERS) return;
     struct claims_number *n = &m->number[m->count++];
@@ -22,7 +22,7 @@ void kit_number(struct claims_measured *m, double value, const char *unit, const
     n->unit = unit;
 }
 
-void kit_decide(struct claims_measured *m, int as_published, int beyond, const char *rule, ...) {
+void claim_decide(struct claims_measured *m, int as_published, int beyond, const char *rule, ...) {
     va_list arguments;
     m->verdict = !as_published ? CLAIMS_CONTRADICTED : beyond ? CLAIMS_REPRODUCED : CLAIMS_CONDITION;
     va_start(arguments, rule);
@@ -30,13 +30,13 @@ void kit_decide(struct claims_measured *m, int as_published, int beyond, const c
     va_end(arguments);
 }
 
-int kit_fail(struct claims_measured *m, const char *text) {
+int claim_fail(struct claims_measured *m, const char *text) {
     m->verdict = CLAIMS_UNMEASURED;
     snprintf(m->reason, sizeof m->reason, "%s", text);
     return 1;
 }
 
-int kit_part(const char **rest, char *part, size_t size) {
+int claim_part(const char **rest, char *part, size_t size) {
     const char *from = *rest + strspn(*rest, " ");
     if (*from == '\0') return 0;
     size_t length = strcspn(from, "|");
@@ -46,47 +46,47 @@ int kit_part(const char **rest, char *part, size_t size) {
     return 1;
 }
 
-int kit_run(struct command_run *run, struct claims_measured *m, const char *command, ...) {
+int claim_run(struct command_run *run, struct claims_measured *m, const char *command, ...) {
     va_list arguments;
     va_start(arguments, command);
     int status = command_run_list(run, command, arguments);
     va_end(arguments);
-    if (status && m) kit_fail(m, run->result.failure.text);
+    if (status && m) claim_fail(m, run->result.failure.text);
     return status;
 }
 
-int kit_result(struct result *out, struct claims_measured *m, const char *command, ...) {
+int claim_result(struct result *out, struct claims_measured *m, const char *command, ...) {
     struct command_run run;
     va_list arguments;
     va_start(arguments, command);
     int status = command_run_list(&run, command, arguments);
     va_end(arguments);
-    if (status && m) kit_fail(m, run.result.failure.text);
+    if (status && m) claim_fail(m, run.result.failure.text);
     *out = run.result;
     command_run_free(&run);
     return status;
 }
 
-int kit_published(struct published *t, struct claims_measured *m, const char *name) {
+int claim_published(struct published *t, struct claims_measured *m, const char *name) {
     struct failure why;
-    return published_read(t, name, &why) && kit_fail(m, why.text);
+    return published_read(t, name, &why) && claim_fail(m, why.text);
 }
 
-void kit_quote(struct claims_measured *m, const struct published *t, int row) {
+void claim_quote(struct claims_measured *m, const struct published *t, int row) {
     size_t used = strlen(m->published), size = sizeof m->published;
     for (int i = 0; i < t->columns && used < size; i++)
         used += (size_t)snprintf(m->published + used, size - used, "%s%s%s%s", !used || i ? "" : "; ",
                                  i ? ", " : t->method[row], i ? "" : " ", t->cell[row][i]);
 }
 
-int kit_judge(int *held, struct claims_measured *m, const struct judged *l, double lo, double hi) {
+int claim_judge(int *held, struct claims_measured *m, const struct judged *l, double lo, double hi) {
     char reason[240];
     enum verdict v = judge_order(l, lo, hi, reason, sizeof reason);
     *held = v == VERDICT_PASS;
-    return v == VERDICT_INCONCLUSIVE && kit_fail(m, reason);
+    return v == VERDICT_INCONCLUSIVE && claim_fail(m, reason);
 }
 
-int kit_order(int *held, double *slope, struct claims_measured *m, const double band[2], const char *command, ...) {
+int claim_order(int *held, double *slope, struct claims_measured *m, const double band[2], const char *command, ...) {
     char line[400];
     va_list arguments;
     struct failure why;
@@ -97,19 +97,19 @@ int kit_order(int *held, double *slope, struct claims_measured *m, const double 
     va_end(arguments);
     int status = command_read(line, &r, &why);
     if (!status) status = ladder_run(&r.experiment, &r.rungs, l, &why);
-    if (status) kit_fail(m, why.text);
+    if (status) claim_fail(m, why.text);
     *slope = l->slope.value;
     if (!status && held) {
         ladder_judge(l, band[0], band[1]);
         *held = l->verdict == VERDICT_PASS;
-        status = l->verdict == VERDICT_INCONCLUSIVE && kit_fail(m, l->reason);
+        status = l->verdict == VERDICT_INCONCLUSIVE && claim_fail(m, l->reason);
     }
     command_free(&r);
     free(l);
     return status != 0;
 }
 
-int kit_model(struct model_problem *b, struct step_limit *l, struct claims_measured *m, const char *command, ...) {
+int claim_model(struct model_problem *b, struct step_limit *l, struct claims_measured *m, const char *command, ...) {
     char line[200];
     va_list arguments;
     struct failure why;
@@ -123,11 +123,11 @@ int kit_model(struct model_problem *b, struct step_limit *l, struct claims_measu
                                   &why);
     if (!status && l) status = step_limit_predict(b, l, &why);
     command_free(&r);
-    if (status && m) kit_fail(m, why.text);
+    if (status && m) claim_fail(m, why.text);
     return status;
 }
 
-int kit_weights(struct kit_cell *cell, const double kappa[2], struct claims_measured *m, const char *command) {
+int claim_weights(struct claim_cell *cell, const double kappa[2], struct claims_measured *m, const char *command) {
     struct command r;
     struct failure why;
     const struct problem *p = &r.experiment.problem;
@@ -141,5 +141,5 @@ int kit_weights(struct kit_cell *cell, const double kappa[2], struct claims_meas
         status = operator_weights(r.experiment.method->scheme, p, o, &cell->nb, w, &why);
     }
     command_free(&r);
-    return status && kit_fail(m, why.text);
+    return status && claim_fail(m, why.text);
 }

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#ifndef HEATLADDER_REPORTS_LEDGER_KIT_H
-#define HEATLADDER_REPORTS_LEDGER_KIT_H
+#ifndef HEATLADDER_REPORTS_LEDGER_CLAIM_H
+#define HEATLADDER_REPORTS_LEDGER_CLAIM_H
 
 /* Tools of the ledger's measures: numbers, verdicts, runs by command line, model problems, the weights of one
  * particle. */
@@ -14,67 +14,54 @@
 #include "reports/figure/published.h"
 
 /* Adds a number, its unit and its name (printf-like); past CLAIMS_NUMBERS it is dropped. */
-void kit_number(struct claims_measured *m, double value, const char *unit, const char *name, ...)
+void claim_number(struct claims_measured *m, double value, const char *unit, const char *name, ...)
     __attribute__((format(printf, 4, 5)));
 
 /* The verdict, from whether the statement holds as published and whether it holds beyond that; and the rule. */
-void kit_decide(struct claims_measured *m, int as_published, int beyond, const char *rule, ...)
+void claim_decide(struct claims_measured *m, int as_published, int beyond, const char *rule, ...)
     __attribute__((format(printf, 4, 5)));
 
 /* Leaves *m unmeasured, with the reason; returns 1. */
-int kit_fail(struct claims_measured *m, const char *text);
+int claim_fail(struct claims_measured *m, const char *text);
 
 /* The next part of an argument, parts being set apart by '|', without blanks at its ends.  0 where there is none. */
-int kit_part(const char **rest, char *part, size_t size);
+int claim_part(const char **rest, char *part, size_t size);
 
 /* command_run_line; with *m not NULL, a failure is *m's.  command_run_free in any case. */
-int kit_run(struct command_run *run, struct claims_measured *m, const char *command, ...)
+int claim_run(struct command_run *run, struct claims_measured *m, const char *command, ...)
     __attribute__((format(printf, 3, 4)));
 
 /* The same; only the measures are kept, so that nothing is to be freed. */
-int kit_result(struct result *out, struct claims_measured *m, const char *command, ...)
+int claim_result(struct result *out, struct claims_measured *m, const char *command, ...)
     __attribute__((format(printf, 3, 4)));
 
 /* reports/published/<name>.csv: 0, or 1 with *m failed. */
-int kit_published(struct published *t, struct claims_measured *m, const char *name);
+int claim_published(struct published *t, struct claims_measured *m, const char *name);
 
 /* Adds a row of the table to what the ledger says was published. */
-void kit_quote(struct claims_measured *m, const struct published *t, int row);
+void claim_quote(struct claims_measured *m, const struct published *t, int row);
 
 /* The verdict on an order in [lo, hi], of errors that fall with x: the rule of the gates (judge.h).  *held: whether
  * it passes.  0, or 1 with *m failed, where the rungs do not decide. */
-int kit_judge(int *held, struct claims_measured *m, const struct judged *l, double lo, double hi);
+int claim_judge(int *held, struct claims_measured *m, const struct judged *l, double lo, double hi);
 
 /* The same, of E1 over "ladder ..."; *slope: the fitted order.  No verdict where held is NULL. */
-int kit_order(int *held, double *slope, struct claims_measured *m, const double band[2], const char *command, ...)
+int claim_order(int *held, double *slope, struct claims_measured *m, const double band[2], const char *command, ...)
     __attribute__((format(printf, 5, 6)));
 
 /* The model problem of "limit ..." (model_problem.h), resolved, and its limits into *l where that is not NULL.  0, or
  * the status, with *m, where it is not NULL, failed. */
-int kit_model(struct model_problem *b, struct step_limit *l, struct claims_measured *m, const char *command, ...)
+int claim_model(struct model_problem *b, struct step_limit *l, struct claims_measured *m, const char *command, ...)
     __attribute__((format(printf, 4, 5)));
 
 /* One particle of a lattice, its neighbours within 2 h and the weights that a method gives them. */
-struct kit_cell {
+struct claim_cell {
     struct neighbourhood nb;
     double d[NEIGHBOURS_MAX][2];
     double w[2][NEIGHBOURS_MAX];
 };
 
 /* Of the method, dx, h and kernel of a command line.  0, or 1 with *m failed. */
-int kit_weights(struct kit_cell *cell, const double kappa[2], struct claims_measured *m, const char *command);
-
-/* Measures of orders of accuracy and of tables of errors; the argument of each is explained beside it. */
-
-void ledger_order_order(struct claims_measured *m);
-void ledger_order_printed_order(struct claims_measured *m);
-void ledger_order_table(struct claims_measured *m);
-void ledger_order_gap(struct claims_measured *m);
-void ledger_order_eq45(struct claims_measured *m);
-void ledger_order_walls(struct claims_measured *m);
-void ledger_order_sensitive(struct claims_measured *m);
-void ledger_order_diverges(struct claims_measured *m);
-void ledger_order_steadier(struct claims_measured *m);
-void ledger_order_better(struct claims_measured *m);
+int claim_weights(struct claim_cell *cell, const double kappa[2], struct claims_measured *m, const char *command);
 
 #endif
