@@ -11,18 +11,20 @@
 
 #include "solver/method.h"
 #include "solver/space/operator.h"
+#include "reports/figure/document.h"
 #include "reports/figure/figure.h"
 #include "reports/operators/candidates.h"
 #include "verification/ladder/command.h"
 #include "verification/ladder/command_run.h"
 #include "verification/ladder/ladder.h"
+#include "verification/stability/model_problem.h"
+#include "verification/stability/spectrum.h"
 #include "verification/text/output.h"
 
 #include <math.h>
 #include <omp.h>
 #include <stdio.h>
 #include <stdlib.h>
-#include <string.h>
 
 const struct cloud_kind operators_clouds[CLOUDS] = {
     {"lattice", "", LAYOUT_JITTER, 0},
@@ -100,45 +102,28 @@ static const char *without_order(const struct order *o) {
     return status == STATUS_UNSTABLE ? "grows" : status ? "refused" : NULL;
 }
 
-static void write_orders(const struct order *all, FILE *csv) {
-    fprintf(csv, "operator,cloud,scene,order,low,high,dx [m],E1,E1/dx^2 [m^-2],heat drift,failure,command\n");
-    for (int k = 0; k < OPERATORS * CLOUDS * TRIALS; k++) {
-        const struct order *o = &all[k];
-        if (!o->tried) continue;
-        const struct ladder *l = &o->ladder;
-        const struct result *finest = &l->rung[l->n > 0 ? l->n - 1 : 0];
-        double dx = finest->options.dx, E = without_order(o) ? NAN : finest->error.l1;
-        fprintf(csv, "%s%s,%s,%s,%.4f,%.4f,%.4f,%g,%.4e,%.4g,%.2e,%s,heatladder %s\n",
-                operators[k / (CLOUDS * TRIALS)].method, operators[k / (CLOUDS * TRIALS)].options,
-                operators_clouds[k / TRIALS % CLOUDS].name, trials[k % TRIALS].scene, l->slope.value, l->slope.ci[0],
-                l->slope.ci[1], dx, E, E / (dx * dx), without_order(o) ? NAN : finest->heat_drift,
-                without_order(o) ? without_order(o) : "", o->command);
-    }
+static double finest_error(const struct order *o) {
+    return o->ladder.rung[o->ladder.n - 1].error.l1;
 }
 
-static void tabulate_orders(const struct order *all, FILE *md) {
+static void tabulate_orders(const struct order *all, struct document *d) {
     for (int t = 0; t < TRIALS; t++) {
-        fprintf(md,
-                "\n## %s%s --dx %s\n\nOrder of E1 with its 95 %% interval, and E1 at the finest rung."
-                "\n\n| operator |",
-                trials[t].scene, trials[t].options, trials[t].dx);
-        for (int c = 0; c < CLOUDS; c++) fprintf(md, " %s |", operators_clouds[c].name);
-        fprintf(md, "\n|---|");
-        for (int c = 0; c < CLOUDS; c++) fprintf(md, "---|");
+        document_heading(d, "%s%s --dx %s", trials[t].scene, trials[t].options, trials[t].dx);
+        document_text(d, "Order of E1 with its 95 %% interval, and E1 at the finest rung.");
+        document_table(d, "operator");
+        for (int c = 0; c < CLOUDS; c++) document_header(d, "%s", operators_clouds[c].name);
         for (int k = 0; k < OPERATORS; k++) {
             if (operators[k].materials != trials[t].materials) continue;
-            fprintf(md, "\n| `%s%s` |", operators[k].method, operators[k].options);
+            document_cell(d, "`%s%s`", operators[k].method, operators[k].options);
             for (int c = 0; c < CLOUDS; c++) {
                 const struct order *o = &all[(k * CLOUDS + c) * TRIALS + t];
                 const struct slope *s = &o->ladder.slope;
                 if (without_order(o))
-                    fprintf(md, " %s |", without_order(o));
+                    document_cell(d, "%s", without_order(o));
                 else
-                    fprintf(md, " %.2f (%.2f to %.2f), %.1e |", s->value, s->ci[0], s->ci[1],
-                            o->ladder.rung[o->ladder.n - 1].error.l1);
+                    document_cell(d, "%.2f (%.2f to %.2f), %.1e", s->value, s->ci[0], s->ci[1], finest_error(o));
             }
         }
-        fprintf(md, "\n");
     }
 }
 
@@ -182,30 +167,6 @@ static void write_work(const struct order *all, FILE *out) {
             fprintf(out, "%lld,%.5e,%g\n", r->cost.interactions, r->error.l1, r->options.dx);
         }
     }
-}
-
-static void tabulate_work(const struct order *all, FILE *md) {
-    fprintf(
-        md,
-        "\n## Work for E1 = %g, rect-manufactured\n\nInteractions (pairs of neighbours, in all steps and stages), "
-        "between the rungs of the ladders above; -: not reached.\n\n| operator |",
-        ENOUGH);
-    for (int c = 0; c < WORKED_ON; c++) fprintf(md, " %s |", operators_clouds[worked_on[c]].name);
-    fprintf(md, "\n|---|");
-    for (int c = 0; c < WORKED_ON; c++) fprintf(md, "---|");
-    for (int k = 0; k < OPERATORS; k++) {
-        if (operators[k].materials != trials[WORKED].materials) continue;
-        fprintf(md, "\n| `%s` |", operators[k].method);
-        for (int c = 0; c < WORKED_ON; c++) {
-            const struct order *order = worked(all, k, c);
-            double work = without_order(order) ? NAN : work_at(&order->ladder, ENOUGH);
-            if (isnan(work))
-                fprintf(md, " - |");
-            else
-                fprintf(md, " %.2e |", work);
-        }
-    }
-    fprintf(md, "\n");
 }
 
 /* ---- Error against neighbours ---- */
@@ -263,69 +224,125 @@ static int write_neighbours(FILE *out, struct failure *why) {
     return status;
 }
 
-/* ---- What one chooses by ---- */
+/* ---- Which to take ---- */
 
-static double finest_error(const struct order *o) {
-    return o->ladder.rung[o->ladder.n - 1].error.l1;
+/* The largest stable step of Euler's method between cold walls, dx^2/kappa, by all eigenvalues; 0 where a mode grows,
+ * NaN where the operator refuses the cloud. */
+static double step_of(const struct candidate_operator *o, const struct cloud_kind *c) {
+    struct model_problem b = {.method = method_find(o->method),
+                              .dim = 2,
+                              .n = 14,
+                              .options = {.layout = c->layout, .jitter = c->jitter, .seed = 1},
+                              .step = {STEPPER_EULER, 0}};
+    struct heat_operator a;
+    struct spectrum s;
+    struct failure why;
+    if (model_problem_resolve(&b, b.n, &why)) return NAN;
+    struct problem p = model_problem_setup(&b, MODEL_NOISE, 0);
+    if (model_problem_operator(&b, &p, &a, &why)) return NAN;
+    int status = spectrum_create(&s, &a, &b.step, &why);
+    operator_free(&a);
+    if (status) return NAN;
+    double limit = s.limit;
+    spectrum_free(&s);
+    return limit;
 }
 
-static void choose_by_orders(const struct order *all, const struct trait *traits, struct choice choice[OPERATORS]) {
-    static const int judged[] = {0, WORKED, 3}; /* trials, by the number of materials */
+/* The largest drift of rod-cosine's heat on a cloud. */
+static void put_heat(const struct order *of, struct document *d) {
+    double drift = 0;
+    for (int c = 0; c < CLOUDS; c++) {
+        const struct ladder *l = &of[c * TRIALS].ladder;
+        if (!without_order(&of[c * TRIALS])) drift = fmax(drift, fabs(l->rung[l->n - 1].heat_drift));
+    }
+    if (drift < 1e-11)
+        document_cell(d, "kept"); /* to rounding */
+    else
+        document_cell(d, "%.0e", drift);
+}
+
+/* Least and largest order on the clouds, and the largest E1 of a cloud over that of the lattice. */
+static void put_order(const struct order *of, int trial, struct document *d) {
+    double least = INFINITY, most = -INFINITY, worst = 0;
+    int failed = 0;
+    for (int c = 0; c < CLOUDS; c++) {
+        const struct order *o = &of[c * TRIALS + trial];
+        if (without_order(o)) {
+            failed++;
+            continue;
+        }
+        least = fmin(least, o->ladder.slope.value), most = fmax(most, o->ladder.slope.value);
+        worst = fmax(worst, finest_error(o) / finest_error(&of[trial]));
+    }
+    if (failed)
+        document_cell(d, "%.2f to %.2f, none on %d of %d", least, most, failed, CLOUDS);
+    else
+        document_cell(d, "%.2f to %.2f", least, most);
+    document_cell(d, "%.2g", worst);
+}
+
+static void put_work(const struct order *of, int trial, struct document *d) {
+    for (int c = 0; c < WORKED_ON; c++) {
+        const struct order *o = &of[worked_on[c] * TRIALS + trial];
+        double pairs = without_order(o) ? NAN : work_at(&o->ladder, ENOUGH);
+        if (isnan(pairs))
+            document_cell(d, "-");
+        else
+            document_cell(d, "%.1e", pairs);
+    }
+}
+
+static void tabulate_choice(const struct order *all, const struct growth_count *growth, struct document *d) {
+    document_heading(d, "Which to take");
+    document_text(d,
+                  "Heat drift: the largest on a cloud (rod-cosine). Order: least and largest on the five clouds "
+                  "(rect-manufactured). Worst: the largest E1 of a cloud over that of the lattice. Growing: draws of "
+                  "jittered clouds (jitter 0.1 to 0.5, kappa_y/kappa_x 1 to 0.1, h/dx 1.1 and 1.5, 196 and 900 "
+                  "particles) on which a mode grows at any step. Step: the largest stable one, dx^2/kappa, on the "
+                  "lattice and at jitter 0.3 (0: none). Work: pairs of neighbours, in all steps, for E1 = %g; "
+                  "-: not reached.",
+                  ENOUGH);
+    document_table(
+        d, "operator|heat drift|order|worst|growing|step|step at jitter 0.3|work: lattice|jitter 0.3|relaxed");
     for (int k = 0; k < OPERATORS; k++) {
-        struct choice *c = &choice[k];
         const struct order *of = &all[k * CLOUDS * TRIALS];
-        c->order[0] = INFINITY, c->order[1] = -INFINITY;
-        for (int cloud = 0; cloud < CLOUDS; cloud++) {
-            const struct order *o = &of[cloud * TRIALS + judged[operators[k].materials]], *kept = &of[cloud * TRIALS];
-            if (without_order(o))
-                c->failed++;
-            else {
-                c->order[0] = fmin(c->order[0], o->ladder.slope.value);
-                c->order[1] = fmax(c->order[1], o->ladder.slope.value);
-                c->worst = fmax(c->worst, finest_error(o) / finest_error(&of[judged[operators[k].materials]]));
-            }
-            if (kept->tried && !without_order(kept))
-                c->drift = fmax(c->drift, fabs(kept->ladder.rung[kept->ladder.n - 1].heat_drift));
-        }
-        c->step[0] = traits[k * CLOUDS + OPERATORS_LATTICE].limit;
-        c->step[1] = traits[k * CLOUDS + OPERATORS_JITTER_03].limit;
-        for (int cloud = 0; cloud < WORKED_ON; cloud++) {
-            const struct order *o = &of[worked_on[cloud] * TRIALS + judged[operators[k].materials]];
-            c->pairs[cloud] = !o->tried || without_order(o) ? NAN : work_at(&o->ladder, ENOUGH);
-        }
+        if (operators[k].materials != 1) continue;
+        document_cell(d, "`%s`", operators[k].method);
+        put_heat(of, d);
+        put_order(of, WORKED, d);
+        document_cell(d, "%d of %d", growth[k].growing, growth[k].draws);
+        for (int c = 0; c < 4; c += 3) document_cell(d, "%.3f", step_of(&operators[k], &operators_clouds[c]));
+        put_work(of, WORKED, d);
+    }
+    document_text(d, "Two materials, k 1 : 1000: the same on wall-composite.");
+    document_table(d, "operator|order|worst|work: lattice|jitter 0.3|relaxed");
+    for (int k = 0; k < OPERATORS; k++) {
+        if (operators[k].materials != 2) continue;
+        document_cell(d, "`%s%s`", operators[k].method, operators[k].options);
+        put_order(&all[k * CLOUDS * TRIALS], 3, d);
+        put_work(&all[k * CLOUDS * TRIALS], 3, d);
     }
 }
 
 int operators_write(const char *dir, struct failure *why) {
-    enum { PAGES = 6 };
-    struct output page[PAGES] = {{0}};
-    struct choice choice[OPERATORS] = {{0}};
+    enum { DATA = 3 };
+    struct output data[DATA];
+    struct document d;
+    struct growth_count growth[OPERATORS] = {{0}};
     double start = omp_get_wtime();
-    int status = output_directory(dir, "operators.csv", why);
-    FILE *csv = output_open(&page[0], "%s/operators.csv", dir), *md = output_open(&page[1], "%s/operators.md", dir);
-    FILE *error = output_open(&page[2], "%s/operators_error.csv", dir);
-    if (!status) {
-        struct order *all = take_orders();
-        struct trait *traits = operators_take_traits();
-        struct growth_cell *growth = operators_take_growth(choice);
-        choose_by_orders(all, traits, choice);
-        fprintf(md, "# Discrete Laplacians side by side\n\n`grows`: a mode grows at any step.\n");
-        operators_choice(choice, output_open(&page[3], "%s/operators_choice.csv", dir), md);
-        write_orders(all, csv);
-        tabulate_orders(all, md);
-        tabulate_work(all, md);
-        write_work(all, output_open(&page[5], "%s/operators_work.csv", dir));
-        fprintf(csv, "\n\n");
-        operators_traits(traits, csv, md);
-        fprintf(csv, "\n\n");
-        operators_growth(growth, csv, md, output_open(&page[4], "%s/operators_growth.csv", dir));
-        free(all);
-        free(traits);
-        free(growth);
-        status = write_neighbours(error, why);
-    }
-    if (!status) status = output_close(page, PAGES, why);
-    output_drop(page, PAGES);
-    if (!status) printf("%s/operators.md, tables and data of three figures (%.1f s)\n", dir, omp_get_wtime() - start);
+    if (output_directory(dir, "operators.md", why)) return why->status;
+    struct order *all = take_orders();
+    document_open(&d, dir, "operators", "Discrete Laplacians side by side");
+    operators_growth(growth, output_open(&data[0], "%s/operators_growth.csv", dir));
+    write_work(all, output_open(&data[1], "%s/operators_work.csv", dir));
+    int status = write_neighbours(output_open(&data[2], "%s/operators_error.csv", dir), why);
+    tabulate_choice(all, growth, &d);
+    tabulate_orders(all, &d);
+    if (!status) status = output_close(data, DATA, why);
+    if (!status) status = document_close(&d, why);
+    output_drop(data, DATA);
+    document_drop(&d);
+    free(all);
+    if (!status) printf("%s/operators.md, data of three figures (%.1f s)\n", dir, omp_get_wtime() - start);
     return status;
 }

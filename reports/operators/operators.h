@@ -5,10 +5,9 @@
 struct failure;
 struct claims_measured;
 
-/* The discrete Laplacians side by side into `dir`: operators.csv and .md (orders on every cloud and scene; least
- * weight, largest stable step, neighbours, time of assembly; how often a mode grows), operators_choice.csv (what to
- * choose by), operators_error.csv (error against neighbours), operators_work.csv, operators_growth.csv.
- * Progress goes to standard output. */
+/* The discrete Laplacians side by side into `dir`: operators.md and .html (which to take; orders on every cloud and
+ * scene), operators_error.csv (error against neighbours), operators_work.csv, operators_growth.csv.  Progress goes to
+ * standard output. */
 int operators_write(const char *dir, struct failure *why);
 
 /* The measures, as the rows of others.def name them (a measure reads m->argument; claims.h). */

@@ -77,37 +77,6 @@ static int count_growing(const struct growth_cell *c, int *drawn, double *most) 
     return growing;
 }
 
-static void list_growth(const struct growth_cell *all, FILE *csv) {
-    fprintf(csv, "operator,particles,jitter,kappa_y/kappa_x,h/dx,growing,draws,largest rate [kappa_x/dx^2]\n");
-    for (int k = 0; k < CELLS; k++) {
-        struct model_problem b = problem_of(k, 0);
-        double most;
-        int drawn, growing = count_growing(&all[k], &drawn, &most);
-        fprintf(csv, "%s,%d,%g,%g,%g,%d,%d,%.3g\n", b.method->name, b.n * b.n, b.options.jitter, b.ratio, b.options.h,
-                growing, drawn, most);
-    }
-}
-
-/* The six clouds of one operator, number of particles and jitter, from cell `first`; no line where none grows. */
-static int tabulate_row(const struct growth_cell *first, const struct model_problem *b, FILE *md) {
-    int drawn, growing = 0;
-    double most;
-    for (int k = 0; k < RATIOS * LENGTHS; k++) growing += count_growing(&first[k], &drawn, &most);
-    if (!growing) return 0;
-    fprintf(md, "| `%s` | %g |", b->method->name, b->options.jitter);
-    for (int k = 0; k < RATIOS * LENGTHS; k++) {
-        int n = count_growing(&first[k], &drawn, &most);
-        if (!drawn)
-            fprintf(md, " refused |");
-        else if (!n)
-            fprintf(md, " 0 of %d |", drawn);
-        else
-            fprintf(md, " %d of %d, %.2g |", n, drawn, most);
-    }
-    fprintf(md, "\n");
-    return growing;
-}
-
 /* All clouds, a block for each operator: jitters side by side, in groups of h/dx, ratio and particles.  How far a
  * mode goes in the time is its rate times that. */
 static void draw_growth(const struct growth_cell *all, FILE *figure) {
@@ -129,52 +98,20 @@ static void draw_growth(const struct growth_cell *all, FILE *figure) {
     }
 }
 
-static void tabulate_growth(const struct growth_cell *all, FILE *md) {
-    int grows[NAMES] = {0};
-    fprintf(md,
-            "\n## Growing modes in the plane\n\nOf %d draws of a jittered cloud between cold walls, those with a "
-            "mode that grows at any time step, and the largest rate in kappa_x/dx^2.  Rows without one are in "
-            "operators.csv.\n",
-            SEEDS);
-    for (int side = 0; side < SIDES; side++) {
-        fprintf(md, "\n### %d particles\n\n| operator | jitter |", sides[side] * sides[side]);
-        for (int k = 0; k < RATIOS * LENGTHS; k++)
-            fprintf(md, " kappa_y/kappa_x %g, h/dx %g |", ratios[k / LENGTHS], lengths[k % LENGTHS]);
-        fprintf(md, "\n|---|---|");
-        for (int k = 0; k < RATIOS * LENGTHS; k++) fprintf(md, "---|");
-        fprintf(md, "\n");
-        for (int k = 0; k < NAMES * JITTERS; k++) {
-            int name = k / JITTERS, cell = ((name * SIDES + side) * JITTERS + k % JITTERS) * RATIOS * LENGTHS;
-            struct model_problem b = problem_of(cell, 0);
-            grows[name] += tabulate_row(&all[cell], &b, md);
-        }
-    }
-    fprintf(md, "\nNo mode grows of:");
-    for (int k = 0; k < NAMES; k++)
-        if (!grows[k]) fprintf(md, " `%s`", names[k]);
-    fprintf(md, "\n");
-}
-
-/* Counts into the rows of `choice` whose operator it is. */
-static void count_all(const struct growth_cell *all, struct choice choice[OPERATORS]) {
+/* Counts into the rows of that operator. */
+static void count_all(const struct growth_cell *all, struct growth_count count[OPERATORS]) {
     for (int k = 0; k < CELLS; k++) {
         double most;
         int drawn, growing = count_growing(&all[k], &drawn, &most);
-        const char *name = names[k / (CELLS / NAMES)];
         for (int o = 0; o < OPERATORS; o++)
-            if (operators[o].materials == 1 && strcmp(operators[o].method, name) == 0)
-                choice[o].growing += growing, choice[o].draws += drawn;
+            if (operators[o].materials == 1 && strcmp(operators[o].method, names[k / (CELLS / NAMES)]) == 0)
+                count[o].growing += growing, count[o].draws += drawn;
     }
 }
 
-struct growth_cell *operators_take_growth(struct choice choice[OPERATORS]) {
+void operators_growth(struct growth_count count[OPERATORS], FILE *figure) {
     struct growth_cell *all = take_growth();
-    count_all(all, choice);
-    return all;
-}
-
-void operators_growth(const struct growth_cell *all, FILE *csv, FILE *md, FILE *figure) {
-    list_growth(all, csv);
-    tabulate_growth(all, md);
+    count_all(all, count);
     draw_growth(all, figure);
+    free(all);
 }

@@ -68,15 +68,16 @@ void others_orders(struct claims_measured *m) {
         const char *words = part[0] == '+' ? part + 2 : part;
         char method[24];
         double slope, jitter;
-        if (sscanf(words + 2, "%23[a-z_], jitter %lf", method, &jitter) != 2 && claim_fail(m, "no method or no jitter"))
+        if (sscanf(words + 2, "%23[a-z_], jitter %lf", method, &jitter) != 2 &&
+            claim_fail(m, "no method or no jitter"))
             return;
         if (claim_order(NULL, &slope, m, NULL,
-                      "ladder rod-cosine %s --layout jitter --jitter %g --seed 1 --dx 1/20,1/40,1/80,1/160,1/320",
-                      method, jitter))
+                        "ladder rod-cosine %s --layout jitter --jitter %g --seed 1 --dx 1/20,1/40,1/80,1/160,1/320",
+                        method, jitter))
             return;
         claim_number(m, slope, "", "order of %s", words + 2);
         held[part[0] == '+'] &= words[0] == '<' ? slope < 1 : 1.8 <= slope && slope <= 2.2;
     }
     claim_decide(m, held[0], held[1],
-               "an order below 1 of those that are said not to converge, 1.8 to 2.2 of the other");
+                 "an order below 1 of those that are said not to converge, 1.8 to 2.2 of the other");
 }
