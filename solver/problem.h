@@ -34,7 +34,7 @@ struct problem {
     int jumps[2];                /* number of planes x = const and y = const at which the data jump */
     double jump[2][JUMP_MAX];    /* m, ascending */
     int mirror[2];               /* 1 if the whole problem is even about the middle of that axis */
-    const struct problem *whole; /* the problem of which this is the upper half or quarter; else NULL */
+    const struct problem *whole; /* this is its upper half or quarter; NULL for a whole problem */
     const void *data;            /* context of the functions below if no scene made them; NULL for a scene */
     double param[PARAM_MAX];     /* parameters of the scene, in the order of its table */
 

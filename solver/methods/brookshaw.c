@@ -4,7 +4,8 @@
  * with k_ij = 4 k_i k_j / (k_i + k_j) (harmonic), k_i + k_j (arithmetic), or twice the conductance of the line
  * between the particles, 2 r / sum(l / k) (series: exact for every pair across a plane interface). Pair fluxes are
  * equal and opposite, so heat is conserved on any layout.  On a lattice rho_c is the average over the particle's
- * cell: the cells then hold the heat of both materials, and a rod is of second order wherever the interface lies.
+ * cell: the cells then hold the heat of both materials, and a rod is of second order for any position of the
+ * interface.
  *
  * The volume V: raw dx^d; tuned, Pamplona eq. 14, V = area xi / N with N counting the ghosts; moment, the V for which
  * the operator is exact for x^2 and y^2 on the lattice, sum_j w_j x_j^2 = 2 kappa.
@@ -52,7 +53,7 @@ static double pair_conductivity(const struct problem *p, enum mean mean, double 
     if (here == there) return 2 * ki;
     if (mean == MEAN_HARMONIC) return 4 * ki * kj / (ki + kj);
     if (mean == MEAN_ARITHMETIC) return ki + kj;
-    double part = (p->interface - x) / d; /* of the line that lies on this side */
+    double part = (p->interface - x) / d; /* part of the line on this side */
     return 2 / (part / ki + (1 - part) / kj);
 }
 
@@ -60,7 +61,7 @@ static int weights(const struct problem *p, const struct options *o, const struc
                    struct failure *why) {
     if (nb->n == 0)
         return refuse(why, STATUS_NUMERICAL,
-                      "particle %zu at (%.6g, %.6g) m has 0 neighbours: no heat reaches it; take a larger --h", nb->i,
+                      "particle %zu at (%.6g, %.6g) m has 0 neighbours: no heat reaches it; use a larger --h", nb->i,
                       nb->x[0], nb->x[1]);
     for (size_t j = 0; j < nb->n; j++) {
         double F = pair_weight(o->kernel, nb->dim, nb->h, hypot(nb->d[j][0], nb->d[j][1]));

@@ -18,8 +18,8 @@
  * is O(dx) at the interface as elsewhere on a cloud, at most kappa |T_xxx| support/3 by weights >= 0 whatever the
  * ratios: second order in all.  Heat is not conserved: a start that jumps at the contact is of first order but for
  * the averages of start.c.
- * Where no neighbour lies beyond the interface, and for one material, it is so_ssph. Restrictions: no source with two
- * materials (its jump would have to be told); layers thicker than the kernel's support, so that the images beyond a
+ * Without a neighbour beyond the interface, and for one material, it is so_ssph. Restrictions: no source with two
+ * materials (its jump is not known); layers thicker than the kernel's support, so that the images beyond a
  * wall are of the wall's own material. */
 #include "solver/particles/particles.h"
 #include "solver/particles/ssph.h"
@@ -34,7 +34,7 @@ static int check(const struct problem *p, const struct options *o, struct failur
     double layer = fmin(p->interface - p->lo[0], p->hi[0] - p->interface), support = KERNEL_SUPPORT * o->h * o->dx;
     if (layer < support)
         return refuse(why, STATUS_INPUT,
-                      "--dx %g: the interface is %g m from a wall, within the kernel's support of %g m; take a "
+                      "--dx %g: the interface is %g m from a wall, within the kernel's support of %g m; use a "
                       "smaller --dx or --h",
                       o->dx, layer, support);
     return STATUS_OK;

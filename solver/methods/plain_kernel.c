@@ -15,7 +15,7 @@
  * Exact: for constants; with --volume moment, where sum_j V_j x_j dW/dx = 1 on the lattice, for linear T in each
  * sweep there, and so for quadratics in both.  On a cloud the gradient of a linear T is wrong by O(disorder), and its
  * differences by O(disorder / h).  As printed the sum takes differences of fluxes: a pair gives both particles the
- * same, not the opposite, so heat is conserved on a lattice only.  Modes of wavelength 2 dx lie in the null space, as
+ * same, not the opposite, so heat is conserved on a lattice only.  Modes of wavelength 2 dx are in the null space, as
  * with fo_ssph, whose moment matrix this one lacks.  Differences of T in the gradient too: without them a constant
  * would have a gradient on a cloud.
  *
@@ -47,7 +47,7 @@ static double laplacian(enum kernel_name kernel, int dim, double h, double r) {
 }
 
 static double second_volume(const struct problem *p, const struct options *o, double h, double dV) {
-    double spacing = p->dim == 2 ? sqrt(dV) : dV, moment = 0; /* what x^2/2 gives on the lattice */
+    double spacing = p->dim == 2 ? sqrt(dV) : dV, moment = 0; /* the sum for x^2/2 on the lattice */
     if (o->volume == VOLUME_RAW) return dV;
     int reach = (int)ceil(KERNEL_SUPPORT * h / spacing), across = p->dim == 2 ? reach : 0;
     for (int j = -across; j <= across; j++)
@@ -91,7 +91,7 @@ static int surrounds(const struct neighbourhood *nb, struct failure *why) {
     return refuse(
         why, STATUS_NUMERICAL,
         "particle %zu at (%.6g, %.6g) m has %zu neighbours, none in one half of the %s: a linear temperature "
-        "could not stay; take a larger --h or less --jitter",
+        "could not stay; use a larger --h or less --jitter",
         nb->i, nb->x[0], nb->x[1], nb->n, nb->dim == 2 ? "plane" : "rod");
 }
 

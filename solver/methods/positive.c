@@ -25,7 +25,7 @@ struct programme { /* min cost.w, sum_j column[j] w_j = right, w >= 0; columns p
     size_t n;
     double column[NEIGHBOURS_MAX + ROWS][ROWS], cost[NEIGHBOURS_MAX + ROWS], right[ROWS];
     size_t basis[ROWS];
-    double inverse[ROWS][ROWS], value[ROWS]; /* of the basis; of its weights */
+    double inverse[ROWS][ROWS], value[ROWS]; /* the inverse of the basis; the weights in it */
 };
 
 static double default_h(const struct problem *p) {
@@ -113,7 +113,7 @@ static int minimise(struct programme *lp, int phase) {
     return -1;
 }
 
-/* What the first phase leaves of the conditions, of their size. */
+/* The part of the conditions that the first phase does not meet. */
 static double unmet(const struct programme *lp) {
     double left = 0, all = 0;
     for (int k = 0; k < lp->rows; k++) {
@@ -142,7 +142,7 @@ static int weights(const struct problem *p, const struct options *o, const struc
     if (stuck || unmet(&lp) > 1e-9)
         return refuse(why, STATUS_NUMERICAL,
                       "no weights >= 0 are exact for quadratics: particle %zu at (%.6g, %.6g) m has %zu neighbours, "
-                      "and %.2g of the second moments are out of their reach; take a larger --h (a neighbour in each "
+                      "and %.2g of the second moments are out of their reach; use a larger --h (a neighbour in each "
                       "sector of 45 degrees about it is enough) or less --jitter",
                       nb->i, nb->x[0], nb->x[1], nb->n, unmet(&lp));
     if (minimise(&lp, 2))

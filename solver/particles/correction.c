@@ -57,7 +57,7 @@ static int singular(const struct neighbourhood *nb, const char *what, double con
     if (condition < 1e17) snprintf(number, sizeof number, "%.1e", condition);
     return refuse(why, STATUS_NUMERICAL,
                   "singular %s: particle %zu at (%.6g, %.6g) m has %zu neighbours, condition number %s (at most "
-                  "%.0e); take a larger --h or less --jitter",
+                  "%.0e); use a larger --h or less --jitter",
                   what, nb->i, nb->x[0], nb->x[1], nb->n, number, CORRECTION_CONDITION_MAX);
 }
 

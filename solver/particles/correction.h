@@ -28,7 +28,7 @@ int correction_create(const struct neighbourhood *nb, enum kernel_name kernel, s
 /* Gamma^-1 s_j */
 void correction_apply(const struct correction *c, size_t j, double out[2]);
 
-/* What second derivatives are weighted for: (kappa_x, 0, kappa_y) / h^2; returns how many there are. */
+/* Target of the second derivatives, (kappa_x, 0, kappa_y) / h^2; returns their number. */
 int correction_target(const struct neighbourhood *nb, double target[CORRECTION_TERMS]);
 
 /* x^2/2, x y, y^2/2 at s; x^2/2 alone on a rod. */

@@ -5,7 +5,6 @@
 #include "solver/particles/compatibility.h"
 #include "solver/particles/start.h"
 #include "solver/particles/walls.h"
-#include "solver/time/growth.h"
 #include "solver/time/matched.h"
 #include "solver/space/sample.h"
 #include "solver/space/voronoi.h"
@@ -45,44 +44,8 @@ int particles_prepare(const struct problem *p, const struct options *o, const st
     return stepper->needs(p, o, s, l, why);
 }
 
-/* What source and fluxes can add in the time of the run, K.  A flux q through a side of a body of length L warms it
- * by q t/(rho_c L) on the average, and bends its profile by q L/k at most. */
-static double heat_added(const struct problem *p, const struct field *f, const double flux[4]) {
-    double source = 0, add = 0, rho_c = p->material[0].rho_c;
-    for (int m = 1; m < p->materials; m++) rho_c = fmin(rho_c, p->material[m].rho_c);
-    for (size_t i = 0; i < f->n && p->source; i++) {
-        double x[2] = {f->x[i], f->y ? f->y[i] : 0};
-        source = fmax(source, fabs(p->source(p, x)));
-    }
-    for (int s = 0; s < 2 * p->dim; s++) {
-        double extent = p->hi[s / 2] - p->lo[s / 2], k = p->material[0].k[s / 2];
-        for (int m = 1; m < p->materials; m++) k = fmin(k, p->material[m].k[s / 2]);
-        add += flux[s] * (extent / k + p->t_end / (rho_c * extent));
-    }
-    return add + source * p->t_end / rho_c;
-}
-
-/* What the data span, K: initial data, walls, and the heat that comes in. */
-static void data_range(const struct problem *p, const struct field *f, double *lo, double *hi) {
-    *lo = f->range[0], *hi = f->range[1];
-    double flux[4] = {0};
-    for (int s = 0; s < 2 * p->dim; s++)
-        for (int k = 0; k <= 8 && shape_has_wall(p, s); k++) {
-            double at[2] = {cos(k * M_PI / 4), sin(k * M_PI / 4)}; /* a direction, of a round wall */
-            for (int a = 0; a < 2 && !p->shape; a++) at[a] = p->lo[a] + k / 8.0 * (p->hi[a] - p->lo[a]);
-            struct foot foot = shape_foot(p, s, at);
-            double value = p->wall(p, (enum side)s, foot.x);
-            if (p->side[s] == NEUMANN)
-                flux[s] = fmax(flux[s], fabs(value));
-            else
-                *lo = fmin(*lo, value), *hi = fmax(*hi, value);
-        }
-    double add = heat_added(p, f, flux);
-    *lo -= add, *hi += add;
-}
-
-/* rho_c: of each point's cell; NULL where its place says it.  Four sums of what lies in one material: additions that
- * do not wait for each other, in an order that does not change. */
+/* rho_c: J m^-3 K^-1 of each point's cell; NULL: by its place.  Four independent sums in one material hide the
+ * latency of additions. */
 static double heat_content(const struct problem *p, const struct field *f, const double *rho_c, double cell,
                            double volume) {
     double sum[4] = {0}, all = 0;
@@ -99,7 +62,7 @@ static double heat_content(const struct problem *p, const struct field *f, const
     return all + p->material[0].rho_c * ((sum[0] + sum[1]) + (sum[2] + sum[3])) * volume;
 }
 
-/* The lowest and the highest temperature; eight at a time, which do not wait for each other. */
+/* Min and max of T.  Eight independent accumulators hide the latency. */
 static void find_range(const struct field *f, double range[2]) {
     enum { APART = 8 };
     double lo[APART], hi[APART];
@@ -116,15 +79,15 @@ static void find_range(const struct field *f, double range[2]) {
     for (size_t k = 0; k < APART; k++) range[0] = fmin(range[0], lo[k]), range[1] = fmax(range[1], hi[k]);
 }
 
-/* A start is an average of its data, and stays in their range; one that keeps the heat of a jump leaves it by a part
- * of a particle's.  Half of the range is as much as a run may leave it by. */
+/* Averaged initial data stay in range; data that keep the heat of a jump may overshoot by a fraction of it.  A run
+ * may leave the range by half of it, and so may its start. */
 static int check_start(const struct field *f, struct failure *why) {
     double slack = (f->range[1] - f->range[0]) / 2 + 1e-9 * fmax(fabs(f->range[0]), fabs(f->range[1]));
     for (size_t i = 0; i < f->n; i++)
         if (!(f->T[i] >= f->range[0] - slack && f->T[i] <= f->range[1] + slack))
             return refuse(
                 why, STATUS_NUMERICAL,
-                "the start has %.4g K at particle %zu at %.6g m, the data are in [%.4g, %.4g] K; take another "
+                "the start has %.4g K at particle %zu at %.6g m, the data are in [%.4g, %.4g] K; use another "
                 "--sampling, --h or layout",
                 f->T[i], i, f->x[i], f->range[0], f->range[1]);
     return STATUS_OK;
@@ -144,8 +107,8 @@ static void place_on_lattice(const struct lattice *l, struct field *f) {
     }
 }
 
-/* Rows of the plane go by cells. */
-int particles_on_lattice(const struct problem *p, const struct options *o, int rows) {
+/* Rows of the plane are in the order of cells. */
+static int on_lattice(const struct problem *p, const struct options *o, int rows) {
     return !options_is_cloud(o) && !(rows && p->dim == 2);
 }
 
@@ -161,7 +124,7 @@ int particles_cloud(const struct problem *p, const struct options *o, const stru
     return status;
 }
 
-/* Whether the initial data are averaged over the very cells that the scheme has. */
+/* Whether the initial data are averaged over the cells of the scheme. */
 static int averages_cells(const struct options *o, const struct scheme *s) {
     return s->cells && o->sampling == SAMPLING_CELL;
 }
@@ -183,62 +146,6 @@ static int place_cloud(const struct problem *p, const struct options *o, const s
     return status;
 }
 
-/* STATUS_UNSTABLE where many stages of RKL2 meet rows whose eigenvalues are far from real, as where a wall cuts the
- * particles.  To seven stages none of the operators here has a mode that they do not damp. */
-static int check_damping(const struct options *o, const struct heat_operator *a, const struct march *m,
-                         struct failure *why) {
-    enum { FEW = 7 };
-    if (o->stepper != STEPPER_RKL2 || a->weight || m->stages <= FEW) return STATUS_OK;
-    double dt = m->time / (double)m->steps, factor = growth_by_steps(a, m->bound, dt, (double)m->steps);
-    if (factor == 0) return STATUS_OK;
-    return refuse(why, STATUS_UNSTABLE,
-                  "--dt %g: a step of rkl2's %d stages multiplies by %.3g what should be gone after it; take shorter "
-                  "steps, or --stepper chebyshev",
-                  dt, m->stages, factor);
-}
-
-static int integrate(const struct problem *p, const struct options *o, const struct scheme *s,
-                     const struct lattice *l, struct heat_operator *a, struct field *f, struct failure *why) {
-    f->cost.bytes = a->n * (size_t)(p->dim + 1 + (f->weight != NULL)) * sizeof *f->T + a->bytes;
-    struct march m;
-    double bound = operator_bound(a);
-    if (particles_march(p, o, s, l, a, bound, &m, why)) return why->status;
-    particles_count(p, o, s, l, a, &m, f);
-    const struct stepper *stepper = stepper_of(o->stepper);
-    if (stepper->evolve) {
-        stepper->evolve(a, p->t_end, f->T);
-        return STATUS_OK;
-    }
-    f->bound = bound;
-    data_range(p, f, &m.lo, &m.hi);
-    f->data[0] = m.lo, f->data[1] = m.hi;
-    m.x = f->x, m.y = f->y;
-    if (check_damping(o, a, &m, why)) return why->status;
-    return stepper_march(a, &m, f->T, &f->cost.bytes, why);
-}
-
-int particles_growth(const struct method *m, const struct problem *p, const struct options *given,
-                     const struct field *f, double *rate, struct failure *why) {
-    struct options o, there = *given;
-    struct lattice l;
-    struct cloud c;
-    struct heat_operator a;
-    int rows = 0;
-    *rate = NAN;
-    there.placed = there.layout == LAYOUT_RELAXED ? f : NULL;
-    if (!m->scheme) return STATUS_OK;
-    there.stepper = STEPPER_RK2; /* the rows are the same */
-    if (particles_prepare(p, &there, m->scheme, &o, &l, &rows, why)) return why->status;
-    if (!rows) return STATUS_OK;
-    if (particles_cloud(p, &o, m->scheme, &l, &c, why)) return why->status;
-    int status = operator_create_csr(&a, p, &o, m->scheme, &c, l.dx[0], why);
-    layout_cloud_free(&c);
-    if (status) return status;
-    *rate = growth_rate(&a, operator_bound(&a), p->t_end);
-    operator_free(&a);
-    return STATUS_OK;
-}
-
 /* The start of a particle off the lattice; on a Dirichlet wall the wall's temperature, which it holds. */
 static double start_at(const struct problem *p, const struct options *o, const struct lattice *l, const double x[2]) {
     double cell = layout_cell(o, l->dx[0]);
@@ -249,49 +156,64 @@ static double start_at(const struct problem *p, const struct options *o, const s
     return (cell > 0 ? sample_cell : sample_initial)(p, o->sampling, l->dx, x);
 }
 
+/* Places, operator and shape of the field. */
+static int place(const struct problem *p, const struct options *o, const struct scheme *s, const struct lattice *l,
+                 int rows, struct heat_operator *a, struct field *f, struct failure *why) {
+    if (rows) {
+        if (place_cloud(p, o, s, l, a, f, why)) return why->status;
+    } else {
+        field_alloc(f, p->dim, (size_t)l->n[0] * (size_t)l->n[1]);
+        if (operator_create_lattice(a, p, o, s, l, why)) return why->status;
+        place_on_lattice(l, f);
+    }
+    for (int d = 0; d < 2; d++) {
+        f->shape[d] = on_lattice(p, o, rows) ? l->n[d] : 0;
+        f->spacing[d] = d < p->dim ? l->dx[d] : 0;
+    }
+    return STATUS_OK;
+}
+
+static int set_start(const struct problem *p, const struct options *o, const struct scheme *s,
+                     const struct lattice *l, int rows, struct heat_operator *a, struct field *f,
+                     struct failure *why) {
+    if (!rows) sample_lattice(p, o->sampling, l, f->T);
+    if (o->stepper == STEPPER_MATCHED && !rows) matched_source(p, o, a, f->T);
+    for (size_t i = 0; i < f->n && rows && !averages_cells(o, s); i++) {
+        double x[2] = {f->x[i], f->y ? f->y[i] : 0};
+        f->T[i] = start_at(p, o, l, x);
+    }
+    find_range(f, f->range);
+    if (start_is_kept(p, o, s) && start_keep_heat(p, o, s, f, why)) return why->status;
+    return check_start(f, why);
+}
+
 int particles_solve(const struct method *m, const struct problem *p, const struct options *given, struct field *out,
                     struct failure *why) {
     double begin = field_clock();
-    const struct scheme *s = m->scheme;
-    struct options resolved, *o = &resolved;
+    struct options o;
     struct lattice l;
     int rows;
-    if (particles_prepare(p, given, s, o, &l, &rows, why)) return why->status;
-    if (o->stepper == STEPPER_AUTO) o->stepper = STEPPER_RK2;
+    if (particles_prepare(p, given, m->scheme, &o, &l, &rows, why)) return why->status;
+    if (o.stepper == STEPPER_AUTO) o.stepper = STEPPER_RK2;
 
-    struct field field, *f = &field;
+    struct field f = {0};
     struct heat_operator a = {0};
-    *f = (struct field){0};
-    if (!rows) field_alloc(f, p->dim, (size_t)l.n[0] * (size_t)l.n[1]);
-    int status = rows ? place_cloud(p, o, s, &l, &a, f, why) : operator_create_lattice(&a, p, o, s, &l, why);
+    int status = place(p, &o, m->scheme, &l, rows, &a, &f, why);
+    f.time = p->t_end;
+    if (!status) status = set_start(p, &o, m->scheme, &l, rows, &a, &f, why);
     if (!status) {
-        if (!rows) place_on_lattice(&l, f);
-        double volume = l.dx[0] * l.dx[1], cell = layout_cell(o, l.dx[0]);
-        for (int d = 0; d < 2; d++) {
-            f->shape[d] = particles_on_lattice(p, o, rows) ? l.n[d] : 0;
-            f->spacing[d] = d < p->dim ? l.dx[d] : 0;
-        }
-        if (!rows) sample_lattice(p, o->sampling, &l, f->T);
-        if (o->stepper == STEPPER_MATCHED && !rows) matched_source(p, o, &a, f->T);
-        for (size_t i = 0; i < f->n && rows && !averages_cells(o, s); i++) {
-            double x[2] = {f->x[i], f->y ? f->y[i] : 0};
-            f->T[i] = start_at(p, o, &l, x);
-        }
-        find_range(f, f->range);
-        if (start_is_kept(p, o, s)) status = start_keep_heat(p, o, s, f, why);
-        if (!status) status = check_start(f, why);
-        f->heat[0] = heat_content(p, f, a.rho_c, cell, volume);
-        f->time = p->t_end;
+        double volume = l.dx[0] * l.dx[1], cell = layout_cell(&o, l.dx[0]);
+        f.heat[0] = heat_content(p, &f, a.rho_c, cell, volume);
         double loop = field_clock();
-        if (!status) status = integrate(p, o, s, &l, &a, f, why);
-        f->cost.step_seconds = field_clock() - loop;
-        f->heat[1] = heat_content(p, f, a.rho_c, cell, volume);
+        status = particles_integrate(p, &o, m->scheme, &l, &a, &f, why);
+        f.cost.step_seconds = field_clock() - loop;
+        f.heat[1] = heat_content(p, &f, a.rho_c, cell, volume);
     }
     operator_free(&a);
-    f->cost.seconds = field_clock() - begin;
+    f.cost.seconds = field_clock() - begin;
     if (status)
-        field_free(f);
+        field_free(&f);
     else
-        *out = field;
+        *out = f;
     return status;
 }

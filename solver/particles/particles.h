@@ -19,7 +19,7 @@ int particles_solve(const struct method *m, const struct problem *p, const struc
 int particles_growth(const struct method *m, const struct problem *p, const struct options *o, const struct field *f,
                      double *rate, struct failure *why);
 
-/* ---- The parts of both ---- */
+/* ---- Their parts ---- */
 
 /* The options with their defaults resolved (h), checked. */
 int particles_resolve(const struct problem *p, const struct options *o, const struct scheme *s,
@@ -33,9 +33,6 @@ int particles_prepare(const struct problem *p, const struct options *o, const st
  * the lattice. */
 int particles_rows(const struct problem *p, const struct options *o);
 
-/* Whether the field has the shape of a lattice. */
-int particles_on_lattice(const struct problem *p, const struct options *o, int rows);
-
 /* The particles and ghosts of the layout, what they hold included. */
 int particles_cloud(const struct problem *p, const struct options *o, const struct scheme *s, const struct lattice *l,
                     struct cloud *c, struct failure *why);
@@ -43,13 +40,8 @@ int particles_cloud(const struct problem *p, const struct options *o, const stru
 /* How far from a wall particles have ghosts, m. */
 double particles_reach(const struct options *o, const struct scheme *s, const struct lattice *l);
 
-/* The steps with the operator *a of that bound, s^-1, for resolved options; none for STEPPER_EXACT.  m->lo and m->hi
- * are left open. */
-int particles_march(const struct problem *p, const struct options *o, const struct scheme *s, const struct lattice *l,
-                    const struct heat_operator *a, double bound, struct march *m, struct failure *why);
-
-/* Points, h, steps, updates, interactions and work of that march, into *f. */
-void particles_count(const struct problem *p, const struct options *o, const struct scheme *s,
-                     const struct lattice *l, const struct heat_operator *a, const struct march *m, struct field *f);
+/* The steps of the run for resolved options, from f->T; counts, cost and ranges into *f. */
+int particles_integrate(const struct problem *p, const struct options *o, const struct scheme *s,
+                        const struct lattice *l, struct heat_operator *a, struct field *f, struct failure *why);
 
 #endif

@@ -1,10 +1,12 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The steps of a run of a particle method, and their counted work. */
+/* The steps of a run of a particle method: their length and number, counted work, the range of a stable run, growth.
+ */
 #include "solver/particles/particles.h"
 #include "solver/particles/start.h"
 #include "solver/work.h"
 #include "solver/shape.h"
 #include "solver/space/sample.h"
+#include "solver/time/growth.h"
 
 #include <math.h>
 
@@ -31,7 +33,8 @@ static int is_rough(const struct problem *p, const struct lattice *l) {
     return rough;
 }
 
-int particles_march(const struct problem *p, const struct options *o, const struct scheme *s, const struct lattice *l,
+/* The steps with the operator *a of that bound, s^-1; none by an exact stepper.  m->lo and m->hi are left open. */
+static int march_of(const struct problem *p, const struct options *o, const struct scheme *s, const struct lattice *l,
                     const struct heat_operator *a, double bound, struct march *m, struct failure *why) {
     const struct stepper *stepper = stepper_of(o->stepper);
     *m = (struct march){.stepper = o->stepper, .time = p->t_end, .steps = 1, .stages = 1, .bound = bound};
@@ -40,7 +43,7 @@ int particles_march(const struct problem *p, const struct options *o, const stru
     if (dt == 0 && o->fourier > 0) dt = o->fourier * l->dx[0] * l->dx[0] / problem_diffusivity(p);
     if (stepper->length) dt = stepper->length(dt, p->t_end, bound);
     if (dt == 0) dt = 1 / bound;                                        /* half of the stable step */
-    const char *name = o->fourier > 0 && o->dt == 0 ? "fourier" : "dt"; /* what was asked for, for messages */
+    const char *name = o->fourier > 0 && o->dt == 0 ? "fourier" : "dt"; /* the option, for messages */
     double asked = o->fourier > 0 && o->dt == 0 ? o->fourier : dt;
     if (!(dt > 0) || !isfinite(dt)) return refuse(why, STATUS_INPUT, "--%s %g: makes steps of %g s", name, asked, dt);
     double steps = ceil(p->t_end / dt - 1e-9);
@@ -50,7 +53,7 @@ int particles_march(const struct problem *p, const struct options *o, const stru
     m->stages = stepper->count ? stepper->count(dt, bound) : stepper->stages;
     if (stepper->first && is_rough(p, l)) stepper->first(dt, bound, m->start);
     if (m->stages > STEPPER_STAGES_MAX)
-        return refuse(why, STATUS_INPUT, "--%s %g: a step would take %s more than %d stages; take more steps", name,
+        return refuse(why, STATUS_INPUT, "--%s %g: a step would take %s more than %d stages; use more steps", name,
                       asked, stepper->name, STEPPER_STAGES_MAX);
     if ((double)a->pairs * (double)m->steps * m->stages > 9e18)
         return refuse(why, STATUS_INPUT, "--%s %g: more interactions than can be counted, 9e18", name, asked);
@@ -74,8 +77,9 @@ static double set_up_work(const struct options *o, const struct lattice *l, cons
     return WORK_SCALAR * scalar + streamed;
 }
 
-void particles_count(const struct problem *p, const struct options *o, const struct scheme *s,
-                     const struct lattice *l, const struct heat_operator *a, const struct march *m, struct field *f) {
+/* Points, h, steps, updates, interactions and work of that march, into *f. */
+static void count(const struct problem *p, const struct options *o, const struct scheme *s, const struct lattice *l,
+                  const struct heat_operator *a, const struct march *m, struct field *f) {
     const long long applications = m->steps ? stepper_applications(m) : 1;
     f->dim = l->dim, f->n = a->n, f->h = o->h;
     f->steps = m->steps, f->stages = m->stages, f->dt = m->steps ? m->time / (double)m->steps : 0;
@@ -86,4 +90,96 @@ void particles_count(const struct problem *p, const struct options *o, const str
     if (m->steps == 0) return;
     f->cost.work += (double)f->cost.interactions + 2 * (double)f->cost.updates; /* each update loads and stores */
     f->cost.work += WORK_SCALAR * WORK_GHOST * (double)(a->state - a->n) * (double)applications;
+}
+
+/* Largest rise by source and fluxes in the time of the run, K.  A flux q through a side of a body of length L warms
+ * it by q t/(rho_c L) on the average, and bends its profile by q L/k at most. */
+static double heat_added(const struct problem *p, const struct field *f, const double flux[4]) {
+    double source = 0, add = 0, rho_c = p->material[0].rho_c;
+    for (int m = 1; m < p->materials; m++) rho_c = fmin(rho_c, p->material[m].rho_c);
+    for (size_t i = 0; i < f->n && p->source; i++) {
+        double x[2] = {f->x[i], f->y ? f->y[i] : 0};
+        source = fmax(source, fabs(p->source(p, x)));
+    }
+    for (int s = 0; s < 2 * p->dim; s++) {
+        double extent = p->hi[s / 2] - p->lo[s / 2], k = p->material[0].k[s / 2];
+        for (int m = 1; m < p->materials; m++) k = fmin(k, p->material[m].k[s / 2]);
+        add += flux[s] * (extent / k + p->t_end / (rho_c * extent));
+    }
+    return add + source * p->t_end / rho_c;
+}
+
+/* Range of the data, K: initial data, walls, and the heat that enters. */
+static void data_range(const struct problem *p, const struct field *f, double *lo, double *hi) {
+    *lo = f->range[0], *hi = f->range[1];
+    double flux[4] = {0};
+    for (int s = 0; s < 2 * p->dim; s++)
+        for (int k = 0; k <= 8 && shape_has_wall(p, s); k++) {
+            double at[2] = {cos(k * M_PI / 4), sin(k * M_PI / 4)}; /* a direction, of a round wall */
+            for (int a = 0; a < 2 && !p->shape; a++) at[a] = p->lo[a] + k / 8.0 * (p->hi[a] - p->lo[a]);
+            struct foot foot = shape_foot(p, s, at);
+            double value = p->wall(p, (enum side)s, foot.x);
+            if (p->side[s] == NEUMANN)
+                flux[s] = fmax(flux[s], fabs(value));
+            else
+                *lo = fmin(*lo, value), *hi = fmax(*hi, value);
+        }
+    double add = heat_added(p, f, flux);
+    *lo -= add, *hi += add;
+}
+
+/* STATUS_UNSTABLE where many stages of RKL2 meet rows whose eigenvalues are far from real, as where a wall cuts the
+ * particles.  To seven stages none of the operators here has a mode that they do not damp. */
+static int check_damping(const struct options *o, const struct heat_operator *a, const struct march *m,
+                         struct failure *why) {
+    enum { FEW = 7 };
+    if (o->stepper != STEPPER_RKL2 || a->weight || m->stages <= FEW) return STATUS_OK;
+    double dt = m->time / (double)m->steps, factor = growth_by_steps(a, m->bound, dt, (double)m->steps);
+    if (factor == 0) return STATUS_OK;
+    return refuse(why, STATUS_UNSTABLE,
+                  "--dt %g: a step of rkl2's %d stages multiplies by %.3g a mode that decays within it; use shorter "
+                  "steps, or --stepper chebyshev",
+                  dt, m->stages, factor);
+}
+
+int particles_integrate(const struct problem *p, const struct options *o, const struct scheme *s,
+                        const struct lattice *l, struct heat_operator *a, struct field *f, struct failure *why) {
+    f->cost.bytes = a->n * (size_t)(p->dim + 1 + (f->weight != NULL)) * sizeof *f->T + a->bytes;
+    struct march m;
+    double bound = operator_bound(a);
+    if (march_of(p, o, s, l, a, bound, &m, why)) return why->status;
+    count(p, o, s, l, a, &m, f);
+    const struct stepper *stepper = stepper_of(o->stepper);
+    if (stepper->evolve) {
+        stepper->evolve(a, p->t_end, f->T);
+        return STATUS_OK;
+    }
+    f->bound = bound;
+    data_range(p, f, &m.lo, &m.hi);
+    f->data[0] = m.lo, f->data[1] = m.hi;
+    m.x = f->x, m.y = f->y;
+    if (check_damping(o, a, &m, why)) return why->status;
+    return stepper_march(a, &m, f->T, &f->cost.bytes, why);
+}
+
+int particles_growth(const struct method *m, const struct problem *p, const struct options *given,
+                     const struct field *f, double *rate, struct failure *why) {
+    struct options o, there = *given;
+    struct lattice l;
+    struct cloud c;
+    struct heat_operator a;
+    int rows = 0;
+    *rate = NAN;
+    there.placed = there.layout == LAYOUT_RELAXED ? f : NULL;
+    if (!m->scheme) return STATUS_OK;
+    there.stepper = STEPPER_RK2; /* the rows are the same */
+    if (particles_prepare(p, &there, m->scheme, &o, &l, &rows, why)) return why->status;
+    if (!rows) return STATUS_OK;
+    if (particles_cloud(p, &o, m->scheme, &l, &c, why)) return why->status;
+    int status = operator_create_csr(&a, p, &o, m->scheme, &c, l.dx[0], why);
+    layout_cloud_free(&c);
+    if (status) return status;
+    *rate = growth_rate(&a, operator_bound(&a), p->t_end);
+    operator_free(&a);
+    return STATUS_OK;
 }

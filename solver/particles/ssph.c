@@ -3,9 +3,9 @@
  *
  * With the scaled monomials P_k = (x/h)^a (y/h)^b / (a! b!), 1 <= a + b <= p, and W_k = P_k W:
  *   M u = b,   M_kl = sum_j P_k P_l W,   b_k = sum_j P_k W (f_j - f_i),   u_k = h^(a+b) D^(a,b) f.
- * For the derivative sum_k t_k u_k the weights are w_j = W_j (z . P_j) with M z = t, since M is symmetric.  Particle
- * volumes are all alike and cancel, and so does the norm of the kernel.  No kernel derivative is needed.
- * In units of h every entry of M is O(1), whatever the spacing. */
+ * For the derivative sum_k t_k u_k the weights are w_j = W_j (z . P_j) with M z = t, since M is symmetric.  Equal
+ * particle volumes cancel, and so does the norm of the kernel.  No kernel derivative is needed. In units of h every
+ * entry of M is O(1), whatever the spacing. */
 #include "solver/particles/ssph.h"
 #include "solver/space/kernel.h"
 
@@ -135,13 +135,13 @@ static int singular(const struct neighbourhood *nb, int terms, double condition,
         return refuse(
             why, STATUS_NUMERICAL,
             "indefinite moment matrix: particle %zu at (%.6g, %.6g) m has %zu neighbours for %d unknowns, and "
-            "the kernel is negative at %zu of them (the quartic is past 1.8 h); take another --h or --kernel",
+            "the kernel is negative at %zu of them (the quartic is past 1.8 h); use another --h or --kernel",
             nb->i, nb->x[0], nb->x[1], nb->n, terms, negative);
     if (condition < 1e17) snprintf(number, sizeof number, "%.1e", condition);
     return refuse(
         why, STATUS_NUMERICAL,
         "singular moment matrix: particle %zu at (%.6g, %.6g) m has %zu neighbours for %d unknowns, condition "
-        "number %s (at most %.0e); take a larger --h or less --jitter",
+        "number %s (at most %.0e); use a larger --h or less --jitter",
         nb->i, nb->x[0], nb->x[1], nb->n, terms, number, SSPH_CONDITION_MAX);
 }
 

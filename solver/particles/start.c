@@ -1,12 +1,12 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* What an operator keeps of a start that jumps at the contact of two materials.
+/* The sum that an operator keeps of a start that jumps at the contact of two materials.
  *
  * Rows that are exact for all that the interface makes of quadratics are not symmetric, and keep sum_i l_i T_i with
  * l A = 0, where l_i differs from a particle's heat capacity next to the contact (on clouds everywhere).  Let H_i be
  * 1 on one side and 0 on the other: sum_i l_i H_i is that side's heat capacity but for some s of a particle's, s =
  * O(1), and as much less on the other side.  A start of T1 and T2 then holds s (T1 - T2) of a particle's heat too
- * much: first order, which no average over cells changes, since where the contact lies between cells there is nothing
- * to average. A start with the right sum_i l_i T_i is of second order, for what is left of it, a dipole, is O(dx^2).
+ * much: first order, which no average over cells changes, since a contact between cells leaves nothing to average. A
+ * start with the right sum_i l_i T_i is of second order, for what is left of it, a dipole, is O(dx^2).
  *
  * l is the stationary distribution of a chain with the rates A_ij: found without any cancellation, for rates >= 0, by
  * elimination from the far end (Grassmann, Taksar, Heyman 1985, Oper. Res. 33:1107). */
@@ -41,7 +41,7 @@ int start_kept(const struct heat_operator *a, double all, double *l, struct fail
         if (!(fabs(away) > 0))
             status = refuse(why, STATUS_NUMERICAL,
                             "particle %zu has no weights towards those before it: the heat that "
-                            "the rod keeps is not determined; take a larger --h or less "
+                            "the rod keeps is not determined; use a larger --h or less "
                             "--jitter",
                             k);
         for (size_t i = first; i < k; i++) {
@@ -94,7 +94,7 @@ int start_keep_heat(const struct problem *p, const struct options *o, const stru
     double side[2] = {p->material[0].rho_c * (p->interface - p->lo[0]),
                       p->material[1].rho_c * (p->hi[0] - p->interface)};
     int status = start_kept(&a, side[0] + side[1], l, why);
-    double more = -side[1], near = 0; /* of what the second side holds; l near the contact */
+    double more = -side[1], near = 0; /* excess of the second side; l near the contact */
     for (size_t i = 0; i < f->n; i++) {
         if (layout_material(p, f->x[i]) == 1) more += l[i];
         if (fabs(f->x[i] - p->interface) < support) near += l[i];

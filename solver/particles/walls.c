@@ -84,9 +84,9 @@ int walls_near(const struct walls_fill *w, size_t d, size_t least,
     struct wall_near *near = xcalloc(1, sizeof *near);
     size_t found = neighbours_find(&w->cells, place, all, NEIGHBOURS_MAX);
     if (found > NEIGHBOURS_MAX) found = NEIGHBOURS_MAX;
-    struct failure last; /* of the tries; a success leaves *why as it is */
+    struct failure last; /* the last try's; a success leaves *why as it is */
     int status = refuse(&last, STATUS_NUMERICAL,
-                        "the wall at (%.6g, %.6g) m has fewer than %zu particles within %g h; take a smaller --dx",
+                        "the wall at (%.6g, %.6g) m has fewer than %zu particles within %g h; use a smaller --dx",
                         q->x[place], q->y[place], least, KERNEL_SUPPORT * WALLS_WIDEST);
     for (double grown = 1; grown <= WALLS_WIDEST && status; grown *= 1.1) {
         double H = grown * w->o->h * w->spacing, most = KERNEL_SUPPORT * H * (1 - 1e-9);

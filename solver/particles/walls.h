@@ -2,7 +2,7 @@
 #ifndef HEATLADDER_SOLVER_PARTICLES_WALLS_H
 #define HEATLADDER_SOLVER_PARTICLES_WALLS_H
 
-/* What the dummies of a lattice hold that walls cut anywhere: linear combinations of particles and a constant. */
+/* Values of the dummies of a lattice that walls cut anywhere: linear combinations of particles and a constant. */
 
 #include "solver/particles/ssph.h"
 #include "solver/shape.h"
@@ -27,7 +27,7 @@ struct wall_near { /* particles around a place, as a least-squares fit sees them
     double d[NEIGHBOURS_MAX][2]; /* m */
 };
 
-struct walls_fill { /* what treatments work with */
+struct walls_fill { /* the input of treatments */
     const struct problem *p;
     const struct options *o;
     const struct cloud *c;
@@ -46,7 +46,7 @@ struct wall_sum { /* T of a dummy */
 struct wall_treatment {
     unsigned kinds; /* bits of enum side_kind that it takes */
     int pairs;      /* 1: T differs from pair to pair (struct cloud, `away`) */
-    /* Where the particles around dummy d are wanted, m; NULL for a treatment that needs none. */
+    /* The place around which dummy d needs particles, m; NULL for a treatment that needs none. */
     void (*place)(const struct wall_site *site, double x[2]);
     /* STATUS_NUMERICAL where the particles around do not suffice. */
     int (*fill)(const struct walls_fill *w, size_t d, const struct wall_site *site, struct wall_sum *out,

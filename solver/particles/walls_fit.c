@@ -20,7 +20,7 @@
 
 struct bound { /* the quadratic at one wall or corner, lengths in units of h */
     int dim, held;
-    double axis[2][2]; /* of xi and eta */
+    double axis[2][2]; /* directions of xi and eta */
     double c;          /* K, where it is held */
     int bound[2];      /* whether the slope along the axis is s + r c */
     double s[2], r[2];

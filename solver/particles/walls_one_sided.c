@@ -64,11 +64,11 @@ static double equation(const struct problem *p, int s, const struct foot *f, con
     return size * (p->side[s] == ROBIN ? ratio * value : value * h / k);
 }
 
-struct equations { /* of the neighbours, of the particle itself, and of walls */
+struct equations { /* neighbours, the particle itself, walls */
     struct neighbourhood nb;
     double d[NEIGHBOURS_MAX][2], P[NEIGHBOURS_MAX][SSPH_TERMS_MAX], size[NEIGHBOURS_MAX], w[NEIGHBOURS_MAX];
-    size_t from[NEIGHBOURS_MAX]; /* of the neighbours */
-    double given[4];             /* of the walls */
+    size_t from[NEIGHBOURS_MAX]; /* indices of the neighbours */
+    double given[4];             /* right-hand sides of the walls */
 };
 
 /* Within 2 h of the particle; returns how many are particles. */
@@ -108,7 +108,7 @@ int walls_one_sided(const struct problem *p, const struct options *o, const stru
         if (particles < least)
             refuse(why, STATUS_NUMERICAL,
                    "particle %zu at (%.6g, %.6g) m, beside a wall, has %zu particles within %.3g m, at least %zu are "
-                   "needed; take a smaller --dx",
+                   "needed; use a smaller --dx",
                    nb->i, nb->x[0], nb->x[1], particles, KERNEL_SUPPORT * h, least);
         else
             status = ssph_fit(&e->nb, o->kernel, nb->dim == 2 ? 6 : 3, e->P, e->size, target, e->w, why);

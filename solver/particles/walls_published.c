@@ -1,16 +1,15 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Published dummies of lower order, for the study of walls; for use take `fit`.  d are distances from the wall.
  *
- * fixed     T_d = T_w (Pamplona 2019, Fig. 3).  The wall then lies where the dummies are, up to dx away from where it
- *           is: first order.
- * distance  Morris, Fox & Zhu 1997, J. Comput. Phys. 136:214, for each pair of a particle i and a dummy d:
- *           T_d = T_w - (d_d/d_i) (T_i - T_w),   1 + d_d/d_i at most 1.5.  Exact for linear T across the wall while
- * the bound does not bind: it does for most pairs, d_d > d_i/2, so that the wall's pull is too weak by a share that
- * does not fall with dx. average   Adami, Hu & Adams 2012, J. Comput. Phys. 231:7057, <.> the Shepard mean at the
- * dummy: Dirichlet  T_d = 2 T_w - <T> Neumann    T_d = <T> + (d_d + <d>) q/k,   q the flux into the body The
- * particles in reach of a dummy lie at other distances than it does: T_d is off by (d_d - <d>) dT/dn for a held wall,
- * O(dx), which costs an order; a flux meets the slope, and is off by O(dx^2). image     Marrone et al. 2011, Comput.
- * Methods Appl. Mech. Engrg. 200:1526, T_m at the mirror point by linear moving least squares: Dirichlet  T_d = 2 T_w
+ * fixed     T_d = T_w (Pamplona 2019, Fig. 3).  The wall is then felt at the dummies, up to dx from its place: first
+ * order. distance  Morris, Fox & Zhu 1997, J. Comput. Phys. 136:214, for each pair of a particle i and a dummy d: T_d
+ * = T_w - (d_d/d_i) (T_i - T_w),   1 + d_d/d_i at most 1.5.  Exact for linear T across the wall while the bound does
+ * not bind: it does for most pairs, d_d > d_i/2, so that the wall's pull is too weak by a share that does not fall
+ * with dx. average   Adami, Hu & Adams 2012, J. Comput. Phys. 231:7057, <.> the Shepard mean at the dummy: Dirichlet
+ * T_d = 2 T_w - <T> Neumann    T_d = <T> + (d_d + <d>) q/k,   q the flux into the body The particles in reach of a
+ * dummy have other distances from the wall than it has: T_d is off by (d_d - <d>) dT/dn for a held wall, O(dx), which
+ * costs an order; a flux meets the slope, and is off by O(dx^2). image     Marrone et al. 2011, Comput. Methods Appl.
+ * Mech. Engrg. 200:1526, T_m at the mirror point by linear moving least squares: Dirichlet  T_d = 2 T_w
  * - T_m,   Neumann  T_d = T_m + 2 d q/k Robin      T_d = f T_m + (1 - f) T_a,   f = (k - b d)/(k + b d), as for
  * images of particles At a corner the reflections follow each other.  T_m is off by O(dx^2), and so is the mirror of
  * a wall that bends. */

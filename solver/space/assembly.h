@@ -8,7 +8,7 @@
 
 /* Input of row assembly, and the neighbourhood of one point for a scheme. */
 
-enum { ASSEMBLY_BLOCKS = 64 }; /* of points, each filled by one thread; the same for any number of threads */
+enum { ASSEMBLY_BLOCKS = 64 }; /* each filled by one thread; their number does not depend on it */
 
 /* Calls work(context, b, begin, end, why) for each block b of n points on the given number of threads.  Returns the
  * failure of the first block that fails. */

@@ -182,7 +182,7 @@ static struct rule rule_create(const struct axis *a) {
     r.node = xcalloc(nodes, sizeof *r.node);
     r.weight = xcalloc(weights, sizeof *r.weight);
     double *share = xcalloc(most, sizeof *share);
-    for (int q = 0; q < cells; q++) { /* of particles q - m + 1 to q */
+    for (int q = 0; q < cells; q++) { /* for particles q - m + 1 to q */
         if (q < n && is_cut(a, q)) last = q + m;
         cell[q] = r.nodes;
         if (q < last) add_cell(a, q, &r, share);

@@ -28,7 +28,7 @@ struct mesh { /* input of the cells */
     double spacing;             /* m */
     double reach;               /* m, reach of the ghosts beyond the walls */
     size_t points;              /* number of points with bisectors, without the images beyond round walls */
-    uint32_t *image;            /* of each particle, beyond the inner and the outer wall of a round body; else NULL */
+    uint32_t *image; /* images of each particle beyond the inner and the outer wall of a round body; else NULL */
 };
 
 void voronoi_metric(const struct material *m, int dim, double scale[2]) {

@@ -196,7 +196,7 @@ static void poor_clouds_are_refused(void **state) {
         }
     }
     try_few("positive", 5, right, "no weights >= 0");
-    try_few("positive", 4, line, "take a larger --h");
+    try_few("positive", 4, line, "use a larger --h");
     right[4][0] = -0.011, right[4][1] = 0.018; /* leaves a gap of 160 degrees */
     assert_int_equal(try_weights("kernel_second", 5, right, &why), STATUS_OK);
     try_few("flux_divergence", 0, place, "has 0 neighbours, condition number infinite");
