@@ -34,7 +34,7 @@ struct hl_error {
 
 HL_API const char *hl_version(void);
 HL_API const char *hl_scene(int i);  /* the name of scene i = 0, 1, ...; NULL past the last */
-HL_API const char *hl_method(int i); /* likewise of the methods */
+HL_API const char *hl_method(int i); /* the name of method i */
 
 /* ---- Problems ---- */
 

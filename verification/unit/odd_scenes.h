@@ -19,7 +19,7 @@ static inline void odd_setup(const struct scene *s, struct problem *p) {
     if (s->setup(p, &why)) fail_msg("%s at its odd parameters: %s", s->name, why.text);
 }
 
-/* The scene of that name, set up likewise. */
+/* The scene of that name, set up at its odd parameters. */
 static inline const struct scene *odd_find(const char *name, struct problem *p) {
     const struct scene *s = scene_find(name);
     assert_non_null(s);

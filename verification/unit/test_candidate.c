@@ -86,8 +86,7 @@ static void work_is_counted(void **state) {
     assert_near(twice.cost.work - ftcs.cost.work, 40 * (16 * (2 + 2) + 16 * 4), 1e-9);
 }
 
-/* What rkl2 saves is counted over all its updates, those of a damped first step among them: twice the updates, half
- * the saving. */
+/* The saving of rkl2 counts all updates, those of a damped first step too: twice the updates, half the saving. */
 static void a_damped_start_counts_in_the_saving(void **state) {
     (void)state;
     const char *lines[] = {"run square-step so_ssph --stepper rkl2 --dx 4/160 --dt 5/6",
@@ -102,7 +101,7 @@ static void a_damped_start_counts_in_the_saving(void **state) {
     assert_near(euler[0] / euler[1], 1, 1e-12);
 }
 
-/* What else a candidate may do once outweighs the one stencil of a lattice. */
+/* Searches, rows and transforms cost more than the one stencil of a lattice. */
 static void searches_and_rows_cost_more_than_a_stencil(void **state) {
     (void)state;
     double once = run("run square-step so_ssph --dx 0.1 --fourier 1e9 --stepper euler --set t_end=1e-9").cost.work;

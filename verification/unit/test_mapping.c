@@ -42,12 +42,12 @@ static void words_are_read_as_they_are_printed(void **state) {
     assert_int_equal(mapping_side(&m, Y_HI), X_HI);
 }
 
-struct told {
+struct seen {
     double T, start, source, k[2], rho_c, flux[2], wall[2][3];
 };
 
-/* All that the oracle tells of the image at x. */
-static struct told told_at(const struct scene *s, const struct image *image, const double x[2], double t) {
+/* The columns of the oracle for the image at x. */
+static struct seen seen_at(const struct scene *s, const struct image *image, const double x[2], double t) {
     static const char *const what[2] = {"temperature,initial,source,rho_c,k_x,flux_x,wall_x",
                                         "temperature,initial,source,rho_c,k_x,flux_x,wall_x,k_y,flux_y,wall_y"};
     struct columns c;
@@ -57,10 +57,10 @@ static struct told told_at(const struct scene *s, const struct image *image, con
     mapping_to_scene(&image->map, image->problem.dim, x, at);
     struct exact e = scene_exact(s, image->of, at, t);
     columns_values(&c, image, t, x, NULL, &e, v);
-    struct told told = {v[0], v[1], v[2], {v[4], v[9]}, v[3], {v[5], v[10]}, {{0}, {0}}};
-    memcpy(told.wall, v + 6, sizeof *told.wall);
-    memcpy(told.wall[1], v + 11, sizeof *told.wall);
-    return told;
+    struct seen seen = {v[0], v[1], v[2], {v[4], v[9]}, v[3], {v[5], v[10]}, {{0}, {0}}};
+    memcpy(seen.wall, v + 6, sizeof *seen.wall);
+    memcpy(seen.wall[1], v + 11, sizeof *seen.wall);
+    return seen;
 }
 
 /* rho_c dT/dt = -div(flux) + G within, by differences over d and over the time that heat takes for them; flux = -k
@@ -68,21 +68,21 @@ static struct told told_at(const struct scene *s, const struct image *image, con
 static double equation_is_off(const struct scene *s, const struct image *image, const double x[2], double t) {
     const struct problem *p = &image->problem;
     double d = s->odd.step / 4, dt = 1e-4 * t, off = 0;
-    struct told here = told_at(s, image, x, t);
-    double rise = (told_at(s, image, x, t + dt).T - told_at(s, image, x, t - dt).T) / (2 * dt), into = here.source;
+    struct seen here = seen_at(s, image, x, t);
+    double rise = (seen_at(s, image, x, t + dt).T - seen_at(s, image, x, t - dt).T) / (2 * dt), into = here.source;
     for (int a = 0; a < p->dim; a++) {
         double lo[2] = {x[0], x[1]}, hi[2] = {x[0], x[1]};
         lo[a] -= d, hi[a] += d;
-        struct told below = told_at(s, image, lo, t), above = told_at(s, image, hi, t);
+        struct seen below = seen_at(s, image, lo, t), above = seen_at(s, image, hi, t);
         into -= (above.flux[a] - below.flux[a]) / (2 * d);
         off = fmax(off, fabs(here.flux[a] + here.k[a] * (above.T - below.T) / (2 * d)) / (here.k[a] / d));
     }
     return fmax(off, fabs(here.rho_c * rise - into) / (here.rho_c / t));
 }
 
-/* What the law of side i asks for at x, in units of the temperature. */
+/* Distance from the condition of side i at x, in units of the temperature. */
 static double side_is_off(const struct scene *s, const struct image *image, int i, const double x[2], double t) {
-    struct told here = told_at(s, image, x, t);
+    struct seen here = seen_at(s, image, x, t);
     int a = i / 2;
     const double *wall = here.wall[a];
     double into = i % 2 ? -here.flux[a] : here.flux[a]; /* k dT/dn: what flows in */
@@ -112,7 +112,7 @@ static void an_image_obeys_its_equation(void **state) {
                 int across = image.interface_axis;
                 if (p->materials == 2 && fabs(x[across] - p->interface) < s->odd.step) continue;
                 worst[0] = fmax(worst[0], equation_is_off(s, &image, x, t));
-                struct told start = told_at(s, &image, x, 0);
+                struct seen start = seen_at(s, &image, x, 0);
                 worst[2] = fmax(worst[2], fabs(start.start - start.T));
                 for (int side = 0; side < 2 * p->dim; side++) {
                     double foot[2] = {x[0], x[1]};
@@ -126,7 +126,7 @@ static void an_image_obeys_its_equation(void **state) {
         }
 }
 
-/* The interface is across the case's y, and the material of the scene's lower half lies above it there. */
+/* The interface is across the case's y, with the material of the scene's lower half above it. */
 static void a_case_has_its_own_axes(void **state) {
     (void)state;
     struct problem of;

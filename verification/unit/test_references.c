@@ -132,7 +132,7 @@ static void the_start_holds(void **state) {
             double x[2] = {0, 0};
             odd_point(&p, 0, &random, x);
             assert_near(at(s, &p, x[0], x[1], 0), p.initial(&p, x), 0);
-            /* a moment later nothing but what lies at a jump has changed */
+            /* a moment later only points at a jump have changed */
             int far = 1;
             for (int d = 0; d < p.dim; d++) {
                 for (int j = 0; j < p.jumps[d]; j++) far &= fabs(x[d] - p.jump[d][j]) > 0.001;

@@ -35,13 +35,13 @@ static const struct known {
     /* the closed forms of the opening comments */
     {"rod-cosine", {0.23, 0}, 1.7, 1.2353781717793297199},
     {"rect-manufactured", {0.31, 0.23}, 1.3, 1.9643947954701391570},
-    /* likewise, Bessel functions by mpmath, roots of their conditions; disc-cooling: 89 modes */
+    /* the closed forms, Bessel functions by mpmath, roots of their conditions; disc-cooling: 89 modes */
     {"wave", {0.31, 0.87}, 1.3, 1.115186248147965502},
     {"disc-mode", {0.7, 0.4}, 1.1, 2.1045280976087505546},
     {"disc-mode", {-0.9, 0.81}, 1.6, 2.3346184466530895198},
     {"annulus", {0.3, 0.55}, 1.1, 2.097694237169056175},
     {"annulus", {-0.9, 0.81}, 1.6, 2.28476637578858675},
-    /* likewise, the root by bisection in 50 digits */
+    /* the closed form, its root by bisection in 50 digits */
     {"plane-contact", {0.21, 0.13}, 1.1, 2.1170145913975644302},
     {"plane-contact", {0.71, 0.67}, 1.6, 2.3445065874889198088},
     {"disc-cooling", {0.7, 0.4}, 11, 0.87659966183455767969},
@@ -151,8 +151,8 @@ static void nafems_t4(void **state) {
     assert_order(scene_exact(s, &p, x, 6000).temperature, <, 17);
 }
 
-/* T at t = 0 of rect-manufactured in long double: near x = width sin turns through a whole period, and what rounding
- * leaves of its argument there is several times the rest of the bound. */
+/* T at t = 0 of rect-manufactured in long double: near x = width sin turns through a whole period, and the rounding
+ * of its argument is several times the rest of the bound. */
 static void the_bound_holds_where_a_sine_has_turned(void **state) {
     (void)state;
     const struct scene *s = scene_find("rect-manufactured");
@@ -192,7 +192,7 @@ static void published_lines_leave_the_walls_off(void **state) {
     }
 }
 
-/* Of the plate's four sides as printed only T2 is right; T3 becomes right once steady, T1 and T4 never. */
+/* Only T2 is right among the plate's four sides as printed; T3 becomes right once steady, T1 and T4 never. */
 static void published_plate_by_side(void **state) {
     (void)state;
     static const double x[2] = {0.031, 0.017};

@@ -58,7 +58,7 @@ static void bad_values_are_refused(void **state) {
     }
 }
 
-/* The limit of which material is told. */
+/* The refusal names the material that sets the limit. */
 static void the_faster_half_rod_is_named(void **state) {
     (void)state;
     const struct scene *s = scene_find("rod-contact");
@@ -70,7 +70,7 @@ static void the_faster_half_rod_is_named(void **state) {
     if (!strstr(why.text, "D = L - |x_c| = 1 m and k2/rho_c2 = 0.04 m^2/s")) fail_msg("\"%s\"", why.text);
 }
 
-/* Where a refusal says "needs ... to", both are valid. */
+/* Both ends of "needs ... to ..." are valid. */
 static void the_ends_of_a_range_are_in_it(void **state) {
     (void)state;
     static const struct {
@@ -91,7 +91,7 @@ static void the_ends_of_a_range_are_in_it(void **state) {
     }
 }
 
-/* A setup leaves nothing of an earlier one behind. */
+/* A setup overwrites all of an earlier one. */
 static void setup_starts_afresh(void **state) {
     (void)state;
     struct problem p, q;

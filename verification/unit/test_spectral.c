@@ -95,7 +95,7 @@ static void unresolved_data_have_a_large_bound(void **state) {
     spectral_free(s);
 }
 
-static void what_it_cannot_solve_is_refused(void **state) {
+static void unequal_sides_and_two_materials_are_refused(void **state) {
     (void)state;
     static const int n[2] = {8, 8};
     struct problem p = box(2, DIRICHLET, NEUMANN), q = p, r = p;
@@ -113,7 +113,7 @@ int main(void) {
         cmocka_unit_test(modes_decay_at_their_rates),
         cmocka_unit_test(first_and_last_mode_have_their_own_weight),
         cmocka_unit_test(unresolved_data_have_a_large_bound),
-        cmocka_unit_test(what_it_cannot_solve_is_refused),
+        cmocka_unit_test(unequal_sides_and_two_materials_are_refused),
     };
     gsl_set_error_handler_off();
     return cmocka_run_group_tests_name("spectral", tests, NULL, NULL);
