@@ -65,7 +65,7 @@ static const struct row {
     {"square-step ftcs --dx 0.1 --stepper matched", "--stepper matched: in the plane the error is not isotropic"},
 };
 
-static void what_does_not_go_together_is_refused(void **state) {
+static void incompatible_options_are_refused(void **state) {
     (void)state;
     for (size_t k = 0; k < sizeof rows / sizeof *rows; k++) {
         struct command_run run;
@@ -78,6 +78,6 @@ static void what_does_not_go_together_is_refused(void **state) {
 
 int main(void) {
     gsl_set_error_handler_off();
-    const struct CMUnitTest tests[] = {cmocka_unit_test(what_does_not_go_together_is_refused)};
+    const struct CMUnitTest tests[] = {cmocka_unit_test(incompatible_options_are_refused)};
     return cmocka_run_group_tests_name("compatibility", tests, NULL, NULL);
 }

@@ -291,16 +291,6 @@ static void a_start_outside_of_its_data_is_refused(void **state) {
         fail_msg("%s", why.text);
 }
 
-static void a_start_within_is_not(void **state) {
-    (void)state;
-    struct problem p = two_halves();
-    struct failure why = {0};
-    struct field f;
-    if (method_solve(&method_contact_ssph, &p, &cells, &f, &why)) fail_msg("%s", why.text);
-    for (size_t i = 0; i < f.n; i++) assert_true(f.T[i] > 0.4 - 0.15 && f.T[i] < 1.3 + 0.15);
-    field_free(&f);
-}
-
 /* l A = 0 on a lattice and on a cloud, and sum l = all. */
 static void the_sum_that_it_keeps_is_kept(void **state) {
     (void)state;
@@ -417,7 +407,6 @@ int main(void) {
         cmocka_unit_test(no_mode_grows_in_the_plane),
         cmocka_unit_test(weights_are_not_negative),
         cmocka_unit_test(a_start_outside_of_its_data_is_refused),
-        cmocka_unit_test(a_start_within_is_not),
         cmocka_unit_test(the_sum_that_it_keeps_is_kept),
         cmocka_unit_test(the_same_on_either_side_of_rounding),
         cmocka_unit_test(cut_cells_keep_heat_and_steady_profiles),

@@ -145,7 +145,7 @@ static void a_sum_of_products_is_found_and_put_together(void **state) {
     free(again);
 }
 
-static void what_is_no_such_sum_is_not_taken_for_one(void **state) {
+static void other_fields_are_no_sum_of_few_products(void **state) {
     (void)state;
     const int n[2] = {NX, NY};
     static const double odd[] = {NAN, INFINITY, -INFINITY, 1e-9};
@@ -265,7 +265,7 @@ int main(void) {
         cmocka_unit_test(all_modes_give_the_data_back),
         cmocka_unit_test(cooled_ends_have_their_angles),
         cmocka_unit_test(a_sum_of_products_is_found_and_put_together),
-        cmocka_unit_test(what_is_no_such_sum_is_not_taken_for_one),
+        cmocka_unit_test(other_fields_are_no_sum_of_few_products),
         cmocka_unit_test(a_row_that_repeats_another_but_for_one_value_is_seen),
         cmocka_unit_test(few_modes_evolve_as_all_do),
         cmocka_unit_test(slow_modes_keep_their_rates),

@@ -46,7 +46,7 @@ static void decays_as_its_symbol(const struct method *m, struct problem *p, enum
     field_free(&f);
 }
 
-static void test_symbol(void **state) {
+static void modes_decay_as_their_symbol(void **state) {
     (void)state;
     const struct method *const both[] = {&method_ftcs, &method_ftcs_flux};
     for (int m = 0; m < 2; m++)
@@ -73,25 +73,6 @@ static double line_wall(const struct problem *p, enum side s, const double x[2])
     return p->material[0].k[s / 2] * p->param[1 + s / 2] * (s % 2 ? 1 : -1);
 }
 
-/* A linear profile with its flux given on two sides stays, for both methods on both layouts. */
-static void test_linear_profile_stays(void **state) {
-    (void)state;
-    const struct method *const both[] = {&method_ftcs, &method_ftcs_flux};
-    for (int turn = 0; turn < 8; turn++) {
-        struct problem p = plane(0, 0);
-        p.param[0] = 1.37, p.param[1] = -2.9, p.param[2] = 0.77;
-        p.initial = line, p.wall = line_wall;
-        p.side[turn & 1 ? X_HI : X_LO] = NEUMANN;
-        p.side[turn & 1 ? Y_LO : Y_HI] = DIRICHLET;
-        struct options o = {.dx = 0.046, .fourier = 0.2, .layout = turn & 2 ? LAYOUT_NODE : LAYOUT_LATTICE};
-        o.sampling = turn & 1 ? SAMPLING_SPLINE : SAMPLING_CELL; /* both keep a linear profile, walls included */
-        struct field f = solved(both[turn >> 2], &p, &o);
-        assert_order(f.steps, >, 50);
-        for (size_t i = 0; i < f.n; i++) assert_near(f.T[i], line(&p, (double[2]){f.x[i], f.y[i]}), 1e-12);
-        field_free(&f);
-    }
-}
-
 static double steady_source(const struct problem *p, const double x[2]) {
     return -2 * (p->material[0].k[0] * p->param[1] - p->material[0].k[1] * p->param[2]) + 0 * x[0];
 }
@@ -107,7 +88,7 @@ static double parabola_wall(const struct problem *p, enum side s, const double x
 
 /* G = -div(k grad T) of a parabola holds it; with nodes on the walls the differences are exact (with fluxes all but
  * next to a wall whose temperature is given). */
-static void test_source_holds_a_parabola(void **state) {
+static void source_holds_a_parabola(void **state) {
     (void)state;
     struct problem p = plane(0, 0);
     p.param[0] = 0.31, p.param[1] = 1.7, p.param[2] = 0.45;
@@ -127,7 +108,7 @@ static void test_source_holds_a_parabola(void **state) {
 /* ---- Walls ---- */
 
 /* With `fixed`, ghosts half a spacing outside hold the wall's temperature: the wall is felt dx/2 too far out. */
-static void test_fixed_walls_lie_half_a_spacing_out(void **state) {
+static void fixed_walls_lie_half_a_spacing_out(void **state) {
     (void)state;
     struct problem p = rod(0);
     p.param[0] = 1.37, p.param[1] = -2.9, p.param[2] = 0;
@@ -145,7 +126,7 @@ static double one_flux(const struct problem *p, enum side s, const double x[2]) 
     return s == X_LO ? p->param[4] : 0;
 }
 
-static void test_heat_balance(void **state) {
+static void heat_balance(void **state) {
     (void)state;
     for (int layout = LAYOUT_LATTICE; layout <= LAYOUT_NODE; layout++) {
         struct problem p = plane(4, 3);
@@ -166,7 +147,7 @@ static void test_heat_balance(void **state) {
 /* ---- The matched step ---- */
 
 /* Smoothing by the sampling shortens the run by its time; a jump sampled at points lengthens it. */
-static void test_matched_starts_late(void **state) {
+static void matched_starts_late(void **state) {
     (void)state;
     const double m[] = {0, 1, 4, -1, 1, 4}, dx = 0.046;
     for (int i = 0; i < 6; i++) {
@@ -198,7 +179,7 @@ static double level_alone(const struct problem *p, const double x[2]) {
 }
 
 /* Euler's step has no error where T is linear in time and the source that of its start. */
-static void test_source_that_changes_is_that_of_the_old_time(void **state) {
+static void source_that_changes_is_that_of_the_old_time(void **state) {
     (void)state;
     const struct method *const both[] = {&method_ftcs, &method_ftcs_flux};
     for (int turn = 0; turn < 4; turn++) {
@@ -227,7 +208,7 @@ static double step(const struct problem *p, const double x[2]) {
 /* ---- What is refused, and how a run fails ---- */
 
 /* Just inside the limit a run is bounded, just outside it is a status with step, time and place. */
-static void test_stability(void **state) {
+static void stability(void **state) {
     (void)state;
     const struct method *const both[] = {&method_ftcs, &method_ftcs_flux};
     const double limit[] = {0.5, 2}; /* dt (kappa_x + kappa_y) / dx^2 */
@@ -271,7 +252,7 @@ static double insulated(const struct problem *p, enum side s, const double x[2])
 /* Two materials in the plane, the interface 0.3 of a cell behind a face.  T = cos(pi y/H) has no flux along x, and a
  * step of Euler takes (k_y/rho_c) dt (2 sin(pi d/2 H)/d)^2 of it, k_y and rho_c averaged over the cell.  Where both
  * have the same kappa the step's sum of kappa dt/dx^2 is that of both axes. */
-static void test_two_materials_in_the_plane(void **state) {
+static void two_materials_in_the_plane(void **state) {
     (void)state;
     const double d = 0.1, first = 0.3, k[2] = {0.7, 0.09}, rho_c[2] = {1.3, 2.9};
     struct problem p = {.dim = 2,
@@ -305,7 +286,7 @@ static void test_two_materials_in_the_plane(void **state) {
 }
 
 /* The step is whole: t_end / ceil(t_end / dt); a dx that is out by rounding is snapped. */
-static void test_whole_steps(void **state) {
+static void whole_steps(void **state) {
     (void)state;
     struct problem p = rod(3);
     struct options o = {.dx = 0.0383333333, .dt = 0.0037};
@@ -468,16 +449,15 @@ static void steps_up_to_a_half(void **state) {
 int main(void) {
     gsl_set_error_handler_off();
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_symbol),
-        cmocka_unit_test(test_linear_profile_stays),
-        cmocka_unit_test(test_source_holds_a_parabola),
-        cmocka_unit_test(test_fixed_walls_lie_half_a_spacing_out),
-        cmocka_unit_test(test_heat_balance),
-        cmocka_unit_test(test_matched_starts_late),
-        cmocka_unit_test(test_source_that_changes_is_that_of_the_old_time),
-        cmocka_unit_test(test_stability),
-        cmocka_unit_test(test_two_materials_in_the_plane),
-        cmocka_unit_test(test_whole_steps),
+        cmocka_unit_test(modes_decay_as_their_symbol),
+        cmocka_unit_test(source_holds_a_parabola),
+        cmocka_unit_test(fixed_walls_lie_half_a_spacing_out),
+        cmocka_unit_test(heat_balance),
+        cmocka_unit_test(matched_starts_late),
+        cmocka_unit_test(source_that_changes_is_that_of_the_old_time),
+        cmocka_unit_test(stability),
+        cmocka_unit_test(two_materials_in_the_plane),
+        cmocka_unit_test(whole_steps),
         cmocka_unit_test(steady_states_stay),
         cmocka_unit_test(areas_and_heat),
         cmocka_unit_test(a_flux_enters_once),

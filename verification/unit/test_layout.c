@@ -127,28 +127,6 @@ static void fixed_ghosts_hold_the_wall(void **state) {
     layout_cloud_free(&c);
 }
 
-static void lattices_keep_their_distance_from_walls(void **state) {
-    (void)state;
-    struct problem p = odd_rectangle(); /* 1.5 m of given temperature, 1.2 m of given flux */
-    struct options o = {.dx = 0.05};
-    struct lattice l;
-    struct failure why;
-    assert_int_equal(layout_lattice(&p, &o, 2, &l, &why), STATUS_OK);
-    assert_int_equal(l.n[0], 30);
-    assert_int_equal(l.n[1], 12);
-    assert_near(l.first[0], -0.325, 1e-15);
-    assert_near(l.first[1], 0.25, 1e-15);
-    o.layout = LAYOUT_NODE;
-    assert_int_equal(layout_lattice(&p, &o, 2, &l, &why), STATUS_OK);
-    assert_int_equal(l.n[0], 29); /* the walls' nodes are known */
-    assert_int_equal(l.n[1], 13);
-    assert_near(l.first[0], -0.3, 1e-15);
-    assert_near(l.first[1], 0.2, 1e-15);
-    const int shift[4] = {-1, -1, 1, 1}, sign[4] = {-1, -1, 1, 1};
-    assert_memory_equal(l.shift, shift, sizeof shift);
-    assert_memory_equal(l.sign, sign, sizeof sign);
-}
-
 static void spacings_that_do_not_divide_are_refused(void **state) {
     (void)state;
     struct problem p = odd_rectangle();
@@ -287,7 +265,6 @@ int main(void) {
         cmocka_unit_test(ghosts_hold_for_any_two_conductivities),
         cmocka_unit_test(disagreeing_corners_take_the_mean),
         cmocka_unit_test(fixed_ghosts_hold_the_wall),
-        cmocka_unit_test(lattices_keep_their_distance_from_walls),
         cmocka_unit_test(spacings_that_do_not_divide_are_refused),
         cmocka_unit_test(six_neighbours),
         cmocka_unit_test(settled_clouds),

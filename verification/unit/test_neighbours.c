@@ -56,7 +56,7 @@ static void cells_find_what_all_pairs_do(void **state) {
     as_all_pairs(flat, 0.43, 0.2);
 }
 
-static void what_finds_no_room_is_counted(void **state) {
+static void neighbours_without_room_are_counted(void **state) {
     (void)state;
     struct problem p = odd_rectangle();
     struct options o = {.dx = 0.05, .layout = LAYOUT_JITTER, .jitter = 0.17, .seed = 3};
@@ -82,7 +82,7 @@ int main(void) {
     gsl_set_error_handler_off();
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(cells_find_what_all_pairs_do),
-        cmocka_unit_test(what_finds_no_room_is_counted),
+        cmocka_unit_test(neighbours_without_room_are_counted),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

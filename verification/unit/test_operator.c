@@ -16,40 +16,6 @@ static struct options odd_options(void) {
     return (struct options){.dx = 0.05, .h = 1.23, .seed = 7};
 }
 
-/* sum over the stencil of w x^a y^b, in lattice units of kappa/dx^2 */
-static double moment(const char *name, struct options o, const double kappa[2], int a, int b) {
-    struct problem p = odd_rectangle();
-    struct failure why;
-    int reach[2];
-    double *w, sum = 0;
-    assert_int_equal(operator_stencil(&p, &o, method_find(name)->scheme, 1, kappa, reach, &w, &why), STATUS_OK);
-    for (int j = -reach[1]; j <= reach[1]; j++)
-        for (int i = -reach[0]; i <= reach[0]; i++)
-            sum += w[abs(j) * (reach[0] + 1) + abs(i)] * pow(i, a) * pow(j, b);
-    free(w);
-    return sum;
-}
-
-static void stencils_differentiate_polynomials_exactly(void **state) {
-    (void)state;
-    const double kappa[2] = {0.71, 0.43}, same[2] = {0.71, 0.71};
-    for (int k = 0; kernel_words[k]; k++)
-        for (double h = 1.05; h < 2.2; h += 0.23) {
-            struct options o = odd_options();
-            o.kernel = (enum kernel_name)k, o.h = h;
-            assert_near(moment("so_ssph", o, kappa, 2, 0), 2 * kappa[0], 1e-12);
-            assert_near(moment("so_ssph", o, kappa, 0, 2), 2 * kappa[1], 1e-12);
-            assert_near(moment("fo_ssph", o, kappa, 2, 0), 2 * kappa[0], 1e-12);
-            assert_near(moment("fo_ssph", o, kappa, 0, 2), 2 * kappa[1], 1e-12);
-            assert_near(moment("brookshaw", o, same, 2, 0), 2 * 0.7 / 1.3, 1e-12);
-            assert_near(moment("so_ssph", o, kappa, 0, 0), 0, 1e-14);
-        }
-    struct options o = odd_options();
-    o.order = 4, o.h = 2.2;
-    assert_near(moment("so_ssph", o, kappa, 4, 0), 0, 1e-10);
-    assert_near(moment("so_ssph", o, kappa, 2, 2), 0, 1e-10);
-}
-
 static void run(const char *name, struct problem p, struct options o, struct field *f) {
     struct failure why = {0};
     const struct method *m = method_find(name);
@@ -189,7 +155,6 @@ static void matching_needs_isotropy(void **state) {
 int main(void) {
     gsl_set_error_handler_off();
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(stencils_differentiate_polynomials_exactly),
         cmocka_unit_test(rows_equal_the_stencil),
         cmocka_unit_test(exact_is_the_limit_of_small_steps),
         cmocka_unit_test(singular_supports_are_named),

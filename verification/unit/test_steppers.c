@@ -176,7 +176,7 @@ static void one_equation(void **state) {
     assert_near(T, 1.3 * (1 - 1.3 * dt) * (1 - 0.7 * dt), 1e-15);
 }
 
-static void what_is_not_a_number_is_unstable(void **state) {
+static void nan_is_unstable(void **state) {
     (void)state;
     double T = NAN;
     assert_int_equal(march(STEPPER_EULER, 1, 0, 0.1, 1, &T), STATUS_UNSTABLE);
@@ -205,7 +205,7 @@ int main(void) {
         cmocka_unit_test(the_bound_of_stages_is_met),
         cmocka_unit_test(a_damped_start_takes_what_its_parts_need),
         cmocka_unit_test(one_equation),
-        cmocka_unit_test(what_is_not_a_number_is_unstable),
+        cmocka_unit_test(nan_is_unstable),
         cmocka_unit_test(stages_may_be_many),
     };
     return cmocka_run_group_tests_name("steppers", tests, NULL, NULL);

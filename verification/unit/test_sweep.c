@@ -330,7 +330,7 @@ static void quarter(const void *what, int k, ptrdiff_t lo, ptrdiff_t hi) {
     for (ptrdiff_t i = lo; i < hi; i++) (*part)[i] = least / 4;
 }
 
-static void what_no_temperature_needs_is_zero(void **state) {
+static void subnormal_numbers_are_zero_in_a_sweep(void **state) {
     (void)state;
 #ifdef __SSE2__
     for (int threads = 1; threads <= 3; threads++) {
@@ -359,7 +359,7 @@ int main(void) {
         cmocka_unit_test(bands_are_the_rows),
         cmocka_unit_test(rows_share_a_sweep),
         cmocka_unit_test(every_unit_has_every_update_in_turn),
-        cmocka_unit_test(what_no_temperature_needs_is_zero),
+        cmocka_unit_test(subnormal_numbers_are_zero_in_a_sweep),
     };
     return cmocka_run_group_tests_name("sweep", tests, NULL, NULL);
 }

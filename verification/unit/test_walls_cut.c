@@ -156,7 +156,7 @@ static void one_sided_rows_do_not_grow_beside_a_wall(void **state) {
         }
 }
 
-static void what_has_no_one_sided_fit_is_refused(void **state) {
+static void a_missing_one_sided_fit_is_refused(void **state) {
     (void)state;
     extern const struct method method_fatehi_manzari, method_so_ssph;
     struct problem p = body(1, DIRICHLET, &flat);
@@ -253,7 +253,7 @@ int main(void) {
         cmocka_unit_test(every_treatment_keeps_a_constant),
         cmocka_unit_test(a_quadratic_rises_evenly),
         cmocka_unit_test(one_sided_rows_do_not_grow_beside_a_wall),
-        cmocka_unit_test(what_has_no_one_sided_fit_is_refused),
+        cmocka_unit_test(a_missing_one_sided_fit_is_refused),
         cmocka_unit_test(fits_let_no_mode_grow),
         cmocka_unit_test(particles_on_a_wall_hold_its_temperature),
         cmocka_unit_test(clipped_cells_fill_the_body),
