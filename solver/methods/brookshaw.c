@@ -1,28 +1,28 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Brookshaw's operator with Cleary & Monaghan's conductivity (Pamplona eq. 13):
- *   rho_c dT_i/dt = sum_j V k_ij (T_i - T_j) F_ij,   F_ij = (dW/dr) r / (r^2 + eta^2),   eta = 0.1 h,
- * with k_ij = 4 k_i k_j / (k_i + k_j) (harmonic), k_i + k_j (arithmetic), or twice the conductance of the line
- * between the particles, 2 r / sum(l / k) (series: exact for every pair across a plane interface). Pair fluxes are
- * equal and opposite, so heat is conserved on any layout.  On a lattice rho_c is the average over the particle's
- * cell: the cells then hold the heat of both materials, and a rod is of second order for any position of the
- * interface.
+ *   rho_c dT_i/dt = sum_j V k_ij (T_i - T_j) F_ij,   F_ij = (dW/dr) r / (r^2 + eta^2),   eta = 0.1 h.
+ * k_ij is 4 k_i k_j / (k_i + k_j) (harmonic), k_i + k_j (arithmetic), or twice the conductance of the line between
+ * the particles, 2 r / sum(l / k) (series: exact for every pair across a plane interface).  Pair fluxes are equal
+ * and opposite, so heat is conserved on any layout.  On a lattice rho_c is the average over the particle's cell.
+ * The cells then have the heat of both materials, and a rod is second order for any interface position.
  *
- * The volume V: raw dx^d; tuned, Pamplona eq. 14, V = area xi / N with N counting the ghosts; moment, the V for which
- * the operator is exact for x^2 and y^2 on the lattice, sum_j w_j x_j^2 = 2 kappa.
- * Weights are >= 0: a cloud carries the operator, bounded, if every particle has a neighbour.
- * Isotropic conductivity only: F depends on the distance alone. */
+ * The volume V: raw, dx^d; tuned, Pamplona eq. 14, V = area xi / N with N including the ghosts; moment, the V for
+ * which the operator is exact for x^2 and y^2 on the lattice, sum_j w_j x_j^2 = 2 kappa.
+ *
+ * Weights are >= 0, so on a cloud the solution is bounded if every particle has a neighbour.  Isotropic conductivity
+ * only, because F depends on the distance only. */
 #include "solver/space/kernel.h"
 #include "solver/particles/particles.h"
 
 #include <math.h>
 
-/* -(dW/dr) r / (r^2 + eta^2), m^-(d + 2), of a kernel of smoothing length h at distance r */
+/* -(dW/dr) r / (r^2 + eta^2), m^-(dim + 2), of a kernel of smoothing length h at distance r */
 static double pair_weight(enum kernel_name kernel, int dim, double h, double r) {
     double eta = 0.1 * h;
     return -kernel_slope(kernel, dim, r / h) / pow(h, dim + 1) * r / (r * r + eta * eta);
 }
 
-/* Lattice sum of 2 F x^2 dx^d: the raw operator's answer to x^2 / 2 for kappa = 1. */
+/* Lattice sum of 2 F x^2 dx^dim: the raw operator applied to x^2 / 2 for kappa = 1. */
 static double lattice_moment(enum kernel_name kernel, int dim, double h_over_dx) {
     int reach = (int)ceil(KERNEL_SUPPORT * h_over_dx);
     double sum = 0;
@@ -37,7 +37,8 @@ static double volume(const struct problem *p, const struct options *o, double h,
     if (o->volume == VOLUME_MOMENT) return dV / lattice_moment(o->kernel, p->dim, h / spacing);
     double xi = o->xi > 0 ? o->xi : 9 * cbrt(h), all = 1, real = 1; /* Pamplona eq. 18 */
     double layers = floor(KERNEL_SUPPORT * h / spacing);
-    const struct problem *plate = p->whole ? p->whole : p; /* N is that of all, however much of it is computed */
+    const struct problem *plate =
+        p->whole ? p->whole : p; /* N is that of the whole plate, even if only a part is computed */
     for (int a = 0; a < p->dim; a++) {
         double n = round((plate->hi[a] - plate->lo[a]) / spacing);
         real *= n;
@@ -46,14 +47,14 @@ static double volume(const struct problem *p, const struct options *o, double h,
     return dV * xi * real / all;
 }
 
-/* Twice the conductivity between material m of particle i and the place x + d, W m^-1 K^-1. */
+/* Twice the conductivity between particle i at x and the point x + d, W m^-1 K^-1. */
 static double pair_conductivity(const struct problem *p, enum mean mean, double x, double d) {
     int here = layout_material(p, x), there = layout_material(p, x + d);
     double ki = p->material[here].k[0], kj = p->material[there].k[0];
     if (here == there) return 2 * ki;
     if (mean == MEAN_HARMONIC) return 4 * ki * kj / (ki + kj);
     if (mean == MEAN_ARITHMETIC) return ki + kj;
-    double part = (p->interface - x) / d; /* part of the line on this side */
+    double part = (p->interface - x) / d; /* fraction of the line on this side */
     return 2 / (part / ki + (1 - part) / kj);
 }
 
@@ -61,7 +62,7 @@ static int weights(const struct problem *p, const struct options *o, const struc
                    struct failure *why) {
     if (nb->n == 0)
         return refuse(why, STATUS_NUMERICAL,
-                      "particle %zu at (%.6g, %.6g) m has 0 neighbours: no heat reaches it; use a larger --h", nb->i,
+                      "particle %zu at (%.6g, %.6g) m has 0 neighbours and receives no heat; use a larger --h", nb->i,
                       nb->x[0], nb->x[1]);
     for (size_t j = 0; j < nb->n; j++) {
         double F = pair_weight(o->kernel, nb->dim, nb->h, hypot(nb->d[j][0], nb->d[j][1]));

@@ -1,26 +1,28 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* SSPH across the contact of two materials: SO-SSPH (Song eqs. 10, 11) whose monomials, beyond a plane interface at
- * X = x_c - x_i, go on as the interface's conditions have them.  With xi = x - X and the ratios r = k_x/k_x' and
- * a = kappa_x/kappa_x' of this side to the other's (dashed), T and k_x T_x continuous, and so T_t,
- *   kappa_x T_xx + kappa_y T_yy = kappa_x' T_xx' + kappa_y' T_yy:
+/* SSPH across the contact of two materials: SO-SSPH (Song eqs. 10, 11) with monomials that continue beyond a plane
+ * interface at X = x_c - x_i according to the interface conditions.  With xi = x - X and the ratios r = k_x/k_x' and
+ * a = kappa_x/kappa_x' of this side to the other (dashed), T and k_x T_x are continuous, and so is T_t:
+ *   kappa_x T_xx + kappa_y T_yy = kappa_x' T_xx' + kappa_y' T_yy'. The monomials continue as
  *   x      ->  X + r xi                        x^2/2  ->  X^2/2 + r X xi + a xi^2/2
  *   y      ->  y                               x y    ->  (X + r xi) y
  *   y^2/2  ->  y^2/2 + b xi^2/2,   b = (kappa_y - kappa_y')/kappa_x'
- * The weights are the least squares of these five (two on a rod) functions, weighted with the kernel.  Where r or a
- * is large the images beyond would rule the sum: an equation is divided by its own size, so that all are of the size
- * of monomials.  With weights of either sign modes still grow, on a rod from h/dx = 1.5, on clouds in the plane where
- * diffusivities differ 100 times. Weights >= 0 let none grow: a row's largest value is then at most its neighbours'
- * (a maximum principle).  On a rod there are such weights wherever a neighbour is on either side; in the plane they
- * were found in every row up to jitter 0.3. Least squares among these are taken (nonnegative.c), and those of either
- * sign where there are none.
+ * The weights are the least squares with these five (two on a rod) functions and the kernel as weight.  For large r
+ * or a the functions beyond the interface would dominate the sum, so each equation is divided by its size, which
+ * makes all of them comparable with monomials.  With weights of either sign modes still grow: on a rod from
+ * h/dx = 1.5, on clouds in the plane at a ratio of 100 between diffusivities.  Weights >= 0 exclude growth by a
+ * maximum principle: the extreme value of a row is bounded by its neighbours.  On a rod such weights exist if there
+ * is a neighbour on either side; in the plane they were found in every row up to jitter 0.3.  The least squares
+ * among them are used (nonnegative.c), or those of either sign if none exist.
  *
- * Exact: for all fields that are quadratics on either side and meet these conditions, on any cloud.  The truncation
- * is O(dx) at the interface as elsewhere on a cloud, at most kappa |T_xxx| support/3 by weights >= 0 whatever the
- * ratios: second order in all.  Heat is not conserved: a start that jumps at the contact is of first order but for
- * the averages of start.c.
- * Without a neighbour beyond the interface, and for one material, it is so_ssph. Restrictions: no source with two
- * materials (its jump is not known); layers thicker than the kernel's support, so that the images beyond a
- * wall are of the wall's own material. */
+ * Exact: for all piecewise quadratic fields that satisfy the interface conditions, on any cloud.  The truncation
+ * error is O(dx) at the interface as elsewhere on a cloud, with weights >= 0 at most kappa |T_xxx| support/3 for any
+ * ratio: second order in total.  Heat is not conserved.  Initial data that jump at the contact are first order,
+ * except for the averages of start.c.
+ *
+ * Without a neighbour beyond the interface, and for one material, the weights are those of so_ssph.
+ *
+ * Restrictions: no source with two materials (its jump would have to be specified); layers thicker than the kernel's
+ * support, so that the images beyond a wall are of the wall's own material. */
 #include "solver/particles/particles.h"
 #include "solver/particles/ssph.h"
 #include "solver/space/kernel.h"
@@ -30,7 +32,7 @@
 static int check(const struct problem *p, const struct options *o, struct failure *why) {
     if (p->materials == 1) return STATUS_OK;
     if (p->source)
-        return refuse(why, STATUS_NOT_APPLICABLE, "contact_ssph: no source with two materials; brookshaw takes one");
+        return refuse(why, STATUS_NOT_APPLICABLE, "contact_ssph: no source with two materials; use brookshaw");
     double layer = fmin(p->interface - p->lo[0], p->hi[0] - p->interface), support = KERNEL_SUPPORT * o->h * o->dx;
     if (layer < support)
         return refuse(why, STATUS_INPUT,
@@ -40,13 +42,13 @@ static int check(const struct problem *p, const struct options *o, struct failur
     return STATUS_OK;
 }
 
-/* The functions of a neighbour at d (m) in units of h, ordered x, y, x^2/2, x y, y^2/2 (x, x^2/2 on a rod).  Returns
- * how many times larger they are than those monomials, at least 1. */
+/* Functions of a neighbour at d (m) in units of h, ordered x, y, x^2/2, x y, y^2/2 (x, x^2/2 on a rod).  Returns
+ * their size relative to those monomials, at least 1. */
 static double functions(const struct problem *p, const struct neighbourhood *nb, const double d[2], double *P) {
     int here = layout_material(p, nb->x[0]), there = layout_material(p, nb->x[0] + d[0]);
     const struct material *m = &p->material[here], *other = &p->material[there];
     double x = d[0] / nb->h, y = d[1] / nb->h, X = (p->interface - nb->x[0]) / nb->h;
-    if (here == there) X = x; /* nothing beyond */
+    if (here == there) X = x; /* no interface */
     double xi = x - X, r = m->k[0] / other->k[0], kappa_x = other->k[0] / other->rho_c;
     double along = X + r * xi, a = nb->kappa[0] / kappa_x, b = 0;
     double curved = X * X / 2 + r * X * xi + a * xi * xi / 2;
@@ -60,8 +62,8 @@ static double functions(const struct problem *p, const struct neighbourhood *nb,
     return fmax(fmax(1, along / x), fmax(2 * curved, fabs(b) * xi * xi) / (x * x));
 }
 
-/* The weights are least squares, those of neighbours beyond divided by their size; where one is negative, the least
- * squares among weights that are not, if there are any. */
+/* Least-squares weights, with the equations beyond the interface divided by their size.  If one is negative, the
+ * least squares among non-negative weights, if there are any. */
 static int across(const struct options *o, const struct neighbourhood *nb, double P[][SSPH_TERMS_MAX],
                   const double *size, const double *target, double *w, struct failure *why) {
     double W[NEIGHBOURS_MAX], other[NEIGHBOURS_MAX], least = 0;
@@ -95,7 +97,7 @@ static const struct scheme scheme = {
 
 const struct method method_contact_ssph = {
     .name = "contact_ssph",
-    .about = "SO-SSPH whose Taylor series keeps T, k T_x and T_t continuous across an interface of two materials",
+    .about = "SO-SSPH with a Taylor series that keeps T, k T_x and T_t continuous across an interface",
     .accepts = PARTICLES_OPTIONS PARTICLES_WALLS,
     .scheme = &scheme,
     .solve = particles_solve,

@@ -1,31 +1,32 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Laplacians with a corrected gradient of the kernel, for comparison: less than fatehi_manzari, which is exact for
- * quadratics.  Notation of correction.h; none conserves heat, since Gamma_i differs from Gamma_j.
+/* Laplacians with a corrected kernel gradient, for comparison with fatehi_manzari, which is exact for quadratics.
+ * The notation is that of correction.h.  None conserves heat, since Gamma_i differs from Gamma_j.
  *
  * brookshaw_corrected (Randles & Libersky 1996, Bonet & Lok 1999): Brookshaw's operator with that gradient,
  *   dT_i/dt = 2 kappa/h^2 sum_j F_j (s_j . Gamma_i^-1 s_j) / |s_j|^2 (T_j - T_i).
- * Exact: for |x - x_i|^2 on any cloud, since sum_j F_j s_j . Gamma^-1 s_j = tr(Gamma^-1 Gamma) = d; for all
- * quadratics where the neighbourhood is even along each axis and the same under their exchange.  Not for x - x_i:
- * where sum_j F_j s_j does not vanish, the error is O(disorder |grad T| / h), as Brookshaw's own.  Weights are >= 0
- * where the kernel falls, since Gamma is then positive definite: the maximum principle holds on any cloud.
+ * Exact: for |x - x_i|^2 on any cloud, since sum_j F_j s_j .  Gamma^-1 s_j = tr(Gamma^-1 Gamma) = d; for all
+ * quadratics if the neighbourhood is even along each axis and symmetric under their exchange.  Not for x - x_i: if
+ * sum_j F_j s_j does not vanish, the error is O(disorder |grad T| / h), as for Brookshaw's own.  For a decreasing
+ * kernel Gamma is positive definite and the weights are >= 0: the maximum principle holds on any cloud.
  *
- * schwaiger (Int. J. Numer. Meth. Engng 75, 647, 2008), without its terms for free surfaces, since ghosts complete
- * the support.  Taylor's expansion of Brookshaw's sum is 2 sum_j F_j (T_j - T_i) = 2 N . h grad T + Gamma : h^2 grad
- * grad T + ...,   N = sum_j F_j s_j, and so, with the corrected gradient and tr(Gamma^-1)/d for what Gamma does to
- * the trace, dT_i/dt = kappa/h^2 tr(Gamma^-1)/d 2 sum_j F_j (T_j - T_i - s_j . h <grad T>). Exact: for linear T on
- * any cloud; for quadratics where the neighbourhood is even along each axis and the same under their exchange.
- * Elsewhere tr(Gamma^-1) Gamma/d is not the identity, and <grad T> is wrong by O(h) where third moments remain: an
- * error that does not fall with h at a given disorder.  Weights can be negative.
+ * schwaiger (Int.  J. Numer.  Meth.  Engng 75, 647, 2008), without its terms for free surfaces, since ghosts
+ * complete the support.  The Taylor expansion of Brookshaw's sum is
+ *   2 sum_j F_j (T_j - T_i) = 2 N . h grad T + Gamma : h^2 grad grad T + ...,   N = sum_j F_j s_j.
+ * With the corrected gradient, and tr(Gamma^-1)/d to compensate the effect of Gamma on the trace,
+ *   dT_i/dt = kappa/h^2 tr(Gamma^-1)/d 2 sum_j F_j (T_j - T_i - s_j . h <grad T>).
+ * Exact: for linear T on any cloud; for quadratics if the neighbourhood is even along each axis and symmetric under
+ * their exchange.  Elsewhere tr(Gamma^-1) Gamma/d is not the identity, and third moments give <grad T> an error of
+ * O(h): an error that does not decrease with h at a given disorder.  Weights can be negative.
  *
- * cspm (Chen, Beraun & Carney, Int. J. Numer. Meth. Engng 46, 231, 1999): the Taylor series weighted in turn with the
- * kernel's first and second derivatives, each order taken less the orders before it.  With W_mj = V_j (w_xx, w_xy,
- * w_yy)_m at s_j and m, n running over xx, xy, yy,
+ * cspm (Chen, Beraun & Carney, Int.  J. Numer.  Meth.  Engng 46, 231, 1999): the Taylor series weighted in turn with
+ * the first and second derivatives of the kernel, each order without the previous ones.  With W_mj = V_j (w_xx,
+ * w_xy, w_yy)_m at s_j and m, n running over xx, xy, yy,
  *   h <grad T> = Gamma^-1 sum_j F_j s_j (T_j - T_i),
  *   sum_n K_mn u_n = sum_j W_mj (T_j - T_i - s_j . h <grad T>),   K_mn = sum_j W_mj q_n(s_j),
  *   dT_i/dt = (kappa_x u_xx + kappa_y u_yy) / h^2,   q = (x^2/2, x y, y^2/2).
- * Exact: for linear T on any cloud; for quadratics where third moments vanish, as on a lattice.  Elsewhere <grad T>
- * takes up part of a quadratic that K does not know of, an error that does not fall with h.  Weights change sign with
- * w_xx. */
+ * Exact: for linear T on any cloud; for quadratics if third moments vanish, as on a lattice.  Elsewhere <grad T>
+ * includes part of a quadratic that K does not account for, an error that does not decrease with h.  Weights change
+ * sign with w_xx. */
 #include "solver/particles/correction.h"
 #include "solver/particles/particles.h"
 #include "solver/space/kernel.h"
@@ -91,7 +92,7 @@ const struct method method_schwaiger = {
 
 /* ---- cspm ---- */
 
-/* V_j (w_xx, w_xy, w_yy) / h^d, of the radial kernel w: w_ab = w'' e_a e_b + (w'/s) (delta_ab - e_a e_b). */
+/* V_j (w_xx, w_xy, w_yy) / h^dim of the radial kernel w: w_ab = w'' e_a e_b + (w'/s) (delta_ab - e_a e_b). */
 static void curvatures(const struct neighbourhood *nb, enum kernel_name kernel, const struct correction *c, size_t j,
                        double out[CORRECTION_TERMS]) {
     const double *s = c->s[j];

@@ -1,14 +1,15 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Fatehi & Manzari's second derivatives (Comput. Math. Appl. 61, 482, 2011), their fourth scheme: each component of
- * Brookshaw's sum, less the corrected gradient, and a matrix that makes it exact for quadratics.  In the notation of
- * correction.h, with e_j = s_j/|s_j| and m, n running over xx, xy, yy,
+/* Fatehi & Manzari's second derivatives (Comput.  Math.  Appl. 61, 482, 2011), their fourth scheme: each component
+ * of Brookshaw's sum, minus the corrected gradient, with a matrix that makes it exact for quadratics.  In the
+ * notation of correction.h, with e_j = s_j/|s_j| and m, n running over xx, xy, yy,
  *   S_m = sum_j F_j (e_j e_j)_m (T_j - T_i - s_j . h <grad T>) = sum_j omega_mj (T_j - T_i),
  *   omega_mj = F_j ((e_j e_j)_m - A_m . Gamma^-1 s_j),   A_m = sum_j F_j (e_j e_j)_m s_j,
  *   dT_i/dt = sum_m z_m S_m / h^2,   sum_m z_m K_mn = (kappa_x, 0, kappa_y)_n,   K_mn = sum_j omega_mj q_n(s_j),
  * q = (x^2/2, x y, y^2/2).
  *
- * Exact: for all quadratics on any cloud where K is regular; the error is O(h), and O(h^2) where odd moments vanish.
- * Heat is not conserved, and weights can be negative.  Anisotropic kappa, along the axes, is no other case. */
+ * Exact: for all quadratics on any cloud with a regular K; the error is O(h), and O(h^2) if odd moments vanish.
+ * Heat is not conserved, and weights can be negative.  Anisotropic kappa along the axes needs no special
+ * treatment. */
 #include "solver/particles/correction.h"
 #include "solver/particles/particles.h"
 

@@ -1,10 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* FO-SSPH: first derivatives from a Taylor expansion of order 1 (Song eqs. 12, 13), used twice (eqs. 6, 37):
+/* FO-SSPH: first derivatives from a Taylor expansion of order 1 (Song eqs. 12, 13), applied twice (eqs. 6, 37):
  *   q = -kappa <grad T>,   dT/dt = -<div q>.
  * On a lattice the two sweeps are one wider stencil, the first-derivative stencil convolved with itself.  Modes of
- * wavelength 2 dx are in the null space of the first derivative, and so of this operator.  One material only.
- * Walls that cut the lattice: dummies two kernels deep; those by `fit` keep the second order and let no mode
- * grow. */
+ * wavelength 2 dx are in the null space of the first derivative, and so of this operator.  One material only.  On a
+ * cut lattice dummies extend two kernels deep; those by `fit` keep second order and let no mode grow. */
 #include "solver/particles/particles.h"
 #include "solver/particles/ssph.h"
 

@@ -1,18 +1,21 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Positive stencils (Seibold 2008, Comput. Methods Appl. Mech. Engrg. 198:592): of all weights w_j >= 0 that are
- * exact for quadratics, sum w_j d_j = 0,   sum w_j d_j d_j^T = 2 diag(kappa_x, kappa_y), those with the least sum_j
- * w_j r_j^2/W_j, a linear programme in each particle.
+/* Positive stencils (Seibold 2008, Comput.  Methods Appl.  Mech.  Engrg. 198:592).  Among all weights w_j >= 0 that
+ * are exact for quadratics, sum w_j d_j = 0 and sum w_j d_j d_j^T = 2 diag(kappa_x, kappa_y), a linear programme for
+ * each particle selects those with minimal sum_j w_j r_j^2/W_j.
  *
- * A linear programme and not least squares with w >= 0: its solution is a vertex, five neighbours or fewer for the
- * five conditions (two on a rod), the nearest that do, and where there is none its first phase proves that.  On a
- * lattice it is the five-point difference: sum w r^2 is given, and the nearest have the largest W. Exact for
- * quadratics: O(dx) of a random sign at a particle, second order in T on any cloud (as so_ssph). Kept: the maximum
- * principle, for steps below 1/max sum w; no mode grows, by Gershgorin.  Heat is not kept: w_ij and w_ji differ.
- * Feasible where each of the eight sectors of 45 degrees about a particle has a neighbour (his theorem 4.2:
- * sufficient, not necessary), so h/dx is 1.75 where it is not given, which has 36 neighbours: no cloud of jitter up
- * to 0.5 was seen without a solution.  k_x != k_y asks for neighbours near the axis of the larger: h grows with
- * sqrt(k ratio). The programme: the simplex method on five rows, with the inverse of the basis (Dantzig's rule;
- * Bland's after a while, which cannot cycle), in units of h. */
+ * The solution of a linear programme, unlike that of least squares with w >= 0, is a vertex: at most five neighbours
+ * for the five conditions (two on a rod), the nearest that suffice.  If there is no solution, its first phase proves
+ * it.  On a lattice the result is the five-point difference: sum w r^2 is given, and the nearest neighbours have the
+ * largest W.  Exact for quadratics: O(dx) of random sign at a particle, second order in T on any cloud (as so_ssph).
+ * The maximum principle holds for steps below 1/max sum w; no mode grows, by Gershgorin.  Heat is not conserved,
+ * since w_ij and w_ji differ.
+ *
+ * A neighbour in each of the eight sectors of 45 degrees about a particle is sufficient (his theorem 4.2), not
+ * necessary.  The default h/dx is therefore 1.75, with 36 neighbours; no cloud of jitter up to 0.5 was seen without
+ * a solution. k_x != k_y requires neighbours near the axis of the larger one: h grows with sqrt(k ratio).
+ *
+ * The programme is solved by the simplex method on five rows with the inverse of the basis (Dantzig's rule; after a
+ * while Bland's, which cannot cycle), in units of h. */
 #include "solver/particles/particles.h"
 #include "solver/space/kernel.h"
 
@@ -20,12 +23,12 @@
 
 enum { ROWS = 5 };
 
-struct programme { /* min cost.w, sum_j column[j] w_j = right, w >= 0; columns past n are artificial, one a row */
+struct programme { /* min cost.w, sum_j column[j] w_j = right, w >= 0; columns j >= n are artificial, one per row */
     int rows;
     size_t n;
     double column[NEIGHBOURS_MAX + ROWS][ROWS], cost[NEIGHBOURS_MAX + ROWS], right[ROWS];
     size_t basis[ROWS];
-    double inverse[ROWS][ROWS], value[ROWS]; /* the inverse of the basis; the weights in it */
+    double inverse[ROWS][ROWS], value[ROWS]; /* inverse of the basis; values of its weights */
 };
 
 static double default_h(const struct problem *p) {
@@ -39,7 +42,7 @@ static void fill(const struct neighbourhood *nb, enum kernel_name kernel, struct
         double x = nb->d[j][0] / nb->h, y = nb->d[j][1] / nb->h, r2 = x * x + y * y;
         double all[ROWS] = {x, x * x, y, y * y, x * y}, W = kernel_value(kernel, nb->dim, sqrt(r2));
         for (int k = 0; k < lp->rows; k++) lp->column[j][k] = all[k];
-        lp->cost[j] = W > 0 && r2 > 0 ? r2 / W : INFINITY; /* never taken */
+        lp->cost[j] = W > 0 && r2 > 0 ? r2 / W : INFINITY; /* never used */
     }
     double right[ROWS] = {0, 2 * nb->kappa[0], 0, nb->dim == 2 ? 2 * nb->kappa[1] : 0, 0};
     for (int k = 0; k < lp->rows; k++) {
@@ -49,12 +52,13 @@ static void fill(const struct neighbourhood *nb, enum kernel_name kernel, struct
     }
 }
 
-/* The cost of a column; in the first phase that of the artificial ones alone. */
+/* Cost of a column; in the first phase only artificial columns have a cost. */
 static double cost_of(const struct programme *lp, size_t j, int phase) {
     return j >= lp->n ? phase == 1 : phase == 1 ? 0 : lp->cost[j];
 }
 
-/* The column that enters: of the least reduced cost, or the first below 0; lp->n where none is. */
+/* The entering column: the one with the smallest reduced cost, or the first with a negative one; lp->n if there is
+ * none. */
 static size_t entering(const struct programme *lp, int phase, int first) {
     double y[ROWS] = {0}, least = phase == 1 ? -1e-11 : -1e-10;
     size_t best = lp->n;
@@ -71,7 +75,7 @@ static size_t entering(const struct programme *lp, int phase, int first) {
     return best;
 }
 
-/* The row that leaves for a column u = B^-1 a_j; -1 where none bounds it.  Artificial ones at 0 leave first. */
+/* The leaving row for a column u = B^-1 a_j; -1 if unbounded.  Artificial columns at 0 leave first. */
 static int leaving(const struct programme *lp, const double *u, int phase) {
     int best = -1;
     double least = INFINITY;
@@ -91,13 +95,13 @@ static void exchange(struct programme *lp, int row, size_t j, const double *u) {
     for (int k = 0; k < lp->rows; k++) {
         if (k == row) continue;
         lp->value[k] -= u[k] * lp->value[row];
-        if (lp->value[k] < 0) lp->value[k] = 0; /* by rounding */
+        if (lp->value[k] < 0) lp->value[k] = 0; /* by round-off */
         for (int l = 0; l < lp->rows; l++) lp->inverse[k][l] -= u[k] * lp->inverse[row][l];
     }
     lp->basis[row] = j;
 }
 
-/* Exchanges columns until none lowers the cost. */
+/* Exchanges columns until none reduces the cost. */
 static int minimise(struct programme *lp, int phase) {
     enum { DANTZIG = 60, MOST = 2000 };
     for (int step = 0; step < MOST; step++) {
@@ -113,7 +117,7 @@ static int minimise(struct programme *lp, int phase) {
     return -1;
 }
 
-/* The part of the conditions that the first phase does not meet. */
+/* Residual of the conditions after the first phase, relative to their size. */
 static double unmet(const struct programme *lp) {
     double left = 0, all = 0;
     for (int k = 0; k < lp->rows; k++) {
@@ -123,7 +127,7 @@ static double unmet(const struct programme *lp) {
     return left / all;
 }
 
-/* The weights of the last basis, solved once more from the conditions themselves. */
+/* The weights of the final basis, solved directly from the conditions. */
 static void take_weights(const struct programme *lp, double *w) {
     for (size_t j = 0; j < lp->n; j++) w[j] = 0;
     for (int k = 0; k < lp->rows; k++) {
@@ -142,7 +146,7 @@ static int weights(const struct problem *p, const struct options *o, const struc
     if (stuck || unmet(&lp) > 1e-9)
         return refuse(why, STATUS_NUMERICAL,
                       "no weights >= 0 are exact for quadratics: particle %zu at (%.6g, %.6g) m has %zu neighbours, "
-                      "and %.2g of the second moments are out of their reach; use a larger --h (a neighbour in each "
+                      "and %.2g of the second moments cannot be met; use a larger --h (a neighbour in each "
                       "sector of 45 degrees about it is enough) or less --jitter",
                       nb->i, nb->x[0], nb->x[1], nb->n, unmet(&lp));
     if (minimise(&lp, 2))
@@ -156,7 +160,7 @@ static const struct scheme scheme = {.name = "positive", .sweeps = 1, .h = defau
 
 const struct method method_positive = {
     .name = "positive",
-    .about = "weights >= 0 that are exact for quadratics, by linear programmes (Seibold 2008): no mode grows",
+    .about = "weights >= 0, exact for quadratics, by linear programmes (Seibold 2008): no mode grows",
     .accepts = PARTICLES_OPTIONS PARTICLES_WALLS,
     .scheme = &scheme,
     .solve = particles_solve,

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Which options go together, as one table: a condition, the option that it refuses, the reason, the remedy. */
+/* Compatibility of options, as one table: a condition, the option that it refuses, the reason and the remedy. */
 #include "solver/particles/compatibility.h"
 
 #include "solver/particles/particles.h"
@@ -51,14 +51,14 @@ static int has_wall(const struct problem *p, enum side_kind kind) {
     return 0;
 }
 
-/* A kind of wall of the problem that the dummies of the options do not take; PERIODIC where there is none. */
+/* A boundary condition of the problem that the dummies of the options do not support; PERIODIC if there is none. */
 static enum side_kind kind_without_dummies(const struct problem *p, enum walls walls) {
     for (int side = 0; side < 4; side++)
         if (shape_has_wall(p, side) && !(walls_kinds(walls) & 1u << p->side[side])) return p->side[side];
     return PERIODIC;
 }
 
-/* The first material with k_x != k_y; NULL where there is none. */
+/* The first material with k_x != k_y; NULL if there is none. */
 static const struct material *anisotropic(const struct problem *p) {
     for (int m = 0; m < p->materials && p->dim == 2; m++)
         if (p->material[m].k[0] != p->material[m].k[1]) return &p->material[m];
@@ -75,16 +75,16 @@ int compatibility_check(const struct problem *p, const struct options *o, const 
     const int mirror = o->walls == WALLS_MIRROR, matched = o->stepper == STEPPER_MATCHED;
     const enum side_kind kind = kind_without_dummies(p, o->walls);
     const struct material *unequal = anisotropic(p);
-    /* rows that are all the stencil of a square lattice */
-    const int alike = periodic && o->layout == LAYOUT_LATTICE && !two && !unequal && !p->source;
+    /* every row is the stencil of a square lattice */
+    const int uniform = periodic && o->layout == LAYOUT_LATTICE && !two && !unequal && !p->source;
     const struct material *m = unequal ? unequal : &p->material[0];
     char axes[100], wall[60];
     snprintf(axes, sizeof axes, "isotropic conductivity only, the scene has k_x = %g and k_y = %g", m->k[0], m->k[1]);
-    snprintf(wall, sizeof wall, "has no answer for a %s wall", kind_words[kind]);
+    snprintf(wall, sizeof wall, "does not support a %s wall", kind_words[kind]);
 
     const struct rule rules[] = {
         /* materials and data */
-        {o->volume == VOLUME_TUNED && s->volume && !s->tuned, VOLUME, "only brookshaw is tuned", "moment or raw"},
+        {o->volume == VOLUME_TUNED && s->volume && !s->tuned, VOLUME, "supported by brookshaw only", "moment or raw"},
         {two && !s->two_materials, METHOD, "one material only, the scene has two", "brookshaw or contact_ssph"},
         {s->isotropic && unequal, METHOD, axes, two ? "contact_ssph" : "so_ssph"},
         {two && o->sampling == SAMPLING_SPLINE, SAMPLING, "four cells of two materials have no common average",
@@ -92,27 +92,28 @@ int compatibility_check(const struct problem *p, const struct options *o, const 
         {p->source_rate != NULL, METHOD,
          "a source that depends on time: the steppers solve dT/dt = A T + g with a constant g", "ftcs"},
         /* layouts */
-        {node && periodic, LAYOUT, "the scene has no walls to be on", "lattice"},
+        {node && periodic, LAYOUT, "the scene has no walls", "lattice"},
         {node && robin, LAYOUT, "a Robin wall is midway between a particle and its ghost", "lattice"},
         {node && two, LAYOUT, "two materials give each particle a row of its own", "lattice"},
-        {node && cut, LAYOUT, "is made for walls between particles", "lattice, jitter or hexagonal"},
+        {node && cut, LAYOUT, "requires walls between particles", "lattice, jitter or hexagonal"},
         {cut && settled, LAYOUT, "particles settle between plane walls, with --walls mirror and no --shift",
          "lattice, jitter or hexagonal"},
-        {cut && !round && o->layout == LAYOUT_HEXAGONAL, LAYOUT, "is made for --walls mirror and no --shift here",
+        {cut && !round && o->layout == LAYOUT_HEXAGONAL, LAYOUT, "requires --walls mirror without --shift here",
          "lattice or jitter"},
         /* walls */
         {periodic && o->shift > 0, SHIFT, "the scene is periodic and has no walls", "0"},
         {periodic && !mirror, WALLS, "the scene is periodic and has no walls", "mirror"},
-        {cut && s->cells && !(round && mirror), WALLS, "cells are cut by round walls alone",
+        {cut && s->cells && !(round && mirror), WALLS, "only round walls can cut cells",
          "--walls mirror without --shift"},
-        {cut && two, METHOD, "walls that cut the lattice: one material only, the scene has two",
+        {cut && two, METHOD, "on a cut lattice one material only, the scene has two",
          "--walls mirror without --shift"},
-        {cut && o->order > 2, ORDER, "walls that cut the lattice have dummies exact for quadratics", "2"},
-        {robin && o->order > 2, ORDER, "a Robin wall's temperature moves, and its ghosts are of second order", "2"},
-        {twice && s->adjoint, METHOD, "walls that cut the lattice: dummies have no part in an adjoint", "so_ssph"},
+        {cut && o->order > 2, ORDER, "on a cut lattice dummies are exact for quadratics only", "2"},
+        {robin && o->order > 2, ORDER, "the temperature of a Robin wall varies, and its ghosts are second order",
+         "2"},
+        {twice && s->adjoint, METHOD, "on a cut lattice an adjoint cannot include dummies", "so_ssph"},
         {twice && o->walls == WALLS_DISTANCE, WALLS, "a dummy that differs from pair to pair has no derivative",
          "fit"},
-        /* with mirror images are off the lattice; with image 8 of 12 lattices in a disc had growing modes */
+        /* mirror images are off the lattice; with image 8 of 12 lattices in a disc had growing modes */
         {twice && p->dim == 2 && (mirror || o->walls == WALLS_IMAGE), WALLS,
          "modes grow where a derivative is applied twice", "fit"},
         {o->walls == WALLS_ONE_SIDED && !s->at_wall, WALLS, "needs the least squares of so_ssph", "fit"},
@@ -121,13 +122,13 @@ int compatibility_check(const struct problem *p, const struct options *o, const 
          "fit"},
         {cut && kind != PERIODIC, WALLS, wall, "fit"},
         /* steppers */
-        {stepper && stepper->needs && particles_rows(p, o) && !(matched && alike), STEPPER,
-         "one stencil has to do for all particles",
+        {stepper && stepper->needs && particles_rows(p, o) && !(matched && uniform), STEPPER,
+         "requires one stencil for all particles",
          "--layout lattice or node, one material and plane walls between particles or on them"},
-        {matched && robin, STEPPER, "a Robin wall's temperature moves, and its ghosts are of second order",
+        {matched && robin, STEPPER, "the temperature of a Robin wall varies, and its ghosts are second order",
          "another stepper"},
         {o->stepper == STEPPER_EXACT && o->walls == WALLS_FIXED && has_wall(p, DIRICHLET), STEPPER,
-         "a transform needs walls that mirror", "--walls mirror"},
+         "a transform requires mirror walls", "--walls mirror"},
     };
     for (size_t k = 0; k < sizeof rules / sizeof *rules; k++) {
         char subject[80];

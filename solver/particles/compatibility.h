@@ -4,10 +4,10 @@
 
 #include "solver/space/operator.h"
 
-/* Which layouts, walls, sampling, materials, orders and steppers go together in a particle method. */
+/* Valid combinations of layout, walls, sampling, materials, order and stepper for particle methods. */
 
-/* STATUS_OK, or STATUS_NOT_APPLICABLE by the first row of the table that refuses these resolved options; at last the
- * scheme's own check. */
+/* Returns STATUS_OK, or STATUS_NOT_APPLICABLE from the first row of the table that refuses these resolved options,
+ * or the result of the scheme's own check. */
 int compatibility_check(const struct problem *p, const struct options *o, const struct scheme *s,
                         struct failure *why);
 

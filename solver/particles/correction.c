@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Sums over one neighbourhood, and the small linear systems of corrected operators.
  *
- * Matrices are at most 3 x 3: Gauss-Jordan elimination with partial pivoting gives the inverse, and with it the
+ * Matrices are at most 3 x 3.  Gauss-Jordan elimination with partial pivoting gives the inverse, and with it the
  * condition number in the 1-norm (Golub & Van Loan, section 3.4).  In units of h every entry is O(1). */
 #include "solver/particles/correction.h"
 #include "solver/space/kernel.h"
@@ -27,7 +27,7 @@ static void swap_rows(double *a, double *b, int n) {
     }
 }
 
-/* A^-1, and the condition number of A; infinite where a pivot is zero or not finite. */
+/* Computes A^-1 and returns the condition number of A; infinite if a pivot is zero or not finite. */
 static double invert(int n, double given[CORRECTION_TERMS][CORRECTION_TERMS],
                      double inverse[CORRECTION_TERMS][CORRECTION_TERMS]) {
     double A[CORRECTION_TERMS][CORRECTION_TERMS];
@@ -70,7 +70,7 @@ int correction_create(const struct neighbourhood *nb, enum kernel_name kernel, s
         double *s = c->s[j];
         s[0] = nb->d[j][0] / nb->h, s[1] = nb->d[j][1] / nb->h;
         double r = sqrt(s[0] * s[0] + s[1] * s[1]);
-        /* a particle at the same place says nothing of a derivative */
+        /* a particle at the same position contributes nothing to a derivative */
         c->F[j] = r > 0 ? -nb->volume / unit * kernel_slope(kernel, nb->dim, r) / r : 0;
         for (int a = 0; a < nb->dim; a++)
             for (int b = 0; b < nb->dim; b++) G[a][b] += c->F[j] * s[a] * s[b];

@@ -1,10 +1,12 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Weights of least squares that are not negative.  Of all w >= 0 with sum_j w_j P_j = b, those least in sum_j
- * w_j^2/W_j are w_j = W_j max(0, z . P_j), where z is the minimum of the convex function f(z) = sum_j W_j max(0, z .
- * P_j)^2/2 - b . z,   grad f = sum_j W_j max(0, z . P_j) P_j - b (the dual of the quadratic programme: Boyd &
- * Vandenberghe 2004, section 5.2).  Where all z . P_j are positive these are the weights of least squares.  f is
- * quadratic in pieces, so that Newton's method with a line search ends after a few steps.  Where b is outside the
- * cone of the P_j there are no such weights, and f has no minimum. */
+/* Non-negative least-squares weights.
+ *
+ * Among all w >= 0 with sum_j w_j P_j = b, the minimum of sum_j w_j^2/W_j is w_j = W_j max(0, z .  P_j), where z
+ * minimises the convex function
+ *     f(z) = sum_j W_j max(0, z . P_j)^2/2 - b . z,   grad f = sum_j W_j max(0, z . P_j) P_j - b
+ * (the dual of the quadratic programme: Boyd & Vandenberghe 2004, section 5.2).  If all z .  P_j are positive, these
+ * are the least-squares weights. f is piecewise quadratic, so Newton's method with a line search converges in a few
+ * steps.  If b is outside the cone of the P_j, there are no such weights and f has no minimum. */
 #include "solver/particles/ssph.h"
 
 #include <math.h>
@@ -22,7 +24,7 @@ static double along(const struct dual *d, size_t j, const double *z) {
     return sum;
 }
 
-/* f; its gradient */
+/* Returns f and sets its gradient. */
 static double value(const struct dual *d, const double *z, double *gradient) {
     double f = 0;
     for (int k = 0; k < d->terms; k++) f -= d->b[k] * z[k], gradient[k] = -d->b[k];
@@ -35,8 +37,9 @@ static double value(const struct dual *d, const double *z, double *gradient) {
     return f;
 }
 
-/* The step -H^-1 gradient by Cholesky.  H = sum_j W_j P_j P_j^T over the j with z . P_j >= 0, and 1e-9 of the others,
- * so that it is regular where the former do not span.  At z = 0 all count: the first step is least squares. */
+/* The step -H^-1 gradient by Cholesky.  H = sum_j W_j P_j P_j^T over the j with z .  P_j >= 0, plus 1e-9 of the
+ * others, which keeps it regular if the former do not span.  At z = 0 all j count: the first step is least
+ * squares. */
 static void newton(const struct dual *d, const double *z, const double *gradient, double *step) {
     double H[SSPH_TERMS_MAX][SSPH_TERMS_MAX] = {{0}};
     int m = d->terms;
@@ -73,7 +76,7 @@ static void residual(const struct dual *d, const double *w, double *off) {
         for (int k = 0; k < d->terms; k++) off[k] += w[j] * d->P[j][k];
 }
 
-/* Corrects *w: z . P_j, whose terms may cancel, is rounded by more than w_j is. */
+/* Iterative refinement of *w: terms of z .  P_j may cancel, and its rounding exceeds that of w_j. */
 static void refine(const struct dual *d, const double *z, double *w) {
     enum { TIMES = 2 };
     double off[SSPH_TERMS_MAX], step[SSPH_TERMS_MAX];
@@ -85,7 +88,8 @@ static void refine(const struct dual *d, const double *z, double *w) {
     }
 }
 
-/* One step of f's minimisation from *z, with f and its gradient there: half of it while f is not less (Armijo). */
+/* One step of the minimisation from *z, with f and its gradient there; halves the step until f decreases
+ * (Armijo). */
 static double descend(const struct dual *d, double f, double *z, double *gradient, double enough) {
     enum { HALVINGS = 40 };
     double step[SSPH_TERMS_MAX], next[SSPH_TERMS_MAX], slope = 0, t = 1;

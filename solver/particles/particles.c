@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* From a problem and options to a field, for every particle method: layout -> sample -> operator -> stepper -> field.
- */
+/* From a problem and options to a field, for every particle method: layout -> sample -> operator -> stepper ->
+ * field. */
 #include "solver/particles/particles.h"
 #include "solver/particles/compatibility.h"
 #include "solver/particles/start.h"
@@ -44,8 +44,8 @@ int particles_prepare(const struct problem *p, const struct options *o, const st
     return stepper->needs(p, o, s, l, why);
 }
 
-/* rho_c: J m^-3 K^-1 of each point's cell; NULL: by its place.  Four independent sums in one material hide the
- * latency of additions. */
+/* rho_c: J m^-3 K^-1, of each point's cell; NULL if it follows from the position.  Four independent partial sums
+ * within one material hide the latency. */
 static double heat_content(const struct problem *p, const struct field *f, const double *rho_c, double cell,
                            double volume) {
     double sum[4] = {0}, all = 0;
@@ -79,17 +79,17 @@ static void find_range(const struct field *f, double range[2]) {
     for (size_t k = 0; k < APART; k++) range[0] = fmin(range[0], lo[k]), range[1] = fmax(range[1], hi[k]);
 }
 
-/* Averaged initial data stay in range; data that keep the heat of a jump may overshoot by a fraction of it.  A run
- * may leave the range by half of it, and so may its start. */
+/* Averaged initial data stay in range; heat-conserving data may overshoot by a fraction of the jump.  The limit is
+ * half of the range, as for a run. */
 static int check_start(const struct field *f, struct failure *why) {
     double slack = (f->range[1] - f->range[0]) / 2 + 1e-9 * fmax(fabs(f->range[0]), fabs(f->range[1]));
     for (size_t i = 0; i < f->n; i++)
         if (!(f->T[i] >= f->range[0] - slack && f->T[i] <= f->range[1] + slack))
-            return refuse(
-                why, STATUS_NUMERICAL,
-                "the start has %.4g K at particle %zu at %.6g m, the data are in [%.4g, %.4g] K; use another "
-                "--sampling, --h or layout",
-                f->T[i], i, f->x[i], f->range[0], f->range[1]);
+            return refuse(why, STATUS_NUMERICAL,
+                          "the initial temperature of particle %zu at %.6g m is %.4g K, the data are in [%.4g, %.4g] "
+                          "K; use another "
+                          "--sampling, --h or layout",
+                          i, f->x[i], f->T[i], f->range[0], f->range[1]);
     return STATUS_OK;
 }
 
@@ -107,7 +107,7 @@ static void place_on_lattice(const struct lattice *l, struct field *f) {
     }
 }
 
-/* Rows of the plane are in the order of cells. */
+/* In the plane, particles with rows are ordered by cells. */
 static int on_lattice(const struct problem *p, const struct options *o, int rows) {
     return !options_is_cloud(o) && !(rows && p->dim == 2);
 }
@@ -124,7 +124,7 @@ int particles_cloud(const struct problem *p, const struct options *o, const stru
     return status;
 }
 
-/* Whether the initial data are averaged over the cells of the scheme. */
+/* 1 if the initial data are averaged over the cells of the scheme. */
 static int averages_cells(const struct options *o, const struct scheme *s) {
     return s->cells && o->sampling == SAMPLING_CELL;
 }
@@ -146,7 +146,7 @@ static int place_cloud(const struct problem *p, const struct options *o, const s
     return status;
 }
 
-/* The start of a particle off the lattice; on a Dirichlet wall the wall's temperature, which it holds. */
+/* Initial temperature of a particle off the lattice; on a Dirichlet wall the wall's temperature, which it keeps. */
 static double start_at(const struct problem *p, const struct options *o, const struct lattice *l, const double x[2]) {
     double cell = layout_cell(o, l->dx[0]);
     int wall;
@@ -156,7 +156,7 @@ static double start_at(const struct problem *p, const struct options *o, const s
     return (cell > 0 ? sample_cell : sample_initial)(p, o->sampling, l->dx, x);
 }
 
-/* Places, operator and shape of the field. */
+/* Sets positions, operator and shape of the field. */
 static int place(const struct problem *p, const struct options *o, const struct scheme *s, const struct lattice *l,
                  int rows, struct heat_operator *a, struct field *f, struct failure *why) {
     if (rows) {

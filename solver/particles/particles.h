@@ -5,7 +5,7 @@
 #include "solver/space/operator.h"
 #include "solver/time/stepper.h"
 
-/* The options that a method with a scheme accepts, but for walls, and what is its own. */
+/* Options of a method with a scheme, except walls and its own options. */
 #define PARTICLES_OPTIONS "stepper kernel h layout jitter sweeps seed sampling"
 #define PARTICLES_WALLS " shift angle walls"
 
@@ -13,34 +13,32 @@
 int particles_solve(const struct method *m, const struct problem *p, const struct options *o, struct field *f,
                     struct failure *why);
 
-/* The rate of the fastest growing mode of the method's rows, s^-1 (solver/time/growth.h), for a problem that was
- * solved with these options and gave *f.  NaN where there are no rows: on a lattice of one material, and without a
- * scheme. */
+/* Rate of the fastest growing mode of the method's rows, s^-1 (solver/time/growth.h), for a problem solved with
+ * these options to *f.  NaN without rows: on a lattice of one material, or without a scheme. */
 int particles_growth(const struct method *m, const struct problem *p, const struct options *o, const struct field *f,
                      double *rate, struct failure *why);
 
-/* ---- Their parts ---- */
+/* ---- Parts ---- */
 
-/* The options with their defaults resolved (h), checked. */
+/* Checks the options and fills in their defaults (h). */
 int particles_resolve(const struct problem *p, const struct options *o, const struct scheme *s,
                       struct options *resolved, struct failure *why);
 
-/* The resolved options, the lattice, and whether each particle gets a row of its own. */
+/* The resolved options, the lattice, and whether each particle has its own row. */
 int particles_prepare(const struct problem *p, const struct options *o, const struct scheme *s,
                       struct options *resolved, struct lattice *l, int *rows, struct failure *why);
 
-/* Whether each particle gets a row of its own: off the lattice, for two materials, without walls, and where walls cut
- * the lattice. */
+/* 1 if each particle has its own row: off the lattice, with two materials, without walls, and on a cut lattice. */
 int particles_rows(const struct problem *p, const struct options *o);
 
-/* The particles and ghosts of the layout, what they hold included. */
+/* The particles and ghosts of the layout, with the values of the dummies. */
 int particles_cloud(const struct problem *p, const struct options *o, const struct scheme *s, const struct lattice *l,
                     struct cloud *c, struct failure *why);
 
-/* How far from a wall particles have ghosts, m. */
+/* Distance from a wall within which particles need ghosts, m. */
 double particles_reach(const struct options *o, const struct scheme *s, const struct lattice *l);
 
-/* The steps of the run for resolved options, from f->T; counts, cost and ranges into *f. */
+/* Runs the time steps from f->T, for resolved options; sets counts, cost and ranges of *f. */
 int particles_integrate(const struct problem *p, const struct options *o, const struct scheme *s,
                         const struct lattice *l, struct heat_operator *a, struct field *f, struct failure *why);
 

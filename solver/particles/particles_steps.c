@@ -1,6 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The steps of a run of a particle method: their length and number, counted work, the range of a stable run, growth.
- */
+/* Time steps of a particle run: length and number, operation count, range of a stable run, growth. */
 #include "solver/particles/particles.h"
 #include "solver/particles/start.h"
 #include "solver/work.h"
@@ -10,7 +9,7 @@
 
 #include <math.h>
 
-/* Whether the start misses the temperature of a round Dirichlet wall, by 1e-9 of its size. */
+/* 1 if the initial data differ from the temperature of a round Dirichlet wall by more than 1e-9 of their size. */
 static int round_is_rough(const struct problem *p) {
     enum { PLACES = 64 };
     for (int k = 0; k < 2 * PLACES; k++) {
@@ -24,7 +23,7 @@ static int round_is_rough(const struct problem *p) {
     return 0;
 }
 
-/* Whether the data have jumps, or a wall whose temperature they do not meet. */
+/* 1 if the data have jumps, or differ from the temperature of a wall. */
 static int is_rough(const struct problem *p, const struct lattice *l) {
     if (p->shape) return round_is_rough(p);
     int rough = p->materials > 1 || p->jumps[0] + p->jumps[1] > 0;
@@ -33,7 +32,8 @@ static int is_rough(const struct problem *p, const struct lattice *l) {
     return rough;
 }
 
-/* The steps with the operator *a of that bound, s^-1; none by an exact stepper.  m->lo and m->hi are left open. */
+/* Plans the steps for the operator *a with this bound, s^-1; no steps for an exact stepper.  Leaves m->lo and m->hi
+ * unset. */
 static int march_of(const struct problem *p, const struct options *o, const struct scheme *s, const struct lattice *l,
                     const struct heat_operator *a, double bound, struct march *m, struct failure *why) {
     const struct stepper *stepper = stepper_of(o->stepper);
@@ -45,7 +45,7 @@ static int march_of(const struct problem *p, const struct options *o, const stru
     if (dt == 0) dt = 1 / bound;                                        /* half of the stable step */
     const char *name = o->fourier > 0 && o->dt == 0 ? "fourier" : "dt"; /* the option, for messages */
     double asked = o->fourier > 0 && o->dt == 0 ? o->fourier : dt;
-    if (!(dt > 0) || !isfinite(dt)) return refuse(why, STATUS_INPUT, "--%s %g: makes steps of %g s", name, asked, dt);
+    if (!(dt > 0) || !isfinite(dt)) return refuse(why, STATUS_INPUT, "--%s %g: gives steps of %g s", name, asked, dt);
     double steps = ceil(p->t_end / dt - 1e-9);
     if (steps > 1e12) return refuse(why, STATUS_INPUT, "--%s %g: more than 1e12 steps", name, asked);
     m->steps = (long long)fmax(1, steps);
@@ -53,16 +53,16 @@ static int march_of(const struct problem *p, const struct options *o, const stru
     m->stages = stepper->count ? stepper->count(dt, bound) : stepper->stages;
     if (stepper->first && is_rough(p, l)) stepper->first(dt, bound, m->start);
     if (m->stages > STEPPER_STAGES_MAX)
-        return refuse(why, STATUS_INPUT, "--%s %g: a step would take %s more than %d stages; use more steps", name,
+        return refuse(why, STATUS_INPUT, "--%s %g: a step of %s would need more than %d stages; use more steps", name,
                       asked, stepper->name, STEPPER_STAGES_MAX);
     if ((double)a->pairs * (double)m->steps * m->stages > 9e18)
-        return refuse(why, STATUS_INPUT, "--%s %g: more interactions than can be counted, 9e18", name, asked);
+        return refuse(why, STATUS_INPUT, "--%s %g: more than 9e18 interactions, the limit", name, asked);
     return STATUS_OK;
 }
 
-/* Beside the steps: samples (averages along an axis take two nodes a particle, of a spline one), weights, a stencil
- * for each h/dx that --h iso tries, some ten, and for transforms what is planned or tabulated once for an axis, 10
- * log2 n for each particle to and fro, and the modes. */
+/* Work besides the steps: samples (averages need two nodes per particle along an axis, splines one), weights, a
+ * stencil for each of the ten or so h/dx that --h iso tries; for transforms the plan or table of each axis, 10 log2
+ * n per particle forward and backward, and the modes. */
 static double set_up_work(const struct options *o, const struct lattice *l, const struct heat_operator *a,
                           int twice) {
     enum { WEIGHT = 3 * WORK_FUNCTION, ISO = 25000, AXIS = 25000, TRANSFORM = 10 };
@@ -77,7 +77,7 @@ static double set_up_work(const struct options *o, const struct lattice *l, cons
     return WORK_SCALAR * scalar + streamed;
 }
 
-/* Points, h, steps, updates, interactions and work of that march, into *f. */
+/* Sets points, h, steps, updates, interactions and work of that march in *f. */
 static void count(const struct problem *p, const struct options *o, const struct scheme *s, const struct lattice *l,
                   const struct heat_operator *a, const struct march *m, struct field *f) {
     const long long applications = m->steps ? stepper_applications(m) : 1;
@@ -92,8 +92,8 @@ static void count(const struct problem *p, const struct options *o, const struct
     f->cost.work += WORK_SCALAR * WORK_GHOST * (double)(a->state - a->n) * (double)applications;
 }
 
-/* Largest rise by source and fluxes in the time of the run, K.  A flux q through a side of a body of length L warms
- * it by q t/(rho_c L) on the average, and bends its profile by q L/k at most. */
+/* Possible effect of source and fluxes during the run, K.  A flux q through a side of a body of length L heats it by
+ * q t/(rho_c L) on average and bends its profile by at most q L/k. */
 static double heat_added(const struct problem *p, const struct field *f, const double flux[4]) {
     double source = 0, add = 0, rho_c = p->material[0].rho_c;
     for (int m = 1; m < p->materials; m++) rho_c = fmin(rho_c, p->material[m].rho_c);
@@ -109,13 +109,13 @@ static double heat_added(const struct problem *p, const struct field *f, const d
     return add + source * p->t_end / rho_c;
 }
 
-/* Range of the data, K: initial data, walls, and the heat that enters. */
+/* Range of the data, K: initial data, walls, and incoming heat. */
 static void data_range(const struct problem *p, const struct field *f, double *lo, double *hi) {
     *lo = f->range[0], *hi = f->range[1];
     double flux[4] = {0};
     for (int s = 0; s < 2 * p->dim; s++)
         for (int k = 0; k <= 8 && shape_has_wall(p, s); k++) {
-            double at[2] = {cos(k * M_PI / 4), sin(k * M_PI / 4)}; /* a direction, of a round wall */
+            double at[2] = {cos(k * M_PI / 4), sin(k * M_PI / 4)}; /* a direction, for a round wall */
             for (int a = 0; a < 2 && !p->shape; a++) at[a] = p->lo[a] + k / 8.0 * (p->hi[a] - p->lo[a]);
             struct foot foot = shape_foot(p, s, at);
             double value = p->wall(p, (enum side)s, foot.x);
@@ -128,8 +128,8 @@ static void data_range(const struct problem *p, const struct field *f, double *l
     *lo -= add, *hi += add;
 }
 
-/* STATUS_UNSTABLE where many stages of RKL2 meet rows whose eigenvalues are far from real, as where a wall cuts the
- * particles.  To seven stages none of the operators here has a mode that they do not damp. */
+/* STATUS_UNSTABLE if RKL2 with many stages meets an operator with eigenvalues far from the real axis, such as next
+ * to a wall that cuts the lattice.  Up to seven stages damp all modes of the operators here. */
 static int check_damping(const struct options *o, const struct heat_operator *a, const struct march *m,
                          struct failure *why) {
     enum { FEW = 7 };
@@ -137,7 +137,7 @@ static int check_damping(const struct options *o, const struct heat_operator *a,
     double dt = m->time / (double)m->steps, factor = growth_by_steps(a, m->bound, dt, (double)m->steps);
     if (factor == 0) return STATUS_OK;
     return refuse(why, STATUS_UNSTABLE,
-                  "--dt %g: a step of rkl2's %d stages multiplies by %.3g a mode that decays within it; use shorter "
+                  "--dt %g: a step of rkl2 with %d stages multiplies by %.3g a mode that should decay; use shorter "
                   "steps, or --stepper chebyshev",
                   dt, m->stages, factor);
 }

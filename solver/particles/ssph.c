@@ -3,9 +3,9 @@
  *
  * With the scaled monomials P_k = (x/h)^a (y/h)^b / (a! b!), 1 <= a + b <= p, and W_k = P_k W:
  *   M u = b,   M_kl = sum_j P_k P_l W,   b_k = sum_j P_k W (f_j - f_i),   u_k = h^(a+b) D^(a,b) f.
- * For the derivative sum_k t_k u_k the weights are w_j = W_j (z . P_j) with M z = t, since M is symmetric.  Equal
- * particle volumes cancel, and so does the norm of the kernel.  No kernel derivative is needed. In units of h every
- * entry of M is O(1), whatever the spacing. */
+ * The derivative sum_k t_k u_k has the weights w_j = W_j (z .  P_j) with M z = t, since M is symmetric.  Equal
+ * particle volumes cancel, and so does the normalisation of the kernel.  No kernel derivative is needed.  In units
+ * of h every entry of M is O(1) for any spacing. */
 #include "solver/particles/ssph.h"
 #include "solver/space/kernel.h"
 
@@ -41,7 +41,7 @@ INLINE void assemble_terms(const struct neighbourhood *nb, enum kernel_name kern
         for (int l = 0; l < k; l++) matrix[l * terms + k] = matrix[k * terms + l];
 }
 
-/* M (terms x terms) and W_j; loops of the usual length are unrolled. */
+/* M (terms x terms) and W_j; the usual loop lengths are unrolled. */
 static void assemble(const struct neighbourhood *nb, enum kernel_name kernel, int order, double *matrix, double *W) {
     if (nb->dim == 2 && order == 2)
         assemble_terms(nb, kernel, 2, 2, matrix, W);
@@ -69,7 +69,7 @@ static void combine(const struct neighbourhood *nb, int order, const double *W, 
         combine_terms(nb, nb->dim, order, W, z, w);
 }
 
-/* M z = b in place, from the factor L whose diagonal is kept as reciprocals. */
+/* Solves M z = b in place from the factor L, with the diagonal stored as reciprocals. */
 INLINE void solve_terms(int terms, const double *L, double *z) {
     for (int i = 0; i < terms; i++) {
         for (int k = 0; k < i; k++) z[i] -= L[i * terms + k] * z[k];
@@ -81,9 +81,9 @@ INLINE void solve_terms(int terms, const double *L, double *z) {
     }
 }
 
-/* M = L L^T in place, L in the lower triangle.  Returns the condition number of M in the 1-norm; infinite where M is
- * singular, or indefinite.  GSL's factor and its estimate of the norm are made for large matrices: here, and from a
- * library that has to be loaded, they cost more than all else. */
+/* M = L L^T in place, L in the lower triangle.  Returns the condition number of M in the 1-norm; infinite if M is
+ * singular or indefinite.  GSL's factorisation and norm estimate are designed for large matrices and would dominate
+ * the cost here. */
 INLINE double factor_terms(int terms, double *M) {
     double size = 0, inverse = 0;
     for (int k = 0; k < terms; k++) {
@@ -125,7 +125,7 @@ double ssph_condition(const struct neighbourhood *nb, enum kernel_name kernel, i
     return factor(terms_of(nb->dim, order), matrix);
 }
 
-/* W: at the neighbours.  A kernel that is negative there leaves no sum of squares. */
+/* W: at the neighbours.  With a negative kernel M is not a sum of squares. */
 static int singular(const struct neighbourhood *nb, int terms, double condition, const double *W,
                     struct failure *why) {
     char number[40] = "infinite";
@@ -135,7 +135,7 @@ static int singular(const struct neighbourhood *nb, int terms, double condition,
         return refuse(
             why, STATUS_NUMERICAL,
             "indefinite moment matrix: particle %zu at (%.6g, %.6g) m has %zu neighbours for %d unknowns, and "
-            "the kernel is negative at %zu of them (the quartic is past 1.8 h); use another --h or --kernel",
+            "the kernel is negative at %zu of them (the quartic beyond 1.8 h); use another --h or --kernel",
             nb->i, nb->x[0], nb->x[1], nb->n, terms, negative);
     if (condition < 1e17) snprintf(number, sizeof number, "%.1e", condition);
     return refuse(
@@ -154,7 +154,7 @@ int ssph_weights(const struct neighbourhood *nb, enum kernel_name kernel, int or
     if (!(condition <= SSPH_CONDITION_MAX)) return singular(nb, terms, condition, w, why);
     for (int k = 0; k < terms; k++) z[k] = target[k] / (nb->h * nb->h);
     solve(terms, matrix, z);
-    combine(nb, order, w, z, w); /* w holds W till then */
+    combine(nb, order, w, z, w); /* w contains W until here */
     return STATUS_OK;
 }
 

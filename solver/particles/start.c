@@ -1,15 +1,16 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The sum that an operator keeps of a start that jumps at the contact of two materials.
+/* Heat content of initial data with a jump at the contact of two materials, as conserved by the operator.
  *
- * Rows that are exact for all that the interface makes of quadratics are not symmetric, and keep sum_i l_i T_i with
- * l A = 0, where l_i differs from a particle's heat capacity next to the contact (on clouds everywhere).  Let H_i be
- * 1 on one side and 0 on the other: sum_i l_i H_i is that side's heat capacity but for some s of a particle's, s =
- * O(1), and as much less on the other side.  A start of T1 and T2 then holds s (T1 - T2) of a particle's heat too
- * much: first order, which no average over cells changes, since a contact between cells leaves nothing to average. A
- * start with the right sum_i l_i T_i is of second order, for what is left of it, a dipole, is O(dx^2).
+ * Rows that are exact for piecewise quadratics across the interface are not symmetric.  They conserve sum_i l_i T_i
+ * with l A = 0, where l_i differs from a particle's heat capacity next to the contact (on clouds everywhere).  Let
+ * H_i be 1 on one side and 0 on the other. sum_i l_i H_i is the heat capacity of that side up to s times that of a
+ * particle, s = O(1), with the opposite error on the other side.  Initial data T1 and T2 then have s (T1 - T2) of a
+ * particle's heat too much.  This is a first-order error, and cell averages do not change it, since a contact
+ * between cells leaves nothing to average.  Initial data with the right sum_i l_i T_i are second order, because the
+ * remaining error is a dipole of O(dx^2).
  *
- * l is the stationary distribution of a chain with the rates A_ij: found without any cancellation, for rates >= 0, by
- * elimination from the far end (Grassmann, Taksar, Heyman 1985, Oper. Res. 33:1107). */
+ * l is the stationary distribution of a Markov chain with the rates A_ij.  For rates >= 0 elimination from the far
+ * end computes it without cancellation (Grassmann, Taksar, Heyman 1985, Oper.  Res. 33:1107). */
 #include "solver/particles/start.h"
 #include "solver/particles/particles.h"
 #include "solver/space/kernel.h"
@@ -33,15 +34,15 @@ int start_kept(const struct heat_operator *a, double all, double *l, struct fail
     for (size_t i = 0; i < n; i++)
         for (size_t k = a->row[i]; k < a->row[i + 1]; k++) rate[i * width + a->column[k] + band - i] = a->value[k];
     int status = STATUS_OK;
-    for (size_t k = n - 1; k > 0 && !status; k--) { /* k is left out: who went there goes on to where it leads */
+    for (size_t k = n - 1; k > 0 && !status; k--) { /* eliminate k: transitions to k go on to its targets */
         size_t first = k > band ? k - band : 0;
         const double *from = &rate[k * width + band - k];
         double away = 0;
         for (size_t j = first; j < k; j++) away += from[j];
         if (!(fabs(away) > 0))
             status = refuse(why, STATUS_NUMERICAL,
-                            "particle %zu has no weights towards those before it: the heat that "
-                            "the rod keeps is not determined; use a larger --h or less "
+                            "particle %zu has no weights towards earlier ones, so the conserved "
+                            "heat of the rod is undetermined; use a larger --h or less "
                             "--jitter",
                             k);
         for (size_t i = first; i < k; i++) {
@@ -94,7 +95,7 @@ int start_keep_heat(const struct problem *p, const struct options *o, const stru
     double side[2] = {p->material[0].rho_c * (p->interface - p->lo[0]),
                       p->material[1].rho_c * (p->hi[0] - p->interface)};
     int status = start_kept(&a, side[0] + side[1], l, why);
-    double more = -side[1], near = 0; /* excess of the second side; l near the contact */
+    double more = -side[1], near = 0; /* excess heat capacity of the second side; sum of l near the contact */
     for (size_t i = 0; i < f->n; i++) {
         if (layout_material(p, f->x[i]) == 1) more += l[i];
         if (fabs(f->x[i] - p->interface) < support) near += l[i];

@@ -4,18 +4,18 @@
 
 #include "solver/space/operator.h"
 
-/* A start that holds the heat of the initial data, as an operator that does not conserve heat counts it. */
+/* Initial data with the correct heat content for an operator that does not conserve heat. */
 
-/* l of n, unknown i of an insulated rod: sum_i l_i T_i stays as it is, l A = 0, and sum_i l_i = all.  Unknowns are
- * in order along the rod.  STATUS_NUMERICAL where a part of the rod has no way to the rest. */
+/* l of n, by unknown of an insulated rod: sum_i l_i T_i is constant, l A = 0, and sum_i l_i = all.  The unknowns are
+ * in order along the rod.  STATUS_NUMERICAL if a part of the rod is not connected to the rest. */
 int start_kept(const struct heat_operator *a, double all, double *l, struct failure *why);
 
-/* Whether the start is what start_keep_heat makes of it: the rows are assembled once more for that. */
+/* 1 if start_keep_heat determines the initial data; this assembles the rows a second time. */
 int start_is_kept(const struct problem *p, const struct options *o, const struct scheme *s);
 
-/* A rod of two materials with its particles in *f: where the initial data jump at the contact, the temperatures
- * within one support of it become point samples, all changed by the same so that sum_i l_i T_i holds the heat of the
- * jump.  Options resolved. */
+/* For a rod of two materials with its particles in *f: if the initial data jump at the contact, the temperatures
+ * within one support of it become point samples plus a constant, such that sum_i l_i T_i has the heat of the jump.
+ * The options are resolved. */
 int start_keep_heat(const struct problem *p, const struct options *o, const struct scheme *s, struct field *f,
                     struct failure *why);
 

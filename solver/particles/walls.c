@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Dummies: the table of treatments, the wall at a dummy, and the particles around it. */
+/* Dummies: the table of treatments, the wall at a dummy, and the particles near it. */
 #include "solver/particles/walls.h"
 
 #include "solver/space/kernel.h"
@@ -8,7 +8,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* NULL for walls without dummies of this kind. */
+/* NULL for walls without dummies. */
 static const struct wall_treatment *treatment(enum walls walls) {
     static const struct wall_treatment *const all[] = {
         [WALLS_FIXED] = &walls_fixed, [WALLS_DISTANCE] = &walls_distance, [WALLS_AVERAGE] = &walls_average,
@@ -48,7 +48,7 @@ static struct wall_site site_of(const struct problem *p, const double x[2]) {
     return site;
 }
 
-/* ---- The particles around ---- */
+/* ---- The particles near a dummy ---- */
 
 static void probe_create(struct walls_fill *w, const struct wall_treatment *t) {
     const struct cloud *c = w->c;
@@ -84,7 +84,7 @@ int walls_near(const struct walls_fill *w, size_t d, size_t least,
     struct wall_near *near = xcalloc(1, sizeof *near);
     size_t found = neighbours_find(&w->cells, place, all, NEIGHBOURS_MAX);
     if (found > NEIGHBOURS_MAX) found = NEIGHBOURS_MAX;
-    struct failure last; /* the last try's; a success leaves *why as it is */
+    struct failure last; /* failure of the attempts; a success leaves *why unchanged */
     int status = refuse(&last, STATUS_NUMERICAL,
                         "the wall at (%.6g, %.6g) m has fewer than %zu particles within %g h; use a smaller --dx",
                         q->x[place], q->y[place], least, KERNEL_SUPPORT * WALLS_WIDEST);

@@ -1,18 +1,20 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Dummies by a quadratic that obeys the wall: about the nearest point of the body, xi outward and eta along the wall,
- *   T(xi, eta) = c + c_xi xi + c_eta eta + quadratic terms,
- * fitted to the particles around by least squares with the kernel as weight, and bound exactly to the wall's
- * condition there:   Dirichlet  c = T_w,   Neumann  c_xi = q/k,   Robin  c_xi = (b/k) (T_a - c).
- * What is bound leaves a known part and the functions that remain free; at a corner of two walls both are bound.  A
- * Dirichlet wall's temperatures beside the foot are known as well and join the data.
- * Fifteen particles are asked for: with eight, few for five unknowns, their shares are large, and the largest stable
- * step at a held wall is 0.14 dx^2/kappa, not the 0.5 that it is without walls.  A particle next to the wall may then
- * stand for the temperature along it, and dummies that follow it let modes grow where the wall's own are left out (4
- * of 20 clouds of jitter 0.2; none of 79 with fifteen).
+/* Dummies by a quadratic that satisfies the boundary condition.  About the nearest point of the body, with xi
+ * outward and eta along the wall,
+ *   T(xi, eta) = c + c_xi xi + c_eta eta + quadratic terms
+ * is fitted to nearby particles by least squares with the kernel as weight, under the exact condition at that point:
+ *   Dirichlet  c = T_w,   Neumann  c_xi = q/k,   Robin  c_xi = (b/k) (T_a - c).
+ * The condition fixes a known part, and the remaining functions are free; at a corner both walls impose their
+ * condition.  The temperatures of a Dirichlet wall next to the foot are also known and join the data.
  *
- * Order.  Dummies are exact for quadratics that obey the wall, so off by O(dx^3), and the operator in a layer one
- * kernel wide by O(dx).  That layer costs O(dx^3) in T at a held wall and O(dx^2) at the others: second order, in the
- * largest error too. */
+ * Each fit requires fifteen particles.  With eight, few for five unknowns, the shares are large, and the stability
+ * limit at a Dirichlet wall is 0.14 dx^2/kappa instead of 0.5 without walls.  A particle next to the wall may then
+ * represent the temperature along it, and modes grow if the wall's own temperatures are not in the data (4 of 20
+ * clouds of jitter 0.2; none of 79 with fifteen).
+ *
+ * Order: dummies are exact for quadratics that satisfy the boundary condition, so their error is O(dx^3), and that
+ * of the operator in a layer one kernel wide is O(dx).  This layer contributes O(dx^3) to T at a Dirichlet wall and
+ * O(dx^2) at others: second order, also in the maximum norm. */
 #include "solver/particles/walls.h"
 
 #include <math.h>
@@ -21,8 +23,8 @@
 struct bound { /* the quadratic at one wall or corner, lengths in units of h */
     int dim, held;
     double axis[2][2]; /* directions of xi and eta */
-    double c;          /* K, where it is held */
-    int bound[2];      /* whether the slope along the axis is s + r c */
+    double c;          /* K, if fixed */
+    int bound[2];      /* 1 if the slope along the axis is s + r c */
     double s[2], r[2];
 };
 
@@ -46,7 +48,7 @@ static struct bound bind(const struct problem *p, const struct wall_site *site, 
     return b;
 }
 
-/* The known part at d (m from the foot), K, and the free functions there; returns how many. */
+/* The known part at d (m from the foot), K, and the free functions there; returns their number. */
 static int functions(const struct bound *b, const double d[2], double h, double *known, double *P) {
     double x[2] = {0, 0}, with_c = 1;
     int n = 0;
@@ -73,8 +75,8 @@ struct fit {
     struct wall_sum *out;
 };
 
-/* Places on the Dirichlet walls of the site with the temperatures that are known there, as data of the fit: m from
- * the foot, K.  Returns how many. */
+/* Points on the Dirichlet walls of the site, m from the foot, with their temperatures, K, as data of the fit.
+ * Returns their number. */
 static size_t wall_data(const struct problem *p, const struct wall_site *site, double h, double d[WALL_DATA][2],
                         double T[WALL_DATA]) {
     static const double at[] = {-1, -0.5, 0.5, 1}; /* h along the wall */

@@ -1,28 +1,30 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* A wall without dummies: SSPH's own least squares, one-sided, with the wall's condition as one more equation.
+/* A wall without dummies: SSPH's own least squares, one-sided, with the boundary condition as an additional
+ * equation.
  *
- * Near a wall the expansion about particle i keeps its constant as an unknown, as modified SPH had it first (Zhang &
- * Batra 2004, Comput. Mech. 34:137): a quadratic q fitted to the particles around and to particle i itself, weighted
- * with the kernel, and, at the nearest point of each wall within the support, with ten times what it is at 0,
+ * Near a wall the constant of the expansion about particle i is an unknown, as in modified SPH (Zhang & Batra 2004,
+ * Comput.  Mech. 34:137).  A quadratic q is fitted to the nearby particles and particle i itself, with the kernel as
+ * weight, and at the nearest point of each wall within the support, with ten times the weight at distance 0, to
  *   Dirichlet  q = T_w,   Neumann  q_n = g/k,   Robin  (q_n + (b/k) q) = (b/k) T_a,
- * slopes in units of h.  Then
+ * with slopes in units of h.  Then
  *   dT_i/dt = kappa_x q_xx + kappa_y q_yy + sigma (q(x_i) - T_i),   sigma = 2 (kappa_x + kappa_y)/h^2,
- * sigma close to the rate of an inner particle's own weight (3.5 kappa/h^2 on a square lattice, 2.3 on a rod).
+ * where sigma is close to the rate of an inner particle's own weight (3.5 kappa/h^2 on a square lattice, 2.3 on a
+ * rod).
  *
- * Why so.  Bound to T_i and to T_w exactly, a particle at a distance d has weights of size 1/(d h): the largest
- * stable step falls with d.  With T_i exact and the wall weighted, the wall's equation has no say as d goes to 0, and
- * one-sided second differences let T_i grow.  Here the weights stay of size 1/h^2 wherever the wall is, and T_i is
- * drawn to the fit.
+ * Rationale: if the fit is bound exactly to T_i and T_w, a particle at distance d has weights of size 1/(d h), and
+ * the stable step decreases with d.  With exact T_i and a weighted wall, the influence of the wall vanishes as d
+ * tends to 0, and one-sided second differences let T_i grow.  Here the weights are of size 1/h^2 for any wall
+ * position, and T_i is relaxed to the fit.
  *
- * Step.  Where the fit takes few particles the fastest mode sits on one of them, and its rate is that particle's own
- * weight.  Over the angles of a square lattice and depths to 2 dx it is at most 5.0 kappa/dx^2 beside a plane wall (h
- * has grown to 1.46 dx), and 5.3 at 0.3 dx from a held wall that bulges into the body with a radius of 3.2 dx, where
- * fifteen particles are found before h has to grow: steps of 0.40 and 0.37 dx^2/kappa, where there are 0.525 without
- * walls.
+ * Step: with few particles in the fit the fastest mode is localised on one of them, and its rate is that particle's
+ * own weight.  Over all angles of a square lattice and depths up to 2 dx it is at most 5.0 kappa/dx^2 at a plane
+ * wall (h grows to 1.46 dx), and 5.3 at 0.3 dx from a Dirichlet wall that is convex into the body with a radius of
+ * 3.2 dx, where fifteen particles are found before h grows: stable steps of 0.40 and 0.37 dx^2/kappa, compared with
+ * 0.525 without walls.
  *
- * Order.  q is exact for quadratics: q(x_i) - T_i = O(dx^3), and both terms are off by O(dx) in a layer one kernel
- * wide.  That layer costs O(dx^3) in T at a held wall and O(dx^2) at the others, as with dummies by `fit`: second
- * order, in the largest error too.  Fifteen particles are asked for, as there. */
+ * Order: q is exact for quadratics, q(x_i) - T_i = O(dx^3), and both terms have an error of O(dx) in a layer one
+ * kernel wide.  The layer contributes O(dx^3) to T at a Dirichlet wall and O(dx^2) at others, as dummies by `fit`
+ * do: second order, also in the maximum norm.  The fit requires fifteen particles, as there. */
 #include "solver/particles/walls.h"
 
 #include "solver/space/kernel.h"
@@ -32,7 +34,7 @@
 
 static const double WALL_WEIGHT = 10;
 
-/* 1, x, y, x^2/2, x y, y^2/2 at d in units of h (1, x, x^2/2 on a rod); returns how many. */
+/* 1, x, y, x^2/2, x y, y^2/2 at d in units of h (1, x, x^2/2 on a rod); returns their number. */
 static int monomials(int dim, const double d[2], double *P) {
     P[0] = 1, P[1] = d[0];
     if (dim == 1) {
@@ -51,7 +53,7 @@ static void add_slopes(int dim, const double d[2], const double n[2], double *P)
         P[2] += n[1], P[3] += d[0] * n[0], P[4] += d[0] * n[1] + d[1] * n[0], P[5] += d[1] * n[1];
 }
 
-/* The equation of wall s at its foot: its row and its right-hand side. */
+/* The equation of wall s at its foot: the row P and the returned right-hand side. */
 static double equation(const struct problem *p, int s, const struct foot *f, const double x[2], double h, double *P) {
     double d[2] = {(f->x[0] - x[0]) / h, (f->x[1] - x[1]) / h};
     double value = p->wall(p, (enum side)s, f->x), k = p->material[0].k[f->normal[1] * f->normal[1] > 0.5];
@@ -64,14 +66,14 @@ static double equation(const struct problem *p, int s, const struct foot *f, con
     return size * (p->side[s] == ROBIN ? ratio * value : value * h / k);
 }
 
-struct equations { /* neighbours, the particle itself, walls */
+struct equations { /* equations of the neighbours, the particle itself, and the walls */
     struct neighbourhood nb;
     double d[NEIGHBOURS_MAX][2], P[NEIGHBOURS_MAX][SSPH_TERMS_MAX], size[NEIGHBOURS_MAX], w[NEIGHBOURS_MAX];
-    size_t from[NEIGHBOURS_MAX]; /* indices of the neighbours */
+    size_t from[NEIGHBOURS_MAX]; /* index of the neighbour */
     double given[4];             /* right-hand sides of the walls */
 };
 
-/* Within 2 h of the particle; returns how many are particles. */
+/* Collects the equations within 2 h of the particle; returns the number for particles. */
 static size_t take_equations(const struct problem *p, const struct neighbourhood *nb, double h, struct equations *e) {
     size_t n = 0, particles;
     e->nb = (struct neighbourhood){.dim = nb->dim, .i = nb->i, .x = {nb->x[0], nb->x[1]}, .d = e->d, .h = h};

@@ -1,18 +1,23 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Published dummies of lower order, for the study of walls; for use take `fit`.  d are distances from the wall.
+/* Published dummies of lower order, for the study of walls; in other runs use `fit`. d is the distance from the
+ * wall.
  *
- * fixed     T_d = T_w (Pamplona 2019, Fig. 3).  The wall is then felt at the dummies, up to dx from its place: first
- * order. distance  Morris, Fox & Zhu 1997, J. Comput. Phys. 136:214, for each pair of a particle i and a dummy d: T_d
- * = T_w - (d_d/d_i) (T_i - T_w),   1 + d_d/d_i at most 1.5.  Exact for linear T across the wall while the bound does
- * not bind: it does for most pairs, d_d > d_i/2, so that the wall's pull is too weak by a share that does not fall
- * with dx. average   Adami, Hu & Adams 2012, J. Comput. Phys. 231:7057, <.> the Shepard mean at the dummy: Dirichlet
- * T_d = 2 T_w - <T> Neumann    T_d = <T> + (d_d + <d>) q/k,   q the flux into the body The particles in reach of a
- * dummy have other distances from the wall than it has: T_d is off by (d_d - <d>) dT/dn for a held wall, O(dx), which
- * costs an order; a flux meets the slope, and is off by O(dx^2). image     Marrone et al. 2011, Comput. Methods Appl.
- * Mech. Engrg. 200:1526, T_m at the mirror point by linear moving least squares: Dirichlet  T_d = 2 T_w
- * - T_m,   Neumann  T_d = T_m + 2 d q/k Robin      T_d = f T_m + (1 - f) T_a,   f = (k - b d)/(k + b d), as for
- * images of particles At a corner the reflections follow each other.  T_m is off by O(dx^2), and so is the mirror of
- * a wall that bends. */
+ * fixed     T_d = T_w (Pamplona 2019, Fig. 3).  The effective wall is at the dummies, up to dx from its true
+ * position: first
+ *           order.
+ * distance  Morris, Fox & Zhu 1997, J. Comput.  Phys. 136:214, for each pair of a particle i and a dummy d:
+ *           T_d = T_w - (d_d/d_i) (T_i - T_w),   1 + d_d/d_i at most 1.5. Exact for linear T across the wall unless
+ * the bound is active. It is for most pairs, d_d > d_i/2, which weakens the wall by a fraction independent of dx.
+ * average   Adami, Hu & Adams 2012, J. Comput.  Phys. 231:7057, with the Shepard mean <.> at the dummy:
+ *           Dirichlet  T_d = 2 T_w - <T>,   Neumann  T_d = <T> + (d_d + <d>) q/k,   q the flux into the body.
+ *           The particles near a dummy have other distances from the wall. At a Dirichlet wall the error of T_d is
+ *           (d_d - <d>) dT/dn = O(dx), which costs an order; a flux has the right slope and an error of O(dx^2).
+ * image     Marrone et al. 2011, Comput.  Methods Appl.  Mech.  Engrg. 200:1526, with T_m at the mirror point by
+ * linear moving
+ *           least squares: Dirichlet  T_d = 2 T_w - T_m,   Neumann  T_d = T_m + 2 d q/k,
+ *           Robin  T_d = f T_m + (1 - f) T_a,   f = (k - b d)/(k + b d), as for images of particles.
+ *           At a corner one reflection follows the other. The error of T_m is O(dx^2), and so is that of mirroring at
+ * a curved wall. */
 #include "solver/particles/walls.h"
 
 #include "solver/space/kernel.h"
@@ -53,7 +58,7 @@ static int average(const struct walls_fill *w, const struct wall_near *near, voi
         m->out->from[j] = near->from[j], m->out->share[j] = W;
         sum += W;
     }
-    if (!(sum > 0)) return refuse(why, STATUS_NUMERICAL, "a dummy sees no particle with a positive weight");
+    if (!(sum > 0)) return refuse(why, STATUS_NUMERICAL, "a dummy has no neighbour with a positive weight");
     for (size_t j = 0; j < near->nb.n; j++) {
         m->out->share[j] /= sum;
         double x[2] = {w->c->x[near->from[j]], w->c->y[near->from[j]]};
@@ -62,7 +67,7 @@ static int average(const struct walls_fill *w, const struct wall_near *near, voi
     return STATUS_OK;
 }
 
-/* A corner goes by the wall that it is farther beyond. */
+/* At a corner the wall at the larger distance determines the dummy. */
 static int fill_average(const struct walls_fill *w, size_t d, const struct wall_site *site, struct wall_sum *out,
                         struct failure *why) {
     int n = site->walls == 2 && site->away[1] > site->away[0];
