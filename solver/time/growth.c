@@ -103,42 +103,39 @@ static double confirm(const struct heat_operator *a, double bound, double time, 
     return rate > least ? rate : 0;
 }
 
-/* Noise of norm 1, and the operator without walls' values and sources. */
-struct trial {
-    struct heat_operator a;
-    double *T; /* owned */
-};
-
-static void trial_create(struct trial *t, const struct heat_operator *a) {
-    *t = (struct trial){.a = *a, .T = xcalloc(a->n, sizeof *t->T)};
-    t->a.g = NULL, t->a.constant = 0;
-    for (size_t i = 0; i < a->n; i++) t->T[i] = noise(i);
-    normalise(t->T, a->n);
+/* The operator without walls' values and sources. */
+static struct heat_operator homogeneous(const struct heat_operator *a) {
+    struct heat_operator out = *a;
+    out.g = NULL, out.constant = 0;
+    return out;
 }
 
-static void trial_free(struct trial *t) {
-    free(t->T);
+/* n values of noise of norm 1, to be freed. */
+static double *noise_create(size_t n) {
+    double *T = xcalloc(n, sizeof *T);
+    for (size_t i = 0; i < n; i++) T[i] = noise(i);
+    normalise(T, n);
+    return T;
 }
 
 double growth_rate(const struct heat_operator *a, double bound, double time) {
     if (!(time > 0) || !(bound > 0) || weights_show_none(a)) return 0;
-    struct trial t;
-    trial_create(&t, a);
-    double rate = confirm(&t.a, bound, time, t.T);
-    trial_free(&t);
+    struct heat_operator own = homogeneous(a);
+    double *T = noise_create(a->n), rate = confirm(&own, bound, time, T);
+    free(T);
     return rate;
 }
 
 /* Replaces the noise by its change in a step, five times: modes that hardly change in a step are removed. */
-static int take_what_decays(struct trial *t, double bound, double dt) {
+static int take_what_decays(const struct heat_operator *a, double bound, double dt, double *T) {
     enum { TIMES = 5 };
-    double *kept = xcalloc(t->a.n, sizeof *kept);
+    double *kept = xcalloc(a->n, sizeof *kept);
     int ok = 1;
     for (int k = 0; k < TIMES && ok; k++) {
-        for (size_t i = 0; i < t->a.n; i++) kept[i] = t->T[i];
-        ok = advance(&t->a, bound, dt, t->T);
-        for (size_t i = 0; i < t->a.n; i++) t->T[i] -= kept[i];
-        normalise(t->T, t->a.n);
+        for (size_t i = 0; i < a->n; i++) kept[i] = T[i];
+        ok = advance(a, bound, dt, T);
+        for (size_t i = 0; i < a->n; i++) T[i] -= kept[i];
+        normalise(T, a->n);
     }
     free(kept);
     return ok;
@@ -146,14 +143,14 @@ static int take_what_decays(struct trial *t, double bound, double dt) {
 
 /* Logarithm of the factor of the slowest remaining mode: the mean over the later half of the steps.  The iteration
  * ends when a mode with the average share of the noise, 1 / sqrt(n), would be a hundredth of the remainder. */
-static double slowest(struct trial *t, double bound, double dt, double steps) {
+static double slowest(const struct heat_operator *a, double bound, double dt, double steps, double *T) {
     enum { MOST = 60 };
-    const double gone = -log(100 * sqrt((double)t->a.n));
+    const double gone = -log(100 * sqrt((double)a->n));
     double sum[MOST + 1] = {0};
     int k = 0;
-    if (!take_what_decays(t, bound, dt)) return INFINITY;
+    if (!take_what_decays(a, bound, dt, T)) return INFINITY;
     while (k < MOST && k < steps && sum[k] > gone) {
-        double grown = step(&t->a, bound, dt, t->T);
+        double grown = step(a, bound, dt, T);
         if (!isfinite(grown)) return INFINITY;
         sum[k + 1] = sum[k] + grown, k++;
     }
@@ -162,10 +159,9 @@ static double slowest(struct trial *t, double bound, double dt, double steps) {
 
 double growth_by_steps(const struct heat_operator *a, double bound, double dt, double steps) {
     const double least = log(0.8);
-    struct trial t;
-    trial_create(&t, a);
-    double grown = slowest(&t, bound, dt, steps);
-    trial_free(&t);
+    struct heat_operator own = homogeneous(a);
+    double *T = noise_create(a->n), grown = slowest(&own, bound, dt, steps, T);
+    free(T);
     if (grown < least) return 0;
     /* growth of the equations themselves, which shorter steps do not remove */
     double rate = growth_rate(a, bound, dt * steps);
