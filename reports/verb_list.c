@@ -122,7 +122,7 @@ struct list_options {
 
 static int act(const void *options, struct failure *why) {
     const struct list_options *r = options;
-    const char *names[WORDS_MAX] = {0}, *topic = r->command.topic;
+    const char *names[WORDS_MAX] = {0}, *topic = r->command.word[0];
     for (int i = 0; topics[i].name; i++) {
         names[i] = topics[i].name;
         if (topic && words_index(names, topic) < 0) continue;

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* heatladder report: the studies of reports/, measured again.  Progress and times go to standard output, not into any
- * file.  A study is a row of the table and a word of the syntax. */
+ * file.  A study is a row of the table. */
 #include "verification/cli/verb.h"
 
 #include "reports/index/index.h"
@@ -14,10 +14,12 @@
 #include "reports/walls/walls_study.h"
 #include "solver/status.h"
 #include "verification/text/output.h"
+#include "verification/text/words.h"
 
 #include <omp.h>
 #include <stdio.h>
 #include <string.h>
+#include <unistd.h>
 
 static int write_page(const char *dir, struct failure *why) {
     if (index_write(dir, why)) return why->status;
@@ -42,6 +44,8 @@ static const struct study {
     {"walls", walls_study_write, NULL, NULL},
     {"page", write_page, NULL, NULL},
 };
+static const char *const names[] = {"song",  "pamplona", "matched", "operators", "stability",
+                                    "walls", "claims",   "page",    NULL};
 
 static int write_study(const struct study *s, const char *dir, struct failure *why) {
     double start = omp_get_wtime();
@@ -52,14 +56,12 @@ static int write_study(const struct study *s, const char *dir, struct failure *w
 }
 
 static int write_studies(const char *name, const char *dir, struct failure *why) {
-    int written = 0;
     for (size_t i = 0; i < sizeof studies / sizeof *studies; i++) {
         const struct study *s = &studies[i];
         if (name ? strcmp(s->name, name) != 0 : !s->title) continue;
         if (write_study(s, dir, why)) return why->status;
-        written++;
     }
-    return written ? STATUS_OK : refuse(why, STATUS_INPUT, "'%s' is a word of the syntax, but no study", name);
+    return STATUS_OK;
 }
 
 struct report_options {
@@ -68,29 +70,36 @@ struct report_options {
     int json;
 };
 
-static int measure_claims(const struct report_options *r, struct claims *c, struct failure *why) {
-    if (r->command.dir && output_directory(r->command.dir, "claims.csv", why)) return why->status;
+static int measure_claims(const struct report_options *r, const char *dir, struct claims *c, struct failure *why) {
+    if (dir && output_directory(dir, "claims.csv", why)) return why->status;
     if (claims_collect(papers_claims, r->only, c, why)) return why->status;
     claims_run(c);
-    (r->json ? claims_write_json : r->command.dir ? claims_write_changed : claims_write_text)(c, stdout);
-    return r->command.dir ? claims_write_files(c, r->command.dir, why) : STATUS_OK;
+    (r->json ? claims_write_json : dir ? claims_write_changed : claims_write_text)(c, stdout);
+    return dir ? claims_write_files(c, dir, why) : STATUS_OK;
 }
 
 /* The ledger: the statements of the papers, whole on standard output where there is no directory. */
-static int report_claims(const struct report_options *r, struct failure *why) {
+static int report_claims(const struct report_options *r, const char *dir, struct failure *why) {
     struct claims claims = {0};
-    int status = measure_claims(r, &claims, why);
+    int status = measure_claims(r, dir, &claims, why);
     if (!status && !claims_hold(&claims)) status = STATUS_GATE;
     claims_free(&claims);
     return status;
 }
 
+/* The first word is a study or a directory; after a study the second is a directory. */
 static int act(const void *options, struct failure *why) {
     const struct report_options *r = options;
-    if (r->command.topic && strcmp(r->command.topic, "claims") == 0) return report_claims(r, why);
+    const char *const *word = r->command.word, *study = word[0], *dir = word[1];
+    if (study && words_index(names, study) < 0) {
+        int is_path = strchr(study, '/') || access(study, F_OK) == 0;
+        if (dir || (!is_path && words_nearest(names, study))) return words_unknown(names, "study", study, why);
+        dir = study, study = NULL;
+    }
+    if (study && strcmp(study, "claims") == 0) return report_claims(r, dir, why);
     if (r->only || r->json)
         return refuse(why, STATUS_INPUT, "--%s has a meaning for report claims alone", r->only ? "only" : "json");
-    return write_studies(r->command.topic, r->command.dir ? r->command.dir : "reports/out", why);
+    return write_studies(study, dir ? dir : "reports/out", why);
 }
 
 #define PLACE(member) OPTION_PLACE(report_options, member)

@@ -42,9 +42,9 @@ static int bench_one(const struct bench_options *given, const struct scene *s, s
     json_end(j);
     if (!given->json) bench_print_scene(b, stdout);
     fflush(stdout);
-    if (given->command.dir)
-        bench_print_data(b,
-                         output_open(&files->file[files->count++], "%s/bench_%s.csv", given->command.dir, s->name));
+    if (given->command.word[0])
+        bench_print_data(
+            b, output_open(&files->file[files->count++], "%s/bench_%s.csv", given->command.word[0], s->name));
     free(b);
     return STATUS_OK;
 }
@@ -78,8 +78,8 @@ static int bench_scenes(const struct bench_options *r, FILE *out, struct files *
 
 static int bench_all(const struct bench_options *r, struct files *files, struct failure *why) {
     struct output *json = &files->file[files->count++];
-    FILE *out = output_open(json, "%s/bench.json", r->command.dir ? r->command.dir : "");
-    int status = r->command.dir ? output_directory(r->command.dir, "bench.json", why) : STATUS_OK;
+    FILE *out = output_open(json, "%s/bench.json", r->command.word[0] ? r->command.word[0] : "");
+    int status = r->command.word[0] ? output_directory(r->command.word[0], "bench.json", why) : STATUS_OK;
     if (!status) status = bench_scenes(r, out, files, why);
     output_end(json);
     if (!status && r->json) fputs(json->text, stdout);
@@ -90,7 +90,7 @@ static int act(const void *options, struct failure *why) {
     const struct bench_options *r = options;
     struct files *files = xcalloc(1, sizeof *files);
     int status = bench_all(r, files, why);
-    if (!status && r->command.dir) status = output_close(files->file, files->count, why);
+    if (!status && r->command.word[0]) status = output_close(files->file, files->count, why);
     output_drop(files->file, files->count);
     free(files);
     return status;

@@ -199,7 +199,8 @@ static const struct option own[] = {
     {"", .about = "Output:"},
     {"verbose", NULL, "list every gate with its details, diagnose every ladder; also -v", option_flag,
      PLACE(verbose)},
-    {"page", "FILE", "write the verdict and its table as an HTML page, and the ladders as FILE.csv", option_text, PLACE(page_path)},
+    {"page", "FILE", "write the verdict and its table as an HTML page, and the ladders as FILE.csv", option_text,
+     PLACE(page_path)},
     {"junit", "FILE", "write the verdicts as JUnit XML", option_text, PLACE(junit_path)},
     {"json", "FILE", "write the verdicts as JSON", option_text, PLACE(json_path)},
     {0}};

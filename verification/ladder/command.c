@@ -17,7 +17,6 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include <unistd.h>
 
 /* ---- Syntax ---- */
 
@@ -170,7 +169,7 @@ const char *command_given(const struct command *c, const char *name) {
     return NULL;
 }
 
-/* ---- Positionals ---- */
+/* ---- Words ---- */
 
 static int take_scene(struct command *c, const char *name, struct failure *why) {
     const char *names[WORDS_MAX] = {0};
@@ -195,46 +194,24 @@ static int take_method(struct command *c, const char *name, struct failure *why)
     return words_unknown(names, "method", name, why);
 }
 
-/* "[a|b|c] [DIR]": one of these words, then a directory; either may be left out. */
-static int take_study(struct command *c, int place, const char *word, struct failure *why) {
-    const char *names[WORDS_MAX] = {0}, *wanted = c->syntax->positionals + 1;
-    char text[200], *rest = text;
-    snprintf(text, sizeof text, "%.*s", (int)strcspn(wanted, "]"), wanted);
-    for (int n = 0; n < WORDS_MAX - 1 && (names[n] = strtok_r(rest, "|", &rest)); n++) continue;
-    int is_path = strchr(word, '/') || access(word, F_OK) == 0;
-    if (place == 1 && c->dir) return words_unknown(names, "study", c->dir, why);
-    if (place == 0 && words_index(names, word) >= 0)
-        c->topic = word;
-    else if (place == 0 && !is_path && words_nearest(names, word))
-        return words_unknown(names, "study", word, why);
-    else
-        c->dir = word;
-    return STATUS_OK;
+static int missing(const struct command *c, const char *what, struct failure *why) {
+    return refuse(why, STATUS_INPUT, "%s needs a %s: heatladder %s %s (see: heatladder list)", c->syntax->name, what,
+                  c->syntax->name, c->syntax->positionals);
 }
 
-static int take_positional(struct command *c, int place, const char *word, struct failure *why) {
-    const char *wanted = c->syntax->positionals;
-    if (place < 2 && strchr(wanted, '|')) return take_study(c, place, word, why);
-    if (place == 0 && (words_among(wanted, "SCENE") || words_among(wanted, "[SCENE]")))
-        return take_scene(c, word, why);
-    if (place == words_among(wanted, "SCENE") && words_among(wanted, "METHOD")) return take_method(c, word, why);
-    if (place == 0 && (words_among(wanted, "[TOPIC]") || words_among(wanted, "[DIR]"))) {
-        *(words_among(wanted, "[DIR]") ? &c->dir : &c->topic) = word;
-        return STATUS_OK;
+/* The words of SCENE and METHOD, which the first of the `sceneless` options makes optional. */
+static int take_words(struct command *c, struct failure *why) {
+    const char *wanted = c->syntax->positionals, *sceneless = c->syntax->sceneless;
+    char option[32] = "";
+    if (sceneless) snprintf(option, sizeof option, "%.*s", (int)strcspn(sceneless, " "), sceneless);
+    int scene = words_among(wanted, "SCENE"), method = words_among(wanted, "METHOD"), optional = !scene && !method;
+    if (!c->word[0] && (optional || command_given(c, option))) return STATUS_OK;
+    if (scene || words_among(wanted, "[SCENE]")) {
+        if (!c->word[0]) return missing(c, "SCENE", why);
+        if (take_scene(c, c->word[0], why)) return why->status;
     }
-    return refuse(why, STATUS_INPUT, "'%.60s' is one word too many for %s (wanted: %s %s)", word, c->syntax->name,
-                  c->syntax->name, wanted);
-}
-
-static int check_positionals(const struct command *c, struct failure *why) {
-    const char *wanted = c->syntax->positionals, *name = c->syntax->name;
-    const char *missing = words_among(wanted, "SCENE") && !c->experiment.scene ? "SCENE"
-                          : words_among(wanted, "METHOD") && (!c->experiment.method || !c->experiment.method->name)
-                              ? "METHOD"
-                              : NULL;
-    if (!missing) return STATUS_OK;
-    return refuse(why, STATUS_INPUT, "%s needs a %s: heatladder %s %s (see: heatladder list)", name, missing, name,
-                  wanted);
+    if (!method) return STATUS_OK;
+    return c->word[scene] ? take_method(c, c->word[scene], why) : missing(c, "METHOD", why);
 }
 
 /* ---- Options ---- */
@@ -365,24 +342,7 @@ static int apply(struct command *c, struct failure *why) {
     return command_check(c, why);
 }
 
-static int has_word(int argc, char *const *argv, const char *name) {
-    size_t length = strlen(name);
-    for (int i = 1; i < argc; i++)
-        if (strncmp(argv[i], "--", 2) == 0 && strncmp(argv[i] + 2, name, length) == 0 &&
-            (argv[i][length + 2] == '\0' || argv[i][length + 2] == '='))
-            return 1;
-    return 0;
-}
-
-/* Whether the option is there that makes a SCENE optional. */
-static int needs_no_scene(const struct command_syntax *syntax, int argc, char *const *argv) {
-    char option[32];
-    if (!syntax->sceneless) return 0;
-    snprintf(option, sizeof option, "%.*s", (int)strcspn(syntax->sceneless, " "), syntax->sceneless);
-    return has_word(argc, argv, option);
-}
-
-/* METHOD is then the program's name, which accepts no option of the model. */
+/* METHOD is the name of the program, which accepts no option of the model. */
 static void take_program(struct command *c) {
     c->external = xcalloc(1, sizeof *c->external);
     *c->external = (struct method){.about = "another program", .accepts = ""};
@@ -393,22 +353,25 @@ static void take_program(struct command *c) {
 int command_parse(const struct command_syntax *syntax, const struct option *own, int argc, char *const *argv,
                   void *options, struct failure *why) {
     struct command *c = options;
-    int positionals = 0;
+    int words = 0, most = 0;
+    for (const char *at = syntax->positionals; *at; at += strcspn(at, " "), at += *at == ' ') most++;
     c->syntax = syntax, c->own = own;
     c->typed = words_line(argc, (const char *const *)argv);
     *why = (struct failure){0};
-    if (lanes_forced(&c->experiment.options.lanes, why)) return why->status;
-    if (words_among(syntax->options, "solver") && (has_word(argc, argv, "solver") || has_word(argc, argv, "results")))
-        take_program(c);
     for (int i = 1; i < argc; i++) {
         int verbose = strcmp(argv[i], "-v") == 0 && command_option(syntax, own, "verbose");
-        int option = verbose || strncmp(argv[i], "--", 2) == 0;
-        if (option ? split_option(c, argc, argv, &i, why) : take_positional(c, positionals++, argv[i], why))
-            return why->status;
+        if (verbose || strncmp(argv[i], "--", 2) == 0) {
+            if (split_option(c, argc, argv, &i, why)) return why->status;
+        } else if (words == most) {
+            return refuse(why, STATUS_INPUT, "'%.60s' is one word too many for %s (wanted: %s %s)", argv[i],
+                          syntax->name, syntax->name, syntax->positionals);
+        } else {
+            c->word[words++] = argv[i];
+        }
     }
-    int sceneless = positionals == 0 && needs_no_scene(syntax, argc, argv);
-    if (!sceneless && check_positionals(c, why)) return why->status;
-    return apply(c, why);
+    if (lanes_forced(&c->experiment.options.lanes, why)) return why->status;
+    if (command_given(c, "solver") || command_given(c, "results")) take_program(c);
+    return take_words(c, why) ? why->status : apply(c, why);
 }
 
 /* ---- One line ---- */

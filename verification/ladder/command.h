@@ -37,8 +37,7 @@ struct command {
     double ratio;             /* limit: kappa_y/kappa_x; 0: 1 */
     double contact;           /* limit: k and rho c of the second material over those of the first; 0: one material */
     int dim, stages;          /* limit: 1 or 2; of rkl2, else 0 */
-    const char *topic;        /* the word of [a|b] or [TOPIC]; NULL for none */
-    const char *dir;          /* the word of [DIR]; NULL for none */
+    const char *word[2];      /* the positionals as typed; NULL for none */
     unsigned long overridden; /* bits of the scene's parameters that were given */
     char *typed;              /* owned: the command, quoted for a shell */
 
