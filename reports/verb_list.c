@@ -78,25 +78,43 @@ static void list_gates(void) {
                 printf("  %s %s\n", scenes[s]->name, methods[m]->name);
 }
 
+static const int battery_orders[] = {2, 1, 4};
+
 /* The faults that each row is there for, a line a row. */
 static void list_battery_rows(void) {
     struct table t = table_headed(3, "row|order|detects");
-    for (const struct battery_row *row = battery_table; row->order; row++) {
-        const char *why = row->gate.why + (strncmp(row->gate.why, "detects ", 8) == 0 ? 8 : 0);
-        table_add(&t, "%s|%d|%.*s", row->gate.id, row->order, (int)strcspn(why, ":;"), why);
-    }
+    for (int k = 0; k < 3; k++)
+        for (const struct battery_row *row = battery_table; row->orders; row++) {
+            const char *why = row->why + strlen("detects ");
+            if (row->orders & battery_orders[k])
+                table_add(&t, "%s|%d|%.*s", row->id, battery_orders[k], (int)strcspn(why, ":;"), why);
+        }
     table_end(&t, stdout);
     printf("\nheatladder list battery -v: commands, bounds and draws\n");
 }
 
+static const char *ranges_of(const char *id, int order) {
+    for (const struct battery_row *row = battery_table; row->orders; row++)
+        if (row->orders & order && strcmp(row->id, id) == 0) return row->ranges;
+    return "";
+}
+
 static void list_battery_details(void) {
-    for (const struct battery_row *row = battery_table; row->order; row++) {
-        const struct gate *g = &row->gate;
-        printf("%s (order %d): %s in [%g, %g]", g->id, row->order, g->measure, g->lo, g->hi);
-        if (!isnan(g->ceiling)) printf(", error at most %g", g->ceiling);
-        printf("\n  heatladder %s --solver 'CMD'\n", g->command);
-        if (*row->ranges) printf("  drawn: %s\n", row->ranges);
-        printf("  %s\n", g->why);
+    for (int k = 0; k < 3; k++) {
+        struct gates all = {0};
+        struct failure ignored;
+        battery_add(battery_orders[k], PROFILE_SLABS, 0, &all, &ignored);
+        battery_bounds(&all, &ignored);
+        for (int i = 0; i < all.declared; i++) {
+            const struct gate *g = &all.result[i].gate;
+            const char *ranges = ranges_of(g->id, battery_orders[k]);
+            printf("%s (order %d): %s in [%g, %g]", g->id, battery_orders[k], g->measure, g->lo, g->hi);
+            if (!isnan(g->ceiling)) printf(", error at most %g", g->ceiling);
+            printf("\n  heatladder %s --solver 'CMD'\n", g->command);
+            if (*ranges) printf("  drawn: %s\n", ranges);
+            printf("  %s\n", g->why);
+        }
+        gates_free(&all);
     }
 }
 

@@ -5,6 +5,7 @@
 #include "references/scene.h"
 #include "verification/ladder/command.h"
 #include "verification/foreign/results.h"
+#include "verification/gates/ceiling.h"
 #include "verification/text/whole_file.h"
 #include "verification/text/words.h"
 
@@ -13,12 +14,26 @@
 #include <stdlib.h>
 #include <string.h>
 
-#define BATTERY(order, id, measure, command, bound, ranges, lo, hi, ceiling, sees, bounds)                           \
-    {order, {id, TIER_QUICK, measure, command, lo, hi, ceiling, "detects " sees "; bounds: " bounds}, bound, ranges},
+#define BATTERY(orders, id, measure, run, sets, rungs, ranges, lo, hi, ceiling, sees, bounds)                        \
+    {orders, id, measure, run, sets, rungs, ranges, __LINE__, "detects " sees "; bounds: " bounds},
 const struct battery_row battery_table[] = {
 #include "verification/gates/battery.def"
     {0}};
 #undef BATTERY
+
+/* The bounds of the row on that line, for its drawn experiment at the finest rung. */
+static void bounds_of(int line, const struct experiment *e, struct gate *g) {
+    const double dx = e->options.dx;
+    g->lo = g->hi = g->ceiling = NAN * dx;
+    switch (line) {
+#define BATTERY(orders, id, measure, run, sets, rungs, ranges, low, high, limit, sees, bounds)                       \
+    case __LINE__:                                                                                                   \
+        g->lo = low, g->hi = high, g->ceiling = limit;                                                               \
+        break;
+#include "verification/gates/battery.def"
+#undef BATTERY
+    }
+}
 
 const char *const battery_profile_words[] = {"all", "particles", "slabs", NULL};
 
@@ -27,26 +42,19 @@ static int is_in_profile(const char *id, enum profile profile) {
     return profile == PROFILE_SLABS || strncmp(id, "slab/", 5) != 0;
 }
 
-static struct draw draw_of(const struct battery_row *row) {
-    return (struct draw){row->gate.command, row->ranges, row->bound, row->gate.measure};
-}
-
 /* A program's rows in a plane cost it most by far; those of rods see all but what has two axes. */
-static enum gate_tier tier_of(const struct gate *gate) {
-    struct failure ignored;
-    return draw_dimension(gate->command, &ignored) == 1 ? TIER_QUICK : TIER_FULL;
+static enum gate_tier tier_of(const struct battery_row *row) {
+    return strstr(row->run, " rod-") || strstr(row->run, " wall-") ? TIER_QUICK : TIER_FULL;
 }
 
 int battery_add(int order, enum profile profile, unsigned long seed, struct gates *g, struct failure *why) {
-    char command[DRAW_COMMAND];
-    for (const struct battery_row *row = battery_table; row->order; row++) {
-        struct draw draw = draw_of(row);
-        if (row->order != order || !is_in_profile(row->gate.id, profile)) continue;
-        if (draw_command(&draw, seed, command, why)) return why->status;
-        gates_add(g, &row->gate);
-        struct gate *gate = &g->result[g->declared - 1].gate;
-        if (seed) gate->command = gates_keep(g, command);
-        gate->tier = tier_of(&row->gate);
+    char command[BATTERY_COMMAND];
+    for (const struct battery_row *row = battery_table; row->orders; row++) {
+        if (!(row->orders & order) || !is_in_profile(row->id, profile)) continue;
+        if (battery_command(row, seed, command, why)) return why->status;
+        gates_add(
+            g, &(struct gate){row->id, tier_of(row), row->measure, gates_keep(g, command), NAN, NAN, NAN, row->why});
+        g->result[g->declared - 1].line = row->line;
     }
     return STATUS_OK;
 }
@@ -56,24 +64,26 @@ void battery_words(enum profile profile, int rungs, char *text, size_t size) {
     if (rungs) words_add(text, size, " --rungs %d", rungs);
 }
 
-static int set_bound(const struct battery_row *row, struct gate *gate, struct failure *why) {
-    struct draw draw = draw_of(row);
-    return draw_bound(&draw, gate->command, isnan(gate->ceiling) ? &gate->hi : &gate->ceiling, why);
+static int set_bounds(struct gate_result *result, struct failure *why) {
+    struct command r;
+    struct gate *g = &result->gate;
+    int status = gates_finest(g->command, 1, &r, why);
+    if (!status) bounds_of(result->line, &r.experiment, g);
+    command_free(&r);
+    if (status || g->lo <= g->hi) return status;
+    return refuse(why, STATUS_NUMERICAL, "%.60s: '%.200s' has no bounds", g->id, g->command);
 }
 
-/* A run each, by many threads; of failures the first row's is told. */
-int battery_bounds(int order, struct gates *g, struct failure *why) {
+/* A run each, by many threads; of failures the first row's is reported. */
+int battery_bounds(struct gates *g, struct failure *why) {
     int first = g->declared;
 #pragma omp parallel for schedule(dynamic, 1)
-    for (int i = 0; i < g->declared; i++)
-        for (const struct battery_row *row = battery_table; row->order; row++) {
-            struct failure own;
-            if (strcmp(row->gate.id, g->result[i].gate.id) != 0 || row->order != order ||
-                !set_bound(row, &g->result[i].gate, &own))
-                continue;
+    for (int i = 0; i < g->declared; i++) {
+        struct failure own;
+        if (!g->result[i].line || !set_bounds(&g->result[i], &own)) continue;
 #pragma omp critical(battery_bounds)
-            if (i < first) first = i, *why = own;
-        }
+        if (i < first) first = i, *why = own;
+    }
     return first < g->declared ? why->status : STATUS_OK;
 }
 

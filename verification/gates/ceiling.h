@@ -63,8 +63,18 @@ double ceiling_jitter(const struct experiment *e);
 double ceiling_changed(const struct experiment *e, const char *name, double by);
 double ceiling_late(const struct experiment *e, double part);
 
-/* The five-point difference at that spacing; linf: 1 for its largest error, K. */
+/* The five-point difference at that spacing, of dx and dy the larger; linf: 1 for its largest error, K.  On faces: of
+ * a jump at the scene's own place. */
 double ceiling_five_point(const struct experiment *e, int linf);
+double ceiling_five_point_on_faces(const struct experiment *e);
+
+/* ---- Bounds for codes of any kind ---- */
+
+/* The mean over a cell for the value at its centre, dx^2/24 lap T; all of the field a whole cell away along each
+ * axis; |T_xx / T_x| at the high end of a rod, m^-1. */
+double ceiling_cell_mean(const struct experiment *e);
+double ceiling_cell_away(const struct experiment *e);
+double ceiling_bend(const struct experiment *e);
 
 /* The resistance that harmonic means add to a contact midway between particles, over dx; E1 on rod-contact of a
  * resistance R dx; E1 of a rod of pairs in series whose distances are jittered. */

@@ -81,13 +81,72 @@ double ceiling_layer(const struct experiment *e) {
 }
 
 double ceiling_five_point(const struct experiment *e, int linf) {
-    struct experiment five = *e;
+    const struct options *o = &e->options;
+    struct experiment five = {.scene = e->scene, .method = method_find("ftcs"), .problem = e->problem};
     struct result r;
-    five.method = method_find("ftcs");
-    five.options =
-        (struct options){.dx = e->options.dx, .fourier = e->options.fourier, .sampling = e->options.sampling};
+    five.options.dx = fmax(o->aspect, 1) * o->dx;
+    five.options.fourier = e->problem.source_rate ? 0.01 : o->fourier;
+    five.options.sampling = o->sampling;
     if (run_experiment(&five, &r, NULL)) return NAN;
     return linf ? r.error.linf : r.error.l1;
+}
+
+double ceiling_five_point_on_faces(const struct experiment *e) {
+    struct experiment faces = *e;
+    struct failure ignored;
+    int a = place_of(e->scene, "a");
+    struct problem p = {0};
+    memcpy(p.param, e->problem.param, sizeof p.param);
+    p.param[a] = e->scene->params[a].value;
+    if (e->scene->setup(&p, &ignored)) return NAN;
+    faces.problem = p;
+    return ceiling_five_point(&faces, 0);
+}
+
+/* ---- Cells ---- */
+
+/* Over centres of cells the means of |T|, of |T_x| + |T_y| and of |T_xx + T_yy|, by differences of step dx/8. */
+struct means {
+    double T, gradient, laplacian;
+};
+
+static struct means means_of(const struct experiment *e) {
+    const struct problem *p = &e->problem;
+    const double dx = e->options.dx, d = dx / 8;
+    const int n = (int)round((p->hi[0] - p->lo[0]) / dx),
+              rows = p->dim == 2 ? (int)round((p->hi[1] - p->lo[1]) / dx) : 1;
+    struct snapshot s = snapshot_take(e->scene, p, p->t_end);
+    struct means mean = {0};
+    for (int k = 0; k < n * rows; k++) {
+        double x[2] = {p->lo[0] + (k % n + 0.5) * dx, p->dim == 2 ? p->lo[1] + (k / n + 0.5) * dx : 0};
+        double T = snapshot_at(&s, x).temperature, laplacian = 0;
+        for (int a = 0; a < p->dim; a++) {
+            double lo[2] = {x[0], x[1]}, hi[2] = {x[0], x[1]};
+            lo[a] -= d, hi[a] += d;
+            double below = snapshot_at(&s, lo).temperature, above = snapshot_at(&s, hi).temperature;
+            laplacian += (below - 2 * T + above) / (d * d), mean.gradient += fabs(above - below) / (2 * d);
+        }
+        mean.T += fabs(T), mean.laplacian += fabs(laplacian);
+    }
+    snapshot_free(&s);
+    return mean;
+}
+
+double ceiling_cell_mean(const struct experiment *e) {
+    struct means mean = means_of(e);
+    return sq(e->options.dx) / 24 * mean.laplacian / mean.T;
+}
+
+double ceiling_cell_away(const struct experiment *e) {
+    struct means mean = means_of(e);
+    return e->options.dx * mean.gradient / mean.T;
+}
+
+double ceiling_bend(const struct experiment *e) {
+    const struct problem *p = &e->problem;
+    double d = e->options.dx / 8, x[2] = {p->hi[0], 0}, in[2] = {p->hi[0] - d, 0};
+    double end = scene_exact(e->scene, p, x, p->t_end).gradient[0];
+    return fabs((end - scene_exact(e->scene, p, in, p->t_end).gradient[0]) / d / end);
 }
 
 /* ---- Two materials ---- */

@@ -86,20 +86,22 @@ static void add_row(struct gates *g, const struct row *row, const char *id, cons
     }
 }
 
-/* Evaluates the expressions of a row; where its command is refused the gate has no bounds, and fails with the text.
- */
+int gates_finest(const char *command, int program, struct command *r, struct failure *why) {
+    const char *const solver[] = {"--solver", "{case}{out}", NULL};
+    if (command_read_with(command, program ? solver : solver + 2, r, why)) return why->status;
+    struct options *o = &r->experiment.options;
+    for (int i = 0; i < r->rungs.dx.count; i++) o->dx = fmin(o->dx, r->rungs.dx.value[i]);
+    for (int i = 0; i < r->rungs.dt.count; i++) o->dt = fmin(o->dt, r->rungs.dt.value[i]);
+    for (int i = 0; i < r->rungs.fourier.count; i++) o->fourier = fmin(o->fourier, r->rungs.fourier.value[i]);
+    return STATUS_OK;
+}
+
+/* A command that is refused leaves its gate without bounds; it fails with that text. */
 static void set_bounds(struct gate_result *result) {
-    struct gate *g = &result->gate;
     struct command r;
     struct failure ignored;
     if (!result->line) return;
-    if (!command_read(g->command, &r, &ignored)) {
-        struct options *o = &r.experiment.options;
-        for (int i = 0; i < r.rungs.dx.count; i++) o->dx = fmin(o->dx, r.rungs.dx.value[i]);
-        for (int i = 0; i < r.rungs.dt.count; i++) o->dt = fmin(o->dt, r.rungs.dt.value[i]);
-        for (int i = 0; i < r.rungs.fourier.count; i++) o->fourier = fmin(o->fourier, r.rungs.fourier.value[i]);
-        bounds_of(result->line, &r.experiment, g);
-    }
+    if (!gates_finest(result->gate.command, 0, &r, &ignored)) bounds_of(result->line, &r.experiment, &result->gate);
     command_free(&r);
 }
 

@@ -10,6 +10,7 @@
 #include <stddef.h>
 
 struct program;
+struct command;
 
 enum gate_tier { TIER_QUICK, TIER_FULL }; /* quick: in every run; full: left out by --quick */
 
@@ -59,6 +60,10 @@ const char *gates_keep(struct gates *g, const char *text);
 /* Leaves those whose id matches one of the globs `only` and none of `skip` (words_match; NULL: all, none), of the
  * quick tier alone where asked.  STATUS_OK; or STATUS_INPUT where a glob matches no row at all, or none is left. */
 int gates_choose(struct gates *g, const char *only, const char *skip, int quick, struct failure *why);
+
+/* The experiment of a command at its finest rung, for the expressions of bounds; program: 1 for a command of another
+ * program.  End with command_free. */
+int gates_finest(const char *command, int program, struct command *r, struct failure *why);
 
 /* How many runs another program makes of them where none fails: cases that rows share count once. */
 int gates_runs(const struct gates *g);

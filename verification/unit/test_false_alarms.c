@@ -2,12 +2,11 @@
 /* What is right, or cannot be told, is not called wrong: answers that are exact, noisy, or of few digits. */
 #include "verification/unit/made_answers.inc"
 
-#include "verification/gates/battery.h"
 #include "verification/ladder/command.h"
 #include "verification/foreign/program.h"
 #include "verification/ladder/ladder.h"
 
-#include "verification/unit/near.h"
+#include "verification/unit/battery_row.h"
 
 #include <gsl/gsl_cdf.h>
 
@@ -21,12 +20,9 @@ static void row(int order, const char *id, const char *made, struct measured *m)
     char command[300];
     snprintf(command, sizeof command, "%s --made %s {case} {out}", self, made);
     program.solver = command;
-    for (const struct battery_row *r = battery_table; r->order; r++) {
-        if (r->order != order || strcmp(r->gate.id, id) != 0) continue;
-        gates_judge(&r->gate, &program, m);
-        return;
-    }
-    fail_msg("no row %s", id);
+    struct gates g = battery_rows(order, id);
+    gates_judge(&g.result[0].gate, &program, m);
+    gates_free(&g);
 }
 
 static void ladder(const char *line, const char *made, struct ladder *l) {

@@ -67,6 +67,26 @@ static void an_order_needs_a_ceiling(void **state) {
     assert_nan(none.error);
 }
 
+/* A limit of stability has no error. */
+static void an_error_that_is_not_a_number_fails(void **state) {
+    (void)state;
+    const char *command = "limit so_ssph --dim 1 --kernel cubic --h 1.05";
+    struct measured m = judge("limit_published", command, 0.95, 1, 1);
+    assert_order(0.95, <=, m.value);
+    assert_order(m.value, <=, 1);
+    assert_nan(m.error);
+    assert_int_equal(m.verdict, VERDICT_FAIL);
+}
+
+/* At order 4 the hot piece leaves nothing above 10 K, and some 1e-4 K below 0. */
+static void what_is_below_the_data_counts_as_overshoot(void **state) {
+    (void)state;
+    struct measured m = judge("overshoot", "run rod-step so_ssph --dx 0.1 --order 4", 0, 1e-12, 1);
+    assert_order(m.value, >, 1e-5);
+    assert_order(m.value, <, 1e-3);
+    assert_int_equal(m.verdict, VERDICT_FAIL);
+}
+
 static void three_rungs_do_not_pass(void **state) {
     (void)state;
     struct measured m = judge("slope", "ladder rod-gauss ftcs --dx 0.5,0.25,0.125", 1.9, 2.1, 1e-3);
@@ -317,6 +337,8 @@ int main(void) {
         cmocka_unit_test(a_wrong_order_fails),
         cmocka_unit_test(a_right_order_of_a_wrong_size_fails),
         cmocka_unit_test(an_order_needs_a_ceiling),
+        cmocka_unit_test(an_error_that_is_not_a_number_fails),
+        cmocka_unit_test(what_is_below_the_data_counts_as_overshoot),
         cmocka_unit_test(three_rungs_do_not_pass),
         cmocka_unit_test(unknown_names_fail),
         cmocka_unit_test(what_is_unstable_fails_with_its_reason),
