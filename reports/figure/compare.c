@@ -3,10 +3,10 @@
 #include "reports/figure/compare.h"
 
 #include "references/scene.h"
+#include "reports/figure/document.h"
 #include "reports/figure/figure.h"
 #include "verification/ladder/command_run.h"
 #include "verification/ladder/slope.h"
-#include "verification/text/output.h"
 #include "reports/figure/published.h"
 
 #include <math.h>
@@ -58,30 +58,7 @@ static int run_cases(struct work *w, int first, int last, struct failure *why) {
     return why->status;
 }
 
-/* The ladders that a user would type, one a line. */
-static void write_ladders(const struct work *w, const char *before, FILE *out) {
-    for (int m = 0; m < w->t.rows; m++) {
-        fprintf(out, "%sheatladder ladder %s %s %s --dx ", before, w->c->scene, w->t.method[m],
-                w->c->choice[0].options);
-        for (int i = w->t.columns - 1; i >= 0; i--) fprintf(out, "%s%s", w->t.where[i], i ? "," : "\n");
-    }
-}
-
-static void write_csv(const struct work *w, FILE *out) {
-    figure_head(out, w->c->table_title);
-    write_ladders(w, "# command: ", out);
-    fprintf(out, "choice,method,dx,published,measured,ratio,last_digits,measured_between_walls\n");
-    for (int k = 0; k < w->choices; k++)
-        for (int m = 0; m < w->t.rows; m++)
-            for (int i = 0; i < w->t.columns; i++) {
-                const struct cell *e = cell_of(w, k, m, i);
-                fprintf(out, "\"%s\",%s,%s,%s,%.6e,%.5f,%+.0f,%.6e\n", w->c->choice[k].label, w->t.method[m],
-                        w->t.where[i], w->t.cell[m][i], e->printed, e->printed / w->t.value[m][i],
-                        published_units(w->t.cell[m][i], e->printed), e->bounded);
-            }
-}
-
-/* Through all dx; coarsest first, as slope.h wants it. */
+/* Through all dx, coarsest first (slope.h). */
 static struct slope fit(const struct work *w, int method, int published) {
     double x[PUBLISHED_COLUMNS], e[PUBLISHED_COLUMNS];
     int n = w->t.columns;
@@ -92,119 +69,82 @@ static struct slope fit(const struct work *w, int method, int published) {
     return slope_fit(x, e, n);
 }
 
-static void write_protocol(const struct work *w, FILE *out) {
-    fprintf(out, "| method | dx [m] | published | measured | ratio | last digit | against the bounded solution |\n"
-                 "|---|---:|---:|---:|---:|---:|---:|\n");
+static void write_protocol(const struct work *w, struct document *d) {
+    document_table(d, "method|dx [m]|published|measured|ratio|last digit|against the bounded solution");
     for (int m = 0; m < w->t.rows; m++)
         for (int i = 0; i < w->t.columns; i++) {
             const struct cell *e = cell_of(w, 0, m, i);
-            fprintf(out, "| %s | %s | %s | %.4e | %.4f | %+.0f | %.4e |\n", label_of(w->t.method[m]), w->t.where[i],
-                    w->t.cell[m][i], e->printed, e->printed / w->t.value[m][i],
-                    published_units(w->t.cell[m][i], e->printed), e->bounded);
+            document_cell(d, "%s", label_of(w->t.method[m]));
+            document_cell(d, "%s", w->t.where[i]);
+            document_cell(d, "%s", w->t.cell[m][i]);
+            document_cell(d, "%.4e", e->printed);
+            document_cell(d, "%.4f", e->printed / w->t.value[m][i]);
+            document_cell(d, "%+.0f", published_units(w->t.cell[m][i], e->printed));
+            document_cell(d, "%.4e", e->bounded);
         }
-    fprintf(out, "\n`last digit`: by how many units of its last printed digit the measured number, rounded alike, "
-                 "differs.\n\n| method | slope of the published numbers | slope measured (95 %% interval) |\n"
-                 "|---|---:|---:|\n");
+    document_text(d, "Last digit: the difference in units of the last printed digit, after rounding.");
+    document_table(d, "method|slope of the published numbers|slope measured|95 % interval");
     for (int m = 0; m < w->t.rows; m++) {
         struct slope s = fit(w, m, 0);
-        fprintf(out, "| %s | %.3f | %.3f (%.3f to %.3f) |\n", label_of(w->t.method[m]), fit(w, m, 1).value, s.value,
-                s.ci[0], s.ci[1]);
+        document_cell(d, "%s", label_of(w->t.method[m]));
+        document_cell(d, "%.3f", fit(w, m, 1).value);
+        document_cell(d, "%.3f", s.value);
+        document_cell(d, "%.3f to %.3f", s.ci[0], s.ci[1]);
     }
 }
 
-static void write_choices(const struct work *w, FILE *out) {
-    fprintf(out,
-            "\n## What the choices change\n\nMeasured over published, by dx [m].\n\n| choice | options | method |");
-    for (int i = 0; i < w->t.columns; i++) fprintf(out, " %s |", w->t.where[i]);
-    fprintf(out, "\n|---|---|---|");
-    for (int i = 0; i < w->t.columns; i++) fprintf(out, "---:|");
-    fprintf(out, "\n");
+static void write_choices(const struct work *w, struct document *d) {
+    document_heading(d, "What the choices change");
+    document_text(d, "Measured over published, by dx [m].");
+    document_table(d, "choice|options|method");
+    for (int i = 0; i < w->t.columns; i++) document_header(d, "%s", w->t.where[i]);
     for (int k = 0; k < w->choices; k++)
         for (int m = 0; m < w->t.rows; m++) {
-            fprintf(out, "| %s | `%s` | %s |", w->c->choice[k].label, w->c->choice[k].options,
-                    label_of(w->t.method[m]));
+            document_cell(d, "%s", w->c->choice[k].label);
+            document_cell(d, "`%s`", w->c->choice[k].options);
+            document_cell(d, "%s", label_of(w->t.method[m]));
             for (int i = 0; i < w->t.columns; i++)
-                fprintf(out, " %.4f |", cell_of(w, k, m, i)->printed / w->t.value[m][i]);
-            fprintf(out, "\n");
+                document_cell(d, "%.4f", cell_of(w, k, m, i)->printed / w->t.value[m][i]);
         }
+    for (int i = 0; w->c->note[i]; i++) document_text(d, "%s", w->c->note[i]);
 }
 
-static void write_markdown(const struct work *w, FILE *out) {
-    fprintf(out, "# %s\n\nMade by `heatladder report DIR`; one method alone:\n\n", w->c->table_title);
-    write_ladders(w, "    ", out);
-    fprintf(out, "\n");
-    write_protocol(w, out);
-    write_choices(w, out);
-    fprintf(out, "\n%s\n", w->c->note);
-}
-
-/* Points with their fitted line, of the measured or the published errors. */
+/* One block a method, of the measured or the published errors. */
 static void write_points(const struct work *w, int m, int published, FILE *out) {
-    struct slope s = fit(w, m, published);
     const char *what = published ? "published" : "measured", *label = label_of(w->t.method[m]);
-    double mean_x = 0, mean_e = 0;
-    fprintf(out, "\n\n# %s %s\ndx [m],\"%s %s (slope %.2f)\"\n", w->t.method[m], what, label, what, s.value);
-    for (int i = 0; i < w->t.columns; i++) {
-        double e = published ? w->t.value[m][i] : cell_of(w, 0, m, i)->printed;
-        mean_x += log(atof(w->t.where[i])) / w->t.columns;
-        mean_e += log(e) / w->t.columns;
-        fprintf(out, "%s,%.6e\n", w->t.where[i], e);
-    }
-    fprintf(out, "\n\n# %s line %s\ndx [m],fit\n", w->t.method[m], what);
-    for (int i = 0; i < w->t.columns; i += w->t.columns - 1) {
-        double x = atof(w->t.where[i]);
-        fprintf(out, "%s,%.6e\n", w->t.where[i], exp(mean_e + s.value * (log(x) - mean_x)));
-    }
+    fprintf(out, "\n\n# %s %s\ndx [m],\"%s %s (slope %.2f)\"\n", w->t.method[m], what, label, what,
+            fit(w, m, published).value);
+    for (int i = 0; i < w->t.columns; i++)
+        fprintf(out, "%s,%.6e\n", w->t.where[i], published ? w->t.value[m][i] : cell_of(w, 0, m, i)->printed);
 }
 
-struct triangle {
-    int order;
-    double x, e, right, top;
-};
-
-/* Of the order that is expected of method m, below its errors. */
-static struct triangle triangle_of(const struct work *w, int m) {
-    double a = atof(w->t.where[0]), b = atof(w->t.where[w->t.columns - 1]), slope = fit(w, m, 0).value;
-    struct triangle t = {.order = (int)round(slope), .x = a * pow(b / a, 0.3)};
-    t.e = 0.42 * cell_of(w, 0, m, 0)->printed * pow(t.x / a, slope);
-    t.right = t.x * pow(b / a, 0.2);
-    t.top = t.e * pow(t.right / t.x, t.order);
-    return t;
-}
-
-/* One for each order, below the last method that has it. */
-static void write_triangles(const struct work *w, FILE *out) {
-    struct triangle t[PUBLISHED_ROWS];
-    int n = 0;
-    for (int m = 0; m < w->t.rows; m++) {
-        n += m == 0 || triangle_of(w, m).order != t[n - 1].order;
-        t[n - 1] = triangle_of(w, m);
-    }
-    fprintf(out, "\n\n# triangles\ndx [m],E\n");
-    for (int i = 0; i < n; i++)
-        fprintf(out, "%.6g,%.6g\n%.6g,%.6g\n%.6g,%.6g\n%.6g,%.6g\n\n", t[i].x, t[i].e, t[i].right, t[i].e, t[i].right,
-                t[i].top, t[i].x, t[i].e);
-    fprintf(out, "\n\n# orders\ndx [m],E,text\n");
-    for (int i = 0; i < n; i++)
-        fprintf(out, "%.6g,%.6g,order %d\n", sqrt(t[i].x * t[i].right), 0.74 * t[i].e, t[i].order);
-}
-
-static void write_figure(const struct work *w, FILE *out) {
-    figure_head(out, w->c->figure_title);
-    write_ladders(w, "# command: ", out);
-    for (int m = 0; m < w->t.rows; m++) {
-        write_points(w, m, 0, out);
-        write_points(w, m, 1, out);
-    }
-    write_triangles(w, out);
+/* The ladder of a method, as typed. */
+static void ladder_of(const struct work *w, int m, char *text, size_t size) {
+    size_t used =
+        (size_t)snprintf(text, size, "ladder %s %s %s --dx ", w->c->scene, w->t.method[m], w->c->choice[0].options);
+    for (int i = w->t.columns - 1; i >= 0 && used < size; i--)
+        used += (size_t)snprintf(text + used, size - used, "%s%s", w->t.where[i], i ? "," : "");
 }
 
 static int write_pages(const struct work *w, const char *dir, struct failure *why) {
-    struct output page[3];
-    write_csv(w, output_open(&page[0], "%s/%s.csv", dir, w->c->table));
-    write_markdown(w, output_open(&page[1], "%s/%s.md", dir, w->c->table));
-    write_figure(w, output_open(&page[2], "%s/%s.csv", dir, w->c->figure));
-    return output_close(page, 3, why);
+    struct output figure;
+    struct document d;
+    char ladder[300];
+    FILE *out = output_open(&figure, "%s/%s.csv", dir, w->c->figure);
+    document_open(&d, dir, w->c->table, w->c->table_title);
+    figure_head(out, w->c->figure_title);
+    for (int m = 0; m < w->t.rows; m++) {
+        ladder_of(w, m, ladder, sizeof ladder);
+        document_command(&d, "%s", ladder);
+        fprintf(out, "# command: heatladder %s\n", ladder);
+    }
+    for (int m = 0; m < w->t.rows; m++) write_points(w, m, 0, out), write_points(w, m, 1, out);
+    write_protocol(w, &d);
+    write_choices(w, &d);
+    int status = output_close(&figure, 1, why);
+    if (!status) status = document_close(&d, why);
+    document_drop(&d);
+    return status;
 }
 
 int compare_write(const struct compare *c, const char *dir, struct failure *why) {

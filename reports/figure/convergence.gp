@@ -1,4 +1,4 @@
-# Errors over dx with fitted lines, published points around the measured ones, and the order that is expected.
+# Errors over dx, published points around the measured ones.
 set logscale xy
 set format y '10^{%T}'
 set xtics (0.01, 0.02, 0.05, 0.1, 0.2, 0.5, 1)
@@ -8,12 +8,7 @@ set xlabel 'dx  [m]'
 set ylabel 'E = Σ|T_e − T_n| / ΣT_e  [-]' offset 0.5
 set offsets graph 0.03, graph 0.03, 0, 0
 set key bottom right
-plot data index 'fo_ssph line measured' using 1:2 with lines lc rgb RED lw 1.0 dt 2 notitle, \
-     data index 'so_ssph line measured' using 1:2 with lines lc rgb BLUE lw 2.2 dt 1 notitle, \
-     data index 'fo_ssph measured' using 1:2 with points ls 2 title columnheader(2), \
+plot data index 'fo_ssph measured' using 1:2 with linespoints ls 2 title columnheader(2), \
      data index 'fo_ssph published' using 1:2 with points ls 12 title columnheader(2), \
-     data index 'so_ssph measured' using 1:2 with points ls 3 title columnheader(2), \
-     data index 'so_ssph published' using 1:2 with points ls 13 title columnheader(2), \
-     keyentry with lines lc rgb GREY lw 1.0 title 'fitted to what is measured', \
-     data index 'triangles' using 1:2 with lines ls 7 notitle, \
-     data index 'orders' using 1:2:3 with labels center font size_of(11) tc rgb GREY notitle
+     data index 'so_ssph measured' using 1:2 with linespoints ls 3 lw 2.2 title columnheader(2), \
+     data index 'so_ssph published' using 1:2 with points ls 13 title columnheader(2)

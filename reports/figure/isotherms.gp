@@ -1,38 +1,43 @@
-# Isotherms at four times, of the solution (red) over those of the exact one, as in Pamplona's Figures 5 and 6.
-wide = 900
-high = 960
+# Isotherms at several times, computed (red, dashed) over exact (black): `rows` and `columns` of panels; `levels` of
+# the isotherms; `bold`, the level that is drawn broad.
 load 'reports/figure/style.gp'
 unset label 99
 unset bmargin
 unset title
-set xrange [0:0.1]
-set yrange [0:0.1]
-set xtics 0.02 format '%.2f'
-set ytics 0.02 format '%.2f'
 set size ratio -1
 set key off
-times = system(sprintf("sed -n 's/^# \\([0-9.]*\\) computed$/\\1/p' '%s'", data))
-set multiplot layout 2, 2 title heading noenhanced font size_of(13) margins 0.09, 0.98, 0.165, 0.91 spacing 0.06, 0.10
-do for [i = 1:4] {
+set style textbox opaque noborder margins 0.3, 0.3
+times = system(sprintf("sed -n 's/^# \\(.*\\) computed$/\"\\1\"/p' '%s'", data))
+set cntrparam levels @levels
+set multiplot layout rows, columns title heading noenhanced font size_of(13) margins 0.09, 0.98, 0.165, 0.91 spacing 0.05, 0.10
+do for [i = 1:words(times)] {
     time = word(times, i)
+    set datafile separator comma
+    set contour base
+    unset surface
+    set table $exact
+    splot data index time . ' exact' using 1:2:3
+    set table $computed
+    splot data index time . ' computed' using 1:2:3
+    unset table
+    set datafile separator whitespace
     error = system(sprintf("grep -A 3 '^# %s error$' '%s' | tail -n 1", time, data))
-    set title sprintf('t = %s s,  E = %.2f %%', time, error + 0) font size_of(12) offset 0, -0.6
-    set xlabel i > 2 ? 'x  [m]' : ''
-    set ylabel i % 2 ? 'y  [m]' : ''
-    # 0.625 K, the mean of the walls, twice as broad
-    plot data index time . ' exact' using 1:2 with lines lw 1.1 lc rgb BLACK, \
-         data index time . ' exact' using 1:(abs($3 - 0.625) < 1e-6 ? $2 : NaN) with lines lw 2.4 lc rgb BLACK, \
-         data index time . ' computed' using 1:2 with lines lw 1.3 dt (8, 4) lc rgb RED, \
-         data index time . ' computed' using 1:(abs($3 - 0.625) < 1e-6 ? $2 : NaN) with lines lw 2.6 dt (8, 4) lc rgb RED, \
-         data index time . ' levels' using 1:2 with points pt 7 ps 3.0 * P lc rgb 'white', \
-         data index time . ' levels' using 1:2:(sprintf('%g', $3)) with labels font size_of(9.5) tc rgb '#222222'
+    set title sprintf('%s,  E = %.1f %%', time, error + 0) font size_of(12) offset 0, -0.6
+    set xlabel (i > words(times) - columns ? 'x  [m]' : '')
+    set ylabel (i % columns == 1 ? 'y  [m]' : '')
+    plot $exact using 1:2 with lines lw 1.1 lc rgb BLACK, \
+         $exact using 1:(abs($3 - bold) < 1e-6 ? $2 : NaN) with lines lw 2.4 lc rgb BLACK, \
+         $computed using 1:2 with lines lw 1.5 dt (8, 4) lc rgb RED, \
+         $computed using 1:(abs($3 - bold) < 1e-6 ? $2 : NaN) with lines lw 2.6 dt (8, 4) lc rgb RED, \
+         $exact using 1:2:(sprintf('%g', $3)) every ::25::25 with labels font size_of(9.5) tc rgb '#222222' \
+             boxed
     if (i == 1) {
         set label 99 caption at screen 0.012, screen 0.035 left noenhanced font size_of(8.5) textcolor rgb '#555555'
-        set label 97 'exact' at screen 0.09, screen 0.072 font size_of(12)
-        set label 96 method at screen 0.23, screen 0.072 font size_of(12) noenhanced
-        set label 95 'numbers: temperature, K;  E = Σ|T_e − T_n| / ΣT_e' at screen 0.60, screen 0.072 font size_of(9.5)
-        set arrow 97 from screen 0.03, screen 0.072 to screen 0.08, screen 0.072 nohead lw 1.1 lc rgb BLACK
-        set arrow 96 from screen 0.17, screen 0.072 to screen 0.22, screen 0.072 nohead lw 1.3 dt (8, 4) lc rgb RED
+        set label 97 'exact' at screen 0.09, screen 0.085 font size_of(12)
+        set label 96 method at screen 0.23, screen 0.085 font size_of(12) noenhanced
+        set label 95 'numbers: temperature, K;  E = Σ|T_e − T_n| / ΣT_e' at screen 0.60, screen 0.085 font size_of(9.5)
+        set arrow 97 from screen 0.03, screen 0.085 to screen 0.08, screen 0.085 nohead lw 1.1 lc rgb BLACK
+        set arrow 96 from screen 0.17, screen 0.085 to screen 0.22, screen 0.085 nohead lw 1.5 dt (8, 4) lc rgb RED
     } else {
         if (i == 2) { unset label; unset arrow }
     }

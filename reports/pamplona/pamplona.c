@@ -9,19 +9,19 @@
 #include "reports/pamplona/plate.h"
 #include "reports/figure/published.h"
 
-/* Isotherms at the four times of Table 1; 0.625 is the mean of the walls, and the steady state's on the diagonal; no
- * other level is a wall's own, which would run along it. */
+/* Isotherms at the four times of Table 1. */
 static int write_isotherms(const char *name, const char *title, const char *words, const char *dir,
                            struct failure *why) {
-    char command[PLATE_TIMES][200];
+    char command[PLATE_TIMES][200], label[PLATE_TIMES][40];
     struct figure_series series[PLATE_TIMES + 1] = {{0}};
     struct published t;
     if (published_read(&t, "pamplona_table1", why)) return why->status;
     for (int k = 0; k < PLATE_TIMES; k++) {
         snprintf(command[k], sizeof command[k], "run plate %s --t-end %s", words, t.where[k]);
-        series[k] = (struct figure_series){t.where[k], command[k], FIGURE_ISOTHERMS, 0};
+        snprintf(label[k], sizeof label[k], "%s s", t.where[k]);
+        series[k] = (struct figure_series){label[k], command[k], FIGURE_ISOTHERMS, 0};
     }
-    struct figure figure = {name, title, series, {0.125, 0.1, 0.925}};
+    struct figure figure = {name, title, series};
     return figure_write(&figure, dir, why);
 }
 

@@ -42,18 +42,18 @@ static const struct compare tables[] = {
                        {"quartic kernel", "--h 1.05 --kernel quartic --stepper exact", 0, 0},
                        {"Wendland kernel", "--h 1.05 --kernel wendland --stepper exact", 0, 0},
                        END},
-     .note =
-         "Particles lie midway between the lattice's nodes, so that the jump is midway between two of them, and "
-         "walls are mirrored. E is taken against the infinite-line form (eq. 45), as in the paper; the last "
-         "column of the first table has it against the solution between walls: 0.2 % apart in SO-SSPH at dx = 0.01, "
-         "and not in the printed digits from dx = 0.05 on.\n\n"
-         "- Cubic kernel and h/dx = 1.05 are confirmed: another kernel or h/dx moves the whole SO-SSPH row.\n"
-         "- FO-SSPH at dx = 0.5 is a matter of the walls: its stencil reaches four of the eight particles. "
-         "With ghosts that hold the wall's temperature the printed number comes out.\n"
-         "- SO-SSPH at dx = 0.01 and 0.02: Euler's own error at dt = 5e-5, -(dt/2) kappa^2 d4T/dx4, takes 1.9 % "
-         "and 0.5 % off E, so that \"sufficiently small\" (section 5.1) does not hold at the finest spacings. "
-         "Without any time error the printed digits come out to 0.1 %: the paper's run had a smaller time error "
-         "than its dt gives."},
+     .note = {"Particles lie midway between the lattice's nodes, so that the jump is midway between two of them, and "
+              "walls are mirrored. E is taken against the infinite-line form (eq. 45), as in the paper; the last "
+              "column of the first table has it against the solution between walls: 0.2 % apart in SO-SSPH at dx = "
+              "0.01, and not in the printed digits from dx = 0.05 on.",
+              "Cubic kernel and h/dx = 1.05 are confirmed: another kernel or h/dx moves the whole SO-SSPH row.",
+              "FO-SSPH at dx = 0.5 is a matter of the walls: its stencil reaches four of the eight particles. With "
+              "ghosts that hold the wall's temperature the printed number comes out.",
+              "SO-SSPH at dx = 0.01 and 0.02: Euler's own error at dt = 5e-5, -(dt/2) kappa^2 d4T/dx4, takes 1.9 % "
+              "and 0.5 % off E, so that \"sufficiently small\" (section 5.1) does not hold at the finest spacings. "
+              "Without any time error the printed digits come out to 0.1 %: the paper's run had a smaller time error "
+              "than its dt gives.",
+              NULL}},
     {.table = "song_table2",
      .table_title = "Song 2018, Table 2: E of a rod with a Gaussian start, t = 5 s",
      .figure = "song_fig2b",
@@ -68,14 +68,15 @@ static const struct compare tables[] = {
                        {"exact solution to 6 decimals", "--h 1.05 --stepper euler --dt 5e-5", 6, 0},
                        {"clock 3e-4 s short", "--h 1.05 --stepper exact --t-end 4.9997", 0, 3e-4},
                        END},
-     .note = "The paper prints neither h nor dt here; those of Table 1 are taken.\n\n"
-             "- h/dx = 1.05 is confirmed by dx = 0.25 to 1: within 1 %.\n"
-             "- No time step explains dx = 0.1. Euler's error has the opposite sign of the error in space, so that "
-             "every dt > 0 takes from E, while the printed numbers lie above the run without any time error.\n"
-             "- What is missing is about 5e-7 at every dx and for both methods alike. Rounding the exact solution to "
-             "six decimals, as in a table of values written to a file, adds that much: 1 % is then left at "
-             "dx = 0.1. So does a clock that ends 3e-4 s early. Both are fits of one number to two; neither is an "
-             "explanation."},
+     .note =
+         {"The paper prints neither h nor dt here; those of Table 1 are taken.",
+          "h/dx = 1.05 is confirmed by dx = 0.25 to 1: within 1 %.",
+          "No time step explains dx = 0.1. Euler's error has the opposite sign of the error in space, so that every "
+          "dt > 0 takes from E, while the printed numbers lie above the run without any time error.",
+          "What is missing is about 5e-7 at every dx and for both methods alike. Rounding the exact solution to six "
+          "decimals, as in a table of values written to a file, adds that much: 1 % is then left at dx = 0.1. So "
+          "does a clock that ends 3e-4 s early. Both are fits of one number to two; neither is an explanation.",
+          NULL}},
     {.table = "song_table3",
      .table_title = "Song 2018, Table 3: E of a square with a discontinuous start, t = 5 s",
      .figure = "song_fig5",
@@ -89,60 +90,38 @@ static const struct compare tables[] = {
                        {"h/dx 1.2", "--h 1.2 --stepper exact", 0, 0},
                        {"quartic kernel", "--h 1.1 --kernel quartic --stepper exact", 0, 0},
                        END},
-     .note =
-         "- FO-SSPH comes out to the printed digits but at dx = 0.5, where its stencil reaches half of the domain "
-         "and the walls decide: ghosts that hold the wall's temperature take the difference down by a quarter.\n"
-         "- SO-SSPH comes out at dx = 0.25 and 0.5; at 0.125 and 0.1 the printed numbers are 1.7 % and 4 % lower. "
-         "Only a time step ten times the printed one brings all four within 1 %: Euler's error takes most from "
-         "the finest. But then 0.25 is 0.5 % low where it was exact, so that this is no proof."},
+     .note = {"FO-SSPH comes out to the printed digits but at dx = 0.5, where its stencil reaches half of the domain "
+              "and the walls decide: ghosts that hold the wall's temperature take the difference down by a quarter.",
+              "SO-SSPH comes out at dx = 0.25 and 0.5; at 0.125 and 0.1 the printed numbers are 1.7 % and 4 % lower. "
+              "Only a time step ten times the printed one brings all four within 1 %: Euler's error takes most from "
+              "the finest. But then 0.25 is 0.5 % low where it was exact, so that this is no proof.",
+              NULL}},
 };
 
 static const struct figure figures[] = {
-    {"song_fig1a",
-     "Song 2018, Figure 1a: the rod at the start",
-     (const struct figure_series[]){{"exact", "reference rod-step --at 0 --time 0", FIGURE_EXACT, 0},
-                                    {"particles", "run rod-step so_ssph " ROD, FIGURE_START, 0},
-                                    END},
-     {0}},
-    {"song_fig1b",
-     "Song 2018, Figure 1b: FO-SSPH and SO-SSPH on the rod, t = 5 s",
+    {"song_fig1b", "Song 2018, Figure 1b: FO-SSPH and SO-SSPH on the rod, t = 5 s",
      (const struct figure_series[]){{"exact", "reference rod-step --at 0 --time 5", FIGURE_EXACT, 0},
                                     {"fo_ssph", "run rod-step fo_ssph " ROD, FIGURE_POINTS, 0},
                                     {"so_ssph", "run rod-step so_ssph " ROD, FIGURE_POINTS, 0},
-                                    END},
-     {0}},
-    {"song_fig1c",
-     "Song 2018, Figure 1c: SO-SSPH on the rod at four times",
+                                    END}},
+    {"song_fig1c", "Song 2018, Figure 1c: SO-SSPH on the rod at four times",
      (const struct figure_series[]){ROD_EXACT(0.5), ROD_EXACT(1), ROD_EXACT(2.5), ROD_EXACT(5), ROD_RUN(0.5),
-                                    ROD_RUN(1), ROD_RUN(2.5), ROD_RUN(5), END},
-     {0}},
-    {"song_fig1d",
-     "Song 2018, Figure 1d: FTCS on the rod, with and without heat fluxes, t = 5 s",
+                                    ROD_RUN(1), ROD_RUN(2.5), ROD_RUN(5), END}},
+    {"song_fig1d", "Song 2018, Figure 1d: FTCS on the rod, with and without heat fluxes, t = 5 s",
      (const struct figure_series[]){{"exact", "reference rod-step --at 0 --time 5", FIGURE_EXACT, 0},
                                     {"ftcs_flux", "run rod-step ftcs_flux --dx 0.1 --dt 5e-5", FIGURE_POINTS, 0},
                                     {"ftcs direct", "run rod-step ftcs --dx 0.1 --dt 5e-5", FIGURE_POINTS, 0},
-                                    END},
-     {0}},
-    {"song_fig3a",
-     "Song 2018, Figure 3a: the square at the start",
-     (const struct figure_series[]){{"particles", "run square-step so_ssph " SQUARE, FIGURE_START, 0}, END},
-     {0}},
-    {"song_fig3b",
-     "Song 2018, Figure 3b: FO-SSPH and SO-SSPH on the square along y = 0.05 m, t = 5 s",
+                                    END}},
+    {"song_fig3b", "Song 2018, Figure 3b: FO-SSPH and SO-SSPH on the square along y = 0.05 m, t = 5 s",
      (const struct figure_series[]){{"exact", "reference square-step --at 0,0.05 --time 5", FIGURE_EXACT, 0},
                                     {"fo_ssph", "run square-step fo_ssph " SQUARE, FIGURE_CUT, 0.05},
                                     {"so_ssph", "run square-step so_ssph " SQUARE, FIGURE_CUT, 0.05},
-                                    END},
-     {0}},
-    {"song_fig4",
-     "Song 2018, Figure 4a-e: isotherms of SO-SSPH on the square",
-     (const struct figure_series[]){ISOTHERMS(1), ISOTHERMS(2), ISOTHERMS(3), ISOTHERMS(4), ISOTHERMS(5), END},
-     {1, 2, 9}},
-    {"song_fig4f",
-     "Song 2018, Figure 4f: SO-SSPH on the square along y = 0.05 m",
+                                    END}},
+    {"song_fig4", "Song 2018, Figure 4a-e: isotherms of SO-SSPH on the square",
+     (const struct figure_series[]){ISOTHERMS(1), ISOTHERMS(2), ISOTHERMS(3), ISOTHERMS(4), ISOTHERMS(5), END}},
+    {"song_fig4f", "Song 2018, Figure 4f: SO-SSPH on the square along y = 0.05 m",
      (const struct figure_series[]){CUT_EXACT(1), CUT_EXACT(2), CUT_EXACT(3), CUT_EXACT(4), CUT_EXACT(5), CUT_RUN(1),
-                                    CUT_RUN(2), CUT_RUN(3), CUT_RUN(4), CUT_RUN(5)},
-     {0}},
+                                    CUT_RUN(2), CUT_RUN(3), CUT_RUN(4), CUT_RUN(5)}},
 };
 
 int song_write(const char *dir, struct failure *why) {
