@@ -12,6 +12,4 @@ set key top left
 plot data index 'steel' using 1:2 with linespoints ls 3 title 'steel', \
      data index 'vanadium' using 1:2 with linespoints ls 4 title 'vanadium', \
      data index 'titanium' using 1:2 with linespoints ls 2 title 'titanium', \
-     data index 'printed' using 1:2 with points pt 6 ps 1.8 * P lw 1.6 lc rgb BLACK title 'printed: SPH, Table 1', \
-     data index 'triangle' using 1:2 with lines ls 7 notitle, \
-     data index 'label' using 1:2:3 with labels left font size_of(11) tc rgb GREY notitle
+     data index 'printed' using 1:2 with points pt 6 ps 1.8 * P lw 1.6 lc rgb BLACK title 'printed: SPH, Table 1'

@@ -1,122 +1,12 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The report: isotherms, and tables as printed. */
-#include "reports/figure/figure.h"
+/* Published tables as printed; the closed form of xi, the search for the best one, and fits of known laws. */
 #include "reports/figure/published.h"
+#include "reports/pamplona/xi.h"
 
-#include "solver/method.h"
+#include "verification/ladder/command_run.h"
 #include "verification/unit/near.h"
 
-#include <stdio.h>
-#include <stdlib.h>
 #include <string.h>
-
-enum { NX = 37, NY = 29 };
-
-static double bowl(double x, double y) {
-    return 2.385 + pow((x - 0.31) / 1.3, 2) + pow((y + 0.17) / 0.9, 2);
-}
-
-static double saddle(double x, double y) {
-    return (x - 0.013) * (y + 0.021);
-}
-
-static double ramp(double x, double y) {
-    return 0.7 * x + 1.9 * y;
-}
-
-static struct isotherm_grid grid_of(double (*T)(double, double), double *store) {
-    struct isotherm_grid g = {{NX, NY}, {-1.4, -1.1}, {0.083, 0.077}, store};
-    for (int j = 0; j < NY; j++)
-        for (int i = 0; i < NX; i++) store[j * NX + i] = T(g.lo[0] + i * g.d[0], g.lo[1] + j * g.d[1]);
-    return g;
-}
-
-/* Lines traced; every point of theirs has the level within `tolerance`. */
-static int lines_at(const struct isotherm_grid *g, double (*T)(double, double), double level, double tolerance,
-                    double middle[2], int *points) {
-    char *text = NULL, *at;
-    size_t size = 0;
-    double x, y, l;
-    int lines, used;
-    FILE *out = open_memstream(&text, &size);
-    lines = isotherm_trace(g, level, 0.5, out, middle);
-    fclose(out);
-    *points = 0;
-    for (at = text; sscanf(at, " %lf,%lf,%lf%n", &x, &y, &l, &used) == 3; at += used) {
-        assert_near(l, level, 1e-5);
-        assert_near(T(x, y), level, tolerance);
-        ++*points;
-    }
-    free(text);
-    return lines;
-}
-
-static void a_closed_isotherm_is_one_line(void **state) {
-    (void)state;
-    double store[NX * NY], middle[2];
-    int points;
-    struct isotherm_grid g = grid_of(bowl, store);
-    assert_int_equal(lines_at(&g, bowl, 2.385 + 0.37, 3e-3, middle, &points), 1);
-    assert_order(points, >, 40);
-    assert_near(bowl(middle[0], middle[1]), 2.385 + 0.37, 3e-3);
-    assert_int_equal(lines_at(&g, bowl, 2.3, 0, middle, &points), 0);
-}
-
-static void a_saddle_is_two_lines(void **state) {
-    (void)state;
-    double store[NX * NY], middle[2];
-    int points;
-    struct isotherm_grid g = grid_of(saddle, store);
-    assert_int_equal(lines_at(&g, saddle, 0.11, 2e-3, middle, &points), 2);
-    assert_int_equal(lines_at(&g, saddle, -0.07, 2e-3, middle, &points), 2);
-}
-
-/* Where the line from the lower side of a cell ends, in x: 1, at the right side, or 0, at the left. */
-static double other_end(double (*T)[4]) {
-    char *text = NULL;
-    size_t size = 0;
-    double x[2], y[2], middle[2];
-    struct isotherm_grid cell = {{2, 2}, {0, 0}, {1, 1}, *T};
-    FILE *out = open_memstream(&text, &size);
-    assert_int_equal(isotherm_trace(&cell, 0, 0.5, out, middle), 2);
-    fclose(out);
-    assert_int_equal(sscanf(text, "%lf,%lf,0 %lf,%lf,0", &x[0], &y[0], &x[1], &y[1]), 4);
-    free(text);
-    assert_near(y[0], 0, 0);
-    return x[1];
-}
-
-/* Two opposite corners above the level and two below: the pair that has the sign of the mean is joined. */
-static void the_mean_decides_a_cell(void **state) {
-    (void)state;
-    double T[4][4] = {{1, -1.2, -0.2, 1}, {1, -1.2, -1, 0.2}, {-1, 1.2, 0.2, -1}, {-0.2, 1.2, 1, -1}};
-    assert_near(other_end(&T[0]), 1, 0); /* at (0, 0), (1, 0), (0, 1), (1, 1); the mean is above: (1, 0) is cut off */
-    assert_near(other_end(&T[1]), 0, 0);
-    assert_near(other_end(&T[2]), 1, 0);
-    assert_near(other_end(&T[3]), 0, 0);
-}
-
-static void the_middle_is_halfway(void **state) {
-    (void)state;
-    double store[NX * NY], middle[2];
-    int points;
-    struct isotherm_grid g = grid_of(ramp, store);
-    assert_int_equal(lines_at(&g, ramp, 0.2, 1e-5, middle, &points), 1);
-    assert_near(middle[0], g.lo[0] + (NX - 1) * g.d[0] / 2, 2 * g.d[0]); /* from side to side */
-}
-
-static void refining_keeps_the_values(void **state) {
-    (void)state;
-    double store[NX * NY];
-    struct isotherm_grid g = grid_of(bowl, store), fine = isotherm_refine(&g, 3);
-    assert_int_equal(fine.n[0], 3 * (NX - 1) + 1);
-    assert_int_equal(fine.n[1], 3 * (NY - 1) + 1);
-    for (int j = 0; j < fine.n[1]; j++)
-        for (int i = 0; i < fine.n[0]; i++)
-            assert_near(fine.T[j * fine.n[0] + i], bowl(g.lo[0] + i * fine.d[0], g.lo[1] + j * fine.d[1]), 3e-3);
-    assert_near(fine.T[3 * 5 * fine.n[0] + 3 * 7], store[5 * NX + 7], 1e-13);
-    free(fine.T);
-}
 
 static void units_of_the_last_digit(void **state) {
     (void)state;
@@ -147,15 +37,55 @@ static void tables_as_printed(void **state) {
     assert_int_equal(published_row(&t, "so_ssph"), -1);
 }
 
+/* With the closed form's xi the tuned volume is the one that is exact for x^2 and y^2. */
+static void the_closed_form_is_the_moments(void **state) {
+    (void)state;
+    static const char words[] =
+        "run plate brookshaw --kernel cubic --h 1.2 --dx 0.1/17 --stepper rk2 --dt 0.1 --t-end 7.3 --volume";
+    struct command_run tuned, moment;
+    assert_int_equal(command_run_line(&tuned, "%s tuned --xi %.17g", words, xi_closed_form(17, KERNEL_CUBIC)),
+                     STATUS_OK);
+    assert_int_equal(command_run_line(&moment, "%s moment", words), STATUS_OK);
+    for (size_t i = 0; i < tuned.field.n; i++) assert_near(tuned.field.T[i], moment.field.T[i], 1e-12);
+    command_run_free(&tuned);
+    command_run_free(&moment);
+}
+
+static void a_power_law_is_no_exponential(void **state) {
+    (void)state;
+    double h[5], power[5], exponential[5];
+    for (int i = 0; i < 5; i++) {
+        h[i] = 0.004 + 0.0013 * i;
+        power[i] = 2.385 * pow(h[i], -3.7);
+        exponential[i] = 7.1e5 * pow(10, -140 * h[i]);
+    }
+    struct xi_line l = xi_growth(h, power, 5, 1);
+    assert_near(l.slope, -3.7, 1e-10);
+    assert_near(l.off, 0, 1e-10);
+    assert_order(xi_growth(h, power, 5, 0).off, >, 0.02);
+    l = xi_growth(h, exponential, 5, 0);
+    assert_near(l.slope, -140, 1e-8);
+    assert_near(l.off, 0, 1e-10);
+    assert_order(xi_growth(h, exponential, 5, 1).off, >, 0.02);
+}
+
+/* The search ends at a minimum: neighbours on either side are worse. */
+static void the_best_xi_is_a_minimum(void **state) {
+    (void)state;
+    struct xi_best b = {.n = 13, .material = 2, .kernel = KERNEL_QUARTIC, .beta = 0.08, .t = 19.7};
+    xi_find(&b);
+    assert_int_equal(b.failure.status, STATUS_OK);
+    assert_order(b.work, >, 0);
+    assert_order(xi_error(&b, b.xi - 0.004), >, b.error);
+    assert_order(xi_error(&b, b.xi + 0.004), >, b.error);
+    assert_order(xi_error(&b, b.xi), >, b.error); /* the least that was met, here not in the middle */
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(a_closed_isotherm_is_one_line),
-        cmocka_unit_test(a_saddle_is_two_lines),
-        cmocka_unit_test(the_mean_decides_a_cell),
-        cmocka_unit_test(the_middle_is_halfway),
-        cmocka_unit_test(refining_keeps_the_values),
-        cmocka_unit_test(units_of_the_last_digit),
-        cmocka_unit_test(tables_as_printed),
+        cmocka_unit_test(units_of_the_last_digit),        cmocka_unit_test(tables_as_printed),
+        cmocka_unit_test(the_closed_form_is_the_moments), cmocka_unit_test(a_power_law_is_no_exponential),
+        cmocka_unit_test(the_best_xi_is_a_minimum),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
