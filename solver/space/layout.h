@@ -3,6 +3,8 @@
 #define HEATLADDER_SOLVER_SPACE_LAYOUT_H
 
 #include "solver/method.h"
+
+#include <gsl/gsl_rng.h>
 #include "solver/problem.h"
 
 #include <stdint.h>
@@ -83,6 +85,18 @@ struct cloud {
 int layout_cloud(const struct problem *p, const struct options *o, const struct lattice *l, double reach,
                  struct cloud *c, struct failure *why);
 void layout_cloud_free(struct cloud *c);
+
+/* Displacements of the points (i, j) with from <= (i, j) < to, in widths of the jitter, -1/2 to 1/2. */
+struct layout_moves {
+    int from[2], to[2];
+    double *move;
+};
+/* Fills m->move for m->from and m->to.  Where a core is given, its displacements depend on nothing but the core and
+ * the random numbers. */
+void layout_moves_draw(struct layout_moves *m, int dim, const int core_from[2], const int core_to[2],
+                       gsl_rng *random);
+double layout_moves_at(const struct layout_moves *m, int i, int j, int axis);
+void layout_moves_free(struct layout_moves *m);
 
 /* 1 if walls cut the lattice at any position: its particles are then the lattice points inside the body. */
 #define LAYOUT_ON_WALL 1e-6 /* dx: a point closer to a wall is on it */

@@ -9,7 +9,6 @@
  * lattice. */
 #include "solver/space/layout.h"
 
-#include <gsl/gsl_rng.h>
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -20,6 +19,9 @@ static void place_particles(const struct options *o, const struct lattice *l, do
     gsl_rng *random = gsl_rng_alloc(gsl_rng_mt19937);
     gsl_rng_set(random, o->seed);
     double amplitude = o->layout == LAYOUT_JITTER || o->layout == LAYOUT_RELAXED ? 2 * o->jitter : 0;
+    struct layout_moves moves = {{0, 0}, {l->n[0], l->n[1]}, NULL};
+    layout_moves_draw(&moves, l->dim, moves.from, moves.to, random);
+    gsl_rng_free(random);
     size_t k = 0;
     for (int j0 = 0; j0 < l->n[1]; j0 += block[1])
         for (int i0 = 0; i0 < l->n[0]; i0 += block[0])
@@ -28,12 +30,12 @@ static void place_particles(const struct options *o, const struct lattice *l, do
                     double x[2];
                     layout_position(l, i, j, x);
                     if (o->layout == LAYOUT_HEXAGONAL && l->dim == 2) x[0] += (j % 2 ? 0.25 : -0.25) * l->dx[0];
-                    c->x[k] = x[0] + amplitude * l->dx[0] * (gsl_rng_uniform(random) - 0.5);
-                    c->y[k] = l->dim == 2 ? x[1] + amplitude * l->dx[1] * (gsl_rng_uniform(random) - 0.5) : 0;
+                    c->x[k] = x[0] + amplitude * l->dx[0] * layout_moves_at(&moves, i, j, 0);
+                    c->y[k] = l->dim == 2 ? x[1] + amplitude * l->dx[1] * layout_moves_at(&moves, i, j, 1) : 0;
                     c->source[k] = (uint32_t)k;
                     c->factor[k] = 1;
                 }
-    gsl_rng_free(random);
+    layout_moves_free(&moves);
 }
 
 /* Appends the images of particle i beyond the walls, up to three (two sides and the corner). */

@@ -8,7 +8,6 @@
 #include "solver/shape.h"
 #include "solver/space/layout.h"
 
-#include <gsl/gsl_rng.h>
 #include <math.h>
 #include <stdlib.h>
 
@@ -18,7 +17,8 @@ static const double CLEAR = 0.25;
 
 struct frame {                      /* point (i, j) is at first + (i d[0], j d[1]) in its own axes */
     double first[2], d[2], axis[2]; /* m; m; cosine and sine */
-    int from[2], to[2], blocks;     /* range of indices; side of a block */
+    int blocks;                     /* side of a block */
+    struct layout_moves moves;      /* and the range of indices */
     double moved;                   /* m, full width of the jitter */
     double clear;                   /* m, free strip along a wall */
     int hexagonal;
@@ -28,9 +28,17 @@ int layout_is_cut(const struct problem *p, const struct options *o) {
     return p->shape || o->shift > 0 || o->walls > WALLS_FIXED;
 }
 
+/* Indices along an axis of the points up to `reach` from the body. */
+static void take_range(const struct problem *p, int a, const struct frame *f, double reach, int *from, int *to) {
+    *from = (int)floor((p->lo[a] - reach - f->first[a]) / f->d[a]) - 1;
+    *to = (int)ceil((p->hi[a] + reach - f->first[a]) / f->d[a]) + 2;
+}
+
 static struct frame frame_of(const struct problem *p, const struct options *o, const struct lattice *l, double reach,
                              gsl_rng *random) {
-    struct frame f = {.d = {l->dx[0], l->dx[1]}, .axis = {1, 0}, .to = {1, 1}};
+    const double CORE = 2.2; /* dx: the reach of so_ssph; displacements within are the same for all operators */
+    struct frame f = {.d = {l->dx[0], l->dx[1]}, .axis = {1, 0}, .moves = {.to = {1, 1}}};
+    int core_from[2] = {0, 0}, core_to[2] = {1, 1};
     f.moved = o->layout == LAYOUT_JITTER ? 2 * o->jitter * l->dx[0] : 0;
     f.hexagonal = o->layout == LAYOUT_HEXAGONAL && p->dim == 2;
     f.clear = p->shape && o->walls == WALLS_MIRROR ? CLEAR * l->dx[0] : 0;
@@ -43,19 +51,20 @@ static struct frame frame_of(const struct problem *p, const struct options *o, c
     }
     for (int a = 0; a < p->dim; a++) {
         if (!p->shape) f.first[a] = p->lo[a] + (0.5 + o->shift) * f.d[a];
-        f.from[a] = (int)floor((p->lo[a] - reach - f.first[a]) / f.d[a]) - 1;
-        f.to[a] = (int)ceil((p->hi[a] + reach - f.first[a]) / f.d[a]) + 2;
+        take_range(p, a, &f, reach, &f.moves.from[a], &f.moves.to[a]);
+        take_range(p, a, &f, CORE * l->dx[0], &core_from[a], &core_to[a]);
     }
+    layout_moves_draw(&f.moves, p->dim, core_from, core_to, random);
     f.blocks = (int)fmax(1, floor(reach / l->dx[0]));
     return f;
 }
 
 /* Point (i, j): in the axes of the lattice, `at`, and in the plane, x. */
-static void place(const struct frame *f, int dim, int i, int j, gsl_rng *random, double at[2], double x[2]) {
+static void place(const struct frame *f, int dim, int i, int j, double at[2], double x[2]) {
     at[0] = f->first[0] + i * f->d[0];
     at[1] = dim == 2 ? f->first[1] + j * f->d[1] : 0;
     if (f->hexagonal) at[0] += (j % 2 ? 0.25 : -0.25) * f->d[0];
-    for (int a = 0; a < dim && f->moved > 0; a++) at[a] += f->moved * (gsl_rng_uniform(random) - 0.5);
+    for (int a = 0; a < dim && f->moved > 0; a++) at[a] += f->moved * layout_moves_at(&f->moves, i, j, a);
     x[0] = f->axis[0] * at[0] - f->axis[1] * at[1];
     x[1] = f->axis[1] * at[0] + f->axis[0] * at[1];
 }
@@ -158,15 +167,17 @@ int layout_cut(const struct problem *p, const struct options *o, const struct la
     gsl_rng *random = gsl_rng_alloc(gsl_rng_mt19937);
     gsl_rng_set(random, o->seed);
     struct frame f = frame_of(p, o, l, reach, random);
-    for (int j0 = f.from[1]; j0 < f.to[1]; j0 += f.blocks)
-        for (int i0 = f.from[0]; i0 < f.to[0]; i0 += f.blocks)
-            for (int j = j0; j < j0 + f.blocks && j < f.to[1]; j++)
-                for (int i = i0; i < i0 + f.blocks && i < f.to[0]; i++) {
+    gsl_rng_free(random);
+    const int *from = f.moves.from, *to = f.moves.to;
+    for (int j0 = from[1]; j0 < to[1]; j0 += f.blocks)
+        for (int i0 = from[0]; i0 < to[0]; i0 += f.blocks)
+            for (int j = j0; j < j0 + f.blocks && j < to[1]; j++)
+                for (int i = i0; i < i0 + f.blocks && i < to[0]; i++) {
                     double at[2], x[2];
-                    place(&f, p->dim, i, j, random, at, x);
+                    place(&f, p->dim, i, j, at, x);
                     sort_point(p, &f, at, x, reach, &inside, &outside);
                 }
-    gsl_rng_free(random);
+    layout_moves_free(&f.moves);
     int mirrors = o->walls == WALLS_MIRROR;
     if (o->walls == WALLS_ONE_SIDED) outside.n = 0;
     *c = (struct cloud){.dim = p->dim, .n = inside.n, .total = inside.n + outside.n, .reach = reach};

@@ -37,6 +37,43 @@ static int walls_near(const struct problem *p, int axis, double x, double reach)
     return (x - p->lo[axis] < reach) + (p->hi[axis] - x < reach);
 }
 
+static int by_place(const void *a, const void *b) {
+    const double *p = a, *q = b;
+    return p[0] != q[0] ? (p[0] > q[0] ? 1 : -1) : (p[1] > q[1]) - (p[1] < q[1]);
+}
+
+/* Particles of the cloud, sorted; the caller frees them. */
+static double (*sorted(const struct cloud *c))[2] {
+    double(*place)[2] = xcalloc(c->n, sizeof *place);
+    for (size_t i = 0; i < c->n; i++) place[i][0] = c->x[i], place[i][1] = c->y[i];
+    qsort(place, c->n, sizeof *place, by_place);
+    return place;
+}
+
+/* Inside plane walls, and cut by them: the reach of an operator changes the ghosts alone. */
+static void one_seed_gives_one_cloud_to_all_operators(void **state) {
+    (void)state;
+    static const double reach[] = {0.05, 0.11, 0.176, 0.25};
+    for (int cut = 0; cut < 2; cut++) {
+        struct problem p = continued_problem();
+        struct options o = jittered(0.37);
+        struct lattice l;
+        struct cloud c[4];
+        double(*place[4])[2];
+        o.walls = cut ? WALLS_FIT : WALLS_MIRROR, o.shift = cut ? 0.3 : 0;
+        for (int i = 0; i < 4; i++) {
+            make(&p, &o, reach[i], &l, &c[i]);
+            place[i] = sorted(&c[i]);
+            assert_int_equal(c[i].n, c[0].n);
+            assert_memory_equal(place[i], place[0], c[0].n * sizeof **place);
+        }
+        for (int i = 0; i < 4; i++) {
+            free(place[i]);
+            layout_cloud_free(&c[i]);
+        }
+    }
+}
+
 static void ghosts_continue_the_field(void **state) {
     (void)state;
     for (double amplitude = 0; amplitude < 0.5; amplitude += 0.37) {
@@ -261,6 +298,7 @@ static void settled_particles_are_taken_as_they_lie(void **state) {
 int main(void) {
     gsl_set_error_handler_off();
     const struct CMUnitTest tests[] = {
+        cmocka_unit_test(one_seed_gives_one_cloud_to_all_operators),
         cmocka_unit_test(ghosts_continue_the_field),
         cmocka_unit_test(ghosts_hold_for_any_two_conductivities),
         cmocka_unit_test(disagreeing_corners_take_the_mean),
