@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The answer of `reference` for a set of points, as CSV. */
+/* Writes the answer of `reference` for a set of points as CSV. */
 #include "verification/oracle/answer.h"
 
 #include "references/snapshot.h"
@@ -17,22 +17,22 @@ int answer_check(const struct answer *a, struct failure *why) {
     for (int i = 0; i < a->columns.count; i++) {
         const struct columns_kind *kind = a->columns.kind[i];
         if (kind->needs_time && a->times == 0)
-            return refuse(why, STATUS_INPUT, "--what %s needs --time T[,T...]: when, s", kind->name);
+            return refuse(why, STATUS_INPUT, "--what %s needs --time T[,T...], in s", kind->name);
         if (strcmp(kind->name, "source") == 0 && a->image->problem.source_rate && a->times == 0)
-            return refuse(why, STATUS_INPUT, "--what source changes in time here and needs --time T[,T...]: when, s");
+            return refuse(why, STATUS_INPUT, "--what source depends on time here and needs --time T[,T...], in s");
         if (kind->needs_cell && !a->points.cell && !(a->cell > 0))
             return refuse(why, STATUS_INPUT,
                           "--what %s needs the cell around each point: columns dx and dy of the points, or --dx DX",
                           kind->name);
         for (int k = 0; k < a->times && strncmp(kind->name, "flux", 4) == 0; k++)
             if (a->time[k] == 0)
-                return refuse(why, STATUS_INPUT, "--time 0: --what %s needs a time > 0, when the gradient is finite",
-                              kind->name);
+                return refuse(why, STATUS_INPUT,
+                              "--time 0: --what %s needs a time > 0, at which the gradient is finite", kind->name);
     }
     return STATUS_OK;
 }
 
-enum { BLOCK = 4096 }; /* points whose exact solution is asked for at once: those of a lattice share */
+enum { BLOCK = 4096 }; /* points per evaluation of the exact solution, since lattice points share work */
 
 static void exact_of(const struct answer *a, const struct snapshot *now, size_t first, size_t n, struct exact *e) {
     double *x = xcalloc(2 * n, sizeof *x), *y = x + n, at[2];
@@ -49,7 +49,7 @@ static char *put(char *at, const char *text, size_t length) {
     return at + length;
 }
 
-/* The line of point i; returns its end. */
+/* Writes the line of point i; returns its end. */
 static char *put_row(const struct answer *a, double time, size_t i, const double *value, int n, char *at) {
     for (int d = 0; d < a->points.dim; d++) {
         const struct points_text *typed = &a->points.typed[i][d];
@@ -65,7 +65,7 @@ static char *put_row(const struct answer *a, double time, size_t i, const double
     return at;
 }
 
-/* Letters of the lines of n points at most. */
+/* Maximum number of characters in the lines of n points. */
 static size_t room(const struct answer *a, size_t first, size_t n) {
     int numbers = a->points.dim + 1;
     for (int i = 0; i < a->columns.count; i++) numbers += a->columns.kind[i]->values;
@@ -96,7 +96,7 @@ static struct text write_block(const struct answer *a, const struct snapshot *no
     return (struct text){text, (size_t)(at - text)};
 }
 
-/* Blocks are independent and are written in their order, so that threads change no letter. */
+/* Blocks are independent and written in order, so the output does not depend on the number of threads. */
 static void write_points(const struct answer *a, double time, FILE *out) {
     enum { KEPT = 16 }; /* blocks */
     struct snapshot now = snapshot_take(a->scene, a->image->of, time);

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The mean of the start over the part of a cell that is inside a round body: by lines along y, whose ends follow
- * the wall.  Their length bends where the wall leaves the cell, and has no slope where the wall runs along y. */
+/* Average of the initial data over the part of a cell inside a round body: integration along lines in y that end at
+ * the wall.  The length of these lines has a kink at the point at which the wall leaves the cell, and a singular
+ * slope at a wall parallel to y. */
 #include "verification/oracle/columns.h"
 
 #include "references/cubature.h"
@@ -8,11 +9,11 @@
 
 #include <math.h>
 
-/* The line at x[0] of a cell that a round wall cuts, and its length for the mean. */
+/* The line at x[0] of a cell cut by a round wall; its integral or its length. */
 struct line {
     const struct problem *p;
     double lo, hi, x; /* m */
-    int length;       /* 1: of that alone */
+    int length;       /* 1: length only */
 };
 
 static struct approx initial_on_line(const void *data, const double y[2]) {

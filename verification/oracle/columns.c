@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The columns of `reference`: one table, a function each. */
+/* The columns of `reference`: one table, one function each. */
 #include "verification/oracle/columns.h"
 
 #include "references/cubature.h"
@@ -15,12 +15,12 @@
 
 struct columns_row {
     const struct image *image;
-    const struct problem *p; /* the image's */
+    const struct problem *p; /* the problem of the image */
     const double *x;
     const double *cell;
     double time;        /* s */
-    int axis;           /* of the column, where that matters */
-    struct exact exact; /* where a column needs the time */
+    int axis;           /* axis of the column, if it has one */
+    struct exact exact; /* if a column depends on time */
 };
 
 const char columns_help[] =
@@ -29,17 +29,17 @@ const char columns_help[] =
     "  error_bound         bound of its error by truncation and rounding\n"
     "  flux_x flux_y       -k_x dT/dx, -k_y dT/dy, at a time > 0; at an interface, of the upper material\n"
     "  initial             the initial temperature; on a jump, the value of the closed piece\n"
-    "  initial_mean        its mean over the cell around the point, clipped to the domain; columns dx and dy of\n"
+    "  initial_mean        its average over the cell around the point, clipped to the domain; columns dx and dy of\n"
     "                      the points give the extents of the cell (without dy: dy = dx), else --dx for all\n"
     "  initial_heat        the temperature that keeps the heat of that cell: the integral of rho_c T over the\n"
-    "                      integral of rho_c; the plain mean in a cell of one material\n"
-    "  source k_x k_y rho_c   of the equation; at an interface, of the upper material; a source that changes\n"
-    "                      needs --time\n"
+    "                      integral of rho_c; the plain average in a cell of one material\n"
+    "  source k_x k_y rho_c   of the equation; at an interface, of the upper material; a source that depends\n"
+    "                      on time needs --time\n"
     "  wall                three columns, wall_kind, wall_value and wall_b.  Kind 0: not on a side; 1 (Dirichlet):\n"
     "                      T = value; 2 (Neumann): k dT/dn = value, the flux into the body; 3 (Robin):\n"
-    "                      k dT/dn = b (value - T).  In a corner: the side of the lower kind; of two different\n"
-    "                      temperatures their mean; else the side across x\n"
-    "  nearest             of the nearest wall: its nearest point and outward normal there (nearest_x, nearest_y,\n"
+    "                      k dT/dn = b (value - T).  In a corner: the side of the lower kind; the mean of two\n"
+    "                      different temperatures; else the side across x\n"
+    "  nearest             the nearest wall: its nearest point and outward normal there (nearest_x, nearest_y,\n"
     "                      normal_x, normal_y), the distance, and kind, value and b as for wall; nan without walls\n"
     "  wall_x wall_y       as wall, for the sides across x or across y only: a corner gives both\n"
     "--points: CSV with the header x (or x,y) and one point a line; other columns are ignored; - is standard input.\n"
@@ -48,8 +48,8 @@ const char columns_help[] =
     "digits.  Columns that do not depend on time need no --time.\n"
     "\n"
     "Initial values for your code:\n"
-    "  your unknowns are       take            at                          with the cell\n"
-    "  means over cells        initial_heat    the centre of each cell     that cell\n"
+    "  your unknowns are       use             at                          with the cell\n"
+    "  cell averages           initial_heat    the centre of each cell     that cell\n"
     "  values at nodes         initial_heat    each node                   half-way to its neighbours\n"
     "  particles               initial_heat    each particle               its volume, m/rho\n"
     "  nodes of elements       initial         each node, or, where data   -\n"
@@ -74,7 +74,7 @@ static void flux(const struct columns_row *row, double *value) {
     const struct problem *of = row->image->of;
     double at[2];
     mapping_to_scene(m, of->dim, row->x, at);
-    int material = of->materials == 2 && at[0] >= of->interface; /* the gradient is of that one, too */
+    int material = of->materials == 2 && at[0] >= of->interface; /* the gradient is that of the same material */
     int along = mapping_axis(m, row->axis);
     double into = mapping_scale(m) * (m->against[row->axis] ? -1 : 1);
     *value = row->exact.no_value ? NAN : -into * of->material[material].k[along] * row->exact.gradient[along];
@@ -89,7 +89,7 @@ static struct approx initial_at(const void *data, const double x[2]) {
     return (struct approx){p->initial(p, x), 0};
 }
 
-/* Over the part of the domain from lo to hi.  Across an interface the start may bend. */
+/* Average over the part of the domain from lo to hi.  The initial data may have a kink at an interface. */
 static double mean_start(const struct image *image, const double lo[2], const double hi[2]) {
     const struct problem *p = &image->problem;
     struct cubature_knots knots = {.count = {0, 0}};
@@ -97,7 +97,7 @@ static double mean_start(const struct image *image, const double lo[2], const do
     if (part < 1 - 1e-9 && part > 1e-12) return clipped_mean(p, lo, hi);
     for (int a = 0; a < p->dim; a++) {
         for (int j = 0; j < p->jumps[a]; j++) knots.knot[a][knots.count[a]++].at = p->jump[a][j];
-        knots.knot[a][knots.count[a]].at = (p->lo[a] + p->hi[a]) / 2; /* where the data of a scene may have a peak */
+        knots.knot[a][knots.count[a]].at = (p->lo[a] + p->hi[a]) / 2; /* the data of a scene may have a peak there */
         knots.knot[a][knots.count[a]++].graded = 1;
         if (p->materials == 2 && a == image->interface_axis) knots.knot[a][knots.count[a]++].at = p->interface;
     }
@@ -120,7 +120,7 @@ static void initial_mean(const struct columns_row *row, double *value) {
     *value = mean_start(row->image, lo, hi);
 }
 
-/* What either material has of the cell, weighted with its rho c. */
+/* Average weighted with the rho c of each material in the cell. */
 static void initial_heat(const struct columns_row *row, double *value) {
     const struct problem *p = row->p;
     const struct image *image = row->image;
@@ -172,7 +172,7 @@ static void wall_across(const struct columns_row *row, double *value) {
     wall_at(row, row->axis, value);
 }
 
-/* Points on a round wall are there to rounding. */
+/* A point is on a round wall within round-off. */
 static void round_wall(const struct problem *p, const double x[2], double *value) {
     int s;
     value[0] = value[1] = value[2] = 0;

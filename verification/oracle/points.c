@@ -15,33 +15,32 @@
 
 enum { COLUMN_X, COLUMN_Y, COLUMN_DX, COLUMN_DY, COLUMNS };
 static const char *const names[COLUMNS] = {"x", "y", "dx", "dy"};
-static const size_t few = 1000;   /* points: less than a thread's start costs */
-static const double slack = 1e-9; /* of the extent: a side's coordinate may be a rounded decimal */
+static const size_t few = 1000;   /* points: below this number threads do not pay off */
+static const double slack = 1e-9; /* relative to the extent: coordinates on a side may be rounded decimals */
 
 struct line {
     const char *text;
-    long number; /* in the file, from 1 */
+    long number; /* line number in the file, from 1 */
 };
 
 struct reader {
     const char *name;
     const struct problem *p;
     struct points *points;
-    char *at;           /* the start of the next line */
-    long line;          /* the number of the last */
-    struct line *lines; /* those of points */
-    int place[COLUMNS]; /* among the columns, from 0; -1 where it is not there */
-    int width;          /* columns of the header */
+    char *at;           /* start of the next line */
+    long line;          /* number of the last line */
+    struct line *lines; /* lines with points */
+    int place[COLUMNS]; /* column index from 0; -1 if missing */
+    int width;          /* number of columns in the header */
 };
 
-/* The next line that says something, ended by a NUL; NULL at the end, or with *why filled. */
+/* The next line with content, terminated by a NUL; NULL at the end, or on failure with *why. */
 static char *next_line(struct reader *r, struct failure *why) {
     while (*r->at) {
         char *line = r->at, *end = strchr(line, '\n');
         r->line++;
         if (!end) {
-            refuse(why, STATUS_INPUT,
-                   "%.150s, line %ld: ends without a newline: it looks cut off; end the last line too", r->name,
+            refuse(why, STATUS_INPUT, "%.150s, line %ld: no newline at the end; the file may be truncated", r->name,
                    r->line);
             return NULL;
         }
@@ -59,7 +58,8 @@ static int is_blank_or_quote(char c) {
     return c == ' ' || c == '\t' || c == '"' || c == '\'';
 }
 
-/* The cell that starts at *at without its blanks and quotes; *at moves behind its comma, to NULL after the last. */
+/* The cell that starts at *at, without blanks and quotes. *at moves past its comma, or becomes NULL after the last
+ * cell. */
 static struct points_text next_cell(const char **at) {
     const char *start = *at, *end = start + strcspn(start, ",");
     *at = *end ? end + 1 : NULL;
@@ -84,7 +84,7 @@ static int read_header(struct reader *r, const char *line, struct failure *why) 
     for (int a = 0; a < r->p->dim; a++)
         if (r->place[a] < 0)
             return refuse(why, STATUS_INPUT,
-                          "%.150s, line %ld: '%.60s' has no column %s; the header is %s, with commas between",
+                          "%.150s, line %ld: '%.60s' has no column %s; the header is %s, separated by commas",
                           r->name, r->line, line, names[a], r->p->dim == 2 ? "x,y" : "x");
     return STATUS_OK;
 }
@@ -96,8 +96,8 @@ static int read_number(const struct reader *r, long line, int column, struct poi
                   r->place[column] + 1, names[column], cell.length < 40 ? cell.length : 40, cell.start);
 }
 
-/* Takes a coordinate that is off by a few digits, on either hand, to the side: nodes of a mesh are.  -1 where it is
- * outside, 1 where it was moved by more than rounding, so that it has to be shown. */
+/* Moves a coordinate within round-off of a side, inside or outside, onto it, as for mesh nodes.  Returns -1 if it is
+ * outside, and 1 if it moved by more than rounding, so that the output must show the new value. */
 static int check_inside(const struct problem *p, int axis, double *x) {
     double lo = p->lo[axis], hi = p->hi[axis], away = slack * (hi - lo), given = *x;
     if (!(*x >= lo - away && *x <= hi + away)) return -1;
@@ -106,7 +106,7 @@ static int check_inside(const struct problem *p, int axis, double *x) {
     return fabs(*x - given) > 4 * DBL_EPSILON * (fabs(lo) + fabs(hi));
 }
 
-/* A point of a round body, to the same slack. */
+/* 1 if a point is in a round body, within the same tolerance. */
 static int is_in_shape(const struct problem *p, const double x[2]) {
     return !p->shape || shape_depth(p, x) >= -slack * p->radius[1];
 }
@@ -123,8 +123,8 @@ static int read_point(const struct reader *r, size_t i, struct failure *why) {
             if (r->place[c] == width) cell[c] = next;
     }
     if (width != r->width)
-        return refuse(why, STATUS_INPUT, "%.150s, line %ld: %d column%s where the header has %d", r->name, line,
-                      width, width == 1 ? "" : "s", r->width);
+        return refuse(why, STATUS_INPUT, "%.150s, line %ld: %d column%s, the header has %d", r->name, line, width,
+                      width == 1 ? "" : "s", r->width);
     for (int a = 0; a < points->dim; a++) {
         points->typed[i][a] = cell[a];
         if (read_number(r, line, a, cell[a], &x[a], why)) return why->status;
@@ -162,7 +162,7 @@ static int list_lines(struct reader *r, struct failure *why) {
     return why->status;
 }
 
-/* The points of all lines; of several that are refused, the first says why. */
+/* Reads the points of all lines; reports the first failure. */
 static int read_points(const struct reader *r, struct failure *why) {
     struct points *points = r->points;
     size_t n = points->n, bad = n;
@@ -181,10 +181,10 @@ static int read_lines(struct reader *r, struct failure *why) {
     const char *line = next_line(r, why);
     if (why->status) return why->status;
     if (!line)
-        return refuse(why, STATUS_INPUT, "%.150s: empty; it starts with the header %s", r->name,
+        return refuse(why, STATUS_INPUT, "%.150s: empty; must start with the header %s", r->name,
                       r->p->dim == 2 ? "x,y" : "x");
     if (read_header(r, line, why) || list_lines(r, why)) return why->status;
-    if (r->points->n == 0) return refuse(why, STATUS_INPUT, "%.150s: a header and no point", r->name);
+    if (r->points->n == 0) return refuse(why, STATUS_INPUT, "%.150s: a header without points", r->name);
     return read_points(r, why);
 }
 
@@ -196,7 +196,7 @@ int points_read(FILE *in, const char *name, const struct problem *p, struct poin
     if (ferror(in))
         refuse(why, STATUS_INPUT, "%.150s: %s", name, strerror(errno));
     else if (memchr(points->text, '\0', size))
-        refuse(why, STATUS_INPUT, "%.150s: has a NUL byte: this is no text", name);
+        refuse(why, STATUS_INPUT, "%.150s: has a NUL byte; it is not a text file", name);
     else
         read_lines(&r, why);
     free(r.lines);

@@ -15,10 +15,10 @@ double amplification_interval(const struct amplification *a) {
 }
 
 static int stable(const struct amplification *a, double complex z) {
-    return cabs(amplification_factor(a, z)) <= 1 + 1e-12; /* rounding: G touches 1 inside of the interval of RKL2 */
+    return cabs(amplification_factor(a, z)) <= 1 + 1e-12; /* round-off: |G| of RKL2 reaches 1 inside its interval */
 }
 
-/* Along a ray from 0: steps fine enough for every lobe of P_s, then bisection. */
+/* Limit along a ray from 0: steps fine enough for every lobe of P_s, then bisection. */
 static double reach_along(const struct amplification *a, double complex direction) {
     double most = 1.5 * amplification_interval(a), step = most / (200 + 20 * a->stages * a->stages), in = 0,
            out = step;

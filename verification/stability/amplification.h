@@ -2,29 +2,29 @@
 #ifndef HEATLADDER_VERIFICATION_STABILITY_AMPLIFICATION_H
 #define HEATLADDER_VERIFICATION_STABILITY_AMPLIFICATION_H
 
-/* What a stepper makes of dT/dt = lambda T in one step: T -> G(dt lambda) T, from closed forms that share nothing
- * with its updates. */
+/* Amplification of dT/dt = lambda T in one step, T -> G(dt lambda) T, from closed forms independent of the steppers'
+ * updates. */
 
 #include "solver/method.h"
 
 #include <complex.h>
 
 struct amplification {
-    enum stepper_name stepper; /* one that has an amplification */
-    int stages;                /* where it has them to choose */
+    enum stepper_name stepper; /* a stepper with an amplification factor */
+    int stages;                /* number of stages, if it can be chosen */
 };
 
-/* G(z), z = dt lambda, without a unit. */
+/* G(z), z = dt lambda, dimensionless. */
 double complex amplification_factor(const struct amplification *a, double complex z);
 
-/* The stability interval as theory states it: |G| <= 1 for -z in [0, it]. */
+/* Theoretical stability interval: |G| <= 1 for 0 <= -z <= interval. */
 double amplification_interval(const struct amplification *a);
 
-/* The largest -z with |G| <= 1 on all of [z, 0]: where |G| = 1. */
+/* The largest -z such that |G| <= 1 on all of [z, 0]. */
 double amplification_reach(const struct amplification *a);
 
-/* The largest dt with |G(t lambda)| <= 1 for all t in [0, dt]; 0 where there is none.  reach: amplification_reach(a).
- */
+/* The largest dt such that |G(t lambda)| <= 1 for all t in [0, dt]; 0 if there is none. reach:
+ * amplification_reach(a). */
 double amplification_limit(const struct amplification *a, double reach, double complex lambda);
 
 #endif

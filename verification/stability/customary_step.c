@@ -1,14 +1,17 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Customary steps of conduction in SPH, dt = C h^2/kappa.
+/* Customary time steps for conduction in SPH, dt = C h^2/kappa.
  *
- * Morris, Fox & Zhu 1997 (J. Comput. Phys. 136:214): C = 0.125 for a viscosity nu in place of kappa, with a quintic
- * spline that ends at 3 h.  Of a kernel that ends where this one does, at 2 h here, their h is 2/3 of it.
- * Cleary & Monaghan 1999 (J. Comput. Phys. 148:227): C = 0.15, dt = 0.15 rho c h^2/k, a cubic spline that ends at 2
- * h. Biriukov & Price 2019 (MNRAS 483:4901), their table of largest stable C for three kernels in three dimensions:
- * Brookshaw's pairs 0.15, 0.18, 0.2; direct second derivatives 0.2, 0.35, 0.4; two first derivatives 0.6, 1.2, 1.6.
- * The least of each, with h of a kernel that ends at 2 h.
- * A method without an h of its own (cells) is given the h/dx of the others' default, as a code that changes its
- * operator alone would. */
+ * Morris, Fox & Zhu 1997 (J. Comput.  Phys. 136:214): C = 0.125 for a viscosity nu in place of kappa, with a quintic
+ * spline
+ *   of support 3 h. For a kernel with the support 2 h used here, their h is 2/3 of this h.
+ * Cleary & Monaghan 1999 (J. Comput.  Phys. 148:227): C = 0.15, dt = 0.15 rho c h^2/k, a cubic spline of support 2
+ * h.  Biriukov & Price 2019 (MNRAS 483:4901), table of the largest stable C for three kernels in three dimensions:
+ * Brookshaw's
+ *   pairs 0.15, 0.18, 0.2; direct second derivatives 0.2, 0.35, 0.4; two first derivatives 0.6, 1.2, 1.6. The
+ * smallest of each is used, with h of a kernel of support 2 h.
+ *
+ * For a method without h (cells) the default h/dx of the other methods is used, as in a code that changes only its
+ * operator. */
 #include "verification/stability/step_limit.h"
 
 #include <string.h>

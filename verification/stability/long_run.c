@@ -1,9 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Bounded, conserving, monotone: what 10^7 steps leave of a method's promises.
+/* Boundedness, conservation and monotonicity after 10^7 steps.
  *
- * Each step rounds every temperature once, by eps/2 of it at most, and the sum over its neighbours by a few eps more
- * where its terms cancel.  Were all of that of one sign, the heat would drift by some n_steps eps; at random by
- * sqrt(n_steps) of it. */
+ * Each step rounds every temperature by at most eps/2 of it, and the sum over its neighbours by a few eps more if
+ * terms cancel.  Errors of one sign would change the heat by about n_steps eps; random errors by sqrt(n_steps)
+ * eps. */
 #include "verification/stability/long_run.h"
 
 #include "solver/time/stepper.h"

@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The maximum principle: on the weights, and on runs.
+/* The maximum principle: from the weights, and from runs.
  *
- * An impulse of 1 K makes a negative weight w_j visible in one step: T_j = dt w_j.  It must also be kept later, by
- * runs of 2, 4, ... 32 steps. */
+ * An impulse of 1 K exposes a negative weight w_j in one step: T_j = dt w_j.  Runs of 2, 4, ... 32 steps check later
+ * times. */
 #include "verification/stability/maximum_principle.h"
 
 #include "verification/stability/symbol.h"

@@ -2,20 +2,20 @@
 #ifndef HEATLADDER_VERIFICATION_STABILITY_MAXIMUM_PRINCIPLE_H
 #define HEATLADDER_VERIFICATION_STABILITY_MAXIMUM_PRINCIPLE_H
 
-/* The maximum principle of a particle method on the lattice: off-centre weights that are not negative, and steps up
- * to 1/|w_0|, make every new temperature a mean of old ones. */
+/* The maximum principle of a particle method on the lattice: non-negative off-centre weights and steps up to 1/|w_0|
+ * make every new temperature a weighted mean of old ones. */
 
 #include "verification/stability/model_problem.h"
 
 struct maximum_principle {
-    double lowest;     /* lowest off-centre weight over |w_0| */
-    double undershoot; /* K, of runs on an impulse of 1 K, 1 to 32 steps of 0.9/|w_0| */
+    double lowest;     /* smallest off-centre weight over |w_0| */
+    double undershoot; /* K, in runs on an impulse of 1 K, 1 to 32 steps of 0.9/|w_0| */
 };
 
-/* Weights and runs that lie within this of 0 count as not negative: rounding of a sum of 100 terms */
+/* Negative weights and undershoots below this count as round-off of a sum of 100 terms. */
 #define MAXIMUM_ROUNDING 1e-13
 
-/* Of the method of *given at h/dx = h.  STATUS_OK, or what the weights or a run were refused with. */
+/* For the method of *given at h/dx = h.  Returns STATUS_OK, or the status of the weights or of a run. */
 int maximum_principle_find(const struct model_problem *given, double h, struct maximum_principle *x,
                            struct failure *why);
 

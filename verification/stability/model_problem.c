@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Small problems in memory, on which a method shows what it does to one impulse, to noise, to a smooth hill. */
+/* Small model problems in memory: the response of a method to an impulse, to noise and to a smooth hill. */
 #include "verification/stability/model_problem.h"
 
 #include "solver/space/kernel.h"
@@ -11,7 +11,7 @@
 #include <stdint.h>
 #include <stdlib.h>
 
-/* splitmix64 (Steele, Lea & Flood 2014) of the cell, as a number in [-1, 1) */
+/* splitmix64 (Steele, Lea & Flood 2014) of the cell, uniform in [-1, 1) */
 static double noise_at(const struct problem *p, const double x[2]) {
     uint64_t z = (uint64_t)(int64_t)floor(x[0]) * 0x9e3779b97f4a7c15u;
     if (p->dim == 2) z ^= (uint64_t)(int64_t)floor(x[1]) * 0xd1b54a32d192ed03u + 0x632be59bd9b4e019u;
@@ -140,7 +140,7 @@ int model_problem_around(const struct model_problem *b, const struct cloud *c, s
 static double largest_of(const double *T, size_t n) {
     double most = 0;
     for (size_t i = 0; i < n; i++)
-        if (fabs(T[i]) > most || isnan(T[i])) most = fabs(T[i]); /* a NaN stays */
+        if (fabs(T[i]) > most || isnan(T[i])) most = fabs(T[i]); /* a NaN propagates */
     return most;
 }
 

@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Eigenvalues of rows.  GSL balances, reduces to Hessenberg form and takes QR steps (Golub & Van Loan 7.5): each
- * eigenvalue is that of a matrix within eps n |A| of the one given.  A symmetric operator's eigenvalues are then
- * wrong by no more than that; those of an operator far from normal by more, so that a real part just above zero says
- * nothing: the bound below is 100 eps sqrt(n) radius. */
+/* Eigenvalues of an operator with rows.  GSL balances, reduces to Hessenberg form and applies QR steps (Golub & Van
+ * Loan 7.5).  The computed eigenvalues are exact for a matrix within eps n |A| of A.  For a symmetric operator their
+ * error has the same bound; for a highly non-normal one it is larger, so a real part just above zero is not
+ * significant.  The bound below is 100 eps sqrt(n) radius. */
 #include "verification/stability/spectrum.h"
 
 #include "solver/space/csr.h"
@@ -45,10 +45,10 @@ int spectrum_create(struct spectrum *s, const struct heat_operator *a, const str
                     struct failure *why) {
     *s = (struct spectrum){.n = a->n};
     if (a->weight || a->n > SPECTRUM_MAX)
-        return refuse(why, STATUS_INPUT, "%zu particles: all eigenvalues are found of at most %d with rows", a->n,
-                      SPECTRUM_MAX);
+        return refuse(why, STATUS_INPUT, "%zu particles: all eigenvalues can be computed for at most %d, with rows",
+                      a->n, SPECTRUM_MAX);
     gsl_matrix *m = dense(a);
-    s->lambda = xcalloc(a->n, sizeof *s->lambda); /* two doubles each, as GSL has them (C11, 6.2.5) */
+    s->lambda = xcalloc(a->n, sizeof *s->lambda); /* two doubles each, the layout of GSL (C11, 6.2.5) */
     gsl_vector_complex_view value = gsl_vector_complex_view_array((double *)s->lambda, a->n);
     gsl_eigen_nonsymm_workspace *work = gsl_eigen_nonsymm_alloc(a->n);
     gsl_eigen_nonsymm_params(0, 1, work);
@@ -58,7 +58,7 @@ int spectrum_create(struct spectrum *s, const struct heat_operator *a, const str
     if (!status) summarise(s, step);
     if (status || !isfinite(s->radius)) {
         spectrum_free(s);
-        return refuse(why, STATUS_NUMERICAL, "the eigenvalues of %zu particles were not found", a->n);
+        return refuse(why, STATUS_NUMERICAL, "the eigenvalues of %zu particles did not converge", a->n);
     }
     return STATUS_OK;
 }

@@ -1,17 +1,18 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Stability limits of explicit methods.
  *
- * Published.  Song 2018 eq. 34, SO-SSPH:  dt <= 1/|kappa_x eta_i + kappa_y phi_i| with eta_i, phi_i the weights of
- * the particle itself (a necessary condition of |Re G| <= 1 only where no other weight is negative);  eq. 41,
- * FO-SSPH: dt <= 1/(2 (kappa_x (sum |lambda_j|)^2 + kappa_y (sum |gamma_j|)^2)).  Pamplona 2019 eq. 17, FTCS: dt <=
- * gamma (dx^2 + dy^2)/kappa, gamma = 1/4.  Their eq. 15 for SPH, dt = beta h^2/kappa, leaves beta open.
+ * Published: Song 2018 eq. 34, SO-SSPH:  dt <= 1/|kappa_x eta_i + kappa_y phi_i| with the weights eta_i, phi_i of
+ * the particle itself (a necessary condition of |Re G| <= 1 only if no other weight is negative);  eq. 41, FO-SSPH:
+ * dt <= 1/(2 (kappa_x (sum |lambda_j|)^2 + kappa_y (sum |gamma_j|)^2)).  Pamplona 2019 eq. 17, FTCS: dt <= gamma
+ * (dx^2 + dy^2)/kappa, gamma = 1/4.  Their eq. 15 for SPH, dt = beta h^2/kappa, leaves beta open.
  *
- * Measured.  Noise over LIMIT_STEPS = N steps: a mode that is e past its limit grows by (1 + 2e)^N at least, and the
- * noise holds it at 1/n or more, so that 2 K are passed where e > ln(2 n)/(2 N) = 0.2 % (n = 24).  Modes that neither
- * grow nor decay (the checkerboard of a first difference) stay below what the noise gave them, within 1 K: growth is
- * seen against them.  Bisection then stops at 1 %.
- * A mode whose eigenvalue has a positive real part grows with time and not with steps: shorter steps are run for as
- * long as the first, 500 dx^2/kappa, and where a 64th of it still grows no step is stable. */
+ * Measured: noise over LIMIT_STEPS = N steps.  A mode at a relative distance e above its limit grows by at least
+ * (1 + 2e)^N.  Its share of the noise is at least 1/n, so it exceeds 2 K for e > ln(2 n)/(2 N) = 0.2 % (n = 24).
+ * Modes that neither grow nor decay (the checkerboard of a first difference) keep their initial amplitude, below 1
+ * K, and are not counted as growth.  Bisection stops at 1 %.
+ *
+ * A mode with an eigenvalue of positive real part grows with time, not with the number of steps.  Shorter steps are
+ * therefore run for the same time, 500 dx^2/kappa; if a 64th of the step still grows, no step is stable. */
 #include "verification/stability/step_limit.h"
 
 #include "solver/time/stepper.h"
@@ -34,17 +35,17 @@ int step_limit_model(struct model_problem *b, struct failure *why) {
     return model_problem_resolve(b, b->dim == 1 ? LIMIT_ROD : rows ? LIMIT_SQUARE_JITTER : LIMIT_SQUARE, why);
 }
 
-/* A stepper without a largest stable step. */
+/* Refuses a stepper without a largest stable step. */
 static int refuse_stepper(const struct stepper *s, struct failure *why) {
-    const char *reason = s->evolve ? "takes no steps"
-                         : s->plan ? "takes the one step that its error asks for"
-                                   : "is stable at any step, by more updates";
+    const char *reason = s->evolve ? "has no steps"
+                         : s->plan ? "determines its own step"
+                                   : "is stable at any step, with more updates";
     const char *names[WORDS_MAX] = {0};
     char text[200];
     for (int i = 1, n = 0; stepper_words[i] && n < WORDS_MAX - 1; i++)
         if (stepper_of((enum stepper_name)i)->amplification) names[n++] = stepper_words[i];
     words_join(names, text, sizeof text);
-    return refuse(why, STATUS_INPUT, "--stepper %s: it %s; limit takes %s", s->name, reason, text);
+    return refuse(why, STATUS_INPUT, "--stepper %s: it %s; use %s", s->name, reason, text);
 }
 
 int step_limit_setup(const struct method *m, const struct options *o, int dim, double ratio, double contact,
@@ -52,20 +53,20 @@ int step_limit_setup(const struct method *m, const struct options *o, int dim, d
     *b = (struct model_problem){
         .method = m, .dim = dim, .ratio = ratio, .contact = contact, .options = *o, .step = {o->stepper, stages}};
     if (contact > 0 && !m->scheme)
-        return refuse(why, STATUS_INPUT, "--contact %g: %s has no rows to take eigenvalues of; take contact_ssph",
-                      contact, m->name);
+        return refuse(why, STATUS_INPUT, "--contact %g: %s has no rows for eigenvalues; use contact_ssph", contact,
+                      m->name);
     if (ratio > 0 && dim == 1)
-        return refuse(why, STATUS_INPUT, "--ratio %g: a rod has one diffusivity; --dim 2 has two", ratio);
+        return refuse(why, STATUS_INPUT, "--ratio %g: a rod has one diffusivity; use --dim 2", ratio);
     const struct stepper *stepper = stepper_of(b->step.stepper);
     if (stepper && !stepper->amplification) return refuse_stepper(stepper, why);
     if (stepper && stepper != stepper_of(STEPPER_EULER) && !m->scheme)
         return refuse(why, STATUS_INPUT, "--stepper %s: %s has euler", stepper->name, m->name);
     if (stepper && stepper->count ? stages < 3 : stages > 0)
-        return refuse(why, STATUS_INPUT, "--stepper rkl2 and --stages N (3 or more) need each other");
+        return refuse(why, STATUS_INPUT, "--stepper rkl2 requires --stages N (3 or more), and the reverse");
     return step_limit_model(b, why);
 }
 
-/* Song eqs. 34 and 41 for one particle; keeps the strictest. */
+/* Song eqs. 34 and 41 for one particle; keeps the smallest bound. */
 static int song_bound(const struct model_problem *b, const struct neighbourhood *nb, void *strictest,
                       struct failure *why) {
     double w[2][NEIGHBOURS_MAX], *out[2] = {w[0], w[1]}, sum[2] = {0, 0}, *least = strictest;
@@ -80,7 +81,7 @@ static int song_bound(const struct model_problem *b, const struct neighbourhood 
     return STATUS_OK;
 }
 
-/* On a lattice one particle stands for all. */
+/* On a lattice one particle represents all. */
 static int song(const struct model_problem *given, double *published, struct failure *why) {
     struct model_problem b = *given;
     struct cloud c;
@@ -96,8 +97,8 @@ static int song(const struct model_problem *given, double *published, struct fai
 
 static int publish(const struct model_problem *b, struct step_limit *l, struct failure *why) {
     l->published = NAN, l->source = NULL;
-    if (b->step.stepper != STEPPER_EULER) return STATUS_OK; /* the papers' bounds are for Euler's method */
-    if (b->contact > 0) return STATUS_OK;                   /* and one material */
+    if (b->step.stepper != STEPPER_EULER) return STATUS_OK; /* the published bounds are for Euler's method */
+    if (b->contact > 0) return STATUS_OK;                   /* and for one material */
     if (is(b, "ftcs")) {
         l->published = 0.25 * b->dim, l->source = "Pamplona 2019, eq. 17 with gamma = 1/4";
     } else if (is(b, "so_ssph") && b->options.order <= 2) {

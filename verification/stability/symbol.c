@@ -1,9 +1,10 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* von Neumann's analysis by machine: the stencil, its discrete Fourier transform, and the worst wave number.
+/* Numerical von Neumann analysis: the stencil, its discrete Fourier transform, and the critical wave number.
  *
- * A grid of N = 128 phases along each axis finds the worst one to 2 pi/N; there the limit differs from its extreme by
- * a relative (2 pi/N)^2/8 reach^2 or so (3 % for a reach of 10), which a compass search then takes to rounding.  All
- * weights count, odd ones too: lambda is complex in general, and real for the even stencils of this suite. */
+ * A grid of N = 128 phases along each axis locates the critical one to 2 pi/N.  There the limit differs from its
+ * extreme by a relative error of about (2 pi/N)^2/8 reach^2 (3 % for a reach of 10), which a compass search then
+ * reduces to round-off.  All weights are included, also odd ones: lambda is complex in general, and real for the
+ * even stencils of this suite. */
 #include "verification/stability/symbol.h"
 
 #include <fftw3.h>
@@ -11,7 +12,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { PHASES = 128, IMPULSE = 11 }; /* a step of the finite differences reaches 2 of the 5 cells on either side */
+enum { PHASES = 128, IMPULSE = 11 }; /* one step of the finite differences reaches 2 of the 5 cells on either side */
 
 static size_t place(const struct symbol *s, int i, int j) {
     return (size_t)(j + s->reach[1]) * (size_t)(2 * s->reach[0] + 1) + (size_t)(i + s->reach[0]);
@@ -34,14 +35,14 @@ static int from_scheme(struct symbol *s, const struct model_problem *b, struct f
     return STATUS_OK;
 }
 
-/* (T_1 - T_0) / dt around an impulse; mirrored, since T at -j says what the impulse's neighbour at +j counts. */
+/* (T_1 - T_0) / dt around an impulse; mirrored, since T at -j is the weight of the neighbour at +j. */
 static int from_impulse(struct symbol *s, const struct model_problem *given, struct failure *why) {
     struct model_problem b = *given;
     struct field f;
     b.n = IMPULSE;
     struct problem p = model_problem_setup(&b, MODEL_IMPULSE, 0);
     struct options o = b.options;
-    o.stepper = STEPPER_EULER, o.layout = LAYOUT_LATTICE; /* IMPULSE unknowns, whatever holds the walls */
+    o.stepper = STEPPER_EULER, o.layout = LAYOUT_LATTICE; /* IMPULSE unknowns for any treatment of the walls */
     p.t_end = o.dt = 1.0 / 64;
     if (method_solve(b.method, &p, &o, &f, why)) return why->status;
     int r = IMPULSE / 2, ry = b.dim == 2 ? r : 0;
@@ -81,12 +82,12 @@ double complex symbol_at(const struct symbol *s, const double theta[2]) {
     return re + I * im;
 }
 
-/* k modulo n, k possibly far below 0 */
+/* k modulo n, also for negative k */
 static int wrapped(int k, int n) {
     return (k % n + n) % n;
 }
 
-/* lambda at the phases 2 pi k/PHASES: a transform of the stencil, padded with zeros and wrapped around. */
+/* lambda at the phases 2 pi k/PHASES: transform of the stencil, zero-padded and wrapped. */
 static fftw_complex *transform(const struct symbol *s, int ny) {
     fftw_complex *z = xcheck(fftw_malloc(sizeof *z * (size_t)(PHASES * ny)), (size_t)(PHASES * ny), sizeof *z);
     fftw_plan plan;
@@ -103,7 +104,7 @@ static fftw_complex *transform(const struct symbol *s, int ny) {
     return z;
 }
 
-/* What a wave allows, larger than all else where it neither grows nor decays but for rounding. */
+/* Stability limit of one wave; infinite if it neither grows nor decays beyond round-off. */
 static double allowed(const struct amplification *step, double reach, double floor, double complex lambda) {
     return cabs(lambda) <= floor ? INFINITY : amplification_limit(step, reach, lambda);
 }
@@ -132,7 +133,7 @@ struct symbol_extreme symbol_extreme(const struct symbol *s, const struct amplif
     struct symbol_extreme e = {.limit = INFINITY, .growth = -INFINITY};
     double reach = amplification_reach(step), unit = 2 * M_PI / PHASES;
     for (int k = 0; k < PHASES * ny; k++) e.radius = fmax(e.radius, cabs(z[k]));
-    double floor = 1e-12 * e.radius; /* rounding of a sum of weights */
+    double floor = 1e-12 * e.radius; /* round-off of a sum of weights */
     for (int k = 0; k < PHASES * ny; k++) {
         double limit = allowed(step, reach, floor, z[k]);
         e.growth = fmax(e.growth, creal(z[k]));

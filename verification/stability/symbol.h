@@ -2,8 +2,8 @@
 #ifndef HEATLADDER_VERIFICATION_STABILITY_SYMBOL_H
 #define HEATLADDER_VERIFICATION_STABILITY_SYMBOL_H
 
-/* The symbol of a method's operator on the unbounded lattice, lambda(theta) = sum w_j exp(i theta.j): what the
- * operator makes of the wave of phase theta (radians a particle).  In units of kappa/dx^2. */
+/* The symbol of a method's operator on the unbounded lattice, lambda(theta) = sum w_j exp(i theta.j): its eigenvalue
+ * for the wave of phase theta (radians per particle), in units of kappa/dx^2. */
 
 #include "verification/stability/model_problem.h"
 
@@ -13,8 +13,8 @@ struct symbol {
     double *w; /* the whole stencil, w[(j + reach[1]) (2 reach[0] + 1) + i + reach[0]] */
 };
 
-/* From operator_stencil for a particle method; else from one Euler step of the method on an impulse.  b is resolved.
- */
+/* From operator_stencil for a particle method; else from one Euler step of the method on an impulse. b is
+ * resolved. */
 int symbol_create(struct symbol *s, const struct model_problem *b, struct failure *why);
 void symbol_free(struct symbol *s);
 
@@ -22,16 +22,16 @@ double symbol_weight(const struct symbol *s, int i, int j); /* 0 outside */
 double complex symbol_at(const struct symbol *s, const double theta[2]);
 
 struct symbol_extreme {
-    double limit;    /* F up to which |G| <= 1 at every wave number; 0 for none, infinite where nothing moves */
-    double theta[2]; /* where it is reached */
+    double limit;    /* F up to which |G| <= 1 at every wave number; 0 for none, infinite if all eigenvalues vanish */
+    double theta[2]; /* critical phase */
     double radius;   /* max |lambda|, kappa/dx^2 */
-    double growth;   /* max Re lambda, kappa/dx^2: 0 but for rounding where every mode decays */
+    double growth;   /* max Re lambda, kappa/dx^2: zero within round-off if every mode decays */
 };
 
-/* Over all wave numbers: FFTW on a zero-padded grid, then a search around the worst of them. */
+/* Over all wave numbers: FFTW on a zero-padded grid, then a search around the critical one. */
 struct symbol_extreme symbol_extreme(const struct symbol *s, const struct amplification *step);
 
-/* Lowest weight off the centre, over |w_0|: not below 0 where the operator has a maximum principle. */
+/* Smallest off-centre weight over |w_0|: non-negative if the operator has a maximum principle. */
 double symbol_lowest(const struct symbol *s);
 
 #endif

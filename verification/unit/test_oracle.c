@@ -262,7 +262,7 @@ static void answers_are_csv(void **state) {
     mapping_image(&(struct mapping){0}, &p, &image);
     struct answer untimed = {.scene = changing, .image = &other};
     char *refused = answered(&untimed, "x,y\n0.3,0.2\n", "source");
-    assert_int_equal(strncmp(refused, "--what source changes in time here", 34), 0);
+    assert_int_equal(strncmp(refused, "--what source depends on time here", 34), 0);
     free(refused);
     for (size_t i = 0; i < sizeof asked / sizeof *asked; i++) {
         struct answer a = {.scene = s,

@@ -53,21 +53,21 @@ static void what_is_no_point_is_refused_by_line_and_column(void **state) {
     static const struct {
         const char *text, *says;
     } bad[] = {
-        {"", "points.csv: empty; it starts with the header x,y"},
+        {"", "points.csv: empty; must start with the header x,y"},
         {"# x,y\n", "empty"},
-        {"x,y\n", "a header and no point"},
+        {"x,y\n", "a header without points"},
         {"x,z\n0.1,0.2\n", "line 1: 'x,z' has no column y; the header is x,y"},
         {"0.1,0.2\n", "line 1: '0.1,0.2' has no column x"},
         {"x,y,x\n0.1,0.2,0.3\n", "line 1: two columns are called 'x'"},
-        {"x,y\n0.1,0.2\n\n0.1;0.2\n", "line 4: 1 column where the header has 2"},
-        {"x,y\n0.1,0.2,0.3\n", "line 2: 3 columns where the header has 2"},
+        {"x,y\n0.1,0.2\n\n0.1;0.2\n", "line 4: 1 column, the header has 2"},
+        {"x,y\n0.1,0.2,0.3\n", "line 2: 3 columns, the header has 2"},
         {"a,x,y\n7,0.1,0.2\n7,0.1,0x1p-3\n", "line 3, column 3 (y): '0x1p-3' is not a finite number"},
         {"x,y\n,0.2\n", "line 2, column 1 (x): '' is not a finite number"},
         {"x,y\nnan,0.2\n", "line 2, column 1 (x): 'nan' is not a finite number"},
         {"x,y\n0.1,0.2\n1.91,0.2\n", "line 3, column 1 (x): 1.91 m is outside -1.9 to 1.9 m"},
         {"x,y\n0.1,0.2\n0.15,-2\n", "line 3, column 2 (y): -2 m is outside"},
         {"x,y,dx\n0.1,0.2,-0.01\n", "line 2, column 3 (dx): -0.01 m: a cell's extent is 0 or more"},
-        {"x,y\n0.1,0.2\n0.1,0.", "line 3: ends without a newline"},
+        {"x,y\n0.1,0.2\n0.1,0.", "line 3: no newline at the end"},
     };
     struct problem p;
     odd_find("square-step", &p);
