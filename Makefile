@@ -1,9 +1,9 @@
 # heatladder: verification and benchmarks for transient heat conduction.  `make help` lists the targets.
 
-# Where numbers are written with a comma some awks write theirs so.
+# Some awks use the locale's decimal comma.
 export LC_ALL := C.UTF-8
 
-# Apple's cc has no OpenMP: there the compiler that has it is looked for, unless CC is given.
+# Apple's cc has no OpenMP: unless CC is given, scripts/compiler finds one that has.
 ifneq ($(filter default undefined,$(origin CC)),)
 CC       := cc
 ifeq ($(shell uname),Darwin)
@@ -25,7 +25,7 @@ $(error BUILD='$(BUILD)': a folder of its own is wanted, `make clean` removes it
 endif
 PYTHON3  ?= /usr/bin/python3
 LIBS     := gsl fftw3
-# Asked for when the first recipe needs them, and then once: `make setup test` installs pkg-config on the way.
+# Expanded once, by the first recipe that needs them: `make setup test` installs pkg-config on the way.
 PKG_CFLAGS = $(eval PKG_CFLAGS := $$(shell pkg-config --cflags $(LIBS)))$(PKG_CFLAGS)
 PKG_LIBS   = $(eval PKG_LIBS := $$(shell pkg-config --libs $(LIBS)))$(PKG_LIBS)
 CMOCKA     = $(eval CMOCKA := $$(shell pkg-config --cflags --libs cmocka))$(CMOCKA)
@@ -47,7 +47,7 @@ ifeq ($(MAKELEVEL)$(filter -j% --jobs% --jobserver%,$(MAKEFLAGS)),0)
 MAKEFLAGS += -j$(shell getconf _NPROCESSORS_ONLN 2>/dev/null || echo 1)
 endif
 
-# Sources are found where they lie: one folder deep, tests apart.
+# Sources: every .c one folder deep, except tests, examples and programs of other codes.
 SOURCES := $(filter-out verification/unit/% verification/examples/% references/library/% reports/bench/%, \
   $(wildcard $(foreach d,solver references verification reports,$(d)/*.c $(d)/*/*.c)))
 OBJECTS := $(SOURCES:%.c=$(BUILD)/%.o)
@@ -68,19 +68,18 @@ $(BUILD)/heatladder: $(OBJECTS)
 	@echo "  LD    $@"
 	$(Q)$(CC) $(ALL_CFLAGS) $(LDFLAGS) -o $@ $^ $(ALL_LIBS)
 
-# Three files that are made where their text differs from what it should be, which make asks before it begins: where all
-# is built there is nothing to do (`make -q`).
+# Three files are rewritten when their text changes; compared before make begins, so that `make -q` works.
 SPACE := $(subst x,,x x)
 differs = $(if $(filter x$(subst $(SPACE),x,$(strip $(2))),x$(subst $(SPACE),x,$(strip $(shell cat $(1) 2>/dev/null)))),,FORCE)
 
-# A scene is found by its file: no list to keep.
+# A scene is registered by its file.
 SCENE_LIST := $(patsubst references/scene_%.c,SCENE(%),$(SCENES))
 $(BUILD)/scenes.inc: $(call differs,$(BUILD)/scenes.inc,$(SCENE_LIST))
 	@mkdir -p $(@D)
 	$(Q)printf '%s\n' $(SCENE_LIST:%='%') > $@.new && mv $@.new $@
 
-# The release, and the commit: git's where this is its tree and not one that lies in another's, or the archive's.  Where
-# git does not answer (another user's tree) what was built keeps its own.
+# Release and commit.  The commit is git's in a checkout and the archive's in a tarball.  In a tree of another user git
+# does not answer, and a build keeps its commit.
 # archive of $Format:%h$
 VERSION := 3.0.0
 ARCHIVE := $(shell sed -n 's/^\# archive of \([0-9a-f]*\)$$/\1/p' Makefile)
@@ -93,15 +92,14 @@ $(BUILD)/version.inc:
 	@mkdir -p $(@D)
 	$(Q)printf '%s\n' '$(VERSION_LINE)' > $@.new && mv $@.new $@
 
-# The papers' tables, compiled in.
+# The tables of the papers, compiled in.
 PUBLISHED := $(sort $(wildcard reports/published/*.csv))
 $(BUILD)/published.inc: $(PUBLISHED) Makefile
 	@mkdir -p $(@D)
 	$(Q)for f in $(PUBLISHED); do b=$${f##*/}; echo "PUBLISHED(\"$${b%.csv}\","; \
 	sed '/^#/d; s/,/", "/g; s/.*/{"&"},/' $$f; echo ')'; done >$@.new && mv $@.new $@
 
-# What all is compiled and linked by: other flags or libraries, and all is compiled again.  `make install` alone takes
-# what is built as it is: sudo hands no flags on.
+# Other flags or libraries compile all again, except in `make install` alone: sudo passes no flags on.
 X86    = $(eval X86 := $$(filter x86_64%,$$(shell $$(CC) -dumpmachine)))$(X86)
 LANES4 = $(if $(X86),-mavx2)
 LANES8 = $(if $(X86),-mavx512f)
@@ -125,7 +123,7 @@ $(BUILD)/%.o: %.c $(BUILD)/flags | $(BUILD)/scenes.inc $(BUILD)/version.inc $(BU
 	@echo "  CC    $<"
 	$(Q)$(CC) $(ALL_CFLAGS) $(DEFINES) -MMD -MP -c -o $@ $<
 
-# One file for each width of vector; the program asks the processor which of them it may call.
+# One file a width of vectors; the processor is asked at run time.
 $(BUILD)/solver/sweep/lanes4.o $(BUILD)/library/solver/sweep/lanes4.o: DEFINES += $(LANES4)
 $(BUILD)/solver/sweep/lanes8.o $(BUILD)/library/solver/sweep/lanes8.o: DEFINES += $(LANES8)
 
@@ -168,13 +166,12 @@ $(BUILD)/unit/test_library: $(BUILD)/libheatladder.a
 setup: ## Install what the build needs and this machine lacks
 	$(Q)scripts/setup
 
-# In `make -j setup test` nothing is compiled before all is there.
+# `make -j setup test` compiles nothing before setup is done.
 ifneq ($(filter setup,$(MAKECMDGOALS)),)
-EXAMPLES := cells_c cells_f90 cvode
-$(addprefix $(BUILD)/,scenes.inc version.inc published.inc flags $(EXAMPLES:%=examples/%)): | setup
+$(addprefix $(BUILD)/,scenes.inc version.inc published.inc flags examples/cells_c examples/cells_f90 examples/cvode): | setup
 endif
 
-# Modes are those written here, whatever the umask and the modes of the tree.
+# File modes do not depend on the umask or the modes of the tree.
 ROOT  = $(DESTDIR)$(PREFIX)
 SHARE = $(ROOT)/share
 LIBDIR = $(ROOT)/lib
@@ -203,19 +200,13 @@ uninstall: ## Remove what install put under PREFIX
 	rm -f '$(ROOT)/include/heatladder.h' '$(LIBDIR)/pkgconfig/heatladder.pc' $(patsubst %,'$(LIBDIR)/%',libheatladder.a libheatladder.so $(SONAME))
 	rm -rf '$(SHARE)/heatladder'
 
-# A tarball of the last commit that builds, tests and installs by itself, and Debian's package of it.
 .PHONY: dist
 dist: ## Pack the last commit as build/heatladder-VERSION.tar.gz
 	@mkdir -p $(BUILD)
 	$(Q)git archive --prefix=heatladder-$(VERSION)/ -o $(BUILD)/heatladder-$(VERSION).tar.gz HEAD
 	@echo "  DIST  $(BUILD)/heatladder-$(VERSION).tar.gz"
 
-.PHONY: deb
-deb: dist ## Build Debian's package from that tarball (needs debhelper)
-	$(Q)scripts/debian-package $(BUILD) $(VERSION)
-
-# What a project needs to verify its code without a compiler: one static binary, alone, in a GitHub Action and in a
-# Python wheel.  The same sources give the same bytes, wherever the tree is.
+# One static binary, for a GitHub Action and a Python wheel.  Equal sources give equal bytes in any folder.
 STATIC := $(BUILD)/static/heatladder
 
 .PHONY: static
@@ -242,42 +233,48 @@ wheel: static $(WHOLE) ## Pack the static binary, the library and the Python pac
 	$(Q)cd $(BUILD)/wheel && SOURCE_DATE_EPOCH=$${SOURCE_DATE_EPOCH:-946684800} $(PYTHON3) -W ignore setup.py -q bdist_wheel
 	@echo "  PACK  $$(ls $(BUILD)/wheel/dist/*.whl)"
 
-.PHONY: clean distclean
-distclean: clean
+.PHONY: clean
 clean: ## Remove everything that was built
 	rm -rf $(BUILD) reports/out
 
-# Codes of others in small: not part of the program.
+# Small programs for --solver; not part of heatladder.
 CVODE = $(wildcard /usr/include/cvode/cvode.h /usr/local/include/cvode/cvode.h)
+VORO  = $(wildcard /usr/include/voro++/voro++.hh /usr/local/include/voro++/voro++.hh)
+EXAMPLES = $(addprefix $(BUILD)/examples/,cells_c $(if $(shell command -v gfortran),cells_f90) $(if $(CVODE),cvode))
+PEERS    = $(addprefix $(BUILD)/peers/,$(if $(CVODE),cvode_square) $(if $(VORO),voro_cells))
+FAST    := -O3 -march=native -ffast-math -fopenmp-simd
+sundials = $(patsubst %,-lsundials_%,$(1))
+
 .PHONY: examples
-ifeq ($(filter setup-peers,$(MAKECMDGOALS)),)
-examples: $(addprefix $(BUILD)/examples/,cells_c $(if $(shell command -v gfortran),cells_f90) $(if $(CVODE),cvode)) ## Build the examples of programs for --solver
-	@:
-else # which of them can be built shows when all is there
-examples: setup-peers
-	+$(Q)$(MAKE) --no-print-directory examples
-league faults: | setup-peers
-endif
+examples: $(EXAMPLES) ## Build the example programs for --solver
 
 $(BUILD)/examples/cells_c: verification/examples/cells.c
 	@mkdir -p $(@D)
 	$(Q)$(CC) -O2 -o $@ $< -lm
 
-$(BUILD)/examples/cvode: verification/examples/cvode.c
-	@mkdir -p $(@D)
-	$(Q)$(CC) -O2 -o $@ $< $(addprefix -lsundials_,cvode nvecserial sunlinsolband sunmatrixband) -lm
-
 $(BUILD)/examples/cells_f90: verification/examples/cells.f90
 	@mkdir -p $(@D)
 	$(Q)gfortran -O2 -J $(@D) -o $@ $<
 
+$(BUILD)/examples/cvode: verification/examples/cvode.c
+	@mkdir -p $(@D)
+	$(Q)$(CC) -O2 -o $@ $< $(call sundials,cvode nvecserial sunlinsolband sunmatrixband) -lm
+
+$(BUILD)/peers/cvode_square: reports/bench/cvode_square.c
+	@mkdir -p $(@D)
+	$(Q)$(CC) $(FAST) -o $@ $< $(call sundials,cvode nvecserial sunlinsolpcg) -lm
+
+$(BUILD)/peers/voro_cells: reports/bench/voro_cells.cc
+	@mkdir -p $(@D)
+	$(Q)$(CXX) $(FAST) -o $@ $< -lvoro++
+
 ##@ Verify
 
-SCRIPT_TESTS := $(addprefix scripts/,check_program check_runs check_input check_limits check_memory check_make check_examples check_packages)
+SHELL_TESTS := $(addprefix scripts/tests/,words.bats programs.bats limits.bats examples.bats library.bats)
 .PHONY: test check
-check: test ## The same as test
-test: $(TESTS) $(BUILD)/heatladder examples ## Run the unit tests, the program as its user meets it, and the examples
-	$(Q)PROGRAM=$(BUILD)/heatladder EXAMPLES=$(BUILD)/examples scripts/run_tests $(TESTS) $(SCRIPT_TESTS)
+check: test
+test: $(TESTS) all examples ## Run the unit tests and, where bats is installed, the tests of the shell
+	$(Q)PROGRAM=$(abspath $(BUILD)/heatladder) EXAMPLES=$(abspath $(BUILD)/examples) scripts/run_tests $(SHELL_TESTS) $(TESTS)
 
 .PHONY: verify
 verify: $(BUILD)/heatladder ## Run every gate, then the papers' claims, then write the report, to reports/out; the first failure's status
@@ -287,10 +284,6 @@ verify: $(BUILD)/heatladder ## Run every gate, then the papers' claims, then wri
 	$(BUILD)/heatladder report claims $(OUT)/claims || claims=$$?; \
 	$(MAKE) --no-print-directory report || report=$$?; \
 	for status in $$gates $$claims $$report; do [ $$status -eq 0 ] || exit $$status; done
-
-.PHONY: verify-quick
-verify-quick: $(BUILD)/heatladder ## Run the quick tier of the gates
-	$(Q)$(BUILD)/heatladder verify --quick
 
 ##@ Tables and figures
 
@@ -357,41 +350,25 @@ claims: $(BUILD)/heatladder ## Measure the statements of papers; the ledger goes
 $(BUILD)/verification/bench/bench_print.o: DEFINES = -DBENCH_FLAGS='"-std=c11 -ffp-contract=off -fopenmp $(CFLAGS)"'
 
 BENCH := $(OUT)/bench
-
 .PHONY: bench
-bench: $(BUILD)/heatladder ## Chart error against time and counted work, and measure the engine, to reports/out/bench
+bench: $(BUILD)/heatladder ## Chart error against time, and measure the engine, to reports/out/bench
 	@mkdir -p $(BENCH)
-	$(Q)trap 'rm -f $(BENCH)/bench.new' EXIT; trap 'exit 130' INT TERM HUP; \
-	$(BUILD)/heatladder bench $(BENCH) > $(BENCH)/bench.new || { status=$$?; cat $(BENCH)/bench.new; exit $$status; }; \
-	cat $(BENCH)/bench.new; mv $(BENCH)/bench.new $(BENCH)/bench.txt
+	$(Q)$(BUILD)/heatladder bench $(BENCH) | tee $(BENCH)/bench.new && mv $(BENCH)/bench.new $(BENCH)/bench.txt
 	$(Q)if command -v gnuplot >/dev/null; then for data in $(BENCH)/bench_*.csv; do \
 	for chart in time work growth convergence; do echo reports/bench/bench_$$chart.gp $$data; done; done | \
 	xargs -n 2 -P $$(getconf _NPROCESSORS_ONLN) scripts/plot $(BENCH); \
 	else echo "bench: gnuplot is not here (make setup installs it); charts were not drawn"; fi
 
 .PHONY: setup-peers
-setup-peers: ## Install the codes of others that league runs, where the system's packages have them
+setup-peers: ## Install the other codes that league runs, where the system has packages of them
 	$(Q)scripts/setup-peers
 
-# The programs of other codes are compiled for this machine, as their users would.
-PEERS = $(addprefix $(BUILD)/peers/,$(if $(CVODE),cvode_square) $(if $(VORO),voro_cells))
-VORO  = $(wildcard /usr/include/voro++/voro++.hh /usr/local/include/voro++/voro++.hh)
-FAST := -O3 -march=native -ffast-math -fopenmp-simd
-
-$(BUILD)/peers/cvode_square: reports/bench/cvode_square.c
-	@mkdir -p $(@D)
-	$(Q)$(CC) $(FAST) -o $@ $< $(addprefix -lsundials_,cvode nvecserial sunlinsolpcg) -lm
-
-$(BUILD)/peers/voro_cells: reports/bench/voro_cells.cc
-	@mkdir -p $(@D)
-	$(Q)$(CXX) $(FAST) -o $@ $< -lvoro++
-
 .PHONY: league
-league: $(BUILD)/heatladder examples ## Run other codes (make setup-peers): the battery, and error against time beside ours
+league: all ## Run other codes (make setup-peers): the battery, and error against time beside ours
 	@mkdir -p $(OUT)/league
-	+$(Q)$(MAKE) -s --no-print-directory $(PEERS)
+	+$(Q)$(MAKE) -s --no-print-directory $(EXAMPLES) $(PEERS)
 	$(Q)scripts/league $(BUILD)/heatladder $(BUILD) $(OUT)/league
-	$(Q)if command -v gnuplot >/dev/null; then scripts/plot $(OUT)/league reports/bench/league.gp $(OUT)/league/league.csv; \
+	$(Q)if command -v gnuplot >/dev/null; then scripts/plot $(OUT)/league reports/bench/league.gp; \
 	else echo "league: gnuplot is not here (make setup installs it); the chart was not drawn"; fi
 
 .PHONY: faults
@@ -400,43 +377,38 @@ faults: $(BUILD)/heatladder ## Seed faults in the examples and see which rows of
 
 ##@ Develop
 
-# What cppcheck 2.10 takes for faults: tables that a NULL ends, and arguments that a call fills.  The sweeps' macros,
-# written out, take it minutes: left out.  The compiler's warnings and `make sanitize` look after these.
+# False positives of cppcheck 2.10: tables that a NULL ends, and arguments that a call fills.
 CPPCHECK := --quiet --error-exitcode=1 --std=c11 --enable=warning,portability --inline-suppr -I. \
             $(addprefix --suppress=,arrayIndexOutOfBounds arrayIndexThenCheck ctuuninitvar uninitvar)
-
 SHELL_FILES = $(shell grep -lE '^\#!/bin/(ba)?sh' .ci/* $$(find scripts verification/examples -type f))
 
 .PHONY: lint
-lint: $(OBJECTS) ## Check includes, symbols, shared lines, seeded faults, the format, scripts and (by cppcheck) common faults
+lint: $(OBJECTS) ## Check includes, symbols, words, seeded faults, the format, scripts and (by cppcheck) common faults
 	$(Q)scripts/check_floors
 	$(Q)scripts/check_includes
 	$(Q)scripts/check_symbols $(BUILD)
 	$(Q)scripts/check_shared_lines
+	$(Q)scripts/check_words
 	$(Q)scripts/mutants --check
 	$(Q)scripts/fault-table --check
 	$(Q)case $$(clang-format --version 2>/dev/null) in *" 14."*) clang-format --dry-run --Werror $(C_FILES);; \
-	*) scripts/skip "the format: clang-format 14 is not here";; esac
-	$(Q)for f in $(SHELL_FILES); do case $$(sed -n 1p $$f) in *bash) bash -n $$f;; *) sh -n $$f;; esac || exit 1; done
+	*) echo "lint: clang-format 14 is not here: format not checked";; esac
 	$(Q)if command -v shellcheck >/dev/null; then shellcheck -S warning $(SHELL_FILES); \
-	else scripts/skip "the scripts: shellcheck is not here"; fi
-	$(Q)if command -v cppcheck >/dev/null; then cppcheck -j 2 $(CPPCHECK) $(filter-out solver/sweep/lanes%,$(SOURCES)); \
-	else scripts/skip "common faults: cppcheck is not here"; fi
+	else echo "lint: shellcheck is not here: scripts not checked"; fi
+	$(Q)if command -v cppcheck >/dev/null; then \
+	cppcheck -j 2 $(CPPCHECK) $(filter-out solver/sweep/lanes%,$(SOURCES)); \
+	else echo "lint: cppcheck is not here: common faults not checked"; fi
 
 MUTANTS ?= *
 .PHONY: mutants
-mutants: ## Seed faults (those named MUTANTS, all), one at a time; a test or a gate must catch each: reports/out/mutants.txt
-	@mkdir -p $(OUT)
-	$(Q)rm -f $(OUT)/mutants.failed
-	$(Q)trap 'rm -f $(OUT)/mutants.new' EXIT; trap 'exit 130' INT TERM HUP; \
-	{ CC='$(CC)' scripts/mutants '$(MUTANTS)' || echo $$? >$(OUT)/mutants.failed; } | tee $(OUT)/mutants.new; \
-	mv $(OUT)/mutants.new $(OUT)/mutants.txt; if [ -f $(OUT)/mutants.failed ]; then rm $(OUT)/mutants.failed; exit 1; fi
+mutants: ## Seed faults (rows MUTANTS of scripts/mutants.txt), one at a time; a test or a gate must see each
+	$(Q)CC='$(CC)' scripts/mutants '$(MUTANTS)'
 
 .PHONY: format
 format: ## Lay out the sources by .clang-format
 	clang-format -i $(C_FILES)
 
-# Each verification/unit/fuzz_NAME.c gets the inputs of corpus/NAME, and what libFuzzer makes of them.
+# verification/unit/fuzz_NAME.c starts from the inputs of corpus/NAME.
 FUZZ_SECONDS ?= 20
 FUZZERS := $(patsubst verification/unit/fuzz_%.c,%,$(wildcard verification/unit/fuzz_*.c))
 FUZZ := -O1 -g -fsanitize=fuzzer-no-link,address,undefined -fno-sanitize-recover=all
@@ -451,46 +423,42 @@ fuzz: ## Look for input that breaks a reader: FUZZ_SECONDS each (20), by clang's
 
 $(BUILD)/unit/fuzz_%: DEFINES += -fsanitize=fuzzer
 
-# Examples, packages and builds are not sanitized: other programs do their work.
 SANITIZE := -O1 -g -fsanitize=address,undefined -fno-sanitize-recover=all -fno-omit-frame-pointer
 .PHONY: sanitize
-sanitize: ## Run the tests and the quick gates under the address and undefined-behaviour sanitizers
-	+$(Q)$(MAKE) BUILD=$(BUILD)/sanitize CFLAGS='$(SANITIZE)' \
-	SCRIPT_TESTS='$(filter-out %check_examples %check_packages %check_make,$(SCRIPT_TESTS))' all test
+sanitize: ## Run the unit tests and the quick gates under the address and undefined-behaviour sanitizers
+	+$(Q)$(MAKE) -s BUILD=$(BUILD)/sanitize CFLAGS='$(SANITIZE)' SHELL_TESTS= test
 	$(Q)$(BUILD)/sanitize/heatladder verify --quick
 
-# Which lines the tests and the gates run, room by room, by gcov; data of both in one place.  gcov allocates memory of
-# its own when a program ends, so that check_memory, which lets each allocation fail in turn, has no meaning there; what
-# it counted of older sources is removed first.  A program that a test ends while it writes its counts leaves them broken:
-# they are named in gcov.log, not on the standard error of others, and begun anew.
+# A program that ends while it writes its counts leaves them broken: gcov names them in gcov.log, and they are removed.
 COVER := $(BUILD)/coverage
 .PHONY: coverage
-coverage: ## Count the lines that tests, gates and figures run, folder by folder, to reports/out/coverage.txt
+coverage: ## Count the lines that unit tests and gates run, folder by folder, to reports/out/coverage.txt
 	@mkdir -p $(OUT) $(COVER)
-	$(Q)find $(COVER) \( -name '*.gcda' -o -name gcov.log \) -exec rm {} +
-	+$(Q)GCOV_ERROR_FILE='$(abspath $(COVER))/gcov.log' $(MAKE) -s BUILD=$(COVER) CFLAGS='-O1 --coverage' LDFLAGS=--coverage \
-	SCRIPT_TESTS='$(filter-out %check_memory,$(SCRIPT_TESTS))' all test
-	$(Q)sed -n 's/^libgcov profiling error:\(.*[.]gcda\):.*/\1/p' $(COVER)/gcov.log 2>/dev/null | \
-	while read -r broken; do rm -f "$$broken"; done
-	$(Q)$(COVER)/heatladder verify >/dev/null && mkdir -p $(COVER)/report && \
-	$(COVER)/heatladder report page $(COVER)/report >/dev/null
+	$(Q)find $(COVER) \( -name '*.gcda' -o -name gcov.log \) -delete
+	+$(Q)GCOV_ERROR_FILE='$(abspath $(COVER))/gcov.log' $(MAKE) -s BUILD=$(COVER) CFLAGS='-O1 --coverage' \
+	LDFLAGS=--coverage SHELL_TESTS= test
+	$(Q)sed -n 's/^libgcov profiling error:\(.*[.]gcda\):.*/\1/p' $(COVER)/gcov.log 2>/dev/null | xargs -r rm -f
+	$(Q)$(COVER)/heatladder verify >/dev/null
 	$(Q)scripts/coverage $(COVER) > $(OUT)/coverage.new && mv $(OUT)/coverage.new $(OUT)/coverage.txt && cat $(OUT)/coverage.txt
 
-# clang's OpenMP tells the race detector what its threads wait for; libraries without its marks are left out.
+# clang's OpenMP reports waits of threads to the race detector; libraries without these marks are left out.
 RACE := OMP_NUM_THREADS=4 OMP_TOOL_LIBRARIES=libarcher.so TSAN_OPTIONS='ignore_noninstrumented_modules=1 halt_on_error=1'
 .PHONY: race
 race: ## Run the quick gates on four threads under clang's race detector
 	+$(Q)$(MAKE) -s CC=clang BUILD=$(BUILD)/race CFLAGS='-O1 -g -fsanitize=thread' all
 	$(Q)$(RACE) $(BUILD)/race/heatladder verify --quick
 
-# Hours: tried in parts.
 .PHONY: nightly
-nightly: ## All seeded faults, an hour of each fuzzer, no optimization, the race detector, ARM; hours
+nightly: ## No optimization, races, valgrind, coverage, an hour of each fuzzer, ARM, all seeded faults; hours
 	+$(Q)$(MAKE) -s BUILD=$(BUILD)/O0 CFLAGS='-O0 -g' all
 	$(Q)$(BUILD)/O0/heatladder verify
 	+$(Q)$(MAKE) race
+	$(Q)scripts/growth
+	$(Q)scripts/leaks $(BUILD)/heatladder
+	+$(Q)$(MAKE) coverage
 	+$(Q)$(MAKE) fuzz FUZZ_SECONDS=3600
-	$(Q)if command -v qemu-aarch64 >/dev/null; then scripts/cross-arm64 build/arm64 '*'; else scripts/skip "64-bit ARM: qemu-aarch64 is not here"; fi
+	$(Q)scripts/cross-arm64 build/arm64 '*'
+	+$(Q)$(MAKE) faults
 	+$(Q)$(MAKE) mutants
 
 .PHONY: help

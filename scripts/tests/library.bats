@@ -10,11 +10,11 @@ built=$(dirname "$program")
     export PKG_CONFIG_PATH=$PWD/usr/lib/pkgconfig:$PKG_CONFIG_PATH LD_LIBRARY_PATH=$PWD/usr/lib
     example=$PWD/usr/share/heatladder/examples/library.c
     # shellcheck disable=SC2046 # words
-    "${CC:-cc}" -Werror -Wall -o shared "$example" $(pkg-config --cflags --libs heatladder) -lm
+    ${CC:-cc} -Werror -Wall -o shared "$example" $(pkg-config --cflags --libs heatladder) -lm
     expect 0 '^dx = 0.025 m: 160 particles, largest error 0.0019' ./shared
     rm usr/lib/libheatladder.so*
     # shellcheck disable=SC2046 # words
-    "${CC:-cc}" -o static "$example" $(pkg-config --cflags --libs --static heatladder)
+    ${CC:-cc} -o static "$example" $(pkg-config --cflags --libs --static heatladder)
     expect 0 '^dx = 0.025 m: 160 particles, largest error 0.0019' ./static
 }
 

@@ -1,0 +1,44 @@
+#!/usr/bin/env bats
+# The programs of verification/examples hold rows of the battery; `make league` runs all rows.
+load common
+
+judge() { # command, words of verify
+    local command=$1
+    shift
+    export HEATLADDER=$program PYTHONPATH=$tree/scripts/python PYTHONDONTWRITEBYTECODE=1
+    expect 0 ' 0 failed, 0 inconclusive' heatladder verify --solver "$command {case} {out}" "$@"
+}
+cells='smooth/gauss,contact/rod,plane/source'
+
+@test "cells.c" { judge "$examples/cells_c" --only "$cells,plane/changing"; }
+
+@test "cells.f90" {
+    [ -x "$examples/cells_f90" ] || skip "gfortran is not here"
+    judge "$examples/cells_f90" --only "$cells"
+}
+
+@test "cells.py, without walls too, and nodes.py at contacts" {
+    needs python3
+    judge "python3 $tree/verification/examples/cells.py" --only "$cells,periodic/wave"
+    judge "python3 $tree/verification/examples/nodes.py" --only 'contact/rod,contact/plane,contact/steady'
+}
+
+@test "cells.m" {
+    needs octave-cli
+    judge "octave-cli -q -f $tree/verification/examples/cells.m" --only "$cells"
+}
+
+@test "cells.awk" { judge "awk -f $tree/verification/examples/cells.awk" --only "$cells"; }
+
+@test "triangles.py at round walls, solid.py as a slab, lines.py" {
+    python=$("$tree/scripts/interpreter" scipy)
+    [ -n "$python" ] || skip "SciPy is not here (make setup-peers)"
+    judge "$python $tree/verification/examples/triangles.py" --only 'round/c*'
+    judge "$python $tree/verification/examples/solid.py" --profile slabs --only 'slab/*,contact/rod'
+    judge "$python $tree/verification/examples/lines.py" --only 'smooth/gauss,contact/rod'
+}
+
+@test "cvode.c" {
+    [ -x "$examples/cvode" ] || skip "SUNDIALS is not here (make setup-peers)"
+    judge "$examples/cvode" --only 'smooth/gauss,contact/rod,walls/cooled,plane/source'
+}
