@@ -74,7 +74,7 @@ static void heat_is_kept(void **state) {
  * rest is the bound of the temperatures.  Boxes are graded down to 4^-12 of a plate; kappa t is above that. */
 static void features_are_resolved(void **state) {
     (void)state;
-    enum { N = 40 };
+    enum { N = 20 };
     for (const struct scene *const *s = scenes; *s; s++) {
         struct problem p;
         odd_setup(*s, &p);

@@ -69,7 +69,7 @@ static void the_equation_holds(void **state) {
         odd_setup(s, &p);
         unsigned long random = 7;
         double worst = 0, largest = 0;
-        for (int trial = 0; trial < 200; trial++) {
+        for (int trial = 0; trial < 60; trial++) {
             double x[2] = {0, 0}, margin = 10 * odd->step;
             double t = odd->earliest + odd_random(&random) * fmax(0, p.t_end - odd->earliest);
             odd_point(&p, margin, &random, x);
@@ -97,7 +97,7 @@ static void the_sides_hold(void **state) {
         const struct scene_odd *odd = &s->odd;
         odd_setup(s, &p);
         unsigned long random = 11;
-        for (int trial = 0; trial < 100; trial++)
+        for (int trial = 0; trial < 40; trial++)
             for (int side = X_LO; side < 2 * p.dim; side++) {
                 double x[2] = {0, 0}, t = (0.01 + odd_random(&random)) * p.t_end;
                 if (!shape_has_wall(&p, side)) continue;
@@ -128,7 +128,7 @@ static void the_start_holds(void **state) {
         struct problem p;
         odd_setup(s, &p);
         unsigned long random = 13;
-        for (int trial = 0; trial < 300; trial++) {
+        for (int trial = 0; trial < 100; trial++) {
             double x[2] = {0, 0};
             odd_point(&p, 0, &random, x);
             assert_near(at(s, &p, x[0], x[1], 0), p.initial(&p, x), 0);
@@ -186,7 +186,7 @@ static void the_second_form_agrees(void **state) {
         unsigned long random = 17;
         double worst = 0, bound = 0;
         for (int k = 0; k < 5; k++)
-            for (int trial = 0; trial < 60; trial++) {
+            for (int trial = 0; trial < 30; trial++) {
                 double x[2] = {0, 0}, t = times[k] * p.t_end;
                 odd_point(&p, 0, &random, x);
                 struct exact e = scene_exact(s, &p, x, t), f = s->second(&p, x, t);
@@ -209,7 +209,7 @@ static void the_gradient_is_that_of_the_second_form(void **state) {
         odd_setup(s, &p);
         unsigned long random = 19;
         double worst = 0, largest = 0;
-        for (int trial = 0; trial < 60; trial++) {
+        for (int trial = 0; trial < 30; trial++) {
             double x[2] = {0, 0}, margin = 10 * odd->step;
             double t = odd->earliest + odd_random(&random) * fmax(0, p.t_end - odd->earliest);
             odd_point(&p, margin, &random, x);
@@ -304,7 +304,7 @@ static void assert_scales(const struct scene *s, struct powers by) {
     for (int i = 0; s->params[i].name; i++) q.param[i] = ldexp(p.param[i], power_of(s->params[i].unit, by));
     if (s->setup(&q, &why)) fail_msg("%s: %s", s->name, why.text);
     unsigned long random = 23;
-    for (int trial = 0; trial < 100; trial++) {
+    for (int trial = 0; trial < 30; trial++) {
         double x[2] = {0, 0}, y[2] = {0, 0}, t = p.t_end * pow(odd_random(&random), 3);
         odd_point(&p, 0, &random, x);
         for (int d = 0; d < p.dim; d++) y[d] = ldexp(x[d], by.length);
@@ -346,7 +346,7 @@ static void any_time_has_its_bound(void **state) {
         double x[2] = {0.31 * p.lo[0] + 0.69 * p.hi[0], 0.57 * p.lo[1] + 0.43 * p.hi[1]};
         if (p.shape) x[0] = 0.31 * p.radius[0] + 0.69 * p.radius[1]; /* and y near 0 */
         int bounded = 0;
-        for (double t = 1e-310; t < 1e300; t *= 1e5) {
+        for (double t = 1e-310; t < 1e300; t *= 3e9) {
             if (strcmp(s->name, "rod-contact") == 0 && t > p.t_end) break;
             struct exact e = scene_exact(s, &p, x, t), f = s->second(&p, x, t);
             if (!isfinite(e.temperature) || !isfinite(e.error_bound)) fail_msg("%s, t = %g", s->name, t);
