@@ -7,7 +7,7 @@
 #include "verification/text/atomic_file.h"
 #include "verification/cli/battery_options.h"
 #include "verification/gates/gate_file.h"
-#include "verification/diagnosis/wording.h"
+#include "verification/diagnosis/headline.h"
 #include "verification/gates/gates.h"
 #include "verification/text/json.h"
 #include "verification/text/output.h"
@@ -64,7 +64,7 @@ static void gate_json(const struct gate_result *r, struct json *j) {
 static int write_json(const struct gates *g, const char *path, struct failure *why) {
     struct output page;
     struct json j = json_on(output_open(&page, "%s", path));
-    char made[PAGE_ORIGIN], diagnosis[WORDING_ALL];
+    char made[PAGE_ORIGIN], diagnosis[HEADLINE_TEXT];
     page_origin(made, sizeof made);
     gates_diagnosis(g, diagnosis, sizeof diagnosis);
     json_text(&j, "made", made);

@@ -15,9 +15,10 @@
 #include <stdlib.h>
 #include <string.h>
 
-static const double ALIKE = 0.02;  /* shares that differ by less tell nothing apart */
-static const double STEADY = 0.25; /* relative change of a size from rung to rung that still counts as none */
-enum { POINTS = 20000, FAULTS = 48 };
+static const double ALIKE = 0.02;     /* shares that differ by less tell nothing apart */
+static const double STEADY = 0.25;    /* relative change of a size from rung to rung that still counts as none */
+static const double LEAST_MEAN = 0.3; /* of the effect of the arithmetic mean, for another one to be seen */
+enum { POINTS = 20000, FAULTS = 56 };
 
 struct candidate_fault {
     struct fault fault;
@@ -25,6 +26,7 @@ struct candidate_fault {
     double unit[2];   /* of the size at the fine and the coarse rung: a step, a cell, or 1 */
     double drift;     /* |log| of the change of the size in its unit; INFINITY where it does not stay */
     const char *name; /* of the unit */
+    double steps[2];  /* of a clock whose steps are known: the size at both rungs */
 };
 
 /* dx^2/24 laplace(T) of the start, K, by differences within the cell; NAN next to a side. */
@@ -56,7 +58,8 @@ static int list_faults(const struct problem *p, struct fault *list) {
         int count; /* of axes, sides or corners */
     } kinds[] = {{FAULT_CLOCK, 1},       {FAULT_CONDUCTIVITY, 1}, {FAULT_SWAP, 1},      {FAULT_TRANSPOSED, 1},
                  {FAULT_SOURCE, 1},      {FAULT_CAPACITY, 1},     {FAULT_INTERFACE, 1}, {FAULT_MEAN, 1},
-                 {FAULT_AMPLITUDE, 1},   {FAULT_SOURCE_TIME, 1},  {FAULT_ISOTROPIC, 2}, {FAULT_EXTENT, 3},
+                 {FAULT_AMPLITUDE, 1},   {FAULT_SOURCE_TIME, 1},  {FAULT_FROZEN, 1},    {FAULT_DIFFUSIVITY, 1},
+                 {FAULT_OFFSET, 1},      {FAULT_NEAR_WALL, 1},    {FAULT_ISOTROPIC, 2}, {FAULT_EXTENT, 3},
                  {FAULT_START_SHIFT, 2}, {FAULT_START_WIDTH, 2},  {FAULT_SAMPLES, 2},   {FAULT_WALL, 5},
                  {FAULT_CORNER, 4},      {FAULT_COEFFICIENT, 5},  {FAULT_AXIS, 2},      {FAULT_RHO_C, 2}};
     int n = 0;
@@ -101,14 +104,16 @@ static double drift(const struct candidate_fault *c, double fine, double coarse)
 static void follow(const struct problem *p, struct candidate_fault *c, const struct diagnosis_rung *fine,
                    const struct diagnosis_rung *coarse) {
     int place = c->fault.kind == FAULT_EXTENT || c->fault.kind == FAULT_START_SHIFT ||
-                c->fault.kind == FAULT_START_WIDTH || c->fault.kind == FAULT_INTERFACE || c->fault.kind == FAULT_MEAN;
+                c->fault.kind == FAULT_START_WIDTH || c->fault.kind == FAULT_INTERFACE ||
+                c->fault.kind == FAULT_MEAN || c->fault.kind == FAULT_NEAR_WALL;
     int in_time = c->fault.kind == FAULT_CLOCK || c->fault.kind == FAULT_SOURCE_TIME;
     int clock = in_time && fine->dt > 0 && coarse->dt > 0;
     c->unit[0] = clock ? fine->dt : place ? fine->dx : 1;
     c->unit[1] = clock ? coarse->dt : place ? coarse->dx : 1;
     if (c->fault.kind == FAULT_SAMPLES)
         c->unit[0] = displacement(p, c->fault.axis, fine), c->unit[1] = displacement(p, c->fault.axis, coarse);
-    c->name = clock ? "steps" : in_time ? "s" : place ? "cells" : "%";
+    c->name = clock ? "steps" : in_time ? "s" : place ? "cells" : c->fault.kind == FAULT_OFFSET ? "K" : "%";
+    if (clock) c->steps[0] = c->fine.size / fine->dt, c->steps[1] = c->coarse.size / coarse->dt;
     c->drift = drift(c, c->unit[0], c->unit[1]);
     double diffusive[2] = {pow(fine->dx, 2) / problem_diffusivity(p), pow(coarse->dx, 2) / problem_diffusivity(p)};
     if (in_time && !clock && drift(c, diffusive[0], diffusive[1]) < c->drift) {
@@ -116,8 +121,10 @@ static void follow(const struct problem *p, struct candidate_fault *c, const str
         c->name = DIFFUSIVE;
         c->drift = drift(c, c->unit[0], c->unit[1]);
     }
-    int whole = fault_is_whole(c->fault.kind) || c->fault.kind == FAULT_MEAN || c->fault.kind == FAULT_SAMPLES;
-    if (whole && !(fabs(c->fine.size / c->unit[0] - 1) <= STEADY)) c->drift = INFINITY;
+    double due = c->fault.kind == FAULT_NEAR_WALL ? 0.5 : 1, found = c->fine.size / c->unit[0] / due;
+    int whole = fault_is_whole(c->fault.kind) || c->fault.kind == FAULT_NEAR_WALL || c->fault.kind == FAULT_SAMPLES;
+    if (whole && !(fabs(found - 1) <= STEADY)) c->drift = INFINITY;
+    if (c->fault.kind == FAULT_MEAN && !(found > LEAST_MEAN && found < 1 + STEADY)) c->drift = INFINITY;
 }
 
 /* Some POINTS of a rung, evenly along it; owned arrays, to be freed by drop. */
@@ -155,10 +162,13 @@ struct looked_at {
 /* Both fits of a fault whose response is taken at that size (0: at a small one); 0, or -1 where it cannot be. */
 static int fit_at(const struct looked_at *at, struct fault fault, double size, struct fit fit[2]) {
     struct response r = {.size = 0};
-    int corner = fault.kind == FAULT_CORNER, failed = 0;
-    if (!corner) failed = response_take(at->p, at->l, fault, size, &r);
+    int corner = fault.kind == FAULT_CORNER, near = fault.kind == FAULT_NEAR_WALL, failed = 0;
+    if (!corner && !near) failed = response_take(at->p, at->l, fault, size, &r);
     for (int k = 0; k < 2 && !failed; k++) {
         const struct field *f = at->rung[k].field;
+        if (near) response_free(&r);
+        if (near) failed = response_take(at->p, at->l, fault, at->rung[k].dx / 2, &r); /* its size is known */
+        if (failed) break;
         if (corner)
             failed = response_at_corner(at->p, at->rung[k].dx, fault, f, at->response);
         else
@@ -236,6 +246,60 @@ static int is_better(const struct candidate_fault *a, const struct candidate_fau
     return a->fine.share > b->fine.share;
 }
 
+/* Kinds of the sides that a fault is about. */
+static unsigned sides_of(const struct problem *p, struct fault fault) {
+    unsigned kinds = 0;
+    for (int s = 0; s < 2 * p->dim; s++) {
+        int across = fault.kind == FAULT_EXTENT && (s / 2 == fault.axis || fault.axis == FAULT_BOTH_AXES);
+        int held =
+            fault.kind == FAULT_WALL && (s == fault.axis || (fault.axis == FAULT_ALL_SIDES && p->side[s] == NEUMANN));
+        if (across || held) kinds |= 1u << p->side[s];
+    }
+    return kinds;
+}
+
+/* The mean that makes `found` of the effect of the arithmetic mean at a contact: effects are as 1/k - 1/harmonic. */
+static int mean_of(const struct problem *p, double found) {
+    static const double NEAR = 0.12;
+    static const double HALF = 0.45, MUCH = 0.3; /* of the way from the geometric to the arithmetic mean */
+    double a = p->material[0].k[0], b = p->material[1].k[0], harmonic = (1 / a + 1 / b) / 2;
+    double geometric = (1 / sqrt(a * b) - harmonic) / (2 / (a + b) - harmonic);
+    double way = (found - geometric) / (1 - geometric);
+    if (1 - geometric < NEAR) return MEAN_IS_EITHER;
+    return way > HALF ? MEAN_IS_ARITHMETIC : way > -HALF && way < MUCH ? MEAN_IS_GEOMETRIC : MEAN_IS_OTHER;
+}
+
+static void name(const struct problem *p, const struct candidate_fault *c, const struct diagnosis_rung *fine,
+                 struct diagnosis *d) {
+    int no_size = fault_is_whole(c->fault.kind) || c->fault.kind == FAULT_SAMPLES;
+    d->named = 1;
+    d->fault = c->fault;
+    d->size = c->fine.size / c->unit[0] * (c->name[0] == '%' ? 100 : 1);
+    d->unit = no_size ? "" : c->name;
+    d->share = c->fine.share;
+    d->sides = sides_of(p, c->fault);
+    d->fourier = fine->dt * problem_diffusivity(p) / (fine->dx * fine->dx);
+    if (c->fault.kind == FAULT_MEAN) d->fault.axis = mean_of(p, c->fine.size / c->unit[0]);
+    wording_fault(d);
+}
+
+/* A clock that is a step off at one of both rungs, and right at the other. */
+static int is_off_at_one(const struct candidate_fault *c, struct diagnosis *d) {
+    if (c->fault.kind != FAULT_CLOCK || strcmp(c->name, "steps") != 0) return 0;
+    for (int k = 0; k < 2; k++) {
+        const struct fit *off = k ? &c->coarse : &c->fine;
+        double steps = c->steps[k];
+        if (fabs(fabs(steps) - 1) > STEADY || fabs(c->steps[1 - k]) > STEADY || off->share < FIT_SHARE ||
+            off->part < FIT_MOST)
+            continue;
+        *d = (struct diagnosis){
+            .named = 1, .fault = {FAULT_SOME_STEPS, 0}, .size = steps, .unit = "steps", .share = off->share};
+        wording_fault(d);
+        return 1;
+    }
+    return 0;
+}
+
 void diagnosis_find(const struct problem *p, const struct diagnosis_rung *fine, const struct diagnosis_rung *coarse,
                     struct diagnosis *d) {
     struct candidate_fault c[FAULTS];
@@ -248,38 +312,82 @@ void diagnosis_find(const struct problem *p, const struct diagnosis_rung *fine, 
     for (int i = 0; i < n; i++)
         if (c[i].fine.part >= FIT_MOST) most = fmax(most, c[i].fine.share);
     d->share = most;
-    if (most < FIT_SHARE) {
-        if (most > 0)
-            snprintf(d->what, sizeof d->what, "no usual fault explains more than %.0f %% of the error", 100 * most);
-        else
-            snprintf(d->what, sizeof d->what, "no usual fault: the error is of the size that differences leave");
-        return;
-    }
     for (int i = 0; i < n; i++) {
         if (c[i].fine.part < FIT_MOST || c[i].fine.share < fmax(FIT_SHARE, most - ALIKE) || !stays(&c[i])) continue;
         if (best < 0 || is_better(&c[i], &c[best])) best = i;
     }
-    if (best < 0) {
+    if (best >= 0) {
+        name(p, &c[best], fine, d);
+        return;
+    }
+    for (int i = 0; i < n; i++)
+        if (is_off_at_one(&c[i], d)) return;
+    if (most >= FIT_SHARE)
         snprintf(d->what, sizeof d->what,
                  "no usual fault: what looks like one has a size that changes with the spacing%s",
                  fine->dt > 0 ? "" : "; `# steps = N` in the answer would show whether it is the clock");
-        return;
+    else if (most > 0)
+        snprintf(d->what, sizeof d->what, "no usual fault explains more than %.0f %% of the error", 100 * most);
+    else
+        snprintf(d->what, sizeof d->what, "no usual fault: the error is of the size that differences leave");
+}
+
+/* The size of *d at spacing dx, in the unit of its fault. */
+static double size_at(const struct problem *p, const struct diagnosis *d, double dx) {
+    double diffusive = dx * dx / problem_diffusivity(p);
+    if (strcmp(d->unit, "cells") == 0) return d->size * dx;
+    if (strcmp(d->unit, "%") == 0) return d->size / 100;
+    if (strcmp(d->unit, "steps") == 0) return d->size * d->fourier * diffusive;
+    if (strcmp(d->unit, DIFFUSIVE) == 0) return d->size * diffusive;
+    return *d->unit ? d->size : 1;
+}
+
+double diagnosis_effect(const struct problem *p, const struct diagnosis *d, double dx, double zero) {
+    struct response_lattice l;
+    struct response r;
+    struct fault fault = d->fault;
+    double size = size_at(p, d, dx), sum = 0, whole = 0;
+    if (fault.kind == FAULT_MEAN) fault.axis = 0;
+    if (fault.kind == FAULT_CORNER || fault.kind == FAULT_SAMPLES || response_lattice_create(p, &l)) return NAN;
+    int failed = response_take(p, &l, fault, fault_bends(fault.kind) || fault.kind == FAULT_NEAR_WALL ? size : 0, &r);
+    if (!failed) {
+        struct field f;
+        size_t n = (size_t)(l.n[0] * l.n[1]);
+        field_alloc(&f, p->dim, n);
+        for (size_t i = 0; i < n; i++) {
+            f.x[i] = p->lo[0] + ((double)(i % (size_t)l.n[0]) + 0.5) * l.dx;
+            if (f.y) f.y[i] = p->lo[1] + ((double)(i / (size_t)l.n[0]) + 0.5) * l.dx;
+        }
+        response_at(&r, &l, &f, l.T, f.T);
+        for (size_t i = 0; i < n; i++) sum += fabs(size * f.T[i]), whole += fabs(l.T[i] - zero);
+        field_free(&f);
+        response_free(&r);
     }
-    int percent = c[best].name[0] == '%';
-    d->named = 1;
-    d->fault = c[best].fault;
-    d->size = c[best].fine.size / c[best].unit[0] * (percent ? 100 : 1);
-    d->unit = fault_is_whole(d->fault.kind) || d->fault.kind == FAULT_SAMPLES ? "" : c[best].name;
-    d->share = c[best].fine.share;
+    response_lattice_free(&l);
+    return failed ? NAN : sum / whole;
+}
+
+int diagnosis_unstable(const struct diagnosis_rung *r, struct diagnosis *d) {
+    static const double FAR = 100; /* times the size of the solution */
+    double largest = 0, exact = 0;
+    for (size_t i = 0; i < r->field->n; i++) {
+        largest = fmax(largest, fabs(r->field->T[i] - r->exact[i]));
+        if (isfinite(r->exact[i])) exact = fmax(exact, fabs(r->exact[i]));
+    }
+    int turns = 0; /* of the sign of the error from point to point */
+    for (size_t i = 1; i < r->field->n; i++)
+        turns += (r->field->T[i] - r->exact[i]) * (r->field->T[i - 1] - r->exact[i - 1]) < 0;
+    if (!(largest > FAR * exact) || !(4 * turns > (int)r->field->n)) return 0;
+    *d = (struct diagnosis){.named = 1, .fault = {FAULT_UNSTABLE, 0}, .size = largest, .unit = "K", .share = NAN};
     wording_fault(d);
+    return 1;
 }
 
 int diagnosis_repeat(double apart, double largest, struct diagnosis *d) {
     static const double SUMS = 1e-9; /* 1e6 roundings of 1e-16, and a tenfold */
     if (!(apart > SUMS * largest)) return 0;
-    *d = (struct diagnosis){.named = 1, .size = apart, .unit = "K", .share = NAN};
-    snprintf(d->what, sizeof d->what,
-             "answers differ by %.2g K from run to run: random numbers, threads or an unset variable", apart);
+    *d = (struct diagnosis){.named = 1, .fault = {FAULT_NOISE, 0}, .size = apart, .unit = "K", .share = NAN};
+    wording_fault(d);
     return 1;
 }
 

@@ -17,12 +17,17 @@ struct diagnosis_rung {
     double mean;         /* by how many dx^2/24 laplace(T) the numbers differ from values; NAN where unknown */
 };
 
+/* Means of two conductivities that may stand for the harmonic one: `axis` of a diagnosed FAULT_MEAN. */
+enum { MEAN_IS_ARITHMETIC, MEAN_IS_GEOMETRIC, MEAN_IS_EITHER, MEAN_IS_OTHER };
+
 struct diagnosis {
     int named;
     struct fault fault;
     double size;      /* in `unit` */
-    const char *unit; /* "steps", "s", "dx^2/kappa", "%", "cells" or "" */
+    const char *unit; /* "steps", "s", "dx^2/kappa", "%", "cells", "K", "digits" or "" */
     double share;     /* of the squared error, 0 to 1, at the finest rung; NAN where it is not by its share */
+    double fourier;   /* dt kappa/dx^2 of the finest rung; 0 where unknown */
+    unsigned sides;   /* 1 << enum side_kind of each side that the fault is about; 0 where it is about none */
     char what[240];   /* "as if the run had stopped 0.98 steps early"; why none is named where none is */
 };
 
@@ -35,6 +40,13 @@ double diagnosis_mean(const struct problem *p, const struct diagnosis_rung *star
  * everything.  Errors of discretization grow with the spacing otherwise, so that none is named for them. */
 void diagnosis_find(const struct problem *p, const struct diagnosis_rung *fine, const struct diagnosis_rung *coarse,
                     struct diagnosis *d);
+
+/* The relative error (E1) that the fault of *d makes of *p at spacing dx, m; `zero`, K, is the temperature that
+ * relative errors start from.  NAN where *p cannot have the fault or it is no change of a problem. */
+double diagnosis_effect(const struct problem *p, const struct diagnosis *d, double dx, double zero);
+
+/* Names a run whose temperatures leave the range of the solution by far.  1 where they do. */
+int diagnosis_unstable(const struct diagnosis_rung *r, struct diagnosis *d);
 
 /* Two runs of the same that are `apart`, K, of fields as large as `largest`, K, are named where that is more than
  * sums in another order leave: one field shows nothing then.  1 where it is. */

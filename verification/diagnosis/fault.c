@@ -31,6 +31,7 @@ static double initial(const struct problem *p, const double x[2]) {
     if (f->fault.kind == FAULT_START_WIDTH || f->fault.kind == FAULT_SAMPLES)
         at[f->fault.axis] = narrowed(f->right, f->fault.axis, at[f->fault.axis], f->size);
     double T = f->right->initial(f->right, at);
+    if (f->fault.kind == FAULT_OFFSET) return T + f->size;
     return f->fault.kind == FAULT_AMPLITUDE ? (1 + f->size) * T : T;
 }
 
@@ -43,7 +44,7 @@ static double wall(const struct problem *p, enum side s, const double x[2]) {
     int is_flux = f->right->side[s] == NEUMANN && f->fault.axis == FAULT_ALL_SIDES;
     if (f->fault.kind == FAULT_AMPLITUDE || (f->fault.kind == FAULT_WALL && (f->fault.axis == (int)s || is_flux)))
         value *= 1 + f->size;
-    return value;
+    return f->fault.kind == FAULT_OFFSET && f->right->side[s] != NEUMANN ? value + f->size : value;
 }
 
 /* What the cell of a corner lacks, W m^-3, where the sides of given temperature T there are taken for cold: 2 k
@@ -98,12 +99,25 @@ static int is_cooled(const struct problem *p, int s) {
     return s < 2 * p->dim && p->side[s] == ROBIN && p->robin[s] > 0;
 }
 
+static int has_cooled(const struct problem *p) {
+    for (int s = 0; s < 2 * p->dim; s++)
+        if (is_cooled(p, s)) return 1;
+    return 0;
+}
+
 /* That side; or all of them, of several. */
 static int has_coefficient(const struct problem *p, int axis) {
     int cooled = 0;
     if (axis != FAULT_ALL_SIDES) return is_cooled(p, axis);
     for (int s = 0; s < 2 * p->dim; s++) cooled += is_cooled(p, s);
     return cooled >= 2;
+}
+
+/* Two materials without sources, so that fluxes decide. */
+static int has_diffusivities(const struct problem *p) {
+    for (int s = 0; s < 2 * p->dim; s++)
+        if (p->side[s] == ROBIN || (p->side[s] == NEUMANN && has_wall_value(p, (enum side)s))) return 0;
+    return p->materials == 2 && !p->source && p->material[0].rho_c != p->material[1].rho_c;
 }
 
 static int has_corner(const struct problem *p, int corner) {
@@ -118,16 +132,19 @@ static int has_corner(const struct problem *p, int corner) {
 static int applies(const struct problem *p, struct fault fault) {
     const enum fault_kind kind = fault.kind;
     const int axis = fault.axis;
+    if (kind >= FAULT_SOME_STEPS || axis < 0) return 0;
     if (kind == FAULT_SWAP || kind == FAULT_ISOTROPIC)
         return p->dim == 2 && p->material[0].k[0] != p->material[0].k[1];
     if (kind == FAULT_TRANSPOSED) return p->dim == 2 && p->lo[0] == p->lo[1] && p->hi[0] == p->hi[1];
     if (kind == FAULT_CORNER) return p->dim == 2 && has_corner(p, axis);
     if (kind == FAULT_SOURCE) return p->source != 0;
-    if (kind == FAULT_SOURCE_TIME) return p->source_rate != 0;
+    if (kind == FAULT_SOURCE_TIME || kind == FAULT_FROZEN) return p->source_rate != 0;
+    if (kind == FAULT_DIFFUSIVITY) return has_diffusivities(p);
     if (kind == FAULT_CAPACITY) return p->materials == 2 && p->material[0].rho_c != p->material[1].rho_c;
     if (kind == FAULT_AXIS) return p->dim == 2 && axis < 2;
     if (kind == FAULT_RHO_C) return p->materials == 2 && axis < 2;
     if (kind == FAULT_COEFFICIENT) return has_coefficient(p, axis);
+    if (kind == FAULT_NEAR_WALL) return axis == 0 && has_cooled(p);
     if (kind == FAULT_INTERFACE || kind == FAULT_MEAN) return p->materials == 2;
     if (kind == FAULT_WALL && axis == FAULT_ALL_SIDES) return has_fluxes(p);
     if (kind == FAULT_WALL) return axis < 2 * p->dim && has_wall_value(p, (enum side)axis);
@@ -168,8 +185,15 @@ static void change_coefficients(const struct problem *p, struct faulty *f) {
     for (int m = 0; m < q->materials; m++)
         for (int a = 0; a < 2; a++)
             if (kind == FAULT_CONDUCTIVITY || (kind == FAULT_AXIS && a == axis)) q->material[m].k[a] *= 1 + f->size;
-    for (int s = 0; s < 4; s++)
+    for (int m = 0; m < q->materials && kind == FAULT_DIFFUSIVITY; m++) {
+        for (int a = 0; a < 2; a++) q->material[m].k[a] /= q->material[m].rho_c;
+        q->material[m].rho_c = 1;
+    }
+    for (int s = 0; s < 4; s++) {
+        const struct material *beside = &q->material[s == X_HI ? q->materials - 1 : 0];
         if (kind == FAULT_COEFFICIENT && (s == axis || axis == FAULT_ALL_SIDES)) q->robin[s] *= 1 + f->size;
+        if (kind == FAULT_NEAR_WALL) q->robin[s] /= fmax(0.01, 1 - f->size * q->robin[s] / beside->k[s / 2]);
+    }
 }
 
 /* Where the sides, the interface and the jumps lie. */
@@ -194,7 +218,7 @@ int fault_make(const struct problem *p, struct fault fault, double size, struct 
     q->initial = initial;
     q->wall = wall;
     if (p->source || fault.kind == FAULT_CORNER) q->source = source;
-    if (p->source_rate) q->source_rate = source_rate;
+    if (p->source_rate) q->source_rate = fault.kind == FAULT_FROZEN ? NULL : source_rate;
     if (fault.kind == FAULT_CLOCK) q->t_end += size;
     for (int a = 0; a < 2; a++) f->centre[a] = (p->lo[a] + p->hi[a]) / 2, q->mirror[a] = 0;
     change_coefficients(p, f);
@@ -203,7 +227,8 @@ int fault_make(const struct problem *p, struct fault fault, double size, struct 
 }
 
 int fault_is_whole(enum fault_kind kind) {
-    return kind == FAULT_SWAP || kind == FAULT_CAPACITY || kind == FAULT_ISOTROPIC || kind == FAULT_TRANSPOSED;
+    return kind == FAULT_SWAP || kind == FAULT_CAPACITY || kind == FAULT_ISOTROPIC || kind == FAULT_TRANSPOSED ||
+           kind == FAULT_FROZEN || kind == FAULT_DIFFUSIVITY;
 }
 
 int fault_bends(enum fault_kind kind) {

@@ -2,7 +2,7 @@
 #ifndef HEATLADDER_VERIFICATION_DIAGNOSIS_FAULT_H
 #define HEATLADDER_VERIFICATION_DIAGNOSIS_FAULT_H
 
-/* Faults that codes of heat conduction have, as changes of the problem that is solved. */
+/* Faults that codes of heat conduction have, most of them as changes of the problem that is solved. */
 
 #include "solver/problem.h"
 
@@ -14,10 +14,14 @@ enum fault_kind {
     FAULT_TRANSPOSED,   /* 1: x and y of the answer in each other's place, on a square */
     FAULT_SOURCE,       /* relative: the source; -1: lost */
     FAULT_SOURCE_TIME,  /* s: the source, which changes, is that of so much later */
+    FAULT_FROZEN,       /* 1: the source, which changes, stays as it is at the start */
     FAULT_CAPACITY,     /* 1: rho c of the second material is the first one's */
+    FAULT_DIFFUSIVITY,  /* 1: the flux between two materials is that of their diffusivities, each side with its rho c
+                         */
     FAULT_AXIS,         /* relative: k of every material along one axis alone */
     FAULT_RHO_C,        /* relative: rho c of one of two materials */
     FAULT_COEFFICIENT,  /* relative: b of a cooled side, or of all */
+    FAULT_NEAR_WALL,    /* m: cooled sides exchange heat with the temperature so far inside (half a cell) */
     FAULT_WALL,         /* relative: what a side holds, temperature or flux; -1: zero */
     FAULT_CORNER,       /* m: for a corner's cell of that size, sides of given temperature there are at zero */
     FAULT_EXTENT,       /* m: both sides across an axis lie so far outside */
@@ -26,17 +30,23 @@ enum fault_kind {
     FAULT_SAMPLES,   /* 1: either jump is midway between the points next to it along an axis, as from values there */
     FAULT_INTERFACE, /* m: the interface of two materials */
     FAULT_MEAN,      /* m: the arithmetic mean of two conductivities over a length (a cell) across their contact */
-    FAULT_AMPLITUDE  /* relative: all temperatures */
+    FAULT_AMPLITUDE, /* relative: all temperatures */
+    FAULT_OFFSET,    /* K: all temperatures */
+    /* These are no changes of a problem, and fault_make makes none. */
+    FAULT_SOME_STEPS, /* steps: at some spacings the end time */
+    FAULT_NOISE,      /* K: answers differ from run to run */
+    FAULT_DIGITS,     /* temperatures are rounded to so many digits */
+    FAULT_UNSTABLE    /* K: temperatures that an unstable run reaches */
 };
 
 struct fault {
     enum fault_kind kind;
     int axis; /* 0 or 1; of FAULT_EXTENT also both; of FAULT_WALL and FAULT_COEFFICIENT the side, or all of
                * given flux and all that are cooled; of FAULT_RHO_C the material; of FAULT_CORNER 2 y + x, 1 for the
-               * upper end */
+               * upper end; FAULT_ANY of rows that differ in it */
 };
 
-enum { FAULT_BOTH_AXES = 2, FAULT_ALL_SIDES = 4 };
+enum { FAULT_BOTH_AXES = 2, FAULT_ALL_SIDES = 4, FAULT_ANY = -1 };
 
 /* A problem with a fault of one size.  `problem` points to the rest: it is not to be copied apart from it. */
 struct faulty {

@@ -7,6 +7,7 @@
 #include "verification/diagnosis/diagnosis.h"
 
 #include "solver/field.h"
+#include "verification/diagnosis/wording.h"
 #include "verification/text/number.h"
 
 #include <float.h>
@@ -31,7 +32,7 @@ int diagnosis_rounding(const struct field *f, double error, double cells, struct
     }
     double unit = 0.5 * pow(10, 1 - digits);
     if (digits > MOST || full < LEAST || !(error <= cells * cells * unit)) return 0;
-    *d = (struct diagnosis){.named = 1, .size = digits, .unit = "digits", .share = NAN};
-    snprintf(d->what, sizeof d->what, "as if temperatures were rounded to %d digits", digits);
+    *d = (struct diagnosis){.named = 1, .fault = {FAULT_DIGITS, 0}, .size = digits, .unit = "digits", .share = NAN};
+    wording_fault(d);
     return 1;
 }

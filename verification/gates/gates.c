@@ -3,8 +3,8 @@
  * that as many were run as declared is checked on top. */
 #include "verification/gates/gates.h"
 
+#include "verification/diagnosis/headline.h"
 #include "verification/ladder/command.h"
-#include "verification/diagnosis/wording.h"
 #include "verification/foreign/program.h"
 #include "verification/text/progress.h"
 #include "verification/text/words.h"
@@ -139,13 +139,38 @@ int gates_status(const struct gates *g) {
     return t.undecided || !t.passed ? STATUS_INCONCLUSIVE : STATUS_OK;
 }
 
+/* 1 where a row that passed could not have done so with the fault of *h. */
+static int contradicts(const struct gate *gate, const struct headline *h) {
+    static const char *const external[] = {"--solver", "{case} {out}", NULL}; /* METHOD is then a label */
+    struct command r;
+    struct failure ignored;
+    struct image image;
+    int against = 0;
+    if (strcmp(gate->measure, "order") != 0 || !(gate->ceiling > 0)) return 0;
+    if (!command_read_with(gate->command, external, &r, &ignored)) {
+        const struct experiment *e = &r.experiment;
+        double finest = r.rungs.dx.value[0];
+        for (int i = 1; i < r.rungs.dx.count; i++) finest = fmin(finest, r.rungs.dx.value[i]);
+        mapping_image(&e->program.map, &e->problem, &image);
+        if (e->problem.materials == 1 || image.interface_axis == 0)
+            against = headline_contradicts(h, &image.problem, finest, e->program.map.offset, gate->ceiling);
+    }
+    command_free(&r);
+    return against;
+}
+
 void gates_diagnosis(const struct gates *g, char *text, size_t size) {
-    const char **said = xcalloc((size_t)g->declared, sizeof *said);
-    int count = 0;
+    struct diagnosis *found = xcalloc((size_t)g->declared, sizeof *found);
+    int failing = 0, against = 0;
     for (int i = 0; i < g->declared; i++) {
         const struct measured *m = &g->result[i].measured;
-        if (m->verdict == VERDICT_FAIL || m->verdict == VERDICT_INCONCLUSIVE) said[count++] = m->diagnosis;
+        if (m->verdict == VERDICT_FAIL || m->verdict == VERDICT_INCONCLUSIVE) found[failing++] = m->found;
     }
-    wording_all(said, count, text, size);
-    free(said);
+    struct headline h = headline_choose(found, failing);
+    for (int i = 0; i < g->declared && h.votes && !against; i++)
+        against = gates_holds(&g->result[i]) && contradicts(&g->result[i].gate, &h);
+    char said[HEADLINE_TEXT] = "";
+    if (!against) headline_print(&h, said);
+    snprintf(text, size, "%s", said);
+    free(found);
 }

@@ -62,11 +62,17 @@ int measures_ladder(const struct command *r, int scattered, double lo, double hi
     return STATUS_OK;
 }
 
+void measures_diagnosed(struct measured *m, const struct diagnosis *d) {
+    if (!d->named) return;
+    m->found = *d;
+    wording_text(d, m->diagnosis, sizeof m->diagnosis);
+}
+
 static void take_slope(int scattered, const struct command *r, double lo, double hi, struct measured *m) {
     struct ladder *l = xcalloc(1, sizeof *l);
     if (!measures_ladder(r, scattered, lo, hi, l, m)) {
         keep_rungs(l, &m->rungs);
-        if (l->diagnosis.named) wording_text(&l->diagnosis, m->diagnosis, sizeof m->diagnosis);
+        measures_diagnosed(m, &l->diagnosis);
     }
     free(l);
 }

@@ -4,6 +4,7 @@
 
 /* What a gate can measure, by name.  A new measure is a row of measures.def and a function. */
 
+#include "verification/diagnosis/diagnosis.h"
 #include "verification/text/number.h"
 #include "verification/text/verdict.h"
 
@@ -30,7 +31,8 @@ struct measured {
     double error; /* what a ceiling bounds: E1; of a ladder its norm at the finest rung that counts; NaN: none */
     enum verdict verdict;
     char reason[400];
-    char diagnosis[280]; /* which usual fault the errors look like; "" where none was looked for */
+    struct diagnosis found; /* the usual fault that the errors look like; not named where none was looked for */
+    char diagnosis[280];    /* `found` in words; "" where none is named */
     struct rungs rungs;
 };
 
@@ -53,6 +55,9 @@ extern const struct measure measures[]; /* ended by a NULL name */
  * on lo <= value <= hi. */
 void measures_fail(struct measured *m, const struct failure *why);
 void measures_judge(struct measured *m, double value, double lo, double hi);
+
+/* Keeps a diagnosis that names a fault. */
+void measures_diagnosed(struct measured *m, const struct diagnosis *d);
 
 /* A ladder of the request, judged by its band, into *l; its status, *m failed where that is not 0, else with its
  * slope, verdict and finest error. */

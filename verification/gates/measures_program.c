@@ -5,7 +5,6 @@
 #include "solver/field.h"
 #include "verification/ladder/command.h"
 #include "verification/diagnosis/diagnosis.h"
-#include "verification/diagnosis/wording.h"
 #include "verification/ladder/doubt.h"
 #include "verification/ladder/self_difference.h"
 #include "verification/run/run.h"
@@ -54,7 +53,7 @@ static void doubt_time(const struct command *r, const struct ladder *l, struct m
     if (!e.program.solver || !run_twice(&e, &first, &apart, &largest, &tried)) return;
     if (!(apart.l1 > DOUBT_NOISE * error) || !diagnosis_repeat(apart.linf, largest, &d)) return;
     if (ceiling > 0 && error - 3 * apart.l1 > ceiling) return;
-    wording_text(&d, m->diagnosis, sizeof m->diagnosis);
+    measures_diagnosed(m, &d);
     snprintf(m->reason, sizeof m->reason, "%s", m->diagnosis);
     m->verdict = VERDICT_INCONCLUSIVE;
 }
@@ -84,7 +83,7 @@ static void diagnose(const struct command *r, const struct field *f, double hi, 
     int digits, rounded = diagnosis_rounding(&given, m->error, extent / dx, &l->diagnosis);
     double printed = doubt_digits(f, &e->program.map, &digits);
     if (rounded || (e->program.solver && !ladder_run(e, &rungs, l, &ignored) && l->diagnosis.named))
-        wording_text(&l->diagnosis, m->diagnosis, sizeof m->diagnosis);
+        measures_diagnosed(m, &l->diagnosis);
     if (l->noisy) {
         snprintf(m->reason, sizeof m->reason, "%s", m->diagnosis);
         m->verdict = VERDICT_INCONCLUSIVE;
@@ -118,7 +117,7 @@ void measures_repeat(const struct command *r, double lo, double hi, struct measu
     measures_judge(m, apart.linf / largest, lo, hi);
     m->error = first.error.l1;
     if (m->verdict == VERDICT_FAIL && diagnosis_repeat(apart.linf, largest, &d)) {
-        wording_text(&d, m->diagnosis, sizeof m->diagnosis);
+        measures_diagnosed(m, &d);
         snprintf(m->reason, sizeof m->reason, "%s; where that is meant, --skip this row", m->diagnosis);
         m->verdict = VERDICT_INCONCLUSIVE;
     }

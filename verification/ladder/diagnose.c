@@ -83,7 +83,8 @@ void diagnose_ladder(const struct experiment *e, const struct field kept[2], str
         if (!(dt > 0) && kept[k].steps > 0) dt = kept[k].time / (double)kept[k].steps;
         rung[k] = (struct diagnosis_rung){mapped ? &given[k] : &kept[k], exact[k], l->x[l->n - 1 - k], dt, mean};
     }
-    diagnosis_find(mapped ? &image.problem : &e->problem, &rung[0], &rung[1], &l->diagnosis);
+    if (!diagnosis_unstable(&rung[0], &l->diagnosis) && !diagnosis_unstable(&rung[1], &l->diagnosis))
+        diagnosis_find(mapped ? &image.problem : &e->problem, &rung[0], &rung[1], &l->diagnosis);
     struct diagnosis repeats;
     if (!l->diagnosis.named && diagnosis_repeat(noise->apart, field_largest(&kept[1]), &repeats))
         l->diagnosis = repeats;

@@ -2,7 +2,7 @@
 /* Gates as JUnit XML: a test suite a group, a test case a gate, failed or in error (inconclusive) with its reason. */
 
 #include "solver/status.h"
-#include "verification/diagnosis/wording.h"
+#include "verification/diagnosis/headline.h"
 #include "verification/page/html.h"
 #include "verification/page/page.h"
 #include "verification/text/output.h"
@@ -11,7 +11,7 @@
 
 /* What is said of all gates: the fault that most of them look like. */
 static void put_properties(const struct gates *g, FILE *out) {
-    char diagnosis[WORDING_ALL];
+    char diagnosis[HEADLINE_TEXT];
     gates_diagnosis(g, diagnosis, sizeof diagnosis);
     if (!*diagnosis) return;
     html_print(out, "    <properties>\n      <property name=\"diagnosis\" value=\"%s\"/>\n    </properties>\n",

@@ -4,6 +4,7 @@
 
 #include "solver/status.h"
 #include "version.inc"
+#include "verification/diagnosis/headline.h"
 #include "verification/diagnosis/wording.h"
 #include "verification/foreign/program.h"
 #include "verification/ladder/ladder.h"
@@ -105,7 +106,7 @@ static void put_gate(const struct gate_result *r, FILE *out) {
 
 static void put_verdict(const struct gates *g, FILE *out) {
     struct gates_tally t = gates_tally(g, NULL);
-    char diagnosis[WORDING_ALL];
+    char diagnosis[HEADLINE_TEXT];
     fprintf(out, "<p class=\"verdict\">");
     html_verdict(out, tally_word(t));
     fprintf(out, ": %d of %d gates hold", t.passed, t.judged);

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Verdicts for a reader. */
 
-#include "verification/diagnosis/wording.h"
+#include "verification/diagnosis/headline.h"
 #include "verification/page/page.h"
 #include "verification/text/table.h"
 #include "verification/text/verdict.h"
@@ -105,7 +105,7 @@ void print_gates(const struct gates *g, int all, double seconds) {
         if (is_skipped(&g->result[i])) print_skipped(g, i);
         if (gates_fails(&g->result[i])) print_failure(&g->result[i], all);
     }
-    char diagnosis[WORDING_ALL];
+    char diagnosis[HEADLINE_TEXT];
     gates_diagnosis(g, diagnosis, sizeof diagnosis);
     if (*diagnosis) printf("\ndiagnosis: %s\n", diagnosis);
     if (g->interrupted)

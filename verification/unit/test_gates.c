@@ -3,7 +3,7 @@
 #include "verification/gates/gates.h"
 
 #include "verification/ladder/command.h"
-#include "verification/diagnosis/wording.h"
+#include "verification/diagnosis/headline.h"
 #include "verification/page/page.h"
 #include "verification/run/run.h"
 
@@ -322,13 +322,18 @@ static void those_that_do_not_hold_are_diagnosed(void **state) {
     static const enum verdict verdicts[] = {VERDICT_FAIL, VERDICT_PASS, VERDICT_INCONCLUSIVE, VERDICT_SKIPPED};
     struct gate_result result[4] = {0};
     struct gates g = {.declared = 4, .executed = 4, .result = result};
-    char all[WORDING_ALL];
+    char all[HEADLINE_TEXT];
     for (int i = 0; i < 4; i++) {
+        result[i].gate.measure = "error";
         result[i].measured.verdict = verdicts[i];
-        snprintf(result[i].measured.diagnosis, sizeof result[i].measured.diagnosis, "as if late");
+        result[i].measured.found = (struct diagnosis){.named = 1, .fault = {FAULT_SWAP, 0}, .unit = ""};
     }
     gates_diagnosis(&g, all, sizeof all);
-    assert_string_equal(all, "as if late (2 of 2 gates that do not hold)");
+    assert_string_equal(all, "as if k_x and k_y were in each other's place (2 of 2 rows that do not pass)");
+    result[1].gate =
+        (struct gate){.measure = "order", .ceiling = 1e-3, .command = "ladder square-step mine --dx 0.2,0.1"};
+    gates_diagnosis(&g, all, sizeof all); /* that passes, and could not with the fault */
+    assert_string_equal(all, "");
 }
 
 int main(void) {

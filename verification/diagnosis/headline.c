@@ -1,0 +1,82 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* Rows vote.  A row that names another fault, or another size, votes against; so does one that names none.  A fault
+ * of some kind of walls is refuted by a row that passes with walls of that kind alone. */
+#include "verification/diagnosis/headline.h"
+
+#include "solver/status.h"
+#include "verification/diagnosis/wording.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+/* Axes and materials that differ are different faults; sides and corners that differ are one fault of all sides. */
+static int is_same(const struct diagnosis *a, const struct diagnosis *b) {
+    static const double SAME = 0.2;
+    const enum fault_kind kind = a->fault.kind;
+    if (!a->named || !b->named || kind != b->fault.kind || strcmp(a->unit, b->unit) != 0) return 0;
+    int has_axis = kind == FAULT_AXIS || kind == FAULT_ISOTROPIC || kind == FAULT_RHO_C;
+    int no_size = *a->unit == '\0' || kind == FAULT_MEAN || kind == FAULT_NOISE || kind == FAULT_UNSTABLE;
+    if (has_axis && a->fault.axis != b->fault.axis) return 0;
+    return no_size || fabs(a->size - b->size) <= SAME * fmin(fabs(a->size), fabs(b->size));
+}
+
+static int votes_for(const struct diagnosis *found, int failing, int i) {
+    int votes = 0;
+    for (int k = 0; k < failing; k++) votes += is_same(&found[i], &found[k]);
+    return votes;
+}
+
+static int by_size(const void *a, const void *b) {
+    double x = ((const struct diagnosis *)a)->size, y = ((const struct diagnosis *)b)->size;
+    return (x > y) - (x < y);
+}
+
+struct headline headline_choose(const struct diagnosis *found, int failing) {
+    struct headline h = {.failing = failing};
+    int best = -1, named = 0, count = 0;
+    for (int i = 0; i < failing; i++) {
+        int votes = votes_for(found, failing, i);
+        named += found[i].named;
+        if (votes > h.votes) h.votes = votes, best = i;
+    }
+    if (h.votes < 2 && named != 1) h.votes = 0;
+    if (h.votes == 0) return h;
+    struct diagnosis *same = xcalloc((size_t)failing, sizeof *same);
+    for (int i = 0; i < failing; i++)
+        if (is_same(&found[best], &found[i])) same[count++] = found[i];
+    qsort(same, (size_t)count, sizeof *same, by_size);
+    h.fault = same[(count - 1) / 2];
+    for (int i = 0; i < count; i++) {
+        if (same[i].fault.axis != same[0].fault.axis) h.fault.fault.axis = FAULT_ANY;
+        h.fault.sides &= same[i].sides;
+    }
+    free(same);
+    h.is_firm = h.votes >= 2 && 2 * h.votes >= failing;
+    wording_fault(&h.fault);
+    return h;
+}
+
+void headline_print(const struct headline *h, char text[HEADLINE_TEXT]) {
+    *text = '\0';
+    if (h->votes)
+        snprintf(text, HEADLINE_TEXT, "%s%s (%d of %d rows that do not pass)", h->is_firm ? "" : "perhaps ",
+                 h->fault.what, h->votes, h->failing);
+}
+
+/* Kinds of the sides of *p that the fault would be about. */
+static unsigned sides_with(const struct problem *p, const struct diagnosis *d) {
+    unsigned kinds = 0;
+    for (int s = 0; s < 2 * p->dim; s++) kinds |= 1u << p->side[s];
+    return d->sides ? kinds : 0;
+}
+
+int headline_contradicts(const struct headline *h, const struct problem *p, double dx, double zero, double ceiling) {
+    static const double SURE = 2;
+    struct diagnosis d = h->fault;
+    if (d.fault.axis == FAULT_ANY && p->dim == 2 && d.fault.kind != FAULT_MEAN) return 0;
+    if (d.fault.axis == FAULT_ANY) d.fault.axis = 0;
+    if (d.sides & ~sides_with(p, &d)) return 0;
+    return diagnosis_effect(p, &d, dx, zero) > SURE * ceiling;
+}
