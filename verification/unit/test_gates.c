@@ -276,13 +276,15 @@ static void junit_tells_each_verdict(void **state) {
     g.result[1].measured.verdict = VERDICT_INCONCLUSIVE;
     snprintf(g.result[1].measured.reason, sizeof g.result[1].measured.reason, "3 rungs < 4 & more");
     snprintf(g.result[1].measured.diagnosis, sizeof g.result[1].measured.diagnosis, "as if 1 > 0");
+    g.result[1].measured.found = (struct diagnosis){.named = 1, .fault = {FAULT_SOME_STEPS, 0}, .unit = "steps"};
     assert_int_equal(junit_write(&g, path, &why), STATUS_OK);
     FILE *in = fopen(path, "r");
     text[fread(text, 1, sizeof text - 1, in)] = '\0';
     fclose(in);
     unlink(path);
     assert_has(text, "<testcase classname=\"heatladder.reference\" name=\"reference/rod-step\"");
-    assert_has(text, "<property name=\"diagnosis\" value=\"as if 1 &gt; 0");
+    assert_has(text, "<property name=\"diagnosis\" value=\"perhaps as if runs at some spacings had stopped one step "
+                     "late: `while (t &lt; t_end)`");
     assert_has(text, "<testsuite name=\"reference\" tests=");
     assert_lacks(text, "interrupted");
     assert_has(text, "failures=\"0\" errors=\"1\" skipped=\"0\" time=\"1.750\"");
@@ -331,7 +333,9 @@ static void those_that_do_not_hold_are_diagnosed(void **state) {
     gates_diagnosis(&g, all, sizeof all);
     assert_string_equal(all, "as if k_x and k_y were in each other's place (2 of 2 rows that do not pass)");
     result[1].gate =
-        (struct gate){.measure = "order", .ceiling = 1e-3, .command = "ladder square-step mine --dx 0.2,0.1"};
+        (struct gate){.measure = "order",
+                      .ceiling = 1e-3,
+                      .command = "ladder square-step mine --set kappa_x=0.02 --set kappa_y=0.01 --dx 0.2,0.1"};
     gates_diagnosis(&g, all, sizeof all); /* that passes, and could not with the fault */
     assert_string_equal(all, "");
 }
