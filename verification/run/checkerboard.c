@@ -1,15 +1,16 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The checkerboard in a field, by a sine or cosine transform along each axis.
+/* Amplitude of the checkerboard in a field, by a sine or cosine transform along each axis.
  *
- * What is looked at:
- *   - The error T - Te and not T, so that what the exact solution itself has at short wavelengths (a jump does) is
- * not taken for an oscillation.
- *   - In the modes that vanish on a Dirichlet wall and are flat on a Neumann wall, as the error does.  Cosines on a
- *     Dirichlet wall would see a kink: a slope s K/m at the wall leaks s (hi - lo) / (pi k)^2 into mode k, more than
- *     what is looked for.
- *   - The upper half of the band, 2 to 4 points to a wavelength along some axis, and not its highest mode (-1)^j
- * alone: that one is odd about the middle of an even number of points, so that a symmetric scene never excites it,
- * and its neighbours carry the checkerboard. */
+ * The transform is that of the error T - Te, not of T, so that short wavelengths of the exact solution (such as a
+ * jump) do not count as oscillations.
+ *
+ * Its modes vanish on a Dirichlet wall and are flat on a Neumann wall, like the error.  Cosines on a Dirichlet wall
+ * would have a kink: a slope of s K/m at the wall leaks s (hi - lo) / (pi k)^2 into mode k, more than the amplitudes
+ * of interest.
+ *
+ * The upper half of the band, 2 to 4 points per wavelength along some axis, is searched, not only the highest mode
+ * (-1)^j.  That mode is odd about the middle of an even number of points, so a symmetric scene never excites it; its
+ * neighbours carry the checkerboard. */
 
 #include "solver/time/transform.h"
 #include "verification/run/norms.h"
@@ -17,8 +18,8 @@
 #include <math.h>
 #include <stdlib.h>
 
-/* What solver/space/layout.h has for the points of a field: half a spacing inside the walls, or on the lattice that
- * the walls are on, where a Dirichlet wall has none and a Neumann wall has. */
+/* The lattice (solver/space/layout.h) of a field: points half a spacing inside the walls, or on them, without those
+ * on a Dirichlet wall and with those on a Neumann wall. */
 static struct lattice lattice_of(const struct problem *p, const struct field *f) {
     struct lattice l = {.dim = f->dim, .n = {f->shape[0], f->shape[1]}};
     for (int s = 0; s < 2 * f->dim; s++) {
@@ -30,7 +31,7 @@ static struct lattice lattice_of(const struct problem *p, const struct field *f)
     return l;
 }
 
-/* A transform makes c times the number of spacings of a mode of amplitude c, twice that at the ends of the band. */
+/* The transform of a mode of amplitude c is c times the number of spacings, twice that at the ends of the band. */
 static double doubled(double theta) {
     return theta <= 0 || theta >= M_PI ? 2 : 1;
 }

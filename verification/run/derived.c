@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Fluxes, heat and temperatures of a field on any points. */
+/* Fluxes, heat and temperatures of a field on arbitrary points. */
 #include "verification/run/derived.h"
 
 #include "references/quantity.h"
@@ -9,7 +9,7 @@
 
 #include <math.h>
 
-/* Gauss and Legendre's three points on [-1, 1]: exact to degree five. */
+/* Three-point Gauss-Legendre rule on [-1, 1], exact to degree five. */
 static const double NODE[3] = {-0.77459666924148337704, 0, 0.77459666924148337704};
 static const double WEIGHT[3] = {5.0 / 9, 8.0 / 9, 5.0 / 9};
 static const double PANEL = 4; /* spacings */
@@ -43,7 +43,7 @@ static int flux(enum side s, const struct problem *p, const struct interpolate *
     return STATUS_OK;
 }
 
-/* Of lo <= x <= hi, made of one material. */
+/* Heat of lo <= x <= hi, within one material. */
 static int heat_between(double lo, double hi, const struct problem *p, struct interpolate *f, double dx,
                         double *value, struct failure *why) {
     int px = panels(hi - lo, dx), py = p->dim == 2 ? panels(p->hi[1] - p->lo[1], dx) : 1;
@@ -70,7 +70,7 @@ int derived_value(const struct quantity *q, const struct problem *p, const struc
                   double *value, struct failure *why) {
     struct interpolate f = interpolate_begin("the field", field->dim, field->n, field->x, field->y, field->T);
     int status;
-    if (p->materials == 2 && q->kind == QUANTITY_AT) { /* no polynomial across the kink */
+    if (p->materials == 2 && q->kind == QUANTITY_AT) { /* one polynomial must not extend across the kink */
         f.from = q->at[0] >= p->interface ? p->interface : -INFINITY;
         f.to = q->at[0] < p->interface ? p->interface : INFINITY;
     }

@@ -12,10 +12,10 @@
 struct experiment;
 struct failure;
 struct field;
-struct time_step; /* verification/run/time_step.h */
+struct time_step;
 
-/* Solves e->problem and resolves what *e leaves open.  A status of solver/status.h; on STATUS_OK the caller owns *f.
- */
+/* Solves e->problem and fills in the open options of *e.  Returns a status of solver/status.h; if STATUS_OK, the
+ * caller owns *f. */
 typedef int experiment_solve(struct experiment *e, struct field *f, struct time_step *step, struct failure *why);
 
 struct experiment {
@@ -23,12 +23,12 @@ struct experiment {
     const struct method *method;
     struct problem problem; /* set up from the scene and its parameters */
     struct options options;
-    double memory;       /* GB that a run may take; 0: what is there */
-    int growth;          /* 1: growing modes are looked for */
-    const char *derived; /* the quantity that is measured beside the field, as typed; NULL for none */
+    double memory;       /* GB, memory limit of a run; 0: the available memory */
+    int growth;          /* 1: search for growing modes */
+    const char *derived; /* the quantity measured in addition to the field, as typed; NULL for none */
     struct quantity quantity;
     experiment_solve *solve; /* NULL: time_step_solve, by the method; run_program: by `program` */
-    struct program program;  /* of run_program */
+    struct program program;  /* for run_program */
 };
 
 #endif

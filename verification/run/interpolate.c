@@ -54,7 +54,7 @@ void interpolate_end(struct interpolate *f) {
     *f = (struct interpolate){0};
 }
 
-/* Puts the points of a box among the nearest `most`, nearest first; how many there are now. */
+/* Merges the points of a box into the list of the nearest `most`, in ascending order; returns its new length. */
 static size_t take_box(const struct interpolate *f, const double x[2], size_t box, struct near *list, size_t n,
                        size_t most) {
     for (size_t k = f->first[box]; k < f->first[box + 1]; k++) {
@@ -68,7 +68,7 @@ static size_t take_box(const struct interpolate *f, const double x[2], size_t bo
     return n;
 }
 
-/* Rings of boxes around that of x, until what lies beyond is farther than the last of the list. */
+/* Searches rings of boxes around that of x until everything beyond is farther than the end of the list. */
 static size_t find(const struct interpolate *f, const double x[2], struct near *list, size_t most) {
     size_t n = 0, last = f->count[0] > f->count[1] ? f->count[0] : f->count[1];
     long c[2] = {(long)box_along(f, 0, x[0]), f->dim == 2 ? (long)box_along(f, 1, x[1]) : 0};
@@ -86,7 +86,7 @@ static size_t find(const struct interpolate *f, const double x[2], struct near *
     return n;
 }
 
-/* A row of monomials of (u, v), and which of its columns the derivatives at the origin are. */
+/* A row of the monomials of (u, v).  Columns 1 and 2 give the derivatives at the origin. */
 static void monomials(int dim, double u, double v, gsl_matrix *A, size_t row) {
     size_t column = 0;
     for (int p = 0; p <= DEGREE; p++)
@@ -114,7 +114,7 @@ static int fit(const struct interpolate *f, const double x[2], const struct near
     return bad;
 }
 
-/* Beside a wall the nearest points have few rows along it; with more of them there are enough. */
+/* Next to a wall the nearest points are on few rows along it; more points then suffice. */
 int interpolate_at(const struct interpolate *f, const double x[2], double *T, double gradient[2],
                    struct failure *why) {
     struct near list[MOST];
@@ -130,7 +130,6 @@ int interpolate_at(const struct interpolate *f, const double x[2], double *T, do
         if (!fit(f, x, list, n, T, gradient)) return STATUS_OK;
         if (n == found) break;
     }
-    return refuse(why, STATUS_INPUT,
-                  "%.200s: the points near %g, %g lie on too few lines to interpolate between them", f->name, x[0],
-                  x[1]);
+    return refuse(why, STATUS_INPUT, "%.200s: the points near %g, %g are on too few lines for an interpolation",
+                  f->name, x[0], x[1]);
 }

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The width of vectors from the environment. */
+/* The vector width from the environment. */
 #include "verification/run/lanes.h"
 
 #include "solver/options.h"

@@ -4,7 +4,7 @@
 
 struct failure;
 
-/* *lanes from the environment variable HEATLADDER_LANES; 0 where it is not set.  STATUS_INPUT where this machine does
+/* Sets *lanes from the environment variable HEATLADDER_LANES; 0 if it is not set.  STATUS_INPUT if this machine does
  * not have that width. */
 int lanes_forced(int *lanes, struct failure *why);
 

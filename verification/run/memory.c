@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The memory of a run, by its particles and their neighbours, against that of the machine. */
+/* Estimated memory of a run, from its particles and neighbours, and the memory of the machine. */
 #include "verification/run/memory.h"
 
 #include "solver/particles/particles.h"
@@ -25,9 +25,9 @@ double memory_there(void) {
     return pages > 0 && page > 0 ? pages * page : 0;
 }
 
-/* A particle has its place, temperature and exact temperature, and three doubles more: states, or the error and its
- * transform.  A neighbour within 2 h (4 h in two sweeps) takes a weight and a column in the rows, and as much again
- * twice while the rows are assembled; on a rod the rows are stored in bands too. */
+/* Each particle has its position, temperature and exact temperature, and three further doubles: states, or the error
+ * and its transform.  Each neighbour within 2 h (4 h in two sweeps) needs a weight and a column in the rows, and
+ * twice that again during assembly; on a rod the rows are also stored as bands. */
 double memory_estimate(const struct experiment *e) {
     const double ENTRY[3] = {0, 60, 40};
     const struct problem *p = &e->problem;
@@ -39,12 +39,12 @@ double memory_estimate(const struct experiment *e) {
     for (int a = 0; a < p->dim; a++) particles *= (p->hi[a] - p->lo[a]) / e->options.dx;
     if (e->method->scheme && particles_prepare(p, &e->options, e->method->scheme, &resolved, &l, &rows, &ignored))
         return 0;
-    double reach = rows ? e->method->scheme->sweeps * resolved.h : 0; /* half of that of a row, in dx */
+    double reach = rows ? e->method->scheme->sweeps * resolved.h : 0; /* half width of a row, in dx */
     bytes += ENTRY[p->dim] * (p->dim == 1 ? 4 * reach : 4 * M_PI * reach * reach);
     return particles * bytes;
 }
 
-/* The finest spacing above the one of *e that divides the domain and fits; NaN where none is found. */
+/* The finest spacing above that of *e that divides the domain and fits into memory; NaN if none is found. */
 static double finest(const struct experiment *e, double bytes, double most) {
     enum { TRIES = 1000 };
     const struct problem *p = &e->problem;
@@ -64,6 +64,6 @@ int memory_check(const struct experiment *e, struct failure *why) {
     double dx = finest(e, bytes, most);
     char fits[64] = "";
     if (isfinite(dx)) snprintf(fits, sizeof fits, "; --dx %.10g fits", dx);
-    return refuse(why, STATUS_INPUT, "--dx %.10g: takes %.3g GB, %s %.3g GB%s; --memory GB allows more",
-                  e->options.dx, bytes / GB, e->memory > 0 ? "--memory allows" : "free are", most / GB, fits);
+    return refuse(why, STATUS_INPUT, "--dx %.10g: needs %.3g GB, %s %.3g GB%s; --memory GB sets another limit",
+                  e->options.dx, bytes / GB, e->memory > 0 ? "--memory allows" : "available:", most / GB, fits);
 }

@@ -5,14 +5,14 @@
 struct experiment;
 struct failure;
 
-/* Bytes that a program may still take: MemAvailable of Linux, else the physical memory; 0 where neither is known. */
+/* Bytes available to a program: MemAvailable on Linux, else the physical memory; 0 if neither is known. */
 double memory_there(void);
 
-/* Estimated peak bytes of the run of *e, to 20 % for most operators; 0 where its options are refused. */
+/* Estimated peak memory of the run of *e in bytes, within 20 % for most operators; 0 if its options are refused. */
 double memory_estimate(const struct experiment *e);
 
-/* STATUS_OK for another program, and where memory_estimate is at most e->memory, or memory_there() where that is 0,
- * or where nothing is known. Else STATUS_INPUT, with the finest dx that fits and divides the domain in *why. */
+/* STATUS_OK for an external program, if the estimate is at most e->memory (or memory_there() if that is 0), or if
+ * nothing is known.  Else STATUS_INPUT, with the finest dx that fits and divides the domain in *why. */
 int memory_check(const struct experiment *e, struct failure *why);
 
 #endif

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Norms of the error (Song 2018, eq. 46), the range of a field, its variation and its heat. */
+/* Norms of the error (Song 2018, eq. 46); range, variation and heat of a field. */
 #include "verification/run/norms.h"
 
 #include "references/snapshot.h"
@@ -18,9 +18,9 @@ static double weight(const struct field *f, size_t i) {
     return f->weight ? f->weight[i] : 1;
 }
 
-enum { CHUNK = 2000 }; /* points at a time */
+enum { CHUNK = 2000 }; /* points per evaluation */
 
-/* T and its bound of a chunk from point `first` on. */
+/* Exact T and its error bound for the points from `first` on. */
 static void exact_chunk(const struct snapshot *now, const struct field *f, size_t first, double *T, double *bound) {
     size_t n = f->n - first < CHUNK ? f->n - first : CHUNK;
     struct exact *e = xcalloc(n, sizeof *e);
@@ -32,8 +32,8 @@ static void exact_chunk(const struct snapshot *now, const struct field *f, size_
     free(e);
 }
 
-/* Points by many threads where there are many of them; sums in the order of the points, so that they are the same for
- * any number of threads. */
+/* Many points are evaluated by many threads; the sums are in the order of the points and do not depend on their
+ * number. */
 double norms_exact(const struct scene *s, const struct problem *p, const struct field *f, double *T) {
     double bound = 0, whole = 0, *bounds = xcalloc(f->n, sizeof *bounds);
     struct snapshot now = snapshot_take(s, p, f->time);
@@ -57,16 +57,17 @@ int norms_check(const struct field *f, const double *exact, struct failure *why)
     }
     if (without == f->n)
         return refuse(why, STATUS_INPUT,
-                      "the exact solution has no value at any of the points (%zu, all in corners of two "
-                      "temperatures): points away from the corners are needed",
+                      "the exact solution has no value at any of the points (%zu, all in corners between "
+                      "different temperatures); use points away from the corners",
                       f->n);
-    return refuse(why, STATUS_INPUT,
-                  "the exact solution is 0 K at all points at t = %g s, and E1 is relative to it: other temperatures "
-                  "(--set) or an earlier end (--t-end) are needed",
-                  f->time);
+    return refuse(
+        why, STATUS_INPUT,
+        "the exact solution, to which E1 is relative, is 0 K at all points at t = %g s; use other temperatures "
+        "(--set) or an earlier end (--t-end)",
+        f->time);
 }
 
-/* Which points count: those of the part where the solution has a value. */
+/* Marks the points of the part with an exact value. */
 static unsigned char *points_that_count(const struct problem *p, const struct field *f, const double *exact,
                                         enum norms_part part, double distance) {
     unsigned char *counts = xcalloc(f->n, 1);
@@ -80,12 +81,13 @@ static unsigned char *points_that_count(const struct problem *p, const struct fi
     return counts;
 }
 
-/* The power of 2 next below x, so that division by it is exact; 1 for 0, infinity and NaN. */
+/* The largest power of 2 up to x, by which division is exact; 1 for 0, infinity and NaN. */
 static double power_below(double x) {
     return x > 0 && isfinite(x) ? scalbn(1, ilogb(x)) : 1;
 }
 
-/* Squares are of errors and temperatures in units of their largest: none overflows, nor do all vanish. */
+/* Errors and temperatures are scaled by their maximum before they are squared, which prevents overflow and
+ * underflow. */
 struct norms_error norms_error(const struct problem *p, const struct field *f, const double *exact,
                                enum norms_part part, double distance) {
     double e1 = 0, e2 = 0, t1 = 0, t2 = 0, largest = 0;
@@ -115,7 +117,8 @@ struct norms_error norms_error(const struct problem *p, const struct field *f, c
     return norms;
 }
 
-/* Widens [lo, hi] by the temperatures of held walls, and of the air beyond cooled ones, at the foot of each point. */
+/* Widens [lo, hi] by the temperatures of Dirichlet walls and of the air at Robin walls, at the foot of each
+ * point. */
 static void widen(const struct problem *p, const struct field *f, double *lo, double *hi) {
     double coldest = *lo, hottest = *hi;
     for (int s = 0; s < 2 * p->dim; s++) {
@@ -134,7 +137,7 @@ static void widen(const struct problem *p, const struct field *f, double *lo, do
     *lo = coldest, *hi = hottest;
 }
 
-/* On a rod sum |T_{i+1} - T_i|.  On a rectangle the sums along each axis, times the spacing of the other. */
+/* On a rod sum |T_{i+1} - T_i|; on a rectangle the sums along each axis times the spacing of the other. */
 static double variation(const struct field *f) {
     if (f->shape[0] == 0) return NAN;
     size_t nx = (size_t)f->shape[0], ny = (size_t)f->shape[1];

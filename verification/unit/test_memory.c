@@ -27,7 +27,7 @@ static void the_finest_spacing_that_fits_is_named(void **state) {
     check("run rod-step so_ssph --dx 0.016 --memory 1e-5", NULL);
     check("run square-step so_ssph --dx 0.1 --memory 1e-5", "--dx 0.2857142857 fits");
     check("run square-step so_ssph --dx 0.2857142857 --memory 1e-5", NULL);
-    check("run square-step so_ssph --dx 4/20000 --layout jitter --jitter 0.2 --memory 24", "GB allows more");
+    check("run square-step so_ssph --dx 4/20000 --layout jitter --jitter 0.2 --memory 24", "GB sets another limit");
 }
 
 /* Rows are held once while time runs, and nearly three times while they are assembled. */
