@@ -23,7 +23,7 @@ static void check(const char *line, const char *says) {
 static void the_finest_spacing_that_fits_is_named(void **state) {
     (void)state;
     check("run rod-step so_ssph --dx 0.001 --memory 1e-5",
-          "takes 0.00016 GB, --memory allows 1e-05 GB; --dx 0.016 fits");
+          "needs 0.00016 GB, --memory allows 1e-05 GB; --dx 0.016 fits");
     check("run rod-step so_ssph --dx 0.016 --memory 1e-5", NULL);
     check("run square-step so_ssph --dx 0.1 --memory 1e-5", "--dx 0.2857142857 fits");
     check("run square-step so_ssph --dx 0.2857142857 --memory 1e-5", NULL);
