@@ -36,8 +36,8 @@ static const struct study {
     const char
         *first; /* of its files: that it can be written is seen before anything is measured; NULL: seen by it */
 } studies[] = {
-    {"song", song_write, "Song 2018", "song_table1.csv"},
-    {"pamplona", pamplona_write, "Pamplona 2019", "pamplona_table1.csv"},
+    {"song", song_write, "Song 2018", "song_table1.md"},
+    {"pamplona", pamplona_write, "Pamplona 2019", "pamplona_table1.md"},
     {"matched", matched_figures_write, "the matched run", "matched_fig1.csv"},
     {"operators", operators_write, NULL, NULL},
     {"stability", stability_write, NULL, NULL},
@@ -71,7 +71,7 @@ struct report_options {
 };
 
 static int measure_claims(const struct report_options *r, const char *dir, struct claims *c, struct failure *why) {
-    if (dir && output_directory(dir, "claims.csv", why)) return why->status;
+    if (dir && output_directory(dir, "claims.md", why)) return why->status;
     if (claims_collect(papers_claims, r->only, c, why)) return why->status;
     claims_run(c);
     (r->json ? claims_write_json : dir ? claims_write_changed : claims_write_text)(c, stdout);

@@ -20,7 +20,7 @@ enum claims_verdict {
 };
 extern const char *const claims_verdict_words[]; /* in the order of the enum, ended by NULL */
 
-enum { CLAIMS_NUMBERS = 12 };
+enum { CLAIMS_NUMBERS = 14 };
 
 struct claims_number {
     char name[72];
@@ -80,18 +80,13 @@ void claims_published(const struct claims_result *r, char *text, size_t size);
 /* "name 1.234 unit; name ..." cut to size. */
 void claims_numbers(const struct claims_measured *m, char *text, size_t size);
 
-/* The ledger as text, JSON, CSV and Markdown.  None holds a time or a path, so that equal verdicts give equal files
- * (but for the one number that is in seconds). */
-
-/* Into a stream: a paragraph, an object, a line or a table row a claim. */
+/* The ledger as text, a paragraph a claim, and as JSON. */
 void claims_write_text(const struct claims *c, FILE *out);
 void claims_write_json(const struct claims *c, FILE *out);
 /* As text the claims with an unexpected verdict, and the count of all. */
 void claims_write_changed(const struct claims *c, FILE *out);
-void claims_write_csv(const struct claims *c, FILE *out);
-void claims_write_markdown(const struct claims *c, FILE *out);
 
-/* claims.csv and claims.md into `dir`: both, whole, or neither. */
+/* claims.md and claims.html into `dir`: equal verdicts give equal files. */
 int claims_write_files(const struct claims *c, const char *dir, struct failure *why);
 
 #endif

@@ -2,9 +2,9 @@
 /* The ledger for people and for programs. */
 #include "reports/ledger/claims.h"
 
+#include "reports/figure/document.h"
 #include "solver/status.h"
 #include "verification/text/json.h"
-#include "verification/text/output.h"
 #include "verification/text/verdict.h"
 
 #include <string.h>
@@ -89,84 +89,41 @@ void claims_write_json(const struct claims *c, FILE *out) {
     json_end(&j);
 }
 
-/* RFC 4180: always quoted, quotes doubled. */
-static void csv_cell(FILE *out, const char *text, char end) {
-    fputc('"', out);
-    for (; *text; text++) {
-        if (*text == '"') fputc('"', out);
-        fputc(*text, out);
-    }
-    fputc('"', out);
-    fputc(end, out);
-}
-
-void claims_write_csv(const struct claims *c, FILE *out) {
+static void put_table(const struct claims *c, const char *title, const char *paper, struct document *d) {
     char numbers[NUMBERS], published[PUBLISHED];
-    fprintf(out, "id,source,published,measured,verdict,expected,reason\n");
-    for (int i = 0; i < c->count; i++) {
-        const struct claims_result *r = &c->result[i];
-        claims_numbers(&r->measured, numbers, sizeof numbers);
-        claims_published(r, published, sizeof published);
-        csv_cell(out, r->row->id, ',');
-        csv_cell(out, r->row->source, ',');
-        csv_cell(out, published, ',');
-        csv_cell(out, numbers, ',');
-        csv_cell(out, verdict_of(r), ',');
-        csv_cell(out, claims_verdict_words[r->row->expected], ',');
-        csv_cell(out, r->measured.reason, '\n');
-    }
-}
-
-/* Within a table a bar ends the cell; <, > and * are Markdown's. */
-static void markdown_cell(FILE *out, const char *text) {
-    fputs("| ", out);
-    for (; *text; text++) {
-        if (strchr("|<>*_", *text)) fputc('\\', out);
-        fputc(*text, out);
-    }
-    fputc(' ', out);
-}
-
-static void markdown_table(const struct claims *c, const char *title, const char *paper, FILE *out) {
-    char numbers[NUMBERS], published[PUBLISHED];
-    fprintf(out, "\n## %s\n\n| claim | source | published | measured | verdict | why |\n|---|---|---|---|---|---|\n",
-            title);
+    document_heading(d, "%s", title);
+    document_table(d, "claim|source|published|measured|verdict|why");
     for (int i = 0; i < c->count; i++) {
         const struct claims_result *r = &c->result[i];
         if (strncmp(r->row->id, paper, strlen(paper)) != 0) continue;
         claims_numbers(&r->measured, numbers, sizeof numbers);
         claims_published(r, published, sizeof published);
-        markdown_cell(out, r->row->id);
-        markdown_cell(out, r->row->source);
-        markdown_cell(out, published);
-        markdown_cell(out, numbers);
-        fprintf(out, "| *%s* ", verdict_of(r));
-        markdown_cell(out, r->measured.reason);
-        fprintf(out, "|\n");
+        document_cell(d, "%s", r->row->id);
+        document_cell(d, "%s", r->row->source);
+        document_cell(d, "%s", published);
+        document_cell(d, "%s", numbers);
+        document_cell(d, "%s", verdict_of(r));
+        document_cell(d, "%s", r->measured.reason);
     }
 }
 
-void claims_write_markdown(const struct claims *c, FILE *out) {
-    int counts[5], changed;
-    count(c, counts, &changed);
-    fprintf(
-        out,
-        "# What the papers claim, measured\n\nMade by `heatladder report claims DIR`. A statement is *reproduced* "
-        "where it "
-        "holds as published and in the wider setting that is also looked at, *reproduced with a condition* where "
-        "it holds as published alone or under one reading alone, *not explained* where a number of theirs comes out "
-        "under no reading that was tried, else *contradicted*. Numbers decide, by the rule that stands first under "
-        "why.\n\n%d claims: %d reproduced, %d with a condition, %d contradicted, %d not explained.\n",
-        c->count, counts[CLAIMS_REPRODUCED], counts[CLAIMS_CONDITION], counts[CLAIMS_CONTRADICTED],
-        counts[CLAIMS_UNEXPLAINED]);
-    if (changed) fprintf(out, "\n**%d verdicts differ from those expected.**\n", changed);
-    markdown_table(c, "Song, Xing, Hou, Lu 2018", "song/", out);
-    markdown_table(c, "Pamplona, Silva, Bucar, Vasco 2019", "pamplona/", out);
-}
-
 int claims_write_files(const struct claims *c, const char *dir, struct failure *why) {
-    struct output page[2];
-    claims_write_csv(c, output_open(&page[0], "%s/claims.csv", dir));
-    claims_write_markdown(c, output_open(&page[1], "%s/claims.md", dir));
-    return output_close(page, 2, why);
+    int counts[5], changed;
+    struct document d;
+    count(c, counts, &changed);
+    document_open(&d, dir, "claims", "What the papers claim, measured");
+    document_command(&d, "report claims DIR");
+    document_text(
+        &d, "A statement is reproduced where it holds as published and in the wider setting that is also looked "
+            "at; reproduced with a condition where it holds as published alone or under one reading alone; not "
+            "explained where a number of theirs comes out under no reading that was tried; else contradicted. "
+            "Numbers decide, by the rule that stands first under why.");
+    document_text(&d, "%d claims: %d reproduced, %d with a condition, %d contradicted, %d not explained.", c->count,
+                  counts[CLAIMS_REPRODUCED], counts[CLAIMS_CONDITION], counts[CLAIMS_CONTRADICTED],
+                  counts[CLAIMS_UNEXPLAINED]);
+    if (changed) document_text(&d, "%d verdicts differ from those expected.", changed);
+    put_table(c, "Song, Xing, Hou, Lu 2018", "song/", &d);
+    put_table(c, "Pamplona, Silva, Bucar, Vasco 2019", "pamplona/", &d);
+    put_table(c, "Other papers", "others/", &d);
+    return document_close(&d, why);
 }

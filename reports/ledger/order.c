@@ -38,9 +38,9 @@ void ledger_order_order(struct claims_measured *m) {
         held[setting > 0] &= holds;
     }
     claim_decide(m, held[0], held[1],
-               "an order of %g +- %g by the rule of the gates in the first setting (as published) and in the "
-               "others, if any",
-               order, BAND);
+                 "an order of %g +- %g by the rule of the gates in the first setting (as published) and in the "
+                 "others, if any",
+                 order, BAND);
 }
 
 /* "ORDER TABLE METHOD | ...": the slope of what is printed (reports/published). */
@@ -74,7 +74,7 @@ void ledger_order_table(struct claims_measured *m) {
         for (int i = 0; i < t.columns; i++) {
             struct result run;
             if (claim_result(&run, m, "run %.*s %s%s --dx %s", scene, options, t.method[r], options + scene,
-                           t.where[i]))
+                             t.where[i]))
                 return;
             double measured = run.error.l1, ratio = measured / t.value[r][i];
             int digits = fabs(published_units(t.cell[r][i], measured)) <= 1;
@@ -87,7 +87,7 @@ void ledger_order_table(struct claims_measured *m) {
     claim_number(m, held, "", "within 2 %% or a unit of the last digit");
     claim_number(m, worst, "", "worst ratio of those more than a unit of the last digit off");
     claim_decide(m, fabs(worst - 1) <= 0.10, held == t.rows * t.columns,
-               "every error within 2 %% or one unit of its last digit; within 10 %% leaves a choice open");
+                 "every error within 2 %% or one unit of its last digit; within 10 %% leaves a choice open");
 }
 
 /* What the errors of Table 2 lack, by two fits of one number each: decimals of the exact solution, and seconds of the
@@ -109,7 +109,7 @@ void ledger_order_gap(struct claims_measured *m) {
             for (int k = 0; k < 3; k++) {
                 struct command_run run;
                 int bad = claim_run(&run, m, "run rod-gauss %s --h 1.05 --stepper exact --dx %s --t-end %.10g",
-                                  t.method[r], t.where[i], 5 - fit[k].late);
+                                    t.method[r], t.where[i], 5 - fit[k].late);
                 double error = bad ? NAN : command_run_error(&run, fit[k].decimals, fit[k].late);
                 command_run_free(&run);
                 if (bad) return;
@@ -121,8 +121,8 @@ void ledger_order_gap(struct claims_measured *m) {
         claim_number(m, worst[k], "", "off by a factor of at most");
     }
     claim_decide(m, met[0] == all, 1,
-               "every printed digit of every error as stated; else not explained where both fits give them, or "
-               "neither does");
+                 "every printed digit of every error as stated; else not explained where both fits give them, or "
+                 "neither does");
     if (met[0] < all && (met[1] == all) == (met[2] == all)) m->verdict = CLAIMS_UNEXPLAINED;
 }
 
@@ -146,7 +146,7 @@ void ledger_order_eq45(struct claims_measured *m) {
     claim_number(m, apart[0], "K", "|T(x) - T(-x)|, kappa_y = kappa_x");
     claim_number(m, apart[1], "K", "kappa_y = kappa_x/3");
     claim_decide(m, apart[0] <= 1e-12, apart[1] <= 1e-12,
-               "as even as the problem is: for the one kappa_y that makes it so, and for any");
+                 "as even as the problem is: for the one kappa_y that makes it so, and for any");
 }
 
 /* Eq. 45 is the solution of the infinite line; eq. 44 has walls at zero.  Relative to the errors of Table 1. */
@@ -169,9 +169,9 @@ void ledger_order_walls(struct claims_measured *m) {
     }
     claim_number(m, 2 * printed(L, 5, KAPPA, KAPPA) / T0 / 2, "", "T(L)/T0 of eq. 45 at 5 s");
     claim_decide(m, share[0] <= 0.01 * smallest, share[1] <= 0.01 * smallest,
-               "eq. 45 misses the walls by at most 1 %% of the smallest error of Table 1, %.4g: at 5 s, as "
-               "published, and ten times later",
-               smallest);
+                 "eq. 45 misses the walls by at most 1 %% of the smallest error of Table 1, %.4g: at 5 s, as "
+                 "published, and ten times later",
+                 smallest);
 }
 
 /* ---- The other forms of the Laplacian, on the lattice and off it ---- */
@@ -215,7 +215,7 @@ void ledger_order_sensitive(struct claims_measured *m) {
     struct shaken of;
     if (shake(m->argument, &of, m)) return;
     claim_decide(m, is_sensitive(&of), 1,
-               "of second order on the lattice, and half an order short of it with places 0.1 dx off");
+                 "of second order on the lattice, and half an order short of it with places 0.1 dx off");
 }
 
 /* METHOD: and a run of small steps that leaves all bounds. */
@@ -224,10 +224,10 @@ void ledger_order_diverges(struct claims_measured *m) {
     struct result run;
     if (shake(m->argument, &of, m)) return;
     int fails = claim_result(&run, NULL, "run rect-manufactured %s --set k_y=0.02 --dx 0.05%s", m->argument,
-                           " --layout jitter --jitter 0.3 --seed 1 --stepper euler --fourier 0.05") != 0;
+                             " --layout jitter --jitter 0.3 --seed 1 --stepper euler --fourier 0.05") != 0;
     claim_number(m, fails, "", "runs that leave their bounds, 0.3 dx off, F = 0.05");
     claim_decide(m, is_sensitive(&of) && fails && of.growth > 0, 1,
-               "half an order short with places 0.1 dx off; 0.3 dx off a mode grows and a run fails");
+                 "half an order short with places 0.1 dx off; 0.3 dx off a mode grows and a run fails");
 }
 
 /* "METHOD | METHOD | ...": the first where particles are in disorder, against the others. */
@@ -242,8 +242,8 @@ void ledger_order_steadier(struct claims_measured *m) {
         better &= of.error[1] < other.error[1] && other.growth > 0;
     }
     claim_decide(m, better && of.growth == 0, !is_sensitive(&of),
-               "the least E1 with places off, and the only one of which no mode grows; without a condition if "
-               "it keeps its order");
+                 "the least E1 with places off, and the only one of which no mode grows; without a condition if "
+                 "it keeps its order");
 }
 
 /* "METHOD | METHOD": accuracy and stability of the first against the second. */
@@ -260,7 +260,7 @@ void ledger_order_better(struct claims_measured *m) {
         claim_number(m, step[k], "dx^2/kappa", "largest step on the lattice");
     }
     claim_decide(m, of[0].error[1] < of[1].error[1] && step[0] > step[1],
-               of[0].error[0] < of[1].error[0] && of[0].growth == 0,
-               "less error with places off and a larger step on the lattice; without a condition if also less "
-               "error there, and no growth 0.3 dx off");
+                 of[0].error[0] < of[1].error[0] && of[0].growth == 0,
+                 "less error with places off and a larger step on the lattice; without a condition if also less "
+                 "error there, and no growth 0.3 dx off");
 }

@@ -126,6 +126,8 @@ void pamplona_plate_accuracy(struct claims_measured *m) {
             falls[i] &= k == 0 || E[i][k] < E[i][k - 1];
             similar[i] = fmax(similar[i], exp(fabs(log(E[i][k] / E[PLATE_FTCS][k]))));
         }
+    claim_number(m, similar[PLATE_PRINTED], "", "quartic SPH and FTCS differ by a factor of at most");
+    claim_number(m, similar[PLATE_SPH], "", "cubic SPH and FTCS");
     if (m->argument[0] == 'o')
         claim_decide(m, order, 1, "mean of |e|/T from 1 %% to below 10 %% at all four times, both methods");
     else if (m->argument[0] == 'f')

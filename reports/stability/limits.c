@@ -1,10 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Limits against h/dx: published, von Neumann, measured, per method, kernel and dimension; and where the maximum
- * principle holds. */
+/* Limits against h/dx: published, von Neumann, measured, per method, kernel and dimension. */
 #include "reports/stability/stability.h"
 
 #include "verification/stability/step_limit.h"
-#include "verification/stability/maximum_principle.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -55,22 +53,6 @@ static int differences(FILE *out, struct failure *why) {
     return STATUS_OK;
 }
 
-/* SO-SSPH in the plane with kappa_y = ratio kappa_x, h/dx = 1.1; 1e-9 stands for 0. */
-static int unequal(FILE *out, struct failure *why) {
-    enum { STEPS = 40 };
-    for (int k = 0; k < KERNELS; k++) {
-        stability_block(out, "kappa_y/kappa_x,published,von_neumann", "unequal %s", kernel_words[k]);
-        for (int i = 0; i <= STEPS; i++) {
-            struct model_problem b = stability_model("so_ssph", 2, (enum kernel_name)k, 1.1);
-            struct step_limit l;
-            b.ratio = fmax(1e-9, (double)i / STEPS);
-            if (step_limit_model(&b, why) || step_limit_predict(&b, &l, why)) return why->status;
-            fprintf(out, "%.4g,%.6g,%.6g\n", b.ratio, l.published, l.von_neumann);
-        }
-    }
-    return STATUS_OK;
-}
-
 int stability_limits_page(FILE *out, struct failure *why) {
     struct point *point = xcalloc(CASES, sizeof *point);
     stability_head(out, "The largest stable step: published, by von Neumann's analysis, by trying",
@@ -85,24 +67,5 @@ int stability_limits_page(FILE *out, struct failure *why) {
         print(out, &point[i], ratio_of(i % RATIOS));
     }
     free(point);
-    return differences(out, why) ? why->status : unequal(out, why);
-}
-
-int stability_maximum_page(FILE *out, struct failure *why) {
-    (void)why;
-    stability_head(out, "Where SO-SSPH keeps the range of its initial data: weights, and runs on an impulse",
-                   "verify --only 'maximum/*'");
-    for (int i = 0; i < DIMS * KERNELS; i++) {
-        struct model_problem b = stability_model("so_ssph", 1 + i / KERNELS, (enum kernel_name)(i % KERNELS), 0);
-        stability_block(out, "h/dx,lowest_weight/|w0|,undershoot_K", "%s %dD", kernel_words[i % KERNELS], b.dim);
-        for (int k = 0; k < MAXIMUM_COUNT; k++) {
-            struct maximum_principle x;
-            struct failure refused;
-            if (maximum_principle_find(&b, maximum_principle_h(k), &x, &refused))
-                fprintf(out, "%.4g,nan,nan\n", maximum_principle_h(k));
-            else
-                fprintf(out, "%.4g,%.6g,%.6g\n", maximum_principle_h(k), x.lowest, x.undershoot);
-        }
-    }
-    return STATUS_OK;
+    return differences(out, why);
 }

@@ -8,10 +8,10 @@
 #include <stdarg.h>
 
 static const struct figure_page pages[] = {
-    {"stability_limits", stability_limits_page},     {"stability_symbols", stability_symbols_page},
-    {"stability_jitter", stability_jitter_page},     {"stability_walls", stability_walls_page},
-    {"stability_blowup", stability_blowup_page},     {"stability_checkerboard", stability_checkerboard_page},
-    {"stability_steppers", stability_steppers_page}, {"stability_maximum", stability_maximum_page},
+    {"stability_limits", stability_limits_page},
+    {"stability_jitter", stability_jitter_page},
+    {"stability_blowup", stability_blowup_page},
+    {"stability_checkerboard", stability_checkerboard_page},
 };
 
 void stability_head(FILE *out, const char *title, const char *command) {

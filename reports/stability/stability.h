@@ -23,12 +23,8 @@ struct model_problem stability_model(const char *method, int dim, enum kernel_na
 
 /* The pages.  Each writes into `out`. */
 int stability_limits_page(FILE *out, struct failure *why);
-int stability_symbols_page(FILE *out, struct failure *why);
 int stability_jitter_page(FILE *out, struct failure *why);
-int stability_walls_page(FILE *out, struct failure *why);
 int stability_blowup_page(FILE *out, struct failure *why);
 int stability_checkerboard_page(FILE *out, struct failure *why);
-int stability_steppers_page(FILE *out, struct failure *why);
-int stability_maximum_page(FILE *out, struct failure *why);
 
 #endif

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* What runs do over time: the blow-up that a published bound allows, the checkerboard, and the steppers' factors. */
+/* Runs over time: the blow-up that a published bound allows, and the checkerboard. */
 #include "reports/stability/stability.h"
 
 #include "verification/stability/step_limit.h"
@@ -85,36 +85,6 @@ int stability_checkerboard_page(FILE *out, struct failure *why) {
         }
         free(run);
         if (status) return status;
-    }
-    return STATUS_OK;
-}
-
-/* ---- Steppers ---- */
-
-int stability_steppers_page(FILE *out, struct failure *why) {
-    enum { POINTS = 600 };
-    static const struct amplification steppers[] = {{STEPPER_EULER, 0}, {STEPPER_RK2, 0},  {STEPPER_RKL2, 3},
-                                                    {STEPPER_RKL2, 5},  {STEPPER_RKL2, 9}, {STEPPER_RKL2, 15}};
-    stability_head(out, "Amplification along the real axis", "limit so_ssph --dim 1 --stepper rkl2 --stages 9");
-    for (size_t i = 0; i < sizeof steppers / sizeof *steppers; i++) {
-        const struct amplification *a = &steppers[i];
-        char name[60];
-        if (a->stages)
-            snprintf(name, sizeof name, "%s %d", stepper_words[a->stepper], a->stages);
-        else
-            snprintf(name, sizeof name, "%s", stepper_words[a->stepper]);
-        stability_block(out, "-dt lambda,|G|,G", "%s", name);
-        for (int k = 0; k <= POINTS; k++) {
-            double z = 1.25 * amplification_interval(a) * k / POINTS, G = creal(amplification_factor(a, -z));
-            fprintf(out, "%.6g,%.6g,%.6g\n", z, fabs(G), G);
-        }
-        struct model_problem b = stability_model("so_ssph", 1, KERNEL_CUBIC, 1.1);
-        struct step_limit l;
-        b.step = *a;
-        if (step_limit_model(&b, why) || step_limit_predict(&b, &l, why) || step_limit_measure(&b, &l.measured, why))
-            return why->status;
-        stability_block(out, "interval measured,of theory,|G| = 1 at", "measured %s", name);
-        fprintf(out, "%.6g,%.6g,%.6g\n", l.measured * l.radius, amplification_interval(a), amplification_reach(a));
     }
     return STATUS_OK;
 }
