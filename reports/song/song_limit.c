@@ -46,7 +46,7 @@ void song_limit_quoted_limit(struct claims_measured *m) {
     claim_number(m, quoted / l.published, "", "quoted over formula");
     /* one digit is printed: 10 % */
     claim_decide(m, quoted <= 1.1 * l.actual, fabs(quoted / l.published - 1) <= 0.1,
-               "the quoted limit is stable to its one digit, and the formula gives it to that digit");
+                 "the quoted limit is stable to its one digit, and the formula gives it to that digit");
 }
 
 struct scan {
@@ -81,11 +81,11 @@ void song_limit_bound(struct claims_measured *m) {
     claim_number(m, rod.actual / rod.published, "", "true limit over published, rod as run");
     claim_number(m, square.actual / square.published, "", "true limit over published, square as run");
     claim_number(m, 1 / worst.ratio, "", "the same, worst: %s kernel, %dD, h/dx = %.2f", worst.kernel, worst.dim,
-               worst.h);
+                 worst.h);
     /* 0.1 % for the search over wave numbers */
     claim_decide(m, as_run <= 1.001, worst.ratio <= 1.001,
-               "a step at the published limit has |G| <= 1: in the paper's runs; with any of three kernels, "
-               "h/dx 1.02 to 2.02, 1D and 2D");
+                 "a step at the published limit has |G| <= 1: in the paper's runs; with any of three kernels, "
+                 "h/dx 1.02 to 2.02, 1D and 2D");
 }
 
 /* The status of 4000 Euler steps of dt, s, at dx = 0.1 m. */
@@ -136,8 +136,8 @@ void song_limit_unequal(struct claims_measured *m) {
         claim_number(m, status[i] == STATUS_UNSTABLE, "", "runs of 4000 such steps that blow up");
     }
     claim_decide(m, worst <= 1.001 && status[0] == STATUS_OK, status[1] == STATUS_OK,
-               "a step at eq. 34 has |G| <= 1 (to 0.1 %%), and a run at 0.99 of it stays bounded, for kappa_y "
-               "from 1e-9 kappa_x to kappa_x");
+                 "a step at eq. 34 has |G| <= 1 (to 0.1 %%), and a run at 0.99 of it stays bounded, for kappa_y "
+                 "from 1e-9 kappa_x to kappa_x");
 }
 
 /* Weights and undershoots where the two diffusivities differ. */
@@ -161,7 +161,7 @@ void song_limit_unequal_weights(struct claims_measured *m) {
         below = fmax(below, run.shape.undershoot);
     }
     claim_decide(m, below <= 1e-11, lowest >= 0,
-               "no undershoot (to rounding, 1e-11 K) at kappa_y = kappa_x/10 and /100");
+                 "no undershoot (to rounding, 1e-11 K) at kappa_y = kappa_x/10 and /100");
 }
 
 static const double theta[2] = {0.7, 1.9}; /* radians a particle */
@@ -207,11 +207,11 @@ void song_limit_eq33(struct claims_measured *m) {
         claim_number(m, web[1], "", "the same, eq. 33 of the web page");
         claim_number(m, limit[1], "", "dt of eq. 34 on the web page over the PDF's");
         claim_decide(m, fabs(web[1] - apart[1]) <= 1e-12 && fabs(limit[1] - 1) <= 1e-12, 1,
-                   "eqs. 33 and 34 are the same in both (to rounding, 1e-12) where the diffusivities differ");
+                     "eqs. 33 and 34 are the same in both (to rounding, 1e-12) where the diffusivities differ");
         return;
     }
     claim_decide(m, apart[0] <= 1e-12, apart[1] <= 1e-12,
-               "the two agree to rounding (1e-12): for one diffusivity, and for two");
+                 "the two agree to rounding (1e-12): for one diffusivity, and for two");
 }
 
 /* G of eqs. 39 and 40 as printed, with a minus sign before the square, against one step of the scheme. */

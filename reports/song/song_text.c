@@ -21,18 +21,18 @@ void song_text_resources(struct claims_measured *m) {
     char method[40];
     for (int i = 0; i < 2; i++) {
         if (!claim_part(&m->argument, method, sizeof method) || largest_step(method, &step[i], m) ||
-            claim_result(&run[i], m, "run rect-manufactured %s --set k_y=0.02 --dx 0.05 --stepper euler --fourier 0.1",
-                       method))
+            claim_result(&run[i], m,
+                         "run rect-manufactured %s --set k_y=0.02 --dx 0.05 --stepper euler --fourier 0.1", method))
             return;
         claim_number(m, step[i], "dx^2/kappa", "largest step of %s", method);
         claim_number(m, (double)run[i].cost.interactions / (double)run[i].cost.updates, "",
-                   "its interactions a particle and step");
+                     "its interactions a particle and step");
         claim_number(m, run[i].error.l1, "", "its E1 on rect-manufactured");
     }
     double work = ((double)run[0].cost.interactions / step[0]) / ((double)run[1].cost.interactions / step[1]);
     claim_number(m, work, "", "interactions for the same time, the first over the second");
     claim_decide(m, work < 1, run[0].error.l1 <= run[1].error.l1,
-               "fewer interactions for the same time with the same particles; and no larger error");
+                 "fewer interactions for the same time with the same particles; and no larger error");
 }
 
 /* The heat through the wall of eq. 4 at two times: of a Neumann condition it would be the given one at both. */
@@ -47,5 +47,5 @@ void song_text_robin(struct claims_measured *m) {
         claim_number(m, flux[i], "W m^-2", "through the cooled end at %g s", time[i]);
     }
     claim_decide(m, fabs(flux[1] / flux[0] - 1) <= 1e-9, 1,
-               "the heat through the wall does not depend on its temperature");
+                 "the heat through the wall does not depend on its temperature");
 }

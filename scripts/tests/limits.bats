@@ -42,13 +42,13 @@ load common
 
 @test "an interrupt leaves earlier results whole" {
     mkdir out
-    echo before >out/claims.csv
+    echo before >out/claims.md
     for signal in INT TERM; do
         env --default-signal=INT heatladder report claims out >/dev/null 2>&1 &
         sleep 0.5
         kill -$signal $!
         run wait $!
-        [ "$(ls out) $(cat out/claims.csv)" = 'claims.csv before' ]
+        [ "$(ls out) $(cat out/claims.md)" = 'claims.md before' ]
     done
 }
 
