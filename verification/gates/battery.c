@@ -64,19 +64,29 @@ void battery_words(enum profile profile, int rungs, char *text, size_t size) {
     if (rungs) words_add(text, size, " --rungs %d", rungs);
 }
 
-static int set_bounds(struct gate_result *result, struct failure *why) {
-    struct command r;
-    struct gate *g = &result->gate;
-    int status = gates_finest(g->command, 1, &r, why);
-    if (!status) bounds_of(result->line, &r.experiment, g);
-    command_free(&r);
-    if (status || g->lo <= g->hi) return status;
-    return refuse(why, STATUS_NUMERICAL, "%.60s: '%.200s' has no bounds", g->id, g->command);
+/* Stands for the program of rows that are listed or written. */
+static const struct program any = {.solver = "{case} {out}"};
+
+/* Where the command was refused for its program, without an answer for one, its bounds are those of any. */
+static int set_bounds(struct gate_result *r, struct failure *why) {
+    struct gate *g = &r->gate;
+    struct command own;
+    int status = r->read ? STATUS_OK : gates_read_row(g, &any, &own, why);
+    if (!status) {
+        struct experiment e = gates_finest(r->read ? r->read : &own);
+        bounds_of(r->line, &e, g);
+        if (!(g->lo <= g->hi))
+            status = refuse(why, STATUS_NUMERICAL, "%.60s: '%.200s' has no bounds", g->id, g->command);
+    }
+    if (!r->read) command_free(&own);
+    return status;
 }
 
 /* A run each, by many threads; of failures the first row's is reported. */
 int battery_bounds(struct gates *g, struct failure *why) {
     int first = g->declared;
+    if (!g->program) g->program = &any;
+    gates_read(g);
 #pragma omp parallel for schedule(dynamic, 1)
     for (int i = 0; i < g->declared; i++) {
         struct failure own;
@@ -89,33 +99,34 @@ int battery_bounds(struct gates *g, struct failure *why) {
 
 /* The cases of one row, a ladder in space `seeds` times; a ladder in time has a directory a step below that of its
  * spacing. */
-static int write_row(const struct gate *gate, int seeds, const char *dir, struct failure *why) {
-    const char *const more[] = {"--solver", "{case} {out}", NULL};
-    struct command r;
-    char setting[PROGRAM_SETTING], rung[60] = "", dt[40];
-    int status = command_read_with(gate->command, more, &r, why), written;
-    struct experiment *e = &r.experiment;
-    if (!status && (!e->scene || results_setting(e->scene, &e->problem, r.overridden, &e->program.map,
-                                                 e->options.aspect, setting)))
-        status = refuse(why, STATUS_INPUT, "'%.200s': has no scene, or too many parameters", gate->command);
-    for (int i = 0; !status && i < (r.rungs.dt.count > 1 ? r.rungs.dt.count : 1); i++) {
-        if (r.rungs.dt.count > 1) {
-            e->options.dt = r.rungs.dt.value[i];
-            results_number(e->options.dt, dt);
+static int write_row(const struct gate_result *row, int seeds, const char *dir, struct failure *why) {
+    if (!row->read) return *why = row->refused, why->status;
+    struct experiment e = row->read->experiment;
+    const struct numbers *steps = &row->read->rungs.dt;
+    char rung[60] = "", dt[40];
+    int status = STATUS_OK, written;
+    if (!e.scene || results_setting(e.scene, &e.problem, row->read->overridden, &e.program.map, e.options.aspect,
+                                    e.program.setting))
+        return refuse(why, STATUS_INPUT, "'%.200s': has no scene, or too many parameters", row->gate.command);
+    for (int i = 0; !status && i < (steps->count > 1 ? steps->count : 1); i++) {
+        if (steps->count > 1) {
+            e.options.dt = steps->value[i];
+            results_number(e.options.dt, dt);
             snprintf(rung, sizeof rung, "dt=%s", dt);
         }
-        const struct results_place at = {dir, setting, rung, &e->program.map,
-                                         gates_is_drawn(gate) && seeds > 1 ? seeds : 0};
-        status = results_write(&at, e->scene, &e->problem, &e->options, r.rungs.dx.text, &written, why);
+        const struct results_place at = {dir, e.program.setting, rung, &e.program.map,
+                                         gates_is_drawn(&row->gate) && seeds > 1 ? seeds : 0};
+        status = results_write(&at, e.scene, &e.problem, &e.options, row->read->rungs.dx.text, &written, why);
     }
-    command_free(&r);
     return status;
 }
 
-int battery_write(const struct gates *g, int seeds, const char *dir, int *cases, struct failure *why) {
+int battery_write(struct gates *g, int seeds, const char *dir, int *cases, struct failure *why) {
     char path[RESULTS_PATH];
+    if (!g->program) g->program = &any;
+    gates_read(g);
     for (int i = 0; i < g->declared; i++)
-        if (write_row(&g->result[i].gate, seeds, dir, why)) return why->status;
+        if (write_row(&g->result[i], seeds, dir, why)) return why->status;
     snprintf(path, sizeof path, "%.1000s/cases.txt", dir);
     char *list = whole_file_at(path, NULL);
     *cases = 0;

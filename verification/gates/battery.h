@@ -50,6 +50,6 @@ void battery_words(enum profile profile, int rungs, char *text, size_t size);
 /* Writes the case of every rung of every row in *g: DIR/SCENE/SETTING/DX/case, and DIR/cases.txt (results.h).
  * With seeds > 1 each rung of a ladder in space is written as often, as DX/seed=1/case and so on.  What rows share is
  * written once.  *cases: those that cases.txt names then.  STATUS_OK or STATUS_INPUT with *why. */
-int battery_write(const struct gates *g, int seeds, const char *dir, int *cases, struct failure *why);
+int battery_write(struct gates *g, int seeds, const char *dir, int *cases, struct failure *why);
 
 #endif

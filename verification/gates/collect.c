@@ -86,23 +86,11 @@ static void add_row(struct gates *g, const struct row *row, const char *id, cons
     }
 }
 
-int gates_finest(const char *command, int program, struct command *r, struct failure *why) {
-    const char *const solver[] = {"--solver", "{case}{out}", NULL};
-    if (command_read_with(command, program ? solver : solver + 2, r, why)) return why->status;
-    struct options *o = &r->experiment.options;
-    for (int i = 0; i < r->rungs.dx.count; i++) o->dx = fmin(o->dx, r->rungs.dx.value[i]);
-    for (int i = 0; i < r->rungs.dt.count; i++) o->dt = fmin(o->dt, r->rungs.dt.value[i]);
-    for (int i = 0; i < r->rungs.fourier.count; i++) o->fourier = fmin(o->fourier, r->rungs.fourier.value[i]);
-    return STATUS_OK;
-}
-
 /* A command that is refused leaves its gate without bounds; it fails with that text. */
-static void set_bounds(struct gate_result *result) {
-    struct command r;
-    struct failure ignored;
-    if (!result->line) return;
-    if (!gates_finest(result->gate.command, 0, &r, &ignored)) bounds_of(result->line, &r.experiment, &result->gate);
-    command_free(&r);
+static void set_bounds(struct gate_result *r) {
+    if (!r->line || !r->read) return;
+    struct experiment e = gates_finest(r->read);
+    bounds_of(r->line, &e, &r->gate);
 }
 
 /* ---- References ---- */
@@ -197,10 +185,11 @@ int gates_collect(const char *only, const char *skip, int quick, struct gates *g
     *g = (struct gates){0};
     add_rows(g);
     for (int i = 0; scenes[i]; i++) add_reference(g, scenes[i]);
-    int status = gates_choose(g, only, skip, quick, why);
+    if (gates_choose(g, only, skip, quick, why)) return why->status;
+    gates_read(g);
 #pragma omp parallel for schedule(dynamic, 1)
     for (int i = 0; i < g->declared; i++) set_bounds(&g->result[i]);
-    return status;
+    return STATUS_OK;
 }
 
 const char *gates_keep(struct gates *g, const char *text) {
@@ -209,7 +198,19 @@ const char *gates_keep(struct gates *g, const char *text) {
     return g->kept[g->texts++] = xcheck(strdup(text), strlen(text) + 1, 1);
 }
 
+void gates_forget(struct gate_result *r) {
+    if (r->read) command_free(r->read);
+    free(r->read);
+    r->read = NULL, r->refused.status = STATUS_OK;
+}
+
+void gates_retype(struct gates *g, int i, const char *command) {
+    gates_forget(&g->result[i]);
+    g->result[i].gate.command = gates_keep(g, command);
+}
+
 void gates_free(struct gates *g) {
+    for (int i = 0; i < g->declared; i++) gates_forget(&g->result[i]);
     for (int i = 0; i < g->texts; i++) free(g->kept[i]);
     free(g->kept);
     free(g->result);

@@ -7,11 +7,9 @@
 #include "verification/ladder/command.h"
 #include "verification/foreign/program.h"
 #include "verification/text/progress.h"
-#include "verification/text/words.h"
 
 #include <gsl/gsl_sort_double.h>
 #include <math.h>
-#include <omp.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -29,6 +27,7 @@ static double steps_at(const struct command *r, double dx) {
 }
 
 static double job_size(const struct command *r) {
+    if (!r) return 0;
     const struct problem *p = &r->experiment.problem;
     double work = 0;
     for (int i = 0; i < r->rungs.dx.count; i++) {
@@ -36,30 +35,14 @@ static double job_size(const struct command *r) {
         for (int a = 0; a < p->dim; a++) particles *= (p->hi[a] - p->lo[a]) / r->rungs.dx.value[i];
         work += particles * steps_at(r, r->rungs.dx.value[i]);
     }
-    return work;
-}
-
-static double job_size_of(const char *command) {
-    struct command r;
-    struct failure why;
-    double work = command_read(command, &r, &why) ? 0 : job_size(&r);
-    command_free(&r);
     return isfinite(work) ? work : 0;
 }
 
-void gates_run_row(struct gates *g, struct gate_result *result, const struct program *program) {
-    double start = omp_get_wtime();
-    gates_command(&result->gate, g->program, result->typed, sizeof result->typed);
-    if (g->origin && strncmp(result->typed, "verify", 6) == 0)
-        words_add(result->typed, sizeof result->typed, " %s", g->origin);
-    gates_judge(&result->gate, program, &result->measured);
-    result->seconds = omp_get_wtime() - start;
-}
-
 void gates_run(struct gates *g) {
+    gates_read(g);
     size_t *order = xcalloc((size_t)g->declared, sizeof *order);
     double *light = xcalloc((size_t)g->declared, sizeof *light);
-    for (int i = 0; i < g->declared; i++) order[i] = (size_t)i, light[i] = -job_size_of(g->result[i].gate.command);
+    for (int i = 0; i < g->declared; i++) order[i] = (size_t)i, light[i] = -job_size(g->result[i].read);
     if (!g->program) gsl_sort_index(order, light, 1, (size_t)g->declared);
     struct progress progress = progress_start("gates", g->declared);
     int executed = 0, solver = g->program && g->program->solver;
@@ -80,7 +63,10 @@ void gates_run(struct gates *g) {
 void gates_cut(struct gates *g, int signal) {
     int judged = 0;
     for (int i = 0; i < g->declared; i++)
-        if (g->result[i].executed) g->result[judged++] = g->result[i];
+        if (g->result[i].executed)
+            g->result[judged++] = g->result[i];
+        else
+            gates_forget(&g->result[i]);
     g->planned = g->declared;
     g->declared = judged;
     g->interrupted = signal;

@@ -5,12 +5,14 @@
 /* Gates: statements that must hold, each with its bounds and the reason for them.  A new one is a row of one of the
  * tables *.def. */
 
+#include "solver/status.h"
 #include "verification/gates/measures.h"
 
 #include <stddef.h>
 
 struct program;
 struct command;
+struct experiment;
 
 enum gate_tier { TIER_QUICK, TIER_FULL }; /* quick: in every run; full: left out by --quick */
 
@@ -28,7 +30,9 @@ enum { GATES_COMMAND = 4096, GATES_SOLVER = 2000 }; /* letters of a command, and
 
 struct gate_result {
     struct gate gate;
-    int line;                  /* of gates.def, whose expressions give the bounds; 0: they are numbers */
+    int line;                  /* of gates.def or battery.def, whose expressions give the bounds; 0: numbers */
+    struct command *read;      /* owned: of gates_read; NULL where it was refused, or not read yet */
+    struct failure refused;    /* STATUS_OK where it was not */
     char typed[GATES_COMMAND]; /* of gates_command */
     struct measured measured;
     double seconds;
@@ -61,15 +65,26 @@ const char *gates_keep(struct gates *g, const char *text);
  * quick tier alone where asked.  STATUS_OK; or STATUS_INPUT where a glob matches no row at all, or none is left. */
 int gates_choose(struct gates *g, const char *only, const char *skip, int quick, struct failure *why);
 
-/* The experiment of a command at its finest rung, for the expressions of bounds; program: 1 for a command of another
- * program.  End with command_free. */
-int gates_finest(const char *command, int program, struct command *r, struct failure *why);
+/* The command of a row as it was read is freed. */
+void gates_forget(struct gate_result *r);
+
+/* Another command of the i-th row, to be read again. */
+void gates_retype(struct gates *g, int i, const char *command);
+
+/* Reads a command, for another program where there is one; with `results` it depends on the files that are there.
+ * STATUS_OK or *why; command_free in either case. */
+int gates_read_row(const struct gate *gate, const struct program *program, struct command *c, struct failure *why);
+/* Reads the commands of all rows, each once, for g->program where there is one. */
+void gates_read(struct gates *g);
+
+/* The experiment of a command at its finest rung, for the expressions of bounds. */
+struct experiment gates_finest(const struct command *c);
 
 /* How many runs another program makes of them where none fails: cases that rows share count once. */
-int gates_runs(const struct gates *g);
+int gates_runs(struct gates *g);
 
-/* The rungs of one row, 1 of a run. */
-int gates_rungs(const struct gate *gate, const struct program *program);
+/* The rungs of a row that was read, 1 of a run. */
+int gates_rungs(const struct gate_result *r);
 
 /* Runs all: in parallel, the heaviest first; those of a command one after the other, without a word. */
 void gates_run(struct gates *g);

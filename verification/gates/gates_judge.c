@@ -10,6 +10,7 @@
 #include "verification/text/words.h"
 
 #include <math.h>
+#include <omp.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -30,77 +31,115 @@ static void judge_refused(struct measured *m, const char *text) {
     snprintf(m->reason, sizeof m->reason, "%.300s", text);
 }
 
-/* The words that let another program answer a gate. */
-struct words {
-    const char *word[9]; /* ended by NULL */
-    int count;
-    char timeout[40], seeds[16];
-};
-
 int gates_is_drawn(const struct gate *gate) {
     return strncmp(gate->command, "ladder ", 7) == 0 && !strstr(gate->command, " --dt ");
 }
 
-static void words_of(const struct gate *gate, const struct program *g, struct words *w) {
-    int n = 0;
-    *w = (struct words){0};
-    if (!g) return;
-    w->word[n++] = g->solver ? "--solver" : "--results";
-    w->word[n++] = g->solver ? g->solver : g->results;
-    if (g->timeout > 0) {
-        snprintf(w->timeout, sizeof w->timeout, "%.17g", g->timeout);
-        w->word[n++] = "--timeout", w->word[n++] = w->timeout;
-    }
-    if (g->seeds > 1 && gates_is_drawn(gate)) {
-        snprintf(w->seeds, sizeof w->seeds, "%d", g->seeds);
-        w->word[n++] = "--seeds", w->word[n++] = w->seeds;
-    }
-    if (g->columns.text) w->word[n++] = "--columns", w->word[n++] = g->columns.text;
-    w->count = n;
-}
+/* ---- Reading ---- */
 
-/* What all rows of one program share: where cases are kept, each in the directory of its parameters, and their runs.
- */
-static void share(const struct gate *gate, const struct program *program, struct command *r) {
-    struct experiment *e = &r->experiment;
-    struct program *g = &e->program;
-    g->keep = program->keep;
-    g->runs = program->runs;
-    g->row = gate->id;
-    if (!e->scene || results_setting(e->scene, &e->problem, r->overridden, &g->map, e->options.aspect, g->setting))
-        g->setting[0] = '\0';
-}
-
-/* Of a ladder or a run alone: no other verb can be done by another program. */
-static int parse(const struct gate *gate, const struct program *program, struct command *r, struct failure *why) {
-    struct words w;
-    words_of(gate, program, &w);
-    if (command_read_with(gate->command, w.word, r, why)) return why->status;
-    if (!isnan(gate->ceiling)) r->rungs.ceiling = gate->ceiling;
-    if (program && program->solver) share(gate, program, r);
+/* A ladder or a run alone: no other verb can be done by another program. */
+int gates_read_row(const struct gate *gate, const struct program *program, struct command *c, struct failure *why) {
+    const char *const more[] = {!program          ? NULL
+                                : program->solver ? "--solver"
+                                                  : "--results",
+                                !program          ? NULL
+                                : program->solver ? program->solver
+                                                  : program->results,
+                                NULL};
+    struct experiment *e = &c->experiment;
+    struct program *own = &e->program;
+    if (command_read_with(gate->command, more, c, why)) return why->status;
+    if (!program) return STATUS_OK;
+    own->timeout = program->timeout;
+    own->columns = program->columns;
+    if (program->seeds > 1 && gates_is_drawn(gate)) own->seeds = program->seeds;
+    if (!program->solver) return STATUS_OK;
+    own->row = gate->id;
+    if (!e->scene ||
+        results_setting(e->scene, &e->problem, c->overridden, &own->map, e->options.aspect, own->setting))
+        own->setting[0] = '\0';
     return STATUS_OK;
 }
 
-void gates_judge(const struct gate *gate, const struct program *program, struct measured *m) {
-    struct command r;
-    struct failure why;
+void gates_read(struct gates *g) {
+    for (int i = 0; i < g->declared; i++) {
+        struct gate_result *r = &g->result[i];
+        if (r->read || r->refused.status) continue;
+        r->read = xcalloc(1, sizeof *r->read);
+        if (!gates_read_row(&r->gate, g->program, r->read, &r->refused)) continue;
+        command_free(r->read);
+        free(r->read);
+        r->read = NULL;
+    }
+}
+
+struct experiment gates_finest(const struct command *c) {
+    struct experiment e = c->experiment;
+    struct options *o = &e.options;
+    for (int i = 0; i < c->rungs.dx.count; i++) o->dx = fmin(o->dx, c->rungs.dx.value[i]);
+    for (int i = 0; i < c->rungs.dt.count; i++) o->dt = fmin(o->dt, c->rungs.dt.value[i]);
+    for (int i = 0; i < c->rungs.fourier.count; i++) o->fourier = fmin(o->fourier, c->rungs.fourier.value[i]);
+    return e;
+}
+
+/* ---- Judging ---- */
+
+/* c: NULL where the command was refused.  What the rows of one program share: where cases are kept, and their runs.
+ */
+static void judge(const struct gate *gate, const struct program *program, const struct command *c,
+                  const char *refused, struct measured *m) {
     *m = (struct measured){0};
     const struct measure *measure = measures_find(gate->measure, m);
     if (!measure) return;
-    if (parse(gate, program, &r, &why)) {
-        judge_refused(m, why.text);
-    } else if (measure->ceiling && !(gate->ceiling > 0)) {
-        judge_refused(m, "this measure needs an error ceiling beside it");
-    } else {
-        measure->take(&r, gate->lo, gate->hi, m);
-        if (!isnan(gate->ceiling) && m->verdict != VERDICT_SKIPPED && !has_ladders(gate->measure))
-            judge_ceiling(m->error, gate->ceiling, &m->verdict, m->reason, sizeof m->reason);
+    if (!c || (measure->ceiling && !(gate->ceiling > 0))) {
+        judge_refused(m, c ? "this measure needs an error ceiling beside it" : refused);
+        return;
     }
-    command_free(&r);
+    struct command row = *c;
+    if (!isnan(gate->ceiling)) row.rungs.ceiling = gate->ceiling;
+    if (program && program->solver)
+        row.experiment.program.keep = program->keep, row.experiment.program.runs = program->runs;
+    measure->take(&row, gate->lo, gate->hi, m);
+    if (!isnan(gate->ceiling) && m->verdict != VERDICT_SKIPPED && !has_ladders(gate->measure))
+        judge_ceiling(m->error, gate->ceiling, &m->verdict, m->reason, sizeof m->reason);
+}
+
+void gates_judge(const struct gate *gate, const struct program *program, struct measured *m) {
+    struct command c;
+    struct failure why;
+    int status = gates_read_row(gate, program, &c, &why);
+    judge(gate, program, status ? NULL : &c, why.text, m);
+    command_free(&c);
+}
+
+void gates_run_row(struct gates *g, struct gate_result *r, const struct program *program) {
+    double start = omp_get_wtime();
+    gates_command(&r->gate, g->program, r->typed, sizeof r->typed);
+    if (g->origin && strncmp(r->typed, "verify", 6) == 0) words_add(r->typed, sizeof r->typed, " %s", g->origin);
+    judge(&r->gate, program, r->read, r->refused.text, &r->measured);
+    r->seconds = omp_get_wtime() - start;
+}
+
+/* ---- The command that repeats a row ---- */
+
+static void put_words(const char *option, const char *value, FILE *out) {
+    char *words = words_line(2, (const char *const[]){option, value});
+    fprintf(out, " %s", words);
+    free(words);
+}
+
+/* Words that let another program answer. */
+static void put_program(const struct gate *gate, const struct program *g, FILE *out) {
+    if (g->solver)
+        put_words("--solver", g->solver, out);
+    else
+        put_words("--results", g->results, out);
+    if (g->timeout > 0) fprintf(out, " --timeout %.17g", g->timeout);
+    if (g->seeds > 1 && gates_is_drawn(gate)) fprintf(out, " --seeds %d", g->seeds);
+    if (g->columns.text) put_words("--columns", g->columns.text, out);
 }
 
 void gates_command(const struct gate *gate, const struct program *program, char *text, size_t size) {
-    struct words w;
     char glob[512];
     int ladder = is_ladder(gate->measure);
     FILE *out = xcheck(fmemopen(text, size, "w"), size, 1);
@@ -112,10 +151,7 @@ void gates_command(const struct gate *gate, const struct program *program, char 
         fprintf(out, "%s --expect %g,%g", gate->command, gate->lo, gate->hi);
     if (strcmp(gate->measure, "order_linf") == 0) fprintf(out, " --norm linf");
     if (ladder && !isnan(gate->ceiling)) fprintf(out, " --ceiling %.10g", gate->ceiling);
-    words_of(gate, program, &w);
-    char *more = words_line(w.count, w.word);
-    fprintf(out, "%s%s", w.count > 0 ? " " : "", more);
-    free(more);
+    if (program) put_program(gate, program, out);
     fclose(out);
     text[size - 1] = '\0';
 }
@@ -140,38 +176,32 @@ static void add_case(struct cases *c, const struct command *r, double dx, double
 }
 
 /* Rungs of a ladder, in whatever it climbs, each for every seed; 1 of a run. */
-static int add_cases(const struct gate *gate, const struct program *program, struct cases *cases) {
-    struct command r;
-    struct failure why;
-    int rungs = 1;
-    if (!parse(gate, program, &r, &why) && r.experiment.scene) {
-        const struct numbers none = {.count = 1}, *dx = &r.rungs.dx, *steps = &none;
-        const struct numbers *climbs[] = {&r.rungs.dt, &r.rungs.fourier, &r.rungs.vary};
-        for (int k = 0; k < 3; k++)
-            if (climbs[k]->count > 0) steps = climbs[k];
-        rungs = dx->count * steps->count;
-        int seeds = r.experiment.program.seeds > 1 ? r.experiment.program.seeds : 1;
-        for (int i = 0; i < rungs * seeds; i++)
-            add_case(cases, &r, dx->value[i / seeds / steps->count], steps->value[i / seeds % steps->count],
-                     i % seeds);
-        rungs *= seeds;
-    }
-    command_free(&r);
-    return rungs;
+static int add_cases(const struct command *c, struct cases *cases) {
+    if (!c || !c->experiment.scene) return 1;
+    const struct numbers none = {.count = 1}, *dx = &c->rungs.dx, *steps = &none;
+    const struct numbers *climbs[] = {&c->rungs.dt, &c->rungs.fourier, &c->rungs.vary};
+    for (int k = 0; k < 3; k++)
+        if (climbs[k]->count > 0) steps = climbs[k];
+    int seeds = c->experiment.program.seeds > 1 ? c->experiment.program.seeds : 1;
+    int all = dx->count * steps->count * seeds;
+    for (int i = 0; i < all; i++)
+        add_case(cases, c, dx->value[i / seeds / steps->count], steps->value[i / seeds % steps->count], i % seeds);
+    return all;
 }
 
-int gates_rungs(const struct gate *gate, const struct program *program) {
+int gates_rungs(const struct gate_result *r) {
     struct cases cases = {0};
-    int rungs = add_cases(gate, program, &cases);
+    int rungs = add_cases(r->read, &cases);
     free(cases.name);
     return rungs;
 }
 
-int gates_runs(const struct gates *g) {
+int gates_runs(struct gates *g) {
     struct cases cases = {0};
     int again = 0; /* the same case once more */
+    gates_read(g);
     for (int i = 0; i < g->declared; i++) {
-        add_cases(&g->result[i].gate, g->program, &cases);
+        add_cases(g->result[i].read, &cases);
         again += strcmp(g->result[i].gate.measure, "repeat") == 0;
     }
     free(cases.name);

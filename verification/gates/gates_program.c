@@ -37,7 +37,7 @@ static void run_row(struct gates *g, struct gate_result *result, const struct pr
 static void run_rows(struct gates *g, int jobs, const struct program *program, struct progress *progress) {
     size_t *order = xcalloc((size_t)g->declared, sizeof *order);
     double *few = xcalloc((size_t)g->declared, sizeof *few);
-    for (int i = 0; i < g->declared; i++) order[i] = (size_t)i, few[i] = -gates_rungs(&g->result[i].gate, program);
+    for (int i = 0; i < g->declared; i++) order[i] = (size_t)i, few[i] = -gates_rungs(&g->result[i]);
     if (jobs > 1) gsl_sort_index(order, few, 1, (size_t)g->declared); /* most rungs first */
 #pragma omp parallel for schedule(dynamic, 1) num_threads(2 * jobs) if (jobs > 1)
     for (int i = 0; i < g->declared; i++) run_row(g, &g->result[order[i]], program, progress);

@@ -56,7 +56,7 @@ void refine_gates(struct gates *g, int rungs, double time_order) {
     for (int i = 0; i < g->declared; i++) {
         struct gate *gate = &g->result[i].gate;
         int finer = rungs > 0 ? add_rungs(gate->command, rungs, text, sizeof text) : 0;
-        if (finer) gate->command = gates_keep(g, text), gate->ceiling *= pow(2, -finer * nearbyint(gate->lo + 0.5));
+        if (finer) gates_retype(g, i, text), gate->ceiling *= pow(2, -finer * nearbyint(gate->lo + 0.5));
         if (time_order > 0 && strcmp(gate->measure, "slope_time") == 0)
             gate->lo = time_order - BELOW, gate->hi = time_order + ABOVE;
     }
