@@ -24,8 +24,8 @@ load common
     expect 2 'must be' heatladder run rod-step ftcs --dx 0,1
     expect 2 'does not divide' heatladder case rod-step --dx 0.5,0.3 --into cases
     [ ! -e cases ]
-    expect 2 'both set the time step' heatladder run rod-step ftcs --dx 0.1 --dt 1 --fourier 0.1
-    expect 2 'no meaning for ftcs' heatladder run rod-step ftcs --dx 0.1 --kernel cubic
+    expect 2 '--fourier' heatladder run rod-step ftcs --dx 0.1 --dt 1 --fourier 0.1
+    expect 2 'no meaning' heatladder run rod-step ftcs --dx 0.1 --kernel cubic
     expect 2 'GB' heatladder run square-step so_ssph --layout jitter --jitter 0.1 --dx 4/20000 --memory 1
 }
 
