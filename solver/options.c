@@ -39,6 +39,10 @@ double options_spacing(const struct options *o, int axis) {
     return axis == 1 && o->aspect > 0 ? o->aspect * o->dx : o->dx;
 }
 
+int options_is_matched(const struct options *o) {
+    return o->stepper == STEPPER_MATCHED;
+}
+
 int options_is_cloud(const struct options *o) {
     return o->layout != LAYOUT_LATTICE && o->layout != LAYOUT_NODE;
 }

@@ -72,4 +72,7 @@ double options_spacing(const struct options *o, int axis);
 /* 1 for layouts other than a lattice: each particle has its own row of weights. */
 int options_is_cloud(const struct options *o);
 
+/* 1 for the matched run, whose step, spacing along y and start depend on the scene */
+int options_is_matched(const struct options *o);
+
 #endif

@@ -8,6 +8,7 @@
 #include "solver/field.h"
 #include "solver/method.h"
 #include "solver/shape.h"
+#include "solver/time/stepper.h"
 
 #include <limits.h>
 #include <math.h>
@@ -250,7 +251,7 @@ static int solve(void *argument, struct failure *why) {
     if (!m) return refuse(why, STATUS_INPUT, "no method '%.60s'", s->method ? s->method : "");
     if (read_options(m, s->options, &o, why)) return why->status;
     int is_open = o.stepper == STEPPER_AUTO && m->scheme && o.dt == 0 && o.fourier == 0;
-    if (is_open) o.stepper = STEPPER_EXACT;
+    if (is_open) o.stepper = stepper_auto(1, 0, 1);
     int status = method_solve(m, p, &o, &f, why);
     if (is_open && status == STATUS_NOT_APPLICABLE) {
         o.stepper = STEPPER_AUTO;

@@ -58,7 +58,6 @@ static int write_ratio(const struct method *m, enum kernel_name kernel, double h
     struct model_problem b = {.method = m, .dim = 2, .options = {.dx = 1, .h = h, .kernel = kernel}};
     struct symbol_error e;
     struct step_limit limit;
-    b.step.stepper = STEPPER_EULER, b.step.stages = 1;
     int status = step_limit_model(&b, why);
     if (!status) status = step_limit_predict(&b, &limit, why);
     if (!status) status = matched_symbol(2, &b.options, m->scheme, &e, why);

@@ -80,8 +80,7 @@ static void take_order(const struct candidate_operator *o, const struct cloud_ki
     snprintf(out->command, sizeof out->command, "ladder %s %s%s%s%s --dx %s", t->scene, o->method, o->options,
              c->options, t->options, t->dx);
     out->tried = 1;
-    if (!command_read(out->command, &r, &out->why))
-        ladder_run(&r.experiment, &r.rungs, &out->ladder, &out->why);
+    if (!command_read(out->command, &r, &out->why)) ladder_run(&r.experiment, &r.rungs, &out->ladder, &out->why);
     command_free(&r);
 }
 
@@ -232,8 +231,7 @@ static double step_of(const struct candidate_operator *o, const struct cloud_kin
     struct model_problem b = {.method = method_find(o->method),
                               .dim = 2,
                               .n = 14,
-                              .options = {.layout = c->layout, .jitter = c->jitter, .seed = 1},
-                              .step = {STEPPER_EULER, 0}};
+                              .options = {.layout = c->layout, .jitter = c->jitter, .seed = 1}};
     struct heat_operator a;
     struct spectrum s;
     struct failure why;

@@ -41,8 +41,7 @@ static struct model_problem problem_of(int cell, int seed) {
                                   .options = {.layout = LAYOUT_JITTER,
                                               .jitter = jitters[jitter],
                                               .h = method->scheme->h ? 0 : lengths[length], /* or its own */
-                                              .seed = (unsigned long)seed},
-                                  .step = {STEPPER_EULER, 0}};
+                                              .seed = (unsigned long)seed}};
 }
 
 static double rate_of(struct model_problem b) {

@@ -29,8 +29,7 @@ void stability_block(FILE *out, const char *columns, const char *name, ...) {
 }
 
 struct model_problem stability_model(const char *method, int dim, enum kernel_name kernel, double h) {
-    return (struct model_problem){
-        .method = method_find(method), .dim = dim, .options = {.kernel = kernel, .h = h}, .step = {STEPPER_EULER, 0}};
+    return (struct model_problem){.method = method_find(method), .dim = dim, .options = {.kernel = kernel, .h = h}};
 }
 
 int stability_write(const char *dir, struct failure *why) {

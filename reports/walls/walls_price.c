@@ -5,6 +5,7 @@
 
 #include "solver/method.h"
 #include "solver/particles/particles.h"
+#include "solver/time/stepper.h"
 #include "verification/ladder/command.h"
 #include "verification/stability/spectrum.h"
 
@@ -36,7 +37,7 @@ static int take_spectrum(const struct experiment *e, struct walls_price *price, 
     take_dummies(&c, price);
     layout_cloud_free(&c);
     if (status) return status;
-    status = spectrum_create(&s, &a, &(struct amplification){STEPPER_EULER, 0}, why);
+    status = spectrum_create(&s, &a, &(struct amplification){stepper_auto(1, 1, 0), 0}, why);
     operator_free(&a);
     if (status) return status;
     price->limit = fmin(price->limit, s.limit * unit);

@@ -139,7 +139,7 @@ static void fill(struct ftcs_grid *g, const struct problem *p, const struct opti
             double G = p->source(p, x), rate = p->source_rate ? p->source_rate(p, x) : 0, last = G + p->t_end * rate;
             source = fmax(source, fmax(fabs(G), fabs(last)));
             g->T[g->corner + j * g->stride + i] += g->start * G / ftcs_grid_rho_c(g, i);
-            if (o->stepper == STEPPER_MATCHED) G += ftcs_matched_source(g, p, x);
+            if (options_is_matched(o)) G += ftcs_matched_source(g, p, x);
             ptrdiff_t at = (ptrdiff_t)j * nx + i;
             g->heating[at] = G / ftcs_grid_rho_c(g, i);
             if (p->source_rate) g->warming[0][at] = g->heating[at], g->warming[1][at] = rate / ftcs_grid_rho_c(g, i);

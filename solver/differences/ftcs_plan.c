@@ -65,7 +65,7 @@ int ftcs_plan_check(const char *method, int with_fluxes, const struct problem *p
     const char *layout = layout_words[o->layout], *walls = walls_words[o->walls];
     const char *sampling = sampling_words[o->sampling], *stepper = stepper_words[o->stepper];
     const int round = p->shape != NULL, two = p->materials > 1, node = o->layout == LAYOUT_NODE;
-    const int matched = o->stepper == STEPPER_MATCHED, periodic = !round && p->side[X_LO] == PERIODIC;
+    const int matched = options_is_matched(o), periodic = !round && p->side[X_LO] == PERIODIC;
     const int steps = matched || o->stepper == STEPPER_AUTO || o->stepper == STEPPER_EULER;
     int robin = 0, robin_across = !round && p->dim == 2 && (p->side[Y_LO] == ROBIN || p->side[Y_HI] == ROBIN);
     for (int s = 0; s < 2 * p->dim && !round; s++) robin |= p->side[s] == ROBIN;
@@ -136,7 +136,7 @@ static void lay_grid(struct ftcs_grid *g, const struct problem *p, const struct 
 
 static int plan_steps(struct ftcs_grid *g, const struct problem *p, const struct options *o, struct failure *why) {
     double square = g->d[0] * g->d[0], kappa = fmax(g->kappa[0], g->kappa[1]), span = p->t_end, count;
-    if (o->stepper == STEPPER_MATCHED) {
+    if (options_is_matched(o)) {
         /* Averaging with a B-spline of order m is equivalent to diffusion for the time m dx^2/(24 kappa).  Point
          * samples of a jump midway between two points are cell averages of data that are steeper by one order. */
         int m = o->sampling == SAMPLING_SPLINE ? 4 : o->sampling == SAMPLING_CELL ? 1 : 0;

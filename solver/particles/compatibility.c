@@ -72,7 +72,7 @@ int compatibility_check(const struct problem *p, const struct options *o, const 
     const int round = p->shape != NULL, periodic = !round && p->side[X_LO] == PERIODIC, two = p->materials == 2;
     const int cut = layout_is_cut(p, o), twice = cut && s->sweeps == 2, robin = has_wall(p, ROBIN);
     const int node = o->layout == LAYOUT_NODE, settled = o->layout == LAYOUT_RELAXED;
-    const int mirror = o->walls == WALLS_MIRROR, matched = o->stepper == STEPPER_MATCHED;
+    const int mirror = o->walls == WALLS_MIRROR, matched = options_is_matched(o);
     const enum side_kind kind = kind_without_dummies(p, o->walls);
     const struct material *unequal = anisotropic(p);
     /* every row is the stencil of a square lattice */
@@ -127,7 +127,7 @@ int compatibility_check(const struct problem *p, const struct options *o, const 
          "--layout lattice or node, one material and plane walls between particles or on them"},
         {matched && robin, STEPPER, "the temperature of a Robin wall varies, and its ghosts are second order",
          "another stepper"},
-        {o->stepper == STEPPER_EXACT && o->walls == WALLS_FIXED && has_wall(p, DIRICHLET), STEPPER,
+        {stepper && stepper->evolve && o->walls == WALLS_FIXED && has_wall(p, DIRICHLET), STEPPER,
          "a transform requires mirror walls", "--walls mirror"},
     };
     for (size_t k = 0; k < sizeof rules / sizeof *rules; k++) {

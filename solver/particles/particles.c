@@ -37,7 +37,7 @@ int particles_prepare(const struct problem *p, const struct options *o, const st
                       struct options *resolved, struct lattice *l, int *rows, struct failure *why) {
     const struct stepper *stepper = stepper_of(o->stepper);
     if (particles_resolve(p, o, s, resolved, why)) return why->status;
-    double ratio = o->stepper == STEPPER_MATCHED && p->dim == 2 ? sqrt(p->material[0].k[1] / p->material[0].k[0]) : 1;
+    double ratio = options_is_matched(o) && p->dim == 2 ? sqrt(p->material[0].k[1] / p->material[0].k[0]) : 1;
     if (layout_lattice(p, resolved, ratio, l, why)) return why->status;
     *rows = particles_rows(p, o);
     if (!stepper || !stepper->needs) return STATUS_OK;
@@ -177,7 +177,7 @@ static int set_start(const struct problem *p, const struct options *o, const str
                      const struct lattice *l, int rows, struct heat_operator *a, struct field *f,
                      struct failure *why) {
     if (!rows) sample_lattice(p, o->sampling, l, f->T);
-    if (o->stepper == STEPPER_MATCHED && !rows) matched_source(p, o, a, f->T);
+    if (options_is_matched(o) && !rows) matched_source(p, o, a, f->T);
     for (size_t i = 0; i < f->n && rows && !averages_cells(o, s); i++) {
         double x[2] = {f->x[i], f->y ? f->y[i] : 0};
         f->T[i] = start_at(p, o, l, x);

@@ -70,7 +70,7 @@ static double set_up_work(const struct options *o, const struct lattice *l, cons
     double scalar = n * (WORK_PLACE + WORK_SAMPLE * samples), streamed = 0;
     if (!a->weight) scalar += WEIGHT * (double)a->pairs * (twice ? 2 : 1);
     if (o->h_iso) scalar += ISO;
-    for (int d = 0; d < l->dim && o->stepper == STEPPER_EXACT; d++) {
+    for (int d = 0; d < l->dim && stepper_of(o->stepper)->evolve; d++) {
         scalar += AXIS + WORK_FUNCTION * n / l->dim;
         streamed += (2 + a->constant) * TRANSFORM * n * log2(l->n[d]);
     }
@@ -133,7 +133,7 @@ static void data_range(const struct problem *p, const struct field *f, double *l
 static int check_damping(const struct options *o, const struct heat_operator *a, const struct march *m,
                          struct failure *why) {
     enum { FEW = 7 };
-    if (o->stepper != STEPPER_RKL2 || a->weight || m->stages <= FEW) return STATUS_OK;
+    if (!stepper_of(o->stepper)->first || a->weight || m->stages <= FEW) return STATUS_OK;
     double dt = m->time / (double)m->steps, factor = growth_by_steps(a, m->bound, dt, (double)m->steps);
     if (factor == 0) return STATUS_OK;
     return refuse(why, STATUS_UNSTABLE,

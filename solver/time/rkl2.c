@@ -86,11 +86,17 @@ static double interval(int stages) {
     return (s * s + s - 2) / 2;
 }
 
+static double error(int stages) {
+    double s = stages;
+    return stages > 2 ? 1 + 8 / (s * s + s - 2) : 1;
+}
+
 const struct stepper stepper_rkl2 = {.name = "rkl2",
                                      .about = "Runge-Kutta-Legendre: s stages for s^2/4 Euler steps",
                                      .order = 2,
                                      .arrays = 3,
                                      .count = count,
+                                     .error = error,
                                      .length = length,
                                      .updates = updates,
                                      .first = first,

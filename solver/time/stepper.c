@@ -20,6 +20,15 @@ const struct stepper *stepper_of(enum stepper_name name) {
     return all[name];
 }
 
+enum stepper_name stepper_auto(int particles, int step_given, int transforms) {
+    if (!particles || step_given) return STEPPER_EULER;
+    return transforms ? STEPPER_EXACT : STEPPER_RKL2;
+}
+
+enum stepper_name stepper_without_error(int transforms) {
+    return transforms ? STEPPER_EXACT : STEPPER_CHEBYSHEV;
+}
+
 enum { TOGETHER = 32 }; /* updates passed to the operator at once; steps between checks of the bounds */
 
 long long stepper_applications(const struct march *m) {

@@ -30,6 +30,7 @@ struct stepper {
     int order;                /* order in time; 0: no time step, or no time error */
     int arrays;               /* states: 2, or 3 if an update reads the state at the start of the step (start, Y0) */
     int stages;               /* updates per step; 0: returned by count */
+    double (*error)(int stages);           /* time error relative to that of many stages; NULL: 1 */
     int (*count)(double dt, double bound); /* smallest number of updates for which a step of dt (s) is stable */
     /* Step length, s, if the user asks for `asked` (0: none).  If NULL: `asked`, or half of the stable step,
      * 1/bound. */
@@ -54,6 +55,14 @@ struct stepper {
 };
 
 const struct stepper *stepper_of(enum stepper_name name); /* NULL for STEPPER_AUTO */
+
+/* The stepper that STEPPER_AUTO stands for.  With a step given, and for finite differences: Euler's method.  Else the
+ * one without time error, which needs one stencil for all particles; where it does not apply (transforms 0): the one
+ * that does the work of s^2/4 Euler steps in s stages. */
+enum stepper_name stepper_auto(int particles, int step_given, int transforms);
+
+/* A stepper without time error, with or without one stencil for all particles. */
+enum stepper_name stepper_without_error(int transforms);
 
 enum { STEPPER_STAGES_MAX = 1000000 }; /* keeps the rounding error of a step, s^2 eps, small */
 

@@ -6,6 +6,7 @@
  */
 #include "verification/bench/bench.h"
 
+#include "solver/time/stepper.h"
 #include "verification/text/progress.h"
 #include "verification/run/experiment.h"
 #include "verification/ladder/slope.h"
@@ -46,9 +47,9 @@ static struct bench_time time_runs(const struct candidate *c, const struct exper
 /* Explicit steps that shrink with dx^2 make N^(1 + 2/d); n steps of sqrt(n) stages N^(1 + 3/(2d)); one step of n
  * updates by polynomials N^(1 + 1/d); transforms N. */
 static double expected_growth(const struct candidate *c, int dim) {
-    if (c->options.stepper == STEPPER_EXACT || c->options.dt > 0) return 1;
-    if (c->options.stepper == STEPPER_CHEBYSHEV) return 1 + 1.0 / dim;
-    if (c->options.stepper == STEPPER_RKL2) return 1 + 1.5 / dim;
+    const struct stepper *s = stepper_of(c->options.stepper);
+    if (c->options.dt > 0 || (s && s->evolve)) return 1;
+    if (s && s->count) return s->order ? 1 + 1.5 / dim : 1 + 1.0 / dim;
     return 1 + 2.0 / dim;
 }
 

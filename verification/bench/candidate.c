@@ -2,6 +2,7 @@
 /* The candidates of `bench`. */
 #include "verification/bench/candidate.h"
 
+#include "solver/time/stepper.h"
 #include "verification/run/symmetry.h"
 #include "verification/run/experiment.h"
 #include "verification/run/run.h"
@@ -104,7 +105,7 @@ struct options candidate_options(const struct candidate *c, const struct experim
     o.dx = (e->problem.hi[0] - e->problem.lo[0]) / n;
     o.threads = e->options.threads;
     if (e->problem.shape && method_find(c->method)->scheme) o.walls = WALLS_FIT;
-    if (o.stepper == STEPPER_CHEBYSHEV) o.dt = e->problem.t_end; /* one step leaves no error */
+    if (o.stepper == stepper_without_error(0)) o.dt = e->problem.t_end; /* one step leaves no error */
     if (c->steps > 0) o.dt = e->problem.t_end / ceil(10 + c->steps * n);
     return o;
 }

@@ -45,7 +45,7 @@ static void print_text(const struct result *r, const char *unit) {
     if (r->steps > 0)
         printf("  %-14s %.6g s (mesh Fourier number %.4g), %lld steps of %d stage%s\n", "dt", r->dt, r->fourier,
                r->steps, r->stages, r->stages == 1 ? "" : "s");
-    if (r->options.stepper == STEPPER_RKL2 && r->saving > 0)
+    if (r->saving > 0)
         printf("  %-14s the fewest stable Euler steps take %.3g times the updates\n", "saving", r->saving);
     printf("  %-14s E1 %.4e   L2 %.4e   L-infinity %.4e K\n", "error", r->error.l1, r->error.l2, r->error.linf);
     if (r->derived_name)

@@ -20,7 +20,6 @@ static int solve(const struct problem *p, double dx, double fourier, enum mean m
     struct failure ignored;
     struct options o = {.dx = dx,
                         .fourier = fourier,
-                        .stepper = STEPPER_EULER,
                         .sampling = p->jumps[0] + p->jumps[1] ? SAMPLING_CELL : SAMPLING_POINT,
                         .mean = mean,
                         .domain = DOMAIN_WHOLE};

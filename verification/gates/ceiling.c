@@ -200,7 +200,7 @@ static struct lattice_case case_of(const struct experiment *e) {
     struct options resolved = *o;
     struct failure ignored;
     struct lattice_case c = {.family = family_of(e->method->name), .kernel = o->kernel, .dim = p->dim};
-    c.ratio = p->dim == 2 && o->stepper != STEPPER_MATCHED ? p->material[0].k[1] / p->material[0].k[0] : 1;
+    c.ratio = p->dim == 2 && !options_is_matched(o) ? p->material[0].k[1] / p->material[0].k[0] : 1;
     c.order = o->order > 2 ? o->order : 2;
     if (e->method->scheme && !particles_resolve(p, o, e->method->scheme, &resolved, &ignored)) c.h = resolved.h;
     if (o->h_iso) c.h = isotropic_h(&c);

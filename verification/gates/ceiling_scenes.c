@@ -315,7 +315,7 @@ static double mode_error(const struct manufactured *m, const struct ceiling_symb
     double sum = 0, rt = m->kappa[0] * m->t / sq(e->options.dx);
     for (int b = 0; 2 * b <= degree; b++)
         sum += (degree == 4 ? 1 : -1) * moment[b] * pow(m->q[0], degree - 2 * b) * pow(m->q[1], 2 * b);
-    if (e->options.stepper == STEPPER_MATCHED) sum += ceiling_matched_rest(s->fourth[0], rt) * pow(q2, 3);
+    if (options_is_matched(&e->options)) sum += ceiling_matched_rest(s->fourth[0], rt) * pow(q2, 3);
     if (!e->method->scheme) sum -= e->options.fourier / 2 / sq(m->kappa[0]) * sq(m->rate);
     return m->t * m->kappa[0] * sum - m24 * q2;
 }
@@ -324,7 +324,7 @@ double ceiling_manufactured(const struct experiment *e) {
     const struct problem *p = &e->problem;
     const struct ceiling_symbol s = ceiling_symbol(e);
     const double m24 = e->options.sampling == SAMPLING_SPLINE ? 4.0 / 24 : 0, A = ceiling_param(e, "A");
-    const int matched = e->options.stepper == STEPPER_MATCHED, degree = matched || e->options.order == 4 ? 6 : 4;
+    const int matched = options_is_matched(&e->options), degree = matched || e->options.order == 4 ? 6 : 4;
     struct manufactured *m = xcalloc(1, sizeof *m);
     double sum = 0, mean = 0, x, y;
     m->t = p->t_end;

@@ -23,7 +23,7 @@ static double steps_at(const struct command *r, double dx) {
     for (int i = 0; i < r->rungs.dt.count; i++) steps += e->problem.t_end / r->rungs.dt.value[i];
     for (int i = 0; i < r->rungs.fourier.count; i++) steps += diffusion / r->rungs.fourier.value[i];
     if (steps > 0) return steps;
-    return e->method && e->method->scheme && e->options.stepper != STEPPER_MATCHED ? 20 : 600 * diffusion;
+    return e->method && e->method->scheme && !options_is_matched(&e->options) ? 20 : 600 * diffusion;
 }
 
 static double job_size(const struct command *r) {

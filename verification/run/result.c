@@ -69,7 +69,7 @@ void result_json(const struct result *r, struct json *j) {
         return;
     }
     json_add(j, "dt %g|fourier %g|steps %lld|stages %d", r->dt, r->fourier, r->steps, r->stages);
-    json_number(j, "saving_over_euler", r->options.stepper == STEPPER_RKL2 ? r->saving : NAN);
+    json_number(j, "saving_over_euler", r->saving);
     json_add(j, "t_end %g|particles %zu", r->t_end, r->particles);
     errors_json(r, j);
     json_add(j, "time_error %g|growth %g|reference_error %g", r->time_error, r->growth, r->reference_error);

@@ -19,7 +19,8 @@ struct result {
     double fourier;         /* dt max(kappa) / dx^2 */
     long long steps;
     int stages;    /* operator applications a step */
-    double saving; /* updates of the fewest stable Euler steps over those taken (RKL2); NaN where unknown */
+    double saving; /* updates of the fewest stable Euler steps over those taken, of a stepper with stages; NaN:
+                      unknown */
     size_t particles;
     struct norms_error error;
     struct norms_error interior, boundary; /* a tenth of the least extent or more from the nearest wall, and nearer */

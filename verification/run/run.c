@@ -4,6 +4,7 @@
 
 #include "references/scene.h"
 #include "solver/particles/particles.h"
+#include "solver/time/stepper.h"
 #include "verification/run/experiment.h"
 #include "verification/run/derived.h"
 #include "verification/run/time_step.h"
@@ -48,7 +49,10 @@ static int measure(const struct experiment *e, const struct field *f, const doub
     out->steps = f->steps;
     out->stages = f->stages;
     /* Euler is stable for dt <= 2 / bound */
-    out->saving = f->bound > 0 && f->applications > 0 ? f->bound * p->t_end / 2 / (double)f->applications : NAN;
+    const struct stepper *stepper = stepper_of(out->options.stepper);
+    int staged = stepper && stepper->order && stepper->count;
+    out->saving =
+        staged && f->bound > 0 && f->applications > 0 ? f->bound * p->t_end / 2 / (double)f->applications : NAN;
     out->particles = f->n;
     struct norms_error *parts[] = {&out->error, &out->interior, &out->boundary};
     double skin = (p->dim == 2 ? fmin(p->hi[0] - p->lo[0], p->hi[1] - p->lo[1]) : p->hi[0] - p->lo[0]) / 10;

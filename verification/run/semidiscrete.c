@@ -11,6 +11,7 @@
  */
 #include "verification/run/semidiscrete.h"
 
+#include "solver/time/stepper.h"
 #include "verification/run/experiment.h"
 #include "verification/run/symmetry.h"
 
@@ -20,7 +21,7 @@ enum { STEPS_MAX = 256 };
 static int march(const struct experiment *e, long long steps, const struct field *placed, struct field *f,
                  struct failure *why) {
     struct options with = e->options;
-    with.stepper = STEPPER_CHEBYSHEV;
+    with.stepper = stepper_without_error(0);
     with.dt = e->problem.t_end / (double)steps;
     with.fourier = 0;
     if (placed) with.placed = placed;
@@ -52,7 +53,7 @@ int semidiscrete_solve(const struct experiment *e, struct semidiscrete *s, struc
         return refuse(why, STATUS_NOT_APPLICABLE,
                       "a ladder in time needs the particles' equations for its reference, which %s does not have",
                       e->method->name);
-    exact.stepper = STEPPER_EXACT;
+    exact.stepper = stepper_without_error(1);
     exact.dt = exact.fourier = 0;
     int status = method_solve(e->method, &e->problem, &exact, &s->field, why);
     if (status != STATUS_NOT_APPLICABLE) return status;

@@ -17,7 +17,7 @@ static double reduced_wall(const struct problem *p, enum side s, const double x[
 
 int symmetry_reduce(const struct problem *whole, const struct options *o, struct problem *half, int cut[2]) {
     int cuts = 0;
-    double ratio = o->stepper == STEPPER_MATCHED ? sqrt(whole->material[0].k[1] / whole->material[0].k[0]) : 1;
+    double ratio = options_is_matched(o) ? sqrt(whole->material[0].k[1] / whole->material[0].k[0]) : 1;
     *half = *whole;
     half->whole = whole;
     half->wall = reduced_wall;

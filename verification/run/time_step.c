@@ -63,7 +63,7 @@ static int order_of(const struct options *o) {
 static double first_steps(const struct experiment *e) {
     const struct options *o = &e->options;
     double steps = e->problem.t_end * problem_diffusivity(&e->problem) / (FOURIER / e->problem.dim * o->dx * o->dx);
-    if (o->stepper == STEPPER_RKL2) steps = sqrt(steps) / 2; /* some ten stages a step */
+    if (stepper_of(o->stepper)->count) steps = sqrt(steps) / 2; /* some ten stages a step */
     return fmax(1, ceil(steps));
 }
 
@@ -88,9 +88,8 @@ static double next_steps(double steps, struct estimate e, double particles, int 
 }
 
 static double size_of(const struct search *s, const struct trial *t) { /* e */
-    double stages = t->field.stages, c = 1;
-    if (s->e->options.stepper == STEPPER_RKL2 && stages > 2) c += 8 / (stages * stages + stages - 2);
-    return c / pow(t->steps, s->order);
+    const struct stepper *stepper = stepper_of(s->e->options.stepper);
+    return (stepper->error ? stepper->error(t->field.stages) : 1) / pow(t->steps, s->order);
 }
 
 /* T_inf, for the caller to free.  Where RKL2's stages offset its steps, extrapolation is ill-conditioned: the runs
@@ -143,7 +142,7 @@ static int refine(struct search *s, double *time_error, struct failure *why) {
  * polynomials take the steps. */
 static size_t search_bytes(const struct experiment *e, const struct field *f) {
     size_t array = f->n * sizeof *f->T, answer = array * (size_t)(f->dim + 1 + (f->weight != NULL));
-    return e->options.stepper == STEPPER_CHEBYSHEV ? answer : array + answer;
+    return stepper_of(e->options.stepper)->order == 0 ? answer : array + answer;
 }
 
 static int solve_searched(const struct experiment *e, struct field *f, struct time_step *stepping,
@@ -213,21 +212,19 @@ static double rounding(const struct experiment *e, const struct field *f) {
 
 static int solve(struct experiment *e, struct field *f, struct time_step *stepping, struct failure *why) {
     struct options *o = &e->options;
-    int given = o->dt > 0 || o->fourier > 0, particles = e->method->scheme != NULL;
-    if (o->stepper == STEPPER_AUTO && !given && particles) {
-        o->stepper = STEPPER_EXACT;
-        int status = symmetry_solve(e->method, &e->problem, o, f, why);
+    int given = o->dt > 0 || o->fourier > 0 || e->problem.t_end <= 0, particles = e->method->scheme != NULL;
+    if (o->stepper == STEPPER_AUTO) {
+        o->stepper = stepper_auto(particles, o->dt > 0 || o->fourier > 0, 1);
+        int open = stepper_of(o->stepper)->evolve != NULL;
+        int status = open ? symmetry_solve(e->method, &e->problem, o, f, why) : STATUS_NOT_APPLICABLE;
         if (status == STATUS_OK) stepping->time_error = 0;
         if (status != STATUS_NOT_APPLICABLE) return status;
-        /* not on this layout or with these walls: s stages do the work of s^2/4 Euler steps */
-        o->stepper = STEPPER_RKL2;
+        if (open) o->stepper = stepper_auto(particles, 0, 0);
     }
-    if (o->stepper == STEPPER_AUTO) o->stepper = STEPPER_EULER;
-    if (stepper_of(o->stepper)->evolve) stepping->time_error = 0;
-    if (o->stepper == STEPPER_CHEBYSHEV && !given && e->problem.t_end > 0)
-        return solve_by_polynomials(e, f, stepping, why);
-    if (given || stepper_of(o->stepper)->order == 0 || e->problem.t_end <= 0)
-        return symmetry_solve(e->method, &e->problem, o, f, why);
+    const struct stepper *stepper = stepper_of(o->stepper);
+    if (stepper->evolve) stepping->time_error = 0;
+    if (o->stepper == stepper_without_error(0) && !given) return solve_by_polynomials(e, f, stepping, why);
+    if (given || stepper->order == 0) return symmetry_solve(e->method, &e->problem, o, f, why);
     return solve_searched(e, f, stepping, why);
 }
 

@@ -38,6 +38,6 @@ double amplification_limit(const struct amplification *a, double reach, double c
     double size = cabs(lambda), along = creal(lambda);
     if (along >= 0) return 0;
     if (fabs(cimag(lambda)) <= 1e-12 * size) return reach / size;
-    if (a->stepper != STEPPER_EULER) return reach_along(a, lambda / size) / size;
+    if (stepper_of(a->stepper)->order != 1) return reach_along(a, lambda / size) / size;
     return -2 * along / (size * size); /* the circle |1 + z| = 1 */
 }

@@ -14,6 +14,7 @@
  * operator. */
 #include "verification/stability/step_limit.h"
 
+#include "solver/time/stepper.h"
 #include <string.h>
 
 static double biriukov(const char *method) {
@@ -28,7 +29,7 @@ static double biriukov(const char *method) {
 
 int customary_steps(const struct model_problem *b, struct customary_step out[CUSTOMARY_STEPS]) {
     const struct scheme *s = b->method->scheme;
-    if (!s || b->step.stepper != STEPPER_EULER) return 0;
+    if (!s || stepper_of(b->step.stepper)->order != 1) return 0;
     double h = s->cells ? 1.1 : b->options.h, morris = h * 2 / 3, C = biriukov(b->method->name);
     int n = 0;
     out[n++] = (struct customary_step){"Morris et al. 1997, 0.125 h^2/kappa, kernel to 3 h", 0.125 * morris * morris};

@@ -70,7 +70,7 @@ int model_problem_resolve(struct model_problem *b, int least, struct failure *wh
         return refuse(why, STATUS_INPUT, "--layout %s: %s needs a grid: lattice or node",
                       layout_words[b->options.layout], b->method->name);
     b->options.dx = 1;
-    if (b->step.stepper == STEPPER_AUTO) b->step.stepper = STEPPER_EULER;
+    if (b->step.stepper == STEPPER_AUTO) b->step.stepper = stepper_auto(1, 1, 0);
     b->options.stepper = b->step.stepper;
     int reach = 2;
     if (s) {

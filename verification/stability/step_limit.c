@@ -59,7 +59,7 @@ int step_limit_setup(const struct method *m, const struct options *o, int dim, d
         return refuse(why, STATUS_INPUT, "--ratio %g: a rod has one diffusivity; use --dim 2", ratio);
     const struct stepper *stepper = stepper_of(b->step.stepper);
     if (stepper && !stepper->amplification) return refuse_stepper(stepper, why);
-    if (stepper && stepper != stepper_of(STEPPER_EULER) && !m->scheme)
+    if (stepper && stepper->order != 1 && !m->scheme)
         return refuse(why, STATUS_INPUT, "--stepper %s: %s has euler", stepper->name, m->name);
     if (stepper && stepper->count ? stages < 3 : stages > 0)
         return refuse(why, STATUS_INPUT, "--stepper rkl2 requires --stages N (3 or more), and the reverse");
@@ -97,8 +97,8 @@ static int song(const struct model_problem *given, double *published, struct fai
 
 static int publish(const struct model_problem *b, struct step_limit *l, struct failure *why) {
     l->published = NAN, l->source = NULL;
-    if (b->step.stepper != STEPPER_EULER) return STATUS_OK; /* the published bounds are for Euler's method */
-    if (b->contact > 0) return STATUS_OK;                   /* and for one material */
+    if (stepper_of(b->step.stepper)->order != 1) return STATUS_OK; /* the published bounds are for Euler's method */
+    if (b->contact > 0) return STATUS_OK;                          /* and for one material */
     if (is(b, "ftcs")) {
         l->published = 0.25 * b->dim, l->source = "Pamplona 2019, eq. 17 with gamma = 1/4";
     } else if (is(b, "so_ssph") && b->options.order <= 2) {

@@ -7,6 +7,7 @@
  * even stencils of this suite. */
 #include "verification/stability/symbol.h"
 
+#include "solver/time/stepper.h"
 #include <fftw3.h>
 #include <math.h>
 #include <stdlib.h>
@@ -42,7 +43,8 @@ static int from_impulse(struct symbol *s, const struct model_problem *given, str
     b.n = IMPULSE;
     struct problem p = model_problem_setup(&b, MODEL_IMPULSE, 0);
     struct options o = b.options;
-    o.stepper = STEPPER_EULER, o.layout = LAYOUT_LATTICE; /* IMPULSE unknowns for any treatment of the walls */
+    o.stepper = stepper_auto(1, 1, 0),
+    o.layout = LAYOUT_LATTICE; /* IMPULSE unknowns for any treatment of the walls */
     p.t_end = o.dt = 1.0 / 64;
     if (method_solve(b.method, &p, &o, &f, why)) return why->status;
     int r = IMPULSE / 2, ry = b.dim == 2 ? r : 0;
