@@ -79,7 +79,11 @@ static void gsl_failed(const char *reason, const char *file, int line, int error
 int guard_call(int (*body)(void *argument, struct failure *why), void *argument, struct failure *why) {
     pthread_mutex_lock(&one_call);
     gsl_error_handler_t *host = gsl_set_error_handler(gsl_failed);
-    int status = setjmp(out_of_memory) ? refuse(why, STATUS_MEMORY, "out of memory") : body(argument, why);
+    int status;
+    if (setjmp(out_of_memory))
+        status = refuse(why, STATUS_MEMORY, "out of memory");
+    else
+        status = body(argument, why);
     transform_forget();
     while (blocks.after != &blocks) guard_free(blocks.after + 1);
     gsl_set_error_handler(host);
