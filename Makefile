@@ -355,7 +355,7 @@ bench: $(BUILD)/heatladder ## Chart error against time, and measure the engine, 
 	@mkdir -p $(BENCH)
 	$(Q)$(BUILD)/heatladder bench $(BENCH) | tee $(BENCH)/bench.new && mv $(BENCH)/bench.new $(BENCH)/bench.txt
 	$(Q)if command -v gnuplot >/dev/null; then for data in $(BENCH)/bench_*.csv; do \
-	for chart in time work growth convergence; do echo reports/bench/bench_$$chart.gp $$data; done; done | \
+	for chart in time work; do echo reports/bench/bench_$$chart.gp $$data; done; done | \
 	xargs -n 2 -P $$(getconf _NPROCESSORS_ONLN) scripts/plot $(BENCH); \
 	else echo "bench: gnuplot is not here (make setup installs it); charts were not drawn"; fi
 

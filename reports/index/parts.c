@@ -123,9 +123,8 @@ void parts_put_scene(const char *scene, const char *dir, FILE *out) {
     static const struct {
         const char *file, *about, *command;
     } figure[] = {{"scene_%s.svg", "Error against spacing on %s, a ladder a method", "make verify"},
-                  {"bench/bench_%s_convergence.svg", "Error against particles along x on %s", "make bench"},
                   {"bench/bench_%s_work.svg", "Error against counted work on %s", "make bench"}};
-    for (int i = 0; i < 3; i++) {
+    for (int i = 0; i < 2; i++) {
         char file[160], text[160];
         snprintf(file, sizeof file, figure[i].file, scene);
         snprintf(text, sizeof text, figure[i].about, scene);

@@ -9,7 +9,6 @@
 #include "solver/time/stepper.h"
 #include "verification/text/progress.h"
 #include "verification/run/experiment.h"
-#include "verification/ladder/slope.h"
 
 #include <gsl/gsl_sort_double.h>
 #include <math.h>
@@ -122,39 +121,6 @@ static int on_front(const struct bench_scene *b, const struct bench_row *row, in
     return 1;
 }
 
-static void fit_growth(const struct candidate *c, int dim, struct bench_scene *b) {
-    double particles[BENCH_RUNGS], seconds[BENCH_RUNGS], work[BENCH_RUNGS];
-    int m = 0;
-    for (int i = 0; i < b->count && m < BENCH_RUNGS; i++) {
-        const struct bench_row *row = &b->row[i];
-        if (row->candidate != c || row->result.failure.status) continue;
-        particles[m] = (double)row->result.particles;
-        seconds[m] = row->time.median;
-        work[m++] = row->work;
-    }
-    if (m < 3) return;
-    b->growth[b->growths++] = (struct bench_growth){c, m, slope_fit(particles, seconds, m).value,
-                                                    slope_fit(particles, work, m).value, expected_growth(c, dim)};
-}
-
-/* Two medians of the same run, taken in turn: of the row that takes longest, or least. */
-static struct bench_same time_against_itself(const struct experiment *e, const struct bench_scene *b, int fast) {
-    double first[BENCH_RUNS], second[BENCH_RUNS];
-    const struct bench_row *row = NULL;
-    for (int i = 0; i < b->count; i++) {
-        const struct bench_row *at = &b->row[i];
-        if (at->result.failure.status) continue;
-        if (!row || (fast ? at->time.median < row->time.median : at->time.median > row->time.median)) row = at;
-    }
-    if (!row) return (struct bench_same){NULL, NAN};
-    for (int k = 0; k < BENCH_RUNS; k++) {
-        first[k] = time_once(row->candidate, e, row->n);
-        second[k] = time_once(row->candidate, e, row->n);
-    }
-    double ratio = bench_summary(first, BENCH_RUNS).median / bench_summary(second, BENCH_RUNS).median;
-    return (struct bench_same){row->candidate->label, ratio};
-}
-
 void bench_run(const struct experiment *e, double seconds, struct bench_scene *b) {
     int unit = candidate_unit(&e->problem);
     *b = (struct bench_scene){.scene = e->scene};
@@ -164,10 +130,8 @@ void bench_run(const struct experiment *e, double seconds, struct bench_scene *b
     int left = count;
     struct progress progress = progress_start("candidates", count);
     for (const struct candidate *c = candidates_table; c->label && unit; c++, left--) {
-        if (!c->dim || c->dim == e->problem.dim) {
+        if (!c->dim || c->dim == e->problem.dim)
             bench_climb(c, e, unit, (seconds - (omp_get_wtime() - begin)) / left, b);
-            fit_growth(c, e->problem.dim, b);
-        }
         progress_tick(&progress);
     }
     progress_end(&progress);
@@ -175,6 +139,4 @@ void bench_run(const struct experiment *e, double seconds, struct bench_scene *b
         b->row[i].front_time = on_front(b, &b->row[i], 0);
         b->row[i].front_work = on_front(b, &b->row[i], 1);
     }
-    b->slow = time_against_itself(e, b, 0);
-    b->fast = time_against_itself(e, b, 1);
 }

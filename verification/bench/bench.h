@@ -6,7 +6,7 @@
 
 #include "verification/bench/candidate.h"
 
-enum { BENCH_RUNS = 5, BENCH_RUNGS = 6, BENCH_ROWS = 300 };
+enum { BENCH_RUNS = 5, BENCH_RUNGS = 6, BENCH_ROWS = 180 };
 
 struct bench_time {
     double median, lowest, highest; /* s */
@@ -22,23 +22,10 @@ struct bench_row {
     int front_time, front_work; /* 1: no other row has a smaller error for less */
 };
 
-struct bench_growth { /* of one candidate over its rungs, three or more, as a power of the number of particles */
-    const struct candidate *candidate;
-    int rungs;
-    double seconds, work, expected;
-};
-
-struct bench_same { /* a run timed against itself */
-    const char *label;
-    double ratio; /* noise floor: ratio of two medians of the same run */
-};
-
 struct bench_scene {
     const struct scene *scene;
-    int count, growths;
+    int count;
     struct bench_row row[BENCH_ROWS]; /* by candidate, coarsest first */
-    struct bench_growth growth[BENCH_ROWS / BENCH_RUNGS];
-    struct bench_same slow, fast; /* of the row that takes longest, and of the one that takes least */
 };
 
 /* The counted work, or the median of the seconds. */

@@ -87,16 +87,6 @@ static void print_front(const struct bench_scene *b, FILE *out) {
     table_end(&t, out);
 }
 
-static void print_growth(const struct bench_scene *b, FILE *out) {
-    struct table t = table_headed(1, "growth with particles|rungs|seconds|work|of the steps");
-    for (int i = 0; i < b->growths; i++) {
-        const struct bench_growth *g = &b->growth[i];
-        table_add(&t, "%s|%d|N^%.2f|N^%.2f|N^%.2f", g->candidate->label, g->rungs, g->seconds, g->work, g->expected);
-    }
-    fputc('\n', out);
-    table_end(&t, out);
-}
-
 static int same_failure(const struct bench_row *a, const struct bench_row *b) {
     return a->candidate == b->candidate && strcmp(a->result.failure.text, b->result.failure.text) == 0;
 }
@@ -104,9 +94,6 @@ static int same_failure(const struct bench_row *a, const struct bench_row *b) {
 void bench_print_scene(const struct bench_scene *b, FILE *out) {
     fprintf(out, "%s\n", b->scene->name);
     print_front(b, out);
-    print_growth(b, out);
-    fprintf(out, "same against same: %.3f (slowest: %s), %.3f (fastest: %s)\n", b->slow.ratio,
-            b->slow.label ? b->slow.label : "none ran", b->fast.ratio, b->fast.label ? b->fast.label : "none ran");
     for (int i = 0; i < b->count; i++) {
         const struct bench_row *r = &b->row[i];
         if (!r->result.failure.status) continue;
@@ -194,8 +181,7 @@ void bench_print_engine_json(const struct bench_engine *e, struct json *j) {
 }
 
 void bench_print_scene_json(const struct bench_scene *b, struct json *j) {
-    json_add(j, "scene %s|same_against_same %s|same_ratio %g|same_fast %s|same_fast_ratio %g", b->scene->name,
-             b->slow.label, b->slow.ratio, b->fast.label, b->fast.ratio);
+    json_text(j, "scene", b->scene->name);
     json_array(j, "rows");
     for (int i = 0; i < b->count; i++) {
         const struct bench_row *r = &b->row[i];
@@ -206,15 +192,6 @@ void bench_print_scene_json(const struct bench_scene *b, struct json *j) {
         json_add(j, "seconds_median %g|seconds_lowest %g|seconds_highest %g", r->time.median, r->time.lowest,
                  r->time.highest);
         json_add(j, "work %g|front_time %d|front_work %d", r->work, r->front_time, r->front_work);
-        json_end(j);
-    }
-    json_end(j);
-    json_array(j, "growth");
-    for (int i = 0; i < b->growths; i++) {
-        const struct bench_growth *g = &b->growth[i];
-        json_object(j, NULL);
-        json_add(j, "candidate %s|rungs %d|seconds %g|work %g|expected %g", g->candidate->label, g->rungs, g->seconds,
-                 g->work, g->expected);
         json_end(j);
     }
     json_end(j);

@@ -8,7 +8,7 @@ struct bench_engine;
 struct bench_scene;
 struct json;
 
-/* Text: the machine; throughputs beside their aims; of a scene the Pareto fronts, growth, what failed and what does
+/* Text: the machine; throughputs beside their aims; of a scene the Pareto fronts, what failed and what does
  * not apply. */
 void bench_print_machine(FILE *out);
 void bench_print_engine(const struct bench_engine *e, FILE *out);

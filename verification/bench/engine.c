@@ -53,15 +53,13 @@ static struct bench_time triad(void) {
     return bench_summary(seconds, BENCH_RUNS);
 }
 
-/* Seconds of one update of one particle in the time loop of the command, with vectors of `lanes` doubles (0: as the
- * command line has it). */
-static struct bench_time update(const struct bench_engine *e, const char *command, int lanes) {
+/* Seconds of one update of one particle in the time loop of the command. */
+static struct bench_time update(const struct bench_engine *e, const char *command) {
     struct command r;
     struct failure why;
     struct bench_time none = {NAN, NAN, NAN};
     double seconds[BENCH_RUNS];
     int status = command_read(command, &r, &why);
-    if (lanes) r.experiment.options.lanes = lanes;
     r.experiment.options.dx *= e->coarser;
     for (int k = -1; k < BENCH_RUNS && !status; k++) {
         struct field f;
@@ -79,29 +77,9 @@ static struct bench_time update(const struct bench_engine *e, const char *comman
 #define EULER_160 "run square-step so_ssph --stepper euler --dx 4/160 --fourier 0.2 --t-end 12.5"
 #define RKL2_160 "run square-step so_ssph --stepper rkl2 --dx 4/160 --dt 0.25 --t-end 35.5"
 
-static void add_width(struct bench_engine *e, const char *what, int lanes, struct bench_time t, double aim) {
-    char text[96];
-    snprintf(text, sizeof text, "%s, vectors of %d", what, lanes);
-    if (isnan(aim))
-        add_rate(e, text, "updates/s", 1, t);
-    else
-        add(e, text, "", t, aim, 0);
-}
-
-/* Every width of vector that the machine has.  Rows take two doubles at a time on every machine. */
-static void each_width(struct bench_engine *e) {
-    for (int lanes = 2; lanes <= options_lanes_most(); lanes *= 2) {
-        struct bench_time step = update(e, EULER_160, lanes), stage = update(e, RKL2_160, lanes);
-        add_width(e, "ftcs, 160 x 160", lanes, update(e, FTCS_160, lanes), NAN);
-        add_width(e, "so_ssph euler, 160 x 160", lanes, step, NAN);
-        add_width(e, "so_ssph rkl2, 160 x 160", lanes, stage, NAN);
-        add_width(e, "stages of rkl2 over steps of euler, a second", lanes, bench_ratio(step, stage), 0.85);
-    }
-}
-
 static void in_cache(struct bench_engine *e) {
-    struct bench_time ftcs = update(e, FTCS_160, 0), so = update(e, EULER_160, 0), rkl2 = update(e, RKL2_160, 0);
-    struct bench_time walls = update(e, "run plate so_ssph --stepper euler --dx 0.1/160 --fourier 0.2 --t-end 5", 0);
+    struct bench_time ftcs = update(e, FTCS_160), so = update(e, EULER_160), rkl2 = update(e, RKL2_160);
+    struct bench_time walls = update(e, "run plate so_ssph --stepper euler --dx 0.1/160 --fourier 0.2 --t-end 5");
     add_rate(e, "ftcs, 160 x 160", "updates/s", 1, ftcs);
     add_rate(e, "so_ssph euler, 160 x 160", "updates/s", 1, so);
     add_rate(e, "so_ssph rkl2, 160 x 160", "updates/s", 1, rkl2);
@@ -113,37 +91,12 @@ static void in_cache(struct bench_engine *e) {
 #define OUT_OF_CACHE " --dx 4/2560 --fourier 0.2 --t-end 0.0031"
 
 static void out_of_cache(struct bench_engine *e, double bandwidth) {
-    struct bench_time ftcs = update(e, "run square-step ftcs" OUT_OF_CACHE, 0);
-    struct bench_time so = update(e, "run square-step so_ssph --stepper euler" OUT_OF_CACHE, 0);
+    struct bench_time ftcs = update(e, "run square-step ftcs" OUT_OF_CACHE);
+    struct bench_time so = update(e, "run square-step so_ssph --stepper euler" OUT_OF_CACHE);
     add_rate(e, "ftcs, 2560 x 2560", "updates/s", 1, ftcs);
     add_rate(e, "so_ssph euler, 2560 x 2560", "updates/s", 1, so);
     add(e, "so_ssph over triad/16 B, 2560 x 2560", "", bench_ratio(constant(16 / bandwidth), so), 0.7, 0);
     add(e, "ftcs over triad/16 B, 2560 x 2560", "", bench_ratio(constant(16 / bandwidth), ftcs), NAN, 0);
-}
-
-static double protocol_once(void) {
-    static const char *const dx[] = {"0.01", "0.02", "0.05", "0.1", "0.25", "0.5"};
-    double start = omp_get_wtime();
-#pragma omp parallel for schedule(dynamic, 1) num_threads(2)
-    for (int i = 0; i < 12; i++) {
-        char line[120];
-        snprintf(line, sizeof line, "run rod-step %s --stepper euler --h 1.05 --dt 5e-5 --dx %s",
-                 i % 2 ? "so_ssph" : "fo_ssph", dx[i / 2]);
-        struct command r;
-        struct failure why;
-        struct field f = {0};
-        if (!command_read(line, &r, &why))
-            method_solve(r.experiment.method, &r.experiment.problem, &r.experiment.options, &f, &why);
-        field_free(&f);
-        command_free(&r);
-    }
-    return omp_get_wtime() - start;
-}
-
-static void protocol(struct bench_engine *e) {
-    double seconds[BENCH_RUNS];
-    for (int k = 0; k < BENCH_RUNS; k++) seconds[k] = protocol_once();
-    add(e, "Song's whole protocol of the rod, two threads", "s", bench_summary(seconds, BENCH_RUNS), 2, 1);
 }
 
 /* Seconds of one update of a, eight at a time as a march hands them over. */
@@ -215,14 +168,6 @@ static void set_up_beside(struct bench_engine *e, const char *command, const cha
     add(e, over, "", bench_ratio(own, others), 2, 1);
 }
 
-/* Dummies fill a band 2.2 dx wide: on a disc of radius 1 there are 2 pi 2.2/dx of them, 0.8 % of the particles.  The
- * time doubles where each costs as much as 128 inner rows: the aim. */
-static void round_walls(struct bench_engine *e) {
-    set_up_beside(
-        e, "run disc-mode so_ssph --walls fit --seed 1 --dx 0.00177245", "set-up of 10^6 particles in a disc",
-        "run plate-cooling so_ssph --walls fit --shift 0.3 --dx 0.2/260", "that over the set-up in a rectangle");
-}
-
 /* A cell is clipped by some 20 bisectors, a row of so_ssph sums 15 outer products of 5 terms and factors a matrix. */
 static void cells(struct bench_engine *e) {
     set_up_beside(e, "run square-step voronoi_flux --layout jitter --jitter 0.2 --dx 4/1000",
@@ -241,19 +186,14 @@ void bench_engine_run(struct bench_engine *e, double coarser) {
     struct bench_time t = triad();
     double bandwidth = 24.0 * TRIAD / t.lowest; /* as STREAM reports it: the best of its runs */
     add_rate(e, "triad, one thread", "bytes/s", 24.0 * TRIAD, t);
-    struct progress progress = progress_start("parts of the engine", 7);
+    struct progress progress = progress_start("parts of the engine", 4);
     progress_tick(&progress);
     in_cache(e);
     progress_tick(&progress);
-    each_width(e);
-    progress_tick(&progress);
     out_of_cache(e, bandwidth);
-    progress_tick(&progress);
-    protocol(e);
     progress_tick(&progress);
     cloud(e, bandwidth);
     progress_tick(&progress);
-    round_walls(e);
     cells(e);
     progress_end(&progress);
     t = triad();
