@@ -24,8 +24,6 @@ static double symbol(const struct method *m, double number, double dx, double ex
     return m == &method_ftcs ? 4 * pow(sin(phase / 2), 2) : pow(sin(phase), 2);
 }
 
-/* ---- Decay of a discrete mode: every wall on every layout, both methods, exactly n steps ---- */
-
 static void decays_as_its_symbol(const struct method *m, struct problem *p, enum layout_name layout) {
     const double dx = 0.046, dt = 0.00061;
     p->t_end = 217 * dt;
@@ -196,10 +194,6 @@ static void source_that_changes_is_that_of_the_old_time(void **state) {
         field_free(&f);
     }
 }
-
-/* ---- run ---- */
-
-/* ---- Sampling ---- */
 
 static double step(const struct problem *p, const double x[2]) {
     return (x[0] < p->jump[0][0] ? 1.3 : -0.4) * (p->dim == 1 ? 1 : x[1] < p->jump[1][0] ? 0.6 : 2.1);
