@@ -51,7 +51,7 @@ static double round_area(const struct problem *p, const double lo[2], const doub
 static struct foot round_foot(const struct problem *p, enum side s, const double x[2]) {
     double R = p->radius[s], r = hypot(x[0], x[1]), u[2] = {r > 0 ? x[0] / r : 1, r > 0 ? x[1] / r : 0};
     int out = s == X_HI ? 1 : -1;
-    return (struct foot){{R * u[0], R * u[1]}, {out * u[0], out * u[1]}, out * (R - r), out / R};
+    return (struct foot){{R * u[0], R * u[1]}, {out * u[0], out * u[1]}, out * (R - r)};
 }
 
 const struct shape shape_disc = {"disc", round_foot, round_area};
@@ -72,7 +72,7 @@ int shape_has_wall(const struct problem *p, int s) {
 struct foot shape_foot(const struct problem *p, int s, const double x[2]) {
     if (p->shape) return p->shape->foot(p, (enum side)s, x);
     int a = s / 2, out = s % 2 ? 1 : -1;
-    struct foot f = {{x[0], x[1]}, {0, 0}, 0, 0};
+    struct foot f = {{x[0], x[1]}, {0, 0}, 0};
     f.x[a] = s % 2 ? p->hi[a] : p->lo[a];
     f.normal[a] = out;
     f.depth = out * (f.x[a] - x[a]);

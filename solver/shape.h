@@ -10,7 +10,6 @@ struct foot {         /* relation of a point to a wall */
     double x[2];      /* m, nearest point of the wall */
     double normal[2]; /* outward unit normal */
     double depth;     /* m, distance of the point from the wall; negative outside */
-    double bend;      /* m^-1, div n: 1/r on the outer wall, -1/r on the wall of a hole, 0 on a plane */
 };
 
 struct shape {

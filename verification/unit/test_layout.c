@@ -136,6 +136,27 @@ static void ghosts_hold_for_any_two_conductivities(void **state) {
             }
 }
 
+static double insulated(const struct problem *p, enum side s, const double x[2]) {
+    (void)p, (void)s, (void)x;
+    return 0;
+}
+
+static double even_source(const struct problem *p, const double x[2]) {
+    return cos(3 * x[0]) * cos(3 * p->hi[0]) + sin(3 * x[0]) * sin(3 * p->hi[0]); /* cos(3 (x - hi)) */
+}
+
+/* T_nnn of an insulated wall is 0 if the source is even about it; a small k would magnify its rounding. */
+static void rounding_of_a_source_is_no_term(void **state) {
+    (void)state;
+    struct problem p = odd_rectangle();
+    const int beyond[2] = {X_HI, -1};
+    p.side[X_HI] = NEUMANN, p.wall = insulated, p.source = even_source, p.material[0].k[0] = 1e-12;
+    for (double d = 0.01; d < 0.2; d *= 1.01) {
+        const double ghost[2] = {p.hi[0] + d, 0.83}, source[2] = {p.hi[0] - d, 0.83};
+        assert_near(layout_ghost_offset(&p, WALLS_MIRROR, NULL, beyond, ghost, source), 0, 0);
+    }
+}
+
 /* Two sides of given temperature that disagree at their corner: T = -T_source + ... by either order of reflection. */
 static void disagreeing_corners_take_the_mean(void **state) {
     (void)state;
@@ -301,6 +322,7 @@ int main(void) {
         cmocka_unit_test(one_seed_gives_one_cloud_to_all_operators),
         cmocka_unit_test(ghosts_continue_the_field),
         cmocka_unit_test(ghosts_hold_for_any_two_conductivities),
+        cmocka_unit_test(rounding_of_a_source_is_no_term),
         cmocka_unit_test(disagreeing_corners_take_the_mean),
         cmocka_unit_test(fixed_ghosts_hold_the_wall),
         cmocka_unit_test(spacings_that_do_not_divide_are_refused),
