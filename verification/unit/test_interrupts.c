@@ -157,16 +157,6 @@ static void report_is_whole(void **state) {
     clear(whole);
 }
 
-static void claims_are_whole(void **state) {
-    (void)state;
-    const char *line = "report claims --only song*";
-    assert_int_equal(end_of(line, whole), 0);
-    assert_int_equal(interrupted(line, OPEN, 1, SIGINT), 0);
-    assert_int_equal(interrupted(line, CLOCK, 5, SIGTERM), 0);
-    assert_int_equal(interrupted(line, RENAME, 1, SIGINT), 2);
-    clear(whole);
-}
-
 static void studies_leave_nothing(void **state) {
     (void)state;
     const char *const lines[] = {"report stability", "report operators", "bench --scene rod-cosine"};
@@ -179,7 +169,6 @@ static void studies_leave_nothing(void **state) {
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(report_is_whole),
-        cmocka_unit_test(claims_are_whole),
         cmocka_unit_test(studies_leave_nothing),
     };
     return cmocka_run_group_tests_name("interrupts", tests, make_directories, remove_directories);

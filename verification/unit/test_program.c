@@ -1,13 +1,10 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* --solver: an FTCS written in awk stands in for a method, and must be seen as ours is: where it is right, where it
- * is wrong, and where it does not answer. */
+/* --solver: the FTCS of ftcs.awk in place of a method, right, wrong and without an answer. */
 #include "verification/foreign/program.h"
 
 #include "verification/ladder/command.h"
 #include "verification/foreign/process.h"
 #include "verification/foreign/scratch.h"
-#include "verification/gates/gates.h"
-#include "verification/ladder/ladder.h"
 #include "verification/run/run.h"
 
 #include "verification/unit/near.h"
@@ -42,7 +39,7 @@ static void refused(const char *line, int status, const char *because) {
 }
 
 /* The same scheme on the same points gives the same field, to rounding. */
-static void agrees_with_our_own(void **state) {
+static void the_same_scheme_gives_the_same_errors(void **state) {
     (void)state;
     struct result mine, ours;
     assert_int_equal(run_line("run rod-step mine --dx 0.1 --set kappa=0.013 --set a=0.6 --fourier 0.4" MINE, &mine),
@@ -52,92 +49,10 @@ static void agrees_with_our_own(void **state) {
     assert_int_equal(mine.steps, ours.steps);
     assert_near(mine.error.l1, ours.error.l1, 1e-13);
     assert_near(mine.error.linf, ours.error.linf, 1e-12);
-    assert_near(mine.cost.step_seconds, 0.25, 0); /* as the program says */
+    assert_near(mine.cost.step_seconds, 0.25, 0); /* printed by the program */
 }
 
-static void its_order_is_judged(void **state) {
-    (void)state;
-    struct gate gate = {.id = "mine", .measure = "slope", .lo = 1.9, .hi = 2.1, .ceiling = 1.63e-4, .why = ""};
-    struct measured m;
-    gate.command = "ladder rod-gauss mine --set kappa=0.4 --fourier 0.4 --dx 1,0.5,0.25,0.2,0.125" MINE;
-    gates_judge(&gate, NULL, &m);
-    if (m.verdict != VERDICT_PASS) fail_msg("%s", m.reason);
-}
-
-/* Errors made to measure, each of which the interval of a line through all rungs lets pass as second order. */
-static void a_made_up_error_does_not_pass(void **state) {
-    (void)state;
-    static const struct {
-        const char *error, *dx;
-        enum verdict verdict;
-        const char *said;
-    } made[] = {
-        /* a quarter of the finest error is a floor; at ratios of some 1.4, and of some 1.2 */
-        {"floor", "1/10,1/14,1/20,1/28,1/40,1/57,1/80,1/113,1/160,1/226,1/320", VERDICT_FAIL, "2 finest rungs"},
-        {"floor",
-         "1/10,1/12,1/14,1/17,1/21,1/25,1/30,1/36,1/43,1/52,1/62,1/74,1/89,1/107,1/128,1/154,1/185,1/222,1/266,1/319",
-         VERDICT_FAIL, "2 finest rungs"},
-        {"exponential", "10/100,10/101,10/102,10/103 --set L=10", VERDICT_INCONCLUSIVE, "span a factor of 1.03"},
-        {"stall", "1/10,1/20,1/40,1/80,1/160,1/320,1/640,1/1280,1/2560,1/5120", VERDICT_FAIL, "does not fall"}};
-    for (int k = 0; k < 4; k++) {
-        char line[512];
-        struct command r;
-        struct failure why;
-        struct ladder *l = xcalloc(1, sizeof *l);
-        snprintf(line, sizeof line,
-                 "ladder rod-cosine odd --dx %s --solver 'awk -v error=%s -f verification/unit/stand_in.awk {case} > "
-                 "{out}' "
-                 "--expect 1.9,2.1",
-                 made[k].dx, made[k].error);
-        if (command_read(line, &r, &why)) fail_msg("%s", why.text);
-        assert_int_equal(ladder_run(&r.experiment, &r.rungs, l, &why), STATUS_OK);
-        assert_near(l->rung[0].dt, 0, 0); /* it has told of no steps */
-        if (l->verdict != made[k].verdict || !strstr(l->reason, made[k].said))
-            fail_msg("%s: %s: %s", made[k].error, verdict_words[l->verdict], l->reason);
-        command_free(&r);
-        free(l);
-    }
-}
-
-/* A wrong factor in kappa does not fall with dx. */
-static void a_wrong_conductivity_is_caught(void **state) {
-    (void)state;
-    struct gate gate = {.id = "mine", .measure = "slope", .lo = 1.9, .hi = 2.1, .ceiling = 1.63e-4, .why = ""};
-    struct measured m;
-    gate.command = "ladder rod-gauss mine --set kappa=0.4 --fourier 0.2 --dx 1,0.5,0.25,0.2,0.125 --solver '" AWK
-                   " -v wrong=2 {case} > {out}'";
-    gates_judge(&gate, NULL, &m);
-    assert_int_equal(m.verdict, VERDICT_FAIL);
-    assert_has(m.reason, "above its ceiling");
-}
-
-/* A diagnosis is made of the two finest rungs: those above them change nothing. */
-static void a_diagnosis_is_of_the_two_finest_rungs(void **state) {
-    (void)state;
-    static const char *const dx[] = {"0.05,0.025", "0.2,0.1,0.05,0.025"};
-    struct diagnosis found[2];
-    for (int k = 0; k < 2; k++) {
-        char line[300];
-        struct command r;
-        struct failure why;
-        struct ladder *l = xcalloc(1, sizeof *l);
-        snprintf(line, sizeof line,
-                 "ladder rod-step mine --fourier 0.2 --dx %s --solver '" AWK " -v wrong=1.2 {case} > {out}'", dx[k]);
-        if (command_read(line, &r, &why)) fail_msg("%s", why.text);
-        r.rungs.diagnose = 1;
-        assert_int_equal(ladder_run(&r.experiment, &r.rungs, l, &why), STATUS_OK);
-        assert_int_equal(l->diagnosed, 1);
-        found[k] = l->diagnosis;
-        command_free(&r);
-        free(l);
-    }
-    assert_int_equal(found[0].named, 1);
-    assert_string_equal(found[0].what, found[1].what);
-    assert_near(found[0].size, found[1].size, 0);
-    assert_near(found[0].share, found[1].share, 0);
-}
-
-static void what_is_wrong_is_named(void **state) {
+static void failures_are_named(void **state) {
     (void)state;
 #define RUN(command) "run rod-gauss mine --dx 1 --fourier 0.4 --solver '" command "'"
     refused(RUN("true {case} {out}"), STATUS_INPUT, "no such file; the program left no answer");
@@ -161,26 +76,8 @@ static void what_is_wrong_is_named(void **state) {
 #undef RUN
 }
 
-static void the_label_is_free_and_options_of_the_model_are_not(void **state) {
-    (void)state;
-    struct command r;
-    struct failure why;
-    assert_int_equal(command_read("run rod-step any.name --dx 0.1 --solver 'x {case} {out}'", &r, &why), 0);
-    assert_string_equal(r.experiment.method->name, "any.name");
-    command_free(&r);
-    assert_int_equal(command_read("run rod-step mine --dx 0.1", &r, &why), STATUS_INPUT);
-    command_free(&r);
-    assert_int_equal(command_read("run rod-step --dx 0.1 --solver=x", &r, &why), STATUS_INPUT);
-    command_free(&r);
-    assert_int_equal(command_read("run rod-step mine --kernel cubic --dx 0.1 --solver=x", &r, &why),
-                     STATUS_INPUT);
-    assert_has(why.text, "--kernel has no meaning for mine");
-    command_free(&r);
-}
-
-/* Two dimensions, two materials, sides that vary: all of it is in the case file, on which the last line of each
- * command's output depends. */
-static void the_case_file_tells_all(void **state) {
+/* The program skips the case, with status 77, if the line is there. */
+static void the_case_file_has_sides_materials_and_sources(void **state) {
     (void)state;
 #define CASE(scene, text)                                                                                            \
     refused("run " scene " --solver 'grep -qx \"" text "\" {case} && exit 77; {out}'", STATUS_SKIPPED, "77")
@@ -196,9 +93,8 @@ static void the_case_file_tells_all(void **state) {
 #undef CASE
 }
 
-/* Points of the scene, temperatures and exact ones, in the axes and the scale of a case whose x is y of the scene
- * against its direction. */
-static void a_field_is_handed_back_as_it_came(void **state) {
+/* The axes of the case are -y and x of the scene, its temperature 2 T - 7. */
+static void an_answer_is_mapped_back_to_the_case(void **state) {
     (void)state;
     struct program g = {0};
     double x[] = {3, -2}, y[] = {5, 0.5}, T[] = {1, 4}, exact[] = {1.5, 4.5};
@@ -215,8 +111,7 @@ static void a_field_is_handed_back_as_it_came(void **state) {
     field_free(&given);
 }
 
-/* All that a program starts ends with it, what it leaves is removed, and interrupts are heard at once. */
-static void it_ends_in_time(void **state) {
+static void a_program_ends_with_its_children_and_in_time(void **state) {
     (void)state;
 #define RUN(more, command) "run rod-gauss mine --dx 1 --fourier 0.4 " more " --solver '" command "'"
     refused(RUN("--timeout 0.2", "sleep 50 & sleep 50; {case} {out}"), STATUS_NUMERICAL,
@@ -234,7 +129,7 @@ static void it_ends_in_time(void **state) {
 #undef RUN
 }
 
-static void nothing_is_left_behind(void **state) {
+static void scratch_files_are_removed(void **state) {
     (void)state;
     char dir[UNIT_PATH], pattern[UNIT_PATH + 64];
     struct result result;
@@ -267,8 +162,8 @@ static int wait_for(const char *dir, size_t wanted) {
     return -1;
 }
 
-/* An interrupt is heard while the program runs, and nothing is left; nor where nothing can be heard any more. */
-static void signals_leave_nothing(void **state) {
+/* SIGKILL too: the guard of the scratch directory removes it. */
+static void signals_end_the_program_and_remove_its_files(void **state) {
     (void)state;
     static const int signals[] = {SIGINT, SIGTERM, SIGHUP, SIGKILL};
     char dir[UNIT_PATH];
@@ -294,8 +189,8 @@ static void signals_leave_nothing(void **state) {
     assert_int_equal(remove(dir), 0);
 }
 
-/* Who is told of the program's process group is told by the program: that nobody listens is its failure, not ours. */
-static void a_guard_that_is_gone_ends_nobody_else(void **state) {
+/* The guard learns the process group from the program itself. */
+static void a_lost_guard_is_a_failure(void **state) {
     (void)state;
     struct failure why = {0};
     struct scratch scratch;
@@ -312,19 +207,14 @@ static void a_guard_that_is_gone_ends_nobody_else(void **state) {
 
 int main(void) {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(agrees_with_our_own),
-        cmocka_unit_test(its_order_is_judged),
-        cmocka_unit_test(a_made_up_error_does_not_pass),
-        cmocka_unit_test(a_wrong_conductivity_is_caught),
-        cmocka_unit_test(a_diagnosis_is_of_the_two_finest_rungs),
-        cmocka_unit_test(what_is_wrong_is_named),
-        cmocka_unit_test(the_label_is_free_and_options_of_the_model_are_not),
-        cmocka_unit_test(the_case_file_tells_all),
-        cmocka_unit_test(a_field_is_handed_back_as_it_came),
-        cmocka_unit_test(it_ends_in_time),
-        cmocka_unit_test(nothing_is_left_behind),
-        cmocka_unit_test(signals_leave_nothing),
-        cmocka_unit_test(a_guard_that_is_gone_ends_nobody_else),
+        cmocka_unit_test(the_same_scheme_gives_the_same_errors),
+        cmocka_unit_test(failures_are_named),
+        cmocka_unit_test(the_case_file_has_sides_materials_and_sources),
+        cmocka_unit_test(an_answer_is_mapped_back_to_the_case),
+        cmocka_unit_test(a_program_ends_with_its_children_and_in_time),
+        cmocka_unit_test(scratch_files_are_removed),
+        cmocka_unit_test(signals_end_the_program_and_remove_its_files),
+        cmocka_unit_test(a_lost_guard_is_a_failure),
     };
     return cmocka_run_group_tests_name("program", tests, NULL, NULL);
 }
