@@ -140,20 +140,17 @@ static int collect(struct ladder *l, struct failure *why) {
 /* Without the particles' equations.  A run that fails leaves a ladder without errors. */
 static int climb_without_reference(const struct experiment *e, const struct ladder_rungs *rungs, struct ladder *l,
                                    struct failure *why) {
-    struct experiment rung[RUNG_MAX], fine = *e;
-    if (l->n < 3 && !(rungs->fine > 0))
-        return refuse(why, STATUS_INPUT,
-                      "successive runs tell the error in time of %s: three time steps at least, and for a gate %d",
-                      e->method->name, WINDOW_LEAST + 1);
+    struct experiment rung[RUNG_MAX];
+    if (l->n < 3)
+        return refuse(
+            why, STATUS_INPUT,
+            "the error in time of %s comes from successive runs: give three time steps or more, for a gate %d",
+            e->method->name, WINDOW_LEAST + 1);
     for (int i = 0; i < l->n; i++) {
         rung[i] = rung_of(e, rungs, l, i);
         l->rung[i] = not_run(&rung[i]);
     }
-    fine.options.dt = l->fine = rungs->fine;
-    char value[40];
-    results_number(rungs->fine, value);
-    snprintf(fine.program.rung, sizeof fine.program.rung, "dt=%s", value);
-    int status = self_difference_climb(rung, rungs->fine > 0 ? &fine : NULL, l, why);
+    int status = self_difference_climb(rung, l, why);
     int reported = l->external && l->rung[0].failure.status;
     return status_refused(status) && !reported ? status : STATUS_OK;
 }

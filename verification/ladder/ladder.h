@@ -30,13 +30,12 @@ struct ladder_rungs {
     struct numbers dx;      /* m */
     struct numbers dt;      /* s */
     struct numbers fourier; /* - */
-    double fine; /* s: the step of one more run, which those in time are measured against; 0: successive runs */
-    struct numbers vary;   /* of a parameter of the program, experiment.program.vary */
-    struct numbers expect; /* lowest and highest slope that pass; none where nothing is to be judged */
-    double ceiling;        /* of the error at the finest rung that counts; 0: none */
-    enum ladder_norm norm; /* what is fitted and judged */
-    int diagnose;          /* 1: also where the ladder passes or nothing is judged */
-    int scattered;         /* 1: the points may lie anywhere, so that errors may scatter (judge.h) */
+    struct numbers vary;    /* of a parameter of the program, experiment.program.vary */
+    struct numbers expect;  /* lowest and highest slope that pass; none where nothing is to be judged */
+    double ceiling;         /* of the error at the finest rung that counts; 0: none */
+    enum ladder_norm norm;  /* what is fitted and judged */
+    int diagnose;           /* 1: also where the ladder passes or nothing is judged */
+    int scattered;          /* 1: the points may lie anywhere, so that errors may scatter (judge.h) */
 };
 
 struct ladder {
@@ -46,7 +45,6 @@ struct ladder {
     int inverse;          /* 1: x is 1 over what the program varies in, which rises */
     char vary[40];        /* its name; "" for none */
     int self_differences; /* 1: errors come from differences of runs (self_difference.h) */
-    double fine;          /* s: the step of the run that they are from; 0: of successive runs */
     struct result rung[RUNG_MAX];
     long long semidiscrete_steps; /* in time: of the polynomials that errors are against; 0: of the exact stepper */
     double semidiscrete_error;    /* its own error, as in struct semidiscrete */

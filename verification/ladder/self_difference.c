@@ -7,8 +7,7 @@
  *
  *     |C| dt_i^p = d_i / (1 - (dt_(i+1) / dt_i)^p)
  *
- * p, which this needs, is the slope that comes out: a fixed point, found by repeating the fit.  Against one finer run
- * its step stands for dt_(i+1). */
+ * p is the slope that comes out: a fixed point, found by repeating the fit. */
 #include "verification/ladder/self_difference.h"
 
 #include "solver/field.h"
@@ -77,13 +76,13 @@ static void extrapolate(struct ladder *l, const double *dt) {
     double p = 1, d[RUNG_MAX], error[RUNG_MAX];
     for (int i = 0; i < l->n; i++) error[i] = d[i] = l->rung[i].error.l1;
     for (int fit = 0; fit < FITS; fit++) {
-        for (int i = 0; i < l->n; i++) error[i] = d[i] * extrapolated(dt[i], l->fine > 0 ? l->fine : dt[i + 1], p);
+        for (int i = 0; i < l->n; i++) error[i] = d[i] * extrapolated(dt[i], dt[i + 1], p);
         double next = slope_fit(dt, error, l->n).value;
         if (!(isfinite(next) && next > LEAST)) break;
         p = next;
     }
     for (int i = 0; i < l->n; i++) {
-        double more = extrapolated(dt[i], l->fine > 0 ? l->fine : dt[i + 1], p);
+        double more = extrapolated(dt[i], dt[i + 1], p);
         struct norms_error *e = &l->rung[i].error;
         e->l1 *= more, e->l2 *= more, e->linf *= more;
         l->x[i] = dt[i];
@@ -100,26 +99,24 @@ int self_difference_fields(const struct problem *p, const struct field *a, const
     return same;
 }
 
-/* Runs the rungs: each beside *to; where that is NULL all but the first beside the one before, whose error it is. */
-static int climb(const struct experiment *rung, const struct field *to, struct ladder *l, double *dt,
-                 struct failure *why) {
+/* Runs the rungs; dt[i] are the steps taken.  The error of a rung is its distance from the next. */
+static int climb(const struct experiment *rung, struct ladder *l, double *dt, struct failure *why) {
     struct field before = {0};
     int status = STATUS_OK;
     for (int i = 0; i < l->n && !status; i++) {
         struct field f = {0};
         struct norms_error apart;
-        int of = to ? i : i - 1;
         status = run_experiment(&rung[i], &l->rung[i], &f);
         if (status) *why = l->rung[i].failure;
         dt[i] = l->rung[i].dt > 0 ? l->rung[i].dt : l->x[i];
-        if (!status && of >= 0) {
-            if (self_difference_fields(&rung[i].problem, to ? &f : &before, to ? to : &f, &apart))
-                take_error(&l->rung[of], apart);
+        if (!status && i > 0) {
+            if (self_difference_fields(&rung[i].problem, &before, &f, &apart))
+                take_error(&l->rung[i - 1], apart);
             else
                 status =
                     refuse(why, STATUS_INPUT,
-                           "a ladder in time needs all runs on one grid: at %g s the points are not those of %s%g%s",
-                           l->x[i], to ? "--fine " : "", to ? l->fine : l->x[of], to ? "" : " s");
+                           "a ladder in time needs all runs on one grid: at %g s the points are not those of %g s",
+                           l->x[i], l->x[i - 1]);
         }
         field_free(&before);
         before = f;
@@ -128,18 +125,11 @@ static int climb(const struct experiment *rung, const struct field *to, struct l
     return status;
 }
 
-int self_difference_climb(const struct experiment *rung, const struct experiment *fine, struct ladder *l,
-                          struct failure *why) {
+int self_difference_climb(const struct experiment *rung, struct ladder *l, struct failure *why) {
     double dt[RUNG_MAX];
-    struct field last = {0};
-    struct result result = {.dt = 0};
-    int status = fine ? run_experiment(fine, &result, &last) : STATUS_OK;
-    if (status) *why = result.failure;
-    if (!status) status = climb(rung, fine ? &last : NULL, l, dt, why);
-    field_free(&last);
+    int status = climb(rung, l, dt, why);
     if (status) return status;
-    if (!fine) l->n--;
-    if (result.dt > 0) l->fine = result.dt;
+    l->n--;
     l->self_differences = 1;
     extrapolate(l, dt);
     return STATUS_OK;

@@ -2,8 +2,7 @@
 #ifndef HEATLADDER_VERIFICATION_LADDER_SELF_DIFFERENCE_H
 #define HEATLADDER_VERIFICATION_LADDER_SELF_DIFFERENCE_H
 
-/* A ladder in time of a method whose semi-discrete solution is not known: successive runs against each other, or all
- * against one of a finer step. */
+/* A ladder in time without a semi-discrete reference: successive runs against each other. */
 
 struct experiment;
 struct failure;
@@ -12,12 +11,10 @@ struct ladder;
 struct norms_error;
 struct problem;
 
-/* Runs the l->n experiments, which differ in their time step, one after the other, and sets their errors and
- * abscissas against *fine, whose step is l->fine.  Where that is NULL they are measured against each other: l->n is
- * one less then, as the last has nothing finer beside it.  STATUS_OK, or the status of the first that failed, with
- * *why; STATUS_INPUT where the runs' points differ. */
-int self_difference_climb(const struct experiment *rung, const struct experiment *fine, struct ladder *l,
-                          struct failure *why);
+/* Runs the l->n experiments, which differ in their time step, and sets errors and abscissas of all but the finest, by
+ * their distances from the next.  STATUS_OK, or the status of the first that failed, with *why; STATUS_INPUT where
+ * the runs' points differ. */
+int self_difference_climb(const struct experiment *rung, struct ladder *l, struct failure *why);
 
 /* How far two fields are apart, relative to the second but for the largest difference (K), into *apart, whatever the
  * order of their points.  1; or 0 where these are not the same. */
