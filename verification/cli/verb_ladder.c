@@ -64,7 +64,10 @@ static const char gci_note[] = "p: observed order; GCI: grid convergence index o
                                "other, not that they are right.\n";
 
 static void add_quantity(struct table *t, const struct gci *g, const struct gci_row *row) {
-    const char *note = row->change == 0        ? "the two finest agree: no order"
+    char few[80];
+    snprintf(few, sizeof few, "%d printed digits leave p open by %.2g", row->digits, row->unsure);
+    const char *note = row->unsure > 0.1       ? few
+                       : row->change == 0      ? "the two finest agree: no order"
                        : !isfinite(row->order) ? "changes do not fall: no order"
                        : row->oscillates       ? "oscillates: the order means little"
                        : row->order < 0.5      ? "hardly converges"

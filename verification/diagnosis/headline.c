@@ -75,7 +75,8 @@ static unsigned sides_with(const struct problem *p, const struct diagnosis *d) {
 int headline_contradicts(const struct headline *h, const struct problem *p, double dx, double zero, double ceiling) {
     static const double SURE = 2;
     struct diagnosis d = h->fault;
-    if (d.fault.axis == FAULT_ANY && p->dim == 2 && d.fault.kind != FAULT_MEAN) return 0;
+    int other_mean = d.fault.kind == FAULT_MEAN && (d.fault.axis == FAULT_ANY || d.fault.axis == MEAN_IS_OTHER);
+    if (other_mean || (d.fault.axis == FAULT_ANY && p->dim == 2)) return 0; /* it may differ from row to row */
     if (d.fault.axis == FAULT_ANY) d.fault.axis = 0;
     if (d.sides & ~sides_with(p, &d)) return 0;
     return diagnosis_effect(p, &d, dx, zero) > SURE * ceiling;

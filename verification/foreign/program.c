@@ -172,7 +172,8 @@ static int solve_at(const struct program *g, const struct scene *s, const struct
     int status = run_in_turn(g, s, o, text, scratch, dir, &seconds, why);
     free(text);
     if (status) return status;
-    case_run_answer(dir, path, sizeof path);
+    if (!case_run_answer(dir, path, sizeof path))
+        return refuse(why, STATUS_NUMERICAL, "--solver: exit status 0, but no answer at {out}");
     if (read_answer(g, path, "{out}", p, o, f, why)) return why->status;
     f->cost.seconds = seconds;
     return STATUS_OK;

@@ -138,7 +138,7 @@ static int contradicts(const struct gate *gate, const struct headline *h) {
         double finest = r.rungs.dx.value[0];
         for (int i = 1; i < r.rungs.dx.count; i++) finest = fmin(finest, r.rungs.dx.value[i]);
         mapping_image(&e->program.map, &e->problem, &image);
-        if (e->problem.materials == 1 || image.interface_axis == 0)
+        if (!e->derived && (e->problem.materials == 1 || image.interface_axis == 0))
             against = headline_contradicts(h, &image.problem, finest, e->program.map.offset, gate->ceiling);
     }
     command_free(&r);

@@ -57,6 +57,35 @@ double gci_order(double e21, double e32, double r21, double r32, int *oscillates
     return hi;
 }
 
+/* The mean unit of the last printed digit of values that have as many digits, or decimals, as the longest of them. */
+static double printed_unit(const double *value, size_t n, int *digits) {
+    enum { MOST = 500 };
+    size_t stride = n / MOST + 1, count = 0;
+    int decimals = 400;
+    double sum = 0;
+    char text[NUMBER_PRINTED];
+    *digits = 0;
+    for (size_t i = 0; i < n; i += stride) {
+        if (value[i] == 0) continue;
+        int of = number_digits(value[i], 0, 17, text), last = atoi(strchr(text, 'e') + 1) - of + 1;
+        if (of > *digits) *digits = of;
+        if (last < decimals) decimals = last; /* the power of ten of the last digit */
+    }
+    for (size_t i = 0; i < n; i += stride, count++)
+        if (value[i] != 0) sum += pow(10, fmax(floor(log10(fabs(value[i]))) + 1 - *digits, decimals));
+    return sum / (double)count;
+}
+
+/* How far the order moves where each of the two last changes is off by `unit`, from the slope of ln g. */
+static double unsure_by(const struct gci *g, const double *e, double unit, const struct gci_row *row) {
+    static const double STEP = 1e-4;
+    double log21 = log(g->h[g->n - 2] / g->h[g->n - 1]), log32 = log(g->h[g->n - 3] / g->h[g->n - 2]), p = row->order;
+    double off = unit / fabs(e[g->n - 2]) + unit / fabs(e[g->n - 3]);
+    if (!isfinite(p)) return off > 0.5 ? INFINITY : 0;
+    return off * STEP /
+           (log_ratio(p + STEP, log21, log32, row->oscillates) - log_ratio(p, log21, log32, row->oscillates));
+}
+
 /* Differences e[i] between answers i and i + 1, the coarsest first, to orders and index. */
 static void judge(const struct gci *g, const double *e, double size, struct gci_row *row) {
     int n = g->n, ignored;
@@ -82,6 +111,7 @@ static void judge_values(const struct gci *g, struct gci_row *row) {
     double e[NUMBERS_MAX] = {0};
     for (int i = 0; i + 1 < g->n; i++) e[i] = row->value[i] - row->value[i + 1];
     judge(g, e, row->value[g->n - 1], row);
+    row->unsure = unsure_by(g, e, printed_unit(row->value, (size_t)g->n, &row->digits), row);
 }
 
 /* ---- One line of values ---- */
@@ -96,8 +126,9 @@ static char *next_word(char **at) {
     return word;
 }
 
-/* 1 where the file has a line of names and one of numbers, as many; their values at spacing i. */
-static int read_values(const char *path, int i, struct gci *g) {
+/* 1 where the file has a line of names and one of numbers, as many, the same in each; their values at spacing i.  0
+ * where the first is no such file; -1 with *why where a later one differs from `first`. */
+static int read_values(const char *path, const char *first, int i, struct gci *g, struct failure *why) {
     char *text = xcalloc(WORDS, 1), *line[3] = {NULL, NULL, NULL};
     FILE *in = whole_file_open(path);
     int lines = 0, same = 1, words = 0;
@@ -109,17 +140,29 @@ static int read_values(const char *path, int i, struct gci *g) {
         if (end) *end = '\0';
         if (at[strspn(at, " \t")] && *at != '#') line[lines++] = at;
     }
+    why->text[0] = '\0';
     while (lines == 2 && same) {
         char *name = next_word(&line[0]), *value = next_word(&line[1]);
         if (!name && !value) break;
         double read;
         same = name && value && number_read(name, &read) != 0 && number_read(value, &read) == 0;
         if (same && i == 0 && !add(g, name)) same = 0;
-        same = same && words < g->rows && strncmp(g->row[words].name, name, GCI_NAME - 1) == 0;
-        if (same) g->row[words++].value[i] = read;
+        if (!same && name)
+            refuse(why, STATUS_INPUT, "%.200s: column %d, '%.40s': '%.40s' is not a number", path, words + 1, name,
+                   value ? value : "");
+        if (same && words < g->rows && strncmp(g->row[words].name, name, GCI_NAME - 1) != 0)
+            same = 0, refuse(why, STATUS_INPUT, "%.150s: column %d is '%.40s', but '%.47s' in %.150s", path,
+                             words + 1, name, g->row[words].name, first);
+        if (same && words < g->rows) g->row[words].value[i] = read;
+        words++;
     }
     free(text);
-    return lines == 2 && same && words == g->rows && words > 0;
+    if (lines == 2 && same && words == g->rows && words > 0) return 1;
+    if (i == 0) return 0;
+    if (!why->text[0])
+        refuse(why, STATUS_INPUT, "%.150s: not a line of %d names and one of as many numbers, as %.150s is", path,
+               g->rows, first);
+    return -1;
 }
 
 /* ---- Fields ---- */
@@ -152,6 +195,8 @@ static int compare_fields(struct gci *g, const struct samples *s, const struct i
     if (status || !row) return status;
     for (int i = 0; i < g->n; i++) row->value[i] = NAN;
     judge(g, e, size, row);
+    double unit = printed_unit(s[g->n - 1].value[COLUMN_T], s[g->n - 1].n, &row->digits) / 4;
+    row->unsure = unsure_by(g, e, unit * (double)((coarse->n + stride - 1) / stride), row);
     return STATUS_OK;
 }
 
@@ -214,7 +259,8 @@ int gci_read(const char *dir, const struct column_map *c, const struct numbers *
         g->n = h.count;
     }
     for (int i = 0; i < g->n && !status; i++) status = find_answer(dir, g->h[i], path[i], why);
-    for (int i = 0; i < g->n && !status && values; i++) values = read_values(path[i], i, g);
+    for (int i = 0; i < g->n && !status && values > 0; i++)
+        if ((values = read_values(path[i], path[0], i, g, why)) < 0) status = why->status;
     if (!status && values)
         for (int k = 0; k < g->rows; k++) judge_values(g, &g->row[k]);
     else if (!status) {
@@ -238,6 +284,7 @@ void gci_json(const struct gci *g, struct json *j) {
         json_numbers(j, "orders", row->orders, g->n - 2);
         json_add(j, "extrapolated %g|relative_change %g|gci %g|oscillates %d", row->extrapolated, row->change,
                  row->index, row->oscillates);
+        json_add(j, "printed_digits %d|order_unsure_by %g", row->digits, row->unsure);
         json_end(j);
     }
     json_end(j);

@@ -21,6 +21,8 @@ struct gci_row { /* one quantity */
     double change;              /* of the two finest, relative to the finest */
     double index;               /* GCI of the finest, relative: 1.25 change / (r^p - 1) */
     int oscillates;             /* 1: successive changes have opposite signs */
+    int digits;                 /* printed: most significant ones of any value */
+    double unsure;              /* by how much those digits leave the order open */
 };
 
 struct gci {

@@ -126,6 +126,8 @@ void ladder_fit(struct ladder *l, enum ladder_norm norm) {
     }
     slope_local(l->x, l->error, l->n, l->local);
     window_choose(rung, l->n, &l->window);
+    for (int i = 0; i < l->n; i++)
+        if (l->rung[i].failure.status) l->window.counts[i] = 0;
     l->slope = slope_fit(x, error, ladder_counted(l, x, error));
     if (l->draws > 1) fit_draws(l);
     l->verdict = isfinite(l->slope.value) && l->slope.n >= WINDOW_LEAST ? VERDICT_MEASURED : VERDICT_INCONCLUSIVE;

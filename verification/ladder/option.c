@@ -58,13 +58,29 @@ int option_number(void *options, const struct option *o, const char *text, struc
     return STATUS_OK;
 }
 
+/* Quotes the entry at fault, whole. */
+static int refuse_numbers(const struct option *o, const char *text, struct failure *why) {
+    const char *example = o->lo >= 0 ? "0.1,0.05,4/160" : "-0.3,0.7", *at = text;
+    double value;
+    for (int n = 1; n <= NUMBERS_MAX; n++) {
+        int length = (int)strcspn(at, ",");
+        char entry[64];
+        snprintf(entry, sizeof entry, "%.*s", length, at);
+        if (length >= (int)sizeof entry || number_read(entry, &value))
+            return refuse(why, STATUS_INPUT,
+                          "--%s: entry %d, '%.60s%s', is not a number; must be 1 to %d numbers with "
+                          "commas between, such as %s",
+                          o->name, n, entry, length > 60 ? "..." : "", NUMBERS_MAX, example);
+        at += length + (at[length] == ',');
+    }
+    return refuse(why, STATUS_INPUT, "--%s: more than %d numbers", o->name, NUMBERS_MAX);
+}
+
 int option_numbers(void *options, const struct option *o, const char *text, struct failure *why) {
     struct numbers *list = place(options, o);
     list->count = number_read_list(text, list->value, NUMBERS_MAX);
     list->text = text;
-    if (list->count < 0)
-        return refuse(why, STATUS_INPUT, "--%s '%.60s': must be 1 to %d numbers with commas between, such as %s",
-                      o->name, text, NUMBERS_MAX, o->lo >= 0 ? "0.1,0.05,4/160" : "-0.3,0.7");
+    if (list->count < 0) return refuse_numbers(o, text, why);
     for (int i = 0; i < list->count; i++)
         if (list->value[i] < o->lo || list->value[i] > o->hi) return refuse_number(o, text, why);
     return STATUS_OK;

@@ -140,9 +140,12 @@ static const struct {
     {"verify --only 'a", "-1 words"}, /* a quote is open */
     /* values */
     {"run rod-step ftcs --dx 0", "--dx 0: must be a number > 0"},
-    {"run rod-step ftcs --dx nan", "--dx 'nan': must be 1 to 32 numbers with commas between, such as 0.1,0.05,4/160"},
+    {"run rod-step ftcs --dx nan",
+     "--dx: entry 1, 'nan', is not a number; must be 1 to 32 numbers with commas between, such as 0.1,0.05,4/160"},
     {"ladder rod-step ftcs --dx 0.1,", "--dx '0.1,'"},
-    {"reference rod-step --time 1 --at x", "--at 'x': must be 1 to 32 numbers with commas between, such as -0.3,0.7"},
+    {"run rod-step ftcs --dx 0.1,0.05x,0.2", "--dx: entry 2, '0.05x', is not a number"},
+    {"reference rod-step --time 1 --at x",
+     "--at: entry 1, 'x', is not a number; must be 1 to 32 numbers with commas between, such as -0.3,0.7"},
     {"reference rod-step --at 0.1 --time -1", "--time -1: must be a number >= 0"},
     {"reference rod-step --time 0:1:1 --at 0.1",
      "or FROM:TO:COUNT, such as 0:1.5:16, with a COUNT from 2 to 10000000"},

@@ -208,6 +208,29 @@ static void a_row_of_the_plane_is_a_rod(void **state) {
     assert_near(g.row[1].extrapolated, smooth(0.213, 0.3, 0), 1e-4);
 }
 
+/* 3.25 + 0.002 h^2 with 6 digits: changes of 24 and 6 units, each off by one.  For ratios of 2 ln g is p ln 2, so
+ * that p is open by (1/24 + 1/6)/ln 2.  A third of the h^2 has all digits. */
+static void few_digits_leave_the_order_open(void **state) {
+    (void)state;
+    struct gci g;
+    struct failure why;
+    for (int k = 0; k < 2; k++) {
+        for (int i = 0; i < 3; i++) {
+            double h = 0.4 / (1 << i);
+            FILE *out = answer(k ? "all" : "six", h);
+            fprintf(out, k ? "flux\n%.17g\n" : "flux\n%.6g\n", 3.25 + (k ? 0.002 / 3 : 0.002) * h * h);
+            fclose(out);
+        }
+        if (read_sub(k ? "all" : "six", &(struct numbers){0}, &g, &why)) fail_msg("%s", why.text);
+        assert_near(g.row[0].order, 2, 1e-6);
+        if (k)
+            assert_order(g.row[0].unsure, <, 1e-6);
+        else
+            assert_near(g.row[0].unsure, (1 / 6.0 + 1 / 24.0) / log(2), 1e-3);
+        if (!k) assert_int_equal(g.row[0].digits, 6);
+    }
+}
+
 static void what_is_missing_is_named(void **state) {
     (void)state;
     struct gci g;
@@ -227,6 +250,12 @@ static void what_is_missing_is_named(void **state) {
         fclose(out);
     }
     assert_int_equal(read_sub("fewer", &(struct numbers){0}, &g, &why), STATUS_INPUT);
+    assert_has(why.text, "/fewer/0.25/out.csv: not a line of 2 names and one of as many numbers, as ");
+    FILE *out = answer("fewer", 0.25);
+    fputs("flux,cold\n1,2\n", out);
+    fclose(out);
+    assert_int_equal(read_sub("fewer", &(struct numbers){0}, &g, &why), STATUS_INPUT);
+    assert_has(why.text, "/fewer/0.25/out.csv: column 2 is 'cold', but 'heat' in ");
 }
 
 int main(void) {
@@ -238,6 +267,7 @@ int main(void) {
         cmocka_unit_test(fields_on_different_points),
         cmocka_unit_test(a_long_name_is_cut),
         cmocka_unit_test(a_row_of_the_plane_is_a_rod),
+        cmocka_unit_test(few_digits_leave_the_order_open),
         cmocka_unit_test(what_is_missing_is_named),
     };
     char command[UNIT_PATH + 32];

@@ -200,6 +200,25 @@ static void a_ceiling_bounds_the_finest_rung(void **state) {
     free(l);
 }
 
+/* One of four rungs has no answer: the ladder fails, and the slope is that of the others. */
+static void failed_rungs_are_left_out_of_the_slope(void **state) {
+    (void)state;
+    struct ladder *l = xcalloc(1, sizeof *l);
+    char text[160];
+    l->n = 4;
+    for (int i = 0; i < 4; i++) {
+        l->x[i] = 1 / pow(2, i);
+        l->rung[i] = (struct result){.error.l1 = 0.3 * pow(4, -i), .time_error = NAN};
+    }
+    l->rung[2].failure.status = l->failure.status = STATUS_INPUT;
+    ladder_fit(l, LADDER_L1);
+    assert_near(l->slope.value, 2, 1e-12);
+    assert_int_equal(l->verdict, VERDICT_FAIL);
+    ladder_slope_text(l, text, sizeof text);
+    assert_has(text, "over 3 of 4 rungs");
+    free(l);
+}
+
 static void a_failed_rung_fails_the_ladder(void **state) {
     (void)state;
     struct failure why;
@@ -223,6 +242,7 @@ int main(void) {
         cmocka_unit_test(floors_are_shares_of_the_error_that_is_fitted),
         cmocka_unit_test(rungs_that_count_and_have_an_error_are_counted),
         cmocka_unit_test(a_ceiling_bounds_the_finest_rung),
+        cmocka_unit_test(failed_rungs_are_left_out_of_the_slope),
         cmocka_unit_test(a_failed_rung_fails_the_ladder),
     };
     return cmocka_run_group_tests_name("ladder", tests, NULL, NULL);
