@@ -1,4 +1,4 @@
-# What the charts of a benchmark share: `data` is reports/out/bench/bench_SCENE.csv, `chart` the end of the name,
+# Common part of the charts of a benchmark: `data` is reports/out/bench/bench_SCENE.csv, `chart` the end of the name,
 # `subject` the title's.
 # A panel holds at most seven programs of a family of steppers; all others stand in grey behind them.
 #     X, Y: columns; bars: 'x' or 'y', the axis of the times (lowest and highest in columns 5 and 6), or ''

@@ -52,7 +52,7 @@ static double expected_growth(const struct candidate *c, int dim) {
     return 1 + 2.0 / dim;
 }
 
-/* Of the coarsest rung, all runs: 1 ns an update where the step is given, else nothing is predicted. */
+/* Seconds of all runs of the coarsest rung: 1 ns an update for a given step; else nothing is predicted. */
 static double coarsest_seconds(const struct candidate *c, const struct experiment *e, int n) {
     const double UPDATE = 1e-9;
     if (c->options.dt == 0) return 0;

@@ -18,7 +18,7 @@ struct bench_row {
     struct result result; /* its failure says why there is no more than that */
     int left_out;         /* 1: not run, since it is predicted to take longer than may be spent */
     struct bench_time time;
-    double work;                /* of the run, in the unit of solver/work.h */
+    double work;                /* in the unit of solver/work.h */
     int front_time, front_work; /* 1: no other row has a smaller error for less */
 };
 

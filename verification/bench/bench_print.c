@@ -20,7 +20,7 @@
 #define BENCH_FLAGS "unknown"
 #endif
 
-/* Where a benchmark ran, and by what it was compiled. */
+/* The machine of a benchmark, and the compiler. */
 struct machine {
     char processor[120]; /* as the system names it; "unknown" where it does not */
     int cores;           /* that this process may use */

@@ -15,7 +15,7 @@ struct bench_engine_row {
 };
 
 struct bench_engine {
-    double coarser; /* of all spacings, over what the rows say */
+    double coarser; /* factor of all spacings; 1 for the rows as they read */
     int count;
     struct bench_engine_row row[BENCH_ENGINE_MOST];
 };

@@ -14,7 +14,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-static const double SECONDS = 4; /* of a scene: of a minute ten scenes leave a third to the engine and the charts */
+static const double SECONDS = 4; /* a scene; all scenes, the engine and the charts take a minute */
 
 struct bench_options {
     struct command command;

@@ -29,7 +29,7 @@ struct point {
     double T, source, rho_c;
     struct {
         double k;              /* conductivity */
-        double kind, value, b; /* of a wall; b is its Robin coefficient */
+        double kind, value, b; /* wall: b is the Robin coefficient */
     } axis[2];
     double conductance[4]; /* W m^-3 K^-1, to the neighbours at x low, x high, y low, y high */
     double flux;           /* W m^-3, what walls of given flux add */
@@ -74,7 +74,7 @@ static void read_case(const char *path) {
     for (int d = 0; d < 2; d++) width[d] = (hi[d] - lo[d]) / n[d];
 }
 
-/* Where point c stands along axis d: 1 to n for cells, 0 and n + 1 for the frame.  A rod has one row, 1. */
+/* The place of point c along axis d: 1 to n for cells, 0 and n + 1 for the frame.  A rod has one row, 1. */
 static int place(int c, int d) {
     if (d == 0) return c % stride;
     return dim == 2 ? c / stride : 1;

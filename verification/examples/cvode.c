@@ -21,7 +21,7 @@ struct point {
     double source, rho_c;
     struct {
         double k;              /* conductivity */
-        double kind, value, b; /* of a wall; b is its Robin coefficient */
+        double kind, value, b; /* wall: b is the Robin coefficient */
     } axis[2];
     double conductance[2]; /* W m^-3 K^-1, to the next point along x and along y */
 };
@@ -123,7 +123,7 @@ static void ask_scene(const char *path, double *T) {
     if (pclose(answers)) stop("heatladder reference failed");
 }
 
-/* What is between point c and the face beside it, m^2 K W^-1: half a cell, or what a wall resists. */
+/* Resistance between point c and the face beside it, m^2 K W^-1: half a cell, or the wall. */
 static double resistance(int c, int d) {
     const struct point *p = &point[c];
     if (!on_wall(c, d)) return width[d] / (2 * p->axis[d].k);

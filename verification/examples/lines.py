@@ -52,7 +52,7 @@ def along(d, part):
     return tuple(part if e == d else slice(1, -1) for e in range(dim))
 
 
-# What a point resists: half a cell inside; on the frame, the wall.  A wall of given flux has its heat in the source.
+# Resistance of a point: half a cell inside; on the frame, the wall.  The heat of a given flux is in the source.
 T, source, rho_c = ask("initial_heat,source,rho_c")
 L = csc_matrix((len(points), len(points)))
 for d in range(dim):

@@ -64,7 +64,7 @@ def set_up(body):
     parts = {p: 0 for index in nodes for p in around(index, (-0.25, 0.25)) if all(0 < p[d] < n[d] for d in axes)}
     for p, (rho_c,) in zip(parts, body.ask(parts, "rho_c")):
         parts[p] = rho_c * math.prod(h) / 2**body.dim
-    # Heat flows along the edges, through faces that are cut likewise.
+    # Heat flows along the edges, through faces that are cut in the same way.
     edges = {}
     for d in axes:
         for index in nodes:

@@ -61,7 +61,7 @@ def along(d, part):
     return tuple(part if e == d else slice(1, -1) for e in range(3))
 
 
-# What a point resists: half a cell inside; on the frame, the wall.  A wall of given flux has its heat in the source.
+# Resistance of a point: half a cell inside; on the frame, the wall.  The heat of a given flux is in the source.
 conductance = []  # W m^-2 K^-1, of the faces across each axis
 fastest = 0
 for d in range(3):

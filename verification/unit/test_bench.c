@@ -39,7 +39,7 @@ static struct bench_row not_run(const struct candidate *c, int n, int status, in
     return r;
 }
 
-/* Two candidates that ran, one of which is on a front by time, one by work and one by both; three that did not. */
+/* Two candidates that ran, with rows on the front by time, by work and by both; three that did not run. */
 static const struct bench_scene *made(void) {
     static struct bench_scene b;
     b = (struct bench_scene){.scene = scene_find("rod-cosine")};
