@@ -34,7 +34,7 @@ static int help(int argc, char *const *argv) {
     return STATUS_OK;
 }
 
-/* On one line, whatever the words or files that it quotes hold. */
+/* Prints the text on one line, without control characters of words or files that it quotes. */
 static void print_failure(const char *text) {
     fputs("heatladder: ", stderr);
     for (size_t length; *text; text += length ? length : 1) {
@@ -44,9 +44,8 @@ static void print_failure(const char *text) {
     fputc('\n', stderr);
 }
 
-/* Threads of a run that wait give their processor up: on a busy machine those that spin made it 14 times as long.
- * OpenMP's runtime reads how they wait as it is loaded, so that the program begins again; what it runs for others is
- * left as it is. */
+/* Waiting threads give up their processor: on a busy machine a run with spinning threads took 14 times as long.
+ * OpenMP reads this choice when it is loaded, so the program starts again.  Programs of --solver keep their own. */
 static void wait_passively(const struct command *c, char *const *argv) {
 #ifdef __linux__
     if (c->experiment.options.threads < 2 || c->external) return;
@@ -72,32 +71,31 @@ static int act(int argc, char *const *argv) {
     return status_exit(status);
 }
 
-/* Standard output that could not be written is a failure too: a full disk, a closed pipe. */
+/* A failure to write standard output, such as a full disk or a closed pipe, is a failure. */
 static int flush(int status) {
     if (fflush(stdout) == 0 && !ferror(stdout)) return status;
     perror("heatladder: standard output");
     return status ? status : STATUS_INPUT;
 }
 
-/* GSL's own handler aborts the program at any error.  Statuses are looked at where they matter; only memory that runs
- * out ends the program, as xcalloc does. */
+/* GSL's own handler aborts at any error.  Callers check statuses; only a lack of memory ends the program, as in
+ * xcalloc. */
 static void gsl_failed(const char *reason, const char *file, int line, int error) {
     if (error != GSL_ENOMEM) return;
     fprintf(stderr, "heatladder: out of memory (GSL, %s:%d: %s)\n", file, line, reason);
     _Exit(STATUS_NUMERICAL);
 }
 
-/* OpenMP's runtime ends the program by itself where it has no memory or no thread for a team, with status 1, which
- * here says that a gate failed. */
-static int over; /* whether main has ended it */
+/* Without memory or a thread for a team OpenMP exits with status 1, which means a failed gate here. */
+static int over; /* 1: main ends the program */
 
 static void ended_by_others(void) {
     if (over) return;
-    fputs("heatladder: out of memory or of threads, says OpenMP; OMP_NUM_THREADS=1 asks for no others\n", stderr);
+    fputs("heatladder: OpenMP is out of memory or threads; OMP_NUM_THREADS=1 needs no others\n", stderr);
     _Exit(STATUS_NUMERICAL);
 }
 
-/* FFTW aborts it where it has no memory, in the thread that asked for it. */
+/* Without memory FFTW aborts in the calling thread. */
 static void fftw_failed(int signal) {
     (void)signal;
     if (errno != ENOMEM) return;
@@ -105,8 +103,9 @@ static void fftw_failed(int signal) {
     _Exit(STATUS_NUMERICAL);
 }
 
-/* Its constructor does so too, before main and before any constructor of ours: what this list has is called first. */
-static void expect_others(void) { /* twice is no harm: the first call ends the program */
+/* OpenMP's constructor may exit too, before main; functions of .preinit_array run earlier.  A second call does no
+ * harm. */
+static void expect_others(void) {
     atexit(ended_by_others);
 }
 
@@ -118,28 +117,28 @@ static void take_signals(void) {
     struct sigaction abort = {.sa_handler = fftw_failed, .sa_flags = (int)SA_RESETHAND};
     sigemptyset(&abort.sa_mask);
     sigaction(SIGABRT, &abort, NULL);
-    signal(SIGXFSZ, SIG_IGN); /* write() then fails: what was begun is removed */
+    signal(SIGXFSZ, SIG_IGN); /* write() then fails, and the partial file is removed */
 }
 
-/* A team's threads are listed on the stack of the one that starts it: 100000 of them are more than it holds. */
+/* The stack of the thread that starts a team lists its threads; 100,000 do not fit. */
 static void limit_threads(void) {
     if (omp_get_max_threads() > COMMAND_THREADS) omp_set_num_threads(COMMAND_THREADS);
 }
 
-/* What a run frees stays with the program: the next run of the same size finds its pages there.  To fetch them anew
- * from the system takes as long as a transform of the field that they hold. */
+/* Freed pages stay with the program for the next run of the same size.  New pages from the system cost as much time
+ * as a transform of the field in them. */
 static void keep_pages(void) {
 #ifdef __GLIBC__
-    mallopt(M_MMAP_THRESHOLD, 32 << 20); /* bytes: the most that it takes */
+    mallopt(M_MMAP_THRESHOLD, 32 << 20); /* bytes: the upper limit of this parameter */
     mallopt(M_TRIM_THRESHOLD, 1 << 30);
 #endif
 }
 
-/* What --solver runs finds this program by $HEATLADDER, where nobody set that; one that PATH has needs no telling. */
-static void tell_programs(const char *typed) {
+/* Sets $HEATLADDER for programs of --solver to the path of this program, unless it is set or found by PATH. */
+static void set_path(const char *typed) {
     char *path = strchr(typed, '/') ? realpath(typed, NULL) : NULL;
     const char *set = getenv("HEATLADDER");
-    if (set && !*set) unsetenv("HEATLADDER"); /* empty is as good as unset */
+    if (set && !*set) unsetenv("HEATLADDER"); /* empty: unset */
     if (path && setenv("HEATLADDER", path, 0)) xcheck(NULL, 1, strlen(path));
     free(path);
 }
@@ -160,7 +159,7 @@ int main(int argc, char **argv) {
     take_signals();
     keep_pages();
     limit_threads();
-    tell_programs(argv[0]);
+    set_path(argv[0]);
     int status = answer(argc, argv);
     over = 1;
     return status;

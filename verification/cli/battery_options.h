@@ -8,10 +8,10 @@
 #include "verification/gates/battery.h"
 
 struct battery_options {
-    int order_word; /* of the code in space: place in battery_order_words */
+    int order_word; /* order of the code in space: place in battery_order_words */
     enum profile profile;
-    unsigned long seed; /* of the draw, where it was given; default 1; 0: rows as written */
-    int rungs;          /* of each ladder; 0: as written */
+    unsigned long seed; /* seed of the draw, default 1; 0: rows as written */
+    int rungs;          /* rungs of each ladder; 0: as written */
 };
 
 static const char *const battery_order_words[] = {"2", "1", "4", NULL};

@@ -11,7 +11,7 @@ extern const char help_version[];
 
 extern const char help_about[]; /* environment and exit statuses */
 
-/* What --help prints: all verbs, or one with its options. */
+/* The output of --help: all verbs, or one with its options. */
 void help_program(FILE *out);
 void help_verb(const struct verb *v, FILE *out);
 

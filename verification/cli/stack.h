@@ -6,8 +6,8 @@ struct failure;
 
 enum { STACK_LEAST = 256 }; /* kB of a thread: twice what the deepest call has been seen to take, 64 to 128 */
 
-/* STATUS_OK; or STATUS_INPUT where the limit of the stack (ulimit -s) or of OpenMP's threads (OMP_STACKSIZE,
- * GOMP_STACKSIZE) is below STACK_LEAST: a thread would end without a word. */
+/* STATUS_INPUT if the limit of the stack (ulimit -s) or of OpenMP's threads (OMP_STACKSIZE, GOMP_STACKSIZE) is below
+ * STACK_LEAST, where a thread would crash without a message; else STATUS_OK. */
 int stack_check(struct failure *why);
 
 /* kB that a value of OMP_STACKSIZE asks for (OpenMP 5.0, section 6.7: a whole number, and B, K, M or G; kB without);

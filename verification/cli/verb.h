@@ -9,7 +9,7 @@
 struct verb {
     const struct command_syntax *syntax;
     const struct option *own; /* options beside those of the syntax; ended by a NULL name; NULL: none */
-    size_t size;              /* of its options, a struct that begins with a struct command */
+    size_t size;              /* size of its options, a struct that begins with a struct command */
     const char *about;        /* one line */
     /* Does it.  A status of solver/status.h; *why, empty when called, gives the reason where there is one. */
     int (*act)(const void *options, struct failure *why);

@@ -22,13 +22,13 @@ struct bench_options {
     int json;
 };
 
-/* The files of one run, kept until all can be put in their places. */
+/* The files of one run, kept until all can be written together. */
 struct files {
     int count;
     struct output file[WORDS_MAX];
 };
 
-/* One scene at its defaults: measured, printed and, with a folder, kept for it. */
+/* Measures and prints one scene at its defaults; keeps its data if there is a directory. */
 static int bench_one(const struct bench_options *given, const struct scene *s, struct json *j, struct files *files,
                      struct failure *why) {
     struct experiment e = given->command.experiment;

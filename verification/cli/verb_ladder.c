@@ -126,16 +126,16 @@ static void print_asked(const struct ladder_options *r, char *text, size_t size)
     if (e->count) snprintf(text, size, "--expect %g,%g", e->value[0], e->value[1]);
     if (r->command.rungs.ceiling > 0)
         words_add(text, size, "%s--ceiling %g", *text ? " " : "", r->command.rungs.ceiling);
-    if (!*text) snprintf(text, size, "its runs should end");
+    if (!*text) snprintf(text, size, "all runs end");
 }
 
-/* One test case, which passes where the exit status is to be 0: also a ladder that ran and that nothing judges. */
+/* One test case, which passes if the exit status is 0: also for a ladder without --expect and --ceiling. */
 static int write_junit(const struct ladder_options *r, const struct ladder *l, int status, struct failure *why) {
-    char id[120], told[160];
+    char id[120], asked[160];
     struct gate_result result = {.seconds = l->seconds, .executed = 1};
     snprintf(id, sizeof id, "%s/%s", r->command.experiment.scene->name, r->command.experiment.method->name);
-    print_asked(r, told, sizeof told);
-    result.gate = (struct gate){.id = id, .why = told, .command = id};
+    print_asked(r, asked, sizeof asked);
+    result.gate = (struct gate){.id = id, .why = asked, .command = id};
     snprintf(result.typed, sizeof result.typed, "%s", r->command.typed);
     result.measured = (struct measured){.value = l->slope.value, .verdict = l->verdict};
     if (!status && !is_judged(r)) result.measured.verdict = VERDICT_PASS;
@@ -144,7 +144,7 @@ static int write_junit(const struct ladder_options *r, const struct ladder *l, i
     return junit_write(&one, r->junit_path, why);
 }
 
-/* What is asked for beside the table; a failure to write counts where nothing else failed. */
+/* Writes page and JUnit; a failure to write counts if nothing else failed. */
 static int write_files(const struct ladder_options *r, const struct ladder *l, int status, struct failure *why) {
     struct failure unwritten = {0};
     if (r->page_path) page_ladder_write(l, r->command.typed, r->page_path, &unwritten);

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* heatladder limit: how large a step may be, as published, by von Neumann's analysis, and by trying. */
+/* heatladder limit: the largest stable step, as published, by von Neumann's analysis, and by trial. */
 #include "verification/cli/verb.h"
 
 #include "verification/text/json.h"
@@ -70,7 +70,7 @@ static void print_text(const struct model_problem *b, const struct step_limit *l
         printf("  the published bound takes %.3g times as many steps as are needed\n", l->von_neumann / l->published);
 }
 
-/* What codes take, beside what is stable. */
+/* Steps that SPH codes take, against the stable one. */
 static void print_customary(const struct model_problem *b, const struct step_limit *l) {
     struct customary_step custom[CUSTOMARY_STEPS];
     int customs = customary_steps(b, custom);

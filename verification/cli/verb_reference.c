@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* heatladder reference: the exact solution at one point and time, with its own error bound; or all that is known of a
- * scene at the points of a file. */
+/* heatladder reference: the exact solution at one point and time, with its error bound; or columns of a scene at the
+ * points of a file. */
 #include "verification/cli/verb.h"
 
 #include "references/scene.h"

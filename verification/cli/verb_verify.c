@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* heatladder verify: every gate, each with its reason; or those that another program is asked for. */
+/* heatladder verify: all gates, or the battery on another program. */
 #include "verification/cli/verb.h"
 
 #include "references/scene.h"
@@ -27,7 +27,7 @@ struct verify_options {
     struct battery_options battery;
     char *only, *skip;      /* owned: globs of gates; NULL: all, none */
     const char *gates_path; /* file of rows; NULL: the built-in ones */
-    double time_order;      /* of the code; 0: any of 0.9 or more */
+    double time_order;      /* order of the code in time; 0: any of 0.9 or more */
     int jobs;               /* cases of a program at a time; 0: 1 */
     int quick, verbose;
     const char *json_path, *junit_path, *page_path; /* NULL for none */
@@ -124,7 +124,7 @@ static int write_page(const struct gates *g, const struct verify_options *r, str
     return page_gates_write(g, title, r->command.typed, r->page_path, why);
 }
 
-/* What was judged, where it was asked for. */
+/* The verdicts, on standard output and in the files asked for. */
 static int write_all(const struct gates *g, const struct verify_options *r, double seconds, struct failure *why) {
     print_gates(g, r->verbose, seconds);
     if (!r->only && !r->quick && !r->skip && !g->origin && ungated())
@@ -137,15 +137,15 @@ static int write_all(const struct gates *g, const struct verify_options *r, doub
     return STATUS_OK;
 }
 
-/* An interrupt waits until what was judged so far is written; the program dies of it then. */
+/* An interrupt waits until the verdicts so far are written; then it ends the program. */
 static int verify_program(const struct verify_options *r, struct gates *g, struct failure *why) {
     int runs = gates_runs(g), jobs = r->jobs ? r->jobs : 1;
     char side[40] = "one after the other";
     if (jobs > 1) snprintf(side, sizeof side, "%d at a time", jobs);
     if (runs == 1)
-        fprintf(stderr, "heatladder: the program is run once\n");
+        fprintf(stderr, "heatladder: the program runs once\n");
     else
-        fprintf(stderr, "heatladder: the program is run some %d times, %s\n", runs, side);
+        fprintf(stderr, "heatladder: the program runs some %d times, %s\n", runs, side);
     double start = omp_get_wtime();
     atomic_file_hold();
     int status = gates_run_program(g, jobs, why);

@@ -16,7 +16,7 @@ struct option {
     const char *about; /* one line, with the unit */
     /* Stores the value of `text` in *options.  0, or STATUS_INPUT with *why filled. */
     int (*read)(void *options, const struct option *o, const char *text, struct failure *why);
-    size_t place;             /* of the value in *options */
+    size_t place;             /* offset of the value in *options */
     double lo, hi;            /* numbers that it takes */
     const char *const *words; /* words that it takes */
     const char *needs;        /* options, blank-separated: one must be given too, where the command has any of them */

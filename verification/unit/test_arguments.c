@@ -12,7 +12,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-static void *options;  /* of the verb of the last line */
+static void *options;  /* options of the verb of the last line */
 static char *words_of; /* its words */
 
 static void drop(void) {
@@ -109,7 +109,7 @@ static void valid_lines_are_read(void **state) {
 }
 
 static const struct {
-    const char *line, *part; /* of the text */
+    const char *line, *part; /* a part of the message */
 } refusals[] = {
     /* verbs and positionals */
     {"rnu", "unknown verb 'rnu'; did you mean 'run'?"},

@@ -89,7 +89,7 @@ static int remove_directories(void **state) {
     return remove(whole) || remove(cut) || remove(scratch);
 }
 
-/* How `heatladder LINE DIR` ends, as waitpid tells it. */
+/* The status of `heatladder LINE DIR`, as from waitpid. */
 static int end_of(const char *line, const char *dir) {
     char text[400];
     int status;

@@ -168,8 +168,8 @@ static void a_command_that_ended_well_has_no_failure(void **state) {
     command_run_free(&run);
 }
 
-/* In a process with room for 64 MB: 256 MB of lines.  glibc's open_memstream drops what it has no room for, and tells
- * nobody. */
+/* In a process with room for 64 MB: 256 MB of lines.  glibc's open_memstream drops what
+ * it has no room for, without an error. */
 static void write_much(void) {
     enum { ROOM = 64 << 20 };
     struct output page;
