@@ -142,7 +142,7 @@ static const struct {
     {"run rod-step ftcs --dx 0", "--dx 0: must be a number > 0"},
     {"run rod-step ftcs --dx nan",
      "--dx: entry 1, 'nan', is not a number; must be 1 to 32 numbers with commas between, such as 0.1,0.05,4/160"},
-    {"ladder rod-step ftcs --dx 0.1,", "--dx '0.1,'"},
+    {"ladder rod-step ftcs --dx 0.1,", "--dx: entry 2, ''"},
     {"run rod-step ftcs --dx 0.1,0.05x,0.2", "--dx: entry 2, '0.05x', is not a number"},
     {"reference rod-step --time 1 --at x",
      "--at: entry 1, 'x', is not a number; must be 1 to 32 numbers with commas between, such as -0.3,0.7"},
