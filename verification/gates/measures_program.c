@@ -5,7 +5,7 @@
 #include "solver/field.h"
 #include "verification/ladder/command.h"
 #include "verification/diagnosis/diagnosis.h"
-#include "verification/ladder/doubt.h"
+#include "verification/ladder/inconclusive.h"
 #include "verification/ladder/self_difference.h"
 #include "verification/run/run.h"
 
@@ -41,7 +41,7 @@ static int run_twice(const struct experiment *e, struct result *first, struct no
 }
 
 /* Answers that differ from run to run do so at each time step; errors are differences of two. */
-static void doubt_time(const struct command *r, const struct ladder *l, struct measured *m) {
+static void judge_noise(const struct command *r, const struct ladder *l, struct measured *m) {
     struct experiment e = r->experiment;
     struct measured tried = *m;
     struct norms_error apart;
@@ -51,7 +51,7 @@ static void doubt_time(const struct command *r, const struct ladder *l, struct m
     e.options.dt = l->x[l->n - 1];
     e.program.keep = NULL;
     if (!e.program.solver || !run_twice(&e, &first, &apart, &largest, &tried)) return;
-    if (!(apart.l1 > DOUBT_NOISE * error) || !diagnosis_repeat(apart.linf, largest, &d)) return;
+    if (!(apart.l1 > INCONCLUSIVE_NOISE * error) || !diagnosis_repeat(apart.linf, largest, &d)) return;
     if (ceiling > 0 && error - 3 * apart.l1 > ceiling) return;
     measures_diagnosed(m, &d);
     snprintf(m->reason, sizeof m->reason, "%s", m->diagnosis);
@@ -66,12 +66,12 @@ void measures_slope_time(const struct command *r, double lo, double hi, struct m
     if (!status && !differ)
         skip(m, "the answers are the same for every dt: the program takes a time step of its own");
     else if (m->verdict != VERDICT_PASS && !l->failure.status)
-        doubt_time(r, l, m);
+        judge_noise(r, l, m);
     free(l);
 }
 
 /* Of one run few digits are seen; other faults are followed from a run at twice the spacing.  Runs that differ leave
- * the error in doubt, and so do digits that may be all that is above `hi`. */
+ * the error open, and so do digits that may be all that is above `hi`. */
 static void diagnose(const struct command *r, const struct field *f, double hi, struct measured *m) {
     const struct experiment *e = &r->experiment;
     const double dx = e->options.dx;
@@ -81,7 +81,7 @@ static void diagnose(const struct command *r, const struct field *f, double hi, 
     struct failure ignored;
     struct field given = program_as_given(&e->program, f, NULL);
     int digits, rounded = diagnosis_rounding(&given, m->error, extent / dx, &l->diagnosis);
-    double printed = doubt_digits(f, &e->program.map, &digits);
+    double printed = inconclusive_digits(f, &e->program.map, &digits);
     if (rounded || (e->program.solver && !ladder_run(e, &rungs, l, &ignored) && l->diagnosis.named))
         measures_diagnosed(m, &l->diagnosis);
     if (l->noisy) {

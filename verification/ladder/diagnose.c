@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* From the rungs of a ladder to the diagnosis of their errors. */
-#include "verification/ladder/doubt.h"
+#include "verification/ladder/inconclusive.h"
 
 #include "references/scene.h"
 #include "solver/field.h"
@@ -18,7 +18,7 @@
 
 /* The coarser rung once more: by how much a program's answers differ from run to run. */
 static void repeat(const struct experiment *e, const struct field *before, const struct result *first,
-                   const struct ladder *l, struct doubt_noise *noise) {
+                   const struct ladder *l, struct inconclusive_noise *noise) {
     struct experiment again = *e;
     struct result result;
     struct field f = {0};
@@ -61,7 +61,7 @@ static double mean_of_start(const struct experiment *e, double dx) {
 /* What is looked at: a fault is one of the case that the program was given, in its axes and temperatures.  Where two
  * materials meet across y no solver of ours can respond: then it is the scene. */
 void diagnose_ladder(const struct experiment *e, const struct field kept[2], struct ladder *l,
-                     struct doubt_noise *noise) {
+                     struct inconclusive_noise *noise) {
     struct diagnosis_rung rung[2];
     struct field given[2] = {{0}, {0}};
     struct image image;
@@ -71,7 +71,8 @@ void diagnose_ladder(const struct experiment *e, const struct field kept[2], str
         return;
     }
     repeat(e, &kept[1], &l->rung[l->n - 2], l, noise);
-    if (noise->share > DOUBT_NOISE && diagnosis_repeat(noise->apart, field_largest(&kept[1]), &l->diagnosis)) return;
+    if (noise->share > INCONCLUSIVE_NOISE && diagnosis_repeat(noise->apart, field_largest(&kept[1]), &l->diagnosis))
+        return;
     double mean = mean_of_start(e, l->x[l->n - 2]);
     mapping_image(&e->program.map, &e->problem, &image);
     int mapped = e->problem.materials == 1 || image.interface_axis == 0;

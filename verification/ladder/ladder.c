@@ -5,7 +5,7 @@
 #include "solver/field.h"
 #include "solver/status.h"
 #include "verification/foreign/results.h"
-#include "verification/ladder/doubt.h"
+#include "verification/ladder/inconclusive.h"
 #include "verification/ladder/judge.h"
 #include "verification/ladder/self_difference.h"
 #include "verification/text/progress.h"
@@ -270,10 +270,10 @@ int ladder_run(const struct experiment *e, const struct ladder_rungs *rungs, str
         int judged = rungs->expect.count || rungs->ceiling > 0;
         int wanted = rungs->diagnose || (judged && l->verdict != VERDICT_PASS);
         l->diagnosed = wanted && !l->in_time && !l->vary[0] && !l->failure.status;
-        struct doubt_noise noise = {0};
+        struct inconclusive_noise noise = {0};
         if (l->diagnosed) diagnose_ladder(e, kept, l, &noise);
-        l->noisy = noise.share > DOUBT_NOISE;
-        if (judged && l->diagnosed && l->external) doubt_judge(rungs, &noise, &kept[0], &e->program.map, l);
+        l->noisy = noise.share > INCONCLUSIVE_NOISE;
+        if (judged && l->diagnosed && l->external) inconclusive_judge(rungs, &noise, &kept[0], &e->program.map, l);
         l->seconds = omp_get_wtime() - start;
     }
     for (int k = 0; k < 2; k++) field_free(&kept[k]);

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* What keeps a ladder from showing an order: each reason with its numbers, and none where there is none. */
-#include "verification/ladder/doubt.h"
+#include "verification/ladder/inconclusive.h"
 
 #include "references/mapping.h"
 #include "verification/ladder/ladder.h"
@@ -39,16 +39,17 @@ static struct field field_of(double *T, size_t n) {
     return (struct field){.n = n, .T = T};
 }
 
-static void judge(struct ladder *l, double lo, double hi, double ceiling, const struct doubt_noise *noise) {
+static void judge(struct ladder *l, double lo, double hi, double ceiling, const struct inconclusive_noise *noise) {
     struct ladder_rungs rungs = {.expect = {.count = 2, .value = {lo, hi}}, .ceiling = ceiling};
     for (int i = 0; i < 2; i++) plain[i] = many_digits[i];
     struct field f = field_of(plain, 2);
-    doubt_judge(&rungs, noise, &f, &as_it_is, l);
+    inconclusive_judge(&rungs, noise, &f, &as_it_is, l);
 }
 
-static void answers_that_differ_are_said_in_numbers(void **state) {
+static void noise_leaves_a_ladder_inconclusive(void **state) {
     (void)state;
-    const struct doubt_noise noise = {.apart = 0.0123, .share = 0.37, .finest = 1e-4}, less = {0.0123, 0.09, 1e-4};
+    const struct inconclusive_noise noise = {.apart = 0.0123, .share = 0.37, .finest = 1e-4},
+                                    less = {0.0123, 0.09, 1e-4};
     static const char *const said = "answers differ by 0.012 K from run to run, 37 % of the error: random numbers, "
                                     "threads or an unset variable; no order shows";
     struct ladder *l = ladder(steady, 4, 1e-3, 0);
@@ -75,10 +76,10 @@ static void answers_that_differ_are_said_in_numbers(void **state) {
 
 /* A unit is off by a quarter of it on average: of 12.34, 0.5678 and 3.210 with four digits, of 1.23 with two
  * decimals. */
-static void printed_digits_are_said_in_numbers(void **state) {
+static void few_printed_digits_leave_a_ladder_inconclusive(void **state) {
     (void)state;
     const struct ladder_rungs rungs = {.ceiling = 1};
-    const struct doubt_noise none = {0};
+    const struct inconclusive_noise none = {0};
     double significant[] = {12.34, 0, 0.5678, -3.21}, decimals[] = {123.45, 1.23, 0.07};
     double share[2] = {(1e-2 + 1e-4 + 1e-3) / 4 / (12.34 + 0.5678 + 3.21), 3e-2 / 4 / (123.45 + 1.23 + 0.07)};
     static const struct {
@@ -96,24 +97,24 @@ static void printed_digits_are_said_in_numbers(void **state) {
         struct ladder *l = ladder(steady, 4, share[row[i].decimals] / row[i].of, 0);
         struct field f = field_of(row[i].decimals ? decimals : significant, row[i].decimals ? 3 : 4);
         l->verdict = VERDICT_FAIL;
-        doubt_judge(&rungs, &none, &f, &as_it_is, l);
+        inconclusive_judge(&rungs, &none, &f, &as_it_is, l);
         assert_has(l->reason, row[i].said);
         assert_int_equal(l->verdict, i < 4 ? VERDICT_INCONCLUSIVE : VERDICT_FAIL);
         l->norm = LADDER_QUANTITY; /* whose digits are not those of the field */
         snprintf(l->reason, sizeof l->reason, "kept");
-        doubt_judge(&rungs, &none, &f, &as_it_is, l);
+        inconclusive_judge(&rungs, &none, &f, &as_it_is, l);
         assert_string_equal(l->reason, "kept");
         free(l);
     }
 }
 
 /* Of a case in other temperatures: 1.234, -0.0377 and 3.107 of the file are scaled by 1.02 and moved by -0.533. */
-static void digits_are_those_of_the_file(void **state) {
+static void digits_are_counted_in_the_temperatures_of_the_file(void **state) {
     (void)state;
     static const struct mapping maps[] = {
         {.axes = 1, .scale = 1.02, .offset = -0.533}, {.axes = 1, .scale = 0.542}, {.axes = 1, .offset = 3.107}};
     const struct ladder_rungs rungs = {.ceiling = 1};
-    const struct doubt_noise none = {0};
+    const struct inconclusive_noise none = {0};
     for (int k = 0; k < 3; k++) {
         double T[] = {1.234, -0.0377, 3.107}, sum = 0;
         for (int i = 0; i < 3; i++) sum += fabs(T[i] = mapping_temperature_back(&maps[k], T[i]));
@@ -121,11 +122,11 @@ static void digits_are_those_of_the_file(void **state) {
         if (maps[k].offset > 3) share = (2e-3 + 1e-4) / 4 / sum;
         struct ladder *l = ladder(steady, 4, share / 0.21, 0);
         struct field f = field_of(T, 3);
-        doubt_judge(&rungs, &none, &f, &maps[k], l);
+        inconclusive_judge(&rungs, &none, &f, &maps[k], l);
         assert_has(l->reason, "printed digits: 4 in the file make up 21 % of the finest error");
         T[1] = sqrt(2); /* all digits */
         snprintf(l->reason, sizeof l->reason, "kept");
-        doubt_judge(&rungs, &none, &f, &maps[k], l);
+        inconclusive_judge(&rungs, &none, &f, &maps[k], l);
         assert_string_equal(l->reason, "kept");
         free(l);
     }
@@ -146,7 +147,7 @@ static void slopes_that_turn_are_not_smooth(void **state) {
                {{1, 1.6, 2.2, 2.8, 3.4}, "kept"},
                {{2, 2.6, 2.2, 2, 2}, "kept"},
                {{2, 2.4, 1.8, 1.6, 1.4}, "kept"}};
-    const struct doubt_noise none = {0};
+    const struct inconclusive_noise none = {0};
     for (int i = 0; i < 7; i++)
         for (int named = 0; named < 2; named++) {
             struct ladder *l = ladder(row[i].slope, 6, 1e-3, 0);
@@ -166,10 +167,10 @@ static double half_interval(const struct slope *s, int of, int count) {
 
 /* Slopes of 2.4, 1.6 and 2.4 in a band whose middle is not the fitted slope; with a coarsest rung that does not count
  * it is one rung more. */
-static void the_rungs_that_are_missing_are_counted(void **state) {
+static void missing_rungs_are_counted(void **state) {
     (void)state;
     static const double slope[4] = {2.4, 2.4, 1.6, 2.4};
-    const struct doubt_noise none = {0};
+    const struct inconclusive_noise none = {0};
     for (int out = 0; out < 2; out++) {
         struct ladder *l = ladder(slope + !out, 4 + out, 2e-4, out);
         double room = fmin(l->slope.value - 1.75, 2.3 - l->slope.value);
@@ -196,10 +197,10 @@ static void the_rungs_that_are_missing_are_counted(void **state) {
 }
 
 /* Where the error rises once, more rungs are not what is missing. */
-static void an_error_that_rises_does_not_fall_throughout(void **state) {
+static void rising_errors_need_no_more_rungs(void **state) {
     (void)state;
     static const double slope[4] = {2.4, 2.4, -0.2, 2.4};
-    const struct doubt_noise none = {0};
+    const struct inconclusive_noise none = {0};
     struct ladder *l = ladder(slope, 5, 2e-4, 0);
     judge(l, 1.75, 2.3, 0.01, &none);
     assert_lacks(l->reason, "falls throughout");
@@ -208,12 +209,12 @@ static void an_error_that_rises_does_not_fall_throughout(void **state) {
 
 int main(void) {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(answers_that_differ_are_said_in_numbers),
-        cmocka_unit_test(printed_digits_are_said_in_numbers),
-        cmocka_unit_test(digits_are_those_of_the_file),
+        cmocka_unit_test(noise_leaves_a_ladder_inconclusive),
+        cmocka_unit_test(few_printed_digits_leave_a_ladder_inconclusive),
+        cmocka_unit_test(digits_are_counted_in_the_temperatures_of_the_file),
         cmocka_unit_test(slopes_that_turn_are_not_smooth),
-        cmocka_unit_test(the_rungs_that_are_missing_are_counted),
-        cmocka_unit_test(an_error_that_rises_does_not_fall_throughout),
+        cmocka_unit_test(missing_rungs_are_counted),
+        cmocka_unit_test(rising_errors_need_no_more_rungs),
     };
-    return cmocka_run_group_tests_name("doubt", tests, NULL, NULL);
+    return cmocka_run_group_tests_name("inconclusive", tests, NULL, NULL);
 }

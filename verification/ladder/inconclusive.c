@@ -15,7 +15,7 @@
  *
  * Rungs.  With the scatter s about the line, n rungs at log x = u have the interval +- t(n - 2) s/sqrt(sum (u -
  * mean)^2) about the slope: the least n by halving whose interval lies in the band. */
-#include "verification/ladder/doubt.h"
+#include "verification/ladder/inconclusive.h"
 
 #include "references/mapping.h"
 #include "verification/ladder/judge.h"
@@ -34,7 +34,7 @@
 
 static const double DIGITS = 0.1, TURN = 0.5; /* a share of the error; of a local slope */
 
-double doubt_digits(const struct field *f, const struct mapping *map, int *digits) {
+double inconclusive_digits(const struct field *f, const struct mapping *map, int *digits) {
     enum { POINTS = 500 };
     size_t stride = f->n / POINTS + 1;
     int decimals = 400;
@@ -123,7 +123,7 @@ static int says_what_is_missing(const struct ladder_rungs *rungs, struct ladder 
 }
 
 /* An error above its ceiling is wrong whatever the order is. */
-static void doubt(const struct ladder_rungs *rungs, double error, struct ladder *l) {
+static void leave_open(const struct ladder_rungs *rungs, double error, struct ladder *l) {
     l->verdict = VERDICT_INCONCLUSIVE;
     if (rungs->ceiling > 0 && !(error <= rungs->ceiling))
         judge_ceiling(error, rungs->ceiling, &l->verdict, l->reason, sizeof l->reason);
@@ -138,26 +138,27 @@ static void judge_smoothness(const struct ladder_rungs *rungs, struct ladder *l)
     snprintf(l->reason, sizeof l->reason,
              "errors do not fall smoothly (slopes %s): points at random, a solver's tolerance, or errors that cancel",
              list);
-    doubt(rungs, ladder_finest_error(l), l);
+    leave_open(rungs, ladder_finest_error(l), l);
 }
 
-void doubt_judge(const struct ladder_rungs *rungs, const struct doubt_noise *noise, const struct field *finest,
-                 const struct mapping *map, struct ladder *l) {
+void inconclusive_judge(const struct ladder_rungs *rungs, const struct inconclusive_noise *noise,
+                        const struct field *finest, const struct mapping *map, struct ladder *l) {
     double error = ladder_finest_error(l);
     int digits;
     if (l->failure.status || (l->verdict != VERDICT_FAIL && l->verdict != VERDICT_INCONCLUSIVE)) return;
-    double printed = l->norm == LADDER_QUANTITY ? 0 : doubt_digits(finest, map, &digits) / l->rung[l->n - 1].error.l1;
-    if (noise->share > DOUBT_NOISE) {
+    double printed =
+        l->norm == LADDER_QUANTITY ? 0 : inconclusive_digits(finest, map, &digits) / l->rung[l->n - 1].error.l1;
+    if (noise->share > INCONCLUSIVE_NOISE) {
         snprintf(l->reason, sizeof l->reason,
                  "answers differ by %.2g K from run to run, %.0f %% of the error: random numbers, threads or an "
                  "unset variable; no order shows",
                  noise->apart, 100 * noise->share);
-        doubt(rungs, error - 3 * noise->finest, l);
+        leave_open(rungs, error - 3 * noise->finest, l);
     } else if (printed > DIGITS) {
         snprintf(l->reason, sizeof l->reason,
                  "printed digits: %d in the file make up %.0f %% of the finest error; more of them show the order",
                  digits, 100 * fmin(printed, 1));
-        doubt(rungs, error, l);
+        leave_open(rungs, error, l);
     } else if (!(l->verdict == VERDICT_INCONCLUSIVE && says_what_is_missing(rungs, l))) {
         judge_smoothness(rungs, l);
     }
