@@ -1,10 +1,10 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The derivative operators themselves (Song 2018, sections 4.1 and 4.2): a Taylor expansion to order p on a lattice,
- * where odd terms cancel, gives first (p = 1) and second (p = 2) derivatives to second order in dx.  No time, no
- * walls and no initial data are in this error.
+/* Consistency of the derivative operators (Song 2018, sections 4.1 and 4.2): on a lattice, where odd terms cancel, a
+ * Taylor expansion to order p gives first (p = 1) and second (p = 2) derivatives to second order in dx.  The error
+ * contains no time step, walls or initial data.
  *
- * The function is u = exp(a.x) sin(b.x + c), whose derivatives all differ: with D = d/dx,
- * D u = a u + b v and D v = a v - b u, v = exp(a.x) cos(b.x + c). */
+ * The test function is u = exp(a.x) sin(b.x + c), with distinct derivatives: for D = d/dx, D u = a u + b v and D
+ * v = a v - b u, v = exp(a.x) cos(b.x + c). */
 #include "verification/ladder/consistency.h"
 
 #include "solver/particles/compatibility.h"
@@ -35,7 +35,7 @@ static double apply(const struct neighbourhood *nb, const double *w, const doubl
     return sum;
 }
 
-/* Adds the error at x to *error, and the size of what is approximated to *size. */
+/* Adds the error at x to *error, and the magnitude of the exact value to *size. */
 static void compare(const struct neighbourhood *nb, int sweeps, double *const w[2], const double x[2], double *error,
                     double *size) {
     double whole = 0;
@@ -58,7 +58,7 @@ int consistency_error(const struct experiment *e, double *error, struct failure 
     const struct scheme *scheme = e->method->scheme;
     double d[NEIGHBOURS_MAX][2], w0[NEIGHBOURS_MAX], w1[NEIGHBOURS_MAX], *w[2] = {w0, w1}, size = 0;
     if (!scheme)
-        return refuse(why, STATUS_NOT_APPLICABLE, "%s is no particle method: it has no weights", e->method->name);
+        return refuse(why, STATUS_NOT_APPLICABLE, "%s is not a particle method and has no weights", e->method->name);
     int order = o->order > 2 ? o->order : 2;
     struct neighbourhood nb;
     if (operator_neighbourhood(p->dim, o->dx, o->h > 0 ? o->h : 1.1 * order / 2, d, &nb, why)) return why->status;

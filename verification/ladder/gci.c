@@ -1,20 +1,20 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Observed order, Richardson's extrapolation and GCI of three grids h1 < h2 < h3, r21 = h2/h1, r32 = h3/h2
- * (Roache 1994; Celik et al. 2008; ASME V&V 20-2009, 2-4):
+/* Observed order, Richardson extrapolation and GCI of three grids h1 < h2 < h3, r21 = h2/h1, r32 = h3/h2 (Roache
+ * 1994; Celik et al. 2008; ASME V&V 20-2009, 2-4):
  *
  *     |e32/e21| = g(p),   g(p) = r21^p (r32^p - s)/(r21^p - s),   s = sign(e32/e21)
  *     f_ext = (r21^p f1 - f2) / (r21^p - 1),   GCI = 1.25 |(f1 - f2)/f1| / (r21^p - 1)
  *
- * g increases.  With u = p ln r21 and v = p ln r32, p times the derivative of ln g is v/(1 - e^-v) - u/(e^u - 1) for
- * s = 1, where the first is above 1 and the second below, and v/(1 + e^-v) + u/(e^u + 1) for s = -1.  So there is at
- * most one order p > 0, and there is one if and only if |e32/e21| is above g(0+), which is ln r32/ln r21 for s = 1
- * and 1 for s = -1.  From above it is bounded by g > r32^p - 1 for s = 1, g > r32^p/2 for s = -1.  (The papers
- * iterate p = |ln|e32/e21| - ln((r32^p - s)/(r21^p - s))|/ln r21, which diverges where r32 is some way above r21.)
+ * g is increasing: with u = p ln r21 and v = p ln r32, p times the derivative of ln g is v/(1 - e^-v) - u/(e^u - 1)
+ * for s = 1, with the first term above 1 and the second below, and v/(1 + e^-v) + u/(e^u + 1) for s = -1.  There is
+ * thus at most one order p > 0, and it exists if and only if |e32/e21| is above g(0+), which is ln r32/ln r21 for
+ * s = 1 and 1 for s = -1.  An upper bound follows from g > r32^p - 1 for s = 1, g > r32^p/2 for s = -1. (The papers
+ * iterate p = |ln|e32/e21| - ln((r32^p - s)/(r21^p - s))|/ln r21, which diverges if r32 is well above r21.)
  *
- * 1.25 is the factor of safety for three grids or more.  Fields on different points are compared where the coarsest
- * of the three has its points: there the finer ones are interpolated by least squares of degree three over the
- * nearest points (interpolate.h), wrong by O(h^4).  This estimates what the codes' own answers converge to; that it
- * is the solution is not shown. */
+ * 1.25 is the safety factor for three grids or more.  Fields on different points are compared at the points of the
+ * coarsest of the three; the finer ones are interpolated there by least squares of degree three over the nearest
+ * points (interpolate.h), with an error of O(h^4).  The result estimates the limit of the code's own answers; it
+ * does not show that this limit is the solution. */
 #include "verification/ladder/gci.h"
 
 #include "solver/status.h"
@@ -35,7 +35,7 @@
 static const double SAFETY = 1.25;
 enum { HALVINGS = 60, PROBES = 400, WORDS = 65536 };
 
-/* ln g(p) for the logarithms of the two ratios: no power of a ratio overflows. */
+/* ln g(p) from the logarithms of the two ratios, so that no power of a ratio overflows. */
 static double log_ratio(double p, double log21, double log32, int oscillates) {
     double s = oscillates ? -1 : 1, fine = -expm1(-p * log21), coarse = -expm1(-p * log32);
     if (s < 0) fine = 2 - fine, coarse = 2 - coarse;
@@ -57,7 +57,7 @@ double gci_order(double e21, double e32, double r21, double r32, int *oscillates
     return hi;
 }
 
-/* The mean unit of the last printed digit of values that have as many digits, or decimals, as the longest of them. */
+/* Mean unit of the last printed digit, for values with the digits, or decimals, of the longest of them. */
 static double printed_unit(const double *value, size_t n, int *digits) {
     enum { MOST = 500 };
     size_t stride = n / MOST + 1, count = 0;
@@ -76,7 +76,7 @@ static double printed_unit(const double *value, size_t n, int *digits) {
     return sum / (double)count;
 }
 
-/* How far the order moves where each of the two last changes is off by `unit`, from the slope of ln g. */
+/* Change of the order for an error `unit` in each of the two last changes, from the slope of ln g. */
 static double unsure_by(const struct gci *g, const double *e, double unit, const struct gci_row *row) {
     static const double STEP = 1e-4;
     double log21 = log(g->h[g->n - 2] / g->h[g->n - 1]), log32 = log(g->h[g->n - 3] / g->h[g->n - 2]), p = row->order;
@@ -86,7 +86,7 @@ static double unsure_by(const struct gci *g, const double *e, double unit, const
            (log_ratio(p + STEP, log21, log32, row->oscillates) - log_ratio(p, log21, log32, row->oscillates));
 }
 
-/* Differences e[i] between answers i and i + 1, the coarsest first, to orders and index. */
+/* Sets orders and index from the differences e[i] between answers i and i + 1, coarsest first. */
 static void judge(const struct gci *g, const double *e, double size, struct gci_row *row) {
     int n = g->n, ignored;
     row->order = NAN;
@@ -114,9 +114,9 @@ static void judge_values(const struct gci *g, struct gci_row *row) {
     row->unsure = unsure_by(g, e, printed_unit(row->value, (size_t)g->n, &row->digits), row);
 }
 
-/* ---- One line of values ---- */
+/* ---- A line of values ---- */
 
-/* The next word of *at, ended in place; NULL at the end of the line. */
+/* The next word of *at, terminated in place; NULL at the end of the line. */
 static char *next_word(char **at) {
     char *word = *at + strspn(*at, " \t,;\"");
     if (*word == '\0') return NULL;
@@ -126,8 +126,8 @@ static char *next_word(char **at) {
     return word;
 }
 
-/* 1 where the file has a line of names and one of numbers, as many, the same in each; their values at spacing i.  0
- * where the first is no such file; -1 with *why where a later one differs from `first`. */
+/* Reads a line of names and a line with as many numbers; stores their values at spacing i.  Returns 1; 0 if the first
+ * file is not of this form; -1 with *why if a later one differs from `first`. */
 static int read_values(const char *path, const char *first, int i, struct gci *g, struct failure *why) {
     char *text = xcalloc(WORDS, 1), *line[3] = {NULL, NULL, NULL};
     FILE *in = whole_file_open(path);
@@ -178,7 +178,7 @@ static int read_field(const char *path, const struct column_map *c, struct sampl
     return field_file_samples(path, path, 1, c, s, why);
 }
 
-/* Distances between successive fields at the points of the third finest, at most PROBES of them. */
+/* Differences between successive fields at the points of the third finest, at most PROBES of them. */
 static int compare_fields(struct gci *g, const struct samples *s, const struct interpolate *f, struct failure *why) {
     const struct samples *coarse = &s[g->n - 3];
     size_t stride = coarse->n / PROBES + 1;
@@ -204,7 +204,7 @@ static int probe(struct gci *g, const struct interpolate *f, const struct number
     char name[GCI_NAME];
     double x[2] = {at->value[0], at->count == 2 ? at->value[1] : 0};
     if (at->count != f->dim)
-        return refuse(why, STATUS_INPUT, "--at: %d numbers where the points have %d", at->count, f->dim);
+        return refuse(why, STATUS_INPUT, "--at: %d numbers, the points have %d", at->count, f->dim);
     snprintf(name, sizeof name, at->count == 2 ? "T at %g, %g" : "T at %g", x[0], x[1]);
     struct gci_row *row = add(g, name);
     for (int i = 0; i < g->n; i++)
@@ -235,13 +235,13 @@ static int read_fields(char (*path)[RESULTS_PATH + 16], const struct column_map 
     return status;
 }
 
-/* ---- All ---- */
+/* ---- All spacings ---- */
 
 static int find_answer(const char *dir, double h, char path[RESULTS_PATH + 16], struct failure *why) {
     char of[RESULTS_PATH];
     if (results_directory(dir, h, of)) return refuse(why, STATUS_INPUT, "--results '%.200s': too long a path", dir);
     if (case_run_answer(of, path, RESULTS_PATH + 16)) return STATUS_OK;
-    return refuse(why, STATUS_INPUT, "%.300s: no answer; out.csv, out.npy or out.dat is wanted", of);
+    return refuse(why, STATUS_INPUT, "%.300s: no answer; needs out.csv, out.npy or out.dat", of);
 }
 
 int gci_read(const char *dir, const struct column_map *c, const struct numbers *at, struct gci *g,
@@ -251,8 +251,8 @@ int gci_read(const char *dir, const struct column_map *c, const struct numbers *
     *g = (struct gci){0};
     int status = results_list(dir, &h, why), values = 1;
     if (!status && h.count < 3)
-        status = refuse(why, STATUS_INPUT,
-                        "--results '%.200s': %d spacings; without an exact solution three are needed", dir, h.count);
+        status = refuse(why, STATUS_INPUT, "--results '%.200s': %d spacings; without an exact solution needs three",
+                        dir, h.count);
     if (!status) {
         number_sort_falling(h.value, h.count);
         memcpy(g->h, h.value, sizeof g->h);
@@ -273,7 +273,7 @@ int gci_read(const char *dir, const struct column_map *c, const struct numbers *
 
 void gci_json(const struct gci *g, struct json *j) {
     json_numbers(j, "spacings", g->h, g->n);
-    json_numbers(j, "used", g->h + g->n - 3, 3); /* by observed_order, extrapolated, relative_change and gci */
+    json_numbers(j, "used", g->h + g->n - 3, 3); /* in observed_order, extrapolated, relative_change and gci */
     json_array(j, "quantities");
     for (int k = 0; k < g->rows; k++) {
         const struct gci_row *row = &g->row[k];

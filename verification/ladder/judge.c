@@ -1,26 +1,26 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The verdict on an order.
  *
- * Four ways in which a straight line through (log x, log error) can mislead, and what is asked beside the fit:
+ * A straight line through (log x, log error) can mislead in four ways; each has its own test besides the fit.
  *
- *   A ladder that flattens.  A share f of the finest error that does not fall takes f (1 - r^-p)/log r off p in the
- *   last local slope (some f for r = 2 and p = 2), but only r^-p as much off the slope before, and so on: the mean
- *   over many rungs hides it.  The local slope of the two finest rungs must lie in the band.
+ * Flattening ladder: a share f of the finest error that does not decrease reduces the last local slope by f (1 -
+ * r^-p)/log r (about f for r = 2 and p = 2), but the previous one only by r^-p of that, and so on.  The mean over
+ * many rungs hides it, so the local slope of the two finest rungs must be in the band.
  *
- *   Errors that scatter.  With a relative scatter s a local slope has the standard error sqrt(2) s/log r: 0.2 for
- *   s = 0.1 and r = 2, which no band of +-0.1 holds.  There the slope is that of the finer half of the local slopes,
- *   rounded up: m + 1 rungs at equal ratios have 2 s/log r sqrt(3/(m (m + 1) (m + 2))), 0.046 for 5.  What counts as
- *   scatter is found by window.c.
+ * Scattered errors: with a relative scatter s a local slope has the standard error sqrt(2) s/log r, 0.2 for s = 0.1
+ * and r = 2, too much for a band of +-0.1.  The fine slope is then that of the finer half of the local slopes,
+ * rounded up: m + 1 rungs at equal ratios have 2 s/log r sqrt(3/(m (m + 1) (m + 2))), 0.046 for 5. window.c decides
+ * when errors are scattered.
  *
- *   No span.  Over a span S the errors C exp(a x) look like a power of any order a x: the local slope changes by the
- *   factor S only.  For S >= 4 it leaves any band with hi/lo < 4.
+ * Short span: over a span S errors C exp(a x) look like a power of any order a x, because the local slope changes
+ * only by the factor S.  For S >= 4 it leaves any band with hi/lo < 4.
  *
- *   A floor between wide rungs.  The last local slope of ratio r is log_r(r^p (1 - f) + f), which falls slower than f
- *   where r is large: for r = 4, p = 2 and f = 0.1 by 0.07.  So C x^p + F is fitted, and F must be a tenth of the
- *   finest error at most.  It is a linear least-squares fit of C x^p/E + F/E = 1 for each p of the band.  The rungs
- *   are the finest that span a factor of 4 (at least four), since coarser ones have terms of higher order instead; of
- *   scattered errors all, and a floor counts where it is significant: an F-test at 1 % of what it takes off the sum
- *   of squares.  Where the band holds an order of 0 a floor is what was expected. */
+ * Floor between wide rungs: the last local slope of ratio r is log_r(r^p (1 - f) + f).  For large r it decreases
+ * more slowly than f: by 0.07 for r = 4, p = 2 and f = 0.1.  Therefore C x^p + F is fitted, and F must be at most a
+ * tenth of the finest error.  This is a linear least-squares fit of C x^p/E + F/E = 1 for each p of the band.  It
+ * uses the finest rungs that span a factor of 4 (at least four), since coarser ones have higher-order terms.
+ * Scattered errors use all rungs, and a floor counts if it is significant: an F-test at 1 % of its reduction of the
+ * sum of squares.  If the band contains an order of 0, a floor is expected. */
 #include "verification/ladder/judge.h"
 
 #include "verification/ladder/slope.h"
@@ -33,9 +33,9 @@
 #include <string.h>
 
 static const double SPAN_LEAST = 4, FLOOR_MOST = 0.1, SIGNIFICANCE = 0.01, ROUNDED = 1 - 1e-9;
-static const double FALLEN = 1 - 1e-6; /* an error that falls by less has only been rounded in another way */
+static const double FALLEN = 1 - 1e-6; /* a smaller decrease is only a difference in rounding */
 
-/* The first thing in the errors that no order can come from, into `reason`; 0 where there is none. */
+/* Writes the first defect of the errors that excludes an order to `reason`; returns 0 if there is none. */
 static int spoilt(const struct judged *l, double lo, char *reason, size_t size) {
     for (int i = 0; i < l->n; i++)
         if (!isfinite(l->error[i])) return snprintf(reason, size, "the error at %.6g is not finite", l->x[i]);
@@ -46,7 +46,7 @@ static int spoilt(const struct judged *l, double lo, char *reason, size_t size) 
     return 0;
 }
 
-/* How many of the finest rungs hold the slope at the fine end. */
+/* Number of rungs in the fine slope. */
 static int fine_rungs(const struct judged *l) {
     return l->scattered ? l->n / 2 + 1 : 2;
 }
@@ -57,11 +57,11 @@ double judge_fine_slope(const struct judged *l) {
 }
 
 struct floor_fit {
-    double share;      /* of the floor in the finest error of the fit */
+    double share;      /* share of the floor in the finest error of the fit */
     double line, with; /* sum of squares of C x^p/E - 1, and of (C x^p + F)/E - 1 */
 };
 
-/* One p.  With a_i = (x_i/x_n)^p E_n/E_i and c_i = E_n/E_i the sums below give C and F in units of E_n. */
+/* Fit for one p.  With a_i = (x_i/x_n)^p E_n/E_i and c_i = E_n/E_i the sums below give C and F in units of E_n. */
 static struct floor_fit fit_floor(const double *x, const double *error, int n, double p) {
     double a[RUNG_MAX], c[RUNG_MAX], aa = 0, cc = 0, ac = 0, sa = 0, sc = 0;
     struct floor_fit fit = {0};
@@ -73,7 +73,7 @@ static struct floor_fit fit_floor(const double *x, const double *error, int n, d
     }
     double determinant = aa * cc - ac * ac, C = (sa * cc - sc * ac) / determinant,
            F = (sc * aa - sa * ac) / determinant;
-    if (!(F > 0)) F = 0, C = sa / aa; /* nothing falls below zero */
+    if (!(F > 0)) F = 0, C = sa / aa; /* a floor is not negative */
     for (int i = 0; i < n; i++) {
         fit.line += pow(sa / aa * a[i] - 1, 2);
         fit.with += pow(C * a[i] + F * c[i] - 1, 2);

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The runs of a ladder, one a rung. */
+/* The runs of a ladder, one per rung. */
 #include "verification/ladder/ladder.h"
 
 #include "solver/field.h"
@@ -19,10 +19,10 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* A list that rises is refined as it rises: its inverse falls. */
+/* If the list increases, x is its inverse, which decreases. */
 static int plan_vary(const struct ladder_rungs *r, struct ladder *l, struct failure *why) {
     if (r->dx.count > 1 || r->dt.count > 1 || r->fourier.count > 1)
-        return refuse(why, STATUS_INPUT, "a ladder climbs in one thing: give one --dx and one time step with --vary");
+        return refuse(why, STATUS_INPUT, "a ladder varies one quantity: use one --dx and one time step with --vary");
     if (r->vary.count < 2)
         return refuse(why, STATUS_INPUT, "a ladder needs at least two rungs: --vary NAME=A,B,C,...");
     l->n = r->vary.count;
@@ -30,17 +30,18 @@ static int plan_vary(const struct ladder_rungs *r, struct ladder *l, struct fail
     for (int i = 0; i < l->n; i++) l->x[i] = l->inverse ? 1 / r->vary.value[i] : r->vary.value[i];
     for (int i = 0; i + 1 < l->n; i++)
         if (!(l->x[i + 1] < l->x[i]))
-            return refuse(why, STATUS_INPUT, "--vary: from the coarsest to the finest, all rising or all falling");
+            return refuse(why, STATUS_INPUT,
+                          "--vary: must be from coarsest to finest, increasing or decreasing throughout");
     return STATUS_OK;
 }
 
-/* The numbers of the list that has several, coarsest first, into l->x. */
+/* Copies the list with several numbers to l->x, coarsest first. */
 static int plan(const struct ladder_rungs *r, struct ladder *l, struct failure *why) {
     const struct numbers *steps = r->dt.count ? &r->dt : &r->fourier;
     const char *name = steps->count < 2 ? "dx" : r->dt.count ? "dt" : "fourier";
     if (r->vary.count) return plan_vary(r, l, why);
     if (r->dx.count > 1 && steps->count > 1)
-        return refuse(why, STATUS_INPUT, "a ladder climbs in dx or in time: give one --dx, or one --%s", name);
+        return refuse(why, STATUS_INPUT, "a ladder varies dx or the time step: use one --dx, or one --%s", name);
     if (r->dx.count < 2 && steps->count < 2)
         return refuse(why, STATUS_INPUT, "a ladder needs at least two rungs, and a gate %d: --dx A,B,C,...",
                       WINDOW_LEAST);
@@ -75,19 +76,19 @@ static struct experiment rung_of(const struct experiment *e, const struct ladder
     return rung;
 }
 
-/* Where the field of a rung is kept: of the finest and of the one before, which a diagnosis looks at. */
+/* Storage for the field of a rung: kept for the two finest, for the diagnosis. */
 static struct field *keep(struct field kept[2], int before_finest) {
     return before_finest < 2 ? &kept[before_finest] : NULL;
 }
 
 static struct result not_run(const struct experiment *rung) {
     struct result r = run_blank(rung);
-    refuse(&r.failure, STATUS_NUMERICAL, "not run, since a coarser one failed");
+    refuse(&r.failure, STATUS_NUMERICAL, "not run, because a coarser rung failed");
     return r;
 }
 
-/* One after the other, the coarsest first, and none after one that failed: another program is timed alone, and what
- * it does wrong shows where it costs least.  Of answers that are there already each is looked at. */
+/* External programs: coarsest rung first, one at a time for undisturbed timing; stop at the first failure.  Existing
+ * answers are all read. */
 static void climb_program(const struct experiment *e, const struct ladder_rungs *rungs, struct ladder *l,
                           struct field kept[2]) {
     int failed = 0;
@@ -100,7 +101,7 @@ static void climb_program(const struct experiment *e, const struct ladder_rungs 
     }
 }
 
-/* Against the semi-discrete reference, or the exact solution where there is none. */
+/* Runs the rungs against the semi-discrete reference, or the exact solution if there is none. */
 static void climb(const struct experiment *e, const struct ladder_rungs *rungs, struct ladder *l,
                   const struct semidiscrete *reference, struct field kept[2]) {
     if (l->external) {
@@ -121,7 +122,7 @@ static void climb(const struct experiment *e, const struct ladder_rungs *rungs, 
     progress_end(&progress);
 }
 
-/* A rung that was refused refuses the ladder; one that failed is part of it. */
+/* A refused rung refuses the ladder; a failed rung is reported in it. */
 static int collect(struct ladder *l, struct failure *why) {
     for (int i = 0; i < l->n; i++) {
         const struct failure *f = &l->rung[i].failure;
@@ -131,20 +132,20 @@ static int collect(struct ladder *l, struct failure *why) {
         }
         if (f->status && !l->failure.status) l->failure = *f;
         if (l->in_time && !f->status && !l->self_differences)
-            l->x[i] = l->rung[i].dt; /* steps are whole, so it is not quite what was asked */
+            l->x[i] = l->rung[i].dt; /* the number of steps is whole, so dt differs slightly from the request */
     }
     if (l->failure.status) *why = l->failure;
     return l->failure.status;
 }
 
-/* Without the particles' equations.  A run that fails leaves a ladder without errors. */
+/* Without a semi-discrete reference.  A failed run leaves a ladder without errors. */
 static int climb_without_reference(const struct experiment *e, const struct ladder_rungs *rungs, struct ladder *l,
                                    struct failure *why) {
     struct experiment rung[RUNG_MAX];
     if (l->n < 3)
         return refuse(
             why, STATUS_INPUT,
-            "the error in time of %s comes from successive runs: give three time steps or more, for a gate %d",
+            "the time error of %s comes from successive runs: needs at least three time steps, %d for a gate",
             e->method->name, WINDOW_LEAST + 1);
     for (int i = 0; i < l->n; i++) {
         rung[i] = rung_of(e, rungs, l, i);
@@ -155,8 +156,8 @@ static int climb_without_reference(const struct experiment *e, const struct ladd
     return status_refused(status) && !reported ? status : STATUS_OK;
 }
 
-/* Each rung measured against the reference; failed where there is none.  STATUS_INPUT with *why where it is refused.
- */
+/* Measures each rung against the reference; without one the rungs fail.  Returns STATUS_INPUT with *why if it is
+ * refused. */
 static int climb_in_time(const struct experiment *e, const struct ladder_rungs *rungs, struct ladder *l,
                          struct failure *why) {
     struct experiment finest = rung_of(e, rungs, l, l->n - 1);
@@ -176,13 +177,13 @@ static int climb_in_time(const struct experiment *e, const struct ladder_rungs *
     return STATUS_OK;
 }
 
-/* No order shows in errors that are rounding; that they are no more is what a code that is exact can show. */
+/* At round-off there is no order to fit; an exact code passes on its ceiling alone. */
 static void judge_exact(const struct ladder_rungs *rungs, struct ladder *l) {
     int exact = 0;
     for (int i = 0; i < l->n; i++) exact += l->window.exact[i];
     if (l->window.n >= WINDOW_LEAST || !l->window.exact[l->n - 1] || l->failure.status) return;
     if (rungs->ceiling > 0) l->verdict = VERDICT_PASS;
-    snprintf(l->reason, sizeof l->reason, "%d of %d rungs are at round-off, where no order shows%s", exact, l->n,
+    snprintf(l->reason, sizeof l->reason, "%d of %d rungs are at round-off, without an order%s", exact, l->n,
              rungs->ceiling > 0 ? "" : ": --ceiling E judges the error");
     if (rungs->ceiling > 0 && ladder_finest_error(l) <= rungs->ceiling)
         words_add(l->reason, sizeof l->reason, "; the error %.4g is below its ceiling %.4g", ladder_finest_error(l),
@@ -200,14 +201,14 @@ static void judge(const struct ladder_rungs *rungs, struct ladder *l) {
     judge_ceiling(ladder_finest_error(l), rungs->ceiling, &l->verdict, l->reason, sizeof l->reason);
 }
 
-/* The errors of a result, one after the other. */
+/* Error number `which` of a result. */
 static double *error_of(struct result *r, int which) {
     double *const of[] = {&r->error.l1,    &r->error.l2,    &r->error.linf,
                           &r->interior.l1, &r->boundary.l1, &r->derived_error};
     return of[which];
 }
 
-/* Each rung once a seed: its errors become the geometric means of theirs. */
+/* Runs each rung once per seed; its errors become the geometric means. */
 static void climb_draws(const struct experiment *e, const struct ladder_rungs *rungs, struct ladder *l,
                         struct field kept[2]) {
     enum { ERRORS = 6 };
@@ -235,18 +236,17 @@ static void climb_draws(const struct experiment *e, const struct ladder_rungs *r
     free(sum);
 }
 
-/* Draws differ in nothing but a seed: of a program's own, of a cloud, or of where a lattice lies under a round body.
- */
+/* Draws differ only in a seed: that of a program, of a cloud, or of the lattice position under a round body. */
 static int check_seeds(const struct experiment *e, const struct ladder *l, struct failure *why) {
     const struct options *o = &e->options;
     int cloud = o->layout == LAYOUT_JITTER || o->layout == LAYOUT_RELAXED;
     int lattice = e->problem.shape && !(o->has_origin && o->has_angle);
     if (l->in_time || l->vary[0])
-        return refuse(why, STATUS_INPUT, "--seeds: of a ladder in dx, not in a time step or a parameter");
+        return refuse(why, STATUS_INPUT, "--seeds: only for a ladder in dx, not in a time step or a parameter");
     if (!l->external && !cloud && !lattice)
-        return refuse(
-            why, STATUS_INPUT,
-            "--seeds needs --solver, --results, --layout jitter or relaxed, or a round body: nothing else is drawn");
+        return refuse(why, STATUS_INPUT,
+                      "--seeds needs --solver, --results, --layout jitter or relaxed, or a round body; no other "
+                      "input is random");
     return STATUS_OK;
 }
 

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* What the rungs of a ladder say: errors, window, slope, verdict. */
+/* Evaluation of the rungs of a ladder: errors, window, slope, verdict. */
 #include "verification/ladder/ladder.h"
 
 #include "verification/ladder/judge.h"
@@ -86,16 +86,16 @@ void ladder_slope_text(const struct ladder *l, char *text, size_t size) {
     int known = 0;
     for (int i = 0; i < l->n; i++) known += l->window.counts[i] && isfinite(l->error[i]) && l->error[i] > 0;
     if (!isfinite(l->slope.value))
-        snprintf(rest, room, "- (of %d rungs %d count and have an error, a slope needs two)", l->n, known);
+        snprintf(rest, room, "- (of %d rungs %d have an error, a slope needs two)", l->n, known);
     else if (l->slope.n < 3)
-        snprintf(rest, room, "%.4f, 95 %% interval - (of two rungs there is none), over 2 of %d rungs",
-                 l->slope.value, l->n);
+        snprintf(rest, room, "%.4f, 95 %% interval - (undefined for two rungs), over 2 of %d rungs", l->slope.value,
+                 l->n);
     else
         snprintf(rest, room, "%.4f, 95 %% interval [%.4f, %.4f], over %d of %d rungs", l->slope.value, l->slope.ci[0],
                  l->slope.ci[1], l->slope.n, l->n);
 }
 
-/* The slope and its interval from every draw of every rung that counts. */
+/* The slope and its interval from all draws of all included rungs. */
 static void fit_draws(struct ladder *l) {
     double x[RUNG_MAX * SEEDS_MAX], error[RUNG_MAX * SEEDS_MAX];
     int n = 0, rungs = l->slope.n;
@@ -113,7 +113,7 @@ void ladder_fit(struct ladder *l, enum ladder_norm norm) {
     for (int i = 0; i < l->n; i++) {
         const struct result *r = &l->rung[i];
         l->error[i] = ladder_error_in(r, norm);
-        /* the shares are of E1; another norm of the same field is judged by them too */
+        /* the shares refer to E1, and also apply to other norms of the same field */
         rung[i] = (struct window_rung){
             .x = l->x[i],
             .error = l->error[i],
@@ -121,7 +121,7 @@ void ladder_fit(struct ladder *l, enum ladder_norm norm) {
             .reference =
                 norm == LADDER_QUANTITY ? r->derived_bound / r->derived_error : r->reference_error / r->error.l1,
             .rounding = norm == LADDER_QUANTITY ? r->derived_rounding / r->derived_error : r->rounding / r->error.l1,
-            /* in time the particles stay where they are */
+            /* in a ladder in time the positions do not change */
             .random = (r->options.layout == LAYOUT_JITTER || r->options.layout == LAYOUT_RELAXED) && !l->in_time};
     }
     slope_local(l->x, l->error, l->n, l->local);
@@ -142,7 +142,7 @@ void ladder_fit(struct ladder *l, enum ladder_norm norm) {
 
 void ladder_judge(struct ladder *l, double lo, double hi) {
     double x[RUNG_MAX], error[RUNG_MAX];
-    if (l->failure.status) return; /* a rung failed, and the ladder with it */
+    if (l->failure.status) return; /* a failed rung fails the ladder */
     struct judged judged = {x, error, ladder_counted(l, x, error), l->window.scattered,
                             l->draws > 1 ? &l->slope : NULL};
     l->verdict = judge_order(&judged, lo, hi, l->reason, sizeof l->reason);

@@ -1,6 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Readers of option values.  A value is taken whole or refused; the refusal names the option, the value and the valid
- * ones. */
+/* Readers of option values.  A refusal names the option, the value and the valid range. */
 #include "verification/ladder/option.h"
 
 #include "solver/status.h"
@@ -27,7 +26,7 @@ int option_text(void *options, const struct option *o, const char *text, struct 
     return STATUS_OK;
 }
 
-/* May be given again: the globs are joined. */
+/* Repeated options are joined. */
 int option_globs(void *options, const struct option *o, const char *text, struct failure *why) {
     char **globs = place(options, o), *before = *globs;
     if (*text == '\0') return refuse(why, STATUS_INPUT, "--%s: empty; valid: %s", o->name, o->value);
@@ -103,7 +102,7 @@ int option_seed(void *options, const struct option *o, const char *text, struct 
     return STATUS_OK;
 }
 
-/* An enumerator has the size of an int; its place is written as bytes, since each is a type of its own. */
+/* An enumerator has the size of an int.  Its value is copied as bytes because each enum is a separate type. */
 int option_word(void *options, const struct option *o, const char *text, struct failure *why) {
     int value = words_index(o->words, text);
     if (value < 0) return words_unknown(o->words, o->name, text, why);

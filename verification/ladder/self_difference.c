@@ -1,13 +1,15 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* With T(dt) = T_0 + C dt^p on one grid two successive runs differ by
+/* Time errors from differences of runs.
+ *
+ * With T(dt) = T_0 + C dt^p on one grid two successive runs differ by
  *
  *     d_i = |T_i - T_(i+1)| = |C| (dt_i^p - dt_(i+1)^p)
  *
- * without the error of space, which is the same in both.  So the error in time of run i is, by Richardson (1911),
+ * without the spatial error, which is the same in both.  The time error of run i is thus, by Richardson (1911),
  *
  *     |C| dt_i^p = d_i / (1 - (dt_(i+1) / dt_i)^p)
  *
- * p is the slope that comes out: a fixed point, found by repeating the fit. */
+ * The required p is the resulting slope: a fixed point, found by repeating the fit. */
 #include "verification/ladder/self_difference.h"
 
 #include "solver/field.h"
@@ -19,7 +21,7 @@
 #include <stdlib.h>
 
 enum { FITS = 30 };
-static const double LEAST = 0.05; /* an order below is none */
+static const double LEAST = 0.05; /* smallest significant order */
 
 struct place {
     double x, y, T, w;
@@ -30,7 +32,7 @@ static int by_place(const void *a, const void *b) {
     return p->x != q->x ? (p->x > q->x) - (p->x < q->x) : (p->y > q->y) - (p->y < q->y);
 }
 
-/* The points in an order of their own: another program may write them in any. */
+/* The points in sorted order, since an external program may write them in any. */
 static struct place *sorted(const struct field *f) {
     struct place *at = xcalloc(f->n, sizeof *at);
     for (size_t i = 0; i < f->n; i++)
@@ -54,20 +56,20 @@ static struct norms_error distance(const struct place *coarse, const struct plac
         d2 += w * d * d;
         t1 += w * T;
         t2 += w * T * T;
-        if (d > linf || isnan(d)) linf = d; /* a NaN stays */
+        if (d > linf || isnan(d)) linf = d; /* a NaN propagates */
     }
     return (struct norms_error){.l1 = d1 / t1, .l2 = sqrt(d2 / t2), .linf = linf, .n = n};
 }
 
-/* The error of a run is how far it is from another: it has no parts, and no exact solution's own error in it. */
+/* The error of a run is its difference from another run; it has no parts and no reference error. */
 static void take_error(struct result *r, struct norms_error apart) {
     r->error = apart;
     r->interior = r->boundary = (struct norms_error){.l1 = NAN, .l2 = NAN, .linf = NAN};
     r->reference_error = 0;
 }
 
-/* What the difference of runs at dt and at a finer step is to be multiplied by.  A program with a time step of its
- * own runs at one step twice: what differs then is an error as it is. */
+/* Factor of the difference between runs at dt and at a finer step.  A program that chooses its own step runs twice
+ * at the same one; the difference is then an error as it is. */
 static double extrapolated(double dt, double finer, double p) {
     return finer < dt ? 1 / (1 - pow(finer / dt, p)) : 1;
 }
@@ -99,7 +101,7 @@ int self_difference_fields(const struct problem *p, const struct field *a, const
     return same;
 }
 
-/* Runs the rungs; dt[i] are the steps taken.  The error of a rung is its distance from the next. */
+/* Runs the rungs; dt[i] is the step used.  The error of a rung is its difference from the next. */
 static int climb(const struct experiment *rung, struct ladder *l, double *dt, struct failure *why) {
     struct field before = {0};
     int status = STATUS_OK;
@@ -113,10 +115,10 @@ static int climb(const struct experiment *rung, struct ladder *l, double *dt, st
             if (self_difference_fields(&rung[i].problem, &before, &f, &apart))
                 take_error(&l->rung[i - 1], apart);
             else
-                status =
-                    refuse(why, STATUS_INPUT,
-                           "a ladder in time needs all runs on one grid: at %g s the points are not those of %g s",
-                           l->x[i], l->x[i - 1]);
+                status = refuse(
+                    why, STATUS_INPUT,
+                    "a ladder in time needs all runs on one grid: at %g s the points differ from those of %g s",
+                    l->x[i], l->x[i - 1]);
         }
         field_free(&before);
         before = f;

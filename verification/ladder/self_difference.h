@@ -11,13 +11,13 @@ struct ladder;
 struct norms_error;
 struct problem;
 
-/* Runs the l->n experiments, which differ in their time step, and sets errors and abscissas of all but the finest, by
- * their distances from the next.  STATUS_OK, or the status of the first that failed, with *why; STATUS_INPUT where
- * the runs' points differ. */
+/* Runs the l->n experiments, which differ in their time step, and sets errors and abscissas of all except the finest
+ * from the difference to the next.  Returns STATUS_OK, or the status of the first run that failed, with *why;
+ * STATUS_INPUT if the points differ. */
 int self_difference_climb(const struct experiment *rung, struct ladder *l, struct failure *why);
 
-/* How far two fields are apart, relative to the second but for the largest difference (K), into *apart, whatever the
- * order of their points.  1; or 0 where these are not the same. */
+/* Sets *apart to the difference of two fields, relative to the second except for the maximum (K), for any order of
+ * their points.  Returns 1, or 0 if the points differ. */
 int self_difference_fields(const struct problem *p, const struct field *a, const struct field *b,
                            struct norms_error *apart);
 

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Fit of an order.  With m points the slope's standard error s has m - 2 degrees of freedom, and the
- * interval is slope +- t s, t the 97.5 % point of Student's distribution (GSL: gsl_fit_linear scales the covariance
- * by the residuals; gsl_cdf_tdist_Pinv). */
+/* Fit of an order.  With m points the standard error s of the slope has m - 2 degrees of freedom, and the interval
+ * is slope +- t s, t the 97.5 % point of Student's distribution (GSL: gsl_fit_linear scales the covariance by the
+ * residuals; gsl_cdf_tdist_Pinv). */
 #include "verification/ladder/slope.h"
 
 #include "verification/ladder/window.h"
@@ -11,7 +11,7 @@
 #include <math.h>
 
 enum { POINTS = RUNG_MAX * SEEDS_MAX };
-static const double ROUNDED = 1e-6; /* a relative scatter below this is rounding of the numbers typed */
+static const double ROUNDED = 1e-6; /* a smaller relative scatter is rounding of typed numbers */
 
 void slope_local(const double *x, const double *error, int n, double *local) {
     for (int i = 0; i + 1 < n; i++) local[i] = log(error[i] / error[i + 1]) / log(x[i] / x[i + 1]);
@@ -35,8 +35,8 @@ struct slope slope_fit(const double *x, const double *error, int n) {
     return s;
 }
 
-/* The third divided difference of v over u[0 .. 3], scaled so that independent scatter of variance s^2 in v gives it
- * the variance s^2. */
+/* The third divided difference of v over u[0 .. 3], scaled such that its variance equals that of independent scatter
+ * in v. */
 static double third_difference(const double *u, const double *v) {
     double sum = 0, squares = 0;
     for (int i = 0; i < 4; i++) {

@@ -2,23 +2,23 @@
 #ifndef HEATLADDER_VERIFICATION_LADDER_SLOPE_H
 #define HEATLADDER_VERIFICATION_LADDER_SLOPE_H
 
-/* The order at which errors fall: a straight line through (log x, log error). */
+/* The order at which errors decrease: a straight line through (log x, log error). */
 
 struct slope {
     double value;
     double ci[2]; /* 95 % confidence interval; NaN for fewer than three points */
-    int n;        /* points fitted */
+    int n;        /* number of points */
 };
 
-/* log(e[i]/e[i+1]) / log(x[i]/x[i+1]) into local[0 .. n-2]. */
+/* Sets local[0 .. n-2] to log(e[i]/e[i+1]) / log(x[i]/x[i+1]). */
 void slope_local(const double *x, const double *error, int n, double *local);
 
-/* Least squares; NaN for fewer than two points, or where an error is not finite or not positive. */
+/* Least squares; NaN for fewer than two points, or if an error is not finite or not positive. */
 struct slope slope_fit(const double *x, const double *error, int n);
 
-/* Variance of the errors' logarithms from rung to rung, by their third differences, over their variance about the
- * fitted line: about 1 where they scatter at random, a few hundredths where they follow a smooth curve.  0 for fewer
- * than five points.  x falls from the first to the last. */
+/* Ratio of two variances of log errors: from third differences between rungs, and about the fitted line.  It is
+ * about 1 for random scatter and a few hundredths for a smooth curve; 0 for fewer than five points. x is
+ * decreasing. */
 double slope_roughness(const double *x, const double *error, int n);
 
 #endif

@@ -1,24 +1,22 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The window of rungs that count.  Each rule looks at what a rung measured, never at the order that is hoped for.
+/* The window of rungs included in the fit.  Each rule depends on measurements of a rung, never on the expected
+ * order.
  *
- *   Round-off floor     more than a tenth of the error can be rounding.  It grows as dx falls: an order would be read
- *                       off noise.
- *   Reference floor     more than a tenth can be the reference's own error: likewise.
- *   Time-error floor    more than 1 % is the time step's.  An error of space and one of time that both follow some
- *                       order, added up, follow neither.
- *   Pre-asymptotic      From the coarse end only.  With E = C x^p (1 + c x^q) the local slope of a rung and the next
- *                       finer one is off p by about c q x^q, most at the coarsest.  The coarsest rung is left out
- *                       while its local slope is off the median of the finer ones by more than 0.1, and more than
- *                       four rungs are left.  Of m equidistant rungs the one at the end has the weight 6/(m (m+1))
- *                       per log spacing, so a local slope that is 0.1 off moves a fit of four by 0.03 and one of five
- *                       by 0.02.  The finest rungs are never left out for their slope.
+ *   Round-off floor     more than a tenth of the error may be rounding. It grows as dx decreases, and an order would
+ * be fitted to noise. Reference floor     more than a tenth may be the error of the reference; same reason.
+ *   Time-error floor    more than 1 % is the error of the time step. The sum of a spatial and a time error of some
+ * order follows neither order. Pre-asymptotic      only from the coarse end. With E = C x^p (1 + c x^q) the local
+ * slope of adjacent rungs deviates from p by about c q x^q, most at the coarsest. The coarsest rung is excluded while
+ * its local slope deviates from the median of the finer ones by more than 0.1 and more than four rungs remain. The
+ *                       end rung of m equidistant ones has the weight 6/(m (m+1)) per log spacing, so a deviation of
+ * 0.1 moves a fit of four by 0.03 and one of five by 0.02. The finest rungs are never excluded for their slope.
  *
- * Scatter.  Of errors that scatter at random the last rule would pick among rungs, and the interval of what is left
- * would be too narrow or too wide; there no rung is left out for its slope.  Particles placed at random scatter.  So
- * do errors whose logarithms v = p log x + noise have as much variance in their third differences as about the line
- * (slope_roughness): their ratio is near 1 for noise.  For one correction term, v off by g r^-qi at rung i, or a
- * floor, it is (1 - r^-q)^6/20 g^2/(m - 3) over 0.5 g^2/(m - 2): 0.02 to 0.06 for r^q <= 4.  The limit of 1/4 tells
- * ten per cent of noise in 9 ladders of 10 with five rungs, and in 19 of 20 with eight. */
+ * Scatter: with random errors the last rule would select among rungs, and the interval of the rest would be too
+ * narrow or too wide, so no rung is excluded for its slope.  Errors scatter if particles are placed at random, and
+ * also if the logarithms v = p log x + noise have comparable variance in their third differences and about the line
+ * (slope_roughness): the ratio is near 1 for noise.  For one correction term, a deviation of v by g r^-qi at rung i,
+ * or for a floor, it is (1 - r^-q)^6/20 g^2/(m - 3) over 0.5 g^2/(m - 2): 0.02 to 0.06 for r^q <= 4.  The limit of
+ * 1/4 detects ten per cent of noise in 9 of 10 ladders with five rungs, and in 19 of 20 with eight. */
 #include "verification/ladder/window.h"
 
 #include "verification/ladder/slope.h"
@@ -47,7 +45,7 @@ static void leave_out_floors(const struct window_rung *rung, int n, struct windo
     }
 }
 
-/* Looks at the rungs that count; returns 1 where it left the coarsest of them out. */
+/* Considers the included rungs; returns 1 if it excluded the coarsest. */
 static int leave_out_coarsest(const struct window_rung *rung, int n, struct window *w) {
     double x[RUNG_MAX], error[RUNG_MAX], local[RUNG_MAX];
     int m = 0, coarsest = -1;
@@ -61,7 +59,7 @@ static int leave_out_coarsest(const struct window_rung *rung, int n, struct wind
     if (slope_roughness(x, error, m) > ROUGH) w->scattered = 1;
     if (w->scattered) return 0;
     slope_local(x, error, m, local);
-    double finer = gsl_stats_median(local + 1, 1, (size_t)(m - 2)); /* which moves them */
+    double finer = gsl_stats_median(local + 1, 1, (size_t)(m - 2)); /* median of the finer local slopes */
     if (!(fabs(local[0] - finer) > SLOPE_SPREAD)) return 0;
     w->counts[coarsest] = 0;
     snprintf(w->left_out[coarsest], sizeof w->left_out[coarsest],

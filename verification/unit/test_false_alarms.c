@@ -57,7 +57,7 @@ static void a_rung_at_rounding_stands_below_a_ceiling(void **state) {
     snprintf(with, sizeof with, "%s --ceiling 1e-14", line);
     ladder(with, "exact 1e-15", l);
     assert_int_equal(l->verdict, VERDICT_PASS);
-    assert_has(l->reason, "4 of 4 rungs are at round-off, where no order shows; the error ");
+    assert_has(l->reason, "4 of 4 rungs are at round-off, without an order; the error ");
     assert_near(ladder_finest_error(l), l->rung[3].error.l1, 0);
     snprintf(with, sizeof with, "%s --ceiling 1e-17", line);
     ladder(with, "exact 1e-15", l);

@@ -119,7 +119,7 @@ static void derivatives_are_of_particle_methods(void **state) {
     (void)state;
     const char *line = "ladder rod-gauss so_ssph --dx 0.4,0.1,0.2,0.05"; /* in any order */
     assert_int_equal(judge("operator_slope", line, 1.9, 2.1, 1).verdict, VERDICT_PASS);
-    assert_fails(judge("operator_slope", LADDER, 1.9, 2.1, 1), "ftcs is no particle method");
+    assert_fails(judge("operator_slope", LADDER, 1.9, 2.1, 1), "ftcs is not a particle method");
     assert_int_equal(judge("operator_slope", "ladder square-step fo_ssph --dx 0.4,0.1,0.2,0.05", 1.9, 2.1, 1).verdict,
                      VERDICT_PASS);
 }

@@ -238,7 +238,7 @@ static void what_is_missing_is_named(void **state) {
     fclose(answer("two", 0.5));
     fclose(answer("two", 0.25));
     assert_int_equal(read_sub("two", &(struct numbers){0}, &g, &why), STATUS_INPUT);
-    assert_has(why.text, "2 spacings; without an exact solution three are needed");
+    assert_has(why.text, "2 spacings; without an exact solution needs three");
     assert_int_equal(read_sub("none", &(struct numbers){0}, &g, &why), STATUS_INPUT);
     fclose(answer("two", 0.125));
     assert_int_equal(read_sub("two", &(struct numbers){0}, &g, &why), STATUS_INPUT);
