@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* A result as JSON and as a line of text.  An option that has no meaning for the method is null, so that a table does
- * not show a kernel for a finite difference. */
+/* A result as JSON and as a line of text.  Options without meaning for the method are null, so a table shows no
+ * kernel for finite differences. */
 #include "verification/run/result.h"
 
 #include "references/scene.h"
@@ -22,7 +22,7 @@ void result_warn(const struct result *r) {
     if (!result_grows(r)) return;
     fprintf(stderr,
             "heatladder: warning: dx = %g m: a mode grows at %.4g s^-1 at any time step, %.3g times in %.6g s; the "
-            "error may be its own: take less --jitter or another method\n",
+            "error may be that of this mode: use less --jitter or another method\n",
             r->options.dx, r->growth, exp(r->growth * r->t_end), r->t_end);
 }
 
@@ -87,7 +87,7 @@ void result_describe(const struct result *r, char *text, size_t size) {
         return;
     }
     if (result_accepts(r, "kernel")) {
-        char h[24] = ""; /* a run that was refused has resolved none */
+        char h[24] = ""; /* a refused run has no value of h */
         if (o->h > 0) snprintf(h, sizeof h, ", h/dx %g", o->h);
         snprintf(kernel, sizeof kernel, "%s kernel%s, ", kernel_words[o->kernel], h);
     }

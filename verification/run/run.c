@@ -14,8 +14,8 @@
 #include <omp.h>
 #include <stdlib.h>
 
-/* Heat and temperatures round as the field does.  A gradient divides differences of T by dx, a flux is of the size of
- * k T over the extent: the difference rounds extent/dx as much. */
+/* Heat and temperatures round like the field.  A gradient divides differences of T by dx, while a flux is of the
+ * size of k T over the extent, so its rounding is extent/dx times larger. */
 static double derived_rounding(const struct experiment *e, const struct result *r) {
     const struct problem *p = &e->problem;
     double extent = fmax(p->hi[0] - p->lo[0], p->dim == 2 ? p->hi[1] - p->lo[1] : 0);
@@ -28,7 +28,7 @@ static int measure_derived(const struct experiment *e, const struct field *f, st
     struct quantity_value exact = quantity_exact(&e->quantity, e->scene, &e->problem, f->time);
     if (exact.no_value)
         return refuse(&out->failure, STATUS_INPUT,
-                      "--quantity %.60s: has no finite value where two sides that meet hold different temperatures",
+                      "--quantity %.60s: has no finite value, since two adjacent sides have different temperatures",
                       e->derived);
     int status = derived_value(&e->quantity, &e->problem, f, out->options.dx, &out->derived, &out->failure);
     double size = exact.value != 0 ? fabs(exact.value) : 1;
@@ -59,7 +59,7 @@ static int measure(const struct experiment *e, const struct field *f, const doub
 #pragma omp parallel for schedule(dynamic, 1) if (f->n >= NORMS_MANY)
     for (int k = 0; k < 3; k++) *parts[k] = norms_error(p, f, reference, (enum norms_part)k, skin);
     if (!isfinite(out->error.l1))
-        return refuse(&out->failure, STATUS_NUMERICAL, "E1 = %g: temperatures of up to %g K off", out->error.l1,
+        return refuse(&out->failure, STATUS_NUMERICAL, "E1 = %g: temperature errors of up to %g K", out->error.l1,
                       out->error.linf);
     if (measure_derived(e, f, out)) return out->failure.status;
     out->shape = norms_shape(p, f, reference);
@@ -92,7 +92,7 @@ static int solve(const struct experiment *e, struct result *out, struct field *f
     return status;
 }
 
-/* The growth of the rows that were used.  A run with a growing mode whose field has left the data's range is none. */
+/* Growth rate of the rows in use.  A run with a growing mode fails if its field has left the range of the data. */
 static int measure_growth(const struct experiment *e, const struct field *f, struct result *out) {
     if (!e->growth) return STATUS_OK;
     if (particles_growth(e->method, &e->problem, &out->options, f, &out->growth, &out->failure))
@@ -101,7 +101,7 @@ static int measure_growth(const struct experiment *e, const struct field *f, str
     if (!result_grows(out) || (out->shape.min >= lo - slack && out->shape.max <= hi + slack)) return STATUS_OK;
     return refuse(&out->failure, STATUS_UNSTABLE,
                   "unstable: a mode grows at %.4g s^-1 at any step, %.3g times in %.6g s, and the temperatures, %.4g "
-                  "to %.4g K, have left the data's range of [%.4g, %.4g] K; take less --jitter or another method",
+                  "to %.4g K, have left the data's range of [%.4g, %.4g] K; use less --jitter or another method",
                   out->growth, exp(out->growth * out->t_end), out->t_end, out->shape.min, out->shape.max, lo, hi);
 }
 

@@ -1,21 +1,20 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The reference of a ladder in time: T(t_end) of dT/dt = A T + g, whose A and g are those of the rungs.
+/* The reference of a ladder in time: T(t_end) of dT/dt = A T + g, with the same A and g as in the rungs.
  *
- * Where A is diagonal under a transform, the exact stepper has it.  Elsewhere (jitter, two materials, fixed walls) it
- * is exp(tA) by Chebyshev's polynomials (solver/time/chebyshev.c), which share with the rungs' steppers the operator
- * alone and have no time error where the spectrum is real.
+ * If a transform diagonalises A, the exact stepper gives it.  Otherwise (jitter, two materials, fixed walls) it is
+ * exp(tA) by Chebyshev polynomials (solver/time/chebyshev.c), which share only the operator with the rungs' steppers
+ * and have no time error for a real spectrum.
  *
- * That is checked, here and where a user asks for them: runs of N and of N/2 steps are polynomials of different
- * degree, and differ where an eigenvalue off the axis makes them wrong.  N is doubled until the run is stable and
- * both agree.  What is left between them is the reference's own error, by which the ladder's window leaves rungs out.
- */
+ * This is checked, here and when a user requests them: runs of N and of N/2 steps are polynomials of different
+ * degree and differ if an eigenvalue off the axis makes them wrong.  N is doubled until the run is stable and both
+ * agree.  The remaining difference is the reference's own error, by which the ladder's window excludes rungs. */
 #include "verification/run/semidiscrete.h"
 
 #include "solver/time/stepper.h"
 #include "verification/run/experiment.h"
 #include "verification/run/symmetry.h"
 
-static const double AGREE = 1e-9; /* of sum |T|: ten times what rounding leaves in the longest step */
+static const double AGREE = 1e-9; /* relative to sum |T|: ten times the rounding error of the longest step */
 enum { STEPS_MAX = 256 };
 
 static int march(const struct experiment *e, long long steps, const struct field *placed, struct field *f,

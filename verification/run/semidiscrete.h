@@ -6,20 +6,20 @@
 
 struct experiment;
 
-/* The reference of a ladder in time: the semi-discrete equations of the same particles, solved without time error. */
+/* The reference of a ladder in time: the semi-discrete equations of the same particles, without time error. */
 
 struct semidiscrete {
     struct field field; /* owned: field_free */
-    long long steps;    /* by polynomials; 0 where field is the exact stepper's */
-    long long updates;  /* of the runs before this one */
-    double error;       /* of field: sum w|difference| / sum w|T| of it and of half as many steps; 0 where exact */
+    long long steps;    /* steps of the polynomials; 0 for the exact stepper */
+    long long updates;  /* updates of the preceding runs */
+    double error; /* of field: sum w|difference| / sum w|T| to the run with half the steps; 0 for the exact stepper */
 };
 
-/* The exact stepper's field, or where there is none that of polynomials.  STATUS_OK; STATUS_NOT_APPLICABLE for
- * what is no particle method; STATUS_UNSTABLE where the equations themselves are. */
+/* Solves by the exact stepper, or if that does not apply by polynomials.  Returns STATUS_OK; STATUS_NOT_APPLICABLE
+ * for other than particle methods; STATUS_UNSTABLE if the equations themselves are unstable. */
 int semidiscrete_solve(const struct experiment *e, struct semidiscrete *s, struct failure *why);
 
-/* By polynomials wherever the method can step. */
+/* Solves by polynomials, for any method that can step. */
 int semidiscrete_polynomials(const struct experiment *e, struct semidiscrete *s, struct failure *why);
 
 #endif

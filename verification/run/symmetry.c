@@ -1,10 +1,10 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Symmetry: no more is computed than half of a rod or a quarter of a square.
+/* Symmetry: only half of a rod or a quarter of a square is computed.
  *
- * Where initial data, coefficients and sides are even about a plane, so is the solution, and no heat crosses the
- * plane: an insulated side.  On a lattice with an even number of particles across, the plane lies midway between two
- * of them, where the even ghosts of an insulated side are the very particles that were left out: the discrete
- * solution is the same, to rounding. */
+ * If initial data, coefficients and sides are even about a plane, so is the solution, and no heat crosses the plane:
+ * an insulated side.  On a lattice with an even number of particles across, the plane is midway between two of them.
+ * The even ghosts of the insulated side are then exactly the omitted particles, so the discrete solution is the
+ * same, to round-off. */
 #include "verification/run/symmetry.h"
 
 #include <math.h>
@@ -35,13 +35,13 @@ int symmetry_reduce(const struct problem *whole, const struct options *o, struct
     return cuts;
 }
 
-/* A row of the whole from one of the part, n long. */
+/* A row of the whole domain from one of the part, of length n. */
 static void restore_row(const double *part, int n, int cut, double *whole) {
     for (int i = 0; cut && i < n; i++) *whole++ = part[n - 1 - i];
     memcpy(whole, part, (size_t)n * sizeof *whole);
 }
 
-/* Places on the lower side of the middle between lo and hi. */
+/* Mirrors positions to the lower side of the middle between lo and hi. */
 static void mirror(double *x, int n, double lo, double hi) {
     for (int i = 0; i < n; i++) x[i] = lo + hi - x[i];
 }

@@ -2,18 +2,18 @@
 #ifndef HEATLADDER_VERIFICATION_RUN_SYMMETRY_H
 #define HEATLADDER_VERIFICATION_RUN_SYMMETRY_H
 
-/* A problem that is even about the middle of an axis is solved on its upper half alone. */
+/* Solves a problem that is even about the middle of an axis on its upper half only. */
 
 #include "solver/method.h"
 #include "solver/problem.h"
 
-/* *half: *whole cut at the middle of every axis that it is even about, where the lattice has an even number of
- * particles along it: an insulated side there, at X_LO or Y_LO.  It refers to *whole.  cut[a] is 1 for an axis that
- * was cut; returns how many were. */
+/* Sets *half to *whole, cut at the middle of every axis about which it is even and along which the lattice has an
+ * even number of particles; the cut is an insulated side, X_LO or Y_LO.  It refers to *whole. cut[a] is 1 for an
+ * axis that was cut.  Returns the number of cuts. */
 int symmetry_reduce(const struct problem *whole, const struct options *o, struct problem *half, int cut[2]);
 
-/* method->solve on the reduced problem, and the field of the whole restored: its counts of work and bytes are those
- * of the part that was computed.  The whole problem where nothing can be cut, or where --domain whole asks for it. */
+/* Solves the reduced problem and restores the field of the whole; the counts of work and bytes are those of the
+ * reduced problem.  Solves the whole problem if nothing can be cut or the option is --domain whole. */
 int symmetry_solve(const struct method *m, const struct problem *p, const struct options *o, struct field *f,
                    struct failure *why);
 

@@ -1,17 +1,17 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The choice of stepper and time step, where the user leaves them open.
+/* Choice of stepper and time step, unless the user sets them.
  *
- * The exact stepper where the method has it.  Else the time step is refined until its error is shown to be small.
- * A run of N steps by a stepper of order p has the time error C e, e = c / N^p, with c = 1 but for rkl2, where it is
- * 1 + 8/(s^2 + s - 2) for s stages (unit/test_ceiling.c).  Two runs then have
+ * The exact stepper is used if the method has it.  Otherwise the time step is refined until its error is shown to be
+ * small.  A run of N steps by a stepper of order p has the time error C e, e = c / N^p, with c = 1, or
+ * 1 + 8/(s^2 + s - 2) for rkl2 with s stages (unit/test_ceiling.c).  Two runs then give
  *
  *     T_inf = T_2 + (T_2 - T_1) e_2 / (e_1 - e_2)                                                 (Richardson 1911)
  *
- * without time error, from which the distance of either is its own.  Two cheap runs give both; they predict the N at
- * which it is 1 % of the error of T_inf, and the run at that N is measured against the one before.
+ * without time error, and the difference of a run from T_inf is its time error.  Two cheap runs predict the N at
+ * which it is 1 % of the error of T_inf, and the run at that N is compared with the previous one.
  *
- * Polynomials in time (semidiscrete.c) need no such search: two runs that agree show how small their error is.
- * Norms are E1's. */
+ * Polynomials in time (semidiscrete.c) need no search: the difference of two runs shows how small their error is.
+ * Norms are those of E1. */
 #include "verification/run/time_step.h"
 #include "solver/time/stepper.h"
 
@@ -25,11 +25,11 @@
 #include <math.h>
 #include <stdlib.h>
 
-static const double SHARE = 0.01, MARGIN = 0.8; /* aims at 0.8 % so that a slightly wrong forecast still holds */
-/* Of the first run, over the dimension: stable for every method (rkl2 is so at any). */
+static const double SHARE = 0.01, MARGIN = 0.8; /* the target of 0.8 % tolerates an inaccurate prediction */
+/* Fourier number of the first run, divided by the dimension: stable for every method (rkl2 at any value). */
 static const double FOURIER = 0.2;
-static const double FLOOR = 1e-12; /* of E1: what rounding leaves; no time error below it is looked for */
-enum { HALVINGS = 8, LATER_HALVINGS = 2, ROUNDS = 5 }; /* later: another number of rkl2's stages may do */
+static const double FLOOR = 1e-12; /* of E1: rounding level, below which no time error is sought */
+enum { HALVINGS = 8, LATER_HALVINGS = 2, ROUNDS = 5 }; /* later: for another number of rkl2's stages */
 
 struct trial {
     struct field field;
@@ -63,24 +63,24 @@ static int order_of(const struct options *o) {
 static double first_steps(const struct experiment *e) {
     const struct options *o = &e->options;
     double steps = e->problem.t_end * problem_diffusivity(&e->problem) / (FOURIER / e->problem.dim * o->dx * o->dx);
-    if (stepper_of(o->stepper)->count) steps = sqrt(steps) / 2; /* some ten stages a step */
+    if (stepper_of(o->stepper)->count) steps = sqrt(steps) / 2; /* about ten stages per step */
     return fmax(1, ceil(steps));
 }
 
-/* A run of that many steps; the time step is halved, so often at most, while it is unstable. */
+/* A run of that many steps; the time step is halved, at most `halvings` times, while it is unstable. */
 static int try_stable(struct search *s, double steps, int halvings, struct trial *t, struct failure *why) {
     int status = try_steps(s, steps, t, why);
     for (int i = 0; i < halvings && status == STATUS_UNSTABLE; i++) status = try_steps(s, steps *= 2, t, why);
     return status;
 }
 
-/* All relative to sum w|Te|: the time error of `fine`, its whole error, and the error of the field without time
+/* Relative to sum w|Te|: the time error of `fine`, its total error, and the error of the field without time
  * error. */
 struct estimate {
     double time, whole, space;
 };
 
-/* The number of steps after `steps`, which gave the estimate; the same where its time error is small enough. */
+/* Next number of steps from the estimate for `steps`; unchanged if the time error is small enough. */
 static double next_steps(double steps, struct estimate e, double particles, int order) {
     if (e.time <= SHARE * e.whole || e.time <= FLOOR) return steps;
     double more = ceil(steps * fmax(1.1, pow(e.time / (MARGIN * SHARE * e.space), 1.0 / order)));
@@ -92,8 +92,8 @@ static double size_of(const struct search *s, const struct trial *t) { /* e */
     return (stepper->error ? stepper->error(t->field.stages) : 1) / pow(t->steps, s->order);
 }
 
-/* T_inf, for the caller to free.  Where RKL2's stages offset its steps, extrapolation is ill-conditioned: the runs
- * are then taken to differ by a fifth of the finer one's error. */
+/* T_inf; the caller frees it.  If RKL2's stages compensate for the steps, the extrapolation is ill-conditioned; the
+ * runs are then assumed to differ by a fifth of the finer one's error. */
 static double *find_limit(const struct search *s) {
     size_t n = s->fine.field.n;
     double coarse = size_of(s, &s->coarse), fine = size_of(s, &s->fine), *limit = xcalloc(n, sizeof *limit);
@@ -117,7 +117,7 @@ static struct estimate compare(const struct search *s) {
     return e;
 }
 
-/* The finer trial becomes the coarser one; a run of `steps` steps takes its place. */
+/* The finer trial becomes the coarser one, and a run of `steps` steps replaces it. */
 static int replace(struct search *s, double steps, struct failure *why) {
     field_free(&s->coarse.field);
     s->coarse = s->fine;
@@ -138,8 +138,8 @@ static int refine(struct search *s, double *time_error, struct failure *why) {
     return status;
 }
 
-/* Bytes held beside a run while its time step is searched for: the run before, and the exact temperatures unless
- * polynomials take the steps. */
+/* Memory besides a run during the search for its time step: the previous run, and the exact temperatures unless
+ * polynomials are used. */
 static size_t search_bytes(const struct experiment *e, const struct field *f) {
     size_t array = f->n * sizeof *f->T, answer = array * (size_t)(f->dim + 1 + (f->weight != NULL));
     return stepper_of(e->options.stepper)->order == 0 ? answer : array + answer;
@@ -182,11 +182,11 @@ static int solve_by_polynomials(const struct experiment *e, struct field *f, str
     return STATUS_OK;
 }
 
-/* What the transforms of the exact stepper can make up of E1.  One of n values, with sines and cosines to an ulp, is
- * off by 3.4 eps log2(n) of its 2-norm at most (Higham 2002, theorem 24.2), as a transform of 2 n by symmetry; there
- * are two along each axis.  Rates are right to some eps of themselves, of which a mode keeps |z| exp(z): less than
- * one level more.  Modes of a Robin wall are plain sums of n.  E1 has the mean below it and not the root of the mean
- * square. */
+/* Possible share of the exact stepper's transforms in E1.  The error of a transform of n values, with sines and
+ * cosines to one ulp, is at most 3.4 eps log2(n) of its 2-norm (Higham 2002, theorem 24.2), for 2 n by symmetry;
+ * there are two along each axis.  The relative error of the eigenvalues is a few eps, which a mode multiplies by |z|
+ * exp(z): less than one further level.  Modes of a Robin wall are plain sums of n.  E1 is relative to the mean, not
+ * to the root mean square. */
 static double transform_rounding(const struct problem *p, const struct field *f, double dx) {
     double levels = 1, sum = 0, square = 0;
     for (int a = 0; a < p->dim; a++) {
@@ -203,7 +203,8 @@ double time_step_weights(const struct experiment *e) {
     return 4 * p->dim * problem_diffusivity(p) * p->t_end / (e->options.dx * e->options.dx);
 }
 
-/* The rounding of E1: that of the weights, and eps sqrt(applications), since each application rounds T at random. */
+/* Rounding error of E1: that of the weights, plus eps sqrt(applications), since each application rounds T
+ * randomly. */
 static double rounding(const struct experiment *e, const struct field *f) {
     if (f->steps == 0) return DBL_EPSILON + transform_rounding(&e->problem, f, e->options.dx);
     double applications = (double)f->steps * (f->stages > 0 ? f->stages : 1);
