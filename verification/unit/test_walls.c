@@ -90,6 +90,30 @@ static struct problem heated_rod(void) {
     return p;
 }
 
+static double matched_error(const struct method *m, enum sampling sampling, double dx) {
+    struct problem p = heated_rod();
+    struct options o = {.dx = dx, .stepper = STEPPER_MATCHED, .sampling = sampling};
+    double kappa = p.material[0].k[0] / p.material[0].rho_c, most = 0;
+    struct field f;
+    struct failure why;
+    if (method_solve(m, &p, &o, &f, &why)) fail_msg("%s: %s", m->name, why.text);
+    p.param[0] *= exp(-kappa * wave(&p) * wave(&p) * p.t_end);
+    for (size_t i = 0; i < f.n; i++) most = fmax(most, fabs(f.T[i] - warm(&p, (double[2]){f.x[i], 0})));
+    field_free(&f);
+    return most;
+}
+
+static void matched_runs_with_a_source_are_of_fourth_order(void **state) {
+    (void)state;
+    const struct method *const all[] = {&method_so_ssph, &method_ftcs};
+    for (int m = 0; m < 2; m++)
+        for (int sampling = SAMPLING_POINT; sampling <= SAMPLING_SPLINE; sampling++) {
+            double coarse = matched_error(all[m], (enum sampling)sampling, 0.05);
+            double fine = matched_error(all[m], (enum sampling)sampling, 0.0125);
+            assert_near(log(coarse / fine) / log(4), 4, 0.03);
+        }
+}
+
 /* (-1)^i is insulated at a Dirichlet wall: what ghosts miss there, d^4, feeds it at third order. */
 static void matched_runs_refuse_first_derivatives_with_a_source(void **state) {
     (void)state;
@@ -261,6 +285,7 @@ int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(a_steady_cubic_stays),
         cmocka_unit_test(a_steady_cubic_stays_under_jitter),
+        cmocka_unit_test(matched_runs_with_a_source_are_of_fourth_order),
         cmocka_unit_test(matched_runs_refuse_first_derivatives_with_a_source),
         cmocka_unit_test(points_of_unknown_order_are_refused),
         cmocka_unit_test(all_steppers_agree_with_the_exact_one),
