@@ -158,6 +158,7 @@ static struct gate_result failed_ladder(void) {
                             .executed = 1};
     r.measured = (struct measured){.value = 1.5, .error = 3e-4, .verdict = VERDICT_FAIL, .reason = "too <low>"};
     snprintf(r.measured.diagnosis, sizeof r.measured.diagnosis, "1 step late");
+    r.measured.found = (struct diagnosis){.named = 1, .fault = {FAULT_SWAP, 0}, .unit = ""};
     r.measured.rungs = (struct rungs){3, "dx [m]", "E1", {0.5, 0.25, 0.125}, {4e-2, NAN, 3e-4}, {0, 1, 1}};
     return r;
 }
@@ -168,7 +169,7 @@ static void a_failure_has_its_cause_and_command(void **state) {
         "<p>Program: <code>mine {case} &lt;{out}&gt;</code></p>",
         "<p>too &lt;low&gt;</p>",
         "Diagnosis: 1 step late.</p>",
-        "<p class=\"verdict\">Diagnosis: 1 step late (1 of 1 gates that do not hold).</p>",
+        "<p class=\"verdict\">Diagnosis: perhaps as if k_x and k_y were in each other's place (1 of 1 rows that do not pass).</p>",
         "<span>rod-step</span>",
         "<td class=\"n\">0.5</td><td class=\"n\">4.0000e-02</td><td>left out</td>",
         "<td class=\"n\">0.25</td><td>-</td><td>counts</td>",
