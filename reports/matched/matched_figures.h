@@ -4,8 +4,7 @@
 
 struct failure;
 
-/* The matched run (solver/time/matched.h): error against counted work beside Song's choice, and A, B, F and the
- * stability limit over h/dx. */
+/* The matched run (solver/time/matched.h): error against counted work beside Song's choice, into `dir`. */
 int matched_figures_write(const char *dir, struct failure *why);
 
 #endif
