@@ -47,7 +47,7 @@ struct hl_parameter {
 };
 
 struct hl_setting {
-    const char *name; /* of a parameter */
+    const char *name; /* name of a parameter */
     double value;
 };
 

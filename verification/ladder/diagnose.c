@@ -16,7 +16,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* The coarser rung once more: by how much a program's answers differ from run to run. */
+/* Repeats the coarser rung to measure how much a program's answers differ between runs. */
 static void repeat(const struct experiment *e, const struct field *before, const struct result *first,
                    const struct ladder *l, struct inconclusive_noise *noise) {
     struct experiment again = *e;
@@ -35,10 +35,11 @@ static void repeat(const struct experiment *e, const struct field *before, const
     field_free(&f);
 }
 
-/* Whether the program's numbers are values or means (diagnosis_mean), from its answer at dx and a time so early that
- * one step too many, or none, is a hundredth of what a mean over a cell has more than a value. */
+/* Determines whether the program's numbers are point values or cell means (diagnosis_mean), from its answer at dx
+ * and a time so early that one step too many or too few is a hundredth of the difference between a mean and a
+ * value. */
 static double mean_of_start(const struct experiment *e, double dx) {
-    static const double EARLY = 1e-4; /* of dx^2/kappa; that mean: 1/24 */
+    static const double EARLY = 1e-4; /* in units of dx^2/kappa; the mean differs by 1/24 */
     struct experiment start = *e;
     struct result result;
     struct failure ignored;
@@ -58,8 +59,8 @@ static double mean_of_start(const struct experiment *e, double dx) {
     return mean;
 }
 
-/* What is looked at: a fault is one of the case that the program was given, in its axes and temperatures.  Where two
- * materials meet across y no solver of ours can respond: then it is the scene. */
+/* Diagnoses the case given to the program, in its axes and temperatures.  If two materials meet across y, no solver
+ * here can compute the response, and the scene itself is used. */
 void diagnose_ladder(const struct experiment *e, const struct field kept[2], struct ladder *l,
                      struct inconclusive_noise *noise) {
     struct diagnosis_rung rung[2];

@@ -1,20 +1,19 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* What keeps a ladder from showing an order.
+/* Reasons for which a ladder shows no order.
  *
- * Noise.  Two runs of the same whose E1 is d apart scatter by d/sqrt(2) each.  A tenth of the error moves a local
- * slope of ratio r by sqrt(2)/10/log r, 0.2 for r = 2: more than a band of +-0.1 holds.  An error that is above its
- * ceiling by three times its scatter is wrong all the same.
+ * Noise: if E1 of two equal runs differs by d, each scatters by d/sqrt(2).  A tenth of the error moves a local slope
+ * of ratio r by sqrt(2)/10/log r, 0.2 for r = 2: too much for a band of +-0.1.  An error above its ceiling by three
+ * times its scatter is wrong in any case.
  *
- * Digits.  What is rounded to a unit u is off by u/4 on average.  The unit of T is that of its last digit: of
- * `digits` significant ones (%g, %e), or of as many decimals as any T has (%f), whichever is the coarser.  A program
- * prints T of the case; mapped to the scene and back, that is off by roundings of the largest T or of the offset.
+ * Digits: rounding to a unit u has a mean error of u/4.  The unit of T is that of its last digit: of `digits`
+ * significant ones (%g, %e), or of the largest number of decimals of any T (%f), whichever is coarser.  A program
+ * prints T of the case; mapping to the scene and back adds rounding errors of the largest T or of the offset.
  *
- * Smooth.  C x^p + D x^q, of any C, D, p and q with errors that do not change their sign, has local slopes that rise
- * or fall throughout.  Slopes that turn by 1/2 and back by 1/2 have more than two terms of that kind: a tolerance,
- * digits.
+ * Smoothness: C x^p + D x^q, for any C, D, p and q with errors of one sign, has monotone local slopes.  Slopes that
+ * turn by 1/2 and back by 1/2 have more than two such terms, for example a tolerance or digits.
  *
- * Rungs.  With the scatter s about the line, n rungs at log x = u have the interval +- t(n - 2) s/sqrt(sum (u -
- * mean)^2) about the slope: the least n by halving whose interval lies in the band. */
+ * Rungs: with the scatter s about the line, n rungs at log x = u have the interval +- t(n - 2) s/sqrt(sum (u -
+ * mean)^2) about the slope.  The result is the smallest n by halving with an interval inside the band. */
 #include "verification/ladder/inconclusive.h"
 
 #include "references/mapping.h"
@@ -32,7 +31,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-static const double DIGITS = 0.1, TURN = 0.5; /* a share of the error; of a local slope */
+static const double DIGITS = 0.1, TURN = 0.5; /* a share of the error; a change of a local slope */
 
 double inconclusive_digits(const struct field *f, const struct mapping *map, int *digits) {
     enum { POINTS = 500 };
@@ -57,7 +56,7 @@ double inconclusive_digits(const struct field *f, const struct mapping *map, int
     return sum > 0 ? units / 4 / sum : 0;
 }
 
-/* Local slopes of the rungs that count; how many. */
+/* Local slopes of the included rungs; returns their number. */
 static int slopes(const struct ladder *l, double *slope) {
     double x[RUNG_MAX], error[RUNG_MAX];
     int n = ladder_counted(l, x, error);
@@ -82,7 +81,8 @@ static void list_slopes(const double *slope, int n, char *text, size_t size) {
     for (int i = 0; i < n && strlen(text) + 12 < size; i++) words_add(text, size, "%s%.2f", i ? ", " : "", slope[i]);
 }
 
-/* The least number of rungs, further ones by halving, whose interval would lie in the band; 0 where none would. */
+/* The smallest number of rungs, with further ones by halving, for an interval inside the band; 0 if there is
+ * none. */
 static int rungs_needed(const struct ladder *l, double lo, double hi) {
     enum { MOST = 12 };
     double u[RUNG_MAX], error[RUNG_MAX], half = (l->slope.ci[1] - l->slope.ci[0]) / 2;
@@ -100,7 +100,7 @@ static int rungs_needed(const struct ladder *l, double lo, double hi) {
     return 0;
 }
 
-/* What is missing where the error is small and falls throughout; 1 where that is so. */
+/* States the missing number of rungs if the error is small and decreases throughout; returns 1 if so. */
 static int says_what_is_missing(const struct ladder_rungs *rungs, struct ladder *l) {
     static const double FAR = 0.1;
     double slope[RUNG_MAX], error = ladder_finest_error(l);
@@ -122,7 +122,7 @@ static int says_what_is_missing(const struct ladder_rungs *rungs, struct ladder 
     return 1;
 }
 
-/* An error above its ceiling is wrong whatever the order is. */
+/* An error above its ceiling is wrong for any order. */
 static void leave_open(const struct ladder_rungs *rungs, double error, struct ladder *l) {
     l->verdict = VERDICT_INCONCLUSIVE;
     if (rungs->ceiling > 0 && !(error <= rungs->ceiling))

@@ -11,7 +11,7 @@
 struct slope;
 
 struct judged {
-    const double *x, *error; /* of the included rungs; x is decreasing */
+    const double *x, *error; /* the included rungs; x is decreasing */
     int n;
     int scattered;             /* 1: errors scatter at random from rung to rung (window.h) */
     const struct slope *slope; /* fit to all draws, if `error` has their means; NULL: fit to `error` */

@@ -56,7 +56,7 @@ struct ladder {
     double local[RUNG_MAX];           /* n - 1 slopes between adjacent rungs */
     struct window window;
     struct slope slope;     /* over the window */
-    struct failure failure; /* of the first rung that failed numerically */
+    struct failure failure; /* that of the first rung that failed numerically */
     enum verdict verdict;
     char reason[360];
     int diagnosed; /* 1: `diagnosis` is set, for a ladder in space that did not pass, or on request */

@@ -12,7 +12,8 @@ struct semidiscrete {
     struct field field; /* owned: field_free */
     long long steps;    /* steps of the polynomials; 0 for the exact stepper */
     long long updates;  /* updates of the preceding runs */
-    double error; /* of field: sum w|difference| / sum w|T| to the run with half the steps; 0 for the exact stepper */
+    double error; /* error of field: sum w|difference| / sum w|T| to the run with half the steps; 0 for the exact
+                     stepper */
 };
 
 /* Solves by the exact stepper, or if that does not apply by polynomials.  Returns STATUS_OK; STATUS_NOT_APPLICABLE

@@ -28,7 +28,7 @@
 static const double SHARE = 0.01, MARGIN = 0.8; /* the target of 0.8 % tolerates an inaccurate prediction */
 /* Fourier number of the first run, divided by the dimension: stable for every method (rkl2 at any value). */
 static const double FOURIER = 0.2;
-static const double FLOOR = 1e-12; /* of E1: rounding level, below which no time error is sought */
+static const double FLOOR = 1e-12;                     /* rounding level of E1, below which no time error is sought */
 enum { HALVINGS = 8, LATER_HALVINGS = 2, ROUNDS = 5 }; /* later: for another number of rkl2's stages */
 
 struct trial {
@@ -41,7 +41,7 @@ struct search {
     int order;
     double *exact;             /* K, at the points of the fields */
     struct trial coarse, fine; /* the last two runs */
-    long long updates;         /* of all runs */
+    long long updates;         /* total of all runs */
 };
 
 static int try_steps(struct search *s, double steps, struct trial *t, struct failure *why) {

@@ -9,7 +9,7 @@
 
 struct step_limit {
     double published;   /* NaN if no paper gives a value */
-    const char *source; /* of `published` */
+    const char *source; /* source of `published` */
     double von_neumann; /* from the symbol; for clouds from the eigenvalues; 0 if some mode grows at any step */
     double measured;    /* between decay and growth, to 1 %; 0 if there is growth at any step */
     double growth;      /* largest real part of the eigenvalues, kappa/dx^2 */
