@@ -18,9 +18,13 @@ const char help_version[] = VERSION_TEXT;
 
 const char help_about[] =
     "heatladder VERB --help lists the options of a verb; heatladder man has everything.\n"
-    "Environment: HEATLADDER_LANES=2, 4 or 8 sets the vector width of the hot loops, in doubles (default: the\n"
-    "  widest of the machine); results are the same to the bit for every width.  HEATLADDER is the path of this\n"
-    "  program, set for the program of --solver unless you set it.\n"
+    "Environment:\n"
+    "  HEATLADDER_LANES  vector width of the hot loops in doubles, 2, 4 or 8 (default: the widest of the machine);\n"
+    "                    results are the same to the bit for every width\n"
+    "  HEATLADDER        path of this program, set for the program of --solver unless you set it\n"
+    "  TMPDIR            directory of temporary files, default /tmp; the program of --solver gets its own\n"
+    "  NO_COLOR          if set: no colours on a terminal\n"
+    "  GITHUB_ACTIONS    if set: verify also prints failing gates as annotations\n"
     "Exit status: 0 all passed, 1 a gate failed, 2 bad usage or input, 3 numerical failure, 4 inconclusive,\n"
     "  77 skipped: the program cannot run the case.\n";
 

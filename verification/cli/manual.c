@@ -116,15 +116,6 @@ static const char *const examples[][2] = {
     {"heatladder verify --results cases", "Judge the answers there."},
     {0}};
 
-static const char *const environment[][2] = {
-    {"HEATLADDER_LANES", "Vector width of the hot loops in doubles, 2, 4 or 8; default the widest of the machine. "
-                         "Results are the same to the bit for every width."},
-    {"HEATLADDER", "Path of this program, set for the program of --solver unless you set it."},
-    {"TMPDIR", "Directory of temporary files; default /tmp. The program of --solver gets a directory of its own."},
-    {"NO_COLOR", "No colours on a terminal."},
-    {"GITHUB_ACTIONS", "If set, verify also prints failing gates as annotations."},
-    {0}};
-
 static const char *const files[][2] = {
     {"DIR/cases.txt", "Directories of the cases that the verb case wrote, one a line."},
     {"DIR/SCENE/DX/case", "A case: key = value, one a line."},
@@ -132,14 +123,6 @@ static const char *const files[][2] = {
     {"DIR/SCENE/DX/log", "Output of your program, with --keep."},
     {"share/heatladder/examples", "Example programs, in the directory of the installation."},
     {0}};
-
-static const char *const exit_status[][2] = {{"0", "All passed."},
-                                             {"1", "A gate failed."},
-                                             {"2", "Bad usage or input."},
-                                             {"3", "Numerical failure, such as an unstable step."},
-                                             {"4", "Inconclusive: the measurements do not decide."},
-                                             {"77", "Skipped: the program cannot run the case."},
-                                             {0}};
 
 static void put_interfaces(FILE *out) {
     fprintf(out, ".SH \"OTHER PROGRAMS\"\n");
@@ -166,9 +149,9 @@ void manual_page(FILE *out) {
     put_names(out);
     put_interfaces(out);
     put_section("EXAMPLES", examples, out);
-    put_section("ENVIRONMENT", environment, out);
     put_section("FILES", files, out);
-    put_section("\"EXIT STATUS\"", exit_status, out);
+    fprintf(out, ".SH \"ENVIRONMENT AND EXIT STATUS\"\n");
+    put_literally(help_about, out);
     fprintf(out, ".SH \"SEE ALSO\"\n.BR gnuplot (1)\n");
 }
 
