@@ -53,29 +53,6 @@ static const char *arrived(const struct terminal *t) {
     return text;
 }
 
-/* Each verdict, on a terminal alone, and not where NO_COLOR has a value. */
-static void verdicts_have_colours(void **state) {
-    const struct terminal *t = *state;
-    FILE *out = fdopen(dup(t->there), "w"), *file = tmpfile();
-    static const char *const colour[] = {"\033[33m", "\033[31m", "\033[32m", "\033[36m", "\033[36m"};
-    for (int i = 0; verdict_words[i]; i++) {
-        assert_string_equal(verdict_colour(out, verdict_words[i]), colour[i]);
-        assert_string_equal(verdict_colour_end(out, verdict_words[i]), "\033[0m");
-        assert_string_equal(verdict_colour(file, verdict_words[i]), "");
-        assert_string_equal(verdict_colour_end(file, verdict_words[i]), "");
-    }
-    assert_string_equal(verdict_colour(out, "rod"), "");
-    assert_string_equal(verdict_colour_end(out, "rod"), "");
-    setenv("NO_COLOR", "", 1);
-    assert_string_equal(verdict_colour(out, "fail"), "\033[31m");
-    setenv("NO_COLOR", "0", 1);
-    assert_string_equal(verdict_colour(out, "fail"), "");
-    assert_string_equal(verdict_colour_end(out, "fail"), "");
-    unsetenv("NO_COLOR");
-    fclose(out);
-    fclose(file);
-}
-
 /* Colours have no width. */
 static void a_table_of_verdicts_is_aligned(void **state) {
     const struct terminal *t = *state;
@@ -137,7 +114,6 @@ static void a_file_gets_the_lines_that_stay(void **state) {
 
 int main(void) {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(verdicts_have_colours),
         cmocka_unit_test(a_table_of_verdicts_is_aligned),
         cmocka_unit_test(progress_is_one_line),
         cmocka_unit_test(a_file_gets_the_lines_that_stay),
