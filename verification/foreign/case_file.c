@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* What a program is told, and the same read again. */
+/* Writes the case file of a program, and reads it back. */
 #include "verification/foreign/case_file.h"
 
 #include "references/mapping.h"

@@ -15,11 +15,11 @@ struct scene;
 
 extern const char case_file_help[]; /* every key, for --help */
 
-struct case_extra { /* what is not of the problem */
+struct case_extra { /* settings that are not part of the problem */
     const char *label;
     const struct mapping *map; /* between the scene and the case; NULL for none */
-    const char *name, *value;  /* of --vary; NULL for none */
-    int seed;                  /* of --seeds, from 1; 0 for none */
+    const char *name, *value;  /* parameter of --vary; NULL for none */
+    int seed;                  /* seed of --seeds, from 1; 0 for none */
 };
 
 /* *p: the case's (mapping_image).  STATUS_OK; or STATUS_INPUT where dx and dy of *o do not divide the extents of *p

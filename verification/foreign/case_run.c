@@ -16,7 +16,7 @@ enum { PATH_SIZE = 1100 };
 
 static const char *const answers[] = {"out.csv", "out.npy", "out.dat", NULL};
 
-/* What may stand in the place of {out}: NumPy's save() adds the ending itself. */
+/* Temporary names for {out}; NumPy's save() appends its ending. */
 static const char *const parts[][2] = {{"out.part", "out.csv"}, {"out.part.npy", "out.npy"}};
 
 static char *path_in(const char *dir, const char *name, char path[PATH_SIZE]) {
@@ -65,7 +65,7 @@ static char *fill_in(const struct case_run *c, const char *input, const char *ou
     return text;
 }
 
-/* What an earlier run left would be taken for the answer of this one. */
+/* Removes earlier answers, which could pass for the answer of this run. */
 static int remove_old(const char *dir, struct failure *why) {
     char path[PATH_SIZE];
     for (int i = 0; answers[i]; i++)

@@ -18,7 +18,7 @@ struct case_run {
     const char *dir;
     const char *solver; /* with {case}, {out}, {dx} and {name} in it */
     const char *dx;
-    const char *name, *value; /* of --vary; NULL for none */
+    const char *name, *value; /* parameter of --vary; NULL for none */
     const char *label;        /* stands before each line that it prints */
     double timeout;           /* s; 0 for none */
 };

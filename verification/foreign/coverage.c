@@ -21,7 +21,7 @@
 #include <math.h>
 #include <stdlib.h>
 
-static const double SLACK = 1e-9; /* of the extent: a coordinate may be a rounded decimal */
+static const double SLACK = 1e-9; /* relative to the extent: a coordinate may be a rounded decimal */
 enum { MANY = 20000 };            /* points: more than threads cost to start */
 
 struct boxes {
@@ -148,7 +148,7 @@ static int check_gaps(const struct samples *s, const struct problem *p, const do
 
 struct place {
     double x[2];
-    size_t i; /* of the sample */
+    size_t i; /* index of the sample */
 };
 
 static int by_x(const void *a, const void *b) {

@@ -27,8 +27,8 @@ int field_file_samples(const char *path, const char *name, int dim, const struct
     return status;
 }
 
-/* A coordinate that is a rounded decimal of a wall's lies on the wall: what holds there (no value, in a corner whose
- * sides disagree) must not hang on its last digit. */
+/* Moves a coordinate that is a rounded decimal of a wall's onto the wall, so that its treatment there (such as the
+ * missing value in a discontinuous corner) does not depend on its last digit. */
 static void snap_to_walls(struct samples *s, const struct problem *p) {
     for (int a = 0; a < s->dim; a++) {
         double *x = s->value[COLUMN_X + a], away = 1e-9 * (p->hi[a] - p->lo[a]);

@@ -17,10 +17,9 @@ struct samples;
 int npy_file_is(const char *start, size_t size);
 int npy_file_read(FILE *in, const struct column_map *c, struct samples *s, struct failure *why);
 
-/* Any other file is a table of points: a header of names, then a line a point; commas, semicolons or blanks between,
- * quotes around what may hold them, `#` before a comment (`# seconds = S` and likewise steps and updates say what the
- * run took; a comment of names above the first point is a header too).  Columns that nothing is wanted of are
- * skipped. */
+/* Any other file is a table of points: a header of names, then one point per line; separated by commas, semicolons
+ * or blanks, with optional quotes, and comments after `#`.  Comments may report costs (`# seconds = S`; also steps
+ * and updates); a comment of names above the first point is a header too.  Unused columns are skipped. */
 int table_file_read(FILE *in, const struct column_map *c, struct samples *s, struct failure *why);
 
 #endif

@@ -1,12 +1,11 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* A missing point barely changes a mean.  Where the others lie on a lattice its place is known:
+/* A missing point barely changes a mean.  If the other points form a lattice, its position is known:
  *
- *   rows and columns    the distinct x and y are nx and ny, and at least 95 of 100 places of nx ny have a point.
- *                       Fewer are no lattice: elements of eight nodes fill three quarters.  A corner may be missing,
- *                       as in many codes.
- *   equal spacing h     one gap of 2 h, 3 h, ... beside two of h; or more than 5/4 h from a wall to the first of
- *                       three points where the case has more cells than points.  Graded spacings have several wide
- *                       gaps side by side.  Two layers may have no point on their interface. */
+ *   rows and columns    there are nx distinct x and ny distinct y, and at least 95 of 100 positions of nx ny have a
+ * point. Fewer are not a lattice: eight-node elements fill three quarters. A corner may be missing, as in many codes.
+ *   equal spacing h     one gap of 2 h, 3 h, ... next to two of h; or more than 5/4 h from a wall to the first of
+ * three points if the case has more cells than points. Graded spacings have several wide gaps in a row. Two layers
+ * may have no point on their interface. */
 #include "verification/foreign/coverage.h"
 
 #include "solver/problem.h"
@@ -20,9 +19,9 @@
 #include <string.h>
 
 enum { MOST = 200000 };             /* points; sorting more takes too long */
-static const double SAME = 1e-9;    /* of the extent: a coordinate may be a rounded decimal */
-static const double FULL = 0.95;    /* of the places of a lattice */
-static const double REGULAR = 1e-3; /* of h: printed with few digits */
+static const double SAME = 1e-9;    /* relative to the extent: a coordinate may be a rounded decimal */
+static const double FULL = 0.95;    /* fraction of the positions of a lattice */
+static const double REGULAR = 1e-3; /* relative to h: printed with few digits */
 
 /* The distinct coordinates along an axis, sorted, into x[s->n]; how many. */
 static size_t distinct(const struct samples *s, const struct problem *p, int a, double *x) {

@@ -15,7 +15,7 @@ enum { MAGIC = 6, HEADER = 4096, BLOCK = 65536 };
 
 struct layout {
     size_t rows, stride;         /* bytes from row to row */
-    size_t offset[COLUMN_COUNT]; /* of each column in a row */
+    size_t offset[COLUMN_COUNT]; /* offset of each column in a row */
     int bytes[COLUMN_COUNT];     /* 8 or 4; 0 for a column that is not there */
 };
 

@@ -33,19 +33,19 @@ struct running {
     const struct process *process;
     pid_t child;
     int output[2], life[2];
-    int reaped, status; /* of the shell */
+    int reaped, status; /* state of the shell */
     double start, end;  /* s */
-    char line[LINE];    /* what it is printing */
+    char line[LINE];    /* the line being printed */
     size_t length;
     char last[LINE]; /* the last line that says something */
 };
 
-/* The shell tells the guard its process group before the command begins: were it told by this program, killed in
- * between, the command would stay.  $0 is the command, $1 its TMPDIR. */
-static const char told[] = "export TMPDIR=\"$1\"; echo $$ >&8; exec /bin/sh -c \"$0\" 8>&-";
+/* The shell itself reports its process group to the guard before the command starts; if this program did it and were
+ * killed in between, the command would keep running. $0 is the command, $1 its TMPDIR. */
+static const char starter[] = "export TMPDIR=\"$1\"; echo $$ >&8; exec /bin/sh -c \"$0\" 8>&-";
 
 static int spawn(struct running *r) {
-    char *argv[] = {"sh", "-c", (char *)told, (char *)r->process->command, r->process->scratch->dir, NULL};
+    char *argv[] = {"sh", "-c", (char *)starter, (char *)r->process->command, r->process->scratch->dir, NULL};
     posix_spawn_file_actions_t files;
     posix_spawnattr_t how;
     sigset_t ignored; /* by this program, and not by that one */

@@ -1,7 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* --solver CMD: the case goes into a file, the command runs, and its answer comes back from another file.  Both lie
- * in a directory that is gone when the call returns, or in that of --keep.  --results DIR: the answer is there
- * already. */
+/* --solver CMD: writes the case to a file, runs the command, and reads its answer from another file.  Both files are
+ * in a temporary directory, removed on return, or in that of --keep. --results DIR: reads an existing answer. */
 #include "verification/foreign/program.h"
 
 #include "references/scene.h"

@@ -20,14 +20,14 @@ struct program {
     const char *label;
     const char *solver;  /* the command; NULL with `results` */
     const char *results; /* the directory of answers, DIR/SCENE/DX; NULL with `solver` */
-    const char *keep;    /* where case, answer and log of each rung stay, likewise; NULL for nowhere */
+    const char *keep;    /* directory for case, answer and log of each rung; NULL for none */
     int seeds, seed;     /* draws of each rung, 0 for one; which one it is, from 1, for the case; 0: none */
     double timeout;      /* s; 0 for none */
     struct column_map columns;
     struct mapping map;            /* between the scene and the case that the program solves */
     char vary[40], value[40];      /* NAME of --vary, and what it is at this rung; "" for none */
     char setting[PROGRAM_SETTING]; /* the parameters' directory below SCENE; "" for SCENE itself */
-    struct runs *runs;             /* what runs of the same program share (runs.h); NULL for none */
+    struct runs *runs;             /* shared state of the runs of one program (runs.h); NULL for none */
     const char *row;               /* which gate asks, to be shown; NULL for none */
     char rung[100];                /* the directory of this rung below DX: NAME=VALUE or dt=DT; "" for DX itself */
 };

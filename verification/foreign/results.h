@@ -24,7 +24,7 @@ int results_directory_check(const char *dir, struct failure *why);
  * where there are none or more. */
 int results_list(const char *dir, struct numbers *found, struct failure *why);
 
-struct results_known { /* of the cases that are judged together */
+struct results_known { /* settings of the cases that are judged together */
     unsigned long set; /* bits of the parameters that are set */
     struct problem *p; /* with them in p->param */
     int mapped;        /* 1 where *map is known */
@@ -55,7 +55,7 @@ int results_params(const char *dir, const struct scene *s, const char *setting, 
 
 struct results_place { /* DIR/SCENE/SETTING/DX/RUNG; "" for neither */
     const char *dir, *setting, *rung;
-    const struct mapping *map; /* of the case; NULL for none */
+    const struct mapping *map; /* map of the case; NULL for none */
     int seeds;                 /* draws of each case, below it as seed=1 and so on; 0 for one, without a seed */
 };
 

@@ -2,8 +2,8 @@
 #ifndef HEATLADDER_VERIFICATION_FOREIGN_RUNS_H
 #define HEATLADDER_VERIFICATION_FOREIGN_RUNS_H
 
-/* What the runs of one program share: how many go on at a time, how each case ended, and whether the program is there
- * at all.  All functions may be called from any thread. */
+/* Shared state of the runs of one program: the number in progress, the outcome of each case, and whether the program
+ * was found.  All functions are thread-safe. */
 
 struct failure;
 struct progress;

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* What readers of all formats share: names, arrays, one value, and what counts as a file. */
+/* Common parts of the readers of all formats: names, arrays, one value, and the type of a file. */
 #include "verification/foreign/samples.h"
 
 #include "solver/status.h"

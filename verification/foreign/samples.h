@@ -11,7 +11,7 @@ struct failure;
 
 enum { COLUMN_X, COLUMN_Y, COLUMN_T, COLUMN_W, COLUMN_COUNT, COLUMN_NAME = 64 };
 
-/* What the file calls x, y, T and w: "" for the name itself. */
+/* Names of x, y, T and w in the file; "" for the name itself. */
 struct column_map {
     char name[COLUMN_COUNT][COLUMN_NAME];
     const char *text; /* as typed; NULL where nobody typed it */
@@ -22,19 +22,19 @@ int samples_columns_read(const char *map, struct column_map *c, struct failure *
 const char *samples_column_name(const struct column_map *c, int column);
 
 struct samples {      /* owned arrays: samples_free */
-    const char *path; /* what messages call the file */
+    const char *path; /* name of the file in messages */
     int dim;
     int has[COLUMN_COUNT]; /* 1 for a column that is there; to be set before the first samples_grow or _reserve */
     size_t n, room;
-    double *value[COLUMN_COUNT];    /* of n points; NULL for a column that is not there */
-    long *line;                     /* of the file, counted from 1; NULL where that is the number of the point */
-    double seconds, steps, updates; /* what the program says that it took; NaN where it says nothing */
+    double *value[COLUMN_COUNT];    /* n values per column; NULL if the column is missing */
+    long *line;                     /* line in the file, from 1; NULL if it equals the number of the point */
+    double seconds, steps, updates; /* cost reported by the program; NaN if not reported */
 };
 
 void samples_free(struct samples *s);
 void samples_grow(struct samples *s);                 /* to twice the room */
-void samples_reserve(struct samples *s, size_t room); /* of an empty one whose points are its lines */
-long samples_line(const struct samples *s, size_t i); /* of point i in the file, counted from 1 */
+void samples_reserve(struct samples *s, size_t room); /* for an empty *s with one point per line */
+long samples_line(const struct samples *s, size_t i); /* line of point i in the file, from 1 */
 
 /* The value of one cell into its place, or a refusal that names path, line and column. */
 int samples_put(struct samples *s, int column, const char *text, size_t length, long line, int place,

@@ -2,8 +2,8 @@
 #ifndef HEATLADDER_VERIFICATION_FOREIGN_SCRATCH_H
 #define HEATLADDER_VERIFICATION_FOREIGN_SCRATCH_H
 
-/* A directory for one run of another program.  It is gone after scratch_close, and also where this program is killed:
- * a shell waits for the end of a pipe, then ends the program's process group and removes the directory. */
+/* A directory for one run of another program. scratch_close removes it.  If this program is killed, a shell detects
+ * the end of a pipe, ends the program's process group and removes the directory. */
 
 #include <sys/types.h>
 

@@ -29,7 +29,7 @@ struct reader {
     struct cell cell[CELLS];
     int cells;
     char comments[4000];     /* above the first point, each ended by a newline */
-    int place[COLUMN_COUNT]; /* of each column among the cells; -1 where it is not there */
+    int place[COLUMN_COUNT]; /* index of each column among the cells; -1 if missing */
     int width;               /* cells of a line */
 };
 
@@ -37,7 +37,7 @@ static int wrong(const struct reader *t, struct failure *why, const char *what) 
     return refuse(why, STATUS_INPUT, "%.150s, line %ld: %s", t->s->path, t->line, what);
 }
 
-/* What a comment says the run took, where it is a number of any. */
+/* Reads a cost reported in a comment, if it is a number. */
 static void take_said(const char *text, const char *name, double *value) {
     size_t length = strlen(name);
     double said;
@@ -150,7 +150,7 @@ static int refuse_header(const struct reader *t, struct failure *why) {
                   t->s->path, t->line, quoted, header);
 }
 
-/* Where x, y, T and w are.  w may be missing where nobody named it. */
+/* Locates x, y, T and w. w may be missing unless it was named. */
 static int locate(struct reader *t, struct failure *why) {
     for (int k = 0; k < COLUMN_COUNT; k++) {
         int used = k != COLUMN_Y || t->s->dim == 2, optional = k == COLUMN_W && !t->wanted->name[k][0];

@@ -9,7 +9,7 @@
 
 #include <stdio.h>
 
-/* What is said of all gates: the fault that most of them look like. */
+/* Properties of the whole suite: the fault that most gates match. */
 static void put_properties(const struct gates *g, FILE *out) {
     char diagnosis[HEADLINE_TEXT];
     gates_diagnosis(g, diagnosis, sizeof diagnosis);

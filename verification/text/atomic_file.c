@@ -72,7 +72,7 @@ static int is_alone(const char *path) {
     return length < PATH_LENGTH && access(path, W_OK) == 0 && access(directory, W_OK) != 0;
 }
 
-/* What is written to as it is. */
+/* 1 for a file that must be written in place. */
 static int is_special(const char *path) {
     struct stat s;
     return stat(path, &s) == 0 && (!S_ISREG(s.st_mode) || is_alone(path));

@@ -17,11 +17,11 @@ struct atomic_file {
     size_t size;
 };
 
-/* Puts the bytes of each of them at its path; where there are several, all are written in full before the first takes
- * its place.  STATUS_OK or STATUS_INPUT; on a failure, or when interrupted, what was there before stays whole.
- * Interrupts (SIGINT, SIGTERM, SIGHUP) wait until the files are in their places; no two threads may write at once.
- * What is no regular file (/dev/null, a pipe), or lies in a directory that may not be written, is written to as it
- * is: it may be left in part. */
+/* Writes the bytes of each file to its path; if there are several, all are written completely before the first is
+ * moved into place.  Returns STATUS_OK or STATUS_INPUT; after a failure or an interrupt the previous files are
+ * intact.  Interrupts (SIGINT, SIGTERM, SIGHUP) wait until all files are in place; only one thread may write at a
+ * time.  Special files (/dev/null, a pipe), and files in a read-only directory, are written in place and may remain
+ * incomplete. */
 int atomic_file_write_all(const struct atomic_file *files, int count, struct failure *why);
 
 /* From hold to release SIGINT, SIGTERM and SIGHUP are noted, and raised by the outermost release.  Calls nest, and

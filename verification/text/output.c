@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Files in memory, put in place whole.  POSIX has open_memstream for them; glibc's drops what it has no memory for,
- * and neither ferror nor fclose tells.  A stream of our own ends the program there (fopencookie: glibc, musl). */
+/* Files in memory, then moved into place as a whole.  POSIX has open_memstream, but glibc's drops data when memory
+ * runs out, without an error from ferror or fclose.  This stream ends the program instead (fopencookie: glibc,
+ * musl). */
 #define _GNU_SOURCE
 #include "verification/text/output.h"
 
@@ -17,7 +18,7 @@ static int refuse_path(const char *path, struct failure *why) {
     return refuse(why, STATUS_INPUT, "the path '%.100s...' is too long", path);
 }
 
-struct memory { /* what a stream has been given: text and size are its caller's */
+struct memory { /* contents of a stream; text and size belong to the caller */
     char **text;
     size_t *size, room;
 };

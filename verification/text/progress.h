@@ -16,7 +16,8 @@ struct progress progress_start(const char *what, int total);
 void progress_tick(struct progress *p); /* from any thread */
 void progress_end(struct progress *p);  /* takes the line away */
 
-/* What is going on now, on a terminal; and a line that stays, anywhere.  printf-like, from any thread. */
+/* Shows the current activity, on a terminal only; and prints a permanent line anywhere. printf-like, from any
+ * thread. */
 void progress_now(struct progress *p, const char *format, ...) __attribute__((format(printf, 2, 3)));
 void progress_print(struct progress *p, const char *format, ...) __attribute__((format(printf, 2, 3)));
 

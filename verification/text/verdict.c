@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* What a judgement can be, and its colours: on a terminal only, and never where NO_COLOR is set (no-color.org). */
+/* The verdicts and their colours: on a terminal only, and never if NO_COLOR is set (no-color.org). */
 #include "verification/text/verdict.h"
 
 #include "verification/text/words.h"

@@ -10,11 +10,11 @@
  * that is there is not taken for one that is not.  A named pipe is refused (ENOTSUP), as it may have no writer. */
 FILE *whole_file_open(const char *path);
 
-/* What errno says after a failure of whole_file_open or whole_file_at. */
+/* Text of errno after a failure of whole_file_open or whole_file_at. */
 const char *whole_file_error(void);
 
-/* What is left of a stream; ferror(in) is set where it could not be read to its end.  Where a NUL is met, no text,
- * what follows in the stream is left: a device may give them without end. */
+/* Reads the rest of a stream; ferror(in) is set if it could not be read to its end.  Reading stops at a NUL, which
+ * is not text, because a device may produce them without end. */
 char *whole_file_read(FILE *in, size_t *size);
 
 /* NULL with errno set where the file cannot be opened or read. */

@@ -39,7 +39,7 @@ int words_index(const char *const *words, const char *word) {
 
 const char *words_nearest(const char *const *words, const char *word) {
     const char *nearest = NULL;
-    int edits = ((int)strlen(word) + 1) / 2 + 1; /* what has no half in common is not near */
+    int edits = ((int)strlen(word) + 1) / 2 + 1; /* a word without half in common is not near */
     for (int i = 0; words[i]; i++) {
         int d = distance(words[i], word);
         if (d >= edits) continue;
