@@ -15,18 +15,18 @@
 #include <stdlib.h>
 #include <string.h>
 
-static const double ALIKE = 0.02;     /* shares that differ by less tell nothing apart */
-static const double STEADY = 0.25;    /* relative change of a size from rung to rung that still counts as none */
-static const double LEAST_MEAN = 0.3; /* of the effect of the arithmetic mean, for another one to be seen */
+static const double INDISTINCT = 0.02; /* shares that differ by less tell nothing apart */
+static const double STEADY = 0.25;     /* relative change of a size from rung to rung that still counts as none */
+static const double LEAST_MEAN = 0.3;  /* least share of the arithmetic mean's effect to detect another one */
 enum { POINTS = 20000, FAULTS = 56 };
 
 struct candidate_fault {
     struct fault fault;
     struct fit fine, coarse;
-    double unit[2];   /* of the size at the fine and the coarse rung: a step, a cell, or 1 */
+    double unit[2];   /* unit of the size at the fine and the coarse rung: a step, a cell, or 1 */
     double drift;     /* |log| of the change of the size in its unit; INFINITY where it does not stay */
-    const char *name; /* of the unit */
-    double steps[2];  /* of a clock whose steps are known: the size at both rungs */
+    const char *name; /* name of the unit */
+    double steps[2];  /* for a clock with known steps: the size at both rungs */
 };
 
 /* dx^2/24 laplace(T) of the start, K, by differences within the cell; NAN next to a side. */
@@ -55,7 +55,7 @@ double diagnosis_mean(const struct problem *p, const struct diagnosis_rung *star
 static int list_faults(const struct problem *p, struct fault *list) {
     static const struct {
         enum fault_kind kind;
-        int count; /* of axes, sides or corners */
+        int count; /* number of axes, sides or corners */
     } kinds[] = {{FAULT_CLOCK, 1},       {FAULT_CONDUCTIVITY, 1}, {FAULT_SWAP, 1},      {FAULT_TRANSPOSED, 1},
                  {FAULT_SOURCE, 1},      {FAULT_CAPACITY, 1},     {FAULT_INTERFACE, 1}, {FAULT_MEAN, 1},
                  {FAULT_AMPLITUDE, 1},   {FAULT_SOURCE_TIME, 1},  {FAULT_FROZEN, 1},    {FAULT_DIFFUSIVITY, 1},
@@ -72,8 +72,8 @@ static int list_faults(const struct problem *p, struct fault *list) {
     return n;
 }
 
-/* How far outwards, m, the jumps of the start lie where it jumps midway between the points next to them along an
- * axis; 0 where they do not agree. */
+/* Outward displacement, m, of the jumps of the initial data, if they are midway between the adjacent points along an
+ * axis; 0 if they do not agree. */
 static double displacement(const struct problem *p, int axis, const struct diagnosis_rung *r) {
     const double *x = axis ? r->field->y : r->field->x;
     double out = 0;
@@ -228,11 +228,11 @@ static int fit_all(const struct problem *p, const struct diagnosis_rung *rung, s
 }
 
 static int stays(const struct candidate_fault *c) {
-    return c->drift <= log(1 + STEADY) && c->coarse.share >= FIT_SHARE - ALIKE;
+    return c->drift <= log(1 + STEADY) && c->coarse.share >= FIT_SHARE - INDISTINCT;
 }
 
-/* What a more usual fault often explains as well: a clock that is off by the same time at every spacing (T depends on
- * kappa t alone: a conductivity), and a coefficient of some size (one that stands in the place of another). */
+/* Faults that a more common fault often explains as well: a clock with the same offset at every spacing (T depends
+ * on kappa t only: a conductivity), and a coefficient of arbitrary size (one in the place of another). */
 static int is_rare(const struct candidate_fault *c) {
     int end = c->fault.kind == FAULT_CLOCK && strcmp(c->name, "s") == 0;
     return end || c->fault.kind == FAULT_AXIS || c->fault.kind == FAULT_RHO_C;
@@ -261,7 +261,7 @@ static unsigned sides_of(const struct problem *p, struct fault fault) {
 /* The mean that makes `found` of the effect of the arithmetic mean at a contact: effects are as 1/k - 1/harmonic. */
 static int mean_of(const struct problem *p, double found) {
     static const double NEAR = 0.12;
-    static const double HALF = 0.45, MUCH = 0.3; /* of the way from the geometric to the arithmetic mean */
+    static const double HALF = 0.45, MUCH = 0.3; /* positions between the geometric and the arithmetic mean */
     double a = p->material[0].k[0], b = p->material[1].k[0], harmonic = (1 / a + 1 / b) / 2;
     double geometric = (1 / sqrt(a * b) - harmonic) / (2 / (a + b) - harmonic);
     double way = (found - geometric) / (1 - geometric);
@@ -313,7 +313,8 @@ void diagnosis_find(const struct problem *p, const struct diagnosis_rung *fine, 
         if (c[i].fine.part >= FIT_MOST) most = fmax(most, c[i].fine.share);
     d->share = most;
     for (int i = 0; i < n; i++) {
-        if (c[i].fine.part < FIT_MOST || c[i].fine.share < fmax(FIT_SHARE, most - ALIKE) || !stays(&c[i])) continue;
+        if (c[i].fine.part < FIT_MOST || c[i].fine.share < fmax(FIT_SHARE, most - INDISTINCT) || !stays(&c[i]))
+            continue;
         if (best < 0 || is_better(&c[i], &c[best])) best = i;
     }
     if (best >= 0) {
@@ -374,7 +375,7 @@ int diagnosis_unstable(const struct diagnosis_rung *r, struct diagnosis *d) {
         largest = fmax(largest, fabs(r->field->T[i] - r->exact[i]));
         if (isfinite(r->exact[i])) exact = fmax(exact, fabs(r->exact[i]));
     }
-    int turns = 0; /* of the sign of the error from point to point */
+    int turns = 0; /* sign changes of the error from point to point */
     for (size_t i = 1; i < r->field->n; i++)
         turns += (r->field->T[i] - r->exact[i]) * (r->field->T[i - 1] - r->exact[i - 1]) < 0;
     if (!(largest > FAR * exact) || !(4 * turns > (int)r->field->n)) return 0;

@@ -25,7 +25,7 @@ struct diagnosis {
     struct fault fault;
     double size;      /* in `unit` */
     const char *unit; /* "steps", "s", "dx^2/kappa", "%", "cells", "K", "digits" or "" */
-    double share;     /* of the squared error, 0 to 1, at the finest rung; NAN where it is not by its share */
+    double share;     /* share of the squared error, 0 to 1, at the finest rung; NAN if another criterion applies */
     double fourier;   /* dt kappa/dx^2 of the finest rung; 0 where unknown */
     unsigned sides;   /* 1 << enum side_kind of each side that the fault is about; 0 where it is about none */
     char what[240];   /* "as if the run had stopped 0.98 steps early"; why none is named where none is */

@@ -1,15 +1,15 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Faults as changes of a problem.
  *
- * A wall that lies elsewhere stretches the domain by s along an axis: with x = c + s (X - c) the equation in X has
- * k/s^2 for k, and a flux q or a coefficient b at a side across that axis becomes q/s and b/s, so that the lattice of
- * the right problem serves the faulty one. */
+ * A displaced wall stretches the domain by s along an axis: with x = c + s (X - c) the equation in X has k/s^2 in
+ * place of k, and a flux q or a coefficient b at a side across that axis becomes q/s and b/s.  The lattice of the
+ * right problem thus serves the faulty one. */
 #include "verification/diagnosis/fault.h"
 
 #include <math.h>
 #include <string.h>
 
-/* The fault of *p; right: where X of the faulty problem lies in the coordinates that its data are given in. */
+/* The fault of *p; right: position of X of the faulty problem in the coordinates of its data. */
 static const struct faulty *faulty_at(const struct problem *p, const double x[2], double right[2]) {
     const struct faulty *f = p->data;
     int turned = f->fault.kind == FAULT_TRANSPOSED;
@@ -17,7 +17,7 @@ static const struct faulty *faulty_at(const struct problem *p, const double x[2]
     return f;
 }
 
-/* Away from the nearer of the jumps along an axis, so that what lies between two of them is wider by the size. */
+/* Moves away from the nearer of the jumps along an axis, which widens the region between two of them by the size. */
 static double narrowed(const struct problem *p, int axis, double x, double size) {
     double middle = 0;
     for (int k = 0; k < p->jumps[axis]; k++) middle += p->jump[axis][k] / p->jumps[axis];
@@ -47,9 +47,8 @@ static double wall(const struct problem *p, enum side s, const double x[2]) {
     return f->fault.kind == FAULT_OFFSET && f->right->side[s] != NEUMANN ? value + f->size : value;
 }
 
-/* What the cell of a corner lacks, W m^-3, where the sides of given temperature T there are taken for cold: 2 k
- * T/dx^2 of each, across half a cell.  Nothing on a side itself and even about it, so that ghosts have no part in it.
- */
+/* Heat lost in the cell of a corner, W m^-3, if its Dirichlet sides at T are assumed cold: 2 k T/dx^2 for each,
+ * across half a cell.  It is zero on a side and even about it, so ghosts do not contribute. */
 static double lost_at_corner(const struct faulty *f, const double x[2]) {
     const struct problem *p = f->right;
     double dx = f->size, lost = 0;
@@ -173,7 +172,7 @@ static void stretch(struct faulty *f, int axis) {
     if (axis == 0) p->interface = f->centre[0] + (p->interface - f->centre[0]) / s;
 }
 
-/* What the fault makes of the coefficients of *f, which are those of *p yet. */
+/* Applies the fault to the coefficients of *f, which are initially those of *p. */
 static void change_coefficients(const struct problem *p, struct faulty *f) {
     struct problem *q = &f->problem;
     const enum fault_kind kind = f->fault.kind;
@@ -196,7 +195,7 @@ static void change_coefficients(const struct problem *p, struct faulty *f) {
     }
 }
 
-/* Where the sides, the interface and the jumps lie. */
+/* Applies the fault to the positions of sides, interface and jumps. */
 static void change_places(const struct problem *p, struct faulty *f) {
     struct problem *q = &f->problem;
     const enum fault_kind kind = f->fault.kind;

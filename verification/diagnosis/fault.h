@@ -24,8 +24,8 @@ enum fault_kind {
     FAULT_NEAR_WALL,    /* m: cooled sides exchange heat with the temperature so far inside (half a cell) */
     FAULT_WALL,         /* relative: what a side holds, temperature or flux; -1: zero */
     FAULT_CORNER,       /* m: for a corner's cell of that size, sides of given temperature there are at zero */
-    FAULT_EXTENT,       /* m: both sides across an axis lie so far outside */
-    FAULT_START_SHIFT,  /* m: the initial data lie so far along an axis */
+    FAULT_EXTENT,       /* m: both sides across an axis are displaced outwards by this */
+    FAULT_START_SHIFT,  /* m: the initial data are displaced by this along an axis */
     FAULT_START_WIDTH,  /* m: either jump of the initial data is so far out along an axis */
     FAULT_SAMPLES,   /* 1: either jump is midway between the points next to it along an axis, as from values there */
     FAULT_INTERFACE, /* m: the interface of two materials */

@@ -1,19 +1,20 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Least squares of the error field e with the response f of one fault at a time, beside what differences of second
- * order leave at the same spacing: in space g, in time (Euler's, of mesh Fourier number 1) h,
+/* Least squares of the error field e with the response f of one fault at a time, in addition to the discretization
+ * errors of second-order differences at the same spacing: in space g, in time (Euler's, at mesh Fourier number 1) h,
  *
  *     e = size f + b g + c h + d m,    |b| <= 2,  |c| <= 1/2,  |d| <= 2
  *
- * since a faulty code has its errors of discretization too.  m = dx^2/24 laplace(T) is what the mean over a cell has
- * more than the value at its centre.  A code's numbers are values (d = 0), means over cells (1), linear elements that
- * start from a projection (-2 at their nodes, 2 with a lumped mass): what is so at the start stays so, since d m goes
- * through time as T does, unless a source adds values to means.  An answer at the start tells d (diagnosis_mean), and
- * its part is taken off e.  Without one, where m looks like the fault (of one material without a source it is
- * dx^2/(24 kappa) dT/dt, a clock that is fast by a sixth of a step at F = 1/4) no fit can tell, and d = 1/2, between
- * values and means, is taken.  From data that jump, where means are values on faces, g has it already: d = 0.  A
- * fault whose part |size f| is not at least twice |g + h/5| and three times |m|, which is more than any of these d
- * are from 1/2, is none: that is the size of a correct code's error.  The twentieth of the points where g is largest
- * (corners whose sides disagree) is left out. */
+ * since a faulty code has discretization errors too. m = dx^2/24 laplace(T) is the difference between a cell mean
+ * and the value at its centre.  The numbers of a code are values (d = 0), cell means (1), or linear elements with
+ * projected initial data (-2 at their nodes, 2 with a lumped mass). d is constant in time, because d m evolves like
+ * T, unless a source adds values to means.  An answer at the start determines d (diagnosis_mean), and its part is
+ * subtracted from e.  Without one, if m resembles the fault (for one material without a source it is dx^2/(24 kappa)
+ * dT/dt, a clock that is fast by a sixth of a step at F = 1/4), no fit can separate them, and d = 1/2, between
+ * values and means, is used.  For data with jumps, where means are values on faces, g already includes it: d = 0.
+ *
+ * A fault with |size f| below twice |g + h/5| or three times |m|, more than any of these d differ from 1/2, is not
+ * reported: that is the size of a correct code's error.  The 5 % of the points with the largest g (discontinuous
+ * corners) are excluded. */
 #include "verification/diagnosis/fit.h"
 
 #include "solver/field.h"
@@ -38,7 +39,7 @@ struct fit fit_fault(const struct fit_errors *s, const double *f) {
             for (int l = 0; l < N; l++) a[k][l] += w * v[k] * v[l];
     }
     if (!(a[0][0] > 0 && a[1][1] > 0)) return (struct fit){0, 0, 0};
-    double x[N] = {-1, 0, 0, 0, s->is_mean ? 0.5 : 0}; /* of e, f, g, h, m: x.v is what is left */
+    double x[N] = {-1, 0, 0, 0, s->is_mean ? 0.5 : 0}; /* coefficients of e, f, g, h, m: x.v is the residual */
     int numbers = s->is_mean && a[1][4] * a[1][4] < FIT_SHARE * a[1][1] * a[4][4] ? N : N - 1;
     for (int round = 0; round < ROUNDS; round++)
         for (int k = 1; k < numbers; k++) {

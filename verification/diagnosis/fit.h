@@ -9,8 +9,8 @@ struct field;
 struct problem;
 struct response_lattice;
 
-static const double FIT_SHARE = 0.9; /* of the squared error that a fault must explain to be named */
-static const double FIT_MOST = 2;    /* of what differences of second order leave: a correct code's own error */
+static const double FIT_SHARE = 0.9; /* least share of the squared error that a fault must explain to be reported */
+static const double FIT_MOST = 2; /* multiple of the second-order discretization error: a correct code's own error */
 
 struct fit {
     double size, share;

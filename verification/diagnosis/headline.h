@@ -7,7 +7,7 @@
 #include "verification/diagnosis/diagnosis.h"
 
 struct headline {
-    struct diagnosis fault; /* of the middle size among the rows that agree; FAULT_ANY where their axes differ */
+    struct diagnosis fault; /* median size among the rows that agree; FAULT_ANY if their axes differ */
     int votes, failing;     /* rows that agree, and all that do not pass */
     int is_firm;            /* 1: at least two agree, and at least half of all that do not pass */
 };

@@ -31,8 +31,7 @@ static int is_face(double at, double lo, double dx) {
     return fabs(cells - nearbyint(cells)) < 1e-9 * fabs(cells) + 1e-12;
 }
 
-/* How many of the jumps and the interface lie on faces of n cells along x; -1 where the cells do not fit the domain.
- */
+/* Number of jumps and interfaces on faces of n cells along x; -1 if the cells do not fit the domain. */
 static int fit(const struct problem *p, int n) {
     double dx = (p->hi[0] - p->lo[0]) / n;
     int faces = p->materials == 2 && is_face(p->interface, p->lo[0], dx);
@@ -103,7 +102,7 @@ static void in_plane(double *const x[2], const double *D, const int n[2], const 
     gsl_spline2d_free(spline);
 }
 
-/* The cell centres along an axis, for the caller to free: where they lie in the coordinates of the right problem. */
+/* The cell centres along an axis, in the coordinates of the right problem; the caller frees them. */
 static double *centres(const struct faulty *f, const struct response_lattice *l, int axis) {
     double *x = xcalloc((size_t)l->n[axis], sizeof *x);
     for (int i = 0; i < l->n[axis]; i++) {
@@ -152,7 +151,7 @@ void response_laplacian(const struct problem *p, const struct response_lattice *
 int response_take(const struct problem *p, const struct response_lattice *l, struct fault fault, double size,
                   struct response *r) {
     enum mean mean = fault.kind == FAULT_MEAN ? MEAN_ARITHMETIC : MEAN_SERIES;
-    double small = fault.kind == FAULT_MEAN ? l->dx : fault_probe(p, fault); /* what is in one cell is tried in one */
+    double small = fault.kind == FAULT_MEAN ? l->dx : fault_probe(p, fault); /* one cell for a local fault */
     r->size = size != 0 ? size : small;
     return fault_make(p, fault, r->size, &r->with) && !solve(&r->with.problem, l->dx, FOURIER, mean, &r->T) ? 0 : -1;
 }

@@ -32,7 +32,7 @@ void response_laplacian(const struct problem *p, const struct response_lattice *
 /* The final temperature of *p with that fault. */
 struct response {
     struct faulty with;
-    double size;    /* of the fault */
+    double size;    /* size of the fault */
     struct field T; /* K, on the lattice; owned */
 };
 

@@ -67,7 +67,7 @@ void battery_words(enum profile profile, int rungs, char *text, size_t size) {
 /* Stands for the program of rows that are listed or written. */
 static const struct program any = {.solver = "{case} {out}"};
 
-/* Where the command was refused for its program, without an answer for one, its bounds are those of any. */
+/* If the command was refused because of its program and has no answer, the bounds are the general ones. */
 static int set_bounds(struct gate_result *r, struct failure *why) {
     struct gate *g = &r->gate;
     struct command own;

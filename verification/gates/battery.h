@@ -21,11 +21,10 @@ struct battery_row {
     const char *run;    /* verb and scene */
     const char *sets;   /* NAME=VALUE of the scene's parameters, blanks between */
     const char *rungs;  /* further options */
-    const char *ranges; /* of what a seed draws: NAME=LO:HI of the scene's parameters, offset=LO:HI in K of the scene,
-                           and `cross`: the image is the one of the scene's other rows with x and y exchanged and both
-                           turned round (of a rod: turned round), so that one draw has all that it must see on either
-                           hand */
-    int line;           /* of battery.def: the row's bounds */
+    const char *ranges; /* ranges for random draws: NAME=LO:HI of the scene's parameters, offset=LO:HI in K of the
+                           scene, and `cross`: the image is that of the scene's other rows with x and y exchanged and
+                           both reversed (for a rod: reversed), so that one draw covers both orientations */
+    int line;           /* line of battery.def with the row's bounds */
     const char *why;
 };
 

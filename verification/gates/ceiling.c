@@ -61,7 +61,7 @@ struct lattice_case {
     enum kernel_name kernel;
     int dim, order;
     double h, ratio; /* h/dx; kappa_y over kappa_x */
-    double eta;      /* of -W' r/(r^2 + eta^2), in dx */
+    double eta;      /* eta of -W' r/(r^2 + eta^2), in dx */
 };
 
 static double radial(const struct lattice_case *c, double r) {

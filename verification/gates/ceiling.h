@@ -92,6 +92,6 @@ double ceiling_sixth(const struct experiment *e);
 
 /* ---- Words for the rows ---- */
 
-double ceiling_param(const struct experiment *e, const char *name); /* of the scene; NAN where it has none */
+double ceiling_param(const struct experiment *e, const char *name); /* parameter of the scene; NAN if it has none */
 
 #endif

@@ -363,7 +363,7 @@ struct axis {
     double length, b_k; /* m; b/k, m^-1 */
     int held, n;
     double dx, mu, start[2];         /* m; of the start start[0] + start[1] x */
-    double q[2][MODES], c[2][MODES]; /* of the solution, of the lattice */
+    double q[2][MODES], c[2][MODES]; /* wave numbers and coefficients: solution, lattice */
 };
 
 static double slope_at_wall(const struct axis *a, double q, int lattice) {

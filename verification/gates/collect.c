@@ -20,7 +20,7 @@ struct row {
     const char *id;
     enum gate_tier tier;
     const char *measure, *command;
-    int line; /* of gates.def: the row's bounds */
+    int line; /* line of gates.def with the row's bounds */
     const char *why;
 };
 
@@ -95,7 +95,7 @@ static void set_bounds(struct gate_result *r) {
 
 /* ---- References ---- */
 
-enum { TEXT = 160 }; /* of the name and of the command of a reference's gate */
+enum { TEXT = 160 }; /* length of the name and of the command of a reference's gate */
 
 /* Every scene's reference is gated without a row: its two forms agree within their bounds, which are small. */
 static void add_reference(struct gates *g, const struct scene *s) {

@@ -21,7 +21,7 @@ enum { ID_MOST = 200 }; /* bytes: a path with it fits */
 struct scanner {
     const char *name;
     const char *start, *at, *end;
-    char *to; /* where the next text goes: never more than was read */
+    char *to; /* position for the next text, at most the length read so far */
     struct failure *why;
 };
 
@@ -67,7 +67,7 @@ static int skip_blanks(struct scanner *s) {
     }
 }
 
-/* What stands there, for a message. */
+/* Describes the text at this position, for a message. */
 static const char *found(const struct scanner *s, char quoted[48]) {
     size_t n = 0;
     while (s->at + n < s->end && n < 20 && s->at[n] != '\n') n++;
@@ -119,7 +119,7 @@ static int take_text(struct scanner *s, const char *what, const char **text) {
     return **text ? STATUS_OK : wrong(s, "the %s is empty", what);
 }
 
-/* Letters, digits and what numbers are made of. */
+/* Length of a word of letters, digits and characters of numbers. */
 static size_t word_length(const struct scanner *s) {
     size_t n = 0;
     while (s->at + n < s->end && s->at[n] &&
@@ -177,8 +177,7 @@ static int take_row(struct scanner *s, struct gate *g) {
     return take_mark(s, ')');
 }
 
-/* What --keep keeps of a gate lies in a folder of its name: each part between slashes is one, and none leads
- * elsewhere. */
+/* --keep uses a folder named after the gate: each part between slashes is one level, and none leads outside. */
 static int check_id(struct scanner *s, const char *id) {
     if (strlen(id) > ID_MOST) return wrong(s, "the row above, '%.60s...': an id of more than %d bytes", id, ID_MOST);
     if (strchr(id, '\n')) return wrong(s, "the row above: an id of one line is wanted");

@@ -22,7 +22,7 @@ struct gate {
     const char *measure; /* a row of measures.def */
     const char *command; /* as a user would type it after the program's name */
     double lo, hi;       /* the band of the measure */
-    double ceiling;      /* of the error beside it; NAN for none */
+    double ceiling;      /* bound of the error in addition; NAN for none */
     const char *why;     /* the fault that it sees, and where the bounds come from */
 };
 
@@ -30,10 +30,10 @@ enum { GATES_COMMAND = 4096, GATES_SOLVER = 2000 }; /* letters of a command, and
 
 struct gate_result {
     struct gate gate;
-    int line;                  /* of gates.def or battery.def, whose expressions give the bounds; 0: numbers */
+    int line;                  /* line of gates.def or battery.def with the expressions of the bounds; 0: numbers */
     struct command *read;      /* owned: of gates_read; NULL where it was refused, or not read yet */
     struct failure refused;    /* STATUS_OK where it was not */
-    char typed[GATES_COMMAND]; /* of gates_command */
+    char typed[GATES_COMMAND]; /* text from gates_command */
     struct measured measured;
     double seconds;
     int executed;
@@ -107,7 +107,7 @@ int gates_is_drawn(const struct gate *gate);
  * run is a failed verdict with its reason. */
 void gates_judge(const struct gate *gate, const struct program *program, struct measured *m);
 
-/* What shows the same verdict when it is typed after the program's name. */
+/* The command that repeats the verdict, without the program's name. */
 void gates_command(const struct gate *gate, const struct program *program, char *text, size_t size);
 
 /* Letters of a row's group, its id up to the first slash; 1 where two ids have the same. */

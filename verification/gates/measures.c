@@ -96,8 +96,8 @@ void measures_slope_offsets(const struct command *r, double lo, double hi, struc
     }
 }
 
-/* Errors of space and time can cancel, at a mesh Fourier number of 1/6 for one, and what is left falls by steps that
- * are not quite what they should be: an error so far below what is allowed tells enough. */
+/* Errors of space and time can cancel, for example at a mesh Fourier number of 1/6, and the remainder decreases
+ * irregularly: an error so far below the limit is sufficient. */
 void measures_order(const struct command *r, double lo, double hi, struct measured *m) {
     static const double SMALL = 1.0 / 40;
     take_slope(1, r, lo, hi, m);

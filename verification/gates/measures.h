@@ -2,7 +2,7 @@
 #ifndef HEATLADDER_VERIFICATION_MEASURES_MEASURES_H
 #define HEATLADDER_VERIFICATION_MEASURES_MEASURES_H
 
-/* What a gate can measure, by name.  A new measure is a row of measures.def and a function. */
+/* The measures of a gate, by name.  A new measure is a row of measures.def and a function. */
 
 #include "verification/diagnosis/diagnosis.h"
 #include "verification/text/number.h"
@@ -18,8 +18,8 @@ struct result;
 /* The rungs of a ladder, coarsest first, for a chart and a table. */
 struct rungs {
     int n;            /* 0 where there is no ladder */
-    char axis[60];    /* of x, with its unit: "dx [m]" */
-    const char *norm; /* of the errors: "E1" */
+    char axis[60];    /* name of x, with its unit: "dx [m]" */
+    const char *norm; /* norm of the errors: "E1" */
     double x[NUMBERS_MAX];
     double error[NUMBERS_MAX]; /* NaN where the run failed */
     int counts[NUMBERS_MAX];   /* 1 where the rung counts for the slope */
@@ -28,7 +28,7 @@ struct rungs {
 struct measured {
     double value;
     double ci[2]; /* 95 % interval of a slope; else the value twice */
-    double error; /* what a ceiling bounds: E1; of a ladder its norm at the finest rung that counts; NaN: none */
+    double error; /* error bounded by a ceiling: E1; for a ladder its norm at the finest included rung; NaN: none */
     enum verdict verdict;
     char reason[400];
     struct diagnosis found; /* the usual fault that the errors look like; not named where none was looked for */
@@ -51,8 +51,8 @@ extern const struct measure measures[]; /* ended by a NULL name */
 #include "verification/gates/measures.def"
 #undef MEASURE
 
-/* What most measures end with: a failure with its reason (skipped where the program skips the case), or the verdict
- * on lo <= value <= hi. */
+/* Common endings of measures: a failure with its reason (skipped if the program skips the case), or the verdict on
+ * lo <= value <= hi. */
 void measures_fail(struct measured *m, const struct failure *why);
 void measures_judge(struct measured *m, double value, double lo, double hi);
 

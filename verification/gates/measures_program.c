@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* What is asked of another program beside its errors. */
+/* Measures of an external program besides its errors. */
 #include "verification/gates/measures.h"
 
 #include "solver/field.h"
@@ -70,8 +70,8 @@ void measures_slope_time(const struct command *r, double lo, double hi, struct m
     free(l);
 }
 
-/* Of one run few digits are seen; other faults are followed from a run at twice the spacing.  Runs that differ leave
- * the error open, and so do digits that may be all that is above `hi`. */
+/* A single run has few known digits; other faults are identified with a run at twice the spacing.  If runs differ,
+ * or if the printed digits could account for the excess over `hi`, the error is inconclusive. */
 static void diagnose(const struct command *r, const struct field *f, double hi, struct measured *m) {
     const struct experiment *e = &r->experiment;
     const double dx = e->options.dx;
