@@ -77,6 +77,9 @@ static const char *text_of(const struct diagnosis *d) {
         return "as if the run had stopped {size} {unit} {way}: one step, if steps are of that length";
     if (d->fault.kind == FAULT_OFFSET && fabs(fabs(d->size) - 273.15) < 0.5)
         return "all temperatures are {size} K too {way}: degrees Celsius and kelvin are mixed";
+    if (d->fault.kind == FAULT_SOURCE_TIME && strcmp(d->unit, "steps") == 0 && fabs(fabs(d->size) - 0.5) < 0.1)
+        return d->size < 0 ? "as if the source were that of {size} steps earlier: of the step's start, not its middle"
+                           : "as if the source were that of {size} steps later: of the step's end, not its middle";
     if ((is_wall || is_source) && fabs(d->size + 100) < 5)
         return is_wall ? "as if what {name} were lost" : "as if the source were lost";
     if ((is_wall || is_source) && fabs(d->size + 200) < 10)

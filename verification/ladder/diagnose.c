@@ -6,6 +6,7 @@
 #include "solver/field.h"
 #include "solver/status.h"
 #include "verification/diagnosis/diagnosis.h"
+#include "verification/diagnosis/wording.h"
 #include "verification/ladder/ladder.h"
 #include "verification/ladder/self_difference.h"
 #include "verification/run/norms.h"
@@ -87,6 +88,10 @@ void diagnose_ladder(const struct experiment *e, const struct field kept[2], str
     }
     if (!diagnosis_unstable(&rung[0], &l->diagnosis) && !diagnosis_unstable(&rung[1], &l->diagnosis))
         diagnosis_find(mapped ? &image.problem : &e->problem, &rung[0], &rung[1], &l->diagnosis);
+    if (!mapped && l->diagnosis.named && l->diagnosis.fault.kind == FAULT_OFFSET) {
+        l->diagnosis.size *= mapping_scale(&e->program.map); /* in the temperatures of the case */
+        wording_fault(&l->diagnosis);
+    }
     struct diagnosis repeats;
     if (!l->diagnosis.named && diagnosis_repeat(noise->apart, field_largest(&kept[1]), &repeats))
         l->diagnosis = repeats;

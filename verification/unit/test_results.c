@@ -1,6 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Cases written now and judged later, ladders in a parameter of a program, and ladders in time by self-differences.
- */
+/* Cases written now and judged later, and ladders in a parameter of a program. */
 #include "verification/foreign/case_file.h"
 #include "verification/foreign/results.h"
 
@@ -263,30 +262,6 @@ static void a_program_varies_in_what_it_likes(void **state) {
     assert_near(in_cells.slope.value, in_dx.slope.value, 1e-9);
 }
 
-/* For a particle method the semi-discrete solution is known: the errors that self-differences give are those. */
-static void self_differences_find_the_error_in_time(void **state) {
-    (void)state;
-    struct ladder ours, theirs;
-    climb("ladder rod-gauss ftcs --dx 0.5 --dt 0.3,0.2,0.1,0.03,0.02 --set kappa=0.1", &theirs, 0);
-    climb("ladder rod-gauss so_ssph --dx 0.5 --dt 0.3,0.2,0.1,0.03,0.02 --stepper euler --h 1 --set kappa=0.1", &ours,
-          0);
-    assert_int_equal(theirs.n, 4);
-    for (int i = 0; i < 4; i++) {
-        double known = ours.rung[i].error.l1;
-        assert_near(theirs.rung[i].error.l1, known, 0.02 * known);
-        assert_near(theirs.x[i], ours.x[i], 1e-12);
-    }
-    assert_near(theirs.slope.value, 1, 0.02);
-}
-
-static void it_needs_one_grid(void **state) {
-    (void)state;
-    struct ladder l;
-    climb("ladder rod-gauss mine --dx 1 --fourier 0.4,0.2,0.1 --solver 'sed \"s/^dx = .*/dx = "
-          "$(awk \"/^fourier/{print 2.5*\\$3}\" {case})/\" {case} > {case}.m && " AWK " {case}.m > {out}'",
-          &l, STATUS_INPUT);
-}
-
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(later_is_as_now),
@@ -297,8 +272,6 @@ int main(void) {
         cmocka_unit_test(the_plane_of_a_slab_is_kept),
         cmocka_unit_test(draws_are_judged_later),
         cmocka_unit_test(a_program_varies_in_what_it_likes),
-        cmocka_unit_test(self_differences_find_the_error_in_time),
-        cmocka_unit_test(it_needs_one_grid),
     };
     char command[UNIT_PATH + 32];
     if (!scratch_directory(dir, "results-test")) return 1;
