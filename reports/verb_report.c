@@ -27,14 +27,12 @@ static int write_page(const char *dir, struct failure *why) {
     return STATUS_OK;
 }
 
-/* Without a study: the papers' tables and figures, and the matched run. */
+/* By default: the papers' tables and figures, and the matched run. */
 static const struct study {
     const char *name;
     int (*write)(const char *dir, struct failure *why);
-    const char
-        *title; /* of what is written without a study too; NULL: written where it is named, and says so itself */
-    const char
-        *first; /* of its files: that it can be written is seen before anything is measured; NULL: seen by it */
+    const char *title; /* printed at the end, for a study that is written by default; NULL: only by its name */
+    const char *first; /* a file of it, tried before anything is measured; NULL: the study tries it */
 } studies[] = {
     {"song", song_write, "Song 2018", "song_table1.md"},
     {"pamplona", pamplona_write, "Pamplona 2019", "pamplona_table1.md"},

@@ -10,8 +10,8 @@
 struct document {
     struct output page[2]; /* Markdown, HTML */
     FILE *md, *html;
-    int columns; /* of the open table; 0: none is open */
-    int cells;   /* in its current row */
+    int columns; /* columns of the open table; 0: none is open */
+    int cells;   /* cells in its current row */
     int heading; /* 1: in the row of headers */
 };
 

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* What the measures of claims are made of. */
+/* Tools of the measures. */
 #include "reports/ledger/claim.h"
 
 #include "verification/ladder/command.h"

@@ -33,7 +33,7 @@ struct claims_measured {
     enum claims_verdict verdict;
     int count; /* numbers */
     struct claims_number number[CLAIMS_NUMBERS];
-    char published[320]; /* where that is a table: its numbers; else "" */
+    char published[320]; /* numbers of a published table; else "" */
     char reason[720];    /* how the numbers make the verdict; what the row adds; whether it changed */
 };
 
@@ -41,10 +41,10 @@ struct claims_row {
     const char *id;
     const char *source;                         /* paper, and equation, table, figure or section */
     const char *published;                      /* the statement or the number */
-    void (*measure)(struct claims_measured *m); /* of claim.h */
+    void (*measure)(struct claims_measured *m); /* a function of one of the papers, with the tools of claim.h */
     const char *argument;
     enum claims_verdict expected;
-    const char *why; /* what explains the numbers */
+    const char *why; /* the explanation of the numbers */
 };
 
 struct claims_result {
@@ -74,7 +74,7 @@ int claims_holds(const struct claims_row *row, const struct claims_measured *m);
 /* 1 where that is so for every row, and there is one. */
 int claims_hold(const struct claims *c);
 
-/* What was published: the row's words, and the numbers of the table that it speaks of. */
+/* The published statement: the row's words, and the numbers of its table. */
 void claims_published(const struct claims_result *r, char *text, size_t size);
 
 /* "name 1.234 unit; name ..." cut to size. */

@@ -90,7 +90,7 @@ void ledger_order_table(struct claims_measured *m) {
                  "every error within 2 %% or one unit of its last digit; within 10 %% leaves a choice open");
 }
 
-/* What the errors of Table 2 lack, by two fits of one number each: decimals of the exact solution, and seconds of the
+/* The gap of the errors of Table 2 by two fits of one number each: decimals of the exact solution, seconds of the
  * clock.  A fit explains them where it gives every digit that is printed: no tolerance besides half a unit of those.
  */
 void ledger_order_gap(struct claims_measured *m) {
@@ -242,7 +242,7 @@ void ledger_order_steadier(struct claims_measured *m) {
         better &= of.error[1] < other.error[1] && other.growth > 0;
     }
     claim_decide(m, better && of.growth == 0, !is_sensitive(&of),
-                 "the least E1 with places off, and the only one of which no mode grows; without a condition if "
+                 "the least E1 with places off, and the only one without a growing mode; without a condition if "
                  "it keeps its order");
 }
 

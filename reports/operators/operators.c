@@ -128,8 +128,8 @@ static void tabulate_orders(const struct order *all, struct document *d) {
 
 /* ---- Error against work ---- */
 
-static const int worked_on[] = {0, 3, 4}; /* of the clouds */
-enum { WORKED_ON = 3, WORKED = 2 /* of the trials */ };
+static const int worked_on[] = {0, 3, 4}; /* indices of clouds */
+enum { WORKED_ON = 3, WORKED = 2 /* index of a trial */ };
 static const double ENOUGH = 1e-3; /* error to be reached */
 
 /* The interactions (pairs of neighbours in all steps and stages) at which E1 falls to `error`, between two rungs on
@@ -176,7 +176,7 @@ static int has_h(const char *method) {
 }
 
 static const double lengths[] = {0.9, 1.0, 1.1, 1.2, 1.3, 1.5, 1.75, 2};
-static const int drawn[] = {0, 2, 4}; /* of the clouds */
+static const int drawn[] = {0, 2, 4}; /* indices of clouds */
 
 enum { LENGTHS = 8, DRAWN = 3 };
 
@@ -214,7 +214,7 @@ static int write_neighbours(FILE *out, struct failure *why) {
         if (k % LENGTHS == 0)
             fprintf(out, "\n\n# %s %s\nneighbours,%s,h/dx\n", o->method,
                     operators_clouds[drawn[k / (LENGTHS * OPERATORS)]].name, o->method);
-        if (all[k].status == STATUS_INPUT) /* what grows, or is singular, is left out */
+        if (all[k].status == STATUS_INPUT) /* unstable and singular runs are left out */
             status = STATUS_INPUT, *why = all[k].why;
         else if (!all[k].status)
             fprintf(out, "%.3f,%.5e,%g\n", all[k].neighbours, all[k].error, lengths[k % LENGTHS]);

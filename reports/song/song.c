@@ -42,7 +42,7 @@ static const struct compare tables[] = {
                        {"quartic kernel", "--h 1.05 --kernel quartic --stepper exact", 0, 0},
                        {"Wendland kernel", "--h 1.05 --kernel wendland --stepper exact", 0, 0},
                        END},
-     .note = {"Particles lie midway between the lattice's nodes, so that the jump is midway between two of them, and "
+     .note = {"Particles are midway between the lattice's nodes, so that the jump is midway between two of them, and "
               "walls are mirrored. E is taken against the infinite-line form (eq. 45), as in the paper; the last "
               "column of the first table has it against the solution between walls: 0.2 % apart in SO-SSPH at dx = "
               "0.01, and not in the printed digits from dx = 0.05 on.",
@@ -72,8 +72,8 @@ static const struct compare tables[] = {
          {"The paper prints neither h nor dt here; those of Table 1 are taken.",
           "h/dx = 1.05 is confirmed by dx = 0.25 to 1: within 1 %.",
           "No time step explains dx = 0.1. Euler's error has the opposite sign of the error in space, so that every "
-          "dt > 0 takes from E, while the printed numbers lie above the run without any time error.",
-          "What is missing is about 5e-7 at every dx and for both methods alike. Rounding the exact solution to six "
+          "dt > 0 takes from E, while the printed numbers are above the run without any time error.",
+          "The gap is about 5e-7 at every dx and for both methods. Rounding the exact solution to six "
           "decimals, as in a table of values written to a file, adds that much: 1 % is then left at dx = 0.1. So "
           "does a clock that ends 3e-4 s early. Both are fits of one number to two; neither is an explanation.",
           NULL}},

@@ -46,7 +46,8 @@ void html_close(FILE *out) {
     fprintf(out, "</main>\n</body>\n</html>\n");
 }
 
-/* XML allows neither invalid UTF-8, which becomes U+FFFD, nor other control characters than newlines, which become blanks. */
+/* XML allows neither invalid UTF-8, which becomes U+FFFD, nor other control characters than newlines, which become
+ * blanks. */
 static size_t put_letter(FILE *out, const char *text) {
     size_t length = utf8_length(text);
     if (length)

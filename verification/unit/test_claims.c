@@ -138,7 +138,7 @@ static void rows_hold_when_run(void **state) {
     assert_int_equal(c.count, 2);
     double start = omp_get_wtime();
     claims_run(&c);
-    double most = omp_get_wtime() - start; /* what each of them took at most */
+    double most = omp_get_wtime() - start; /* an upper bound for each */
     for (int i = 0; i < c.count; i++) assert_true(c.result[i].seconds > 0 && c.result[i].seconds <= most);
     for (int i = 0; i < c.count; i++)
         if (!claims_holds(c.result[i].row, &c.result[i].measured)) fail_msg("%s", c.result[i].measured.reason);
