@@ -10,7 +10,7 @@ struct failure;
 struct compare_choice {
     const char *label;   /* NULL ends the list; the first one is the paper's protocol */
     const char *options; /* beside --dx, as typed */
-    int decimals;        /* decimals of the solution compared with; 0: all */
+    int decimals;        /* decimals of the reference solution; 0: all */
     double late;         /* s: that solution is taken so much after the end of the run */
 };
 

@@ -59,7 +59,7 @@ static void write_lattice(const struct command_run *run, const struct figure_ser
     fprintf(out, "%.4g\n", 100 * run->result.error.l1);
 }
 
-/* On the extent of the field, from wall to wall. */
+/* The exact solution on a lattice over the domain of the field. */
 static void write_exact_lattice(const struct command_run *run, const struct figure_series *s, FILE *out) {
     const struct field *f = &run->field;
     const struct problem *p = &run->typed.experiment.problem;

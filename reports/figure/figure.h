@@ -28,7 +28,7 @@ struct figure_series {
 };
 
 struct figure {
-    const char *name; /* name of the file without .csv; NULL ends a list */
+    const char *name; /* name of the file, without .csv; NULL ends a list */
     const char *title;
     const struct figure_series *series; /* at most 10 */
 };
@@ -38,7 +38,7 @@ void figure_head(FILE *out, const char *title);
 
 /* A data file that is made by one function: `write` fills it, STATUS_OK or *why. */
 struct figure_page {
-    const char *name; /* name of the file without .csv */
+    const char *name; /* name of the file, without .csv */
     int (*write)(FILE *out, struct failure *why);
 };
 

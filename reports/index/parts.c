@@ -17,8 +17,8 @@ static const struct part {
     const char *section;
     const char *file; /* below the directory: .svg with its data in .csv, .html, or a text */
     int folded;
-    const char *text;    /* title */
-    const char *command; /* command that makes it */
+    const char *text;    /* content */
+    const char *command; /* command that writes it */
 } parts[] = {
     {"Verdict", "gates.html", 0, "The gates", "make verify"},
     {"Verdict", "gates.svg", 0, "Order reached and order expected of every ladder", "make verify"},

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Tools of the measures. */
+/* Components of the measures of claims. */
 #include "reports/ledger/claim.h"
 
 #include "verification/ladder/command.h"

@@ -61,7 +61,7 @@ struct claim_cell {
     double w[2][NEIGHBOURS_MAX];
 };
 
-/* By the method, dx, h and kernel of a command line.  0, or 1 with *m failed. */
+/* Weights of the method at dx, h and kernel of a command line.  Returns 0, or 1 with *m failed. */
 int claim_weights(struct claim_cell *cell, const double kappa[2], struct claims_measured *m, const char *command);
 
 #endif

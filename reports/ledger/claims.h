@@ -41,10 +41,10 @@ struct claims_row {
     const char *id;
     const char *source;                         /* paper, and equation, table, figure or section */
     const char *published;                      /* the statement or the number */
-    void (*measure)(struct claims_measured *m); /* a function of one of the papers, with the tools of claim.h */
+    void (*measure)(struct claims_measured *m); /* see claim.h */
     const char *argument;
     enum claims_verdict expected;
-    const char *why; /* the explanation of the numbers */
+    const char *why; /* explanation of the numbers */
 };
 
 struct claims_result {
@@ -74,7 +74,7 @@ int claims_holds(const struct claims_row *row, const struct claims_measured *m);
 /* 1 where that is so for every row, and there is one. */
 int claims_hold(const struct claims *c);
 
-/* The published statement: the row's words, and the numbers of its table. */
+/* The published statement: the row's text, and the numbers of its table. */
 void claims_published(const struct claims_result *r, char *text, size_t size);
 
 /* "name 1.234 unit; name ..." cut to size. */

@@ -90,9 +90,9 @@ void ledger_order_table(struct claims_measured *m) {
                  "every error within 2 %% or one unit of its last digit; within 10 %% leaves a choice open");
 }
 
-/* The gap of the errors of Table 2 by two fits of one number each: decimals of the exact solution, seconds of the
- * clock.  A fit explains them where it gives every digit that is printed: no tolerance besides half a unit of those.
- */
+/* Two single-parameter fits of the gap in the errors of Table 2: decimals of the exact solution, and an offset of
+ * the clock in seconds.  A fit explains them if it reproduces every printed digit, within half a unit of the last
+ * one. */
 void ledger_order_gap(struct claims_measured *m) {
     static const struct {
         const char *name;

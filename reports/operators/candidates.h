@@ -16,7 +16,7 @@ struct cloud_kind {
 
 struct candidate_operator {
     const char *method, *options;
-    int materials; /* number of materials in the problems that it is tried on */
+    int materials; /* materials in the test problems */
 };
 
 enum { CLOUDS = 5, OPERATORS = 15 };

@@ -129,7 +129,7 @@ static void tabulate_orders(const struct order *all, struct document *d) {
 /* ---- Error against work ---- */
 
 static const int worked_on[] = {0, 3, 4}; /* indices of clouds */
-enum { WORKED_ON = 3, WORKED = 2 /* index of a trial */ };
+enum { WORKED_ON = 3, WORKED = 2 /* trials */ };
 static const double ENOUGH = 1e-3; /* error to be reached */
 
 /* The interactions (pairs of neighbours in all steps and stages) at which E1 falls to `error`, between two rungs on
@@ -214,7 +214,7 @@ static int write_neighbours(FILE *out, struct failure *why) {
         if (k % LENGTHS == 0)
             fprintf(out, "\n\n# %s %s\nneighbours,%s,h/dx\n", o->method,
                     operators_clouds[drawn[k / (LENGTHS * OPERATORS)]].name, o->method);
-        if (all[k].status == STATUS_INPUT) /* unstable and singular runs are left out */
+        if (all[k].status == STATUS_INPUT) /* growing or singular operators are omitted */
             status = STATUS_INPUT, *why = all[k].why;
         else if (!all[k].status)
             fprintf(out, "%.3f,%.5e,%g\n", all[k].neighbours, all[k].error, lengths[k % LENGTHS]);

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Statements of other papers on steps and growth, measured on model problems. */
+/* Statements of other papers on time steps and growth, measured on model problems. */
 #include "reports/operators/operators.h"
 
 #include "reports/ledger/claim.h"
@@ -10,7 +10,7 @@
 
 static const double DEFAULT_H = 1.1; /* over dx, of a method without one */
 
-/* The limits of "limit `command`".  0, or 1 with *m failed. */
+/* The limit from the command "limit `command`".  Returns 0, or 1 with *m failed. */
 static int find_limit(struct claims_measured *m, const char *command, double *h, struct step_limit *l) {
     struct model_problem b;
     if (claim_model(&b, l, m, "limit %s", command)) return 1;

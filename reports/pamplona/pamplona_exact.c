@@ -55,8 +55,8 @@ static double exact(const struct experiment *e, const double x[2], double t) {
 
 enum { GRID = 24 };
 
-/* Coefficient of sin(i pi x/a) sin(j pi y/b) in what T still lacks at the first time of Table 1: exact but for modes
- * beyond 24, which have decayed to exp(-300). */
+/* Coefficient of sin(i pi x/a) sin(j pi y/b) in the transient part of T at the first time of Table 1: exact except
+ * for modes beyond 24, which have decayed to exp(-300). */
 static double coefficient(const struct experiment *e, solution *T, int i, int j) {
     const double pi = M_PI, *hi = e->problem.hi;
     double sum = 0, t = plate_time(0);

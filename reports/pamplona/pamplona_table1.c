@@ -13,7 +13,7 @@
 static const struct row {
     const char *label;
     int printed; /* row of Table 1 */
-    int method;  /* index of plate_words */
+    int method;  /* index into plate_words */
     int factor;  /* 1: with the diffusivity that the cubic kernel conducts with */
 } rows[] = {
     {"SPH, quartic kernel as printed", PLATE_SPH, PLATE_PRINTED, 0},

@@ -32,7 +32,7 @@ struct plate_errors {
     struct result result;
 };
 
-/* Errors of a run on a square plate against the exact solution at time t, s. */
+/* Errors of a run on a square plate, relative to the exact solution at time t, s. */
 void plate_measure(const struct command_run *run, double t, struct plate_errors *e);
 
 #endif

@@ -138,8 +138,8 @@ void pamplona_xi_eq13(struct claims_measured *m) {
                  "condition");
 }
 
-/* The law is 9 h^(1/3), and a coefficient printed as 9 is in [8.5, 9.5).  It suits an h where best xi/h^(1/3) is
- * there: with the kernel of the public code, and with the printed one. */
+/* The law is 9 h^(1/3), and a coefficient printed as 9 is in [8.5, 9.5).  It fits an h if the best xi/h^(1/3) is in
+ * this range, with the kernel of the public code and with the printed one. */
 void pamplona_xi_eq18(struct claims_measured *m) {
     static const int n[] = {18, 20, 24, 30};
     static const enum kernel_name kernel[] = {KERNEL_CUBIC, KERNEL_QUARTIC};

@@ -33,7 +33,7 @@ struct xi_best {
     double xi;         /* m */
     double error;      /* mean of |e|/T, % */
     long long work;    /* pairs evaluated by one run */
-    double seconds;    /* time of the last run */
+    double seconds;    /* seconds of the last run */
     struct failure failure;
 };
 

@@ -21,7 +21,7 @@ struct step_limits {
     double published, actual; /* s, at dx = 0.1 m and kappa = 0.01 m^2/s */
 };
 
-/* By h/dx and kappa_y/kappa_x.  0, or the status, with *m, where it is not NULL, failed. */
+/* Limits at h/dx and kappa_y/kappa_x.  Returns 0, or the status; *m, unless NULL, is then failed. */
 static int limits_at(int dim, const char *method, const char *kernel, double h, double ratio, struct step_limits *l,
                      struct claims_measured *m) {
     struct model_problem b;
@@ -191,7 +191,7 @@ void song_limit_eq33(struct claims_measured *m) {
                                            kappas[i][0] * transfer(&part[1], part[1].w[0], 0.1));
         double complex on_the_web =
             1 - dt * kappas[i][1] * (transfer(&part[0], part[0].w[0], 0.1) + transfer(&part[1], part[1].w[0], 0.1));
-        double centre[2] = {0, 0}; /* sums of the step and of eta + phi */
+        double centre[2] = {0, 0}; /* centre weights: of the step; of eta + phi */
         for (size_t j = 0; j < cell.nb.n; j++) {
             centre[0] += cell.w[0][j];
             centre[1] += part[0].w[0][j] + part[1].w[0][j];

@@ -23,7 +23,7 @@ enum { TERMS = 5 };
 
 struct moments {
     double M[TERMS][TERMS], inverse[TERMS][TERMS];
-    double left[TERMS]; /* terms of b that the expansion leaves out */
+    double left[TERMS]; /* part of b omitted by the expansion */
     double odd;         /* largest moment with an odd power, over that of |x|^a |y|^b */
 };
 
@@ -182,7 +182,7 @@ static double of_linear(const char *method, struct claims_measured *m) {
         layout_cloud_free(&c);
         return claim_fail(m, why.text), NAN;
     }
-    double inside = 2 * KERNEL_SUPPORT * b.options.h; /* reach of two sweeps */
+    double inside = 2 * KERNEL_SUPPORT * b.options.h; /* support of two sweeps */
     csr_row_create(&r, a.n);
     for (size_t i = 0; i < a.n; i++) {
         double sum[2] = {0, 0};

@@ -15,7 +15,7 @@
 #include <math.h>
 #include <string.h>
 
-/* Errors of rod-cooling by spacing and work go to `error`: the mean of the offsets. */
+/* Offsets on rods; for rod-cooling also the errors by spacing and work, and to `error` the mean of the offsets. */
 int walls_planes_offsets(FILE *out, struct document *d, FILE *error, struct failure *why) {
     static const struct {
         const char *scene, *walls, *derived; /* order in E1 */

@@ -36,7 +36,7 @@ static const struct body {
 static const double spacings[] = {0.1, 0.07, 0.05, 0.035, 0.025};
 enum { BODIES = 4, SPACINGS = 5, SEEDS = 8, RUNS = SPACINGS * SEEDS, SPECTRA = 4 };
 
-struct entry {                                                   /* a treatment at a body */
+struct entry {                                                   /* one treatment at one body */
     double dx[RUNS], E1[RUNS], largest[RUNS], work[RUNS], drift; /* work: interactions */
     double neighbours;                                           /* in the mean, at the finest spacing */
     struct walls_price price;
