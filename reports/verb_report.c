@@ -31,10 +31,8 @@ static int write_page(const char *dir, struct failure *why) {
 static const struct study {
     const char *name;
     int (*write)(const char *dir, struct failure *why);
-    const char
-        *title; /* title of a study that is part of every report; NULL: written on request, with its own messages */
-    const char *first; /* first of its files, to check that it can be written before anything is measured; NULL: the
-                          report checks itself */
+    const char *title; /* printed at the end, for a study that is written by default; NULL: only by its name */
+    const char *first; /* a file of it, tried before anything is measured; NULL: the study tries it */
 } studies[] = {
     {"song", song_write, "Song 2018", "song_table1.md"},
     {"pamplona", pamplona_write, "Pamplona 2019", "pamplona_table1.md"},

@@ -6,7 +6,7 @@ struct failure;
 
 struct walls_price {      /* the worst of some runs */
     double limit, growth; /* dx^2/kappa, kappa/dx^2 */
-    double amplification; /* amplification by a dummy: sum of the magnitudes of its shares */
+    double amplification; /* largest sum of the |shares| of a dummy */
 };
 
 /* Raises *price to that of the run of `command` where that is worse; *price starts with the limit INFINITY. */
