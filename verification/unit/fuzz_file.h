@@ -20,7 +20,7 @@ static void fuzz_remove(void) {
     rmdir(fuzz_directory);
 }
 
-/* Where it does not hold, the fuzzer ends and keeps the input. */
+/* Ends the fuzzer with the current input if the condition does not hold. */
 static void fuzz_require(int holds) {
     if (!holds) abort();
 }

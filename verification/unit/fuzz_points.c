@@ -15,7 +15,7 @@ static void check(const struct points *points, const struct problem *p) {
         for (int a = 0; a < p->dim; a++) {
             fuzz_require(points->x[i][a] >= p->lo[a] && points->x[i][a] <= p->hi[a]);
             fuzz_require(!points->cell || points->cell[i][a] >= 0);
-            int on_side = points->x[i][a] == p->lo[a] || points->x[i][a] == p->hi[a]; /* moved there: shown anew */
+            int on_side = points->x[i][a] == p->lo[a] || points->x[i][a] == p->hi[a]; /* moved onto a side */
             fuzz_require(points->typed[i][a].length > 0 || on_side);
         }
 }

@@ -70,7 +70,7 @@ static void correct_codes_pass_under_any_seed(void **state) {
     assert_int_equal(count_drawn(1, 1, "node point 0.4 jump", "[sjcw]*", VERDICT_PASS, 1), 0);
 }
 
-/* "sees" of each row, kept; what a code cannot have is not there: no face of nodes lies on the interface. */
+/* The faults that each row detects, except those that a code cannot have: no face of nodes is on the interface. */
 static void faults_are_seen(void **state) {
     (void)state;
     static const struct {
@@ -138,9 +138,8 @@ static void bounds_follow_the_draw(void **state) {
     gates_free(&drawn);
 }
 
-/* Where two runs differ that is the diagnosis, of the row on it and of any ladder that is looked at; few digits are
- * that of a steady state; a conductivity to its last digit where
- * the start has told that numbers are means over cells, from one run too. */
+/* Diagnoses from a single field: differences between two runs, for the row and for any ladder; few digits, in a
+ * steady state; a conductivity to its last digit if the initial answer identifies cell means. */
 static void what_one_field_cannot_tell_is_named(void **state) {
     (void)state;
     static const char *const code[] = {"race", "single", "conductivity"},
@@ -171,7 +170,7 @@ static void what_one_field_cannot_tell_is_named(void **state) {
     free(l);
 }
 
-/* What the cases of `case --battery` say is enough, and their answers get the verdicts of a live run. */
+/* The cases of `case --battery` are complete, and their answers get the verdicts of a live run. */
 static void later_is_as_now(void **state) {
     (void)state;
     struct program program = {.label = "mine", .results = dir};

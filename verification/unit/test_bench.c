@@ -56,7 +56,7 @@ static const struct bench_scene *made(void) {
     return &b;
 }
 
-/* What `print` writes; freed by the caller. */
+/* The output of `print`; the caller frees it. */
 static char *printed(void (*print)(FILE *out)) {
     char *text = NULL;
     size_t size = 0;

@@ -22,8 +22,8 @@ static int unit_of(const char *name, const char *param, double value) {
     return candidate_unit(&p);
 }
 
-/* The jumps of rod-step lie 3/8 and 5/8 along it, those with a = 0.6 at 7/20 and 13/20, those with a = 0.43711 on no
- * face of a lattice of up to 1024; the layers of wall-composite meet at its middle less a tenth. */
+/* The jumps of rod-step are at 3/8 and 5/8 of its length, with a = 0.6 at 7/20 and 13/20, with a = 0.43711 on no
+ * face of a lattice of up to 1024 cells; the layers of wall-composite meet a tenth before its middle. */
 static void lattices_meet_the_jumps(void **state) {
     (void)state;
     assert_int_equal(unit_of("rod-step", NULL, 0), 8);

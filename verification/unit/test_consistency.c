@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The error of derivative weights is made of the neighbours that there are. */
+/* The error of derivative weights depends on the available neighbours. */
 #include "verification/ladder/consistency.h"
 
 #include "solver/space/operator.h"
@@ -28,7 +28,7 @@ static void what_lies_behind_the_last_neighbour_is_not_read(void **state) {
         assert_nan(spoil());
         assert_int_equal(consistency_error(&r.experiment, &error, &why), STATUS_OK);
         assert_order(error, >, 0);
-        assert_order(error, <, 0.1); /* of second order: dx^2 b^4 over 12 and more, b = 1.1 m^-1 */
+        assert_order(error, <, 0.1); /* second order: dx^2 b^4 over 12 and more, b = 1.1 m^-1 */
         command_free(&r);
     }
 }

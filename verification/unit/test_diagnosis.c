@@ -217,7 +217,7 @@ static void few_rounded_temperatures_show_nothing(void **state) {
     assert_int_equal(diagnosis_rounding(&f, 1e-4, 40, &d), 0);
 }
 
-/* Of a case whose temperatures were moved: one that is near 0 has the roundings of the others. */
+/* With an offset of the temperatures, values near 0 have the rounding errors of the others. */
 static void rounded_temperatures_are_named_in_any_scale(void **state) {
     (void)state;
     double T[20];
@@ -253,8 +253,8 @@ static void solve_means(struct problem *p, double mean, double steps, double dx,
     }
 }
 
-/* An answer at the start tells what the numbers are, and so what is left of them for a clock, unless the start is
- * level.  By differences over d = dx/8 of a Gaussian, d^2/12 5/(2 sigma^2) too little: 7e-5. */
+/* An answer at the start identifies means or values, and thus the remainder for a clock, unless the initial data are
+ * linear.  Differences over d = dx/8 of a Gaussian are too small by d^2/12 5/(2 sigma^2): 7e-5. */
 static void starts_show_means_over_cells(void **state) {
     (void)state;
     static const double means[] = {0, 1, -2, 2}, steps[] = {1, -1, -1, 1};
@@ -288,8 +288,8 @@ static void starts_show_means_over_cells(void **state) {
     }
 }
 
-/* A wave in the plane, of two wave lengths: means over its cells, with a millionth of their error as noise; values,
- * likewise. */
+/* A wave in the plane with two wavelengths: cell means, with noise of a millionth of their difference; and
+ * values. */
 static void starts_in_the_plane_have_both_curvatures(void **state) {
     (void)state;
     struct problem p = problem_of("wave");
@@ -309,7 +309,7 @@ static void starts_in_the_plane_have_both_curvatures(void **state) {
         }
         assert_near(diagnosis_mean(&p, &(struct diagnosis_rung){&f, exact, dx, 0, NAN}), mean, 2e-3);
     }
-    struct problem jumps[2] = {p, p}, contact = p; /* where means tell nothing */
+    struct problem jumps[2] = {p, p}, contact = p; /* cases in which means are not identifiable */
     for (int a = 0; a < 2; a++) {
         jumps[a].jumps[a] = 1;
         assert_nan(diagnosis_mean(&jumps[a], &(struct diagnosis_rung){&f, exact, dx, 0, NAN}));
@@ -589,7 +589,7 @@ static void noise_is_no_fault(void **state) {
     for (int i = 0; i < 2; i++) field_free(&r[i].field), free(r[i].exact);
 }
 
-/* What lies behind the points in memory is none of them; of many points some are looked at. */
+/* Points behind the array in memory are not read; of many points a sample is used. */
 static void large_answers_are_sampled(void **state) {
     (void)state;
     enum { MANY = 41000 };
@@ -601,7 +601,7 @@ static void large_answers_are_sampled(void **state) {
     solve("rod-step", &p, (struct fault){FAULT_AMPLITUDE, 0}, 0.013, 0.05, &r[1]);
     r[0] = r[1];
     for (int k = 0; k < 2; k++) {
-        size_t n = k ? 40999 : 400; /* of which every third is looked at */
+        size_t n = k ? 40999 : 400; /* every third is sampled */
         for (size_t i = 0; i < MANY; i++) {
             x[i] = p.lo[0] + (p.hi[0] - p.lo[0]) * ((double)i + 0.5) / (double)n;
             int wrong = i >= n || (k && i % 3);
@@ -630,7 +630,7 @@ static void impossible_sizes_are_refused(void **state) {
         assert_int_equal(fault_can_be(&p, bends[i], 4.93), 1);
     }
     assert_int_equal(fault_can_be(&p, FAULT_WALL, -1), 1);    /* lost */
-    assert_int_equal(fault_can_be(&p, FAULT_WALL, -2), 1);    /* of the wrong sign */
+    assert_int_equal(fault_can_be(&p, FAULT_WALL, -2), 1);    /* wrong sign */
     assert_int_equal(fault_can_be(&p, FAULT_WALL, -5.71), 0); /* 571 % too small */
     assert_int_equal(fault_can_be(&p, FAULT_SOURCE, -1.89), 0);
     assert_int_equal(fault_can_be(&p, FAULT_CLOCK, -0.9 * p.t_end), 1);
@@ -651,7 +651,8 @@ static void correct_codes_have_no_fault(void **state) {
     assert_int_equal(named, 0);
 }
 
-/* What is tried along y has y's extent; y's walls, and no other, keep k dT/dn = b (value - T) in a stretched body. */
+/* Probes along y have the extent of y; the walls across y, and no others, keep k dT/dn = b (value - T) in a
+ * stretched body. */
 static void faults_along_y_have_the_extent_of_y(void **state) {
     (void)state;
     struct problem p = problem_of("plate-cooling"), rod = problem_of("rod-step");
@@ -675,7 +676,7 @@ static void faults_along_y_have_the_extent_of_y(void **state) {
     assert_false(fault_make(&p, isotropic, 1, &with));
 }
 
-/* What is tried across both is of x's extent; of all sides, a part. */
+/* Probes across both axes have the extent of x; probes of all sides a fraction of it. */
 static void faults_of_both_axes_have_one_probe(void **state) {
     (void)state;
     struct problem p = problem_of("rect-manufactured");
@@ -744,7 +745,7 @@ static void bodies_have_the_faults_of_their_parts(void **state) {
         {"rect-manufactured", {FAULT_WALL, FAULT_ALL_SIDES}, 1},
         {"plate", {FAULT_WALL, FAULT_ALL_SIDES}, 0},
         {"rod-cosine", {FAULT_WALL, X_LO}, 0},
-        {"rod-contact", {FAULT_WALL, X_HI}, 0}, /* of 0 K */
+        {"rod-contact", {FAULT_WALL, X_HI}, 0}, /* all at 0 K */
         {"rod-contact", {FAULT_WALL, Y_LO}, 0},
         {"rod-step", {FAULT_START_WIDTH, 0}, 1},
         {"rod-step", {FAULT_START_WIDTH, 1}, 0},
@@ -771,7 +772,7 @@ static void bodies_have_the_faults_of_their_parts(void **state) {
     }
 }
 
-/* What flows in across y is that of a body so much higher; what is held at x has its place along y. */
+/* The influx across y is that of the higher body; Dirichlet values at x depend on the position along y. */
 static void stretched_bodies_keep_walls_and_sources(void **state) {
     (void)state;
     struct problem p = problem_of("rect-manufactured");

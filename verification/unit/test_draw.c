@@ -92,7 +92,7 @@ static void all_images_are_drawn(void **state) {
     }
 }
 
-/* What a seed draws takes the place of what is written, once; seed 0 draws nothing. */
+/* A drawn value replaces the written one, once; seed 0 draws nothing. */
 static void a_drawn_number_replaces_the_written_one(void **state) {
     (void)state;
     static const struct battery_row row = {

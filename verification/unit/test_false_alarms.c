@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* What is right, or cannot be told, is not called wrong: answers that are exact, noisy, or of few digits. */
+/* Correct or undecidable answers do not fail: exact, noisy, or with few digits. */
 #include "verification/unit/made_answers.inc"
 
 #include "verification/ladder/command.h"
@@ -48,7 +48,7 @@ static void an_exact_code_passes(void **state) {
         }
 }
 
-/* As a ladder that is typed: below a ceiling it passes, above one it fails, without one nothing can be told. */
+/* As a typed ladder: passes below a ceiling, fails above it, and is inconclusive without one. */
 static void a_rung_at_rounding_stands_below_a_ceiling(void **state) {
     (void)state;
     static const char *const line = "ladder rod-cosine mine --dx 1/20,1/40,1/60,1/80 --expect 1.9,2.1";

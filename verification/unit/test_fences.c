@@ -51,7 +51,7 @@ void *memalign(size_t alignment, size_t size) {
 
 void *calloc(size_t count, size_t size) {
     if (size && count > SIZE_MAX / 2 / size) return NULL;
-    void *block = take(count * size); /* of malloc and memset the compiler would make a calloc */
+    void *block = take(count * size); /* the compiler would merge malloc and memset into calloc */
     return block ? memset(block, 0, count * size) : NULL;
 }
 

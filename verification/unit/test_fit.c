@@ -69,14 +69,14 @@ static void what_differences_may_leave_is_bounded(void **state) {
     }
 }
 
-/* Where a mean over a cell looks like the fault it is taken for half of one. */
+/* If a cell mean resembles the fault, half of it is assumed. */
 static void a_mean_that_looks_like_the_fault_is_halved(void **state) {
     (void)state;
-    static const double alike[] = {0.85, 0.95}; /* squared cosines of the angle between both */
+    static const double cosine[] = {0.85, 0.95}; /* squared cosines of the angle between both */
     struct field field = {.dim = 1, .n = 2};
     double zero[2] = {0, 0}, one[2] = {1, 0};
     for (int k = 0; k < 2; k++) {
-        double along = sqrt(alike[k]), mean[2] = {along, sqrt(1 - alike[k])};
+        double along = sqrt(cosine[k]), mean[2] = {along, sqrt(1 - cosine[k])};
         double e[2] = {2 + mean[0], mean[1]};
         const struct fit_errors s = {&field, e, zero, zero, mean, 1};
         struct fit found = fit_fault(&s, one);

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* What a measured error cannot be below: the rounding of a run and of its exact solution. */
+/* Lower bounds of a measured error: the rounding of a run and of its exact solution. */
 #include "references/scene.h"
 #include "verification/ladder/command.h"
 #include "verification/run/run.h"
@@ -15,8 +15,8 @@ static void a_plates_bound_holds_the_rounding_of_its_start(void **state) {
     struct command r;
     struct failure why;
     if (command_read("run plate so_ssph --dx 0.01 --set T0=1e6 --set T1=1000001 --set T2=1000002 --set "
-                             "T3=1000003 --set T4=1000004",
-                             &r, &why))
+                     "T3=1000003 --set T4=1000004",
+                     &r, &why))
         fail_msg("%s", why.text);
     for (double t = 0.1; t < 2000; t *= 10) {
         struct exact e = scene_exact(r.experiment.scene, &r.experiment.problem, (double[2]){0.03, 0.07}, t);

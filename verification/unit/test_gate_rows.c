@@ -48,7 +48,7 @@ static void words_in_braces_make_a_gate_each(void **state) {
     gates_free(&g);
 }
 
-/* What is typed gives the same verdict for the same reason, whether it is the interval, the norm or the ceiling. */
+/* The typed command gives the same verdict for the same reason: interval, norm or ceiling. */
 static void a_gate_can_be_typed(void **state) {
     (void)state;
     static const struct gate rows[] = {

@@ -124,8 +124,8 @@ static void derivatives_are_of_particle_methods(void **state) {
                      VERDICT_PASS);
 }
 
-/* Linear images are of second order where the wall lies midway, and there alone; a fit is at every offset, and its
- * largest error is not at the first. */
+/* Linear images are second order only if the wall is midway; a fit is at every offset, and its largest error is not
+ * at the first. */
 static void every_offset_has_to_pass(void **state) {
     (void)state;
     const char *image = "ladder rod-cooling so_ssph --walls image --dx 0.3/20,0.3/40,0.3/80,0.3/160";

@@ -135,7 +135,7 @@ static void a_line_of_quantities(void **state) {
     assert_near(g.row[1].extrapolated, 5.5, 1e-12);
     char text[4096];
     json_of(&g, text, sizeof text);
-    const char *orders = strstr(text, "\"orders\""); /* of three grids one */
+    const char *orders = strstr(text, "\"orders\""); /* one for three grids */
     assert_non_null(orders);
     assert_order(strcspn(orders, "]"), <, strcspn(orders, ","));
 }
@@ -188,7 +188,7 @@ static void a_long_name_is_cut(void **state) {
     assert_near(g.row[0].order, 2, 1e-9);
 }
 
-/* Points of a plane that lie on one row are those of a rod. */
+/* Points of a plane on one row are those of a rod. */
 static void a_row_of_the_plane_is_a_rod(void **state) {
     (void)state;
     struct gci g;

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* What keeps a ladder from showing an order: each reason with its numbers, and none where there is none. */
+/* Reasons for an inconclusive ladder: each with its numbers, and none if there is none. */
 #include "verification/ladder/inconclusive.h"
 
 #include "references/mapping.h"
@@ -100,7 +100,7 @@ static void few_printed_digits_leave_a_ladder_inconclusive(void **state) {
         inconclusive_judge(&rungs, &none, &f, &as_it_is, l);
         assert_has(l->reason, row[i].said);
         assert_int_equal(l->verdict, i < 4 ? VERDICT_INCONCLUSIVE : VERDICT_FAIL);
-        l->norm = LADDER_QUANTITY; /* whose digits are not those of the field */
+        l->norm = LADDER_QUANTITY; /* its digits are not those of the field */
         snprintf(l->reason, sizeof l->reason, "kept");
         inconclusive_judge(&rungs, &none, &f, &as_it_is, l);
         assert_string_equal(l->reason, "kept");
@@ -108,7 +108,7 @@ static void few_printed_digits_leave_a_ladder_inconclusive(void **state) {
     }
 }
 
-/* Of a case in other temperatures: 1.234, -0.0377 and 3.107 of the file are scaled by 1.02 and moved by -0.533. */
+/* A case in other temperatures: 1.234, -0.0377 and 3.107 of the file, scaled by 1.02 and shifted by -0.533. */
 static void digits_are_counted_in_the_temperatures_of_the_file(void **state) {
     (void)state;
     static const struct mapping maps[] = {
@@ -196,7 +196,7 @@ static void missing_rungs_are_counted(void **state) {
     }
 }
 
-/* Where the error rises once, more rungs are not what is missing. */
+/* If the error increases once, further rungs do not help. */
 static void rising_errors_need_no_more_rungs(void **state) {
     (void)state;
     static const double slope[4] = {2.4, 2.4, -0.2, 2.4};

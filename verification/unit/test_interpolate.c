@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* What is read between points comes from the nearest of them: as if the others were not there. */
+/* Interpolation uses the nearest points only: removing the others changes nothing. */
 #include "verification/run/interpolate.h"
 
 #include "solver/status.h"
@@ -51,7 +51,7 @@ static void a_long_box_has_near_points_beside_it(void **state) {
             look(p, N, all);
             qsort(p, N, sizeof *p, nearer);
             look(p, NEAREST, few);
-            assert_memory_equal(all, few, sizeof all); /* of the same points in the same order */
+            assert_memory_equal(all, few, sizeof all); /* the same points in the same order */
         }
 }
 

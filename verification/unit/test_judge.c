@@ -38,7 +38,8 @@ static double constant(double x, double finest) {
     return 0.0123;
 }
 
-static double quarter_floor(double x, double finest) { /* of the issue: a quarter of the finest error, about */
+static double quarter_floor(double x,
+                            double finest) { /* the floor of the example: about a quarter of the finest error */
     (void)finest;
     return 0.01 * (pow(x / 0.1, 2) + 0.0003);
 }
@@ -181,7 +182,7 @@ static void the_fine_slope_by_hand(void **state) {
     const double x[5] = {16, 8, 4, 2, 1}, error[5] = {7, 3, 16, 4, 2};
     struct judged l = {x, error, 5, 0, NULL};
     assert_near(judge_fine_slope(&l), 1, 1e-14);
-    l.scattered = 1; /* of 16, 4, 2: log2 4, 2, 1 at 2, 1, 0: 3/2 */
+    l.scattered = 1; /* errors 16, 4, 2: log2 4, 2, 1 at 2, 1, 0: 3/2 */
     assert_near(judge_fine_slope(&l), 1.5, 1e-14);
     l.n = 1, l.scattered = 0;
     assert_nan(judge_fine_slope(&l));

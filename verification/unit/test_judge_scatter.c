@@ -14,7 +14,8 @@ struct coverage {
 
 enum { TRIALS = 1500 };
 
-/* Of n rungs at x_i = 0.1/ratio^i with error x^2 + part * finest^(2-q) x^q and a scatter of s (of the logarithm). */
+/* Coverage for n rungs at x_i = 0.1/ratio^i with the error x^2 + part * finest^(2-q) x^q and a scatter s of the
+ * logarithm. */
 static struct coverage count(int n, double ratio, double s, double part, double q) {
     struct coverage c = {0};
     gsl_rng *random = gsl_rng_alloc(gsl_rng_mt19937);
@@ -93,9 +94,9 @@ static double fine_inside(int n, double ratio, double s, double part, double q) 
     return gsl_cdf_ugaussian_P((2.1 - slope) / off) - gsl_cdf_ugaussian_P((1.9 - slope) / off);
 }
 
-/* A quarter of the finest error a floor, or first order.  With two per cent of scatter: a floor never, first order
- * only where the scatter is recognised, so that the finer half decides; with ten no more often than that half happens
- * to lie in the band. */
+/* A floor of a quarter of the finest error, or first order.  With two per cent of scatter: never with a floor, with
+ * first order only if the scatter is recognised, so that the finer half decides; with ten per cent no more often
+ * than that half is in the band by chance. */
 static void flattening_passes_no_more_than_it_must(void **state) {
     (void)state;
     static const struct {

@@ -58,7 +58,7 @@ static void json_has_every_number(void **state) {
     free(l);
 }
 
-/* What passes looks like no fault, nor does what nobody judges; a ladder in time has no cells to tell one by. */
+/* A passing or unjudged ladder has no fault; a ladder in time has no cells for a diagnosis. */
 static void only_failures_in_space_are_diagnosed(void **state) {
     (void)state;
     static const struct {
@@ -88,8 +88,7 @@ static void a_ladder_in_time(void **state) {
     assert_near(l->slope.value, 2, 1e-6);
     climb("ladder rod-gauss ftcs --dx 0.5 --dt 0.01,0.04,0.02,0.08 --stepper euler", &with_exact, STATUS_OK, l, &why);
     assert_near(l->slope.value, 1, 1e-6);
-    /* from differences of successive runs, at ratios that are not alike; E1 is over a sum of T with the error in it
-     */
+    /* from differences of successive runs at unequal ratios; E1 is relative to sums of T with the error in it */
     climb("ladder rod-gauss ftcs --dx 0.5 --dt 0.08,0.05,0.02,0.01,0.004 --stepper rkl2", &euler, STATUS_OK, l, &why);
     assert_int_equal(l->n, 4);
     assert_near(l->slope.value, 2, 0.01);
@@ -163,7 +162,7 @@ static void floors_are_shares_of_the_error_that_is_fitted(void **state) {
     free(l);
 }
 
-/* Of three rungs two count, of which one has an error; one that is left out has one too. */
+/* Two of three rungs are included, and one of these has an error; an excluded one has one too. */
 static void rungs_that_count_and_have_an_error_are_counted(void **state) {
     (void)state;
     struct ladder *l = xcalloc(1, sizeof *l);

@@ -47,7 +47,7 @@ static void three_norms_by_hand(void **state) {
     field_free(&f);
 }
 
-/* In units of 2^-700 and of 2^900, squares of which are no doubles; and errors alone, of 2^-700. */
+/* In units of 2^-700 and of 2^900, whose squares overflow or underflow; and errors only, of 2^-700. */
 static void norms_have_no_unit(void **state) {
     (void)state;
     struct problem p = rod();
@@ -88,7 +88,7 @@ static void points_without_a_value_are_left_out_and_counted(void **state) {
     assert_int_equal(e.left_out, 4);
     assert_near(e.linf, 0.013, 1e-15);
     assert_int_equal(norms_check(&f, exact, &why), STATUS_OK);
-    exact[5] = NAN; /* what is no number is no corner */
+    exact[5] = NAN; /* a NaN is not a corner */
     assert_nan(norms_error(&p, &f, exact, NORMS_ALL, 0).l1);
     for (int i = 0; i < 12; i++) exact[i] = NORMS_NO_VALUE;
     assert_int_equal(norms_check(&f, exact, &why), STATUS_INPUT);

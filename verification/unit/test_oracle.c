@@ -117,7 +117,8 @@ static void walls_are_told_by_their_kind(void **state) {
     assert_true(v[0] == 1 && v[1] == p.wall(&p, X_HI, (double[2]){p.hi[0], 0}));
 }
 
-/* Of a round wall: from (0.3, 0.4), 0.5 off the middle, its foot lies along (0.6, 0.8); of a plane one by hand. */
+/* On a round wall: from (0.3, 0.4), 0.5 from the centre, the foot is in the direction (0.6, 0.8); on a plane wall
+ * one by hand. */
 static void the_nearest_wall_is_told(void **state) {
     (void)state;
     struct problem p;
@@ -174,8 +175,9 @@ static void cell_means_are_integrals(void **state) {
     assert_near(v[0], fine, 1e-14);
 }
 
-/* A node on an interface keeps the heat of either side, by rho c; one beside it whose cell reaches across likewise;
- * at a wall the half of the cell that is there.  A cell of one material has its plain mean. */
+/* A node on an interface keeps the heat of both sides, weighted with rho c; so does one next to it with a cell
+ * across the interface; at a wall only the inner half of the cell counts.  A cell of one material has its plain
+ * average. */
 static void a_start_can_keep_the_heat(void **state) {
     (void)state;
     struct problem p;
@@ -193,7 +195,7 @@ static void a_start_can_keep_the_heat(void **state) {
     struct failure why;
     assert_int_equal(s->setup(&p, &why), STATUS_OK);
     values("initial_heat", s, &p, (double[2]){0, 0}, (double[2]){dx, 0}, 1, v);
-    assert_near(v[0], 0.8, 5e-11); /* what lies within 1e-12 L of the contact starts as the right half does */
+    assert_near(v[0], 0.8, 5e-11); /* points within 1e-12 L of the contact start like the right half */
     s = odd_find("rect-manufactured", &p);
     for (int i = 0; i < 3; i++) {
         values("initial_heat,initial_mean", s, &p, (double[2]){i * p.hi[0] / 2, 0.1}, (double[2]){0.18, 0.34}, 1, v);
@@ -201,7 +203,7 @@ static void a_start_can_keep_the_heat(void **state) {
     }
 }
 
-/* Where a start bends at an interface its mean over a cell is that of both parts, to rounding. */
+/* If initial data have a kink at an interface, the cell average is that of both parts, to round-off. */
 static void an_interface_parts_a_cell(void **state) {
     (void)state;
     struct problem p;
@@ -319,9 +321,9 @@ static void many_points_have_their_own_answers(void **state) {
     free(points);
 }
 
-/* The start's mean over what a cell has of a round body, by midpoints of a grid: the wall cuts 4 N of its N^2
- * squares, each of which is wholly in or out, at random: within some (4 N)^0.5/N^2 of the field's range in the cell.
- */
+/* Average of the initial data over the part of a cell inside a round body, by the midpoint rule on a grid: the wall
+ * cuts 4 N of its N^2 squares, which are in or out at random: within about (4 N)^0.5/N^2 of the
+ * field's range in the cell. */
 static void cells_that_a_round_wall_cuts_have_a_mean(void **state) {
     (void)state;
     enum { N = 600 };

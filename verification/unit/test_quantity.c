@@ -25,7 +25,7 @@ static double source_of(const struct problem *p, double t) { /* the integral ove
         double x[2];
         for (int a = 0, at[2] = {i % N, i / N}; a < 2; a++) /* two in each of N/2 parts */
             x[a] = p->lo[a] + (at[a] / 2 * 2 + 1 + (at[a] % 2 ? 1 : -1) / sqrt(3)) / N * (p->hi[a] - p->lo[a]);
-        if (p->shape) { /* of the box of r and theta */
+        if (p->shape) { /* box of r and theta */
             double whole = p->hi[0] - p->lo[0],
                    r = p->radius[0] + (x[0] - p->lo[0]) / whole * (p->radius[1] - p->radius[0]);
             double theta = 2 * M_PI * (x[1] - p->lo[1]) / whole, polar[2] = {r * cos(theta), r * sin(theta)};

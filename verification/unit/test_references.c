@@ -237,7 +237,7 @@ static void declared_symmetry_is_real(void **state) {
     for (const struct scene *s = cases; s->name; s++) {
         struct problem p;
         odd_setup(s, &p);
-        for (int d = 0; d < p.dim && !p.shape; d++) { /* of a round body no half is computed */
+        for (int d = 0; d < p.dim && !p.shape; d++) { /* round bodies are not halved */
             double x[2] = {p.lo[0] + 0.23 * (p.hi[0] - p.lo[0]), p.lo[1] + 0.31 * (p.hi[1] - p.lo[1])},
                    m[2] = {x[0], x[1]};
             m[d] = p.lo[d] + p.hi[d] - x[d];

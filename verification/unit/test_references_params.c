@@ -75,7 +75,7 @@ static void the_ends_of_a_range_are_in_it(void **state) {
     (void)state;
     static const struct {
         const char *scene;
-        double most; /* of height/width, and of width/height */
+        double most; /* largest height/width, and width/height */
     } plates[] = {{"plate", 1000}, {"plate-cooling", 10}};
     for (int k = 0; k < 4; k++) {
         const struct scene *s = scene_find(plates[k / 2].scene);

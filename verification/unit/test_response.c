@@ -47,7 +47,7 @@ static double rate(int dim) { /* T falls as exp(-rate t) */
     return KAPPA[0] * q_of(0) * q_of(0) + (dim == 2 ? KAPPA[1] * q_of(1) * q_of(1) : 0);
 }
 
-/* What the steps of that mesh Fourier number make of the mode. */
+/* Amplification of the mode by the steps of that mesh Fourier number. */
 static double fall(int dim, double dx, double fourier, double t) {
     double steps = ceil(t * KAPPA[0] / (fourier * dx * dx)), dt = t / steps, G = 1;
     for (int a = 0; a < dim; a++) G -= 4 * dt * KAPPA[a] * pow(sin(q_of(a) * dx / 2) / dx, 2);
@@ -180,7 +180,7 @@ static void errors_are_seen_at_the_spacing_of_the_rung(void **state) {
             assert_near(s.h[i], pow(dx / l.dx, 2) * (late - lattice) / 0.1 * c, 3e-5);
             assert_near(s.m[i], k ? 0 : mean, 1e-6);
             if (!isnan(s.e[i])) assert_near(s.e[i], 0.01 * T * c - (k ? -2 * mean : 0), 3e-6);
-            for (int j = 0; j < N && isnan(s.e[i]); j++) /* where differences leave most: here where T is largest */
+            for (int j = 0; j < N && isnan(s.e[i]); j++) /* at the largest difference: here the maximum of T */
                 if (!isnan(s.e[j])) assert_order(fabs(s.g[i]), >, fabs(s.g[j]));
             left += isnan(s.e[i]);
         }
@@ -191,7 +191,7 @@ static void errors_are_seen_at_the_spacing_of_the_rung(void **state) {
     response_lattice_free(&l);
 }
 
-/* Of 64 to 128 cells the fewest that have faces on most jumps, and on an interface. */
+/* The smallest number of 64 to 128 cells with faces on most jumps, and on an interface. */
 static void faces_lie_on_jumps_and_interfaces(void **state) {
     (void)state;
     static const struct {

@@ -118,8 +118,8 @@ static void cases_are_added(void **state) {
     command_free(&r);
 }
 
-/* dy is in the case, and read from it again; 20 by 7 cells of 0.05 m by 0.1 m, of which 19 by 6 points are the
- * fewest. */
+/* dy is written to the case and read from it; 20 by 7 cells of 0.05 m by 0.1 m, for which 19 by 6 points are the
+ * minimum. */
 static void a_second_spacing_is_kept(void **state) {
     (void)state;
     char line[400], path[400], text[4000] = "";

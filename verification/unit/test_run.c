@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* What rounding can make up of a run's error, by hand, and the bound of a quantity's exact value. */
+/* Possible share of rounding in a run's error, by hand, and the bound of a quantity's exact value. */
 #include "verification/run/run.h"
 
 #include "references/quantity.h"
@@ -43,7 +43,7 @@ static void steps_round_weights_and_temperatures(void **state) {
     assert_near(of("run square-step ftcs --dx 0.1 --dt 0.1 --set kappa_y=0.02"), stepped(2, 10, 50), close);
 }
 
-/* What another program says of its steps counts up to (4 F)^2 of them, F = kappa t/dx^2: at 0.2 two thirds of one. */
+/* The reported number of steps of a program counts up to (4 F)^2, F = kappa t/dx^2: at 0.2 two thirds of one. */
 static void claims_count_up_to_what_weights_round(void **state) {
     (void)state;
     static const char *const line = "run rod-step mine --dx 0.5 --set kappa=%s --solver 'printf \"# steps = "
@@ -77,7 +77,7 @@ static void transforms_round_by_their_levels(void **state) {
     }
 }
 
-/* A flux rounds extent/dx as much as the field does, of the longer side; heat does not. */
+/* A flux rounds extent/dx times more than the field, for the longer side; heat does not. */
 static void quantities_round_and_have_bounds(void **state) {
     (void)state;
     static const struct {

@@ -57,7 +57,7 @@ static void a_program_that_answered_is_there(void **state) {
         }
 }
 
-/* What a terminal shows, of the text since `from`. */
+/* The text that a terminal shows since `from`. */
 static void shown(FILE *to, long from, char text[400]) {
     fflush(stderr);
     rewind(to);
@@ -65,7 +65,7 @@ static void shown(FILE *to, long from, char text[400]) {
     text[fread(text, 1, 399, to)] = '\0';
 }
 
-/* Of 11 runs the first has taken as long as this has waited: ten times that is left. */
+/* After the first of 11 runs the remaining time is ten times that of the first. */
 static void a_terminal_shows_what_is_left(void **state) {
     (void)state;
     struct progress progress = {.shown = 1};

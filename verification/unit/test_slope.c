@@ -129,8 +129,8 @@ static void rounding_past_the_error_is_all_of_it(void **state) {
         assert_string_equal(w.left_out[i], "round-off floor: all of the error may be rounding");
 }
 
-/* Of an even number of finer local slopes the median is the mean of the middle two: of 2.00, 2.04, 2.12, 2.16 it
- * is 2.08, from which 1.99 is less than 0.1 off and 1.97 is more. */
+/* For an even number of finer local slopes the median is the mean of the middle two: 2.08 for 2.00, 2.04, 2.12,
+ * 2.16; 1.99 differs from it by less than 0.1, 1.97 by more. */
 static void the_median_of_an_even_number(void **state) {
     (void)state;
     for (int k = 0; k < 2; k++) {

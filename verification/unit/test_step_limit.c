@@ -113,7 +113,8 @@ static double largest_of_rod(const double w[3], int n, int node, int fixed) {
     return size;
 }
 
-/* What a rod of six cells bears is 2/lambda of these; bisection stops within 0.5 %, and sees growth past 0.2 %. */
+/* The limit of a rod of six cells is 2/lambda of these; bisection stops within 0.5 % and detects growth beyond 0.2
+ * %. */
 static void walls_and_nodes_have_limits_of_their_own(void **state) {
     (void)state;
     const double s[2] = {1 / 1.1, 2 / 1.1}, W[2] = {2.0 / 3 - s[0] * s[0] * (1 - s[0] / 2), pow(2 - s[1], 3) / 6};
@@ -179,7 +180,7 @@ static void rows_have_the_symbols_eigenvalues(void **state) {
     struct spectrum e;
     struct failure why;
     assert_int_equal(symbol_create(&s, &b, &why), STATUS_OK);
-    b.options.layout = LAYOUT_JITTER; /* of amplitude 0 */
+    b.options.layout = LAYOUT_JITTER; /* amplitude 0 */
     b.n = 16;
     struct problem p = model_problem_setup(&b, MODEL_NOISE, 0);
     assert_int_equal(model_problem_operator(&b, &p, &a, &why), STATUS_OK);

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* What a terminal gets and a pipe does not: colours of verdicts, and how far long work has come. */
+/* Differences between a terminal and a pipe: colours of verdicts, and progress of long work. */
 #include "verification/text/progress.h"
 #include "verification/text/table.h"
 #include "verification/text/verdict.h"
@@ -38,7 +38,7 @@ static int close_terminal(void **state) {
     return 0;
 }
 
-/* What was written so far: one read may return a part of it, so a mark is written and read up to. */
+/* Text written so far: a read may return part of it, so a mark is written and read up to. */
 static const char *arrived(const struct terminal *t) {
     static char text[4000];
     const char mark = '\004';
