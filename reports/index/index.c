@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The page of `make report`: verdict, orders, error against time, scenes from the simplest to the hardest, operators,
- * walls, stability, speed, faults, other codes, papers.  It joins files and computes nothing. */
+ * walls, stability, speed, papers.  It joins files and computes nothing. */
 #include "reports/index/index.h"
 
 #include "references/scene.h"
@@ -16,9 +16,8 @@ static const char *const simplest[] = {"rod-gauss",         "rod-step",       "r
                                        "disc-cooling"};
 enum { SIMPLEST = sizeof simplest / sizeof *simplest };
 
-static const char *const sections[] = {
-    "Operators",   "Walls",     "Stability",     "Speed",           "Seeded faults",
-    "Other codes", "Song 2018", "Pamplona 2019", "The matched run", "Statements of the papers"};
+static const char *const sections[] = {"Operators", "Walls",         "Stability",       "Speed",
+                                       "Song 2018", "Pamplona 2019", "The matched run", "Statements of the papers"};
 enum { SECTIONS = sizeof sections / sizeof *sections };
 
 static int is_simple(const char *name) {

@@ -72,7 +72,7 @@ copy() { # the rest of the test is there
     for folder in /usr/bin /bin; do ln -sf "$folder"/* tools/; done
     rm -f tools/gnuplot*
     PATH=$PWD/tools expect 0 'gnuplot is not here' make -C "$tree" BUILD="$(dirname "$program")" -o "$program" OUT="$PWD/out" report
-    [ -s out/song_table1.csv ]
+    [ -s out/song_table1.md ]
 }
 
 @test "an interrupt while a figure is drawn leaves the figures from before" {

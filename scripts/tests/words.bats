@@ -97,7 +97,7 @@ load common
 
 @test "report" {
     expect 0 '' heatladder report song out
-    [ -s out/song_table1.csv ]
+    [ -s out/song_table1.md ]
     expect 2 "did you mean 'song'" heatladder report sonng
     expect 0 '^1 claims\|1 of ' heatladder report claims --only pamplona/mass
 }
