@@ -140,7 +140,7 @@ static void bounds_follow_the_draw(void **state) {
 
 /* Diagnoses from a single field: differences between two runs, for the row and for any ladder; few digits, in a
  * steady state; a conductivity to its last digit if the initial answer identifies cell means. */
-static void what_one_field_cannot_tell_is_named(void **state) {
+static void faults_hidden_in_one_field_are_diagnosed(void **state) {
     (void)state;
     static const char *const code[] = {"race", "single", "conductivity"},
                              *const rows[] = {"whole/repeat", "contact/steady", "smooth/clock"},
@@ -171,7 +171,7 @@ static void what_one_field_cannot_tell_is_named(void **state) {
 }
 
 /* The cases of `case --battery` are complete, and their answers get the verdicts of a live run. */
-static void later_is_as_now(void **state) {
+static void written_cases_give_the_verdicts_of_a_live_run(void **state) {
     (void)state;
     struct program program = {.label = "mine", .results = dir};
     struct gates written = {0}, g = {.program = &program};
@@ -338,8 +338,8 @@ int main(int argc, char **argv) {
         cmocka_unit_test(correct_codes_pass_under_any_seed),
         cmocka_unit_test(faults_are_seen),
         cmocka_unit_test(bounds_follow_the_draw),
-        cmocka_unit_test(what_one_field_cannot_tell_is_named),
-        cmocka_unit_test(later_is_as_now),
+        cmocka_unit_test(faults_hidden_in_one_field_are_diagnosed),
+        cmocka_unit_test(written_cases_give_the_verdicts_of_a_live_run),
         cmocka_unit_test(steps_of_its_own_are_not_judged),
         cmocka_unit_test(a_failure_can_be_typed),
         cmocka_unit_test(every_row_is_sound),

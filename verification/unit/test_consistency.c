@@ -17,7 +17,7 @@ static double __attribute__((noinline)) spoil(void) {
     return at[7];
 }
 
-static void what_lies_behind_the_last_neighbour_is_not_read(void **state) {
+static void memory_behind_the_last_neighbour_is_not_read(void **state) {
     (void)state;
     static const char *const lines[] = {"run rod-gauss so_ssph --dx 0.1", "run square-step fo_ssph --dx 0.1"};
     for (int k = 0; k < 2; k++) {
@@ -71,7 +71,7 @@ static void the_error_is_that_of_the_symbol(void **state) {
 
 int main(void) {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(what_lies_behind_the_last_neighbour_is_not_read),
+        cmocka_unit_test(memory_behind_the_last_neighbour_is_not_read),
         cmocka_unit_test(the_error_is_that_of_the_symbol),
     };
     return cmocka_run_group_tests_name("consistency", tests, NULL, NULL);

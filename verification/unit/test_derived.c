@@ -141,7 +141,7 @@ static void a_ladder_of_its_own(void **state) {
     assert_near(l.rung[3].derived, 2, 1e-5); /* rho_c1 T1 L */
 }
 
-static void what_has_no_value_is_refused(void **state) {
+static void undefined_quantities_are_refused(void **state) {
     (void)state;
     struct ladder l;
     climb("ladder plate ftcs --dx 0.02,0.01 --quantity flux_x_lo", &l, STATUS_INPUT, "has no finite value");
@@ -152,7 +152,7 @@ int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(exact_for_polynomials), cmocka_unit_test(heat_of_many_panels),
         cmocka_unit_test(a_flux_of_many_panels), cmocka_unit_test(a_wall_of_two_layers_has_the_conductivity_at_it),
-        cmocka_unit_test(a_ladder_of_its_own),   cmocka_unit_test(what_has_no_value_is_refused),
+        cmocka_unit_test(a_ladder_of_its_own),   cmocka_unit_test(undefined_quantities_are_refused),
     };
     gsl_set_error_handler_off();
     return cmocka_run_group_tests_name("derived", tests, NULL, NULL);

@@ -93,7 +93,7 @@ static double half_interval(const struct ladder *l, int count) {
            sqrt(square[0] / square[1]);
 }
 
-static void what_is_missing_is_said_in_numbers(void **state) {
+static void the_number_of_missing_rungs_is_stated(void **state) {
     (void)state;
     static const char *const line = "ladder rod-cosine mine --dx 1/20,1/40,1/60,1/80 --expect 1.5,2.9 --ceiling 1";
     struct ladder *l = xcalloc(1, sizeof *l);
@@ -134,7 +134,7 @@ static void draws_are_pooled(void **state) {
 
 /* Random numbers, digits and a tolerance have reasons of their own; where the error is above its ceiling by more than
  * they explain, it is wrong. */
-static void what_cannot_be_told_is_inconclusive(void **state) {
+static void undecidable_answers_are_inconclusive(void **state) {
     (void)state;
     struct measured m;
     is_inconclusive("walls/insulated", "noise 1e-3", "from run to run");
@@ -157,9 +157,9 @@ int main(int argc, char **argv) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(an_exact_code_passes),
         cmocka_unit_test(a_rung_at_rounding_stands_below_a_ceiling),
-        cmocka_unit_test(what_is_missing_is_said_in_numbers),
+        cmocka_unit_test(the_number_of_missing_rungs_is_stated),
         cmocka_unit_test(draws_are_pooled),
-        cmocka_unit_test(what_cannot_be_told_is_inconclusive),
+        cmocka_unit_test(undecidable_answers_are_inconclusive),
     };
     return cmocka_run_group_tests_name("false_alarms", tests, NULL, NULL);
 }

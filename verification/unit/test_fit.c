@@ -30,7 +30,7 @@ static struct fit fit_of(double size, const double by[3], double rest, int is_me
     return fit_fault(&s, f);
 }
 
-static void what_errors_are_made_of_is_found(void **state) {
+static void components_of_an_error_are_found(void **state) {
     (void)state;
     static const double by[2][3] = {{1.9, -0.45, 1.7}, {-1.2, 0.3, -1.9}}, none[3] = {0, 0, 0};
     for (int k = 0; k < 4; k++) {
@@ -49,7 +49,7 @@ static void what_errors_are_made_of_is_found(void **state) {
 }
 
 /* At right angles, each has what is beyond its bound left over. */
-static void what_differences_may_leave_is_bounded(void **state) {
+static void discretization_errors_are_bounded(void **state) {
     (void)state;
     double e[5], unit[4][5] = {{0}};
     struct field field = {.dim = 1, .n = 5};
@@ -91,8 +91,8 @@ static void a_mean_that_looks_like_the_fault_is_halved(void **state) {
 
 int main(void) {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(what_errors_are_made_of_is_found),
-        cmocka_unit_test(what_differences_may_leave_is_bounded),
+        cmocka_unit_test(components_of_an_error_are_found),
+        cmocka_unit_test(discretization_errors_are_bounded),
         cmocka_unit_test(a_mean_that_looks_like_the_fault_is_halved),
     };
     return cmocka_run_group_tests_name("fit", tests, NULL, NULL);

@@ -39,7 +39,7 @@ static void rows_are_taken_as_c_writes_them(void **state) {
     gate_file_free(&f);
 }
 
-static void what_is_wrong_is_found_with_its_place(void **state) {
+static void errors_are_reported_with_their_position(void **state) {
     (void)state;
     static const struct {
         const char *text, *said;
@@ -126,10 +126,8 @@ static void a_link_to_rows_is_followed(void **state) {
 
 int main(void) {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(rows_are_taken_as_c_writes_them),
-        cmocka_unit_test(what_is_wrong_is_found_with_its_place),
-        cmocka_unit_test(any_prefix_is_survived),
-        cmocka_unit_test(files_that_are_none),
+        cmocka_unit_test(rows_are_taken_as_c_writes_them), cmocka_unit_test(errors_are_reported_with_their_position),
+        cmocka_unit_test(any_prefix_is_survived),          cmocka_unit_test(files_that_are_none),
         cmocka_unit_test(a_link_to_rows_is_followed),
     };
     return cmocka_run_group_tests_name("gate_file", tests, NULL, NULL);

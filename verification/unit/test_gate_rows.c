@@ -101,7 +101,7 @@ static void globs_choose(void **state) {
     gates_free(&g);
 }
 
-static void what_skip_leaves_out_is_there(void **state) {
+static void skipped_rows_exist(void **state) {
     (void)state;
     struct gates g;
     struct failure why;
@@ -166,12 +166,9 @@ static void declared_must_be_executed(void **state) {
 
 int main(void) {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(the_table_is_sound),
-        cmocka_unit_test(words_in_braces_make_a_gate_each),
-        cmocka_unit_test(a_gate_can_be_typed),
-        cmocka_unit_test(globs_choose),
-        cmocka_unit_test(what_skip_leaves_out_is_there),
-        cmocka_unit_test(runs_of_another_program_are_counted),
+        cmocka_unit_test(the_table_is_sound),        cmocka_unit_test(words_in_braces_make_a_gate_each),
+        cmocka_unit_test(a_gate_can_be_typed),       cmocka_unit_test(globs_choose),
+        cmocka_unit_test(skipped_rows_exist),        cmocka_unit_test(runs_of_another_program_are_counted),
         cmocka_unit_test(declared_must_be_executed),
     };
     return cmocka_run_group_tests_name("gate_rows", tests, NULL, NULL);

@@ -79,7 +79,7 @@ static void an_error_that_is_not_a_number_fails(void **state) {
 }
 
 /* At order 4 the hot piece leaves nothing above 10 K, and some 1e-4 K below 0. */
-static void what_is_below_the_data_counts_as_overshoot(void **state) {
+static void undershoot_counts_as_overshoot(void **state) {
     (void)state;
     struct measured m = judge("overshoot", "run rod-step so_ssph --dx 0.1 --order 4", 0, 1e-12, 1);
     assert_order(m.value, >, 1e-5);
@@ -102,14 +102,14 @@ static void unknown_names_fail(void **state) {
     assert_fails(judge("error", "run rod-gauss ftcs --dx 0.7", 0, 1, NAN), "--dx 0.7");
 }
 
-static void what_is_unstable_fails_with_its_reason(void **state) {
+static void instability_fails_with_its_reason(void **state) {
     (void)state;
     assert_fails(judge("error", "run rod-step ftcs --dx 0.025 --fourier 0.7", 0, INFINITY, NAN), "unstable");
     assert_fails(judge("slope", "ladder rod-step ftcs --dx 0.1,0.05,0.025,0.0125 --fourier 0.7", 0, 9, 9),
                  "unstable");
 }
 
-static void what_is_not_finite_fails(void **state) {
+static void nonfinite_values_fail(void **state) {
     (void)state;
     assert_fails(judge("error", "run rod-gauss ftcs --dx 0.5", NAN, 1, NAN), "is outside");
     assert_fails(judge("checkerboard_kept", "run rod-gauss ftcs --dx 0.5 --dt 1e-3", -1, -0.5, NAN), "is outside");
@@ -347,11 +347,11 @@ int main(void) {
         cmocka_unit_test(a_right_order_of_a_wrong_size_fails),
         cmocka_unit_test(an_order_needs_a_ceiling),
         cmocka_unit_test(an_error_that_is_not_a_number_fails),
-        cmocka_unit_test(what_is_below_the_data_counts_as_overshoot),
+        cmocka_unit_test(undershoot_counts_as_overshoot),
         cmocka_unit_test(three_rungs_do_not_pass),
         cmocka_unit_test(unknown_names_fail),
-        cmocka_unit_test(what_is_unstable_fails_with_its_reason),
-        cmocka_unit_test(what_is_not_finite_fails),
+        cmocka_unit_test(instability_fails_with_its_reason),
+        cmocka_unit_test(nonfinite_values_fail),
         cmocka_unit_test(derivatives_are_of_particle_methods),
         cmocka_unit_test(every_offset_has_to_pass),
         cmocka_unit_test(a_gate_without_a_ceiling_says_none),

@@ -231,7 +231,7 @@ static void few_digits_leave_the_order_open(void **state) {
     }
 }
 
-static void what_is_missing_is_named(void **state) {
+static void missing_answers_are_named(void **state) {
     (void)state;
     struct gci g;
     struct failure why;
@@ -268,7 +268,7 @@ int main(void) {
         cmocka_unit_test(a_long_name_is_cut),
         cmocka_unit_test(a_row_of_the_plane_is_a_rod),
         cmocka_unit_test(few_digits_leave_the_order_open),
-        cmocka_unit_test(what_is_missing_is_named),
+        cmocka_unit_test(missing_answers_are_named),
     };
     char command[UNIT_PATH + 32];
     gsl_set_error_handler_off();

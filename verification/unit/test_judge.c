@@ -168,7 +168,7 @@ static void stand_ins_get_their_verdict(void **state) {
     }
 }
 
-static void what_does_not_fall_is_named(void **state) {
+static void errors_that_do_not_fall_are_named(void **state) {
     (void)state;
     const double x[5] = {16, 8, 4, 2, 1}, error[5] = {70, 30, 16, 17.5, 2};
     struct judged l = {x, error, 5, 0, NULL};
@@ -230,7 +230,7 @@ static void roughness_by_hand(void **state) {
 
 int main(void) {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(stand_ins_get_their_verdict),   cmocka_unit_test(what_does_not_fall_is_named),
+        cmocka_unit_test(stand_ins_get_their_verdict),   cmocka_unit_test(errors_that_do_not_fall_are_named),
         cmocka_unit_test(the_fine_slope_by_hand),        cmocka_unit_test(the_floor_by_hand),
         cmocka_unit_test(the_unit_of_x_does_not_matter), cmocka_unit_test(roughness_by_hand),
     };

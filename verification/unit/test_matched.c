@@ -15,7 +15,7 @@ static struct command request(const char *line) {
 }
 
 /* Good input that no step matches is not applicable; bad input, or a step given twice, is bad. */
-static void what_does_not_match_is_not_bad_input(void **state) {
+static void unmatched_steps_are_not_applicable(void **state) {
     (void)state;
     static const struct {
         const char *line, *word;
@@ -62,7 +62,7 @@ static void walls_that_vary_are_seen_on_each_side(void **state) {
 
 int main(void) {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(what_does_not_match_is_not_bad_input),
+        cmocka_unit_test(unmatched_steps_are_not_applicable),
         cmocka_unit_test(walls_that_vary_are_seen_on_each_side),
     };
     gsl_set_error_handler_off();

@@ -119,7 +119,7 @@ static void walls_are_told_by_their_kind(void **state) {
 
 /* On a round wall: from (0.3, 0.4), 0.5 from the centre, the foot is in the direction (0.6, 0.8); on a plane wall
  * one by hand. */
-static void the_nearest_wall_is_told(void **state) {
+static void the_nearest_wall_is_found(void **state) {
     (void)state;
     struct problem p;
     double v[COLUMNS_VALUES];
@@ -389,7 +389,7 @@ int main(void) {
         cmocka_unit_test(lists_of_columns_are_checked),
         cmocka_unit_test(columns_hold_what_they_say),
         cmocka_unit_test(walls_are_told_by_their_kind),
-        cmocka_unit_test(the_nearest_wall_is_told),
+        cmocka_unit_test(the_nearest_wall_is_found),
         cmocka_unit_test(cell_means_are_integrals),
         cmocka_unit_test(a_start_can_keep_the_heat),
         cmocka_unit_test(an_interface_parts_a_cell),

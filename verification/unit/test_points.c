@@ -48,7 +48,7 @@ static void many_points_are_all_read(void **state) {
     free(text);
 }
 
-static void what_is_no_point_is_refused_by_line_and_column(void **state) {
+static void bad_points_are_refused_by_line_and_column(void **state) {
     (void)state;
     static const struct {
         const char *text, *says;
@@ -93,7 +93,7 @@ static void what_is_no_point_is_refused_by_line_and_column(void **state) {
 }
 
 /* Threads read the lines of many points: the first that is refused is named, not the first that a thread met. */
-static void of_many_bad_lines_the_first_is_named(void **state) {
+static void the_first_of_many_bad_lines_is_named(void **state) {
     (void)state;
     enum { N = 4000, FIRST = 1999 };
     struct problem p;
@@ -112,8 +112,8 @@ int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(points_are_read_as_programs_write_them),
         cmocka_unit_test(many_points_are_all_read),
-        cmocka_unit_test(of_many_bad_lines_the_first_is_named),
-        cmocka_unit_test(what_is_no_point_is_refused_by_line_and_column),
+        cmocka_unit_test(the_first_of_many_bad_lines_is_named),
+        cmocka_unit_test(bad_points_are_refused_by_line_and_column),
     };
     return cmocka_run_group_tests_name("points", tests, NULL, NULL);
 }

@@ -58,7 +58,7 @@ static void run_all(void) {
 }
 
 /* Neither spacings nor parameters are typed again, and the ladder is that of --solver. */
-static void later_is_as_now(void **state) {
+static void judging_later_gives_the_same_verdicts(void **state) {
     (void)state;
     char text[480], line[400];
     struct ladder now, later;
@@ -264,7 +264,7 @@ static void a_program_varies_in_what_it_likes(void **state) {
 
 int main(void) {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(later_is_as_now),
+        cmocka_unit_test(judging_later_gives_the_same_verdicts),
         cmocka_unit_test(a_missing_answer_is_a_row),
         cmocka_unit_test(cases_are_added),
         cmocka_unit_test(a_second_spacing_is_kept),

@@ -159,7 +159,7 @@ static void the_fine_end_tells_the_truth(void **state) {
     assert_int_not_equal(judge_order(&judged, 1.9, 2.1, reason, sizeof reason), VERDICT_PASS);
 }
 
-static void what_is_not_finite_is_not_left_out(void **state) {
+static void nonfinite_errors_are_included(void **state) {
     (void)state;
     struct window w;
     struct window_rung rung[N];
@@ -192,7 +192,7 @@ int main(void) {
         cmocka_unit_test(rounding_past_the_error_is_all_of_it),
         cmocka_unit_test(the_median_of_an_even_number),
         cmocka_unit_test(the_fine_end_tells_the_truth),
-        cmocka_unit_test(what_is_not_finite_is_not_left_out),
+        cmocka_unit_test(nonfinite_errors_are_included),
         cmocka_unit_test(an_error_of_zero_is_rounding),
     };
     return cmocka_run_group_tests_name("slope", tests, NULL, NULL);

@@ -55,7 +55,7 @@ static void a_part_is_the_whole(void **state) {
     as_the_whole("run square-step so_ssph --dx 0.1 --h iso --stepper matched --set kappa_y=0.0025 --set b=0.7", 4);
 }
 
-static void what_cannot_be_cut_is_not(void **state) {
+static void asymmetric_problems_are_not_cut(void **state) {
     (void)state;
     as_the_whole("run rod-step so_ssph --dx 4/41 --stepper exact", 1);
     as_the_whole("run plate so_ssph --dx 0.01 --stepper exact", 1);
@@ -67,7 +67,7 @@ int main(void) {
     gsl_set_error_handler_off();
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(a_part_is_the_whole),
-        cmocka_unit_test(what_cannot_be_cut_is_not),
+        cmocka_unit_test(asymmetric_problems_are_not_cut),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -197,7 +197,7 @@ static void characters_of_utf8_have_their_length(void **state) {
             fail_msg("row %zu: %zu bytes, %zu are due", i, utf8_length(row[i].text), row[i].length);
 }
 
-static void what_is_no_utf8_is_a_question_mark(void **state) {
+static void invalid_utf8_is_a_question_mark(void **state) {
     (void)state;
     char text[] = "z\xE9ro \xC3\xA9\x1B[2J \xC2\x9B\xE2\x9C";
     utf8_clean(text);
@@ -344,7 +344,7 @@ int main(void) {
         cmocka_unit_test(lines_are_quoted_for_a_shell),
         cmocka_unit_test(appended_words_are_cut_to_size),
         cmocka_unit_test(characters_of_utf8_have_their_length),
-        cmocka_unit_test(what_is_no_utf8_is_a_question_mark),
+        cmocka_unit_test(invalid_utf8_is_a_question_mark),
         cmocka_unit_test(json_writes_every_kind_of_value),
         cmocka_unit_test(json_escapes_bytes_that_are_no_characters),
         cmocka_unit_test(json_adds_members_by_a_format),
