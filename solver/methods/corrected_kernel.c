@@ -9,7 +9,7 @@
  * sum_j F_j s_j does not vanish, the error is O(disorder |grad T| / h), as for Brookshaw's own.  For a decreasing
  * kernel Gamma is positive definite and the weights are >= 0: the maximum principle holds on any cloud.
  *
- * schwaiger (Int.  J. Numer.  Meth.  Engng 75, 647, 2008), without its terms for free surfaces, since ghosts
+ * schwaiger (Int. J. Numer. Meth. Engng 75, 647, 2008), without its terms for free surfaces, since ghosts
  * complete the support.  The Taylor expansion of Brookshaw's sum is
  *   2 sum_j F_j (T_j - T_i) = 2 N . h grad T + Gamma : h^2 grad grad T + ...,   N = sum_j F_j s_j.
  * With the corrected gradient, and tr(Gamma^-1)/d to compensate the effect of Gamma on the trace,
@@ -18,7 +18,7 @@
  * their exchange.  Elsewhere tr(Gamma^-1) Gamma/d is not the identity, and third moments give <grad T> an error of
  * O(h): an error that does not decrease with h at a given disorder.  Weights can be negative.
  *
- * cspm (Chen, Beraun & Carney, Int.  J. Numer.  Meth.  Engng 46, 231, 1999): the Taylor series weighted in turn with
+ * cspm (Chen, Beraun & Carney, Int. J. Numer. Meth. Engng 46, 231, 1999): the Taylor series weighted in turn with
  * the first and second derivatives of the kernel, each order without the previous ones.  With W_mj = V_j (w_xx,
  * w_xy, w_yy)_m at s_j and m, n running over xx, xy, yy,
  *   h <grad T> = Gamma^-1 sum_j F_j s_j (T_j - T_i),

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Fatehi & Manzari's second derivatives (Comput.  Math.  Appl. 61, 482, 2011), their fourth scheme: each component
+/* Fatehi & Manzari's second derivatives (Comput. Math. Appl. 61, 482, 2011), their fourth scheme: each component
  * of Brookshaw's sum, minus the corrected gradient, with a matrix that makes it exact for quadratics.  In the
  * notation of correction.h, with e_j = s_j/|s_j| and m, n running over xx, xy, yy,
  *   S_m = sum_j F_j (e_j e_j)_m (T_j - T_i - s_j . h <grad T>) = sum_j omega_mj (T_j - T_i),

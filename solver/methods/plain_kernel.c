@@ -76,8 +76,8 @@ static double widest_gap(const struct neighbourhood *nb) {
 }
 
 /* Weights depend on the distance only.  If one half of the plane (of the rod) has no neighbours, a . d_j >= 0 along
- * some a, and linear T is steady only if weights of both signs happen to cancel (Seibold 2008, Comput.  Methods
- * Appl.  Mech.  Engrg. 198:592, on positive stencils). */
+ * some a, and linear T is steady only if weights of both signs happen to cancel (Seibold 2008, Comput. Methods
+ * Appl. Mech. Engrg. 198:592, on positive stencils). */
 static int surrounds(const struct neighbourhood *nb, struct failure *why) {
     int side[4] = {0}; /* the quadrant around each half axis: with one neighbour in each, no half plane is empty */
     for (size_t j = 0; j < nb->n; j++) {

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Positive stencils (Seibold 2008, Comput.  Methods Appl.  Mech.  Engrg. 198:592).  Among all weights w_j >= 0 that
+/* Positive stencils (Seibold 2008, Comput. Methods Appl. Mech. Engrg. 198:592).  Among all weights w_j >= 0 that
  * are exact for quadratics, sum w_j d_j = 0 and sum w_j d_j d_j^T = 2 diag(kappa_x, kappa_y), a linear programme for
  * each particle selects those with minimal sum_j w_j r_j^2/W_j.
  *

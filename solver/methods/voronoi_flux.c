@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Heat fluxes through the faces of Voronoi cells (MacNeal 1953; Mishev 1998, Numer.  Methods PDE 14:193):
+/* Heat fluxes through the faces of Voronoi cells (MacNeal 1953; Mishev 1998, Numer. Methods PDE 14:193):
  *   V_i rho_c dT_i/dt = sum_j A_ij/d_ij K_ij (T_j - T_i),   A_ij the face between the cells of i and j, V_i the cell.
  * With k_x != k_y cells, faces and distances are those of the metric x/sqrt(k_x), y/sqrt(k_y) (voronoi.h), and
  * K = sqrt(k_x k_y).  Between two materials K follows from the resistances in series along the line from i to j, and

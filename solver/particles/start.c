@@ -10,7 +10,7 @@
  * remaining error is a dipole of O(dx^2).
  *
  * l is the stationary distribution of a Markov chain with the rates A_ij.  For rates >= 0 elimination from the far
- * end computes it without cancellation (Grassmann, Taksar, Heyman 1985, Oper.  Res. 33:1107). */
+ * end computes it without cancellation (Grassmann, Taksar, Heyman 1985, Oper. Res. 33:1107). */
 #include "solver/particles/start.h"
 #include "solver/particles/particles.h"
 #include "solver/space/kernel.h"

@@ -3,7 +3,7 @@
  * equation.
  *
  * Near a wall the constant of the expansion about particle i is an unknown, as in modified SPH (Zhang & Batra 2004,
- * Comput.  Mech. 34:137).  A quadratic q is fitted to the nearby particles and particle i itself, with the kernel as
+ * Comput. Mech. 34:137).  A quadratic q is fitted to the nearby particles and particle i itself, with the kernel as
  * weight, and at the nearest point of each wall within the support, with ten times the weight at distance 0, to
  *   Dirichlet  q = T_w,   Neumann  q_n = g/k,   Robin  (q_n + (b/k) q) = (b/k) T_a,
  * with slopes in units of h.  Then

@@ -5,14 +5,14 @@
  * fixed     T_d = T_w (Pamplona 2019, Fig. 3).  The effective wall is at the dummies, up to dx from its true
  * position: first
  *           order.
- * distance  Morris, Fox & Zhu 1997, J. Comput.  Phys. 136:214, for each pair of a particle i and a dummy d:
+ * distance  Morris, Fox & Zhu 1997, J. Comput. Phys. 136:214, for each pair of a particle i and a dummy d:
  *           T_d = T_w - (d_d/d_i) (T_i - T_w),   1 + d_d/d_i at most 1.5. Exact for linear T across the wall unless
  * the bound is active. It is for most pairs, d_d > d_i/2, which weakens the wall by a fraction independent of dx.
- * average   Adami, Hu & Adams 2012, J. Comput.  Phys. 231:7057, with the Shepard mean <.> at the dummy:
+ * average   Adami, Hu & Adams 2012, J. Comput. Phys. 231:7057, with the Shepard mean <.> at the dummy:
  *           Dirichlet  T_d = 2 T_w - <T>,   Neumann  T_d = <T> + (d_d + <d>) q/k,   q the flux into the body.
  *           The particles near a dummy have other distances from the wall. At a Dirichlet wall the error of T_d is
  *           (d_d - <d>) dT/dn = O(dx), which costs an order; a flux has the right slope and an error of O(dx^2).
- * image     Marrone et al. 2011, Comput.  Methods Appl.  Mech.  Engrg. 200:1526, with T_m at the mirror point by
+ * image     Marrone et al. 2011, Comput. Methods Appl. Mech. Engrg. 200:1526, with T_m at the mirror point by
  * linear moving
  *           least squares: Dirichlet  T_d = 2 T_w - T_m,   Neumann  T_d = T_m + 2 d q/k,
  *           Robin  T_d = f T_m + (1 - f) T_a,   f = (k - b d)/(k + b d), as for images of particles.

@@ -5,14 +5,14 @@
  *
  *     exp(dt A) = exp(-h) exp(h X) = c_0 + c_1 T_1(X) + c_2 T_2(X) + ...,    c_k = (2 - [k = 0]) exp(-h) I_k(h),
  *
- * with the modified Bessel functions I_k (Tal-Ezer 1989, SIAM J. Sci.  Stat.  Comput. 10; Bergamaschi & Vianello
- * 2000, Numer.  Linear Algebra Appl. 7, 27).  The c_k are positive and their sum is 1. exp(-h) I_k(h) is the
+ * with the modified Bessel functions I_k (Tal-Ezer 1989, SIAM J. Sci. Stat. Comput. 10; Bergamaschi & Vianello
+ * 2000, Numer. Linear Algebra Appl. 7, 27).  The c_k are positive and their sum is 1. exp(-h) I_k(h) is the
  * probability that two Poisson variables of mean h/2 differ by k, so by Chernoff's bound the terms beyond degree K
  * sum to at most 2 exp(h (sqrt(1 + q^2) - 1 - q asinh q)), q = K/h.  The truncation error falls to round-off at a
  * degree of about sqrt(75 h).  A single step for the whole run thus needs the square root of the number of updates
  * of explicit steps, and has no time error.
  *
- * Clenshaw's recurrence (1955, Math.  Tables Aids Comput. 9, 118) evaluates the sum: b_k = c_k T + 2 X b_(k+1) -
+ * Clenshaw's recurrence (1955, Math. Tables Aids Comput. 9, 118) evaluates the sum: b_k = c_k T + 2 X b_(k+1) -
  * b_(k+2).  Here b_k is divided by s_k = c_k + 2 s_(k+1) - s_(k+2).  The coefficients of every update then sum to 1,
  * wall values and sources of dT/dt = L(T) = A T + g enter as in an Euler step, and every state stays in the range of
  * the data's modes.  A rounding error delta at k contributes at most (k + 1) s_k delta to the result.  Random

@@ -1,10 +1,10 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Customary time steps for conduction in SPH, dt = C h^2/kappa.
  *
- * Morris, Fox & Zhu 1997 (J. Comput.  Phys. 136:214): C = 0.125 for a viscosity nu in place of kappa, with a quintic
+ * Morris, Fox & Zhu 1997 (J. Comput. Phys. 136:214): C = 0.125 for a viscosity nu in place of kappa, with a quintic
  * spline
  *   of support 3 h. For a kernel with the support 2 h used here, their h is 2/3 of this h.
- * Cleary & Monaghan 1999 (J. Comput.  Phys. 148:227): C = 0.15, dt = 0.15 rho c h^2/k, a cubic spline of support 2
+ * Cleary & Monaghan 1999 (J. Comput. Phys. 148:227): C = 0.15, dt = 0.15 rho c h^2/k, a cubic spline of support 2
  * h.  Biriukov & Price 2019 (MNRAS 483:4901), table of the largest stable C for three kernels in three dimensions:
  * Brookshaw's
  *   pairs 0.15, 0.18, 0.2; direct second derivatives 0.2, 0.35, 0.4; two first derivatives 0.6, 1.2, 1.6. The
