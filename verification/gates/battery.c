@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The battery's table, and its cases for a program that runs elsewhere. */
+/* The table of the battery; its cases for a program that runs elsewhere. */
 #include "verification/gates/battery.h"
 
 #include "references/scene.h"
@@ -21,7 +21,7 @@ const struct battery_row battery_table[] = {
     {0}};
 #undef BATTERY
 
-/* The bounds of the row on that line, for its drawn experiment at the finest rung. */
+/* The bounds of the row on that line; e: drawn, at the finest rung. */
 static void bounds_of(int line, const struct experiment *e, struct gate *g) {
     const double dx = e->options.dx;
     g->lo = g->hi = g->ceiling = NAN * dx;
@@ -42,7 +42,7 @@ static int is_in_profile(const char *id, enum profile profile) {
     return profile == PROFILE_SLABS || strncmp(id, "slab/", 5) != 0;
 }
 
-/* A program's rows in a plane cost it most by far; those of rods see all but what has two axes. */
+/* Rows in a plane take most of the time; rods see all faults but those of two axes. */
 static enum gate_tier tier_of(const struct battery_row *row) {
     return strstr(row->run, " rod-") || strstr(row->run, " wall-") ? TIER_QUICK : TIER_FULL;
 }
@@ -64,7 +64,7 @@ void battery_words(enum profile profile, int rungs, char *text, size_t size) {
     if (rungs) words_add(text, size, " --rungs %d", rungs);
 }
 
-/* Stands for the program of rows that are listed or written. */
+/* The program of rows that are listed or written. */
 static const struct program any = {.solver = "{case} {out}"};
 
 /* If the command was refused because of its program and has no answer, the bounds are the general ones. */
@@ -97,7 +97,7 @@ int battery_bounds(struct gates *g, struct failure *why) {
     return first < g->declared ? why->status : STATUS_OK;
 }
 
-/* The cases of one row, a ladder in space `seeds` times; a ladder in time has a directory a step below that of its
+/* The cases of one row, of a ladder in space `seeds` times; the time steps of a ladder are directories below the
  * spacing. */
 static int write_row(const struct gate_result *row, int seeds, const char *dir, struct failure *why) {
     if (!row->read) return *why = row->refused, why->status;

@@ -40,15 +40,15 @@ int battery_command(const struct battery_row *row, unsigned long seed, char comm
 /* Adds the rows for that order and profile to *g, drawn by the seed; their bounds are not numbers yet. */
 int battery_add(int order, enum profile profile, unsigned long seed, struct gates *g, struct failure *why);
 
-/* Evaluates the bounds of all rows in *g: some need a run of the five-point difference. */
+/* Evaluates the bounds of all rows in *g; some run the five-point difference. */
 int battery_bounds(struct gates *g, struct failure *why);
 
 /* Appends the words of `verify` that choose among these rows: " --profile P --rungs N". */
 void battery_words(enum profile profile, int rungs, char *text, size_t size);
 
 /* Writes the case of every rung of every row in *g: DIR/SCENE/SETTING/DX/case, and DIR/cases.txt (results.h).
- * With seeds > 1 each rung of a ladder in space is written as often, as DX/seed=1/case and so on.  What rows share is
- * written once.  *cases: those that cases.txt names then.  STATUS_OK or STATUS_INPUT with *why. */
+ * With seeds > 1 each rung of a ladder in space is written as often, as DX/seed=1/case and so on.  A case that rows
+ * share is written once.  *cases: the lines of cases.txt.  STATUS_OK or STATUS_INPUT with *why. */
 int battery_write(struct gates *g, int seeds, const char *dir, int *cases, struct failure *why);
 
 #endif

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Which gates: rows of the tables, one for each scene's reference; of these what --only, --skip, --quick leave. */
+/* The table of gates, the references of scenes, and the choice of --only, --skip and --quick. */
 #include "verification/gates/gates.h"
 
 #include "references/scene.h"
@@ -30,7 +30,7 @@ static const struct row rows[] = {
 };
 #undef GATE
 
-/* The bounds of the row on that line, for the experiment at its finest rung. */
+/* The bounds of the row on that line; e: at the finest rung. */
 static void bounds_of(int line, const struct experiment *e, struct gate *g) {
     const double dx = e->options.dx;
     switch (line) {
@@ -47,8 +47,8 @@ static void bounds_of(int line, const struct experiment *e, struct gate *g) {
 
 enum { NAME = 240, WORD = 80 };
 
-/* The text with its first {a,b,c} replaced by the k-th word, and that word up to a blank but for an option's name; 0
- * where there are fewer. */
+/* The text with its first {a,b,c} replaced by the k-th alternative; word: the first word of that, without the name of
+ * an option.  0 if there are fewer. */
 static int pick(const char *text, int k, char picked[GATES_COMMAND], char word[WORD]) {
     const char *open = strchr(text, '{'), *at = open + 1, *close = strchr(open, '}');
     for (; k > 0; k--) {
@@ -71,7 +71,7 @@ static void name_with(const char *id, const char *word, char name[NAME]) {
         snprintf(name, NAME, "%.150s/%s", id, word);
 }
 
-/* A gate for each choice of words. */
+/* A gate for each choice of alternatives. */
 static void add_row(struct gates *g, const struct row *row, const char *id, const char *command) {
     char picked[GATES_COMMAND], word[WORD], name[NAME];
     if (!strchr(command, '{')) {
@@ -86,7 +86,7 @@ static void add_row(struct gates *g, const struct row *row, const char *id, cons
     }
 }
 
-/* A command that is refused leaves its gate without bounds; it fails with that text. */
+/* A refused command has no bounds; its gate fails with the refusal. */
 static void set_bounds(struct gate_result *r) {
     if (!r->line || !r->read) return;
     struct experiment e = gates_finest(r->read);
@@ -97,7 +97,7 @@ static void set_bounds(struct gate_result *r) {
 
 enum { TEXT = 160 }; /* length of the name and of the command of a reference's gate */
 
-/* Every scene's reference is gated without a row: its two forms agree within their bounds, which are small. */
+/* The reference of a scene needs no row: its two forms agree within their bounds, and these are small. */
 static void add_reference(struct gates *g, const struct scene *s) {
     struct problem p;
     struct failure why;
@@ -113,7 +113,7 @@ static void add_reference(struct gates *g, const struct scene *s) {
                                 "two forms derived apart differ by no more than the sum of their bounds"});
 }
 
-/* The nearest name into `hint`; of a pattern the nearest group, the part of a name before its slash. */
+/* The nearest name into `hint`; for a pattern the nearest group. */
 static void nearest_name(const struct gates *g, const char *glob, char *hint, size_t size) {
     char(*name)[TEXT] = xcalloc((size_t)g->declared, sizeof *name), typed[TEXT];
     const char **names = xcalloc((size_t)g->declared + 1, sizeof *names), *nearest = NULL;
@@ -131,7 +131,7 @@ static void nearest_name(const struct gates *g, const char *glob, char *hint, si
     free(name);
 }
 
-/* `option`: which one the glob is of. */
+/* option: only or skip */
 static int none_matches(const struct gates *g, const char *option, const char *glob, struct failure *why) {
     char hint[100];
     int file = g->origin && strncmp(g->origin, "--gates", 7) == 0;
@@ -145,13 +145,13 @@ static int none_matches(const struct gates *g, const char *option, const char *g
 
 void gates_add(struct gates *g, const struct gate *gate) {
     size_t used = (size_t)g->declared;
-    if ((used & (used - 1)) == 0) /* 0, 1, 2, 4, 8, ...: there is no more room */
+    if ((used & (used - 1)) == 0) /* 0, 1, 2, 4, 8, ...: full */
         g->result = xgrow(g->result, used, used ? 2 * used : 1, sizeof *g->result);
     g->result[used] = (struct gate_result){.gate = *gate};
     g->declared++;
 }
 
-/* STATUS_OK where each of the globs matches a row. */
+/* STATUS_OK if each of the globs matches a row. */
 static int check_globs(const struct gates *g, const char *option, const char *globs, struct failure *why) {
     char glob[1024];
     while (globs) {

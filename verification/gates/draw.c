@@ -1,7 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Drawn rows: GSL's mt19937, seeded by the seed and by what is drawn, so that a row's draw does not depend on the
- * rows before it.  Numbers are drawn evenly (the scale: its logarithm) and rounded to three digits, as the command
- * has them. */
+/* Draws: GSL's mt19937, seeded by the seed, the scene and the ranges, so that rows do not depend on each other.
+ * Numbers are uniform (the scale: its logarithm) and rounded to the three digits of the command. */
 #include "verification/gates/battery.h"
 
 #include "references/mapping.h"
@@ -62,7 +61,7 @@ static int draw_ranges(const char *ranges, gsl_rng *r, char *command, double *of
     return STATUS_OK;
 }
 
-/* 1 where the ranges have the parameter of NAME=VALUE. */
+/* 1 if the ranges have the parameter of NAME=VALUE. */
 static int is_drawn(const char *ranges, const char *set) {
     size_t n = strcspn(set, "=") + 1;
     for (const char *at = ranges; *at; at += strcspn(at, " "), at += strspn(at, " "))

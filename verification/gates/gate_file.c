@@ -1,6 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Rows of gates as text: a scanner of C's blanks, comments, literals, names and numbers, and the one form of a row.
- */
+/* Rows of gates as text: a scanner of C blanks, comments, literals, names and numbers, and the form of a row. */
 #include "verification/gates/gate_file.h"
 
 #include "solver/status.h"
@@ -25,7 +24,7 @@ struct scanner {
     struct failure *why;
 };
 
-/* Line and column of s->at, counted from 1, then what is wrong there. */
+/* Refuses with line and column of s->at, counted from 1. */
 static int wrong(struct scanner *s, const char *format, ...) {
     int line = 1, column = 1;
     char text[240];
@@ -89,7 +88,7 @@ static int take_literal(struct scanner *s) {
     const struct scanner open = *s;
     for (s->at++; s->at < s->end && *s->at != '"'; s->at++) {
         char c = *s->at;
-        size_t length = utf8_length(s->at); /* the text has a NUL behind it */
+        size_t length = utf8_length(s->at); /* a NUL ends the text */
         if (!length && c != '\n') return wrong(s, "a text has a control character, or is not UTF-8");
         if (c == '\\' && s->at + 1 < s->end) {
             c = *++s->at;
@@ -106,7 +105,7 @@ static int take_literal(struct scanner *s) {
     return wrong(&at, "this text has no closing \" on its line");
 }
 
-/* Literals with nothing but blanks between are one text. */
+/* Adjacent literals are one text. */
 static int take_text(struct scanner *s, const char *what, const char **text) {
     char quoted[48];
     *text = s->to;

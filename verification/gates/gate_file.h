@@ -2,23 +2,23 @@
 #ifndef HEATLADDER_VERIFICATION_GATES_GATE_FILE_H
 #define HEATLADDER_VERIFICATION_GATES_GATE_FILE_H
 
-/* Gates that a user keeps beside their own code:
+/* Gates of a user, in a file:
  *
  *     GATE("id", QUICK, "measure", "command", lo, hi, ceiling, "why")
  *
- * any number of them, with C comments between; a text may be of several literals, a number NAN or INFINITY. */
+ * any number of rows, with C comments between; a text may be several literals, a number NAN or INFINITY. */
 
 #include "verification/gates/gates.h"
 
 struct gate_file {
     int count;
-    struct gate *gate; /* owned; its texts point into `text` */
+    struct gate *gate; /* owned; texts point into `text` */
     char *text;        /* owned */
 };
 
-/* Rows from `size` bytes; `name` stands in messages, with line and column.  STATUS_OK, or STATUS_INPUT with *why
- * where a row is not of that form, an id is there twice, a measure is unknown, a band is none, or there is no row.
- * End with gate_file_free in any case. */
+/* Rows from `size` bytes; messages have `name`, line and column.  STATUS_OK, or STATUS_INPUT with *why for a row of
+ * another form, an id that occurs twice, an unknown measure, a band without inside, or no row.  gate_file_free in
+ * either case. */
 int gate_file_read(const char *text, size_t size, const char *name, struct gate_file *f, struct failure *why);
 
 /* The same from a file of at most 1 MB. */

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Running gates.  Every row becomes one result, and a result that nobody filled is inconclusive, which does not pass;
- * that as many were run as declared is checked on top. */
+/* Running gates.  A row that was not filled is inconclusive and does not pass; gates_status also compares the rows
+ * executed with those declared. */
 #include "verification/gates/gates.h"
 
 #include "verification/diagnosis/headline.h"
@@ -13,9 +13,9 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* About how many particle updates a command takes: the sum over rungs of particles x steps; steps = t kappa / (F
- * dx^2), with F as given, or the 1/600 or so at which the time error of Euler's method falls below 1 %, and a few for
- * the exact stepper.  The heaviest starts first; nothing else depends on it. */
+/* Estimate of particle updates: particles x steps, summed over rungs; steps = t kappa/(F dx^2), with F as given, else
+ * 1/600, where the time error of Euler's method is below 1 %; a few steps for the exact stepper.  It decides only
+ * which row starts first. */
 static double steps_at(const struct command *r, double dx) {
     const struct experiment *e = &r->experiment;
     const struct material *m = &e->problem.material[0];

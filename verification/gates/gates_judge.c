@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* One gate: its command, by another program where there is one, and what its measure says of it. */
+/* One gate: reading its command, measuring, judging, and the command that repeats the verdict. */
 #include "verification/gates/gates.h"
 
 #include "verification/ladder/command.h"
@@ -15,12 +15,12 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* Whether the measure is what `ladder` itself judges: its command can be typed as it is. */
+/* 1 if `ladder` itself judges the measure. */
 static int is_ladder(const char *measure) {
     return strcmp(measure, "slope") == 0 || strncmp(measure, "order", 5) == 0;
 }
 
-/* Ladders are judged with the ceiling by themselves. */
+/* 1 if ladder_judge applies the ceiling. */
 static int has_ladders(const char *measure) {
     return is_ladder(measure) || strncmp(measure, "slope_", 6) == 0;
 }
@@ -37,7 +37,7 @@ int gates_is_drawn(const struct gate *gate) {
 
 /* ---- Reading ---- */
 
-/* A ladder or a run alone: no other verb can be done by another program. */
+/* Another program answers only ladders and runs. */
 int gates_read_row(const struct gate *gate, const struct program *program, struct command *c, struct failure *why) {
     const char *const more[] = {!program          ? NULL
                                 : program->solver ? "--solver"

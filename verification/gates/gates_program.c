@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Gates that another program answers.  Rows run side by side, twice as many as cases may: while one is judged, or
- * waits for a case that another row has begun, the program runs for the next. */
+/* Gates of another program.  Twice as many rows as cases run at a time: while one is judged, or waits for a case of
+ * another row, the program runs for the next. */
 #include "verification/gates/gates.h"
 
 #include "solver/status.h"
@@ -25,7 +25,8 @@ static void run_row(struct gates *g, struct gate_result *result, const struct pr
     struct failure ignored;
     if (atomic_file_noted() || runs_absent(program->runs, &ignored)) return;
     gates_run_row(g, result, program);
-    if (atomic_file_noted() || runs_absent(program->runs, &ignored)) return; /* no verdict: its runs were cut off */
+    if (atomic_file_noted() || runs_absent(program->runs, &ignored))
+        return; /* no verdict: its runs were interrupted */
     result->executed = 1;
 #pragma omp critical(gates_row)
     {

@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#ifndef HEATLADDER_VERIFICATION_MEASURES_MEASURES_H
-#define HEATLADDER_VERIFICATION_MEASURES_MEASURES_H
+#ifndef HEATLADDER_VERIFICATION_GATES_MEASURES_H
+#define HEATLADDER_VERIFICATION_GATES_MEASURES_H
 
-/* The measures of a gate, by name.  A new measure is a row of measures.def and a function. */
+/* Measures of gates, by name.  A new measure is a row of measures.def and a function. */
 
 #include "verification/diagnosis/diagnosis.h"
 #include "verification/text/number.h"
@@ -28,7 +28,7 @@ struct rungs {
 struct measured {
     double value;
     double ci[2]; /* 95 % interval of a slope; else the value twice */
-    double error; /* error bounded by a ceiling: E1; for a ladder its norm at the finest included rung; NaN: none */
+    double error; /* bounded by a ceiling: E1; of a ladder its norm at the finest rung that counts; NaN: none */
     enum verdict verdict;
     char reason[400];
     struct diagnosis found; /* the usual fault that the errors look like; not named where none was looked for */
@@ -39,8 +39,8 @@ struct measured {
 struct measure {
     const char *name;
     const char *about; /* one line, with the unit */
-    int ceiling;       /* 1: to be gated only with a ceiling on the error beside it */
-    /* Fills *m, judged by lo <= value <= hi.  What fails is a verdict, never silent. */
+    int ceiling;       /* 1: needs a ceiling on the error */
+    /* Fills *m, judged by lo <= value <= hi. */
     void (*take)(const struct command *r, double lo, double hi, struct measured *m);
 };
 
@@ -51,8 +51,7 @@ extern const struct measure measures[]; /* ended by a NULL name */
 #include "verification/gates/measures.def"
 #undef MEASURE
 
-/* Common endings of measures: a failure with its reason (skipped if the program skips the case), or the verdict on
- * lo <= value <= hi. */
+/* A failure with its reason (skipped if the program skips the case); the verdict on lo <= value <= hi. */
 void measures_fail(struct measured *m, const struct failure *why);
 void measures_judge(struct measured *m, double value, double lo, double hi);
 

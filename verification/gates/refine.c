@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* A ceiling is of the error at the finest spacing.  One that is k halvings finer leaves 2^-kP of it, P the order that
- * the row is for: bands begin half an order below it, 0.1 for the order in time (battery.def). */
+/* A ceiling bounds the error at the finest spacing.  k halvings multiply it by 2^-kP, P the order of the row: bands
+ * begin half an order below it, 0.1 below the order in time (battery.def). */
 #include "verification/gates/gates.h"
 
 #include "solver/status.h"
