@@ -2,7 +2,8 @@
 #ifndef HEATLADDER_VERIFICATION_FOREIGN_CASE_FILE_H
 #define HEATLADDER_VERIFICATION_FOREIGN_CASE_FILE_H
 
-/* The case file: one `key = value` a line, SI, numbers with 17 digits, several values with commas between. */
+/* The case file: one `key = value` per line, SI units, numbers with 17 digits, several values separated by
+ * commas. */
 
 #include <stddef.h>
 #include <stdio.h>
@@ -22,18 +23,19 @@ struct case_extra { /* settings that are not part of the problem */
     int seed;                  /* seed of --seeds, from 1; 0 for none */
 };
 
-/* *p: the case's (mapping_image).  STATUS_OK; or STATUS_INPUT where dx and dy of *o do not divide the extents of *p
- * into whole cells, to a millionth of their number, with the nearest spacings that do. */
+/* *p: the problem of the case (mapping_image).  Returns STATUS_OK, or STATUS_INPUT with the nearest valid spacings
+ * if dx and dy of *o do not divide the extents of *p into whole cells, to a relative tolerance of 1e-6. */
 int case_file_check(const struct problem *p, const struct options *o, struct failure *why);
 
-/* Writes what another program must know to solve the image of *p, of the scene *s, at *o. */
+/* Writes the data with which an external program solves the image of *p, of the scene *s, at *o. */
 void case_file_write(const struct scene *s, const struct problem *p, const struct options *o,
                      const struct case_extra *extra, FILE *out);
 
-/* The value of a key in the text of a case file, at most size - 1 letters; 0 where it is there. */
+/* Copies the value of a key in the text of a case file, at most size - 1 characters.  Returns 0 if the key
+ * exists. */
 int case_file_value(const char *text, const char *key, char *value, size_t size);
 
-/* The whole text of a case file, to be freed; NULL with *why where it is none. */
+/* The whole text of a case file, freed by the caller; NULL with *why if it is not one. */
 char *case_file_read(const char *path, struct failure *why);
 
 #endif

@@ -2,8 +2,8 @@
 #ifndef HEATLADDER_VERIFICATION_FOREIGN_FORMATS_H
 #define HEATLADDER_VERIFICATION_FOREIGN_FORMATS_H
 
-/* The formats of an answer: whether a file that starts so is of one, and its points into *s, whose path and dim are
- * set.  A reader's status is STATUS_OK, or *why says what is wrong and where. */
+/* The formats of an answer: recognition of a file by its start, and a reader of its points into *s, with path and
+ * dim already set.  A reader returns STATUS_OK, or *why states the error and its place. */
 
 #include <stddef.h>
 #include <stdio.h>
@@ -12,8 +12,8 @@ struct column_map;
 struct failure;
 struct samples;
 
-/* NumPy's .npy, little-endian numbers of 8 or 4 bytes: an array of n rows and the columns x, T (x, y, T for a
- * rectangle) and w where there is one more; or a structured one, whose fields go by their names. */
+/* NumPy's .npy, little-endian numbers of 8 or 4 bytes: an array of n rows with the columns x, T (x, y, T for a
+ * rectangle) and optionally w; or a structured array with named fields. */
 int npy_file_is(const char *start, size_t size);
 int npy_file_read(FILE *in, const struct column_map *c, struct samples *s, struct failure *why);
 

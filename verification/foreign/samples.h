@@ -14,17 +14,17 @@ enum { COLUMN_X, COLUMN_Y, COLUMN_T, COLUMN_W, COLUMN_COUNT, COLUMN_NAME = 64 };
 /* Names of x, y, T and w in the file; "" for the name itself. */
 struct column_map {
     char name[COLUMN_COUNT][COLUMN_NAME];
-    const char *text; /* as typed; NULL where nobody typed it */
+    const char *text; /* as typed; NULL if not given */
 };
 
-/* From 'x=X,y=Y,T=temp,w=volume', each at most once; a number stands for the place of a column, the first being 1. */
+/* Parses 'x=X,y=Y,T=temp,w=volume', each at most once; a number is the position of a column, from 1. */
 int samples_columns_read(const char *map, struct column_map *c, struct failure *why);
 const char *samples_column_name(const struct column_map *c, int column);
 
-struct samples {      /* owned arrays: samples_free */
+struct samples {      /* arrays are owned; release with samples_free */
     const char *path; /* name of the file in messages */
     int dim;
-    int has[COLUMN_COUNT]; /* 1 for a column that is there; to be set before the first samples_grow or _reserve */
+    int has[COLUMN_COUNT]; /* 1 for an existing column; set it before the first samples_grow or samples_reserve */
     size_t n, room;
     double *value[COLUMN_COUNT];    /* n values per column; NULL if the column is missing */
     long *line;                     /* line in the file, from 1; NULL if it equals the number of the point */
@@ -32,21 +32,21 @@ struct samples {      /* owned arrays: samples_free */
 };
 
 void samples_free(struct samples *s);
-void samples_grow(struct samples *s);                 /* to twice the room */
+void samples_grow(struct samples *s);                 /* doubles the capacity */
 void samples_reserve(struct samples *s, size_t room); /* for an empty *s with one point per line */
 long samples_line(const struct samples *s, size_t i); /* line of point i in the file, from 1 */
 
-/* The value of one cell into its place, or a refusal that names path, line and column. */
+/* Stores the value of one cell, or refuses it with path, line and column. */
 int samples_put(struct samples *s, int column, const char *text, size_t length, long line, int place,
                 struct failure *why);
 
-/* Whether the text of that length is the word. */
+/* 1 if the text of that length equals the word. */
 int samples_is(const char *text, size_t length, const char *word);
 
-/* A text for a message: printable, at most 40 letters, what is cut marked. */
+/* A text for a message: printable, at most 40 characters, with a mark if truncated. */
 const char *samples_quote(const char *text, size_t length, char quoted[48]);
 
-/* Opens a regular file, no link; NULL with *why where it is not one. */
+/* Opens a regular file, not a link; NULL with *why if it is not one. */
 FILE *samples_open(const char *path, const char *name, struct failure *why);
 
 #endif

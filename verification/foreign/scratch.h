@@ -12,16 +12,16 @@ struct failure;
 enum { SCRATCH_PATH = 256 };
 
 struct scratch {
-    char dir[SCRATCH_PATH]; /* under TMPDIR where its name needs no quotes in a shell, else under /tmp */
-    int pipe;               /* a line is written to it: the process group, which ends with the directory */
+    char dir[SCRATCH_PATH]; /* under TMPDIR if its name needs no quotes in a shell, else under /tmp */
+    int pipe;               /* receives one line: the process group that ends with the directory */
     pid_t guard;
 };
 
 int scratch_open(struct scratch *s, struct failure *why); /* STATUS_OK, or STATUS_INPUT with *why */
 void scratch_close(struct scratch *s);                    /* returns when all is removed */
 
-/* The same open file by a number above those that a program is started with, which dup2 would close; closed where
- * another program starts.  -1 with errno set. */
+/* Duplicates a descriptor to a number above those given to a started program, which dup2 would close; closed on
+ * exec.  Returns -1 with errno set on failure. */
 int scratch_descriptor(int descriptor);
 
 #endif

@@ -31,7 +31,7 @@ void html_command(FILE *out, const char *command);
 /* Embeds the SVG file at `path` as an image; 0, or -1 where it cannot be read. */
 int html_image(FILE *out, const char *path, const char *alternative);
 
-/* Copies the body of a page of html_open at `path`, without its title; 0, or -1 where there is none. */
+/* Copies the body of a page of html_open at `path`, without its title.  Returns 0, or -1 if there is none. */
 int html_include(FILE *out, const char *path);
 
 #endif

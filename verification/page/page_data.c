@@ -48,7 +48,7 @@ static void put_groups(const struct gates *g, FILE *out) {
     }
 }
 
-/* The first ladder in E1 over dx of each method, the subject's first; how many. */
+/* The first ladder in E1 over dx of each method, the subject's first; returns their number. */
 static int choose(const struct gates *g, const char *scene, const struct gate_result *chosen[METHODS]) {
     char method[METHODS][WORD], of[WORD], by[WORD];
     int n = 0;

@@ -116,7 +116,7 @@ void print_gates(const struct gates *g, int all, double seconds) {
     printf(" (%.2f s)\n", seconds);
 }
 
-/* GitHub's workflow commands: what would end a command or a property is written by its number. */
+/* Escapes GitHub's workflow commands: characters that would end a command or a property. */
 static void put_escaped(const char *text, const char *special) {
     for (; *text; text++)
         if (strchr(special, *text))

@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* rename() replaces a file in one step (POSIX), so a reader sees the old text or the new.  The bytes are all in
- * memory before the file is opened, and interrupts wait for the moment that the writing takes: no partial file is
- * left.  Files that belong together are all written under their other names first, so that what is between the first
- * and the last of them is a few renames. */
+/* rename() replaces a file in one step (POSIX), so a reader sees either the old text or the new one.  All bytes are
+ * in memory before the file is opened, and interrupts wait during the short writing, so no partial file remains.
+ * Files that belong together are all written under temporary names first; only a few renames separate the first from
+ * the last. */
 #include "verification/text/atomic_file.h"
 
 #include "solver/status.h"
@@ -120,8 +120,8 @@ static int remove_part(const char *name) {
     return -1;
 }
 
-/* Writes the part beside `path`, to be renamed; nobody may read it who could not read what was there.  0, or -1 with
- * errno set and nothing left behind. */
+/* Writes the temporary file next to `path`, with the permissions of the old file.  Returns 0, or -1 with errno set
+ * and nothing left behind. */
 static int prepare(const char *path, const char *bytes, size_t size) {
     char name[PATH_LENGTH];
     struct stat was;

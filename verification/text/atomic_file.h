@@ -8,8 +8,8 @@
 
 struct failure;
 
-/* Whether `path` could be written, so that a long run is refused before it starts.  STATUS_OK or STATUS_INPUT; a NULL
- * path is fine.  Creates nothing, changes nothing. */
+/* Checks that `path` can be written, so that a long run is refused before it starts.  Returns STATUS_OK or
+ * STATUS_INPUT; a NULL path is valid.  Creates and changes nothing. */
 int atomic_file_check(const char *path, struct failure *why);
 
 struct atomic_file {
@@ -24,8 +24,8 @@ struct atomic_file {
  * incomplete. */
 int atomic_file_write_all(const struct atomic_file *files, int count, struct failure *why);
 
-/* From hold to release SIGINT, SIGTERM and SIGHUP are noted, and raised by the outermost release.  Calls nest, and
- * may come from any thread; what the caller of this program ignores stays ignored. */
+/* Between hold and release SIGINT, SIGTERM and SIGHUP are recorded, and raised by the outermost release.  Calls nest
+ * and are thread-safe; signals that the caller of this program ignores stay ignored. */
 void atomic_file_hold(void);
 int atomic_file_noted(void); /* the signal that waits, 0 for none */
 void atomic_file_release(void);

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* A streaming JSON writer: what is open is a stack of closing brackets. */
+/* A streaming JSON writer with a stack of closing brackets. */
 #include "verification/text/json.h"
 
 #include "verification/text/utf8.h"

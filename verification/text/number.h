@@ -17,8 +17,8 @@ struct numbers {
 /* Reads the whole of `text` as a finite decimal, or as a fraction of two (4/42).  0, or -1 where it is neither. */
 int number_read(const char *text, double *value);
 
-/* Reads numbers separated by commas.  How many, at most max; or -1 where one is no number, there is none, or there
- * are more than max. */
+/* Reads comma-separated numbers.  Returns their number, at most max; or -1 if one is not a number, there is none, or
+ * there are more than max. */
 int number_read_list(const char *text, double *values, int max);
 
 /* Sorts `count` values, NUMBERS_MAX at most, in place, the largest first. */
@@ -32,8 +32,8 @@ int number_read_whole(const char *text, long max, long *value);
 enum { NUMBER_PRINTED = 32 };
 int number_digits(double value, double off, int most, char text[NUMBER_PRINTED]);
 
-/* Reads `length` bytes as a decimal the way programs print it: 1.5, 1.5e-3, 1.5D-3, or 1.2345-110 (Fortran, where the
- * exponent takes three digits).  0; 1 for nan or inf in any case, *value then being NaN; -1 for anything else. */
+/* Reads `length` bytes as a decimal in the notation of programs: 1.5, 1.5e-3, 1.5D-3, or 1.2345-110 (Fortran with an
+ * exponent of three digits).  Returns 0; 1 for nan or inf in any case, with *value NaN; -1 for anything else. */
 int number_read_printed(const char *text, size_t length, double *value);
 
 #endif

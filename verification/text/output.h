@@ -12,8 +12,8 @@
 
 struct failure;
 
-/* As POSIX open_memstream: a stream whose text, ended by a NUL, is to be freed after fclose; but ends the program
- * where memory is out, instead of leaving out what did not fit.  Not for seeking. */
+/* Like POSIX open_memstream: a stream with a NUL-terminated text, freed by the caller after fclose; but it ends the
+ * program if memory runs out, instead of omitting data.  Not seekable. */
 FILE *output_stream(char **text, size_t *size);
 
 struct output {
@@ -26,7 +26,7 @@ struct output {
 /* Opens a file in memory, to be written to; its place is a path, printf-like.  Ends the program without memory. */
 FILE *output_open(struct output *o, const char *path, ...) __attribute__((format(printf, 2, 3)));
 
-/* Ends the writing: `text` is what was written.  Not needed before output_close. */
+/* Ends the writing and sets `text`.  Not required before output_close. */
 void output_end(struct output *o);
 
 /* Puts `count` files that belong together in their places: STATUS_OK; or none of them with *why filled, STATUS_INPUT

@@ -2,8 +2,8 @@
 #ifndef HEATLADDER_VERIFICATION_TEXT_PROGRESS_H
 #define HEATLADDER_VERIFICATION_TEXT_PROGRESS_H
 
-/* How far long work has come, on standard error: on a terminal one line that is written over; in a pipe, and within
- * another progress, only the lines of progress_print. */
+/* Progress of long work on standard error: on a terminal one line that is overwritten; in a pipe, and within another
+ * progress, only the lines of progress_print. */
 
 struct progress {
     const char *what;

@@ -52,7 +52,7 @@ void table_number(struct table *t, const char *format, double value, const char 
         table_add(t, "%s", none);
 }
 
-/* Whether the last column, its header apart, holds sentences. */
+/* 1 if the last column, without its header, contains sentences. */
 static int ends_in_words(const struct table *t) {
     for (int i = 2 * t->columns - 1; i < t->cells; i += t->columns)
         if (strchr(t->cell[i], ' ')) return 1;

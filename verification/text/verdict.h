@@ -5,7 +5,7 @@
 #include <stdio.h>
 
 enum verdict {
-    VERDICT_INCONCLUSIVE, /* zero, so that what nobody judged does not pass */
+    VERDICT_INCONCLUSIVE, /* zero, so that an unset verdict does not pass */
     VERDICT_FAIL,
     VERDICT_PASS,
     VERDICT_MEASURED, /* there was no band to judge by */

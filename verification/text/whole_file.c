@@ -10,8 +10,7 @@
 #include <string.h>
 #include <sys/stat.h>
 
-/* A pipe that somebody has a name for: without a writer, to open it would wait without end.  What the shell makes of
- * <(...) is a pipe below /dev. */
+/* 1 for a named pipe: opening it without a writer would block for ever.  The shell's <(...) is a pipe below /dev. */
 static int is_named_pipe(const char *path) {
     struct stat is;
     return stat(path, &is) == 0 && S_ISFIFO(is.st_mode) && strncmp(path, "/dev/", 5) != 0 &&

@@ -2,12 +2,13 @@
 #ifndef HEATLADDER_VERIFICATION_TEXT_WHOLE_FILE_H
 #define HEATLADDER_VERIFICATION_TEXT_WHOLE_FILE_H
 
-/* All of a file as text in memory, ended by a NUL that *size does not count (size may be NULL).  To be freed. */
+/* All of a file as NUL-terminated text in memory; *size excludes the NUL (size may be NULL).  The caller frees
+ * it. */
 
 #include <stdio.h>
 
-/* fopen of a file to be read: NULL with errno set; but ends the program where memory is out, so that a file
- * that is there is not taken for one that is not.  A named pipe is refused (ENOTSUP), as it may have no writer. */
+/* fopen for reading: NULL with errno set on failure; ends the program if memory runs out, so that an existing file
+ * is not reported as missing.  A named pipe is refused (ENOTSUP), since it may have no writer. */
 FILE *whole_file_open(const char *path);
 
 /* Text of errno after a failure of whole_file_open or whole_file_at. */

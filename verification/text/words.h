@@ -16,7 +16,7 @@ int words_index(const char *const *words, const char *word);
 /* The word of the list that takes the fewest edits to reach; NULL where none is within half of the word's letters. */
 const char *words_nearest(const char *const *words, const char *word);
 
-/* Whether a word is some letters, digits and /._-+=,@%, which mean nothing to a shell. */
+/* 1 if a word consists of letters, digits and /._-+=,@%, without meaning for a shell. */
 int words_is_plain(const char *word);
 
 /* The words in one line, in quotes where a shell would change them; the caller frees it. */
@@ -32,7 +32,7 @@ int words_add(char *text, size_t size, const char *format, ...) __attribute__((f
 /* Writes "a, b, c", cut to size. */
 void words_join(const char *const *words, char *text, size_t size);
 
-/* Whether `word` is one of a blank-separated list. */
+/* 1 if `word` is in a blank-separated list. */
 int words_among(const char *blank_separated, const char *word);
 
 /* Fills *why with "unknown <what> '<word>'; did you mean '<nearest>'? (valid: ...)" and returns STATUS_INPUT. */
@@ -42,7 +42,7 @@ int words_unknown(const char *const *words, const char *what, const char *word, 
  * takes the meaning of the letter after it. */
 const char *words_glob(const char *globs, char *glob, size_t size);
 
-/* Whether one of them matches the name (* matches / too); NULL matches none. */
+/* 1 if one of the globs matches the name (* also matches /); NULL matches none. */
 int words_match(const char *globs, const char *name);
 
 #endif
