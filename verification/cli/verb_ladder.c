@@ -31,7 +31,9 @@ static void print_text(const struct ladder *l) {
     const char *verdict = verdict_words[l->verdict];
     result_describe(&l->rung[l->n - 1], what, sizeof what);
     printf("%s\n", what);
-    if (l->self_differences)
+    if (l->self_differences && l->fine > 0)
+        printf("errors by Richardson's extrapolation from a run on the same grid at %.6g s\n", l->fine);
+    else if (l->self_differences)
         printf("errors by Richardson's extrapolation from successive runs on one grid; the finest is not shown\n");
     else if (l->in_time && !l->semidiscrete_steps && !l->failure.status)
         printf("errors against the exact solution in time of the same particles' equations\n");

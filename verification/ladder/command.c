@@ -26,7 +26,7 @@
 const struct command_syntax command_syntaxes[] = {
     [COMMAND_RUN] = {"run", "SCENE METHOD", "dx", "dx dt fourier memory quantity" MODEL PROGRAM, NULL},
     [COMMAND_LADDER] = {"ladder", "SCENE METHOD", "",
-                        "dx dt fourier memory quantity vary seeds at expect ceiling norm" MODEL PROGRAM,
+                        "dx dt fourier memory quantity vary fine seeds at expect ceiling norm" MODEL PROGRAM,
                         "results columns at expect json"},
     [COMMAND_LIMIT] = {"limit", "METHOD", "dim",
                        "dim stepper stages kernel h order layout jitter sweeps seed volume walls ratio contact",
@@ -105,7 +105,6 @@ static const char *const removed[][2] = {
     {"resume", "--keep DIR, then heatladder verify --results DIR"},
     {"peers", "make league"},
     {"time-error", "--fourier F; heatladder ladder --fourier A,B,C fits the order in time"},
-    {"fine", "--dt A,B,C,...: errors by Richardson's extrapolation"},
     {"redraw", "--layout jitter or relaxed"}};
 
 static int unknown_option(const struct command *c, const char *name, struct failure *why) {

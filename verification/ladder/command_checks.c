@@ -6,6 +6,7 @@
 #include "solver/time/stepper.h"
 #include "verification/text/words.h"
 
+#include <math.h>
 #include <stdio.h>
 #include <string.h>
 
@@ -57,7 +58,9 @@ int command_check(const struct command *c, struct failure *why) {
     const struct numbers *expect = &c->rungs.expect, *dt = &c->rungs.dt, *at = &c->at;
     const struct stepper *stepper = stepper_of(o->stepper);
     const int scene = e->scene != NULL, round = scene && p->shape, flat = scene && !p->shape;
-    const int plane = p->dim == 2;
+    const int plane = p->dim == 2, ours = e->method && e->method->scheme;
+    double least = INFINITY;
+    for (int i = 0; i < dt->count; i++) least = fmin(least, dt->value[i]);
 
     const struct rule rules[] = {
         {dt->count && stepper && stepper->evolve, "dt", "the stepper takes no time step", "another --stepper"},
@@ -71,6 +74,9 @@ int command_check(const struct command *c, struct failure *why) {
          !scene  ? "X or X,Y"
          : plane ? "X,Y"
                  : "X"},
+        {c->rungs.fine > 0 && !(dt->count > 1 && c->rungs.fine < least), "fine",
+         "it is finer than each of several --dt", "--dt A,B,C with larger steps"},
+        {c->rungs.fine > 0 && ours, "fine", "the limit of the particles' equations in time is known", "no --fine"},
         {expect->count && !(expect->count == 2 && expect->value[0] < expect->value[1]), "expect", "a band is LO < HI",
          "LO,HI such as 1.9,2.1"},
         {o->aspect > 0 && (!plane || round), "aspect", "the scene has no rows of cells along y",

@@ -141,8 +141,8 @@ static int collect(struct ladder *l, struct failure *why) {
 /* Without a semi-discrete reference.  A failed run leaves a ladder without errors. */
 static int climb_without_reference(const struct experiment *e, const struct ladder_rungs *rungs, struct ladder *l,
                                    struct failure *why) {
-    struct experiment rung[RUNG_MAX];
-    if (l->n < 3)
+    struct experiment rung[RUNG_MAX], fine = *e;
+    if (l->n < 3 && !(rungs->fine > 0))
         return refuse(
             why, STATUS_INPUT,
             "the time error of %s comes from successive runs: needs at least three time steps, %d for a gate",
@@ -151,7 +151,11 @@ static int climb_without_reference(const struct experiment *e, const struct ladd
         rung[i] = rung_of(e, rungs, l, i);
         l->rung[i] = not_run(&rung[i]);
     }
-    int status = self_difference_climb(rung, l, why);
+    fine.options.dt = l->fine = rungs->fine;
+    char value[40];
+    results_number(rungs->fine, value);
+    snprintf(fine.program.rung, sizeof fine.program.rung, "dt=%s", value);
+    int status = self_difference_climb(rung, rungs->fine > 0 ? &fine : NULL, l, why);
     int reported = l->external && l->rung[0].failure.status;
     return status_refused(status) && !reported ? status : STATUS_OK;
 }

@@ -30,6 +30,7 @@ struct ladder_rungs {
     struct numbers dx;      /* m */
     struct numbers dt;      /* s */
     struct numbers fourier; /* dimensionless */
+    double fine;            /* s: time step of one more run, the reference of a ladder in time; 0: successive runs */
     struct numbers vary;    /* values of a parameter of the program, experiment.program.vary */
     struct numbers expect;  /* band of the slope; empty if nothing is judged */
     double ceiling;         /* maximum error at the finest included rung; 0: none */
@@ -45,6 +46,7 @@ struct ladder {
     int inverse;          /* 1: x is the inverse of the varied parameter, which increases */
     char vary[40];        /* name of the varied parameter; "" for none */
     int self_differences; /* 1: errors come from differences of runs (self_difference.h) */
+    double fine;          /* s: the step of the run that they are from; 0: of successive runs */
     struct result rung[RUNG_MAX];
     long long semidiscrete_steps; /* ladder in time: number of steps of the reference solution; 0: exact stepper */
     double semidiscrete_error;    /* error of the reference, see struct semidiscrete */

@@ -9,7 +9,8 @@
  *
  *     |C| dt_i^p = d_i / (1 - (dt_(i+1) / dt_i)^p)
  *
- * The required p is the resulting slope: a fixed point, found by repeating the fit. */
+ * The required p is the resulting slope: a fixed point, found by repeating the fit.  With one finer run as the
+ * reference, its step replaces dt_(i+1). */
 #include "verification/ladder/self_difference.h"
 
 #include "solver/field.h"
@@ -78,13 +79,13 @@ static void extrapolate(struct ladder *l, const double *dt) {
     double p = 1, d[RUNG_MAX], error[RUNG_MAX];
     for (int i = 0; i < l->n; i++) error[i] = d[i] = l->rung[i].error.l1;
     for (int fit = 0; fit < FITS; fit++) {
-        for (int i = 0; i < l->n; i++) error[i] = d[i] * extrapolated(dt[i], dt[i + 1], p);
+        for (int i = 0; i < l->n; i++) error[i] = d[i] * extrapolated(dt[i], l->fine > 0 ? l->fine : dt[i + 1], p);
         double next = slope_fit(dt, error, l->n).value;
         if (!(isfinite(next) && next > LEAST)) break;
         p = next;
     }
     for (int i = 0; i < l->n; i++) {
-        double more = extrapolated(dt[i], dt[i + 1], p);
+        double more = extrapolated(dt[i], l->fine > 0 ? l->fine : dt[i + 1], p);
         struct norms_error *e = &l->rung[i].error;
         e->l1 *= more, e->l2 *= more, e->linf *= more;
         l->x[i] = dt[i];
@@ -101,24 +102,27 @@ int self_difference_fields(const struct problem *p, const struct field *a, const
     return same;
 }
 
-/* Runs the rungs; dt[i] is the step used.  The error of a rung is its difference from the next. */
-static int climb(const struct experiment *rung, struct ladder *l, double *dt, struct failure *why) {
+/* Runs the rungs; dt[i] is the step used.  The error of a rung is its difference from *to, or from the next rung if
+ * that is NULL. */
+static int climb(const struct experiment *rung, const struct field *to, struct ladder *l, double *dt,
+                 struct failure *why) {
     struct field before = {0};
     int status = STATUS_OK;
     for (int i = 0; i < l->n && !status; i++) {
         struct field f = {0};
         struct norms_error apart;
+        int of = to ? i : i - 1;
         status = run_experiment(&rung[i], &l->rung[i], &f);
         if (status) *why = l->rung[i].failure;
         dt[i] = l->rung[i].dt > 0 ? l->rung[i].dt : l->x[i];
-        if (!status && i > 0) {
-            if (self_difference_fields(&rung[i].problem, &before, &f, &apart))
-                take_error(&l->rung[i - 1], apart);
+        if (!status && of >= 0) {
+            if (self_difference_fields(&rung[i].problem, to ? &f : &before, to ? to : &f, &apart))
+                take_error(&l->rung[of], apart);
             else
                 status = refuse(
                     why, STATUS_INPUT,
-                    "a ladder in time needs all runs on one grid: at %g s the points differ from those of %g s",
-                    l->x[i], l->x[i - 1]);
+                    "a ladder in time needs all runs on one grid: at %g s the points differ from those of %s%g s",
+                    l->x[i], to ? "--fine " : "", to ? l->fine : l->x[of]);
         }
         field_free(&before);
         before = f;
@@ -127,11 +131,18 @@ static int climb(const struct experiment *rung, struct ladder *l, double *dt, st
     return status;
 }
 
-int self_difference_climb(const struct experiment *rung, struct ladder *l, struct failure *why) {
+int self_difference_climb(const struct experiment *rung, const struct experiment *fine, struct ladder *l,
+                          struct failure *why) {
     double dt[RUNG_MAX];
-    int status = climb(rung, l, dt, why);
+    struct field last = {0};
+    struct result result = {.dt = 0};
+    int status = fine ? run_experiment(fine, &result, &last) : STATUS_OK;
+    if (status) *why = result.failure;
+    if (!status) status = climb(rung, fine ? &last : NULL, l, dt, why);
+    field_free(&last);
     if (status) return status;
-    l->n--;
+    if (!fine) l->n--;
+    if (result.dt > 0) l->fine = result.dt;
     l->self_differences = 1;
     extrapolate(l, dt);
     return STATUS_OK;
