@@ -78,14 +78,14 @@ copy() { # the rest of the test is there
 @test "an interrupt while a figure is drawn leaves the figures from before" {
     needs setsid
     mkdir figures
-    for kind in svg png; do echo before >figures/song_fig1a.$kind; done
-    touch -t 200001010000 figures/song_fig1a.*
+    echo before >figures/song_fig1b.svg
+    touch -t 200001010000 figures/song_fig1b.svg
     touch figures/report.stamp
     stand_in gnuplot 'kill -TERM 0; sleep 9'
     run setsid -w make -s -C "$tree" BUILD="$(dirname "$program")" OUT="$PWD/figures" -o "$program" \
-        -o "$PWD/figures/report.stamp" "$PWD/figures/song_fig1a.svg"
+        -o "$PWD/figures/report.stamp" "$PWD/figures/song_fig1b.svg"
     [ "$status" -ne 0 ]
-    [ "$(cat figures/song_fig1a.*)" = "$(printf 'before\nbefore')" ]
+    [ "$(cat figures/song_fig1b.*)" = before ]
 }
 
 @test "setup asks each package manager for what is missing" {
