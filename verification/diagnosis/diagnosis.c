@@ -292,8 +292,11 @@ static int is_off_at_one(const struct candidate_fault *c, struct diagnosis *d) {
         if (fabs(fabs(steps) - 1) > STEADY || fabs(c->steps[1 - k]) > STEADY || off->share < FIT_SHARE ||
             off->part < FIT_MOST)
             continue;
-        *d = (struct diagnosis){
-            .named = 1, .fault = {FAULT_SOME_STEPS, 0}, .size = steps, .unit = "steps", .share = off->share};
+        *d = (struct diagnosis){.named = 1,
+                                .fault = {FAULT_SOME_STEPS, 0},
+                                .size = steps < 0 ? -1 : 1,
+                                .unit = "steps",
+                                .share = off->share};
         wording_fault(d);
         return 1;
     }

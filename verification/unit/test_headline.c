@@ -109,6 +109,11 @@ static void headlines_need_half_of_the_rows_and_sizes_that_agree(void **state) {
     headline_is((const struct diagnosis[]){late}, 1,
                 "perhaps as if the run had stopped 1 step late (1 of 1 rows that do not pass)");
     headline_is((const struct diagnosis[]){yx, xy, yx}, 3, "as if k_y were k_x (2 of 3 rows that do not pass)");
+    const struct diagnosis some = of(FAULT_SOME_STEPS, 0, 1, "steps");
+    headline_is(
+        (const struct diagnosis[]){late, some, none}, 3,
+        "as if runs at some spacings had stopped one step late: `while (t < t_end)` with a sum of rounded steps "
+        "does so (2 of 3 rows that do not pass)");
     headline_is(&none, 1, "");
     headline_is(&none, 0, "");
 }
