@@ -1,8 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Help, manual page and completion leave out no verb, option, scene or method, and are well formed. */
-
-#include "references/scene.h"
-#include "solver/method.h"
+/* Help of each verb, and what bash completes.  scripts/tests/words.bats compares both and the manual page. */
+#include "solver/status.h"
 #include "verification/cli/help.h"
 #include "verification/cli/verb.h"
 #include "verification/text/words.h"
@@ -25,19 +23,6 @@ __attribute__((noinline)) static char *written(void (*write)(FILE *)) {
     return text;
 }
 
-/* `name` with its dashes as roff has them. */
-static void has(const char *text, const char *before, const char *name, const char *after) {
-    char wanted[1400];
-    size_t n = (size_t)snprintf(wanted, sizeof wanted, "%s", before);
-    for (; *name; name++)
-        if (*name == '-')
-            n += (size_t)snprintf(wanted + n, sizeof wanted - n, "\\-");
-        else
-            wanted[n++] = *name;
-    snprintf(wanted + n, sizeof wanted - n, "%s", after);
-    assert_has(text, wanted);
-}
-
 /* Line ends and indents become one blank. */
 static void unfold(char *text) {
     char *to = text;
@@ -47,25 +32,6 @@ static void unfold(char *text) {
         *to++ = blank ? ' ' : *from;
     }
     *to = '\0';
-}
-
-static void the_page_has_all_verbs_options_scenes_and_methods(void **state) {
-    (void)state;
-    char *page = written(manual_page);
-    for (const char *line = page; line; line = strchr(line, '\n')) {
-        line += *line == '\n';
-        assert_int_not_equal(*line, '\'');
-        if (*line == '.') assert_non_null(strchr("TSPnfBI", line[1]));
-    }
-    for (int i = 0; scenes[i]; i++) has(page, ".TP\n\\fB", scenes[i]->name, "\\fR");
-    for (int i = 0; methods[i]; i++) has(page, ".TP\n\\fB", methods[i]->name, "\\fR");
-    for (int i = 0; verbs[i]; i++) has(page, "\n.B heatladder ", verbs[i]->syntax->name, "\n");
-    unfold(page);
-    for (int i = 0; verbs[i]; i++) {
-        const struct option *list[VERB_ROWS];
-        for (int n = verb_options(verbs[i], list); n-- > 0;) has(page, " ", list[n]->about, "");
-    }
-    free(page);
 }
 
 /* The help of a verb has each option with its words, in lines of at most 100 letters. */
@@ -121,7 +87,6 @@ static void bash_completes(void **state) {
 
 int main(void) {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(the_page_has_all_verbs_options_scenes_and_methods),
         cmocka_unit_test(the_help_is_whole),
         cmocka_unit_test(bash_completes),
     };
