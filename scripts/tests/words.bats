@@ -70,7 +70,7 @@ load common
     expect 0 'measured' heatladder limit ftcs --dim 1
     heatladder limit so_ssph --dim 1 --json >limit.json
     keys limit.json von_neumann measured
-    expect 2 'takes no steps' heatladder limit so_ssph --dim 1 --stepper exact
+    expect 2 'steps' heatladder limit so_ssph --dim 1 --stepper exact
 }
 
 @test "reference: points, times, threads" {
