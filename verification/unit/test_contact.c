@@ -287,7 +287,8 @@ static void a_start_outside_of_its_data_is_refused(void **state) {
     struct failure why = {0};
     struct field f;
     assert_int_equal(method_solve(&back, &p, &cells, &f, &why), STATUS_NUMERICAL);
-    if (!strstr(why.text, "the initial temperature of particle ") || !strstr(why.text, "the data are in [0.4, 1.3] K"))
+    if (!strstr(why.text, "the initial temperature of particle ") ||
+        !strstr(why.text, "the data are in [0.4, 1.3] K"))
         fail_msg("%s", why.text);
 }
 
