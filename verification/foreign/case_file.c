@@ -45,7 +45,7 @@ const char case_file_help[] =
     "                           coefficients and walls at your points\n"
     "  threads                  number of threads that the program may use\n";
 
-/* Places along a side at which a temperature or flux that varies is given. */
+/* positions along a side at which a varying temperature or flux is given */
 enum { PLACES = 9 };
 
 static void write_pair(FILE *out, const char *key, const double *value, int count) {
@@ -54,7 +54,7 @@ static void write_pair(FILE *out, const char *key, const double *value, int coun
     fputc('\n', out);
 }
 
-/* Each parameter with `before` and `between` around its name, and `after` its value. */
+/* Writes each parameter with `before` and `between` around its name and `after` behind its value. */
 static void write_params(const struct scene *s, const struct problem *p, const char *before, const char *between,
                          const char *after, FILE *out) {
     for (int i = 0; s->params[i].name; i++) {
@@ -81,7 +81,7 @@ static void write_materials(const struct image *image, FILE *out) {
     write_pair(out, "rho_c", value, p->materials);
 }
 
-/* Place i of PLACES on a side: evenly from its low to its high end, or around a round wall. */
+/* Position i of PLACES on a side: evenly spaced from its low to its high end, or around a round wall. */
 static void place_on_side(const struct problem *p, int s, int i, double x[2]) {
     double part = (double)i / (PLACES - 1);
     int along = 1 - s / 2;
@@ -93,7 +93,7 @@ static void place_on_side(const struct problem *p, int s, int i, double x[2]) {
     x[along] = p->lo[along] + (p->hi[along] - p->lo[along]) * part;
 }
 
-/* One value where the side has one, else PLACES of them. */
+/* Writes one value if the side is uniform, otherwise PLACES of them. */
 static void write_side(const struct problem *p, int s, FILE *out) {
     static const char *const kind[] = {
         [DIRICHLET] = "dirichlet", [NEUMANN] = "neumann", [ROBIN] = "robin", [PERIODIC] = "periodic"};
@@ -123,7 +123,7 @@ static void write_shape(const struct problem *p, FILE *out) {
         fprintf(out, "radius = %.17g\n", p->radius[1]);
 }
 
-/* The words of `heatladder reference`, or keys of the case, for what is given. */
+/* Writes the options of `heatladder reference`, or the keys of the case, for a mapping that was given. */
 static void write_mapping(const struct mapping *m, const char *before, const char *between, const char *after,
                           FILE *out) {
     char words[MAPPING_WORDS];
@@ -176,7 +176,7 @@ static int divides(const struct problem *p, const double d[2]) {
     return 1;
 }
 
-/* The domain in that many cells along x, and as many along y as --aspect asks for. */
+/* Whether the domain divides into that number of cells along x and the number along y that --aspect requires. */
 static int divides_by(const struct problem *p, const struct options *o, double count) {
     struct options with = *o;
     with.dx = (p->hi[0] - p->lo[0]) / count;
@@ -187,7 +187,7 @@ int case_file_check(const struct problem *p, const struct options *o, struct fai
     enum { SEARCH = 100000 };
     double extent = p->hi[0] - p->lo[0], coarse = floor(extent / o->dx), fine = coarse + 1;
     char near[80] = "", with[40] = "";
-    if (p->shape || divides_by(p, o, extent / o->dx)) return STATUS_OK; /* a round wall divides no lattice */
+    if (p->shape || divides_by(p, o, extent / o->dx)) return STATUS_OK; /* no lattice fits a round wall */
     for (int i = 0; i < SEARCH && coarse >= 1 && !divides_by(p, o, coarse); i++) coarse--;
     for (int i = 0; i < SEARCH && !divides_by(p, o, fine); i++) fine++;
     if (coarse >= 1) snprintf(near, sizeof near, "; %.10g does", extent / coarse);

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* One case: old answers removed, the command filled in, run, and its exit status kept. */
+/* Runs one case: removes old answers, fills in the command, runs it and keeps its exit status. */
 #include "verification/foreign/case_run.h"
 
 #include "solver/status.h"
@@ -16,7 +16,7 @@ enum { PATH_SIZE = 1100 };
 
 static const char *const answers[] = {"out.csv", "out.npy", "out.dat", NULL};
 
-/* Temporary names for {out}; NumPy's save() appends its ending. */
+/* Temporary names for {out}; NumPy's save() appends its extension. */
 static const char *const parts[][2] = {{"out.part", "out.csv"}, {"out.part.npy", "out.npy"}};
 
 static char *path_in(const char *dir, const char *name, char path[PATH_SIZE]) {
@@ -42,7 +42,7 @@ int case_run_answer(const char *dir, char *path, unsigned long size) {
     return 0;
 }
 
-/* The command with what is between braces replaced, to be freed; braces of any other word stay. */
+/* Replaces the known words between braces in the command; other braces stay.  The caller frees the result. */
 static char *fill_in(const struct case_run *c, const char *input, const char *output) {
     char *text;
     size_t size;
@@ -65,7 +65,7 @@ static char *fill_in(const struct case_run *c, const char *input, const char *ou
     return text;
 }
 
-/* Removes earlier answers, which could pass for the answer of this run. */
+/* Removes earlier answers, which could be taken for the answer of this run. */
 static int remove_old(const char *dir, struct failure *why) {
     char path[PATH_SIZE];
     for (int i = 0; answers[i]; i++)

@@ -1,16 +1,16 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The domain is divided into equal boxes, and each must have a point.  Their side s lets pass the usual arrangements
- * of points at spacing dx, N = extent / dx of them along an axis, but no field with a quarter missing:
+/* The domain is divided into equal boxes, and each must have a point.  The side s of a box admits the usual point
+ * sets of spacing dx, with N = extent / dx points along an axis, but no field with a quarter missing:
  *
- *   nodes, cell centres, quadrature    the widest gap is dx, from the wall to the first inner node dx: s >= dx
- *   jitter of up to dx/2 each way      the widest gap is below 2 dx: s >= 2 dx
- *   independent, uniform               a box of the volume g^d dx^d is empty with probability exp(-g^d).  Of N^d
- *                                      places of a box, N^d exp(-g^d) are so on average: 1 in 400 at
- *                                      g^d = d ln N + 6, so that s = dx (d ln N + 6)^(1/d)
- *   a quarter of an axis missing       must be seen: s <= extent / 4
+ *   nodes, cell centres, quadrature    The widest gap is dx, from the wall to the first inner node: s >= dx.
+ *   jitter of up to dx/2 each way      The widest gap is below 2 dx: s >= 2 dx.
+ *   independent, uniform               A box of volume g^d dx^d is empty with probability exp(-g^d).  The mean
+ *                                      number of empty boxes among N^d positions is N^d exp(-g^d): 1 in 400 at
+ *                                      g^d = d ln N + 6, so that s = dx (d ln N + 6)^(1/d).
+ *   a quarter of an axis missing       It must be detected: s <= extent / 4.
  *
- * s = max(2 dx, min(dx (d ln N + 6)^(1/d), extent / 4)).  With `extent / s` rounded down to a whole number of boxes a
- * gap of two boxes' sides always holds one: at N = 64 that is 5/16 of a rod or 1/8 of a square's side. */
+ * s = max(2 dx, min(dx (d ln N + 6)^(1/d), extent / 4)).  With `extent / s` rounded down to a whole number of boxes,
+ * a gap as wide as two boxes always contains one: at N = 64 that is 5/16 of a rod or 1/8 of a square's side. */
 #include "verification/foreign/coverage.h"
 
 #include "solver/shape.h"
@@ -22,7 +22,7 @@
 #include <stdlib.h>
 
 static const double SLACK = 1e-9; /* relative to the extent: a coordinate may be a rounded decimal */
-enum { MANY = 20000 };            /* points: more than threads cost to start */
+enum { MANY = 20000 };            /* points; for fewer, starting threads takes longer than the loop */
 
 struct boxes {
     const struct samples *s;
@@ -38,11 +38,11 @@ static double cells(const struct problem *p, int a, const double d[2]) {
     return fmax(1, nearbyint(extent(p, a) / d[a]));
 }
 
-/* The fewest points that dx asks for: with N = extent / dx cells along an axis, the N - 1 nodes between the walls of
- * each axis, multiplied.  Cell centres are N, nodes with the walls N + 1, quadrature points more. */
+/* The fewest points that a spacing dx requires: with N = extent / dx cells along an axis, the product over the axes
+ * of the N - 1 nodes between the walls.  Cell centres are N, nodes with the walls N + 1, quadrature points more. */
 static size_t fewest_points(const struct problem *p, const double d[2]) {
     double n = 1;
-    if (p->shape) { /* a lattice has a point for each dx^2, but for some along the walls */
+    if (p->shape) { /* a lattice has one point per dx^2, except for some along the walls */
         double walls = 2 * M_PI * (p->radius[0] + p->radius[1]);
         return (size_t)fmin(fmax(1, shape_volume(p) / (d[0] * d[0]) - walls / d[0]), 1e18);
     }
@@ -50,7 +50,7 @@ static size_t fewest_points(const struct problem *p, const double d[2]) {
     return (size_t)fmin(n, 1e18);
 }
 
-/* The first point outside lo to hi along an axis, or n. */
+/* Index of the first point outside lo to hi along an axis, or n. */
 static size_t first_beyond(const double *x, size_t n, double lo, double hi) {
     size_t first = n;
 #pragma omp parallel for reduction(min : first) if (n >= MANY)
@@ -106,7 +106,7 @@ static void bounds_of(const struct boxes *b, size_t box, double lo[2], double hi
     }
 }
 
-/* Whether a round body fills the box. */
+/* Whether a round body contains the entire box. */
 static int is_whole(const struct boxes *b, size_t box) {
     double lo[2], hi[2];
     bounds_of(b, box, lo, hi);
@@ -144,7 +144,7 @@ static int check_gaps(const struct samples *s, const struct problem *p, const do
     return empty < all(&b) ? refuse_gap(&b, empty, why) : STATUS_OK;
 }
 
-/* ---- Each point once ---- */
+/* ---- Duplicate points ---- */
 
 struct place {
     double x[2];
@@ -161,7 +161,8 @@ static int by_y(const void *a, const void *b) {
     return p->x[1] != q->x[1] ? (p->x[1] > q->x[1]) - (p->x[1] < q->x[1]) : by_x(a, b);
 }
 
-/* A pair of the same points among n of a column, in *first < *second; 0 where there is none. */
+/* Finds a pair of equal points among n of a column and puts their indices into *first < *second; 0 if there is
+ * none. */
 static int find_pair(struct place *at, size_t n, const double away[2], size_t *first, size_t *second) {
     qsort(at, n, sizeof *at, by_y);
     for (size_t i = 0; i < n; i++)
@@ -174,7 +175,7 @@ static int find_pair(struct place *at, size_t n, const double away[2], size_t *f
     return 0;
 }
 
-/* Sorted along x, the points fall into columns with gaps wider than the tolerance between them. */
+/* After sorting along x, the points fall into columns separated by gaps wider than the tolerance. */
 int coverage_check_once(const struct samples *s, const struct problem *p, struct failure *why) {
     const double away[2] = {SLACK * extent(p, 0), p->dim == 2 ? SLACK * extent(p, 1) : 0};
     struct place *at = xcalloc(s->n, sizeof *at);

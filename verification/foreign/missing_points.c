@@ -1,11 +1,13 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* A missing point barely changes a mean.  If the other points form a lattice, its position is known:
  *
- *   rows and columns    there are nx distinct x and ny distinct y, and at least 95 of 100 positions of nx ny have a
- * point. Fewer are not a lattice: eight-node elements fill three quarters. A corner may be missing, as in many codes.
- *   equal spacing h     one gap of 2 h, 3 h, ... next to two of h; or more than 5/4 h from a wall to the first of
- * three points if the case has more cells than points. Graded spacings have several wide gaps in a row. Two layers
- * may have no point on their interface. */
+ *   rows and columns    There are nx distinct x and ny distinct y, and at least 95 of 100 positions of the
+ *                       nx x ny lattice have a point.  Fewer do not form a lattice: eight-node elements fill
+ *                       three quarters.  A corner may be missing, as in many codes.
+ *   equal spacing h     One gap of 2 h, 3 h, ... is next to two of h; or the gap from a wall to the first of
+ *                       three points exceeds 5/4 h while the case has more cells than there are points.
+ *                       Graded spacings have several wide gaps in a row.  Two layers may have no point on
+ *                       their interface. */
 #include "verification/foreign/coverage.h"
 
 #include "solver/problem.h"
@@ -23,7 +25,7 @@ static const double SAME = 1e-9;    /* relative to the extent: a coordinate may 
 static const double FULL = 0.95;    /* fraction of the positions of a lattice */
 static const double REGULAR = 1e-3; /* relative to h: printed with few digits */
 
-/* The distinct coordinates along an axis, sorted, into x[s->n]; how many. */
+/* Sorts the distinct coordinates along an axis into x[s->n] and returns their number. */
 static size_t distinct(const struct samples *s, const struct problem *p, int a, double *x) {
     double away = SAME * (p->hi[a] - p->lo[a]);
     size_t n = 0;
@@ -43,7 +45,7 @@ static int refuse_gap(const struct samples *s, int a, double at, struct failure 
                   s->path, "xy"[a], at);
 }
 
-/* A gap among n coordinates along an axis that are else at equal distances; d: of the case along it. */
+/* Refuses a gap among n coordinates along an axis that are otherwise equidistant; d is the spacing of the case. */
 static int check_axis(const struct samples *s, const struct problem *p, int a, const double *x, size_t n, double d,
                       struct failure *why) {
     static const double FROM_WALL = 1.25;
@@ -55,7 +57,8 @@ static int check_axis(const struct samples *s, const struct problem *p, int a, c
     if (few && is_regular(x + n - 3, last) && p->hi[a] - x[n - 1] > FROM_WALL * last)
         return refuse_gap(s, a, x[n - 1] + last, why);
     for (size_t i = 0; i + 1 < n; i++) {
-        size_t before = i > 0 ? i - 1 : i + 2, after = i + 2 < n ? i + 1 : i - 2; /* at an end both on one side */
+        size_t before = i > 0 ? i - 1 : i + 2,
+               after = i + 2 < n ? i + 1 : i - 2; /* at an end both are on the same side */
         double h = x[before + 1] - x[before], gap = x[i + 1] - x[i], times = nearbyint(gap / h);
         int across = a == 0 && p->materials == 2 && x[i] < p->interface && p->interface < x[i + 1];
         if (times >= 2 && fabs(gap - times * h) <= REGULAR * h && is_regular(x + after, h) && !across)
@@ -69,7 +72,7 @@ static int on_wall(const struct problem *p, int a, double x) {
     return fabs(x - p->lo[a]) <= away || fabs(x - p->hi[a]) <= away;
 }
 
-/* A place of nx by ny without a point. */
+/* Refuses a position of the nx x ny lattice without a point. */
 static int check_places(const struct samples *s, const struct problem *p, double *const x[2], const size_t n[2],
                         struct failure *why) {
     unsigned char *has = xcalloc(n[0] * n[1], 1);

@@ -15,8 +15,8 @@ enum { MAGIC = 6, HEADER = 4096, BLOCK = 65536 };
 
 struct layout {
     size_t rows, stride;         /* bytes from row to row */
-    size_t offset[COLUMN_COUNT]; /* offset of each column in a row */
-    int bytes[COLUMN_COUNT];     /* 8 or 4; 0 for a column that is not there */
+    size_t offset[COLUMN_COUNT]; /* in a row */
+    int bytes[COLUMN_COUNT];     /* 8 or 4; 0 for an absent column */
 };
 
 int npy_file_is(const char *start, size_t size) {
@@ -28,7 +28,7 @@ static int wrong(const struct samples *s, struct failure *why, const char *what)
 }
 
 static int read_header(FILE *in, char text[HEADER], const struct samples *s, struct failure *why) {
-    unsigned char start[MAGIC + 6] = {0}; /* versions above 1 have four bytes of length */
+    unsigned char start[MAGIC + 6] = {0}; /* versions above 1 store the length in four bytes */
     if (fread(start, 1, MAGIC + 4, in) != MAGIC + 4 || (start[6] > 1 && fread(start + MAGIC + 4, 1, 2, in) != 2))
         return wrong(s, why, "cut off in its header");
     size_t length = start[8] + 256u * start[9] + 65536u * start[10] + 16777216u * start[11];
@@ -38,12 +38,12 @@ static int read_header(FILE *in, char text[HEADER], const struct samples *s, str
     return STATUS_OK;
 }
 
-/* Bytes of '<f8' or '<f4' in quotes, 0 for any other type. */
+/* Size in bytes of a quoted '<f8' or '<f4'; 0 for any other type. */
 static int bytes_of(const char *type) {
     return strncmp(type, "'<f8'", 5) == 0 ? 8 : strncmp(type, "'<f4'", 5) == 0 ? 4 : 0;
 }
 
-/* ('NAME', '<f8'), one after the other, up to the closing bracket. */
+/* Reads the sequence of ('NAME', '<f8') up to the closing bracket. */
 static int read_fields(const char *at, const struct column_map *c, const struct samples *s, struct layout *l,
                        struct failure *why) {
     char name[COLUMN_NAME], type[8];
@@ -59,8 +59,8 @@ static int read_fields(const char *at, const struct column_map *c, const struct 
     return STATUS_OK;
 }
 
-/* x, y, T and w stand in this order, or where --columns puts them.  Three columns of a rod may be x, T, w or x, y, T.
- */
+/* The columns are x, y, T and w in this order, or as --columns assigns them.  Three columns for a rod are ambiguous:
+ * x, T, w or x, y, T. */
 static int read_columns(size_t columns, int bytes, const struct column_map *c, const struct samples *s,
                         struct layout *l, struct failure *why) {
     size_t least = (size_t)s->dim + 1, next = 0;
@@ -119,7 +119,7 @@ static double value_at(const char *row, const struct layout *l, int column) {
     return single;
 }
 
-/* Whether what is left of the file is the rows of its header, and room for them. */
+/* Checks that the rest of the file holds the rows its header announces, and allocates memory for them. */
 static int make_room(FILE *in, const struct layout *l, struct samples *s, struct failure *why) {
     long here = ftell(in);
     if (here < 0 || fseek(in, 0, SEEK_END)) return wrong(s, why, "its size cannot be found");

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* A program is over when all that inherited a pipe from it has ended: the life line, which nobody writes to.  Waiting
- * for the shell alone would read what a process in the background is still writing. */
+/* A program has ended when every process that inherited a pipe from it has ended.  That pipe, the life line, carries
+ * no data.  Waiting for the shell alone would let this program read what a background process is still writing. */
 #include "verification/foreign/process.h"
 
 #include "solver/status.h"
@@ -22,10 +22,13 @@
 extern char **environ;
 
 enum { LINE = 400, GUARD = 8, LIFE = 9, READ = 0, WRITE = 1, SKIPPED = 77, OVERDUE = 124, SIGNALLED = 128 };
-static const double GRACE = 2;      /* s: what a program started may outlive it by */
-static const double MERCY = 1;      /* s from SIGTERM to SIGKILL */
-static const int PATIENCE = 20;     /* ms between two looks */
-enum { AT_ONCE = 4, AT_END = 512 }; /* blocks of output between two looks; and more than any pipe holds */
+static const double GRACE = 2;  /* s that processes started by a program may outlive it */
+static const double MERCY = 1;  /* s from SIGTERM to SIGKILL */
+static const int PATIENCE = 20; /* ms between two polls */
+enum {
+    AT_ONCE = 4,
+    AT_END = 512
+}; /* blocks of output per poll; and a number that exceeds the capacity of any pipe */
 
 enum end { RUNNING, ENDED, LEFT_OTHERS, TIMED_OUT, INTERRUPTED };
 
@@ -33,22 +36,22 @@ struct running {
     const struct process *process;
     pid_t child;
     int output[2], life[2];
-    int reaped, status; /* state of the shell */
+    int reaped, status; /* the state of the shell */
     double start, end;  /* s */
     char line[LINE];    /* the line being printed */
     size_t length;
-    char last[LINE]; /* the last line that says something */
+    char last[LINE]; /* the last line that is not blank */
 };
 
-/* The shell itself reports its process group to the guard before the command starts; if this program did it and were
- * killed in between, the command would keep running. $0 is the command, $1 its TMPDIR. */
+/* The shell itself reports its process group to the guard before the command starts: if this program reported it and
+ * were killed in between, the command would keep running.  $0 is the command, $1 its TMPDIR. */
 static const char starter[] = "export TMPDIR=\"$1\"; echo $$ >&8; exec /bin/sh -c \"$0\" 8>&-";
 
 static int spawn(struct running *r) {
     char *argv[] = {"sh", "-c", (char *)starter, (char *)r->process->command, r->process->scratch->dir, NULL};
     posix_spawn_file_actions_t files;
     posix_spawnattr_t how;
-    sigset_t ignored; /* by this program, and not by that one */
+    sigset_t ignored; /* ignored by this program, not by the command */
     posix_spawn_file_actions_init(&files);
     posix_spawnattr_init(&how);
     posix_spawnattr_setflags(&how, POSIX_SPAWN_SETPGROUP | POSIX_SPAWN_SETSIGDEF);
@@ -74,7 +77,7 @@ static void close_pipes(struct running *r) {
     }
 }
 
-/* 0, or an errno.  No pipe's end reaches another program that starts at the same time. */
+/* Returns 0 or an errno.  No other program started at the same time may inherit an end of these pipes. */
 static int start(struct running *r) {
     int error = 0;
 #pragma omp critical(foreign_spawn)
@@ -95,7 +98,7 @@ static int start(struct running *r) {
     return 0;
 }
 
-/* The first `length` bytes of the line, which others wrote: only letters reach the terminal. */
+/* Prints the first `length` bytes of the line, cleaned: the text is foreign and must not control the terminal. */
 static void print_line(struct running *r, size_t length) {
     char rest[LINE];
     size_t more = r->length - length;
@@ -118,8 +121,8 @@ static void take_text(struct running *r, const char *text, size_t n) {
     }
 }
 
-/* Hands on what the program has printed so far, lines longer than a buffer in parts; at most `most` blocks of it,
- * since one that prints without end would keep its caller from the clock and from interrupts. */
+/* Passes on what the program has printed so far, with lines longer than the buffer in parts.  It reads at most
+ * `most` blocks: a program that prints without end would otherwise keep the caller from timeouts and interrupts. */
 static void relay(struct running *r, int most) {
     char text[4096];
     ssize_t n = 1;
@@ -140,10 +143,10 @@ static void reap(struct running *r) {
     r->end = omp_get_wtime();
 }
 
-/* Waits for output or the end of the life line, at most `most` ms. */
+/* Waits at most `most` ms for output or the end of the life line. */
 static void look(struct running *r, int most) {
     struct pollfd fd[2] = {{.fd = r->life[READ], .events = POLLIN}, {.fd = r->output[READ], .events = POLLIN}};
-    if (r->life[READ] < 0) most = 1; /* all has ended but for the shell's own status */
+    if (r->life[READ] < 0) most = 1; /* only the exit status of the shell is outstanding */
     if (poll(fd, 2, most) > 0) {
         if (fd[1].fd >= 0 && fd[1].revents) relay(r, AT_ONCE);
         if (fd[0].fd >= 0 && fd[0].revents) {

@@ -46,7 +46,8 @@ const char program_help[] =
     "the case files of `heatladder case SCENE --dx A,B,C --into DIR`.  With --set it first looks for\n"
     "DIR/SCENE/NAME=VALUE,.../DX, as `heatladder case --battery` writes it.\n";
 
-/* Points and temperatures to other axes and units: by mapping_to_scene and mapping_temperature_back, or back. */
+/* Maps points and temperatures to other axes and units with mapping_to_scene and mapping_temperature_back, or
+ * back. */
 static void map_points(const struct mapping *m, struct field *f,
                        void (*place)(const struct mapping *m, int dim, const double from[2], double to[2]),
                        double (*temperature)(const struct mapping *m, double T)) {
@@ -74,7 +75,7 @@ struct field program_as_given(const struct program *g, const struct field *f, do
     return copy;
 }
 
-/* The answer at `path`, which messages call `name`: read and checked as the case has it. */
+/* Reads the answer at `path`, which messages call `name`, and checks it against the case. */
 static int read_answer(const struct program *g, const char *path, const char *name, const struct problem *p,
                        const struct options *o, struct field *f, struct failure *why) {
     const double d[2] = {o->dx, options_spacing(o, 1)};
@@ -87,7 +88,7 @@ static int read_answer(const struct program *g, const char *path, const char *na
     return STATUS_OK;
 }
 
-/* ---- Now ---- */
+/* ---- Running a solver ---- */
 
 static int make_directories(char *path, struct failure *why) {
     for (char *slash = strchr(path + 1, '/');; slash = strchr(slash + 1, '/')) {
@@ -99,7 +100,7 @@ static int make_directories(char *path, struct failure *why) {
     }
 }
 
-/* DIR/SCENE/SETTING/DX/RUNG below `root`.  0, or -1 where the path is too long. */
+/* Sets DIR/SCENE/SETTING/DX/RUNG below `root`.  Returns 0, or -1 if the path is too long. */
 static int place_below(const struct program *g, const char *root, const struct scene *s, const struct options *o,
                        char dir[RESULTS_PATH]) {
     char of_scene[RESULTS_PATH];
@@ -118,7 +119,7 @@ static int kept_place(const struct program *g, const struct scene *s, const stru
     return make_directories(dir, why);
 }
 
-/* The text of the case file, to be freed. */
+/* Sets the text of the case file, which the caller frees. */
 static void case_text(const struct program *g, const struct scene *s, const struct problem *p,
                       const struct options *o, char **text) {
     size_t size;
@@ -139,7 +140,7 @@ static int run_in(const struct program *g, const struct options *o, const char *
     return case_run(&run, scratch, code, why);
 }
 
-/* Runs the case at its turn, in the directory of --keep or in a scratch; `dir` becomes the one that was taken. */
+/* Runs the case when its turn comes, in the directory of --keep or in a scratch directory; sets `dir` to it. */
 static int run_in_turn(const struct program *g, const struct scene *s, const struct options *o, const char *text,
                        struct scratch *scratch, char dir[RESULTS_PATH], double *seconds, struct failure *why) {
     char dx[40], label[200];
@@ -198,7 +199,7 @@ static int solve_now(const struct program *g, const struct scene *s, const struc
     return status;
 }
 
-/* ---- Later ---- */
+/* ---- Reading existing answers ---- */
 
 static int solve_later(const struct program *g, const struct scene *s, const struct problem *p,
                        const struct options *o, struct field *f, struct failure *why) {

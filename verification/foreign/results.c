@@ -24,7 +24,7 @@
 #include <unistd.h>
 
 void results_number(double value, char text[40]) {
-    if (value == floor(value) && fabs(value) < 1e6) { /* 100, where the fewest digits are 1e+02 */
+    if (value == floor(value) && fabs(value) < 1e6) { /* 100, whose shortest form is 1e+02 */
         snprintf(text, 40, "%.0f", value);
         return;
     }
@@ -184,7 +184,7 @@ int results_case_params(const char *path, const char *text, const struct scene *
 int results_params(const char *dir, const struct scene *s, const char *setting, const struct numbers *dx,
                    struct results_known *known, struct failure *why) {
     char of_scene[RESULTS_PATH], path[RESULTS_PATH], file[RESULTS_PATH + 16];
-    if (results_of_scene(dir, s, setting, of_scene)) return STATUS_OK; /* refused where the answer is read */
+    if (results_of_scene(dir, s, setting, of_scene)) return STATUS_OK; /* refused when the answer is read */
     for (int i = 0; i < dx->count; i++) {
         if (results_directory(of_scene, dx->value[i], path)) continue;
         snprintf(file, sizeof file, "%s/case", path);
@@ -231,7 +231,7 @@ static int make(const char *path, struct failure *why) {
     return refuse(why, STATUS_INPUT, "--into: cannot make the directory '%.300s': %s", path, strerror(error));
 }
 
-/* The next of the numbers with commas between, as typed; a fraction has a slash, which a name cannot hold. */
+/* Reads the next of the numbers separated by commas, as typed; a fraction contains a slash, which a name cannot. */
 static const char *next_name(const char *dx, double *value, char name[64]) {
     size_t length = strcspn(dx, ",");
     snprintf(name, 64, "%.*s", (int)(length < 64 ? length : 63), dx);
@@ -246,7 +246,7 @@ static int check_all(const struct results_place *at, const struct scene *s, cons
     struct options with = *o;
     struct image image;
     char path[RESULTS_PATH], name[64];
-    mapping_image(at->map ? at->map : &none, p, &image); /* dx and dy are along the axes of the case */
+    mapping_image(at->map ? at->map : &none, p, &image); /* dx and dy refer to the axes of the case */
     if (results_of_scene(at->dir, s, at->setting, path))
         return refuse(why, STATUS_INPUT, "--into '%.300s': too long a path", at->dir);
     while (dx) {
@@ -256,7 +256,7 @@ static int check_all(const struct results_place *at, const struct scene *s, cons
     return STATUS_OK;
 }
 
-/* The case of one spacing, in `path`, which has room for a name more; as many as there are draws. */
+/* Writes the case of one spacing, once per draw, below `path`, which has room for one more name. */
 static int write_draws(const struct results_place *at, char path[RESULTS_PATH], const struct scene *s,
                        const struct problem *p, const struct options *o, const char *known, FILE *list, int *written,
                        struct failure *why) {
@@ -292,7 +292,7 @@ int results_write(const struct results_place *at, const struct scene *s, const s
                   const struct options *o, const char *dx, int *written, struct failure *why) {
     struct output page;
     if (check_all(at, s, p, o, dx, why) || make(at->dir, why)) return why->status;
-    int lock = open(at->dir, O_RDONLY | O_CLOEXEC); /* others may write to the same list at the same time */
+    int lock = open(at->dir, O_RDONLY | O_CLOEXEC); /* other processes may write the same list */
     if (lock >= 0) flock(lock, LOCK_EX);
     FILE *list = output_open(&page, "%.1000s/cases.txt", at->dir);
     char *old = whole_file_at(page.path, NULL);

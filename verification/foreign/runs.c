@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Runs side by side.  A case is known by its directory; two rows that ask for the same one get the same answer, and
- * the one that comes later waits without a turn of its own. */
+/* Runs cases in parallel.  A case is identified by its directory; two rows that request the same case get the same
+ * answer, and the later one waits without a turn of its own. */
 #include "verification/foreign/runs.h"
 
 #include "solver/status.h"
@@ -21,7 +21,7 @@ struct run {
     struct failure end;
 };
 
-struct waiter { /* in the order of arrival */
+struct waiter { /* in order of arrival */
     const char *dir, *text;
     struct waiter *next;
 };
@@ -78,7 +78,7 @@ static void show(const struct runs *r, const char *row, const char *dx) {
         progress_now(r->progress, "%s, dx %s: run %d", row, dx, r->ended + r->going);
 }
 
-/* With the lock.  1 where no more is to be run. */
+/* Call with the lock held.  Returns 1 if no further case is to be run. */
 static int is_over(const struct runs *r, struct failure *why) {
     if (atomic_file_noted())
         refuse(why, STATUS_NUMERICAL, "--solver: interrupted by signal %d", atomic_file_noted());
@@ -87,20 +87,20 @@ static int is_over(const struct runs *r, struct failure *why) {
     return atomic_file_noted() || r->absent;
 }
 
-/* Whether the same case is being run: its end is waited for without a turn. */
+/* Whether the same case is already running: its end is awaited without a turn. */
 static int is_held_up(const struct runs *r, const struct waiter *w) {
     const struct run *same = find(r, w->dir);
     return same && strcmp(same->text, w->text) == 0;
 }
 
-/* First come, first served: rows that ask by turns end together, and none is left alone at the end. */
+/* Turns are given in order of arrival, so that rows which alternate finish together. */
 static int is_next(const struct runs *r, const struct waiter *w) {
     const struct waiter *first = r->first;
     while (is_held_up(r, first) && first != w) first = first->next;
     return first == w && r->going < r->jobs && !is_held_up(r, w);
 }
 
-/* With the lock; *r->run may move while this waits. */
+/* Call with the lock held; *r->run may be reallocated during the wait. */
 static enum runs_turn wait_for_turn(struct runs *r, const struct waiter *w, double *seconds, struct failure *why) {
     for (;;) {
         const struct run *same = find(r, w->dir);
@@ -131,7 +131,7 @@ enum runs_turn runs_begin(struct runs *r, const char *dir, const char *text, con
         r->going++;
         show(r, row, dx);
     }
-    pthread_cond_broadcast(&r->changed); /* another may be next now */
+    pthread_cond_broadcast(&r->changed); /* another waiter may be first now */
     pthread_mutex_unlock(&r->lock);
     return turn;
 }

@@ -13,7 +13,7 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
-static const off_t MOST = 2000000000; /* bytes of an answer: some 3e7 points of 17 digits */
+static const off_t MOST = 2000000000; /* bytes of an answer: about 3e7 points of 17 digits */
 static const char *const names[COLUMN_COUNT] = {"x", "y", "T", "w"};
 
 const char *samples_column_name(const struct column_map *c, int column) {

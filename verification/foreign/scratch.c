@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* A directory that does not outlive its run, whatever ends either. */
+/* A directory that is removed when its run ends, however either ends. */
 #include "verification/foreign/scratch.h"
 
 #include "solver/status.h"
@@ -16,7 +16,7 @@
 
 extern char **environ;
 
-/* $0 is the directory.  What still writes into it while it is removed makes rm fail: it is then asked again. */
+/* $0 is the directory.  rm fails if another process writes into it meanwhile, and is then repeated. */
 static const char guard[] = "read -r group; read -r end\n"
                             "[ -z \"$group\" ] || kill -s KILL -- \"-$group\" 2>/dev/null\n"
                             "for try in 1 2 3; do rm -rf -- \"$0\" 2>/dev/null && exit\n"
@@ -28,7 +28,7 @@ static int start_guard(struct scratch *s, const int ends[2]) {
     posix_spawnattr_t how;
     posix_spawn_file_actions_init(&files);
     posix_spawnattr_init(&how);
-    posix_spawnattr_setflags(&how, POSIX_SPAWN_SETPGROUP); /* out of reach of what the terminal sends */
+    posix_spawnattr_setflags(&how, POSIX_SPAWN_SETPGROUP); /* out of reach of signals from the terminal */
     int error = posix_spawn_file_actions_adddup2(&files, ends[0], STDIN_FILENO);
     if (!error) error = posix_spawn_file_actions_addopen(&files, STDOUT_FILENO, "/dev/null", O_WRONLY, 0);
     if (!error) error = posix_spawn_file_actions_addopen(&files, STDERR_FILENO, "/dev/null", O_WRONLY, 0);
@@ -52,7 +52,8 @@ int scratch_open(struct scratch *s, struct failure *why) {
     snprintf(s->dir, sizeof s->dir, "%.195s/heatladder-XXXXXX", parent);
     if (!mkdtemp(s->dir))
         return refuse(why, STATUS_INPUT, "cannot make a directory in '%.195s': %s", parent, strerror(errno));
-#pragma omp critical(foreign_spawn) /* no other program may inherit the pipe's end before it is marked */
+#pragma omp critical(                                                                                                \
+    foreign_spawn) /* no other program may inherit an end of the pipe before it is marked close-on-exec */
     {
         if (pipe(ends)) error = errno;
         for (int i = 0; i < 2 && !error; i++)

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Tables of text: which character separates is seen from the header. */
+/* Tables of text.  The header determines the separator. */
 #include "verification/foreign/formats.h"
 
 #include "solver/status.h"
@@ -22,10 +22,10 @@ struct reader {
     FILE *in;
     const struct column_map *wanted;
     struct samples *s;
-    char *text; /* the line, without its end */
+    char *text; /* the line without its end */
     size_t room, length;
     long line;
-    char separator; /* a comma, a semicolon, or a blank for any run of blanks */
+    char separator; /* a comma, a semicolon, or a blank for any number of blanks */
     struct cell cell[CELLS];
     int cells;
     char comments[4000];     /* above the first point, each ended by a newline */
@@ -56,7 +56,7 @@ static void take_comment(struct reader *t) {
     if (t->s->n == 0) words_add(t->comments, sizeof t->comments, "%s\n", text);
 }
 
-/* The next line that says something: 1, 0 at the end, or -1 with *why. */
+/* Reads the next line that is neither blank nor a comment: 1, 0 at the end of the file, or -1 with *why. */
 static int next_line(struct reader *t, struct failure *why) {
     ssize_t read;
     while ((read = getline(&t->text, &t->room, t->in)) >= 0) {
@@ -80,7 +80,7 @@ static int next_line(struct reader *t, struct failure *why) {
         else if (*first)
             return 1;
     }
-    if (!ferror(t->in) && !feof(t->in)) xcheck(NULL, t->room, 1); /* a line longer than what memory is left */
+    if (!ferror(t->in) && !feof(t->in)) xcheck(NULL, t->room, 1); /* a line longer than the memory available */
     return 0;
 }
 
@@ -88,7 +88,7 @@ static char separator_of(const char *text) {
     return strchr(text, ';') ? ';' : strchr(text, ',') ? ',' : ' ';
 }
 
-/* The cell that starts at `at`, without its blanks and quotes; where the next one would start. */
+/* Reads the cell that starts at `at`, without its blanks and quotes; returns where the next one would start. */
 static const char *split_cell(const char *at, char separator, struct cell *cell) {
     at += strspn(at, " \t");
     if (*at == '"' || *at == '\'') {
@@ -106,7 +106,7 @@ static const char *split_cell(const char *at, char separator, struct cell *cell)
     return at;
 }
 
-/* Fills t->cell; -1 with *why where there are too many. */
+/* Fills t->cell; -1 with *why if there are too many cells. */
 static int split(struct reader *t, const char *text, struct failure *why) {
     t->cells = 0;
     for (const char *at = text;; at++) {
@@ -127,7 +127,7 @@ static int all_numbers(const struct reader *t) {
     return 1;
 }
 
-/* The place of a column by its name, or by its number; -1, or -2 for a name that is there twice. */
+/* Index of a column given by its name or its number; -1 if it is absent, -2 if the name occurs twice. */
 static int find(const struct reader *t, const char *name) {
     int found = -1;
     long number;
@@ -166,7 +166,7 @@ static int locate(struct reader *t, struct failure *why) {
     return STATUS_OK;
 }
 
-/* Whether the text names x, y and T, as many columns as a point has; t->cell is then split from it. */
+/* Whether the text names x, y and T and has as many columns as a point; t->cell is then split from it. */
 static int is_header(struct reader *t, const char *text, int columns) {
     struct failure ignored;
     t->separator = separator_of(text);
@@ -176,8 +176,8 @@ static int is_header(struct reader *t, const char *text, int columns) {
     return 1;
 }
 
-/* The header: the first line, or a comment above it; without one the columns go by their numbers.  1 where the line
- * is a point already. */
+/* Reads the header: the first line, or a comment above it; without one the columns are given by their numbers.
+ * Returns 1 if the line is already a point. */
 static int read_header(struct reader *t, struct failure *why) {
     char separator = t->separator = separator_of(t->text);
     if (split(t, t->text, why)) return -1;

@@ -21,7 +21,7 @@ struct gate {
     const char *measure; /* a row of measures.def */
     const char *command; /* as typed after the name of the program */
     double lo, hi;       /* the band of the measure */
-    double ceiling;      /* of the error; NAN for none */
+    double ceiling;      /* bound of the error; NAN: none */
     const char *why;     /* the fault that it sees; the source of its bounds */
 };
 
@@ -29,10 +29,10 @@ enum { GATES_COMMAND = 4096, GATES_SOLVER = 2000 }; /* letters of a command and 
 
 struct gate_result {
     struct gate gate;
-    int line;                  /* of gates.def or battery.def, with the expressions of the bounds; 0: numbers */
+    int line;                  /* in gates.def or battery.def, with the expressions of the bounds; 0: numbers */
     struct command *read;      /* owned: of gates_read; NULL: refused or not read yet */
     struct failure refused;    /* why it was refused; STATUS_OK: it was not */
-    char typed[GATES_COMMAND]; /* of gates_command */
+    char typed[GATES_COMMAND]; /* by gates_command */
     struct measured measured;
     double seconds;
     int executed;

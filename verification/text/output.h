@@ -23,7 +23,7 @@ struct output {
     size_t size;
 };
 
-/* Opens a file in memory, to be written to; its place is a path, printf-like.  Ends the program without memory. */
+/* Opens a file in memory; its place is a path, printf-like.  Ends the program if memory runs out. */
 FILE *output_open(struct output *o, const char *path, ...) __attribute__((format(printf, 2, 3)));
 
 /* Ends the writing and sets `text`.  Not required before output_close. */
@@ -33,10 +33,10 @@ void output_end(struct output *o);
  * where a place cannot be written.  Frees them. */
 int output_close(struct output *o, int count, struct failure *why);
 
-/* Frees them without a trace; also where some were never opened (zeroed). */
+/* Discards the files and frees their memory; some may never have been opened (zeroed). */
 void output_drop(struct output *o, int count);
 
-/* Makes the directory where it is not there, and checks that `name` can be written in it. */
+/* Makes the directory if it does not exist, and checks that a file `name` can be written in it. */
 int output_directory(const char *dir, const char *name, struct failure *why);
 
 #endif

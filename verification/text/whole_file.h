@@ -18,7 +18,7 @@ const char *whole_file_error(void);
  * is not text, because a device may produce them without end. */
 char *whole_file_read(FILE *in, size_t *size);
 
-/* NULL with errno set where the file cannot be opened or read. */
+/* NULL with errno set if the file cannot be opened or read. */
 char *whole_file_at(const char *path, size_t *size);
 
 #endif
