@@ -1,9 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The benchmark of a scene.  A rung is run once to warm up and to measure its error, then BENCH_RUNS times for its
- * median.  A candidate has its share of the scene's seconds, what is left divided by the candidates that are left; it
- * climbs while the next rung is predicted to fit in: the rung before, times the expected growth.  The coarsest rung
- * runs in any case, but for many steps of a given length.  A rung that fails or is left out is kept with its reason.
- */
+/* The benchmark of a scene.  A rung is run once to warm up and to measure its error, then BENCH_RUNS times for the
+ * median time.  Each candidate gets an equal share of the remaining seconds.  It climbs while the predicted time of
+ * the next rung, the time of the last rung times the expected growth, fits into its share.  The coarsest rung always
+ * runs, except for many steps of a given length.  A rung that fails or is left out is kept with its reason. */
 #include "verification/bench/bench.h"
 
 #include "solver/time/stepper.h"
@@ -43,8 +42,8 @@ static struct bench_time time_runs(const struct candidate *c, const struct exper
     return bench_summary(seconds, BENCH_RUNS);
 }
 
-/* Explicit steps that shrink with dx^2 make N^(1 + 2/d); n steps of sqrt(n) stages N^(1 + 3/(2d)); one step of n
- * updates by polynomials N^(1 + 1/d); transforms N. */
+/* Explicit steps proportional to dx^2 cost N^(1 + 2/d); n steps of sqrt(n) stages N^(1 + 3/(2d)); one step of n
+ * polynomial updates N^(1 + 1/d); transforms N. */
 static double expected_growth(const struct candidate *c, int dim) {
     const struct stepper *s = stepper_of(c->options.stepper);
     if (c->options.dt > 0 || (s && s->evolve)) return 1;
@@ -52,7 +51,8 @@ static double expected_growth(const struct candidate *c, int dim) {
     return 1 + 2.0 / dim;
 }
 
-/* Seconds of all runs of the coarsest rung: 1 ns an update for a given step; else nothing is predicted. */
+/* Predicted seconds of all runs of the coarsest rung: 1 ns per update for a given step; otherwise nothing is
+ * predicted. */
 static double coarsest_seconds(const struct candidate *c, const struct experiment *e, int n) {
     const double UPDATE = 1e-9;
     if (c->options.dt == 0) return 0;
@@ -108,7 +108,7 @@ double bench_cost(const struct bench_row *row, int by_work) {
     return by_work ? row->work : row->time.median;
 }
 
-/* Whether no other row is at least as good in both and better in one. */
+/* Whether no other row is at least as good in both quantities and better in one. */
 static int on_front(const struct bench_scene *b, const struct bench_row *row, int by_work) {
     double error = row->result.error.l1, cost = bench_cost(row, by_work);
     if (row->result.failure.status) return 0;

@@ -22,9 +22,9 @@
 
 /* The machine of a benchmark, and the compiler. */
 struct machine {
-    char processor[120]; /* as the system names it; "unknown" where it does not */
-    int cores;           /* that this process may use */
-    int lanes;           /* doubles in the vectors of the lattice's sweeps */
+    char processor[120]; /* as the system reports it, or "unknown" */
+    int cores;           /* available to this process */
+    int lanes;           /* doubles per vector in the lattice sweeps */
     const char *compiler, *flags;
 };
 
@@ -111,7 +111,7 @@ static void write_row(const struct bench_row *r, FILE *out) {
             r->candidate->label);
 }
 
-/* A plotter takes the last word of the header for the legend, so that no comma may be in it. */
+/* The plotter takes the last word of the header as the legend, so that it must not contain a comma. */
 static void write_header(const struct candidate *c, int first, FILE *out) {
     fprintf(out, "%s# %s\nn,particles,E1,seconds,lowest,highest,work,bytes,updates,", first ? "" : "\n\n", c->label);
     for (const char *at = c->label; *at; at++) fputc(*at == ',' ? ';' : *at, out);
@@ -122,7 +122,7 @@ static void write_front(const struct bench_scene *b, int by_work, FILE *out) {
     double below = 0;
     fprintf(out, "\n\n# front by %s\nn,particles,E1,seconds,lowest,highest,work,bytes,updates,Pareto front\n",
             by_work ? "work" : "time");
-    for (;;) { /* in the order of cost, which for a front is that of falling error */
+    for (;;) { /* in order of cost; along a front the error then decreases */
         const struct bench_row *next = NULL;
         for (int i = 0; i < b->count; i++) {
             const struct bench_row *r = &b->row[i];

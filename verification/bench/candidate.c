@@ -23,7 +23,7 @@
 #define WENDLAND .kernel = KERNEL_WENDLAND
 #define SERIES .mean = MEAN_SERIES
 #define JITTER .layout = LAYOUT_JITTER, .jitter = 0.2
-/* Other operators have more error for the same work on a lattice (gates/gates.def). */
+/* Other operators have larger errors for the same work on a lattice (gates/gates.def). */
 const struct candidate candidates_table[] = {
     CANDIDATE("so_ssph matched, cubic kernel", "so_ssph", 2, 0, MATCHED, SPLINE, .h_iso = 1),
     CANDIDATE("so_ssph matched, quartic kernel", "so_ssph", 2, 0, MATCHED, SPLINE, .h_iso = 1, QUARTIC),
@@ -51,8 +51,8 @@ const struct candidate candidates_table[] = {
     CANDIDATE("ftcs_flux at F = 0.2", "ftcs_flux", 0, 0, EULER, .fourier = 0.2),
     {0}};
 
-/* Whether square cells, n of them along x, tile the domain with every jump on a face; of a round body, whether rings
- * as wide fill it. */
+/* Whether n square cells along x tile the domain with every jump on a face; for a round body, whether rings of the
+ * same width fill it. */
 static int fits(const struct problem *p, int n, int jumps) {
     double dx = (p->hi[0] - p->lo[0]) / n, rings = (p->radius[1] - p->radius[0]) / dx;
     if (p->shape && fabs(rings - nearbyint(rings)) > 1e-9 * rings) return 0;
@@ -84,7 +84,7 @@ struct options candidate_options(const struct candidate *c, const struct experim
     o.dx = (e->problem.hi[0] - e->problem.lo[0]) / n;
     o.threads = e->options.threads;
     if (e->problem.shape && method_find(c->method)->scheme) o.walls = WALLS_FIT;
-    if (o.stepper == stepper_without_error(0)) o.dt = e->problem.t_end; /* one step leaves no error */
+    if (o.stepper == stepper_without_error(0)) o.dt = e->problem.t_end; /* one step has no error in time */
     if (c->steps > 0) o.dt = e->problem.t_end / ceil(10 + c->steps * n);
     return o;
 }

@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Throughput of the engine.  The triad a = b + s c moves 24 bytes an element through memory (McCalpin 1995); an
- * update that reads and writes one double moves 16, so that a sweep out of cache cannot pass triad/16 updates a
- * second unless several steps share a sweep.  A row of the sparse operator moves 12 bytes an entry and some 40 a
- * particle, once for the updates that share a sweep. */
+/* Throughput of the engine.  The triad a = b + s c moves 24 bytes per element through memory (McCalpin 1995).  An
+ * update that reads and writes one double moves 16, so that a sweep out of cache cannot exceed triad/16 updates per
+ * second unless several steps share a sweep.  A row of the sparse operator moves 12 bytes per entry and about 40 per
+ * particle, once for all updates that share a sweep. */
 #include "verification/bench/engine.h"
 
 #include "solver/method.h"
@@ -30,7 +30,7 @@ static struct bench_time constant(double value) {
     return (struct bench_time){value, value, value};
 }
 
-/* So many a second, of a row that takes t, s, each. */
+/* Adds the rate of a row that takes t seconds for `count` items. */
 static void add_rate(struct bench_engine *e, const char *what, const char *unit, double count, struct bench_time t) {
     add(e, what, unit, bench_ratio(constant(count), t), NAN, 0);
 }
@@ -44,7 +44,7 @@ static struct bench_time triad(void) {
         double s = 1 + k, start = omp_get_wtime();
         for (int i = 0; i < TRIAD; i++) a[i] = b[i] + s * c[i];
         seconds[k] = omp_get_wtime() - start;
-        sum += a[k]; /* so that no compiler can leave a triad out */
+        sum += a[k]; /* prevents the compiler from removing a triad */
     }
     free(a);
     free(b);
@@ -53,7 +53,7 @@ static struct bench_time triad(void) {
     return bench_summary(seconds, BENCH_RUNS);
 }
 
-/* Seconds of one update of one particle in the time loop of the command. */
+/* Seconds per update of one particle in the time loop of the command. */
 static struct bench_time update(const struct bench_engine *e, const char *command) {
     struct command r;
     struct failure why;
@@ -72,7 +72,7 @@ static struct bench_time update(const struct bench_engine *e, const char *comman
     return status ? none : bench_summary(seconds, BENCH_RUNS);
 }
 
-/* 1000 applications each: steps of Euler's, and steps of 7 stages. */
+/* 1000 applications each: Euler steps, and steps of 7 stages. */
 #define FTCS_160 "run square-step ftcs --dx 4/160 --fourier 0.2 --t-end 12.5"
 #define EULER_160 "run square-step so_ssph --stepper euler --dx 4/160 --fourier 0.2 --t-end 12.5"
 #define RKL2_160 "run square-step so_ssph --stepper rkl2 --dx 4/160 --dt 0.25 --t-end 35.5"
@@ -99,7 +99,7 @@ static void out_of_cache(struct bench_engine *e, double bandwidth) {
     add(e, "ftcs over triad/16 B, 2560 x 2560", "", bench_ratio(constant(16 / bandwidth), ftcs), NAN, 0);
 }
 
-/* Seconds of one update of a, eight at a time as a march hands them over. */
+/* Seconds per update of the operator a, in batches of eight as a march issues them. */
 static struct bench_time apply(const struct heat_operator *a) {
     enum { UPDATES = 8 };
     struct update u[UPDATES];
@@ -116,7 +116,7 @@ static struct bench_time apply(const struct heat_operator *a) {
     return bench_summary(seconds, BENCH_RUNS);
 }
 
-/* The rows of a run, and the seconds that they take: particles, what dummies hold, and all weights. */
+/* Builds the rows of a run and measures the seconds: particles, dummy particles and all weights. */
 static int set_up(const struct bench_engine *engine, const char *command, struct heat_operator *a, double *seconds) {
     struct command r;
     struct failure why;
@@ -152,7 +152,7 @@ static void cloud(struct bench_engine *e, double bandwidth) {
     operator_free(&a);
 }
 
-/* The set-up of 10^6 particles between two of another. */
+/* Measures the set-up of 10^6 particles between two set-ups of another kind. */
 static void set_up_beside(struct bench_engine *e, const char *command, const char *what, const char *other,
                           const char *over) {
     const char *const turn[] = {other, command, other};
@@ -168,7 +168,8 @@ static void set_up_beside(struct bench_engine *e, const char *command, const cha
     add(e, over, "", bench_ratio(own, others), 2, 1);
 }
 
-/* A cell is clipped by some 20 bisectors, a row of so_ssph sums 15 outer products of 5 terms and factors a matrix. */
+/* A cell is clipped by about 20 bisectors; a row of so_ssph sums 15 outer products of 5 terms and factors a
+ * matrix. */
 static void cells(struct bench_engine *e) {
     set_up_beside(e, "run square-step voronoi_flux --layout jitter --jitter 0.2 --dx 4/1000",
                   "set-up of 10^6 Voronoi cells",
@@ -184,7 +185,7 @@ int bench_engine_holds(const struct bench_engine_row *row) {
 void bench_engine_run(struct bench_engine *e, double coarser) {
     *e = (struct bench_engine){.coarser = coarser};
     struct bench_time t = triad();
-    double bandwidth = 24.0 * TRIAD / t.lowest; /* as STREAM reports it: the best of its runs */
+    double bandwidth = 24.0 * TRIAD / t.lowest; /* as STREAM reports it: the best run */
     add_rate(e, "triad, one thread", "bytes/s", 24.0 * TRIAD, t);
     struct progress progress = progress_start("parts of the engine", 4);
     progress_tick(&progress);

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Help, made from the tables that the arguments are read by, so that it cannot differ from them. */
+/* Help, printed from the tables that also parse the arguments, so that the two cannot differ. */
 #include "verification/cli/help.h"
 
 #include "verification/foreign/case_file.h"
@@ -12,7 +12,7 @@
 
 #include <string.h>
 
-enum { WIDE = 100 }; /* letters of a line */
+enum { WIDE = 100 }; /* characters per line */
 
 const char help_version[] = VERSION_TEXT;
 

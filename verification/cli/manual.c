@@ -14,7 +14,7 @@
 #include <limits.h>
 #include <string.h>
 
-enum { FOLD = 70 }; /* letters of a line of the source */
+enum { FOLD = 70 }; /* characters per line of the source */
 
 /* Text for roff: its escapes, and a dash that is no hyphen.  No line may start with a dot or a quote; lines of text
  * that is filled end at a blank before `most` letters. */
@@ -79,7 +79,7 @@ static void put_literally(const char *text, FILE *out) {
     fprintf(out, ".fi\n");
 }
 
-/* A paragraph's hanging title: what is typed or set. */
+/* A hanging title: an option or a variable. */
 static void put_title(const char *text, FILE *out) {
     fprintf(out, ".TP\n\\fB"), put(text, out), fprintf(out, "\\fR\n");
 }
@@ -97,7 +97,7 @@ static void put_names(FILE *out) {
     }
 }
 
-/* Titles, up to a NULL, and what each does. */
+/* Titles, up to a NULL, each with its description. */
 static void put_section(const char *name, const char *const row[][2], FILE *out) {
     fprintf(out, ".SH %s\n", name);
     for (int i = 0; row[i][0]; i++) {
@@ -155,7 +155,7 @@ void manual_page(FILE *out) {
     fprintf(out, ".SH \"SEE ALSO\"\n.BR gnuplot (1)\n");
 }
 
-/* Blank-separated words for compgen, without any that bash would expand. */
+/* Blank-separated words for compgen, without words that bash would expand. */
 static void put_words(const struct verb *v, FILE *out) {
     const struct option *list[VERB_ROWS];
     const char *positionals = v->syntax->positionals;

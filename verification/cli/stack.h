@@ -4,14 +4,14 @@
 
 struct failure;
 
-enum { STACK_LEAST = 256 }; /* kB of a thread: twice what the deepest call has been seen to take, 64 to 128 */
+enum { STACK_LEAST = 256 }; /* kB per thread: twice the largest observed depth, 64 to 128 */
 
 /* STATUS_INPUT if the limit of the stack (ulimit -s) or of OpenMP's threads (OMP_STACKSIZE, GOMP_STACKSIZE) is below
  * STACK_LEAST, where a thread would crash without a message; else STATUS_OK. */
 int stack_check(struct failure *why);
 
-/* kB that a value of OMP_STACKSIZE asks for (OpenMP 5.0, section 6.7: a whole number, and B, K, M or G; kB without);
- * -1 where it is none. */
+/* kB requested by a value of OMP_STACKSIZE (OpenMP 5.0, section 6.7: a whole number with B, K, M or G; kB without a
+ * unit); -1 if it is invalid. */
 double stack_size(const char *text);
 
 #endif

@@ -11,7 +11,7 @@ struct verb {
     const struct option *own; /* options beside those of the syntax; ended by a NULL name; NULL: none */
     size_t size;              /* size of its options, a struct that begins with a struct command */
     const char *about;        /* one line */
-    /* Does it.  A status of solver/status.h; *why, empty when called, gives the reason where there is one. */
+    /* Runs the verb.  Returns a status of solver/status.h; *why, empty on entry, gives the reason of a failure. */
     int (*act)(const void *options, struct failure *why);
 };
 
@@ -21,14 +21,14 @@ struct verb {
 
 extern const struct verb *const verbs[]; /* ended by NULL */
 
-/* The rows of the verb's options into `list`, in the order of the help, with the headings (option.h) of those that
- * have options; how many. */
+/* Lists the rows of the verb's options in the order of the help, with the headings (option.h) of the groups that are
+ * not empty; returns their number. */
 enum { VERB_ROWS = 100 };
 int verb_options(const struct verb *v, const struct option *list[VERB_ROWS]);
 
-const struct verb *verb_find(const char *name); /* NULL where there is none */
+const struct verb *verb_find(const char *name); /* NULL if there is none */
 
-/* Refuses the name, which is no verb, with the nearest one or what replaces it. */
+/* Refuses an unknown verb and suggests the nearest one or its replacement. */
 int verb_unknown(const char *name, struct failure *why);
 
 #endif

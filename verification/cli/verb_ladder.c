@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* heatladder ladder: runs of falling dx (or dt), and the order at which the error falls. */
+/* heatladder ladder: runs at decreasing dx (or dt), and the observed order of the error. */
 #include "verification/cli/verb.h"
 
 #include "verification/text/json.h"
@@ -156,7 +156,7 @@ static int write_files(const struct ladder_options *r, const struct ladder *l, i
     return unwritten.status;
 }
 
-/* The finest rung takes most memory. */
+/* The finest rung needs the most memory. */
 static int check_finest(const struct command *c, struct failure *why) {
     struct experiment finest = c->experiment;
     for (int i = 0; i < c->rungs.dx.count; i++) finest.options.dx = fmin(finest.options.dx, c->rungs.dx.value[i]);
@@ -176,7 +176,7 @@ static int act(const void *options, struct failure *why) {
     for (int i = 0; i < l->n; i++) result_warn(&l->rung[i]);
     if (!status_refused(status) || l->external) {
         (r->json ? print_json : print_text)(l);
-        if (!r->json && l->external) why->text[0] = '\0'; /* it stands in the table */
+        if (!r->json && l->external) why->text[0] = '\0'; /* the table already shows it */
         status = write_files(r, l, status, why);
     }
     if (!status && is_judged(r) && l->verdict != VERDICT_PASS)

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* heatladder run: one solution, how far it is from the exact one, and what it cost. */
+/* heatladder run: one solution, its error and its cost. */
 #include "verification/cli/verb.h"
 
 #include "references/snapshot.h"
@@ -70,7 +70,7 @@ static void print_json(const struct result *r) {
     json_end(&j);
 }
 
-/* x[,y],T,exact in m and K, one line a point. */
+/* x[,y],T,exact in m and K, one line per point. */
 static int write_field(const struct run_options *r, const struct field *f, struct failure *why) {
     struct output page;
     FILE *out = output_open(&page, "%s", r->field_path);

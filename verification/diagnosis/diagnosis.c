@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* One field cannot tell faults of like response apart (without a source T depends on kappa t alone): how the size
- * goes with the spacing can.  A clock is wrong by steps, a place by cells, a coefficient by a part of itself. */
+/* One field cannot distinguish faults with similar responses (without a source T depends on kappa t alone).  The
+ * dependence of the size on the spacing can: a clock is wrong by a number of steps, a position by a number of cells,
+ * a coefficient by a fraction of itself. */
 #include "verification/diagnosis/diagnosis.h"
 
 #include "solver/field.h"
@@ -15,21 +16,22 @@
 #include <stdlib.h>
 #include <string.h>
 
-static const double INDISTINCT = 0.02; /* shares that differ by less tell nothing apart */
-static const double STEADY = 0.25;     /* relative change of a size from rung to rung that still counts as none */
-static const double LEAST_MEAN = 0.3;  /* least share of the arithmetic mean's effect to detect another one */
+static const double INDISTINCT = 0.02; /* faults whose shares differ by less cannot be distinguished */
+static const double STEADY = 0.25; /* relative change of a size from rung to rung below which it counts as constant */
+static const double LEAST_MEAN =
+    0.3; /* least fraction of the arithmetic mean's effect for which another mean is detected */
 enum { POINTS = 20000, FAULTS = 56 };
 
 struct candidate_fault {
     struct fault fault;
     struct fit fine, coarse;
-    double unit[2];   /* unit of the size at the fine and the coarse rung: a step, a cell, or 1 */
-    double drift;     /* |log| of the change of the size in its unit; INFINITY where it does not stay */
+    double unit[2];   /* the unit of the size at the fine and the coarse rung: a step, a cell, or 1 */
+    double drift;     /* |log| of the change of the size in its unit; INFINITY if the size is not constant */
     const char *name; /* name of the unit */
     double steps[2];  /* for a clock with known steps: the size at both rungs */
 };
 
-/* dx^2/24 laplace(T) of the start, K, by differences within the cell; NAN next to a side. */
+/* dx^2/24 laplace(T) of the initial data, K, by differences within the cell; NAN next to a side. */
 static double start_mean(const struct problem *p, const struct diagnosis_rung *r, size_t i) {
     const double d = r->dx / 8, at[2] = {r->field->x[i], r->field->y ? r->field->y[i] : 0};
     double sum = 0;
@@ -99,8 +101,8 @@ static double drift(const struct candidate_fault *c, double fine, double coarse)
     return ratio > 0 ? fabs(log(ratio)) : INFINITY;
 }
 
-/* The unit in which the size of a fault stays from rung to rung, and what is left of its change.  A program that does
- * not say its steps may have steps of a length, or of a part of dx^2/kappa. */
+/* Finds the unit in which the size of a fault is constant from rung to rung, and the remaining change.  If a program
+ * does not report its time steps, they may have a fixed length or be a fraction of dx^2/kappa. */
 static void follow(const struct problem *p, struct candidate_fault *c, const struct diagnosis_rung *fine,
                    const struct diagnosis_rung *coarse) {
     int place = c->fault.kind == FAULT_EXTENT || c->fault.kind == FAULT_START_SHIFT ||
@@ -127,10 +129,10 @@ static void follow(const struct problem *p, struct candidate_fault *c, const str
     if (c->fault.kind == FAULT_MEAN && !(found > LEAST_MEAN && found < 1 + STEADY)) c->drift = INFINITY;
 }
 
-/* Some POINTS of a rung, evenly along it; owned arrays, to be freed by drop. */
+/* About POINTS points of a rung, evenly spaced in its order; `drop` frees the arrays. */
 static struct diagnosis_rung sample(const struct diagnosis_rung *r, struct field *f) {
     size_t stride = r->field->n / POINTS + 1;
-    if (stride > 1) stride |= 1; /* so that columns of a lattice are not picked out */
+    if (stride > 1) stride |= 1; /* so that the stride does not select columns of a lattice */
     size_t n = (r->field->n + stride - 1) / stride;
     double *exact = xcalloc(n, sizeof *exact);
     field_alloc(f, r->field->dim, n);
@@ -150,7 +152,7 @@ static void drop(struct diagnosis_rung *r, struct field *f) {
     field_free(f);
 }
 
-/* Two rungs, the fine one first, and what the responses to faults are held against. */
+/* Two rungs, the fine one first, and the data for the responses to faults. */
 struct looked_at {
     const struct problem *p;
     const struct response_lattice *l;
@@ -159,7 +161,8 @@ struct looked_at {
     double *base[2], *response;
 };
 
-/* Both fits of a fault whose response is taken at that size (0: at a small one); 0, or -1 where it cannot be. */
+/* Both fits of a fault with its response at that size (0: a small size).  Returns 0, or -1 if there is no
+ * response. */
 static int fit_at(const struct looked_at *at, struct fault fault, double size, struct fit fit[2]) {
     struct response r = {.size = 0};
     int corner = fault.kind == FAULT_CORNER, near = fault.kind == FAULT_NEAR_WALL, failed = 0;
@@ -167,7 +170,7 @@ static int fit_at(const struct looked_at *at, struct fault fault, double size, s
     for (int k = 0; k < 2 && !failed; k++) {
         const struct field *f = at->rung[k].field;
         if (near) response_free(&r);
-        if (near) failed = response_take(at->p, at->l, fault, at->rung[k].dx / 2, &r); /* its size is known */
+        if (near) failed = response_take(at->p, at->l, fault, at->rung[k].dx / 2, &r); /* the size is then known */
         if (failed) break;
         if (corner)
             failed = response_at_corner(at->p, at->rung[k].dx, fault, f, at->response);
@@ -179,9 +182,9 @@ static int fit_at(const struct looked_at *at, struct fault fault, double size, s
     return failed;
 }
 
-/* The response to a coefficient is no straight line: it is taken once more at the size s that was found, which finds
- * f(s), until the two are one.  The next s is where the line through the last two f meets it: a wall that hardly
- * resists has f = -(1 + s), which s = f would never leave. */
+/* The response to a coefficient is not linear.  It is therefore evaluated again at the size s of the previous fit,
+ * which gives a size f(s), until the two agree.  The next s follows from the secant through the last two f: for a
+ * wall of almost no resistance f = -(1 + s), for which the fixed-point iteration s = f would not converge. */
 static int fit_bent(const struct looked_at *at, struct fault fault, struct fit fit[2]) {
     enum { ROUNDS = 6 };
     static const double LARGE = 0.05, LEAST = -0.9, MOST = 3, SAME = 0.01, LIKELY = 0.5, STEEP = 0.9;
@@ -238,7 +241,7 @@ static int is_rare(const struct candidate_fault *c) {
     return end || c->fault.kind == FAULT_AXIS || c->fault.kind == FAULT_RHO_C;
 }
 
-/* 1 where a is to be named rather than b: its size stays better; of those that stay as well it explains more. */
+/* 1 if a is preferred to b: its size is more nearly constant or, if both are equally constant, it explains more. */
 static int is_better(const struct candidate_fault *a, const struct candidate_fault *b) {
     static const double AS_WELL = 0.01;
     if (is_rare(a) != is_rare(b)) return is_rare(b);
@@ -246,7 +249,7 @@ static int is_better(const struct candidate_fault *a, const struct candidate_fau
     return a->fine.share > b->fine.share;
 }
 
-/* Kinds of the sides that a fault is about. */
+/* Kinds of the sides to which a fault applies. */
 static unsigned sides_of(const struct problem *p, struct fault fault) {
     unsigned kinds = 0;
     for (int s = 0; s < 2 * p->dim; s++) {
@@ -258,7 +261,8 @@ static unsigned sides_of(const struct problem *p, struct fault fault) {
     return kinds;
 }
 
-/* The mean that makes `found` of the effect of the arithmetic mean at a contact: effects are as 1/k - 1/harmonic. */
+/* The kind of mean whose effect is the fraction `found` of the arithmetic mean's effect at a contact; effects are
+ * proportional to 1/k - 1/harmonic. */
 static int mean_of(const struct problem *p, double found) {
     static const double NEAR = 0.12;
     static const double HALF = 0.45, MUCH = 0.3; /* positions between the geometric and the arithmetic mean */
@@ -283,7 +287,7 @@ static void name(const struct problem *p, const struct candidate_fault *c, const
     wording_fault(d);
 }
 
-/* A clock that is a step off at one of both rungs, and right at the other. */
+/* A clock that is wrong by one step at one of the two rungs and right at the other. */
 static int is_off_at_one(const struct candidate_fault *c, struct diagnosis *d) {
     if (c->fault.kind != FAULT_CLOCK || strcmp(c->name, "steps") != 0) return 0;
     for (int k = 0; k < 2; k++) {
@@ -388,7 +392,7 @@ int diagnosis_unstable(const struct diagnosis_rung *r, struct diagnosis *d) {
 }
 
 int diagnosis_repeat(double apart, double largest, struct diagnosis *d) {
-    static const double SUMS = 1e-9; /* 1e6 roundings of 1e-16, and a tenfold */
+    static const double SUMS = 1e-9; /* 1e6 round-off errors of 1e-16, with a margin of ten */
     if (!(apart > SUMS * largest)) return 0;
     *d = (struct diagnosis){.named = 1, .fault = {FAULT_NOISE, 0}, .size = apart, .unit = "K", .share = NAN};
     wording_fault(d);

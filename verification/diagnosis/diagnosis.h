@@ -13,11 +13,11 @@ struct diagnosis_rung {
     const struct field *field;
     const double *exact; /* K, at the points of the field; NAN where the solution has no value */
     double dx;           /* m */
-    double dt;           /* s; 0 where unknown */
-    double mean;         /* by how many dx^2/24 laplace(T) the numbers differ from values; NAN where unknown */
+    double dt;           /* s; 0: unknown */
+    double mean; /* difference between the answers and point values, in units of dx^2/24 laplace(T); NAN: unknown */
 };
 
-/* Means of two conductivities that may stand for the harmonic one: `axis` of a diagnosed FAULT_MEAN. */
+/* Means of two conductivities that a code may use instead of the harmonic mean: `axis` of a diagnosed FAULT_MEAN. */
 enum { MEAN_IS_ARITHMETIC, MEAN_IS_GEOMETRIC, MEAN_IS_EITHER, MEAN_IS_OTHER };
 
 struct diagnosis {
@@ -26,37 +26,37 @@ struct diagnosis {
     double size;      /* in `unit` */
     const char *unit; /* "steps", "s", "dx^2/kappa", "%", "cells", "K", "digits" or "" */
     double share;     /* share of the squared error, 0 to 1, at the finest rung; NAN if another criterion applies */
-    double fourier;   /* dt kappa/dx^2 of the finest rung; 0 where unknown */
-    unsigned sides;   /* 1 << enum side_kind of each side that the fault is about; 0 where it is about none */
-    char what[240];   /* "as if the run had stopped 0.98 steps early"; why none is named where none is */
+    double fourier;   /* dt kappa/dx^2 of the finest rung; 0: unknown */
+    unsigned sides;   /* 1 << enum side_kind of each side to which the fault applies; 0: none */
+    char what[240];   /* "as if the run had stopped 0.98 steps early"; without a fault the reason why none is named */
 };
 
-/* `mean` of a rung of that code, from its answer at a time so early that T is still that of the start; NAN where that
- * is not what its errors look like. */
+/* Estimates `mean` of that code's rungs from an answer at such an early time that T is still the initial one; NAN if
+ * the errors do not have that form. */
 double diagnosis_mean(const struct problem *p, const struct diagnosis_rung *start);
 
-/* Names a fault that explains at least 90 % of the squared error of the finest rung, *fine, and whose size follows
- * the spacing as that fault does from the next coarser rung, *coarse: a part of a cell or of a step, or of
- * everything.  Errors of discretization grow with the spacing otherwise, so that none is named for them. */
+/* Names a fault that explains at least 90 % of the squared error of the finest rung, *fine, and whose size scales
+ * from the next coarser rung, *coarse, as this fault does: a fixed fraction of a cell, of a step or of the quantity.
+ * Discretization errors scale differently, so that no fault is named for them. */
 void diagnosis_find(const struct problem *p, const struct diagnosis_rung *fine, const struct diagnosis_rung *coarse,
                     struct diagnosis *d);
 
-/* The relative error (E1) that the fault of *d makes of *p at spacing dx, m; `zero`, K, is the temperature that
- * relative errors start from.  NAN where *p cannot have the fault or it is no change of a problem. */
+/* The relative error (E1) that the fault of *d causes in *p at spacing dx, m; `zero`, K, is the temperature from
+ * which relative errors are measured.  NAN if *p cannot have the fault or if it is not a change of a problem. */
 double diagnosis_effect(const struct problem *p, const struct diagnosis *d, double dx, double zero);
 
-/* Names a run whose temperatures leave the range of the solution by far.  1 where they do. */
+/* Names a run whose temperatures are far outside the range of the solution.  Returns 1 if they are. */
 int diagnosis_unstable(const struct diagnosis_rung *r, struct diagnosis *d);
 
-/* Two runs of the same that are `apart`, K, of fields as large as `largest`, K, are named where that is more than
- * sums in another order leave: one field shows nothing then.  1 where it is. */
+/* Names a difference `apart`, K, between two runs of the same case, of fields as large as `largest`, K, if it
+ * exceeds the effect of summation order: a single field is then inconclusive.  Returns 1 if it does. */
 int diagnosis_repeat(double apart, double largest, struct diagnosis *d);
 
-/* Temperatures that are all rounded to the same few digits, or to 24 bits, and an error (relative, E1) that this
- * explains, with cells along the longer side.  1 where they are. */
+/* Names temperatures that are all rounded to the same few digits, or to 24 bits, if this explains the error
+ * (relative, E1); `cells` is the number along the longer side.  Returns 1 if it does. */
 int diagnosis_rounding(const struct field *f, double error, double cells, struct diagnosis *d);
 
-/* The member "diagnosis" of an object that is open: null, or what, size, unit and share. */
+/* Writes the member "diagnosis" of an open object: null, or what, size, unit and share. */
 void diagnosis_json(const struct diagnosis *d, struct json *j);
 
 #endif

@@ -1,9 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Faults as changes of a problem.
  *
- * A displaced wall stretches the domain by s along an axis: with x = c + s (X - c) the equation in X has k/s^2 in
- * place of k, and a flux q or a coefficient b at a side across that axis becomes q/s and b/s.  The lattice of the
- * right problem thus serves the faulty one. */
+ * A displaced wall stretches the domain by s along an axis.  With x = c + s (X - c) the equation in X has k/s^2
+ * instead of k, and a flux q or a coefficient b at a side across that axis becomes q/s or b/s.  The lattice of the
+ * correct problem can therefore be used for the faulty one. */
 #include "verification/diagnosis/fault.h"
 
 #include <math.h>
@@ -17,7 +17,7 @@ static const struct faulty *faulty_at(const struct problem *p, const double x[2]
     return f;
 }
 
-/* Moves away from the nearer of the jumps along an axis, which widens the region between two of them by the size. */
+/* Moves x away from the nearer of the jumps along an axis, which widens the region between two jumps by the size. */
 static double narrowed(const struct problem *p, int axis, double x, double size) {
     double middle = 0;
     for (int k = 0; k < p->jumps[axis]; k++) middle += p->jump[axis][k] / p->jumps[axis];
@@ -104,7 +104,7 @@ static int has_cooled(const struct problem *p) {
     return 0;
 }
 
-/* That side; or all of them, of several. */
+/* Whether that side has a coefficient, or any of several sides. */
 static int has_coefficient(const struct problem *p, int axis) {
     int cooled = 0;
     if (axis != FAULT_ALL_SIDES) return is_cooled(p, axis);
@@ -112,7 +112,7 @@ static int has_coefficient(const struct problem *p, int axis) {
     return cooled >= 2;
 }
 
-/* Two materials without sources, so that fluxes decide. */
+/* Whether there are two materials without sources, so that the fluxes determine the solution. */
 static int has_diffusivities(const struct problem *p) {
     for (int s = 0; s < 2 * p->dim; s++)
         if (p->side[s] == ROBIN || (p->side[s] == NEUMANN && has_wall_value(p, (enum side)s))) return 0;
@@ -235,7 +235,7 @@ int fault_bends(enum fault_kind kind) {
 }
 
 int fault_can_be(const struct problem *p, enum fault_kind kind, double size) {
-    static const double SIGN = 0.1; /* how near to -2 a wrong sign is */
+    static const double SIGN = 0.1; /* largest distance from -2 that counts as a wrong sign */
     if (kind == FAULT_WALL || kind == FAULT_SOURCE) return size > -1.05 || fabs(size + 2) < SIGN;
     if (kind == FAULT_CLOCK) return size > -p->t_end;
     if (kind == FAULT_AMPLITUDE) return size > -1.05;

@@ -28,7 +28,7 @@
 
 enum { ROUNDS = 20000 };
 
-/* Minimum over size, b, c and d, one after the other until they stay: four numbers, three of them bounded. */
+/* Minimizes over size, b, c and d in turn until they converge: four numbers, three of them bounded. */
 struct fit fit_fault(const struct fit_errors *s, const double *f) {
     enum { N = 5 };
     double a[N][N] = {{0}}; /* products of e, f, g, h, m */

@@ -2,7 +2,7 @@
 #ifndef HEATLADDER_VERIFICATION_DIAGNOSIS_FIT_H
 #define HEATLADDER_VERIFICATION_DIAGNOSIS_FIT_H
 
-/* The errors of a rung, and how much of them one fault explains. */
+/* The errors of a rung, and the share of them that one fault explains. */
 
 struct diagnosis_rung;
 struct field;
@@ -17,20 +17,20 @@ struct fit {
     double part; /* |size f| / sqrt(|g + h/5|^2 + |3/2 m|^2) */
 };
 
-/* A rung: its errors, and what differences of second order leave. */
+/* A rung: its errors, and the discretization errors of second-order differences. */
 struct fit_errors {
     const struct field *field;
-    double *e, *g, *h; /* K, owned; e is NAN at a point that is left out */
-    double *m;         /* K, owned: dx^2/24 laplace(T); of two materials dx^2/(24 kappa) dT/dt of the faster */
-    int is_mean;       /* 1: a mean over a cell may stand for a value */
+    double *e, *g, *h; /* K, owned; e is NAN at an excluded point */
+    double *m;   /* K, owned: dx^2/24 laplace(T); for two materials dx^2/(24 kappa) dT/dt with the larger kappa */
+    int is_mean; /* 1: the code may use cell means as point values */
 };
 
-/* `mean` of *r, where it is known, is taken off already.  To be ended by fit_errors_free. */
+/* If `mean` of *r is known, it is already subtracted.  The caller calls fit_errors_free. */
 struct fit_errors fit_errors(const struct problem *p, const struct response_lattice *l,
                              const struct diagnosis_rung *r);
 void fit_errors_free(struct fit_errors *s);
 
-/* The least squares of a fault whose response, K per unit of its size, is f, at the points of *s. */
+/* Least squares for a fault with the response f, K per unit of its size, at the points of *s. */
 struct fit fit_fault(const struct fit_errors *s, const double *f);
 
 #endif

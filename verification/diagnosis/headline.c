@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Rows vote.  A row that names another fault, or another size, votes against; so does one that names none.  A fault
- * of some kind of walls is refuted by a row that passes with walls of that kind alone. */
+/* Rows vote.  A row that names another fault or size, or no fault, votes against.  A fault of one kind of walls is
+ * refuted by a row that has only walls of that kind and passes. */
 #include "verification/diagnosis/headline.h"
 
 #include "solver/status.h"
@@ -11,8 +11,8 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* Axes and materials that differ are different faults; sides and corners that differ are one fault of all sides.  A
- * step too many is one of the steps that some runs have too many. */
+/* Faults of different axes or materials are different; faults of different sides or corners are one fault of all
+ * sides.  An extra step in every run agrees with extra steps in some runs. */
 static int is_same(const struct diagnosis *a, const struct diagnosis *b) {
     static const double SAME = 0.2;
     const enum fault_kind kind = a->fault.kind;
@@ -68,7 +68,7 @@ void headline_print(const struct headline *h, char text[HEADLINE_TEXT]) {
                  h->fault.what, h->votes, h->failing);
 }
 
-/* Kinds of the sides of *p that the fault would be about. */
+/* Kinds of the sides of *p to which the fault would apply. */
 static unsigned sides_with(const struct problem *p, const struct diagnosis *d) {
     unsigned kinds = 0;
     for (int s = 0; s < 2 * p->dim; s++) kinds |= 1u << p->side[s];

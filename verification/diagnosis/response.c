@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Responses: the difference of two runs over the size of the fault, carried to the points by splines (GSL: cubic;
- * Steffen's where two materials meet, which does not overshoot there).  Beyond the outermost cell centres the
- * straight line goes on. */
+/* Responses: the difference of two runs divided by the size of the fault, interpolated to the points by splines
+ * (GSL: cubic; Steffen's for two materials, which does not overshoot at their interface).  Beyond the outermost cell
+ * centres the interpolation is linear. */
 #include "verification/diagnosis/response.h"
 
 #include "solver/method.h"
@@ -13,7 +13,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* Small: Euler takes dt/2 d2T/dt2 off the error in space, all of it at 1/6. */
+/* Small: the time error of Euler's method, dt/2 d2T/dt2, cancels part of the error in space, all of it at 1/6. */
 static const double FOURIER = 0.05;
 
 static int solve(const struct problem *p, double dx, double fourier, enum mean mean, struct field *f) {
@@ -47,7 +47,7 @@ int response_lattice_create(const struct problem *p, struct response_lattice *l)
     int best = -1, n = 0;
     for (int i = LEAST; i <= MOST; i++)
         if (fit(p, i) > best) best = fit(p, i), n = i;
-    if (best < 0 || p->shape) return -1; /* rings are no lattice */
+    if (best < 0 || p->shape) return -1; /* rings do not form a lattice */
     struct field f;
     *l = (struct response_lattice){.dx = (p->hi[0] - p->lo[0]) / n};
     if (solve(p, l->dx, FOURIER, MEAN_SERIES, &f)) return -1;
@@ -139,7 +139,7 @@ void response_laplacian(const struct problem *p, const struct response_lattice *
     double *D = xcalloc((size_t)(n[0] * n[1]), sizeof *D);
     for (int c = 0; c < n[0] * n[1]; c++)
         for (int a = 0, at[2] = {c % n[0], c / n[0]}, stride[2] = {1, n[0]}; a < p->dim; a++) {
-            int inner = at[a] < 1 ? 1 : at[a] > n[a] - 2 ? n[a] - 2 : at[a]; /* as next to the wall */
+            int inner = at[a] < 1 ? 1 : at[a] > n[a] - 2 ? n[a] - 2 : at[a]; /* the value next to the wall */
             const double *T = l->T + c + (inner - at[a]) * stride[a];
             D[c] += (T[stride[a]] - 2 * *T + T[-stride[a]]) / (l->dx * l->dx);
         }

@@ -1,9 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Temperatures that were kept, or written, with few digits.
+/* Temperatures stored or written with few digits.
  *
- * An explicit step that changes T by less than half a unit of its last digit, u |T|, changes nothing: the run stalls
- * where F times the second difference is that small, so that the error of a steady state is up to N^2/8 u/F of N
- * cells, N^2 u at F = 1/8.  An error above that has another cause. */
+ * An explicit step that changes T by less than half a unit of its last digit, u |T|, changes nothing.  The run
+ * stalls where F times the second difference is that small.  The error of a steady state is therefore up to N^2/8
+ * u/F for N cells, N^2 u at F = 1/8.  A larger error has another cause. */
 #include "verification/diagnosis/diagnosis.h"
 
 #include "solver/field.h"
@@ -14,11 +14,12 @@
 #include <math.h>
 #include <stdio.h>
 
-/* A few roundings of the largest: a temperature of the scene that was mapped back (references/mapping.h) has them. */
+/* A few round-off errors of the largest value: temperatures mapped back to the scene (references/mapping.h) have
+ * them. */
 static const double CLOSE = 16 * DBL_EPSILON;
 
 int diagnosis_rounding(const struct field *f, double error, double cells, struct diagnosis *d) {
-    enum { MOST = 9, LEAST = 10 }; /* digits; values that are not round by chance */
+    enum { MOST = 9, LEAST = 10 }; /* digits; and the number of values that cannot be round by chance */
     int digits = 0, full = 0;
     const double off = CLOSE * field_largest(f);
     char text[NUMBER_PRINTED];

@@ -21,9 +21,9 @@ static const char *const corners[] = {"the corner x_lo, y_lo", "the corner x_hi,
 static const char *const means[] = {"the arithmetic mean", "the geometric mean", "the arithmetic or geometric mean",
                                     "another mean"};
 
-/* {size}: without its sign, in {unit} or as the text says.  {way}: `below` of a size below 0, else `above`; where
- * none is given "small" and "large".  {name}: that of the fault's axis, `any` of FAULT_ANY; {other}: of the other
- * axis. */
+/* {size}: absolute value, in {unit} or as the text states.  {way}: `below` if the size is negative, `above`
+ * otherwise; without these words "small" and "large".  {name}: the name of the fault's axis, `any` for FAULT_ANY;
+ * {other}: the name of the other axis. */
 static const struct {
     const char *text;
     const char *const *names;
@@ -69,9 +69,9 @@ static const struct {
     [FAULT_UNSTABLE] = {.text = "the run is unstable, up to {size} K: the time step is above its limit"},
 };
 
-/* That of the table, but for the sizes that mean something else. */
+/* The text of the table, except for sizes with another meaning. */
 static const char *text_of(const struct diagnosis *d) {
-    static const double ANOTHER = 300; /* %: past it another value is likelier than a factor */
+    static const double ANOTHER = 300; /* %: beyond this, another value is more likely than a factor */
     int is_wall = d->fault.kind == FAULT_WALL, is_source = d->fault.kind == FAULT_SOURCE;
     if (d->fault.kind == FAULT_CLOCK && d->unit[0] == 'd')
         return "as if the run had stopped {size} {unit} {way}: one step, if steps are of that length";

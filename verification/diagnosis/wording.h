@@ -6,10 +6,10 @@
 
 struct diagnosis;
 
-/* Writes d->what of a fault that is named, from its kind, size and unit. */
+/* Writes d->what of a named fault from its kind, size and unit. */
 void wording_fault(struct diagnosis *d);
 
-/* d->what, and the share of the error where there is one. */
+/* Writes d->what and, if known, the share of the error. */
 void wording_text(const struct diagnosis *d, char *text, size_t size);
 
 #endif

@@ -22,10 +22,10 @@ struct gate {
     const char *command; /* as typed after the name of the program */
     double lo, hi;       /* the band of the measure */
     double ceiling;      /* bound of the error; NAN: none */
-    const char *why;     /* the fault that it sees; the source of its bounds */
+    const char *why;     /* the fault it detects; the source of its bounds */
 };
 
-enum { GATES_COMMAND = 4096, GATES_SOLVER = 2000 }; /* letters of a command and of --solver */
+enum { GATES_COMMAND = 4096, GATES_SOLVER = 2000 }; /* characters of a command and of --solver */
 
 struct gate_result {
     struct gate gate;
@@ -127,8 +127,8 @@ struct gates_tally {
 struct gates_tally gates_tally(const struct gates *g, const char *id);
 
 /* STATUS_OK: all declared rows were executed, none failed and at least one passed; STATUS_INCONCLUSIVE: none failed,
- * some did not decide; STATUS_SKIPPED: the program skipped all; STATUS_NUMERICAL: no answer of the program can be
- * judged; else STATUS_GATE. */
+ * some were inconclusive; STATUS_SKIPPED: the program skipped all; STATUS_NUMERICAL: no answer of the program can be
+ * judged; otherwise STATUS_GATE. */
 int gates_status(const struct gates *g);
 
 /* wording_all of those that do not hold. */

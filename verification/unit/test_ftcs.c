@@ -149,7 +149,7 @@ static void matched_starts_late(void **state) {
     (void)state;
     const double m[] = {0, 1, 4, -1, 1, 4}, dx = 0.046;
     for (int i = 0; i < 9; i++) {
-        const struct method *method = i < 6 ? &method_ftcs : &method_ftcs_flux; /* of spacing 2 dx */
+        const struct method *method = i < 6 ? &method_ftcs : &method_ftcs_flux; /* spacing 2 dx */
         struct problem p = rod(3);
         if (i >= 3 && i < 6)
             p.jumps[0] = 1, p.jump[0][0] = 0.45, p.param[3] = 0; /* midway; the same level on either side */
