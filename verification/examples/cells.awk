@@ -2,8 +2,9 @@
 #
 #     rho_c dT/dt = source + sum over the faces of a cell of conductance (T_beyond - T)
 #
-# The case file gives the grid and the end time.  `heatladder reference` gives all else (start, source, coefficients,
-# walls) at the centres of the cells and of the faces on the sides.  $HEATLADDER is the path of that program.
+# The case file gives the grid and the end time.  `heatladder reference` gives all else (start,
+# source, coefficients, walls) at the centres of the cells and of the faces on the sides.
+# $HEATLADDER is the path of that program.
 
 function stop(reason) {
     print "cells.awk: " reason >"/dev/stderr"
@@ -27,7 +28,8 @@ function read_case(path,    line, equals, found) {
     for (d = 1; d <= dim; d++) width[d] = (hi[d] - lo[d]) / n[d]
 }
 
-# The points: cells 1 to n along each axis, in a frame of the centres of the faces on the sides (drawn in cells.c).
+# The points: cells 1 to n along each axis, in a frame of the centres of the faces on the sides
+# (drawn in cells.c).
 function place(c, d) {
     return d == 1 ? c % stride[2] : dim == 1 ? 1 : int(c / stride[2])
 }
@@ -62,7 +64,8 @@ function question(path, times, what) {
 }
 
 function ask_scene(path,    command, c, line, word, first, d) {
-    command = question(path, "0", "initial_heat,source,rho_c,k_x,wall_x" (dim == 2 ? ",k_y,wall_y" : ""))
+    what = "initial_heat,source,rho_c,k_x,wall_x" (dim == 2 ? ",k_y,wall_y" : "")
+    command = question(path, "0", what)
     command | getline line
     for (c = 0; c < points; c++) {
         if ((command | getline line) <= 0) stop("no answer from heatladder reference")
@@ -116,7 +119,8 @@ function step_by(dt,    a, c, face, rate) {
     for (a = 1; a <= cells; a++) {
         c = cell[a]
         rate[a] = source[c] + flux[c]
-        for (face = 1; face <= faces[c]; face++) rate[a] += conductance[c, face] * (T[beyond[c, face]] - T[c])
+        for (face = 1; face <= faces[c]; face++)
+            rate[a] += conductance[c, face] * (T[beyond[c, face]] - T[c])
     }
     for (a = 1; a <= cells; a++) T[cell[a]] += dt * rate[a] / rho_c[cell[a]]
 }

@@ -3,19 +3,20 @@
  *
  *     rho_c dT/dt = source + sum over the faces of a cell of conductance (T_beyond - T)
  *
- * The case file gives the grid and the end time.  `heatladder reference` gives all else (start, source, coefficients,
- * walls) at the points below.  $HEATLADDER is the path of that program.
+ * The case file gives the grid and the end time.  `heatladder reference` gives all else (start,
+ * source, coefficients, walls) at the points below.  $HEATLADDER is the path of that program.
  *
- * The points are the centres of the cells (o) and, in a frame around them, the centres of the faces on the sides (x).
- * A rectangle of 3 by 2 cells has four rows of five points; a rod of 3 cells has one row:
+ * The points are the centres of the cells (o) and, in a frame around them, the centres of the faces
+ * on the sides (x). A rectangle of 3 by 2 cells has four rows of five points; a rod of 3 cells has
+ * one row:
  *
  *     x x x x x
  *     x o o o x        x o o o x
  *     x o o o x
  *     x x x x x
  *
- * They are numbered row by row.  The number of points in a row is `stride`: the neighbours of point c are c - 1 and
- * c + 1 along x, c - stride and c + stride along y. */
+ * They are numbered row by row.  The number of points in a row is `stride`: the neighbours of point
+ * c are c - 1 and c + 1 along x, c - stride and c + stride along y. */
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -74,7 +75,8 @@ static void read_case(const char *path) {
     for (int d = 0; d < 2; d++) width[d] = (hi[d] - lo[d]) / n[d];
 }
 
-/* The place of point c along axis d: 1 to n for cells, 0 and n + 1 for the frame.  A rod has one row, 1. */
+/* The place of point c along axis d: 1 to n for cells, 0 and n + 1 for the frame.  A rod has one
+ * row, 1. */
 static int place(int c, int d) {
     if (d == 0) return c % stride;
     return dim == 2 ? c / stride : 1;
@@ -104,7 +106,8 @@ static void make_points(const char *path) {
     if (fclose(f)) stop("the points cannot be written");
 }
 
-/* Starts `heatladder reference` at the points of the file.  Returns its answers, behind the line of headers. */
+/* Starts `heatladder reference` at the points of the file.  Returns its answers, behind the line of
+ * headers. */
 static FILE *ask(const char *path, const char *times, const char *what) {
     char command[8192], header[4096];
     const char *program = getenv("HEATLADDER");
@@ -119,14 +122,16 @@ static FILE *ask(const char *path, const char *times, const char *what) {
 /* Numbers are separated by commas, and by the end of a line. */
 static double next_number(FILE *answers) {
     double value;
-    if (fscanf(answers, "%lf%*[,\n]", &value) != 1) stop("an answer of heatladder reference is not a number");
+    if (fscanf(answers, "%lf%*[,\n]", &value) != 1) stop("an answer is not a number");
     return value;
 }
 
-/* One line a point: its coordinates, then the columns in the order in which they are asked for; a wall is three. */
+/* One line a point: its coordinates, then the columns in the order in which they are asked for; a
+ * wall is three. */
 static void ask_scene(const char *path) {
     char what[80];
-    snprintf(what, sizeof what, "initial_heat,source,rho_c,k_x,wall_x%s", dim == 2 ? ",k_y,wall_y" : "");
+    snprintf(what, sizeof what, "initial_heat,source,rho_c,"
+             "k_x,wall_x%s", dim == 2 ? ",k_y,wall_y" : "");
     FILE *answers = ask(path, "0", what);
     for (struct point *p = point; p < point + points; p++) {
         for (int d = 0; d < dim; d++) next_number(answers); /* the point */
@@ -143,8 +148,9 @@ static void ask_scene(const char *path) {
     if (pclose(answers)) stop("heatladder reference failed");
 }
 
-/* The face of cell c towards point e.  Resistances add up: those of two half cells, or of a half cell and the wall
- * (none if it is held, 1/b if it is cooled).  Through a wall of given flux no conductance is needed. */
+/* The face of cell c towards point e.  Resistances add up: those of two half cells, or of a half
+ * cell and the wall (none if it is held, 1/b if it is cooled).  Through a wall of given flux no
+ * conductance is needed. */
 static void make_face(int c, int face, int e) {
     int d = face / 2, is_wall = !is_cell(e);
     struct point *p = &point[c], *beyond = &point[e];
@@ -200,8 +206,8 @@ static void read_sources(FILE *sources) {
     }
 }
 
-/* A source that changes in time is asked for at the start of every step, all times at once: a block of lines a time.
- * The block of the end time is left unread. */
+/* A source that changes in time is asked for at the start of every step, all times at once: a block
+ * of lines a time. The block of the end time is left unread. */
 static void run(const char *path, int steps) {
     char times[64];
     FILE *sources = NULL;

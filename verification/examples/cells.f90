@@ -2,20 +2,24 @@
 !
 !     rho_c dT/dt = source + sum over the faces of a cell of conductance (T_beyond - T)
 !
-! The case file gives the grid and the end time.  `heatladder reference` gives all else (start, source, coefficients,
-! walls) at the centres of the cells and of the faces on the sides.  $HEATLADDER is the path of that program.
+! The case file gives the grid and the end time.  `heatladder reference` gives all else (start,
+! source, coefficients, walls) at the centres of the cells and of the faces on the sides.
+! $HEATLADDER is the path of that program.
 program cells
     implicit none
     integer, parameter :: dp = kind(1d0)
-    integer, parameter :: flux_wall = 2, cooled_wall = 3 ! kinds in the answers of `reference`; 1: held
+    ! Kinds of walls in the answers of `reference`; 1: held.
+    integer, parameter :: flux_wall = 2, cooled_wall = 3
     character(4096) :: case_file, answer_file, oracle
     integer :: dim = 1, n(2) = 1, steps, step, unit
     integer :: first_row, last_row ! of points along y: a rod is one row without a frame
     logical :: changing = .false.
     real(dp) :: lo(2) = 0, hi(2) = 1, width(2), t_end
-    ! Points (0:n(1) + 1, 0:n(2) + 1): cells from 1 to n, in a frame of the centres of the faces on the sides.
+    ! Points (0:n(1) + 1, 0:n(2) + 1): cells from 1 to n, in a frame of the centres of the faces on
+    ! the sides.
     real(dp), allocatable :: x(:, :, :), T(:, :), source(:, :), rho_c(:, :)
-    real(dp), allocatable :: k(:, :, :), kind_of(:, :, :), value(:, :, :), b(:, :, :) ! first index: the axis
+    ! First index: the axis.
+    real(dp), allocatable :: k(:, :, :), kind_of(:, :, :), value(:, :, :), b(:, :, :)
     ! Of cells: the conductances to x low, x high, y low, y high and what walls of given flux add.
     real(dp), allocatable :: conductance(:, :, :), flux(:, :)
 
@@ -84,7 +88,8 @@ contains
         character(4096) :: header
         integer :: status
         call execute_command_line('${HEATLADDER:-heatladder} reference '//trim(oracle)//" --points '"// &
-            trim(answer_file)//".points' --time "//times//' --what '//what//" >'"//trim(answer_file)//".reference'", &
+            trim(answer_file)//".points' --time "//times//' --what '//what// &
+            " >'"//trim(answer_file)//".reference'", &
             exitstat=status)
         if (status /= 0) error stop 'cells: no answer from heatladder reference'
         open (newunit=unit, file=trim(answer_file)//'.reference', action='read')
@@ -94,7 +99,8 @@ contains
     subroutine ask_scene()
         integer :: i, j
         real(dp) :: place(dim), wall(4, dim)
-        allocate (T(0:n(1) + 1, 0:n(2) + 1), source(0:n(1) + 1, 0:n(2) + 1), rho_c(0:n(1) + 1, 0:n(2) + 1))
+        allocate (T(0:n(1) + 1, 0:n(2) + 1), source(0:n(1) + 1, 0:n(2) + 1))
+        allocate (rho_c(0:n(1) + 1, 0:n(2) + 1))
         allocate (k(2, 0:n(1) + 1, 0:n(2) + 1), kind_of(2, 0:n(1) + 1, 0:n(2) + 1))
         allocate (value(2, 0:n(1) + 1, 0:n(2) + 1), b(2, 0:n(1) + 1, 0:n(2) + 1))
         T = 0
@@ -134,7 +140,8 @@ contains
                             flux(i, j) = flux(i, j) + value(d, e(1), e(2))/width(d)
                             cycle
                         end if
-                        if (nint(kind_of(d, e(1), e(2))) == cooled_wall) resistance = resistance + 1/b(d, e(1), e(2))
+                        if (nint(kind_of(d, e(1), e(2))) == cooled_wall) &
+                            resistance = resistance + 1/b(d, e(1), e(2))
                     end if
                     conductance(face, i, j) = 1/(resistance*width(d))
                 end do
@@ -158,7 +165,8 @@ contains
         write (times, '(a, es23.17, a, i0)') '0:', t_end, ':', steps + 1
         if (changing) call ask(trim(times), 'source')
         do step = 1, steps
-            if (changing) read (unit, *) ((now, place, source(i, j), i=0, n(1) + 1), j=first_row, last_row)
+            if (changing) &
+                read (unit, *) ((now, place, source(i, j), i=0, n(1) + 1), j=first_row, last_row)
             call step_by(dt)
         end do
         if (changing) close (unit)
@@ -171,8 +179,10 @@ contains
         do j = 1, n(2)
             do i = 1, n(1)
                 rate(i, j) = source(i, j) + flux(i, j) + &
-                    conductance(1, i, j)*(T(i - 1, j) - T(i, j)) + conductance(2, i, j)*(T(i + 1, j) - T(i, j)) + &
-                    conductance(3, i, j)*(T(i, j - 1) - T(i, j)) + conductance(4, i, j)*(T(i, j + 1) - T(i, j))
+                    conductance(1, i, j)*(T(i - 1, j) - T(i, j)) + &
+                    conductance(2, i, j)*(T(i + 1, j) - T(i, j)) + &
+                    conductance(3, i, j)*(T(i, j - 1) - T(i, j)) + &
+                    conductance(4, i, j)*(T(i, j + 1) - T(i, j))
             end do
         end do
         T(1:n(1), 1:n(2)) = T(1:n(1), 1:n(2)) + dt*rate/rho_c(1:n(1), 1:n(2))

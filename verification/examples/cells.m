@@ -2,8 +2,9 @@
 %
 %     rho_c dT/dt = source + sum over the faces of a cell of conductance (T_beyond - T)
 %
-% The case file gives the grid and the end time.  `heatladder reference` gives all else (start, source, coefficients,
-% walls) at the centres of the cells and of the faces on the sides.  $HEATLADDER is the path of that program.
+% The case file gives the grid and the end time.  `heatladder reference` gives all else (start,
+% source, coefficients, walls) at the centres of the cells and of the faces on the sides.
+% $HEATLADDER is the path of that program.
 1; % a script, although functions come first
 
 % The `key = value` lines of the case as a structure of strings.
@@ -53,7 +54,8 @@ n = numbers(field.cells);
 t_end = numbers(field.t_end);
 width = (hi - lo) ./ n;
 
-% The points: cells 2 to n + 1 along each axis, in a frame of the centres of the faces on the sides (see cells.c).
+% The points: cells 2 to n + 1 along each axis, in a frame of the centres of the faces on the sides
+% (see cells.c).
 axis_points = @(d) [lo(d), lo(d) + ((1:n(d)) - 0.5) * width(d), hi(d)];
 in_x = 2:n(1) + 1;
 if dim == 1
@@ -68,7 +70,8 @@ else
     in_y = 2:n(2) + 1;
     shape = n + 2;
     write_rows([args{2} '.points'], 'x,y,dx,dy', [points, repmat(width, rows(points), 1)]);
-    scene = ask(field.oracle, [args{2} '.points'], '0', 'initial_heat,source,rho_c,k_x,wall_x,k_y,wall_y', 13);
+    what = 'initial_heat,source,rho_c,k_x,wall_x,k_y,wall_y';
+    scene = ask(field.oracle, [args{2} '.points'], '0', what, 13);
 end
 column = @(i) reshape(scene(:, dim + i), shape);
 T = column(1);
@@ -115,7 +118,8 @@ steps = ceil(t_end * max(speed(:)) / 0.25);
 dt = t_end / steps;
 changing = strcmp(field.source, 'changing');
 if changing
-    answers = ask(field.oracle, [args{2} '.points'], sprintf('0:%.17g:%d', t_end, steps + 1), 'source', dim + 2);
+    times = sprintf('0:%.17g:%d', t_end, steps + 1);
+    answers = ask(field.oracle, [args{2} '.points'], times, 'source', dim + 2);
     sources = reshape(answers(:, end), prod(shape), []);
 end
 for step = 1:steps
@@ -132,4 +136,5 @@ end
 is_cell = false(shape);
 is_cell(in_x, in_y) = true;
 header = {'x,T', 'x,y,T'}{dim};
-write_rows(args{2}, sprintf('# steps = %d\n%s', steps, header), [points(is_cell(:), :), T(is_cell)]);
+header = sprintf('# steps = %d\n%s', steps, header);
+write_rows(args{2}, header, [points(is_cell(:), :), T(is_cell)]);

@@ -2,15 +2,16 @@
 
     rho_c dT/dt = source + sum over the faces of a cell of conductance (T_beyond - T)
 
-The case file gives the grid and the end time.  `heatladder reference` gives all else (start, source, coefficients,
-walls) at the centres of the cells and of the faces on the sides.  $HEATLADDER is the path of that program.
+The case file gives the grid and the end time.  `heatladder reference` gives all else (start,
+source, coefficients, walls) at the centres of the cells and of the faces on the sides.  $HEATLADDER
+is the path of that program.
 """
 import math
 import os
 import subprocess
 import sys
 
-PERIODIC, FLUX, COOLED = 0, 2, 3  # kinds of sides in the answers of `reference`; 1 is a wall of given temperature
+PERIODIC, FLUX, COOLED = 0, 2, 3  # kinds of sides in the answers of `reference`; 1: held
 
 
 def read_case(path):
@@ -28,14 +29,15 @@ class Reference:
 
     def __init__(self, oracle, path, points, width):
         self.path, self.dim = path, len(width)
-        self.words = [os.environ.get("HEATLADDER", "heatladder"), "reference", *oracle.split(), "--points", path]
+        program = os.environ.get("HEATLADDER", "heatladder")
+        self.words = [program, "reference", *oracle.split(), "--points", path]
         with open(path, "w") as f:
             print("x,dx" if self.dim == 1 else "x,y,dx,dy", file=f)
             for point in points:
                 print(*point, *width, sep=",", file=f)
 
     def ask(self, times, what):
-        """A list of numbers for each point (and each time, if there are several), without the point itself."""
+        """A list of numbers for each point (and each time), without the point itself."""
         answer = subprocess.run(self.words + ["--time", times, "--what", what],
                                 check=True, stdout=subprocess.PIPE, text=True).stdout
         return [numbers(line)[self.dim:] for line in answer.splitlines()[1:]]
@@ -49,7 +51,8 @@ lo, hi = numbers(case["lo"]), numbers(case["hi"])
 n = [int(word) for word in case["cells"].split(",")]
 width = [(hi[d] - lo[d]) / n[d] for d in range(dim)]
 
-# The points: cells 1 to n along each axis, in a frame of the centres of the faces on the sides (drawn in cells.c).
+# The points: cells 1 to n along each axis, in a frame of the centres of the faces on the sides
+# (drawn in cells.c).
 axes = [[lo[d]] + [lo[d] + (i + 0.5) * width[d] for i in range(n[d])] + [hi[d]] for d in range(dim)]
 points = [(x,) for x in axes[0]] if dim == 1 else [(x, y) for y in axes[1] for x in axes[0]]
 stride = [1, n[0] + 2]  # from a point to the next along x and along y
@@ -62,7 +65,8 @@ def on_side(e, d):
 cells = [c for c in range(len(points)) if not any(on_side(c, d) for d in range(dim))]
 
 reference = Reference(case["oracle"], sys.argv[2] + ".points", points, width)
-scene = reference.ask("0", "initial_heat,source,rho_c,k_x,wall_x" + (",k_y,wall_y" if dim == 2 else ""))
+what = "initial_heat,source,rho_c,k_x,wall_x" + (",k_y,wall_y" if dim == 2 else "")
+scene = reference.ask("0", what)
 T = [values[0] for values in scene]
 source = [values[1] for values in scene]
 rho_c = [values[2] for values in scene]

@@ -3,8 +3,9 @@
  *
  *     rho_c dT/dt = source + sum over the faces of a cell of conductance (T_beyond - T)
  *
- * The case file gives the grid and the end time.  `heatladder reference` gives all else (start, source, coefficients,
- * walls) at the centres of the cells and of the faces on the sides.  $HEATLADDER is the path of that program. */
+ * The case file gives the grid and the end time.  `heatladder reference` gives all else (start,
+ * source, coefficients, walls) at the centres of the cells and of the faces on the sides.
+ * $HEATLADDER is the path of that program. */
 #include <cvode/cvode.h>
 #include <math.h>
 #include <nvector/nvector_serial.h>
@@ -30,7 +31,8 @@ static int dim = 1, n[2] = {1, 1};
 static double lo[2], hi[2] = {0, 1}, width[2], t_end;
 static char oracle[2048];
 
-/* The points: cells 1 to n along each axis, in a frame of the centres of the faces on the sides (see cells.c). */
+/* The points: cells 1 to n along each axis, in a frame of the centres of the faces on the sides
+ * (see cells.c). */
 static struct point *point;
 static int points, stride[2] = {1, 0};
 
@@ -60,7 +62,8 @@ static void read_case(const char *path) {
         if (strstr(line, "= periodic")) exit(NOT_APPLICABLE);
     }
     fclose(f);
-    if (strcmp(source, "changing") == 0) exit(NOT_APPLICABLE); /* the integrator takes times of its own */
+    /* The integrator takes times of its own. */
+    if (strcmp(source, "changing") == 0) exit(NOT_APPLICABLE);
     for (int d = 0; d < 2; d++) width[d] = (hi[d] - lo[d]) / n[d];
 }
 
@@ -96,14 +99,15 @@ static void make_points(const char *path) {
 
 static double next_number(FILE *answers) {
     double value;
-    if (fscanf(answers, "%lf%*[,\n]", &value) != 1) stop("an answer of heatladder reference is not a number");
+    if (fscanf(answers, "%lf%*[,\n]", &value) != 1) stop("an answer is not a number");
     return value;
 }
 
 static void ask_scene(const char *path, double *T) {
     char command[8192], header[4096];
     const char *program = getenv("HEATLADDER");
-    snprintf(command, sizeof command, "%s reference %s --points '%s' --what initial_heat,source,rho_c,k_x,wall_x%s",
+    snprintf(command, sizeof command, "%s reference %s --points '%s' --what "
+             "initial_heat,source,rho_c,k_x,wall_x%s",
              program ? program : "heatladder", oracle, path, dim == 2 ? ",k_y,wall_y" : "");
     FILE *answers = need(popen(command, "r"), "heatladder cannot be started");
     need(fgets(header, sizeof header, answers), "no answer from heatladder reference");

@@ -1,10 +1,11 @@
-"""elements.py CASE OUT: FEniCSx, linear elements on segments and triangles, bilinear ones on rectangles, BDF2 in time.
+"""elements.py CASE OUT: FEniCSx, linear elements on segments and triangles, bilinear ones on
+rectangles, BDF2 in time.
 
     (rho_c dT/dt, v) + (k grad T, grad v) + <b T, v> = (source, v) + <flux or b T_air, v>,   T given on held walls
 
-with ( ) over the body and < > over its walls.  The case file gives the grid and the end time.  `heatladder reference`
-gives all else (start, source, coefficients, walls) at the elements' nodes.  $HEATLADDER is the path of that program.
-Round bodies have the triangles of triangles.py.
+with ( ) over the body and < > over its walls.  The case file gives the grid and the end time.
+`heatladder reference` gives all else (start, source, coefficients, walls) at the elements' nodes.
+$HEATLADDER is the path of that program. Round bodies have the triangles of triangles.py.
 """
 import logging
 import os
@@ -38,14 +39,17 @@ dim, width = len(n), (hi - lo) / n
 if is_round:
     from triangles import make_mesh
 
-    points, triangles = make_mesh(float(case.get("r1", 0)), float(case.get("r2", case.get("radius", 1))), width[0])
-    body = mesh.create_mesh(MPI.COMM_SELF, triangles, points, ufl.Mesh(ufl.VectorElement("Lagrange", "triangle", 1)))
+    outer = float(case.get("r2", case.get("radius", 1)))
+    points, triangles = make_mesh(float(case.get("r1", 0)), outer, width[0])
+    straight = ufl.Mesh(ufl.VectorElement("Lagrange", "triangle", 1))
+    body = mesh.create_mesh(MPI.COMM_SELF, triangles, points, straight)
 elif dim == 1:
     body = mesh.create_interval(MPI.COMM_SELF, n[0], [lo[0], hi[0]])
 else:
     body = mesh.create_rectangle(MPI.COMM_SELF, [lo, hi], n, mesh.CellType.quadrilateral)
 nodes = fem.FunctionSpace(body, ("Lagrange", 1))
-apart = fem.FunctionSpace(body, ("DG", 1))  # each element has nodes of its own, so that coefficients may jump
+# Each element has nodes of its own, so that coefficients may jump.
+apart = fem.FunctionSpace(body, ("DG", 1))
 element = fem.FunctionSpace(body, ("DG", 0))
 
 
@@ -54,13 +58,14 @@ def places(space):
 
 
 def ask(space, points, what):
-    """The named columns at time 0, each as a function of the space whose nodes are at these points."""
+    """The named columns at time 0, each as a function of the space with nodes at these points."""
     file = sys.argv[2] + ".points"
     np.savetxt(file, np.hstack([points, np.tile(width, (len(points), 1))]), "%.17g", ",", comments="",
                header=",".join(["x", "y"][:dim] + ["dx", "dy"][:dim]))
-    words = [os.environ.get("HEATLADDER", "heatladder"), "reference", *case["oracle"].split(), "--points", file,
-             "--what", what]
-    answer = subprocess.run(words, check=True, stdout=subprocess.PIPE, text=True).stdout.splitlines()
+    program = os.environ.get("HEATLADDER", "heatladder")
+    words = [program, "reference", *case["oracle"].split(), "--points", file, "--what", what]
+    run = subprocess.run(words, check=True, stdout=subprocess.PIPE, text=True)
+    answer = run.stdout.splitlines()
     functions = []
     for column in np.array([[float(x) for x in line.split(",")] for line in answer[1:]])[:, dim:].T:
         functions.append(fem.Function(space))
@@ -78,7 +83,7 @@ source, rho_c, *k = ask(apart, inner, "source,rho_c,k_x" + (",k_y" if dim == 2 e
 sides = "" if is_round else ",wall_x" if dim == 1 else ",wall_x,wall_y"
 kind, held, own, *sides = ask(nodes, places(nodes), "wall" + sides)
 
-T, known = fem.Function(nodes), fem.Function(nodes)  # the unknown; the terms of dT/dt from times before
+T, known = fem.Function(nodes), fem.Function(nodes)  # the unknown; earlier times in dT/dt
 rate = fem.Constant(body, PETSc.ScalarType(0))  # 1/s: the coefficient of T in dT/dt
 u, v, normal = ufl.TrialFunction(nodes), ufl.TestFunction(nodes), ufl.FacetNormal(body)
 left = (rho_c * rate * u * v + sum(k[d] * u.dx(d) * v.dx(d) for d in range(dim))) * ufl.dx

@@ -2,10 +2,10 @@
 
     dT/dt = DT laplacian T
 
-It knows one material and no source.  Where conductivities differ, y is stretched by sqrt(k_x / k_y), which makes
-them one; its unit of time is a step.  The case file gives the grid and the end time.  `heatladder reference` gives
-all else (start, coefficients, walls) at the centres of the cells and of the faces on the sides.  $HEATLADDER is the
-path of that program.
+It knows one material and no source.  Where conductivities differ, y is stretched by sqrt(k_x /
+k_y), which makes them one; its unit of time is a step.  The case file gives the grid and the end
+time.  `heatladder reference` gives all else (start, coefficients, walls) at the centres of the
+cells and of the faces on the sides.  $HEATLADDER is the path of that program.
 """
 import math
 import os
@@ -16,7 +16,9 @@ HELD, FLUX, COOLED = 1, 2, 3  # kinds of walls in the answers of `reference`
 
 with open(sys.argv[1]) as f:
     case = dict(line.rstrip("\n").split(" = ", 1) for line in f)
-if case["materials"] != "1" or case["source"] != "no" or "shape" in case or "periodic" in case.values():
+if case["materials"] != "1" or case["source"] != "no":
+    sys.exit(77)
+if "shape" in case or "periodic" in case.values():
     sys.exit(77)
 
 
@@ -54,9 +56,10 @@ with open(file, "w") as out:
     print("x,y,dx,dy", file=out)
     for point in cells + sum(faces.values(), []):
         print(*point, *h, sep=",", file=out)
-words = [os.environ.get("HEATLADDER", "heatladder"), "reference", *case["oracle"].split(), "--points", file,
-         "--what", "initial_heat,rho_c,k_x,wall_x" + (",k_y,wall_y" if dim == 2 else "")]
-answer = subprocess.run(words, check=True, stdout=subprocess.PIPE, text=True).stdout.splitlines()
+program = os.environ.get("HEATLADDER", "heatladder")
+words = [program, "reference", *case["oracle"].split(), "--points", file, "--what", "initial_heat,rho_c,k_x,wall_x" + (",k_y,wall_y" if dim == 2 else "")]
+run = subprocess.run(words, check=True, stdout=subprocess.PIPE, text=True)
+answer = run.stdout.splitlines()
 scene = [numbers(line)[dim:] for line in answer[1:]]
 start = [values[0] for values in scene[:len(cells)]]
 rho_c, k = scene[0][1], scene[0][2::4]
@@ -70,7 +73,7 @@ def scalars(values):
 
 
 def patch(side, walls):
-    """A mixed condition: the fraction f of a value at the face, and 1 - f of a slope along the normal."""
+    """A mixed condition: the fraction f of a value at the face, 1 - f of a normal slope."""
     d = "xy".index(side[0])
     values, slopes, fractions = [], [], []
     for kind, value, b in walls:

@@ -1,9 +1,11 @@
-"""lines.py CASE OUT: SciPy, the method of lines: finite volumes on a grid of cells, solve_ivp's BDF in time.
+"""lines.py CASE OUT: SciPy, the method of lines: finite volumes on a grid of cells, solve_ivp's BDF
+in time.
 
     rho_c dT/dt = L T + source,   L T = sum over the faces of a cell of conductance (T_beyond - T) / width
 
-The case file gives the grid and the end time.  `heatladder reference` gives all else (start, source, coefficients,
-walls) at the centres of the cells and of the faces on the sides.  $HEATLADDER is the path of that program.
+The case file gives the grid and the end time.  `heatladder reference` gives all else (start,
+source, coefficients, walls) at the centres of the cells and of the faces on the sides.  $HEATLADDER
+is the path of that program.
 """
 import os
 import subprocess
@@ -14,7 +16,7 @@ import numpy as np
 from scipy.integrate import solve_ivp
 from scipy.sparse import csc_matrix, diags
 
-FLUX, COOLED = 2, 3  # kinds of walls in the answers of `reference`; 1 is a wall of given temperature
+FLUX, COOLED = 2, 3  # kinds of walls in the answers of `reference`; 1: held
 
 with open(sys.argv[1]) as f:
     case = dict(line.rstrip("\n").split(" = ", 1) for line in f)
@@ -29,7 +31,8 @@ def numbers(key):
 lo, hi, n, t_end = numbers("lo"), numbers("hi"), numbers("cells").astype(int), float(case["t_end"])
 dim, width = len(n), (hi - lo) / n
 
-# The points: cells 1 to n along each axis, in a frame of the centres of the faces on the sides (drawn in cells.c).
+# The points: cells 1 to n along each axis, in a frame of the centres of the faces on the sides
+# (drawn in cells.c).
 axes = [np.clip(lo[d] + (np.arange(n[d] + 2) - 0.5) * width[d], lo[d], hi[d]) for d in range(dim)]
 points = np.stack([x.ravel() for x in np.meshgrid(*axes, indexing="ij")], axis=1)
 number = np.arange(len(points)).reshape(n + 2)
@@ -40,9 +43,10 @@ np.savetxt(file, np.hstack([points, np.tile(width, (len(points), 1))]), "%.17g",
 
 def ask(what):
     """The named columns at time 0, each as an array over the framed grid."""
-    words = [os.environ.get("HEATLADDER", "heatladder"), "reference", *case["oracle"].split(), "--points", file,
-             "--what", what]
-    answer = subprocess.run(words, check=True, stdout=subprocess.PIPE, text=True).stdout.splitlines()
+    program = os.environ.get("HEATLADDER", "heatladder")
+    words = [program, "reference", *case["oracle"].split(), "--points", file, "--what", what]
+    run = subprocess.run(words, check=True, stdout=subprocess.PIPE, text=True)
+    answer = run.stdout.splitlines()
     columns = np.array([[float(x) for x in line.split(",")] for line in answer[1:]])[:, dim:].T
     return columns.reshape(-1, *(n + 2))
 
@@ -52,7 +56,8 @@ def along(d, part):
     return tuple(part if e == d else slice(1, -1) for e in range(dim))
 
 
-# Resistance of a point: half a cell inside; on the frame, the wall.  The heat of a given flux is in the source.
+# Resistance of a point: half a cell inside; on the frame, the wall.  The heat of a given flux is in
+# the source.
 T, source, rho_c = ask("initial_heat,source,rho_c")
 L = csc_matrix((len(points), len(points)))
 for d in range(dim):
@@ -75,9 +80,11 @@ per_capacity = diags(1 / rho_c[inside].ravel())
 A = csc_matrix(per_capacity @ L[cells][:, cells])
 constant = per_capacity @ (L[cells][:, frame] @ T.ravel()[frame] + source[inside].ravel())
 begin = time.perf_counter()
-march = solve_ivp(lambda t, T: A @ T + constant, (0, t_end), T[inside].ravel(), "BDF", jac=A, rtol=1e-8, atol=1e-10)
+march = solve_ivp(lambda t, T: A @ T + constant, (0, t_end), T[inside].ravel(), "BDF", jac=A,
+                  rtol=1e-8, atol=1e-10)
 
 seconds = time.perf_counter() - begin
 
 header = f"# seconds = {seconds:.9g}\n" + ",".join(["x", "y"][:dim] + ["T"])
-np.savetxt(sys.argv[2], np.column_stack([points[cells], march.y[:, -1]]), "%.17g", ",", header=header, comments="")
+answer = np.column_stack([points[cells], march.y[:, -1]])
+np.savetxt(sys.argv[2], answer, "%.17g", ",", header=header, comments="")

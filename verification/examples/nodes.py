@@ -1,8 +1,9 @@
 """nodes.py CASE OUT: volumes around the nodes of a grid, explicit Euler, for rods and rectangles.
 
-The nodes divide the body into boxes; each node has the part of the box around it, half-way to its neighbours, that is
-in the body.  A box of two materials has the heat capacity of both, and starts with the heat of both: `initial_heat`.
-The case file gives extents and the number of boxes; `heatladder reference` gives all else at the points asked for.
+The nodes divide the body into boxes; each node has the part of the box around it, half-way to its
+neighbours, that is in the body.  A box of two materials has the heat capacity of both, and starts
+with the heat of both: `initial_heat`. The case file gives extents and the number of boxes;
+`heatladder reference` gives all else at the points asked for.
 $HEATLADDER is that program.  Only the standard library is used."""
 
 import itertools
@@ -60,7 +61,8 @@ def set_up(body):
     names = "xy"[: body.dim]
     sides = body.ask(nodes, ",".join("wall_" + d for d in names))
 
-    # A node's box is cut into quarters (on a rod, halves): each is of one material if interfaces are on nodes.
+    # A node's box is cut into quarters (on a rod, halves): each is of one material if interfaces
+    # are on nodes.
     parts = {p: 0 for index in nodes for p in around(index, (-0.25, 0.25)) if all(0 < p[d] < n[d] for d in axes)}
     for p, (rho_c,) in zip(parts, body.ask(parts, "rho_c")):
         parts[p] = rho_c * math.prod(h) / 2**body.dim

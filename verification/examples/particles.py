@@ -1,11 +1,12 @@
-"""particles.py CASE OUT: PySPH, a pair operator on a lattice of particles with ghosts, explicit Euler.
+"""particles.py CASE OUT: PySPH, a pair operator on a lattice of particles with ghosts, explicit
+Euler.
 
     rho_c dT_i/dt = source + sum over neighbours j of V k_ij F_ij (T_i - T_j),   F_ij = r_ij . grad W_ij / r_ij^2
 
-with k_ij of Espanol and Revenga 2003 where conductivities differ along x and y, and the harmonic mean of Cleary and
-Monaghan 1999 where materials do.  The case file gives the grid and the end time.  `heatladder reference` gives all
-else (start, source, coefficients, walls) at particles and at the feet of the sides.  $HEATLADDER is the path of that
-program.
+with k_ij of Espanol and Revenga 2003 where conductivities differ along x and y, and the harmonic
+mean of Cleary and Monaghan 1999 where materials do.  The case file gives the grid and the end time.
+`heatladder reference` gives all else (start, source, coefficients, walls) at particles and at the
+feet of the sides.  $HEATLADDER is the path of that program.
 """
 import os
 import subprocess
@@ -33,7 +34,8 @@ class Conduction(Equation):
     def loop(self, d_idx, s_idx, d_rate, d_T, s_T, d_kx, s_kx, d_ky, s_ky, d_V, d_dim, XIJ, DWIJ, R2IJ):
         kx = 2.0 * d_kx[d_idx] * s_kx[s_idx] / (d_kx[d_idx] + s_kx[s_idx])
         ky = 2.0 * d_ky[d_idx] * s_ky[s_idx] / (d_ky[d_idx] + s_ky[s_idx] + 1e-300)
-        k = (d_dim[d_idx] + 2.0) * (kx * XIJ[0] * XIJ[0] + ky * XIJ[1] * XIJ[1]) / (R2IJ + 1e-300) - kx - ky
+        along = (kx * XIJ[0] * XIJ[0] + ky * XIJ[1] * XIJ[1]) / (R2IJ + 1e-300)
+        k = (d_dim[d_idx] + 2.0) * along - kx - ky
         F = (XIJ[0] * DWIJ[0] + XIJ[1] * DWIJ[1]) / (R2IJ + 1e-300)
         d_rate[d_idx] += d_V[d_idx] * k * F * (d_T[d_idx] - s_T[s_idx])
 
@@ -58,7 +60,8 @@ file = sys.argv[2] + ".points"
 np.savetxt(file, np.hstack([points, np.tile(width, (len(points), 1))]), "%.17g", ",", comments="",
            header=",".join(["x", "y"][:dim] + ["dx", "dy"][:dim]))
 
-# Particles, `LAYERS` of ghosts beyond each side among them; a ghost takes the columns of the foot of its side.
+# Particles, `LAYERS` of ghosts beyond each side among them; a ghost takes the columns of the foot
+# of its side.
 index = [np.arange(-LAYERS, n[d] + LAYERS) for d in range(dim)]
 foot = np.ix_(*[np.clip(index[d] + 1, 0, n[d] + 1) for d in range(dim)])
 inside = (slice(LAYERS, -LAYERS),) * dim
@@ -66,9 +69,10 @@ inside = (slice(LAYERS, -LAYERS),) * dim
 
 def ask(what):
     """The named columns at time 0, each as an array over the particles."""
-    words = [os.environ.get("HEATLADDER", "heatladder"), "reference", *case["oracle"].split(), "--points", file,
-             "--what", what]
-    answer = subprocess.run(words, check=True, stdout=subprocess.PIPE, text=True).stdout.splitlines()
+    program = os.environ.get("HEATLADDER", "heatladder")
+    words = [program, "reference", *case["oracle"].split(), "--points", file, "--what", what]
+    run = subprocess.run(words, check=True, stdout=subprocess.PIPE, text=True)
+    answer = run.stdout.splitlines()
     columns = np.array([[float(x) for x in line.split(",")] for line in answer[1:]])[:, dim:].T
     return [column.reshape(n + 2)[foot] for column in columns]
 
@@ -76,8 +80,8 @@ def ask(what):
 def mirrors(d, k, kind, value, b):
     """The ghosts along axis d: which they are, their mirror images, and a, s of T = a + s T(image).
 
-    The wall is half-way: held, T_wall = (T + T(image)) / 2; else k (T - T(image)) / r = flux or b (T_air - T_wall).
-    Where opposite sides meet, the image is the particle a period away.
+    The wall is half-way: held, T_wall = (T + T(image)) / 2; else k (T - T(image)) / r = flux or b
+    (T_air - T_wall). Where opposite sides meet, the image is the particle a period away.
     """
     low, high = index[d] < 0, index[d] >= n[d]
     ghost = low | high
@@ -87,7 +91,8 @@ def mirrors(d, k, kind, value, b):
     apart = width[d] * abs(index[d][ghost] - image)  # from a ghost to its image
     k, kind, value, b = (np.moveaxis(column, d, 0)[ghost] for column in (k, kind, value, b))
     g = k / apart.reshape(-1, *[1] * (dim - 1))
-    a = np.select([kind == HELD, kind == FLUX, kind == COOLED], [2 * value, value / g, b * value / (g + b / 2)])
+    a = np.select([kind == HELD, kind == FLUX, kind == COOLED],
+                  [2 * value, value / g, b * value / (g + b / 2)])
     s = np.select([kind == HELD, kind == COOLED], [-1, (g - b / 2) / (g + b / 2)], 1)
     return d, ghost, LAYERS + image, a, s
 
@@ -99,11 +104,13 @@ for d in range(dim):
     k.append(k_d)
     ghosts.append(mirrors(d, k_d, kind, value, b))
 
-x = [grid.ravel() for grid in np.meshgrid(*[lo[d] + (index[d] + 0.5) * width[d] for d in range(dim)], indexing="ij")]
+centres = [lo[d] + (index[d] + 0.5) * width[d] for d in range(dim)]
+x = [grid.ravel() for grid in np.meshgrid(*centres, indexing="ij")]
 plane = dim == 2
 body = get_particle_array(
-    name="body", x=x[0], y=x[1] if plane else 0 * x[0], h=1.2 * np.prod(width) ** (1 / dim), m=1.0, rho=1.0,
-    V=np.prod(width), dim=float(dim), kx=k[0].ravel(), ky=k[1].ravel() if plane else 0 * x[0], T=T.ravel(), rate=0.0)
+    name="body", x=x[0], y=x[1] if plane else 0 * x[0], h=1.2 * np.prod(width) ** (1 / dim),
+    m=1.0, rho=1.0, V=np.prod(width), dim=float(dim), kx=k[0].ravel(),
+    ky=k[1].ravel() if plane else 0 * x[0], T=T.ravel(), rate=0.0)
 evaluation = AccelerationEval([body], [Group([Conduction("body", ["body"])])], CubicSpline(dim=dim))
 SPHCompiler(evaluation, None).compile()
 evaluation.set_nnps(LinkedListNNPS(dim, [body], radius_scale=2, fixed_h=True, cache=True))

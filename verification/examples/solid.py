@@ -2,9 +2,10 @@
 
     rho_c dT/dt = source + sum over the faces of a cell of (heat flux into the cell) / width
 
-A case in the plane is a slab: its x and y are along two axes of the box, which the case names (`axes = x,z`), and
-along the third nothing changes.  A rod is along x.  `heatladder reference` gives start, source, coefficients and
-walls at the centres of the cells of one layer and of the faces on its sides.  $HEATLADDER is the path of that program.
+A case in the plane is a slab: its x and y are along two axes of the box, which the case names
+(`axes = x,z`), and along the third nothing changes.  A rod is along x.  `heatladder reference`
+gives start, source, coefficients and walls at the centres of the cells of one layer and of the
+faces on its sides.  $HEATLADDER is the path of that program.
 """
 import os
 import subprocess
@@ -13,7 +14,7 @@ import sys
 import numpy as np
 
 LAYERS = 2  # along an axis that the case does not have
-FLUX, COOLED = 2, 3  # kinds of walls in the answers of `reference`; 1 is a wall of given temperature
+FLUX, COOLED = 2, 3  # kinds of walls in the answers of `reference`; 1: held
 
 with open(sys.argv[1]) as f:
     case = dict(line.rstrip("\n").split(" = ", 1) for line in f)
@@ -43,10 +44,11 @@ np.savetxt(file, np.hstack([points, np.tile(width, (len(points), 1))]), "%.17g",
 
 
 def ask(times, what):
-    """The named columns, each as an array over the framed box: of the layer, and the same in all layers."""
-    words = [os.environ.get("HEATLADDER", "heatladder"), "reference", *case["oracle"].split(), "--points", file,
-             "--time", times, "--what", what]
-    answer = subprocess.run(words, check=True, stdout=subprocess.PIPE, text=True).stdout.splitlines()
+    """The named columns, each as an array over the framed box; all layers are equal."""
+    program = os.environ.get("HEATLADDER", "heatladder")
+    words = [program, "reference", *case["oracle"].split(), "--points", file, "--time", times, "--what", what]
+    run = subprocess.run(words, check=True, stdout=subprocess.PIPE, text=True)
+    answer = run.stdout.splitlines()
     columns = np.array([[float(x) for x in line.split(",")] for line in answer[1:]])[:, len(n):].T
     layers = [np.expand_dims(column.reshape(-1, *(n + 2)), [1 + d for d in others]) for column in columns]
     return [np.broadcast_to(layer, (len(layer), *(box + 2))) for layer in layers]
@@ -61,7 +63,8 @@ def along(d, part):
     return tuple(part if e == d else slice(1, -1) for e in range(3))
 
 
-# Resistance of a point: half a cell inside; on the frame, the wall.  The heat of a given flux is in the source.
+# Resistance of a point: half a cell inside; on the frame, the wall.  The heat of a given flux is in
+# the source.
 conductance = []  # W m^-2 K^-1, of the faces across each axis
 fastest = 0
 for d in range(3):
@@ -77,7 +80,8 @@ for d in range(3):
                                      [np.inf, 1 / np.fmax(b[wall], 1e-300)])
         T[wall] = value[wall]
         source[along(d, cell)] += np.where(kind[wall] == FLUX, value[wall] / spacing[d], 0)
-    conductance.append(1 / (resistance[along(d, slice(1, None))] + resistance[along(d, slice(None, -1))]))
+    above, below = resistance[along(d, slice(1, None))], resistance[along(d, slice(None, -1))]
+    conductance.append(1 / (above + below))
     fastest = fastest + k[inside] / spacing[d] ** 2 / rho_c[inside]
 
 steps = int(np.ceil(t_end * fastest.max() / 0.25))

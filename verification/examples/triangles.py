@@ -1,11 +1,12 @@
-"""triangles.py CASE OUT | verify [options]: SciPy, linear elements on triangles in a round body, the trapezoidal rule.
+"""triangles.py CASE OUT | verify [options]: SciPy, linear elements on triangles in a round body,
+the trapezoidal rule.
 
     (M / dt + K / 2) T_new = (M / dt - K / 2) T + F
 
-with the matrices M of rho_c, K of conductivity and cooled walls, and F of source, given fluxes and the air.  Nodes
-are on rings a spacing apart, also on the walls.  The heatladder package (make wheel, or PYTHONPATH=scripts/python)
-makes a program of `solve`, and gives start, source, coefficients and walls at the nodes.  Boxes are left to other
-examples.
+with the matrices M of rho_c, K of conductivity and cooled walls, and F of source, given fluxes and
+the air.  Nodes are on rings a spacing apart, also on the walls.  The heatladder package (make
+wheel, or PYTHONPATH=scripts/python) makes a program of `solve`, and gives start, source,
+coefficients and walls at the nodes.  Boxes are left to other examples.
 """
 import numpy as np
 from scipy.sparse import coo_matrix, diags
@@ -35,7 +36,7 @@ def make_mesh(hole, radius, dx):
 
 
 def assemble(nodes, triangles, rho_c, k, source, kind, value, b):
-    """M, K, F of the elements: three points a triangle, the middles of its sides, and two ends a wall's edge."""
+    """M, K, F of the elements: three points a triangle, the middles of its sides, two a wall."""
     n = len(nodes)
     x, y = nodes[triangles].transpose(2, 0, 1)
     slope_x, slope_y = np.roll(y, -1, 1) - np.roll(y, 1, 1), np.roll(x, 1, 1) - np.roll(x, -1, 1)
@@ -49,7 +50,8 @@ def assemble(nodes, triangles, rho_c, k, source, kind, value, b):
     F = np.zeros(n)
     load = (source[triangles].sum(axis=1)[:, None] + source[triangles]) * area[:, None] / 12
     np.add.at(F, triangles, load)
-    sides = np.sort(np.concatenate([triangles[:, [0, 1]], triangles[:, [1, 2]], triangles[:, [2, 0]]]), axis=1)
+    sides = np.concatenate([triangles[:, [0, 1]], triangles[:, [1, 2]], triangles[:, [2, 0]]])
+    sides = np.sort(sides, axis=1)
     edges, count = np.unique(sides, axis=0, return_counts=True)
     edges = edges[count == 1]  # those of one triangle are on a wall
     length = np.hypot(*(nodes[edges[:, 0]] - nodes[edges[:, 1]]).T)
