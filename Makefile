@@ -59,9 +59,12 @@ C_FILES := $(filter-out verification/examples/%,$(wildcard $(foreach d,solver re
   $(foreach e,[ch] inc,$(d)/*.$(e) $(d)/*/*.$(e)))))
 TESTS   := $(patsubst verification/unit/%.c,$(BUILD)/unit/%,$(wildcard verification/unit/test_*.c))
 
+.PHONY: FORCE action all bench check claims clean coverage dist examples faults figures format fuzz gallery \
+  help install league lint mutants nightly operators race report sanitize setup setup-peers stability static \
+  test uninstall verify walls wheel
+
 ##@ Build and install
 
-.PHONY: all
 all: $(BUILD)/heatladder $(SHARED) ## Build the program and the library
 
 $(BUILD)/heatladder: $(OBJECTS)
@@ -115,7 +118,6 @@ $(BUILD)/flags:
 	$(Q)pkg-config --exists $(LIBS) || { echo "make: pkg-config does not find $(LIBS): \`make setup\` installs them" >&2; exit 1; }
 	$(Q)echo '$(subst ','"'"',$(FLAGS))' > $@.new; if cmp -s $@.new $@; then rm $@.new; else mv $@.new $@; fi
 
-.PHONY: FORCE
 FORCE:
 
 $(BUILD)/%.o: %.c $(BUILD)/flags | $(BUILD)/scenes.inc $(BUILD)/version.inc $(BUILD)/published.inc
@@ -162,7 +164,6 @@ $(BUILD)/unit/%: verification/unit/%.c $(LIBRARY)
 
 $(BUILD)/unit/test_library: $(BUILD)/libheatladder.a
 
-.PHONY: setup
 setup: ## Install what the build needs and this machine lacks
 	$(Q)scripts/setup
 
@@ -175,7 +176,6 @@ endif
 ROOT  = $(DESTDIR)$(PREFIX)
 SHARE = $(ROOT)/share
 LIBDIR = $(ROOT)/lib
-.PHONY: install
 install: all ## Install the program and the library under PREFIX (DESTDIR is put before it)
 	$(Q)umask 022; set -e; echo "  INSTALL  $(ROOT)"; \
 	for d in bin share/man/man1 share/bash-completion/completions share/heatladder/examples; do install -d "$(ROOT)/$$d"; done; \
@@ -194,13 +194,11 @@ install: all ## Install the program and the library under PREFIX (DESTDIR is put
 	'Libs.private: -lm -pthread' >'$(LIBDIR)/pkgconfig/heatladder.pc'; \
 	chmod 644 '$(LIBDIR)/pkgconfig/heatladder.pc'
 
-.PHONY: uninstall
 uninstall: ## Remove what install put under PREFIX
 	rm -f '$(ROOT)/bin/heatladder' '$(SHARE)/man/man1/heatladder.1' '$(SHARE)/bash-completion/completions/heatladder'
 	rm -f '$(ROOT)/include/heatladder.h' '$(LIBDIR)/pkgconfig/heatladder.pc' $(patsubst %,'$(LIBDIR)/%',libheatladder.a libheatladder.so $(SONAME))
 	rm -rf '$(SHARE)/heatladder'
 
-.PHONY: dist
 dist: ## Pack the last commit as build/heatladder-VERSION.tar.gz
 	@mkdir -p $(BUILD)
 	$(Q)git archive --prefix=heatladder-$(VERSION)/ -o $(BUILD)/heatladder-$(VERSION).tar.gz HEAD
@@ -209,11 +207,9 @@ dist: ## Pack the last commit as build/heatladder-VERSION.tar.gz
 # One static binary, for a GitHub Action and a Python wheel.  Equal sources give equal bytes in any folder.
 STATIC := $(BUILD)/static/heatladder
 
-.PHONY: static
 static: ## Build a static binary that needs no library: build/static/heatladder
 	+$(Q)$(MAKE) --no-print-directory BUILD=$(BUILD)/static CFLAGS='-O3 -ffile-prefix-map=$(CURDIR)=.' LDFLAGS='-static -s' $(STATIC)
 
-.PHONY: action
 action: static ## Pack the static binary as a GitHub Action: build/action
 	@rm -rf $(BUILD)/action && mkdir -p $(BUILD)/action
 	$(Q)cp scripts/action/action.yml scripts/action/verify.sh $(STATIC) LICENSE $(BUILD)/action/
@@ -225,7 +221,6 @@ $(WHOLE): FORCE
 	+$(Q)$(MAKE) --no-print-directory BUILD=$(BUILD)/whole CFLAGS='-O3 -ffile-prefix-map=$(CURDIR)=.' LDFLAGS=-s \
 	LIB_LIBS='-Wl,--defsym=cblas_xerbla=0 -Wl,-Bstatic $(filter-out -lm,$(PKG_LIBS)) -Wl,-Bdynamic' $@
 
-.PHONY: wheel
 wheel: static $(WHOLE) ## Pack the static binary, the library and the Python package as a wheel: build/wheel/dist
 	@rm -rf $(BUILD)/wheel && mkdir -p $(BUILD)/wheel
 	$(Q)cp -R scripts/python/. $(BUILD)/wheel/ && mkdir -p $(addprefix $(BUILD)/wheel/heatladder/,bin lib)
@@ -233,7 +228,6 @@ wheel: static $(WHOLE) ## Pack the static binary, the library and the Python pac
 	$(Q)cd $(BUILD)/wheel && SOURCE_DATE_EPOCH=$${SOURCE_DATE_EPOCH:-946684800} $(PYTHON3) -W ignore setup.py -q bdist_wheel
 	@echo "  PACK  $$(ls $(BUILD)/wheel/dist/*.whl)"
 
-.PHONY: clean
 clean: ## Remove everything that was built
 	rm -rf $(BUILD) reports/out
 
@@ -245,7 +239,6 @@ PEERS    = $(addprefix $(BUILD)/peers/,$(if $(CVODE),cvode_square) $(if $(VORO),
 FAST    := -O3 -march=native -ffast-math -fopenmp-simd
 sundials = $(patsubst %,-lsundials_%,$(1))
 
-.PHONY: examples
 examples: $(EXAMPLES) ## Build the example programs for --solver
 
 $(BUILD)/examples/cells_c: verification/examples/cells.c
@@ -271,12 +264,10 @@ $(BUILD)/peers/voro_cells: reports/bench/voro_cells.cc
 ##@ Verify
 
 SHELL_TESTS := $(addprefix scripts/tests/,words.bats programs.bats limits.bats examples.bats library.bats)
-.PHONY: test check
 check: test
 test: $(TESTS) all examples ## Run the unit tests and, where bats is installed, the tests of the shell
 	$(Q)PROGRAM=$(abspath $(BUILD)/heatladder) EXAMPLES=$(abspath $(BUILD)/examples) scripts/run_tests $(SHELL_TESTS) $(TESTS)
 
-.PHONY: verify
 verify: $(BUILD)/heatladder ## Run every gate, then the papers' claims, then write the report, to reports/out; the first failure's status
 	@mkdir -p $(OUT)/claims
 	$(Q)gates=0 claims=0 report=0; \
@@ -292,7 +283,6 @@ OUT     := reports/out
 SCRIPTS := $(wildcard reports/*/*_fig*.gp)
 FIGURES := $(addprefix $(OUT)/,$(notdir $(SCRIPTS:.gp=.svg)) $(if $(wildcard $(OUT)/gates.csv),gates.svg))
 
-.PHONY: report
 report: $(OUT)/report.stamp ## Write the papers' tables beside the measured ones, draw their figures, and join all in reports/out/index.html
 	$(Q)if command -v gnuplot >/dev/null; then $(MAKE) --no-print-directory figures; \
 	else echo "report: gnuplot is not here (make setup installs it); not drawn: $(notdir $(FIGURES:.svg=))"; fi
@@ -303,7 +293,6 @@ $(OUT)/report.stamp: $(BUILD)/heatladder
 	$(Q)$(BUILD)/heatladder report $(OUT)
 	@touch $@
 
-.PHONY: figures
 figures: $(FIGURES)
 	@:
 
@@ -317,7 +306,6 @@ $(OUT)/%.svg: %.gp $(wildcard reports/figure/*.gp) $(OUT)/report.stamp
 $(OUT)/gates.svg: $(OUT)/gates.csv
 
 # Studies, each with its data and figures.
-.PHONY: stability operators walls
 stability: ## Measure where methods fail and draw it, to reports/out
 operators: ## Measure the discrete Laplacians side by side on every cloud and draw it, to reports/out
 walls: ## Measure which treatment of walls keeps which order and draw it, to reports/out
@@ -331,7 +319,6 @@ stability operators walls: $(BUILD)/heatladder
 # The figures that README.md and reports/README.md show.
 GALLERY := song_fig1b song_fig2a song_fig2b pamplona_fig5 stability_limits matched_fig1 operators_error operators_work operators_growth walls_error walls_work
 
-.PHONY: gallery
 gallery: report stability operators walls ## Copy the figures that the README shows to reports/gallery
 	@mkdir -p reports/gallery
 	$(Q)cp $(GALLERY:%=$(OUT)/%.svg) reports/gallery/
@@ -339,7 +326,6 @@ gallery: report stability operators walls ## Copy the figures that the README sh
 	$(Q)if [ -f $(OUT)/league/league.svg ]; then cp $(OUT)/league/league.svg reports/gallery/; \
 	else echo "gallery: no chart of other codes here (make league draws it); the old one stays"; fi
 
-.PHONY: claims
 claims: $(BUILD)/heatladder ## Measure the statements of papers; the ledger goes to reports/out/claims
 	@mkdir -p $(OUT)/claims
 	$(Q)$(BUILD)/heatladder report claims $(OUT)/claims
@@ -350,7 +336,6 @@ claims: $(BUILD)/heatladder ## Measure the statements of papers; the ledger goes
 $(BUILD)/verification/bench/bench_print.o: DEFINES = -DBENCH_FLAGS='"-std=c11 -ffp-contract=off -fopenmp $(CFLAGS)"'
 
 BENCH := $(OUT)/bench
-.PHONY: bench
 bench: $(BUILD)/heatladder ## Chart error against time, and measure the engine, to reports/out/bench
 	@mkdir -p $(BENCH)
 	$(Q)$(BUILD)/heatladder bench $(BENCH) | tee $(BENCH)/bench.new && mv $(BENCH)/bench.new $(BENCH)/bench.txt
@@ -359,11 +344,9 @@ bench: $(BUILD)/heatladder ## Chart error against time, and measure the engine, 
 	xargs -n 2 -P $$(getconf _NPROCESSORS_ONLN) scripts/plot $(BENCH); \
 	else echo "bench: gnuplot is not here (make setup installs it); charts were not drawn"; fi
 
-.PHONY: setup-peers
 setup-peers: ## Install the other codes that league runs, where the system has packages of them
 	$(Q)scripts/setup-peers
 
-.PHONY: league
 league: all ## Run other codes (make setup-peers): the battery, and error against time beside ours
 	@mkdir -p $(OUT)/league
 	+$(Q)$(MAKE) -s --no-print-directory $(EXAMPLES) $(PEERS)
@@ -371,7 +354,6 @@ league: all ## Run other codes (make setup-peers): the battery, and error agains
 	$(Q)if command -v gnuplot >/dev/null; then scripts/plot $(OUT)/league reports/bench/league.gp; \
 	else echo "league: gnuplot is not here (make setup installs it); the chart was not drawn"; fi
 
-.PHONY: faults
 faults: $(BUILD)/heatladder ## Seed faults in the examples; the battery must see each
 	$(Q)CC='$(CC)' scripts/fault-table $(BUILD)/heatladder
 
@@ -382,7 +364,6 @@ CPPCHECK := --quiet --error-exitcode=1 --std=c11 --enable=warning,portability --
             $(addprefix --suppress=,arrayIndexOutOfBounds arrayIndexThenCheck ctuuninitvar uninitvar)
 SHELL_FILES = $(shell grep -lE '^\#!/bin/(ba)?sh' .ci/* $$(find scripts verification/examples -type f))
 
-.PHONY: lint
 lint: $(OBJECTS) ## Check includes, symbols, words, seeded faults, the format, scripts and (by cppcheck) common faults
 	$(Q)scripts/check_floors
 	$(Q)scripts/check_includes
@@ -400,11 +381,9 @@ lint: $(OBJECTS) ## Check includes, symbols, words, seeded faults, the format, s
 	else echo "lint: cppcheck is not here: common faults not checked"; fi
 
 MUTANTS ?= *
-.PHONY: mutants
 mutants: ## Seed faults (rows MUTANTS of scripts/mutants.txt), one at a time; a test or a gate must see each
 	$(Q)CC='$(CC)' scripts/mutants '$(MUTANTS)'
 
-.PHONY: format
 format: ## Lay out the sources by .clang-format
 	clang-format -i $(C_FILES)
 
@@ -412,7 +391,6 @@ format: ## Lay out the sources by .clang-format
 FUZZ_SECONDS ?= 20
 FUZZERS := $(patsubst verification/unit/fuzz_%.c,%,$(wildcard verification/unit/fuzz_*.c))
 FUZZ := -O1 -g -fsanitize=fuzzer-no-link,address,undefined -fno-sanitize-recover=all
-.PHONY: fuzz
 fuzz: ## Look for input that breaks a reader: FUZZ_SECONDS each (20), by clang's libFuzzer
 	+$(Q)$(MAKE) -s CC=clang BUILD=$(BUILD)/fuzz CFLAGS='$(FUZZ)' $(FUZZERS:%=$(BUILD)/fuzz/unit/fuzz_%)
 	$(Q)printf '%s\n' $(FUZZERS) | xargs -P $$(getconf _NPROCESSORS_ONLN) -I {} sh -c 'mkdir -p $(BUILD)/fuzz/found/{}; \
@@ -424,14 +402,12 @@ fuzz: ## Look for input that breaks a reader: FUZZ_SECONDS each (20), by clang's
 $(BUILD)/unit/fuzz_%: DEFINES += -fsanitize=fuzzer
 
 SANITIZE := -O1 -g -fsanitize=address,undefined -fno-sanitize-recover=all -fno-omit-frame-pointer
-.PHONY: sanitize
 sanitize: ## Run the unit tests and the quick gates under the address and undefined-behaviour sanitizers
 	+$(Q)$(MAKE) -s BUILD=$(BUILD)/sanitize CFLAGS='$(SANITIZE)' SHELL_TESTS= test
 	$(Q)$(BUILD)/sanitize/heatladder verify --quick
 
 # A program that ends while it writes its counts leaves them broken: gcov names them in gcov.log, and they are removed.
 COVER := $(BUILD)/coverage
-.PHONY: coverage
 coverage: ## Count the lines that unit tests and gates run, folder by folder, to reports/out/coverage.txt
 	@mkdir -p $(OUT) $(COVER)
 	$(Q)find $(COVER) \( -name '*.gcda' -o -name gcov.log \) -delete
@@ -443,12 +419,10 @@ coverage: ## Count the lines that unit tests and gates run, folder by folder, to
 
 # clang's OpenMP reports waits of threads to the race detector; libraries without these marks are left out.
 RACE := OMP_NUM_THREADS=4 OMP_TOOL_LIBRARIES=libarcher.so TSAN_OPTIONS='ignore_noninstrumented_modules=1 halt_on_error=1'
-.PHONY: race
 race: ## Run the quick gates on four threads under clang's race detector
 	+$(Q)$(MAKE) -s CC=clang BUILD=$(BUILD)/race CFLAGS='-O1 -g -fsanitize=thread' all
 	$(Q)$(RACE) $(BUILD)/race/heatladder verify --quick
 
-.PHONY: nightly
 nightly: ## No optimization, races, valgrind, coverage, an hour of each fuzzer, ARM, all seeded faults; hours
 	+$(Q)$(MAKE) -s BUILD=$(BUILD)/O0 CFLAGS='-O0 -g' all
 	$(Q)$(BUILD)/O0/heatladder verify
@@ -461,7 +435,6 @@ nightly: ## No optimization, races, valgrind, coverage, an hour of each fuzzer, 
 	+$(Q)$(MAKE) faults
 	+$(Q)$(MAKE) mutants
 
-.PHONY: help
 help: ## List the targets
 	@awk -F':.*## ' '/^##@ /{printf "\n%s\n", substr($$0, 5)} /^[a-z-]+:.*## /{printf "  %-16s %s\n", $$1, $$2}' Makefile
 
