@@ -60,8 +60,8 @@ file = sys.argv[2] + ".points"
 np.savetxt(file, np.hstack([points, np.tile(width, (len(points), 1))]), "%.17g", ",", comments="",
            header=",".join(["x", "y"][:dim] + ["dx", "dy"][:dim]))
 
-# Particles, `LAYERS` of ghosts beyond each side among them; a ghost takes the columns of the foot
-# of its side.
+# Particles, including `LAYERS` layers of ghosts beyond each side.  A ghost has the columns of the
+# cell at its foot point.
 index = [np.arange(-LAYERS, n[d] + LAYERS) for d in range(dim)]
 foot = np.ix_(*[np.clip(index[d] + 1, 0, n[d] + 1) for d in range(dim)])
 inside = (slice(LAYERS, -LAYERS),) * dim

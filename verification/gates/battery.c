@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The table of the battery; its cases for a program that runs elsewhere. */
+/* The table of the battery, and its cases for a program that runs elsewhere. */
 #include "verification/gates/battery.h"
 
 #include "references/scene.h"
@@ -42,7 +42,7 @@ static int is_in_profile(const char *id, enum profile profile) {
     return profile == PROFILE_SLABS || strncmp(id, "slab/", 5) != 0;
 }
 
-/* Rows in a plane take most of the time; rods see all faults but those of two axes. */
+/* Rows in a plane take most of the time; rods detect all faults except those of two axes. */
 static enum gate_tier tier_of(const struct battery_row *row) {
     return strstr(row->run, " rod-") || strstr(row->run, " wall-") ? TIER_QUICK : TIER_FULL;
 }
@@ -64,7 +64,7 @@ void battery_words(enum profile profile, int rungs, char *text, size_t size) {
     if (rungs) words_add(text, size, " --rungs %d", rungs);
 }
 
-/* The program of rows that are listed or written. */
+/* The program of rows that are only listed or written. */
 static const struct program any = {.solver = "{case} {out}"};
 
 /* If the command was refused because of its program and has no answer, the bounds are the general ones. */
@@ -82,7 +82,7 @@ static int set_bounds(struct gate_result *r, struct failure *why) {
     return status;
 }
 
-/* A run each, by many threads; of failures the first row's is reported. */
+/* Each row is one run, on many threads; of several failures that of the first row is reported. */
 int battery_bounds(struct gates *g, struct failure *why) {
     int first = g->declared;
     if (!g->program) g->program = &any;
@@ -97,8 +97,8 @@ int battery_bounds(struct gates *g, struct failure *why) {
     return first < g->declared ? why->status : STATUS_OK;
 }
 
-/* The cases of one row, of a ladder in space `seeds` times; the time steps of a ladder are directories below the
- * spacing. */
+/* Writes the cases of one row, `seeds` times for a ladder in space; the time steps of a ladder are directories below
+ * the spacing. */
 static int write_row(const struct gate_result *row, int seeds, const char *dir, struct failure *why) {
     if (!row->read) return *why = row->refused, why->status;
     struct experiment e = row->read->experiment;

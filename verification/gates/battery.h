@@ -2,16 +2,16 @@
 #ifndef HEATLADDER_VERIFICATION_GATES_BATTERY_H
 #define HEATLADDER_VERIFICATION_GATES_BATTERY_H
 
-/* The battery: gates for a code that nobody here wrote, of order 1, 2 or 4 in space.
+/* The battery: gates for external codes of order 1, 2 or 4 in space.
  *
- * It cannot be learnt by heart: a seed draws the parameters of a row within its ranges, one of the images of its
- * scene (references/mapping.h), a scale and, where the row has a range of it, an offset of the temperature.  Bounds
- * are expressions of what was drawn. */
+ * A code cannot be tuned to it: a seed draws the parameters of a row within its ranges, one of the images of its
+ * scene (references/mapping.h), a scale and, if the row has a range for it, an offset of the temperature.  Bounds
+ * are expressions of the drawn values. */
 
 #include "verification/gates/gates.h"
 
-/* Codes that can have other rows: all but slab/..., periodic/... alone for particles without walls, all for codes in
- * three dimensions. */
+/* Codes with other rows: PROFILE_ALL has all rows except slab/...; particles without walls have periodic/... only;
+ * three-dimensional codes have all. */
 enum profile { PROFILE_ALL, PROFILE_PARTICLES, PROFILE_SLABS };
 extern const char *const battery_profile_words[]; /* ended by NULL */
 
@@ -32,12 +32,12 @@ extern const struct battery_row battery_table[]; /* ended by 0 orders */
 
 enum { BATTERY_COMMAND = 1024 };
 
-/* The row's command as it is drawn, "ladder SCENE mine ..."; rows of the same scene and ranges draw the same.  Seed
- * 0: as it is written. */
+/* The row's command as drawn, "ladder SCENE mine ..."; rows with the same scene and ranges have the same draw.  Seed
+ * 0: as written. */
 int battery_command(const struct battery_row *row, unsigned long seed, char command[BATTERY_COMMAND],
                     struct failure *why);
 
-/* Adds the rows for that order and profile to *g, drawn by the seed; their bounds are not numbers yet. */
+/* Adds the rows for that order and profile to *g, drawn with the seed; their bounds are not evaluated yet. */
 int battery_add(int order, enum profile profile, unsigned long seed, struct gates *g, struct failure *why);
 
 /* Evaluates the bounds of all rows in *g; some run the five-point difference. */
@@ -46,9 +46,9 @@ int battery_bounds(struct gates *g, struct failure *why);
 /* Appends the words of `verify` that choose among these rows: " --profile P --rungs N". */
 void battery_words(enum profile profile, int rungs, char *text, size_t size);
 
-/* Writes the case of every rung of every row in *g: DIR/SCENE/SETTING/DX/case, and DIR/cases.txt (results.h).
- * With seeds > 1 each rung of a ladder in space is written as often, as DX/seed=1/case and so on.  A case that rows
- * share is written once.  *cases: the lines of cases.txt.  STATUS_OK or STATUS_INPUT with *why. */
+/* Writes the case of every rung of every row in *g: DIR/SCENE/SETTING/DX/case, and DIR/cases.txt (results.h).  With
+ * seeds > 1 each rung of a ladder in space is written `seeds` times, as DX/seed=1/case and so on.  A case shared by
+ * several rows is written once.  *cases: the number of lines of cases.txt.  STATUS_OK or STATUS_INPUT with *why. */
 int battery_write(struct gates *g, int seeds, const char *dir, int *cases, struct failure *why);
 
 #endif

@@ -2,10 +2,10 @@
 /* Predicted errors of smooth data and of jumps: derivatives of the exact solution, by differences, times the moments
  * of a lattice's weights.
  *
- * Weights are written down here once more, from the papers: least squares with the weights W (so_ssph), pairs
- * -W'/r (brookshaw and those that correct it), W'' + (d - 1) W'/r (cspm, kernel_second), first derivatives x W or
- * x W'/r applied twice (fo_ssph, flux_divergence, conjugate), finite differences.  On a lattice corrections that
- * divide by a particle's own moments make radial weights exact for x^2 and do nothing else. */
+ * The weights are implemented independently of the solver, from the papers: least squares with the weights W
+ * (so_ssph), pairs -W'/r (brookshaw and its corrected variants), W'' + (d - 1) W'/r (cspm, kernel_second), first
+ * derivatives x W or x W'/r applied twice (fo_ssph, flux_divergence, conjugate), and finite differences.  On a
+ * lattice, corrections that divide by a particle's own moments only make radial weights exact for x^2. */
 #include "verification/gates/ceiling.h"
 
 #include "references/snapshot.h"
@@ -61,7 +61,7 @@ struct lattice_case {
     enum kernel_name kernel;
     int dim, order;
     double h, ratio; /* h/dx; kappa_y over kappa_x */
-    double eta;      /* eta of -W' r/(r^2 + eta^2), in dx */
+    double eta;      /* eta in -W' r/(r^2 + eta^2), in units of dx */
 };
 
 static double radial(const struct lattice_case *c, double r) {
@@ -87,7 +87,7 @@ static void fill(const struct lattice_case *c, struct stencil *s) {
         for (int i = -REACH / 2; i <= REACH / 2; i++) s->w[REACH + j][REACH + i] = radial(c, hypot(i, j));
 }
 
-/* d2/dx2 + ratio d2/dy2 of the polynomial of degree `order` that fits best. */
+/* d2/dx2 + ratio d2/dy2 of the best-fitting polynomial of degree `order`. */
 static void least_squares(const struct lattice_case *c, struct stencil *s) {
     static const int power[MONOMIALS][2] = {{2, 0}, {4, 0}, {0, 2}, {2, 2}, {0, 4}};
     int use[MONOMIALS], n = 0;
@@ -263,7 +263,7 @@ struct rates {
     double kappa;      /* m^2 s^-1, there */
 };
 
-/* At most ROD_POINTS or SIDE_POINTS^2 points; returns how many. */
+/* Fills at most ROD_POINTS or SIDE_POINTS^2 points and returns their number. */
 static int rates_of(const struct experiment *e, struct rates *at) {
     static const double first[3] = {3. / 4, -3. / 20, 1. / 60}, second[3] = {3. / 2, -3. / 20, 1. / 90},
                         third[3] = {-13. / 8, 1, -1. / 8};
@@ -291,12 +291,13 @@ static int rates_of(const struct experiment *e, struct rates *at) {
     return n;
 }
 
-/* Factors of T_t/kappa, t T_tt/kappa, t T_ttt/kappa^2 (an error of space), t T_tt and t T_ttt (one of time). */
+/* Factors of T_t/kappa, t T_tt/kappa and t T_ttt/kappa^2 (errors in space), and of t T_tt and t T_ttt (errors in
+ * time). */
 struct terms {
     double laplacian, fourth, sixth, euler, third;
 };
 
-/* The mean of the sum of these terms over that of |T|; *largest: the largest of the sum, where it is not NULL. */
+/* The mean of |the sum of these terms| divided by the mean of |T|; *largest, unless NULL: the largest |sum|. */
 static double terms_of(const struct experiment *e, const struct terms *c, double *largest) {
     struct rates *at = xcalloc(ROD_POINTS + SIDE_POINTS * SIDE_POINTS, sizeof *at);
     double sum = 0, whole = 0, most = 0, t = e->problem.t_end;
@@ -316,13 +317,13 @@ static double mean_of(const struct experiment *e, const struct terms *c) {
     return terms_of(e, c, NULL);
 }
 
-/* ---- Errors of space ---- */
+/* ---- Errors in space ---- */
 
 static double sq(double x) {
     return x * x;
 }
 
-/* Points of a lattice that stand for a jump midway between them act as -dx^2/24 T_xx, averages of order m as +m. */
+/* Point samples of a jump midway between lattice points act as -dx^2/24 T_xx, averages of order m as +m. */
 static double start_of(const struct experiment *e) {
     const struct problem *p = &e->problem;
     enum sampling sampling = e->options.sampling;
@@ -330,7 +331,7 @@ static double start_of(const struct experiment *e) {
     return p->jumps[0] + p->jumps[1] > 0 ? -1 : 0;
 }
 
-/* s; of Euler's steps, 0 for others */
+/* s; for Euler steps, otherwise 0 */
 static double euler_step(const struct experiment *e) {
     const struct options *o = &e->options;
     int euler = !e->method->scheme || o->stepper == STEPPER_EULER;
@@ -352,7 +353,7 @@ static void differences(const struct snapshot *s, const double x[2], double d, d
     *laplacian = (sides - 4 * c) / (d * d);
 }
 
-/* A rectangle without source, away from its walls. */
+/* A rectangle without a source, away from its walls. */
 static double of_rectangle(const struct experiment *e, const struct ceiling_symbol *symbol) {
     const struct problem *p = &e->problem;
     const double size[2] = {p->hi[0] - p->lo[0], p->hi[1] - p->lo[1]}, d = fmin(size[0], size[1]) / 200;
@@ -385,7 +386,8 @@ double ceiling_points(const struct experiment *e) {
     return ceiling_lattice(&points);
 }
 
-/* 1 where a start that is even everywhere meets the air: the jump of dT/dn counts as the mode's own slope does. */
+/* 1 if even initial data are cooled from the start: the jump of dT/dn has the same weight as the slope of the
+ * mode. */
 static int cooled_at_once(const struct experiment *e) {
     int robin = 0;
     for (int s = 0; s < 4; s++) robin |= e->problem.side[s] == ROBIN;
@@ -415,9 +417,10 @@ double ceiling_fourth(const struct experiment *e) {
     return mean_of(e, &c);
 }
 
-/* n Euler steps d (1 +- u), r d (1 + u^2) = 2 A, r = kappa/dx^2, take a mode by sum log(1 + dt lambda): the second
- * order cancels and r t (K |theta|^6 - c60 (theta_x^6 + theta_y^6) - c42 (...)) is left; so is -m/2880 (theta_x^4 +
- * theta_y^4) of a start averaged with a B-spline of order m, whose clock starts at m/(24 r). */
+/* n Euler steps of d (1 +- u), r d (1 + u^2) = 2 A, r = kappa/dx^2, multiply a mode by exp(sum log(1 + dt lambda)).
+ * The second order cancels.  The remainder is r t (K |theta|^6 - c60 (theta_x^6 + theta_y^6) - c42 (...)) and, for
+ * initial data averaged with a B-spline of order m, whose clock starts at m/(24 r), -m/2880 (theta_x^4 +
+ * theta_y^4). */
 double ceiling_matched_rest(double A, double rt) {
     double n = 2 * ceil(rt / (2 * A) / 2 - 1e-9), rd = rt / n, u2 = 2 * A / rd - 1;
     return 2 * A * A - rd * rd * (1 + 3 * u2) / 3;
@@ -440,7 +443,7 @@ double ceiling_jitter(const struct experiment *e) {
     return 1 + 4 * sq(e->options.jitter);
 }
 
-/* ---- Errors of time ---- */
+/* ---- Errors in time ---- */
 
 double ceiling_time(const struct experiment *e) {
     const struct problem *p = &e->problem;

@@ -2,9 +2,9 @@
 #ifndef HEATLADDER_VERIFICATION_GATES_CEILING_H
 #define HEATLADDER_VERIFICATION_GATES_CEILING_H
 
-/* The errors that theory predicts, for the bounds of gates.def: from the kernel's moments, the spacing and the exact
- * solution of the scene.  No code of the operators is used.  Each function takes the experiment at its finest rung
- * and returns E1, unless it says otherwise; NAN where the formula does not apply. */
+/* Predicted errors for the bounds of gates.def, from the moments of the kernel, the spacing and the exact solution
+ * of the scene.  No code of the operators is used.  Each function has the experiment at its finest rung as its
+ * argument and returns E1 unless stated otherwise; NAN if the formula does not apply. */
 
 #include "verification/run/experiment.h"
 
@@ -24,73 +24,73 @@ struct ceiling_symbol {
 };
 struct ceiling_symbol ceiling_symbol(const struct experiment *e);
 
-/* sum fourth[b] of the method over that of the five-point difference, in the direction where it is largest */
+/* sum fourth[b] of the method divided by that of the five-point difference, in the direction of the largest ratio */
 double ceiling_worst(const struct experiment *e);
 
-/* ---- Errors of space ---- */
+/* ---- Errors in space ---- */
 
-/* Second order: dx^2 (kappa t (A T_xxxx ...) + m/24 lap T), m = 0 for smooth data, -1 for a jump midway between point
- * samples, 1 for cell averages, 4 for cubic splines; of Euler's steps -dt/2 t T_tt beside it. */
+/* Second order: dx^2 (kappa t (A T_xxxx ...) + m/24 lap T), with m = 0 for smooth data, -1 for point samples of a
+ * jump midway between points, 1 for cell averages, 4 for cubic splines; Euler steps add -dt/2 t T_tt. */
 double ceiling_lattice(const struct experiment *e);
-/* The same, the start taken as point samples. */
+/* As ceiling_lattice, with point samples of the initial data. */
 double ceiling_points(const struct experiment *e);
-/* The same averaged over all directions of the lattice, for round bodies. */
+/* As ceiling_lattice, averaged over all directions of the lattice, for round bodies. */
 double ceiling_round(const struct experiment *e);
 double ceiling_round_largest(const struct experiment *e); /* its largest value, K */
-/* E1 over dx of a held outer wall that is dx off: |dT/dn| in a layer of sqrt(4 kappa t/pi). */
+/* E1/dx if a Dirichlet outer wall is displaced by dx: |dT/dn| in a layer of width sqrt(4 kappa t/pi). */
 double ceiling_layer(const struct experiment *e);
 /* Fourth order on rods: the next term of the symbol. */
 double ceiling_fourth(const struct experiment *e);
-/* A matched run (solver/time/matched.c): the sixth derivatives and the fourth ones of the averaged start, in the
- * direction where they are largest. */
+/* A matched run (solver/time/matched.c): the sixth derivatives, and the fourth derivatives of the averaged initial
+ * data, in the direction of their maximum. */
 double ceiling_matched(const struct experiment *e);
 /* rod-step by first derivatives applied twice: samples of a piece that is `off` dx wider at either edge, and the
- * envelope of (-1)^i, `half` dx of a source at either edge. */
+ * envelope of (-1)^i with a source of `half` dx at either edge. */
 double ceiling_blind(const struct experiment *e, double off, double half);
-/* 2 A^2 - (r d)^2 (1 + 3 u^2)/3 of a matched run of kappa t/dx^2 = rt. */
+/* 2 A^2 - (r d)^2 (1 + 3 u^2)/3 of a matched run with kappa t/dx^2 = rt. */
 double ceiling_matched_rest(double A, double rt);
-/* rect-manufactured: e_t = L e + r on a grid of its own; r of fourth derivatives, or of sixth ones at order 4 and in
- * a matched run of k_x = k_y. */
+/* rect-manufactured: solves e_t = L e + r on a separate grid, with r from fourth derivatives, or from sixth ones at
+ * order 4 and in a matched run with k_x = k_y. */
 double ceiling_manufactured(const struct experiment *e);
-/* rod-cooling, and plate-cooling with its hot side as cold as the air: discrete modes.  Fourth moments are `more`
- * times the lattice's; cloud: 1 where ghosts stand at distances of their own. */
+/* rod-cooling, and plate-cooling with its hot side at the temperature of the air: discrete modes.  Fourth moments
+ * are `more` times those of the lattice; cloud: 1 if the distances of ghosts vary. */
 double ceiling_cooled(const struct experiment *e, double more, int cloud);
 /* 4th moments under jitter of j dx: 1 + 4 j^2 */
 double ceiling_jitter(const struct experiment *e);
 
-/* The exact solution of a parameter that is `by` larger, or of a time that is `part` of it shorter, against the exact
- * solution. */
+/* The exact solution compared with the exact solution for a parameter larger by `by`, or for a time shorter by the
+ * fraction `part`. */
 double ceiling_changed(const struct experiment *e, const char *name, double by);
 double ceiling_late(const struct experiment *e, double part);
 
-/* The five-point difference at that spacing, of dx and dy the larger; linf: 1 for its largest error, K.  On faces: of
- * a jump at the scene's own place. */
+/* The error of the five-point difference at the larger of dx and dy; linf: 1 for the largest error, K.  On faces:
+ * for a jump at its place in the scene. */
 double ceiling_five_point(const struct experiment *e, int linf);
 double ceiling_five_point_on_faces(const struct experiment *e);
 
 /* ---- Bounds for codes of any kind ---- */
 
-/* The mean over a cell for the value at its centre, dx^2/24 lap T; all of the field a whole cell away along each
- * axis; |T_xx / T_x| at the high end of a rod, m^-1. */
+/* The effect of cell means used as values, dx^2/24 lap T; of a field displaced by a cell along each axis; and |T_xx
+ * / T_x| at the high end of a rod, m^-1. */
 double ceiling_cell_mean(const struct experiment *e);
 double ceiling_cell_away(const struct experiment *e);
 double ceiling_bend(const struct experiment *e);
 
-/* The resistance that harmonic means add to a contact midway between particles, over dx; E1 on rod-contact of a
- * resistance R dx; E1 of a rod of pairs in series whose distances are jittered. */
+/* The resistance, divided by dx, that harmonic means add to a contact midway between particles; E1 on rod-contact
+ * for a resistance R dx; E1 on a rod of pairs in series whose distances are jittered. */
 double ceiling_harmonic(const struct experiment *e);
 double ceiling_contact(const struct experiment *e, double R);
 double ceiling_stall(const struct experiment *e);
-double ceiling_pair(const struct experiment *e, double r); /* a pair's weight, r dx apart, up to a factor */
+double ceiling_pair(const struct experiment *e, double r); /* the weight of a pair at distance r dx, up to a factor */
 
-/* ---- Errors of time ---- */
+/* ---- Errors in time ---- */
 
-/* Euler dt/2 t T_tt, the midpoint rule dt^2/6 t T_ttt, RKL2 (1 + 8/(s^2 + s - 2))/18 dt^2 t T_ttt. */
+/* Euler: dt/2 t T_tt; midpoint rule: dt^2/6 t T_ttt; RKL2: (1 + 8/(s^2 + s - 2))/18 dt^2 t T_ttt. */
 double ceiling_time(const struct experiment *e);
-/* dx^4/540 t T_ttt/kappa^2: Euler's steps at F = 1/6 cancel the error of the three-point difference. */
+/* dx^4/540 t T_ttt/kappa^2: Euler steps at F = 1/6 cancel the leading error of the three-point difference. */
 double ceiling_sixth(const struct experiment *e);
 
-/* ---- Words for the rows ---- */
+/* ---- Parameters ---- */
 
 double ceiling_param(const struct experiment *e, const char *name); /* parameter of the scene; NAN if it has none */
 

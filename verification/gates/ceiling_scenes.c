@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Predicted errors that belong to one scene: what first derivatives applied twice make of a jump (rod-step), a source
- * and walls of two kinds (rect-manufactured), walls cooled by air (rod-cooling, plate-cooling); and comparisons of
- * two exact solutions, or with the finite differences, which share no line with the particles. */
+/* Predicted errors for single scenes: a jump under first derivatives applied twice (rod-step), a source and walls of
+ * two kinds (rect-manufactured), walls cooled by air (rod-cooling, plate-cooling).  Also comparisons of two exact
+ * solutions, or with the finite differences, which share no code with the particles. */
 #include "verification/gates/ceiling.h"
 
 #include "references/scene.h"
@@ -30,7 +30,7 @@ double ceiling_param(const struct experiment *e, const char *name) {
 
 /* ---- Two exact solutions ---- */
 
-/* The mean of |T of *q at its end - T of *p at its end| over that of |T of *p|, at points of *p's box. */
+/* The mean of |T of *q - T of *p| at their end times, divided by the mean of |T of *p|, at points of *p's box. */
 static double apart(const struct scene *scene, const struct problem *p, const struct problem *q) {
     const int n = p->dim == 2 ? 48 : 2000;
     struct snapshot s[2] = {snapshot_take(scene, p, p->t_end), snapshot_take(scene, q, q->t_end)};
@@ -105,7 +105,7 @@ double ceiling_five_point_on_faces(const struct experiment *e) {
 
 /* ---- Cells ---- */
 
-/* Over centres of cells the means of |T|, of |T_x| + |T_y| and of |T_xx + T_yy|, by differences of step dx/8. */
+/* Means over cell centres of |T|, |T_x| + |T_y| and |T_xx + T_yy|, by differences of step dx/8. */
 struct means {
     double T, gradient, laplacian;
 };
@@ -151,9 +151,9 @@ double ceiling_bend(const struct experiment *e) {
 
 /* ---- Two materials ---- */
 
-/* Links of m dx across the contact midway between particles carry 2 k1 k2/(k1 + k2) where resistances in series have
- * k_s: excess conductance, to first order, takes sum c_m (k - k_s) dT^2 off the resistance, dT that of a unit flux.
- */
+/* Links of m dx across a contact midway between particles have the conductivity 2 k1 k2/(k1 + k2) instead of k_s of
+ * resistances in series.  To first order the excess conductance reduces the resistance by sum c_m (k - k_s) dT^2,
+ * with the temperature difference dT for unit flux. */
 double ceiling_harmonic(const struct experiment *e) {
     const struct material *m = e->problem.material;
     const double k1 = m[0].k[0], k2 = m[1].k[0], k = 2 * k1 * k2 / (k1 + k2);
@@ -187,8 +187,8 @@ double ceiling_contact(const struct experiment *e, double R) {
            sq(effusivity[0] + effusivity[1]) / heat;
 }
 
-/* Jittered pairs in series conduct 1/<1/F> where the lattice conducts F: the distance of nearest neighbours is 1 plus
- * the difference of two even draws from -j to j. */
+/* Jittered pairs in series conduct 1/<1/F>, the lattice F.  The distance of nearest neighbours is 1 plus the
+ * difference of two uniform draws from -j to j. */
 double ceiling_stall(const struct experiment *e) {
     enum { DRAWS = 200 };
     const double j = e->options.jitter;
@@ -211,9 +211,10 @@ static double box(double x, double half, double kt) {
     return (erf((x + half) / sqrt(4 * kt)) - erf((x - half) / sqrt(4 * kt))) / 2;
 }
 
-/* A stencil that does not see (-1)^i keeps the samples' part of it as an envelope V, which spreads by its own
- * diffusivity.  Samples from 1 to 0 at once are half a cell of a source at either edge, with a value between a
- * quarter of a cell.  Even and odd particles have U + V and U - V: E1 is the mean of the larger one. */
+/* A stencil that does not see (-1)^i keeps this component of the samples as an envelope V, which spreads with its
+ * own diffusivity.  Samples that jump from 1 to 0 contribute half a cell of a source at either edge, samples with a
+ * value in between a quarter of a cell.  Even and odd particles have U + V and U - V: E1 is the mean of the larger
+ * one. */
 double ceiling_blind(const struct experiment *e, double off, double half) {
     enum { POINTS = 5000 };
     const struct ceiling_symbol s = ceiling_symbol(e);
@@ -238,11 +239,11 @@ double ceiling_blind(const struct experiment *e, double off, double half) {
 
 enum { NX = 60, NY = 42 };
 
-/* T = S + Z exp(-lambda t): a source, walls of given temperature along x and of given flux along y.  The error e
- * solves e_t = L e + r, r the stencil's leading derivatives of S; Z is a mode, also of the mirrored lattice.  Walls
- * are of fourth order, and count in the fourth alone: a ghost at the distance d then misses d^4/12 (T_xxxx + k_y/k_x
- * T_yyyy) on an x side, and on a y side, n its normal, d^5/60 T_nnnnn + d^5/18 G_nnn/k_y + d^5/36 k_x/k_y T_nxxxx
- * (solver/space/layout.c). */
+/* T = S + Z exp(-lambda t): a source, Dirichlet walls along x and walls of given flux along y.  The error e solves
+ * e_t = L e + r, where r has the leading truncation error of S; Z is a mode of the continuous problem and of the
+ * mirrored lattice.  Walls are of fourth order and matter only there.  A ghost at the distance d then has the error
+ * d^4/12 (T_xxxx + k_y/k_x T_yyyy) on an x side and, with the normal n, d^5/60 T_nnnnn + d^5/18 G_nnn/k_y + d^5/36
+ * k_x/k_y T_nxxxx on a y side (solver/space/layout.c). */
 struct manufactured {
     double size[2], t, kappa[2], k[2]; /* m, s, m^2/s, W m^-1 K^-1 */
     double q[2], rate;                 /* m^-1 of Z; lambda, s^-1 */
@@ -261,7 +262,7 @@ static void cell(const struct manufactured *m, int i, int j, double *x, double *
     *x = (i + 0.5) * m->size[0] / NX, *y = (j + 0.5) * m->size[1] / NY;
 }
 
-/* e(t) from e(0) in place. */
+/* Advances e(0) to e(t) in place. */
 static void diffuse(struct manufactured *m) {
     double next[NY][NX], hx = m->size[0] / NX, hy = m->size[1] / NY;
     double ax = m->kappa[0] / sq(hx), ay = m->kappa[1] / sq(hy);
@@ -296,7 +297,7 @@ static void miss_at_walls(struct manufactured *m, const struct ceiling_symbol *s
     }
 }
 
-/* Residual of the steady part at one place; matched: D^2 of the source is taken on. */
+/* Residual of the steady part at one point; matched: D^2 of the source is included. */
 static double residual(const struct manufactured *m, const struct ceiling_symbol *s, double x, double y, int degree,
                        int matched) {
     const double *moment = degree == 4 ? s->fourth : s->sixth, A = s->fourth[0];
@@ -308,7 +309,7 @@ static double residual(const struct manufactured *m, const struct ceiling_symbol
     return r;
 }
 
-/* The mode's error over its amplitude at the end. */
+/* The error of the mode at the end time divided by its amplitude. */
 static double mode_error(const struct manufactured *m, const struct ceiling_symbol *s, const struct experiment *e,
                          int degree, double m24) {
     const double *moment = degree == 4 ? s->fourth : s->sixth, q2 = sq(m->q[0]) + sq(m->q[1]);
@@ -353,16 +354,16 @@ double ceiling_manufactured(const struct experiment *e) {
 
 /* ---- Walls cooled by air: k dT/dn = b (T_a - T) ---- */
 
-/* Modes cos(q x) or sin(q x) of one axis: even about 0 or held there, cooled at its length.  On a lattice of n the
- * ghost midway beyond the wall asks for 2 tan(q dx/2)/dx in place of the slope q, and sums stand for integrals.  On a
- * cloud a ghost has the distance d of its own source and misses -2/3 b/k q^2 d^3: sum_i sum_g w_ig d_g^3 = mu dx^2
- * times that as a flux, mu = 3 A of places anywhere. */
+/* Modes cos(q x) or sin(q x) of one axis: symmetric about 0 or zero there, and cooled at the other end.  On a
+ * lattice of n points the ghost midway beyond the wall replaces the slope q by 2 tan(q dx/2)/dx, and sums replace
+ * integrals.  On a cloud a ghost has the distance d of its own source and the error -2/3 b/k q^2 d^3: sum_i sum_g
+ * w_ig d_g^3 = mu dx^2 times this as a flux, with mu = 3 A for arbitrary positions. */
 enum { MODES = 14, CELLS_ROD = 640, CELLS_PLATE = 96 };
 
 struct axis {
     double length, b_k; /* m; b/k, m^-1 */
     int held, n;
-    double dx, mu, start[2];         /* m; of the start start[0] + start[1] x */
+    double dx, mu, start[2];         /* m; the initial data are start[0] + start[1] x */
     double q[2][MODES], c[2][MODES]; /* wave numbers and coefficients: solution, lattice */
 };
 
@@ -385,7 +386,7 @@ static double mode_at(const struct axis *a, double q, double x) {
     return a->held ? sin(q * x) : cos(q * x);
 }
 
-/* The solution's amplitude: the integral of start times mode over that of its square. */
+/* The amplitude of the solution: the integral of start times mode divided by that of mode squared. */
 static double amplitude(const struct axis *a, double q) {
     double L = a->length, end = q * L, size = L / 2 + (a->held ? -1 : 1) * sin(2 * end) / (4 * q);
     double even = a->start[0] * sin(end) / q;
@@ -421,7 +422,7 @@ static double cooled_rod(const struct experiment *e, struct axis *x, double A, d
     return sum / mean / sq(x->dx);
 }
 
-/* factor[k][m][j] of mode m at particle j, the solution's and the lattice's */
+/* factor[k][m][j] of mode m at particle j, for the solution and the lattice */
 static void profile(const struct axis *a, double kappa_t, double *factor) {
     for (int k = 0; k < 2; k++)
         for (int m = 0; m < MODES; m++)
@@ -430,7 +431,7 @@ static void profile(const struct axis *a, double kappa_t, double *factor) {
                     a->c[k][m] * exp(-kappa_t * sq(a->q[k][m])) * mode_at(a, a->q[k][m], (j + 0.5) * a->dx);
 }
 
-/* A product of two rods but for the lattice's mixed moment. */
+/* The product of two rods plus the contribution of the lattice's mixed moment. */
 static double cooled_plate(const struct experiment *e, struct axis a[2], double A, double B, double T_a,
                            double warm) {
     const double kappa_t = problem_diffusivity(&e->problem) * e->problem.t_end, dx2 = sq(a[0].dx);

@@ -30,7 +30,7 @@ static const struct row rows[] = {
 };
 #undef GATE
 
-/* The bounds of the row on that line; e: at the finest rung. */
+/* The bounds of the row on that line; e: the experiment at the finest rung. */
 static void bounds_of(int line, const struct experiment *e, struct gate *g) {
     const double dx = e->options.dx;
     switch (line) {
@@ -47,8 +47,8 @@ static void bounds_of(int line, const struct experiment *e, struct gate *g) {
 
 enum { NAME = 240, WORD = 80 };
 
-/* The text with its first {a,b,c} replaced by the k-th alternative; word: the first word of that, without the name of
- * an option.  0 if there are fewer. */
+/* Replaces the first {a,b,c} of the text by its k-th alternative; word: the first word of the alternative without
+ * the name of an option.  Returns 0 if there are fewer. */
 static int pick(const char *text, int k, char picked[GATES_COMMAND], char word[WORD]) {
     const char *open = strchr(text, '{'), *at = open + 1, *close = strchr(open, '}');
     for (; k > 0; k--) {
@@ -62,7 +62,7 @@ static int pick(const char *text, int k, char picked[GATES_COMMAND], char word[W
     return 1;
 }
 
-/* The id with the word in place of its first {}, or appended to it. */
+/* The id with its first {} replaced by the word, or with the word appended. */
 static void name_with(const char *id, const char *word, char name[NAME]) {
     const char *place = strstr(id, "{}");
     if (place)
@@ -71,7 +71,7 @@ static void name_with(const char *id, const char *word, char name[NAME]) {
         snprintf(name, NAME, "%.150s/%s", id, word);
 }
 
-/* A gate for each choice of alternatives. */
+/* Adds a gate for each choice of alternatives. */
 static void add_row(struct gates *g, const struct row *row, const char *id, const char *command) {
     char picked[GATES_COMMAND], word[WORD], name[NAME];
     if (!strchr(command, '{')) {
@@ -95,9 +95,10 @@ static void set_bounds(struct gate_result *r) {
 
 /* ---- References ---- */
 
-enum { TEXT = 160 }; /* length of the name and of the command of a reference's gate */
+enum { TEXT = 160 }; /* characters of the name and of the command of a reference's gate */
 
-/* The reference of a scene needs no row: its two forms agree within their bounds, and these are small. */
+/* The reference of a scene needs no row: its two forms must agree within their bounds, and the bounds must be
+ * small. */
 static void add_reference(struct gates *g, const struct scene *s) {
     struct problem p;
     struct failure why;
@@ -113,7 +114,7 @@ static void add_reference(struct gates *g, const struct scene *s) {
                                 "two forms derived apart differ by no more than the sum of their bounds"});
 }
 
-/* The nearest name into `hint`; for a pattern the nearest group. */
+/* Puts the nearest name into `hint`; for a pattern the nearest group. */
 static void nearest_name(const struct gates *g, const char *glob, char *hint, size_t size) {
     char(*name)[TEXT] = xcalloc((size_t)g->declared, sizeof *name), typed[TEXT];
     const char **names = xcalloc((size_t)g->declared + 1, sizeof *names), *nearest = NULL;

@@ -29,7 +29,7 @@ static double between(gsl_rng *r, double lo, double hi) {
     return strtod(text, NULL);
 }
 
-/* One of two images of a rod, one of eight of a rectangle. */
+/* Draws one of two images of a rod, or one of eight of a rectangle. */
 static struct mapping draw_map(unsigned long seed, const char *scene, int dim, int cross) {
     gsl_rng *r = generator(seed, scene, "");
     struct mapping m = {.axes = dim};
@@ -39,7 +39,7 @@ static struct mapping draw_map(unsigned long seed, const char *scene, int dim, i
     return m;
 }
 
-/* The numbers of the ranges, appended as options; *offset in K of the scene. */
+/* Draws the numbers of the ranges and appends them as options; *offset in K of the scene. */
 static int draw_ranges(const char *ranges, gsl_rng *r, char *command, double *offset, struct failure *why) {
     for (const char *at = ranges; *at; at += strspn(at, " ")) {
         char name[32];
@@ -61,7 +61,7 @@ static int draw_ranges(const char *ranges, gsl_rng *r, char *command, double *of
     return STATUS_OK;
 }
 
-/* 1 if the ranges have the parameter of NAME=VALUE. */
+/* 1 if the ranges contain the parameter of NAME=VALUE. */
 static int is_drawn(const char *ranges, const char *set) {
     size_t n = strcspn(set, "=") + 1;
     for (const char *at = ranges; *at; at += strcspn(at, " "), at += strspn(at, " "))

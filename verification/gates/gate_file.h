@@ -6,7 +6,8 @@
  *
  *     GATE("id", QUICK, "measure", "command", lo, hi, ceiling, "why")
  *
- * any number of rows, with C comments between; a text may be several literals, a number NAN or INFINITY. */
+ * The file has any number of such rows and C comments.  A text may consist of several literals; a number may be NAN
+ * or INFINITY. */
 
 #include "verification/gates/gates.h"
 
@@ -16,12 +17,12 @@ struct gate_file {
     char *text;        /* owned */
 };
 
-/* Rows from `size` bytes; messages have `name`, line and column.  STATUS_OK, or STATUS_INPUT with *why for a row of
- * another form, an id that occurs twice, an unknown measure, a band without inside, or no row.  gate_file_free in
- * either case. */
+/* Reads rows from `size` bytes; messages contain `name`, line and column.  STATUS_OK, or STATUS_INPUT with *why for
+ * a row of another form, a repeated id, an unknown measure, an empty band, or a file without rows.  Call
+ * gate_file_free in either case. */
 int gate_file_read(const char *text, size_t size, const char *name, struct gate_file *f, struct failure *why);
 
-/* The same from a file of at most 1 MB. */
+/* Reads rows from a file of at most 1 MB. */
 int gate_file_open(const char *path, struct gate_file *f, struct failure *why);
 
 void gate_file_free(struct gate_file *f);

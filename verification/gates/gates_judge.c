@@ -84,8 +84,7 @@ struct experiment gates_finest(const struct command *c) {
 
 /* ---- Judging ---- */
 
-/* c: NULL where the command was refused.  What the rows of one program share: where cases are kept, and their runs.
- */
+/* c: NULL if the command was refused.  The rows of one program share its runs and the directory of its cases. */
 static void judge(const struct gate *gate, const struct program *program, const struct command *c,
                   const char *refused, struct measured *m) {
     *m = (struct measured){0};
@@ -128,7 +127,7 @@ static void put_words(const char *option, const char *value, FILE *out) {
     free(words);
 }
 
-/* Words that let another program answer. */
+/* Options for which another program answers. */
 static void put_program(const struct gate *gate, const struct program *g, FILE *out) {
     if (g->solver)
         put_words("--solver", g->solver, out);
@@ -175,7 +174,7 @@ static void add_case(struct cases *c, const struct command *r, double dx, double
     memcpy(c->name[c->count++], name, sizeof name);
 }
 
-/* Rungs of a ladder, in whatever it climbs, each for every seed; 1 of a run. */
+/* Adds the rungs of a ladder, in any of its quantities, once per seed; 1 for a run. */
 static int add_cases(const struct command *c, struct cases *cases) {
     if (!c || !c->experiment.scene) return 1;
     const struct numbers none = {.count = 1}, *dx = &c->rungs.dx, *steps = &none;
@@ -198,7 +197,7 @@ int gates_rungs(const struct gate_result *r) {
 
 int gates_runs(struct gates *g) {
     struct cases cases = {0};
-    int again = 0; /* the same case once more */
+    int again = 0; /* repetitions of a case */
     gates_read(g);
     for (int i = 0; i < g->declared; i++) {
         add_cases(g->result[i].read, &cases);

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Gates of another program.  Twice as many rows as cases run at a time: while one is judged, or waits for a case of
- * another row, the program runs for the next. */
+/* Gates of another program.  Twice as many rows as cases run at a time: the program runs for the next row while one
+ * row is judged or waits for a case of another. */
 #include "verification/gates/gates.h"
 
 #include "solver/status.h"

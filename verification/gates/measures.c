@@ -107,7 +107,7 @@ void measures_order(const struct command *r, double lo, double hi, struct measur
              r->rungs.ceiling);
 }
 
-/* The battery's rows are turned into runs, which have no norm to choose: they have this measure. */
+/* Rows of the battery are converted to runs, which have no choice of norm; this measure gives them one. */
 void measures_order_linf(const struct command *r, double lo, double hi, struct measured *m) {
     struct command with = *r;
     with.rungs.norm = LADDER_LINF;
@@ -164,7 +164,7 @@ void measures_checkerboard_kept(const struct command *r, double lo, double hi, s
     measures_judge(m, last.shape.checkerboard / first.shape.checkerboard, lo, hi);
 }
 
-/* The error beside it: how far the two fields are apart, K. */
+/* `error` is the largest difference of the two fields, K. */
 void measures_symmetry(const struct command *r, double lo, double hi, struct measured *m) {
     const struct experiment *e = &r->experiment;
     struct options whole = e->options;
@@ -182,7 +182,8 @@ void measures_symmetry(const struct command *r, double lo, double hi, struct mea
     field_free(&b);
 }
 
-/* *worst, K: raised to the largest difference of two runs' temperatures; a status, *m failed, where a run is. */
+/* Raises *worst, K, to the largest temperature difference of two runs.  Returns a status; if a run fails, *m fails
+ * too. */
 static int runs_apart(const struct experiment *e, const struct problem of[2], double *worst, struct measured *m) {
     struct field f[2] = {{0}};
     struct failure why;
@@ -209,7 +210,7 @@ void measures_robin_limits(const struct command *r, double lo, double hi, struct
     measures_judge(m, worst, lo, hi);
 }
 
-/* Points that fill the domain evenly and meet no symmetry of it: the additive sequences of the plastic number. */
+/* Points that fill the domain evenly and have no symmetry of it: the additive sequences of the plastic number. */
 static void odd_point(const struct problem *p, int i, double x[2]) {
     static const double step[2] = {0.7548776662466927, 0.5698402909980532};
     do {
@@ -221,9 +222,9 @@ static void odd_point(const struct problem *p, int i, double x[2]) {
     } while (p->shape && shape_depth(p, x) < 0);
 }
 
-/* How far the two forms of a reference are apart, in units of what their bounds allow.  The ceiling is on the bound
- * at the end time, where runs are judged, relative to the largest temperature: a reference cannot pass by promising
- * little. */
+/* The difference of the two forms of a reference, in units of their error bounds.  The ceiling limits the bound at
+ * the end time, where runs are judged, relative to the largest temperature: a reference cannot pass with a loose
+ * bound. */
 void measures_reference(const struct command *r, double lo, double hi, struct measured *m) {
     enum { POINTS = 32, TIMES = 4 };
     static const double part[TIMES] = {0.0113, 0.173, 0.619, 1};

@@ -17,22 +17,22 @@ struct result;
 
 /* The rungs of a ladder, coarsest first, for a chart and a table. */
 struct rungs {
-    int n;            /* 0 where there is no ladder */
+    int n;            /* 0 if there is no ladder */
     char axis[60];    /* name of x, with its unit: "dx [m]" */
     const char *norm; /* norm of the errors: "E1" */
     double x[NUMBERS_MAX];
-    double error[NUMBERS_MAX]; /* NaN where the run failed */
-    int counts[NUMBERS_MAX];   /* 1 where the rung counts for the slope */
+    double error[NUMBERS_MAX]; /* NaN if the run failed */
+    int counts[NUMBERS_MAX];   /* 1 if the rung counts for the slope */
 };
 
 struct measured {
     double value;
     double ci[2]; /* 95 % interval of a slope; else the value twice */
-    double error; /* bounded by a ceiling: E1; of a ladder its norm at the finest rung that counts; NaN: none */
+    double error; /* bounded by a ceiling: E1; for a ladder its norm at the finest rung that counts; NaN: none */
     enum verdict verdict;
     char reason[400];
-    struct diagnosis found; /* the usual fault that the errors look like; not named where none was looked for */
-    char diagnosis[280];    /* `found` in words; "" where none is named */
+    struct diagnosis found; /* the common fault that the errors resemble; not named if none was searched for */
+    char diagnosis[280];    /* `found` in words; "" if none is named */
     struct rungs rungs;
 };
 
@@ -58,15 +58,16 @@ void measures_judge(struct measured *m, double value, double lo, double hi);
 /* Keeps a diagnosis that names a fault. */
 void measures_diagnosed(struct measured *m, const struct diagnosis *d);
 
-/* A ladder of the request, judged by its band, into *l; its status, *m failed where that is not 0, else with its
- * slope, verdict and finest error. */
+/* Runs and judges a ladder by its band, into *l.  Returns its status: if it is not 0, *m fails; otherwise *m has the
+ * slope, the verdict and the finest error. */
 int measures_ladder(const struct command *r, int scattered, double lo, double hi, struct ladder *l,
                     struct measured *m);
 
-/* One run, its field into *f where that is not NULL; its status, *m failed where that is not 0, else with its E1. */
+/* Runs once; its field goes into *f unless f is NULL.  Returns its status: if it is not 0, *m fails; otherwise *m
+ * has its E1. */
 int measures_run(const struct experiment *e, struct result *r, struct field *f, struct measured *m);
 
-/* The measure of that name; NULL, and *m failed with the nearest valid name, where there is none. */
+/* The measure of that name.  If there is none, returns NULL, and *m fails with the nearest valid name. */
 const struct measure *measures_find(const char *name, struct measured *m);
 
 #endif

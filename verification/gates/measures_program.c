@@ -19,8 +19,8 @@ static void skip(struct measured *m, const char *text) {
     measures_fail(m, &why);
 }
 
-/* Two runs of the same: 1 where they are comparable, with what differs, relative, and their largest |T|, K.  The
- * second is kept nowhere, so that the answer of the first is not taken for it. */
+/* Runs the same case twice.  Returns 1 if the answers can be compared, with their relative difference and the
+ * largest |T|, K.  The second run is not kept, so that it cannot read the answer of the first. */
 static int run_twice(const struct experiment *e, struct result *first, struct norms_error *apart, double *largest,
                      struct measured *m) {
     struct experiment again = *e;
@@ -40,7 +40,7 @@ static int run_twice(const struct experiment *e, struct result *first, struct no
     return comparable;
 }
 
-/* Answers that differ from run to run do so at each time step; errors are differences of two. */
+/* If answers differ from run to run, they differ at each time step, and errors are differences of two answers. */
 static void judge_noise(const struct command *r, const struct ladder *l, struct measured *m) {
     struct experiment e = r->experiment;
     struct measured tried = *m;
@@ -58,7 +58,7 @@ static void judge_noise(const struct command *r, const struct ladder *l, struct 
     m->verdict = VERDICT_INCONCLUSIVE;
 }
 
-/* A program that takes a time step of its own gives the same at each that is asked for: the row is not for it. */
+/* A program with its own time step gives the same answer for every requested step: the row does not apply. */
 void measures_slope_time(const struct command *r, double lo, double hi, struct measured *m) {
     struct ladder *l = xcalloc(1, sizeof *l);
     int status = measures_ladder(r, 0, lo, hi, l, m), differ = 0;
