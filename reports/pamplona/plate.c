@@ -21,8 +21,8 @@
 const char *const plate_words[PLATE_METHODS] = {
     "brookshaw --kernel cubic --h 1.2 --volume tuned --xi 1.643 --walls fixed --dx 0.005 --stepper rk2 --dt 0.1623",
     "ftcs --walls fixed --dx 0.005 --dt 0.08115",
-    "brookshaw --kernel quartic --h 1.2 --volume tuned --xi 1.643 --walls fixed --dx 0.005 --stepper rk2 --dt "
-    "0.1623"};
+    ("brookshaw --kernel quartic --h 1.2 --volume tuned --xi 1.643 --walls fixed --dx 0.005 --stepper rk2 "
+     "--dt 0.1623")};
 
 double plate_time(int k) {
     struct published t;
