@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* heatladder list: what there is to choose from. */
+/* heatladder list: the available scenes, methods and other choices. */
 #include "verification/cli/verb.h"
 
 #include "references/scene.h"

@@ -32,7 +32,7 @@ static const struct study {
     const char *name;
     int (*write)(const char *dir, struct failure *why);
     const char *title; /* printed at the end, for a study that is written by default; NULL: only by its name */
-    const char *first; /* a file of it, tried before anything is measured; NULL: the study tries it */
+    const char *first; /* one of its files, opened before anything is measured; NULL: the study opens it */
 } studies[] = {
     {"song", song_write, "Song 2018", "song_table1.md"},
     {"pamplona", pamplona_write, "Pamplona 2019", "pamplona_table1.md"},

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Runs what a figure shows, in parallel, and writes it as one file of named blocks. */
+/* Runs the commands of a figure in parallel and writes it as one file of named blocks. */
 #include "reports/figure/figure.h"
 
 #include "references/scene.h"

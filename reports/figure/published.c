@@ -13,7 +13,7 @@
 #define PUBLISHED(name, ...) {name, {__VA_ARGS__}},
 static const struct table {
     const char *name;
-    const char *cell[PUBLISHED_ROWS + 1][PUBLISHED_COLUMNS + 1]; /* the header first; NULL where there is none */
+    const char *cell[PUBLISHED_ROWS + 1][PUBLISHED_COLUMNS + 1]; /* the header first; NULL if empty */
 } tables[] = {
 #include "published.inc"
     {0}};

@@ -17,35 +17,38 @@
 void claim_number(struct claims_measured *m, double value, const char *unit, const char *name, ...)
     __attribute__((format(printf, 4, 5)));
 
-/* The verdict, from whether the statement holds as published and whether it holds beyond that; and the rule. */
+/* Sets the verdict, given whether the statement holds as published and whether it holds beyond that; and the
+ * rule. */
 void claim_decide(struct claims_measured *m, int as_published, int beyond, const char *rule, ...)
     __attribute__((format(printf, 4, 5)));
 
 /* Leaves *m unmeasured, with the reason; returns 1. */
 int claim_fail(struct claims_measured *m, const char *text);
 
-/* The next part of an argument, parts being set apart by '|', without blanks at its ends.  0 where there is none. */
+/* Copies the next part of an argument, without blanks at its ends; parts are separated by '|'.  Returns 0 if there
+ * is none. */
 int claim_part(const char **rest, char *part, size_t size);
 
 /* command_run_line; with *m not NULL, a failure is *m's.  command_run_free in any case. */
 int claim_run(struct command_run *run, struct claims_measured *m, const char *command, ...)
     __attribute__((format(printf, 3, 4)));
 
-/* The same; only the measures are kept, so that nothing is to be freed. */
+/* As claim_run, but keeps only the measures, so that nothing must be freed. */
 int claim_result(struct result *out, struct claims_measured *m, const char *command, ...)
     __attribute__((format(printf, 3, 4)));
 
 /* reports/published/<name>.csv: 0, or 1 with *m failed. */
 int claim_published(struct published *t, struct claims_measured *m, const char *name);
 
-/* Adds a row of the table to what the ledger says was published. */
+/* Adds a row of the table to the published numbers of the ledger. */
 void claim_quote(struct claims_measured *m, const struct published *t, int row);
 
-/* The verdict on an order in [lo, hi], of errors that fall with x: the rule of the gates (judge.h).  *held: whether
- * it passes.  0, or 1 with *m failed, where the rungs do not decide. */
+/* Judges the order of errors that decrease with x against [lo, hi] by the rule of the gates (judge.h).  *held: 1 if
+ * it passes.  Returns 0, or 1 with *m failed if the rungs are inconclusive. */
 int claim_judge(int *held, struct claims_measured *m, const struct judged *l, double lo, double hi);
 
-/* The same, of E1 over "ladder ..."; *slope: the fitted order.  No verdict where held is NULL. */
+/* Judges the order of E1 over "ladder ..." in the same way; *slope: the fitted order.  No verdict if held is
+ * NULL. */
 int claim_order(int *held, double *slope, struct claims_measured *m, const double band[2], const char *command, ...)
     __attribute__((format(printf, 5, 6)));
 

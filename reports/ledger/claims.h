@@ -3,8 +3,8 @@
 #define HEATLADDER_REPORTS_LEDGER_CLAIMS_H
 
 /* The ledger: checkable statements of papers, measured.  A statement is a row of its paper's table (song.def,
- * pamplona.def; papers.h has all); what is measured decides its verdict, which must be the one that the row expects.
- */
+ * pamplona.def; papers.h lists them).  The measurement gives its verdict, which must equal the expected verdict of
+ * the row. */
 
 #include <stdio.h>
 #include <stddef.h>
@@ -29,12 +29,13 @@ struct claims_number {
 };
 
 struct claims_measured {
-    const char *argument; /* the row's; what a measure has read of it is cut off */
+    const char *argument; /* owned by this row; a measure truncates it as it reads */
     enum claims_verdict verdict;
     int count; /* numbers */
     struct claims_number number[CLAIMS_NUMBERS];
     char published[320]; /* numbers of a published table; else "" */
-    char reason[720];    /* how the numbers make the verdict; what the row adds; whether it changed */
+    char reason[720];    /* the rule that leads from the numbers to the verdict; the remark of the row; whether the
+                            verdict changed */
 };
 
 struct claims_row {
@@ -58,15 +59,15 @@ struct claims {
     struct claims_result *result; /* in the order of the table */
 };
 
-/* The rows of `table`, which a NULL id ends, whose id matches the glob `only` (NULL: all).  STATUS_OK, or
- * STATUS_INPUT where none matches.  End with claims_free. */
+/* Collects the rows of `table`, which a NULL id ends, with an id that matches the glob `only` (NULL: all).
+ * STATUS_OK, or STATUS_INPUT if none matches.  The caller calls claims_free. */
 int claims_collect(const struct claims_row *table, const char *only, struct claims *c, struct failure *why);
 void claims_free(struct claims *c);
 
 /* Measures all of them, in parallel. */
 void claims_run(struct claims *c);
 
-/* One row.  What cannot be measured, or measures what is not finite, is CLAIMS_UNMEASURED with its reason. */
+/* Judges one row.  If it cannot be measured, or a result is not finite, it is CLAIMS_UNMEASURED with the reason. */
 void claims_judge(const struct claims_row *row, struct claims_measured *m);
 
 /* 1 where the verdict is the one that the row expects. */

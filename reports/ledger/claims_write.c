@@ -9,7 +9,7 @@
 
 #include <string.h>
 
-enum { NUMBERS = 1400, PUBLISHED = 600 }; /* characters for all numbers of a claim, and for what was published */
+enum { NUMBERS = 1400, PUBLISHED = 600 }; /* characters for all numbers of a claim, and for its published numbers */
 
 static const char *verdict_of(const struct claims_result *r) {
     return claims_verdict_words[r->measured.verdict];

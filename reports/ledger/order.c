@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Orders of accuracy and tables of errors against what is printed, and Song's exact solution. */
+/* Orders of accuracy and tables of errors compared with the published ones, and Song's exact solution. */
 
 #include "reports/ledger/order.h"
 
@@ -15,7 +15,7 @@
 /* Half the width of the band around an order: as in gates/gates.def. */
 static const double BAND = 0.1;
 
-/* "label: rest" -> rest, the label cut off; the whole where there is none. */
+/* Cuts the label off "label: rest" and returns the rest; without a label, the whole text. */
 static char *unlabel(char *part) {
     char *colon = strchr(part, ':');
     if (!colon) return part;
@@ -43,7 +43,7 @@ void ledger_order_order(struct claims_measured *m) {
                  order, BAND);
 }
 
-/* "ORDER TABLE METHOD | ...": the slope of what is printed (reports/published). */
+/* "ORDER TABLE METHOD | ...": the slope of the published errors (reports/published). */
 void ledger_order_printed_order(struct claims_measured *m) {
     char part[80], name[40], method[24];
     double order, dx[PUBLISHED_COLUMNS];

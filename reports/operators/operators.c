@@ -1,12 +1,12 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The discrete Laplacians on the clouds that SPH has, side by side.
+/* The discrete Laplacians of SPH compared on the same clouds.
  *
- * Orders: a ladder for each operator, cloud and scene.  rod-cosine is smooth and insulated, and says what is kept of
- * its heat; square-step starts with jumps, averaged over cells; rect-manufactured has a source, temperatures and
- * fluxes at its walls (isotropic here, which all operators take); wall-composite has two materials of k 1 : 1000,
- * rod-contact a start that jumps where two meet.
- * Error against work: the ladders of rect-manufactured, in pairs of neighbours that the steps took.
- * Error against neighbours: rect-manufactured at one spacing, h/dx from 0.9 to 2. */
+ * Orders: one ladder per operator, cloud and scene.  rod-cosine is smooth and insulated and shows the conservation
+ * of heat; square-step has discontinuous initial data, averaged over cells; rect-manufactured has a source,
+ * temperatures and fluxes at its walls (isotropic here, which all operators support); wall-composite has two
+ * materials with conductivities of 1 : 1000; rod-contact has a jump of the initial data between two materials.
+ * Error against work: the ladders of rect-manufactured, with the work in neighbour pairs times steps.  Error against
+ * neighbours: rect-manufactured at one spacing, with h/dx from 0.9 to 2. */
 #include "reports/operators/operators.h"
 
 #include "solver/method.h"
@@ -170,7 +170,7 @@ static void write_work(const struct order *all, FILE *out) {
 
 /* ---- Error against neighbours ---- */
 
-/* Whether --h sets how many neighbours there are. */
+/* 1 if --h sets the number of neighbours. */
 static int has_h(const char *method) {
     return !method_find(method)->scheme->cells;
 }

@@ -63,7 +63,7 @@ static struct growth_cell *take_growth(void) {
     return all;
 }
 
-/* How many draws grow; *drawn were not refused, *most is their largest rate. */
+/* Number of draws that grow; *drawn: draws that were not refused; *most: their largest rate. */
 static int count_growing(const struct growth_cell *c, int *drawn, double *most) {
     int growing = 0;
     *drawn = 0, *most = 0;
@@ -76,8 +76,8 @@ static int count_growing(const struct growth_cell *c, int *drawn, double *most) 
     return growing;
 }
 
-/* All clouds, a block for each operator: jitters side by side, in groups of h/dx, ratio and particles.  How far a
- * mode goes in the time is its rate times that. */
+/* Draws all clouds, one block per operator: jitters side by side, in groups of h/dx, ratio and particles.  The
+ * growth of a mode over the run is its rate times the time. */
 static void draw_growth(const struct growth_cell *all, FILE *figure) {
     figure_head(figure, "Share of eight jittered clouds with a mode that grows at any time step");
     fprintf(figure, "# command: heatladder limit fatehi_manzari --dim 2 --layout jitter --jitter 0.4 --ratio 0.1\n");

@@ -18,8 +18,8 @@ static int find_limit(struct claims_measured *m, const char *command, double *h,
     return 0;
 }
 
-/* "C SCALE | COMMAND | ... | + COMMAND | ...": dt = C (SCALE h)^2/kappa against the stable step; + what goes beyond
- * the statement. */
+/* "C SCALE | COMMAND | ... | + COMMAND | ...": dt = C (SCALE h)^2/kappa compared with the stable step; parts
+ * with + go beyond the statement. */
 void others_step(struct claims_measured *m) {
     char part[160];
     double C, scale;
@@ -59,8 +59,8 @@ void others_only(struct claims_measured *m) {
     claim_decide(m, first && stable == 0, 1, "no mode of the first grows, and one of each other");
 }
 
-/* "< LADDER | > LADDER | + < LADDER": the order is below 1, or in [1.8, 2.2]; + what the statement does not except.
- */
+/* "< LADDER | > LADDER | + < LADDER": the order is below 1, or in [1.8, 2.2]; parts with + are cases that the
+ * statement does not exclude. */
 void others_orders(struct claims_measured *m) {
     char part[160];
     int held[2] = {1, 1};

@@ -9,7 +9,7 @@ struct failure;
  */
 int pamplona_write(const char *dir, struct failure *why);
 
-/* Table 1: the "average error", which the paper does not define, under every reading at hand. */
+/* Table 1: the "average error", which the paper does not define, under all plausible definitions. */
 int pamplona_table1_write(const char *dir, struct failure *why);
 
 /* Figures 7a, 7b and 8: best xi, its error and the cost over h, for three materials. */

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Pamplona, Silva, Bucar, Vasco 2019, eqs. 2 to 7, and the steady state: what is printed against the exact solution.
- */
+/* Pamplona, Silva, Bucar, Vasco 2019, eqs. 2 to 7 and the steady state: the published formulas compared with the
+ * exact solution. */
 #include "reports/ledger/claim.h"
 #include "reports/pamplona/pamplona.h"
 
@@ -124,7 +124,7 @@ void pamplona_exact_triple(struct claims_measured *m) {
     claim_decide(m, apart > 1e-9 * size, 1, "a double series does not give the solution (to 1e-9)");
 }
 
-/* How far the plate is from its steady state at the time that the paper calls steady. */
+/* The difference of the plate from its steady state at the time that the paper calls steady. */
 void pamplona_exact_steady(struct claims_measured *m) {
     struct experiment e;
     struct published t;

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Pamplona 2019, eqs. 9, 11, 14 to 17, Fig. 8: the kernel, the particles' mass, steps in time, and what they cost. */
+/* Pamplona 2019, eqs. 9, 11, 14 to 17, Fig. 8: the kernel, the particles' mass, time steps and their cost. */
 #include "reports/ledger/claim.h"
 #include "reports/pamplona/pamplona.h"
 
@@ -92,7 +92,7 @@ void pamplona_kernel_mass_rate(struct claims_measured *m) {
     claim_decide(m, apart <= 1e-12, 1, "twice the mass gives the same field in half the time, to rounding");
 }
 
-/* Whether a run to the last time of Table 1 stays bounded; gamma as in eq. 17. */
+/* 1 if a run to the last time of Table 1 stays bounded; gamma as in eq. 17. */
 static int stable(double gamma) {
     struct result run;
     return !claim_result(&run, NULL, "run plate ftcs --dx 0.005 --fourier %.10g --t-end %.10g", 2 * gamma,
@@ -228,7 +228,8 @@ void pamplona_kernel_eq11(struct claims_measured *m) {
     claim_decide(m, !held, 1, "eq. 11 cannot deal with a jump of k if no order of 1/2 or more is held");
 }
 
-/* The kernel's second derivative rises somewhere, and what it makes of the Laplacian is worse than a first one's. */
+/* The kernel's second derivative increases in an interval, and the Laplacian based on it is less accurate than one
+ * based on the first derivative. */
 void pamplona_kernel_curvature(struct claims_measured *m) {
     static const char *const words[] = {"quartic", "cubic", "wendland"};
     static const enum kernel_name kernel[] = {KERNEL_QUARTIC, KERNEL_CUBIC, KERNEL_WENDLAND};

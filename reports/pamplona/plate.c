@@ -1,13 +1,13 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Pamplona 2019, section 6 and Table 1: errors on the plate.
  *
- * One reading for all rows: the plate as stated, 0.1 m wide, 20 spacings, its walls midway between the outermost
- * particles and the first ghosts, which hold the walls' temperatures.  Then the plate computed is 21 spacings wide
- * and late by (21/20)^2 in time: an error of first order, largest early.
+ * One interpretation fits all rows: the plate is 0.1 m wide, as stated, with 20 spacings, and its walls are midway
+ * between the outermost particles and the first ghosts, which have the walls' temperatures.  The computed plate is
+ * then 21 spacings wide and late by the factor (21/20)^2 in time: an error of first order, largest at early times.
  *
- * The paper prints a quartic kernel and eta = 0.1 h; the first author's public code (github, almeriopamplona/msph,
+ * The paper prints a quartic kernel and eta = 0.1 h.  The first author's public code (github, almeriopamplona/msph,
  * folder twoDimensionalSPH) has the cubic kernel and eta = 0.01 h, and ghosts in the corners by polar order.  This
- * suite has the cubic kernel with eta = 0.1 h and the mean of both walls in the corners. */
+ * suite uses the cubic kernel with eta = 0.1 h, and the mean of both walls in the corners. */
 #include "reports/pamplona/plate.h"
 
 #include "reports/ledger/claim.h"
@@ -86,8 +86,8 @@ static int measure_row(double E[PLATE_TIMES], double *off, struct claims_measure
     return 0;
 }
 
-/* "METHOD": a row of Table 1, as stated and with what the public code has: of SPH the kernel, of FTCS the diffusivity
- * that this kernel gives SPH. */
+/* "METHOD": a row of Table 1, as stated and with the choices of the public code: the kernel for SPH, and for FTCS
+ * the diffusivity that this kernel gives SPH. */
 void pamplona_plate_table1(struct claims_measured *m) {
     struct published t;
     double as_stated[PLATE_TIMES], as_coded[PLATE_TIMES], off[2];
@@ -160,7 +160,7 @@ void pamplona_plate_edges(struct claims_measured *m) {
                  "condition as the largest, which is what the paper calls them");
 }
 
-/* How many neighbours are missing near the walls, and what the same particles do with other ghosts. */
+/* The fraction of neighbours missing near the walls, and the error of the same particles with other ghosts. */
 void pamplona_plate_deficiency(struct claims_measured *m) {
     static const char fixed_words[] =
         "brookshaw --dx 0.005 --kernel cubic --h 1.2 --volume moment --stepper rk2 --dt 0.1623 --walls fixed";

@@ -202,7 +202,8 @@ void pamplona_xi_xi_materials(struct claims_measured *m) {
                  "to 5e-4 m");
 }
 
-/* Whether the divergence between materials comes from their steps: smaller steps, and equal alpha t. */
+/* Tests whether the divergence of materials is caused by their time steps: with smaller steps, and at equal alpha
+ * t. */
 void pamplona_xi_xi_divergence(struct claims_measured *m) {
     double lo[3] = {INFINITY, INFINITY, INFINITY}, hi[3] = {0};
     for (int k = 0; k < XI_MATERIALS; k++) {

@@ -2,7 +2,7 @@
 #ifndef HEATLADDER_REPORTS_PAMPLONA_XI_H
 #define HEATLADDER_REPORTS_PAMPLONA_XI_H
 
-/* Pamplona 2019, eq. 18 and Figures 7 and 8: the xi of least error, and what a run costs. */
+/* Pamplona 2019, eq. 18 and Figures 7 and 8: the xi of smallest error, and the cost of a run. */
 
 #include "solver/options.h"
 #include "solver/status.h"

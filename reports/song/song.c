@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Song, Xing, Hou, Lu 2018 (Processes 6, 215), Tables 1-3 and Figures 1-5, measured again.
+/* Song, Xing, Hou, Lu 2018 (Processes 6, 215): Tables 1-3 and Figures 1-5, measured again.
  *
- * Rows only: what each shows is a command line.  The paper does not print the times of Figure 1c, nor h and dt of the
- * Gaussian case; the notes say what was taken. */
+ * This file has rows only; each row is a command line.  The paper does not print the times of Figure 1c, nor h and
+ * dt of the Gaussian case; the notes state the values used. */
 #include "reports/song/song.h"
 
 #include "reports/figure/compare.h"

@@ -70,7 +70,7 @@ static int scan(const char *method, struct scan *worst, struct claims_measured *
     return 0;
 }
 
-/* "METHOD": whether a step at the published limit is stable. */
+/* "METHOD": tests whether a step at the published limit is stable. */
 void song_limit_bound(struct claims_measured *m) {
     struct step_limits rod, square;
     struct scan worst;
@@ -174,8 +174,8 @@ static double complex transfer(const struct claim_cell *cell, const double *w, d
     return sum;
 }
 
-/* G of eq. 33 as printed, eta with kappa_y and phi with kappa_x, against one step of the scheme on a plane wave.
- * "versions": beside that of the journal's web page, kappa_y at both, whose eq. 34 has kappa_x at both. */
+/* G of eq. 33 as printed, eta with kappa_y and phi with kappa_x, compared with one step of the scheme on a plane
+ * wave. "versions": also with the journal's web page, which has kappa_y in both and, in eq. 34, kappa_x in both. */
 void song_limit_eq33(struct claims_measured *m) {
     static const double kappas[2][2] = {{0.01, 0.01}, {0.013, 0.004}};
     static const double one[2][2] = {{1, 0}, {0, 1}};
@@ -217,7 +217,7 @@ void song_limit_eq33(struct claims_measured *m) {
 /* G of eqs. 39 and 40 as printed, with a minus sign before the square, against one step of the scheme. */
 void song_limit_eq39(struct claims_measured *m) {
     struct claim_cell cell;
-    const double kappa[2] = {0.01, 0}, dt = 0.5; /* s, what eq. 41 gives */
+    const double kappa[2] = {0.01, 0}, dt = 0.5; /* s, by eq. 41 */
     if (claim_weights(&cell, kappa, m, "run rod-step fo_ssph --dx 0.1 --h 1.05")) return;
     double complex square = cpow(transfer(&cell, cell.w[0], 0.1), 2);
     double complex printed = 1 - kappa[0] * dt * square, step = 1 + kappa[0] * dt * square;

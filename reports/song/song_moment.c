@@ -129,7 +129,7 @@ void song_moment_scaling(struct claims_measured *m) {
     claim_decide(m, worst <= 1e-9 && outside <= 1e-14, 1, "exponents to 1e-9, blocks to rounding (1e-14)");
 }
 
-/* Eqs. 22, 25: exponents of what the expansion leaves out. */
+/* Eqs. 22, 25: exponents of the truncated terms of the expansion. */
 void song_moment_left_out(struct claims_measured *m) {
     int order = atoi(m->argument), terms = order == 2 ? TERMS : 2, held = 1;
     struct moments a = moments_at(order, 0.02, 0), b = moments_at(order, 0.01, 0);

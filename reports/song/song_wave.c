@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Song 2018, section 5: oscillations and what becomes of them, and the time step. */
+/* Song 2018, section 5: oscillations, their later evolution, and the time step. */
 #include "reports/ledger/claim.h"
 #include "reports/song/song.h"
 
@@ -20,8 +20,8 @@ static double relative_wave(const struct result *r) {
     return wave(r) / r->shape.max;
 }
 
-/* "run's words | ... | + run's words | ...": held[0], or held[1] from the + on, loses its 1 where `size` of a run is
- * not within lo to hi.  0, or 1 with *m failed. */
+/* "words of run | ... | + words of run | ...": sets held[0], or held[1] from the + on, to 0 if `size` of a run is
+ * not within lo to hi.  Returns 0, or 1 with *m failed. */
 static int check_runs(struct claims_measured *m, double (*size)(const struct result *), const char *unit, double lo,
                       double hi, int held[2]) {
     char part[200];
@@ -77,10 +77,10 @@ static double sawtooth(const struct command_run *run) {
     return most;
 }
 
-/* The sawtooth of fo_ssph on the paper's rod, beside the peak of the heat.  A wave of number pi - phi has the same
- * rate as one of phi but for the second neighbours' weights, so that late on both are one mode each: their ratio
- * tends to that of the two coefficients of the start, about 0.04 (half of the box's alternating sum, cos(3 pi/8),
- * over its sum, 10). */
+/* The sawtooth of fo_ssph on the paper's rod, relative to the peak of the temperature.  Waves of number pi - phi and
+ * phi have the same rate except for the second neighbours' weights.  Both therefore become single modes at late
+ * times, and their ratio tends to that of the two coefficients of the initial data, about 0.04 (half of the box's
+ * alternating sum, cos(3 pi/8), divided by its sum, 10). */
 void song_wave_persistence(struct claims_measured *m) {
     static const double time[3] = {50, 500, 1500};
     double wave[2][3], peak[2][3];
@@ -212,7 +212,7 @@ void song_wave_null_space(struct claims_measured *m) {
     claim_decide(m, held, 1, "0 to rounding (1e-12) for first derivatives applied twice, and for them alone");
 }
 
-/* "words | dt": what the published Euler step adds to the error, from the same run without any time error. */
+/* "words | dt": the time error of the published Euler step, relative to the same run without any time error. */
 void song_wave_time_error(struct claims_measured *m) {
     char words[160], dt[32];
     double most = 0;
@@ -233,7 +233,7 @@ void song_wave_time_error(struct claims_measured *m) {
                  "0.01; at most 1 %%, which leaves the printed digits alone, for no condition");
 }
 
-/* E1 against the exact solution at five times: below what a plot can show. */
+/* E1 against the exact solution at five times: too small to be visible in a plot. */
 void song_wave_agreement(struct claims_measured *m) {
     double worst = 0, last = INFINITY;
     int falling = 1;

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The pages of stability, and what they share. */
+/* The pages about stability, and their common parts. */
 #include "reports/stability/stability.h"
 
 #include "reports/figure/figure.h"

@@ -12,7 +12,7 @@
 
 static const double DISTURBANCE = 1e-10; /* K */
 
-/* How far a disturbed and an undisturbed run are apart after so many steps, K; NaN where one was refused. */
+/* The difference of a disturbed and an undisturbed run after this number of steps, K; NaN if one was refused. */
 static double apart(const struct model_problem *b, double F, long long steps) {
     struct field f[2];
     struct failure why;

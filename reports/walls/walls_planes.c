@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Plane walls anywhere, with so_ssph: rod-cooling (held at one end, cooled at the other), rod-cosine (insulated) and
+/* Plane walls at arbitrary positions, with so_ssph: rod-cooling (Dirichlet and Robin), rod-cosine (Neumann) and
  * plate-cooling, at the offsets 0, 0.1, ... 0.9 of the lattice. */
 #include "reports/walls/walls_planes.h"
 
@@ -79,8 +79,8 @@ int walls_planes_offsets(FILE *out, struct document *d, FILE *error, struct fail
     return STATUS_OK;
 }
 
-/* In the plane the fastest mode is that of both axes: what a treatment takes from a rod's step it takes from the
- * plane's, 0.525 dx^2/kappa without walls for the rod's 0.537. */
+/* In a plane the fastest mode is the fastest mode of both axes.  A treatment therefore reduces the step of the plane
+ * by the same factor as that of a rod: 0.525 dx^2/kappa without walls, compared with 0.537 for the rod. */
 int walls_planes_steps(struct document *d, struct failure *why) {
     static const char *const walls[] = {"mirror", "image", "fit", "one_sided"};
     document_heading(d, "plate-cooling --dx 1/15");

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The price of a treatment of walls: step and growth by all eigenvalues of the operator; what dummies or fits take.
- */
+/* The cost of a treatment of walls: the stable step and growth from all eigenvalues of the operator, and the work of
+ * dummies and fits. */
 #include "reports/walls/walls_price.h"
 
 #include "solver/method.h"
@@ -11,7 +11,7 @@
 
 #include <math.h>
 
-/* By how much an error of the particles may be larger in a dummy: the sum of |share|, of the worst. */
+/* The amplification of the particles' errors in a dummy: the largest sum of |share|. */
 static void take_dummies(const struct cloud *c, struct walls_price *price) {
     size_t dummies = c->begin ? c->total - c->n : 0;
     for (size_t j = 0; j < dummies; j++) {

@@ -1,9 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Walls that cut the lattice anywhere: what each treatment keeps, with so_ssph.
+/* Walls that cut the lattice at arbitrary positions: accuracy and stability of each treatment with so_ssph.
  *
- * Round walls: eight lattices (origin and angle by seeds 1 to 8) at each spacing, all in one fit of the order.  Steps
- * and growth by all eigenvalues of the operator at dx = 0.125, the worst of four lattices.  Plane
- * walls are in walls_planes.c. */
+ * Round walls: eight lattices (origin and angle by seeds 1 to 8) at each spacing, in one fit of the order.  Steps
+ * and growth are from all eigenvalues of the operator at dx = 0.125, the worst of four lattices.  Plane walls are in
+ * walls_planes.c. */
 #include "reports/walls/walls_study.h"
 
 #include "reports/figure/document.h"
@@ -74,7 +74,7 @@ static void take_spectra(const char *scene, const char *walls, struct entry *e) 
     }
 }
 
-/* Whether such a run is refused, as the table says of it. */
+/* Checks that such a run is refused, as the table states. */
 static void take_refusal(const char *scene, const char *walls, struct failure *why) {
     struct command_run run;
     int status = command_run_line(&run, "run %.*s so_ssph%s --walls %s --dx 0.1", (int)strcspn(scene, " "), scene,
