@@ -2,7 +2,7 @@
 #ifndef HEATLADDER_VERIFICATION_UNIT_FUZZ_FILE_H
 #define HEATLADDER_VERIFICATION_UNIT_FUZZ_FILE_H
 
-/* A file of a fuzzer's own, for readers that open what they read; it goes with the program. */
+/* A private file of a fuzzer, for readers that open their input; it is removed when the program ends. */
 
 #include <stdint.h>
 #include <stdio.h>

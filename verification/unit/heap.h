@@ -2,8 +2,8 @@
 #ifndef HEATLADDER_VERIFICATION_UNIT_HEAP_H
 #define HEATLADDER_VERIFICATION_UNIT_HEAP_H
 
-/* Counts what a test program has on the heap, libraries included: these stand in for the C library's own.  Where a
- * sanitizer has the heap, or the library is another, HEAP_COUNTED is 0 and nothing is counted. */
+/* Counts the heap allocations of a test program, including libraries: these functions replace those of the C
+ * library.  If a sanitizer manages the heap, or the library is another, HEAP_COUNTED is 0 and nothing is counted. */
 
 #include <stdlib.h>
 

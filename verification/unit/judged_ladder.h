@@ -7,7 +7,7 @@
 #include "verification/ladder/judge.h"
 #include "verification/ladder/window.h"
 
-/* *scattered: how many rungs scatter says do not count. */
+/* *scattered: the number of rungs that scatter excludes. */
 static inline enum verdict judge(const double *x, const double *error, int n, double lo, double hi, int *scattered,
                                  char reason[240]) {
     struct window_rung rung[RUNG_MAX] = {0};

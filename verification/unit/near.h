@@ -2,7 +2,7 @@
 #ifndef HEATLADDER_VERIFICATION_UNIT_NEAR_H
 #define HEATLADDER_VERIFICATION_UNIT_NEAR_H
 
-/* cmocka, and assertions that print what they were given: on doubles (cmocka's own compares floats) and on texts. */
+/* cmocka, and assertions that print their arguments: on doubles (cmocka's own compares floats) and on texts. */
 
 #include <math.h>
 #include <setjmp.h>
@@ -39,7 +39,7 @@ static inline void nan_(double got, const char *what, const char *file, int line
     _fail(file, line);
 }
 
-/* Whether `part` is in `text`, or is not. */
+/* `part` occurs in `text`, or it does not. */
 #define assert_has(text, part) has_(text, part, 1, __FILE__, __LINE__)
 #define assert_lacks(text, part) has_(text, part, 0, __FILE__, __LINE__)
 

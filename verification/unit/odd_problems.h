@@ -43,7 +43,7 @@ static inline double steady_derivative(const double x[2], int da, int db) {
     return sum;
 }
 
-/* A steady solution of the problem with the source below, and what each side holds of it; also of a rod. */
+/* A steady solution of the problem with the source below, and the data of each side; also for a rod. */
 static inline double steady_cubic(const struct problem *p, const double x[2]) {
     (void)p;
     return steady_derivative(x, 0, 0);

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Command lines: what each verb reads, and each kind of refusal. */
+/* Command lines: the values that each verb reads, and each kind of refusal. */
 #include "verification/cli/verb.h"
 
 #include "references/scene.h"

@@ -16,12 +16,12 @@
 static const char *self; /* this program */
 static char dir[UNIT_PATH];
 
-/* Whether a code that knows boxes with walls alone has the row. */
+/* 1 if a code that has only boxes with walls has the row. */
 static int is_box(const char *id) {
     return strncmp(id, "round/", 6) != 0 && strncmp(id, "periodic/", 9) != 0;
 }
 
-/* The rows that match, judged by this program's code (run as PROGRAM --solve ...): how many of the verdict. */
+/* Number of matching rows with the verdict, answered by this program's code (run as PROGRAM --solve ...). */
 static int count_drawn(unsigned long seed, int order, const char *code, const char *only, enum verdict verdict,
                        int tell) {
     struct program program = {.label = "mine"};
@@ -204,7 +204,7 @@ static void written_cases_give_the_verdicts_of_a_live_run(void **state) {
     gates_free(&g);
 }
 
-/* The exact solution with an error of space alone: no step of its own is judged. */
+/* The exact solution with an error in space only: the program's own steps are not judged. */
 static void steps_of_its_own_are_not_judged(void **state) {
     (void)state;
     struct program program = {.label = "mine",
@@ -238,8 +238,8 @@ static void a_failure_can_be_typed(void **state) {
     gates_free(&g);
 }
 
-/* A band, a measure, a reason, an id of its own for each order; and time steps that divide the end, since another
- * step than the one asked for is another error than its order shows. */
+/* Each order has a band, a measure, a reason and an id of its own, and time steps that divide the end time, since a
+ * step other than the requested one has another error than its order predicts. */
 static void every_row_is_sound(void **state) {
     (void)state;
     for (int order = 1; order <= 4; order *= 2) {

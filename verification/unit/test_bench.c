@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* A benchmark as text, JSON and CSV, of rows whose seconds and errors are known beforehand; and a short one as it is
- * measured: which rows are on a front. */
+/* A benchmark as text, JSON and CSV, from rows with known seconds and errors; and a short measured one: which rows
+ * are on a front. */
 #include "verification/bench/bench_print.h"
 
 #include "references/scene.h"

@@ -120,7 +120,7 @@ static void waves_along_two_axes(void **state) {
     assert_near(ceiling_lattice(e), error * mean, 0.01 * ceiling_lattice(e));
 }
 
-/* A rod held at one end, insulated at the other: sin((n + 1/2) pi x/L); the jump at the held end is midway. */
+/* A rod with a Dirichlet and an insulated end: sin((n + 1/2) pi x/L); the jump at the Dirichlet end is midway. */
 static void a_cooled_end_without_air(void **state) {
     (void)state;
     const struct experiment *e = of("run rod-cooling so_ssph --set b=0 --dx 0.3/160");

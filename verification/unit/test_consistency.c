@@ -10,7 +10,7 @@
 #include <complex.h>
 #include <float.h>
 
-/* Leaves what is not a number where the next function has its arrays. */
+/* Leaves NaN in the stack memory that the next function uses for its arrays. */
 static double __attribute__((noinline)) spoil(void) {
     volatile double at[16 * NEIGHBOURS_MAX];
     for (size_t i = 0; i < sizeof at / sizeof *at; i++) at[i] = NAN;
@@ -33,9 +33,9 @@ static void memory_behind_the_last_neighbour_is_not_read(void **state) {
     }
 }
 
-/* The function is the imaginary part of exp(z.x + i c), z = a + i b along each axis, whose derivatives are powers of
- * z: a stencil gives S = sum w (exp(z.d) - 1) times it, where the exact factor is E = kappa_x z_x^2 + kappa_y z_y^2.
- */
+/* The function is the imaginary part of exp(z.x + i c), with z = a + i b along each axis; its derivatives are powers
+ * of z.  A stencil multiplies it by S = sum w (exp(z.d) - 1), the exact operator by E = kappa_x z_x^2 + kappa_y
+ * z_y^2. */
 static void assert_symbol(const char *line, const char *method, const double kappa[2]) {
     const double complex z[2] = {0.3 + 1.1 * I, -0.2 + 0.7 * I};
     struct command r;

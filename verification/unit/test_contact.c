@@ -40,8 +40,8 @@ static struct problem two_sides(int dim) {
     return p;
 }
 
-/* c . (1, x, y, x^2, x y, y^2) left of the interface, and right of it what T, k_x T_x and T_t continuous make of it;
- * found from T = a(y) + b(y) X + c X^2 with X = x - 0.4, not from the Taylor series about a particle. */
+/* c . (1, x, y, x^2, x y, y^2) left of the interface; right of it the function for which T, k_x T_x and T_t are
+ * continuous, found from T = a(y) + b(y) X + c X^2 with X = x - 0.4, not from the Taylor series about a particle. */
 static double field_at(const struct problem *p, const double c[6], const double x[2]) {
     const struct material *m = p->material;
     double X = x[0] - 0.4, y = x[1], at = 0.4;
@@ -264,9 +264,9 @@ static struct problem two_halves(void) {
 static const struct options cells = {
     .dx = 0.05, .h = 1.1, .layout = LAYOUT_JITTER, .jitter = 0, .sampling = SAMPLING_CELL, .stepper = STEPPER_EULER};
 
-/* A chain of equal rates, but for the first particle beyond the contact: -1.02 of one towards it.  What it keeps is
- * of the other sign there, l = -1/1.02, so that its whole is a hundredth of either side, and the side that should
- * hold a half holds some fifty wholes. */
+/* A chain of equal rates, except for the first particle beyond the contact, whose rate towards the contact is -1.02
+ * times the others.  Its conserved quantity changes sign there, l = -1/1.02.  The total is then one hundredth of
+ * either side, and the side that should hold one half holds about fifty times the total. */
 static int one_back(const struct problem *p, const struct options *o, const struct neighbourhood *nb, double *w[2],
                     struct failure *why) {
     (void)why;

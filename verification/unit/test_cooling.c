@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Cooled ends: no root is missed and each is good to the last bit, half lines and modes are what they say, and the
- * scenes have the limits of an insulated and of a held end. */
+/* Cooled ends: no root is missed and each is accurate to the last bit; half lines and modes satisfy their equations;
+ * the scenes have the limits of an insulated and of a Dirichlet end. */
 #include "references/cooling.h"
 
 #include "references/cooled_plate.h"
@@ -54,8 +54,8 @@ static void no_root_is_missed(void **state) {
     }
 }
 
-/* At the end the flux is that of the air; both slopes are those of differences; far from the end nothing has changed;
- * for h to infinity the end is held. */
+/* At the end the flux is that to the air; both slopes agree with differences; far from the end the temperature is
+ * unchanged; as h tends to infinity the end becomes a Dirichlet end. */
 static void half_lines_cool(void **state) {
     (void)state;
     for (double h = 0.01; h < 1e4; h *= 13)

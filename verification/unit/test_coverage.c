@@ -19,7 +19,8 @@ enum { ROOM = 160 * 160 };
 static double at_x[ROOM], at_y[ROOM];
 static struct failure why;
 
-/* n[0] by n[1] points from `first`, a step apart, but for point `skip` (-1: none); how many. */
+/* Puts n[0] by n[1] points from `first` on, one step apart, without point `skip` (-1: all), and returns their
+ * number. */
 static size_t lattice(const double first[2], const double step[2], const int n[2], int skip) {
     size_t m = 0;
     for (int c = 0; c < n[0] * n[1]; c++)

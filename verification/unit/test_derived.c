@@ -98,7 +98,7 @@ static void a_flux_of_many_panels(void **state) {
     field_free(&f);
 }
 
-/* k = 0.3 and 0.0007 W/m/K at either side of x = 0.4 m, one slope: each wall conducts by what is at it. */
+/* k = 0.3 and 0.0007 W/m/K on either side of x = 0.4 m and the same slope: the flux of each wall has its local k. */
 static void a_wall_of_two_layers_has_the_conductivity_at_it(void **state) {
     (void)state;
     struct problem p = {.dim = 1,

@@ -222,7 +222,7 @@ static void runs_that_differ_are_named(void **state) {
     assert_int_equal(diagnosis_repeat(1.1e-9, 2, &d), 0);
 }
 
-/* rod-gauss by a code whose numbers differ from values by `mean` dx^2/24 T_xx, with that fault of a clock. */
+/* rod-gauss by a code whose answers differ from point values by `mean` dx^2/24 T_xx, with that fault of a clock. */
 static void solve_means(struct problem *p, double mean, double steps, double dx, struct rung *r) {
     const struct scene *s = scene_of("rod-gauss");
     const double d = 1e-3;

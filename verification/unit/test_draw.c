@@ -61,8 +61,8 @@ static void draws_lie_within_their_ranges(void **state) {
         }
 }
 
-/* Seeds draw all images, and rows that are crossed see what the others do not: a side that is never low in one is low
- * in the other, an axis that is y in one is x in the other. */
+/* Seeds draw all images, and crossed rows complement the others: a side that is never the low one in one row is the
+ * low one in the other; an axis that is y in one is x in the other. */
 static void all_images_are_drawn(void **state) {
     (void)state;
     int seen[2][8] = {{0}, {0}};
@@ -127,7 +127,7 @@ static void both_axes_have_a_contact(void **state) {
     }
 }
 
-/* Each axis of a code in three dimensions has the held walls in one row and those of given flux in another. */
+/* Each axis of a three-dimensional code has the Dirichlet walls in one row and the Neumann walls in another. */
 static void slabs_turn_each_axis_to_both_walls(void **state) {
     (void)state;
     for (unsigned long seed = 1; seed <= 20; seed++) {

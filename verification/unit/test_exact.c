@@ -137,7 +137,7 @@ static void a_sum_of_products_is_found_and_put_together(void **state) {
     assert_int_equal(products_split(F, n, 4 * DBL_EPSILON, 5, &p), 1);
     assert_int_equal(p.rank, 3);
     products_join(&p, again);
-    /* |F| < 3: what is left by elimination, 4 eps, and three products rounded and added */
+    /* |F| < 3: round-off of the elimination, 4 eps, and of three products and their sum */
     for (int i = 0; i < NX * NY; i++) assert_near(again[i], F[i], 10 * 3 * DBL_EPSILON);
     products_free(&p);
     assert_int_equal(products_split(F, n, 4 * DBL_EPSILON, 2, &p), 0);
@@ -167,7 +167,7 @@ static double same_rows(int i, int j) {
     return cos(0.31 * i + 0.2) + 0 * j;
 }
 
-/* Rows that repeat each other are passed over, but for the one that differs in its last column. */
+/* Repeated rows are skipped, except for the one that differs in its last column. */
 static void a_row_that_repeats_another_but_for_one_value_is_seen(void **state) {
     (void)state;
     const int n[2] = {NX, NY};

@@ -77,7 +77,7 @@ static void is_inconclusive(const char *id, const char *made, const char *said) 
         fail_msg("%s, %s: %s: %s", id, made, verdict_words[m.verdict], m.reason);
 }
 
-/* A cloud whose errors are far below the ceiling: how many rungs decide. */
+/* A cloud whose errors are far below the ceiling: the number of rungs that decide. */
 /* Half the interval of a slope over the ladder's rungs and more by halving, `count` in all: scatter is that of the
  * ladder's own interval. */
 static double half_interval(const struct ladder *l, int count) {

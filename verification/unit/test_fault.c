@@ -81,8 +81,8 @@ static void sides_and_corners_have_faults_of_their_own(void **state) {
     }
 }
 
-/* A rod has no y, a body of one material no second, an oblong cannot be transposed, and what is not there is not
- * wrong. */
+/* A rod has no y, a body of one material no second, an oblong cannot be transposed, and an absent part has no
+ * fault. */
 static void bodies_have_the_faults_of_their_parts(void **state) {
     (void)state;
     static const struct {
@@ -136,7 +136,7 @@ static void bodies_have_the_faults_of_their_parts(void **state) {
         {"plate", {FAULT_EXTENT, FAULT_BOTH_AXES}, 1},
         {"plate", {FAULT_EXTENT, 3}, 0},
         {"plate", {FAULT_CORNER, 2}, 1},
-        {"square-step", {FAULT_CORNER, 0}, 0}, /* held at 0 */
+        {"square-step", {FAULT_CORNER, 0}, 0}, /* Dirichlet value 0 */
         {"rod-contact", {FAULT_CORNER, 0}, 0},
         {"plate", {FAULT_CLOCK, 1}, 0},
     };

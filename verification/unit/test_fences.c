@@ -1,9 +1,10 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* No array is read or written past its end.
  *
- * The allocator of this program puts a fence of NaN behind every block, and fills with NaN what malloc gives and free
- * takes: a write past the end is seen when the block is freed, a read past the end or of what was never written makes
- * the error of the run not a number.  Sanitizers see more, where they are there; this is in every `make test`. */
+ * The allocator of this program puts a fence of NaN behind every block and fills with NaN the memory that malloc
+ * returns and free releases.  A write past the end is detected when the block is freed; a read past the end, or of
+ * uninitialized memory, makes the error of the run NaN.  Sanitizers detect more if they are available; this test is
+ * part of every `make test`. */
 #include "verification/ladder/command.h"
 #include "verification/run/run.h"
 
@@ -13,7 +14,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-static int broken; /* blocks whose fence was written to */
+static int broken; /* blocks whose fence was overwritten */
 
 #if defined(__GLIBC__) && !defined(__SANITIZE_ADDRESS__)
 #define FENCED 1

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Answers of programs: tables and NumPy arrays of many kinds give the same field, and anything else is refused with
- * its line, its column and a remedy. */
+/* Answers of programs: tables and NumPy arrays of many kinds give the same field; anything else is refused with its
+ * line, its column and a remedy. */
 #include "verification/foreign/field_file.h"
 
 #include "references/scene.h"
@@ -224,7 +224,7 @@ static void other_numpy_arrays_are_refused(void **state) {
         size_t header, cut;
         const char *says;
     } cut[] = {{2, 4096, 0, "a header of more than 4 kB"},
-               {2, 65536 + 300, 0, "a header of more than 4 kB"}, /* 300 but for its third byte */
+               {2, 65536 + 300, 0, "a header of more than 4 kB"}, /* 300 without its third byte */
                {1, 300, 200, "cut off in its header"},
                {2, 300, 11, "cut off in its header"}};
     struct samples s;

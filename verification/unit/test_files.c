@@ -22,7 +22,7 @@
 struct place {
     char directory[UNIT_PATH], path[UNIT_PATH + 32];
     char nowhere[UNIT_PATH + 32],
-        refusal[UNIT_PATH + 96]; /* a file in a directory that is not there, and what is said of it */
+        refusal[UNIT_PATH + 96]; /* a file in a directory that does not exist, and its refusal */
 };
 
 static int atomic_file_write(const char *path, const char *bytes, size_t size, struct failure *why) {
@@ -152,7 +152,7 @@ static void devices_stay_devices(void **state) {
     assert_true(S_ISCHR(s.st_mode));
 }
 
-/* In a process whose threads are alive: a file, then more than a pipe takes in before it is read. */
+/* In a process with running threads: writes a file, then more than a pipe holds before it is read. */
 static void write_with_threads(const struct atomic_file *files) {
     struct failure why;
     int threads = 0;

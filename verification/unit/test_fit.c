@@ -48,7 +48,7 @@ static void components_of_an_error_are_found(void **state) {
     }
 }
 
-/* At right angles, each has what is beyond its bound left over. */
+/* The errors are orthogonal, so that the part of each beyond its bound remains. */
 static void discretization_errors_are_bounded(void **state) {
     (void)state;
     double e[5], unit[4][5] = {{0}};

@@ -84,8 +84,8 @@ static double parabola_wall(const struct problem *p, enum side s, const double x
     return p->material[0].k[s / 2] * (s % 2 ? 1 : -1) * (s < 2 ? 2 * p->param[1] * x[0] : -2 * p->param[2] * x[1]);
 }
 
-/* G = -div(k grad T) of a parabola holds it; with nodes on the walls the differences are exact (with fluxes all but
- * next to a wall whose temperature is given). */
+/* G = -div(k grad T) keeps a parabola steady; with nodes on the walls the differences are exact (with fluxes all
+ * except those next to a Dirichlet wall). */
 static void source_holds_a_parabola(void **state) {
     (void)state;
     struct problem p = plane(0, 0);
@@ -105,7 +105,7 @@ static void source_holds_a_parabola(void **state) {
 
 /* ---- Walls ---- */
 
-/* With `fixed`, ghosts half a spacing outside hold the wall's temperature: the wall is felt dx/2 too far out. */
+/* With `fixed`, ghosts half a spacing outside have the wall's temperature: the wall acts dx/2 too far out. */
 static void fixed_walls_lie_half_a_spacing_out(void **state) {
     (void)state;
     struct problem p = rod(0);
@@ -165,7 +165,7 @@ static void matched_starts_late(void **state) {
     }
 }
 
-/* T = level + t mode, mode being one of the differences: what it takes at first, and what more in time. */
+/* T = level + t mode with a mode of the differences: its initial value and its rate of change. */
 static double rising(const struct problem *p, const double x[2]) {
     return p->material[0].rho_c * (mode(p, x) - p->param[2]) / p->param[3];
 }
@@ -202,7 +202,7 @@ static double step(const struct problem *p, const double x[2]) {
     return (x[0] < p->jump[0][0] ? 1.3 : -0.4) * (p->dim == 1 ? 1 : x[1] < p->jump[1][0] ? 0.6 : 2.1);
 }
 
-/* ---- What is refused, and how a run fails ---- */
+/* ---- Refusals and failures of a run ---- */
 
 /* Just inside the limit a run is bounded, just outside it is a status with step, time and place. */
 static void stability(void **state) {
@@ -404,7 +404,7 @@ static void areas_and_heat(void **state) {
     }
 }
 
-/* rho_c times the area takes up what enters: 7 W/m^2 through walls as long as they are. */
+/* The heat content rises by the heat that enters: 7 W/m^2 through walls of their full length. */
 static void a_flux_enters_once(void **state) {
     (void)state;
     struct problem p = body(0.4, NEUMANN);

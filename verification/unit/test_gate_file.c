@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Rows of gates as text: what is taken, and where what is not is found. */
+/* Rows of gates as text: valid rows are read, and errors are reported with their position. */
 #include "verification/gates/gate_file.h"
 
 #include "solver/status.h"
@@ -75,7 +75,7 @@ static void errors_are_reported_with_their_position(void **state) {
     }
 }
 
-/* Any bytes, also cut anywhere, are refused or taken; a sanitizer sees what is read or written beyond them. */
+/* Any bytes, also truncated anywhere, are either read or refused; a sanitizer detects accesses outside them. */
 static void any_prefix_is_survived(void **state) {
     (void)state;
     const char *text = "/**/GATE(\"a\", QUICK, \"error\", \"r\" \"\\\"\", -1, INFINITY, NAN, \"w\") // ";

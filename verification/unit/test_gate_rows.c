@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Gates as rows: which there are, which are chosen, what can be typed, and that all are run. */
+/* Gates as rows: the list, the choice of rows, the commands as typed, and the execution of all of them. */
 #include "verification/gates/gates.h"
 
 #include "verification/ladder/command.h"
@@ -33,7 +33,7 @@ static void the_table_is_sound(void **state) {
     gates_free(&all);
 }
 
-/* A gate of each word in braces; bounds are those of its own experiment. */
+/* Each word in braces makes one gate, whose bounds belong to its own experiment. */
 static void words_in_braces_make_a_gate_each(void **state) {
     (void)state;
     struct gates g;

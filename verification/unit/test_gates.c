@@ -206,7 +206,7 @@ static void cooled_walls_are_held_to_both_limits(void **state) {
     assert_nan(limits_of(NAN, 0.5)); /* a later run does not take it away */
 }
 
-/* A reference whose forms disagree, whose bound is large, or whose bound is not a number. */
+/* A reference whose forms disagree, or whose bound is large or not a number. */
 static double gap, bound;
 
 static struct exact one(const struct problem *p, const double x[2], double t) {
@@ -273,7 +273,7 @@ static void junit_tells_each_verdict(void **state) {
     gates_free(&g);
 }
 
-/* A suite a group; what an interrupt cut off is an error, whatever passed before it. */
+/* One suite per group; the rows after an interrupt are errors, even if all rows before it passed. */
 static void junit_has_groups_and_interrupts(void **state) {
     (void)state;
     struct gate_result result[4] = {{.gate.id = "b/1", .executed = 1},

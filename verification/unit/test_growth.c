@@ -75,8 +75,8 @@ static void a_run_with_a_growing_mode_says_so(void **state) {
     assert_nan(r.growth);
 }
 
-/* A held wall with fitted dummies: |Im lambda| is some 0.12 of the bound, and RKL2 damps that to nine stages or so.
- */
+/* A Dirichlet wall with fitted dummies: |Im lambda| is about 0.12 of the bound, and RKL2 damps it for up to about
+ * nine stages. */
 static void many_stages_are_refused_where_they_do_not_damp(void **state) {
     (void)state;
     const char *fit = "run disc-mode so_ssph --walls fit --dx 0.05 --seed 1 --layout jitter --jitter 0.2 --t-end 60 "

@@ -11,8 +11,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 
-/* Rungs that are halved, whose errors have these local slopes and end at `finest`; the coarsest `out` do not count.
- */
+/* Halved rungs with errors of these local slopes that end at `finest`; the coarsest `out` do not count. */
 static struct ladder *ladder(const double *slope, int n, double finest, int out) {
     struct ladder *l = calloc(1, sizeof *l);
     double x[RUNG_MAX], error[RUNG_MAX];
@@ -165,8 +164,8 @@ static double half_interval(const struct slope *s, int of, int count) {
            sqrt(squares[0] / squares[1]);
 }
 
-/* Slopes of 2.4, 1.6 and 2.4 in a band whose middle is not the fitted slope; with a coarsest rung that does not count
- * it is one rung more. */
+/* Slopes of 2.4, 1.6 and 2.4 in a band whose middle is not the fitted slope; with a coarsest rung that does not
+ * count, one more rung is missing. */
 static void missing_rungs_are_counted(void **state) {
     (void)state;
     static const double slope[4] = {2.4, 2.4, 1.6, 2.4};

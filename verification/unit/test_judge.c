@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Verdicts on ladders made to measure: what must not pass, and what must. */
+/* Verdicts on synthetic ladders: those that must not pass, and those that must. */
 #include "verification/ladder/slope.h"
 
 #include "verification/unit/judged_ladder.h"

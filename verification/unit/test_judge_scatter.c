@@ -57,9 +57,9 @@ static double noise(double share) {
     return 3 * sqrt(fmax(share * (1 - share), 0.01) / TRIALS);
 }
 
-/* An honest ladder is lost to the interval (as it must), to the finer half of m = n/2 local slopes outside the band,
- * and to what chance does in the window and in the floor: at most 0.01 for the F-test, and 0.04 for scatter that is
- * not recognised, which is then judged by its two finest rungs. */
+/* A correct ladder can fail because of the interval (as intended), because the finer half of the m = n/2 local
+ * slopes is outside the band, and by chance in the window and in the floor: with probability 0.01 at most for the
+ * F-test, and 0.04 for scatter that is not recognised, which is then judged by the two finest rungs. */
 static void honest_scatter_passes_as_often_as_it_can(void **state) {
     (void)state;
     static const struct {

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Ladders of methods whose errors are made to measure. */
+/* Ladders of methods with prescribed errors. */
 #include "verification/ladder/ladder.h"
 
 #include "verification/text/json.h"
@@ -134,7 +134,7 @@ static void two_rungs_have_no_interval_to_print(void **state) {
     free(l);
 }
 
-/* Bounds of a quantity are shares of its own error, those of a field of E1. */
+/* Bounds of a quantity are fractions of its own error, those of a field are fractions of E1. */
 static void floors_are_shares_of_the_error_that_is_fitted(void **state) {
     (void)state;
     struct ladder *l = xcalloc(1, sizeof *l);

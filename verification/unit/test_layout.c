@@ -219,8 +219,8 @@ static double distance(const struct cloud *c, size_t i, size_t j) {
     return hypot(c->x[i] - c->x[j], c->y[i] - c->y[j]);
 }
 
-/* Six neighbours at one distance, but for stretching (1.2 m hold 28 rows of 0.0429 instead of 0.0433 m), away from
- * walls. */
+/* Six neighbours at one distance, except for stretching (28 rows of 0.0429 instead of 0.0433 m fit into 1.2 m), away
+ * from walls. */
 static void six_neighbours(void **state) {
     (void)state;
     struct problem p = odd_rectangle();

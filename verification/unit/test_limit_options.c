@@ -39,7 +39,7 @@ static int try(const char *line) {
     return 0;
 }
 
-/* All values of one option; how many have a limit. */
+/* Tries all values of one option and returns the number that have a limit. */
 static int try_option(const char *command, const struct option *o) {
     static const char *const numbers[] = {"1e-300", "3.8e-9", "0.3", "1", "4", "42", NULL};
     const char *const *value = o->words ? o->words : numbers;

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Help of each verb, and what bash completes.  scripts/tests/words.bats compares both and the manual page. */
+/* Help of each verb, and completion in bash.  scripts/tests/words.bats compares both with the manual page. */
 #include "solver/status.h"
 #include "verification/cli/help.h"
 #include "verification/cli/verb.h"
@@ -12,7 +12,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* Not inlined: gcc 12 takes what strstr finds in the text for a pointer into this frame. */
+/* Not inlined: gcc 12 treats the result of strstr as a pointer into this frame. */
 __attribute__((noinline)) static char *written(void (*write)(FILE *)) {
     char *text = NULL;
     size_t size;

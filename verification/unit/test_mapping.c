@@ -63,8 +63,8 @@ static struct seen seen_at(const struct scene *s, const struct image *image, con
     return seen;
 }
 
-/* rho_c dT/dt = -div(flux) + G within, by differences over d and over the time that heat takes for them; flux = -k
- * grad T. */
+/* The residual of rho_c dT/dt = -div(flux) + G inside, by differences over d and over the corresponding diffusion
+ * time; and of flux = -k grad T. */
 static double equation_is_off(const struct scene *s, const struct image *image, const double x[2], double t) {
     const struct problem *p = &image->problem;
     double d = s->odd.step / 4, dt = 1e-4 * t, off = 0;
@@ -85,7 +85,7 @@ static double side_is_off(const struct scene *s, const struct image *image, int 
     struct seen here = seen_at(s, image, x, t);
     int a = i / 2;
     const double *wall = here.wall[a];
-    double into = i % 2 ? -here.flux[a] : here.flux[a]; /* k dT/dn: what flows in */
+    double into = i % 2 ? -here.flux[a] : here.flux[a]; /* k dT/dn: the inward flux */
     if (wall[0] == 1) return fabs(here.T - wall[1]);
     double law = wall[0] == 2 ? wall[1] : wall[2] * (wall[1] - here.T);
     return fabs(into - law) / (here.k[a] / (image->problem.hi[a] - image->problem.lo[a]));

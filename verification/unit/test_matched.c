@@ -44,7 +44,7 @@ static double along_y_hi(const struct problem *p, enum side s, const double x[2]
     return s == Y_HI ? x[0] : 0;
 }
 
-/* A first derivative taken twice, on a rectangle that is 0 but for one side: refused there, wherever that is. */
+/* A first derivative applied twice, on a rectangle that is 0 except on one side: refused for every such side. */
 static void walls_that_vary_are_seen_on_each_side(void **state) {
     (void)state;
     struct command r = request("run square-step fo_ssph --dx 0.1 --sampling spline");

@@ -30,7 +30,7 @@ static void the_finest_spacing_that_fits_is_named(void **state) {
     check("run square-step so_ssph --dx 4/20000 --layout jitter --jitter 0.2 --memory 24", "GB sets another limit");
 }
 
-/* Rows are held once while time runs, and nearly three times while they are assembled. */
+/* Rows are stored once during the run, and nearly three times while they are assembled. */
 static void rows_count_with_their_neighbours(void **state) {
     (void)state;
     static const char *const lines[] = {"run square-step so_ssph --dx 0.1 --layout jitter --jitter 0.2",

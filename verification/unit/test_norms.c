@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Norms, ranges and the checkerboard, on fields whose answers are known by hand. */
+/* Norms, ranges and the checkerboard, on fields with known results. */
 #include "verification/run/norms.h"
 
 #include "references/scene.h"
@@ -47,7 +47,7 @@ static void three_norms_by_hand(void **state) {
     field_free(&f);
 }
 
-/* In units of 2^-700 and of 2^900, whose squares overflow or underflow; and errors only, of 2^-700. */
+/* In units of 2^-700 and of 2^900, whose squares underflow or overflow; and for errors alone, of 2^-700. */
 static void norms_have_no_unit(void **state) {
     (void)state;
     struct problem p = rod();
@@ -201,7 +201,7 @@ static double wall_along_x(const struct problem *p, enum side s, const double x[
     return s == Y_HI ? 2 + x[0] : 1;
 }
 
-/* A wall of 2 K and 1 K/m along it, held: 3.05 K at the foot of the last point. */
+/* A Dirichlet wall of 2 K with 1 K/m along it: 3.05 K at the foot of the last point. */
 static void overshoot_counts_the_warmest_place_of_a_wall(void **state) {
     (void)state;
     struct problem p = {.dim = 2, .hi = {1.4, 0.6}, .wall = wall_along_x};

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The discrete operator: derivatives that it must have exactly, its two forms against each other, the exact stepper
- * against small steps, and what no method may do to heat. */
+/* The discrete operator: its exact derivatives, the agreement of its two forms, the exact stepper compared with
+ * small steps, and the conservation of heat in every method. */
 #include "solver/time/matched.h"
 
 extern const struct method method_so_ssph, method_fo_ssph;

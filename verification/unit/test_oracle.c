@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The oracle: every column against what it stands for, and the table that is written of them. */
+/* The oracle: every column compared with its definition, and the table written from them. */
 #include "verification/oracle/answer.h"
 
 #include "solver/shape.h"
@@ -357,8 +357,8 @@ static void cells_that_a_round_wall_cuts_have_a_mean(void **state) {
     }
 }
 
-/* A mean is that of the parts of the cell, weighted by what the body has of each, to rounding: ends of the wall in
- * the cell, where its slope has none, cost no digits. */
+/* A mean over a cell is the mean over its parts, weighted by their volumes inside the body, to round-off: ends of
+ * the wall inside the cell, where its slope is undefined, do not reduce the accuracy. */
 static void means_of_parts_are_the_mean_of_the_whole(void **state) {
     (void)state;
     enum { PARTS = 5 };

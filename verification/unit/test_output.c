@@ -136,8 +136,8 @@ static void the_error_is_relative_to_the_exact_temperature(void **state) {
     }
 }
 
-/* In a process with room for 64 MB: 256 MB of lines.  glibc's open_memstream drops what
- * it has no room for, without an error. */
+/* In a process limited to 64 MB: 256 MB of lines.  glibc's open_memstream drops data without an error if memory is
+ * exhausted. */
 static void write_much(void) {
     enum { ROOM = 64 << 20 };
     struct output page;

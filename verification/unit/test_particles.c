@@ -94,7 +94,7 @@ static double no_flux(const struct problem *p, enum side s, const double x[2]) {
     return 0;
 }
 
-/* ---- Heat: what is there, and what a source adds, whatever the materials ---- */
+/* ---- Heat: the content, and the heat that a source adds, for all materials ---- */
 
 static double warm(const struct problem *p, const double x[2]) {
     (void)p, (void)x;
@@ -132,8 +132,7 @@ static void heat_is_counted(void **state) {
             }
 }
 
-/* ---- A run is unstable past what the walls hold, wherever they hold it: each side in turn is hot near one end ----
- */
+/* ---- A run is unstable if it exceeds the temperatures of the walls; each side in turn is hot near one end ---- */
 
 static int hot_side, hot_end;
 
@@ -171,7 +170,7 @@ static void walls_are_hot_where_they_are(void **state) {
             }
 }
 
-/* ---- Where and when a run failed is what it says: on a particle of the box, with the step's own number ---- */
+/* ---- A failure of a run reports its place and time: a particle of the box and the number of the step ---- */
 
 static void a_failure_says_where(void **state) {
     (void)state;
@@ -271,7 +270,7 @@ static void matched_refuses_a_jump_at_every_wall(void **state) {
     }
 }
 
-/* One wall whose temperature varies along it, or on the way through the body alone. */
+/* One wall whose temperature varies along it, or only on the path through the body. */
 static double along_it(const struct problem *p, enum side s, const double x[2]) {
     return p->side[s] == DIRICHLET ? x[1 - s / 2] : 0;
 }

@@ -288,7 +288,7 @@ static int power_of(const char *unit, struct powers by) {
     return 0;
 }
 
-/* got is 2^power times want, but for what underflows. */
+/* got is 2^power times want, except for underflow. */
 static void assert_times(double got, double want, int power) {
     if (isinf(want))
         assert_true(isinf(got)); /* a form that would take too many terms */

@@ -172,7 +172,8 @@ static void the_bound_holds_where_a_sine_has_turned(void **state) {
     }
 }
 
-/* The infinite line misses the solution between walls by what has reached the walls, and by nothing far from them. */
+/* The solution on the infinite line differs from that between walls by the temperature that has reached the walls,
+ * and not at all far from them. */
 static void published_lines_leave_the_walls_off(void **state) {
     (void)state;
     static const char *const lines[] = {"rod-step", "rod-gauss", "square-step"};

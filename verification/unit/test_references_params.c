@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Parameters that make no sense are refused with a sentence that names the option and what would be valid. */
+/* Invalid parameters are refused with a sentence that names the option and its valid values. */
 #include "verification/unit/odd_scenes.h"
 
 #include <stdio.h>
@@ -17,7 +17,7 @@ static int index_of(const struct scene *s, const char *name) {
 static const struct refusal {
     const char *scene, *param;
     double value;
-    const char *valid; /* part of what the refusal must say */
+    const char *valid; /* part of the expected refusal */
 } refusals[] = {
     {"rod-step", "a", 2.5, "between 0 and 2 m"},
     {"rod-step", "a", 2, "a < L"},

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Responses and what differences leave, on bodies whose solution is one cosine: Euler's steps multiply it by G each,
- * so that the run on the lattice is known as well as the solution. */
+/* Responses and truncation errors for bodies whose solution is one cosine: each Euler step multiplies it by G, so
+ * that the run on the lattice is known as well as the solution. */
 #include "verification/diagnosis/response.h"
 
 #include "references/scene.h"
@@ -54,7 +54,7 @@ static double fall(int dim, double dx, double fourier, double t) {
     return pow(G, steps);
 }
 
-/* Points in the middle part, where splines know nothing of the ends. */
+/* Points in the middle part, where the splines do not depend on the ends. */
 static void points(int dim, struct field *f) {
     field_alloc(f, dim, N);
     for (int i = 0; i < N; i++) {
@@ -157,7 +157,7 @@ static void a_response_is_per_unit_of_the_size(void **state) {
     response_lattice_free(&l);
 }
 
-/* A code whose answer is the solution, 1 % too large: its errors at dx, and what differences leave there. */
+/* A code whose answer is 1 % too large: its errors at dx, and the truncation error of differences there. */
 static void errors_are_seen_at_the_spacing_of_the_rung(void **state) {
     (void)state;
     static const double means[] = {NAN, -2};

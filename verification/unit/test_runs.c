@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Runs that share cases: who runs, who gets another's answer, when a program counts as absent, and what is shown. */
+/* Runs that share cases: which row runs a case, which gets the answer of another, when a program counts as absent,
+ * and the printed messages. */
 #include "verification/foreign/runs.h"
 
 #include "solver/status.h"

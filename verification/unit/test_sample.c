@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Averages of initial data in closed form: moments of the B-splines, jumps, and data beyond the walls.  Both
- * codes for it, that of the particles and that of the finite differences, are held to the same numbers. */
+ * implementations, that of the particles and that of the finite differences, must give the same numbers. */
 #include "solver/method.h"
 
 #include "solver/differences/ftcs_grid.h"

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* How far two fields are apart whose points are the same, in whatever order they come. */
+/* The difference of two fields with the same points in any order. */
 #include "verification/ladder/self_difference.h"
 
 #include "solver/field.h"

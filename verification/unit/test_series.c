@@ -34,7 +34,8 @@ static void box_is_exact_at_the_start_and_at_the_walls(void **state) {
     for (double s = 0.003; s < 50; s *= 1.7) assert_near(series_box(1.37, 1.37, 0.41, s).at.value, 0, 1e-15);
 }
 
-/* Late, images without number count; what would be summed is not. */
+/* At late times the number of significant images is unbounded; a sum that would exceed the limit is not
+ * evaluated. */
 static void terms_know_their_limit(void **state) {
     (void)state;
     for (double s = 1e7; s < 1e300; s *= 1e60) {
@@ -120,7 +121,7 @@ static void long_plates_agree_with_quadrature(void **state) {
         }
 }
 
-/* Equal layers are one wall, whose slowest mode is sin(pi x/L); its transient is the box that cools. */
+/* Equal layers form one wall, whose slowest mode is sin(pi x/L); its transient is a cooling box. */
 static void two_equal_layers_are_one_wall(void **state) {
     (void)state;
     static struct layers_modes m;

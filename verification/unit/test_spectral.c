@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The spectral second opinion, on data whose evolution is known by hand. */
+/* The spectral second form, on data with a known evolution. */
 #include "references/spectral.h"
 
 #include "verification/unit/near.h"

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Limits, symbols and amplification factors against what is known of them in closed form. */
+/* Limits, symbols and amplification factors compared with closed forms. */
 #include "solver/method.h" /* before cmocka.h, which makes a macro of `fail` */
 #include "verification/stability/long_run.h"
 #include "verification/stability/step_limit.h"
@@ -87,9 +87,9 @@ static void grids_have_no_jitter_and_nodes_have_limits(void **state) {
     assert_int_equal(step_limit_setup(&method_so_ssph, &o, 1, 0.5, 0, 0, &b, &why), STATUS_INPUT);
 }
 
-/* The largest eigenvalue of n cells whose stencil has w[1], w[2] at one and two cells.  Odd reflection keeps
- * sin(theta (i + 1/2)), theta up to pi; of nodes, whose ends are held, sin(theta i), theta up to pi (n - 1)/n. Ghosts
- * that hold the wall's value leave the n (nodes: n - 1) unknowns with nothing beyond them. */
+/* The largest eigenvalue of n cells with a stencil of w[1], w[2] at one and two cells.  Odd reflection has the modes
+ * sin(theta (i + 1/2)) with theta up to pi; nodes with Dirichlet ends have sin(theta i) with theta up to pi (n -
+ * 1)/n.  For ghosts at the wall's value the n (nodes: n - 1) unknowns have no contribution from beyond them. */
 static double largest_of_rod(const double w[3], int n, int node, int fixed) {
     enum { MOST = 16 };
     double T[MOST] = {0}, next[MOST], size = 0;

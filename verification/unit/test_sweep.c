@@ -115,7 +115,7 @@ static void assert_defined(struct problem p, struct options o, const struct meth
     made_free(&want);
 }
 
-/* h/dx for every stencil that has a loop of its own, and for some that have none. */
+/* h/dx for every stencil with a specialised loop, and for some without. */
 static const double widths[] = {0.9, 1.05, 1.23, 1.45, 1.55, 1.62, 2, 2.11, 2.2, 2.6};
 
 static void the_plane_is_swept_as_defined(void **state) {
@@ -296,8 +296,8 @@ struct record {
     int done[UNITS]; /* updates that a unit has had */
 };
 
-/* Two states in turn: update k reads what update k - 1 left of the units within the lag, which update k + 1 replaces.
- */
+/* Two alternating states: update k reads the values of update k - 1 within the lag, which update k + 1
+ * overwrites. */
 static void advance(const void *what, int k, ptrdiff_t lo, ptrdiff_t hi) {
     struct record *r = *(struct record *const *)what;
     for (ptrdiff_t i = lo; i < hi; i++) {
@@ -322,7 +322,7 @@ static void every_unit_has_every_update_in_turn(void **state) {
                 }
 }
 
-/* The fourth part of the smallest number that is held in full, of each unit in its last update. */
+/* Sets each unit to one fourth of the smallest normal number. */
 static void quarter(const void *what, int k, ptrdiff_t lo, ptrdiff_t hi) {
     volatile double least = 2.3e-308;
     double *const *part = what;

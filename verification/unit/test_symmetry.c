@@ -18,7 +18,7 @@ static void solve(const char *line, enum domain domain, struct field *f) {
     command_free(&r);
 }
 
-/* `saving` is how many times less is updated. */
+/* `saving` is the ratio of updates of the whole to those of the part. */
 static void as_the_whole(const char *line, int saving) {
     struct field part, whole;
     solve(line, DOMAIN_SYMMETRY, &part);

@@ -13,7 +13,7 @@
 #include <termios.h>
 #include <unistd.h>
 
-/* A terminal of our own: what is written to `there` is read from `here`. */
+/* A pseudo-terminal: data written to `there` are read from `here`. */
 struct terminal {
     int here, there;
 };
@@ -91,7 +91,7 @@ static void progress_is_one_line(void **state) {
     assert_string_equal(arrived(t), wanted);
 }
 
-/* Off a terminal only what stays is printed. */
+/* Without a terminal only the permanent lines are printed. */
 static void a_file_gets_the_lines_that_stay(void **state) {
     (void)state;
     char text[80] = "";

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The choice of a time step, on methods whose errors are made to measure. */
+/* The choice of a time step, for methods with prescribed errors. */
 #include "verification/ladder/command_run.h"
 #include "verification/run/run.h"
 #include "verification/run/time_step.h"
@@ -18,7 +18,7 @@ static void the_exact_stepper_where_there_is_one(void **state) {
     command_free(&r);
 }
 
-/* Another stepper is for what the exact one has no answer to, not for input that is wrong. */
+/* Another stepper is tried if the exact one has no answer, but not if the input is wrong. */
 static void wrong_input_is_not_tried_again(void **state) {
     (void)state;
     struct command r = request("run rod-gauss ftcs --dx 0.5", &wrong_input);
@@ -69,7 +69,8 @@ static void an_unstable_first_step_is_halved(void **state) {
     command_free(&r);
 }
 
-/* Particles next to a held wall: rkl2's first step of some stages is damped, the next one of fewer is not. */
+/* Particles next to a Dirichlet wall: the first step of rkl2 has enough stages to be damped, the next has too
+ * few. */
 static void an_unstable_second_step_is_halved(void **state) {
     (void)state;
     struct command_run run;
@@ -91,7 +92,7 @@ static void a_given_step_is_taken_as_it_is(void **state) {
     command_free(&r);
 }
 
-/* Data of zero, and data whose last trace has decayed past the least double. */
+/* Zero data, and data whose temperatures have decayed below the smallest double. */
 static void no_error_is_relative_to_zero(void **state) {
     (void)state;
     static const char *const lines[] = {"run rod-contact brookshaw --dx 0.1 --set T1=0 --stepper euler --dt 0.1",

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Voronoi cells on clouds without symmetry, and the operator of their faces: what must hold to rounding, and what is
- * refused. */
+/* Voronoi cells on clouds without symmetry, and the operator on their faces: identities that hold to round-off, and
+ * refusals. */
 #include "solver/particles/compatibility.h"
 #include "solver/space/csr.h"
 #include "solver/space/voronoi.h"
@@ -98,8 +98,8 @@ static double held(const struct problem *p, enum side s, const double x[2]) {
     return 0;
 }
 
-/* A disc and a ring on five clouds: volumes add up to the body's, walls to its circles; the faces of a cell inside
- * close, and what is open at a wall is the chord of its arc. */
+/* A disc and a ring on five clouds: volumes add up to the body's, walls to its circles.  The faces of an inner cell
+ * close; the gap of a cell at a wall is the chord of its arc. */
 static void cells_fill_a_round_body(void **state) {
     (void)state;
     for (int k = 0; k < 10; k++) {
@@ -145,8 +145,8 @@ static void cells_fill_a_round_body(void **state) {
     }
 }
 
-/* A square whose edges each cross a circle about its middle twice: the outer one, or that of a hole.  The circle goes
- * beyond an edge by a segment of half the angle acos(0.8/R). */
+/* A square whose edges each cross a circle about its middle twice: the outer circle, or that of a hole.  The circle
+ * extends beyond an edge by a segment of half the angle acos(0.8/R). */
 static void an_edge_may_cross_a_circle_twice(void **state) {
     (void)state;
     for (int hole = 0; hole < 2; hole++) {
@@ -183,8 +183,8 @@ static void threads_change_nothing(void **state) {
     layout_cloud_free(&m.c);
 }
 
-/* C_i A_ij = C_j A_ji but for the rounding of a quotient, no weight below 0 away from walls, and no row whose weights
- * do not add up to its diagonal. */
+/* C_i A_ij = C_j A_ji up to the round-off of a quotient; no weight is negative away from walls; the weights of each
+ * row add up to its diagonal. */
 static void operator_is_symmetric(void **state) {
     (void)state;
     for (int k = 0; k < 2 * KINDS; k++) {

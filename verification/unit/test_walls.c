@@ -114,7 +114,7 @@ static void matched_runs_with_a_source_are_of_fourth_order(void **state) {
         }
 }
 
-/* (-1)^i is insulated at a Dirichlet wall: what ghosts miss there, d^4, feeds it at third order. */
+/* (-1)^i is insulated at a Dirichlet wall: the error of the ghosts there, d^4, excites it at third order. */
 static void matched_runs_refuse_first_derivatives_with_a_source(void **state) {
     (void)state;
     const struct method *const all[] = {&method_fo_ssph, &method_ftcs_flux};
@@ -247,8 +247,8 @@ static double hot(const struct problem *p, const double x[2]) {
     return HEIGHT;
 }
 
-/* One side of a square is cooled, another by turns, the opposite one held, then insulated: seen from it the
- * temperatures are the same. */
+/* One side of a square is cooled, each in turn; the opposite one has a Dirichlet and then a Neumann condition.  The
+ * temperatures relative to the cooled side are the same. */
 static void all_sides_cool_the_same(void **state) {
     (void)state;
     enum { N = 12 };

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Walls that cut the lattice anywhere: what dummies hold, which particles are held, clipped cells; and that a start
- * which solves the equation stays. */
+/* Walls that cut the lattice at arbitrary positions: values of dummies, the choice of held particles, clipped cells;
+ * and initial data that solve the equation remain steady. */
 #include "solver/particles/compatibility.h"
 #include "solver/particles/particles.h"
 #include "solver/particles/walls.h"
@@ -106,9 +106,9 @@ static void every_treatment_keeps_a_constant(void **state) {
             }
 }
 
-/* so_ssph is exact for quadratics, dummies continue them, and the one-sided fit is exact for them: d T/dt = kappa lap
- * T everywhere, held particles apart.  First derivatives are exact for quadratics on the lattice that the dummies go
- * on with, two kernels deep. */
+/* so_ssph is exact for quadratics, dummies continue them, and the one-sided fit is exact for them: d T/dt = kappa
+ * lap T everywhere except at held particles.  First derivatives are exact for quadratics on the lattice that the
+ * dummies continue for two kernel widths. */
 static void a_quadratic_rises_evenly(void **state) {
     (void)state;
     extern const struct method method_fatehi_manzari, method_fo_ssph, method_flux_divergence;
@@ -167,8 +167,8 @@ static void a_missing_one_sided_fit_is_refused(void **state) {
     assert_non_null(strstr(why.text, "at least 15 are needed"));
 }
 
-/* All eigenvalues, on lattices and clouds of jitter 0.2: none grows, and the largest step of so_ssph is within a
- * fifth of what it is without walls: 0.525 dx^2/kappa, and 0.43 at least at jitter 0.3. */
+/* All eigenvalues, on lattices and clouds of jitter 0.2: none grows, and the largest step of so_ssph is within one
+ * fifth of its value without walls, 0.525 dx^2/kappa; at jitter 0.3 it is at least 0.43. */
 static void fits_let_no_mode_grow(void **state) {
     (void)state;
     extern const struct method method_so_ssph, method_fo_ssph, method_fatehi_manzari;
