@@ -6,7 +6,7 @@ built=$(dirname "$program")
 
 @test "a program finds the installed library by pkg-config, shared and static" {
     needs pkg-config
-    make -s -C "$tree" BUILD="$built" install PREFIX="$PWD/usr"
+    env -u CC make -s -C "$tree" BUILD="$built" install PREFIX="$PWD/usr"
     export PKG_CONFIG_PATH=$PWD/usr/lib/pkgconfig:$PKG_CONFIG_PATH LD_LIBRARY_PATH=$PWD/usr/lib
     example=$PWD/usr/share/heatladder/examples/library.c
     # shellcheck disable=SC2046 # words
