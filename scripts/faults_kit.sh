@@ -1,7 +1,7 @@
 # shellcheck shell=sh disable=SC2154
-# Tables of seeded faults, to be sourced: name | file | text that is there exactly once | what takes its place | why.
+# Functions for tables of seeded faults: name | file | text that occurs exactly once | its replacement | reason.
 
-# The rows of the table, with tabs between; a name may stand again where $2 is not 1.
+# Prints the rows of the table, separated by tabs; names may repeat unless $2 is 1.
 fault_rows() { # table, whether names are of one row each
     awk -F ' +[|] +' -v OFS='\t' -v once="$2" '
         /^#/ || /^ *$/ { next }
@@ -11,7 +11,7 @@ fault_rows() { # table, whether names are of one row each
     ' "$1"
 }
 
-# Puts the text $new for the text $old in the file; on standard output what is wrong where it cannot.
+# Replaces the text $old by $new in the file; prints the reason on standard output if it cannot.
 spoil() { # file, file to write; $old and $new
     OLD=$old NEW=$new TO=$2 awk '
         { text = text $0 "\n" }
