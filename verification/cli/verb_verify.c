@@ -2,8 +2,6 @@
 /* heatladder verify: all gates, or the battery on another program. */
 #include "verification/cli/verb.h"
 
-#include "references/scene.h"
-#include "solver/method.h"
 #include "verification/text/atomic_file.h"
 #include "verification/cli/battery_options.h"
 #include "verification/gates/gate_file.h"
@@ -79,13 +77,6 @@ static int write_json(const struct gates *g, const char *path, struct failure *w
     return output_close(&page, 1, why);
 }
 
-static int ungated(void) {
-    int n = 0;
-    for (int s = 0; scenes[s]; s++)
-        for (int m = 0; methods[m]; m++) n += !gates_has_order(scenes[s]->name, methods[m]->name);
-    return n;
-}
-
 /* The rows: of a file, of the battery where another program answers, or the built-in ones. */
 static int collect(const struct verify_options *r, struct gate_file *file, struct gates *g, char origin[],
                    struct failure *why) {
@@ -127,8 +118,6 @@ static int write_page(const struct gates *g, const struct verify_options *r, str
 /* The verdicts, on standard output and in the files asked for. */
 static int write_all(const struct gates *g, const struct verify_options *r, double seconds, struct failure *why) {
     print_gates(g, r->verbose, seconds);
-    if (!r->only && !r->quick && !r->skip && !g->origin && ungated())
-        printf("%d pairs of scene and method have no gated ladder (see: heatladder list gates)\n", ungated());
     fflush(stdout);
     if (getenv("GITHUB_ACTIONS")) print_annotations(g);
     if (r->json_path && write_json(g, r->json_path, why)) return why->status;
