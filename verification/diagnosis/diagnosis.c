@@ -249,8 +249,7 @@ static int is_better(const struct candidate_fault *a, const struct candidate_fau
     return a->fine.share > b->fine.share;
 }
 
-/* Kinds of the sides to which a fault applies. */
-static unsigned sides_of(const struct problem *p, struct fault fault) {
+unsigned diagnosis_sides(const struct problem *p, struct fault fault) {
     unsigned kinds = 0;
     for (int s = 0; s < 2 * p->dim; s++) {
         int across = fault.kind == FAULT_EXTENT && (s / 2 == fault.axis || fault.axis == FAULT_BOTH_AXES);
@@ -281,7 +280,7 @@ static void name(const struct problem *p, const struct candidate_fault *c, const
     d->size = c->fine.size / c->unit[0] * (c->name[0] == '%' ? 100 : 1);
     d->unit = no_size ? "" : c->name;
     d->share = c->fine.share;
-    d->sides = sides_of(p, c->fault);
+    d->sides = diagnosis_sides(p, c->fault);
     d->fourier = fine->dt * problem_diffusivity(p) / (fine->dx * fine->dx);
     if (c->fault.kind == FAULT_MEAN) d->fault.axis = mean_of(p, c->fine.size / c->unit[0]);
     wording_fault(d);

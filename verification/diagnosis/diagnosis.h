@@ -41,6 +41,9 @@ double diagnosis_mean(const struct problem *p, const struct diagnosis_rung *star
 void diagnosis_find(const struct problem *p, const struct diagnosis_rung *fine, const struct diagnosis_rung *coarse,
                     struct diagnosis *d);
 
+/* 1 << enum side_kind of each side of *p to which the fault applies; 0 if it applies to none. */
+unsigned diagnosis_sides(const struct problem *p, struct fault fault);
+
 /* The relative error (E1) that the fault of *d causes in *p at spacing dx, m; `zero`, K, is the temperature from
  * which relative errors are measured.  NAN if *p cannot have the fault or if it is not a change of a problem. */
 double diagnosis_effect(const struct problem *p, const struct diagnosis *d, double dx, double zero);

@@ -68,19 +68,13 @@ void headline_print(const struct headline *h, char text[HEADLINE_TEXT]) {
                  h->fault.what, h->votes, h->failing);
 }
 
-/* Kinds of the sides of *p to which the fault would apply. */
-static unsigned sides_with(const struct problem *p, const struct diagnosis *d) {
-    unsigned kinds = 0;
-    for (int s = 0; s < 2 * p->dim; s++) kinds |= 1u << p->side[s];
-    return d->sides ? kinds : 0;
-}
-
 int headline_contradicts(const struct headline *h, const struct problem *p, double dx, double zero, double ceiling) {
     static const double SURE = 2;
     struct diagnosis d = h->fault;
     int other_mean = d.fault.kind == FAULT_MEAN && (d.fault.axis == FAULT_ANY || d.fault.axis == MEAN_IS_OTHER);
     if (other_mean || (d.fault.axis == FAULT_ANY && p->dim == 2)) return 0; /* it may differ from row to row */
     if (d.fault.axis == FAULT_ANY) d.fault.axis = 0;
-    if (d.sides & ~sides_with(p, &d)) return 0;
+    int of_sides = d.fault.kind == FAULT_EXTENT || d.fault.kind == FAULT_WALL;
+    if (of_sides && (!d.sides || d.sides & ~diagnosis_sides(p, d.fault))) return 0; /* walls of another kind */
     return diagnosis_effect(p, &d, dx, zero) > SURE * ceiling;
 }

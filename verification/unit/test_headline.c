@@ -158,6 +158,13 @@ static void rows_that_pass_refute_a_headline(void **state) {
         h = headline_choose(found, 1);
         assert_int_equal(headline_contradicts(&h, &p, 0.05, 0, 1e-6), k == 0);
     }
+    struct problem box = problem_of("rect-manufactured"); /* held across x, fluxes across y */
+    for (int side = X_LO; side <= Y_LO; side += Y_LO) {
+        found[0] = of(FAULT_WALL, side, -100, "%");
+        found[0].sides = 1u << DIRICHLET;
+        h = headline_choose(found, 1);
+        assert_int_equal(headline_contradicts(&h, &box, 0.05, 0, 1e-6), side == X_LO);
+    }
 }
 
 int main(void) {
