@@ -17,7 +17,7 @@ int parts_has(const char *section, const char *dir);
 /* The figures of one scene: its ladders, and the charts of `make bench`. */
 void parts_put_scene(const char *scene, const char *dir, FILE *out);
 
-/* One line with each command that makes a part that is not there. */
+/* One line: the sections that lack a part, with the command that makes it. */
 void parts_put_missing(const char *dir, FILE *out);
 
 #endif

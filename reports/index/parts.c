@@ -21,9 +21,11 @@ static const struct part {
     const char *command; /* command that writes it */
 } parts[] = {
     {"Verdict", "gates.html", 0, "The gates", "make verify"},
-    {"Verdict", "gates.svg", 0, "Order reached and order expected of every ladder", "make verify"},
+    {"Verdict", "gates.svg", 0, "Order reached and order expected, a row a scene, a marker a ladder", "make verify"},
     {"Error against time", "league/league.svg", 0,
      "Error against time on the square: the methods of this suite and other codes", "make setup-peers league"},
+    {"Error against time", "bench/bench_square-step_time.svg", 0,
+     "Error against time of the whole run on the square, by method and time stepper", "make bench"},
     {"Operators", "operators.html", 0, "Operators side by side", "make operators"},
     {"Operators", "operators_work.svg", 0, "Error against pairs of neighbours on three clouds, by operator",
      "make operators"},
@@ -137,7 +139,8 @@ void parts_put_missing(const char *dir, FILE *out) {
         for (int k = 0; k < i && !named; k++)
             named = !is_made(&parts[k], dir, path) && strcmp(parts[k].command, parts[i].command) == 0;
         if (named) continue;
-        fprintf(out, "%s<code>%s</code>", commands++ ? ", " : "<p class=\"faint\">Not made yet: ", parts[i].command);
+        html_print(out, commands++ ? "; %s" : "<p class=\"faint\">Not made yet: %s", parts[i].section);
+        html_print(out, " (<code>%s</code>)", parts[i].command);
     }
     if (commands) fprintf(out, ".</p>\n");
 }

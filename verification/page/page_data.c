@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The ladders of gates as blocks for gnuplot.  Block "orders" has a line a ladder, ordered by scene; "groups" has the
- * place of each scene's name; "SCENE K" has the errors of the scene's K-th method over dx. */
+/* The ladders of gates as blocks for gnuplot.  Block "orders" has a line a ladder and a row a scene; "groups" names
+ * the rows; "SCENE K" has the errors of the scene's K-th method over dx. */
 #include "verification/page/page.h"
 
 #include "references/scene.h"
@@ -10,6 +10,7 @@
 #include <string.h>
 
 enum { WORD = 80, METHODS = 6 /* curves of a scene */ };
+static const double SPREAD = 0.64;       /* of the distance between rows */
 static const char subject[] = "so_ssph"; /* the first curve */
 
 /* The two words after "ladder": 1, or 0 where the gate has no ladder with an order. */
@@ -23,29 +24,50 @@ static int is_of(const struct gate_result *r, const char *scene) {
     return words_of(r, of, method) && strcmp(of, scene) == 0;
 }
 
+static double middle(const struct gate_result *r) {
+    return (r->gate.lo + r->gate.hi) / 2;
+}
+
+/* The offset of the gate i from the row of its scene: ladders of one expected order are spread over the row. */
+static double offset(const struct gates *g, int i, const char *scene) {
+    int before = 0, all = 0;
+    for (int k = 0; k < g->declared; k++) {
+        if (!is_of(&g->result[k], scene) || fabs(middle(&g->result[k]) - middle(&g->result[i])) > 0.5) continue;
+        before += k < i;
+        all++;
+    }
+    return all > 1 ? SPREAD * (before / (all - 1.0) - 0.5) : 0;
+}
+
+static void put_order(const struct gate_result *r, double place, FILE *out) {
+    const struct measured *m = &r->measured;
+    int has_interval = m->ci[0] < m->ci[1];
+    fprintf(out, "%.4g,%.6g,%.6g,%.6g,%.6g,%.6g,%d,%s\n", place, r->gate.lo, r->gate.hi, m->value,
+            has_interval ? m->ci[0] : m->value, has_interval ? m->ci[1] : m->value, gates_holds(r), r->gate.id);
+}
+
+static int has_ladders(const struct gates *g, const char *scene) {
+    int lines = 0;
+    for (int i = 0; i < g->declared; i++) lines += is_of(&g->result[i], scene);
+    return lines > 0;
+}
+
 static void put_orders(const struct gates *g, FILE *out) {
-    int place = 0;
-    fprintf(out, "\n\n# orders\nplace,low,high,order,holds,gate\n");
+    int row = 0;
+    fprintf(out, "\n\n# orders\nplace,low,high,order,order from,order to,holds,gate\n");
     for (int s = 0; scenes[s]; s++) {
-        int before = place;
-        for (int i = 0; i < g->declared; i++) {
-            const struct gate_result *r = &g->result[i];
-            if (!is_of(r, scenes[s]->name)) continue;
-            fprintf(out, "%d,%.6g,%.6g,%.6g,%d,%s\n", place++, r->gate.lo, r->gate.hi, r->measured.value,
-                    gates_holds(r), r->gate.id);
-        }
-        if (place > before) place += 3; /* a gap */
+        const char *scene = scenes[s]->name;
+        for (int i = 0; i < g->declared; i++)
+            if (is_of(&g->result[i], scene)) put_order(&g->result[i], row + offset(g, i, scene), out);
+        row += has_ladders(g, scene);
     }
 }
 
 static void put_groups(const struct gates *g, FILE *out) {
-    int place = 0;
-    fprintf(out, "\n\n# groups\nplace,scene\n");
-    for (int s = 0; scenes[s]; s++) {
-        int lines = 0;
-        for (int i = 0; i < g->declared; i++) lines += is_of(&g->result[i], scenes[s]->name);
-        if (lines) fprintf(out, "%g,%s\n", place + (lines - 1) / 2.0, scenes[s]->name), place += lines + 3;
-    }
+    int row = 0;
+    fprintf(out, "\n\n# groups\nrow,scene\n");
+    for (int s = 0; scenes[s]; s++)
+        if (has_ladders(g, scenes[s]->name)) fprintf(out, "%d,%s\n", row++, scenes[s]->name);
 }
 
 /* The first ladder in E1 over dx of each method, the subject's first; returns their number. */
@@ -68,13 +90,17 @@ static int choose(const struct gates *g, const char *scene, const struct gate_re
 
 static void put_errors(const struct gate_result *r, const char *scene, int k, FILE *out) {
     const struct rungs *l = &r->measured.rungs;
-    fprintf(out, "\n\n# %s %d\n%s,%s,counts\n", scene, k, l->axis, r->gate.id);
+    char of[WORD], method[WORD];
+    words_of(r, of, method);
+    fprintf(out, "\n\n# %s %d\n%s,%s,counts,expected order\n", scene, k, l->axis, method);
     for (int i = 0; i < l->n; i++)
-        if (l->error[i] > 0) fprintf(out, "%.6g,%.6e,%d\n", l->x[i], l->error[i], l->counts[i]);
+        if (l->error[i] > 0) fprintf(out, "%.6g,%.6e,%d,%.0f\n", l->x[i], l->error[i], l->counts[i], middle(r));
 }
 
 void page_data_write(const struct gates *g, const char *command, FILE *out) {
-    fprintf(out, "# title: Order reached and order expected, ladder by ladder\n# command: heatladder %s\n", command);
+    fprintf(out,
+            "# title: Order reached and order expected, a row a scene, a marker a ladder\n# command: heatladder %s\n",
+            command);
     put_orders(g, out);
     put_groups(g, out);
     for (int s = 0; scenes[s]; s++) {

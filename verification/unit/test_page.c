@@ -181,9 +181,9 @@ static void a_failure_has_its_cause_and_command(void **state) {
     const char *page = page_of(&(struct gates){.declared = 1, .result = &r, .program = &program});
     for (size_t i = 0; i < sizeof due / sizeof *due; i++) assert_has(page, due[i]);
     page = take("v.csv");
-    assert_has(page, "# orders\nplace,low,high,order,holds,gate\n0,1.875,2.125,1.5,0,rod/order\n");
-    assert_has(page, "# groups\nplace,scene\n0,rod-step\n");
-    assert_has(page, "# rod-step 1\ndx [m],rod/order,counts\n0.5,4.000000e-02,0\n0.125,3.000000e-04,1\n");
+    assert_has(page, "\n0,1.875,2.125,1.5,1.5,1.5,0,rod/order\n");
+    assert_has(page, "# groups\nrow,scene\n0,rod-step\n");
+    assert_has(page, "# rod-step 1\ndx [m],so_ssph,counts,expected order\n0.5,4.000000e-02,0,2\n");
 }
 
 /* One curve a method, the subject's first. */
@@ -203,7 +203,7 @@ static void a_scene_has_a_curve_a_method(void **state) {
     assert_has(text, "# rod-step 1\ndx [m],so_ssph,");
     assert_has(text, "# rod-step 2\ndx [m],ftcs,");
     assert_lacks(text, "# rod-step 3");
-    assert_has(text, "3,1.875,2.125,1.5,0,fo_ssph\n");
+    assert_has(text, "\n0.32,1.875,2.125,1.5,1.5,1.5,0,fo_ssph\n");
 }
 
 static const char *ladder_page(const char *line) {
@@ -234,7 +234,7 @@ static void the_index_has_what_there_is(void **state) {
     const char *page = take("index.html");
     assert_has(page, "No verdict: the gates were not run. <code>make verify</code> runs them.");
     assert_has(page, "<h3>Table 1: the rod, a jump</h3>\n<p>in it</p>\n<p class=");
-    assert_has(page, ", <code>make claims</code>.</p>");
+    assert_has(page, "; Statements of the papers (<code>make claims</code>).</p>");
     assert_lacks(page, "<h2>Walls</h2>");
     assert_true(strstr(page, "<h2>rod-gauss</h2>") < strstr(page, "<h2>rod-step</h2>"));
     unlink(path_of("song_table1.html"));
