@@ -342,6 +342,7 @@ bench: $(BUILD)/heatladder ## Chart error against time, and measure the engine, 
 	$(Q)if command -v gnuplot >/dev/null; then for data in $(BENCH)/bench_*.csv; do \
 	for chart in time work; do echo reports/bench/bench_$$chart.gp $$data; done; done | \
 	xargs -n 2 -P $$(getconf _NPROCESSORS_ONLN) scripts/plot $(BENCH); \
+	scripts/plot $(BENCH) reports/bench/error_time.gp; \
 	else echo "bench: gnuplot is not here (make setup installs it); charts were not drawn"; fi
 
 setup-peers: ## Install the other codes that league runs, where the system has packages of them

@@ -22,10 +22,12 @@ static const struct part {
 } parts[] = {
     {"Verdict", "gates.html", 0, "The gates", "make verify"},
     {"Verdict", "gates.svg", 0, "Order reached and order expected, a row a scene, a marker a ladder", "make verify"},
+    {"Error against time", "bench/error_time.svg", 0,
+     "Error against wall time on square-step, one thread, median of 5 runs: each method, and so_ssph with each "
+     "stepper",
+     "make bench"},
     {"Error against time", "league/league.svg", 0,
      "Error against time on the square: the methods of this suite and other codes", "make setup-peers league"},
-    {"Error against time", "bench/bench_square-step_time.svg", 0,
-     "Error against time of the whole run on the square, by method and time stepper", "make bench"},
     {"Operators", "operators.html", 0, "Operators side by side", "make operators"},
     {"Operators", "operators_work.svg", 0, "Error against pairs of neighbours on three clouds, by operator",
      "make operators"},
@@ -43,6 +45,8 @@ static const struct part {
     {"Stability", "stability_blowup.svg", 0, "Runs just below and just above the limit", "make stability"},
     {"Stability", "stability_jitter.svg", 0, "Spectra of jittered clouds", "make stability"},
     {"Stability", "stability_checkerboard.svg", 0, "Amplitude of the checkerboard against time", "make stability"},
+    {"Speed", "bench/bench_square-step_time.svg", 0, "Error against wall time on square-step, every candidate",
+     "make bench"},
     {"Speed", "bench/bench.txt", 1, "Speed of the engine", "make bench"},
     {song, "song_table1.html", 0, "Table 1: the rod, a jump", "make report"},
     {song, "song_fig1b.svg", 0, "Figure 1b: first-order SSPH oscillates at the jump, second-order does not",

@@ -83,6 +83,7 @@ struct options candidate_options(const struct candidate *c, const struct experim
     struct options o = c->options;
     o.dx = (e->problem.hi[0] - e->problem.lo[0]) / n;
     o.threads = e->options.threads;
+    o.domain = DOMAIN_WHOLE; /* times are those of the whole scene */
     if (e->problem.shape && method_find(c->method)->scheme) o.walls = WALLS_FIT;
     if (o.stepper == stepper_without_error(0)) o.dt = e->problem.t_end; /* one step has no error in time */
     if (c->steps > 0) o.dt = e->problem.t_end / ceil(10 + c->steps * n);
