@@ -44,9 +44,9 @@ set mytics 1
 set grid xtics ytics
 set xlabel 'dx  [m]' offset 0, 0.4
 set ylabel 'E1  [-]' offset 0.5
-array COLOUR[6] = [BLUE, RED, GREEN, PURPLE, ORANGE, BLACK]
-array POINT[6] = [6, 4, 8, 12, 10, 1]
-size_of_point(k) = (2.4 - 0.22 * k) * P
+array COLOUR[8] = [BLUE, RED, GREEN, PURPLE, ORANGE, BLACK, SKY, RED]
+array POINT[8] = [6, 4, 8, 12, 10, 1, 14, 2]
+size_of_point(k) = (2.4 - 0.2 * k) * P
 below(x) = floor(log10(x))
 array LOW[6]; array NEAR[6]; array FAR[6]
 do for [scene in scenes] {
@@ -112,7 +112,7 @@ do for [scene in scenes] {
              for [k=1:methods] data index sprintf('%s %d', scene, k) using (NaN):(NaN) with linespoints \
                  lc rgb COLOUR[k] lw (k == 1 ? 2.4 : 1.2) dt k pt POINT[k] ps size_of_point(k) \
                  title columnheader(2), \
-             keyentry with lines lw 1 lc rgb '#999999' title 'slope of the order beside it', \
+             keyentry with lines lw 1 lc rgb '#999999' title 'reference slope', \
              for [k=1:(out_of_fit > 0)] data index sprintf('%s %d', scene, k) using (NaN):(NaN) with points \
                  lc rgb GREY pt POINT[k] ps size_of_point(k) lw 1.6 title 'left out of the fit'
     }

@@ -186,23 +186,25 @@ static void a_failure_has_its_cause_and_command(void **state) {
     assert_has(page, "# rod-step 1\ndx [m],so_ssph,counts,expected order\n0.5,4.000000e-02,0,2\n");
 }
 
-/* One curve a method, the subject's first. */
+/* One curve a method and one more of order 4, the subject's first. */
 static void a_scene_has_a_curve_a_method(void **state) {
     (void)state;
-    static const char *const method[] = {"ftcs", "so_ssph", "ftcs", "fo_ssph"};
-    struct gate_result r[4];
-    for (int i = 0; i < 4; i++) {
+    static const char *const method[] = {"ftcs", "so_ssph", "ftcs", "fo_ssph", "ftcs"};
+    struct gate_result r[5];
+    for (int i = 0; i < 5; i++) {
         r[i] = failed_ladder();
         snprintf(r[i].typed, sizeof r[i].typed, "ladder rod-step %s --dx 1", method[i]);
         r[i].gate.id = method[i];
     }
     r[3].measured.rungs.norm = "L2";
+    r[4].gate.lo = 3.8, r[4].gate.hi = 4.2;
     FILE *out = begin();
-    page_data_write(&(struct gates){.declared = 4, .result = r}, "verify", out);
+    page_data_write(&(struct gates){.declared = 5, .result = r}, "verify", out);
     fclose(out);
     assert_has(text, "# rod-step 1\ndx [m],so_ssph,");
     assert_has(text, "# rod-step 2\ndx [m],ftcs,");
-    assert_lacks(text, "# rod-step 3");
+    assert_has(text, "# rod-step 3\ndx [m],ftcs of order 4,");
+    assert_lacks(text, "# rod-step 4");
     assert_has(text, "\n0.32,1.875,2.125,1.5,1.5,1.5,0,fo_ssph\n");
 }
 
