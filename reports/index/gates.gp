@@ -78,7 +78,7 @@ do for [scene in scenes] {
             set arrow from NEAR[p], 0.5 * LOW[p] * NEAR[p] ** p to FAR[p], 0.5 * LOW[p] * FAR[p] ** p \
                 nohead lc rgb '#999999'
             error_low = 0.5 * LOW[p] * NEAR[p] ** p < error_low ? 0.5 * LOW[p] * NEAR[p] ** p : error_low
-            set label sprintf('%d', p) at FAR[p], 0.5 * LOW[p] * FAR[p] ** p left offset 0.6, 0 \
+            set label sprintf('%d', p) at FAR[p], 0.5 * LOW[p] * FAR[p] ** p left offset 1, -0.3 \
                 textcolor rgb '#555555'
         } }
         many = error_high / error_low > 100
@@ -88,17 +88,17 @@ do for [scene in scenes] {
         } }
         eval 'set xtics (' . tics . '1e99)'
         tics = ''
-        do for [d=below(error_low):below(error_high)] { do for [m in '1 2 5'] {
+        do for [d=below(error_low):below(error_high)] { do for [m in error_high / error_low > 1e4 ? '1' : '1 2 5'] {
             text = m eq '1' ? sprintf('10^{%d}', d) : many ? '' : sprintf('%s·10^{%d}', m, d)
             tics = tics . sprintf("'%s' %s.0e%d, ", text, m, d)
         } }
         eval 'set ytics (' . tics . '1e99)'
         keys = (methods + 2 + (out_of_fit > 0)) / 2
-        high = 428 + 24 * keys
+        high = 440 + 24 * keys
         set terminal svg size 640, high enhanced dashed font 'DejaVu Sans,14' background rgb 'white' linewidth 1
         set output sprintf('%s/scene_%s.svg', to, scene)
         set title scene noenhanced font size_of(11)
-        set margins screen 0.15, screen 0.96, screen 1 - 364.0 / high, screen 1 - 44.0 / high
+        set margins screen 0.15, screen 0.96, screen 1 - 366.0 / high, screen 1 - 44.0 / high
         set key at screen 0.13, screen (24.0 * keys + 10) / high left top Left reverse vertical samplen 3 maxrows keys
         set xrange [dx_low * (dx_low / dx_high) ** 0.05:dx_high * (dx_high / dx_low) ** 0.08]
         set yrange [error_low * (error_low / error_high) ** 0.06:error_high * (error_high / error_low) ** 0.08]
