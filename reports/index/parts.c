@@ -137,14 +137,18 @@ void parts_put_scene(const char *scene, const char *dir, FILE *out) {
 
 void parts_put_missing(const char *dir, FILE *out) {
     char path[PATH];
-    int commands = 0;
+    const char *last = NULL;
     for (int i = 0; i < PARTS; i++) {
         int named = is_made(&parts[i], dir, path);
         for (int k = 0; k < i && !named; k++)
             named = !is_made(&parts[k], dir, path) && strcmp(parts[k].command, parts[i].command) == 0;
         if (named) continue;
-        html_print(out, commands++ ? "; %s" : "<p class=\"faint\">Not made yet: %s", parts[i].section);
-        html_print(out, " (<code>%s</code>)", parts[i].command);
+        if (last && strcmp(last, parts[i].section) == 0)
+            fprintf(out, ", ");
+        else
+            html_print(out, last ? "); %s (" : "<p class=\"faint\">Not made yet: %s (", parts[i].section);
+        html_print(out, "<code>%s</code>", parts[i].command);
+        last = parts[i].section;
     }
-    if (commands) fprintf(out, ".</p>\n");
+    if (last) fprintf(out, ").</p>\n");
 }

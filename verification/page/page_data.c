@@ -10,7 +10,7 @@
 #include <string.h>
 
 enum { WORD = 80, METHODS = 8 /* curves of a scene */ };
-static const double SPREAD = 0.64;       /* of the distance between rows */
+static const double SPREAD = 0.64;       /* rows */
 static const char subject[] = "so_ssph"; /* the first curve */
 
 /* The two words after "ladder": 1, or 0 where the gate has no ladder with an order. */
