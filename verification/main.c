@@ -134,9 +134,21 @@ static void keep_pages(void) {
 #endif
 }
 
-/* Sets $HEATLADDER for programs of --solver to the path of this program, unless it is set or found by PATH. */
+/* The absolute path of the program, as typed or found by PATH; NULL if there is none.  The caller frees it. */
+static char *program_path(const char *typed) {
+    char candidate[4096];
+    if (strchr(typed, '/')) return realpath(typed, NULL);
+    for (const char *dir = getenv("PATH"); dir && *dir; dir += strcspn(dir, ":"), dir += *dir == ':') {
+        int length = (int)strcspn(dir, ":");
+        int used = snprintf(candidate, sizeof candidate, "%.*s/%s", length ? length : 1, length ? dir : ".", typed);
+        if (used < (int)sizeof candidate && access(candidate, X_OK) == 0) return realpath(candidate, NULL);
+    }
+    return NULL;
+}
+
+/* Sets $HEATLADDER for programs of --solver to the path of this program, unless it is set. */
 static void set_path(const char *typed) {
-    char *path = strchr(typed, '/') ? realpath(typed, NULL) : NULL;
+    char *path = program_path(typed);
     const char *set = getenv("HEATLADDER");
     if (set && !*set) unsetenv("HEATLADDER"); /* empty: unset */
     if (path && setenv("HEATLADDER", path, 0)) xcheck(NULL, 1, strlen(path));

@@ -21,6 +21,12 @@ ROWS
     expect 2 'jobs needs --solver' heatladder verify --jobs 2
 }
 
+@test "a program finds heatladder by its path, also if that was found by PATH" {
+    # shellcheck disable=SC2016 # for the program's shell
+    expect 77 'path: /.*heatladder' env -u HEATLADDER heatladder verify --only smooth/gauss \
+        --solver 'echo "path: $HEATLADDER"; exit 77; : {case} {out}'
+}
+
 @test "the statuses of a program" {
     expect 3 'exit status 9' heatladder run rod-gauss mine --dx 1 --solver 'exit 9; : {case} {out}'
     expect 77 'not applicable' heatladder verify --only 'smooth/*' --solver 'exit 77; : {case} {out}'

@@ -49,6 +49,7 @@ load common
     expect 0 'pass' heatladder $ladder --expect 1.5,2.5 --ceiling 1
     expect 1 'fail' heatladder $ladder --expect 3,4
     expect 4 'inconclusive' heatladder ladder rod-gauss ftcs --dx 2,1 --expect 1.5,2.5
+    expect 2 'at least two rungs' heatladder ladder rod-gauss mine --dx 1 --solver 'cp {case} {out}'
     heatladder $ladder --json >ladder.json
     keys ladder.json slope rungs error_l1 verdict
     heatladder $ladder --expect 3,4 --junit ladder.xml --page page.html || true

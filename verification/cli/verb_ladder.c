@@ -173,8 +173,9 @@ static int act(const void *options, struct failure *why) {
     struct experiment e = r->command.experiment;
     e.growth = 1;
     if (!status) status = ladder_run(&e, &r->command.rungs, l, why);
-    for (int i = 0; i < l->n; i++) result_warn(&l->rung[i]);
-    if (!status_refused(status) || l->external) {
+    int has_rungs = l->n > 0 && l->rung[l->n - 1].method; /* else the ladder itself was refused */
+    for (int i = 0; has_rungs && i < l->n; i++) result_warn(&l->rung[i]);
+    if (!status_refused(status) || (l->external && has_rungs)) {
         (r->json ? print_json : print_text)(l);
         if (!r->json && l->external) why->text[0] = '\0'; /* the table already shows it */
         status = write_files(r, l, status, why);
