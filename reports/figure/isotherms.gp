@@ -35,7 +35,7 @@ do for [i = 1:words(times)] {
         set label 99 caption at screen 0.012, screen 0.035 left noenhanced font size_of(8.5) textcolor rgb '#555555'
         set label 97 'exact' at screen 0.09, screen 0.085 font size_of(12)
         set label 96 method at screen 0.23, screen 0.085 font size_of(12) noenhanced
-        set label 95 'numbers: temperature, K;  E = Σ|T_e − T_n| / ΣT_e' at screen 0.60, screen 0.085 font size_of(9.5)
+        set label 95 'numbers: temperature, K;  E = Σ|T_e − T_n| / ΣT_e' at screen 0.54, screen 0.085 font size_of(10.5)
         set arrow 97 from screen 0.03, screen 0.085 to screen 0.08, screen 0.085 nohead lw 1.1 lc rgb BLACK
         set arrow 96 from screen 0.17, screen 0.085 to screen 0.22, screen 0.085 nohead lw 1.5 dt (8, 4) lc rgb RED
     } else {

@@ -1,6 +1,7 @@
 # Pamplona 2019, Figure 8
 name = 'pamplona_fig8'
 load 'reports/figure/style.gp'
+eval sprintf("set key font '%s'", size_of(10.5))
 set logscale xy
 set xrange [0.0038:0.0105]
 set xtics (0.004, 0.005, 0.006, 0.007, 0.008, 0.009, 0.010)
