@@ -144,15 +144,19 @@ enum verdict judge_order(const struct judged *l, double lo, double hi, char *rea
 }
 
 void judge_ceiling(double error, double ceiling, enum verdict *verdict, char *reason, size_t size) {
+    char cause[80], rest[400];
     const char *apart = *reason ? "; " : "";
     if (error <= ceiling && *reason) return;
     if (error <= ceiling) {
         snprintf(reason, size, "the error %.4g is below its ceiling %.4g", error, ceiling);
         return;
     }
+    int passed = *verdict == VERDICT_PASS;
     *verdict = VERDICT_FAIL;
     if (isfinite(error))
-        words_add(reason, size, "%sthe error %.4g is above its ceiling %.4g", apart, error, ceiling);
+        snprintf(cause, sizeof cause, "the error %.4g is above its ceiling %.4g", error, ceiling);
     else
-        words_add(reason, size, "%sno error to hold against the ceiling %.4g", apart, ceiling);
+        snprintf(cause, sizeof cause, "no error to compare with the ceiling %.4g", ceiling);
+    snprintf(rest, sizeof rest, "%.399s", reason);
+    snprintf(reason, size, "%s%s%s", passed ? cause : rest, apart, passed ? rest : cause); /* the cause first */
 }
