@@ -26,7 +26,7 @@ members(f) = sum [j=1:N] (MEMBER[j] == f)
 parts(f) = f > 5 ? front ne '' : (members(f) + MOST - 1) / MOST
 per_part(f) = (members(f) + parts(f) - 1) / parts(f)
 panels = sum [f=1:6] parts(f)
-wide = 1240; high = 134 + 500 * ((panels + 2) / 3)
+wide = 1080; high = 134 + 500 * ((panels + 2) / 3)
 load 'reports/figure/style.gp'
 unset title
 unset bmargin
@@ -39,11 +39,12 @@ array COLOUR[7] = [BLUE, RED, GREEN, ORANGE, PURPLE, SKY, BLACK]
 array POINT[7] = [7, 5, 9, 11, 13, 6, 4]
 set logscale xy
 set format xy '10^{%T}'
-set offsets graph 0.03, graph 0.03, 0, 0
+set autoscale fix
+set offsets graph 0.04, graph 0.04, graph 0.05, graph 0.05
 set label 98 heading[1:strstrt(heading, ':')].' '.subject at screen 0.5, screen 1 - 27.0 / high center noenhanced font size_of(13)
 set label 99 caption at screen 0.012, screen 21.0 / high left noenhanced font size_of(8.5) textcolor rgb '#555555'
-set multiplot layout (panels + 2) / 3,3 margins screen 0.072, 0.985, 217.0 / high, 1 - 74.0 / high \
-    spacing screen 0.05, 233.0 / high
+set multiplot layout (panels + 2) / 3,3 margins screen 0.082, 0.985, 217.0 / high, 1 - 74.0 / high \
+    spacing screen 0.066, 233.0 / high
 panel = 0
 do for [f=1:6] { do for [part=0:parts(f)-1] {
     panel = panel + 1

@@ -45,7 +45,7 @@ static const struct part {
     {"Stability", "stability_blowup.svg", 0, "Runs just below and just above the limit", "make stability"},
     {"Stability", "stability_jitter.svg", 0, "Spectra of jittered clouds", "make stability"},
     {"Stability", "stability_checkerboard.svg", 0, "Amplitude of the checkerboard against time", "make stability"},
-    {"Speed", "bench/bench_square-step_time.svg", 0, "Error against wall time on square-step, every candidate",
+    {"Speed", "bench/bench_square-step_time.svg", 1, "Error against wall time on square-step, every candidate",
      "make bench"},
     {"Speed", "bench/bench.txt", 1, "Speed of the engine", "make bench"},
     {song, "song_table1.html", 0, "Table 1: the rod, a jump", "make report"},
@@ -95,7 +95,9 @@ static int put_part(const struct part *part, const char *dir, FILE *out) {
     char path[PATH];
     if (!is_made(part, dir, path)) return 0;
     if (ends_in(part->file, ".svg")) {
+        if (part->folded) html_print(out, "<details><summary>%s</summary>\n", part->text);
         put_figure(part, path, out);
+        if (part->folded) fprintf(out, "</details>\n");
         return 1;
     }
     html_print(out, part->folded ? "<details><summary>%s</summary>\n" : "<h3>%s</h3>\n", part->text);
@@ -125,13 +127,14 @@ int parts_put(const char *section, const char *dir, FILE *out) {
 void parts_put_scene(const char *scene, const char *dir, FILE *out) {
     static const struct {
         const char *file, *about, *command;
-    } figure[] = {{"scene_%s.svg", "Error against spacing on %s, a ladder a method", "make verify"},
-                  {"bench/bench_%s_work.svg", "Error against counted work on %s", "make bench"}};
+    } figure[] = {
+        {"scene_%s.svg", "Error against dx on %s; E1 = sum of |T - T_exact| over sum of |T_exact|", "make verify"},
+        {"bench/bench_%s_work.svg", "Error against counted work on %s", "make bench"}};
     for (int i = 0; i < 2; i++) {
         char file[160], text[160];
         snprintf(file, sizeof file, figure[i].file, scene);
         snprintf(text, sizeof text, figure[i].about, scene);
-        put_part(&(struct part){scene, file, 0, text, figure[i].command}, dir, out);
+        put_part(&(struct part){scene, file, i == 1, text, figure[i].command}, dir, out);
     }
 }
 
