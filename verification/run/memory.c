@@ -38,7 +38,7 @@ double memory_estimate(const struct experiment *e) {
     int rows = 0;
     for (int a = 0; a < p->dim; a++) particles *= (p->hi[a] - p->lo[a]) / e->options.dx;
     if (e->method->scheme && particles_prepare(p, &e->options, e->method->scheme, &resolved, &l, &rows, &ignored))
-        return 0;
+        rows = 0; /* refused, for example as too many particles: a lower bound */
     double reach = rows ? e->method->scheme->sweeps * resolved.h : 0; /* half width of a row, in dx */
     bytes += ENTRY[p->dim] * (p->dim == 1 ? 4 * reach : 4 * M_PI * reach * reach);
     return particles * bytes;
