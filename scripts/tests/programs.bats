@@ -27,6 +27,12 @@ ROWS
         --solver 'echo "path: $HEATLADDER"; exit 77; : {case} {out}'
 }
 
+@test "--quick runs the rods of the battery alone" {
+    run heatladder verify --quick --solver 'exit 77; : {case} {out}'
+    grep -q 'smooth/gauss' <<<"$output"
+    run ! grep -q 'plane/' <<<"$output"
+}
+
 @test "the statuses of a program" {
     expect 3 'exit status 9' heatladder run rod-gauss mine --dx 1 --solver 'exit 9; : {case} {out}'
     expect 77 'not applicable' heatladder verify --only 'smooth/*' --solver 'exit 77; : {case} {out}'
