@@ -85,13 +85,18 @@ static int report_claims(const struct report_options *r, const char *dir, struct
     return status;
 }
 
-/* The first word is a study or a directory; after a study the second is a directory. */
+/* The first word is a study or a directory (one that exists, or a path with a slash); after a study the second is a
+ * directory. */
 static int act(const void *options, struct failure *why) {
     const struct report_options *r = options;
     const char *const *word = r->command.word, *study = word[0], *dir = word[1];
     if (study && words_index(names, study) < 0) {
         int is_path = strchr(study, '/') || access(study, F_OK) == 0;
-        if (dir || (!is_path && words_nearest(names, study))) return words_unknown(names, "study", study, why);
+        if (dir || !is_path) {
+            words_unknown(names, "study", study, why);
+            words_add(why->text, sizeof why->text, "; a new directory is ./%.60s", study);
+            return why->status;
+        }
         dir = study, study = NULL;
     }
     if (study && strcmp(study, "claims") == 0) return report_claims(r, dir, why);

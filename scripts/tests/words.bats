@@ -42,6 +42,7 @@ load common
     keys run.json scene method dx dt steps particles error_l1 error_linf reference_error seconds
     expect 0 'heat ' heatladder run rod-step so_ssph --dx 0.1 --quantity heat
     expect 3 'unstable' heatladder run rod-step ftcs --dx 0.1 --stepper euler --fourier 2
+    expect 2 'exceeds the end time' heatladder run rod-step ftcs --dx 0.1 --dt 50
 }
 
 @test "ladder: a verdict and its status" {
@@ -100,6 +101,8 @@ load common
     expect 0 '' heatladder report song out
     [ -s out/song_table1.md ]
     expect 2 "did you mean 'song'" heatladder report sonng
+    expect 2 "unknown study 'bogus'" heatladder report bogus
+    [ ! -e bogus ]
     expect 0 '^1 claims\|1 of ' heatladder report claims --only pamplona/mass
 }
 

@@ -59,13 +59,14 @@ int command_check(const struct command *c, struct failure *why) {
     const struct stepper *stepper = stepper_of(o->stepper);
     const int scene = e->scene != NULL, round = scene && p->shape, flat = scene && !p->shape;
     const int plane = p->dim == 2, ours = e->method && e->method->scheme;
-    double least = INFINITY;
-    for (int i = 0; i < dt->count; i++) least = fmin(least, dt->value[i]);
+    double least = INFINITY, greatest = 0;
+    for (int i = 0; i < dt->count; i++) least = fmin(least, dt->value[i]), greatest = fmax(greatest, dt->value[i]);
 
     const struct rule rules[] = {
         {dt->count && stepper && stepper->evolve, "dt", "the stepper takes no time step", "another --stepper"},
         {c->rungs.fourier.count && stepper && stepper->evolve, "fourier", "the stepper takes no time step",
          "another --stepper"},
+        {scene && greatest > p->t_end, "dt", "a step exceeds the end time", "at most the end time"},
         {o->jitter > 0 && o->layout != LAYOUT_JITTER && o->layout != LAYOUT_RELAXED, "jitter",
          "these particles do not move", "--layout jitter or relaxed"},
         {o->sweeps > 0 && o->layout != LAYOUT_RELAXED, "sweeps", "these particles do not settle", "--layout relaxed"},
