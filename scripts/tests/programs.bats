@@ -50,8 +50,13 @@ ROWS
 
 @test "a program that hangs or prints without end is ended at --timeout" {
     expect 3 'not done after 0.5 s' heatladder run rod-gauss mine --dx 1 --timeout 0.5 --solver 'sleep 60; : {case} {out}'
-    expect 3 'not done after 0.5 s' heatladder run rod-gauss mine --dx 1 --timeout 0.5 --solver 'yes # {case} {out}'
-    run ! pgrep -x -P 1 yes
+    stand_in "endless$$" 'while :; do echo y; done'
+    expect 3 'not done after 0.5 s' heatladder run rod-gauss mine --dx 1 --timeout 0.5 --solver "endless$$ # {case} {out}"
+    for _ in $(seq 50); do # the system removes killed processes a little later
+        pgrep -x "endless$$" || break
+        sleep 0.1
+    done
+    run ! pgrep -x "endless$$"
     expect 2 'an answer may have 2 GB' heatladder run rod-gauss mine --dx 1 --solver 'truncate -s 8G {out} # {case}'
 }
 
