@@ -236,6 +236,7 @@ CVODE = $(wildcard /usr/include/cvode/cvode.h /usr/local/include/cvode/cvode.h)
 VORO  = $(wildcard /usr/include/voro++/voro++.hh /usr/local/include/voro++/voro++.hh)
 EXAMPLES = $(addprefix $(BUILD)/examples/,cells_c $(if $(shell command -v gfortran),cells_f90) $(if $(CVODE),cvode))
 PEERS    = $(addprefix $(BUILD)/peers/,$(if $(CVODE),cvode_square) $(if $(VORO),voro_cells))
+# Flags for the programs of others alone; they favour them in the comparison.
 FAST    := -O3 -march=native -ffast-math -fopenmp-simd
 sundials = $(patsubst %,-lsundials_%,$(1))
 
