@@ -85,11 +85,11 @@ static double initial(const struct problem *p, const double x[2]) {
     return mapping_temperature(&i->map, i->of->initial(i->of, at));
 }
 
-static double wall(const struct problem *p, enum side s, const double x[2]) {
+static double wall(const struct problem *p, enum side s, const double x[2], double t) {
     const struct image *i = p->data;
     double at[2];
     mapping_to_scene(&i->map, p->dim, x, at);
-    double held = i->of->wall(i->of, p->shape ? s : mapping_side(&i->map, s), at);
+    double held = i->of->wall(i->of, p->shape ? s : mapping_side(&i->map, s), at, t);
     return p->side[s] == NEUMANN ? mapping_scale(&i->map) * held : mapping_temperature(&i->map, held);
 }
 

@@ -26,7 +26,7 @@ void scene_defaults(const struct scene *s, struct problem *p) {
     for (int i = 0; s->params[i].name; i++) p->param[i] = s->params[i].value;
 }
 
-struct exact scene_exact(const struct scene *s, const struct problem *p, const double x[2], double t) {
+struct exact scene_exact(const struct scene *s, const struct problem *p, const double *x, double t) {
     if (!s->prepare) return s->exact(p, x, t);
     void *shared = s->prepare(p, t);
     struct exact e = s->prepared(p, shared, x, t);

@@ -20,10 +20,10 @@ struct param {
 };
 
 struct exact {
-    double temperature;       /* K */
-    double error_bound;       /* K: truncation and rounding error of the evaluation */
-    double gradient[2];       /* K m^-1; 0 along y on a rod.  Defined for `exact` at t > 0 only */
-    double gradient_bound[2]; /* K m^-1 */
+    double temperature;             /* K */
+    double error_bound;             /* K: truncation and rounding error of the evaluation */
+    double gradient[DIM_MAX];       /* K m^-1; 0 along axes past dim.  Defined for `exact` at t > 0 only */
+    double gradient_bound[DIM_MAX]; /* K m^-1 */
     int no_value; /* 1 at a corner between sides at different temperatures: temperature is their mean, error_bound
                      half their difference */
 };
@@ -48,16 +48,16 @@ struct scene {
     /* Terms that all points share at the time t >= 0, freed by free(); NULL if there are none. */
     void *(*prepare)(const struct problem *p, double t);
     /* Exact solution at x and time t; `shared` is the result of `prepare`.  NULL if `prepare` is NULL. */
-    struct exact (*prepared)(const struct problem *p, const void *shared, const double x[2], double t);
-    /* The same at the n points (x[i], y[i]) for scenes in which lattice points share more work; else NULL. */
+    struct exact (*prepared)(const struct problem *p, const void *shared, const double *x, double t);
+    /* The same at the n points (x[i], y[i]) for plane scenes in which lattice points share more work; else NULL. */
     void (*at_points)(const struct problem *p, const void *shared, size_t n, const double *x, const double *y,
                       double t, struct exact *e);
     /* Exact solution at x and time t >= 0 s for scenes without `prepare`; else NULL (see scene_exact). */
-    struct exact (*exact)(const struct problem *p, const double x[2], double t);
+    struct exact (*exact)(const struct problem *p, const double *x, double t);
     /* Second form of the temperature, derived independently, to check the reference.  Every scene has one. */
-    struct exact (*second)(const struct problem *p, const double x[2], double t);
+    struct exact (*second)(const struct problem *p, const double *x, double t);
     /* Solution as printed in the source, K, if it differs from `exact`; else NULL. */
-    double (*published)(const struct problem *p, const double x[2], double t);
+    double (*published)(const struct problem *p, const double *x, double t);
     struct scene_odd odd;
 };
 
@@ -67,6 +67,6 @@ const struct scene *scene_find(const char *name);              /* NULL if unknow
 void scene_defaults(const struct scene *s, struct problem *p); /* sets p->param to the defaults, all else to zero */
 
 /* Exact solution of any scene at x (m) and time t >= 0 s.  For many points at one time use snapshot.h. */
-struct exact scene_exact(const struct scene *s, const struct problem *p, const double x[2], double t);
+struct exact scene_exact(const struct scene *s, const struct problem *p, const double *x, double t);
 
 #endif

@@ -128,7 +128,8 @@ static double initial(const struct problem *p, const double x[2]) {
     return exact(p, x, 0).temperature;
 }
 
-static double wall(const struct problem *p, enum side s, const double x[2]) {
+static double wall(const struct problem *p, enum side s, const double x[2], double t) {
+    (void)t;
     const double *v = p->param;
     double theta = atan2(x[1], x[0]);
     return s == X_LO ? steady(v, v[R1], theta) : 3 * v[K] * v[B] / v[R2] * cos(2 * theta + v[PHASE]);

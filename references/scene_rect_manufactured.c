@@ -83,7 +83,8 @@ static double source_rate(const struct problem *p, const double x[2]) {
     return -v[RISE] * v[K_X] * shape(p, x, 2) / (v[WIDTH] * v[WIDTH]);
 }
 
-static double wall(const struct problem *p, enum side s, const double x[2]) {
+static double wall(const struct problem *p, enum side s, const double x[2], double t) {
+    (void)t;
     double at[2] = {x[0], x[1]};
     at[s / 2] = s % 2 ? p->hi[s / 2] : p->lo[s / 2];
     if (s == X_LO || s == X_HI) return steady(p, at);

@@ -13,15 +13,16 @@ void snapshot_free(struct snapshot *s) {
     s->shared = NULL;
 }
 
-struct exact snapshot_at(const struct snapshot *s, const double x[2]) {
+struct exact snapshot_at(const struct snapshot *s, const double *x) {
     if (s->scene->prepared) return s->scene->prepared(s->problem, s->shared, x, s->time);
     return scene_exact(s->scene, s->problem, x, s->time);
 }
 
-void snapshot_at_points(const struct snapshot *s, size_t n, const double *x, const double *y, struct exact *e) {
+void snapshot_at_points(const struct snapshot *s, size_t n, const double *x, const double *y, const double *z,
+                        struct exact *e) {
     if (s->scene->at_points) {
         s->scene->at_points(s->problem, s->shared, n, x, y, s->time, e);
         return;
     }
-    for (size_t i = 0; i < n; i++) e[i] = snapshot_at(s, (double[2]){x[i], y ? y[i] : 0});
+    for (size_t i = 0; i < n; i++) e[i] = snapshot_at(s, (double[]){x[i], y ? y[i] : 0, z ? z[i] : 0});
 }

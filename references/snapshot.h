@@ -17,8 +17,10 @@ struct snapshot snapshot_take(const struct scene *scene, const struct problem *p
 void snapshot_free(struct snapshot *s);
 
 /* scene_exact at x (m) and the time of the snapshot. */
-struct exact snapshot_at(const struct snapshot *s, const double x[2]);
-/* The same at the n points (x[i], y[i]); y is NULL on a rod.  Batches of a few thousand points are efficient. */
-void snapshot_at_points(const struct snapshot *s, size_t n, const double *x, const double *y, struct exact *e);
+struct exact snapshot_at(const struct snapshot *s, const double *x);
+/* The same at the n points (x[i], y[i], z[i]); y is NULL on a rod, z in the plane.  Batches of a few thousand points
+ * are efficient. */
+void snapshot_at_points(const struct snapshot *s, size_t n, const double *x, const double *y, const double *z,
+                        struct exact *e);
 
 #endif

@@ -4,6 +4,8 @@
 
 /* The solution returned by a method: positions, temperatures, counts and times. */
 
+#include "solver/problem.h"
+
 #include <stddef.h>
 
 struct cost {               /* cost of a run */
@@ -18,27 +20,27 @@ struct cost {               /* cost of a run */
 struct field { /* arrays are owned; release with field_free */
     int dim;
     size_t n;
-    int shape[2];           /* lattice points along x and y (1 for a rod), x fastest; {0, 0} without a lattice */
-    double spacing[2];      /* m */
-    double *x, *y;          /* m, n each; y is NULL for a rod */
-    double *T;              /* K, n */
-    double *weight;         /* m^dim, n: volume weight of each point in norms; NULL if all are equal */
-    double time;            /* s, time of T (t_end) */
-    double h;               /* smoothing length over dx; 0 for methods without one */
-    double dt;              /* s; 0 for the exact stepper */
-    long long steps;        /* time steps; 0 for the exact stepper */
-    int stages;             /* operator applications per step; a first step may need more */
-    long long applications; /* operator applications in all steps; 0 for the exact stepper or if unknown */
-    double heat[2];         /* J m^(dim-3): sum of rho_c T volume, initial and final */
-    double range[2];        /* K, minimum and maximum of the sampled initial data */
-    double data[2];         /* K: range of initial data, walls and incoming heat; 0, 0 if unknown */
-    double bound;           /* s^-1: upper bound of the operator's spectrum; 0 if unknown */
+    int shape[DIM_MAX];      /* lattice points by axis (1 past dim), x fastest; 0 without a lattice */
+    double spacing[DIM_MAX]; /* m; 0 past dim */
+    double *x, *y, *z;       /* m, n each; y is NULL for a rod, z in the plane */
+    double *T;               /* K, n */
+    double *weight;          /* m^dim, n: volume weight of each point in norms; NULL if all are equal */
+    double time;             /* s, time of T (t_end) */
+    double h;                /* smoothing length over dx; 0 for methods without one */
+    double dt;               /* s; 0 for the exact stepper */
+    long long steps;         /* time steps; 0 for the exact stepper */
+    int stages;              /* operator applications per step; a first step may need more */
+    long long applications;  /* operator applications in all steps; 0 for the exact stepper or if unknown */
+    double heat[2];          /* J m^(dim-3): sum of rho_c T volume, initial and final */
+    double range[2];         /* K, minimum and maximum of the sampled initial data */
+    double data[2];          /* K: range of initial data, walls and incoming heat; 0, 0 if unknown */
+    double bound;            /* s^-1: upper bound of the operator's spectrum; 0 if unknown */
     struct cost cost;
 };
 
 double field_clock(void); /* s, from a monotonic clock */
 
-void field_alloc(struct field *f, int dim, size_t n); /* zeroes *f; allocates x, T, and y if dim is 2 */
+void field_alloc(struct field *f, int dim, size_t n); /* zeroes *f; allocates T and the coordinates of dim axes */
 void field_free(struct field *f);
 
 /* sum w |f->T - T| / sum w |size| over the n points of *f, K, with w = f->weight.  Points with size INFINITY have no

@@ -11,16 +11,16 @@ double problem_diffusivity(const struct problem *p) {
     return kappa;
 }
 
-double problem_start(const struct problem *p, const double x[2]) {
+double problem_start(const struct problem *p, const double *x) {
     (void)x;
     return p->start;
 }
 
-double problem_held(const struct problem *p, enum side s, const double x[2]) {
-    (void)x;
+double problem_held(const struct problem *p, enum side s, const double *x, double t) {
+    (void)x, (void)t;
     return p->held[s];
 }
 
-double problem_source(const struct problem *p, const double x[2], double t) {
+double problem_source(const struct problem *p, const double *x, double t) {
     return (p->source ? p->source(p, x) : 0) + (p->source_rate ? t * p->source_rate(p, x) : 0);
 }

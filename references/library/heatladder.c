@@ -160,7 +160,7 @@ static int evaluate(void *argument, struct failure *why) {
             if (take_point(e, first + i, at, why)) return why->status;
             x[i] = at[0], y[i] = at[1];
         }
-        snapshot_at_points(&s, count, x, p->dim == 2 ? y : NULL, exact);
+        snapshot_at_points(&s, count, x, p->dim == 2 ? y : NULL, NULL, exact);
         for (size_t i = 0; i < count; i++) {
             e->T[first + i] = exact[i].temperature;
             if (e->bound) e->bound[first + i] = exact[i].error_bound;

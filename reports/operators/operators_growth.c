@@ -22,8 +22,8 @@ static const char *const names[] = {
 static const int sides[] = {14, 30};
 static const double jitters[] = {0.1, 0.2, 0.3, 0.4, 0.5}, ratios[] = {1, 0.25, 0.1}, lengths[] = {1.1, 1.5};
 
-enum { SEEDS = 8, NAMES = 12, SIDES = 2, JITTERS = 5, RATIOS = 3, LENGTHS = 2 };
-enum { CELLS = NAMES * SIDES * JITTERS * RATIOS * LENGTHS };
+enum { SEEDS = 8, NAMES = 12, WIDTHS = 2, JITTERS = 5, RATIOS = 3, LENGTHS = 2 };
+enum { CELLS = NAMES * WIDTHS * JITTERS * RATIOS * LENGTHS };
 
 /* The draws of one kind of cloud. */
 struct growth_cell {
@@ -32,7 +32,7 @@ struct growth_cell {
 
 static struct model_problem problem_of(int cell, int seed) {
     int length = cell % LENGTHS, ratio = cell / LENGTHS % RATIOS, jitter = cell / (LENGTHS * RATIOS) % JITTERS,
-        side = cell / (LENGTHS * RATIOS * JITTERS) % SIDES, name = cell / (LENGTHS * RATIOS * JITTERS * SIDES);
+        side = cell / (LENGTHS * RATIOS * JITTERS) % WIDTHS, name = cell / (LENGTHS * RATIOS * JITTERS * WIDTHS);
     const struct method *method = method_find(names[name]);
     return (struct model_problem){.method = method,
                                   .dim = 2,
@@ -84,11 +84,11 @@ static void draw_growth(const struct growth_cell *all, FILE *figure) {
     for (int name = 0; name < NAMES; name++) {
         fprintf(figure, "\n\n# %s on clouds\nplace,%s,rate x %g dx^2/kappa_x,draws\n", names[name], names[name],
                 TIME);
-        for (int group = 0; group < SIDES * RATIOS * LENGTHS; group++)
+        for (int group = 0; group < WIDTHS * RATIOS * LENGTHS; group++)
             for (int j = 0; j < JITTERS; j++) {
                 int side = group / (RATIOS * LENGTHS), kind = group % (RATIOS * LENGTHS), drawn;
                 double most;
-                int growing = count_growing(&all[((name * SIDES + side) * JITTERS + j) * RATIOS * LENGTHS + kind],
+                int growing = count_growing(&all[((name * WIDTHS + side) * JITTERS + j) * RATIOS * LENGTHS + kind],
                                             &drawn, &most);
                 if (drawn)
                     fprintf(figure, "%d,%.4g,%.3g,%d\n", group * (JITTERS + 1) + j + 1, (double)growing / drawn,

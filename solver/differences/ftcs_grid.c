@@ -33,7 +33,7 @@ static double beyond(const struct problem *p, enum side s, const double foot[2],
            hi[2] = {foot[0], foot[1]};
     double bend = 0, outwards = s % 2 ? d : -d;
     in[a] -= outwards, out[a] += outwards, lo[b] -= d, hi[b] += d;
-    if (p->dim == 2) bend = k_along * (p->wall(p, s, lo) - 2 * p->wall(p, s, foot) + p->wall(p, s, hi));
+    if (p->dim == 2) bend = k_along * (p->wall(p, s, lo, 0) - 2 * p->wall(p, s, foot, 0) + p->wall(p, s, hi, 0));
     if (p->side[s] == DIRICHLET) return -bend - (p->source ? d * d * p->source(p, foot) : 0);
     return -bend / k * d / 3 - (p->source ? d * d / 6 * (p->source(p, out) - p->source(p, in)) : 0);
 }
@@ -70,7 +70,7 @@ static void edge_make(struct ftcs_grid *g, const struct problem *p, const struct
         for (int i = 0; i < length; i++) {
             x[a] = s % 2 ? p->hi[a] : p->lo[a];
             x[b] = g->origin[b] + i * g->d[b];
-            double value = p->wall(p, s, x), k = conducts(g, p, s, i, a);
+            double value = p->wall(p, s, x, 0), k = conducts(g, p, s, i, a);
             if (p->side[s] == ROBIN) {
                 e->offset[m * length + i] = taken * value;
                 continue;
@@ -103,7 +103,7 @@ static void bound(struct ftcs_grid *g, const struct problem *p, double source) {
         for (int i = 0; i < g->n[1 - s / 2]; i++) {
             double foot[2] = {g->origin[0] + i * g->d[0], g->origin[1] + i * g->d[1]};
             foot[s / 2] = s % 2 ? p->hi[s / 2] : p->lo[s / 2];
-            double value = p->wall(p, (enum side)s, foot), flux = p->side[s] == NEUMANN ? fabs(value) : 0;
+            double value = p->wall(p, (enum side)s, foot, 0), flux = p->side[s] == NEUMANN ? fabs(value) : 0;
             double k = conducts(g, p, (enum side)s, i, s / 2);
             more = fmax(more, flux * (extent / k + p->t_end / g->rho_c / extent));
             if (p->side[s] != NEUMANN) lowest = fmin(lowest, value), highest = fmax(highest, value);

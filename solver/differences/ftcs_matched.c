@@ -21,7 +21,7 @@ int ftcs_matched_points(const struct ftcs_grid *g, const struct problem *p, int 
         if (p->jump[0][k] > p->lo[0] && p->jump[0][k] < p->hi[0]) jump[jumps++] = p->jump[0][k];
     for (int s = X_LO; s <= X_HI; s++) {
         double foot[2] = {s == X_HI ? p->hi[0] : p->lo[0], 0},
-               apart = p->initial(p, foot) - p->wall(p, (enum side)s, foot);
+               apart = p->initial(p, foot) - p->wall(p, (enum side)s, foot, 0);
         if (p->side[s] == DIRICHLET && fabs(apart) > 1e-9 * fmax(size, fabs(apart))) jump[jumps++] = foot[0];
     }
     for (int k = 0; k < jumps; k++) {

@@ -127,7 +127,7 @@ static double wall_make(struct polar *g, const struct problem *p, enum side s, d
     double r = s == X_HI ? g->hole + width : g->hole, share = r / (radius(g, ring) * g->dr * g->rho_c);
     (s == X_HI ? g->out : g->in)[ring] = share * wall_conducts(g, p, s);
     for (int j = 0; j < g->rays; j++) {
-        double theta = (j + 0.5) * g->dtheta, x[2] = {r * cos(theta), r * sin(theta)}, value = p->wall(p, s, x);
+        double theta = (j + 0.5) * g->dtheta, x[2] = {r * cos(theta), r * sin(theta)}, value = p->wall(p, s, x, 0);
         if (p->side[s] == NEUMANN) {
             g->heating[j * g->rings + ring] += share * value;
             most = fmax(most, fabs(value));

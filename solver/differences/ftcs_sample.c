@@ -40,7 +40,7 @@ static double continued(const struct problem *p, const double x[2]) {
             return continued(p, image);
         }
         image[a] = 2 * wall - x[a];
-        double value = p->wall(p, (enum side)s, foot), inner = continued(p, image);
+        double value = p->wall(p, (enum side)s, foot, 0), inner = continued(p, image);
         if (p->side[s] == ROBIN) { /* k dT/dn = b (T_a - T), midway */
             double k = p->material[s == X_HI ? p->materials - 1 : 0].k[a];
             sum += inner + 2 * (value - inner) / (1 + k / (p->robin[s] * outside));

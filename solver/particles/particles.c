@@ -152,7 +152,7 @@ static double start_at(const struct problem *p, const struct options *o, const s
     int wall;
     struct foot f = shape_nearest(p, x, &wall);
     if (layout_is_cut(p, o) && p->side[wall] == DIRICHLET && f.depth <= LAYOUT_ON_WALL * l->dx[0])
-        return p->wall(p, (enum side)wall, f.x);
+        return p->wall(p, (enum side)wall, f.x, 0);
     return (cell > 0 ? sample_cell : sample_initial)(p, o->sampling, l->dx, x);
 }
 

@@ -17,7 +17,7 @@ static int round_is_rough(const struct problem *p) {
         int s = k % 2;
         if (!shape_has_wall(p, s) || p->side[s] != DIRICHLET) continue;
         struct foot f = shape_foot(p, s, direction);
-        double start = p->initial(p, f.x), value = p->wall(p, (enum side)s, f.x);
+        double start = p->initial(p, f.x), value = p->wall(p, (enum side)s, f.x, 0);
         if (fabs(start - value) > 1e-9 * (fabs(start) + fabs(value))) return 1;
     }
     return 0;
@@ -118,7 +118,7 @@ static void data_range(const struct problem *p, const struct field *f, double *l
             double at[2] = {cos(k * M_PI / 4), sin(k * M_PI / 4)}; /* a direction, for a round wall */
             for (int a = 0; a < 2 && !p->shape; a++) at[a] = p->lo[a] + k / 8.0 * (p->hi[a] - p->lo[a]);
             struct foot foot = shape_foot(p, s, at);
-            double value = p->wall(p, (enum side)s, foot.x);
+            double value = p->wall(p, (enum side)s, foot.x, 0);
             if (p->side[s] == NEUMANN)
                 flux[s] = fmax(flux[s], fabs(value));
             else

@@ -29,7 +29,7 @@ static void site_add(const struct problem *p, int s, const double x[2], struct w
     site->side[n] = (enum side)s;
     memcpy(site->normal[n], f.normal, sizeof f.normal);
     site->away[n] = -f.depth;
-    site->value[n] = p->wall(p, (enum side)s, site->foot);
+    site->value[n] = p->wall(p, (enum side)s, site->foot, 0);
     site->k[n] = p->material[0].k[f.normal[1] * f.normal[1] > 0.5];
 }
 

@@ -87,7 +87,7 @@ static size_t wall_data(const struct problem *p, const struct wall_site *site, d
             double x[2] = {site->foot[0] - at[i] * h * normal[1], site->foot[1] + at[i] * h * normal[0]};
             struct foot f = shape_foot(p, (int)site->side[k], x);
             for (int a = 0; a < 2; a++) d[n][a] = f.x[a] - site->foot[a];
-            T[n++] = p->wall(p, site->side[k], f.x);
+            T[n++] = p->wall(p, site->side[k], f.x, 0);
         }
     return n;
 }

@@ -56,7 +56,7 @@ static void add_slopes(int dim, const double d[2], const double n[2], double *P)
 /* The equation of wall s at its foot: the row P and the returned right-hand side. */
 static double equation(const struct problem *p, int s, const struct foot *f, const double x[2], double h, double *P) {
     double d[2] = {(f->x[0] - x[0]) / h, (f->x[1] - x[1]) / h};
-    double value = p->wall(p, (enum side)s, f->x), k = p->material[0].k[f->normal[1] * f->normal[1] > 0.5];
+    double value = p->wall(p, (enum side)s, f->x, 0), k = p->material[0].k[f->normal[1] * f->normal[1] > 0.5];
     int terms = monomials(p->dim, d, P);
     if (p->side[s] == DIRICHLET) return value;
     double ratio = p->side[s] == ROBIN ? p->robin[s] * h / k : 0, size = 1 / (1 + ratio);

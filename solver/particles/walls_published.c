@@ -116,7 +116,7 @@ static int fill_image(const struct walls_fill *w, size_t d, const struct wall_si
         if (w->p->side[s] == DIRICHLET) f = -1;
         double q = w->p->side[s] == NEUMANN ? 2 * site->away[n] / site->k[n] : 1 - f;
         struct foot foot = shape_foot(w->p, (int)s, x);
-        out->offset += factor * q * w->p->wall(w->p, s, foot.x);
+        out->offset += factor * q * w->p->wall(w->p, s, foot.x, 0);
         factor *= f;
         for (int a = 0; a < 2; a++) x[a] = 2 * foot.x[a] - x[a];
     }

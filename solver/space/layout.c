@@ -149,8 +149,8 @@ static struct difference curvature(const struct problem *p, int side, const doub
     if (p->dim == 1 || (p->materials == 2 && along == 0)) return (struct difference){0, 0};
     before[along] -= d, after[along] += d;
     double k = p->material[layout_material(p, foot[0])].k[along];
-    double sum = p->wall(p, (enum side)side, before) + p->wall(p, (enum side)side, after);
-    double middle = 2 * p->wall(p, (enum side)side, foot);
+    double sum = p->wall(p, (enum side)side, before, 0) + p->wall(p, (enum side)side, after, 0);
+    double middle = 2 * p->wall(p, (enum side)side, foot, 0);
     return (struct difference){k * (sum - middle), k * (fabs(sum) + fabs(middle))};
 }
 
@@ -191,7 +191,7 @@ static double reflect(const struct problem *p, enum walls walls, int axis, int s
     foot[axis] = side % 2 ? p->hi[axis] : p->lo[axis];
     *sign = 1;
     if (p->side[side] == PERIODIC) return 0;
-    double value = p->wall(p, (enum side)side, foot), d = fabs(ghost - foot[axis]);
+    double value = p->wall(p, (enum side)side, foot, 0), d = fabs(ghost - foot[axis]);
     double k = p->material[layout_material(p, foot[0])].k[axis];
     if (p->side[side] == ROBIN) {
         int layer = l ? (int)round(d / l->dx[axis] + 0.5) : 0;

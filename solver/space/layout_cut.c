@@ -152,7 +152,7 @@ static void mirror_round(const struct problem *p, struct cloud *c) {
             if (foot.depth >= c->reach) continue;
             size_t g = c->total++;
             for (int a = 0; a < 2; a++) (a ? c->y : c->x)[g] = x[a] + 2 * foot.depth * foot.normal[a];
-            double value = p->wall(p, (enum side)s, foot.x);
+            double value = p->wall(p, (enum side)s, foot.x, 0);
             double sign = p->side[s] == DIRICHLET ? -1 : layout_robin_factor(p, s, k, foot.depth);
             c->source[g] = (uint32_t)i;
             c->factor[g] = sign;

@@ -144,7 +144,7 @@ static int has_constants(const struct heat_operator *a, const struct problem *p)
         for (int i = -a->reach[1 - s / 2]; i < l->n[1 - s / 2] + a->reach[1 - s / 2]; i++) {
             layout_position(l, s / 2 ? i : 0, s / 2 ? 0 : i, x);
             x[s / 2] = s % 2 ? p->hi[s / 2] : p->lo[s / 2];
-            if (p->wall(p, (enum side)s, x) != 0) return 1;
+            if (p->wall(p, (enum side)s, x, 0) != 0) return 1;
         }
     return 0;
 }

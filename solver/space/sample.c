@@ -37,7 +37,7 @@ static double reflected(const struct problem *p, enum side s, double x, double y
     double period = s % 2 ? p->hi[a] - p->lo[a] : p->lo[a] - p->hi[a];
     if (p->side[s] == PERIODIC) return a ? continued(p, x, y - period) : continued(p, x - period, y);
     double wall = s % 2 ? p->hi[a] : p->lo[a], beyond = fabs((a ? y : x) - wall);
-    double foot[2] = {a ? x : wall, a ? wall : y}, value = p->wall(p, s, foot);
+    double foot[2] = {a ? x : wall, a ? wall : y}, value = p->wall(p, s, foot, 0);
     double inside = a ? continued(p, x, 2 * wall - y) : continued(p, 2 * wall - x, y);
     if (p->side[s] == DIRICHLET) return 2 * value - inside;
     if (p->side[s] == ROBIN) {
@@ -68,7 +68,7 @@ int sample_meets_wall(const struct problem *p, const struct lattice *l, enum sid
         double foot[2];
         foot[axis] = s % 2 ? p->hi[axis] : p->lo[axis];
         foot[along] = l->first[along] + i * l->dx[along];
-        double start = p->initial(p, foot), value = p->wall(p, s, foot), size = fabs(start) + fabs(value);
+        double start = p->initial(p, foot), value = p->wall(p, s, foot, 0), size = fabs(start) + fabs(value);
         for (int part = 1; part < 4; part++) { /* values at the quarters give the scale for round-off */
             double x[2] = {foot[0], foot[1]};
             x[axis] = p->lo[axis] + part / 4.0 * (p->hi[axis] - p->lo[axis]);

@@ -168,7 +168,7 @@ static int walls_bend(const struct problem *p, const struct lattice *l) {
         first[axis] = s % 2 ? p->hi[axis] : p->lo[axis];
         for (int i = 1; i < l->n[along]; i++) {
             foot[axis] = first[axis], foot[along] = first[along] + i * l->dx[along];
-            if (p->wall(p, (enum side)s, foot) != p->wall(p, (enum side)s, first)) return 1;
+            if (p->wall(p, (enum side)s, foot, 0) != p->wall(p, (enum side)s, first, 0)) return 1;
         }
     }
     return 0;

@@ -35,11 +35,11 @@ static double initial(const struct problem *p, const double x[2]) {
     return f->fault.kind == FAULT_AMPLITUDE ? (1 + f->size) * T : T;
 }
 
-static double wall(const struct problem *p, enum side s, const double x[2]) {
+static double wall(const struct problem *p, enum side s, const double x[2], double t) {
     double at[2];
     const struct faulty *f = faulty_at(p, x, at);
-    if (f->fault.kind == FAULT_TRANSPOSED) return f->right->wall(f->right, (enum side)(s ^ 2), at);
-    double value = f->right->wall(f->right, s, at);
+    if (f->fault.kind == FAULT_TRANSPOSED) return f->right->wall(f->right, (enum side)(s ^ 2), at, t);
+    double value = f->right->wall(f->right, s, at, t);
     if (f->right->side[s] == NEUMANN) value /= f->stretch[s / 2];
     int is_flux = f->right->side[s] == NEUMANN && f->fault.axis == FAULT_ALL_SIDES;
     if (f->fault.kind == FAULT_AMPLITUDE || (f->fault.kind == FAULT_WALL && (f->fault.axis == (int)s || is_flux)))
@@ -58,7 +58,7 @@ static double lost_at_corner(const struct faulty *f, const double x[2]) {
     }
     for (int a = 0; a < 2; a++) {
         enum side s = (enum side)(2 * a + (f->fault.axis >> a & 1));
-        if (p->side[s] == DIRICHLET) lost += 2 * p->material[0].k[a] * p->wall(p, s, x) / (dx * dx);
+        if (p->side[s] == DIRICHLET) lost += 2 * p->material[0].k[a] * p->wall(p, s, x, 0) / (dx * dx);
     }
     return lost;
 }
@@ -83,7 +83,7 @@ static int has_wall_value(const struct problem *p, enum side s) {
         double x[2];
         x[s / 2] = s % 2 ? p->hi[s / 2] : p->lo[s / 2];
         x[1 - s / 2] = p->lo[1 - s / 2] + (p->hi[1 - s / 2] - p->lo[1 - s / 2]) * (0.03 + 0.117 * i);
-        if (p->wall(p, s, x) != 0) return 1;
+        if (p->wall(p, s, x, 0) != 0) return 1;
     }
     return 0;
 }

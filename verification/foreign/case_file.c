@@ -104,7 +104,7 @@ static void write_side(const struct problem *p, int s, FILE *out) {
     if (p->shape && !shape_has_wall(p, s)) return;
     for (int i = 0; i < PLACES; i++) {
         place_on_side(p, s, i, x);
-        value[i] = p->wall(p, (enum side)s, x);
+        value[i] = p->wall(p, (enum side)s, x, 0);
         if (value[i] != value[0]) count = PLACES;
     }
     if (p->side[s] == PERIODIC) count = 0;

@@ -40,7 +40,7 @@ static void exact_of(const struct answer *a, const struct snapshot *now, size_t 
         mapping_to_scene(&a->image->map, a->points.dim, a->points.x[first + i], at);
         x[i] = at[0], y[i] = at[1];
     }
-    snapshot_at_points(now, n, x, y, e);
+    snapshot_at_points(now, n, x, y, NULL, e);
     free(x);
 }
 

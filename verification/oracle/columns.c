@@ -156,7 +156,7 @@ static const int wall_kind[] = {[DIRICHLET] = 1, [NEUMANN] = 2, [ROBIN] = 3};
 
 static void wall_values(const struct problem *p, int s, const double x[2], double *value) {
     value[0] = wall_kind[p->side[s]];
-    value[1] = p->wall(p, (enum side)s, x);
+    value[1] = p->wall(p, (enum side)s, x, 0);
     value[2] = p->side[s] == ROBIN ? p->robin[s] : 0;
 }
 

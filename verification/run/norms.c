@@ -24,7 +24,7 @@ enum { CHUNK = 2000 }; /* points per evaluation */
 static void exact_chunk(const struct snapshot *now, const struct field *f, size_t first, double *T, double *bound) {
     size_t n = f->n - first < CHUNK ? f->n - first : CHUNK;
     struct exact *e = xcalloc(n, sizeof *e);
-    snapshot_at_points(now, n, f->x + first, f->y ? f->y + first : NULL, e);
+    snapshot_at_points(now, n, f->x + first, f->y ? f->y + first : NULL, f->z ? f->z + first : NULL, e);
     for (size_t i = 0; i < n; i++) {
         T[first + i] = e[i].no_value ? NORMS_NO_VALUE : isfinite(e[i].temperature) ? e[i].temperature : NAN;
         bound[first + i] = e[i].error_bound;
@@ -129,7 +129,7 @@ static void widen(const struct problem *p, const struct field *f, double *lo, do
             double x[2];
             point(f, i, x);
             struct foot foot = shape_foot(p, s, x);
-            double T = p->wall(p, (enum side)s, foot.x);
+            double T = p->wall(p, (enum side)s, foot.x, 0);
             coldest = fmin(coldest, T);
             hottest = fmax(hottest, T);
         }

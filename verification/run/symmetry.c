@@ -10,9 +10,9 @@
 #include <math.h>
 #include <string.h>
 
-static double reduced_wall(const struct problem *p, enum side s, const double x[2]) {
+static double reduced_wall(const struct problem *p, enum side s, const double x[2], double t) {
     int a = (int)s / 2, inner = s % 2 == 0 && p->lo[a] != p->whole->lo[a];
-    return inner ? 0 : p->whole->wall(p->whole, s, x);
+    return inner ? 0 : p->whole->wall(p->whole, s, x, t);
 }
 
 int symmetry_reduce(const struct problem *whole, const struct options *o, struct problem *half, int cut[2]) {

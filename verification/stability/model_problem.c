@@ -33,8 +33,8 @@ static double hill_at(const struct problem *p, const double x[2]) {
     return T + p->param[0] * noise_at(p, x);
 }
 
-static double zero(const struct problem *p, enum side s, const double x[2]) {
-    (void)p, (void)s, (void)x;
+static double zero(const struct problem *p, enum side s, const double x[2], double t) {
+    (void)p, (void)s, (void)x, (void)t;
     return 0; /* K, or W m^-2 */
 }
 
@@ -57,7 +57,7 @@ struct problem model_problem_setup(const struct model_problem *b, enum model_pro
         p.materials = 2, p.interface = b->n / 2;
         p.material[1] = (struct material){{b->contact, b->contact * p.material[0].k[1]}, b->contact};
     }
-    for (int s = 0; s < 4; s++) p.side[s] = b->insulated ? NEUMANN : DIRICHLET;
+    for (int s = 0; s < 2 * b->dim; s++) p.side[s] = b->insulated ? NEUMANN : DIRICHLET;
     return p;
 }
 

@@ -93,14 +93,14 @@ static void walls_are_told_by_their_kind(void **state) {
     assert_true(v[0] == 0 && v[1] == 0 && v[2] == 0);
     values("wall", s, &p, (double[2]){W, 0.2}, NULL, 1, v);
     assert_true(v[0] == 1 && v[2] == 0);
-    assert_near(v[1], p.wall(&p, X_HI, (double[2]){W, 0.2}), 0);
+    assert_near(v[1], p.wall(&p, X_HI, (double[2]){W, 0.2}, 0), 0);
     values("wall", s, &p, (double[2]){0.3, H}, NULL, 1, v);
     assert_true(v[0] == 2);
-    assert_near(v[1], p.wall(&p, Y_HI, (double[2]){0.3, H}), 0);
+    assert_near(v[1], p.wall(&p, Y_HI, (double[2]){0.3, H}, 0), 0);
     values("wall,wall_x,wall_y", s, &p, (double[2]){0, H}, NULL, 1, v); /* the corner of both kinds */
     assert_true(v[0] == 1 && v[3] == 1 && v[6] == 2);
-    assert_near(v[1], p.wall(&p, X_LO, (double[2]){0, H}), 0);
-    assert_near(v[7], p.wall(&p, Y_HI, (double[2]){0, H}), 0);
+    assert_near(v[1], p.wall(&p, X_LO, (double[2]){0, H}, 0), 0);
+    assert_near(v[7], p.wall(&p, Y_HI, (double[2]){0, H}, 0), 0);
     p.side[X_HI] = ROBIN;
     p.robin[X_HI] = 7.5;
     values("wall", s, &p, (double[2]){W, 0.2}, NULL, 1, v);
@@ -114,7 +114,7 @@ static void walls_are_told_by_their_kind(void **state) {
     assert_near(v[1], (0.31 + 1.19) / 2, 1e-16);
     s = odd_find("rod-contact", &p);
     values("wall", s, &p, (double[2]){p.hi[0], 0}, NULL, 1, v);
-    assert_true(v[0] == 1 && v[1] == p.wall(&p, X_HI, (double[2]){p.hi[0], 0}));
+    assert_true(v[0] == 1 && v[1] == p.wall(&p, X_HI, (double[2]){p.hi[0], 0}, 0));
 }
 
 /* On a round wall: from (0.3, 0.4), 0.5 from the centre, the foot is in the direction (0.6, 0.8); on a plane wall
@@ -133,7 +133,7 @@ static void the_nearest_wall_is_found(void **state) {
     values("nearest", s, &p, (double[2]){0.3, 0.5}, NULL, 1, v);
     const double plane[] = {0.3, 0.6, 0, 1, 0.1, 2};
     for (int i = 0; i < 6; i++) assert_near(v[i], plane[i], 1e-15);
-    assert_near(v[6], p.wall(&p, Y_HI, (double[2]){0.3, 0.6}), 0);
+    assert_near(v[6], p.wall(&p, Y_HI, (double[2]){0.3, 0.6}, 0), 0);
 }
 
 /* A cell cut by a jump; a Gaussian in wide and narrow cells, and one far narrower than its cell; the plane; a cell

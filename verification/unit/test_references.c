@@ -103,7 +103,7 @@ static void the_sides_hold(void **state) {
                 if (!shape_has_wall(&p, side)) continue;
                 if (p.dim == 2) odd_point(&p, 0, &random, x);
                 struct foot f = shape_foot(&p, side, x);
-                double want = p.wall(&p, (enum side)side, x), flux = 0, off = 0;
+                double want = p.wall(&p, (enum side)side, x, 0), flux = 0, off = 0;
                 struct exact e = scene_exact(s, &p, f.x, t);
                 if (p.side[side] == DIRICHLET) {
                     assert_near(e.temperature, want, 1e-13 * odd->scale);
@@ -262,7 +262,7 @@ static void many_points_are_each_of_them(void **state) {
             for (int a = 0; a < 2; a++) at[a][k] = p.lo[a] + (part[a] + 0.5) / N * (p.hi[a] - p.lo[a]);
         }
         struct snapshot now = snapshot_take(s, &p, t);
-        snapshot_at_points(&now, ORDERS * N * N, at[0], p.dim == 2 ? at[1] : NULL, e);
+        snapshot_at_points(&now, ORDERS * N * N, at[0], p.dim == 2 ? at[1] : NULL, NULL, e);
         for (int k = 0; k < ORDERS * N * N; k++) {
             struct exact one = snapshot_at(&now, (double[2]){at[0][k], p.dim == 2 ? at[1][k] : 0});
             if (memcmp(&e[k].temperature, &one.temperature, sizeof one.temperature) != 0 ||

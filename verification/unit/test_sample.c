@@ -106,7 +106,7 @@ static void walls_continue_the_data(void **state) {
 }
 
 static double met(const struct problem *p, const double x[2]) {
-    double wall = p->wall(p, X_HI, NULL), slope = p->robin[X_HI] * (wall - 1.4) / p->material[1].k[0];
+    double wall = p->wall(p, X_HI, NULL, 0), slope = p->robin[X_HI] * (wall - 1.4) / p->material[1].k[0];
     return 1.4 + slope * (x[0] - p->hi[0]);
 }
 

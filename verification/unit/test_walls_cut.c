@@ -33,7 +33,7 @@ static double initial(const struct problem *p, const double x[2]) {
     return value(p->data, x);
 }
 
-static double wall(const struct problem *p, enum side s, const double x[2]) {
+static double wall(const struct problem *p, enum side s, const double x[2], double t) {
     struct foot f = shape_foot(p, (int)s, x);
     double T = value(p->data, f.x), q = K * slope(p->data, f.x, f.normal);
     return p->side[s] == DIRICHLET ? T : p->side[s] == NEUMANN ? q : T + q / B;
