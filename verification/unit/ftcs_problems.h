@@ -24,8 +24,8 @@ static inline double mode(const struct problem *p, const double x[2]) {
     return p->param[2] + p->param[3] * T;
 }
 
-static inline double level(const struct problem *p, enum side s, const double x[2]) {
-    (void)x;
+static inline double level(const struct problem *p, enum side s, const double x[2], double t) {
+    (void)x, (void)t;
     return p->side[s] == DIRICHLET ? p->param[2] : 0;
 }
 

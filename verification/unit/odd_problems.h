@@ -9,7 +9,8 @@
 #include <math.h>
 
 /* kappa_x = 0.7/1.3, kappa_y = 0.4/1.3; walls at 0.3, 0.8 K (x) and with fluxes 0.11, -0.23 W m^-2 (y) */
-static double odd_wall(const struct problem *p, enum side s, const double x[2]) {
+static double odd_wall(const struct problem *p, enum side s, const double x[2], double t) {
+    (void)t;
     static const double value[4] = {0.3, 0.8, 0.11, -0.23};
     (void)p, (void)x;
     return value[s];
@@ -54,7 +55,8 @@ static inline double steady_source(const struct problem *p, const double x[2]) {
     return -k[0] * steady_derivative(x, 2, 0) - (p->dim == 2 ? k[1] * steady_derivative(x, 0, 2) : 0);
 }
 
-static inline double steady_wall(const struct problem *p, enum side s, const double x[2]) {
+static inline double steady_wall(const struct problem *p, enum side s, const double x[2], double t) {
+    (void)t;
     int axis = (int)s / 2, out = s % 2 ? 1 : -1;
     double slope = steady_derivative(x, axis == 0, axis == 1);
     return p->side[s] == DIRICHLET ? steady_derivative(x, 0, 0) : out * p->material[0].k[axis] * slope;

@@ -131,8 +131,8 @@ static void poor_contacts_are_refused(void **state) {
 
 /* ---- growth ---- */
 
-static double zero(const struct problem *p, enum side s, const double x[2]) {
-    (void)p, (void)s, (void)x;
+static double zero(const struct problem *p, enum side s, const double x[2], double t) {
+    (void)p, (void)s, (void)x, (void)t;
     return 0;
 }
 

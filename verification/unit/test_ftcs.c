@@ -66,7 +66,8 @@ static double line(const struct problem *p, const double x[2]) {
     return p->param[0] + p->param[1] * x[0] + p->param[2] * x[1];
 }
 
-static double line_wall(const struct problem *p, enum side s, const double x[2]) {
+static double line_wall(const struct problem *p, enum side s, const double x[2], double t) {
+    (void)t;
     if (p->side[s] == DIRICHLET) return line(p, x);
     return p->material[0].k[s / 2] * p->param[1 + s / 2] * (s % 2 ? 1 : -1);
 }
@@ -79,7 +80,8 @@ static double parabola(const struct problem *p, const double x[2]) {
     return p->param[0] + p->param[1] * x[0] * x[0] - p->param[2] * x[1] * x[1];
 }
 
-static double parabola_wall(const struct problem *p, enum side s, const double x[2]) {
+static double parabola_wall(const struct problem *p, enum side s, const double x[2], double t) {
+    (void)t;
     if (p->side[s] == DIRICHLET) return parabola(p, x);
     return p->material[0].k[s / 2] * (s % 2 ? 1 : -1) * (s < 2 ? 2 * p->param[1] * x[0] : -2 * p->param[2] * x[1]);
 }
@@ -119,8 +121,8 @@ static void fixed_walls_lie_half_a_spacing_out(void **state) {
 }
 
 /* Insulated, with a flux in on one side: heat grows by the flux times the time, on both layouts. */
-static double one_flux(const struct problem *p, enum side s, const double x[2]) {
-    (void)x;
+static double one_flux(const struct problem *p, enum side s, const double x[2], double t) {
+    (void)x, (void)t;
     return s == X_LO ? p->param[4] : 0;
 }
 
@@ -241,8 +243,8 @@ static double along_y(const struct problem *p, const double x[2]) {
     return cos(PI * (x[1] - p->lo[1]) / (p->hi[1] - p->lo[1]));
 }
 
-static double insulated(const struct problem *p, enum side s, const double x[2]) {
-    (void)p, (void)s, (void)x;
+static double insulated(const struct problem *p, enum side s, const double x[2], double t) {
+    (void)p, (void)s, (void)x, (void)t;
     return 0;
 }
 
@@ -321,13 +323,14 @@ static double sink(const struct problem *p, const double x[2]) {
     return -4 * slope * p->material[0].k[0];
 }
 
-static double into(const struct problem *p, enum side s, const double x[2]) {
+static double into(const struct problem *p, enum side s, const double x[2], double t) {
+    (void)t;
     double r = hypot(x[0], x[1]), normal = s == X_HI ? 1 : -1;
     return normal * 2 * slope * r * p->material[0].k[0];
 }
 
-static double seven(const struct problem *p, enum side s, const double x[2]) {
-    (void)p, (void)s, (void)x;
+static double seven(const struct problem *p, enum side s, const double x[2], double t) {
+    (void)p, (void)s, (void)x, (void)t;
     return 7;
 }
 

@@ -108,8 +108,8 @@ static void second_moments_on_the_lattice(void **state) {
             }
 }
 
-static double no_flux(const struct problem *p, enum side s, const double x[2]) {
-    (void)p, (void)s, (void)x;
+static double no_flux(const struct problem *p, enum side s, const double x[2], double t) {
+    (void)p, (void)s, (void)x, (void)t;
     return 0;
 }
 

@@ -107,7 +107,8 @@ static double smooth_source(const struct problem *p, const double x[2]) {
     return (1.21 * p->material[0].k[1] - 0.64 * p->material[0].k[0]) * smooth(p, x);
 }
 
-static double smooth_wall(const struct problem *p, enum side s, const double x[2]) {
+static double smooth_wall(const struct problem *p, enum side s, const double x[2], double t) {
+    (void)t;
     double flux = p->material[0].k[1] * 1.1 * exp(0.8 * x[0]) * sin(1.1 * x[1] + 0.4);
     return s == Y_LO ? flux : s == Y_HI ? -flux : smooth(p, x);
 }
@@ -136,8 +137,8 @@ static void ghosts_hold_for_any_two_conductivities(void **state) {
             }
 }
 
-static double insulated(const struct problem *p, enum side s, const double x[2]) {
-    (void)p, (void)s, (void)x;
+static double insulated(const struct problem *p, enum side s, const double x[2], double t) {
+    (void)p, (void)s, (void)x, (void)t;
     return 0;
 }
 

@@ -39,8 +39,8 @@ static void unmatched_steps_are_not_applicable(void **state) {
     }
 }
 
-static double along_y_hi(const struct problem *p, enum side s, const double x[2]) {
-    (void)p;
+static double along_y_hi(const struct problem *p, enum side s, const double x[2], double t) {
+    (void)p, (void)t;
     return s == Y_HI ? x[0] : 0;
 }
 

@@ -11,8 +11,8 @@
 #include <float.h>
 #include <string.h>
 
-static double wall_of_side(const struct problem *p, enum side s, const double x[2]) {
-    (void)p, (void)x;
+static double wall_of_side(const struct problem *p, enum side s, const double x[2], double t) {
+    (void)p, (void)x, (void)t;
     return s == X_LO ? -0.25 : 3.5;
 }
 
@@ -196,8 +196,8 @@ static void variation_in_the_plane_is_over_the_other_spacing(void **state) {
     field_free(&f);
 }
 
-static double wall_along_x(const struct problem *p, enum side s, const double x[2]) {
-    (void)p;
+static double wall_along_x(const struct problem *p, enum side s, const double x[2], double t) {
+    (void)p, (void)t;
     return s == Y_HI ? 2 + x[0] : 1;
 }
 

@@ -22,7 +22,8 @@ static double plane(const struct problem *p, const double x[2]) {
     return 0.31 + SLOPE[0] * x[0] + (p->dim == 2 ? SLOPE[1] * x[1] : 0);
 }
 
-static double plane_wall(const struct problem *p, enum side s, const double x[2]) {
+static double plane_wall(const struct problem *p, enum side s, const double x[2], double t) {
+    (void)t;
     return p->side[s] == DIRICHLET ? plane(p, x) : p->material[0].k[s / 2] * SLOPE[s / 2] * (s % 2 ? 1 : -1);
 }
 
@@ -89,8 +90,8 @@ static void of_higher_order(void **state) {
 /* ---- A wave in a box without flux decays at kappa_x q^2 + kappa_y r^2, to A dx^2 of that (A <= 1/3) and F/2 of it
  * ---- */
 
-static double no_flux(const struct problem *p, enum side s, const double x[2]) {
-    (void)p, (void)s, (void)x;
+static double no_flux(const struct problem *p, enum side s, const double x[2], double t) {
+    (void)p, (void)s, (void)x, (void)t;
     return 0;
 }
 
@@ -141,7 +142,8 @@ static double cold(const struct problem *p, const double x[2]) {
     return 0;
 }
 
-static double hot_corner(const struct problem *p, enum side s, const double x[2]) {
+static double hot_corner(const struct problem *p, enum side s, const double x[2], double t) {
+    (void)t;
     int along = 1 - (int)s / 2, axis = (int)s / 2;
     double from = fabs(x[along] - (hot_end ? p->hi[along] : p->lo[along]));
     int on_it = fabs(x[axis] - (s % 2 ? p->hi[axis] : p->lo[axis])) < 1e-9; /* as struct problem promises */
@@ -224,8 +226,8 @@ static double warm_runs(const struct problem *p, const double x[2]) {
 
 /* Heated through one end for so long that q t/(rho_c L) is 40 times the bend q L/k of the profile, which is all that
  * the initial data span: hot, but not unstable. */
-static double heating_runs(const struct problem *p, enum side s, const double x[2]) {
-    (void)p, (void)x;
+static double heating_runs(const struct problem *p, enum side s, const double x[2], double t) {
+    (void)p, (void)x, (void)t;
     return s == X_HI ? 0.37 : 0;
 }
 
@@ -249,8 +251,8 @@ static void a_heated_rod_is_not_unstable(void **state) {
 }
 
 /* One wall that the start does not meet, with points on the walls: the start jumps there, whichever wall it is. */
-static double warmer(const struct problem *p, enum side s, const double x[2]) {
-    (void)x;
+static double warmer(const struct problem *p, enum side s, const double x[2], double t) {
+    (void)x, (void)t;
     return p->side[s] == DIRICHLET ? 2.9 : 0;
 }
 
@@ -271,11 +273,13 @@ static void matched_refuses_a_jump_at_every_wall(void **state) {
 }
 
 /* One wall whose temperature varies along it, or only on the path through the body. */
-static double along_it(const struct problem *p, enum side s, const double x[2]) {
+static double along_it(const struct problem *p, enum side s, const double x[2], double t) {
+    (void)t;
     return p->side[s] == DIRICHLET ? x[1 - s / 2] : 0;
 }
 
-static double through_it(const struct problem *p, enum side s, const double x[2]) {
+static double through_it(const struct problem *p, enum side s, const double x[2], double t) {
+    (void)t;
     return p->side[s] == DIRICHLET ? x[s / 2] : 0;
 }
 
@@ -304,7 +308,8 @@ static double uneven(const struct problem *p, const double x[2]) {
     return 0.3 + (x[0] < 0.4 ? 1 : 0.4) * far * (1.1 + sin(1.3 * x[1]));
 }
 
-static double uneven_wall(const struct problem *p, enum side s, const double x[2]) {
+static double uneven_wall(const struct problem *p, enum side s, const double x[2], double t) {
+    (void)t;
     if (p->side[s] == NEUMANN) return 0.21 * (1 + (int)s) * (0.2 + x[1 - (int)s / 2]);
     return s < Y_LO ? 0.3 : 0.9 - 0.3 * x[0] + 0.1 * s;
 }
@@ -318,9 +323,9 @@ static double across(const struct problem *p, const double x[2]) {
     return uneven(&upright, (const double[]){x[1], x[0]});
 }
 
-static double across_wall(const struct problem *p, enum side s, const double x[2]) {
-    (void)p;
-    return uneven_wall(&upright, (enum side)((s + 2) % 4), (const double[]){x[1], x[0]});
+static double across_wall(const struct problem *p, enum side s, const double x[2], double t) {
+    (void)t;
+    return uneven_wall(&upright, (enum side)((s + 2) % 4), (const double[]){x[1], x[0]}, 0);
 }
 
 static double across_source(const struct problem *p, const double x[2]) {

@@ -27,8 +27,8 @@ static double still(const struct problem *p, const double x[2]) {
     return 0;
 }
 
-static double cold(const struct problem *p, enum side s, const double x[2]) {
-    (void)p, (void)s, (void)x;
+static double cold(const struct problem *p, enum side s, const double x[2], double t) {
+    (void)p, (void)s, (void)x, (void)t;
     return 0;
 }
 
@@ -172,8 +172,8 @@ static void a_lattice_shares_its_nodes(void **state) {
     }
 }
 
-static double held_near(const struct problem *p, enum side s, const double x[2]) {
-    (void)s, (void)x;
+static double held_near(const struct problem *p, enum side s, const double x[2], double t) {
+    (void)s, (void)x, (void)t;
     return p->param[1];
 }
 
@@ -195,8 +195,8 @@ static void rounding_is_no_jump(void **state) {
     }
 }
 
-static double warm_patch(const struct problem *p, enum side s, const double x[2]) {
-    (void)p, (void)s;
+static double warm_patch(const struct problem *p, enum side s, const double x[2], double t) {
+    (void)p, (void)s, (void)t;
     return x[1] > 0.7 && x[1] < 0.9;
 }
 

@@ -78,8 +78,8 @@ static void rows_are_two_sweeps(void **state) {
     }
 }
 
-static double no_flux(const struct problem *p, enum side s, const double x[2]) {
-    (void)p, (void)s, (void)x;
+static double no_flux(const struct problem *p, enum side s, const double x[2], double t) {
+    (void)p, (void)s, (void)x, (void)t;
     return 0;
 }
 

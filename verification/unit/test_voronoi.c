@@ -93,8 +93,8 @@ static void cells_fill_the_body(void **state) {
     }
 }
 
-static double held(const struct problem *p, enum side s, const double x[2]) {
-    (void)p, (void)s, (void)x;
+static double held(const struct problem *p, enum side s, const double x[2], double t) {
+    (void)p, (void)s, (void)x, (void)t;
     return 0;
 }
 

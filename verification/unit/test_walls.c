@@ -74,8 +74,8 @@ static double warm(const struct problem *p, const double x[2]) {
     return S(x[0], 0) + p->param[0] * sin(wave(p) * (x[0] - p->lo[0]));
 }
 
-static double heated_wall(const struct problem *p, enum side s, const double x[2]) {
-    (void)x;
+static double heated_wall(const struct problem *p, enum side s, const double x[2], double t) {
+    (void)x, (void)t;
     return s == X_LO ? S(p->lo[0], 0) : p->material[0].k[0] * S(p->hi[0], 1);
 }
 
@@ -169,8 +169,8 @@ enum { METHODS = sizeof methods_robin / sizeof *methods_robin, PARTICLES = 3 };
 
 static const double AMBIENT = 0.37, HEIGHT = 0.83; /* K, of the surroundings; of the mode */
 
-static double ambient(const struct problem *p, enum side s, const double x[2]) {
-    (void)x;
+static double ambient(const struct problem *p, enum side s, const double x[2], double t) {
+    (void)x, (void)t;
     return p->side[s] == NEUMANN ? 0 : AMBIENT;
 }
 
@@ -238,8 +238,9 @@ static void all_steppers_agree_with_the_exact_one(void **state) {
         }
 }
 
-static double ambient_but_no_flux(const struct problem *p, enum side s, const double x[2]) {
-    return p->side[s] == NEUMANN ? 0 : ambient(p, s, x);
+static double ambient_but_no_flux(const struct problem *p, enum side s, const double x[2], double t) {
+    (void)t;
+    return p->side[s] == NEUMANN ? 0 : ambient(p, s, x, 0);
 }
 
 static double hot(const struct problem *p, const double x[2]) {

@@ -34,6 +34,7 @@ static double initial(const struct problem *p, const double x[2]) {
 }
 
 static double wall(const struct problem *p, enum side s, const double x[2], double t) {
+    (void)t;
     struct foot f = shape_foot(p, (int)s, x);
     double T = value(p->data, f.x), q = K * slope(p->data, f.x, f.normal);
     return p->side[s] == DIRICHLET ? T : p->side[s] == NEUMANN ? q : T + q / B;
