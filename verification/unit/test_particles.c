@@ -324,7 +324,7 @@ static double across(const struct problem *p, const double x[2]) {
 }
 
 static double across_wall(const struct problem *p, enum side s, const double x[2], double t) {
-    (void)t;
+    (void)p, (void)t;
     return uneven_wall(&upright, (enum side)((s + 2) % 4), (const double[]){x[1], x[0]}, 0);
 }
 
