@@ -194,7 +194,7 @@ int particles_solve(const struct method *m, const struct problem *p, const struc
     struct lattice l;
     int rows;
     if (particles_prepare(p, given, m->scheme, &o, &l, &rows, why)) return why->status;
-    if (o.stepper == STEPPER_AUTO) o.stepper = STEPPER_RK2;
+    if (o.stepper == STEPPER_AUTO) o.stepper = stepper_auto(1, o.dt > 0 || o.fourier > 0, 0);
 
     struct field f = {0};
     struct heat_operator a = {0};

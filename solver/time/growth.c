@@ -40,10 +40,11 @@ static double norm(const double *T, size_t n) {
 
 /* Advances T, of norm 1, by dt.  Returns 0 if T is no longer finite. */
 static int advance(const struct heat_operator *a, double bound, double dt, double *T) {
-    struct march m = {.stepper = STEPPER_RKL2,
+    const enum stepper_name stepper = stepper_auto(1, 0, 0);
+    struct march m = {.stepper = stepper,
                       .time = dt,
                       .steps = 1,
-                      .stages = stepper_of(STEPPER_RKL2)->count(dt, bound),
+                      .stages = stepper_of(stepper)->count(dt, bound),
                       .lo = -HUGE_VAL,
                       .hi = HUGE_VAL,
                       .bound = bound};

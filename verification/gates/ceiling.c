@@ -334,7 +334,8 @@ static double start_of(const struct experiment *e) {
 /* s; for Euler steps, otherwise 0 */
 static double euler_step(const struct experiment *e) {
     const struct options *o = &e->options;
-    int euler = !e->method->scheme || o->stepper == STEPPER_EULER;
+    const struct stepper *stepper = stepper_of(o->stepper);
+    int euler = !e->method->scheme || (stepper && stepper->order == 1);
     return euler ? o->fourier * sq(o->dx) / problem_diffusivity(&e->problem) : 0;
 }
 
@@ -450,8 +451,9 @@ double ceiling_time(const struct experiment *e) {
     double dx2 = sq(e->options.dx), kappa = problem_diffusivity(p);
     double dt = e->options.dt > 0 ? e->options.dt : e->options.fourier * dx2 / kappa, stages = 3;
     dt = p->t_end / ceil(p->t_end / dt - 1e-9);
-    if (e->options.stepper == STEPPER_EULER) return mean_of(e, &(struct terms){.euler = dt / 2});
-    if (e->options.stepper == STEPPER_RK2) return mean_of(e, &(struct terms){.third = dt * dt / 6});
+    const struct stepper *stepper = stepper_of(e->options.stepper);
+    if (stepper && stepper->order == 1) return mean_of(e, &(struct terms){.euler = dt / 2});
+    if (stepper && stepper->stages == 2) return mean_of(e, &(struct terms){.third = dt * dt / 6});
     double bound = 2 * ceiling_symbol(e).row * p->material[0].k[0] / p->material[0].rho_c / dx2;
     while (stages * stages + stages - 2 < 2 * dt * bound) stages += 2;
     return mean_of(e, &(struct terms){.third = dt * dt * (1 + 8 / (stages * stages + stages - 2)) / 18});
