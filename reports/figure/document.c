@@ -2,7 +2,7 @@
 /* One text in two languages. */
 #include "reports/figure/document.h"
 
-#include "verification/page/html.h"
+#include "verification/text/html.h"
 
 #include <stdarg.h>
 #include <string.h>

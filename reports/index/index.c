@@ -4,7 +4,7 @@
 #include "reports/index/index.h"
 
 #include "references/scene.h"
-#include "verification/page/html.h"
+#include "verification/text/html.h"
 #include "verification/text/output.h"
 
 #include <string.h>

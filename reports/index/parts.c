@@ -2,7 +2,7 @@
 /* The parts of the page: files that the reports leave.  A new part is a row of the table. */
 #include "reports/index/index.h"
 
-#include "verification/page/html.h"
+#include "verification/text/html.h"
 #include "verification/text/whole_file.h"
 
 #include <stdlib.h>

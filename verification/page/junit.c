@@ -3,7 +3,7 @@
 
 #include "solver/status.h"
 #include "verification/diagnosis/headline.h"
-#include "verification/page/html.h"
+#include "verification/text/html.h"
 #include "verification/page/page.h"
 #include "verification/text/output.h"
 

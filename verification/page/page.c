@@ -8,7 +8,7 @@
 #include "verification/diagnosis/wording.h"
 #include "verification/foreign/program.h"
 #include "verification/ladder/ladder.h"
-#include "verification/page/html.h"
+#include "verification/text/html.h"
 #include "verification/text/output.h"
 #include "verification/text/table.h"
 

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Pages: escapes, images, texts in two languages, verdicts, and the data of the gates' figures. */
-#include "verification/page/html.h"
+#include "verification/text/html.h"
 #include "verification/page/page.h"
 
 #include "reports/figure/document.h"

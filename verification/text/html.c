@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The frame of a page, its style, tables and images. */
-#include "verification/page/html.h"
+#include "verification/text/html.h"
 
 #include "solver/status.h"
 #include "verification/text/utf8.h"

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#ifndef HEATLADDER_VERIFICATION_PAGE_HTML_H
-#define HEATLADDER_VERIFICATION_PAGE_HTML_H
+#ifndef HEATLADDER_VERIFICATION_TEXT_HTML_H
+#define HEATLADDER_VERIFICATION_TEXT_HTML_H
 
 /* HTML that needs no network, no script and no file beside it: readable on a phone, on paper, in dark and light. */
 
