@@ -71,7 +71,7 @@ static void correct_codes_pass_under_any_seed(void **state) {
 }
 
 /* The faults that each row detects, except those that a code cannot have: no face of nodes is on the interface. */
-static void faults_are_seen(void **state) {
+static void planted_faults_fail_a_row(void **state) {
     (void)state;
     static const struct {
         const char *code, *rows;
@@ -171,7 +171,7 @@ static void faults_hidden_in_one_field_are_diagnosed(void **state) {
 }
 
 /* The cases of `case --battery` are complete, and their answers get the verdicts of a live run. */
-static void written_cases_give_the_verdicts_of_a_live_run(void **state) {
+static void written_cases_and_live_runs_agree(void **state) {
     (void)state;
     struct program program = {.label = "mine", .results = dir};
     struct gates written = {0}, g = {.program = &program};
@@ -205,7 +205,7 @@ static void written_cases_give_the_verdicts_of_a_live_run(void **state) {
 }
 
 /* The exact solution with an error in space only: the program's own steps are not judged. */
-static void steps_of_its_own_are_not_judged(void **state) {
+static void own_time_steps_are_skipped(void **state) {
     (void)state;
     struct program program = {.label = "mine",
                               .solver = "awk -v error=floor -f verification/unit/stand_in.awk {case} >{out}"};
@@ -217,7 +217,7 @@ static void steps_of_its_own_are_not_judged(void **state) {
 }
 
 /* The command beside a failure shows it. */
-static void a_failure_can_be_typed(void **state) {
+static void printed_command_repeats_a_failure(void **state) {
     (void)state;
     struct program program = {.timeout = 100};
     char command[GATES_COMMAND], solver[300];
@@ -240,7 +240,7 @@ static void a_failure_can_be_typed(void **state) {
 
 /* Each order has a band, a measure, a reason and an id of its own, and time steps that divide the end time, since a
  * step other than the requested one has another error than its order predicts. */
-static void every_row_is_sound(void **state) {
+static void battery_rows_are_valid(void **state) {
     (void)state;
     for (int order = 1; order <= 4; order *= 2) {
         struct gates all = battery_rows(order, NULL);
@@ -336,13 +336,13 @@ int main(int argc, char **argv) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(correct_codes_pass),
         cmocka_unit_test(correct_codes_pass_under_any_seed),
-        cmocka_unit_test(faults_are_seen),
+        cmocka_unit_test(planted_faults_fail_a_row),
         cmocka_unit_test(bounds_follow_the_draw),
         cmocka_unit_test(faults_hidden_in_one_field_are_diagnosed),
-        cmocka_unit_test(written_cases_give_the_verdicts_of_a_live_run),
-        cmocka_unit_test(steps_of_its_own_are_not_judged),
-        cmocka_unit_test(a_failure_can_be_typed),
-        cmocka_unit_test(every_row_is_sound),
+        cmocka_unit_test(written_cases_and_live_runs_agree),
+        cmocka_unit_test(own_time_steps_are_skipped),
+        cmocka_unit_test(printed_command_repeats_a_failure),
+        cmocka_unit_test(battery_rows_are_valid),
         cmocka_unit_test(a_profile_has_rows_of_its_own),
         cmocka_unit_test(rungs_are_added_by_halving),
     };

@@ -74,7 +74,7 @@ static void scene_data(FILE *out) {
     bench_print_data(made(), out);
 }
 
-static void a_scene_is_its_fronts_and_what_did_not_run(void **state) {
+static void tables_list_fronts_and_refused_candidates(void **state) {
     (void)state;
     char *text = printed(scene_text);
     assert_string_equal(
@@ -91,7 +91,7 @@ static void a_scene_is_its_fronts_and_what_did_not_run(void **state) {
 }
 
 /* After the lines on the machine. */
-static void charts_have_a_block_a_candidate_and_the_two_fronts(void **state) {
+static void charts_have_one_block_per_candidate_and_front(void **state) {
     (void)state;
     char *text = printed(scene_data), *blocks = strstr(text, "# seconds: ");
     assert_has(text, "# title: rod-cosine: error against cost\n# command: heatladder bench --scene rod-cosine\n"
@@ -135,7 +135,7 @@ static void engine_text(FILE *out) {
     bench_print_engine(&throughput, out);
 }
 
-static void throughputs_stand_beside_their_aims(void **state) {
+static void throughputs_are_printed_with_their_aims(void **state) {
     (void)state;
     char *text = printed(engine_text);
     assert_string_equal(text, "times      median of 5 runs after one to warm up\n\n"
@@ -172,7 +172,7 @@ static void json_has_every_row(void **state) {
     free(text);
 }
 
-static void the_machine_has_its_flags(void **state) {
+static void machine_line_lists_vector_flags(void **state) {
     (void)state;
     char *text = printed(bench_print_machine);
     assert_has(text, "processor  ");
@@ -182,7 +182,7 @@ static void the_machine_has_its_flags(void **state) {
 }
 
 /* A row is on a front where no other has at most its error for at most its cost. */
-static void a_front_is_what_nothing_beats(void **state) {
+static void front_is_pareto_optimal(void **state) {
     (void)state;
     static struct bench_scene b;
     struct command r;
@@ -211,7 +211,7 @@ static void a_front_is_what_nothing_beats(void **state) {
 }
 
 /* Ten times coarser than the benchmark, so that it is soon over: each row is a number, between its extremes. */
-static void the_engine_fills_its_rows(void **state) {
+static void engine_rows_are_measured(void **state) {
     (void)state;
     static struct bench_engine e;
     bench_engine_run(&e, 10);
@@ -228,13 +228,13 @@ static void the_engine_fills_its_rows(void **state) {
 
 int main(void) {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(a_scene_is_its_fronts_and_what_did_not_run),
-        cmocka_unit_test(charts_have_a_block_a_candidate_and_the_two_fronts),
-        cmocka_unit_test(throughputs_stand_beside_their_aims),
+        cmocka_unit_test(tables_list_fronts_and_refused_candidates),
+        cmocka_unit_test(charts_have_one_block_per_candidate_and_front),
+        cmocka_unit_test(throughputs_are_printed_with_their_aims),
         cmocka_unit_test(json_has_every_row),
-        cmocka_unit_test(the_machine_has_its_flags),
-        cmocka_unit_test(a_front_is_what_nothing_beats),
-        cmocka_unit_test(the_engine_fills_its_rows),
+        cmocka_unit_test(machine_line_lists_vector_flags),
+        cmocka_unit_test(front_is_pareto_optimal),
+        cmocka_unit_test(engine_rows_are_measured),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -84,7 +84,7 @@ static int hole(int i, int j) {
     return i > 4 && i < 8 && j > 4 && j < 8;
 }
 
-static void a_lone_particle_is_refused(void **state) {
+static void isolated_particle_is_refused(void **state) {
     (void)state;
     struct made m;
     lattice(&m, lonely);
@@ -96,7 +96,7 @@ static void a_lone_particle_is_refused(void **state) {
     }
 }
 
-static void neighbours_on_one_line(void **state) {
+static void collinear_neighbours_are_refused(void **state) {
     (void)state;
     struct made m;
     const double c = 0.6, s = 0.8; /* the line's direction, along no axis */
@@ -110,7 +110,7 @@ static void neighbours_on_one_line(void **state) {
 }
 
 /* A ninth of the spacing between nine of them, in a regular lattice. */
-static void a_clump_stays_finite(void **state) {
+static void clustered_particles_stay_finite(void **state) {
     (void)state;
     struct made m;
     lattice(&m, hole);
@@ -159,9 +159,9 @@ static void jitter_is_refused_or_measured(void **state) {
 int main(void) {
     gsl_set_error_handler_off();
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(a_lone_particle_is_refused),
-        cmocka_unit_test(neighbours_on_one_line),
-        cmocka_unit_test(a_clump_stays_finite),
+        cmocka_unit_test(isolated_particle_is_refused),
+        cmocka_unit_test(collinear_neighbours_are_refused),
+        cmocka_unit_test(clustered_particles_stay_finite),
         cmocka_unit_test(jitter_is_refused_or_measured),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

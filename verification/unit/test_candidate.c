@@ -24,7 +24,7 @@ static int unit_of(const char *name, const char *param, double value) {
 
 /* The jumps of rod-step are at 3/8 and 5/8 of its length, with a = 0.6 at 7/20 and 13/20, with a = 0.43711 on no
  * face of a lattice of up to 1024 cells; the layers of wall-composite meet a tenth before its middle. */
-static void lattices_meet_the_jumps(void **state) {
+static void cell_counts_put_faces_on_jumps(void **state) {
     (void)state;
     assert_int_equal(unit_of("rod-step", NULL, 0), 8);
     assert_int_equal(unit_of("rod-step", "a", 0.6), 20);
@@ -37,14 +37,14 @@ static void lattices_meet_the_jumps(void **state) {
 }
 
 /* A quarter of the disc's diameter is its ring; a hole of 0.3 m in a body of 1 m leaves 7 of 20 parts of 2 m. */
-static void rings_fill_a_round_body(void **state) {
+static void ring_counts_fill_a_round_body(void **state) {
     (void)state;
     assert_int_equal(unit_of("disc-mode", NULL, 0), 2);
     assert_int_equal(unit_of("annulus", "r1", 0.3), 20);
 }
 
 /* Particles meet a round wall by fit; differences have a polar grid. */
-static void particles_meet_round_walls_by_fit(void **state) {
+static void particles_use_fit_at_round_walls(void **state) {
     (void)state;
     struct command r;
     struct failure why;
@@ -87,7 +87,7 @@ static void work_is_counted(void **state) {
 }
 
 /* The saving of rkl2 counts all updates, those of a damped first step too: twice the updates, half the saving. */
-static void a_damped_start_counts_in_the_saving(void **state) {
+static void updates_of_a_damped_start_are_counted(void **state) {
     (void)state;
     const char *lines[] = {"run square-step so_ssph --stepper rkl2 --dx 4/160 --dt 5/6",
                            "run square-step so_ssph --stepper rkl2 --dx 4/160 --dt 5/24"};
@@ -116,7 +116,7 @@ static void searches_and_rows_cost_more_than_a_stencil(void **state) {
     assert_order(exact, >, 2 * once);
 }
 
-static void a_median_is_no_mean(void **state) {
+static void timing_summary_is_median_and_range(void **state) {
     (void)state;
     double seconds[5] = {3, 100, 1, 2, 2.5};
     struct bench_time t = bench_summary(seconds, 5);
@@ -125,7 +125,7 @@ static void a_median_is_no_mean(void **state) {
     assert_near(t.highest, 100, 0);
 }
 
-static void a_ratio_is_as_wide_as_both(void **state) {
+static void ratio_range_covers_both_ranges(void **state) {
     (void)state;
     struct bench_time t = bench_ratio((struct bench_time){3, 2, 5}, (struct bench_time){1.5, 1, 4});
     assert_near(t.median, 2, 0);
@@ -159,7 +159,7 @@ static void rungs_that_take_too_long_are_left_out(void **state) {
     command_free(&r);
 }
 
-static void a_refusal_is_no_failure(void **state) {
+static void refused_and_failed_candidates_differ(void **state) {
     (void)state;
     assert_null(bench_outcome(&(struct bench_row){0}));
     assert_string_equal(bench_outcome(&(struct bench_row){.result.failure.status = STATUS_INPUT}), "not applicable");
@@ -168,16 +168,16 @@ static void a_refusal_is_no_failure(void **state) {
 
 int main(void) {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(lattices_meet_the_jumps),
-        cmocka_unit_test(rings_fill_a_round_body),
-        cmocka_unit_test(particles_meet_round_walls_by_fit),
+        cmocka_unit_test(cell_counts_put_faces_on_jumps),
+        cmocka_unit_test(ring_counts_fill_a_round_body),
+        cmocka_unit_test(particles_use_fit_at_round_walls),
         cmocka_unit_test(every_candidate_names_a_method_and_differs),
         cmocka_unit_test(work_is_counted),
-        cmocka_unit_test(a_damped_start_counts_in_the_saving),
+        cmocka_unit_test(updates_of_a_damped_start_are_counted),
         cmocka_unit_test(searches_and_rows_cost_more_than_a_stencil),
-        cmocka_unit_test(a_median_is_no_mean),
-        cmocka_unit_test(a_ratio_is_as_wide_as_both),
-        cmocka_unit_test(a_refusal_is_no_failure),
+        cmocka_unit_test(timing_summary_is_median_and_range),
+        cmocka_unit_test(ratio_range_covers_both_ranges),
+        cmocka_unit_test(refused_and_failed_candidates_differ),
         cmocka_unit_test(rungs_that_take_too_long_are_left_out),
     };
     return cmocka_run_group_tests_name("candidate", tests, NULL, NULL);

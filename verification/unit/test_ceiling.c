@@ -21,7 +21,7 @@ static const struct experiment *of(const char *line) {
 
 /* ---- Weights ---- */
 
-static void moments_are_those_of_the_operators(void **state) {
+static void moments_equal_those_of_the_operators(void **state) {
     (void)state;
     static const char *const method[] = {"so_ssph",         "fo_ssph",        "brookshaw",    "brookshaw_corrected",
                                          "schwaiger",       "fatehi_manzari", "cspm",         "kernel_second",
@@ -60,7 +60,7 @@ static void moments_of_finite_differences(void **state) {
     assert_near(ceiling_worst(of("run square-step ftcs --dx 0.1")), 1, 1e-12);
 }
 
-static void isotropy_is_found(void **state) {
+static void isotropic_ratio_is_found(void **state) {
     (void)state;
     struct ceiling_symbol s = ceiling_symbol(of("run square-step so_ssph --stepper matched --h iso --dx 0.1"));
     assert_near(s.fourth[1], 2 * s.fourth[0], 1e-12);
@@ -77,7 +77,7 @@ static double of_mode(const struct experiment *e, double off, double *q2) {
            ceiling_param(e, "Tm");
 }
 
-static void a_mode_on_a_lattice(void **state) {
+static void decay_error_of_one_mode_on_a_lattice(void **state) {
     (void)state;
     const struct experiment *e = of("run rod-cosine so_ssph --dx 0.01");
     double q2, one = of_mode(e, 1, &q2), A = ceiling_symbol(e).fourth[0], kt;
@@ -98,7 +98,7 @@ static void a_mode_on_a_lattice(void **state) {
     assert_nan(ceiling_param(e, "none"));
 }
 
-static void a_mode_in_time(void **state) {
+static void time_error_of_one_mode(void **state) {
     (void)state;
     const struct experiment *e = of("run rod-cosine so_ssph --dx 1/20 --stepper euler --dt 1/64");
     double q2, one = of_mode(e, 1, &q2), kappa = ceiling_param(e, "kappa"), t = request.experiment.problem.t_end;
@@ -110,7 +110,7 @@ static void a_mode_in_time(void **state) {
     assert_near(ceiling_time(e), one * dt * dt / 10 * pow(rate, 3) * t, 1e-3 * ceiling_time(e));
 }
 
-static void waves_along_two_axes(void **state) {
+static void mixed_derivative_error_in_the_plane(void **state) {
     (void)state;
     const struct experiment *e = of("run wave so_ssph --dx 0.01 --set mode_x=2 --set mode_y=3");
     struct ceiling_symbol s = ceiling_symbol(e);
@@ -121,7 +121,7 @@ static void waves_along_two_axes(void **state) {
 }
 
 /* A rod with a Dirichlet and an insulated end: sin((n + 1/2) pi x/L); the jump at the Dirichlet end is midway. */
-static void a_cooled_end_without_air(void **state) {
+static void zero_robin_coefficient_is_an_insulated_end(void **state) {
     (void)state;
     const struct experiment *e = of("run rod-cooling so_ssph --set b=0 --dx 0.3/160");
     const struct problem *p = &e->problem;
@@ -137,7 +137,7 @@ static void a_cooled_end_without_air(void **state) {
     assert_near(ceiling_cooled(e, 1, 0) / pow(0.3 / 160, 2), sum / mean, 2e-3 * sum / mean);
 }
 
-static void a_mode_of_a_disc(void **state) {
+static void truncation_error_of_a_disc_mode(void **state) {
     (void)state;
     const struct experiment *e = of("run disc-mode ftcs --dx 0.05");
     const double lambda2 = pow(5.135622301840683, 2); /* J_2 vanishes at the wall */
@@ -153,7 +153,7 @@ static void a_mode_of_a_disc(void **state) {
     assert_near(ceiling_round(e), lambda2 * lambda2 * kt / 16 * 0.0025 * size / all, 0.03 * ceiling_round(e));
 }
 
-static void a_resistance_at_a_contact(void **state) {
+static void contact_resistance_error(void **state) {
     (void)state;
     const struct experiment *e = of("run rod-contact brookshaw --h 0.9 --dx 0.01");
     assert_near(ceiling_harmonic(e), 0, 0); /* nearest neighbours alone */
@@ -179,7 +179,7 @@ static void the_third_order_term_is_known(void **state) {
     }
 }
 
-static void stiff_modes_fall_however_stiff_they_are(void **state) {
+static void stiff_modes_decay(void **state) {
     (void)state;
     for (int s = 3; s <= 35; s += 2) {
         struct amplification a = {STEPPER_RKL2, s};
@@ -205,17 +205,17 @@ static void bounds_follow_the_kernel(void **state) {
 int main(void) {
     gsl_set_error_handler_off();
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(moments_are_those_of_the_operators),
+        cmocka_unit_test(moments_equal_those_of_the_operators),
         cmocka_unit_test(moments_of_finite_differences),
-        cmocka_unit_test(isotropy_is_found),
-        cmocka_unit_test(a_mode_on_a_lattice),
-        cmocka_unit_test(a_mode_in_time),
-        cmocka_unit_test(waves_along_two_axes),
-        cmocka_unit_test(a_cooled_end_without_air),
-        cmocka_unit_test(a_mode_of_a_disc),
-        cmocka_unit_test(a_resistance_at_a_contact),
+        cmocka_unit_test(isotropic_ratio_is_found),
+        cmocka_unit_test(decay_error_of_one_mode_on_a_lattice),
+        cmocka_unit_test(time_error_of_one_mode),
+        cmocka_unit_test(mixed_derivative_error_in_the_plane),
+        cmocka_unit_test(zero_robin_coefficient_is_an_insulated_end),
+        cmocka_unit_test(truncation_error_of_a_disc_mode),
+        cmocka_unit_test(contact_resistance_error),
         cmocka_unit_test(the_third_order_term_is_known),
-        cmocka_unit_test(stiff_modes_fall_however_stiff_they_are),
+        cmocka_unit_test(stiff_modes_decay),
         cmocka_unit_test(bounds_follow_the_kernel),
     };
     return cmocka_run_group_tests_name("ceiling", tests, NULL, NULL);

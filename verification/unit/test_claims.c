@@ -41,7 +41,7 @@ static void assert_holds_text(const char *text, const char *part) {
 #define SECOND "song_table1 so_ssph"
 #define FIRST "song_table1 fo_ssph"
 
-static void the_numbers_decide(void **state) {
+static void verdict_follows_the_measured_numbers(void **state) {
     (void)state;
     struct claims_measured m = judge(ledger_order_printed_order, "2 " SECOND, CLAIMS_REPRODUCED);
     assert_int_equal(m.verdict, CLAIMS_REPRODUCED);
@@ -52,7 +52,7 @@ static void the_numbers_decide(void **state) {
     assert_int_equal(judge(ledger_order_printed_order, "2 " FIRST, CLAIMS_REPRODUCED).verdict, CLAIMS_CONTRADICTED);
 }
 
-static void a_condition_holds_as_published_alone(void **state) {
+static void condition_verdict_needs_the_published_case(void **state) {
     (void)state;
     static const char midway[] = "2 | midway: rod-step so_ssph --dx 4/40,4/80,4/160,4/320 | "
                                  "on a particle: rod-step so_ssph --dx 4/44,4/84,4/164,4/324";
@@ -66,7 +66,7 @@ static void a_condition_holds_as_published_alone(void **state) {
 }
 
 /* On that cloud a mode of cspm grows; conjugate is symmetric, and the weights of voronoi_flux are not negative. */
-static void the_only_stable_one_is_alone(void **state) {
+static void only_stable_claim_checks_all_others(void **state) {
     (void)state;
     assert_int_equal(judge(others_only, "conjugate | cspm", CLAIMS_REPRODUCED).verdict, CLAIMS_REPRODUCED);
     assert_int_equal(judge(others_only, "conjugate | voronoi_flux", CLAIMS_REPRODUCED).verdict, CLAIMS_CONTRADICTED);
@@ -78,7 +78,7 @@ static void the_only_stable_one_is_alone(void **state) {
         CLAIMS_CONTRADICTED);
 }
 
-static void a_verdict_that_changes_is_seen(void **state) {
+static void changed_verdict_fails(void **state) {
     (void)state;
     struct claims_row r = row(ledger_order_printed_order, "2 " SECOND, CLAIMS_CONDITION);
     struct claims_measured m;
@@ -94,7 +94,7 @@ static void a_verdict_that_changes_is_seen(void **state) {
     assert_false(claims_hold(&(struct claims){0, NULL}));
 }
 
-static void an_unmeasured_claim_never_holds(void **state) {
+static void unmeasured_claim_fails(void **state) {
     (void)state;
     static const struct {
         take *measure;
@@ -117,7 +117,7 @@ static void an_unmeasured_claim_never_holds(void **state) {
         }
 }
 
-static void rows_are_whole_and_named_once(void **state) {
+static void claim_rows_are_complete_and_unique(void **state) {
     (void)state;
     int n = 0;
     for (const struct claims_row *r = papers_claims; r->id; r++, n++) {
@@ -130,7 +130,7 @@ static void rows_are_whole_and_named_once(void **state) {
     assert_order(n, >, 60);
 }
 
-static void rows_hold_when_run(void **state) {
+static void claim_rows_hold_when_run(void **state) {
     (void)state;
     struct claims c;
     struct failure why;
@@ -207,13 +207,13 @@ static void files_are_written_or_refused(void **state) {
 
 int main(void) {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(the_numbers_decide),
-        cmocka_unit_test(a_condition_holds_as_published_alone),
-        cmocka_unit_test(the_only_stable_one_is_alone),
-        cmocka_unit_test(a_verdict_that_changes_is_seen),
-        cmocka_unit_test(an_unmeasured_claim_never_holds),
-        cmocka_unit_test(rows_are_whole_and_named_once),
-        cmocka_unit_test(rows_hold_when_run),
+        cmocka_unit_test(verdict_follows_the_measured_numbers),
+        cmocka_unit_test(condition_verdict_needs_the_published_case),
+        cmocka_unit_test(only_stable_claim_checks_all_others),
+        cmocka_unit_test(changed_verdict_fails),
+        cmocka_unit_test(unmeasured_claim_fails),
+        cmocka_unit_test(claim_rows_are_complete_and_unique),
+        cmocka_unit_test(claim_rows_hold_when_run),
         cmocka_unit_test(verdicts_are_counted),
         cmocka_unit_test(files_are_written_or_refused),
     };

@@ -17,7 +17,7 @@ static double __attribute__((noinline)) spoil(void) {
     return at[7];
 }
 
-static void memory_behind_the_last_neighbour_is_not_read(void **state) {
+static void memory_past_the_last_neighbour_is_not_read(void **state) {
     (void)state;
     static const char *const lines[] = {"run rod-gauss so_ssph --dx 0.1", "run square-step fo_ssph --dx 0.1"};
     for (int k = 0; k < 2; k++) {
@@ -61,7 +61,7 @@ static void assert_symbol(const char *line, const char *method, const double kap
     assert_near(error, off / size, 100 * DBL_EPSILON / (dx * dx));
 }
 
-static void the_error_is_that_of_the_symbol(void **state) {
+static void operator_error_equals_the_symbol_error(void **state) {
     (void)state;
     assert_symbol("run square-step so_ssph --h 1.1 --dx 0.1 --set kappa_x=0.013 --set kappa_y=0.0029", "so_ssph",
                   (double[]){0.013, 0.0029});
@@ -71,8 +71,8 @@ static void the_error_is_that_of_the_symbol(void **state) {
 
 int main(void) {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(memory_behind_the_last_neighbour_is_not_read),
-        cmocka_unit_test(the_error_is_that_of_the_symbol),
+        cmocka_unit_test(memory_past_the_last_neighbour_is_not_read),
+        cmocka_unit_test(operator_error_equals_the_symbol_error),
     };
     return cmocka_run_group_tests_name("consistency", tests, NULL, NULL);
 }

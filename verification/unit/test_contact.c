@@ -89,7 +89,7 @@ static void piecewise_quadratics_are_exact(void **state) {
             }
 }
 
-static void one_material_is_so_ssph(void **state) {
+static void one_material_reduces_to_so_ssph(void **state) {
     (void)state;
     struct problem p = odd_rectangle();
     struct options o = options_of(LAYOUT_JITTER);
@@ -281,7 +281,7 @@ static int one_back(const struct problem *p, const struct options *o, const stru
 static const struct scheme back_scheme = {.two_materials = 1, .sweeps = 1, .keeps_start = 1, .weights = one_back};
 static const struct method back = {.name = "back", .accepts = "", .scheme = &back_scheme, .solve = particles_solve};
 
-static void a_start_outside_of_its_data_is_refused(void **state) {
+static void start_outside_the_data_range_is_refused(void **state) {
     (void)state;
     struct problem p = two_halves();
     struct failure why = {0};
@@ -293,7 +293,7 @@ static void a_start_outside_of_its_data_is_refused(void **state) {
 }
 
 /* l A = 0 on a lattice and on a cloud, and sum l = all. */
-static void the_sum_that_it_keeps_is_kept(void **state) {
+static void left_null_vector_conserves_heat(void **state) {
     (void)state;
     for (int cloud = 0; cloud < 2; cloud++) {
         struct problem p = two_halves();
@@ -338,7 +338,7 @@ static struct result result_of(const char *line) {
     return out;
 }
 
-static void the_same_on_either_side_of_rounding(void **state) {
+static void interface_at_round_off_changes_nothing(void **state) {
     (void)state;
     const char *const names[] = {"brookshaw --mean series", "brookshaw --mean harmonic", "ftcs --mean series",
                                  "ftcs --mean arithmetic"};
@@ -377,7 +377,7 @@ static double sloping(const struct problem *p, const double x[2]) {
 }
 
 /* A cell that the contact cuts starts at its heat over its heat capacity; neither start is 0 here. */
-static void cut_cells_start_at_their_heat(void **state) {
+static void cut_cells_start_with_their_heat(void **state) {
     (void)state;
     const char *const line = "run rod-contact ftcs --dx 0.1 --set x_c=0.03 --set T1=0.9 --set T2=0.3";
     struct command r;
@@ -402,16 +402,16 @@ int main(void) {
     gsl_set_error_handler_off();
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(piecewise_quadratics_are_exact),
-        cmocka_unit_test(one_material_is_so_ssph),
+        cmocka_unit_test(one_material_reduces_to_so_ssph),
         cmocka_unit_test(poor_contacts_are_refused),
         cmocka_unit_test(no_mode_grows_on_a_rod),
         cmocka_unit_test(no_mode_grows_in_the_plane),
         cmocka_unit_test(weights_are_not_negative),
-        cmocka_unit_test(a_start_outside_of_its_data_is_refused),
-        cmocka_unit_test(the_sum_that_it_keeps_is_kept),
-        cmocka_unit_test(the_same_on_either_side_of_rounding),
+        cmocka_unit_test(start_outside_the_data_range_is_refused),
+        cmocka_unit_test(left_null_vector_conserves_heat),
+        cmocka_unit_test(interface_at_round_off_changes_nothing),
         cmocka_unit_test(cut_cells_keep_heat_and_steady_profiles),
-        cmocka_unit_test(cut_cells_start_at_their_heat),
+        cmocka_unit_test(cut_cells_start_with_their_heat),
     };
     return cmocka_run_group_tests_name("contact", tests, NULL, NULL);
 }

@@ -14,7 +14,7 @@
 #include <stdlib.h>
 
 /* z cot z = -biot and z tan z = biot by bisection in 40 digits. */
-static void roots_are_known(void **state) {
+static void robin_roots_equal_known_values(void **state) {
     (void)state;
     static const struct {
         int n, insulated;
@@ -35,7 +35,7 @@ static void roots_are_known(void **state) {
 }
 
 /* One root between neighbouring multiples of pi/2, for any biot: each obeys its equation to rounding. */
-static void no_root_is_missed(void **state) {
+static void robin_roots_are_complete(void **state) {
     (void)state;
     for (double biot = 1e-20; biot < 1e21; biot *= 7.3)
         for (int insulated = 0; insulated < 2; insulated++)
@@ -56,7 +56,7 @@ static void no_root_is_missed(void **state) {
 
 /* At the end the flux is that to the air; both slopes agree with differences; far from the end the temperature is
  * unchanged; as h tends to infinity the end becomes a Dirichlet end. */
-static void half_lines_cool(void **state) {
+static void cooled_half_line_meets_its_conditions(void **state) {
     (void)state;
     for (double h = 0.01; h < 1e4; h *= 13)
         for (double s = 0.003; s < 30; s *= 4.7) {
@@ -89,7 +89,7 @@ static struct surface surface_at(const struct cooled_plate *c, const double x[2]
 
 /* Early the double series would take modes without number: it says that it has no bound, and at once.  As long as it
  * has one, it holds. */
-static void the_series_knows_its_limit(void **state) {
+static void series_without_a_bound_reports_infinity(void **state) {
     (void)state;
     int bounded = 0, unbounded = 0;
     for (double s = 0.3; s > 1e-9; s /= 2.3) {
@@ -106,7 +106,7 @@ static void the_series_knows_its_limit(void **state) {
 }
 
 /* On the hot side the gradient is the limit of that beside it; in the corner it grows without bound, and says so. */
-static void the_hot_side_has_a_gradient(void **state) {
+static void gradient_on_the_hot_side_is_its_limit(void **state) {
     (void)state;
     struct problem p;
     struct failure why;
@@ -127,11 +127,11 @@ static void the_hot_side_has_a_gradient(void **state) {
 
 int main(void) {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(roots_are_known),
-        cmocka_unit_test(no_root_is_missed),
-        cmocka_unit_test(half_lines_cool),
-        cmocka_unit_test(the_series_knows_its_limit),
-        cmocka_unit_test(the_hot_side_has_a_gradient),
+        cmocka_unit_test(robin_roots_equal_known_values),
+        cmocka_unit_test(robin_roots_are_complete),
+        cmocka_unit_test(cooled_half_line_meets_its_conditions),
+        cmocka_unit_test(series_without_a_bound_reports_infinity),
+        cmocka_unit_test(gradient_on_the_hot_side_is_its_limit),
     };
     gsl_set_error_handler_off();
     return cmocka_run_group_tests_name("cooling", tests, NULL, NULL);

@@ -144,7 +144,7 @@ static void missing_point_of_a_rod_is_named(void **state) {
 }
 
 /* Distances show a missing point where five are left, not where four are. */
-static void four_points_show_no_spacing(void **state) {
+static void four_points_do_not_determine_a_spacing(void **state) {
     (void)state;
     const double first[2] = {0.1, 0}, step[2] = {0.15, 0};
     for (int skip = 1; skip < 5; skip++) {
@@ -224,9 +224,9 @@ static void two_points_at_one_place_are_found(void **state) {
 
 int main(void) {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(usual_arrangements_cover_the_domain), cmocka_unit_test(uncovered_parts_are_refused),
-        cmocka_unit_test(first_point_outside_is_named),        cmocka_unit_test(missing_point_of_a_rod_is_named),
-        cmocka_unit_test(four_points_show_no_spacing),         cmocka_unit_test(missing_point_of_a_plane_is_named),
+        cmocka_unit_test(usual_arrangements_cover_the_domain),    cmocka_unit_test(uncovered_parts_are_refused),
+        cmocka_unit_test(first_point_outside_is_named),           cmocka_unit_test(missing_point_of_a_rod_is_named),
+        cmocka_unit_test(four_points_do_not_determine_a_spacing), cmocka_unit_test(missing_point_of_a_plane_is_named),
         cmocka_unit_test(two_points_at_one_place_are_found),
     };
     return cmocka_run_group_tests_name("coverage", tests, NULL, NULL);

@@ -31,7 +31,7 @@ static struct approx pulse(const void *data, const double x[2]) {
     return (struct approx){exp(-z * z), 0};
 }
 
-static void a_knot_finds_what_is_narrow(void **state) {
+static void knot_resolves_a_narrow_pulse(void **state) {
     (void)state;
     struct feature c = {.width = 1e-7};
     const double lo[2] = {-1, 0}, hi[2] = {1, 0};
@@ -58,7 +58,7 @@ static double below(int which, double z) {
     return value[which];
 }
 
-static void bounds_hold_at_every_width(void **state) {
+static void cubature_bounds_hold_at_every_width(void **state) {
     (void)state;
     const double lo[2] = {-1, 0}, hi[2] = {1, 0};
     struct cubature_knots knots = {.count = {1, 0}};
@@ -75,8 +75,8 @@ static void bounds_hold_at_every_width(void **state) {
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(polynomials_are_exact),
-        cmocka_unit_test(a_knot_finds_what_is_narrow),
-        cmocka_unit_test(bounds_hold_at_every_width),
+        cmocka_unit_test(knot_resolves_a_narrow_pulse),
+        cmocka_unit_test(cubature_bounds_hold_at_every_width),
     };
     return cmocka_run_group_tests_name("cubature", tests, NULL, NULL);
 }

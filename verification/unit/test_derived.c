@@ -61,7 +61,7 @@ static void exact_for_polynomials(void **state) {
  * Legendre's rule misses h^7 (3!)^4 / (7 (6!)^3) of the sixth derivative, 2^6 at most: 5.2e-8 of a panel of 0.4 m,
  * 2e-6 of 13 over 3 m.  A polynomial of degree five leaves (2 r)^6/6! within the reach r = 0.35 m of 36
  * points, 1.6e-4 at most. With one panel along y it would miss by some of T itself. */
-static void heat_of_many_panels(void **state) {
+static void heat_by_many_panels(void **state) {
     (void)state;
     struct problem p = {.dim = 2, .hi = {3, 5}, .materials = 1, .material = {{{1, 1}, 1.9}}};
     struct field f;
@@ -81,7 +81,7 @@ static void heat_of_many_panels(void **state) {
  * panels of 0.2 m at most, which miss 2e-8.  The slope of a polynomial of degree five leaves (4 r)^5/5! within the
  * reach r = 0.175 m of 36 points, 1.4e-3 at most, of 4.5 m.  Three panels would miss 4^6 h^7 (3!)^4/(7 (6!)^3) each,
  * 0.03. */
-static void a_flux_of_many_panels(void **state) {
+static void flux_by_many_panels(void **state) {
     (void)state;
     struct problem p = {.dim = 2, .lo = {0, -2}, .hi = {1, 2.5}, .materials = 1, .material = {{{1, 1}, 1}}};
     struct field f;
@@ -130,7 +130,7 @@ static void climb(const char *line, struct ladder *l, int wanted, const char *be
     command_free(&r);
 }
 
-static void a_ladder_of_its_own(void **state) {
+static void derived_quantities_have_ladders(void **state) {
     (void)state;
     struct ladder l;
     climb("ladder rod-cosine so_ssph --dx 1/20,1/40,1/80,1/160 --quantity at:0.3 --expect 1.95,2.05", &l, 0, "");
@@ -150,9 +150,12 @@ static void undefined_quantities_are_refused(void **state) {
 
 int main(void) {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(exact_for_polynomials), cmocka_unit_test(heat_of_many_panels),
-        cmocka_unit_test(a_flux_of_many_panels), cmocka_unit_test(a_wall_of_two_layers_has_the_conductivity_at_it),
-        cmocka_unit_test(a_ladder_of_its_own),   cmocka_unit_test(undefined_quantities_are_refused),
+        cmocka_unit_test(exact_for_polynomials),
+        cmocka_unit_test(heat_by_many_panels),
+        cmocka_unit_test(flux_by_many_panels),
+        cmocka_unit_test(a_wall_of_two_layers_has_the_conductivity_at_it),
+        cmocka_unit_test(derived_quantities_have_ladders),
+        cmocka_unit_test(undefined_quantities_are_refused),
     };
     gsl_set_error_handler_off();
     return cmocka_run_group_tests_name("derived", tests, NULL, NULL);

@@ -141,7 +141,7 @@ static void faults_are_named_with_their_size(void **state) {
 
 /* A jump a third of a cell below a face at dx = 0.05, a third above one at 0.025: values at the points put it there.
  */
-static void values_for_means_are_named(void **state) {
+static void point_values_in_place_of_means_are_named(void **state) {
     (void)state;
     struct problem p = problem_of("rod-step");
     struct rung r[2];
@@ -185,7 +185,7 @@ static void fill_rounded(double *T, int n) {
 }
 
 /* Some ten values that are not round by chance; an error up to N^2 times half a unit of the last digit of 1 K. */
-static void few_rounded_temperatures_show_nothing(void **state) {
+static void few_rounded_temperatures_are_not_named(void **state) {
     (void)state;
     double T[10];
     struct field f = {.dim = 1, .n = 10, .T = T};
@@ -236,7 +236,7 @@ static void solve_means(struct problem *p, double mean, double steps, double dx,
 
 /* An answer at the start identifies means or values, and thus the remainder for a clock, unless the initial data are
  * linear.  Differences over d = dx/8 of a Gaussian are too small by d^2/12 5/(2 sigma^2): 7e-5. */
-static void starts_show_means_over_cells(void **state) {
+static void initial_data_reveal_cell_means(void **state) {
     (void)state;
     static const double means[] = {0, 1, -2, 2}, steps[] = {1, -1, -1, 1};
     struct problem p = problem_of("rod-gauss"), early = p;
@@ -271,7 +271,7 @@ static void starts_show_means_over_cells(void **state) {
 
 /* A wave in the plane with two wavelengths: cell means, with noise of a millionth of their difference; and
  * values. */
-static void starts_in_the_plane_have_both_curvatures(void **state) {
+static void initial_data_reveal_cell_means_in_the_plane(void **state) {
     (void)state;
     struct problem p = problem_of("wave");
     enum { SIDE = 20 };
@@ -386,7 +386,7 @@ static void unstable_runs_are_named(void **state) {
 
 /* 2 % more conductivity on a Gaussian of kappa t/sigma0^2 = c: T = (1 + 2 c)^-1/2 exp(-x^2/(2 sigma^2)) loses at x
  * the share 0.02 c (1 - x^2/sigma^2)/(1 + 2 c), and the mean of |1 - u^2| over a Gaussian is 4/sqrt(2 pi e). */
-static void effect_of_a_fault_is_its_relative_error(void **state) {
+static void response_is_the_relative_error_of_a_fault(void **state) {
     (void)state;
     struct problem p = problem_of("rod-gauss");
     struct diagnosis d = {.named = 1, .fault = {FAULT_CONDUCTIVITY, 0}, .size = 2, .unit = "%"};
@@ -402,7 +402,7 @@ static void effect_of_a_fault_is_its_relative_error(void **state) {
 }
 
 /* Off by 1 % of their largest, up and down from point to point: of this nothing but noise is to be seen. */
-static void noise_is_no_fault(void **state) {
+static void noise_is_not_named(void **state) {
     (void)state;
     struct problem p = problem_of("rod-step");
     struct rung r[2];
@@ -468,18 +468,18 @@ static void correct_codes_have_no_fault(void **state) {
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(faults_are_named_with_their_size),
-        cmocka_unit_test(values_for_means_are_named),
+        cmocka_unit_test(point_values_in_place_of_means_are_named),
         cmocka_unit_test(rounded_temperatures_are_named),
-        cmocka_unit_test(few_rounded_temperatures_show_nothing),
+        cmocka_unit_test(few_rounded_temperatures_are_not_named),
         cmocka_unit_test(rounded_temperatures_are_named_in_any_scale),
         cmocka_unit_test(runs_that_differ_are_named),
-        cmocka_unit_test(starts_show_means_over_cells),
-        cmocka_unit_test(starts_in_the_plane_have_both_curvatures),
+        cmocka_unit_test(initial_data_reveal_cell_means),
+        cmocka_unit_test(initial_data_reveal_cell_means_in_the_plane),
         cmocka_unit_test(sizes_follow_the_spacing),
         cmocka_unit_test(means_of_conductivities_are_distinguished),
         cmocka_unit_test(unstable_runs_are_named),
-        cmocka_unit_test(effect_of_a_fault_is_its_relative_error),
-        cmocka_unit_test(noise_is_no_fault),
+        cmocka_unit_test(response_is_the_relative_error_of_a_fault),
+        cmocka_unit_test(noise_is_not_named),
         cmocka_unit_test(large_answers_are_sampled),
         cmocka_unit_test(correct_codes_have_no_fault),
     };

@@ -63,7 +63,7 @@ static void draws_lie_within_their_ranges(void **state) {
 
 /* Seeds draw all images, and crossed rows complement the others: a side that is never the low one in one row is the
  * low one in the other; an axis that is y in one is x in the other. */
-static void all_images_are_drawn(void **state) {
+static void all_symmetries_are_drawn(void **state) {
     (void)state;
     int seen[2][8] = {{0}, {0}};
     const struct battery_row *source = NULL, *changing = NULL;
@@ -93,7 +93,7 @@ static void all_images_are_drawn(void **state) {
 }
 
 /* A drawn value replaces the written one, once; seed 0 draws nothing. */
-static void a_drawn_number_replaces_the_written_one(void **state) {
+static void drawn_value_replaces_the_default(void **state) {
     (void)state;
     static const struct battery_row row = {
         1, "a/b", "order", "ladder rect-manufactured", "k_x=0.5 A=0.3", "--aspect 2 --dx 0.1", "k_x=2:3 offset=1:2",
@@ -147,7 +147,7 @@ static void slabs_turn_each_axis_to_both_walls(void **state) {
     }
 }
 
-static void ranges_that_are_none_are_refused(void **state) {
+static void invalid_ranges_are_refused(void **state) {
     (void)state;
     static const char *const wrong[] = {"kappa", "kappa=1", "kappa=2:1", "kappa=a:b", "=1:2"};
     char command[BATTERY_COMMAND];
@@ -161,12 +161,9 @@ static void ranges_that_are_none_are_refused(void **state) {
 
 int main(void) {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(draws_lie_within_their_ranges),
-        cmocka_unit_test(all_images_are_drawn),
-        cmocka_unit_test(a_drawn_number_replaces_the_written_one),
-        cmocka_unit_test(ranges_that_are_none_are_refused),
-        cmocka_unit_test(both_axes_have_a_contact),
-        cmocka_unit_test(slabs_turn_each_axis_to_both_walls),
+        cmocka_unit_test(draws_lie_within_their_ranges),    cmocka_unit_test(all_symmetries_are_drawn),
+        cmocka_unit_test(drawn_value_replaces_the_default), cmocka_unit_test(invalid_ranges_are_refused),
+        cmocka_unit_test(both_axes_have_a_contact),         cmocka_unit_test(slabs_turn_each_axis_to_both_walls),
     };
     gsl_set_error_handler_off();
     return cmocka_run_group_tests_name("draw", tests, NULL, NULL);

@@ -75,7 +75,7 @@ static void back_again(const struct lattice *l) {
     free(T);
 }
 
-static void all_modes_give_the_data_back(void **state) {
+static void transform_pair_is_the_identity(void **state) {
     (void)state;
     for (int layout = 0; layout < 2; layout++)
         for (int sides = 0; sides < 16; sides++) {
@@ -91,7 +91,7 @@ static void all_modes_give_the_data_back(void **state) {
 /* Insulated at one end, cooled by f = (1 - b)/(1 + b) at the other: mode k of n particles is cos(theta (i + 1/2)),
  * and the ghost asks for tan(n theta) tan(theta/2) = b.  The slowest one decays however little is cooled: its theta
  * is sqrt(2 b/n) and must be known to its own last digits, not to those of pi. */
-static void cooled_ends_have_their_angles(void **state) {
+static void robin_angles_solve_their_equation(void **state) {
     (void)state;
     enum { N = 11 };
     for (int power = 3; power <= 50; power += 47 / 3) {
@@ -129,7 +129,7 @@ static double *field_of(const int n[2], double (*f)(int, int)) {
     return F;
 }
 
-static void a_sum_of_products_is_found_and_put_together(void **state) {
+static void sum_of_products_is_recovered(void **state) {
     (void)state;
     const int n[2] = {NX, NY};
     double *F = field_of(n, three_products), *again = xcalloc(NX * NY, sizeof *again);
@@ -145,7 +145,7 @@ static void a_sum_of_products_is_found_and_put_together(void **state) {
     free(again);
 }
 
-static void other_fields_are_no_sum_of_few_products(void **state) {
+static void full_rank_field_is_not_split(void **state) {
     (void)state;
     const int n[2] = {NX, NY};
     static const double odd[] = {NAN, INFINITY, -INFINITY, 1e-9};
@@ -168,7 +168,7 @@ static double same_rows(int i, int j) {
 }
 
 /* Repeated rows are skipped, except for the one that differs in its last column. */
-static void a_row_that_repeats_another_but_for_one_value_is_seen(void **state) {
+static void nearly_equal_rows_are_distinguished(void **state) {
     (void)state;
     const int n[2] = {NX, NY};
     double *F = field_of(n, same_rows), *again = xcalloc(NX * NY, sizeof *again);
@@ -186,7 +186,7 @@ static void a_row_that_repeats_another_but_for_one_value_is_seen(void **state) {
 }
 
 /* exp(tA) is linear: of a product, by its few modes, it is that of a sum less that of the rest, by all of theirs. */
-static void few_modes_evolve_as_all_do(void **state) {
+static void few_modes_and_all_modes_agree(void **state) {
     (void)state;
     static const double times[] = {0.27, 1, 13.1}; /* t_end: most modes survive, some, few */
     for (int sides = 0; sides < 16; sides++)
@@ -240,7 +240,7 @@ static double third_wave(int i, int j) {
 }
 
 /* A wave of 1e-9 K beside one of 1 K adds 1e-9 of its own solution. */
-static void a_faint_wave_evolves(void **state) {
+static void faint_mode_is_kept(void **state) {
     (void)state;
     struct problem p = odd_rectangle();
     struct options o = {.dx = 0.02, .h = 1.23};
@@ -300,14 +300,10 @@ static void slow_modes_keep_their_rates(void **state) {
 
 int main(void) {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(a_mode_has_one_coefficient),
-        cmocka_unit_test(all_modes_give_the_data_back),
-        cmocka_unit_test(cooled_ends_have_their_angles),
-        cmocka_unit_test(a_sum_of_products_is_found_and_put_together),
-        cmocka_unit_test(other_fields_are_no_sum_of_few_products),
-        cmocka_unit_test(a_row_that_repeats_another_but_for_one_value_is_seen),
-        cmocka_unit_test(few_modes_evolve_as_all_do),
-        cmocka_unit_test(a_faint_wave_evolves),
+        cmocka_unit_test(a_mode_has_one_coefficient),        cmocka_unit_test(transform_pair_is_the_identity),
+        cmocka_unit_test(robin_angles_solve_their_equation), cmocka_unit_test(sum_of_products_is_recovered),
+        cmocka_unit_test(full_rank_field_is_not_split),      cmocka_unit_test(nearly_equal_rows_are_distinguished),
+        cmocka_unit_test(few_modes_and_all_modes_agree),     cmocka_unit_test(faint_mode_is_kept),
         cmocka_unit_test(slow_modes_keep_their_rates),
     };
     return cmocka_run_group_tests_name("exact", tests, NULL, NULL);

@@ -49,7 +49,7 @@ static void an_exact_code_passes(void **state) {
 }
 
 /* As a typed ladder: passes below a ceiling, fails above it, and is inconclusive without one. */
-static void a_rung_at_rounding_stands_below_a_ceiling(void **state) {
+static void rung_at_round_off_passes_its_ceiling(void **state) {
     (void)state;
     static const char *const line = "ladder rod-cosine mine --dx 1/20,1/40,1/60,1/80 --expect 1.9,2.1";
     char with[200];
@@ -156,7 +156,7 @@ int main(int argc, char **argv) {
     if (argc == 6 && strcmp(argv[1], "--made") == 0) return made_main(argv, (int)getpid());
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(an_exact_code_passes),
-        cmocka_unit_test(a_rung_at_rounding_stands_below_a_ceiling),
+        cmocka_unit_test(rung_at_round_off_passes_its_ceiling),
         cmocka_unit_test(the_number_of_missing_rungs_is_stated),
         cmocka_unit_test(draws_are_pooled),
         cmocka_unit_test(undecidable_answers_are_inconclusive),

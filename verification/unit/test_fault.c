@@ -29,7 +29,7 @@ static void impossible_sizes_are_refused(void **state) {
 
 /* Probes along y have the extent of y; the walls across y, and no others, keep k dT/dn = b (value - T) in a
  * stretched body. */
-static void faults_along_y_have_the_extent_of_y(void **state) {
+static void probe_sizes_along_y_use_the_extent_of_y(void **state) {
     (void)state;
     struct problem p = problem_of("plate-cooling"), rod = problem_of("rod-step");
     struct faulty with;
@@ -53,7 +53,7 @@ static void faults_along_y_have_the_extent_of_y(void **state) {
 }
 
 /* Probes across both axes have the extent of x; probes of all sides a fraction of it. */
-static void faults_of_both_axes_have_one_probe(void **state) {
+static void probe_sizes_of_both_axes_use_x(void **state) {
     (void)state;
     struct problem p = problem_of("rect-manufactured");
     assert_near(fault_probe(&p, (struct fault){FAULT_EXTENT, FAULT_BOTH_AXES}), (p.hi[0] - p.lo[0]) / 200, 1e-15);
@@ -83,7 +83,7 @@ static void sides_and_corners_have_faults_of_their_own(void **state) {
 
 /* A rod has no y, a body of one material no second, an oblong cannot be transposed, and an absent part has no
  * fault. */
-static void bodies_have_the_faults_of_their_parts(void **state) {
+static void faults_apply_to_existing_parts_only(void **state) {
     (void)state;
     static const struct {
         const char *scene;
@@ -199,7 +199,7 @@ static double warm_middle(const struct problem *p, enum side s, const double x[2
 }
 
 /* A side that is warm in its middle alone, at the coordinate along it. */
-static void sides_may_be_warm_in_part(void **state) {
+static void wall_value_in_the_middle_alone_is_found(void **state) {
     (void)state;
     struct problem p = problem_of("plate");
     struct faulty with;
@@ -214,13 +214,13 @@ static void sides_may_be_warm_in_part(void **state) {
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(impossible_sizes_are_refused),
-        cmocka_unit_test(faults_along_y_have_the_extent_of_y),
-        cmocka_unit_test(faults_of_both_axes_have_one_probe),
+        cmocka_unit_test(probe_sizes_along_y_use_the_extent_of_y),
+        cmocka_unit_test(probe_sizes_of_both_axes_use_x),
         cmocka_unit_test(sides_and_corners_have_faults_of_their_own),
-        cmocka_unit_test(bodies_have_the_faults_of_their_parts),
+        cmocka_unit_test(faults_apply_to_existing_parts_only),
         cmocka_unit_test(stretched_bodies_keep_walls_and_sources),
         cmocka_unit_test(starts_move_along_y),
-        cmocka_unit_test(sides_may_be_warm_in_part),
+        cmocka_unit_test(wall_value_in_the_middle_alone_is_found),
     };
     return cmocka_run_group_tests_name("fault", tests, NULL, NULL);
 }

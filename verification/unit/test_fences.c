@@ -100,7 +100,7 @@ static void stays_inside(const char *line) {
     if (broken > before) fail_msg("%s: %d blocks were written to past their end", line, broken - before);
 }
 
-static void fences_hold(void **state) {
+static void solvers_stay_within_their_arrays(void **state) {
     (void)state;
     static const char *const line[] = {
         "run rod-step so_ssph --dx 0.05",
@@ -128,7 +128,7 @@ static void fences_hold(void **state) {
 }
 
 /* The fences themselves. */
-static void fences_are_seen(void **state) {
+static void writes_past_an_array_are_detected(void **state) {
     (void)state;
     if (!FENCED) skip();
     int before = broken;
@@ -144,6 +144,7 @@ static void fences_are_seen(void **state) {
 }
 
 int main(void) {
-    const struct CMUnitTest tests[] = {cmocka_unit_test(fences_are_seen), cmocka_unit_test(fences_hold)};
+    const struct CMUnitTest tests[] = {cmocka_unit_test(writes_past_an_array_are_detected),
+                                       cmocka_unit_test(solvers_stay_within_their_arrays)};
     return cmocka_run_group_tests_name("fences", tests, NULL, NULL);
 }

@@ -38,7 +38,7 @@ static int read_as(const char *text, int dim, const char *map, struct samples *s
 }
 
 /* Each row is two points, (-2.5, 0.75) and (1.25, 0.5) where there is a y, at 3.5e-12 K and 7 K. */
-static void tables_of_many_kinds_read_the_same(void **state) {
+static void table_dialects_read_the_same(void **state) {
     (void)state;
     static const struct {
         int dim;
@@ -88,7 +88,7 @@ static void tables_may_give_weights_and_cost(void **state) {
     samples_free(&s);
 }
 
-static void other_text_is_refused_with_its_place(void **state) {
+static void invalid_tables_name_line_and_column(void **state) {
     (void)state;
     static const struct {
         const char *text, *says, *map;
@@ -176,7 +176,7 @@ static void numpy_columns_and_fields_are_read(void **state) {
         }
 }
 
-static void numpy_headers_may_be_long_and_rows_many(void **state) {
+static void long_numpy_files_are_read(void **state) {
     (void)state;
     enum { ROWS = 9000 };
     static double value[2 * ROWS];
@@ -243,7 +243,7 @@ static void other_numpy_arrays_are_refused(void **state) {
 }
 
 /* 0.1 m is a wall of the plate, and so is 0.0999999999999 m, wherever the plate is. */
-static void rounded_coordinates_are_on_the_walls(void **state) {
+static void rounded_coordinates_snap_to_walls(void **state) {
     (void)state;
     for (int moved = 0; moved < 2; moved++) {
         struct problem p;
@@ -270,13 +270,10 @@ static void rounded_coordinates_are_on_the_walls(void **state) {
 
 int main(void) {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(tables_of_many_kinds_read_the_same),
-        cmocka_unit_test(tables_may_give_weights_and_cost),
-        cmocka_unit_test(other_text_is_refused_with_its_place),
-        cmocka_unit_test(numpy_columns_and_fields_are_read),
-        cmocka_unit_test(numpy_headers_may_be_long_and_rows_many),
-        cmocka_unit_test(other_numpy_arrays_are_refused),
-        cmocka_unit_test(rounded_coordinates_are_on_the_walls),
+        cmocka_unit_test(table_dialects_read_the_same),        cmocka_unit_test(tables_may_give_weights_and_cost),
+        cmocka_unit_test(invalid_tables_name_line_and_column), cmocka_unit_test(numpy_columns_and_fields_are_read),
+        cmocka_unit_test(long_numpy_files_are_read),           cmocka_unit_test(other_numpy_arrays_are_refused),
+        cmocka_unit_test(rounded_coordinates_snap_to_walls),
     };
     int file = scratch_file(path, "field-file-test");
     if (file < 0 || close(file)) return 1;

@@ -73,7 +73,7 @@ static void files_are_written_and_replaced(void **state) {
     assert_int_equal(entries(p->directory), 1);
 }
 
-static void permissions_stay(void **state) {
+static void replacing_keeps_permissions(void **state) {
     const struct place *p = *state;
     struct failure why;
     struct stat s;
@@ -84,7 +84,7 @@ static void permissions_stay(void **state) {
     assert_int_equal(s.st_mode & 0777, 0640);
 }
 
-static void checks_leave_files_as_they_are(void **state) {
+static void checking_a_path_changes_no_file(void **state) {
     const struct place *p = *state;
     struct failure why;
     char text[32];
@@ -126,7 +126,7 @@ static void several_files_are_all_written_or_none(void **state) {
     assert_int_equal(entries(p->directory), 1); /* no part is left behind */
 }
 
-static void links_stay_links(void **state) {
+static void writing_through_a_link_keeps_the_link(void **state) {
     const struct place *p = *state;
     struct failure why;
     struct stat s;
@@ -142,7 +142,7 @@ static void links_stay_links(void **state) {
     assert_string_equal(text, "new");
 }
 
-static void devices_stay_devices(void **state) {
+static void writing_to_a_device_keeps_the_device(void **state) {
     (void)state;
     struct failure why;
     struct stat s;
@@ -163,7 +163,7 @@ static void write_with_threads(const struct atomic_file *files) {
 
 /* Once the pipe is open the file's part is there, and the writer waits for a reader: the signal comes amid the
  * writing. */
-static void interrupts_wait_for_the_writing(void **state) {
+static void signals_wait_for_a_complete_file(void **state) {
     const struct place *p = *state;
     enum { MUCH = 1 << 20 };
     const int interrupts[] = {SIGINT, SIGTERM, SIGHUP};
@@ -219,7 +219,7 @@ static void files_of_every_length_are_read(void **state) {
     }
 }
 
-static void a_nul_byte_ends_the_reading(void **state) {
+static void nul_byte_is_refused(void **state) {
     (void)state;
     size_t size;
     char *text = whole_file_at("/dev/zero", &size);
@@ -248,15 +248,15 @@ static void unreadable_files_give_the_reason(void **state) {
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test_setup_teardown(files_are_written_and_replaced, set_up, tear_down),
-        cmocka_unit_test_setup_teardown(permissions_stay, set_up, tear_down),
-        cmocka_unit_test_setup_teardown(checks_leave_files_as_they_are, set_up, tear_down),
+        cmocka_unit_test_setup_teardown(replacing_keeps_permissions, set_up, tear_down),
+        cmocka_unit_test_setup_teardown(checking_a_path_changes_no_file, set_up, tear_down),
         cmocka_unit_test_setup_teardown(unwritable_places_are_refused, set_up, tear_down),
         cmocka_unit_test_setup_teardown(several_files_are_all_written_or_none, set_up, tear_down),
-        cmocka_unit_test_setup_teardown(links_stay_links, set_up, tear_down),
-        cmocka_unit_test(devices_stay_devices),
-        cmocka_unit_test_setup_teardown(interrupts_wait_for_the_writing, set_up, tear_down),
+        cmocka_unit_test_setup_teardown(writing_through_a_link_keeps_the_link, set_up, tear_down),
+        cmocka_unit_test(writing_to_a_device_keeps_the_device),
+        cmocka_unit_test_setup_teardown(signals_wait_for_a_complete_file, set_up, tear_down),
         cmocka_unit_test(files_of_every_length_are_read),
-        cmocka_unit_test(a_nul_byte_ends_the_reading),
+        cmocka_unit_test(nul_byte_is_refused),
         cmocka_unit_test(unreadable_files_give_the_reason),
     };
     return cmocka_run_group_tests_name("files", tests, NULL, NULL);

@@ -70,7 +70,7 @@ static void discretization_errors_are_bounded(void **state) {
 }
 
 /* If a cell mean resembles the fault, half of it is assumed. */
-static void a_mean_that_looks_like_the_fault_is_halved(void **state) {
+static void nearly_collinear_mean_is_halved(void **state) {
     (void)state;
     static const double cosine[] = {0.85, 0.95}; /* squared cosines of the angle between both */
     struct field field = {.dim = 1, .n = 2};
@@ -93,7 +93,7 @@ int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(components_of_an_error_are_found),
         cmocka_unit_test(discretization_errors_are_bounded),
-        cmocka_unit_test(a_mean_that_looks_like_the_fault_is_halved),
+        cmocka_unit_test(nearly_collinear_mean_is_halved),
     };
     return cmocka_run_group_tests_name("fit", tests, NULL, NULL);
 }

@@ -10,7 +10,7 @@
 #include <gsl/gsl_errno.h>
 
 /* A start at 1e6 K is rounded to 2 eps of itself at least, late too. */
-static void a_plates_bound_holds_the_rounding_of_its_start(void **state) {
+static void plate_bound_covers_round_off_of_its_data(void **state) {
     (void)state;
     struct command r;
     struct failure why;
@@ -26,7 +26,7 @@ static void a_plates_bound_holds_the_rounding_of_its_start(void **state) {
 }
 
 /* Modes of one Robin wall are sums of n values, each rounded: 6.8 eps n. */
-static void sums_of_a_robin_wall_round_with_their_length(void **state) {
+static void robin_sums_round_in_proportion_to_length(void **state) {
     (void)state;
     struct command r;
     struct result result;
@@ -42,8 +42,8 @@ static void sums_of_a_robin_wall_round_with_their_length(void **state) {
 int main(void) {
     gsl_set_error_handler_off();
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(a_plates_bound_holds_the_rounding_of_its_start),
-        cmocka_unit_test(sums_of_a_robin_wall_round_with_their_length),
+        cmocka_unit_test(plate_bound_covers_round_off_of_its_data),
+        cmocka_unit_test(robin_sums_round_in_proportion_to_length),
     };
     return cmocka_run_group_tests_name("floors", tests, NULL, NULL);
 }

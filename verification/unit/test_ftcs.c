@@ -44,7 +44,7 @@ static void decays_as_its_symbol(const struct method *m, struct problem *p, enum
     field_free(&f);
 }
 
-static void modes_decay_as_their_symbol(void **state) {
+static void modes_decay_by_the_amplification_factor(void **state) {
     (void)state;
     const struct method *const both[] = {&method_ftcs, &method_ftcs_flux};
     for (int m = 0; m < 2; m++)
@@ -88,7 +88,7 @@ static double parabola_wall(const struct problem *p, enum side s, const double x
 
 /* G = -div(k grad T) keeps a parabola steady; with nodes on the walls the differences are exact (with fluxes all
  * except those next to a Dirichlet wall). */
-static void source_holds_a_parabola(void **state) {
+static void parabola_with_a_source_is_steady(void **state) {
     (void)state;
     struct problem p = plane(0, 0);
     p.param[0] = 0.31, p.param[1] = 1.7, p.param[2] = 0.45;
@@ -108,7 +108,7 @@ static void source_holds_a_parabola(void **state) {
 /* ---- Walls ---- */
 
 /* With `fixed`, ghosts half a spacing outside have the wall's temperature: the wall acts dx/2 too far out. */
-static void fixed_walls_lie_half_a_spacing_out(void **state) {
+static void fixed_walls_are_half_a_spacing_outside(void **state) {
     (void)state;
     struct problem p = rod(0);
     p.param[0] = 1.37, p.param[1] = -2.9, p.param[2] = 0;
@@ -147,7 +147,7 @@ static void heat_balance(void **state) {
 /* ---- The matched step ---- */
 
 /* Smoothing by the sampling shortens the run by its time; a jump sampled at points lengthens it. */
-static void matched_starts_late(void **state) {
+static void matched_run_starts_at_the_sampling_time(void **state) {
     (void)state;
     const double m[] = {0, 1, 4, -1, 1, 4}, dx = 0.046;
     for (int i = 0; i < 9; i++) {
@@ -182,7 +182,7 @@ static double level_alone(const struct problem *p, const double x[2]) {
 }
 
 /* Euler's step has no error where T is linear in time and the source that of its start. */
-static void source_that_changes_is_that_of_the_old_time(void **state) {
+static void changing_source_is_taken_at_the_old_time(void **state) {
     (void)state;
     const struct method *const both[] = {&method_ftcs, &method_ftcs_flux};
     for (int turn = 0; turn < 4; turn++) {
@@ -285,7 +285,7 @@ static void two_materials_in_the_plane(void **state) {
 }
 
 /* The step is whole: t_end / ceil(t_end / dt); a dx that is out by rounding is snapped. */
-static void whole_steps(void **state) {
+static void steps_are_whole_and_dx_is_snapped(void **state) {
     (void)state;
     struct problem p = rod(3);
     struct options o = {.dx = 0.0383333333, .dt = 0.0037};
@@ -391,7 +391,7 @@ static void steady_states_stay(void **state) {
     }
 }
 
-static void areas_and_heat(void **state) {
+static void polar_cells_sum_to_the_area(void **state) {
     (void)state;
     slope = 0;
     for (int hole = 0; hole < 2; hole++) {
@@ -408,7 +408,7 @@ static void areas_and_heat(void **state) {
 }
 
 /* The heat content rises by the heat that enters: 7 W/m^2 through walls of their full length. */
-static void a_flux_enters_once(void **state) {
+static void boundary_flux_enters_once(void **state) {
     (void)state;
     struct problem p = body(0.4, NEUMANN);
     struct field f = solved_round(&p, 9, 0.2);
@@ -417,7 +417,7 @@ static void a_flux_enters_once(void **state) {
 }
 
 /* In the norm of the areas the difference of two runs never grows up to 1/2, whatever the data are; above it does. */
-static void steps_up_to_a_half(void **state) {
+static void steps_up_to_one_half_are_stable(void **state) {
     (void)state;
     for (int over = 0; over < 2; over++) {
         struct problem p = body(0, DIRICHLET), q = p;
@@ -449,19 +449,19 @@ static void steps_up_to_a_half(void **state) {
 int main(void) {
     gsl_set_error_handler_off();
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(modes_decay_as_their_symbol),
-        cmocka_unit_test(source_holds_a_parabola),
-        cmocka_unit_test(fixed_walls_lie_half_a_spacing_out),
+        cmocka_unit_test(modes_decay_by_the_amplification_factor),
+        cmocka_unit_test(parabola_with_a_source_is_steady),
+        cmocka_unit_test(fixed_walls_are_half_a_spacing_outside),
         cmocka_unit_test(heat_balance),
-        cmocka_unit_test(matched_starts_late),
-        cmocka_unit_test(source_that_changes_is_that_of_the_old_time),
+        cmocka_unit_test(matched_run_starts_at_the_sampling_time),
+        cmocka_unit_test(changing_source_is_taken_at_the_old_time),
         cmocka_unit_test(stability),
         cmocka_unit_test(two_materials_in_the_plane),
-        cmocka_unit_test(whole_steps),
+        cmocka_unit_test(steps_are_whole_and_dx_is_snapped),
         cmocka_unit_test(steady_states_stay),
-        cmocka_unit_test(areas_and_heat),
-        cmocka_unit_test(a_flux_enters_once),
-        cmocka_unit_test(steps_up_to_a_half),
+        cmocka_unit_test(polar_cells_sum_to_the_area),
+        cmocka_unit_test(boundary_flux_enters_once),
+        cmocka_unit_test(steps_up_to_one_half_are_stable),
     };
     return cmocka_run_group_tests_name("ftcs", tests, NULL, NULL);
 }

@@ -20,7 +20,7 @@ static int read_text(const char *text, struct gate_file *f, struct failure *why)
     return gate_file_read(text, strlen(text), "rows", f, why);
 }
 
-static void rows_are_taken_as_c_writes_them(void **state) {
+static void gate_rows_are_read_in_c_syntax(void **state) {
     (void)state;
     struct gate_file f;
     struct failure why;
@@ -76,7 +76,7 @@ static void errors_are_reported_with_their_position(void **state) {
 }
 
 /* Any bytes, also truncated anywhere, are either read or refused; a sanitizer detects accesses outside them. */
-static void any_prefix_is_survived(void **state) {
+static void truncated_files_are_refused(void **state) {
     (void)state;
     const char *text = "/**/GATE(\"a\", QUICK, \"error\", \"r\" \"\\\"\", -1, INFINITY, NAN, \"w\") // ";
     for (size_t n = 0; n <= strlen(text); n++) {
@@ -92,7 +92,7 @@ static void any_prefix_is_survived(void **state) {
     }
 }
 
-static void files_that_are_none(void **state) {
+static void missing_files_are_refused(void **state) {
     (void)state;
     struct gate_file f;
     struct failure why = {0};
@@ -107,7 +107,7 @@ static void files_that_are_none(void **state) {
     gate_file_free(&f);
 }
 
-static void a_link_to_rows_is_followed(void **state) {
+static void link_to_a_gate_file_is_followed(void **state) {
     (void)state;
     struct gate_file f;
     struct failure why;
@@ -126,9 +126,9 @@ static void a_link_to_rows_is_followed(void **state) {
 
 int main(void) {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(rows_are_taken_as_c_writes_them), cmocka_unit_test(errors_are_reported_with_their_position),
-        cmocka_unit_test(any_prefix_is_survived),          cmocka_unit_test(files_that_are_none),
-        cmocka_unit_test(a_link_to_rows_is_followed),
+        cmocka_unit_test(gate_rows_are_read_in_c_syntax),  cmocka_unit_test(errors_are_reported_with_their_position),
+        cmocka_unit_test(truncated_files_are_refused),     cmocka_unit_test(missing_files_are_refused),
+        cmocka_unit_test(link_to_a_gate_file_is_followed),
     };
     return cmocka_run_group_tests_name("gate_file", tests, NULL, NULL);
 }

@@ -10,7 +10,7 @@
 #include <string.h>
 
 /* Bounds are numbers: a ceiling where the measure needs one, above 0; a band that has an inside. */
-static void the_table_is_sound(void **state) {
+static void gate_table_is_valid(void **state) {
     (void)state;
     struct gates all;
     struct failure why = {0};
@@ -34,7 +34,7 @@ static void the_table_is_sound(void **state) {
 }
 
 /* Each word in braces makes one gate, whose bounds belong to its own experiment. */
-static void words_in_braces_make_a_gate_each(void **state) {
+static void braces_expand_to_gates(void **state) {
     (void)state;
     struct gates g;
     struct failure why;
@@ -49,7 +49,7 @@ static void words_in_braces_make_a_gate_each(void **state) {
 }
 
 /* The typed command gives the same verdict for the same reason: interval, norm or ceiling. */
-static void a_gate_can_be_typed(void **state) {
+static void gate_command_runs_as_printed(void **state) {
     (void)state;
     static const struct gate rows[] = {
         {"a", TIER_QUICK, "slope", "ladder rod-gauss so_ssph --dx 1,0.5,0.25,0.125", 2.01, 2.3, 1, "too high"},
@@ -81,7 +81,7 @@ static void a_gate_can_be_typed(void **state) {
     assert_string_equal(command, "verify --only symmetry/odd");
 }
 
-static void globs_choose(void **state) {
+static void globs_select_gates(void **state) {
     (void)state;
     struct gates g;
     struct failure why;
@@ -123,7 +123,7 @@ static void skipped_rows_exist(void **state) {
     gates_free(&g);
 }
 
-static void runs_of_another_program_are_counted(void **state) {
+static void external_runs_are_counted(void **state) {
     (void)state;
     static const struct gate rows[] = {
         {.id = "a", .measure = "slope", .command = "ladder rod-gauss x --dx 1,0.5,0.25"},
@@ -138,7 +138,7 @@ static void runs_of_another_program_are_counted(void **state) {
     }
 }
 
-static void declared_must_be_executed(void **state) {
+static void declared_gates_are_executed(void **state) {
     (void)state;
     struct gates g;
     struct failure why;
@@ -166,10 +166,10 @@ static void declared_must_be_executed(void **state) {
 
 int main(void) {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(the_table_is_sound),        cmocka_unit_test(words_in_braces_make_a_gate_each),
-        cmocka_unit_test(a_gate_can_be_typed),       cmocka_unit_test(globs_choose),
-        cmocka_unit_test(skipped_rows_exist),        cmocka_unit_test(runs_of_another_program_are_counted),
-        cmocka_unit_test(declared_must_be_executed),
+        cmocka_unit_test(gate_table_is_valid),          cmocka_unit_test(braces_expand_to_gates),
+        cmocka_unit_test(gate_command_runs_as_printed), cmocka_unit_test(globs_select_gates),
+        cmocka_unit_test(skipped_rows_exist),           cmocka_unit_test(external_runs_are_counted),
+        cmocka_unit_test(declared_gates_are_executed),
     };
     return cmocka_run_group_tests_name("gate_rows", tests, NULL, NULL);
 }

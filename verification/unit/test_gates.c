@@ -32,7 +32,7 @@ static void assert_fails(struct measured m, const char *part) {
 
 #define LADDER "ladder rod-gauss ftcs --dx 0.5,0.25,0.125,0.0625"
 
-static void a_true_gate_passes(void **state) {
+static void correct_gate_passes(void **state) {
     (void)state;
     struct measured m = judge("slope", LADDER, 1.9, 2.1, 1e-3);
     if (m.verdict != VERDICT_PASS) fail_msg("%s", m.reason);
@@ -48,7 +48,7 @@ static void a_wrong_order_fails(void **state) {
     assert_fails(judge("slope", LADDER, 0.9, 1.1, 1e-3), "is outside");
 }
 
-static void a_right_order_of_a_wrong_size_fails(void **state) {
+static void correct_order_above_the_ceiling_fails(void **state) {
     (void)state;
     assert_fails(judge("slope", LADDER, 1.9, 2.1, 1e-9), "is above its ceiling");
     assert_fails(judge("error", "run rod-gauss ftcs --dx 0.5", 0, 1, 1e-9), "is above its ceiling");
@@ -66,7 +66,7 @@ static void an_order_needs_a_ceiling(void **state) {
 }
 
 /* A limit of stability has no error. */
-static void an_error_that_is_not_a_number_fails(void **state) {
+static void nan_error_fails(void **state) {
     (void)state;
     const char *command = "limit so_ssph --dim 1 --kernel cubic --h 1.05";
     struct measured m = judge("limit_published", command, 0.95, 1, 1);
@@ -113,7 +113,7 @@ static void nonfinite_values_fail(void **state) {
     assert_fails(judge("checkerboard_kept", "run rod-gauss ftcs --dx 0.5 --dt 1e-3", -1, -0.5, NAN), "is outside");
 }
 
-static void derivatives_are_of_particle_methods(void **state) {
+static void operator_slope_needs_a_particle_method(void **state) {
     (void)state;
     const char *line = "ladder rod-gauss so_ssph --dx 0.4,0.1,0.2,0.05"; /* in any order */
     assert_int_equal(judge("operator_slope", line, 1.9, 2.1, 1).verdict, VERDICT_PASS);
@@ -124,7 +124,7 @@ static void derivatives_are_of_particle_methods(void **state) {
 
 /* Linear images are second order only if the wall is midway; a fit is at every offset, and its largest error is not
  * at the first. */
-static void every_offset_has_to_pass(void **state) {
+static void slope_offsets_needs_every_offset(void **state) {
     (void)state;
     const char *image = "ladder rod-cooling so_ssph --h 1.1 --walls image --dx 0.3/20,0.3/40,0.3/80,0.3/160";
     const char *fit = "ladder rod-cooling so_ssph --walls fit --dx 0.3/20,0.3/40,0.3/80,0.3/160";
@@ -142,7 +142,7 @@ static void every_offset_has_to_pass(void **state) {
     assert_order(most, >, 1.2 * one.error);
 }
 
-static void a_gate_without_a_ceiling_says_none(void **state) {
+static void nan_ceiling_prints_none(void **state) {
     (void)state;
     const struct gate gate = {"test", TIER_QUICK, "slope", LADDER, 1.9, 2.1, NAN, "a test"};
     char text[400];
@@ -152,7 +152,7 @@ static void a_gate_without_a_ceiling_says_none(void **state) {
 
 /* Measures that no right code would show to be wrong: an interval about its value, rounding that is not nothing, and
  * the two times of a wave. */
-static void measures_measure(void **state) {
+static void measures_vary_with_their_input(void **state) {
     (void)state;
     struct measured m = judge("operator_slope", "ladder rod-gauss so_ssph --dx 0.4,0.2,0.1,0.05", 1.9, 2.1, 1);
     assert_order(m.ci[0], <, m.value);
@@ -197,7 +197,7 @@ static double limits_of(double insulated, double held) {
     return m.value;
 }
 
-static void cooled_walls_are_held_to_both_limits(void **state) {
+static void cooled_walls_keep_both_limits(void **state) {
     (void)state;
     assert_near(limits_of(0, 0), 0, 0);
     assert_near(limits_of(0.25, 0), 0.25, 0);
@@ -229,7 +229,7 @@ static struct measured reference(double apart, double promise) {
     return m;
 }
 
-static void references_are_held_to_their_bounds(void **state) {
+static void references_keep_their_bounds(void **state) {
     (void)state;
     assert_int_equal(reference(0, 0).verdict, VERDICT_PASS);
     assert_int_equal(reference(0.9e-13, 1e-13).verdict, VERDICT_PASS);
@@ -242,7 +242,7 @@ static void references_are_held_to_their_bounds(void **state) {
     assert_near(reference(0, 0.25).error, 0.1, 1e-15);
 }
 
-static void junit_tells_each_verdict(void **state) {
+static void junit_lists_every_verdict(void **state) {
     (void)state;
     struct gates g;
     struct failure why;
@@ -298,7 +298,7 @@ static void junit_has_groups_and_interrupts(void **state) {
     assert_has(text, "<error message=\"interrupted by signal 15: 3 of 4 rows were judged\"/>");
 }
 
-static void those_that_do_not_hold_are_diagnosed(void **state) {
+static void failing_gates_are_diagnosed(void **state) {
     (void)state;
     static const enum verdict verdicts[] = {VERDICT_FAIL, VERDICT_PASS, VERDICT_INCONCLUSIVE, VERDICT_SKIPPED};
     struct gate_result result[4] = {0};
@@ -321,25 +321,25 @@ static void those_that_do_not_hold_are_diagnosed(void **state) {
 
 int main(void) {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(a_true_gate_passes),
+        cmocka_unit_test(correct_gate_passes),
         cmocka_unit_test(a_wrong_order_fails),
-        cmocka_unit_test(a_right_order_of_a_wrong_size_fails),
+        cmocka_unit_test(correct_order_above_the_ceiling_fails),
         cmocka_unit_test(an_order_needs_a_ceiling),
-        cmocka_unit_test(an_error_that_is_not_a_number_fails),
+        cmocka_unit_test(nan_error_fails),
         cmocka_unit_test(undershoot_counts_as_overshoot),
         cmocka_unit_test(three_rungs_do_not_pass),
         cmocka_unit_test(unknown_names_fail),
         cmocka_unit_test(instability_fails_with_its_reason),
         cmocka_unit_test(nonfinite_values_fail),
-        cmocka_unit_test(derivatives_are_of_particle_methods),
-        cmocka_unit_test(every_offset_has_to_pass),
-        cmocka_unit_test(a_gate_without_a_ceiling_says_none),
-        cmocka_unit_test(measures_measure),
-        cmocka_unit_test(cooled_walls_are_held_to_both_limits),
-        cmocka_unit_test(references_are_held_to_their_bounds),
-        cmocka_unit_test(junit_tells_each_verdict),
+        cmocka_unit_test(operator_slope_needs_a_particle_method),
+        cmocka_unit_test(slope_offsets_needs_every_offset),
+        cmocka_unit_test(nan_ceiling_prints_none),
+        cmocka_unit_test(measures_vary_with_their_input),
+        cmocka_unit_test(cooled_walls_keep_both_limits),
+        cmocka_unit_test(references_keep_their_bounds),
+        cmocka_unit_test(junit_lists_every_verdict),
         cmocka_unit_test(junit_has_groups_and_interrupts),
-        cmocka_unit_test(those_that_do_not_hold_are_diagnosed),
+        cmocka_unit_test(failing_gates_are_diagnosed),
     };
     return cmocka_run_group_tests_name("gates", tests, NULL, NULL);
 }

@@ -62,7 +62,7 @@ static void the_order_is_found_for_any_ratios(void **state) {
 }
 
 /* Changes as of an order of 0, ln r32/ln r21, and just above; of alternating errors 1. */
-static void there_is_no_order_where_changes_do_not_fall(void **state) {
+static void nonmonotone_changes_have_no_order(void **state) {
     (void)state;
     int oscillates;
     double least = log(2) / log(1.3);
@@ -88,7 +88,7 @@ static void json_of(const struct gci *g, char *text, size_t size) {
 
 /* n = 10, 20, 24, 40 of exact second order: both orders, and the index from the three finest, r = 40/24; the order
  * from rounded changes as above. */
-static void an_index_from_unequal_ratios(void **state) {
+static void gci_with_unequal_ratios(void **state) {
     (void)state;
     static const int n[] = {10, 20, 24, 40};
     struct gci g;
@@ -114,7 +114,7 @@ static void an_index_from_unequal_ratios(void **state) {
     }
 }
 
-static void a_line_of_quantities(void **state) {
+static void gci_of_quantities(void **state) {
     (void)state;
     static const double h[] = {0.4, 0.2, 0.1};
     struct gci g;
@@ -172,7 +172,7 @@ static void fields_on_different_points(void **state) {
 }
 
 /* A name longer than is kept is the same name in every file. */
-static void a_long_name_is_cut(void **state) {
+static void long_quantity_names_are_cut(void **state) {
     (void)state;
     static const char *const name = "heat_through_the_wall_between_the_boiler_and_the_room_beside_it";
     struct gci g;
@@ -189,7 +189,7 @@ static void a_long_name_is_cut(void **state) {
 }
 
 /* Points of a plane on one row are those of a rod. */
-static void a_row_of_the_plane_is_a_rod(void **state) {
+static void points_on_one_row_are_a_rod(void **state) {
     (void)state;
     struct gci g;
     struct failure why;
@@ -260,14 +260,10 @@ static void missing_answers_are_named(void **state) {
 
 int main(void) {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(the_order_is_found_for_any_ratios),
-        cmocka_unit_test(there_is_no_order_where_changes_do_not_fall),
-        cmocka_unit_test(an_index_from_unequal_ratios),
-        cmocka_unit_test(a_line_of_quantities),
-        cmocka_unit_test(fields_on_different_points),
-        cmocka_unit_test(a_long_name_is_cut),
-        cmocka_unit_test(a_row_of_the_plane_is_a_rod),
-        cmocka_unit_test(few_digits_leave_the_order_open),
+        cmocka_unit_test(the_order_is_found_for_any_ratios), cmocka_unit_test(nonmonotone_changes_have_no_order),
+        cmocka_unit_test(gci_with_unequal_ratios),           cmocka_unit_test(gci_of_quantities),
+        cmocka_unit_test(fields_on_different_points),        cmocka_unit_test(long_quantity_names_are_cut),
+        cmocka_unit_test(points_on_one_row_are_a_rod),       cmocka_unit_test(few_digits_leave_the_order_open),
         cmocka_unit_test(missing_answers_are_named),
     };
     char command[UNIT_PATH + 32];

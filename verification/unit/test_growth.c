@@ -38,7 +38,7 @@ static void compare(const struct method *method, double jitter, unsigned long se
     operator_free(&a);
 }
 
-static void rates_are_those_of_eigenvalues(void **state) {
+static void growth_rates_equal_eigenvalues(void **state) {
     (void)state;
     int growing = 0;
     for (unsigned long seed = 1; seed <= 4; seed++) {
@@ -60,7 +60,7 @@ static int run(const char *line, struct result *result) {
     return status;
 }
 
-static void a_run_with_a_growing_mode_says_so(void **state) {
+static void growing_mode_is_reported(void **state) {
     (void)state;
     struct result r;
     assert_int_equal(run("run rect-manufactured so_ssph --layout jitter --jitter 0.1 --seed 1 --dx 0.05", &r),
@@ -77,7 +77,7 @@ static void a_run_with_a_growing_mode_says_so(void **state) {
 
 /* A Dirichlet wall with fitted dummies: |Im lambda| is about 0.12 of the bound, and RKL2 damps it for up to about
  * nine stages. */
-static void many_stages_are_refused_where_they_do_not_damp(void **state) {
+static void undamped_many_stages_are_refused(void **state) {
     (void)state;
     const char *fit = "run disc-mode so_ssph --walls fit --dx 0.05 --seed 1 --layout jitter --jitter 0.2 --t-end 60 "
                       "--stepper";
@@ -104,9 +104,9 @@ static void many_stages_are_refused_where_they_do_not_damp(void **state) {
 int main(void) {
     gsl_set_error_handler_off();
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(rates_are_those_of_eigenvalues),
-        cmocka_unit_test(a_run_with_a_growing_mode_says_so),
-        cmocka_unit_test(many_stages_are_refused_where_they_do_not_damp),
+        cmocka_unit_test(growth_rates_equal_eigenvalues),
+        cmocka_unit_test(growing_mode_is_reported),
+        cmocka_unit_test(undamped_many_stages_are_refused),
     };
     return cmocka_run_group_tests_name("growth", tests, NULL, NULL);
 }

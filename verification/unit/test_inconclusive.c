@@ -132,7 +132,7 @@ static void digits_are_counted_in_the_temperatures_of_the_file(void **state) {
 }
 
 /* Slopes that turn by more than a half and back, or are of both signs. */
-static void slopes_that_turn_are_not_smooth(void **state) {
+static void turning_slopes_are_not_smooth(void **state) {
     (void)state;
     static const struct {
         double slope[5];
@@ -211,7 +211,7 @@ int main(void) {
         cmocka_unit_test(noise_leaves_a_ladder_inconclusive),
         cmocka_unit_test(few_printed_digits_leave_a_ladder_inconclusive),
         cmocka_unit_test(digits_are_counted_in_the_temperatures_of_the_file),
-        cmocka_unit_test(slopes_that_turn_are_not_smooth),
+        cmocka_unit_test(turning_slopes_are_not_smooth),
         cmocka_unit_test(missing_rungs_are_counted),
         cmocka_unit_test(rising_errors_need_no_more_rungs),
     };

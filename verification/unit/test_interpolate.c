@@ -35,7 +35,7 @@ static void look(const struct place *p, size_t n, double out[3]) {
 }
 
 /* Boxes as long as eight of their widths along x, then along y; the field is none that a polynomial would give. */
-static void a_long_box_has_near_points_beside_it(void **state) {
+static void interpolation_uses_near_points_in_a_long_box(void **state) {
     (void)state;
     static const double at[][2] = {{1.3, 0.31}, {0.04, 0.47}, {2.2, 0.02}, {3.97, 0.26}};
     static struct place p[N];
@@ -56,6 +56,6 @@ static void a_long_box_has_near_points_beside_it(void **state) {
 }
 
 int main(void) {
-    const struct CMUnitTest tests[] = {cmocka_unit_test(a_long_box_has_near_points_beside_it)};
+    const struct CMUnitTest tests[] = {cmocka_unit_test(interpolation_uses_near_points_in_a_long_box)};
     return cmocka_run_group_tests_name("interpolate", tests, NULL, NULL);
 }

@@ -151,7 +151,7 @@ static const struct stand_in cases[] = {
     {"a band upside down", 0.4, 2, 6, power, 2.1, 1.9, VERDICT_FAIL, "not finite"},
 };
 
-static void stand_ins_get_their_verdict(void **state) {
+static void synthetic_ladders_get_their_verdict(void **state) {
     (void)state;
     for (size_t k = 0; k < sizeof cases / sizeof cases[0]; k++) {
         const struct stand_in *c = &cases[k];
@@ -177,7 +177,7 @@ static void errors_that_do_not_fall_are_named(void **state) {
     assert_string_equal(reason, "the error does not fall: 1.6000e+01 at 4, 1.7500e+01 at 2");
 }
 
-static void the_fine_slope_by_hand(void **state) {
+static void fine_slope_equals_hand_calculation(void **state) {
     (void)state;
     const double x[5] = {16, 8, 4, 2, 1}, error[5] = {7, 3, 16, 4, 2};
     struct judged l = {x, error, 5, 0, NULL};
@@ -188,7 +188,7 @@ static void the_fine_slope_by_hand(void **state) {
     assert_nan(judge_fine_slope(&l));
 }
 
-static void the_floor_by_hand(void **state) {
+static void error_floor_equals_hand_calculation(void **state) {
     (void)state;
     double x[6], error[6];
     for (int i = 0; i < 6; i++) {
@@ -205,7 +205,7 @@ static void the_floor_by_hand(void **state) {
 }
 
 /* The coarse half has another floor than the fine one: which rungs are fitted must not depend on the unit of x. */
-static void the_unit_of_x_does_not_matter(void **state) {
+static void verdict_is_independent_of_units(void **state) {
     (void)state;
     double x[8], error[8];
     for (int i = 0; i < 8; i++) {
@@ -221,7 +221,7 @@ static void the_unit_of_x_does_not_matter(void **state) {
 
 /* 1, 0, 0, 0, 0 at equal distances: the differences (1, 0) of weights 1, 3, 3, 1 over sqrt(20), and about the line
  * 1/5 - (k - 2)/5 a sum of squares of 1 - 1/5 - 4/10: (1/20)/2 over 0.4/3. */
-static void roughness_by_hand(void **state) {
+static void roughness_equals_hand_calculation(void **state) {
     (void)state;
     const double e = exp(1), x[5] = {1, 1 / e, pow(e, -2), pow(e, -3), pow(e, -4)}, error[5] = {e, 1, 1, 1, 1};
     assert_near(slope_roughness(x, error, 5), (1.0 / 20 / 2) / (0.4 / 3), 1e-12);
@@ -230,9 +230,9 @@ static void roughness_by_hand(void **state) {
 
 int main(void) {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(stand_ins_get_their_verdict),   cmocka_unit_test(errors_that_do_not_fall_are_named),
-        cmocka_unit_test(the_fine_slope_by_hand),        cmocka_unit_test(the_floor_by_hand),
-        cmocka_unit_test(the_unit_of_x_does_not_matter), cmocka_unit_test(roughness_by_hand),
+        cmocka_unit_test(synthetic_ladders_get_their_verdict), cmocka_unit_test(errors_that_do_not_fall_are_named),
+        cmocka_unit_test(fine_slope_equals_hand_calculation),  cmocka_unit_test(error_floor_equals_hand_calculation),
+        cmocka_unit_test(verdict_is_independent_of_units),     cmocka_unit_test(roughness_equals_hand_calculation),
     };
     return cmocka_run_group_tests_name("judge", tests, NULL, NULL);
 }

@@ -60,7 +60,7 @@ static double noise(double share) {
 /* A correct ladder can fail because of the interval (as intended), because the finer half of the m = n/2 local
  * slopes is outside the band, and by chance in the window and in the floor: with probability 0.01 at most for the
  * F-test, and 0.04 for scatter that is not recognised, which is then judged by the two finest rungs. */
-static void honest_scatter_passes_as_often_as_it_can(void **state) {
+static void scattered_ladders_pass_at_the_expected_rate(void **state) {
     (void)state;
     static const struct {
         int n;
@@ -97,7 +97,7 @@ static double fine_inside(int n, double ratio, double s, double part, double q) 
 /* A floor of a quarter of the finest error, or first order.  With two per cent of scatter: never with a floor, with
  * first order only if the scatter is recognised, so that the finer half decides; with ten per cent no more often
  * than that half is in the band by chance. */
-static void flattening_passes_no_more_than_it_must(void **state) {
+static void flattening_ladders_fail_at_the_expected_rate(void **state) {
     (void)state;
     static const struct {
         int n;
@@ -115,8 +115,8 @@ static void flattening_passes_no_more_than_it_must(void **state) {
 
 int main(void) {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(honest_scatter_passes_as_often_as_it_can),
-        cmocka_unit_test(flattening_passes_no_more_than_it_must),
+        cmocka_unit_test(scattered_ladders_pass_at_the_expected_rate),
+        cmocka_unit_test(flattening_ladders_fail_at_the_expected_rate),
     };
     return cmocka_run_group_tests_name("judge_scatter", tests, NULL, NULL);
 }

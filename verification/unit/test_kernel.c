@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Kernels: normalised in one, two and three dimensions, dw/ds the derivative of w, zero past their support. */
+/* Kernels: kernel_integrates_to_one in one, two and three dimensions, dw/ds the derivative of w, zero past their
+ * support. */
 #include "solver/space/kernel.h"
 
 #include "verification/unit/near.h"
@@ -18,7 +19,7 @@ static double shell_value(double s, void *context) {
     return area * kernel_value(c->kernel, c->dim, s);
 }
 
-static void normalised(void **state) {
+static void kernel_integrates_to_one(void **state) {
     (void)state;
     gsl_integration_glfixed_table *rule = gsl_integration_glfixed_table_alloc(16);
     for (int k = 0; kernel_words[k]; k++)
@@ -59,7 +60,7 @@ static void second_derivatives_of_kernels(void **state) {
             }
 }
 
-static void zero_past_the_support(void **state) {
+static void kernel_is_zero_past_its_support(void **state) {
     (void)state;
     for (int k = 0; kernel_words[k]; k++) {
         assert_near(kernel_value((enum kernel_name)k, 2, 2.0), 0, 0);
@@ -78,10 +79,8 @@ static void quartic_is_negative_near_its_edge(void **state) {
 int main(void) {
     gsl_set_error_handler_off();
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(normalised),
-        cmocka_unit_test(slope_is_the_derivative),
-        cmocka_unit_test(second_derivatives_of_kernels),
-        cmocka_unit_test(zero_past_the_support),
+        cmocka_unit_test(kernel_integrates_to_one),          cmocka_unit_test(slope_is_the_derivative),
+        cmocka_unit_test(second_derivatives_of_kernels),     cmocka_unit_test(kernel_is_zero_past_its_support),
         cmocka_unit_test(quartic_is_negative_near_its_edge),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

@@ -14,7 +14,7 @@ static void climb(const char *line, const struct method *m, int status, struct l
     command_free(&r);
 }
 
-static void a_ladder_in_space(void **state) {
+static void spatial_ladder_reports_its_slope(void **state) {
     (void)state;
     struct failure why;
     struct ladder *l = xcalloc(1, sizeof *l);
@@ -79,7 +79,7 @@ static void only_failures_in_space_are_diagnosed(void **state) {
     }
 }
 
-static void a_ladder_in_time(void **state) {
+static void temporal_ladder_reports_its_slope(void **state) {
     (void)state;
     struct failure why;
     struct ladder *l = xcalloc(1, sizeof *l);
@@ -118,7 +118,7 @@ static void short_ladders_are_inconclusive(void **state) {
     free(l);
 }
 
-static void two_rungs_have_no_interval_to_print(void **state) {
+static void two_rungs_have_no_interval(void **state) {
     (void)state;
     struct failure why;
     char text[160];
@@ -135,7 +135,7 @@ static void two_rungs_have_no_interval_to_print(void **state) {
 }
 
 /* Bounds of a quantity are fractions of its own error, those of a field are fractions of E1. */
-static void floors_are_shares_of_the_error_that_is_fitted(void **state) {
+static void floors_are_relative_to_the_fitted_error(void **state) {
     (void)state;
     struct ladder *l = xcalloc(1, sizeof *l);
     l->n = 4;
@@ -232,13 +232,13 @@ static void a_failed_rung_fails_the_ladder(void **state) {
 
 int main(void) {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(a_ladder_in_space),
+        cmocka_unit_test(spatial_ladder_reports_its_slope),
         cmocka_unit_test(json_has_every_number),
         cmocka_unit_test(only_failures_in_space_are_diagnosed),
-        cmocka_unit_test(a_ladder_in_time),
+        cmocka_unit_test(temporal_ladder_reports_its_slope),
         cmocka_unit_test(short_ladders_are_inconclusive),
-        cmocka_unit_test(two_rungs_have_no_interval_to_print),
-        cmocka_unit_test(floors_are_shares_of_the_error_that_is_fitted),
+        cmocka_unit_test(two_rungs_have_no_interval),
+        cmocka_unit_test(floors_are_relative_to_the_fitted_error),
         cmocka_unit_test(rungs_that_count_and_have_an_error_are_counted),
         cmocka_unit_test(a_ceiling_bounds_the_finest_rung),
         cmocka_unit_test(failed_rungs_are_left_out_of_the_slope),

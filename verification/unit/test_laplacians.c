@@ -30,7 +30,7 @@ static double moment(const double *w, int a, int b) {
 
 static const double both[2] = {0.71, 0.43}, same[2] = {0.71, 0.71};
 
-static void linear_fields_stay(void **state) {
+static void linear_fields_are_steady(void **state) {
     (void)state;
     static const char *const exact[] = {"schwaiger", "fatehi_manzari", "cspm", "so_ssph", "positive"};
     static const char *const others[] = {"brookshaw", "brookshaw_corrected", "kernel_second"};
@@ -210,7 +210,7 @@ static void poor_clouds_are_refused(void **state) {
     assert_int_equal(try_weights("flux_divergence", 2, three, &why), STATUS_OK);
 }
 
-static void anisotropy_is_refused_by_pairs_alone(void **state) {
+static void pair_operators_refuse_anisotropy(void **state) {
     (void)state;
     static const char *const pairs[] = {"brookshaw", "brookshaw_corrected", "schwaiger", "kernel_second"};
     static const char *const others[] = {"fatehi_manzari", "cspm", "flux_divergence", "positive", "conjugate"};
@@ -283,13 +283,13 @@ static void check_programme(double (*d)[2], int n, const double kappa[2]) {
     for (int k = 0; k < 5; k++) assert_near(moment[k], k == 2 ? 2 * kappa[0] : k == 3 ? 2 * kappa[1] : 0, 1e-10);
 }
 
-static void no_five_cost_less(void **state) {
+static void nonnegative_weights_are_optimal(void **state) {
     (void)state;
     check_programme(place, MANY, (const double[2]){0.71, 0.43});
     check_programme(place, MANY, (const double[2]){0.71, 0.71});
 }
 
-static void draws_of_neighbours(void **state) {
+static void nonnegative_weights_are_optimal_on_random_clouds(void **state) {
     (void)state;
     enum { DRAWS = 60, DRAWN = 11 };
     gsl_rng *random = gsl_rng_alloc(gsl_rng_mt19937);
@@ -338,7 +338,7 @@ static double F(void) {
     return slope / (pair_h * pair_h * pair_h) * r / (r * r + 0.01 * pair_h * pair_h);
 }
 
-static void raw_weights(void **state) {
+static void raw_volume_weights(void **state) {
     (void)state;
     struct problem p = two_halves();
     struct options o = {.dx = pair_dx, .volume = VOLUME_RAW};
@@ -346,7 +346,7 @@ static void raw_weights(void **state) {
     assert_near(weight(&p, o, 0.77) / (pair_dx * pair_dx * 2 * 0.2 * F() / 0.9), 1, 1e-14);
 }
 
-static void means_across_the_interface(void **state) {
+static void conductivity_means_across_the_interface(void **state) {
     (void)state;
     struct problem p = two_halves();
     struct options o = {.dx = pair_dx, .volume = VOLUME_RAW};
@@ -360,7 +360,7 @@ static void means_across_the_interface(void **state) {
 }
 
 /* V = area xi/N, N with the ghosts: 30 x 24 particles and two layers on each side. */
-static void tuned_volume(void **state) {
+static void tuned_volume_scales_the_weights(void **state) {
     (void)state;
     struct problem p = two_halves();
     struct options o = {.dx = pair_dx, .volume = VOLUME_TUNED};
@@ -373,18 +373,18 @@ static void tuned_volume(void **state) {
 int main(void) {
     gsl_set_error_handler_off();
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(linear_fields_stay),
+        cmocka_unit_test(linear_fields_are_steady),
         cmocka_unit_test(quadratics_are_exact),
         cmocka_unit_test(positive_weights),
         cmocka_unit_test(second_moments_on_the_lattice),
         cmocka_unit_test(pair_operators_conserve_heat_on_clouds),
         cmocka_unit_test(poor_clouds_are_refused),
-        cmocka_unit_test(anisotropy_is_refused_by_pairs_alone),
-        cmocka_unit_test(no_five_cost_less),
-        cmocka_unit_test(draws_of_neighbours),
-        cmocka_unit_test(raw_weights),
-        cmocka_unit_test(means_across_the_interface),
-        cmocka_unit_test(tuned_volume),
+        cmocka_unit_test(pair_operators_refuse_anisotropy),
+        cmocka_unit_test(nonnegative_weights_are_optimal),
+        cmocka_unit_test(nonnegative_weights_are_optimal_on_random_clouds),
+        cmocka_unit_test(raw_volume_weights),
+        cmocka_unit_test(conductivity_means_across_the_interface),
+        cmocka_unit_test(tuned_volume_scales_the_weights),
     };
     return cmocka_run_group_tests_name("laplacians", tests, NULL, NULL);
 }

@@ -74,7 +74,7 @@ static void one_seed_gives_one_cloud_to_all_operators(void **state) {
     }
 }
 
-static void ghosts_continue_the_field(void **state) {
+static void ghosts_continue_a_linear_field(void **state) {
     (void)state;
     for (double amplitude = 0; amplitude < 0.5; amplitude += 0.37) {
         struct problem p = continued_problem();
@@ -147,7 +147,7 @@ static double even_source(const struct problem *p, const double x[2]) {
 }
 
 /* T_nnn of an insulated wall is 0 if the source is even about it; a small k would magnify its rounding. */
-static void rounding_of_a_source_is_no_term(void **state) {
+static void round_off_of_a_source_adds_no_term(void **state) {
     (void)state;
     struct problem p = odd_rectangle();
     const int beyond[2] = {X_HI, -1};
@@ -159,7 +159,7 @@ static void rounding_of_a_source_is_no_term(void **state) {
 }
 
 /* Two sides of given temperature that disagree at their corner: T = -T_source + ... by either order of reflection. */
-static void disagreeing_corners_take_the_mean(void **state) {
+static void corner_ghosts_take_the_mean_of_both_sides(void **state) {
     (void)state;
     struct problem p = odd_rectangle();
     for (int s = 0; s < 4; s++) p.side[s] = DIRICHLET;
@@ -222,7 +222,7 @@ static double distance(const struct cloud *c, size_t i, size_t j) {
 
 /* Six neighbours at one distance, except for stretching (28 rows of 0.0429 instead of 0.0433 m fit into 1.2 m), away
  * from walls. */
-static void six_neighbours(void **state) {
+static void hexagonal_cloud_has_six_neighbours(void **state) {
     (void)state;
     struct problem p = odd_rectangle();
     struct options o = options_of(LAYOUT_HEXAGONAL);
@@ -253,7 +253,7 @@ static double nearest(const struct cloud *c) {
     return least;
 }
 
-static void settled_clouds(void **state) {
+static void relaxed_clouds_are_settled(void **state) {
     (void)state;
     struct problem p = odd_rectangle();
     struct options o = options_of(LAYOUT_RELAXED), start = options_of(LAYOUT_JITTER);
@@ -281,7 +281,7 @@ static void settled_clouds(void **state) {
     layout_cloud_free(&raw);
 }
 
-static void unsettled_clouds_say_how_far_they_came(void **state) {
+static void unsettled_clouds_report_the_last_displacement(void **state) {
     (void)state;
     struct problem p = odd_rectangle();
     struct options o = options_of(LAYOUT_RELAXED);
@@ -295,7 +295,7 @@ static void unsettled_clouds_say_how_far_they_came(void **state) {
 
 /* Particles taken from an earlier answer are those that would be settled again: the same temperatures, bit for bit;
  * the answer's own dt has no part in it. */
-static void settled_particles_are_taken_as_they_lie(void **state) {
+static void relaxed_particles_are_reused(void **state) {
     (void)state;
     struct problem p = odd_rectangle();
     struct options o = options_of(LAYOUT_RELAXED);
@@ -321,16 +321,16 @@ int main(void) {
     gsl_set_error_handler_off();
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(one_seed_gives_one_cloud_to_all_operators),
-        cmocka_unit_test(ghosts_continue_the_field),
+        cmocka_unit_test(ghosts_continue_a_linear_field),
         cmocka_unit_test(ghosts_hold_for_any_two_conductivities),
-        cmocka_unit_test(rounding_of_a_source_is_no_term),
-        cmocka_unit_test(disagreeing_corners_take_the_mean),
+        cmocka_unit_test(round_off_of_a_source_adds_no_term),
+        cmocka_unit_test(corner_ghosts_take_the_mean_of_both_sides),
         cmocka_unit_test(fixed_ghosts_hold_the_wall),
         cmocka_unit_test(spacings_that_do_not_divide_are_refused),
-        cmocka_unit_test(six_neighbours),
-        cmocka_unit_test(settled_clouds),
-        cmocka_unit_test(settled_particles_are_taken_as_they_lie),
-        cmocka_unit_test(unsettled_clouds_say_how_far_they_came),
+        cmocka_unit_test(hexagonal_cloud_has_six_neighbours),
+        cmocka_unit_test(relaxed_clouds_are_settled),
+        cmocka_unit_test(relaxed_particles_are_reused),
+        cmocka_unit_test(unsettled_clouds_report_the_last_displacement),
     };
     return cmocka_run_group_tests_name("layout", tests, NULL, NULL);
 }

@@ -51,7 +51,7 @@ static void exact_temperatures_are_those_of_the_scene(void **state) {
     hl_problem_free(h);
 }
 
-static void every_scene_has_its_start(void **state) {
+static void scenes_have_initial_data(void **state) {
     (void)state;
     for (int i = 0; hl_scene(i); i++) {
         struct hl_problem *h = problem_of(hl_scene(i), NULL);
@@ -100,7 +100,7 @@ static void fields_are_those_of_the_solver(void **state) {
     hl_problem_free(h);
 }
 
-static void wrong_input_is_refused_with_its_name(void **state) {
+static void invalid_input_is_named(void **state) {
     (void)state;
     struct hl_error why;
     assert_null(hl_problem_create("rod-stp", NULL, &why));
@@ -170,9 +170,9 @@ static void out_of_memory_is_a_status(void **state) {
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(exact_temperatures_are_those_of_the_scene),
-        cmocka_unit_test(every_scene_has_its_start),
+        cmocka_unit_test(scenes_have_initial_data),
         cmocka_unit_test(fields_are_those_of_the_solver),
-        cmocka_unit_test(wrong_input_is_refused_with_its_name),
+        cmocka_unit_test(invalid_input_is_named),
         cmocka_unit_test(out_of_memory_is_a_status),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

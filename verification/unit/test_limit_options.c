@@ -52,7 +52,7 @@ static int try_option(const char *command, const struct option *o) {
     return limits;
 }
 
-static void every_method_stepper_and_option(void **state) {
+static void limits_exist_for_every_method_and_option(void **state) {
     (void)state;
     const struct command_syntax *limit = &command_syntaxes[COMMAND_LIMIT];
     for (int m = 0; methods[m]; m++)
@@ -73,7 +73,7 @@ static void every_method_stepper_and_option(void **state) {
 int main(void) {
     gsl_set_error_handler_off();
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(every_method_stepper_and_option),
+        cmocka_unit_test(limits_exist_for_every_method_and_option),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -35,7 +35,7 @@ static void unfold(char *text) {
 }
 
 /* The help of a verb has each option with its words, in lines of at most 100 letters. */
-static void the_help_is_whole(void **state) {
+static void help_lists_every_option(void **state) {
     (void)state;
     for (int i = 0; verbs[i]; i++) {
         const struct option *list[VERB_ROWS];
@@ -87,7 +87,7 @@ static void bash_completes(void **state) {
 
 int main(void) {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(the_help_is_whole),
+        cmocka_unit_test(help_lists_every_option),
         cmocka_unit_test(bash_completes),
     };
     return cmocka_run_group_tests_name("manual", tests, NULL, NULL);

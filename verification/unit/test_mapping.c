@@ -93,7 +93,7 @@ static double side_is_off(const struct scene *s, const struct image *image, int 
 
 /* Differences of the second order over a quarter of the scene's own step leave below 1e-2 of its temperatures; a
  * sign, a swap or a lost scale leaves some tenths. */
-static void an_image_obeys_its_equation(void **state) {
+static void image_satisfies_its_equation(void **state) {
     (void)state;
     static const char *const name[] = {"rod-contact", "rod-cooling", "rect-manufactured", "plate-cooling"};
     for (int n = 0; n < 4; n++)
@@ -127,7 +127,7 @@ static void an_image_obeys_its_equation(void **state) {
 }
 
 /* The interface is across the case's y, with the material of the scene's lower half above it. */
-static void a_case_has_its_own_axes(void **state) {
+static void case_file_uses_its_own_axes(void **state) {
     (void)state;
     struct problem of;
     struct mapping m = {.scale = 2, .offset = -3, .plane = 1};
@@ -167,8 +167,8 @@ static void a_case_has_its_own_axes(void **state) {
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(words_are_read_as_they_are_printed),
-        cmocka_unit_test(an_image_obeys_its_equation),
-        cmocka_unit_test(a_case_has_its_own_axes),
+        cmocka_unit_test(image_satisfies_its_equation),
+        cmocka_unit_test(case_file_uses_its_own_axes),
     };
     gsl_set_error_handler_off();
     return cmocka_run_group_tests_name("mapping", tests, NULL, NULL);

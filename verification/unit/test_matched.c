@@ -45,7 +45,7 @@ static double along_y_hi(const struct problem *p, enum side s, const double x[2]
 }
 
 /* A first derivative applied twice, on a rectangle that is 0 except on one side: refused for every such side. */
-static void walls_that_vary_are_seen_on_each_side(void **state) {
+static void varying_walls_are_detected_on_each_side(void **state) {
     (void)state;
     struct command r = request("run square-step fo_ssph --dx 0.1 --sampling spline");
     const struct experiment *e = &r.experiment;
@@ -63,7 +63,7 @@ static void walls_that_vary_are_seen_on_each_side(void **state) {
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(unmatched_steps_are_not_applicable),
-        cmocka_unit_test(walls_that_vary_are_seen_on_each_side),
+        cmocka_unit_test(varying_walls_are_detected_on_each_side),
     };
     gsl_set_error_handler_off();
     return cmocka_run_group_tests_name("matched", tests, NULL, NULL);

@@ -44,7 +44,7 @@ static void as_all_pairs(struct problem p, double jitter, double radius) {
     layout_cloud_free(&c);
 }
 
-static void cells_find_what_all_pairs_do(void **state) {
+static void cell_search_equals_all_pairs(void **state) {
     (void)state;
     as_all_pairs(odd_rectangle(), 0.43, 0.117);
     as_all_pairs(odd_rectangle(), 0.43, 0.0231); /* many cells, most of them empty */
@@ -81,7 +81,7 @@ static void neighbours_without_room_are_counted(void **state) {
 int main(void) {
     gsl_set_error_handler_off();
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(cells_find_what_all_pairs_do),
+        cmocka_unit_test(cell_search_equals_all_pairs),
         cmocka_unit_test(neighbours_without_room_are_counted),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

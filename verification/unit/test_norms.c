@@ -33,7 +33,7 @@ static struct field points(const struct problem *p, int nx, int ny) {
     return f;
 }
 
-static void three_norms_by_hand(void **state) {
+static void norms_equal_hand_calculation(void **state) {
     (void)state;
     struct problem p = rod();
     struct field f = points(&p, 4, 1);
@@ -48,7 +48,7 @@ static void three_norms_by_hand(void **state) {
 }
 
 /* In units of 2^-700 and of 2^900, whose squares underflow or overflow; and for errors alone, of 2^-700. */
-static void norms_have_no_unit(void **state) {
+static void norms_are_dimensionless(void **state) {
     (void)state;
     struct problem p = rod();
     struct field f = points(&p, 4, 1);
@@ -97,7 +97,7 @@ static void points_without_a_value_are_left_out_and_counted(void **state) {
 }
 
 /* sum(w |e|^p), not sum(|w e|^p): a uniform weight must not be seen. */
-static void weights_are_outside_of_the_power(void **state) {
+static void weights_multiply_the_power(void **state) {
     (void)state;
     struct problem p = rod();
     struct field f = points(&p, 3, 1);
@@ -116,7 +116,7 @@ static void weights_are_outside_of_the_power(void **state) {
     field_free(&f);
 }
 
-static void interior_and_boundary_part_the_points(void **state) {
+static void interior_and_boundary_partition_the_points(void **state) {
     (void)state;
     struct problem p = {.dim = 2, .lo = {0, -1}, .hi = {2, 1}, .wall = wall_of_side};
     struct field f = points(&p, 8, 8); /* spacing 0.25: outermost points 0.125 from a wall */
@@ -136,7 +136,7 @@ static void interior_and_boundary_part_the_points(void **state) {
     field_free(&f);
 }
 
-static void a_nan_spoils_every_norm(void **state) {
+static void nan_propagates_to_every_norm(void **state) {
     (void)state;
     struct problem p = rod();
     for (int at = 0; at < 5; at++) {
@@ -224,7 +224,7 @@ static void heat_drifts_relative_to_its_size(void **state) {
 
 /* Every mode of every pair of walls, of amplitude 0.83: found with that amplitude in the upper half of the band, and
  * not at all in the lower half. */
-static void a_pure_mode_has_its_amplitude(void **state) {
+static void checkerboard_amplitude_of_a_pure_mode(void **state) {
     (void)state;
     const double pi = M_PI;
     for (int n = 2; n <= 8; n++)
@@ -245,7 +245,7 @@ static void a_pure_mode_has_its_amplitude(void **state) {
             }
 }
 
-static void a_mode_of_the_plane_has_its_amplitude(void **state) {
+static void checkerboard_amplitude_in_the_plane(void **state) {
     (void)state;
     const double pi = M_PI;
     struct problem p = {.dim = 2, .lo = {0, -1}, .hi = {1.4, 1}, .wall = wall_of_side};
@@ -263,7 +263,7 @@ static void a_mode_of_the_plane_has_its_amplitude(void **state) {
 }
 
 /* Points on the lattice that the walls are on. */
-static void nodes_have_their_own_transforms(void **state) {
+static void checkerboard_amplitude_on_nodes(void **state) {
     (void)state;
     const double pi = M_PI;
     struct problem p = {.dim = 1, .lo = {0}, .hi = {2}, .wall = wall_of_side};
@@ -287,7 +287,7 @@ static void nodes_have_their_own_transforms(void **state) {
     field_free(&all);
 }
 
-static void a_nan_is_the_farthest(void **state) {
+static void nan_is_the_largest_distance(void **state) {
     (void)state;
     double T[4] = {1, 2.5, -3, 0.1}, other[4] = {1.25, 2.5, -1.3, 0.7};
     const struct field f = {.dim = 1, .n = 4, .T = T};
@@ -302,20 +302,20 @@ static void a_nan_is_the_farthest(void **state) {
 
 int main(void) {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(a_nan_is_the_farthest),
-        cmocka_unit_test(three_norms_by_hand),
-        cmocka_unit_test(norms_have_no_unit),
+        cmocka_unit_test(nan_is_the_largest_distance),
+        cmocka_unit_test(norms_equal_hand_calculation),
+        cmocka_unit_test(norms_are_dimensionless),
         cmocka_unit_test(points_without_a_value_are_left_out_and_counted),
-        cmocka_unit_test(weights_are_outside_of_the_power),
-        cmocka_unit_test(interior_and_boundary_part_the_points),
-        cmocka_unit_test(a_nan_spoils_every_norm),
+        cmocka_unit_test(weights_multiply_the_power),
+        cmocka_unit_test(interior_and_boundary_partition_the_points),
+        cmocka_unit_test(nan_propagates_to_every_norm),
         cmocka_unit_test(overshoot_counts_the_walls),
         cmocka_unit_test(overshoot_counts_the_warmest_place_of_a_wall),
         cmocka_unit_test(variation_in_the_plane_is_over_the_other_spacing),
         cmocka_unit_test(heat_drifts_relative_to_its_size),
-        cmocka_unit_test(a_pure_mode_has_its_amplitude),
-        cmocka_unit_test(a_mode_of_the_plane_has_its_amplitude),
-        cmocka_unit_test(nodes_have_their_own_transforms),
+        cmocka_unit_test(checkerboard_amplitude_of_a_pure_mode),
+        cmocka_unit_test(checkerboard_amplitude_in_the_plane),
+        cmocka_unit_test(checkerboard_amplitude_on_nodes),
     };
     return cmocka_run_group_tests_name("norms", tests, NULL, NULL);
 }

@@ -19,7 +19,7 @@ static void decimals_and_fractions_are_read(void **state) {
     assert_near(x, -0.3 / 7, 0);
 }
 
-static void other_text_is_no_number(void **state) {
+static void invalid_numbers_are_refused(void **state) {
     (void)state;
     const char *const bad[] = {"",    " 1", "1 ", "0x10",  "nan", "inf", "-inf", "1e999", "1m",    "1,2",
                                "4/0", "/4", "4/", "4/5/6", "--1", "1e",  ".",    "e5",    "1/nan", "٣"};
@@ -138,7 +138,7 @@ static void numbers_sort_from_the_largest(void **state) {
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(decimals_and_fractions_are_read),
-        cmocka_unit_test(other_text_is_no_number),
+        cmocka_unit_test(invalid_numbers_are_refused),
         cmocka_unit_test(lists_are_read_whole),
         cmocka_unit_test(whole_numbers_have_a_range),
         cmocka_unit_test(numbers_of_other_programs_are_read),

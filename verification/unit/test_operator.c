@@ -36,7 +36,7 @@ static double value_at(const struct field *f, double x, double y) {
 }
 
 /* Ghosts and stencil against CSR rows with the ghosts eliminated: two ways through the same equations. */
-static void rows_equal_the_stencil(void **state) {
+static void csr_rows_equal_the_stencil(void **state) {
     (void)state;
     const char *names[] = {"so_ssph", "fo_ssph"};
     for (int walls = 0; walls < 2; walls++)
@@ -55,7 +55,7 @@ static void rows_equal_the_stencil(void **state) {
         }
 }
 
-static void exact_is_the_limit_of_small_steps(void **state) {
+static void exact_stepper_is_the_limit_of_small_steps(void **state) {
     (void)state;
     for (int layout = 0; layout < 2; layout++)
         for (int sides = 0; sides < 16; sides++) {
@@ -103,7 +103,7 @@ static void singular_supports_are_named(void **state) {
     assert_has(why.text, "0 neighbours");
 }
 
-static void unstable_runs_say_where_and_when(void **state) {
+static void unstable_runs_report_place_and_time(void **state) {
     (void)state;
     struct problem p = odd_rectangle();
     struct options o = odd_options();
@@ -117,7 +117,7 @@ static void unstable_runs_say_where_and_when(void **state) {
 }
 
 /* There is room for 1024: squares of 31 but not 33 points, lines of 1023 but not 1025. */
-static void as_many_neighbours_as_there_is_room_for(void **state) {
+static void neighbour_limit_is_enforced(void **state) {
     (void)state;
     static double d[NEIGHBOURS_MAX][2];
     struct neighbourhood nb;
@@ -130,7 +130,7 @@ static void as_many_neighbours_as_there_is_room_for(void **state) {
     }
 }
 
-static void matching_needs_isotropy(void **state) {
+static void matched_run_needs_isotropy(void **state) {
     (void)state;
     struct options o = {.kernel = KERNEL_CUBIC};
     struct symbol_error e;
@@ -155,12 +155,9 @@ static void matching_needs_isotropy(void **state) {
 int main(void) {
     gsl_set_error_handler_off();
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(rows_equal_the_stencil),
-        cmocka_unit_test(exact_is_the_limit_of_small_steps),
-        cmocka_unit_test(singular_supports_are_named),
-        cmocka_unit_test(unstable_runs_say_where_and_when),
-        cmocka_unit_test(as_many_neighbours_as_there_is_room_for),
-        cmocka_unit_test(matching_needs_isotropy),
+        cmocka_unit_test(csr_rows_equal_the_stencil),  cmocka_unit_test(exact_stepper_is_the_limit_of_small_steps),
+        cmocka_unit_test(singular_supports_are_named), cmocka_unit_test(unstable_runs_report_place_and_time),
+        cmocka_unit_test(neighbour_limit_is_enforced), cmocka_unit_test(matched_run_needs_isotropy),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

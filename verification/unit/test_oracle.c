@@ -46,7 +46,7 @@ static int values(const char *what, const struct scene *s, const struct problem 
 }
 
 /* Every material's value in its own column, and the flux from temperatures at two points. */
-static void columns_hold_what_they_say(void **state) {
+static void oracle_columns_equal_the_scene(void **state) {
     (void)state;
     struct problem p;
     double v[COLUMNS_VALUES], d = 1e-4, there[2];
@@ -83,7 +83,7 @@ static void columns_hold_what_they_say(void **state) {
     }
 }
 
-static void walls_are_told_by_their_kind(void **state) {
+static void wall_columns_give_kind_and_value(void **state) {
     (void)state;
     struct problem p;
     double v[COLUMNS_VALUES];
@@ -178,7 +178,7 @@ static void cell_means_are_integrals(void **state) {
 /* A node on an interface keeps the heat of both sides, weighted with rho c; so does one next to it with a cell
  * across the interface; at a wall only the inner half of the cell counts.  A cell of one material has its plain
  * average. */
-static void a_start_can_keep_the_heat(void **state) {
+static void initial_heat_conserves_heat(void **state) {
     (void)state;
     struct problem p;
     double v[2];
@@ -204,7 +204,7 @@ static void a_start_can_keep_the_heat(void **state) {
 }
 
 /* If initial data have a kink at an interface, the cell average is that of both parts, to round-off. */
-static void an_interface_parts_a_cell(void **state) {
+static void interface_splits_a_cell_mean(void **state) {
     (void)state;
     struct problem p;
     double v[2];
@@ -280,7 +280,7 @@ static void answers_are_csv(void **state) {
 }
 
 /* Within 1e-9 of the extent: at the side, and shown there; to rounding: as typed. */
-static void a_point_taken_to_a_side_is_shown_there(void **state) {
+static void snapped_points_are_printed_on_the_side(void **state) {
     (void)state;
     struct problem p;
     struct image image;
@@ -300,7 +300,7 @@ static void a_point_taken_to_a_side_is_shown_there(void **state) {
 }
 
 /* The exact solution is asked for by thousands of points: each gets its own, to the digit. */
-static void many_points_have_their_own_answers(void **state) {
+static void many_points_are_independent(void **state) {
     (void)state;
     enum { N = 5000 };
     const double time = 0.7;
@@ -324,7 +324,7 @@ static void many_points_have_their_own_answers(void **state) {
 /* Average of the initial data over the part of a cell inside a round body, by the midpoint rule on a grid: the wall
  * cuts 4 N of its N^2 squares, which are in or out at random: within about (4 N)^0.5/N^2 of the
  * field's range in the cell. */
-static void cells_that_a_round_wall_cuts_have_a_mean(void **state) {
+static void cells_cut_by_a_round_wall_have_a_mean(void **state) {
     (void)state;
     enum { N = 600 };
     static const struct {
@@ -359,7 +359,7 @@ static void cells_that_a_round_wall_cuts_have_a_mean(void **state) {
 
 /* A mean over a cell is the mean over its parts, weighted by their volumes inside the body, to round-off: ends of
  * the wall inside the cell, where its slope is undefined, do not reduce the accuracy. */
-static void means_of_parts_are_the_mean_of_the_whole(void **state) {
+static void cell_means_are_additive(void **state) {
     (void)state;
     enum { PARTS = 5 };
     struct problem p;
@@ -387,18 +387,18 @@ static void means_of_parts_are_the_mean_of_the_whole(void **state) {
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(lists_of_columns_are_checked),
-        cmocka_unit_test(columns_hold_what_they_say),
-        cmocka_unit_test(walls_are_told_by_their_kind),
+        cmocka_unit_test(oracle_columns_equal_the_scene),
+        cmocka_unit_test(wall_columns_give_kind_and_value),
         cmocka_unit_test(the_nearest_wall_is_found),
         cmocka_unit_test(cell_means_are_integrals),
-        cmocka_unit_test(a_start_can_keep_the_heat),
-        cmocka_unit_test(an_interface_parts_a_cell),
+        cmocka_unit_test(initial_heat_conserves_heat),
+        cmocka_unit_test(interface_splits_a_cell_mean),
         cmocka_unit_test(times_have_both_ends),
         cmocka_unit_test(answers_are_csv),
-        cmocka_unit_test(a_point_taken_to_a_side_is_shown_there),
-        cmocka_unit_test(many_points_have_their_own_answers),
-        cmocka_unit_test(cells_that_a_round_wall_cuts_have_a_mean),
-        cmocka_unit_test(means_of_parts_are_the_mean_of_the_whole),
+        cmocka_unit_test(snapped_points_are_printed_on_the_side),
+        cmocka_unit_test(many_points_are_independent),
+        cmocka_unit_test(cells_cut_by_a_round_wall_have_a_mean),
+        cmocka_unit_test(cell_means_are_additive),
     };
     gsl_set_error_handler_off();
     return cmocka_run_group_tests_name("oracle", tests, NULL, NULL);

@@ -30,7 +30,7 @@ static void assert_text(const char *path, const char *expected) {
     assert_string_equal(text, expected);
 }
 
-static void a_file_appears_when_it_is_closed(void **state) {
+static void file_appears_when_closed(void **state) {
     (void)state;
     char dir[UNIT_PATH], path[UNIT_PATH + 64];
     struct failure why;
@@ -64,7 +64,7 @@ static void files_of_one_set_appear_together_or_not_at_all(void **state) {
 }
 
 /* A command that fails is named with its reason; one of another verb is read and not run. */
-static void a_failed_command_has_its_reason(void **state) {
+static void failed_command_gives_its_reason(void **state) {
     (void)state;
     struct command_run run;
     struct failure why;
@@ -114,7 +114,7 @@ static double exact(const struct command_run *run, const double x[2], double t) 
 }
 
 /* Against the solution (as published, if it is) later by 0.25 s, or rounded to two decimals. */
-static void the_error_is_relative_to_the_exact_temperature(void **state) {
+static void field_file_has_the_relative_error(void **state) {
     (void)state;
     static const char *const line[] = {
         "run rod-cosine voronoi_flux --dx 0.1 --layout jitter --jitter 0.3 --set L=1.3 --dt 0.1",
@@ -149,7 +149,7 @@ static void write_much(void) {
     _exit(output_close(&page, 1, &why));
 }
 
-static void without_memory_nothing_is_written(void **state) {
+static void out_of_memory_writes_nothing(void **state) {
     (void)state;
 #ifdef __SANITIZE_ADDRESS__
     skip(); /* it has an allocator of its own */
@@ -164,11 +164,11 @@ static void without_memory_nothing_is_written(void **state) {
 
 int main(void) {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(a_file_appears_when_it_is_closed),
+        cmocka_unit_test(file_appears_when_closed),
         cmocka_unit_test(files_of_one_set_appear_together_or_not_at_all),
-        cmocka_unit_test(the_error_is_relative_to_the_exact_temperature),
-        cmocka_unit_test(without_memory_nothing_is_written),
-        cmocka_unit_test(a_failed_command_has_its_reason),
+        cmocka_unit_test(field_file_has_the_relative_error),
+        cmocka_unit_test(out_of_memory_writes_nothing),
+        cmocka_unit_test(failed_command_gives_its_reason),
         cmocka_unit_test(a_directory_is_made_once),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

@@ -94,7 +94,7 @@ static void images_of_any_length(void **state) {
     assert_int_equal(html_image(stdout, path_of("a.svg"), ""), -1);
 }
 
-static void both_languages_have_the_same(void **state) {
+static void html_and_markdown_have_the_same_text(void **state) {
     (void)state;
     struct document d;
     struct failure why;
@@ -134,7 +134,7 @@ static const char *page_of(const struct gates *g) {
     return take("v.html");
 }
 
-static void the_worst_gate_is_the_verdict(void **state) {
+static void page_verdict_is_the_worst_gate(void **state) {
     (void)state;
     static const enum verdict verdicts[] = {VERDICT_PASS, VERDICT_SKIPPED, VERDICT_INCONCLUSIVE, VERDICT_FAIL};
     static const char *const head[] = {
@@ -163,7 +163,7 @@ static struct gate_result failed_ladder(void) {
     return r;
 }
 
-static void a_failure_has_its_cause_and_command(void **state) {
+static void failures_have_cause_and_command(void **state) {
     (void)state;
     static const char *const due[] = {"<p>Program: <code>mine {case} &lt;{out}&gt;</code></p>",
                                       "<p>too &lt;low&gt;</p>",
@@ -187,7 +187,7 @@ static void a_failure_has_its_cause_and_command(void **state) {
 }
 
 /* One curve a method and one more of order 4, the subject's first. */
-static void a_scene_has_a_curve_a_method(void **state) {
+static void plots_have_one_curve_per_method(void **state) {
     (void)state;
     static const char *const method[] = {"ftcs", "so_ssph", "ftcs", "fo_ssph", "ftcs"};
     struct gate_result r[5];
@@ -220,14 +220,14 @@ static const char *ladder_page(const char *line) {
     return take("l.html");
 }
 
-static void a_ladder_has_its_table_and_command(void **state) {
+static void ladder_page_has_table_and_command(void **state) {
     (void)state;
     const char *page = ladder_page("ladder rod-gauss ftcs --dx 1,0.5 --set 'kappa=1.1' --quantity at:0.31");
     assert_has(page, "<span>--dx</span> <span>1,0.5</span> <span>--set</span> <span>kappa=1.1</span>");
     assert_has(page, "<th>quantity</th><th>its error</th>");
 }
 
-static void the_index_has_what_there_is(void **state) {
+static void index_lists_existing_parts(void **state) {
     (void)state;
     struct failure why;
     static const char table[] = "<main>\n<h1>x</h1>\n<p>in it</p>\n</main>\n";
@@ -247,12 +247,12 @@ int main(void) {
         cmocka_unit_test(text_is_escaped),
         cmocka_unit_test(numbers_are_right_aligned),
         cmocka_unit_test(images_of_any_length),
-        cmocka_unit_test(both_languages_have_the_same),
-        cmocka_unit_test(the_worst_gate_is_the_verdict),
-        cmocka_unit_test(a_failure_has_its_cause_and_command),
-        cmocka_unit_test(a_scene_has_a_curve_a_method),
-        cmocka_unit_test(a_ladder_has_its_table_and_command),
-        cmocka_unit_test(the_index_has_what_there_is),
+        cmocka_unit_test(html_and_markdown_have_the_same_text),
+        cmocka_unit_test(page_verdict_is_the_worst_gate),
+        cmocka_unit_test(failures_have_cause_and_command),
+        cmocka_unit_test(plots_have_one_curve_per_method),
+        cmocka_unit_test(ladder_page_has_table_and_command),
+        cmocka_unit_test(index_lists_existing_parts),
     };
     assert_non_null(scratch_directory(folder, "heatladder_page"));
     int failed = cmocka_run_group_tests_name("page", tests, NULL, NULL);

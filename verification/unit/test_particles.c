@@ -49,7 +49,7 @@ static void stays(const struct method *m, int dim, int sides, struct options o) 
 
 static const struct options usual = {.dx = 0.075, .h = 1.23, .stepper = STEPPER_EULER, .fourier = 0.07};
 
-static void on_lattices(void **state) {
+static void linear_fields_are_steady_on_lattices(void **state) {
     (void)state;
     const struct method *const all[] = {&method_so_ssph, &method_fo_ssph, &method_brookshaw, &method_ftcs,
                                         &method_ftcs_flux};
@@ -66,7 +66,7 @@ static void on_lattices(void **state) {
                     }
 }
 
-static void on_clouds(void **state) {
+static void linear_fields_are_steady_on_clouds(void **state) {
     (void)state;
     for (int m = 0; m < 2; m++)
         for (int dim = 1; dim <= 2; dim++)
@@ -77,7 +77,7 @@ static void on_clouds(void **state) {
             }
 }
 
-static void of_higher_order(void **state) {
+static void linear_fields_are_steady_at_higher_order(void **state) {
     (void)state;
     for (int order = 2; order <= 4; order++)
         for (int sides = 0; sides < 16; sides++) {
@@ -150,7 +150,7 @@ static double hot_corner(const struct problem *p, enum side s, const double x[2]
     return (int)s == hot_side && on_it ? 2.385 * exp(-9 * from) : 0;
 }
 
-static void walls_are_hot_where_they_are(void **state) {
+static void hot_corner_heats_the_nearest_particle(void **state) {
     (void)state;
     const struct method *const all[] = {&method_so_ssph, &method_ftcs};
     for (int m = 0; m < 2; m++)
@@ -174,7 +174,7 @@ static void walls_are_hot_where_they_are(void **state) {
 
 /* ---- A failure of a run reports its place and time: a particle of the box and the number of the step ---- */
 
-static void a_failure_says_where(void **state) {
+static void failures_name_the_particle(void **state) {
     (void)state;
     for (int dim = 1; dim <= 2; dim++) {
         struct problem p = dim == 2 ? odd_rectangle() : odd_rod();
@@ -202,7 +202,7 @@ static void a_failure_says_where(void **state) {
 /* ---- runs ---- */
 
 /* F counts in the larger diffusivity, whichever axis has it; the step is shortened to end on time. */
-static void steps_end_on_time(void **state) {
+static void last_step_ends_at_t_end(void **state) {
     (void)state;
     for (int swap = 0; swap < 2; swap++) {
         struct problem p = odd_rectangle();
@@ -231,7 +231,7 @@ static double heating_runs(const struct problem *p, enum side s, const double x[
     return s == X_HI ? 0.37 : 0;
 }
 
-static void a_heated_rod_is_not_unstable(void **state) {
+static void heating_by_a_wall_is_not_instability(void **state) {
     (void)state;
     const struct method *const all[] = {&method_so_ssph, &method_brookshaw, &method_ftcs};
     for (int k = 0; k < 3; k++) {
@@ -365,7 +365,7 @@ static void exchanges(const struct method *m, int sides, struct options o) {
     field_free(&g);
 }
 
-static void axes_can_be_exchanged(void **state) {
+static void exchange_of_axes_exchanges_the_result(void **state) {
     (void)state;
     const struct method *const all[] = {&method_so_ssph, &method_fo_ssph, &method_brookshaw, &method_ftcs,
                                         &method_ftcs_flux};
@@ -387,17 +387,17 @@ static void axes_can_be_exchanged(void **state) {
 int main(void) {
     gsl_set_error_handler_off();
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(on_lattices),
-        cmocka_unit_test(on_clouds),
-        cmocka_unit_test(of_higher_order),
+        cmocka_unit_test(linear_fields_are_steady_on_lattices),
+        cmocka_unit_test(linear_fields_are_steady_on_clouds),
+        cmocka_unit_test(linear_fields_are_steady_at_higher_order),
         cmocka_unit_test(heat_is_counted),
-        cmocka_unit_test(walls_are_hot_where_they_are),
-        cmocka_unit_test(a_failure_says_where),
-        cmocka_unit_test(steps_end_on_time),
-        cmocka_unit_test(a_heated_rod_is_not_unstable),
+        cmocka_unit_test(hot_corner_heats_the_nearest_particle),
+        cmocka_unit_test(failures_name_the_particle),
+        cmocka_unit_test(last_step_ends_at_t_end),
+        cmocka_unit_test(heating_by_a_wall_is_not_instability),
         cmocka_unit_test(matched_refuses_a_jump_at_every_wall),
         cmocka_unit_test(first_derivatives_are_not_matched_where_a_wall_varies),
-        cmocka_unit_test(axes_can_be_exchanged),
+        cmocka_unit_test(exchange_of_axes_exchanges_the_result),
     };
     return cmocka_run_group_tests_name("particles", tests, NULL, NULL);
 }

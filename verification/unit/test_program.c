@@ -190,7 +190,7 @@ static void signals_end_the_program_and_remove_its_files(void **state) {
 }
 
 /* The guard learns the process group from the program itself. */
-static void a_lost_guard_is_a_failure(void **state) {
+static void lost_guard_process_is_a_failure(void **state) {
     (void)state;
     struct failure why = {0};
     struct scratch scratch;
@@ -214,7 +214,7 @@ int main(void) {
         cmocka_unit_test(a_program_ends_with_its_children_and_in_time),
         cmocka_unit_test(scratch_files_are_removed),
         cmocka_unit_test(signals_end_the_program_and_remove_its_files),
-        cmocka_unit_test(a_lost_guard_is_a_failure),
+        cmocka_unit_test(lost_guard_process_is_a_failure),
     };
     return cmocka_run_group_tests_name("program", tests, NULL, NULL);
 }

@@ -39,7 +39,7 @@ static double source_of(const struct problem *p, double t) { /* the integral ove
 
 /* d(heat)/dt = sum of the fluxes in + source, by differences of sixth order in time: heat comes from temperatures, a
  * Dirichlet side's flux from gradients. */
-static void heat_is_kept(void **state) {
+static void insulated_bodies_keep_their_heat(void **state) {
     (void)state;
     static const char *const plane[] = {"flux_x_lo", "flux_x_hi", "flux_y_lo", "flux_y_hi"};
     static const char *const round[] = {"flux_r_lo", "flux_r_hi"};
@@ -72,7 +72,7 @@ static void heat_is_kept(void **state) {
 
 /* The bound of the heat: if every box is fine enough, its rules differ by 1e-14 |T|, sums round to 8 eps |T|, and the
  * rest is the bound of the temperatures.  Boxes are graded down to 4^-12 of a plate; kappa t is above that. */
-static void features_are_resolved(void **state) {
+static void heat_bound_covers_narrow_features(void **state) {
     (void)state;
     enum { N = 20 };
     for (const struct scene *const *s = scenes; *s; s++) {
@@ -131,7 +131,7 @@ static const struct scene *plate_of_sides_alike(struct problem *p) {
 }
 
 /* The difference from 0.9 K is a product of two boxes with means that are sums over modes. */
-static void heat_of_a_plate(void **state) {
+static void plate_heat_equals_its_series(void **state) {
     (void)state;
     struct problem p;
     const struct scene *s = plate_of_sides_alike(&p);
@@ -215,10 +215,10 @@ static void words_are_checked(void **state) {
 
 int main(void) {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(heat_is_kept),
+        cmocka_unit_test(insulated_bodies_keep_their_heat),
         cmocka_unit_test(known_values),
-        cmocka_unit_test(features_are_resolved),
-        cmocka_unit_test(heat_of_a_plate),
+        cmocka_unit_test(heat_bound_covers_narrow_features),
+        cmocka_unit_test(plate_heat_equals_its_series),
         cmocka_unit_test(an_infinite_value_is_no_value),
         cmocka_unit_test(a_flux_between_corners_that_agree_has_a_value),
         cmocka_unit_test(words_are_checked),

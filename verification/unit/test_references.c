@@ -61,7 +61,7 @@ static double rate(const struct scene *s, const struct problem *p, const double 
     return sum / d;
 }
 
-static void the_equation_holds(void **state) {
+static void residual_of_the_equation_vanishes(void **state) {
     (void)state;
     for (const struct scene *s = cases; s->name; s++) {
         struct problem p;
@@ -90,7 +90,7 @@ static void the_equation_holds(void **state) {
     }
 }
 
-static void the_sides_hold(void **state) {
+static void boundary_conditions_hold(void **state) {
     (void)state;
     for (const struct scene *s = cases; s->name; s++) {
         struct problem p;
@@ -122,7 +122,7 @@ static void the_sides_hold(void **state) {
     }
 }
 
-static void the_start_holds(void **state) {
+static void initial_condition_holds(void **state) {
     (void)state;
     for (const struct scene *s = cases; s->name; s++) {
         struct problem p;
@@ -143,7 +143,7 @@ static void the_start_holds(void **state) {
     }
 }
 
-static void the_edge_of_the_start_is_closed(void **state) {
+static void jump_belongs_to_the_closed_piece(void **state) {
     (void)state;
     struct problem p;
     odd_find("rod-step", &p);
@@ -177,7 +177,7 @@ static void flux_is_continuous_at_an_interface(void **state) {
     }
 }
 
-static void the_second_form_agrees(void **state) {
+static void second_form_agrees(void **state) {
     (void)state;
     static const double times[] = {0.003, 0.05, 0.41, 1, 1.7};
     for (const struct scene *s = cases; s->name; s++) {
@@ -201,7 +201,7 @@ static void the_second_form_agrees(void **state) {
 }
 
 /* Against central differences of the second form, derived apart. */
-static void the_gradient_is_that_of_the_second_form(void **state) {
+static void gradient_equals_that_of_the_second_form(void **state) {
     (void)state;
     for (const struct scene *s = cases; s->name; s++) {
         struct problem p;
@@ -248,7 +248,7 @@ static void declared_symmetry_is_real(void **state) {
 }
 
 /* Row by row, column by column and along the diagonal: the bits of one point at a time. */
-static void many_points_are_each_of_them(void **state) {
+static void batch_evaluation_equals_single_points(void **state) {
     enum { N = 7, ORDERS = 3 };
     (void)state;
     for (const struct scene *s = cases; s->name; s++) {
@@ -323,7 +323,7 @@ static void assert_scales(const struct scene *s, struct powers by) {
 }
 
 /* Powers of 2 change no digit; rect-manufactured is about a level of 1 K. */
-static void units_do_not_matter(void **state) {
+static void references_scale_with_units(void **state) {
     (void)state;
     for (const struct scene *s = cases; s->name; s++) {
         int given = 0;
@@ -335,7 +335,7 @@ static void units_do_not_matter(void **state) {
 
 /* From 1e-310 s on a scene has a temperature with a bound, and its second form is within the bounds, or has none;
  * rod-contact only while its walls are not felt. */
-static void any_time_has_its_bound(void **state) {
+static void bounds_exist_at_all_times(void **state) {
     (void)state;
     for (int i = 0; scenes[i]; i++) {
         const struct scene *s = scenes[i];
@@ -380,17 +380,17 @@ static void defaults_are_accepted(void **state) {
 
 int main(void) {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(the_equation_holds),
-        cmocka_unit_test(the_sides_hold),
-        cmocka_unit_test(the_start_holds),
-        cmocka_unit_test(the_edge_of_the_start_is_closed),
+        cmocka_unit_test(residual_of_the_equation_vanishes),
+        cmocka_unit_test(boundary_conditions_hold),
+        cmocka_unit_test(initial_condition_holds),
+        cmocka_unit_test(jump_belongs_to_the_closed_piece),
         cmocka_unit_test(flux_is_continuous_at_an_interface),
-        cmocka_unit_test(the_second_form_agrees),
-        cmocka_unit_test(the_gradient_is_that_of_the_second_form),
+        cmocka_unit_test(second_form_agrees),
+        cmocka_unit_test(gradient_equals_that_of_the_second_form),
         cmocka_unit_test(declared_symmetry_is_real),
-        cmocka_unit_test(many_points_are_each_of_them),
-        cmocka_unit_test(units_do_not_matter),
-        cmocka_unit_test(any_time_has_its_bound),
+        cmocka_unit_test(batch_evaluation_equals_single_points),
+        cmocka_unit_test(references_scale_with_units),
+        cmocka_unit_test(bounds_exist_at_all_times),
         cmocka_unit_test(defaults_are_accepted),
     };
     gsl_set_error_handler_off();

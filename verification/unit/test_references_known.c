@@ -153,7 +153,7 @@ static void nafems_t4(void **state) {
 
 /* T at t = 0 of rect-manufactured in long double: near x = width sin turns through a whole period, and the rounding
  * of its argument is several times the rest of the bound. */
-static void the_bound_holds_where_a_sine_has_turned(void **state) {
+static void bound_holds_near_a_full_period(void **state) {
     (void)state;
     const struct scene *s = scene_find("rect-manufactured");
     const long double pi = 3.141592653589793238462643383279502884L;
@@ -174,7 +174,7 @@ static void the_bound_holds_where_a_sine_has_turned(void **state) {
 
 /* The solution on the infinite line differs from that between walls by the temperature that has reached the walls,
  * and not at all far from them. */
-static void published_lines_leave_the_walls_off(void **state) {
+static void published_infinite_line_ignores_walls(void **state) {
     (void)state;
     static const char *const lines[] = {"rod-step", "rod-gauss", "square-step"};
     static const double at_wall[] = {5.2e-6, 6.2e-13, 5.2e-6}; /* T0/2 erfc((L-a)/s) etc., half of it at the wall */
@@ -219,8 +219,8 @@ int main(void) {
         cmocka_unit_test(bounds_of_small_pulses_are_small),
         cmocka_unit_test(nafems_t4),
         cmocka_unit_test(plate_of_the_paper),
-        cmocka_unit_test(the_bound_holds_where_a_sine_has_turned),
-        cmocka_unit_test(published_lines_leave_the_walls_off),
+        cmocka_unit_test(bound_holds_near_a_full_period),
+        cmocka_unit_test(published_infinite_line_ignores_walls),
         cmocka_unit_test(published_plate_by_side),
     };
     gsl_set_error_handler_off();

@@ -71,7 +71,7 @@ static void the_faster_half_rod_is_named(void **state) {
 }
 
 /* Both ends of "needs ... to ..." are valid. */
-static void the_ends_of_a_range_are_in_it(void **state) {
+static void range_ends_are_valid(void **state) {
     (void)state;
     static const struct {
         const char *scene;
@@ -92,7 +92,7 @@ static void the_ends_of_a_range_are_in_it(void **state) {
 }
 
 /* A setup overwrites all of an earlier one. */
-static void setup_starts_afresh(void **state) {
+static void setup_overwrites_every_field(void **state) {
     (void)state;
     struct problem p, q;
     struct failure why;
@@ -113,8 +113,8 @@ int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(bad_values_are_refused),
         cmocka_unit_test(the_faster_half_rod_is_named),
-        cmocka_unit_test(the_ends_of_a_range_are_in_it),
-        cmocka_unit_test(setup_starts_afresh),
+        cmocka_unit_test(range_ends_are_valid),
+        cmocka_unit_test(setup_overwrites_every_field),
     };
     gsl_set_error_handler_off();
     return cmocka_run_group_tests_name("references, parameters", tests, NULL, NULL);

@@ -8,7 +8,7 @@
 
 #include <string.h>
 
-static void units_of_the_last_digit(void **state) {
+static void deviation_in_units_of_the_last_digit(void **state) {
     (void)state;
     assert_near(published_units("0.0089", 0.0088837), 0, 0);
     assert_near(published_units("0.3381", 0.33698), -11, 0);
@@ -18,7 +18,7 @@ static void units_of_the_last_digit(void **state) {
     assert_near(published_units("3e-2", 0.05), 2, 0);
 }
 
-static void tables_as_printed(void **state) {
+static void published_tables_are_read(void **state) {
     (void)state;
     struct published t;
     struct failure why;
@@ -38,7 +38,7 @@ static void tables_as_printed(void **state) {
 }
 
 /* With the closed form's xi the tuned volume is the one that is exact for x^2 and y^2. */
-static void the_closed_form_is_the_moments(void **state) {
+static void closed_form_xi_equals_the_moment_volume(void **state) {
     (void)state;
     static const char words[] =
         "run plate brookshaw --kernel cubic --h 1.2 --dx 0.1/17 --stepper rk2 --dt 0.1 --t-end 7.3 --volume";
@@ -51,7 +51,7 @@ static void the_closed_form_is_the_moments(void **state) {
     command_run_free(&moment);
 }
 
-static void a_power_law_is_no_exponential(void **state) {
+static void power_law_and_exponential_are_distinguished(void **state) {
     (void)state;
     double h[5], power[5], exponential[5];
     for (int i = 0; i < 5; i++) {
@@ -70,7 +70,7 @@ static void a_power_law_is_no_exponential(void **state) {
 }
 
 /* The search ends at a minimum: neighbours on either side are worse. */
-static void the_best_xi_is_a_minimum(void **state) {
+static void best_xi_minimises_the_error(void **state) {
     (void)state;
     struct xi_best b = {.n = 13, .material = 2, .kernel = KERNEL_QUARTIC, .beta = 0.08, .t = 19.7};
     xi_find(&b);
@@ -83,9 +83,11 @@ static void the_best_xi_is_a_minimum(void **state) {
 
 int main(void) {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(units_of_the_last_digit),        cmocka_unit_test(tables_as_printed),
-        cmocka_unit_test(the_closed_form_is_the_moments), cmocka_unit_test(a_power_law_is_no_exponential),
-        cmocka_unit_test(the_best_xi_is_a_minimum),
+        cmocka_unit_test(deviation_in_units_of_the_last_digit),
+        cmocka_unit_test(published_tables_are_read),
+        cmocka_unit_test(closed_form_xi_equals_the_moment_volume),
+        cmocka_unit_test(power_law_and_exponential_are_distinguished),
+        cmocka_unit_test(best_xi_minimises_the_error),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

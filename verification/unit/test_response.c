@@ -67,7 +67,7 @@ static double mode_at(const struct field *f, int i) {
     return mode(f->dim, (double[2]){f->x[i], f->y ? f->y[i] : 0});
 }
 
-static void the_lattice_has_the_run_of_the_mode(void **state) {
+static void response_lattice_decays_one_mode(void **state) {
     (void)state;
     for (int dim = 1; dim <= 2; dim++) {
         struct problem p = body(dim);
@@ -94,7 +94,7 @@ static void the_lattice_has_the_run_of_the_mode(void **state) {
 }
 
 /* Half a cell from a side to the next centre: the line goes on, with the curvature of the cell further in. */
-static void beyond_the_outermost_centres_a_line_goes_on(void **state) {
+static void response_extrapolates_linearly_to_the_wall(void **state) {
     (void)state;
     for (int dim = 1; dim <= 2; dim++)
         for (int side = 0; side < 2 * dim; side++) {
@@ -224,8 +224,8 @@ static void faces_lie_on_jumps_and_interfaces(void **state) {
 int main(void) {
     gsl_set_error_handler_off();
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(the_lattice_has_the_run_of_the_mode),
-        cmocka_unit_test(beyond_the_outermost_centres_a_line_goes_on),
+        cmocka_unit_test(response_lattice_decays_one_mode),
+        cmocka_unit_test(response_extrapolates_linearly_to_the_wall),
         cmocka_unit_test(a_response_is_per_unit_of_the_size),
         cmocka_unit_test(faces_lie_on_jumps_and_interfaces),
         cmocka_unit_test(errors_are_seen_at_the_spacing_of_the_rung),

@@ -73,7 +73,7 @@ static void judging_later_gives_the_same_verdicts(void **state) {
     for (int i = 0; i < 5; i++) assert_near(later.rung[i].error.l1, now.rung[i].error.l1, 0);
 }
 
-static void a_missing_answer_is_a_row(void **state) {
+static void missing_answers_are_listed(void **state) {
     (void)state;
     char line[400], path[400];
     struct ladder l;
@@ -90,7 +90,7 @@ static void a_missing_answer_is_a_row(void **state) {
 }
 
 /* More cases join those that are there; none takes the place of one that has an answer. */
-static void cases_are_added(void **state) {
+static void cases_are_added_without_replacing_others(void **state) {
     (void)state;
     char text[480], line[400], path[400];
     struct ladder l;
@@ -247,7 +247,7 @@ static void draws_are_judged_later(void **state) {
 }
 
 /* The number of cells rises where dx falls; the order is the same. */
-static void a_program_varies_in_what_it_likes(void **state) {
+static void vary_sets_a_parameter_of_the_program(void **state) {
     (void)state;
     struct ladder in_dx, in_cells;
     climb("ladder rod-gauss mine --dx 1,0.5,0.25,0.125 --set kappa=0.4 --fourier 0.4 --solver '" AWK
@@ -265,13 +265,13 @@ static void a_program_varies_in_what_it_likes(void **state) {
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(judging_later_gives_the_same_verdicts),
-        cmocka_unit_test(a_missing_answer_is_a_row),
-        cmocka_unit_test(cases_are_added),
+        cmocka_unit_test(missing_answers_are_listed),
+        cmocka_unit_test(cases_are_added_without_replacing_others),
         cmocka_unit_test(a_second_spacing_is_kept),
         cmocka_unit_test(spacings_are_along_the_axes_of_the_case),
         cmocka_unit_test(the_plane_of_a_slab_is_kept),
         cmocka_unit_test(draws_are_judged_later),
-        cmocka_unit_test(a_program_varies_in_what_it_likes),
+        cmocka_unit_test(vary_sets_a_parameter_of_the_program),
     };
     char command[UNIT_PATH + 32];
     if (!scratch_directory(dir, "results-test")) return 1;

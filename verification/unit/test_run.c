@@ -35,7 +35,7 @@ static double stepped(int axes, double F, double applications) {
 }
 
 /* kappa t = 0.05 m^2 on the rod and, along y alone, 0.1 m^2 on the square: 5 and 10 cells of 0.1 m. */
-static void steps_round_weights_and_temperatures(void **state) {
+static void rounding_bound_of_time_steps(void **state) {
     (void)state;
     const double close = 1e-12 * DBL_EPSILON;
     assert_near(of("run rod-step so_ssph --dx 0.1 --stepper euler --dt 0.05"), stepped(1, 5, 100), close);
@@ -44,7 +44,7 @@ static void steps_round_weights_and_temperatures(void **state) {
 }
 
 /* The reported number of steps of a program counts up to (4 F)^2, F = kappa t/dx^2: at 0.2 two thirds of one. */
-static void claims_count_up_to_what_weights_round(void **state) {
+static void claimed_steps_are_capped_by_round_off(void **state) {
     (void)state;
     static const char *const line = "run rod-step mine --dx 0.5 --set kappa=%s --solver 'printf \"# steps = "
                                     "9\\nx,T\\n-1.75,0\\n-1.25,0\\n-0.75,0\\n"
@@ -58,7 +58,7 @@ static void claims_count_up_to_what_weights_round(void **state) {
 
 /* 6.8 eps a level, one and log2(2 n) along an axis, n of them where a wall is cooled; over the mean, and not the root
  * of the mean square. */
-static void transforms_round_by_their_levels(void **state) {
+static void rounding_bound_of_transforms(void **state) {
     (void)state;
     const struct {
         const char *line;
@@ -78,7 +78,7 @@ static void transforms_round_by_their_levels(void **state) {
 }
 
 /* A flux rounds extent/dx times more than the field, for the longer side; heat does not. */
-static void quantities_round_and_have_bounds(void **state) {
+static void rounding_bound_of_quantities(void **state) {
     (void)state;
     static const struct {
         const char *line;
@@ -101,10 +101,10 @@ static void quantities_round_and_have_bounds(void **state) {
 
 int main(void) {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(steps_round_weights_and_temperatures),
-        cmocka_unit_test(claims_count_up_to_what_weights_round),
-        cmocka_unit_test(transforms_round_by_their_levels),
-        cmocka_unit_test(quantities_round_and_have_bounds),
+        cmocka_unit_test(rounding_bound_of_time_steps),
+        cmocka_unit_test(claimed_steps_are_capped_by_round_off),
+        cmocka_unit_test(rounding_bound_of_transforms),
+        cmocka_unit_test(rounding_bound_of_quantities),
     };
     return cmocka_run_group_tests_name("run", tests, NULL, NULL);
 }

@@ -39,7 +39,7 @@ static void a_case_is_answered_once(void **state) {
 }
 
 /* Exit statuses 126 and 127 of the first that ends, not of one after an answer. */
-static void a_program_that_answered_is_there(void **state) {
+static void answering_program_is_not_missing(void **state) {
     (void)state;
     for (int code = 126; code <= 127; code++)
         for (int answered = 0; answered < 2; answered++) {
@@ -67,7 +67,7 @@ static void shown(FILE *to, long from, char text[400]) {
 }
 
 /* After the first of 11 runs the remaining time is ten times that of the first. */
-static void a_terminal_shows_what_is_left(void **state) {
+static void terminal_shows_remaining_rows(void **state) {
     (void)state;
     struct progress progress = {.shown = 1};
     struct runs *r = runs_create(2, 11, &progress);
@@ -103,8 +103,8 @@ static void a_terminal_shows_what_is_left(void **state) {
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(a_case_is_answered_once),
-        cmocka_unit_test(a_program_that_answered_is_there),
-        cmocka_unit_test(a_terminal_shows_what_is_left),
+        cmocka_unit_test(answering_program_is_not_missing),
+        cmocka_unit_test(terminal_shows_remaining_rows),
     };
     return cmocka_run_group_tests_name("runs", tests, NULL, NULL);
 }

@@ -37,7 +37,7 @@ static double parabolas(const struct problem *p, const double x[2]) {
     return 1.7 + 0.9 * x[0] - 2.3 * x[0] * x[0] + 3.1 * x[1] * x[1];
 }
 
-static void averages_have_the_splines_moments(void **state) {
+static void averages_have_spline_moments(void **state) {
     (void)state;
     struct problem p = odd_rectangle();
     p.initial = parabolas;
@@ -59,7 +59,7 @@ static double spline_below(double u) {
     return u < 0 ? tail : 1 - tail;
 }
 
-static void jumps_are_cut(void **state) {
+static void averages_split_at_jumps(void **state) {
     (void)state;
     struct problem p = odd_rectangle();
     p.initial = hot_right;
@@ -72,7 +72,7 @@ static void jumps_are_cut(void **state) {
 }
 
 /* A jump so near to a wall that its image is averaged too: beyond the wall T = 2 T_wall - T(image). */
-static void images_of_jumps_are_cut(void **state) {
+static void averages_split_at_images_of_jumps(void **state) {
     (void)state;
     struct problem p = odd_rectangle(); /* 0.8 K at x = 1.15 m */
     const double x = 1.15 - 0.5 * dx[0];
@@ -137,7 +137,7 @@ static double power_sum(const double c[3], int k, double x) { /* the integral of
 }
 
 /* Whatever the quadrature misses at the jumps, heat and its place are kept. */
-static void averages_keep_heat_and_its_place(void **state) {
+static void averages_keep_heat_and_centre(void **state) {
     (void)state;
     const double c[3] = {1.9, -2.3, 3.1};
     struct problem p = {
@@ -154,7 +154,7 @@ static void averages_keep_heat_and_its_place(void **state) {
 
 /* Neighbours share nodes: as if each were sampled on its own, with jumps on either side of a knot and beside walls.
  */
-static void a_lattice_shares_its_nodes(void **state) {
+static void lattice_samples_equal_single_samples(void **state) {
     (void)state;
     struct problem p = odd_rectangle();
     p.initial = hot_right;
@@ -183,7 +183,7 @@ static double even(const struct problem *p, const double x[2]) {
 }
 
 /* To 1e-9 of the temperatures, whatever these are. */
-static void rounding_is_no_jump(void **state) {
+static void round_off_at_a_wall_is_not_a_jump(void **state) {
     (void)state;
     struct problem p = {.dim = 1, .hi = {1, 0}, .initial = even, .wall = held_near};
     struct lattice l = {.dim = 1, .n = {10, 1}, .dx = {0.1, 1}, .first = {0.05, 0}};
@@ -201,7 +201,7 @@ static double warm_patch(const struct problem *p, enum side s, const double x[2]
 }
 
 /* A wall meets the data where it does so beside each particle. */
-static void data_meet_a_wall_along_all_of_it(void **state) {
+static void wall_agreement_is_checked_along_the_wall(void **state) {
     (void)state;
     struct problem p = {.dim = 2, .hi = {1, 1}, .initial = still, .wall = warm_patch};
     struct lattice l = {.dim = 2, .n = {10, 10}, .dx = {0.1, 0.1}, .first = {0.05, 0.05}};
@@ -215,7 +215,7 @@ static double oblique(const struct problem *p, const double x[2]) {
 }
 
 /* A wave is an eigenfunction of every average that does not see where the period begins. */
-static void periodic_sides_are_no_walls(void **state) {
+static void periodic_sides_have_no_wall_images(void **state) {
     (void)state;
     struct problem p = {.dim = 2, .hi = {1.3, 0.9}, .materials = 1, .initial = oblique, .wall = cold};
     for (int s = 0; s < 4; s++) p.side[s] = PERIODIC;
@@ -231,16 +231,16 @@ static void periodic_sides_are_no_walls(void **state) {
 int main(void) {
     gsl_set_error_handler_off();
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(averages_have_the_splines_moments),
-        cmocka_unit_test(periodic_sides_are_no_walls),
-        cmocka_unit_test(jumps_are_cut),
-        cmocka_unit_test(images_of_jumps_are_cut),
+        cmocka_unit_test(averages_have_spline_moments),
+        cmocka_unit_test(periodic_sides_have_no_wall_images),
+        cmocka_unit_test(averages_split_at_jumps),
+        cmocka_unit_test(averages_split_at_images_of_jumps),
         cmocka_unit_test(walls_continue_the_data),
         cmocka_unit_test(a_cooled_wall_of_two_materials_continues_the_data),
-        cmocka_unit_test(a_lattice_shares_its_nodes),
-        cmocka_unit_test(averages_keep_heat_and_its_place),
-        cmocka_unit_test(data_meet_a_wall_along_all_of_it),
-        cmocka_unit_test(rounding_is_no_jump),
+        cmocka_unit_test(lattice_samples_equal_single_samples),
+        cmocka_unit_test(averages_keep_heat_and_centre),
+        cmocka_unit_test(wall_agreement_is_checked_along_the_wall),
+        cmocka_unit_test(round_off_at_a_wall_is_not_a_jump),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

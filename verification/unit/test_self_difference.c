@@ -54,7 +54,7 @@ static void points_in_any_order_are_compared(void **state) {
     field_free(&b);
 }
 
-static void a_rod_has_no_weights(void **state) {
+static void self_difference_of_a_rod_is_unweighted(void **state) {
     (void)state;
     const struct problem rod = {.dim = 1, .lo = {1}, .hi = {3}};
     struct field f[2];
@@ -82,7 +82,7 @@ static int same(double along_x, double along_y) {
     return found;
 }
 
-static void points_apart_are_not_compared(void **state) {
+static void distant_points_are_not_compared(void **state) {
     (void)state;
     assert_int_equal(same(1.9, 0), 1);
     assert_int_equal(same(2.1, 0), 0);
@@ -93,8 +93,8 @@ static void points_apart_are_not_compared(void **state) {
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(points_in_any_order_are_compared),
-        cmocka_unit_test(a_rod_has_no_weights),
-        cmocka_unit_test(points_apart_are_not_compared),
+        cmocka_unit_test(self_difference_of_a_rod_is_unweighted),
+        cmocka_unit_test(distant_points_are_not_compared),
     };
     return cmocka_run_group_tests_name("self_difference", tests, NULL, NULL);
 }

@@ -74,7 +74,7 @@ static void climb(const char *options, const struct method *m, int status, struc
 /* t_end = 5 s: one step and two agree to 3.75e-10; or, with eigenvalues off the axis, 8 steps are too few and 16
  * the first that are done, 16 and 32 are 1.9e-9 apart and
  * 32 and 64 agree to 4.7e-10. */
-static void the_reference_is_two_polynomials_that_agree(void **state) {
+static void semidiscrete_reference_needs_two_agreeing_runs(void **state) {
     (void)state;
     static const struct {
         const char *options;
@@ -102,7 +102,7 @@ static void the_reference_is_two_polynomials_that_agree(void **state) {
 
 /* 256 steps differ from 128 by 3 * 0.6/256^2 = 2.7e-5, which is 0.23 of dt^2 D/64 at the finest and 0.06 at the next
  */
-static void a_reference_that_is_not_good_enough_is_said(void **state) {
+static void inaccurate_semidiscrete_reference_is_reported(void **state) {
     (void)state;
     struct failure why;
     struct ladder *l = xcalloc(1, sizeof *l);
@@ -115,7 +115,7 @@ static void a_reference_that_is_not_good_enough_is_said(void **state) {
 }
 
 /* Both references are the same: the particles of a cloud without jitter against those of the lattice. */
-static void the_polynomials_reference_is_the_exact_one(void **state) {
+static void semidiscrete_and_exact_steppers_agree(void **state) {
     (void)state;
     static const char *const lines[] = {"ladder rod-cosine so_ssph --dx 1/40 --dt 0.1,0.05 --stepper rkl2",
                                         "ladder rod-cosine so_ssph --dx 1/40 --dt 0.1,0.05 --stepper rkl2 "
@@ -144,9 +144,9 @@ static void the_polynomials_reference_is_the_exact_one(void **state) {
 
 int main(void) {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(the_reference_is_two_polynomials_that_agree),
-        cmocka_unit_test(a_reference_that_is_not_good_enough_is_said),
-        cmocka_unit_test(the_polynomials_reference_is_the_exact_one),
+        cmocka_unit_test(semidiscrete_reference_needs_two_agreeing_runs),
+        cmocka_unit_test(inaccurate_semidiscrete_reference_is_reported),
+        cmocka_unit_test(semidiscrete_and_exact_steppers_agree),
     };
     return cmocka_run_group_tests_name("reference", tests, NULL, NULL);
 }

@@ -36,7 +36,7 @@ static void box_is_exact_at_the_start_and_at_the_walls(void **state) {
 
 /* At late times the number of significant images is unbounded; a sum that would exceed the limit is not
  * evaluated. */
-static void terms_know_their_limit(void **state) {
+static void unbounded_series_report_infinity(void **state) {
     (void)state;
     for (double s = 1e7; s < 1e300; s *= 1e60) {
         struct curve u = series_box_images(0.3, 1.37, 0.41, s), v = series_gauss_images(0.3, 1.37, s);
@@ -61,7 +61,7 @@ static void gauss_forms_agree(void **state) {
 }
 
 /* x and sigma are rounded, each by half of eps, and exp(-z^2/2) is off by z^2 times that. */
-static void gauss_bounds_hold_what_rounding_of_x_does(void **state) {
+static void gauss_bound_covers_round_off_of_x(void **state) {
     (void)state;
     for (double z = 1.3; z < 9; z *= 1.4) {
         struct approx u = series_gauss_images(z * 1.37, 40, 1.37).at;
@@ -81,7 +81,7 @@ static struct surface one_side(int side, double x, double W, double y, double B,
 
 /* The responses of four sides add up to 1 minus a plate that cools from 1, a product of two boxes; so do the slopes.
  */
-static void four_sides_are_a_product_of_boxes(void **state) {
+static void four_side_responses_sum_to_a_product(void **state) {
     (void)state;
     const double W = 0.13, B = 0.07;
     for (double s = 0.0002; s < 0.3; s *= 1.37)
@@ -122,7 +122,7 @@ static void long_plates_agree_with_quadrature(void **state) {
 }
 
 /* Equal layers form one wall, whose slowest mode is sin(pi x/L); its transient is a cooling box. */
-static void two_equal_layers_are_one_wall(void **state) {
+static void two_equal_layers_equal_one_wall(void **state) {
     (void)state;
     static struct layers_modes m;
     struct layers_contour c;
@@ -146,7 +146,7 @@ static void two_equal_layers_are_one_wall(void **state) {
 
 /* If e differs r-fold, r > 1e4, the rounding of the frequencies counts r-fold.  In the last three trials the other
  * layer is still at its start, so the sum of modes is 0. */
-static void modes_of_any_contrast_know_their_rounding(void **state) {
+static void mode_bounds_cover_round_off_at_high_contrast(void **state) {
     (void)state;
     static const struct {
         struct layers w;
@@ -177,7 +177,7 @@ static void modes_of_any_contrast_know_their_rounding(void **state) {
 
 /* No mode is missed, even where both layers resonate and the contact is a node: the n-th has n - 1 nodes, so that the
  * frequencies of equal layers are n pi/(sum of their times), and those of other layers are in between. */
-static void no_mode_of_two_layers_is_missed(void **state) {
+static void modes_of_two_layers_are_complete(void **state) {
     (void)state;
     static struct layers_modes m;
     for (double contrast = 1e-6; contrast < 2e6; contrast *= 10) {
@@ -202,14 +202,14 @@ int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(box_forms_agree),
         cmocka_unit_test(box_is_exact_at_the_start_and_at_the_walls),
-        cmocka_unit_test(terms_know_their_limit),
+        cmocka_unit_test(unbounded_series_report_infinity),
         cmocka_unit_test(gauss_forms_agree),
-        cmocka_unit_test(gauss_bounds_hold_what_rounding_of_x_does),
-        cmocka_unit_test(four_sides_are_a_product_of_boxes),
+        cmocka_unit_test(gauss_bound_covers_round_off_of_x),
+        cmocka_unit_test(four_side_responses_sum_to_a_product),
         cmocka_unit_test(long_plates_agree_with_quadrature),
-        cmocka_unit_test(two_equal_layers_are_one_wall),
-        cmocka_unit_test(no_mode_of_two_layers_is_missed),
-        cmocka_unit_test(modes_of_any_contrast_know_their_rounding),
+        cmocka_unit_test(two_equal_layers_equal_one_wall),
+        cmocka_unit_test(modes_of_two_layers_are_complete),
+        cmocka_unit_test(mode_bounds_cover_round_off_at_high_contrast),
     };
     gsl_set_error_handler_off();
     return cmocka_run_group_tests_name("series", tests, NULL, NULL);

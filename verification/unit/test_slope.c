@@ -16,7 +16,7 @@ static void power_law(double p, double c, double error[N]) {
     for (int i = 0; i < N; i++) error[i] = c * pow(X[i], p);
 }
 
-static void a_pure_power_is_found(void **state) {
+static void pure_power_law_is_recovered(void **state) {
     (void)state;
     double error[N], local[N];
     power_law(1.73, 0.37, error);
@@ -30,7 +30,7 @@ static void a_pure_power_is_found(void **state) {
 
 /* By hand: log-log points (0,0), (1,1), (2,3) give slope 3/2, residuals (1/6, -1/3, 1/6), standard error
  * sqrt((1/6)/1/2) = 0.288675, t(0.975, 1) = 12.7062. */
-static void the_interval_is_students(void **state) {
+static void interval_uses_student_t(void **state) {
     (void)state;
     const double e = exp(1), x[3] = {1, 1 / e, 1 / (e * e)}, error[3] = {1, 1 / e, exp(-3)};
     struct slope s = slope_fit(x, error, 3);
@@ -57,7 +57,7 @@ static void rungs(const double *error, int n, struct window_rung *rung) {
     for (int i = 0; i < n; i++) rung[i] = (struct window_rung){.x = X[i], .error = error[i]};
 }
 
-static void a_clean_ladder_counts_whole(void **state) {
+static void clean_ladder_keeps_all_rungs(void **state) {
     (void)state;
     struct window w;
     struct window_rung rung[N];
@@ -109,7 +109,7 @@ static void coarse_rungs_are_left_out_until_four_remain(void **state) {
 
 /* Logarithms 0, 0, s, 0, 0 about no slope: third differences 3 s and -3 s over sqrt(20), and 0.8 s^2 over three
  * degrees of freedom.  Of four rungs there is one third difference, which says nothing. */
-static void five_rungs_have_a_roughness(void **state) {
+static void roughness_needs_five_rungs(void **state) {
     (void)state;
     const double x[5] = {1, 0.5, 0.25, 0.125, 0.0625}, error[5] = {1, 1, exp(0.1), 1, 1};
     assert_near(slope_roughness(x, error, 5), (9.0 / 20) / (0.8 / 3), 1e-12);
@@ -117,7 +117,7 @@ static void five_rungs_have_a_roughness(void **state) {
 }
 
 /* A bound of the whole error and more is no share of it. */
-static void rounding_past_the_error_is_all_of_it(void **state) {
+static void rounding_above_the_error_counts_as_all(void **state) {
     (void)state;
     static const double share[4] = {0.997, 1, 1.5, 2.5};
     struct window_rung rung[4];
@@ -131,7 +131,7 @@ static void rounding_past_the_error_is_all_of_it(void **state) {
 
 /* For an even number of finer local slopes the median is the mean of the middle two: 2.08 for 2.00, 2.04, 2.12,
  * 2.16; 1.99 differs from it by less than 0.1, 1.97 by more. */
-static void the_median_of_an_even_number(void **state) {
+static void median_of_an_even_count(void **state) {
     (void)state;
     for (int k = 0; k < 2; k++) {
         const double local[N - 1] = {k ? 1.97 : 1.99, 2.00, 2.04, 2.12, 2.16};
@@ -146,7 +146,7 @@ static void the_median_of_an_even_number(void **state) {
 }
 
 /* Second order on coarse rungs, nothing on fine ones: the fine ones stay, and fail. */
-static void the_fine_end_tells_the_truth(void **state) {
+static void stalled_fine_rungs_stay_and_fail(void **state) {
     (void)state;
     struct window w;
     struct window_rung rung[N];
@@ -171,7 +171,7 @@ static void nonfinite_errors_are_included(void **state) {
     assert_int_equal(w.counts[0], 1);
 }
 
-static void an_error_of_zero_is_rounding(void **state) {
+static void zero_error_counts_as_rounding(void **state) {
     (void)state;
     struct window w;
     struct window_rung rung[2] = {{.x = 1, .error = 1}, {.x = 0.5, .error = 0, .rounding = 1e-15 / 0.0}};
@@ -182,18 +182,18 @@ static void an_error_of_zero_is_rounding(void **state) {
 
 int main(void) {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(a_pure_power_is_found),
-        cmocka_unit_test(the_interval_is_students),
+        cmocka_unit_test(pure_power_law_is_recovered),
+        cmocka_unit_test(interval_uses_student_t),
         cmocka_unit_test(two_points_have_no_interval),
-        cmocka_unit_test(a_clean_ladder_counts_whole),
+        cmocka_unit_test(clean_ladder_keeps_all_rungs),
         cmocka_unit_test(floors_are_left_out_with_their_reason),
         cmocka_unit_test(coarse_rungs_are_left_out_until_four_remain),
-        cmocka_unit_test(five_rungs_have_a_roughness),
-        cmocka_unit_test(rounding_past_the_error_is_all_of_it),
-        cmocka_unit_test(the_median_of_an_even_number),
-        cmocka_unit_test(the_fine_end_tells_the_truth),
+        cmocka_unit_test(roughness_needs_five_rungs),
+        cmocka_unit_test(rounding_above_the_error_counts_as_all),
+        cmocka_unit_test(median_of_an_even_count),
+        cmocka_unit_test(stalled_fine_rungs_stay_and_fail),
         cmocka_unit_test(nonfinite_errors_are_included),
-        cmocka_unit_test(an_error_of_zero_is_rounding),
+        cmocka_unit_test(zero_error_counts_as_rounding),
     };
     return cmocka_run_group_tests_name("slope", tests, NULL, NULL);
 }

@@ -65,7 +65,7 @@ static double last_mode(const struct problem *p, const double x[2]) {
     return 1.3 * wave(p, 0, 8, x[0]) + 0.9;
 }
 
-static void first_and_last_mode_have_their_own_weight(void **state) {
+static void end_modes_have_half_weight(void **state) {
     (void)state;
     static const int n[2] = {8, 1}, more[2] = {9, 1};
     struct problem p = box(1, DIRICHLET, DIRICHLET), q = box(1, NEUMANN, NEUMANN);
@@ -86,7 +86,7 @@ static double step(const struct problem *p, const double x[2]) {
     return x[0] > 0.123;
 }
 
-static void unresolved_data_have_a_large_bound(void **state) {
+static void unresolved_data_have_a_large_error_bound(void **state) {
     (void)state;
     static const int n[2] = {64, 1};
     struct problem p = box(1, NEUMANN, NEUMANN);
@@ -111,8 +111,8 @@ static void unequal_sides_and_two_materials_are_refused(void **state) {
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(modes_decay_at_their_rates),
-        cmocka_unit_test(first_and_last_mode_have_their_own_weight),
-        cmocka_unit_test(unresolved_data_have_a_large_bound),
+        cmocka_unit_test(end_modes_have_half_weight),
+        cmocka_unit_test(unresolved_data_have_a_large_error_bound),
         cmocka_unit_test(unequal_sides_and_two_materials_are_refused),
     };
     gsl_set_error_handler_off();

@@ -6,7 +6,7 @@
 
 #include "verification/unit/near.h"
 
-static void sizes_are_read_as_openmp_does(void **state) {
+static void stack_sizes_follow_openmp_syntax(void **state) {
     (void)state;
     assert_near(stack_size("307"), 307, 0);
     assert_near(stack_size("3072 B"), 3, 0);
@@ -19,7 +19,7 @@ static void sizes_are_read_as_openmp_does(void **state) {
 
 int main(void) {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(sizes_are_read_as_openmp_does),
+        cmocka_unit_test(stack_sizes_follow_openmp_syntax),
     };
     return cmocka_run_group_tests_name("stack", tests, NULL, NULL);
 }

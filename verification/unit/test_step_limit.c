@@ -56,7 +56,7 @@ static void finite_differences_have_their_symbols(void **state) {
 }
 
 /* Slower along y: 1/(2 (1 + r)) and 2/(1 + r); Song eq. 34 is 1/|w_0| = 1/(q (1 + r)) of an isotropic 1/(2 q). */
-static void a_square_of_two_diffusivities(void **state) {
+static void limits_of_two_diffusivities(void **state) {
     (void)state;
     const double r = 0.37;
     const struct method *const all[] = {&method_ftcs, &method_ftcs_flux, &method_so_ssph};
@@ -75,7 +75,7 @@ static void a_square_of_two_diffusivities(void **state) {
     }
 }
 
-static void grids_have_no_jitter_and_nodes_have_limits(void **state) {
+static void grids_refuse_jitter_and_accept_nodes(void **state) {
     (void)state;
     struct model_problem b = {.method = &method_ftcs, .dim = 2, .options = {.layout = LAYOUT_JITTER, .jitter = 0.1}};
     struct failure why;
@@ -115,7 +115,7 @@ static double largest_of_rod(const double w[3], int n, int node, int fixed) {
 
 /* The limit of a rod of six cells is 2/lambda of these; bisection stops within 0.5 % and detects growth beyond 0.2
  * %. */
-static void walls_and_nodes_have_limits_of_their_own(void **state) {
+static void limits_depend_on_walls_and_nodes(void **state) {
     (void)state;
     const double s[2] = {1 / 1.1, 2 / 1.1}, W[2] = {2.0 / 3 - s[0] * s[0] * (1 - s[0] / 2), pow(2 - s[1], 3) / 6};
     const double five[3] = {-2, 1, 0}, sph[3] = {0, W[0] / (W[0] + 16 * W[1]), 4 * W[1] / (W[0] + 16 * W[1])};
@@ -141,7 +141,7 @@ static void walls_and_nodes_have_limits_of_their_own(void **state) {
 }
 
 /* With one neighbour on either side (h/dx <= 1) both are central differences. */
-static void narrow_supports_are_finite_differences(void **state) {
+static void narrow_supports_reduce_to_finite_differences(void **state) {
     (void)state;
     struct model_problem so = probe(&method_so_ssph, 1, 0.83), fo = probe(&method_fo_ssph, 1, 0.83);
     assert_near(predicted(&so).von_neumann, 0.5, 1e-12);
@@ -150,7 +150,7 @@ static void narrow_supports_are_finite_differences(void **state) {
     assert_near(predicted(&fo).published, 0.5, 1e-13); /* Song eq. 41: a quarter of it */
 }
 
-static void complex_eigenvalues_count(void **state) {
+static void complex_eigenvalues_limit_the_step(void **state) {
     (void)state;
     struct amplification euler = {STEPPER_EULER, 0}, rk2 = {STEPPER_RK2, 0};
     assert_near(amplification_limit(&euler, 2, -1.3 + 0.7 * I), 2.6 / (1.69 + 0.49), 1e-14);
@@ -160,7 +160,7 @@ static void complex_eigenvalues_count(void **state) {
     assert_near(cabs(amplification_factor(&rk2, dt * (-1.3 + 0.7 * I))), 1, 1e-9);
 }
 
-static void rkl2_is_a_legendre_polynomial(void **state) {
+static void rkl2_equals_its_legendre_polynomial(void **state) {
     (void)state;
     for (int s = 3; s <= 15; s += 4) {
         struct amplification a = {STEPPER_RKL2, s};
@@ -172,7 +172,7 @@ static void rkl2_is_a_legendre_polynomial(void **state) {
 }
 
 /* The eigenvalues of a regular cloud are the symbol at the waves that vanish at its walls. */
-static void rows_have_the_symbols_eigenvalues(void **state) {
+static void eigenvalues_equal_the_symbol(void **state) {
     (void)state;
     struct model_problem b = probe(&method_so_ssph, 1, 1.37);
     struct symbol s;
@@ -211,7 +211,7 @@ static void the_quartic_kernel_breaks_song_34(void **state) {
 }
 
 /* A stencil that reaches past the 128 phases of the transform, twice 139 particles: the worst of 20000 waves. */
-static void wide_stencils_have_limits(void **state) {
+static void limits_of_wide_stencils(void **state) {
     (void)state;
     struct model_problem b = probe(&method_fo_ssph, 1, 70);
     struct symbol s;
@@ -224,7 +224,7 @@ static void wide_stencils_have_limits(void **state) {
 }
 
 /* The moment matrix of a particle without neighbours is singular at any step. */
-static void a_run_that_fails_does_not_grow(void **state) {
+static void failed_run_is_not_growth(void **state) {
     (void)state;
     struct model_problem b = probe(&method_so_ssph, 1, 1.1);
     struct failure why;
@@ -233,7 +233,7 @@ static void a_run_that_fails_does_not_grow(void **state) {
     assert_int_equal(why.status, STATUS_NUMERICAL);
 }
 
-static void long_runs_keep_their_heat(void **state) {
+static void long_runs_conserve_heat(void **state) {
     (void)state;
     struct model_problem b = probe(&method_brookshaw, 1, 1.2);
     struct long_run e;
@@ -248,7 +248,7 @@ static void long_runs_keep_their_heat(void **state) {
  * from the others by d = +-(r - 1)/(r + 1), and their coupling is t = 2 sqrt(r)/(1 + r): a mode faster than all
  * others would need (1 - d)(1 + d) < t^2, but d^2 + t^2 = 1 at every ratio r.  So the step is that of one material,
  * 1/2, and in the plane, where axes add up, 1/4. */
-static void a_contact_of_neighbours_leaves_the_step(void **state) {
+static void nearest_neighbour_contact_keeps_the_step_limit(void **state) {
     (void)state;
     for (int dim = 1; dim <= 2; dim++)
         for (double r = 0.1; r > 1e-5; r *= 0.1) {
@@ -273,7 +273,7 @@ static void a_contact_of_neighbours_leaves_the_step(void **state) {
 }
 
 /* Weights of no symmetry, as beside a wall or in a cloud: the sum over all of them. */
-static void a_symbol_is_the_sum_of_its_waves(void **state) {
+static void symbol_is_the_sum_over_all_weights(void **state) {
     (void)state;
     double w[3 * 5];
     for (int k = 0; k < 15; k++) w[k] = fmod(0.37 + 0.61803 * k, 1) - 0.4;
@@ -293,7 +293,7 @@ static double first_alone(const struct problem *p, const double x[2]) {
 }
 
 /* The stages of such a step are given, not chosen by a run: it is marched from the same data, each particle's. */
-static void a_step_of_given_stages_starts_from_all_particles(void **state) {
+static void given_stages_start_from_the_initial_data(void **state) {
     (void)state;
     struct model_problem b = {.method = &method_so_ssph, .dim = 2, .options = {.h = 1.2}, .step = {STEPPER_RKL2, 3}};
     struct failure why;
@@ -309,20 +309,20 @@ int main(void) {
     gsl_set_error_handler_off();
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(finite_differences_have_their_symbols),
-        cmocka_unit_test(a_square_of_two_diffusivities),
-        cmocka_unit_test(grids_have_no_jitter_and_nodes_have_limits),
-        cmocka_unit_test(walls_and_nodes_have_limits_of_their_own),
-        cmocka_unit_test(narrow_supports_are_finite_differences),
-        cmocka_unit_test(complex_eigenvalues_count),
-        cmocka_unit_test(rkl2_is_a_legendre_polynomial),
-        cmocka_unit_test(rows_have_the_symbols_eigenvalues),
+        cmocka_unit_test(limits_of_two_diffusivities),
+        cmocka_unit_test(grids_refuse_jitter_and_accept_nodes),
+        cmocka_unit_test(limits_depend_on_walls_and_nodes),
+        cmocka_unit_test(narrow_supports_reduce_to_finite_differences),
+        cmocka_unit_test(complex_eigenvalues_limit_the_step),
+        cmocka_unit_test(rkl2_equals_its_legendre_polynomial),
+        cmocka_unit_test(eigenvalues_equal_the_symbol),
         cmocka_unit_test(the_quartic_kernel_breaks_song_34),
-        cmocka_unit_test(wide_stencils_have_limits),
-        cmocka_unit_test(a_run_that_fails_does_not_grow),
-        cmocka_unit_test(long_runs_keep_their_heat),
-        cmocka_unit_test(a_contact_of_neighbours_leaves_the_step),
-        cmocka_unit_test(a_symbol_is_the_sum_of_its_waves),
-        cmocka_unit_test(a_step_of_given_stages_starts_from_all_particles),
+        cmocka_unit_test(limits_of_wide_stencils),
+        cmocka_unit_test(failed_run_is_not_growth),
+        cmocka_unit_test(long_runs_conserve_heat),
+        cmocka_unit_test(nearest_neighbour_contact_keeps_the_step_limit),
+        cmocka_unit_test(symbol_is_the_sum_over_all_weights),
+        cmocka_unit_test(given_stages_start_from_the_initial_data),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

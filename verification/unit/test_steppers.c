@@ -34,7 +34,7 @@ static double step_polynomials(double dt, double bound, double rate, double heat
 }
 
 /* Rounding grows as h^(5/4), h = dt bound/2: all errors of one sign would be h^(3/2) / 6. */
-static void an_eigenvalue_gets_its_exponential(void **state) {
+static void chebyshev_step_is_the_exponential(void **state) {
     (void)state;
     const double bound = 7.3;
     for (double z = 1e-7; z < 262144; z *= 2.7) {
@@ -51,7 +51,7 @@ static void an_eigenvalue_gets_its_exponential(void **state) {
 }
 
 /* The rest of the series is less than half a rounding error, 2^-53; with an eighth fewer terms it is more. */
-static void the_degree_is_enough_and_not_much_more(void **state) {
+static void chebyshev_degree_is_sharp(void **state) {
     (void)state;
     for (double h = 2.5; h < 131072; h *= 3.1) {
         int degree = stepper_of(STEPPER_CHEBYSHEV)->count(2 * h / 7.3, 7.3);
@@ -99,7 +99,7 @@ static struct result result_of(const char *line) {
 }
 
 /* Neighbours within 2.2 dx: 2 on either side; in the plane (1, 0), (1, 1), (2, 0) and their images. */
-static void pairs_are_neighbours(void **state) {
+static void interactions_count_neighbours(void **state) {
     (void)state;
     struct result rod = result_of("run rod-cosine so_ssph --dx 0.05 --stepper euler --fourier 0.2");
     assert_near((double)rod.cost.interactions / (double)rod.cost.updates, 4, 0);
@@ -107,7 +107,7 @@ static void pairs_are_neighbours(void **state) {
     assert_near((double)plane.cost.interactions / (double)plane.cost.updates, 12, 0);
 }
 
-static void the_bound_of_stages_is_met(void **state) {
+static void rkl2_stages_meet_the_stability_bound(void **state) {
     (void)state;
     for (int s = 3; s < 1000; s += 2) {
         double z = (s * s + s - 2) / 2.0;
@@ -118,7 +118,7 @@ static void the_bound_of_stages_is_met(void **state) {
 
 /* A start that jumps takes as first step two damped quarters, dt lambda <= 4/3 (s^2 + 5 s - 6), and a half.  From
  * the stages of the others dt lambda is known between two bounds. */
-static void a_damped_start_takes_what_its_parts_need(void **state) {
+static void damped_start_meets_its_stability_bounds(void **state) {
     (void)state;
     for (double z = 0.01; z < 1e6; z *= 1.37) {
         int s[2];
@@ -139,7 +139,7 @@ static void a_damped_start_takes_what_its_parts_need(void **state) {
 }
 
 /* n particles do 8 n updates between two waits. */
-static void threads_have_work(void **state) {
+static void threads_need_a_minimum_of_work(void **state) {
     (void)state;
     const size_t one = STEPPER_SHARE / 8;
     assert_int_equal(stepper_threads(0, 100 * one), 1);
@@ -161,7 +161,7 @@ static int march(enum stepper_name stepper, int stages, double alternation, doub
     return stepper_march(&a, &m, T, &bytes, &why);
 }
 
-static void one_equation(void **state) {
+static void steppers_advance_one_equation(void **state) {
     (void)state;
     const double dt = 0.23;
     double T = 1.3, euler = 1, midpoint = 1;
@@ -176,7 +176,7 @@ static void one_equation(void **state) {
     assert_near(T, 1.3 * (1 - 1.3 * dt) * (1 - 0.7 * dt), 1e-15);
 }
 
-static void nan_is_unstable(void **state) {
+static void nan_is_reported_as_unstable(void **state) {
     (void)state;
     double T = NAN;
     assert_int_equal(march(STEPPER_EULER, 1, 0, 0.1, 1, &T), STATUS_UNSTABLE);
@@ -197,15 +197,15 @@ static void stages_may_be_many(void **state) {
 
 int main(void) {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(an_eigenvalue_gets_its_exponential),
-        cmocka_unit_test(the_degree_is_enough_and_not_much_more),
+        cmocka_unit_test(chebyshev_step_is_the_exponential),
+        cmocka_unit_test(chebyshev_degree_is_sharp),
         cmocka_unit_test(a_march_is_exact_in_any_number_of_steps),
-        cmocka_unit_test(threads_have_work),
-        cmocka_unit_test(pairs_are_neighbours),
-        cmocka_unit_test(the_bound_of_stages_is_met),
-        cmocka_unit_test(a_damped_start_takes_what_its_parts_need),
-        cmocka_unit_test(one_equation),
-        cmocka_unit_test(nan_is_unstable),
+        cmocka_unit_test(threads_need_a_minimum_of_work),
+        cmocka_unit_test(interactions_count_neighbours),
+        cmocka_unit_test(rkl2_stages_meet_the_stability_bound),
+        cmocka_unit_test(damped_start_meets_its_stability_bounds),
+        cmocka_unit_test(steppers_advance_one_equation),
+        cmocka_unit_test(nan_is_reported_as_unstable),
         cmocka_unit_test(stages_may_be_many),
     };
     return cmocka_run_group_tests_name("steppers", tests, NULL, NULL);

@@ -118,7 +118,7 @@ static void assert_defined(struct problem p, struct options o, const struct meth
 /* h/dx for every stencil with a specialised loop, and for some without. */
 static const double widths[] = {0.9, 1.05, 1.23, 1.45, 1.55, 1.62, 2, 2.11, 2.2, 2.6};
 
-static void the_plane_is_swept_as_defined(void **state) {
+static void plane_sweep_equals_its_definition(void **state) {
     (void)state;
     for (size_t k = 0; k < sizeof widths / sizeof *widths; k++)
         for (int walls = 0; walls < 3; walls++) {
@@ -132,13 +132,13 @@ static void the_plane_is_swept_as_defined(void **state) {
         }
 }
 
-static void two_sweeps_in_one_are_swept_as_defined(void **state) {
+static void composed_sweep_equals_its_definition(void **state) {
     (void)state;
     assert_defined(odd_rectangle(), (struct options){.dx = 0.05, .h = 1.05}, &method_fo_ssph, 0);
     assert_defined(odd_rectangle(), (struct options){.dx = 0.05, .h = 1.23}, &method_fo_ssph, 1);
 }
 
-static void a_rod_is_swept_as_defined(void **state) {
+static void rod_sweep_equals_its_definition(void **state) {
     (void)state;
     static const double reach[] = {0.9, 1.05, 1.6, 2.2, 30.1}; /* the last reaches 60 particles */
     for (size_t k = 0; k < sizeof reach / sizeof *reach; k++) {
@@ -241,7 +241,7 @@ static void define_rows(const struct heat_operator *a, const struct update *u, c
 }
 
 /* 300 particles: two stretches of a shared sweep, and ends that no vector fits. */
-static void bands_are_the_rows(void **state) {
+static void banded_rows_equal_csr_rows(void **state) {
     (void)state;
     struct options o = {.dx = 0.005, .h = 1.6, .layout = LAYOUT_JITTER, .jitter = 0.3, .seed = 3, .lanes = 2};
     struct made want, two, apart, wide;
@@ -267,7 +267,7 @@ static void bands_are_the_rows(void **state) {
 }
 
 /* A cloud of the plane: several stretches and slabs, and more threads than slabs that could share a sweep. */
-static void rows_share_a_sweep(void **state) {
+static void fused_updates_of_rows_equal_single_updates(void **state) {
     (void)state;
     static const int threads[] = {1, 2, 3, 40};
     struct options o = {.dx = 0.02, .h = 1.2, .layout = LAYOUT_JITTER, .jitter = 0.2, .seed = 3};
@@ -307,7 +307,7 @@ static void advance(const void *what, int k, ptrdiff_t lo, ptrdiff_t hi) {
     }
 }
 
-static void every_unit_has_every_update_in_turn(void **state) {
+static void wavefront_applies_updates_in_order(void **state) {
     (void)state;
     for (int lag = 0; lag <= 4; lag += 2)
         for (int band = 1; band <= 8; band += 7)
@@ -350,15 +350,15 @@ static void subnormal_numbers_are_zero_in_a_sweep(void **state) {
 
 int main(void) {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(the_plane_is_swept_as_defined),
-        cmocka_unit_test(two_sweeps_in_one_are_swept_as_defined),
-        cmocka_unit_test(a_rod_is_swept_as_defined),
+        cmocka_unit_test(plane_sweep_equals_its_definition),
+        cmocka_unit_test(composed_sweep_equals_its_definition),
+        cmocka_unit_test(rod_sweep_equals_its_definition),
         cmocka_unit_test(sharing_a_sweep_changes_no_bit),
         cmocka_unit_test(threads_change_no_bit),
         cmocka_unit_test(the_width_of_vectors_changes_no_bit),
-        cmocka_unit_test(bands_are_the_rows),
-        cmocka_unit_test(rows_share_a_sweep),
-        cmocka_unit_test(every_unit_has_every_update_in_turn),
+        cmocka_unit_test(banded_rows_equal_csr_rows),
+        cmocka_unit_test(fused_updates_of_rows_equal_single_updates),
+        cmocka_unit_test(wavefront_applies_updates_in_order),
         cmocka_unit_test(subnormal_numbers_are_zero_in_a_sweep),
     };
     return cmocka_run_group_tests_name("sweep", tests, NULL, NULL);

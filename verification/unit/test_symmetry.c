@@ -37,7 +37,7 @@ static void as_the_whole(const char *line, int saving) {
     field_free(&whole);
 }
 
-static void a_part_is_the_whole(void **state) {
+static void reduced_domain_equals_the_whole(void **state) {
     (void)state;
     as_the_whole("run rod-step so_ssph --dx 0.05 --stepper exact", 2);
     as_the_whole("run rod-step fo_ssph --dx 0.05 --stepper exact", 2);
@@ -66,7 +66,7 @@ static void asymmetric_problems_are_not_cut(void **state) {
 int main(void) {
     gsl_set_error_handler_off();
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(a_part_is_the_whole),
+        cmocka_unit_test(reduced_domain_equals_the_whole),
         cmocka_unit_test(asymmetric_problems_are_not_cut),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

@@ -92,7 +92,7 @@ static void progress_is_one_line(void **state) {
 }
 
 /* Without a terminal only the permanent lines are printed. */
-static void a_file_gets_the_lines_that_stay(void **state) {
+static void redirected_progress_prints_final_lines_only(void **state) {
     (void)state;
     char text[80] = "";
     FILE *file = tmpfile();
@@ -116,7 +116,7 @@ int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(a_table_of_verdicts_is_aligned),
         cmocka_unit_test(progress_is_one_line),
-        cmocka_unit_test(a_file_gets_the_lines_that_stay),
+        cmocka_unit_test(redirected_progress_prints_final_lines_only),
     };
     return cmocka_run_group_tests_name("terminal", tests, open_terminal, close_terminal);
 }

@@ -7,7 +7,7 @@
 #include "verification/unit/made_methods.h"
 #include "verification/unit/near.h"
 
-static void the_exact_stepper_where_there_is_one(void **state) {
+static void exact_stepper_is_the_default_on_a_lattice(void **state) {
     (void)state;
     struct command r = request("run rod-gauss ftcs --dx 0.5", &with_exact);
     struct result result;
@@ -35,7 +35,7 @@ static void every_status_has_an_exit_status(void **state) {
         assert_int_equal(status_exit(status), exits[status]);
 }
 
-static void a_refused_exact_falls_back(void **state) {
+static void refused_exact_stepper_falls_back(void **state) {
     (void)state;
     struct command r = request("run rod-gauss ftcs --dx 0.5", &no_exact);
     struct result result;
@@ -47,7 +47,7 @@ static void a_refused_exact_falls_back(void **state) {
 }
 
 /* The time error that is reported is the one that was put in. */
-static void the_step_is_refined_until_it_does_not_matter(void **state) {
+static void step_is_refined_until_time_error_is_small(void **state) {
     (void)state;
     struct command r = request("run rod-gauss ftcs --dx 0.5", &euler);
     struct result result;
@@ -81,7 +81,7 @@ static void an_unstable_second_step_is_halved(void **state) {
     command_run_free(&run);
 }
 
-static void a_given_step_is_taken_as_it_is(void **state) {
+static void given_step_is_not_refined(void **state) {
     (void)state;
     struct command r = request("run rod-gauss ftcs --dx 0.5 --dt 0.7", &euler);
     struct result result;
@@ -93,7 +93,7 @@ static void a_given_step_is_taken_as_it_is(void **state) {
 }
 
 /* Zero data, and data whose temperatures have decayed below the smallest double. */
-static void no_error_is_relative_to_zero(void **state) {
+static void zero_solution_has_no_relative_error(void **state) {
     (void)state;
     static const char *const lines[] = {"run rod-contact brookshaw --dx 0.1 --set T1=0 --stepper euler --dt 0.1",
                                         "run plate so_ssph --dx 0.01 --set T1=0 --set T2=0 --set T3=0 --set T4=0",
@@ -111,15 +111,15 @@ static void no_error_is_relative_to_zero(void **state) {
 
 int main(void) {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(the_exact_stepper_where_there_is_one),
-        cmocka_unit_test(no_error_is_relative_to_zero),
-        cmocka_unit_test(a_refused_exact_falls_back),
+        cmocka_unit_test(exact_stepper_is_the_default_on_a_lattice),
+        cmocka_unit_test(zero_solution_has_no_relative_error),
+        cmocka_unit_test(refused_exact_stepper_falls_back),
         cmocka_unit_test(wrong_input_is_not_tried_again),
         cmocka_unit_test(every_status_has_an_exit_status),
-        cmocka_unit_test(the_step_is_refined_until_it_does_not_matter),
+        cmocka_unit_test(step_is_refined_until_time_error_is_small),
         cmocka_unit_test(an_unstable_first_step_is_halved),
         cmocka_unit_test(an_unstable_second_step_is_halved),
-        cmocka_unit_test(a_given_step_is_taken_as_it_is),
+        cmocka_unit_test(given_step_is_not_refined),
     };
     return cmocka_run_group_tests_name("time_step", tests, NULL, NULL);
 }

@@ -38,7 +38,7 @@ static void differ(const struct assembly *m, size_t i, const double *f[2], doubl
     free(at);
 }
 
-static void rows_are_two_sweeps(void **state) {
+static void composed_rows_equal_two_sweeps(void **state) {
     (void)state;
     const struct method *const all[] = {&method_fo_ssph, &method_flux_divergence, &method_conjugate};
     struct problem p = odd_rectangle();
@@ -121,7 +121,7 @@ static void the_conjugate_pair_is_symmetric_and_never_grows(void **state) {
 int main(void) {
     gsl_set_error_handler_off();
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(rows_are_two_sweeps),
+        cmocka_unit_test(composed_rows_equal_two_sweeps),
         cmocka_unit_test(the_conjugate_pair_is_symmetric_and_never_grows),
     };
     return cmocka_run_group_tests_name("two_sweeps", tests, NULL, NULL);

@@ -54,7 +54,7 @@ static double face_from(const struct voronoi *v, size_t i, size_t j) {
     return 0;
 }
 
-static void cells_fill_the_body(void **state) {
+static void voronoi_cells_fill_the_body(void **state) {
     (void)state;
     for (int k = 0; k < 2 * KINDS; k++) {
         struct made m;
@@ -100,7 +100,7 @@ static double held(const struct problem *p, enum side s, const double x[2], doub
 
 /* A disc and a ring on five clouds: volumes add up to the body's, walls to its circles.  The faces of an inner cell
  * close; the gap of a cell at a wall is the chord of its arc. */
-static void cells_fill_a_round_body(void **state) {
+static void voronoi_cells_fill_a_round_body(void **state) {
     (void)state;
     for (int k = 0; k < 10; k++) {
         double hole = k % 2 ? 0.37 : 0, sum = 0, wall[2] = {0, 0}, arcs = 0;
@@ -147,7 +147,7 @@ static void cells_fill_a_round_body(void **state) {
 
 /* A square whose edges each cross a circle about its middle twice: the outer circle, or that of a hole.  The circle
  * extends beyond an edge by a segment of half the angle acos(0.8/R). */
-static void an_edge_may_cross_a_circle_twice(void **state) {
+static void edges_crossing_a_circle_twice_are_clipped(void **state) {
     (void)state;
     for (int hole = 0; hole < 2; hole++) {
         double R = hole ? 0.9 : 1, half = acos(0.8 / R), segment = R * R * half - 0.8 * R * sin(half);
@@ -169,7 +169,7 @@ static double gap(const double *a, const double *b, size_t n) {
     return memcmp(a, b, n * sizeof *a) ? 1 : 0;
 }
 
-static void threads_change_nothing(void **state) {
+static void threads_change_no_voronoi_cell(void **state) {
     (void)state;
     struct made m;
     struct voronoi v[2];
@@ -185,7 +185,7 @@ static void threads_change_nothing(void **state) {
 
 /* C_i A_ij = C_j A_ji up to the round-off of a quotient; no weight is negative away from walls; the weights of each
  * row add up to its diagonal. */
-static void operator_is_symmetric(void **state) {
+static void voronoi_operator_is_symmetric(void **state) {
     (void)state;
     for (int k = 0; k < 2 * KINDS; k++) {
         struct made m;
@@ -222,7 +222,7 @@ static void operator_is_symmetric(void **state) {
 
 /* Away from walls: the temperature of a steady flux along x stays, across the interface too, and so does y with one
  * material; x^2/k_x + y^2/k_y rises by 4/rho_c. */
-static void rows_are_exact(void **state) {
+static void voronoi_rows_are_exact_for_linear_fields(void **state) {
     (void)state;
     for (int k = 0; k < 2 * KINDS; k++) {
         struct made m;
@@ -259,7 +259,7 @@ static double linear(const struct problem *p, const double x[2]) {
 }
 
 /* The mean of linear data over all cells is that of the body, jump and capacities among them. */
-static void starts_hold_the_heat(void **state) {
+static void voronoi_averages_conserve_heat(void **state) {
     (void)state;
     for (int k = 0; k < KINDS; k++) {
         struct made m;
@@ -282,7 +282,7 @@ static void starts_hold_the_heat(void **state) {
 
 /* ---- Rods, single cells, refusals ---- */
 
-static void rods_have_midpoints(void **state) {
+static void rod_cells_end_at_midpoints(void **state) {
     (void)state;
     double d[4][2] = {{0.31, 0}, {-0.17, 0}, {0.11, 0}, {-0.4, 0}}, face[4], volume;
     assert_int_equal(voronoi_cell(1, 4, d, face, &volume), 0);
@@ -293,7 +293,7 @@ static void rods_have_midpoints(void **state) {
     assert_int_equal(voronoi_cell(1, 4, d, face, &volume), -1);
 }
 
-static void a_known_cell(void **state) {
+static void voronoi_cell_equals_hand_calculation(void **state) {
     (void)state;
     /* a rectangle of 0.3 x 0.5 with one corner cut by the bisector of (0.4, 0.6) */
     double d[5][2] = {{0.3, 0}, {-0.3, 0}, {0, 0.5}, {0, -0.5}, {0.4, 0.6}}, face[5], volume;
@@ -334,15 +334,15 @@ static void bad_clouds_are_refused(void **state) {
 int main(void) {
     gsl_set_error_handler_off();
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(cells_fill_the_body),
-        cmocka_unit_test(cells_fill_a_round_body),
-        cmocka_unit_test(an_edge_may_cross_a_circle_twice),
-        cmocka_unit_test(threads_change_nothing),
-        cmocka_unit_test(operator_is_symmetric),
-        cmocka_unit_test(rows_are_exact),
-        cmocka_unit_test(starts_hold_the_heat),
-        cmocka_unit_test(rods_have_midpoints),
-        cmocka_unit_test(a_known_cell),
+        cmocka_unit_test(voronoi_cells_fill_the_body),
+        cmocka_unit_test(voronoi_cells_fill_a_round_body),
+        cmocka_unit_test(edges_crossing_a_circle_twice_are_clipped),
+        cmocka_unit_test(threads_change_no_voronoi_cell),
+        cmocka_unit_test(voronoi_operator_is_symmetric),
+        cmocka_unit_test(voronoi_rows_are_exact_for_linear_fields),
+        cmocka_unit_test(voronoi_averages_conserve_heat),
+        cmocka_unit_test(rod_cells_end_at_midpoints),
+        cmocka_unit_test(voronoi_cell_equals_hand_calculation),
         cmocka_unit_test(bad_clouds_are_refused),
     };
     return cmocka_run_group_tests_name("voronoi", tests, NULL, NULL);

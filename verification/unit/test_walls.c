@@ -31,7 +31,7 @@ static double farthest(const struct method *m, const struct problem *p, const st
 }
 
 /* Central differences, moments to order 2 and first derivatives taken twice are exact for a cubic. */
-static void a_steady_cubic_stays(void **state) {
+static void steady_cubic_is_preserved(void **state) {
     (void)state;
     const struct method *const all[] = {&method_so_ssph, &method_fo_ssph, &method_brookshaw, &method_ftcs,
                                         &method_ftcs_flux};
@@ -52,7 +52,7 @@ static void a_steady_cubic_stays(void **state) {
 }
 
 /* Order 4 knows fourth derivatives too: the same cubic, rows under jitter. */
-static void a_steady_cubic_stays_under_jitter(void **state) {
+static void steady_cubic_is_preserved_under_jitter(void **state) {
     (void)state;
     struct problem p = odd_rectangle();
     struct options o = {.dx = 0.05, .layout = LAYOUT_JITTER, .jitter = 0.23, .seed = 5, .order = 4};
@@ -211,7 +211,7 @@ static struct field solved(const struct method *m, const struct problem *p, cons
 }
 
 /* The modes of the transform are those of the ghosts: no stepper but exact has a time error to hide behind. */
-static void all_steppers_agree_with_the_exact_one(void **state) {
+static void steppers_agree_with_the_exact_one(void **state) {
     (void)state;
     const enum stepper_name steppers[] = {STEPPER_EULER, STEPPER_RK2, STEPPER_RKL2, STEPPER_CHEBYSHEV};
     for (int m = 0; m < PARTICLES; m++)
@@ -250,7 +250,7 @@ static double hot(const struct problem *p, const double x[2]) {
 
 /* One side of a square is cooled, each in turn; the opposite one has a Dirichlet and then a Neumann condition.  The
  * temperatures relative to the cooled side are the same. */
-static void all_sides_cool_the_same(void **state) {
+static void robin_sides_are_equivalent(void **state) {
     (void)state;
     enum { N = 12 };
     double kept[N];
@@ -284,13 +284,13 @@ static void all_sides_cool_the_same(void **state) {
 int main(void) {
     gsl_set_error_handler_off();
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(a_steady_cubic_stays),
-        cmocka_unit_test(a_steady_cubic_stays_under_jitter),
+        cmocka_unit_test(steady_cubic_is_preserved),
+        cmocka_unit_test(steady_cubic_is_preserved_under_jitter),
         cmocka_unit_test(matched_runs_with_a_source_are_of_fourth_order),
         cmocka_unit_test(matched_runs_refuse_first_derivatives_with_a_source),
         cmocka_unit_test(points_of_unknown_order_are_refused),
-        cmocka_unit_test(all_steppers_agree_with_the_exact_one),
-        cmocka_unit_test(all_sides_cool_the_same),
+        cmocka_unit_test(steppers_agree_with_the_exact_one),
+        cmocka_unit_test(robin_sides_are_equivalent),
     };
     return cmocka_run_group_tests_name("walls", tests, NULL, NULL);
 }

@@ -110,7 +110,7 @@ static void every_treatment_keeps_a_constant(void **state) {
 /* so_ssph is exact for quadratics, dummies continue them, and the one-sided fit is exact for them: d T/dt = kappa
  * lap T everywhere except at held particles.  First derivatives are exact for quadratics on the lattice that the
  * dummies continue for two kernel widths. */
-static void a_quadratic_rises_evenly(void **state) {
+static void quadratic_has_uniform_heating_rate(void **state) {
     (void)state;
     extern const struct method method_fatehi_manzari, method_fo_ssph, method_flux_divergence;
     const struct method *const all[] = {&method_so_ssph, &method_fatehi_manzari, &method_so_ssph, &method_fo_ssph,
@@ -232,7 +232,7 @@ static void clipped_cells_fill_the_body(void **state) {
 }
 
 /* From the centre every place of a round wall is the nearest: one of them is taken. */
-static void a_centre_has_a_foot(void **state) {
+static void centre_of_a_disc_has_a_wall_point(void **state) {
     (void)state;
     struct problem p = {.dim = 2};
     shape_round(&p, 0, 1.3);
@@ -245,11 +245,11 @@ static void a_centre_has_a_foot(void **state) {
 
 int main(void) {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(a_centre_has_a_foot),
+        cmocka_unit_test(centre_of_a_disc_has_a_wall_point),
         cmocka_unit_test(fits_continue_quadratics),
         cmocka_unit_test(images_continue_linear_temperatures),
         cmocka_unit_test(every_treatment_keeps_a_constant),
-        cmocka_unit_test(a_quadratic_rises_evenly),
+        cmocka_unit_test(quadratic_has_uniform_heating_rate),
         cmocka_unit_test(one_sided_rows_do_not_grow_beside_a_wall),
         cmocka_unit_test(a_missing_one_sided_fit_is_refused),
         cmocka_unit_test(fits_let_no_mode_grow),
