@@ -100,7 +100,7 @@ static void stays_inside(const char *line) {
     if (broken > before) fail_msg("%s: %d blocks were written to past their end", line, broken - before);
 }
 
-static void solvers_stay_within_their_arrays(void **state) {
+static void runs_stay_within_their_arrays(void **state) {
     (void)state;
     static const char *const line[] = {
         "run rod-step so_ssph --dx 0.05",
@@ -145,6 +145,6 @@ static void writes_past_an_array_are_detected(void **state) {
 
 int main(void) {
     const struct CMUnitTest tests[] = {cmocka_unit_test(writes_past_an_array_are_detected),
-                                       cmocka_unit_test(solvers_stay_within_their_arrays)};
+                                       cmocka_unit_test(runs_stay_within_their_arrays)};
     return cmocka_run_group_tests_name("fences", tests, NULL, NULL);
 }

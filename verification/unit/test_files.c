@@ -219,7 +219,7 @@ static void files_of_every_length_are_read(void **state) {
     }
 }
 
-static void nul_byte_is_refused(void **state) {
+static void reading_stops_at_a_nul_byte(void **state) {
     (void)state;
     size_t size;
     char *text = whole_file_at("/dev/zero", &size);
@@ -256,7 +256,7 @@ int main(void) {
         cmocka_unit_test(writing_to_a_device_keeps_the_device),
         cmocka_unit_test_setup_teardown(signals_wait_for_a_complete_file, set_up, tear_down),
         cmocka_unit_test(files_of_every_length_are_read),
-        cmocka_unit_test(nul_byte_is_refused),
+        cmocka_unit_test(reading_stops_at_a_nul_byte),
         cmocka_unit_test(unreadable_files_give_the_reason),
     };
     return cmocka_run_group_tests_name("files", tests, NULL, NULL);

@@ -76,7 +76,7 @@ static void errors_are_reported_with_their_position(void **state) {
 }
 
 /* Any bytes, also truncated anywhere, are either read or refused; a sanitizer detects accesses outside them. */
-static void truncated_files_are_refused(void **state) {
+static void any_bytes_are_read_or_refused(void **state) {
     (void)state;
     const char *text = "/**/GATE(\"a\", QUICK, \"error\", \"r\" \"\\\"\", -1, INFINITY, NAN, \"w\") // ";
     for (size_t n = 0; n <= strlen(text); n++) {
@@ -127,7 +127,7 @@ static void link_to_a_gate_file_is_followed(void **state) {
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(gate_rows_are_read_in_c_syntax),  cmocka_unit_test(errors_are_reported_with_their_position),
-        cmocka_unit_test(truncated_files_are_refused),     cmocka_unit_test(missing_files_are_refused),
+        cmocka_unit_test(any_bytes_are_read_or_refused),   cmocka_unit_test(missing_files_are_refused),
         cmocka_unit_test(link_to_a_gate_file_is_followed),
     };
     return cmocka_run_group_tests_name("gate_file", tests, NULL, NULL);

@@ -74,7 +74,7 @@ static void one_seed_gives_one_cloud_to_all_operators(void **state) {
     }
 }
 
-static void ghosts_continue_a_linear_field(void **state) {
+static void ghosts_continue_the_field_beyond_walls(void **state) {
     (void)state;
     for (double amplitude = 0; amplitude < 0.5; amplitude += 0.37) {
         struct problem p = continued_problem();
@@ -321,7 +321,7 @@ int main(void) {
     gsl_set_error_handler_off();
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(one_seed_gives_one_cloud_to_all_operators),
-        cmocka_unit_test(ghosts_continue_a_linear_field),
+        cmocka_unit_test(ghosts_continue_the_field_beyond_walls),
         cmocka_unit_test(ghosts_hold_for_any_two_conductivities),
         cmocka_unit_test(round_off_of_a_source_adds_no_term),
         cmocka_unit_test(corner_ghosts_take_the_mean_of_both_sides),
