@@ -1,8 +1,8 @@
-# Common part of the charts of a benchmark: `data` is reports/out/bench/bench_SCENE.csv, `chart` the end of the name,
-# `subject` the title's.
-# A panel holds at most seven programs of a family of steppers; all others stand in grey behind them.
+# Common part of the benchmark charts: `data` is reports/out/bench/bench_SCENE.csv; file name and title end with `chart`
+# and `subject`.
+# A panel shows at most seven programs of one family of steppers; the others are grey.
 #     X, Y: columns; bars: 'x' or 'y', the axis of the times (lowest and highest in columns 5 and 6), or ''
-#     front: 'time' or 'work', which of what nothing beats the last panel shows, or ''
+#     front: 'time' or 'work', the Pareto front of the last panel, or ''
 name = system(sprintf("basename '%s' .csv", data)) . '_' . chart
 set datafile separator comma
 stats data using 3 nooutput
@@ -52,7 +52,7 @@ do for [f=1:6] { do for [part=0:parts(f)-1] {
     do for [i=1:N] { if (MEMBER[i] == f && RANK[i] / per_part(f) == part) { n = n + 1; SHOWN[n] = i } }
     set xlabel across offset 0, 0.5
     set ylabel (panel % 3 == 1 ? along : '') offset 0.5
-    set title (f > 5 ? 'what nothing else beats' : part ? TITLE[f].', continued' : TITLE[f]) noenhanced font size_of(11) offset 0, -0.6
+    set title (f > 5 ? 'Pareto front' : part ? TITLE[f].', continued' : TITLE[f]) noenhanced font size_of(11) offset 0, -0.6
     set key at graph 0, graph -0.2 left top Left reverse samplen 1.5 spacing 1.05
     eval sprintf("set key font '%s'", size_of(8.25))
     plot data index 0:(N-1) using X:Y with lines lc rgb '#d6d6d6' lw 0.8 notitle, \

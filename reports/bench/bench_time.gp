@@ -1,4 +1,4 @@
-# Error over wall time; a bar spans the runs.
+# Error against wall time; bars from the fastest to the slowest run.
 chart = 'time'; subject = 'error against wall time'
 X = 4; Y = 3; bars = 'x'; front = 'time'
 across = 'wall time of a run  [s]'

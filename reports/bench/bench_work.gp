@@ -1,4 +1,4 @@
-# Error over counted work, which is the same on every machine.
+# Error against counted work, which does not depend on the machine.
 chart = 'work'; subject = 'error against counted work'
 X = 7; Y = 3; bars = ''; front = 'work'
 across = 'work  [pairs of particles]'

@@ -1,11 +1,11 @@
-# Error against wall time on one scene: a method a curve with its usual stepper, and so_ssph with faster steppers.
+# Error against wall time on one scene: one curve per method with its usual stepper, and so_ssph with faster steppers.
 if (!exists("data")) data = 'reports/out/bench/bench_square-step.csv'
 name = 'error_time'
 wide = 820; high = 560
 load 'reports/figure/style.gp'
 unset label 99
 unset bmargin
-# Words that name each program in its header; the label comes after a bar.
+# The words before the bar select a program by its header; the label is after it.
 array PROGRAM[9] = ['so_ssph euler at F|so_ssph, Euler', 'so_ssph rk2|so_ssph, RK2', 'so_ssph rkl2|so_ssph, RKL2', \
     'so_ssph exact; h|so_ssph, exact in time', 'so_ssph matched; cubic|so_ssph, matched step', \
     'fo_ssph exact|fo_ssph, exact in time', 'brookshaw exact|brookshaw, exact in time', 'ftcs at F|ftcs', \

@@ -1,4 +1,4 @@
-# Error over the seconds of the solve on square-step: other codes beside this one, whose lines are thick.
+# Error against the time of the solve on square-step, for this code (thick lines) and others.
 if (!exists("data")) data = 'reports/out/league/league.csv'
 name = 'league'
 wide = 1000; high = 600

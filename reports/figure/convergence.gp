@@ -1,4 +1,4 @@
-# Errors over dx, published points around the measured ones.
+# Errors against dx; published values as hollow points around the measured ones.
 set logscale xy
 set format y '10^{%T}'
 set xtics (0.01, 0.02, 0.05, 0.1, 0.2, 0.5, 1)

@@ -1,5 +1,5 @@
-# Isotherms at several times, computed (red, dashed) over exact (black): `rows` and `columns` of panels; `levels` of
-# the isotherms; `bold`, the level that is drawn broad.
+# Isotherms at several times, computed (red, dashed) over exact (black).  `rows` and `columns`: panels; `levels`:
+# isotherms; `bold`: the level with a thick line.
 load 'reports/figure/style.gp'
 unset label 99
 unset bmargin

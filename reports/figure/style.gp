@@ -1,9 +1,9 @@
-# The look of every figure.  A script sets `name` (and `wide`, `high` where they differ) and loads this file; then
-# `data` is what it draws, and the output goes beside that:
+# Style of every figure.  A script sets `name` (and `wide`, `high` if they differ) and loads this file, which sets
+# `data`, the file to plot; the output is written beside it:
 #
 #     gnuplot -e "out='reports/out'; kind='svg'" reports/song/song_fig1b.gp        (kind: svg or png)
 #
-# Title and caption stand in the head of the data file, so that a figure cannot show another command than made it.
+# Title and caption are in the head of the data file, so that a figure shows the command that made it.
 if (!exists("out")) out = 'reports/out'
 if (!exists("to")) to = out
 if (!exists("kind")) kind = 'svg'
@@ -36,7 +36,7 @@ set title heading noenhanced font size_of(13)
 set label 99 caption at screen 0.012, screen 0.05 left noenhanced font size_of(8.5) textcolor rgb '#555555'
 set bmargin at screen 115.0 / high
 
-# Okabe & Ito's palette, which no common colour blindness confuses; each with its own point and dash as well.
+# Okabe & Ito's palette, distinguishable with colour-vision deficiency; each colour has its own point and dash.
 BLACK = '#000000'; ORANGE = '#E69F00'; SKY = '#56B4E9'; GREEN = '#009E73'
 BLUE = '#0072B2'; RED = '#D55E00'; PURPLE = '#CC79A7'; GREY = '#777777'
 set style line 1 lc rgb BLACK lw 1.3 dt 1 pt 1 ps 0.7 * P

@@ -1,4 +1,4 @@
-# Order reached and order expected, a row a scene; then for each scene the errors of its methods over dx.
+# Measured and expected order, one row per scene; then the errors of the methods against dx, one plot per scene.
 name = 'gates'
 wide = 1080; high = 560
 load 'reports/figure/style.gp'
@@ -31,11 +31,11 @@ plot data index 'groups' using (0):1:ytic(2) with points pt 0 lc rgb 'white' not
      data index 'orders' using ($7 == 1 ? $4 : NaN):1 with points pt 6 ps P lw 1.6 lc rgb BLUE notitle, \
      data index 'orders' using ($7 == 1 ? NaN : $4):1 with points pt 2 ps 1.6 * P lw 2.6 lc rgb RED notitle, \
      keyentry with boxes fs solid noborder lc rgb '#dcdcdc' title 'expected', \
-     keyentry with points pt 6 ps P lw 1.6 lc rgb BLUE title 'reached', \
+     keyentry with points pt 6 ps P lw 1.6 lc rgb BLUE title 'measured', \
      keyentry with lines lw 1 lc rgb '#555555' title '95 % interval', \
-     keyentry with points pt 2 ps 1.6 * P lw 2.6 lc rgb RED title 'reached, gate fails'
+     keyentry with points pt 2 ps 1.6 * P lw 2.6 lc rgb RED title 'measured, gate fails'
 
-# A figure a scene.  Axes are logarithmic with labels at 1, 2 and 5, over more than two decades at powers of ten.
+# One plot per scene.  Axes are logarithmic with labels at 1, 2 and 5, over more than two decades at powers of ten.
 unset x2tics
 unset label 98
 set ytics scale 0.7

@@ -7,7 +7,7 @@ set xlabel 'work of all steps  [pairs of particles]'
 set ylabel 'E = Σ|T_e − T_n| / ΣT_e  [-]' offset 0.5
 set offsets graph 0.03, graph 0.03, 0, 0
 set key bottom left Left reverse
-# The steps at dx = 0.1 m, as they were taken.
+# Labels: number of steps at dx = 0.1 m.
 steps(dx, n) = abs(dx - 0.1) < 1e-9 ? sprintf('dx = %g m, %d steps', dx, n) : ''
 plot data index 'as published' using 1:2 with linespoints lc rgb RED pt 7 lw 1.2 dt 2 title 'SO-SSPH as published', \
      data index 'matched, without the start' using 1:2 with linespoints lc rgb GREY pt 9 lw 1.2 dt 3 title 'matched step, clock started at 0', \

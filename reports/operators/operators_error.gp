@@ -1,4 +1,4 @@
-# Error against neighbours at one spacing, one panel a cloud: what a wider kernel buys, and where it does not.
+# Error against the number of neighbours at one spacing, one panel per cloud: the effect of a wider kernel.
 name = 'operators_error'
 wide = 1180; high = 620
 load 'reports/figure/style.gp'

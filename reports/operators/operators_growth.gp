@@ -1,4 +1,4 @@
-# A box a kind of cloud: as high as the share of eight draws on which a mode grows, in the colour of how far it goes.
+# One box per kind of cloud: height is the share of eight draws with a growing mode, colour the growth rate.
 name = 'operators_growth'
 wide = 1180; high = 640
 load 'reports/figure/style.gp'
@@ -24,7 +24,7 @@ set label '900 particles' at first 54, graph 1.115 center font size_of(10)
 set xrange [0:72]
 set yrange [0.4:12.6]
 unset grid
-set xlabel 'jitter  [dx]; height: share of draws; white: refused, for k_y is not k_x' noenhanced
+set xlabel 'jitter  [dx]; height: share of draws; white: refused, since k_y differs from k_x' noenhanced
 set cbrange [0.1:1e4]
 set logscale cb
 set format cb '10^{%T}'

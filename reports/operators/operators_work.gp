@@ -1,4 +1,4 @@
-# Error against work, one panel a cloud: how much an operator asks for what it gives.
+# Error against work, one panel per cloud.
 name = 'operators_work'
 wide = 1180; high = 620
 load 'reports/figure/style.gp'
@@ -16,7 +16,7 @@ names = 'brookshaw brookshaw_corrected schwaiger fatehi_manzari cspm kernel_seco
 colours = sprintf('%s %s %s %s %s %s %s %s %s %s %s %s', RED, ORANGE, SKY, BLUE, PURPLE, GREY, '#999933', GREEN, BLACK, \
     '#882255', '#44aa99', '#332288')
 shapes = '7 9 11 5 13 8 10 6 4 12 3 14'
-# Blocks with a point: an operator with a growing mode has none.
+# Blocks with data; an operator with a growing mode has none.
 full = system("awk '/^# /{name=$2\"_\"$3\"_\"$4} /^[0-9]/{print name}' ".data." | sort -u | tr '\\n' ' '")
 K(i) = int(word(drawn, i))
 do for [c = 1:3] {

@@ -25,18 +25,18 @@ __all__ = ["Case", "HeatladderError", "NotApplicable", "Verdict", "case", "exact
            "solve_case", "verify"]
 __version__ = "3.0.0"
 
-NOT_APPLICABLE = 77  # the exit status of a program for a case that is not for it
+NOT_APPLICABLE = 77  # exit status of a program for a case that it does not support
 LONG = 10000  # points of an answer that is written as .npy
 
 Solve = Callable[["Case"], Tuple[Any, Any]]
 
 
 class NotApplicable(Exception):
-    """To be raised by `solve` where a case is not for it: the rows of that case are skipped."""
+    """Raised by `solve` for a case that it does not support: its rows are skipped."""
 
 
 class Case(Dict[str, str]):
-    """A case file: its keys and their values as text, the usual ones also as numbers."""
+    """A case file: keys and values as text; properties give the usual ones as numbers."""
 
     def numbers(self, key: str) -> List[float]:
         return [float(word) for word in self[key].split(",")]
@@ -99,13 +99,13 @@ def _columns(lines: Sequence[str]) -> List[Any]:
 
 def reference(scene: Union[Case, str], points: Any, what: str, time: float = 0,
               width: Optional[Sequence[float]] = None) -> Dict[str, Any]:
-    """What a scene has at points: a dictionary of arrays, one value a point, by the names of the columns.
+    """Evaluates a scene at points: a dictionary of arrays by column name, one value per point.
 
     scene   a case, or the words of `heatladder reference`: "rod-gauss --set kappa=0.02"
     points  (n,) on a rod, (n, 2) in the plane, m
-    what    columns with commas between: temperature, initial_heat, source, k_x, rho_c, wall_x, ...
+    what    columns separated by commas: temperature, initial_heat, source, k_x, rho_c, wall_x, ...
     time    s
-    width   of the cell about each point, m, one number an axis: for means over cells (initial_heat, initial_mean)
+    width   of the cell about each point, m, by axis: for means over cells (initial_heat, initial_mean)
     """
     rows = _rows(points)
     if not rows:
@@ -124,7 +124,7 @@ def reference(scene: Union[Case, str], points: Any, what: str, time: float = 0,
 
 
 def _write(points: Any, T: Any, out: str) -> None:
-    """Writes an answer: as text, or as NumPy's .npy where it is long."""
+    """Writes an answer as text, or as NumPy's .npy if it is long."""
     if len(points) != len(T):
         raise ValueError(f"solve returned {len(points)} points and {len(T)} temperatures")
     if numpy and len(T) >= LONG:
@@ -152,7 +152,7 @@ def solve_case(solve: Solve, case_path: str, out: str) -> int:
 
 @dataclass
 class Verdict:
-    """What the battery found: its exit status, its rows as in `verify --json`, and what most failing rows say."""
+    """Result of the battery: exit status, rows as in `verify --json`, and the fault that most failing rows name."""
     status: int
     gates: List[Dict[str, Any]] = field(default_factory=list)
     diagnosis: Optional[str] = None
@@ -160,16 +160,16 @@ class Verdict:
 
 
 def _serve(solve: Solve, directory: str, done: threading.Thread) -> None:
-    """Answers requests (a reply's name, a case, an answer: a line each) until the battery has ended."""
+    """Serves requests (three lines: reply name, case, answer) until the battery ends."""
     requests = os.fdopen(os.open(f"{directory}/requests", os.O_RDWR), "r", encoding="utf-8", buffering=1)
     reply = -1
     while True:
         name, case_path, out = (requests.readline().rstrip("\n") for _ in range(3))
         if reply >= 0:
-            os.close(reply)  # read by now: the next request has come
+            os.close(reply)  # already read: the next request has arrived
         if not name:
             break
-        reply = os.open(f"{directory}/{name}", os.O_RDWR)  # never waits, not even for a shell that was ended
+        reply = os.open(f"{directory}/{name}", os.O_RDWR)  # does not block, even if the shell was killed
         os.write(reply, f"{solve_case(solve, case_path, out)}\n".encode())
     requests.close()
     done.join()
@@ -207,7 +207,7 @@ def verify(solve: Solve, *arguments: str, quiet: bool = False) -> Verdict:
 
 
 def run(solve: Solve) -> NoReturn:
-    """Makes a program of `solve`: `PROGRAM CASE OUT` runs one case, `PROGRAM verify [options]` the battery."""
+    """Runs `solve` as a program: `PROGRAM CASE OUT` runs one case, `PROGRAM verify [options]` the battery."""
     words = sys.argv[1:]
     if words[:1] == ["verify"]:
         sys.exit(verify(solve, *words[1:]).status)

@@ -66,7 +66,7 @@ def _library() -> ctypes.CDLL:
 
 
 def _value(scene: bytes, name: str, value: Union[float, str]) -> float:
-    """A number as it is; of a word its place among those of the parameter."""
+    """A number, or the index of a word among the choices of the parameter."""
     if not isinstance(value, str):
         return float(value)
     parameter, i, words = _Parameter(), 0, []  # type: _Parameter, int, List[str]
