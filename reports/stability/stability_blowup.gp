@@ -14,8 +14,7 @@ set ytics 1e2
 set format y '10^{%T}'
 set xlabel 'step  [-]'
 set ylabel 'distance of the disturbed run  [K]'
-set bmargin at screen 175.0 / high
-set key at screen 0.5, screen 0.165 center top maxrows 2 horizontal Left reverse noenhanced width 1
+set key inside left top Left reverse noenhanced
 refused = 'refused from here on'
 if (so_max_x < so_true_max_x) set label 1 refused at so_max_x, so_max_y right offset -1,0 noenhanced font size_of(9.5)
 if (ftcs_max_x < ftcs_true_max_x) set label 2 refused at ftcs_max_x, ftcs_max_y left offset 1,0 noenhanced font size_of(9.5)

@@ -26,7 +26,7 @@ do for [m = 1:2] {
     unset label 99
     set title sprintf('%s: largest real part of an eigenvalue', label) enhanced font size_of(11) offset 0,-0.6
     unset colorbox
-    if (m == 2) { set key at screen 0.875, screen 0.075 bottom right noenhanced horizontal maxrows 1 samplen 1 width 2 }
+    if (m == 2) { set key at screen 0.875, screen 0.045 bottom right noenhanced vertical maxrows 1 samplen 1 width -2 }
     plot data index method using 1:(column(5) < 0 ? $2 : NaN) with points pt 7 ps 0.8 lc rgb SKY title 'decays', \
          data index method using 1:(column(5) > 0 ? $2 : NaN) with points pt 9 ps 1.0 lc rgb RED title 'grows', \
          data index method using 1:(stringcolumn(5) eq 'nan' ? $2 : NaN) with points pt 2 ps 0.8 lc rgb GREY title 'refused'

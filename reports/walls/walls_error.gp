@@ -21,7 +21,7 @@ place(w) = sum [k = 1:6] (word(names, k) eq w ? k : 0)
 do for [b = 1:4] {
     set title word(bodies, b) font size_of(11) offset 0,-0.6
     if (b == 1) { set ylabel 'E = Σ|T_e − T_n| / ΣT_e  [-]' offset 0.5 } else { unset ylabel; set format y '' }
-    if (b == 1) { set key at screen 0.985, 0.1 bottom right maxrows 1 width 2 } else { unset key }
+    if (b == 1) { set key at screen 0.985, 0.1 bottom right maxrows 1 width -1 } else { unset key }
     list = ''
     do for [k = 1:6] { if (has(b, k)) { list = list.' '.word(names, k) } }
     plot for [w in list] data index sprintf('%s, %s', w, word(bodies, b)) \
