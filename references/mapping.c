@@ -93,6 +93,13 @@ static double wall(const struct problem *p, enum side s, const double x[2], doub
     return p->side[s] == NEUMANN ? mapping_scale(&i->map) * held : mapping_temperature(&i->map, held);
 }
 
+static double wall_rate(const struct problem *p, enum side s, const double x[2], double t) {
+    const struct image *i = p->data;
+    double at[2];
+    mapping_to_scene(&i->map, p->dim, x, at);
+    return mapping_scale(&i->map) * i->of->wall_rate(i->of, p->shape ? s : mapping_side(&i->map, s), at, t);
+}
+
 static double source(const struct problem *p, const double x[2]) {
     const struct image *i = p->data;
     double at[2];
@@ -130,6 +137,7 @@ void mapping_image(const struct mapping *m, const struct problem *p, struct imag
     of->data = image;
     of->initial = initial;
     of->wall = wall;
+    if (p->wall_rate) of->wall_rate = wall_rate;
     if (p->source) of->source = source;
     if (p->source_rate) of->source_rate = source_rate;
     for (int a = 0; a < p->dim; a++) image_axis(image, a);

@@ -91,7 +91,7 @@ static struct approx flux_density(const void *data, const double along[2]) {
         x[0] = p->radius[s] * u[0], x[1] = p->radius[s] * u[1];
     else
         x[a] = s % 2 ? p->hi[a] : p->lo[a];
-    double wall = p->wall(p, f->side, x, 0), k = material_at(p, x)->k[a], b = p->robin[s];
+    double wall = p->wall(p, f->side, x, f->now.time), k = material_at(p, x)->k[a], b = p->robin[s];
     if (p->side[s] == NEUMANN) return (struct approx){wall, 0};
     struct exact e = snapshot_at(&f->now, x);
     if (p->side[s] == ROBIN) return (struct approx){b * (wall - e.temperature), b * e.error_bound};

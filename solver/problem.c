@@ -21,6 +21,14 @@ double problem_held(const struct problem *p, enum side s, const double *x, doubl
     return p->held[s];
 }
 
+void problem_wall_range(const struct problem *p, enum side s, const double *x, double *lo, double *hi) {
+    const int times = p->wall_rate ? 64 : 0;
+    for (int k = 0; k <= times; k++) {
+        double value = p->wall(p, s, x, k ? p->t_end * k / times : 0);
+        *lo = fmin(*lo, value), *hi = fmax(*hi, value);
+    }
+}
+
 double problem_source(const struct problem *p, const double *x, double t) {
     return (p->source ? p->source(p, x) : 0) + (p->source_rate ? t * p->source_rate(p, x) : 0);
 }

@@ -62,6 +62,9 @@ double problem_diffusivity(const struct problem *p);
 double problem_start(const struct problem *p, const double *x);
 double problem_held(const struct problem *p, enum side s, const double *x, double t);
 
+/* Widens [*lo, *hi] by the values of `wall` at x during the run (of changing walls, at 65 times). */
+void problem_wall_range(const struct problem *p, enum side s, const double *x, double *lo, double *hi);
+
 /* Total source at x and time t, W m^-3; 0 if there is none. */
 double problem_source(const struct problem *p, const double *x, double t);
 

@@ -13,13 +13,20 @@ void answer_times(double from, double to, int count, double *time) {
     for (int k = 0; k < count; k++) time[k] = from + (to - from) * k / (count - 1);
 }
 
+/* Columns that depend on time in some scenes only. */
+static int depends_on_time(const struct problem *p, const char *column) {
+    if (strcmp(column, "source") == 0) return p->source_rate != NULL;
+    return p->wall_rate && (strncmp(column, "wall", 4) == 0 || strcmp(column, "nearest") == 0);
+}
+
 int answer_check(const struct answer *a, struct failure *why) {
     for (int i = 0; i < a->columns.count; i++) {
         const struct columns_kind *kind = a->columns.kind[i];
         if (kind->needs_time && a->times == 0)
             return refuse(why, STATUS_INPUT, "--what %s needs --time T[,T...], in s", kind->name);
-        if (strcmp(kind->name, "source") == 0 && a->image->problem.source_rate && a->times == 0)
-            return refuse(why, STATUS_INPUT, "--what source depends on time here and needs --time T[,T...], in s");
+        if (a->times == 0 && depends_on_time(&a->image->problem, kind->name))
+            return refuse(why, STATUS_INPUT, "--what %s depends on time here and needs --time T[,T...], in s",
+                          kind->name);
         if (kind->needs_cell && !a->points.cell && !(a->cell > 0))
             return refuse(why, STATUS_INPUT,
                           "--what %s needs the cell around each point: columns dx and dy of the points, or --dx DX",

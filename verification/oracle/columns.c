@@ -33,8 +33,7 @@ const char columns_help[] =
     "                      the points give the extents of the cell (without dy: dy = dx), else --dx for all\n"
     "  initial_heat        the temperature that keeps the heat of that cell: the integral of rho_c T over the\n"
     "                      integral of rho_c; the plain average in a cell of one material\n"
-    "  source k_x k_y rho_c   of the equation; at an interface, of the upper material; a source that depends\n"
-    "                      on time needs --time\n"
+    "  source k_x k_y rho_c   of the equation; at an interface, of the upper material\n"
     "  wall                three columns, wall_kind, wall_value and wall_b.  Kind 0: not on a side; 1 (Dirichlet):\n"
     "                      T = value; 2 (Neumann): k dT/dn = value, the flux into the body; 3 (Robin):\n"
     "                      k dT/dn = b (value - T).  In a corner: the side of the lower kind; the mean of two\n"
@@ -45,7 +44,8 @@ const char columns_help[] =
     "--points: CSV with the header x (or x,y) and one point a line; other columns are ignored; - is standard input.\n"
     "Each line of the answer repeats the coordinates as typed (a point within 1e-9 extents of a side moves onto\n"
     "it), then `time` if several are given (all points of the first time come first), then the columns with 17\n"
-    "digits.  Columns that do not depend on time need no --time.\n"
+    "digits.  Columns that do not depend on time need no --time; source, wall and nearest need it in a scene\n"
+    "where they change.\n"
     "\n"
     "Initial values for your code:\n"
     "  your unknowns are       use             at                          with the cell\n"
@@ -154,9 +154,9 @@ static void rho_c(const struct columns_row *row, double *value) {
 
 static const int wall_kind[] = {[DIRICHLET] = 1, [NEUMANN] = 2, [ROBIN] = 3};
 
-static void wall_values(const struct problem *p, int s, const double x[2], double *value) {
+static void wall_values(const struct problem *p, int s, const double x[2], double t, double *value) {
     value[0] = wall_kind[p->side[s]];
-    value[1] = p->wall(p, (enum side)s, x, 0);
+    value[1] = p->wall(p, (enum side)s, x, t);
     value[2] = p->side[s] == ROBIN ? p->robin[s] : 0;
 }
 
@@ -165,7 +165,7 @@ static void wall_at(const struct columns_row *row, int axis, double *value) {
     int upper = row->x[axis] >= p->hi[axis], s = 2 * axis + upper;
     value[0] = value[1] = value[2] = 0;
     if (p->shape || p->side[s] == PERIODIC || (!upper && row->x[axis] > p->lo[axis])) return;
-    wall_values(p, s, row->x, value);
+    wall_values(p, s, row->x, row->time, value);
 }
 
 static void wall_across(const struct columns_row *row, double *value) {
@@ -173,10 +173,10 @@ static void wall_across(const struct columns_row *row, double *value) {
 }
 
 /* A point is on a round wall within round-off. */
-static void round_wall(const struct problem *p, const double x[2], double *value) {
+static void round_wall(const struct problem *p, const double x[2], double t, double *value) {
     int s;
     value[0] = value[1] = value[2] = 0;
-    if (fabs(shape_nearest(p, x, &s).depth) <= 1e-9 * p->radius[1]) wall_values(p, s, x, value);
+    if (fabs(shape_nearest(p, x, &s).depth) <= 1e-9 * p->radius[1]) wall_values(p, s, x, t, value);
 }
 
 static void nearest(const struct columns_row *row, double *value) {
@@ -185,13 +185,13 @@ static void nearest(const struct columns_row *row, double *value) {
     const double place[] = {f.x[0], f.x[1], f.normal[0], f.normal[1], f.depth};
     for (int k = 0; k < 5; k++) value[k] = s < 0 ? NAN : place[k];
     value[5] = value[6] = value[7] = 0;
-    if (s >= 0) wall_values(row->p, s, f.x, value + 5);
+    if (s >= 0) wall_values(row->p, s, f.x, row->time, value + 5);
 }
 
 static void wall(const struct columns_row *row, double *value) {
     double other[3];
     if (row->p->shape) {
-        round_wall(row->p, row->x, value);
+        round_wall(row->p, row->x, row->time, value);
         return;
     }
     wall_at(row, 0, value);

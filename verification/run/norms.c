@@ -129,9 +129,7 @@ static void widen(const struct problem *p, const struct field *f, double *lo, do
             double x[2];
             point(f, i, x);
             struct foot foot = shape_foot(p, s, x);
-            double T = p->wall(p, (enum side)s, foot.x, 0);
-            coldest = fmin(coldest, T);
-            hottest = fmax(hottest, T);
+            problem_wall_range(p, (enum side)s, foot.x, &coldest, &hottest);
         }
     }
     *lo = coldest, *hi = hottest;

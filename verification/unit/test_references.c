@@ -24,9 +24,9 @@ static struct scene cases[64]; /* ended by a NULL name */
 static const struct {
     const char *scene, *param;
     double value;
-} branch[] = {{"rod-cooling", "b", 0},     {"rod-cooling", "b", 1e5},   {"plate-cooling", "b", 0},
-              {"plate-cooling", "b", 1e5}, {"disc-mode", "mode", 0},    {"disc-mode", "wall", 1},
-              {"disc-mode", "wall", 2},    {"plane-contact", "mode", 0}};
+} branch[] = {{"rod-cooling", "b", 0},     {"rod-cooling", "b", 1e5},    {"plate-cooling", "b", 0},
+              {"plate-cooling", "b", 1e5}, {"disc-mode", "mode", 0},     {"disc-mode", "wall", 1},
+              {"disc-mode", "wall", 2},    {"plane-contact", "mode", 0}, {"rod-driven", "omega", 0.03}};
 
 static int list_cases(void **state) {
     (void)state;
@@ -103,7 +103,7 @@ static void boundary_conditions_hold(void **state) {
                 if (!shape_has_wall(&p, side)) continue;
                 if (p.dim == 2) odd_point(&p, 0, &random, x);
                 struct foot f = shape_foot(&p, side, x);
-                double want = p.wall(&p, (enum side)side, x, 0), flux = 0, off = 0;
+                double want = p.wall(&p, (enum side)side, f.x, t), flux = 0, off = 0;
                 struct exact e = scene_exact(s, &p, f.x, t);
                 if (p.side[side] == DIRICHLET) {
                     assert_near(e.temperature, want, 1e-13 * odd->scale);
@@ -118,6 +118,24 @@ static void boundary_conditions_hold(void **state) {
                     assert_near(flux, want, off);
                     assert_order(off, <, 1e-10 * p.material[0].k[0] * odd->scale / odd->step);
                 }
+            }
+    }
+}
+
+static void rate_of_a_wall_is_its_derivative(void **state) {
+    (void)state;
+    for (const struct scene *s = cases; s->name; s++) {
+        struct problem p;
+        odd_setup(s, &p);
+        unsigned long random = 29;
+        for (int trial = 0; trial < 20 && p.wall_rate; trial++)
+            for (int side = X_LO; side < 2 * p.dim; side++) {
+                double x[2] = {0, 0}, t = odd_random(&random) * p.t_end, d = 0.01 * p.t_end, sum = 0;
+                odd_point(&p, 0, &random, x);
+                for (int i = 1; i <= 4; i++)
+                    sum += first_difference[i] *
+                           (p.wall(&p, (enum side)side, x, t + i * d) - p.wall(&p, (enum side)side, x, t - i * d));
+                assert_near(p.wall_rate(&p, (enum side)side, x, t), sum / d, 1e-10 * s->odd.scale);
             }
     }
 }
@@ -284,7 +302,9 @@ static int power_of(const char *unit, struct powers by) {
     if (strcmp(unit, "m") == 0) return by.length;
     if (strcmp(unit, "s") == 0) return 2 * by.length;
     if (strcmp(unit, "W/m^2/K") == 0) return -by.length;
+    if (strcmp(unit, "W/m^2") == 0) return by.temperature - by.length;
     if (strcmp(unit, "K/s") == 0) return by.temperature - 2 * by.length;
+    if (strcmp(unit, "1/s") == 0) return -2 * by.length;
     return 0;
 }
 
@@ -382,6 +402,7 @@ int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(residual_of_the_equation_vanishes),
         cmocka_unit_test(boundary_conditions_hold),
+        cmocka_unit_test(rate_of_a_wall_is_its_derivative),
         cmocka_unit_test(initial_condition_holds),
         cmocka_unit_test(jump_belongs_to_the_closed_piece),
         cmocka_unit_test(flux_is_continuous_at_an_interface),

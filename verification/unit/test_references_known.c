@@ -46,6 +46,9 @@ static const struct known {
     {"plane-contact", {0.71, 0.67}, 1.6, 2.3445065874889198088},
     {"disc-cooling", {0.7, 0.4}, 11, 0.87659966183455767969},
     {"disc-cooling", {-0.9, 0.81}, 2.9, 0.82155498777606945895},
+    /* the closed forms in 60 digits */
+    {"rod-driven", {0.31, 0}, 2.3, 2.7398288047684185057},
+    {"plate-driven", {0.31, 0.23}, 2.3, 2.4327195067972472764},
 };
 
 static void known_values(void **state) {

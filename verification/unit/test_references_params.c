@@ -36,6 +36,10 @@ static const struct refusal {
     {"wall-composite", "T1", 0, "T2"},
     {"rod-cosine", "mode", 2.5, "whole number from 1 to 32"},
     {"rod-cosine", "A", 1.5, "A < Tm"},
+    {"rod-driven", "A", 2, "A < Tm"},
+    {"rod-driven", "omega", 0, "greater than 0 1/s"},
+    {"plate-driven", "phase_a", 200, "between -100 and 100"},
+    {"plate-driven", "Tm", 1.3, "the sum of the amplitudes: T > 0"},
     {"rect-manufactured", "A", 1.5, "from 0 to 1 K: the temperature stays positive, 0 < A <= 1"},
     {"rect-manufactured", "rise", -0.1, "0 K/s or more"},
 };
