@@ -3,6 +3,7 @@
 #include "solver/problem.h"
 
 #include <math.h>
+#include <stdio.h>
 
 double problem_diffusivity(const struct problem *p) {
     double kappa = 0;
@@ -31,4 +32,12 @@ void problem_wall_range(const struct problem *p, enum side s, const double *x, d
 
 double problem_source(const struct problem *p, const double *x, double t) {
     return (p->source ? p->source(p, x) : 0) + (p->source_rate ? t * p->source_rate(p, x) : 0);
+}
+
+const char *problem_place(int dim, const double *x, char text[PLACE_TEXT]) {
+    if (dim < 3)
+        snprintf(text, PLACE_TEXT, "(%.6g, %.6g) m", x[0], x[1]);
+    else
+        snprintf(text, PLACE_TEXT, "(%.6g, %.6g, %.6g) m", x[0], x[1], x[2]);
+    return text;
 }

@@ -68,4 +68,8 @@ void problem_wall_range(const struct problem *p, enum side s, const double *x, d
 /* Total source at x and time t, W m^-3; 0 if there is none. */
 double problem_source(const struct problem *p, const double *x, double t);
 
+enum { PLACE_TEXT = 50 };
+/* "(x, y) m", in space "(x, y, z) m", for messages; returns text. */
+const char *problem_place(int dim, const double *x, char text[PLACE_TEXT]);
+
 #endif

@@ -137,7 +137,7 @@ int claim_weights(struct claim_cell *cell, const double kappa[2], struct claims_
     if (!status) status = operator_neighbourhood(p->dim, o->dx, o->h, cell->d, &cell->nb, &why);
     if (!status) {
         cell->nb.rho_c = p->material[0].rho_c;
-        memcpy(cell->nb.kappa, kappa, sizeof cell->nb.kappa);
+        for (int a = 0; a < 2; a++) cell->nb.kappa[a] = kappa[a];
         status = operator_weights(r.experiment.method->scheme, p, o, &cell->nb, w, &why);
     }
     command_free(&r);

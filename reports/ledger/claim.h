@@ -60,7 +60,7 @@ int claim_model(struct model_problem *b, struct step_limit *l, struct claims_mea
 /* One particle of a lattice, its neighbours within 2 h and the weights that a method gives them. */
 struct claim_cell {
     struct neighbourhood nb;
-    double d[NEIGHBOURS_MAX][2];
+    double d[NEIGHBOURS_MAX][DIM_MAX];
     double w[2][NEIGHBOURS_MAX];
 };
 

@@ -7,12 +7,13 @@
  * The cells then have the heat of both materials, and a rod is second order for any interface position.
  *
  * The volume V: raw, dx^d; tuned, Pamplona eq. 14, V = area xi / N with N including the ghosts; moment, the V for
- * which the operator is exact for x^2 and y^2 on the lattice, sum_j w_j x_j^2 = 2 kappa.
+ * which the operator is exact for x^2, y^2 and z^2 on the lattice, sum_j w_j x_j^2 = 2 kappa.
  *
  * Weights are >= 0, so on a cloud the solution is bounded if every particle has a neighbour.  Isotropic conductivity
  * only, because F depends on the distance only. */
-#include "solver/space/kernel.h"
+#include "solver/particles/correction.h"
 #include "solver/particles/particles.h"
+#include "solver/space/kernel.h"
 
 #include <math.h>
 
@@ -22,19 +23,11 @@ static double pair_weight(enum kernel_name kernel, int dim, double h, double r) 
     return -kernel_slope(kernel, dim, r / h) / pow(h, dim + 1) * r / (r * r + eta * eta);
 }
 
-/* Lattice sum of 2 F x^2 dx^dim: the raw operator applied to x^2 / 2 for kappa = 1. */
-static double lattice_moment(enum kernel_name kernel, int dim, double h_over_dx) {
-    int reach = (int)ceil(KERNEL_SUPPORT * h_over_dx);
-    double sum = 0;
-    for (int j = dim == 2 ? -reach : 0; j <= (dim == 2 ? reach : 0); j++)
-        for (int i = -reach; i <= reach; i++) sum += pair_weight(kernel, dim, h_over_dx, hypot(i, j)) * i * i;
-    return sum;
-}
-
 static double volume(const struct problem *p, const struct options *o, double h, double dV) {
-    double spacing = p->dim == 2 ? sqrt(dV) : dV;
+    double spacing = p->dim == 3 ? cbrt(dV) : p->dim == 2 ? sqrt(dV) : dV;
     if (o->volume == VOLUME_RAW) return dV;
-    if (o->volume == VOLUME_MOMENT) return dV / lattice_moment(o->kernel, p->dim, h / spacing);
+    if (o->volume == VOLUME_MOMENT)
+        return dV / correction_lattice_sum(o->kernel, p->dim, h / spacing, 1, 1, pair_weight);
     double xi = o->xi > 0 ? o->xi : 9 * cbrt(h), all = 1, real = 1; /* Pamplona eq. 18 */
     double layers = floor(KERNEL_SUPPORT * h / spacing);
     const struct problem *plate =
@@ -58,14 +51,15 @@ static double pair_conductivity(const struct problem *p, enum mean mean, double 
     return 2 / (part / ki + (1 - part) / kj);
 }
 
-static int weights(const struct problem *p, const struct options *o, const struct neighbourhood *nb, double *w[2],
+static int weights(const struct problem *p, const struct options *o, const struct neighbourhood *nb, double *w[],
                    struct failure *why) {
+    char place[PLACE_TEXT];
     if (nb->n == 0)
         return refuse(why, STATUS_NUMERICAL,
-                      "particle %zu at (%.6g, %.6g) m has 0 neighbours and receives no heat; use a larger --h", nb->i,
-                      nb->x[0], nb->x[1]);
+                      "particle %zu at %s has 0 neighbours and receives no heat; use a larger --h", nb->i,
+                      problem_place(nb->dim, nb->x, place));
     for (size_t j = 0; j < nb->n; j++) {
-        double F = pair_weight(o->kernel, nb->dim, nb->h, hypot(nb->d[j][0], nb->d[j][1]));
+        double F = pair_weight(o->kernel, nb->dim, nb->h, neighbourhood_distance(nb, j));
         double k = pair_conductivity(p, o->mean, nb->x[0], nb->d[j][0]);
         w[0][j] = nb->volume * k * F / nb->rho_c;
     }

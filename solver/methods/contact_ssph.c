@@ -2,17 +2,17 @@
 /* SSPH across the contact of two materials: SO-SSPH (Song eqs. 10, 11) with monomials that continue beyond a plane
  * interface at X = x_c - x_i according to the interface conditions.  With xi = x - X and the ratios r = k_x/k_x' and
  * a = kappa_x/kappa_x' of this side to the other (dashed), T and k_x T_x are continuous, and so is T_t:
- *   kappa_x T_xx + kappa_y T_yy = kappa_x' T_xx' + kappa_y' T_yy'. The monomials continue as
+ *   kappa_x T_xx + kappa_y T_yy = kappa_x' T_xx' + kappa_y' T_yy', in space with kappa_z T_zz.  They continue as
  *   x      ->  X + r xi                        x^2/2  ->  X^2/2 + r X xi + a xi^2/2
  *   y      ->  y                               x y    ->  (X + r xi) y
  *   y^2/2  ->  y^2/2 + b xi^2/2,   b = (kappa_y - kappa_y')/kappa_x'
- * The weights are the least squares with these five (two on a rod) functions and the kernel as weight.  For large r
- * or a the functions beyond the interface would dominate the sum, so each equation is divided by its size, which
- * makes all of them comparable with monomials.  With weights of either sign modes still grow: on a rod from
- * h/dx = 1.5, on clouds in the plane at a ratio of 100 between diffusivities.  Weights >= 0 exclude growth by a
- * maximum principle: the extreme value of a row is bounded by its neighbours.  On a rod such weights exist if there
- * is a neighbour on either side; in the plane they were found in every row up to jitter 0.3.  The least squares
- * among them are used (nonnegative.c), or those of either sign if none exist.
+ * and z as y; y z is unchanged.  The weights are the least squares with these five (two on a rod, nine in space)
+ * functions and the kernel as weight.  For large r or a the functions beyond the interface would dominate the sum, so
+ * each equation is divided by its size, which makes all of them comparable with monomials.  With weights of either
+ * sign modes still grow: on a rod from h/dx = 1.5, on clouds in the plane at a ratio of 100 between diffusivities.
+ * Weights >= 0 exclude growth by a maximum principle: the extreme value of a row is bounded by its neighbours.  On a
+ * rod such weights exist if there is a neighbour on either side; in the plane they were found in every row up to
+ * jitter 0.3.  The least squares among them are used (nonnegative.c), or those of either sign if none exist.
  *
  * Exact: for all piecewise quadratic fields that satisfy the interface conditions, on any cloud.  The truncation
  * error is O(dx) at the interface as elsewhere on a cloud, with weights >= 0 at most kappa |T_xxx| support/3 for any
@@ -42,48 +42,52 @@ static int check(const struct problem *p, const struct options *o, struct failur
     return STATUS_OK;
 }
 
-/* Functions of a neighbour at d (m) in units of h, ordered x, y, x^2/2, x y, y^2/2 (x, x^2/2 on a rod).  Returns
+/* Functions of a neighbour at d (m) in units of h, ordered as in ssph_weights.  Returns
  * their size relative to those monomials, at least 1. */
-static double functions(const struct problem *p, const struct neighbourhood *nb, const double d[2], double *P) {
+static double functions(const struct problem *p, const struct neighbourhood *nb, const double *d, double *P) {
     int here = layout_material(p, nb->x[0]), there = layout_material(p, nb->x[0] + d[0]);
     const struct material *m = &p->material[here], *other = &p->material[there];
-    double x = d[0] / nb->h, y = d[1] / nb->h, X = (p->interface - nb->x[0]) / nb->h;
+    double x = d[0] / nb->h, X = (p->interface - nb->x[0]) / nb->h;
     if (here == there) X = x; /* no interface */
     double xi = x - X, r = m->k[0] / other->k[0], kappa_x = other->k[0] / other->rho_c;
-    double along = X + r * xi, a = nb->kappa[0] / kappa_x, b = 0;
+    double along = X + r * xi, a = nb->kappa[0] / kappa_x, most = 0;
     double curved = X * X / 2 + r * X * xi + a * xi * xi / 2;
-    if (nb->dim == 1)
-        P[0] = along, P[1] = curved;
-    else {
-        b = (nb->kappa[1] - other->k[1] / other->rho_c) / kappa_x;
-        P[0] = along, P[1] = y, P[2] = curved, P[3] = along * y, P[4] = y * y / 2 + b * xi * xi / 2;
+    int n = 0;
+    P[n++] = along;
+    for (int e = 1; e < nb->dim; e++) P[n++] = d[e] / nb->h;
+    P[n++] = curved;
+    for (int e = 1; e < nb->dim; e++) {
+        double y = d[e] / nb->h, b = (nb->kappa[e] - other->k[e] / other->rho_c) / kappa_x;
+        P[n++] = along * y;
+        for (int c = 1; c < e; c++) P[n++] = d[c] / nb->h * y;
+        P[n++] = y * y / 2 + b * xi * xi / 2;
+        most = fmax(most, fabs(b));
     }
     if (here == there) return 1;
-    return fmax(fmax(1, along / x), fmax(2 * curved, fabs(b) * xi * xi) / (x * x));
+    return fmax(fmax(1, along / x), fmax(2 * curved, most * xi * xi) / (x * x));
 }
 
 /* Least-squares weights, with the equations beyond the interface divided by their size.  If one is negative, the
  * least squares among non-negative weights, if there are any. */
-static int across(const struct options *o, const struct neighbourhood *nb, double P[][SSPH_TERMS_MAX],
+static int across(const struct options *o, const struct neighbourhood *nb, double P[][FIT_TERMS_MAX],
                   const double *size, const double *target, double *w, struct failure *why) {
     double W[NEIGHBOURS_MAX], other[NEIGHBOURS_MAX], least = 0;
-    int terms = nb->dim == 1 ? 2 : 5;
+    int terms = nb->dim * (nb->dim + 3) / 2;
     if (ssph_fit(nb, o->kernel, terms, P, size, target, w, why)) return why->status;
     for (size_t j = 0; j < nb->n; j++) {
         least = fmin(least, w[j]);
-        W[j] = kernel_value(o->kernel, nb->dim, hypot(nb->d[j][0], nb->d[j][1]) / nb->h) / (size[j] * size[j]);
+        W[j] = kernel_value(o->kernel, nb->dim, neighbourhood_distance(nb, j) / nb->h) / (size[j] * size[j]);
     }
     if (least < 0 && nonnegative_weights(nb->n, terms, P, W, target, other))
         for (size_t j = 0; j < nb->n; j++) w[j] = other[j];
     return STATUS_OK;
 }
 
-static int weights(const struct problem *p, const struct options *o, const struct neighbourhood *nb, double *w[2],
+static int weights(const struct problem *p, const struct options *o, const struct neighbourhood *nb, double *w[],
                    struct failure *why) {
-    double target[SSPH_TERMS_MAX] = {0}, P[NEIGHBOURS_MAX][SSPH_TERMS_MAX], size[NEIGHBOURS_MAX];
-    int crossed = 0, second = nb->dim == 1 ? 1 : 2;
-    target[second] = nb->kappa[0];
-    if (nb->dim == 2) target[4] = nb->kappa[1];
+    double target[SSPH_TERMS_MAX] = {0}, P[NEIGHBOURS_MAX][FIT_TERMS_MAX], size[NEIGHBOURS_MAX];
+    int crossed = 0;
+    for (int a = 0; a < nb->dim; a++) target[ssph_second(nb->dim, a)] = nb->kappa[a];
     for (size_t j = 0; j < nb->n && p->materials == 2; j++)
         crossed |= layout_material(p, nb->x[0]) != layout_material(p, nb->x[0] + nb->d[j][0]);
     if (!crossed) return ssph_weights(nb, o->kernel, 2, target, w[0], why);

@@ -20,7 +20,7 @@
  *
  * cspm (Chen, Beraun & Carney, Int. J. Numer. Meth. Engng 46, 231, 1999): the Taylor series weighted in turn with
  * the first and second derivatives of the kernel, each order without the previous ones.  With W_mj = V_j (w_xx,
- * w_xy, w_yy)_m at s_j and m, n running over xx, xy, yy,
+ * w_xy, w_yy)_m at s_j and m, n running over xx, xy, yy (in space also xz, yz, zz),
  *   h <grad T> = Gamma^-1 sum_j F_j s_j (T_j - T_i),
  *   sum_n K_mn u_n = sum_j W_mj (T_j - T_i - s_j . h <grad T>),   K_mn = sum_j W_mj q_n(s_j),
  *   dT_i/dt = (kappa_x u_xx + kappa_y u_yy) / h^2,   q = (x^2/2, x y, y^2/2).
@@ -36,14 +36,14 @@
 /* ---- brookshaw_corrected ---- */
 
 static int weights_brookshaw(const struct problem *p, const struct options *o, const struct neighbourhood *nb,
-                             double *w[2], struct failure *why) {
+                             double *w[], struct failure *why) {
     (void)p;
     struct correction c;
     if (correction_create(nb, o->kernel, &c, why)) return why->status;
     for (size_t j = 0; j < nb->n; j++) {
-        double g[2], *s = c.s[j], r2 = s[0] * s[0] + s[1] * s[1];
+        double g[DIM_MAX], *s = c.s[j], r2 = s[0] * s[0] + s[1] * s[1] + s[2] * s[2];
         correction_apply(&c, j, g);
-        double part = r2 > 0 ? (s[0] * g[0] + s[1] * g[1]) / r2 : 0;
+        double part = r2 > 0 ? (s[0] * g[0] + s[1] * g[1] + s[2] * g[2]) / r2 : 0;
         w[0][j] = 2 * nb->kappa[0] / (nb->h * nb->h) * c.F[j] * part;
     }
     return STATUS_OK;
@@ -63,18 +63,19 @@ const struct method method_brookshaw_corrected = {
 /* ---- schwaiger ---- */
 
 static int weights_schwaiger(const struct problem *p, const struct options *o, const struct neighbourhood *nb,
-                             double *w[2], struct failure *why) {
+                             double *w[], struct failure *why) {
     (void)p;
     struct correction c;
-    double N[2] = {0, 0};
+    double N[DIM_MAX] = {0}, trace = 0;
     if (correction_create(nb, o->kernel, &c, why)) return why->status;
     for (size_t j = 0; j < nb->n; j++)
-        for (int a = 0; a < 2; a++) N[a] += c.F[j] * c.s[j][a];
-    double trace = (c.inverse[0][0] + (nb->dim == 2 ? c.inverse[1][1] : 0)) / nb->dim;
+        for (int a = 0; a < nb->dim; a++) N[a] += c.F[j] * c.s[j][a];
+    for (int a = 0; a < nb->dim; a++) trace += c.inverse[a][a];
     for (size_t j = 0; j < nb->n; j++) {
-        double g[2];
+        double g[DIM_MAX];
         correction_apply(&c, j, g);
-        w[0][j] = 2 * trace * nb->kappa[0] / (nb->h * nb->h) * c.F[j] * (1 - N[0] * g[0] - N[1] * g[1]);
+        w[0][j] = 2 * (trace / nb->dim) * nb->kappa[0] / (nb->h * nb->h) * c.F[j] *
+                  (1 - N[0] * g[0] - N[1] * g[1] - N[2] * g[2]);
     }
     return STATUS_OK;
 }
@@ -96,20 +97,22 @@ const struct method method_schwaiger = {
 static void curvatures(const struct neighbourhood *nb, enum kernel_name kernel, const struct correction *c, size_t j,
                        double out[CORRECTION_TERMS]) {
     const double *s = c->s[j];
-    double unit = nb->dim == 2 ? nb->h * nb->h : nb->h, r2 = s[0] * s[0] + s[1] * s[1], r = sqrt(r2);
+    double unit = 1, r2 = s[0] * s[0] + s[1] * s[1] + s[2] * s[2], r = sqrt(r2);
+    for (int a = 0; a < nb->dim; a++) unit *= nb->h;
     double along = nb->volume / unit * kernel_curvature(kernel, nb->dim, r), across = -c->F[j];
-    out[0] = out[1] = out[2] = 0;
-    if (r2 == 0) return;
-    out[0] = (along * s[0] * s[0] + across * s[1] * s[1]) / r2;
-    out[1] = (along - across) * s[0] * s[1] / r2;
-    out[2] = (along * s[1] * s[1] + across * s[0] * s[0]) / r2;
+    for (int b = 0, n = 0; b < nb->dim; b++)
+        for (int a = 0; a <= b; a++, n++) {
+            out[n] = (a == b ? along : along - across) * s[a] * s[b];
+            for (int d = 0; d < nb->dim && a == b; d++) out[n] += d != a ? across * s[d] * s[d] : 0;
+            out[n] = r2 > 0 ? out[n] / r2 : 0;
+        }
 }
 
-static int weights_cspm(const struct problem *p, const struct options *o, const struct neighbourhood *nb,
-                        double *w[2], struct failure *why) {
+static int weights_cspm(const struct problem *p, const struct options *o, const struct neighbourhood *nb, double *w[],
+                        struct failure *why) {
     (void)p;
     struct correction c;
-    double A[2] = {0, 0}, K[CORRECTION_TERMS][CORRECTION_TERMS] = {{0}};
+    double A[DIM_MAX] = {0}, K[CORRECTION_TERMS][CORRECTION_TERMS] = {{0}};
     double W[NEIGHBOURS_MAX][CORRECTION_TERMS], target[CORRECTION_TERMS], z[CORRECTION_TERMS];
     int terms = correction_target(nb, target);
     if (correction_create(nb, o->kernel, &c, why)) return why->status;
@@ -125,12 +128,12 @@ static int weights_cspm(const struct problem *p, const struct options *o, const 
     for (size_t j = 0; j < nb->n; j++) {
         w[0][j] = 0;
         for (int m = 0; m < terms; m++) w[0][j] += z[m] * W[j][m];
-        for (int a = 0; a < 2; a++) A[a] += w[0][j] * c.s[j][a];
+        for (int a = 0; a < nb->dim; a++) A[a] += w[0][j] * c.s[j][a];
     }
     for (size_t j = 0; j < nb->n; j++) {
-        double g[2];
+        double g[DIM_MAX];
         correction_apply(&c, j, g);
-        w[0][j] -= c.F[j] * (A[0] * g[0] + A[1] * g[1]);
+        w[0][j] -= c.F[j] * (A[0] * g[0] + A[1] * g[1] + A[2] * g[2]);
     }
     return STATUS_OK;
 }

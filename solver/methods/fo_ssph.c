@@ -8,7 +8,7 @@
 #include "solver/particles/ssph.h"
 
 static int pairs(const struct problem *p, const struct options *o, const struct neighbourhood *nb, double *F,
-                 double C[3], struct failure *why) {
+                 double C[DIM_MAX][DIM_MAX], struct failure *why) {
     (void)p;
     return ssph_gradient(nb, o->kernel, F, C, why);
 }

@@ -49,12 +49,10 @@ static double laplacian(enum kernel_name kernel, int dim, double h, double r) {
 }
 
 static double second_volume(const struct problem *p, const struct options *o, double h, double dV) {
-    double spacing = p->dim == 2 ? sqrt(dV) : dV, moment = 0; /* the operator applied to x^2/2 on the lattice */
+    double spacing = p->dim == 2 ? sqrt(dV) : dV;
     if (o->volume == VOLUME_RAW) return dV;
-    int reach = (int)ceil(KERNEL_SUPPORT * h / spacing), across = p->dim == 2 ? reach : 0;
-    for (int j = -across; j <= across; j++)
-        for (int i = -reach; i <= reach; i++)
-            if (i || j) moment += laplacian(o->kernel, p->dim, h, hypot(i, j) * spacing) * dV * i * i / 2;
+    /* the operator applied to x^2/2 on the lattice */
+    double moment = correction_lattice_sum(o->kernel, p->dim, h, spacing, dV, laplacian) / 2;
     return dV / (moment * spacing * spacing);
 }
 
@@ -73,6 +71,12 @@ static double widest_gap(const struct neighbourhood *nb) {
     qsort(angle, n, sizeof *angle, compare);
     for (size_t k = 0; k + 1 < n; k++) widest = fmax(widest, angle[k + 1] - angle[k]);
     return fmax(widest, angle[0] + 2 * M_PI - angle[n - 1]);
+}
+
+static int second_check(const struct problem *p, const struct options *o, struct failure *why) {
+    (void)o;
+    if (p->dim < 3) return STATUS_OK;
+    return refuse(why, STATUS_NOT_APPLICABLE, "kernel_second: on a rod and in the plane only; use so_ssph");
 }
 
 /* Weights depend on the distance only.  If one half of the plane (of the rod) has no neighbours, a . d_j >= 0 along
@@ -98,7 +102,7 @@ static int surrounds(const struct neighbourhood *nb, struct failure *why) {
 }
 
 static int second_weights(const struct problem *p, const struct options *o, const struct neighbourhood *nb,
-                          double *w[2], struct failure *why) {
+                          double *w[], struct failure *why) {
     (void)p;
     for (size_t j = 0; j < nb->n; j++) {
         double r = hypot(nb->d[j][0], nb->d[j][1]);
@@ -112,8 +116,12 @@ static int second_weights(const struct problem *p, const struct options *o, cons
     return surrounds(nb, why);
 }
 
-static const struct scheme second = {
-    .name = "kernel_second", .isotropic = 1, .sweeps = 1, .volume = second_volume, .weights = second_weights};
+static const struct scheme second = {.name = "kernel_second",
+                                     .isotropic = 1,
+                                     .sweeps = 1,
+                                     .check = second_check,
+                                     .volume = second_volume,
+                                     .weights = second_weights};
 
 const struct method method_kernel_second = {
     .name = "kernel_second",
@@ -132,23 +140,21 @@ static double slope_over_distance(enum kernel_name kernel, int dim, double h, do
 
 /* The volume V for which the gradient of linear T is exact on the lattice. */
 static double gradient_volume(const struct problem *p, const struct options *o, double h, double dV) {
-    double spacing = p->dim == 2 ? sqrt(dV) : dV, moment = 0; /* gradient of x on the lattice */
+    double spacing = p->dim == 3 ? cbrt(dV) : p->dim == 2 ? sqrt(dV) : dV;
     if (o->volume == VOLUME_RAW) return dV;
-    int reach = (int)ceil(KERNEL_SUPPORT * h / spacing), across = p->dim == 2 ? reach : 0;
-    for (int j = -across; j <= across; j++)
-        for (int i = -reach; i <= reach; i++)
-            if (i) moment += slope_over_distance(o->kernel, p->dim, h, hypot(i, j) * spacing) * dV * i * i;
+    double moment = correction_lattice_sum(o->kernel, p->dim, h, spacing, dV, slope_over_distance);
     return dV / (moment * spacing * spacing);
 }
 
 static int gradient_pairs(const struct problem *p, const struct options *o, const struct neighbourhood *nb, double *F,
-                          double C[3], struct failure *why) {
+                          double C[DIM_MAX][DIM_MAX], struct failure *why) {
     (void)p;
     for (size_t j = 0; j < nb->n; j++) {
-        double r = hypot(nb->d[j][0], nb->d[j][1]), both = nb->volume * nb->volume;
+        double r = neighbourhood_distance(nb, j), both = nb->volume * nb->volume;
         F[j] = r > 0 ? both * slope_over_distance(o->kernel, nb->dim, nb->h, r) : 0;
     }
-    C[0] = C[2] = 1 / nb->volume, C[1] = 0;
+    for (int a = 0; a < nb->dim; a++)
+        for (int b = 0; b < nb->dim; b++) C[a][b] = a == b ? 1 / nb->volume : 0;
     return correction_spans(nb, F, why);
 }
 

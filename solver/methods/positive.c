@@ -1,27 +1,27 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Positive stencils (Seibold 2008, Comput. Methods Appl. Mech. Engrg. 198:592).  Among all weights w_j >= 0 that
- * are exact for quadratics, sum w_j d_j = 0 and sum w_j d_j d_j^T = 2 diag(kappa_x, kappa_y), a linear programme for
+ * are exact for quadratics, sum w_j d_j = 0 and sum w_j d_j d_j^T = 2 diag(kappa), a linear programme for
  * each particle selects those with minimal sum_j w_j r_j^2/W_j.
  *
  * The solution of a linear programme, unlike that of least squares with w >= 0, is a vertex: at most five neighbours
- * for the five conditions (two on a rod), the nearest that suffice.  If there is no solution, its first phase proves
- * it.  On a lattice the result is the five-point difference: sum w r^2 is given, and the nearest neighbours have the
- * largest W.  Exact for quadratics: O(dx) of random sign at a particle, second order in T on any cloud (as so_ssph).
- * The maximum principle holds for steps below 1/max sum w; no mode grows, by Gershgorin.  Heat is not conserved,
- * since w_ij and w_ji differ.
+ * for the five conditions in the plane (two on a rod, nine in space), the nearest that suffice.  If there is no
+ * solution, its first phase proves it.  On a lattice the result is the five-point difference: sum w r^2 is given, and
+ * the nearest neighbours have the largest W.  Exact for quadratics: O(dx) of random sign at a particle, second order
+ * in T on any cloud (as so_ssph). The maximum principle holds for steps below 1/max sum w; no mode grows, by
+ * Gershgorin.  Heat is not conserved, since w_ij and w_ji differ.
  *
  * A neighbour in each of the eight sectors of 45 degrees about a particle is sufficient (his theorem 4.2), not
  * necessary.  The default h/dx is therefore 1.75, with 36 neighbours; no cloud of jitter up to 0.5 was seen without
  * a solution. k_x != k_y requires neighbours near the axis of the larger one: h grows with sqrt(k ratio).
  *
- * The programme is solved by the simplex method on five rows with the inverse of the basis (Dantzig's rule; after a
- * while Bland's, which cannot cycle), in units of h. */
+ * The programme is solved by the simplex method on five or nine rows with the inverse of the basis (Dantzig's rule;
+ * after a while Bland's, which cannot cycle), in units of h. */
 #include "solver/particles/particles.h"
 #include "solver/space/kernel.h"
 
 #include <math.h>
 
-enum { ROWS = 5 };
+enum { ROWS = 9 };
 
 struct programme { /* min cost.w, sum_j column[j] w_j = right, w >= 0; columns j >= n are artificial, one per row */
     int rows;
@@ -32,19 +32,23 @@ struct programme { /* min cost.w, sum_j column[j] w_j = right, w >= 0; columns j
 };
 
 static double default_h(const struct problem *p) {
-    double ratio = p->dim == 2 ? p->material[0].k[1] / p->material[0].k[0] : 1;
-    return p->dim == 1 ? 1.1 : 1.75 * sqrt(fmax(ratio, 1 / ratio));
+    const double *k = p->material[0].k;
+    double ratio = 1;
+    for (int a = 0; a < p->dim; a++)
+        for (int b = 0; b < p->dim; b++) ratio = fmax(ratio, k[a] / k[b]);
+    return p->dim == 1 ? 1.1 : 1.75 * sqrt(ratio);
 }
 
 static void fill(const struct neighbourhood *nb, enum kernel_name kernel, struct programme *lp) {
-    lp->rows = nb->dim == 2 ? ROWS : 2, lp->n = nb->n;
+    lp->rows = nb->dim * (nb->dim + 3) / 2, lp->n = nb->n;
     for (size_t j = 0; j < nb->n; j++) {
-        double x = nb->d[j][0] / nb->h, y = nb->d[j][1] / nb->h, r2 = x * x + y * y;
-        double all[ROWS] = {x, x * x, y, y * y, x * y}, W = kernel_value(kernel, nb->dim, sqrt(r2));
+        double x = nb->d[j][0] / nb->h, y = nb->d[j][1] / nb->h, z = nb->d[j][2] / nb->h;
+        double all[ROWS] = {x, x * x, y, y * y, x * y, z, z * z, x * z, y * z}, r2 = x * x + y * y + z * z,
+               W = kernel_value(kernel, nb->dim, sqrt(r2));
         for (int k = 0; k < lp->rows; k++) lp->column[j][k] = all[k];
         lp->cost[j] = W > 0 && r2 > 0 ? r2 / W : INFINITY; /* never used */
     }
-    double right[ROWS] = {0, 2 * nb->kappa[0], 0, nb->dim == 2 ? 2 * nb->kappa[1] : 0, 0};
+    double right[ROWS] = {0, 2 * nb->kappa[0], 0, 2 * nb->kappa[1], 0, 0, 2 * nb->kappa[2]};
     for (int k = 0; k < lp->rows; k++) {
         lp->right[k] = lp->value[k] = right[k] / (nb->h * nb->h);
         lp->basis[k] = nb->n + (size_t)k;
@@ -137,21 +141,22 @@ static void take_weights(const struct programme *lp, double *w) {
     }
 }
 
-static int weights(const struct problem *p, const struct options *o, const struct neighbourhood *nb, double *w[2],
+static int weights(const struct problem *p, const struct options *o, const struct neighbourhood *nb, double *w[],
                    struct failure *why) {
     (void)p;
+    char place[PLACE_TEXT];
     struct programme lp;
+    problem_place(nb->dim, nb->x, place);
     fill(nb, o->kernel, &lp);
     int stuck = minimise(&lp, 1);
     if (stuck || unmet(&lp) > 1e-9)
         return refuse(why, STATUS_NUMERICAL,
-                      "no weights >= 0 are exact for quadratics: particle %zu at (%.6g, %.6g) m has %zu neighbours, "
+                      "no weights >= 0 are exact for quadratics: particle %zu at %s has %zu neighbours, "
                       "and %.2g of the second moments cannot be met; use a larger --h (a neighbour in each "
                       "sector of 45 degrees about it is enough) or less --jitter",
-                      nb->i, nb->x[0], nb->x[1], nb->n, unmet(&lp));
+                      nb->i, place, nb->n, unmet(&lp));
     if (minimise(&lp, 2))
-        return refuse(why, STATUS_NUMERICAL, "particle %zu at (%.6g, %.6g) m: its linear programme does not end",
-                      nb->i, nb->x[0], nb->x[1]);
+        return refuse(why, STATUS_NUMERICAL, "particle %zu at %s: its linear programme does not end", nb->i, place);
     take_weights(&lp, w[0]);
     return STATUS_OK;
 }

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* SO-SSPH: the second derivatives directly, from one Taylor expansion of order p >= 2 (Song eqs. 10, 11):
- *   dT/dt = kappa_x <T_xx> + kappa_y <T_yy>.
+ *   dT/dt = kappa_x <T_xx> + kappa_y <T_yy> + kappa_z <T_zz>.
  * --order 3 or 4 keeps more terms; 4 is fourth order on a lattice and off it.  One material only: kappa stands
  * outside the derivative. */
 #include "solver/particles/particles.h"
@@ -14,12 +14,11 @@ static int check(const struct problem *p, const struct options *o, struct failur
     return STATUS_OK;
 }
 
-static int weights(const struct problem *p, const struct options *o, const struct neighbourhood *nb, double *w[2],
+static int weights(const struct problem *p, const struct options *o, const struct neighbourhood *nb, double *w[],
                    struct failure *why) {
     (void)p;
     double target[SSPH_TERMS_MAX] = {0};
-    target[nb->dim == 1 ? 1 : 2] = nb->kappa[0];
-    if (nb->dim == 2) target[4] = nb->kappa[1];
+    for (int a = 0; a < nb->dim; a++) target[ssph_second(nb->dim, a)] = nb->kappa[a];
     return ssph_weights(nb, o->kernel, o->order ? o->order : 2, target, w[0], why);
 }
 

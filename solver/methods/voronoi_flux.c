@@ -78,7 +78,7 @@ static int no_cell(const struct neighbourhood *nb, struct failure *why) {
                   nb->x[0], nb->x[1], nb->n);
 }
 
-static int weights(const struct problem *p, const struct options *o, const struct neighbourhood *nb, double *w[2],
+static int weights(const struct problem *p, const struct options *o, const struct neighbourhood *nb, double *w[],
                    struct failure *why) {
     (void)o;
     double scale[2], d[NEIGHBOURS_MAX][2], own[NEIGHBOURS_MAX], volume = nb->volume;

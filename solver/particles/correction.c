@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Sums over one neighbourhood, and the small linear systems of corrected operators.
  *
- * Matrices are at most 3 x 3.  Gauss-Jordan elimination with partial pivoting gives the inverse, and with it the
+ * Matrices are at most 6 x 6.  Gauss-Jordan elimination with partial pivoting gives the inverse, and with it the
  * condition number in the 1-norm (Golub & Van Loan, section 3.4).  In units of h every entry is O(1). */
 #include "solver/particles/correction.h"
 #include "solver/space/kernel.h"
@@ -53,23 +53,24 @@ static double invert(int n, double given[CORRECTION_TERMS][CORRECTION_TERMS],
 }
 
 static int singular(const struct neighbourhood *nb, const char *what, double condition, struct failure *why) {
-    char number[40] = "infinite";
+    char number[40] = "infinite", place[PLACE_TEXT];
     if (condition < 1e17) snprintf(number, sizeof number, "%.1e", condition);
     return refuse(why, STATUS_NUMERICAL,
-                  "singular %s: particle %zu at (%.6g, %.6g) m has %zu neighbours, condition number %s (at most "
+                  "singular %s: particle %zu at %s has %zu neighbours, condition number %s (at most "
                   "%.0e); use a larger --h or less --jitter",
-                  what, nb->i, nb->x[0], nb->x[1], nb->n, number, CORRECTION_CONDITION_MAX);
+                  what, nb->i, problem_place(nb->dim, nb->x, place), nb->n, number, CORRECTION_CONDITION_MAX);
 }
 
 int correction_create(const struct neighbourhood *nb, enum kernel_name kernel, struct correction *c,
                       struct failure *why) {
     double G[CORRECTION_TERMS][CORRECTION_TERMS] = {{0}}, inverse[CORRECTION_TERMS][CORRECTION_TERMS] = {{0}};
-    double unit = nb->dim == 2 ? nb->h * nb->h : nb->h;
+    double unit = 1;
+    for (int a = 0; a < nb->dim; a++) unit *= nb->h;
     c->n = nb->n;
     for (size_t j = 0; j < nb->n; j++) {
-        double *s = c->s[j];
-        s[0] = nb->d[j][0] / nb->h, s[1] = nb->d[j][1] / nb->h;
-        double r = sqrt(s[0] * s[0] + s[1] * s[1]);
+        double *s = c->s[j], r2 = 0;
+        for (int a = 0; a < DIM_MAX; a++) s[a] = nb->d[j][a] / nb->h, r2 += s[a] * s[a];
+        double r = sqrt(r2);
         /* a particle at the same position contributes nothing to a derivative */
         c->F[j] = r > 0 ? -nb->volume / unit * kernel_slope(kernel, nb->dim, r) / r : 0;
         for (int a = 0; a < nb->dim; a++)
@@ -78,8 +79,8 @@ int correction_create(const struct neighbourhood *nb, enum kernel_name kernel, s
     double condition = invert(nb->dim, G, inverse);
     if (!(condition <= CORRECTION_CONDITION_MAX))
         return singular(nb, "matrix of the kernel's gradients", condition, why);
-    for (int a = 0; a < 2; a++)
-        for (int b = 0; b < 2; b++) c->inverse[a][b] = inverse[a][b];
+    for (int a = 0; a < DIM_MAX; a++)
+        for (int b = 0; b < DIM_MAX; b++) c->inverse[a][b] = inverse[a][b];
     return STATUS_OK;
 }
 
@@ -93,19 +94,25 @@ int correction_spans(const struct neighbourhood *nb, const double *F, struct fai
     return singular(nb, "matrix of the kernel's gradients", condition, why);
 }
 
-void correction_apply(const struct correction *c, size_t j, double out[2]) {
-    for (int a = 0; a < 2; a++) out[a] = c->inverse[a][0] * c->s[j][0] + c->inverse[a][1] * c->s[j][1];
+void correction_apply(const struct correction *c, size_t j, double out[DIM_MAX]) {
+    for (int a = 0; a < DIM_MAX; a++) {
+        out[a] = 0;
+        for (int b = 0; b < DIM_MAX; b++) out[a] += c->inverse[a][b] * c->s[j][b];
+    }
 }
 
 int correction_target(const struct neighbourhood *nb, double target[CORRECTION_TERMS]) {
-    double unit = nb->h * nb->h;
-    target[0] = nb->kappa[0] / unit, target[1] = 0, target[2] = nb->kappa[1] / unit;
-    return nb->dim == 2 ? 3 : 1;
+    int n = 0;
+    for (int b = 0; b < nb->dim; b++)
+        for (int a = 0; a <= b; a++) target[n++] = a == b ? nb->kappa[a] / (nb->h * nb->h) : 0;
+    return n;
 }
 
-void correction_quadratics(int dim, const double s[2], double q[CORRECTION_TERMS]) {
-    q[0] = s[0] * s[0] / 2;
-    if (dim == 2) q[1] = s[0] * s[1], q[2] = s[1] * s[1] / 2;
+int correction_quadratics(int dim, const double *s, double q[CORRECTION_TERMS]) {
+    int n = 0;
+    for (int b = 0; b < dim; b++)
+        for (int a = 0; a <= b; a++) q[n++] = s[a] * s[b] * (a == b ? 0.5 : 1);
+    return n;
 }
 
 int correction_solve(const struct neighbourhood *nb, const char *what, int terms,
@@ -119,4 +126,15 @@ int correction_solve(const struct neighbourhood *nb, const char *what, int terms
         for (int n = 0; n < terms; n++) z[m] += inverse[n][m] * target[n];
     }
     return STATUS_OK;
+}
+
+double correction_lattice_sum(enum kernel_name kernel, int dim, double h, double spacing, double factor,
+                              double (*weight)(enum kernel_name kernel, int dim, double h, double r)) {
+    int reach = (int)ceil(KERNEL_SUPPORT * h / spacing), y = dim > 1 ? reach : 0, z = dim > 2 ? reach : 0;
+    double sum = 0;
+    for (int k = -z; k <= z; k++)
+        for (int j = -y; j <= y; j++)
+            for (int i = -reach; i <= reach; i++)
+                if (i) sum += weight(kernel, dim, h, hypot(hypot(i, j), k) * spacing) * factor * i * i;
+    return sum;
 }

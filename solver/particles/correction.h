@@ -11,11 +11,11 @@
 
 struct correction {
     size_t n;
-    double s[NEIGHBOURS_MAX][2], F[NEIGHBOURS_MAX];
-    double inverse[2][2]; /* Gamma^-1 */
+    double s[NEIGHBOURS_MAX][DIM_MAX], F[NEIGHBOURS_MAX];
+    double inverse[DIM_MAX][DIM_MAX]; /* Gamma^-1 */
 };
 
-enum { CORRECTION_TERMS = 3 }; /* second derivatives: xx, xy, yy; on a rod xx only */
+enum { CORRECTION_TERMS = 6 }; /* second derivatives: xx, xy, yy, xz, yz, zz; on a rod xx, in the plane three */
 
 /* Maximum condition number (1-norm); above it fewer than six digits remain. */
 #define CORRECTION_CONDITION_MAX 1e10
@@ -26,13 +26,13 @@ int correction_create(const struct neighbourhood *nb, enum kernel_name kernel, s
                       struct failure *why);
 
 /* Gamma^-1 s_j */
-void correction_apply(const struct correction *c, size_t j, double out[2]);
+void correction_apply(const struct correction *c, size_t j, double out[DIM_MAX]);
 
-/* Coefficients of the second derivatives, (kappa_x, 0, kappa_y) / h^2; returns their number. */
+/* Coefficients of the second derivatives, (kappa_x, 0, kappa_y, 0, 0, kappa_z) / h^2; returns their number. */
 int correction_target(const struct neighbourhood *nb, double target[CORRECTION_TERMS]);
 
-/* x^2/2, x y, y^2/2 at s; on a rod x^2/2 only. */
-void correction_quadratics(int dim, const double s[2], double q[CORRECTION_TERMS]);
+/* x^2/2, x y, y^2/2, x z, y z, z^2/2 at s; returns their number. */
+int correction_quadratics(int dim, const double *s, double q[CORRECTION_TERMS]);
 
 /* Solves K^T z = target for the given number of terms.  STATUS_NUMERICAL as for correction_create; `what` names the
  * matrix. */
@@ -43,5 +43,10 @@ int correction_solve(const struct neighbourhood *nb, const char *what, int terms
 /* For operators without a correction, with the gradient Gamma grad T of linear T, Gamma = sum_j F_j d_j d_j^T (F in
  * m^-2): STATUS_NUMERICAL as for correction_create if Gamma is singular. */
 int correction_spans(const struct neighbourhood *nb, const double *F, struct failure *why);
+
+/* Sum of weight(r) factor x^2 over a lattice of spacing 1 about a particle, r = distance x spacing (m): twice the
+ * response of pair weights to x^2/2. */
+double correction_lattice_sum(enum kernel_name kernel, int dim, double h, double spacing, double factor,
+                              double (*weight)(enum kernel_name kernel, int dim, double h, double r));
 
 #endif

@@ -14,7 +14,7 @@
 struct dual {
     size_t n;
     int terms;
-    double (*P)[SSPH_TERMS_MAX];
+    double (*P)[FIT_TERMS_MAX];
     const double *W, *b;
 };
 
@@ -41,7 +41,7 @@ static double value(const struct dual *d, const double *z, double *gradient) {
  * others, which keeps it regular if the former do not span.  At z = 0 all j count: the first step is least
  * squares. */
 static void newton(const struct dual *d, const double *z, const double *gradient, double *step) {
-    double H[SSPH_TERMS_MAX][SSPH_TERMS_MAX] = {{0}};
+    double H[FIT_TERMS_MAX][FIT_TERMS_MAX] = {{0}};
     int m = d->terms;
     for (size_t j = 0; j < d->n; j++) {
         double weight = fmax(0, d->W[j]) * (along(d, j, z) >= 0 ? 1 : 1e-9);
@@ -79,7 +79,7 @@ static void residual(const struct dual *d, const double *w, double *off) {
 /* Iterative refinement of *w: terms of z .  P_j may cancel, and its rounding exceeds that of w_j. */
 static void refine(const struct dual *d, const double *z, double *w) {
     enum { TIMES = 2 };
-    double off[SSPH_TERMS_MAX], step[SSPH_TERMS_MAX];
+    double off[FIT_TERMS_MAX], step[FIT_TERMS_MAX];
     for (int again = 0; again < TIMES; again++) {
         residual(d, w, off);
         newton(d, z, off, step);
@@ -92,7 +92,7 @@ static void refine(const struct dual *d, const double *z, double *w) {
  * (Armijo). */
 static double descend(const struct dual *d, double f, double *z, double *gradient, double enough) {
     enum { HALVINGS = 40 };
-    double step[SSPH_TERMS_MAX], next[SSPH_TERMS_MAX], slope = 0, t = 1;
+    double step[FIT_TERMS_MAX], next[FIT_TERMS_MAX], slope = 0, t = 1;
     newton(d, z, gradient, step);
     for (int k = 0; k < d->terms; k++) slope += gradient[k] * step[k];
     for (int half = 0; half < HALVINGS; half++, t /= 2) {
@@ -107,11 +107,10 @@ static double descend(const struct dual *d, double f, double *z, double *gradien
     return f;
 }
 
-int nonnegative_weights(size_t n, int terms, double P[][SSPH_TERMS_MAX], const double *W, const double *b,
-                        double *w) {
+int nonnegative_weights(size_t n, int terms, double P[][FIT_TERMS_MAX], const double *W, const double *b, double *w) {
     enum { STEPS = 100 };
     const struct dual d = {n, terms, P, W, b};
-    double z[SSPH_TERMS_MAX] = {0}, gradient[SSPH_TERMS_MAX], f = value(&d, z, gradient);
+    double z[FIT_TERMS_MAX] = {0}, gradient[FIT_TERMS_MAX], f = value(&d, z, gradient);
     double enough = 1e-9 * largest(b, terms);
     for (int i = 0; i < STEPS && largest(gradient, terms) > enough; i++) f = descend(&d, f, z, gradient, enough);
     for (size_t j = 0; j < n; j++) w[j] = W[j] > 0 ? W[j] * fmax(0, along(&d, j, z)) : 0;

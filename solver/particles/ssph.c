@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Symmetric SPH: derivative weights from a symmetric moment matrix, for any Taylor order p (Song eqs. 9-13).
  *
- * With the scaled monomials P_k = (x/h)^a (y/h)^b / (a! b!), 1 <= a + b <= p, and W_k = P_k W:
- *   M u = b,   M_kl = sum_j P_k P_l W,   b_k = sum_j P_k W (f_j - f_i),   u_k = h^(a+b) D^(a,b) f.
+ * With the scaled monomials P_k = (x/h)^a (y/h)^b (z/h)^c / (a! b! c!), 1 <= a + b + c <= p, and W_k = P_k W:
+ *   M u = b,   M_kl = sum_j P_k P_l W,   b_k = sum_j P_k W (f_j - f_i),   u_k = h^(a+b+c) D^(a,b,c) f.
  * The derivative sum_k t_k u_k has the weights w_j = W_j (z .  P_j) with M z = t, since M is symmetric.  Equal
  * particle volumes cancel, and so does the normalisation of the kernel.  No kernel derivative is needed.  In units
  * of h every entry of M is O(1) for any spacing. */
@@ -13,26 +13,42 @@
 #include <stdio.h>
 
 static int terms_of(int dim, int order) {
-    return dim == 1 ? order : (order + 1) * (order + 2) / 2 - 1;
+    int plane = (order + 1) * (order + 2) / 2;
+    return dim == 1 ? order : dim == 2 ? plane - 1 : plane * (order + 3) / 3 - 1;
 }
 
 #define INLINE static inline __attribute__((always_inline))
 
-INLINE void monomials(int dim, int order, const double s[2], double *P) {
-    double x[SSPH_ORDER_MAX + 1] = {1}, y[SSPH_ORDER_MAX + 1] = {1}; /* s^a / a! */
-    for (int a = 1; a <= order; a++) x[a] = x[a - 1] * s[0] / a;
-    for (int b = 1; b <= order; b++) y[b] = y[b - 1] * s[1] / b;
+INLINE void monomials(int dim, int order, const double *s, double *P) {
+    double power[DIM_MAX][SSPH_ORDER_MAX + 1]; /* s^k / k! */
+    for (int a = 0; a < dim; a++) {
+        power[a][0] = 1;
+        for (int k = 1; k <= order; k++) power[a][k] = power[a][k - 1] * s[a] / k;
+    }
     for (int degree = 1; degree <= order; degree++)
-        for (int b = 0; b <= (dim == 2 ? degree : 0); b++) *P++ = x[degree - b] * y[b];
+        for (int c = 0; c <= (dim == 3 ? degree : 0); c++)
+            for (int b = 0; b <= (dim > 1 ? degree - c : 0); b++) {
+                double P_k = power[0][degree - b - c];
+                if (dim > 1) P_k *= power[1][b];
+                if (dim > 2) P_k *= power[2][c];
+                *P++ = P_k;
+            }
+}
+
+/* Position of neighbour j in units of h; returns its distance. */
+INLINE double scaled(const struct neighbourhood *nb, int dim, size_t j, double *s) {
+    double r2 = 0;
+    for (int a = 0; a < dim; a++) s[a] = nb->d[j][a] / nb->h, r2 += s[a] * s[a];
+    return sqrt(r2);
 }
 
 INLINE void assemble_terms(const struct neighbourhood *nb, enum kernel_name kernel, int dim, int order,
                            double *matrix, double *W) {
     int terms = terms_of(dim, order);
-    double P[SSPH_TERMS_MAX];
+    double P[SSPH_TERMS_MAX], s[DIM_MAX];
+    for (int k = 0; k < terms * terms; k++) matrix[k] = 0;
     for (size_t j = 0; j < nb->n; j++) {
-        double s[2] = {nb->d[j][0] / nb->h, nb->d[j][1] / nb->h};
-        W[j] = kernel_value(kernel, dim, sqrt(s[0] * s[0] + s[1] * s[1]));
+        W[j] = kernel_value(kernel, dim, scaled(nb, dim, j, s));
         monomials(dim, order, s, P);
         for (int k = 0; k < terms; k++)
             for (int l = 0; l <= k; l++) matrix[k * terms + l] += P[k] * P[l] * W[j];
@@ -45,6 +61,8 @@ INLINE void assemble_terms(const struct neighbourhood *nb, enum kernel_name kern
 static void assemble(const struct neighbourhood *nb, enum kernel_name kernel, int order, double *matrix, double *W) {
     if (nb->dim == 2 && order == 2)
         assemble_terms(nb, kernel, 2, 2, matrix, W);
+    else if (nb->dim == 3 && order == 2)
+        assemble_terms(nb, kernel, 3, 2, matrix, W);
     else
         assemble_terms(nb, kernel, nb->dim, order, matrix, W);
 }
@@ -53,9 +71,10 @@ static void assemble(const struct neighbourhood *nb, enum kernel_name kernel, in
 INLINE void combine_terms(const struct neighbourhood *nb, int dim, int order, const double *W, const double *z,
                           double *w) {
     int terms = terms_of(dim, order);
-    double P[SSPH_TERMS_MAX];
+    double P[SSPH_TERMS_MAX], s[DIM_MAX];
     for (size_t j = 0; j < nb->n; j++) {
-        double s[2] = {nb->d[j][0] / nb->h, nb->d[j][1] / nb->h}, sum = 0;
+        double sum = 0;
+        scaled(nb, dim, j, s);
         monomials(dim, order, s, P);
         for (int k = 0; k < terms; k++) sum += z[k] * P[k];
         w[j] = W[j] * sum;
@@ -65,6 +84,8 @@ INLINE void combine_terms(const struct neighbourhood *nb, int dim, int order, co
 static void combine(const struct neighbourhood *nb, int order, const double *W, const double *z, double *w) {
     if (nb->dim == 2 && order == 2)
         combine_terms(nb, 2, 2, W, z, w);
+    else if (nb->dim == 3 && order == 2)
+        combine_terms(nb, 3, 2, W, z, w);
     else
         combine_terms(nb, nb->dim, order, W, z, w);
 }
@@ -109,18 +130,20 @@ INLINE double factor_terms(int terms, double *M) {
 }
 
 static double factor(int terms, double *M) {
-    return terms == 5 ? factor_terms(5, M) : factor_terms(terms, M);
+    return terms == 5 ? factor_terms(5, M) : terms == 9 ? factor_terms(9, M) : factor_terms(terms, M);
 }
 
 static void solve(int terms, const double *L, double *z) {
     if (terms == 5)
         solve_terms(5, L, z);
+    else if (terms == 9)
+        solve_terms(9, L, z);
     else
         solve_terms(terms, L, z);
 }
 
 double ssph_condition(const struct neighbourhood *nb, enum kernel_name kernel, int order) {
-    double matrix[SSPH_TERMS_MAX * SSPH_TERMS_MAX] = {0}, W[NEIGHBOURS_MAX];
+    double matrix[SSPH_TERMS_MAX * SSPH_TERMS_MAX], W[NEIGHBOURS_MAX];
     assemble(nb, kernel, order, matrix, W);
     return factor(terms_of(nb->dim, order), matrix);
 }
@@ -128,27 +151,26 @@ double ssph_condition(const struct neighbourhood *nb, enum kernel_name kernel, i
 /* W: at the neighbours.  With a negative kernel M is not a sum of squares. */
 static int singular(const struct neighbourhood *nb, int terms, double condition, const double *W,
                     struct failure *why) {
-    char number[40] = "infinite";
+    char number[40] = "infinite", place[PLACE_TEXT];
     size_t negative = 0;
     for (size_t k = 0; k < nb->n; k++) negative += W[k] < 0;
+    problem_place(nb->dim, nb->x, place);
     if (negative > 0 && isinf(condition))
-        return refuse(
-            why, STATUS_NUMERICAL,
-            "indefinite moment matrix: particle %zu at (%.6g, %.6g) m has %zu neighbours for %d unknowns, and "
-            "the kernel is negative at %zu of them (the quartic beyond 1.8 h); use another --h or --kernel",
-            nb->i, nb->x[0], nb->x[1], nb->n, terms, negative);
+        return refuse(why, STATUS_NUMERICAL,
+                      "indefinite moment matrix: particle %zu at %s has %zu neighbours for %d unknowns, and "
+                      "the kernel is negative at %zu of them (the quartic beyond 1.8 h); use another --h or --kernel",
+                      nb->i, place, nb->n, terms, negative);
     if (condition < 1e17) snprintf(number, sizeof number, "%.1e", condition);
-    return refuse(
-        why, STATUS_NUMERICAL,
-        "singular moment matrix: particle %zu at (%.6g, %.6g) m has %zu neighbours for %d unknowns, condition "
-        "number %s (at most %.0e); use a larger --h or less --jitter",
-        nb->i, nb->x[0], nb->x[1], nb->n, terms, number, SSPH_CONDITION_MAX);
+    return refuse(why, STATUS_NUMERICAL,
+                  "singular moment matrix: particle %zu at %s has %zu neighbours for %d unknowns, condition "
+                  "number %s (at most %.0e); use a larger --h or less --jitter",
+                  nb->i, place, nb->n, terms, number, SSPH_CONDITION_MAX);
 }
 
 int ssph_weights(const struct neighbourhood *nb, enum kernel_name kernel, int order, const double *target, double *w,
                  struct failure *why) {
     int terms = terms_of(nb->dim, order);
-    double matrix[SSPH_TERMS_MAX * SSPH_TERMS_MAX] = {0}, z[SSPH_TERMS_MAX];
+    double matrix[SSPH_TERMS_MAX * SSPH_TERMS_MAX], z[SSPH_TERMS_MAX];
     assemble(nb, kernel, order, matrix, w);
     double condition = factor(terms, matrix);
     if (!(condition <= SSPH_CONDITION_MAX)) return singular(nb, terms, condition, w, why);
@@ -158,28 +180,29 @@ int ssph_weights(const struct neighbourhood *nb, enum kernel_name kernel, int or
     return STATUS_OK;
 }
 
-int ssph_gradient(const struct neighbourhood *nb, enum kernel_name kernel, double *F, double C[3],
+int ssph_gradient(const struct neighbourhood *nb, enum kernel_name kernel, double *F, double C[DIM_MAX][DIM_MAX],
                   struct failure *why) {
     int dim = nb->dim;
-    double matrix[4] = {0}, z[2][2] = {{1, 0}, {0, 1}}, unit = 1 / (nb->h * nb->h);
+    double unit = 1 / (nb->h * nb->h);
+    double matrix[DIM_MAX * DIM_MAX] = {0}, z[DIM_MAX][DIM_MAX] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}, s[DIM_MAX];
     for (size_t j = 0; j < nb->n; j++) {
-        double s[2] = {nb->d[j][0] / nb->h, nb->d[j][1] / nb->h};
-        F[j] = kernel_value(kernel, dim, sqrt(s[0] * s[0] + s[1] * s[1]));
+        F[j] = kernel_value(kernel, dim, scaled(nb, dim, j, s));
         for (int k = 0; k < dim; k++)
             for (int l = 0; l < dim; l++) matrix[k * dim + l] += s[k] * s[l] * F[j];
     }
     double condition = factor(dim, matrix);
     if (!(condition <= SSPH_CONDITION_MAX)) return singular(nb, dim, condition, F, why);
     for (int a = 0; a < dim; a++) solve(dim, matrix, z[a]);
-    C[0] = z[0][0] * unit, C[1] = dim == 2 ? z[0][1] * unit : 0, C[2] = dim == 2 ? z[1][1] * unit : 0;
+    for (int a = 0; a < dim; a++)
+        for (int b = a; b < dim; b++) C[a][b] = C[b][a] = z[a][b] * unit;
     return STATUS_OK;
 }
 
-int ssph_fit(const struct neighbourhood *nb, enum kernel_name kernel, int terms, double P[][SSPH_TERMS_MAX],
+int ssph_fit(const struct neighbourhood *nb, enum kernel_name kernel, int terms, double P[][FIT_TERMS_MAX],
              const double *size, const double *target, double *w, struct failure *why) {
-    double matrix[SSPH_TERMS_MAX * SSPH_TERMS_MAX] = {0}, scale[SSPH_TERMS_MAX], z[SSPH_TERMS_MAX];
+    double matrix[FIT_TERMS_MAX * FIT_TERMS_MAX] = {0}, scale[FIT_TERMS_MAX], z[FIT_TERMS_MAX];
     for (size_t j = 0; j < nb->n; j++) {
-        w[j] = kernel_value(kernel, nb->dim, hypot(nb->d[j][0], nb->d[j][1]) / nb->h);
+        w[j] = kernel_value(kernel, nb->dim, neighbourhood_distance(nb, j) / nb->h);
         if (size) w[j] /= size[j] * size[j];
         for (int k = 0; k < terms; k++)
             for (int l = 0; l < terms; l++) matrix[k * terms + l] += P[j][k] * P[j][l] * w[j];

@@ -95,7 +95,7 @@ int walls_near(const struct walls_fill *w, size_t d, size_t least,
             uint32_t j = all[k];
             double dx = q->x[j] - q->x[place], dy = q->y[j] - q->y[place];
             if (j >= q->n || hypot(dx, dy) >= most) continue;
-            near->d[n][0] = dx, near->d[n][1] = dy;
+            near->d[n][0] = dx, near->d[n][1] = dy, near->d[n][2] = 0;
             near->from[n++] = j;
         }
         near->nb = (struct neighbourhood){

@@ -24,7 +24,7 @@ struct wall_site {  /* the wall at a dummy; two walls at the corner of a rectang
 struct wall_near { /* particles near a point, for a least-squares fit */
     struct neighbourhood nb;
     uint32_t from[NEIGHBOURS_MAX];
-    double d[NEIGHBOURS_MAX][2]; /* m */
+    double d[NEIGHBOURS_MAX][DIM_MAX]; /* m */
 };
 
 struct walls_fill { /* input of the treatments */

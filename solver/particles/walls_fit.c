@@ -77,7 +77,7 @@ struct fit {
 
 /* Points on the Dirichlet walls of the site, m from the foot, with their temperatures, K, as data of the fit.
  * Returns their number. */
-static size_t wall_data(const struct problem *p, const struct wall_site *site, double h, double d[WALL_DATA][2],
+static size_t wall_data(const struct problem *p, const struct wall_site *site, double h, double d[WALL_DATA][DIM_MAX],
                         double T[WALL_DATA]) {
     static const double at[] = {-1, -0.5, 0.5, 1}; /* h along the wall */
     size_t n = 0;
@@ -87,6 +87,7 @@ static size_t wall_data(const struct problem *p, const struct wall_site *site, d
             double x[2] = {site->foot[0] - at[i] * h * normal[1], site->foot[1] + at[i] * h * normal[0]};
             struct foot f = shape_foot(p, (int)site->side[k], x);
             for (int a = 0; a < 2; a++) d[n][a] = f.x[a] - site->foot[a];
+            d[n][2] = 0;
             T[n++] = p->wall(p, site->side[k], f.x, 0);
         }
     return n;
@@ -94,8 +95,8 @@ static size_t wall_data(const struct problem *p, const struct wall_site *site, d
 
 static int attempt(const struct walls_fill *w, const struct wall_near *near, void *with, struct failure *why) {
     const struct fit *f = with;
-    double P[NEIGHBOURS_MAX][SSPH_TERMS_MAX], known[NEIGHBOURS_MAX], target[SSPH_TERMS_MAX], away[2];
-    double d[NEIGHBOURS_MAX][2], given[WALL_DATA], share[NEIGHBOURS_MAX], h = near->nb.h;
+    double P[NEIGHBOURS_MAX][FIT_TERMS_MAX], known[NEIGHBOURS_MAX], target[FIT_TERMS_MAX], away[2];
+    double d[NEIGHBOURS_MAX][DIM_MAX], given[WALL_DATA], share[NEIGHBOURS_MAX], h = near->nb.h;
     struct neighbourhood nb = near->nb;
     struct bound b = bind(w->p, f->site, h);
     if (nb.n + WALL_DATA > NEIGHBOURS_MAX) return refuse(why, STATUS_NUMERICAL, "too many particles at a wall");

@@ -68,7 +68,7 @@ static double equation(const struct problem *p, int s, const struct foot *f, con
 
 struct equations { /* equations of the neighbours, the particle itself, and the walls */
     struct neighbourhood nb;
-    double d[NEIGHBOURS_MAX][2], P[NEIGHBOURS_MAX][SSPH_TERMS_MAX], size[NEIGHBOURS_MAX], w[NEIGHBOURS_MAX];
+    double d[NEIGHBOURS_MAX][DIM_MAX], P[NEIGHBOURS_MAX][FIT_TERMS_MAX], size[NEIGHBOURS_MAX], w[NEIGHBOURS_MAX];
     size_t from[NEIGHBOURS_MAX]; /* index of the neighbour */
     double given[4];             /* right-hand sides of the walls */
 };
@@ -80,7 +80,7 @@ static size_t take_equations(const struct problem *p, const struct neighbourhood
     for (size_t j = 0; j <= nb->n && n + 4 < NEIGHBOURS_MAX; j++) {
         double d[2] = {j < nb->n ? nb->d[j][0] : 0, j < nb->n ? nb->d[j][1] : 0};
         if (hypot(d[0], d[1]) >= KERNEL_SUPPORT * h * (1 - 1e-9)) continue;
-        e->d[n][0] = d[0], e->d[n][1] = d[1], e->from[n] = j, e->size[n] = 1;
+        e->d[n][0] = d[0], e->d[n][1] = d[1], e->d[n][2] = 0, e->from[n] = j, e->size[n] = 1;
         monomials(nb->dim, (const double[2]){d[0] / h, d[1] / h}, e->P[n++]);
     }
     particles = n;
@@ -89,7 +89,7 @@ static size_t take_equations(const struct problem *p, const struct neighbourhood
         struct foot f = shape_foot(p, s, nb->x);
         if (!(f.depth < KERNEL_SUPPORT * h)) continue;
         e->given[n - particles] = equation(p, s, &f, nb->x, h, e->P[n]);
-        e->d[n][0] = e->d[n][1] = 0, e->size[n++] = 1 / sqrt(WALL_WEIGHT);
+        e->d[n][0] = e->d[n][1] = e->d[n][2] = 0, e->size[n++] = 1 / sqrt(WALL_WEIGHT);
     }
     e->nb.n = n;
     return particles;

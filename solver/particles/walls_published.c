@@ -95,7 +95,7 @@ static void at_image(const struct wall_site *site, double x[2]) {
 
 static int interpolate(const struct walls_fill *w, const struct wall_near *near, void *with, struct failure *why) {
     struct wall_sum *out = with;
-    double P[NEIGHBOURS_MAX][SSPH_TERMS_MAX], target[3] = {1, 0, 0};
+    double P[NEIGHBOURS_MAX][FIT_TERMS_MAX], target[3] = {1, 0, 0};
     for (size_t j = 0; j < near->nb.n; j++) {
         P[j][0] = 1, P[j][1] = near->d[j][0] / near->nb.h, P[j][2] = near->d[j][1] / near->nb.h;
         out->from[j] = near->from[j];

@@ -79,7 +79,7 @@ int assembly_neighbourhood(const struct assembly *m, size_t i, struct surroundin
                       "particle %zu at (%.6g, %.6g) m has %zu neighbours, at most %d are possible; use a smaller --h",
                       i, c->x[i], c->y[i], n, NEIGHBOURS_MAX);
     for (size_t k = 0; k < n; k++)
-        out->d[k][0] = c->x[out->near[k]] - c->x[i], out->d[k][1] = c->y[out->near[k]] - c->y[i];
+        out->d[k][0] = c->x[out->near[k]] - c->x[i], out->d[k][1] = c->y[out->near[k]] - c->y[i], out->d[k][2] = 0;
     const struct problem *p = m->p;
     const struct material *material = &p->material[layout_material(p, c->x[i])];
     out->nb = (struct neighbourhood){.dim = c->dim,

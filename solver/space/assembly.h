@@ -38,7 +38,7 @@ struct assembly_list { /* entries of the points of a block, one point after the 
 struct surroundings {
     struct neighbourhood nb;
     uint32_t near[NEIGHBOURS_MAX]; /* indices of its neighbours */
-    double d[NEIGHBOURS_MAX][2], X[NEIGHBOURS_MAX];
+    double d[NEIGHBOURS_MAX][DIM_MAX], X[NEIGHBOURS_MAX];
 };
 
 /* spacing, m: unit of the option h.  Returns STATUS_NUMERICAL if a scheme with cells has none on this cloud; nothing

@@ -36,19 +36,21 @@ static void add_convolution(struct square *to, const struct square *a, double fa
 }
 
 int operator_weights(const struct scheme *s, const struct problem *p, const struct options *o,
-                     const struct neighbourhood *nb, double *w[2], struct failure *why) {
-    double F[NEIGHBOURS_MAX], C[3];
+                     const struct neighbourhood *nb, double *w[], struct failure *why) {
+    double F[NEIGHBOURS_MAX], C[DIM_MAX][DIM_MAX];
     if (s->sweeps == 1) return s->weights(p, o, nb, w, why);
     if (s->pairs(p, o, nb, F, C, why)) return why->status;
     for (size_t j = 0; j < nb->n; j++) {
-        const double *d = nb->d[j];
-        w[0][j] = F[j] * (C[0] * d[0] + C[1] * d[1]);
-        if (nb->dim == 2) w[1][j] = F[j] * (C[1] * d[0] + C[2] * d[1]);
+        for (int a = 0; a < nb->dim; a++) {
+            double sum = 0;
+            for (int b = 0; b < nb->dim; b++) sum += C[a][b] * nb->d[j][b];
+            w[a][j] = F[j] * sum;
+        }
     }
     return STATUS_OK;
 }
 
-int operator_neighbourhood(int dim, double dx, double h, double d[NEIGHBOURS_MAX][2], struct neighbourhood *nb,
+int operator_neighbourhood(int dim, double dx, double h, double d[NEIGHBOURS_MAX][DIM_MAX], struct neighbourhood *nb,
                            struct failure *why) {
     *nb = (struct neighbourhood){.dim = dim, .d = d, .h = h * dx, .volume = dim == 2 ? dx * dx : dx};
     double reach = ceil(KERNEL_SUPPORT * h * (1 - 1e-12)) - 1, across = 2 * reach + 1;
@@ -59,7 +61,7 @@ int operator_neighbourhood(int dim, double dx, double h, double d[NEIGHBOURS_MAX
         for (int i = -r; i <= r; i++) {
             /* Offsets at exactly 2 h must not depend on round-off; they are excluded, since the kernel is zero. */
             if ((i == 0 && j == 0) || i * i + j * j >= 4 * h * h * (1 - 1e-12)) continue;
-            d[nb->n][0] = i * dx, d[nb->n++][1] = j * dx;
+            d[nb->n][0] = i * dx, d[nb->n][1] = j * dx, d[nb->n++][2] = 0;
         }
     return STATUS_OK;
 }
@@ -67,13 +69,13 @@ int operator_neighbourhood(int dim, double dx, double h, double d[NEIGHBOURS_MAX
 /* Weights of the scheme on the lattice around the origin, one square per output; 0 at the origin. */
 static int lattice_weights(const struct problem *p, const struct options *o, const struct scheme *s, double dx,
                            const double kappa[2], struct square out[2], struct failure *why) {
-    double d[NEIGHBOURS_MAX][2], weight[2][NEIGHBOURS_MAX], *w[2] = {weight[0], weight[1]};
+    double d[NEIGHBOURS_MAX][DIM_MAX], weight[2][NEIGHBOURS_MAX], *w[2] = {weight[0], weight[1]};
     struct neighbourhood nb;
     if (operator_neighbourhood(p->dim, dx, o->h, d, &nb, why)) return why->status;
     if (s->volume) nb.volume = s->volume(p, o, nb.h, nb.volume);
     nb.rho_c = p->material[0].rho_c;
     nb.x[0] = (p->lo[0] + p->hi[0]) / 2, nb.x[1] = (p->lo[1] + p->hi[1]) / 2;
-    memcpy(nb.kappa, kappa, sizeof nb.kappa);
+    for (int a = 0; a < 2; a++) nb.kappa[a] = kappa[a];
     int status = operator_weights(s, p, o, &nb, w, why), r = (int)ceil(KERNEL_SUPPORT * o->h * (1 - 1e-12)) - 1;
     for (int t = 0; t < s->sweeps && !status; t++) {
         out[t] = square_alloc(r, p->dim == 2 ? r : 0);

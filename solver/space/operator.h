@@ -4,6 +4,7 @@
 
 #include "solver/space/layout.h"
 
+#include <math.h>
 #include <stddef.h>
 #include <stdint.h>
 
@@ -17,18 +18,24 @@ enum {
 
 struct neighbourhood { /* one particle and its neighbours, input of a scheme */
     int dim;
-    size_t i;        /* index of the particle, for messages */
-    double x[2];     /* m, its position */
-    size_t n;        /* number of neighbours, excluding itself */
-    double (*d)[2];  /* m, x_j - x_i */
-    double h;        /* m */
-    double volume;   /* m^dim, of the particle, from the scheme's `volume` */
-    double rho_c;    /* J m^-3 K^-1, of its cell */
-    double kappa[2]; /* m^2 s^-1, at the particle, along each axis */
+    size_t i;              /* index of the particle, for messages */
+    double x[DIM_MAX];     /* m, its position */
+    size_t n;              /* number of neighbours, excluding itself */
+    double (*d)[DIM_MAX];  /* m, x_j - x_i; 0 along axes past dim */
+    double h;              /* m */
+    double volume;         /* m^dim, of the particle, from the scheme's `volume` */
+    double rho_c;          /* J m^-3 K^-1, of its cell */
+    double kappa[DIM_MAX]; /* m^2 s^-1, at the particle, along each axis */
     /* for schemes with cells on clouds; else NULL: */
     const double *face; /* m^(dim-1), between the particle's cell and each neighbour's, in the metric of voronoi.h */
     const double *X;    /* m, x coordinate of each neighbour, the same bits in every neighbourhood */
 };
+
+/* m, of neighbour j from the particle; branches, since hypot is slow. */
+static inline double neighbourhood_distance(const struct neighbourhood *nb, size_t j) {
+    const double *d = nb->d[j];
+    return nb->dim < 3 ? hypot(d[0], d[1]) : sqrt(d[0] * d[0] + d[1] * d[1] + d[2] * d[2]);
+}
 
 struct wall_row {             /* dT_i/dt = sum_j w[j] T_j + own T_i + g */
     double w[NEIGHBOURS_MAX]; /* s^-1, for the neighbours */
@@ -39,8 +46,8 @@ struct scheme {                   /* neighbour weights of a particle method; the
     const char *name;             /* name of the method, for messages */
     int two_materials, isotropic; /* 1: supports two materials; requires k_x = k_y */
     int tuned;                    /* 1: supports --volume tuned */
-    /* 1: dT_i/dt = sum_j w[0][j] (T_j - T_i). 2: w[0] and w[1] are the weights of the two first derivatives, which
-     * are applied twice: dT/dt = d/dx(kappa_x dT/dx) + d/dy(kappa_y dT/dy). */
+    /* 1: dT_i/dt = sum_j w[0][j] (T_j - T_i). 2: w[a] are the weights of the first derivatives, a < dim, which are
+     * applied twice: dT/dt = sum_a d/dx_a(kappa_a dT/dx_a). */
     int sweeps;
     /* Two sweeps only. 1: the second sweep is sum_j w . (q_j + q_i), the adjoint of the first, instead of q_j -
      * q_i. */
@@ -58,12 +65,12 @@ struct scheme {                   /* neighbour weights of a particle method; the
     double (*volume)(const struct problem *p, const struct options *o, double h, double dV);
     /* One sweep: fills w[0] (s^-1, nb->n values).  STATUS_NUMERICAL names the particle, its neighbour count and the
      * reason. */
-    int (*weights)(const struct problem *p, const struct options *o, const struct neighbourhood *nb, double *w[2],
+    int (*weights)(const struct problem *p, const struct options *o, const struct neighbourhood *nb, double *w[],
                    struct failure *why);
-    /* Two sweeps: weights of both derivatives, w[a][j] = F[j] (C d_j)_a in m^-1.  F is symmetric in the pair, C a
-     * symmetric tensor (xx, xy, yy); F C d^2 is dimensionless. */
+    /* Two sweeps: weights of the derivatives, w[a][j] = F[j] (C d_j)_a in m^-1.  F is symmetric in the pair, C a
+     * symmetric tensor, set for a, b < dim; F C d^2 is dimensionless. */
     int (*pairs)(const struct problem *p, const struct options *o, const struct neighbourhood *nb, double *F,
-                 double C[3], struct failure *why);
+                 double C[DIM_MAX][DIM_MAX], struct failure *why);
     /* --walls one_sided: the row of a particle within a kernel of a wall. nb: the particles within 3 h, excluding
      * itself.  NULL if not supported. */
     int (*at_wall)(const struct problem *p, const struct options *o, const struct neighbourhood *nb,
@@ -106,13 +113,13 @@ int operator_create_csr(struct heat_operator *a, const struct problem *p, const 
                         const struct scheme *s, const struct cloud *c, double spacing, struct failure *why);
 void operator_free(struct heat_operator *a);
 
-/* The weights of a scheme of one or two sweeps: w[0], and in the plane for two sweeps w[1], nb->n values each. */
+/* The weights of a scheme: w[0], or for two sweeps w[a], a < dim; nb->n values each. */
 int operator_weights(const struct scheme *s, const struct problem *p, const struct options *o,
-                     const struct neighbourhood *nb, double *w[2], struct failure *why);
+                     const struct neighbourhood *nb, double *w[], struct failure *why);
 
 /* The neighbours within 2 h of a particle on an unbounded lattice of spacing dx (m), h in dx, in d; sets dim, n, d,
  * h and volume of *nb.  Returns STATUS_INPUT if there are more than NEIGHBOURS_MAX. */
-int operator_neighbourhood(int dim, double dx, double h, double d[NEIGHBOURS_MAX][2], struct neighbourhood *nb,
+int operator_neighbourhood(int dim, double dx, double h, double d[NEIGHBOURS_MAX][DIM_MAX], struct neighbourhood *nb,
                            struct failure *why);
 
 /* The stencil of a scheme on an unbounded square lattice of spacing dx (m) with diffusivity kappa (m^2 s^-1).

@@ -56,7 +56,7 @@ int consistency_error(const struct experiment *e, double *error, struct failure 
     const struct problem *p = &e->problem;
     const struct options *o = &e->options;
     const struct scheme *scheme = e->method->scheme;
-    double d[NEIGHBOURS_MAX][2], w0[NEIGHBOURS_MAX], w1[NEIGHBOURS_MAX], *w[2] = {w0, w1}, size = 0;
+    double d[NEIGHBOURS_MAX][DIM_MAX], w0[NEIGHBOURS_MAX], w1[NEIGHBOURS_MAX], *w[2] = {w0, w1}, size = 0;
     if (!scheme)
         return refuse(why, STATUS_NOT_APPLICABLE, "%s is not a particle method and has no weights", e->method->name);
     int order = o->order > 2 ? o->order : 2;

@@ -112,7 +112,7 @@ int model_problem_operator(const struct model_problem *b, const struct problem *
 int model_problem_around(const struct model_problem *b, const struct cloud *c, size_t count, model_problem_see *see,
                          void *with, struct failure *why) {
     uint32_t near[NEIGHBOURS_MAX];
-    double d[NEIGHBOURS_MAX][2];
+    double d[NEIGHBOURS_MAX][DIM_MAX];
     struct neighbours cells;
     int status = STATUS_OK;
     neighbours_create(&cells, c, KERNEL_SUPPORT * b->options.h);
@@ -130,7 +130,8 @@ int model_problem_around(const struct model_problem *b, const struct cloud *c, s
             status = refuse(why, STATUS_NUMERICAL, "particle %zu has %zu neighbours", i, nb.n);
             break;
         }
-        for (size_t k = 0; k < nb.n; k++) d[k][0] = c->x[near[k]] - c->x[i], d[k][1] = c->y[near[k]] - c->y[i];
+        for (size_t k = 0; k < nb.n; k++)
+            d[k][0] = c->x[near[k]] - c->x[i], d[k][1] = c->y[near[k]] - c->y[i], d[k][2] = 0;
         status = see(b, &nb, with, why);
     }
     neighbours_free(&cells);

@@ -67,13 +67,13 @@ static void piecewise_quadratics_are_exact(void **state) {
                 struct problem p = two_sides(dim);
                 struct options o = {.kernel = KERNEL_CUBIC};
                 struct failure why = {0};
-                double d[15][2], c[6] = {0}, w[15], *out[2] = {w, NULL}, sum = 0;
+                double d[15][DIM_MAX] = {{0}}, c[6] = {0}, w[15], *out[2] = {w, NULL}, sum = 0;
                 struct neighbourhood nb = {
                     .dim = dim, .x = {0.4 + offset[k], dim == 2 ? 0.83 : 0}, .n = 15, .d = d, .h = 0.061};
                 if (dim == 1 && term == 2) continue;
                 c[term] = 1.37;
-                memcpy(d, around, sizeof d);
-                for (int j = 0; j < 15 && dim == 1; j++) d[j][1] = 0;
+                for (int j = 0; j < 15; j++)
+                    for (int a = 0; a < dim; a++) d[j][a] = around[j][a];
                 const struct material *m = &p.material[offset[k] > 0];
                 for (int a = 0; a < 2; a++) nb.kappa[a] = m->k[a] / m->rho_c;
                 if (operator_weights(method_contact_ssph.scheme, &p, &o, &nb, out, &why))
@@ -114,7 +114,7 @@ static void poor_contacts_are_refused(void **state) {
     struct options o = options_of(LAYOUT_JITTER);
     struct field f;
     struct failure why;
-    double lone[1][2] = {{0.041, 0.013}}, w[1], *out[2] = {w, NULL};
+    double lone[1][DIM_MAX] = {{0.041, 0.013}}, w[1], *out[2] = {w, NULL};
     struct neighbourhood nb = {
         .dim = 2, .i = 3, .x = {0.39, 0.83}, .n = 1, .d = lone, .h = 0.061, .kappa = {0.5, 0.3}};
     assert_int_equal(operator_weights(method_contact_ssph.scheme, &p, &o, &nb, out, &why), STATUS_NUMERICAL);
@@ -232,7 +232,7 @@ static void no_mode_grows_in_the_plane(void **state) {
 static void weights_are_not_negative(void **state) {
     (void)state;
     static const double at[] = {-2, -1, 0.3, 1.9};
-    double P[4][SSPH_TERMS_MAX] = {{0}}, W[4] = {1, 1, 4, 0.01}, b[2] = {0, 1}, w[4];
+    double P[4][FIT_TERMS_MAX] = {{0}}, W[4] = {1, 1, 4, 0.01}, b[2] = {0, 1}, w[4];
     for (int j = 0; j < 4; j++) P[j][0] = at[j], P[j][1] = at[j] * at[j] / 2;
     assert_int_equal(nonnegative_weights(4, 2, P, W, b, w), 1);
     double sum[2] = {0};

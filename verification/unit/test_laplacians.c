@@ -160,7 +160,7 @@ static void pair_operators_conserve_heat_on_clouds(void **state) {
 
 /* ---- Refusals ---- */
 
-static int try_weights(const char *name, size_t n, double (*d)[2], struct failure *why) {
+static int try_weights(const char *name, size_t n, double (*d)[DIM_MAX], struct failure *why) {
     struct problem p = odd_rectangle();
     struct options o = {.kernel = KERNEL_CUBIC};
     double w[2][MANY], *out[2] = {w[0], w[1]};
@@ -169,7 +169,7 @@ static int try_weights(const char *name, size_t n, double (*d)[2], struct failur
     return operator_weights(named(name)->scheme, &p, &o, &nb, out, why);
 }
 
-static void try_few(const char *name, size_t n, double (*d)[2], const char *says) {
+static void try_few(const char *name, size_t n, double (*d)[DIM_MAX], const char *says) {
     struct failure why = {0};
     assert_int_equal(try_weights(name, n, d, &why), STATUS_NUMERICAL);
     assert_has(why.text, "particle 3 at (0.7, -0.3) m");
@@ -179,10 +179,10 @@ static void try_few(const char *name, size_t n, double (*d)[2], const char *says
 static void poor_clouds_are_refused(void **state) {
     (void)state;
     static const char *const corrected[] = {"brookshaw_corrected", "schwaiger", "fatehi_manzari", "cspm"};
-    double line[4][2] = {{0.021, 0.042}, {-0.017, -0.034}, {0.043, 0.086}, {-0.03, -0.06}};
-    double right[5][2] = {{0.041, 0.013}, {0.003, 0.049}, {0.011, -0.055}, {0.063, -0.038}, {0.021, 0.007}};
+    double line[4][DIM_MAX] = {{0.021, 0.042}, {-0.017, -0.034}, {0.043, 0.086}, {-0.03, -0.06}};
+    double right[5][DIM_MAX] = {{0.041, 0.013}, {0.003, 0.049}, {0.011, -0.055}, {0.063, -0.038}, {0.021, 0.007}};
     struct failure why;
-    double three[2][2] = {{0.041, 0.013}, {0.003, 0.049}}, twice[2][2] = {{0.041, 0.013}, {0, 0}};
+    double three[2][DIM_MAX] = {{0.041, 0.013}, {0.003, 0.049}}, twice[2][DIM_MAX] = {{0.041, 0.013}, {0, 0}};
     for (int m = 0; m < 4; m++) {
         try_few(corrected[m], 0, place, "has 0 neighbours, condition number");
         try_few(corrected[m], 4, line, "has 4 neighbours, condition number");
@@ -230,7 +230,7 @@ static double cost_of(const double *d) {
 }
 
 /* The cost of the weights of these five that meet the conditions; infinite where one of them is negative. */
-static double cost_of_five(double (*d)[2], const int five[5], const double kappa[2]) {
+static double cost_of_five(double (*d)[DIM_MAX], const int five[5], const double kappa[2]) {
     double A[25], b[5] = {0, 0, 2 * kappa[0] / (H * H), 2 * kappa[1] / (H * H), 0}, w[5], sum = 0;
     int sign;
     size_t order[5];
@@ -252,7 +252,7 @@ static double cost_of_five(double (*d)[2], const int five[5], const double kappa
 }
 
 /* The least over all fives of n. */
-static double least_cost(double (*d)[2], int n, const double kappa[2]) {
+static double least_cost(double (*d)[DIM_MAX], int n, const double kappa[2]) {
     double least = INFINITY;
     int f[5];
     for (f[0] = 0; f[0] < n; f[0]++)
@@ -263,7 +263,7 @@ static double least_cost(double (*d)[2], int n, const double kappa[2]) {
     return least;
 }
 
-static void check_programme(double (*d)[2], int n, const double kappa[2]) {
+static void check_programme(double (*d)[DIM_MAX], int n, const double kappa[2]) {
     struct problem p = odd_rectangle();
     struct options o = {.kernel = KERNEL_CUBIC};
     struct neighbourhood nb = around(2, kappa);
@@ -295,7 +295,7 @@ static void nonnegative_weights_are_optimal_on_random_clouds(void **state) {
     gsl_rng *random = gsl_rng_alloc(gsl_rng_mt19937);
     gsl_rng_set(random, 11);
     for (int k = 0; k < DRAWS; k++) {
-        double d[DRAWN][2];
+        double d[DRAWN][DIM_MAX] = {{0}};
         for (int j = 0; j < DRAWN; j++)
             for (int a = 0; a < 2; a++) d[j][a] = 3.2 * H * (gsl_rng_uniform(random) - 0.5);
         check_programme(d, DRAWN, (const double[2]){0.71, k % 2 ? 0.71 : 0.23});
@@ -318,7 +318,7 @@ static const double pair_dx = 0.05, pair_h = 0.061, pair[2] = {0.021, -0.037};
 
 /* The weight that the particle at x has on one at x + pair, s^-1. */
 static double weight(const struct problem *p, struct options o, double x) {
-    double at[1][2] = {{pair[0], pair[1]}}, w[1], *out[2] = {w, NULL};
+    double at[1][DIM_MAX] = {{pair[0], pair[1]}}, w[1], *out[2] = {w, NULL};
     struct failure why = {0};
     const struct scheme *scheme = method_brookshaw.scheme;
     struct neighbourhood nb = {.dim = 2,

@@ -119,7 +119,7 @@ static void unstable_runs_report_place_and_time(void **state) {
 /* There is room for 1024: squares of 31 but not 33 points, lines of 1023 but not 1025. */
 static void neighbour_limit_is_enforced(void **state) {
     (void)state;
-    static double d[NEIGHBOURS_MAX][2];
+    static double d[NEIGHBOURS_MAX][DIM_MAX];
     struct neighbourhood nb;
     struct failure why;
     const double most[] = {256, 8};
