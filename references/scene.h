@@ -49,9 +49,10 @@ struct scene {
     void *(*prepare)(const struct problem *p, double t);
     /* Exact solution at x and time t; `shared` is the result of `prepare`.  NULL if `prepare` is NULL. */
     struct exact (*prepared)(const struct problem *p, const void *shared, const double *x, double t);
-    /* The same at the n points (x[i], y[i]) for plane scenes in which lattice points share more work; else NULL. */
-    void (*at_points)(const struct problem *p, const void *shared, size_t n, const double *x, const double *y,
-                      double t, struct exact *e);
+    /* The same at the n points (x[0][i], x[1][i], ...) for scenes in which lattice points share more work; else
+     * NULL. */
+    void (*at_points)(const struct problem *p, const void *shared, size_t n, const double *const *x, double t,
+                      struct exact *e);
     /* Exact solution at x and time t >= 0 s for scenes without `prepare`; else NULL (see scene_exact). */
     struct exact (*exact)(const struct problem *p, const double *x, double t);
     /* Second form of the temperature, derived independently, to check the reference.  Every scene has one. */

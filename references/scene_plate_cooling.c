@@ -76,11 +76,11 @@ static double rounding_of(const double *v) {
     return 2 * DBL_EPSILON * (fabs(v[T1]) + fabs(v[T0]) + fabs(v[T_A]));
 }
 
-static void at_points(const struct problem *p, const void *shared, size_t n, const double *x, const double *y,
-                      double t, struct exact *e) {
+static void at_points(const struct problem *p, const void *shared, size_t n, const double *const *x, double t,
+                      struct exact *e) {
     const double *v = p->param;
     struct surface *T = xcalloc(n, sizeof *T);
-    if (t > 0) cooled_plate_at(shared, n, x, y, T);
+    if (t > 0) cooled_plate_at(shared, n, x[0], x[1], T);
     for (size_t i = 0; i < n; i++) {
         e[i] = (struct exact){.temperature = v[T0]};
         if (t == 0) continue;
@@ -94,7 +94,7 @@ static void at_points(const struct problem *p, const void *shared, size_t n, con
 
 static struct exact prepared(const struct problem *p, const void *shared, const double x[2], double t) {
     struct exact e;
-    at_points(p, shared, 1, &x[0], &x[1], t, &e);
+    at_points(p, shared, 1, (const double *const[]){&x[0], &x[1]}, t, &e);
     return e;
 }
 

@@ -84,13 +84,13 @@ static struct exact exact(const struct problem *p, const double x[2], double t) 
 }
 
 /* Grid points come in rows or columns: a coordinate equal to that of the previous point reuses its rod. */
-static void at_points(const struct problem *p, const void *shared, size_t n, const double *x, const double *y,
-                      double t, struct exact *e) {
+static void at_points(const struct problem *p, const void *shared, size_t n, const double *const *x, double t,
+                      struct exact *e) {
     struct curve u = {{0, 0}, {0, 0}}, v = u;
     (void)shared;
     for (size_t i = 0; i < n; i++) {
-        if (i == 0 || x[i] != x[i - 1]) u = rod(p, 0, x[i], t);
-        if (i == 0 || y[i] != y[i - 1]) v = rod(p, 1, y[i], t);
+        if (i == 0 || x[0][i] != x[0][i - 1]) u = rod(p, 0, x[0][i], t);
+        if (i == 0 || x[1][i] != x[1][i - 1]) v = rod(p, 1, x[1][i], t);
         e[i] = product(p, u, v);
     }
 }

@@ -21,7 +21,7 @@ struct exact snapshot_at(const struct snapshot *s, const double *x) {
 void snapshot_at_points(const struct snapshot *s, size_t n, const double *x, const double *y, const double *z,
                         struct exact *e) {
     if (s->scene->at_points) {
-        s->scene->at_points(s->problem, s->shared, n, x, y, s->time, e);
+        s->scene->at_points(s->problem, s->shared, n, (const double *const[]){x, y, z}, s->time, e);
         return;
     }
     for (size_t i = 0; i < n; i++) e[i] = snapshot_at(s, (double[]){x[i], y ? y[i] : 0, z ? z[i] : 0});

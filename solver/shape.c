@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Shapes of bodies.  A rod or rectangle is the box from lo to hi; a round body is bounded by circles about 0.
+/* Shapes of bodies.  A rod, rectangle or box is the box from lo to hi; a round body is bounded by circles about 0, a
+ * ball by a sphere.
  *
  * The area of a disc inside a box is the integral over x of the length of the line at x inside both, clamp(s, c, d)
  * - clamp(-s, c, d), s = sqrt(R^2 - x^2).  Between the positions at which s crosses |c| or |d| each term is either
@@ -28,7 +29,7 @@ static double under(double R, int sign, double a, double b, double c, double d) 
     return middle < c ? (b - a) * c : middle > d ? (b - a) * d : sign * arc(R, a, b);
 }
 
-static double disc_area(double R, const double lo[2], const double hi[2]) {
+static double disc_area(double R, const double *lo, const double *hi) {
     double at[6], area = 0, from = clamp(lo[0], -R, R), to = clamp(hi[0], -R, R);
     int n = 0;
     at[n++] = from;
@@ -43,12 +44,12 @@ static double disc_area(double R, const double lo[2], const double hi[2]) {
     return area;
 }
 
-static double round_area(const struct problem *p, const double lo[2], const double hi[2]) {
+static double round_area(const struct problem *p, const double *lo, const double *hi) {
     double hole = p->radius[0] > 0 ? disc_area(p->radius[0], lo, hi) : 0;
     return fmax(0, disc_area(p->radius[1], lo, hi) - hole);
 }
 
-static struct foot round_foot(const struct problem *p, enum side s, const double x[2]) {
+static struct foot round_foot(const struct problem *p, enum side s, const double *x) {
     double R = p->radius[s], r = hypot(x[0], x[1]), u[2] = {r > 0 ? x[0] / r : 1, r > 0 ? x[1] / r : 0};
     int out = s == X_HI ? 1 : -1;
     return (struct foot){{R * u[0], R * u[1]}, {out * u[0], out * u[1]}, out * (R - r)};
@@ -57,6 +58,21 @@ static struct foot round_foot(const struct problem *p, enum side s, const double
 const struct shape shape_disc = {"disc", round_foot, round_area};
 const struct shape shape_annulus = {"annulus", round_foot, round_area};
 
+static struct foot ball_foot(const struct problem *p, enum side s, const double *x) {
+    double R = p->radius[1], r = hypot(hypot(x[0], x[1]), x[2]);
+    struct foot f = {.depth = R - r};
+    (void)s;
+    for (int a = 0; a < 3; a++) f.normal[a] = r > 0 ? x[a] / r : a == 0, f.x[a] = R * f.normal[a];
+    return f;
+}
+
+static double ball_volume(const struct problem *p, const double *lo, const double *hi) {
+    (void)lo, (void)hi; /* of the whole ball */
+    return 4 * M_PI / 3 * pow(p->radius[1], 3);
+}
+
+const struct shape shape_ball = {"ball", ball_foot, ball_volume};
+
 void shape_round(struct problem *p, double hole, double radius) {
     p->dim = 2;
     p->shape = hole > 0 ? &shape_annulus : &shape_disc;
@@ -64,25 +80,33 @@ void shape_round(struct problem *p, double hole, double radius) {
     for (int a = 0; a < 2; a++) p->lo[a] = -radius, p->hi[a] = radius;
 }
 
+void shape_make_ball(struct problem *p, double radius) {
+    p->dim = 3;
+    p->shape = &shape_ball;
+    p->radius[1] = radius;
+    for (int a = 0; a < 3; a++) p->lo[a] = -radius, p->hi[a] = radius;
+}
+
 int shape_has_wall(const struct problem *p, int s) {
     if (p->shape) return s == X_HI || (s == X_LO && p->radius[0] > 0);
     return s < 2 * p->dim && p->side[s] != PERIODIC;
 }
 
-struct foot shape_foot(const struct problem *p, int s, const double x[2]) {
+struct foot shape_foot(const struct problem *p, int s, const double *x) {
     if (p->shape) return p->shape->foot(p, (enum side)s, x);
     int a = s / 2, out = s % 2 ? 1 : -1;
-    struct foot f = {{x[0], x[1]}, {0, 0}, 0};
+    struct foot f = {.depth = 0};
+    for (int b = 0; b < p->dim; b++) f.x[b] = x[b];
     f.x[a] = s % 2 ? p->hi[a] : p->lo[a];
     f.normal[a] = out;
     f.depth = out * (f.x[a] - x[a]);
     return f;
 }
 
-struct foot shape_nearest(const struct problem *p, const double x[2], int *s) {
+struct foot shape_nearest(const struct problem *p, const double *x, int *s) {
     struct foot nearest = {.depth = INFINITY};
     *s = -1;
-    for (int k = 0; k < 4; k++) {
+    for (int k = 0; k < SIDES; k++) {
         if (!shape_has_wall(p, k)) continue;
         struct foot f = shape_foot(p, k, x);
         if (f.depth < nearest.depth) nearest = f, *s = k;
@@ -90,12 +114,12 @@ struct foot shape_nearest(const struct problem *p, const double x[2], int *s) {
     return nearest;
 }
 
-double shape_depth(const struct problem *p, const double x[2]) {
+double shape_depth(const struct problem *p, const double *x) {
     int s;
     return shape_nearest(p, x, &s).depth;
 }
 
-double shape_clipped(const struct problem *p, const double lo[2], const double hi[2]) {
+double shape_clipped(const struct problem *p, const double *lo, const double *hi) {
     if (p->shape) return p->shape->area(p, lo, hi);
     double volume = 1;
     for (int a = 0; a < p->dim; a++) volume *= fmax(0, fmin(hi[a], p->hi[a]) - fmax(lo[a], p->lo[a]));

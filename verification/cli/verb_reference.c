@@ -59,7 +59,7 @@ static void print_json(const struct reference_options *r, const struct forms *f)
 
 static void print_text(const struct reference_options *r, const struct forms *f) {
     printf("%s at %g", r->command.experiment.scene->name, r->command.at.value[0]);
-    if (r->command.experiment.problem.dim == 2) printf(", %g", r->command.at.value[1]);
+    for (int a = 1; a < r->command.experiment.problem.dim; a++) printf(", %g", r->command.at.value[a]);
     printf(" m, %g s\n", r->command.time.value[0]);
     if (f->exact.no_value) {
         printf("  no value: a corner of two temperatures, %.17g K between them\n", f->exact.temperature);
@@ -80,7 +80,7 @@ static void print_forms(const struct reference_options *r) {
     const struct scene *s = r->command.experiment.scene;
     const struct problem *p = &r->command.experiment.problem;
     const struct mapping *m = &r->command.experiment.program.map;
-    double t = r->command.time.value[0], x[2];
+    double t = r->command.time.value[0], x[DIM_MAX];
     mapping_to_scene(m, p->dim, r->command.at.value, x);
     struct forms f = {scene_exact(s, p, x, t), s->second(p, x, t), s->published ? s->published(p, x, t) : 0};
     for (struct exact *e = &f.exact;; e = &f.second) {

@@ -106,9 +106,11 @@ static void add_reference(struct gates *g, const struct scene *s) {
     scene_defaults(s, &p);
     snprintf(id, sizeof id, "reference/%s", s->name);
     if (s->setup(&p, &why)) p.dim = 1; /* its command then fails with that text */
-    double x = p.lo[0] + 0.137 * (p.hi[0] - p.lo[0]), y = p.lo[1] + 0.311 * (p.hi[1] - p.lo[1]);
-    snprintf(command, sizeof command, "reference %s --at %.3g", s->name, x);
-    if (p.dim == 2) words_add(command, sizeof command, ",%.3g", y);
+    snprintf(command, sizeof command, "reference %s --at ", s->name);
+    for (int a = 0; a < p.dim; a++) {
+        static const double part[DIM_MAX] = {0.137, 0.311, 0.253};
+        words_add(command, sizeof command, a ? ",%.3g" : "%.3g", p.lo[a] + part[a] * (p.hi[a] - p.lo[a]));
+    }
     words_add(command, sizeof command, " --time %.3g", p.t_end);
     gates_add(g, &(struct gate){gates_keep(g, id), TIER_QUICK, "reference", gates_keep(g, command), 0, 1, 1e-12,
                                 "two forms derived apart differ by no more than the sum of their bounds"});

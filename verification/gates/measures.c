@@ -211,10 +211,10 @@ void measures_robin_limits(const struct command *r, double lo, double hi, struct
 }
 
 /* Points that fill the domain evenly and have no symmetry of it: the additive sequences of the plastic number. */
-static void odd_point(const struct problem *p, int i, double x[2]) {
-    static const double step[2] = {0.7548776662466927, 0.5698402909980532};
+static void odd_point(const struct problem *p, int i, double x[DIM_MAX]) {
+    static const double step[DIM_MAX] = {0.7548776662466927, 0.5698402909980532, 0.3247179572447460};
     do {
-        for (int a = 0; a < 2; a++) {
+        for (int a = 0; a < DIM_MAX; a++) {
             double u = 0.137 + 0.174 * a + step[a] * i;
             x[a] = p->lo[a] + (p->hi[a] - p->lo[a]) * (u - floor(u));
         }
@@ -229,9 +229,9 @@ void measures_reference(const struct command *r, double lo, double hi, struct me
     enum { POINTS = 32, TIMES = 4 };
     static const double part[TIMES] = {0.0113, 0.173, 0.619, 1};
     const struct problem *p = &r->experiment.problem;
-    double worst = 0, where[3] = {0}, bound = 0, size = 0;
+    double worst = 0, where[DIM_MAX] = {0}, when = 0, bound = 0, size = 0;
     for (int i = 0; i < POINTS * TIMES && !isnan(worst); i++) {
-        double x[2], t = p->t_end * part[i % TIMES];
+        double x[DIM_MAX], t = p->t_end * part[i % TIMES];
         odd_point(p, i / TIMES, x);
         struct exact a = scene_exact(r->experiment.scene, p, x, t), b = r->experiment.scene->second(p, x, t);
         double apart = fabs(a.temperature - b.temperature);
@@ -241,14 +241,14 @@ void measures_reference(const struct command *r, double lo, double hi, struct me
         size = fmax(size, fabs(a.temperature));
         if (ratio <= worst) continue;
         worst = ratio;
-        where[0] = x[0], where[1] = x[1], where[2] = t;
+        memcpy(where, x, sizeof where), when = t;
     }
     measures_fail(m, &(struct failure){0});
     measures_judge(m, worst, lo, hi);
     m->error = bound / size;
     if (m->verdict == VERDICT_PASS) return;
-    snprintf(m->reason, sizeof m->reason, "the two forms are %.3g of their bounds apart at %g, %g m, %g s", worst,
-             where[0], where[1], where[2]);
+    snprintf(m->reason, sizeof m->reason, "the two forms are %.3g of their bounds apart at %g, %g, %g m, %g s", worst,
+             where[0], where[1], where[2], when);
 }
 
 #define MEASURE(name, ceiling, about) {#name, about, ceiling, measures_##name},

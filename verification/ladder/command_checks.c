@@ -71,7 +71,7 @@ int command_check(const struct command *c, struct failure *why) {
          "these particles do not move", "--layout jitter or relaxed"},
         {o->sweeps > 0 && o->layout != LAYOUT_RELAXED, "sweeps", "these particles do not settle", "--layout relaxed"},
         {o->xi > 0 && o->volume != VOLUME_TUNED, "xi", "this volume has no parameter", "--volume tuned"},
-        {at->count > 2 || (at->count && scene && at->count != p->dim), "at", "the point has as many numbers as axes",
+        {at->count > DIM_MAX || (at->count && scene && at->count != p->dim), "at", "the point has as many numbers as axes",
          !scene  ? "X or X,Y"
          : plane ? "X,Y"
                  : "X"},

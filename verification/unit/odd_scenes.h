@@ -34,8 +34,8 @@ static inline double odd_random(unsigned long *state) {
 }
 
 /* A random point at least `margin` (m) from every wall. */
-static inline void odd_point(const struct problem *p, double margin, unsigned long *random, double x[2]) {
-    x[0] = x[1] = 0;
+static inline void odd_point(const struct problem *p, double margin, unsigned long *random, double x[DIM_MAX]) {
+    for (int a = 0; a < DIM_MAX; a++) x[a] = 0;
     do
         for (int a = 0; a < p->dim; a++)
             x[a] = p->lo[a] + margin + odd_random(random) * (p->hi[a] - p->lo[a] - 2 * margin);

@@ -41,23 +41,25 @@ static int list_cases(void **state) {
     return 0;
 }
 
-static double at(const struct scene *s, const struct problem *p, double x, double y, double t) {
-    return scene_exact(s, p, (double[2]){x, y}, t).temperature;
+static double at(const struct scene *s, const struct problem *p, const double *x, double t) {
+    return scene_exact(s, p, x, t).temperature;
 }
 
-/* d2T/dx2 for axis 0, d2T/dy2 for axis 1 */
-static double curvature(const struct scene *s, const struct problem *p, const double x[2], double t, int axis,
+/* Second derivative along the axis. */
+static double curvature(const struct scene *s, const struct problem *p, const double *x, double t, int axis,
                         double d) {
     double sum = 0;
-    for (int i = -4; i <= 4; i++)
-        sum += second_difference[abs(i)] * at(s, p, x[0] + (axis == 0) * i * d, x[1] + (axis == 1) * i * d, t);
+    for (int i = -4; i <= 4; i++) {
+        double there[DIM_MAX] = {x[0], x[1], x[2]};
+        there[axis] += i * d;
+        sum += second_difference[abs(i)] * at(s, p, there, t);
+    }
     return sum / (d * d);
 }
 
-static double rate(const struct scene *s, const struct problem *p, const double x[2], double t) {
+static double rate(const struct scene *s, const struct problem *p, const double *x, double t) {
     double d = 0.01 * t, sum = 0;
-    for (int i = 1; i <= 4; i++)
-        sum += first_difference[i] * (at(s, p, x[0], x[1], t + i * d) - at(s, p, x[0], x[1], t - i * d));
+    for (int i = 1; i <= 4; i++) sum += first_difference[i] * (at(s, p, x, t + i * d) - at(s, p, x, t - i * d));
     return sum / d;
 }
 
@@ -70,7 +72,7 @@ static void residual_of_the_equation_vanishes(void **state) {
         unsigned long random = 7;
         double worst = 0, largest = 0;
         for (int trial = 0; trial < 60; trial++) {
-            double x[2] = {0, 0}, margin = 10 * odd->step;
+            double x[DIM_MAX], margin = 10 * odd->step;
             double t = odd->earliest + odd_random(&random) * fmax(0, p.t_end - odd->earliest);
             odd_point(&p, margin, &random, x);
             if (p.materials == 2 && fabs(x[0] - p.interface) < margin) continue;
@@ -99,9 +101,9 @@ static void boundary_conditions_hold(void **state) {
         unsigned long random = 11;
         for (int trial = 0; trial < 40; trial++)
             for (int side = X_LO; side < 2 * p.dim; side++) {
-                double x[2] = {0, 0}, t = (0.01 + odd_random(&random)) * p.t_end;
+                double x[DIM_MAX] = {0}, t = (0.01 + odd_random(&random)) * p.t_end;
                 if (!shape_has_wall(&p, side)) continue;
-                if (p.dim == 2) odd_point(&p, 0, &random, x);
+                if (p.dim > 1) odd_point(&p, 0, &random, x);
                 struct foot f = shape_foot(&p, side, x);
                 double want = p.wall(&p, (enum side)side, f.x, t), flux = 0, off = 0;
                 struct exact e = scene_exact(s, &p, f.x, t);
@@ -147,16 +149,16 @@ static void initial_condition_holds(void **state) {
         odd_setup(s, &p);
         unsigned long random = 13;
         for (int trial = 0; trial < 100; trial++) {
-            double x[2] = {0, 0};
+            double x[DIM_MAX];
             odd_point(&p, 0, &random, x);
-            assert_near(at(s, &p, x[0], x[1], 0), p.initial(&p, x), 0);
+            assert_near(at(s, &p, x, 0), p.initial(&p, x), 0);
             /* a moment later only points at a jump have changed */
             int far = 1;
             for (int d = 0; d < p.dim; d++) {
                 for (int j = 0; j < p.jumps[d]; j++) far &= fabs(x[d] - p.jump[d][j]) > 0.001;
                 far &= x[d] - p.lo[d] > 0.001 && p.hi[d] - x[d] > 0.001;
             }
-            if (far) assert_near(at(s, &p, x[0], x[1], 1e-9 * p.t_end), p.initial(&p, x), 1e-7);
+            if (far) assert_near(at(s, &p, x, 1e-9 * p.t_end), p.initial(&p, x), 1e-7);
         }
     }
 }
@@ -185,12 +187,13 @@ static void flux_is_continuous_at_an_interface(void **state) {
         if (p.materials != 2) continue;
         double flux[2], d = 0.002, c = p.interface, t = p.t_end;
         for (int side = 0; side < 2; side++) {
-            double sign = side ? 1 : -1, sum = forward[0] * at(s, &p, c + sign * 1e-15, 0, t);
-            for (int j = 1; j <= 6; j++) sum += forward[j] * at(s, &p, c + sign * j * d, 0, t);
+            double sign = side ? 1 : -1, sum = 0;
+            for (int j = 0; j <= 6; j++)
+                sum += forward[j] * at(s, &p, (double[DIM_MAX]){c + sign * fmax(1e-15, j * d)}, t);
             flux[side] = p.material[side].k[0] * sign * sum / d;
         }
         assert_near(flux[0], flux[1], 1e-8 * fabs(flux[0]));
-        assert_near(at(s, &p, c - 1e-16, 0, t), at(s, &p, c, 0, t), 1e-14);
+        assert_near(at(s, &p, (double[DIM_MAX]){c - 1e-16}, t), at(s, &p, (double[DIM_MAX]){c}, t), 1e-14);
         assert_order(fabs(flux[0]), >, 1e-3);
     }
 }
@@ -205,7 +208,7 @@ static void second_form_agrees(void **state) {
         double worst = 0, bound = 0;
         for (int k = 0; k < 5; k++)
             for (int trial = 0; trial < 30; trial++) {
-                double x[2] = {0, 0}, t = times[k] * p.t_end;
+                double x[DIM_MAX] = {0}, t = times[k] * p.t_end;
                 odd_point(&p, 0, &random, x);
                 struct exact e = scene_exact(s, &p, x, t), f = s->second(&p, x, t);
                 assert_near(e.temperature, f.temperature, e.error_bound + f.error_bound);
@@ -228,7 +231,7 @@ static void gradient_equals_that_of_the_second_form(void **state) {
         unsigned long random = 19;
         double worst = 0, largest = 0;
         for (int trial = 0; trial < 30; trial++) {
-            double x[2] = {0, 0}, margin = 10 * odd->step;
+            double x[DIM_MAX], margin = 10 * odd->step;
             double t = odd->earliest + odd_random(&random) * fmax(0, p.t_end - odd->earliest);
             odd_point(&p, margin, &random, x);
             if (p.materials == 2 && fabs(x[0] - p.interface) < margin) continue;
@@ -236,8 +239,9 @@ static void gradient_equals_that_of_the_second_form(void **state) {
             for (int d = 0; d < p.dim; d++) {
                 double sum = 0, step = odd->step;
                 for (int i = -4; i <= 4; i++) {
-                    double at[2] = {x[0] + (d == 0) * i * step, x[1] + (d == 1) * i * step};
-                    sum += (i < 0 ? -1 : 1) * first_difference[abs(i)] * s->second(&p, at, t).temperature;
+                    double there[DIM_MAX] = {x[0], x[1], x[2]};
+                    there[d] += i * step;
+                    sum += (i < 0 ? -1 : 1) * first_difference[abs(i)] * s->second(&p, there, t).temperature;
                 }
                 worst = fmax(worst, fabs(e.gradient[d] - sum / step));
                 largest = fmax(largest, fabs(e.gradient[d]));
@@ -256,37 +260,38 @@ static void declared_symmetry_is_real(void **state) {
         struct problem p;
         odd_setup(s, &p);
         for (int d = 0; d < p.dim && !p.shape; d++) { /* round bodies are not halved */
-            double x[2] = {p.lo[0] + 0.23 * (p.hi[0] - p.lo[0]), p.lo[1] + 0.31 * (p.hi[1] - p.lo[1])},
-                   m[2] = {x[0], x[1]};
+            static const double part[DIM_MAX] = {0.23, 0.31, 0.17};
+            double x[DIM_MAX], m[DIM_MAX];
+            for (int a = 0; a < DIM_MAX; a++) x[a] = m[a] = p.lo[a] + part[a] * (p.hi[a] - p.lo[a]);
             m[d] = p.lo[d] + p.hi[d] - x[d];
-            double difference = at(s, &p, x[0], x[1], p.t_end) - at(s, &p, m[0], m[1], p.t_end);
+            double difference = at(s, &p, x, p.t_end) - at(s, &p, m, p.t_end);
             if (p.mirror[d]) assert_near(difference, 0, 1e-13 * s->odd.scale);
         }
     }
 }
 
-/* Row by row, column by column and along the diagonal: the bits of one point at a time. */
+/* Along each axis and along the diagonal: the bits of one point at a time. */
 static void batch_evaluation_equals_single_points(void **state) {
-    enum { N = 7, ORDERS = 3 };
+    enum { N = 7, ORDERS = 4, POINTS = ORDERS * N * N };
     (void)state;
     for (const struct scene *s = cases; s->name; s++) {
         struct problem p;
         odd_setup(s, &p);
-        double at[2][ORDERS * N * N], t = 0.7 * p.t_end;
-        struct exact e[ORDERS * N * N];
-        for (int k = 0; k < ORDERS * N * N; k++) {
-            int i = k % N, j = k / N % N, order = k / (N * N);
-            double part[2] = {order == 1 ? j : i, order == 0 ? j : order == 1 ? i : (i + j) % N};
-            for (int a = 0; a < 2; a++) at[a][k] = p.lo[a] + (part[a] + 0.5) / N * (p.hi[a] - p.lo[a]);
-        }
+        double at[DIM_MAX][POINTS], t = 0.7 * p.t_end;
+        struct exact e[POINTS];
+        for (int k = 0; k < POINTS; k++)
+            for (int a = 0, i = k % N, j = k / N % N, order = k / (N * N); a < DIM_MAX; a++) {
+                int part = order == a ? i : order < DIM_MAX ? j : (i + a * j) % N;
+                at[a][k] = p.lo[a] + (part + 0.5) / N * (p.hi[a] - p.lo[a]);
+            }
         struct snapshot now = snapshot_take(s, &p, t);
-        snapshot_at_points(&now, ORDERS * N * N, at[0], p.dim == 2 ? at[1] : NULL, NULL, e);
-        for (int k = 0; k < ORDERS * N * N; k++) {
-            struct exact one = snapshot_at(&now, (double[2]){at[0][k], p.dim == 2 ? at[1][k] : 0});
+        snapshot_at_points(&now, POINTS, at[0], p.dim > 1 ? at[1] : NULL, p.dim > 2 ? at[2] : NULL, e);
+        for (int k = 0; k < POINTS; k++) {
+            struct exact one = snapshot_at(&now, (double[DIM_MAX]){at[0][k], at[1][k], at[2][k]});
             if (memcmp(&e[k].temperature, &one.temperature, sizeof one.temperature) != 0 ||
                 memcmp(&e[k].error_bound, &one.error_bound, sizeof one.error_bound) != 0)
-                fail_msg("%s at (%g, %g): %.17g, and alone %.17g", s->name, at[0][k], at[1][k], e[k].temperature,
-                         one.temperature);
+                fail_msg("%s at (%g, %g, %g): %.17g, and alone %.17g", s->name, at[0][k], at[1][k], at[2][k],
+                         e[k].temperature, one.temperature);
         }
         snapshot_free(&now);
     }
@@ -325,7 +330,7 @@ static void assert_scales(const struct scene *s, struct powers by) {
     if (s->setup(&q, &why)) fail_msg("%s: %s", s->name, why.text);
     unsigned long random = 23;
     for (int trial = 0; trial < 30; trial++) {
-        double x[2] = {0, 0}, y[2] = {0, 0}, t = p.t_end * pow(odd_random(&random), 3);
+        double x[DIM_MAX], y[DIM_MAX] = {0}, t = p.t_end * pow(odd_random(&random), 3);
         odd_point(&p, 0, &random, x);
         for (int d = 0; d < p.dim; d++) y[d] = ldexp(x[d], by.length);
         for (int form = 0; form < 2; form++) {
@@ -363,7 +368,8 @@ static void bounds_exist_at_all_times(void **state) {
         struct failure why;
         scene_defaults(s, &p);
         assert_int_equal(s->setup(&p, &why), STATUS_OK);
-        double x[2] = {0.31 * p.lo[0] + 0.69 * p.hi[0], 0.57 * p.lo[1] + 0.43 * p.hi[1]};
+        double x[DIM_MAX] = {0.31 * p.lo[0] + 0.69 * p.hi[0], 0.57 * p.lo[1] + 0.43 * p.hi[1],
+                             0.43 * p.lo[2] + 0.57 * p.hi[2]};
         if (p.shape) x[0] = 0.31 * p.radius[0] + 0.69 * p.radius[1]; /* and y near 0 */
         int bounded = 0;
         for (double t = 1e-310; t < 1e300; t *= 3e9) {
