@@ -60,37 +60,47 @@ static size_t faces_of_cell(const struct voronoi *v, size_t i, uint32_t *out) {
 }
 
 double assembly_stretch(const struct assembly *m, size_t i, uint32_t j) {
-    double x[2] = {m->c->x[i], m->c->y[i]}, depth = shape_depth(m->p, x);
+    double x[DIM_MAX];
+    cloud_place(m->c, i, x);
+    const double depth = shape_depth(m->p, x);
     const double most = 1.5; /* limit of the publication */
     return depth * (most - 1) > m->c->away[j - m->c->n] ? 1 + m->c->away[j - m->c->n] / depth : most;
 }
 
 int assembly_at_wall(const struct assembly *m, size_t i) {
-    return m->wide.cloud && shape_depth(m->p, (const double[2]){m->c->x[i], m->c->y[i]}) < m->support;
+    double x[DIM_MAX];
+    if (!m->wide.cloud) return 0;
+    cloud_place(m->c, i, x);
+    return shape_depth(m->p, x) < m->support;
 }
 
 int assembly_neighbourhood(const struct assembly *m, size_t i, struct surroundings *out, struct failure *why) {
     const struct cloud *c = m->c;
     const struct neighbours *cells = assembly_at_wall(m, i) ? &m->wide : &m->cells;
+    char place[PLACE_TEXT];
+    double x[DIM_MAX];
+    cloud_place(c, i, x);
     size_t n =
         m->s->cells ? faces_of_cell(&m->mesh, i, out->near) : neighbours_find(cells, i, out->near, NEIGHBOURS_MAX);
     if (n > NEIGHBOURS_MAX)
         return refuse(why, STATUS_NUMERICAL,
-                      "particle %zu at (%.6g, %.6g) m has %zu neighbours, at most %d are possible; use a smaller --h",
-                      i, c->x[i], c->y[i], n, NEIGHBOURS_MAX);
-    for (size_t k = 0; k < n; k++)
-        out->d[k][0] = c->x[out->near[k]] - c->x[i], out->d[k][1] = c->y[out->near[k]] - c->y[i], out->d[k][2] = 0;
+                      "particle %zu at %s has %zu neighbours, at most %d are possible; use a smaller --h", i,
+                      problem_place(c->dim, x, place), n, NEIGHBOURS_MAX);
+    for (size_t k = 0; k < n; k++) {
+        cloud_place(c, out->near[k], out->d[k]);
+        for (int a = 0; a < DIM_MAX; a++) out->d[k][a] -= x[a];
+    }
     const struct problem *p = m->p;
     const struct material *material = &p->material[layout_material(p, c->x[i])];
     out->nb = (struct neighbourhood){.dim = c->dim,
                                      .i = i,
-                                     .x = {c->x[i], c->y[i]},
+                                     .x = {x[0], x[1], x[2]},
                                      .n = n,
                                      .d = out->d,
                                      .h = m->h,
                                      .volume = m->volume,
-                                     .rho_c = assembly_rho_c(m, i),
-                                     .kappa = {material->k[0] / material->rho_c, material->k[1] / material->rho_c}};
+                                     .rho_c = assembly_rho_c(m, i)};
+    for (int a = 0; a < DIM_MAX; a++) out->nb.kappa[a] = material->k[a] / material->rho_c;
     if (m->s->cells) {
         for (size_t k = 0; k < n; k++) out->X[k] = c->x[out->near[k]];
         out->nb.volume = m->mesh.volume[i], out->nb.face = m->mesh.face + m->mesh.begin[i], out->nb.X = out->X;
@@ -104,7 +114,12 @@ void assembly_list_grow(struct assembly_list *l) {
     l->value = xcheck(realloc(l->value, l->room * sizeof *l->value), l->room, sizeof *l->value);
 }
 
-size_t assembly_list_join(const struct assembly_list part[ASSEMBLY_BLOCKS], size_t n, size_t *begin, uint32_t **point,
+static void list_free(struct assembly_list *l) {
+    free(l->point), free(l->value);
+    l->point = NULL, l->value = NULL;
+}
+
+size_t assembly_list_join(struct assembly_list part[ASSEMBLY_BLOCKS], size_t n, size_t *begin, uint32_t **point,
                           double **value) {
     size_t total = 0;
     for (size_t i = 0; i < n; i++) begin[i + 1] += begin[i];
@@ -115,19 +130,21 @@ size_t assembly_list_join(const struct assembly_list part[ASSEMBLY_BLOCKS], size
         if (part[b].n == 0) continue;
         memcpy(*point + at, part[b].point, part[b].n * sizeof **point);
         memcpy(*value + at, part[b].value, part[b].n * sizeof **value);
+        list_free(&part[b]);
     }
     return total;
 }
 
 void assembly_list_free(struct assembly_list part[ASSEMBLY_BLOCKS]) {
-    for (int b = 0; b < ASSEMBLY_BLOCKS; b++) free(part[b].point), free(part[b].value);
+    for (int b = 0; b < ASSEMBLY_BLOCKS; b++) list_free(&part[b]);
 }
 
 void assembly_keep_constants(const struct assembly *m, double *g, struct heat_operator *a) {
     const struct problem *p = m->p;
     const struct cloud *c = m->c;
     for (size_t i = 0; i < a->n; i++) {
-        double x[2] = {c->x[i], c->y[i]};
+        double x[DIM_MAX];
+        cloud_place(c, i, x);
         if (p->source) g[i] += p->source(p, x) / (a->rho_c ? a->rho_c[i] : layout_rho_c(p, m->cell, x[0]));
         if (c->held && c->held[i]) g[i] = 0;
         a->constant |= g[i] != 0;

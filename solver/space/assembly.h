@@ -69,9 +69,10 @@ static inline void assembly_list_add(struct assembly_list *l, uint32_t point, do
     l->value[l->n++] = value;
 }
 
-/* Joins the entries of all blocks, in order, into arrays owned by the caller; returns their number.  On entry
+/* Joins the entries of all blocks, in order, into arrays owned by the caller; returns their number.  Each block is
+ * freed once copied, to limit peak memory.  On entry
  * begin[i + 1] is the number of entries of point i < n, on return the end of its entries. */
-size_t assembly_list_join(const struct assembly_list part[ASSEMBLY_BLOCKS], size_t n, size_t *begin, uint32_t **point,
+size_t assembly_list_join(struct assembly_list part[ASSEMBLY_BLOCKS], size_t n, size_t *begin, uint32_t **point,
                           double **value);
 void assembly_list_free(struct assembly_list part[ASSEMBLY_BLOCKS]);
 

@@ -2,10 +2,10 @@
 /* The operator with one row per particle: off the lattice, or with variable conductivity.
  *
  * The scheme gives the row of particle i.  A neighbour that is a ghost adds w factor to the column of its source and
- * w offset to g_i.  A scheme of two sweeps multiplies out D_x kappa_x D_x + D_y kappa_y D_y, with D at i and at its
- * neighbours, including dummies: on a cut lattice the value of a ghost is a sum over particles.  Rows are collected
- * in blocks of particles, each filled by one thread, and joined in order, so the result does not depend on the
- * number of threads. */
+ * w offset to g_i.  A scheme of two sweeps multiplies out the sum of D_a kappa_a D_a over the axes, with D at i and
+ * at its neighbours, including dummies: on a cut lattice the value of a ghost is a sum over particles.  Rows are
+ * collected in blocks of particles, each filled by one thread, and joined in order, so the result does not depend on
+ * the number of threads. */
 #include "solver/space/csr.h"
 #include "solver/space/assembly.h"
 
@@ -86,13 +86,14 @@ static void add_point(const struct assembly *m, size_t i, uint32_t j, double w, 
 }
 
 /* Adds flux .  D T at point j; `of` receives its neighbourhood. */
-static int add_derivative(const struct assembly *m, size_t i, uint32_t j, const double flux[2],
-                          struct surroundings *of, struct row *r, double *g, struct failure *why) {
-    double weight[2][NEIGHBOURS_MAX], *w[2] = {weight[0], weight[1]}, own = 0;
+static int add_derivative(const struct assembly *m, size_t i, uint32_t j, const double *flux, struct surroundings *of,
+                          struct row *r, double *g, struct failure *why) {
+    double weight[DIM_MAX][NEIGHBOURS_MAX], *w[] = {weight[0], weight[1], weight[2]}, own = 0;
     if (assembly_neighbourhood(m, j, of, why) || operator_weights(m->s, m->p, m->o, &of->nb, w, why))
         return why->status;
     for (size_t k = 0; k < of->nb.n; k++) {
-        double sum = flux[0] * w[0][k] + (m->p->dim == 2 ? flux[1] * w[1][k] : 0);
+        double sum = 0;
+        for (int a = 0; a < m->p->dim; a++) sum += flux[a] * w[a][k];
         own -= sum;
         add_point(m, i, of->near[k], sum, r, g);
     }
@@ -103,11 +104,12 @@ static int add_derivative(const struct assembly *m, size_t i, uint32_t j, const 
 /* Adds sum_j w_ij . (q_j - q_i), or q_j + q_i for an adjoint scheme, with q = kappa D T. */
 static int add_composed_row(const struct assembly *m, size_t i, struct surroundings at[2], struct row *r, double *g,
                             struct failure *why) {
-    double weight[2][NEIGHBOURS_MAX], *w[2] = {weight[0], weight[1]}, flux[2], own[2] = {0, 0};
+    double weight[DIM_MAX][NEIGHBOURS_MAX], *w[] = {weight[0], weight[1], weight[2]}, flux[DIM_MAX];
+    double own[DIM_MAX] = {0};
     const double *kappa = at[0].nb.kappa, sign = m->s->adjoint ? 1 : -1;
     if (operator_weights(m->s, m->p, m->o, &at[0].nb, w, why)) return why->status;
     for (size_t k = 0; k < at[0].nb.n; k++) {
-        for (int a = 0; a < 2; a++) flux[a] = a < m->p->dim ? kappa[a] * w[a][k] : 0, own[a] += sign * flux[a];
+        for (int a = 0; a < m->p->dim; a++) flux[a] = kappa[a] * w[a][k], own[a] += sign * flux[a];
         if (add_derivative(m, i, at[0].near[k], flux, &at[1], r, g, why)) return why->status;
     }
     return add_derivative(m, i, (uint32_t)i, own, &at[1], r, g, why);
@@ -116,7 +118,7 @@ static int add_composed_row(const struct assembly *m, size_t i, struct surroundi
 static int add_row(const struct assembly *m, struct heat_operator *a, size_t i, struct surroundings at[2],
                    struct row *r, double *g, struct failure *why) {
     const struct cloud *c = m->c;
-    double weight[NEIGHBOURS_MAX], *w[2] = {weight, NULL};
+    double weight[NEIGHBOURS_MAX], *w[] = {weight};
     if (c->held && c->held[i]) return STATUS_OK;
     if (assembly_neighbourhood(m, i, at, why)) return why->status;
     if (assembly_at_wall(m, i)) return add_wall_row(m, a, i, at, r, g, why);

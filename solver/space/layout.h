@@ -62,13 +62,13 @@ double layout_ghost_offset(const struct problem *p, enum walls walls, const stru
 /* Particles off the lattice, ordered by cells of side `reach`, followed by their ghosts. */
 struct cloud {
     int dim;
-    size_t n, total;  /* number of particles; of particles and ghosts */
-    double *x, *y;    /* m, total each; y is all zero for a rod */
-    uint32_t *source; /* total; i for particle i */
-    double *factor;   /* total */
-    double *offset;   /* K, total */
-    double volume;    /* m^dim, volume of each particle; their mean if they differ */
-    double reach;     /* m, distance from the domain up to which there are ghosts */
+    size_t n, total;   /* number of particles; of particles and ghosts */
+    double *x, *y, *z; /* m, total each; y is all zero for a rod, z is NULL but in space */
+    uint32_t *source;  /* total; i for particle i */
+    double *factor;    /* total */
+    double *offset;    /* K, total */
+    double volume;     /* m^dim, volume of each particle; their mean if they differ */
+    double reach;      /* m, distance from the domain up to which there are ghosts */
     /* For a lattice cut by the walls, else NULL: */
     double *cell;        /* m^dim, n: volume of each particle's cell inside the body */
     unsigned char *held; /* n: 1 for a particle on a Dirichlet wall, which keeps the wall's value */
@@ -79,6 +79,11 @@ struct cloud {
     uint32_t *from;
     double *share, *away;
 };
+
+/* Position of point i of a cloud, m; 0 past dim. */
+static inline void cloud_place(const struct cloud *c, size_t i, double x[DIM_MAX]) {
+    x[0] = c->x[i], x[1] = c->y[i], x[2] = c->z ? c->z[i] : 0;
+}
 
 /* The particles of a layout and every ghost within `reach` (m) of the domain.  Returns STATUS_INPUT if the domain is
  * narrower than `reach`, STATUS_NUMERICAL if a relaxation does not converge. */

@@ -1,33 +1,52 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Cell-linked list.  Points are sorted into square cells at least as wide as the radius, so all neighbours of a
- * point are in its own cell and the adjacent ones. */
+/* Cell-linked list.  Points are sorted into square or cubic cells at least as wide as the radius, so all neighbours
+ * of a point are in its own cell and the adjacent ones. */
 #include "solver/space/neighbours.h"
 
 #include <math.h>
 #include <stdlib.h>
 
-static size_t cell_of(const struct neighbours *nb, double x, double y) {
-    size_t i = (size_t)((x - nb->lo[0]) / nb->cell), j = (size_t)((y - nb->lo[1]) / nb->cell);
-    return j * (size_t)nb->cells[0] + i;
+/* Cell of point i, by axis. */
+static void find_cell(const struct neighbours *nb, size_t i, int at[DIM_MAX]) {
+    double x[DIM_MAX];
+    cloud_place(nb->cloud, i, x);
+    for (int a = 0; a < DIM_MAX; a++) at[a] = (int)((x[a] - nb->lo[a]) / nb->cell);
+}
+
+static size_t cell_of(const struct neighbours *nb, size_t i) {
+    int at[DIM_MAX];
+    find_cell(nb, i, at);
+    return ((size_t)at[2] * (size_t)nb->cells[1] + (size_t)at[1]) * (size_t)nb->cells[0] + (size_t)at[0];
+}
+
+/* A width of at most 7 n + 1 cells (3 n + 1 in the plane): with n points, none of the extents, areas and the volume
+ * of the box about them has more than n of its powers. */
+static double least_cell(const double extent[DIM_MAX], double n) {
+    double cell = 0;
+    for (int a = 0; a < DIM_MAX; a++)
+        cell = fmax(cell, fmax(extent[a] / n, sqrt(extent[a] * extent[(a + 1) % DIM_MAX] / n)));
+    return fmax(cell, cbrt(extent[0] * extent[1] * extent[2] / n));
 }
 
 void neighbours_create(struct neighbours *nb, const struct cloud *c, double radius) {
-    double lo[2] = {c->x[0], c->y[0]}, hi[2] = {c->x[0], c->y[0]};
+    double lo[DIM_MAX], hi[DIM_MAX], extent[DIM_MAX], x[DIM_MAX];
+    cloud_place(c, 0, lo);
+    cloud_place(c, 0, hi);
     for (size_t i = 1; i < c->total; i++) {
-        lo[0] = fmin(lo[0], c->x[i]), hi[0] = fmax(hi[0], c->x[i]);
-        lo[1] = fmin(lo[1], c->y[i]), hi[1] = fmax(hi[1], c->y[i]);
+        cloud_place(c, i, x);
+        for (int a = 0; a < DIM_MAX; a++) lo[a] = fmin(lo[a], x[a]), hi[a] = fmax(hi[a], x[a]);
     }
-    double width = hi[0] - lo[0], height = hi[1] - lo[1], n = (double)c->total;
-    double cell = fmax(sqrt(width * height / n), fmax(width, height) / n); /* at most 3 n + 1 cells */
-    *nb = (struct neighbours){.cloud = c, .radius = radius, .cell = fmax(radius, cell), .lo = {lo[0], lo[1]}};
-    for (int a = 0; a < 2; a++) nb->cells[a] = (int)((hi[a] - lo[a]) / nb->cell) + 1;
-    size_t cells = (size_t)nb->cells[0] * (size_t)nb->cells[1];
+    for (int a = 0; a < DIM_MAX; a++) extent[a] = hi[a] - lo[a];
+    *nb =
+        (struct neighbours){.cloud = c, .radius = radius, .cell = fmax(radius, least_cell(extent, (double)c->total))};
+    for (int a = 0; a < DIM_MAX; a++) nb->lo[a] = lo[a], nb->cells[a] = (int)(extent[a] / nb->cell) + 1;
+    size_t cells = (size_t)nb->cells[0] * (size_t)nb->cells[1] * (size_t)nb->cells[2];
     nb->start = xcalloc(cells + 2, sizeof *nb->start);
     nb->point = xcalloc(c->total, sizeof *nb->point);
     /* counting sort: while cell k fills, start[k + 1] moves from its beginning to its end */
-    for (size_t i = 0; i < c->total; i++) nb->start[cell_of(nb, c->x[i], c->y[i]) + 2]++;
+    for (size_t i = 0; i < c->total; i++) nb->start[cell_of(nb, i) + 2]++;
     for (size_t k = 2; k < cells + 2; k++) nb->start[k] += nb->start[k - 1];
-    for (size_t i = 0; i < c->total; i++) nb->point[nb->start[cell_of(nb, c->x[i], c->y[i]) + 1]++] = (uint32_t)i;
+    for (size_t i = 0; i < c->total; i++) nb->point[nb->start[cell_of(nb, i) + 1]++] = (uint32_t)i;
 }
 
 void neighbours_free(struct neighbours *nb) {
@@ -36,30 +55,36 @@ void neighbours_free(struct neighbours *nb) {
     *nb = (struct neighbours){0};
 }
 
-int neighbours_runs(const struct neighbours *nb, size_t i, uint32_t begin[3], uint32_t end[3]) {
-    const struct cloud *c = nb->cloud;
-    int at[2] = {(int)((c->x[i] - nb->lo[0]) / nb->cell), (int)((c->y[i] - nb->lo[1]) / nb->cell)}, runs = 0;
-    int first = at[0] > 0 ? at[0] - 1 : 0, last = at[0] + 1 < nb->cells[0] ? at[0] + 1 : nb->cells[0] - 1;
-    for (int j = at[1] > 0 ? at[1] - 1 : 0; j <= at[1] + 1 && j < nb->cells[1]; j++) {
-        const uint32_t *row = nb->start + (size_t)j * (size_t)nb->cells[0];
-        begin[runs] = row[first], end[runs++] = row[last + 1];
+int neighbours_runs(const struct neighbours *nb, size_t i, uint32_t begin[NEIGHBOURS_RUNS],
+                    uint32_t end[NEIGHBOURS_RUNS]) {
+    int at[DIM_MAX], from[DIM_MAX], to[DIM_MAX], runs = 0;
+    find_cell(nb, i, at);
+    for (int a = 0; a < DIM_MAX; a++) {
+        from[a] = at[a] > 0 ? at[a] - 1 : 0;
+        to[a] = at[a] + 1 < nb->cells[a] ? at[a] + 1 : nb->cells[a] - 1;
     }
+    for (int k = from[2]; k <= to[2]; k++)
+        for (int j = from[1]; j <= to[1]; j++) {
+            const uint32_t *row = nb->start + ((size_t)k * (size_t)nb->cells[1] + (size_t)j) * (size_t)nb->cells[0];
+            begin[runs] = row[from[0]], end[runs++] = row[to[0] + 1];
+        }
     return runs;
 }
 
 size_t neighbours_find(const struct neighbours *nb, size_t i, uint32_t *out, size_t most) {
     const struct cloud *c = nb->cloud;
+    const double *x = c->x, *y = c->y, *z = c->z;
     /* Lattice neighbours at exactly the radius must not depend on round-off; they are excluded, since the kernel is
      * zero. */
     double radius2 = nb->radius * nb->radius * (1 - 1e-12);
-    uint32_t begin[3], end[3];
+    uint32_t begin[NEIGHBOURS_RUNS], end[NEIGHBOURS_RUNS];
     int runs = neighbours_runs(nb, i, begin, end);
     size_t found = 0;
     for (int r = 0; r < runs; r++)
         for (uint32_t k = begin[r]; k < end[r]; k++) {
             uint32_t j = nb->point[k];
-            double dx = c->x[j] - c->x[i], dy = c->y[j] - c->y[i];
-            if (j == i || dx * dx + dy * dy >= radius2) continue;
+            double dx = x[j] - x[i], dy = y[j] - y[i], dz = z ? z[j] - z[i] : 0;
+            if (j == i || dx * dx + dy * dy + dz * dz >= radius2) continue;
             if (found < most) out[found] = j;
             found++;
         }

@@ -6,14 +6,16 @@
 
 /* Cell-linked list: all points within a radius in O(1) per point, after O(N) set-up (Hockney & Eastwood 1981). */
 
+enum { NEIGHBOURS_RUNS = 9 }; /* rows of cells around a cell, in space; 3 in the plane */
+
 struct neighbours {
     const struct cloud *cloud; /* borrowed */
     double radius;             /* m */
-    double cell;  /* m, width of a cell: the radius, or more if that would give many more cells than points */
-    double lo[2]; /* m */
-    int cells[2];
-    uint32_t *start; /* cells + 1: start of each cell in `point` */
-    uint32_t *point; /* cloud->total */
+    double cell;        /* m, width of a cell: the radius, or more if that would give many more cells than points */
+    double lo[DIM_MAX]; /* m */
+    int cells[DIM_MAX]; /* 1 past dim */
+    uint32_t *start;    /* cells + 1: start of each cell in `point` */
+    uint32_t *point;    /* cloud->total */
 };
 
 /* Sorts the points of *c, including ghosts, into cells; radius in m.  Release with neighbours_free. */
@@ -21,8 +23,9 @@ void neighbours_create(struct neighbours *nb, const struct cloud *c, double radi
 void neighbours_free(struct neighbours *nb);
 
 /* The points in the cells around point i, including itself: nb->point[k] for begin[r] <= k < end[r], for r below the
- * returned count, at most 3. */
-int neighbours_runs(const struct neighbours *nb, size_t i, uint32_t begin[3], uint32_t end[3]);
+ * returned count. */
+int neighbours_runs(const struct neighbours *nb, size_t i, uint32_t begin[NEIGHBOURS_RUNS],
+                    uint32_t end[NEIGHBOURS_RUNS]);
 
 /* Writes the indices of the points within the radius of point i, excluding i, to out[most].  Returns their number,
  * which may exceed `most`. */

@@ -74,7 +74,7 @@ static void push(const struct medium *m, const struct sorted *s, size_t i) {
     const double x = m->c.x[i], y = m->c.y[i], H = REACH * m->spacing, half = 1 / (2 * H);
     const int plane = m->c.dim == 2;
     double sum[2] = {0, 0};
-    uint32_t begin[3], end[3];
+    uint32_t begin[NEIGHBOURS_RUNS], end[NEIGHBOURS_RUNS];
     int runs = neighbours_runs(&s->cells, i, begin, end);
     for (int r = 0; r < runs; r++)
         for (uint32_t k = begin[r]; k < end[r]; k++) {
